@@ -1,0 +1,16 @@
+# Run as a script: writes OUTPUT, a C++ source that holds each of SHADERS as a string under its file
+# name. The strings are plain bytes, so nothing in a shader needs escaping.
+set(text "#include \"medial/gpu/shader_source.h\"\n\n#include <cstddef>\n\nnamespace medial::gpu\n{\nnamespace\n{\n")
+set(table "")
+set(index 0)
+foreach(shader IN LISTS SHADERS)
+  get_filename_component(name "${shader}" NAME)
+  file(READ "${shader}" hex HEX)
+  string(REGEX REPLACE "([0-9a-f][0-9a-f])" "0x\\1," bytes "${hex}")
+  string(APPEND text "const char kShader${index}[] = {${bytes}0};\n")
+  string(APPEND table "  { \"${name}\", kShader${index} },\n")
+  math(EXPR index "${index} + 1")
+endforeach()
+string(APPEND text "} // namespace\n\nconst EmbeddedShader kEmbeddedShaders[] = {\n${table}};\n")
+string(APPEND text "const std::size_t kEmbeddedShaderCount = ${index};\n\n} // namespace medial::gpu\n")
+file(WRITE "${OUTPUT}" "${text}")

@@ -1,0 +1,8 @@
+# medial_warnings(TARGET): the warnings that every target of the project is built with.
+function(medial_warnings target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
+    -Wcast-align -Woverloaded-virtual -Wnull-dereference -Wdouble-promotion)
+  if(MEDIAL_WARNINGS_AS_ERRORS)
+    target_compile_options(${target} PRIVATE -Werror)
+  endif()
+endfunction()

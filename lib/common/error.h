@@ -1,0 +1,37 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace medial
+{
+
+/// Why an operation of the library failed.
+enum class ErrorCode
+{
+  InvalidInput, ///< a mesh, grid or option outside its documented range
+  NoGpu,        ///< no usable OpenGL 4.5 context, or a software one where hardware is required
+  ShaderBuild,  ///< a shader was refused by the driver
+  GpuLimit,     ///< the request exceeds a limit of the GPU or its driver
+  OutOfMemory,  ///< host or device memory ran out
+  Cancelled     ///< Progress::cancelled() returned true
+};
+
+/// The only exception type that the library throws on purpose. The message is one line that names
+/// the offending value and the allowed range; the library never prints and never exits.
+class Error : public std::runtime_error
+{
+public:
+  Error(ErrorCode code, const std::string& message)
+    : std::runtime_error(message)
+    , code_(code)
+  {
+  }
+
+  ErrorCode code() const noexcept { return code_; }
+
+private:
+  ErrorCode code_;
+};
+
+} // namespace medial

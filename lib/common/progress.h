@@ -1,0 +1,21 @@
+#pragma once
+
+namespace medial
+{
+
+/// Receives progress and answers whether to go on. Long operations call both from the thread that
+/// started them, a few times a second.
+class Progress
+{
+public:
+  virtual ~Progress() = default;
+
+  /// @param fraction share of the whole work that is done, in [0, 1], never decreasing.
+  /// @param phase what is being done, a short lower-case text with static storage.
+  virtual void report(double fraction, const char* phase) = 0;
+
+  /// Returns true to stop the work: the operation then throws Error with ErrorCode::Cancelled.
+  virtual bool cancelled() { return false; }
+};
+
+} // namespace medial

@@ -1,0 +1,126 @@
+#pragma once
+
+#include "medial/common/grid.h"
+#include "medial/common/progress.h"
+#include "medial/gpu/device.h"
+#include "medial/mesh/topology.h"
+#include "medial/mesh/triangle_mesh.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace medial
+{
+
+/// How inside is told from outside. Negative is inside; the magnitude never depends on the method.
+enum class SignMethod
+{
+  Auto,         ///< Pseudonormal for closed, consistently oriented meshes, else None
+  None,         ///< unsigned distance
+  Pseudonormal, ///< angle-weighted pseudonormals; the mesh must be closed and oriented
+  Winding       ///< generalised winding number; not available yet
+};
+
+/// Kind of the closest site, as stored in the ClosestFeature array.
+enum class Feature : std::uint8_t
+{
+  Vertex = 0,
+  Edge = 1,
+  Face = 2
+};
+
+struct DistanceFieldOptions
+{
+  SignMethod sign = SignMethod::Auto;
+  /// CPU threads to use; 0 for all cores.
+  int threads = 0;
+  /// Upper bound of the memory for slabs, in MiB; 0 chooses. Any value >= 64 works.
+  std::size_t memoryMiB = 0;
+  /// Fail on a software renderer.
+  bool requireHardware = false;
+  /// Told of progress and asked for cancellation; may be null.
+  Progress* progress = nullptr;
+};
+
+/// Where results go: each array has one element (closestPoint: three) per point of the extent, x
+/// fastest. A null pointer means that the array is not wanted.
+struct FieldArrays
+{
+  float* distance = nullptr;         ///< world units; negative inside unless unsigned
+  float* closestPoint = nullptr;     ///< world coordinates, xyz
+  std::int32_t* closestSite = nullptr; ///< faces, edges, vertices in this order: [0, F+E+V)
+  std::uint8_t* closestFeature = nullptr; ///< Feature
+  std::int64_t* closestCell = nullptr;  ///< id of an input cell that holds the closest site
+
+  bool any() const
+  {
+    return distance || closestPoint || closestSite || closestFeature || closestCell;
+  }
+};
+
+/// What a run did and how long each phase took.
+struct RunStatistics
+{
+  /// Wall-clock seconds.
+  struct Seconds
+  {
+    double sites = 0;    ///< building sites and their half-spaces
+    double cull = 0;     ///< hierarchical candidates
+    double polygons = 0; ///< clipping bounds of Voronoi regions
+    double draw = 0;     ///< upload and rasterisation
+    double resolve = 0;  ///< exact distances from closest sites, read-back
+    double medial = 0;   ///< direction field, selection, medial surface
+  } seconds;
+  std::int64_t sites = 0;
+  std::int64_t candidatePairs = 0; ///< (site, leaf tile) pairs that survive culling
+  std::int64_t polygons = 0;
+  std::int64_t fragments = 0; ///< polygon area in samples, before the depth test
+  std::int64_t samples = 0;   ///< grid points computed
+  Device device;
+
+  double fragmentsPerVoxel() const
+  {
+    return samples > 0 ? static_cast<double>(fragments) / static_cast<double>(samples) : 0.0;
+  }
+};
+
+/// A distance field in memory: arrays as in FieldArrays.
+struct DistanceField
+{
+  Grid grid;
+  SignMethod sign = SignMethod::None; ///< the method used, never Auto
+  std::vector<float> distance;
+  std::vector<float> closestPoint;
+  std::vector<std::int32_t> closestSite;
+  std::vector<std::uint8_t> closestFeature;
+  std::vector<std::int64_t> closestCell;
+  RunStatistics statistics;
+};
+
+/// The sign method that `requested` means for a mesh.
+/// @throws Error InvalidInput for Winding, and for Pseudonormal where the mesh is open or not
+///   consistently oriented.
+SignMethod resolveSignMethod(SignMethod requested, const MeshTopology& topology);
+
+/// Exact distance field of a mesh on the whole grid, with all arrays.
+///
+/// The closest site of every grid point is found by linear factorisation (Sud, Govindaraju, Gayle,
+/// Manocha, I3D 2006, section 3): distance vectors are affine over a site's Voronoi region, so the
+/// rasteriser interpolates them over a polygon that bounds the region on each slice and the depth
+/// test keeps the nearest. Distances are then evaluated exactly from the closest site.
+///
+/// @throws Error InvalidInput (empty mesh, bad grid, impossible sign), NoGpu, GpuLimit,
+///   OutOfMemory, Cancelled.
+DistanceField computeDistanceField(
+  const TriangleMesh& mesh, const Grid& grid, const DistanceFieldOptions& options = {});
+
+/// The part of the field inside `extent`, written to the caller's arrays. Values do not depend on
+/// the extent (ids: except between sites at equal distance).
+/// @throws Error as computeDistanceField, and InvalidInput when the extent is empty or leaves the grid.
+RunStatistics computeDistanceField(const TriangleMesh& mesh, const MeshTopology& topology,
+  const Grid& grid, const Extent& extent, const FieldArrays& arrays,
+  const DistanceFieldOptions& options = {});
+
+} // namespace medial

@@ -1,0 +1,81 @@
+#pragma once
+
+#include "medial/distance/distance_field.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace medial
+{
+
+/// Which side of the surface the medial axis is wanted for.
+enum class Side
+{
+  Interior, ///< where the signed distance is negative
+  Exterior, ///< where it is positive
+  Both      ///< everywhere; the only choice for an unsigned field
+};
+
+/// What the medial axis is made of.
+enum class Representation
+{
+  Surface, ///< dual mesh: a vertex per grid cell, a face per crossed grid edge
+  Faces,   ///< the voxel faces between the two ends of each crossed grid edge (Foskey et al.)
+  Points   ///< one point per crossed grid edge, on the bisector of the two closest sites
+};
+
+/// Default separation angle theta, in degrees.
+constexpr double kDefaultAngle = 60.0;
+
+struct MedialAxisOptions
+{
+  /// Least separation angle theta of the directions to the two closest points, in degrees, in
+  /// (0, 180). Small values keep more of the axis and more noise.
+  double angle = kDefaultAngle;
+  Side side = Side::Interior;
+  Representation representation = Representation::Surface;
+  DistanceFieldOptions field;
+};
+
+/// A medial axis as points with attributes and cells over them.
+struct MedialAxis
+{
+  std::vector<Point3> points; ///< centres of medial balls, world coordinates
+  std::vector<float> radius;  ///< distance to the surface, world units
+  std::vector<float> separationAngle; ///< degrees, [0, 180]
+  std::vector<float> lambda;          ///< radius * sin(separationAngle / 2), world units
+  std::vector<std::array<float, 3>> closestPointA; ///< world coordinates
+  std::vector<std::array<float, 3>> closestPointB;
+
+  /// Cells by number of distinct corners; a cell never repeats a point and never has zero area.
+  /// Where the axis is thinner than a sheet at this resolution it comes as lines and vertices.
+  std::vector<std::array<std::int64_t, 4>> quads;
+  std::vector<std::array<std::int64_t, 3>> triangles;
+  std::vector<std::array<std::int64_t, 2>> lines;
+  std::vector<std::int64_t> vertices;
+
+  SignMethod sign = SignMethod::None; ///< the method used, never Auto
+  Side side = Side::Both;             ///< the side delivered: Both where the field is unsigned
+  RunStatistics statistics;
+
+  std::int64_t cellCount() const
+  {
+    return static_cast<std::int64_t>(
+      quads.size() + triangles.size() + lines.size() + vertices.size());
+  }
+};
+
+/// Medial axis of a mesh, simplified by separation angle (Foskey, Lin, Manocha, 2003), from the
+/// distance field on `grid`. Point positions are sub-voxel: on the bisector of the two sites.
+///
+/// @param arrays where to leave the distance field of the whole grid as well; all null for none.
+/// @throws Error InvalidInput for an angle outside (0, 180), and as computeDistanceField.
+MedialAxis computeMedialAxis(const TriangleMesh& mesh, const MeshTopology& topology,
+  const Grid& grid, const MedialAxisOptions& options = {}, const FieldArrays& arrays = {});
+
+/// The same for a mesh whose topology the caller has no use for.
+MedialAxis computeMedialAxis(
+  const TriangleMesh& mesh, const Grid& grid, const MedialAxisOptions& options = {});
+
+} // namespace medial

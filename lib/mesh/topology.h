@@ -1,0 +1,53 @@
+#pragma once
+
+#include "medial/mesh/triangle_mesh.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace medial
+{
+
+/// Lists of variable length in one array: row r is values[offsets[r]] .. values[offsets[r+1]-1].
+struct IncidenceLists
+{
+  std::vector<int> offsets{ 0 };
+  std::vector<int> values;
+
+  int rows() const { return static_cast<int>(offsets.size()) - 1; }
+  int size(int row) const { return offsets[row + 1] - offsets[row]; }
+  const int* begin(int row) const { return values.data() + offsets[row]; }
+  const int* end(int row) const { return values.data() + offsets[row + 1]; }
+};
+
+/// Who touches whom in a TriangleMesh, manifold or not, and what follows for the whole mesh.
+struct MeshTopology
+{
+  /// Undirected edges as point pairs: those of the triangles, then the segments that are no edge of
+  /// a triangle.
+  std::vector<std::array<int, 2>> edges;
+  /// Edge i of a triangle joins its corners i and (i+1)%3.
+  std::vector<std::array<int, 3>> triangleEdges;
+  IncidenceLists edgeTriangles; ///< per edge: its triangles, 0, 1, 2, 3 or more
+  IncidenceLists pointEdges;    ///< per point: the edges that end there
+
+  std::vector<std::int64_t> edgeCells;  ///< per edge: an input cell that holds it
+  std::vector<std::int64_t> pointCells; ///< per point: an input cell that holds it
+
+  int components = 0;          ///< pieces connected through points
+  int boundaryEdges = 0;       ///< edges with one triangle
+  int nonManifoldEdges = 0;    ///< edges with three or more triangles
+  int misorientedEdges = 0;    ///< edges whose two triangles run through them the same way
+  int nonManifoldTriangles = 0; ///< triangles that a manifold half-edge mesh cannot hold
+  double signedVolume = 0.0;   ///< world units cubed; negative when closed faces point inwards
+
+  bool closed() const;   ///< triangles only, every edge has two of them
+  bool manifold() const; ///< no non-manifold triangle
+  bool oriented() const { return misorientedEdges == 0; }
+};
+
+/// Connectivity of the manifold part from OpenMesh; triangles that it refuses join by their edges.
+MeshTopology analyseTopology(const TriangleMesh& mesh);
+
+} // namespace medial

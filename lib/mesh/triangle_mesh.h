@@ -1,0 +1,66 @@
+#pragma once
+
+#include "medial/common/grid.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace medial
+{
+
+/// Cells as lists of point ids: cell c uses connectivity[offsets[c]] .. connectivity[offsets[c+1]-1].
+struct CellList
+{
+  std::vector<std::int64_t> offsets{ 0 };
+  std::vector<std::int64_t> connectivity;
+  /// The caller's id of every cell; reported back as ClosestCell.
+  std::vector<std::int64_t> ids;
+
+  std::int64_t size() const { return static_cast<std::int64_t>(ids.size()); }
+  void append(const std::vector<std::int64_t>& pointIds, std::int64_t id);
+};
+
+/// A polygon soup as a file or a VTK pipeline delivers it; nothing about it is assumed.
+struct MeshInput
+{
+  std::vector<Point3> points;
+  CellList polygons; ///< triangles, quads and simple polygons, possibly concave
+  CellList lines;    ///< polylines, two or more points each
+  CellList verts;    ///< poly-vertices, one or more points each
+};
+
+/// Triangles, segments and isolated points over welded points: the sites' geometry.
+///
+/// Bit-equal input points are one point here (-0 equals 0), and points that no cell uses are left
+/// out. A triangle with only two distinct corners is kept as a segment, with one as a point.
+/// Triangles with three distinct but collinear corners stay in `triangles`, so that the
+/// connectivity has no hole; they have no face site, only their edges and vertices.
+struct TriangleMesh
+{
+  std::vector<Point3> points;
+  std::vector<std::array<int, 3>> triangles;
+  std::vector<std::array<int, 2>> segments; ///< not the edges of triangles, but line cells
+  std::vector<int> vertices;                ///< points that are cells of their own
+
+  /// Input cell ids, one per entry of the list of the same stem.
+  std::vector<std::int64_t> triangleCells;
+  std::vector<std::int64_t> segmentCells;
+  std::vector<std::int64_t> vertexCells;
+
+  /// Welded point of every input point, -1 where no cell uses it.
+  std::vector<int> pointOfInput;
+
+  std::int64_t weldedPoints = 0;        ///< input points merged into an equal one
+  std::int64_t degenerateTriangles = 0; ///< triangles without area, in whatever form they are kept
+
+  bool empty() const { return triangles.empty() && segments.empty() && vertices.empty(); }
+  Bounds bounds() const;
+};
+
+/// Welds, triangulates and sorts out degenerate cells.
+/// @throws Error InvalidInput for a NaN or infinite coordinate (naming the input point), a point id
+///   outside the list of points (naming cell and id), or an input without any cell.
+TriangleMesh buildTriangleMesh(const MeshInput& input);
+
+} // namespace medial
