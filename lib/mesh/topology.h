@@ -29,25 +29,33 @@ struct MeshTopology
   std::vector<std::array<int, 2>> edges;
   /// Edge i of a triangle joins its corners i and (i+1)%3.
   std::vector<std::array<int, 3>> triangleEdges;
-  IncidenceLists edgeTriangles; ///< per edge: its triangles, 0, 1, 2, 3 or more
-  IncidenceLists pointEdges;    ///< per point: the edges that end there
+  std::vector<int> segmentEdges; ///< per segment: its edge, which a triangle may have too
+  IncidenceLists edgeTriangles;  ///< per edge: its triangles, 0, 1, 2, 3 or more
+  IncidenceLists pointEdges;     ///< per point: the edges that end there
 
   std::vector<std::int64_t> edgeCells;  ///< per edge: an input cell that holds it
   std::vector<std::int64_t> pointCells; ///< per point: an input cell that holds it
 
-  int components = 0;          ///< pieces connected through points
-  int boundaryEdges = 0;       ///< edges with one triangle
-  int nonManifoldEdges = 0;    ///< edges with three or more triangles
-  int misorientedEdges = 0;    ///< edges whose two triangles run through them the same way
-  int nonManifoldTriangles = 0; ///< triangles that a manifold half-edge mesh cannot hold
-  double signedVolume = 0.0;   ///< world units cubed; negative when closed faces point inwards
+  int components = 0;       ///< pieces connected through points
+  int boundaryEdges = 0;    ///< edges with one triangle
+  int nonManifoldEdges = 0; ///< edges with three or more triangles
+  int misorientedEdges = 0; ///< edges whose two triangles run through them the same way
+  /// Triangles that an oriented manifold half-edge mesh cannot hold, added in their order.
+  int nonManifoldTriangles = 0;
+  /// Points at which that half-edge mesh has more than one gap, as open bow-ties.
+  int nonManifoldPoints = 0;
+  /// World units cubed; negative when closed faces point inwards, of no meaning for open meshes.
+  double signedVolume = 0.0;
 
-  bool closed() const;   ///< triangles only, every edge has two of them
-  bool manifold() const; ///< no non-manifold triangle
+  bool closed() const; ///< triangles only, every edge has two of them
+  bool manifold() const;
   bool oriented() const { return misorientedEdges == 0; }
 };
 
 /// Connectivity of the manifold part from OpenMesh; triangles that it refuses join by their edges.
+/// The numbering depends on the order of the mesh's lists only.
+/// @throws Error InvalidInput for a point id that is out of range or repeated within a triangle or
+///   segment, and for lists of cell ids of the wrong size; buildTriangleMesh makes none of these.
 MeshTopology analyseTopology(const TriangleMesh& mesh);
 
 } // namespace medial

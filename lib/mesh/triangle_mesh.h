@@ -9,7 +9,8 @@
 namespace medial
 {
 
-/// Cells as lists of point ids: cell c uses connectivity[offsets[c]] .. connectivity[offsets[c+1]-1].
+/// Cells as lists of point ids: cell c uses connectivity[offsets[c]] ..
+/// connectivity[offsets[c+1]-1].
 struct CellList
 {
   std::vector<std::int64_t> offsets{ 0 };
@@ -18,7 +19,7 @@ struct CellList
   std::vector<std::int64_t> ids;
 
   std::int64_t size() const { return static_cast<std::int64_t>(ids.size()); }
-  void append(const std::vector<std::int64_t>& pointIds, std::int64_t id);
+  void append(const std::vector<std::int64_t>& pointIds, std::int64_t cellId);
 };
 
 /// A polygon soup as a file or a VTK pipeline delivers it; nothing about it is assumed.
@@ -55,12 +56,18 @@ struct TriangleMesh
   std::int64_t degenerateTriangles = 0; ///< triangles without area, in whatever form they are kept
 
   bool empty() const { return triangles.empty() && segments.empty() && vertices.empty(); }
-  Bounds bounds() const;
+  Bounds bounds() const; ///< of `points`; zero where there are none
 };
 
-/// Welds, triangulates and sorts out degenerate cells.
-/// @throws Error InvalidInput for a NaN or infinite coordinate (naming the input point), a point id
-///   outside the list of points (naming cell and id), or an input without any cell.
+/// False when the height of triangle abc over its longest side is nil or lost in rounding, so that
+/// it has no usable normal and counts as degenerate.
+bool hasArea(const Point3& a, const Point3& b, const Point3& c);
+
+/// Welds, triangulates and sorts out degenerate cells. Polylines become segments, and pieces of
+/// them without length become points. A cell given twice is kept twice.
+/// @throws Error InvalidInput for a NaN or infinite coordinate of a point that a cell uses (naming
+///   the input point), a point id outside the list of points (naming cell and id), or an input
+///   without any cell.
 TriangleMesh buildTriangleMesh(const MeshInput& input);
 
 } // namespace medial

@@ -1,0 +1,239 @@
+#include "medial/mesh/polygon_triangulation.h"
+
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace medial
+{
+
+namespace
+{
+
+using Triangles = std::vector<std::array<int, 3>>;
+
+/// Twice the area of an ear over the square of its longest side, below which it is clipped only
+/// when there is no better one.
+constexpr double kFlatEar = 1e-6;
+
+/// Corners relative to the first one and scaled to unit size, so that no product leaves the range
+/// of double.
+std::vector<glm::dvec3> normalised(const std::vector<Point3>& corners)
+{
+  const glm::dvec3 first(corners[0][0], corners[0][1], corners[0][2]);
+  std::vector<glm::dvec3> result;
+  result.reserve(corners.size());
+  double size = 0.0;
+  for (const Point3& corner : corners)
+  {
+    result.push_back(glm::dvec3(corner[0], corner[1], corner[2]) - first);
+    const glm::dvec3 extent = glm::abs(result.back());
+    size = std::max({ size, extent.x, extent.y, extent.z });
+  }
+  for (glm::dvec3& corner : result)
+  {
+    corner /= size > 0.0 ? size : 1.0;
+  }
+  return result;
+}
+
+glm::dvec3 newellNormal(const std::vector<glm::dvec3>& corners)
+{
+  glm::dvec3 normal(0.0);
+  for (std::size_t i = 0; i < corners.size(); ++i)
+  {
+    normal += glm::cross(corners[i], corners[(i + 1) % corners.size()]);
+  }
+  return normal;
+}
+
+/// Drops the main axis of the normal, which loses no precision; the result runs anticlockwise.
+std::vector<glm::dvec2> project(const std::vector<glm::dvec3>& corners, const glm::dvec3& normal)
+{
+  const glm::dvec3 size = glm::abs(normal);
+  const int axis = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
+  const int u = (axis + (normal[axis] > 0.0 ? 1 : 2)) % 3;
+  const int v = 3 - axis - u;
+  std::vector<glm::dvec2> result;
+  result.reserve(corners.size());
+  for (const glm::dvec3& corner : corners)
+  {
+    result.emplace_back(corner[u], corner[v]);
+  }
+  return result;
+}
+
+/// Twice the signed area of a triangle.
+double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
+{
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+/// Twice the signed area over the square of the longest side.
+double shape(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
+{
+  const double longest =
+    std::max({ glm::dot(b - a, b - a), glm::dot(c - b, c - b), glm::dot(a - c, a - c) });
+  return longest > 0.0 ? turn(a, b, c) / longest : 0.0;
+}
+
+/// Clips ears from a ring of corners; going on behind the neighbour of the last ear keeps the
+/// number of triangles around each corner low.
+class EarClipper
+{
+public:
+  explicit EarClipper(const std::vector<glm::dvec2>& points)
+    : points_(points)
+    , previous_(points.size())
+    , next_(points.size())
+    , shapes_(points.size())
+  {
+    const int count = static_cast<int>(points.size());
+    for (int i = 0; i < count; ++i)
+    {
+      previous_[i] = (i + count - 1) % count;
+      next_[i] = (i + 1) % count;
+    }
+    for (int i = 0; i < count; ++i)
+    {
+      shapes_[i] = shapeAt(i);
+      if (shapes_[i] <= kFlatEar)
+      {
+        obstacles_.push_back(i);
+      }
+    }
+  }
+
+  Triangles run()
+  {
+    Triangles triangles;
+    int corner = 0;
+    for (int left = static_cast<int>(points_.size()); left > 2; --left)
+    {
+      const int ear = findEar(corner, left);
+      triangles.push_back({ previous_[ear], ear, next_[ear] });
+      corner = next_[next_[ear]];
+      remove(ear);
+    }
+    return triangles;
+  }
+
+private:
+  double shapeAt(int i) const
+  {
+    return shape(points_[previous_[i]], points_[i], points_[next_[i]]);
+  }
+
+  /// The first good ear, else a flat one, else (not a simple polygon) any convex corner.
+  int findEar(int start, int left) const
+  {
+    for (const double minShape : { kFlatEar, 0.0 })
+    {
+      for (int i = 0, corner = start; i < left; ++i, corner = next_[corner])
+      {
+        if (shapes_[corner] > minShape && isFree(corner))
+        {
+          return corner;
+        }
+      }
+    }
+    int best = start;
+    for (int i = 0, corner = start; i < left; ++i, corner = next_[corner])
+    {
+      best = shapes_[corner] > shapes_[best] ? corner : best;
+    }
+    return best;
+  }
+
+  /// True when no flat or reflex corner lies in the ear. A corner at the same place as one of the
+  /// ear's is not in the way: polygons with holes visit the ends of their bridges twice.
+  bool isFree(int ear) const
+  {
+    const glm::dvec2& a = points_[previous_[ear]];
+    const glm::dvec2& b = points_[ear];
+    const glm::dvec2& c = points_[next_[ear]];
+    for (const int obstacle : obstacles_)
+    {
+      const glm::dvec2& p = points_[obstacle];
+      if (p != a && p != b && p != c && turn(a, b, p) >= 0.0 && turn(b, c, p) >= 0.0 &&
+        turn(c, a, p) >= 0.0)
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  void remove(int ear)
+  {
+    const int before = previous_[ear];
+    const int after = next_[ear];
+    next_[before] = after;
+    previous_[after] = before;
+    shapes_[before] = shapeAt(before);
+    shapes_[after] = shapeAt(after);
+    obstacles_.erase(std::remove_if(obstacles_.begin(), obstacles_.end(),
+                       [&](int i) { return i == ear || shapes_[i] > kFlatEar; }),
+      obstacles_.end());
+    for (const int corner : { before, after })
+    {
+      if (shapes_[corner] <= kFlatEar &&
+        std::find(obstacles_.begin(), obstacles_.end(), corner) == obstacles_.end())
+      {
+        obstacles_.push_back(corner);
+      }
+    }
+  }
+
+  const std::vector<glm::dvec2>& points_;
+  std::vector<int> previous_;
+  std::vector<int> next_;
+  std::vector<double> shapes_;
+  std::vector<int> obstacles_; ///< corners that are flat or reflex
+};
+
+Triangles splitQuad(const std::vector<glm::dvec2>& q)
+{
+  const double along02 = std::min(shape(q[0], q[1], q[2]), shape(q[0], q[2], q[3]));
+  const double along13 = std::min(shape(q[1], q[2], q[3]), shape(q[1], q[3], q[0]));
+  const bool shorter13 = glm::distance(q[1], q[3]) < glm::distance(q[0], q[2]);
+  const bool bothValid = along02 > kFlatEar && along13 > kFlatEar;
+  if (bothValid ? shorter13 : along13 > along02)
+  {
+    return { { 1, 2, 3 }, { 1, 3, 0 } };
+  }
+  return { { 0, 1, 2 }, { 0, 2, 3 } };
+}
+
+Triangles fan(int count)
+{
+  Triangles triangles;
+  for (int i = 2; i < count; ++i)
+  {
+    triangles.push_back({ 0, i - 1, i });
+  }
+  return triangles;
+}
+
+} // namespace
+
+Triangles triangulatePolygon(const std::vector<Point3>& corners)
+{
+  const int count = static_cast<int>(corners.size());
+  if (count <= 3)
+  {
+    return fan(count);
+  }
+  const std::vector<glm::dvec3> scaled = normalised(corners);
+  const glm::dvec3 normal = newellNormal(scaled);
+  if (glm::dot(normal, normal) == 0.0)
+  {
+    return fan(count);
+  }
+  const std::vector<glm::dvec2> points = project(scaled, normal);
+  return count == 4 ? splitQuad(points) : EarClipper(points).run();
+}
+
+} // namespace medial
