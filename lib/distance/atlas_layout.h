@@ -1,0 +1,30 @@
+#pragma once
+
+#include "medial/common/grid.h"
+
+#include <glm/glm.hpp>
+
+namespace medial
+{
+
+/// How the slices of a slab lie side by side in one 2D texture. Slot 0 holds the last slice of the
+/// slab before, for the stages that look at neighbouring slices; slots from 1 on hold the slab.
+struct AtlasLayout
+{
+  glm::ivec2 sliceSize{ 0 }; ///< grid points of a slice
+  int columns = 1;
+  int rows = 1;
+  int slots = 1; ///< 1 + slices of the thickest slab
+
+  /// Nearly square layout of `slots` slices of the extent.
+  /// @throws Error GpuLimit when it exceeds `textureLimit` pixels along a side.
+  static AtlasLayout make(const Extent& extent, int slots, int textureLimit);
+
+  glm::ivec2 size() const { return { columns * sliceSize.x, rows * sliceSize.y }; }
+  glm::ivec2 slotOrigin(int slot) const
+  {
+    return { slot % columns * sliceSize.x, slot / columns * sliceSize.y };
+  }
+};
+
+} // namespace medial

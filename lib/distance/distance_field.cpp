@@ -1,0 +1,77 @@
+#include "medial/distance/distance_field.h"
+
+#include "medial/common/error.h"
+#include "medial/distance/field_pipeline.h"
+
+#include <new>
+#include <string>
+
+namespace medial
+{
+
+SignMethod resolveSignMethod(SignMethod requested, const MeshTopology& topology)
+{
+  const bool possible = topology.closed() && topology.oriented();
+  switch (requested)
+  {
+    case SignMethod::Auto:
+      return possible ? SignMethod::Pseudonormal : SignMethod::None;
+    case SignMethod::Winding:
+      throw Error(ErrorCode::InvalidInput,
+        "sign method winding is not available yet; use auto, none or pseudonormal");
+    case SignMethod::Pseudonormal:
+      if (!possible)
+      {
+        throw Error(ErrorCode::InvalidInput,
+          "sign method pseudonormal needs a closed, consistently oriented mesh; this one has " +
+            std::to_string(topology.boundaryEdges) + " boundary, " +
+            std::to_string(topology.nonManifoldEdges) + " non-manifold and " +
+            std::to_string(topology.misorientedEdges) + " misoriented edges; use auto or none");
+      }
+      return requested;
+    case SignMethod::None:
+      break;
+  }
+  return SignMethod::None;
+}
+
+RunStatistics computeDistanceField(const TriangleMesh& mesh, const MeshTopology& topology,
+  const Grid& grid, const Extent& extent, const FieldArrays& arrays,
+  const DistanceFieldOptions& options)
+{
+  FieldPipeline pipeline(mesh, topology, grid, extent, options);
+  pipeline.run(arrays, nullptr);
+  pipeline.report(1.0, "distance field");
+  return pipeline.statistics();
+}
+
+DistanceField computeDistanceField(
+  const TriangleMesh& mesh, const Grid& grid, const DistanceFieldOptions& options)
+{
+  const MeshTopology topology = analyseTopology(mesh);
+  validateGrid(grid);
+  DistanceField field;
+  field.grid = grid;
+  field.sign = resolveSignMethod(options.sign, topology);
+  const auto count = static_cast<std::size_t>(grid.pointCount());
+  try
+  {
+    field.distance.resize(count);
+    field.closestPoint.resize(3 * count);
+    field.closestSite.resize(count);
+    field.closestFeature.resize(count);
+    field.closestCell.resize(count);
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw Error(ErrorCode::OutOfMemory,
+      "out of memory for a field of " + std::to_string(count) + " grid points");
+  }
+  const FieldArrays arrays{ field.distance.data(), field.closestPoint.data(),
+    field.closestSite.data(), field.closestFeature.data(), field.closestCell.data() };
+  field.statistics =
+    computeDistanceField(mesh, topology, grid, grid.wholeExtent(), arrays, options);
+  return field;
+}
+
+} // namespace medial

@@ -1,0 +1,243 @@
+#include "medial/distance/field_pipeline.h"
+
+#include "medial/common/error.h"
+#include "medial/common/stopwatch.h"
+#include "medial/culling/closest_site_query.h"
+
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <new>
+#include <string>
+
+namespace medial
+{
+namespace
+{
+
+constexpr std::size_t kDefaultMemoryMiB = 512;
+/// What a grid point of a slab costs in textures, their copies on the host and polygons.
+constexpr std::size_t kBytesPerPoint = 96;
+
+FieldSign fieldSign(SignMethod sign, const MeshTopology& topology)
+{
+  if (sign != SignMethod::Pseudonormal)
+  {
+    return FieldSign::None;
+  }
+  return topology.signedVolume < 0.0 ? FieldSign::Inward : FieldSign::Outward;
+}
+
+SignMethod checkedSign(const TriangleMesh& mesh, const MeshTopology& topology, const Grid& grid,
+  const Extent& extent, const DistanceFieldOptions& options)
+{
+  if (mesh.empty())
+  {
+    throw Error(ErrorCode::InvalidInput, "the mesh has no cells");
+  }
+  validateGrid(grid);
+  if (extent.empty() || !grid.wholeExtent().contains(extent))
+  {
+    throw Error(ErrorCode::InvalidInput, "the extent is empty or leaves the grid");
+  }
+  if (options.threads < 0)
+  {
+    throw Error(ErrorCode::InvalidInput,
+      "threads " + std::to_string(options.threads) + " is outside [0, number of cores]");
+  }
+  return resolveSignMethod(options.sign, topology);
+}
+
+Device checkedDevice(const DistanceFieldOptions& options)
+{
+  const Device device = queryDevice();
+  if (options.requireHardware && device.software)
+  {
+    throw Error(ErrorCode::NoGpu,
+      "a hardware renderer is required, but OpenGL runs on " + device.renderer);
+  }
+  return device;
+}
+
+int textureLimit()
+{
+  GLint limit = 0;
+  gpu::GpuThread::instance().run([&] { glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit); });
+  return limit;
+}
+
+} // namespace
+
+FieldPipeline::FieldPipeline(const TriangleMesh& mesh, const MeshTopology& topology,
+  const Grid& grid, const Extent& extent, const DistanceFieldOptions& options)
+  : mesh_(mesh)
+  , topology_(topology)
+  , extent_(extent)
+  , options_(options)
+  , frame_(grid)
+  , sign_(checkedSign(mesh, topology, grid, extent, options))
+  , sites_(timed(statistics_.seconds.sites, [&] { return SiteSet(mesh, topology, frame_); }))
+{
+  statistics_.device = checkedDevice(options);
+  statistics_.sites = sites_.size();
+  statistics_.samples = extent.pointCount();
+}
+
+void FieldPipeline::inArena(const std::function<void()>& work) const
+{
+  tbb::task_arena arena(options_.threads > 0 ? options_.threads : tbb::task_arena::automatic);
+  arena.execute(work);
+}
+
+void FieldPipeline::report(double fraction, const char* phase) const
+{
+  if (options_.progress == nullptr)
+  {
+    return;
+  }
+  options_.progress->report(fraction, phase);
+  if (options_.progress->cancelled())
+  {
+    throw Error(ErrorCode::Cancelled, "cancelled");
+  }
+}
+
+int FieldPipeline::chooseSlabSlices() const
+{
+  const std::size_t mebibytes = options_.memoryMiB > 0 ? options_.memoryMiB : kDefaultMemoryMiB;
+  const std::size_t slice = kBytesPerPoint * static_cast<std::size_t>(extent_.size(0)) *
+    static_cast<std::size_t>(extent_.size(1));
+  const std::size_t fitting = mebibytes * 1024 * 1024 / slice;
+  int slices = CandidateHierarchy::kBlockSize;
+  while (slices > CandidateHierarchy::kLeafSize && static_cast<std::size_t>(slices) > fitting)
+  {
+    slices /= 2;
+  }
+  return slices;
+}
+
+void FieldPipeline::run(const FieldArrays& arrays, SlabStage* stage)
+{
+  try
+  {
+    const int slabSlices = std::min(this->chooseSlabSlices(), CandidateHierarchy::kBlockSize);
+    this->report(0.0, "distance field");
+    const AtlasLayout atlas =
+      AtlasLayout::make(extent_, 1 + std::min(slabSlices, extent_.size(2)), textureLimit());
+    std::unique_ptr<CandidateHierarchy> hierarchy;
+    this->inArena(
+      [&]
+      {
+        const Stopwatch watch(statistics_.seconds.cull);
+        hierarchy = std::make_unique<CandidateHierarchy>(sites_, frame_, extent_, slabSlices);
+      });
+    gpu::OnGpuThread<SlabRenderer> renderer(
+      sites_, frame_, atlas, fieldSign(sign_, topology_));
+    FieldWriter writer(mesh_, topology_, sites_, frame_, extent_, arrays);
+    int previousSlices = 0;
+    for (int slab = 0; slab < hierarchy->slabCount(); ++slab)
+    {
+      this->report(static_cast<double>(slab) / hierarchy->slabCount(), "distance field");
+      const Extent slabExtent = hierarchy->slabExtent(slab);
+      const std::vector<PolygonChunk> chunks = this->preparePolygons(*hierarchy, slab, atlas);
+      renderer.run(
+        [&](SlabRenderer& r)
+        {
+          this->renderSlab(r, slabExtent, chunks, previousSlices);
+          if (stage != nullptr)
+          {
+            const Stopwatch watch(statistics_.seconds.medial);
+            stage->process(r, slabExtent, previousSlices > 0);
+          }
+          const Stopwatch watch(statistics_.seconds.resolve);
+          writer.fetch(r, slabExtent);
+        });
+      this->inArena(
+        [&]
+        {
+          const Stopwatch watch(statistics_.seconds.resolve);
+          writer.store(slabExtent);
+        });
+      previousSlices = slabExtent.size(2);
+    }
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw Error(ErrorCode::OutOfMemory,
+      "out of memory for a field of " + std::to_string(extent_.pointCount()) + " grid points");
+  }
+}
+
+std::vector<PolygonChunk> FieldPipeline::preparePolygons(
+  const CandidateHierarchy& hierarchy, int slab, const AtlasLayout& atlas)
+{
+  std::vector<PolygonChunk> chunks;
+  this->inArena(
+    [&]
+    {
+      const std::vector<CandidateTiles> tiles =
+        timed(statistics_.seconds.cull, [&] { return hierarchy.slabTiles(slab); });
+      for (const CandidateTiles& block : tiles)
+      {
+        statistics_.candidatePairs += static_cast<std::int64_t>(block.candidates.size());
+      }
+      chunks = timed(statistics_.seconds.polygons,
+        [&] { return buildPolygons(sites_, frame_, tiles, hierarchy.slabExtent(slab), atlas); });
+    });
+  double area = 0.0;
+  for (const PolygonChunk& chunk : chunks)
+  {
+    statistics_.polygons += chunk.polygons;
+    area += chunk.area;
+  }
+  statistics_.fragments += static_cast<std::int64_t>(area);
+  return chunks;
+}
+
+void FieldPipeline::renderSlab(SlabRenderer& renderer, const Extent& slab,
+  const std::vector<PolygonChunk>& chunks, int previousSlices)
+{
+  if (previousSlices > 0)
+  {
+    renderer.carryLastSlice(previousSlices);
+  }
+  timed(statistics_.seconds.draw, [&] { renderer.draw(chunks); });
+  const Stopwatch watch(statistics_.seconds.resolve);
+  if (renderer.resolve(slab) > 0)
+  {
+    this->repairHoles(renderer, slab);
+  }
+}
+
+void FieldPipeline::repairHoles(SlabRenderer& renderer, const Extent& slab) const
+{
+  std::vector<std::int32_t> closest(static_cast<std::size_t>(slab.pointCount()));
+  renderer.readSites(slab.size(2), closest.data());
+  std::vector<glm::ivec3> holes;
+  std::vector<glm::dvec3> samples;
+  for (std::size_t i = 0; i < closest.size(); ++i)
+  {
+    if (closest[i] < 0)
+    {
+      const auto row = static_cast<int>(i / slab.size(0));
+      holes.emplace_back(
+        static_cast<int>(i % slab.size(0)), row % slab.size(1), row / slab.size(1));
+      samples.push_back(
+        frame_.sample(glm::dvec3(holes.back()) + glm::dvec3(slab.min[0], slab.min[1], slab.min[2])));
+    }
+  }
+  const FieldSign sign = fieldSign(sign_, topology_);
+  const std::vector<glm::vec4> normals = sites_.pseudonormals(sign == FieldSign::Inward);
+  const std::vector<SitePoint> found = closestSites(sites_, CandidateFilter(sites_), samples);
+  for (std::size_t i = 0; i < holes.size(); ++i)
+  {
+    const glm::vec3 vector(found[i].point - samples[i]);
+    const bool inside =
+      sign != FieldSign::None && glm::dot(glm::vec3(normals[found[i].site]), vector) > 0.0f;
+    const float distance = glm::length(vector);
+    renderer.write(glm::ivec2(holes[i]), 1 + holes[i].z,
+      glm::vec4(vector, inside ? -distance : distance), found[i].site);
+  }
+}
+
+} // namespace medial

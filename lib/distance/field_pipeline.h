@@ -1,0 +1,67 @@
+#pragma once
+
+#include "medial/distance/distance_field.h"
+#include "medial/distance/field_writer.h"
+#include "medial/distance/slab_renderer.h"
+#include "medial/gpu/gpu_thread.h"
+#include "medial/sites/grid_frame.h"
+#include "medial/sites/site_set.h"
+
+#include <functional>
+
+namespace medial
+{
+
+/// A later stage of the pipeline, which works on a slab while it is in GPU textures.
+class SlabStage
+{
+public:
+  virtual ~SlabStage() = default;
+
+  /// Called on the GPU thread, slab after slab in ascending z.
+  /// @param slab its slices are in slots 1 to slab.size(2) of the renderer's atlas.
+  /// @param carried whether slot 0 holds the slice below slab.min[2].
+  virtual void process(const SlabRenderer& renderer, const Extent& slab, bool carried) = 0;
+};
+
+/// Mesh -> sites -> candidate tiles -> polygons -> closest sites -> resolved field, slab by slab.
+class FieldPipeline
+{
+public:
+  /// Checks everything that can be checked before work starts.
+  /// @throws Error as computeDistanceField.
+  FieldPipeline(const TriangleMesh& mesh, const MeshTopology& topology, const Grid& grid,
+    const Extent& extent, const DistanceFieldOptions& options);
+
+  /// @param stage may be null.
+  void run(const FieldArrays& arrays, SlabStage* stage);
+
+  const SiteSet& sites() const { return sites_; }
+  const GridFrame& frame() const { return frame_; }
+  SignMethod sign() const { return sign_; }
+  RunStatistics& statistics() { return statistics_; }
+
+  /// Runs CPU work on as many threads as the options allow.
+  void inArena(const std::function<void()>& work) const;
+  /// @throws Error Cancelled when the caller wants to stop.
+  void report(double fraction, const char* phase) const;
+
+private:
+  int chooseSlabSlices() const;
+  std::vector<PolygonChunk> preparePolygons(
+    const CandidateHierarchy& hierarchy, int slab, const AtlasLayout& atlas);
+  void renderSlab(SlabRenderer& renderer, const Extent& slab,
+    const std::vector<PolygonChunk>& chunks, int previousSlices);
+  void repairHoles(SlabRenderer& renderer, const Extent& slab) const;
+
+  const TriangleMesh& mesh_;
+  const MeshTopology& topology_;
+  Extent extent_;
+  DistanceFieldOptions options_;
+  GridFrame frame_;
+  SignMethod sign_;
+  RunStatistics statistics_;
+  SiteSet sites_;
+};
+
+} // namespace medial

@@ -1,0 +1,101 @@
+#include "medial/distance/field_writer.h"
+
+#include <tbb/parallel_for.h>
+
+namespace medial
+{
+
+FieldWriter::FieldWriter(const TriangleMesh& mesh, const MeshTopology& topology,
+  const SiteSet& sites, const GridFrame& frame, const Extent& extent, const FieldArrays& arrays)
+  : mesh_(mesh)
+  , topology_(topology)
+  , sites_(sites)
+  , frame_(frame)
+  , extent_(extent)
+  , arrays_(arrays)
+{
+}
+
+void FieldWriter::fetch(const SlabRenderer& renderer, const Extent& slab)
+{
+  const auto count = static_cast<std::size_t>(slab.pointCount());
+  if (arrays_.distance || arrays_.closestPoint)
+  {
+    displacements_.resize(count);
+    renderer.readDisplacements(slab.size(2), displacements_.data());
+  }
+  if (arrays_.closestSite || arrays_.closestFeature || arrays_.closestCell)
+  {
+    closest_.resize(count);
+    renderer.readSites(slab.size(2), closest_.data());
+  }
+}
+
+void FieldWriter::store(const Extent& slab)
+{
+  const std::int64_t rowLength = slab.size(0);
+  const std::int64_t rows = static_cast<std::int64_t>(slab.size(1)) * slab.size(2);
+  const std::int64_t start = (slab.min[2] - extent_.min[2]) * rowLength * slab.size(1);
+  tbb::parallel_for(std::int64_t{ 0 }, rows,
+    [&](std::int64_t row)
+    {
+      const double j = slab.min[1] + row % slab.size(1);
+      const double k = slab.min[2] + row / slab.size(1);
+      for (std::int64_t i = 0; i < rowLength; ++i)
+      {
+        const std::int64_t source = row * rowLength + i;
+        const glm::dvec3 index(slab.min[0] + static_cast<double>(i), j, k);
+        this->storePoint(start + source, static_cast<std::size_t>(source), frame_.sample(index));
+      }
+    });
+}
+
+void FieldWriter::storePoint(
+  std::int64_t target, std::size_t source, const glm::dvec3& sample) const
+{
+  if (arrays_.distance)
+  {
+    arrays_.distance[target] =
+      static_cast<float>(static_cast<double>(displacements_[source].w) * frame_.unit);
+  }
+  if (arrays_.closestPoint)
+  {
+    const Point3 world =
+      frame_.toWorld(sample + glm::dvec3(glm::vec3(displacements_[source])));
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      arrays_.closestPoint[3 * target + axis] = static_cast<float>(world[axis]);
+    }
+  }
+  if (arrays_.closestSite)
+  {
+    arrays_.closestSite[target] = closest_[source];
+  }
+  if (arrays_.closestFeature)
+  {
+    const SiteKind kind = sites_.kind(closest_[source]);
+    arrays_.closestFeature[target] = static_cast<std::uint8_t>(kind == SiteKind::Face
+        ? Feature::Face
+        : (kind == SiteKind::Edge ? Feature::Edge : Feature::Vertex));
+  }
+  if (arrays_.closestCell)
+  {
+    arrays_.closestCell[target] = this->cellOf(closest_[source]);
+  }
+}
+
+std::int64_t FieldWriter::cellOf(std::int32_t site) const
+{
+  switch (sites_.kind(site))
+  {
+    case SiteKind::Face:
+      return mesh_.triangleCells[site];
+    case SiteKind::Edge:
+      return topology_.edgeCells[site - sites_.firstEdge()];
+    case SiteKind::Vertex:
+      break;
+  }
+  return topology_.pointCells[site - sites_.firstVertex()];
+}
+
+} // namespace medial

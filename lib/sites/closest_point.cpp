@@ -1,0 +1,75 @@
+#include "medial/sites/closest_point.h"
+
+namespace medial
+{
+namespace
+{
+
+SitePoint closestOnEdge(const SiteSet& sites, int edge, const glm::dvec3& x)
+{
+  const glm::ivec2& ends = sites.edges()[edge];
+  const glm::dvec3& p = sites.points()[ends[0]];
+  const glm::dvec3& q = sites.points()[ends[1]];
+  const glm::dvec3 along = q - p;
+  const double t = glm::dot(x - p, along) / glm::dot(along, along);
+  if (t <= 0.0)
+  {
+    return { sites.firstVertex() + ends[0], p };
+  }
+  if (t >= 1.0)
+  {
+    return { sites.firstVertex() + ends[1], q };
+  }
+  return { sites.firstEdge() + edge, p + t * along };
+}
+
+double squaredDistance(const glm::dvec3& a, const glm::dvec3& b)
+{
+  return glm::dot(a - b, a - b);
+}
+
+SitePoint closestOnFace(const SiteSet& sites, int face, const glm::dvec3& x)
+{
+  const glm::ivec3& corners = sites.faces()[face];
+  const glm::dvec3& normal = sites.faceNormal(face);
+  bool inside = normal != glm::dvec3(0.0);
+  for (int i = 0; i < 3 && inside; ++i)
+  {
+    const glm::dvec3& a = sites.points()[corners[i]];
+    const glm::dvec3& b = sites.points()[corners[(i + 1) % 3]];
+    inside = glm::dot(glm::cross(b - a, normal), x - a) < 0.0;
+  }
+  if (inside)
+  {
+    const glm::dvec3& a = sites.points()[corners[0]];
+    return { face, x - glm::dot(x - a, normal) * normal };
+  }
+  SitePoint best = closestOnEdge(sites, sites.faceEdges()[face][0], x);
+  for (int i = 1; i < 3; ++i)
+  {
+    const SitePoint other = closestOnEdge(sites, sites.faceEdges()[face][i], x);
+    if (squaredDistance(other.point, x) < squaredDistance(best.point, x))
+    {
+      best = other;
+    }
+  }
+  return best;
+}
+
+} // namespace
+
+SitePoint closestPoint(const SiteSet& sites, int site, const glm::dvec3& x)
+{
+  switch (sites.kind(site))
+  {
+    case SiteKind::Face:
+      return closestOnFace(sites, site, x);
+    case SiteKind::Edge:
+      return closestOnEdge(sites, site - sites.firstEdge(), x);
+    case SiteKind::Vertex:
+      break;
+  }
+  return { site, sites.points()[site - sites.firstVertex()] };
+}
+
+} // namespace medial

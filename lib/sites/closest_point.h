@@ -1,0 +1,22 @@
+#pragma once
+
+#include "medial/sites/site_set.h"
+
+#include <glm/glm.hpp>
+
+namespace medial
+{
+
+/// A surface point and the site whose interior holds it: a face's closest point on its border
+/// belongs to an edge or vertex.
+struct SitePoint
+{
+  int site = -1;
+  glm::dvec3 point{ 0.0 };
+};
+
+/// The point of the closed site nearest to x, in double precision. Sliver triangles are safe: the
+/// plane is used only where the projection falls inside, segments elsewhere.
+SitePoint closestPoint(const SiteSet& sites, int site, const glm::dvec3& x);
+
+} // namespace medial

@@ -1,0 +1,224 @@
+#include "medial/sites/site_set.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace medial
+{
+namespace
+{
+
+/// Triangles lower than this (frame units, that is voxels) have no face site: leaving the face to
+/// its edges then moves no closest point by more than half of it.
+constexpr double kLeastHeight = 1e-4;
+
+HalfSpace halfSpace(const glm::dvec3& normal, const glm::dvec3& pointOnPlane)
+{
+  return { glm::vec3(normal), static_cast<float>(glm::dot(normal, pointOnPlane)) };
+}
+
+/// Outward conormal of the edge a-b of a triangle: unit, in the triangle's plane.
+glm::dvec3 conormal(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& faceNormal)
+{
+  return glm::normalize(glm::cross(b - a, faceNormal));
+}
+
+double cornerAngle(const glm::dvec3& at, const glm::dvec3& a, const glm::dvec3& b)
+{
+  const glm::dvec3 u = a - at;
+  const glm::dvec3 v = b - at;
+  return std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v));
+}
+
+} // namespace
+
+SiteSet::SiteSet(
+  const TriangleMesh& mesh, const MeshTopology& topology, const GridFrame& frame)
+{
+  this->buildGeometry(mesh, topology, frame);
+  this->buildSpheres();
+  this->buildHalfSpaces(topology);
+}
+
+void SiteSet::buildGeometry(
+  const TriangleMesh& mesh, const MeshTopology& topology, const GridFrame& frame)
+{
+  points_.reserve(mesh.points.size());
+  for (const Point3& point : mesh.points)
+  {
+    points_.push_back(frame.toFrame(point));
+  }
+  for (const auto& edge : topology.edges)
+  {
+    edges_.emplace_back(edge[0], edge[1]);
+  }
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  {
+    const auto& corners = mesh.triangles[t];
+    faces_.emplace_back(corners[0], corners[1], corners[2]);
+    const auto& edges = topology.triangleEdges[t];
+    faceEdges_.emplace_back(edges[0], edges[1], edges[2]);
+    const glm::dvec3& a = points_[corners[0]];
+    const glm::dvec3& b = points_[corners[1]];
+    const glm::dvec3& c = points_[corners[2]];
+    const glm::dvec3 cross = glm::cross(b - a, c - a);
+    const double area2 = glm::length(cross);
+    const double longest =
+      std::max({ glm::distance(a, b), glm::distance(b, c), glm::distance(c, a) });
+    // Below this ratio the cross product is rounding noise and no direction.
+    const bool flat = area2 <= 1e-14 * longest * longest;
+    faceNormals_.push_back(flat ? glm::dvec3(0.0) : cross / area2);
+    faceActive_.push_back(!flat && area2 >= kLeastHeight * longest);
+  }
+}
+
+void SiteSet::buildSpheres()
+{
+  spheres_.reserve(this->size());
+  const auto add = [this](std::initializer_list<int> corners)
+  {
+    glm::dvec3 low(points_[*corners.begin()]);
+    glm::dvec3 high(low);
+    for (int corner : corners)
+    {
+      low = glm::min(low, points_[corner]);
+      high = glm::max(high, points_[corner]);
+    }
+    const glm::dvec3 centre = 0.5 * (low + high);
+    double radius = 0.0;
+    for (int corner : corners)
+    {
+      radius = std::max(radius, glm::distance(centre, points_[corner]));
+    }
+    spheres_.emplace_back(glm::vec3(centre), static_cast<float>(radius));
+  };
+  for (const glm::ivec3& face : faces_)
+  {
+    add({ face[0], face[1], face[2] });
+  }
+  for (const glm::ivec2& edge : edges_)
+  {
+    add({ edge[0], edge[1] });
+  }
+  for (int vertex = 0; vertex < this->vertexCount(); ++vertex)
+  {
+    add({ vertex });
+  }
+}
+
+void SiteSet::buildHalfSpaces(const MeshTopology& topology)
+{
+  halfSpaceOffsets_.reserve(this->size() + 1);
+  halfSpaces_.reserve(5 * faces_.size() + 4 * edges_.size() + 6 * points_.size());
+  const auto endSite = [this] { halfSpaceOffsets_.push_back(static_cast<int>(halfSpaces_.size())); };
+  for (int face = 0; face < this->faceCount(); ++face)
+  {
+    this->addFaceHalfSpaces(face);
+    endSite();
+  }
+  for (int edge = 0; edge < this->edgeCount(); ++edge)
+  {
+    this->addEdgeHalfSpaces(edge, topology);
+    endSite();
+  }
+  for (int vertex = 0; vertex < this->vertexCount(); ++vertex)
+  {
+    this->addVertexHalfSpaces(vertex, topology);
+    endSite();
+  }
+}
+
+void SiteSet::addFaceHalfSpaces(int face)
+{
+  if (!faceActive_[face])
+  {
+    return;
+  }
+  int longest = 0;
+  double longestLength = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    const glm::dvec3& a = points_[faces_[face][i]];
+    const glm::dvec3& b = points_[faces_[face][(i + 1) % 3]];
+    halfSpaces_.push_back(halfSpace(conormal(a, b, faceNormals_[face]), a));
+    if (glm::distance(a, b) > longestLength)
+    {
+      longestLength = glm::distance(a, b);
+      longest = i;
+    }
+  }
+  // The triangle lies between the planes across the ends of its longest edge. They cut off what
+  // dilation adds far beyond an acute corner.
+  const glm::dvec3& a = points_[faces_[face][longest]];
+  const glm::dvec3& b = points_[faces_[face][(longest + 1) % 3]];
+  const glm::dvec3 u = (b - a) / longestLength;
+  halfSpaces_.push_back(halfSpace(-u, a));
+  halfSpaces_.push_back(halfSpace(u, b));
+}
+
+void SiteSet::addEdgeHalfSpaces(int edge, const MeshTopology& topology)
+{
+  const glm::dvec3& p = points_[edges_[edge][0]];
+  const glm::dvec3& q = points_[edges_[edge][1]];
+  const glm::dvec3 u = glm::normalize(q - p);
+  halfSpaces_.push_back(halfSpace(-u, p));
+  halfSpaces_.push_back(halfSpace(u, q));
+  for (const int* face = topology.edgeTriangles.begin(edge); face != topology.edgeTriangles.end(edge);
+       ++face)
+  {
+    if (!faceActive_[*face])
+    {
+      continue;
+    }
+    // The face's own winding tells the outward side, whichever way the edge is stored.
+    for (int i = 0; i < 3; ++i)
+    {
+      if (faceEdges_[*face][i] == edge)
+      {
+        const glm::dvec3& a = points_[faces_[*face][i]];
+        const glm::dvec3& b = points_[faces_[*face][(i + 1) % 3]];
+        halfSpaces_.push_back(halfSpace(-conormal(a, b, faceNormals_[*face]), a));
+      }
+    }
+  }
+}
+
+void SiteSet::addVertexHalfSpaces(int vertex, const MeshTopology& topology)
+{
+  const glm::dvec3& p = points_[vertex];
+  for (const int* edge = topology.pointEdges.begin(vertex); edge != topology.pointEdges.end(vertex);
+       ++edge)
+  {
+    const glm::ivec2& ends = edges_[*edge];
+    const glm::dvec3& other = points_[ends[0] == vertex ? ends[1] : ends[0]];
+    halfSpaces_.push_back(halfSpace(glm::normalize(other - p), p));
+  }
+}
+
+std::vector<glm::vec4> SiteSet::pseudonormals(bool flip) const
+{
+  std::vector<glm::dvec3> sums(this->size(), glm::dvec3(0.0));
+  for (int face = 0; face < this->faceCount(); ++face)
+  {
+    const glm::dvec3& normal = faceNormals_[face];
+    sums[face] = normal;
+    for (int i = 0; i < 3; ++i)
+    {
+      const glm::ivec3& corners = faces_[face];
+      sums[this->firstEdge() + faceEdges_[face][i]] += normal;
+      sums[this->firstVertex() + corners[i]] += normal *
+        cornerAngle(points_[corners[i]], points_[corners[(i + 1) % 3]], points_[corners[(i + 2) % 3]]);
+    }
+  }
+  std::vector<glm::vec4> result;
+  result.reserve(sums.size());
+  for (const glm::dvec3& sum : sums)
+  {
+    const double length = glm::length(sum);
+    const glm::dvec3 unit = length > 0.0 ? sum / length : glm::dvec3(0.0);
+    result.emplace_back(glm::vec3(flip ? -unit : unit), 0.0f);
+  }
+  return result;
+}
+
+} // namespace medial

@@ -1,0 +1,96 @@
+#pragma once
+
+#include "medial/mesh/topology.h"
+#include "medial/mesh/triangle_mesh.h"
+#include "medial/sites/grid_frame.h"
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace medial
+{
+
+enum class SiteKind : std::uint8_t
+{
+  Face,
+  Edge,
+  Vertex
+};
+
+/// The closed half-space dot(normal, x) <= offset, as (normal, offset); the normal is of unit length.
+using HalfSpace = glm::vec4;
+
+/// All sites of a mesh in the coordinates of a GridFrame, each with half-spaces that contain its
+/// Voronoi region. Ids: faces in [0, F), edges in [F, F+E), vertices in [F+E, F+E+V).
+///
+/// A point whose closest surface point lies inside a site satisfies all half-spaces of the site:
+/// each says "nearer to this site than to the rest of one incident element", which holds for
+/// convex, concave, saddle, boundary and non-manifold elements alike (the paper's section 4 has
+/// looser bounds for some of these).
+class SiteSet
+{
+public:
+  SiteSet(const TriangleMesh& mesh, const MeshTopology& topology, const GridFrame& frame);
+
+  int faceCount() const { return static_cast<int>(faces_.size()); }
+  int edgeCount() const { return static_cast<int>(edges_.size()); }
+  int vertexCount() const { return static_cast<int>(points_.size()); }
+  int size() const { return this->faceCount() + this->edgeCount() + this->vertexCount(); }
+
+  SiteKind kind(int site) const
+  {
+    return site < this->faceCount() ? SiteKind::Face
+                                    : (site < this->firstVertex() ? SiteKind::Edge : SiteKind::Vertex);
+  }
+  int firstEdge() const { return this->faceCount(); }
+  int firstVertex() const { return this->faceCount() + this->edgeCount(); }
+
+  /// False for triangles that are thinner than counts; their edges stand for them.
+  bool active(int site) const { return site >= this->faceCount() || faceActive_[site] != 0; }
+
+  const std::vector<glm::dvec3>& points() const { return points_; }
+  const std::vector<glm::ivec3>& faces() const { return faces_; } ///< corners
+  const std::vector<glm::ivec3>& faceEdges() const { return faceEdges_; } ///< edge numbers
+  const std::vector<glm::ivec2>& edges() const { return edges_; } ///< end points
+
+  /// Unit normal of a face; zero where it has no area.
+  const glm::dvec3& faceNormal(int face) const { return faceNormals_[face]; }
+  /// Centre and radius of a sphere around the site.
+  const glm::vec4& sphere(int site) const { return spheres_[site]; }
+
+  const HalfSpace* halfSpacesBegin(int site) const
+  {
+    return halfSpaces_.data() + halfSpaceOffsets_[site];
+  }
+  const HalfSpace* halfSpacesEnd(int site) const
+  {
+    return halfSpaces_.data() + halfSpaceOffsets_[site + 1];
+  }
+
+  /// Angle-weighted pseudonormals of all sites (Baerentzen and Aanaes 2005); zero where no triangle
+  /// meets the site. `flip` turns them round.
+  std::vector<glm::vec4> pseudonormals(bool flip) const;
+
+private:
+  void buildGeometry(const TriangleMesh& mesh, const MeshTopology& topology, const GridFrame& frame);
+  void buildSpheres();
+  void buildHalfSpaces(const MeshTopology& topology);
+  void addFaceHalfSpaces(int face);
+  void addEdgeHalfSpaces(int edge, const MeshTopology& topology);
+  void addVertexHalfSpaces(int vertex, const MeshTopology& topology);
+
+  std::vector<glm::dvec3> points_;
+  std::vector<glm::ivec3> faces_;
+  std::vector<glm::ivec3> faceEdges_;
+  std::vector<glm::ivec2> edges_;
+  std::vector<glm::dvec3> faceNormals_;
+  std::vector<char> faceActive_;
+  std::vector<glm::vec4> spheres_;
+  std::vector<int> halfSpaceOffsets_{ 0 };
+  std::vector<HalfSpace> halfSpaces_;
+};
+
+} // namespace medial
