@@ -1,0 +1,45 @@
+# Builds the VTK module in filters/ as Medial::Filters and, if wanted, wraps it for Python. Without
+# COMPONENTS, find_package(VTK) looks for everything that VTK was ever built with.
+set(MEDIAL_VTK_COMPONENTS CommonCore CommonDataModel CommonExecutionModel)
+set(vtk_wrapping)
+if(MEDIAL_BUILD_PYTHON)
+  set(vtk_wrapping Python WrappingPythonCore)
+endif()
+find_package(VTK 9.1 REQUIRED COMPONENTS ${MEDIAL_VTK_COMPONENTS} ${vtk_wrapping})
+
+set(BUILD_SHARED_LIBS ON)
+vtk_module_find_modules(module_files "${PROJECT_SOURCE_DIR}/filters")
+vtk_module_scan(
+  MODULE_FILES ${module_files}
+  PROVIDES_MODULES modules
+  WANT_BY_DEFAULT ON
+  HIDE_MODULES_FROM_CACHE ON)
+vtk_module_build(
+  MODULES ${modules}
+  PACKAGE Medial
+  VERSION ${PROJECT_VERSION}
+  SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
+  INSTALL_EXPORT MedialFiltersTargets
+  CMAKE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/Medial"
+  HEADERS_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/medial/filters"
+  ENABLE_WRAPPING ${MEDIAL_BUILD_PYTHON}
+  TEST_DIRECTORY_NAME NONE)
+medial_warnings(Filters)
+# vtkTypeMacro() is followed by a semicolon all over VTK, which -Wpedantic calls one too many.
+target_compile_options(Filters PUBLIC $<BUILD_INTERFACE:-Wno-pedantic>)
+
+if(MEDIAL_BUILD_PYTHON)
+  # On Debian this is where Python looks when the prefix is /usr.
+  set(MEDIAL_PYTHON_DIR "lib/python3/dist-packages"
+    CACHE STRING "Folder of the Python package, relative to the prefix")
+  vtk_module_wrap_python(
+    MODULES ${modules}
+    PYTHON_PACKAGE medial
+    MODULE_DESTINATION "${MEDIAL_PYTHON_DIR}"
+    LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
+    CMAKE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/Medial"
+    TARGET Medial::Python)
+  configure_file(filters/medial/__init__.py
+    "${CMAKE_BINARY_DIR}/${MEDIAL_PYTHON_DIR}/medial/__init__.py" COPYONLY)
+  install(FILES filters/medial/__init__.py DESTINATION "${MEDIAL_PYTHON_DIR}/medial")
+endif()

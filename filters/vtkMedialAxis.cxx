@@ -1,0 +1,198 @@
+#include "vtkMedialAxis.h"
+
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMeshConversion.h"
+#include "vtkMeshFieldInternals.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkMedialAxis);
+
+namespace
+{
+
+//------------------------------------------------------------------------------
+medial::Side ToSide(int side)
+{
+  switch (side)
+  {
+    case vtkMedialAxis::INTERIOR:
+      return medial::Side::Interior;
+    case vtkMedialAxis::EXTERIOR:
+      return medial::Side::Exterior;
+    case vtkMedialAxis::BOTH:
+      return medial::Side::Both;
+    default:
+      vtkThrowBadParameter("Side", side, "one of 0 (interior), 1 (exterior), 2 (both)");
+  }
+}
+
+//------------------------------------------------------------------------------
+medial::Representation ToRepresentation(int representation)
+{
+  switch (representation)
+  {
+    case vtkMedialAxis::SURFACE:
+      return medial::Representation::Surface;
+    case vtkMedialAxis::FACES:
+      return medial::Representation::Faces;
+    case vtkMedialAxis::POINTS:
+      return medial::Representation::Points;
+    default:
+      vtkThrowBadParameter("Representation", representation,
+        "one of 0 (surface), 1 (faces), 2 (points)");
+  }
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+vtkMedialAxis::vtkMedialAxis()
+{
+  this->SetNumberOfOutputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+vtkMedialAxis::~vtkMedialAxis() = default;
+
+//------------------------------------------------------------------------------
+vtkPolyData* vtkMedialAxis::GetOutput()
+{
+  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(0));
+}
+
+//------------------------------------------------------------------------------
+vtkImageData* vtkMedialAxis::GetDistanceField()
+{
+  return vtkImageData::SafeDownCast(this->GetOutputDataObject(1));
+}
+
+//------------------------------------------------------------------------------
+int vtkMedialAxis::GetUsedSide()
+{
+  switch (this->Internals->Last.Side)
+  {
+    case medial::Side::Interior:
+      return INTERIOR;
+    case medial::Side::Exterior:
+      return EXTERIOR;
+    case medial::Side::Both:
+      break;
+  }
+  return BOTH;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkMedialAxis::GetSideAsString()
+{
+  switch (this->Side)
+  {
+    case INTERIOR:
+      return "Interior";
+    case EXTERIOR:
+      return "Exterior";
+    case BOTH:
+      return "Both";
+    default:
+      return "Unknown";
+  }
+}
+
+//------------------------------------------------------------------------------
+const char* vtkMedialAxis::GetRepresentationAsString()
+{
+  switch (this->Representation)
+  {
+    case SURFACE:
+      return "Surface";
+    case FACES:
+      return "Faces";
+    case POINTS:
+      return "Points";
+    default:
+      return "Unknown";
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkMedialAxis::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkPolyData" : "vtkImageData");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkMedialAxis::RequestInformation(vtkInformation*, vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector)
+{
+  outputVector->GetInformationObject(0)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+  if (this->GenerateDistanceField)
+  {
+    return this->RequestImageInformation(inputVector, outputVector, 1);
+  }
+  const int nothing[6] = { 0, -1, 0, -1, 0, -1 };
+  outputVector->GetInformationObject(1)->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(),
+    nothing, 6);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkMedialAxis::RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector)
+{
+  const int port = std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
+  const int piece = outputVector->GetInformationObject(port)->Get(
+    vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER());
+  return this->Internals->Guard(outputVector,
+    [&]
+    {
+      this->Internals->Last = {};
+      if (piece > 0)
+      {
+        return;
+      }
+      vtkProgressBridge progress(this);
+      medial::MedialAxisOptions options;
+      options.angle = this->Angle;
+      options.side = ToSide(this->Side);
+      options.representation = ToRepresentation(this->Representation);
+      options.field = this->Internals->MakeOptions(&progress);
+
+      vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+      this->Internals->UpdateMesh(input);
+      vtkInformation* imageInfo = outputVector->GetInformationObject(1);
+      medial::Grid grid;
+      medial::FieldArrays arrays;
+      if (this->GenerateDistanceField)
+      {
+        grid = vtkInternals::AnnouncedGrid(imageInfo);
+        arrays = vtkMeshConversion::AllocateField(vtkImageData::GetData(imageInfo), grid,
+          grid.wholeExtent(), this->Internals->MakeSelection());
+      }
+      else
+      {
+        grid = this->Internals->MakeGrid(input);
+      }
+
+      const medial::MedialAxis axis = medial::computeMedialAxis(this->Internals->Mesh,
+        this->Internals->Topology, grid, options, arrays);
+      vtkMeshConversion::ToPolyData(axis, vtkPolyData::GetData(outputVector, 0));
+      this->Internals->Record(grid, axis.sign, axis.statistics);
+      this->Internals->Last.Side = axis.side;
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkMedialAxis::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Angle: " << this->Angle << "\n";
+  os << indent << "Side: " << this->GetSideAsString() << "\n";
+  os << indent << "Representation: " << this->GetRepresentationAsString() << "\n";
+  os << indent << "GenerateDistanceField: " << (this->GenerateDistanceField ? "On" : "Off") << "\n";
+}

@@ -1,0 +1,161 @@
+/**
+ * @class   vtkMedialAxis
+ * @brief   medial axis of a mesh, simplified by separation angle
+ *
+ * vtkMedialAxis computes the medial axis of a mesh: the points with two or more nearest points on
+ * it. It keeps the part whose separation angle, the angle between the directions to two nearest
+ * points, is at least Angle (Foskey, Lin, Manocha: Efficient Computation of a Simplified Medial
+ * Axis, 2003), from the exact distance field on a regular grid. Points have sub-voxel positions.
+ *
+ * Output port 0 is the axis, a vtkPolyData with points in double precision. Its point data arrays:
+ * Radius, the distance to the mesh (float32, world units, the active scalars); SeparationAngle
+ * (float32, degrees); Lambda, Radius times the sine of half the separation angle (float32, world
+ * units); ClosestPointA and ClosestPointB, two nearest points on the mesh (float32 x 3, world
+ * coordinates).
+ *
+ * Output port 1 is the distance field on the same grid, a vtkImageData as vtkMeshDistanceField
+ * makes it. It is empty unless GenerateDistanceField is on.
+ *
+ * vtkMeshFieldAlgorithm documents the parameters of the grid and of the distance field, the input,
+ * errors and abort.
+ *
+ * @par Parameter tuning:
+ * Angle 60 shows the sheets that carry the shape and drops most noise; 90 and more leave the thick
+ * parts, 30 and less reach for the convex edges and show the noise of scans. A sheet is found where
+ * the voxels are smaller than the features that it separates. Near curves and points of the axis
+ * the output is a band of width h / (2 sin(Angle / 2)) for voxels of size h. An axis that is a
+ * point, as of a ball, is sure to be found only for Angle <= 70.
+ *
+ * @par Parallel pipelines:
+ * Neither output is split: piece 0 is all of it, every other piece is empty. Distance fields in
+ * parts come from vtkMeshDistanceField.
+ *
+ * @sa
+ * vtkMeshDistanceField vtkMeshFieldAlgorithm
+ */
+
+#ifndef vtkMedialAxis_h
+#define vtkMedialAxis_h
+
+#include "vtkMedialFiltersModule.h" // For export macro
+#include "vtkMeshFieldAlgorithm.h"
+
+class vtkImageData;
+class vtkPolyData;
+
+class VTKMEDIALFILTERS_EXPORT vtkMedialAxis : public vtkMeshFieldAlgorithm
+{
+public:
+  ///@{
+  /**
+   * Standard methods for instantiation, obtaining type information, and printing.
+   */
+  static vtkMedialAxis* New();
+  vtkTypeMacro(vtkMedialAxis, vtkMeshFieldAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+  ///@}
+
+  /**
+   * The side of the surface that the axis is wanted for.
+   */
+  enum Sides
+  {
+    INTERIOR = 0,
+    EXTERIOR = 1,
+    BOTH = 2
+  };
+
+  /**
+   * What the axis is made of.
+   */
+  enum Representations
+  {
+    SURFACE = 0,
+    FACES = 1,
+    POINTS = 2
+  };
+
+  ///@{
+  /**
+   * Least separation angle of the points of the axis in degrees, in the open interval (0, 180).
+   * Smaller values keep more of the axis and more noise. Default is 60.
+   */
+  vtkSetMacro(Angle, double);
+  vtkGetMacro(Angle, double);
+  ///@}
+
+  ///@{
+  /**
+   * The side of the surface that the axis is wanted for: INTERIOR, where the distance is negative,
+   * EXTERIOR, where it is positive, or BOTH. An unsigned distance, as of an open mesh, knows no
+   * sides: the axis is that of BOTH then, and GetUsedSide() says so. Default is INTERIOR.
+   */
+  vtkSetMacro(Side, int);
+  vtkGetMacro(Side, int);
+  void SetSideToInterior() { this->SetSide(INTERIOR); }
+  void SetSideToExterior() { this->SetSide(EXTERIOR); }
+  void SetSideToBoth() { this->SetSide(BOTH); }
+  const char* GetSideAsString();
+  ///@}
+
+  ///@{
+  /**
+   * What the axis is made of. SURFACE: a mesh with at most one point a voxel, quads and triangles,
+   * and lines and vertices where the axis is thinner than a sheet. FACES: the voxel faces between
+   * sample points on either side of the axis. POINTS: one point for each such face, on the bisector
+   * of the two nearest sites. Default is SURFACE.
+   */
+  vtkSetMacro(Representation, int);
+  vtkGetMacro(Representation, int);
+  void SetRepresentationToSurface() { this->SetRepresentation(SURFACE); }
+  void SetRepresentationToFaces() { this->SetRepresentation(FACES); }
+  void SetRepresentationToPoints() { this->SetRepresentation(POINTS); }
+  const char* GetRepresentationAsString();
+  ///@}
+
+  ///@{
+  /**
+   * Whether output port 1 is the distance field on the whole grid, from the same run and with the
+   * arrays that the Generate flags ask for. Off, the port is an empty image, and the arrays of the
+   * grid are never held in memory. Default is off.
+   */
+  vtkSetMacro(GenerateDistanceField, vtkTypeBool);
+  vtkGetMacro(GenerateDistanceField, vtkTypeBool);
+  vtkBooleanMacro(GenerateDistanceField, vtkTypeBool);
+  ///@}
+
+  /**
+   * The side of the last execution: BOTH where the distance is unsigned, else Side. BOTH before the
+   * first execution and after a failed one.
+   */
+  int GetUsedSide();
+
+  /**
+   * The medial axis, output port 0.
+   */
+  vtkPolyData* GetOutput();
+
+  /**
+   * The distance field, output port 1; empty unless GenerateDistanceField is on.
+   */
+  vtkImageData* GetDistanceField();
+
+protected:
+  vtkMedialAxis();
+  ~vtkMedialAxis() override;
+
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  double Angle = 60.0;
+  int Side = INTERIOR;
+  int Representation = SURFACE;
+  vtkTypeBool GenerateDistanceField = false;
+
+private:
+  vtkMedialAxis(const vtkMedialAxis&) = delete;
+  void operator=(const vtkMedialAxis&) = delete;
+};
+
+#endif

@@ -1,0 +1,239 @@
+#include "vtkMeshConversion.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkTypeInt64Array.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace
+{
+
+// The library writes cell ids as std::int64_t straight into a vtkIdTypeArray.
+static_assert(sizeof(vtkIdType) == sizeof(std::int64_t), "VTK must be built with 64-bit ids");
+
+//------------------------------------------------------------------------------
+void AppendPoints(vtkPolyData* input, std::vector<medial::Point3>& points)
+{
+  points.resize(static_cast<std::size_t>(input->GetNumberOfPoints()));
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    input->GetPoint(static_cast<vtkIdType>(i), points[i].data());
+  }
+}
+
+//------------------------------------------------------------------------------
+// Appends the cells of one of the four cell arrays; the first of them has the id firstId. Returns
+// the id that follows the last.
+vtkIdType AppendCells(vtkCellArray* cells, vtkIdType firstId, medial::CellList& list)
+{
+  const vtkIdType count = cells->GetNumberOfCells();
+  list.ids.reserve(static_cast<std::size_t>(count));
+  list.offsets.reserve(static_cast<std::size_t>(count) + 1);
+  list.connectivity.reserve(static_cast<std::size_t>(cells->GetNumberOfConnectivityIds()));
+  auto iterator = vtk::TakeSmartPointer(cells->NewIterator());
+  for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell())
+  {
+    vtkIdType size;
+    const vtkIdType* ids;
+    iterator->GetCurrentCell(size, ids);
+    if (size > 0)
+    {
+      list.connectivity.insert(list.connectivity.end(), ids, ids + size);
+      list.offsets.push_back(static_cast<std::int64_t>(list.connectivity.size()));
+      list.ids.push_back(firstId + iterator->GetCurrentCellId());
+    }
+  }
+  return firstId + count;
+}
+
+//------------------------------------------------------------------------------
+// Every other triangle of a strip runs backwards; two of its corners are swapped.
+void AppendStrips(vtkCellArray* strips, vtkIdType firstId, medial::CellList& list)
+{
+  auto iterator = vtk::TakeSmartPointer(strips->NewIterator());
+  for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell())
+  {
+    vtkIdType size;
+    const vtkIdType* ids;
+    iterator->GetCurrentCell(size, ids);
+    for (vtkIdType i = 0; i + 2 < size; ++i)
+    {
+      const vtkIdType odd = i % 2;
+      list.connectivity.insert(list.connectivity.end(),
+        { ids[i], ids[i + 1 + odd], ids[i + 2 - odd] });
+      list.offsets.push_back(static_cast<std::int64_t>(list.connectivity.size()));
+      list.ids.push_back(firstId + iterator->GetCurrentCellId());
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+template <typename ArrayType>
+ArrayType* AddArray(vtkImageData* image, const char* name, int components)
+{
+  vtkNew<ArrayType> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(image->GetNumberOfPoints());
+  image->GetPointData()->AddArray(array);
+  return array;
+}
+
+//------------------------------------------------------------------------------
+void AddValues(vtkPolyData* output, const char* name, const std::vector<float>& values)
+{
+  vtkNew<vtkFloatArray> array;
+  array->SetName(name);
+  array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
+  output->GetPointData()->AddArray(array);
+}
+
+//------------------------------------------------------------------------------
+void AddVectors(vtkPolyData* output, const char* name,
+  const std::vector<std::array<float, 3>>& values)
+{
+  vtkNew<vtkFloatArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(3);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    array->SetTypedTuple(static_cast<vtkIdType>(i), values[i].data());
+  }
+  output->GetPointData()->AddArray(array);
+}
+
+//------------------------------------------------------------------------------
+template <std::size_t Size>
+void InsertCells(const std::vector<std::array<std::int64_t, Size>>& from, vtkCellArray* to)
+{
+  for (const auto& cell : from)
+  {
+    std::array<vtkIdType, Size> ids;
+    std::copy(cell.begin(), cell.end(), ids.begin());
+    to->InsertNextCell(static_cast<vtkIdType>(Size), ids.data());
+  }
+}
+
+//------------------------------------------------------------------------------
+void SetCells(const medial::MedialAxis& axis, vtkPolyData* output)
+{
+  vtkNew<vtkCellArray> verts;
+  for (const std::int64_t vertex : axis.vertices)
+  {
+    const vtkIdType id = vertex;
+    verts->InsertNextCell(1, &id);
+  }
+  vtkNew<vtkCellArray> lines;
+  InsertCells(axis.lines, lines);
+  vtkNew<vtkCellArray> polys;
+  const std::size_t cells = axis.quads.size() + axis.triangles.size();
+  polys->AllocateExact(static_cast<vtkIdType>(cells),
+    static_cast<vtkIdType>(4 * axis.quads.size() + 3 * axis.triangles.size()));
+  InsertCells(axis.quads, polys);
+  InsertCells(axis.triangles, polys);
+  output->SetVerts(verts);
+  output->SetLines(lines);
+  output->SetPolys(polys);
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+medial::MeshInput vtkMeshConversion::ToMeshInput(vtkPolyData* input)
+{
+  medial::MeshInput mesh;
+  AppendPoints(input, mesh.points);
+  vtkIdType nextId = AppendCells(input->GetVerts(), 0, mesh.verts);
+  nextId = AppendCells(input->GetLines(), nextId, mesh.lines);
+  nextId = AppendCells(input->GetPolys(), nextId, mesh.polygons);
+  AppendStrips(input->GetStrips(), nextId, mesh.polygons);
+  return mesh;
+}
+
+//------------------------------------------------------------------------------
+medial::FieldArrays vtkMeshConversion::AllocateField(vtkImageData* output, const medial::Grid& grid,
+  const medial::Extent& extent, const ArraySelection& selection)
+{
+  int vtkExtent[6];
+  ToVTKExtent(extent, vtkExtent);
+  output->SetOrigin(grid.origin.data());
+  output->SetSpacing(grid.spacing.data());
+  output->SetExtent(vtkExtent);
+
+  medial::FieldArrays arrays;
+  arrays.distance = AddArray<vtkFloatArray>(output, "Distance", 1)->GetPointer(0);
+  output->GetPointData()->SetActiveScalars("Distance");
+  if (selection.ClosestPoint)
+  {
+    arrays.closestPoint = AddArray<vtkFloatArray>(output, "ClosestPoint", 3)->GetPointer(0);
+  }
+  if (selection.ClosestCell)
+  {
+    arrays.closestCell = reinterpret_cast<std::int64_t*>(
+      AddArray<vtkIdTypeArray>(output, "ClosestCell", 1)->GetPointer(0));
+  }
+  if (selection.ClosestFeature)
+  {
+    arrays.closestFeature =
+      AddArray<vtkUnsignedCharArray>(output, "ClosestFeature", 1)->GetPointer(0);
+  }
+  if (selection.ClosestSite)
+  {
+    arrays.closestSite = AddArray<vtkIntArray>(output, "ClosestSite", 1)->GetPointer(0);
+  }
+  return arrays;
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshConversion::ToPolyData(const medial::MedialAxis& axis, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(axis.points.size()));
+  for (std::size_t i = 0; i < axis.points.size(); ++i)
+  {
+    points->SetPoint(static_cast<vtkIdType>(i), axis.points[i].data());
+  }
+  output->SetPoints(points);
+  SetCells(axis, output);
+  AddValues(output, "Radius", axis.radius);
+  AddValues(output, "SeparationAngle", axis.separationAngle);
+  AddValues(output, "Lambda", axis.lambda);
+  AddVectors(output, "ClosestPointA", axis.closestPointA);
+  AddVectors(output, "ClosestPointB", axis.closestPointB);
+  output->GetPointData()->SetActiveScalars("Radius");
+}
+
+//------------------------------------------------------------------------------
+medial::Extent vtkMeshConversion::ToExtent(const int vtkExtent[6])
+{
+  return { { vtkExtent[0], vtkExtent[2], vtkExtent[4] },
+    { vtkExtent[1], vtkExtent[3], vtkExtent[5] } };
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshConversion::ToVTKExtent(const medial::Extent& extent, int vtkExtent[6])
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    vtkExtent[2 * axis] = extent.min[axis];
+    vtkExtent[2 * axis + 1] = extent.max[axis];
+  }
+}

@@ -1,0 +1,57 @@
+/**
+ * Conversions between VTK's data sets and the library's plain arrays. Private to the module.
+ */
+
+#ifndef vtkMeshConversion_h
+#define vtkMeshConversion_h
+
+#include "medial/medial/medial_axis.h"
+#include "medial/mesh/triangle_mesh.h"
+
+class vtkImageData;
+class vtkPolyData;
+
+namespace vtkMeshConversion
+{
+
+/**
+ * The cells of a vtkPolyData with their ids, strips cut into triangles that keep their strip's id.
+ * Cells without points and strips of fewer than three are left out.
+ */
+medial::MeshInput ToMeshInput(vtkPolyData* input);
+
+/**
+ * Which point data arrays an image gets beside Distance.
+ */
+struct ArraySelection
+{
+  bool ClosestPoint = true;
+  bool ClosestCell = true;
+  bool ClosestFeature = true;
+  bool ClosestSite = true;
+};
+
+/**
+ * Lays out an empty image for a part of a grid, and attaches arrays that wait for their values.
+ * Returns where the library is to write them. Throws std::bad_alloc.
+ */
+medial::FieldArrays AllocateField(vtkImageData* output, const medial::Grid& grid,
+  const medial::Extent& extent, const ArraySelection& selection);
+
+/**
+ * Fills an empty output with the medial axis: vertices, lines and polygons over points in double
+ * precision, with point data arrays.
+ */
+void ToPolyData(const medial::MedialAxis& axis, vtkPolyData* output);
+
+///@{
+/**
+ * The library's box of grid points as VTK's six numbers, and back.
+ */
+medial::Extent ToExtent(const int vtkExtent[6]);
+void ToVTKExtent(const medial::Extent& extent, int vtkExtent[6]);
+///@}
+
+} // namespace vtkMeshConversion
+
+#endif

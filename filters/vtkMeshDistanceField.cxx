@@ -1,0 +1,78 @@
+#include "vtkMeshDistanceField.h"
+
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMeshConversion.h"
+#include "vtkMeshFieldInternals.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+vtkStandardNewMacro(vtkMeshDistanceField);
+
+//------------------------------------------------------------------------------
+vtkMeshDistanceField::vtkMeshDistanceField()
+{
+  this->SetNumberOfOutputPorts(1);
+}
+
+//------------------------------------------------------------------------------
+vtkMeshDistanceField::~vtkMeshDistanceField() = default;
+
+//------------------------------------------------------------------------------
+vtkImageData* vtkMeshDistanceField::GetOutput()
+{
+  return vtkImageData::SafeDownCast(this->GetOutputDataObject(0));
+}
+
+//------------------------------------------------------------------------------
+int vtkMeshDistanceField::FillOutputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkImageData");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkMeshDistanceField::RequestInformation(vtkInformation*, vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector)
+{
+  outputVector->GetInformationObject(0)->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
+  return this->RequestImageInformation(inputVector, outputVector, 0);
+}
+
+//------------------------------------------------------------------------------
+int vtkMeshDistanceField::RequestData(vtkInformation*, vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector)
+{
+  vtkInformation* outInfo = outputVector->GetInformationObject(0);
+  return this->Internals->Guard(outputVector,
+    [&]
+    {
+      this->Internals->Last = {};
+      const medial::Extent extent = vtkMeshConversion::ToExtent(
+        outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT()));
+      if (extent.empty())
+      {
+        return;
+      }
+      vtkProgressBridge progress(this);
+      const medial::DistanceFieldOptions options = this->Internals->MakeOptions(&progress);
+      this->Internals->UpdateMesh(vtkPolyData::GetData(inputVector[0]));
+      const medial::Grid grid = vtkInternals::AnnouncedGrid(outInfo);
+      const medial::SignMethod sign =
+        medial::resolveSignMethod(options.sign, this->Internals->Topology);
+
+      const medial::FieldArrays arrays = vtkMeshConversion::AllocateField(
+        vtkImageData::GetData(outInfo), grid, extent, this->Internals->MakeSelection());
+      const medial::RunStatistics statistics = medial::computeDistanceField(this->Internals->Mesh,
+        this->Internals->Topology, grid, extent, arrays, options);
+      this->Internals->Record(grid, sign, statistics);
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshDistanceField::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}

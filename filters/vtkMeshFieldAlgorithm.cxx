@@ -1,0 +1,335 @@
+#include "vtkMeshFieldAlgorithm.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkDataObject.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMeshConversion.h"
+#include "vtkMeshFieldInternals.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+
+namespace
+{
+
+const char* const GridModeNames[] = { "Resolution", "Spacing", "Explicit" };
+const char* const SignMethodNames[] = { "Auto", "None", "Pseudonormal", "Winding" };
+
+//------------------------------------------------------------------------------
+template <std::size_t Count>
+const char* NameOf(const char* const (&names)[Count], int value)
+{
+  return value >= 0 && value < static_cast<int>(Count) ? names[value] : "Unknown";
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+vtkMeshFieldAlgorithm::vtkMeshFieldAlgorithm()
+  : Internals(new vtkInternals(this))
+{
+  this->SetNumberOfInputPorts(1);
+}
+
+//------------------------------------------------------------------------------
+vtkMeshFieldAlgorithm::~vtkMeshFieldAlgorithm() = default;
+
+//------------------------------------------------------------------------------
+vtkTypeBool vtkMeshFieldAlgorithm::ProcessRequest(vtkInformation* request,
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()))
+  {
+    return this->RequestInformation(request, inputVector, outputVector);
+  }
+  if (request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_EXTENT()))
+  {
+    return this->RequestUpdateExtent(request, inputVector, outputVector);
+  }
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()))
+  {
+    return this->RequestData(request, inputVector, outputVector);
+  }
+  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
+}
+
+//------------------------------------------------------------------------------
+int vtkMeshFieldAlgorithm::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkMeshFieldAlgorithm::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector,
+  vtkInformationVector*)
+{
+  vtkInformation* inInfo = inputVector[0]->GetInformationObject(0);
+  inInfo->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
+  inInfo->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+  inInfo->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkMeshFieldAlgorithm::RequestImageInformation(vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector, int port)
+{
+  return this->Internals->Guard(outputVector,
+    [&]
+    {
+      vtkPolyData* input = nullptr;
+      if (this->GridMode != EXPLICIT)
+      {
+        input = this->UpdateWholeInput(inputVector);
+        if (!input)
+        {
+          return;
+        }
+      }
+      const medial::Grid grid = this->Internals->MakeGrid(input);
+      int wholeExtent[6];
+      vtkMeshConversion::ToVTKExtent(grid.wholeExtent(), wholeExtent);
+
+      vtkInformation* outInfo = outputVector->GetInformationObject(port);
+      outInfo->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), wholeExtent, 6);
+      outInfo->Set(vtkDataObject::ORIGIN(), grid.origin.data(), 3);
+      outInfo->Set(vtkDataObject::SPACING(), grid.spacing.data(), 3);
+      vtkDataObject::SetActiveAttributeInfo(outInfo, vtkDataObject::FIELD_ASSOCIATION_POINTS,
+        vtkDataSetAttributes::SCALARS, "Distance", VTK_FLOAT, 1, -1);
+    });
+}
+
+//------------------------------------------------------------------------------
+// Asks for what RequestUpdateExtent() asks for, so that the input is not executed twice. A block of
+// composite input is up to date already. Returns null where the input is composite itself.
+vtkPolyData* vtkMeshFieldAlgorithm::UpdateWholeInput(vtkInformationVector** inputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  int producerPort = 0;
+  vtkAlgorithm* producer = this->GetInputAlgorithm(0, 0, producerPort);
+  if (!input || input != producer->GetOutputDataObject(producerPort))
+  {
+    return input;
+  }
+  vtkNew<vtkInformationVector> requests;
+  requests->SetNumberOfInformationObjects(producer->GetNumberOfOutputPorts());
+  vtkInformation* request = requests->GetInformationObject(producerPort);
+  request->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
+  request->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+  request->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  producer->Update(producerPort, requests);
+  return vtkPolyData::GetData(inputVector[0]);
+}
+
+//------------------------------------------------------------------------------
+const char* vtkMeshFieldAlgorithm::GetGridModeAsString()
+{
+  return NameOf(GridModeNames, this->GridMode);
+}
+
+//------------------------------------------------------------------------------
+const char* vtkMeshFieldAlgorithm::GetSignMethodAsString()
+{
+  return NameOf(SignMethodNames, this->SignMethod);
+}
+
+//------------------------------------------------------------------------------
+int vtkMeshFieldAlgorithm::GetUsedSignMethod()
+{
+  switch (this->Internals->Last.Sign)
+  {
+    case medial::SignMethod::None:
+      return SIGN_NONE;
+    case medial::SignMethod::Pseudonormal:
+      return SIGN_PSEUDONORMAL;
+    case medial::SignMethod::Winding:
+      return SIGN_WINDING;
+    case medial::SignMethod::Auto:
+      break;
+  }
+  return SIGN_AUTO;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkMeshFieldAlgorithm::GetUsedSignMethodAsString()
+{
+  return NameOf(SignMethodNames, this->GetUsedSignMethod());
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshFieldAlgorithm::GetUsedOrigin(double origin[3])
+{
+  std::copy_n(this->Internals->Last.Grid.origin.data(), 3, origin);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshFieldAlgorithm::GetUsedSpacing(double spacing[3])
+{
+  std::copy_n(this->Internals->Last.Grid.spacing.data(), 3, spacing);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshFieldAlgorithm::GetUsedDimensions(int dimensions[3])
+{
+  std::copy_n(this->Internals->Last.Grid.dimensions.data(), 3, dimensions);
+}
+
+//------------------------------------------------------------------------------
+const char* vtkMeshFieldAlgorithm::GetRenderer()
+{
+  return this->Internals->Last.Statistics.device.renderer.c_str();
+}
+
+//------------------------------------------------------------------------------
+const char* vtkMeshFieldAlgorithm::GetRendererVersion()
+{
+  return this->Internals->Last.Statistics.device.version.c_str();
+}
+
+//------------------------------------------------------------------------------
+bool vtkMeshFieldAlgorithm::GetSoftwareRenderer()
+{
+  return this->Internals->Last.Statistics.device.software;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkMeshFieldAlgorithm::GetNumberOfTriangles()
+{
+  return this->Internals->Last.NumberOfTriangles;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkMeshFieldAlgorithm::GetNumberOfVertices()
+{
+  return this->Internals->Last.NumberOfVertices;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkMeshFieldAlgorithm::GetNumberOfComponents()
+{
+  return this->Internals->Last.NumberOfComponents;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkMeshFieldAlgorithm::GetNumberOfDegenerateTriangles()
+{
+  return this->Internals->Last.NumberOfDegenerateTriangles;
+}
+
+//------------------------------------------------------------------------------
+bool vtkMeshFieldAlgorithm::GetClosed()
+{
+  return this->Internals->Last.Closed;
+}
+
+//------------------------------------------------------------------------------
+bool vtkMeshFieldAlgorithm::GetManifold()
+{
+  return this->Internals->Last.Manifold;
+}
+
+//------------------------------------------------------------------------------
+bool vtkMeshFieldAlgorithm::GetOriented()
+{
+  return this->Internals->Last.Oriented;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkMeshFieldAlgorithm::GetNumberOfSites()
+{
+  return this->Internals->Last.Statistics.sites;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkMeshFieldAlgorithm::GetNumberOfCandidatePairs()
+{
+  return this->Internals->Last.Statistics.candidatePairs;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkMeshFieldAlgorithm::GetNumberOfPolygons()
+{
+  return this->Internals->Last.Statistics.polygons;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkMeshFieldAlgorithm::GetNumberOfFragments()
+{
+  return this->Internals->Last.Statistics.fragments;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkMeshFieldAlgorithm::GetNumberOfSamples()
+{
+  return this->Internals->Last.Statistics.samples;
+}
+
+//------------------------------------------------------------------------------
+double vtkMeshFieldAlgorithm::GetSitesSeconds()
+{
+  return this->Internals->Last.Statistics.seconds.sites;
+}
+
+//------------------------------------------------------------------------------
+double vtkMeshFieldAlgorithm::GetCullSeconds()
+{
+  return this->Internals->Last.Statistics.seconds.cull;
+}
+
+//------------------------------------------------------------------------------
+double vtkMeshFieldAlgorithm::GetPolygonsSeconds()
+{
+  return this->Internals->Last.Statistics.seconds.polygons;
+}
+
+//------------------------------------------------------------------------------
+double vtkMeshFieldAlgorithm::GetDrawSeconds()
+{
+  return this->Internals->Last.Statistics.seconds.draw;
+}
+
+//------------------------------------------------------------------------------
+double vtkMeshFieldAlgorithm::GetResolveSeconds()
+{
+  return this->Internals->Last.Statistics.seconds.resolve;
+}
+
+//------------------------------------------------------------------------------
+double vtkMeshFieldAlgorithm::GetMedialSeconds()
+{
+  return this->Internals->Last.Statistics.seconds.medial;
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshFieldAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const auto vector = [&](const char* name, const auto& values) {
+    os << indent << name << ": (" << values[0] << ", " << values[1] << ", " << values[2] << ")\n";
+  };
+  const auto flag = [&](const char* name, vtkTypeBool value)
+  { os << indent << name << ": " << (value ? "On" : "Off") << "\n"; };
+  os << indent << "GridMode: " << this->GetGridModeAsString() << "\n";
+  os << indent << "Resolution: " << this->Resolution << "\n";
+  vector("Spacing", this->Spacing);
+  vector("Origin", this->Origin);
+  vector("Dimensions", this->Dimensions);
+  os << indent << "Padding: " << this->Padding << "\n";
+  os << indent << "SignMethod: " << this->GetSignMethodAsString() << "\n";
+  os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
+  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
+  flag("RequireHardware", this->RequireHardware);
+  flag("GenerateClosestPoint", this->GenerateClosestPoint);
+  flag("GenerateClosestCell", this->GenerateClosestCell);
+  flag("GenerateClosestFeature", this->GenerateClosestFeature);
+  flag("GenerateClosestSite", this->GenerateClosestSite);
+  os << indent << "UsedSignMethod: " << this->GetUsedSignMethodAsString() << "\n";
+  vector("UsedDimensions", this->Internals->Last.Grid.dimensions);
+  os << indent << "Renderer: " << this->GetRenderer() << "\n";
+}

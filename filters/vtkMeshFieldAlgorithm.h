@@ -1,0 +1,383 @@
+/**
+ * @class   vtkMeshFieldAlgorithm
+ * @brief   superclass of the filters that sample the distance field of a mesh on a regular grid
+ *
+ * vtkMeshFieldAlgorithm holds what vtkMeshDistanceField and vtkMedialAxis have in common: the grid
+ * of sample points, the sign of the distance, the limits on resources, the choice of image arrays,
+ * and the figures of the last execution.
+ *
+ * @par Input:
+ * Any vtkPolyData: triangles, quads, polygons, triangle strips, lines and vertices, mixed as they
+ * come. The surface need be neither closed nor manifold nor welded. Points that no cell uses are
+ * ignored. Cell ids in the outputs are those of vtkPolyData: vertices, lines, polygons, strips.
+ * Cells without points, and strips of fewer than three, are ignored.
+ *
+ * @par Coordinates:
+ * All lengths are in world units, those of the input's points. Image outputs have point data on a
+ * grid without rotation; the sample points are the image's points.
+ *
+ * @par Information:
+ * Unless GridMode is EXPLICIT the grid follows from the bounds of the input, so UpdateInformation()
+ * updates the input (never the field). For input that changes with time the grid is that of the
+ * time at which the information was made; use an explicit grid there.
+ *
+ * @par Errors:
+ * A parameter outside its range, input that cannot be used, and a failure of the GPU are reported
+ * by one vtkErrorMacro with the value and the allowed range; GetErrorCode() then is one of
+ * ErrorCodes, all outputs are empty and the request fails. Parameters are checked when the filter
+ * executes; no value is clamped.
+ *
+ * @par Abort:
+ * SetAbortExecute(1) from a ProgressEvent observer stops the execution within a fraction of a
+ * second. The outputs are empty then, the request fails so that no filter downstream runs,
+ * GetErrorCode() is CancelledError without an ErrorEvent from the filter, and the next Update()
+ * executes again.
+ *
+ * @par OpenGL:
+ * The GPU work is done on a thread and in a context of its own: an OpenGL context that is current
+ * in the calling thread stays so, with its state. Observers are called in the calling thread.
+ *
+ * @par Parallel pipelines:
+ * Whatever piece is requested, the filter asks for its whole input, since every sample depends on
+ * all of it.
+ */
+
+#ifndef vtkMeshFieldAlgorithm_h
+#define vtkMeshFieldAlgorithm_h
+
+#include "vtkAlgorithm.h"
+#include "vtkErrorCode.h"           // For UserError
+#include "vtkMedialFiltersModule.h" // For export macro
+
+#include <memory> // For std::unique_ptr
+
+class vtkPolyData;
+
+class VTKMEDIALFILTERS_EXPORT vtkMeshFieldAlgorithm : public vtkAlgorithm
+{
+public:
+  ///@{
+  /**
+   * Standard methods for obtaining type information, and printing.
+   */
+  vtkTypeMacro(vtkMeshFieldAlgorithm, vtkAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+  ///@}
+
+  /**
+   * Values of GetErrorCode() after a failed execution.
+   */
+  enum ErrorCodes
+  {
+    /// A parameter, the input or their combination is outside what is documented.
+    InvalidInputError = vtkErrorCode::UserError + 1,
+    /// No usable OpenGL 4.5 context, or a software one where hardware is required.
+    NoGpuError,
+    /// The driver refused a shader.
+    ShaderBuildError,
+    /// The request exceeds a limit of the GPU or its driver.
+    GpuLimitError,
+    /// Host or device memory ran out.
+    OutOfMemoryError,
+    /// AbortExecute was set during the execution.
+    CancelledError,
+    /// Any other failure.
+    InternalError
+  };
+
+  /**
+   * How the grid of sample points is chosen.
+   */
+  enum GridModes
+  {
+    RESOLUTION = 0,
+    SPACING = 1,
+    EXPLICIT = 2
+  };
+
+  /**
+   * How inside is told from outside.
+   */
+  enum SignMethods
+  {
+    SIGN_AUTO = 0,
+    SIGN_NONE = 1,
+    SIGN_PSEUDONORMAL = 2,
+    SIGN_WINDING = 3
+  };
+
+  ///@{
+  /**
+   * How the grid of sample points is chosen. RESOLUTION: cubic voxels, as many points along the
+   * longest axis as Resolution says. SPACING: voxels of the size Spacing. Both cover the bounds of
+   * the input with a margin of Padding on every side. EXPLICIT: Origin, Spacing and Dimensions as
+   * they are, whatever the input. Default is RESOLUTION.
+   */
+  vtkSetMacro(GridMode, int);
+  vtkGetMacro(GridMode, int);
+  void SetGridModeToResolution() { this->SetGridMode(RESOLUTION); }
+  void SetGridModeToSpacing() { this->SetGridMode(SPACING); }
+  void SetGridModeToExplicit() { this->SetGridMode(EXPLICIT); }
+  const char* GetGridModeAsString();
+  ///@}
+
+  ///@{
+  /**
+   * Number of sample points along the longest axis of the padded bounds, in [2, 8192]. Time and
+   * memory grow with its cube. Used when GridMode is RESOLUTION. Default is 256.
+   */
+  vtkSetMacro(Resolution, int);
+  vtkGetMacro(Resolution, int);
+  ///@}
+
+  ///@{
+  /**
+   * Distance of neighbouring sample points along x, y and z in world units, each > 0; they may
+   * differ. Used when GridMode is SPACING, where it must give at most 8192 points along an axis, or
+   * EXPLICIT. Default is (1, 1, 1).
+   */
+  vtkSetVector3Macro(Spacing, double);
+  vtkGetVector3Macro(Spacing, double);
+  ///@}
+
+  ///@{
+  /**
+   * World coordinates of the first sample point, any finite numbers. Used when GridMode is
+   * EXPLICIT. Default is (0, 0, 0).
+   */
+  vtkSetVector3Macro(Origin, double);
+  vtkGetVector3Macro(Origin, double);
+  ///@}
+
+  ///@{
+  /**
+   * Number of sample points along x, y and z, each in [1, 8192]. Used when GridMode is EXPLICIT.
+   * Default is (64, 64, 64).
+   */
+  vtkSetVector3Macro(Dimensions, int);
+  vtkGetVector3Macro(Dimensions, int);
+  ///@}
+
+  ///@{
+  /**
+   * Margin around the bounds of the input as a fraction of their diagonal, in [0, 10]. Used when
+   * GridMode is RESOLUTION or SPACING. Larger values show more of the outside; with RESOLUTION
+   * they also make voxels larger. Default is 0.05.
+   */
+  vtkSetMacro(Padding, double);
+  vtkGetMacro(Padding, double);
+  ///@}
+
+  ///@{
+  /**
+   * How inside, where the distance is negative, is told from outside; the magnitude of the distance
+   * does not depend on it. SIGN_AUTO: SIGN_PSEUDONORMAL where the mesh is closed and consistently
+   * oriented, else SIGN_NONE. SIGN_NONE: unsigned. SIGN_PSEUDONORMAL: angle-weighted pseudonormals;
+   * an error where the mesh is open or not consistently oriented. SIGN_WINDING: generalised winding
+   * numbers; not available in this version, an error. Default is SIGN_AUTO.
+   * GetUsedSignMethod() says what was chosen.
+   */
+  vtkSetMacro(SignMethod, int);
+  vtkGetMacro(SignMethod, int);
+  void SetSignMethodToAuto() { this->SetSignMethod(SIGN_AUTO); }
+  void SetSignMethodToNone() { this->SetSignMethod(SIGN_NONE); }
+  void SetSignMethodToPseudonormal() { this->SetSignMethod(SIGN_PSEUDONORMAL); }
+  void SetSignMethodToWinding() { this->SetSignMethod(SIGN_WINDING); }
+  const char* GetSignMethodAsString();
+  ///@}
+
+  ///@{
+  /**
+   * Number of CPU threads to use, >= 0; 0 uses all cores. The result does not depend on it.
+   * Default is 0.
+   */
+  vtkSetMacro(NumberOfThreads, int);
+  vtkGetMacro(NumberOfThreads, int);
+  ///@}
+
+  ///@{
+  /**
+   * Upper bound in MiB of the memory for the slabs of slices that are computed at a time, 0 or
+   * >= 64; 0 chooses by the size of the grid. Outputs are not counted. Smaller values make more
+   * slabs and take longer; the result does not depend on it. Default is 0.
+   */
+  vtkSetMacro(MemoryLimit, int);
+  vtkGetMacro(MemoryLimit, int);
+  ///@}
+
+  ///@{
+  /**
+   * Whether to fail where OpenGL is a software renderer such as Mesa's llvmpipe. Default is off: a
+   * software renderer gives the same result, but slowly.
+   */
+  vtkSetMacro(RequireHardware, vtkTypeBool);
+  vtkGetMacro(RequireHardware, vtkTypeBool);
+  vtkBooleanMacro(RequireHardware, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the image has the point data array ClosestPoint: the world coordinates of the nearest
+   * point of the mesh, float32 x 3. Costs 12 bytes a sample. Default is on.
+   */
+  vtkSetMacro(GenerateClosestPoint, vtkTypeBool);
+  vtkGetMacro(GenerateClosestPoint, vtkTypeBool);
+  vtkBooleanMacro(GenerateClosestPoint, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the image has the point data array ClosestCell: the id of an input cell that holds the
+   * nearest point, vtkIdType. Costs 8 bytes a sample. Default is on.
+   */
+  vtkSetMacro(GenerateClosestCell, vtkTypeBool);
+  vtkGetMacro(GenerateClosestCell, vtkTypeBool);
+  vtkBooleanMacro(GenerateClosestCell, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the image has the point data array ClosestFeature: what the nearest point lies on,
+   * 0 for a vertex, 1 for an edge, 2 for a face, uint8. Costs 1 byte a sample. Default is on.
+   */
+  vtkSetMacro(GenerateClosestFeature, vtkTypeBool);
+  vtkGetMacro(GenerateClosestFeature, vtkTypeBool);
+  vtkBooleanMacro(GenerateClosestFeature, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the image has the point data array ClosestSite: the label of the nearest vertex, edge
+   * or face of the welded mesh, that is the generalised Voronoi diagram, int32. Faces come first,
+   * then edges, then vertices. Costs 4 bytes a sample. Default is on.
+   */
+  vtkSetMacro(GenerateClosestSite, vtkTypeBool);
+  vtkGetMacro(GenerateClosestSite, vtkTypeBool);
+  vtkBooleanMacro(GenerateClosestSite, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * The sign method of the last execution: what SIGN_AUTO meant for its input. SIGN_AUTO before the
+   * first execution and after a failed one.
+   */
+  int GetUsedSignMethod();
+  const char* GetUsedSignMethodAsString();
+  ///@}
+
+  ///@{
+  /**
+   * The grid of the last execution, whole even where part of it was computed: origin and spacing in
+   * world units, numbers of sample points. All zero before the first execution and after a failed
+   * one.
+   */
+  void GetUsedOrigin(double origin[3]);
+  void GetUsedSpacing(double spacing[3]);
+  void GetUsedDimensions(int dimensions[3]);
+  ///@}
+
+  ///@{
+  /**
+   * The OpenGL implementation of the last execution: its name (GL_RENDERER), its version
+   * (GL_VERSION), and whether it is a software renderer. Empty before the first execution and after
+   * a failed one.
+   */
+  const char* GetRenderer();
+  const char* GetRendererVersion();
+  bool GetSoftwareRenderer();
+  ///@}
+
+  ///@{
+  /**
+   * What the input of the last execution was found to be, after points at the same place were
+   * joined and polygons cut into triangles: numbers of triangles and of points, connected
+   * components and triangles without area; whether the surface is closed (every edge has two
+   * triangles), manifold, and consistently oriented.
+   */
+  vtkIdType GetNumberOfTriangles();
+  vtkIdType GetNumberOfVertices();
+  vtkIdType GetNumberOfComponents();
+  vtkIdType GetNumberOfDegenerateTriangles();
+  bool GetClosed();
+  bool GetManifold();
+  bool GetOriented();
+  ///@}
+
+  ///@{
+  /**
+   * How much work the last execution was: vertices, edges and faces of the mesh (sites), pairs of a
+   * site and a tile of the grid that culling left, polygons drawn, the samples that they cover
+   * before the depth test (fragments), and grid points computed (samples).
+   */
+  vtkIdType GetNumberOfSites();
+  vtkIdType GetNumberOfCandidatePairs();
+  vtkIdType GetNumberOfPolygons();
+  vtkIdType GetNumberOfFragments();
+  vtkIdType GetNumberOfSamples();
+  ///@}
+
+  ///@{
+  /**
+   * Wall-clock seconds that each phase of the last execution took: building sites and their
+   * half-spaces, culling, clipping of polygons, drawing, evaluation and read-back of distances, and
+   * the medial axis (0 for vtkMeshDistanceField).
+   */
+  double GetSitesSeconds();
+  double GetCullSeconds();
+  double GetPolygonsSeconds();
+  double GetDrawSeconds();
+  double GetResolveSeconds();
+  double GetMedialSeconds();
+  ///@}
+
+  /**
+   * see vtkAlgorithm for details
+   */
+  vtkTypeBool ProcessRequest(vtkInformation*, vtkInformationVector**,
+    vtkInformationVector*) override;
+
+protected:
+  vtkMeshFieldAlgorithm();
+  ~vtkMeshFieldAlgorithm() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+
+  virtual int RequestInformation(vtkInformation*, vtkInformationVector**,
+    vtkInformationVector*) = 0;
+  virtual int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*);
+  virtual int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) = 0;
+
+  /**
+   * Describes an image output on the grid that the parameters and the input ask for. Updates the
+   * input where the grid depends on it. Composite input has no grid: the pipeline asks again for
+   * each of its blocks. Returns 0 after reporting an error.
+   */
+  int RequestImageInformation(vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector, int port);
+
+  class vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
+
+  int GridMode = RESOLUTION;
+  int Resolution = 256;
+  double Spacing[3] = { 1.0, 1.0, 1.0 };
+  double Origin[3] = { 0.0, 0.0, 0.0 };
+  int Dimensions[3] = { 64, 64, 64 };
+  double Padding = 0.05;
+  int SignMethod = SIGN_AUTO;
+  int NumberOfThreads = 0;
+  int MemoryLimit = 0;
+  vtkTypeBool RequireHardware = false;
+  vtkTypeBool GenerateClosestPoint = true;
+  vtkTypeBool GenerateClosestCell = true;
+  vtkTypeBool GenerateClosestFeature = true;
+  vtkTypeBool GenerateClosestSite = true;
+
+private:
+  vtkPolyData* UpdateWholeInput(vtkInformationVector** inputVector);
+
+  vtkMeshFieldAlgorithm(const vtkMeshFieldAlgorithm&) = delete;
+  void operator=(const vtkMeshFieldAlgorithm&) = delete;
+};
+
+#endif

@@ -1,0 +1,255 @@
+#include "vtkMeshFieldInternals.h"
+
+#include "vtkDataObject.h"
+#include "vtkDemandDrivenPipeline.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <exception>
+#include <new>
+#include <sstream>
+
+namespace
+{
+
+constexpr int MinMemoryLimit = 64;
+
+//------------------------------------------------------------------------------
+unsigned long ToErrorCode(medial::ErrorCode code)
+{
+  switch (code)
+  {
+    case medial::ErrorCode::InvalidInput:
+      return vtkMeshFieldAlgorithm::InvalidInputError;
+    case medial::ErrorCode::NoGpu:
+      return vtkMeshFieldAlgorithm::NoGpuError;
+    case medial::ErrorCode::ShaderBuild:
+      return vtkMeshFieldAlgorithm::ShaderBuildError;
+    case medial::ErrorCode::GpuLimit:
+      return vtkMeshFieldAlgorithm::GpuLimitError;
+    case medial::ErrorCode::OutOfMemory:
+      return vtkMeshFieldAlgorithm::OutOfMemoryError;
+    case medial::ErrorCode::Cancelled:
+      return vtkMeshFieldAlgorithm::CancelledError;
+  }
+  return vtkMeshFieldAlgorithm::InternalError;
+}
+
+//------------------------------------------------------------------------------
+medial::SignMethod ToSignMethod(int method)
+{
+  switch (method)
+  {
+    case vtkMeshFieldAlgorithm::SIGN_AUTO:
+      return medial::SignMethod::Auto;
+    case vtkMeshFieldAlgorithm::SIGN_NONE:
+      return medial::SignMethod::None;
+    case vtkMeshFieldAlgorithm::SIGN_PSEUDONORMAL:
+      return medial::SignMethod::Pseudonormal;
+    case vtkMeshFieldAlgorithm::SIGN_WINDING:
+      return medial::SignMethod::Winding;
+    default:
+      vtkThrowBadParameter("SignMethod", method,
+        "one of 0 (auto), 1 (none), 2 (pseudonormal), "
+        "3 (winding)");
+  }
+}
+
+//------------------------------------------------------------------------------
+// Leaves no result of an earlier execution behind.
+void EmptyOutputs(vtkInformationVector* outputVector)
+{
+  for (int i = 0; i < outputVector->GetNumberOfInformationObjects(); ++i)
+  {
+    if (vtkDataObject* output = vtkDataObject::GetData(outputVector, i))
+    {
+      output->Initialize();
+    }
+  }
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+void vtkThrowBadParameter(const char* name, int value, const char* range)
+{
+  std::ostringstream message;
+  message << name << ' ' << value << " is not " << range;
+  throw medial::Error(medial::ErrorCode::InvalidInput, message.str());
+}
+
+//------------------------------------------------------------------------------
+int vtkMeshFieldAlgorithm::vtkInternals::Guard(vtkInformationVector* outputVector,
+  const std::function<void()>& work)
+{
+  // Assigned, since SetErrorCode() would modify the filter while it executes.
+  this->Self->ErrorCode = vtkErrorCode::NoError;
+  try
+  {
+    work();
+    return 1;
+  }
+  catch (const medial::Error& error)
+  {
+    return error.code() == medial::ErrorCode::Cancelled
+      ? this->Cancel(outputVector)
+      : this->Fail(outputVector, ToErrorCode(error.code()), error.what());
+  }
+  catch (const std::bad_alloc&)
+  {
+    return this->Fail(outputVector, OutOfMemoryError, "not enough memory for the result");
+  }
+  catch (const std::exception& error)
+  {
+    return this->Fail(outputVector, InternalError, error.what());
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkMeshFieldAlgorithm::vtkInternals::Fail(vtkInformationVector* outputVector,
+  unsigned long code, const std::string& message)
+{
+  EmptyOutputs(outputVector);
+  this->Last = Outcome();
+  this->Self->ErrorCode = code;
+  vtkErrorWithObjectMacro(this->Self, << message);
+  return 0;
+}
+
+//------------------------------------------------------------------------------
+// Released and not generated is what makes the pipeline execute again on the next update.
+int vtkMeshFieldAlgorithm::vtkInternals::Cancel(vtkInformationVector* outputVector)
+{
+  EmptyOutputs(outputVector);
+  for (int i = 0; i < outputVector->GetNumberOfInformationObjects(); ++i)
+  {
+    vtkInformation* info = outputVector->GetInformationObject(i);
+    if (vtkDataObject* output = vtkDataObject::GetData(info))
+    {
+      output->ReleaseData();
+      info->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
+    }
+  }
+  this->Last = Outcome();
+  this->Self->ErrorCode = CancelledError;
+  return 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshFieldAlgorithm::vtkInternals::UpdateMesh(vtkPolyData* input)
+{
+  if (!input)
+  {
+    throw medial::Error(medial::ErrorCode::InvalidInput, "the input is not a vtkPolyData");
+  }
+  if (input == this->MeshInput && input->GetMTime() == this->MeshTime)
+  {
+    return;
+  }
+  this->MeshInput = nullptr;
+  this->Mesh = medial::buildTriangleMesh(vtkMeshConversion::ToMeshInput(input));
+  this->Topology = medial::analyseTopology(this->Mesh);
+  this->MeshInput = input;
+  this->MeshTime = input->GetMTime();
+}
+
+//------------------------------------------------------------------------------
+medial::Grid vtkMeshFieldAlgorithm::vtkInternals::MakeGrid(vtkPolyData* input)
+{
+  const vtkMeshFieldAlgorithm* self = this->Self;
+  const medial::Point3 spacing = { self->Spacing[0], self->Spacing[1], self->Spacing[2] };
+  if (self->GridMode == EXPLICIT)
+  {
+    const medial::Grid grid = { { self->Origin[0], self->Origin[1], self->Origin[2] }, spacing,
+      { self->Dimensions[0], self->Dimensions[1], self->Dimensions[2] } };
+    medial::validateGrid(grid);
+    return grid;
+  }
+  this->UpdateMesh(input);
+  switch (self->GridMode)
+  {
+    case RESOLUTION:
+      return medial::makeGrid(this->Mesh.bounds(), self->Resolution, self->Padding);
+    case SPACING:
+      return medial::makeGridWithSpacing(this->Mesh.bounds(), spacing, self->Padding);
+    default:
+      vtkThrowBadParameter("GridMode", self->GridMode,
+        "one of 0 (resolution), 1 (spacing), 2 (explicit)");
+  }
+}
+
+//------------------------------------------------------------------------------
+medial::Grid vtkMeshFieldAlgorithm::vtkInternals::AnnouncedGrid(vtkInformation* outInfo)
+{
+  medial::Grid grid;
+  outInfo->Get(vtkDataObject::ORIGIN(), grid.origin.data());
+  outInfo->Get(vtkDataObject::SPACING(), grid.spacing.data());
+  const medial::Extent whole =
+    vtkMeshConversion::ToExtent(outInfo->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()));
+  grid.dimensions = { whole.size(0), whole.size(1), whole.size(2) };
+  return grid;
+}
+
+//------------------------------------------------------------------------------
+medial::DistanceFieldOptions vtkMeshFieldAlgorithm::vtkInternals::MakeOptions(
+  medial::Progress* progress)
+{
+  const vtkMeshFieldAlgorithm* self = this->Self;
+  if (self->NumberOfThreads < 0)
+  {
+    vtkThrowBadParameter("NumberOfThreads", self->NumberOfThreads, ">= 0");
+  }
+  if (self->MemoryLimit != 0 && self->MemoryLimit < MinMemoryLimit)
+  {
+    vtkThrowBadParameter("MemoryLimit", self->MemoryLimit, "0 or >= 64 (MiB)");
+  }
+  medial::DistanceFieldOptions options;
+  options.sign = ToSignMethod(self->SignMethod);
+  options.threads = self->NumberOfThreads;
+  options.memoryMiB = static_cast<std::size_t>(self->MemoryLimit);
+  options.requireHardware = self->RequireHardware != 0;
+  options.progress = progress;
+  return options;
+}
+
+//------------------------------------------------------------------------------
+vtkMeshConversion::ArraySelection vtkMeshFieldAlgorithm::vtkInternals::MakeSelection()
+{
+  vtkMeshConversion::ArraySelection selection;
+  selection.ClosestPoint = this->Self->GenerateClosestPoint != 0;
+  selection.ClosestCell = this->Self->GenerateClosestCell != 0;
+  selection.ClosestFeature = this->Self->GenerateClosestFeature != 0;
+  selection.ClosestSite = this->Self->GenerateClosestSite != 0;
+  return selection;
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshFieldAlgorithm::vtkInternals::Record(const medial::Grid& grid, medial::SignMethod sign,
+  const medial::RunStatistics& statistics)
+{
+  this->Last.Grid = grid;
+  this->Last.Sign = sign;
+  this->Last.Statistics = statistics;
+  this->Last.NumberOfTriangles = static_cast<vtkIdType>(this->Mesh.triangles.size());
+  this->Last.NumberOfVertices = static_cast<vtkIdType>(this->Mesh.points.size());
+  this->Last.NumberOfComponents = this->Topology.components;
+  this->Last.NumberOfDegenerateTriangles = this->Mesh.degenerateTriangles;
+  this->Last.Closed = this->Topology.closed();
+  this->Last.Manifold = this->Topology.manifold();
+  this->Last.Oriented = this->Topology.oriented();
+}
+
+//------------------------------------------------------------------------------
+void vtkProgressBridge::report(double fraction, const char* phase)
+{
+  this->Algorithm->SetProgressText(phase);
+  this->Algorithm->UpdateProgress(fraction);
+}
+
+//------------------------------------------------------------------------------
+bool vtkProgressBridge::cancelled()
+{
+  return this->Algorithm->GetAbortExecute() != 0;
+}

@@ -1,0 +1,119 @@
+/**
+ * What vtkMeshFieldAlgorithm keeps from its users: the library's view of the input and of the
+ * parameters, and the figures of the last execution. Private to the module.
+ */
+
+#ifndef vtkMeshFieldInternals_h
+#define vtkMeshFieldInternals_h
+
+#include "vtkMeshConversion.h"
+#include "vtkMeshFieldAlgorithm.h"
+#include "vtkType.h" // For vtkMTimeType
+
+#include "medial/common/error.h"
+#include "medial/common/progress.h"
+#include "medial/medial/medial_axis.h"
+
+#include <functional>
+#include <string>
+
+class vtkMeshFieldAlgorithm::vtkInternals
+{
+public:
+  explicit vtkInternals(vtkMeshFieldAlgorithm* self)
+    : Self(self)
+  {
+  }
+
+  /**
+   * What is known after an execution.
+   */
+  struct Outcome
+  {
+    medial::Grid Grid{ {}, {}, {} };
+    medial::SignMethod Sign = medial::SignMethod::Auto;
+    medial::Side Side = medial::Side::Both;
+    medial::RunStatistics Statistics;
+    vtkIdType NumberOfTriangles = 0;
+    vtkIdType NumberOfVertices = 0;
+    vtkIdType NumberOfComponents = 0;
+    vtkIdType NumberOfDegenerateTriangles = 0;
+    bool Closed = false;
+    bool Manifold = false;
+    bool Oriented = false;
+  };
+
+  /**
+   * Runs work and turns what it throws into the error reporting of VTK, with empty outputs.
+   * Returns 1, or 0 after an exception.
+   */
+  int Guard(vtkInformationVector* outputVector, const std::function<void()>& work);
+
+  /**
+   * Makes Mesh and Topology those of input, unless they are already.
+   */
+  void UpdateMesh(vtkPolyData* input);
+
+  /**
+   * The grid that the parameters ask for. input may be null for an explicit grid.
+   */
+  medial::Grid MakeGrid(vtkPolyData* input);
+
+  /**
+   * The grid that RequestImageInformation() announced, whatever the input has become since.
+   */
+  static medial::Grid AnnouncedGrid(vtkInformation* outInfo);
+
+  /**
+   * The parameters of the distance field, checked as far as the library cannot.
+   */
+  medial::DistanceFieldOptions MakeOptions(medial::Progress* progress);
+
+  /**
+   * The image arrays that the Generate flags ask for.
+   */
+  vtkMeshConversion::ArraySelection MakeSelection();
+
+  /**
+   * Fills Last after an execution on the current mesh.
+   */
+  void Record(const medial::Grid& grid, medial::SignMethod sign,
+    const medial::RunStatistics& statistics);
+
+  medial::TriangleMesh Mesh;
+  medial::MeshTopology Topology;
+  Outcome Last;
+
+private:
+  int Fail(vtkInformationVector* outputVector, unsigned long code, const std::string& message);
+  int Cancel(vtkInformationVector* outputVector);
+
+  vtkMeshFieldAlgorithm* Self;
+  vtkPolyData* MeshInput = nullptr; // only ever compared
+  vtkMTimeType MeshTime = 0;
+};
+
+/**
+ * Throws a medial::Error that says that a parameter is not what range says.
+ */
+[[noreturn]] void vtkThrowBadParameter(const char* name, int value, const char* range);
+
+/**
+ * Passes the library's progress on to a VTK algorithm's observers, and their wish to stop back.
+ */
+class vtkProgressBridge : public medial::Progress
+{
+public:
+  explicit vtkProgressBridge(vtkAlgorithm* algorithm)
+    : Algorithm(algorithm)
+  {
+  }
+
+  void report(double fraction, const char* phase) override;
+  bool cancelled() override;
+
+private:
+  vtkAlgorithm* Algorithm;
+};
+
+#endif
