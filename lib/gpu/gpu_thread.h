@@ -66,6 +66,9 @@ public:
     thread_.run([&] { job(*object_); });
   }
 
+  /// For jobs that run on the GPU thread already, and for members that need no OpenGL.
+  T& object() { return *object_; }
+
 private:
   GpuThread& thread_;
   std::unique_ptr<T> object_;

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "medial/culling/candidate_filter.h"
+#include "medial/medial/crossing.h"
+#include "medial/sites/site_set.h"
+
+#include <glm/glm.hpp>
+
+#include <vector>
+
+namespace medial
+{
+
+/// Where crossed grid edges meet the bisector of two sites: per crossing a point of the edge at
+/// equal distance from both (frame coordinates).
+///
+/// Where a third site is nearer there than the two, the crossing changes to the pair of this site
+/// with either of them, whichever has the larger separation angle; `crossings` are updated.
+std::vector<glm::dvec3> bisectorPoints(const SiteSet& sites, const CandidateFilter& filter,
+  const GridFrame& frame, std::vector<Crossing>& crossings);
+
+} // namespace medial

@@ -1,0 +1,163 @@
+#include "medial/medial/medial_axis.h"
+
+#include "medial/common/error.h"
+#include "medial/common/stopwatch.h"
+#include "medial/culling/closest_site_query.h"
+#include "medial/distance/field_pipeline.h"
+#include "medial/medial/bisector.h"
+#include "medial/medial/medial_cells.h"
+#include "medial/medial/medial_complex.h"
+#include "medial/medial/selection_stage.h"
+#include "medial/medial/separation.h"
+
+#include <glm/gtc/constants.hpp>
+#include <tbb/parallel_for.h>
+
+#include <cmath>
+#include <string>
+
+namespace medial
+{
+namespace
+{
+
+/// Forwards slabs to a stage that lives on the GPU thread.
+class StageProxy : public SlabStage
+{
+public:
+  StageProxy(double angle, Side side, const GridFrame& frame)
+    : stage_(angle, side, frame)
+  {
+  }
+
+  void process(const SlabRenderer& renderer, const Extent& slab, bool carried) override
+  {
+    stage_.object().process(renderer, slab, carried);
+  }
+
+  std::vector<Crossing> takeCrossings() { return stage_.object().takeCrossings(); }
+
+private:
+  gpu::OnGpuThread<SelectionStage> stage_;
+};
+
+std::array<float, 3> narrowed(const Point3& point)
+{
+  return { static_cast<float>(point[0]), static_cast<float>(point[1]),
+    static_cast<float>(point[2]) };
+}
+
+/// The other closest point: of the sites whose bisectors gave the point, the one that is seen under
+/// the largest angle from the closest.
+glm::dvec3 oppositePoint(const SiteSet& sites, const std::vector<Crossing>& crossings,
+  const MedialComplex& complex, std::size_t p, const SitePoint& closest)
+{
+  const glm::dvec3& x = complex.points[p];
+  glm::dvec3 best = closest.point;
+  double widest = -1.0;
+  for (std::size_t i = complex.offsets[p]; i < complex.offsets[p + 1]; ++i)
+  {
+    const Crossing& crossing = crossings[complex.incident[i]];
+    for (std::int32_t site : { crossing.siteA, crossing.siteB })
+    {
+      const glm::dvec3 point = closestPoint(sites, site, x).point;
+      const double angle = separationAngle(x, closest.point, point);
+      if (angle > widest)
+      {
+        widest = angle;
+        best = point;
+      }
+    }
+  }
+  return best;
+}
+
+/// Exact radius and separation angle at every point of the complex, in world units.
+void evaluatePoints(const SiteSet& sites, const CandidateFilter& filter, const GridFrame& frame,
+  const std::vector<Crossing>& crossings, const MedialComplex& complex, MedialAxis& axis)
+{
+  const std::size_t count = complex.points.size();
+  const std::vector<SitePoint> closest = closestSites(sites, filter, complex.points);
+  axis.points.resize(count);
+  axis.radius.resize(count);
+  axis.separationAngle.resize(count);
+  axis.lambda.resize(count);
+  axis.closestPointA.resize(count);
+  axis.closestPointB.resize(count);
+  tbb::parallel_for(std::size_t{ 0 }, count,
+    [&](std::size_t p)
+    {
+      const glm::dvec3& x = complex.points[p];
+      const glm::dvec3 opposite = oppositePoint(sites, crossings, complex, p, closest[p]);
+      const double radius = glm::distance(x, closest[p].point) * frame.unit;
+      const double angle = separationAngle(x, closest[p].point, opposite);
+      axis.points[p] = frame.toWorld(x);
+      axis.radius[p] = static_cast<float>(radius);
+      axis.separationAngle[p] = static_cast<float>(glm::degrees(angle));
+      axis.lambda[p] = static_cast<float>(radius * std::sin(0.5 * angle));
+      axis.closestPointA[p] = narrowed(frame.toWorld(closest[p].point));
+      axis.closestPointB[p] = narrowed(frame.toWorld(opposite));
+    });
+}
+
+MedialComplex buildComplex(Representation representation, const std::vector<Crossing>& crossings,
+  const std::vector<glm::dvec3>& points, const GridFrame& frame, const Extent& extent)
+{
+  switch (representation)
+  {
+    case Representation::Surface:
+      return surfaceComplex(crossings, points, extent);
+    case Representation::Faces:
+      return faceComplex(crossings, frame);
+    case Representation::Points:
+      break;
+  }
+  return pointComplex(points);
+}
+
+void checkAngle(double angle)
+{
+  if (!(angle > 0.0 && angle < 180.0))
+  {
+    throw Error(ErrorCode::InvalidInput,
+      "separation angle " + std::to_string(angle) + " is outside (0, 180) degrees");
+  }
+}
+
+} // namespace
+
+MedialAxis computeMedialAxis(const TriangleMesh& mesh, const MeshTopology& topology,
+  const Grid& grid, const MedialAxisOptions& options, const FieldArrays& arrays)
+{
+  checkAngle(options.angle);
+  FieldPipeline pipeline(mesh, topology, grid, grid.wholeExtent(), options.field);
+  MedialAxis axis;
+  axis.sign = pipeline.sign();
+  axis.side = axis.sign == SignMethod::None ? Side::Both : options.side;
+  StageProxy stage(options.angle, axis.side, pipeline.frame());
+  pipeline.run(arrays, &stage);
+  pipeline.report(1.0, "medial axis");
+  std::vector<Crossing> crossings = stage.takeCrossings();
+  pipeline.inArena(
+    [&]
+    {
+      const Stopwatch watch(pipeline.statistics().seconds.medial);
+      const CandidateFilter filter(pipeline.sites());
+      const std::vector<glm::dvec3> points =
+        bisectorPoints(pipeline.sites(), filter, pipeline.frame(), crossings);
+      MedialComplex complex = buildComplex(
+        options.representation, crossings, points, pipeline.frame(), grid.wholeExtent());
+      buildCells(complex, axis);
+      evaluatePoints(pipeline.sites(), filter, pipeline.frame(), crossings, complex, axis);
+    });
+  axis.statistics = pipeline.statistics();
+  return axis;
+}
+
+MedialAxis computeMedialAxis(
+  const TriangleMesh& mesh, const Grid& grid, const MedialAxisOptions& options)
+{
+  return computeMedialAxis(mesh, analyseTopology(mesh), grid, options);
+}
+
+} // namespace medial
