@@ -1,0 +1,162 @@
+#include "support/transforms.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+namespace medial::test
+{
+
+namespace
+{
+
+template <class Function>
+TriangleMesh transformed(TriangleMesh mesh, Function function)
+{
+  for (Point3& point : mesh.points)
+  {
+    point = function(point);
+  }
+  return mesh;
+}
+
+} // namespace
+
+TriangleMesh makeMesh(const std::vector<Point3>& points,
+  const std::vector<std::array<int, 3>>& triangles, const std::vector<std::array<int, 2>>& segments,
+  const std::vector<int>& vertices)
+{
+  MeshInput input;
+  input.points = points;
+  std::int64_t cell = 0;
+  for (const auto& t : triangles)
+  {
+    input.polygons.append({ t[0], t[1], t[2] }, cell++);
+  }
+  for (const auto& s : segments)
+  {
+    input.lines.append({ s[0], s[1] }, cell++);
+  }
+  for (const int vertex : vertices)
+  {
+    input.verts.append({ vertex }, cell++);
+  }
+  return buildTriangleMesh(input);
+}
+
+MeshInput toInput(const TriangleMesh& mesh)
+{
+  MeshInput input;
+  input.points = mesh.points;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+  {
+    const auto& t = mesh.triangles[i];
+    input.polygons.append({ t[0], t[1], t[2] }, mesh.triangleCells[i]);
+  }
+  for (std::size_t i = 0; i < mesh.segments.size(); ++i)
+  {
+    input.lines.append({ mesh.segments[i][0], mesh.segments[i][1] }, mesh.segmentCells[i]);
+  }
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
+  {
+    input.verts.append({ mesh.vertices[i] }, mesh.vertexCells[i]);
+  }
+  return input;
+}
+
+MeshInput unwelded(const TriangleMesh& mesh)
+{
+  MeshInput input = toInput(mesh);
+  input.points.clear();
+  for (CellList* cells : { &input.polygons, &input.lines, &input.verts })
+  {
+    for (std::int64_t& point : cells->connectivity)
+    {
+      input.points.push_back(mesh.points[point]);
+      point = static_cast<std::int64_t>(input.points.size()) - 1;
+    }
+  }
+  return input;
+}
+
+TriangleMesh translated(TriangleMesh mesh, const Point3& offset)
+{
+  return transformed(std::move(mesh),
+    [&](const Point3& p) -> Point3 {
+      return { p[0] + offset[0], p[1] + offset[1], p[2] + offset[2] };
+    });
+}
+
+TriangleMesh scaled(TriangleMesh mesh, double factor)
+{
+  return transformed(std::move(mesh),
+    [=](const Point3& p) -> Point3 {
+      return { factor * p[0], factor * p[1], factor * p[2] };
+    });
+}
+
+TriangleMesh rotated90(TriangleMesh mesh, int axis)
+{
+  const int u = (axis + 1) % 3;
+  const int v = (axis + 2) % 3;
+  return transformed(std::move(mesh),
+    [=](Point3 p)
+    {
+      std::swap(p[u], p[v]);
+      p[u] = -p[u];
+      return p;
+    });
+}
+
+TriangleMesh mirrored(TriangleMesh mesh, int axis)
+{
+  return flipOrientation(transformed(std::move(mesh),
+    [=](Point3 p)
+    {
+      p[axis] = -p[axis];
+      return p;
+    }));
+}
+
+TriangleMesh flipOrientation(TriangleMesh mesh)
+{
+  for (auto& t : mesh.triangles)
+  {
+    std::swap(t[1], t[2]);
+  }
+  return mesh;
+}
+
+TriangleMesh appended(const TriangleMesh& a, const TriangleMesh& b)
+{
+  MeshInput input = toInput(a);
+  const MeshInput second = toInput(b);
+  std::int64_t firstId = 0;
+  for (const CellList* cells : { &input.polygons, &input.lines, &input.verts })
+  {
+    for (const std::int64_t id : cells->ids)
+    {
+      firstId = std::max(firstId, id + 1);
+    }
+  }
+  const auto join = [&](CellList& to, const CellList& from)
+  {
+    for (std::int64_t cell = 0; cell < from.size(); ++cell)
+    {
+      std::vector<std::int64_t> points(from.connectivity.begin() + from.offsets[cell],
+        from.connectivity.begin() + from.offsets[cell + 1]);
+      for (std::int64_t& point : points)
+      {
+        point += static_cast<std::int64_t>(a.points.size());
+      }
+      to.append(points, from.ids[cell] + firstId);
+    }
+  };
+  join(input.polygons, second.polygons);
+  join(input.lines, second.lines);
+  join(input.verts, second.verts);
+  input.points.insert(input.points.end(), second.points.begin(), second.points.end());
+  return buildTriangleMesh(input);
+}
+
+} // namespace medial::test

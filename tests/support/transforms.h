@@ -1,0 +1,39 @@
+#pragma once
+
+#include "medial/mesh/triangle_mesh.h"
+
+#include <array>
+#include <vector>
+
+// Meshes made from lists and from other meshes.
+namespace medial::test
+{
+
+/// The given cells through buildTriangleMesh; cell ids count triangles, segments, then vertices.
+TriangleMesh makeMesh(const std::vector<Point3>& points,
+  const std::vector<std::array<int, 3>>& triangles,
+  const std::vector<std::array<int, 2>>& segments = {}, const std::vector<int>& vertices = {});
+
+/// The mesh as buildTriangleMesh would receive it; cell ids are kept.
+MeshInput toInput(const TriangleMesh& mesh);
+
+/// As toInput, but no two cells share a point.
+MeshInput unwelded(const TriangleMesh& mesh);
+
+TriangleMesh translated(TriangleMesh mesh, const Point3& offset);
+
+/// @param factor > 0.
+TriangleMesh scaled(TriangleMesh mesh, double factor);
+
+/// A quarter turn about coordinate axis 0, 1 or 2, anticlockwise seen from its tip; exact.
+TriangleMesh rotated90(TriangleMesh mesh, int axis);
+
+/// Negates a coordinate and flips the triangles, so that outwards stays outwards.
+TriangleMesh mirrored(TriangleMesh mesh, int axis);
+
+TriangleMesh flipOrientation(TriangleMesh mesh);
+
+/// Both meshes in one, bit-equal points welded; cell ids of `b` follow those of `a`.
+TriangleMesh appended(const TriangleMesh& a, const TriangleMesh& b);
+
+} // namespace medial::test
