@@ -58,14 +58,15 @@ constexpr double kDefaultPadding = 0.05;
 /// @param padding margin on every side as a fraction of the diagonal of `bounds`, in [0, 10].
 ///   Bounds without any extent (a single point) get a margin of one world unit.
 /// @throws Error InvalidInput when an argument is outside its range.
-Grid makeGrid(
-  const Bounds& bounds, int resolution = kDefaultResolution, double padding = kDefaultPadding);
+Grid makeGrid(const Bounds& bounds, int resolution = kDefaultResolution,
+  double padding = kDefaultPadding);
 
-/// Grid of the given spacing (world units, each > 0) that covers the padded bounds, centred on them.
+/// Grid of the given spacing (world units, each > 0) that covers the padded bounds, centred on
+/// them.
 /// @throws Error InvalidInput when a spacing is not positive and finite, or when it asks for more
 ///   than kMaxDimension points along an axis.
-Grid makeGridWithSpacing(
-  const Bounds& bounds, const Point3& spacing, double padding = kDefaultPadding);
+Grid makeGridWithSpacing(const Bounds& bounds, const Point3& spacing,
+  double padding = kDefaultPadding);
 
 /// Checks a grid given explicitly: finite origin, positive finite spacing, dimensions in range.
 /// @throws Error InvalidInput naming the value and its range.

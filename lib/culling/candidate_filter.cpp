@@ -9,14 +9,20 @@ namespace medial
 
 CandidateFilter::CandidateFilter(const SiteSet& sites)
   : sites_(sites)
+  , packs_(sites)
 {
   facePlanes_.reserve(sites.faceCount());
   for (int face = 0; face < sites.faceCount(); ++face)
   {
     const glm::dvec3& normal = sites.faceNormal(face);
     const glm::dvec3& corner = sites.points()[sites.faces()[face][0]];
-    facePlanes_.emplace_back(
-      glm::vec3(normal), static_cast<float>(glm::dot(normal, corner)));
+    PlanePack pack{};
+    for (int i = 0; i < 3 && sites.active(face); ++i)
+    {
+      pack.set(i, sites.halfSpacesBegin(face)[i]);
+    }
+    pack.set(3, { glm::vec3(normal), static_cast<float>(glm::dot(normal, corner)) });
+    facePlanes_.push_back(pack);
   }
   edgeLines_.reserve(sites.edgeCount());
   for (const glm::ivec2& ends : sites.edges())
@@ -50,7 +56,7 @@ std::vector<int> CandidateFilter::allSites() const
   return all;
 }
 
-CandidateFilter::Interval CandidateFilter::bounds(int site, const glm::vec3& x) const
+DistanceBounds CandidateFilter::bounds(int site, const glm::vec3& x) const
 {
   constexpr float kUnknown = std::numeric_limits<float>::max();
   switch (sites_.kind(site))
@@ -59,14 +65,9 @@ CandidateFilter::Interval CandidateFilter::bounds(int site, const glm::vec3& x) 
     {
       // Inside its prism a face is at plane distance; elsewhere its edges bound the distance from
       // above, so only a lower bound is needed.
-      const HalfSpace& plane = facePlanes_[site];
-      const float height = std::abs(glm::dot(glm::vec3(plane), x) - plane.w);
-      float excess = 0.0f;
-      const HalfSpace* side = sites_.halfSpacesBegin(site);
-      for (int i = 0; i < 3; ++i)
-      {
-        excess = std::max(excess, glm::dot(glm::vec3(side[i]), x) - side[i].w);
-      }
+      const Float4 values = facePlanes_[site].evaluate(x);
+      const float excess = std::max({ 0.0f, values[0], values[1], values[2] });
+      const float height = std::abs(values[3]);
       if (excess <= 0.0f)
       {
         return { height, height };
@@ -90,12 +91,11 @@ CandidateFilter::Interval CandidateFilter::bounds(int site, const glm::vec3& x) 
 
 bool CandidateFilter::outside(int site, const FrameBox& box) const
 {
-  const HalfSpace* end = sites_.halfSpacesEnd(site);
-  for (const HalfSpace* h = sites_.halfSpacesBegin(site); h != end; ++h)
+  const PlanePack* end = packs_.end(site);
+  for (const PlanePack* pack = packs_.begin(site); pack != end; ++pack)
   {
-    const glm::vec3 normal(*h);
-    const float nearest = glm::dot(normal, box.centre) - h->w - glm::dot(glm::abs(normal), box.half);
-    if (nearest > slack_)
+    const auto beyond = pack->evaluateBox(box.centre, box.half) > slack_;
+    if ((beyond[0] | beyond[1] | beyond[2] | beyond[3]) != 0)
     {
       return true;
     }
@@ -125,7 +125,7 @@ void CandidateFilter::filter(const std::vector<int>& parent, const FrameBox& box
     {
       continue;
     }
-    const Interval interval = this->bounds(parent[i], box.centre);
+    const DistanceBounds interval = this->bounds(parent[i], box.centre);
     upper = std::min(upper, interval.upper);
     if (interval.lower <= upper + reach)
     {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "medial/culling/half_space_packs.h"
 #include "medial/sites/site_set.h"
 
 #include <glm/glm.hpp>
@@ -15,6 +16,13 @@ struct FrameBox
 {
   glm::vec3 centre;
   glm::vec3 half;
+};
+
+/// What the distance from a point to a site lies between, to single precision.
+struct DistanceBounds
+{
+  float lower;
+  float upper;
 };
 
 /// Decides which sites can be closest to some point of a box. Conservative: it never drops a site
@@ -38,8 +46,9 @@ public:
   void filter(const std::vector<int>& parent, const FrameBox& box, std::vector<int>& out,
     Scratch& scratch) const;
 
-  /// A lower bound of the distance from x to a site, exact for edges and vertices.
-  float lowerBound(int site, const glm::vec3& x) const { return this->bounds(site, x).lower; }
+  /// Exact for edges and vertices; for a face the upper bound is left to its border where x does
+  /// not project into it.
+  DistanceBounds bounds(int site, const glm::vec3& x) const;
 
   /// All active sites, ascending: the candidates of everything.
   std::vector<int> allSites() const;
@@ -48,11 +57,6 @@ public:
   float slack() const { return slack_; }
 
 private:
-  struct Interval
-  {
-    float lower;
-    float upper;
-  };
   struct EdgeLine
   {
     glm::vec3 start;
@@ -60,11 +64,11 @@ private:
     glm::vec3 direction;
   };
 
-  Interval bounds(int site, const glm::vec3& x) const;
   bool outside(int site, const FrameBox& box) const;
 
   const SiteSet& sites_;
-  std::vector<HalfSpace> facePlanes_;
+  HalfSpacePacks packs_;
+  std::vector<PlanePack> facePlanes_; ///< the three sides of the prism, then the face's plane
   std::vector<EdgeLine> edgeLines_;
   float slack_;
 };

@@ -38,8 +38,8 @@ std::vector<Extent> split(const Extent& extent, const glm::ivec3& limit)
 
 } // namespace
 
-CandidateHierarchy::CandidateHierarchy(
-  const SiteSet& sites, const GridFrame& frame, const Extent& extent, int slabSlices)
+CandidateHierarchy::CandidateHierarchy(const SiteSet& sites, const GridFrame& frame,
+  const Extent& extent, int slabSlices)
   : filter_(sites)
   , frame_(frame)
   , extent_(extent)
@@ -77,8 +77,8 @@ void CandidateHierarchy::descendToBlocks(const Extent& node, const std::vector<i
     blocks_[index] = { node, std::move(candidates) };
     return;
   }
-  tbb::parallel_for_each(
-    parts, [&](const Extent& part) { this->descendToBlocks(part, candidates); });
+  tbb::parallel_for_each(parts,
+    [&](const Extent& part) { this->descendToBlocks(part, candidates); });
 }
 
 Extent CandidateHierarchy::slabExtent(int slab) const

@@ -31,8 +31,8 @@ public:
 
   /// @param extent part of the grid to cover.
   /// @param slabSlices z size of a slab, a multiple of kLeafSize.
-  CandidateHierarchy(
-    const SiteSet& sites, const GridFrame& frame, const Extent& extent, int slabSlices);
+  CandidateHierarchy(const SiteSet& sites, const GridFrame& frame, const Extent& extent,
+    int slabSlices);
 
   int slabCount() const { return blockCounts_.z; }
   /// The part of the extent that slab `slab` covers.

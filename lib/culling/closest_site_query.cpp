@@ -68,17 +68,25 @@ private:
 
   void search(std::ptrdiff_t begin, std::ptrdiff_t end, const std::vector<int>& candidates)
   {
+    std::vector<float> lower(candidates.size());
     for (std::ptrdiff_t i = begin; i < end; ++i)
     {
       const glm::dvec3& x = points_[order_[i]];
-      double best = std::numeric_limits<double>::max();
-      for (int site : candidates)
+      float limit = std::numeric_limits<float>::max();
+      for (std::size_t c = 0; c < candidates.size(); ++c)
       {
-        if (static_cast<double>(filter_.lowerBound(site, glm::vec3(x)) - filter_.slack()) > best)
+        const DistanceBounds bounds = filter_.bounds(candidates[c], glm::vec3(x));
+        lower[c] = bounds.lower - filter_.slack();
+        limit = std::min(limit, bounds.upper + filter_.slack());
+      }
+      double best = std::numeric_limits<double>::max();
+      for (std::size_t c = 0; c < candidates.size(); ++c)
+      {
+        if (lower[c] > limit)
         {
           continue;
         }
-        const SitePoint candidate = closestPoint(sites_, site, x);
+        const SitePoint candidate = closestPoint(sites_, candidates[c], x);
         const double distance = glm::distance(candidate.point, x);
         if (distance < best)
         {
@@ -98,8 +106,8 @@ private:
 
 } // namespace
 
-std::vector<SitePoint> closestSites(
-  const SiteSet& sites, const CandidateFilter& filter, const std::vector<glm::dvec3>& points)
+std::vector<SitePoint> closestSites(const SiteSet& sites, const CandidateFilter& filter,
+  const std::vector<glm::dvec3>& points)
 {
   std::vector<SitePoint> results(points.size());
   if (!points.empty())

@@ -18,7 +18,8 @@ AtlasLayout AtlasLayout::make(const Extent& extent, int slots, int textureLimit)
   const int fittingRows = textureLimit / layout.sliceSize.y;
   const double squareColumns =
     std::ceil(std::sqrt(static_cast<double>(slots) * layout.sliceSize.y / layout.sliceSize.x));
-  layout.columns = std::clamp(static_cast<int>(squareColumns), 1, std::max(1, std::min(slots, fittingColumns)));
+  layout.columns =
+    std::clamp(static_cast<int>(squareColumns), 1, std::max(1, std::min(slots, fittingColumns)));
   layout.rows = (slots + layout.columns - 1) / layout.columns;
   if (fittingColumns < 1 || layout.rows > fittingRows)
   {

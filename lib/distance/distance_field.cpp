@@ -45,8 +45,8 @@ RunStatistics computeDistanceField(const TriangleMesh& mesh, const MeshTopology&
   return pipeline.statistics();
 }
 
-DistanceField computeDistanceField(
-  const TriangleMesh& mesh, const Grid& grid, const DistanceFieldOptions& options)
+DistanceField computeDistanceField(const TriangleMesh& mesh, const Grid& grid,
+  const DistanceFieldOptions& options)
 {
   const MeshTopology topology = analyseTopology(mesh);
   validateGrid(grid);

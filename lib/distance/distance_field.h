@@ -48,11 +48,11 @@ struct DistanceFieldOptions
 /// fastest. A null pointer means that the array is not wanted.
 struct FieldArrays
 {
-  float* distance = nullptr;         ///< world units; negative inside unless unsigned
-  float* closestPoint = nullptr;     ///< world coordinates, xyz
-  std::int32_t* closestSite = nullptr; ///< faces, edges, vertices in this order: [0, F+E+V)
+  float* distance = nullptr;              ///< world units; negative inside unless unsigned
+  float* closestPoint = nullptr;          ///< world coordinates, xyz
+  std::int32_t* closestSite = nullptr;    ///< faces, edges, vertices in this order: [0, F+E+V)
   std::uint8_t* closestFeature = nullptr; ///< Feature
-  std::int64_t* closestCell = nullptr;  ///< id of an input cell that holds the closest site
+  std::int64_t* closestCell = nullptr;    ///< id of an input cell that holds the closest site
 
   bool any() const
   {
@@ -113,12 +113,13 @@ SignMethod resolveSignMethod(SignMethod requested, const MeshTopology& topology)
 ///
 /// @throws Error InvalidInput (empty mesh, bad grid, impossible sign), NoGpu, GpuLimit,
 ///   OutOfMemory, Cancelled.
-DistanceField computeDistanceField(
-  const TriangleMesh& mesh, const Grid& grid, const DistanceFieldOptions& options = {});
+DistanceField computeDistanceField(const TriangleMesh& mesh, const Grid& grid,
+  const DistanceFieldOptions& options = {});
 
 /// The part of the field inside `extent`, written to the caller's arrays. Values do not depend on
 /// the extent (ids: except between sites at equal distance).
-/// @throws Error as computeDistanceField, and InvalidInput when the extent is empty or leaves the grid.
+/// @throws Error as computeDistanceField, and InvalidInput when the extent is empty or leaves the
+/// grid.
 RunStatistics computeDistanceField(const TriangleMesh& mesh, const MeshTopology& topology,
   const Grid& grid, const Extent& extent, const FieldArrays& arrays,
   const DistanceFieldOptions& options = {});

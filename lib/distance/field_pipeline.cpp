@@ -131,8 +131,7 @@ void FieldPipeline::run(const FieldArrays& arrays, SlabStage* stage)
         const Stopwatch watch(statistics_.seconds.cull);
         hierarchy = std::make_unique<CandidateHierarchy>(sites_, frame_, extent_, slabSlices);
       });
-    gpu::OnGpuThread<SlabRenderer> renderer(
-      sites_, frame_, atlas, fieldSign(sign_, topology_));
+    gpu::OnGpuThread<SlabRenderer> renderer(sites_, frame_, atlas, fieldSign(sign_, topology_));
     FieldWriter writer(mesh_, topology_, sites_, frame_, extent_, arrays);
     int previousSlices = 0;
     for (int slab = 0; slab < hierarchy->slabCount(); ++slab)
@@ -168,8 +167,8 @@ void FieldPipeline::run(const FieldArrays& arrays, SlabStage* stage)
   }
 }
 
-std::vector<PolygonChunk> FieldPipeline::preparePolygons(
-  const CandidateHierarchy& hierarchy, int slab, const AtlasLayout& atlas)
+std::vector<PolygonChunk> FieldPipeline::preparePolygons(const CandidateHierarchy& hierarchy,
+  int slab, const AtlasLayout& atlas)
 {
   std::vector<PolygonChunk> chunks;
   this->inArena(
@@ -220,10 +219,10 @@ void FieldPipeline::repairHoles(SlabRenderer& renderer, const Extent& slab) cons
     if (closest[i] < 0)
     {
       const auto row = static_cast<int>(i / slab.size(0));
-      holes.emplace_back(
-        static_cast<int>(i % slab.size(0)), row % slab.size(1), row / slab.size(1));
-      samples.push_back(
-        frame_.sample(glm::dvec3(holes.back()) + glm::dvec3(slab.min[0], slab.min[1], slab.min[2])));
+      holes.emplace_back(static_cast<int>(i % slab.size(0)), row % slab.size(1),
+        row / slab.size(1));
+      samples.push_back(frame_.sample(
+        glm::dvec3(holes.back()) + glm::dvec3(slab.min[0], slab.min[1], slab.min[2])));
     }
   }
   const FieldSign sign = fieldSign(sign_, topology_);

@@ -48,8 +48,8 @@ public:
 
 private:
   int chooseSlabSlices() const;
-  std::vector<PolygonChunk> preparePolygons(
-    const CandidateHierarchy& hierarchy, int slab, const AtlasLayout& atlas);
+  std::vector<PolygonChunk> preparePolygons(const CandidateHierarchy& hierarchy, int slab,
+    const AtlasLayout& atlas);
   void renderSlab(SlabRenderer& renderer, const Extent& slab,
     const std::vector<PolygonChunk>& chunks, int previousSlices);
   void repairHoles(SlabRenderer& renderer, const Extent& slab) const;

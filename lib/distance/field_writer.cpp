@@ -50,8 +50,8 @@ void FieldWriter::store(const Extent& slab)
     });
 }
 
-void FieldWriter::storePoint(
-  std::int64_t target, std::size_t source, const glm::dvec3& sample) const
+void FieldWriter::storePoint(std::int64_t target, std::size_t source,
+  const glm::dvec3& sample) const
 {
   if (arrays_.distance)
   {
@@ -60,8 +60,7 @@ void FieldWriter::storePoint(
   }
   if (arrays_.closestPoint)
   {
-    const Point3 world =
-      frame_.toWorld(sample + glm::dvec3(glm::vec3(displacements_[source])));
+    const Point3 world = frame_.toWorld(sample + glm::dvec3(glm::vec3(displacements_[source])));
     for (int axis = 0; axis < 3; ++axis)
     {
       arrays_.closestPoint[3 * target + axis] = static_cast<float>(world[axis]);

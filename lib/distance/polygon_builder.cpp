@@ -159,17 +159,15 @@ private:
     const HalfSpace* end = sites_.halfSpacesEnd(rectangle_.site);
     for (const HalfSpace* h = sites_.halfSpacesBegin(rectangle_.site); h != end; ++h)
     {
-      const GridFunction f =
-        this->gridFunction(glm::dvec3(*h), static_cast<double>(h->w));
-      const float limit =
-        kPrecisionDilation + kSnapDilation * std::sqrt(f.a * f.a + f.b * f.b);
+      const GridFunction f = this->gridFunction(glm::dvec3(*h), static_cast<double>(h->w));
+      const float limit = kPrecisionDilation + kSnapDilation * std::sqrt(f.a * f.a + f.b * f.b);
       // The rectangle reaches half a pixel beyond its grid points.
       const glm::vec3 reach(f.a * size.x, f.b * size.y, f.perSlice * size.z);
       const float margin = 0.5f * (std::abs(f.a) + std::abs(f.b));
-      const float least = f.c + std::min(reach.x, 0.0f) + std::min(reach.y, 0.0f) +
-        std::min(reach.z, 0.0f) - margin;
-      const float most = f.c + std::max(reach.x, 0.0f) + std::max(reach.y, 0.0f) +
-        std::max(reach.z, 0.0f) + margin;
+      const float least =
+        f.c + std::min(reach.x, 0.0f) + std::min(reach.y, 0.0f) + std::min(reach.z, 0.0f) - margin;
+      const float most =
+        f.c + std::max(reach.x, 0.0f) + std::max(reach.y, 0.0f) + std::max(reach.z, 0.0f) + margin;
       if (least > limit)
       {
         return false;

@@ -28,8 +28,8 @@ struct Reach
   }
 };
 
-std::vector<SiteRectangle> layerRectangles(
-  const std::vector<CandidateTiles>& blocks, const Extent& slab, int siteCount, int firstSlice)
+std::vector<SiteRectangle> layerRectangles(const std::vector<CandidateTiles>& blocks,
+  const Extent& slab, int siteCount, int firstSlice)
 {
   std::vector<Reach> reaches(siteCount);
   int lastSlice = firstSlice;
@@ -55,8 +55,9 @@ std::vector<SiteRectangle> layerRectangles(
     const Reach& reach = reaches[site];
     if (reach.highX >= 0)
     {
-      rectangles.push_back({ site, { slab.min[0] + reach.lowX, slab.min[1] + reach.lowY, firstSlice },
-        { slab.min[0] + reach.highX, slab.min[1] + reach.highY, lastSlice } });
+      rectangles.push_back(
+        { site, { slab.min[0] + reach.lowX, slab.min[1] + reach.lowY, firstSlice },
+          { slab.min[0] + reach.highX, slab.min[1] + reach.highY, lastSlice } });
     }
   }
   return rectangles;
@@ -64,8 +65,8 @@ std::vector<SiteRectangle> layerRectangles(
 
 } // namespace
 
-std::vector<SiteRectangle> siteRectangles(
-  const std::vector<CandidateTiles>& tiles, const Extent& slab, int siteCount)
+std::vector<SiteRectangle> siteRectangles(const std::vector<CandidateTiles>& tiles,
+  const Extent& slab, int siteCount)
 {
   constexpr int kLeaf = CandidateHierarchy::kLeafSize;
   const int layers = (slab.size(2) + kLeaf - 1) / kLeaf;

@@ -19,7 +19,7 @@ struct SiteRectangle
 };
 
 /// Gathers the tiles of a slab into rectangles: layer by layer, sites ascending within a layer.
-std::vector<SiteRectangle> siteRectangles(
-  const std::vector<CandidateTiles>& tiles, const Extent& slab, int siteCount);
+std::vector<SiteRectangle> siteRectangles(const std::vector<CandidateTiles>& tiles,
+  const Extent& slab, int siteCount);
 
 } // namespace medial

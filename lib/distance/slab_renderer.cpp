@@ -25,8 +25,8 @@ enum StorageBinding : GLuint
 template <typename T>
 gpu::Buffer uploaded(const std::vector<T>& values)
 {
-  return gpu::createStorageBuffer(
-    static_cast<GLsizeiptr>(values.size() * sizeof(T)), values.data());
+  return gpu::createStorageBuffer(static_cast<GLsizeiptr>(values.size() * sizeof(T)),
+    values.data());
 }
 
 std::vector<glm::ivec4> padded(const std::vector<glm::ivec3>& values)
@@ -54,8 +54,8 @@ float depthScale(const SiteSet& sites, const GridFrame& frame)
 
 } // namespace
 
-SlabRenderer::SlabRenderer(
-  const SiteSet& sites, const GridFrame& frame, const AtlasLayout& atlas, FieldSign sign)
+SlabRenderer::SlabRenderer(const SiteSet& sites, const GridFrame& frame, const AtlasLayout& atlas,
+  FieldSign sign)
   : atlas_(atlas)
   , frame_(frame)
   , sign_(sign)
@@ -100,10 +100,8 @@ void SlabRenderer::bindVertexFormat()
   const GLuint format = polygonFormat_.id();
   glVertexArrayVertexBuffer(format, 0, vertices_.id(), 0, sizeof(PolygonVertex));
   glVertexArrayElementBuffer(format, indices_.id());
-  glVertexArrayAttribFormat(
-    format, 0, 2, GL_FLOAT, GL_FALSE, offsetof(PolygonVertex, position));
-  glVertexArrayAttribFormat(
-    format, 1, 3, GL_FLOAT, GL_FALSE, offsetof(PolygonVertex, distance));
+  glVertexArrayAttribFormat(format, 0, 2, GL_FLOAT, GL_FALSE, offsetof(PolygonVertex, position));
+  glVertexArrayAttribFormat(format, 1, 3, GL_FLOAT, GL_FALSE, offsetof(PolygonVertex, distance));
   glVertexArrayAttribIFormat(format, 2, 1, GL_INT, offsetof(PolygonVertex, site));
   for (GLuint attribute = 0; attribute < 3; ++attribute)
   {
@@ -117,8 +115,8 @@ void SlabRenderer::carryLastSlice(int previousSlices)
   const glm::ivec2 from = atlas_.slotOrigin(previousSlices);
   for (GLuint texture : { displacements_.id(), sites_.id() })
   {
-    glCopyImageSubData(texture, GL_TEXTURE_2D, 0, from.x, from.y, 0, texture, GL_TEXTURE_2D, 0, 0, 0,
-      0, atlas_.sliceSize.x, atlas_.sliceSize.y, 1);
+    glCopyImageSubData(texture, GL_TEXTURE_2D, 0, from.x, from.y, 0, texture, GL_TEXTURE_2D, 0, 0,
+      0, 0, atlas_.sliceSize.x, atlas_.sliceSize.y, 1);
   }
 }
 
@@ -139,8 +137,8 @@ void SlabRenderer::uploadPolygons(const std::vector<PolygonChunk>& chunks)
   }
   const auto allocate = [](const gpu::Buffer& buffer, std::size_t bytes)
   {
-    glNamedBufferData(
-      buffer.id(), static_cast<GLsizeiptr>(std::max<std::size_t>(bytes, 16)), nullptr, GL_STREAM_DRAW);
+    glNamedBufferData(buffer.id(), static_cast<GLsizeiptr>(std::max<std::size_t>(bytes, 16)),
+      nullptr, GL_STREAM_DRAW);
   };
   allocate(vertices_, vertexCount * sizeof(PolygonVertex));
   allocate(indices_, indexCount * sizeof(std::uint32_t));
@@ -195,16 +193,15 @@ std::uint32_t SlabRenderer::resolve(const Extent& slab)
   program.set("columns", atlas_.columns);
   program.set("firstSlot", 1);
   program.set("endSlot", 1 + slab.size(2));
-  program.set(
-    "origin", glm::vec3(frame_.sample({ slab.min[0], slab.min[1], slab.min[2] - 1 })));
+  program.set("origin", glm::vec3(frame_.sample({ slab.min[0], slab.min[1], slab.min[2] - 1 })));
   program.set("spacing", glm::vec3(frame_.step));
   program.set("firstEdge", firstEdge_);
   program.set("firstVertex", firstVertex_);
   program.set("signedField", sign_ == FieldSign::None ? 0 : 1);
   program.set("orientation", sign_ == FieldSign::Inward ? -1.0f : 1.0f);
   program.use();
-  const GLuint buffers[] = { points_.id(), faces_.id(), faceEdges_.id(), edges_.id(),
-    normals_.id(), holes_.id() };
+  const GLuint buffers[] = { points_.id(), faces_.id(), faceEdges_.id(), edges_.id(), normals_.id(),
+    holes_.id() };
   for (GLuint binding = kPointsBinding; binding <= kHolesBinding; ++binding)
   {
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffers[binding]);
@@ -229,18 +226,17 @@ void SlabRenderer::readSites(int slices, std::int32_t* sites) const
 
 void SlabRenderer::readDisplacements(int slices, glm::vec4* displacements) const
 {
-  readSlots(
-    displacements_.id(), atlas_, 1, slices, GL_RGBA, GL_FLOAT, sizeof(glm::vec4), displacements);
+  readSlots(displacements_.id(), atlas_, 1, slices, GL_RGBA, GL_FLOAT, sizeof(glm::vec4),
+    displacements);
 }
 
-void SlabRenderer::write(
-  const glm::ivec2& point, int slot, const glm::vec4& displacement, std::int32_t site)
+void SlabRenderer::write(const glm::ivec2& point, int slot, const glm::vec4& displacement,
+  std::int32_t site)
 {
   const glm::ivec2 pixel = atlas_.slotOrigin(slot) + point;
-  glTextureSubImage2D(
-    displacements_.id(), 0, pixel.x, pixel.y, 1, 1, GL_RGBA, GL_FLOAT, &displacement);
-  glTextureSubImage2D(
-    sites_.id(), 0, pixel.x, pixel.y, 1, 1, GL_RED_INTEGER, GL_INT, &site);
+  glTextureSubImage2D(displacements_.id(), 0, pixel.x, pixel.y, 1, 1, GL_RGBA, GL_FLOAT,
+    &displacement);
+  glTextureSubImage2D(sites_.id(), 0, pixel.x, pixel.y, 1, 1, GL_RED_INTEGER, GL_INT, &site);
 }
 
 } // namespace medial

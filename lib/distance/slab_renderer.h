@@ -26,8 +26,8 @@ enum class FieldSign
 class SlabRenderer
 {
 public:
-  SlabRenderer(
-    const SiteSet& sites, const GridFrame& frame, const AtlasLayout& atlas, FieldSign sign);
+  SlabRenderer(const SiteSet& sites, const GridFrame& frame, const AtlasLayout& atlas,
+    FieldSign sign);
 
   /// Keeps the last slice of the slab drawn before in slot 0. To be called before draw().
   void carryLastSlice(int previousSlices);

@@ -102,8 +102,8 @@ Framebuffer createFramebuffer(std::initializer_list<GLuint> colours, GLuint dept
   const GLenum status = glCheckNamedFramebufferStatus(id, GL_FRAMEBUFFER);
   if (status != GL_FRAMEBUFFER_COMPLETE)
   {
-    throw Error(
-      ErrorCode::GpuLimit, "the driver refused a framebuffer, status " + std::to_string(status));
+    throw Error(ErrorCode::GpuLimit,
+      "the driver refused a framebuffer, status " + std::to_string(status));
   }
   return framebuffer;
 }
@@ -119,8 +119,7 @@ void checkGl(const char* what)
   {
     throw Error(ErrorCode::OutOfMemory, std::string("the GPU is out of memory while ") + what);
   }
-  throw Error(ErrorCode::GpuLimit,
-    "OpenGL error " + std::to_string(error) + " while " + what);
+  throw Error(ErrorCode::GpuLimit, "OpenGL error " + std::to_string(error) + " while " + what);
 }
 
 } // namespace medial::gpu

@@ -62,7 +62,8 @@ using Program = GlObject<deleteProgram>;
 Buffer createBuffer();
 VertexArray createVertexArray();
 
-/// Buffer of immutable size; `data` may be null. A size of 0 makes a small buffer that can be bound.
+/// Buffer of immutable size; `data` may be null. A size of 0 makes a small buffer that can be
+/// bound.
 /// @throws Error GpuLimit or OutOfMemory.
 Buffer createStorageBuffer(GLsizeiptr bytes, const void* data);
 

@@ -71,8 +71,8 @@ GpuThread::GpuThread()
 {
   std::promise<void> started;
   std::future<void> ready = started.get_future();
-  state_->thread =
-    std::thread([this, promise = std::move(started)]() mutable { state_->work(std::move(promise)); });
+  state_->thread = std::thread(
+    [this, promise = std::move(started)]() mutable { state_->work(std::move(promise)); });
   try
   {
     ready.get();

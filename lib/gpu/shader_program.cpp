@@ -103,8 +103,8 @@ void ShaderProgram::set(const char* uniform, const glm::vec3& value) const
   glProgramUniform3fv(program_.id(), this->location(uniform), 1, glm::value_ptr(value));
 }
 
-const ShaderProgram& cachedProgram(
-  const std::string& vertexShader, const std::string& fragmentShader)
+const ShaderProgram& cachedProgram(const std::string& vertexShader,
+  const std::string& fragmentShader)
 {
   const std::pair<std::string, std::string> key(vertexShader, fragmentShader);
   auto found = programCache().find(key);

@@ -31,8 +31,8 @@ private:
 };
 
 /// The program of these two files, compiled once per process. GPU thread only.
-const ShaderProgram& cachedProgram(
-  const std::string& vertexShader, const std::string& fragmentShader);
+const ShaderProgram& cachedProgram(const std::string& vertexShader,
+  const std::string& fragmentShader);
 
 /// Deletes the cached programs; called when the GPU thread ends.
 void releaseProgramCache();

@@ -94,8 +94,8 @@ private:
   glm::dvec3 along_;
 };
 
-/// Narrows a crossing to the change from or to a third site. Returns false when `third` is no nearer
-/// than the two, that is when the root is final.
+/// Narrows a crossing to the change from or to a third site. Returns false when `third` is no
+/// nearer than the two, that is when the root is final.
 bool narrow(const SiteSet& sites, const SitePoint& third, const glm::dvec3& x, Crossing& crossing,
   Interval& interval)
 {

@@ -145,8 +145,8 @@ MedialAxis computeMedialAxis(const TriangleMesh& mesh, const MeshTopology& topol
       const CandidateFilter filter(pipeline.sites());
       const std::vector<glm::dvec3> points =
         bisectorPoints(pipeline.sites(), filter, pipeline.frame(), crossings);
-      MedialComplex complex = buildComplex(
-        options.representation, crossings, points, pipeline.frame(), grid.wholeExtent());
+      MedialComplex complex = buildComplex(options.representation, crossings, points,
+        pipeline.frame(), grid.wholeExtent());
       buildCells(complex, axis);
       evaluatePoints(pipeline.sites(), filter, pipeline.frame(), crossings, complex, axis);
     });
@@ -154,8 +154,8 @@ MedialAxis computeMedialAxis(const TriangleMesh& mesh, const MeshTopology& topol
   return axis;
 }
 
-MedialAxis computeMedialAxis(
-  const TriangleMesh& mesh, const Grid& grid, const MedialAxisOptions& options)
+MedialAxis computeMedialAxis(const TriangleMesh& mesh, const Grid& grid,
+  const MedialAxisOptions& options)
 {
   return computeMedialAxis(mesh, analyseTopology(mesh), grid, options);
 }

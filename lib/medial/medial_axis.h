@@ -41,8 +41,8 @@ struct MedialAxisOptions
 /// A medial axis as points with attributes and cells over them.
 struct MedialAxis
 {
-  std::vector<Point3> points; ///< centres of medial balls, world coordinates
-  std::vector<float> radius;  ///< distance to the surface, world units
+  std::vector<Point3> points;         ///< centres of medial balls, world coordinates
+  std::vector<float> radius;          ///< distance to the surface, world units
   std::vector<float> separationAngle; ///< degrees, [0, 180]
   std::vector<float> lambda;          ///< radius * sin(separationAngle / 2), world units
   std::vector<std::array<float, 3>> closestPointA; ///< world coordinates
@@ -75,7 +75,7 @@ MedialAxis computeMedialAxis(const TriangleMesh& mesh, const MeshTopology& topol
   const Grid& grid, const MedialAxisOptions& options = {}, const FieldArrays& arrays = {});
 
 /// The same for a mesh whose topology the caller has no use for.
-MedialAxis computeMedialAxis(
-  const TriangleMesh& mesh, const Grid& grid, const MedialAxisOptions& options = {});
+MedialAxis computeMedialAxis(const TriangleMesh& mesh, const Grid& grid,
+  const MedialAxisOptions& options = {});
 
 } // namespace medial

@@ -48,8 +48,8 @@ double area(const std::vector<glm::dvec3>& points, const Corners& corners)
 }
 
 /// The two corners that are farthest apart, in ascending order.
-std::array<std::int64_t, 2> longestSpan(
-  const std::vector<glm::dvec3>& points, const Corners& corners)
+std::array<std::int64_t, 2> longestSpan(const std::vector<glm::dvec3>& points,
+  const Corners& corners)
 {
   std::array<std::int64_t, 2> span{ corners[0], corners[0] };
   double longest = -1.0;
@@ -68,8 +68,8 @@ std::array<std::int64_t, 2> longestSpan(
   return span;
 }
 
-Corners distinctCorners(
-  const std::array<std::int64_t, 4>& quad, const std::vector<std::int64_t>& representative)
+Corners distinctCorners(const std::array<std::int64_t, 4>& quad,
+  const std::vector<std::int64_t>& representative)
 {
   Corners corners;
   for (std::int64_t corner : quad)

@@ -37,8 +37,8 @@ std::array<glm::ivec3, 4> cellsAround(const Crossing& crossing)
 /// Joins equal lattice points: each becomes a point with the crossings that meet there, and each
 /// crossing a quad.
 template <typename Accept>
-MedialComplex joinCorners(
-  const std::vector<Crossing>& crossings, const Accept& accept, std::vector<glm::ivec3>& lattice)
+MedialComplex joinCorners(const std::vector<Crossing>& crossings, const Accept& accept,
+  std::vector<glm::ivec3>& lattice)
 {
   std::vector<CornerKey> corners;
   corners.reserve(4 * crossings.size());
@@ -111,7 +111,8 @@ MedialComplex surfaceComplex(const std::vector<Crossing>& crossings,
     {
       sum += bisectorPoints[complex.incident[i]];
     }
-    complex.points.push_back(sum / static_cast<double>(complex.offsets[p + 1] - complex.offsets[p]));
+    complex.points.push_back(
+      sum / static_cast<double>(complex.offsets[p + 1] - complex.offsets[p]));
   }
   return complex;
 }
@@ -119,8 +120,8 @@ MedialComplex surfaceComplex(const std::vector<Crossing>& crossings,
 MedialComplex faceComplex(const std::vector<Crossing>& crossings, const GridFrame& frame)
 {
   std::vector<glm::ivec3> cells;
-  MedialComplex complex =
-    joinCorners(crossings, [](const glm::ivec3&) { return true; }, cells);
+  MedialComplex complex = joinCorners(
+    crossings, [](const glm::ivec3&) { return true; }, cells);
   complex.points.reserve(cells.size());
   for (const glm::ivec3& cell : cells)
   {

@@ -62,8 +62,7 @@ void SelectionStage::select(const AtlasLayout& atlas, int slices, bool carried)
   program.set("endSlot", 1 + slices);
   program.set("spacing", glm::vec3(frame_.step));
   program.set("cosineLimit", static_cast<float>(std::cos(glm::radians(angle_))));
-  program.set("side",
-    side_ == Side::Interior ? -1.0f : (side_ == Side::Exterior ? 1.0f : 0.0f));
+  program.set("side", side_ == Side::Interior ? -1.0f : (side_ == Side::Exterior ? 1.0f : 0.0f));
   program.use();
   glBindTextureUnit(0, directions_.id());
   glBindFramebuffer(GL_FRAMEBUFFER, selectionTarget_.id());
@@ -77,8 +76,8 @@ void SelectionStage::collect(const SlabRenderer& renderer, const Extent& slab)
   const std::size_t slice = static_cast<std::size_t>(atlas.sliceSize.x) * atlas.sliceSize.y;
   masks_.resize(slice * slots);
   sites_.resize(slice * slots);
-  readSlots(selected_.id(), atlas, 0, slots, GL_RED_INTEGER, GL_UNSIGNED_BYTE,
-    sizeof(std::uint8_t), masks_.data());
+  readSlots(selected_.id(), atlas, 0, slots, GL_RED_INTEGER, GL_UNSIGNED_BYTE, sizeof(std::uint8_t),
+    masks_.data());
   readSlots(renderer.sites(), atlas, 0, slots, GL_RED_INTEGER, GL_INT, sizeof(std::int32_t),
     sites_.data());
   for (int slot = 0; slot < slots; ++slot)
@@ -93,8 +92,8 @@ void SelectionStage::collect(const SlabRenderer& renderer, const Extent& slab)
   }
 }
 
-void SelectionStage::addCrossings(
-  const Extent& slab, const AtlasLayout& atlas, int slot, std::size_t index)
+void SelectionStage::addCrossings(const Extent& slab, const AtlasLayout& atlas, int slot,
+  std::size_t index)
 {
   const auto width = static_cast<std::size_t>(atlas.sliceSize.x);
   const std::size_t slice = width * atlas.sliceSize.y;

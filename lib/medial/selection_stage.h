@@ -29,8 +29,7 @@ private:
   void computeDirections(const SlabRenderer& renderer);
   void select(const AtlasLayout& atlas, int slices, bool carried);
   void collect(const SlabRenderer& renderer, const Extent& slab);
-  void addCrossings(
-    const Extent& slab, const AtlasLayout& atlas, int slot, std::size_t index);
+  void addCrossings(const Extent& slab, const AtlasLayout& atlas, int slot, std::size_t index);
 
   double angle_;
   Side side_;

@@ -17,6 +17,9 @@ using Triangles = std::vector<std::array<int, 3>>;
 /// Twice the area of an ear over the square of its longest side, below which it is clipped only
 /// when there is no better one.
 constexpr double kFlatEar = 1e-6;
+/// Distance over the polygon's size at which a corner is as good as on the side of an ear: rounded
+/// coordinates seldom lie on a line, and a side that just misses a corner ends in overlaps.
+constexpr double kTouching = 1e-9;
 
 /// Corners relative to the first one and scaled to unit size, so that no product leaves the range
 /// of double.
@@ -129,11 +132,12 @@ private:
   /// The first good ear, else a flat one, else (not a simple polygon) any convex corner.
   int findEar(int start, int left) const
   {
-    for (const double minShape : { kFlatEar, 0.0 })
+    for (const bool careful : { true, false })
     {
       for (int i = 0, corner = start; i < left; ++i, corner = next_[corner])
       {
-        if (shapes_[corner] > minShape && isFree(corner))
+        if (shapes_[corner] > (careful ? kFlatEar : 0.0) &&
+          isFree(corner, careful ? kTouching : 0.0))
         {
           return corner;
         }
@@ -147,18 +151,22 @@ private:
     return best;
   }
 
-  /// True when no flat or reflex corner lies in the ear. A corner at the same place as one of the
-  /// ear's is not in the way: polygons with holes visit the ends of their bridges twice.
-  bool isFree(int ear) const
+  /// True when no flat or reflex corner lies in the ear or closer to it than `margin`. A corner at
+  /// the same place as one of the ear's is not in the way: polygons with holes visit the ends of
+  /// their bridges twice.
+  bool isFree(int ear, double margin) const
   {
     const glm::dvec2& a = points_[previous_[ear]];
     const glm::dvec2& b = points_[ear];
     const glm::dvec2& c = points_[next_[ear]];
+    const double beyondAb = -margin * glm::distance(a, b);
+    const double beyondBc = -margin * glm::distance(b, c);
+    const double beyondCa = -margin * glm::distance(c, a);
     for (const int obstacle : obstacles_)
     {
       const glm::dvec2& p = points_[obstacle];
-      if (p != a && p != b && p != c && turn(a, b, p) >= 0.0 && turn(b, c, p) >= 0.0 &&
-        turn(c, a, p) >= 0.0)
+      if (p != a && p != b && p != c && turn(a, b, p) >= beyondAb && turn(b, c, p) >= beyondBc &&
+        turn(c, a, p) >= beyondCa)
       {
         return false;
       }

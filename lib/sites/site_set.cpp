@@ -32,16 +32,15 @@ double cornerAngle(const glm::dvec3& at, const glm::dvec3& a, const glm::dvec3& 
 
 } // namespace
 
-SiteSet::SiteSet(
-  const TriangleMesh& mesh, const MeshTopology& topology, const GridFrame& frame)
+SiteSet::SiteSet(const TriangleMesh& mesh, const MeshTopology& topology, const GridFrame& frame)
 {
   this->buildGeometry(mesh, topology, frame);
   this->buildSpheres();
   this->buildHalfSpaces(topology);
 }
 
-void SiteSet::buildGeometry(
-  const TriangleMesh& mesh, const MeshTopology& topology, const GridFrame& frame)
+void SiteSet::buildGeometry(const TriangleMesh& mesh, const MeshTopology& topology,
+  const GridFrame& frame)
 {
   points_.reserve(mesh.points.size());
   for (const Point3& point : mesh.points)
@@ -110,7 +109,8 @@ void SiteSet::buildHalfSpaces(const MeshTopology& topology)
 {
   halfSpaceOffsets_.reserve(this->size() + 1);
   halfSpaces_.reserve(5 * faces_.size() + 4 * edges_.size() + 6 * points_.size());
-  const auto endSite = [this] { halfSpaceOffsets_.push_back(static_cast<int>(halfSpaces_.size())); };
+  const auto endSite = [this]
+  { halfSpaceOffsets_.push_back(static_cast<int>(halfSpaces_.size())); };
   for (int face = 0; face < this->faceCount(); ++face)
   {
     this->addFaceHalfSpaces(face);
@@ -163,8 +163,8 @@ void SiteSet::addEdgeHalfSpaces(int edge, const MeshTopology& topology)
   const glm::dvec3 u = glm::normalize(q - p);
   halfSpaces_.push_back(halfSpace(-u, p));
   halfSpaces_.push_back(halfSpace(u, q));
-  for (const int* face = topology.edgeTriangles.begin(edge); face != topology.edgeTriangles.end(edge);
-       ++face)
+  for (const int* face = topology.edgeTriangles.begin(edge);
+       face != topology.edgeTriangles.end(edge); ++face)
   {
     if (!faceActive_[*face])
     {
@@ -207,7 +207,8 @@ std::vector<glm::vec4> SiteSet::pseudonormals(bool flip) const
       const glm::ivec3& corners = faces_[face];
       sums[this->firstEdge() + faceEdges_[face][i]] += normal;
       sums[this->firstVertex() + corners[i]] += normal *
-        cornerAngle(points_[corners[i]], points_[corners[(i + 1) % 3]], points_[corners[(i + 2) % 3]]);
+        cornerAngle(points_[corners[i]], points_[corners[(i + 1) % 3]],
+          points_[corners[(i + 2) % 3]]);
     }
   }
   std::vector<glm::vec4> result;

@@ -20,7 +20,8 @@ enum class SiteKind : std::uint8_t
   Vertex
 };
 
-/// The closed half-space dot(normal, x) <= offset, as (normal, offset); the normal is of unit length.
+/// The closed half-space dot(normal, x) <= offset, as (normal, offset); the normal is of unit
+/// length.
 using HalfSpace = glm::vec4;
 
 /// All sites of a mesh in the coordinates of a GridFrame, each with half-spaces that contain its
@@ -42,8 +43,9 @@ public:
 
   SiteKind kind(int site) const
   {
-    return site < this->faceCount() ? SiteKind::Face
-                                    : (site < this->firstVertex() ? SiteKind::Edge : SiteKind::Vertex);
+    return site < this->faceCount()
+      ? SiteKind::Face
+      : (site < this->firstVertex() ? SiteKind::Edge : SiteKind::Vertex);
   }
   int firstEdge() const { return this->faceCount(); }
   int firstVertex() const { return this->faceCount() + this->edgeCount(); }
@@ -52,9 +54,9 @@ public:
   bool active(int site) const { return site >= this->faceCount() || faceActive_[site] != 0; }
 
   const std::vector<glm::dvec3>& points() const { return points_; }
-  const std::vector<glm::ivec3>& faces() const { return faces_; } ///< corners
+  const std::vector<glm::ivec3>& faces() const { return faces_; }         ///< corners
   const std::vector<glm::ivec3>& faceEdges() const { return faceEdges_; } ///< edge numbers
-  const std::vector<glm::ivec2>& edges() const { return edges_; } ///< end points
+  const std::vector<glm::ivec2>& edges() const { return edges_; }         ///< end points
 
   /// Unit normal of a face; zero where it has no area.
   const glm::dvec3& faceNormal(int face) const { return faceNormals_[face]; }
@@ -75,7 +77,8 @@ public:
   std::vector<glm::vec4> pseudonormals(bool flip) const;
 
 private:
-  void buildGeometry(const TriangleMesh& mesh, const MeshTopology& topology, const GridFrame& frame);
+  void buildGeometry(const TriangleMesh& mesh, const MeshTopology& topology,
+    const GridFrame& frame);
   void buildSpheres();
   void buildHalfSpaces(const MeshTopology& topology);
   void addFaceHalfSpaces(int face);
