@@ -1,0 +1,59 @@
+#include "axis_writer.h"
+
+#include "axis_formats.h"
+#include "failure.h"
+#include "text_cursor.h"
+#include "vtk_messages.h"
+
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkXMLImageDataWriter.h>
+#include <vtkXMLPolyDataWriter.h>
+
+#include <functional>
+#include <map>
+#include <string>
+
+namespace fs = std::filesystem;
+
+namespace medial::app
+{
+
+namespace
+{
+
+template <typename Writer>
+void writeWithVtk(vtkDataObject* data, const fs::path& file)
+{
+  const VtkMessages messages;
+  vtkNew<Writer> writer;
+  writer->SetInputData(data);
+  writer->SetFileName(file.c_str());
+  writer->EncodeAppendedDataOff();
+  if (writer->Write() == 0 || writer->GetErrorCode() != 0)
+  {
+    throw Failure(ExitCode::NoSpace, messages.first());
+  }
+}
+
+} // namespace
+
+void writeAxis(vtkPolyData* axis, const fs::path& file, const fs::path& extension)
+{
+  static const std::map<std::string, std::function<void(vtkPolyData*, const fs::path&)>>
+    kWriters = {
+      { ".vtp", writeWithVtk<vtkXMLPolyDataWriter> },
+      { ".ply", writePly },
+      { ".obj", writeObj },
+      { ".ma", writeMa },
+    };
+  kWriters.at(lowerCase(extension.string()))(axis, file);
+}
+
+void writeField(vtkImageData* field, const fs::path& file)
+{
+  writeWithVtk<vtkXMLImageDataWriter>(field, file);
+}
+
+} // namespace medial::app

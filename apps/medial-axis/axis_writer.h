@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+
+class vtkImageData;
+class vtkPolyData;
+
+namespace medial::app
+{
+
+/// Writes a medial axis, as vtkMedialAxis makes it, to `file` in the format that `extension` names:
+///
+/// - .vtp: everything, for VTK and ParaView;
+/// - .ply: binary; vertices x y z radius separation_angle lambda, faces, and edges where the axis
+/// is
+///   thinner than a sheet;
+/// - .obj: positions, faces, lines and points; no attributes;
+/// - .ma: "vertices edges faces", then "v x y z radius", "e i j" and "f i j k", indices from 0. The
+///   edges are those of the triangles as well.
+///
+/// @throws Failure NoSpace when the file cannot be written completely. The message names no file.
+void writeAxis(vtkPolyData* axis, const std::filesystem::path& file,
+  const std::filesystem::path& extension);
+
+/// Writes a distance field as .vti.
+/// @throws Failure NoSpace as writeAxis().
+void writeField(vtkImageData* field, const std::filesystem::path& file);
+
+} // namespace medial::app

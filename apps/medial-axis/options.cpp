@@ -1,0 +1,305 @@
+#include "options.h"
+
+#include "failure.h"
+#include "text_cursor.h"
+
+#include "medial/version.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace medial::app
+{
+namespace
+{
+
+constexpr int kMaxResolution = 8192;
+constexpr int kMaxThreads = 1024;
+constexpr int kMinMemoryMiB = 64;
+constexpr double kMaxPadding = 10.0;
+
+using Names = std::map<std::string, int>;
+
+const Names kSides = { { "interior", vtkMedialAxis::INTERIOR },
+  { "exterior", vtkMedialAxis::EXTERIOR }, { "both", vtkMedialAxis::BOTH } };
+const Names kRepresentations = { { "surface", vtkMedialAxis::SURFACE },
+  { "faces", vtkMedialAxis::FACES }, { "points", vtkMedialAxis::POINTS } };
+const Names kSigns = { { "auto", vtkMedialAxis::SIGN_AUTO }, { "none", vtkMedialAxis::SIGN_NONE },
+  { "pseudonormal", vtkMedialAxis::SIGN_PSEUDONORMAL },
+  { "winding", vtkMedialAxis::SIGN_WINDING } };
+
+const char* const kFooter =
+  "Input formats: .stl .obj .ply .off .vtp .vtk. Without -o, --field, --image and --report the\n"
+  "medial axis goes to <INPUT's name>_medial.vtp in the current folder. Existing files are\n"
+  "replaced, but only once the new ones are complete.\n\n"
+  "Exit codes: 0 done; 2 usage; 3 bad input; 4 no usable OpenGL; 5 out of memory or disk, or an\n"
+  "output that cannot be written; 130 interrupted.";
+
+// The words as typed, before they become values of Options.
+struct Words
+{
+  std::string input, output, field, thickness, image, report;
+  std::string side = "interior";
+  std::string representation = "surface";
+  std::string sign = "auto";
+  double spacing = 0.0;
+};
+
+template <typename T>
+CLI::Validator within(const std::string& interval, bool (*inside)(T))
+{
+  return CLI::Validator(
+    [interval, inside](std::string& word)
+    {
+      T value{};
+      const bool known = CLI::detail::lexical_cast(word, value);
+      return known && inside(value) ? std::string() : word + " is outside " + interval;
+    },
+    "");
+}
+
+CLI::Validator oneOf(const Names& names)
+{
+  return CLI::Validator(
+    [names](std::string& word)
+    {
+      if (names.count(word) > 0)
+      {
+        return std::string();
+      }
+      std::string allowed;
+      for (const auto& name : names)
+      {
+        allowed += (allowed.empty() ? "" : ", ") + name.first;
+      }
+      return "'" + word + "' is not one of " + allowed;
+    },
+    "");
+}
+
+void addOutputOptions(CLI::App& app, Words& words)
+{
+  const std::string group = "Outputs";
+  app.add_option("-o,--output", words.output, "medial axis: .vtp, .ply, .obj or .ma")
+    ->type_name("FILE")
+    ->group(group);
+  app.add_option("--field", words.field, "distance field with all its arrays")
+    ->type_name("FILE.vti")
+    ->group(group);
+  app
+    .add_option("--thickness", words.thickness, "input surface with Thickness (not available yet)")
+    ->type_name("FILE.vtp")
+    ->group(group);
+  app.add_option("--image", words.image, "a rendered picture of axis and translucent surface")
+    ->type_name("FILE.png")
+    ->group(group);
+  app.add_option("--report", words.report, "machine-readable result")
+    ->type_name("FILE.json")
+    ->group(group);
+}
+
+void addGridOptions(CLI::App& app, Words& words, Options& options)
+{
+  const std::string group = "Grid";
+  CLI::Option* resolution =
+    app
+      .add_option("--resolution", options.resolution,
+        "number of grid points along the longest axis of the padded bounds, in [2, 8192]; "
+        "default 256")
+      ->type_name("N")
+      ->check(within<int>("[2, 8192]", [](int n) { return n >= 2 && n <= kMaxResolution; }))
+      ->group(group);
+  app
+    .add_option("--spacing", words.spacing,
+      "distance of neighbouring grid points in world units, > 0; instead of --resolution")
+    ->type_name("H")
+    ->check(within<double>("(0, infinity)", [](double h) { return std::isfinite(h) && h > 0.0; }))
+    ->excludes(resolution)
+    ->group(group);
+  app
+    .add_option("--padding", options.padding,
+      "margin on every side as a fraction of the diagonal of the mesh's bounds, in [0, 10]; "
+      "default 0.05")
+    ->type_name("F")
+    ->check(within<double>("[0, 10]", [](double f) { return f >= 0.0 && f <= kMaxPadding; }))
+    ->group(group);
+}
+
+void addAxisOptions(CLI::App& app, Words& words, Options& options)
+{
+  const std::string group = "Medial axis";
+  app
+    .add_option("--angle", options.angle,
+      "least separation angle theta of the directions to the two closest points, in degrees, in "
+      "(0, 180); small values keep more of the axis and more noise; default 60")
+    ->type_name("DEG")
+    ->check(within<double>("(0, 180)", [](double a) { return a > 0.0 && a < 180.0; }))
+    ->group(group);
+  app
+    .add_option("--side", words.side,
+      "which side of the surface: interior, exterior or both; default interior (open mesh: both, "
+      "unsigned)")
+    ->type_name("SIDE")
+    ->check(oneOf(kSides))
+    ->group(group);
+  app
+    .add_option("--representation", words.representation,
+      "surface (dual mesh), faces (voxel faces) or points; default surface")
+    ->type_name("KIND")
+    ->check(oneOf(kRepresentations))
+    ->group(group);
+  app
+    .add_option("--sign", words.sign,
+      "how inside is told from outside: auto, none, pseudonormal (closed, consistently oriented "
+      "meshes) or winding (not available yet); default auto")
+    ->type_name("METHOD")
+    ->check(oneOf(kSigns))
+    ->group(group);
+}
+
+void addRunOptions(CLI::App& app, Options& options)
+{
+  const std::string group = "Run";
+  app
+    .add_option("--threads", options.threads,
+      "CPU threads to use, in [0, 1024]; 0 for all cores; default 0")
+    ->type_name("N")
+    ->check(within<int>("[0, 1024]", [](int n) { return n >= 0 && n <= kMaxThreads; }))
+    ->group(group);
+  app
+    .add_option("--memory", options.memoryMiB,
+      "upper bound of the memory for slabs, in MiB, >= 64; 0 chooses; default 0")
+    ->type_name("MiB")
+    ->check(
+      within<int>("[64, 2147483647] and not 0", [](int m) { return m == 0 || m >= kMinMemoryMiB; }))
+    ->group(group);
+  app.add_flag("--require-gpu", options.requireGpu, "fail on a software renderer")->group(group);
+  app.add_flag("-q,--quiet", options.quiet, "print nothing but errors")->group(group);
+}
+
+void checkExtension(const char* option, const std::filesystem::path& path,
+  const std::vector<std::string>& allowed)
+{
+  const std::string extension = lowerCase(path.extension().string());
+  if (path.empty() || std::find(allowed.begin(), allowed.end(), extension) != allowed.end())
+  {
+    return;
+  }
+  std::string list;
+  for (const std::string& one : allowed)
+  {
+    list += " " + one;
+  }
+  throw Failure(ExitCode::Usage,
+    std::string(option) + " " + path.string() + ": unknown extension '" + extension +
+      "', allowed:" + list);
+}
+
+void convertWords(const Words& words, bool spacingGiven, Options& options)
+{
+  if (!words.thickness.empty())
+  {
+    throw Failure(ExitCode::Usage, "--thickness is not available yet");
+  }
+  options.signMethod = kSigns.at(words.sign);
+  if (options.signMethod == vtkMedialAxis::SIGN_WINDING)
+  {
+    throw Failure(ExitCode::Usage,
+      "--sign winding is not available yet; available: auto, none, pseudonormal");
+  }
+  options.side = kSides.at(words.side);
+  options.representation = kRepresentations.at(words.representation);
+  options.input = words.input;
+  options.output = words.output;
+  options.field = words.field;
+  options.image = words.image;
+  options.report = words.report;
+  if (spacingGiven)
+  {
+    options.spacing = words.spacing;
+  }
+  if (options.output.empty() && options.field.empty() && options.image.empty() &&
+    options.report.empty())
+  {
+    options.output = options.input.stem().string() + "_medial.vtp";
+  }
+}
+
+void checkFiles(const Options& options)
+{
+  checkExtension("--output", options.output, { ".vtp", ".ply", ".obj", ".ma" });
+  checkExtension("--field", options.field, { ".vti" });
+  checkExtension("--image", options.image, { ".png" });
+  checkExtension("--report", options.report, { ".json" });
+  std::error_code ignored;
+  if (!options.output.empty() &&
+    std::filesystem::equivalent(options.input, options.output, ignored))
+  {
+    throw Failure(ExitCode::Usage,
+      "--output " + options.output.string() + " is the input file itself");
+  }
+}
+
+} // namespace
+
+std::optional<Options> parseOptions(int argc, char** argv)
+{
+  CLI::App app{ "Medial axis and distance field of a triangle mesh, computed on the GPU.\n" };
+  app.footer(kFooter);
+  app.get_formatter()->column_width(28);
+  app.option_defaults()->always_capture_default(false);
+  app.set_version_flag("--version", std::string("medial-axis ") + MEDIAL_VERSION);
+  app.set_help_flag("-h,--help", "print this text and leave");
+
+  Words words;
+  Options options;
+  app.add_option("INPUT", words.input, "mesh: .stl, .obj, .ply, .off, .vtp or .vtk")
+    ->required()
+    ->type_name("");
+  addOutputOptions(app, words);
+  addGridOptions(app, words, options);
+  addAxisOptions(app, words, options);
+  addRunOptions(app, options);
+  try
+  {
+    app.parse(argc, argv);
+  }
+  catch (const CLI::ParseError& error)
+  {
+    if (error.get_exit_code() == 0)
+    {
+      app.exit(error);
+      return std::nullopt;
+    }
+    throw Failure(ExitCode::Usage, std::string(error.what()) + " (see medial-axis --help)");
+  }
+  convertWords(words, app.count("--spacing") > 0, options);
+  checkFiles(options);
+  return options;
+}
+
+void applyOptions(const Options& options, vtkMedialAxis* filter)
+{
+  filter->SetResolution(options.resolution);
+  if (options.spacing)
+  {
+    filter->SetGridModeToSpacing();
+    filter->SetSpacing(*options.spacing, *options.spacing, *options.spacing);
+  }
+  filter->SetPadding(options.padding);
+  filter->SetAngle(options.angle);
+  filter->SetSide(options.side);
+  filter->SetRepresentation(options.representation);
+  filter->SetSignMethod(options.signMethod);
+  filter->SetNumberOfThreads(options.threads);
+  filter->SetMemoryLimit(options.memoryMiB);
+  filter->SetRequireHardware(options.requireGpu);
+  filter->SetGenerateDistanceField(!options.field.empty());
+}
+
+} // namespace medial::app

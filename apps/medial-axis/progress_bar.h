@@ -1,0 +1,31 @@
+#pragma once
+
+#include <chrono>
+
+namespace medial::app
+{
+
+/// One line on standard error that says what is being done and how far it got; silent unless that
+/// is a terminal.
+class ProgressBar
+{
+public:
+  explicit ProgressBar(bool quiet);
+  ~ProgressBar();
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
+
+  /// @param fraction share of the whole work that is done, in [0, 1].
+  /// @param phase what is being done, a short lower-case text.
+  void show(double fraction, const char* phase);
+
+  /// Removes the line, so that other text can be printed.
+  void clear();
+
+private:
+  bool visible_ = false;
+  bool drawn_ = false;
+  std::chrono::steady_clock::time_point lastDrawn_;
+};
+
+} // namespace medial::app

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+class vtkMedialAxis;
+
+namespace medial::app
+{
+
+/// Wall-clock seconds of what the program does around the filter.
+struct AppSeconds
+{
+  double read = 0.0;
+  double write = 0.0;
+  double total = 0.0;
+};
+
+/// Figures of a run, as they are after the filter's execution.
+/// @return JSON text with the keys input {path, triangles, vertices, closed, manifold, components,
+///   skipped_degenerate}, grid {dimensions, spacing, origin}, device {renderer, version, software},
+///   seconds {read, sites, cull, polygons, draw, resolve, medial, write, total}, counts {sites,
+///   polygons, fragments, candidate_pairs, medial_points, medial_cells}, fragments_per_voxel,
+///   sign_method and peak_memory_mib. Lengths are in world units.
+std::string makeReport(vtkMedialAxis* filter, const std::filesystem::path& input,
+  const AppSeconds& seconds);
+
+/// @throws Failure NoSpace when the file cannot be written completely. The message names no file.
+void writeReport(const std::string& report, const std::filesystem::path& file);
+
+} // namespace medial::app
