@@ -151,7 +151,7 @@ int vtkMedialAxis::RequestData(vtkInformation* request, vtkInformationVector** i
   return this->Internals->Guard(outputVector,
     [&]
     {
-      this->Internals->Last = {};
+      this->Internals->Begin(outputVector);
       if (piece > 0)
       {
         return;

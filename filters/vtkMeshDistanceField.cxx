@@ -49,7 +49,7 @@ int vtkMeshDistanceField::RequestData(vtkInformation*, vtkInformationVector** in
   return this->Internals->Guard(outputVector,
     [&]
     {
-      this->Internals->Last = {};
+      this->Internals->Begin(outputVector);
       const medial::Extent extent = vtkMeshConversion::ToExtent(
         outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT()));
       if (extent.empty())

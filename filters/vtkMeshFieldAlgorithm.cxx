@@ -59,6 +59,12 @@ vtkTypeBool vtkMeshFieldAlgorithm::ProcessRequest(vtkInformation* request,
 }
 
 //------------------------------------------------------------------------------
+void vtkMeshFieldAlgorithm::SetInputData(vtkDataObject* input)
+{
+  this->SetInputDataInternal(0, input);
+}
+
+//------------------------------------------------------------------------------
 int vtkMeshFieldAlgorithm::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");

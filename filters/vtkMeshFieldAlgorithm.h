@@ -51,6 +51,7 @@
 
 #include <memory> // For std::unique_ptr
 
+class vtkDataObject;
 class vtkPolyData;
 
 class VTKMEDIALFILTERS_EXPORT vtkMeshFieldAlgorithm : public vtkAlgorithm
@@ -63,6 +64,12 @@ public:
   vtkTypeMacro(vtkMeshFieldAlgorithm, vtkAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
   ///@}
+
+  /**
+   * Assigns a data object as input. This makes no pipeline connection: use SetInputConnection() for
+   * the output of a filter.
+   */
+  void SetInputData(vtkDataObject* input);
 
   /**
    * Values of GetErrorCode() after a failed execution.

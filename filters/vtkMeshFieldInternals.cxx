@@ -2,8 +2,10 @@
 
 #include "vtkDataObject.h"
 #include "vtkDemandDrivenPipeline.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
@@ -135,6 +137,19 @@ int vtkMeshFieldAlgorithm::vtkInternals::Cancel(vtkInformationVector* outputVect
   this->Last = Outcome();
   this->Self->ErrorCode = CancelledError;
   return 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshFieldAlgorithm::vtkInternals::Begin(vtkInformationVector* outputVector)
+{
+  this->Last = Outcome();
+  for (int i = 0; i < outputVector->GetNumberOfInformationObjects(); ++i)
+  {
+    if (vtkImageData* image = vtkImageData::GetData(outputVector, i))
+    {
+      image->GetPointData()->Initialize();
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

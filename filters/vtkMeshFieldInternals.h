@@ -50,6 +50,11 @@ public:
   int Guard(vtkInformationVector* outputVector, const std::function<void()>& work);
 
   /**
+   * Forgets the last execution, and what vtkImageData keeps of it for reuse.
+   */
+  void Begin(vtkInformationVector* outputVector);
+
+  /**
    * Makes Mesh and Topology those of input, unless they are already.
    */
   void UpdateMesh(vtkPolyData* input);

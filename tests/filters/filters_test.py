@@ -1,0 +1,124 @@
+"""The filters from Python, beside VTK's own package."""
+
+import math
+import unittest
+
+import medial
+from vtkmodules.vtkCommonCore import vtkObject
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkContourFilter
+from vtkmodules.vtkFiltersSources import vtkCubeSource
+
+
+def box_axis(resolution=17):
+    """An axis filter on a box of 2 x 1.5 x 1, not executed yet."""
+    cube = vtkCubeSource()
+    cube.SetXLength(2.0)
+    cube.SetYLength(1.5)
+    cube.SetZLength(1.0)
+    axis = medial.vtkMedialAxis()
+    axis.SetInputConnection(cube.GetOutputPort())
+    axis.SetResolution(resolution)
+    return axis
+
+
+class FiltersTest(unittest.TestCase):
+    def test_package_holds_the_filters(self):
+        self.assertEqual(set(medial.__all__),
+                         {"vtkMedialAxis", "vtkMeshDistanceField", "vtkMeshFieldAlgorithm"})
+        from medial.vtkMedialFilters import vtkMedialAxis
+        self.assertIs(medial.vtkMedialAxis, vtkMedialAxis)
+        self.assertTrue(issubclass(medial.vtkMedialAxis, vtkObject))
+
+    def test_manual_is_in_the_doc_strings(self):
+        self.assertIn("separation angle", medial.vtkMedialAxis.__doc__)
+        self.assertIn("Default is 60", medial.vtkMedialAxis.SetAngle.__doc__)
+        self.assertIn("[2, 8192]", medial.vtkMeshDistanceField.SetResolution.__doc__)
+
+    def test_superclass_is_abstract(self):
+        with self.assertRaises(TypeError):
+            medial.vtkMeshFieldAlgorithm()
+
+    def test_distance_field_of_a_cube(self):
+        cube = vtkCubeSource()
+        field = medial.vtkMeshDistanceField()
+        field.SetInputConnection(cube.GetOutputPort())
+        field.SetGridModeToExplicit()
+        field.SetOrigin(0.0, 0.0, 0.0)
+        field.SetSpacing(0.25, 0.25, 0.25)
+        field.SetDimensions(5, 5, 5)
+        field.Update()
+        image = field.GetOutput()
+        self.assertIsInstance(image, vtkImageData)
+        self.assertEqual(image.GetDimensions(), (5, 5, 5))
+        # vtkCubeSource does not share points between its faces, but they weld to a closed box.
+        self.assertTrue(field.GetClosed())
+        self.assertEqual(field.GetUsedSignMethodAsString(), "Pseudonormal")
+        distance = image.GetPointData().GetArray("Distance")
+        self.assertAlmostEqual(distance.GetValue(0), -0.5, places=4)
+        self.assertAlmostEqual(distance.GetValue(124), math.sqrt(0.75), places=4)
+
+    def test_axis_of_a_box(self):
+        axis = box_axis()
+        axis.Update()
+        output = axis.GetOutput()
+        self.assertIsInstance(output, vtkPolyData)
+        self.assertGreater(output.GetNumberOfCells(), 100)
+        radius = output.GetPointData().GetArray("Radius")
+        self.assertAlmostEqual(radius.GetRange()[1], 0.5, delta=0.02)
+        self.assertEqual(axis.GetUsedSide(), axis.INTERIOR)
+        self.assertNotEqual(axis.GetRenderer(), "")
+        spacing = [0.0] * 3
+        axis.GetUsedSpacing(spacing)
+        self.assertGreater(spacing[0], 0.0)
+
+    def test_second_output(self):
+        axis = box_axis()
+        axis.GenerateDistanceFieldOn()
+        contour = vtkContourFilter()
+        contour.SetInputConnection(axis.GetOutputPort(1))
+        contour.SetValue(0, -0.2)
+        contour.Update()
+        self.assertGreater(contour.GetOutput().GetNumberOfCells(), 0)
+        self.assertEqual(axis.GetDistanceField().GetDimensions()[0], 17)
+
+    def test_error_has_a_code_and_a_message(self):
+        axis = box_axis()
+        messages = []
+
+        def on_error(_caller, _event, text):
+            messages.append(text)
+
+        on_error.CallDataType = "string0"
+        axis.AddObserver("ErrorEvent", on_error)
+        axis.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
+        axis.SetAngle(180.0)
+        axis.Update()
+        self.assertEqual(axis.GetErrorCode(), axis.InvalidInputError)
+        self.assertEqual(len(messages), 1)
+        self.assertIn("180", messages[0])
+
+    def test_progress_and_abort(self):
+        axis = box_axis()
+        fractions = []
+
+        def on_progress(caller, _event):
+            fractions.append(caller.GetProgress())
+            caller.SetAbortExecute(1)
+
+        tag = axis.AddObserver("ProgressEvent", on_progress)
+        axis.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
+        axis.Update()
+        self.assertTrue(fractions)
+        self.assertEqual(axis.GetErrorCode(), axis.CancelledError)
+        self.assertEqual(axis.GetOutput().GetNumberOfPoints(), 0)
+        axis.RemoveObserver(tag)
+        axis.Update()
+        self.assertGreater(axis.GetOutput().GetNumberOfPoints(), 0)
+
+    def test_prints(self):
+        self.assertIn("Angle: 60", str(medial.vtkMedialAxis()))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,435 @@
+// vtkMedialAxis: is the axis right, and do its two outputs behave?
+#include "filter_support.h"
+
+#include "medial/medial/medial_axis.h"
+
+#include <gtest/gtest.h>
+
+#include <vtkCellArray.h>
+#include <vtkContourFilter.h>
+#include <vtkDataArray.h>
+#include <vtkInformation.h>
+#include <vtkMedialAxis.h>
+#include <vtkMeshDistanceField.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkSphereSource.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkTriangleFilter.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace
+{
+
+using namespace medial::test;
+using medial::Point3;
+
+const Point3 kHalfSides = { 1.0, 0.75, 0.5 };
+
+vtkSmartPointer<vtkMedialAxis> axisOf(vtkPolyData* mesh, int resolution)
+{
+  auto axis = vtkSmartPointer<vtkMedialAxis>::New();
+  axis->SetInputData(mesh);
+  axis->SetResolution(resolution);
+  return axis;
+}
+
+/// The margin puts the middle plane at no special place between samples.
+vtkSmartPointer<vtkMedialAxis> boxAxis(int resolution = 33)
+{
+  auto axis = axisOf(boxPolyData(kHalfSides), resolution);
+  axis->SetPadding(0.0637);
+  return axis;
+}
+
+/// Distances to the faces of the box, ascending; the axis is where the first two agree.
+std::array<double, 6> faceDistances(const Point3& x)
+{
+  std::array<double, 6> distances;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    distances[2 * axis] = kHalfSides[axis] - x[axis];
+    distances[2 * axis + 1] = kHalfSides[axis] + x[axis];
+  }
+  std::sort(distances.begin(), distances.end());
+  return distances;
+}
+
+TEST(MedialAxisFilter, DefaultsAreThoseOfTheLibrary)
+{
+  vtkNew<vtkMedialAxis> axis;
+  const medial::MedialAxisOptions options;
+  EXPECT_EQ(axis->GetAngle(), options.angle);
+  EXPECT_EQ(axis->GetAngle(), 60.0);
+  EXPECT_EQ(axis->GetSide(), vtkMedialAxis::INTERIOR);
+  EXPECT_EQ(options.side, medial::Side::Interior);
+  EXPECT_EQ(axis->GetRepresentation(), vtkMedialAxis::SURFACE);
+  EXPECT_EQ(options.representation, medial::Representation::Surface);
+  EXPECT_FALSE(axis->GetGenerateDistanceField());
+}
+
+TEST(MedialAxisFilter, BoxHasItsAnalyticAxis)
+{
+  auto axis = boxAxis();
+  axis->Update();
+  vtkPolyData* output = axis->GetOutput();
+  ASSERT_GT(output->GetNumberOfPoints(), 500);
+  double spacing[3];
+  axis->GetUsedSpacing(spacing);
+  const double h = spacing[0];
+  double offAxis = 0.0;
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    const Point3 x = pointOf(output, i);
+    const auto distances = faceDistances(x);
+    // A sheet bisects two faces: the distance from it is the difference of theirs over at most 2.
+    EXPECT_LE(0.5 * (distances[1] - distances[0]), 0.5 * h) << "point " << i;
+    offAxis += 0.5 * (distances[1] - distances[0]);
+    EXPECT_NEAR(valueOf(output, "Radius", i), distances[0], 1e-2 * h) << "point " << i;
+  }
+  EXPECT_LE(offAxis / static_cast<double>(output->GetNumberOfPoints()), 0.1 * h);
+}
+
+TEST(MedialAxisFilter, AttributesFulfilTheirIdentities)
+{
+  auto axis = boxAxis();
+  axis->Update();
+  vtkPolyData* output = axis->GetOutput();
+  double spacing[3];
+  axis->GetUsedSpacing(spacing);
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    const double radius = valueOf(output, "Radius", i);
+    const double angle = valueOf(output, "SeparationAngle", i);
+    EXPECT_GE(angle, 0.0);
+    EXPECT_LE(angle, 180.0);
+    EXPECT_NEAR(valueOf(output, "Lambda", i), radius * std::sin(0.5 * angle * M_PI / 180.0),
+      1e-4 * radius);
+    for (const char* name : { "ClosestPointA", "ClosestPointB" })
+    {
+      const Point3 closest = vectorOf(output, name, i);
+      EXPECT_NEAR(boxDistance(kHalfSides, closest), 0.0, 1e-5) << name << " of point " << i;
+      EXPECT_NEAR(distanceBetween(closest, pointOf(output, i)), radius, spacing[0])
+        << name << " of point " << i;
+    }
+  }
+}
+
+TEST(MedialAxisFilter, ArraysHaveTheirNamesAndTypes)
+{
+  auto axis = boxAxis(17);
+  axis->Update();
+  vtkPointData* data = axis->GetOutput()->GetPointData();
+  const struct
+  {
+    const char* name;
+    int components;
+  } expected[] = { { "Radius", 1 }, { "SeparationAngle", 1 }, { "Lambda", 1 },
+    { "ClosestPointA", 3 }, { "ClosestPointB", 3 } };
+  EXPECT_EQ(data->GetNumberOfArrays(), 5);
+  for (const auto& array : expected)
+  {
+    ASSERT_NE(data->GetArray(array.name), nullptr) << array.name;
+    EXPECT_EQ(data->GetArray(array.name)->GetDataType(), VTK_FLOAT);
+    EXPECT_EQ(data->GetArray(array.name)->GetNumberOfComponents(), array.components);
+    EXPECT_EQ(data->GetArray(array.name)->GetNumberOfTuples(),
+      axis->GetOutput()->GetNumberOfPoints());
+  }
+  EXPECT_EQ(data->GetScalars(), data->GetArray("Radius"));
+  EXPECT_EQ(axis->GetOutput()->GetPoints()->GetDataType(), VTK_DOUBLE);
+}
+
+TEST(MedialAxisFilter, CellsAreValid)
+{
+  auto axis = boxAxis();
+  axis->Update();
+  vtkPolyData* output = axis->GetOutput();
+  EXPECT_GT(output->GetNumberOfPolys(), 100);
+  EXPECT_EQ(output->GetNumberOfStrips(), 0);
+  for (vtkCellArray* cells : { output->GetVerts(), output->GetLines(), output->GetPolys() })
+  {
+    if (cells->GetNumberOfConnectivityIds() > 0)
+    {
+      double range[2];
+      cells->GetConnectivityArray()->GetRange(range);
+      EXPECT_GE(range[0], 0.0);
+      EXPECT_LT(range[1], static_cast<double>(output->GetNumberOfPoints()));
+    }
+  }
+  vtkNew<vtkTriangleFilter> triangles; // a filter downstream can take it
+  triangles->SetInputConnection(axis->GetOutputPort());
+  triangles->Update();
+  EXPECT_GT(triangles->GetOutput()->GetNumberOfPolys(), output->GetNumberOfPolys());
+}
+
+TEST(MedialAxisFilter, LargerAnglesKeepLess)
+{
+  auto axis = boxAxis(25);
+  axis->SetAngle(60.0);
+  axis->Update();
+  const vtkIdType all = axis->GetOutput()->GetNumberOfCells();
+  axis->SetAngle(120.0); // the sheets at the edges have 90 degrees
+  axis->Update();
+  vtkPolyData* output = axis->GetOutput();
+  EXPECT_LT(output->GetNumberOfCells(), all / 2);
+  EXPECT_GT(output->GetNumberOfCells(), 0);
+  double spacing[3];
+  axis->GetUsedSpacing(spacing);
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    EXPECT_NEAR(pointOf(output, i)[2], 0.0, spacing[0]) << "only the middle rectangle is left";
+  }
+}
+
+TEST(MedialAxisFilter, RefusesAnglesAndEnumsOutsideTheirRange)
+{
+  const auto expectError = [](vtkMedialAxis* axis, const char* words)
+  {
+    EventLog log(axis);
+    axis->Update();
+    ASSERT_EQ(log.errors.size(), 1u) << words;
+    EXPECT_NE(log.errors[0].find(words), std::string::npos) << log.errors[0];
+    EXPECT_EQ(axis->GetOutput()->GetNumberOfPoints(), 0);
+    EXPECT_EQ(axis->GetErrorCode(),
+      static_cast<unsigned long>(vtkMeshFieldAlgorithm::InvalidInputError));
+  };
+  auto axis = boxAxis(9);
+  for (const double angle : { 0.0, -1.0, 180.0, 361.0, std::numeric_limits<double>::quiet_NaN() })
+  {
+    axis->SetAngle(angle);
+    expectError(axis, "angle");
+  }
+  axis->SetAngle(60.0);
+  axis->SetSide(3);
+  expectError(axis, "Side 3");
+  axis->SetSideToBoth();
+  axis->SetRepresentation(-4);
+  expectError(axis, "Representation -4");
+  axis->SetRepresentationToPoints();
+  axis->Update();
+  EXPECT_EQ(axis->GetErrorCode(), 0u);
+}
+
+TEST(MedialAxisFilter, SidesAreWhereTheySayTheyAre)
+{
+  // A lump has axes on both sides: it is not convex.
+  auto axis = axisOf(lumpPolyData(), 33);
+  axis->SetPadding(0.2);
+  const auto signs = [&](int side)
+  {
+    axis->SetSide(side);
+    axis->GenerateDistanceFieldOn();
+    axis->Update();
+    EXPECT_EQ(axis->GetUsedSide(), side);
+    std::array<int, 2> counts{};
+    vtkImageData* field = axis->GetDistanceField();
+    for (vtkIdType i = 0; i < axis->GetOutput()->GetNumberOfPoints(); ++i)
+    {
+      double x[3];
+      axis->GetOutput()->GetPoint(i, x);
+      const double distance = valueOf(field, "Distance", field->FindPoint(x));
+      ++counts[distance < 0.0 ? 0 : 1];
+    }
+    return counts;
+  };
+  const auto interior = signs(vtkMedialAxis::INTERIOR);
+  const auto exterior = signs(vtkMedialAxis::EXTERIOR);
+  const auto both = signs(vtkMedialAxis::BOTH);
+  EXPECT_GT(interior[0], 100);
+  EXPECT_LT(interior[1], interior[0] / 20); // the nearest sample may lie across the surface
+  EXPECT_GT(exterior[1], 20);
+  EXPECT_LT(exterior[0], exterior[1] / 20 + 1);
+  EXPECT_NEAR(both[0] + both[1], interior[0] + interior[1] + exterior[0] + exterior[1],
+    (both[0] + both[1]) / 10);
+}
+
+TEST(MedialAxisFilter, OpenMeshHasBothSides)
+{
+  // Two plates, half of them the axis between.
+  auto lower = squarePolyData();
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> polys;
+  for (const double z : { -0.31, 0.31 })
+  {
+    const vtkIdType first = points->GetNumberOfPoints();
+    for (vtkIdType i = 0; i < 4; ++i)
+    {
+      const Point3 x = pointOf(lower, i);
+      points->InsertNextPoint(x[0], x[1], z);
+    }
+    polys->InsertNextCell({ first, first + 1, first + 2, first + 3 });
+  }
+  vtkNew<vtkPolyData> plates;
+  plates->SetPoints(points);
+  plates->SetPolys(polys);
+  auto axis = axisOf(plates, 26);
+  axis->Update();
+  EXPECT_EQ(axis->GetUsedSignMethod(), vtkMeshFieldAlgorithm::SIGN_NONE);
+  EXPECT_EQ(axis->GetSide(), vtkMedialAxis::INTERIOR);
+  EXPECT_EQ(axis->GetUsedSide(), vtkMedialAxis::BOTH);
+  vtkPolyData* output = axis->GetOutput();
+  ASSERT_GT(output->GetNumberOfPoints(), 100);
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    EXPECT_NEAR(pointOf(output, i)[2], 0.0, 1e-3);
+  }
+}
+
+TEST(MedialAxisFilter, RepresentationsShareTheAxis)
+{
+  auto axis = boxAxis(25);
+  axis->SetRepresentationToPoints();
+  axis->Update();
+  const vtkIdType points = axis->GetOutput()->GetNumberOfPoints();
+  EXPECT_EQ(axis->GetOutput()->GetNumberOfVerts(), points);
+  EXPECT_EQ(axis->GetOutput()->GetNumberOfPolys(), 0);
+  axis->SetRepresentationToFaces();
+  axis->Update();
+  EXPECT_EQ(axis->GetOutput()->GetNumberOfPolys(), points); // one voxel face for each crossing
+  axis->SetRepresentationToSurface();
+  axis->Update();
+  EXPECT_GT(axis->GetOutput()->GetNumberOfPolys(), points / 2);
+  EXPECT_LE(axis->GetOutput()->GetNumberOfPolys(), points);
+}
+
+TEST(MedialAxisOutputs, DistanceFieldIsEmptyUnlessEnabled)
+{
+  auto axis = boxAxis(13);
+  axis->Update();
+  EXPECT_GT(axis->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_TRUE(isEmpty(axis->GetDistanceField()));
+  axis->Update(1);
+  EXPECT_TRUE(isEmpty(axis->GetDistanceField()));
+  int whole[6];
+  axis->GetOutputInformation(1)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole);
+  EXPECT_LT(whole[1], whole[0]);
+}
+
+TEST(MedialAxisOutputs, WithoutTheFieldTheInputIsNotUpdatedForInformation)
+{
+  vtkNew<vtkSphereSource> sphere;
+  vtkNew<vtkMedialAxis> axis;
+  axis->SetInputConnection(sphere->GetOutputPort());
+  EventLog log(sphere);
+  axis->UpdateInformation();
+  EXPECT_EQ(log.executions, 0);
+}
+
+TEST(MedialAxisOutputs, DistanceFieldIsThatOfTheOtherFilter)
+{
+  auto axis = boxAxis(19);
+  axis->GenerateDistanceFieldOn();
+  axis->GenerateClosestFeatureOff();
+  axis->UpdateInformation();
+  int whole[6];
+  axis->GetOutputInformation(1)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole);
+  EXPECT_EQ(whole[1], 18);
+  EventLog log(axis);
+  axis->Update();
+  vtkNew<vtkMeshDistanceField> reference;
+  reference->SetInputData(boxPolyData(kHalfSides));
+  reference->SetPadding(0.0637);
+  reference->SetResolution(19);
+  reference->Update();
+  vtkImageData* field = axis->GetDistanceField();
+  ASSERT_EQ(field->GetNumberOfPoints(), reference->GetOutput()->GetNumberOfPoints());
+  EXPECT_EQ(field->GetPointData()->GetNumberOfArrays(), 4);
+  EXPECT_EQ(field->GetPointData()->GetArray("ClosestFeature"), nullptr);
+  const double h = field->GetSpacing()[0];
+  for (vtkIdType i = 0; i < field->GetNumberOfPoints(); ++i)
+  {
+    ASSERT_EQ(pointOf(field, i), pointOf(reference->GetOutput(), i));
+    ASSERT_NEAR(valueOf(field, "Distance", i), valueOf(reference->GetOutput(), "Distance", i),
+      1e-3 * h);
+    ASSERT_NEAR(valueOf(field, "Distance", i), boxDistance(kHalfSides, pointOf(field, i)),
+      1e-2 * h);
+  }
+  EXPECT_EQ(log.executions, 1);
+}
+
+TEST(MedialAxisOutputs, OneExecutionServesBothPorts)
+{
+  for (const int first : { 0, 1 })
+  {
+    auto axis = boxAxis(13);
+    axis->GenerateDistanceFieldOn();
+    EventLog log(axis);
+    axis->Update(first);
+    EXPECT_GT(axis->GetOutput()->GetNumberOfPoints(), 0);
+    EXPECT_EQ(axis->GetDistanceField()->GetDimensions()[0], 13);
+    axis->Update(1 - first);
+    EXPECT_EQ(log.executions, 1);
+    EXPECT_GT(axis->GetOutput()->GetNumberOfPoints(), 0);
+    EXPECT_EQ(axis->GetDistanceField()->GetDimensions()[0], 13);
+  }
+}
+
+TEST(MedialAxisOutputs, TheFieldComesAndGoesWithItsSwitch)
+{
+  auto axis = boxAxis(13);
+  axis->Update();
+  axis->GenerateDistanceFieldOn();
+  axis->Update();
+  EXPECT_EQ(axis->GetDistanceField()->GetDimensions()[0], 13);
+  axis->SetResolution(9);
+  axis->Update();
+  EXPECT_EQ(axis->GetDistanceField()->GetDimensions()[0], 9);
+  axis->GenerateDistanceFieldOff();
+  EventLog log(axis);
+  axis->Update();
+  axis->Update(1);
+  EXPECT_TRUE(isEmpty(axis->GetDistanceField()));
+  EXPECT_EQ(log.pipelineErrors, 0);
+}
+
+TEST(MedialAxisOutputs, BothFeedPipelines)
+{
+  auto axis = boxAxis(21);
+  axis->GenerateDistanceFieldOn();
+  EventLog log(axis);
+  vtkNew<vtkContourFilter> surface;
+  surface->SetInputConnection(axis->GetOutputPort(1));
+  surface->SetValue(0, -0.1);
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputConnection(axis->GetOutputPort(0));
+  surface->Update();
+  triangles->Update();
+  EXPECT_GT(surface->GetOutput()->GetNumberOfCells(), 0);
+  EXPECT_GT(triangles->GetOutput()->GetNumberOfCells(), 0);
+  EXPECT_EQ(log.executions, 1);
+}
+
+TEST(MedialAxisOutputs, AFailedExecutionEmptiesBoth)
+{
+  auto axis = boxAxis(13);
+  axis->GenerateDistanceFieldOn();
+  axis->Update();
+  EventLog log(axis);
+  axis->SetAngle(200.0);
+  axis->Update();
+  EXPECT_EQ(log.errors.size(), 1u);
+  EXPECT_EQ(axis->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_TRUE(isEmpty(axis->GetDistanceField()));
+}
+
+TEST(MedialAxisPieces, PieceZeroIsAllOfIt)
+{
+  auto whole = boxAxis(17);
+  whole->Update();
+  for (int piece = 0; piece < 3; ++piece)
+  {
+    auto part = boxAxis(17);
+    part->GenerateDistanceFieldOn();
+    part->UpdatePiece(piece, 3, 0);
+    EXPECT_EQ(part->GetOutput()->GetNumberOfPoints(),
+      piece == 0 ? whole->GetOutput()->GetNumberOfPoints() : 0);
+    EXPECT_EQ(isEmpty(part->GetDistanceField()), piece != 0);
+    EXPECT_EQ(part->GetErrorCode(), 0u);
+  }
+}
+
+} // namespace
