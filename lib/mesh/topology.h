@@ -53,7 +53,8 @@ struct MeshTopology
 };
 
 /// Connectivity of the manifold part from OpenMesh; triangles that it refuses join by their edges.
-/// The numbering depends on the order of the mesh's lists only.
+/// The numbering depends on the order of the mesh's lists only. The time is linear in the size of
+/// the mesh, but may be quadratic in the number of triangles around one point.
 /// @throws Error InvalidInput for a point id that is out of range or repeated within a triangle or
 ///   segment, and for lists of cell ids of the wrong size; buildTriangleMesh makes none of these.
 MeshTopology analyseTopology(const TriangleMesh& mesh);

@@ -4,9 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <random>
 
 using namespace medial;
 using namespace medial::test;
@@ -263,7 +265,7 @@ TEST(Triangulation, CombKeepsItsArea)
   expectCovers(tilted(comb), 20.0 + 0.5 * 5.0 * (20.0 - 0.5));
 }
 
-TEST(Triangulation, SpiralAndStarKeepTheirArea)
+TEST(Triangulation, StarsKeepTheirArea)
 {
   for (const double inner : { 0.05, 0.5, 0.99 })
   {
@@ -300,6 +302,27 @@ TEST(Triangulation, FlatCornersMakeNoFlatTriangles)
   }
   expectCovers(tilted(square), 1.0);
   EXPECT_EQ(buildTriangleMesh(polygonInput(tilted(square))).degenerateTriangles, 0);
+}
+
+TEST(Triangulation, CornersThatRoundingTakesOffALineCauseNoOverlap)
+{
+  std::mt19937 random(7);
+  const auto step = [&] { return static_cast<double>(random() % 3); };
+  for (int i = 0; i < 5000; ++i)
+  {
+    const int columns = 3 + static_cast<int>(random() % 15);
+    std::vector<std::array<double, 2>> polygon(2 * columns);
+    double area = 0.0;
+    for (int x = 0; x < columns; ++x)
+    {
+      const double height = 1.0 + step();
+      const double depth = step();
+      polygon[x] = { static_cast<double>(x), -depth };
+      polygon[2 * columns - 1 - x] = { static_cast<double>(x), height };
+      area += (x == 0 || x + 1 == columns ? 0.5 : 1.0) * (height + depth);
+    }
+    expectCovers(tilted(polygon), area);
+  }
 }
 
 TEST(Triangulation, KeyholePolygonLeavesItsHoleOpen)

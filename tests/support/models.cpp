@@ -20,7 +20,8 @@ bool nextLine(std::istream& file, std::istringstream& line)
     const std::size_t first = text.find_first_not_of(" \t\r");
     if (first != std::string::npos && text[first] != '#')
     {
-      line = std::istringstream(text);
+      line.clear();
+      line.str(text);
       return true;
     }
   }

@@ -1,0 +1,269 @@
+#include "support/field_checks.h"
+
+#include "support/brute_force.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <mutex>
+#include <numeric>
+#include <random>
+#include <sstream>
+
+namespace medial::test
+{
+
+namespace
+{
+
+constexpr double kTolerance = 1e-2;
+constexpr double kUsualTolerance = 1e-3;
+/// One voxel in so many may exceed the usual tolerance.
+constexpr std::size_t kRare = 10000;
+
+double length(const Point3& a, const Point3& b)
+{
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+Feature kindOfSite(const TriangleMesh& mesh, const MeshTopology& topology, std::int64_t site)
+{
+  const std::size_t faces = mesh.triangles.size();
+  const auto id = static_cast<std::size_t>(site);
+  return id < faces ? Feature::Face
+                    : (id < faces + topology.edges.size() ? Feature::Edge : Feature::Vertex);
+}
+
+/// Distance to input cells, each found without a search.
+class CellDistance
+{
+public:
+  explicit CellDistance(const TriangleMesh& mesh)
+    : mesh_(mesh)
+  {
+    const auto add = [this](const std::vector<std::int64_t>& ids, int kind)
+    {
+      for (std::size_t i = 0; i < ids.size(); ++i)
+      {
+        parts_[ids[i]].push_back({ kind, i });
+      }
+    };
+    add(mesh.triangleCells, 3);
+    add(mesh.segmentCells, 2);
+    add(mesh.vertexCells, 1);
+  }
+
+  double operator()(std::int64_t cell, const Point3& query) const
+  {
+    const auto found = parts_.find(cell);
+    double least = std::numeric_limits<double>::infinity();
+    if (found != parts_.end())
+    {
+      for (const auto& [kind, index] : found->second)
+      {
+        least = std::min(least, this->toPart(kind, index, query));
+      }
+    }
+    return least;
+  }
+
+private:
+  double toPart(int kind, std::size_t index, const Point3& query) const
+  {
+    const auto& p = mesh_.points;
+    if (kind == 1)
+    {
+      return length(p[mesh_.vertices[index]], query);
+    }
+    if (kind == 2)
+    {
+      const auto& s = mesh_.segments[index];
+      return closestOnSegment(p[s[0]], p[s[1]], query).distance;
+    }
+    const auto& t = mesh_.triangles[index];
+    return closestOnTriangle(p[t[0]], p[t[1]], p[t[2]], query).distance;
+  }
+
+  const TriangleMesh& mesh_;
+  std::map<std::int64_t, std::vector<std::pair<int, std::size_t>>> parts_;
+};
+
+/// The last place of the largest coordinate that ClosestPoint may hold, in voxels.
+double coordinateRounding(const TriangleMesh& mesh, double unit)
+{
+  double largest = 0.0;
+  for (const Point3& p : mesh.points)
+  {
+    largest = std::max({ largest, std::abs(p[0]), std::abs(p[1]), std::abs(p[2]) });
+  }
+  return largest * static_cast<double>(std::numeric_limits<float>::epsilon()) / unit;
+}
+
+/// Adds the errors of one voxel after the other.
+class ErrorSum
+{
+public:
+  ErrorSum(const TriangleMesh& mesh, const DistanceField& field)
+    : mesh_(mesh)
+    , field_(field)
+    , topology_(analyseTopology(mesh))
+    , toCell_(mesh)
+    , unit_(voxelSize(field.grid))
+  {
+    errors_.rounding = coordinateRounding(mesh, unit_);
+  }
+
+  void add(std::size_t voxel, const Hit& truth)
+  {
+    const Point3 x = voxelPoint(field_.grid, voxel);
+    const std::int64_t site = field_.closestSite[voxel];
+    const auto sites = static_cast<std::int64_t>(
+      mesh_.triangles.size() + topology_.edges.size() + mesh_.points.size());
+    const bool valid = site >= 0 && site < sites;
+    const double siteExcess =
+      valid ? distanceToSite(mesh_, topology_, site, x) - truth.distance : 0.0;
+    const Point3 closest{ field_.closestPoint[3 * voxel], field_.closestPoint[3 * voxel + 1],
+      field_.closestPoint[3 * voxel + 2] };
+    const double distance = std::abs(static_cast<double>(field_.distance[voxel]));
+    const double fromCell = toCell_(field_.closestCell[voxel], closest);
+    const bool rightKind =
+      valid && field_.closestFeature[voxel] == static_cast<int>(kindOfSite(mesh_, topology_, site));
+    const std::lock_guard<std::mutex> lock(mutex_);
+    ++errors_.voxels;
+    errors_.withoutSite += valid ? 0 : 1;
+    errors_.wrongFeature += rightKind ? 0 : 1;
+    errors_.site = std::max(errors_.site, siteExcess / unit_);
+    errors_.pointLength =
+      std::max(errors_.pointLength, std::abs(length(closest, x) - distance) / unit_);
+    errors_.pointFromCell = std::max(errors_.pointFromCell, fromCell / unit_);
+    this->addDistance(voxel, std::abs(distance - truth.distance) / unit_);
+  }
+
+  const FieldErrors& errors() const { return errors_; }
+
+private:
+  void addDistance(std::size_t voxel, double error)
+  {
+    errors_.inexact += error <= kUsualTolerance ? 0 : 1;
+    // Not a number counts as the worst error.
+    if (!(error <= errors_.distance))
+    {
+      errors_.distance = std::isnan(error) ? std::numeric_limits<double>::infinity() : error;
+      errors_.worst = voxel;
+    }
+  }
+
+  const TriangleMesh& mesh_;
+  const DistanceField& field_;
+  MeshTopology topology_;
+  CellDistance toCell_;
+  double unit_;
+  FieldErrors errors_;
+  std::mutex mutex_;
+};
+
+} // namespace
+
+Voxels allVoxels(const Grid& grid)
+{
+  Voxels voxels(static_cast<std::size_t>(grid.pointCount()));
+  std::iota(voxels.begin(), voxels.end(), std::size_t{ 0 });
+  return voxels;
+}
+
+Voxels randomVoxels(const Grid& grid, std::size_t count, std::uint32_t seed)
+{
+  const auto all = static_cast<std::size_t>(grid.pointCount());
+  if (all <= count)
+  {
+    return allVoxels(grid);
+  }
+  std::mt19937_64 random(seed);
+  Voxels voxels(count);
+  std::generate(voxels.begin(), voxels.end(), [&] { return random() % all; });
+  return voxels;
+}
+
+Point3 voxelPoint(const Grid& grid, std::size_t voxel)
+{
+  const auto width = static_cast<std::size_t>(grid.dimensions[0]);
+  const auto height = static_cast<std::size_t>(grid.dimensions[1]);
+  return grid.point(static_cast<int>(voxel % width), static_cast<int>(voxel / width % height),
+    static_cast<int>(voxel / width / height));
+}
+
+double voxelSize(const Grid& grid)
+{
+  return std::min({ grid.spacing[0], grid.spacing[1], grid.spacing[2] });
+}
+
+std::string FieldErrors::describe() const
+{
+  std::ostringstream text;
+  text << voxels << " voxels: distance wrong by up to " << distance << " at voxel " << worst << ", "
+       << inexact << " times by more than 1e-3; site " << site << ", point length " << pointLength
+       << ", point from cell " << pointFromCell << ", without site " << withoutSite
+       << ", wrong feature " << wrongFeature;
+  return text.str();
+}
+
+FieldErrors fieldErrors(
+  const TriangleMesh& mesh, const DistanceField& field, const Voxels& voxels)
+{
+  std::vector<Point3> queries;
+  queries.reserve(voxels.size());
+  for (const std::size_t voxel : voxels)
+  {
+    queries.push_back(voxelPoint(field.grid, voxel));
+  }
+  const std::vector<Hit> truth = closestOnMesh(mesh, queries);
+  ErrorSum sum(mesh, field);
+  parallelFor(voxels.size(), [&](std::size_t i) { sum.add(voxels[i], truth[i]); });
+  return sum.errors();
+}
+
+void expectExact(const TriangleMesh& mesh, const DistanceField& field, const Voxels& voxels)
+{
+  const FieldErrors errors = fieldErrors(mesh, field, voxels);
+  const double pointTolerance = kTolerance + 4.0 * errors.rounding;
+  const bool exact = errors.voxels > 0 && errors.withoutSite == 0 && errors.wrongFeature == 0 &&
+    errors.distance <= kTolerance && errors.inexact * kRare <= errors.voxels &&
+    errors.site <= kTolerance && errors.pointLength <= pointTolerance &&
+    errors.pointFromCell <= pointTolerance;
+  EXPECT_TRUE(exact) << errors.describe();
+}
+
+void expectExactField(
+  const TriangleMesh& mesh, const Grid& grid, const DistanceFieldOptions& options)
+{
+  const DistanceField field = computeDistanceField(mesh, grid, options);
+  expectExact(mesh, field, allVoxels(grid));
+}
+
+FieldDifference difference(
+  const TriangleMesh& mesh, const DistanceField& a, const DistanceField& b)
+{
+  const MeshTopology topology = analyseTopology(mesh);
+  const double unit = voxelSize(a.grid);
+  FieldDifference result;
+  for (std::size_t i = 0; i < a.distance.size(); ++i)
+  {
+    const double gap =
+      std::abs(static_cast<double>(a.distance[i]) - static_cast<double>(b.distance[i])) / unit;
+    result.distance = std::max(result.distance, gap);
+    if (a.closestSite[i] != b.closestSite[i])
+    {
+      const Point3 x = voxelPoint(a.grid, i);
+      const double toA = distanceToSite(mesh, topology, a.closestSite[i], x);
+      const double toB = distanceToSite(mesh, topology, b.closestSite[i], x);
+      ++result.sites;
+      result.untiedSites += std::abs(toA - toB) > kUsualTolerance * unit ? 1 : 0;
+    }
+  }
+  return result;
+}
+
+} // namespace medial::test

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "medial/distance/distance_field.h"
+#include "medial/mesh/triangle_mesh.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+// Distance fields against the brute-force oracle and against each other.
+namespace medial::test
+{
+
+/// Voxels, that is points, of a field: indices into its arrays.
+using Voxels = std::vector<std::size_t>;
+
+Voxels allVoxels(const Grid& grid);
+
+/// `count` voxels, uniformly random; the same for the same seed. All voxels where there are fewer.
+Voxels randomVoxels(const Grid& grid, std::size_t count, std::uint32_t seed = 1);
+
+Point3 voxelPoint(const Grid& grid, std::size_t voxel);
+
+/// The finest spacing: lengths below are in this unit.
+double voxelSize(const Grid& grid);
+
+/// How far a field is from the truth at some voxels. Lengths in voxels.
+struct FieldErrors
+{
+  std::size_t voxels = 0;
+  std::size_t withoutSite = 0;    ///< closest site outside [0, number of sites)
+  std::size_t wrongFeature = 0;   ///< feature that is not the kind of the closest site
+  std::size_t inexact = 0;        ///< distance more than 1e-3 wrong
+  double distance = 0.0;          ///< greatest error of abs(Distance)
+  double site = 0.0;              ///< greatest distance to the closest site beyond the least
+  double pointLength = 0.0;       ///< greatest difference of |ClosestPoint - voxel| and the distance
+  double pointFromCell = 0.0;     ///< greatest distance of ClosestPoint from ClosestCell
+  std::size_t worst = 0;          ///< the voxel of the greatest `distance`
+  double rounding = 0.0;          ///< what storing ClosestPoint in single precision may add
+
+  std::string describe() const;
+};
+
+FieldErrors fieldErrors(
+  const TriangleMesh& mesh, const DistanceField& field, const Voxels& voxels);
+
+/// Expects a field to be exact within the tolerances: errors of at most 1e-2 voxel everywhere and
+/// 1e-3 at 99.99 % of the voxels, true minimisers, closest points on their cells.
+void expectExact(const TriangleMesh& mesh, const DistanceField& field, const Voxels& voxels);
+
+/// Computes a field and checks it at every voxel.
+void expectExactField(
+  const TriangleMesh& mesh, const Grid& grid, const DistanceFieldOptions& options = {});
+
+/// How two fields over the same number of voxels differ.
+struct FieldDifference
+{
+  double distance = 0.0;       ///< greatest, in voxels of the first field, signs included
+  std::size_t sites = 0;       ///< voxels with different sites
+  std::size_t untiedSites = 0; ///< those whose sites the mesh has at different distances
+};
+
+FieldDifference difference(
+  const TriangleMesh& mesh, const DistanceField& a, const DistanceField& b);
+
+} // namespace medial::test
