@@ -1,0 +1,39 @@
+// Reads a surface, computes its medial axis and writes it: medial_pipeline INPUT.stl OUTPUT.vtp
+#include <vtkMedialAxis.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkSTLReader.h>
+#include <vtkXMLPolyDataWriter.h>
+
+#include <iostream>
+
+int main(int argc, char* argv[])
+{
+  if (argc != 3)
+  {
+    std::cerr << "usage: " << argv[0] << " INPUT.stl OUTPUT.vtp\n";
+    return 2;
+  }
+  vtkNew<vtkSTLReader> reader;
+  reader->SetFileName(argv[1]);
+
+  vtkNew<vtkMedialAxis> axis;
+  axis->SetInputConnection(reader->GetOutputPort());
+  axis->SetResolution(64);
+  axis->SetAngle(60.0);
+  axis->Update();
+  if (axis->GetErrorCode() != 0 || axis->GetOutput()->GetNumberOfPoints() == 0)
+  {
+    return 1; // VTK has told why
+  }
+
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetInputConnection(axis->GetOutputPort());
+  writer->SetFileName(argv[2]);
+  if (writer->Write() == 0)
+  {
+    return 1;
+  }
+  std::cout << axis->GetOutput()->GetNumberOfCells() << " cells, computed on "
+            << axis->GetRenderer() << "\n";
+}

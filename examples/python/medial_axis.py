@@ -1,0 +1,41 @@
+"""Writes the medial axis and the distance field of a surface.
+
+usage: medial_axis.py INPUT.stl AXIS.vtp FIELD.vti
+
+The folder of the package must be on PYTHONPATH unless Medial is installed where Python looks.
+"""
+
+import sys
+
+import medial
+from vtkmodules.vtkIOGeometry import vtkSTLReader
+from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLPolyDataWriter
+
+
+def main(surface_file, axis_file, field_file):
+    reader = vtkSTLReader()
+    reader.SetFileName(surface_file)
+
+    axis = medial.vtkMedialAxis()
+    axis.SetInputConnection(reader.GetOutputPort())
+    axis.SetResolution(64)
+    axis.SetAngle(60.0)
+    axis.GenerateDistanceFieldOn()  # output port 1
+    axis.Update()
+    if axis.GetErrorCode() != 0:
+        return 1  # VTK has told why
+
+    for port, writer, name in ((0, vtkXMLPolyDataWriter(), axis_file),
+                               (1, vtkXMLImageDataWriter(), field_file)):
+        writer.SetInputConnection(axis.GetOutputPort(port))
+        writer.SetFileName(name)
+        if not writer.Write():
+            return 1
+    print(axis.GetOutput().GetNumberOfCells(), "cells, computed on", axis.GetRenderer())
+    return 0
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 4:
+        sys.exit(__doc__)
+    sys.exit(main(*sys.argv[1:]))

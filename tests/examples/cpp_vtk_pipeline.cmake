@@ -1,0 +1,16 @@
+# The example of a VTK pipeline: the axis that it writes must be that of the box that it reads.
+include("${CMAKE_CURRENT_LIST_DIR}/consumer.cmake")
+build_example("${SOURCE}")
+run(output "${WORK}/medial_pipeline" "${BOX}" "${WORK}/axis.vtp")
+if(NOT output MATCHES "^[0-9]+ cells, computed on [^\n]+")
+  message(FATAL_ERROR "unexpected output: ${output}")
+endif()
+run(figures "${CHECK}" "${WORK}/axis.vtp")
+
+# Without a file to read there is no axis, and nothing that looks like one.
+execute_process(
+  COMMAND "${WORK}/medial_pipeline" "${WORK}/absent.stl" "${WORK}/absent.vtp"
+  RESULT_VARIABLE code OUTPUT_QUIET ERROR_QUIET)
+if(NOT code EQUAL 1 OR EXISTS "${WORK}/absent.vtp")
+  message(FATAL_ERROR "a missing input file ended with ${code}")
+endif()

@@ -1,0 +1,19 @@
+# Installs BUILD and moves the result to PREFIX, as an installation must not depend on its place.
+file(REMOVE_RECURSE "${PREFIX}" "${PREFIX}.new")
+execute_process(
+  COMMAND "${CMAKE_COMMAND}" --install "${BUILD}" --prefix "${PREFIX}.new" --config "${CONFIG}"
+  COMMAND_ERROR_IS_FATAL ANY OUTPUT_QUIET)
+file(RENAME "${PREFIX}.new" "${PREFIX}")
+
+# No file of the package may know the trees that it was built from.
+file(GLOB_RECURSE package "${PREFIX}/*.cmake")
+if(NOT package)
+  message(FATAL_ERROR "no CMake package was installed")
+endif()
+foreach(file IN LISTS package)
+  file(READ "${file}" text)
+  string(FIND "${text}" "${BUILD}" position)
+  if(NOT position EQUAL -1)
+    message(FATAL_ERROR "${file} names the build tree")
+  endif()
+endforeach()
