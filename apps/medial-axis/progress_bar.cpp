@@ -29,7 +29,7 @@ ProgressBar::~ProgressBar()
 void ProgressBar::show(double fraction, const char* phase)
 {
   const auto now = std::chrono::steady_clock::now();
-  if (!visible_ || (drawn_ && now - lastDrawn_ < kRedrawInterval))
+  if (!visible_ || (phase_ == phase && now - lastDrawn_ < kRedrawInterval))
   {
     return;
   }
@@ -38,17 +38,17 @@ void ProgressBar::show(double fraction, const char* phase)
   const std::string bar = std::string(filled, '#') + std::string(kWidth - filled, '.');
   std::fprintf(stderr, "\r[%s] %3d%% %s\033[K", bar.c_str(), static_cast<int>(100 * share), phase);
   std::fflush(stderr);
-  drawn_ = true;
+  phase_ = phase;
   lastDrawn_ = now;
 }
 
 void ProgressBar::clear()
 {
-  if (drawn_)
+  if (!phase_.empty())
   {
     std::fputs("\r\033[K", stderr);
     std::fflush(stderr);
-    drawn_ = false;
+    phase_.clear();
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <string>
 
 namespace medial::app
 {
@@ -24,7 +25,7 @@ public:
 
 private:
   bool visible_ = false;
-  bool drawn_ = false;
+  std::string phase_; // of the line that is shown; empty for none
   std::chrono::steady_clock::time_point lastDrawn_;
 };
 

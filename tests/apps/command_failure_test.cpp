@@ -1,0 +1,224 @@
+#include "mesh_texts.h"
+#include "program.h"
+
+#include "support/shapes.h"
+
+#include <nlohmann/json.hpp>
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace medial::test
+{
+namespace
+{
+
+constexpr int kBadInput = 3;
+constexpr int kNoGpu = 4;
+constexpr int kNoSpace = 5;
+constexpr int kInterrupted = 130;
+
+bool contains(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
+
+class CommandFailure : public ::testing::Test
+{
+protected:
+  CommandFailure() { writeFile(input, objText(box({ 1.0, 0.7, 0.4 }))); }
+
+  // Runs with all outputs asked for; it must end with `exitCode`, one line on stderr and no file.
+  std::string failure(int exitCode, std::vector<std::string> arguments,
+    const RunOptions& options = {})
+  {
+    const TemporaryFolder outputs;
+    arguments.insert(arguments.end(),
+      { "-o", outputs.file("axis.vtp"), "--field", outputs.file("field.vti"), "--image",
+        outputs.file("picture.png"), "--report", outputs.file("report.json") });
+    const Outcome outcome = runMedialAxis(arguments, options);
+    EXPECT_EQ(outcome.exitCode, exitCode) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(outcome.err.rfind("medial-axis: ", 0), 0U) << outcome.err;
+    EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1) << outcome.err;
+    EXPECT_EQ(outputs.list(), std::vector<std::string>());
+    return outcome.err;
+  }
+
+  void expectBadInput(const std::string& name, const std::string& content, const std::string& why)
+  {
+    writeFile(folder.file(name), content);
+    const std::string error = failure(kBadInput, { folder.file(name) });
+    EXPECT_TRUE(contains(error, folder.file(name))) << error;
+    EXPECT_TRUE(contains(error, why)) << error;
+  }
+
+  TemporaryFolder folder;
+  std::string input = folder.file("box.obj");
+};
+
+TEST_F(CommandFailure, MissingFile)
+{
+  const std::string error = failure(kBadInput, { folder.file("missing.stl") });
+  EXPECT_TRUE(contains(error, "missing.stl: no such file")) << error;
+}
+
+TEST_F(CommandFailure, FolderAsInput)
+{
+  std::filesystem::create_directory(folder.file("folder.obj"));
+  const std::string error = failure(kBadInput, { folder.file("folder.obj") });
+  EXPECT_TRUE(contains(error, "is not a regular file")) << error;
+}
+
+TEST_F(CommandFailure, UnknownExtension)
+{
+  expectBadInput("mesh.step", "x", "unknown extension '.step', allowed: .stl .obj .ply .off");
+}
+
+TEST_F(CommandFailure, EmptyMesh)
+{
+  const TriangleMesh nothing;
+  expectBadInput("empty.obj", "", "holds no faces");
+  expectBadInput("empty.off", offText(nothing), "holds no faces");
+  expectBadInput("empty.ply", plyText(nothing), "holds no faces");
+  expectBadInput("empty.stl", stlBinary(nothing), "0 triangles");
+  expectBadInput("empty.vtk", vtkText(nothing), "holds no faces");
+}
+
+TEST_F(CommandFailure, OnlyNaNs)
+{
+  TriangleMesh mesh = box({ 1.0, 1.0, 1.0 });
+  for (Point3& point : mesh.points)
+  {
+    point.fill(std::numeric_limits<double>::quiet_NaN());
+  }
+  expectBadInput("nan.obj", objText(mesh), "nan");
+  expectBadInput("nan.off", offText(mesh), "nan");
+  expectBadInput("nan.ply", plyText(mesh), "nan");
+  expectBadInput("nan_binary.ply", plyBinary(mesh, false), "nan");
+  expectBadInput("nan.stl", stlText(mesh), "nan");
+  expectBadInput("nan_binary.stl", stlBinary(mesh), "nan");
+  expectBadInput("nan.vtk", vtkText(mesh), "nan");
+}
+
+TEST_F(CommandFailure, TruncatedFiles)
+{
+  const TriangleMesh mesh = icosphere(1.0, 2);
+  const std::string stl = stlBinary(mesh);
+  const std::string ply = plyBinary(mesh, false);
+  expectBadInput("cut.stl", stl.substr(0, stl.size() / 2), "320 triangles");
+  expectBadInput("cut.ply", ply.substr(0, ply.size() / 2), "ends early");
+}
+
+TEST_F(CommandFailure, IndicesOutOfRange)
+{
+  TriangleMesh mesh = box({ 1.0, 1.0, 1.0 });
+  mesh.triangles[5] = { 0, 1, 77 };
+  expectBadInput("index.obj", objText(mesh), "point index 78 is outside [1, 8]");
+  expectBadInput("index.ply", plyText(mesh), "point index 77 is outside [0, 7]");
+}
+
+TEST_F(CommandFailure, GridTooFine)
+{
+  const std::string error = failure(kBadInput, { input, "--spacing", "1e-6" });
+  EXPECT_TRUE(contains(error, "8192")) << error;
+}
+
+TEST_F(CommandFailure, PseudonormalsOfAnOpenMesh)
+{
+  writeFile(input, objText(plates(0.5, 1.0)));
+  const std::string error = failure(kBadInput, { input, "--sign", "pseudonormal" });
+  EXPECT_TRUE(contains(error, input)) << error;
+}
+
+TEST_F(CommandFailure, OutputsThatCannotBeWritten)
+{
+  std::filesystem::create_directory(folder.file("folder.ma"));
+  for (const std::string& path : { folder.file("no/such/folder/axis.ma"), folder.file("folder.ma"),
+         folder.file("box.obj/axis.ma") })
+  {
+    const Outcome outcome = runMedialAxis({ input, "-o", path });
+    EXPECT_EQ(outcome.exitCode, kNoSpace);
+    EXPECT_TRUE(contains(outcome.err, path + ": cannot be written")) << outcome.err;
+    EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1) << outcome.err;
+  }
+}
+
+TEST_F(CommandFailure, OneOutputThatCannotBeWrittenStopsTheOthers)
+{
+  const Outcome outcome = runMedialAxis(
+    { input, "-o", folder.file("axis.ma"), "--report", folder.file("no/report.json") });
+  EXPECT_EQ(outcome.exitCode, kNoSpace);
+  EXPECT_EQ(folder.list(), std::vector<std::string>{ "box.obj" });
+}
+
+TEST_F(CommandFailure, FullDisk)
+{
+  RunOptions options;
+  options.fileSizeLimit = 4096;
+  for (const char* name : { "axis.vtp", "axis.ply", "axis.obj", "axis.ma" })
+  {
+    writeFile(folder.file(name), "old");
+    const Outcome outcome =
+      runMedialAxis({ input, "-o", folder.file(name), "--resolution", "41" }, options);
+    EXPECT_EQ(outcome.exitCode, kNoSpace) << name;
+    EXPECT_TRUE(contains(outcome.err, folder.file(name) + ": cannot be written")) << outcome.err;
+    EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1) << outcome.err;
+    EXPECT_EQ(readFile(folder.file(name)), "old");
+    std::filesystem::remove(folder.file(name));
+  }
+  EXPECT_EQ(folder.list(), std::vector<std::string>{ "box.obj" });
+  failure(kNoSpace, { input, "--resolution", "41" }, options);
+}
+
+TEST_F(CommandFailure, MoreMemoryThanThereIs)
+{
+  writeFile(input, objText(box({ 1.0, 1.0, 1.0 })));
+  RunOptions options;
+  options.environment = { { "ASAN_OPTIONS", "allocator_may_return_null=1" } };
+  failure(kNoSpace, { input, "--resolution", "8192" }, options);
+}
+
+TEST_F(CommandFailure, NoEgl)
+{
+  std::filesystem::create_directory(folder.file("vendors"));
+  RunOptions options;
+  options.environment = { { "__EGL_VENDOR_LIBRARY_DIRS", folder.file("vendors") },
+    { "__EGL_VENDOR_LIBRARY_FILENAMES", folder.file("vendors/none.json") } };
+  const std::string error = failure(kNoGpu, { input }, options);
+  EXPECT_TRUE(contains(error, "OpenGL") || contains(error, "EGL")) << error;
+}
+
+TEST_F(CommandFailure, SoftwareRendererWhereHardwareIsRequired)
+{
+  const Outcome probe =
+    runMedialAxis({ input, "--resolution", "8", "--report", folder.file("report.json") });
+  ASSERT_EQ(probe.exitCode, 0) << probe.err;
+  const auto device = nlohmann::json::parse(readFile(folder.file("report.json")))["device"];
+  const Outcome outcome =
+    runMedialAxis({ input, "--resolution", "8", "--require-gpu", "-o", folder.file("axis.ma") });
+  EXPECT_EQ(outcome.exitCode, device["software"].get<bool>() ? kNoGpu : 0);
+  if (outcome.exitCode == kNoGpu)
+  {
+    EXPECT_TRUE(contains(outcome.err, device["renderer"].get<std::string>())) << outcome.err;
+  }
+}
+
+TEST_F(CommandFailure, InterruptLeavesNothingBehind)
+{
+  writeFile(input, objText(icosphere(1.0, 5)));
+  writeFile(folder.file("axis.vtp"), "old");
+  RunOptions options;
+  options.interruptAfter = 0.5;
+  const Outcome outcome =
+    runMedialAxis({ input, "--resolution", "512", "-o", folder.file("axis.vtp") }, options);
+  EXPECT_EQ(outcome.exitCode, kInterrupted) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "interrupted")) << outcome.err;
+  EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1) << outcome.err;
+  EXPECT_EQ(folder.list(), (std::vector<std::string>{ "axis.vtp", "box.obj" }));
+  EXPECT_EQ(readFile(folder.file("axis.vtp")), "old");
+}
+
+} // namespace
+} // namespace medial::test

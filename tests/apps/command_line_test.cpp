@@ -1,0 +1,155 @@
+#include "mesh_texts.h"
+#include "program.h"
+
+#include "support/shapes.h"
+
+#include <vtkMedialAxis.h>
+#include <vtkNew.h>
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+namespace medial::test
+{
+namespace
+{
+
+constexpr int kUsage = 2;
+
+class CommandLine : public ::testing::Test
+{
+protected:
+  CommandLine() { writeFile(input, objText(box({ 1.0, 0.7, 0.4 }))); }
+
+  // Runs with arguments that must be refused as usage errors; returns the one line on stderr.
+  std::string usageError(std::vector<std::string> arguments)
+  {
+    arguments.insert(arguments.begin(), { input, "-o", folder.file("axis.vtp") });
+    const Outcome outcome = runMedialAxis(arguments);
+    EXPECT_EQ(outcome.exitCode, kUsage) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1) << outcome.err;
+    EXPECT_EQ(folder.list(), std::vector<std::string>{ "box.obj" });
+    return outcome.err;
+  }
+
+  TemporaryFolder folder;
+  std::string input = folder.file("box.obj");
+};
+
+bool contains(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
+
+std::string defaultOf(double value)
+{
+  std::ostringstream text;
+  text << "default " << value;
+  return text.str();
+}
+
+TEST_F(CommandLine, HelpNamesEveryOption)
+{
+  const Outcome help = runMedialAxis({ "--help" });
+  EXPECT_EQ(help.exitCode, 0);
+  EXPECT_EQ(help.err, "");
+  for (const char* option : { "-o,--output", "--field", "--thickness", "--image", "--resolution",
+         "--spacing", "--padding", "--angle", "--side", "--representation", "--sign", "--threads",
+         "--memory", "--report", "--require-gpu", "-q,--quiet", "--version", "--help" })
+  {
+    EXPECT_TRUE(contains(help.out, option)) << option;
+  }
+  EXPECT_TRUE(contains(help.out, "Exit codes: 0 done; 2 usage; 3 bad input; 4 no usable OpenGL;"));
+}
+
+TEST_F(CommandLine, HelpStatesTheDefaultsOfTheFilter)
+{
+  const std::string help = runMedialAxis({ "--help" }).out;
+  vtkNew<vtkMedialAxis> filter;
+  EXPECT_TRUE(contains(help, "in [2, 8192]; " + defaultOf(filter->GetResolution())));
+  EXPECT_TRUE(contains(help, "in [0, 10]; " + defaultOf(filter->GetPadding())));
+  EXPECT_TRUE(contains(help, defaultOf(filter->GetAngle())));
+  EXPECT_TRUE(contains(help, "0 for all cores; " + defaultOf(filter->GetNumberOfThreads())));
+  EXPECT_TRUE(contains(help, "0 chooses; " + defaultOf(filter->GetMemoryLimit())));
+}
+
+TEST_F(CommandLine, VersionIsOneLine)
+{
+  const Outcome version = runMedialAxis({ "--version" });
+  EXPECT_EQ(version.exitCode, 0);
+  EXPECT_EQ(version.out.rfind("medial-axis ", 0), 0U);
+  EXPECT_EQ(version.out.find('\n'), version.out.size() - 1);
+}
+
+TEST_F(CommandLine, RefusesNumbersOutsideTheirRange)
+{
+  const std::vector<std::array<std::string, 3>> cases = { { "--resolution", "0", "[2, 8192]" },
+    { "--resolution", "100000", "[2, 8192]" }, { "--resolution", "1.5", "[2, 8192]" },
+    { "--spacing", "-0.5", "(0, infinity)" }, { "--spacing", "0", "(0, infinity)" },
+    { "--spacing", "nan", "(0, infinity)" }, { "--padding", "-1", "[0, 10]" },
+    { "--padding", "11", "[0, 10]" }, { "--angle", "0", "(0, 180)" },
+    { "--angle", "180", "(0, 180)" }, { "--angle", "-3", "(0, 180)" },
+    { "--angle", "nan", "(0, 180)" }, { "--angle", "wide", "(0, 180)" },
+    { "--threads", "-1", "[0, 1024]" }, { "--threads", "2000", "[0, 1024]" },
+    { "--memory", "63", "[64," }, { "--memory", "-64", "[64," } };
+  for (const auto& [option, value, range] : cases)
+  {
+    const std::string error = usageError({ option, value });
+    EXPECT_TRUE(contains(error, option)) << error;
+    EXPECT_TRUE(contains(error, value)) << error;
+    EXPECT_TRUE(contains(error, range)) << error;
+  }
+}
+
+TEST_F(CommandLine, RefusesUnknownWords)
+{
+  EXPECT_TRUE(
+    contains(usageError({ "--side", "top" }), "'top' is not one of both, exterior, interior"));
+  EXPECT_TRUE(contains(usageError({ "--representation", "mesh" }),
+    "'mesh' is not one of faces, points, surface"));
+  EXPECT_TRUE(contains(usageError({ "--sign", "plus" }), "'plus' is not one of"));
+  EXPECT_TRUE(contains(usageError({ "--colour", "red" }), "--colour"));
+  EXPECT_TRUE(contains(usageError({ "second.obj" }), "second.obj"));
+}
+
+TEST_F(CommandLine, RefusesUnknownOutputFormats)
+{
+  EXPECT_TRUE(contains(usageError({ "--field", folder.file("x.vtk") }), "x.vtk"));
+  EXPECT_TRUE(contains(usageError({ "--image", folder.file("x.jpg") }), "'.jpg', allowed: .png"));
+  EXPECT_TRUE(contains(usageError({ "--report", folder.file("x") }), "allowed: .json"));
+  const Outcome outcome = runMedialAxis({ input, "-o", folder.file("axis.stl") });
+  EXPECT_EQ(outcome.exitCode, kUsage);
+  EXPECT_TRUE(contains(outcome.err, "'.stl', allowed: .vtp .ply .obj .ma")) << outcome.err;
+}
+
+TEST_F(CommandLine, SaysWhatIsNotThereYet)
+{
+  EXPECT_TRUE(contains(usageError({ "--thickness", folder.file("t.vtp") }), "not available yet"));
+  EXPECT_TRUE(contains(usageError({ "--sign", "winding" }), "not available yet"));
+}
+
+TEST_F(CommandLine, RefusesTwoGridsAtOnce)
+{
+  const std::string error = usageError({ "--resolution", "32", "--spacing", "0.1" });
+  EXPECT_TRUE(contains(error, "--resolution") && contains(error, "--spacing")) << error;
+}
+
+TEST_F(CommandLine, NeedsAnInput)
+{
+  const Outcome outcome = runMedialAxis({});
+  EXPECT_EQ(outcome.exitCode, kUsage);
+  EXPECT_TRUE(contains(outcome.err, "INPUT")) << outcome.err;
+}
+
+TEST_F(CommandLine, DoesNotOverwriteItsInput)
+{
+  const std::string before = readFile(input);
+  const Outcome outcome = runMedialAxis({ input, "-o", folder.path() / "." / "box.obj" });
+  EXPECT_EQ(outcome.exitCode, kUsage) << outcome.err;
+  EXPECT_EQ(readFile(input), before);
+}
+
+} // namespace
+} // namespace medial::test

@@ -1,0 +1,237 @@
+#include "failure.h"
+#include "mesh_reader.h"
+#include "mesh_texts.h"
+#include "program.h"
+
+#include "support/shapes.h"
+
+#include <vtkCellArray.h>
+#include <vtkXMLPolyDataWriter.h>
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+namespace medial::test
+{
+namespace
+{
+
+using app::Failure;
+using app::readMesh;
+
+// Dyadic half sides, so that single precision keeps them.
+TriangleMesh sample()
+{
+  return box({ 2.0, 1.0, 0.5 });
+}
+
+vtkSmartPointer<vtkPolyData> readText(const std::string& name, const std::string& content)
+{
+  const TemporaryFolder folder;
+  writeFile(folder.file(name), content);
+  return readMesh(folder.file(name));
+}
+
+// The message for a file that must be refused, without the folder's name.
+std::string refusal(const std::string& name, const std::string& content)
+{
+  const TemporaryFolder folder;
+  writeFile(folder.file(name), content);
+  try
+  {
+    readMesh(folder.file(name));
+  }
+  catch (const Failure& failure)
+  {
+    EXPECT_EQ(failure.exitCode(), app::ExitCode::BadInput);
+    const std::string message = failure.what();
+    EXPECT_EQ(message.find(folder.path().string()), 0U) << message;
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+    return message.substr(folder.path().string().size() + 1);
+  }
+  ADD_FAILURE() << name << " was accepted";
+  return "";
+}
+
+void expectSample(vtkPolyData* mesh)
+{
+  const TriangleMesh expected = sample();
+  ASSERT_EQ(mesh->GetNumberOfPolys(), static_cast<vtkIdType>(expected.triangles.size()));
+  vtkIdType count = 0;
+  const vtkIdType* ids = nullptr;
+  for (std::size_t i = 0; i < expected.triangles.size(); ++i)
+  {
+    mesh->GetPolys()->GetCellAtId(static_cast<vtkIdType>(i), count, ids);
+    ASSERT_EQ(count, 3);
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      const Point3& point = expected.points[expected.triangles[i][corner]];
+      const double* read = mesh->GetPoint(ids[corner]);
+      EXPECT_EQ((Point3{ read[0], read[1], read[2] }), point);
+    }
+  }
+}
+
+TEST(MeshReader, ReadsEveryTextFormat)
+{
+  expectSample(readText("a.obj", objText(sample())));
+  expectSample(readText("a.off", offText(sample())));
+  expectSample(readText("a.ply", plyText(sample())));
+  expectSample(readText("a.stl", stlText(sample())));
+  expectSample(readText("a.vtk", vtkText(sample())));
+}
+
+TEST(MeshReader, ReadsEveryBinaryFormat)
+{
+  expectSample(readText("a.ply", plyBinary(sample(), false)));
+  expectSample(readText("a.ply", plyBinary(sample(), true)));
+  expectSample(readText("a.stl", stlBinary(sample())));
+}
+
+TEST(MeshReader, ReadsWhatVtkWrites)
+{
+  const TemporaryFolder folder;
+  vtkSmartPointer<vtkPolyData> mesh = readText("a.obj", objText(sample()));
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetInputData(mesh);
+  writer->SetFileName(folder.file("a.vtp").c_str());
+  writer->Write();
+  expectSample(readMesh(folder.file("a.vtp")));
+}
+
+TEST(MeshReader, TakesExtensionsInCapitals)
+{
+  expectSample(readText("a.OFF", offText(sample())));
+}
+
+TEST(MeshReader, KeepsDoublePrecisionFarFromTheOrigin)
+{
+  TriangleMesh mesh = sample();
+  for (Point3& point : mesh.points)
+  {
+    point[0] += 1000000.01;
+  }
+  for (const auto& [name, text] : { std::pair<std::string, std::string>{ "a.obj", objText(mesh) },
+         { "a.off", offText(mesh) }, { "a.ply", plyText(mesh) }, { "a.vtk", vtkText(mesh) } })
+  {
+    EXPECT_EQ(readText(name, text)->GetPoint(0)[0], mesh.points[0][0]) << name;
+  }
+}
+
+TEST(MeshReader, ReadsPolygonsLinesAndPointsOfObj)
+{
+  const auto mesh = readText("a.obj",
+    "v 0 0 0\nv +1 0 0 # comment\nv 1 1e0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\n"
+    "f 1/1/1 2//1 3/1 \\\n 4\nf -4 -3 -2\nl 1 2 3\np 4 1\nusemtl x\n");
+  EXPECT_EQ(mesh->GetNumberOfPolys(), 2);
+  EXPECT_EQ(mesh->GetNumberOfLines(), 1);
+  EXPECT_EQ(mesh->GetNumberOfVerts(), 1);
+  EXPECT_EQ(mesh->GetPolys()->GetCellSize(0), 4);
+}
+
+TEST(MeshReader, ReadsColouredOffAndEdgesOfPly)
+{
+  const auto off = readText("a.off",
+    "COFF\n3 1 0\n0 0 0 255 0 0 255\n1 0 0 0 0 0 0\n0 1 0 1 1 1 1\n3 0 1 2 9 9 9\n");
+  EXPECT_EQ(off->GetNumberOfPolys(), 1);
+  EXPECT_EQ(off->GetPoint(2)[1], 1.0);
+  const auto ply = readText("a.ply",
+    "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float "
+    "z\nelement edge 1\nproperty int vertex1\nproperty int vertex2\nend_header\n0 0 0\n1 2 3\n0 "
+    "1\n");
+  EXPECT_EQ(ply->GetNumberOfLines(), 1);
+}
+
+TEST(MeshReader, ReadsLegacyVtkWithOffsetsStripsAndFields)
+{
+  const auto mesh = readText("a.vtk",
+    "# vtk DataFile Version 5.1\nt\nASCII\nDATASET POLYDATA\nFIELD FieldData 1\nt 1 1 double\n0.5\n"
+    "POINTS 4 float\n0 0 0 1 0 0 0 1 0 1 1 0\nMETADATA\nINFORMATION 0\n\n"
+    "POLYGONS 2 3\nOFFSETS vtktypeint64\n0 3\nCONNECTIVITY vtktypeint64\n0 1 2\n"
+    "TRIANGLE_STRIPS 1 5\n4 0 1 2 3\nPOINT_DATA 4\nSCALARS s float 1\n");
+  EXPECT_EQ(mesh->GetNumberOfPolys(), 1);
+  EXPECT_EQ(mesh->GetNumberOfStrips(), 1);
+}
+
+TEST(MeshReader, RefusesWhatIsNoMeshFile)
+{
+  EXPECT_NE(refusal("a.xyz", "1").find("unknown extension '.xyz'"), std::string::npos);
+  for (const char* name : { "a.stl", "a.obj", "a.ply", "a.off", "a.vtp", "a.vtk" })
+  {
+    EXPECT_NE(refusal(name, ""), "") << name;
+    EXPECT_NE(refusal(name, "this is no mesh\n"), "") << name;
+    EXPECT_NE(refusal(name, std::string(300, '\0')), "") << name;
+  }
+}
+
+TEST(MeshReader, RefusesFilesThatEndEarly)
+{
+  const std::vector<std::pair<std::string, std::string>> files = { { "a.off", offText(sample()) },
+    { "a.ply", plyText(sample()) }, { "b.ply", plyBinary(sample(), false) },
+    { "c.ply", plyBinary(sample(), true) }, { "a.stl", stlText(sample()) },
+    { "b.stl", stlBinary(sample()) }, { "a.vtk", vtkText(sample()) } };
+  for (const auto& [name, content] : files)
+  {
+    for (const double share : { 0.1, 0.4, 0.7, 0.95 })
+    {
+      const auto length = static_cast<std::size_t>(share * static_cast<double>(content.size()));
+      EXPECT_NE(refusal(name, content.substr(0, length)), "") << name << ' ' << share;
+    }
+  }
+}
+
+TEST(MeshReader, NamesTheCountsOfTruncatedFiles)
+{
+  const std::string stl = stlBinary(sample());
+  EXPECT_NE(refusal("a.stl", stl.substr(0, stl.size() - 70)).find("12 triangles"),
+    std::string::npos);
+  EXPECT_NE(refusal("a.ply", plyText(sample(), 100)).find("promises 100 'face', number 13"),
+    std::string::npos);
+}
+
+TEST(MeshReader, RefusesPointsThatDoNotExist)
+{
+  TriangleMesh mesh = sample();
+  mesh.triangles[3][1] = 99;
+  const std::string expected = "point index 99 is outside [0, 7]";
+  EXPECT_NE(refusal("a.off", offText(mesh)).find(expected), std::string::npos);
+  EXPECT_NE(refusal("a.ply", plyText(mesh)).find(expected), std::string::npos);
+  EXPECT_NE(refusal("a.vtk", vtkText(mesh)).find(expected), std::string::npos);
+  EXPECT_NE(refusal("a.obj", objText(mesh)).find("line 14: point index 100 is outside [1, 8]"),
+    std::string::npos);
+  mesh.triangles[3][1] = -2;
+  EXPECT_NE(refusal("a.ply", plyText(mesh)).find("point index -2"), std::string::npos);
+  EXPECT_NE(refusal("a.obj", "v 0 0 0\nf 0 1 1\n").find("line 2: '0'"), std::string::npos);
+  EXPECT_NE(refusal("a.obj", "v 0 0 0\nf -2 1 1\n").find("line 2: '-2'"), std::string::npos);
+}
+
+TEST(MeshReader, RefusesWordsForNumbers)
+{
+  EXPECT_EQ(refusal("a.obj", "v 0 zero 0\n"), "a.obj: line 1: 'zero' is not a coordinate");
+  EXPECT_NE(refusal("a.off", "OFF\n1 0 0\n0 0 x\n").find("line 3"), std::string::npos);
+}
+
+TEST(MeshReader, RefusesHugeCountsWithoutHugeMemory)
+{
+  EXPECT_NE(refusal("a.off", "OFF\n4000000000000 1 0\n0 0 0\n"), "");
+  EXPECT_NE(refusal("a.vtk",
+              "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\n"
+              "POINTS 4000000000000000000 float\n0 0 0\n"),
+    "");
+  EXPECT_NE(refusal("a.ply",
+              "ply\nformat ascii 1.0\nelement vertex 9000000000000000000\nproperty float x\n"
+              "property float y\nproperty float z\nend_header\n0 0 0\n"),
+    "");
+}
+
+TEST(MeshReader, RefusesOtherDataSets)
+{
+  EXPECT_NE(refusal("a.vtk",
+              "# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 0 float\n")
+              .find("UNSTRUCTURED_GRID"),
+    std::string::npos);
+}
+
+} // namespace
+} // namespace medial::test

@@ -1,0 +1,174 @@
+#include "program.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+#include <poll.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace medial::test
+{
+namespace
+{
+
+struct Pipe
+{
+  int read = -1;
+  int write = -1;
+
+  Pipe()
+  {
+    int ends[2];
+    if (pipe(ends) != 0)
+    {
+      throw std::runtime_error("no pipe");
+    }
+    read = ends[0];
+    write = ends[1];
+  }
+};
+
+[[noreturn]] void becomeProgram(std::vector<char*>& argv, const RunOptions& options,
+  const Pipe& out, const Pipe& err)
+{
+  dup2(out.write, STDOUT_FILENO);
+  dup2(err.write, STDERR_FILENO);
+  for (const Pipe* pipe : { &out, &err })
+  {
+    close(pipe->read);
+    close(pipe->write);
+  }
+  for (const auto& [name, value] : options.environment)
+  {
+    setenv(name.c_str(), value.c_str(), 1);
+  }
+  if (!options.folder.empty() && chdir(options.folder.c_str()) != 0)
+  {
+    _exit(126);
+  }
+  if (options.fileSizeLimit > 0)
+  {
+    const auto limit = static_cast<rlim_t>(options.fileSizeLimit);
+    const struct rlimit both = { limit, limit };
+    setrlimit(RLIMIT_FSIZE, &both);
+  }
+  execv(argv[0], argv.data());
+  _exit(127);
+}
+
+// Reads both pipes until the program has closed them, and interrupts it in between.
+void follow(pid_t child, const RunOptions& options, Pipe& out, Pipe& err, Outcome& outcome)
+{
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  bool interrupted = options.interruptAfter <= 0.0;
+  struct pollfd streams[2] = { { out.read, POLLIN, 0 }, { err.read, POLLIN, 0 } };
+  std::string* texts[2] = { &outcome.out, &outcome.err };
+  while (streams[0].fd >= 0 || streams[1].fd >= 0)
+  {
+    poll(streams, 2, 20);
+    const std::chrono::duration<double> elapsed = Clock::now() - start;
+    if (!interrupted && elapsed.count() >= options.interruptAfter)
+    {
+      kill(child, SIGINT);
+      interrupted = true;
+    }
+    for (int i = 0; i < 2; ++i)
+    {
+      char buffer[4096];
+      if (streams[i].fd < 0 || streams[i].revents == 0)
+      {
+        continue;
+      }
+      const ssize_t count = ::read(streams[i].fd, buffer, sizeof(buffer));
+      if (count > 0)
+      {
+        texts[i]->append(buffer, static_cast<std::size_t>(count));
+      }
+      else if (count == 0 || errno != EINTR)
+      {
+        close(streams[i].fd);
+        streams[i].fd = -1;
+      }
+    }
+  }
+}
+
+} // namespace
+
+Outcome runMedialAxis(const std::vector<std::string>& arguments, const RunOptions& options)
+{
+  std::string program = MEDIAL_AXIS_PROGRAM;
+  std::vector<std::string> words = arguments;
+  std::vector<char*> argv{ program.data() };
+  for (std::string& word : words)
+  {
+    argv.push_back(word.data());
+  }
+  argv.push_back(nullptr);
+
+  Pipe out;
+  Pipe err;
+  const pid_t child = fork();
+  if (child == 0)
+  {
+    becomeProgram(argv, options, out, err);
+  }
+  close(out.write);
+  close(err.write);
+  Outcome outcome;
+  follow(child, options, out, err, outcome);
+  int status = 0;
+  waitpid(child, &status, 0);
+  outcome.exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  return outcome;
+}
+
+TemporaryFolder::TemporaryFolder()
+{
+  std::string name = (std::filesystem::temp_directory_path() / "medial-test-XXXXXX").string();
+  if (mkdtemp(name.data()) == nullptr)
+  {
+    throw std::runtime_error("no temporary folder");
+  }
+  path_ = name;
+}
+
+TemporaryFolder::~TemporaryFolder()
+{
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
+std::vector<std::string> TemporaryFolder::list() const
+{
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(path_))
+  {
+    names.push_back(entry.path().filename().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+void writeFile(const std::string& path, const std::string& content)
+{
+  std::ofstream(path, std::ios::binary) << content;
+}
+
+std::string readFile(const std::string& path)
+{
+  std::ostringstream content;
+  content << std::ifstream(path, std::ios::binary).rdbuf();
+  return content.str();
+}
+
+} // namespace medial::test

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+// Runs the built command medial-axis as a user would.
+namespace medial::test
+{
+
+/// How a run ended. A signal that ended it counts as 128 + its number, as in a shell.
+struct Outcome
+{
+  int exitCode = 0;
+  std::string out;
+  std::string err;
+};
+
+struct RunOptions
+{
+  std::vector<std::pair<std::string, std::string>> environment; ///< added to this process's
+  std::filesystem::path folder; ///< where to run; this process's folder when empty
+  long fileSizeLimit = 0;       ///< bytes that a file may grow to; 0 for no limit
+  double interruptAfter = 0.0;  ///< seconds after which SIGINT is sent; 0 for never
+};
+
+Outcome runMedialAxis(const std::vector<std::string>& arguments, const RunOptions& options = {});
+
+/// A folder of its own that is removed with all its content at the end.
+class TemporaryFolder
+{
+public:
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+  std::string file(const std::string& name) const { return (path_ / name).string(); }
+  /// Names of the files in it, hidden ones too, in order.
+  std::vector<std::string> list() const;
+
+private:
+  std::filesystem::path path_;
+};
+
+void writeFile(const std::string& path, const std::string& content);
+std::string readFile(const std::string& path);
+
+} // namespace medial::test
