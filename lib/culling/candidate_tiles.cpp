@@ -53,7 +53,7 @@ CandidateHierarchy::CandidateHierarchy(const SiteSet& sites, const GridFrame& fr
   this->descendToBlocks(extent, filter_.allSites());
 }
 
-FrameBox CandidateHierarchy::box(const Extent& extent) const
+FrameBox CandidateHierarchy::pointHull(const Extent& extent) const
 {
   const glm::dvec3 low(extent.min[0], extent.min[1], extent.min[2]);
   const glm::dvec3 high(extent.max[0], extent.max[1], extent.max[2]);
@@ -61,11 +61,21 @@ FrameBox CandidateHierarchy::box(const Extent& extent) const
     glm::vec3(0.5 * (high - low) * frame_.step) };
 }
 
+FrameBox CandidateHierarchy::cellHull(const Extent& extent) const
+{
+  Extent cells = extent;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    cells.max[axis] = std::min(cells.max[axis] + 1, extent_.max[axis]);
+  }
+  return this->pointHull(cells);
+}
+
 void CandidateHierarchy::descendToBlocks(const Extent& node, const std::vector<int>& parent)
 {
   std::vector<int> candidates;
   CandidateFilter::Scratch scratch;
-  filter_.filter(parent, this->box(node), candidates, scratch);
+  filter_.filter(parent, this->cellHull(node), candidates, scratch);
   const std::vector<Extent> parts = split(node, blockSize_);
   if (parts.size() == 1)
   {
@@ -89,37 +99,58 @@ Extent CandidateHierarchy::slabExtent(int slab) const
   return extent;
 }
 
-std::vector<CandidateTiles> CandidateHierarchy::slabTiles(int slab) const
+std::vector<CandidateTiles> CandidateHierarchy::slabTiles(int slab,
+  std::vector<CandidateTiles>* cells) const
 {
   const std::size_t perSlab = static_cast<std::size_t>(blockCounts_.x) * blockCounts_.y;
   std::vector<CandidateTiles> tiles(perSlab);
+  if (cells != nullptr)
+  {
+    cells->assign(perSlab, {});
+  }
   tbb::parallel_for(std::size_t{ 0 }, perSlab,
     [&](std::size_t i)
     {
       const Block& block = blocks_[slab * perSlab + i];
       CandidateFilter::Scratch scratch;
-      this->descendToLeaves(block.extent, block.candidates, tiles[i], scratch);
+      this->descendToLeaves(block.extent, block.candidates, tiles[i],
+        cells != nullptr ? &(*cells)[i] : nullptr, scratch);
     });
   return tiles;
 }
 
 void CandidateHierarchy::descendToLeaves(const Extent& node, const std::vector<int>& parent,
-  CandidateTiles& tiles, CandidateFilter::Scratch& scratch) const
+  CandidateTiles& tiles, CandidateTiles* cells, CandidateFilter::Scratch& scratch) const
 {
   const std::vector<Extent> parts = split(node, glm::ivec3(kLeafSize));
-  if (parts.size() == 1)
+  if (parts.size() > 1)
   {
-    tiles.tiles.push_back(node);
-    filter_.filter(parent, this->box(node), tiles.candidates, scratch);
-    tiles.offsets.push_back(tiles.candidates.size());
+    std::vector<int> candidates;
+    filter_.filter(parent, this->cellHull(node), candidates, scratch);
+    for (const Extent& part : parts)
+    {
+      this->descendToLeaves(part, candidates, tiles, cells, scratch);
+    }
     return;
   }
-  std::vector<int> candidates;
-  filter_.filter(parent, this->box(node), candidates, scratch);
-  for (const Extent& part : parts)
+  if (cells == nullptr)
   {
-    this->descendToLeaves(part, candidates, tiles, scratch);
+    this->addLeaf(node, this->pointHull(node), parent, tiles, scratch);
+    return;
   }
+  this->addLeaf(node, this->cellHull(node), parent, *cells, scratch);
+  const std::vector<int> candidates(cells->candidates.begin() +
+      static_cast<std::ptrdiff_t>(cells->offsets.end()[-2]),
+    cells->candidates.end());
+  this->addLeaf(node, this->pointHull(node), candidates, tiles, scratch);
+}
+
+void CandidateHierarchy::addLeaf(const Extent& tile, const FrameBox& hull,
+  const std::vector<int>& parent, CandidateTiles& tiles, CandidateFilter::Scratch& scratch) const
+{
+  tiles.tiles.push_back(tile);
+  filter_.filter(parent, hull, tiles.candidates, scratch);
+  tiles.offsets.push_back(tiles.candidates.size());
 }
 
 } // namespace medial

@@ -11,7 +11,7 @@
 namespace medial
 {
 
-/// Leaf tiles of grid points, each with the sites that can be closest to one of its points.
+/// Leaf tiles of grid points, each with the sites that can be closest inside the tile's hull.
 struct CandidateTiles
 {
   std::vector<Extent> tiles;
@@ -37,8 +37,11 @@ public:
   int slabCount() const { return blockCounts_.z; }
   /// The part of the extent that slab `slab` covers.
   Extent slabExtent(int slab) const;
-  /// The leaf tiles of a slab, in one list per block.
-  std::vector<CandidateTiles> slabTiles(int slab) const;
+  /// The leaf tiles of a slab, in one list per block, for the hull of each tile's grid points.
+  /// @param cells if not null, set to the same tiles for the hull of their grid cells, that is up
+  ///   to the first points of the next tiles, so that there are no gaps between them.
+  std::vector<CandidateTiles> slabTiles(int slab,
+    std::vector<CandidateTiles>* cells = nullptr) const;
 
 private:
   struct Block
@@ -47,10 +50,13 @@ private:
     std::vector<int> candidates;
   };
 
-  FrameBox box(const Extent& extent) const;
+  FrameBox pointHull(const Extent& extent) const;
+  FrameBox cellHull(const Extent& extent) const;
   void descendToBlocks(const Extent& node, const std::vector<int>& parent);
   void descendToLeaves(const Extent& node, const std::vector<int>& parent, CandidateTiles& tiles,
-    CandidateFilter::Scratch& scratch) const;
+    CandidateTiles* cells, CandidateFilter::Scratch& scratch) const;
+  void addLeaf(const Extent& tile, const FrameBox& hull, const std::vector<int>& parent,
+    CandidateTiles& tiles, CandidateFilter::Scratch& scratch) const;
 
   CandidateFilter filter_;
   GridFrame frame_;

@@ -2,7 +2,7 @@
 
 #include "medial/common/error.h"
 #include "medial/common/stopwatch.h"
-#include "medial/culling/closest_site_query.h"
+#include "medial/distance/hole_repair.h"
 
 #include <tbb/task_arena.h>
 
@@ -77,6 +77,7 @@ FieldPipeline::FieldPipeline(const TriangleMesh& mesh, const MeshTopology& topol
   , frame_(grid)
   , sign_(checkedSign(mesh, topology, grid, extent, options))
   , sites_(timed(statistics_.seconds.sites, [&] { return SiteSet(mesh, topology, frame_); }))
+  , query_(sites_, frame_, extent)
 {
   statistics_.device = checkedDevice(options);
   statistics_.sites = sites_.size();
@@ -138,11 +139,16 @@ void FieldPipeline::run(const FieldArrays& arrays, SlabStage* stage)
     {
       this->report(static_cast<double>(slab) / hierarchy->slabCount(), "distance field");
       const Extent slabExtent = hierarchy->slabExtent(slab);
-      const std::vector<PolygonChunk> chunks = this->preparePolygons(*hierarchy, slab, atlas);
+      const std::vector<CandidateTiles> tiles = this->cullSlab(*hierarchy, slab, stage != nullptr);
+      const std::vector<PolygonChunk> chunks = this->preparePolygons(tiles, slabExtent, atlas);
       renderer.run(
         [&](SlabRenderer& r)
         {
-          this->renderSlab(r, slabExtent, chunks, previousSlices);
+          if (previousSlices > 0)
+          {
+            r.carryLastSlice(previousSlices);
+          }
+          this->renderSlab(r, slabExtent, tiles, chunks);
           if (stage != nullptr)
           {
             const Stopwatch watch(statistics_.seconds.medial);
@@ -167,21 +173,37 @@ void FieldPipeline::run(const FieldArrays& arrays, SlabStage* stage)
   }
 }
 
-std::vector<PolygonChunk> FieldPipeline::preparePolygons(const CandidateHierarchy& hierarchy,
-  int slab, const AtlasLayout& atlas)
+std::vector<CandidateTiles> FieldPipeline::cullSlab(const CandidateHierarchy& hierarchy, int slab,
+  bool keepCells)
+{
+  std::vector<CandidateTiles> tiles;
+  std::vector<CandidateTiles> cells;
+  this->inArena(
+    [&]
+    {
+      const Stopwatch watch(statistics_.seconds.cull);
+      tiles = hierarchy.slabTiles(slab, keepCells ? &cells : nullptr);
+    });
+  for (const CandidateTiles& block : tiles)
+  {
+    statistics_.candidatePairs += static_cast<std::int64_t>(block.candidates.size());
+  }
+  for (CandidateTiles& block : cells)
+  {
+    query_.add(std::move(block));
+  }
+  return tiles;
+}
+
+std::vector<PolygonChunk> FieldPipeline::preparePolygons(const std::vector<CandidateTiles>& tiles,
+  const Extent& slab, const AtlasLayout& atlas)
 {
   std::vector<PolygonChunk> chunks;
   this->inArena(
     [&]
     {
-      const std::vector<CandidateTiles> tiles =
-        timed(statistics_.seconds.cull, [&] { return hierarchy.slabTiles(slab); });
-      for (const CandidateTiles& block : tiles)
-      {
-        statistics_.candidatePairs += static_cast<std::int64_t>(block.candidates.size());
-      }
-      chunks = timed(statistics_.seconds.polygons,
-        [&] { return buildPolygons(sites_, frame_, tiles, hierarchy.slabExtent(slab), atlas); });
+      const Stopwatch watch(statistics_.seconds.polygons);
+      chunks = buildPolygons(sites_, frame_, tiles, slab, atlas);
     });
   double area = 0.0;
   for (const PolygonChunk& chunk : chunks)
@@ -194,48 +216,18 @@ std::vector<PolygonChunk> FieldPipeline::preparePolygons(const CandidateHierarch
 }
 
 void FieldPipeline::renderSlab(SlabRenderer& renderer, const Extent& slab,
-  const std::vector<PolygonChunk>& chunks, int previousSlices)
+  const std::vector<CandidateTiles>& tiles, const std::vector<PolygonChunk>& chunks)
 {
-  if (previousSlices > 0)
-  {
-    renderer.carryLastSlice(previousSlices);
-  }
   timed(statistics_.seconds.draw, [&] { renderer.draw(chunks); });
   const Stopwatch watch(statistics_.seconds.resolve);
   if (renderer.resolve(slab) > 0)
   {
-    this->repairHoles(renderer, slab);
-  }
-}
-
-void FieldPipeline::repairHoles(SlabRenderer& renderer, const Extent& slab) const
-{
-  std::vector<std::int32_t> closest(static_cast<std::size_t>(slab.pointCount()));
-  renderer.readSites(slab.size(2), closest.data());
-  std::vector<glm::ivec3> holes;
-  std::vector<glm::dvec3> samples;
-  for (std::size_t i = 0; i < closest.size(); ++i)
-  {
-    if (closest[i] < 0)
+    TileQuery query(sites_, frame_, slab);
+    for (const CandidateTiles& block : tiles)
     {
-      const auto row = static_cast<int>(i / slab.size(0));
-      holes.emplace_back(static_cast<int>(i % slab.size(0)), row % slab.size(1),
-        row / slab.size(1));
-      samples.push_back(frame_.sample(
-        glm::dvec3(holes.back()) + glm::dvec3(slab.min[0], slab.min[1], slab.min[2])));
+      query.add(block);
     }
-  }
-  const FieldSign sign = fieldSign(sign_, topology_);
-  const std::vector<glm::vec4> normals = sites_.pseudonormals(sign == FieldSign::Inward);
-  const std::vector<SitePoint> found = closestSites(sites_, CandidateFilter(sites_), samples);
-  for (std::size_t i = 0; i < holes.size(); ++i)
-  {
-    const glm::vec3 vector(found[i].point - samples[i]);
-    const bool inside =
-      sign != FieldSign::None && glm::dot(glm::vec3(normals[found[i].site]), vector) > 0.0f;
-    const float distance = glm::length(vector);
-    renderer.write(glm::ivec2(holes[i]), 1 + holes[i].z,
-      glm::vec4(vector, inside ? -distance : distance), found[i].site);
+    repairHoles(renderer, sites_, frame_, query, fieldSign(sign_, topology_), slab);
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "medial/culling/tile_query.h"
 #include "medial/distance/distance_field.h"
 #include "medial/distance/field_writer.h"
 #include "medial/distance/slab_renderer.h"
@@ -36,6 +37,9 @@ public:
   /// @param stage may be null.
   void run(const FieldArrays& arrays, SlabStage* stage);
 
+  /// Exact queries anywhere inside the extent; after a run with a stage.
+  const TileQuery& query() const { return query_; }
+
   const SiteSet& sites() const { return sites_; }
   const GridFrame& frame() const { return frame_; }
   SignMethod sign() const { return sign_; }
@@ -48,11 +52,12 @@ public:
 
 private:
   int chooseSlabSlices() const;
-  std::vector<PolygonChunk> preparePolygons(const CandidateHierarchy& hierarchy, int slab,
-    const AtlasLayout& atlas);
+  std::vector<CandidateTiles> cullSlab(const CandidateHierarchy& hierarchy, int slab,
+    bool keepCells);
+  std::vector<PolygonChunk> preparePolygons(const std::vector<CandidateTiles>& tiles,
+    const Extent& slab, const AtlasLayout& atlas);
   void renderSlab(SlabRenderer& renderer, const Extent& slab,
-    const std::vector<PolygonChunk>& chunks, int previousSlices);
-  void repairHoles(SlabRenderer& renderer, const Extent& slab) const;
+    const std::vector<CandidateTiles>& tiles, const std::vector<PolygonChunk>& chunks);
 
   const TriangleMesh& mesh_;
   const MeshTopology& topology_;
@@ -62,6 +67,7 @@ private:
   SignMethod sign_;
   RunStatistics statistics_;
   SiteSet sites_;
+  TileQuery query_;
 };
 
 } // namespace medial

@@ -1,13 +1,11 @@
 #include "medial/medial/bisector.h"
 
-#include "medial/culling/closest_site_query.h"
 #include "medial/medial/separation.h"
 #include "medial/sites/closest_point.h"
 
 #include <tbb/parallel_for.h>
 
 #include <cmath>
-#include <numeric>
 
 namespace medial
 {
@@ -94,14 +92,16 @@ private:
   glm::dvec3 along_;
 };
 
-/// Narrows a crossing to the change from or to a third site. Returns false when `third` is no
-/// nearer than the two, that is when the root is final.
-bool narrow(const SiteSet& sites, const SitePoint& third, const glm::dvec3& x, Crossing& crossing,
+/// Narrows a crossing to the change from or to a third site that is nearer to x, the point at the
+/// root. Returns false when there is none, that is when the root is final.
+bool narrow(const SiteSet& sites, const TileQuery& query, const glm::dvec3& x, Crossing& crossing,
   Interval& interval)
 {
   const SitePoint a = closestPoint(sites, crossing.siteA, x);
   const SitePoint b = closestPoint(sites, crossing.siteB, x);
-  if (glm::distance(third.point, x) > glm::distance(a.point, x) - kSameDistance)
+  const double distance = glm::distance(a.point, x);
+  const SitePoint third = query.closest(x, distance);
+  if (glm::distance(third.point, x) > distance - kSameDistance)
   {
     return false;
   }
@@ -120,36 +120,25 @@ bool narrow(const SiteSet& sites, const SitePoint& third, const glm::dvec3& x, C
 
 } // namespace
 
-std::vector<glm::dvec3> bisectorPoints(const SiteSet& sites, const CandidateFilter& filter,
-  const GridFrame& frame, std::vector<Crossing>& crossings)
+std::vector<glm::dvec3> bisectorPoints(const SiteSet& sites, const GridFrame& frame,
+  const TileQuery& query, std::vector<Crossing>& crossings)
 {
-  std::vector<Interval> intervals(crossings.size());
   std::vector<glm::dvec3> points(crossings.size());
-  std::vector<std::size_t> open(crossings.size());
-  std::iota(open.begin(), open.end(), std::size_t{ 0 });
-  for (int round = 0; round < kMaxRounds && !open.empty(); ++round)
-  {
-    std::vector<glm::dvec3> queries(open.size());
-    tbb::parallel_for(std::size_t{ 0 }, open.size(),
-      [&](std::size_t i)
-      {
-        const std::size_t c = open[i];
-        const EdgeBisector bisector(sites, frame, crossings[c]);
-        intervals[c].root = bisector.root(intervals[c].low, intervals[c].high);
-        points[c] = queries[i] = bisector.at(intervals[c].root);
-      });
-    const std::vector<SitePoint> closest = closestSites(sites, filter, queries);
-    std::vector<std::size_t> narrowed;
-    for (std::size_t i = 0; i < open.size(); ++i)
+  tbb::parallel_for(std::size_t{ 0 }, crossings.size(),
+    [&](std::size_t i)
     {
-      const std::size_t c = open[i];
-      if (narrow(sites, closest[i], points[c], crossings[c], intervals[c]))
+      Interval interval;
+      for (int round = 0; round < kMaxRounds; ++round)
       {
-        narrowed.push_back(c);
+        const EdgeBisector bisector(sites, frame, crossings[i]);
+        interval.root = bisector.root(interval.low, interval.high);
+        points[i] = bisector.at(interval.root);
+        if (!narrow(sites, query, points[i], crossings[i], interval))
+        {
+          break;
+        }
       }
-    }
-    open = std::move(narrowed);
-  }
+    });
   return points;
 }
 

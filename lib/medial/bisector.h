@@ -1,6 +1,6 @@
 #pragma once
 
-#include "medial/culling/candidate_filter.h"
+#include "medial/culling/tile_query.h"
 #include "medial/medial/crossing.h"
 #include "medial/sites/site_set.h"
 
@@ -16,7 +16,7 @@ namespace medial
 ///
 /// Where a third site is nearer there than the two, the crossing changes to the pair of this site
 /// with either of them, whichever has the larger separation angle; `crossings` are updated.
-std::vector<glm::dvec3> bisectorPoints(const SiteSet& sites, const CandidateFilter& filter,
-  const GridFrame& frame, std::vector<Crossing>& crossings);
+std::vector<glm::dvec3> bisectorPoints(const SiteSet& sites, const GridFrame& frame,
+  const TileQuery& query, std::vector<Crossing>& crossings);
 
 } // namespace medial

@@ -2,7 +2,7 @@
 
 #include "medial/common/error.h"
 #include "medial/common/stopwatch.h"
-#include "medial/culling/closest_site_query.h"
+#include "medial/culling/tile_query.h"
 #include "medial/distance/field_pipeline.h"
 #include "medial/medial/bisector.h"
 #include "medial/medial/medial_cells.h"
@@ -73,11 +73,10 @@ glm::dvec3 oppositePoint(const SiteSet& sites, const std::vector<Crossing>& cros
 }
 
 /// Exact radius and separation angle at every point of the complex, in world units.
-void evaluatePoints(const SiteSet& sites, const CandidateFilter& filter, const GridFrame& frame,
+void evaluatePoints(const SiteSet& sites, const TileQuery& query, const GridFrame& frame,
   const std::vector<Crossing>& crossings, const MedialComplex& complex, MedialAxis& axis)
 {
   const std::size_t count = complex.points.size();
-  const std::vector<SitePoint> closest = closestSites(sites, filter, complex.points);
   axis.points.resize(count);
   axis.radius.resize(count);
   axis.separationAngle.resize(count);
@@ -88,14 +87,17 @@ void evaluatePoints(const SiteSet& sites, const CandidateFilter& filter, const G
     [&](std::size_t p)
     {
       const glm::dvec3& x = complex.points[p];
-      const glm::dvec3 opposite = oppositePoint(sites, crossings, complex, p, closest[p]);
-      const double radius = glm::distance(x, closest[p].point) * frame.unit;
-      const double angle = separationAngle(x, closest[p].point, opposite);
+      const Crossing& crossing = crossings[complex.incident[complex.offsets[p]]];
+      const SitePoint closest =
+        query.closest(x, glm::distance(x, closestPoint(sites, crossing.siteA, x).point));
+      const glm::dvec3 opposite = oppositePoint(sites, crossings, complex, p, closest);
+      const double radius = glm::distance(x, closest.point) * frame.unit;
+      const double angle = separationAngle(x, closest.point, opposite);
       axis.points[p] = frame.toWorld(x);
       axis.radius[p] = static_cast<float>(radius);
       axis.separationAngle[p] = static_cast<float>(glm::degrees(angle));
       axis.lambda[p] = static_cast<float>(radius * std::sin(0.5 * angle));
-      axis.closestPointA[p] = narrowed(frame.toWorld(closest[p].point));
+      axis.closestPointA[p] = narrowed(frame.toWorld(closest.point));
       axis.closestPointB[p] = narrowed(frame.toWorld(opposite));
     });
 }
@@ -108,7 +110,7 @@ MedialComplex buildComplex(Representation representation, const std::vector<Cros
     case Representation::Surface:
       return surfaceComplex(crossings, points, extent);
     case Representation::Faces:
-      return faceComplex(crossings, frame);
+      return faceComplex(crossings, frame, extent);
     case Representation::Points:
       break;
   }
@@ -142,13 +144,14 @@ MedialAxis computeMedialAxis(const TriangleMesh& mesh, const MeshTopology& topol
     [&]
     {
       const Stopwatch watch(pipeline.statistics().seconds.medial);
-      const CandidateFilter filter(pipeline.sites());
+      const SiteSet& sites = pipeline.sites();
+      const GridFrame& frame = pipeline.frame();
       const std::vector<glm::dvec3> points =
-        bisectorPoints(pipeline.sites(), filter, pipeline.frame(), crossings);
-      MedialComplex complex = buildComplex(options.representation, crossings, points,
-        pipeline.frame(), grid.wholeExtent());
+        bisectorPoints(sites, frame, pipeline.query(), crossings);
+      MedialComplex complex =
+        buildComplex(options.representation, crossings, points, frame, grid.wholeExtent());
       buildCells(complex, axis);
-      evaluatePoints(pipeline.sites(), filter, pipeline.frame(), crossings, complex, axis);
+      evaluatePoints(sites, pipeline.query(), frame, crossings, complex, axis);
     });
   axis.statistics = pipeline.statistics();
   return axis;

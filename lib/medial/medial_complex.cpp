@@ -34,10 +34,21 @@ std::array<glm::ivec3, 4> cellsAround(const Crossing& crossing)
   return { crossing.voxel - u - v, crossing.voxel - v, crossing.voxel, crossing.voxel - u };
 }
 
+bool insideGrid(const glm::ivec3& cell, const Extent& extent)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (cell[axis] < extent.min[axis] || cell[axis] >= extent.max[axis])
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 /// Joins equal lattice points: each becomes a point with the crossings that meet there, and each
 /// crossing a quad.
-template <typename Accept>
-MedialComplex joinCorners(const std::vector<Crossing>& crossings, const Accept& accept,
+MedialComplex joinCorners(const std::vector<Crossing>& crossings, const Extent& extent,
   std::vector<glm::ivec3>& lattice)
 {
   std::vector<CornerKey> corners;
@@ -66,7 +77,7 @@ MedialComplex joinCorners(const std::vector<Crossing>& crossings, const Accept& 
   }
   for (const auto& quad : quads)
   {
-    if (accept(lattice[quad[0]]) && accept(lattice[quad[2]]))
+    if (insideGrid(lattice[quad[0]], extent) && insideGrid(lattice[quad[2]], extent))
     {
       complex.quads.push_back(quad);
     }
@@ -92,17 +103,8 @@ MedialComplex pointComplex(const std::vector<glm::dvec3>& bisectorPoints)
 MedialComplex surfaceComplex(const std::vector<Crossing>& crossings,
   const std::vector<glm::dvec3>& bisectorPoints, const Extent& extent)
 {
-  const auto insideGrid = [&](const glm::ivec3& cell)
-  {
-    bool inside = true;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      inside = inside && cell[axis] >= extent.min[axis] && cell[axis] < extent.max[axis];
-    }
-    return inside;
-  };
   std::vector<glm::ivec3> cells;
-  MedialComplex complex = joinCorners(crossings, insideGrid, cells);
+  MedialComplex complex = joinCorners(crossings, extent, cells);
   complex.points.reserve(cells.size());
   for (std::size_t p = 0; p < cells.size(); ++p)
   {
@@ -117,11 +119,11 @@ MedialComplex surfaceComplex(const std::vector<Crossing>& crossings,
   return complex;
 }
 
-MedialComplex faceComplex(const std::vector<Crossing>& crossings, const GridFrame& frame)
+MedialComplex faceComplex(const std::vector<Crossing>& crossings, const GridFrame& frame,
+  const Extent& extent)
 {
   std::vector<glm::ivec3> cells;
-  MedialComplex complex = joinCorners(
-    crossings, [](const glm::ivec3&) { return true; }, cells);
+  MedialComplex complex = joinCorners(crossings, extent, cells);
   complex.points.reserve(cells.size());
   for (const glm::ivec3& cell : cells)
   {

@@ -34,7 +34,8 @@ MedialComplex pointComplex(const std::vector<glm::dvec3>& bisectorPoints);
 MedialComplex surfaceComplex(const std::vector<Crossing>& crossings,
   const std::vector<glm::dvec3>& bisectorPoints, const Extent& extent);
 
-/// The voxel face halfway along every crossed edge.
-MedialComplex faceComplex(const std::vector<Crossing>& crossings, const GridFrame& frame);
+/// The voxel face halfway along every crossed edge that lies inside the grid.
+MedialComplex faceComplex(const std::vector<Crossing>& crossings, const GridFrame& frame,
+  const Extent& extent);
 
 } // namespace medial
