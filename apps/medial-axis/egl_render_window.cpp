@@ -64,20 +64,20 @@ EglRenderWindow::EglRenderWindow()
 // The display stays initialised: the library may use the same one.
 EglRenderWindow::~EglRenderWindow()
 {
-  if (this->Context)
+  if (this->context_)
   {
     this->MakeCurrent();
     this->Finalize();
     this->ReleaseCurrent();
-    eglDestroyContext(this->Display, this->Context);
+    eglDestroyContext(this->display_, this->context_);
   }
 }
 
-bool EglRenderWindow::CreateContext()
+bool EglRenderWindow::createContext()
 {
   for (EGLDisplay display : displays())
   {
-    if (this->CreateContextOn(display))
+    if (this->createContextOn(display))
     {
       return true;
     }
@@ -85,7 +85,7 @@ bool EglRenderWindow::CreateContext()
   return false;
 }
 
-bool EglRenderWindow::CreateContextOn(void* display)
+bool EglRenderWindow::createContextOn(void* display)
 {
   if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr) ||
     !eglBindAPI(EGL_OPENGL_API))
@@ -99,18 +99,18 @@ bool EglRenderWindow::CreateContextOn(void* display)
   eglChooseConfig(display, wanted, &config, 1, &configs);
   const EGLint attributes[] = { EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 5,
     EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE };
-  this->Context =
-    eglCreateContext(display, configs > 0 ? config : EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
-  if (this->Context == EGL_NO_CONTEXT)
+  this->context_ =
+    eglcreateContext(display, configs > 0 ? config : EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
+  if (this->context_ == EGL_NO_CONTEXT)
   {
     return false;
   }
-  this->Display = display;
+  this->display_ = display;
   this->MakeCurrent();
   if (!this->IsCurrent())
   {
-    eglDestroyContext(display, this->Context);
-    this->Context = nullptr;
+    eglDestroyContext(display, this->context_);
+    this->context_ = nullptr;
     return false;
   }
   return true;
@@ -118,17 +118,17 @@ bool EglRenderWindow::CreateContextOn(void* display)
 
 void EglRenderWindow::MakeCurrent()
 {
-  eglMakeCurrent(this->Display, EGL_NO_SURFACE, EGL_NO_SURFACE, this->Context);
+  eglMakeCurrent(this->display_, EGL_NO_SURFACE, EGL_NO_SURFACE, this->context_);
 }
 
 bool EglRenderWindow::IsCurrent()
 {
-  return this->Context && eglGetCurrentContext() == this->Context;
+  return this->context_ && eglGetCurrentContext() == this->context_;
 }
 
 void EglRenderWindow::ReleaseCurrent()
 {
-  eglMakeCurrent(this->Display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+  eglMakeCurrent(this->display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
 }
 
 void EglRenderWindow::OpenGLInitContext()

@@ -15,7 +15,7 @@ public:
 
   /// Makes the context; call once, before anything is drawn.
   /// @return false where no EGL display offers one.
-  bool CreateContext();
+  bool createContext();
 
   void MakeCurrent() override;
   bool IsCurrent() override;
@@ -32,10 +32,10 @@ private:
   EglRenderWindow(const EglRenderWindow&) = delete;
   void operator=(const EglRenderWindow&) = delete;
 
-  bool CreateContextOn(void* display);
+  bool createContextOn(void* display);
 
-  void* Display = nullptr;
-  void* Context = nullptr;
+  void* display_ = nullptr;
+  void* context_ = nullptr;
 };
 
 } // namespace medial::app

@@ -223,7 +223,7 @@ void drawPicture(vtkPolyData* surface, vtkPolyData* axis, const std::filesystem:
 {
   const VtkMessages messages;
   vtkNew<EglRenderWindow> window;
-  if (!window->CreateContext())
+  if (!window->createContext())
   {
     throw Failure(ExitCode::NoGpu, "no OpenGL context for drawing could be had from EGL");
   }

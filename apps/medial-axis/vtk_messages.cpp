@@ -38,16 +38,16 @@ public:
   vtkTypeMacro(MessageWindow, vtkOutputWindow);
 
   void DisplayText(const char*) override {}
-  void DisplayErrorText(const char* text) override { this->Keep(this->Error, text); }
-  void DisplayWarningText(const char* text) override { this->Keep(this->Warning, text); }
-  void DisplayGenericWarningText(const char* text) override { this->Keep(this->Warning, text); }
+  void DisplayErrorText(const char* text) override { this->keep(this->error, text); }
+  void DisplayWarningText(const char* text) override { this->keep(this->warning, text); }
+  void DisplayGenericWarningText(const char* text) override { this->keep(this->warning, text); }
   void DisplayDebugText(const char*) override {}
 
-  std::string Error;
-  std::string Warning;
+  std::string error;
+  std::string warning;
 
 private:
-  void Keep(std::string& place, const char* text)
+  void keep(std::string& place, const char* text)
   {
     if (place.empty())
     {
@@ -75,7 +75,7 @@ VtkMessages::~VtkMessages()
 std::string VtkMessages::first() const
 {
   const auto* window = static_cast<MessageWindow*>(vtkOutputWindow::GetInstance());
-  return window->Error.empty() ? window->Warning : window->Error;
+  return window->error.empty() ? window->warning : window->error;
 }
 
 } // namespace medial::app

@@ -1,0 +1,36 @@
+# Sourced by the project's scripts, which run in the project's root under "set -euo pipefail".
+
+# say TEXT: a line on the terminal.
+say() { printf '%s\n' "$*"; }
+
+# quietly LOG COMMAND...: the command's output goes to the file LOG; when it fails, so does this
+# function, after showing the end of LOG.
+quietly()
+{
+  local log=$1
+  shift
+  mkdir -p "$(dirname "$log")"
+  if ! "$@" >"$log" 2>&1; then
+    tail -n 60 "$log" >&2
+    say "failed: $*" >&2
+    say "the whole output is in $log" >&2
+    return 1
+  fi
+}
+
+# build PRESET FOLDER [TARGET...]: configures the preset where that was not done yet, and builds.
+build()
+{
+  local preset=$1 folder=$2
+  shift 2
+  local launcher=()
+  if command -v ccache >/dev/null; then
+    launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+  fi
+  if [[ ! -e $folder/build.ninja ]]; then
+    say "Configuring $folder (preset $preset)"
+    quietly "$folder/configure.log" cmake --preset "$preset" "${launcher[@]}"
+  fi
+  say "Building ${*:-everything} in $folder"
+  quietly "$folder/build.log" cmake --build "$folder" --parallel "$(nproc)" ${1:+--target "$@"}
+}
