@@ -43,6 +43,7 @@ CandidateHierarchy::CandidateHierarchy(const SiteSet& sites, const GridFrame& fr
   : filter_(sites)
   , frame_(frame)
   , extent_(extent)
+  , leafSize_(kLeafSize, kLeafSize, std::min(kLeafSize, slabSlices))
   , blockSize_(kBlockSize, kBlockSize, slabSlices)
 {
   for (int axis = 0; axis < 3; ++axis)
@@ -122,7 +123,7 @@ std::vector<CandidateTiles> CandidateHierarchy::slabTiles(int slab,
 void CandidateHierarchy::descendToLeaves(const Extent& node, const std::vector<int>& parent,
   CandidateTiles& tiles, CandidateTiles* cells, CandidateFilter::Scratch& scratch) const
 {
-  const std::vector<Extent> parts = split(node, glm::ivec3(kLeafSize));
+  const std::vector<Extent> parts = split(node, leafSize_);
   if (parts.size() > 1)
   {
     std::vector<int> candidates;

@@ -24,16 +24,20 @@ struct CandidateTiles
 class CandidateHierarchy
 {
 public:
-  /// Grid points along each side of a leaf tile.
+  /// Grid points along the sides of a leaf tile.
   static constexpr int kLeafSize = 8;
   /// Grid points along x and y of the blocks that the upper levels end with.
   static constexpr int kBlockSize = 64;
 
   /// @param extent part of the grid to cover.
-  /// @param slabSlices z size of a slab, a multiple of kLeafSize.
+  /// @param slabSlices z size of a slab, a power of two up to kBlockSize. Below kLeafSize it is the
+  /// z
+  ///   size of the leaf tiles too.
   CandidateHierarchy(const SiteSet& sites, const GridFrame& frame, const Extent& extent,
     int slabSlices);
 
+  /// Largest size of a leaf tile; tiles start at multiples of it from the extent's corner.
+  const glm::ivec3& leafSize() const { return leafSize_; }
   int slabCount() const { return blockCounts_.z; }
   /// The part of the extent that slab `slab` covers.
   Extent slabExtent(int slab) const;
@@ -61,6 +65,7 @@ private:
   CandidateFilter filter_;
   GridFrame frame_;
   Extent extent_;
+  glm::ivec3 leafSize_;
   glm::ivec3 blockSize_;
   glm::ivec3 blockCounts_;
   std::vector<Block> blocks_; ///< x fastest

@@ -6,16 +6,17 @@
 namespace medial
 {
 
-TileQuery::TileQuery(const SiteSet& sites, const GridFrame& frame, const Extent& extent)
+TileQuery::TileQuery(const SiteSet& sites, const GridFrame& frame, const Extent& extent,
+  const glm::ivec3& tileSize)
   : sites_(sites)
   , filter_(sites)
   , frame_(frame)
   , extent_(extent)
+  , tileSize_(tileSize)
 {
   for (int axis = 0; axis < 3; ++axis)
   {
-    tileCounts_[axis] =
-      (extent.size(axis) + CandidateHierarchy::kLeafSize - 1) / CandidateHierarchy::kLeafSize;
+    tileCounts_[axis] = (extent.size(axis) + tileSize[axis] - 1) / tileSize[axis];
   }
   tiles_.resize(static_cast<std::size_t>(tileCounts_.x) * tileCounts_.y * tileCounts_.z);
 }
@@ -26,7 +27,7 @@ std::size_t TileQuery::tileIndex(const glm::ivec3& gridPoint) const
   for (int axis = 2; axis >= 0; --axis)
   {
     const int offset = gridPoint[axis] - extent_.min[axis];
-    index = index * tileCounts_[axis] + offset / CandidateHierarchy::kLeafSize;
+    index = index * tileCounts_[axis] + offset / tileSize_[axis];
   }
   return index;
 }

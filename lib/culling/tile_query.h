@@ -17,7 +17,9 @@ namespace medial
 class TileQuery
 {
 public:
-  TileQuery(const SiteSet& sites, const GridFrame& frame, const Extent& extent);
+  /// @param tileSize of the tiles that will be added: CandidateHierarchy::leafSize().
+  TileQuery(const SiteSet& sites, const GridFrame& frame, const Extent& extent,
+    const glm::ivec3& tileSize);
 
   /// Adds the tiles of one block. They must cover the hull of what is asked for later.
   void add(CandidateTiles tiles);
@@ -40,6 +42,7 @@ private:
   CandidateFilter filter_;
   GridFrame frame_;
   Extent extent_;
+  glm::ivec3 tileSize_;
   glm::ivec3 tileCounts_;
   std::vector<CandidateTiles> blocks_;
   std::vector<Candidates> tiles_; ///< x fastest

@@ -9,25 +9,32 @@
 namespace medial
 {
 
-AtlasLayout AtlasLayout::make(const Extent& extent, int slots, int textureLimit)
+bool AtlasLayout::fits(const Extent& extent, int slabSlices, int textureLimit)
 {
-  AtlasLayout layout;
-  layout.sliceSize = { extent.size(0), extent.size(1) };
-  layout.slots = slots;
-  const int fittingColumns = textureLimit / layout.sliceSize.x;
-  const int fittingRows = textureLimit / layout.sliceSize.y;
-  const double squareColumns =
-    std::ceil(std::sqrt(static_cast<double>(slots) * layout.sliceSize.y / layout.sliceSize.x));
-  layout.columns =
-    std::clamp(static_cast<int>(squareColumns), 1, std::max(1, std::min(slots, fittingColumns)));
-  layout.rows = (slots + layout.columns - 1) / layout.columns;
-  if (fittingColumns < 1 || layout.rows > fittingRows)
+  const std::int64_t slots =
+    static_cast<std::int64_t>(textureLimit / extent.size(0)) * (textureLimit / extent.size(1));
+  return slots >= 1 + std::min(slabSlices, extent.size(2));
+}
+
+AtlasLayout AtlasLayout::make(const Extent& extent, int slabSlices, int textureLimit)
+{
+  if (!fits(extent, slabSlices, textureLimit))
   {
     throw Error(ErrorCode::GpuLimit,
-      "slices of " + std::to_string(layout.sliceSize.x) + " x " +
-        std::to_string(layout.sliceSize.y) + " points exceed the driver's texture limit of " +
-        std::to_string(textureLimit));
+      "slices of " + std::to_string(extent.size(0)) + " x " + std::to_string(extent.size(1)) +
+        " points exceed the driver's texture limit of " + std::to_string(textureLimit));
   }
+  AtlasLayout layout;
+  layout.sliceSize = { extent.size(0), extent.size(1) };
+  layout.slabSlices = slabSlices;
+  const int slots = 1 + std::min(slabSlices, extent.size(2));
+  const int mostRows = textureLimit / layout.sliceSize.y;
+  const int leastColumns = (slots + mostRows - 1) / mostRows;
+  const double square =
+    std::ceil(std::sqrt(static_cast<double>(slots) * layout.sliceSize.y / layout.sliceSize.x));
+  layout.columns =
+    std::clamp(static_cast<int>(square), leastColumns, textureLimit / layout.sliceSize.x);
+  layout.rows = (slots + layout.columns - 1) / layout.columns;
   return layout;
 }
 

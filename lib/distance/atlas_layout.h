@@ -14,11 +14,14 @@ struct AtlasLayout
   glm::ivec2 sliceSize{ 0 }; ///< grid points of a slice
   int columns = 1;
   int rows = 1;
-  int slots = 1; ///< 1 + slices of the thickest slab
+  int slabSlices = 0; ///< slices of a full slab, one less than slots
 
-  /// Nearly square layout of `slots` slices of the extent.
-  /// @throws Error GpuLimit when it exceeds `textureLimit` pixels along a side.
-  static AtlasLayout make(const Extent& extent, int slots, int textureLimit);
+  /// Whether a slab of so many slices of the extent fits textures of `textureLimit` pixels a side.
+  static bool fits(const Extent& extent, int slabSlices, int textureLimit);
+
+  /// Nearly square layout.
+  /// @throws Error GpuLimit when it does not fit.
+  static AtlasLayout make(const Extent& extent, int slabSlices, int textureLimit);
 
   glm::ivec2 size() const { return { columns * sliceSize.x, rows * sliceSize.y }; }
   glm::ivec2 slotOrigin(int slot) const

@@ -77,7 +77,6 @@ FieldPipeline::FieldPipeline(const TriangleMesh& mesh, const MeshTopology& topol
   , frame_(grid)
   , sign_(checkedSign(mesh, topology, grid, extent, options))
   , sites_(timed(statistics_.seconds.sites, [&] { return SiteSet(mesh, topology, frame_); }))
-  , query_(sites_, frame_, extent)
 {
   statistics_.device = checkedDevice(options);
   statistics_.sites = sites_.size();
@@ -103,68 +102,27 @@ void FieldPipeline::report(double fraction, const char* phase) const
   }
 }
 
-int FieldPipeline::chooseSlabSlices() const
+AtlasLayout FieldPipeline::chooseAtlas() const
 {
   const std::size_t mebibytes = options_.memoryMiB > 0 ? options_.memoryMiB : kDefaultMemoryMiB;
   const std::size_t slice = kBytesPerPoint * static_cast<std::size_t>(extent_.size(0)) *
     static_cast<std::size_t>(extent_.size(1));
   const std::size_t fitting = mebibytes * 1024 * 1024 / slice;
+  const int limit = textureLimit();
   int slices = CandidateHierarchy::kBlockSize;
-  while (slices > CandidateHierarchy::kLeafSize && static_cast<std::size_t>(slices) > fitting)
+  while (slices > 1 &&
+    (static_cast<std::size_t>(slices) > fitting || !AtlasLayout::fits(extent_, slices, limit)))
   {
     slices /= 2;
   }
-  return slices;
+  return AtlasLayout::make(extent_, slices, limit);
 }
 
 void FieldPipeline::run(const FieldArrays& arrays, SlabStage* stage)
 {
   try
   {
-    const int slabSlices = std::min(this->chooseSlabSlices(), CandidateHierarchy::kBlockSize);
-    this->report(0.0, "distance field");
-    const AtlasLayout atlas =
-      AtlasLayout::make(extent_, 1 + std::min(slabSlices, extent_.size(2)), textureLimit());
-    std::unique_ptr<CandidateHierarchy> hierarchy;
-    this->inArena(
-      [&]
-      {
-        const Stopwatch watch(statistics_.seconds.cull);
-        hierarchy = std::make_unique<CandidateHierarchy>(sites_, frame_, extent_, slabSlices);
-      });
-    gpu::OnGpuThread<SlabRenderer> renderer(sites_, frame_, atlas, fieldSign(sign_, topology_));
-    FieldWriter writer(mesh_, topology_, sites_, frame_, extent_, arrays);
-    int previousSlices = 0;
-    for (int slab = 0; slab < hierarchy->slabCount(); ++slab)
-    {
-      this->report(static_cast<double>(slab) / hierarchy->slabCount(), "distance field");
-      const Extent slabExtent = hierarchy->slabExtent(slab);
-      const std::vector<CandidateTiles> tiles = this->cullSlab(*hierarchy, slab, stage != nullptr);
-      const std::vector<PolygonChunk> chunks = this->preparePolygons(tiles, slabExtent, atlas);
-      renderer.run(
-        [&](SlabRenderer& r)
-        {
-          if (previousSlices > 0)
-          {
-            r.carryLastSlice(previousSlices);
-          }
-          this->renderSlab(r, slabExtent, tiles, chunks);
-          if (stage != nullptr)
-          {
-            const Stopwatch watch(statistics_.seconds.medial);
-            stage->process(r, slabExtent, previousSlices > 0);
-          }
-          const Stopwatch watch(statistics_.seconds.resolve);
-          writer.fetch(r, slabExtent);
-        });
-      this->inArena(
-        [&]
-        {
-          const Stopwatch watch(statistics_.seconds.resolve);
-          writer.store(slabExtent);
-        });
-      previousSlices = slabExtent.size(2);
-    }
+    this->runSlabs(arrays, stage);
   }
   catch (const std::bad_alloc&)
   {
@@ -173,8 +131,58 @@ void FieldPipeline::run(const FieldArrays& arrays, SlabStage* stage)
   }
 }
 
-std::vector<CandidateTiles> FieldPipeline::cullSlab(const CandidateHierarchy& hierarchy, int slab,
-  bool keepCells)
+void FieldPipeline::runSlabs(const FieldArrays& arrays, SlabStage* stage)
+{
+  this->report(0.0, "distance field");
+  const AtlasLayout atlas = this->chooseAtlas();
+  const CandidateHierarchy hierarchy = this->cullBlocks(atlas.slabSlices);
+  if (stage != nullptr)
+  {
+    query_ = std::make_unique<TileQuery>(sites_, frame_, extent_, hierarchy.leafSize());
+  }
+  gpu::OnGpuThread<SlabRenderer> renderer(sites_, frame_, atlas, fieldSign(sign_, topology_));
+  FieldWriter writer(mesh_, topology_, sites_, frame_, extent_, arrays);
+  // A stage has work left after the last slab.
+  const double perSlab = (stage != nullptr ? 0.8 : 1.0) / hierarchy.slabCount();
+  int previousSlices = 0;
+  for (int slab = 0; slab < hierarchy.slabCount(); ++slab)
+  {
+    this->report(slab * perSlab, "distance field");
+    const Extent extent = hierarchy.slabExtent(slab);
+    const std::vector<CandidateTiles> tiles = this->cullSlab(hierarchy, slab);
+    const std::vector<PolygonChunk> chunks = this->preparePolygons(tiles, extent, atlas);
+    this->report((slab + 0.5) * perSlab, "distance field");
+    renderer.run(
+      [&](SlabRenderer& r)
+      {
+        if (previousSlices > 0)
+        {
+          r.carryLastSlice(previousSlices);
+        }
+        this->renderSlab(r, extent, tiles, chunks, hierarchy.leafSize());
+        if (stage != nullptr)
+        {
+          const Stopwatch watch(statistics_.seconds.medial);
+          stage->process(r, extent, previousSlices > 0);
+        }
+        const Stopwatch watch(statistics_.seconds.resolve);
+        writer.fetch(r, extent);
+      });
+    timed(statistics_.seconds.resolve, [&] { this->inArena([&] { writer.store(extent); }); });
+    previousSlices = extent.size(2);
+  }
+}
+
+CandidateHierarchy FieldPipeline::cullBlocks(int slabSlices)
+{
+  const Stopwatch watch(statistics_.seconds.cull);
+  std::unique_ptr<CandidateHierarchy> hierarchy;
+  this->inArena(
+    [&] { hierarchy = std::make_unique<CandidateHierarchy>(sites_, frame_, extent_, slabSlices); });
+  return std::move(*hierarchy);
+}
+
+std::vector<CandidateTiles> FieldPipeline::cullSlab(const CandidateHierarchy& hierarchy, int slab)
 {
   std::vector<CandidateTiles> tiles;
   std::vector<CandidateTiles> cells;
@@ -182,7 +190,7 @@ std::vector<CandidateTiles> FieldPipeline::cullSlab(const CandidateHierarchy& hi
     [&]
     {
       const Stopwatch watch(statistics_.seconds.cull);
-      tiles = hierarchy.slabTiles(slab, keepCells ? &cells : nullptr);
+      tiles = hierarchy.slabTiles(slab, query_ ? &cells : nullptr);
     });
   for (const CandidateTiles& block : tiles)
   {
@@ -190,7 +198,7 @@ std::vector<CandidateTiles> FieldPipeline::cullSlab(const CandidateHierarchy& hi
   }
   for (CandidateTiles& block : cells)
   {
-    query_.add(std::move(block));
+    query_->add(std::move(block));
   }
   return tiles;
 }
@@ -216,13 +224,14 @@ std::vector<PolygonChunk> FieldPipeline::preparePolygons(const std::vector<Candi
 }
 
 void FieldPipeline::renderSlab(SlabRenderer& renderer, const Extent& slab,
-  const std::vector<CandidateTiles>& tiles, const std::vector<PolygonChunk>& chunks)
+  const std::vector<CandidateTiles>& tiles, const std::vector<PolygonChunk>& chunks,
+  const glm::ivec3& tileSize)
 {
   timed(statistics_.seconds.draw, [&] { renderer.draw(chunks); });
   const Stopwatch watch(statistics_.seconds.resolve);
   if (renderer.resolve(slab) > 0)
   {
-    TileQuery query(sites_, frame_, slab);
+    TileQuery query(sites_, frame_, slab, tileSize);
     for (const CandidateTiles& block : tiles)
     {
       query.add(block);

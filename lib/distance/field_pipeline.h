@@ -9,6 +9,7 @@
 #include "medial/sites/site_set.h"
 
 #include <functional>
+#include <memory>
 
 namespace medial
 {
@@ -38,7 +39,7 @@ public:
   void run(const FieldArrays& arrays, SlabStage* stage);
 
   /// Exact queries anywhere inside the extent; after a run with a stage.
-  const TileQuery& query() const { return query_; }
+  const TileQuery& query() const { return *query_; }
 
   const SiteSet& sites() const { return sites_; }
   const GridFrame& frame() const { return frame_; }
@@ -51,13 +52,15 @@ public:
   void report(double fraction, const char* phase) const;
 
 private:
-  int chooseSlabSlices() const;
-  std::vector<CandidateTiles> cullSlab(const CandidateHierarchy& hierarchy, int slab,
-    bool keepCells);
+  AtlasLayout chooseAtlas() const;
+  void runSlabs(const FieldArrays& arrays, SlabStage* stage);
+  CandidateHierarchy cullBlocks(int slabSlices);
+  std::vector<CandidateTiles> cullSlab(const CandidateHierarchy& hierarchy, int slab);
   std::vector<PolygonChunk> preparePolygons(const std::vector<CandidateTiles>& tiles,
     const Extent& slab, const AtlasLayout& atlas);
   void renderSlab(SlabRenderer& renderer, const Extent& slab,
-    const std::vector<CandidateTiles>& tiles, const std::vector<PolygonChunk>& chunks);
+    const std::vector<CandidateTiles>& tiles, const std::vector<PolygonChunk>& chunks,
+    const glm::ivec3& tileSize);
 
   const TriangleMesh& mesh_;
   const MeshTopology& topology_;
@@ -67,7 +70,7 @@ private:
   SignMethod sign_;
   RunStatistics statistics_;
   SiteSet sites_;
-  TileQuery query_;
+  std::unique_ptr<TileQuery> query_; ///< only where a stage needs it
 };
 
 } // namespace medial

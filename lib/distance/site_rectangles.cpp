@@ -68,6 +68,7 @@ std::vector<SiteRectangle> layerRectangles(const std::vector<CandidateTiles>& bl
 std::vector<SiteRectangle> siteRectangles(const std::vector<CandidateTiles>& tiles,
   const Extent& slab, int siteCount)
 {
+  // Slabs are either thinner than a leaf tile or a multiple of it.
   constexpr int kLeaf = CandidateHierarchy::kLeafSize;
   const int layers = (slab.size(2) + kLeaf - 1) / kLeaf;
   std::vector<std::vector<SiteRectangle>> perLayer(layers);

@@ -138,7 +138,7 @@ MedialAxis computeMedialAxis(const TriangleMesh& mesh, const MeshTopology& topol
   axis.side = axis.sign == SignMethod::None ? Side::Both : options.side;
   StageProxy stage(options.angle, axis.side, pipeline.frame());
   pipeline.run(arrays, &stage);
-  pipeline.report(1.0, "medial axis");
+  pipeline.report(0.8, "medial axis");
   std::vector<Crossing> crossings = stage.takeCrossings();
   pipeline.inArena(
     [&]
@@ -153,6 +153,7 @@ MedialAxis computeMedialAxis(const TriangleMesh& mesh, const MeshTopology& topol
       buildCells(complex, axis);
       evaluatePoints(sites, pipeline.query(), frame, crossings, complex, axis);
     });
+  pipeline.report(1.0, "medial axis");
   axis.statistics = pipeline.statistics();
   return axis;
 }
