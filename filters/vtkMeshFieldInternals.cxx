@@ -121,10 +121,9 @@ int vtkMeshFieldAlgorithm::vtkInternals::Fail(vtkInformationVector* outputVector
 }
 
 //------------------------------------------------------------------------------
-// Released and not generated is what makes the pipeline execute again on the next update.
+// Data released and not generated is what makes the pipeline execute again on the next update.
 int vtkMeshFieldAlgorithm::vtkInternals::Cancel(vtkInformationVector* outputVector)
 {
-  EmptyOutputs(outputVector);
   for (int i = 0; i < outputVector->GetNumberOfInformationObjects(); ++i)
   {
     vtkInformation* info = outputVector->GetInformationObject(i);

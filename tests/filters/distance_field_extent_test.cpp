@@ -164,6 +164,22 @@ TEST(DistanceFieldInformation, InputIsExecutedOnce)
   EXPECT_EQ(source.executions, 1);
 }
 
+// The source still has the piece that somebody else asked for.
+TEST(DistanceFieldInformation, GridIsThatOfTheWholeInput)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->UpdatePiece(1, 2, 0);
+  const vtkIdType cells = sphere->GetOutput()->GetNumberOfCells();
+  vtkNew<vtkMeshDistanceField> field;
+  field->SetInputConnection(sphere->GetOutputPort());
+  field->SetResolution(20);
+  field->UpdateInformation();
+  const double* origin = field->GetOutputInformation(0)->Get(vtkDataObject::ORIGIN());
+  EXPECT_LT(origin[0], -0.5);
+  EXPECT_LT(origin[1], -0.5);
+  EXPECT_GT(sphere->GetOutput()->GetNumberOfCells(), cells);
+}
+
 TEST(DistanceFieldInformation, UnusedPointsDoNotStretchTheGrid)
 {
   auto box = boxPolyData({ 1.0, 1.0, 1.0 });

@@ -5,15 +5,22 @@
 
 #include <gtest/gtest.h>
 
+#include <vtkCellArray.h>
+#include <vtkDataArray.h>
 #include <vtkDataObject.h>
 #include <vtkElevationFilter.h>
 #include <vtkExecutive.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
 #include <vtkMedialAxis.h>
 #include <vtkMeshDistanceField.h>
 #include <vtkNew.h>
+#include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
+#include <vtkPolyDataAlgorithm.h>
 #include <vtkSphereSource.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkTrivialProducer.h>
 
 #include <algorithm>
@@ -27,6 +34,39 @@ namespace
 {
 
 using namespace medial::test;
+
+/// A box whose half side is the time that is asked for, in [0, 2].
+class GrowingBox : public vtkPolyDataAlgorithm
+{
+public:
+  static GrowingBox* New();
+  vtkTypeMacro(GrowingBox, vtkPolyDataAlgorithm);
+
+protected:
+  GrowingBox() { this->SetNumberOfInputPorts(0); }
+
+  int RequestInformation(vtkInformation*, vtkInformationVector**,
+    vtkInformationVector* outputVector) override
+  {
+    const double range[2] = { 0.0, 2.0 };
+    outputVector->GetInformationObject(0)->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(),
+      range, 2);
+    return 1;
+  }
+
+  int RequestData(vtkInformation*, vtkInformationVector**,
+    vtkInformationVector* outputVector) override
+  {
+    vtkInformation* info = outputVector->GetInformationObject(0);
+    const double time = info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP());
+    vtkPolyData* output = vtkPolyData::GetData(info);
+    output->ShallowCopy(boxPolyData({ time, time, time }));
+    output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
+    return 1;
+  }
+};
+
+vtkStandardNewMacro(GrowingBox);
 
 template <typename Filter>
 class FilterContract : public testing::Test
@@ -186,6 +226,47 @@ TYPED_TEST(FilterContract, ForgetsAMeshThatIsReplaced)
     double origin[3];
     filter->GetUsedOrigin(origin);
     EXPECT_LT(origin[0], -1.0 - i);
+  }
+}
+
+// Two meshes with the same points have the time of the points when these were modified last.
+TYPED_TEST(FilterContract, TellsMeshesWithCommonPointsApart)
+{
+  auto closed = boxPolyData({ 1.0, 0.8, 0.6 });
+  vtkNew<vtkCellArray> side;
+  side->InsertNextCell({ 0, 4, 6, 2 });
+  vtkNew<vtkPolyData> open;
+  open->SetPoints(closed->GetPoints());
+  open->SetPolys(side);
+  auto filter = this->make(closed);
+  closed->GetPoints()->Modified();
+  ASSERT_EQ(open->GetMTime(), closed->GetMTime());
+  filter->Update();
+  EXPECT_TRUE(filter->GetClosed());
+  filter->SetInputData(open);
+  filter->Update();
+  EXPECT_FALSE(filter->GetClosed());
+}
+
+TYPED_TEST(FilterContract, FollowsInputThatChangesWithTime)
+{
+  vtkNew<GrowingBox> box;
+  vtkNew<TypeParam> filter;
+  filter->SetInputConnection(box->GetOutputPort());
+  filter->SetGridModeToExplicit();
+  filter->SetOrigin(-2.01, -2.02, -2.03);
+  filter->SetSpacing(0.2, 0.2, 0.2);
+  filter->SetDimensions(21, 21, 21);
+  for (const double time : { 1.0, 1.5, 1.0, 0.5 })
+  {
+    filter->UpdateTimeStep(time);
+    // The box is as deep as its half side, near its centre.
+    double range[2];
+    filter->GetOutput()->GetPointData()->GetScalars()->GetRange(range);
+    const bool isAxis = std::is_same_v<TypeParam, vtkMedialAxis>;
+    EXPECT_NEAR(isAxis ? range[1] : -range[0], time, 0.2);
+    EXPECT_NEAR(filter->GetOutput()->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP()), time,
+      1e-12);
   }
 }
 
