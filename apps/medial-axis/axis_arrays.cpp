@@ -1,15 +1,9 @@
 #include "axis_arrays.h"
 
-#include "failure.h"
-
 #include <vtkCellArray.h>
 #include <vtkDataArray.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
-
-#include <cerrno>
-#include <charconv>
-#include <cstring>
 
 namespace medial::app
 {
@@ -39,14 +33,6 @@ void forEachCell(vtkCellArray* cells, Visit visit)
   }
 }
 
-template <typename T>
-void appendNumber(std::ofstream& stream, T number)
-{
-  char text[64];
-  const auto [end, error] = std::to_chars(text, text + sizeof(text), number);
-  stream.write(text, error == std::errc() ? end - text : 0);
-}
-
 } // namespace
 
 AxisArrays::AxisArrays(vtkPolyData* axis)
@@ -72,45 +58,6 @@ AxisArrays::AxisArrays(vtkPolyData* axis)
   forEachCell(axis->GetVerts(),
     [this](const vtkIdType* ids, vtkIdType count)
     { vertices.insert(vertices.end(), ids, ids + count); });
-}
-
-Sink::Sink(const std::filesystem::path& file)
-  : stream_(file, std::ios::binary)
-{
-}
-
-Sink& Sink::operator<<(const char* text)
-{
-  stream_ << text;
-  return *this;
-}
-
-Sink& Sink::operator<<(double number)
-{
-  appendNumber(stream_, number);
-  return *this;
-}
-
-Sink& Sink::operator<<(float number)
-{
-  appendNumber(stream_, number);
-  return *this;
-}
-
-Sink& Sink::operator<<(vtkIdType number)
-{
-  appendNumber(stream_, number);
-  return *this;
-}
-
-void Sink::close()
-{
-  errno = 0;
-  stream_.close();
-  if (!stream_)
-  {
-    throw Failure(ExitCode::NoSpace, errno != 0 ? std::strerror(errno) : "write error");
-  }
 }
 
 } // namespace medial::app

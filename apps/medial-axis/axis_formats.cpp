@@ -1,9 +1,11 @@
 #include "axis_formats.h"
 
 #include "axis_arrays.h"
+#include "sink.h"
 
 #include <algorithm>
 #include <cstdint>
+#include <string>
 #include <utility>
 
 namespace medial::app

@@ -5,6 +5,7 @@
 #include "text_cursor.h"
 #include "vtk_messages.h"
 
+#include <vtkErrorCode.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
@@ -26,14 +27,15 @@ namespace
 template <typename Writer>
 void writeWithVtk(vtkDataObject* data, const fs::path& file)
 {
-  const VtkMessages messages;
+  const VtkMessages messages; // what goes wrong is in the error code
   vtkNew<Writer> writer;
   writer->SetInputData(data);
   writer->SetFileName(file.c_str());
   writer->EncodeAppendedDataOff();
-  if (writer->Write() == 0 || writer->GetErrorCode() != 0)
+  writer->Write();
+  if (writer->GetErrorCode() != 0)
   {
-    throw Failure(ExitCode::NoSpace, messages.first());
+    throw Failure(ExitCode::NoSpace, vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode()));
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include "egl_render_window.h"
 #include "failure.h"
+#include "sink.h"
 #include "vtk_messages.h"
 
 #include <vtkActor.h>
@@ -21,6 +22,7 @@
 #include <vtkRenderer.h>
 #include <vtkScalarBarActor.h>
 #include <vtkTextProperty.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkWindowToImageFilter.h>
 
 #include <algorithm>
@@ -202,6 +204,7 @@ void fitView(vtkRenderer* renderer, std::initializer_list<vtkPolyData*> meshes)
   renderer->ResetCameraClippingRange();
 }
 
+// Through memory: libpng would report a full disk on standard error.
 void writePng(vtkRenderWindow* window, const std::filesystem::path& file)
 {
   vtkNew<vtkWindowToImageFilter> grab;
@@ -209,12 +212,12 @@ void writePng(vtkRenderWindow* window, const std::filesystem::path& file)
   grab->ReadFrontBufferOff();
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputConnection(grab->GetOutputPort());
-  writer->SetFileName(file.c_str());
+  writer->WriteToMemoryOn();
   writer->Write();
-  if (writer->GetErrorCode() != 0)
-  {
-    throw Failure(ExitCode::NoSpace, "the picture could not be written");
-  }
+  vtkUnsignedCharArray* bytes = writer->GetResult();
+  Sink sink(file);
+  sink.raw(bytes->GetPointer(0), bytes->GetNumberOfValues());
+  sink.close();
 }
 
 } // namespace

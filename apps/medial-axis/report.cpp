@@ -1,6 +1,6 @@
 #include "report.h"
 
-#include "axis_arrays.h"
+#include "sink.h"
 #include "text_cursor.h"
 
 #include <vtkMedialAxis.h>

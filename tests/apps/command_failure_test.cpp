@@ -157,16 +157,19 @@ TEST_F(CommandFailure, FullDisk)
 {
   RunOptions options;
   options.fileSizeLimit = 4096;
-  for (const char* name : { "axis.vtp", "axis.ply", "axis.obj", "axis.ma" })
+  const std::vector<std::pair<std::string, std::string>> outputs = { { "-o", "axis.vtp" },
+    { "-o", "axis.ply" }, { "-o", "axis.obj" }, { "-o", "axis.ma" }, { "--field", "field.vti" },
+    { "--image", "picture.png" } };
+  for (const auto& [option, name] : outputs)
   {
-    writeFile(folder.file(name), "old");
-    const Outcome outcome =
-      runMedialAxis({ input, "-o", folder.file(name), "--resolution", "41" }, options);
+    const std::string file = folder.file(name);
+    writeFile(file, "old");
+    const Outcome outcome = runMedialAxis({ input, option, file, "--resolution", "41" }, options);
     EXPECT_EQ(outcome.exitCode, kNoSpace) << name;
-    EXPECT_TRUE(contains(outcome.err, folder.file(name) + ": cannot be written")) << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, file + ": cannot be written: ")) << outcome.err;
     EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1) << outcome.err;
-    EXPECT_EQ(readFile(folder.file(name)), "old");
-    std::filesystem::remove(folder.file(name));
+    EXPECT_EQ(readFile(file), "old");
+    std::filesystem::remove(file);
   }
   EXPECT_EQ(folder.list(), std::vector<std::string>{ "box.obj" });
   failure(kNoSpace, { input, "--resolution", "41" }, options);
@@ -175,8 +178,10 @@ TEST_F(CommandFailure, FullDisk)
 TEST_F(CommandFailure, MoreMemoryThanThereIs)
 {
   writeFile(input, objText(box({ 1.0, 1.0, 1.0 })));
+  // AddressSanitizer would end the program, and warns all the same.
   RunOptions options;
-  options.environment = { { "ASAN_OPTIONS", "allocator_may_return_null=1" } };
+  options.environment = { { "ASAN_OPTIONS",
+    "allocator_may_return_null=1:log_path=" + folder.file("warnings") } };
   failure(kNoSpace, { input, "--resolution", "8192" }, options);
 }
 

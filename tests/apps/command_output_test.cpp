@@ -52,7 +52,7 @@ protected:
     {
       arguments.insert(arguments.end(), { "--resolution", std::to_string(kResolution) });
     }
-    const Outcome outcome = runMedialAxis(arguments);
+    Outcome outcome = runMedialAxis(arguments);
     EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
     return outcome;
   }
