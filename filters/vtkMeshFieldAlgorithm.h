@@ -17,9 +17,11 @@
  * grid without rotation; the sample points are the image's points.
  *
  * @par Information:
- * Unless GridMode is EXPLICIT the grid follows from the bounds of the input, so UpdateInformation()
- * updates the input (never the field). For input that changes with time the grid is that of the
- * time at which the information was made; use an explicit grid there.
+ * Unless GridMode is EXPLICIT the grid of an image output follows from the bounds of the input, so
+ * UpdateInformation() updates the input (never the field). For input that changes with time the
+ * grid is that of the time at which the information was made; use an explicit grid there. The
+ * joined mesh is kept until the input changes, so that a new extent or parameter does not prepare
+ * it again.
  *
  * @par Errors:
  * A parameter outside its range, input that cannot be used, and a failure of the GPU are reported
