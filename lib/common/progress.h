@@ -4,7 +4,7 @@ namespace medial
 {
 
 /// Receives progress and answers whether to go on. Long operations call both from the thread that
-/// started them, a few times a second.
+/// started them, twice for every slab of slices.
 class Progress
 {
 public:
