@@ -210,8 +210,7 @@ std::string FieldErrors::describe() const
   return text.str();
 }
 
-FieldErrors fieldErrors(
-  const TriangleMesh& mesh, const DistanceField& field, const Voxels& voxels)
+FieldErrors fieldErrors(const TriangleMesh& mesh, const DistanceField& field, const Voxels& voxels)
 {
   std::vector<Point3> queries;
   queries.reserve(voxels.size());
@@ -236,15 +235,14 @@ void expectExact(const TriangleMesh& mesh, const DistanceField& field, const Vox
   EXPECT_TRUE(exact) << errors.describe();
 }
 
-void expectExactField(
-  const TriangleMesh& mesh, const Grid& grid, const DistanceFieldOptions& options)
+void expectExactField(const TriangleMesh& mesh, const Grid& grid,
+  const DistanceFieldOptions& options)
 {
   const DistanceField field = computeDistanceField(mesh, grid, options);
   expectExact(mesh, field, allVoxels(grid));
 }
 
-FieldDifference difference(
-  const TriangleMesh& mesh, const DistanceField& a, const DistanceField& b)
+FieldDifference difference(const TriangleMesh& mesh, const DistanceField& a, const DistanceField& b)
 {
   const MeshTopology topology = analyseTopology(mesh);
   const double unit = voxelSize(a.grid);

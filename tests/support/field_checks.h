@@ -29,29 +29,28 @@ double voxelSize(const Grid& grid);
 struct FieldErrors
 {
   std::size_t voxels = 0;
-  std::size_t withoutSite = 0;    ///< closest site outside [0, number of sites)
-  std::size_t wrongFeature = 0;   ///< feature that is not the kind of the closest site
-  std::size_t inexact = 0;        ///< distance more than 1e-3 wrong
-  double distance = 0.0;          ///< greatest error of abs(Distance)
-  double site = 0.0;              ///< greatest distance to the closest site beyond the least
-  double pointLength = 0.0;       ///< greatest difference of |ClosestPoint - voxel| and the distance
-  double pointFromCell = 0.0;     ///< greatest distance of ClosestPoint from ClosestCell
-  std::size_t worst = 0;          ///< the voxel of the greatest `distance`
-  double rounding = 0.0;          ///< what storing ClosestPoint in single precision may add
+  std::size_t withoutSite = 0;  ///< closest site outside [0, number of sites)
+  std::size_t wrongFeature = 0; ///< feature that is not the kind of the closest site
+  std::size_t inexact = 0;      ///< distance more than 1e-3 wrong
+  double distance = 0.0;        ///< greatest error of abs(Distance)
+  double site = 0.0;            ///< greatest distance to the closest site beyond the least
+  double pointLength = 0.0;     ///< greatest difference of |ClosestPoint - voxel| and the distance
+  double pointFromCell = 0.0;   ///< greatest distance of ClosestPoint from ClosestCell
+  std::size_t worst = 0;        ///< the voxel of the greatest `distance`
+  double rounding = 0.0;        ///< what storing ClosestPoint in single precision may add
 
   std::string describe() const;
 };
 
-FieldErrors fieldErrors(
-  const TriangleMesh& mesh, const DistanceField& field, const Voxels& voxels);
+FieldErrors fieldErrors(const TriangleMesh& mesh, const DistanceField& field, const Voxels& voxels);
 
 /// Expects a field to be exact within the tolerances: errors of at most 1e-2 voxel everywhere and
 /// 1e-3 at 99.99 % of the voxels, true minimisers, closest points on their cells.
 void expectExact(const TriangleMesh& mesh, const DistanceField& field, const Voxels& voxels);
 
 /// Computes a field and checks it at every voxel.
-void expectExactField(
-  const TriangleMesh& mesh, const Grid& grid, const DistanceFieldOptions& options = {});
+void expectExactField(const TriangleMesh& mesh, const Grid& grid,
+  const DistanceFieldOptions& options = {});
 
 /// How two fields over the same number of voxels differ.
 struct FieldDifference
@@ -61,7 +60,7 @@ struct FieldDifference
   std::size_t untiedSites = 0; ///< those whose sites the mesh has at different distances
 };
 
-FieldDifference difference(
-  const TriangleMesh& mesh, const DistanceField& a, const DistanceField& b);
+FieldDifference difference(const TriangleMesh& mesh, const DistanceField& a,
+  const DistanceField& b);
 
 } // namespace medial::test

@@ -11,8 +11,8 @@ namespace medial::test
 /// @throws std::runtime_error when the file cannot be read.
 MeshInput loadAsciiStl(const std::string& path);
 
-/// Points and faces of an ASCII PLY file whose vertices begin with x, y, z and whose faces are lists
-/// of point ids. Cell ids count the faces.
+/// Points and faces of an ASCII PLY file whose vertices begin with x, y, z and whose faces are
+/// lists of point ids. Cell ids count the faces.
 /// @throws std::runtime_error when the file cannot be read.
 MeshInput loadAsciiPly(const std::string& path);
 
