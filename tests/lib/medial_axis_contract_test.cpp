@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace medial;
@@ -63,12 +64,12 @@ std::vector<AxisCase> cases()
     { "points",
       makeMesh({ { 0.0, 0.0, 0.0 }, { 1.0, 0.2, 0.1 }, { 0.3, 0.9, 0.2 } }, {}, {}, { 0, 1, 2 }),
       cutGrid({ 0.083, 0.083, 0.083 }, { 18, 19, 9 }), Side::Both } };
-  for (const char* name : { "paper/triceratops.off", "soup/beetle_vw_2k.obj" })
+  for (const auto& [name, file] : std::vector<std::pair<const char*, const char*>>{
+         { "triceratops", "paper/triceratops.off" }, { "beetle", "soup/beetle_vw_2k.obj" } })
   {
-    if (const auto path = modelPath(name))
+    if (const auto path = modelPath(file))
     {
-      const char* shortName = result.size() == 10 ? "triceratops" : "beetle";
-      result.push_back(around(shortName, loadMesh(*path), Side::Both, 80));
+      result.push_back(around(name, loadMesh(*path), Side::Both, 80));
     }
   }
   return result;
