@@ -50,7 +50,7 @@ SignMethod checkedSign(const TriangleMesh& mesh, const MeshTopology& topology, c
 
 Device checkedDevice(const DistanceFieldOptions& options)
 {
-  const Device device = queryDevice();
+  Device device = queryDevice();
   if (options.requireHardware && device.software)
   {
     throw Error(ErrorCode::NoGpu,
