@@ -244,7 +244,7 @@ TEST(MedialAxisFilter, SidesAreWhereTheySayTheyAre)
   EXPECT_GT(exterior[1], 20);
   EXPECT_LT(exterior[0], exterior[1] / 20 + 1);
   EXPECT_NEAR(both[0] + both[1], interior[0] + interior[1] + exterior[0] + exterior[1],
-    (both[0] + both[1]) / 10);
+    0.1 * (both[0] + both[1]));
 }
 
 TEST(MedialAxisFilter, OpenMeshHasBothSides)

@@ -24,7 +24,7 @@ class GlDebugListener : public testing::EmptyTestEventListener
   std::size_t seen_ = 0;
 };
 
-const bool registered = []
+const bool kRegistered = []
 {
   setenv("MEDIAL_GL_DEBUG", "1", 1);
   testing::UnitTest::GetInstance()->listeners().Append(new GlDebugListener);
