@@ -19,7 +19,7 @@ void printMesh(const Options& options, vtkMedialAxis* filter)
     options.input.c_str(), static_cast<long long>(filter->GetNumberOfTriangles()),
     static_cast<long long>(filter->GetNumberOfVertices()),
     static_cast<long long>(filter->GetNumberOfComponents()),
-    filter->GetNumberOfComponents() == 1 ? "" : "s", filter->GetClosed() ? "closed" : "open");
+    filter->GetNumberOfComponents() == 1 ? "" : "s", filter->GetClosed() ? "closed" : "not closed");
 }
 
 void printGrid(vtkMedialAxis* filter)
@@ -61,13 +61,22 @@ void printOutputs(const Options& options, vtkMedialAxis* filter)
   printFile(options.report, "report of the run");
 }
 
+const char* whyUnsigned(const Options& options, vtkMedialAxis* filter)
+{
+  if (options.signMethod == vtkMedialAxis::SIGN_NONE)
+  {
+    return "sign method none";
+  }
+  return filter->GetClosed() ? "the mesh is not consistently oriented" : "the mesh is not closed";
+}
+
 void printNotes(const Options& options, vtkMedialAxis* filter)
 {
   if (filter->GetUsedSide() != options.side)
   {
     std::fprintf(stderr,
       "medial-axis: note: %s: the distance is unsigned (%s), so the axis is that of both sides\n",
-      options.input.c_str(), filter->GetClosed() ? "sign method none" : "the mesh is open");
+      options.input.c_str(), whyUnsigned(options, filter));
   }
   if (filter->GetOutput()->GetNumberOfPoints() == 0)
   {

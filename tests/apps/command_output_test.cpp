@@ -380,13 +380,22 @@ TEST_F(CommandOutput, AnOpenMeshGivesBothSidesAndANote)
 {
   writeFile(input, objText(plates(0.6, 1.0)));
   const Outcome outcome = run({ "-o", folder.file("axis.vtp"), "--report", folder.file("r.json") });
-  EXPECT_TRUE(contains(outcome.err, "the mesh is open")) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "the mesh is not closed")) << outcome.err;
   EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1);
   EXPECT_GT(readVtp(folder.file("axis.vtp"))->GetNumberOfPolys(), 0);
   const Json result = Json::parse(readFile(folder.file("r.json")));
   EXPECT_EQ(result["sign_method"], "none");
   EXPECT_EQ(result["input"]["closed"], false);
   EXPECT_EQ(run({ "--side", "both", "-o", folder.file("axis.vtp") }).err, "");
+}
+
+TEST_F(CommandOutput, AMisorientedMeshGivesBothSidesAndANote)
+{
+  TriangleMesh mesh = box(kHalfSides);
+  std::swap(mesh.triangles[4][0], mesh.triangles[4][1]);
+  writeFile(input, objText(mesh));
+  const Outcome outcome = run({ "-o", folder.file("axis.vtp") });
+  EXPECT_TRUE(contains(outcome.err, "the mesh is not consistently oriented")) << outcome.err;
 }
 
 TEST_F(CommandOutput, SignNoneOnAClosedMeshGivesBothSides)
