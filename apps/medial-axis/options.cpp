@@ -1,7 +1,9 @@
 #include "options.h"
 
 #include "failure.h"
+#include "help_formatter.h"
 #include "text_cursor.h"
+#include "validators.h"
 
 #include "medial/version.h"
 
@@ -10,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -22,8 +25,6 @@ constexpr int kMaxResolution = 8192;
 constexpr int kMaxThreads = 1024;
 constexpr int kMinMemoryMiB = 64;
 constexpr double kMaxPadding = 10.0;
-
-using Names = std::map<std::string, int>;
 
 const Names kSides = { { "interior", vtkMedialAxis::INTERIOR },
   { "exterior", vtkMedialAxis::EXTERIOR }, { "both", vtkMedialAxis::BOTH } };
@@ -50,56 +51,24 @@ struct Words
   double spacing = 0.0;
 };
 
-template <typename T>
-CLI::Validator within(const std::string& interval, bool (*inside)(T))
-{
-  return CLI::Validator(
-    [interval, inside](std::string& word)
-    {
-      T value{};
-      const bool known = CLI::detail::lexical_cast(word, value);
-      return known && inside(value) ? std::string() : word + " is outside " + interval;
-    },
-    "");
-}
-
-CLI::Validator oneOf(const Names& names)
-{
-  return CLI::Validator(
-    [names](std::string& word)
-    {
-      if (names.count(word) > 0)
-      {
-        return std::string();
-      }
-      std::string allowed;
-      for (const auto& name : names)
-      {
-        allowed += (allowed.empty() ? "" : ", ") + name.first;
-      }
-      return "'" + word + "' is not one of " + allowed;
-    },
-    "");
-}
-
 void addOutputOptions(CLI::App& app, Words& words)
 {
   const std::string group = "Outputs";
   app.add_option("-o,--output", words.output, "medial axis: .vtp, .ply, .obj or .ma")
-    ->type_name("FILE")
+    ->option_text("FILE")
     ->group(group);
   app.add_option("--field", words.field, "distance field with all its arrays")
-    ->type_name("FILE.vti")
+    ->option_text("FILE.vti")
     ->group(group);
   app
     .add_option("--thickness", words.thickness, "input surface with Thickness (not available yet)")
-    ->type_name("FILE.vtp")
+    ->option_text("FILE.vtp")
     ->group(group);
   app.add_option("--image", words.image, "a rendered picture of axis and translucent surface")
-    ->type_name("FILE.png")
+    ->option_text("FILE.png")
     ->group(group);
   app.add_option("--report", words.report, "machine-readable result")
-    ->type_name("FILE.json")
+    ->option_text("FILE.json")
     ->group(group);
 }
 
@@ -111,13 +80,13 @@ void addGridOptions(CLI::App& app, Words& words, Options& options)
       .add_option("--resolution", options.resolution,
         "number of grid points along the longest axis of the padded bounds, in [2, 8192]; "
         "default 256")
-      ->type_name("N")
+      ->option_text("N")
       ->check(within<int>("[2, 8192]", [](int n) { return n >= 2 && n <= kMaxResolution; }))
       ->group(group);
   app
     .add_option("--spacing", words.spacing,
       "distance of neighbouring grid points in world units, > 0; instead of --resolution")
-    ->type_name("H")
+    ->option_text("H")
     ->check(within<double>("(0, infinity)", [](double h) { return std::isfinite(h) && h > 0.0; }))
     ->excludes(resolution)
     ->group(group);
@@ -125,7 +94,7 @@ void addGridOptions(CLI::App& app, Words& words, Options& options)
     .add_option("--padding", options.padding,
       "margin on every side as a fraction of the diagonal of the mesh's bounds, in [0, 10]; "
       "default 0.05")
-    ->type_name("F")
+    ->option_text("F")
     ->check(within<double>("[0, 10]", [](double f) { return f >= 0.0 && f <= kMaxPadding; }))
     ->group(group);
 }
@@ -137,27 +106,27 @@ void addAxisOptions(CLI::App& app, Words& words, Options& options)
     .add_option("--angle", options.angle,
       "least separation angle theta of the directions to the two closest points, in degrees, in "
       "(0, 180); small values keep more of the axis and more noise; default 60")
-    ->type_name("DEG")
+    ->option_text("DEG")
     ->check(within<double>("(0, 180)", [](double a) { return a > 0.0 && a < 180.0; }))
     ->group(group);
   app
     .add_option("--side", words.side,
       "which side of the surface: interior, exterior or both; default interior (open mesh: both, "
       "unsigned)")
-    ->type_name("SIDE")
+    ->option_text("SIDE")
     ->check(oneOf(kSides))
     ->group(group);
   app
     .add_option("--representation", words.representation,
       "surface (dual mesh), faces (voxel faces) or points; default surface")
-    ->type_name("KIND")
+    ->option_text("KIND")
     ->check(oneOf(kRepresentations))
     ->group(group);
   app
     .add_option("--sign", words.sign,
       "how inside is told from outside: auto, none, pseudonormal (closed, consistently oriented "
       "meshes) or winding (not available yet); default auto")
-    ->type_name("METHOD")
+    ->option_text("METHOD")
     ->check(oneOf(kSigns))
     ->group(group);
 }
@@ -168,13 +137,13 @@ void addRunOptions(CLI::App& app, Options& options)
   app
     .add_option("--threads", options.threads,
       "CPU threads to use, in [0, 1024]; 0 for all cores; default 0")
-    ->type_name("N")
+    ->option_text("N")
     ->check(within<int>("[0, 1024]", [](int n) { return n >= 0 && n <= kMaxThreads; }))
     ->group(group);
   app
     .add_option("--memory", options.memoryMiB,
       "upper bound of the memory for slabs, in MiB, >= 64; 0 chooses; default 0")
-    ->type_name("MiB")
+    ->option_text("MiB")
     ->check(
       within<int>("[64, 2147483647] and not 0", [](int m) { return m == 0 || m >= kMinMemoryMiB; }))
     ->group(group);
@@ -251,16 +220,17 @@ std::optional<Options> parseOptions(int argc, char** argv)
 {
   CLI::App app{ "Medial axis and distance field of a triangle mesh, computed on the GPU.\n" };
   app.footer(kFooter);
-  app.get_formatter()->column_width(28);
-  app.option_defaults()->always_capture_default(false);
-  app.set_version_flag("--version", std::string("medial-axis ") + MEDIAL_VERSION);
+  app.name("medial-axis");
+  app.formatter(std::make_shared<HelpFormatter>());
+  app.set_version_flag("--version", std::string("medial-axis ") + MEDIAL_VERSION,
+    "print the version and leave");
   app.set_help_flag("-h,--help", "print this text and leave");
 
   Words words;
   Options options;
   app.add_option("INPUT", words.input, "mesh: .stl, .obj, .ply, .off, .vtp or .vtk")
     ->required()
-    ->type_name("");
+    ->option_text(" ");
   addOutputOptions(app, words);
   addGridOptions(app, words, options);
   addAxisOptions(app, words, options);

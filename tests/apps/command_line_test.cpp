@@ -43,6 +43,18 @@ bool contains(const std::string& text, const std::string& part)
   return text.find(part) != std::string::npos;
 }
 
+// The words of a text with one space between them.
+std::string onOneLine(const std::string& text)
+{
+  std::istringstream words(text);
+  std::string line;
+  for (std::string word; words >> word;)
+  {
+    line += word + ' ';
+  }
+  return line;
+}
+
 std::string defaultOf(double value)
 {
   std::ostringstream text;
@@ -61,12 +73,17 @@ TEST_F(CommandLine, HelpNamesEveryOption)
   {
     EXPECT_TRUE(contains(help.out, option)) << option;
   }
+  std::istringstream lines(help.out);
+  for (std::string line; std::getline(lines, line);)
+  {
+    EXPECT_LE(line.size(), 100U) << line;
+  }
   EXPECT_TRUE(contains(help.out, "Exit codes: 0 done; 2 usage; 3 bad input; 4 no usable OpenGL;"));
 }
 
 TEST_F(CommandLine, HelpStatesTheDefaultsOfTheFilter)
 {
-  const std::string help = runMedialAxis({ "--help" }).out;
+  const std::string help = onOneLine(runMedialAxis({ "--help" }).out);
   vtkNew<vtkMedialAxis> filter;
   EXPECT_TRUE(contains(help, "in [2, 8192]; " + defaultOf(filter->GetResolution())));
   EXPECT_TRUE(contains(help, "in [0, 10]; " + defaultOf(filter->GetPadding())));
