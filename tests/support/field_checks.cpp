@@ -125,8 +125,7 @@ public:
     const bool valid = site >= 0 && site < sites;
     const double siteExcess =
       valid ? distanceToSite(mesh_, topology_, site, x) - truth.distance : 0.0;
-    const Point3 closest{ field_.closestPoint[3 * voxel], field_.closestPoint[3 * voxel + 1],
-      field_.closestPoint[3 * voxel + 2] };
+    const Point3 closest = this->closestPoint(voxel);
     const double distance = std::abs(static_cast<double>(field_.distance[voxel]));
     const double fromCell = toCell_(field_.closestCell[voxel], closest);
     const bool rightKind =
@@ -145,6 +144,14 @@ public:
   const FieldErrors& errors() const { return errors_; }
 
 private:
+  Point3 closestPoint(std::size_t voxel) const
+  {
+    const auto first = field_.closestPoint.begin() + static_cast<std::ptrdiff_t>(3 * voxel);
+    Point3 point{};
+    std::copy(first, first + 3, point.begin());
+    return point;
+  }
+
   void addDistance(std::size_t voxel, double error)
   {
     errors_.inexact += error <= kUsualTolerance ? 0 : 1;
