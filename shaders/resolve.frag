@@ -2,17 +2,26 @@
 // Exact closest point, signed distance and site from the id that the depth test left.
 //
 // in   closestSite   R32I atlas of site ids, -1 where no polygon fell
-//      storage       the mesh in frame coordinates
+//      storage       the mesh in frame coordinates; w of a face's normal: its plane's offset
 // out  displacement  xyz: vector to the closest point; w: signed distance; frame units
 //      site          the site whose interior holds the closest point; -1 if none
 //      holes         number of grid points without a site
+
+// Lines and planes are given by where they pass the origin, which is amid the grid: single precision
+// then suffices for meshes much larger than the grid.
+struct Line
+{
+  vec4 foot;      // xyz: the line's point nearest to the origin; w: where the edge starts
+  vec4 direction; // xyz: unit vector; w: where the edge ends
+};
 
 layout(std430, binding = 0) readonly buffer Points { vec4 points[]; };
 layout(std430, binding = 1) readonly buffer Faces { ivec4 faces[]; };         // corners
 layout(std430, binding = 2) readonly buffer FaceEdges { ivec4 faceEdges[]; }; // edge numbers
 layout(std430, binding = 3) readonly buffer Edges { ivec2 edges[]; };         // end points
-layout(std430, binding = 4) readonly buffer Normals { vec4 normals[]; };      // pseudonormals
-layout(std430, binding = 5) buffer Holes { uint holes; };
+layout(std430, binding = 4) readonly buffer Lines { Line lines[]; };          // of the edges
+layout(std430, binding = 5) readonly buffer Normals { vec4 normals[]; };      // pseudonormals
+layout(std430, binding = 6) buffer Holes { uint holes; };
 
 uniform isampler2D closestSite;
 uniform ivec2 sliceSize;  // grid points of a slice
@@ -38,19 +47,17 @@ struct SitePoint
 SitePoint closestOnEdge(int edge, vec3 x)
 {
   ivec2 ends = edges[edge];
-  vec3 p = points[ends.x].xyz;
-  vec3 q = points[ends.y].xyz;
-  vec3 along = q - p;
-  float t = dot(x - p, along) / dot(along, along);
-  if (t <= 0.0)
+  Line line = lines[edge];
+  float t = dot(line.direction.xyz, x);
+  if (t <= line.foot.w)
   {
-    return SitePoint(firstVertex + ends.x, p - x);
+    return SitePoint(firstVertex + ends.x, points[ends.x].xyz - x);
   }
-  if (t >= 1.0)
+  if (t >= line.direction.w)
   {
-    return SitePoint(firstVertex + ends.y, q - x);
+    return SitePoint(firstVertex + ends.y, points[ends.y].xyz - x);
   }
-  return SitePoint(firstEdge + edge, (p - x) + t * along);
+  return SitePoint(firstEdge + edge, line.foot.xyz + (t * line.direction.xyz - x));
 }
 
 SitePoint nearer(SitePoint a, SitePoint b)
@@ -70,10 +77,11 @@ SitePoint closestOnFace(int face, vec3 x)
   vec3 a = points[corners.x].xyz;
   vec3 b = points[corners.y].xyz;
   vec3 c = points[corners.z].xyz;
-  vec3 normal = normals[face].xyz * orientation;
+  vec4 plane = normals[face];
+  vec3 normal = plane.xyz * orientation;
   if (inner(a, b, normal, x) && inner(b, c, normal, x) && inner(c, a, normal, x))
   {
-    return SitePoint(face, dot(a - x, normal) * normal);
+    return SitePoint(face, (plane.w - dot(plane.xyz, x)) * plane.xyz);
   }
   // The face's bound is dilated a little, so the point may belong to the border.
   ivec3 border = faceEdges[face].xyz;

@@ -3,6 +3,7 @@
 #include "medial/common/error.h"
 #include "medial/common/stopwatch.h"
 #include "medial/distance/hole_repair.h"
+#include "medial/sites/pseudonormals.h"
 
 #include <tbb/task_arena.h>
 
@@ -77,6 +78,9 @@ FieldPipeline::FieldPipeline(const TriangleMesh& mesh, const MeshTopology& topol
   , frame_(grid)
   , sign_(checkedSign(mesh, topology, grid, extent, options))
   , sites_(timed(statistics_.seconds.sites, [&] { return SiteSet(mesh, topology, frame_); }))
+  , normals_(timed(statistics_.seconds.sites,
+      [&]
+      { return pseudonormals(sites_, topology, fieldSign(sign_, topology) == FieldSign::Inward); }))
 {
   statistics_.device = checkedDevice(options);
   statistics_.sites = sites_.size();
@@ -140,7 +144,8 @@ void FieldPipeline::runSlabs(const FieldArrays& arrays, SlabStage* stage)
   {
     query_ = std::make_unique<TileQuery>(sites_, frame_, extent_, hierarchy.leafSize());
   }
-  gpu::OnGpuThread<SlabRenderer> renderer(sites_, frame_, atlas, fieldSign(sign_, topology_));
+  gpu::OnGpuThread<SlabRenderer> renderer(sites_, normals_, frame_, atlas,
+    fieldSign(sign_, topology_));
   FieldWriter writer(mesh_, topology_, sites_, frame_, extent_, arrays);
   // A stage has work left after the last slab.
   const double perSlab = (stage != nullptr ? 0.8 : 1.0) / hierarchy.slabCount();
@@ -236,7 +241,7 @@ void FieldPipeline::renderSlab(SlabRenderer& renderer, const Extent& slab,
     {
       query.add(block);
     }
-    repairHoles(renderer, sites_, frame_, query, fieldSign(sign_, topology_), slab);
+    repairHoles(renderer, normals_, frame_, query, fieldSign(sign_, topology_), slab);
   }
 }
 

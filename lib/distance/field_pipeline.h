@@ -70,6 +70,7 @@ private:
   SignMethod sign_;
   RunStatistics statistics_;
   SiteSet sites_;
+  std::vector<glm::vec4> normals_;
   std::unique_ptr<TileQuery> query_; ///< only where a stage needs it
 };
 

@@ -6,12 +6,11 @@
 namespace medial
 {
 
-void repairHoles(SlabRenderer& renderer, const SiteSet& sites, const GridFrame& frame,
-  const TileQuery& query, FieldSign sign, const Extent& slab)
+void repairHoles(SlabRenderer& renderer, const std::vector<glm::vec4>& normals,
+  const GridFrame& frame, const TileQuery& query, FieldSign sign, const Extent& slab)
 {
   std::vector<std::int32_t> closest(static_cast<std::size_t>(slab.pointCount()));
   renderer.readSites(slab.size(2), closest.data());
-  const std::vector<glm::vec4> normals = sites.pseudonormals(sign == FieldSign::Inward);
   for (std::size_t i = 0; i < closest.size(); ++i)
   {
     if (closest[i] >= 0)

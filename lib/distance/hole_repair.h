@@ -2,15 +2,17 @@
 
 #include "medial/culling/tile_query.h"
 #include "medial/distance/slab_renderer.h"
-#include "medial/sites/site_set.h"
+
+#include <vector>
 
 namespace medial
 {
 
 /// Fills the grid points of a resolved slab that no polygon covered, by exact queries. The bounds
 /// of sites overlap, so that there should be none; this makes sure of it. GPU thread.
+/// @param normals pseudonormals of all sites.
 /// @param query covers the grid points of the slab.
-void repairHoles(SlabRenderer& renderer, const SiteSet& sites, const GridFrame& frame,
-  const TileQuery& query, FieldSign sign, const Extent& slab);
+void repairHoles(SlabRenderer& renderer, const std::vector<glm::vec4>& normals,
+  const GridFrame& frame, const TileQuery& query, FieldSign sign, const Extent& slab);
 
 } // namespace medial

@@ -1,6 +1,7 @@
 #include "medial/distance/polygon_builder.h"
 
 #include "medial/distance/site_rectangles.h"
+#include "medial/distance/slice_polygon.h"
 
 #include <tbb/parallel_for.h>
 
@@ -13,24 +14,14 @@ namespace medial
 namespace
 {
 
-/// Bounds are dilated, since neighbouring polygons are cut independently: by what the rasteriser's
-/// snapping to 1/256 pixel can move an edge, in pixels of the slice, and by what single precision
-/// can, in frame units.
-constexpr float kSnapDilation = 0.004f;
+/// Bounds are dilated, since neighbouring polygons are cut independently: by what snapping to 1/256
+/// pixel can move two edges, in pixels of the slice, and by what single precision can, in frame
+/// units. Only where it is harmless: beyond a face's sides and an edge's ends their distances are
+/// too small, but nowhere else.
+constexpr float kSnapDilation = 0.008f;
 constexpr float kPrecisionDilation = 0.0005f;
 
 constexpr std::size_t kRectanglesPerChunk = 1024;
-constexpr int kMaxCorners = 32;
-
-/// a i + b j + c, an affine function over the grid points (i, j) of a slice.
-struct Affine
-{
-  float a;
-  float b;
-  float c;
-
-  float operator()(const glm::vec2& p) const { return a * p.x + b * p.y + c; }
-};
 
 /// dot(normal, x) - offset over the grid, split by axis so that slices are cheap to reach.
 struct GridFunction
@@ -42,71 +33,6 @@ struct GridFunction
 
   Affine onSlice(int slice) const { return { a, b, c + perSlice * static_cast<float>(slice) }; }
 };
-
-struct Polygon
-{
-  std::array<glm::vec2, kMaxCorners> corners;
-  int size = 0;
-
-  void add(const glm::vec2& corner) { corners[size++] = corner; }
-};
-
-/// Keeps the part where `side` <= `limit`. A polygon at its largest size is left as it is, which is
-/// conservative.
-void clip(Polygon& polygon, const Affine& side, float limit)
-{
-  std::array<float, kMaxCorners> values;
-  bool cuts = false;
-  for (int i = 0; i < polygon.size; ++i)
-  {
-    values[i] = side(polygon.corners[i]) - limit;
-    cuts = cuts || values[i] > 0.0f;
-  }
-  if (!cuts || polygon.size + 1 > kMaxCorners)
-  {
-    return;
-  }
-  Polygon kept;
-  for (int i = 0; i < polygon.size; ++i)
-  {
-    const int next = i + 1 == polygon.size ? 0 : i + 1;
-    if (values[i] <= 0.0f)
-    {
-      kept.add(polygon.corners[i]);
-    }
-    if ((values[i] <= 0.0f) != (values[next] <= 0.0f))
-    {
-      const float t = values[i] / (values[i] - values[next]);
-      kept.add(polygon.corners[i] + t * (polygon.corners[next] - polygon.corners[i]));
-    }
-  }
-  polygon = kept;
-}
-
-/// Whether the polygon's bounding box holds a grid point; most that do not draw nothing.
-bool coversGridPoint(const Polygon& polygon)
-{
-  glm::vec2 low = polygon.corners[0];
-  glm::vec2 high = low;
-  for (int i = 1; i < polygon.size; ++i)
-  {
-    low = glm::min(low, polygon.corners[i]);
-    high = glm::max(high, polygon.corners[i]);
-  }
-  return std::floor(high.x) >= low.x && std::floor(high.y) >= low.y;
-}
-
-double area(const Polygon& polygon)
-{
-  double twice = 0.0;
-  for (int i = 2; i < polygon.size; ++i)
-  {
-    const glm::vec2 u = polygon.corners[i - 1] - polygon.corners[0];
-    const glm::vec2 v = polygon.corners[i] - polygon.corners[0];
-    twice += static_cast<double>(u.x * v.y - u.y * v.x);
-  }
-  return 0.5 * std::abs(twice);
-}
 
 /// Cuts the polygons of one site after the other and appends them to a chunk.
 class SiteClipper
@@ -151,16 +77,34 @@ private:
       static_cast<float>(glm::dot(normal, corner_) - offset) };
   }
 
+  /// Dilation does no harm from this of the site's half-spaces on: see SiteSet for their order.
+  std::ptrdiff_t firstHarmlessSide() const
+  {
+    switch (sites_.kind(rectangle_.site))
+    {
+      case SiteKind::Face:
+        return sites_.halfSpacesEnd(rectangle_.site) - sites_.halfSpacesBegin(rectangle_.site);
+      case SiteKind::Edge:
+        return 2;
+      case SiteKind::Vertex:
+        break;
+    }
+    return 0;
+  }
+
   /// The half-spaces that cut the rectangle's box; false when one has all of it outside.
   bool collectSides()
   {
     sides_.clear();
+    const std::ptrdiff_t firstHarmless = this->firstHarmlessSide();
     const glm::vec3 size(rectangle_.high - rectangle_.low);
     const HalfSpace* end = sites_.halfSpacesEnd(rectangle_.site);
     for (const HalfSpace* h = sites_.halfSpacesBegin(rectangle_.site); h != end; ++h)
     {
       const GridFunction f = this->gridFunction(glm::dvec3(*h), static_cast<double>(h->w));
-      const float limit = kPrecisionDilation + kSnapDilation * std::sqrt(f.a * f.a + f.b * f.b);
+      const bool harmless = h - sites_.halfSpacesBegin(rectangle_.site) >= firstHarmless;
+      const float limit =
+        kPrecisionDilation + (harmless ? kSnapDilation * std::sqrt(f.a * f.a + f.b * f.b) : 0.0f);
       // The rectangle reaches half a pixel beyond its grid points.
       const glm::vec3 reach(f.a * size.x, f.b * size.y, f.perSlice * size.z);
       const float margin = 0.5f * (std::abs(f.a) + std::abs(f.b));
@@ -222,27 +166,23 @@ private:
 
   void addSlice(int slice)
   {
-    const glm::vec2 size(rectangle_.high - rectangle_.low);
-    Polygon polygon;
-    polygon.add({ -0.5f, -0.5f });
-    polygon.add({ size.x + 0.5f, -0.5f });
-    polygon.add({ size.x + 0.5f, size.y + 0.5f });
-    polygon.add({ -0.5f, size.y + 0.5f });
+    SlicePolygon polygon(glm::vec2(rectangle_.high - rectangle_.low));
     for (const Side& side : sides_)
     {
-      clip(polygon, side.function.onSlice(slice), side.limit);
-      if (polygon.size < 3)
+      polygon.clip(side.function.onSlice(slice), side.limit);
+      if (polygon.empty())
       {
         return;
       }
     }
-    if (coversGridPoint(polygon))
+    polygon.snap();
+    if (!polygon.empty() && polygon.coversGridPoint())
     {
       this->emit(polygon, slice);
     }
   }
 
-  void emit(const Polygon& polygon, int slice)
+  void emit(const SlicePolygon& polygon, int slice)
   {
     const int slot = 1 + rectangle_.low.z + slice - slab_.min[2];
     const glm::ivec2 first(rectangle_.low.x - slab_.min[0], rectangle_.low.y - slab_.min[1]);
@@ -250,18 +190,19 @@ private:
     const auto base = static_cast<std::uint32_t>(chunk_.vertices.size());
     const Affine d[3] = { distance_[0].onSlice(slice), distance_[1].onSlice(slice),
       distance_[2].onSlice(slice) };
-    for (int i = 0; i < polygon.size; ++i)
+    const int start = polygon.fanStart();
+    for (int i = 0; i < polygon.size(); ++i)
     {
-      const glm::vec2& p = polygon.corners[i];
+      const glm::vec2& p = polygon.corner(start + i);
       chunk_.vertices.push_back({ p + shift, { d[0](p), d[1](p), d[2](p) }, rectangle_.site });
     }
-    for (int i = 2; i < polygon.size; ++i)
+    for (int i = 2; i < polygon.size(); ++i)
     {
       chunk_.indices.insert(chunk_.indices.end(),
         { base, base + static_cast<std::uint32_t>(i) - 1, base + static_cast<std::uint32_t>(i) });
     }
     ++chunk_.polygons;
-    chunk_.area += area(polygon);
+    chunk_.area += polygon.area();
   }
 
   const SiteSet& sites_;

@@ -11,6 +11,8 @@ namespace medial
 namespace
 {
 
+constexpr int kLongestSide = 64;
+
 struct Reach
 {
   std::int16_t lowX = std::numeric_limits<std::int16_t>::max();
@@ -27,6 +29,21 @@ struct Reach
     highY = std::max(highY, static_cast<std::int16_t>(tile.max[1] - slab.min[1]));
   }
 };
+
+/// Adds a rectangle in parts that are not too long to interpolate over.
+void addRectangles(int site, const glm::ivec3& low, const glm::ivec3& high,
+  std::vector<SiteRectangle>& rectangles)
+{
+  for (int y = low.y; y <= high.y; y += kLongestSide)
+  {
+    for (int x = low.x; x <= high.x; x += kLongestSide)
+    {
+      rectangles.push_back({ site, { x, y, low.z },
+        { std::min(x + kLongestSide - 1, high.x), std::min(y + kLongestSide - 1, high.y),
+          high.z } });
+    }
+  }
+}
 
 std::vector<SiteRectangle> layerRectangles(const std::vector<CandidateTiles>& blocks,
   const Extent& slab, int siteCount, int firstSlice)
@@ -55,9 +72,8 @@ std::vector<SiteRectangle> layerRectangles(const std::vector<CandidateTiles>& bl
     const Reach& reach = reaches[site];
     if (reach.highX >= 0)
     {
-      rectangles.push_back(
-        { site, { slab.min[0] + reach.lowX, slab.min[1] + reach.lowY, firstSlice },
-          { slab.min[0] + reach.highX, slab.min[1] + reach.highY, lastSlice } });
+      addRectangles(site, { slab.min[0] + reach.lowX, slab.min[1] + reach.lowY, firstSlice },
+        { slab.min[0] + reach.highX, slab.min[1] + reach.highY, lastSlice }, rectangles);
     }
   }
   return rectangles;

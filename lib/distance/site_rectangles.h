@@ -10,7 +10,7 @@ namespace medial
 {
 
 /// The grid points of one layer of leaf tiles that a site's polygons are to cover: the bounding box
-/// of the tiles that list the site. Both ends included.
+/// of the tiles that list the site, or a part of it no longer than 64 points. Both ends included.
 struct SiteRectangle
 {
   int site;

@@ -18,6 +18,7 @@ enum StorageBinding : GLuint
   kFacesBinding,
   kFaceEdgesBinding,
   kEdgesBinding,
+  kLinesBinding,
   kNormalsBinding,
   kHolesBinding
 };
@@ -40,6 +41,29 @@ std::vector<glm::ivec4> padded(const std::vector<glm::ivec3>& values)
   return result;
 }
 
+/// Layout of Line in shaders/resolve.frag.
+struct EdgeLine
+{
+  glm::vec4 foot;
+  glm::vec4 direction;
+};
+
+std::vector<EdgeLine> edgeLines(const SiteSet& sites)
+{
+  std::vector<EdgeLine> lines;
+  lines.reserve(sites.edges().size());
+  for (const glm::ivec2& ends : sites.edges())
+  {
+    const glm::dvec3& p = sites.points()[ends[0]];
+    const glm::dvec3& q = sites.points()[ends[1]];
+    const glm::dvec3 direction = glm::normalize(q - p);
+    const double start = glm::dot(p, direction);
+    lines.push_back({ { glm::vec3(p - start * direction), static_cast<float>(start) },
+      { glm::vec3(direction), static_cast<float>(glm::dot(q, direction)) } });
+  }
+  return lines;
+}
+
 /// Power of two, so that nothing is rounded, which brings every distance on the grid below 1.
 float depthScale(const SiteSet& sites, const GridFrame& frame)
 {
@@ -54,8 +78,8 @@ float depthScale(const SiteSet& sites, const GridFrame& frame)
 
 } // namespace
 
-SlabRenderer::SlabRenderer(const SiteSet& sites, const GridFrame& frame, const AtlasLayout& atlas,
-  FieldSign sign)
+SlabRenderer::SlabRenderer(const SiteSet& sites, const std::vector<glm::vec4>& normals,
+  const GridFrame& frame, const AtlasLayout& atlas, FieldSign sign)
   : atlas_(atlas)
   , frame_(frame)
   , sign_(sign)
@@ -63,7 +87,7 @@ SlabRenderer::SlabRenderer(const SiteSet& sites, const GridFrame& frame, const A
   , firstVertex_(sites.firstVertex())
   , depthScale_(depthScale(sites, frame))
 {
-  this->uploadSites(sites, sign);
+  this->uploadSites(sites, normals);
   const glm::ivec2 size = atlas.size();
   winners_ = gpu::createTexture2D(GL_R32I, size.x, size.y);
   depth_ = gpu::createTexture2D(GL_DEPTH_COMPONENT32F, size.x, size.y);
@@ -74,7 +98,7 @@ SlabRenderer::SlabRenderer(const SiteSet& sites, const GridFrame& frame, const A
   this->bindVertexFormat();
 }
 
-void SlabRenderer::uploadSites(const SiteSet& sites, FieldSign sign)
+void SlabRenderer::uploadSites(const SiteSet& sites, const std::vector<glm::vec4>& normals)
 {
   std::vector<glm::vec4> points;
   points.reserve(sites.points().size());
@@ -86,7 +110,8 @@ void SlabRenderer::uploadSites(const SiteSet& sites, FieldSign sign)
   faces_ = uploaded(padded(sites.faces()));
   faceEdges_ = uploaded(padded(sites.faceEdges()));
   edges_ = uploaded(sites.edges());
-  normals_ = uploaded(sites.pseudonormals(sign == FieldSign::Inward));
+  lines_ = uploaded(edgeLines(sites));
+  normals_ = uploaded(normals);
   holes_ = gpu::createBuffer();
   glNamedBufferData(holes_.id(), sizeof(std::uint32_t), nullptr, GL_DYNAMIC_READ);
 }
@@ -200,8 +225,8 @@ std::uint32_t SlabRenderer::resolve(const Extent& slab)
   program.set("signedField", sign_ == FieldSign::None ? 0 : 1);
   program.set("orientation", sign_ == FieldSign::Inward ? -1.0f : 1.0f);
   program.use();
-  const GLuint buffers[] = { points_.id(), faces_.id(), faceEdges_.id(), edges_.id(), normals_.id(),
-    holes_.id() };
+  const GLuint buffers[] = { points_.id(), faces_.id(), faceEdges_.id(), edges_.id(), lines_.id(),
+    normals_.id(), holes_.id() };
   for (GLuint binding = kPointsBinding; binding <= kHolesBinding; ++binding)
   {
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffers[binding]);

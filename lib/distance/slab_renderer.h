@@ -26,8 +26,9 @@ enum class FieldSign
 class SlabRenderer
 {
 public:
-  SlabRenderer(const SiteSet& sites, const GridFrame& frame, const AtlasLayout& atlas,
-    FieldSign sign);
+  /// @param normals pseudonormals(), flipped where the surface faces inwards.
+  SlabRenderer(const SiteSet& sites, const std::vector<glm::vec4>& normals, const GridFrame& frame,
+    const AtlasLayout& atlas, FieldSign sign);
 
   /// Keeps the last slice of the slab drawn before in slot 0. To be called before draw().
   void carryLastSlice(int previousSlices);
@@ -52,7 +53,7 @@ public:
   GLuint sites() const { return sites_.id(); }
 
 private:
-  void uploadSites(const SiteSet& sites, FieldSign sign);
+  void uploadSites(const SiteSet& sites, const std::vector<glm::vec4>& normals);
   void uploadPolygons(const std::vector<PolygonChunk>& chunks);
   void bindVertexFormat();
 
@@ -63,7 +64,7 @@ private:
   int firstVertex_;
   float depthScale_;
 
-  gpu::Buffer points_, faces_, faceEdges_, edges_, normals_, holes_;
+  gpu::Buffer points_, faces_, faceEdges_, edges_, lines_, normals_, holes_;
   gpu::Buffer vertices_, indices_;
   gpu::VertexArray polygonFormat_, noVertices_;
   std::vector<GLsizei> drawCounts_;

@@ -23,18 +23,12 @@ glm::dvec3 conormal(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& 
   return glm::normalize(glm::cross(b - a, faceNormal));
 }
 
-double cornerAngle(const glm::dvec3& at, const glm::dvec3& a, const glm::dvec3& b)
-{
-  const glm::dvec3 u = a - at;
-  const glm::dvec3 v = b - at;
-  return std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v));
-}
-
 } // namespace
 
 SiteSet::SiteSet(const TriangleMesh& mesh, const MeshTopology& topology, const GridFrame& frame)
 {
   this->buildGeometry(mesh, topology, frame);
+  this->buildNormals(mesh);
   this->buildSpheres();
   this->buildHalfSpaces(topology);
 }
@@ -57,18 +51,52 @@ void SiteSet::buildGeometry(const TriangleMesh& mesh, const MeshTopology& topolo
     faces_.emplace_back(corners[0], corners[1], corners[2]);
     const auto& edges = topology.triangleEdges[t];
     faceEdges_.emplace_back(edges[0], edges[1], edges[2]);
-    const glm::dvec3& a = points_[corners[0]];
-    const glm::dvec3& b = points_[corners[1]];
-    const glm::dvec3& c = points_[corners[2]];
-    const glm::dvec3 cross = glm::cross(b - a, c - a);
-    const double area2 = glm::length(cross);
-    const double longest =
-      std::max({ glm::distance(a, b), glm::distance(b, c), glm::distance(c, a) });
-    // Below this ratio the cross product is rounding noise and no direction.
-    const bool flat = area2 <= 1e-14 * longest * longest;
-    faceNormals_.push_back(flat ? glm::dvec3(0.0) : cross / area2);
-    faceActive_.push_back(!flat && area2 >= kLeastHeight * longest);
   }
+  active_.assign(this->size(), 1);
+}
+
+void SiteSet::buildNormals(const TriangleMesh& mesh)
+{
+  const auto vector = [](const Point3& from, const Point3& to)
+  { return glm::dvec3(to[0] - from[0], to[1] - from[1], to[2] - from[2]); };
+  for (int face = 0; face < this->faceCount(); ++face)
+  {
+    // From world coordinates: the change of frame may round what is flat.
+    const Point3& a = mesh.points[faces_[face][0]];
+    const Point3& b = mesh.points[faces_[face][1]];
+    const Point3& c = mesh.points[faces_[face][2]];
+    const int longest = this->longestSide(face);
+    if (!hasArea(a, b, c))
+    {
+      faceNormals_.emplace_back(0.0);
+      active_[face] = 0;
+      active_[this->firstEdge() + faceEdges_[face][longest]] = 0;
+      continue;
+    }
+    faceNormals_.push_back(glm::normalize(glm::cross(vector(a, b), vector(a, c))));
+    const glm::dvec3& p = points_[faces_[face][longest]];
+    const glm::dvec3& q = points_[faces_[face][(longest + 1) % 3]];
+    const glm::dvec3& r = points_[faces_[face][(longest + 2) % 3]];
+    const double height = glm::length(glm::cross(q - p, r - p)) / glm::distance(p, q);
+    active_[face] = height >= kLeastHeight;
+  }
+}
+
+int SiteSet::longestSide(int face) const
+{
+  int longest = 0;
+  double longestLength = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    const double length =
+      glm::distance(points_[faces_[face][i]], points_[faces_[face][(i + 1) % 3]]);
+    if (length > longestLength)
+    {
+      longestLength = length;
+      longest = i;
+    }
+  }
+  return longest;
 }
 
 void SiteSet::buildSpheres()
@@ -130,28 +158,22 @@ void SiteSet::buildHalfSpaces(const MeshTopology& topology)
 
 void SiteSet::addFaceHalfSpaces(int face)
 {
-  if (!faceActive_[face])
+  if (!active_[face])
   {
     return;
   }
-  int longest = 0;
-  double longestLength = 0.0;
   for (int i = 0; i < 3; ++i)
   {
     const glm::dvec3& a = points_[faces_[face][i]];
     const glm::dvec3& b = points_[faces_[face][(i + 1) % 3]];
     halfSpaces_.push_back(halfSpace(conormal(a, b, faceNormals_[face]), a));
-    if (glm::distance(a, b) > longestLength)
-    {
-      longestLength = glm::distance(a, b);
-      longest = i;
-    }
   }
   // The triangle lies between the planes across the ends of its longest edge. They cut off what
   // dilation adds far beyond an acute corner.
+  const int longest = this->longestSide(face);
   const glm::dvec3& a = points_[faces_[face][longest]];
   const glm::dvec3& b = points_[faces_[face][(longest + 1) % 3]];
-  const glm::dvec3 u = (b - a) / longestLength;
+  const glm::dvec3 u = glm::normalize(b - a);
   halfSpaces_.push_back(halfSpace(-u, a));
   halfSpaces_.push_back(halfSpace(u, b));
 }
@@ -166,7 +188,7 @@ void SiteSet::addEdgeHalfSpaces(int edge, const MeshTopology& topology)
   for (const int* face = topology.edgeTriangles.begin(edge);
        face != topology.edgeTriangles.end(edge); ++face)
   {
-    if (!faceActive_[*face])
+    if (!active_[*face])
     {
       continue;
     }
@@ -193,33 +215,6 @@ void SiteSet::addVertexHalfSpaces(int vertex, const MeshTopology& topology)
     const glm::dvec3& other = points_[ends[0] == vertex ? ends[1] : ends[0]];
     halfSpaces_.push_back(halfSpace(glm::normalize(other - p), p));
   }
-}
-
-std::vector<glm::vec4> SiteSet::pseudonormals(bool flip) const
-{
-  std::vector<glm::dvec3> sums(this->size(), glm::dvec3(0.0));
-  for (int face = 0; face < this->faceCount(); ++face)
-  {
-    const glm::dvec3& normal = faceNormals_[face];
-    sums[face] = normal;
-    for (int i = 0; i < 3; ++i)
-    {
-      const glm::ivec3& corners = faces_[face];
-      sums[this->firstEdge() + faceEdges_[face][i]] += normal;
-      sums[this->firstVertex() + corners[i]] += normal *
-        cornerAngle(points_[corners[i]], points_[corners[(i + 1) % 3]],
-          points_[corners[(i + 2) % 3]]);
-    }
-  }
-  std::vector<glm::vec4> result;
-  result.reserve(sums.size());
-  for (const glm::dvec3& sum : sums)
-  {
-    const double length = glm::length(sum);
-    const glm::dvec3 unit = length > 0.0 ? sum / length : glm::dvec3(0.0);
-    result.emplace_back(glm::vec3(flip ? -unit : unit), 0.0f);
-  }
-  return result;
 }
 
 } // namespace medial

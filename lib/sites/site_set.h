@@ -50,8 +50,9 @@ public:
   int firstEdge() const { return this->faceCount(); }
   int firstVertex() const { return this->faceCount() + this->edgeCount(); }
 
-  /// False for triangles that are thinner than counts; their edges stand for them.
-  bool active(int site) const { return site >= this->faceCount() || faceActive_[site] != 0; }
+  /// False for triangles that are thinner than counts, since their edges stand for them, and for
+  /// the longest edge of a triangle without area, since the other two stand for it.
+  bool active(int site) const { return active_[site] != 0; }
 
   const std::vector<glm::dvec3>& points() const { return points_; }
   const std::vector<glm::ivec3>& faces() const { return faces_; }         ///< corners
@@ -60,9 +61,13 @@ public:
 
   /// Unit normal of a face; zero where it has no area.
   const glm::dvec3& faceNormal(int face) const { return faceNormals_[face]; }
+  /// Which side of a face, counted like its edges, is the longest.
+  int longestSide(int face) const;
   /// Centre and radius of a sphere around the site.
   const glm::vec4& sphere(int site) const { return spheres_[site]; }
 
+  /// Half-spaces of a face: its three sides, then two across its longest side's ends; of an edge:
+  /// the two across its ends, then one for each of its faces; of a vertex: one for each edge.
   const HalfSpace* halfSpacesBegin(int site) const
   {
     return halfSpaces_.data() + halfSpaceOffsets_[site];
@@ -72,13 +77,10 @@ public:
     return halfSpaces_.data() + halfSpaceOffsets_[site + 1];
   }
 
-  /// Angle-weighted pseudonormals of all sites (Baerentzen and Aanaes 2005); zero where no triangle
-  /// meets the site. `flip` turns them round.
-  std::vector<glm::vec4> pseudonormals(bool flip) const;
-
 private:
   void buildGeometry(const TriangleMesh& mesh, const MeshTopology& topology,
     const GridFrame& frame);
+  void buildNormals(const TriangleMesh& mesh);
   void buildSpheres();
   void buildHalfSpaces(const MeshTopology& topology);
   void addFaceHalfSpaces(int face);
@@ -90,7 +92,7 @@ private:
   std::vector<glm::ivec3> faceEdges_;
   std::vector<glm::ivec2> edges_;
   std::vector<glm::dvec3> faceNormals_;
-  std::vector<char> faceActive_;
+  std::vector<char> active_;
   std::vector<glm::vec4> spheres_;
   std::vector<int> halfSpaceOffsets_{ 0 };
   std::vector<HalfSpace> halfSpaces_;
