@@ -136,7 +136,10 @@ TEST(GpuThread, BuildsAndDestroysObjectsWhereTheyLive)
     std::vector<std::thread::id>& seen;
   };
   std::vector<std::thread::id> seen;
-  gpu::OnGpuThread<Recorder>{ seen };
+  {
+    const gpu::OnGpuThread<Recorder> object{ seen };
+    EXPECT_EQ(seen.size(), 1u);
+  }
   ASSERT_EQ(seen.size(), 2u);
   EXPECT_EQ(seen[0], seen[1]);
   EXPECT_NE(seen[0], std::this_thread::get_id());
@@ -174,6 +177,17 @@ TEST(NoGpuDeathTest, WithoutAnyEglDriverTheErrorSaysSo)
       std::exit(exitCodeWithoutEgl());
     },
     testing::ExitedWithCode(0), "");
+}
+
+TEST(NoGpuDeathTest, WithoutAnyEglLibraryTheErrorSaysSo)
+{
+  testing::GTEST_FLAG(death_test_style) = "threadsafe";
+  const EmptyFolder folder;
+  // The child finds this file, which is no library, before the real one.
+  std::ofstream{ folder.path() / "libEGL.so.1" } << "nothing";
+  setenv("LD_LIBRARY_PATH", folder.path().c_str(), 1);
+  EXPECT_EXIT(std::exit(exitCodeWithoutEgl()), testing::ExitedWithCode(0), "");
+  unsetenv("LD_LIBRARY_PATH");
 }
 
 TEST(ShaderSource, HoldsEveryFileOfTheShadersFolder)
