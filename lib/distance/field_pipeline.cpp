@@ -5,6 +5,7 @@
 #include "medial/distance/hole_repair.h"
 #include "medial/sites/pseudonormals.h"
 
+#include <tbb/info.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -89,7 +90,9 @@ FieldPipeline::FieldPipeline(const TriangleMesh& mesh, const MeshTopology& topol
 
 void FieldPipeline::inArena(const std::function<void()>& work) const
 {
-  tbb::task_arena arena(options_.threads > 0 ? options_.threads : tbb::task_arena::automatic);
+  // TBB complains when it is asked for more threads than there are cores.
+  const int cores = tbb::info::default_concurrency();
+  tbb::task_arena arena(options_.threads > 0 ? std::min(options_.threads, cores) : cores);
   arena.execute(work);
 }
 

@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include <dlfcn.h>
+
 namespace medial::gpu
 {
 namespace
@@ -37,6 +39,17 @@ std::string glString(GLenum name)
 {
   const auto* text = reinterpret_cast<const char*>(glGetString(name));
   return text != nullptr ? text : "unknown";
+}
+
+/// libepoxy ends the process where it finds no EGL library.
+void requireEglLibrary()
+{
+  void* library = dlopen("libEGL.so.1", RTLD_LAZY | RTLD_LOCAL);
+  if (library == nullptr)
+  {
+    throw Error(ErrorCode::NoGpu, "libEGL.so.1 cannot be loaded; install it (Debian: libegl1)");
+  }
+  dlclose(library);
 }
 
 /// Displays in the order in which they are to be tried.
@@ -116,6 +129,7 @@ struct EglContext::Handles
 EglContext::EglContext()
   : handles_(std::make_unique<Handles>())
 {
+  requireEglLibrary();
   const bool debug = std::getenv("MEDIAL_GL_DEBUG") != nullptr;
   for (EGLDisplay display : candidateDisplays())
   {
