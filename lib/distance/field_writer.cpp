@@ -39,8 +39,9 @@ void FieldWriter::store(const Extent& slab)
   tbb::parallel_for(std::int64_t{ 0 }, rows,
     [&](std::int64_t row)
     {
-      const auto j = static_cast<double>(slab.min[1] + row % slab.size(1));
-      const auto k = static_cast<double>(slab.min[2] + row / slab.size(1));
+      const std::int64_t slice = row / slab.size(1);
+      const auto j = static_cast<double>(slab.min[1] + row - slice * slab.size(1));
+      const auto k = static_cast<double>(slab.min[2] + slice);
       for (std::int64_t i = 0; i < rowLength; ++i)
       {
         const std::int64_t source = row * rowLength + i;
