@@ -171,7 +171,7 @@ TEST_P(SiteSetOf, NumbersFacesEdgesAndVerticesInThisOrder)
 INSTANTIATE_TEST_SUITE_P(Meshes, SiteSetOf, testing::ValuesIn(meshes()),
   [](const auto& test) { return test.param.name; });
 
-TEST(SiteSet, TrianglesWithoutAreaHaveNoFaceSite)
+TEST(SiteSet, ShortEdgesStandForTrianglesWithoutArea)
 {
   const TriangleMesh mesh =
     makeMesh({ { 0.0, 0.0, 0.0 }, { 1.0, 0.1, 0.3 }, { 0.5, 0.05, 0.15 }, { 0.0, 1.0, 0.0 } },
@@ -179,7 +179,11 @@ TEST(SiteSet, TrianglesWithoutAreaHaveNoFaceSite)
   const SiteSet sites(mesh, analyseTopology(mesh), GridFrame(makeGrid(mesh.bounds(), 16, 0.1)));
   EXPECT_FALSE(sites.active(0));
   EXPECT_TRUE(sites.active(1));
-  EXPECT_TRUE(sites.active(sites.firstEdge()));
+  const glm::ivec3& edges = sites.faceEdges()[0];
+  EXPECT_EQ(sites.longestSide(0), 0);
+  EXPECT_FALSE(sites.active(sites.firstEdge() + edges[0]));
+  EXPECT_TRUE(sites.active(sites.firstEdge() + edges[1]));
+  EXPECT_TRUE(sites.active(sites.firstEdge() + edges[2]));
 }
 
 TEST(SiteSet, FramesAreCentredOnTheGridInUnitsOfItsFinestSpacing)
