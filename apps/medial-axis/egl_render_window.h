@@ -1,5 +1,7 @@
 #pragma once
 
+#include "egl_context.h"
+
 #include <vtkGenericOpenGLRenderWindow.h>
 
 namespace medial::app
@@ -15,11 +17,11 @@ public:
 
   /// Makes the context; call once, before anything is drawn.
   /// @return false where no EGL display offers one.
-  bool createContext();
+  bool createContext() { return context_.create(); }
 
-  void MakeCurrent() override;
-  bool IsCurrent() override;
-  void ReleaseCurrent() override;
+  void MakeCurrent() override { context_.makeCurrent(); }
+  bool IsCurrent() override { return context_.isCurrent(); }
+  void ReleaseCurrent() override { context_.release(); }
   int SupportsOpenGL() override { return 1; }
   vtkTypeBool IsDirect() override { return 1; }
   void OpenGLInitContext() override;
@@ -32,10 +34,7 @@ private:
   EglRenderWindow(const EglRenderWindow&) = delete;
   void operator=(const EglRenderWindow&) = delete;
 
-  bool createContextOn(void* display);
-
-  void* display_ = nullptr;
-  void* context_ = nullptr;
+  EglContext context_;
 };
 
 } // namespace medial::app
