@@ -20,6 +20,7 @@
 #include <chrono>
 #include <functional>
 #include <list>
+#include <string>
 
 namespace medial::app
 {
@@ -84,8 +85,9 @@ void execute(vtkMedialAxis* filter, const Options& options, ProgressBar& bar)
   throwIfInterrupted();
   if (filter->GetErrorCode() != 0)
   {
-    throw Failure(exitCodeOf(filter->GetErrorCode()),
-      options.input.string() + ": " + messages.first());
+    const ExitCode code = exitCodeOf(filter->GetErrorCode());
+    const std::string culprit = code == ExitCode::NoGpu ? "" : options.input.string() + ": ";
+    throw Failure(code, culprit + messages.first());
   }
 }
 
