@@ -11,7 +11,8 @@
  * Radius, the distance to the mesh (float32, world units, the active scalars); SeparationAngle
  * (float32, degrees); Lambda, Radius times the sine of half the separation angle (float32, world
  * units); ClosestPointA and ClosestPointB, two nearest points on the mesh (float32 x 3, world
- * coordinates).
+ * coordinates). The axis is selected by the directions at grid points, while SeparationAngle is
+ * that at the point itself: near rims and focal curves some are below Angle.
  *
  * Output port 1 is the distance field on the same grid, a vtkImageData as vtkMeshDistanceField
  * makes it. It is empty unless GenerateDistanceField is on.

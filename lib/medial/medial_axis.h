@@ -31,7 +31,9 @@ constexpr double kDefaultAngle = 60.0;
 struct MedialAxisOptions
 {
   /// Least separation angle theta of the directions to the two closest points, in degrees, in
-  /// (0, 180). Small values keep more of the axis and more noise.
+  /// (0, 180). Small values keep more of the axis and more noise. The directions compared are those
+  /// at neighbouring grid points (Foskey et al. 2003); near rims and focal curves the angle at the
+  /// point between them, MedialAxis::separationAngle, may be smaller.
   double angle = kDefaultAngle;
   Side side = Side::Interior;
   Representation representation = Representation::Surface;
