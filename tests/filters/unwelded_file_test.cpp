@@ -25,7 +25,7 @@ namespace
 
 vtkSmartPointer<vtkPolyData> unweldedCopy(vtkPolyData* surface)
 {
-  const auto result = vtkSmartPointer<vtkPolyData>::New();
+  auto result = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> triangles;
