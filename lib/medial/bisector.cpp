@@ -14,6 +14,8 @@ namespace
 
 /// A nearer third site counts from this difference on, in frame units (voxels).
 constexpr double kSameDistance = 1e-6;
+/// Medial balls smaller than this (voxels) are the surface itself.
+constexpr double kLeastRadius = 1e-3;
 /// Sites between the two that are looked for at most.
 constexpr int kMaxRounds = 8;
 
@@ -118,6 +120,24 @@ bool narrow(const SiteSet& sites, const TileQuery& query, const glm::dvec3& x, C
   return true;
 }
 
+void removeSurfacePoints(const SiteSet& sites, std::vector<Crossing>& crossings,
+  std::vector<glm::dvec3>& points)
+{
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const SitePoint closest = closestPoint(sites, crossings[i].siteA, points[i]);
+    if (glm::distance(closest.point, points[i]) >= kLeastRadius)
+    {
+      crossings[kept] = crossings[i];
+      points[kept] = points[i];
+      ++kept;
+    }
+  }
+  crossings.resize(kept);
+  points.resize(kept);
+}
+
 } // namespace
 
 std::vector<glm::dvec3> bisectorPoints(const SiteSet& sites, const GridFrame& frame,
@@ -139,6 +159,7 @@ std::vector<glm::dvec3> bisectorPoints(const SiteSet& sites, const GridFrame& fr
         }
       }
     });
+  removeSurfacePoints(sites, crossings, points);
   return points;
 }
 
