@@ -80,8 +80,7 @@ FieldPipeline::FieldPipeline(const TriangleMesh& mesh, const MeshTopology& topol
   , sign_(checkedSign(mesh, topology, grid, extent, options))
   , sites_(timed(statistics_.seconds.sites, [&] { return SiteSet(mesh, topology, frame_); }))
   , normals_(timed(statistics_.seconds.sites,
-      [&]
-      { return pseudonormals(sites_, topology, fieldSign(sign_, topology) == FieldSign::Inward); }))
+      [&] { return pseudonormals(sites_, fieldSign(sign_, topology) == FieldSign::Inward); }))
 {
   statistics_.device = checkedDevice(options);
   statistics_.sites = sites_.size();

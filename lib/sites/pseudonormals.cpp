@@ -1,5 +1,6 @@
 #include "medial/sites/pseudonormals.h"
 
+#include <array>
 #include <cmath>
 
 namespace medial
@@ -8,7 +9,7 @@ namespace
 {
 
 /// Triangles without area in a row that are seen through at most.
-constexpr int kMaxDepth = 16;
+constexpr int kMaxPasses = 16;
 
 glm::dvec3 unitOrZero(const glm::dvec3& v)
 {
@@ -26,80 +27,115 @@ double cornerAngle(const glm::dvec3& at, const glm::dvec3& a, const glm::dvec3& 
 class NormalSums
 {
 public:
-  NormalSums(const SiteSet& sites, const MeshTopology& topology)
+  explicit NormalSums(const SiteSet& sites)
     : sites_(sites)
-    , topology_(topology)
     , sums_(sites.size(), glm::dvec3(0.0))
   {
     for (int face = 0; face < sites.faceCount(); ++face)
     {
-      this->addFace(face);
+      if (sites.faceNormal(face) == glm::dvec3(0.0))
+      {
+        flat_.push_back({ face, {} });
+      }
+      else
+      {
+        sums_[face] = sites.faceNormal(face);
+        this->addToEdges(face, { sums_[face], sums_[face], sums_[face] });
+        this->addToCorners(face, sums_[face]);
+      }
     }
+    this->seeThroughFlatFaces();
   }
 
   const glm::dvec3& operator[](int site) const { return sums_[site]; }
 
 private:
-  void addFace(int face)
+  using PerSide = std::array<glm::dvec3, 3>;
+
+  /// A triangle without area and what its sides see through it.
+  struct FlatFace
   {
-    sums_[face] = sites_.faceNormal(face);
+    int face;
+    PerSide seen;
+  };
+
+  glm::dvec3& edgeSum(int face, int side)
+  {
+    return sums_[sites_.firstEdge() + sites_.faceEdges()[face][side]];
+  }
+
+  void addToEdges(int face, const PerSide& normals)
+  {
+    for (int side = 0; side < 3; ++side)
+    {
+      this->edgeSum(face, side) += normals[side];
+    }
+  }
+
+  void addToCorners(int face, const glm::dvec3& normal)
+  {
     const glm::ivec3& corners = sites_.faces()[face];
-    const glm::ivec3& edges = sites_.faceEdges()[face];
-    // The longest edge of a triangle without area is the other two once more.
-    const int shortEdge = edges[(sites_.longestSide(face) + 1) % 3];
-    const glm::dvec3 atCorners = this->seenFrom(face, shortEdge, kMaxDepth);
     for (int i = 0; i < 3; ++i)
     {
-      sums_[sites_.firstEdge() + edges[i]] += this->seenFrom(face, edges[i], kMaxDepth);
-      sums_[sites_.firstVertex() + corners[i]] += atCorners *
+      sums_[sites_.firstVertex() + corners[i]] += normal *
         cornerAngle(sites_.points()[corners[i]], sites_.points()[corners[(i + 1) % 3]],
           sites_.points()[corners[(i + 2) % 3]]);
     }
   }
 
-  /// The normal that an edge meets on the side of one of its faces.
-  glm::dvec3 seenFrom(int face, int edge, int depth) const
+  /// In passes, since they may lie in a row.
+  void seeThroughFlatFaces()
   {
-    const glm::dvec3& normal = sites_.faceNormal(face);
-    if (normal != glm::dvec3(0.0) || depth == 0)
+    bool changed = !flat_.empty();
+    for (int pass = 0; pass < kMaxPasses && changed; ++pass)
     {
-      return normal;
-    }
-    const glm::ivec3& edges = sites_.faceEdges()[face];
-    const int longest = sites_.longestSide(face);
-    if (edges[longest] != edge)
-    {
-      return this->beyond(face, edges[longest], depth);
-    }
-    return unitOrZero(this->beyond(face, edges[(longest + 1) % 3], depth) +
-      this->beyond(face, edges[(longest + 2) % 3], depth));
-  }
-
-  /// The normal on the other side of an edge of a face.
-  glm::dvec3 beyond(int face, int edge, int depth) const
-  {
-    glm::dvec3 sum(0.0);
-    const int* end = topology_.edgeTriangles.end(edge);
-    for (const int* other = topology_.edgeTriangles.begin(edge); other != end; ++other)
-    {
-      if (*other != face)
+      changed = false;
+      for (FlatFace& flat : flat_)
       {
-        sum += this->seenFrom(*other, edge, depth - 1);
+        changed = this->look(flat) || changed;
       }
     }
-    return unitOrZero(sum);
+    for (const FlatFace& flat : flat_)
+    {
+      this->addToCorners(flat.face, flat.seen[(sites_.longestSide(flat.face) + 1) % 3]);
+    }
+  }
+
+  /// Updates what the sides of a triangle without area see; false where nothing is new. Its longest
+  /// side is the other two once more.
+  bool look(FlatFace& flat)
+  {
+    PerSide beyond;
+    for (int side = 0; side < 3; ++side)
+    {
+      beyond[side] = unitOrZero(this->edgeSum(flat.face, side) - flat.seen[side]);
+    }
+    const int longest = sites_.longestSide(flat.face);
+    const int first = (longest + 1) % 3;
+    const int second = (longest + 2) % 3;
+    PerSide seen;
+    seen[first] = seen[second] = beyond[longest];
+    seen[longest] = unitOrZero(beyond[first] + beyond[second]);
+    if (seen == flat.seen)
+    {
+      return false;
+    }
+    this->addToEdges(flat.face,
+      { seen[0] - flat.seen[0], seen[1] - flat.seen[1], seen[2] - flat.seen[2] });
+    flat.seen = seen;
+    return true;
   }
 
   const SiteSet& sites_;
-  const MeshTopology& topology_;
   std::vector<glm::dvec3> sums_;
+  std::vector<FlatFace> flat_;
 };
 
 } // namespace
 
-std::vector<glm::vec4> pseudonormals(const SiteSet& sites, const MeshTopology& topology, bool flip)
+std::vector<glm::vec4> pseudonormals(const SiteSet& sites, bool flip)
 {
-  const NormalSums sums(sites, topology);
+  const NormalSums sums(sites);
   std::vector<glm::vec4> result;
   result.reserve(sites.size());
   for (int site = 0; site < sites.size(); ++site)

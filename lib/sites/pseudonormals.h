@@ -1,6 +1,5 @@
 #pragma once
 
-#include "medial/mesh/topology.h"
 #include "medial/sites/site_set.h"
 
 #include <glm/glm.hpp>
@@ -16,6 +15,6 @@ namespace medial
 /// Triangles without area have no normal; edges and vertices see through them to the triangles on
 /// the other side, as if the neighbours were joined directly.
 /// @param flip turn them round, for a surface that faces inwards.
-std::vector<glm::vec4> pseudonormals(const SiteSet& sites, const MeshTopology& topology, bool flip);
+std::vector<glm::vec4> pseudonormals(const SiteSet& sites, bool flip);
 
 } // namespace medial

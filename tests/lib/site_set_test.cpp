@@ -1,4 +1,5 @@
 #include "medial/sites/closest_point.h"
+#include "medial/sites/pseudonormals.h"
 #include "medial/sites/site_set.h"
 
 #include "support/brute_force.h"
@@ -184,6 +185,27 @@ TEST(SiteSet, ShortEdgesStandForTrianglesWithoutArea)
   EXPECT_FALSE(sites.active(sites.firstEdge() + edges[0]));
   EXPECT_TRUE(sites.active(sites.firstEdge() + edges[1]));
   EXPECT_TRUE(sites.active(sites.firstEdge() + edges[2]));
+}
+
+/// Every edge of these belongs to several triangles without area, so that there are very many ways
+/// to look through one after the other.
+TEST(Pseudonormals, AreQuickForPilesOfTrianglesWithoutArea)
+{
+  std::vector<std::array<int, 3>> triangles;
+  for (int i = 0; i < 40; ++i)
+  {
+    triangles.push_back({ 0, 1, 2 });
+    triangles.push_back({ 1, 2, 3 });
+  }
+  triangles.push_back({ 0, 3, 4 });
+  const TriangleMesh mesh = makeMesh({ { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 }, { 2.0, 0.0, 0.0 },
+                                       { 3.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 } },
+    triangles);
+  const SiteSet sites(mesh, analyseTopology(mesh), GridFrame(makeGrid(mesh.bounds(), 16, 0.1)));
+  const std::vector<glm::vec4> normals = pseudonormals(sites, false);
+  EXPECT_EQ(normals.size(), static_cast<std::size_t>(sites.size()));
+  EXPECT_EQ(normals[0], glm::vec4(0.0f));
+  EXPECT_EQ(glm::abs(normals[80].z), 1.0f);
 }
 
 TEST(SiteSet, FramesAreCentredOnTheGridInUnitsOfItsFinestSpacing)

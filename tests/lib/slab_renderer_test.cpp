@@ -78,7 +78,7 @@ TEST_F(SlabOfTorus, RectanglesCoverTheirTilesInAscendingOrder)
 
 TEST_F(SlabOfTorus, HolesAreFilledExactly)
 {
-  const auto normals = pseudonormals(sites_, topology_, false);
+  const auto normals = pseudonormals(sites_, false);
   TileQuery query(sites_, frame_, slab_, hierarchy_.leafSize());
   for (CandidateTiles& block : hierarchy_.slabTiles(0))
   {
