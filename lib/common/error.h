@@ -18,7 +18,8 @@ enum class ErrorCode
 };
 
 /// The only exception type that the library throws on purpose. The message is one line that names
-/// the offending value and the allowed range; the library never prints and never exits.
+/// the offending value and the allowed range (ShaderBuild: also the driver's log); the library
+/// never prints and never exits.
 class Error : public std::runtime_error
 {
 public:

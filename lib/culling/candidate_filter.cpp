@@ -68,7 +68,10 @@ DistanceBounds CandidateFilter::bounds(int site, const glm::vec3& x) const
       const Float4 values = facePlanes_[site].evaluate(x);
       const float excess = std::max({ 0.0f, values[0], values[1], values[2] });
       const float height = std::abs(values[3]);
-      if (excess <= 0.0f)
+      // Beyond an acute corner of a needle both long sides round to 0; the ends tell.
+      const HalfSpace* ends = sites_.halfSpacesBegin(site) + 3;
+      const auto beyond = [&](const HalfSpace& h) { return glm::dot(glm::vec3(h), x) > h.w; };
+      if (excess <= 0.0f && !beyond(ends[0]) && !beyond(ends[1]))
       {
         return { height, height };
       }

@@ -47,7 +47,9 @@ void TileQuery::add(CandidateTiles tiles)
 
 SitePoint TileQuery::closest(const glm::dvec3& x, double knownDistance) const
 {
-  const glm::dvec3 cell = glm::floor((x - frame_.first) / frame_.step);
+  // Grid points belong to their own tile, whatever the rounding of their position.
+  constexpr double kRounding = 1e-6;
+  const glm::dvec3 cell = glm::floor((x - frame_.first) / frame_.step + kRounding);
   glm::ivec3 gridPoint;
   for (int axis = 0; axis < 3; ++axis)
   {

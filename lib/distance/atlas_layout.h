@@ -14,7 +14,7 @@ struct AtlasLayout
   glm::ivec2 sliceSize{ 0 }; ///< grid points of a slice
   int columns = 1;
   int rows = 1;
-  int slabSlices = 0; ///< slices of a full slab, one less than slots
+  int slabSlices = 0; ///< slices of a full slab
 
   /// Whether a slab of so many slices of the extent fits textures of `textureLimit` pixels a side.
   static bool fits(const Extent& extent, int slabSlices, int textureLimit);

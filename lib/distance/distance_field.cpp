@@ -1,9 +1,9 @@
 #include "medial/distance/distance_field.h"
 
 #include "medial/common/error.h"
+#include "medial/common/memory_guard.h"
 #include "medial/distance/field_pipeline.h"
 
-#include <new>
 #include <string>
 
 namespace medial
@@ -39,10 +39,14 @@ RunStatistics computeDistanceField(const TriangleMesh& mesh, const MeshTopology&
   const Grid& grid, const Extent& extent, const FieldArrays& arrays,
   const DistanceFieldOptions& options)
 {
-  FieldPipeline pipeline(mesh, topology, grid, extent, options);
-  pipeline.run(arrays, nullptr);
-  pipeline.report(1.0, "distance field");
-  return pipeline.statistics();
+  return withMemoryErrors(extent.pointCount(),
+    [&]
+    {
+      FieldPipeline pipeline(mesh, topology, grid, extent, options);
+      pipeline.run(arrays, nullptr);
+      pipeline.report(1.0, "distance field");
+      return pipeline.statistics();
+    });
 }
 
 DistanceField computeDistanceField(const TriangleMesh& mesh, const Grid& grid,
@@ -54,19 +58,15 @@ DistanceField computeDistanceField(const TriangleMesh& mesh, const Grid& grid,
   field.grid = grid;
   field.sign = resolveSignMethod(options.sign, topology);
   const auto count = static_cast<std::size_t>(grid.pointCount());
-  try
-  {
-    field.distance.resize(count);
-    field.closestPoint.resize(3 * count);
-    field.closestSite.resize(count);
-    field.closestFeature.resize(count);
-    field.closestCell.resize(count);
-  }
-  catch (const std::bad_alloc&)
-  {
-    throw Error(ErrorCode::OutOfMemory,
-      "out of memory for a field of " + std::to_string(count) + " grid points");
-  }
+  withMemoryErrors(grid.pointCount(),
+    [&]
+    {
+      field.distance.resize(count);
+      field.closestPoint.resize(3 * count);
+      field.closestSite.resize(count);
+      field.closestFeature.resize(count);
+      field.closestCell.resize(count);
+    });
   const FieldArrays arrays{ field.distance.data(), field.closestPoint.data(),
     field.closestSite.data(), field.closestFeature.data(), field.closestCell.data() };
   field.statistics =

@@ -36,7 +36,8 @@ struct DistanceFieldOptions
   SignMethod sign = SignMethod::Auto;
   /// CPU threads to use; 0 for all cores.
   int threads = 0;
-  /// Upper bound of the memory for slabs, in MiB; 0 chooses. Any value >= 64 works.
+  /// Memory that a slab's textures and their copies should not exceed, in MiB; 0 chooses. A slab
+  /// has at least one slice; candidates and polygons come on top.
   std::size_t memoryMiB = 0;
   /// Fail on a software renderer.
   bool requireHardware = false;

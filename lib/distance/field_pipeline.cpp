@@ -9,7 +9,6 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <new>
 #include <string>
 
 namespace medial
@@ -45,7 +44,7 @@ SignMethod checkedSign(const TriangleMesh& mesh, const MeshTopology& topology, c
   if (options.threads < 0)
   {
     throw Error(ErrorCode::InvalidInput,
-      "threads " + std::to_string(options.threads) + " is outside [0, number of cores]");
+      "threads " + std::to_string(options.threads) + " is negative");
   }
   return resolveSignMethod(options.sign, topology);
 }
@@ -59,6 +58,14 @@ Device checkedDevice(const DistanceFieldOptions& options)
       "a hardware renderer is required, but OpenGL runs on " + device.renderer);
   }
   return device;
+}
+
+RunStatistics newStatistics(const Extent& extent, const DistanceFieldOptions& options)
+{
+  RunStatistics statistics;
+  statistics.device = checkedDevice(options);
+  statistics.samples = extent.pointCount();
+  return statistics;
 }
 
 int textureLimit()
@@ -78,13 +85,12 @@ FieldPipeline::FieldPipeline(const TriangleMesh& mesh, const MeshTopology& topol
   , options_(options)
   , frame_(grid)
   , sign_(checkedSign(mesh, topology, grid, extent, options))
+  , statistics_(newStatistics(extent, options))
   , sites_(timed(statistics_.seconds.sites, [&] { return SiteSet(mesh, topology, frame_); }))
   , normals_(timed(statistics_.seconds.sites,
       [&] { return pseudonormals(sites_, fieldSign(sign_, topology) == FieldSign::Inward); }))
 {
-  statistics_.device = checkedDevice(options);
   statistics_.sites = sites_.size();
-  statistics_.samples = extent.pointCount();
 }
 
 void FieldPipeline::inArena(const std::function<void()>& work) const
@@ -126,19 +132,6 @@ AtlasLayout FieldPipeline::chooseAtlas() const
 
 void FieldPipeline::run(const FieldArrays& arrays, SlabStage* stage)
 {
-  try
-  {
-    this->runSlabs(arrays, stage);
-  }
-  catch (const std::bad_alloc&)
-  {
-    throw Error(ErrorCode::OutOfMemory,
-      "out of memory for a field of " + std::to_string(extent_.pointCount()) + " grid points");
-  }
-}
-
-void FieldPipeline::runSlabs(const FieldArrays& arrays, SlabStage* stage)
-{
   this->report(0.0, "distance field");
   const AtlasLayout atlas = this->chooseAtlas();
   const CandidateHierarchy hierarchy = this->cullBlocks(atlas.slabSlices);
@@ -172,10 +165,16 @@ void FieldPipeline::runSlabs(const FieldArrays& arrays, SlabStage* stage)
           const Stopwatch watch(statistics_.seconds.medial);
           stage->process(r, extent, previousSlices > 0);
         }
-        const Stopwatch watch(statistics_.seconds.resolve);
-        writer.fetch(r, extent);
+        if (arrays.any())
+        {
+          const Stopwatch watch(statistics_.seconds.resolve);
+          writer.fetch(r, extent);
+        }
       });
-    timed(statistics_.seconds.resolve, [&] { this->inArena([&] { writer.store(extent); }); });
+    if (arrays.any())
+    {
+      timed(statistics_.seconds.resolve, [&] { this->inArena([&] { writer.store(extent); }); });
+    }
     previousSlices = extent.size(2);
   }
 }

@@ -53,7 +53,6 @@ public:
 
 private:
   AtlasLayout chooseAtlas() const;
-  void runSlabs(const FieldArrays& arrays, SlabStage* stage);
   CandidateHierarchy cullBlocks(int slabSlices);
   std::vector<CandidateTiles> cullSlab(const CandidateHierarchy& hierarchy, int slab);
   std::vector<PolygonChunk> preparePolygons(const std::vector<CandidateTiles>& tiles,

@@ -192,14 +192,14 @@ void SlabRenderer::draw(const std::vector<PolygonChunk>& chunks)
   program.set("atlasSize", glm::vec2(atlas_.size()));
   program.set("depthScale", depthScale_);
   program.use();
-  constexpr GLint kNoSite = -1;
+  constexpr GLint kNoSite[4] = { -1, -1, -1, -1 };
   constexpr GLfloat kFar = 1.0f;
   glBindFramebuffer(GL_FRAMEBUFFER, drawTarget_.id());
   glViewport(0, 0, atlas_.size().x, atlas_.size().y);
   glEnable(GL_DEPTH_TEST);
   glDepthMask(GL_TRUE);
   glDepthFunc(GL_LESS);
-  glClearBufferiv(GL_COLOR, 0, &kNoSite);
+  glClearBufferiv(GL_COLOR, 0, kNoSite);
   glClearBufferfv(GL_DEPTH, 0, &kFar);
   glBindVertexArray(polygonFormat_.id());
   glMultiDrawElementsBaseVertex(GL_TRIANGLES, drawCounts_.data(), GL_UNSIGNED_INT,

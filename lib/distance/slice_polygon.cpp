@@ -50,12 +50,23 @@ void SlicePolygon::clip(const Affine& side, float limit)
     values[i] = side(corners_[i]) - limit;
     cuts = cuts || values[i] > 0.0f;
   }
-  if (!cuts || size_ + 1 > kMaxCorners)
+  if (!cuts)
+  {
+    return;
+  }
+  // Rounding may make more than two sides cross the line.
+  int count = 0;
+  for (int i = 0; i < size_; ++i)
+  {
+    const int next = i + 1 == size_ ? 0 : i + 1;
+    count += (values[i] <= 0.0f ? 1 : 0) + ((values[i] <= 0.0f) != (values[next] <= 0.0f) ? 1 : 0);
+  }
+  if (count > kMaxCorners)
   {
     return;
   }
   std::array<glm::vec2, kMaxCorners> kept;
-  int count = 0;
+  count = 0;
   for (int i = 0; i < size_; ++i)
   {
     const int next = i + 1 == size_ ? 0 : i + 1;

@@ -17,8 +17,9 @@ struct Device
 /// @throws Error NoGpu when there is no EGL, or no OpenGL 4.5 core context to be had from it.
 Device queryDevice();
 
-/// Errors that the driver reported through the OpenGL debug output since the process began, as one
-/// line each. Empty in a correct program; for tests.
+/// What the driver reported through the OpenGL debug output since the process began, one message a
+/// line, notifications and performance hints apart. Only collected where the environment variable
+/// MEDIAL_GL_DEBUG was set when the GPU thread started; for tests.
 std::string deviceDebugLog();
 
 } // namespace medial

@@ -1,6 +1,7 @@
 #include "medial/medial/medial_axis.h"
 
 #include "medial/common/error.h"
+#include "medial/common/memory_guard.h"
 #include "medial/common/stopwatch.h"
 #include "medial/culling/tile_query.h"
 #include "medial/distance/field_pipeline.h"
@@ -10,7 +11,6 @@
 #include "medial/medial/selection_stage.h"
 #include "medial/medial/separation.h"
 
-#include <glm/gtc/constants.hpp>
 #include <tbb/parallel_for.h>
 
 #include <cmath>
@@ -126,12 +126,9 @@ void checkAngle(double angle)
   }
 }
 
-} // namespace
-
-MedialAxis computeMedialAxis(const TriangleMesh& mesh, const MeshTopology& topology,
-  const Grid& grid, const MedialAxisOptions& options, const FieldArrays& arrays)
+MedialAxis runPipeline(const TriangleMesh& mesh, const MeshTopology& topology, const Grid& grid,
+  const MedialAxisOptions& options, const FieldArrays& arrays)
 {
-  checkAngle(options.angle);
   FieldPipeline pipeline(mesh, topology, grid, grid.wholeExtent(), options.field);
   MedialAxis axis;
   axis.sign = pipeline.sign();
@@ -156,6 +153,16 @@ MedialAxis computeMedialAxis(const TriangleMesh& mesh, const MeshTopology& topol
   pipeline.report(1.0, "medial axis");
   axis.statistics = pipeline.statistics();
   return axis;
+}
+
+} // namespace
+
+MedialAxis computeMedialAxis(const TriangleMesh& mesh, const MeshTopology& topology,
+  const Grid& grid, const MedialAxisOptions& options, const FieldArrays& arrays)
+{
+  checkAngle(options.angle);
+  return withMemoryErrors(grid.pointCount(),
+    [&] { return runPipeline(mesh, topology, grid, options, arrays); });
 }
 
 MedialAxis computeMedialAxis(const TriangleMesh& mesh, const Grid& grid,

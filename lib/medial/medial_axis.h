@@ -69,7 +69,9 @@ struct MedialAxis
 };
 
 /// Medial axis of a mesh, simplified by separation angle (Foskey, Lin, Manocha, 2003), from the
-/// distance field on `grid`. Point positions are sub-voxel: on the bisector of the two sites.
+/// distance field on `grid`. Points of Representation::Points lie on the bisector of their two
+/// sites, those of a surface at the mean of such points, those of faces at the corners of voxels.
+/// Surfaces and faces need a grid of at least two slices along every axis.
 ///
 /// @param arrays where to leave the distance field of the whole grid as well; all null for none.
 /// @throws Error InvalidInput for an angle outside (0, 180), and as computeDistanceField.

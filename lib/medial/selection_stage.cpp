@@ -3,8 +3,6 @@
 #include "medial/distance/atlas_texture.h"
 #include "medial/gpu/shader_program.h"
 
-#include <glm/gtc/constants.hpp>
-
 #include <cmath>
 
 namespace medial

@@ -58,6 +58,26 @@ TEST(SlicePolygon, SnappingJoinsCornersThatBecomeOne)
   EXPECT_EQ(polygon.size(), 4);
 }
 
+/// As above the apex of a cone with very many edges: corners within rounding of the next side.
+TEST(SlicePolygon, VeryManySidesNeverMakeTooManyCorners)
+{
+  for (int edges : { 64, 250, 1000, 5000 })
+  {
+    for (float slice = 0.001f; slice < 0.02f; slice += 0.0005f)
+    {
+      SlicePolygon polygon({ 7.0f, 7.0f });
+      for (int i = 0; i < edges && !polygon.empty(); ++i)
+      {
+        const float angle = 6.2831853f * static_cast<float>(i) / static_cast<float>(edges);
+        const float a = 0.7f * std::cos(angle);
+        const float b = 0.7f * std::sin(angle);
+        polygon.clip({ a, b, -3.3f * a - 3.7f * b - 0.7f * slice }, 0.0005f);
+        ASSERT_LE(polygon.size(), 32);
+      }
+    }
+  }
+}
+
 double leastFanHeight(const SlicePolygon& polygon, int start)
 {
   double least = 1e9;
