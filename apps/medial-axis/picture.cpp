@@ -116,8 +116,8 @@ void addAxis(vtkRenderer* renderer, vtkPolyData* axis, vtkColorTransferFunction*
   vtkProperty* look = actor->GetProperty();
   look->SetAmbient(0.35);
   look->SetDiffuse(0.75);
-  look->SetLineWidth(3.0F);
-  look->SetPointSize(5.0F);
+  look->SetLineWidth(2.0F);
+  look->SetPointSize(3.0F);
   renderer->AddActor(actor);
 }
 
