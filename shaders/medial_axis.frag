@@ -43,7 +43,7 @@ void main()
   ivec2 cell = pixel / sliceSize;
   int slot = cell.y * columns + cell.x;
   crossings = 0u;
-  if (slot < firstSlot || slot >= endSlot || cell.x >= columns)
+  if (slot < firstSlot || slot >= endSlot)
   {
     return;
   }

@@ -93,7 +93,7 @@ void main()
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   ivec2 cell = pixel / sliceSize;
   int slot = cell.y * columns + cell.x;
-  if (slot < firstSlot || slot >= endSlot || cell.x >= columns)
+  if (slot < firstSlot || slot >= endSlot)
   {
     discard;
   }

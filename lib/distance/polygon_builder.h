@@ -31,7 +31,7 @@ struct PolygonChunk
 
 /// The polygons of a slab: for every slice and every site that may be closest there, the part of
 /// the slice inside the site's candidate tiles and half-spaces (the paper's section 3.2, with the
-/// bounds of SiteSet). In ascending order of sites, so that ties go to the lowest id.
+/// bounds of SiteSet). On each slice in ascending order of sites, so that ties go to the lowest id.
 /// @param slab what the tiles cover; slice slab.min[2] goes to slot 1 of the atlas.
 std::vector<PolygonChunk> buildPolygons(const SiteSet& sites, const GridFrame& frame,
   const std::vector<CandidateTiles>& tiles, const Extent& slab, const AtlasLayout& atlas);

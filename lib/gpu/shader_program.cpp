@@ -88,11 +88,6 @@ void ShaderProgram::set(const char* uniform, const glm::ivec2& value) const
   glProgramUniform2iv(program_.id(), this->location(uniform), 1, glm::value_ptr(value));
 }
 
-void ShaderProgram::set(const char* uniform, const glm::ivec3& value) const
-{
-  glProgramUniform3iv(program_.id(), this->location(uniform), 1, glm::value_ptr(value));
-}
-
 void ShaderProgram::set(const char* uniform, const glm::vec2& value) const
 {
   glProgramUniform2fv(program_.id(), this->location(uniform), 1, glm::value_ptr(value));

@@ -2,7 +2,6 @@
 
 #include "medial/common/grid.h"
 #include "medial/medial/crossing.h"
-#include "medial/medial/medial_axis.h"
 #include "medial/sites/grid_frame.h"
 
 #include <glm/glm.hpp>

@@ -1,7 +1,7 @@
 #include "medial/sites/site_set.h"
 
 #include <algorithm>
-#include <cmath>
+#include <initializer_list>
 
 namespace medial
 {

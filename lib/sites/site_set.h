@@ -6,7 +6,6 @@
 
 #include <glm/glm.hpp>
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
