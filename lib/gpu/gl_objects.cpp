@@ -57,7 +57,11 @@ Buffer createStorageBuffer(GLsizeiptr bytes, const void* data)
 {
   constexpr GLsizeiptr kLeastBytes = 16;
   Buffer buffer = createBuffer();
-  glNamedBufferStorage(buffer.id(), std::max(bytes, kLeastBytes), bytes > 0 ? data : nullptr, 0);
+  glNamedBufferStorage(buffer.id(), std::max(bytes, kLeastBytes), nullptr, GL_DYNAMIC_STORAGE_BIT);
+  if (bytes > 0 && data != nullptr)
+  {
+    glNamedBufferSubData(buffer.id(), 0, bytes, data);
+  }
   checkGl("allocating a buffer");
   return buffer;
 }
