@@ -1,28 +1,111 @@
 #include "medial/culling/candidate_filter.h"
 
+#include "medial/common/simd.h"
+#include "medial/sites/closest_point.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace medial
 {
+namespace
+{
+
+constexpr float kUnknown = std::numeric_limits<float>::max();
+
+/// Eight boxes side by side; spare lanes repeat the first.
+struct BoxLanes
+{
+  Float8 x, y, z;
+  Float8 halfX, halfY, halfZ;
+  Float8 radius;
+};
+
+MEDIAL_INLINE BoxLanes boxLanes(const FrameBox* boxes, int count)
+{
+  BoxLanes lanes{};
+  for (int i = 0; i < kLanes; ++i)
+  {
+    const FrameBox& box = boxes[i < count ? i : 0];
+    lanes.x[i] = box.centre.x;
+    lanes.y[i] = box.centre.y;
+    lanes.z[i] = box.centre.z;
+    lanes.halfX[i] = box.half.x;
+    lanes.halfY[i] = box.half.y;
+    lanes.halfZ[i] = box.half.z;
+    lanes.radius[i] = glm::length(box.half);
+  }
+  return lanes;
+}
+
+MEDIAL_INLINE Float8 squaredLength(Float8 x, Float8 y, Float8 z)
+{
+  return x * x + y * y + z * z;
+}
+
+MEDIAL_INLINE Float8 squareRoot(Float8 value)
+{
+  Float8 root{};
+  for (int i = 0; i < kLanes; ++i)
+  {
+    root[i] = std::sqrt(value[i]);
+  }
+  return root;
+}
+
+/// Which boxes are wholly outside of a half-space.
+MEDIAL_INLINE Int8 outside(const BoxLanes& boxes, const HalfSpace& h, float slack)
+{
+  const Float8 least = boxes.x * h.x + boxes.y * h.y + boxes.z * h.z - boxes.halfX * std::abs(h.x) -
+    boxes.halfY * std::abs(h.y) - boxes.halfZ * std::abs(h.z);
+  return least > h.w + slack;
+}
+
+/// The corners of a box relative to its centre.
+struct Corners
+{
+  Float8 x, y, z;
+
+  explicit MEDIAL_INLINE Corners(const glm::vec3& half)
+    : x(Float8{ -1, 1, -1, 1, -1, 1, -1, 1 } * half.x)
+    , y(Float8{ -1, -1, 1, 1, -1, -1, 1, 1 } * half.y)
+    , z(Float8{ -1, -1, -1, -1, 1, 1, 1, 1 } * half.z)
+  {
+  }
+
+  MEDIAL_INLINE Float8 squaredDistances(const glm::vec3& point) const
+  {
+    return squaredLength(x - point.x, y - point.y, z - point.z);
+  }
+
+  /// Signed distances from a plane, given that of the centre.
+  MEDIAL_INLINE Float8 evaluate(const HalfSpace& plane, float atCentre) const
+  {
+    return x * plane.x + y * plane.y + z * plane.z + atCentre;
+  }
+};
+
+float evaluate(const HalfSpace& plane, const glm::vec3& x)
+{
+  return plane.x * x.x + plane.y * x.y + plane.z * x.z - plane.w;
+}
+
+} // namespace
 
 CandidateFilter::CandidateFilter(const SiteSet& sites)
   : sites_(sites)
-  , packs_(sites)
 {
-  facePlanes_.reserve(sites.faceCount());
+  facePlanes_.resize(sites.faceCount());
   for (int face = 0; face < sites.faceCount(); ++face)
   {
     const glm::dvec3& normal = sites.faceNormal(face);
     const glm::dvec3& corner = sites.points()[sites.faces()[face][0]];
-    PlanePack pack{};
-    for (int i = 0; i < 3 && sites.active(face); ++i)
+    facePlanes_[face].plane = { glm::vec3(normal), static_cast<float>(glm::dot(normal, corner)) };
+    if (sites.active(face))
     {
-      pack.set(i, sites.halfSpacesBegin(face)[i]);
+      std::copy_n(sites.halfSpacesBegin(face), 3, facePlanes_[face].sides);
     }
-    pack.set(3, { glm::vec3(normal), static_cast<float>(glm::dot(normal, corner)) });
-    facePlanes_.push_back(pack);
   }
   edgeLines_.reserve(sites.edgeCount());
   for (const glm::ivec2& ends : sites.edges())
@@ -58,20 +141,19 @@ std::vector<int> CandidateFilter::allSites() const
 
 DistanceBounds CandidateFilter::bounds(int site, const glm::vec3& x) const
 {
-  constexpr float kUnknown = std::numeric_limits<float>::max();
   switch (sites_.kind(site))
   {
     case SiteKind::Face:
     {
       // Inside its prism a face is at plane distance; elsewhere its edges bound the distance from
       // above, so only a lower bound is needed.
-      const Float4 values = facePlanes_[site].evaluate(x);
-      const float excess = std::max({ 0.0f, values[0], values[1], values[2] });
-      const float height = std::abs(values[3]);
+      const FacePlanes& face = facePlanes_[site];
+      const float excess = std::max(
+        { 0.0f, evaluate(face.sides[0], x), evaluate(face.sides[1], x), evaluate(face.sides[2], x) });
+      const float height = std::abs(evaluate(face.plane, x));
       // Beyond an acute corner of a needle both long sides round to 0; the ends tell.
       const HalfSpace* ends = sites_.halfSpacesBegin(site) + 3;
-      const auto beyond = [&](const HalfSpace& h) { return glm::dot(glm::vec3(h), x) > h.w; };
-      if (excess <= 0.0f && !beyond(ends[0]) && !beyond(ends[1]))
+      if (excess <= 0.0f && evaluate(ends[0], x) <= 0.0f && evaluate(ends[1], x) <= 0.0f)
       {
         return { height, height };
       }
@@ -92,55 +174,138 @@ DistanceBounds CandidateFilter::bounds(int site, const glm::vec3& x) const
   return { distance, distance };
 }
 
-bool CandidateFilter::outside(int site, const FrameBox& box) const
+MEDIAL_VECTORISED void CandidateFilter::findNear(const std::vector<int>& parent,
+  const FrameBox* boxes, int boxCount, Scratch& scratch) const
 {
-  const PlanePack* end = packs_.end(site);
-  for (const PlanePack* pack = packs_.begin(site); pack != end; ++pack)
+  const BoxLanes lanes = boxLanes(boxes, boxCount);
+  Float8 upper = splat(kUnknown);
+  for (const int site : parent)
   {
-    const auto beyond = pack->evaluateBox(box.centre, box.half) > slack_;
-    if ((beyond[0] | beyond[1] | beyond[2] | beyond[3]) != 0)
+    const glm::vec4& sphere = sites_.sphere(site);
+    const Float8 distance =
+      squareRoot(squaredLength(lanes.x - sphere.x, lanes.y - sphere.y, lanes.z - sphere.z));
+    upper = least(upper, distance + sphere.w);
+  }
+  const Float8 limit = upper + 2.0f * lanes.radius + slack_;
+  const unsigned used = (1u << boxCount) - 1u;
+  for (const int site : parent)
+  {
+    const glm::vec4& sphere = sites_.sphere(site);
+    const Float8 reach = limit + sphere.w;
+    const Float8 squared =
+      squaredLength(lanes.x - sphere.x, lanes.y - sphere.y, lanes.z - sphere.z);
+    Int8 dropped = squared > reach * reach;
+    const HalfSpace* end = sites_.halfSpacesEnd(site);
+    for (const HalfSpace* h = sites_.halfSpacesBegin(site); h != end; ++h)
     {
-      return true;
+      dropped |= outside(lanes, *h, slack_);
+    }
+    for (unsigned kept = ~bits(dropped) & used; kept != 0; kept &= kept - 1)
+    {
+      scratch.near[__builtin_ctz(kept)].push_back(site);
     }
   }
-  return false;
 }
 
-void CandidateFilter::filter(const std::vector<int>& parent, const FrameBox& box,
-  std::vector<int>& out, Scratch& scratch) const
+MEDIAL_VECTORISED void CandidateFilter::dropDominated(const FrameBox& box,
+  const std::vector<int>& near, std::vector<int>& out, Scratch& scratch) const
 {
-  const float radius = glm::length(box.half);
-  const float reach = 2.0f * radius + slack_;
-  // Spheres first: cheap, and a good start for the upper bound.
-  scratch.lower.resize(parent.size());
-  float upper = std::numeric_limits<float>::max();
-  for (std::size_t i = 0; i < parent.size(); ++i)
+  const Corners corners(box.half);
+  scratch.corners.resize(near.size());
+  Float8 nearest = splat(kUnknown);
+  Int8 nearestSite = Int8{} - 1;
+  for (std::size_t i = 0; i < near.size(); ++i)
   {
-    const glm::vec4& sphere = sites_.sphere(parent[i]);
-    const float distance = glm::distance(box.centre, glm::vec3(sphere));
-    scratch.lower[i] = distance - sphere.w;
-    upper = std::min(upper, distance + sphere.w);
+    const int site = near[i];
+    Float8 squared;
+    Float8 exact;
+    switch (sites_.kind(site))
+    {
+      case SiteKind::Face:
+      {
+        const FacePlanes& face = facePlanes_[site];
+        const float centre[3] = { evaluate(face.sides[0], box.centre),
+          evaluate(face.sides[1], box.centre), evaluate(face.sides[2], box.centre) };
+        const Float8 height = corners.evaluate(face.plane, evaluate(face.plane, box.centre));
+        const Float8 side0 = corners.evaluate(face.sides[0], centre[0]);
+        const Float8 side1 = corners.evaluate(face.sides[1], centre[1]);
+        const Float8 side2 = corners.evaluate(face.sides[2], centre[2]);
+        // From below by the half plane within one side, as that is convex.
+        const Float8 side = centre[0] > centre[1] ? (centre[0] > centre[2] ? side0 : side2)
+                                                  : (centre[1] > centre[2] ? side1 : side2);
+        const Float8 excess = greatest(side, Float8{});
+        squared = height * height + excess * excess;
+        exact = greatest(greatest(side0, side1), side2) > 0.0f ? splat(kUnknown) : squared;
+        break;
+      }
+      case SiteKind::Edge:
+      {
+        const EdgeLine& line = edgeLines_[site - sites_.firstEdge()];
+        const glm::vec3 fromStart = box.centre - line.start;
+        const Float8 x = corners.x + fromStart.x;
+        const Float8 y = corners.y + fromStart.y;
+        const Float8 z = corners.z + fromStart.z;
+        const Float8 along = x * line.direction.x + y * line.direction.y + z * line.direction.z;
+        const Float8 t = least(greatest(along, Float8{}), splat(line.length));
+        squared =
+          squaredLength(x - t * line.direction.x, y - t * line.direction.y, z - t * line.direction.z);
+        exact = squared;
+        break;
+      }
+      case SiteKind::Vertex:
+      default:
+        squared = corners.squaredDistances(glm::vec3(sites_.sphere(site)) - box.centre);
+        exact = squared;
+        break;
+    }
+    store(squared, scratch.corners[i].data());
+    const Int8 nearer = exact < nearest;
+    nearest = nearer ? exact : nearest;
+    nearestSite = nearer ? Int8{} + site : nearestSite;
   }
-  scratch.kept.clear();
-  for (std::size_t i = 0; i < parent.size(); ++i)
+
+  // The surface points nearest to the corners.
+  Float8 known[kLanes];
+  int knownCount = 0;
+  const float radius = glm::length(box.half);
+  for (int i = 0; i < kLanes; ++i)
   {
-    if (scratch.lower[i] > upper + reach)
+    if (nearestSite[i] < 0)
     {
       continue;
     }
-    const DistanceBounds interval = this->bounds(parent[i], box.centre);
-    upper = std::min(upper, interval.upper);
-    if (interval.lower <= upper + reach)
+    const glm::dvec3 centre(box.centre);
+    const glm::dvec3 corner = centre + glm::dvec3(corners.x[i], corners.y[i], corners.z[i]);
+    const glm::vec3 point(closestPoint(sites_, nearestSite[i], corner).point - centre);
+    const float tolerance = 2.0f * slack_ * (glm::length(point) + radius + slack_);
+    known[knownCount++] = corners.squaredDistances(point) + tolerance;
+  }
+  for (std::size_t i = 0; i < near.size(); ++i)
+  {
+    const Float8 squared = loaded(scratch.corners[i].data());
+    bool dominated = false;
+    for (int k = 0; k < knownCount && !dominated; ++k)
     {
-      scratch.kept.emplace_back(interval.lower, parent[i]);
+      dominated = all(squared > known[k]);
+    }
+    if (!dominated)
+    {
+      out.push_back(near[i]);
     }
   }
-  for (const auto& [lower, site] : scratch.kept)
+}
+
+void CandidateFilter::filter(const std::vector<int>& parent, const FrameBox* boxes, int boxCount,
+  std::vector<int>* const* out, Scratch& scratch) const
+{
+  for (int i = 0; i < boxCount; ++i)
   {
-    if (lower <= upper + reach && !this->outside(site, box))
-    {
-      out.push_back(site);
-    }
+    scratch.near[i].clear();
+  }
+  this->findNear(parent, boxes, boxCount, scratch);
+  for (int i = 0; i < boxCount; ++i)
+  {
+    this->dropDominated(boxes[i], scratch.near[i], *out[i], scratch);
   }
 }
 

@@ -1,11 +1,10 @@
 #pragma once
 
-#include "medial/culling/half_space_packs.h"
 #include "medial/sites/site_set.h"
 
 #include <glm/glm.hpp>
 
-#include <utility>
+#include <array>
 #include <vector>
 
 namespace medial
@@ -30,21 +29,28 @@ struct DistanceBounds
 class CandidateFilter
 {
 public:
+  /// Boxes that are filtered in one go.
+  static constexpr int kMostBoxes = 8;
+
   explicit CandidateFilter(const SiteSet& sites);
 
   /// Working memory of one thread.
   struct Scratch
   {
-    std::vector<float> lower;
-    std::vector<std::pair<float, int>> kept;
+    std::array<std::vector<int>, kMostBoxes> near;   ///< survivors of the cheap tests
+    std::vector<std::array<float, 8>> corners;       ///< squared distances of box corners
   };
 
-  /// Appends to `out`, in the order of `parent`, the sites that survive
-  /// - dist(centre, site) <= D + 2 radius, D an upper bound of the distance at the centre, and
-  /// - no half-space of the site has the whole box outside.
-  /// @param parent candidates of a box that contains this one.
-  void filter(const std::vector<int>& parent, const FrameBox& box, std::vector<int>& out,
-    Scratch& scratch) const;
+  /// For each of up to kMostBoxes boxes, appends to its `out`, in the order of `parent`, the sites
+  /// that pass three tests:
+  /// - dist(centre, site) <= D + 2 radius, D an upper bound of the distance at the centre;
+  /// - no half-space of the site has the whole box outside;
+  /// - no surface point among some near ones is nearer than the site to all corners of the box. As a
+  ///   site is convex, the point is then nearer all over the box: the difference of the squared
+  ///   distances is a minimum of affine functions, hence concave, and least at a corner.
+  /// @param parent candidates of a box that contains these.
+  void filter(const std::vector<int>& parent, const FrameBox* boxes, int boxCount,
+    std::vector<int>* const* out, Scratch& scratch) const;
 
   /// Exact for edges and vertices; for a face the upper bound is left to its border where x does
   /// not project into it.
@@ -63,12 +69,19 @@ private:
     float length;
     glm::vec3 direction;
   };
+  struct FacePlanes
+  {
+    HalfSpace plane;
+    HalfSpace sides[3];
+  };
 
-  bool outside(int site, const FrameBox& box) const;
+  void findNear(const std::vector<int>& parent, const FrameBox* boxes, int boxCount,
+    Scratch& scratch) const;
+  void dropDominated(const FrameBox& box, const std::vector<int>& near, std::vector<int>& out,
+    Scratch& scratch) const;
 
   const SiteSet& sites_;
-  HalfSpacePacks packs_;
-  std::vector<PlanePack> facePlanes_; ///< the three sides of the prism, then the face's plane
+  std::vector<FacePlanes> facePlanes_;
   std::vector<EdgeLine> edgeLines_;
   float slack_;
 };

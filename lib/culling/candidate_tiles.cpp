@@ -1,9 +1,10 @@
 #include "medial/culling/candidate_tiles.h"
 
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_for_each.h>
 
 #include <algorithm>
+#include <array>
 
 namespace medial
 {
@@ -36,122 +37,173 @@ std::vector<Extent> split(const Extent& extent, const glm::ivec3& limit)
   return parts;
 }
 
+bool fits(const Extent& extent, const glm::ivec3& limit)
+{
+  return extent.size(0) <= limit.x && extent.size(1) <= limit.y && extent.size(2) <= limit.z;
+}
+
+/// The candidates of the parts of a node.
+struct PartLists
+{
+  std::array<std::vector<int>, CandidateFilter::kMostBoxes> lists;
+
+  void fill(const CandidateFilter& filter, const std::vector<int>& candidates,
+    const std::vector<FrameBox>& boxes, CandidateFilter::Scratch& scratch)
+  {
+    std::array<std::vector<int>*, CandidateFilter::kMostBoxes> out{};
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+    {
+      lists[i].clear();
+      out[i] = &lists[i];
+    }
+    filter.filter(candidates, boxes.data(), static_cast<int>(boxes.size()), out.data(), scratch);
+  }
+};
+
 } // namespace
 
-CandidateHierarchy::CandidateHierarchy(const SiteSet& sites, const GridFrame& frame,
-  const Extent& extent, int slabSlices)
-  : filter_(sites)
+/// Memory of one thread, used again for every node.
+struct CandidateHierarchy::Workspace
+{
+  CandidateFilter::Scratch scratch;
+  std::vector<FrameBox> boxes;
+  std::array<PartLists, 4> levels; ///< from blocks to leaves; leaf tiles may be one slice thick
+};
+
+CandidateHierarchy::CandidateHierarchy(const CandidateFilter& filter, const GridFrame& frame,
+  const Extent& extent, TileHull hull, int leafSlices)
+  : filter_(filter)
   , frame_(frame)
   , extent_(extent)
-  , leafSize_(kLeafSize, kLeafSize, std::min(kLeafSize, slabSlices))
-  , blockSize_(kBlockSize, kBlockSize, slabSlices)
+  , hull_(hull)
+  , leafSize_(kLeafSize, kLeafSize, leafSlices)
 {
   for (int axis = 0; axis < 3; ++axis)
   {
-    blockCounts_[axis] = (extent.size(axis) + blockSize_[axis] - 1) / blockSize_[axis];
+    blockCounts_[axis] = (extent.size(axis) + kBlockSize - 1) / kBlockSize;
   }
   blocks_.resize(static_cast<std::size_t>(blockCounts_.x) * blockCounts_.y * blockCounts_.z);
   this->descendToBlocks(extent, filter_.allSites());
 }
 
-FrameBox CandidateHierarchy::pointHull(const Extent& extent) const
+FrameBox CandidateHierarchy::hullOf(const Extent& extent) const
 {
-  const glm::dvec3 low(extent.min[0], extent.min[1], extent.min[2]);
-  const glm::dvec3 high(extent.max[0], extent.max[1], extent.max[2]);
+  Extent points = extent;
+  if (hull_ == TileHull::Cells)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      points.max[axis] = std::min(points.max[axis] + 1, extent_.max[axis]);
+    }
+  }
+  const glm::dvec3 low(points.min[0], points.min[1], points.min[2]);
+  const glm::dvec3 high(points.max[0], points.max[1], points.max[2]);
   return { glm::vec3(frame_.sample(0.5 * (low + high))),
     glm::vec3(0.5 * (high - low) * frame_.step) };
 }
 
-FrameBox CandidateHierarchy::cellHull(const Extent& extent) const
+void CandidateHierarchy::descendToBlocks(const Extent& node, const std::vector<int>& candidates)
 {
-  Extent cells = extent;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    cells.max[axis] = std::min(cells.max[axis] + 1, extent_.max[axis]);
-  }
-  return this->pointHull(cells);
-}
-
-void CandidateHierarchy::descendToBlocks(const Extent& node, const std::vector<int>& parent)
-{
-  std::vector<int> candidates;
-  CandidateFilter::Scratch scratch;
-  filter_.filter(parent, this->cellHull(node), candidates, scratch);
-  const std::vector<Extent> parts = split(node, blockSize_);
+  const std::vector<Extent> parts = split(node, glm::ivec3(kBlockSize));
   if (parts.size() == 1)
   {
     std::size_t index = 0;
     for (int axis = 2; axis >= 0; --axis)
     {
-      index = index * blockCounts_[axis] + (node.min[axis] - extent_.min[axis]) / blockSize_[axis];
+      index = index * blockCounts_[axis] + (node.min[axis] - extent_.min[axis]) / kBlockSize;
     }
-    blocks_[index] = { node, std::move(candidates) };
+    blocks_[index] = { node, candidates };
     return;
   }
-  tbb::parallel_for_each(parts,
-    [&](const Extent& part) { this->descendToBlocks(part, candidates); });
-}
-
-Extent CandidateHierarchy::slabExtent(int slab) const
-{
-  Extent extent = extent_;
-  extent.min[2] += slab * blockSize_.z;
-  extent.max[2] = std::min(extent.min[2] + blockSize_.z - 1, extent_.max[2]);
-  return extent;
-}
-
-std::vector<CandidateTiles> CandidateHierarchy::slabTiles(int slab,
-  std::vector<CandidateTiles>* cells) const
-{
-  const std::size_t perSlab = static_cast<std::size_t>(blockCounts_.x) * blockCounts_.y;
-  std::vector<CandidateTiles> tiles(perSlab);
-  if (cells != nullptr)
+  std::vector<FrameBox> boxes;
+  for (const Extent& part : parts)
   {
-    cells->assign(perSlab, {});
+    boxes.push_back(this->hullOf(part));
   }
-  tbb::parallel_for(std::size_t{ 0 }, perSlab,
+  PartLists lists;
+  CandidateFilter::Scratch scratch;
+  lists.fill(filter_, candidates, boxes, scratch);
+  tbb::parallel_for(std::size_t{ 0 }, parts.size(),
+    [&](std::size_t i) { this->descendToBlocks(parts[i], lists.lists[i]); });
+}
+
+std::vector<const CandidateHierarchy::Block*> CandidateHierarchy::blocksOf(
+  const Extent& slices) const
+{
+  const std::size_t layer = static_cast<std::size_t>(blockCounts_.x) * blockCounts_.y;
+  const std::size_t first = (slices.min[2] - extent_.min[2]) / kBlockSize;
+  const std::size_t last = (slices.max[2] - extent_.min[2]) / kBlockSize;
+  std::vector<const Block*> blocks;
+  for (std::size_t i = first * layer; i < (last + 1) * layer; ++i)
+  {
+    blocks.push_back(&blocks_[i]);
+  }
+  return blocks;
+}
+
+void CandidateHierarchy::visitLeaves(const Extent& slices, const Visitor& visitor) const
+{
+  const std::vector<const Block*> blocks = this->blocksOf(slices);
+  tbb::enumerable_thread_specific<Workspace> workspaces;
+  tbb::parallel_for(std::size_t{ 0 }, blocks.size(),
     [&](std::size_t i)
     {
-      const Block& block = blocks_[slab * perSlab + i];
-      CandidateFilter::Scratch scratch;
-      this->descendToLeaves(block.extent, block.candidates, tiles[i],
-        cells != nullptr ? &(*cells)[i] : nullptr, scratch);
+      Extent part = blocks[i]->extent;
+      part.min[2] = std::max(part.min[2], slices.min[2]);
+      part.max[2] = std::min(part.max[2], slices.max[2]);
+      this->descendToLeaves(part, blocks[i]->candidates, 0, workspaces.local(), visitor);
+    });
+}
+
+std::vector<CandidateTiles> CandidateHierarchy::leafTiles(const Extent& slices) const
+{
+  const std::vector<const Block*> blocks = this->blocksOf(slices);
+  std::vector<CandidateTiles> tiles(blocks.size());
+  const auto listOf = [&](const Extent& tile) -> CandidateTiles&
+  {
+    std::size_t index = 0;
+    for (int axis : { 1, 0 })
+    {
+      index = index * blockCounts_[axis] + (tile.min[axis] - extent_.min[axis]) / kBlockSize;
+    }
+    const int firstLayer = (slices.min[2] - extent_.min[2]) / kBlockSize;
+    const int layer = (tile.min[2] - extent_.min[2]) / kBlockSize - firstLayer;
+    return tiles[index + static_cast<std::size_t>(layer) * blockCounts_.x * blockCounts_.y];
+  };
+  // Every block is visited by one thread.
+  this->visitLeaves(slices,
+    [&](const Extent& tile, const std::vector<int>& candidates)
+    {
+      CandidateTiles& list = listOf(tile);
+      list.tiles.push_back(tile);
+      list.candidates.insert(list.candidates.end(), candidates.begin(), candidates.end());
+      list.offsets.push_back(list.candidates.size());
     });
   return tiles;
 }
 
-void CandidateHierarchy::descendToLeaves(const Extent& node, const std::vector<int>& parent,
-  CandidateTiles& tiles, CandidateTiles* cells, CandidateFilter::Scratch& scratch) const
+void CandidateHierarchy::descendToLeaves(const Extent& node, const std::vector<int>& candidates,
+  int depth, Workspace& workspace, const Visitor& visitor) const
 {
   const std::vector<Extent> parts = split(node, leafSize_);
-  if (parts.size() > 1)
+  workspace.boxes.clear();
+  for (const Extent& part : parts)
   {
-    std::vector<int> candidates;
-    filter_.filter(parent, this->cellHull(node), candidates, scratch);
-    for (const Extent& part : parts)
+    workspace.boxes.push_back(this->hullOf(part));
+  }
+  PartLists& lists = workspace.levels[depth];
+  lists.fill(filter_, candidates, workspace.boxes, workspace.scratch);
+  for (std::size_t i = 0; i < parts.size(); ++i)
+  {
+    if (fits(parts[i], leafSize_))
     {
-      this->descendToLeaves(part, candidates, tiles, cells, scratch);
+      visitor(parts[i], lists.lists[i]);
     }
-    return;
+    else
+    {
+      this->descendToLeaves(parts[i], lists.lists[i], depth + 1, workspace, visitor);
+    }
   }
-  if (cells == nullptr)
-  {
-    this->addLeaf(node, this->pointHull(node), parent, tiles, scratch);
-    return;
-  }
-  this->addLeaf(node, this->cellHull(node), parent, *cells, scratch);
-  const std::vector<int> candidates(cells->candidates.begin() +
-      static_cast<std::ptrdiff_t>(cells->offsets.end()[-2]),
-    cells->candidates.end());
-  this->addLeaf(node, this->pointHull(node), candidates, tiles, scratch);
-}
-
-void CandidateHierarchy::addLeaf(const Extent& tile, const FrameBox& hull,
-  const std::vector<int>& parent, CandidateTiles& tiles, CandidateFilter::Scratch& scratch) const
-{
-  tiles.tiles.push_back(tile);
-  filter_.filter(parent, hull, tiles.candidates, scratch);
-  tiles.offsets.push_back(tiles.candidates.size());
 }
 
 } // namespace medial

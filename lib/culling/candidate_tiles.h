@@ -6,6 +6,7 @@
 #include "medial/sites/site_set.h"
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace medial
@@ -19,33 +20,43 @@ struct CandidateTiles
   std::vector<int> candidates;           ///< site ids, ascending within a tile
 };
 
-/// Finds candidates top down over an octree of tiles (Lipschitz bound and half-spaces of sites).
-/// The upper levels are done once, the lower ones slab by slab, so that memory stays bounded.
+/// Where the candidates of a tile are to be complete.
+enum class TileHull
+{
+  Points, ///< at its grid points and between them
+  Cells   ///< up to the first points of the next tiles too, so that there are no gaps between tiles
+};
+
+/// Finds candidates top down over an octree of tiles. The upper levels are done once, the lower
+/// ones region by region, so that memory stays bounded.
 class CandidateHierarchy
 {
 public:
-  /// Grid points along the sides of a leaf tile.
+  /// Most grid points along the sides of a leaf tile.
   static constexpr int kLeafSize = 8;
-  /// Grid points along x and y of the blocks that the upper levels end with.
-  static constexpr int kBlockSize = 64;
+  /// Grid points along the sides of the blocks that the upper levels end with.
+  static constexpr int kBlockSize = 32;
 
+  /// Called from several threads at once.
+  /// @param candidates ascending.
+  using Visitor = std::function<void(const Extent& tile, const std::vector<int>& candidates)>;
+
+  /// @param filter of all sites; must outlive this.
   /// @param extent part of the grid to cover.
-  /// @param slabSlices z size of a slab, a power of two up to kBlockSize. Below kLeafSize it is the
-  /// z
-  ///   size of the leaf tiles too.
-  CandidateHierarchy(const SiteSet& sites, const GridFrame& frame, const Extent& extent,
-    int slabSlices);
+  /// @param leafSlices z size of leaf tiles, a power of two up to kLeafSize.
+  CandidateHierarchy(const CandidateFilter& filter, const GridFrame& frame, const Extent& extent,
+    TileHull hull, int leafSlices = kLeafSize);
 
   /// Largest size of a leaf tile; tiles start at multiples of it from the extent's corner.
   const glm::ivec3& leafSize() const { return leafSize_; }
-  int slabCount() const { return blockCounts_.z; }
-  /// The part of the extent that slab `slab` covers.
-  Extent slabExtent(int slab) const;
-  /// The leaf tiles of a slab, in one list per block, for the hull of each tile's grid points.
-  /// @param cells if not null, set to the same tiles for the hull of their grid cells, that is up
-  ///   to the first points of the next tiles, so that there are no gaps between them.
-  std::vector<CandidateTiles> slabTiles(int slab,
-    std::vector<CandidateTiles>* cells = nullptr) const;
+
+  /// Visits the leaf tiles of some slices on all threads of the current arena.
+  /// @param slices all of the extent in x and y; its first slice a multiple of the leaf size away
+  ///   from the extent's.
+  void visitLeaves(const Extent& slices, const Visitor& visitor) const;
+
+  /// The leaf tiles of some slices, as visitLeaves(), in one list per block.
+  std::vector<CandidateTiles> leafTiles(const Extent& slices) const;
 
 private:
   struct Block
@@ -53,20 +64,19 @@ private:
     Extent extent;
     std::vector<int> candidates;
   };
+  struct Workspace;
 
-  FrameBox pointHull(const Extent& extent) const;
-  FrameBox cellHull(const Extent& extent) const;
-  void descendToBlocks(const Extent& node, const std::vector<int>& parent);
-  void descendToLeaves(const Extent& node, const std::vector<int>& parent, CandidateTiles& tiles,
-    CandidateTiles* cells, CandidateFilter::Scratch& scratch) const;
-  void addLeaf(const Extent& tile, const FrameBox& hull, const std::vector<int>& parent,
-    CandidateTiles& tiles, CandidateFilter::Scratch& scratch) const;
+  FrameBox hullOf(const Extent& extent) const;
+  void descendToBlocks(const Extent& node, const std::vector<int>& candidates);
+  void descendToLeaves(const Extent& node, const std::vector<int>& candidates, int depth,
+    Workspace& workspace, const Visitor& visitor) const;
+  std::vector<const Block*> blocksOf(const Extent& slices) const;
 
-  CandidateFilter filter_;
+  const CandidateFilter& filter_;
   GridFrame frame_;
   Extent extent_;
+  TileHull hull_;
   glm::ivec3 leafSize_;
-  glm::ivec3 blockSize_;
   glm::ivec3 blockCounts_;
   std::vector<Block> blocks_; ///< x fastest
 };

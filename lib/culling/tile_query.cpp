@@ -6,10 +6,10 @@
 namespace medial
 {
 
-TileQuery::TileQuery(const SiteSet& sites, const GridFrame& frame, const Extent& extent,
-  const glm::ivec3& tileSize)
+TileQuery::TileQuery(const SiteSet& sites, const CandidateFilter& filter, const GridFrame& frame,
+  const Extent& extent, const glm::ivec3& tileSize)
   : sites_(sites)
-  , filter_(sites)
+  , filter_(filter)
   , frame_(frame)
   , extent_(extent)
   , tileSize_(tileSize)

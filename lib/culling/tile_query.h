@@ -18,8 +18,8 @@ class TileQuery
 {
 public:
   /// @param tileSize of the tiles that will be added: CandidateHierarchy::leafSize().
-  TileQuery(const SiteSet& sites, const GridFrame& frame, const Extent& extent,
-    const glm::ivec3& tileSize);
+  TileQuery(const SiteSet& sites, const CandidateFilter& filter, const GridFrame& frame,
+    const Extent& extent, const glm::ivec3& tileSize);
 
   /// Adds the tiles of one block. They must cover the hull of what is asked for later.
   void add(CandidateTiles tiles);
@@ -39,7 +39,7 @@ private:
   std::size_t tileIndex(const glm::ivec3& gridPoint) const;
 
   const SiteSet& sites_;
-  CandidateFilter filter_;
+  const CandidateFilter& filter_;
   GridFrame frame_;
   Extent extent_;
   glm::ivec3 tileSize_;

@@ -17,6 +17,7 @@ namespace
 {
 
 constexpr std::size_t kDefaultMemoryMiB = 512;
+constexpr int kSlabSlices = 64;
 /// What a grid point of a slab costs in textures, their copies on the host and polygons.
 constexpr std::size_t kBytesPerPoint = 96;
 
@@ -87,6 +88,7 @@ FieldPipeline::FieldPipeline(const TriangleMesh& mesh, const MeshTopology& topol
   , sign_(checkedSign(mesh, topology, grid, extent, options))
   , statistics_(newStatistics(extent, options))
   , sites_(timed(statistics_.seconds.sites, [&] { return SiteSet(mesh, topology, frame_); }))
+  , filter_(timed(statistics_.seconds.cull, [&] { return CandidateFilter(sites_); }))
   , normals_(timed(statistics_.seconds.sites,
       [&] { return pseudonormals(sites_, fieldSign(sign_, topology) == FieldSign::Inward); }))
 {
@@ -121,7 +123,7 @@ AtlasLayout FieldPipeline::chooseAtlas() const
     static_cast<std::size_t>(extent_.size(1));
   const std::size_t fitting = mebibytes * 1024 * 1024 / slice;
   const int limit = textureLimit();
-  int slices = CandidateHierarchy::kBlockSize;
+  int slices = kSlabSlices;
   while (slices > 1 &&
     (static_cast<std::size_t>(slices) > fitting || !AtlasLayout::fits(extent_, slices, limit)))
   {
@@ -134,22 +136,26 @@ void FieldPipeline::run(const FieldArrays& arrays, SlabStage* stage)
 {
   this->report(0.0, "distance field");
   const AtlasLayout atlas = this->chooseAtlas();
-  const CandidateHierarchy hierarchy = this->cullBlocks(atlas.slabSlices);
+  const CandidateHierarchy hierarchy = this->cullBlocks(atlas.slabSlices,
+    stage != nullptr ? TileHull::Cells : TileHull::Points);
+  const int slabCount = (extent_.size(2) + atlas.slabSlices - 1) / atlas.slabSlices;
   if (stage != nullptr)
   {
-    query_ = std::make_unique<TileQuery>(sites_, frame_, extent_, hierarchy.leafSize());
+    query_ = std::make_unique<TileQuery>(sites_, filter_, frame_, extent_, hierarchy.leafSize());
   }
   gpu::OnGpuThread<SlabRenderer> renderer(sites_, normals_, frame_, atlas,
     fieldSign(sign_, topology_));
   FieldWriter writer(mesh_, topology_, sites_, frame_, extent_, arrays);
   // A stage has work left after the last slab.
-  const double perSlab = (stage != nullptr ? 0.8 : 1.0) / hierarchy.slabCount();
+  const double perSlab = (stage != nullptr ? 0.8 : 1.0) / slabCount;
   int previousSlices = 0;
-  for (int slab = 0; slab < hierarchy.slabCount(); ++slab)
+  for (int slab = 0; slab < slabCount; ++slab)
   {
     this->report(slab * perSlab, "distance field");
-    const Extent extent = hierarchy.slabExtent(slab);
-    const std::vector<CandidateTiles> tiles = this->cullSlab(hierarchy, slab);
+    Extent extent = extent_;
+    extent.min[2] += slab * atlas.slabSlices;
+    extent.max[2] = std::min(extent.min[2] + atlas.slabSlices - 1, extent_.max[2]);
+    const std::vector<CandidateTiles> tiles = this->cullSlab(hierarchy, extent);
     const std::vector<PolygonChunk> chunks = this->preparePolygons(tiles, extent, atlas);
     this->report((slab + 0.5) * perSlab, "distance field");
     renderer.run(
@@ -179,32 +185,36 @@ void FieldPipeline::run(const FieldArrays& arrays, SlabStage* stage)
   }
 }
 
-CandidateHierarchy FieldPipeline::cullBlocks(int slabSlices)
+CandidateHierarchy FieldPipeline::cullBlocks(int slabSlices, TileHull hull)
 {
   const Stopwatch watch(statistics_.seconds.cull);
   std::unique_ptr<CandidateHierarchy> hierarchy;
   this->inArena(
-    [&] { hierarchy = std::make_unique<CandidateHierarchy>(sites_, frame_, extent_, slabSlices); });
+    [&]
+    {
+      hierarchy = std::make_unique<CandidateHierarchy>(filter_, frame_, extent_, hull,
+        std::min(slabSlices, CandidateHierarchy::kLeafSize));
+    });
   return std::move(*hierarchy);
 }
 
-std::vector<CandidateTiles> FieldPipeline::cullSlab(const CandidateHierarchy& hierarchy, int slab)
+std::vector<CandidateTiles> FieldPipeline::cullSlab(const CandidateHierarchy& hierarchy,
+  const Extent& slab)
 {
   std::vector<CandidateTiles> tiles;
-  std::vector<CandidateTiles> cells;
   this->inArena(
     [&]
     {
       const Stopwatch watch(statistics_.seconds.cull);
-      tiles = hierarchy.slabTiles(slab, query_ ? &cells : nullptr);
+      tiles = hierarchy.leafTiles(slab);
     });
   for (const CandidateTiles& block : tiles)
   {
     statistics_.candidatePairs += static_cast<std::int64_t>(block.candidates.size());
-  }
-  for (CandidateTiles& block : cells)
-  {
-    query_->add(std::move(block));
+    if (query_)
+    {
+      query_->add(block);
+    }
   }
   return tiles;
 }
@@ -237,7 +247,7 @@ void FieldPipeline::renderSlab(SlabRenderer& renderer, const Extent& slab,
   const Stopwatch watch(statistics_.seconds.resolve);
   if (renderer.resolve(slab) > 0)
   {
-    TileQuery query(sites_, frame_, slab, tileSize);
+    TileQuery query(sites_, filter_, frame_, slab, tileSize);
     for (const CandidateTiles& block : tiles)
     {
       query.add(block);

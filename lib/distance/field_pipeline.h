@@ -53,8 +53,8 @@ public:
 
 private:
   AtlasLayout chooseAtlas() const;
-  CandidateHierarchy cullBlocks(int slabSlices);
-  std::vector<CandidateTiles> cullSlab(const CandidateHierarchy& hierarchy, int slab);
+  CandidateHierarchy cullBlocks(int slabSlices, TileHull hull);
+  std::vector<CandidateTiles> cullSlab(const CandidateHierarchy& hierarchy, const Extent& slab);
   std::vector<PolygonChunk> preparePolygons(const std::vector<CandidateTiles>& tiles,
     const Extent& slab, const AtlasLayout& atlas);
   void renderSlab(SlabRenderer& renderer, const Extent& slab,
@@ -69,6 +69,7 @@ private:
   SignMethod sign_;
   RunStatistics statistics_;
   SiteSet sites_;
+  CandidateFilter filter_;
   std::vector<glm::vec4> normals_;
   std::unique_ptr<TileQuery> query_; ///< only where a stage needs it
 };
