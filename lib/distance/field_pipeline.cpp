@@ -5,6 +5,9 @@
 #include "medial/distance/hole_repair.h"
 #include "medial/sites/pseudonormals.h"
 
+#include "medial/distance/tile_evaluator.h"
+#include <tbb/enumerable_thread_specific.h>
+#include <cstdlib>
 #include <tbb/info.h>
 #include <tbb/task_arena.h>
 
@@ -134,6 +137,37 @@ AtlasLayout FieldPipeline::chooseAtlas() const
 
 void FieldPipeline::run(const FieldArrays& arrays, SlabStage* stage)
 {
+  if (stage == nullptr && std::getenv("RASTER") == nullptr) { this->evaluateTiles(arrays, stage); return; }
+  this->rasterise(arrays, stage);
+}
+
+void FieldPipeline::evaluateTiles(const FieldArrays& arrays, SlabStage*)
+{
+  const CandidateHierarchy hierarchy = this->cullBlocks(64, TileHull::Points);
+  const FieldWriter writer(mesh_, topology_, sites_, frame_, extent_, arrays, sign_ != SignMethod::None);
+  std::unique_ptr<TileEvaluator> evaluator;
+  timed(statistics_.seconds.sites, [&] { evaluator = std::make_unique<TileEvaluator>(sites_, normals_, frame_, filter_.slack()); });
+  struct Work { TileField field; double seconds = 0; std::int64_t pairs = 0; std::int64_t fragments = 0; };
+  tbb::enumerable_thread_specific<Work> works;
+  double wall = 0;
+  this->inArena([&] { timed(wall, [&] {
+    hierarchy.visitLeaves(extent_, [&](const Extent& tile, const std::vector<int>& candidates)
+    {
+      Work& work = works.local();
+      const Stopwatch watch(work.seconds);
+      work.pairs += (std::int64_t)candidates.size();
+      work.fragments += evaluator->evaluate(tile, candidates, work.field);
+      writer.store(tile, work.field);
+    }); }); });
+  double seconds = 0;
+  for (const Work& w : works) { seconds += w.seconds; statistics_.candidatePairs += w.pairs; statistics_.fragments += w.fragments; }
+  seconds /= 2;
+  statistics_.seconds.draw += seconds;
+  statistics_.seconds.cull += wall - seconds;
+}
+
+void FieldPipeline::rasterise(const FieldArrays& arrays, SlabStage* stage)
+{
   this->report(0.0, "distance field");
   const AtlasLayout atlas = this->chooseAtlas();
   const CandidateHierarchy hierarchy = this->cullBlocks(atlas.slabSlices,
@@ -145,7 +179,7 @@ void FieldPipeline::run(const FieldArrays& arrays, SlabStage* stage)
   }
   gpu::OnGpuThread<SlabRenderer> renderer(sites_, normals_, frame_, atlas,
     fieldSign(sign_, topology_));
-  FieldWriter writer(mesh_, topology_, sites_, frame_, extent_, arrays);
+  FieldWriter writer(mesh_, topology_, sites_, frame_, extent_, arrays, sign_ != SignMethod::None);
   // A stage has work left after the last slab.
   const double perSlab = (stage != nullptr ? 0.8 : 1.0) / slabCount;
   int previousSlices = 0;

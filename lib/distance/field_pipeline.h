@@ -57,6 +57,8 @@ private:
   std::vector<CandidateTiles> cullSlab(const CandidateHierarchy& hierarchy, const Extent& slab);
   std::vector<PolygonChunk> preparePolygons(const std::vector<CandidateTiles>& tiles,
     const Extent& slab, const AtlasLayout& atlas);
+  void rasterise(const FieldArrays& arrays, SlabStage* stage);
+  void evaluateTiles(const FieldArrays& arrays, SlabStage* stage);
   void renderSlab(SlabRenderer& renderer, const Extent& slab,
     const std::vector<CandidateTiles>& tiles, const std::vector<PolygonChunk>& chunks,
     const glm::ivec3& tileSize);

@@ -1,0 +1,296 @@
+#include "medial/distance/tile_evaluator.h"
+
+#include "medial/common/simd.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace medial
+{
+namespace
+{
+
+static_assert(TileField::kRow == kLanes);
+
+/// Sharper triangles need the planes across the ends of their longest side: beyond the acute corner
+/// rounding makes a strip of the space between the long sides.
+constexpr double kNeedleSine = 0.05;
+
+/// dot(normal, x) - offset over the grid points of a tile.
+struct TileFunction
+{
+  float perX;
+  float perY;
+  float perZ;
+  float first; ///< value at the tile's first point
+};
+
+/// A tile that is being filled.
+struct Tile
+{
+  glm::dvec3 origin;
+  glm::dvec3 step;
+  int rows;       ///< along y
+  int slices;     ///< along z
+  float lastX;    ///< index of the last point of a row
+  TileField& field;
+
+  MEDIAL_INLINE TileFunction function(const glm::dvec3& normal, double offset) const
+  {
+    return { static_cast<float>(normal.x * step.x), static_cast<float>(normal.y * step.y),
+      static_cast<float>(normal.z * step.z),
+      static_cast<float>(glm::dot(normal, origin) - offset) };
+  }
+};
+
+/// The row of grid points (j, k).
+MEDIAL_INLINE float rowStart(const TileFunction& f, int j, int k)
+{
+  return f.first + f.perY * static_cast<float>(j) + f.perZ * static_cast<float>(k);
+}
+
+MEDIAL_INLINE Float8 onRow(const TileFunction& f, int j, int k)
+{
+  return ramp() * f.perX + rowStart(f, j, k);
+}
+
+/// The least value on each of the rows of slice k.
+MEDIAL_INLINE Float8 leastOfRows(const Tile& tile, const TileFunction& f, int k)
+{
+  const float atStart = f.first + f.perZ * static_cast<float>(k);
+  return ramp() * f.perY + (atStart + std::min(0.0f, f.perX * tile.lastX));
+}
+
+/// Takes over what is nearer than all before.
+template <typename T>
+MEDIAL_INLINE T blended(Int8 mask, T yes, T no)
+{
+  return mask ? yes : no;
+}
+
+MEDIAL_INLINE Int8 loadedInts(const std::int32_t* from)
+{
+  Int8 value;
+  std::memcpy(&value, from, sizeof(value));
+  return value;
+}
+
+MEDIAL_INLINE void offer(TileField& field, int row, Float8 squared, Float8 side, int site,
+  Int8 allowed)
+{
+  const Float8 before = loaded(field.squared + row);
+  const Int8 nearer = (squared < before) & allowed;
+  store(blended(nearer, squared, before), field.squared + row);
+  store(blended(nearer, side, loaded(field.side + row)), field.side + row);
+  const Int8 sites = blended(nearer, Int8{} + site, loadedInts(field.site + row));
+  std::memcpy(field.site + row, &sites, sizeof(sites));
+}
+
+/// The rows of slice k that a site's bounds meet, as bits.
+template <typename Functions>
+MEDIAL_INLINE unsigned rowsWithin(const Tile& tile, const Functions& bounds, int count, int k,
+  float slack)
+{
+  Float8 worst = leastOfRows(tile, bounds[0], k);
+  for (int i = 1; i < count; ++i)
+  {
+    worst = greatest(worst, leastOfRows(tile, bounds[i], k));
+  }
+  return bits(worst <= slack) & ((1u << tile.rows) - 1u);
+}
+
+/// @param height over the face's plane, sides <= 0 within its prism.
+MEDIAL_INLINE std::int64_t addFace(const Tile& tile, int site, const TileFunction& height,
+  const TileFunction* sides, int sideCount)
+{
+  std::int64_t rows = 0;
+  for (int k = 0; k < tile.slices; ++k)
+  {
+    for (unsigned left = rowsWithin(tile, sides, sideCount, k, 0.0f); left != 0; left &= left - 1)
+    {
+      const int j = __builtin_ctz(left);
+      Float8 worst = onRow(sides[0], j, k);
+      for (int i = 1; i < sideCount; ++i)
+      {
+        worst = greatest(worst, onRow(sides[i], j, k));
+      }
+      const Float8 h = onRow(height, j, k);
+      offer(tile.field, TileField::index(0, j, k), h * h, h, site, worst <= 0.0f);
+      ++rows;
+    }
+  }
+  return rows;
+}
+
+/// A vector from a point of the site to the grid points, by axis.
+struct Offset
+{
+  Float8 x;
+  float y, z;             ///< at the tile's first point
+  float stepY, stepZ;
+
+  MEDIAL_INLINE Offset(const Tile& tile, const glm::dvec3& from)
+    : x(ramp() * static_cast<float>(tile.step.x) + static_cast<float>(tile.origin.x - from.x))
+    , y(static_cast<float>(tile.origin.y - from.y))
+    , z(static_cast<float>(tile.origin.z - from.z))
+    , stepY(static_cast<float>(tile.step.y))
+    , stepZ(static_cast<float>(tile.step.z))
+  {
+  }
+
+  /// Squared length of the y and z components on row (j, k).
+  MEDIAL_INLINE float squaredYZ(int j, int k) const
+  {
+    const float dy = y + stepY * static_cast<float>(j);
+    const float dz = z + stepZ * static_cast<float>(k);
+    return dy * dy + dz * dz;
+  }
+};
+
+/// @param offset from a point of the edge's line; @param along the edge from that point.
+/// @param bounds first -along up to the start and along up to the end, then those of its faces.
+MEDIAL_INLINE std::int64_t addEdge(const Tile& tile, int site, const Offset& offset,
+  const TileFunction& along, const TileFunction& side, const TileFunction* bounds, int boundCount,
+  float slack)
+{
+  std::int64_t rows = 0;
+  const Float8 squaredX = offset.x * offset.x;
+  for (int k = 0; k < tile.slices; ++k)
+  {
+    for (unsigned left = rowsWithin(tile, bounds, boundCount, k, slack); left != 0; left &= left - 1)
+    {
+      const int j = __builtin_ctz(left);
+      const Float8 t = onRow(along, j, k);
+      const Float8 squared = squaredX + offset.squaredYZ(j, k) - t * t;
+      const Int8 projects = (onRow(bounds[0], j, k) <= 0.0f) & (onRow(bounds[1], j, k) <= 0.0f);
+      offer(tile.field, TileField::index(0, j, k), greatest(squared, Float8{}),
+        onRow(side, j, k), site, projects);
+      ++rows;
+    }
+  }
+  return rows;
+}
+
+MEDIAL_INLINE std::int64_t addVertex(const Tile& tile, int site, const Offset& offset,
+  const TileFunction& side)
+{
+  const Float8 squaredX = offset.x * offset.x;
+  for (int k = 0; k < tile.slices; ++k)
+  {
+    for (int j = 0; j < tile.rows; ++j)
+    {
+      offer(tile.field, TileField::index(0, j, k), squaredX + offset.squaredYZ(j, k),
+        onRow(side, j, k), site, Int8{} - 1);
+    }
+  }
+  return static_cast<std::int64_t>(tile.slices) * tile.rows;
+}
+
+glm::dvec4 plane(const glm::dvec3& normal, const glm::dvec3& point)
+{
+  return { normal, glm::dot(normal, point) };
+}
+
+} // namespace
+
+TileEvaluator::TileEvaluator(const SiteSet& sites, const std::vector<glm::vec4>& normals,
+  const GridFrame& frame, float slack)
+  : sites_(sites)
+  , normals_(normals)
+  , frame_(frame)
+  , slack_(slack)
+  , faceSides_(sites.faceCount())
+{
+  for (int face = 0; face < sites.faceCount(); ++face)
+  {
+    if (!sites.active(face))
+    {
+      continue;
+    }
+    FaceSides& result = faceSides_[face];
+    const glm::ivec3& corners = sites.faces()[face];
+    glm::dvec3 along[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      const glm::dvec3& a = sites.points()[corners[i]];
+      along[i] = glm::normalize(sites.points()[corners[(i + 1) % 3]] - a);
+      result.side[i] = plane(glm::normalize(glm::cross(along[i], sites.faceNormal(face))), a);
+    }
+    const int longest = sites.longestSide(face);
+    const glm::dvec3& u = along[longest];
+    result.side[3] = plane(-u, sites.points()[corners[longest]]);
+    result.side[4] = plane(u, sites.points()[corners[(longest + 1) % 3]]);
+    const double sine = std::min(glm::length(glm::cross(u, along[(longest + 1) % 3])),
+      glm::length(glm::cross(u, along[(longest + 2) % 3])));
+    result.count = sine < kNeedleSine ? 5 : 3;
+  }
+}
+
+MEDIAL_VECTORISED std::int64_t TileEvaluator::evaluate(const Extent& extent,
+  const std::vector<int>& candidates, TileField& field) const
+{
+  Tile tile{ frame_.sample({ extent.min[0], extent.min[1], extent.min[2] }), frame_.step,
+    extent.size(1), extent.size(2), static_cast<float>(extent.size(0) - 1), field };
+  std::fill(std::begin(field.squared), std::end(field.squared), std::numeric_limits<float>::max());
+  std::fill(std::begin(field.site), std::end(field.site), -1);
+  std::int64_t rows = 0;
+  constexpr int kMostBounds = 8;
+  TileFunction bounds[kMostBounds];
+  for (const int site : candidates)
+  {
+    const glm::dvec3 normal(normals_[site]);
+    switch (sites_.kind(site))
+    {
+      case SiteKind::Face:
+      {
+        const FaceSides& sides = faceSides_[site];
+        for (int i = 0; i < sides.count; ++i)
+        {
+          bounds[i] = tile.function(glm::dvec3(sides.side[i]), sides.side[i].w);
+        }
+        // The pseudonormal is the normal, turned to the outside.
+        const glm::dvec3& corner = sites_.points()[sites_.faces()[site][0]];
+        const glm::dvec3& faceNormal = sites_.faceNormal(site);
+        const double turn = glm::dot(faceNormal, normal) < 0.0 ? -1.0 : 1.0;
+        rows += addFace(tile, site,
+          tile.function(turn * faceNormal, turn * glm::dot(faceNormal, corner)), bounds,
+          sides.count);
+        break;
+      }
+      case SiteKind::Edge:
+      {
+        const glm::ivec2& ends = sites_.edges()[site - sites_.firstEdge()];
+        const glm::dvec3& p = sites_.points()[ends[0]];
+        const glm::dvec3& q = sites_.points()[ends[1]];
+        const double length = glm::distance(p, q);
+        const glm::dvec3 u = (q - p) / length;
+        const double start = glm::dot(u, p);
+        bounds[0] = tile.function(-u, -start);
+        bounds[1] = tile.function(u, start + length);
+        int count = 2;
+        const HalfSpace* end = sites_.halfSpacesEnd(site);
+        for (const HalfSpace* h = sites_.halfSpacesBegin(site) + 2;
+             h != end && count < kMostBounds; ++h)
+        {
+          bounds[count++] = tile.function(glm::dvec3(*h), static_cast<double>(h->w));
+        }
+        // Measured from the line's point next to the tile, so that squares stay small.
+        const double here = glm::dot(u, tile.origin);
+        const glm::dvec3 foot = p + (here - start) * u;
+        rows += addEdge(tile, site, Offset(tile, foot), tile.function(u, here),
+          tile.function(normal, glm::dot(normal, p)), bounds, count, slack_);
+        break;
+      }
+      case SiteKind::Vertex:
+      default:
+      {
+        const glm::dvec3& p = sites_.points()[site - sites_.firstVertex()];
+        rows += addVertex(tile, site, Offset(tile, p), tile.function(normal, glm::dot(normal, p)));
+        break;
+      }
+    }
+  }
+  return rows * extent.size(0);
+}
+
+} // namespace medial
