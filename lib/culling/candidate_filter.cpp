@@ -44,6 +44,7 @@ MEDIAL_INLINE Float8 squaredLength(Float8 x, Float8 y, Float8 z)
   return x * x + y * y + z * z;
 }
 
+/// For a few values only.
 MEDIAL_INLINE Float8 squareRoot(Float8 value)
 {
   Float8 root{};
@@ -178,15 +179,14 @@ MEDIAL_VECTORISED void CandidateFilter::findNear(const std::vector<int>& parent,
   const FrameBox* boxes, int boxCount, Scratch& scratch) const
 {
   const BoxLanes lanes = boxLanes(boxes, boxCount);
+  // The centres of spheres are points of the surface.
   Float8 upper = splat(kUnknown);
   for (const int site : parent)
   {
     const glm::vec4& sphere = sites_.sphere(site);
-    const Float8 distance =
-      squareRoot(squaredLength(lanes.x - sphere.x, lanes.y - sphere.y, lanes.z - sphere.z));
-    upper = least(upper, distance + sphere.w);
+    upper = least(upper, squaredLength(lanes.x - sphere.x, lanes.y - sphere.y, lanes.z - sphere.z));
   }
-  const Float8 limit = upper + 2.0f * lanes.radius + slack_;
+  const Float8 limit = squareRoot(upper) + 2.0f * lanes.radius + slack_;
   const unsigned used = (1u << boxCount) - 1u;
   for (const int site : parent)
   {

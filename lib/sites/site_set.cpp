@@ -104,14 +104,12 @@ void SiteSet::buildSpheres()
   spheres_.reserve(this->size());
   const auto add = [this](std::initializer_list<int> corners)
   {
-    glm::dvec3 low(points_[*corners.begin()]);
-    glm::dvec3 high(low);
+    glm::dvec3 sum(0.0);
     for (int corner : corners)
     {
-      low = glm::min(low, points_[corner]);
-      high = glm::max(high, points_[corner]);
+      sum += points_[corner];
     }
-    const glm::dvec3 centre = 0.5 * (low + high);
+    const glm::dvec3 centre = sum / static_cast<double>(corners.size());
     double radius = 0.0;
     for (int corner : corners)
     {

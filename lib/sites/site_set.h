@@ -62,7 +62,7 @@ public:
   const glm::dvec3& faceNormal(int face) const { return faceNormals_[face]; }
   /// Which side of a face, counted like its edges, is the longest.
   int longestSide(int face) const;
-  /// Centre and radius of a sphere around the site.
+  /// Centre and radius of a sphere around the site; the centre is a point of the site.
   const glm::vec4& sphere(int site) const { return spheres_[site]; }
 
   /// Half-spaces of a face: its three sides, then two across its longest side's ends; of an edge:
