@@ -19,7 +19,7 @@ void runSuites(const Options& options)
     if (std::find(options.suites.begin(), options.suites.end(), suite.name) != options.suites.end())
     {
       std::cerr << "== " << suite.name << '\n';
-      writeReport(suite.run(context), machine, options.repeats, options.output);
+      writeReport(suite.run(context), machine, options.output);
     }
   }
 }

@@ -88,14 +88,14 @@ json toJson(const Row& row)
   return object;
 }
 
-std::string markdown(const SuiteReport& report, const Machine& machine, int repeats)
+std::string markdown(const SuiteReport& report, const Machine& machine)
 {
   std::ostringstream text;
   text << "# " << report.title << "\n\n"
        << machine.renderer << (machine.version.empty() ? "" : ", OpenGL ") << machine.version
        << ", " << machine.cores << " cores" << (machine.processor.empty() ? "" : " (")
        << machine.processor << (machine.processor.empty() ? "" : ")") << ", " << machine.date
-       << ". Median of " << repeats << (repeats == 1 ? " round" : " rounds")
+       << ". Median of " << report.rounds << (report.rounds == 1 ? " round" : " rounds")
        << " in which all methods take turns; ratios are medians of the rounds' ratios. Seconds are"
           " wall-clock, from a mesh in memory to unsigned distances and closest triangles (Medial: "
           "closest sites) in memory, on all cores. Errors are in voxels, against double precision "
@@ -151,12 +151,11 @@ void drawAll(std::vector<Plot>& plots, const fs::path& folder)
 
 } // namespace
 
-void writeReport(const SuiteReport& report, const Machine& machine, int repeats,
-  const fs::path& folder)
+void writeReport(const SuiteReport& report, const Machine& machine, const fs::path& folder)
 {
   fs::create_directories(folder);
   json object = { { "suite", report.name }, { "title", report.title }, { "notes", report.notes },
-    { "machine", toJson(machine) }, { "repeats", repeats }, { "figures", report.figures },
+    { "machine", toJson(machine) }, { "rounds", report.rounds }, { "figures", report.figures },
     { "rows", json::array() } };
   for (const Row& row : report.rows)
   {
@@ -167,7 +166,7 @@ void writeReport(const SuiteReport& report, const Machine& machine, int repeats,
   SuiteReport drawn = report;
   drawAll(drawn.curves, folder);
   drawAll(drawn.bars, folder);
-  write(folder / (report.name + ".md"), markdown(drawn, machine, repeats));
+  write(folder / (report.name + ".md"), markdown(drawn, machine));
 }
 
 } // namespace medial::benchmark

@@ -18,6 +18,7 @@ struct SuiteReport
 {
   std::string name;  ///< stem of the files
   std::string title; ///< one line
+  int rounds = 1;    ///< in which the methods took turns
   std::vector<std::string> notes;
   std::vector<Row> rows;
   std::vector<Table> tables;
@@ -29,7 +30,7 @@ struct SuiteReport
 /// Writes NAME.json, NAME.md and the plots. Plots are left out, with a line on stderr, where they
 /// cannot be drawn.
 /// @throws std::runtime_error when a file cannot be written.
-void writeReport(const SuiteReport& report, const Machine& machine, int repeats,
+void writeReport(const SuiteReport& report, const Machine& machine,
   const std::filesystem::path& folder);
 
 } // namespace medial::benchmark

@@ -48,6 +48,7 @@ SuiteReport runPeers(const SuiteContext& context)
   SuiteReport report;
   report.name = "peers";
   report.title = "Distance fields: Medial and its peers";
+  report.rounds = context.options().repeats;
   report.notes = { "Trees are asked for every grid point, along a Morton curve of blocks, with the "
                    "neighbour's answer as first guess; results are triangles and distances.",
     "OpenVDB's whole-grid band is as narrow as the grid allows, but it reaches as far outside of "

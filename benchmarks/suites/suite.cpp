@@ -1,5 +1,7 @@
 #include "suites/suite.h"
 
+#include "statistics.h"
+
 #include <algorithm>
 #include <iostream>
 
@@ -123,9 +125,41 @@ MeshRequest shellCharge()
   return { "shell charge", "paper/shellcharge_sub_cube_minus_sphere_4.1k.obj", 4128 };
 }
 
+CurvePlot::Curve secondsCurve(const std::vector<Row>& rows, const std::string& methodId,
+  const std::string& name, const std::function<double(const Row&)>& x)
+{
+  CurvePlot::Curve curve;
+  curve.name = name;
+  for (const Row& row : rows)
+  {
+    const MethodRun* run = row.find(methodId);
+    if (run && !run->samples.empty())
+    {
+      const std::vector<double> totals = run->totals();
+      curve.points.push_back(
+        { x(row), median(totals), quantile(totals, 0.0), quantile(totals, 1.0) });
+    }
+  }
+  return curve;
+}
+
+double exponentOf(const CurvePlot::Curve& curve, double least)
+{
+  std::vector<std::array<double, 2>> points;
+  for (const auto& point : curve.points)
+  {
+    if (point[0] >= least)
+    {
+      points.push_back({ point[0], point[1] });
+    }
+  }
+  return fittedExponent(points);
+}
+
 const std::vector<SuiteEntry>& suites()
 {
-  static const std::vector<SuiteEntry> entries = { { "peers", runPeers } };
+  static const std::vector<SuiteEntry> entries = { { "peers", runPeers }, { "table1", runTable1 },
+    { "figure5", runFigure5 }, { "triangles", runTriangles }, { "figure6", runFigure6 } };
   return entries;
 }
 

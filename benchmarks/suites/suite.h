@@ -45,6 +45,13 @@ private:
 /// A grid of so many points along the longest axis of the padded bounds.
 SuiteContext::MakeGrid gridOfResolution(int resolution);
 
+/// A curve of the median seconds of one method over x, where it ran, with least and greatest.
+CurvePlot::Curve secondsCurve(const std::vector<Row>& rows, const std::string& methodId,
+  const std::string& name, const std::function<double(const Row&)>& x);
+
+/// Exponent of a curve's y against x, among points with x >= least.
+double exponentOf(const CurvePlot::Curve& curve, double least = 0.0);
+
 /// The paper's meshes, and what stands in for them where they are absent.
 MeshRequest triceratops();
 MeshRequest head();
@@ -62,5 +69,14 @@ const std::vector<SuiteEntry>& suites();
 
 /// Medial and peers that exist as libraries, on meshes from 1,500 to 100,000 triangles.
 SuiteReport runPeers(const SuiteContext& context);
+/// The meshes and grids of the paper's table 1, with Medial, the method as published, its
+/// predecessor HAVOC, and Embree.
+SuiteReport runTable1(const SuiteContext& context);
+/// Time against resolution.
+SuiteReport runFigure5(const SuiteContext& context);
+/// Time against the number of triangles.
+SuiteReport runTriangles(const SuiteContext& context);
+/// Errors of distances and labels.
+SuiteReport runFigure6(const SuiteContext& context);
 
 } // namespace medial::benchmark
