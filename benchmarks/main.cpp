@@ -1,0 +1,46 @@
+#include "options.h"
+#include "suites/suite.h"
+
+#include <algorithm>
+#include <exception>
+#include <iostream>
+
+namespace
+{
+
+using namespace medial::benchmark;
+
+void runSuites(const Options& options)
+{
+  const Machine machine = describeMachine();
+  const SuiteContext context(options);
+  for (const SuiteEntry& suite : suites())
+  {
+    if (std::find(options.suites.begin(), options.suites.end(), suite.name) != options.suites.end())
+    {
+      std::cerr << "== " << suite.name << '\n';
+      writeReport(suite.run(context), machine, options.output);
+    }
+  }
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  try
+  {
+    int exitCode = 0;
+    const auto options = parseOptions(argc, argv, exitCode);
+    if (options)
+    {
+      runSuites(*options);
+    }
+    return exitCode;
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << "medial-benchmark: " << error.what() << '\n';
+    return 1;
+  }
+}

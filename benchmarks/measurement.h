@@ -1,0 +1,63 @@
+#pragma once
+
+#include "accuracy.h"
+#include "methods/field_method.h"
+#include "methods/registry.h"
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace medial::benchmark
+{
+
+/// Seconds of each phase, in order.
+using Phases = std::vector<std::pair<std::string, double>>;
+
+double sum(const Phases& phases);
+
+/// What one method did on one mesh and grid.
+struct MethodRun
+{
+  std::string id;   ///< in the registry
+  std::string name; ///< in tables
+  std::vector<Phases> samples;
+  Phases figures;                   ///< of the last sample, not seconds
+  std::optional<Accuracy> accuracy; ///< of the first sample
+  std::optional<double> predicted;  ///< seconds, where that was too much to be run
+  std::string failure;              ///< why there is no sample
+  std::vector<double> ratios;       ///< per round: this method's seconds over ours
+
+  std::vector<double> totals() const;
+  double medianSeconds() const; ///< NaN without samples
+  double medianPhase(const std::string& phase) const;
+  double figure(const std::string& name) const; ///< NaN where it has none
+};
+
+/// All methods on one mesh and grid.
+struct Row
+{
+  std::string mesh;
+  std::string note; ///< what the reader must know of the mesh
+  std::int64_t triangles = 0;
+  Grid grid;
+  std::vector<MethodRun> runs;
+
+  const MethodRun* find(const std::string& id) const; ///< null where it took no part
+};
+
+struct MeasurementOptions
+{
+  int repeats = 5;
+  double timeCap = 60.0;    ///< seconds; a method that needs more for one sample is only predicted
+  int checkedPoints = 4000; ///< grid points at which fields are compared with the oracle
+};
+
+/// Measures methods side by side: after a warm-up on coarse grids, which also predicts who is too
+/// slow, and a whole run of ours, all take turns, so that a busy minute of the machine meets all of
+/// them. A method that throws is reported as such.
+Row measureRow(const TriangleMesh& mesh, const Grid& grid, const std::vector<MethodEntry>& methods,
+  const MeasurementOptions& options);
+
+} // namespace medial::benchmark

@@ -1,0 +1,64 @@
+#include "meshes.h"
+
+#include "support/models.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace medial::benchmark
+{
+namespace
+{
+
+const double kPi = std::acos(-1.0);
+
+Point3 torusPoint(double u, double v)
+{
+  const double bumps =
+    0.12 * std::cos(5.0 * u) * std::cos(3.0 * v) + 0.06 * std::sin(13.0 * u + 4.0 * v);
+  const double tube = 0.4 * (1.0 + bumps);
+  const double fromAxis = 1.0 + tube * std::cos(v);
+  return { fromAxis * std::cos(u), fromAxis * std::sin(u), tube * std::sin(v) };
+}
+
+} // namespace
+
+TriangleMesh bumpyTorus(int triangles)
+{
+  // Two triangles a cell, and twice as many cells along the torus as around its tube.
+  const int nv = std::max(3, static_cast<int>(std::lround(std::sqrt(triangles / 4.0))));
+  const int nu = std::max(3, static_cast<int>(std::lround(triangles / 2.0 / nv)));
+  MeshInput input;
+  for (int i = 0; i < nu; ++i)
+  {
+    for (int j = 0; j < nv; ++j)
+    {
+      input.points.push_back(torusPoint(2.0 * kPi * i / nu, 2.0 * kPi * j / nv));
+    }
+  }
+  const auto id = [&](int i, int j) { return static_cast<std::int64_t>(i % nu) * nv + j % nv; };
+  for (int i = 0; i < nu; ++i)
+  {
+    for (int j = 0; j < nv; ++j)
+    {
+      const std::int64_t next = input.polygons.size();
+      input.polygons.append({ id(i, j), id(i + 1, j), id(i + 1, j + 1) }, next);
+      input.polygons.append({ id(i, j), id(i + 1, j + 1), id(i, j + 1) }, next + 1);
+    }
+  }
+  return buildTriangleMesh(input);
+}
+
+BenchmarkMesh provideMesh(const MeshRequest& request, bool generatedOnly)
+{
+  if (!request.file.empty() && !generatedOnly)
+  {
+    if (const auto path = test::modelPath(request.file))
+    {
+      return { request.name, buildTriangleMesh(test::loadModel(*path)), false };
+    }
+  }
+  return { request.name, bumpyTorus(request.triangles), true };
+}
+
+} // namespace medial::benchmark

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "medial/mesh/triangle_mesh.h"
+
+#include <string>
+
+namespace medial::benchmark
+{
+
+/// A mesh that a suite asks for.
+struct MeshRequest
+{
+  std::string name;
+  std::string file;  ///< in the folder of real meshes; empty for a generated shape
+  int triangles = 0; ///< of the shape that stands in where the file is absent
+};
+
+struct BenchmarkMesh
+{
+  std::string name;
+  TriangleMesh mesh;
+  bool generated = false;
+};
+
+/// Reads the real mesh from the folder in the environment variable MEDIAL_MODELS, or else from
+/// ../shared/models beside the sources; makes a bumpy torus where there is none, or where
+/// `generatedOnly` is set.
+BenchmarkMesh provideMesh(const MeshRequest& request, bool generatedOnly);
+
+/// A closed torus about the z axis whose tube is bumpy in several sizes, of about so many
+/// triangles.
+TriangleMesh bumpyTorus(int triangles);
+
+} // namespace medial::benchmark

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "medial/gpu/gl_objects.h"
+
+#include <string>
+
+namespace medial::benchmark
+{
+
+/// A program from shader texts. gpu::ShaderProgram knows only the library's own. Lives on the GPU
+/// thread.
+class HavocProgram
+{
+public:
+  /// @throws Error ShaderBuild with the driver's log.
+  HavocProgram(const std::string& vertexText, const std::string& fragmentText);
+
+  void use() const;
+  void set(const char* uniform, float value) const;
+  void set(const char* uniform, float x, float y) const;
+
+private:
+  gpu::Program program_;
+};
+
+} // namespace medial::benchmark

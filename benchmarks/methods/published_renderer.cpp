@@ -1,0 +1,64 @@
+#include "methods/published_renderer.h"
+
+#include "medial/gpu/shader_program.h"
+
+#include <cstddef>
+
+namespace medial::benchmark
+{
+namespace
+{
+
+template <typename T>
+void upload(const gpu::Buffer& buffer, const std::vector<T>& values)
+{
+  glNamedBufferData(buffer.id(), static_cast<GLsizeiptr>(values.size() * sizeof(T)), values.data(),
+    GL_STREAM_DRAW);
+}
+
+} // namespace
+
+PublishedRenderer::PublishedRenderer(const AtlasLayout& atlas, float depthPerUnit)
+  : target_(atlas)
+  , depthPerUnit_(depthPerUnit)
+  , vertices_(gpu::createBuffer())
+  , indices_(gpu::createBuffer())
+  , format_(gpu::createVertexArray())
+{
+  const GLuint format = format_.id();
+  glVertexArrayVertexBuffer(format, 0, vertices_.id(), 0, sizeof(PolygonVertex));
+  glVertexArrayElementBuffer(format, indices_.id());
+  glVertexArrayAttribFormat(format, 0, 2, GL_FLOAT, GL_FALSE, offsetof(PolygonVertex, position));
+  glVertexArrayAttribFormat(format, 1, 3, GL_FLOAT, GL_FALSE, offsetof(PolygonVertex, distance));
+  glVertexArrayAttribIFormat(format, 2, 1, GL_INT, offsetof(PolygonVertex, site));
+  for (GLuint attribute = 0; attribute < 3; ++attribute)
+  {
+    glVertexArrayAttribBinding(format, attribute, 0);
+    glEnableVertexArrayAttrib(format, attribute);
+  }
+}
+
+void PublishedRenderer::draw(const std::vector<PolygonChunk>& chunks)
+{
+  // The library's own shaders: interpolation of the vector and its norm are what the paper does.
+  const gpu::ShaderProgram& program =
+    gpu::cachedProgram("distance_field.vert", "distance_field.frag");
+  program.set("atlasSize", glm::vec2(target_.atlas().size()));
+  program.set("depthScale", depthPerUnit_);
+  program.use();
+  target_.begin();
+  glBindVertexArray(format_.id());
+  for (const PolygonChunk& chunk : chunks)
+  {
+    if (!chunk.indices.empty())
+    {
+      upload(vertices_, chunk.vertices);
+      upload(indices_, chunk.indices);
+      glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(chunk.indices.size()), GL_UNSIGNED_INT,
+        nullptr);
+    }
+  }
+  target_.finish();
+}
+
+} // namespace medial::benchmark

@@ -1,0 +1,40 @@
+#include "methods/registry.h"
+
+namespace medial::benchmark
+{
+
+const std::vector<MethodEntry>& availableMethods()
+{
+  static const std::vector<MethodEntry> methods = {
+    { kMedialId, makeMedialMethod },
+#ifdef MEDIAL_HAVE_EMBREE
+    { "embree", makeEmbreeMethod },
+#endif
+#ifdef MEDIAL_HAVE_CGAL
+    { "cgal", makeCgalMethod },
+#endif
+#ifdef MEDIAL_HAVE_OPENVDB
+    { "openvdb", [] { return makeOpenVdbMethod(0); } },
+    { "openvdb-band", [] { return makeOpenVdbMethod(3); } },
+#endif
+#ifdef MEDIAL_HAVE_VTK
+    { "vtk", makeVtkMethod },
+#endif
+#ifdef MEDIAL_HAVE_PUBLISHED
+    { "published", makePublishedMethod },
+#endif
+#ifdef MEDIAL_HAVE_HAVOC
+    { "havoc", makeHavocMethod },
+#endif
+  };
+  return methods;
+}
+
+const std::vector<std::string>& knownMethodIds()
+{
+  static const std::vector<std::string> ids = { kMedialId, "embree", "cgal", "openvdb",
+    "openvdb-band", "vtk", "published", "havoc" };
+  return ids;
+}
+
+} // namespace medial::benchmark

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace medial::benchmark
+{
+
+struct Options
+{
+  std::vector<std::string> suites;  ///< names in suites()
+  std::vector<std::string> methods; ///< empty: all that a suite compares
+  std::vector<std::string> meshes;  ///< empty: all of a suite
+  std::filesystem::path output = "docs/benchmarks";
+  int repeats = 5;
+  int resolution = 0; ///< 0: each suite's own
+  double timeCap = 60.0;
+  int checkedPoints = 4000;
+  bool quick = false;
+};
+
+/// Reads the command line. Sets the environment variable MEDIAL_MODELS for --models.
+/// @return nothing where the program shall end at once, with `exitCode`.
+std::optional<Options> parseOptions(int argc, char** argv, int& exitCode);
+
+} // namespace medial::benchmark

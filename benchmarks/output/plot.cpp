@@ -1,0 +1,174 @@
+#include "output/plot.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+#include <unistd.h>
+
+namespace medial::benchmark
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+
+/// Colours that differ in lightness too; ours is the first.
+const char* const kColours[] = { "#c8102e", "#1f5fa8", "#2e8b57", "#e69f00", "#7b4ea3", "#56b4e9",
+  "#555555", "#a0785a" };
+constexpr std::size_t kColourCount = sizeof(kColours) / sizeof(kColours[0]);
+
+/// A folder that goes away with its contents.
+class TemporaryFolder
+{
+public:
+  TemporaryFolder()
+  {
+    std::string pattern = (fs::temp_directory_path() / "medial-plot-XXXXXX").string();
+    if (!mkdtemp(pattern.data()))
+    {
+      throw std::runtime_error("cannot make a temporary folder for a plot");
+    }
+    path_ = pattern;
+  }
+  ~TemporaryFolder()
+  {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  const fs::path& path() const { return path_; }
+
+private:
+  fs::path path_;
+};
+
+/// Single quotes are doubled in gnuplot's single-quoted text.
+std::string quoted(const std::string& text)
+{
+  std::string result = "'";
+  for (const char c : text)
+  {
+    result += c == '\'' ? "''" : std::string(1, c);
+  }
+  return result + "'";
+}
+
+std::string colour(std::size_t i)
+{
+  return std::string("rgb '") + kColours[i % kColourCount] + "'";
+}
+
+void writeFile(const fs::path& path, const std::string& text)
+{
+  std::ofstream file(path);
+  file << text;
+  if (!file.flush())
+  {
+    throw std::runtime_error("cannot write " + path.string());
+  }
+}
+
+/// Draws the same commands as SVG and as PNG.
+void runGnuplot(const std::string& commands, const std::string& data, const std::string& name,
+  const fs::path& folder)
+{
+  const TemporaryFolder temporary;
+  writeFile(temporary.path() / "data", data);
+  std::ostringstream script;
+  script << "data = " << quoted((temporary.path() / "data").string()) << '\n'
+         << "set encoding utf8\n"
+         << "set terminal svg size 900,560 noenhanced font 'sans,15' background 'white'\n"
+         << "set output " << quoted((folder / (name + ".svg")).string()) << '\n'
+         << commands << "set terminal pngcairo size 1350,840 noenhanced font 'sans,16'\n"
+         << "set output " << quoted((folder / (name + ".png")).string()) << "\nreplot\n";
+  writeFile(temporary.path() / "script", script.str());
+  const std::string log = (temporary.path() / "log").string();
+  const std::string command =
+    "gnuplot '" + (temporary.path() / "script").string() + "' >'" + log + "' 2>&1";
+  // gnuplot reports some failures and exits with 0.
+  if (std::system(command.c_str()) != 0 || !fs::exists(folder / (name + ".svg")))
+  {
+    std::ostringstream message;
+    message << "gnuplot failed: " << std::ifstream(log).rdbuf();
+    throw std::runtime_error(message.str());
+  }
+}
+
+std::string header(const std::string& title, const std::string& yLabel)
+{
+  return "set title " + quoted(title) + "\nset ylabel " + quoted(yLabel) +
+    "\nset grid ytics xtics lc rgb '#dddddd' lt 1\nset border 3\nset tics nomirror\n"
+    "set format y '%g'\n";
+}
+
+} // namespace
+
+void draw(const CurvePlot& plot, const fs::path& folder)
+{
+  std::ostringstream data;
+  data.precision(9);
+  std::ostringstream commands;
+  commands << header(plot.title, plot.yLabel) << "set xlabel " << quoted(plot.xLabel)
+           << "\nset logscale xy\nset key outside right top Left reverse\nset format x '%g'\n";
+  for (std::size_t i = 0; i < plot.ticks.size(); ++i)
+  {
+    commands << (i == 0 ? "set xtics (" : ", ") << plot.ticks[i]
+             << (i + 1 == plot.ticks.size() ? ")\n" : "");
+  }
+  commands << "plot ";
+  for (std::size_t i = 0; i < plot.curves.size(); ++i)
+  {
+    const CurvePlot::Curve& curve = plot.curves[i];
+    for (const auto& p : curve.points)
+    {
+      data << p[0] << ' ' << p[1] << ' ' << p[2] << ' ' << p[3] << '\n';
+    }
+    data << "\n\n";
+    commands << (i == 0 ? "" : ", ") << "data index " << i << " using 1:2 with lines lw 2 lc "
+             << colour(i) << (curve.bars ? " notitle" : " title " + quoted(curve.name));
+    if (curve.bars)
+    {
+      commands << ", data index " << i << " using 1:2:3:4 with yerrorbars lw 1.5 pt " << 4 + i % 10
+               << " ps 0.9 lc " << colour(i) << " title " << quoted(curve.name);
+    }
+  }
+  commands << '\n';
+  runGnuplot(commands.str(), data.str(), plot.name, folder);
+}
+
+void draw(const BarPlot& plot, const fs::path& folder)
+{
+  std::ostringstream data;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t group = 0; group < plot.groups.size(); ++group)
+  {
+    data << '"' << plot.groups[group] << '"';
+    for (const double height : plot.heights[group])
+    {
+      data << ' ' << (std::isfinite(height) ? std::to_string(height) : "NaN");
+      least = std::isfinite(height) ? std::min(least, height) : least;
+    }
+    data << '\n';
+  }
+  std::ostringstream commands;
+  commands << header(plot.title, plot.yLabel)
+           << "set style data histograms\nset style histogram clustered gap 1.5\n"
+           << "set style fill solid 0.9 noborder\nset boxwidth 0.95\nset logscale y\n"
+           << "set xtics rotate by -20\nset key outside right top Left reverse\n"
+           << "set datafile missing 'NaN'\nset yrange [" << 0.5 * least << ":]\nplot ";
+  for (std::size_t bar = 0; bar < plot.bars.size(); ++bar)
+  {
+    commands << (bar == 0 ? "" : ", ") << "data using " << bar + 2 << ":xtic(1) title "
+             << quoted(plot.bars[bar]) << " lc " << colour(bar);
+  }
+  commands << '\n';
+  runGnuplot(commands.str(), data.str(), plot.name, folder);
+}
+
+} // namespace medial::benchmark

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "output/machine.h"
+#include "output/plot.h"
+#include "output/table.h"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace medial::benchmark
+{
+
+/// What a suite has to say.
+struct SuiteReport
+{
+  std::string name;  ///< stem of the files
+  std::string title; ///< one line
+  int rounds = 1;    ///< in which the methods took turns
+  std::vector<std::string> notes;
+  std::vector<Row> rows;
+  std::vector<Table> tables;
+  std::vector<CurvePlot> curves;
+  std::vector<BarPlot> bars;
+  nlohmann::json figures = nlohmann::json::object(); ///< such as fitted exponents
+};
+
+/// Writes NAME.json, NAME.md and the plots. Plots are left out, with a line on stderr, where they
+/// cannot be drawn.
+/// @throws std::runtime_error when a file cannot be written.
+void writeReport(const SuiteReport& report, const Machine& machine,
+  const std::filesystem::path& folder);
+
+} // namespace medial::benchmark

@@ -1,0 +1,196 @@
+#include "output/table.h"
+
+#include "statistics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+namespace medial::benchmark
+{
+namespace
+{
+
+std::string percent(double share)
+{
+  return number(100.0 * share) + " %";
+}
+
+/// The row's note belongs to the mesh, and so stands once.
+std::string meshText(const Row& row)
+{
+  return row.note.empty() ? row.mesh : row.mesh + " (" + row.note + ")";
+}
+
+std::string remarks(const MethodRun& run)
+{
+  std::string text;
+  const auto add = [&](const std::string& remark) { text += (text.empty() ? "" : "; ") + remark; };
+  const double evaluated = run.figure("evaluated_share");
+  if (std::isfinite(evaluated))
+  {
+    add("1/" + number(1.0 / evaluated, 2) + " of the rows evaluated, time scaled");
+  }
+  else if (run.accuracy && run.accuracy->known < 1.0)
+  {
+    add("knows " + percent(run.accuracy->known) + " of the grid");
+  }
+  return text;
+}
+
+std::vector<std::string> methodCells(const Row& row, const MethodRun& run)
+{
+  std::vector<std::string> cells = { meshText(row), thousands(row.triangles),
+    dimensionsText(row.grid), run.name, secondsText(run) };
+  cells.push_back(number(run.medianPhase("build"), 2));
+  cells.push_back(number(median(run.ratios)));
+  if (run.accuracy)
+  {
+    cells.push_back(number(run.accuracy->most(), 2));
+    cells.push_back(number(run.accuracy->quantile9999(), 2));
+    cells.push_back(run.accuracy->wrongLabels ? percent(*run.accuracy->wrongLabels) : "-");
+  }
+  else
+  {
+    cells.insert(cells.end(), 3, "-");
+  }
+  cells.push_back(remarks(run));
+  return cells;
+}
+
+} // namespace
+
+std::string Table::markdown() const
+{
+  std::ostringstream text;
+  if (!title.empty())
+  {
+    text << title << "\n\n";
+  }
+  const auto line = [&](const std::vector<std::string>& cells)
+  {
+    for (const std::string& cell : cells)
+    {
+      text << "| " << cell << ' ';
+    }
+    text << "|\n";
+  };
+  line(columns);
+  text << "|---|";
+  for (std::size_t i = 1; i < columns.size(); ++i)
+  {
+    text << "--:|";
+  }
+  text << '\n';
+  std::for_each(rows.begin(), rows.end(), line);
+  return text.str();
+}
+
+std::string number(double value, int digits)
+{
+  if (!std::isfinite(value))
+  {
+    return "-";
+  }
+  const double magnitude = std::abs(value);
+  std::ostringstream text;
+  if (magnitude >= 1e-3 && magnitude < 1e7)
+  {
+    const int before = static_cast<int>(std::floor(std::log10(magnitude))) + 1;
+    text << std::fixed << std::setprecision(std::max(0, digits - before));
+  }
+  else
+  {
+    text << std::setprecision(digits);
+  }
+  text << value;
+  return text.str();
+}
+
+std::string thousands(std::int64_t value)
+{
+  std::string digits = std::to_string(value);
+  for (int place = static_cast<int>(digits.size()) - 3; place > 0; place -= 3)
+  {
+    digits.insert(static_cast<std::size_t>(place), ",");
+  }
+  return digits;
+}
+
+std::string dimensionsText(const Grid& grid)
+{
+  const auto& d = grid.dimensions;
+  return std::to_string(d[0]) + "x" + std::to_string(d[1]) + "x" + std::to_string(d[2]);
+}
+
+std::string secondsText(const MethodRun& run)
+{
+  if (!run.failure.empty())
+  {
+    return "failed: " + run.failure;
+  }
+  if (run.predicted)
+  {
+    return "~ " + number(*run.predicted, 2) + ", not run";
+  }
+  const std::vector<double> totals = run.totals();
+  std::string text = number(median(totals));
+  if (totals.size() > 1)
+  {
+    text += " (" + number(quantile(totals, 0.0)) + "-" + number(quantile(totals, 1.0)) + ")";
+  }
+  return text;
+}
+
+Table methodTable(const std::vector<Row>& rows)
+{
+  Table table;
+  table.columns = { "mesh", "triangles", "grid", "method", "seconds (min-max)", "of these, build",
+    "ratio to Medial", "greatest error", "99.99 % below", "wrong triangles", "" };
+  for (const Row& row : rows)
+  {
+    for (const MethodRun& run : row.runs)
+    {
+      table.rows.push_back(methodCells(row, run));
+    }
+  }
+  return table;
+}
+
+Table phaseTable(const std::vector<Row>& rows)
+{
+  const std::vector<std::string> phases = { "topology", "sites", "cull", "polygons", "draw",
+    "resolve", "other" };
+  Table table;
+  table.title = "Medial's phases, median seconds:";
+  table.columns = { "mesh", "grid" };
+  table.columns.insert(table.columns.end(), phases.begin(), phases.end());
+  for (const char* column : { "sites + cull + polygons", "fragments/voxel", "pairs", "polygons" })
+  {
+    table.columns.emplace_back(column);
+  }
+  for (const Row& row : rows)
+  {
+    const MethodRun* ours = row.find(kMedialId);
+    if (!ours || ours->samples.empty())
+    {
+      continue;
+    }
+    std::vector<std::string> cells = { row.mesh, dimensionsText(row.grid) };
+    for (const std::string& phase : phases)
+    {
+      cells.push_back(number(ours->medianPhase(phase)));
+    }
+    const double geometry =
+      ours->medianPhase("sites") + ours->medianPhase("cull") + ours->medianPhase("polygons");
+    cells.push_back(percent(geometry / ours->medianSeconds()));
+    cells.push_back(number(ours->figure("fragments_per_voxel")));
+    cells.push_back(number(ours->figure("candidate_pairs") / 1e6) + " M");
+    cells.push_back(number(ours->figure("polygons") / 1e6) + " M");
+    table.rows.push_back(cells);
+  }
+  return table;
+}
+
+} // namespace medial::benchmark

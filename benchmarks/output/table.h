@@ -1,0 +1,35 @@
+#pragma once
+
+#include "measurement.h"
+
+#include <string>
+#include <vector>
+
+namespace medial::benchmark
+{
+
+/// A Markdown table: first column to the left, others to the right.
+struct Table
+{
+  std::string title; ///< a paragraph above it; may be empty
+  std::vector<std::string> columns;
+  std::vector<std::vector<std::string>> rows;
+
+  std::string markdown() const;
+};
+
+/// Text of a number with so many significant digits; "-" for NaN.
+std::string number(double value, int digits = 3);
+std::string thousands(std::int64_t value); ///< 12,345
+std::string dimensionsText(const Grid& grid);
+
+/// Seconds as "0.71 (0.70-0.74)"; a prediction as "~ 210, not run"; or the failure.
+std::string secondsText(const MethodRun& run);
+
+/// One line for each mesh and method: seconds, ratio to ours, errors.
+Table methodTable(const std::vector<Row>& rows);
+
+/// One line a mesh: seconds of our phases, and how much was drawn.
+Table phaseTable(const std::vector<Row>& rows);
+
+} // namespace medial::benchmark

@@ -1,0 +1,166 @@
+#include "suites/suite.h"
+
+#include "statistics.h"
+
+#include <algorithm>
+#include <iostream>
+
+namespace medial::benchmark
+{
+namespace
+{
+
+template <class T>
+bool allows(const std::vector<T>& chosen, const T& value)
+{
+  return chosen.empty() || std::find(chosen.begin(), chosen.end(), value) != chosen.end();
+}
+
+void tell(const Row& row)
+{
+  std::cerr << row.mesh << ' ' << dimensionsText(row.grid) << '\n';
+  for (const MethodRun& run : row.runs)
+  {
+    std::cerr << "  " << run.name << ": " << secondsText(run) << " s\n";
+  }
+}
+
+constexpr int kQuickTriangles = 600;
+
+} // namespace
+
+SuiteContext::SuiteContext(const Options& options)
+  : options_(options)
+{
+}
+
+MeasurementOptions SuiteContext::measurement() const
+{
+  return { options_.repeats, options_.timeCap, options_.checkedPoints };
+}
+
+int SuiteContext::resolution(int own) const
+{
+  return options_.resolution > 0 ? options_.resolution : own;
+}
+
+std::vector<MethodEntry> SuiteContext::choose(const std::vector<std::string>& methodIds) const
+{
+  std::vector<MethodEntry> chosen;
+  for (const MethodEntry& entry : availableMethods())
+  {
+    const bool wanted = std::find(methodIds.begin(), methodIds.end(), entry.id) != methodIds.end();
+    if (wanted && allows(options_.methods, entry.id))
+    {
+      chosen.push_back(entry);
+    }
+  }
+  return chosen;
+}
+
+std::optional<Row> SuiteContext::measure(const MeshRequest& request, const MakeGrid& makeGrid,
+  const std::vector<std::string>& methodIds, const MeasurementOptions& options) const
+{
+  if (!allows(options_.meshes, request.name))
+  {
+    return std::nullopt;
+  }
+  MeshRequest small = request;
+  small.triangles =
+    options_.quick ? std::min(request.triangles, kQuickTriangles) : request.triangles;
+  const BenchmarkMesh input = provideMesh(small, options_.quick);
+  Row row = measureRow(input.mesh, makeGrid(input.mesh), this->choose(methodIds), options);
+  row.mesh = request.name;
+  row.note = input.generated && !request.file.empty() ? "generated torus in its place" : "";
+  tell(row);
+  return row;
+}
+
+std::optional<Row> SuiteContext::measure(const MeshRequest& request, const MakeGrid& makeGrid,
+  const std::vector<std::string>& methodIds) const
+{
+  return this->measure(request, makeGrid, methodIds, this->measurement());
+}
+
+void SuiteContext::noteAbsent(const std::vector<std::string>& methodIds, SuiteReport& report)
+{
+  const auto& available = availableMethods();
+  for (const std::string& id : methodIds)
+  {
+    if (std::none_of(available.begin(), available.end(),
+          [&](const MethodEntry& entry) { return entry.id == id; }))
+    {
+      report.notes.push_back("Not part of this build: " + id + ".");
+    }
+  }
+}
+
+SuiteContext::MakeGrid gridOfResolution(int resolution)
+{
+  return [resolution](const TriangleMesh& mesh) { return makeGrid(mesh.bounds(), resolution); };
+}
+
+MeshRequest triceratops()
+{
+  return { "triceratops", "paper/triceratops.off", 5660 };
+}
+
+MeshRequest head()
+{
+  return { "head", "paper/derived/head_igea_22000.off", 22000 };
+}
+
+MeshRequest gargoyle()
+{
+  return { "gargoyle", "paper/derived/gargoyle_11000.off", 11000 };
+}
+
+MeshRequest bunny()
+{
+  return { "bunny", "paper/derived/bunny_1500.off", 1500 };
+}
+
+MeshRequest shellCharge()
+{
+  return { "shell charge", "paper/shellcharge_sub_cube_minus_sphere_4.1k.obj", 4128 };
+}
+
+CurvePlot::Curve secondsCurve(const std::vector<Row>& rows, const std::string& methodId,
+  const std::string& name, const std::function<double(const Row&)>& x)
+{
+  CurvePlot::Curve curve;
+  curve.name = name;
+  for (const Row& row : rows)
+  {
+    const MethodRun* run = row.find(methodId);
+    if (run && !run->samples.empty())
+    {
+      const std::vector<double> totals = run->totals();
+      curve.points.push_back(
+        { x(row), median(totals), quantile(totals, 0.0), quantile(totals, 1.0) });
+    }
+  }
+  return curve;
+}
+
+double exponentOf(const CurvePlot::Curve& curve, double least)
+{
+  std::vector<std::array<double, 2>> points;
+  for (const auto& point : curve.points)
+  {
+    if (point[0] >= least)
+    {
+      points.push_back({ point[0], point[1] });
+    }
+  }
+  return fittedExponent(points);
+}
+
+const std::vector<SuiteEntry>& suites()
+{
+  static const std::vector<SuiteEntry> entries = { { "peers", runPeers }, { "table1", runTable1 },
+    { "figure5", runFigure5 }, { "triangles", runTriangles }, { "figure6", runFigure6 } };
+  return entries;
+}
+
+} // namespace medial::benchmark

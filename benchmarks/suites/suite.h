@@ -1,0 +1,82 @@
+#pragma once
+
+#include "meshes.h"
+#include "options.h"
+#include "output/report.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace medial::benchmark
+{
+
+/// What suites share: choosing methods and meshes as the options say, and measuring them.
+class SuiteContext
+{
+public:
+  using MakeGrid = std::function<Grid(const TriangleMesh&)>;
+
+  explicit SuiteContext(const Options& options);
+
+  const Options& options() const { return options_; }
+  MeasurementOptions measurement() const;
+
+  /// The suite's own resolution, unless the options name one.
+  int resolution(int own) const;
+
+  /// Measures the methods of these ids, as far as they are built, and tells stderr. Nothing where
+  /// the options leave the mesh out.
+  std::optional<Row> measure(const MeshRequest& request, const MakeGrid& makeGrid,
+    const std::vector<std::string>& methodIds, const MeasurementOptions& options) const;
+  std::optional<Row> measure(const MeshRequest& request, const MakeGrid& makeGrid,
+    const std::vector<std::string>& methodIds) const;
+
+  /// Appends a note on the methods of these ids that this build lacks.
+  static void noteAbsent(const std::vector<std::string>& methodIds, SuiteReport& report);
+
+private:
+  std::vector<MethodEntry> choose(const std::vector<std::string>& methodIds) const;
+
+  const Options& options_;
+};
+
+/// A grid of so many points along the longest axis of the padded bounds.
+SuiteContext::MakeGrid gridOfResolution(int resolution);
+
+/// A curve of the median seconds of one method over x, where it ran, with least and greatest.
+CurvePlot::Curve secondsCurve(const std::vector<Row>& rows, const std::string& methodId,
+  const std::string& name, const std::function<double(const Row&)>& x);
+
+/// Exponent of a curve's y against x, among points with x >= least.
+double exponentOf(const CurvePlot::Curve& curve, double least = 0.0);
+
+/// The paper's meshes, and what stands in for them where they are absent.
+MeshRequest triceratops();
+MeshRequest head();
+MeshRequest gargoyle();
+MeshRequest bunny();
+MeshRequest shellCharge();
+
+struct SuiteEntry
+{
+  std::string name;
+  SuiteReport (*run)(const SuiteContext&);
+};
+
+const std::vector<SuiteEntry>& suites();
+
+/// Medial and peers that exist as libraries, on meshes from 1,500 to 100,000 triangles.
+SuiteReport runPeers(const SuiteContext& context);
+/// The meshes and grids of the paper's table 1, with Medial, the method as published, its
+/// predecessor HAVOC, and Embree.
+SuiteReport runTable1(const SuiteContext& context);
+/// Time against resolution.
+SuiteReport runFigure5(const SuiteContext& context);
+/// Time against the number of triangles.
+SuiteReport runTriangles(const SuiteContext& context);
+/// Errors of distances and labels.
+SuiteReport runFigure6(const SuiteContext& context);
+
+} // namespace medial::benchmark

@@ -1,0 +1,91 @@
+"""Runs every suite of the benchmark program on small shapes and checks what it writes.
+
+usage: benchmark_program_test.py PROGRAM
+"""
+
+import json
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+PROGRAM = sys.argv[1]
+SUITES = ["peers", "table1", "figure5", "triangles", "figure6"]
+EXACT = {"medial": 1e-2, "embree": 1e-2, "cgal": 1e-2, "vtk": 1e-2}  # voxels
+
+
+class BenchmarkProgram(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = Path(folder.name)
+        subprocess.run([PROGRAM, "--quick", "--output", folder.name, "--suite", *SUITES],
+                       check=True, stderr=subprocess.DEVNULL)
+
+    def report(self, suite):
+        return json.loads((self.folder / f"{suite}.json").read_text())
+
+    def test_machine_is_named(self):
+        machine = self.report("peers")["machine"]
+        self.assertTrue(machine["renderer"])
+        self.assertGreaterEqual(machine["cores"], 1)
+        self.assertRegex(machine["date"], r"^\d{4}-\d\d-\d\d")
+
+    def test_every_suite_has_rows_and_a_table(self):
+        for suite in SUITES:
+            with self.subTest(suite=suite):
+                report = self.report(suite)
+                self.assertTrue(report["rows"])
+                text = (self.folder / f"{suite}.md").read_text()
+                self.assertIn(report["title"], text)
+                self.assertIn("| Medial |", text)
+
+    def test_samples_add_up_and_are_compared(self):
+        for suite in SUITES:
+            report = self.report(suite)
+            for row in report["rows"]:
+                self.assertEqual(row["methods"][0]["id"], "medial")
+                for method in row["methods"]:
+                    with self.subTest(suite=suite, mesh=row["mesh"], method=method["id"]):
+                        self.assertNotIn("failure", method)
+                        if "predicted_seconds" in method:
+                            continue
+                        self.assertEqual(len(method["samples"]), report["rounds"])
+                        for sample in method["samples"]:
+                            self.assertAlmostEqual(
+                                sample["total"], sum(sample["seconds"].values()))
+                        self.assertGreater(method["median_seconds"], 0)
+                        self.assertGreater(method["median_ratio"], 0)
+
+    def test_exact_methods_are_exact(self):
+        for suite in SUITES:
+            for row in self.report(suite)["rows"]:
+                for method in row["methods"]:
+                    with self.subTest(suite=suite, mesh=row["mesh"], method=method["id"]):
+                        accuracy = method.get("accuracy")
+                        if method["id"] in EXACT and accuracy:
+                            self.assertGreater(accuracy["checked_points"], 0)
+                            self.assertLess(accuracy["greatest_voxels"], EXACT[method["id"]])
+                            self.assertEqual(accuracy.get("wrong_triangle_share", 0), 0)
+
+    @unittest.skipUnless(shutil.which("gnuplot"), "gnuplot is not installed")
+    def test_plots_named_by_the_tables_exist(self):
+        for suite in SUITES:
+            text = (self.folder / f"{suite}.md").read_text()
+            names = [part.split(")")[0] for part in text.split("](")[1:]]
+            for name in names:
+                with self.subTest(suite=suite, plot=name):
+                    self.assertGreater((self.folder / name).stat().st_size, 1000)
+
+    def test_wrong_options_end_with_usage(self):
+        for options in (["--suite", "nothing"], ["--repeats", "0"], ["--methods", "magic"]):
+            with self.subTest(options=options):
+                run = subprocess.run([PROGRAM, *options], capture_output=True, check=False)
+                self.assertEqual(run.returncode, 2)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
