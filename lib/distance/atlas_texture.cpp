@@ -2,6 +2,8 @@
 
 #include "medial/gpu/gl_objects.h"
 
+#include <cstdint>
+
 namespace medial
 {
 
@@ -10,13 +12,14 @@ void readSlots(GLuint texture, const AtlasLayout& atlas, int firstSlot, int coun
 {
   const glm::ivec2& size = atlas.sliceSize;
   const std::size_t sliceBytes = bytesPerPixel * static_cast<std::size_t>(size.x) * size.y;
-  auto* bytes = static_cast<char*>(values);
+  // An integer, since it may be an offset.
+  const auto start = reinterpret_cast<std::uintptr_t>(values);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   for (int i = 0; i < count; ++i)
   {
     const glm::ivec2 from = atlas.slotOrigin(firstSlot + i);
     glGetTextureSubImage(texture, 0, from.x, from.y, 0, size.x, size.y, 1, format, type,
-      static_cast<GLsizei>(sliceBytes), bytes + sliceBytes * i);
+      static_cast<GLsizei>(sliceBytes), reinterpret_cast<void*>(start + sliceBytes * i));
   }
   gpu::checkGl("reading a texture back");
 }

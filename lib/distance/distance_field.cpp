@@ -2,6 +2,7 @@
 
 #include "medial/common/error.h"
 #include "medial/common/memory_guard.h"
+#include "medial/distance/array_sink.h"
 #include "medial/distance/field_pipeline.h"
 
 #include <string>
@@ -36,17 +37,24 @@ SignMethod resolveSignMethod(SignMethod requested, const MeshTopology& topology)
 }
 
 RunStatistics computeDistanceField(const TriangleMesh& mesh, const MeshTopology& topology,
-  const Grid& grid, const Extent& extent, const FieldArrays& arrays,
-  const DistanceFieldOptions& options)
+  const Grid& grid, const Extent& extent, FieldSink& sink, const DistanceFieldOptions& options)
 {
   return withMemoryErrors(extent.pointCount(),
     [&]
     {
       FieldPipeline pipeline(mesh, topology, grid, extent, options);
-      pipeline.run(arrays, nullptr);
+      pipeline.run(sink, nullptr);
       pipeline.report(1.0, "distance field");
       return pipeline.statistics();
     });
+}
+
+RunStatistics computeDistanceField(const TriangleMesh& mesh, const MeshTopology& topology,
+  const Grid& grid, const Extent& extent, const FieldArrays& arrays,
+  const DistanceFieldOptions& options)
+{
+  ArraySink sink(extent, arrays);
+  return computeDistanceField(mesh, topology, grid, extent, sink, options);
 }
 
 DistanceField computeDistanceField(const TriangleMesh& mesh, const Grid& grid,

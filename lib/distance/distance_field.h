@@ -31,13 +31,24 @@ enum class Feature : std::uint8_t
   Face = 2
 };
 
+/// What finds the closest sites. All give the same field (ids: except between sites at equal
+/// distance), at different speed.
+enum class Evaluator
+{
+  Auto,       ///< Processor where OpenGL runs on a software renderer, else Rasteriser
+  Rasteriser, ///< draws polygons that bound Voronoi regions, with OpenGL's depth test
+  Processor   ///< evaluates the candidates of every tile with vector instructions of the CPU
+};
+
 struct DistanceFieldOptions
 {
   SignMethod sign = SignMethod::Auto;
+  Evaluator evaluator = Evaluator::Auto;
   /// CPU threads to use; 0 for all cores.
   int threads = 0;
-  /// Memory that a slab's textures and their copies should not exceed, in MiB; 0 chooses. A slab
-  /// has at least one slice; candidates and polygons come on top.
+  /// What the slabs that are in work at a time should not exceed, in MiB, on the device as on the
+  /// host; 0 chooses. Sites, candidates, and arrays that the caller holds come on top. A slab has
+  /// at least one slice.
   std::size_t memoryMiB = 0;
   /// Fail on a software renderer.
   bool requireHardware = false;
@@ -61,6 +72,22 @@ struct FieldArrays
   }
 };
 
+/// Receives a field slab by slab in ascending z, for grids that memory cannot hold.
+class FieldSink
+{
+public:
+  virtual ~FieldSink() = default;
+
+  /// Asks where the values of a slab are to be written: arrays with one element per point of
+  /// `slab`, the same ones for every slab, valid until stored(slab). One slab at a time; called on
+  /// the thread that runs the computation, as all members.
+  virtual FieldArrays slabArrays(const Extent& slab) = 0;
+  /// All values of the slab have been written.
+  virtual void stored(const Extent& slab) = 0;
+  /// Bytes that the sink holds per point of a slab; they count towards the memory of slabs.
+  virtual std::size_t bytesPerPoint() const = 0;
+};
+
 /// What a run did and how long each phase took.
 struct RunStatistics
 {
@@ -70,16 +97,19 @@ struct RunStatistics
     double sites = 0;    ///< building sites and their half-spaces
     double cull = 0;     ///< hierarchical candidates
     double polygons = 0; ///< clipping bounds of Voronoi regions
-    double draw = 0;     ///< upload and rasterisation
+    double draw = 0;     ///< upload and rasterisation; or evaluation by the processor
     double resolve = 0;  ///< exact distances from closest sites, read-back
     double medial = 0;   ///< direction field, selection, medial surface
   } seconds;
   std::int64_t sites = 0;
   std::int64_t candidatePairs = 0; ///< (site, leaf tile) pairs that survive culling
   std::int64_t polygons = 0;
-  std::int64_t fragments = 0; ///< polygon area in samples, before the depth test
+  /// Polygon area in samples, before the depth test; or pairs of samples and sites that the
+  /// processor evaluated.
+  std::int64_t fragments = 0;
   std::int64_t samples = 0;   ///< grid points computed
   Device device;
+  Evaluator evaluator = Evaluator::Auto; ///< what was used, never Auto
 
   double fragmentsPerVoxel() const
   {
@@ -110,7 +140,8 @@ SignMethod resolveSignMethod(SignMethod requested, const MeshTopology& topology)
 /// The closest site of every grid point is found by linear factorisation (Sud, Govindaraju, Gayle,
 /// Manocha, I3D 2006, section 3): distance vectors are affine over a site's Voronoi region, so the
 /// rasteriser interpolates them over a polygon that bounds the region on each slice and the depth
-/// test keeps the nearest. Distances are then evaluated exactly from the closest site.
+/// test keeps the nearest. Distances are then evaluated exactly from the closest site. Where there
+/// is no graphics hardware the processor evaluates the same affine functions tile by tile.
 ///
 /// @throws Error InvalidInput (empty mesh, bad grid, impossible sign), NoGpu, GpuLimit,
 ///   OutOfMemory, Cancelled.
@@ -123,6 +154,11 @@ DistanceField computeDistanceField(const TriangleMesh& mesh, const Grid& grid,
 /// grid.
 RunStatistics computeDistanceField(const TriangleMesh& mesh, const MeshTopology& topology,
   const Grid& grid, const Extent& extent, const FieldArrays& arrays,
+  const DistanceFieldOptions& options = {});
+
+/// The same, delivered slab by slab. Exceptions of the sink end the run and are passed on.
+RunStatistics computeDistanceField(const TriangleMesh& mesh, const MeshTopology& topology,
+  const Grid& grid, const Extent& extent, FieldSink& sink,
   const DistanceFieldOptions& options = {});
 
 } // namespace medial

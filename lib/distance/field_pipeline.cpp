@@ -2,12 +2,10 @@
 
 #include "medial/common/error.h"
 #include "medial/common/stopwatch.h"
-#include "medial/distance/hole_repair.h"
+#include "medial/distance/field_slab.h"
+#include "medial/gpu/gpu_thread.h"
 #include "medial/sites/pseudonormals.h"
 
-#include "medial/distance/tile_evaluator.h"
-#include <tbb/enumerable_thread_specific.h>
-#include <cstdlib>
 #include <tbb/info.h>
 #include <tbb/task_arena.h>
 
@@ -20,19 +18,8 @@ namespace
 {
 
 constexpr std::size_t kDefaultMemoryMiB = 512;
-constexpr int kSlabSlices = 64;
-/// What a grid point of a slab costs in textures, their copies on the host and polygons.
-constexpr std::size_t kBytesPerPoint = 96;
-
-FieldSign fieldSign(SignMethod sign, const MeshTopology& topology)
-{
-  if (sign != SignMethod::Pseudonormal)
-  {
-    return FieldSign::None;
-  }
-  return topology.signedVolume < 0.0 ? FieldSign::Inward : FieldSign::Outward;
-}
-
+/// Slices of a slab where memory allows.
+constexpr int kMostSlices = 64;
 SignMethod checkedSign(const TriangleMesh& mesh, const MeshTopology& topology, const Grid& grid,
   const Extent& extent, const DistanceFieldOptions& options)
 {
@@ -69,6 +56,9 @@ RunStatistics newStatistics(const Extent& extent, const DistanceFieldOptions& op
   RunStatistics statistics;
   statistics.device = checkedDevice(options);
   statistics.samples = extent.pointCount();
+  statistics.evaluator = options.evaluator != Evaluator::Auto
+    ? options.evaluator
+    : (statistics.device.software ? Evaluator::Processor : Evaluator::Rasteriser);
   return statistics;
 }
 
@@ -93,16 +83,30 @@ FieldPipeline::FieldPipeline(const TriangleMesh& mesh, const MeshTopology& topol
   , sites_(timed(statistics_.seconds.sites, [&] { return SiteSet(mesh, topology, frame_); }))
   , filter_(timed(statistics_.seconds.cull, [&] { return CandidateFilter(sites_); }))
   , normals_(timed(statistics_.seconds.sites,
-      [&] { return pseudonormals(sites_, fieldSign(sign_, topology) == FieldSign::Inward); }))
+      [&] { return pseudonormals(sites_, this->fieldSign() == FieldSign::Inward); }))
 {
   statistics_.sites = sites_.size();
 }
 
-void FieldPipeline::inArena(const std::function<void()>& work) const
+FieldSign FieldPipeline::fieldSign() const
+{
+  if (sign_ != SignMethod::Pseudonormal)
+  {
+    return FieldSign::None;
+  }
+  return topology_.signedVolume < 0.0 ? FieldSign::Inward : FieldSign::Outward;
+}
+
+int FieldPipeline::threads() const
 {
   // TBB complains when it is asked for more threads than there are cores.
   const int cores = tbb::info::default_concurrency();
-  tbb::task_arena arena(options_.threads > 0 ? std::min(options_.threads, cores) : cores);
+  return options_.threads > 0 ? std::min(options_.threads, cores) : cores;
+}
+
+void FieldPipeline::inArena(const std::function<void()>& work) const
+{
+  tbb::task_arena arena(this->threads());
   arena.execute(work);
 }
 
@@ -119,103 +123,62 @@ void FieldPipeline::report(double fraction, const char* phase) const
   }
 }
 
-AtlasLayout FieldPipeline::chooseAtlas() const
+int FieldPipeline::slabSlices(std::size_t bytesPerPoint) const
 {
   const std::size_t mebibytes = options_.memoryMiB > 0 ? options_.memoryMiB : kDefaultMemoryMiB;
-  const std::size_t slice = kBytesPerPoint * static_cast<std::size_t>(extent_.size(0)) *
-    static_cast<std::size_t>(extent_.size(1));
+  const std::size_t slice = std::max<std::size_t>(bytesPerPoint, 1) *
+    static_cast<std::size_t>(extent_.size(0)) * static_cast<std::size_t>(extent_.size(1));
   const std::size_t fitting = mebibytes * 1024 * 1024 / slice;
+  int slices = kMostSlices;
+  while (slices > 1 && static_cast<std::size_t>(slices) > fitting)
+  {
+    slices /= 2;
+  }
+  return slices;
+}
+
+AtlasLayout FieldPipeline::chooseAtlas(std::size_t bytesPerPoint) const
+{
   const int limit = textureLimit();
-  int slices = kSlabSlices;
-  while (slices > 1 &&
-    (static_cast<std::size_t>(slices) > fitting || !AtlasLayout::fits(extent_, slices, limit)))
+  int slices = this->slabSlices(bytesPerPoint);
+  while (slices > 1 && !AtlasLayout::fits(extent_, slices, limit))
   {
     slices /= 2;
   }
   return AtlasLayout::make(extent_, slices, limit);
 }
 
-void FieldPipeline::run(const FieldArrays& arrays, SlabStage* stage)
+std::vector<Extent> FieldPipeline::slabsOf(int slices) const
 {
-  if (stage == nullptr && std::getenv("RASTER") == nullptr) { this->evaluateTiles(arrays, stage); return; }
-  this->rasterise(arrays, stage);
+  std::vector<Extent> slabs;
+  for (int first = extent_.min[2]; first <= extent_.max[2]; first += slices)
+  {
+    slabs.push_back(extent_);
+    slabs.back().min[2] = first;
+    slabs.back().max[2] = std::min(first + slices - 1, extent_.max[2]);
+  }
+  return slabs;
 }
 
-void FieldPipeline::evaluateTiles(const FieldArrays& arrays, SlabStage*)
+FieldWriter FieldPipeline::makeWriter() const
 {
-  const CandidateHierarchy hierarchy = this->cullBlocks(64, TileHull::Points);
-  const FieldWriter writer(mesh_, topology_, sites_, frame_, extent_, arrays, sign_ != SignMethod::None);
-  std::unique_ptr<TileEvaluator> evaluator;
-  timed(statistics_.seconds.sites, [&] { evaluator = std::make_unique<TileEvaluator>(sites_, normals_, frame_, filter_.slack()); });
-  struct Work { TileField field; double seconds = 0; std::int64_t pairs = 0; std::int64_t fragments = 0; };
-  tbb::enumerable_thread_specific<Work> works;
-  double wall = 0;
-  this->inArena([&] { timed(wall, [&] {
-    hierarchy.visitLeaves(extent_, [&](const Extent& tile, const std::vector<int>& candidates)
-    {
-      Work& work = works.local();
-      const Stopwatch watch(work.seconds);
-      work.pairs += (std::int64_t)candidates.size();
-      work.fragments += evaluator->evaluate(tile, candidates, work.field);
-      writer.store(tile, work.field);
-    }); }); });
-  double seconds = 0;
-  for (const Work& w : works) { seconds += w.seconds; statistics_.candidatePairs += w.pairs; statistics_.fragments += w.fragments; }
-  seconds /= 2;
-  statistics_.seconds.draw += seconds;
-  statistics_.seconds.cull += wall - seconds;
+  return { mesh_, topology_, sites_, frame_, sign_ != SignMethod::None };
 }
 
-void FieldPipeline::rasterise(const FieldArrays& arrays, SlabStage* stage)
+void FieldPipeline::run(FieldSink& sink, SlabStage* stage)
 {
   this->report(0.0, "distance field");
-  const AtlasLayout atlas = this->chooseAtlas();
-  const CandidateHierarchy hierarchy = this->cullBlocks(atlas.slabSlices,
-    stage != nullptr ? TileHull::Cells : TileHull::Points);
-  const int slabCount = (extent_.size(2) + atlas.slabSlices - 1) / atlas.slabSlices;
-  if (stage != nullptr)
+  if (statistics_.evaluator == Evaluator::Rasteriser)
   {
-    query_ = std::make_unique<TileQuery>(sites_, filter_, frame_, extent_, hierarchy.leafSize());
+    this->rasterise(sink, stage);
   }
-  gpu::OnGpuThread<SlabRenderer> renderer(sites_, normals_, frame_, atlas,
-    fieldSign(sign_, topology_));
-  FieldWriter writer(mesh_, topology_, sites_, frame_, extent_, arrays, sign_ != SignMethod::None);
-  // A stage has work left after the last slab.
-  const double perSlab = (stage != nullptr ? 0.8 : 1.0) / slabCount;
-  int previousSlices = 0;
-  for (int slab = 0; slab < slabCount; ++slab)
+  else if (stage != nullptr)
   {
-    this->report(slab * perSlab, "distance field");
-    Extent extent = extent_;
-    extent.min[2] += slab * atlas.slabSlices;
-    extent.max[2] = std::min(extent.min[2] + atlas.slabSlices - 1, extent_.max[2]);
-    const std::vector<CandidateTiles> tiles = this->cullSlab(hierarchy, extent);
-    const std::vector<PolygonChunk> chunks = this->preparePolygons(tiles, extent, atlas);
-    this->report((slab + 0.5) * perSlab, "distance field");
-    renderer.run(
-      [&](SlabRenderer& r)
-      {
-        if (previousSlices > 0)
-        {
-          r.carryLastSlice(previousSlices);
-        }
-        this->renderSlab(r, extent, tiles, chunks, hierarchy.leafSize());
-        if (stage != nullptr)
-        {
-          const Stopwatch watch(statistics_.seconds.medial);
-          stage->process(r, extent, previousSlices > 0);
-        }
-        if (arrays.any())
-        {
-          const Stopwatch watch(statistics_.seconds.resolve);
-          writer.fetch(r, extent);
-        }
-      });
-    if (arrays.any())
-    {
-      timed(statistics_.seconds.resolve, [&] { this->inArena([&] { writer.store(extent); }); });
-    }
-    previousSlices = extent.size(2);
+    this->evaluateForStage(sink, *stage);
+  }
+  else
+  {
+    this->evaluate(sink);
   }
 }
 
@@ -229,20 +192,18 @@ CandidateHierarchy FieldPipeline::cullBlocks(int slabSlices, TileHull hull)
       hierarchy = std::make_unique<CandidateHierarchy>(filter_, frame_, extent_, hull,
         std::min(slabSlices, CandidateHierarchy::kLeafSize));
     });
+  if (hull == TileHull::Cells)
+  {
+    query_ = std::make_unique<TileQuery>(sites_, filter_, frame_, extent_, hierarchy->leafSize());
+  }
   return std::move(*hierarchy);
 }
 
-std::vector<CandidateTiles> FieldPipeline::cullSlab(const CandidateHierarchy& hierarchy,
-  const Extent& slab)
+void FieldPipeline::cullSlab(const CandidateHierarchy& hierarchy, Slab& slab)
 {
-  std::vector<CandidateTiles> tiles;
-  this->inArena(
-    [&]
-    {
-      const Stopwatch watch(statistics_.seconds.cull);
-      tiles = hierarchy.leafTiles(slab);
-    });
-  for (const CandidateTiles& block : tiles)
+  const Stopwatch watch(statistics_.seconds.cull);
+  this->inArena([&] { slab.tiles = hierarchy.leafTiles(slab.extent); });
+  for (const CandidateTiles& block : slab.tiles)
   {
     statistics_.candidatePairs += static_cast<std::int64_t>(block.candidates.size());
     if (query_)
@@ -250,44 +211,13 @@ std::vector<CandidateTiles> FieldPipeline::cullSlab(const CandidateHierarchy& hi
       query_->add(block);
     }
   }
-  return tiles;
 }
 
-std::vector<PolygonChunk> FieldPipeline::preparePolygons(const std::vector<CandidateTiles>& tiles,
-  const Extent& slab, const AtlasLayout& atlas)
+void FieldPipeline::addGpuSeconds(const GpuState& gpu)
 {
-  std::vector<PolygonChunk> chunks;
-  this->inArena(
-    [&]
-    {
-      const Stopwatch watch(statistics_.seconds.polygons);
-      chunks = buildPolygons(sites_, frame_, tiles, slab, atlas);
-    });
-  double area = 0.0;
-  for (const PolygonChunk& chunk : chunks)
-  {
-    statistics_.polygons += chunk.polygons;
-    area += chunk.area;
-  }
-  statistics_.fragments += static_cast<std::int64_t>(area);
-  return chunks;
-}
-
-void FieldPipeline::renderSlab(SlabRenderer& renderer, const Extent& slab,
-  const std::vector<CandidateTiles>& tiles, const std::vector<PolygonChunk>& chunks,
-  const glm::ivec3& tileSize)
-{
-  timed(statistics_.seconds.draw, [&] { renderer.draw(chunks); });
-  const Stopwatch watch(statistics_.seconds.resolve);
-  if (renderer.resolve(slab) > 0)
-  {
-    TileQuery query(sites_, filter_, frame_, slab, tileSize);
-    for (const CandidateTiles& block : tiles)
-    {
-      query.add(block);
-    }
-    repairHoles(renderer, normals_, frame_, query, fieldSign(sign_, topology_), slab);
-  }
+  statistics_.seconds.draw += gpu.seconds.draw;
+  statistics_.seconds.resolve += gpu.seconds.resolve;
+  statistics_.seconds.medial += gpu.seconds.medial;
 }
 
 } // namespace medial

@@ -1,15 +1,17 @@
 #pragma once
 
+#include "medial/culling/candidate_tiles.h"
 #include "medial/culling/tile_query.h"
 #include "medial/distance/distance_field.h"
 #include "medial/distance/field_writer.h"
 #include "medial/distance/slab_renderer.h"
-#include "medial/gpu/gpu_thread.h"
+#include "medial/distance/tile_evaluator.h"
 #include "medial/sites/grid_frame.h"
 #include "medial/sites/site_set.h"
 
 #include <functional>
 #include <memory>
+#include <vector>
 
 namespace medial
 {
@@ -26,7 +28,8 @@ public:
   virtual void process(const SlabRenderer& renderer, const Extent& slab, bool carried) = 0;
 };
 
-/// Mesh -> sites -> candidate tiles -> polygons -> closest sites -> resolved field, slab by slab.
+/// Mesh -> sites -> candidate tiles -> closest sites -> resolved field, slab by slab. While the GPU
+/// works on a slab, the processor prepares the next one and stores the one before.
 class FieldPipeline
 {
 public:
@@ -36,7 +39,7 @@ public:
     const Extent& extent, const DistanceFieldOptions& options);
 
   /// @param stage may be null.
-  void run(const FieldArrays& arrays, SlabStage* stage);
+  void run(FieldSink& sink, SlabStage* stage);
 
   /// Exact queries anywhere inside the extent; after a run with a stage.
   const TileQuery& query() const { return *query_; }
@@ -52,16 +55,32 @@ public:
   void report(double fraction, const char* phase) const;
 
 private:
-  AtlasLayout chooseAtlas() const;
+  struct Slab;
+  struct GpuState;
+  struct InFlight;
+
+  void rasterise(FieldSink& sink, SlabStage* stage);
+  void evaluate(FieldSink& sink);
+  void evaluateForStage(FieldSink& sink, SlabStage& stage);
+
+  FieldSign fieldSign() const;
+  int threads() const;
+  static double shareOfField(bool staged) { return staged ? 0.8 : 1.0; }
+  int slabSlices(std::size_t bytesPerPoint) const;
+  AtlasLayout chooseAtlas(std::size_t bytesPerPoint) const;
+  std::vector<Extent> slabsOf(int slices) const;
+  FieldWriter makeWriter() const;
   CandidateHierarchy cullBlocks(int slabSlices, TileHull hull);
-  std::vector<CandidateTiles> cullSlab(const CandidateHierarchy& hierarchy, const Extent& slab);
-  std::vector<PolygonChunk> preparePolygons(const std::vector<CandidateTiles>& tiles,
-    const Extent& slab, const AtlasLayout& atlas);
-  void rasterise(const FieldArrays& arrays, SlabStage* stage);
-  void evaluateTiles(const FieldArrays& arrays, SlabStage* stage);
-  void renderSlab(SlabRenderer& renderer, const Extent& slab,
-    const std::vector<CandidateTiles>& tiles, const std::vector<PolygonChunk>& chunks,
-    const glm::ivec3& tileSize);
+  void cullSlab(const CandidateHierarchy& hierarchy, Slab& slab);
+
+  void clipPolygons(Slab& slab, const AtlasLayout& atlas);
+  void render(GpuState& gpu, Slab& slab, SlabStage* stage);
+  void storeSlab(const Slab& slab, FieldWriter& writer, FieldSink& sink);
+
+  TileEvaluator makeEvaluator();
+  void evaluateTiles(const TileEvaluator& evaluator, Slab& slab, const FieldWriter& writer);
+  void resolveWinners(GpuState& gpu, Slab& slab, SlabStage& stage);
+  void addGpuSeconds(const GpuState& gpu);
 
   const TriangleMesh& mesh_;
   const MeshTopology& topology_;

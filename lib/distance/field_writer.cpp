@@ -9,91 +9,81 @@
 
 namespace medial
 {
+namespace
+{
+
+void storePoint(const Point3& point, float* target)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    target[axis] = static_cast<float>(point[axis]);
+  }
+}
+
+Feature featureOf(SiteKind kind)
+{
+  switch (kind)
+  {
+    case SiteKind::Face:
+      return Feature::Face;
+    case SiteKind::Edge:
+      return Feature::Edge;
+    case SiteKind::Vertex:
+      break;
+  }
+  return Feature::Vertex;
+}
+
+} // namespace
 
 FieldWriter::FieldWriter(const TriangleMesh& mesh, const MeshTopology& topology,
-  const SiteSet& sites, const GridFrame& frame, const Extent& extent, const FieldArrays& arrays,
-  bool signedField)
+  const SiteSet& sites, const GridFrame& frame, bool signedField)
   : mesh_(mesh)
   , topology_(topology)
   , sites_(sites)
   , frame_(frame)
-  , extent_(extent)
-  , arrays_(arrays)
   , signed_(signedField)
 {
 }
 
-void FieldWriter::fetch(const SlabRenderer& renderer, const Extent& slab)
+void FieldWriter::begin(const Extent& slab, const FieldArrays& arrays)
 {
-  const auto count = static_cast<std::size_t>(slab.pointCount());
-  if (arrays_.distance || arrays_.closestPoint)
-  {
-    displacements_.resize(count);
-    renderer.readDisplacements(slab.size(2), displacements_.data());
-  }
-  if (arrays_.closestSite || arrays_.closestFeature || arrays_.closestCell)
-  {
-    closest_.resize(count);
-    renderer.readSites(slab.size(2), closest_.data());
-  }
+  slab_ = slab;
+  arrays_ = arrays;
 }
 
-void FieldWriter::store(const Extent& slab)
+void FieldWriter::store(const glm::vec4* displacements, const std::int32_t* closest) const
 {
-  const std::int64_t rowLength = slab.size(0);
-  const std::int64_t rows = static_cast<std::int64_t>(slab.size(1)) * slab.size(2);
-  const std::int64_t start = (slab.min[2] - extent_.min[2]) * rowLength * slab.size(1);
+  const int rowLength = slab_.size(0);
+  const std::int64_t rows = static_cast<std::int64_t>(slab_.size(1)) * slab_.size(2);
   tbb::parallel_for(std::int64_t{ 0 }, rows,
     [&](std::int64_t row)
     {
-      const std::int64_t slice = row / slab.size(1);
-      const auto j = static_cast<double>(slab.min[1] + row - slice * slab.size(1));
-      const auto k = static_cast<double>(slab.min[2] + slice);
-      for (std::int64_t i = 0; i < rowLength; ++i)
+      const auto slice = static_cast<int>(row / slab_.size(1));
+      const glm::dvec3 first(slab_.min[0],
+        slab_.min[1] + static_cast<int>(row - static_cast<std::int64_t>(slice) * slab_.size(1)),
+        slab_.min[2] + slice);
+      const std::int64_t start = row * rowLength;
+      for (std::int64_t i = start; i < start + rowLength; ++i)
       {
-        const std::int64_t source = row * rowLength + i;
-        const glm::dvec3 index(slab.min[0] + static_cast<double>(i), j, k);
-        this->storePoint(start + source, static_cast<std::size_t>(source), frame_.sample(index));
+        if (arrays_.distance)
+        {
+          arrays_.distance[i] =
+            static_cast<float>(static_cast<double>(displacements[i].w) * frame_.unit);
+        }
+        if (arrays_.closestPoint)
+        {
+          const glm::dvec3 sample =
+            frame_.sample(first + glm::dvec3(static_cast<double>(i - start), 0.0, 0.0));
+          storePoint(frame_.toWorld(sample + glm::dvec3(glm::vec3(displacements[i]))),
+            arrays_.closestPoint + 3 * i);
+        }
+      }
+      if (closest != nullptr)
+      {
+        this->storeIds(start, rowLength, closest + start);
       }
     });
-}
-
-void FieldWriter::storePoint(std::int64_t target, std::size_t source,
-  const glm::dvec3& sample) const
-{
-  if (arrays_.distance)
-  {
-    arrays_.distance[target] =
-      static_cast<float>(static_cast<double>(displacements_[source].w) * frame_.unit);
-  }
-  if (arrays_.closestPoint)
-  {
-    const Point3 world = frame_.toWorld(sample + glm::dvec3(glm::vec3(displacements_[source])));
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      arrays_.closestPoint[3 * target + axis] = static_cast<float>(world[axis]);
-    }
-  }
-  this->storeIds(target, closest_[source]);
-}
-
-void FieldWriter::storeIds(std::int64_t target, std::int32_t site) const
-{
-  if (arrays_.closestSite)
-  {
-    arrays_.closestSite[target] = site;
-  }
-  if (arrays_.closestFeature)
-  {
-    const SiteKind kind = sites_.kind(site);
-    arrays_.closestFeature[target] = static_cast<std::uint8_t>(kind == SiteKind::Face
-        ? Feature::Face
-        : (kind == SiteKind::Edge ? Feature::Edge : Feature::Vertex));
-  }
-  if (arrays_.closestCell)
-  {
-    arrays_.closestCell[target] = this->cellOf(site);
-  }
 }
 
 void FieldWriter::store(const Extent& tile, const TileField& field) const
@@ -102,48 +92,70 @@ void FieldWriter::store(const Extent& tile, const TileField& field) const
   {
     for (int j = 0; j < tile.size(1); ++j)
     {
-      const std::int64_t row =
-        static_cast<std::int64_t>(tile.min[2] + k - extent_.min[2]) * extent_.size(1) +
-        (tile.min[1] + j - extent_.min[1]);
-      const std::int64_t target = row * extent_.size(0) + (tile.min[0] - extent_.min[0]);
-      this->storeRow(target, { tile.min[0], tile.min[1] + j, tile.min[2] + k }, tile.size(0), field,
-        TileField::index(0, j, k));
+      const glm::ivec3 first(tile.min[0], tile.min[1] + j, tile.min[2] + k);
+      const std::int64_t target =
+        (static_cast<std::int64_t>(first.z - slab_.min[2]) * slab_.size(1) +
+          (first.y - slab_.min[1])) *
+          slab_.size(0) +
+        (first.x - slab_.min[0]);
+      const int row = TileField::index(0, j, k);
+      this->storeDistances(target, tile.size(0), field, row);
+      this->storeClosestPoints(target, first, tile.size(0), field.site + row);
+      this->storeIds(target, tile.size(0), field.site + row);
     }
   }
 }
 
-void FieldWriter::storeRow(std::int64_t target, const glm::ivec3& first, int count,
-  const TileField& field, int row) const
+void FieldWriter::storeDistances(std::int64_t target, int count, const TileField& field,
+  int row) const
 {
-  if (arrays_.distance)
+  if (!arrays_.distance)
   {
-    for (int i = 0; i < count; ++i)
-    {
-      const float distance = std::sqrt(field.squared[row + i]) * static_cast<float>(frame_.unit);
-      arrays_.distance[target + i] = signed_ && field.side[row + i] < 0.0f ? -distance : distance;
-    }
-  }
-  if (arrays_.closestPoint)
-  {
-    for (int i = 0; i < count; ++i)
-    {
-      const glm::dvec3 sample = frame_.sample(glm::dvec3(first + glm::ivec3(i, 0, 0)));
-      const Point3 world =
-        frame_.toWorld(medial::closestPoint(sites_, field.site[row + i], sample).point);
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        arrays_.closestPoint[3 * (target + i) + axis] = static_cast<float>(world[axis]);
-      }
-    }
-  }
-  if (arrays_.closestSite && !arrays_.closestFeature && !arrays_.closestCell)
-  {
-    std::copy_n(field.site + row, count, arrays_.closestSite + target);
     return;
   }
   for (int i = 0; i < count; ++i)
   {
-    this->storeIds(target + i, field.site[row + i]);
+    const auto distance =
+      static_cast<float>(static_cast<double>(std::sqrt(field.squared[row + i])) * frame_.unit);
+    arrays_.distance[target + i] = signed_ && field.side[row + i] < 0.0f ? -distance : distance;
+  }
+}
+
+void FieldWriter::storeClosestPoints(std::int64_t target, const glm::ivec3& first, int count,
+  const std::int32_t* closest) const
+{
+  if (!arrays_.closestPoint)
+  {
+    return;
+  }
+  for (int i = 0; i < count; ++i)
+  {
+    const glm::dvec3 sample = frame_.sample(glm::dvec3(first) + glm::dvec3(i, 0.0, 0.0));
+    storePoint(frame_.toWorld(closestPoint(sites_, closest[i], sample).point),
+      arrays_.closestPoint + 3 * (target + i));
+  }
+}
+
+void FieldWriter::storeIds(std::int64_t target, int count, const std::int32_t* closest) const
+{
+  if (arrays_.closestSite)
+  {
+    std::copy_n(closest, count, arrays_.closestSite + target);
+  }
+  if (arrays_.closestFeature)
+  {
+    for (int i = 0; i < count; ++i)
+    {
+      arrays_.closestFeature[target + i] =
+        static_cast<std::uint8_t>(featureOf(sites_.kind(closest[i])));
+    }
+  }
+  if (arrays_.closestCell)
+  {
+    for (int i = 0; i < count; ++i)
+    {
+      arrays_.closestCell[target + i] = this->cellOf(closest[i]);
+    }
   }
 }
 

@@ -1,45 +1,48 @@
 #pragma once
 
 #include "medial/distance/distance_field.h"
-#include "medial/distance/slab_renderer.h"
 #include "medial/distance/tile_evaluator.h"
+#include "medial/sites/grid_frame.h"
+#include "medial/sites/site_set.h"
+
+#include <glm/glm.hpp>
 
 #include <cstdint>
-#include <vector>
 
 namespace medial
 {
 
-/// Fills the caller's arrays from resolved slabs.
+/// Converts what evaluators find to what a FieldSink takes: world units, cells and features.
 class FieldWriter
 {
 public:
   FieldWriter(const TriangleMesh& mesh, const MeshTopology& topology, const SiteSet& sites,
-    const GridFrame& frame, const Extent& extent, const FieldArrays& arrays, bool signedField);
+    const GridFrame& frame, bool signedField);
 
-  /// Reads what the arrays need from the GPU. GPU thread.
-  void fetch(const SlabRenderer& renderer, const Extent& slab);
-  /// Converts what was fetched last. Runs on all threads of the current arena.
-  void store(const Extent& slab);
+  /// Where the next values go.
+  void begin(const Extent& slab, const FieldArrays& arrays);
+
+  /// Converts a resolved slab on all threads of the current arena.
+  /// @param displacements vector to the closest point and signed distance, in frame units.
+  /// @param closest sites; each may be null where no array needs it.
+  void store(const glm::vec4* displacements, const std::int32_t* closest) const;
   /// Converts an evaluated tile. May be called from several threads at once.
   void store(const Extent& tile, const TileField& field) const;
 
 private:
-  void storeRow(std::int64_t target, const glm::ivec3& first, int count, const TileField& field,
-    int row) const;
-  void storePoint(std::int64_t target, std::size_t source, const glm::dvec3& sample) const;
-  void storeIds(std::int64_t target, std::int32_t site) const;
+  void storeDistances(std::int64_t target, int count, const TileField& field, int row) const;
+  void storeClosestPoints(std::int64_t target, const glm::ivec3& first, int count,
+    const std::int32_t* closest) const;
+  void storeIds(std::int64_t target, int count, const std::int32_t* closest) const;
   std::int64_t cellOf(std::int32_t site) const;
 
   const TriangleMesh& mesh_;
   const MeshTopology& topology_;
   const SiteSet& sites_;
   GridFrame frame_;
-  Extent extent_;
-  FieldArrays arrays_;
   bool signed_;
-  std::vector<glm::vec4> displacements_;
-  std::vector<std::int32_t> closest_;
+  Extent slab_;
+  FieldArrays arrays_;
 };
 
 } // namespace medial

@@ -90,11 +90,17 @@ SlabRenderer::SlabRenderer(const SiteSet& sites, const std::vector<glm::vec4>& n
   this->uploadSites(sites, normals);
   const glm::ivec2 size = atlas.size();
   winners_ = gpu::createTexture2D(GL_R32I, size.x, size.y);
-  depth_ = gpu::createTexture2D(GL_DEPTH_COMPONENT32F, size.x, size.y);
   displacements_ = gpu::createTexture2D(GL_RGBA32F, size.x, size.y);
   sites_ = gpu::createTexture2D(GL_R32I, size.x, size.y);
-  drawTarget_ = gpu::createFramebuffer({ winners_.id() }, depth_.id());
   resolveTarget_ = gpu::createFramebuffer({ displacements_.id(), sites_.id() });
+  noVertices_ = gpu::createVertexArray();
+}
+
+void SlabRenderer::createDrawTarget()
+{
+  const glm::ivec2 size = atlas_.size();
+  depth_ = gpu::createTexture2D(GL_DEPTH_COMPONENT32F, size.x, size.y);
+  drawTarget_ = gpu::createFramebuffer({ winners_.id() }, depth_.id());
   this->bindVertexFormat();
 }
 
@@ -120,7 +126,6 @@ void SlabRenderer::bindVertexFormat()
 {
   vertices_ = gpu::createBuffer();
   indices_ = gpu::createBuffer();
-  noVertices_ = gpu::createVertexArray();
   polygonFormat_ = gpu::createVertexArray();
   const GLuint format = polygonFormat_.id();
   glVertexArrayVertexBuffer(format, 0, vertices_.id(), 0, sizeof(PolygonVertex));
@@ -186,6 +191,10 @@ void SlabRenderer::uploadPolygons(const std::vector<PolygonChunk>& chunks)
 
 void SlabRenderer::draw(const std::vector<PolygonChunk>& chunks)
 {
+  if (!drawTarget_)
+  {
+    this->createDrawTarget();
+  }
   this->uploadPolygons(chunks);
   const gpu::ShaderProgram& program =
     gpu::cachedProgram("distance_field.vert", "distance_field.frag");
@@ -208,6 +217,19 @@ void SlabRenderer::draw(const std::vector<PolygonChunk>& chunks)
   gpu::checkGl("drawing polygons");
   // So that the time of each phase is its own.
   glFinish();
+}
+
+void SlabRenderer::setWinners(const std::int32_t* sites, int slices)
+{
+  const glm::ivec2& size = atlas_.sliceSize;
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  for (int slice = 0; slice < slices; ++slice)
+  {
+    const glm::ivec2 to = atlas_.slotOrigin(1 + slice);
+    glTextureSubImage2D(winners_.id(), 0, to.x, to.y, size.x, size.y, GL_RED_INTEGER, GL_INT,
+      sites + static_cast<std::size_t>(size.x) * size.y * slice);
+  }
+  gpu::checkGl("uploading closest sites");
 }
 
 std::uint32_t SlabRenderer::resolve(const Extent& slab)

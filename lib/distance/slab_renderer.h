@@ -35,12 +35,15 @@ public:
 
   /// Finds the closest sites: slots [1, slices] of the atlas.
   void draw(const std::vector<PolygonChunk>& chunks);
+  /// Takes closest sites that were found otherwise, slice after slice, x fastest.
+  void setWinners(const std::int32_t* sites, int slices);
 
   /// Evaluates them exactly. Returns the number of grid points that no polygon covered.
   /// @param slab the slice slab.min[2] is in slot 1.
   std::uint32_t resolve(const Extent& slab);
 
   /// Reads slots [1, slices] of the resolved textures, slice after slice, x fastest.
+  /// Destinations are offsets where a pixel buffer is bound.
   void readSites(int slices, std::int32_t* sites) const;
   void readDisplacements(int slices, glm::vec4* displacements) const;
   /// Overwrites one resolved grid point.
@@ -55,6 +58,7 @@ public:
 private:
   void uploadSites(const SiteSet& sites, const std::vector<glm::vec4>& normals);
   void uploadPolygons(const std::vector<PolygonChunk>& chunks);
+  void createDrawTarget();
   void bindVertexFormat();
 
   AtlasLayout atlas_;

@@ -227,7 +227,7 @@ TileEvaluator::TileEvaluator(const SiteSet& sites, const std::vector<glm::vec4>&
 }
 
 MEDIAL_VECTORISED std::int64_t TileEvaluator::evaluate(const Extent& extent,
-  const std::vector<int>& candidates, TileField& field) const
+  const int* candidates, std::size_t count, TileField& field) const
 {
   Tile tile{ frame_.sample({ extent.min[0], extent.min[1], extent.min[2] }), frame_.step,
     extent.size(1), extent.size(2), static_cast<float>(extent.size(0) - 1), field };
@@ -236,8 +236,9 @@ MEDIAL_VECTORISED std::int64_t TileEvaluator::evaluate(const Extent& extent,
   std::int64_t rows = 0;
   constexpr int kMostBounds = 8;
   TileFunction bounds[kMostBounds];
-  for (const int site : candidates)
+  for (const int* candidate = candidates; candidate != candidates + count; ++candidate)
   {
+    const int site = *candidate;
     const glm::dvec3 normal(normals_[site]);
     switch (sites_.kind(site))
     {
@@ -267,18 +268,18 @@ MEDIAL_VECTORISED std::int64_t TileEvaluator::evaluate(const Extent& extent,
         const double start = glm::dot(u, p);
         bounds[0] = tile.function(-u, -start);
         bounds[1] = tile.function(u, start + length);
-        int count = 2;
+        int boundCount = 2;
         const HalfSpace* end = sites_.halfSpacesEnd(site);
         for (const HalfSpace* h = sites_.halfSpacesBegin(site) + 2;
-             h != end && count < kMostBounds; ++h)
+             h != end && boundCount < kMostBounds; ++h)
         {
-          bounds[count++] = tile.function(glm::dvec3(*h), static_cast<double>(h->w));
+          bounds[boundCount++] = tile.function(glm::dvec3(*h), static_cast<double>(h->w));
         }
         // Measured from the line's point next to the tile, so that squares stay small.
         const double here = glm::dot(u, tile.origin);
         const glm::dvec3 foot = p + (here - start) * u;
         rows += addEdge(tile, site, Offset(tile, foot), tile.function(u, here),
-          tile.function(normal, glm::dot(normal, p)), bounds, count, slack_);
+          tile.function(normal, glm::dot(normal, p)), bounds, boundCount, slack_);
         break;
       }
       case SiteKind::Vertex:

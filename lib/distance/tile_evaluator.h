@@ -6,6 +6,7 @@
 
 #include <glm/glm.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -39,9 +40,9 @@ public:
     const GridFrame& frame, float slack);
 
   /// @param tile no longer than TileField::kRow.
-  /// @param candidates of the tile's hull of points, ascending.
+  /// @param candidates all of the tile's, `count` of them, ascending.
   /// @return number of pairs of grid points and sites that were evaluated.
-  std::int64_t evaluate(const Extent& tile, const std::vector<int>& candidates,
+  std::int64_t evaluate(const Extent& tile, const int* candidates, std::size_t count,
     TileField& field) const;
 
 private:

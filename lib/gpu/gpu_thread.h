@@ -66,6 +66,13 @@ public:
     thread_.run([&] { job(*object_); });
   }
 
+  /// Queues a job that must not outlive this.
+  template <typename F>
+  std::future<void> submit(F&& job)
+  {
+    return thread_.submit([this, job = std::forward<F>(job)] { job(*object_); });
+  }
+
   /// For jobs that run on the GPU thread already, and for members that need no OpenGL.
   T& object() { return *object_; }
 

@@ -4,7 +4,9 @@
 #include "medial/common/memory_guard.h"
 #include "medial/common/stopwatch.h"
 #include "medial/culling/tile_query.h"
+#include "medial/distance/array_sink.h"
 #include "medial/distance/field_pipeline.h"
+#include "medial/gpu/gpu_thread.h"
 #include "medial/medial/bisector.h"
 #include "medial/medial/medial_cells.h"
 #include "medial/medial/medial_complex.h"
@@ -134,7 +136,8 @@ MedialAxis runPipeline(const TriangleMesh& mesh, const MeshTopology& topology, c
   axis.sign = pipeline.sign();
   axis.side = axis.sign == SignMethod::None ? Side::Both : options.side;
   StageProxy stage(options.angle, axis.side, pipeline.frame());
-  pipeline.run(arrays, &stage);
+  ArraySink sink(grid.wholeExtent(), arrays);
+  pipeline.run(sink, &stage);
   pipeline.report(0.8, "medial axis");
   std::vector<Crossing> crossings = stage.takeCrossings();
   pipeline.inArena(

@@ -1,0 +1,187 @@
+#include "medial/common/stopwatch.h"
+#include "medial/distance/field_slab.h"
+#include "medial/distance/tile_evaluator.h"
+#include "medial/gpu/gpu_thread.h"
+
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+
+// The processor as evaluator of candidate tiles, where OpenGL is a software renderer.
+namespace medial
+{
+namespace
+{
+
+/// What a grid point of a slab costs with a stage: textures, closest sites of two slabs and the
+/// stage's own textures.
+constexpr std::size_t kStagedBytesPerPoint = 64;
+
+/// One thread's tile, and what it has done.
+struct Work
+{
+  TileField field;
+  double seconds = 0.0;
+  std::int64_t pairs = 0;
+  std::int64_t evaluations = 0;
+};
+
+using Works = tbb::enumerable_thread_specific<Work>;
+
+/// Copies the closest sites of a tile to those of its slab.
+void copySites(const Extent& tile, const TileField& field, const Extent& slab,
+  std::vector<std::int32_t>& sites)
+{
+  for (int k = 0; k < tile.size(2); ++k)
+  {
+    for (int j = 0; j < tile.size(1); ++j)
+    {
+      const std::size_t row =
+        static_cast<std::size_t>(tile.min[2] + k - slab.min[2]) * slab.size(1) +
+        (tile.min[1] + j - slab.min[1]);
+      std::copy_n(field.site + TileField::index(0, j, k), tile.size(0),
+        sites.data() + row * slab.size(0) + (tile.min[0] - slab.min[0]));
+    }
+  }
+}
+
+/// Adds what the threads did. Evaluation and the descent to leaf tiles are interleaved; the wall
+/// clock is shared out by the evaluation's part of the threads' time.
+void addWorks(const Works& works, double wall, int threads, RunStatistics& statistics)
+{
+  double seconds = 0.0;
+  for (const Work& work : works)
+  {
+    seconds += work.seconds / threads;
+    statistics.candidatePairs += work.pairs;
+    statistics.fragments += work.evaluations;
+  }
+  seconds = std::min(seconds, wall);
+  statistics.seconds.draw += seconds;
+  statistics.seconds.cull += wall - seconds;
+}
+
+} // namespace
+
+void FieldPipeline::evaluate(FieldSink& sink)
+{
+  const int slices = this->slabSlices(sink.bytesPerPoint());
+  const CandidateHierarchy hierarchy = this->cullBlocks(slices, TileHull::Points);
+  const TileEvaluator evaluator = this->makeEvaluator();
+  FieldWriter writer = this->makeWriter();
+  const std::vector<Extent> extents = this->slabsOf(slices);
+  Works works;
+  double wall = 0.0;
+  for (std::size_t i = 0; i < extents.size(); ++i)
+  {
+    this->report(static_cast<double>(i) / static_cast<double>(extents.size()), "distance field");
+    writer.begin(extents[i], sink.slabArrays(extents[i]));
+    timed(wall,
+      [&]
+      {
+        this->inArena(
+          [&]
+          {
+            hierarchy.visitLeaves(extents[i],
+              [&](const Extent& tile, const std::vector<int>& candidates)
+              {
+                Work& work = works.local();
+                const Stopwatch watch(work.seconds);
+                work.pairs += static_cast<std::int64_t>(candidates.size());
+                work.evaluations += evaluator.evaluate(tile, candidates.data(), candidates.size(), work.field);
+                writer.store(tile, work.field);
+              });
+          });
+      });
+    sink.stored(extents[i]);
+  }
+  addWorks(works, wall, this->threads(), statistics_);
+}
+
+TileEvaluator FieldPipeline::makeEvaluator()
+{
+  const Stopwatch watch(statistics_.seconds.sites);
+  return { sites_, normals_, frame_, filter_.slack() };
+}
+
+void FieldPipeline::evaluateForStage(FieldSink& sink, SlabStage& stage)
+{
+  const AtlasLayout atlas = this->chooseAtlas(kStagedBytesPerPoint + sink.bytesPerPoint());
+  const CandidateHierarchy hierarchy = this->cullBlocks(atlas.slabSlices, TileHull::Cells);
+  const TileEvaluator evaluator = this->makeEvaluator();
+  gpu::OnGpuThread<GpuState> gpu(sites_, normals_, frame_, atlas, this->fieldSign());
+  FieldWriter writer = this->makeWriter();
+  const std::vector<Extent> extents = this->slabsOf(atlas.slabSlices);
+  const double perSlab = shareOfField(true) / static_cast<double>(extents.size());
+  std::array<Slab, 2> ring;
+  InFlight inFlight;
+  for (std::size_t i = 0; i < extents.size(); ++i)
+  {
+    const auto start = static_cast<double>(i);
+    this->report(start * perSlab, "distance field");
+    Slab& slab = ring[i % 2];
+    slab.extent = extents[i];
+    slab.previousSlices = i > 0 ? extents[i - 1].size(2) : 0;
+    this->cullSlab(hierarchy, slab);
+    writer.begin(slab.extent, sink.slabArrays(slab.extent));
+    this->evaluateTiles(evaluator, slab, writer);
+    sink.stored(slab.extent);
+    this->report((start + 0.5) * perSlab, "distance field");
+    inFlight.finish();
+    inFlight.job = gpu.submit(
+      [this, &slab, &stage](GpuState& state) { this->resolveWinners(state, slab, stage); });
+  }
+  inFlight.finish();
+  this->addGpuSeconds(gpu.object());
+}
+
+void FieldPipeline::evaluateTiles(const TileEvaluator& evaluator, Slab& slab,
+  const FieldWriter& writer)
+{
+  const Stopwatch watch(statistics_.seconds.draw);
+  slab.winners.resize(static_cast<std::size_t>(slab.extent.pointCount()));
+  Works works;
+  this->inArena(
+    [&]
+    {
+      tbb::parallel_for(std::size_t{ 0 }, slab.tiles.size(),
+        [&](std::size_t b)
+        {
+          const CandidateTiles& block = slab.tiles[b];
+          Work& work = works.local();
+          for (std::size_t t = 0; t < block.tiles.size(); ++t)
+          {
+            work.evaluations += evaluator.evaluate(block.tiles[t],
+              block.candidates.data() + block.offsets[t], block.offsets[t + 1] - block.offsets[t],
+              work.field);
+            writer.store(block.tiles[t], work.field);
+            copySites(block.tiles[t], work.field, slab.extent, slab.winners);
+          }
+        });
+    });
+  for (const Work& work : works)
+  {
+    statistics_.fragments += work.evaluations;
+  }
+}
+
+void FieldPipeline::resolveWinners(GpuState& gpu, Slab& slab, SlabStage& stage)
+{
+  SlabRenderer& renderer = gpu.renderer;
+  timed(gpu.seconds.resolve,
+    [&]
+    {
+      if (slab.previousSlices > 0)
+      {
+        renderer.carryLastSlice(slab.previousSlices);
+      }
+      renderer.setWinners(slab.winners.data(), slab.extent.size(2));
+      renderer.resolve(slab.extent);
+    });
+  const Stopwatch watch(gpu.seconds.medial);
+  stage.process(renderer, slab.extent, slab.previousSlices > 0);
+}
+
+} // namespace medial

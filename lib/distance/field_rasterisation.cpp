@@ -1,0 +1,151 @@
+#include "medial/common/stopwatch.h"
+#include "medial/distance/field_slab.h"
+#include "medial/distance/hole_repair.h"
+#include "medial/gpu/gpu_thread.h"
+
+#include <algorithm>
+#include <array>
+
+// The rasteriser: polygons that bound Voronoi regions, drawn with the depth test.
+namespace medial
+{
+namespace
+{
+
+/// What a grid point of a slab costs: textures, a ring of two pixel buffers, a stage's textures and
+/// polygons.
+constexpr std::size_t kBytesPerPoint = 112;
+
+} // namespace
+
+void FieldPipeline::rasterise(FieldSink& sink, SlabStage* stage)
+{
+  const AtlasLayout atlas = this->chooseAtlas(kBytesPerPoint + sink.bytesPerPoint());
+  const CandidateHierarchy hierarchy =
+    this->cullBlocks(atlas.slabSlices, stage != nullptr ? TileHull::Cells : TileHull::Points);
+  gpu::OnGpuThread<GpuState> gpu(sites_, normals_, frame_, atlas, this->fieldSign());
+  FieldWriter writer = this->makeWriter();
+  const std::vector<Extent> extents = this->slabsOf(atlas.slabSlices);
+  const double perSlab =
+    shareOfField(stage != nullptr) / static_cast<double>(extents.size());
+
+  std::array<Slab, 2> ring;
+  ring[0].arrays = sink.slabArrays(extents[0]);
+  const FieldArrays& wanted = ring[0].arrays;
+  if (wanted.any())
+  {
+    gpu.run(
+      [&](GpuState&)
+      {
+        for (Slab& slab : ring)
+        {
+          slab.readback = std::make_unique<SlabReadback>(atlas, extents[0].size(2),
+            wanted.distance || wanted.closestPoint,
+            wanted.closestSite || wanted.closestFeature || wanted.closestCell);
+        }
+      });
+  }
+  // Pixel buffers go where they came from.
+  struct ReleaseReadback
+  {
+    gpu::OnGpuThread<GpuState>& gpu;
+    std::array<Slab, 2>& ring;
+    ~ReleaseReadback()
+    {
+      gpu.run(
+        [this](GpuState&)
+        {
+          ring[0].readback.reset();
+          ring[1].readback.reset();
+        });
+    }
+  } release{ gpu, ring };
+
+  InFlight inFlight;
+  for (std::size_t i = 0; i < extents.size(); ++i)
+  {
+    const double start = static_cast<double>(i);
+    this->report(start * perSlab, "distance field");
+    Slab& slab = ring[i % 2];
+    slab.extent = extents[i];
+    slab.previousSlices = i > 0 ? extents[i - 1].size(2) : 0;
+    this->cullSlab(hierarchy, slab);
+    this->clipPolygons(slab, atlas);
+    this->report((start + 0.5) * perSlab, "distance field");
+    inFlight.finish();
+    inFlight.job =
+      gpu.submit([this, &slab, stage](GpuState& state) { this->render(state, slab, stage); });
+    if (i > 0)
+    {
+      this->storeSlab(ring[(i - 1) % 2], writer, sink);
+    }
+  }
+  inFlight.finish();
+  this->storeSlab(ring[(extents.size() - 1) % 2], writer, sink);
+  this->addGpuSeconds(gpu.object());
+}
+
+void FieldPipeline::clipPolygons(Slab& slab, const AtlasLayout& atlas)
+{
+  const Stopwatch watch(statistics_.seconds.polygons);
+  this->inArena([&]
+    { slab.chunks = buildPolygons(sites_, frame_, slab.tiles, slab.extent, atlas); });
+  double area = 0.0;
+  for (const PolygonChunk& chunk : slab.chunks)
+  {
+    statistics_.polygons += chunk.polygons;
+    area += chunk.area;
+  }
+  statistics_.fragments += static_cast<std::int64_t>(area);
+}
+
+void FieldPipeline::render(GpuState& gpu, Slab& slab, SlabStage* stage)
+{
+  SlabRenderer& renderer = gpu.renderer;
+  if (slab.previousSlices > 0)
+  {
+    renderer.carryLastSlice(slab.previousSlices);
+  }
+  timed(gpu.seconds.draw, [&] { renderer.draw(slab.chunks); });
+  timed(gpu.seconds.resolve,
+    [&]
+    {
+      if (renderer.resolve(slab.extent) > 0)
+      {
+        TileQuery query(sites_, filter_, frame_, slab.extent,
+          glm::ivec3(CandidateHierarchy::kLeafSize, CandidateHierarchy::kLeafSize,
+            std::min(CandidateHierarchy::kLeafSize, renderer.atlas().slabSlices)));
+        for (const CandidateTiles& block : slab.tiles)
+        {
+          query.add(block);
+        }
+        repairHoles(renderer, normals_, frame_, query, this->fieldSign(), slab.extent);
+      }
+    });
+  if (stage != nullptr)
+  {
+    const Stopwatch watch(gpu.seconds.medial);
+    stage->process(renderer, slab.extent, slab.previousSlices > 0);
+  }
+  if (slab.readback)
+  {
+    const Stopwatch watch(gpu.seconds.resolve);
+    slab.readback->fetch(renderer, slab.extent.size(2));
+  }
+}
+
+void FieldPipeline::storeSlab(const Slab& slab, FieldWriter& writer, FieldSink& sink)
+{
+  // The first slab's arrays are known already.
+  const bool first = slab.extent.min[2] == extent_.min[2];
+  const FieldArrays arrays = first ? slab.arrays : sink.slabArrays(slab.extent);
+  if (slab.readback)
+  {
+    const Stopwatch watch(statistics_.seconds.resolve);
+    writer.begin(slab.extent, arrays);
+    this->inArena([&] { writer.store(slab.readback->displacements(), slab.readback->sites()); });
+  }
+  sink.stored(slab.extent);
+}
+
+} // namespace medial

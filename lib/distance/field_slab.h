@@ -1,0 +1,62 @@
+#pragma once
+
+#include "medial/distance/field_pipeline.h"
+#include "medial/distance/slab_readback.h"
+
+#include <cstdint>
+#include <future>
+#include <memory>
+#include <vector>
+
+// What the two ways to compute a field share.
+namespace medial
+{
+
+/// A slab on its way through the pipeline.
+struct FieldPipeline::Slab
+{
+  Extent extent;
+  int previousSlices = 0; ///< of the slab below; 0 for the first
+  FieldArrays arrays;
+  std::vector<CandidateTiles> tiles;
+  std::vector<PolygonChunk> chunks;
+  std::vector<std::int32_t> winners;      ///< slice after slice, x fastest
+  std::unique_ptr<SlabReadback> readback; ///< null where nothing is wanted
+};
+
+/// What lives on the GPU thread.
+struct FieldPipeline::GpuState
+{
+  SlabRenderer renderer;
+  RunStatistics::Seconds seconds; ///< of what the GPU did
+
+  template <typename... Args>
+  explicit GpuState(Args&&... args)
+    : renderer(std::forward<Args>(args)...)
+  {
+  }
+};
+
+/// A job of the GPU thread, waited for before what it works on goes away.
+struct FieldPipeline::InFlight
+{
+  std::future<void> job;
+
+  ~InFlight()
+  {
+    if (job.valid())
+    {
+      job.wait();
+    }
+  }
+  /// @throws what the job threw.
+  void finish()
+  {
+    if (job.valid())
+    {
+      job.get();
+    }
+  }
+};
+
+} // namespace medial
