@@ -89,12 +89,19 @@ public:
       });
   }
 
-  void takeTurn(const TriangleMesh& mesh, const Grid& grid, AccuracyCheck& check)
+  /// Takes no further turn where one lasted longer than the cap, whatever had been predicted.
+  void takeTurn(const TriangleMesh& mesh, const Grid& grid, double cap, AccuracyCheck& check)
   {
+    if (slowest_ > cap)
+    {
+      return;
+    }
     this->guarded(
       [&]
       {
-        FieldResult result = method_->compute(mesh, grid);
+        double wall = 0.0;
+        FieldResult result = timed(wall, [&] { return method_->compute(mesh, grid); });
+        slowest_ = std::max(slowest_, wall);
         if (!run_.accuracy)
         {
           run_.accuracy = check(result);
@@ -127,6 +134,7 @@ private:
 
   std::unique_ptr<FieldMethod> method_;
   MethodRun run_;
+  double slowest_ = 0.0; ///< wall-clock seconds of a turn
 };
 
 /// Ratios are taken within rounds, whose parts ran close together.
@@ -205,7 +213,7 @@ Row measureRow(const TriangleMesh& mesh, const Grid& grid, const std::vector<Met
   {
     for (Contestant& contestant : contestants)
     {
-      contestant.takeTurn(mesh, grid, check);
+      contestant.takeTurn(mesh, grid, options.timeCap, check);
     }
   }
   Row row;

@@ -50,7 +50,7 @@ struct Row
 struct MeasurementOptions
 {
   int repeats = 5;
-  double timeCap = 60.0;    ///< seconds; a method that needs more for one sample is only predicted
+  double timeCap = 60.0;    ///< seconds; a slower method is only predicted, or runs once
   int checkedPoints = 4000; ///< grid points at which fields are compared with the oracle
 };
 

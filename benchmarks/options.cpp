@@ -39,7 +39,9 @@ void addOptions(CLI::App& app, Options& options, std::string& models)
     ->capture_default_str();
   app.add_option("--resolution", options.resolution, "grid points along the longest axis")
     ->check(CLI::Range(8, 1024));
-  app.add_option("--time-cap", options.timeCap, "seconds; slower methods are only predicted")
+  app
+    .add_option("--time-cap", options.timeCap,
+      "seconds; slower methods are only predicted, or run once")
     ->check(CLI::PositiveNumber)
     ->capture_default_str();
   app.add_option("--points", options.checkedPoints, "grid points checked in every field")

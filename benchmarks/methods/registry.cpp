@@ -7,6 +7,8 @@ const std::vector<MethodEntry>& availableMethods()
 {
   static const std::vector<MethodEntry> methods = {
     { kMedialId, makeMedialMethod },
+    { "published", makePublishedMethod },
+    { "havoc", makeHavocMethod },
 #ifdef MEDIAL_HAVE_EMBREE
     { "embree", makeEmbreeMethod },
 #endif
@@ -20,20 +22,14 @@ const std::vector<MethodEntry>& availableMethods()
 #ifdef MEDIAL_HAVE_VTK
     { "vtk", makeVtkMethod },
 #endif
-#ifdef MEDIAL_HAVE_PUBLISHED
-    { "published", makePublishedMethod },
-#endif
-#ifdef MEDIAL_HAVE_HAVOC
-    { "havoc", makeHavocMethod },
-#endif
   };
   return methods;
 }
 
 const std::vector<std::string>& knownMethodIds()
 {
-  static const std::vector<std::string> ids = { kMedialId, "embree", "cgal", "openvdb",
-    "openvdb-band", "vtk", "published", "havoc" };
+  static const std::vector<std::string> ids = { kMedialId, "published", "havoc", "embree", "cgal",
+    "openvdb", "openvdb-band", "vtk" };
   return ids;
 }
 

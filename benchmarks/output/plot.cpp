@@ -1,5 +1,6 @@
 #include "output/plot.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -100,11 +101,54 @@ void runGnuplot(const std::string& commands, const std::string& data, const std:
   }
 }
 
+/// A logarithmic axis from a little below the least to a little above the greatest value, with
+/// labels at 1, 2 and 5 times powers of ten where powers alone would be few.
+std::string logarithmicAxis(const std::string& axis, double least, double most)
+{
+  const double low = 0.75 * least;
+  const double high = 1.35 * most;
+  std::ostringstream commands;
+  commands << "set logscale " << axis << "\nset " << axis << "range [" << low << ':' << high
+           << "]\n";
+  if (most < 300.0 * least)
+  {
+    commands << "set " << axis << "tics (";
+    const char* separator = "";
+    for (int power = -9; power <= 9; ++power)
+    {
+      for (const double digit : { 1.0, 2.0, 5.0 })
+      {
+        const double value = digit * std::pow(10.0, power);
+        if (value >= low && value <= high)
+        {
+          commands << separator << value;
+          separator = ", ";
+        }
+      }
+    }
+    commands << ")\n";
+  }
+  return commands.str();
+}
+
+/// Least and greatest of some positive numbers.
+struct Span
+{
+  double least = std::numeric_limits<double>::infinity();
+  double most = 0.0;
+
+  void add(double value)
+  {
+    least = std::min(least, value);
+    most = std::max(most, value);
+  }
+};
+
 std::string header(const std::string& title, const std::string& yLabel)
 {
   return "set title " + quoted(title) + "\nset ylabel " + quoted(yLabel) +
-    "\nset grid ytics xtics lc rgb '#dddddd' lt 1\nset border 3\nset tics nomirror\n"
-    "set format y '%g'\n";
+    "\nset grid ytics lc rgb '#dddddd' lt 1\nset border 3\nset tics nomirror\n"
+    "set key outside right top Left reverse\nset format '%g'\n";
 }
 
 } // namespace
@@ -115,7 +159,19 @@ void draw(const CurvePlot& plot, const fs::path& folder)
   data.precision(9);
   std::ostringstream commands;
   commands << header(plot.title, plot.yLabel) << "set xlabel " << quoted(plot.xLabel)
-           << "\nset logscale xy\nset key outside right top Left reverse\nset format x '%g'\n";
+           << "\nset grid xtics\n";
+  Span x;
+  Span y;
+  for (const CurvePlot::Curve& curve : plot.curves)
+  {
+    for (const auto& p : curve.points)
+    {
+      x.add(p[0]);
+      y.add(p[2]);
+      y.add(p[3]);
+    }
+  }
+  commands << logarithmicAxis("x", x.least, x.most) << logarithmicAxis("y", y.least, y.most);
   for (std::size_t i = 0; i < plot.ticks.size(); ++i)
   {
     commands << (i == 0 ? "set xtics (" : ", ") << plot.ticks[i]
@@ -145,23 +201,26 @@ void draw(const CurvePlot& plot, const fs::path& folder)
 void draw(const BarPlot& plot, const fs::path& folder)
 {
   std::ostringstream data;
-  double least = std::numeric_limits<double>::infinity();
+  Span span;
   for (std::size_t group = 0; group < plot.groups.size(); ++group)
   {
     data << '"' << plot.groups[group] << '"';
     for (const double height : plot.heights[group])
     {
       data << ' ' << (std::isfinite(height) ? std::to_string(height) : "NaN");
-      least = std::isfinite(height) ? std::min(least, height) : least;
+      if (std::isfinite(height))
+      {
+        span.add(height);
+      }
     }
     data << '\n';
   }
   std::ostringstream commands;
   commands << header(plot.title, plot.yLabel)
            << "set style data histograms\nset style histogram clustered gap 1.5\n"
-           << "set style fill solid 0.9 noborder\nset boxwidth 0.95\nset logscale y\n"
-           << "set xtics rotate by -20\nset key outside right top Left reverse\n"
-           << "set datafile missing 'NaN'\nset yrange [" << 0.5 * least << ":]\nplot ";
+           << "set style fill solid 0.9 noborder\nset boxwidth 0.95\n"
+           << "set datafile missing 'NaN'\n"
+           << logarithmicAxis("y", span.least, span.most) << "plot ";
   for (std::size_t bar = 0; bar < plot.bars.size(); ++bar)
   {
     commands << (bar == 0 ? "" : ", ") << "data using " << bar + 2 << ":xtic(1) title "

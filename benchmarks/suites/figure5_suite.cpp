@@ -33,6 +33,16 @@ std::vector<int> resolutions(const SuiteContext& context)
     : result;
 }
 
+/// Time grows with this power of the number of grid points.
+double exponentAgainstVoxels(const std::vector<Row>& rows, const std::string& id)
+{
+  std::vector<Row> fine;
+  std::copy_if(rows.begin(), rows.end(), std::back_inserter(fine),
+    [](const Row& row) { return longestAxis(row.grid) >= kFitFrom; });
+  return exponentOf(secondsCurve(fine, id, id,
+    [](const Row& row) { return static_cast<double>(row.grid.pointCount()); }));
+}
+
 CurvePlot plotOf(const std::vector<Row>& rows, const std::vector<std::string>& methods)
 {
   CurvePlot plot;
@@ -54,16 +64,6 @@ CurvePlot plotOf(const std::vector<Row>& rows, const std::vector<std::string>& m
     }
   }
   return plot;
-}
-
-/// Time grows with this power of the number of grid points.
-double exponentAgainstVoxels(const std::vector<Row>& rows, const std::string& id)
-{
-  std::vector<Row> fine;
-  std::copy_if(rows.begin(), rows.end(), std::back_inserter(fine),
-    [](const Row& row) { return longestAxis(row.grid) >= kFitFrom; });
-  return exponentOf(secondsCurve(fine, id, id,
-    [](const Row& row) { return static_cast<double>(row.grid.pointCount()); }));
 }
 
 } // namespace

@@ -27,12 +27,9 @@ CurvePlot::Curve exceedance(const MethodRun& run)
       static_cast<double>(errors.size() - i) / static_cast<double>(errors.size());
     curve.points.push_back({ std::max(errors[i], kLeastError), share, share, share });
   };
-  for (std::size_t i = 0; i < errors.size(); i += step)
-  {
-    add(i);
-  }
   // The tail in full: it is what the plot is about.
-  for (std::size_t i = errors.size() - std::min(errors.size(), step); i < errors.size(); ++i)
+  const std::size_t tail = errors.size() - std::min(errors.size(), step);
+  for (std::size_t i = 0; i < errors.size(); i += i < tail ? step : 1)
   {
     add(i);
   }
@@ -103,7 +100,7 @@ SuiteReport runFigure6(const SuiteContext& context)
   SuiteContext::noteAbsent(methods, report);
   for (const MeshRequest& mesh : { triceratops(), bunny() })
   {
-    const int resolution = context.resolution(64);
+    const int resolution = context.resolution(128);
     if (auto row = context.measure(mesh, gridOfResolution(resolution), methods, measurement))
     {
       report.curves.push_back(plotOf(*row));

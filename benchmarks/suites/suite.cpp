@@ -18,10 +18,10 @@ bool allows(const std::vector<T>& chosen, const T& value)
 
 void tell(const Row& row)
 {
-  std::cerr << row.mesh << ' ' << dimensionsText(row.grid) << '\n';
+  std::cerr << row.mesh << ' ' << dimensionsText(row.grid) << ", seconds\n";
   for (const MethodRun& run : row.runs)
   {
-    std::cerr << "  " << run.name << ": " << secondsText(run) << " s\n";
+    std::cerr << "  " << run.name << ": " << secondsText(run) << '\n';
   }
 }
 
