@@ -19,6 +19,7 @@ namespace
 
 const char* const GridModeNames[] = { "Resolution", "Spacing", "Explicit" };
 const char* const SignMethodNames[] = { "Auto", "None", "Pseudonormal", "Winding" };
+const char* const EvaluatorNames[] = { "Auto", "Rasteriser", "Processor" };
 
 //------------------------------------------------------------------------------
 template <std::size_t Count>
@@ -166,6 +167,33 @@ int vtkMeshFieldAlgorithm::GetUsedSignMethod()
 const char* vtkMeshFieldAlgorithm::GetUsedSignMethodAsString()
 {
   return NameOf(SignMethodNames, this->GetUsedSignMethod());
+}
+
+//------------------------------------------------------------------------------
+const char* vtkMeshFieldAlgorithm::GetEvaluatorAsString()
+{
+  return NameOf(EvaluatorNames, this->Evaluator);
+}
+
+//------------------------------------------------------------------------------
+int vtkMeshFieldAlgorithm::GetUsedEvaluator()
+{
+  switch (this->Internals->Last.Statistics.evaluator)
+  {
+    case medial::Evaluator::Rasteriser:
+      return EVALUATOR_RASTERISER;
+    case medial::Evaluator::Processor:
+      return EVALUATOR_PROCESSOR;
+    case medial::Evaluator::Auto:
+      break;
+  }
+  return EVALUATOR_AUTO;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkMeshFieldAlgorithm::GetUsedEvaluatorAsString()
+{
+  return NameOf(EvaluatorNames, this->GetUsedEvaluator());
 }
 
 //------------------------------------------------------------------------------
@@ -328,6 +356,7 @@ void vtkMeshFieldAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   vector("Dimensions", this->Dimensions);
   os << indent << "Padding: " << this->Padding << "\n";
   os << indent << "SignMethod: " << this->GetSignMethodAsString() << "\n";
+  os << indent << "Evaluator: " << this->GetEvaluatorAsString() << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
   flag("RequireHardware", this->RequireHardware);
@@ -336,6 +365,7 @@ void vtkMeshFieldAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   flag("GenerateClosestFeature", this->GenerateClosestFeature);
   flag("GenerateClosestSite", this->GenerateClosestSite);
   os << indent << "UsedSignMethod: " << this->GetUsedSignMethodAsString() << "\n";
+  os << indent << "UsedEvaluator: " << this->GetUsedEvaluatorAsString() << "\n";
   vector("UsedDimensions", this->Internals->Last.Grid.dimensions);
   os << indent << "Renderer: " << this->GetRenderer() << "\n";
 }

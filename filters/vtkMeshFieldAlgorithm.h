@@ -115,6 +115,16 @@ public:
     SIGN_WINDING = 3
   };
 
+  /**
+   * What finds the closest sites.
+   */
+  enum Evaluators
+  {
+    EVALUATOR_AUTO = 0,
+    EVALUATOR_RASTERISER = 1,
+    EVALUATOR_PROCESSOR = 2
+  };
+
   ///@{
   /**
    * How the grid of sample points is chosen. RESOLUTION: cubic voxels, as many points along the
@@ -197,6 +207,22 @@ public:
 
   ///@{
   /**
+   * What finds the closest sites: the result does not depend on it, but the time does.
+   * EVALUATOR_RASTERISER: OpenGL draws bounds of Voronoi regions with the depth test.
+   * EVALUATOR_PROCESSOR: the CPU evaluates the candidates of every tile of the grid.
+   * EVALUATOR_AUTO: EVALUATOR_PROCESSOR where OpenGL is a software renderer, else
+   * EVALUATOR_RASTERISER. Default is EVALUATOR_AUTO. GetUsedEvaluator() says what was chosen.
+   */
+  vtkSetMacro(Evaluator, int);
+  vtkGetMacro(Evaluator, int);
+  void SetEvaluatorToAuto() { this->SetEvaluator(EVALUATOR_AUTO); }
+  void SetEvaluatorToRasteriser() { this->SetEvaluator(EVALUATOR_RASTERISER); }
+  void SetEvaluatorToProcessor() { this->SetEvaluator(EVALUATOR_PROCESSOR); }
+  const char* GetEvaluatorAsString();
+  ///@}
+
+  ///@{
+  /**
    * Number of CPU threads to use, >= 0; 0 uses all cores. The result does not depend on it.
    * Default is 0.
    */
@@ -272,6 +298,15 @@ public:
    */
   int GetUsedSignMethod();
   const char* GetUsedSignMethodAsString();
+  ///@}
+
+  ///@{
+  /**
+   * The evaluator of the last execution: what EVALUATOR_AUTO meant for the renderer. EVALUATOR_AUTO
+   * before the first execution and after a failed one.
+   */
+  int GetUsedEvaluator();
+  const char* GetUsedEvaluatorAsString();
   ///@}
 
   ///@{
@@ -374,6 +409,7 @@ protected:
   int Dimensions[3] = { 64, 64, 64 };
   double Padding = 0.05;
   int SignMethod = SIGN_AUTO;
+  int Evaluator = EVALUATOR_AUTO;
   int NumberOfThreads = 0;
   int MemoryLimit = 0;
   vtkTypeBool RequireHardware = false;

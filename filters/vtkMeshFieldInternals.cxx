@@ -60,6 +60,23 @@ medial::SignMethod ToSignMethod(int method)
 }
 
 //------------------------------------------------------------------------------
+medial::Evaluator ToEvaluator(int evaluator)
+{
+  switch (evaluator)
+  {
+    case vtkMeshFieldAlgorithm::EVALUATOR_AUTO:
+      return medial::Evaluator::Auto;
+    case vtkMeshFieldAlgorithm::EVALUATOR_RASTERISER:
+      return medial::Evaluator::Rasteriser;
+    case vtkMeshFieldAlgorithm::EVALUATOR_PROCESSOR:
+      return medial::Evaluator::Processor;
+    default:
+      vtkThrowBadParameter("Evaluator", evaluator,
+        "one of 0 (auto), 1 (rasteriser), 2 (processor)");
+  }
+}
+
+//------------------------------------------------------------------------------
 // Leaves no result of an earlier execution behind.
 void EmptyOutputs(vtkInformationVector* outputVector)
 {
@@ -221,6 +238,7 @@ medial::DistanceFieldOptions vtkMeshFieldAlgorithm::vtkInternals::MakeOptions(
   }
   medial::DistanceFieldOptions options;
   options.sign = ToSignMethod(self->SignMethod);
+  options.evaluator = ToEvaluator(self->Evaluator);
   options.threads = self->NumberOfThreads;
   options.memoryMiB = static_cast<std::size_t>(self->MemoryLimit);
   options.requireHardware = self->RequireHardware != 0;

@@ -33,6 +33,9 @@ const Names kRepresentations = { { "surface", vtkMedialAxis::SURFACE },
 const Names kSigns = { { "auto", vtkMedialAxis::SIGN_AUTO }, { "none", vtkMedialAxis::SIGN_NONE },
   { "pseudonormal", vtkMedialAxis::SIGN_PSEUDONORMAL },
   { "winding", vtkMedialAxis::SIGN_WINDING } };
+const Names kEvaluators = { { "auto", vtkMedialAxis::EVALUATOR_AUTO },
+  { "rasteriser", vtkMedialAxis::EVALUATOR_RASTERISER },
+  { "processor", vtkMedialAxis::EVALUATOR_PROCESSOR } };
 
 const char* const kFooter =
   "Input formats: .stl .obj .ply .off .vtp .vtk. Without -o, --field, --image and --report the\n"
@@ -48,6 +51,7 @@ struct Words
   std::string side = "interior";
   std::string representation = "surface";
   std::string sign = "auto";
+  std::string evaluator = "auto";
   double spacing = 0.0;
 };
 
@@ -131,7 +135,7 @@ void addAxisOptions(CLI::App& app, Words& words, Options& options)
     ->group(group);
 }
 
-void addRunOptions(CLI::App& app, Options& options)
+void addRunOptions(CLI::App& app, Words& words, Options& options)
 {
   const std::string group = "Run";
   app
@@ -146,6 +150,13 @@ void addRunOptions(CLI::App& app, Options& options)
     ->option_text("MiB")
     ->check(
       within<int>("[64, 2147483647] and not 0", [](int m) { return m == 0 || m >= kMinMemoryMiB; }))
+    ->group(group);
+  app
+    .add_option("--evaluator", words.evaluator,
+      "what finds closest sites: rasteriser (OpenGL), processor (CPU) or auto, which is the "
+      "processor where OpenGL is a software renderer; default auto")
+    ->option_text("KIND")
+    ->check(oneOf(kEvaluators))
     ->group(group);
   app.add_flag("--require-gpu", options.requireGpu, "fail on a software renderer")->group(group);
   app.add_flag("-q,--quiet", options.quiet, "print nothing but errors")->group(group);
@@ -181,6 +192,7 @@ void convertWords(const Words& words, bool spacingGiven, Options& options)
     throw Failure(ExitCode::Usage,
       "--sign winding is not available yet; available: auto, none, pseudonormal");
   }
+  options.evaluator = kEvaluators.at(words.evaluator);
   options.side = kSides.at(words.side);
   options.representation = kRepresentations.at(words.representation);
   options.input = words.input;
@@ -234,7 +246,7 @@ std::optional<Options> parseOptions(int argc, char** argv)
   addOutputOptions(app, words);
   addGridOptions(app, words, options);
   addAxisOptions(app, words, options);
-  addRunOptions(app, options);
+  addRunOptions(app, words, options);
   try
   {
     app.parse(argc, argv);
@@ -266,6 +278,7 @@ void applyOptions(const Options& options, vtkMedialAxis* filter)
   filter->SetSide(options.side);
   filter->SetRepresentation(options.representation);
   filter->SetSignMethod(options.signMethod);
+  filter->SetEvaluator(options.evaluator);
   filter->SetNumberOfThreads(options.threads);
   filter->SetMemoryLimit(options.memoryMiB);
   filter->SetRequireHardware(options.requireGpu);

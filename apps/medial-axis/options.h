@@ -24,6 +24,7 @@ struct Options
   int side = vtkMedialAxis::INTERIOR;
   int representation = vtkMedialAxis::SURFACE;
   int signMethod = vtkMedialAxis::SIGN_AUTO;
+  int evaluator = vtkMedialAxis::EVALUATOR_AUTO;
   int threads = 0;
   int memoryMiB = 0;
   bool requireGpu = false;

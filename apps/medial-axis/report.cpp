@@ -87,6 +87,7 @@ std::string makeReport(vtkMedialAxis* filter, const std::filesystem::path& input
   report["seconds"] = describeSeconds(filter, seconds);
   report["counts"] = describeCounts(filter);
   report["fragments_per_voxel"] = fragmentsPerVoxel(filter);
+  report["evaluator"] = lowerCase(filter->GetUsedEvaluatorAsString());
   report["sign_method"] = lowerCase(filter->GetUsedSignMethodAsString());
   report["peak_memory_mib"] = peakMemoryMiB();
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

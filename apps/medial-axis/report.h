@@ -21,7 +21,7 @@ struct AppSeconds
 ///   skipped_degenerate}, grid {dimensions, spacing, origin}, device {renderer, version, software},
 ///   seconds {read, sites, cull, polygons, draw, resolve, medial, write, total}, counts {sites,
 ///   polygons, fragments, candidate_pairs, medial_points, medial_cells}, fragments_per_voxel,
-///   sign_method and peak_memory_mib. Lengths are in world units.
+///   evaluator, sign_method and peak_memory_mib. Lengths are in world units.
 std::string makeReport(vtkMedialAxis* filter, const std::filesystem::path& input,
   const AppSeconds& seconds);
 

@@ -18,9 +18,9 @@ constexpr int kLanes = 8;
 
 /// For functions to be compiled twice, the better one being picked when the program is loaded.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-#define MEDIAL_VECTORISED __attribute__((target_clones("arch=x86-64-v3", "default")))
+#  define MEDIAL_VECTORISED __attribute__((target_clones("arch=x86-64-v3", "default")))
 #else
-#define MEDIAL_VECTORISED
+#  define MEDIAL_VECTORISED
 #endif
 
 MEDIAL_INLINE Float8 splat(float value)

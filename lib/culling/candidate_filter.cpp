@@ -149,8 +149,8 @@ DistanceBounds CandidateFilter::bounds(int site, const glm::vec3& x) const
       // Inside its prism a face is at plane distance; elsewhere its edges bound the distance from
       // above, so only a lower bound is needed.
       const FacePlanes& face = facePlanes_[site];
-      const float excess = std::max(
-        { 0.0f, evaluate(face.sides[0], x), evaluate(face.sides[1], x), evaluate(face.sides[2], x) });
+      const float excess = std::max({ 0.0f, evaluate(face.sides[0], x), evaluate(face.sides[1], x),
+        evaluate(face.sides[2], x) });
       const float height = std::abs(evaluate(face.plane, x));
       // Beyond an acute corner of a needle both long sides round to 0; the ends tell.
       const HalfSpace* ends = sites_.halfSpacesBegin(site) + 3;
@@ -247,8 +247,8 @@ MEDIAL_VECTORISED void CandidateFilter::dropDominated(const FrameBox& box,
         const Float8 z = corners.z + fromStart.z;
         const Float8 along = x * line.direction.x + y * line.direction.y + z * line.direction.z;
         const Float8 t = least(greatest(along, Float8{}), splat(line.length));
-        squared =
-          squaredLength(x - t * line.direction.x, y - t * line.direction.y, z - t * line.direction.z);
+        squared = squaredLength(x - t * line.direction.x, y - t * line.direction.y,
+          z - t * line.direction.z);
         exact = squared;
         break;
       }

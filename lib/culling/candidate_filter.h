@@ -37,15 +37,16 @@ public:
   /// Working memory of one thread.
   struct Scratch
   {
-    std::array<std::vector<int>, kMostBoxes> near;   ///< survivors of the cheap tests
-    std::vector<std::array<float, 8>> corners;       ///< squared distances of box corners
+    std::array<std::vector<int>, kMostBoxes> near; ///< survivors of the cheap tests
+    std::vector<std::array<float, 8>> corners;     ///< squared distances of box corners
   };
 
   /// For each of up to kMostBoxes boxes, appends to its `out`, in the order of `parent`, the sites
   /// that pass three tests:
   /// - dist(centre, site) <= D + 2 radius, D an upper bound of the distance at the centre;
   /// - no half-space of the site has the whole box outside;
-  /// - no surface point among some near ones is nearer than the site to all corners of the box. As a
+  /// - no surface point among some near ones is nearer than the site to all corners of the box. As
+  /// a
   ///   site is convex, the point is then nearer all over the box: the difference of the squared
   ///   distances is a minimum of affine functions, hence concave, and least at a corner.
   /// @param parent candidates of a box that contains these.

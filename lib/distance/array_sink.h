@@ -19,8 +19,8 @@ public:
 
   FieldArrays slabArrays(const Extent& slab) override
   {
-    const std::ptrdiff_t start = static_cast<std::ptrdiff_t>(slab.min[2] - extent_.min[2]) *
-      extent_.size(0) * extent_.size(1);
+    const std::ptrdiff_t start =
+      static_cast<std::ptrdiff_t>(slab.min[2] - extent_.min[2]) * extent_.size(0) * extent_.size(1);
     FieldArrays arrays = arrays_;
     const auto advance = [](auto*& array, std::ptrdiff_t by)
     { array = array != nullptr ? array + by : nullptr; };

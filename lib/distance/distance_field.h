@@ -107,7 +107,7 @@ struct RunStatistics
   /// Polygon area in samples, before the depth test; or pairs of samples and sites that the
   /// processor evaluated.
   std::int64_t fragments = 0;
-  std::int64_t samples = 0;   ///< grid points computed
+  std::int64_t samples = 0; ///< grid points computed
   Device device;
   Evaluator evaluator = Evaluator::Auto; ///< what was used, never Auto
 

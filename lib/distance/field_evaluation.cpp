@@ -90,7 +90,8 @@ void FieldPipeline::evaluate(FieldSink& sink)
                 Work& work = works.local();
                 const Stopwatch watch(work.seconds);
                 work.pairs += static_cast<std::int64_t>(candidates.size());
-                work.evaluations += evaluator.evaluate(tile, candidates.data(), candidates.size(), work.field);
+                work.evaluations +=
+                  evaluator.evaluate(tile, candidates.data(), candidates.size(), work.field);
                 writer.store(tile, work.field);
               });
           });
@@ -153,9 +154,9 @@ void FieldPipeline::evaluateTiles(const TileEvaluator& evaluator, Slab& slab,
           Work& work = works.local();
           for (std::size_t t = 0; t < block.tiles.size(); ++t)
           {
-            work.evaluations += evaluator.evaluate(block.tiles[t],
-              block.candidates.data() + block.offsets[t], block.offsets[t + 1] - block.offsets[t],
-              work.field);
+            work.evaluations +=
+              evaluator.evaluate(block.tiles[t], block.candidates.data() + block.offsets[t],
+                block.offsets[t + 1] - block.offsets[t], work.field);
             writer.store(block.tiles[t], work.field);
             copySites(block.tiles[t], work.field, slab.extent, slab.winners);
           }

@@ -26,8 +26,7 @@ void FieldPipeline::rasterise(FieldSink& sink, SlabStage* stage)
   gpu::OnGpuThread<GpuState> gpu(sites_, normals_, frame_, atlas, this->fieldSign());
   FieldWriter writer = this->makeWriter();
   const std::vector<Extent> extents = this->slabsOf(atlas.slabSlices);
-  const double perSlab =
-    shareOfField(stage != nullptr) / static_cast<double>(extents.size());
+  const double perSlab = shareOfField(stage != nullptr) / static_cast<double>(extents.size());
 
   std::array<Slab, 2> ring;
   ring[0].arrays = sink.slabArrays(extents[0]);
@@ -88,8 +87,8 @@ void FieldPipeline::rasterise(FieldSink& sink, SlabStage* stage)
 void FieldPipeline::clipPolygons(Slab& slab, const AtlasLayout& atlas)
 {
   const Stopwatch watch(statistics_.seconds.polygons);
-  this->inArena([&]
-    { slab.chunks = buildPolygons(sites_, frame_, slab.tiles, slab.extent, atlas); });
+  this->inArena(
+    [&] { slab.chunks = buildPolygons(sites_, frame_, slab.tiles, slab.extent, atlas); });
   double area = 0.0;
   for (const PolygonChunk& chunk : slab.chunks)
   {

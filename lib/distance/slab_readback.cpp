@@ -50,8 +50,8 @@ void SlabReadback::fetch(const SlabRenderer& renderer, int slices)
   }
   glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
   const GLsync fence = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
-  while (glClientWaitSync(fence, GL_SYNC_FLUSH_COMMANDS_BIT, GL_TIMEOUT_IGNORED) ==
-    GL_TIMEOUT_EXPIRED)
+  while (
+    glClientWaitSync(fence, GL_SYNC_FLUSH_COMMANDS_BIT, GL_TIMEOUT_IGNORED) == GL_TIMEOUT_EXPIRED)
   {
   }
   glDeleteSync(fence);

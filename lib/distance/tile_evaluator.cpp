@@ -3,6 +3,7 @@
 #include "medial/common/simd.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace medial
@@ -30,9 +31,9 @@ struct Tile
 {
   glm::dvec3 origin;
   glm::dvec3 step;
-  int rows;       ///< along y
-  int slices;     ///< along z
-  float lastX;    ///< index of the last point of a row
+  int rows;    ///< along y
+  int slices;  ///< along z
+  float lastX; ///< index of the last point of a row
   TileField& field;
 
   MEDIAL_INLINE TileFunction function(const glm::dvec3& normal, double offset) const
@@ -126,7 +127,7 @@ MEDIAL_INLINE std::int64_t addFace(const Tile& tile, int site, const TileFunctio
 struct Offset
 {
   Float8 x;
-  float y, z;             ///< at the tile's first point
+  float y, z; ///< at the tile's first point
   float stepY, stepZ;
 
   MEDIAL_INLINE Offset(const Tile& tile, const glm::dvec3& from)
@@ -147,24 +148,23 @@ struct Offset
   }
 };
 
-/// @param offset from a point of the edge's line; @param along the edge from that point.
-/// @param bounds first -along up to the start and along up to the end, then those of its faces.
-MEDIAL_INLINE std::int64_t addEdge(const Tile& tile, int site, const Offset& offset,
-  const TileFunction& along, const TileFunction& side, const TileFunction* bounds, int boundCount,
-  float slack)
+/// @param across two functions whose squares add up to that of the distance from the edge's line.
+/// @param bounds <= 0 up to the start and up to the end, then those of the edge's faces.
+MEDIAL_INLINE std::int64_t addEdge(const Tile& tile, int site, const TileFunction (&across)[2],
+  const TileFunction& side, const TileFunction* bounds, int boundCount, float slack)
 {
   std::int64_t rows = 0;
-  const Float8 squaredX = offset.x * offset.x;
   for (int k = 0; k < tile.slices; ++k)
   {
-    for (unsigned left = rowsWithin(tile, bounds, boundCount, k, slack); left != 0; left &= left - 1)
+    for (unsigned left = rowsWithin(tile, bounds, boundCount, k, slack); left != 0;
+         left &= left - 1)
     {
       const int j = __builtin_ctz(left);
-      const Float8 t = onRow(along, j, k);
-      const Float8 squared = squaredX + offset.squaredYZ(j, k) - t * t;
+      const Float8 u = onRow(across[0], j, k);
+      const Float8 v = onRow(across[1], j, k);
       const Int8 projects = (onRow(bounds[0], j, k) <= 0.0f) & (onRow(bounds[1], j, k) <= 0.0f);
-      offer(tile.field, TileField::index(0, j, k), greatest(squared, Float8{}),
-        onRow(side, j, k), site, projects);
+      offer(tile.field, TileField::index(0, j, k), u * u + v * v, onRow(side, j, k), site,
+        projects);
       ++rows;
     }
   }
@@ -184,6 +184,16 @@ MEDIAL_INLINE std::int64_t addVertex(const Tile& tile, int site, const Offset& o
     }
   }
   return static_cast<std::int64_t>(tile.slices) * tile.rows;
+}
+
+/// Two unit vectors orthogonal to a third and to each other (Duff et al. 2017).
+MEDIAL_INLINE void completeBasis(const glm::dvec3& n, glm::dvec3 (&across)[2])
+{
+  const double sign = std::copysign(1.0, n.z);
+  const double a = -1.0 / (sign + n.z);
+  const double b = n.x * n.y * a;
+  across[0] = { 1.0 + sign * n.x * n.x * a, sign * b, -sign * n.x };
+  across[1] = { b, sign + n.y * n.y * a, -n.y };
 }
 
 glm::dvec4 plane(const glm::dvec3& normal, const glm::dvec3& point)
@@ -226,8 +236,8 @@ TileEvaluator::TileEvaluator(const SiteSet& sites, const std::vector<glm::vec4>&
   }
 }
 
-MEDIAL_VECTORISED std::int64_t TileEvaluator::evaluate(const Extent& extent,
-  const int* candidates, std::size_t count, TileField& field) const
+MEDIAL_VECTORISED std::int64_t TileEvaluator::evaluate(const Extent& extent, const int* candidates,
+  std::size_t count, TileField& field) const
 {
   Tile tile{ frame_.sample({ extent.min[0], extent.min[1], extent.min[2] }), frame_.step,
     extent.size(1), extent.size(2), static_cast<float>(extent.size(0) - 1), field };
@@ -253,9 +263,9 @@ MEDIAL_VECTORISED std::int64_t TileEvaluator::evaluate(const Extent& extent,
         const glm::dvec3& corner = sites_.points()[sites_.faces()[site][0]];
         const glm::dvec3& faceNormal = sites_.faceNormal(site);
         const double turn = glm::dot(faceNormal, normal) < 0.0 ? -1.0 : 1.0;
-        rows += addFace(tile, site,
-          tile.function(turn * faceNormal, turn * glm::dot(faceNormal, corner)), bounds,
-          sides.count);
+        rows +=
+          addFace(tile, site, tile.function(turn * faceNormal, turn * glm::dot(faceNormal, corner)),
+            bounds, sides.count);
         break;
       }
       case SiteKind::Edge:
@@ -275,11 +285,12 @@ MEDIAL_VECTORISED std::int64_t TileEvaluator::evaluate(const Extent& extent,
         {
           bounds[boundCount++] = tile.function(glm::dvec3(*h), static_cast<double>(h->w));
         }
-        // Measured from the line's point next to the tile, so that squares stay small.
-        const double here = glm::dot(u, tile.origin);
-        const glm::dvec3 foot = p + (here - start) * u;
-        rows += addEdge(tile, site, Offset(tile, foot), tile.function(u, here),
-          tile.function(normal, glm::dot(normal, p)), bounds, boundCount, slack_);
+        glm::dvec3 across[2];
+        completeBasis(u, across);
+        const TileFunction distance[2] = { tile.function(across[0], glm::dot(across[0], p)),
+          tile.function(across[1], glm::dot(across[1], p)) };
+        rows += addEdge(tile, site, distance, tile.function(normal, glm::dot(normal, p)), bounds,
+          boundCount, slack_);
         break;
       }
       case SiteKind::Vertex:

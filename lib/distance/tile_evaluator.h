@@ -36,8 +36,8 @@ class TileEvaluator
 {
 public:
   /// @param normals pseudonormals of all sites, for the sign.
-  TileEvaluator(const SiteSet& sites, const std::vector<glm::vec4>& normals,
-    const GridFrame& frame, float slack);
+  TileEvaluator(const SiteSet& sites, const std::vector<glm::vec4>& normals, const GridFrame& frame,
+    float slack);
 
   /// @param tile no longer than TileField::kRow.
   /// @param candidates all of the tile's, `count` of them, ascending.

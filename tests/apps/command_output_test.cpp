@@ -267,7 +267,7 @@ TEST_F(CommandOutput, ReportHasExactlyTheDocumentedKeys)
   const Json result = report({});
   EXPECT_EQ(keysOf(result),
     (std::set<std::string>{ "input", "grid", "device", "seconds", "counts", "fragments_per_voxel",
-      "sign_method", "peak_memory_mib" }));
+      "evaluator", "sign_method", "peak_memory_mib" }));
   EXPECT_EQ(keysOf(result["input"]),
     (std::set<std::string>{ "path", "triangles", "vertices", "closed", "manifold", "components",
       "skipped_degenerate" }));

@@ -137,6 +137,8 @@ TYPED_TEST(FilterContract, DefaultsAreThoseOfTheLibrary)
   EXPECT_EQ(filter->GetSignMethod(), vtkMeshFieldAlgorithm::SIGN_AUTO);
   const medial::DistanceFieldOptions options;
   EXPECT_EQ(options.sign, medial::SignMethod::Auto);
+  EXPECT_EQ(filter->GetEvaluator(), vtkMeshFieldAlgorithm::EVALUATOR_AUTO);
+  EXPECT_EQ(options.evaluator, medial::Evaluator::Auto);
   EXPECT_EQ(filter->GetNumberOfThreads(), options.threads);
   EXPECT_EQ(static_cast<std::size_t>(filter->GetMemoryLimit()), options.memoryMiB);
   EXPECT_EQ(filter->GetRequireHardware() != 0, options.requireHardware);
@@ -366,6 +368,8 @@ TYPED_TEST(FilterContract, RefusesParametersOutsideTheirRange)
   this->expectError([](F f) { f->SetGridMode(3); }, [](F f) { f->SetGridMode(0); }, "GridMode 3");
   this->expectError([](F f) { f->SetSignMethod(-1); }, [](F f) { f->SetSignMethod(0); },
     "SignMethod -1");
+  this->expectError([](F f) { f->SetEvaluator(3); }, [](F f) { f->SetEvaluator(0); },
+    "Evaluator 3");
   this->expectError([](F f) { f->SetNumberOfThreads(-2); }, [](F f) { f->SetNumberOfThreads(1); },
     "NumberOfThreads -2");
   this->expectError([](F f) { f->SetMemoryLimit(63); }, [](F f) { f->SetMemoryLimit(64); },

@@ -130,8 +130,8 @@ void expectManual(const std::string& name, int count, const std::string& print)
 
 TEST(FilterManual, CommonParametersAreExplainedAndPrinted)
 {
-  expectManual("vtkMeshFieldAlgorithm", 14, printed<vtkMeshDistanceField>());
-  expectManual("vtkMeshFieldAlgorithm", 14, printed<vtkMedialAxis>());
+  expectManual("vtkMeshFieldAlgorithm", 15, printed<vtkMeshDistanceField>());
+  expectManual("vtkMeshFieldAlgorithm", 15, printed<vtkMedialAxis>());
 }
 
 TEST(FilterManual, DistanceFieldHasNoParametersOfItsOwn)

@@ -96,12 +96,16 @@ protected:
 
   /// Tiles of all slabs and blocks, each of which `check` must accept.
   template <class Check>
-  void forEachTile(int slabSlices, Check check) const
+  void forEachTile(int slabSlices, TileHull hull, Check check) const
   {
-    const CandidateHierarchy hierarchy(sites_, frame_, grid_.wholeExtent(), slabSlices);
-    for (int slab = 0; slab < hierarchy.slabCount(); ++slab)
+    const Extent whole = grid_.wholeExtent();
+    const CandidateHierarchy hierarchy(filter_, frame_, whole, hull, std::min(slabSlices, 8));
+    for (int first = 0; first <= whole.max[2]; first += slabSlices)
     {
-      for (const CandidateTiles& block : hierarchy.slabTiles(slab))
+      Extent slab = whole;
+      slab.min[2] = first;
+      slab.max[2] = std::min(first + slabSlices - 1, whole.max[2]);
+      for (const CandidateTiles& block : hierarchy.leafTiles(slab))
       {
         for (std::size_t t = 0; t < block.tiles.size(); ++t)
         {
@@ -110,20 +114,6 @@ protected:
         }
       }
     }
-  }
-
-  /// The candidates for whole grid cells.
-  std::vector<CandidateTiles> cellTiles() const
-  {
-    const CandidateHierarchy hierarchy(sites_, frame_, grid_.wholeExtent(), 64);
-    std::vector<CandidateTiles> all;
-    for (int slab = 0; slab < hierarchy.slabCount(); ++slab)
-    {
-      std::vector<CandidateTiles> cells;
-      hierarchy.slabTiles(slab, &cells);
-      std::move(cells.begin(), cells.end(), std::back_inserter(all));
-    }
-    return all;
   }
 
   /// Random positions between a tile's first points and those of the next tiles.
@@ -147,6 +137,7 @@ protected:
   const Grid& grid_ = GetParam().grid;
   const GridFrame frame_{ grid_ };
   const SiteSet sites_{ mesh_, analyseTopology(mesh_), frame_ };
+  const CandidateFilter filter_{ sites_ };
 };
 
 std::vector<glm::dvec3> indicesOf(const Extent& extent)
@@ -170,7 +161,7 @@ std::vector<glm::dvec3> indicesOf(const Extent& extent)
 TEST_P(CandidateTilesOf, HoldTheClosestSiteOfEveryPoint)
 {
   std::atomic<int> missing{ 0 };
-  forEachTile(64,
+  forEachTile(64, TileHull::Points,
     [&](const Extent& tile, const int* begin, const int* end)
     {
       const std::vector<glm::dvec3> indices = indicesOf(tile);
@@ -184,17 +175,14 @@ TEST_P(CandidateTilesOf, HoldTheClosestSiteOfEveryPoint)
 TEST_P(CandidateTilesOf, HoldTheClosestSiteEverywhereInTheirCells)
 {
   int missing = 0;
-  for (const CandidateTiles& block : cellTiles())
-  {
-    for (std::size_t t = 0; t < block.tiles.size(); ++t)
+  forEachTile(64, TileHull::Cells,
+    [&](const Extent& tile, const int* begin, const int* end)
     {
-      const int* ids = block.candidates.data();
-      for (const glm::dvec3& x : positionsIn(block.tiles[t]))
+      for (const glm::dvec3& x : positionsIn(tile))
       {
-        missing += holdsClosest(x, ids + block.offsets[t], ids + block.offsets[t + 1]) ? 0 : 1;
+        missing += holdsClosest(x, begin, end) ? 0 : 1;
       }
-    }
-  }
+    });
   EXPECT_EQ(missing, 0);
 }
 
@@ -203,7 +191,7 @@ TEST_P(CandidateTilesOf, CoverEveryPointOnceInAscendingOrder)
   for (const int slabSlices : { 1, 4, 8, 16, 64 })
   {
     std::vector<int> covered(static_cast<std::size_t>(grid_.pointCount()), 0);
-    forEachTile(slabSlices,
+    forEachTile(slabSlices, TileHull::Points,
       [&](const Extent& tile, const int* begin, const int* end)
       {
         EXPECT_LT(begin, end);
@@ -227,10 +215,14 @@ TEST(CandidateTiles, LeaveMostSitesOut)
   const TriangleMesh mesh = torus(1.0, 0.4, 60, 30);
   const Grid grid = makeGrid(mesh.bounds(), 64, 0.1);
   const SiteSet sites(mesh, analyseTopology(mesh), GridFrame(grid));
-  const CandidateHierarchy hierarchy(sites, GridFrame(grid), grid.wholeExtent(), 64);
-  for (const CandidateTiles& block : hierarchy.slabTiles(0))
+  const CandidateFilter filter(sites);
+  const CandidateHierarchy hierarchy(filter, GridFrame(grid), grid.wholeExtent(), TileHull::Points);
+  std::size_t tiles = 0;
+  std::size_t pairs = 0;
+  for (const CandidateTiles& block : hierarchy.leafTiles(grid.wholeExtent()))
   {
-    const std::size_t all = block.tiles.size() * static_cast<std::size_t>(sites.size());
-    EXPECT_LT(block.candidates.size(), all / 20);
+    tiles += block.tiles.size();
+    pairs += block.candidates.size();
   }
+  EXPECT_LT(pairs, tiles * static_cast<std::size_t>(sites.size()) / 40);
 }

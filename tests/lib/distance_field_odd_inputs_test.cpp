@@ -214,8 +214,7 @@ TEST_P(LongStrips, AreExactBetweenTheSheets)
   const double h = 0.02;
   const TriangleMesh mesh = longStrips(20.0, GetParam(), 6, 0.1 * h);
   const Grid grid = gridOf({ 0.0, 0.0, 0.0 }, { h, h, h }, { 1000, 250, 1 });
-  const DistanceField field = computeDistanceField(mesh, grid);
-  expectExact(mesh, field, allVoxels(grid));
+  expectExactField(mesh, grid);
 }
 
 INSTANTIATE_TEST_SUITE_P(Width, LongStrips, testing::Values(0.0002, 0.01, 0.7));

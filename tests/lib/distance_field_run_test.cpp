@@ -153,9 +153,8 @@ class GuardedExtent : public testing::TestWithParam<Extent>
 
 } // namespace
 
-TEST_P(GuardedExtent, IsWrittenCompletelyAndNothingElse)
+void expectOnlyExtentWritten(const Extent& extent, const DistanceFieldOptions& options)
 {
-  const Extent extent = GetParam();
   const auto count = static_cast<std::size_t>(extent.pointCount());
   Guarded<float> distance(count, 12345.0f);
   Guarded<float> point(3 * count, 12345.0f);
@@ -164,12 +163,20 @@ TEST_P(GuardedExtent, IsWrittenCompletelyAndNothingElse)
   Guarded<std::int64_t> cell(count, -77);
   const TriangleMesh shape = mesh();
   computeDistanceField(shape, analyseTopology(shape), tallGrid(), extent,
-    { distance.data(), point.data(), site.data(), feature.data(), cell.data() });
+    { distance.data(), point.data(), site.data(), feature.data(), cell.data() }, options);
   expectFilled(distance);
   expectFilled(point);
   expectFilled(site);
   expectFilled(feature);
   expectFilled(cell);
+}
+
+TEST_P(GuardedExtent, IsWrittenCompletelyAndNothingElse)
+{
+  for (const DistanceFieldOptions& options : allEvaluators())
+  {
+    expectOnlyExtentWritten(GetParam(), options);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Extents, GuardedExtent,
@@ -188,16 +195,33 @@ TEST(DistanceFieldRun, WritesOnlyTheArraysThatAreWanted)
   EXPECT_EQ(cells, all.closestCell);
 }
 
-TEST(DistanceFieldRun, CountsItsWork)
+class DistanceFieldEvaluators : public testing::TestWithParam<Evaluator>
 {
-  const RunStatistics statistics = computeDistanceField(mesh(), tallGrid()).statistics;
+};
+
+TEST_P(DistanceFieldEvaluators, CountTheirWork)
+{
+  DistanceFieldOptions options;
+  options.evaluator = GetParam();
+  const RunStatistics statistics = computeDistanceField(mesh(), tallGrid(), options).statistics;
+  EXPECT_EQ(statistics.evaluator, GetParam());
   EXPECT_EQ(statistics.samples, tallGrid().pointCount());
   // Faces, edges and vertices of a torus grid.
   EXPECT_EQ(statistics.sites, 32 * 16 * (2 + 3 + 1));
   EXPECT_GT(statistics.candidatePairs, 0);
-  EXPECT_GT(statistics.polygons, 0);
+  EXPECT_EQ(statistics.polygons > 0, GetParam() == Evaluator::Rasteriser);
   EXPECT_GE(statistics.fragmentsPerVoxel(), 0.9);
   EXPECT_FALSE(statistics.device.renderer.empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(All, DistanceFieldEvaluators,
+  testing::Values(Evaluator::Rasteriser, Evaluator::Processor));
+
+TEST(DistanceFieldRun, SoftwareRenderersLeaveItToTheProcessor)
+{
+  const RunStatistics statistics = computeDistanceField(mesh(), tallGrid()).statistics;
+  EXPECT_EQ(statistics.evaluator,
+    statistics.device.software ? Evaluator::Processor : Evaluator::Rasteriser);
 }
 
 TEST(DistanceFieldRun, ReportsProgressUpToOne)

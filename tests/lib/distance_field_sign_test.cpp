@@ -101,12 +101,9 @@ SignMethod automaticSign(const TriangleMesh& mesh)
   return computeDistanceField(mesh, makeGrid(mesh.bounds(), 8, 0.1)).sign;
 }
 
-} // namespace
-
-TEST_P(SignOf, IsNegativeInsideOnly)
+void expectNegativeInsideOnly(const TriangleMesh& mesh, const DistanceFieldOptions& options)
 {
-  const TriangleMesh& mesh = GetParam().mesh;
-  const DistanceField field = computeDistanceField(mesh, makeGrid(mesh.bounds(), 64, 0.1));
+  const DistanceField field = computeDistanceField(mesh, makeGrid(mesh.bounds(), 64, 0.1), options);
   const Voxels voxels = randomVoxels(field.grid, 5000);
   std::vector<char> wrong(voxels.size(), 0);
   parallelFor(voxels.size(),
@@ -118,6 +115,16 @@ TEST_P(SignOf, IsNegativeInsideOnly)
     });
   EXPECT_EQ(field.sign, SignMethod::Pseudonormal);
   EXPECT_EQ(std::count(wrong.begin(), wrong.end(), 1), 0);
+}
+
+} // namespace
+
+TEST_P(SignOf, IsNegativeInsideOnly)
+{
+  for (const DistanceFieldOptions& options : allEvaluators())
+  {
+    expectNegativeInsideOnly(GetParam().mesh, options);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Solids, SignOf, testing::ValuesIn(solids()),

@@ -80,8 +80,8 @@ protected:
   static void expectExactAt(int resolution)
   {
     const TriangleMesh mesh = loadMesh(modelPath(GetParam()).value());
-    const DistanceField field = computeDistanceField(mesh, makeGrid(mesh.bounds(), resolution));
-    expectExact(mesh, field, randomVoxels(field.grid, kSamples));
+    const Grid grid = makeGrid(mesh.bounds(), resolution);
+    expectExactField(mesh, grid, randomVoxels(grid, kSamples));
   }
 };
 
@@ -96,8 +96,8 @@ TEST_P(DistanceFieldOfShape, IsExactAtEveryVoxel)
 TEST_P(DistanceFieldOfShape, IsExactInsideAndAroundABigGrid)
 {
   const TriangleMesh& mesh = GetParam().mesh;
-  const DistanceField field = computeDistanceField(mesh, makeGrid(mesh.bounds(), 160, 0.5));
-  expectExact(mesh, field, randomVoxels(field.grid, kSamples));
+  const Grid grid = makeGrid(mesh.bounds(), 160, 0.5);
+  expectExactField(mesh, grid, randomVoxels(grid, kSamples));
 }
 
 INSTANTIATE_TEST_SUITE_P(Generated, DistanceFieldOfShape, testing::ValuesIn(shapes()),

@@ -55,13 +55,13 @@ protected:
   GridFrame frame_{ grid_ };
   SiteSet sites_{ mesh_, topology_, frame_ };
   Extent slab_ = grid_.wholeExtent();
-  CandidateHierarchy hierarchy_{ sites_, frame_, slab_, 64 };
+  CandidateFilter filter_{ sites_ };
+  CandidateHierarchy hierarchy_{ filter_, frame_, slab_, TileHull::Points };
 };
 
 TEST_F(SlabOfTorus, RectanglesCoverTheirTilesInAscendingOrder)
 {
-  ASSERT_EQ(hierarchy_.slabCount(), 1);
-  const auto tiles = hierarchy_.slabTiles(0);
+  const auto tiles = hierarchy_.leafTiles(slab_);
   const auto rectangles = siteRectangles(tiles, slab_, sites_.size());
   for (std::size_t i = 1; i < rectangles.size(); ++i)
   {
@@ -79,8 +79,8 @@ TEST_F(SlabOfTorus, RectanglesCoverTheirTilesInAscendingOrder)
 TEST_F(SlabOfTorus, HolesAreFilledExactly)
 {
   const auto normals = pseudonormals(sites_, false);
-  TileQuery query(sites_, frame_, slab_, hierarchy_.leafSize());
-  for (CandidateTiles& block : hierarchy_.slabTiles(0))
+  TileQuery query(sites_, filter_, frame_, slab_, hierarchy_.leafSize());
+  for (CandidateTiles& block : hierarchy_.leafTiles(slab_))
   {
     query.add(std::move(block));
   }

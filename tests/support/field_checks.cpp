@@ -242,11 +242,34 @@ void expectExact(const TriangleMesh& mesh, const DistanceField& field, const Vox
   EXPECT_TRUE(exact) << errors.describe();
 }
 
+std::vector<DistanceFieldOptions> allEvaluators(const DistanceFieldOptions& options)
+{
+  std::vector<DistanceFieldOptions> all;
+  for (const Evaluator evaluator : { Evaluator::Rasteriser, Evaluator::Processor })
+  {
+    all.push_back(options);
+    all.back().evaluator = evaluator;
+  }
+  return all;
+}
+
+void expectExactField(const TriangleMesh& mesh, const Grid& grid, const Voxels& voxels)
+{
+  for (const DistanceFieldOptions& options : allEvaluators())
+  {
+    SCOPED_TRACE(static_cast<int>(options.evaluator));
+    expectExact(mesh, computeDistanceField(mesh, grid, options), voxels);
+  }
+}
+
 void expectExactField(const TriangleMesh& mesh, const Grid& grid,
   const DistanceFieldOptions& options)
 {
-  const DistanceField field = computeDistanceField(mesh, grid, options);
-  expectExact(mesh, field, allVoxels(grid));
+  for (const DistanceFieldOptions& each : allEvaluators(options))
+  {
+    SCOPED_TRACE(static_cast<int>(each.evaluator));
+    expectExact(mesh, computeDistanceField(mesh, grid, each), allVoxels(grid));
+  }
 }
 
 FieldDifference difference(const TriangleMesh& mesh, const DistanceField& a, const DistanceField& b)

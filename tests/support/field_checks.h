@@ -48,7 +48,12 @@ FieldErrors fieldErrors(const TriangleMesh& mesh, const DistanceField& field, co
 /// 1e-3 at 99.99 % of the voxels, true minimisers, closest points on their cells.
 void expectExact(const TriangleMesh& mesh, const DistanceField& field, const Voxels& voxels);
 
-/// Computes a field and checks it at every voxel.
+/// The same options for every evaluator.
+std::vector<DistanceFieldOptions> allEvaluators(const DistanceFieldOptions& options = {});
+
+/// Computes a field by all evaluators and checks it at some voxels.
+void expectExactField(const TriangleMesh& mesh, const Grid& grid, const Voxels& voxels);
+/// At every voxel.
 void expectExactField(const TriangleMesh& mesh, const Grid& grid,
   const DistanceFieldOptions& options = {});
 
