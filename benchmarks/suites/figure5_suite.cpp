@@ -56,11 +56,13 @@ CurvePlot plotOf(const std::vector<Row>& rows, const std::vector<std::string>& m
   }
   for (const std::string& id : methods)
   {
-    const MethodRun* run = rows.front().find(id);
-    if (run)
+    if (const MethodRun* run = rows.front().find(id))
     {
+      const double exponent = exponentAgainstVoxels(rows, id);
+      const std::string name =
+        std::isfinite(exponent) ? run->name + ", voxels^" + number(exponent, 2) : run->name;
       plot.curves.push_back(
-        secondsCurve(rows, id, run->name, [](const Row& row) { return longestAxis(row.grid); }));
+        secondsCurve(rows, id, name, [](const Row& row) { return longestAxis(row.grid); }));
     }
   }
   return plot;
