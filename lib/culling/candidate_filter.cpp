@@ -12,6 +12,8 @@ namespace medial
 namespace
 {
 
+/// Candidates to fetch ahead.
+constexpr std::size_t kAhead = 6;
 constexpr float kUnknown = std::numeric_limits<float>::max();
 
 /// Eight boxes side by side; spare lanes repeat the first.
@@ -188,8 +190,15 @@ MEDIAL_VECTORISED void CandidateFilter::findNear(const std::vector<int>& parent,
   }
   const Float8 limit = squareRoot(upper) + 2.0f * lanes.radius + slack_;
   const unsigned used = (1u << boxCount) - 1u;
-  for (const int site : parent)
+  for (std::size_t i = 0; i < parent.size(); ++i)
   {
+    // Meshes list neighbours far apart; more than half of the time went into waiting for memory.
+    if (i + kAhead < parent.size())
+    {
+      __builtin_prefetch(sites_.halfSpacesBegin(parent[i + kAhead]));
+      __builtin_prefetch(sites_.halfSpacesBegin(parent[i + kAhead]) + 4);
+    }
+    const int site = parent[i];
     const glm::vec4& sphere = sites_.sphere(site);
     const Float8 reach = limit + sphere.w;
     const Float8 squared =
@@ -207,6 +216,18 @@ MEDIAL_VECTORISED void CandidateFilter::findNear(const std::vector<int>& parent,
   }
 }
 
+MEDIAL_INLINE void CandidateFilter::prefetch(int site) const
+{
+  if (site < sites_.faceCount())
+  {
+    __builtin_prefetch(&facePlanes_[site]);
+  }
+  else if (site < sites_.firstVertex())
+  {
+    __builtin_prefetch(&edgeLines_[site - sites_.firstEdge()]);
+  }
+}
+
 MEDIAL_VECTORISED void CandidateFilter::dropDominated(const FrameBox& box,
   const std::vector<int>& near, std::vector<int>& out, Scratch& scratch) const
 {
@@ -216,6 +237,10 @@ MEDIAL_VECTORISED void CandidateFilter::dropDominated(const FrameBox& box,
   Int8 nearestSite = Int8{} - 1;
   for (std::size_t i = 0; i < near.size(); ++i)
   {
+    if (i + kAhead < near.size())
+    {
+      this->prefetch(near[i + kAhead]);
+    }
     const int site = near[i];
     Float8 squared;
     Float8 exact;

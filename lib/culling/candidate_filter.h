@@ -78,6 +78,7 @@ private:
 
   void findNear(const std::vector<int>& parent, const FrameBox* boxes, int boxCount,
     Scratch& scratch) const;
+  void prefetch(int site) const;
   void dropDominated(const FrameBox& box, const std::vector<int>& near, std::vector<int>& out,
     Scratch& scratch) const;
 

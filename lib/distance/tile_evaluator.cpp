@@ -13,6 +13,9 @@ namespace
 
 static_assert(TileField::kRow == kLanes);
 
+/// Candidates to fetch ahead.
+constexpr int kAhead = 3;
+
 /// Sharper triangles need the planes across the ends of their longest side: beyond the acute corner
 /// rounding makes a strip of the space between the long sides.
 constexpr double kNeedleSine = 0.05;
@@ -249,6 +252,11 @@ MEDIAL_VECTORISED std::int64_t TileEvaluator::evaluate(const Extent& extent, con
   for (const int* candidate = candidates; candidate != candidates + count; ++candidate)
   {
     const int site = *candidate;
+    if (candidate + kAhead < candidates + count && candidate[kAhead] < sites_.faceCount())
+    {
+      __builtin_prefetch(&faceSides_[candidate[kAhead]]);
+      __builtin_prefetch(&sites_.faceNormal(candidate[kAhead]));
+    }
     const glm::dvec3 normal(normals_[site]);
     switch (sites_.kind(site))
     {
