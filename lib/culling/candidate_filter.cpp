@@ -177,16 +177,42 @@ DistanceBounds CandidateFilter::bounds(int site, const glm::vec3& x) const
   return { distance, distance };
 }
 
+bool CandidateFilter::seedDistances(const FrameBox* boxes, const int* seeds, int boxCount,
+  std::array<float, kMostBoxes>& squared) const
+{
+  for (int i = 0; i < kMostBoxes; ++i)
+  {
+    const int box = i < boxCount ? i : 0;
+    if (seeds == nullptr || seeds[box] < 0)
+    {
+      return false;
+    }
+    const glm::dvec3 centre(boxes[box].centre);
+    const glm::dvec3 point = closestPoint(sites_, seeds[box], centre).point;
+    squared[i] = static_cast<float>(glm::dot(point - centre, point - centre));
+  }
+  return true;
+}
+
 MEDIAL_VECTORISED void CandidateFilter::findNear(const std::vector<int>& parent,
-  const FrameBox* boxes, int boxCount, Scratch& scratch) const
+  const FrameBox* boxes, const int* seeds, int boxCount, Scratch& scratch) const
 {
   const BoxLanes lanes = boxLanes(boxes, boxCount);
-  // The centres of spheres are points of the surface.
   Float8 upper = splat(kUnknown);
-  for (const int site : parent)
+  std::array<float, kMostBoxes> known;
+  if (this->seedDistances(boxes, seeds, boxCount, known))
   {
-    const glm::vec4& sphere = sites_.sphere(site);
-    upper = least(upper, squaredLength(lanes.x - sphere.x, lanes.y - sphere.y, lanes.z - sphere.z));
+    upper = loaded(known.data());
+  }
+  else
+  {
+    // The centres of spheres are points of the surface.
+    for (const int site : parent)
+    {
+      const glm::vec4& sphere = sites_.sphere(site);
+      upper =
+        least(upper, squaredLength(lanes.x - sphere.x, lanes.y - sphere.y, lanes.z - sphere.z));
+    }
   }
   const Float8 limit = squareRoot(upper) + 2.0f * lanes.radius + slack_;
   const unsigned used = (1u << boxCount) - 1u;
@@ -320,14 +346,14 @@ MEDIAL_VECTORISED void CandidateFilter::dropDominated(const FrameBox& box,
   }
 }
 
-void CandidateFilter::filter(const std::vector<int>& parent, const FrameBox* boxes, int boxCount,
-  std::vector<int>* const* out, Scratch& scratch) const
+void CandidateFilter::filter(const std::vector<int>& parent, const FrameBox* boxes,
+  const int* seeds, int boxCount, std::vector<int>* const* out, Scratch& scratch) const
 {
   for (int i = 0; i < boxCount; ++i)
   {
     scratch.near[i].clear();
   }
-  this->findNear(parent, boxes, boxCount, scratch);
+  this->findNear(parent, boxes, seeds, boxCount, scratch);
   for (int i = 0; i < boxCount; ++i)
   {
     this->dropDominated(boxes[i], scratch.near[i], *out[i], scratch);

@@ -47,6 +47,12 @@ void copySites(const Extent& tile, const TileField& field, const Extent& slab,
   }
 }
 
+int middleSite(const Extent& tile, const TileField& field)
+{
+  return field
+    .site[TileField::index((tile.size(0) - 1) / 2, (tile.size(1) - 1) / 2, (tile.size(2) - 1) / 2)];
+}
+
 /// Adds what the threads did. Evaluation and the descent to leaf tiles are interleaved; the wall
 /// clock is shared out by the evaluation's part of the threads' time.
 void addWorks(const Works& works, double wall, int threads, RunStatistics& statistics)
@@ -93,6 +99,7 @@ void FieldPipeline::evaluate(FieldSink& sink)
                 work.evaluations +=
                   evaluator.evaluate(tile, candidates.data(), candidates.size(), work.field);
                 writer.store(tile, work.field);
+                nextSeeds_.set(tile, middleSite(tile, work.field));
               });
           });
       });
@@ -112,7 +119,7 @@ void FieldPipeline::evaluateForStage(FieldSink& sink, SlabStage& stage)
   const AtlasLayout atlas = this->chooseAtlas(kStagedBytesPerPoint + sink.bytesPerPoint());
   const CandidateHierarchy hierarchy = this->cullBlocks(atlas.slabSlices, TileHull::Cells);
   const TileEvaluator evaluator = this->makeEvaluator();
-  gpu::OnGpuThread<GpuState> gpu(sites_, normals_, frame_, atlas, this->fieldSign());
+  Renderer& renderer = this->obtainRenderer(atlas);
   FieldWriter writer = this->makeWriter();
   const std::vector<Extent> extents = this->slabsOf(atlas.slabSlices);
   const double perSlab = shareOfField(true) / static_cast<double>(extents.size());
@@ -131,11 +138,11 @@ void FieldPipeline::evaluateForStage(FieldSink& sink, SlabStage& stage)
     sink.stored(slab.extent);
     this->report((start + 0.5) * perSlab, "distance field");
     inFlight.finish();
-    inFlight.job = gpu.submit(
-      [this, &slab, &stage](GpuState& state) { this->resolveWinners(state, slab, stage); });
+    inFlight.job = renderer.submit(
+      [this, &slab, &stage](SlabRenderer& r) { this->resolveWinners(r, slab, stage); });
   }
   inFlight.finish();
-  this->addGpuSeconds(gpu.object());
+  this->addGpuSeconds();
 }
 
 void FieldPipeline::evaluateTiles(const TileEvaluator& evaluator, Slab& slab,
@@ -158,6 +165,7 @@ void FieldPipeline::evaluateTiles(const TileEvaluator& evaluator, Slab& slab,
               evaluator.evaluate(block.tiles[t], block.candidates.data() + block.offsets[t],
                 block.offsets[t + 1] - block.offsets[t], work.field);
             writer.store(block.tiles[t], work.field);
+            nextSeeds_.set(block.tiles[t], middleSite(block.tiles[t], work.field));
             copySites(block.tiles[t], work.field, slab.extent, slab.winners);
           }
         });
@@ -168,10 +176,9 @@ void FieldPipeline::evaluateTiles(const TileEvaluator& evaluator, Slab& slab,
   }
 }
 
-void FieldPipeline::resolveWinners(GpuState& gpu, Slab& slab, SlabStage& stage)
+void FieldPipeline::resolveWinners(SlabRenderer& renderer, Slab& slab, SlabStage& stage)
 {
-  SlabRenderer& renderer = gpu.renderer;
-  timed(gpu.seconds.resolve,
+  timed(gpuSeconds_.resolve,
     [&]
     {
       if (slab.previousSlices > 0)
@@ -181,7 +188,7 @@ void FieldPipeline::resolveWinners(GpuState& gpu, Slab& slab, SlabStage& stage)
       renderer.setWinners(slab.winners.data(), slab.extent.size(2));
       renderer.resolve(slab.extent);
     });
-  const Stopwatch watch(gpu.seconds.medial);
+  const Stopwatch watch(gpuSeconds_.medial);
   stage.process(renderer, slab.extent, slab.previousSlices > 0);
 }
 

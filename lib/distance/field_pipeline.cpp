@@ -168,6 +168,7 @@ FieldWriter FieldPipeline::makeWriter() const
 void FieldPipeline::run(FieldSink& sink, SlabStage* stage)
 {
   this->report(0.0, "distance field");
+  nextSeeds_.reset(extent_);
   if (statistics_.evaluator == Evaluator::Rasteriser)
   {
     this->rasterise(sink, stage);
@@ -180,6 +181,7 @@ void FieldPipeline::run(FieldSink& sink, SlabStage* stage)
   {
     this->evaluate(sink);
   }
+  std::swap(memory_->seeds, nextSeeds_);
 }
 
 CandidateHierarchy FieldPipeline::cullBlocks(int slabSlices, TileHull hull)
@@ -190,7 +192,7 @@ CandidateHierarchy FieldPipeline::cullBlocks(int slabSlices, TileHull hull)
     [&]
     {
       hierarchy = std::make_unique<CandidateHierarchy>(filter_, frame_, extent_, hull,
-        std::min(slabSlices, CandidateHierarchy::kLeafSize));
+        std::min(slabSlices, CandidateHierarchy::kLeafSize), &memory_->seeds);
     });
   if (hull == TileHull::Cells)
   {
@@ -213,11 +215,26 @@ void FieldPipeline::cullSlab(const CandidateHierarchy& hierarchy, Slab& slab)
   }
 }
 
-void FieldPipeline::addGpuSeconds(const GpuState& gpu)
+FieldPipeline::Renderer& FieldPipeline::obtainRenderer(const AtlasLayout& atlas)
 {
-  statistics_.seconds.draw += gpu.seconds.draw;
-  statistics_.seconds.resolve += gpu.seconds.resolve;
-  statistics_.seconds.medial += gpu.seconds.medial;
+  std::unique_ptr<Renderer>& renderer = memory_->renderer;
+  if (renderer && renderer->object().atlas() == atlas)
+  {
+    renderer->run([this](SlabRenderer& r) { r.move(sites_, normals_, frame_, this->fieldSign()); });
+  }
+  else
+  {
+    renderer.reset();
+    renderer = std::make_unique<Renderer>(sites_, normals_, frame_, atlas, this->fieldSign());
+  }
+  return *renderer;
+}
+
+void FieldPipeline::addGpuSeconds()
+{
+  statistics_.seconds.draw += gpuSeconds_.draw;
+  statistics_.seconds.resolve += gpuSeconds_.resolve;
+  statistics_.seconds.medial += gpuSeconds_.medial;
 }
 
 } // namespace medial

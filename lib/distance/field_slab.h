@@ -24,19 +24,6 @@ struct FieldPipeline::Slab
   std::unique_ptr<SlabReadback> readback; ///< null where nothing is wanted
 };
 
-/// What lives on the GPU thread.
-struct FieldPipeline::GpuState
-{
-  SlabRenderer renderer;
-  RunStatistics::Seconds seconds; ///< of what the GPU did
-
-  template <typename... Args>
-  explicit GpuState(Args&&... args)
-    : renderer(std::forward<Args>(args)...)
-  {
-  }
-};
-
 /// A job of the GPU thread, waited for before what it works on goes away.
 struct FieldPipeline::InFlight
 {

@@ -30,6 +30,19 @@ gpu::Buffer uploaded(const std::vector<T>& values)
     values.data());
 }
 
+/// Overwrites a buffer of the same size, or makes a new one.
+template <typename T>
+void upload(const std::vector<T>& values, gpu::Buffer& buffer)
+{
+  if (!buffer)
+  {
+    buffer = uploaded(values);
+    return;
+  }
+  glNamedBufferSubData(buffer.id(), 0, static_cast<GLsizeiptr>(values.size() * sizeof(T)),
+    values.data());
+}
+
 std::vector<glm::ivec4> padded(const std::vector<glm::ivec3>& values)
 {
   std::vector<glm::ivec4> result;
@@ -87,7 +100,8 @@ SlabRenderer::SlabRenderer(const SiteSet& sites, const std::vector<glm::vec4>& n
   , firstVertex_(sites.firstVertex())
   , depthScale_(depthScale(sites, frame))
 {
-  this->uploadSites(sites, normals);
+  this->uploadConnectivity(sites);
+  this->uploadPositions(sites, normals);
   const glm::ivec2 size = atlas.size();
   winners_ = gpu::createTexture2D(GL_R32I, size.x, size.y);
   displacements_ = gpu::createTexture2D(GL_RGBA32F, size.x, size.y);
@@ -104,7 +118,25 @@ void SlabRenderer::createDrawTarget()
   this->bindVertexFormat();
 }
 
-void SlabRenderer::uploadSites(const SiteSet& sites, const std::vector<glm::vec4>& normals)
+void SlabRenderer::move(const SiteSet& sites, const std::vector<glm::vec4>& normals,
+  const GridFrame& frame, FieldSign sign)
+{
+  frame_ = frame;
+  sign_ = sign;
+  depthScale_ = depthScale(sites, frame);
+  this->uploadPositions(sites, normals);
+}
+
+void SlabRenderer::uploadConnectivity(const SiteSet& sites)
+{
+  faces_ = uploaded(padded(sites.faces()));
+  faceEdges_ = uploaded(padded(sites.faceEdges()));
+  edges_ = uploaded(sites.edges());
+  holes_ = gpu::createBuffer();
+  glNamedBufferData(holes_.id(), sizeof(std::uint32_t), nullptr, GL_DYNAMIC_READ);
+}
+
+void SlabRenderer::uploadPositions(const SiteSet& sites, const std::vector<glm::vec4>& normals)
 {
   std::vector<glm::vec4> points;
   points.reserve(sites.points().size());
@@ -112,14 +144,9 @@ void SlabRenderer::uploadSites(const SiteSet& sites, const std::vector<glm::vec4
   {
     points.emplace_back(glm::vec3(point), 0.0f);
   }
-  points_ = uploaded(points);
-  faces_ = uploaded(padded(sites.faces()));
-  faceEdges_ = uploaded(padded(sites.faceEdges()));
-  edges_ = uploaded(sites.edges());
-  lines_ = uploaded(edgeLines(sites));
-  normals_ = uploaded(normals);
-  holes_ = gpu::createBuffer();
-  glNamedBufferData(holes_.id(), sizeof(std::uint32_t), nullptr, GL_DYNAMIC_READ);
+  upload(points, points_);
+  upload(edgeLines(sites), lines_);
+  upload(normals, normals_);
 }
 
 void SlabRenderer::bindVertexFormat()

@@ -30,6 +30,10 @@ public:
   SlabRenderer(const SiteSet& sites, const std::vector<glm::vec4>& normals, const GridFrame& frame,
     const AtlasLayout& atlas, FieldSign sign);
 
+  /// The same mesh in other positions: only those are uploaded.
+  void move(const SiteSet& sites, const std::vector<glm::vec4>& normals, const GridFrame& frame,
+    FieldSign sign);
+
   /// Keeps the last slice of the slab drawn before in slot 0. To be called before draw().
   void carryLastSlice(int previousSlices);
 
@@ -56,7 +60,8 @@ public:
   GLuint sites() const { return sites_.id(); }
 
 private:
-  void uploadSites(const SiteSet& sites, const std::vector<glm::vec4>& normals);
+  void uploadConnectivity(const SiteSet& sites);
+  void uploadPositions(const SiteSet& sites, const std::vector<glm::vec4>& normals);
   void uploadPolygons(const std::vector<PolygonChunk>& chunks);
   void createDrawTarget();
   void bindVertexFormat();
