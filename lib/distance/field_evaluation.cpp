@@ -5,6 +5,7 @@
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <array>
@@ -111,7 +112,8 @@ void FieldPipeline::evaluate(FieldSink& sink)
 TileEvaluator FieldPipeline::makeEvaluator()
 {
   const Stopwatch watch(statistics_.seconds.sites);
-  return { sites_, normals_, frame_, filter_.slack() };
+  tbb::task_arena arena(this->threads());
+  return arena.execute([this] { return TileEvaluator(sites_, normals_, frame_, filter_.slack()); });
 }
 
 void FieldPipeline::evaluateForStage(FieldSink& sink, SlabStage& stage)

@@ -69,6 +69,7 @@ private:
 
   FieldSign fieldSign() const;
   int threads() const;
+  SiteSet buildSites();
   static double shareOfField(bool staged) { return staged ? 0.8 : 1.0; }
   int slabSlices(std::size_t bytesPerPoint) const;
   AtlasLayout chooseAtlas(std::size_t bytesPerPoint) const;

@@ -53,6 +53,8 @@ private:
     int count;
   };
 
+  void setFaceSides(int face);
+
   const SiteSet& sites_;
   const std::vector<glm::vec4>& normals_;
   GridFrame frame_;
