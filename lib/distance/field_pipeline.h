@@ -86,7 +86,9 @@ private:
 
   TileEvaluator makeEvaluator();
   void evaluateTiles(const TileEvaluator& evaluator, Slab& slab, const FieldWriter& writer);
-  void resolveWinners(SlabRenderer& renderer, Slab& slab, SlabStage& stage);
+  void resolveTile(const TileEvaluator& evaluator, const Extent& tile, const TileField& field,
+    Slab& slab) const;
+  void runStage(SlabRenderer& renderer, Slab& slab, SlabStage& stage);
   void addGpuSeconds();
 
   const TriangleMesh& mesh_;
