@@ -59,7 +59,8 @@ SitePoint TileQuery::closest(const glm::dvec3& x, double knownDistance) const
   const Candidates& candidates = tiles_[this->tileIndex(gridPoint)];
   const glm::vec3 rounded(x);
   const float tolerance = 2.0f * filter_.slack();
-  float limit = static_cast<float>(knownDistance) + tolerance;
+  constexpr auto kFarthest = static_cast<double>(std::numeric_limits<float>::max());
+  float limit = static_cast<float>(std::min(knownDistance, kFarthest)) + tolerance;
   SitePoint best;
   double least = std::numeric_limits<double>::max();
   for (const int* site = candidates.begin; site != candidates.end; ++site)

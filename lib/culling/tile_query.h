@@ -27,7 +27,7 @@ public:
   /// @param x frame coordinates, inside the hull of a tile that was added.
   /// @param knownDistance of some surface point from x, to start from; the nearer, the faster.
   SitePoint closest(const glm::dvec3& x,
-    double knownDistance = std::numeric_limits<float>::max()) const;
+    double knownDistance = std::numeric_limits<double>::max()) const;
 
 private:
   struct Candidates
