@@ -1,6 +1,7 @@
 #include "medial/distance/tile_evaluator.h"
 
 #include "medial/common/simd.h"
+#include "medial/sites/closest_point.h"
 
 #include <tbb/parallel_for.h>
 
@@ -201,6 +202,21 @@ MEDIAL_INLINE void completeBasis(const glm::dvec3& n, glm::dvec3 (&across)[2])
   across[1] = { b, sign + n.y * n.y * a, -n.y };
 }
 
+/// Whether a point has no site.
+MEDIAL_INLINE bool hasHoles(const Tile& tile)
+{
+  const Int8 used = ramp() <= tile.lastX;
+  Int8 holes{};
+  for (int k = 0; k < tile.slices; ++k)
+  {
+    for (int j = 0; j < tile.rows; ++j)
+    {
+      holes |= loadedInts(tile.field.site + TileField::index(0, j, k)) < 0;
+    }
+  }
+  return bits(holes & used) != 0;
+}
+
 glm::dvec4 plane(const glm::dvec3& normal, const glm::dvec3& point)
 {
   return { normal, glm::dot(normal, point) };
@@ -341,7 +357,42 @@ MEDIAL_VECTORISED std::int64_t TileEvaluator::evaluate(const Extent& extent, con
       }
     }
   }
+  if (hasHoles(tile))
+  {
+    this->fillHoles(extent, candidates, count, field);
+  }
   return rows * extent.size(0);
+}
+
+void TileEvaluator::fillHoles(const Extent& extent, const int* candidates, std::size_t count,
+  TileField& field) const
+{
+  for (int index = 0; index < TileField::kPoints; ++index)
+  {
+    const glm::ivec3 point(index % TileField::kRow, index / TileField::kRow % TileField::kRow,
+      index / TileField::kRow / TileField::kRow);
+    const bool inside =
+      point.x < extent.size(0) && point.y < extent.size(1) && point.z < extent.size(2);
+    if (!inside || field.site[index] >= 0)
+    {
+      continue;
+    }
+    const glm::dvec3 x =
+      frame_.sample(glm::dvec3(point + glm::ivec3(extent.min[0], extent.min[1], extent.min[2])));
+    for (const int* site = candidates; site != candidates + count; ++site)
+    {
+      const SitePoint closest = closestPoint(sites_, *site, x);
+      const glm::dvec3 vector = closest.point - x;
+      const auto squared = static_cast<float>(glm::dot(vector, vector));
+      if (squared < field.squared[index])
+      {
+        field.squared[index] = squared;
+        field.side[index] =
+          static_cast<float>(-glm::dot(glm::dvec3(normals_[closest.site]), vector));
+        field.site[index] = closest.site;
+      }
+    }
+  }
 }
 
 } // namespace medial

@@ -59,6 +59,10 @@ private:
   };
 
   void setFaceSides(int face);
+  /// Exact queries where no candidate's bounds hold a point. There should be no such point; this
+  /// makes sure of it.
+  void fillHoles(const Extent& extent, const int* candidates, std::size_t count,
+    TileField& field) const;
 
   const SiteSet& sites_;
   const std::vector<glm::vec4>& normals_;
