@@ -129,14 +129,13 @@ void checkAngle(double angle)
 }
 
 MedialAxis runPipeline(const TriangleMesh& mesh, const MeshTopology& topology, const Grid& grid,
-  const MedialAxisOptions& options, const FieldArrays& arrays)
+  const MedialAxisOptions& options, FieldSink& sink)
 {
   FieldPipeline pipeline(mesh, topology, grid, grid.wholeExtent(), options.field);
   MedialAxis axis;
   axis.sign = pipeline.sign();
   axis.side = axis.sign == SignMethod::None ? Side::Both : options.side;
   StageProxy stage(options.angle, axis.side, pipeline.frame());
-  ArraySink sink(grid.wholeExtent(), arrays);
   pipeline.run(sink, &stage);
   pipeline.report(0.8, "medial axis");
   std::vector<Crossing> crossings = stage.takeCrossings();
@@ -161,11 +160,18 @@ MedialAxis runPipeline(const TriangleMesh& mesh, const MeshTopology& topology, c
 } // namespace
 
 MedialAxis computeMedialAxis(const TriangleMesh& mesh, const MeshTopology& topology,
-  const Grid& grid, const MedialAxisOptions& options, const FieldArrays& arrays)
+  const Grid& grid, const MedialAxisOptions& options, FieldSink& sink)
 {
   checkAngle(options.angle);
   return withMemoryErrors(grid.pointCount(),
-    [&] { return runPipeline(mesh, topology, grid, options, arrays); });
+    [&] { return runPipeline(mesh, topology, grid, options, sink); });
+}
+
+MedialAxis computeMedialAxis(const TriangleMesh& mesh, const MeshTopology& topology,
+  const Grid& grid, const MedialAxisOptions& options, const FieldArrays& arrays)
+{
+  ArraySink sink(grid.wholeExtent(), arrays);
+  return computeMedialAxis(mesh, topology, grid, options, sink);
 }
 
 MedialAxis computeMedialAxis(const TriangleMesh& mesh, const Grid& grid,
