@@ -80,6 +80,22 @@ private:
   std::list<Entry> entries_;
 };
 
+// The field goes to disk meanwhile.
+Result computeFrom(vtkPolyData* mesh, const Options& options, std::optional<FieldOutput>& field,
+  ProgressBar& bar)
+{
+  Result result = prepare(mesh, options);
+  if (!field)
+  {
+    compute(options, nullptr, bar, result);
+    return result;
+  }
+  field->begin(result.grid);
+  compute(options, &*field, bar, result);
+  field->finish();
+  return result;
+}
+
 } // namespace
 
 void run(const Options& options)
@@ -121,16 +137,7 @@ void run(const Options& options)
   seconds.read = secondsSince(start);
   throwIfInterrupted();
 
-  result = prepare(mesh, options);
-  if (field)
-  {
-    field->begin(result.grid);
-  }
-  compute(options, field ? &*field : nullptr, bar, result);
-  if (field)
-  {
-    field->finish();
-  }
+  result = computeFrom(mesh, options, field, bar);
 
   writeStart = Clock::now();
   bar.show(1.0, "writing");
