@@ -12,6 +12,8 @@ namespace medial
 namespace
 {
 
+/// Candidates to fetch ahead.
+constexpr std::size_t kAhead = 6;
 constexpr float kUnknown = std::numeric_limits<float>::max();
 
 /// Eight boxes side by side; spare lanes repeat the first.
@@ -175,21 +177,54 @@ DistanceBounds CandidateFilter::bounds(int site, const glm::vec3& x) const
   return { distance, distance };
 }
 
+bool CandidateFilter::seedDistances(const FrameBox* boxes, const int* seeds, int boxCount,
+  std::array<float, kMostBoxes>& squared) const
+{
+  for (int i = 0; i < kMostBoxes; ++i)
+  {
+    const int box = i < boxCount ? i : 0;
+    if (seeds == nullptr || seeds[box] < 0)
+    {
+      return false;
+    }
+    const glm::dvec3 centre(boxes[box].centre);
+    const glm::dvec3 point = closestPoint(sites_, seeds[box], centre).point;
+    squared[i] = static_cast<float>(glm::dot(point - centre, point - centre));
+  }
+  return true;
+}
+
 MEDIAL_VECTORISED void CandidateFilter::findNear(const std::vector<int>& parent,
-  const FrameBox* boxes, int boxCount, Scratch& scratch) const
+  const FrameBox* boxes, const int* seeds, int boxCount, Scratch& scratch) const
 {
   const BoxLanes lanes = boxLanes(boxes, boxCount);
-  // The centres of spheres are points of the surface.
   Float8 upper = splat(kUnknown);
-  for (const int site : parent)
+  std::array<float, kMostBoxes> known;
+  if (this->seedDistances(boxes, seeds, boxCount, known))
   {
-    const glm::vec4& sphere = sites_.sphere(site);
-    upper = least(upper, squaredLength(lanes.x - sphere.x, lanes.y - sphere.y, lanes.z - sphere.z));
+    upper = loaded(known.data());
+  }
+  else
+  {
+    // The centres of spheres are points of the surface.
+    for (const int site : parent)
+    {
+      const glm::vec4& sphere = sites_.sphere(site);
+      upper =
+        least(upper, squaredLength(lanes.x - sphere.x, lanes.y - sphere.y, lanes.z - sphere.z));
+    }
   }
   const Float8 limit = squareRoot(upper) + 2.0f * lanes.radius + slack_;
   const unsigned used = (1u << boxCount) - 1u;
-  for (const int site : parent)
+  for (std::size_t i = 0; i < parent.size(); ++i)
   {
+    // Meshes list neighbours far apart; more than half of the time went into waiting for memory.
+    if (i + kAhead < parent.size())
+    {
+      __builtin_prefetch(sites_.halfSpacesBegin(parent[i + kAhead]));
+      __builtin_prefetch(sites_.halfSpacesBegin(parent[i + kAhead]) + 4);
+    }
+    const int site = parent[i];
     const glm::vec4& sphere = sites_.sphere(site);
     const Float8 reach = limit + sphere.w;
     const Float8 squared =
@@ -207,6 +242,18 @@ MEDIAL_VECTORISED void CandidateFilter::findNear(const std::vector<int>& parent,
   }
 }
 
+MEDIAL_INLINE void CandidateFilter::prefetch(int site) const
+{
+  if (site < sites_.faceCount())
+  {
+    __builtin_prefetch(&facePlanes_[site]);
+  }
+  else if (site < sites_.firstVertex())
+  {
+    __builtin_prefetch(&edgeLines_[site - sites_.firstEdge()]);
+  }
+}
+
 MEDIAL_VECTORISED void CandidateFilter::dropDominated(const FrameBox& box,
   const std::vector<int>& near, std::vector<int>& out, Scratch& scratch) const
 {
@@ -216,6 +263,10 @@ MEDIAL_VECTORISED void CandidateFilter::dropDominated(const FrameBox& box,
   Int8 nearestSite = Int8{} - 1;
   for (std::size_t i = 0; i < near.size(); ++i)
   {
+    if (i + kAhead < near.size())
+    {
+      this->prefetch(near[i + kAhead]);
+    }
     const int site = near[i];
     Float8 squared;
     Float8 exact;
@@ -295,14 +346,14 @@ MEDIAL_VECTORISED void CandidateFilter::dropDominated(const FrameBox& box,
   }
 }
 
-void CandidateFilter::filter(const std::vector<int>& parent, const FrameBox* boxes, int boxCount,
-  std::vector<int>* const* out, Scratch& scratch) const
+void CandidateFilter::filter(const std::vector<int>& parent, const FrameBox* boxes,
+  const int* seeds, int boxCount, std::vector<int>* const* out, Scratch& scratch) const
 {
   for (int i = 0; i < boxCount; ++i)
   {
     scratch.near[i].clear();
   }
-  this->findNear(parent, boxes, boxCount, scratch);
+  this->findNear(parent, boxes, seeds, boxCount, scratch);
   for (int i = 0; i < boxCount; ++i)
   {
     this->dropDominated(boxes[i], scratch.near[i], *out[i], scratch);

@@ -50,7 +50,8 @@ public:
   ///   site is convex, the point is then nearer all over the box: the difference of the squared
   ///   distances is a minimum of affine functions, hence concave, and least at a corner.
   /// @param parent candidates of a box that contains these.
-  void filter(const std::vector<int>& parent, const FrameBox* boxes, int boxCount,
+  /// @param seeds a site near the centre of each box, as far as known, -1 where not; null if none.
+  void filter(const std::vector<int>& parent, const FrameBox* boxes, const int* seeds, int boxCount,
     std::vector<int>* const* out, Scratch& scratch) const;
 
   /// Exact for edges and vertices; for a face the upper bound is left to its border where x does
@@ -76,8 +77,11 @@ private:
     HalfSpace sides[3];
   };
 
-  void findNear(const std::vector<int>& parent, const FrameBox* boxes, int boxCount,
-    Scratch& scratch) const;
+  bool seedDistances(const FrameBox* boxes, const int* seeds, int boxCount,
+    std::array<float, kMostBoxes>& squared) const;
+  void findNear(const std::vector<int>& parent, const FrameBox* boxes, const int* seeds,
+    int boxCount, Scratch& scratch) const;
+  void prefetch(int site) const;
   void dropDominated(const FrameBox& box, const std::vector<int>& near, std::vector<int>& out,
     Scratch& scratch) const;
 

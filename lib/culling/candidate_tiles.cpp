@@ -42,40 +42,44 @@ bool fits(const Extent& extent, const glm::ivec3& limit)
   return extent.size(0) <= limit.x && extent.size(1) <= limit.y && extent.size(2) <= limit.z;
 }
 
-/// The candidates of the parts of a node.
-struct PartLists
-{
-  std::array<std::vector<int>, CandidateFilter::kMostBoxes> lists;
+} // namespace
 
-  void fill(const CandidateFilter& filter, const std::vector<int>& candidates,
-    const std::vector<FrameBox>& boxes, CandidateFilter::Scratch& scratch)
+/// What a node is divided into, and the candidates of each part.
+struct CandidateHierarchy::Parts
+{
+  std::vector<Extent> extents;
+  std::vector<FrameBox> boxes;
+  std::vector<int> seeds;
+  std::array<std::vector<int>, CandidateFilter::kMostBoxes> candidates;
+
+  void filter(const CandidateFilter& filter, const std::vector<int>& parent,
+    CandidateFilter::Scratch& scratch)
   {
     std::array<std::vector<int>*, CandidateFilter::kMostBoxes> out{};
     for (std::size_t i = 0; i < boxes.size(); ++i)
     {
-      lists[i].clear();
-      out[i] = &lists[i];
+      candidates[i].clear();
+      out[i] = &candidates[i];
     }
-    filter.filter(candidates, boxes.data(), static_cast<int>(boxes.size()), out.data(), scratch);
+    filter.filter(parent, boxes.data(), seeds.data(), static_cast<int>(boxes.size()), out.data(),
+      scratch);
   }
 };
-
-} // namespace
 
 /// Memory of one thread, used again for every node.
 struct CandidateHierarchy::Workspace
 {
   CandidateFilter::Scratch scratch;
-  std::vector<FrameBox> boxes;
-  std::array<PartLists, 4> levels; ///< from blocks to leaves; leaf tiles may be one slice thick
+  std::array<Parts, 4> levels; ///< from blocks to leaves; leaf tiles may be one slice thick
 };
 
 CandidateHierarchy::CandidateHierarchy(const CandidateFilter& filter, const GridFrame& frame,
-  const Extent& extent, TileHull hull, int leafSlices)
+  const Extent& extent, TileHull hull, int leafSlices, const ClosestSeeds* seeds)
   : filter_(filter)
   , frame_(frame)
   , extent_(extent)
   , hull_(hull)
+  , seeds_(seeds != nullptr && seeds->knows(extent) ? seeds : nullptr)
   , leafSize_(kLeafSize, kLeafSize, leafSlices)
 {
   for (int axis = 0; axis < 3; ++axis)
@@ -102,10 +106,23 @@ FrameBox CandidateHierarchy::hullOf(const Extent& extent) const
     glm::vec3(0.5 * (high - low) * frame_.step) };
 }
 
+void CandidateHierarchy::divide(const Extent& node, const glm::ivec3& limit, Parts& parts) const
+{
+  parts.extents = split(node, limit);
+  parts.boxes.clear();
+  parts.seeds.clear();
+  for (const Extent& part : parts.extents)
+  {
+    parts.boxes.push_back(this->hullOf(part));
+    parts.seeds.push_back(seeds_ != nullptr ? seeds_->at(part) : -1);
+  }
+}
+
 void CandidateHierarchy::descendToBlocks(const Extent& node, const std::vector<int>& candidates)
 {
-  const std::vector<Extent> parts = split(node, glm::ivec3(kBlockSize));
-  if (parts.size() == 1)
+  Parts parts;
+  this->divide(node, glm::ivec3(kBlockSize), parts);
+  if (parts.extents.size() == 1)
   {
     std::size_t index = 0;
     for (int axis = 2; axis >= 0; --axis)
@@ -115,16 +132,10 @@ void CandidateHierarchy::descendToBlocks(const Extent& node, const std::vector<i
     blocks_[index] = { node, candidates };
     return;
   }
-  std::vector<FrameBox> boxes;
-  for (const Extent& part : parts)
-  {
-    boxes.push_back(this->hullOf(part));
-  }
-  PartLists lists;
   CandidateFilter::Scratch scratch;
-  lists.fill(filter_, candidates, boxes, scratch);
-  tbb::parallel_for(std::size_t{ 0 }, parts.size(),
-    [&](std::size_t i) { this->descendToBlocks(parts[i], lists.lists[i]); });
+  parts.filter(filter_, candidates, scratch);
+  tbb::parallel_for(std::size_t{ 0 }, parts.extents.size(),
+    [&](std::size_t i) { this->descendToBlocks(parts.extents[i], parts.candidates[i]); });
 }
 
 std::vector<const CandidateHierarchy::Block*> CandidateHierarchy::blocksOf(
@@ -185,23 +196,18 @@ std::vector<CandidateTiles> CandidateHierarchy::leafTiles(const Extent& slices) 
 void CandidateHierarchy::descendToLeaves(const Extent& node, const std::vector<int>& candidates,
   int depth, Workspace& workspace, const Visitor& visitor) const
 {
-  const std::vector<Extent> parts = split(node, leafSize_);
-  workspace.boxes.clear();
-  for (const Extent& part : parts)
+  Parts& parts = workspace.levels[depth];
+  this->divide(node, leafSize_, parts);
+  parts.filter(filter_, candidates, workspace.scratch);
+  for (std::size_t i = 0; i < parts.extents.size(); ++i)
   {
-    workspace.boxes.push_back(this->hullOf(part));
-  }
-  PartLists& lists = workspace.levels[depth];
-  lists.fill(filter_, candidates, workspace.boxes, workspace.scratch);
-  for (std::size_t i = 0; i < parts.size(); ++i)
-  {
-    if (fits(parts[i], leafSize_))
+    if (fits(parts.extents[i], leafSize_))
     {
-      visitor(parts[i], lists.lists[i]);
+      visitor(parts.extents[i], parts.candidates[i]);
     }
     else
     {
-      this->descendToLeaves(parts[i], lists.lists[i], depth + 1, workspace, visitor);
+      this->descendToLeaves(parts.extents[i], parts.candidates[i], depth + 1, workspace, visitor);
     }
   }
 }

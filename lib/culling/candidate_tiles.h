@@ -2,6 +2,7 @@
 
 #include "medial/common/grid.h"
 #include "medial/culling/candidate_filter.h"
+#include "medial/culling/closest_seeds.h"
 #include "medial/sites/grid_frame.h"
 #include "medial/sites/site_set.h"
 
@@ -44,8 +45,9 @@ public:
   /// @param filter of all sites; must outlive this.
   /// @param extent part of the grid to cover.
   /// @param leafSlices z size of leaf tiles, a power of two up to kLeafSize.
+  /// @param seeds of an earlier frame, which must outlive this; may be null.
   CandidateHierarchy(const CandidateFilter& filter, const GridFrame& frame, const Extent& extent,
-    TileHull hull, int leafSlices = kLeafSize);
+    TileHull hull, int leafSlices = kLeafSize, const ClosestSeeds* seeds = nullptr);
 
   /// Largest size of a leaf tile; tiles start at multiples of it from the extent's corner.
   const glm::ivec3& leafSize() const { return leafSize_; }
@@ -66,7 +68,10 @@ private:
   };
   struct Workspace;
 
+  struct Parts;
+
   FrameBox hullOf(const Extent& extent) const;
+  void divide(const Extent& node, const glm::ivec3& limit, Parts& parts) const;
   void descendToBlocks(const Extent& node, const std::vector<int>& candidates);
   void descendToLeaves(const Extent& node, const std::vector<int>& candidates, int depth,
     Workspace& workspace, const Visitor& visitor) const;
@@ -76,6 +81,7 @@ private:
   GridFrame frame_;
   Extent extent_;
   TileHull hull_;
+  const ClosestSeeds* seeds_;
   glm::ivec3 leafSize_;
   glm::ivec3 blockCounts_;
   std::vector<Block> blocks_; ///< x fastest

@@ -23,6 +23,12 @@ struct AtlasLayout
   /// @throws Error GpuLimit when it does not fit.
   static AtlasLayout make(const Extent& extent, int slabSlices, int textureLimit);
 
+  bool operator==(const AtlasLayout& other) const
+  {
+    return sliceSize == other.sliceSize && columns == other.columns && rows == other.rows &&
+      slabSlices == other.slabSlices;
+  }
+
   glm::ivec2 size() const { return { columns * sliceSize.x, rows * sliceSize.y }; }
   glm::ivec2 slotOrigin(int slot) const
   {

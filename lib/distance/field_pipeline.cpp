@@ -80,12 +80,19 @@ FieldPipeline::FieldPipeline(const TriangleMesh& mesh, const MeshTopology& topol
   , frame_(grid)
   , sign_(checkedSign(mesh, topology, grid, extent, options))
   , statistics_(newStatistics(extent, options))
-  , sites_(timed(statistics_.seconds.sites, [&] { return SiteSet(mesh, topology, frame_); }))
+  , sites_(this->buildSites())
   , filter_(timed(statistics_.seconds.cull, [&] { return CandidateFilter(sites_); }))
   , normals_(timed(statistics_.seconds.sites,
       [&] { return pseudonormals(sites_, this->fieldSign() == FieldSign::Inward); }))
 {
   statistics_.sites = sites_.size();
+}
+
+SiteSet FieldPipeline::buildSites()
+{
+  const Stopwatch watch(statistics_.seconds.sites);
+  tbb::task_arena arena(this->threads());
+  return arena.execute([this] { return SiteSet(mesh_, topology_, frame_); });
 }
 
 FieldSign FieldPipeline::fieldSign() const
@@ -168,6 +175,7 @@ FieldWriter FieldPipeline::makeWriter() const
 void FieldPipeline::run(FieldSink& sink, SlabStage* stage)
 {
   this->report(0.0, "distance field");
+  nextSeeds_.reset(extent_);
   if (statistics_.evaluator == Evaluator::Rasteriser)
   {
     this->rasterise(sink, stage);
@@ -180,6 +188,7 @@ void FieldPipeline::run(FieldSink& sink, SlabStage* stage)
   {
     this->evaluate(sink);
   }
+  std::swap(memory_->seeds, nextSeeds_);
 }
 
 CandidateHierarchy FieldPipeline::cullBlocks(int slabSlices, TileHull hull)
@@ -190,7 +199,7 @@ CandidateHierarchy FieldPipeline::cullBlocks(int slabSlices, TileHull hull)
     [&]
     {
       hierarchy = std::make_unique<CandidateHierarchy>(filter_, frame_, extent_, hull,
-        std::min(slabSlices, CandidateHierarchy::kLeafSize));
+        std::min(slabSlices, CandidateHierarchy::kLeafSize), &memory_->seeds);
     });
   if (hull == TileHull::Cells)
   {
@@ -213,11 +222,26 @@ void FieldPipeline::cullSlab(const CandidateHierarchy& hierarchy, Slab& slab)
   }
 }
 
-void FieldPipeline::addGpuSeconds(const GpuState& gpu)
+FieldPipeline::Renderer& FieldPipeline::obtainRenderer(const AtlasLayout& atlas)
 {
-  statistics_.seconds.draw += gpu.seconds.draw;
-  statistics_.seconds.resolve += gpu.seconds.resolve;
-  statistics_.seconds.medial += gpu.seconds.medial;
+  std::unique_ptr<Renderer>& renderer = memory_->renderer;
+  if (renderer && renderer->object().atlas() == atlas)
+  {
+    renderer->run([this](SlabRenderer& r) { r.move(sites_, normals_, frame_, this->fieldSign()); });
+  }
+  else
+  {
+    renderer.reset();
+    renderer = std::make_unique<Renderer>(sites_, normals_, frame_, atlas, this->fieldSign());
+  }
+  return *renderer;
+}
+
+void FieldPipeline::addGpuSeconds()
+{
+  statistics_.seconds.draw += gpuSeconds_.draw;
+  statistics_.seconds.resolve += gpuSeconds_.resolve;
+  statistics_.seconds.medial += gpuSeconds_.medial;
 }
 
 } // namespace medial

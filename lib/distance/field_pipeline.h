@@ -3,6 +3,7 @@
 #include "medial/culling/candidate_tiles.h"
 #include "medial/culling/tile_query.h"
 #include "medial/distance/distance_field.h"
+#include "medial/distance/field_memory.h"
 #include "medial/distance/field_writer.h"
 #include "medial/distance/slab_renderer.h"
 #include "medial/distance/tile_evaluator.h"
@@ -38,6 +39,9 @@ public:
   FieldPipeline(const TriangleMesh& mesh, const MeshTopology& topology, const Grid& grid,
     const Extent& extent, const DistanceFieldOptions& options);
 
+  /// Takes over what an earlier pipeline over the same connectivity left, and leaves as much.
+  void useMemory(FieldMemory& memory) { memory_ = &memory; }
+
   /// @param stage may be null.
   void run(FieldSink& sink, SlabStage* stage);
 
@@ -55,8 +59,8 @@ public:
   void report(double fraction, const char* phase) const;
 
 private:
+  using Renderer = gpu::OnGpuThread<SlabRenderer>;
   struct Slab;
-  struct GpuState;
   struct InFlight;
 
   void rasterise(FieldSink& sink, SlabStage* stage);
@@ -65,6 +69,7 @@ private:
 
   FieldSign fieldSign() const;
   int threads() const;
+  SiteSet buildSites();
   static double shareOfField(bool staged) { return staged ? 0.8 : 1.0; }
   int slabSlices(std::size_t bytesPerPoint) const;
   AtlasLayout chooseAtlas(std::size_t bytesPerPoint) const;
@@ -74,13 +79,17 @@ private:
   void cullSlab(const CandidateHierarchy& hierarchy, Slab& slab);
 
   void clipPolygons(Slab& slab, const AtlasLayout& atlas);
-  void render(GpuState& gpu, Slab& slab, SlabStage* stage);
+  Renderer& obtainRenderer(const AtlasLayout& atlas);
+  void render(SlabRenderer& renderer, Slab& slab, SlabStage* stage);
+  void noteSeeds(const Slab& slab);
   void storeSlab(const Slab& slab, FieldWriter& writer, FieldSink& sink);
 
   TileEvaluator makeEvaluator();
   void evaluateTiles(const TileEvaluator& evaluator, Slab& slab, const FieldWriter& writer);
-  void resolveWinners(GpuState& gpu, Slab& slab, SlabStage& stage);
-  void addGpuSeconds(const GpuState& gpu);
+  void resolveTile(const TileEvaluator& evaluator, const Extent& tile, const TileField& field,
+    Slab& slab) const;
+  void runStage(SlabRenderer& renderer, Slab& slab, SlabStage& stage);
+  void addGpuSeconds();
 
   const TriangleMesh& mesh_;
   const MeshTopology& topology_;
@@ -89,9 +98,13 @@ private:
   GridFrame frame_;
   SignMethod sign_;
   RunStatistics statistics_;
+  RunStatistics::Seconds gpuSeconds_; ///< of what the GPU thread does
   SiteSet sites_;
   CandidateFilter filter_;
   std::vector<glm::vec4> normals_;
+  FieldMemory ownMemory_;
+  FieldMemory* memory_ = &ownMemory_;
+  ClosestSeeds nextSeeds_;
   std::unique_ptr<TileQuery> query_; ///< only where a stage needs it
 };
 

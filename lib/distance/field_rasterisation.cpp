@@ -23,7 +23,7 @@ void FieldPipeline::rasterise(FieldSink& sink, SlabStage* stage)
   const AtlasLayout atlas = this->chooseAtlas(kBytesPerPoint + sink.bytesPerPoint());
   const CandidateHierarchy hierarchy =
     this->cullBlocks(atlas.slabSlices, stage != nullptr ? TileHull::Cells : TileHull::Points);
-  gpu::OnGpuThread<GpuState> gpu(sites_, normals_, frame_, atlas, this->fieldSign());
+  Renderer& renderer = this->obtainRenderer(atlas);
   FieldWriter writer = this->makeWriter();
   const std::vector<Extent> extents = this->slabsOf(atlas.slabSlices);
   const double perSlab = shareOfField(stage != nullptr) / static_cast<double>(extents.size());
@@ -33,8 +33,8 @@ void FieldPipeline::rasterise(FieldSink& sink, SlabStage* stage)
   const FieldArrays& wanted = ring[0].arrays;
   if (wanted.any())
   {
-    gpu.run(
-      [&](GpuState&)
+    renderer.run(
+      [&](SlabRenderer&)
       {
         for (Slab& slab : ring)
         {
@@ -47,18 +47,18 @@ void FieldPipeline::rasterise(FieldSink& sink, SlabStage* stage)
   // Pixel buffers go where they came from.
   struct ReleaseReadback
   {
-    gpu::OnGpuThread<GpuState>& gpu;
+    Renderer& renderer;
     std::array<Slab, 2>& ring;
     ~ReleaseReadback()
     {
-      gpu.run(
-        [this](GpuState&)
+      renderer.run(
+        [this](SlabRenderer&)
         {
           ring[0].readback.reset();
           ring[1].readback.reset();
         });
     }
-  } release{ gpu, ring };
+  } release{ renderer, ring };
 
   InFlight inFlight;
   for (std::size_t i = 0; i < extents.size(); ++i)
@@ -73,7 +73,7 @@ void FieldPipeline::rasterise(FieldSink& sink, SlabStage* stage)
     this->report((start + 0.5) * perSlab, "distance field");
     inFlight.finish();
     inFlight.job =
-      gpu.submit([this, &slab, stage](GpuState& state) { this->render(state, slab, stage); });
+      renderer.submit([this, &slab, stage](SlabRenderer& r) { this->render(r, slab, stage); });
     if (i > 0)
     {
       this->storeSlab(ring[(i - 1) % 2], writer, sink);
@@ -81,7 +81,7 @@ void FieldPipeline::rasterise(FieldSink& sink, SlabStage* stage)
   }
   inFlight.finish();
   this->storeSlab(ring[(extents.size() - 1) % 2], writer, sink);
-  this->addGpuSeconds(gpu.object());
+  this->addGpuSeconds();
 }
 
 void FieldPipeline::clipPolygons(Slab& slab, const AtlasLayout& atlas)
@@ -98,15 +98,14 @@ void FieldPipeline::clipPolygons(Slab& slab, const AtlasLayout& atlas)
   statistics_.fragments += static_cast<std::int64_t>(area);
 }
 
-void FieldPipeline::render(GpuState& gpu, Slab& slab, SlabStage* stage)
+void FieldPipeline::render(SlabRenderer& renderer, Slab& slab, SlabStage* stage)
 {
-  SlabRenderer& renderer = gpu.renderer;
   if (slab.previousSlices > 0)
   {
     renderer.carryLastSlice(slab.previousSlices);
   }
-  timed(gpu.seconds.draw, [&] { renderer.draw(slab.chunks); });
-  timed(gpu.seconds.resolve,
+  timed(gpuSeconds_.draw, [&] { renderer.draw(slab.chunks); });
+  timed(gpuSeconds_.resolve,
     [&]
     {
       if (renderer.resolve(slab.extent) > 0)
@@ -123,13 +122,35 @@ void FieldPipeline::render(GpuState& gpu, Slab& slab, SlabStage* stage)
     });
   if (stage != nullptr)
   {
-    const Stopwatch watch(gpu.seconds.medial);
+    const Stopwatch watch(gpuSeconds_.medial);
     stage->process(renderer, slab.extent, slab.previousSlices > 0);
   }
   if (slab.readback)
   {
-    const Stopwatch watch(gpu.seconds.resolve);
+    const Stopwatch watch(gpuSeconds_.resolve);
     slab.readback->fetch(renderer, slab.extent.size(2));
+  }
+}
+
+void FieldPipeline::noteSeeds(const Slab& slab)
+{
+  const std::int32_t* sites = slab.readback->sites();
+  if (sites == nullptr)
+  {
+    return;
+  }
+  for (const CandidateTiles& block : slab.tiles)
+  {
+    for (const Extent& tile : block.tiles)
+    {
+      std::size_t index = 0;
+      for (int axis = 2; axis >= 0; --axis)
+      {
+        const int middle = tile.min[axis] + (tile.max[axis] - tile.min[axis]) / 2;
+        index = index * slab.extent.size(axis) + (middle - slab.extent.min[axis]);
+      }
+      nextSeeds_.set(tile, sites[index]);
+    }
   }
 }
 
@@ -143,6 +164,7 @@ void FieldPipeline::storeSlab(const Slab& slab, FieldWriter& writer, FieldSink& 
     const Stopwatch watch(statistics_.seconds.resolve);
     writer.begin(slab.extent, arrays);
     this->inArena([&] { writer.store(slab.readback->displacements(), slab.readback->sites()); });
+    this->noteSeeds(slab);
   }
   sink.stored(slab.extent);
 }

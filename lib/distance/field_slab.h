@@ -20,21 +20,9 @@ struct FieldPipeline::Slab
   FieldArrays arrays;
   std::vector<CandidateTiles> tiles;
   std::vector<PolygonChunk> chunks;
-  std::vector<std::int32_t> winners;      ///< slice after slice, x fastest
+  std::vector<glm::vec4> displacements;   ///< slice after slice, x fastest, as are
+  std::vector<std::int32_t> sites;        ///< the closest sites
   std::unique_ptr<SlabReadback> readback; ///< null where nothing is wanted
-};
-
-/// What lives on the GPU thread.
-struct FieldPipeline::GpuState
-{
-  SlabRenderer renderer;
-  RunStatistics::Seconds seconds; ///< of what the GPU did
-
-  template <typename... Args>
-  explicit GpuState(Args&&... args)
-    : renderer(std::forward<Args>(args)...)
-  {
-  }
 };
 
 /// A job of the GPU thread, waited for before what it works on goes away.

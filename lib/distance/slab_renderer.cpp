@@ -30,6 +30,19 @@ gpu::Buffer uploaded(const std::vector<T>& values)
     values.data());
 }
 
+/// Overwrites a buffer of the same size, or makes a new one.
+template <typename T>
+void upload(const std::vector<T>& values, gpu::Buffer& buffer)
+{
+  if (!buffer)
+  {
+    buffer = uploaded(values);
+    return;
+  }
+  glNamedBufferSubData(buffer.id(), 0, static_cast<GLsizeiptr>(values.size() * sizeof(T)),
+    values.data());
+}
+
 std::vector<glm::ivec4> padded(const std::vector<glm::ivec3>& values)
 {
   std::vector<glm::ivec4> result;
@@ -87,9 +100,9 @@ SlabRenderer::SlabRenderer(const SiteSet& sites, const std::vector<glm::vec4>& n
   , firstVertex_(sites.firstVertex())
   , depthScale_(depthScale(sites, frame))
 {
-  this->uploadSites(sites, normals);
+  this->uploadConnectivity(sites);
+  this->uploadPositions(sites, normals);
   const glm::ivec2 size = atlas.size();
-  winners_ = gpu::createTexture2D(GL_R32I, size.x, size.y);
   displacements_ = gpu::createTexture2D(GL_RGBA32F, size.x, size.y);
   sites_ = gpu::createTexture2D(GL_R32I, size.x, size.y);
   resolveTarget_ = gpu::createFramebuffer({ displacements_.id(), sites_.id() });
@@ -99,12 +112,31 @@ SlabRenderer::SlabRenderer(const SiteSet& sites, const std::vector<glm::vec4>& n
 void SlabRenderer::createDrawTarget()
 {
   const glm::ivec2 size = atlas_.size();
+  winners_ = gpu::createTexture2D(GL_R32I, size.x, size.y);
   depth_ = gpu::createTexture2D(GL_DEPTH_COMPONENT32F, size.x, size.y);
   drawTarget_ = gpu::createFramebuffer({ winners_.id() }, depth_.id());
   this->bindVertexFormat();
 }
 
-void SlabRenderer::uploadSites(const SiteSet& sites, const std::vector<glm::vec4>& normals)
+void SlabRenderer::move(const SiteSet& sites, const std::vector<glm::vec4>& normals,
+  const GridFrame& frame, FieldSign sign)
+{
+  frame_ = frame;
+  sign_ = sign;
+  depthScale_ = depthScale(sites, frame);
+  this->uploadPositions(sites, normals);
+}
+
+void SlabRenderer::uploadConnectivity(const SiteSet& sites)
+{
+  faces_ = uploaded(padded(sites.faces()));
+  faceEdges_ = uploaded(padded(sites.faceEdges()));
+  edges_ = uploaded(sites.edges());
+  holes_ = gpu::createBuffer();
+  glNamedBufferData(holes_.id(), sizeof(std::uint32_t), nullptr, GL_DYNAMIC_READ);
+}
+
+void SlabRenderer::uploadPositions(const SiteSet& sites, const std::vector<glm::vec4>& normals)
 {
   std::vector<glm::vec4> points;
   points.reserve(sites.points().size());
@@ -112,14 +144,9 @@ void SlabRenderer::uploadSites(const SiteSet& sites, const std::vector<glm::vec4
   {
     points.emplace_back(glm::vec3(point), 0.0f);
   }
-  points_ = uploaded(points);
-  faces_ = uploaded(padded(sites.faces()));
-  faceEdges_ = uploaded(padded(sites.faceEdges()));
-  edges_ = uploaded(sites.edges());
-  lines_ = uploaded(edgeLines(sites));
-  normals_ = uploaded(normals);
-  holes_ = gpu::createBuffer();
-  glNamedBufferData(holes_.id(), sizeof(std::uint32_t), nullptr, GL_DYNAMIC_READ);
+  upload(points, points_);
+  upload(edgeLines(sites), lines_);
+  upload(normals, normals_);
 }
 
 void SlabRenderer::bindVertexFormat()
@@ -219,17 +246,21 @@ void SlabRenderer::draw(const std::vector<PolygonChunk>& chunks)
   glFinish();
 }
 
-void SlabRenderer::setWinners(const std::int32_t* sites, int slices)
+void SlabRenderer::setResolved(const glm::vec4* displacements, const std::int32_t* sites,
+  int slices)
 {
   const glm::ivec2& size = atlas_.sliceSize;
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   for (int slice = 0; slice < slices; ++slice)
   {
     const glm::ivec2 to = atlas_.slotOrigin(1 + slice);
-    glTextureSubImage2D(winners_.id(), 0, to.x, to.y, size.x, size.y, GL_RED_INTEGER, GL_INT,
-      sites + static_cast<std::size_t>(size.x) * size.y * slice);
+    const std::size_t first = static_cast<std::size_t>(size.x) * size.y * slice;
+    glTextureSubImage2D(sites_.id(), 0, to.x, to.y, size.x, size.y, GL_RED_INTEGER, GL_INT,
+      sites + first);
+    glTextureSubImage2D(displacements_.id(), 0, to.x, to.y, size.x, size.y, GL_RGBA, GL_FLOAT,
+      displacements + first);
   }
-  gpu::checkGl("uploading closest sites");
+  gpu::checkGl("uploading a slab");
 }
 
 std::uint32_t SlabRenderer::resolve(const Extent& slab)

@@ -30,13 +30,18 @@ public:
   SlabRenderer(const SiteSet& sites, const std::vector<glm::vec4>& normals, const GridFrame& frame,
     const AtlasLayout& atlas, FieldSign sign);
 
+  /// The same mesh in other positions: only those are uploaded.
+  void move(const SiteSet& sites, const std::vector<glm::vec4>& normals, const GridFrame& frame,
+    FieldSign sign);
+
   /// Keeps the last slice of the slab drawn before in slot 0. To be called before draw().
   void carryLastSlice(int previousSlices);
 
   /// Finds the closest sites: slots [1, slices] of the atlas.
   void draw(const std::vector<PolygonChunk>& chunks);
-  /// Takes closest sites that were found otherwise, slice after slice, x fastest.
-  void setWinners(const std::int32_t* sites, int slices);
+  /// Takes a slab that was computed otherwise, instead of draw() and resolve(): slice after slice,
+  /// x fastest.
+  void setResolved(const glm::vec4* displacements, const std::int32_t* sites, int slices);
 
   /// Evaluates them exactly. Returns the number of grid points that no polygon covered.
   /// @param slab the slice slab.min[2] is in slot 1.
@@ -56,7 +61,8 @@ public:
   GLuint sites() const { return sites_.id(); }
 
 private:
-  void uploadSites(const SiteSet& sites, const std::vector<glm::vec4>& normals);
+  void uploadConnectivity(const SiteSet& sites);
+  void uploadPositions(const SiteSet& sites, const std::vector<glm::vec4>& normals);
   void uploadPolygons(const std::vector<PolygonChunk>& chunks);
   void createDrawTarget();
   void bindVertexFormat();

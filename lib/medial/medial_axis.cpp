@@ -7,6 +7,7 @@
 #include "medial/distance/array_sink.h"
 #include "medial/distance/field_pipeline.h"
 #include "medial/gpu/gpu_thread.h"
+#include "medial/medial/axis_pipeline.h"
 #include "medial/medial/bisector.h"
 #include "medial/medial/medial_cells.h"
 #include "medial/medial/medial_complex.h"
@@ -129,9 +130,13 @@ void checkAngle(double angle)
 }
 
 MedialAxis runPipeline(const TriangleMesh& mesh, const MeshTopology& topology, const Grid& grid,
-  const MedialAxisOptions& options, FieldSink& sink)
+  const MedialAxisOptions& options, FieldSink& sink, FieldMemory* memory)
 {
   FieldPipeline pipeline(mesh, topology, grid, grid.wholeExtent(), options.field);
+  if (memory != nullptr)
+  {
+    pipeline.useMemory(*memory);
+  }
   MedialAxis axis;
   axis.sign = pipeline.sign();
   axis.side = axis.sign == SignMethod::None ? Side::Both : options.side;
@@ -164,14 +169,23 @@ MedialAxis computeMedialAxis(const TriangleMesh& mesh, const MeshTopology& topol
 {
   checkAngle(options.angle);
   return withMemoryErrors(grid.pointCount(),
-    [&] { return runPipeline(mesh, topology, grid, options, sink); });
+    [&] { return runPipeline(mesh, topology, grid, options, sink, nullptr); });
+}
+
+MedialAxis computeMedialAxis(const TriangleMesh& mesh, const MeshTopology& topology,
+  const Grid& grid, const MedialAxisOptions& options, const FieldArrays& arrays,
+  FieldMemory* memory)
+{
+  checkAngle(options.angle);
+  ArraySink sink(grid.wholeExtent(), arrays);
+  return withMemoryErrors(grid.pointCount(),
+    [&] { return runPipeline(mesh, topology, grid, options, sink, memory); });
 }
 
 MedialAxis computeMedialAxis(const TriangleMesh& mesh, const MeshTopology& topology,
   const Grid& grid, const MedialAxisOptions& options, const FieldArrays& arrays)
 {
-  ArraySink sink(grid.wholeExtent(), arrays);
-  return computeMedialAxis(mesh, topology, grid, options, sink);
+  return computeMedialAxis(mesh, topology, grid, options, arrays, nullptr);
 }
 
 MedialAxis computeMedialAxis(const TriangleMesh& mesh, const Grid& grid,

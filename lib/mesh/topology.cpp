@@ -334,7 +334,9 @@ int countComponents(std::size_t pointCount, const std::vector<std::array<int, 2>
   return components;
 }
 
-double signedVolumeOf(const TriangleMesh& mesh)
+} // namespace
+
+double signedVolume(const TriangleMesh& mesh)
 {
   const Bounds bounds = mesh.bounds();
   const auto relative = [&](int point)
@@ -355,8 +357,6 @@ double signedVolumeOf(const TriangleMesh& mesh)
   }
   return sum / 6.0;
 }
-
-} // namespace
 
 bool MeshTopology::closed() const
 {
@@ -392,7 +392,7 @@ MeshTopology analyseTopology(const TriangleMesh& mesh)
   assignCells(mesh, topology);
   countEdgeKinds(mesh, topology);
   topology.components = countComponents(mesh.points.size(), topology.edges);
-  topology.signedVolume = signedVolumeOf(mesh);
+  topology.signedVolume = signedVolume(mesh);
   return topology;
 }
 

@@ -59,4 +59,7 @@ struct MeshTopology
 ///   segment, and for lists of cell ids of the wrong size; buildTriangleMesh makes none of these.
 MeshTopology analyseTopology(const TriangleMesh& mesh);
 
+/// Volume that the triangles enclose by their orientation, world units cubed; as in MeshTopology.
+double signedVolume(const TriangleMesh& mesh);
+
 } // namespace medial
