@@ -5,6 +5,7 @@
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <array>
@@ -15,9 +16,9 @@ namespace medial
 namespace
 {
 
-/// What a grid point of a slab costs with a stage: textures, closest sites of two slabs and the
-/// stage's own textures.
-constexpr std::size_t kStagedBytesPerPoint = 64;
+/// What a grid point of a slab costs with a stage: textures, two slabs on the host and the stage's
+/// own textures.
+constexpr std::size_t kStagedBytesPerPoint = 80;
 
 /// One thread's tile, and what it has done.
 struct Work
@@ -29,23 +30,6 @@ struct Work
 };
 
 using Works = tbb::enumerable_thread_specific<Work>;
-
-/// Copies the closest sites of a tile to those of its slab.
-void copySites(const Extent& tile, const TileField& field, const Extent& slab,
-  std::vector<std::int32_t>& sites)
-{
-  for (int k = 0; k < tile.size(2); ++k)
-  {
-    for (int j = 0; j < tile.size(1); ++j)
-    {
-      const std::size_t row =
-        static_cast<std::size_t>(tile.min[2] + k - slab.min[2]) * slab.size(1) +
-        (tile.min[1] + j - slab.min[1]);
-      std::copy_n(field.site + TileField::index(0, j, k), tile.size(0),
-        sites.data() + row * slab.size(0) + (tile.min[0] - slab.min[0]));
-    }
-  }
-}
 
 int middleSite(const Extent& tile, const TileField& field)
 {
@@ -111,7 +95,8 @@ void FieldPipeline::evaluate(FieldSink& sink)
 TileEvaluator FieldPipeline::makeEvaluator()
 {
   const Stopwatch watch(statistics_.seconds.sites);
-  return { sites_, normals_, frame_, filter_.slack() };
+  tbb::task_arena arena(this->threads());
+  return arena.execute([this] { return TileEvaluator(sites_, normals_, frame_, filter_.slack()); });
 }
 
 void FieldPipeline::evaluateForStage(FieldSink& sink, SlabStage& stage)
@@ -138,8 +123,8 @@ void FieldPipeline::evaluateForStage(FieldSink& sink, SlabStage& stage)
     sink.stored(slab.extent);
     this->report((start + 0.5) * perSlab, "distance field");
     inFlight.finish();
-    inFlight.job = renderer.submit(
-      [this, &slab, &stage](SlabRenderer& r) { this->resolveWinners(r, slab, stage); });
+    inFlight.job =
+      renderer.submit([this, &slab, &stage](SlabRenderer& r) { this->runStage(r, slab, stage); });
   }
   inFlight.finish();
   this->addGpuSeconds();
@@ -149,7 +134,8 @@ void FieldPipeline::evaluateTiles(const TileEvaluator& evaluator, Slab& slab,
   const FieldWriter& writer)
 {
   const Stopwatch watch(statistics_.seconds.draw);
-  slab.winners.resize(static_cast<std::size_t>(slab.extent.pointCount()));
+  slab.displacements.resize(static_cast<std::size_t>(slab.extent.pointCount()));
+  slab.sites.resize(slab.displacements.size());
   Works works;
   this->inArena(
     [&]
@@ -166,7 +152,7 @@ void FieldPipeline::evaluateTiles(const TileEvaluator& evaluator, Slab& slab,
                 block.offsets[t + 1] - block.offsets[t], work.field);
             writer.store(block.tiles[t], work.field);
             nextSeeds_.set(block.tiles[t], middleSite(block.tiles[t], work.field));
-            copySites(block.tiles[t], work.field, slab.extent, slab.winners);
+            this->resolveTile(evaluator, block.tiles[t], work.field, slab);
           }
         });
     });
@@ -176,19 +162,37 @@ void FieldPipeline::evaluateTiles(const TileEvaluator& evaluator, Slab& slab,
   }
 }
 
-void FieldPipeline::resolveWinners(SlabRenderer& renderer, Slab& slab, SlabStage& stage)
+void FieldPipeline::resolveTile(const TileEvaluator& evaluator, const Extent& tile,
+  const TileField& field, Slab& slab) const
 {
-  timed(gpuSeconds_.resolve,
-    [&]
+  for (int k = 0; k < tile.size(2); ++k)
+  {
+    for (int j = 0; j < tile.size(1); ++j)
     {
-      if (slab.previousSlices > 0)
+      const std::size_t row =
+        static_cast<std::size_t>(tile.min[2] + k - slab.extent.min[2]) * slab.extent.size(1) +
+        (tile.min[1] + j - slab.extent.min[1]);
+      const std::size_t start = row * slab.extent.size(0) + (tile.min[0] - slab.extent.min[0]);
+      for (int i = 0; i < tile.size(0); ++i)
       {
-        renderer.carryLastSlice(slab.previousSlices);
+        const int point = TileField::index(i, j, k);
+        const glm::dvec3 x = frame_.sample({ tile.min[0] + i, tile.min[1] + j, tile.min[2] + k });
+        const float side = sign_ == SignMethod::None ? 1.0f : field.side[point];
+        slab.sites[start + i] = field.site[point];
+        slab.displacements[start + i] = evaluator.displacement(field.site[point], x, side);
       }
-      renderer.setWinners(slab.winners.data(), slab.extent.size(2));
-      renderer.resolve(slab.extent);
-    });
+    }
+  }
+}
+
+void FieldPipeline::runStage(SlabRenderer& renderer, Slab& slab, SlabStage& stage)
+{
   const Stopwatch watch(gpuSeconds_.medial);
+  if (slab.previousSlices > 0)
+  {
+    renderer.carryLastSlice(slab.previousSlices);
+  }
+  renderer.setResolved(slab.displacements.data(), slab.sites.data(), slab.extent.size(2));
   stage.process(renderer, slab.extent, slab.previousSlices > 0);
 }
 

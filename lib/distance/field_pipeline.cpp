@@ -80,12 +80,19 @@ FieldPipeline::FieldPipeline(const TriangleMesh& mesh, const MeshTopology& topol
   , frame_(grid)
   , sign_(checkedSign(mesh, topology, grid, extent, options))
   , statistics_(newStatistics(extent, options))
-  , sites_(timed(statistics_.seconds.sites, [&] { return SiteSet(mesh, topology, frame_); }))
+  , sites_(this->buildSites())
   , filter_(timed(statistics_.seconds.cull, [&] { return CandidateFilter(sites_); }))
   , normals_(timed(statistics_.seconds.sites,
       [&] { return pseudonormals(sites_, this->fieldSign() == FieldSign::Inward); }))
 {
   statistics_.sites = sites_.size();
+}
+
+SiteSet FieldPipeline::buildSites()
+{
+  const Stopwatch watch(statistics_.seconds.sites);
+  tbb::task_arena arena(this->threads());
+  return arena.execute([this] { return SiteSet(mesh_, topology_, frame_); });
 }
 
 FieldSign FieldPipeline::fieldSign() const

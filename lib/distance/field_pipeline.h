@@ -69,6 +69,7 @@ private:
 
   FieldSign fieldSign() const;
   int threads() const;
+  SiteSet buildSites();
   static double shareOfField(bool staged) { return staged ? 0.8 : 1.0; }
   int slabSlices(std::size_t bytesPerPoint) const;
   AtlasLayout chooseAtlas(std::size_t bytesPerPoint) const;
@@ -85,7 +86,9 @@ private:
 
   TileEvaluator makeEvaluator();
   void evaluateTiles(const TileEvaluator& evaluator, Slab& slab, const FieldWriter& writer);
-  void resolveWinners(SlabRenderer& renderer, Slab& slab, SlabStage& stage);
+  void resolveTile(const TileEvaluator& evaluator, const Extent& tile, const TileField& field,
+    Slab& slab) const;
+  void runStage(SlabRenderer& renderer, Slab& slab, SlabStage& stage);
   void addGpuSeconds();
 
   const TriangleMesh& mesh_;

@@ -103,7 +103,6 @@ SlabRenderer::SlabRenderer(const SiteSet& sites, const std::vector<glm::vec4>& n
   this->uploadConnectivity(sites);
   this->uploadPositions(sites, normals);
   const glm::ivec2 size = atlas.size();
-  winners_ = gpu::createTexture2D(GL_R32I, size.x, size.y);
   displacements_ = gpu::createTexture2D(GL_RGBA32F, size.x, size.y);
   sites_ = gpu::createTexture2D(GL_R32I, size.x, size.y);
   resolveTarget_ = gpu::createFramebuffer({ displacements_.id(), sites_.id() });
@@ -113,6 +112,7 @@ SlabRenderer::SlabRenderer(const SiteSet& sites, const std::vector<glm::vec4>& n
 void SlabRenderer::createDrawTarget()
 {
   const glm::ivec2 size = atlas_.size();
+  winners_ = gpu::createTexture2D(GL_R32I, size.x, size.y);
   depth_ = gpu::createTexture2D(GL_DEPTH_COMPONENT32F, size.x, size.y);
   drawTarget_ = gpu::createFramebuffer({ winners_.id() }, depth_.id());
   this->bindVertexFormat();
@@ -246,17 +246,21 @@ void SlabRenderer::draw(const std::vector<PolygonChunk>& chunks)
   glFinish();
 }
 
-void SlabRenderer::setWinners(const std::int32_t* sites, int slices)
+void SlabRenderer::setResolved(const glm::vec4* displacements, const std::int32_t* sites,
+  int slices)
 {
   const glm::ivec2& size = atlas_.sliceSize;
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   for (int slice = 0; slice < slices; ++slice)
   {
     const glm::ivec2 to = atlas_.slotOrigin(1 + slice);
-    glTextureSubImage2D(winners_.id(), 0, to.x, to.y, size.x, size.y, GL_RED_INTEGER, GL_INT,
-      sites + static_cast<std::size_t>(size.x) * size.y * slice);
+    const std::size_t first = static_cast<std::size_t>(size.x) * size.y * slice;
+    glTextureSubImage2D(sites_.id(), 0, to.x, to.y, size.x, size.y, GL_RED_INTEGER, GL_INT,
+      sites + first);
+    glTextureSubImage2D(displacements_.id(), 0, to.x, to.y, size.x, size.y, GL_RGBA, GL_FLOAT,
+      displacements + first);
   }
-  gpu::checkGl("uploading closest sites");
+  gpu::checkGl("uploading a slab");
 }
 
 std::uint32_t SlabRenderer::resolve(const Extent& slab)

@@ -2,6 +2,8 @@
 
 #include "medial/common/simd.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -214,29 +216,58 @@ TileEvaluator::TileEvaluator(const SiteSet& sites, const std::vector<glm::vec4>&
   , slack_(slack)
   , faceSides_(sites.faceCount())
 {
-  for (int face = 0; face < sites.faceCount(); ++face)
+  tbb::parallel_for(0, sites.faceCount(), [this](int face) { this->setFaceSides(face); });
+}
+
+void TileEvaluator::setFaceSides(int face)
+{
+  if (!sites_.active(face))
   {
-    if (!sites.active(face))
-    {
-      continue;
-    }
-    FaceSides& result = faceSides_[face];
-    const glm::ivec3& corners = sites.faces()[face];
-    glm::dvec3 along[3];
-    for (int i = 0; i < 3; ++i)
-    {
-      const glm::dvec3& a = sites.points()[corners[i]];
-      along[i] = glm::normalize(sites.points()[corners[(i + 1) % 3]] - a);
-      result.side[i] = plane(glm::normalize(glm::cross(along[i], sites.faceNormal(face))), a);
-    }
-    const int longest = sites.longestSide(face);
-    const glm::dvec3& u = along[longest];
-    result.side[3] = plane(-u, sites.points()[corners[longest]]);
-    result.side[4] = plane(u, sites.points()[corners[(longest + 1) % 3]]);
-    const double sine = std::min(glm::length(glm::cross(u, along[(longest + 1) % 3])),
-      glm::length(glm::cross(u, along[(longest + 2) % 3])));
-    result.count = sine < kNeedleSine ? 5 : 3;
+    return;
   }
+  FaceSides& result = faceSides_[face];
+  const glm::ivec3& corners = sites_.faces()[face];
+  glm::dvec3 along[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    const glm::dvec3& a = sites_.points()[corners[i]];
+    along[i] = glm::normalize(sites_.points()[corners[(i + 1) % 3]] - a);
+    result.side[i] = plane(glm::normalize(glm::cross(along[i], sites_.faceNormal(face))), a);
+  }
+  const int longest = sites_.longestSide(face);
+  const glm::dvec3& u = along[longest];
+  result.side[3] = plane(-u, sites_.points()[corners[longest]]);
+  result.side[4] = plane(u, sites_.points()[corners[(longest + 1) % 3]]);
+  const double sine = std::min(glm::length(glm::cross(u, along[(longest + 1) % 3])),
+    glm::length(glm::cross(u, along[(longest + 2) % 3])));
+  result.count = sine < kNeedleSine ? 5 : 3;
+}
+
+glm::vec4 TileEvaluator::displacement(int site, const glm::dvec3& x, float side) const
+{
+  glm::dvec3 vector;
+  switch (sites_.kind(site))
+  {
+    case SiteKind::Face:
+    {
+      const glm::dvec3& normal = sites_.faceNormal(site);
+      vector = glm::dot(normal, sites_.points()[sites_.faces()[site][0]] - x) * normal;
+      break;
+    }
+    case SiteKind::Edge:
+    {
+      const glm::ivec2& ends = sites_.edges()[site - sites_.firstEdge()];
+      const glm::dvec3 toStart = sites_.points()[ends[0]] - x;
+      const glm::dvec3 along = sites_.points()[ends[1]] - sites_.points()[ends[0]];
+      vector = toStart - glm::dot(toStart, along) / glm::dot(along, along) * along;
+      break;
+    }
+    case SiteKind::Vertex:
+      vector = sites_.points()[site - sites_.firstVertex()] - x;
+      break;
+  }
+  const auto distance = static_cast<float>(glm::length(vector));
+  return { glm::vec3(vector), side < 0.0f ? -distance : distance };
 }
 
 MEDIAL_VECTORISED std::int64_t TileEvaluator::evaluate(const Extent& extent, const int* candidates,

@@ -56,6 +56,14 @@ VertexArray createVertexArray()
 Buffer createStorageBuffer(GLsizeiptr bytes, const void* data)
 {
   constexpr GLsizeiptr kLeastBytes = 16;
+  GLint64 limit = 0;
+  glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &limit);
+  if (bytes > limit)
+  {
+    throw Error(ErrorCode::GpuLimit,
+      "a buffer of " + std::to_string(bytes) + " bytes exceeds the driver's limit of " +
+        std::to_string(limit) + "; the mesh is too large for it");
+  }
   Buffer buffer = createBuffer();
   glNamedBufferStorage(buffer.id(), std::max(bytes, kLeastBytes), nullptr, GL_DYNAMIC_STORAGE_BIT);
   if (bytes > 0 && data != nullptr)

@@ -1,5 +1,7 @@
 #include "medial/sites/site_set.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <initializer_list>
 
@@ -133,28 +135,51 @@ void SiteSet::buildSpheres()
 
 void SiteSet::buildHalfSpaces(const MeshTopology& topology)
 {
-  halfSpaceOffsets_.reserve(this->size() + 1);
-  halfSpaces_.reserve(5 * faces_.size() + 4 * edges_.size() + 6 * points_.size());
-  const auto endSite = [this]
-  { halfSpaceOffsets_.push_back(static_cast<int>(halfSpaces_.size())); };
-  for (int face = 0; face < this->faceCount(); ++face)
+  halfSpaceOffsets_.resize(this->size() + 1);
+  for (int site = 0; site < this->size(); ++site)
   {
-    this->addFaceHalfSpaces(face);
-    endSite();
+    halfSpaceOffsets_[site + 1] = halfSpaceOffsets_[site] + this->halfSpaceCount(site, topology);
   }
-  for (int edge = 0; edge < this->edgeCount(); ++edge)
-  {
-    this->addEdgeHalfSpaces(edge, topology);
-    endSite();
-  }
-  for (int vertex = 0; vertex < this->vertexCount(); ++vertex)
-  {
-    this->addVertexHalfSpaces(vertex, topology);
-    endSite();
-  }
+  halfSpaces_.resize(halfSpaceOffsets_.back());
+  tbb::parallel_for(0, this->size(),
+    [&](int site)
+    {
+      HalfSpace* out = halfSpaces_.data() + halfSpaceOffsets_[site];
+      switch (this->kind(site))
+      {
+        case SiteKind::Face:
+          this->setFaceHalfSpaces(site, out);
+          return;
+        case SiteKind::Edge:
+          this->setEdgeHalfSpaces(site - this->firstEdge(), topology, out);
+          return;
+        case SiteKind::Vertex:
+          this->setVertexHalfSpaces(site - this->firstVertex(), topology, out);
+          return;
+      }
+    });
 }
 
-void SiteSet::addFaceHalfSpaces(int face)
+int SiteSet::halfSpaceCount(int site, const MeshTopology& topology) const
+{
+  switch (this->kind(site))
+  {
+    case SiteKind::Face:
+      return active_[site] ? 5 : 0;
+    case SiteKind::Edge:
+    {
+      const int edge = site - this->firstEdge();
+      return 2 +
+        static_cast<int>(std::count_if(topology.edgeTriangles.begin(edge),
+          topology.edgeTriangles.end(edge), [this](int face) { return active_[face] != 0; }));
+    }
+    case SiteKind::Vertex:
+      break;
+  }
+  return topology.pointEdges.size(site - this->firstVertex());
+}
+
+void SiteSet::setFaceHalfSpaces(int face, HalfSpace* out) const
 {
   if (!active_[face])
   {
@@ -164,7 +189,7 @@ void SiteSet::addFaceHalfSpaces(int face)
   {
     const glm::dvec3& a = points_[faces_[face][i]];
     const glm::dvec3& b = points_[faces_[face][(i + 1) % 3]];
-    halfSpaces_.push_back(halfSpace(conormal(a, b, faceNormals_[face]), a));
+    *out++ = halfSpace(conormal(a, b, faceNormals_[face]), a);
   }
   // The triangle lies between the planes across the ends of its longest edge. They cut off what
   // dilation adds far beyond an acute corner.
@@ -172,17 +197,17 @@ void SiteSet::addFaceHalfSpaces(int face)
   const glm::dvec3& a = points_[faces_[face][longest]];
   const glm::dvec3& b = points_[faces_[face][(longest + 1) % 3]];
   const glm::dvec3 u = glm::normalize(b - a);
-  halfSpaces_.push_back(halfSpace(-u, a));
-  halfSpaces_.push_back(halfSpace(u, b));
+  *out++ = halfSpace(-u, a);
+  *out++ = halfSpace(u, b);
 }
 
-void SiteSet::addEdgeHalfSpaces(int edge, const MeshTopology& topology)
+void SiteSet::setEdgeHalfSpaces(int edge, const MeshTopology& topology, HalfSpace* out) const
 {
   const glm::dvec3& p = points_[edges_[edge][0]];
   const glm::dvec3& q = points_[edges_[edge][1]];
   const glm::dvec3 u = glm::normalize(q - p);
-  halfSpaces_.push_back(halfSpace(-u, p));
-  halfSpaces_.push_back(halfSpace(u, q));
+  *out++ = halfSpace(-u, p);
+  *out++ = halfSpace(u, q);
   for (const int* face = topology.edgeTriangles.begin(edge);
        face != topology.edgeTriangles.end(edge); ++face)
   {
@@ -191,19 +216,15 @@ void SiteSet::addEdgeHalfSpaces(int edge, const MeshTopology& topology)
       continue;
     }
     // The face's own winding tells the outward side, whichever way the edge is stored.
-    for (int i = 0; i < 3; ++i)
-    {
-      if (faceEdges_[*face][i] == edge)
-      {
-        const glm::dvec3& a = points_[faces_[*face][i]];
-        const glm::dvec3& b = points_[faces_[*face][(i + 1) % 3]];
-        halfSpaces_.push_back(halfSpace(-conormal(a, b, faceNormals_[*face]), a));
-      }
-    }
+    const glm::ivec3& sides = faceEdges_[*face];
+    const int i = sides[0] == edge ? 0 : (sides[1] == edge ? 1 : 2);
+    const glm::dvec3& a = points_[faces_[*face][i]];
+    const glm::dvec3& b = points_[faces_[*face][(i + 1) % 3]];
+    *out++ = halfSpace(-conormal(a, b, faceNormals_[*face]), a);
   }
 }
 
-void SiteSet::addVertexHalfSpaces(int vertex, const MeshTopology& topology)
+void SiteSet::setVertexHalfSpaces(int vertex, const MeshTopology& topology, HalfSpace* out) const
 {
   const glm::dvec3& p = points_[vertex];
   for (const int* edge = topology.pointEdges.begin(vertex); edge != topology.pointEdges.end(vertex);
@@ -211,7 +232,7 @@ void SiteSet::addVertexHalfSpaces(int vertex, const MeshTopology& topology)
   {
     const glm::ivec2& ends = edges_[*edge];
     const glm::dvec3& other = points_[ends[0] == vertex ? ends[1] : ends[0]];
-    halfSpaces_.push_back(halfSpace(glm::normalize(other - p), p));
+    *out++ = halfSpace(glm::normalize(other - p), p);
   }
 }
 

@@ -82,9 +82,10 @@ private:
   void buildNormals(const TriangleMesh& mesh);
   void buildSpheres();
   void buildHalfSpaces(const MeshTopology& topology);
-  void addFaceHalfSpaces(int face);
-  void addEdgeHalfSpaces(int edge, const MeshTopology& topology);
-  void addVertexHalfSpaces(int vertex, const MeshTopology& topology);
+  int halfSpaceCount(int site, const MeshTopology& topology) const;
+  void setFaceHalfSpaces(int face, HalfSpace* out) const;
+  void setEdgeHalfSpaces(int edge, const MeshTopology& topology, HalfSpace* out) const;
+  void setVertexHalfSpaces(int vertex, const MeshTopology& topology, HalfSpace* out) const;
 
   std::vector<glm::dvec3> points_;
   std::vector<glm::ivec3> faces_;

@@ -103,14 +103,18 @@ protected:
   /// Sheets need grid cells, which a grid of one slice has not.
   static void expectContract(Representation representation)
   {
-    const MedialAxis axis = compute(GetParam(), representation);
-    if (GetParam().grid.dimensions[2] == 1)
+    for (const DistanceFieldOptions& options : allEvaluators())
     {
-      EXPECT_EQ(axis.points.size(), 0u);
-      EXPECT_EQ(axis.cellCount(), 0);
-      return;
+      SCOPED_TRACE(static_cast<int>(options.evaluator));
+      const MedialAxis axis = compute(GetParam(), representation, options);
+      if (GetParam().grid.dimensions[2] == 1)
+      {
+        EXPECT_EQ(axis.points.size(), 0u);
+        EXPECT_EQ(axis.cellCount(), 0);
+        continue;
+      }
+      expectConsistent(GetParam().mesh, GetParam().grid, axis, representation);
     }
-    expectConsistent(GetParam().mesh, GetParam().grid, axis, representation);
   }
 };
 
@@ -154,19 +158,41 @@ TEST(MedialAxis, IsTheSameForAnyMemoryLimitAndThreads)
   }
 }
 
+TEST(MedialAxis, IsTheSameByAllEvaluators)
+{
+  const TriangleMesh mesh = lPrism(1.0, 0.6);
+  const AxisCase input{ "", mesh, offCentreGrid(mesh, 0.0213), Side::Both };
+  const std::vector<DistanceFieldOptions> evaluators = allEvaluators();
+  const MedialAxis expected = compute(input, Representation::Surface, evaluators[0]);
+  const MedialAxis axis = compute(input, Representation::Surface, evaluators[1]);
+  ASSERT_GT(axis.points.size(), 1000u);
+  EXPECT_EQ(axis.points.size(), expected.points.size());
+  EXPECT_EQ(axis.cellCount(), expected.cellCount());
+  EXPECT_LE(farthest(axis, expected), 1e-3 * input.grid.spacing[0]);
+  EXPECT_LE(farthest(expected, axis), 1e-3 * input.grid.spacing[0]);
+}
+
 TEST(MedialAxis, LeavesTheDistanceFieldAsWell)
 {
   const TriangleMesh mesh = torus(1.0, 0.4, 24, 12);
   const Grid grid = makeGrid(mesh.bounds(), 48, 0.1);
   const DistanceField field = computeDistanceField(mesh, grid);
-  std::vector<float> distance(field.distance.size());
-  std::vector<std::int32_t> site(field.closestSite.size());
-  FieldArrays arrays;
-  arrays.distance = distance.data();
-  arrays.closestSite = site.data();
-  computeMedialAxis(mesh, analyseTopology(mesh), grid, {}, arrays);
-  EXPECT_EQ(distance, field.distance);
-  EXPECT_EQ(site, field.closestSite);
+  for (const DistanceFieldOptions& each : allEvaluators())
+  {
+    DistanceField left;
+    left.grid = grid;
+    left.distance.resize(field.distance.size());
+    left.closestSite.resize(field.closestSite.size());
+    FieldArrays arrays;
+    arrays.distance = left.distance.data();
+    arrays.closestSite = left.closestSite.data();
+    MedialAxisOptions options;
+    options.field = each;
+    computeMedialAxis(mesh, analyseTopology(mesh), grid, options, arrays);
+    const FieldDifference change = difference(mesh, field, left);
+    EXPECT_LT(change.distance, 1e-3);
+    EXPECT_EQ(change.untiedSites, 0u);
+  }
 }
 
 TEST(MedialAxis, OfTheInteriorIsInside)
