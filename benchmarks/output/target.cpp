@@ -1,9 +1,23 @@
 #include "output/target.h"
 
 #include <cmath>
+#include <iomanip>
+#include <sstream>
 
 namespace medial::benchmark
 {
+namespace
+{
+
+/// Bounds are round figures.
+std::string plain(double value)
+{
+  std::ostringstream text;
+  text << std::setprecision(4) << value;
+  return text.str();
+}
+
+} // namespace
 
 std::string Target::verdict() const
 {
@@ -23,7 +37,7 @@ Table targetTable(const std::vector<Target>& targets)
   for (const Target& target : targets)
   {
     const std::string sense = target.kind == Target::Kind::AtLeast ? "at least " : "at most ";
-    table.rows.push_back({ target.mesh, target.what, sense + number(target.bound),
+    table.rows.push_back({ target.mesh, target.what, sense + plain(target.bound),
       number(target.measured), target.verdict() });
   }
   return table;

@@ -78,8 +78,10 @@ std::optional<Row> SuiteContext::measure(const MeshRequest& request, const MakeG
     return std::nullopt;
   }
   MeshRequest small = request;
-  small.triangles =
-    options_.quick ? std::min(request.triangles, kQuickTriangles) : request.triangles;
+  if (options_.quick && !request.file.empty())
+  {
+    small.triangles = std::min(request.triangles, kQuickTriangles);
+  }
   const BenchmarkMesh input = provideMesh(small, options_.quick);
   Row row = measureRow(input.mesh, makeGrid(input.mesh), this->choose(methodIds), options);
   row.mesh = request.name;
