@@ -1,3 +1,4 @@
+#include "memory_probe.h"
 #include "options.h"
 #include "suites/suite.h"
 
@@ -13,13 +14,14 @@ using namespace medial::benchmark;
 void runSuites(const Options& options)
 {
   const Machine machine = describeMachine();
-  const SuiteContext context(options);
+  const SuiteContext context(options,
+    [&](const SuiteReport& report) { writeReport(report, machine, options.output); });
   for (const SuiteEntry& suite : suites())
   {
     if (std::find(options.suites.begin(), options.suites.end(), suite.name) != options.suites.end())
     {
       std::cerr << "== " << suite.name << '\n';
-      writeReport(suite.run(context), machine, options.output);
+      suite.run(context);
     }
   }
 }
@@ -32,7 +34,11 @@ int main(int argc, char** argv)
   {
     int exitCode = 0;
     const auto options = parseOptions(argc, argv, exitCode);
-    if (options)
+    if (options && !options->memoryOf.empty())
+    {
+      answerPeak(options->memoryOf, options->problem);
+    }
+    else if (options)
     {
       runSuites(*options);
     }

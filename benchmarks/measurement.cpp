@@ -1,5 +1,6 @@
 #include "measurement.h"
 
+#include "memory_probe.h"
 #include "statistics.h"
 
 #include "medial/common/stopwatch.h"
@@ -89,10 +90,10 @@ public:
       });
   }
 
-  /// Takes no further turn where one lasted longer than the cap, whatever had been predicted.
-  void takeTurn(const TriangleMesh& mesh, const Grid& grid, double cap, AccuracyCheck& check)
+  /// One turn is always taken; another one where the budget allows for it.
+  void takeTurn(const TriangleMesh& mesh, const Grid& grid, double budget, AccuracyCheck& check)
   {
-    if (slowest_ > cap)
+    if (!run_.samples.empty() && spent_ + slowest_ > budget)
     {
       return;
     }
@@ -102,6 +103,7 @@ public:
         double wall = 0.0;
         FieldResult result = timed(wall, [&] { return method_->compute(mesh, grid); });
         slowest_ = std::max(slowest_, wall);
+        spent_ += wall;
         if (!run_.accuracy)
         {
           run_.accuracy = check(result);
@@ -135,7 +137,19 @@ private:
   std::unique_ptr<FieldMethod> method_;
   MethodRun run_;
   double slowest_ = 0.0; ///< wall-clock seconds of a turn
+  double spent_ = 0.0;   ///< of all turns
 };
+
+void measureMemory(const TriangleMesh& mesh, const std::vector<std::string>& ids, Row& row)
+{
+  for (MethodRun& run : row.runs)
+  {
+    if (!run.samples.empty() && std::find(ids.begin(), ids.end(), run.id) != ids.end())
+    {
+      run.peakBytes = peakOfFirstCall(run.id, mesh, row.grid);
+    }
+  }
+}
 
 /// Ratios are taken within rounds, whose parts ran close together.
 void compareWithOurs(Row& row)
@@ -200,6 +214,11 @@ const MethodRun* Row::find(const std::string& id) const
   return found == runs.end() ? nullptr : &*found;
 }
 
+double Row::outputBytes() const
+{
+  return 8.0 * static_cast<double>(grid.pointCount());
+}
+
 Row measureRow(const TriangleMesh& mesh, const Grid& grid, const std::vector<MethodEntry>& methods,
   const MeasurementOptions& options)
 {
@@ -213,17 +232,19 @@ Row measureRow(const TriangleMesh& mesh, const Grid& grid, const std::vector<Met
   {
     for (Contestant& contestant : contestants)
     {
-      contestant.takeTurn(mesh, grid, options.timeCap, check);
+      contestant.takeTurn(mesh, grid, options.budget, check);
     }
   }
   Row row;
   row.triangles = static_cast<std::int64_t>(mesh.triangles.size());
   row.grid = grid;
+  row.rounds = options.repeats;
   for (Contestant& contestant : contestants)
   {
     row.runs.push_back(std::move(contestant.run()));
   }
   compareWithOurs(row);
+  measureMemory(mesh, options.memoryOf, row);
   return row;
 }
 

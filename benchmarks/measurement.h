@@ -27,6 +27,7 @@ struct MethodRun
   std::optional<Accuracy> accuracy; ///< of the first sample
   std::optional<double> predicted;  ///< seconds, where that was too much to be run
   std::string failure;              ///< why there is no sample
+  std::optional<double> peakBytes;  ///< growth of resident memory in the first call
   std::vector<double> ratios;       ///< per round: this method's seconds over ours
 
   std::vector<double> totals() const;
@@ -42,16 +43,20 @@ struct Row
   std::string note; ///< what the reader must know of the mesh
   std::int64_t triangles = 0;
   Grid grid;
+  int rounds = 1; ///< slow methods sit some of them out
   std::vector<MethodRun> runs;
 
   const MethodRun* find(const std::string& id) const; ///< null where it took no part
+  double outputBytes() const; ///< of distances and labels, 4 bytes each a grid point
 };
 
 struct MeasurementOptions
 {
   int repeats = 5;
-  double timeCap = 60.0;    ///< seconds; a slower method is only predicted, or runs once
-  int checkedPoints = 4000; ///< grid points at which fields are compared with the oracle
+  double timeCap = 40.0;             ///< seconds; a slower method is only predicted, or runs once
+  double budget = 30.0;              ///< seconds of a method's turns; it has one at least
+  int checkedPoints = 10000;         ///< grid points at which fields are compared with the oracle
+  std::vector<std::string> memoryOf; ///< ids of methods whose peak of memory is asked for
 };
 
 /// Measures methods side by side: after a warm-up on coarse grids, which also predicts who is too

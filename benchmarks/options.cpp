@@ -41,13 +41,21 @@ void addOptions(CLI::App& app, Options& options, std::string& models)
     ->check(CLI::Range(8, 1024));
   app
     .add_option("--time-cap", options.timeCap,
-      "seconds; slower methods are only predicted, or run once")
+      "seconds; methods that are predicted to be slower are not run")
+    ->check(CLI::PositiveNumber)
+    ->capture_default_str();
+  app
+    .add_option("--budget", options.budget,
+      "seconds; a method runs in fewer rounds, but once, where all of them would last longer")
     ->check(CLI::PositiveNumber)
     ->capture_default_str();
   app.add_option("--points", options.checkedPoints, "grid points checked in every field")
     ->check(CLI::Range(1, 1000000))
     ->capture_default_str();
   app.add_flag("--quick", options.quick, "small generated shapes and grids, two rounds");
+  // No group: not for users.
+  app.add_option("--memory-of", options.memoryOf)->group("");
+  app.add_option("--problem", options.problem)->group("");
 }
 
 void makeQuick(Options& options)

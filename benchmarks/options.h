@@ -16,9 +16,13 @@ struct Options
   std::filesystem::path output = "docs/benchmarks";
   int repeats = 5;
   int resolution = 0; ///< 0: each suite's own
-  double timeCap = 60.0;
-  int checkedPoints = 4000;
+  double timeCap = 40.0;
+  double budget = 30.0;
+  int checkedPoints = 10000;
   bool quick = false;
+  /// How the program measures memory: it starts itself with a method and a file of what to compute.
+  std::string memoryOf;
+  std::filesystem::path problem;
 };
 
 /// Reads the command line. Sets the environment variable MEDIAL_MODELS for --models.

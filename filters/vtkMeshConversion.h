@@ -1,5 +1,6 @@
 /**
- * Conversions between VTK's data sets and the library's plain arrays. Private to the module.
+ * Conversions between VTK's data sets and the library's plain arrays. Not installed: private to the
+ * module and to the project's programs.
  */
 
 #ifndef vtkMeshConversion_h

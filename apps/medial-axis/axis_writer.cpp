@@ -6,10 +6,8 @@
 #include "vtk_messages.h"
 
 #include <vtkErrorCode.h>
-#include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
-#include <vtkXMLImageDataWriter.h>
 #include <vtkXMLPolyDataWriter.h>
 
 #include <functional>
@@ -20,16 +18,14 @@ namespace fs = std::filesystem;
 
 namespace medial::app
 {
-
 namespace
 {
 
-template <typename Writer>
-void writeWithVtk(vtkDataObject* data, const fs::path& file)
+void writeVtp(vtkPolyData* axis, const fs::path& file)
 {
   const VtkMessages messages; // what goes wrong is in the error code
-  vtkNew<Writer> writer;
-  writer->SetInputData(data);
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetInputData(axis);
   writer->SetFileName(file.c_str());
   writer->EncodeAppendedDataOff();
   writer->Write();
@@ -45,17 +41,12 @@ void writeAxis(vtkPolyData* axis, const fs::path& file, const fs::path& extensio
 {
   static const std::map<std::string, std::function<void(vtkPolyData*, const fs::path&)>>
     kWriters = {
-      { ".vtp", writeWithVtk<vtkXMLPolyDataWriter> },
+      { ".vtp", writeVtp },
       { ".ply", writePly },
       { ".obj", writeObj },
       { ".ma", writeMa },
     };
   kWriters.at(lowerCase(extension.string()))(axis, file);
-}
-
-void writeField(vtkImageData* field, const fs::path& file)
-{
-  writeWithVtk<vtkXMLImageDataWriter>(field, file);
 }
 
 } // namespace medial::app

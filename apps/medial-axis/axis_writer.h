@@ -2,7 +2,6 @@
 
 #include <filesystem>
 
-class vtkImageData;
 class vtkPolyData;
 
 namespace medial::app
@@ -21,9 +20,5 @@ namespace medial::app
 /// @throws Failure NoSpace when the file cannot be written completely. The message names no file.
 void writeAxis(vtkPolyData* axis, const std::filesystem::path& file,
   const std::filesystem::path& extension);
-
-/// Writes a distance field as .vti.
-/// @throws Failure NoSpace as writeAxis().
-void writeField(vtkImageData* field, const std::filesystem::path& file);
 
 } // namespace medial::app

@@ -26,21 +26,28 @@ constexpr int kMaxThreads = 1024;
 constexpr int kMinMemoryMiB = 64;
 constexpr double kMaxPadding = 10.0;
 
-const Names kSides = { { "interior", vtkMedialAxis::INTERIOR },
-  { "exterior", vtkMedialAxis::EXTERIOR }, { "both", vtkMedialAxis::BOTH } };
-const Names kRepresentations = { { "surface", vtkMedialAxis::SURFACE },
-  { "faces", vtkMedialAxis::FACES }, { "points", vtkMedialAxis::POINTS } };
-const Names kSigns = { { "auto", vtkMedialAxis::SIGN_AUTO }, { "none", vtkMedialAxis::SIGN_NONE },
-  { "pseudonormal", vtkMedialAxis::SIGN_PSEUDONORMAL },
-  { "winding", vtkMedialAxis::SIGN_WINDING } };
-const Names kEvaluators = { { "auto", vtkMedialAxis::EVALUATOR_AUTO },
-  { "rasteriser", vtkMedialAxis::EVALUATOR_RASTERISER },
-  { "processor", vtkMedialAxis::EVALUATOR_PROCESSOR } };
+const Names<Side> kSides = { { "interior", Side::Interior }, { "exterior", Side::Exterior },
+  { "both", Side::Both } };
+const Names<Representation> kRepresentations = { { "surface", Representation::Surface },
+  { "faces", Representation::Faces }, { "points", Representation::Points } };
+const Names<SignMethod> kSigns = { { "auto", SignMethod::Auto }, { "none", SignMethod::None },
+  { "pseudonormal", SignMethod::Pseudonormal }, { "winding", SignMethod::Winding } };
+const Names<Evaluator> kEvaluators = { { "auto", Evaluator::Auto },
+  { "rasteriser", Evaluator::Rasteriser }, { "processor", Evaluator::Processor } };
+
+template <typename T>
+std::string nameIn(const Names<T>& names, T value)
+{
+  const auto found = std::find_if(names.begin(), names.end(),
+    [value](const auto& name) { return name.second == value; });
+  return found != names.end() ? found->first : "unknown";
+}
 
 const char* const kFooter =
   "Input formats: .stl .obj .ply .off .vtp .vtk. Without -o, --field, --image and --report the\n"
   "medial axis goes to <INPUT's name>_medial.vtp in the current folder. Existing files are\n"
-  "replaced, but only once the new ones are complete.\n\n"
+  "replaced, but only once the new ones are complete. --field without -o and --image computes no\n"
+  "medial axis.\n\n"
   "Exit codes: 0 done; 2 usage; 3 bad input; 4 no usable OpenGL; 5 out of memory or disk, or an\n"
   "output that cannot be written; 130 interrupted.";
 
@@ -61,8 +68,12 @@ void addOutputOptions(CLI::App& app, Words& words)
   app.add_option("-o,--output", words.output, "medial axis: .vtp, .ply, .obj or .ma")
     ->option_text("FILE")
     ->group(group);
-  app.add_option("--field", words.field, "distance field with all its arrays")
-    ->option_text("FILE.vti")
+  app
+    .add_option("--field", words.field,
+      "distance field with all its arrays: .vti, one file, or .pvti, pieces of 64 slices as "
+      "<FILE's name>_0.vti and so on; written while it is computed, so it may be larger than "
+      "memory")
+    ->option_text("FILE")
     ->group(group);
   app
     .add_option("--thickness", words.thickness, "input surface with Thickness (not available yet)")
@@ -187,7 +198,7 @@ void convertWords(const Words& words, bool spacingGiven, Options& options)
     throw Failure(ExitCode::Usage, "--thickness is not available yet");
   }
   options.signMethod = kSigns.at(words.sign);
-  if (options.signMethod == vtkMedialAxis::SIGN_WINDING)
+  if (options.signMethod == SignMethod::Winding)
   {
     throw Failure(ExitCode::Usage,
       "--sign winding is not available yet; available: auto, none, pseudonormal");
@@ -214,7 +225,7 @@ void convertWords(const Words& words, bool spacingGiven, Options& options)
 void checkFiles(const Options& options)
 {
   checkExtension("--output", options.output, { ".vtp", ".ply", ".obj", ".ma" });
-  checkExtension("--field", options.field, { ".vti" });
+  checkExtension("--field", options.field, { ".vti", ".pvti" });
   checkExtension("--image", options.image, { ".png" });
   checkExtension("--report", options.report, { ".json" });
   std::error_code ignored;
@@ -265,24 +276,28 @@ std::optional<Options> parseOptions(int argc, char** argv)
   return options;
 }
 
-void applyOptions(const Options& options, vtkMedialAxis* filter)
+MedialAxisOptions libraryOptions(const Options& options)
 {
-  filter->SetResolution(options.resolution);
-  if (options.spacing)
-  {
-    filter->SetGridModeToSpacing();
-    filter->SetSpacing(*options.spacing, *options.spacing, *options.spacing);
-  }
-  filter->SetPadding(options.padding);
-  filter->SetAngle(options.angle);
-  filter->SetSide(options.side);
-  filter->SetRepresentation(options.representation);
-  filter->SetSignMethod(options.signMethod);
-  filter->SetEvaluator(options.evaluator);
-  filter->SetNumberOfThreads(options.threads);
-  filter->SetMemoryLimit(options.memoryMiB);
-  filter->SetRequireHardware(options.requireGpu);
-  filter->SetGenerateDistanceField(!options.field.empty());
+  MedialAxisOptions result;
+  result.angle = options.angle;
+  result.side = options.side;
+  result.representation = options.representation;
+  result.field.sign = options.signMethod;
+  result.field.evaluator = options.evaluator;
+  result.field.threads = options.threads;
+  result.field.memoryMiB = static_cast<std::size_t>(options.memoryMiB);
+  result.field.requireHardware = options.requireGpu;
+  return result;
+}
+
+std::string nameOf(SignMethod method)
+{
+  return nameIn(kSigns, method);
+}
+
+std::string nameOf(Evaluator evaluator)
+{
+  return nameIn(kEvaluators, evaluator);
 }
 
 } // namespace medial::app

@@ -2,8 +2,9 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
-#include <vtkMedialAxis.h>
+#include "medial/medial/medial_axis.h"
 
 namespace medial::app
 {
@@ -14,21 +15,25 @@ struct Options
 {
   std::filesystem::path input;
   std::filesystem::path output; ///< .vtp, .ply, .obj or .ma
-  std::filesystem::path field;  ///< .vti
+  std::filesystem::path field;  ///< .vti or .pvti
   std::filesystem::path image;  ///< .png
   std::filesystem::path report; ///< .json
-  int resolution = 256;
+  int resolution = kDefaultResolution;
   std::optional<double> spacing; ///< instead of resolution
-  double padding = 0.05;
-  double angle = 60.0;
-  int side = vtkMedialAxis::INTERIOR;
-  int representation = vtkMedialAxis::SURFACE;
-  int signMethod = vtkMedialAxis::SIGN_AUTO;
-  int evaluator = vtkMedialAxis::EVALUATOR_AUTO;
+  double padding = kDefaultPadding;
+  double angle = kDefaultAngle;
+  Side side = Side::Interior;
+  Representation representation = Representation::Surface;
+  SignMethod signMethod = SignMethod::Auto;
+  Evaluator evaluator = Evaluator::Auto;
   int threads = 0;
   int memoryMiB = 0;
   bool requireGpu = false;
   bool quiet = false;
+
+  /// Whether the medial axis is to be computed: for an output, or for the figures of a report that
+  /// is asked for alone.
+  bool wantsAxis() const { return !output.empty() || !image.empty() || field.empty(); }
 };
 
 /// Reads the command line; nothing when the user asked for --help or --version, which are then
@@ -36,7 +41,13 @@ struct Options
 /// @throws Failure Usage.
 std::optional<Options> parseOptions(int argc, char** argv);
 
-/// Sets what the options say on the filter.
-void applyOptions(const Options& options, vtkMedialAxis* filter);
+/// What the options say to the library.
+MedialAxisOptions libraryOptions(const Options& options);
+
+///@{
+/// The word for a value.
+std::string nameOf(SignMethod method);
+std::string nameOf(Evaluator evaluator);
+///@}
 
 } // namespace medial::app

@@ -90,4 +90,20 @@ void OutputFile::commit()
   temporary_.clear();
 }
 
+void namingFile(const fs::path& path, const std::function<void()>& work)
+{
+  try
+  {
+    work();
+  }
+  catch (const Failure& failure)
+  {
+    if (failure.exitCode() != ExitCode::NoSpace)
+    {
+      throw;
+    }
+    failToWrite(path, failure.what());
+  }
+}
+
 } // namespace medial::app

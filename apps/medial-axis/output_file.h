@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 
 namespace medial::app
 {
@@ -32,5 +33,9 @@ private:
   std::filesystem::path target_; // path_ with its symbolic links followed
   std::filesystem::path temporary_;
 };
+
+/// Runs work that writes a file and names the file in the message of what it throws for want of
+/// space.
+void namingFile(const std::filesystem::path& path, const std::function<void()>& work);
 
 } // namespace medial::app

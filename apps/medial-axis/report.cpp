@@ -1,14 +1,10 @@
 #include "report.h"
 
 #include "sink.h"
-#include "text_cursor.h"
 
-#include <vtkMedialAxis.h>
 #include <vtkPolyData.h>
 
 #include <nlohmann/json.hpp>
-
-#include <array>
 
 #include <sys/resource.h>
 
@@ -19,53 +15,38 @@ namespace
 
 using Json = nlohmann::ordered_json;
 
-Json describeInput(vtkMedialAxis* filter, const std::filesystem::path& input)
+Json describeInput(const Result& result, const std::filesystem::path& input)
 {
-  return { { "path", input.string() }, { "triangles", filter->GetNumberOfTriangles() },
-    { "vertices", filter->GetNumberOfVertices() }, { "closed", filter->GetClosed() },
-    { "manifold", filter->GetManifold() }, { "components", filter->GetNumberOfComponents() },
-    { "skipped_degenerate", filter->GetNumberOfDegenerateTriangles() } };
+  return { { "path", input.string() }, { "triangles", result.mesh.triangles.size() },
+    { "vertices", result.mesh.points.size() }, { "closed", result.topology.closed() },
+    { "manifold", result.topology.manifold() }, { "components", result.topology.components },
+    { "skipped_degenerate", result.mesh.degenerateTriangles } };
 }
 
-Json describeGrid(vtkMedialAxis* filter)
+Json describeGrid(const Grid& grid)
 {
-  std::array<int, 3> dimensions{};
-  std::array<double, 3> spacing{};
-  std::array<double, 3> origin{};
-  filter->GetUsedDimensions(dimensions.data());
-  filter->GetUsedSpacing(spacing.data());
-  filter->GetUsedOrigin(origin.data());
-  return { { "dimensions", dimensions }, { "spacing", spacing }, { "origin", origin } };
+  return { { "dimensions", grid.dimensions }, { "spacing", grid.spacing },
+    { "origin", grid.origin } };
 }
 
-Json describeDevice(vtkMedialAxis* filter)
+Json describeDevice(const Device& device)
 {
-  return { { "renderer", filter->GetRenderer() }, { "version", filter->GetRendererVersion() },
-    { "software", filter->GetSoftwareRenderer() } };
+  return { { "renderer", device.renderer }, { "version", device.version },
+    { "software", device.software } };
 }
 
-Json describeSeconds(vtkMedialAxis* filter, const AppSeconds& seconds)
+Json describeSeconds(const RunStatistics::Seconds& run, const AppSeconds& app)
 {
-  return { { "read", seconds.read }, { "sites", filter->GetSitesSeconds() },
-    { "cull", filter->GetCullSeconds() }, { "polygons", filter->GetPolygonsSeconds() },
-    { "draw", filter->GetDrawSeconds() }, { "resolve", filter->GetResolveSeconds() },
-    { "medial", filter->GetMedialSeconds() }, { "write", seconds.write },
-    { "total", seconds.total } };
+  return { { "read", app.read }, { "sites", run.sites }, { "cull", run.cull },
+    { "polygons", run.polygons }, { "draw", run.draw }, { "resolve", run.resolve },
+    { "medial", run.medial }, { "write", app.write }, { "total", app.total } };
 }
 
-Json describeCounts(vtkMedialAxis* filter)
+Json describeCounts(const RunStatistics& statistics, vtkPolyData* axis)
 {
-  return { { "sites", filter->GetNumberOfSites() }, { "polygons", filter->GetNumberOfPolygons() },
-    { "fragments", filter->GetNumberOfFragments() },
-    { "candidate_pairs", filter->GetNumberOfCandidatePairs() },
-    { "medial_points", filter->GetOutput()->GetNumberOfPoints() },
-    { "medial_cells", filter->GetOutput()->GetNumberOfCells() } };
-}
-
-double fragmentsPerVoxel(vtkMedialAxis* filter)
-{
-  const auto samples = static_cast<double>(filter->GetNumberOfSamples());
-  return samples > 0.0 ? static_cast<double>(filter->GetNumberOfFragments()) / samples : 0.0;
+  return { { "sites", statistics.sites }, { "polygons", statistics.polygons },
+    { "fragments", statistics.fragments }, { "candidate_pairs", statistics.candidatePairs },
+    { "medial_points", axis->GetNumberOfPoints() }, { "medial_cells", axis->GetNumberOfCells() } };
 }
 
 double peakMemoryMiB()
@@ -77,18 +58,18 @@ double peakMemoryMiB()
 
 } // namespace
 
-std::string makeReport(vtkMedialAxis* filter, const std::filesystem::path& input,
+std::string makeReport(const Result& result, const std::filesystem::path& input,
   const AppSeconds& seconds)
 {
   Json report;
-  report["input"] = describeInput(filter, input);
-  report["grid"] = describeGrid(filter);
-  report["device"] = describeDevice(filter);
-  report["seconds"] = describeSeconds(filter, seconds);
-  report["counts"] = describeCounts(filter);
-  report["fragments_per_voxel"] = fragmentsPerVoxel(filter);
-  report["evaluator"] = lowerCase(filter->GetUsedEvaluatorAsString());
-  report["sign_method"] = lowerCase(filter->GetUsedSignMethodAsString());
+  report["input"] = describeInput(result, input);
+  report["grid"] = describeGrid(result.grid);
+  report["device"] = describeDevice(result.statistics.device);
+  report["seconds"] = describeSeconds(result.statistics.seconds, seconds);
+  report["counts"] = describeCounts(result.statistics, result.axis);
+  report["fragments_per_voxel"] = result.statistics.fragmentsPerVoxel();
+  report["evaluator"] = nameOf(result.statistics.evaluator);
+  report["sign_method"] = nameOf(result.sign);
   report["peak_memory_mib"] = peakMemoryMiB();
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

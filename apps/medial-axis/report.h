@@ -1,14 +1,14 @@
 #pragma once
 
+#include "computation.h"
+
 #include <filesystem>
 #include <string>
-
-class vtkMedialAxis;
 
 namespace medial::app
 {
 
-/// Wall-clock seconds of what the program does around the filter.
+/// Wall-clock seconds of what the program does around the computation.
 struct AppSeconds
 {
   double read = 0.0;
@@ -16,13 +16,13 @@ struct AppSeconds
   double total = 0.0;
 };
 
-/// Figures of a run, as they are after the filter's execution.
+/// Figures of a run; those of a medial axis that was not computed are 0.
 /// @return JSON text with the keys input {path, triangles, vertices, closed, manifold, components,
 ///   skipped_degenerate}, grid {dimensions, spacing, origin}, device {renderer, version, software},
 ///   seconds {read, sites, cull, polygons, draw, resolve, medial, write, total}, counts {sites,
 ///   polygons, fragments, candidate_pairs, medial_points, medial_cells}, fragments_per_voxel,
 ///   evaluator, sign_method and peak_memory_mib. Lengths are in world units.
-std::string makeReport(vtkMedialAxis* filter, const std::filesystem::path& input,
+std::string makeReport(const Result& result, const std::filesystem::path& input,
   const AppSeconds& seconds);
 
 /// @throws Failure NoSpace when the file cannot be written completely. The message names no file.

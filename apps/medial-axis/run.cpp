@@ -1,7 +1,8 @@
 #include "run.h"
 
 #include "axis_writer.h"
-#include "failure.h"
+#include "computation.h"
+#include "field_output.h"
 #include "interrupt.h"
 #include "mesh_reader.h"
 #include "output_file.h"
@@ -9,18 +10,14 @@
 #include "progress_bar.h"
 #include "report.h"
 #include "summary.h"
-#include "vtk_messages.h"
 
-#include <vtkCommand.h>
-#include <vtkMedialAxis.h>
-#include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkSMPTools.h>
 
 #include <chrono>
 #include <functional>
 #include <list>
-#include <string>
+#include <optional>
 
 namespace medial::app
 {
@@ -34,64 +31,8 @@ double secondsSince(Clock::time_point start)
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// Forwards the filter's progress to the terminal, and the user's wish to stop to the filter.
-class FilterWatch
-{
-public:
-  FilterWatch(vtkMedialAxis* filter, ProgressBar& bar)
-    : filter_(filter)
-    , bar_(bar)
-  {
-    filter->AddObserver(vtkCommand::ProgressEvent, this, &FilterWatch::onProgress);
-  }
-
-private:
-  void onProgress()
-  {
-    const char* phase = filter_->GetProgressText();
-    bar_.show(filter_->GetProgress(), phase != nullptr ? phase : "computing");
-    if (interrupted())
-    {
-      filter_->SetAbortExecute(1);
-    }
-  }
-
-  vtkMedialAxis* filter_;
-  ProgressBar& bar_;
-};
-
-ExitCode exitCodeOf(unsigned long filterError)
-{
-  switch (filterError)
-  {
-    case vtkMedialAxis::InvalidInputError:
-      return ExitCode::BadInput;
-    case vtkMedialAxis::NoGpuError:
-    case vtkMedialAxis::ShaderBuildError:
-      return ExitCode::NoGpu;
-    case vtkMedialAxis::CancelledError:
-      return ExitCode::Interrupted;
-    default:
-      return ExitCode::NoSpace;
-  }
-}
-
-void execute(vtkMedialAxis* filter, const Options& options, ProgressBar& bar)
-{
-  const FilterWatch watch(filter, bar);
-  const VtkMessages messages;
-  filter->Update();
-  filter->RemoveObservers(vtkCommand::ProgressEvent);
-  throwIfInterrupted();
-  if (filter->GetErrorCode() != 0)
-  {
-    const ExitCode code = exitCodeOf(filter->GetErrorCode());
-    const std::string culprit = code == ExitCode::NoGpu ? "" : options.input.string() + ": ";
-    throw Failure(code, culprit + messages.first());
-  }
-}
-
-// The outputs of a run: checked before it starts, given their names when it is over.
+// The outputs that are written after the computation: checked before it starts, given their names
+// when all is over.
 class Outputs
 {
 public:
@@ -110,15 +51,7 @@ public:
     for (Entry& entry : entries_)
     {
       throwIfInterrupted();
-      try
-      {
-        entry.write(entry.file.open());
-      }
-      catch (const Failure& failure)
-      {
-        throw Failure(failure.exitCode(),
-          entry.file.path().string() + ": cannot be written: " + failure.what());
-      }
+      namingFile(entry.file.path(), [&] { entry.write(entry.file.open()); });
     }
     throwIfInterrupted();
   }
@@ -147,29 +80,51 @@ private:
   std::list<Entry> entries_;
 };
 
+// The field goes to disk meanwhile.
+Result computeFrom(vtkPolyData* mesh, const Options& options, std::optional<FieldOutput>& field,
+  ProgressBar& bar)
+{
+  Result result = prepare(mesh, options);
+  if (!field)
+  {
+    compute(options, nullptr, bar, result);
+    return result;
+  }
+  field->begin(result.grid);
+  compute(options, &*field, bar, result);
+  field->finish();
+  return result;
+}
+
 } // namespace
 
 void run(const Options& options)
 {
   const Clock::time_point start = Clock::now();
-  vtkNew<vtkMedialAxis> filter;
   vtkSmartPointer<vtkPolyData> mesh;
+  Result result;
   AppSeconds seconds;
   Clock::time_point writeStart;
 
+  std::optional<FieldOutput> field;
+  if (!options.field.empty())
+  {
+    field.emplace(options.field);
+  }
+  const auto stop = [&]
+  {
+    seconds.write = secondsSince(writeStart) + (field ? field->seconds() : 0.0);
+    seconds.total = secondsSince(start);
+  };
   Outputs outputs;
   outputs.add(options.output,
-    [&](const auto& file) { writeAxis(filter->GetOutput(), file, options.output.extension()); });
-  outputs.add(options.field,
-    [&](const auto& file) { writeField(filter->GetDistanceField(), file); });
-  outputs.add(options.image,
-    [&](const auto& file) { drawPicture(mesh, filter->GetOutput(), file); });
+    [&](const auto& file) { writeAxis(result.axis, file, options.output.extension()); });
+  outputs.add(options.image, [&](const auto& file) { drawPicture(mesh, result.axis, file); });
   outputs.add(options.report,
     [&](const auto& file)
     {
-      seconds.write = secondsSince(writeStart);
-      seconds.total = secondsSince(start);
-      writeReport(makeReport(filter, options.input, seconds), file);
+      stop();
+      writeReport(makeReport(result, options.input, seconds), file);
     });
 
   ProgressBar bar(options.quiet);
@@ -182,20 +137,21 @@ void run(const Options& options)
   seconds.read = secondsSince(start);
   throwIfInterrupted();
 
-  applyOptions(options, filter);
-  filter->SetInputDataObject(mesh);
-  execute(filter, options, bar);
+  result = computeFrom(mesh, options, field, bar);
 
   writeStart = Clock::now();
   bar.show(1.0, "writing");
   outputs.write();
   outputs.commit();
-  seconds.write = secondsSince(writeStart);
-  seconds.total = secondsSince(start);
+  if (field)
+  {
+    field->commit();
+  }
+  stop();
   bar.clear();
   if (!options.quiet)
   {
-    printSummary(options, filter, seconds);
+    printSummary(options, result, seconds);
   }
 }
 

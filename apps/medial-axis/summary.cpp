@@ -1,8 +1,5 @@
 #include "summary.h"
 
-#include "text_cursor.h"
-
-#include <vtkImageData.h>
 #include <vtkPolyData.h>
 
 #include <cstdio>
@@ -13,33 +10,27 @@ namespace medial::app
 namespace
 {
 
-void printMesh(const Options& options, vtkMedialAxis* filter)
+void printMesh(const Options& options, const Result& result)
 {
-  std::printf("mesh      %s: %lld triangles, %lld vertices, %lld component%s, %s\n",
-    options.input.c_str(), static_cast<long long>(filter->GetNumberOfTriangles()),
-    static_cast<long long>(filter->GetNumberOfVertices()),
-    static_cast<long long>(filter->GetNumberOfComponents()),
-    filter->GetNumberOfComponents() == 1 ? "" : "s", filter->GetClosed() ? "closed" : "not closed");
+  const auto components = static_cast<long long>(result.topology.components);
+  std::printf("mesh      %s: %zu triangles, %zu vertices, %lld component%s, %s\n",
+    options.input.c_str(), result.mesh.triangles.size(), result.mesh.points.size(), components,
+    components == 1 ? "" : "s", result.topology.closed() ? "closed" : "not closed");
 }
 
-void printGrid(vtkMedialAxis* filter)
+void printGrid(const Result& result)
 {
-  int dimensions[3];
-  double spacing[3];
-  filter->GetUsedDimensions(dimensions);
-  filter->GetUsedSpacing(spacing);
-  std::printf("grid      %d x %d x %d points, spacing %.4g, sign: %s\n", dimensions[0],
-    dimensions[1], dimensions[2], spacing[0],
-    lowerCase(filter->GetUsedSignMethodAsString()).c_str());
+  const Grid& grid = result.grid;
+  std::printf("grid      %d x %d x %d points, spacing %.4g, sign: %s\n", grid.dimensions[0],
+    grid.dimensions[1], grid.dimensions[2], grid.spacing[0], nameOf(result.sign).c_str());
 }
 
-void printSeconds(vtkMedialAxis* filter, const AppSeconds& seconds)
+void printSeconds(const RunStatistics::Seconds& run, const AppSeconds& app)
 {
   std::printf("seconds   read %.2f, sites %.2f, cull %.2f, polygons %.2f, draw %.2f, resolve %.2f, "
               "medial %.2f, write %.2f, total %.2f\n",
-    seconds.read, filter->GetSitesSeconds(), filter->GetCullSeconds(), filter->GetPolygonsSeconds(),
-    filter->GetDrawSeconds(), filter->GetResolveSeconds(), filter->GetMedialSeconds(),
-    seconds.write, seconds.total);
+    app.read, run.sites, run.cull, run.polygons, run.draw, run.resolve, run.medial, app.write,
+    app.total);
 }
 
 void printFile(const std::filesystem::path& path, const std::string& content)
@@ -50,9 +41,9 @@ void printFile(const std::filesystem::path& path, const std::string& content)
   }
 }
 
-void printOutputs(const Options& options, vtkMedialAxis* filter)
+void printOutputs(const Options& options, const Result& result)
 {
-  vtkPolyData* axis = filter->GetOutput();
+  vtkPolyData* axis = result.axis;
   printFile(options.output,
     "medial axis, " + std::to_string(axis->GetNumberOfPoints()) + " points, " +
       std::to_string(axis->GetNumberOfCells()) + " cells");
@@ -61,24 +52,25 @@ void printOutputs(const Options& options, vtkMedialAxis* filter)
   printFile(options.report, "report of the run");
 }
 
-const char* whyUnsigned(const Options& options, vtkMedialAxis* filter)
+const char* whyUnsigned(const Options& options, const Result& result)
 {
-  if (options.signMethod == vtkMedialAxis::SIGN_NONE)
+  if (options.signMethod == SignMethod::None)
   {
     return "sign method none";
   }
-  return filter->GetClosed() ? "the mesh is not consistently oriented" : "the mesh is not closed";
+  return result.topology.closed() ? "the mesh is not consistently oriented"
+                                  : "the mesh is not closed";
 }
 
-void printNotes(const Options& options, vtkMedialAxis* filter)
+void printNotes(const Options& options, const Result& result)
 {
-  if (filter->GetUsedSide() != options.side)
+  if (result.side != options.side)
   {
     std::fprintf(stderr,
       "medial-axis: note: %s: the distance is unsigned (%s), so the axis is that of both sides\n",
-      options.input.c_str(), whyUnsigned(options, filter));
+      options.input.c_str(), whyUnsigned(options, result));
   }
-  if (filter->GetOutput()->GetNumberOfPoints() == 0)
+  if (result.axis->GetNumberOfPoints() == 0)
   {
     std::fprintf(stderr,
       "medial-axis: note: %s: no point of the grid has a separation angle of %g degrees or more\n",
@@ -88,15 +80,18 @@ void printNotes(const Options& options, vtkMedialAxis* filter)
 
 } // namespace
 
-void printSummary(const Options& options, vtkMedialAxis* filter, const AppSeconds& seconds)
+void printSummary(const Options& options, const Result& result, const AppSeconds& seconds)
 {
-  printNotes(options, filter);
-  printMesh(options, filter);
-  printGrid(filter);
-  std::printf("renderer  %s%s\n", filter->GetRenderer(),
-    filter->GetSoftwareRenderer() ? " (software)" : "");
-  printSeconds(filter, seconds);
-  printOutputs(options, filter);
+  if (options.wantsAxis())
+  {
+    printNotes(options, result);
+  }
+  printMesh(options, result);
+  printGrid(result);
+  const Device& device = result.statistics.device;
+  std::printf("renderer  %s%s\n", device.renderer.c_str(), device.software ? " (software)" : "");
+  printSeconds(result.statistics.seconds, seconds);
+  printOutputs(options, result);
 }
 
 } // namespace medial::app

@@ -1,21 +1,23 @@
 #include "validators.h"
 
+#include <algorithm>
+
 namespace medial::app
 {
 
-CLI::Validator oneOf(const Names& names)
+CLI::Validator oneOf(const std::vector<std::string>& words)
 {
   return CLI::Validator(
-    [names](std::string& word)
+    [words](std::string& word)
     {
-      if (names.count(word) > 0)
+      if (std::find(words.begin(), words.end(), word) != words.end())
       {
         return std::string();
       }
       std::string allowed;
-      for (const auto& name : names)
+      for (const std::string& one : words)
       {
-        allowed += (allowed.empty() ? "" : ", ") + name.first;
+        allowed += (allowed.empty() ? "" : ", ") + one;
       }
       return "'" + word + "' is not one of " + allowed;
     },

@@ -4,15 +4,28 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 namespace medial::app
 {
 
 /// The words that an option takes, with their values.
-using Names = std::map<std::string, int>;
+template <typename T>
+using Names = std::map<std::string, T>;
 
-/// Accepts the names only; the message lists them.
-CLI::Validator oneOf(const Names& names);
+/// Accepts the words only; the message lists them.
+CLI::Validator oneOf(const std::vector<std::string>& words);
+
+template <typename T>
+CLI::Validator oneOf(const Names<T>& names)
+{
+  std::vector<std::string> words;
+  for (const auto& name : names)
+  {
+    words.push_back(name.first);
+  }
+  return oneOf(words);
+}
 
 /// Accepts numbers for which `inside` holds; the message gives the value and `interval`.
 template <typename T>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "medial/common/grid.h"
+#include "medial/distance/distance_field.h"
 #include "medial/mesh/triangle_mesh.h"
 
 #include <cstdint>
@@ -37,7 +38,7 @@ public:
 };
 
 // One factory a method; those of peers exist only where CMake found the library.
-std::unique_ptr<FieldMethod> makeMedialMethod();
+std::unique_ptr<FieldMethod> makeMedialMethod(Evaluator evaluator);
 std::unique_ptr<FieldMethod> makePublishedMethod();
 std::unique_ptr<FieldMethod> makeHavocMethod();
 std::unique_ptr<FieldMethod> makeEmbreeMethod();

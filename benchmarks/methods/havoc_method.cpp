@@ -110,7 +110,7 @@ public:
   {
   }
 
-  std::string name() const override { return "havoc"; }
+  std::string name() const override { return "HAVOC, 1999"; }
 
   FieldResult compute(const TriangleMesh& mesh, const Grid& grid) override
   {

@@ -3,6 +3,8 @@
 #include "medial/common/stopwatch.h"
 #include "medial/distance/distance_field.h"
 
+#include <utility>
+
 namespace medial::benchmark
 {
 namespace
@@ -30,7 +32,15 @@ int triangleOfSite(std::int32_t site, const TriangleMesh& mesh, const MeshTopolo
 class MedialMethod final : public FieldMethod
 {
 public:
-  std::string name() const override { return "Medial"; }
+  explicit MedialMethod(Evaluator evaluator)
+    : evaluator_(evaluator)
+  {
+  }
+
+  std::string name() const override
+  {
+    return evaluator_ == Evaluator::Rasteriser ? "Medial, rasteriser" : "Medial";
+  }
 
   FieldResult compute(const TriangleMesh& mesh, const Grid& grid) override
   {
@@ -52,12 +62,13 @@ public:
         arrays.closestSite = sites.data();
         DistanceFieldOptions options;
         options.sign = SignMethod::None;
+        options.evaluator = evaluator_;
         statistics =
           computeDistanceField(mesh, topology, grid, grid.wholeExtent(), arrays, options);
       });
     this->report(statistics, topologySeconds, total, result);
     // Sites are the finer labels, and what is asked for; triangles only serve the comparison.
-    this->nameTriangles(sites, mesh, topology, result);
+    result.triangle = nameTriangles(std::move(sites), mesh, topology);
     return result;
   }
 
@@ -75,27 +86,32 @@ private:
     }
     // Less than zero where phases ran side by side.
     result.seconds.emplace_back("other", total - known);
-    result.figures = { { "fragments_per_voxel", statistics.fragmentsPerVoxel() },
+    const bool drawn = statistics.evaluator == Evaluator::Rasteriser;
+    result.figures = { { drawn ? "fragments_per_voxel" : "evaluations_per_voxel",
+                         statistics.fragmentsPerVoxel() },
       { "candidate_pairs", static_cast<double>(statistics.candidatePairs) },
       { "polygons", static_cast<double>(statistics.polygons) } };
   }
 
-  static void nameTriangles(const std::vector<std::int32_t>& sites, const TriangleMesh& mesh,
-    const MeshTopology& topology, FieldResult& result)
+  /// In place, so that the peak of memory is that of the field.
+  static std::vector<std::int32_t> nameTriangles(std::vector<std::int32_t> labels,
+    const TriangleMesh& mesh, const MeshTopology& topology)
   {
-    result.triangle.reserve(sites.size());
-    for (const std::int32_t site : sites)
+    for (std::int32_t& label : labels)
     {
-      result.triangle.push_back(site < 0 ? -1 : triangleOfSite(site, mesh, topology));
+      label = label < 0 ? -1 : triangleOfSite(label, mesh, topology);
     }
+    return labels;
   }
+
+  Evaluator evaluator_;
 };
 
 } // namespace
 
-std::unique_ptr<FieldMethod> makeMedialMethod()
+std::unique_ptr<FieldMethod> makeMedialMethod(Evaluator evaluator)
 {
-  return std::make_unique<MedialMethod>();
+  return std::make_unique<MedialMethod>(evaluator);
 }
 
 } // namespace medial::benchmark

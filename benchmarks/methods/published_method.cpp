@@ -148,7 +148,7 @@ private:
 class PublishedMethod : public FieldMethod
 {
 public:
-  std::string name() const override { return "published"; }
+  std::string name() const override { return "as published, 2006"; }
 
   FieldResult compute(const TriangleMesh& mesh, const Grid& grid) override
   {

@@ -6,7 +6,8 @@ namespace medial::benchmark
 const std::vector<MethodEntry>& availableMethods()
 {
   static const std::vector<MethodEntry> methods = {
-    { kMedialId, makeMedialMethod },
+    { kMedialId, [] { return makeMedialMethod(Evaluator::Auto); } },
+    { kRasterId, [] { return makeMedialMethod(Evaluator::Rasteriser); } },
     { "published", makePublishedMethod },
     { "havoc", makeHavocMethod },
 #ifdef MEDIAL_HAVE_EMBREE
@@ -28,8 +29,8 @@ const std::vector<MethodEntry>& availableMethods()
 
 const std::vector<std::string>& knownMethodIds()
 {
-  static const std::vector<std::string> ids = { kMedialId, "published", "havoc", "embree", "cgal",
-    "openvdb", "openvdb-band", "vtk" };
+  static const std::vector<std::string> ids = { kMedialId, kRasterId, "published", "havoc",
+    "embree", "cgal", "openvdb", "openvdb-band", "vtk" };
   return ids;
 }
 

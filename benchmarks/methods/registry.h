@@ -11,6 +11,8 @@ namespace medial::benchmark
 
 /// The id of our own method.
 constexpr char kMedialId[] = "medial";
+/// The same with OpenGL's rasteriser, also where OpenGL is software.
+constexpr char kRasterId[] = "medial-raster";
 
 struct MethodEntry
 {

@@ -1,5 +1,7 @@
 #include "output/plot.h"
 
+#include "output/temporary_folder.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -7,8 +9,6 @@
 #include <limits>
 #include <sstream>
 #include <stdexcept>
-
-#include <unistd.h>
 
 namespace medial::benchmark
 {
@@ -21,33 +21,6 @@ namespace fs = std::filesystem;
 const char* const kColours[] = { "#c8102e", "#1f5fa8", "#2e8b57", "#e69f00", "#7b4ea3", "#56b4e9",
   "#555555", "#a0785a" };
 constexpr std::size_t kColourCount = sizeof(kColours) / sizeof(kColours[0]);
-
-/// A folder that goes away with its contents.
-class TemporaryFolder
-{
-public:
-  TemporaryFolder()
-  {
-    std::string pattern = (fs::temp_directory_path() / "medial-plot-XXXXXX").string();
-    if (!mkdtemp(pattern.data()))
-    {
-      throw std::runtime_error("cannot make a temporary folder for a plot");
-    }
-    path_ = pattern;
-  }
-  ~TemporaryFolder()
-  {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  const fs::path& path() const { return path_; }
-
-private:
-  fs::path path_;
-};
 
 /// Single quotes are doubled in gnuplot's single-quoted text.
 std::string quoted(const std::string& text)

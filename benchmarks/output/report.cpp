@@ -59,6 +59,10 @@ json toJson(const MethodRun& run)
   {
     object["median_ratio"] = median(run.ratios);
   }
+  if (run.peakBytes)
+  {
+    object["peak_bytes"] = *run.peakBytes;
+  }
   if (run.accuracy)
   {
     object["accuracy"] = toJson(*run.accuracy);
@@ -77,6 +81,7 @@ json toJson(const MethodRun& run)
 json toJson(const Row& row)
 {
   json object = { { "mesh", row.mesh }, { "note", row.note }, { "triangles", row.triangles },
+    { "output_bytes", row.outputBytes() },
     { "grid",
       { { "dimensions", row.grid.dimensions }, { "spacing", row.grid.spacing },
         { "origin", row.grid.origin } } },
@@ -88,6 +93,11 @@ json toJson(const Row& row)
   return object;
 }
 
+constexpr char kFieldsHow[] =
+  "Seconds are wall-clock, from a mesh in memory to unsigned distances and closest triangles "
+  "(Medial: closest sites) in memory, on all cores. Errors are in voxels, against double precision "
+  "at random grid points.";
+
 std::string markdown(const SuiteReport& report, const Machine& machine)
 {
   std::ostringstream text;
@@ -96,10 +106,9 @@ std::string markdown(const SuiteReport& report, const Machine& machine)
        << ", " << machine.cores << " cores" << (machine.processor.empty() ? "" : " (")
        << machine.processor << (machine.processor.empty() ? "" : ")") << ", " << machine.date
        << ". Median of " << report.rounds << (report.rounds == 1 ? " round" : " rounds")
-       << " in which all methods take turns; ratios are medians of the rounds' ratios. Seconds are"
-          " wall-clock, from a mesh in memory to unsigned distances and closest triangles (Medial: "
-          "closest sites) in memory, on all cores. Errors are in voxels, against double precision "
-          "at random grid points.\n\n";
+       << " in which all methods take turns, slow ones in fewer; ratios are medians of the rounds' "
+          "ratios. "
+       << (report.how.empty() ? kFieldsHow : report.how) << "\n\n";
   for (const std::string& note : report.notes)
   {
     text << "- " << note << '\n';
@@ -113,21 +122,29 @@ std::string markdown(const SuiteReport& report, const Machine& machine)
   {
     text << "![" << plot.title << "](" << plot.name << ".svg)\n\n";
   }
-  for (std::size_t i = 0; i < report.tables.size(); ++i)
+  std::vector<Table> tables = report.tables;
+  if (!report.targets.empty())
   {
-    text << (i == 0 ? "" : "\n") << report.tables[i].markdown();
+    tables.insert(tables.begin(), targetTable(report.targets));
+  }
+  for (std::size_t i = 0; i < tables.size(); ++i)
+  {
+    text << (i == 0 ? "" : "\n") << tables[i].markdown();
   }
   return text.str();
 }
 
 void write(const fs::path& path, const std::string& content)
 {
-  std::ofstream file(path);
+  const fs::path part = path.string() + ".part";
+  std::ofstream file(part);
   file << content;
   if (!file.flush())
   {
-    throw std::runtime_error("cannot write " + path.string());
+    throw std::runtime_error("cannot write " + part.string());
   }
+  file.close();
+  fs::rename(part, path);
 }
 
 /// Draws what can be drawn; the tables do not depend on it.
@@ -156,7 +173,11 @@ void writeReport(const SuiteReport& report, const Machine& machine, const fs::pa
   fs::create_directories(folder);
   json object = { { "suite", report.name }, { "title", report.title }, { "notes", report.notes },
     { "machine", toJson(machine) }, { "rounds", report.rounds }, { "figures", report.figures },
-    { "rows", json::array() } };
+    { "targets", json::array() }, { "rows", json::array() } };
+  for (const Target& target : report.targets)
+  {
+    object["targets"].push_back(toJson(target));
+  }
   for (const Row& row : report.rows)
   {
     object["rows"].push_back(toJson(row));

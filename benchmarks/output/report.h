@@ -3,6 +3,7 @@
 #include "output/machine.h"
 #include "output/plot.h"
 #include "output/table.h"
+#include "output/target.h"
 
 #include <nlohmann/json.hpp>
 
@@ -19,8 +20,10 @@ struct SuiteReport
   std::string name;  ///< stem of the files
   std::string title; ///< one line
   int rounds = 1;    ///< in which the methods took turns
+  std::string how;   ///< what was timed; empty for whole distance fields
   std::vector<std::string> notes;
   std::vector<Row> rows;
+  std::vector<Target> targets;
   std::vector<Table> tables;
   std::vector<CurvePlot> curves;
   std::vector<BarPlot> bars;
@@ -28,7 +31,7 @@ struct SuiteReport
 };
 
 /// Writes NAME.json, NAME.md and the plots. Plots are left out, with a line on stderr, where they
-/// cannot be drawn.
+/// cannot be drawn. Files that are there already are replaced when the new ones are complete.
 /// @throws std::runtime_error when a file cannot be written.
 void writeReport(const SuiteReport& report, const Machine& machine,
   const std::filesystem::path& folder);

@@ -42,7 +42,7 @@ std::string remarks(const MethodRun& run)
 std::vector<std::string> methodCells(const Row& row, const MethodRun& run)
 {
   std::vector<std::string> cells = { meshText(row), thousands(row.triangles),
-    dimensionsText(row.grid), run.name, secondsText(run) };
+    dimensionsText(row.grid), run.name, secondsText(run, row.rounds) };
   cells.push_back(number(run.medianPhase("build"), 2));
   cells.push_back(number(median(run.ratios)));
   if (run.accuracy)
@@ -55,11 +55,39 @@ std::vector<std::string> methodCells(const Row& row, const MethodRun& run)
   {
     cells.insert(cells.end(), 3, "-");
   }
+  cells.push_back(run.peakBytes ? number(*run.peakBytes / 1e6) : "-");
   cells.push_back(remarks(run));
   return cells;
 }
 
+std::string millions(double value)
+{
+  return std::isfinite(value) && value > 0.0 ? number(value / 1e6) + " M" : "-";
+}
+
+std::vector<std::string> phaseCells(const Row& row, const MethodRun& run,
+  const std::vector<std::string>& phases)
+{
+  std::vector<std::string> cells = { row.mesh, dimensionsText(row.grid), run.name };
+  for (const std::string& phase : phases)
+  {
+    cells.push_back(number(run.medianPhase(phase)));
+  }
+  cells.push_back(percent(geometryShare(run)));
+  cells.push_back(number(run.figure("fragments_per_voxel")));
+  cells.push_back(number(run.figure("evaluations_per_voxel")));
+  cells.push_back(millions(run.figure("candidate_pairs")));
+  cells.push_back(millions(run.figure("polygons")));
+  return cells;
+}
+
 } // namespace
+
+double geometryShare(const MethodRun& run)
+{
+  return (run.medianPhase("sites") + run.medianPhase("cull") + run.medianPhase("polygons")) /
+    run.medianSeconds();
+}
 
 std::string Table::markdown() const
 {
@@ -124,7 +152,7 @@ std::string dimensionsText(const Grid& grid)
   return std::to_string(d[0]) + "x" + std::to_string(d[1]) + "x" + std::to_string(d[2]);
 }
 
-std::string secondsText(const MethodRun& run)
+std::string secondsText(const MethodRun& run, int rounds)
 {
   if (!run.failure.empty())
   {
@@ -140,6 +168,10 @@ std::string secondsText(const MethodRun& run)
   {
     text += " (" + number(quantile(totals, 0.0)) + "-" + number(quantile(totals, 1.0)) + ")";
   }
+  if (static_cast<int>(totals.size()) < rounds)
+  {
+    text += ", " + std::to_string(totals.size()) + (totals.size() == 1 ? " run" : " runs");
+  }
   return text;
 }
 
@@ -147,7 +179,7 @@ Table methodTable(const std::vector<Row>& rows)
 {
   Table table;
   table.columns = { "mesh", "triangles", "grid", "method", "seconds (min-max)", "of these, build",
-    "ratio to Medial", "greatest error", "99.99 % below", "wrong triangles", "" };
+    "ratio to Medial", "greatest error", "99.99 % below", "wrong triangles", "peak MB", "" };
   for (const Row& row : rows)
   {
     for (const MethodRun& run : row.runs)
@@ -163,32 +195,27 @@ Table phaseTable(const std::vector<Row>& rows)
   const std::vector<std::string> phases = { "topology", "sites", "cull", "polygons", "draw",
     "resolve", "other" };
   Table table;
-  table.title = "Medial's phases, median seconds:";
-  table.columns = { "mesh", "grid" };
+  table.title =
+    "Medial's phases, median seconds (the processor culls and evaluates, under \"draw\", "
+    "in one go; it has no polygons). Fragments are those of the rasteriser before its "
+    "depth test, evaluations the pairs of site and grid point that the processor "
+    "computes:";
+  table.columns = { "mesh", "grid", "method" };
   table.columns.insert(table.columns.end(), phases.begin(), phases.end());
-  for (const char* column : { "sites + cull + polygons", "fragments/voxel", "pairs", "polygons" })
+  for (const char* column :
+    { "sites + cull + polygons", "fragments/voxel", "evaluations/voxel", "pairs", "polygons" })
   {
     table.columns.emplace_back(column);
   }
   for (const Row& row : rows)
   {
-    const MethodRun* ours = row.find(kMedialId);
-    if (!ours || ours->samples.empty())
+    for (const MethodRun& run : row.runs)
     {
-      continue;
+      if ((run.id == kMedialId || run.id == kRasterId) && !run.samples.empty())
+      {
+        table.rows.push_back(phaseCells(row, run, phases));
+      }
     }
-    std::vector<std::string> cells = { row.mesh, dimensionsText(row.grid) };
-    for (const std::string& phase : phases)
-    {
-      cells.push_back(number(ours->medianPhase(phase)));
-    }
-    const double geometry =
-      ours->medianPhase("sites") + ours->medianPhase("cull") + ours->medianPhase("polygons");
-    cells.push_back(percent(geometry / ours->medianSeconds()));
-    cells.push_back(number(ours->figure("fragments_per_voxel")));
-    cells.push_back(number(ours->figure("candidate_pairs") / 1e6) + " M");
-    cells.push_back(number(ours->figure("polygons") / 1e6) + " M");
-    table.rows.push_back(cells);
   }
   return table;
 }

@@ -23,13 +23,17 @@ std::string number(double value, int digits = 3);
 std::string thousands(std::int64_t value); ///< 12,345
 std::string dimensionsText(const Grid& grid);
 
-/// Seconds as "0.71 (0.70-0.74)"; a prediction as "~ 210, not run"; or the failure.
-std::string secondsText(const MethodRun& run);
+/// Seconds as "0.71 (0.70-0.74)", with the number of runs where there were fewer than rounds; a
+/// prediction as "~ 210, not run"; or the failure.
+std::string secondsText(const MethodRun& run, int rounds);
 
-/// One line for each mesh and method: seconds, ratio to ours, errors.
+/// The part of our seconds that goes into sites, culling and polygons; NaN without samples.
+double geometryShare(const MethodRun& run);
+
+/// One line for each mesh and method: seconds, ratio to ours, errors, memory.
 Table methodTable(const std::vector<Row>& rows);
 
-/// One line a mesh: seconds of our phases, and how much was drawn.
+/// One line for each mesh and evaluator: seconds of our phases, and how much was drawn.
 Table phaseTable(const std::vector<Row>& rows);
 
 } // namespace medial::benchmark

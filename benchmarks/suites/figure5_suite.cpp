@@ -10,8 +10,9 @@ namespace
 
 /// Fits leave out the coarsest grids, whose time is that of the triangles.
 constexpr int kFitFrom = 64;
-/// Resolution from which on the slow methods are left out.
-constexpr int kBaselinesUpTo = 128;
+constexpr int kFinest = 512;
+/// Greatest exponent that Medial is to have.
+constexpr double kTargetExponent = 1.05;
 
 int longestAxis(const Grid& grid)
 {
@@ -21,7 +22,7 @@ int longestAxis(const Grid& grid)
 std::vector<int> resolutions(const SuiteContext& context)
 {
   std::vector<int> result;
-  for (int resolution = 32; resolution <= 512; resolution *= 2)
+  for (int resolution = 32; resolution <= kFinest; resolution *= 2)
   {
     if (context.options().resolution == 0 || resolution <= context.options().resolution)
     {
@@ -68,47 +69,90 @@ CurvePlot plotOf(const std::vector<Row>& rows, const std::vector<std::string>& m
   return plot;
 }
 
+/// What was too slow, or failed, at one resolution would be so at the next.
+void leaveOutSlow(const Row& row, std::vector<std::string>& methods)
+{
+  const auto slow = [&](const std::string& id)
+  {
+    const MethodRun* run = row.find(id);
+    return run && run->samples.empty();
+  };
+  methods.erase(std::remove_if(methods.begin(), methods.end(), slow), methods.end());
+}
+
+/// The rows of each mesh, in order.
+std::vector<std::vector<Row>> byMesh(const std::vector<Row>& rows)
+{
+  std::vector<std::vector<Row>> groups;
+  for (const Row& row : rows)
+  {
+    if (groups.empty() || groups.back().front().mesh != row.mesh)
+    {
+      groups.emplace_back();
+    }
+    groups.back().push_back(row);
+  }
+  return groups;
+}
+
+/// Plots, fits, targets and tables of the rows measured so far.
+void describe(const SuiteContext& context, const std::vector<std::string>& methods,
+  SuiteReport& report)
+{
+  const std::vector<std::string> fitted = { kMedialId, kRasterId, "embree" };
+  Table fits;
+  fits.title = "Time grows with the number of grid points to this power:";
+  fits.columns = { "mesh", "Medial", "Medial, rasteriser", "Embree" };
+  report.curves.clear();
+  report.targets.clear();
+  for (const std::vector<Row>& rows : byMesh(report.rows))
+  {
+    const std::string& mesh = rows.front().mesh;
+    fits.rows.push_back({ mesh });
+    for (const std::string& id : fitted)
+    {
+      const double exponent = exponentAgainstVoxels(rows, id);
+      report.figures[mesh]["exponent_" + id] = exponent;
+      fits.rows.back().push_back(number(exponent));
+    }
+    const bool whole = longestAxis(rows.back().grid) == kFinest;
+    report.targets.push_back(
+      { mesh, "Medial's exponent, grids of 64 to 512", Target::Kind::AtMost, kTargetExponent,
+        exponentAgainstVoxels(rows, kMedialId), whole && context.targetsApply(rows.front()) });
+    report.curves.push_back(plotOf(rows, methods));
+  }
+  report.tables = { fits, methodTable(report.rows), phaseTable(report.rows) };
+  report.tables[1].title = "All samples:";
+}
+
 } // namespace
 
-SuiteReport runFigure5(const SuiteContext& context)
+void runFigure5(const SuiteContext& context)
 {
-  const std::vector<std::string> methods = { kMedialId, "embree", "published", "havoc" };
+  const std::vector<std::string> methods = { kMedialId, kRasterId, "embree", "published", "havoc" };
   SuiteReport report;
   report.name = "figure5";
   report.title = "Time against resolution";
   report.rounds = context.options().repeats;
   report.notes = { "Fits are of time against the number of grid points, for " +
-    std::to_string(kFitFrom) + " and more points along the longest axis." };
+      std::to_string(kFitFrom) + " and more points along the longest axis.",
+    "A method that would take more than " + number(context.options().timeCap) +
+      " s on one grid is left out of the finer ones." };
   SuiteContext::noteAbsent(methods, report);
-  Table fits;
-  fits.title = "Time grows with the number of grid points to this power:";
-  fits.columns = { "mesh", "Medial", "Embree" };
   for (const MeshRequest& mesh : { triceratops(), gargoyle(), bunny() })
   {
-    std::vector<Row> rows;
+    std::vector<std::string> allowed = methods;
     for (const int resolution : resolutions(context))
     {
-      const std::vector<std::string> allowed =
-        resolution <= kBaselinesUpTo ? methods : std::vector<std::string>{ kMedialId, "embree" };
       if (auto row = context.measure(mesh, gridOfResolution(resolution), allowed))
       {
-        rows.push_back(std::move(*row));
+        leaveOutSlow(*row, allowed);
+        report.rows.push_back(std::move(*row));
+        describe(context, methods, report);
+        context.publish(report);
       }
     }
-    if (rows.empty())
-    {
-      continue;
-    }
-    const double ours = exponentAgainstVoxels(rows, kMedialId);
-    const double embree = exponentAgainstVoxels(rows, "embree");
-    report.figures[mesh.name] = { { "exponent_medial", ours }, { "exponent_embree", embree } };
-    fits.rows.push_back({ mesh.name, number(ours), number(embree) });
-    report.curves.push_back(plotOf(rows, methods));
-    std::move(rows.begin(), rows.end(), std::back_inserter(report.rows));
   }
-  report.tables = { fits, methodTable(report.rows), phaseTable(report.rows) };
-  report.tables[1].title = "All samples:";
-  return report;
 }
 
 } // namespace medial::benchmark

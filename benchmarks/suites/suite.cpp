@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <utility>
 
 namespace medial::benchmark
 {
@@ -21,7 +22,7 @@ void tell(const Row& row)
   std::cerr << row.mesh << ' ' << dimensionsText(row.grid) << ", seconds\n";
   for (const MethodRun& run : row.runs)
   {
-    std::cerr << "  " << run.name << ": " << secondsText(run) << '\n';
+    std::cerr << "  " << run.name << ": " << secondsText(run, row.rounds) << '\n';
   }
 }
 
@@ -29,14 +30,25 @@ constexpr int kQuickTriangles = 600;
 
 } // namespace
 
-SuiteContext::SuiteContext(const Options& options)
+SuiteContext::SuiteContext(const Options& options, Publish publish)
   : options_(options)
+  , publish_(std::move(publish))
 {
+}
+
+bool SuiteContext::wantsMesh(const std::string& name) const
+{
+  return allows(options_.meshes, name);
+}
+
+bool SuiteContext::targetsApply(const Row& row) const
+{
+  return row.note.empty() && options_.resolution == 0;
 }
 
 MeasurementOptions SuiteContext::measurement() const
 {
-  return { options_.repeats, options_.timeCap, options_.checkedPoints };
+  return { options_.repeats, options_.timeCap, options_.budget, options_.checkedPoints, {} };
 }
 
 int SuiteContext::resolution(int own) const
@@ -61,13 +73,15 @@ std::vector<MethodEntry> SuiteContext::choose(const std::vector<std::string>& me
 std::optional<Row> SuiteContext::measure(const MeshRequest& request, const MakeGrid& makeGrid,
   const std::vector<std::string>& methodIds, const MeasurementOptions& options) const
 {
-  if (!allows(options_.meshes, request.name))
+  if (!this->wantsMesh(request.name))
   {
     return std::nullopt;
   }
   MeshRequest small = request;
-  small.triangles =
-    options_.quick ? std::min(request.triangles, kQuickTriangles) : request.triangles;
+  if (options_.quick && !request.file.empty())
+  {
+    small.triangles = std::min(request.triangles, kQuickTriangles);
+  }
   const BenchmarkMesh input = provideMesh(small, options_.quick);
   Row row = measureRow(input.mesh, makeGrid(input.mesh), this->choose(methodIds), options);
   row.mesh = request.name;
@@ -159,7 +173,8 @@ double exponentOf(const CurvePlot::Curve& curve, double least)
 const std::vector<SuiteEntry>& suites()
 {
   static const std::vector<SuiteEntry> entries = { { "peers", runPeers }, { "table1", runTable1 },
-    { "figure5", runFigure5 }, { "triangles", runTriangles }, { "figure6", runFigure6 } };
+    { "figure5", runFigure5 }, { "triangles", runTriangles }, { "figure6", runFigure6 },
+    { "frames", runFrames } };
   return entries;
 }
 

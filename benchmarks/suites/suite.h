@@ -12,16 +12,27 @@
 namespace medial::benchmark
 {
 
-/// What suites share: choosing methods and meshes as the options say, and measuring them.
+/// What suites share: choosing methods and meshes as the options say, measuring them, and where
+/// reports go.
 class SuiteContext
 {
 public:
   using MakeGrid = std::function<Grid(const TriangleMesh&)>;
+  using Publish = std::function<void(const SuiteReport&)>;
 
-  explicit SuiteContext(const Options& options);
+  SuiteContext(const Options& options, Publish publish);
 
   const Options& options() const { return options_; }
   MeasurementOptions measurement() const;
+
+  /// Writes a report as far as it has come. Suites do so after every row, so that a run that is
+  /// ended early leaves what it has.
+  void publish(const SuiteReport& report) const { publish_(report); }
+
+  bool wantsMesh(const std::string& name) const;
+
+  /// True for a row of the mesh and grid that targets were set for.
+  bool targetsApply(const Row& row) const;
 
   /// The suite's own resolution, unless the options name one.
   int resolution(int own) const;
@@ -40,6 +51,7 @@ private:
   std::vector<MethodEntry> choose(const std::vector<std::string>& methodIds) const;
 
   const Options& options_;
+  Publish publish_;
 };
 
 /// A grid of so many points along the longest axis of the padded bounds.
@@ -62,21 +74,23 @@ MeshRequest shellCharge();
 struct SuiteEntry
 {
   std::string name;
-  SuiteReport (*run)(const SuiteContext&);
+  void (*run)(const SuiteContext&);
 };
 
 const std::vector<SuiteEntry>& suites();
 
 /// Medial and peers that exist as libraries, on meshes from 1,500 to 100,000 triangles.
-SuiteReport runPeers(const SuiteContext& context);
+void runPeers(const SuiteContext& context);
 /// The meshes and grids of the paper's table 1, with Medial, the method as published, its
 /// predecessor HAVOC, and Embree.
-SuiteReport runTable1(const SuiteContext& context);
+void runTable1(const SuiteContext& context);
 /// Time against resolution.
-SuiteReport runFigure5(const SuiteContext& context);
+void runFigure5(const SuiteContext& context);
 /// Time against the number of triangles.
-SuiteReport runTriangles(const SuiteContext& context);
+void runTriangles(const SuiteContext& context);
 /// Errors of distances and labels.
-SuiteReport runFigure6(const SuiteContext& context);
+void runFigure6(const SuiteContext& context);
+/// A deforming mesh: what frames share against a fresh computation of each.
+void runFrames(const SuiteContext& context);
 
 } // namespace medial::benchmark

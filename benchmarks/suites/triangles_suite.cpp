@@ -14,11 +14,38 @@ double trianglesOf(const Row& row)
 constexpr double kFitFrom = 10000.0;
 constexpr int kMostTriangles = 200000;
 
+/// Plot, fits and tables of the rows measured so far.
+void describe(const std::vector<std::string>& methods, int resolution, SuiteReport& report)
+{
+  CurvePlot plot;
+  plot.name = "triangles";
+  plot.title =
+    "Time against triangles, " + std::to_string(resolution) + " grid points along the longest axis";
+  plot.xLabel = "triangles";
+  plot.yLabel = "median time (s), bars from least to greatest";
+  Table fits;
+  fits.title = "Time grows with the number of triangles, from 10K on, to this power:";
+  fits.columns = { "method", "exponent" };
+  for (const std::string& id : methods)
+  {
+    if (const MethodRun* run = report.rows.front().find(id))
+    {
+      plot.curves.push_back(secondsCurve(report.rows, id, run->name, trianglesOf));
+      const double exponent = exponentOf(plot.curves.back(), kFitFrom);
+      report.figures["exponent_" + id] = exponent;
+      fits.rows.push_back({ run->name, number(exponent) });
+    }
+  }
+  report.curves = { plot };
+  report.tables = { fits, methodTable(report.rows), phaseTable(report.rows) };
+  report.tables[1].title = "All samples:";
+}
+
 } // namespace
 
-SuiteReport runTriangles(const SuiteContext& context)
+void runTriangles(const SuiteContext& context)
 {
-  const std::vector<std::string> methods = { kMedialId, "embree" };
+  const std::vector<std::string> methods = { kMedialId, kRasterId, "embree" };
   const int resolution = context.resolution(128);
   const Grid grid = makeGrid(bumpyTorus(kMostTriangles).bounds(), resolution);
   const auto sameGrid = [&](const TriangleMesh&) { return grid; };
@@ -38,32 +65,10 @@ SuiteReport runTriangles(const SuiteContext& context)
     if (auto row = context.measure(mesh, sameGrid, methods))
     {
       report.rows.push_back(std::move(*row));
+      describe(methods, resolution, report);
+      context.publish(report);
     }
   }
-  CurvePlot plot;
-  plot.name = "triangles";
-  plot.title =
-    "Time against triangles, " + std::to_string(resolution) + " grid points along the longest axis";
-  plot.xLabel = "triangles";
-  plot.yLabel = "median time (s), bars from least to greatest";
-  Table fits;
-  fits.title = "Time grows with the number of triangles, from 10K on, to this power:";
-  fits.columns = { "method", "exponent" };
-  for (const std::string& id : methods)
-  {
-    const MethodRun* run = report.rows.empty() ? nullptr : report.rows.front().find(id);
-    if (run)
-    {
-      plot.curves.push_back(secondsCurve(report.rows, id, run->name, trianglesOf));
-      const double exponent = exponentOf(plot.curves.back(), kFitFrom);
-      report.figures["exponent_" + id] = exponent;
-      fits.rows.push_back({ run->name, number(exponent) });
-    }
-  }
-  report.curves = { plot };
-  report.tables = { fits, methodTable(report.rows), phaseTable(report.rows) };
-  report.tables[1].title = "All samples:";
-  return report;
 }
 
 } // namespace medial::benchmark

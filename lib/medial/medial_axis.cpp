@@ -130,7 +130,7 @@ void checkAngle(double angle)
 }
 
 MedialAxis runPipeline(const TriangleMesh& mesh, const MeshTopology& topology, const Grid& grid,
-  const MedialAxisOptions& options, const FieldArrays& arrays, FieldMemory* memory)
+  const MedialAxisOptions& options, FieldSink& sink, FieldMemory* memory)
 {
   FieldPipeline pipeline(mesh, topology, grid, grid.wholeExtent(), options.field);
   if (memory != nullptr)
@@ -141,7 +141,6 @@ MedialAxis runPipeline(const TriangleMesh& mesh, const MeshTopology& topology, c
   axis.sign = pipeline.sign();
   axis.side = axis.sign == SignMethod::None ? Side::Both : options.side;
   StageProxy stage(options.angle, axis.side, pipeline.frame());
-  ArraySink sink(grid.wholeExtent(), arrays);
   pipeline.run(sink, &stage);
   pipeline.report(0.8, "medial axis");
   std::vector<Crossing> crossings = stage.takeCrossings();
@@ -166,12 +165,21 @@ MedialAxis runPipeline(const TriangleMesh& mesh, const MeshTopology& topology, c
 } // namespace
 
 MedialAxis computeMedialAxis(const TriangleMesh& mesh, const MeshTopology& topology,
+  const Grid& grid, const MedialAxisOptions& options, FieldSink& sink)
+{
+  checkAngle(options.angle);
+  return withMemoryErrors(grid.pointCount(),
+    [&] { return runPipeline(mesh, topology, grid, options, sink, nullptr); });
+}
+
+MedialAxis computeMedialAxis(const TriangleMesh& mesh, const MeshTopology& topology,
   const Grid& grid, const MedialAxisOptions& options, const FieldArrays& arrays,
   FieldMemory* memory)
 {
   checkAngle(options.angle);
+  ArraySink sink(grid.wholeExtent(), arrays);
   return withMemoryErrors(grid.pointCount(),
-    [&] { return runPipeline(mesh, topology, grid, options, arrays, memory); });
+    [&] { return runPipeline(mesh, topology, grid, options, sink, memory); });
 }
 
 MedialAxis computeMedialAxis(const TriangleMesh& mesh, const MeshTopology& topology,

@@ -78,6 +78,11 @@ struct MedialAxis
 MedialAxis computeMedialAxis(const TriangleMesh& mesh, const MeshTopology& topology,
   const Grid& grid, const MedialAxisOptions& options = {}, const FieldArrays& arrays = {});
 
+/// The same, with the distance field delivered slab by slab, for grids that memory cannot hold.
+/// Exceptions of the sink end the run and are passed on.
+MedialAxis computeMedialAxis(const TriangleMesh& mesh, const MeshTopology& topology,
+  const Grid& grid, const MedialAxisOptions& options, FieldSink& sink);
+
 /// The same for a mesh whose topology the caller has no use for.
 MedialAxis computeMedialAxis(const TriangleMesh& mesh, const Grid& grid,
   const MedialAxisOptions& options = {});

@@ -159,14 +159,15 @@ TEST_F(CommandFailure, FullDisk)
   options.fileSizeLimit = 4096;
   const std::vector<std::pair<std::string, std::string>> outputs = { { "-o", "axis.vtp" },
     { "-o", "axis.ply" }, { "-o", "axis.obj" }, { "-o", "axis.ma" }, { "--field", "field.vti" },
-    { "--image", "picture.png" } };
+    { "--field", "field.pvti" }, { "--image", "picture.png" } };
   for (const auto& [option, name] : outputs)
   {
     const std::string file = folder.file(name);
     writeFile(file, "old");
     const Outcome outcome = runMedialAxis({ input, option, file, "--resolution", "41" }, options);
     EXPECT_EQ(outcome.exitCode, kNoSpace) << name;
-    EXPECT_TRUE(contains(outcome.err, file + ": cannot be written: ")) << outcome.err;
+    const std::string culprit = name == "field.pvti" ? folder.file("field_0.vti") : file;
+    EXPECT_TRUE(contains(outcome.err, culprit + ": cannot be written: ")) << outcome.err;
     EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1) << outcome.err;
     EXPECT_EQ(readFile(file), "old");
     std::filesystem::remove(file);
@@ -175,13 +176,21 @@ TEST_F(CommandFailure, FullDisk)
   failure(kNoSpace, { input, "--resolution", "41" }, options);
 }
 
-TEST_F(CommandFailure, MoreMemoryThanThereIs)
+TEST_F(CommandFailure, FieldThatTheDiskCannotHold)
 {
   writeFile(input, objText(box({ 1.0, 1.0, 1.0 })));
-  // AddressSanitizer would end the program, and warns all the same.
   RunOptions options;
-  options.environment = { { "ASAN_OPTIONS",
-    "allocator_may_return_null=1:log_path=" + folder.file("warnings") } };
+  options.fileSizeLimit = 1L << 30; // should there be a disk that can
+  for (const char* name : { "field.vti", "field.pvti" })
+  {
+    writeFile(folder.file(name), "old");
+    const Outcome outcome =
+      runMedialAxis({ input, "--resolution", "8192", "--field", folder.file(name) }, options);
+    EXPECT_EQ(outcome.exitCode, kNoSpace) << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, ": cannot be written: ")) << outcome.err;
+    EXPECT_EQ(readFile(folder.file(name)), "old");
+  }
+  EXPECT_EQ(folder.list(), (std::vector<std::string>{ "box.obj", "field.pvti", "field.vti" }));
   failure(kNoSpace, { input, "--resolution", "8192" }, options);
 }
 
@@ -223,6 +232,24 @@ TEST_F(CommandFailure, InterruptLeavesNothingBehind)
   EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1) << outcome.err;
   EXPECT_EQ(folder.list(), (std::vector<std::string>{ "axis.vtp", "box.obj" }));
   EXPECT_EQ(readFile(folder.file("axis.vtp")), "old");
+}
+
+TEST_F(CommandFailure, InterruptLeavesNothingOfAField)
+{
+  writeFile(input, objText(icosphere(1.0, 5)));
+  for (const char* name : { "field.vti", "field.pvti" })
+  {
+    writeFile(folder.file(name), "old");
+    RunOptions options;
+    options.interruptAfter = 0.7;
+    const Outcome outcome =
+      runMedialAxis({ input, "--resolution", "450", "--field", folder.file(name) }, options);
+    EXPECT_EQ(outcome.exitCode, kInterrupted) << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, "interrupted")) << outcome.err;
+    EXPECT_EQ(readFile(folder.file(name)), "old");
+    std::filesystem::remove(folder.file(name));
+    EXPECT_EQ(folder.list(), std::vector<std::string>{ "box.obj" });
+  }
 }
 
 } // namespace

@@ -1,8 +1,14 @@
 #include "accuracy.h"
+#include "animation.h"
+#include "frame_race.h"
+#include "measurement.h"
+#include "memory_probe.h"
 #include "meshes.h"
 #include "methods/registry.h"
 #include "oracle.h"
 #include "output/table.h"
+#include "output/target.h"
+#include "output/temporary_folder.h"
 #include "statistics.h"
 
 #include "support/brute_force.h"
@@ -84,6 +90,65 @@ TEST(BenchmarkAccuracy, FindsWrongDistancesAndLabels)
   EXPECT_GT(*wrong.wrongLabels, 0.5);
 }
 
+TEST(BenchmarkTarget, VerdictsAreComputed)
+{
+  Target target{ "mesh", "what", Target::Kind::AtLeast, 7.0, 7.5, true };
+  EXPECT_EQ(target.verdict(), "met");
+  target.measured = 6.9;
+  EXPECT_EQ(target.verdict(), "missed");
+  target.kind = Target::Kind::AtMost;
+  EXPECT_EQ(target.verdict(), "met");
+  target.applies = false;
+  EXPECT_EQ(target.verdict(), "-");
+  target = { "mesh", "what", Target::Kind::AtMost, 1.0, std::nan(""), true };
+  EXPECT_EQ(target.verdict(), "-");
+}
+
+TEST(BenchmarkMemory, ProblemsPassThroughFiles)
+{
+  const TriangleMesh mesh = bumpyTorus(300);
+  const Grid grid = makeGrid(mesh.bounds(), 17);
+  const TemporaryFolder folder;
+  writeProblem(folder.path() / "problem", mesh, grid);
+  const Problem problem = readProblem(folder.path() / "problem");
+  EXPECT_EQ(problem.mesh.points, mesh.points);
+  EXPECT_EQ(problem.mesh.triangles, mesh.triangles);
+  EXPECT_EQ(problem.grid.dimensions, grid.dimensions);
+  EXPECT_EQ(problem.grid.origin, grid.origin);
+  EXPECT_THROW(readProblem(folder.path() / "nothing"), std::runtime_error);
+}
+
+TEST(BenchmarkRounds, SlowMethodsSitThemOut)
+{
+  const TriangleMesh mesh = bumpyTorus(300);
+  MeasurementOptions options;
+  options.repeats = 3;
+  options.checkedPoints = 10;
+  const std::vector<MethodEntry> methods{ availableMethods().front() };
+  const Grid grid = makeGrid(mesh.bounds(), 17);
+  EXPECT_EQ(measureRow(mesh, grid, methods, options).runs.at(0).samples.size(), 3U);
+  options.budget = 1e-9;
+  const Row row = measureRow(mesh, grid, methods, options);
+  EXPECT_EQ(row.runs.at(0).samples.size(), 1U);
+  EXPECT_NE(secondsText(row.runs[0], row.rounds).find(", 1 run"), std::string::npos);
+}
+
+TEST(BenchmarkFrames, BothWaysAgree)
+{
+  const Animation animation = provideAnimation(3, 300, true);
+  ASSERT_EQ(animation.frames.size(), 3U);
+  EXPECT_NE(animation.frames[0], animation.frames[1]);
+  const Grid grid = makeGrid(animation.bounds(), 20);
+  for (const FrameTask task : { FrameTask::Field, FrameTask::Axis })
+  {
+    const FrameRace race = raceFrames(animation, grid, task, 2);
+    EXPECT_LE(race.greatestDifference, 1e-3);
+    EXPECT_EQ(race.solver.samples.size(), 2U);
+    EXPECT_GT(race.solver.medianSeconds(), 0.0);
+    EXPECT_EQ(race.fresh.ratios.size(), 2U);
+  }
+}
+
 /// Whatever was found at configuration: those that are exact by design.
 TEST(BenchmarkMethods, ExactOnesAreExact)
 {
@@ -93,7 +158,8 @@ TEST(BenchmarkMethods, ExactOnesAreExact)
     AccuracyCheck check(mesh, grid, 1000);
     for (const MethodEntry& entry : availableMethods())
     {
-      if (entry.id == kMedialId || entry.id == "embree" || entry.id == "cgal" || entry.id == "vtk")
+      if (entry.id == kMedialId || entry.id == kRasterId || entry.id == "embree" ||
+        entry.id == "cgal" || entry.id == "vtk")
       {
         SCOPED_TRACE(entry.id);
         const Accuracy accuracy = check(entry.make()->compute(mesh, grid));

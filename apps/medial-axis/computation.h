@@ -1,0 +1,38 @@
+#pragma once
+
+#include "options.h"
+#include "progress_bar.h"
+
+#include "medial/medial/medial_axis.h"
+#include "medial/mesh/topology.h"
+#include "medial/mesh/triangle_mesh.h"
+
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+namespace medial::app
+{
+
+/// What a run computes, and from what.
+struct Result
+{
+  TriangleMesh mesh;
+  MeshTopology topology;
+  Grid grid;
+  SignMethod sign = SignMethod::None; ///< never Auto
+  Side side = Side::Both;             ///< of the axis
+  RunStatistics statistics;
+  vtkSmartPointer<vtkPolyData> axis; ///< as vtkMedialAxis makes it; empty where it is not wanted
+};
+
+/// The mesh as the filters see it, and its grid.
+/// @throws Failure BadInput.
+Result prepare(vtkPolyData* mesh, const Options& options);
+
+/// Fills in what follows from mesh and grid: the axis where an option asks for it, and the field
+/// where there is a sink for it, in one pass over the grid.
+/// @param field may be null. Its exceptions are passed on.
+/// @throws Failure.
+void compute(const Options& options, FieldSink* field, ProgressBar& bar, Result& result);
+
+} // namespace medial::app

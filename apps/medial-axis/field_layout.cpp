@@ -1,0 +1,175 @@
+#include "field_layout.h"
+
+#include <algorithm>
+#include <charconv>
+
+namespace medial::app
+{
+namespace
+{
+
+constexpr std::uint64_t kLengthSize = sizeof(std::uint64_t);
+constexpr int kPieceSlices = 64;
+
+#if __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
+constexpr char kByteOrder[] = "LittleEndian";
+#else
+constexpr char kByteOrder[] = "BigEndian";
+#endif
+
+// As short as it can be read back without loss, in every locale.
+std::string numberText(double number)
+{
+  char text[32];
+  return { text, std::to_chars(text, text + sizeof(text), number).ptr };
+}
+
+std::string pointText(const Point3& point)
+{
+  return numberText(point[0]) + ' ' + numberText(point[1]) + ' ' + numberText(point[2]);
+}
+
+std::string extentText(const Extent& extent)
+{
+  std::string text;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    text += (axis > 0 ? " " : "") + std::to_string(extent.min[axis]) + ' ' +
+      std::to_string(extent.max[axis]);
+  }
+  return text;
+}
+
+std::string fileElement(const std::string& type)
+{
+  return "<?xml version=\"1.0\"?>\n<VTKFile type=\"" + type + "\" version=\"1.0\" byte_order=\"" +
+    kByteOrder + "\" header_type=\"UInt64\">\n";
+}
+
+std::string imageAttributes(const Grid& grid, const Extent& whole)
+{
+  return " WholeExtent=\"" + extentText(whole) + "\" Origin=\"" + pointText(grid.origin) +
+    "\" Spacing=\"" + pointText(grid.spacing) + "\" Direction=\"1 0 0 0 1 0 0 0 1\"";
+}
+
+std::string escaped(const std::string& text)
+{
+  std::string result;
+  for (const char character : text)
+  {
+    switch (character)
+    {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        result += character;
+    }
+  }
+  return result;
+}
+
+} // namespace
+
+FieldLayout::FieldLayout(const Grid& grid, const Extent& extent)
+  : extent_(extent)
+  , header_(this->makeHeader(grid))
+{
+}
+
+const std::string& FieldLayout::footer()
+{
+  static const std::string kFooter = "\n  </AppendedData>\n</VTKFile>\n";
+  return kFooter;
+}
+
+std::string FieldLayout::makeHeader(const Grid& grid) const
+{
+  std::string text = fileElement("ImageData") + "  <ImageData" + imageAttributes(grid, extent_) +
+    ">\n    <Piece Extent=\"" + extentText(extent_) +
+    "\">\n      <PointData Scalars=\"Distance\">\n";
+  for (std::size_t array = 0; array < kFieldArrays.size(); ++array)
+  {
+    text += std::string("        <DataArray ") + kFieldArrays[array].attributes +
+      " format=\"appended\" offset=\"" + std::to_string(this->appendedOffset(array)) + "\"/>\n";
+  }
+  return text +
+    "      </PointData>\n      <CellData>\n      </CellData>\n    </Piece>\n  </ImageData>\n"
+    "  <AppendedData encoding=\"raw\">\n   _";
+}
+
+std::uint64_t FieldLayout::sliceSize(std::size_t array) const
+{
+  return static_cast<std::uint64_t>(extent_.size(0)) * static_cast<std::uint64_t>(extent_.size(1)) *
+    kFieldArrays[array].bytesPerPoint;
+}
+
+std::uint64_t FieldLayout::arraySize(std::size_t array) const
+{
+  return this->sliceSize(array) * static_cast<std::uint64_t>(extent_.size(2));
+}
+
+std::uint64_t FieldLayout::appendedOffset(std::size_t array) const
+{
+  std::uint64_t offset = 0;
+  for (std::size_t before = 0; before < array; ++before)
+  {
+    offset += kLengthSize + this->arraySize(before);
+  }
+  return offset;
+}
+
+std::uint64_t FieldLayout::lengthOffset(std::size_t array) const
+{
+  return header_.size() + this->appendedOffset(array);
+}
+
+std::uint64_t FieldLayout::sliceOffset(std::size_t array, int z) const
+{
+  return this->lengthOffset(array) + kLengthSize +
+    this->sliceSize(array) * static_cast<std::uint64_t>(z - extent_.min[2]);
+}
+
+std::vector<Extent> fieldPieces(const Grid& grid)
+{
+  std::vector<Extent> pieces;
+  const Extent whole = grid.wholeExtent();
+  int first = 0;
+  do
+  {
+    pieces.push_back(whole);
+    pieces.back().min[2] = first;
+    first = std::min(first + kPieceSlices, whole.max[2]);
+    pieces.back().max[2] = first;
+  } while (first < whole.max[2]);
+  return pieces;
+}
+
+std::string fieldIndex(const Grid& grid, const std::vector<Extent>& pieces,
+  const std::vector<std::string>& sources)
+{
+  std::string text = fileElement("PImageData") + "  <PImageData GhostLevel=\"0\"" +
+    imageAttributes(grid, grid.wholeExtent()) + ">\n    <PPointData Scalars=\"Distance\">\n";
+  for (const FieldArrayFormat& array : kFieldArrays)
+  {
+    text += std::string("      <PDataArray ") + array.attributes + "/>\n";
+  }
+  text += "    </PPointData>\n";
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+  {
+    text += "    <Piece Extent=\"" + extentText(pieces[i]) + "\" Source=\"" + escaped(sources[i]) +
+      "\"/>\n";
+  }
+  return text + "  </PImageData>\n</VTKFile>\n";
+}
+
+} // namespace medial::app

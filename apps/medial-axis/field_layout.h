@@ -1,0 +1,68 @@
+#pragma once
+
+#include "medial/common/grid.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace medial::app
+{
+
+/// A point data array of a distance field, as vtkMeshDistanceField makes it.
+struct FieldArrayFormat
+{
+  const char* attributes; ///< of its element in VTK's XML files
+  std::size_t bytesPerPoint;
+};
+
+/// In the order in which files hold them.
+constexpr std::array<FieldArrayFormat, 5> kFieldArrays = { {
+  { "type=\"Float32\" Name=\"Distance\"", 4 },
+  { "type=\"Float32\" Name=\"ClosestPoint\" NumberOfComponents=\"3\"", 12 },
+  { "type=\"Int64\" IdType=\"1\" Name=\"ClosestCell\"", 8 },
+  { "type=\"UInt8\" Name=\"ClosestFeature\"", 1 },
+  { "type=\"Int32\" Name=\"ClosestSite\"", 4 },
+} };
+
+/// Where everything is in a .vti file of a distance field: a header, then each array as its length
+/// (8 bytes) and its values, x fastest, as they are in memory, then a footer. Offsets and sizes in
+/// bytes.
+class FieldLayout
+{
+public:
+  /// @param extent the part of the grid that the file holds.
+  FieldLayout(const Grid& grid, const Extent& extent);
+
+  const Extent& extent() const { return extent_; }
+  const std::string& header() const { return header_; }
+  static const std::string& footer();
+
+  std::uint64_t sliceSize(std::size_t array) const;
+  std::uint64_t arraySize(std::size_t array) const;
+  /// Offset of an array's length.
+  std::uint64_t lengthOffset(std::size_t array) const;
+  /// Offset of an array's values on slice z of the grid.
+  std::uint64_t sliceOffset(std::size_t array, int z) const;
+  std::uint64_t footerOffset() const { return this->lengthOffset(kFieldArrays.size()); }
+  std::uint64_t fileSize() const { return this->footerOffset() + footer().size(); }
+
+private:
+  std::uint64_t appendedOffset(std::size_t array) const;
+  std::string makeHeader(const Grid& grid) const;
+
+  Extent extent_;
+  std::string header_;
+};
+
+/// Cuts a grid into boxes of 64 slices; neighbours share a slice, as VTK's images of pieces do.
+std::vector<Extent> fieldPieces(const Grid& grid);
+
+/// The text of a .pvti file.
+/// @param sources file names of the pieces, relative to the index.
+std::string fieldIndex(const Grid& grid, const std::vector<Extent>& pieces,
+  const std::vector<std::string>& sources);
+
+} // namespace medial::app

@@ -1,0 +1,194 @@
+#include "field_output.h"
+
+#include "failure.h"
+#include "interrupt.h"
+#include "sink.h"
+#include "text_cursor.h"
+
+#include "medial/common/stopwatch.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace fs = std::filesystem;
+
+namespace medial::app
+{
+
+FieldOutput::FieldOutput(const fs::path& path)
+  : path_(path)
+{
+  const OutputFile check(path);
+}
+
+bool FieldOutput::hasIndex() const
+{
+  return lowerCase(path_.extension().string()) == ".pvti";
+}
+
+fs::path FieldOutput::piecePath(std::size_t number) const
+{
+  return path_.parent_path() / (path_.stem().string() + "_" + std::to_string(number) + ".vti");
+}
+
+void FieldOutput::begin(const Grid& grid)
+{
+  const Stopwatch watch(seconds_);
+  if (this->hasIndex())
+  {
+    const std::vector<Extent> extents = fieldPieces(grid);
+    for (const Extent& extent : extents)
+    {
+      pieces_.emplace_back(this->piecePath(pieces_.size()), FieldLayout(grid, extent));
+    }
+    this->writeIndex(grid, extents);
+  }
+  else
+  {
+    pieces_.emplace_back(path_, FieldLayout(grid, grid.wholeExtent()));
+  }
+  this->checkSpace();
+  for (Piece& piece : pieces_)
+  {
+    namingFile(piece.file.path(), [&] { this->writeFrame(piece); });
+  }
+}
+
+void FieldOutput::writeIndex(const Grid& grid, const std::vector<Extent>& extents)
+{
+  std::vector<std::string> sources;
+  for (const Piece& piece : pieces_)
+  {
+    sources.push_back(piece.file.path().filename().string());
+  }
+  index_.emplace(path_);
+  namingFile(path_,
+    [&]
+    {
+      Sink sink(index_->open());
+      sink << fieldIndex(grid, extents, sources).c_str();
+      sink.close();
+    });
+}
+
+// Better now than after hours.
+void FieldOutput::checkSpace() const
+{
+  std::uint64_t needed = 0;
+  for (const Piece& piece : pieces_)
+  {
+    needed += piece.layout.fileSize();
+  }
+  std::error_code error;
+  const fs::space_info space = fs::space(fs::absolute(path_, error).parent_path(), error);
+  if (!error && space.capacity > 0 && space.available < needed)
+  {
+    const auto mebibytes = [](std::uint64_t bytes) { return std::to_string(bytes >> 20) + " MiB"; };
+    throw Failure(ExitCode::NoSpace,
+      path_.string() + ": cannot be written: it takes " + mebibytes(needed) + ", and " +
+        mebibytes(space.available) + " are free");
+  }
+}
+
+// All but the values.
+void FieldOutput::writeFrame(Piece& piece)
+{
+  const FieldLayout& layout = piece.layout;
+  PositionedFile& data = piece.data.emplace(piece.file.open());
+  data.write(layout.header().data(), layout.header().size(), 0);
+  for (std::size_t array = 0; array < kFieldArrays.size(); ++array)
+  {
+    const std::uint64_t size = layout.arraySize(array);
+    data.write(&size, sizeof(size), layout.lengthOffset(array));
+  }
+  data.write(FieldLayout::footer().data(), FieldLayout::footer().size(), layout.footerOffset());
+}
+
+FieldArrays FieldOutput::slabArrays(const Extent& slab)
+{
+  if (slab.pointCount() > capacity_)
+  {
+    capacity_ = slab.pointCount();
+    for (std::size_t array = 0; array < kFieldArrays.size(); ++array)
+    {
+      const auto bytes = static_cast<std::size_t>(capacity_) * kFieldArrays[array].bytesPerPoint;
+      values_[array].reset(); // before there are two
+      values_[array].reset(new char[bytes]);
+    }
+  }
+  FieldArrays arrays; // in the order of kFieldArrays
+  arrays.distance = reinterpret_cast<float*>(values_[0].get());
+  arrays.closestPoint = reinterpret_cast<float*>(values_[1].get());
+  arrays.closestCell = reinterpret_cast<std::int64_t*>(values_[2].get());
+  arrays.closestFeature = reinterpret_cast<std::uint8_t*>(values_[3].get());
+  arrays.closestSite = reinterpret_cast<std::int32_t*>(values_[4].get());
+  return arrays;
+}
+
+void FieldOutput::stored(const Extent& slab)
+{
+  const Stopwatch watch(seconds_);
+  for (Piece& piece : pieces_)
+  {
+    namingFile(piece.file.path(), [&] { this->writeSlab(piece, slab); });
+  }
+}
+
+// The slices that a piece and a slab have in common, array after array.
+void FieldOutput::writeSlab(Piece& piece, const Extent& slab)
+{
+  const FieldLayout& layout = piece.layout;
+  const int first = std::max(slab.min[2], layout.extent().min[2]);
+  const int last = std::min(slab.max[2], layout.extent().max[2]);
+  if (first > last)
+  {
+    return;
+  }
+  for (std::size_t array = 0; array < kFieldArrays.size(); ++array)
+  {
+    throwIfInterrupted();
+    const std::uint64_t slice = layout.sliceSize(array);
+    piece.data->write(values_[array].get() +
+        slice * static_cast<std::uint64_t>(first - slab.min[2]),
+      slice * static_cast<std::uint64_t>(last - first + 1), layout.sliceOffset(array, first));
+  }
+}
+
+std::size_t FieldOutput::bytesPerPoint() const
+{
+  std::size_t bytes = 0;
+  for (const FieldArrayFormat& array : kFieldArrays)
+  {
+    bytes += array.bytesPerPoint;
+  }
+  return bytes;
+}
+
+void FieldOutput::finish()
+{
+  const Stopwatch watch(seconds_);
+  for (auto& values : values_)
+  {
+    values.reset();
+  }
+  capacity_ = 0;
+  for (Piece& piece : pieces_)
+  {
+    namingFile(piece.file.path(), [&] { piece.data->close(); });
+  }
+}
+
+void FieldOutput::commit()
+{
+  for (Piece& piece : pieces_)
+  {
+    piece.file.commit();
+  }
+  if (index_)
+  {
+    index_->commit();
+  }
+}
+
+} // namespace medial::app

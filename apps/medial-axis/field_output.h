@@ -1,0 +1,78 @@
+#pragma once
+
+#include "field_layout.h"
+#include "output_file.h"
+#include "positioned_file.h"
+
+#include "medial/distance/distance_field.h"
+
+#include <array>
+#include <filesystem>
+#include <list>
+#include <memory>
+#include <optional>
+
+namespace medial::app
+{
+
+/// A distance field on its way to disk, slab by slab: memory holds one slab, whatever the size of
+/// the grid. FILE.vti is one file. FILE.pvti is an index of FILE_0.vti, FILE_1.vti and so on,
+/// pieces of 64 slices. All of them appear with commit(), or none.
+///
+/// Use: begin(), a computation with this as its sink, finish(), commit().
+class FieldOutput : public FieldSink
+{
+public:
+  /// Checks that a file can be made there; leaves nothing behind.
+  /// @throws Failure NoSpace.
+  explicit FieldOutput(const std::filesystem::path& path);
+
+  /// Makes the files, with all but their values.
+  /// @throws Failure NoSpace, also where the disk has too little space for them.
+  void begin(const Grid& grid);
+
+  FieldArrays slabArrays(const Extent& slab) override;
+  /// @throws Failure NoSpace or Interrupted.
+  void stored(const Extent& slab) override;
+  std::size_t bytesPerPoint() const override;
+
+  /// Closes the files, after the last slab.
+  /// @throws Failure NoSpace.
+  void finish();
+
+  /// @throws Failure NoSpace.
+  void commit();
+
+  /// Wall-clock seconds that writing took.
+  double seconds() const { return seconds_; }
+
+private:
+  struct Piece
+  {
+    Piece(const std::filesystem::path& path, FieldLayout fieldLayout)
+      : file(path)
+      , layout(std::move(fieldLayout))
+    {
+    }
+
+    OutputFile file;
+    FieldLayout layout;
+    std::optional<PositionedFile> data;
+  };
+
+  bool hasIndex() const;
+  std::filesystem::path piecePath(std::size_t number) const;
+  void checkSpace() const;
+  void writeFrame(Piece& piece);
+  void writeSlab(Piece& piece, const Extent& slab);
+  void writeIndex(const Grid& grid, const std::vector<Extent>& extents);
+
+  std::filesystem::path path_;
+  std::optional<OutputFile> index_;
+  std::list<Piece> pieces_;
+  std::array<std::unique_ptr<char[]>, kFieldArrays.size()> values_; // of a slab
+  std::int64_t capacity_ = 0;                                       // of values_, in points
+  double seconds_ = 0.0;
+};
+
+} // namespace medial::app

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+namespace medial::app
+{
+
+/// A file that is written in any order, at offsets of 64 bits. What was never written reads as
+/// zeros. Messages of failures name no file.
+class PositionedFile
+{
+public:
+  /// @throws Failure NoSpace unless `file` exists and can be written.
+  explicit PositionedFile(const std::filesystem::path& file);
+  ~PositionedFile();
+  PositionedFile(const PositionedFile&) = delete;
+  PositionedFile& operator=(const PositionedFile&) = delete;
+
+  /// @throws Failure NoSpace unless everything was written.
+  void write(const void* bytes, std::uint64_t count, std::uint64_t offset);
+
+  /// @throws Failure NoSpace where the system tells only now that something was not written.
+  void close();
+
+private:
+  int descriptor_;
+};
+
+} // namespace medial::app
