@@ -11,13 +11,40 @@
 namespace medial
 {
 
-/// Where crossed grid edges meet the bisector of two sites: per crossing a point of the edge at
-/// equal distance from both (frame coordinates).
+/// A point with two closest surface points; frame coordinates.
+struct BisectorPoint
+{
+  glm::dvec3 position{ 0.0 };
+  SitePoint a;
+  SitePoint b;
+
+  double radius() const { return glm::distance(position, a.point); }
+  /// Half the distance of the closest points: radius * sin(separation angle / 2).
+  double lambda() const { return 0.5 * glm::distance(a.point, b.point); }
+  /// Radians.
+  double separationAngle() const;
+  /// Unit normal of the bisector, or zero where both closest points are one.
+  glm::dvec3 normal() const;
+};
+
+/// What a point of the medial axis must have; frame units.
+struct AxisLimits
+{
+  double radius = 0.0;
+  double lambda = 0.0;
+};
+
+/// The point of a segment at equal distance from the closest site at its start and that at its end.
 ///
-/// Where a third site is nearer there than the two, the crossing changes to the pair of this site
-/// with either of them, whichever has the larger separation angle; `crossings` are updated. Those
-/// that meet the surface itself, where an edge grazes it and the field is unsigned, are removed.
-std::vector<glm::dvec3> bisectorPoints(const SiteSet& sites, const GridFrame& frame,
-  const TileQuery& query, std::vector<Crossing>& crossings);
+/// Where a third site is nearer there than the two, the segment is narrowed to the change from or
+/// to this site, whichever has the larger separation angle.
+/// @param fromSite closest site at `from`; toSite: at `to`.
+BisectorPoint bisectorPoint(const SiteSet& sites, const TileQuery& query, const glm::dvec3& from,
+  int fromSite, const glm::dvec3& to, int toSite);
+
+/// bisectorPoint() of every crossed grid edge. Crossings below the limits are removed, and those
+/// that meet the surface itself, where an edge grazes it and the field is unsigned.
+std::vector<BisectorPoint> bisectorPoints(const SiteSet& sites, const GridFrame& frame,
+  const TileQuery& query, const AxisLimits& limits, std::vector<Crossing>& crossings);
 
 } // namespace medial
