@@ -18,8 +18,8 @@
 namespace medial
 {
 
-/// A later stage of the pipeline, which works on slab after slab in ascending z, where the evaluator
-/// left it.
+/// A later stage of the pipeline, which works on slab after slab in ascending z, where the
+/// evaluator left it.
 class SlabStage
 {
 public:

@@ -45,7 +45,8 @@ public:
   std::int64_t evaluate(const Extent& tile, const int* candidates, std::size_t count,
     TileField& field) const;
 
-  /// Vector from a point to the closest point of the site that evaluate() found for it; frame units.
+  /// Vector from a point to the closest point of the site that evaluate() found for it; frame
+  /// units.
   glm::dvec3 displacement(int site, const glm::dvec3& x) const;
 
 private:

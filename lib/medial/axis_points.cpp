@@ -7,7 +7,6 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
-#include <cmath>
 #include <optional>
 
 namespace medial
@@ -21,19 +20,19 @@ constexpr double kOutside = 0.1;
 /// The two closest points at x: the closest one, and of the sites whose bisectors gave the vertex
 /// the one that is seen under the largest angle from it.
 BisectorPoint contacts(const AxisGeometry& geometry, const DualMesh& mesh,
-  const std::vector<BisectorPoint>& bisectors, std::size_t vertex, const glm::dvec3& x)
+  const BisectorPoints& bisectors, std::size_t vertex, const glm::dvec3& x)
 {
   const std::size_t begin = mesh.offsets[vertex];
   const std::size_t end = mesh.offsets[vertex + 1];
   BisectorPoint result;
   result.position = x;
-  const int known = bisectors[mesh.incident[begin]].a.site;
-  result.a = geometry.query.closest(x,
-    glm::distance(x, closestPoint(geometry.sites, known, x).point));
+  const int known = bisectors.points[mesh.incident[begin]].a.site;
+  result.a =
+    geometry.query.closest(x, glm::distance(x, closestPoint(geometry.sites, known, x).point));
   double widest = -1.0;
   for (std::size_t i = begin; i < end; ++i)
   {
-    const BisectorPoint& bisector = bisectors[mesh.incident[i]];
+    const BisectorPoint& bisector = bisectors.points[mesh.incident[i]];
     for (const int site : { bisector.a.site, bisector.b.site })
     {
       const SitePoint candidate = closestPoint(geometry.sites, site, x);
@@ -48,55 +47,13 @@ BisectorPoint contacts(const AxisGeometry& geometry, const DualMesh& mesh,
   return result;
 }
 
-bool insideGrid(const AxisGeometry& geometry, const glm::dvec3& x)
-{
-  const glm::dvec3 index = (x - geometry.frame.first) / geometry.frame.step;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    if (index[axis] < geometry.extent.min[axis] || index[axis] > geometry.extent.max[axis])
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-/// The next point of the axis along the normal of x's closest point.
-std::optional<BisectorPoint> alongNormal(const AxisGeometry& geometry, const BisectorPoint& x,
-  double reach)
-{
-  const double radius = x.radius();
-  if (radius <= 0.0)
-  {
-    return std::nullopt;
-  }
-  const glm::dvec3 away = (x.position - x.a.point) / radius;
-  const glm::dvec3 end = x.position + reach * away;
-  if (!insideGrid(geometry, end))
-  {
-    return std::nullopt;
-  }
-  const SitePoint other = geometry.query.closest(end, radius + reach);
-  if (separationAngle(end, end - away, other.point) < geometry.angle)
-  {
-    return std::nullopt;
-  }
-  const BisectorPoint found =
-    bisectorPoint(geometry.sites, geometry.query, x.position, x.a.site, end, other.site);
-  if (found.separationAngle() < geometry.angle)
-  {
-    return std::nullopt;
-  }
-  return found;
-}
-
 glm::dvec3 fitted(const AxisGeometry& geometry, const DualMesh& mesh,
-  const std::vector<BisectorPoint>& bisectors, std::size_t vertex, PlaneFit& fit)
+  const BisectorPoints& bisectors, std::size_t vertex, PlaneFit& fit)
 {
   fit.clear();
   for (std::size_t i = mesh.offsets[vertex]; i < mesh.offsets[vertex + 1]; ++i)
   {
-    const BisectorPoint& point = bisectors[mesh.incident[i]];
+    const BisectorPoint& point = bisectors.points[mesh.incident[i]];
     const double sine = point.lambda() / point.radius();
     fit.add(point.position, point.normal(), sine * sine);
   }
@@ -104,10 +61,20 @@ glm::dvec3 fitted(const AxisGeometry& geometry, const DualMesh& mesh,
   return fit.solve(centre, (0.5 + kOutside) * geometry.frame.step);
 }
 
-template <typename Place>
-AxisPoints placeVertices(const DualMesh& mesh, const Place& place)
+std::uint8_t anyMoved(const DualMesh& mesh, const BisectorPoints& bisectors, std::size_t vertex)
 {
-  AxisPoints result;
+  std::uint8_t moved = 0;
+  for (std::size_t i = mesh.offsets[vertex]; i < mesh.offsets[vertex + 1]; ++i)
+  {
+    moved |= bisectors.moved[mesh.incident[i]];
+  }
+  return moved;
+}
+
+template <typename Place>
+BisectorPoints placeVertices(const DualMesh& mesh, const Place& place)
+{
+  BisectorPoints result;
   result.points.resize(mesh.cells.size());
   result.moved.resize(mesh.cells.size());
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mesh.cells.size(), 256),
@@ -124,33 +91,29 @@ AxisPoints placeVertices(const DualMesh& mesh, const Place& place)
 
 } // namespace
 
-AxisPoints surfacePoints(const AxisGeometry& geometry, const DualMesh& mesh,
-  const std::vector<BisectorPoint>& bisectors)
+BisectorPoints surfacePoints(const AxisGeometry& geometry, const DualMesh& mesh,
+  const BisectorPoints& bisectors)
 {
-  const double step =
-    glm::max(geometry.frame.step.x, glm::max(geometry.frame.step.y, geometry.frame.step.z));
-  const double reach = step * (0.5 / std::sin(0.5 * geometry.angle) + 0.5);
   return placeVertices(mesh,
-    [&](std::size_t v, PlaneFit& fit, AxisPoints& result)
+    [&](std::size_t v, PlaneFit& fit, BisectorPoints& result)
     {
-      const glm::dvec3 x = fitted(geometry, mesh, bisectors, v, fit);
-      result.points[v] = contacts(geometry, mesh, bisectors, v, x);
-      if (result.points[v].separationAngle() < geometry.angle)
+      BisectorPoint& point = result.points[v];
+      point = contacts(geometry, mesh, bisectors, v, fitted(geometry, mesh, bisectors, v, fit));
+      result.moved[v] = anyMoved(mesh, bisectors, v);
+      if (point.separationAngle() < geometry.angle)
       {
-        if (const auto point = alongNormal(geometry, result.points[v], reach))
-        {
-          result.points[v] = *point;
-          result.moved[v] = 1;
-        }
+        const std::optional<BisectorPoint> other = axisAlongNormal(geometry, point);
+        result.moved[v] |= other.has_value();
+        point = other.value_or(point);
       }
     });
 }
 
-AxisPoints cellCentres(const AxisGeometry& geometry, const DualMesh& mesh,
-  const std::vector<BisectorPoint>& bisectors)
+BisectorPoints cellCentres(const AxisGeometry& geometry, const DualMesh& mesh,
+  const BisectorPoints& bisectors)
 {
   return placeVertices(mesh,
-    [&](std::size_t v, PlaneFit&, AxisPoints& result)
+    [&](std::size_t v, PlaneFit&, BisectorPoints& result)
     {
       const glm::dvec3 x = geometry.frame.sample(glm::dvec3(mesh.cells[v]) + 0.5);
       result.points[v] = contacts(geometry, mesh, bisectors, v, x);

@@ -123,6 +123,19 @@ private:
   BisectorPoint point_;
 };
 
+bool insideGrid(const AxisGeometry& geometry, const glm::dvec3& x)
+{
+  const glm::dvec3 index = (x - geometry.frame.first) / geometry.frame.step;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (index[axis] < geometry.extent.min[axis] || index[axis] > geometry.extent.max[axis])
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 } // namespace
 
 double BisectorPoint::separationAngle() const
@@ -137,45 +150,90 @@ glm::dvec3 BisectorPoint::normal() const
   return length > 0.0 ? across / length : glm::dvec3(0.0);
 }
 
-BisectorPoint bisectorPoint(const SiteSet& sites, const TileQuery& query, const glm::dvec3& from,
-  int fromSite, const glm::dvec3& to, int toSite)
+BisectorPoint bisectorPoint(const AxisGeometry& geometry, const glm::dvec3& from, int fromSite,
+  const glm::dvec3& to, int toSite)
 {
-  Change change(sites, from, fromSite, to, toSite);
+  Change change(geometry.sites, from, fromSite, to, toSite);
   change.solve();
-  for (int round = 1; round < kMaxRounds && change.narrow(query); ++round)
+  for (int round = 1; round < kMaxRounds && change.narrow(geometry.query); ++round)
   {
     change.solve();
   }
   return change.point();
 }
 
-std::vector<BisectorPoint> bisectorPoints(const SiteSet& sites, const GridFrame& frame,
-  const TileQuery& query, const AxisLimits& limits, std::vector<Crossing>& crossings)
+std::optional<BisectorPoint> axisAlongNormal(const AxisGeometry& geometry, const BisectorPoint& x)
 {
-  std::vector<BisectorPoint> points(crossings.size());
+  const double radius = x.radius();
+  if (radius < kLeastRadius)
+  {
+    return std::nullopt;
+  }
+  const glm::dvec3 away = (x.position - x.a.point) / radius;
+  const double step = glm::dot(glm::abs(away), geometry.frame.step);
+  const double reach = step * (0.5 / std::sin(0.5 * geometry.angle) + 0.5);
+  const glm::dvec3 end = x.position + reach * away;
+  if (!insideGrid(geometry, end))
+  {
+    return std::nullopt;
+  }
+  const SitePoint other = geometry.query.closest(end, radius + reach);
+  if (separationAngle(end, end - away, other.point) < geometry.angle)
+  {
+    return std::nullopt;
+  }
+  const BisectorPoint found = bisectorPoint(geometry, x.position, x.a.site, end, other.site);
+  if (found.separationAngle() < geometry.angle)
+  {
+    return std::nullopt;
+  }
+  return found;
+}
+
+BisectorPoints bisectorPoints(const AxisGeometry& geometry, bool exactAngle,
+  std::vector<Crossing>& crossings)
+{
+  constexpr std::uint8_t kOnEdge = 0;
+  constexpr std::uint8_t kMoved = 1;
+  constexpr std::uint8_t kRemoved = 2;
+  BisectorPoints result;
+  result.points.resize(crossings.size());
+  result.moved.resize(crossings.size());
+  const double leastRadius = std::max(geometry.radius, kLeastRadius);
   tbb::parallel_for(std::size_t{ 0 }, crossings.size(),
     [&](std::size_t i)
     {
       const Crossing& crossing = crossings[i];
       glm::ivec3 end = crossing.voxel;
       ++end[crossing.axis];
-      points[i] = bisectorPoint(sites, query, frame.sample(glm::dvec3(crossing.voxel)),
-        crossing.siteA, frame.sample(glm::dvec3(end)), crossing.siteB);
+      BisectorPoint& point = result.points[i];
+      point = bisectorPoint(geometry, geometry.frame.sample(glm::dvec3(crossing.voxel)),
+        crossing.siteA, geometry.frame.sample(glm::dvec3(end)), crossing.siteB);
+      std::uint8_t fate = kOnEdge;
+      if (exactAngle && point.separationAngle() < geometry.angle)
+      {
+        const std::optional<BisectorPoint> other = axisAlongNormal(geometry, point);
+        fate = other ? kMoved : kRemoved;
+        point = other.value_or(point);
+      }
+      const bool large = point.radius() >= leastRadius && point.lambda() >= geometry.lambda;
+      result.moved[i] = large ? fate : kRemoved;
     });
-  const double leastRadius = std::max(limits.radius, kLeastRadius);
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < points.size(); ++i)
+  for (std::size_t i = 0; i < crossings.size(); ++i)
   {
-    if (points[i].radius() >= leastRadius && points[i].lambda() >= limits.lambda)
+    if (result.moved[i] != kRemoved)
     {
       crossings[kept] = crossings[i];
-      points[kept] = points[i];
+      result.points[kept] = result.points[i];
+      result.moved[kept] = result.moved[i];
       ++kept;
     }
   }
   crossings.resize(kept);
-  points.resize(kept);
-  return points;
+  result.points.resize(kept);
+  result.moved.resize(kept);
+  return result;
 }
 
 } // namespace medial

@@ -1,11 +1,13 @@
 #pragma once
 
-#include "medial/culling/tile_query.h"
+#include "medial/medial/axis_geometry.h"
 #include "medial/medial/crossing.h"
-#include "medial/sites/site_set.h"
+#include "medial/sites/closest_point.h"
 
 #include <glm/glm.hpp>
 
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace medial
@@ -27,24 +29,33 @@ struct BisectorPoint
   glm::dvec3 normal() const;
 };
 
-/// What a point of the medial axis must have; frame units.
-struct AxisLimits
-{
-  double radius = 0.0;
-  double lambda = 0.0;
-};
-
 /// The point of a segment at equal distance from the closest site at its start and that at its end.
 ///
 /// Where a third site is nearer there than the two, the segment is narrowed to the change from or
 /// to this site, whichever has the larger separation angle.
 /// @param fromSite closest site at `from`; toSite: at `to`.
-BisectorPoint bisectorPoint(const SiteSet& sites, const TileQuery& query, const glm::dvec3& from,
-  int fromSite, const glm::dvec3& to, int toSite);
+BisectorPoint bisectorPoint(const AxisGeometry& geometry, const glm::dvec3& from, int fromSite,
+  const glm::dvec3& to, int toSite);
 
-/// bisectorPoint() of every crossed grid edge. Crossings below the limits are removed, and those
-/// that meet the surface itself, where an edge grazes it and the field is unsigned.
-std::vector<BisectorPoint> bisectorPoints(const SiteSet& sites, const GridFrame& frame,
-  const TileQuery& query, const AxisLimits& limits, std::vector<Crossing>& crossings);
+/// Follows the normal of x's closest point to the next bisector that has the least separation
+/// angle, at most h/(2 sin(theta/2)) + h/2 away: so far selection by neighbouring grid points errs.
+std::optional<BisectorPoint> axisAlongNormal(const AxisGeometry& geometry, const BisectorPoint& x);
+
+/// A point for each of a list of crossings.
+struct BisectorPoints
+{
+  std::vector<BisectorPoint> points;
+  /// Where the bisector on the grid edge has too small a separation angle and that along the normal
+  /// stands for it: fins around curves.
+  std::vector<std::uint8_t> moved;
+};
+
+/// bisectorPoint() of every crossed grid edge. Crossings below the limits of lambda and radius are
+/// removed, and those that meet the surface itself, where an edge grazes it and the field is
+/// unsigned.
+/// @param exactAngle whether the separation angle is limited as well, by axisAlongNormal() or
+///   removal.
+BisectorPoints bisectorPoints(const AxisGeometry& geometry, bool exactAngle,
+  std::vector<Crossing>& crossings);
 
 } // namespace medial

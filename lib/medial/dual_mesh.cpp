@@ -78,7 +78,8 @@ DualMesh dualMesh(const std::vector<Crossing>& crossings, const Extent& extent)
     }
     mesh.incident.push_back(corners[i].crossing);
     mesh.offsets.back() = mesh.incident.size();
-    quads[corners[i].crossing][corners[i].corner] = static_cast<std::int64_t>(mesh.cells.size()) - 1;
+    quads[corners[i].crossing][corners[i].corner] =
+      static_cast<std::int64_t>(mesh.cells.size()) - 1;
   }
   for (const auto& quad : quads)
   {

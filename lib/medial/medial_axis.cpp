@@ -65,7 +65,7 @@ std::array<float, 3> narrowed(const Point3& point)
 }
 
 /// Points and attributes in world units.
-void setPoints(const AxisPoints& points, const GridFrame& frame, MedialAxis& axis)
+void setPoints(const BisectorPoints& points, const GridFrame& frame, MedialAxis& axis)
 {
   const std::size_t count = points.points.size();
   axis.points.resize(count);
@@ -90,22 +90,20 @@ void setPoints(const AxisPoints& points, const GridFrame& frame, MedialAxis& axi
 }
 
 /// Points and cells of the chosen representation.
-AxisPoints represent(Representation representation, const AxisGeometry& geometry,
+BisectorPoints represent(Representation representation, const AxisGeometry& geometry,
   std::vector<Crossing>& crossings, MedialAxis& axis)
 {
-  std::vector<BisectorPoint> bisectors = bisectorPoints(geometry.sites, geometry.frame,
-    geometry.query, {}, crossings);
-  AxisPoints points;
+  const bool exactAngle = representation != Representation::Faces;
+  BisectorPoints bisectors = bisectorPoints(geometry, exactAngle, crossings);
   if (representation == Representation::Points)
   {
-    points.moved.resize(bisectors.size());
-    points.points = std::move(bisectors);
-    buildVertices(points, axis);
-    return points;
+    buildVertices(bisectors, axis);
+    return bisectors;
   }
   const DualMesh mesh = dualMesh(crossings, geometry.extent);
-  points = representation == Representation::Surface ? surfacePoints(geometry, mesh, bisectors)
-                                                     : cellCentres(geometry, mesh, bisectors);
+  BisectorPoints points = representation == Representation::Surface
+    ? surfacePoints(geometry, mesh, bisectors)
+    : cellCentres(geometry, mesh, bisectors);
   buildCells(mesh.quads, points, axis);
   return points;
 }
@@ -140,7 +138,7 @@ MedialAxis runPipeline(const TriangleMesh& mesh, const MeshTopology& topology, c
     {
       const Stopwatch watch(pipeline.statistics().seconds.medial);
       const AxisGeometry geometry{ pipeline.sites(), pipeline.query(), pipeline.frame(),
-        grid.wholeExtent(), glm::radians(options.angle) };
+        grid.wholeExtent(), glm::radians(options.angle), 0.0, 0.0 };
       setPoints(represent(options.representation, geometry, crossings, axis), pipeline.frame(),
         axis);
     });

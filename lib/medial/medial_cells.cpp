@@ -13,7 +13,7 @@ namespace
 /// Sides shorter than this (voxels) are contracted.
 constexpr double kShort = 0.1;
 /// The same for sides that end at a moved point.
-constexpr double kShortOfMoved = 0.75;
+constexpr double kShortOfMoved = 0.3;
 /// Cells below this area (square voxels) are lines.
 constexpr double kLeastArea = 1e-6;
 
@@ -25,7 +25,7 @@ using Corners = std::vector<Id>;
 class Contraction
 {
 public:
-  explicit Contraction(const AxisPoints& points)
+  explicit Contraction(const BisectorPoints& points)
     : points_(points)
     , parent_(points.points.size())
   {
@@ -55,11 +55,11 @@ public:
   }
 
 private:
-  const AxisPoints& points_;
+  const BisectorPoints& points_;
   std::vector<Id> parent_;
 };
 
-void joinEqualPoints(const AxisPoints& points, Contraction& contraction)
+void joinEqualPoints(const BisectorPoints& points, Contraction& contraction)
 {
   std::vector<Id> order(points.points.size());
   std::iota(order.begin(), order.end(), Id{ 0 });
@@ -78,7 +78,7 @@ void joinEqualPoints(const AxisPoints& points, Contraction& contraction)
   }
 }
 
-void joinShortSides(const AxisPoints& points, const std::vector<std::array<Id, 4>>& quads,
+void joinShortSides(const BisectorPoints& points, const std::vector<std::array<Id, 4>>& quads,
   Contraction& contraction)
 {
   for (const auto& quad : quads)
@@ -87,7 +87,7 @@ void joinShortSides(const AxisPoints& points, const std::vector<std::array<Id, 4
     {
       const Id p = quad[i];
       const Id q = quad[(i + 1) % 4];
-      const double limit = points.moved[p] != points.moved[q] ? kShortOfMoved : kShort;
+      const double limit = (points.moved[p] | points.moved[q]) != 0 ? kShortOfMoved : kShort;
       if (glm::distance(points.points[p].position, points.points[q].position) < limit)
       {
         contraction.join(p, q);
@@ -96,7 +96,7 @@ void joinShortSides(const AxisPoints& points, const std::vector<std::array<Id, 4
   }
 }
 
-double area(const AxisPoints& points, const Corners& corners)
+double area(const BisectorPoints& points, const Corners& corners)
 {
   glm::dvec3 twice(0.0);
   const glm::dvec3& origin = points.points[corners[0]].position;
@@ -114,7 +114,7 @@ void addLine(Id p, Id q, MedialAxis& axis)
 }
 
 /// @param corners in cyclic order, neighbours distinct.
-void addCell(const AxisPoints& points, const Corners& corners, MedialAxis& axis)
+void addCell(const BisectorPoints& points, const Corners& corners, MedialAxis& axis)
 {
   const bool folded = corners.size() == 4 && (corners[0] == corners[2] || corners[1] == corners[3]);
   if (corners.size() == 1)
@@ -229,11 +229,11 @@ void removeCovered(std::size_t pointCount, MedialAxis& axis)
   }
 }
 
-void compactPoints(AxisPoints& points, MedialAxis& axis)
+void compactPoints(BisectorPoints& points, MedialAxis& axis)
 {
   std::vector<Id> target(points.points.size(), -1);
   forEachCorner(axis, [&](Id corner) { target[corner] = 0; });
-  AxisPoints used;
+  BisectorPoints used;
   for (std::size_t p = 0; p < points.points.size(); ++p)
   {
     if (target[p] == 0)
@@ -249,7 +249,7 @@ void compactPoints(AxisPoints& points, MedialAxis& axis)
 
 } // namespace
 
-void buildCells(const std::vector<std::array<std::int64_t, 4>>& quads, AxisPoints& points,
+void buildCells(const std::vector<std::array<std::int64_t, 4>>& quads, BisectorPoints& points,
   MedialAxis& axis)
 {
   Contraction contraction(points);
@@ -265,7 +265,7 @@ void buildCells(const std::vector<std::array<std::int64_t, 4>>& quads, AxisPoint
   compactPoints(points, axis);
 }
 
-void buildVertices(AxisPoints& points, MedialAxis& axis)
+void buildVertices(BisectorPoints& points, MedialAxis& axis)
 {
   Contraction contraction(points);
   joinEqualPoints(points, contraction);

@@ -7,10 +7,10 @@
 namespace medial
 {
 
-/// The point nearest to several planes: least squares of the distances to them, as in dual contouring
-/// of Hermite data (Ju, Losasso, Schaefer, Warren 2002). Where planes are nearly parallel they leave
-/// the point free along the directions that they share; there it stays at the mean of the planes'
-/// points.
+/// The point nearest to several planes: least squares of the distances to them, as in dual
+/// contouring of Hermite data (Ju, Losasso, Schaefer, Warren 2002). Where planes are nearly
+/// parallel they leave the point free along the directions that they share; there it stays at the
+/// mean of the planes' points.
 class PlaneFit
 {
 public:
