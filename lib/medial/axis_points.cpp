@@ -7,6 +7,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <optional>
 
 namespace medial
@@ -16,6 +17,10 @@ namespace
 
 /// How far outside of its cell a vertex may lie, in steps of the grid.
 constexpr double kOutside = 0.1;
+
+/// How much farther than the closest point the other one may be, where a vertex is off the
+/// bisector: grid steps.
+constexpr double kOffBisector = 1.0;
 
 /// The two closest points at x: the closest one, and of the sites whose bisectors gave the vertex
 /// the one that is seen under the largest angle from it.
@@ -29,6 +34,8 @@ BisectorPoint contacts(const AxisGeometry& geometry, const DualMesh& mesh,
   const int known = bisectors.points[mesh.incident[begin]].a.site;
   result.a =
     geometry.query.closest(x, glm::distance(x, closestPoint(geometry.sites, known, x).point));
+  result.b = result.a;
+  const double farthest = result.radius() + kOffBisector;
   double widest = -1.0;
   for (std::size_t i = begin; i < end; ++i)
   {
@@ -37,7 +44,7 @@ BisectorPoint contacts(const AxisGeometry& geometry, const DualMesh& mesh,
     {
       const SitePoint candidate = closestPoint(geometry.sites, site, x);
       const double angle = separationAngle(x, result.a.point, candidate.point);
-      if (angle > widest)
+      if (angle > widest && glm::distance(x, candidate.point) <= farthest)
       {
         widest = angle;
         result.b = candidate;
@@ -47,28 +54,54 @@ BisectorPoint contacts(const AxisGeometry& geometry, const DualMesh& mesh,
   return result;
 }
 
+/// Where the bisectors of the vertex's cell meet; those that were moved out of it do not count.
 glm::dvec3 fitted(const AxisGeometry& geometry, const DualMesh& mesh,
   const BisectorPoints& bisectors, std::size_t vertex, PlaneFit& fit)
 {
   fit.clear();
   for (std::size_t i = mesh.offsets[vertex]; i < mesh.offsets[vertex + 1]; ++i)
   {
-    const BisectorPoint& point = bisectors.points[mesh.incident[i]];
-    const double sine = point.lambda() / point.radius();
-    fit.add(point.position, point.normal(), sine * sine);
+    const std::size_t crossing = mesh.incident[i];
+    if (bisectors.moved[crossing] == 0)
+    {
+      const BisectorPoint& point = bisectors.points[crossing];
+      const double sine = point.lambda() / point.radius();
+      fit.add(point.position, point.normal(), sine * sine);
+    }
   }
   const glm::dvec3 centre = geometry.frame.sample(glm::dvec3(mesh.cells[vertex]) + 0.5);
   return fit.solve(centre, (0.5 + kOutside) * geometry.frame.step);
 }
 
-std::uint8_t anyMoved(const DualMesh& mesh, const BisectorPoints& bisectors, std::size_t vertex)
+/// Of the bisectors' points of a cell, all of which have the least separation angle, the nearest to
+/// x.
+const BisectorPoint& nearestCrossing(const DualMesh& mesh, const BisectorPoints& bisectors,
+  std::size_t vertex, const glm::dvec3& x)
 {
-  std::uint8_t moved = 0;
+  const auto nearer = [&](std::size_t p, std::size_t q)
+  {
+    return glm::distance(bisectors.points[p].position, x) <
+      glm::distance(bisectors.points[q].position, x);
+  };
+  return bisectors.points[*std::min_element(mesh.incident.begin() + mesh.offsets[vertex],
+    mesh.incident.begin() + mesh.offsets[vertex + 1], nearer)];
+}
+
+glm::dvec3 meanCrossing(const DualMesh& mesh, const BisectorPoints& bisectors, std::size_t vertex)
+{
+  glm::dvec3 sum(0.0);
   for (std::size_t i = mesh.offsets[vertex]; i < mesh.offsets[vertex + 1]; ++i)
   {
-    moved |= bisectors.moved[mesh.incident[i]];
+    sum += bisectors.points[mesh.incident[i]].position;
   }
-  return moved;
+  return sum / static_cast<double>(mesh.offsets[vertex + 1] - mesh.offsets[vertex]);
+}
+
+bool allMoved(const DualMesh& mesh, const BisectorPoints& bisectors, std::size_t vertex)
+{
+  return std::all_of(mesh.incident.begin() + mesh.offsets[vertex],
+    mesh.incident.begin() + mesh.offsets[vertex + 1],
+    [&](std::size_t crossing) { return bisectors.moved[crossing] != 0; });
 }
 
 template <typename Place>
@@ -98,13 +131,18 @@ BisectorPoints surfacePoints(const AxisGeometry& geometry, const DualMesh& mesh,
     [&](std::size_t v, PlaneFit& fit, BisectorPoints& result)
     {
       BisectorPoint& point = result.points[v];
+      if (allMoved(mesh, bisectors, v))
+      {
+        point = nearestCrossing(mesh, bisectors, v, meanCrossing(mesh, bisectors, v));
+        result.moved[v] = 1;
+        return;
+      }
       point = contacts(geometry, mesh, bisectors, v, fitted(geometry, mesh, bisectors, v, fit));
-      result.moved[v] = anyMoved(mesh, bisectors, v);
       if (point.separationAngle() < geometry.angle)
       {
         const std::optional<BisectorPoint> other = axisAlongNormal(geometry, point);
-        result.moved[v] |= other.has_value();
-        point = other.value_or(point);
+        point = other ? *other : nearestCrossing(mesh, bisectors, v, point.position);
+        result.moved[v] = 1;
       }
     });
 }

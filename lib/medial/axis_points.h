@@ -9,7 +9,7 @@ namespace medial
 
 /// Places every vertex of the dual mesh where the bisectors of its cell meet, by a quadratic error
 /// function over their planes. Where the separation angle is too small there, axisAlongNormal() is
-/// tried. Vertices count as moved with one of their crossings.
+/// tried, then the nearest crossing of the cell, so that all vertices have it.
 BisectorPoints surfacePoints(const AxisGeometry& geometry, const DualMesh& mesh,
   const BisectorPoints& bisectors);
 

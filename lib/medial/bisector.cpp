@@ -17,6 +17,10 @@ namespace
 constexpr double kSameDistance = 1e-6;
 /// Medial balls smaller than this (voxels) are the surface itself.
 constexpr double kLeastRadius = 1e-3;
+/// Where two sites are this much (voxels) farther than the closest one, their separation angle
+/// counts if that of the closest ones is too small: all facets of a round surface have bisectors of
+/// their own, which part at its centre.
+constexpr double kFacets = 0.1;
 /// Sites between the two that are looked for at most.
 constexpr int kMaxRounds = 8;
 
@@ -123,6 +127,69 @@ private:
   BisectorPoint point_;
 };
 
+std::optional<BisectorPoint> atLeast(double angle, const BisectorPoint& point)
+{
+  return point.separationAngle() >= angle ? std::optional(point) : std::nullopt;
+}
+
+/// The point at equal distance from both sites, whatever else is as near up to the sag of facets.
+/// Nothing where another site is nearer than that, or the separation angle is too small.
+std::optional<BisectorPoint> facetedPoint(const AxisGeometry& geometry, const glm::dvec3& from,
+  int fromSite, const glm::dvec3& to, int toSite)
+{
+  Change change(geometry.sites, from, fromSite, to, toSite);
+  change.solve();
+  BisectorPoint point = change.point();
+  if (point.separationAngle() < geometry.angle)
+  {
+    return std::nullopt;
+  }
+  const double distance = point.radius();
+  const SitePoint closest = geometry.query.closest(point.position, distance);
+  if (glm::distance(closest.point, point.position) < distance - kFacets)
+  {
+    return std::nullopt;
+  }
+  const SitePoint other = point.a;
+  point.a = closest;
+  if (separationAngle(point.position, closest.point, other.point) > point.separationAngle())
+  {
+    point.b = other;
+  }
+  return atLeast(geometry.angle, point);
+}
+
+/// The same point with one of the sites' points as the second closest.
+std::optional<BisectorPoint> widened(const AxisGeometry& geometry, BisectorPoint point,
+  int fromSite, int toSite)
+{
+  const glm::dvec3& x = point.position;
+  for (const int site : { fromSite, toSite })
+  {
+    const SitePoint other = closestPoint(geometry.sites, site, x);
+    if (glm::distance(other.point, x) <= point.radius() + kFacets &&
+      separationAngle(x, point.a.point, other.point) >= geometry.angle)
+    {
+      point.b = other;
+      return point;
+    }
+  }
+  return std::nullopt;
+}
+
+/// A point with the least separation angle between two points with different closest sites.
+std::optional<BisectorPoint> axisBetween(const AxisGeometry& geometry, const glm::dvec3& from,
+  int fromSite, const glm::dvec3& to, int toSite)
+{
+  const BisectorPoint exact = bisectorPoint(geometry, from, fromSite, to, toSite);
+  if (exact.separationAngle() >= geometry.angle)
+  {
+    return exact;
+  }
+  std::optional<BisectorPoint> faceted = facetedPoint(geometry, from, fromSite, to, toSite);
+  return faceted ? faceted : widened(geometry, exact, fromSite, toSite);
+}
+
 bool insideGrid(const AxisGeometry& geometry, const glm::dvec3& x)
 {
   const glm::dvec3 index = (x - geometry.frame.first) / geometry.frame.step;
@@ -182,12 +249,7 @@ std::optional<BisectorPoint> axisAlongNormal(const AxisGeometry& geometry, const
   {
     return std::nullopt;
   }
-  const BisectorPoint found = bisectorPoint(geometry, x.position, x.a.site, end, other.site);
-  if (found.separationAngle() < geometry.angle)
-  {
-    return std::nullopt;
-  }
-  return found;
+  return axisBetween(geometry, x.position, x.a.site, end, other.site);
 }
 
 BisectorPoints bisectorPoints(const AxisGeometry& geometry, bool exactAngle,
@@ -204,16 +266,21 @@ BisectorPoints bisectorPoints(const AxisGeometry& geometry, bool exactAngle,
     [&](std::size_t i)
     {
       const Crossing& crossing = crossings[i];
-      glm::ivec3 end = crossing.voxel;
-      ++end[crossing.axis];
+      const glm::dvec3 from = geometry.frame.sample(glm::dvec3(crossing.voxel));
+      glm::dvec3 to = from;
+      to[crossing.axis] += geometry.frame.step[crossing.axis];
       BisectorPoint& point = result.points[i];
-      point = bisectorPoint(geometry, geometry.frame.sample(glm::dvec3(crossing.voxel)),
-        crossing.siteA, geometry.frame.sample(glm::dvec3(end)), crossing.siteB);
+      point = bisectorPoint(geometry, from, crossing.siteA, to, crossing.siteB);
       std::uint8_t fate = kOnEdge;
       if (exactAngle && point.separationAngle() < geometry.angle)
       {
-        const std::optional<BisectorPoint> other = axisAlongNormal(geometry, point);
-        fate = other ? kMoved : kRemoved;
+        std::optional<BisectorPoint> other =
+          facetedPoint(geometry, from, crossing.siteA, to, crossing.siteB);
+        if (!other)
+        {
+          other = axisAlongNormal(geometry, point);
+          fate = other ? kMoved : kRemoved;
+        }
         point = other.value_or(point);
       }
       const bool large = point.radius() >= leastRadius && point.lambda() >= geometry.lambda;

@@ -54,7 +54,8 @@ struct BisectorPoints
 /// removed, and those that meet the surface itself, where an edge grazes it and the field is
 /// unsigned.
 /// @param exactAngle whether the separation angle is limited as well, by axisAlongNormal() or
-///   removal.
+///   removal. Where facets approximate a round surface, so that neighbours are closest, `b` may be
+///   a tenth of a grid step farther than `a` to have that angle.
 BisectorPoints bisectorPoints(const AxisGeometry& geometry, bool exactAngle,
   std::vector<Crossing>& crossings);
 
