@@ -20,7 +20,7 @@ constexpr double kOutside = 0.1;
 
 /// How much farther than the closest point the other one may be, where a vertex is off the
 /// bisector: grid steps.
-constexpr double kOffBisector = 1.0;
+constexpr double kOffBisector = 0.3;
 
 /// The two closest points at x: the closest one, and of the sites whose bisectors gave the vertex
 /// the one that is seen under the largest angle from it.

@@ -108,13 +108,24 @@ BisectorPoints represent(Representation representation, const AxisGeometry& geom
   return points;
 }
 
-void checkAngle(double angle)
+void checkLength(const char* name, double length)
 {
-  if (!(angle > 0.0 && angle < 180.0))
+  if (!(length >= 0.0) || !std::isfinite(length))
   {
     throw Error(ErrorCode::InvalidInput,
-      "separation angle " + std::to_string(angle) + " is outside (0, 180) degrees");
+      "least " + std::string(name) + " " + std::to_string(length) + " is outside [0, infinity)");
   }
+}
+
+void checkOptions(const MedialAxisOptions& options)
+{
+  if (!(options.angle > 0.0 && options.angle < 180.0))
+  {
+    throw Error(ErrorCode::InvalidInput,
+      "separation angle " + std::to_string(options.angle) + " is outside (0, 180) degrees");
+  }
+  checkLength("lambda", options.lambda);
+  checkLength("radius", options.radius);
 }
 
 MedialAxis runPipeline(const TriangleMesh& mesh, const MeshTopology& topology, const Grid& grid,
@@ -138,9 +149,11 @@ MedialAxis runPipeline(const TriangleMesh& mesh, const MeshTopology& topology, c
     {
       const Stopwatch watch(pipeline.statistics().seconds.medial);
       const AxisGeometry geometry{ pipeline.sites(), pipeline.query(), pipeline.frame(),
-        grid.wholeExtent(), glm::radians(options.angle), 0.0, 0.0 };
+        grid.wholeExtent(), glm::radians(options.angle), options.lambda / pipeline.frame().unit,
+        options.radius / pipeline.frame().unit };
       setPoints(represent(options.representation, geometry, crossings, axis), pipeline.frame(),
         axis);
+      axis.feature = axisFeatures(edgesOf(axis), axis.points.size());
     });
   pipeline.report(1.0, "medial axis");
   axis.statistics = pipeline.statistics();
@@ -152,7 +165,7 @@ MedialAxis runPipeline(const TriangleMesh& mesh, const MeshTopology& topology, c
 MedialAxis computeMedialAxis(const TriangleMesh& mesh, const MeshTopology& topology,
   const Grid& grid, const MedialAxisOptions& options, FieldSink& sink)
 {
-  checkAngle(options.angle);
+  checkOptions(options);
   return withMemoryErrors(grid.pointCount(),
     [&] { return runPipeline(mesh, topology, grid, options, sink, nullptr); });
 }
@@ -161,7 +174,7 @@ MedialAxis computeMedialAxis(const TriangleMesh& mesh, const MeshTopology& topol
   const Grid& grid, const MedialAxisOptions& options, const FieldArrays& arrays,
   FieldMemory* memory)
 {
-  checkAngle(options.angle);
+  checkOptions(options);
   ArraySink sink(grid.wholeExtent(), arrays);
   return withMemoryErrors(grid.pointCount(),
     [&] { return runPipeline(mesh, topology, grid, options, sink, memory); });

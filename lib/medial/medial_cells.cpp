@@ -14,6 +14,10 @@ namespace
 constexpr double kShort = 0.1;
 /// The same for sides that end at a moved point.
 constexpr double kShortOfMoved = 0.3;
+/// Polygons narrower than this (voxels) between two rims are curves: their inner sides up to
+/// kAcross are contracted.
+constexpr double kNarrow = 0.3;
+constexpr double kAcross = 0.75;
 /// Cells below this area (square voxels) are lines.
 constexpr double kLeastArea = 1e-6;
 
@@ -59,10 +63,9 @@ private:
   std::vector<Id> parent_;
 };
 
-void joinEqualPoints(const BisectorPoints& points, Contraction& contraction)
+/// @param order the points to compare.
+void joinEqualPoints(const BisectorPoints& points, std::vector<Id> order, Contraction& contraction)
 {
-  std::vector<Id> order(points.points.size());
-  std::iota(order.begin(), order.end(), Id{ 0 });
   const auto key = [&](Id p)
   {
     const glm::dvec3& x = points.points[p].position;
@@ -78,20 +81,54 @@ void joinEqualPoints(const BisectorPoints& points, Contraction& contraction)
   }
 }
 
-void joinShortSides(const BisectorPoints& points, const std::vector<std::array<Id, 4>>& quads,
+/// Several of them may stand at one crossing.
+std::vector<Id> movedPoints(const BisectorPoints& points)
+{
+  std::vector<Id> moved;
+  for (std::size_t p = 0; p < points.moved.size(); ++p)
+  {
+    if (points.moved[p] != 0)
+    {
+      moved.push_back(static_cast<Id>(p));
+    }
+  }
+  return moved;
+}
+
+/// Returns whether there were any.
+bool joinShortSides(const BisectorPoints& points, const std::vector<std::array<Id, 4>>& quads,
   Contraction& contraction)
 {
+  bool any = false;
   for (const auto& quad : quads)
   {
     for (int i = 0; i < 4; ++i)
     {
-      const Id p = quad[i];
-      const Id q = quad[(i + 1) % 4];
+      const Id p = contraction.find(quad[i]);
+      const Id q = contraction.find(quad[(i + 1) % 4]);
       const double limit = (points.moved[p] | points.moved[q]) != 0 ? kShortOfMoved : kShort;
-      if (glm::distance(points.points[p].position, points.points[q].position) < limit)
+      if (p != q && glm::distance(points.points[p].position, points.points[q].position) < limit)
       {
         contraction.join(p, q);
+        any = true;
       }
+    }
+  }
+  return any;
+}
+
+/// Joins the ends of sides for which `wanted` holds.
+template <typename Wanted>
+void joinSides(const BisectorPoints& points, const Corners& corners, double limit,
+  Contraction& contraction, const Wanted& wanted)
+{
+  for (std::size_t i = 0; i < corners.size(); ++i)
+  {
+    const Id p = corners[i];
+    const Id q = corners[(i + 1) % corners.size()];
+    if (wanted(p, q) && glm::distance(points.points[p].position, points.points[q].position) < limit)
+    {
+      contraction.join(p, q);
     }
   }
 }
@@ -154,6 +191,67 @@ Corners contracted(const std::array<Id, 4>& quad, Contraction& contraction)
     corners.pop_back();
   }
   return corners;
+}
+
+/// How many polygons have a side.
+class SideCounts
+{
+public:
+  void add(const Corners& corners)
+  {
+    for (std::size_t i = 0; i < corners.size(); ++i)
+    {
+      sides_.push_back(sortedSide(corners[i], corners[(i + 1) % corners.size()]));
+    }
+  }
+  void finish() { std::sort(sides_.begin(), sides_.end()); }
+
+  bool isRim(Id p, Id q) const
+  {
+    const auto range = std::equal_range(sides_.begin(), sides_.end(), sortedSide(p, q));
+    return range.second - range.first == 1;
+  }
+
+private:
+  static std::array<Id, 2> sortedSide(Id p, Id q) { return { std::min(p, q), std::max(p, q) }; }
+
+  std::vector<std::array<Id, 2>> sides_;
+};
+
+/// Makes curves of strips of polygons that are too narrow for sheets.
+void joinNarrowStrips(const BisectorPoints& points, const std::vector<std::array<Id, 4>>& quads,
+  Contraction& contraction)
+{
+  std::vector<Corners> polygons;
+  SideCounts counts;
+  for (const auto& quad : quads)
+  {
+    const Corners corners = contracted(quad, contraction);
+    if (corners.size() >= 3)
+    {
+      polygons.push_back(corners);
+      counts.add(corners);
+    }
+  }
+  counts.finish();
+  for (const Corners& corners : polygons)
+  {
+    double longest = 0.0;
+    int rims = 0;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+    {
+      const Id p = corners[i];
+      const Id q = corners[(i + 1) % corners.size()];
+      rims += counts.isRim(p, q) ? 1 : 0;
+      longest =
+        std::max(longest, glm::distance(points.points[p].position, points.points[q].position));
+    }
+    if (rims >= 2 && area(points, corners) < kNarrow * longest)
+    {
+      joinSides(points, corners, kAcross, contraction,
+        [&](Id p, Id q) { return !counts.isRim(p, q); });
+    }
+  }
 }
 
 /// Keeps one of the cells over the same points, in ascending order of their sorted corners.
@@ -253,7 +351,13 @@ void buildCells(const std::vector<std::array<std::int64_t, 4>>& quads, BisectorP
   MedialAxis& axis)
 {
   Contraction contraction(points);
+  joinEqualPoints(points, movedPoints(points), contraction);
   joinShortSides(points, quads, contraction);
+  joinNarrowStrips(points, quads, contraction);
+  // A set's point stands for others of it, so that new sides may be short.
+  while (joinShortSides(points, quads, contraction))
+  {
+  }
   for (const auto& quad : quads)
   {
     addCell(points, contracted(quad, contraction), axis);
@@ -268,7 +372,9 @@ void buildCells(const std::vector<std::array<std::int64_t, 4>>& quads, BisectorP
 void buildVertices(BisectorPoints& points, MedialAxis& axis)
 {
   Contraction contraction(points);
-  joinEqualPoints(points, contraction);
+  std::vector<Id> all(points.points.size());
+  std::iota(all.begin(), all.end(), Id{ 0 });
+  joinEqualPoints(points, std::move(all), contraction);
   for (std::size_t p = 0; p < points.points.size(); ++p)
   {
     const auto id = static_cast<Id>(p);
