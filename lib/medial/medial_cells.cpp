@@ -1,9 +1,12 @@
 #include "medial/medial/medial_cells.h"
 
+#include <tbb/parallel_sort.h>
+
 #include <algorithm>
 #include <array>
 #include <numeric>
 #include <tuple>
+#include <utility>
 
 namespace medial
 {
@@ -204,7 +207,7 @@ public:
       sides_.push_back(sortedSide(corners[i], corners[(i + 1) % corners.size()]));
     }
   }
-  void finish() { std::sort(sides_.begin(), sides_.end()); }
+  void finish() { tbb::parallel_sort(sides_.begin(), sides_.end()); }
 
   bool isRim(Id p, Id q) const
   {
@@ -218,35 +221,49 @@ private:
   std::vector<std::array<Id, 2>> sides_;
 };
 
+double longestSide(const BisectorPoints& points, const Corners& corners)
+{
+  double longest = 0.0;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+  {
+    longest = std::max(longest,
+      glm::distance(points.points[corners[i]].position,
+        points.points[corners[(i + 1) % corners.size()]].position));
+  }
+  return longest;
+}
+
 /// Makes curves of strips of polygons that are too narrow for sheets.
 void joinNarrowStrips(const BisectorPoints& points, const std::vector<std::array<Id, 4>>& quads,
   Contraction& contraction)
 {
-  std::vector<Corners> polygons;
+  std::vector<Corners> narrow;
   SideCounts counts;
   for (const auto& quad : quads)
   {
-    const Corners corners = contracted(quad, contraction);
+    Corners corners = contracted(quad, contraction);
     if (corners.size() >= 3)
     {
-      polygons.push_back(corners);
       counts.add(corners);
+      if (area(points, corners) < kNarrow * longestSide(points, corners))
+      {
+        narrow.push_back(std::move(corners));
+      }
     }
   }
-  counts.finish();
-  for (const Corners& corners : polygons)
+  if (narrow.empty())
   {
-    double longest = 0.0;
+    return;
+  }
+  counts.finish();
+  for (const Corners& corners : narrow)
+  {
     int rims = 0;
     for (std::size_t i = 0; i < corners.size(); ++i)
     {
-      const Id p = corners[i];
-      const Id q = corners[(i + 1) % corners.size()];
-      rims += counts.isRim(p, q) ? 1 : 0;
-      longest =
-        std::max(longest, glm::distance(points.points[p].position, points.points[q].position));
+      rims += counts.isRim(corners[i], corners[(i + 1) % corners.size()]) ? 1 : 0;
     }
-    if (rims >= 2 && area(points, corners) < kNarrow * longest)
+    if (rims >= 2)
     {
       joinSides(points, corners, kAcross, contraction,
         [&](Id p, Id q) { return !counts.isRim(p, q); });
@@ -258,16 +275,23 @@ void joinNarrowStrips(const BisectorPoints& points, const std::vector<std::array
 template <typename Cell>
 void removeDuplicates(std::vector<Cell>& cells)
 {
-  const auto key = [](Cell cell)
+  std::vector<std::pair<Cell, std::size_t>> keys(cells.size());
+  for (std::size_t i = 0; i < cells.size(); ++i)
   {
-    std::sort(cell.begin(), cell.end());
-    return cell;
-  };
-  std::stable_sort(cells.begin(), cells.end(),
-    [&](const Cell& a, const Cell& b) { return key(a) < key(b); });
-  cells.erase(std::unique(cells.begin(), cells.end(),
-                [&](const Cell& a, const Cell& b) { return key(a) == key(b); }),
-    cells.end());
+    keys[i] = { cells[i], i };
+    std::sort(keys[i].first.begin(), keys[i].first.end());
+  }
+  tbb::parallel_sort(keys.begin(), keys.end());
+  std::vector<Cell> kept;
+  kept.reserve(cells.size());
+  for (std::size_t i = 0; i < keys.size(); ++i)
+  {
+    if (i == 0 || keys[i].first != keys[i - 1].first)
+    {
+      kept.push_back(cells[keys[i].second]);
+    }
+  }
+  cells = std::move(kept);
 }
 
 /// Calls `visit` with a reference to every point id in the cells.

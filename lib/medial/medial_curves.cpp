@@ -2,6 +2,8 @@
 
 #include "medial/medial/medial_axis.h"
 
+#include <tbb/parallel_sort.h>
+
 #include <algorithm>
 
 namespace medial
@@ -28,7 +30,7 @@ std::vector<FeatureEdge> featureEdges(const AxisEdges& edges)
   std::vector<Edge> sides;
   sides.reserve(edges.sides.size());
   std::transform(edges.sides.begin(), edges.sides.end(), std::back_inserter(sides), sorted);
-  std::sort(sides.begin(), sides.end());
+  tbb::parallel_sort(sides.begin(), sides.end());
   std::vector<FeatureEdge> result;
   for (auto first = sides.begin(); first != sides.end();)
   {
