@@ -1,0 +1,113 @@
+#include "medial/medial/evaluation/ball_hulls.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace medial
+{
+namespace
+{
+
+/// Triangles whose height is below this share of their longest side have no plane.
+constexpr double kLeastHeight = 1e-9;
+
+/// A triangle of centres with what follows from it for the radius.
+struct SlabPlane
+{
+  bool usable = false;
+  glm::dvec3 normal;    ///< not of unit length
+  double normalSquared; ///< its squared length
+  glm::dvec3 dualB;     ///< dot with a vector of the plane from a: coordinate of b
+  glm::dvec3 dualC;
+  glm::dvec3 gradient; ///< of the radius
+  double rise;         ///< sqrt(1 - squared length of the gradient)
+};
+
+SlabPlane slabPlane(const Ball& a, const Ball& b, const Ball& c)
+{
+  SlabPlane plane{};
+  const glm::dvec3 u = b.centre - a.centre;
+  const glm::dvec3 v = c.centre - a.centre;
+  const double longest = std::max({ glm::dot(u, u), glm::dot(v, v), glm::dot(v - u, v - u) });
+  plane.normal = glm::cross(u, v);
+  plane.normalSquared = glm::dot(plane.normal, plane.normal);
+  if (plane.normalSquared <= kLeastHeight * kLeastHeight * longest * longest)
+  {
+    return plane;
+  }
+  plane.dualB = glm::cross(v, plane.normal) / plane.normalSquared;
+  plane.dualC = glm::cross(plane.normal, u) / plane.normalSquared;
+  plane.gradient = (b.radius - a.radius) * plane.dualB + (c.radius - a.radius) * plane.dualC;
+  const double slope = glm::dot(plane.gradient, plane.gradient);
+  plane.usable = slope < 1.0;
+  plane.rise = plane.usable ? std::sqrt(1.0 - slope) : 0.0;
+  return plane;
+}
+
+const Contact& nearer(const Contact& a, const Contact& b)
+{
+  return b.distance < a.distance ? b : a;
+}
+
+} // namespace
+
+Contact contactWithBall(const Ball& ball, const glm::dvec3& x)
+{
+  return { glm::distance(x, ball.centre) - ball.radius, ball };
+}
+
+Contact contactWithCone(const Ball& a, const Ball& b, const glm::dvec3& x)
+{
+  const glm::dvec3 along = b.centre - a.centre;
+  const double squared = glm::dot(along, along);
+  const double growth = b.radius - a.radius;
+  if (growth * growth >= squared)
+  {
+    return contactWithBall(growth > 0.0 ? b : a, x);
+  }
+  const glm::dvec3 toX = x - a.centre;
+  const double foot = glm::dot(toX, along) / squared;
+  const double height = glm::length(toX - foot * along);
+  // The ball that touches the cone where x is nearest lies by this farther to the thick end.
+  const double shift = height * growth / (squared * std::sqrt(1.0 - growth * growth / squared));
+  const double t = std::clamp(foot + shift, 0.0, 1.0);
+  return contactWithBall({ a.centre + t * along, a.radius + t * growth }, x);
+}
+
+Contact contactWithSlab(const Ball& a, const Ball& b, const Ball& c, const glm::dvec3& x)
+{
+  const SlabPlane plane = slabPlane(a, b, c);
+  if (plane.usable)
+  {
+    const glm::dvec3 toX = x - a.centre;
+    const double lift = glm::dot(toX, plane.normal) / plane.normalSquared;
+    const double height = std::abs(lift) * std::sqrt(plane.normalSquared);
+    const glm::dvec3 centre = toX - lift * plane.normal + height / plane.rise * plane.gradient;
+    const double atB = glm::dot(centre, plane.dualB);
+    const double atC = glm::dot(centre, plane.dualC);
+    if (atB >= 0.0 && atC >= 0.0 && atB + atC <= 1.0)
+    {
+      const double radius = a.radius + glm::dot(plane.gradient, centre);
+      return { height / plane.rise - radius, { a.centre + centre, radius } };
+    }
+  }
+  return nearer(nearer(contactWithCone(a, b, x), contactWithCone(b, c, x)),
+    contactWithCone(c, a, x));
+}
+
+TangentPlanes tangentPlanes(const Ball& a, const Ball& b, const Ball& c)
+{
+  const SlabPlane plane = slabPlane(a, b, c);
+  TangentPlanes result;
+  result.exist = plane.usable;
+  if (plane.usable)
+  {
+    const glm::dvec3 up = plane.rise * plane.normal / std::sqrt(plane.normalSquared);
+    result.gradient = plane.gradient;
+    result.normals[0] = up - plane.gradient;
+    result.normals[1] = -up - plane.gradient;
+  }
+  return result;
+}
+
+} // namespace medial

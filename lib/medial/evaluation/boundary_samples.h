@@ -1,0 +1,20 @@
+#pragma once
+
+#include "medial/medial/evaluation/ball_union.h"
+
+#include <glm/glm.hpp>
+
+#include <vector>
+
+namespace medial
+{
+
+/// Points on the surface of a union of balls, cones and slabs, evenly spread by area; always the
+/// same ones, whatever the number of threads. The surface of every part is sampled, and what lies
+/// inside another part is left out.
+/// @param areaPerSample > 0.
+/// @param tolerance how deep inside another primitive a point still counts as on the surface.
+std::vector<glm::dvec3> boundarySamples(const BallUnion& solid, double areaPerSample,
+  double tolerance);
+
+} // namespace medial
