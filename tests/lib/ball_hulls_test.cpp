@@ -38,28 +38,47 @@ double behind(const std::vector<Ball>& balls, const glm::dvec3& x, const glm::dv
   return least;
 }
 
-/// The signed distance to a convex body is the greatest over all directions n of n . x - h(n), with
-/// h(n) the greatest n . c + r of the balls: sampled, then climbed.
-double oracle(const std::vector<Ball>& balls, const glm::dvec3& x)
+/// Climbs from a direction to one that is farther behind.
+double climb(const std::vector<Ball>& balls, const glm::dvec3& x, glm::dvec3 best)
 {
-  static const std::vector<glm::dvec3> kDirections = directions(20000);
   static const std::vector<glm::dvec3> kSteps = directions(300);
-  glm::dvec3 best = kDirections.front();
-  const auto tryOne = [&](const glm::dvec3& n)
-  { best = behind(balls, x, n) > behind(balls, x, best) ? n : best; };
-  for (const glm::dvec3& n : kDirections)
-  {
-    tryOne(n);
-  }
-  for (double size = 0.05; size > 1e-6; size *= 0.9)
+  double greatest = behind(balls, x, best);
+  for (double size = 0.1; size > 1e-6; size *= 0.9)
   {
     const glm::dvec3 from = best;
     for (const glm::dvec3& step : kSteps)
     {
-      tryOne(glm::normalize(from + size * step));
+      const glm::dvec3 n = glm::normalize(from + size * step);
+      const double value = behind(balls, x, n);
+      best = value > greatest ? n : best;
+      greatest = std::max(greatest, value);
     }
   }
-  return behind(balls, x, best);
+  return greatest;
+}
+
+/// The signed distance to a convex body is the greatest over all directions n of n . x - h(n), with
+/// h(n) the greatest n . c + r of the balls. From inside there are several local maxima: climbed
+/// from the best sample of every octant.
+double oracle(const std::vector<Ball>& balls, const glm::dvec3& x)
+{
+  static const std::vector<glm::dvec3> kDirections = directions(20000);
+  glm::dvec3 starts[8] = {};
+  double highest[8];
+  std::fill(highest, highest + 8, -1e30);
+  for (const glm::dvec3& n : kDirections)
+  {
+    const int octant = (n.x > 0.0 ? 1 : 0) + (n.y > 0.0 ? 2 : 0) + (n.z > 0.0 ? 4 : 0);
+    const double value = behind(balls, x, n);
+    starts[octant] = value > highest[octant] ? n : starts[octant];
+    highest[octant] = std::max(highest[octant], value);
+  }
+  double greatest = -1e30;
+  for (const glm::dvec3& start : starts)
+  {
+    greatest = std::max(greatest, climb(balls, x, start));
+  }
+  return greatest;
 }
 
 class Random
@@ -80,7 +99,7 @@ void expectDistance(const std::vector<Ball>& balls, const Contact& contact, cons
 {
   const double expected = oracle(balls, x);
   EXPECT_GE(contact.distance, expected - 1e-9);
-  EXPECT_LE(contact.distance, expected + 1e-4);
+  EXPECT_LE(contact.distance, expected + 5e-4);
   // The ball that is named touches there.
   EXPECT_NEAR(glm::distance(x, contact.ball.centre) - contact.ball.radius, contact.distance, 1e-9);
 }
