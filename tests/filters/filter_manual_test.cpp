@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <vtkMedialAxis.h>
+#include <vtkMedialReconstruction.h>
 #include <vtkMeshDistanceField.h>
 #include <vtkNew.h>
 
@@ -142,6 +143,11 @@ TEST(FilterManual, DistanceFieldHasNoParametersOfItsOwn)
 TEST(FilterManual, MedialAxisParametersAreExplainedAndPrinted)
 {
   expectManual("vtkMedialAxis", 4, printed<vtkMedialAxis>());
+}
+
+TEST(FilterManual, ReconstructionParametersAreExplainedAndPrinted)
+{
+  expectManual("vtkMedialReconstruction", 2, printed<vtkMedialReconstruction>());
 }
 
 // Nothing is printed as a parameter that no header explains.

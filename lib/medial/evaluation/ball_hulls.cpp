@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace medial
 {
@@ -74,25 +75,34 @@ Contact contactWithCone(const Ball& a, const Ball& b, const glm::dvec3& x)
   return contactWithBall({ a.centre + t * along, a.radius + t * growth }, x);
 }
 
-Contact contactWithSlab(const Ball& a, const Ball& b, const Ball& c, const glm::dvec3& x)
+Contact contactWithSlab(const Ball& a, const Ball& b, const Ball& c, const glm::dvec3& x,
+  double limit)
 {
   const SlabPlane plane = slabPlane(a, b, c);
-  if (plane.usable)
+  if (!plane.usable)
   {
-    const glm::dvec3 toX = x - a.centre;
-    const double lift = glm::dot(toX, plane.normal) / plane.normalSquared;
-    const double height = std::abs(lift) * std::sqrt(plane.normalSquared);
-    const glm::dvec3 centre = toX - lift * plane.normal + height / plane.rise * plane.gradient;
-    const double atB = glm::dot(centre, plane.dualB);
-    const double atC = glm::dot(centre, plane.dualC);
-    if (atB >= 0.0 && atC >= 0.0 && atB + atC <= 1.0)
-    {
-      const double radius = a.radius + glm::dot(plane.gradient, centre);
-      return { height / plane.rise - radius, { a.centre + centre, radius } };
-    }
+    return nearer(nearer(contactWithCone(a, b, x), contactWithCone(b, c, x)),
+      contactWithCone(c, a, x));
   }
-  return nearer(nearer(contactWithCone(a, b, x), contactWithCone(b, c, x)),
-    contactWithCone(c, a, x));
+  const glm::dvec3 toX = x - a.centre;
+  const double lift = glm::dot(toX, plane.normal) / plane.normalSquared;
+  const double height = std::abs(lift) * std::sqrt(plane.normalSquared);
+  const glm::dvec3 centre = toX - lift * plane.normal + height / plane.rise * plane.gradient;
+  const double radius = a.radius + glm::dot(plane.gradient, centre);
+  const Contact onPlane{ height / plane.rise - radius, { a.centre + centre, radius } };
+  const double atB = glm::dot(centre, plane.dualB);
+  const double atC = glm::dot(centre, plane.dualC);
+  if (onPlane.distance >= limit || (atB >= 0.0 && atC >= 0.0 && atB + atC <= 1.0))
+  {
+    return onPlane;
+  }
+  // The least of a convex function over the triangle lies on a side that the least of all is
+  // beyond.
+  Contact best;
+  best.distance = std::numeric_limits<double>::infinity();
+  best = atC < 0.0 ? contactWithCone(a, b, x) : best;
+  best = atB < 0.0 ? nearer(best, contactWithCone(c, a, x)) : best;
+  return atB + atC > 1.0 ? nearer(best, contactWithCone(b, c, x)) : best;
 }
 
 TangentPlanes tangentPlanes(const Ball& a, const Ball& b, const Ball& c)

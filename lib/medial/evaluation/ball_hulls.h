@@ -2,6 +2,8 @@
 
 #include <glm/glm.hpp>
 
+#include <limits>
+
 namespace medial
 {
 
@@ -31,7 +33,9 @@ Contact contactWithCone(const Ball& a, const Ball& b, const glm::dvec3& x);
 
 /// The convex hull of three balls; that of two where the triangle has no area or the third adds
 /// nothing.
-Contact contactWithSlab(const Ball& a, const Ball& b, const Ball& c, const glm::dvec3& x);
+/// @param limit where the distance is not below it, another one that is not either may be returned.
+Contact contactWithSlab(const Ball& a, const Ball& b, const Ball& c, const glm::dvec3& x,
+  double limit = std::numeric_limits<double>::infinity());
 
 /// The planes that touch three balls from outside, on either side of their triangle.
 struct TangentPlanes

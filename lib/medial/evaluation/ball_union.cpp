@@ -87,12 +87,12 @@ BallUnion::BallUnion(const MedialModel& model, bool interpolate)
 {
 }
 
-Contact BallUnion::contactWith(std::uint32_t primitive, const glm::dvec3& x) const
+Contact BallUnion::contactWith(std::uint32_t primitive, const glm::dvec3& x, double limit) const
 {
   const auto& [a, b, c] = primitives_[primitive];
   if (c != kNone)
   {
-    return contactWithSlab(balls_[a], balls_[b], balls_[c], x);
+    return contactWithSlab(balls_[a], balls_[b], balls_[c], x, limit);
   }
   return b != kNone ? contactWithCone(balls_[a], balls_[b], x) : contactWithBall(balls_[a], x);
 }
@@ -104,7 +104,7 @@ Contact BallUnion::contact(const glm::dvec3& x, double limit) const
   tree_.search(x, best.distance,
     [&](std::uint32_t primitive)
     {
-      const Contact found = this->contactWith(primitive, x);
+      const Contact found = this->contactWith(primitive, x, best.distance);
       if (found.distance < best.distance)
       {
         best = found;
@@ -120,7 +120,7 @@ bool BallUnion::covers(const glm::dvec3& x, double depth) const
   tree_.search(x, limit,
     [&](std::uint32_t primitive)
     {
-      if (limit != kStop && this->contactWith(primitive, x).distance < -depth)
+      if (limit != kStop && this->contactWith(primitive, x, -depth).distance < -depth)
       {
         limit = kStop;
       }

@@ -44,7 +44,7 @@ public:
   double distanceToSurface(const glm::dvec3& x, double tolerance) const;
 
 private:
-  Contact contactWith(std::uint32_t primitive, const glm::dvec3& x) const;
+  Contact contactWith(std::uint32_t primitive, const glm::dvec3& x, double limit) const;
 
   std::vector<Ball> balls_;
   std::vector<std::array<std::int32_t, 3>> primitives_;
