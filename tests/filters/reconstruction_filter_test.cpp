@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <vtkCell.h>
 #include <vtkCellArray.h>
 #include <vtkDataArray.h>
 #include <vtkElevationFilter.h>
@@ -198,18 +199,16 @@ TEST(MedialReconstruction, PointsAreOnTheSurfaceAndNormalsPointOutwards)
   // Triangles face the same way.
   for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
   {
-    vtkIdType size = 0;
-    const vtkIdType* ids = nullptr;
-    surface->GetCellPoints(cell, size, ids);
-    ASSERT_EQ(size, 3);
+    vtkCell* triangle = surface->GetCell(cell);
+    ASSERT_EQ(triangle->GetNumberOfPoints(), 3);
     double corners[3][3];
     double normal[3];
     for (int i = 0; i < 3; ++i)
     {
-      surface->GetPoint(ids[i], corners[i]);
+      surface->GetPoint(triangle->GetPointId(i), corners[i]);
     }
     vtkTriangle::ComputeNormalDirection(corners[0], corners[1], corners[2], normal);
-    const medial::Point3 expected = vectorOf(surface, "Normals", ids[0]);
+    const medial::Point3 expected = vectorOf(surface, "Normals", triangle->GetPointId(0));
     ASSERT_GE(normal[0] * expected[0] + normal[1] * expected[1] + normal[2] * expected[2], 0.0);
   }
 }
