@@ -1,5 +1,5 @@
 #include "options.h"
-#include "program.h"
+#include "program_main.h"
 #include "run.h"
 
 int main(int argc, char** argv)

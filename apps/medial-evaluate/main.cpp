@@ -1,6 +1,6 @@
 #include "evaluate_options.h"
 #include "evaluate_run.h"
-#include "program.h"
+#include "program_main.h"
 
 int main(int argc, char** argv)
 {

@@ -1,4 +1,4 @@
-#include "program.h"
+#include "program_main.h"
 
 #include "failure.h"
 #include "interrupt.h"
