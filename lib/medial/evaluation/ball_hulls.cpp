@@ -113,7 +113,6 @@ TangentPlanes tangentPlanes(const Ball& a, const Ball& b, const Ball& c)
   if (plane.usable)
   {
     const glm::dvec3 up = plane.rise * plane.normal / std::sqrt(plane.normalSquared);
-    result.gradient = plane.gradient;
     result.normals[0] = up - plane.gradient;
     result.normals[1] = -up - plane.gradient;
   }

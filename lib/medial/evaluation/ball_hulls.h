@@ -40,9 +40,8 @@ Contact contactWithSlab(const Ball& a, const Ball& b, const Ball& c, const glm::
 /// The planes that touch three balls from outside, on either side of their triangle.
 struct TangentPlanes
 {
-  bool exist = false;         ///< false for a triangle without area or where radii differ too much
-  glm::dvec3 normals[2]{};    ///< outward, unit; ball (c, r) is touched at c + r normal
-  glm::dvec3 gradient{ 0.0 }; ///< of the radius over the triangle's plane
+  bool exist = false;      ///< false for a triangle without area or where radii differ too much
+  glm::dvec3 normals[2]{}; ///< outward, unit; ball (c, r) is touched at c + r normal
 };
 
 TangentPlanes tangentPlanes(const Ball& a, const Ball& b, const Ball& c);

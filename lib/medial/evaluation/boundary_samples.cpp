@@ -122,7 +122,9 @@ private:
   template <typename Visit>
   void visitCone(std::size_t cone, double start, double length, const Visit& visit) const
   {
-    const auto& [a, b] = neighbours_.cones()[cone];
+    // No structured binding: lambdas of C++17 cannot capture it.
+    const std::int32_t a = neighbours_.cones()[cone][0];
+    const std::int32_t b = neighbours_.cones()[cone][1];
     const glm::dvec3 along = this->ball(b).centre - this->ball(a).centre;
     const double distance = glm::length(along);
     const double growth = this->ball(b).radius - this->ball(a).radius;

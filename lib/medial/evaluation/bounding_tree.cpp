@@ -39,7 +39,7 @@ ItemBounds ItemBounds::nothing()
   return { glm::dvec3(kFarthest), glm::dvec3(-kFarthest), 0.0 };
 }
 
-BoundingTree::BoundingTree(std::vector<ItemBounds> items)
+BoundingTree::BoundingTree(const std::vector<ItemBounds>& items)
   : order_(items.size())
 {
   std::iota(order_.begin(), order_.end(), 0U);

@@ -33,7 +33,7 @@ struct ItemBounds
 class BoundingTree
 {
 public:
-  explicit BoundingTree(std::vector<ItemBounds> items);
+  explicit BoundingTree(const std::vector<ItemBounds>& items);
 
   /// Calls `visit(item)` for items that may be nearer to x than `limit`, near ones first. `visit`
   /// lowers the limit by what it finds.

@@ -43,8 +43,8 @@ const SpherePatches& SpherePatches::instance()
 glm::dvec3 SpherePatches::direction(std::size_t patch, double u, double v) const
 {
   static const double kPi = std::acos(-1.0);
-  const double z =
-    1.0 - 2.0 * (static_cast<double>(patch / kSectors) + u) / static_cast<double>(kBands);
+  const std::size_t band = patch / kSectors;
+  const double z = 1.0 - 2.0 * (static_cast<double>(band) + u) / static_cast<double>(kBands);
   const double angle =
     2.0 * kPi * (static_cast<double>(patch % kSectors) + v) / static_cast<double>(kSectors);
   const double rho = std::sqrt(std::max(0.0, 1.0 - z * z));
