@@ -12,6 +12,7 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
@@ -53,6 +54,22 @@ private:
 };
 
 //------------------------------------------------------------------------------
+// The contour filter makes points in single precision, which serve near the origin only.
+void MoveTo(const medial::Point3& origin, vtkPolyData* surface)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(surface->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    surface->GetPoint(i, x);
+    points->SetPoint(i, origin[0] + x[0], origin[1] + x[1], origin[2] + x[2]);
+  }
+  surface->SetPoints(points);
+}
+
+//------------------------------------------------------------------------------
 void Contour(const medial::Grid& grid, const std::vector<float>& field, vtkPolyData* output)
 {
   vtkNew<vtkFloatArray> values;
@@ -61,7 +78,6 @@ void Contour(const medial::Grid& grid, const std::vector<float>& field, vtkPolyD
   // For VTK inside is where the values are high: so triangles and normals face outwards.
   std::transform(field.begin(), field.end(), values->GetPointer(0), std::negate<float>());
   vtkNew<vtkImageData> image;
-  image->SetOrigin(grid.origin.data());
   image->SetSpacing(grid.spacing.data());
   image->SetDimensions(grid.dimensions.data());
   image->GetPointData()->SetScalars(values);
@@ -72,6 +88,7 @@ void Contour(const medial::Grid& grid, const std::vector<float>& field, vtkPolyD
   contour->ComputeScalarsOff();
   contour->Update();
   output->ShallowCopy(contour->GetOutput());
+  MoveTo(grid.origin, output);
 }
 
 } // namespace

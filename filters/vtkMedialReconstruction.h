@@ -15,8 +15,9 @@
  * 2, 3; polygons of more corners are fans.
  *
  * @par Output:
- * Triangles, closed, with point normals that point outwards (array Normals). Details thinner than a
- * voxel may be missing. Balls of radius 0 have no inside, so they leave nothing.
+ * Triangles, closed, points in double precision, with normals that point outwards (array Normals).
+ * Details thinner than a voxel may be missing. Balls of radius 0 have no inside, so they leave
+ * nothing.
  *
  * @par Errors:
  * Input without points, a missing or unfit array Radius, a radius that is negative or not finite,

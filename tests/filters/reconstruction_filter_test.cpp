@@ -213,6 +213,28 @@ TEST(MedialReconstruction, PointsAreOnTheSurfaceAndNormalsPointOutwards)
   }
 }
 
+TEST(MedialReconstruction, FarFromTheOriginItIsTheSame)
+{
+  auto near = make(plate(), 40);
+  near->Update();
+  auto axis = plate();
+  for (vtkIdType i = 0; i < axis->GetNumberOfPoints(); ++i)
+  {
+    const medial::Point3 x = pointOf(axis, i);
+    axis->GetPoints()->SetPoint(i, x[0] + 1e6, x[1] - 2e6, x[2]);
+  }
+  auto far = make(axis, 40);
+  far->Update();
+  vtkPolyData* surface = far->GetOutput();
+  ASSERT_GT(surface->GetNumberOfPoints(), 1000);
+  double bounds[6];
+  double expected[6];
+  surface->GetBounds(bounds);
+  near->GetOutput()->GetBounds(expected);
+  EXPECT_NEAR(bounds[0], expected[0] + 1e6, 1e-5);
+  EXPECT_NEAR(bounds[3], expected[3] - 2e6, 1e-5);
+}
+
 TEST(MedialReconstruction, SurfaceIsClosed)
 {
   auto filter = make(plate(), 40);

@@ -179,6 +179,38 @@ TEST(AxisEvaluation, ThreadsDoNotChangeTheResult)
   EXPECT_EQ(a.radiusError.mean, b.radiusError.mean);
 }
 
+TEST(AxisEvaluation, RadiiWithoutMeasureTakeNoMoreTime)
+{
+  EvaluationOptions options;
+  options.samples = 10000;
+  for (const double radius : { 1e3, 1e9, 1e30 })
+  {
+    MedialModel model = segment(0.5, 0.3);
+    model.centres.push_back({ radius, 0.0, 0.0 });
+    model.radii.push_back(radius);
+    model.lines.push_back({ 1, 2 });
+    const AxisEvaluation result = evaluateOn(icosphere(1.0, 3), model, options);
+    EXPECT_GT(result.unionToSurface.max, 1.9 * radius);
+    EXPECT_LT(result.unionToSurface.max, 2.1 * radius);
+    EXPECT_LT(result.unionToSurface.places, 1000000);
+  }
+}
+
+TEST(AxisEvaluation, VeryFarFromTheOriginItComesToAnEnd)
+{
+  TriangleMesh mesh = icosphere(1.0, 3);
+  MedialModel model = segment(0.3, 0.6);
+  for (auto* points : { &mesh.points, &model.centres })
+  {
+    for (Point3& point : *points)
+    {
+      point[0] += 1e10;
+    }
+  }
+  const AxisEvaluation result = evaluateOn(mesh, model);
+  EXPECT_NEAR(result.hausdorff(), 0.4, 0.01);
+}
+
 class Watch : public Progress
 {
 public:

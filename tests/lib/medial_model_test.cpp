@@ -116,6 +116,7 @@ TEST(MedialModel, RefusesWhatIsNoModel)
   expectRefused([](MedialModel& m) { m.radii[3] = -0.25; }, "radius -0.25 of ball 3");
   expectRefused([=](MedialModel& m) { m.radii[3] = nan; }, "radius nan of ball 3");
   expectRefused([=](MedialModel& m) { m.centres[2][1] = nan; }, "centre 2");
+  expectRefused([](MedialModel& m) { m.radii[3] = 1e200; }, "radius 1e+200 of ball 3");
   expectRefused([](MedialModel& m) { m.quads[1][2] = 6; }, "quad 1 names ball 6, outside [0, 5]");
   expectRefused([](MedialModel& m) { m.triangles = { { 0, -1, 2 } }; }, "triangle 0 names ball -1");
   expectRefused([](MedialModel& m) { m.lines = { { 0, 9 } }; }, "line 0 names ball 9");

@@ -5,6 +5,7 @@
 #include "medial/medial/evaluation/boundary_samples.h"
 #include "medial/medial/evaluation/surface_distance.h"
 #include "medial/medial/evaluation/surface_samples.h"
+#include "medial/medial/evaluation/union_field.h"
 
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -21,10 +22,31 @@ namespace
 
 /// What counts as on a surface, of the diagonal of the mesh's bounds.
 constexpr double kTolerance = 1e-9;
+/// The same, of the greatest coordinate: what rounding may do.
+constexpr double kRounding = 1e-14;
 
 glm::dvec3 toVector(const Point3& point)
 {
   return { point[0], point[1], point[2] };
+}
+
+double largestCoordinate(const Bounds& bounds)
+{
+  double largest = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    largest = std::max({ largest, std::abs(bounds.min[axis]), std::abs(bounds.max[axis]) });
+  }
+  return largest;
+}
+
+/// By how much sparser a union has to be sampled that is many times as large as the mesh: radii
+/// without bounds must not take time without bounds.
+double coarsening(const Bounds& solid, const Bounds& mesh)
+{
+  constexpr double kLargest = 4.0;
+  const double ratio = solid.diagonal() / (kLargest * mesh.diagonal());
+  return std::max(1.0, ratio * ratio);
 }
 
 void checkOptions(const EvaluationOptions& options)
@@ -140,14 +162,17 @@ AxisEvaluation evaluate(const TriangleMesh& mesh, const MeshTopology& topology,
     throw Error(ErrorCode::InvalidInput, "the mesh has an area of 0");
   }
   result.diagonal = mesh.bounds().diagonal();
-  const double tolerance = kTolerance * result.diagonal;
+  const Bounds bounds = mesh.bounds();
+  const double tolerance =
+    std::max(kTolerance * result.diagonal, kRounding * largestCoordinate(bounds));
   const BallUnion solid(model);
   const SurfaceDistance surface(mesh, topology);
   result.knowsInside = surface.knowsInside();
   result.surfaceToUnion = surfaceToUnion(mesh, solid, options.samples, tolerance, steps);
-  steps.report(0.5, "surface of the union");
-  const std::vector<glm::dvec3> boundary =
-    boundarySamples(solid, area / static_cast<double>(options.samples), tolerance);
+  const double perSample =
+    area / static_cast<double>(options.samples) * coarsening(modelBounds(model), bounds);
+  const std::vector<glm::dvec3> boundary = boundarySamples(solid, perSample, tolerance,
+    [&](double fraction) { steps.report(0.5 + 0.2 * fraction, "surface of the union"); });
   result.unionToSurface = summarise(steps.evaluate(boundary.size(), 0.7, 0.9, "union to surface",
     [&](std::size_t i) { return std::abs(surface.signedDistance(boundary[i])); }));
   compareBalls(model, surface, steps, result);

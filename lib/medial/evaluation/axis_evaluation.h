@@ -19,7 +19,8 @@ constexpr std::int64_t kMostEvaluationSamples = 100000000;
 struct EvaluationOptions
 {
   /// Number of samples on the surface of the mesh, in [1000, 100000000]; the surface of the union
-  /// gets as many per area.
+  /// gets as many per area, and fewer where its bounds are more than four times as large as the
+  /// mesh's.
   std::int64_t samples = kDefaultEvaluationSamples;
   /// CPU threads to use; 0 for all cores. They do not change the result.
   int threads = 0;

@@ -171,8 +171,9 @@ double BallUnion::distanceToSurface(const glm::dvec3& x, double tolerance) const
     contact = this->contact(y);
   }
   // Where the moves go round in a circle, straight on: that leaves every bounded solid.
+  constexpr int kMostSteps = 100000;
   const glm::dvec3 direction = outward(contact, y);
-  while (contact.distance < -tolerance)
+  for (int step = 0; step < kMostSteps && contact.distance < -tolerance; ++step)
   {
     y -= contact.distance * direction;
     contact = this->contact(y);

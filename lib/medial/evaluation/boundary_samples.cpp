@@ -193,27 +193,35 @@ private:
 } // namespace
 
 std::vector<glm::dvec3> boundarySamples(const BallUnion& solid, double areaPerSample,
-  double tolerance)
+  double tolerance, const std::function<void(double)>& report)
 {
   constexpr std::size_t kGroup = 256;
+  constexpr std::size_t kBatch = 64;
   const Parts parts(solid, areaPerSample);
   std::vector<std::vector<glm::dvec3>> groups((parts.size() + kGroup - 1) / kGroup);
-  tbb::parallel_for(std::size_t{ 0 }, groups.size(),
-    [&](std::size_t group)
+  const auto sample = [&](std::size_t group)
+  {
+    const std::size_t end = std::min(parts.size(), (group + 1) * kGroup);
+    for (std::size_t part = group * kGroup; part < end; ++part)
     {
-      const std::size_t end = std::min(parts.size(), (group + 1) * kGroup);
-      for (std::size_t part = group * kGroup; part < end; ++part)
-      {
-        parts.visitSamples(part,
-          [&](const glm::dvec3& point)
+      parts.visitSamples(part,
+        [&](const glm::dvec3& point)
+        {
+          if (!solid.covers(point, tolerance))
           {
-            if (!solid.covers(point, tolerance))
-            {
-              groups[group].push_back(point);
-            }
-          });
-      }
-    });
+            groups[group].push_back(point);
+          }
+        });
+    }
+  };
+  for (std::size_t first = 0; first < groups.size(); first += kBatch)
+  {
+    if (report)
+    {
+      report(static_cast<double>(first) / static_cast<double>(groups.size()));
+    }
+    tbb::parallel_for(first, std::min(groups.size(), first + kBatch), sample);
+  }
   std::vector<glm::dvec3> samples;
   for (const auto& group : groups)
   {

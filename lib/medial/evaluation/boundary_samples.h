@@ -4,6 +4,7 @@
 
 #include <glm/glm.hpp>
 
+#include <functional>
 #include <vector>
 
 namespace medial
@@ -14,7 +15,8 @@ namespace medial
 /// inside another part is left out.
 /// @param areaPerSample > 0.
 /// @param tolerance how deep inside another primitive a point still counts as on the surface.
+/// @param report told now and then what share in [0, 1] is done; its exceptions end the work.
 std::vector<glm::dvec3> boundarySamples(const BallUnion& solid, double areaPerSample,
-  double tolerance);
+  double tolerance, const std::function<void(double)>& report = {});
 
 } // namespace medial

@@ -11,6 +11,9 @@ namespace medial
 namespace
 {
 
+/// What can be squared without leaving the numbers.
+constexpr double kLargest = 1e100;
+
 [[noreturn]] void refuse(const std::ostringstream& message)
 {
   throw Error(ErrorCode::InvalidInput, message.str());
@@ -39,15 +42,16 @@ void checkBall(const MedialModel& model, std::size_t i)
   std::ostringstream message;
   for (const double coordinate : model.centres[i])
   {
-    if (!std::isfinite(coordinate))
+    if (!(std::abs(coordinate) <= kLargest))
     {
-      message << "centre " << i << " has the coordinate " << coordinate << ", which is not finite";
+      message << "centre " << i << " has the coordinate " << coordinate
+              << ", which is outside [-1e100, 1e100]";
       refuse(message);
     }
   }
-  if (!(model.radii[i] >= 0.0 && std::isfinite(model.radii[i])))
+  if (!(model.radii[i] >= 0.0 && model.radii[i] <= kLargest))
   {
-    message << "radius " << model.radii[i] << " of ball " << i << " is outside [0, infinity)";
+    message << "radius " << model.radii[i] << " of ball " << i << " is outside [0, 1e100]";
     refuse(message);
   }
 }

@@ -30,8 +30,8 @@ struct MedialModel
 MedialModel toMedialModel(const MedialAxis& axis);
 
 /// @throws Error InvalidInput naming the value for a model without balls, as many radii as not
-///   centres, a centre that is not finite, a radius outside [0, infinity) and a cell that names a
-///   ball that does not exist.
+///   centres, a coordinate outside [-1e100, 1e100], a radius outside [0, 1e100] and a cell that
+///   names a ball that does not exist.
 void checkMedialModel(const MedialModel& model);
 
 /// Numbers of what a model consists of, and how it hangs together.
