@@ -45,6 +45,24 @@ SlabPlane slabPlane(const Ball& a, const Ball& b, const Ball& c)
   return plane;
 }
 
+/// What the distance to a slab does not fall below: a convex function lies above its tangent, here
+/// at the middle of the triangle.
+Contact slabBound(const Ball& a, const Ball& b, const Ball& c, const glm::dvec3& x)
+{
+  constexpr double kThird = 1.0 / 3.0;
+  const glm::dvec3 middle = kThird * (a.centre + b.centre + c.centre);
+  const glm::dvec3 fromX = middle - x;
+  const double distance = glm::length(fromX);
+  if (distance == 0.0)
+  {
+    return { -std::numeric_limits<double>::infinity(), a };
+  }
+  const glm::dvec3 slope = fromX / distance;
+  const auto tangent = [&](const Ball& ball)
+  { return glm::dot(slope, ball.centre - middle) - ball.radius; };
+  return { distance + std::min({ tangent(a), tangent(b), tangent(c) }), a };
+}
+
 const Contact& nearer(const Contact& a, const Contact& b)
 {
   return b.distance < a.distance ? b : a;
@@ -78,6 +96,11 @@ Contact contactWithCone(const Ball& a, const Ball& b, const glm::dvec3& x)
 Contact contactWithSlab(const Ball& a, const Ball& b, const Ball& c, const glm::dvec3& x,
   double limit)
 {
+  const Contact bound = slabBound(a, b, c, x);
+  if (bound.distance >= limit)
+  {
+    return bound;
+  }
   const SlabPlane plane = slabPlane(a, b, c);
   if (!plane.usable)
   {

@@ -1,7 +1,5 @@
 #include "medial/medial/evaluation/ball_union.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 
 namespace medial
@@ -55,22 +53,6 @@ std::vector<std::array<std::int32_t, 3>> primitivesOf(const MedialModel& model, 
   return primitives;
 }
 
-std::vector<TangentPlanes> planesOf(const std::vector<Ball>& balls,
-  const std::vector<std::array<std::int32_t, 3>>& primitives)
-{
-  std::vector<TangentPlanes> planes(primitives.size());
-  tbb::parallel_for(std::size_t{ 0 }, primitives.size(),
-    [&](std::size_t i)
-    {
-      const auto& [a, b, c] = primitives[i];
-      if (c != kNone)
-      {
-        planes[i] = tangentPlanes(balls[a], balls[b], balls[c]);
-      }
-    });
-  return planes;
-}
-
 std::vector<ItemBounds> boundsOf(const std::vector<Ball>& balls,
   const std::vector<std::array<std::int32_t, 3>>& primitives)
 {
@@ -101,7 +83,6 @@ glm::dvec3 outward(const Contact& contact, const glm::dvec3& x)
 BallUnion::BallUnion(const MedialModel& model, bool interpolate)
   : balls_(ballsOf(model))
   , primitives_(primitivesOf(model, interpolate))
-  , planes_(planesOf(balls_, primitives_))
   , tree_(boundsOf(balls_, primitives_))
 {
 }
@@ -111,15 +92,6 @@ Contact BallUnion::contactWith(std::uint32_t primitive, const glm::dvec3& x, dou
   const auto& [a, b, c] = primitives_[primitive];
   if (c != kNone)
   {
-    const TangentPlanes& planes = planes_[primitive];
-    const glm::dvec3 toX = x - balls_[a].centre;
-    const double least =
-      std::max(glm::dot(planes.normals[0], toX), glm::dot(planes.normals[1], toX)) -
-      balls_[a].radius;
-    if (planes.exist && least >= limit)
-    {
-      return { least, balls_[a] };
-    }
     return contactWithSlab(balls_[a], balls_[b], balls_[c], x, limit);
   }
   return b != kNone ? contactWithCone(balls_[a], balls_[b], x) : contactWithBall(balls_[a], x);

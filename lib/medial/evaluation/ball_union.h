@@ -48,7 +48,6 @@ private:
 
   std::vector<Ball> balls_;
   std::vector<std::array<std::int32_t, 3>> primitives_;
-  std::vector<TangentPlanes> planes_; ///< of each primitive; of a slab they bound its distance
   BoundingTree tree_;
 };
 
