@@ -1,6 +1,6 @@
 # Builds the VTK module in filters/ as Medial::Filters and, if wanted, wraps it for Python. Without
 # COMPONENTS, find_package(VTK) looks for everything that VTK was ever built with.
-set(MEDIAL_VTK_COMPONENTS CommonCore CommonDataModel CommonExecutionModel)
+set(MEDIAL_VTK_COMPONENTS CommonCore CommonDataModel CommonExecutionModel FiltersCore)
 set(vtk_wrapping)
 if(MEDIAL_BUILD_PYTHON)
   set(vtk_wrapping Python WrappingPythonCore)

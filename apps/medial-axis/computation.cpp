@@ -1,71 +1,14 @@
 #include "computation.h"
 
-#include "failure.h"
 #include "interrupt.h"
-
-#include "medial/common/error.h"
-#include "medial/common/progress.h"
+#include "library_calls.h"
 
 #include <vtkMeshConversion.h>
-
-#include <functional>
-#include <string>
-#include <utility>
 
 namespace medial::app
 {
 namespace
 {
-
-// Forwards progress to the terminal, and the user's wish to stop to the library.
-class Watch : public Progress
-{
-public:
-  explicit Watch(ProgressBar& bar)
-    : bar_(bar)
-  {
-  }
-
-  void report(double fraction, const char* phase) override { bar_.show(fraction, phase); }
-  bool cancelled() override { return interrupted(); }
-
-private:
-  ProgressBar& bar_;
-};
-
-ExitCode exitCodeOf(ErrorCode code)
-{
-  switch (code)
-  {
-    case ErrorCode::InvalidInput:
-      return ExitCode::BadInput;
-    case ErrorCode::NoGpu:
-    case ErrorCode::ShaderBuild:
-      return ExitCode::NoGpu;
-    case ErrorCode::Cancelled:
-      return ExitCode::Interrupted;
-    case ErrorCode::GpuLimit:
-    case ErrorCode::OutOfMemory:
-      break;
-  }
-  return ExitCode::NoSpace;
-}
-
-// Turns the library's errors into failures of the program.
-void withFailures(const Options& options, const std::function<void()>& work)
-{
-  try
-  {
-    work();
-  }
-  catch (const Error& error)
-  {
-    throwIfInterrupted();
-    const ExitCode code = exitCodeOf(error.code());
-    const std::string culprit = code == ExitCode::NoGpu ? "" : options.input.string() + ": ";
-    throw Failure(code, culprit + error.what());
-  }
-}
 
 Grid gridOf(const Bounds& bounds, const Options& options)
 {
@@ -100,7 +43,7 @@ void computeAxis(const MedialAxisOptions& options, FieldSink* field, Result& res
 Result prepare(vtkPolyData* mesh, const Options& options)
 {
   Result result;
-  withFailures(options,
+  withFailures(options.input,
     [&]
     {
       result.axis = vtkSmartPointer<vtkPolyData>::New();
@@ -116,7 +59,7 @@ void compute(const Options& options, FieldSink* field, ProgressBar& bar, Result&
   Watch watch(bar);
   MedialAxisOptions wanted = libraryOptions(options, result.mesh.bounds().diagonal());
   wanted.field.progress = &watch;
-  withFailures(options,
+  withFailures(options.input,
     [&]
     {
       if (options.wantsAxis() || field == nullptr)

@@ -11,8 +11,15 @@ help(medial.vtkMedialAxis) prints the manual of the class.
 from .vtkMedialFilters import (
     vtkMedialAxis,
     vtkMedialCurves,
+    vtkMedialReconstruction,
     vtkMeshDistanceField,
     vtkMeshFieldAlgorithm,
 )
 
-__all__ = ["vtkMedialAxis", "vtkMedialCurves", "vtkMeshDistanceField", "vtkMeshFieldAlgorithm"]
+__all__ = [
+    "vtkMedialAxis",
+    "vtkMedialCurves",
+    "vtkMedialReconstruction",
+    "vtkMeshDistanceField",
+    "vtkMeshFieldAlgorithm",
+]

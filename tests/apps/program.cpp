@@ -102,11 +102,9 @@ void follow(pid_t child, const RunOptions& options, Pipe& out, Pipe& err, Outcom
   }
 }
 
-} // namespace
-
-Outcome runMedialAxis(const std::vector<std::string>& arguments, const RunOptions& options)
+Outcome run(std::string program, const std::vector<std::string>& arguments,
+  const RunOptions& options)
 {
-  std::string program = MEDIAL_AXIS_PROGRAM;
   std::vector<std::string> words = arguments;
   std::vector<char*> argv{ program.data() };
   for (std::string& word : words)
@@ -130,6 +128,18 @@ Outcome runMedialAxis(const std::vector<std::string>& arguments, const RunOption
   waitpid(child, &status, 0);
   outcome.exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   return outcome;
+}
+
+} // namespace
+
+Outcome runMedialAxis(const std::vector<std::string>& arguments, const RunOptions& options)
+{
+  return run(MEDIAL_AXIS_PROGRAM, arguments, options);
+}
+
+Outcome runMedialEvaluate(const std::vector<std::string>& arguments, const RunOptions& options)
+{
+  return run(MEDIAL_EVALUATE_PROGRAM, arguments, options);
 }
 
 TemporaryFolder::TemporaryFolder()

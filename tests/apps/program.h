@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-// Runs the built command medial-axis as a user would.
+// Runs the built commands as a user would.
 namespace medial::test
 {
 
@@ -26,6 +26,8 @@ struct RunOptions
 };
 
 Outcome runMedialAxis(const std::vector<std::string>& arguments, const RunOptions& options = {});
+Outcome runMedialEvaluate(const std::vector<std::string>& arguments,
+  const RunOptions& options = {});
 
 /// A folder of its own that is removed with all its content at the end.
 class TemporaryFolder

@@ -1,6 +1,6 @@
 """Files that the documents name exist, and README states what the program states.
 
-usage: documents_test.py SOURCES PROGRAM
+usage: documents_test.py SOURCES MEDIAL-AXIS MEDIAL-EVALUATE
 """
 
 import re
@@ -9,7 +9,7 @@ import sys
 import unittest
 from pathlib import Path
 
-SOURCES, PROGRAM = Path(sys.argv[1]), sys.argv[2]
+SOURCES, AXIS, EVALUATE = Path(sys.argv[1]), sys.argv[2], sys.argv[3]
 DOCUMENTS = [SOURCES / "README.md", SOURCES / "CONTRIBUTING.md", SOURCES / "examples/README.md",
              *sorted((SOURCES / "docs").glob("**/*.md"))]
 TOP = {path.name for path in SOURCES.iterdir()}
@@ -35,6 +35,17 @@ def exists(path):
     return path.exists() or any(path.parent.glob(path.name + ".*"))
 
 
+def readme_section(heading):
+    """From a heading of README to the next; other sections name options of CMake."""
+    text = (SOURCES / "README.md").read_text()
+    start = text.index(f"## {heading}\n")
+    return text[start:text.index("\n## ", start)]
+
+
+def help_of(program):
+    return subprocess.run([program, "--help"], capture_output=True, text=True, check=True).stdout
+
+
 class Documents(unittest.TestCase):
     def test_named_files_exist(self):
         for document in DOCUMENTS:
@@ -46,23 +57,24 @@ class Documents(unittest.TestCase):
         names = set(named_files((SOURCES / "README.md").read_text()))
         self.assertLessEqual({"demo", "check", "docs/ARCHITECTURE.md"}, names)
 
-    def test_readme_has_the_options_of_the_program(self):
+    def test_readme_has_the_options_of_the_programs(self):
         options = re.compile(r"(?<![\w-])--[a-z][a-z-]+")
-        # The section on the command line; elsewhere README names options of CMake.
-        text = (SOURCES / "README.md").read_text()
-        section = text[text.index("## Command line"):text.index("## C++")]
-        stated = set(options.findall(section))
-        help_text = subprocess.run([PROGRAM, "--help"], capture_output=True, text=True, check=True)
-        self.assertEqual(stated, set(options.findall(help_text.stdout)))
+        for heading, program in (("Command line", AXIS), ("Measuring an axis", EVALUATE)):
+            with self.subTest(program=program):
+                stated = set(options.findall(readme_section(heading)))
+                self.assertEqual(stated, set(options.findall(help_of(program))))
 
-    def test_readme_words_the_options_as_the_program_does(self):
-        help_text = " ".join(subprocess.run(
-            [PROGRAM, "--help"], capture_output=True, text=True, check=True).stdout.split())
-        readme = (SOURCES / "README.md").read_text()
-        for option in ("resolution", "spacing", "padding", "angle", "threads", "memory"):
-            row = re.search(rf"^\| `--{option} \w+` \| (.*) \|$", readme, re.MULTILINE)
-            with self.subTest(option=option):
-                self.assertIn(row[1].replace("`", ""), help_text)
+    def test_readme_words_the_options_as_the_programs_do(self):
+        for heading, program, names in (
+                ("Command line", AXIS,
+                 ("resolution", "spacing", "padding", "angle", "threads", "memory")),
+                ("Measuring an axis", EVALUATE, ("json", "samples", "threads"))):
+            help_text = " ".join(help_of(program).split())
+            for name in names:
+                row = re.search(rf"^\| `--{name} [\w.]+` \| (.*) \|$", readme_section(heading),
+                                re.MULTILINE)
+                with self.subTest(program=program, option=name):
+                    self.assertIn(row[1].replace("`", ""), help_text)
 
 
 if __name__ == "__main__":

@@ -3,6 +3,7 @@
 
 #include <vtkMedialAxis.h>
 #include <vtkMedialCurves.h>
+#include <vtkMedialReconstruction.h>
 #include <vtkMeshDistanceField.h>
 #include <vtkNew.h>
 
@@ -152,6 +153,11 @@ TEST(FilterManual, MedialCurvesParametersArePrinted)
   {
     EXPECT_NE(print.find(name), std::string::npos) << name;
   }
+}
+
+TEST(FilterManual, ReconstructionParametersAreExplainedAndPrinted)
+{
+  expectManual("vtkMedialReconstruction", 2, printed<vtkMedialReconstruction>());
 }
 
 // Nothing is printed as a parameter that no header explains.

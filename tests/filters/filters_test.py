@@ -6,7 +6,7 @@ import unittest
 import medial
 from vtkmodules.vtkCommonCore import vtkObject
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkContourFilter
+from vtkmodules.vtkFiltersCore import vtkContourFilter, vtkMassProperties
 from vtkmodules.vtkFiltersSources import vtkCubeSource
 
 
@@ -25,8 +25,8 @@ def box_axis(resolution=17):
 class FiltersTest(unittest.TestCase):
     def test_package_holds_the_filters(self):
         self.assertEqual(set(medial.__all__),
-                         {"vtkMedialAxis", "vtkMedialCurves", "vtkMeshDistanceField",
-                          "vtkMeshFieldAlgorithm"})
+                         {"vtkMedialAxis", "vtkMedialCurves", "vtkMedialReconstruction",
+                          "vtkMeshDistanceField", "vtkMeshFieldAlgorithm"})
         from medial.vtkMedialFilters import vtkMedialAxis
         self.assertIs(medial.vtkMedialAxis, vtkMedialAxis)
         self.assertTrue(issubclass(medial.vtkMedialAxis, vtkObject))
@@ -128,6 +128,34 @@ class FiltersTest(unittest.TestCase):
         axis.RemoveObserver(tag)
         axis.Update()
         self.assertGreater(axis.GetOutput().GetNumberOfPoints(), 0)
+
+    def test_reconstruction_of_a_box(self):
+        axis = box_axis(33)
+        axis.SetAngle(30.0)
+        surface = medial.vtkMedialReconstruction()
+        surface.SetInputConnection(axis.GetOutputPort())
+        surface.SetResolution(48)
+        surface.Update()
+        properties = vtkMassProperties()
+        properties.SetInputData(surface.GetOutput())
+        self.assertAlmostEqual(properties.GetVolume(), 3.0, delta=0.15)
+        self.assertIn("Default is 128", medial.vtkMedialReconstruction.SetResolution.__doc__)
+
+    def test_reconstruction_needs_radii(self):
+        cube = vtkCubeSource()
+        surface = medial.vtkMedialReconstruction()
+        surface.SetInputConnection(cube.GetOutputPort())
+        messages = []
+
+        def on_error(_caller, _event, text):
+            messages.append(text)
+
+        on_error.CallDataType = "string0"
+        surface.AddObserver("ErrorEvent", on_error)
+        surface.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
+        surface.Update()
+        self.assertEqual(len(messages), 1)
+        self.assertIn("no point data array Radius", messages[0])
 
     def test_prints(self):
         self.assertIn("Angle: 60", str(medial.vtkMedialAxis()))

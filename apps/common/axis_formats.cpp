@@ -96,10 +96,12 @@ void writeObj(vtkPolyData* polyData, const std::filesystem::path& file)
 {
   const AxisArrays axis(polyData);
   Sink sink(file);
-  sink << "# medial axis\n";
-  for (const auto& point : axis.points)
+  sink << "# medial axis: after each vertex the radius of its ball\n";
+  for (std::size_t i = 0; i < axis.points.size(); ++i)
   {
+    const auto& point = axis.points[i];
     sink << "v " << point[0] << " " << point[1] << " " << point[2] << "\n";
+    sink << "# radius " << axis.radius[i] << "\n";
   }
   for (const auto& face : axis.faces)
   {

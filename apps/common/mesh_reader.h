@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <string>
 
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
@@ -19,5 +21,17 @@ namespace medial::app
 ///
 /// @throws Failure BadInput naming the file and what is wrong.
 vtkSmartPointer<vtkPolyData> readMesh(const std::filesystem::path& path);
+
+/// What a reader returns; its failures get the name of the file.
+/// @throws Failure BadInput naming the file, also when it is no regular file.
+vtkSmartPointer<vtkPolyData> readFileWith(const std::filesystem::path& path,
+  const std::function<vtkSmartPointer<vtkPolyData>(const std::filesystem::path&)>& read);
+
+///@{
+/// Parts of readers, for readFileWith().
+/// @throws Failure BadInput without the file's name.
+std::string readWholeFile(const std::filesystem::path& path);
+vtkSmartPointer<vtkPolyData> readVtp(const std::filesystem::path& path);
+///@}
 
 } // namespace medial::app

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -51,10 +52,16 @@ private:
   int largestIndexLine_ = 0, smallestIndexLine_ = 0;
 };
 
-/// Readers of the formats that the program reads itself, from the whole file's content.
+/// Values of the vertices of a PLY file by the names of their properties.
+using PlyAttributes = std::map<std::string, std::vector<double>>;
+
+/// Readers of the formats that the programs read themselves, from the whole file's content.
 /// @throws Failure BadInput without the file's name.
 vtkSmartPointer<vtkPolyData> parseObj(const std::string& content);
-vtkSmartPointer<vtkPolyData> parsePly(const std::string& content);
+/// @param attributes gets the values of those properties that it has entries for and the file has
+///   too; may be null.
+vtkSmartPointer<vtkPolyData> parsePly(const std::string& content,
+  PlyAttributes* attributes = nullptr);
 vtkSmartPointer<vtkPolyData> parseOff(const std::string& content);
 vtkSmartPointer<vtkPolyData> parseLegacyVtk(const std::string& content);
 

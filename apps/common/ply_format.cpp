@@ -170,6 +170,18 @@ double coordinate(const Item& item, const char* name)
   return found->second;
 }
 
+void keepAttributes(const Item& item, PlyAttributes& attributes)
+{
+  for (auto& [name, values] : attributes)
+  {
+    const auto found = item.values.find(name);
+    if (found != item.values.end())
+    {
+      values.push_back(found->second);
+    }
+  }
+}
+
 void addItem(const Element& element, const Item& item, SoupBuilder& soup)
 {
   if (element.name == "vertex")
@@ -189,7 +201,7 @@ void addItem(const Element& element, const Item& item, SoupBuilder& soup)
 
 } // namespace
 
-vtkSmartPointer<vtkPolyData> parsePly(const std::string& content)
+vtkSmartPointer<vtkPolyData> parsePly(const std::string& content, PlyAttributes* attributes)
 {
   TextCursor text(content);
   const Header header = readHeader(text);
@@ -204,6 +216,10 @@ vtkSmartPointer<vtkPolyData> parsePly(const std::string& content)
       item.indices.clear();
       readItem(values, element, i, item);
       addItem(element, item, soup);
+      if (attributes != nullptr && element.name == "vertex")
+      {
+        keepAttributes(item, *attributes);
+      }
     }
   }
   return soup.finish(0);

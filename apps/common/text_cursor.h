@@ -25,6 +25,9 @@ public:
   /// Next word on this or a later line; empty at the end of the text.
   std::string_view word();
 
+  /// What wordOnLine() has not passed yet of the current line, comments and all.
+  std::string_view restOfLine() const { return rest_.substr(0, rest_.find('\n')); }
+
   /// Leaves the rest of the current line; false at the end of the text.
   bool nextLine();
 

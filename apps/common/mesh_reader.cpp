@@ -23,18 +23,6 @@ namespace medial::app
 namespace
 {
 
-std::string readWholeFile(const fs::path& path)
-{
-  std::ifstream file(path, std::ios::binary);
-  std::string content(fs::file_size(path), '\0');
-  file.read(content.data(), static_cast<std::streamsize>(content.size()));
-  if (!file)
-  {
-    refuse("cannot be read");
-  }
-  return content;
-}
-
 // VTK's reader takes what is left of a truncated binary file for the whole mesh.
 void checkStlSize(const fs::path& path)
 {
@@ -119,7 +107,7 @@ const std::map<std::string, Read>& readers()
     { ".obj", [](const fs::path& path) { return parseObj(readWholeFile(path)); } },
     { ".ply", [](const fs::path& path) { return parsePly(readWholeFile(path)); } },
     { ".off", [](const fs::path& path) { return parseOff(readWholeFile(path)); } },
-    { ".vtp", [](const fs::path& path) { return readWithVtk<vtkXMLPolyDataReader>(path); } },
+    { ".vtp", readVtp },
     { ".vtk", [](const fs::path& path) { return parseLegacyVtk(readWholeFile(path)); } },
   };
   return kReaders;
@@ -138,21 +126,33 @@ const Read& readerFor(const fs::path& path)
 
 } // namespace
 
-vtkSmartPointer<vtkPolyData> readMesh(const fs::path& path)
+std::string readWholeFile(const fs::path& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  std::string content(fs::file_size(path), '\0');
+  file.read(content.data(), static_cast<std::streamsize>(content.size()));
+  if (!file)
+  {
+    refuse("cannot be read");
+  }
+  return content;
+}
+
+vtkSmartPointer<vtkPolyData> readVtp(const fs::path& path)
+{
+  return readWithVtk<vtkXMLPolyDataReader>(path);
+}
+
+vtkSmartPointer<vtkPolyData> readFileWith(const fs::path& path,
+  const std::function<vtkSmartPointer<vtkPolyData>(const fs::path&)>& read)
 {
   try
   {
-    const Read& read = readerFor(path);
     if (!fs::is_regular_file(path))
     {
       refuse(fs::exists(path) ? "is not a regular file" : "no such file");
     }
-    vtkSmartPointer<vtkPolyData> mesh = read(path);
-    if (mesh->GetNumberOfCells() == 0)
-    {
-      refuse("holds no faces, lines or vertices");
-    }
-    return mesh;
+    return read(path);
   }
   catch (const Failure& failure)
   {
@@ -162,6 +162,20 @@ vtkSmartPointer<vtkPolyData> readMesh(const fs::path& path)
   {
     throw Failure(ExitCode::BadInput, path.string() + ": " + error.code().message());
   }
+}
+
+vtkSmartPointer<vtkPolyData> readMesh(const fs::path& path)
+{
+  const auto read = [](const fs::path& file)
+  {
+    vtkSmartPointer<vtkPolyData> mesh = readerFor(file)(file);
+    if (mesh->GetNumberOfCells() == 0)
+    {
+      refuse("holds no faces, lines or vertices");
+    }
+    return mesh;
+  };
+  return readFileWith(path, read);
 }
 
 } // namespace medial::app

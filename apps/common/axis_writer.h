@@ -13,9 +13,11 @@ namespace medial::app
 /// - .ply: binary; vertices x y z radius separation_angle lambda, faces, and edges where the axis
 /// is
 ///   thinner than a sheet;
-/// - .obj: positions, faces, lines and points; no attributes;
+/// - .obj: positions, faces, lines and points; after each vertex a comment "# radius R";
 /// - .ma: "vertices edges faces", then "v x y z radius", "e i j" and "f i j k", indices from 0. The
 ///   edges are those of the triangles as well.
+///
+/// .ply and .ma do not list vertices: points that no other cell uses are vertices.
 ///
 /// @throws Failure NoSpace when the file cannot be written completely. The message names no file.
 void writeAxis(vtkPolyData* axis, const std::filesystem::path& file,

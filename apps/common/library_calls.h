@@ -1,0 +1,33 @@
+#pragma once
+
+#include "progress_bar.h"
+
+#include "medial/common/progress.h"
+
+#include <filesystem>
+#include <functional>
+
+namespace medial::app
+{
+
+/// Forwards progress to the terminal, and the user's wish to stop to the library.
+class Watch : public Progress
+{
+public:
+  explicit Watch(ProgressBar& bar)
+    : bar_(bar)
+  {
+  }
+
+  void report(double fraction, const char* phase) override { bar_.show(fraction, phase); }
+  bool cancelled() override;
+
+private:
+  ProgressBar& bar_;
+};
+
+/// Runs work and turns the library's errors into failures of the program that name the input which
+/// was worked on.
+void withFailures(const std::filesystem::path& input, const std::function<void()>& work);
+
+} // namespace medial::app

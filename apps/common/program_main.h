@@ -1,0 +1,13 @@
+#pragma once
+
+#include <functional>
+
+namespace medial::app
+{
+
+/// Runs a program's work with its signal handlers. What ends it becomes one line on standard error,
+/// "name: what is wrong".
+/// @return the exit code.
+int runProgram(const char* name, const std::function<void()>& work);
+
+} // namespace medial::app

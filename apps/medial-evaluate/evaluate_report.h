@@ -1,0 +1,35 @@
+#pragma once
+
+#include "evaluate_options.h"
+
+#include "medial/medial/evaluation/axis_evaluation.h"
+#include "medial/mesh/topology.h"
+#include "medial/mesh/triangle_mesh.h"
+
+#include <string>
+
+namespace medial::app
+{
+
+/// What was measured, and on what.
+struct EvaluateResult
+{
+  TriangleMesh mesh;
+  MeshTopology topology;
+  AxisEvaluation evaluation;
+  double readSeconds = 0.0;
+  double evaluateSeconds = 0.0;
+};
+
+/// A table for people, on standard output.
+void printTable(const EvaluateOptions& options, const EvaluateResult& result);
+
+/// @return JSON text with the keys axis {path, points, quads, triangles, lines, vertices,
+///   zero_area_cells, components, euler_characteristic}, mesh {path, triangles, vertices, closed,
+///   manifold, components, euler_characteristic, diagonal}, surface_to_union {max, mean, samples},
+///   union_to_surface {max, mean, samples}, two_sided {hausdorff, mean}, radius_error {max, mean},
+///   centres_inside and seconds {read, evaluate}. Distances are in % of the diagonal, which is in
+///   world units; centres_inside is a share in [0, 1], null where the mesh has no inside.
+std::string makeJson(const EvaluateOptions& options, const EvaluateResult& result);
+
+} // namespace medial::app

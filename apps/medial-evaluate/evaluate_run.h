@@ -1,0 +1,12 @@
+#pragma once
+
+#include "evaluate_options.h"
+
+namespace medial::app
+{
+
+/// Reads axis and mesh, measures, and leaves table and JSON file.
+/// @throws Failure.
+void runEvaluation(const EvaluateOptions& options);
+
+} // namespace medial::app

@@ -1,0 +1,199 @@
+#include "vtkMedialReconstruction.h"
+
+#include "vtkDataObject.h"
+#include "vtkDemandDrivenPipeline.h"
+#include "vtkFloatArray.h"
+#include "vtkFlyingEdges3D.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMedialModelConversion.h"
+#include "vtkMeshFieldInternals.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include "medial/common/error.h"
+#include "medial/medial/evaluation/union_field.h"
+
+#include <algorithm>
+#include <exception>
+#include <functional>
+#include <new>
+#include <vector>
+
+vtkStandardNewMacro(vtkMedialReconstruction);
+
+namespace
+{
+
+/// The share of the work that evaluation takes, contouring being the rest.
+constexpr double EvaluationShare = 0.9;
+
+//------------------------------------------------------------------------------
+/// Progress of a part of the execution.
+class PartialProgress : public medial::Progress
+{
+public:
+  explicit PartialProgress(vtkAlgorithm* algorithm)
+    : Bridge(algorithm)
+  {
+  }
+
+  void report(double fraction, const char* phase) override
+  {
+    this->Bridge.report(EvaluationShare * fraction, phase);
+  }
+  bool cancelled() override { return this->Bridge.cancelled(); }
+
+private:
+  vtkProgressBridge Bridge;
+};
+
+//------------------------------------------------------------------------------
+// The contour filter makes points in single precision, which serve near the origin only.
+void MoveTo(const medial::Point3& origin, vtkPolyData* surface)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(surface->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    surface->GetPoint(i, x);
+    points->SetPoint(i, origin[0] + x[0], origin[1] + x[1], origin[2] + x[2]);
+  }
+  surface->SetPoints(points);
+}
+
+//------------------------------------------------------------------------------
+void Contour(const medial::Grid& grid, const std::vector<float>& field, vtkPolyData* output)
+{
+  vtkNew<vtkFloatArray> values;
+  values->SetName("Depth");
+  values->SetNumberOfValues(static_cast<vtkIdType>(field.size()));
+  // For VTK inside is where the values are high: so triangles and normals face outwards.
+  std::transform(field.begin(), field.end(), values->GetPointer(0), std::negate<float>());
+  vtkNew<vtkImageData> image;
+  image->SetSpacing(grid.spacing.data());
+  image->SetDimensions(grid.dimensions.data());
+  image->GetPointData()->SetScalars(values);
+  vtkNew<vtkFlyingEdges3D> contour;
+  contour->SetInputData(image);
+  contour->SetValue(0, 0.0);
+  contour->ComputeNormalsOn();
+  contour->ComputeScalarsOff();
+  contour->Update();
+  output->ShallowCopy(contour->GetOutput());
+  MoveTo(grid.origin, output);
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+vtkMedialReconstruction::vtkMedialReconstruction() = default;
+
+//------------------------------------------------------------------------------
+vtkMedialReconstruction::~vtkMedialReconstruction() = default;
+
+//------------------------------------------------------------------------------
+int vtkMedialReconstruction::RequestInformation(vtkInformation*, vtkInformationVector**,
+  vtkInformationVector* outputVector)
+{
+  outputVector->GetInformationObject(0)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkMedialReconstruction::RequestUpdateExtent(vtkInformation*,
+  vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  vtkInformation* input = inputVector[0]->GetInformationObject(0);
+  input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
+  input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+  input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkMedialReconstruction::RequestData(vtkInformation*, vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  // Assigned, since SetErrorCode() would modify the filter while it executes.
+  this->ErrorCode = vtkErrorCode::NoError;
+  if (outputVector->GetInformationObject(0)->Get(
+        vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0)
+  {
+    return 1;
+  }
+  try
+  {
+    PartialProgress progress(this);
+    const medial::MedialModel model = vtkMedialModelConversion::ToMedialModel(input);
+    const medial::Grid grid = medial::makeGrid(medial::modelBounds(model), this->Resolution);
+    const std::vector<float> field =
+      medial::unionField(model, grid, this->Interpolate != 0, &progress);
+    progress.report(1.0, "contour");
+    if (progress.cancelled())
+    {
+      return this->Cancel(outputVector);
+    }
+    Contour(grid, field, output);
+    return 1;
+  }
+  catch (const medial::Error& error)
+  {
+    switch (error.code())
+    {
+      case medial::ErrorCode::Cancelled:
+        return this->Cancel(outputVector);
+      case medial::ErrorCode::OutOfMemory:
+        return this->Fail(outputVector, vtkMeshFieldAlgorithm::OutOfMemoryError, error.what());
+      default:
+        return this->Fail(outputVector, vtkMeshFieldAlgorithm::InvalidInputError, error.what());
+    }
+  }
+  catch (const std::bad_alloc&)
+  {
+    return this->Fail(outputVector, vtkMeshFieldAlgorithm::OutOfMemoryError,
+      "not enough memory for the result");
+  }
+  catch (const std::exception& error)
+  {
+    return this->Fail(outputVector, vtkMeshFieldAlgorithm::InternalError, error.what());
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkMedialReconstruction::Fail(vtkInformationVector* outputVector, unsigned long code,
+  const char* message)
+{
+  vtkPolyData::GetData(outputVector)->Initialize();
+  this->ErrorCode = code;
+  vtkErrorMacro(<< message);
+  return 0;
+}
+
+//------------------------------------------------------------------------------
+// Data released and not generated is what makes the pipeline execute again on the next update.
+int vtkMedialReconstruction::Cancel(vtkInformationVector* outputVector)
+{
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  vtkDataObject::GetData(info)->ReleaseData();
+  info->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
+  this->ErrorCode = vtkMeshFieldAlgorithm::CancelledError;
+  return 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkMedialReconstruction::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Resolution: " << this->Resolution << "\n";
+  os << indent << "Interpolate: " << (this->Interpolate ? "On" : "Off") << "\n";
+}

@@ -1,0 +1,98 @@
+/**
+ * @class   vtkMedialReconstruction
+ * @brief   surface of the solid that a medial axis describes
+ *
+ * vtkMedialReconstruction makes the surface of the union of the balls of a medial axis, and with
+ * Interpolate of what lies between them: the convex hulls of two balls joined by a line or a side
+ * of a polygon (cones) and of three joined by a triangle (slabs). It evaluates the signed distance
+ * to them exactly at the points of a regular grid, near the surface, and contours it with
+ * vtkFlyingEdges3D.
+ *
+ * @par Input:
+ * A vtkPolyData as vtkMedialAxis makes it: points with the point data array Radius (any numeric
+ * type, one component, world units) and vertices, lines, polygons and strips over them. Every point
+ * is a ball, whether a cell uses it or not. A quad is the triangles of its corners 0, 1, 2 and 0,
+ * 2, 3; polygons of more corners are fans.
+ *
+ * @par Output:
+ * Triangles, closed, points in double precision, with normals that point outwards (array Normals).
+ * Details thinner than a voxel may be missing. Balls of radius 0 have no inside, so they leave
+ * nothing.
+ *
+ * @par Errors:
+ * Input without points, a missing or unfit array Radius, a radius that is negative or not finite,
+ * and a Resolution outside its range are reported by one vtkErrorMacro with the value;
+ * GetErrorCode() then is one of vtkMeshFieldAlgorithm::ErrorCodes, the output is empty and the
+ * request fails.
+ *
+ * @par Abort:
+ * SetAbortExecute(1) from a ProgressEvent observer stops the execution soon. The output is empty
+ * then, the request fails, GetErrorCode() is vtkMeshFieldAlgorithm::CancelledError without an
+ * ErrorEvent from the filter, and the next Update() executes again.
+ *
+ * @par Parallel pipelines:
+ * The output is not split: piece 0 is all of it, every other piece is empty. The filter asks for
+ * its whole input.
+ *
+ * @sa
+ * vtkMedialAxis vtkMeshFieldAlgorithm
+ */
+
+#ifndef vtkMedialReconstruction_h
+#define vtkMedialReconstruction_h
+
+#include "vtkMedialFiltersModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+
+class VTKMEDIALFILTERS_EXPORT vtkMedialReconstruction : public vtkPolyDataAlgorithm
+{
+public:
+  ///@{
+  /**
+   * Standard methods for instantiation, obtaining type information, and printing.
+   */
+  static vtkMedialReconstruction* New();
+  vtkTypeMacro(vtkMedialReconstruction, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+  ///@}
+
+  ///@{
+  /**
+   * Number of grid points along the longest axis of the balls' bounds, which are padded by 5 % of
+   * their diagonal, in [2, 8192]. The surface's distance from the exact one falls with the square
+   * of the spacing where it is smooth. Default is 128.
+   */
+  vtkSetMacro(Resolution, int);
+  vtkGetMacro(Resolution, int);
+  ///@}
+
+  ///@{
+  /**
+   * Whether cones and slabs between the balls belong to the solid. Off, it is the union of the
+   * balls alone, which is bumpy where they lie apart. Default is on.
+   */
+  vtkSetMacro(Interpolate, vtkTypeBool);
+  vtkGetMacro(Interpolate, vtkTypeBool);
+  vtkBooleanMacro(Interpolate, vtkTypeBool);
+  ///@}
+
+protected:
+  vtkMedialReconstruction();
+  ~vtkMedialReconstruction() override;
+
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  int Resolution = 128;
+  vtkTypeBool Interpolate = true;
+
+private:
+  vtkMedialReconstruction(const vtkMedialReconstruction&) = delete;
+  void operator=(const vtkMedialReconstruction&) = delete;
+
+  int Fail(vtkInformationVector* outputVector, unsigned long code, const char* message);
+  int Cancel(vtkInformationVector* outputVector);
+};
+
+#endif

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "medial/common/grid.h"
+#include "medial/medial/medial_axis.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace medial
+{
+
+/// A medial axis as the solid that it describes: the union of its balls, of the convex hulls of two
+/// balls joined by a line or a side (cones), and of those of three joined by a triangle (slabs).
+/// Quads (a, b, c, d) are the triangles (a, b, c) and (a, c, d).
+struct MedialModel
+{
+  std::vector<Point3> centres; ///< world coordinates
+  std::vector<double> radii;   ///< world units, one a centre, >= 0
+  std::vector<std::array<std::int64_t, 4>> quads;
+  std::vector<std::array<std::int64_t, 3>> triangles;
+  std::vector<std::array<std::int64_t, 2>> lines;
+  std::vector<std::int64_t> vertices; ///< cells of one ball; balls need not be in a cell
+
+  /// The triangles, those of the quads after them.
+  std::vector<std::array<std::int64_t, 3>> allTriangles() const;
+};
+
+/// The balls and cells of an axis.
+MedialModel toMedialModel(const MedialAxis& axis);
+
+/// @throws Error InvalidInput naming the value for a model without balls, as many radii as not
+///   centres, a coordinate outside [-1e100, 1e100], a radius outside [0, 1e100] and a cell that
+///   names a ball that does not exist.
+void checkMedialModel(const MedialModel& model);
+
+/// Numbers of what a model consists of, and how it hangs together.
+struct ModelTopology
+{
+  std::int64_t points = 0;
+  std::int64_t quads = 0;
+  std::int64_t triangles = 0;
+  std::int64_t lines = 0;
+  std::int64_t vertices = 0;
+  /// Quads and triangles below 1e-14 of the squared diagonal of the centres' bounds, and lines
+  /// below 1e-7 of the diagonal.
+  std::int64_t zeroAreaCells = 0;
+  std::int64_t components = 0; ///< pieces connected by cells; a ball without cell is one
+  /// Points - edges + faces, sides and cells that occur twice counted once.
+  std::int64_t eulerCharacteristic = 0;
+};
+
+/// @throws Error as checkMedialModel().
+ModelTopology analyseModel(const MedialModel& model);
+
+} // namespace medial
