@@ -13,6 +13,7 @@
 #include "medial/medial/medial_complex.h"
 #include "medial/medial/selection_stage.h"
 #include "medial/medial/separation.h"
+#include "medial/medial/simplification/axis_simplification.h"
 
 #include <tbb/parallel_for.h>
 
@@ -120,13 +121,61 @@ MedialComplex buildComplex(Representation representation, const std::vector<Cros
   return pointComplex(points);
 }
 
-void checkAngle(double angle)
+void checkOptions(const MedialAxisOptions& options)
 {
-  if (!(angle > 0.0 && angle < 180.0))
+  if (!(options.angle > 0.0 && options.angle < 180.0))
   {
     throw Error(ErrorCode::InvalidInput,
-      "separation angle " + std::to_string(angle) + " is outside (0, 180) degrees");
+      "separation angle " + std::to_string(options.angle) + " is outside (0, 180) degrees");
   }
+  if (options.maxSpheres < 0)
+  {
+    throw Error(ErrorCode::InvalidInput,
+      "maximum number of spheres " + std::to_string(options.maxSpheres) +
+        " is negative; allowed: 0 (no limit) or more");
+  }
+  if (options.maxSpheres > 0 && options.representation == Representation::Points)
+  {
+    throw Error(ErrorCode::InvalidInput,
+      "maximum number of spheres " + std::to_string(options.maxSpheres) +
+        " for an axis of points, which has no cells to simplify; allowed: surface or faces");
+  }
+}
+
+/// Shows the work of simplification as the last part of the whole.
+class LastPart : public Progress
+{
+public:
+  LastPart(Progress* whole, double begin)
+    : whole_(whole)
+    , begin_(begin)
+  {
+  }
+
+  void report(double fraction, const char* phase) override
+  {
+    if (whole_ != nullptr)
+    {
+      whole_->report(begin_ + (1.0 - begin_) * fraction, phase);
+    }
+  }
+
+  bool cancelled() override { return whole_ != nullptr && whole_->cancelled(); }
+
+private:
+  Progress* whole_;
+  double begin_;
+};
+
+void simplify(const MedialAxisOptions& options, RunStatistics& statistics, MedialAxis& axis)
+{
+  const Stopwatch watch(statistics.seconds.medial);
+  LastPart progress(options.field.progress, 0.9);
+  SimplificationOptions simplification;
+  simplification.maxSpheres = options.maxSpheres;
+  simplification.threads = options.field.threads;
+  simplification.progress = &progress;
+  axis = simplifyAxis(axis, simplification);
 }
 
 MedialAxis runPipeline(const TriangleMesh& mesh, const MeshTopology& topology, const Grid& grid,
@@ -157,6 +206,10 @@ MedialAxis runPipeline(const TriangleMesh& mesh, const MeshTopology& topology, c
       buildCells(complex, axis);
       evaluatePoints(sites, pipeline.query(), frame, crossings, complex, axis);
     });
+  if (options.maxSpheres > 0)
+  {
+    simplify(options, pipeline.statistics(), axis);
+  }
   pipeline.report(1.0, "medial axis");
   axis.statistics = pipeline.statistics();
   return axis;
@@ -167,7 +220,7 @@ MedialAxis runPipeline(const TriangleMesh& mesh, const MeshTopology& topology, c
 MedialAxis computeMedialAxis(const TriangleMesh& mesh, const MeshTopology& topology,
   const Grid& grid, const MedialAxisOptions& options, FieldSink& sink)
 {
-  checkAngle(options.angle);
+  checkOptions(options);
   return withMemoryErrors(grid.pointCount(),
     [&] { return runPipeline(mesh, topology, grid, options, sink, nullptr); });
 }
@@ -176,7 +229,7 @@ MedialAxis computeMedialAxis(const TriangleMesh& mesh, const MeshTopology& topol
   const Grid& grid, const MedialAxisOptions& options, const FieldArrays& arrays,
   FieldMemory* memory)
 {
-  checkAngle(options.angle);
+  checkOptions(options);
   ArraySink sink(grid.wholeExtent(), arrays);
   return withMemoryErrors(grid.pointCount(),
     [&] { return runPipeline(mesh, topology, grid, options, sink, memory); });

@@ -1,0 +1,163 @@
+#include "medial/medial/simplification/boundary_quadrics.h"
+
+#include "medial/medial/simplification/ball_tree.h"
+#include "medial/medial/simplification/slab.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace medial
+{
+namespace
+{
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr int kArcSamples = 6;
+constexpr int kCircleSamples = 12;
+constexpr int kSphereSamples = 32;
+/// A boundary point is covered where another ball reaches beyond it by this share of the mean
+/// length of edges, that is of the grid's spacing: far above rounding, below any hole.
+constexpr double kCoverDepth = 0.25;
+
+double meanLength(const std::vector<Ball>& balls, const BallComplex& complex)
+{
+  double sum = 0.0;
+  const std::vector<int> edges = complex.edges();
+  for (const int edge : edges)
+  {
+    const auto [a, b] = complex.edge(edge);
+    sum += glm::distance(centreOf(balls[a]), centreOf(balls[b]));
+  }
+  return edges.empty() ? 0.0 : sum / static_cast<double>(edges.size());
+}
+
+class Gatherer
+{
+public:
+  Gatherer(const std::vector<Ball>& balls, const BallComplex& complex)
+    : balls_(balls)
+    , complex_(complex)
+    , tree_(balls)
+    , depth_(kCoverDepth * meanLength(balls, complex))
+  {
+  }
+
+  /// The share of a vertex in the cells around it.
+  BallQuadric at(int vertex) const
+  {
+    BallQuadric quadric;
+    for (const int triangle : complex_.trianglesOf(vertex))
+    {
+      this->addSlab(vertex, complex_.triangle(triangle), quadric);
+    }
+    for (const int edge : complex_.edgesOf(vertex))
+    {
+      this->addEdge(vertex, edge, quadric);
+    }
+    if (complex_.trianglesOf(vertex).empty() && complex_.edgesOf(vertex).size() <= 1)
+    {
+      this->addSphere(vertex, quadric);
+    }
+    return quadric;
+  }
+
+private:
+  /// Both planes, each for a third of the area in which the slab's face meets it.
+  void addSlab(int vertex, const std::array<int, 3>& corners, BallQuadric& quadric) const
+  {
+    const auto slab = slabOf(balls_[corners[0]], balls_[corners[1]], balls_[corners[2]]);
+    if (slab)
+    {
+      const double weight = slab->area * slab->sine / 3.0;
+      quadric.addPlane(balls_[vertex], slab->normal(1.0), weight);
+      quadric.addPlane(balls_[vertex], slab->normal(-1.0), weight);
+    }
+  }
+
+  void addEdge(int vertex, int edge, BallQuadric& quadric) const
+  {
+    const auto [a, b] = complex_.edge(edge);
+    const auto cone = coneOf(balls_[a], balls_[b]);
+    const std::vector<int> opposite = complex_.opposite(edge);
+    if (!cone || opposite.size() > 1)
+    {
+      return;
+    }
+    if (opposite.empty())
+    {
+      const glm::dvec3 side = anyPerpendicular(cone->axis);
+      this->addArc(vertex, edge, *cone, side, kPi, kCircleSamples, quadric);
+      return;
+    }
+    const auto slab = slabOf(balls_[a], balls_[b], balls_[opposite[0]]);
+    if (slab)
+    {
+      const glm::dvec3 inwards = centreOf(balls_[opposite[0]]) - centreOf(balls_[a]);
+      const glm::dvec3 across = inwards - glm::dot(inwards, cone->axis) * cone->axis;
+      const glm::dvec3 outwards = -glm::normalize(across);
+      const double half = std::atan2(slab->sine, glm::dot(slab->slope, outwards));
+      this->addArc(vertex, edge, *cone, outwards, half, kArcSamples, quadric);
+    }
+  }
+
+  /// Half the cone's boundary, from -halfAngle to halfAngle around its axis; 0 is `side`.
+  void addArc(int vertex, int edge, const Cone& cone, const glm::dvec3& side, double halfAngle,
+    int samples, BallQuadric& quadric) const
+  {
+    const auto [a, b] = complex_.edge(edge);
+    const Ball middle = 0.5 * (balls_[a] + balls_[b]);
+    const Ball& ball = balls_[vertex];
+    const double step = 2.0 * halfAngle / samples;
+    const double weight = 0.5 * cone.length * cone.sine * cone.sine * ball.w * step;
+    const glm::dvec3 other = glm::cross(cone.axis, side);
+    for (int i = 0; i < samples; ++i)
+    {
+      const double angle = (i + 0.5) * step - halfAngle;
+      const glm::dvec3 radial = std::cos(angle) * side + std::sin(angle) * other;
+      const glm::dvec3 normal = cone.slope * cone.axis + cone.sine * radial;
+      if (!tree_.covers(centreOf(middle) + middle.w * normal, depth_))
+      {
+        quadric.addPlane(ball, normal, weight);
+      }
+    }
+  }
+
+  /// Directions along a spiral, each for the same area.
+  void addSphere(int vertex, BallQuadric& quadric) const
+  {
+    const Ball& ball = balls_[vertex];
+    const double weight = 4.0 * kPi * ball.w * ball.w / kSphereSamples;
+    const double golden = kPi * (3.0 - std::sqrt(5.0));
+    for (int i = 0; i < kSphereSamples; ++i)
+    {
+      const double z = 1.0 - (2.0 * i + 1.0) / kSphereSamples;
+      const double rho = std::sqrt(1.0 - z * z);
+      const glm::dvec3 normal(rho * std::cos(golden * i), rho * std::sin(golden * i), z);
+      if (!tree_.covers(centreOf(ball) + ball.w * normal, depth_))
+      {
+        quadric.addPlane(ball, normal, weight);
+      }
+    }
+  }
+
+  const std::vector<Ball>& balls_;
+  const BallComplex& complex_;
+  BallTree tree_;
+  double depth_;
+};
+
+} // namespace
+
+std::vector<BallQuadric> boundaryQuadrics(const std::vector<Ball>& balls,
+  const BallComplex& complex)
+{
+  const Gatherer gatherer(balls, complex);
+  std::vector<BallQuadric> quadrics(balls.size());
+  tbb::parallel_for(0, complex.vertexCount(),
+    [&](int vertex) { quadrics[vertex] = gatherer.at(vertex); });
+  return quadrics;
+}
+
+} // namespace medial
