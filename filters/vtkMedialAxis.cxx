@@ -161,6 +161,7 @@ int vtkMedialAxis::RequestData(vtkInformation* request, vtkInformationVector** i
       options.angle = this->Angle;
       options.side = ToSide(this->Side);
       options.representation = ToRepresentation(this->Representation);
+      options.maxSpheres = this->MaximumNumberOfSpheres;
       options.field = this->Internals->MakeOptions(&progress);
 
       vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
@@ -194,5 +195,6 @@ void vtkMedialAxis::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Angle: " << this->Angle << "\n";
   os << indent << "Side: " << this->GetSideAsString() << "\n";
   os << indent << "Representation: " << this->GetRepresentationAsString() << "\n";
+  os << indent << "MaximumNumberOfSpheres: " << this->MaximumNumberOfSpheres << "\n";
   os << indent << "GenerateDistanceField: " << (this->GenerateDistanceField ? "On" : "Off") << "\n";
 }

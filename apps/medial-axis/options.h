@@ -24,6 +24,7 @@ struct Options
   double angle = kDefaultAngle;
   Side side = Side::Interior;
   Representation representation = Representation::Surface;
+  int maxSpheres = 0; ///< 0: no limit
   SignMethod signMethod = SignMethod::Auto;
   Evaluator evaluator = Evaluator::Auto;
   int threads = 0;

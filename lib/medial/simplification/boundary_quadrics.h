@@ -10,7 +10,7 @@ namespace medial
 
 /// What the balls that a vertex stands for should touch: the planes tangent to the boundary of the
 /// medial model (the union of balls, of cones between the two balls of an edge and of slabs between
-/// the three of a triangle: Li, Wang, Zhao, Faloutsos, "Q-MAT", 2015, section 3), weighted by the
+/// the three of a triangle: Li et al., "Q-MAT", 2015, section 3), weighted by the
 /// area of that boundary.
 ///
 /// - A triangle gives the two planes that touch its three balls.
