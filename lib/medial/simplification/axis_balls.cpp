@@ -105,6 +105,20 @@ AxisBalls ballsOf(const MedialAxis& axis)
   return result;
 }
 
+std::vector<std::array<glm::dvec3, 2>> contactsOf(const MedialAxis& axis, const AxisBalls& frame)
+{
+  std::vector<std::array<glm::dvec3, 2>> contacts;
+  const std::size_t count = axis.closestPointA.size();
+  for (std::size_t i = 0; i < count && axis.closestPointB.size() == count; ++i)
+  {
+    const auto& a = axis.closestPointA[i];
+    const auto& b = axis.closestPointB[i];
+    contacts.push_back(
+      { frame.toLocal({ a[0], a[1], a[2] }), frame.toLocal({ b[0], b[1], b[2] }) });
+  }
+  return contacts;
+}
+
 BallComplex complexOf(const MedialAxis& axis, const std::vector<Ball>& balls)
 {
   const auto id = [&](std::int64_t corner) { return checkedId(corner, balls.size()); };

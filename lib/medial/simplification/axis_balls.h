@@ -4,7 +4,7 @@
 #include "medial/medial/simplification/ball_complex.h"
 #include "medial/medial/simplification/ball_quadric.h"
 
-#include <cstdint>
+#include <array>
 #include <vector>
 
 namespace medial
@@ -26,6 +26,9 @@ struct AxisBalls
 /// size
 ///   is neither that of the points nor, but for radii, 0.
 AxisBalls ballsOf(const MedialAxis& axis);
+
+/// The closest points of an axis in coordinates of its balls; nothing where it has none.
+std::vector<std::array<glm::dvec3, 2>> contactsOf(const MedialAxis& axis, const AxisBalls& frame);
 
 /// The cells of an axis; quads are cut along the diagonal that is shorter in R^4.
 /// @throws Error InvalidInput for point ids out of range.

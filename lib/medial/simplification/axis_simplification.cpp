@@ -95,7 +95,8 @@ private:
   {
     tbb::task_arena arena(options_.threads > 0 ? options_.threads : tbb::task_arena::automatic);
     std::vector<BallQuadric> quadrics;
-    arena.execute([&] { quadrics = boundaryQuadrics(balls_, complex_); });
+    arena.execute(
+      [&] { quadrics = boundaryQuadrics(balls_, contactsOf(axis_, frame_), complex_); });
     this->report(0.2);
     statistics_.joined = linkComponents(balls_, complex_);
     this->report(0.3);

@@ -23,7 +23,8 @@ struct SimplificationOptions
 /// balls of a line (or of a side of a triangle) and the slabs between the three of a triangle
 /// approximates the shape: quadric edge collapse of the points (x, y, z, radius) of R^4 (spherical
 /// quadrics: Thiery, Guy, Boubekeur, "Sphere-Meshes", 2013; of medial slabs: Li, Wang, Sun,
-/// Guo, Zhang, Wang, "Q-MAT: Computing Medial Axis Transform by Quadratic Error Minimization", 2015).
+/// Guo, Zhang, Wang, "Q-MAT: Computing Medial Axis Transform by Quadratic Error Minimization",
+/// 2015).
 ///
 /// The order of the steps:
 /// 1. Quads become triangles. Components whose balls overlap are joined by a line between their

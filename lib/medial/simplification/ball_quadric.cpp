@@ -52,10 +52,15 @@ Ball solve(const glm::dmat4& matrix, const Ball& right, int size)
 
 } // namespace
 
-void BallQuadric::addPlane(const Ball& ball, const glm::dvec3& normal, double weight)
+void BallQuadric::addTangent(const Ball& ball, const glm::dvec3& normal, double weight)
+{
+  this->addPlane(centreOf(ball) + ball.w * normal, normal, weight);
+}
+
+void BallQuadric::addPlane(const glm::dvec3& point, const glm::dvec3& normal, double weight)
 {
   const Ball n(normal, 1.0);
-  const double offset = glm::dot(n, ball);
+  const double offset = glm::dot(point, normal);
   matrix_ += glm::outerProduct(n, weight * n);
   linear_ += weight * offset * n;
   constant_ += weight * offset * offset;

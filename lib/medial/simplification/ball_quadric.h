@@ -21,8 +21,12 @@ inline glm::dvec3 centreOf(const Ball& ball)
 class BallQuadric
 {
 public:
-  /// Adds the plane that `ball` touches at its boundary point in direction `normal`.
-  void addPlane(const Ball& ball, const glm::dvec3& normal, double weight);
+  ///@{
+  /// Adds the plane through `point`, or the one that `ball` touches, with the outward unit normal
+  /// `normal`.
+  void addPlane(const glm::dvec3& point, const glm::dvec3& normal, double weight);
+  void addTangent(const Ball& ball, const glm::dvec3& normal, double weight);
+  ///@}
 
   BallQuadric& operator+=(const BallQuadric& other);
 

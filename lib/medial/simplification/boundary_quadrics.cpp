@@ -19,7 +19,15 @@ constexpr int kCircleSamples = 12;
 constexpr int kSphereSamples = 32;
 /// A boundary point is covered where another ball reaches beyond it by this share of the mean
 /// length of edges, that is of the grid's spacing: far above rounding, below any hole.
-constexpr double kCoverDepth = 0.25;
+constexpr double kCoverDepth = 0.1;
+
+/// Closest points nearer than this (units of the axis) give no direction in single precision.
+constexpr double kLeastRadius = 1e-4;
+
+double areaOf(const Ball& a, const Ball& b, const Ball& c)
+{
+  return 0.5 * glm::length(glm::cross(centreOf(b) - centreOf(a), centreOf(c) - centreOf(a)));
+}
 
 double meanLength(const std::vector<Ball>& balls, const BallComplex& complex)
 {
@@ -36,8 +44,10 @@ double meanLength(const std::vector<Ball>& balls, const BallComplex& complex)
 class Gatherer
 {
 public:
-  Gatherer(const std::vector<Ball>& balls, const BallComplex& complex)
+  Gatherer(const std::vector<Ball>& balls, const std::vector<Contacts>& contacts,
+    const BallComplex& complex)
     : balls_(balls)
+    , contacts_(contacts)
     , complex_(complex)
     , tree_(balls)
     , depth_(kCoverDepth * meanLength(balls, complex))
@@ -48,9 +58,16 @@ public:
   BallQuadric at(int vertex) const
   {
     BallQuadric quadric;
-    for (const int triangle : complex_.trianglesOf(vertex))
+    if (!contacts_.empty())
     {
-      this->addSlab(vertex, complex_.triangle(triangle), quadric);
+      this->addContacts(vertex, quadric);
+    }
+    else
+    {
+      for (const int triangle : complex_.trianglesOf(vertex))
+      {
+        this->addSlab(vertex, complex_.triangle(triangle), quadric);
+      }
     }
     for (const int edge : complex_.edgesOf(vertex))
     {
@@ -67,12 +84,36 @@ private:
   /// Both planes, each for a third of the area in which the slab's face meets it.
   void addSlab(int vertex, const std::array<int, 3>& corners, BallQuadric& quadric) const
   {
+    const Ball& ball = balls_[vertex];
     const auto slab = slabOf(balls_[corners[0]], balls_[corners[1]], balls_[corners[2]]);
     if (slab)
     {
       const double weight = slab->area * slab->sine / 3.0;
-      quadric.addPlane(balls_[vertex], slab->normal(1.0), weight);
-      quadric.addPlane(balls_[vertex], slab->normal(-1.0), weight);
+      quadric.addTangent(ball, slab->normal(1.0), weight);
+      quadric.addTangent(ball, slab->normal(-1.0), weight);
+    }
+  }
+
+  /// The planes that touch the surface where the ball does.
+  void addContacts(int vertex, BallQuadric& quadric) const
+  {
+    double area = 0.0;
+    for (const int triangle : complex_.trianglesOf(vertex))
+    {
+      const auto& [a, b, c] = complex_.triangle(triangle);
+      area += areaOf(balls_[a], balls_[b], balls_[c]) / 3.0;
+    }
+    const glm::dvec3 centre = centreOf(balls_[vertex]);
+    const glm::dvec3 toA = contacts_[vertex][0] - centre;
+    const glm::dvec3 toB = contacts_[vertex][1] - centre;
+    const double lengthA = glm::length(toA);
+    const double lengthB = glm::length(toB);
+    if (area > 0.0 && std::min(lengthA, lengthB) > kLeastRadius)
+    {
+      const double cosine = glm::dot(toA / lengthA, toB / lengthB);
+      const double sineOfHalf = std::sqrt(std::max(0.0, 0.5 * (1.0 - cosine)));
+      quadric.addPlane(contacts_[vertex][0], toA / lengthA, area * sineOfHalf);
+      quadric.addPlane(contacts_[vertex][1], toB / lengthB, area * sineOfHalf);
     }
   }
 
@@ -119,7 +160,7 @@ private:
       const glm::dvec3 normal = cone.slope * cone.axis + cone.sine * radial;
       if (!tree_.covers(centreOf(middle) + middle.w * normal, depth_))
       {
-        quadric.addPlane(ball, normal, weight);
+        quadric.addTangent(ball, normal, weight);
       }
     }
   }
@@ -137,12 +178,13 @@ private:
       const glm::dvec3 normal(rho * std::cos(golden * i), rho * std::sin(golden * i), z);
       if (!tree_.covers(centreOf(ball) + ball.w * normal, depth_))
       {
-        quadric.addPlane(ball, normal, weight);
+        quadric.addTangent(ball, normal, weight);
       }
     }
   }
 
   const std::vector<Ball>& balls_;
+  const std::vector<Contacts>& contacts_;
   const BallComplex& complex_;
   BallTree tree_;
   double depth_;
@@ -151,9 +193,9 @@ private:
 } // namespace
 
 std::vector<BallQuadric> boundaryQuadrics(const std::vector<Ball>& balls,
-  const BallComplex& complex)
+  const std::vector<Contacts>& contacts, const BallComplex& complex)
 {
-  const Gatherer gatherer(balls, complex);
+  const Gatherer gatherer(balls, contacts, complex);
   std::vector<BallQuadric> quadrics(balls.size());
   tbb::parallel_for(0, complex.vertexCount(),
     [&](int vertex) { quadrics[vertex] = gatherer.at(vertex); });
