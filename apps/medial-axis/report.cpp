@@ -76,10 +76,7 @@ std::string makeReport(const Result& result, const std::filesystem::path& input,
   report["device"] = describeDevice(result.statistics.device);
   report["seconds"] = describeSeconds(result.statistics.seconds, seconds);
   report["counts"] = describeCounts(result.statistics, result.axis);
-  if (result.simplification.inputPoints > 0)
-  {
-    report["simplification"] = describeSimplification(result.simplification);
-  }
+  report["simplification"] = describeSimplification(result.simplification);
   report["fragments_per_voxel"] = result.statistics.fragmentsPerVoxel();
   report["evaluator"] = nameOf(result.statistics.evaluator);
   report["sign_method"] = nameOf(result.sign);

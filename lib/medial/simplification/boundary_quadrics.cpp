@@ -19,7 +19,7 @@ constexpr int kCircleSamples = 12;
 constexpr int kSphereSamples = 32;
 /// A boundary point is covered where another ball reaches beyond it by this share of the mean
 /// length of edges, that is of the grid's spacing: far above rounding, below any hole.
-constexpr double kCoverDepth = 0.1;
+constexpr double kCoverDepth = 0.05;
 
 /// Closest points nearer than this (units of the axis) give no direction in single precision.
 constexpr double kLeastRadius = 1e-4;

@@ -15,7 +15,7 @@ namespace
 
 /// Weight of the spread of the merged balls' centres beside the squared distances to planes: where
 /// the boundary is flat, the shortest edges go first.
-constexpr double kSpread = 1e-6;
+constexpr double kSpread = 1e-7;
 /// Merged balls lie no farther from the middle of their edge than this many of its lengths.
 constexpr double kReach = 1.5;
 /// Least cosine of the turn of a triangle's normal, and least height of a triangle beside its
