@@ -67,6 +67,12 @@ glm::dvec3 AxisBalls::toLocal(const Point3& world) const
   return glm::dvec3(world[0] - origin[0], world[1] - origin[1], world[2] - origin[2]) / unit;
 }
 
+glm::dvec3 AxisBalls::toLocal(const std::array<float, 3>& world) const
+{
+  return this->toLocal(Point3{ static_cast<double>(world[0]), static_cast<double>(world[1]),
+    static_cast<double>(world[2]) });
+}
+
 Point3 AxisBalls::toWorld(const glm::dvec3& local) const
 {
   return { origin[0] + unit * local.x, origin[1] + unit * local.y, origin[2] + unit * local.z };
@@ -111,10 +117,8 @@ std::vector<std::array<glm::dvec3, 2>> contactsOf(const MedialAxis& axis, const 
   const std::size_t count = axis.closestPointA.size();
   for (std::size_t i = 0; i < count && axis.closestPointB.size() == count; ++i)
   {
-    const auto& a = axis.closestPointA[i];
-    const auto& b = axis.closestPointB[i];
     contacts.push_back(
-      { frame.toLocal({ a[0], a[1], a[2] }), frame.toLocal({ b[0], b[1], b[2] }) });
+      { frame.toLocal(axis.closestPointA[i]), frame.toLocal(axis.closestPointB[i]) });
   }
   return contacts;
 }

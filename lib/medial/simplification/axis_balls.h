@@ -19,6 +19,7 @@ struct AxisBalls
   std::vector<Ball> balls;
 
   glm::dvec3 toLocal(const Point3& world) const;
+  glm::dvec3 toLocal(const std::array<float, 3>& world) const;
   Point3 toWorld(const glm::dvec3& local) const;
 };
 

@@ -25,9 +25,10 @@ namespace medial
 namespace
 {
 
-/// How far a ball may reach beyond the surface, as a share of its radius and of the unit.
-constexpr double kReachOfRadius = 0.1;
-constexpr double kReachOfUnit = 0.02;
+/// How far a ball may reach beyond the surface, as a share of its radius. Less makes both one-sided
+/// distances worse, since the fit is balanced: hand, 50 balls, S->U and U->S in the mean: no limit
+/// 0.226 and 0.210 % of the diagonal, a tenth 0.230 and 0.213, nothing 0.363 and 0.333.
+constexpr double kReach = 0.25;
 
 class Simplifier
 {
@@ -143,7 +144,7 @@ private:
     {
       for (const auto& p : *points)
       {
-        surface.emplace_back(frame_.toLocal({ p[0], p[1], p[2] }), 0.0);
+        surface.emplace_back(frame_.toLocal(p), 0.0);
       }
     }
     const BallTree tree(std::move(surface));
@@ -151,7 +152,7 @@ private:
     {
       Ball& ball = balls_[v];
       const double inside = tree.distance(centreOf(ball), ball.w);
-      ball.w = std::min(ball.w, inside + std::min(kReachOfUnit, kReachOfRadius * ball.w));
+      ball.w = std::min(ball.w, inside + kReach * ball.w);
     }
   }
 

@@ -39,8 +39,7 @@ struct SimplificationOptions
 ///    ball first. Only then has the result fewer components than the union of balls.
 ///
 /// Balls and their radii fit the boundary in the mean: they may reach a little beyond it, but not
-/// by more than 2 % of the diagonal of the axis' bounds or a tenth of their radius, if that is
-/// less, where the axis has closest points to tell.
+/// by more than a quarter of their radius, where the axis has closest points to tell.
 ///
 /// SeparationAngle and the closest points of a ball are those of the point of `axis` next to it
 /// among those that it stands for; lambda is its radius times the sine of half that angle. Arrays
