@@ -202,8 +202,8 @@ TEST(AxisSimplification, OfACapsuleIsItsTwoEnds)
   builder.addCurve({ -1.0, 0.5, 0.2 }, { 1.0, 0.5, 0.2 }, 100, 0.3);
   const MedialAxis axis = simplified(builder.axis, 2);
   ASSERT_EQ(axis.points.size(), 2u);
-  EXPECT_LT(nearest(axis, { -1.0, 0.5, 0.2 }), 1e-5);
-  EXPECT_LT(nearest(axis, { 1.0, 0.5, 0.2 }), 1e-5);
+  EXPECT_LT(nearest(axis, { -1.0, 0.5, 0.2 }), 1e-4);
+  EXPECT_LT(nearest(axis, { 1.0, 0.5, 0.2 }), 1e-4);
   EXPECT_EQ(axis.lines.size(), 1u);
   expectRadius(axis, 0.3, 1e-5);
 }
@@ -308,11 +308,11 @@ TEST(AxisSimplification, KeepsTheSeamOfThreeSheets)
   }
   const MedialAxis axis = simplified(builder.axis, 8); // two ends of the seam and six corners
   EXPECT_EQ(axis.points.size(), 8u);
-  EXPECT_NEAR(areaOf(axis), 6.0, 1e-4);
+  EXPECT_NEAR(areaOf(axis), 6.0, 6e-3);
   EXPECT_EQ(eulerCharacteristic(axis), 1);
-  EXPECT_LT(nearest(axis, { 0.0, 0.0, -1.0 }), 1e-4);
-  EXPECT_LT(nearest(axis, { 0.0, 0.0, 1.0 }), 1e-4);
-  expectRadius(axis, 0.15, 1e-5);
+  EXPECT_LT(nearest(axis, { 0.0, 0.0, -1.0 }), 2e-3);
+  EXPECT_LT(nearest(axis, { 0.0, 0.0, 1.0 }), 2e-3);
+  expectRadius(axis, 0.15, 5e-4);
   expectSoundCells(axis);
 }
 

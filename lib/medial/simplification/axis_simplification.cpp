@@ -3,8 +3,9 @@
 #include "medial/common/error.h"
 #include "medial/common/stopwatch.h"
 #include "medial/medial/simplification/axis_balls.h"
+#include "medial/medial/simplification/ball_fit.h"
 #include "medial/medial/simplification/ball_tree.h"
-#include "medial/medial/simplification/boundary_quadrics.h"
+#include "medial/medial/simplification/boundary_planes.h"
 #include "medial/medial/simplification/component_links.h"
 #include "medial/medial/simplification/edge_collapse.h"
 #include "medial/medial/simplification/slab.h"
@@ -29,6 +30,16 @@ namespace
 /// distances worse, since the fit is balanced: hand, 50 balls, S->U and U->S in the mean: no limit
 /// 0.226 and 0.210 % of the diagonal, a tenth 0.230 and 0.213, nothing 0.363 and 0.333.
 constexpr double kReach = 0.25;
+
+std::vector<BallQuadric> quadricsOf(const std::vector<TangentPlane>& planes, std::size_t vertices)
+{
+  std::vector<BallQuadric> quadrics(vertices);
+  for (const TangentPlane& plane : planes)
+  {
+    quadrics[plane.vertex].addPlane(plane.point, plane.normal, plane.weight);
+  }
+  return quadrics;
+}
 
 class Simplifier
 {
@@ -95,28 +106,35 @@ private:
   void collapse()
   {
     tbb::task_arena arena(options_.threads > 0 ? options_.threads : tbb::task_arena::automatic);
-    std::vector<BallQuadric> quadrics;
-    arena.execute(
-      [&] { quadrics = boundaryQuadrics(balls_, contactsOf(axis_, frame_), complex_); });
+    std::vector<TangentPlane> planes;
+    arena.execute([&] { planes = boundaryPlanes(balls_, contactsOf(axis_, frame_), complex_); });
     this->report(0.2);
     statistics_.joined = linkComponents(balls_, complex_);
     this->report(0.3);
     std::optional<EdgeCollapse> collapse;
-    arena.execute([&] { collapse.emplace(balls_, std::move(quadrics), complex_); });
+    arena.execute([&] { collapse.emplace(balls_, quadricsOf(planes, balls_.size()), complex_); });
     this->report(0.4);
+    this->reduce(*collapse);
+    representatives_ = collapse->representatives();
+    const auto fitted = [this](double share) { this->report(0.7 + 0.3 * share); };
+    arena.execute([&] { fitBalls(planes, representatives_, complex_, balls_, fitted); });
+  }
+
+  void reduce(EdgeCollapse& collapse)
+  {
     const auto step = [this](int left)
     {
       const double share = static_cast<double>(left) / static_cast<double>(balls_.size());
-      this->report(1.0 - 0.6 * share);
+      this->report(0.7 - 0.3 * share);
     };
     const int target = static_cast<int>(
       std::min<std::int64_t>(options_.maxSpheres, std::numeric_limits<int>::max()));
     using Freedom = EdgeCollapse::Freedom;
-    collapse->reduceTo(target, Freedom::Careful, step);
-    const int left = collapse->reduceTo(target, Freedom::Folding, step);
-    statistics_.forced = left - collapse->reduceTo(target, Freedom::Any, step);
-    representatives_ = collapse->representatives();
+    collapse.reduceTo(target, Freedom::Careful, step);
+    const int left = collapse.reduceTo(target, Freedom::Folding, step);
+    statistics_.forced = left - collapse.reduceTo(target, Freedom::Any, step);
     this->dropComponents(target);
+    this->report(0.7);
   }
 
   /// The smallest balls, each of which is a component, until few enough are left.

@@ -37,6 +37,8 @@ struct SimplificationOptions
 /// closed,
 ///    the cheapest first; last, whole components, each one ball by now, are left out, the smallest
 ///    ball first. Only then has the result fewer components than the union of balls.
+/// 4. All balls are moved together, a little, until cones and slabs fit the boundary best (least
+///    squares, a dozen Gauss-Newton steps). Cells stay as they are.
 ///
 /// Balls and their radii fit the boundary in the mean: they may reach a little beyond it, but not
 /// by more than a quarter of their radius, where the axis has closest points to tell.

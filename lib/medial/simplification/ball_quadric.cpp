@@ -52,11 +52,6 @@ Ball solve(const glm::dmat4& matrix, const Ball& right, int size)
 
 } // namespace
 
-void BallQuadric::addTangent(const Ball& ball, const glm::dvec3& normal, double weight)
-{
-  this->addPlane(centreOf(ball) + ball.w * normal, normal, weight);
-}
-
 void BallQuadric::addPlane(const glm::dvec3& point, const glm::dvec3& normal, double weight)
 {
   const Ball n(normal, 1.0);

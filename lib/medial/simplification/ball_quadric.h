@@ -21,12 +21,8 @@ inline glm::dvec3 centreOf(const Ball& ball)
 class BallQuadric
 {
 public:
-  ///@{
-  /// Adds the plane through `point`, or the one that `ball` touches, with the outward unit normal
-  /// `normal`.
+  /// Adds the plane through `point` with the outward unit normal `normal`.
   void addPlane(const glm::dvec3& point, const glm::dvec3& normal, double weight);
-  void addTangent(const Ball& ball, const glm::dvec3& normal, double weight);
-  ///@}
 
   BallQuadric& operator+=(const BallQuadric& other);
 
@@ -38,6 +34,14 @@ public:
   Ball minimiser(const Ball& reference) const;
 
   double weight() const { return weight_; }
+
+  ///@{
+  /// Half the derivative of the sum is times(ball) - linear().
+  Ball times(const Ball& ball) const { return matrix_ * ball; }
+  const Ball& linear() const { return linear_; }
+  ///@}
+  /// Of the matrix of times().
+  Ball diagonal() const { return { matrix_[0][0], matrix_[1][1], matrix_[2][2], matrix_[3][3] }; }
 
 private:
   glm::dmat4 matrix_{ 0.0 };

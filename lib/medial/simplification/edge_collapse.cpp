@@ -1,6 +1,7 @@
 #include "medial/medial/simplification/edge_collapse.h"
 
 #include "medial/medial/simplification/slab.h"
+#include "medial/medial/simplification/triangle_shape.h"
 
 #include <tbb/parallel_for.h>
 
@@ -18,23 +19,7 @@ namespace
 constexpr double kSpread = 1e-7;
 /// Merged balls lie no farther from the middle of their edge than this many of its lengths.
 constexpr double kReach = 1.5;
-/// Least cosine of the turn of a triangle's normal, and least height of a triangle beside its
-/// longest side.
-constexpr double kTurn = 0.2;
-constexpr double kSlender = 2e-3;
-constexpr double kFlat = 1e-5;
 constexpr int kStepEvery = 512;
-
-glm::dvec3 areaVector(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
-{
-  return glm::cross(b - a, c - a);
-}
-
-double longestSide2(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
-{
-  const auto squared = [](const glm::dvec3& d) { return glm::dot(d, d); };
-  return std::max({ squared(b - a), squared(c - b), squared(a - c) });
-}
 
 } // namespace
 
@@ -163,8 +148,8 @@ bool EdgeCollapse::keepsShape(int edge, bool mayFold) const
 
 bool EdgeCollapse::keepsTriangle(const std::array<int, 3>& corners, int edge, bool mayFold) const
 {
-  std::array<glm::dvec3, 3> before;
-  std::array<glm::dvec3, 3> after;
+  TrianglePoints before{};
+  TrianglePoints after{};
   int moved = 0;
   for (int i = 0; i < 3; ++i)
   {
@@ -178,17 +163,7 @@ bool EdgeCollapse::keepsTriangle(const std::array<int, 3>& corners, int edge, bo
   {
     return true; // becomes an edge
   }
-  const glm::dvec3 from = areaVector(before[0], before[1], before[2]);
-  const glm::dvec3 to = areaVector(after[0], after[1], after[2]);
-  const double area = glm::length(to);
-  const double side2 = longestSide2(after[0], after[1], after[2]);
-  if (mayFold)
-  {
-    return area > kFlat * side2;
-  }
-  const double quality = glm::length(from) / longestSide2(before[0], before[1], before[2]);
-  return area > std::min(kSlender, quality) * side2 && area > kFlat * side2 &&
-    glm::dot(from, to) >= kTurn * glm::length(from) * area;
+  return mayFold ? keepsArea(after) : medial::keepsShape(before, after);
 }
 
 void EdgeCollapse::contract(int edge)

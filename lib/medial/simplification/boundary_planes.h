@@ -12,6 +12,15 @@ namespace medial
 /// Two closest points of the surface, in the coordinates of the balls.
 using Contacts = std::array<glm::dvec3, 2>;
 
+/// A plane that touches the boundary.
+struct TangentPlane
+{
+  glm::dvec3 point;
+  glm::dvec3 normal; ///< outward unit normal
+  double weight;     ///< area of the boundary that it stands for
+  int vertex;        ///< that it belongs to
+};
+
 /// What the balls that a vertex stands for should touch: the planes tangent to the boundary of the
 /// medial model (the union of balls, of cones between the two balls of an edge and of slabs between
 /// the three of a triangle: Li et al., "Q-MAT", 2015, section 3), weighted by the
@@ -33,7 +42,8 @@ using Contacts = std::array<glm::dvec3, 2>;
 ///
 /// @param contacts of the balls; empty where they are not known.
 /// @param complex without the links between components.
-std::vector<BallQuadric> boundaryQuadrics(const std::vector<Ball>& balls,
+/// @return the planes in the order of their vertices.
+std::vector<TangentPlane> boundaryPlanes(const std::vector<Ball>& balls,
   const std::vector<Contacts>& contacts, const BallComplex& complex);
 
 } // namespace medial

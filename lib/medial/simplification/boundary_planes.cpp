@@ -1,4 +1,4 @@
-#include "medial/medial/simplification/boundary_quadrics.h"
+#include "medial/medial/simplification/boundary_planes.h"
 
 #include "medial/medial/simplification/ball_tree.h"
 #include "medial/medial/simplification/slab.h"
@@ -41,6 +41,8 @@ double meanLength(const std::vector<Ball>& balls, const BallComplex& complex)
   return edges.empty() ? 0.0 : sum / static_cast<double>(edges.size());
 }
 
+using Planes = std::vector<TangentPlane>;
+
 class Gatherer
 {
 public:
@@ -55,47 +57,52 @@ public:
   }
 
   /// The share of a vertex in the cells around it.
-  BallQuadric at(int vertex) const
+  Planes at(int vertex) const
   {
-    BallQuadric quadric;
+    Planes planes;
     if (!contacts_.empty())
     {
-      this->addContacts(vertex, quadric);
+      this->addContacts(vertex, planes);
     }
     else
     {
       for (const int triangle : complex_.trianglesOf(vertex))
       {
-        this->addSlab(vertex, complex_.triangle(triangle), quadric);
+        this->addSlab(vertex, complex_.triangle(triangle), planes);
       }
     }
     for (const int edge : complex_.edgesOf(vertex))
     {
-      this->addEdge(vertex, edge, quadric);
+      this->addEdge(vertex, edge, planes);
     }
     if (complex_.trianglesOf(vertex).empty() && complex_.edgesOf(vertex).size() <= 1)
     {
-      this->addSphere(vertex, quadric);
+      this->addSphere(vertex, planes);
     }
-    return quadric;
+    return planes;
   }
 
 private:
   /// Both planes, each for a third of the area in which the slab's face meets it.
-  void addSlab(int vertex, const std::array<int, 3>& corners, BallQuadric& quadric) const
+  void addSlab(int vertex, const std::array<int, 3>& corners, Planes& planes) const
   {
-    const Ball& ball = balls_[vertex];
     const auto slab = slabOf(balls_[corners[0]], balls_[corners[1]], balls_[corners[2]]);
     if (slab)
     {
       const double weight = slab->area * slab->sine / 3.0;
-      quadric.addTangent(ball, slab->normal(1.0), weight);
-      quadric.addTangent(ball, slab->normal(-1.0), weight);
+      const Ball& ball = balls_[vertex];
+      for (const glm::dvec3& normal : { slab->normal(1.0), slab->normal(-1.0) })
+      {
+        if (!tree_.covers(centreOf(ball) + ball.w * normal, depth_))
+        {
+          this->addTangent(vertex, normal, weight, planes);
+        }
+      }
     }
   }
 
   /// The planes that touch the surface where the ball does.
-  void addContacts(int vertex, BallQuadric& quadric) const
+  void addContacts(int vertex, Planes& planes) const
   {
     double area = 0.0;
     for (const int triangle : complex_.trianglesOf(vertex))
@@ -112,12 +119,18 @@ private:
     {
       const double cosine = glm::dot(toA / lengthA, toB / lengthB);
       const double sineOfHalf = std::sqrt(std::max(0.0, 0.5 * (1.0 - cosine)));
-      quadric.addPlane(contacts_[vertex][0], toA / lengthA, area * sineOfHalf);
-      quadric.addPlane(contacts_[vertex][1], toB / lengthB, area * sineOfHalf);
+      planes.push_back({ contacts_[vertex][0], toA / lengthA, area * sineOfHalf, vertex });
+      planes.push_back({ contacts_[vertex][1], toB / lengthB, area * sineOfHalf, vertex });
     }
   }
 
-  void addEdge(int vertex, int edge, BallQuadric& quadric) const
+  void addTangent(int vertex, const glm::dvec3& normal, double weight, Planes& planes) const
+  {
+    const Ball& ball = balls_[vertex];
+    planes.push_back({ centreOf(ball) + ball.w * normal, normal, weight, vertex });
+  }
+
+  void addEdge(int vertex, int edge, Planes& planes) const
   {
     const auto [a, b] = complex_.edge(edge);
     const auto cone = coneOf(balls_[a], balls_[b]);
@@ -129,7 +142,7 @@ private:
     if (opposite.empty())
     {
       const glm::dvec3 side = anyPerpendicular(cone->axis);
-      this->addArc(vertex, edge, *cone, side, kPi, kCircleSamples, quadric);
+      this->addArc(vertex, edge, *cone, side, kPi, kCircleSamples, planes);
       return;
     }
     const auto slab = slabOf(balls_[a], balls_[b], balls_[opposite[0]]);
@@ -139,19 +152,18 @@ private:
       const glm::dvec3 across = inwards - glm::dot(inwards, cone->axis) * cone->axis;
       const glm::dvec3 outwards = -glm::normalize(across);
       const double half = std::atan2(slab->sine, glm::dot(slab->slope, outwards));
-      this->addArc(vertex, edge, *cone, outwards, half, kArcSamples, quadric);
+      this->addArc(vertex, edge, *cone, outwards, half, kArcSamples, planes);
     }
   }
 
   /// Half the cone's boundary, from -halfAngle to halfAngle around its axis; 0 is `side`.
   void addArc(int vertex, int edge, const Cone& cone, const glm::dvec3& side, double halfAngle,
-    int samples, BallQuadric& quadric) const
+    int samples, Planes& planes) const
   {
     const auto [a, b] = complex_.edge(edge);
     const Ball middle = 0.5 * (balls_[a] + balls_[b]);
-    const Ball& ball = balls_[vertex];
     const double step = 2.0 * halfAngle / samples;
-    const double weight = 0.5 * cone.length * cone.sine * cone.sine * ball.w * step;
+    const double weight = 0.5 * cone.length * cone.sine * cone.sine * balls_[vertex].w * step;
     const glm::dvec3 other = glm::cross(cone.axis, side);
     for (int i = 0; i < samples; ++i)
     {
@@ -160,13 +172,13 @@ private:
       const glm::dvec3 normal = cone.slope * cone.axis + cone.sine * radial;
       if (!tree_.covers(centreOf(middle) + middle.w * normal, depth_))
       {
-        quadric.addTangent(ball, normal, weight);
+        this->addTangent(vertex, normal, weight, planes);
       }
     }
   }
 
   /// Directions along a spiral, each for the same area.
-  void addSphere(int vertex, BallQuadric& quadric) const
+  void addSphere(int vertex, Planes& planes) const
   {
     const Ball& ball = balls_[vertex];
     const double weight = 4.0 * kPi * ball.w * ball.w / kSphereSamples;
@@ -178,7 +190,7 @@ private:
       const glm::dvec3 normal(rho * std::cos(golden * i), rho * std::sin(golden * i), z);
       if (!tree_.covers(centreOf(ball) + ball.w * normal, depth_))
       {
-        quadric.addTangent(ball, normal, weight);
+        this->addTangent(vertex, normal, weight, planes);
       }
     }
   }
@@ -192,14 +204,19 @@ private:
 
 } // namespace
 
-std::vector<BallQuadric> boundaryQuadrics(const std::vector<Ball>& balls,
+std::vector<TangentPlane> boundaryPlanes(const std::vector<Ball>& balls,
   const std::vector<Contacts>& contacts, const BallComplex& complex)
 {
   const Gatherer gatherer(balls, contacts, complex);
-  std::vector<BallQuadric> quadrics(balls.size());
+  std::vector<Planes> perVertex(balls.size());
   tbb::parallel_for(0, complex.vertexCount(),
-    [&](int vertex) { quadrics[vertex] = gatherer.at(vertex); });
-  return quadrics;
+    [&](int vertex) { perVertex[vertex] = gatherer.at(vertex); });
+  Planes all;
+  for (const Planes& planes : perVertex)
+  {
+    all.insert(all.end(), planes.begin(), planes.end());
+  }
+  return all;
 }
 
 } // namespace medial
