@@ -163,6 +163,7 @@ int vtkMedialAxis::RequestData(vtkInformation* request, vtkInformationVector** i
       options.radius = this->MinimumRadius;
       options.side = ToSide(this->Side);
       options.representation = ToRepresentation(this->Representation);
+      options.maxSpheres = this->MaximumNumberOfSpheres;
       options.field = this->Internals->MakeOptions(&progress);
 
       vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
@@ -198,5 +199,6 @@ void vtkMedialAxis::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MinimumRadius: " << this->MinimumRadius << "\n";
   os << indent << "Side: " << this->GetSideAsString() << "\n";
   os << indent << "Representation: " << this->GetRepresentationAsString() << "\n";
+  os << indent << "MaximumNumberOfSpheres: " << this->MaximumNumberOfSpheres << "\n";
   os << indent << "GenerateDistanceField: " << (this->GenerateDistanceField ? "On" : "Off") << "\n";
 }

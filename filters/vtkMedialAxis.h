@@ -14,6 +14,12 @@
  * coordinates). The axis is selected by the directions at grid points, while SeparationAngle is
  * that at the point itself: near rims and focal curves some are below Angle.
  *
+ * With MaximumNumberOfSpheres the axis is made compact: at most so many points, whose balls, with
+ * the cones and slabs between those of a line or triangle, approximate the shape (quadric edge
+ * collapse, after Li and others: Q-MAT, 2015). Radius then is that of the best ball,
+ * which may reach a little beyond the surface; SeparationAngle and the closest points are those of
+ * the point of the full axis next to it.
+ *
  * Output port 1 is the distance field on the same grid, a vtkImageData as vtkMeshDistanceField
  * makes it. It is empty unless GenerateDistanceField is on.
  *
@@ -134,6 +140,17 @@ public:
 
   ///@{
   /**
+   * Most points of the axis; 0 for no limit, else >= 1. Components that Angle has cut apart are
+   * joined where their balls overlap, and edges collapsed, the least error first, until the number
+   * is reached; holes and components of the shape stay as long as it allows. A few hundred describe
+   * most shapes. Not for POINTS, which have no cells. Default is 0.
+   */
+  vtkSetMacro(MaximumNumberOfSpheres, int);
+  vtkGetMacro(MaximumNumberOfSpheres, int);
+  ///@}
+
+  ///@{
+  /**
    * Whether output port 1 is the distance field on the whole grid, from the same run and with the
    * arrays that the Generate flags ask for. Off, the port is an empty image, and the arrays of the
    * grid are never held in memory. Default is off.
@@ -172,6 +189,7 @@ protected:
   double MinimumRadius = 0.0;
   int Side = INTERIOR;
   int Representation = SURFACE;
+  int MaximumNumberOfSpheres = 0;
   vtkTypeBool GenerateDistanceField = false;
 
 private:

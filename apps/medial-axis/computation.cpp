@@ -34,6 +34,7 @@ void computeAxis(const MedialAxisOptions& options, FieldSink* field, Result& res
     : computeMedialAxis(result.mesh, result.topology, result.grid, options);
   vtkMeshConversion::ToPolyData(axis, result.axis);
   result.statistics = axis.statistics;
+  result.simplification = axis.simplification;
   result.sign = axis.sign;
   result.side = axis.side;
 }

@@ -22,6 +22,7 @@ struct Result
   SignMethod sign = SignMethod::None; ///< never Auto
   Side side = Side::Both;             ///< of the axis
   RunStatistics statistics;
+  SimplificationStatistics simplification; ///< all 0 without --max-spheres
   vtkSmartPointer<vtkPolyData> axis; ///< as vtkMedialAxis makes it; empty where it is not wanted
 };
 

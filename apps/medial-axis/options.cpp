@@ -181,6 +181,13 @@ void addAxisOptions(CLI::App& app, Words& words, Options& options)
     ->check(oneOf(kRepresentations))
     ->group(group);
   app
+    .add_option("--max-spheres", options.maxSpheres,
+      "compact connected axis: at most N balls, joined by lines and triangles, that describe the "
+      "shape best, in [0, 2147483647]; not for --representation points; 0 for no limit; default 0")
+    ->option_text("N")
+    ->check(within<int>("[0, 2147483647]", [](int n) { return n >= 0; }))
+    ->group(group);
+  app
     .add_option("--sign", words.sign,
       "how inside is told from outside: auto, none, pseudonormal (closed, consistently oriented "
       "meshes) or winding (not available yet); default auto")
@@ -251,6 +258,12 @@ void convertWords(const Words& words, bool spacingGiven, Options& options)
   options.minRadius = toLength(words.minRadius);
   options.side = kSides.at(words.side);
   options.representation = kRepresentations.at(words.representation);
+  if (options.maxSpheres > 0 && options.representation == Representation::Points)
+  {
+    throw Failure(ExitCode::Usage,
+      "--max-spheres " + std::to_string(options.maxSpheres) +
+        " needs --representation surface or faces: points have no cells to simplify");
+  }
   options.input = words.input;
   options.output = words.output;
   options.field = words.field;
@@ -329,6 +342,7 @@ MedialAxisOptions libraryOptions(const Options& options, double diagonal)
   result.radius = options.minRadius.inUnits(diagonal);
   result.side = options.side;
   result.representation = options.representation;
+  result.maxSpheres = options.maxSpheres;
   result.field.sign = options.signMethod;
   result.field.evaluator = options.evaluator;
   result.field.threads = options.threads;

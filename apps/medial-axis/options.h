@@ -35,6 +35,7 @@ struct Options
   Length minRadius;
   Side side = Side::Interior;
   Representation representation = Representation::Surface;
+  int maxSpheres = 0; ///< 0: no limit
   SignMethod signMethod = SignMethod::Auto;
   Evaluator evaluator = Evaluator::Auto;
   int threads = 0;

@@ -49,6 +49,15 @@ Json describeCounts(const RunStatistics& statistics, vtkPolyData* axis)
     { "medial_points", axis->GetNumberOfPoints() }, { "medial_cells", axis->GetNumberOfCells() } };
 }
 
+Json describeSimplification(const SimplificationStatistics& simplification)
+{
+  return { { "input_points", simplification.inputPoints },
+    { "input_components", simplification.inputComponents },
+    { "components", simplification.components }, { "joined", simplification.joined },
+    { "forced", simplification.forced }, { "dropped", simplification.dropped },
+    { "seconds", simplification.seconds } };
+}
+
 double peakMemoryMiB()
 {
   struct rusage usage = {};
@@ -67,6 +76,7 @@ std::string makeReport(const Result& result, const std::filesystem::path& input,
   report["device"] = describeDevice(result.statistics.device);
   report["seconds"] = describeSeconds(result.statistics.seconds, seconds);
   report["counts"] = describeCounts(result.statistics, result.axis);
+  report["simplification"] = describeSimplification(result.simplification);
   report["fragments_per_voxel"] = result.statistics.fragmentsPerVoxel();
   report["evaluator"] = nameOf(result.statistics.evaluator);
   report["sign_method"] = nameOf(result.sign);

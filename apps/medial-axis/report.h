@@ -21,7 +21,9 @@ struct AppSeconds
 ///   skipped_degenerate}, grid {dimensions, spacing, origin}, device {renderer, version, software},
 ///   seconds {read, sites, cull, polygons, draw, resolve, medial, write, total}, counts {sites,
 ///   polygons, fragments, candidate_pairs, medial_points, medial_cells}, fragments_per_voxel,
-///   evaluator, sign_method and peak_memory_mib. Lengths are in world units.
+///   simplification {input_points, input_components, components, joined, forced, dropped, seconds}
+///   (as in SimplificationStatistics, 0 without --max-spheres), evaluator, sign_method and
+///   peak_memory_mib. Lengths are in world units.
 std::string makeReport(const Result& result, const std::filesystem::path& input,
   const AppSeconds& seconds);
 

@@ -78,6 +78,35 @@ void printNotes(const Options& options, const Result& result)
   }
 }
 
+void printSimplification(const Options& options, const Result& result)
+{
+  const SimplificationStatistics& done = result.simplification;
+  const auto components = static_cast<long long>(done.components);
+  if (done.dropped > 0)
+  {
+    std::fprintf(stderr,
+      "medial-axis: note: %s: --max-spheres %d is below the number of components of the axis, "
+      "%lld; "
+      "the %lld smallest were left out\n",
+      options.input.c_str(), options.maxSpheres, components + static_cast<long long>(done.dropped),
+      static_cast<long long>(done.dropped));
+  }
+  else if (done.forced > 0)
+  {
+    std::fprintf(stderr,
+      "medial-axis: note: %s: --max-spheres %d closes holes of the shape: fewer balls than its "
+      "topology needs\n",
+      options.input.c_str(), options.maxSpheres);
+  }
+  if (done.inputPoints > 0)
+  {
+    std::printf("simplified %lld points in %lld component%s to %lld in %lld, %.2f s\n",
+      static_cast<long long>(done.inputPoints), static_cast<long long>(done.inputComponents),
+      done.inputComponents == 1 ? "" : "s",
+      static_cast<long long>(result.axis->GetNumberOfPoints()), components, done.seconds);
+  }
+}
+
 } // namespace
 
 void printSummary(const Options& options, const Result& result, const AppSeconds& seconds)
@@ -91,6 +120,7 @@ void printSummary(const Options& options, const Result& result, const AppSeconds
   const Device& device = result.statistics.device;
   std::printf("renderer  %s%s\n", device.renderer.c_str(), device.software ? " (software)" : "");
   printSeconds(result.statistics.seconds, seconds);
+  printSimplification(options, result);
   printOutputs(options, result);
 }
 

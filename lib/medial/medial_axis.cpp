@@ -13,6 +13,7 @@
 #include "medial/medial/gpu_selection.h"
 #include "medial/medial/host_selection.h"
 #include "medial/medial/medial_cells.h"
+#include "medial/medial/simplification/axis_simplification.h"
 
 #include <tbb/parallel_for.h>
 
@@ -126,6 +127,55 @@ void checkOptions(const MedialAxisOptions& options)
   }
   checkLength("lambda", options.lambda);
   checkLength("radius", options.radius);
+  if (options.maxSpheres < 0)
+  {
+    throw Error(ErrorCode::InvalidInput,
+      "maximum number of spheres " + std::to_string(options.maxSpheres) +
+        " is negative; allowed: 0 (no limit) or more");
+  }
+  if (options.maxSpheres > 0 && options.representation == Representation::Points)
+  {
+    throw Error(ErrorCode::InvalidInput,
+      "maximum number of spheres " + std::to_string(options.maxSpheres) +
+        " for an axis of points, which has no cells to simplify; allowed: surface or faces");
+  }
+}
+
+/// Shows the work of simplification as the last part of the whole.
+class LastPart : public Progress
+{
+public:
+  LastPart(Progress* whole, double begin)
+    : whole_(whole)
+    , begin_(begin)
+  {
+  }
+
+  void report(double fraction, const char* phase) override
+  {
+    if (whole_ != nullptr)
+    {
+      whole_->report(begin_ + (1.0 - begin_) * fraction, phase);
+    }
+  }
+
+  bool cancelled() override { return whole_ != nullptr && whole_->cancelled(); }
+
+private:
+  Progress* whole_;
+  double begin_;
+};
+
+void simplify(const MedialAxisOptions& options, RunStatistics& statistics, MedialAxis& axis)
+{
+  const Stopwatch watch(statistics.seconds.medial);
+  LastPart progress(options.field.progress, 0.9);
+  SimplificationOptions simplification;
+  simplification.maxSpheres = options.maxSpheres;
+  simplification.threads = options.field.threads;
+  simplification.progress = &progress;
+  axis = simplifyAxis(axis, simplification);
+  axis.feature = axisFeatures(edgesOf(axis), axis.points.size());
 }
 
 MedialAxis runPipeline(const TriangleMesh& mesh, const MeshTopology& topology, const Grid& grid,
@@ -155,6 +205,10 @@ MedialAxis runPipeline(const TriangleMesh& mesh, const MeshTopology& topology, c
         axis);
       axis.feature = axisFeatures(edgesOf(axis), axis.points.size());
     });
+  if (options.maxSpheres > 0)
+  {
+    simplify(options, pipeline.statistics(), axis);
+  }
   pipeline.report(1.0, "medial axis");
   axis.statistics = pipeline.statistics();
   return axis;

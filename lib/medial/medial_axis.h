@@ -43,7 +43,22 @@ struct MedialAxisOptions
   double radius = 0.0;
   Side side = Side::Interior;
   Representation representation = Representation::Surface;
+  /// Most points of the axis, >= 0; 0 for no limit. Otherwise the axis is made compact, as by
+  /// simplifyAxis(): fewer points describe the shape less closely. Not for Representation::Points.
+  std::int64_t maxSpheres = 0;
   DistanceFieldOptions field;
+};
+
+/// What simplifyAxis() did; all 0 where it was not called.
+struct SimplificationStatistics
+{
+  std::int64_t inputPoints = 0;
+  std::int64_t inputComponents = 0;
+  std::int64_t components = 0;
+  std::int64_t joined = 0;  ///< lines that were added between components whose balls overlap
+  std::int64_t forced = 0;  ///< balls merged though that closed a loop or a hollow of the shape
+  std::int64_t dropped = 0; ///< components left out
+  double seconds = 0.0;     ///< wall-clock
 };
 
 /// A medial axis as points with attributes and cells over them.
@@ -67,6 +82,7 @@ struct MedialAxis
   SignMethod sign = SignMethod::None; ///< the method used, never Auto
   Side side = Side::Both;             ///< the side delivered: Both where the field is unsigned
   RunStatistics statistics;
+  SimplificationStatistics simplification;
 
   std::int64_t cellCount() const
   {
@@ -83,8 +99,9 @@ struct MedialAxis
 /// bisector. Surfaces and faces need a grid of at least two slices along every axis.
 ///
 /// @param arrays where to leave the distance field of the whole grid as well; all null for none.
-/// @throws Error InvalidInput for an angle outside (0, 180) or a negative lambda or radius, and as
-///   computeDistanceField.
+/// @throws Error InvalidInput for an angle outside (0, 180), a negative lambda, radius or
+/// maxSpheres or
+///   maxSpheres for Representation::Points, and as computeDistanceField.
 MedialAxis computeMedialAxis(const TriangleMesh& mesh, const MeshTopology& topology,
   const Grid& grid, const MedialAxisOptions& options = {}, const FieldArrays& arrays = {});
 

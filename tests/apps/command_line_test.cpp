@@ -67,9 +67,10 @@ TEST_F(CommandLine, HelpNamesEveryOption)
   const Outcome help = runMedialAxis({ "--help" });
   EXPECT_EQ(help.exitCode, 0);
   EXPECT_EQ(help.err, "");
-  for (const char* option : { "-o,--output", "--field", "--thickness", "--image", "--resolution",
-         "--spacing", "--padding", "--angle", "--side", "--representation", "--sign", "--threads",
-         "--memory", "--report", "--require-gpu", "-q,--quiet", "--version", "--help" })
+  for (const char* option :
+    { "-o,--output", "--field", "--thickness", "--image", "--resolution", "--spacing", "--padding",
+      "--angle", "--side", "--representation", "--max-spheres", "--sign", "--threads", "--memory",
+      "--report", "--require-gpu", "-q,--quiet", "--version", "--help" })
   {
     EXPECT_TRUE(contains(help.out, option)) << option;
   }
@@ -88,6 +89,7 @@ TEST_F(CommandLine, HelpStatesTheDefaultsOfTheFilter)
   EXPECT_TRUE(contains(help, "in [2, 8192]; " + defaultOf(filter->GetResolution())));
   EXPECT_TRUE(contains(help, "in [0, 10]; " + defaultOf(filter->GetPadding())));
   EXPECT_TRUE(contains(help, defaultOf(filter->GetAngle())));
+  EXPECT_TRUE(contains(help, "0 for no limit; " + defaultOf(filter->GetMaximumNumberOfSpheres())));
   EXPECT_TRUE(contains(help, "0 for all cores; " + defaultOf(filter->GetNumberOfThreads())));
   EXPECT_TRUE(contains(help, "0 chooses; " + defaultOf(filter->GetMemoryLimit())));
 }
@@ -109,6 +111,7 @@ TEST_F(CommandLine, RefusesNumbersOutsideTheirRange)
     { "--padding", "11", "[0, 10]" }, { "--angle", "0", "(0, 180)" },
     { "--angle", "180", "(0, 180)" }, { "--angle", "-3", "(0, 180)" },
     { "--angle", "nan", "(0, 180)" }, { "--angle", "wide", "(0, 180)" },
+    { "--max-spheres", "-1", "[0, 2147483647]" }, { "--max-spheres", "2.5", "[0, 2147483647]" },
     { "--threads", "-1", "[0, 1024]" }, { "--threads", "2000", "[0, 1024]" },
     { "--memory", "63", "[64," }, { "--memory", "-64", "[64," } };
   for (const auto& [option, value, range] : cases)
@@ -145,6 +148,12 @@ TEST_F(CommandLine, SaysWhatIsNotThereYet)
 {
   EXPECT_TRUE(contains(usageError({ "--thickness", folder.file("t.vtp") }), "not available yet"));
   EXPECT_TRUE(contains(usageError({ "--sign", "winding" }), "not available yet"));
+}
+
+TEST_F(CommandLine, RefusesToSimplifyPoints)
+{
+  const std::string error = usageError({ "--max-spheres", "20", "--representation", "points" });
+  EXPECT_TRUE(contains(error, "--max-spheres 20") && contains(error, "surface or faces")) << error;
 }
 
 TEST_F(CommandLine, RefusesTwoGridsAtOnce)

@@ -267,7 +267,10 @@ TEST_F(CommandOutput, ReportHasExactlyTheDocumentedKeys)
   const Json result = report({});
   EXPECT_EQ(keysOf(result),
     (std::set<std::string>{ "input", "grid", "device", "seconds", "counts", "fragments_per_voxel",
-      "evaluator", "sign_method", "peak_memory_mib" }));
+      "simplification", "evaluator", "sign_method", "peak_memory_mib" }));
+  EXPECT_EQ(keysOf(result["simplification"]),
+    (std::set<std::string>{ "input_points", "input_components", "components", "joined", "forced",
+      "dropped", "seconds" }));
   EXPECT_EQ(keysOf(result["input"]),
     (std::set<std::string>{ "path", "triangles", "vertices", "closed", "manifold", "components",
       "skipped_degenerate" }));
@@ -350,6 +353,45 @@ TEST_F(CommandOutput, AngleDropsTheEdgeSheets)
   {
     ASSERT_NEAR(flat->GetPoint(i)[2], 0.0, 0.5 * kSpacing);
   }
+}
+
+TEST_F(CommandOutput, MaxSpheresMakesTheAxisCompact)
+{
+  const std::string ma = folder.file("axis.ma");
+  const Json result = report({ "--max-spheres", "24", "-o", ma });
+  EXPECT_EQ(readFile(ma).substr(0, 3), "24 ");
+  EXPECT_EQ(result["counts"]["medial_points"], 24);
+  const Json& simplification = result["simplification"];
+  EXPECT_GT(simplification["input_points"], 1000);
+  EXPECT_EQ(simplification["components"], 1);
+  EXPECT_EQ(simplification["dropped"], 0);
+  const auto compact = axis({ "--max-spheres", "24" });
+  std::set<int> corners; // of the box, where the sheets end
+  for (vtkIdType i = 0; i < compact->GetNumberOfPoints(); ++i)
+  {
+    const double* p = compact->GetPoint(i);
+    const double radius = radiusAt(compact, i);
+    ASSERT_NEAR(radius, exactRadius(p), 0.2 * kSpacing);
+    const bool atCorner = std::abs(p[0]) > 0.9 && std::abs(p[1]) > 0.6 && std::abs(p[2]) > 0.3;
+    corners.insert(atCorner ? (p[0] > 0.0) + 2 * (p[1] > 0.0) + 4 * (p[2] > 0.0) : -1);
+  }
+  corners.erase(-1);
+  EXPECT_EQ(corners.size(), 8U);
+}
+
+TEST_F(CommandOutput, SaysWhichComponentsMaxSpheresLeavesOut)
+{
+  const TriangleMesh one = box(kHalfSides);
+  writeFile(input, objText(appended(one, translated(scaled(one, 0.5), { 3.0, 0.0, 0.0 }))));
+  const Outcome outcome = run({ "--max-spheres", "1", "-o", folder.file("axis.vtp") });
+  EXPECT_TRUE(contains(outcome.err,
+    "--max-spheres 1 is below the number of components of the axis, 2; the 1 smallest"))
+    << outcome.err;
+  const auto left = readVtp(folder.file("axis.vtp"));
+  ASSERT_EQ(left->GetNumberOfPoints(), 1);
+  EXPECT_LT(left->GetPoint(0)[0], 1.0);
+  EXPECT_EQ(
+    axis({ "--max-spheres", "1", "--side", "exterior", "--angle", "170" })->GetNumberOfPolys(), 0);
 }
 
 TEST_F(CommandOutput, RepresentationsDiffer)

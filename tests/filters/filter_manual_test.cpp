@@ -143,7 +143,7 @@ TEST(FilterManual, DistanceFieldHasNoParametersOfItsOwn)
 
 TEST(FilterManual, MedialAxisParametersAreExplainedAndPrinted)
 {
-  expectManual("vtkMedialAxis", 6, printed<vtkMedialAxis>());
+  expectManual("vtkMedialAxis", 7, printed<vtkMedialAxis>());
 }
 
 TEST(FilterManual, MedialCurvesParametersArePrinted)

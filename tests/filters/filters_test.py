@@ -85,6 +85,15 @@ class FiltersTest(unittest.TestCase):
         axis.GetUsedSpacing(spacing)
         self.assertGreater(spacing[0], 0.0)
 
+    def test_axis_of_few_spheres(self):
+        axis = box_axis(33)
+        axis.SetMaximumNumberOfSpheres(30)
+        axis.Update()
+        self.assertLessEqual(axis.GetOutput().GetNumberOfPoints(), 30)
+        self.assertGreater(axis.GetOutput().GetNumberOfPoints(), 10)
+        radius = axis.GetOutput().GetPointData().GetArray("Radius")
+        self.assertAlmostEqual(radius.GetRange()[1], 0.5, delta=0.03)
+
     def test_second_output(self):
         axis = box_axis()
         axis.GenerateDistanceFieldOn()

@@ -243,6 +243,26 @@ TEST(MedialAxisFilter, LargerAnglesKeepLess)
   }
 }
 
+TEST(MedialAxisFilter, SpheresCanBeLimited)
+{
+  auto axis = boxAxis(33);
+  EXPECT_EQ(axis->GetMaximumNumberOfSpheres(), 0);
+  axis->SetMaximumNumberOfSpheres(20);
+  axis->Update();
+  vtkPolyData* output = axis->GetOutput();
+  EXPECT_EQ(output->GetNumberOfPoints(), 20);
+  EXPECT_GE(output->GetNumberOfPolys(), 20);
+  for (const char* name :
+    { "Radius", "SeparationAngle", "Lambda", "ClosestPointA", "ClosestPointB" })
+  {
+    ASSERT_NE(output->GetPointData()->GetArray(name), nullptr) << name;
+    EXPECT_EQ(output->GetPointData()->GetArray(name)->GetNumberOfTuples(), 20) << name;
+  }
+  axis->SetMaximumNumberOfSpheres(0);
+  axis->Update();
+  EXPECT_GT(axis->GetOutput()->GetNumberOfPoints(), 1000);
+}
+
 TEST(MedialAxisFilter, RefusesAnglesAndEnumsOutsideTheirRange)
 {
   const auto expectError = [](vtkMedialAxis* axis, const char* words)
@@ -268,6 +288,11 @@ TEST(MedialAxisFilter, RefusesAnglesAndEnumsOutsideTheirRange)
   axis->SetRepresentation(-4);
   expectError(axis, "Representation -4");
   axis->SetRepresentationToPoints();
+  axis->SetMaximumNumberOfSpheres(-1);
+  expectError(axis, "-1 is negative");
+  axis->SetMaximumNumberOfSpheres(10);
+  expectError(axis, "surface or faces");
+  axis->SetMaximumNumberOfSpheres(0);
   axis->Update();
   EXPECT_EQ(axis->GetErrorCode(), 0u);
 }

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "medial/medial/medial_axis.h"
+
+#include <array>
+#include <vector>
+
+// Medial axes made by hand, and what their balls describe.
+namespace medial::test
+{
+
+/// An axis of which only points, radii and cells are there, to be added to. Lengths are world
+/// units.
+class AxisBuilder
+{
+public:
+  std::int64_t add(const Point3& point, double radius);
+
+  /// Grid of quads over the parallelogram origin + s u + t v, s and t in [0, 1], with `cells` cells
+  /// along each side and equal radii. Points equal to ones that are there already are shared.
+  void addSheet(const Point3& origin, const Point3& u, const Point3& v, int cells, double radius);
+
+  /// Lines between `cells` + 1 points from a to b.
+  void addCurve(const Point3& a, const Point3& b, int cells, double radius);
+
+  MedialAxis axis;
+
+private:
+  std::int64_t shared(const Point3& point, double radius);
+};
+
+/// Euler characteristic of the cells with their sides: points - sides - lines + faces.
+std::int64_t eulerCharacteristic(const MedialAxis& axis);
+
+/// Number of connected components.
+std::int64_t componentCount(const MedialAxis& axis);
+
+/// Sum of the areas of triangles and quads.
+double areaOf(const MedialAxis& axis);
+
+/// Distance from each point to the boundary of the union of balls, cones between the two balls of a
+/// side or line, and slabs between the three of a triangle, by sampling the cells densely: at most
+/// `step` of the longest side too large. Negative inside.
+std::vector<double> distancesToModel(const MedialAxis& axis, const std::vector<Point3>& points,
+  int samplesPerSide = 40);
+
+} // namespace medial::test
