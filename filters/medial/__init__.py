@@ -9,7 +9,17 @@ help(medial.vtkMedialAxis) prints the manual of the class.
 """
 
 from .vtkMedialFilters import (
-    vtkMedialAxis, vtkMedialReconstruction, vtkMeshDistanceField, vtkMeshFieldAlgorithm)
+    vtkMedialAxis,
+    vtkMedialCurves,
+    vtkMedialReconstruction,
+    vtkMeshDistanceField,
+    vtkMeshFieldAlgorithm,
+)
 
 __all__ = [
-    "vtkMedialAxis", "vtkMedialReconstruction", "vtkMeshDistanceField", "vtkMeshFieldAlgorithm"]
+    "vtkMedialAxis",
+    "vtkMedialCurves",
+    "vtkMedialReconstruction",
+    "vtkMeshDistanceField",
+    "vtkMeshFieldAlgorithm",
+]
