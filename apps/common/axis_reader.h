@@ -13,9 +13,9 @@ namespace medial::app
 /// - .vtp: polygons, lines and vertices; a point data array Radius of one component;
 /// - .ply: text or binary; vertices with the property radius, faces, edges;
 /// - .obj: a comment "# radius R" after each vertex; faces, lines and points;
-/// - .ma: "vertices edges faces", then lines "v x y z radius", "e i j" and "f i j k", indices from
-/// 0;
-///   what else is on such a line is ignored. Edges that are sides of a triangle become no lines.
+/// - .ma: "vertices edges faces", then lines "v x y z radius", "e i j" and "f i j k", indices
+///   from 0; what else is on such a line is ignored. Edges that are sides of a triangle become no
+///   lines.
 ///
 /// Points of .ply and .ma that no cell uses become vertices.
 ///

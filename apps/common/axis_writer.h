@@ -11,8 +11,7 @@ namespace medial::app
 ///
 /// - .vtp: everything, for VTK and ParaView;
 /// - .ply: binary; vertices x y z radius separation_angle lambda, faces, and edges where the axis
-/// is
-///   thinner than a sheet;
+///   is thinner than a sheet;
 /// - .obj: positions, faces, lines and points; after each vertex a comment "# radius R";
 /// - .ma: "vertices edges faces", then "v x y z radius", "e i j" and "f i j k", indices from 0. The
 ///   edges are those of the triangles as well.
