@@ -120,15 +120,6 @@ MedialComplex buildComplex(Representation representation, const std::vector<Cros
   return pointComplex(points);
 }
 
-void checkAngle(double angle)
-{
-  if (!(angle > 0.0 && angle < 180.0))
-  {
-    throw Error(ErrorCode::InvalidInput,
-      "separation angle " + std::to_string(angle) + " is outside (0, 180) degrees");
-  }
-}
-
 MedialAxis runPipeline(const TriangleMesh& mesh, const MeshTopology& topology, const Grid& grid,
   const MedialAxisOptions& options, FieldSink& sink, FieldMemory* memory)
 {
@@ -167,7 +158,7 @@ MedialAxis runPipeline(const TriangleMesh& mesh, const MeshTopology& topology, c
 MedialAxis computeMedialAxis(const TriangleMesh& mesh, const MeshTopology& topology,
   const Grid& grid, const MedialAxisOptions& options, FieldSink& sink)
 {
-  checkAngle(options.angle);
+  checkSeparationAngle(options.angle);
   return withMemoryErrors(grid.pointCount(),
     [&] { return runPipeline(mesh, topology, grid, options, sink, nullptr); });
 }
@@ -176,7 +167,7 @@ MedialAxis computeMedialAxis(const TriangleMesh& mesh, const MeshTopology& topol
   const Grid& grid, const MedialAxisOptions& options, const FieldArrays& arrays,
   FieldMemory* memory)
 {
-  checkAngle(options.angle);
+  checkSeparationAngle(options.angle);
   ArraySink sink(grid.wholeExtent(), arrays);
   return withMemoryErrors(grid.pointCount(),
     [&] { return runPipeline(mesh, topology, grid, options, sink, memory); });
