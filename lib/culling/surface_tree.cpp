@@ -1,14 +1,17 @@
 #include "medial/culling/surface_tree.h"
 
+#include "medial/common/simd.h"
+
 #include <algorithm>
-#include <array>
+#include <cmath>
 
 namespace medial
 {
 namespace
 {
 
-constexpr int kLeafSize = 4;
+/// What single precision may err by, as a share of the coordinates.
+constexpr float kSinglePrecision = 1e-6f;
 /// Halving any number of sites that an int can count is not deeper.
 constexpr std::size_t kMostDepth = 64;
 
@@ -43,107 +46,158 @@ std::array<glm::dvec3, 3> cornersOf(const SiteSet& sites, int site)
 
 } // namespace
 
+/// A query under way.
+struct SurfaceTree::Search
+{
+  glm::dvec3 x;
+  glm::vec3 rounded;
+  float slack;
+  double squared; ///< distance of the best so far
+  SitePoint best;
+};
+
 SurfaceTree::SurfaceTree(const SiteSet& sites, const MeshTopology& topology)
   : sites_(sites)
 {
-  this->collectLeaves(sites, topology);
-  if (!leaves_.empty())
+  std::vector<int> all = this->collectSites(topology);
+  if (!all.empty())
   {
-    nodes_.reserve(leaves_.size());
-    this->build(0, static_cast<int>(leaves_.size()));
+    this->build(all.data(), all.data() + all.size());
+    const glm::dvec3 corner = glm::max(glm::abs(nodes_[0].low), glm::abs(nodes_[0].high));
+    extent_ = static_cast<float>(std::max({ corner.x, corner.y, corner.z }));
   }
 }
 
-void SurfaceTree::addLeaf(int site)
+std::vector<int> SurfaceTree::collectSites(const MeshTopology& topology) const
 {
-  const bool isFace = sites_.kind(site) == SiteKind::Face;
-  const glm::dvec3 normal = isFace ? sites_.faceNormal(site) : glm::dvec3(0.0);
-  leaves_.push_back({ site, normal, glm::dot(normal, cornersOf(sites_, site)[0]) });
-}
-
-void SurfaceTree::collectLeaves(const SiteSet& sites, const MeshTopology& topology)
-{
-  for (int face = 0; face < sites.faceCount(); ++face)
+  std::vector<int> all;
+  for (int face = 0; face < sites_.faceCount(); ++face)
   {
-    if (sites.active(face))
+    if (sites_.active(face))
     {
-      this->addLeaf(face);
+      all.push_back(face);
     }
   }
   // The edges of triangles that are too thin to count, and those of no triangle.
-  for (int edge = 0; edge < sites.edgeCount(); ++edge)
+  for (int edge = 0; edge < sites_.edgeCount(); ++edge)
   {
-    const int* begin = topology.edgeTriangles.begin(edge);
-    const int* end = topology.edgeTriangles.end(edge);
-    const bool covered = std::any_of(begin, end, [&](int face) { return sites.active(face); });
-    if (!covered && sites.active(sites.firstEdge() + edge))
+    const int site = sites_.firstEdge() + edge;
+    const bool covered = std::any_of(topology.edgeTriangles.begin(edge),
+      topology.edgeTriangles.end(edge), [&](int face) { return sites_.active(face); });
+    if (!covered && sites_.active(site))
     {
-      this->addLeaf(sites.firstEdge() + edge);
+      all.push_back(site);
     }
   }
-  for (int vertex = 0; vertex < sites.vertexCount(); ++vertex)
+  for (int vertex = 0; vertex < sites_.vertexCount(); ++vertex)
   {
     if (topology.pointEdges.size(vertex) == 0)
     {
-      this->addLeaf(sites.firstVertex() + vertex);
+      all.push_back(sites_.firstVertex() + vertex);
     }
   }
+  return all;
 }
 
-int SurfaceTree::build(int first, int count)
+int SurfaceTree::build(int* begin, int* end)
 {
   const auto index = static_cast<int>(nodes_.size());
-  nodes_.emplace_back();
   glm::dvec3 low(std::numeric_limits<double>::max());
   glm::dvec3 high(std::numeric_limits<double>::lowest());
-  for (int i = first; i < first + count; ++i)
+  for (const int* site = begin; site != end; ++site)
   {
-    for (const glm::dvec3& corner : cornersOf(sites_, leaves_[i].site))
+    for (const glm::dvec3& corner : cornersOf(sites_, *site))
     {
       low = glm::min(low, corner);
       high = glm::max(high, corner);
     }
   }
-  nodes_[index].low = low;
-  nodes_[index].high = high;
-  if (count <= kLeafSize)
+  nodes_.push_back({ low, high });
+  if (end - begin <= Leaf::kSize)
   {
-    nodes_[index].first = first;
-    nodes_[index].count = count;
+    nodes_[index].leaf = this->addLeaf(begin, end);
     return index;
   }
   const glm::dvec3 size = high - low;
   const int axis = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
-  const auto begin = leaves_.begin() + first;
-  std::nth_element(begin, begin + count / 2, begin + count,
-    [&](const Leaf& a, const Leaf& b)
+  // Leaves are full but for the last.
+  const std::ptrdiff_t leaves = (end - begin + Leaf::kSize - 1) / Leaf::kSize;
+  int* middle = begin + leaves / 2 * Leaf::kSize;
+  std::nth_element(begin, middle, end,
+    [&](int a, int b)
     {
-      const auto middle = [&](const Leaf& leaf) { return sites_.sphere(leaf.site)[axis]; };
-      return middle(a) != middle(b) ? middle(a) < middle(b) : a.site < b.site;
+      const float atA = sites_.sphere(a)[axis];
+      const float atB = sites_.sphere(b)[axis];
+      return atA != atB ? atA < atB : a < b;
     });
-  this->build(first, count / 2);
-  nodes_[index].second = this->build(first + count / 2, count - count / 2);
+  this->build(begin, middle);
+  const int second = this->build(middle, end);
+  nodes_[index].second = second;
   return index;
 }
 
-void SurfaceTree::tryLeaves(const Node& node, const glm::dvec3& x, double& squared,
-  SitePoint& best) const
+int SurfaceTree::addLeaf(const int* begin, const int* end)
 {
-  for (int i = node.first; i < node.first + node.count; ++i)
+  Leaf leaf{};
+  leaf.count = static_cast<int>(end - begin);
+  for (int lane = 0; lane < leaf.count; ++lane)
   {
-    const Leaf& leaf = leaves_[i];
-    const double height = glm::dot(leaf.normal, x) - leaf.offset;
-    if (height * height >= squared)
+    const int site = begin[lane];
+    const bool isFace = sites_.kind(site) == SiteKind::Face;
+    const glm::dvec3 normal = isFace ? sites_.faceNormal(site) : glm::dvec3(0.0);
+    const glm::vec4& sphere = sites_.sphere(site);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      leaf.normal[axis][lane] = static_cast<float>(normal[axis]);
+      leaf.centre[axis][lane] = sphere[axis];
+    }
+    leaf.offset[lane] = static_cast<float>(glm::dot(normal, cornersOf(sites_, site)[0]));
+    leaf.radius[lane] = sphere.w;
+    leaf.sites[lane] = site;
+  }
+  leaves_.push_back(leaf);
+  return static_cast<int>(leaves_.size()) - 1;
+}
+
+/// The lanes of a leaf that may be nearer to x than the limit, as bits.
+MEDIAL_VECTORISED unsigned SurfaceTree::lanesWithin(const Leaf& leaf, const glm::vec3& x,
+  float limit) const
+{
+  Float8 height = -loaded(leaf.offset.data());
+  Float8 square{};
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    height += loaded(leaf.normal[axis].data()) * x[axis];
+    const Float8 offset = loaded(leaf.centre[axis].data()) - x[axis];
+    square += offset * offset;
+  }
+  const Float8 reach = loaded(leaf.radius.data()) + limit;
+  return bits((square < reach * reach) & (height * height < splat(limit * limit))) &
+    ((1u << leaf.count) - 1u);
+}
+
+void SurfaceTree::tryLeaf(const Leaf& leaf, Search& search) const
+{
+  const auto lanesLeft = [&]
+  {
+    const float limit = static_cast<float>(std::sqrt(search.squared)) + search.slack;
+    return this->lanesWithin(leaf, search.rounded, limit);
+  };
+  unsigned lanes = lanesLeft();
+  for (int lane = 0; lanes >> lane != 0; ++lane)
+  {
+    if ((lanes >> lane & 1u) == 0)
     {
       continue;
     }
-    const SitePoint candidate = closestPoint(sites_, leaf.site, x);
-    const glm::dvec3 offset = candidate.point - x;
-    const double distance = glm::dot(offset, offset);
-    if (distance < squared)
+    const SitePoint candidate = closestPoint(sites_, leaf.sites[lane], search.x);
+    const glm::dvec3 offset = candidate.point - search.x;
+    const double squared = glm::dot(offset, offset);
+    if (squared < search.squared)
     {
-      squared = distance;
-      best = candidate;
+      search.squared = squared;
+      search.best = candidate;
+      lanes &= lanesLeft();
     }
   }
 }
@@ -155,15 +209,16 @@ SitePoint SurfaceTree::closest(const glm::dvec3& x, double limit) const
     int node;
     double squared;
   };
-  SitePoint best;
-  double squared = limit * limit;
+  const double size = std::max({ std::abs(x.x), std::abs(x.y), std::abs(x.z) });
+  Search search{ x, glm::vec3(x), kSinglePrecision * (static_cast<float>(size) + extent_),
+    limit * limit, {} };
   std::array<Entry, kMostDepth> stack;
   std::size_t depth = 0;
-  const auto push = [&](int node, double distance)
+  const auto push = [&](int node, double squared)
   {
-    if (distance < squared)
+    if (squared < search.squared)
     {
-      stack[depth++] = { node, distance };
+      stack[depth++] = { node, squared };
     }
   };
   const auto distanceTo = [&](int node)
@@ -175,14 +230,14 @@ SitePoint SurfaceTree::closest(const glm::dvec3& x, double limit) const
   while (depth > 0)
   {
     const Entry entry = stack[--depth];
-    if (entry.squared >= squared)
+    if (entry.squared >= search.squared)
     {
       continue;
     }
     const Node& node = nodes_[entry.node];
-    if (node.count > 0)
+    if (node.leaf >= 0)
     {
-      this->tryLeaves(node, x, squared, best);
+      this->tryLeaf(leaves_[node.leaf], search);
       continue;
     }
     const int left = entry.node + 1;
@@ -192,7 +247,7 @@ SitePoint SurfaceTree::closest(const glm::dvec3& x, double limit) const
     push(toLeft < toRight ? node.second : left, std::max(toLeft, toRight));
     push(toLeft < toRight ? left : node.second, std::min(toLeft, toRight));
   }
-  return best;
+  return search.best;
 }
 
 } // namespace medial

@@ -6,6 +6,7 @@
 
 #include <glm/glm.hpp>
 
+#include <array>
 #include <limits>
 #include <vector>
 
@@ -28,32 +29,40 @@ public:
     double limit = std::numeric_limits<double>::infinity()) const;
 
 private:
-  /// A site of the surface with its plane, from which its distance is at least that of the plane;
-  /// the zero plane where it has none.
+  /// Sites that are tried together, each with a plane and a sphere that bound its distance from
+  /// below; the zero plane where it has none.
   struct Leaf
   {
-    int site;
-    glm::dvec3 normal;
-    double offset;
+    static constexpr int kSize = 8;
+    using Lanes = std::array<float, kSize>;
+
+    std::array<Lanes, 3> normal;
+    Lanes offset;
+    std::array<Lanes, 3> centre;
+    Lanes radius;
+    std::array<int, kSize> sites;
+    int count;
   };
-  /// An inner node's children are the next node and `second`; a leaf node holds leaves.
+  /// An inner node's children are the next node and `second`; others have a leaf.
   struct Node
   {
     glm::dvec3 low;
     glm::dvec3 high;
-    int second = 0;
-    int first = 0;
-    int count = 0;
+    int second = -1;
+    int leaf = -1;
   };
+  struct Search;
 
-  void collectLeaves(const SiteSet& sites, const MeshTopology& topology);
-  void addLeaf(int site);
-  int build(int first, int count);
-  void tryLeaves(const Node& node, const glm::dvec3& x, double& squared, SitePoint& best) const;
+  std::vector<int> collectSites(const MeshTopology& topology) const;
+  int build(int* begin, int* end);
+  int addLeaf(const int* begin, const int* end);
+  unsigned lanesWithin(const Leaf& leaf, const glm::vec3& x, float limit) const;
+  void tryLeaf(const Leaf& leaf, Search& search) const;
 
   const SiteSet& sites_;
   std::vector<Leaf> leaves_;
   std::vector<Node> nodes_;
+  float extent_ = 0.0f; ///< largest coordinate
 };
 
 } // namespace medial

@@ -28,10 +28,14 @@ namespace
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 /// Where a ray is looked at first: this share of the shortest edge that meets at its start.
-constexpr double kFirstShare = 1e-3;
-/// Points between two reports of progress, at least, and reports at most.
-constexpr std::size_t kLeastChunk = 512;
-constexpr std::size_t kMostChunks = 100;
+constexpr double kFirstShare = 0.05;
+/// Where a ray is looked at next, in terms of the thickness of the point before.
+constexpr double kGuess = 1.0;
+/// Points in a row that one thread evaluates: always the same, so that the result is.
+constexpr std::size_t kRow = 64;
+/// Such rows between two reports of progress, at least, and reports at most.
+constexpr std::size_t kLeastRows = 8;
+constexpr std::size_t kMostReports = 100;
 
 void checkOptions(const TriangleMesh& mesh, const ThicknessOptions& options)
 {
@@ -108,8 +112,21 @@ public:
     sharp_ = sharpPoints(sites_, topology_, inward_, sign, angle_);
   }
 
-  /// World units; NaN where there is no ball.
-  double at(int vertex) const
+  /// The values from point `first` up to `end`, world units; NaN where there is no ball. What is
+  /// found at a point is the guess for the next: their balls are often alike.
+  void evaluate(std::size_t first, std::size_t end, std::vector<float>& values) const
+  {
+    double guess = ball_.reach();
+    for (std::size_t point = first; point < end; ++point)
+    {
+      const double value = this->at(static_cast<int>(point), guess);
+      values[point] = static_cast<float>(std::fmin(values[point], value));
+      guess = value > 0.0 ? kGuess * value / frame_.unit : guess;
+    }
+  }
+
+private:
+  double at(int vertex, double guess) const
   {
     if (inward_[vertex] == glm::dvec3(0.0))
     {
@@ -121,11 +138,10 @@ public:
     }
     const std::optional<double> radius =
       ball_.radius({ sites_.points()[vertex], inward_[vertex] }, kFirstShare * shortestEdge(vertex),
-        [&](int site) { return this->touches(site, vertex); });
+        guess, [&](int site) { return this->touches(site, vertex); });
     return radius ? 2.0 * *radius * frame_.unit : kNone;
   }
 
-private:
   double shortestEdge(int vertex) const
   {
     double shortest = std::numeric_limits<double>::max();
@@ -170,17 +186,26 @@ private:
   bool exterior_ = false;
 };
 
-/// Calls work(point) for all points in parallel, and reports from `begin` to `end` of the progress.
-template <typename Work>
-void forEachPoint(std::size_t count, tbb::task_arena& arena, const ThicknessOptions& options,
-  double begin, double end, const Work& work)
+/// Evaluates all points on one side, and reports from `begin` to `end` of the progress.
+void evaluateSide(const SideThickness& thickness, tbb::task_arena& arena,
+  const ThicknessOptions& options, double begin, double end, std::vector<float>& values)
 {
-  const std::size_t chunk = std::max(kLeastChunk, count / kMostChunks + 1);
-  for (std::size_t first = 0; first < count; first += chunk)
+  const std::size_t count = values.size();
+  const std::size_t rows = std::max(kLeastRows, count / kRow / kMostReports + 1);
+  for (std::size_t first = 0; first < count; first += rows * kRow)
   {
     report(options,
       begin + (end - begin) * static_cast<double>(first) / static_cast<double>(count));
-    arena.execute([&] { tbb::parallel_for(first, std::min(first + chunk, count), work); });
+    arena.execute(
+      [&]
+      {
+        tbb::parallel_for(std::size_t{ 0 }, rows,
+          [&](std::size_t row)
+          {
+            const std::size_t start = first + row * kRow;
+            thickness.evaluate(start, std::min(start + kRow, count), values);
+          });
+      });
   }
 }
 
@@ -197,17 +222,16 @@ void compute(const TriangleMesh& mesh, const MeshTopology& topology,
   tbb::task_arena arena(threadsFor(options));
   std::optional<SideThickness> thickness;
   arena.execute([&] { thickness.emplace(mesh, topology, options.angle); });
-  const auto at = [&](std::size_t point)
-  { return static_cast<float>(thickness->at(static_cast<int>(point))); };
-  thickness->face(options.side == Side::Exterior ? Side::Exterior : Side::Interior);
   const bool both = options.side == Side::Both;
-  forEachPoint(values.size(), arena, options, 0.0, both ? 0.5 : 1.0,
-    [&](std::size_t point) { values[point] = at(point); });
-  if (both)
+  if (options.side != Side::Exterior)
+  {
+    thickness->face(Side::Interior);
+    evaluateSide(*thickness, arena, options, 0.0, both ? 0.5 : 1.0, values);
+  }
+  if (options.side != Side::Interior)
   {
     thickness->face(Side::Exterior);
-    forEachPoint(values.size(), arena, options, 0.5, 1.0,
-      [&](std::size_t point) { values[point] = std::fmin(values[point], at(point)); });
+    evaluateSide(*thickness, arena, options, both ? 0.5 : 0.0, 1.0, values);
   }
 }
 
@@ -238,7 +262,7 @@ Thickness computeThickness(const TriangleMesh& mesh, const MeshTopology& topolog
   {
     const Stopwatch watch(thickness.seconds);
     report(options, 0.0);
-    thickness.values.resize(mesh.points.size());
+    thickness.values.assign(mesh.points.size(), static_cast<float>(kNone));
     compute(mesh, topology, options, thickness.values);
     summarise(thickness);
   }

@@ -18,8 +18,13 @@ constexpr double kLeastStart = 1e-9;
 constexpr double kLongInterval = 16.0;
 /// Parts of an interval that bounds are evaluated for.
 constexpr int kBoundParts = 16;
-/// Positions looked at for one ray at most; a handful is usual.
-constexpr int kMostLooks = 400;
+/// Degrees above the separation angle from which on a wide place between narrow ones is certain to
+/// be found.
+constexpr double kMargin = 0.02;
+/// Intervals of one ray that are looked into at most, a handful being usual; and those after which
+/// narrow ends have to do without proof for what is in between.
+constexpr int kMostIntervals = 6000;
+constexpr int kMostProofs = 5000;
 
 double distanceAt(const glm::dvec3& direction, double t, const glm::dvec3& point)
 {
@@ -31,6 +36,7 @@ double distanceAt(const glm::dvec3& direction, double t, const glm::dvec3& point
 TouchingBall::TouchingBall(const SurfaceTree& tree, double angle, double diagonal)
   : tree_(tree)
   , cosine_(std::cos(glm::radians(angle)))
+  , certain_(std::cos(glm::radians(std::min(angle + kMargin, 180.0))))
   // Where a point at distance c <= diagonal from the start is seen at `angle` from x(t) and is
   // nearer than the start, t <= c / sin(angle).
   , reach_(1.01 * diagonal / std::sin(glm::radians(std::min(angle, 90.0))))
@@ -48,6 +54,11 @@ bool TouchingBall::isWide(double t, const Sample& sample, double distance) const
   return t - sample.height <= cosine_ * distance;
 }
 
+bool TouchingBall::isCertainlyWide(double t, double height, double distance) const
+{
+  return t - height <= certain_ * distance;
+}
+
 TouchingBall::Sample TouchingBall::sampleOf(const Ray& ray, double t, const SitePoint& found) const
 {
   Sample sample;
@@ -59,6 +70,11 @@ TouchingBall::Sample TouchingBall::sampleOf(const Ray& ray, double t, const Site
   sample.distance = distanceAt(ray.direction, t, sample.point);
   sample.wide = this->isWide(t, sample, sample.distance);
   return sample;
+}
+
+bool TouchingBall::isStart(const Sample& sample) const
+{
+  return sample.distance >= (1.0 - kSameDistance) * sample.t;
 }
 
 TouchingBall::Sample TouchingBall::look(const Ray& ray, double t) const
@@ -97,7 +113,7 @@ bool TouchingBall::staysNarrow(const Ray& ray, const Interval& interval) const
 {
   const auto& [low, high] = interval;
   const double middle = meeting(interval);
-  if (this->isWide(middle, high, distanceAt(ray.direction, middle, high.point)))
+  if (this->isCertainlyWide(middle, high.height, distanceAt(ray.direction, middle, high.point)))
   {
     return false;
   }
@@ -111,8 +127,9 @@ bool TouchingBall::staysNarrow(const Ray& ray, const Interval& interval) const
     const double height = high.t > end
       ? std::min(high.height, 0.5 * (tangent - atHigh) / (high.t - end))
       : high.height;
-    const double distance = distanceAt(ray.direction, begin, low.point);
-    if (begin - height <= std::max(cosine_, 0.0) * distance)
+    // Above 90 degrees a bound from below is needed, which 0 is.
+    const double distance = certain_ > 0.0 ? distanceAt(ray.direction, begin, low.point) : 0.0;
+    if (this->isCertainlyWide(begin, height, distance))
     {
       return false;
     }
@@ -163,11 +180,22 @@ std::optional<double> TouchingBall::split(const Ray& ray, const Interval& interv
   return std::nullopt;
 }
 
+std::optional<double> TouchingBall::search(const Ray& ray, const Sample& low, double guess) const
+{
+  if (guess <= low.t || guess >= reach_)
+  {
+    return this->firstWide(ray, low, this->look(ray, reach_));
+  }
+  const Sample middle = this->look(ray, guess);
+  const std::optional<double> radius = this->firstWide(ray, low, middle);
+  return radius || middle.wide ? radius : this->firstWide(ray, middle, this->look(ray, reach_));
+}
+
 std::optional<double> TouchingBall::firstWide(const Ray& ray, const Sample& low,
   const Sample& high) const
 {
   std::vector<Interval> pending{ { low, high } };
-  for (int looks = 0; looks < kMostLooks && !pending.empty(); ++looks)
+  for (int count = 0; count < kMostIntervals && !pending.empty(); ++count)
   {
     const Interval interval = pending.back();
     pending.pop_back();
@@ -176,7 +204,9 @@ std::optional<double> TouchingBall::firstWide(const Ray& ray, const Sample& low,
     {
       return interval.high.distance;
     }
-    if (point || (!interval.high.wide && this->staysNarrow(ray, interval)))
+    const bool narrow = !interval.high.wide &&
+      (point || count > kMostProofs || this->staysNarrow(ray, interval));
+    if (narrow)
     {
       continue;
     }
@@ -185,10 +215,10 @@ std::optional<double> TouchingBall::firstWide(const Ray& ray, const Sample& low,
       return radius;
     }
   }
-  // Only where rounding hides the end: the wide one nearest to it.
-  return !pending.empty() && pending.back().high.wide
-    ? std::optional(pending.back().high.distance)
-    : std::nullopt;
+  // Only where rounding hides the end: the nearest wide place that is known.
+  return pending.empty() || !pending.front().high.wide
+    ? std::nullopt
+    : std::optional(pending.front().high.distance);
 }
 
 } // namespace medial

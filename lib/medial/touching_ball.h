@@ -37,13 +37,18 @@ public:
     glm::dvec3 direction; ///< of unit length
   };
 
-  /// @param first where to look first, frame units, > 0: at a small share of the size of what meets
-  ///   at the start, so that up to there the surface is a cone of facets.
+  /// @param first where to look first, frame units, > 0: at a share of the size of what meets at the
+  ///   start, which up to there is a cone of facets.
   /// @param touches whether a site is among what meets at the start. One that is seen at a wide
   ///   angle at once makes the radius 0.
+  /// @param guess where to look next; the result does not depend on it, but the time does.
   /// @return the ball's radius in frame units; nothing where there is no such ball.
   template <typename Touches>
-  std::optional<double> radius(const Ray& ray, double first, const Touches& touches) const;
+  std::optional<double> radius(const Ray& ray, double first, double guess,
+    const Touches& touches) const;
+
+  /// Farther than this from its start no ray is followed.
+  double reach() const { return reach_; }
 
 private:
   /// What is closest at one position of a ray.
@@ -65,10 +70,14 @@ private:
 
   /// Nearer than this no ball is looked for.
   double leastStart() const;
+  /// Whether the start itself is closest.
+  bool isStart(const Sample& sample) const;
   Sample look(const Ray& ray, double t) const;
   std::optional<Sample> lookNearer(const Ray& ray, double t, double distance) const;
   Sample sampleOf(const Ray& ray, double t, const SitePoint& found) const;
   bool isWide(double t, const Sample& sample, double distance) const;
+  bool isCertainlyWide(double t, double height, double distance) const;
+  std::optional<double> search(const Ray& ray, const Sample& low, double guess) const;
   bool staysNarrow(const Ray& ray, const Interval& interval) const;
   std::optional<double> firstWide(const Ray& ray, const Sample& low, const Sample& high) const;
   std::optional<double> split(const Ray& ray, const Interval& interval,
@@ -76,35 +85,33 @@ private:
 
   const SurfaceTree& tree_;
   double cosine_;
+  double certain_; ///< cosine
   double reach_;
   double diagonal_;
 };
 
 template <typename Touches>
-std::optional<double> TouchingBall::radius(const Ray& ray, double first,
+std::optional<double> TouchingBall::radius(const Ray& ray, double first, double guess,
   const Touches& touches) const
 {
   constexpr double kDescent = 1.0 / 64.0;
+  Sample low = this->look(ray, first);
   Sample high;
-  bool found = false;
-  for (double t = first;; t *= kDescent)
+  // Something else is very near.
+  while (!this->isStart(low) && !touches(low.site))
   {
-    const Sample low = this->look(ray, t);
-    if (!low.wide)
-    {
-      return this->firstWide(ray, low, found ? high : this->look(ray, reach_));
-    }
-    if (touches(low.site))
-    {
-      return 0.0;
-    }
-    if (t < this->leastStart())
+    if (low.t < this->leastStart())
     {
       return low.distance;
     }
     high = low;
-    found = true;
+    low = this->look(ray, kDescent * low.t);
   }
+  if (low.wide)
+  {
+    return 0.0;
+  }
+  return this->search(ray, low, high.t > 0.0 ? high.t : guess);
 }
 
 } // namespace medial
