@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace
@@ -219,6 +220,21 @@ void vtkMeshConversion::ToPolyData(const medial::MedialAxis& axis, vtkPolyData* 
   AddVectors(output, "ClosestPointA", axis.closestPointA);
   AddVectors(output, "ClosestPointB", axis.closestPointB);
   output->GetPointData()->SetActiveScalars("Radius");
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshConversion::AddThickness(const medial::Thickness& thickness,
+  const medial::TriangleMesh& mesh, vtkPolyData* surface)
+{
+  std::vector<float> values;
+  values.reserve(mesh.pointOfInput.size());
+  for (const int point : mesh.pointOfInput)
+  {
+    values.push_back(
+      point >= 0 ? thickness.values[point] : std::numeric_limits<float>::quiet_NaN());
+  }
+  AddValues(surface, "Thickness", values);
+  surface->GetPointData()->SetActiveScalars("Thickness");
 }
 
 //------------------------------------------------------------------------------

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "computation.h"
+#include "options.h"
 
 #include <filesystem>
 #include <string>
@@ -21,9 +22,10 @@ struct AppSeconds
 ///   skipped_degenerate}, grid {dimensions, spacing, origin}, device {renderer, version, software},
 ///   seconds {read, sites, cull, polygons, draw, resolve, medial, write, total}, counts {sites,
 ///   polygons, fragments, candidate_pairs, medial_points, medial_cells}, fragments_per_voxel,
-///   evaluator, sign_method and peak_memory_mib. Lengths are in world units.
-std::string makeReport(const Result& result, const std::filesystem::path& input,
-  const AppSeconds& seconds);
+///   evaluator, sign_method and peak_memory_mib; where thickness was computed also thickness {side,
+///   angle, min, median, max, share_without, seconds}, numbers being null where no point has one.
+///   Lengths are in world units.
+std::string makeReport(const Result& result, const Options& options, const AppSeconds& seconds);
 
 /// @throws Failure NoSpace when the file cannot be written completely. The message names no file.
 void writeReport(const std::string& report, const std::filesystem::path& file);

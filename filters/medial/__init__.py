@@ -1,4 +1,4 @@
-"""Distance fields and medial axes of meshes, as VTK filters.
+"""Distance fields, medial axes and wall thickness of meshes, as VTK filters.
 
 The filters are used as those of VTK's own Python package:
 
@@ -8,6 +8,7 @@ The filters are used as those of VTK's own Python package:
 help(medial.vtkMedialAxis) prints the manual of the class.
 """
 
-from .vtkMedialFilters import vtkMedialAxis, vtkMeshDistanceField, vtkMeshFieldAlgorithm
+from .vtkMedialFilters import (
+    vtkMedialAxis, vtkMedialThickness, vtkMeshDistanceField, vtkMeshFieldAlgorithm)
 
-__all__ = ["vtkMedialAxis", "vtkMeshDistanceField", "vtkMeshFieldAlgorithm"]
+__all__ = ["vtkMedialAxis", "vtkMedialThickness", "vtkMeshDistanceField", "vtkMeshFieldAlgorithm"]
