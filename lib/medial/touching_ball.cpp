@@ -103,6 +103,20 @@ static double meeting(const Interval& interval)
   return t >= low.t && t <= high.t ? t : 0.5 * (low.t + high.t);
 }
 
+/// A lower bound of the distance between two positions of an interval, since a concave function is
+/// not below its chord.
+template <typename Interval>
+static double chordDistance(const Interval& interval, double begin, double end)
+{
+  const auto& [low, high] = interval;
+  const double atLow = low.square - 2.0 * low.t * low.height;
+  const double atHigh = high.square - 2.0 * high.t * high.height;
+  const double slope = (atHigh - atLow) / (high.t - low.t);
+  const double least = std::clamp(-0.5 * slope, begin, end);
+  const double square = atLow + slope * (least - low.t) + least * least;
+  return std::sqrt(std::max(square, 0.0));
+}
+
 /// For an interval with narrow ends: whether nothing in between can be wide. Wide is what has
 ///   t <= height + cosine * distance.
 /// Beyond where the tangents meet, the upper end's point bounds both, and t grows faster than the
@@ -127,8 +141,9 @@ bool TouchingBall::staysNarrow(const Ray& ray, const Interval& interval) const
     const double height = high.t > end
       ? std::min(high.height, 0.5 * (tangent - atHigh) / (high.t - end))
       : high.height;
-    // Above 90 degrees a bound from below is needed, which 0 is.
-    const double distance = certain_ > 0.0 ? distanceAt(ray.direction, begin, low.point) : 0.0;
+    // Above 90 degrees the cosine is negative, and the bound must be one from below.
+    const double distance = certain_ > 0.0 ? distanceAt(ray.direction, begin, low.point)
+                                           : chordDistance(interval, begin, end);
     if (this->isCertainlyWide(begin, height, distance))
     {
       return false;
