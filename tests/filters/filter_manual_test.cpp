@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <vtkMedialAxis.h>
+#include <vtkMedialThickness.h>
 #include <vtkMeshDistanceField.h>
 #include <vtkNew.h>
 
@@ -142,6 +143,11 @@ TEST(FilterManual, DistanceFieldHasNoParametersOfItsOwn)
 TEST(FilterManual, MedialAxisParametersAreExplainedAndPrinted)
 {
   expectManual("vtkMedialAxis", 4, printed<vtkMedialAxis>());
+}
+
+TEST(FilterManual, MedialThicknessParametersAreExplainedAndPrinted)
+{
+  expectManual("vtkMedialThickness", 3, printed<vtkMedialThickness>());
 }
 
 // Nothing is printed as a parameter that no header explains.

@@ -97,7 +97,7 @@ std::vector<Point3> pointNormals(const TriangleMesh& mesh)
 double thicknessByBruteForce(const TriangleMesh& mesh, const Point3& start, const Point3& direction,
   double angle, double firstStep)
 {
-  constexpr double kGrowth = 1.005;
+  constexpr double kGrowth = 1.01;
   constexpr int kBisections = 50;
   const double end =
     mesh.bounds().diagonal() / std::sin(std::min(angle, 90.0) * kDegree);

@@ -16,7 +16,7 @@ std::vector<Point3> pointNormals(const TriangleMesh& mesh);
 /// first step whose closest point is seen under `angle` (degrees) or more away from the start, and
 /// bisects the step.
 /// @param direction of unit length.
-/// @param firstStep where to begin; every step is 0.5 % of the way so far.
+/// @param firstStep where to begin; every step is 1 % of the way so far.
 /// @return twice the distance to the mesh there; NaN where there is no such place.
 double thicknessByBruteForce(const TriangleMesh& mesh, const Point3& start, const Point3& direction,
   double angle, double firstStep);
