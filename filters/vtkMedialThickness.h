@@ -2,34 +2,35 @@
  * @class   vtkMedialThickness
  * @brief   wall thickness of a surface at its points, by touching medial balls
  *
- * vtkMedialThickness gives every point of a surface twice the radius of the medial ball that touches
- * it: how thick the solid is there or, for the exterior, how far it is to what is opposite. The ray
- * from the point against its angle-weighted normal is followed to the first place whose closest
- * surface point is seen under Angle or more away from the start; the radius is the distance there.
- * This is exact for the mesh as it is, in double precision, and needs neither a grid nor OpenGL.
- * It is the iteration of shrinking balls (Ma, Bae, Choi: 3D Medial Point Approximation Using Normal
- * Vectors, 2012) with exact closest points of the mesh.
+ * vtkMedialThickness gives every point of a surface twice the radius of the medial ball that
+ * touches it: how thick the solid is there or, for the exterior, how far it is to what is opposite.
+ * The ray from the point against its angle-weighted normal is followed to the first place whose
+ * closest surface point is seen under Angle or more away from the start; the radius is the distance
+ * there. This is exact for the mesh as it is, in double precision, and needs neither a grid nor
+ * OpenGL. It is the iteration of shrinking balls (Ma, Bae, Choi: 3D Medial Point Approximation
+ * Using Normal Vectors, 2012) with exact closest points of the mesh.
  *
  * The output is the input with the point data array Thickness (float32, world units, the active
- * scalars). It is 0 where a sheet of the medial axis runs into the surface: on edges that are convex
- * seen from the wanted side and bend by Angle or more, and on tips as sharp as that. It is NaN where
- * there is no such ball: for exteriors of convex parts, where an open surface has nothing opposite,
- * and at points without a normal, as those of no triangle.
+ * scalars). It is 0 where a sheet of the medial axis runs into the surface: on edges that are
+ * convex seen from the wanted side and bend by Angle or more, and on tips as sharp as that. It is
+ * NaN where there is no such ball: for exteriors of convex parts, where an open surface has nothing
+ * opposite, and at points without a normal, as those of no triangle.
  *
  * @par Input:
  * Any vtkPolyData, as for vtkMedialAxis: polygons, triangle strips, lines and vertices, closed or
  * not. All cells limit the balls; points of polygons and strips have values. Interior is behind the
- * faces, by their own orientation; a closed, consistently oriented surface whose faces point inwards
- * is turned round.
+ * faces, by their own orientation; a closed, consistently oriented surface whose faces point
+ * inwards is turned round.
  *
  * @par Parameter tuning:
  * Values are at points only. The points of a coarse CAD mesh lie on sharp edges, where they are 0:
  * put vtkAdaptiveSubdivisionFilter (or vtkLinearSubdivisionFilter) in front to see what is between.
  *
  * @par Errors:
- * A parameter outside its range and input that cannot be used are reported by one vtkErrorMacro with
- * the value and the allowed range; GetErrorCode() then is one of vtkMeshFieldAlgorithm::ErrorCodes,
- * the output is empty and the request fails. Parameters are checked when the filter executes.
+ * A parameter outside its range and input that cannot be used are reported by one vtkErrorMacro
+ * with the value and the allowed range; GetErrorCode() then is one of
+ * vtkMeshFieldAlgorithm::ErrorCodes, the output is empty and the request fails. Parameters are
+ * checked when the filter executes.
  *
  * @par Abort:
  * As vtkMeshFieldAlgorithm: SetAbortExecute(1) from a ProgressEvent observer stops the execution,

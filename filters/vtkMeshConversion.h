@@ -47,8 +47,8 @@ medial::FieldArrays AllocateField(vtkImageData* output, const medial::Grid& grid
 void ToPolyData(const medial::MedialAxis& axis, vtkPolyData* output);
 
 /**
- * Attaches the point data array Thickness (float32, the active scalars) to the surface that mesh was
- * made from; NaN at points of no cell.
+ * Attaches the point data array Thickness (float32, the active scalars) to the surface that mesh
+ * was made from; NaN at points of no cell.
  */
 void AddThickness(const medial::Thickness& thickness, const medial::TriangleMesh& mesh,
   vtkPolyData* surface);

@@ -25,7 +25,7 @@ struct Result
   SignMethod sign = SignMethod::None; ///< never Auto
   Side side = Side::Both;             ///< of the axis
   RunStatistics statistics;
-  vtkSmartPointer<vtkPolyData> axis; ///< as vtkMedialAxis makes it; empty where it is not wanted
+  vtkSmartPointer<vtkPolyData> axis;  ///< as vtkMedialAxis makes it; empty where it is not wanted
   std::optional<Thickness> thickness; ///< of the mesh's points, where it is wanted
   vtkSmartPointer<vtkPolyData> thicknessPicture; ///< pictureOfThickness(), where it is wanted
 };

@@ -45,7 +45,8 @@ std::string nameIn(const Names<T>& names, T value)
 
 const char* const kFooter =
   "Input formats: .stl .obj .ply .off .vtp .vtk. Without any output the medial axis goes to\n"
-  "<INPUT's name>_medial.vtp in the current folder. Existing files are replaced, but only once the\n"
+  "<INPUT's name>_medial.vtp in the current folder. Existing files are replaced, but only once "
+  "the\n"
   "new ones are complete. Without -o and --image, --field and --thickness compute no medial axis.\n"
   "\n"
   "Exit codes: 0 done; 2 usage; 3 bad input; 4 no usable OpenGL; 5 out of memory or disk, or an\n"

@@ -15,12 +15,12 @@ namespace medial::app
 struct Options
 {
   std::filesystem::path input;
-  std::filesystem::path output; ///< .vtp, .ply, .obj or .ma
-  std::filesystem::path field;  ///< .vti or .pvti
+  std::filesystem::path output;         ///< .vtp, .ply, .obj or .ma
+  std::filesystem::path field;          ///< .vti or .pvti
   std::filesystem::path thickness;      ///< .vtp
   std::filesystem::path thicknessImage; ///< .png
   std::filesystem::path image;          ///< .png
-  std::filesystem::path report; ///< .json
+  std::filesystem::path report;         ///< .json
   int resolution = kDefaultResolution;
   std::optional<double> spacing; ///< instead of resolution
   double padding = kDefaultPadding;

@@ -52,8 +52,8 @@ Json describeCounts(const RunStatistics& statistics, vtkPolyData* axis)
 // NaN becomes null.
 Json describeThickness(const Thickness& thickness, const Options& options)
 {
-  return { { "side", nameOf(options.side) }, { "angle", options.angle },
-    { "min", thickness.least }, { "median", thickness.median }, { "max", thickness.greatest },
+  return { { "side", nameOf(options.side) }, { "angle", options.angle }, { "min", thickness.least },
+    { "median", thickness.median }, { "max", thickness.greatest },
     { "share_without", thickness.shareWithout() }, { "seconds", thickness.seconds } };
 }
 

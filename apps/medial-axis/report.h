@@ -17,7 +17,7 @@ struct AppSeconds
   double total = 0.0;
 };
 
-/// Figures of a run; those of a medial axis that was not computed are 0.
+/// Figures of a run; those of what was not computed are 0 or empty.
 /// @return JSON text with the keys input {path, triangles, vertices, closed, manifold, components,
 ///   skipped_degenerate}, grid {dimensions, spacing, origin}, device {renderer, version, software},
 ///   seconds {read, sites, cull, polygons, draw, resolve, medial, write, total}, counts {sites,

@@ -125,8 +125,7 @@ void run(const Options& options)
     [&](const auto& file) { writeAxis(result.axis, file, options.output.extension()); });
   outputs.add(options.image, [&](const auto& file) { drawPicture(mesh, result.axis, file); });
   outputs.add(options.thickness,
-    [&](const auto& file)
-    { writeVtp(withThickness(mesh, result.mesh, *result.thickness), file); });
+    [&](const auto& file) { writeVtp(withThickness(mesh, result.mesh, *result.thickness), file); });
   outputs.add(options.thicknessImage,
     [&](const auto& file) { drawThickness(result.thicknessPicture, mesh, file); });
   outputs.add(options.report,

@@ -13,7 +13,6 @@ namespace medial::app
 /// @param surface of the same shape, whose sharp edges are drawn.
 /// @throws Failure NoGpu when OpenGL cannot be had, NoSpace when the file cannot be written
 ///   completely. The message names no file.
-void drawThickness(vtkPolyData* coloured, vtkPolyData* surface,
-  const std::filesystem::path& file);
+void drawThickness(vtkPolyData* coloured, vtkPolyData* surface, const std::filesystem::path& file);
 
 } // namespace medial::app

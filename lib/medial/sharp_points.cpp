@@ -38,8 +38,8 @@ bool isSharpEdge(const SiteSet& sites, int edge, int first, int second, double s
   {
     return false;
   }
-  const glm::dvec3 across = sites.points()[corners[(sideOfSecond + 2) % 3]] -
-    sites.points()[corners[sideOfSecond]];
+  const glm::dvec3 across =
+    sites.points()[corners[(sideOfSecond + 2) % 3]] - sites.points()[corners[sideOfSecond]];
   return sign * glm::dot(across, normal) < 0.0 && angleBetween(normal, other) >= angle;
 }
 

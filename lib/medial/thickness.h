@@ -13,8 +13,8 @@ namespace medial
 
 struct ThicknessOptions
 {
-  /// Least separation angle theta of the medial balls that count, in degrees, in (0, 180). Bisectors
-  /// of smaller angles, as between the facets of a curved surface, are passed over.
+  /// Least separation angle theta of the medial balls that count, in degrees, in (0, 180).
+  /// Bisectors of smaller angles, as between the facets of a curved surface, are passed over.
   double angle = kDefaultAngle;
   /// Interior: how thick the solid is. Exterior: how far it is to what is opposite (clearance).
   /// Both: the smaller one. Interior is behind the faces, by their own orientation; a closed,

@@ -138,9 +138,8 @@ bool TouchingBall::staysNarrow(const Ray& ray, const Interval& interval) const
   {
     const double end = part + 1 < kBoundParts ? begin * growth : middle;
     const double tangent = low.square - 2.0 * end * low.height;
-    const double height = high.t > end
-      ? std::min(high.height, 0.5 * (tangent - atHigh) / (high.t - end))
-      : high.height;
+    const double height =
+      high.t > end ? std::min(high.height, 0.5 * (tangent - atHigh) / (high.t - end)) : high.height;
     // Above 90 degrees the cosine is negative, and the bound must be one from below.
     const double distance = certain_ > 0.0 ? distanceAt(ray.direction, begin, low.point)
                                            : chordDistance(interval, begin, end);
@@ -174,8 +173,8 @@ std::optional<double> TouchingBall::split(const Ray& ray, const Interval& interv
     return std::nullopt;
   }
   const double t = meeting(interval);
-  const double distance = std::min(distanceAt(ray.direction, t, low.point),
-    distanceAt(ray.direction, t, high.point));
+  const double distance =
+    std::min(distanceAt(ray.direction, t, low.point), distanceAt(ray.direction, t, high.point));
   const std::optional<Sample> nearer = this->lookNearer(ray, t, distance);
   if (!nearer)
   {
@@ -219,8 +218,8 @@ std::optional<double> TouchingBall::firstWide(const Ray& ray, const Sample& low,
     {
       return interval.high.distance;
     }
-    const bool narrow = !interval.high.wide &&
-      (point || count > kMostProofs || this->staysNarrow(ray, interval));
+    const bool narrow =
+      !interval.high.wide && (point || count > kMostProofs || this->staysNarrow(ray, interval));
     if (narrow)
     {
       continue;

@@ -33,11 +33,12 @@ public:
 
   struct Ray
   {
-    glm::dvec3 start; ///< on the surface
+    glm::dvec3 start;     ///< on the surface
     glm::dvec3 direction; ///< of unit length
   };
 
-  /// @param first where to look first, frame units, > 0: at a share of the size of what meets at the
+  /// @param first where to look first, frame units, > 0: at a share of the size of what meets at
+  /// the
   ///   start, which up to there is a cone of facets.
   /// @param touches whether a site is among what meets at the start. One that is seen at a wide
   ///   angle at once makes the radius 0.

@@ -125,7 +125,8 @@ TEST_F(CommandThickness, AloneComputesNothingElse)
   RunOptions options;
   options.environment = { { "__EGL_VENDOR_LIBRARY_FILENAMES", "/nonexistent" } };
   options.folder = folder.path();
-  const Outcome outcome = runMedialAxis({ input, "--thickness", "t.vtp", "--require-gpu" }, options);
+  const Outcome outcome =
+    runMedialAxis({ input, "--thickness", "t.vtp", "--require-gpu" }, options);
   EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
   EXPECT_EQ(folder.list(), (std::vector<std::string>{ "box.obj", "t.vtp" }));

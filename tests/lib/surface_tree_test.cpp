@@ -76,15 +76,15 @@ TEST(SurfaceTree, IsExactAroundClosedShapes)
 TEST(SurfaceTree, IsExactAroundSoupsSegmentsAndPoints)
 {
   expectExact(randomSoup(200, 3));
-  expectExact(makeMesh({ { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 },
-                         { 0.0, 0.0, 2.0 }, { 1.0, 1.0, 2.0 }, { 3.0, 0.5, 1.0 } },
+  expectExact(makeMesh({ { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 2.0 },
+                         { 1.0, 1.0, 2.0 }, { 3.0, 0.5, 1.0 } },
     { { 0, 1, 2 } }, { { 3, 4 } }, { 5 }));
 }
 
 TEST(SurfaceTree, IsExactAroundTrianglesWithoutAreaAndNeedles)
 {
-  expectExact(makeMesh({ { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 }, { 2.0, 0.0, 0.0 },
-                         { 0.0, 1.0, 0.0 }, { 1.0, 1.0 + 1e-9, 0.0 }, { 2.0, 1.0, 0.5 } },
+  expectExact(makeMesh({ { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 }, { 2.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 },
+                         { 1.0, 1.0 + 1e-9, 0.0 }, { 2.0, 1.0, 0.5 } },
     { { 0, 1, 2 }, { 3, 4, 5 } }));
 }
 

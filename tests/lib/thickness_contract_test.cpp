@@ -152,8 +152,7 @@ TEST(ThicknessContract, GoesWithTheMesh)
 {
   const TriangleMesh mesh = lump(2);
   const std::vector<float> values = computeThickness(mesh).values;
-  const std::vector<float> moved =
-    computeThickness(translated(mesh, { 1e4, -1e4, 1e4 })).values;
+  const std::vector<float> moved = computeThickness(translated(mesh, { 1e4, -1e4, 1e4 })).values;
   const std::vector<float> small = computeThickness(scaled(mesh, 1e-6)).values;
   const std::vector<float> large = computeThickness(scaled(mesh, 1e6)).values;
   const std::vector<float> turned = computeThickness(rotated90(mesh, 1)).values;
@@ -196,10 +195,10 @@ TEST(ThicknessContract, SummaryIsThatOfTheValues)
 // What has no normal has no ball, but it is in the way of others.
 TEST(ThicknessContract, SegmentsAndPointsLimitBallsAndHaveNone)
 {
-  TriangleMesh mesh = makeMesh({ { -9.0, -9.0, 0.0 }, { 9.0, -9.0, 0.0 }, { 0.0, 9.0, 0.0 },
-                                 { 0.0, 0.0, 0.0 }, { 0.0, 0.0, -1.0 }, { 5.0, 5.0, -7.0 },
-                                 { 6.0, 5.0, -7.0 } },
-    { { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } }, { { 5, 6 } }, { 4 });
+  TriangleMesh mesh =
+    makeMesh({ { -9.0, -9.0, 0.0 }, { 9.0, -9.0, 0.0 }, { 0.0, 9.0, 0.0 }, { 0.0, 0.0, 0.0 },
+               { 0.0, 0.0, -1.0 }, { 5.0, 5.0, -7.0 }, { 6.0, 5.0, -7.0 } },
+      { { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } }, { { 5, 6 } }, { 4 });
   const Thickness thickness = computeThickness(mesh);
   EXPECT_NEAR(thickness.values[3], 1.0, 1e-6);
   EXPECT_TRUE(std::isnan(thickness.values[4]));

@@ -270,10 +270,10 @@ TEST(Thickness, AtReflexEdgesIsThatOppositeAndOutsideNothing)
 
 TEST(Thickness, OfTheExteriorIsTheClearance)
 {
-  const TriangleMesh mesh = subdivided(
-    appended(translated(box({ 1.0, 1.0, 1.0 }), { -1.1, 0.0, 0.0 }),
-      translated(box({ 1.0, 1.0, 1.0 }), { 1.1, 0.0, 0.0 })),
-    3);
+  const TriangleMesh mesh =
+    subdivided(appended(translated(box({ 1.0, 1.0, 1.0 }), { -1.1, 0.0, 0.0 }),
+                 translated(box({ 1.0, 1.0, 1.0 }), { 1.1, 0.0, 0.0 })),
+      3);
   const Thickness thickness = thicknessOf(mesh, Side::Exterior);
   int between = 0;
   for (std::size_t i = 0; i < mesh.points.size(); ++i)

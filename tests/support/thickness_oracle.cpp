@@ -99,8 +99,7 @@ double thicknessByBruteForce(const TriangleMesh& mesh, const Point3& start, cons
 {
   constexpr double kGrowth = 1.01;
   constexpr int kBisections = 50;
-  const double end =
-    mesh.bounds().diagonal() / std::sin(std::min(angle, 90.0) * kDegree);
+  const double end = mesh.bounds().diagonal() / std::sin(std::min(angle, 90.0) * kDegree);
   double low = 0.0;
   double high = firstStep;
   while (!placeAt(mesh, start, direction, high, angle).wide)

@@ -152,8 +152,8 @@ TriangleMesh subdivided(TriangleMesh mesh, int times)
       const int ab = middle(a, b);
       const int bc = middle(b, c);
       const int ca = middle(c, a);
-      triangles.insert(triangles.end(), { { a, ab, ca }, { b, bc, ab }, { c, ca, bc },
-                                          { ab, bc, ca } });
+      triangles.insert(triangles.end(),
+        { { a, ab, ca }, { b, bc, ab }, { c, ca, bc }, { ab, bc, ca } });
     }
     mesh = makeMesh(points, triangles);
   }
