@@ -245,9 +245,9 @@ void summarise(Thickness& thickness)
   if (!present.empty())
   {
     std::sort(present.begin(), present.end());
-    thickness.least = present.front();
-    thickness.median = present[present.size() / 2];
-    thickness.greatest = present.back();
+    thickness.least = static_cast<double>(present.front());
+    thickness.median = static_cast<double>(present[present.size() / 2]);
+    thickness.greatest = static_cast<double>(present.back());
   }
 }
 

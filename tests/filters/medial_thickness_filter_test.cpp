@@ -245,8 +245,8 @@ TEST(MedialThicknessFilter, RefusesUnusableInput)
     };
   };
   expectError(with([](vtkPolyData* box) { box->Initialize(); }), repair, "no cells");
-  expectError(with([](vtkPolyData* box) { box->GetPoints()->SetPoint(3, NAN, 0.0, 0.0); }), repair,
-    "point 3");
+  expectError(with([](vtkPolyData* box) { box->GetPoints()->SetPoint(3, HUGE_VAL, 0.0, 0.0); }),
+    repair, "point 3");
 }
 
 TEST(MedialThicknessFilter, ReportsProgress)

@@ -63,7 +63,7 @@ int compare(const TriangleMesh& mesh, const ThicknessOptions& options, int count
   int sharp = 0;
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    const double value = thickness.values[points[i]];
+    const auto value = static_cast<double>(thickness.values[points[i]]);
     if (value == 0.0)
     {
       ++sharp;

@@ -44,7 +44,7 @@ double worst(const TriangleMesh& mesh, const Thickness& thickness,
   double largest = 0.0;
   for (std::size_t i = 0; i < mesh.points.size(); ++i)
   {
-    const double error = std::abs(double{ thickness.values[i] } - truth(mesh.points[i]));
+    const double error = std::abs(static_cast<double>(thickness.values[i]) - truth(mesh.points[i]));
     largest = std::isnan(error) ? HUGE_VAL : std::max(largest, error);
   }
   return largest;
