@@ -2,6 +2,7 @@
 
 #include "support/brute_force.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -49,21 +50,30 @@ void scale(Point3& a, double factor)
 /// A place on a ray and its closest point.
 struct Place
 {
+  double position;
   double distance;
   bool wide;
 };
 
-Place placeAt(const TriangleMesh& mesh, const Point3& start, const Point3& direction, double t,
-  double angle)
+/// Places at several positions of a ray.
+std::vector<Place> placesAt(const TriangleMesh& mesh, const Point3& start, const Point3& direction,
+  const std::vector<double>& positions, double angle)
 {
-  Point3 x = start;
-  for (int axis = 0; axis < 3; ++axis)
+  std::vector<Point3> queries;
+  for (const double t : positions)
   {
-    x[axis] += t * direction[axis];
+    queries.push_back(
+      { start[0] + t * direction[0], start[1] + t * direction[1], start[2] + t * direction[2] });
   }
-  const Hit hit = closestOnMesh(mesh, x);
+  const std::vector<Hit> hits = closestOnMesh(mesh, queries);
   const Point3 back{ -direction[0], -direction[1], -direction[2] };
-  return { hit.distance, angleBetween(back, minus(hit.point, x)) >= angle * kDegree };
+  std::vector<Place> places;
+  for (std::size_t i = 0; i < hits.size(); ++i)
+  {
+    const double seen = angleBetween(back, minus(hits[i].point, queries[i]));
+    places.push_back({ positions[i], hits[i].distance, seen >= angle * kDegree });
+  }
+  return places;
 }
 
 } // namespace
@@ -98,25 +108,41 @@ double thicknessByBruteForce(const TriangleMesh& mesh, const Point3& start, cons
   double angle, double firstStep)
 {
   constexpr double kGrowth = 1.01;
-  constexpr int kBisections = 50;
+  constexpr int kSteps = 64;      // looked at together
+  constexpr int kRefinements = 7; // of a step, into as many parts each
   const double end = mesh.bounds().diagonal() / std::sin(std::min(angle, 90.0) * kDegree);
+  const auto isWide = [](const Place& place) { return place.wide; };
   double low = 0.0;
-  double high = firstStep;
-  while (!placeAt(mesh, start, direction, high, angle).wide)
+  double next = firstStep;
+  while (low < end)
   {
-    low = high;
-    high *= kGrowth;
-    if (low > end)
+    std::vector<double> positions;
+    for (int i = 0; i < kSteps; ++i, next *= kGrowth)
     {
-      return std::numeric_limits<double>::quiet_NaN();
+      positions.push_back(next);
     }
+    std::vector<Place> places = placesAt(mesh, start, direction, positions, angle);
+    auto wide = std::find_if(places.begin(), places.end(), isWide);
+    if (wide == places.end())
+    {
+      low = positions.back();
+      continue;
+    }
+    for (int round = 0; round < kRefinements; ++round)
+    {
+      low = wide != places.begin() ? (wide - 1)->position : low;
+      const double high = wide->position;
+      positions.clear();
+      for (int i = 1; i <= kSteps; ++i)
+      {
+        positions.push_back(low + (high - low) * i / kSteps);
+      }
+      places = placesAt(mesh, start, direction, positions, angle);
+      wide = std::find_if(places.begin(), places.end() - 1, isWide);
+    }
+    return 2.0 * wide->distance;
   }
-  for (int i = 0; i < kBisections; ++i)
-  {
-    const double middle = 0.5 * (low + high);
-    (placeAt(mesh, start, direction, middle, angle).wide ? high : low) = middle;
-  }
-  return 2.0 * placeAt(mesh, start, direction, high, angle).distance;
+  return std::numeric_limits<double>::quiet_NaN();
 }
 
 } // namespace medial::test

@@ -14,7 +14,7 @@ std::vector<Point3> pointNormals(const TriangleMesh& mesh);
 
 /// Follows the ray from a point in small steps, with the closest of all triangles at each, to the
 /// first step whose closest point is seen under `angle` (degrees) or more away from the start, and
-/// bisects the step.
+/// refines the step.
 /// @param direction of unit length.
 /// @param firstStep where to begin; every step is 1 % of the way so far.
 /// @return twice the distance to the mesh there; NaN where there is no such place.
