@@ -159,9 +159,12 @@ int SurfaceTree::addLeaf(const int* begin, const int* end)
   return static_cast<int>(leaves_.size()) - 1;
 }
 
-/// The lanes of a leaf that may be nearer to x than the limit, as bits.
+/// The lanes of a leaf that may be nearer to x than the limit, as bits: a site lies in the disc
+/// that its sphere cuts out of its plane. At height h above the plane the disc, of radius r and
+/// with its centre at distance d, is reached where
+///   d^2 - h^2 < (r + s)^2 = r^2 + 2 r s + s^2, with s^2 = limit^2 - h^2.
 MEDIAL_VECTORISED unsigned SurfaceTree::lanesWithin(const Leaf& leaf, const glm::vec3& x,
-  float limit) const
+  float limit, float slack) const
 {
   Float8 height = -loaded(leaf.offset.data());
   Float8 square{};
@@ -171,9 +174,11 @@ MEDIAL_VECTORISED unsigned SurfaceTree::lanesWithin(const Leaf& leaf, const glm:
     const Float8 offset = loaded(leaf.centre[axis].data()) - x[axis];
     square += offset * offset;
   }
-  const Float8 reach = loaded(leaf.radius.data()) + limit;
-  return bits((square < reach * reach) & (height * height < splat(limit * limit))) &
-    ((1u << leaf.count) - 1u);
+  const Float8 radius = loaded(leaf.radius.data()) + slack;
+  const Float8 inPlane = splat(limit * limit) - height * height;
+  const Float8 beyond = square - radius * radius - splat(limit * limit);
+  const Int8 reached = (beyond <= Float8{}) | (beyond * beyond < 4.0f * radius * radius * inPlane);
+  return bits((inPlane > Float8{}) & reached) & ((1u << leaf.count) - 1u);
 }
 
 void SurfaceTree::tryLeaf(const Leaf& leaf, Search& search) const
@@ -181,7 +186,7 @@ void SurfaceTree::tryLeaf(const Leaf& leaf, Search& search) const
   const auto lanesLeft = [&]
   {
     const float limit = static_cast<float>(std::sqrt(search.squared)) + search.slack;
-    return this->lanesWithin(leaf, search.rounded, limit);
+    return this->lanesWithin(leaf, search.rounded, limit, search.slack);
   };
   unsigned lanes = lanesLeft();
   for (int lane = 0; lanes >> lane != 0; ++lane)

@@ -56,7 +56,7 @@ private:
   std::vector<int> collectSites(const MeshTopology& topology) const;
   int build(int* begin, int* end);
   int addLeaf(const int* begin, const int* end);
-  unsigned lanesWithin(const Leaf& leaf, const glm::vec3& x, float limit) const;
+  unsigned lanesWithin(const Leaf& leaf, const glm::vec3& x, float limit, float slack) const;
   void tryLeaf(const Leaf& leaf, Search& search) const;
 
   const SiteSet& sites_;
