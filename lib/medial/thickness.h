@@ -60,7 +60,9 @@ struct Thickness
 ///   opposite, and at points without a normal (of no triangle, or where those cancel out).
 ///
 /// On a tessellated curved surface the error falls with the square of the facets' size, as that of
-/// the tessellation.
+/// the tessellation; a little more slowly where the axis is a point. A ball is the slowest case:
+/// all its facets are equally near its centre, so that the time grows with the square of their
+/// number.
 ///
 /// @throws Error InvalidInput for an empty mesh, an angle outside (0, 180) or negative threads;
 ///   OutOfMemory; Cancelled.
