@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace
@@ -228,6 +229,21 @@ void vtkMeshConversion::ToPolyData(const medial::MedialAxis& axis, vtkPolyData* 
     output->GetPointData()->AddArray(features);
   }
   output->GetPointData()->SetActiveScalars("Radius");
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshConversion::AddThickness(const medial::Thickness& thickness,
+  const medial::TriangleMesh& mesh, vtkPolyData* surface)
+{
+  std::vector<float> values;
+  values.reserve(mesh.pointOfInput.size());
+  for (const int point : mesh.pointOfInput)
+  {
+    values.push_back(
+      point >= 0 ? thickness.values[point] : std::numeric_limits<float>::quiet_NaN());
+  }
+  AddValues(surface, "Thickness", values);
+  surface->GetPointData()->SetActiveScalars("Thickness");
 }
 
 //------------------------------------------------------------------------------

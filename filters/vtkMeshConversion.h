@@ -7,6 +7,7 @@
 #define vtkMeshConversion_h
 
 #include "medial/medial/medial_axis.h"
+#include "medial/medial/thickness.h"
 #include "medial/mesh/triangle_mesh.h"
 
 class vtkImageData;
@@ -44,6 +45,13 @@ medial::FieldArrays AllocateField(vtkImageData* output, const medial::Grid& grid
  * precision, with point data arrays.
  */
 void ToPolyData(const medial::MedialAxis& axis, vtkPolyData* output);
+
+/**
+ * Attaches the point data array Thickness (float32, the active scalars) to the surface that mesh
+ * was made from; NaN at points of no cell.
+ */
+void AddThickness(const medial::Thickness& thickness, const medial::TriangleMesh& mesh,
+  vtkPolyData* surface);
 
 ///@{
 /**

@@ -19,27 +19,6 @@ namespace
 constexpr int MinMemoryLimit = 64;
 
 //------------------------------------------------------------------------------
-unsigned long ToErrorCode(medial::ErrorCode code)
-{
-  switch (code)
-  {
-    case medial::ErrorCode::InvalidInput:
-      return vtkMeshFieldAlgorithm::InvalidInputError;
-    case medial::ErrorCode::NoGpu:
-      return vtkMeshFieldAlgorithm::NoGpuError;
-    case medial::ErrorCode::ShaderBuild:
-      return vtkMeshFieldAlgorithm::ShaderBuildError;
-    case medial::ErrorCode::GpuLimit:
-      return vtkMeshFieldAlgorithm::GpuLimitError;
-    case medial::ErrorCode::OutOfMemory:
-      return vtkMeshFieldAlgorithm::OutOfMemoryError;
-    case medial::ErrorCode::Cancelled:
-      return vtkMeshFieldAlgorithm::CancelledError;
-  }
-  return vtkMeshFieldAlgorithm::InternalError;
-}
-
-//------------------------------------------------------------------------------
 medial::SignMethod ToSignMethod(int method)
 {
   switch (method)
@@ -92,6 +71,27 @@ void EmptyOutputs(vtkInformationVector* outputVector)
 } // namespace
 
 //------------------------------------------------------------------------------
+unsigned long vtkErrorCodeOf(medial::ErrorCode code)
+{
+  switch (code)
+  {
+    case medial::ErrorCode::InvalidInput:
+      return vtkMeshFieldAlgorithm::InvalidInputError;
+    case medial::ErrorCode::NoGpu:
+      return vtkMeshFieldAlgorithm::NoGpuError;
+    case medial::ErrorCode::ShaderBuild:
+      return vtkMeshFieldAlgorithm::ShaderBuildError;
+    case medial::ErrorCode::GpuLimit:
+      return vtkMeshFieldAlgorithm::GpuLimitError;
+    case medial::ErrorCode::OutOfMemory:
+      return vtkMeshFieldAlgorithm::OutOfMemoryError;
+    case medial::ErrorCode::Cancelled:
+      return vtkMeshFieldAlgorithm::CancelledError;
+  }
+  return vtkMeshFieldAlgorithm::InternalError;
+}
+
+//------------------------------------------------------------------------------
 void vtkThrowBadParameter(const char* name, int value, const char* range)
 {
   std::ostringstream message;
@@ -114,7 +114,7 @@ int vtkMeshFieldAlgorithm::vtkInternals::Guard(vtkInformationVector* outputVecto
   {
     return error.code() == medial::ErrorCode::Cancelled
       ? this->Cancel(outputVector)
-      : this->Fail(outputVector, ToErrorCode(error.code()), error.what());
+      : this->Fail(outputVector, vtkErrorCodeOf(error.code()), error.what());
   }
   catch (const std::bad_alloc&)
   {

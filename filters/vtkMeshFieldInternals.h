@@ -99,6 +99,11 @@ private:
 };
 
 /**
+ * The value of vtkMeshFieldAlgorithm::ErrorCodes for an error of the library.
+ */
+unsigned long vtkErrorCodeOf(medial::ErrorCode code);
+
+/**
  * Throws a medial::Error that says that a parameter is not what range says.
  */
 [[noreturn]] void vtkThrowBadParameter(const char* name, int value, const char* range);

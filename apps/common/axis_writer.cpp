@@ -18,14 +18,12 @@ namespace fs = std::filesystem;
 
 namespace medial::app
 {
-namespace
-{
 
-void writeVtp(vtkPolyData* axis, const fs::path& file)
+void writeVtp(vtkPolyData* surface, const fs::path& file)
 {
   const VtkMessages messages; // what goes wrong is in the error code
   vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->SetInputData(axis);
+  writer->SetInputData(surface);
   writer->SetFileName(file.c_str());
   writer->EncodeAppendedDataOff();
   writer->Write();
@@ -34,8 +32,6 @@ void writeVtp(vtkPolyData* axis, const fs::path& file)
     throw Failure(ExitCode::NoSpace, vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode()));
   }
 }
-
-} // namespace
 
 void writeAxis(vtkPolyData* axis, const fs::path& file, const fs::path& extension)
 {

@@ -22,4 +22,8 @@ namespace medial::app
 void writeAxis(vtkPolyData* axis, const std::filesystem::path& file,
   const std::filesystem::path& extension);
 
+/// Writes any surface with its arrays as a .vtp file.
+/// @throws Failure as writeAxis().
+void writeVtp(vtkPolyData* surface, const std::filesystem::path& file);
+
 } // namespace medial::app

@@ -2,6 +2,7 @@
 
 #include "interrupt.h"
 #include "library_calls.h"
+#include "surface_thickness.h"
 
 #include <vtkMeshConversion.h>
 
@@ -63,13 +64,34 @@ void compute(const Options& options, FieldSink* field, ProgressBar& bar, Result&
   withFailures(options.input,
     [&]
     {
-      if (options.wantsAxis() || field == nullptr)
+      if (options.wantsAxis())
       {
         computeAxis(wanted, field, result);
       }
-      else
+      else if (field != nullptr)
       {
         computeField(wanted.field, *field, result);
+      }
+    });
+  throwIfInterrupted();
+}
+
+void computeThickness(const Options& options, vtkPolyData* surface, ProgressBar& bar,
+  Result& result)
+{
+  Watch watch(bar);
+  ThicknessOptions wanted = thicknessOptions(options);
+  wanted.progress = &watch;
+  withFailures(options.input,
+    [&]
+    {
+      if (options.wantsThickness())
+      {
+        result.thickness = computeThickness(result.mesh, result.topology, wanted);
+      }
+      if (!options.thicknessImage.empty())
+      {
+        result.thicknessPicture = pictureOfThickness(surface, wanted);
       }
     });
   throwIfInterrupted();

@@ -4,11 +4,14 @@
 #include "progress_bar.h"
 
 #include "medial/medial/medial_axis.h"
+#include "medial/medial/thickness.h"
 #include "medial/mesh/topology.h"
 #include "medial/mesh/triangle_mesh.h"
 
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
+
+#include <optional>
 
 namespace medial::app
 {
@@ -23,7 +26,9 @@ struct Result
   Side side = Side::Both;             ///< of the axis
   RunStatistics statistics;
   SimplificationStatistics simplification; ///< all 0 without --max-spheres
-  vtkSmartPointer<vtkPolyData> axis; ///< as vtkMedialAxis makes it; empty where it is not wanted
+  vtkSmartPointer<vtkPolyData> axis;  ///< as vtkMedialAxis makes it; empty where it is not wanted
+  std::optional<Thickness> thickness; ///< of the mesh's points, where it is wanted
+  vtkSmartPointer<vtkPolyData> thicknessPicture; ///< pictureOfThickness(), where it is wanted
 };
 
 /// The mesh as the filters see it, and its grid.
@@ -31,9 +36,15 @@ struct Result
 Result prepare(vtkPolyData* mesh, const Options& options);
 
 /// Fills in what follows from mesh and grid: the axis where an option asks for it, and the field
-/// where there is a sink for it, in one pass over the grid.
+/// where there is a sink for it, in one pass over the grid; nothing where neither is wanted.
 /// @param field may be null. Its exceptions are passed on.
 /// @throws Failure.
 void compute(const Options& options, FieldSink* field, ProgressBar& bar, Result& result);
+
+/// Fills in what is wanted of the thickness.
+/// @param surface what the mesh of the result was made from.
+/// @throws Failure.
+void computeThickness(const Options& options, vtkPolyData* surface, ProgressBar& bar,
+  Result& result);
 
 } // namespace medial::app

@@ -44,17 +44,18 @@ std::string nameIn(const Names<T>& names, T value)
 }
 
 const char* const kFooter =
-  "Input formats: .stl .obj .ply .off .vtp .vtk. Without -o, --field, --image and --report the\n"
-  "medial axis goes to <INPUT's name>_medial.vtp in the current folder. Existing files are\n"
-  "replaced, but only once the new ones are complete. --field without -o and --image computes no\n"
-  "medial axis.\n\n"
+  "Input formats: .stl .obj .ply .off .vtp .vtk. Without any output the medial axis goes to\n"
+  "<INPUT's name>_medial.vtp in the current folder. Existing files are replaced, but only once "
+  "the\n"
+  "new ones are complete. Without -o and --image, --field and --thickness compute no medial axis.\n"
+  "\n"
   "Exit codes: 0 done; 2 usage; 3 bad input; 4 no usable OpenGL; 5 out of memory or disk, or an\n"
   "output that cannot be written; 130 interrupted.";
 
 // The words as typed, before they become values of Options.
 struct Words
 {
-  std::string input, output, field, thickness, image, report;
+  std::string input, output, field, thickness, thicknessImage, image, report;
   std::string lambda = "0";
   std::string minRadius = "0";
   std::string side = "interior";
@@ -104,8 +105,17 @@ void addOutputOptions(CLI::App& app, Words& words)
     ->option_text("FILE")
     ->group(group);
   app
-    .add_option("--thickness", words.thickness, "input surface with Thickness (not available yet)")
+    .add_option("--thickness", words.thickness,
+      "input surface with point array Thickness: twice the radius of the medial ball that touches "
+      "the point, in world units, float32; NaN where there is no ball, 0 on convex edges that bend "
+      "by theta or more. Uses --angle and --side, but no grid: it is exact")
     ->option_text("FILE.vtp")
+    ->group(group);
+  app
+    .add_option("--thickness-image", words.thicknessImage,
+      "a rendered picture of the surface coloured by thickness in world units, grey where there is "
+      "none; large triangles get values inside as well")
+    ->option_text("FILE.png")
     ->group(group);
   app.add_option("--image", words.image, "a rendered picture of axis and translucent surface")
     ->option_text("FILE.png")
@@ -243,10 +253,6 @@ void checkExtension(const char* option, const std::filesystem::path& path,
 
 void convertWords(const Words& words, bool spacingGiven, Options& options)
 {
-  if (!words.thickness.empty())
-  {
-    throw Failure(ExitCode::Usage, "--thickness is not available yet");
-  }
   options.signMethod = kSigns.at(words.sign);
   if (options.signMethod == SignMethod::Winding)
   {
@@ -267,6 +273,8 @@ void convertWords(const Words& words, bool spacingGiven, Options& options)
   options.input = words.input;
   options.output = words.output;
   options.field = words.field;
+  options.thickness = words.thickness;
+  options.thicknessImage = words.thicknessImage;
   options.image = words.image;
   options.report = words.report;
   if (spacingGiven)
@@ -274,9 +282,33 @@ void convertWords(const Words& words, bool spacingGiven, Options& options)
     options.spacing = words.spacing;
   }
   if (options.output.empty() && options.field.empty() && options.image.empty() &&
-    options.report.empty())
+    options.report.empty() && !options.wantsThickness())
   {
     options.output = options.input.stem().string() + "_medial.vtp";
+  }
+}
+
+void checkNotTheInput(const char* option, const std::filesystem::path& path, const Options& options)
+{
+  std::error_code ignored;
+  if (!path.empty() && std::filesystem::equivalent(options.input, path, ignored))
+  {
+    throw Failure(ExitCode::Usage,
+      std::string(option) + " " + path.string() + " is the input file itself");
+  }
+}
+
+// Two outputs of the same name would replace each other.
+void checkDistinct(const char* option, const std::filesystem::path& path, const char* other,
+  const std::filesystem::path& otherPath)
+{
+  std::error_code ignored;
+  if (!path.empty() &&
+    std::filesystem::weakly_canonical(path, ignored) ==
+      std::filesystem::weakly_canonical(otherPath, ignored))
+  {
+    throw Failure(ExitCode::Usage,
+      std::string(option) + " and " + other + " name the same file, " + path.string());
   }
 }
 
@@ -284,15 +316,14 @@ void checkFiles(const Options& options)
 {
   checkExtension("--output", options.output, { ".vtp", ".ply", ".obj", ".ma" });
   checkExtension("--field", options.field, { ".vti", ".pvti" });
+  checkExtension("--thickness", options.thickness, { ".vtp" });
+  checkExtension("--thickness-image", options.thicknessImage, { ".png" });
   checkExtension("--image", options.image, { ".png" });
   checkExtension("--report", options.report, { ".json" });
-  std::error_code ignored;
-  if (!options.output.empty() &&
-    std::filesystem::equivalent(options.input, options.output, ignored))
-  {
-    throw Failure(ExitCode::Usage,
-      "--output " + options.output.string() + " is the input file itself");
-  }
+  checkNotTheInput("--output", options.output, options);
+  checkNotTheInput("--thickness", options.thickness, options);
+  checkDistinct("--output", options.output, "--thickness", options.thickness);
+  checkDistinct("--image", options.image, "--thickness-image", options.thicknessImage);
 }
 
 } // namespace
@@ -349,6 +380,20 @@ MedialAxisOptions libraryOptions(const Options& options, double diagonal)
   result.field.memoryMiB = static_cast<std::size_t>(options.memoryMiB);
   result.field.requireHardware = options.requireGpu;
   return result;
+}
+
+ThicknessOptions thicknessOptions(const Options& options)
+{
+  ThicknessOptions result;
+  result.angle = options.angle;
+  result.side = options.side;
+  result.threads = options.threads;
+  return result;
+}
+
+std::string nameOf(Side side)
+{
+  return nameIn(kSides, side);
 }
 
 std::string nameOf(SignMethod method)

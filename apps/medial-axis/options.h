@@ -5,6 +5,7 @@
 #include <string>
 
 #include "medial/medial/medial_axis.h"
+#include "medial/medial/thickness.h"
 
 namespace medial::app
 {
@@ -23,10 +24,12 @@ struct Length
 struct Options
 {
   std::filesystem::path input;
-  std::filesystem::path output; ///< .vtp, .ply, .obj or .ma
-  std::filesystem::path field;  ///< .vti or .pvti
-  std::filesystem::path image;  ///< .png
-  std::filesystem::path report; ///< .json
+  std::filesystem::path output;         ///< .vtp, .ply, .obj or .ma
+  std::filesystem::path field;          ///< .vti or .pvti
+  std::filesystem::path thickness;      ///< .vtp
+  std::filesystem::path thicknessImage; ///< .png
+  std::filesystem::path image;          ///< .png
+  std::filesystem::path report;         ///< .json
   int resolution = kDefaultResolution;
   std::optional<double> spacing; ///< instead of resolution
   double padding = kDefaultPadding;
@@ -43,9 +46,15 @@ struct Options
   bool requireGpu = false;
   bool quiet = false;
 
+  /// Whether the thickness of the surface is to be computed.
+  bool wantsThickness() const { return !thickness.empty() || !thicknessImage.empty(); }
+
   /// Whether the medial axis is to be computed: for an output, or for the figures of a report that
   /// is asked for alone.
-  bool wantsAxis() const { return !output.empty() || !image.empty() || field.empty(); }
+  bool wantsAxis() const
+  {
+    return !output.empty() || !image.empty() || (field.empty() && !wantsThickness());
+  }
 };
 
 /// Reads the command line; nothing when the user asked for --help or --version, which are then
@@ -53,12 +62,16 @@ struct Options
 /// @throws Failure Usage.
 std::optional<Options> parseOptions(int argc, char** argv);
 
+///@{
 /// What the options say to the library.
 /// @param diagonal of the mesh's bounds, world units.
 MedialAxisOptions libraryOptions(const Options& options, double diagonal);
+ThicknessOptions thicknessOptions(const Options& options);
+///@}
 
 ///@{
 /// The word for a value.
+std::string nameOf(Side side);
 std::string nameOf(SignMethod method);
 std::string nameOf(Evaluator evaluator);
 ///@}

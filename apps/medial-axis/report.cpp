@@ -58,6 +58,14 @@ Json describeSimplification(const SimplificationStatistics& simplification)
     { "seconds", simplification.seconds } };
 }
 
+// NaN becomes null.
+Json describeThickness(const Thickness& thickness, const Options& options)
+{
+  return { { "side", nameOf(options.side) }, { "angle", options.angle }, { "min", thickness.least },
+    { "median", thickness.median }, { "max", thickness.greatest },
+    { "share_without", thickness.shareWithout() }, { "seconds", thickness.seconds } };
+}
+
 double peakMemoryMiB()
 {
   struct rusage usage = {};
@@ -67,11 +75,10 @@ double peakMemoryMiB()
 
 } // namespace
 
-std::string makeReport(const Result& result, const std::filesystem::path& input,
-  const AppSeconds& seconds)
+std::string makeReport(const Result& result, const Options& options, const AppSeconds& seconds)
 {
   Json report;
-  report["input"] = describeInput(result, input);
+  report["input"] = describeInput(result, options.input);
   report["grid"] = describeGrid(result.grid);
   report["device"] = describeDevice(result.statistics.device);
   report["seconds"] = describeSeconds(result.statistics.seconds, seconds);
@@ -80,6 +87,10 @@ std::string makeReport(const Result& result, const std::filesystem::path& input,
   report["fragments_per_voxel"] = result.statistics.fragmentsPerVoxel();
   report["evaluator"] = nameOf(result.statistics.evaluator);
   report["sign_method"] = nameOf(result.sign);
+  if (result.thickness)
+  {
+    report["thickness"] = describeThickness(*result.thickness, options);
+  }
   report["peak_memory_mib"] = peakMemoryMiB();
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

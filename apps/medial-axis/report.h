@@ -1,6 +1,7 @@
 #pragma once
 
 #include "computation.h"
+#include "options.h"
 
 #include <filesystem>
 #include <string>
@@ -16,16 +17,17 @@ struct AppSeconds
   double total = 0.0;
 };
 
-/// Figures of a run; those of a medial axis that was not computed are 0.
+/// Figures of a run; those of what was not computed are 0 or empty.
 /// @return JSON text with the keys input {path, triangles, vertices, closed, manifold, components,
 ///   skipped_degenerate}, grid {dimensions, spacing, origin}, device {renderer, version, software},
 ///   seconds {read, sites, cull, polygons, draw, resolve, medial, write, total}, counts {sites,
 ///   polygons, fragments, candidate_pairs, medial_points, medial_cells}, fragments_per_voxel,
 ///   simplification {input_points, input_components, components, joined, forced, dropped, seconds}
 ///   (as in SimplificationStatistics, 0 without --max-spheres), evaluator, sign_method and
-///   peak_memory_mib. Lengths are in world units.
-std::string makeReport(const Result& result, const std::filesystem::path& input,
-  const AppSeconds& seconds);
+///   peak_memory_mib; where thickness was computed also thickness {side, angle, min, median, max,
+///   share_without, seconds}, numbers being null where no point has one. Lengths are in world
+///   units.
+std::string makeReport(const Result& result, const Options& options, const AppSeconds& seconds);
 
 /// @throws Failure NoSpace when the file cannot be written completely. The message names no file.
 void writeReport(const std::string& report, const std::filesystem::path& file);

@@ -10,6 +10,8 @@
 #include "progress_bar.h"
 #include "report.h"
 #include "summary.h"
+#include "surface_thickness.h"
+#include "thickness_picture.h"
 
 #include <vtkPolyData.h>
 #include <vtkSMPTools.h>
@@ -88,11 +90,13 @@ Result computeFrom(vtkPolyData* mesh, const Options& options, std::optional<Fiel
   if (!field)
   {
     compute(options, nullptr, bar, result);
+    computeThickness(options, mesh, bar, result);
     return result;
   }
   field->begin(result.grid);
   compute(options, &*field, bar, result);
   field->finish();
+  computeThickness(options, mesh, bar, result);
   return result;
 }
 
@@ -120,11 +124,15 @@ void run(const Options& options)
   outputs.add(options.output,
     [&](const auto& file) { writeAxis(result.axis, file, options.output.extension()); });
   outputs.add(options.image, [&](const auto& file) { drawPicture(mesh, result.axis, file); });
+  outputs.add(options.thickness,
+    [&](const auto& file) { writeVtp(withThickness(mesh, result.mesh, *result.thickness), file); });
+  outputs.add(options.thicknessImage,
+    [&](const auto& file) { drawThickness(result.thicknessPicture, mesh, file); });
   outputs.add(options.report,
     [&](const auto& file)
     {
       stop();
-      writeReport(makeReport(result, options.input, seconds), file);
+      writeReport(makeReport(result, options, seconds), file);
     });
 
   ProgressBar bar(options.quiet);

@@ -25,6 +25,14 @@ void printGrid(const Result& result)
     grid.dimensions[1], grid.dimensions[2], grid.spacing[0], nameOf(result.sign).c_str());
 }
 
+void printThickness(const Options& options, const Thickness& thickness)
+{
+  std::printf("thickness %s: min %.4g, median %.4g, max %.4g, none at %.3g %% of the points, "
+              "in %.2f s\n",
+    nameOf(options.side).c_str(), thickness.least, thickness.median, thickness.greatest,
+    100.0 * thickness.shareWithout(), thickness.seconds);
+}
+
 void printSeconds(const RunStatistics::Seconds& run, const AppSeconds& app)
 {
   std::printf("seconds   read %.2f, sites %.2f, cull %.2f, polygons %.2f, draw %.2f, resolve %.2f, "
@@ -48,6 +56,8 @@ void printOutputs(const Options& options, const Result& result)
     "medial axis, " + std::to_string(axis->GetNumberOfPoints()) + " points, " +
       std::to_string(axis->GetNumberOfCells()) + " cells");
   printFile(options.field, "distance field");
+  printFile(options.thickness, "surface with thickness");
+  printFile(options.thicknessImage, "picture of thickness");
   printFile(options.image, "picture of axis and surface");
   printFile(options.report, "report of the run");
 }
@@ -116,9 +126,16 @@ void printSummary(const Options& options, const Result& result, const AppSeconds
     printNotes(options, result);
   }
   printMesh(options, result);
-  printGrid(result);
-  const Device& device = result.statistics.device;
-  std::printf("renderer  %s%s\n", device.renderer.c_str(), device.software ? " (software)" : "");
+  if (options.wantsAxis() || !options.field.empty())
+  {
+    printGrid(result);
+    const Device& device = result.statistics.device;
+    std::printf("renderer  %s%s\n", device.renderer.c_str(), device.software ? " (software)" : "");
+  }
+  if (result.thickness)
+  {
+    printThickness(options, *result.thickness);
+  }
   printSeconds(result.statistics.seconds, seconds);
   printSimplification(options, result);
   printOutputs(options, result);

@@ -1,4 +1,4 @@
-"""Distance fields and medial axes of meshes, as VTK filters.
+"""Distance fields, medial axes and wall thickness of meshes, as VTK filters.
 
 The filters are used as those of VTK's own Python package:
 
@@ -12,6 +12,7 @@ from .vtkMedialFilters import (
     vtkMedialAxis,
     vtkMedialCurves,
     vtkMedialReconstruction,
+    vtkMedialThickness,
     vtkMeshDistanceField,
     vtkMeshFieldAlgorithm,
 )
@@ -20,6 +21,7 @@ __all__ = [
     "vtkMedialAxis",
     "vtkMedialCurves",
     "vtkMedialReconstruction",
+    "vtkMedialThickness",
     "vtkMeshDistanceField",
     "vtkMeshFieldAlgorithm",
 ]

@@ -13,6 +13,7 @@
 #include "medial/medial/gpu_selection.h"
 #include "medial/medial/host_selection.h"
 #include "medial/medial/medial_cells.h"
+#include "medial/medial/separation.h"
 #include "medial/medial/simplification/axis_simplification.h"
 
 #include <tbb/parallel_for.h>
@@ -120,11 +121,7 @@ void checkLength(const char* name, double length)
 
 void checkOptions(const MedialAxisOptions& options)
 {
-  if (!(options.angle > 0.0 && options.angle < 180.0))
-  {
-    throw Error(ErrorCode::InvalidInput,
-      "separation angle " + std::to_string(options.angle) + " is outside (0, 180) degrees");
-  }
+  checkSeparationAngle(options.angle);
   checkLength("lambda", options.lambda);
   checkLength("radius", options.radius);
   if (options.maxSpheres < 0)

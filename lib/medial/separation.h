@@ -1,8 +1,11 @@
 #pragma once
 
+#include "medial/common/error.h"
+
 #include <glm/glm.hpp>
 
 #include <cmath>
+#include <string>
 
 namespace medial
 {
@@ -13,6 +16,16 @@ inline double separationAngle(const glm::dvec3& x, const glm::dvec3& a, const gl
   const glm::dvec3 u = a - x;
   const glm::dvec3 v = b - x;
   return std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v));
+}
+
+/// @throws Error InvalidInput for a least separation angle outside (0, 180) degrees.
+inline void checkSeparationAngle(double angle)
+{
+  if (!(angle > 0.0 && angle < 180.0))
+  {
+    throw Error(ErrorCode::InvalidInput,
+      "separation angle " + std::to_string(angle) + " is outside (0, 180) degrees");
+  }
 }
 
 } // namespace medial

@@ -67,10 +67,10 @@ TEST_F(CommandLine, HelpNamesEveryOption)
   const Outcome help = runMedialAxis({ "--help" });
   EXPECT_EQ(help.exitCode, 0);
   EXPECT_EQ(help.err, "");
-  for (const char* option :
-    { "-o,--output", "--field", "--thickness", "--image", "--resolution", "--spacing", "--padding",
-      "--angle", "--side", "--representation", "--max-spheres", "--sign", "--threads", "--memory",
-      "--report", "--require-gpu", "-q,--quiet", "--version", "--help" })
+  for (const char* option : { "-o,--output", "--field", "--thickness", "--thickness-image",
+         "--image", "--resolution", "--spacing", "--padding", "--angle", "--lambda", "--min-radius",
+         "--side", "--representation", "--max-spheres", "--sign", "--threads", "--memory",
+         "--report", "--require-gpu", "-q,--quiet", "--version", "--help" })
   {
     EXPECT_TRUE(contains(help.out, option)) << option;
   }
@@ -139,6 +139,9 @@ TEST_F(CommandLine, RefusesUnknownOutputFormats)
   EXPECT_TRUE(contains(usageError({ "--field", folder.file("x.vtk") }), "x.vtk"));
   EXPECT_TRUE(contains(usageError({ "--image", folder.file("x.jpg") }), "'.jpg', allowed: .png"));
   EXPECT_TRUE(contains(usageError({ "--report", folder.file("x") }), "allowed: .json"));
+  EXPECT_TRUE(
+    contains(usageError({ "--thickness", folder.file("x.stl") }), "'.stl', allowed: .vtp"));
+  EXPECT_TRUE(contains(usageError({ "--thickness-image", folder.file("x.jpg") }), "allowed: .png"));
   const Outcome outcome = runMedialAxis({ input, "-o", folder.file("axis.stl") });
   EXPECT_EQ(outcome.exitCode, kUsage);
   EXPECT_TRUE(contains(outcome.err, "'.stl', allowed: .vtp .ply .obj .ma")) << outcome.err;
@@ -146,7 +149,6 @@ TEST_F(CommandLine, RefusesUnknownOutputFormats)
 
 TEST_F(CommandLine, SaysWhatIsNotThereYet)
 {
-  EXPECT_TRUE(contains(usageError({ "--thickness", folder.file("t.vtp") }), "not available yet"));
   EXPECT_TRUE(contains(usageError({ "--sign", "winding" }), "not available yet"));
 }
 
@@ -160,6 +162,15 @@ TEST_F(CommandLine, RefusesTwoGridsAtOnce)
 {
   const std::string error = usageError({ "--resolution", "32", "--spacing", "0.1" });
   EXPECT_TRUE(contains(error, "--resolution") && contains(error, "--spacing")) << error;
+}
+
+TEST_F(CommandLine, RefusesTwoOutputsOfOneName)
+{
+  EXPECT_TRUE(contains(usageError({ "--thickness", folder.file("axis.vtp") }),
+    "--output and --thickness name the same file"));
+  EXPECT_TRUE(contains(usageError({ "--image", folder.file("x.png"), "--thickness-image",
+                         (folder.path() / "." / "x.png").string() }),
+    "--image and --thickness-image name the same file"));
 }
 
 TEST_F(CommandLine, NeedsAnInput)

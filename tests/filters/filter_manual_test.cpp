@@ -4,6 +4,7 @@
 #include <vtkMedialAxis.h>
 #include <vtkMedialCurves.h>
 #include <vtkMedialReconstruction.h>
+#include <vtkMedialThickness.h>
 #include <vtkMeshDistanceField.h>
 #include <vtkNew.h>
 
@@ -158,6 +159,11 @@ TEST(FilterManual, MedialCurvesParametersArePrinted)
 TEST(FilterManual, ReconstructionParametersAreExplainedAndPrinted)
 {
   expectManual("vtkMedialReconstruction", 2, printed<vtkMedialReconstruction>());
+}
+
+TEST(FilterManual, MedialThicknessParametersAreExplainedAndPrinted)
+{
+  expectManual("vtkMedialThickness", 3, printed<vtkMedialThickness>());
 }
 
 // Nothing is printed as a parameter that no header explains.

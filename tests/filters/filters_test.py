@@ -6,7 +6,8 @@ import unittest
 import medial
 from vtkmodules.vtkCommonCore import vtkObject
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkContourFilter, vtkMassProperties
+from vtkmodules.vtkFiltersCore import vtkContourFilter, vtkMassProperties, vtkTriangleFilter
+from vtkmodules.vtkFiltersModeling import vtkLinearSubdivisionFilter
 from vtkmodules.vtkFiltersSources import vtkCubeSource
 
 
@@ -26,7 +27,7 @@ class FiltersTest(unittest.TestCase):
     def test_package_holds_the_filters(self):
         self.assertEqual(set(medial.__all__),
                          {"vtkMedialAxis", "vtkMedialCurves", "vtkMedialReconstruction",
-                          "vtkMeshDistanceField", "vtkMeshFieldAlgorithm"})
+                          "vtkMedialThickness", "vtkMeshDistanceField", "vtkMeshFieldAlgorithm"})
         from medial.vtkMedialFilters import vtkMedialAxis
         self.assertIs(medial.vtkMedialAxis, vtkMedialAxis)
         self.assertTrue(issubclass(medial.vtkMedialAxis, vtkObject))
@@ -93,6 +94,27 @@ class FiltersTest(unittest.TestCase):
         self.assertGreater(axis.GetOutput().GetNumberOfPoints(), 10)
         radius = axis.GetOutput().GetPointData().GetArray("Radius")
         self.assertAlmostEqual(radius.GetRange()[1], 0.5, delta=0.03)
+
+    def test_thickness_of_a_box(self):
+        cube = vtkCubeSource()
+        cube.SetXLength(2.0)
+        cube.SetZLength(0.5)
+        triangles = vtkTriangleFilter()
+        triangles.SetInputConnection(cube.GetOutputPort())
+        fine = vtkLinearSubdivisionFilter()
+        fine.SetInputConnection(triangles.GetOutputPort())
+        fine.SetNumberOfSubdivisions(3)
+        thickness = medial.vtkMedialThickness()
+        thickness.SetInputConnection(fine.GetOutputPort())
+        thickness.Update()
+        output = thickness.GetOutput()
+        values = output.GetPointData().GetArray("Thickness")
+        middle = output.FindPoint(0.0, 0.0, 0.25)
+        self.assertAlmostEqual(values.GetValue(middle), 0.5, places=5)
+        self.assertEqual(thickness.GetLeastThickness(), 0.0)
+        thickness.SetSideToExterior()
+        thickness.Update()
+        self.assertEqual(thickness.GetShareWithout(), 1.0)
 
     def test_second_output(self):
         axis = box_axis()

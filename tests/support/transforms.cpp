@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
 #include <utility>
 
 namespace medial::test
@@ -123,6 +124,38 @@ TriangleMesh flipOrientation(TriangleMesh mesh)
   for (auto& t : mesh.triangles)
   {
     std::swap(t[1], t[2]);
+  }
+  return mesh;
+}
+
+TriangleMesh subdivided(TriangleMesh mesh, int times)
+{
+  for (; times > 0; --times)
+  {
+    std::vector<Point3> points = mesh.points;
+    std::map<std::pair<int, int>, int> middles;
+    const auto middle = [&](int a, int b)
+    {
+      const auto [place, isNew] =
+        middles.try_emplace(std::minmax(a, b), static_cast<int>(points.size()));
+      if (isNew)
+      {
+        const Point3& p = mesh.points[a];
+        const Point3& q = mesh.points[b];
+        points.push_back({ 0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1]), 0.5 * (p[2] + q[2]) });
+      }
+      return place->second;
+    };
+    std::vector<std::array<int, 3>> triangles;
+    for (const auto& [a, b, c] : mesh.triangles)
+    {
+      const int ab = middle(a, b);
+      const int bc = middle(b, c);
+      const int ca = middle(c, a);
+      triangles.insert(triangles.end(),
+        { { a, ab, ca }, { b, bc, ab }, { c, ca, bc }, { ab, bc, ca } });
+    }
+    mesh = makeMesh(points, triangles);
   }
   return mesh;
 }

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "egl_render_window.h"
+
+#include <vtkColorTransferFunction.h>
+#include <vtkNew.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+
+#include <filesystem>
+#include <initializer_list>
+
+class vtkPolyData;
+
+namespace medial::app
+{
+
+/// The perceptually uniform map "viridis" from 0 to `greatest`.
+vtkSmartPointer<vtkColorTransferFunction> makeColours(double greatest);
+
+/// What the program's pictures have in common: 1600 x 1200 pixels on white, a view that fits, a
+/// scalar bar on the right. Needs no display.
+class Scene
+{
+public:
+  /// @throws Failure NoGpu when OpenGL cannot be had.
+  Scene();
+
+  void add(vtkProp* prop) { renderer_->AddViewProp(prop); }
+
+  /// The edges at which faces meet at an angle.
+  void addSharpEdges(vtkPolyData* surface);
+
+  /// @param nameOfNone how what has no value is called; null where there is none.
+  void addScalarBar(vtkColorTransferFunction* colours, const char* title,
+    const char* nameOfNone = nullptr);
+
+  /// Writes a PNG file of the scene.
+  /// @param shown what must fit into it; the first one decides where to look from.
+  /// @throws Failure NoSpace when the file cannot be written completely. The message names no file.
+  void draw(std::initializer_list<vtkPolyData*> shown, const std::filesystem::path& file);
+
+private:
+  vtkNew<EglRenderWindow> window_;
+  vtkNew<vtkRenderer> renderer_;
+};
+
+} // namespace medial::app

@@ -1,0 +1,55 @@
+#include "surface_thickness.h"
+
+#include <vtkAdaptiveSubdivisionFilter.h>
+#include <vtkMeshConversion.h>
+#include <vtkNew.h>
+#include <vtkTriangleFilter.h>
+
+namespace medial::app
+{
+namespace
+{
+
+/// Longest edge of a picture's triangles, as a share of the diagonal of the bounds.
+constexpr double kLongestEdge = 1.0 / 60.0;
+
+// Lines and vertices stay, since they block balls as well: such a surface is not divided.
+vtkSmartPointer<vtkPolyData> divided(vtkPolyData* surface)
+{
+  vtkNew<vtkPolyData> copy;
+  copy->ShallowCopy(surface);
+  if (surface->GetNumberOfLines() > 0 || surface->GetNumberOfVerts() > 0)
+  {
+    return copy;
+  }
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputData(copy);
+  vtkNew<vtkAdaptiveSubdivisionFilter> subdivision;
+  subdivision->SetInputConnection(triangles->GetOutputPort());
+  subdivision->SetMaximumEdgeLength(kLongestEdge * surface->GetLength());
+  subdivision->SetMaximumTriangleArea(VTK_DOUBLE_MAX);
+  subdivision->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  subdivision->Update();
+  return subdivision->GetOutput();
+}
+
+} // namespace
+
+vtkSmartPointer<vtkPolyData> withThickness(vtkPolyData* surface, const TriangleMesh& mesh,
+  const Thickness& thickness)
+{
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->ShallowCopy(surface);
+  vtkMeshConversion::AddThickness(thickness, mesh, result);
+  return result;
+}
+
+vtkSmartPointer<vtkPolyData> pictureOfThickness(vtkPolyData* surface,
+  const ThicknessOptions& options)
+{
+  const vtkSmartPointer<vtkPolyData> fine = divided(surface);
+  const TriangleMesh mesh = buildTriangleMesh(vtkMeshConversion::ToMeshInput(fine));
+  return withThickness(fine, mesh, computeThickness(mesh, options));
+}
+
+} // namespace medial::app

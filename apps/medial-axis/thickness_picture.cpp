@@ -1,0 +1,69 @@
+#include "thickness_picture.h"
+
+#include "scene.h"
+#include "vtk_messages.h"
+
+#include <vtkActor.h>
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+
+#include <cmath>
+
+namespace medial::app
+{
+namespace
+{
+
+// What the values reach up to, and whether some are NaN.
+struct Values
+{
+  double greatest = 0.0;
+  bool someMissing = false;
+
+  explicit Values(vtkDataArray* values)
+  {
+    for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+    {
+      const double value = values->GetTuple1(i);
+      someMissing = someMissing || std::isnan(value);
+      greatest = std::fmax(greatest, value);
+    }
+  }
+};
+
+void addSurface(Scene& scene, vtkPolyData* surface, vtkColorTransferFunction* colours)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(surface);
+  mapper->SetLookupTable(colours);
+  mapper->SetScalarModeToUsePointFieldData();
+  mapper->SelectColorArray("Thickness");
+  mapper->InterpolateScalarsBeforeMappingOff(); // NaN has a colour, but no place on the scale
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  vtkProperty* look = actor->GetProperty();
+  look->SetInterpolationToFlat();
+  look->SetAmbient(0.35);
+  look->SetDiffuse(0.7);
+  scene.add(actor);
+}
+
+} // namespace
+
+void drawThickness(vtkPolyData* coloured, vtkPolyData* surface, const std::filesystem::path& file)
+{
+  const VtkMessages messages;
+  const Values values(coloured->GetPointData()->GetArray("Thickness"));
+  Scene scene;
+  const auto colours = makeColours(values.greatest > 0.0 ? values.greatest : 1.0);
+  colours->SetNanColor(0.72, 0.72, 0.72);
+  addSurface(scene, coloured, colours);
+  scene.addSharpEdges(surface);
+  scene.addScalarBar(colours, "Thickness\n(world units)", values.someMissing ? "none" : nullptr);
+  scene.draw({ surface }, file);
+}
+
+} // namespace medial::app

@@ -1,0 +1,183 @@
+#include "vtkMedialThickness.h"
+
+#include "vtkDemandDrivenPipeline.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMeshConversion.h"
+#include "vtkMeshFieldInternals.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include "medial/medial/thickness.h"
+
+#include <exception>
+#include <new>
+
+vtkStandardNewMacro(vtkMedialThickness);
+
+namespace
+{
+
+//------------------------------------------------------------------------------
+medial::Side ToSide(int side)
+{
+  switch (side)
+  {
+    case vtkMedialThickness::INTERIOR:
+      return medial::Side::Interior;
+    case vtkMedialThickness::EXTERIOR:
+      return medial::Side::Exterior;
+    case vtkMedialThickness::BOTH:
+      return medial::Side::Both;
+    default:
+      vtkThrowBadParameter("Side", side, "one of 0 (interior), 1 (exterior), 2 (both)");
+  }
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+vtkMedialThickness::vtkMedialThickness() = default;
+
+//------------------------------------------------------------------------------
+vtkMedialThickness::~vtkMedialThickness() = default;
+
+//------------------------------------------------------------------------------
+const char* vtkMedialThickness::GetSideAsString()
+{
+  switch (this->Side)
+  {
+    case INTERIOR:
+      return "Interior";
+    case EXTERIOR:
+      return "Exterior";
+    case BOTH:
+      return "Both";
+    default:
+      return "Unknown";
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkMedialThickness::RequestInformation(vtkInformation*, vtkInformationVector**,
+  vtkInformationVector* outputVector)
+{
+  outputVector->GetInformationObject(0)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkMedialThickness::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector,
+  vtkInformationVector*)
+{
+  vtkInformation* inInfo = inputVector[0]->GetInformationObject(0);
+  inInfo->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
+  inInfo->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+  inInfo->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkMedialThickness::ForgetFigures()
+{
+  this->LeastThickness = 0.0;
+  this->MedianThickness = 0.0;
+  this->GreatestThickness = 0.0;
+  this->ShareWithout = 0.0;
+}
+
+//------------------------------------------------------------------------------
+int vtkMedialThickness::Fail(vtkPolyData* output, unsigned long code, const char* message)
+{
+  output->Initialize();
+  this->ForgetFigures();
+  this->ErrorCode = code; // SetErrorCode() would modify the filter while it executes
+  vtkErrorMacro(<< message);
+  return 0;
+}
+
+//------------------------------------------------------------------------------
+// Data released and not generated is what makes the pipeline execute again on the next update.
+int vtkMedialThickness::Cancel(vtkInformation* outInfo)
+{
+  vtkPolyData::GetData(outInfo)->ReleaseData();
+  outInfo->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
+  this->ForgetFigures();
+  this->ErrorCode = vtkMeshFieldAlgorithm::CancelledError;
+  return 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkMedialThickness::Execute(vtkPolyData* input, vtkPolyData* output)
+{
+  if (!input)
+  {
+    throw medial::Error(medial::ErrorCode::InvalidInput, "the input is not a vtkPolyData");
+  }
+  if (this->NumberOfThreads < 0)
+  {
+    vtkThrowBadParameter("NumberOfThreads", this->NumberOfThreads, ">= 0");
+  }
+  vtkProgressBridge progress(this);
+  medial::ThicknessOptions options;
+  options.angle = this->Angle;
+  options.side = ToSide(this->Side);
+  options.threads = this->NumberOfThreads;
+  options.progress = &progress;
+  const medial::TriangleMesh mesh =
+    medial::buildTriangleMesh(vtkMeshConversion::ToMeshInput(input));
+  const medial::Thickness thickness = medial::computeThickness(mesh, options);
+  output->ShallowCopy(input);
+  vtkMeshConversion::AddThickness(thickness, mesh, output);
+  this->LeastThickness = thickness.least;
+  this->MedianThickness = thickness.median;
+  this->GreatestThickness = thickness.greatest;
+  this->ShareWithout = thickness.shareWithout();
+}
+
+//------------------------------------------------------------------------------
+int vtkMedialThickness::RequestData(vtkInformation*, vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector)
+{
+  vtkInformation* outInfo = outputVector->GetInformationObject(0);
+  vtkPolyData* output = vtkPolyData::GetData(outInfo);
+  this->ErrorCode = vtkErrorCode::NoError;
+  this->ForgetFigures();
+  if (outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0)
+  {
+    return 1;
+  }
+  try
+  {
+    this->Execute(vtkPolyData::GetData(inputVector[0]), output);
+    return 1;
+  }
+  catch (const medial::Error& error)
+  {
+    return error.code() == medial::ErrorCode::Cancelled
+      ? this->Cancel(outInfo)
+      : this->Fail(output, vtkErrorCodeOf(error.code()), error.what());
+  }
+  catch (const std::bad_alloc&)
+  {
+    return this->Fail(output, vtkMeshFieldAlgorithm::OutOfMemoryError, "not enough memory");
+  }
+  catch (const std::exception& error)
+  {
+    return this->Fail(output, vtkMeshFieldAlgorithm::InternalError, error.what());
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkMedialThickness::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Angle: " << this->Angle << "\n";
+  os << indent << "Side: " << this->GetSideAsString() << "\n";
+  os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
+  os << indent << "LeastThickness: " << this->LeastThickness << "\n";
+  os << indent << "MedianThickness: " << this->MedianThickness << "\n";
+  os << indent << "GreatestThickness: " << this->GreatestThickness << "\n";
+  os << indent << "ShareWithout: " << this->ShareWithout << "\n";
+}

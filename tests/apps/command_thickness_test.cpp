@@ -1,0 +1,222 @@
+// What the program does for --thickness and --thickness-image.
+#include "mesh_texts.h"
+#include "program.h"
+
+#include "support/models.h"
+#include "support/shapes.h"
+#include "support/transforms.h"
+
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPNGReader.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkXMLPolyDataReader.h>
+
+#include <nlohmann/json.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace medial::test
+{
+namespace
+{
+
+using Json = nlohmann::json;
+
+class CommandThickness : public ::testing::Test
+{
+protected:
+  CommandThickness() { writeFile(input, objText(subdivided(box({ 1.0, 0.7, 0.4 }), 3))); }
+
+  Outcome run(std::vector<std::string> arguments)
+  {
+    arguments.insert(arguments.begin(), input);
+    Outcome outcome = runMedialAxis(arguments);
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+    return outcome;
+  }
+
+  vtkSmartPointer<vtkPolyData> thickness(std::vector<std::string> arguments = {})
+  {
+    arguments.insert(arguments.end(), { "--thickness", folder.file("t.vtp") });
+    run(arguments);
+    vtkNew<vtkXMLPolyDataReader> reader;
+    reader->SetFileName(folder.file("t.vtp").c_str());
+    reader->Update();
+    return reader->GetOutput();
+  }
+
+  TemporaryFolder folder;
+  std::string input = folder.file("box.obj");
+};
+
+double valueAt(vtkPolyData* surface, vtkIdType point)
+{
+  return surface->GetPointData()->GetArray("Thickness")->GetTuple1(point);
+}
+
+bool contains(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
+
+// Share of the picture's points that `test` is true for, left of the scalar bar.
+template <typename Test>
+double shareOf(const std::string& path, const Test& test)
+{
+  vtkNew<vtkPNGReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  vtkImageData* picture = reader->GetOutput();
+  EXPECT_EQ(picture->GetDimensions()[0], 1600);
+  EXPECT_EQ(picture->GetDimensions()[1], 1200);
+  int found = 0;
+  int all = 0;
+  for (int y = 0; y < 1200; y += 4)
+  {
+    for (int x = 0; x < 1200; x += 4)
+    {
+      std::array<double, 3> rgb{};
+      for (int channel = 0; channel < 3; ++channel)
+      {
+        rgb[channel] = picture->GetScalarComponentAsDouble(x, y, 0, channel);
+      }
+      found += test(rgb) ? 1 : 0;
+      ++all;
+    }
+  }
+  return static_cast<double>(found) / all;
+}
+
+double spread(const std::array<double, 3>& rgb)
+{
+  return *std::max_element(rgb.begin(), rgb.end()) - *std::min_element(rgb.begin(), rgb.end());
+}
+
+TEST_F(CommandThickness, IsThatOfTheInputSurface)
+{
+  const auto surface = thickness();
+  EXPECT_EQ(surface->GetNumberOfPolys(), 12 * 64);
+  EXPECT_EQ(surface->GetPointData()->GetArray("Thickness")->GetDataType(), VTK_FLOAT);
+  int inside = 0;
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    surface->GetPoint(i, x);
+    if (std::abs(x[2]) > 0.39 && std::abs(x[0]) < 0.55 && std::abs(x[1]) < 0.25)
+    {
+      ++inside;
+      ASSERT_NEAR(valueAt(surface, i), 0.8, 1e-6);
+    }
+  }
+  EXPECT_GE(inside, 10);
+}
+
+// No axis, no grid, no OpenGL: it works where there is none.
+TEST_F(CommandThickness, AloneComputesNothingElse)
+{
+  RunOptions options;
+  options.environment = { { "__EGL_VENDOR_LIBRARY_FILENAMES", "/nonexistent" } };
+  options.folder = folder.path();
+  const Outcome outcome =
+    runMedialAxis({ input, "--thickness", "t.vtp", "--require-gpu" }, options);
+  EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_EQ(folder.list(), (std::vector<std::string>{ "box.obj", "t.vtp" }));
+  EXPECT_TRUE(contains(outcome.out, "thickness interior: min 0, median")) << outcome.out;
+  EXPECT_FALSE(contains(outcome.out, "renderer")) << outcome.out;
+  EXPECT_EQ(runMedialAxis({ input, "-o", "a.vtp" }, options).exitCode, 4);
+}
+
+TEST_F(CommandThickness, GoesWithTheOtherOutputs)
+{
+  run({ "--thickness", folder.file("t.vtp"), "--thickness-image", folder.file("t.png"), "-o",
+    folder.file("a.ply"), "--field", folder.file("f.vti"), "--resolution", "16" });
+  EXPECT_EQ(folder.list(),
+    (std::vector<std::string>{ "a.ply", "box.obj", "f.vti", "t.png", "t.vtp" }));
+}
+
+TEST_F(CommandThickness, SideAndAngleApply)
+{
+  const auto outside = thickness({ "--side", "exterior" });
+  for (vtkIdType i = 0; i < outside->GetNumberOfPoints(); ++i)
+  {
+    ASSERT_TRUE(std::isnan(valueAt(outside, i)));
+  }
+  const auto wide = thickness({ "--angle", "120" });
+  for (vtkIdType i = 0; i < wide->GetNumberOfPoints(); ++i)
+  {
+    ASSERT_GT(valueAt(wide, i), 0.0);
+  }
+}
+
+TEST_F(CommandThickness, ReportHasItsFigures)
+{
+  thickness({ "--report", folder.file("r.json") });
+  const Json result = Json::parse(readFile(folder.file("r.json")))["thickness"];
+  std::set<std::string> keys;
+  for (const auto& item : result.items())
+  {
+    keys.insert(item.key());
+  }
+  EXPECT_EQ(keys,
+    (std::set<std::string>{ "side", "angle", "min", "median", "max", "share_without", "seconds" }));
+  EXPECT_EQ(result["side"], "interior");
+  EXPECT_EQ(result["angle"], 60.0);
+  EXPECT_EQ(result["min"], 0.0);
+  EXPECT_NEAR(result["max"].get<double>(), 0.8, 1e-6);
+  EXPECT_GT(result["median"].get<double>(), 0.0);
+  EXPECT_EQ(result["share_without"], 0.0);
+  EXPECT_GT(result["seconds"].get<double>(), 0.0);
+
+  thickness({ "--side", "exterior", "--report", folder.file("r.json") });
+  const Json none = Json::parse(readFile(folder.file("r.json")))["thickness"];
+  EXPECT_EQ(none["share_without"], 1.0);
+  EXPECT_TRUE(none["median"].is_null());
+}
+
+TEST_F(CommandThickness, PictureIsColouredByIt)
+{
+  run({ "--thickness-image", folder.file("t.png") });
+  EXPECT_GT(shareOf(folder.file("t.png"), [](const auto& rgb) { return spread(rgb) > 40.0; }), 0.2);
+}
+
+// The corners of a box are its only points, but its faces show what is between.
+TEST_F(CommandThickness, PictureOfACoarseMeshShowsWhatIsInsideItsTriangles)
+{
+  writeFile(input, objText(box({ 1.0, 0.7, 0.4 })));
+  run({ "--thickness-image", folder.file("t.png") });
+  const auto yellow = [](const auto& rgb) { return rgb[1] - rgb[2] > 60.0; };
+  EXPECT_GT(shareOf(folder.file("t.png"), yellow), 0.05);
+}
+
+TEST_F(CommandThickness, PictureIsGreyWhereThereIsNone)
+{
+  run({ "--side", "exterior", "--thickness-image", folder.file("t.png") });
+  const auto grey = [](const auto& rgb) { return spread(rgb) < 3.0 && rgb[0] < 250.0; };
+  EXPECT_GT(shareOf(folder.file("t.png"), grey), 0.2);
+}
+
+TEST_F(CommandThickness, OfARealMeshHasAValueAtEveryPoint)
+{
+  const auto model = modelPath("cad/fandisk_13k.obj");
+  if (model)
+  {
+    input = *model;
+  }
+  const auto surface = thickness();
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    ASSERT_GE(valueAt(surface, i), 0.0);
+  }
+}
+
+} // namespace
+} // namespace medial::test

@@ -1,0 +1,148 @@
+#include "support/thickness_oracle.h"
+
+#include "support/brute_force.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace medial::test
+{
+
+namespace
+{
+
+const double kDegree = std::acos(-1.0) / 180.0;
+
+Point3 minus(const Point3& a, const Point3& b)
+{
+  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
+}
+
+double dot(const Point3& a, const Point3& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+double length(const Point3& a)
+{
+  return std::sqrt(dot(a, a));
+}
+
+Point3 cross(const Point3& a, const Point3& b)
+{
+  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
+}
+
+double angleBetween(const Point3& a, const Point3& b)
+{
+  return std::atan2(length(cross(a, b)), dot(a, b));
+}
+
+void scale(Point3& a, double factor)
+{
+  for (double& coordinate : a)
+  {
+    coordinate *= factor;
+  }
+}
+
+/// A place on a ray and its closest point.
+struct Place
+{
+  double position;
+  double distance;
+  bool wide;
+};
+
+/// Places at several positions of a ray.
+std::vector<Place> placesAt(const TriangleMesh& mesh, const Point3& start, const Point3& direction,
+  const std::vector<double>& positions, double angle)
+{
+  std::vector<Point3> queries;
+  for (const double t : positions)
+  {
+    queries.push_back(
+      { start[0] + t * direction[0], start[1] + t * direction[1], start[2] + t * direction[2] });
+  }
+  const std::vector<Hit> hits = closestOnMesh(mesh, queries);
+  const Point3 back{ -direction[0], -direction[1], -direction[2] };
+  std::vector<Place> places;
+  for (std::size_t i = 0; i < hits.size(); ++i)
+  {
+    const double seen = angleBetween(back, minus(hits[i].point, queries[i]));
+    places.push_back({ positions[i], hits[i].distance, seen >= angle * kDegree });
+  }
+  return places;
+}
+
+} // namespace
+
+std::vector<Point3> pointNormals(const TriangleMesh& mesh)
+{
+  std::vector<Point3> normals(mesh.points.size(), Point3{});
+  for (const auto& triangle : mesh.triangles)
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      const Point3& p = mesh.points[triangle[corner]];
+      const Point3 u = minus(mesh.points[triangle[(corner + 1) % 3]], p);
+      const Point3 v = minus(mesh.points[triangle[(corner + 2) % 3]], p);
+      const Point3 normal = cross(u, v);
+      const double area = length(normal);
+      for (int axis = 0; axis < 3 && area > 0.0; ++axis)
+      {
+        normals[triangle[corner]][axis] += normal[axis] / area * angleBetween(u, v);
+      }
+    }
+  }
+  for (Point3& normal : normals)
+  {
+    const double size = length(normal);
+    scale(normal, size > 1e-9 ? 1.0 / size : 0.0);
+  }
+  return normals;
+}
+
+double thicknessByBruteForce(const TriangleMesh& mesh, const Point3& start, const Point3& direction,
+  double angle, double firstStep)
+{
+  constexpr double kGrowth = 1.01;
+  constexpr int kSteps = 64;      // looked at together
+  constexpr int kRefinements = 7; // of a step, into as many parts each
+  const double end = mesh.bounds().diagonal() / std::sin(std::min(angle, 90.0) * kDegree);
+  const auto isWide = [](const Place& place) { return place.wide; };
+  double low = 0.0;
+  double next = firstStep;
+  while (low < end)
+  {
+    std::vector<double> positions;
+    for (int i = 0; i < kSteps; ++i, next *= kGrowth)
+    {
+      positions.push_back(next);
+    }
+    std::vector<Place> places = placesAt(mesh, start, direction, positions, angle);
+    auto wide = std::find_if(places.begin(), places.end(), isWide);
+    if (wide == places.end())
+    {
+      low = positions.back();
+      continue;
+    }
+    for (int round = 0; round < kRefinements; ++round)
+    {
+      low = wide != places.begin() ? (wide - 1)->position : low;
+      const double high = wide->position;
+      positions.clear();
+      for (int i = 1; i <= kSteps; ++i)
+      {
+        positions.push_back(low + (high - low) * i / kSteps);
+      }
+      places = placesAt(mesh, start, direction, positions, angle);
+      wide = std::find_if(places.begin(), places.end() - 1, isWide);
+    }
+    return 2.0 * wide->distance;
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+} // namespace medial::test
