@@ -11,8 +11,8 @@
  * @par Input:
  * A vtkPolyData as vtkMedialAxis makes it: points with the point data array Radius (any numeric
  * type, one component, world units) and vertices, lines, polygons and strips over them. Every point
- * is a ball, whether a cell uses it or not. A quad is the triangles of its corners 0, 1, 2 and 0,
- * 2, 3; polygons of more corners are fans.
+ * is a ball, whether a cell uses it or not. A quad is two triangles; polygons of more corners are
+ * fans.
  *
  * @par Output:
  * Triangles, closed, points in double precision, with normals that point outwards (array Normals).

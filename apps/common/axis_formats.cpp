@@ -3,6 +3,8 @@
 #include "axis_arrays.h"
 #include "sink.h"
 
+#include "medial/medial/evaluation/medial_model.h"
+
 #include <algorithm>
 #include <cstdint>
 #include <string>
@@ -54,6 +56,15 @@ std::vector<std::array<vtkIdType, 3>> triangulate(const AxisArrays& axis)
   std::vector<std::array<vtkIdType, 3>> triangles;
   for (const auto& face : axis.faces)
   {
+    if (face.size() == 4)
+    {
+      for (const auto& [a, b, c] : quadTriangles({ axis.points[face[0]], axis.points[face[1]],
+             axis.points[face[2]], axis.points[face[3]] }))
+      {
+        triangles.push_back({ face[a], face[b], face[c] });
+      }
+      continue;
+    }
     for (std::size_t i = 2; i < face.size(); ++i)
     {
       triangles.push_back({ face[0], face[i - 1], face[i] });

@@ -14,7 +14,8 @@ namespace medial::app
 ///   is thinner than a sheet;
 /// - .obj: positions, faces, lines and points; after each vertex a comment "# radius R";
 /// - .ma: "vertices edges faces", then "v x y z radius", "e i j" and "f i j k", indices from 0. The
-///   edges are those of the triangles as well.
+///   edges are those of the triangles as well; quads are two triangles, as quadTriangles() splits
+///   them.
 ///
 /// .ply and .ma do not list vertices: points that no other cell uses are vertices.
 ///

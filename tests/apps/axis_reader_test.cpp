@@ -39,6 +39,7 @@ vtkSmartPointer<vtkPolyData> sample()
     axis.radius.push_back(0.1F + 0.3F * static_cast<float>(i));
     axis.separationAngle.push_back(180.0F / static_cast<float>(i + 1));
     axis.lambda.push_back(0.05F * static_cast<float>(i));
+    axis.feature.push_back(AxisFeature::Sheet);
     axis.closestPointA.push_back({ 1.0F, 2.0F, 3.0F });
     axis.closestPointB.push_back({ 4.0F, 5.0F, 6.0F });
   }

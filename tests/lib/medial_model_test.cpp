@@ -123,6 +123,19 @@ TEST(MedialModel, RefusesWhatIsNoModel)
   expectRefused([](MedialModel& m) { m.vertices = { 7 }; }, "vertex 0 names ball 7");
 }
 
+TEST(MedialModel, QuadsAreSplitWhereNoTriangleIsFlat)
+{
+  MedialModel model = strip(1);
+  model.quads = { { 0, 1, 3, 2 } };
+  model.centres[1] = { 0.5, 0.5, 0.0 }; // on the diagonal from 0 to 3
+  const auto all = model.allTriangles();
+  EXPECT_EQ(all[0], (std::array<std::int64_t, 3>{ 1, 3, 2 }));
+  EXPECT_EQ(all[1], (std::array<std::int64_t, 3>{ 1, 2, 0 }));
+  model.quads.clear();
+  model.triangles = all;
+  EXPECT_EQ(analyseModel(model).zeroAreaCells, 0);
+}
+
 TEST(MedialModel, QuadsAreTwoTriangles)
 {
   MedialModel model = strip(1);

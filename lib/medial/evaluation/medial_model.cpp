@@ -19,6 +19,21 @@ constexpr double kLargest = 1e100;
   throw Error(ErrorCode::InvalidInput, message.str());
 }
 
+Point3 difference(const Point3& from, const Point3& to)
+{
+  return { to[0] - from[0], to[1] - from[1], to[2] - from[2] };
+}
+
+Point3 cross(const Point3& u, const Point3& v)
+{
+  return { u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0] };
+}
+
+double norm(const Point3& v)
+{
+  return std::hypot(v[0], v[1], v[2]);
+}
+
 template <typename Cells>
 void checkCells(const char* kind, const Cells& cells, std::size_t balls)
 {
@@ -141,28 +156,22 @@ public:
     Point3 twice{};
     for (std::size_t i = 2; i < cell.size(); ++i)
     {
-      const Point3 u = this->vector(cell[0], cell[i - 1]);
-      const Point3 v = this->vector(cell[0], cell[i]);
-      twice[0] += u[1] * v[2] - u[2] * v[1];
-      twice[1] += u[2] * v[0] - u[0] * v[2];
-      twice[2] += u[0] * v[1] - u[1] * v[0];
+      const Point3 one = cross(this->vector(cell[0], cell[i - 1]), this->vector(cell[0], cell[i]));
+      twice = { twice[0] + one[0], twice[1] + one[1], twice[2] + one[2] };
     }
-    return 0.5 * std::hypot(twice[0], twice[1], twice[2]) <= kLeastArea * diagonal_ * diagonal_;
+    return 0.5 * norm(twice) <= kLeastArea * diagonal_ * diagonal_;
   }
 
   bool isShort(const std::array<std::int64_t, 2>& line) const
   {
     constexpr double kLeastLength = 1e-7; // of the diagonal
-    const Point3 along = this->vector(line[0], line[1]);
-    return std::hypot(along[0], along[1], along[2]) <= kLeastLength * diagonal_;
+    return norm(this->vector(line[0], line[1])) <= kLeastLength * diagonal_;
   }
 
 private:
   Point3 vector(std::int64_t from, std::int64_t to) const
   {
-    const Point3& p = centres_[from];
-    const Point3& q = centres_[to];
-    return { q[0] - p[0], q[1] - p[1], q[2] - p[2] };
+    return difference(centres_[from], centres_[to]);
   }
 
   const std::vector<Point3>& centres_;
@@ -193,10 +202,29 @@ std::vector<std::array<std::int64_t, 3>> MedialModel::allTriangles() const
   all.reserve(triangles.size() + 2 * quads.size());
   for (const auto& quad : quads)
   {
-    all.push_back({ quad[0], quad[1], quad[2] });
-    all.push_back({ quad[0], quad[2], quad[3] });
+    for (const auto& [a, b, c] :
+      quadTriangles({ centres[quad[0]], centres[quad[1]], centres[quad[2]], centres[quad[3]] }))
+    {
+      all.push_back({ quad[a], quad[b], quad[c] });
+    }
   }
   return all;
+}
+
+std::array<std::array<int, 3>, 2> quadTriangles(const std::array<Point3, 4>& corners)
+{
+  const auto smaller = [&corners](const std::array<std::array<int, 3>, 2>& triangles)
+  {
+    const auto area = [&corners](const std::array<int, 3>& triangle)
+    {
+      return norm(cross(difference(corners[triangle[0]], corners[triangle[1]]),
+        difference(corners[triangle[0]], corners[triangle[2]])));
+    };
+    return std::min(area(triangles[0]), area(triangles[1]));
+  };
+  constexpr std::array<std::array<int, 3>, 2> kUsual{ { { 0, 1, 2 }, { 0, 2, 3 } } };
+  constexpr std::array<std::array<int, 3>, 2> kOther{ { { 1, 2, 3 }, { 1, 3, 0 } } };
+  return smaller(kOther) > 2.0 * smaller(kUsual) ? kOther : kUsual;
 }
 
 MedialModel toMedialModel(const MedialAxis& axis)

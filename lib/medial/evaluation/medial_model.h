@@ -12,7 +12,7 @@ namespace medial
 
 /// A medial axis as the solid that it describes: the union of its balls, of the convex hulls of two
 /// balls joined by a line or a side (cones), and of those of three joined by a triangle (slabs).
-/// Quads (a, b, c, d) are the triangles (a, b, c) and (a, c, d).
+/// Quads are two triangles, as quadTriangles() splits them.
 struct MedialModel
 {
   std::vector<Point3> centres; ///< world coordinates
@@ -25,6 +25,10 @@ struct MedialModel
   /// The triangles, those of the quads after them.
   std::vector<std::array<std::int64_t, 3>> allTriangles() const;
 };
+
+/// The triangles of a quad, by the numbers of its corners: (0, 1, 2) and (0, 2, 3), but (1, 2, 3)
+/// and (1, 3, 0) where the smaller one of these has more than twice the area.
+std::array<std::array<int, 3>, 2> quadTriangles(const std::array<Point3, 4>& corners);
 
 /// The balls and cells of an axis.
 MedialModel toMedialModel(const MedialAxis& axis);
