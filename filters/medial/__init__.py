@@ -9,6 +9,17 @@ help(medial.vtkMedialAxis) prints the manual of the class.
 """
 
 from .vtkMedialFilters import (
-    vtkMedialAxis, vtkMedialThickness, vtkMeshDistanceField, vtkMeshFieldAlgorithm)
+    vtkMedialAxis,
+    vtkMedialCurves,
+    vtkMedialThickness,
+    vtkMeshDistanceField,
+    vtkMeshFieldAlgorithm,
+)
 
-__all__ = ["vtkMedialAxis", "vtkMedialThickness", "vtkMeshDistanceField", "vtkMeshFieldAlgorithm"]
+__all__ = [
+    "vtkMedialAxis",
+    "vtkMedialCurves",
+    "vtkMedialThickness",
+    "vtkMeshDistanceField",
+    "vtkMeshFieldAlgorithm",
+]

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <vtkMedialAxis.h>
+#include <vtkMedialCurves.h>
 #include <vtkMedialThickness.h>
 #include <vtkMeshDistanceField.h>
 #include <vtkNew.h>
@@ -142,7 +143,16 @@ TEST(FilterManual, DistanceFieldHasNoParametersOfItsOwn)
 
 TEST(FilterManual, MedialAxisParametersAreExplainedAndPrinted)
 {
-  expectManual("vtkMedialAxis", 4, printed<vtkMedialAxis>());
+  expectManual("vtkMedialAxis", 6, printed<vtkMedialAxis>());
+}
+
+TEST(FilterManual, MedialCurvesParametersArePrinted)
+{
+  const std::string print = printed<vtkMedialCurves>();
+  for (const char* name : { "Rims: On", "Seams: On", "Curves: On" })
+  {
+    EXPECT_NE(print.find(name), std::string::npos) << name;
+  }
 }
 
 TEST(FilterManual, MedialThicknessParametersAreExplainedAndPrinted)
