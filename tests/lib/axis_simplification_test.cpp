@@ -312,6 +312,8 @@ TEST(AxisSimplification, KeepsTheSeamOfThreeSheets)
   EXPECT_EQ(eulerCharacteristic(axis), 1);
   EXPECT_LT(nearest(axis, { 0.0, 0.0, -1.0 }), 2e-3);
   EXPECT_LT(nearest(axis, { 0.0, 0.0, 1.0 }), 2e-3);
+  EXPECT_EQ(std::count(axis.feature.begin(), axis.feature.end(), AxisFeature::Junction), 2);
+  EXPECT_EQ(std::count(axis.feature.begin(), axis.feature.end(), AxisFeature::Rim), 6);
   expectRadius(axis, 0.15, 5e-4);
   expectSoundCells(axis);
 }
