@@ -100,8 +100,7 @@ struct MedialAxis
 ///
 /// @param arrays where to leave the distance field of the whole grid as well; all null for none.
 /// @throws Error InvalidInput for an angle outside (0, 180), a negative lambda, radius or
-/// maxSpheres or
-///   maxSpheres for Representation::Points, and as computeDistanceField.
+///   maxSpheres, for maxSpheres with Representation::Points, and as computeDistanceField.
 MedialAxis computeMedialAxis(const TriangleMesh& mesh, const MeshTopology& topology,
   const Grid& grid, const MedialAxisOptions& options = {}, const FieldArrays& arrays = {});
 

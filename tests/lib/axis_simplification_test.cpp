@@ -312,6 +312,8 @@ TEST(AxisSimplification, KeepsTheSeamOfThreeSheets)
   EXPECT_EQ(eulerCharacteristic(axis), 1);
   EXPECT_LT(nearest(axis, { 0.0, 0.0, -1.0 }), 2e-3);
   EXPECT_LT(nearest(axis, { 0.0, 0.0, 1.0 }), 2e-3);
+  EXPECT_EQ(std::count(axis.feature.begin(), axis.feature.end(), AxisFeature::Junction), 2);
+  EXPECT_EQ(std::count(axis.feature.begin(), axis.feature.end(), AxisFeature::Rim), 6);
   expectRadius(axis, 0.15, 5e-4);
   expectSoundCells(axis);
 }
@@ -332,8 +334,8 @@ TEST(AxisSimplification, JoinsOnlyComponentsWhoseBallsOverlap)
 {
   AxisBuilder builder;
   builder.addCurve({ 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 }, 20, 0.3);
-  builder.addCurve({ 1.5, 0.0, 0.0 }, { 2.5, 0.0, 0.0 }, 20, 0.3);   // 0.5 < 0.6: one solid
-  builder.addCurve({ 0.0, 0.61, 0.0 }, { 2.5, 0.61, 0.0 }, 20, 0.3); // beside them
+  builder.addCurve({ 1.5, 0.0, 0.0 }, { 2.5, 0.0, 0.0 }, 20, 0.3); // 0.5 < 0.6: one solid
+  builder.addCurve({ 0.0, 0.6, 0.0 }, { 2.5, 0.6, 0.0 }, 20, 0.3); // touches them
   const MedialAxis axis = simplified(builder.axis, 5);
   EXPECT_EQ(axis.simplification.inputComponents, 3);
   EXPECT_EQ(axis.simplification.joined, 1);

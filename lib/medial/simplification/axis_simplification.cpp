@@ -2,6 +2,7 @@
 
 #include "medial/common/error.h"
 #include "medial/common/stopwatch.h"
+#include "medial/medial/medial_curves.h"
 #include "medial/medial/simplification/axis_balls.h"
 #include "medial/medial/simplification/ball_fit.h"
 #include "medial/medial/simplification/ball_tree.h"
@@ -74,6 +75,7 @@ public:
     this->limitRadii();
     this->setPoints(result);
     this->setCells(result);
+    result.feature = axisFeatures(edgesOf(result), result.points.size());
     result.simplification = statistics_;
     this->report(1.0);
     return result;

@@ -45,7 +45,8 @@ struct SimplificationOptions
 ///
 /// SeparationAngle and the closest points of a ball are those of the point of `axis` next to it
 /// among those that it stands for; lambda is its radius times the sine of half that angle. Arrays
-/// that are empty in `axis` stay empty. Cells are triangles, lines and vertices.
+/// that are empty in `axis` stay empty. Features are those of the new cells. Cells are triangles,
+/// lines and vertices.
 ///
 /// An axis with no more points than that is returned as it is. MedialAxis::simplification tells
 /// what was done.

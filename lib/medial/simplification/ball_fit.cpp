@@ -27,7 +27,7 @@ constexpr double kLeastDamping = 1e-12;
 constexpr std::size_t kPointsPerBall = 100;
 constexpr std::size_t kLeastPoints = 20000;
 /// Mean distance (units of the axis) below which nothing is left to do.
-constexpr double kExact = 1e-6;
+constexpr double kExact = 3e-5;
 /// A step that gains less than this share of the sum of squares is the last.
 constexpr double kGain = 0.01;
 

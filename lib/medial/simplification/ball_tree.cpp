@@ -12,6 +12,14 @@ namespace
 
 constexpr int kLeafSize = 8;
 constexpr int kSeveral = -1;
+/// Balls on two sides of a surface touch; those that overlap do so by more than this share of the
+/// smaller radius.
+constexpr double kLeastOverlap = 0.05;
+
+bool overlap(const Ball& a, const Ball& b, double distance)
+{
+  return distance < a.w + b.w - kLeastOverlap * std::min(a.w, b.w);
+}
 
 } // namespace
 
@@ -182,7 +190,7 @@ void BallTree::descend(int index, const Ball& ball, int group, std::optional<Nei
     const int other = order_[i];
     const double distance = glm::distance(centreOf(ball), centreOf(balls_[other]));
     const bool nearer = distance < limit || (distance == limit && (!best || other < best->ball));
-    if (groups_[other] != group && nearer && distance < ball.w + balls_[other].w)
+    if (groups_[other] != group && nearer && overlap(ball, balls_[other], distance))
     {
       best = { other, distance };
       limit = distance;

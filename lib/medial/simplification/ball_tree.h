@@ -31,8 +31,8 @@ public:
     double distance; ///< of the centres
   };
 
-  /// Of the balls of other groups whose interiors meet that of `ball`, the one with the nearest
-  /// centre, if that is not farther than `limit`; the one of lowest index among equals.
+  /// Of the balls of other groups that overlap `ball` and do not just touch it, the one with the
+  /// nearest centre, if that is not farther than `limit`; the one of lowest index among equals.
   std::optional<Neighbour> nearestOverlapping(const Ball& ball, int group, double limit) const;
 
 private:

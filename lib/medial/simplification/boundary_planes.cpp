@@ -17,6 +17,7 @@ constexpr double kPi = 3.14159265358979323846;
 constexpr int kArcSamples = 6;
 constexpr int kCircleSamples = 12;
 constexpr int kSphereSamples = 32;
+constexpr double kTipCosine = 0.5; ///< of the angle between neighbours and their mean direction
 /// A boundary point is covered where another ball reaches beyond it by this share of the mean
 /// length of edges, that is of the grid's spacing: far above rounding, below any hole.
 constexpr double kCoverDepth = 0.05;
@@ -75,7 +76,7 @@ public:
     {
       this->addEdge(vertex, edge, planes);
     }
-    if (complex_.trianglesOf(vertex).empty() && complex_.edgesOf(vertex).size() <= 1)
+    if (this->isTip(vertex))
     {
       this->addSphere(vertex, planes);
     }
@@ -177,6 +178,24 @@ private:
     }
   }
 
+  /// Whether all neighbours lie to one side, as of the end of a line or the corner of a sheet.
+  bool isTip(int vertex) const
+  {
+    std::vector<glm::dvec3> directions;
+    glm::dvec3 sum(0.0);
+    for (const int edge : complex_.edgesOf(vertex))
+    {
+      const glm::dvec3 to = centreOf(balls_[complex_.across(edge, vertex)]);
+      const glm::dvec3 offset = to - centreOf(balls_[vertex]);
+      const double length = glm::length(offset);
+      directions.push_back(length > 0.0 ? offset / length : offset);
+      sum += directions.back();
+    }
+    const double least = kTipCosine * glm::length(sum);
+    return std::all_of(directions.begin(), directions.end(),
+      [&](const glm::dvec3& direction) { return glm::dot(direction, sum) >= least; });
+  }
+
   /// Directions along a spiral, each for the same area.
   void addSphere(int vertex, Planes& planes) const
   {
@@ -188,11 +207,25 @@ private:
       const double z = 1.0 - (2.0 * i + 1.0) / kSphereSamples;
       const double rho = std::sqrt(1.0 - z * z);
       const glm::dvec3 normal(rho * std::cos(golden * i), rho * std::sin(golden * i), z);
-      if (!tree_.covers(centreOf(ball) + ball.w * normal, depth_))
+      if (this->isOutermost(vertex, normal) &&
+        !tree_.covers(centreOf(ball) + ball.w * normal, depth_))
       {
         this->addTangent(vertex, normal, weight, planes);
       }
     }
+  }
+
+  /// Whether the cells around the vertex leave its ball's boundary free in this direction.
+  bool isOutermost(int vertex, const glm::dvec3& normal) const
+  {
+    const Ball direction(normal, 1.0);
+    const auto& edges = complex_.edgesOf(vertex);
+    return std::all_of(edges.begin(), edges.end(),
+      [&](int edge)
+      {
+        const Ball& other = balls_[complex_.across(edge, vertex)];
+        return glm::dot(direction, other - balls_[vertex]) <= 0.0;
+      });
   }
 
   const std::vector<Ball>& balls_;

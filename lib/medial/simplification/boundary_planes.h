@@ -33,8 +33,9 @@ struct TangentPlane
 /// - An edge with a single triangle, where the boundary turns round the rim of a sheet, gives
 /// planes
 ///   along the arc from one of the two to the other; an edge without triangles planes all around;
-///   an isolated or last vertex of a line those of its sphere. Of these, only planes count that no
-///   other ball covers: a hole in a sheet whose balls overlap has no rim.
+///   an isolated vertex, the last of a line and the corner of a sheet those of their spheres. Of
+///   these, only planes count that no other ball covers: a hole in a sheet whose balls overlap has
+///   no rim.
 ///
 /// So a spike (a sheet whose balls all but lie in each other) weighs little: moving its tip by l
 /// into its base moves the boundary by l minus the difference of the radii, which is l times the
