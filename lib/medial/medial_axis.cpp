@@ -13,11 +13,15 @@
 #include "medial/medial/medial_complex.h"
 #include "medial/medial/selection_stage.h"
 #include "medial/medial/separation.h"
+#include "medial/medial/topology/distance_tap.h"
+#include "medial/medial/topology/preserved_axis.h"
 
 #include <tbb/parallel_for.h>
 
 #include <cmath>
+#include <optional>
 #include <string>
+#include <utility>
 
 namespace medial
 {
@@ -129,6 +133,33 @@ void checkAngle(double angle)
   }
 }
 
+void checkOptions(const MedialAxisOptions& options)
+{
+  checkAngle(options.angle);
+  if (options.topology == Topology::Preserve && options.representation == Representation::Points)
+  {
+    throw Error(ErrorCode::InvalidInput,
+      "points have no topology to preserve: the representation must be surface or faces");
+  }
+}
+
+/// The cells of an axis as thinning leaves them: nothing of them may be welded or dropped.
+MedialComplex preservedCells(const std::vector<float>& distances, const Grid& grid,
+  const MedialAxisOptions& options, const SampleContext& context,
+  const std::vector<glm::dvec3>& points, std::vector<Crossing>& crossings, MedialAxis& axis)
+{
+  MedialAxisOptions resolved = options;
+  resolved.side = axis.side;
+  PreservedAxis preserved =
+    preserveTopology(distances, grid, axis.sign, resolved, context, crossings, points);
+  crossings = std::move(preserved.crossings);
+  axis.solid = preserved.solid;
+  axis.quads = std::move(preserved.complex.quads);
+  axis.lines = std::move(preserved.complex.lines);
+  axis.vertices = std::move(preserved.complex.vertices);
+  return std::move(preserved.complex);
+}
+
 MedialAxis runPipeline(const TriangleMesh& mesh, const MeshTopology& topology, const Grid& grid,
   const MedialAxisOptions& options, FieldSink& sink, FieldMemory* memory)
 {
@@ -141,7 +172,13 @@ MedialAxis runPipeline(const TriangleMesh& mesh, const MeshTopology& topology, c
   axis.sign = pipeline.sign();
   axis.side = axis.sign == SignMethod::None ? Side::Both : options.side;
   StageProxy stage(options.angle, axis.side, pipeline.frame());
-  pipeline.run(sink, &stage);
+  const bool preserve = options.topology == Topology::Preserve;
+  std::optional<DistanceTap> tap;
+  if (preserve)
+  {
+    tap.emplace(sink, grid.wholeExtent());
+  }
+  pipeline.run(tap ? *tap : sink, &stage);
   pipeline.report(0.8, "medial axis");
   std::vector<Crossing> crossings = stage.takeCrossings();
   pipeline.inArena(
@@ -152,9 +189,18 @@ MedialAxis runPipeline(const TriangleMesh& mesh, const MeshTopology& topology, c
       const GridFrame& frame = pipeline.frame();
       const std::vector<glm::dvec3> points =
         bisectorPoints(sites, frame, pipeline.query(), crossings);
-      MedialComplex complex =
-        buildComplex(options.representation, crossings, points, frame, grid.wholeExtent());
-      buildCells(complex, axis);
+      MedialComplex complex;
+      if (preserve)
+      {
+        complex = preservedCells(tap->distances(), grid, options,
+          { sites, frame, pipeline.query() }, points, crossings, axis);
+      }
+      else
+      {
+        complex =
+          buildComplex(options.representation, crossings, points, frame, grid.wholeExtent());
+        buildCells(complex, axis);
+      }
       evaluatePoints(sites, pipeline.query(), frame, crossings, complex, axis);
     });
   pipeline.report(1.0, "medial axis");
@@ -167,7 +213,7 @@ MedialAxis runPipeline(const TriangleMesh& mesh, const MeshTopology& topology, c
 MedialAxis computeMedialAxis(const TriangleMesh& mesh, const MeshTopology& topology,
   const Grid& grid, const MedialAxisOptions& options, FieldSink& sink)
 {
-  checkAngle(options.angle);
+  checkOptions(options);
   return withMemoryErrors(grid.pointCount(),
     [&] { return runPipeline(mesh, topology, grid, options, sink, nullptr); });
 }
@@ -176,7 +222,7 @@ MedialAxis computeMedialAxis(const TriangleMesh& mesh, const MeshTopology& topol
   const Grid& grid, const MedialAxisOptions& options, const FieldArrays& arrays,
   FieldMemory* memory)
 {
-  checkAngle(options.angle);
+  checkOptions(options);
   ArraySink sink(grid.wholeExtent(), arrays);
   return withMemoryErrors(grid.pointCount(),
     [&] { return runPipeline(mesh, topology, grid, options, sink, memory); });

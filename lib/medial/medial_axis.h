@@ -1,9 +1,11 @@
 #pragma once
 
 #include "medial/distance/distance_field.h"
+#include "medial/medial/topology/cell_topology.h"
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace medial
@@ -25,6 +27,13 @@ enum class Representation
   Points   ///< one point per crossed grid edge, on the bisector of the two closest sites
 };
 
+/// Whether the medial axis must have the topology of the solid.
+enum class Topology
+{
+  Selected, ///< what the separation angle selects, in as many pieces as that is
+  Preserve  ///< as many pieces, tunnels and cavities as the solid at the resolution of the grid
+};
+
 /// Default separation angle theta, in degrees.
 constexpr double kDefaultAngle = 60.0;
 
@@ -37,6 +46,16 @@ struct MedialAxisOptions
   double angle = kDefaultAngle;
   Side side = Side::Interior;
   Representation representation = Representation::Surface;
+  /// Preserve: whatever theta is, the axis has the components, the Euler characteristic and the
+  /// genus of its solid, the closed voxels around the grid points of the side, those on the border
+  /// of the grid left out. Voxels are taken away from the surface on by collapses only, which stop
+  /// at selected sheets; where the sheets leave something open the axis goes on as a curve or as
+  /// part of a sheet with smaller separation angles. Curves are kept where the radius grows by at
+  /// most cos(theta / 2) per length over four voxels. Each side is thinned by itself; that of an
+  /// unsigned field is the whole grid. Needs 6 bytes a grid point, and Representation::Surface or
+  /// Faces. After Liu, Chambers, Letscher, Ju, "A simple and robust thinning algorithm on cell
+  /// complexes", 2010, and Yan, Letscher, Ju, "Voxel Cores", 2018.
+  Topology topology = Topology::Selected;
   DistanceFieldOptions field;
 };
 
@@ -59,6 +78,8 @@ struct MedialAxis
 
   SignMethod sign = SignMethod::None; ///< the method used, never Auto
   Side side = Side::Both;             ///< the side delivered: Both where the field is unsigned
+  /// Of the solid, where the topology is preserved; topologyOf(axis) is the same then.
+  std::optional<CellTopology> solid;
   RunStatistics statistics;
 
   std::int64_t cellCount() const
@@ -74,7 +95,8 @@ struct MedialAxis
 /// Surfaces and faces need a grid of at least two slices along every axis.
 ///
 /// @param arrays where to leave the distance field of the whole grid as well; all null for none.
-/// @throws Error InvalidInput for an angle outside (0, 180), and as computeDistanceField.
+/// @throws Error InvalidInput for an angle outside (0, 180) and for Topology::Preserve with
+///   Representation::Points, and as computeDistanceField.
 MedialAxis computeMedialAxis(const TriangleMesh& mesh, const MeshTopology& topology,
   const Grid& grid, const MedialAxisOptions& options = {}, const FieldArrays& arrays = {});
 

@@ -22,6 +22,7 @@ struct MedialComplex
   std::vector<std::size_t> offsets{ 0 };
   std::vector<std::size_t> incident;
   std::vector<std::array<std::int64_t, 4>> quads; ///< corners may coincide
+  std::vector<std::array<std::int64_t, 2>> lines; ///< besides what quads are reduced to
   std::vector<std::int64_t> vertices;
 };
 

@@ -1,0 +1,144 @@
+#include "medial/medial/topology/axis_samples.h"
+
+#include "medial/medial/bisector.h"
+#include "medial/medial/separation.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <tuple>
+
+namespace medial
+{
+namespace
+{
+
+glm::dvec3 farEnd(const GridFrame& frame, const Crossing& crossing)
+{
+  glm::dvec3 end(crossing.voxel);
+  end[crossing.axis] += 1.0;
+  return frame.sample(end);
+}
+
+void findSites(const SampleContext& context, std::vector<Crossing>& crossings)
+{
+  tbb::parallel_for(std::size_t{ 0 }, crossings.size(),
+    [&](std::size_t i)
+    {
+      Crossing& crossing = crossings[i];
+      crossing.siteA = context.query.closest(context.frame.sample(glm::dvec3(crossing.voxel))).site;
+      crossing.siteB = context.query.closest(farEnd(context.frame, crossing)).site;
+    });
+}
+
+/// Bisector points of all edges; the middle of those that have none.
+std::vector<glm::dvec3> pointsOn(const SampleContext& context, std::vector<Crossing>& edges)
+{
+  std::vector<Crossing> crossed;
+  for (const Crossing& edge : edges)
+  {
+    if (edge.siteA != edge.siteB)
+    {
+      crossed.push_back(edge);
+    }
+  }
+  const std::vector<glm::dvec3> found =
+    bisectorPoints(context.sites, context.frame, context.query, crossed);
+  std::vector<glm::dvec3> points;
+  std::size_t next = 0; // in `crossed`, which is in the order of `edges`
+  for (Crossing& edge : edges)
+  {
+    if (next < crossed.size() && crossed[next].voxel == edge.voxel &&
+      crossed[next].axis == edge.axis)
+    {
+      edge = crossed[next];
+      points.push_back(found[next++]);
+      continue;
+    }
+    points.push_back(
+      0.5 * (context.frame.sample(glm::dvec3(edge.voxel)) + farEnd(context.frame, edge)));
+  }
+  return points;
+}
+
+} // namespace
+
+Cell dualFace(const CellLattice& lattice, const Crossing& crossing)
+{
+  glm::ivec3 position = crossing.voxel;
+  ++position[crossing.axis];
+  return lattice.cell(position, kFaceKind + crossing.axis);
+}
+
+Crossing dualEdge(const CellLattice& lattice, Cell face)
+{
+  Crossing edge{ lattice.position(face), CellLattice::kind(face) - kFaceKind, -1, -1 };
+  --edge.voxel[edge.axis];
+  return edge;
+}
+
+AxisSamples::AxisSamples(const CellLattice& lattice, const std::vector<Crossing>& crossings,
+  const std::vector<glm::dvec3>& points)
+  : crossings_(crossings)
+  , points_(points)
+{
+  this->sortFrom(0, lattice);
+}
+
+void AxisSamples::sortFrom(std::size_t first, const CellLattice& lattice)
+{
+  for (std::size_t i = first; i < crossings_.size(); ++i)
+  {
+    byFace_.push_back({ dualFace(lattice, crossings_[i]), static_cast<int>(i) });
+  }
+  std::sort(byFace_.begin(), byFace_.end(),
+    [](const Entry& a, const Entry& b)
+    { return std::tie(a.face, a.sample) < std::tie(b.face, b.sample); });
+}
+
+void AxisSamples::add(const SampleContext& context, const CellLattice& lattice,
+  std::vector<Cell> faces)
+{
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  std::vector<Crossing> edges;
+  for (const Cell face : faces)
+  {
+    if (this->find(face) == kNone)
+    {
+      edges.push_back(dualEdge(lattice, face));
+    }
+  }
+  findSites(context, edges);
+  const std::vector<glm::dvec3> points = pointsOn(context, edges);
+  const std::size_t first = crossings_.size();
+  crossings_.insert(crossings_.end(), edges.begin(), edges.end());
+  points_.insert(points_.end(), points.begin(), points.end());
+  this->sortFrom(first, lattice);
+}
+
+int AxisSamples::addPoint(const SampleContext& context, const glm::ivec3& voxel)
+{
+  const glm::dvec3 x = context.frame.sample(glm::dvec3(voxel));
+  const std::int32_t site = context.query.closest(x).site;
+  crossings_.push_back({ voxel, 0, site, site });
+  points_.push_back(x);
+  return static_cast<int>(crossings_.size()) - 1;
+}
+
+int AxisSamples::find(Cell face) const
+{
+  const auto found = std::lower_bound(byFace_.begin(), byFace_.end(), face,
+    [](const Entry& entry, Cell wanted) { return entry.face < wanted; });
+  return found != byFace_.end() && found->face == face ? found->sample : kNone;
+}
+
+double AxisSamples::angle(const SiteSet& sites, int sample) const
+{
+  const Crossing& crossing = crossings_[sample];
+  const glm::dvec3& x = points_[sample];
+  return separationAngle(x, closestPoint(sites, crossing.siteA, x).point,
+    closestPoint(sites, crossing.siteB, x).point);
+}
+
+} // namespace medial

@@ -1,0 +1,91 @@
+#include "medial/medial/topology/cell_lattice.h"
+
+namespace medial
+{
+namespace
+{
+
+/// Bit a is set where cells of a kind extend along axis a.
+constexpr std::array<unsigned, kCellKinds> kSpans{ 0, 1, 2, 4, 6, 5, 3, 7 };
+
+constexpr int kindOfSpan(unsigned span)
+{
+  int kind = 0;
+  while (kSpans[kind] != span)
+  {
+    ++kind;
+  }
+  return kind;
+}
+
+void add(CellSteps& steps, Cell step)
+{
+  steps.steps[steps.count++] = step;
+}
+
+} // namespace
+
+CellLattice::CellLattice(const glm::ivec3& size)
+  : size_(size)
+  , stride_{ 1, size.x, static_cast<std::int64_t>(size.x) * size.y }
+  , bits_(static_cast<std::size_t>(stride_[2]) * size.z, std::uint8_t{ 0 })
+{
+  for (int kind = 0; kind < kCellKinds; ++kind)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const unsigned along = 1u << axis;
+      const Cell step = 8 * stride_[axis];
+      const Cell other = kindOfSpan(kSpans[kind] ^ along) - kind;
+      CellSteps& steps = (kSpans[kind] & along) != 0 ? faces_[kind] : cofaces_[kind];
+      add(steps, other);
+      add(steps, &steps == &faces_[kind] ? other + step : other - step);
+    }
+  }
+}
+
+glm::ivec3 CellLattice::position(Cell cell) const
+{
+  const auto p = static_cast<std::int64_t>(index(cell));
+  return { static_cast<int>(p % stride_[1]), static_cast<int>(p / stride_[1] % size_.y),
+    static_cast<int>(p / stride_[2]) };
+}
+
+glm::dvec3 CellLattice::centre(Cell cell) const
+{
+  glm::dvec3 centre(this->position(cell));
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    centre[axis] -= (kSpans[kind(cell)] >> axis & 1) != 0 ? 0.0 : 0.5;
+  }
+  return centre;
+}
+
+int CellLattice::cofaceCount(Cell cell) const
+{
+  int count = 0;
+  for (const Cell step : cofaces_[kind(cell)])
+  {
+    count += this->has(cell + step) ? 1 : 0;
+  }
+  return count;
+}
+
+Cell CellLattice::onlyCoface(Cell cell) const
+{
+  Cell only = -1;
+  for (const Cell step : cofaces_[kind(cell)])
+  {
+    if (this->has(cell + step))
+    {
+      if (only >= 0)
+      {
+        return -1;
+      }
+      only = cell + step;
+    }
+  }
+  return only;
+}
+
+} // namespace medial

@@ -1,0 +1,250 @@
+#include "medial/medial/topology/cell_thinning.h"
+
+namespace medial
+{
+namespace
+{
+
+/// Frame units; voxels within a bucket burn in the order in which the fire reached them.
+constexpr double kBucketWidth = 0.125;
+
+} // namespace
+
+CellThinning::CellThinning(CellLattice& lattice, const DepthField& depth, const glm::dvec3& step,
+  const CurveLimits& limits)
+  : lattice_(lattice)
+  , anchors_(lattice.size())
+  , depth_(depth)
+  , step_(step)
+  , chains_(limits)
+  , queue_(kBucketWidth)
+{
+}
+
+void CellThinning::anchor(Cell face, float angle)
+{
+  anchors_.insert(face);
+  angles_[face] = angle;
+}
+
+void CellThinning::burn()
+{
+  const auto positions = static_cast<Cell>(lattice_.positions());
+  for (Cell position = 0; position < positions; ++position)
+  {
+    const Cell voxel = 8 * position + kVoxelKind;
+    if (lattice_.has(voxel) && this->freeFace(voxel) >= 0)
+    {
+      this->raise(voxel);
+    }
+  }
+  this->drain();
+}
+
+void CellThinning::release(const std::vector<Cell>& faces)
+{
+  for (const Cell face : faces)
+  {
+    anchors_.erase(face);
+  }
+  for (const Cell face : faces)
+  {
+    this->raise(face);
+  }
+  this->drain();
+}
+
+/// Every cell that is maximal and has a free face is in the queue, but for those that are kept.
+void CellThinning::raise(Cell cell, int chain)
+{
+  if (!lattice_.has(cell) || !lattice_.maximal(cell))
+  {
+    return;
+  }
+  switch (CellLattice::dimension(CellLattice::kind(cell)))
+  {
+    case 3:
+      queue_.push(static_cast<double>(depth_.at(CellLattice::index(cell))), { cell, chain });
+      break;
+    case 2:
+      if (!anchors_.has(cell) && this->freeFace(cell) >= 0)
+      {
+        queue_.push(0.0, { cell, chain });
+      }
+      break;
+    case 1:
+      if (!anchors_.has(cell) && this->freeFace(cell) >= 0)
+      {
+        queue_.push(chains_.arrival(chain, this->edgePosition(cell), this->edgeDepth(cell)),
+          { cell, chain });
+      }
+      break;
+    default:
+      break;
+  }
+}
+
+void CellThinning::drain()
+{
+  do
+  {
+    for (Event event{}; queue_.pop(event);)
+    {
+      if (!lattice_.has(event.cell) || !lattice_.maximal(event.cell))
+      {
+        continue;
+      }
+      switch (CellLattice::dimension(CellLattice::kind(event.cell)))
+      {
+        case 3:
+          this->burnVoxel(event.cell);
+          break;
+        case 2:
+          this->burnFace(event.cell);
+          break;
+        default:
+          this->burnEdge(event.cell, event.chain);
+          break;
+      }
+    }
+  } while (this->openGate());
+}
+
+void CellThinning::burnVoxel(Cell voxel)
+{
+  const Cell face = this->freeFaceNotAnchored(voxel);
+  if (face >= 0)
+  {
+    this->collapse(voxel, face);
+    return;
+  }
+  for (const Cell step : lattice_.faces(kVoxelKind))
+  {
+    const Cell gate = voxel + step;
+    if (lattice_.onlyCoface(gate) == voxel)
+    {
+      gates_.emplace(angles_.at(gate), gate, voxel);
+    }
+  }
+}
+
+void CellThinning::burnFace(Cell face)
+{
+  const Cell edge = anchors_.has(face) ? -1 : this->freeFace(face);
+  if (edge >= 0)
+  {
+    this->collapse(face, edge);
+  }
+}
+
+void CellThinning::burnEdge(Cell edge, int chain)
+{
+  const Cell vertex = anchors_.has(edge) ? -1 : this->freeFace(edge);
+  if (vertex < 0)
+  {
+    return;
+  }
+  const glm::vec3 position = this->edgePosition(edge);
+  const float depth = this->edgeDepth(edge);
+  std::vector<CurveChains::Pair> restored;
+  if (!chains_.lasting(chain, position, depth, restored))
+  {
+    const CellSteps& ends = lattice_.faces(CellLattice::kind(edge));
+    const Cell other = (edge + ends.steps[0]) + (edge + ends.steps[1]) - vertex;
+    const bool goesOn = lattice_.cofaceCount(other) == 2;
+    this->collapse(edge, vertex,
+      goesOn ? chains_.extend(chain, { edge, vertex }, position, depth) : CurveChains::kNone);
+    return;
+  }
+  anchors_.insert(edge);
+  for (const CurveChains::Pair& pair : restored)
+  {
+    lattice_.insert(pair.edge);
+    lattice_.insert(pair.vertex);
+    anchors_.insert(pair.edge);
+  }
+}
+
+/// Lets the fire through the anchored face of least angle that it has come to.
+bool CellThinning::openGate()
+{
+  while (!gates_.empty())
+  {
+    const auto [angle, gate, voxel] = gates_.top();
+    gates_.pop();
+    if (lattice_.has(voxel) && lattice_.has(gate) && anchors_.has(gate))
+    {
+      anchors_.erase(gate);
+      this->raise(voxel);
+      return true;
+    }
+  }
+  return false;
+}
+
+void CellThinning::collapse(Cell cell, Cell freeFace, int edgeChain)
+{
+  lattice_.erase(cell);
+  lattice_.erase(freeFace);
+  for (const Cell step : lattice_.faces(CellLattice::kind(cell)))
+  {
+    const Cell face = cell + step;
+    if (face == freeFace)
+    {
+      continue;
+    }
+    const Cell coface = lattice_.onlyCoface(face);
+    this->raise(coface >= 0 ? coface : face, edgeChain);
+  }
+  for (const Cell step : lattice_.faces(CellLattice::kind(freeFace)))
+  {
+    const Cell coface = lattice_.onlyCoface(freeFace + step);
+    if (coface >= 0)
+    {
+      this->raise(coface);
+    }
+  }
+}
+
+/// A face of a maximal cell that is a face of no other; -1 where there is none.
+Cell CellThinning::freeFace(Cell cell) const
+{
+  for (const Cell step : lattice_.faces(CellLattice::kind(cell)))
+  {
+    if (lattice_.onlyCoface(cell + step) == cell)
+    {
+      return cell + step;
+    }
+  }
+  return -1;
+}
+
+Cell CellThinning::freeFaceNotAnchored(Cell voxel) const
+{
+  for (const Cell step : lattice_.faces(kVoxelKind))
+  {
+    if (!anchors_.has(voxel + step) && lattice_.onlyCoface(voxel + step) == voxel)
+    {
+      return voxel + step;
+    }
+  }
+  return -1;
+}
+
+glm::vec3 CellThinning::edgePosition(Cell edge) const
+{
+  return glm::vec3(lattice_.centre(edge) * step_);
+}
+
+/// Mean depth of the four voxels around an edge: nearly that of the curve next to it, less a
+/// constant.
+float CellThinning::edgeDepth(Cell edge) const
+{
+  const int axis = CellLattice::kind(edge) - kEdgeKind;
+  const auto u = static_cast<std::size_t>(lattice_.stride((axis + 1) % 3));
+  const auto v = static_cast<std::size_t>(lattice_.stride((axis + 2) % 3));
+  const std::size_t p = CellLattice::index(edge);
+  return 0.25f * (depth_.at(p) + depth_.at(p - u) + depth_.at(p - v) + depth_.at(p - u - v));
+}
+
+} // namespace medial
