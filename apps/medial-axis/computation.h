@@ -10,6 +10,8 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
+#include <optional>
+
 namespace medial::app
 {
 
@@ -22,6 +24,8 @@ struct Result
   SignMethod sign = SignMethod::None; ///< never Auto
   Side side = Side::Both;             ///< of the axis
   RunStatistics statistics;
+  CellTopology axisTopology;                 ///< where a report is wanted
+  std::optional<CellTopology> solidTopology; ///< where the axis preserves it
   vtkSmartPointer<vtkPolyData> axis; ///< as vtkMedialAxis makes it; empty where it is not wanted
 };
 

@@ -24,6 +24,7 @@ struct Options
   double angle = kDefaultAngle;
   Side side = Side::Interior;
   Representation representation = Representation::Surface;
+  Topology topology = Topology::Selected;
   SignMethod signMethod = SignMethod::Auto;
   Evaluator evaluator = Evaluator::Auto;
   int threads = 0;
@@ -48,6 +49,7 @@ MedialAxisOptions libraryOptions(const Options& options);
 /// The word for a value.
 std::string nameOf(SignMethod method);
 std::string nameOf(Evaluator evaluator);
+std::string nameOf(Topology topology);
 ///@}
 
 } // namespace medial::app

@@ -49,6 +49,20 @@ Json describeCounts(const RunStatistics& statistics, vtkPolyData* axis)
     { "medial_points", axis->GetNumberOfPoints() }, { "medial_cells", axis->GetNumberOfCells() } };
 }
 
+Json describe(const CellTopology& topology)
+{
+  return { { "components", topology.components },
+    { "euler_characteristic", topology.eulerCharacteristic }, { "genus", topology.genus },
+    { "cavities", topology.cavities } };
+}
+
+Json describeTopology(const Result& result, Topology mode)
+{
+  return { { "mode", nameOf(mode) },
+    { "solid", result.solidTopology ? describe(*result.solidTopology) : Json() },
+    { "axis", describe(result.axisTopology) } };
+}
+
 double peakMemoryMiB()
 {
   struct rusage usage = {};
@@ -58,11 +72,10 @@ double peakMemoryMiB()
 
 } // namespace
 
-std::string makeReport(const Result& result, const std::filesystem::path& input,
-  const AppSeconds& seconds)
+std::string makeReport(const Result& result, const Options& options, const AppSeconds& seconds)
 {
   Json report;
-  report["input"] = describeInput(result, input);
+  report["input"] = describeInput(result, options.input);
   report["grid"] = describeGrid(result.grid);
   report["device"] = describeDevice(result.statistics.device);
   report["seconds"] = describeSeconds(result.statistics.seconds, seconds);
@@ -70,6 +83,7 @@ std::string makeReport(const Result& result, const std::filesystem::path& input,
   report["fragments_per_voxel"] = result.statistics.fragmentsPerVoxel();
   report["evaluator"] = nameOf(result.statistics.evaluator);
   report["sign_method"] = nameOf(result.sign);
+  report["topology"] = describeTopology(result, options.topology);
   report["peak_memory_mib"] = peakMemoryMiB();
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

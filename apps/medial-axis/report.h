@@ -21,9 +21,10 @@ struct AppSeconds
 ///   skipped_degenerate}, grid {dimensions, spacing, origin}, device {renderer, version, software},
 ///   seconds {read, sites, cull, polygons, draw, resolve, medial, write, total}, counts {sites,
 ///   polygons, fragments, candidate_pairs, medial_points, medial_cells}, fragments_per_voxel,
-///   evaluator, sign_method and peak_memory_mib. Lengths are in world units.
-std::string makeReport(const Result& result, const std::filesystem::path& input,
-  const AppSeconds& seconds);
+///   evaluator, sign_method, topology {mode, solid (null unless preserved), axis: each
+///   {components, euler_characteristic, genus, cavities}} and peak_memory_mib. Lengths are in world
+///   units.
+std::string makeReport(const Result& result, const Options& options, const AppSeconds& seconds);
 
 /// @throws Failure NoSpace when the file cannot be written completely. The message names no file.
 void writeReport(const std::string& report, const std::filesystem::path& file);

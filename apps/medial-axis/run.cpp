@@ -124,7 +124,7 @@ void run(const Options& options)
     [&](const auto& file)
     {
       stop();
-      writeReport(makeReport(result, options.input, seconds), file);
+      writeReport(makeReport(result, options, seconds), file);
     });
 
   ProgressBar bar(options.quiet);
