@@ -13,7 +13,7 @@
 #include "medial/medial/medial_complex.h"
 #include "medial/medial/selection_stage.h"
 #include "medial/medial/separation.h"
-#include "medial/medial/topology/distance_tap.h"
+#include "medial/medial/topology/field_tap.h"
 #include "medial/medial/topology/preserved_axis.h"
 
 #include <tbb/parallel_for.h>
@@ -173,7 +173,7 @@ MedialAxis runPipeline(const TriangleMesh& mesh, const MeshTopology& topology, c
   axis.side = axis.sign == SignMethod::None ? Side::Both : options.side;
   StageProxy stage(options.angle, axis.side, pipeline.frame());
   const bool preserve = options.topology == Topology::Preserve;
-  std::optional<DistanceTap> tap;
+  std::optional<FieldTap> tap;
   if (preserve)
   {
     tap.emplace(sink, grid.wholeExtent());
@@ -193,7 +193,7 @@ MedialAxis runPipeline(const TriangleMesh& mesh, const MeshTopology& topology, c
       if (preserve)
       {
         complex = preservedCells(tap->distances(), grid, options,
-          { sites, frame, pipeline.query() }, points, crossings, axis);
+          { sites, frame, pipeline.query(), tap->sites().data() }, points, crossings, axis);
       }
       else
       {

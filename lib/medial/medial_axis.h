@@ -52,7 +52,7 @@ struct MedialAxisOptions
   /// at selected sheets; where the sheets leave something open the axis goes on as a curve or as
   /// part of a sheet with smaller separation angles. Curves are kept where the radius grows by at
   /// most cos(theta / 2) per length over four voxels. Each side is thinned by itself; that of an
-  /// unsigned field is the whole grid. Needs 6 bytes a grid point, and Representation::Surface or
+  /// unsigned field is the whole grid. Needs 10 bytes a grid point, and Representation::Surface or
   /// Faces. After Liu, Chambers, Letscher, Ju, "A simple and robust thinning algorithm on cell
   /// complexes", 2010, and Yan, Letscher, Ju, "Voxel Cores", 2018.
   Topology topology = Topology::Selected;

@@ -3,8 +3,6 @@
 #include "medial/medial/bisector.h"
 #include "medial/medial/separation.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <tuple>
 
@@ -18,17 +16,6 @@ glm::dvec3 farEnd(const GridFrame& frame, const Crossing& crossing)
   glm::dvec3 end(crossing.voxel);
   end[crossing.axis] += 1.0;
   return frame.sample(end);
-}
-
-void findSites(const SampleContext& context, std::vector<Crossing>& crossings)
-{
-  tbb::parallel_for(std::size_t{ 0 }, crossings.size(),
-    [&](std::size_t i)
-    {
-      Crossing& crossing = crossings[i];
-      crossing.siteA = context.query.closest(context.frame.sample(glm::dvec3(crossing.voxel))).site;
-      crossing.siteB = context.query.closest(farEnd(context.frame, crossing)).site;
-    });
 }
 
 /// Bisector points of all edges; the middle of those that have none.
@@ -106,10 +93,13 @@ void AxisSamples::add(const SampleContext& context, const CellLattice& lattice,
   {
     if (this->find(face) == kNone)
     {
-      edges.push_back(dualEdge(lattice, face));
+      const std::size_t far = CellLattice::index(face);
+      Crossing edge = dualEdge(lattice, face);
+      edge.siteA = context.closestSites[far - static_cast<std::size_t>(lattice.stride(edge.axis))];
+      edge.siteB = context.closestSites[far];
+      edges.push_back(edge);
     }
   }
-  findSites(context, edges);
   const std::vector<glm::dvec3> points = pointsOn(context, edges);
   const std::size_t first = crossings_.size();
   crossings_.insert(crossings_.end(), edges.begin(), edges.end());

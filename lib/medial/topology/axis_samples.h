@@ -19,6 +19,7 @@ struct SampleContext
   const SiteSet& sites;
   const GridFrame& frame;
   const TileQuery& query;
+  const std::int32_t* closestSites; ///< of all grid points, x fastest
 };
 
 /// Grid edges with a point of each, by the faces of a lattice that are dual to them.

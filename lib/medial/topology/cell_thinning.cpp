@@ -7,14 +7,17 @@ namespace
 
 /// Frame units; voxels within a bucket burn in the order in which the fire reached them.
 constexpr double kBucketWidth = 0.125;
+/// In place of a chain: of an edge that belongs to no curve.
+constexpr int kNoCurve = -2;
 
 } // namespace
 
-CellThinning::CellThinning(CellLattice& lattice, const DepthField& depth, const glm::dvec3& step,
-  const CurveLimits& limits)
+CellThinning::CellThinning(CellLattice& lattice, const DepthField& depth, const CurveProbe& probe,
+  const glm::dvec3& step, const CurveLimits& limits)
   : lattice_(lattice)
   , anchors_(lattice.size())
   , depth_(depth)
+  , probe_(probe)
   , step_(step)
   , chains_(limits)
   , queue_(kBucketWidth)
@@ -75,13 +78,23 @@ void CellThinning::raise(Cell cell, int chain)
     case 1:
       if (!anchors_.has(cell) && this->freeFace(cell) >= 0)
       {
-        queue_.push(chains_.arrival(chain, this->edgePosition(cell), this->edgeDepth(cell)),
-          { cell, chain });
+        this->raiseEdge(cell, chain);
       }
       break;
     default:
       break;
   }
+}
+
+void CellThinning::raiseEdge(Cell edge, int chain)
+{
+  if (chain == CurveChains::kNone && !probe_.separates(lattice_, edge))
+  {
+    queue_.push(0.0, { edge, kNoCurve });
+    return;
+  }
+  queue_.push(chains_.arrival(chain, this->edgePosition(edge), this->edgeDepth(edge)),
+    { edge, chain });
 }
 
 void CellThinning::drain()
@@ -144,10 +157,15 @@ void CellThinning::burnEdge(Cell edge, int chain)
   {
     return;
   }
+  if (chain == kNoCurve)
+  {
+    this->collapse(edge, vertex);
+    return;
+  }
   const glm::vec3 position = this->edgePosition(edge);
   const float depth = this->edgeDepth(edge);
   std::vector<CurveChains::Pair> restored;
-  if (!chains_.lasting(chain, position, depth, restored))
+  if (!chains_.lasting(chain, position, depth, restored) || !probe_.separates(lattice_, edge))
   {
     const CellSteps& ends = lattice_.faces(CellLattice::kind(edge));
     const Cell other = (edge + ends.steps[0]) + (edge + ends.steps[1]) - vertex;

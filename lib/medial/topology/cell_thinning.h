@@ -3,6 +3,7 @@
 #include "medial/medial/topology/bucket_queue.h"
 #include "medial/medial/topology/cell_lattice.h"
 #include "medial/medial/topology/curve_chains.h"
+#include "medial/medial/topology/curve_probe.h"
 #include "medial/medial/topology/voxel_solid.h"
 
 #include <cstdint>
@@ -19,18 +20,18 @@ namespace medial
 /// deformation retraction, so that components, tunnels and cavities stay as they are.
 ///
 /// A fire starts at the surface and takes voxels in the order of their distances, faces as soon as
-/// an edge of theirs is free, and edges along curves at unit speed. It stops at anchored faces and
-/// at curves that are long and blunt enough (CurveChains). Voxels that anchored faces shut in are
-/// reached through the one of least angle. The result does not depend on the number of threads: the
-/// fire has one.
+/// an edge of theirs is free, edges likewise, but along curves (CurveProbe) at unit speed. It stops
+/// at anchored faces and at curves that are long and blunt enough (CurveChains). Voxels that
+/// anchored faces shut in are reached through the one of least angle. The result does not depend on
+/// the number of threads: the fire has one.
 class CellThinning
 {
 public:
   /// @param lattice the solid, which becomes what is left of it.
-  /// @param depth must outlive this object.
+  /// @param depth and probe must outlive this object.
   /// @param step frame distance of neighbouring grid points.
-  CellThinning(CellLattice& lattice, const DepthField& depth, const glm::dvec3& step,
-    const CurveLimits& limits);
+  CellThinning(CellLattice& lattice, const DepthField& depth, const CurveProbe& probe,
+    const glm::dvec3& step, const CurveLimits& limits);
 
   /// A face that is to stay.
   /// @param angle those of lesser angle give way first where one must.
@@ -51,6 +52,7 @@ private:
   using Gate = std::tuple<float, Cell, Cell>; ///< angle, anchored face, voxel behind it
 
   void raise(Cell cell, int chain = CurveChains::kNone);
+  void raiseEdge(Cell edge, int chain);
   void drain();
   void burnVoxel(Cell voxel);
   void burnFace(Cell face);
@@ -66,6 +68,7 @@ private:
   CellLattice& lattice_;
   CellLattice anchors_; ///< faces, and edges of curves that are kept
   const DepthField& depth_;
+  const CurveProbe& probe_;
   glm::dvec3 step_;
   CurveChains chains_;
   std::unordered_map<Cell, float> angles_;

@@ -37,8 +37,8 @@ Selection selectionWithin(const CellLattice& solid, const std::vector<Crossing>&
 
 /// Thins a solid. What is selected as a strip only, and strips that sheets were reduced to where
 /// they shut voxels in, are left to the rules for curves.
-void thin(CellLattice& solid, const DepthField& depth, const glm::dvec3& step, double angle,
-  const SiteSet& sites, const AxisSamples& samples)
+void thin(CellLattice& solid, const DepthField& depth, double degrees, const SampleContext& context,
+  const AxisSamples& samples)
 {
   std::vector<Cell> selected;
   for (const Crossing& crossing : samples.crossings())
@@ -47,11 +47,13 @@ void thin(CellLattice& solid, const DepthField& depth, const glm::dvec3& step, d
   }
   // Crossings come in the order of slabs, whose thickness is to have no influence.
   std::sort(selected.begin(), selected.end());
-  CellThinning thinning(solid, depth, step, { glm::radians(angle) });
+  const double angle = glm::radians(degrees);
+  const CurveProbe probe(context.sites, context.frame, context.closestSites, depth, angle);
+  CellThinning thinning(solid, depth, probe, context.frame.step, { angle });
   std::vector<Cell> anchored = splitSheets(solid.size(), selected).sheets;
   for (const Cell face : anchored)
   {
-    thinning.anchor(face, static_cast<float>(samples.angle(sites, samples.find(face))));
+    thinning.anchor(face, static_cast<float>(samples.angle(context.sites, samples.find(face))));
   }
   thinning.burn();
   std::vector<Cell> left;
@@ -128,7 +130,7 @@ PreservedAxis preserveTopology(const std::vector<float>& distances, const Grid& 
     add(topologyOf(solid), axis.solid);
     const Selection selection = selectionWithin(solid, crossings, points);
     AxisSamples samples(solid, selection.crossings, selection.points);
-    thin(solid, depth, context.frame.step, options.angle, context.sites, samples);
+    thin(solid, depth, options.angle, context, samples);
     const MedialComplex part =
       thinnedComplex(solid, depth, context, options.representation, samples);
     append(part, axis.crossings.size(), axis.complex);

@@ -21,7 +21,7 @@ struct PreservedAxis
 /// Thins the voxels of each wanted side to an axis of the same topology (CellThinning), anchored at
 /// the faces dual to the crossings that were selected, but for those that make no sheet.
 ///
-/// Needs 6 bytes a grid point with the distances, and some 100 bytes a voxel of the fire's front.
+/// Needs 10 bytes a grid point with distances and closest sites, and what the fire's front takes.
 /// @param distances of all grid points, x fastest, world units.
 /// @param crossings selected, with their bisector points.
 PreservedAxis preserveTopology(const std::vector<float>& distances, const Grid& grid,
