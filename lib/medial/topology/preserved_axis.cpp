@@ -2,34 +2,36 @@
 
 #include "medial/medial/topology/cell_thinning.h"
 #include "medial/medial/topology/sheet_faces.h"
+#include "medial/medial/topology/solid_bodies.h"
 #include "medial/medial/topology/thinned_complex.h"
 #include "medial/medial/topology/voxel_solid.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace medial
 {
 namespace
 {
 
-/// Selected crossings of one side.
+/// Selected crossings with their bisector points.
 struct Selection
 {
   std::vector<Crossing> crossings;
   std::vector<glm::dvec3> points;
 };
 
-Selection selectionWithin(const CellLattice& solid, const std::vector<Crossing>& crossings,
-  const std::vector<glm::dvec3>& points)
+/// Those between two voxels of a solid.
+Selection selectionWithin(const CellLattice& solid, const Selection& all)
 {
   Selection selection;
-  for (std::size_t i = 0; i < crossings.size(); ++i)
+  for (std::size_t i = 0; i < all.crossings.size(); ++i)
   {
-    const Cell face = dualFace(solid, crossings[i]);
+    const Cell face = dualFace(solid, all.crossings[i]);
     if (solid.has(face) && solid.cofaceCount(face) == 2)
     {
-      selection.crossings.push_back(crossings[i]);
-      selection.points.push_back(points[i]);
+      selection.crossings.push_back(all.crossings[i]);
+      selection.points.push_back(all.points[i]);
     }
   }
   return selection;
@@ -106,6 +108,21 @@ void add(const CellTopology& part, CellTopology& whole)
   whole.cavities += part.cavities;
 }
 
+/// Thins one solid and adds what is left.
+void addSolid(const DepthField& depth, const glm::ivec3& size, const MedialAxisOptions& options,
+  const SampleContext& context, const Selection& selected, PreservedAxis& axis)
+{
+  CellLattice solid = voxelSolid(depth, size);
+  add(topologyOf(solid), axis.solid);
+  const Selection selection = selectionWithin(solid, selected);
+  AxisSamples samples(solid, selection.crossings, selection.points);
+  thin(solid, depth, options.angle, context, samples);
+  const MedialComplex part = thinnedComplex(solid, depth, context, options.representation, samples);
+  append(part, axis.crossings.size(), axis.complex);
+  axis.crossings.insert(axis.crossings.end(), samples.crossings().begin(),
+    samples.crossings().end());
+}
+
 std::vector<Side> sidesOf(SignMethod sign, Side side)
 {
   if (sign != SignMethod::None && side == Side::Both)
@@ -123,19 +140,24 @@ PreservedAxis preserveTopology(const std::vector<float>& distances, const Grid& 
 {
   const glm::ivec3 size(grid.dimensions[0], grid.dimensions[1], grid.dimensions[2]);
   PreservedAxis axis;
+  const Selection selected{ crossings, points };
   for (const Side side : sidesOf(sign, options.side))
   {
-    const DepthField depth(distances.data(), side, context.frame.unit);
-    CellLattice solid = voxelSolid(depth, size);
-    add(topologyOf(solid), axis.solid);
-    const Selection selection = selectionWithin(solid, crossings, points);
-    AxisSamples samples(solid, selection.crossings, selection.points);
-    thin(solid, depth, options.angle, context, samples);
-    const MedialComplex part =
-      thinnedComplex(solid, depth, context, options.representation, samples);
-    append(part, axis.crossings.size(), axis.complex);
-    axis.crossings.insert(axis.crossings.end(), samples.crossings().begin(),
-      samples.crossings().end());
+    DepthField depth(distances.data(), side, context.frame.unit);
+    std::optional<SolidBodies> bodies;
+    if (side == Side::Interior)
+    {
+      bodies.emplace(context.sites, context.frame, size, context.closestSites, depth);
+    }
+    const int colours = bodies ? bodies->colours() : 1;
+    for (int colour = 0; colour < colours; ++colour)
+    {
+      if (colours > 1)
+      {
+        depth.restrict(context.closestSites, bodies->siteColours().data(), colour);
+      }
+      addSolid(depth, size, options, context, selected, axis);
+    }
   }
   return axis;
 }

@@ -4,7 +4,9 @@
 #include "medial/medial/topology/cell_lattice.h"
 #include "medial/medial/topology/cell_topology.h"
 
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 namespace medial
 {
@@ -19,22 +21,38 @@ public:
   DepthField(const float* distance, Side side, double unit)
     : distance_(distance)
     , side_(side)
-    , scale_(static_cast<float>((side == Side::Interior ? -1.0 : 1.0) / unit))
+    , scale_(static_cast<float>(1.0 / unit))
   {
+  }
+
+  /// Leaves only grid points whose closest site has a colour; arrays must outlive this object.
+  void restrict(const std::int32_t* closestSites, const int* siteColours, int colour)
+  {
+    closestSites_ = closestSites;
+    siteColours_ = siteColours;
+    colour_ = colour;
   }
 
   /// Whether a grid point belongs to the side.
   bool wanted(std::size_t point) const
   {
-    return side_ == Side::Both || (distance_[point] < 0.0f) == (side_ == Side::Interior);
+    return (side_ == Side::Both || (distance_[point] < 0.0f) == (side_ == Side::Interior)) &&
+      (siteColours_ == nullptr || siteColours_[closestSites_[point]] == colour_);
   }
-  /// Distance to the surface in frame units, negative on the other side.
-  float at(std::size_t point) const { return scale_ * distance_[point]; }
+  /// Distance to the surface in frame units, negative where the point does not belong to the side.
+  float at(std::size_t point) const
+  {
+    const float distance = scale_ * std::abs(distance_[point]);
+    return this->wanted(point) ? distance : -distance;
+  }
 
 private:
   const float* distance_;
   Side side_;
   float scale_;
+  const std::int32_t* closestSites_ = nullptr;
+  const int* siteColours_ = nullptr;
+  int colour_ = 0;
 };
 
 /// The closed voxels around the grid points of a side, with all their faces, edges and corners.
