@@ -48,6 +48,47 @@ std::vector<glm::dvec3> pointsOn(const SampleContext& context, std::vector<Cross
   return points;
 }
 
+/// A ball that touches the surface in two places.
+struct Ball
+{
+  glm::dvec3 centre;
+  int opposite; ///< site of the second place; -1 where there is none near enough
+};
+
+/// @param foot closest surface point of x.
+Ball shrunkBall(const SampleContext& context, const CellLattice& lattice, const glm::dvec3& x,
+  const glm::dvec3& foot)
+{
+  constexpr double kMostRadius = 2.0;
+  constexpr double kSame = 1e-6;
+  constexpr int kMaxRounds = 20;
+  const double distance = glm::distance(x, foot);
+  if (distance < kSame)
+  {
+    return { x, -1 };
+  }
+  // Queries are exact inside the grid only.
+  const glm::dvec3 low = context.frame.sample(glm::dvec3(0.0));
+  const glm::dvec3 high = context.frame.sample(glm::dvec3(lattice.size() - 1));
+  const glm::dvec3 inwards = (x - foot) / distance;
+  Ball ball{ x, -1 };
+  double radius = kMostRadius;
+  for (int round = 0; round < kMaxRounds; ++round)
+  {
+    const glm::dvec3 centre = foot + radius * inwards;
+    const SitePoint nearest = context.query.closest(glm::clamp(centre, low, high), radius);
+    const glm::dvec3 chord = nearest.point - foot;
+    const double height = glm::dot(chord, inwards);
+    if (glm::distance(nearest.point, centre) > radius - kSame || height < kSame)
+    {
+      break;
+    }
+    radius = 0.5 * glm::dot(chord, chord) / height;
+    ball = { foot + radius * inwards, nearest.site };
+  }
+  return ball;
+}
+
 } // namespace
 
 Cell dualFace(const CellLattice& lattice, const Crossing& crossing)
@@ -107,12 +148,16 @@ void AxisSamples::add(const SampleContext& context, const CellLattice& lattice,
   this->sortFrom(first, lattice);
 }
 
-int AxisSamples::addPoint(const SampleContext& context, const glm::ivec3& voxel)
+int AxisSamples::addPoint(const SampleContext& context, const CellLattice& lattice,
+  const glm::ivec3& voxel)
 {
   const glm::dvec3 x = context.frame.sample(glm::dvec3(voxel));
-  const std::int32_t site = context.query.closest(x).site;
-  crossings_.push_back({ voxel, 0, site, site });
-  points_.push_back(x);
+  const std::int32_t site =
+    context.closestSites[CellLattice::index(lattice.cell(voxel, kVertexKind))];
+  const SitePoint closest = closestPoint(context.sites, site, x);
+  const Ball ball = shrunkBall(context, lattice, x, closest.point);
+  crossings_.push_back({ voxel, 0, site, ball.opposite >= 0 ? ball.opposite : site });
+  points_.push_back(ball.centre);
   return static_cast<int>(crossings_.size()) - 1;
 }
 

@@ -36,9 +36,12 @@ public:
   /// their ends, or in the middle where these are the same.
   void add(const SampleContext& context, const CellLattice& lattice, std::vector<Cell> faces);
 
-  /// Adds a grid point as a sample of its own; for places around which there is but one site.
+  /// Adds the medial point seen from a grid point, for parts thinner than a voxel: the centre of
+  /// the ball, of a radius of up to two voxels, that touches the surface at its closest point and
+  /// holds no other (shrinking ball: Ma, Bae, Choi, "3D medial axis point approximation using
+  /// nearest neighbors and the normal field", 2012).
   /// @return its index.
-  int addPoint(const SampleContext& context, const glm::ivec3& voxel);
+  int addPoint(const SampleContext& context, const CellLattice& lattice, const glm::ivec3& voxel);
 
   /// Index of a face's sample or kNone.
   int find(Cell face) const;

@@ -5,13 +5,11 @@ namespace medial
 namespace
 {
 
-/// Bit a is set where cells of a kind extend along axis a.
-constexpr std::array<unsigned, kCellKinds> kSpans{ 0, 1, 2, 4, 6, 5, 3, 7 };
-
-constexpr int kindOfSpan(unsigned span)
+/// The kind of cells that extend along the axes of a span.
+int kindOfSpan(unsigned span)
 {
   int kind = 0;
-  while (kSpans[kind] != span)
+  while (CellLattice::spans(kind) != span)
   {
     ++kind;
   }

@@ -45,6 +45,8 @@ public:
 
   static int kind(Cell cell) { return static_cast<int>(cell & 7); }
   static int dimension(int kind) { return kind == kVertexKind ? 0 : (kind + 2) / 3; }
+  /// Bit a is set where cells of a kind extend along axis a.
+  static unsigned spans(int kind) { return kSpans[kind]; }
   static std::size_t index(Cell cell) { return static_cast<std::size_t>(cell >> 3); }
 
   const glm::ivec3& size() const { return size_; }
@@ -77,6 +79,8 @@ public:
   std::int64_t stride(int axis) const { return stride_[axis]; }
 
 private:
+  static constexpr std::array<unsigned, kCellKinds> kSpans{ 0, 1, 2, 4, 6, 5, 3, 7 };
+
   glm::ivec3 size_;
   std::array<std::int64_t, 3> stride_;
   std::array<CellSteps, kCellKinds> faces_;

@@ -1,5 +1,8 @@
 #include "medial/medial/topology/cell_thinning.h"
 
+#include <algorithm>
+#include <array>
+
 namespace medial
 {
 namespace
@@ -93,7 +96,7 @@ void CellThinning::raiseEdge(Cell edge, int chain)
     queue_.push(0.0, { edge, kNoCurve });
     return;
   }
-  queue_.push(chains_.arrival(chain, this->edgePosition(edge), this->edgeDepth(edge)),
+  queue_.push(chains_.arrival(chain, this->edgePosition(edge), this->depthAround(edge)),
     { edge, chain });
 }
 
@@ -125,7 +128,7 @@ void CellThinning::drain()
 
 void CellThinning::burnVoxel(Cell voxel)
 {
-  const Cell face = this->freeFaceNotAnchored(voxel);
+  const Cell face = this->freeFace(voxel, false);
   if (face >= 0)
   {
     this->collapse(voxel, face);
@@ -163,7 +166,7 @@ void CellThinning::burnEdge(Cell edge, int chain)
     return;
   }
   const glm::vec3 position = this->edgePosition(edge);
-  const float depth = this->edgeDepth(edge);
+  const float depth = this->depthAround(edge);
   std::vector<CurveChains::Pair> restored;
   if (!chains_.lasting(chain, position, depth, restored) || !probe_.separates(lattice_, edge))
   {
@@ -224,29 +227,26 @@ void CellThinning::collapse(Cell cell, Cell freeFace, int edgeChain)
   }
 }
 
-/// A face of a maximal cell that is a face of no other; -1 where there is none.
-Cell CellThinning::freeFace(Cell cell) const
+/// Of the faces of a maximal cell that belong to no other the one that lies least deep, so that
+/// what is left stays near the middle of parts as thin as a voxel; -1 where there is none.
+Cell CellThinning::freeFace(Cell cell, bool anchoredToo) const
 {
+  std::array<Cell, 6> free{};
+  int count = 0;
   for (const Cell step : lattice_.faces(CellLattice::kind(cell)))
   {
-    if (lattice_.onlyCoface(cell + step) == cell)
+    const Cell face = cell + step;
+    if (lattice_.onlyCoface(face) == cell && (anchoredToo || !anchors_.has(face)))
     {
-      return cell + step;
+      free[count++] = face;
     }
   }
-  return -1;
-}
-
-Cell CellThinning::freeFaceNotAnchored(Cell voxel) const
-{
-  for (const Cell step : lattice_.faces(kVoxelKind))
+  if (count < 2)
   {
-    if (!anchors_.has(voxel + step) && lattice_.onlyCoface(voxel + step) == voxel)
-    {
-      return voxel + step;
-    }
+    return count == 0 ? -1 : free[0];
   }
-  return -1;
+  return *std::min_element(free.begin(), free.begin() + count,
+    [this](Cell a, Cell b) { return this->depthAround(a) < this->depthAround(b); });
 }
 
 glm::vec3 CellThinning::edgePosition(Cell edge) const
@@ -254,15 +254,27 @@ glm::vec3 CellThinning::edgePosition(Cell edge) const
   return glm::vec3(lattice_.centre(edge) * step_);
 }
 
-/// Mean depth of the four voxels around an edge: nearly that of the curve next to it, less a
-/// constant.
-float CellThinning::edgeDepth(Cell edge) const
+/// Mean depth of the voxels around a cell. Around an edge it is nearly that of the curve next to
+/// it, less a constant.
+float CellThinning::depthAround(Cell cell) const
 {
-  const int axis = CellLattice::kind(edge) - kEdgeKind;
-  const auto u = static_cast<std::size_t>(lattice_.stride((axis + 1) % 3));
-  const auto v = static_cast<std::size_t>(lattice_.stride((axis + 2) % 3));
-  const std::size_t p = CellLattice::index(edge);
-  return 0.25f * (depth_.at(p) + depth_.at(p - u) + depth_.at(p - v) + depth_.at(p - u - v));
+  const unsigned spans = CellLattice::spans(CellLattice::kind(cell));
+  float sum = 0.0f;
+  int count = 0;
+  for (unsigned corner = 0; corner < 8; ++corner)
+  {
+    if ((corner & spans) == 0)
+    {
+      std::size_t voxel = CellLattice::index(cell);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        voxel -= (corner >> axis & 1) != 0 ? static_cast<std::size_t>(lattice_.stride(axis)) : 0;
+      }
+      sum += depth_.at(voxel);
+      ++count;
+    }
+  }
+  return sum / static_cast<float>(count);
 }
 
 } // namespace medial

@@ -60,10 +60,9 @@ private:
   bool openGate();
   /// Removes both; `edgeChain` is what a fire along curves goes on with.
   void collapse(Cell cell, Cell freeFace, int edgeChain = CurveChains::kNone);
-  Cell freeFace(Cell cell) const;
-  Cell freeFaceNotAnchored(Cell voxel) const;
+  Cell freeFace(Cell cell, bool anchoredToo = true) const;
   glm::vec3 edgePosition(Cell edge) const;
-  float edgeDepth(Cell edge) const;
+  float depthAround(Cell cell) const;
 
   CellLattice& lattice_;
   CellLattice anchors_; ///< faces, and edges of curves that are kept

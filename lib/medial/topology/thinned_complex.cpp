@@ -165,7 +165,7 @@ private:
     }
     if (around.empty())
     {
-      return { samples_.addPoint(context_, this->deepestVoxel(vertex)) };
+      return { samples_.addPoint(context_, lattice_, this->deepestVoxel(vertex)) };
     }
     const double limit = kWideShare * *std::max_element(angles.begin(), angles.end());
     std::vector<int> wide;
