@@ -37,19 +37,27 @@ Selection selectionWithin(const CellLattice& solid, const Selection& all)
   return selection;
 }
 
+/// A crossing counts as one of a sheet when the separation angle at its point is at least this part
+/// of theta. Near curves the grid points that it lies between may see angles far wider.
+constexpr double kSheetShare = 0.75;
+
 /// Thins a solid. What is selected as a strip only, and strips that sheets were reduced to where
 /// they shut voxels in, are left to the rules for curves.
 void thin(CellLattice& solid, const DepthField& depth, double degrees, const SampleContext& context,
   const AxisSamples& samples)
 {
+  const double angle = glm::radians(degrees);
   std::vector<Cell> selected;
   for (const Crossing& crossing : samples.crossings())
   {
-    selected.push_back(dualFace(solid, crossing));
+    const Cell face = dualFace(solid, crossing);
+    if (samples.angle(context.sites, samples.find(face)) >= kSheetShare * angle)
+    {
+      selected.push_back(face);
+    }
   }
   // Crossings come in the order of slabs, whose thickness is to have no influence.
   std::sort(selected.begin(), selected.end());
-  const double angle = glm::radians(degrees);
   const CurveProbe probe(context.sites, context.frame, context.closestSites, depth, angle);
   CellThinning thinning(solid, depth, probe, context.frame.step, { angle });
   std::vector<Cell> anchored = splitSheets(solid.size(), selected).sheets;
