@@ -67,9 +67,10 @@ TEST_F(CommandLine, HelpNamesEveryOption)
   const Outcome help = runMedialAxis({ "--help" });
   EXPECT_EQ(help.exitCode, 0);
   EXPECT_EQ(help.err, "");
-  for (const char* option : { "-o,--output", "--field", "--thickness", "--image", "--resolution",
-         "--spacing", "--padding", "--angle", "--side", "--representation", "--sign", "--threads",
-         "--memory", "--report", "--require-gpu", "-q,--quiet", "--version", "--help" })
+  for (const char* option :
+    { "-o,--output", "--field", "--thickness", "--image", "--resolution", "--spacing", "--padding",
+      "--angle", "--side", "--representation", "--topology", "--sign", "--threads", "--memory",
+      "--report", "--require-gpu", "-q,--quiet", "--version", "--help" })
   {
     EXPECT_TRUE(contains(help.out, option)) << option;
   }
@@ -126,6 +127,10 @@ TEST_F(CommandLine, RefusesUnknownWords)
     contains(usageError({ "--side", "top" }), "'top' is not one of both, exterior, interior"));
   EXPECT_TRUE(contains(usageError({ "--representation", "mesh" }),
     "'mesh' is not one of faces, points, surface"));
+  EXPECT_TRUE(
+    contains(usageError({ "--topology", "genus" }), "'genus' is not one of preserve, selected"));
+  EXPECT_TRUE(contains(usageError({ "--topology", "preserve", "--representation", "points" }),
+    "--topology preserve needs --representation surface or faces"));
   EXPECT_TRUE(contains(usageError({ "--sign", "plus" }), "'plus' is not one of"));
   EXPECT_TRUE(contains(usageError({ "--colour", "red" }), "--colour"));
   EXPECT_TRUE(contains(usageError({ "second.obj" }), "second.obj"));
