@@ -131,8 +131,8 @@ public:
    * grid: the voxels of the side are thinned from the surface on without cutting or piercing, and
    * what Angle selects as sheets stays. Curves join the sheets and stand for thin round parts, as
    * lines. Each side is thinned by itself, an unsigned one is the whole grid. PRESERVE takes 10
-   * bytes a grid point for the whole grid, and Representation SURFACE or FACES. Default is
-   * SELECTED.
+   * bytes a grid point of the whole grid, and Representation SURFACE or FACES.
+   * Default is SELECTED.
    */
   vtkSetMacro(Topology, int);
   vtkGetMacro(Topology, int);

@@ -141,7 +141,7 @@ TEST(FilterManual, DistanceFieldHasNoParametersOfItsOwn)
 
 TEST(FilterManual, MedialAxisParametersAreExplainedAndPrinted)
 {
-  expectManual("vtkMedialAxis", 4, printed<vtkMedialAxis>());
+  expectManual("vtkMedialAxis", 5, printed<vtkMedialAxis>());
 }
 
 // Nothing is printed as a parameter that no header explains.
