@@ -191,7 +191,7 @@ void HavocRenderer::drawInstances(const gpu::VertexArray& format, const Template
   glVertexArrayElementBuffer(format.id(), shape.indices.id());
   glBindVertexArray(format.id());
   glDrawElementsInstanced(GL_TRIANGLES, shape.indexCount, GL_UNSIGNED_INT, nullptr, count);
-  triangles_ += static_cast<double>(shape.indexCount / 3) * count;
+  triangles_ += shape.indexCount / 3.0 * count;
 }
 
 void HavocRenderer::draw(const SliceFunctions& functions)
@@ -203,7 +203,7 @@ void HavocRenderer::draw(const SliceFunctions& functions)
   glBindVertexArray(faceFormat_.id());
   glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(functions.faceIndices.size()), GL_UNSIGNED_INT,
     nullptr);
-  triangles_ += static_cast<double>(functions.faceIndices.size() / 3);
+  triangles_ += static_cast<double>(functions.faceIndices.size()) / 3.0;
 
   segmentProgram_.use();
   for (const auto& [sectors, instances] : functions.segments)

@@ -102,7 +102,7 @@ public:
     double convert = 0.0;
     double copy = 0.0;
     openvdb::FloatGrid::Ptr volume;
-    openvdb::Int32Grid nearest(openvdb::Int32(openvdb::util::INVALID_IDX));
+    openvdb::Int32Grid nearest(static_cast<openvdb::Int32>(openvdb::util::INVALID_IDX));
     timed(convert,
       [&]
       {

@@ -64,8 +64,8 @@ void MedialSolver::setPoints(std::vector<Point3> points)
   state_->topology.signedVolume = signedVolume(state_->mesh);
 }
 
-RunStatistics MedialSolver::computeField(const Grid& grid, const Extent& extent,
-  FieldSink& sink, const DistanceFieldOptions& options)
+RunStatistics MedialSolver::computeField(const Grid& grid, const Extent& extent, FieldSink& sink,
+  const DistanceFieldOptions& options)
 {
   return withMemoryErrors(extent.pointCount(),
     [&]
