@@ -59,31 +59,4 @@ glm::dvec3 CellLattice::centre(Cell cell) const
   return centre;
 }
 
-int CellLattice::cofaceCount(Cell cell) const
-{
-  int count = 0;
-  for (const Cell step : cofaces_[kind(cell)])
-  {
-    count += this->has(cell + step) ? 1 : 0;
-  }
-  return count;
-}
-
-Cell CellLattice::onlyCoface(Cell cell) const
-{
-  Cell only = -1;
-  for (const Cell step : cofaces_[kind(cell)])
-  {
-    if (this->has(cell + step))
-    {
-      if (only >= 0)
-      {
-        return -1;
-      }
-      only = cell + step;
-    }
-  }
-  return only;
-}
-
 } // namespace medial

@@ -70,10 +70,33 @@ public:
   const CellSteps& faces(int kind) const { return faces_[kind]; }
   const CellSteps& cofaces(int kind) const { return cofaces_[kind]; }
 
-  int cofaceCount(Cell cell) const;
+  int cofaceCount(Cell cell) const
+  {
+    int count = 0;
+    for (const Cell step : cofaces_[kind(cell)])
+    {
+      count += this->has(cell + step) ? 1 : 0;
+    }
+    return count;
+  }
   bool maximal(Cell cell) const { return this->cofaceCount(cell) == 0; }
   /// The only coface of a cell; -1 where there is none or more than one.
-  Cell onlyCoface(Cell cell) const;
+  Cell onlyCoface(Cell cell) const
+  {
+    Cell only = -1;
+    for (const Cell step : cofaces_[kind(cell)])
+    {
+      if (this->has(cell + step))
+      {
+        if (only >= 0)
+        {
+          return -1;
+        }
+        only = cell + step;
+      }
+    }
+    return only;
+  }
 
   /// Linear step of positions along an axis.
   std::int64_t stride(int axis) const { return stride_[axis]; }

@@ -11,7 +11,8 @@ namespace medial
 namespace
 {
 
-constexpr double kMostAngle = 120.0; // degrees
+constexpr double kMostAngle = 120.0;  // degrees
+constexpr double kLeastCosine = -0.5; // its cosine
 
 struct Voxel
 {
@@ -24,7 +25,7 @@ struct Voxel
 bool apart(const Voxel& a, const Voxel& b, double cosine)
 {
   const bool through = !a.inside || !b.inside;
-  if (glm::dot(a.outwards, b.outwards) > (through ? std::cos(glm::radians(kMostAngle)) : cosine))
+  if (glm::dot(a.outwards, b.outwards) > (through ? kLeastCosine : cosine))
   {
     return false;
   }
@@ -46,12 +47,26 @@ CurveProbe::CurveProbe(const SiteSet& sites, const GridFrame& frame,
   , frame_(frame)
   , closestSites_(closestSites)
   , depth_(depth)
-  , angle_(std::min(angle, glm::radians(kMostAngle)))
+  , cosine_(std::cos(std::min(angle, glm::radians(kMostAngle))))
 {
+}
+
+bool CurveProbe::seeOneFace(const CellLattice& lattice, Cell edge) const
+{
+  const int axis = CellLattice::kind(edge) - kEdgeKind;
+  const auto u = static_cast<std::size_t>(lattice.stride((axis + 1) % 3));
+  const auto v = static_cast<std::size_t>(lattice.stride((axis + 2) % 3));
+  const std::int32_t* const site = closestSites_ + CellLattice::index(edge);
+  return sites_.kind(*site) == SiteKind::Face && *site == *(site - u) && *site == *(site - v) &&
+    *site == *(site - u - v);
 }
 
 bool CurveProbe::separates(const CellLattice& lattice, Cell edge) const
 {
+  if (this->seeOneFace(lattice, edge))
+  {
+    return false;
+  }
   const int axis = CellLattice::kind(edge) - kEdgeKind;
   glm::ivec3 u(0);
   glm::ivec3 v(0);
@@ -75,12 +90,11 @@ bool CurveProbe::separates(const CellLattice& lattice, Cell edge) const
       ++count;
     }
   }
-  const double cosine = std::cos(angle_);
   for (int i = 0; i < count; ++i)
   {
     for (int j = i + 1; j < count; ++j)
     {
-      if (apart(voxels[i], voxels[j], cosine))
+      if (apart(voxels[i], voxels[j], cosine_))
       {
         return true;
       }

@@ -29,11 +29,14 @@ public:
   bool separates(const CellLattice& lattice, Cell edge) const;
 
 private:
+  /// Whether the voxels around an edge are all closest to the inside of one face.
+  bool seeOneFace(const CellLattice& lattice, Cell edge) const;
+
   const SiteSet& sites_;
   GridFrame frame_;
   const std::int32_t* closestSites_;
   const DepthField& depth_;
-  double angle_;
+  double cosine_;
 };
 
 } // namespace medial

@@ -150,13 +150,6 @@ std::uint8_t cellsAt(const DepthField& depth, const CellLattice& lattice, const 
 
 } // namespace
 
-bool inSolid(const DepthField& depth, const CellLattice& lattice, const glm::ivec3& point)
-{
-  return glm::all(glm::greaterThan(point, glm::ivec3(0))) &&
-    glm::all(glm::lessThan(point, lattice.size() - 1)) &&
-    depth.wanted(CellLattice::index(lattice.cell(point, 0)));
-}
-
 CellLattice voxelSolid(const DepthField& depth, const glm::ivec3& size)
 {
   CellLattice lattice(size);

@@ -60,7 +60,13 @@ private:
 CellLattice voxelSolid(const DepthField& depth, const glm::ivec3& size);
 
 /// Whether the voxel around a grid point belongs to that solid.
-bool inSolid(const DepthField& depth, const CellLattice& lattice, const glm::ivec3& point);
+inline bool inSolid(const DepthField& depth, const CellLattice& lattice, const glm::ivec3& point)
+{
+  const glm::ivec3 size = lattice.size();
+  return point.x > 0 && point.y > 0 && point.z > 0 && point.x < size.x - 1 &&
+    point.y < size.y - 1 && point.z < size.z - 1 &&
+    depth.wanted(CellLattice::index(lattice.cell(point, kVertexKind)));
+}
 
 /// Topology of a solid made by voxelSolid(): voxels that share as much as a corner are connected.
 CellTopology topologyOf(const CellLattice& solid);
