@@ -39,7 +39,7 @@ void CellThinning::burn()
   for (Cell position = 0; position < positions; ++position)
   {
     const Cell voxel = 8 * position + kVoxelKind;
-    if (lattice_.has(voxel) && this->freeFace(voxel) >= 0)
+    if (lattice_.has(voxel) && this->hasFreeFace(voxel))
     {
       this->raise(voxel);
     }
@@ -70,16 +70,20 @@ void CellThinning::raise(Cell cell, int chain)
   switch (CellLattice::dimension(CellLattice::kind(cell)))
   {
     case 3:
-      queue_.push(static_cast<double>(depth_.at(CellLattice::index(cell))), { cell, chain });
+      if (!anchors_.has(cell))
+      {
+        anchors_.insert(cell);
+        queue_.push(static_cast<double>(depth_.at(CellLattice::index(cell))), { cell, chain });
+      }
       break;
     case 2:
-      if (!anchors_.has(cell) && this->freeFace(cell) >= 0)
+      if (!anchors_.has(cell) && this->hasFreeFace(cell))
       {
         queue_.push(0.0, { cell, chain });
       }
       break;
     case 1:
-      if (!anchors_.has(cell) && this->freeFace(cell) >= 0)
+      if (!anchors_.has(cell) && this->hasFreeFace(cell))
       {
         this->raiseEdge(cell, chain);
       }
@@ -128,6 +132,7 @@ void CellThinning::drain()
 
 void CellThinning::burnVoxel(Cell voxel)
 {
+  anchors_.erase(voxel);
   const Cell face = this->freeFace(voxel, false);
   if (face >= 0)
   {
@@ -225,6 +230,13 @@ void CellThinning::collapse(Cell cell, Cell freeFace, int edgeChain)
       this->raise(coface);
     }
   }
+}
+
+bool CellThinning::hasFreeFace(Cell cell) const
+{
+  const CellSteps& faces = lattice_.faces(CellLattice::kind(cell));
+  return std::any_of(faces.begin(), faces.end(),
+    [&](Cell step) { return lattice_.onlyCoface(cell + step) == cell; });
 }
 
 /// Of the faces of a maximal cell that belong to no other the one that lies least deep, so that

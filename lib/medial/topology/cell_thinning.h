@@ -60,12 +60,14 @@ private:
   bool openGate();
   /// Removes both; `edgeChain` is what a fire along curves goes on with.
   void collapse(Cell cell, Cell freeFace, int edgeChain = CurveChains::kNone);
+  bool hasFreeFace(Cell cell) const;
   Cell freeFace(Cell cell, bool anchoredToo = true) const;
   glm::vec3 edgePosition(Cell edge) const;
   float depthAround(Cell cell) const;
 
   CellLattice& lattice_;
-  CellLattice anchors_; ///< faces, and edges of curves that are kept
+  /// Faces, and edges of curves that are kept; and voxels that are in the queue.
+  CellLattice anchors_;
   const DepthField& depth_;
   const CurveProbe& probe_;
   glm::dvec3 step_;
