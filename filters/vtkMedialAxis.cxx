@@ -187,6 +187,8 @@ int vtkMedialAxis::RequestData(vtkInformation* request, vtkInformationVector** i
       vtkProgressBridge progress(this);
       medial::MedialAxisOptions options;
       options.angle = this->Angle;
+      options.lambda = this->MinimumLambda;
+      options.radius = this->MinimumRadius;
       options.side = ToSide(this->Side);
       options.representation = ToRepresentation(this->Representation);
       options.topology = ToTopology(this->Topology);
@@ -221,6 +223,8 @@ void vtkMedialAxis::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Angle: " << this->Angle << "\n";
+  os << indent << "MinimumLambda: " << this->MinimumLambda << "\n";
+  os << indent << "MinimumRadius: " << this->MinimumRadius << "\n";
   os << indent << "Side: " << this->GetSideAsString() << "\n";
   os << indent << "Representation: " << this->GetRepresentationAsString() << "\n";
   os << indent << "Topology: " << this->GetTopologyAsString() << "\n";

@@ -96,6 +96,24 @@ public:
 
   ///@{
   /**
+   * Least lambda of the points of the axis, in world units, at least 0: half the distance of the two
+   * closest points. It takes away what noise of that size makes, and also what lies behind walls
+   * thinner than twice as much. Default is 0.
+   */
+  vtkSetMacro(MinimumLambda, double);
+  vtkGetMacro(MinimumLambda, double);
+  ///@}
+
+  ///@{
+  /**
+   * Least radius of the medial balls, in world units, at least 0. Default is 0.
+   */
+  vtkSetMacro(MinimumRadius, double);
+  vtkGetMacro(MinimumRadius, double);
+  ///@}
+
+  ///@{
+  /**
    * The side of the surface that the axis is wanted for: INTERIOR, where the distance is negative,
    * EXTERIOR, where it is positive, or BOTH. An unsigned distance, as of an open mesh, knows no
    * sides: the axis is that of BOTH then, and GetUsedSide() says so. Default is INTERIOR.
@@ -177,6 +195,8 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   double Angle = 60.0;
+  double MinimumLambda = 0.0;
+  double MinimumRadius = 0.0;
   int Side = INTERIOR;
   int Representation = SURFACE;
   int Topology = SELECTED;

@@ -218,6 +218,12 @@ void vtkMeshConversion::ToPolyData(const medial::MedialAxis& axis, vtkPolyData* 
   AddValues(output, "Lambda", axis.lambda);
   AddVectors(output, "ClosestPointA", axis.closestPointA);
   AddVectors(output, "ClosestPointB", axis.closestPointB);
+  vtkNew<vtkUnsignedCharArray> features;
+  features->SetName("AxisFeature");
+  features->SetNumberOfValues(static_cast<vtkIdType>(axis.feature.size()));
+  std::transform(axis.feature.begin(), axis.feature.end(), features->GetPointer(0),
+    [](medial::AxisFeature feature) { return static_cast<unsigned char>(feature); });
+  output->GetPointData()->AddArray(features);
   output->GetPointData()->SetActiveScalars("Radius");
 }
 

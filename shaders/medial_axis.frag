@@ -3,7 +3,7 @@
 // its +x, +y and +z neighbours the simplified medial axis crosses.
 //
 // in   direction  RGBA32F atlas; xyz: unit vector to the closest point, w: signed distance
-// out  crossings  R8UI; bits 0, 1, 2: the edge along x, y, z is crossed
+// out  crossings  R8UI; bits 0, 1, 2: the edge along x, y, z is crossed; bit 3: one is, and inside
 
 uniform sampler2D direction;
 uniform ivec2 sliceSize;   // grid points of a slice
@@ -64,5 +64,9 @@ void main()
   {
     vec4 far = texelFetch(direction, slotOrigin(slot + 1) + point, 0);
     crossings |= crossed(near, far, vec3(0.0, 0.0, spacing.z)) ? 4u : 0u;
+  }
+  if (crossings != 0u && near.w < 0.0)
+  {
+    crossings |= 8u;
   }
 }

@@ -119,7 +119,7 @@ Result prepare(vtkPolyData* mesh, const Options& options)
 void compute(const Options& options, FieldSink* field, ProgressBar& bar, Result& result)
 {
   Watch watch(bar);
-  MedialAxisOptions wanted = libraryOptions(options);
+  MedialAxisOptions wanted = libraryOptions(options, result.mesh.bounds().diagonal());
   wanted.field.progress = &watch;
   withFailures(options,
     [&]

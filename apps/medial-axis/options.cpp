@@ -57,6 +57,8 @@ const char* const kFooter =
 struct Words
 {
   std::string input, output, field, thickness, image, report;
+  std::string lambda = "0";
+  std::string minRadius = "0";
   std::string side = "interior";
   std::string representation = "surface";
   std::string topology = "selected";
@@ -64,6 +66,32 @@ struct Words
   std::string evaluator = "auto";
   double spacing = 0.0;
 };
+
+/// Nothing where the word is no length.
+std::optional<Length> parseLength(const std::string& word)
+{
+  Length length;
+  length.percent = !word.empty() && word.back() == '%';
+  const std::string number = length.percent ? word.substr(0, word.size() - 1) : word;
+  if (!CLI::detail::lexical_cast(number, length.value) || !std::isfinite(length.value) ||
+    length.value < 0.0)
+  {
+    return std::nullopt;
+  }
+  return length;
+}
+
+Length toLength(const std::string& word)
+{
+  return parseLength(word).value_or(Length{});
+}
+
+CLI::Validator length()
+{
+  return CLI::Validator([](std::string& word)
+    { return parseLength(word) ? std::string() : word + " is no length >= 0, such as 0.5 or 2%"; },
+    "");
+}
 
 void addOutputOptions(CLI::App& app, Words& words)
 {
@@ -126,6 +154,21 @@ void addAxisOptions(CLI::App& app, Words& words, Options& options)
       "(0, 180); small values keep more of the axis and more noise; default 60")
     ->option_text("DEG")
     ->check(within<double>("(0, 180)", [](double a) { return a > 0.0 && a < 180.0; }))
+    ->group(group);
+  app
+    .add_option("--lambda", words.lambda,
+      "least lambda, half the distance of the two closest points, in world units or as L% of the "
+      "diagonal of the mesh's bounds, >= 0; takes away what noise of that size makes, and what "
+      "lies "
+      "behind thinner walls; default 0")
+    ->option_text("L[%]")
+    ->check(length())
+    ->group(group);
+  app
+    .add_option("--min-radius", words.minRadius,
+      "least radius of the medial balls, in world units or as R% of the diagonal, >= 0; default 0")
+    ->option_text("R[%]")
+    ->check(length())
     ->group(group);
   app
     .add_option("--side", words.side,
@@ -214,6 +257,8 @@ void convertWords(const Words& words, bool spacingGiven, Options& options)
       "--sign winding is not available yet; available: auto, none, pseudonormal");
   }
   options.evaluator = kEvaluators.at(words.evaluator);
+  options.lambda = toLength(words.lambda);
+  options.minRadius = toLength(words.minRadius);
   options.side = kSides.at(words.side);
   options.representation = kRepresentations.at(words.representation);
   options.topology = kTopologies.at(words.topology);
@@ -292,10 +337,12 @@ std::optional<Options> parseOptions(int argc, char** argv)
   return options;
 }
 
-MedialAxisOptions libraryOptions(const Options& options)
+MedialAxisOptions libraryOptions(const Options& options, double diagonal)
 {
   MedialAxisOptions result;
   result.angle = options.angle;
+  result.lambda = options.lambda.inUnits(diagonal);
+  result.radius = options.minRadius.inUnits(diagonal);
   result.side = options.side;
   result.representation = options.representation;
   result.topology = options.topology;

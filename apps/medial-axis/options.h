@@ -9,6 +9,15 @@
 namespace medial::app
 {
 
+/// A length in world units or in per cent of the diagonal of the mesh's bounds.
+struct Length
+{
+  double value = 0.0;
+  bool percent = false;
+
+  double inUnits(double diagonal) const { return percent ? 0.01 * value * diagonal : value; }
+};
+
 /// The command line, checked as far as that is possible without the mesh. Empty paths are outputs
 /// that are not wanted.
 struct Options
@@ -22,6 +31,8 @@ struct Options
   std::optional<double> spacing; ///< instead of resolution
   double padding = kDefaultPadding;
   double angle = kDefaultAngle;
+  Length lambda;
+  Length minRadius;
   Side side = Side::Interior;
   Representation representation = Representation::Surface;
   Topology topology = Topology::Selected;
@@ -43,7 +54,8 @@ struct Options
 std::optional<Options> parseOptions(int argc, char** argv);
 
 /// What the options say to the library.
-MedialAxisOptions libraryOptions(const Options& options);
+/// @param diagonal of the mesh's bounds, world units.
+MedialAxisOptions libraryOptions(const Options& options, double diagonal);
 
 ///@{
 /// The word for a value.

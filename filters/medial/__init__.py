@@ -8,6 +8,11 @@ The filters are used as those of VTK's own Python package:
 help(medial.vtkMedialAxis) prints the manual of the class.
 """
 
-from .vtkMedialFilters import vtkMedialAxis, vtkMeshDistanceField, vtkMeshFieldAlgorithm
+from .vtkMedialFilters import (
+    vtkMedialAxis,
+    vtkMedialCurves,
+    vtkMeshDistanceField,
+    vtkMeshFieldAlgorithm,
+)
 
-__all__ = ["vtkMedialAxis", "vtkMeshDistanceField", "vtkMeshFieldAlgorithm"]
+__all__ = ["vtkMedialAxis", "vtkMedialCurves", "vtkMeshDistanceField", "vtkMeshFieldAlgorithm"]

@@ -1,14 +1,12 @@
 #include "medial/common/stopwatch.h"
 #include "medial/distance/field_slab.h"
 #include "medial/distance/tile_evaluator.h"
-#include "medial/gpu/gpu_thread.h"
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <array>
 
 // The processor as evaluator of candidate tiles, where OpenGL is a software renderer.
 namespace medial
@@ -16,9 +14,8 @@ namespace medial
 namespace
 {
 
-/// What a grid point of a slab costs with a stage: textures, two slabs on the host and the stage's
-/// own textures.
-constexpr std::size_t kStagedBytesPerPoint = 80;
+/// What a grid point of a slab costs with a stage.
+constexpr std::size_t kStagedBytesPerPoint = 8;
 
 /// One thread's tile, and what it has done.
 struct Work
@@ -101,41 +98,34 @@ TileEvaluator FieldPipeline::makeEvaluator()
 
 void FieldPipeline::evaluateForStage(FieldSink& sink, SlabStage& stage)
 {
-  const AtlasLayout atlas = this->chooseAtlas(kStagedBytesPerPoint + sink.bytesPerPoint());
-  const CandidateHierarchy hierarchy = this->cullBlocks(atlas.slabSlices, TileHull::Cells);
+  const int slices = this->slabSlices(kStagedBytesPerPoint + sink.bytesPerPoint());
+  const CandidateHierarchy hierarchy = this->cullBlocks(slices, TileHull::Cells);
   const TileEvaluator evaluator = this->makeEvaluator();
-  Renderer& renderer = this->obtainRenderer(atlas);
   FieldWriter writer = this->makeWriter();
-  const std::vector<Extent> extents = this->slabsOf(atlas.slabSlices);
+  const std::vector<Extent> extents = this->slabsOf(slices);
   const double perSlab = shareOfField(true) / static_cast<double>(extents.size());
-  std::array<Slab, 2> ring;
-  InFlight inFlight;
+  Slab slab;
+  SlabField field;
   for (std::size_t i = 0; i < extents.size(); ++i)
   {
     const auto start = static_cast<double>(i);
     this->report(start * perSlab, "distance field");
-    Slab& slab = ring[i % 2];
     slab.extent = extents[i];
-    slab.previousSlices = i > 0 ? extents[i - 1].size(2) : 0;
     this->cullSlab(hierarchy, slab);
     writer.begin(slab.extent, sink.slabArrays(slab.extent));
-    this->evaluateTiles(evaluator, slab, writer);
+    this->evaluateTiles(evaluator, slab, writer, field);
     sink.stored(slab.extent);
     this->report((start + 0.5) * perSlab, "distance field");
-    inFlight.finish();
-    inFlight.job =
-      renderer.submit([this, &slab, &stage](SlabRenderer& r) { this->runStage(r, slab, stage); });
+    const Stopwatch watch(statistics_.seconds.medial);
+    this->inArena([&] { stage.process(field, evaluator); });
   }
-  inFlight.finish();
-  this->addGpuSeconds();
 }
 
-void FieldPipeline::evaluateTiles(const TileEvaluator& evaluator, Slab& slab,
-  const FieldWriter& writer)
+void FieldPipeline::evaluateTiles(const TileEvaluator& evaluator, const Slab& slab,
+  const FieldWriter& writer, SlabField& field)
 {
   const Stopwatch watch(statistics_.seconds.draw);
-  slab.displacements.resize(static_cast<std::size_t>(slab.extent.pointCount()));
-  slab.sites.resize(slab.displacements.size());
+  field.begin(slab.extent);
   Works works;
   this->inArena(
     [&]
@@ -152,7 +142,7 @@ void FieldPipeline::evaluateTiles(const TileEvaluator& evaluator, Slab& slab,
                 block.offsets[t + 1] - block.offsets[t], work.field);
             writer.store(block.tiles[t], work.field);
             nextSeeds_.set(block.tiles[t], middleSite(block.tiles[t], work.field));
-            this->resolveTile(evaluator, block.tiles[t], work.field, slab);
+            field.store(block.tiles[t], work.field);
           }
         });
     });
@@ -160,40 +150,6 @@ void FieldPipeline::evaluateTiles(const TileEvaluator& evaluator, Slab& slab,
   {
     statistics_.fragments += work.evaluations;
   }
-}
-
-void FieldPipeline::resolveTile(const TileEvaluator& evaluator, const Extent& tile,
-  const TileField& field, Slab& slab) const
-{
-  for (int k = 0; k < tile.size(2); ++k)
-  {
-    for (int j = 0; j < tile.size(1); ++j)
-    {
-      const std::size_t row =
-        static_cast<std::size_t>(tile.min[2] + k - slab.extent.min[2]) * slab.extent.size(1) +
-        (tile.min[1] + j - slab.extent.min[1]);
-      const std::size_t start = row * slab.extent.size(0) + (tile.min[0] - slab.extent.min[0]);
-      for (int i = 0; i < tile.size(0); ++i)
-      {
-        const int point = TileField::index(i, j, k);
-        const glm::dvec3 x = frame_.sample({ tile.min[0] + i, tile.min[1] + j, tile.min[2] + k });
-        const float side = sign_ == SignMethod::None ? 1.0f : field.side[point];
-        slab.sites[start + i] = field.site[point];
-        slab.displacements[start + i] = evaluator.displacement(field.site[point], x, side);
-      }
-    }
-  }
-}
-
-void FieldPipeline::runStage(SlabRenderer& renderer, Slab& slab, SlabStage& stage)
-{
-  const Stopwatch watch(gpuSeconds_.medial);
-  if (slab.previousSlices > 0)
-  {
-    renderer.carryLastSlice(slab.previousSlices);
-  }
-  renderer.setResolved(slab.displacements.data(), slab.sites.data(), slab.extent.size(2));
-  stage.process(renderer, slab.extent, slab.previousSlices > 0);
 }
 
 } // namespace medial

@@ -5,6 +5,7 @@
 #include "medial/distance/distance_field.h"
 #include "medial/distance/field_memory.h"
 #include "medial/distance/field_writer.h"
+#include "medial/distance/slab_field.h"
 #include "medial/distance/slab_renderer.h"
 #include "medial/distance/tile_evaluator.h"
 #include "medial/sites/grid_frame.h"
@@ -17,16 +18,19 @@
 namespace medial
 {
 
-/// A later stage of the pipeline, which works on a slab while it is in GPU textures.
+/// A later stage of the pipeline, which works on slab after slab in ascending z, where the
+/// evaluator left it.
 class SlabStage
 {
 public:
   virtual ~SlabStage() = default;
 
-  /// Called on the GPU thread, slab after slab in ascending z.
+  /// A slab in GPU textures; on the GPU thread.
   /// @param slab its slices are in slots 1 to slab.size(2) of the renderer's atlas.
   /// @param carried whether slot 0 holds the slice below slab.min[2].
   virtual void process(const SlabRenderer& renderer, const Extent& slab, bool carried) = 0;
+  /// A slab in host memory, in the pipeline's arena.
+  virtual void process(const SlabField& slab, const TileEvaluator& evaluator) = 0;
 };
 
 /// Mesh -> sites -> candidate tiles -> closest sites -> resolved field, slab by slab. While the GPU
@@ -85,10 +89,8 @@ private:
   void storeSlab(const Slab& slab, FieldWriter& writer, FieldSink& sink);
 
   TileEvaluator makeEvaluator();
-  void evaluateTiles(const TileEvaluator& evaluator, Slab& slab, const FieldWriter& writer);
-  void resolveTile(const TileEvaluator& evaluator, const Extent& tile, const TileField& field,
-    Slab& slab) const;
-  void runStage(SlabRenderer& renderer, Slab& slab, SlabStage& stage);
+  void evaluateTiles(const TileEvaluator& evaluator, const Slab& slab, const FieldWriter& writer,
+    SlabField& field);
   void addGpuSeconds();
 
   const TriangleMesh& mesh_;

@@ -20,8 +20,6 @@ struct FieldPipeline::Slab
   FieldArrays arrays;
   std::vector<CandidateTiles> tiles;
   std::vector<PolygonChunk> chunks;
-  std::vector<glm::vec4> displacements;   ///< slice after slice, x fastest, as are
-  std::vector<std::int32_t> sites;        ///< the closest sites
   std::unique_ptr<SlabReadback> readback; ///< null where nothing is wanted
 };
 

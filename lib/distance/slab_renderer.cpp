@@ -246,23 +246,6 @@ void SlabRenderer::draw(const std::vector<PolygonChunk>& chunks)
   glFinish();
 }
 
-void SlabRenderer::setResolved(const glm::vec4* displacements, const std::int32_t* sites,
-  int slices)
-{
-  const glm::ivec2& size = atlas_.sliceSize;
-  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  for (int slice = 0; slice < slices; ++slice)
-  {
-    const glm::ivec2 to = atlas_.slotOrigin(1 + slice);
-    const std::size_t first = static_cast<std::size_t>(size.x) * size.y * slice;
-    glTextureSubImage2D(sites_.id(), 0, to.x, to.y, size.x, size.y, GL_RED_INTEGER, GL_INT,
-      sites + first);
-    glTextureSubImage2D(displacements_.id(), 0, to.x, to.y, size.x, size.y, GL_RGBA, GL_FLOAT,
-      displacements + first);
-  }
-  gpu::checkGl("uploading a slab");
-}
-
 std::uint32_t SlabRenderer::resolve(const Extent& slab)
 {
   const gpu::ShaderProgram& program = gpu::cachedProgram("atlas_pass.vert", "resolve.frag");

@@ -39,9 +39,6 @@ public:
 
   /// Finds the closest sites: slots [1, slices] of the atlas.
   void draw(const std::vector<PolygonChunk>& chunks);
-  /// Takes a slab that was computed otherwise, instead of draw() and resolve(): slice after slice,
-  /// x fastest.
-  void setResolved(const glm::vec4* displacements, const std::int32_t* sites, int slices);
 
   /// Evaluates them exactly. Returns the number of grid points that no polygon covered.
   /// @param slab the slice slab.min[2] is in slot 1.

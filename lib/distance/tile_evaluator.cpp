@@ -259,31 +259,26 @@ void TileEvaluator::setFaceSides(int face)
   result.count = sine < kNeedleSine ? 5 : 3;
 }
 
-glm::vec4 TileEvaluator::displacement(int site, const glm::dvec3& x, float side) const
+glm::dvec3 TileEvaluator::displacement(int site, const glm::dvec3& x) const
 {
-  glm::dvec3 vector;
   switch (sites_.kind(site))
   {
     case SiteKind::Face:
     {
       const glm::dvec3& normal = sites_.faceNormal(site);
-      vector = glm::dot(normal, sites_.points()[sites_.faces()[site][0]] - x) * normal;
-      break;
+      return glm::dot(normal, sites_.points()[sites_.faces()[site][0]] - x) * normal;
     }
     case SiteKind::Edge:
     {
       const glm::ivec2& ends = sites_.edges()[site - sites_.firstEdge()];
       const glm::dvec3 toStart = sites_.points()[ends[0]] - x;
       const glm::dvec3 along = sites_.points()[ends[1]] - sites_.points()[ends[0]];
-      vector = toStart - glm::dot(toStart, along) / glm::dot(along, along) * along;
-      break;
+      return toStart - glm::dot(toStart, along) / glm::dot(along, along) * along;
     }
     case SiteKind::Vertex:
-      vector = sites_.points()[site - sites_.firstVertex()] - x;
       break;
   }
-  const auto distance = static_cast<float>(glm::length(vector));
-  return { glm::vec3(vector), side < 0.0f ? -distance : distance };
+  return sites_.points()[site - sites_.firstVertex()] - x;
 }
 
 MEDIAL_VECTORISED std::int64_t TileEvaluator::evaluate(const Extent& extent, const int* candidates,

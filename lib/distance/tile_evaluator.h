@@ -45,10 +45,9 @@ public:
   std::int64_t evaluate(const Extent& tile, const int* candidates, std::size_t count,
     TileField& field) const;
 
-  /// Vector from a point to the closest point of the site that evaluate() found for it, and the
-  /// signed distance; frame units.
-  /// @param side as in TileField.
-  glm::vec4 displacement(int site, const glm::dvec3& x, float side) const;
+  /// Vector from a point to the closest point of the site that evaluate() found for it; frame
+  /// units.
+  glm::dvec3 displacement(int site, const glm::dvec3& x) const;
 
 private:
   /// The half-spaces of a face in double precision; the last two only matter for needles.

@@ -1,23 +1,62 @@
 #pragma once
 
-#include "medial/culling/tile_query.h"
+#include "medial/medial/axis_geometry.h"
 #include "medial/medial/crossing.h"
-#include "medial/sites/site_set.h"
+#include "medial/sites/closest_point.h"
 
 #include <glm/glm.hpp>
 
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace medial
 {
 
-/// Where crossed grid edges meet the bisector of two sites: per crossing a point of the edge at
-/// equal distance from both (frame coordinates).
+/// A point with two closest surface points; frame coordinates.
+struct BisectorPoint
+{
+  glm::dvec3 position{ 0.0 };
+  SitePoint a;
+  SitePoint b;
+
+  double radius() const { return glm::distance(position, a.point); }
+  /// Half the distance of the closest points: radius * sin(separation angle / 2).
+  double lambda() const { return 0.5 * glm::distance(a.point, b.point); }
+  /// Radians.
+  double separationAngle() const;
+  /// Unit normal of the bisector, or zero where both closest points are one.
+  glm::dvec3 normal() const;
+};
+
+/// The point of a segment at equal distance from the closest site at its start and that at its end.
 ///
-/// Where a third site is nearer there than the two, the crossing changes to the pair of this site
-/// with either of them, whichever has the larger separation angle; `crossings` are updated. Those
-/// that meet the surface itself, where an edge grazes it and the field is unsigned, are removed.
-std::vector<glm::dvec3> bisectorPoints(const SiteSet& sites, const GridFrame& frame,
-  const TileQuery& query, std::vector<Crossing>& crossings);
+/// Where a third site is nearer there than the two, the segment is narrowed to the change from or
+/// to this site, whichever has the larger separation angle.
+/// @param fromSite closest site at `from`; toSite: at `to`.
+BisectorPoint bisectorPoint(const AxisGeometry& geometry, const glm::dvec3& from, int fromSite,
+  const glm::dvec3& to, int toSite);
+
+/// Follows the normal of x's closest point to the next bisector that has the least separation
+/// angle, at most h/(2 sin(theta/2)) + h/2 away: so far selection by neighbouring grid points errs.
+std::optional<BisectorPoint> axisAlongNormal(const AxisGeometry& geometry, const BisectorPoint& x);
+
+/// A point for each of a list of crossings.
+struct BisectorPoints
+{
+  std::vector<BisectorPoint> points;
+  /// Where the bisector on the grid edge has too small a separation angle and that along the normal
+  /// stands for it: fins around curves.
+  std::vector<std::uint8_t> moved;
+};
+
+/// bisectorPoint() of every crossed grid edge. Crossings below the limits of lambda and radius are
+/// removed, and those that meet the surface itself, where an edge grazes it and the field is
+/// unsigned.
+/// @param exactAngle whether the separation angle is limited as well, by axisAlongNormal() or
+///   removal. Where facets approximate a round surface, so that neighbours are closest, `b` may be
+///   a tenth of a grid step farther than `a` to have that angle.
+BisectorPoints bisectorPoints(const AxisGeometry& geometry, bool exactAngle,
+  std::vector<Crossing>& crossings);
 
 } // namespace medial

@@ -14,6 +14,7 @@ struct Crossing
   int axis;
   std::int32_t siteA; ///< closest site at the voxel
   std::int32_t siteB; ///< closest site at the neighbour
+  bool inside;        ///< whether both ends are; false where the field has no sign
 };
 
 } // namespace medial

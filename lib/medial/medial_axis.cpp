@@ -3,22 +3,23 @@
 #include "medial/common/error.h"
 #include "medial/common/memory_guard.h"
 #include "medial/common/stopwatch.h"
-#include "medial/culling/tile_query.h"
 #include "medial/distance/array_sink.h"
 #include "medial/distance/field_pipeline.h"
 #include "medial/gpu/gpu_thread.h"
 #include "medial/medial/axis_pipeline.h"
+#include "medial/medial/axis_points.h"
 #include "medial/medial/bisector.h"
+#include "medial/medial/dual_mesh.h"
+#include "medial/medial/gpu_selection.h"
+#include "medial/medial/host_selection.h"
 #include "medial/medial/medial_cells.h"
-#include "medial/medial/medial_complex.h"
-#include "medial/medial/selection_stage.h"
-#include "medial/medial/separation.h"
 #include "medial/medial/topology/field_tap.h"
 #include "medial/medial/topology/preserved_axis.h"
 
 #include <tbb/parallel_for.h>
 
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -28,24 +29,37 @@ namespace medial
 namespace
 {
 
-/// Forwards slabs to a stage that lives on the GPU thread.
-class StageProxy : public SlabStage
+/// Selects where the evaluator leaves the field: on the GPU or in host memory.
+class Selection : public SlabStage
 {
 public:
-  StageProxy(double angle, Side side, const GridFrame& frame)
-    : stage_(angle, side, frame)
+  Selection(double angle, Side side, const GridFrame& frame, const RunStatistics& statistics,
+    bool signedField)
+    : onHost_(angle, side, frame, signedField)
   {
+    if (statistics.evaluator == Evaluator::Rasteriser)
+    {
+      onGpu_ = std::make_unique<gpu::OnGpuThread<GpuSelection>>(angle, side, frame);
+    }
   }
 
   void process(const SlabRenderer& renderer, const Extent& slab, bool carried) override
   {
-    stage_.object().process(renderer, slab, carried);
+    onGpu_->object().process(renderer, slab, carried);
+  }
+  void process(const SlabField& slab, const TileEvaluator& evaluator) override
+  {
+    onHost_.process(slab, evaluator);
   }
 
-  std::vector<Crossing> takeCrossings() { return stage_.object().takeCrossings(); }
+  std::vector<Crossing> takeCrossings()
+  {
+    return onGpu_ ? onGpu_->object().takeCrossings() : onHost_.takeCrossings();
+  }
 
 private:
-  gpu::OnGpuThread<SelectionStage> stage_;
+  HostSelection onHost_;
+  std::unique_ptr<gpu::OnGpuThread<GpuSelection>> onGpu_;
 };
 
 std::array<float, 3> narrowed(const Point3& point)
@@ -54,36 +68,10 @@ std::array<float, 3> narrowed(const Point3& point)
     static_cast<float>(point[2]) };
 }
 
-/// The other closest point: of the sites whose bisectors gave the point, the one that is seen under
-/// the largest angle from the closest.
-glm::dvec3 oppositePoint(const SiteSet& sites, const std::vector<Crossing>& crossings,
-  const MedialComplex& complex, std::size_t p, const SitePoint& closest)
+/// Points and attributes in world units.
+void setPoints(const BisectorPoints& points, const GridFrame& frame, MedialAxis& axis)
 {
-  const glm::dvec3& x = complex.points[p];
-  glm::dvec3 best = closest.point;
-  double widest = -1.0;
-  for (std::size_t i = complex.offsets[p]; i < complex.offsets[p + 1]; ++i)
-  {
-    const Crossing& crossing = crossings[complex.incident[i]];
-    for (std::int32_t site : { crossing.siteA, crossing.siteB })
-    {
-      const glm::dvec3 point = closestPoint(sites, site, x).point;
-      const double angle = separationAngle(x, closest.point, point);
-      if (angle > widest)
-      {
-        widest = angle;
-        best = point;
-      }
-    }
-  }
-  return best;
-}
-
-/// Exact radius and separation angle at every point of the complex, in world units.
-void evaluatePoints(const SiteSet& sites, const TileQuery& query, const GridFrame& frame,
-  const std::vector<Crossing>& crossings, const MedialComplex& complex, MedialAxis& axis)
-{
-  const std::size_t count = complex.points.size();
+  const std::size_t count = points.points.size();
   axis.points.resize(count);
   axis.radius.resize(count);
   axis.separationAngle.resize(count);
@@ -93,71 +81,75 @@ void evaluatePoints(const SiteSet& sites, const TileQuery& query, const GridFram
   tbb::parallel_for(std::size_t{ 0 }, count,
     [&](std::size_t p)
     {
-      const glm::dvec3& x = complex.points[p];
-      const Crossing& crossing = crossings[complex.incident[complex.offsets[p]]];
-      const SitePoint closest =
-        query.closest(x, glm::distance(x, closestPoint(sites, crossing.siteA, x).point));
-      const glm::dvec3 opposite = oppositePoint(sites, crossings, complex, p, closest);
-      const double radius = glm::distance(x, closest.point) * frame.unit;
-      const double angle = separationAngle(x, closest.point, opposite);
-      axis.points[p] = frame.toWorld(x);
+      const BisectorPoint& point = points.points[p];
+      const double radius = point.radius() * frame.unit;
+      const double angle = point.separationAngle();
+      axis.points[p] = frame.toWorld(point.position);
       axis.radius[p] = static_cast<float>(radius);
       axis.separationAngle[p] = static_cast<float>(glm::degrees(angle));
       axis.lambda[p] = static_cast<float>(radius * std::sin(0.5 * angle));
-      axis.closestPointA[p] = narrowed(frame.toWorld(closest.point));
-      axis.closestPointB[p] = narrowed(frame.toWorld(opposite));
+      axis.closestPointA[p] = narrowed(frame.toWorld(point.a.point));
+      axis.closestPointB[p] = narrowed(frame.toWorld(point.b.point));
     });
 }
 
-MedialComplex buildComplex(Representation representation, const std::vector<Crossing>& crossings,
-  const std::vector<glm::dvec3>& points, const GridFrame& frame, const Extent& extent)
+/// Points and cells of the chosen representation.
+BisectorPoints represent(Representation representation, const AxisGeometry& geometry,
+  std::vector<Crossing>& crossings, MedialAxis& axis)
 {
-  switch (representation)
+  const bool exactAngle = representation != Representation::Faces;
+  BisectorPoints bisectors = bisectorPoints(geometry, exactAngle, crossings);
+  if (representation == Representation::Points)
   {
-    case Representation::Surface:
-      return surfaceComplex(crossings, points, extent);
-    case Representation::Faces:
-      return faceComplex(crossings, frame, extent);
-    case Representation::Points:
-      break;
+    buildVertices(bisectors, axis);
+    return bisectors;
   }
-  return pointComplex(points);
+  const DualMesh mesh = dualMesh(crossings, geometry.extent);
+  BisectorPoints points = representation == Representation::Surface
+    ? surfacePoints(geometry, mesh, bisectors)
+    : cellCentres(geometry, mesh, bisectors);
+  buildCells(mesh.quads, points, axis);
+  return points;
 }
 
-void checkAngle(double angle)
+/// Points and cells with the topology of the solid: nothing of them may be contracted or dropped.
+BisectorPoints preserve(Representation representation, const AxisGeometry& geometry,
+  const FieldTap& field, std::vector<Crossing>& crossings, MedialAxis& axis)
 {
-  if (!(angle > 0.0 && angle < 180.0))
+  const BisectorPoints bisectors = bisectorPoints(geometry, true, crossings);
+  PreservedAxis preserved = preserveTopology(
+    { field.distances().data(), field.sites().data(), axis.sign, axis.side, representation },
+    geometry, crossings, bisectors);
+  axis.solid = preserved.solid;
+  axis.quads = std::move(preserved.cells.quads);
+  axis.lines = std::move(preserved.cells.lines);
+  axis.vertices = std::move(preserved.cells.vertices);
+  return std::move(preserved.cells.points);
+}
+
+void checkLength(const char* name, double length)
+{
+  if (!(length >= 0.0) || !std::isfinite(length))
   {
     throw Error(ErrorCode::InvalidInput,
-      "separation angle " + std::to_string(angle) + " is outside (0, 180) degrees");
+      "least " + std::string(name) + " " + std::to_string(length) + " is outside [0, infinity)");
   }
 }
 
 void checkOptions(const MedialAxisOptions& options)
 {
-  checkAngle(options.angle);
+  if (!(options.angle > 0.0 && options.angle < 180.0))
+  {
+    throw Error(ErrorCode::InvalidInput,
+      "separation angle " + std::to_string(options.angle) + " is outside (0, 180) degrees");
+  }
+  checkLength("lambda", options.lambda);
+  checkLength("radius", options.radius);
   if (options.topology == Topology::Preserve && options.representation == Representation::Points)
   {
     throw Error(ErrorCode::InvalidInput,
       "points have no topology to preserve: the representation must be surface or faces");
   }
-}
-
-/// The cells of an axis as thinning leaves them: nothing of them may be welded or dropped.
-MedialComplex preservedCells(const std::vector<float>& distances, const Grid& grid,
-  const MedialAxisOptions& options, const SampleContext& context,
-  const std::vector<glm::dvec3>& points, std::vector<Crossing>& crossings, MedialAxis& axis)
-{
-  MedialAxisOptions resolved = options;
-  resolved.side = axis.side;
-  PreservedAxis preserved =
-    preserveTopology(distances, grid, axis.sign, resolved, context, crossings, points);
-  crossings = std::move(preserved.crossings);
-  axis.solid = preserved.solid;
-  axis.quads = std::move(preserved.complex.quads);
-  axis.lines = std::move(preserved.complex.lines);
-  axis.vertices = std::move(preserved.complex.vertices);
-  return std::move(preserved.complex);
 }
 
 MedialAxis runPipeline(const TriangleMesh& mesh, const MeshTopology& topology, const Grid& grid,
@@ -171,10 +163,10 @@ MedialAxis runPipeline(const TriangleMesh& mesh, const MeshTopology& topology, c
   MedialAxis axis;
   axis.sign = pipeline.sign();
   axis.side = axis.sign == SignMethod::None ? Side::Both : options.side;
-  StageProxy stage(options.angle, axis.side, pipeline.frame());
-  const bool preserve = options.topology == Topology::Preserve;
+  Selection stage(options.angle, axis.side, pipeline.frame(), pipeline.statistics(),
+    axis.sign != SignMethod::None);
   std::optional<FieldTap> tap;
-  if (preserve)
+  if (options.topology == Topology::Preserve)
   {
     tap.emplace(sink, grid.wholeExtent());
   }
@@ -185,23 +177,14 @@ MedialAxis runPipeline(const TriangleMesh& mesh, const MeshTopology& topology, c
     [&]
     {
       const Stopwatch watch(pipeline.statistics().seconds.medial);
-      const SiteSet& sites = pipeline.sites();
-      const GridFrame& frame = pipeline.frame();
-      const std::vector<glm::dvec3> points =
-        bisectorPoints(sites, frame, pipeline.query(), crossings);
-      MedialComplex complex;
-      if (preserve)
-      {
-        complex = preservedCells(tap->distances(), grid, options,
-          { sites, frame, pipeline.query(), tap->sites().data() }, points, crossings, axis);
-      }
-      else
-      {
-        complex =
-          buildComplex(options.representation, crossings, points, frame, grid.wholeExtent());
-        buildCells(complex, axis);
-      }
-      evaluatePoints(sites, pipeline.query(), frame, crossings, complex, axis);
+      const AxisGeometry geometry{ pipeline.sites(), pipeline.query(), pipeline.frame(),
+        grid.wholeExtent(), glm::radians(options.angle), options.lambda / pipeline.frame().unit,
+        options.radius / pipeline.frame().unit };
+      const BisectorPoints points = tap
+        ? preserve(options.representation, geometry, *tap, crossings, axis)
+        : represent(options.representation, geometry, crossings, axis);
+      setPoints(points, pipeline.frame(), axis);
+      axis.feature = axisFeatures(edgesOf(axis), axis.points.size());
     });
   pipeline.report(1.0, "medial axis");
   axis.statistics = pipeline.statistics();

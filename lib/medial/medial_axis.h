@@ -1,6 +1,7 @@
 #pragma once
 
 #include "medial/distance/distance_field.h"
+#include "medial/medial/medial_curves.h"
 #include "medial/medial/topology/cell_topology.h"
 
 #include <array>
@@ -40,10 +41,15 @@ constexpr double kDefaultAngle = 60.0;
 struct MedialAxisOptions
 {
   /// Least separation angle theta of the directions to the two closest points, in degrees, in
-  /// (0, 180). Small values keep more of the axis and more noise. The directions compared are those
-  /// at neighbouring grid points (Foskey et al. 2003); near rims and focal curves the angle at the
-  /// point between them, MedialAxis::separationAngle, may be smaller.
+  /// (0, 180). Small values keep more of the axis and more noise. Grid edges are selected by the
+  /// directions at their ends (Foskey et al. 2003); faces are these, while every point of a surface
+  /// or point set has the angle itself.
   double angle = kDefaultAngle;
+  /// Least MedialAxis::lambda, world units, >= 0: half the distance of the two closest points.
+  /// Takes away what noise of that size makes, and what lies behind thinner walls.
+  double lambda = 0.0;
+  /// Least radius of the medial balls, world units, >= 0.
+  double radius = 0.0;
   Side side = Side::Interior;
   Representation representation = Representation::Surface;
   /// Preserve: whatever theta is, the axis has the components, the Euler characteristic and the
@@ -68,6 +74,7 @@ struct MedialAxis
   std::vector<float> lambda;          ///< radius * sin(separationAngle / 2), world units
   std::vector<std::array<float, 3>> closestPointA; ///< world coordinates
   std::vector<std::array<float, 3>> closestPointB;
+  std::vector<AxisFeature> feature;
 
   /// Cells by number of distinct corners; a cell never repeats a point and never has zero area.
   /// Where the axis is thinner than a sheet at this resolution it comes as lines and vertices.
@@ -91,12 +98,14 @@ struct MedialAxis
 
 /// Medial axis of a mesh, simplified by separation angle (Foskey, Lin, Manocha, 2003), from the
 /// distance field on `grid`. Points of Representation::Points lie on the bisector of their two
-/// sites, those of a surface at the mean of such points, those of faces at the corners of voxels.
-/// Surfaces and faces need a grid of at least two slices along every axis.
+/// sites, those of a surface where such bisectors meet (a quadratic error function over them),
+/// those of faces at the corners of voxels. Radii are exact at all of them; closestPointB may be a
+/// tenth of a grid step farther where facets approximate a round surface, and a step off the
+/// bisector. Surfaces and faces need a grid of at least two slices along every axis.
 ///
 /// @param arrays where to leave the distance field of the whole grid as well; all null for none.
-/// @throws Error InvalidInput for an angle outside (0, 180) and for Topology::Preserve with
-///   Representation::Points, and as computeDistanceField.
+/// @throws Error InvalidInput for an angle outside (0, 180), a negative lambda or radius, and for
+///   Topology::Preserve with Representation::Points, and as computeDistanceField.
 MedialAxis computeMedialAxis(const TriangleMesh& mesh, const MeshTopology& topology,
   const Grid& grid, const MedialAxisOptions& options = {}, const FieldArrays& arrays = {});
 

@@ -1,6 +1,7 @@
 #include "medial/medial/medial_cells.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <tuple>
 
@@ -9,110 +10,264 @@ namespace medial
 namespace
 {
 
-/// Cells below this area (square voxels) are lines, lines below this length (voxels) vertices.
+/// Sides shorter than this (voxels) are contracted.
+constexpr double kShort = 0.1;
+/// The same for sides that end at a moved point.
+constexpr double kShortOfMoved = 0.3;
+/// Polygons narrower than this (voxels) between two rims are curves: their inner sides up to
+/// kAcross are contracted.
+constexpr double kNarrow = 0.3;
+constexpr double kAcross = 0.75;
+/// Cells below this area (square voxels) are lines.
 constexpr double kLeastArea = 1e-6;
-constexpr double kLeastLength = 1e-5;
 
-using Corners = std::vector<std::int64_t>;
+using Id = std::int64_t;
+using Corners = std::vector<Id>;
 
-/// For each point the first one of the same position.
-std::vector<std::int64_t> weldedPoints(const std::vector<glm::dvec3>& points)
+/// Sets of points that become one; the set's own point is the lowest of those that were not moved,
+/// or the lowest.
+class Contraction
 {
-  std::vector<std::int64_t> order(points.size());
-  std::iota(order.begin(), order.end(), std::int64_t{ 0 });
-  std::sort(order.begin(), order.end(),
-    [&](std::int64_t a, std::int64_t b)
-    {
-      const glm::dvec3& p = points[a];
-      const glm::dvec3& q = points[b];
-      return std::tie(p.x, p.y, p.z, a) < std::tie(q.x, q.y, q.z, b);
-    });
-  std::vector<std::int64_t> representative(points.size());
-  for (std::size_t i = 0; i < order.size(); ++i)
+public:
+  explicit Contraction(const BisectorPoints& points)
+    : points_(points)
+    , parent_(points.points.size())
   {
-    const bool same = i > 0 && points[order[i]] == points[order[i - 1]];
-    representative[order[i]] = same ? representative[order[i - 1]] : order[i];
+    std::iota(parent_.begin(), parent_.end(), Id{ 0 });
   }
-  return representative;
+
+  Id find(Id point)
+  {
+    while (parent_[point] != point)
+    {
+      parent_[point] = parent_[parent_[point]];
+      point = parent_[point];
+    }
+    return point;
+  }
+
+  void join(Id p, Id q)
+  {
+    p = this->find(p);
+    q = this->find(q);
+    if (p == q)
+    {
+      return;
+    }
+    const bool first = std::tuple(points_.moved[p], p) < std::tuple(points_.moved[q], q);
+    parent_[first ? q : p] = first ? p : q;
+  }
+
+private:
+  const BisectorPoints& points_;
+  std::vector<Id> parent_;
+};
+
+/// @param order the points to compare.
+void joinEqualPoints(const BisectorPoints& points, std::vector<Id> order, Contraction& contraction)
+{
+  const auto key = [&](Id p)
+  {
+    const glm::dvec3& x = points.points[p].position;
+    return std::tuple(x.x, x.y, x.z, p);
+  };
+  std::sort(order.begin(), order.end(), [&](Id p, Id q) { return key(p) < key(q); });
+  for (std::size_t i = 1; i < order.size(); ++i)
+  {
+    if (points.points[order[i]].position == points.points[order[i - 1]].position)
+    {
+      contraction.join(order[i], order[i - 1]);
+    }
+  }
 }
 
-double area(const std::vector<glm::dvec3>& points, const Corners& corners)
+/// Several of them may stand at one crossing.
+std::vector<Id> movedPoints(const BisectorPoints& points)
+{
+  std::vector<Id> moved;
+  for (std::size_t p = 0; p < points.moved.size(); ++p)
+  {
+    if (points.moved[p] != 0)
+    {
+      moved.push_back(static_cast<Id>(p));
+    }
+  }
+  return moved;
+}
+
+/// Returns whether there were any.
+bool joinShortSides(const BisectorPoints& points, const std::vector<std::array<Id, 4>>& quads,
+  Contraction& contraction)
+{
+  bool any = false;
+  for (const auto& quad : quads)
+  {
+    for (int i = 0; i < 4; ++i)
+    {
+      const Id p = contraction.find(quad[i]);
+      const Id q = contraction.find(quad[(i + 1) % 4]);
+      const double limit = (points.moved[p] | points.moved[q]) != 0 ? kShortOfMoved : kShort;
+      if (p != q && glm::distance(points.points[p].position, points.points[q].position) < limit)
+      {
+        contraction.join(p, q);
+        any = true;
+      }
+    }
+  }
+  return any;
+}
+
+/// Joins the ends of sides for which `wanted` holds.
+template <typename Wanted>
+void joinSides(const BisectorPoints& points, const Corners& corners, double limit,
+  Contraction& contraction, const Wanted& wanted)
+{
+  for (std::size_t i = 0; i < corners.size(); ++i)
+  {
+    const Id p = corners[i];
+    const Id q = corners[(i + 1) % corners.size()];
+    if (wanted(p, q) && glm::distance(points.points[p].position, points.points[q].position) < limit)
+    {
+      contraction.join(p, q);
+    }
+  }
+}
+
+double area(const BisectorPoints& points, const Corners& corners)
 {
   glm::dvec3 twice(0.0);
+  const glm::dvec3& origin = points.points[corners[0]].position;
   for (std::size_t i = 2; i < corners.size(); ++i)
   {
-    twice += glm::cross(points[corners[i - 1]] - points[corners[0]],
-      points[corners[i]] - points[corners[0]]);
+    twice += glm::cross(points.points[corners[i - 1]].position - origin,
+      points.points[corners[i]].position - origin);
   }
   return 0.5 * glm::length(twice);
 }
 
-/// The two corners that are farthest apart, in ascending order.
-std::array<std::int64_t, 2> longestSpan(const std::vector<glm::dvec3>& points,
-  const Corners& corners)
+void addLine(Id p, Id q, MedialAxis& axis)
 {
-  std::array<std::int64_t, 2> span{ corners[0], corners[0] };
-  double longest = -1.0;
-  for (std::size_t i = 0; i < corners.size(); ++i)
-  {
-    for (std::size_t j = i + 1; j < corners.size(); ++j)
-    {
-      const double length = glm::distance(points[corners[i]], points[corners[j]]);
-      if (length > longest)
-      {
-        longest = length;
-        span = { std::min(corners[i], corners[j]), std::max(corners[i], corners[j]) };
-      }
-    }
-  }
-  return span;
+  axis.lines.push_back({ std::min(p, q), std::max(p, q) });
 }
 
-Corners distinctCorners(const std::array<std::int64_t, 4>& quad,
-  const std::vector<std::int64_t>& representative)
+/// @param corners in cyclic order, neighbours distinct.
+void addCell(const BisectorPoints& points, const Corners& corners, MedialAxis& axis)
+{
+  const bool folded = corners.size() == 4 && (corners[0] == corners[2] || corners[1] == corners[3]);
+  if (corners.size() == 1)
+  {
+    axis.vertices.push_back(corners[0]);
+  }
+  else if (corners.size() == 2 || folded || area(points, corners) < kLeastArea)
+  {
+    for (std::size_t i = 0; i < corners.size(); ++i)
+    {
+      addLine(corners[i], corners[(i + 1) % corners.size()], axis);
+    }
+  }
+  else if (corners.size() == 3)
+  {
+    axis.triangles.push_back({ corners[0], corners[1], corners[2] });
+  }
+  else
+  {
+    axis.quads.push_back({ corners[0], corners[1], corners[2], corners[3] });
+  }
+}
+
+Corners contracted(const std::array<Id, 4>& quad, Contraction& contraction)
 {
   Corners corners;
-  for (std::int64_t corner : quad)
+  for (const Id corner : quad)
   {
-    const std::int64_t point = representative[corner];
-    if (std::find(corners.begin(), corners.end(), point) == corners.end())
+    const Id point = contraction.find(corner);
+    if (corners.empty() || corners.back() != point)
     {
       corners.push_back(point);
     }
   }
+  if (corners.size() > 1 && corners.front() == corners.back())
+  {
+    corners.pop_back();
+  }
   return corners;
 }
 
-void addCell(const std::vector<glm::dvec3>& points, const Corners& corners, MedialAxis& axis)
+/// How many polygons have a side.
+class SideCounts
 {
-  if (corners.size() >= 3 && area(points, corners) >= kLeastArea)
+public:
+  void add(const Corners& corners)
   {
-    if (corners.size() == 4)
+    for (std::size_t i = 0; i < corners.size(); ++i)
     {
-      axis.quads.push_back({ corners[0], corners[1], corners[2], corners[3] });
+      sides_.push_back(sortedSide(corners[i], corners[(i + 1) % corners.size()]));
     }
-    else
+  }
+  void finish() { std::sort(sides_.begin(), sides_.end()); }
+
+  bool isRim(Id p, Id q) const
+  {
+    const auto range = std::equal_range(sides_.begin(), sides_.end(), sortedSide(p, q));
+    return range.second - range.first == 1;
+  }
+
+private:
+  static std::array<Id, 2> sortedSide(Id p, Id q) { return { std::min(p, q), std::max(p, q) }; }
+
+  std::vector<std::array<Id, 2>> sides_;
+};
+
+/// Makes curves of strips of polygons that are too narrow for sheets.
+void joinNarrowStrips(const BisectorPoints& points, const std::vector<std::array<Id, 4>>& quads,
+  Contraction& contraction)
+{
+  std::vector<Corners> polygons;
+  SideCounts counts;
+  for (const auto& quad : quads)
+  {
+    const Corners corners = contracted(quad, contraction);
+    if (corners.size() >= 3)
     {
-      axis.triangles.push_back({ corners[0], corners[1], corners[2] });
+      polygons.push_back(corners);
+      counts.add(corners);
     }
-    return;
   }
-  const std::array<std::int64_t, 2> span = longestSpan(points, corners);
-  if (glm::distance(points[span[0]], points[span[1]]) >= kLeastLength)
+  counts.finish();
+  for (const Corners& corners : polygons)
   {
-    axis.lines.push_back(span);
-  }
-  else
-  {
-    axis.vertices.push_back(corners[0]);
+    double longest = 0.0;
+    int rims = 0;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+    {
+      const Id p = corners[i];
+      const Id q = corners[(i + 1) % corners.size()];
+      rims += counts.isRim(p, q) ? 1 : 0;
+      longest =
+        std::max(longest, glm::distance(points.points[p].position, points.points[q].position));
+    }
+    if (rims >= 2 && area(points, corners) < kNarrow * longest)
+    {
+      joinSides(points, corners, kAcross, contraction,
+        [&](Id p, Id q) { return !counts.isRim(p, q); });
+    }
   }
 }
 
-template <typename T>
-void sortUnique(std::vector<T>& values)
+/// Keeps one of the cells over the same points, in ascending order of their sorted corners.
+template <typename Cell>
+void removeDuplicates(std::vector<Cell>& cells)
 {
-  std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
+  const auto key = [](Cell cell)
+  {
+    std::sort(cell.begin(), cell.end());
+    return cell;
+  };
+  std::stable_sort(cells.begin(), cells.end(),
+    [&](const Cell& a, const Cell& b) { return key(a) < key(b); });
+  cells.erase(std::unique(cells.begin(), cells.end(),
+                [&](const Cell& a, const Cell& b) { return key(a) == key(b); }),
+    cells.end());
 }
 
 /// Calls `visit` with a reference to every point id in the cells.
@@ -132,43 +287,103 @@ void forEachCorner(MedialAxis& axis, const Visit& visit)
   std::for_each(axis.vertices.begin(), axis.vertices.end(), visit);
 }
 
-void compactPoints(MedialComplex& complex, MedialAxis& axis)
+/// Lines along cells of higher dimension, and vertices at other cells, add nothing.
+void removeCovered(std::size_t pointCount, MedialAxis& axis)
 {
-  std::vector<std::int64_t> target(complex.points.size(), -1);
-  forEachCorner(axis, [&](std::int64_t& corner) { target[corner] = 0; });
-  MedialComplex used;
-  for (std::size_t p = 0; p < complex.points.size(); ++p)
+  std::vector<std::array<Id, 2>> sides;
+  const auto addSides = [&](const auto& cells)
   {
-    if (target[p] < 0)
+    for (const auto& cell : cells)
     {
-      continue;
+      for (std::size_t i = 0; i < cell.size(); ++i)
+      {
+        const Id p = cell[i];
+        const Id q = cell[(i + 1) % cell.size()];
+        sides.push_back({ std::min(p, q), std::max(p, q) });
+      }
     }
-    target[p] = static_cast<std::int64_t>(used.points.size());
-    used.points.push_back(complex.points[p]);
-    used.incident.insert(used.incident.end(), complex.incident.begin() + complex.offsets[p],
-      complex.incident.begin() + complex.offsets[p + 1]);
-    used.offsets.push_back(used.incident.size());
+  };
+  if (!axis.lines.empty())
+  {
+    addSides(axis.quads);
+    addSides(axis.triangles);
+    std::sort(sides.begin(), sides.end());
+    const auto covered = [&](const std::array<Id, 2>& line)
+    { return std::binary_search(sides.begin(), sides.end(), line); };
+    axis.lines.erase(std::remove_if(axis.lines.begin(), axis.lines.end(), covered),
+      axis.lines.end());
   }
-  forEachCorner(axis, [&](std::int64_t& corner) { corner = target[corner]; });
-  complex = std::move(used);
+  if (!axis.vertices.empty())
+  {
+    std::vector<Id> vertices;
+    vertices.swap(axis.vertices);
+    std::vector<std::uint8_t> used(pointCount, 0);
+    forEachCorner(axis, [&](Id corner) { used[corner] = 1; });
+    std::copy_if(vertices.begin(), vertices.end(), std::back_inserter(axis.vertices),
+      [&](Id vertex) { return used[vertex] == 0; });
+    std::sort(axis.vertices.begin(), axis.vertices.end());
+    axis.vertices.erase(std::unique(axis.vertices.begin(), axis.vertices.end()),
+      axis.vertices.end());
+  }
+}
+
+void compactPoints(BisectorPoints& points, MedialAxis& axis)
+{
+  std::vector<Id> target(points.points.size(), -1);
+  forEachCorner(axis, [&](Id corner) { target[corner] = 0; });
+  BisectorPoints used;
+  for (std::size_t p = 0; p < points.points.size(); ++p)
+  {
+    if (target[p] == 0)
+    {
+      target[p] = static_cast<Id>(used.points.size());
+      used.points.push_back(points.points[p]);
+      used.moved.push_back(points.moved[p]);
+    }
+  }
+  forEachCorner(axis, [&](Id& corner) { corner = target[corner]; });
+  points = std::move(used);
 }
 
 } // namespace
 
-void buildCells(MedialComplex& complex, MedialAxis& axis)
+void buildCells(const std::vector<std::array<std::int64_t, 4>>& quads, BisectorPoints& points,
+  MedialAxis& axis)
 {
-  const std::vector<std::int64_t> representative = weldedPoints(complex.points);
-  for (const auto& quad : complex.quads)
+  Contraction contraction(points);
+  joinEqualPoints(points, movedPoints(points), contraction);
+  joinShortSides(points, quads, contraction);
+  joinNarrowStrips(points, quads, contraction);
+  // A set's point stands for others of it, so that new sides may be short.
+  while (joinShortSides(points, quads, contraction))
   {
-    addCell(complex.points, distinctCorners(quad, representative), axis);
   }
-  for (std::int64_t vertex : complex.vertices)
+  for (const auto& quad : quads)
   {
-    axis.vertices.push_back(representative[vertex]);
+    addCell(points, contracted(quad, contraction), axis);
   }
-  sortUnique(axis.lines);
-  sortUnique(axis.vertices);
-  compactPoints(complex, axis);
+  removeDuplicates(axis.quads);
+  removeDuplicates(axis.triangles);
+  removeDuplicates(axis.lines);
+  removeCovered(points.points.size(), axis);
+  compactPoints(points, axis);
+}
+
+void buildVertices(BisectorPoints& points, MedialAxis& axis)
+{
+  Contraction contraction(points);
+  std::vector<Id> all(points.points.size());
+  std::iota(all.begin(), all.end(), Id{ 0 });
+  joinEqualPoints(points, std::move(all), contraction);
+  for (std::size_t p = 0; p < points.points.size(); ++p)
+  {
+    const auto id = static_cast<Id>(p);
+    if (contraction.find(id) == id)
+    {
+      axis.vertices.push_back(id);
+    }
+  }
+  compactPoints(points, axis);
 }
 
 } // namespace medial

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <vtkMedialAxis.h>
+#include <vtkMedialCurves.h>
 #include <vtkMeshDistanceField.h>
 #include <vtkNew.h>
 
@@ -141,7 +142,16 @@ TEST(FilterManual, DistanceFieldHasNoParametersOfItsOwn)
 
 TEST(FilterManual, MedialAxisParametersAreExplainedAndPrinted)
 {
-  expectManual("vtkMedialAxis", 5, printed<vtkMedialAxis>());
+  expectManual("vtkMedialAxis", 7, printed<vtkMedialAxis>());
+}
+
+TEST(FilterManual, MedialCurvesParametersArePrinted)
+{
+  const std::string print = printed<vtkMedialCurves>();
+  for (const char* name : { "Rims: On", "Seams: On", "Curves: On" })
+  {
+    EXPECT_NE(print.find(name), std::string::npos) << name;
+  }
 }
 
 // Nothing is printed as a parameter that no header explains.

@@ -25,7 +25,8 @@ def box_axis(resolution=17):
 class FiltersTest(unittest.TestCase):
     def test_package_holds_the_filters(self):
         self.assertEqual(set(medial.__all__),
-                         {"vtkMedialAxis", "vtkMeshDistanceField", "vtkMeshFieldAlgorithm"})
+                         {"vtkMedialAxis", "vtkMedialCurves", "vtkMeshDistanceField",
+                          "vtkMeshFieldAlgorithm"})
         from medial.vtkMedialFilters import vtkMedialAxis
         self.assertIs(medial.vtkMedialAxis, vtkMedialAxis)
         self.assertTrue(issubclass(medial.vtkMedialAxis, vtkObject))
@@ -57,6 +58,18 @@ class FiltersTest(unittest.TestCase):
         distance = image.GetPointData().GetArray("Distance")
         self.assertAlmostEqual(distance.GetValue(0), -0.5, places=4)
         self.assertAlmostEqual(distance.GetValue(124), math.sqrt(0.75), places=4)
+
+    def test_curves_of_a_box(self):
+        axis = box_axis()
+        curves = medial.vtkMedialCurves()
+        curves.SetInputConnection(axis.GetOutputPort())
+        curves.RimsOff()
+        curves.Update()
+        output = curves.GetOutput()
+        self.assertGreater(output.GetNumberOfLines(), 0)
+        kinds = output.GetCellData().GetArray("AxisFeature")
+        self.assertEqual({kinds.GetValue(i) for i in range(output.GetNumberOfCells())}, {2})
+        self.assertIsNotNone(output.GetPointData().GetArray("Radius"))
 
     def test_axis_of_a_box(self):
         axis = box_axis()

@@ -5,12 +5,15 @@
 
 #include <gtest/gtest.h>
 
+#include <vtkCell.h>
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkConnectivityFilter.h>
 #include <vtkContourFilter.h>
 #include <vtkDataArray.h>
 #include <vtkInformation.h>
 #include <vtkMedialAxis.h>
+#include <vtkMedialCurves.h>
 #include <vtkMeshDistanceField.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -75,6 +78,59 @@ TEST(MedialAxisFilter, DefaultsAreThoseOfTheLibrary)
   EXPECT_FALSE(axis->GetGenerateDistanceField());
 }
 
+TEST(MedialAxisFilter, MinimumLambdaAndRadiusLimitTheAxis)
+{
+  auto axis = boxAxis();
+  axis->SetRepresentationToPoints();
+  axis->SetMinimumLambda(0.2);
+  axis->Update();
+  vtkPolyData* output = axis->GetOutput();
+  ASSERT_GT(output->GetNumberOfPoints(), 100);
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    EXPECT_GE(valueOf(output, "Lambda", i), 0.1999);
+  }
+  axis->SetMinimumLambda(0.0);
+  axis->SetMinimumRadius(0.3);
+  axis->Update();
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    EXPECT_GE(valueOf(output, "Radius", i), 0.2999);
+  }
+}
+
+// The seams of a box frame its middle rectangle and run from there to its corners.
+TEST(MedialAxisFilter, CurvesOfABoxAreItsSeamsAndRims)
+{
+  auto axis = boxAxis();
+  vtkNew<vtkMedialCurves> curves;
+  curves->SetInputConnection(axis->GetOutputPort());
+  curves->Update();
+  vtkPolyData* output = curves->GetOutput();
+  double spacing[3];
+  axis->GetUsedSpacing(spacing);
+  vtkDataArray* kinds = output->GetCellData()->GetArray("AxisFeature");
+  ASSERT_NE(kinds, nullptr);
+  int seamPoints = 0;
+  for (vtkIdType cell = 0; cell < output->GetNumberOfCells(); ++cell)
+  {
+    const auto kind = static_cast<medial::AxisFeature>(kinds->GetTuple1(cell));
+    EXPECT_TRUE(kind == medial::AxisFeature::Rim || kind == medial::AxisFeature::Seam);
+    vtkIdList* ids = output->GetCell(cell)->GetPointIds();
+    for (vtkIdType i = 0; kind == medial::AxisFeature::Seam && i < ids->GetNumberOfIds(); ++i)
+    {
+      ++seamPoints;
+      const auto distances = faceDistances(pointOf(output, ids->GetId(i)));
+      EXPECT_LE(distances[2] - distances[0], spacing[0]);
+    }
+  }
+  EXPECT_GT(seamPoints, 100);
+  curves->SeamsOff();
+  curves->RimsOff();
+  curves->Update();
+  EXPECT_EQ(curves->GetOutput()->GetNumberOfCells(), 0);
+}
+
 TEST(MedialAxisFilter, BoxHasItsAnalyticAxis)
 {
   auto axis = boxAxis();
@@ -133,7 +189,9 @@ TEST(MedialAxisFilter, ArraysHaveTheirNamesAndTypes)
     int components;
   } expected[] = { { "Radius", 1 }, { "SeparationAngle", 1 }, { "Lambda", 1 },
     { "ClosestPointA", 3 }, { "ClosestPointB", 3 } };
-  EXPECT_EQ(data->GetNumberOfArrays(), 5);
+  EXPECT_EQ(data->GetNumberOfArrays(), 6);
+  ASSERT_NE(data->GetArray("AxisFeature"), nullptr);
+  EXPECT_EQ(data->GetArray("AxisFeature")->GetDataType(), VTK_UNSIGNED_CHAR);
   for (const auto& array : expected)
   {
     ASSERT_NE(data->GetArray(array.name), nullptr) << array.name;

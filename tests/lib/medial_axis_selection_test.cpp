@@ -258,3 +258,69 @@ TEST(MedialAxisSelection, RefusesAnglesOutsideItsRange)
     }
   }
 }
+
+TEST(MedialAxisSelection, EveryPointOfSurfacesAndPointSetsHasTheAngle)
+{
+  const TriangleMesh mesh = ellipsoid(1.0, 0.7, 0.4, 4);
+  for (const Representation representation : { Representation::Surface, Representation::Points })
+  {
+    const MedialAxis axis = compute(mesh, 0.031, 70.0, Side::Interior, representation);
+    ASSERT_FALSE(axis.separationAngle.empty());
+    EXPECT_GE(*std::min_element(axis.separationAngle.begin(), axis.separationAngle.end()), 69.99f);
+  }
+}
+
+TEST(MedialAxisSelection, LambdaAndRadiusLimitEveryCrossing)
+{
+  // On the sheets to the edges of a box the radius falls to 0 and lambda is radius / sqrt 2; on the
+  // middle rectangle both are 0.5.
+  const TriangleMesh mesh = box({ 1.0, 0.8, 0.5 });
+  constexpr double kSpacing = 0.031;
+  MedialAxisOptions options;
+  options.representation = Representation::Points;
+  const Grid grid = offCentreGrid(mesh, kSpacing);
+  const MedialAxis all = computeMedialAxis(mesh, grid, options);
+  const auto least = [](const std::vector<float>& values)
+  { return *std::min_element(values.begin(), values.end()); };
+  EXPECT_LT(least(all.lambda), 0.05f);
+
+  options.lambda = 0.2;
+  const MedialAxis byLambda = computeMedialAxis(mesh, grid, options);
+  EXPECT_NEAR(static_cast<double>(least(byLambda.lambda)), 0.2, 0.5 * kSpacing);
+  EXPECT_GE(least(byLambda.lambda), 0.1999f);
+
+  options.lambda = 0.0;
+  options.radius = 0.2;
+  const MedialAxis byRadius = computeMedialAxis(mesh, grid, options);
+  EXPECT_GE(least(byRadius.radius), 0.1999f);
+  EXPECT_LT(byLambda.points.size(), byRadius.points.size());
+  EXPECT_LT(byRadius.points.size(), all.points.size());
+
+  options.radius = 0.51;
+  EXPECT_TRUE(computeMedialAxis(mesh, grid, options).points.empty());
+}
+
+TEST(MedialAxisSelection, NegativeLimitsAreErrors)
+{
+  const TriangleMesh mesh = box({ 1.0, 0.8, 0.5 });
+  MedialAxisOptions options;
+  options.lambda = -0.1;
+  EXPECT_THROW(computeMedialAxis(mesh, makeGrid(mesh.bounds(), 16), options), Error);
+  options.lambda = 0.0;
+  options.radius = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(computeMedialAxis(mesh, makeGrid(mesh.bounds(), 16), options), Error);
+}
+
+TEST(MedialAxisSelection, ACapsuleIsLinesAlongItsMiddle)
+{
+  const TriangleMesh mesh = uvCapsule(0.3, 0.6, 64);
+  const MedialAxis axis = compute(mesh, 0.0431, 60.0);
+  EXPECT_GT(axis.lines.size(), 20u);
+  for (const auto& line : axis.lines)
+  {
+    for (const std::int64_t p : line)
+    {
+      EXPECT_LE(std::hypot(axis.points[p][0], axis.points[p][1]), 0.3 * 0.0431);
+    }
+  }
+}

@@ -40,10 +40,8 @@ protected:
           EXPECT_NEAR(std::sqrt(static_cast<double>(field->squared[index])), truth, 1e-3);
           const int site = field->site[index];
           EXPECT_NEAR(glm::distance(closestPoint(sites_, site, x).point, x), truth, 1e-3);
-          const glm::vec4 found = evaluator_.displacement(site, x, field->side[index]);
-          EXPECT_NEAR(static_cast<double>(glm::length(glm::vec3(found))), truth, 1e-3);
-          EXPECT_NEAR(static_cast<double>(std::abs(found.w)), truth, 1e-3);
-          inside += found.w < 0.0f ? 1 : 0;
+          EXPECT_NEAR(glm::length(evaluator_.displacement(site, x)), truth, 1e-3);
+          inside += field->side[index] < 0.0f ? 1 : 0;
         }
       }
     }

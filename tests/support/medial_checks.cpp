@@ -99,7 +99,7 @@ void expectExactRadii(const TriangleMesh& mesh, const Grid& grid, const MedialAx
   }
   EXPECT_LE(maximum(radius), 1e-3);
   EXPECT_LE(maximum(toA), 1e-3 + rounding);
-  EXPECT_LE(maximum(toB), representation == Representation::Points ? 1e-2 + rounding : diagonal);
+  EXPECT_LE(maximum(toB), representation == Representation::Points ? 0.1 + rounding : diagonal);
   if (representation == Representation::Surface)
   {
     const auto far = std::count_if(toB.begin(), toB.end(), [](double d) { return d > 1.0; });

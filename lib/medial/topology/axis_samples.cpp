@@ -1,7 +1,8 @@
 #include "medial/medial/topology/axis_samples.h"
 
-#include "medial/medial/bisector.h"
-#include "medial/medial/separation.h"
+#include "medial/sites/closest_point.h"
+
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <tuple>
@@ -11,80 +12,57 @@ namespace medial
 namespace
 {
 
-glm::dvec3 farEnd(const GridFrame& frame, const Crossing& crossing)
+/// The bisector point of a grid edge; its middle where its ends have the same closest site.
+BisectorPoint pointOn(const SampleContext& context, const CellLattice& lattice, Cell face)
 {
-  glm::dvec3 end(crossing.voxel);
-  end[crossing.axis] += 1.0;
-  return frame.sample(end);
+  const Crossing edge = dualEdge(lattice, face);
+  const std::size_t far = CellLattice::index(face);
+  const int siteA = context.closestSites[far - static_cast<std::size_t>(lattice.stride(edge.axis))];
+  const int siteB = context.closestSites[far];
+  const glm::dvec3 from = context.geometry.frame.sample(glm::dvec3(edge.voxel));
+  glm::dvec3 to = from;
+  to[edge.axis] += context.geometry.frame.step[edge.axis];
+  if (siteA != siteB)
+  {
+    return bisectorPoint(context.geometry, from, siteA, to, siteB);
+  }
+  BisectorPoint middle;
+  middle.position = 0.5 * (from + to);
+  middle.a = closestPoint(context.geometry.sites, siteA, middle.position);
+  middle.b = middle.a;
+  return middle;
 }
 
-/// Bisector points of all edges; the middle of those that have none.
-std::vector<glm::dvec3> pointsOn(const SampleContext& context, std::vector<Crossing>& edges)
-{
-  std::vector<Crossing> crossed;
-  for (const Crossing& edge : edges)
-  {
-    if (edge.siteA != edge.siteB)
-    {
-      crossed.push_back(edge);
-    }
-  }
-  const std::vector<glm::dvec3> found =
-    bisectorPoints(context.sites, context.frame, context.query, crossed);
-  std::vector<glm::dvec3> points;
-  std::size_t next = 0; // in `crossed`, which is in the order of `edges`
-  for (Crossing& edge : edges)
-  {
-    if (next < crossed.size() && crossed[next].voxel == edge.voxel &&
-      crossed[next].axis == edge.axis)
-    {
-      edge = crossed[next];
-      points.push_back(found[next++]);
-      continue;
-    }
-    points.push_back(
-      0.5 * (context.frame.sample(glm::dvec3(edge.voxel)) + farEnd(context.frame, edge)));
-  }
-  return points;
-}
-
-/// A ball that touches the surface in two places.
-struct Ball
-{
-  glm::dvec3 centre;
-  int opposite; ///< site of the second place; -1 where there is none near enough
-};
-
-/// @param foot closest surface point of x.
-Ball shrunkBall(const SampleContext& context, const CellLattice& lattice, const glm::dvec3& x,
-  const glm::dvec3& foot)
+/// Centre of the ball that touches the surface at the closest point of x and in another place.
+BisectorPoint shrunkBall(const SampleContext& context, const CellLattice& lattice,
+  const glm::dvec3& x, const SitePoint& foot)
 {
   constexpr double kMostRadius = 2.0;
   constexpr double kSame = 1e-6;
   constexpr int kMaxRounds = 20;
-  const double distance = glm::distance(x, foot);
+  const double distance = glm::distance(x, foot.point);
+  BisectorPoint ball{ x, foot, foot };
   if (distance < kSame)
   {
-    return { x, -1 };
+    return ball;
   }
   // Queries are exact inside the grid only.
-  const glm::dvec3 low = context.frame.sample(glm::dvec3(0.0));
-  const glm::dvec3 high = context.frame.sample(glm::dvec3(lattice.size() - 1));
-  const glm::dvec3 inwards = (x - foot) / distance;
-  Ball ball{ x, -1 };
+  const glm::dvec3 low = context.geometry.frame.sample(glm::dvec3(0.0));
+  const glm::dvec3 high = context.geometry.frame.sample(glm::dvec3(lattice.size() - 1));
+  const glm::dvec3 inwards = (x - foot.point) / distance;
   double radius = kMostRadius;
   for (int round = 0; round < kMaxRounds; ++round)
   {
-    const glm::dvec3 centre = foot + radius * inwards;
-    const SitePoint nearest = context.query.closest(glm::clamp(centre, low, high), radius);
-    const glm::dvec3 chord = nearest.point - foot;
+    const glm::dvec3 centre = foot.point + radius * inwards;
+    const SitePoint nearest = context.geometry.query.closest(glm::clamp(centre, low, high));
+    const glm::dvec3 chord = nearest.point - foot.point;
     const double height = glm::dot(chord, inwards);
     if (glm::distance(nearest.point, centre) > radius - kSame || height < kSame)
     {
       break;
     }
     radius = 0.5 * glm::dot(chord, chord) / height;
-    ball = { foot + radius * inwards, nearest.site };
+    ball = { foot.point + radius * inwards, foot, nearest };
   }
   return ball;
 }
@@ -100,25 +78,24 @@ Cell dualFace(const CellLattice& lattice, const Crossing& crossing)
 
 Crossing dualEdge(const CellLattice& lattice, Cell face)
 {
-  Crossing edge{ lattice.position(face), CellLattice::kind(face) - kFaceKind, -1, -1 };
+  Crossing edge{ lattice.position(face), CellLattice::kind(face) - kFaceKind, -1, -1, false };
   --edge.voxel[edge.axis];
   return edge;
 }
 
 AxisSamples::AxisSamples(const CellLattice& lattice, const std::vector<Crossing>& crossings,
-  const std::vector<glm::dvec3>& points)
-  : crossings_(crossings)
-  , points_(points)
+  const BisectorPoints& bisectors)
+  : samples_(bisectors)
 {
-  this->sortFrom(0, lattice);
+  for (std::size_t i = 0; i < crossings.size(); ++i)
+  {
+    byFace_.push_back({ dualFace(lattice, crossings[i]), static_cast<int>(i) });
+  }
+  this->sort();
 }
 
-void AxisSamples::sortFrom(std::size_t first, const CellLattice& lattice)
+void AxisSamples::sort()
 {
-  for (std::size_t i = first; i < crossings_.size(); ++i)
-  {
-    byFace_.push_back({ dualFace(lattice, crossings_[i]), static_cast<int>(i) });
-  }
   std::sort(byFace_.begin(), byFace_.end(),
     [](const Entry& a, const Entry& b)
     { return std::tie(a.face, a.sample) < std::tie(b.face, b.sample); });
@@ -129,36 +106,30 @@ void AxisSamples::add(const SampleContext& context, const CellLattice& lattice,
 {
   std::sort(faces.begin(), faces.end());
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-  std::vector<Crossing> edges;
-  for (const Cell face : faces)
+  faces.erase(std::remove_if(faces.begin(), faces.end(),
+                [this](Cell face) { return this->find(face) != kNone; }),
+    faces.end());
+  const std::size_t first = samples_.points.size();
+  samples_.points.resize(first + faces.size());
+  samples_.moved.resize(first + faces.size(), 0);
+  tbb::parallel_for(std::size_t{ 0 }, faces.size(),
+    [&](std::size_t i) { samples_.points[first + i] = pointOn(context, lattice, faces[i]); });
+  for (std::size_t i = 0; i < faces.size(); ++i)
   {
-    if (this->find(face) == kNone)
-    {
-      const std::size_t far = CellLattice::index(face);
-      Crossing edge = dualEdge(lattice, face);
-      edge.siteA = context.closestSites[far - static_cast<std::size_t>(lattice.stride(edge.axis))];
-      edge.siteB = context.closestSites[far];
-      edges.push_back(edge);
-    }
+    byFace_.push_back({ faces[i], static_cast<int>(first + i) });
   }
-  const std::vector<glm::dvec3> points = pointsOn(context, edges);
-  const std::size_t first = crossings_.size();
-  crossings_.insert(crossings_.end(), edges.begin(), edges.end());
-  points_.insert(points_.end(), points.begin(), points.end());
-  this->sortFrom(first, lattice);
+  this->sort();
 }
 
 int AxisSamples::addPoint(const SampleContext& context, const CellLattice& lattice,
   const glm::ivec3& voxel)
 {
-  const glm::dvec3 x = context.frame.sample(glm::dvec3(voxel));
-  const std::int32_t site =
-    context.closestSites[CellLattice::index(lattice.cell(voxel, kVertexKind))];
-  const SitePoint closest = closestPoint(context.sites, site, x);
-  const Ball ball = shrunkBall(context, lattice, x, closest.point);
-  crossings_.push_back({ voxel, 0, site, ball.opposite >= 0 ? ball.opposite : site });
-  points_.push_back(ball.centre);
-  return static_cast<int>(crossings_.size()) - 1;
+  const glm::dvec3 x = context.geometry.frame.sample(glm::dvec3(voxel));
+  const int site = context.closestSites[CellLattice::index(lattice.cell(voxel, kVertexKind))];
+  samples_.points.push_back(
+    shrunkBall(context, lattice, x, closestPoint(context.geometry.sites, site, x)));
+  samples_.moved.push_back(0);
+  return static_cast<int>(samples_.points.size()) - 1;
 }
 
 int AxisSamples::find(Cell face) const
@@ -166,14 +137,6 @@ int AxisSamples::find(Cell face) const
   const auto found = std::lower_bound(byFace_.begin(), byFace_.end(), face,
     [](const Entry& entry, Cell wanted) { return entry.face < wanted; });
   return found != byFace_.end() && found->face == face ? found->sample : kNone;
-}
-
-double AxisSamples::angle(const SiteSet& sites, int sample) const
-{
-  const Crossing& crossing = crossings_[sample];
-  const glm::dvec3& x = points_[sample];
-  return separationAngle(x, closestPoint(sites, crossing.siteA, x).point,
-    closestPoint(sites, crossing.siteB, x).point);
 }
 
 } // namespace medial

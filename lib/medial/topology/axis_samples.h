@@ -1,13 +1,11 @@
 #pragma once
 
-#include "medial/culling/tile_query.h"
+#include "medial/medial/axis_geometry.h"
+#include "medial/medial/bisector.h"
 #include "medial/medial/crossing.h"
 #include "medial/medial/topology/cell_lattice.h"
-#include "medial/sites/grid_frame.h"
-#include "medial/sites/site_set.h"
 
-#include <glm/glm.hpp>
-
+#include <cstdint>
 #include <vector>
 
 namespace medial
@@ -16,9 +14,7 @@ namespace medial
 /// What exact positions are computed from.
 struct SampleContext
 {
-  const SiteSet& sites;
-  const GridFrame& frame;
-  const TileQuery& query;
+  const AxisGeometry& geometry;
   const std::int32_t* closestSites; ///< of all grid points, x fastest
 };
 
@@ -28,9 +24,8 @@ class AxisSamples
 public:
   static constexpr int kNone = -1;
 
-  /// @param points one a crossing, frame coordinates.
   AxisSamples(const CellLattice& lattice, const std::vector<Crossing>& crossings,
-    const std::vector<glm::dvec3>& points);
+    const BisectorPoints& bisectors);
 
   /// Adds grid edges that no selection has delivered: at the bisector point of the closest sites of
   /// their ends, or in the middle where these are the same.
@@ -45,24 +40,19 @@ public:
 
   /// Index of a face's sample or kNone.
   int find(Cell face) const;
-  /// Separation angle of the sample's two sites at its point, radians.
-  double angle(const SiteSet& sites, int sample) const;
-
-  const std::vector<Crossing>& crossings() const { return crossings_; }
-  const glm::dvec3& point(int sample) const { return points_[sample]; }
-  std::vector<Crossing> takeCrossings() { return std::move(crossings_); }
+  const BisectorPoint& point(int sample) const { return samples_.points[sample]; }
+  const BisectorPoints& points() const { return samples_; }
 
 private:
-  void sortFrom(std::size_t first, const CellLattice& lattice);
-
   struct Entry
   {
     Cell face;
     int sample;
   };
 
-  std::vector<Crossing> crossings_;
-  std::vector<glm::dvec3> points_;
+  void sort();
+
+  BisectorPoints samples_;
   std::vector<Entry> byFace_; ///< ascending
 };
 

@@ -1,5 +1,6 @@
 #include "medial/medial/topology/curve_chains.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace medial
@@ -9,11 +10,16 @@ namespace
 
 /// Edges that a chord spans at most.
 constexpr int kChord = 6;
+/// How much less than the radius the mean depth of the four voxels around a curve is: their mean
+/// distance from it.
+constexpr float kMeanOffset = 0.75f;
 
 } // namespace
 
 CurveChains::CurveChains(const CurveLimits& limits)
   : slope_(static_cast<float>(std::cos(0.5 * limits.angle)))
+  , leastLambda_(static_cast<float>(limits.lambda))
+  , leastRadius_(static_cast<float>(limits.radius))
   , leastLength_(static_cast<float>(limits.length))
 {
 }
@@ -59,6 +65,13 @@ int CurveChains::extend(int chain, const Pair& removed, const glm::vec3& positio
   return index;
 }
 
+bool CurveChains::largeEnough(float depth, float slope) const
+{
+  const float radius = depth + kMeanOffset;
+  const float cosine = std::clamp(slope, 0.0f, 1.0f);
+  return radius >= leastRadius_ && radius * std::sqrt(1.0f - cosine * cosine) >= leastLambda_;
+}
+
 bool CurveChains::lasting(int chain, const glm::vec3& position, float depth,
   std::vector<Pair>& restored) const
 {
@@ -73,7 +86,9 @@ bool CurveChains::lasting(int chain, const glm::vec3& position, float depth,
     return false;
   }
   const int start = links_[far].best;
-  if (this->potential(depth, length) > links_[start].potential)
+  const float startDepth = links_[start].potential + slope_ * links_[start].length;
+  const float slope = (depth - startDepth) / (length - links_[start].length);
+  if (this->potential(depth, length) > links_[start].potential || !this->largeEnough(depth, slope))
   {
     return false;
   }

@@ -15,6 +15,9 @@ struct CurveLimits
   /// Least separation angle, radians. Along a curve of the medial axis the radius r grows with the
   /// arc length s by dr/ds = cos(S/2).
   double angle;
+  /// Least radius * sin(S / 2), and least radius; frame units.
+  double lambda = 0.0;
+  double radius = 0.0;
   /// Arc length, in frame units, over which the angle is measured; shorter curves are not kept.
   double length = 4.0;
 };
@@ -68,7 +71,11 @@ private:
   float length(int chain, const glm::vec3& position) const;
   float potential(float depth, float length) const { return depth - slope_ * length; }
 
+  bool largeEnough(float depth, float slope) const;
+
   float slope_;
+  float leastLambda_;
+  float leastRadius_;
   float leastLength_;
   std::vector<Link> links_;
 };

@@ -3,10 +3,10 @@
 #include "medial/medial/topology/cell_thinning.h"
 #include "medial/medial/topology/sheet_faces.h"
 #include "medial/medial/topology/solid_bodies.h"
-#include "medial/medial/topology/thinned_complex.h"
 #include "medial/medial/topology/voxel_solid.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 
 namespace medial
@@ -18,93 +18,86 @@ namespace
 struct Selection
 {
   std::vector<Crossing> crossings;
-  std::vector<glm::dvec3> points;
+  BisectorPoints bisectors;
 };
 
 /// Those between two voxels of a solid.
-Selection selectionWithin(const CellLattice& solid, const Selection& all)
+Selection selectionWithin(const CellLattice& solid, const std::vector<Crossing>& crossings,
+  const BisectorPoints& bisectors)
 {
   Selection selection;
-  for (std::size_t i = 0; i < all.crossings.size(); ++i)
+  for (std::size_t i = 0; i < crossings.size(); ++i)
   {
-    const Cell face = dualFace(solid, all.crossings[i]);
+    const Cell face = dualFace(solid, crossings[i]);
     if (solid.has(face) && solid.cofaceCount(face) == 2)
     {
-      selection.crossings.push_back(all.crossings[i]);
-      selection.points.push_back(all.points[i]);
+      selection.crossings.push_back(crossings[i]);
+      selection.bisectors.points.push_back(bisectors.points[i]);
+      selection.bisectors.moved.push_back(bisectors.moved[i]);
     }
   }
   return selection;
 }
 
-/// A crossing counts as one of a sheet when the separation angle at its point is at least this part
-/// of theta. Near curves the grid points that it lies between may see angles far wider.
-constexpr double kSheetShare = 0.75;
-
-/// Thins a solid. What is selected as a strip only, and strips that sheets were reduced to where
-/// they shut voxels in, are left to the rules for curves.
-void thin(CellLattice& solid, const DepthField& depth, double degrees, const SampleContext& context,
-  const AxisSamples& samples)
+/// Faces dual to crossings whose grid edge a sheet crosses itself. Those of fins around a curve do
+/// not count: their bisector point is elsewhere.
+std::vector<Cell> sheetFaces(const CellLattice& solid, const Selection& selection)
 {
-  const double angle = glm::radians(degrees);
-  std::vector<Cell> selected;
-  for (const Crossing& crossing : samples.crossings())
+  std::vector<Cell> faces;
+  for (std::size_t i = 0; i < selection.crossings.size(); ++i)
   {
-    const Cell face = dualFace(solid, crossing);
-    if (samples.angle(context.sites, samples.find(face)) >= kSheetShare * angle)
+    if (selection.bisectors.moved[i] == 0)
     {
-      selected.push_back(face);
+      faces.push_back(dualFace(solid, selection.crossings[i]));
     }
   }
   // Crossings come in the order of slabs, whose thickness is to have no influence.
-  std::sort(selected.begin(), selected.end());
-  const CurveProbe probe(context.sites, context.frame, context.closestSites, depth, angle);
-  CellThinning thinning(solid, depth, probe, context.frame.step, { angle });
-  std::vector<Cell> anchored = splitSheets(solid.size(), selected).sheets;
+  std::sort(faces.begin(), faces.end());
+  return splitSheets(solid.size(), faces).sheets;
+}
+
+/// Thins a solid. What is selected as a strip only, and strips that sheets were reduced to where
+/// they shut voxels in, are left to the rules for curves.
+void thin(CellLattice& solid, const DepthField& depth, const AxisGeometry& geometry,
+  const std::int32_t* closestSites, const Selection& selection, const AxisSamples& samples)
+{
+  const CurveProbe probe(geometry.sites, geometry.frame, closestSites, depth, geometry.angle);
+  CellThinning thinning(solid, depth, probe, geometry.frame.step,
+    { geometry.angle, geometry.lambda, geometry.radius });
+  const std::vector<Cell> anchored = sheetFaces(solid, selection);
   for (const Cell face : anchored)
   {
-    thinning.anchor(face, static_cast<float>(samples.angle(context.sites, samples.find(face))));
+    thinning.anchor(face, static_cast<float>(samples.point(samples.find(face)).separationAngle()));
   }
   thinning.burn();
   std::vector<Cell> left;
-  for (const Cell face : anchored)
-  {
-    if (solid.has(face))
-    {
-      left.push_back(face);
-    }
-  }
+  std::copy_if(anchored.begin(), anchored.end(), std::back_inserter(left),
+    [&](Cell face) { return solid.has(face); });
   thinning.release(splitSheets(solid, left).strips);
 }
 
-void append(const MedialComplex& part, std::size_t firstCrossing, MedialComplex& whole)
+void append(const ThinnedCells& part, ThinnedCells& whole)
 {
-  const auto firstPoint = static_cast<std::int64_t>(whole.points.size());
-  const std::size_t firstIncident = whole.incident.size();
-  whole.points.insert(whole.points.end(), part.points.begin(), part.points.end());
-  for (const std::size_t crossing : part.incident)
-  {
-    whole.incident.push_back(firstCrossing + crossing);
-  }
-  for (std::size_t p = 0; p < part.points.size(); ++p)
-  {
-    whole.offsets.push_back(firstIncident + part.offsets[p + 1]);
-  }
+  const auto first = static_cast<std::int64_t>(whole.points.points.size());
+  whole.points.points.insert(whole.points.points.end(), part.points.points.begin(),
+    part.points.points.end());
+  whole.points.moved.insert(whole.points.moved.end(), part.points.moved.begin(),
+    part.points.moved.end());
   for (std::array<std::int64_t, 4> quad : part.quads)
   {
     for (std::int64_t& corner : quad)
     {
-      corner += firstPoint;
+      corner += first;
     }
     whole.quads.push_back(quad);
   }
   for (const std::array<std::int64_t, 2>& line : part.lines)
   {
-    whole.lines.push_back({ line[0] + firstPoint, line[1] + firstPoint });
+    whole.lines.push_back({ line[0] + first, line[1] + first });
   }
   for (const std::int64_t vertex : part.vertices)
   {
-    whole.vertices.push_back(vertex + firstPoint);
+    whole.vertices.push_back(vertex + first);
   }
 }
 
@@ -114,21 +107,6 @@ void add(const CellTopology& part, CellTopology& whole)
   whole.eulerCharacteristic += part.eulerCharacteristic;
   whole.genus += part.genus;
   whole.cavities += part.cavities;
-}
-
-/// Thins one solid and adds what is left.
-void addSolid(const DepthField& depth, const glm::ivec3& size, const MedialAxisOptions& options,
-  const SampleContext& context, const Selection& selected, PreservedAxis& axis)
-{
-  CellLattice solid = voxelSolid(depth, size);
-  add(topologyOf(solid), axis.solid);
-  const Selection selection = selectionWithin(solid, selected);
-  AxisSamples samples(solid, selection.crossings, selection.points);
-  thin(solid, depth, options.angle, context, samples);
-  const MedialComplex part = thinnedComplex(solid, depth, context, options.representation, samples);
-  append(part, axis.crossings.size(), axis.complex);
-  axis.crossings.insert(axis.crossings.end(), samples.crossings().begin(),
-    samples.crossings().end());
 }
 
 std::vector<Side> sidesOf(SignMethod sign, Side side)
@@ -142,29 +120,38 @@ std::vector<Side> sidesOf(SignMethod sign, Side side)
 
 } // namespace
 
-PreservedAxis preserveTopology(const std::vector<float>& distances, const Grid& grid,
-  SignMethod sign, const MedialAxisOptions& options, const SampleContext& context,
-  const std::vector<Crossing>& crossings, const std::vector<glm::dvec3>& points)
+PreservedAxis preserveTopology(const ThinningInput& input, const AxisGeometry& geometry,
+  const std::vector<Crossing>& crossings, const BisectorPoints& bisectors)
 {
-  const glm::ivec3 size(grid.dimensions[0], grid.dimensions[1], grid.dimensions[2]);
+  const glm::ivec3 size(geometry.extent.size(0), geometry.extent.size(1), geometry.extent.size(2));
   PreservedAxis axis;
-  const Selection selected{ crossings, points };
-  for (const Side side : sidesOf(sign, options.side))
+  const auto addSolid = [&](const DepthField& depth)
   {
-    DepthField depth(distances.data(), side, context.frame.unit);
+    CellLattice solid = voxelSolid(depth, size);
+    add(topologyOf(solid), axis.solid);
+    const Selection selection = selectionWithin(solid, crossings, bisectors);
+    AxisSamples samples(solid, selection.crossings, selection.bisectors);
+    thin(solid, depth, geometry, input.closestSites, selection, samples);
+    append(
+      thinnedCells(solid, depth, { geometry, input.closestSites }, input.representation, samples),
+      axis.cells);
+  };
+  for (const Side side : sidesOf(input.sign, input.side))
+  {
+    DepthField depth(input.distances, side, geometry.frame.unit);
     std::optional<SolidBodies> bodies;
     if (side == Side::Interior)
     {
-      bodies.emplace(context.sites, context.frame, size, context.closestSites, depth);
+      bodies.emplace(geometry.sites, geometry.frame, size, input.closestSites, depth);
     }
     const int colours = bodies ? bodies->colours() : 1;
     for (int colour = 0; colour < colours; ++colour)
     {
       if (colours > 1)
       {
-        depth.restrict(context.closestSites, bodies->siteColours().data(), colour);
+        depth.restrict(input.closestSites, bodies->siteColours().data(), colour);
       }
-      addSolid(depth, size, options, context, selected, axis);
+      addSolid(depth);
     }
   }
   return axis;

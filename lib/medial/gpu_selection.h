@@ -13,13 +13,13 @@ namespace medial
 
 /// The medial stage on the GPU: neighbour direction field, then selection by separation angle. Only
 /// the crossed grid edges leave it. Lives on the GPU thread.
-class SelectionStage : public SlabStage
+class GpuSelection
 {
 public:
   /// @param angle least separation angle, degrees.
-  SelectionStage(double angle, Side side, const GridFrame& frame);
+  GpuSelection(double angle, Side side, const GridFrame& frame);
 
-  void process(const SlabRenderer& renderer, const Extent& slab, bool carried) override;
+  void process(const SlabRenderer& renderer, const Extent& slab, bool carried);
 
   /// All crossings so far, in the order of the slabs.
   std::vector<Crossing> takeCrossings() { return std::move(crossings_); }

@@ -1,4 +1,4 @@
-#include "medial/medial/selection_stage.h"
+#include "medial/medial/gpu_selection.h"
 
 #include "medial/distance/atlas_texture.h"
 #include "medial/gpu/shader_program.h"
@@ -8,7 +8,7 @@
 namespace medial
 {
 
-SelectionStage::SelectionStage(double angle, Side side, const GridFrame& frame)
+GpuSelection::GpuSelection(double angle, Side side, const GridFrame& frame)
   : angle_(angle)
   , side_(side)
   , frame_(frame)
@@ -16,7 +16,7 @@ SelectionStage::SelectionStage(double angle, Side side, const GridFrame& frame)
 {
 }
 
-void SelectionStage::allocate(const AtlasLayout& atlas)
+void GpuSelection::allocate(const AtlasLayout& atlas)
 {
   const glm::ivec2 size = atlas.size();
   directions_ = gpu::createTexture2D(GL_RGBA32F, size.x, size.y);
@@ -25,7 +25,7 @@ void SelectionStage::allocate(const AtlasLayout& atlas)
   selectionTarget_ = gpu::createFramebuffer({ selected_.id() });
 }
 
-void SelectionStage::process(const SlabRenderer& renderer, const Extent& slab, bool carried)
+void GpuSelection::process(const SlabRenderer& renderer, const Extent& slab, bool carried)
 {
   if (!directions_)
   {
@@ -39,7 +39,7 @@ void SelectionStage::process(const SlabRenderer& renderer, const Extent& slab, b
   this->collect(renderer, slab);
 }
 
-void SelectionStage::computeDirections(const SlabRenderer& renderer)
+void GpuSelection::computeDirections(const SlabRenderer& renderer)
 {
   const gpu::ShaderProgram& program =
     gpu::cachedProgram("atlas_pass.vert", "neighbour_direction.frag");
@@ -50,7 +50,7 @@ void SelectionStage::computeDirections(const SlabRenderer& renderer)
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-void SelectionStage::select(const AtlasLayout& atlas, int slices, bool carried)
+void GpuSelection::select(const AtlasLayout& atlas, int slices, bool carried)
 {
   const gpu::ShaderProgram& program = gpu::cachedProgram("atlas_pass.vert", "medial_axis.frag");
   program.set("direction", 0);
@@ -67,7 +67,7 @@ void SelectionStage::select(const AtlasLayout& atlas, int slices, bool carried)
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-void SelectionStage::collect(const SlabRenderer& renderer, const Extent& slab)
+void GpuSelection::collect(const SlabRenderer& renderer, const Extent& slab)
 {
   const AtlasLayout& atlas = renderer.atlas();
   const int slots = 1 + slab.size(2);
@@ -90,7 +90,7 @@ void SelectionStage::collect(const SlabRenderer& renderer, const Extent& slab)
   }
 }
 
-void SelectionStage::addCrossings(const Extent& slab, const AtlasLayout& atlas, int slot,
+void GpuSelection::addCrossings(const Extent& slab, const AtlasLayout& atlas, int slot,
   std::size_t index)
 {
   const auto width = static_cast<std::size_t>(atlas.sliceSize.x);
@@ -99,11 +99,12 @@ void SelectionStage::addCrossings(const Extent& slab, const AtlasLayout& atlas, 
   const glm::ivec3 voxel(slab.min[0] + static_cast<int>(index % width),
     slab.min[1] + static_cast<int>(index / width), slab.min[2] + slot - 1);
   const std::size_t here = slot * slice + index;
+  const bool inside = (masks_[here] & 8) != 0;
   for (int axis = 0; axis < 3; ++axis)
   {
     if ((masks_[here] >> axis & 1) != 0)
     {
-      crossings_.push_back({ voxel, axis, sites_[here], sites_[here + stride[axis]] });
+      crossings_.push_back({ voxel, axis, sites_[here], sites_[here + stride[axis]], inside });
     }
   }
 }

@@ -1,4 +1,9 @@
-#include "medial/medial/topology/thinned_complex.h"
+#include "medial/medial/topology/thinned_cells.h"
+
+#include "medial/medial/axis_points.h"
+#include "medial/medial/dual_mesh.h"
+#include "medial/medial/separation.h"
+#include "medial/sites/closest_point.h"
 
 #include <tbb/parallel_for.h>
 
@@ -35,13 +40,14 @@ std::array<Cell, 12> facesAround(const CellLattice& lattice, Cell vertex)
 struct Origin
 {
   std::vector<Cell> faces;
+  bool onSheet = false; ///< faces that are selected and there
   bool widestOnly = false;
 };
 
-class ThinnedComplex
+class CellBuilder
 {
 public:
-  ThinnedComplex(const CellLattice& lattice, const DepthField& depth, const SampleContext& context,
+  CellBuilder(const CellLattice& lattice, const DepthField& depth, const SampleContext& context,
     AxisSamples& samples)
     : lattice_(lattice)
     , depth_(depth)
@@ -58,37 +64,37 @@ public:
     }
   }
 
-  MedialComplex build(Representation representation)
+  ThinnedCells build(Representation representation)
   {
-    MedialComplex complex;
-    this->addCells(complex);
-    this->placePoints(complex);
-    this->clampPoints(representation, complex);
-    return complex;
+    ThinnedCells cells;
+    this->addCells(cells);
+    this->findSamples();
+    this->placePoints(representation, cells.points);
+    return cells;
   }
 
 private:
-  void addCells(MedialComplex& complex) const
+  void addCells(ThinnedCells& cells) const
   {
     for (const Cell vertex : vertices_)
     {
       if (lattice_.maximal(vertex))
       {
-        complex.vertices.push_back(this->point(vertex));
+        cells.vertices.push_back(this->point(vertex));
       }
       for (int axis = 0; axis < 3; ++axis)
       {
         const Cell edge = vertex + kEdgeKind + axis;
         if (lattice_.has(edge) && lattice_.maximal(edge))
         {
-          complex.lines.push_back(
+          cells.lines.push_back(
             { this->point(vertex), this->point(vertex + 8 * lattice_.stride(axis)) });
         }
         if (lattice_.has(vertex + kFaceKind + axis))
         {
           const Cell u = 8 * lattice_.stride((axis + 1) % 3);
           const Cell v = 8 * lattice_.stride((axis + 2) % 3);
-          complex.quads.push_back({ this->point(vertex), this->point(vertex + u),
+          cells.quads.push_back({ this->point(vertex), this->point(vertex + u),
             this->point(vertex + u + v), this->point(vertex + v) });
         }
       }
@@ -100,7 +106,7 @@ private:
     return std::lower_bound(vertices_.begin(), vertices_.end(), vertex) - vertices_.begin();
   }
 
-  void placePoints(MedialComplex& complex)
+  void findSamples()
   {
     std::vector<Origin> origins(vertices_.size());
     tbb::parallel_for(std::size_t{ 0 }, vertices_.size(),
@@ -113,21 +119,41 @@ private:
     samples_.add(context_, lattice_, std::move(needed));
     for (std::size_t i = 0; i < vertices_.size(); ++i)
     {
-      const std::vector<int> around = this->samplesOf(vertices_[i], origins[i]);
-      glm::dvec3 sum(0.0);
-      for (const int sample : around)
+      for (const int sample : this->samplesOf(vertices_[i], origins[i]))
       {
-        sum += samples_.point(sample);
-        complex.incident.push_back(static_cast<std::size_t>(sample));
+        mesh_.incident.push_back(static_cast<std::size_t>(sample));
       }
-      complex.offsets.push_back(complex.incident.size());
-      complex.points.push_back(sum / static_cast<double>(around.size()));
+      mesh_.cells.push_back(lattice_.position(vertices_[i]) - 1);
+      mesh_.offsets.push_back(mesh_.incident.size());
+      onSheet_.push_back(origins[i].onSheet ? 1 : 0);
     }
+  }
+
+  void placePoints(Representation representation, BisectorPoints& points) const
+  {
+    if (representation == Representation::Faces)
+    {
+      points = cellCentres(context_.geometry, mesh_, samples_.points());
+      return;
+    }
+    points = surfacePoints(context_.geometry, mesh_, samples_.points());
+    tbb::parallel_for(std::size_t{ 0 }, vertices_.size(),
+      [&](std::size_t i)
+      {
+        BisectorPoint& point = points.points[i];
+        const glm::dvec3 wanted = onSheet_[i] != 0 ? point.position : this->meanOf(i);
+        const glm::dvec3 x = this->clamped(i, wanted);
+        if (x != point.position)
+        {
+          point = this->contacts(i, x);
+        }
+      });
   }
 
   Origin originOf(Cell vertex) const
   {
     Origin both;
+    both.onSheet = true;
     Origin either;
     Origin wide;
     wide.widestOnly = true;
@@ -161,7 +187,7 @@ private:
     for (const Cell face : origin.faces)
     {
       around.push_back(samples_.find(face));
-      angles.push_back(origin.widestOnly ? samples_.angle(context_.sites, around.back()) : 0.0);
+      angles.push_back(origin.widestOnly ? samples_.point(around.back()).separationAngle() : 0.0);
     }
     if (around.empty())
     {
@@ -197,17 +223,46 @@ private:
     return deepest;
   }
 
-  void clampPoints(Representation representation, MedialComplex& complex) const
+  glm::dvec3 meanOf(std::size_t i) const
   {
-    for (std::size_t i = 0; i < vertices_.size(); ++i)
+    glm::dvec3 sum(0.0);
+    for (std::size_t k = mesh_.offsets[i]; k < mesh_.offsets[i + 1]; ++k)
     {
-      const glm::dvec3 high(lattice_.position(vertices_[i]));
-      const glm::dvec3 least = context_.frame.sample(high - 1.0) + kCellMargin;
-      const glm::dvec3 most = context_.frame.sample(high) - kCellMargin;
-      complex.points[i] = representation == Representation::Faces
-        ? 0.5 * (least + most)
-        : glm::clamp(complex.points[i], least, most);
+      sum += samples_.points().points[mesh_.incident[k]].position;
     }
+    return sum / static_cast<double>(mesh_.offsets[i + 1] - mesh_.offsets[i]);
+  }
+
+  glm::dvec3 clamped(std::size_t i, const glm::dvec3& x) const
+  {
+    const glm::dvec3 low(mesh_.cells[i]);
+    return glm::clamp(x, context_.geometry.frame.sample(low) + kCellMargin,
+      context_.geometry.frame.sample(low + 1.0) - kCellMargin);
+  }
+
+  /// The closest surface point, and of the samples' sites the one seen under the widest angle.
+  BisectorPoint contacts(std::size_t i, const glm::dvec3& x) const
+  {
+    BisectorPoint point;
+    point.position = x;
+    point.a = context_.geometry.query.closest(x);
+    point.b = point.a;
+    double widest = -1.0;
+    for (std::size_t k = mesh_.offsets[i]; k < mesh_.offsets[i + 1]; ++k)
+    {
+      const BisectorPoint& sample = samples_.points().points[mesh_.incident[k]];
+      for (const int site : { sample.a.site, sample.b.site })
+      {
+        const SitePoint candidate = closestPoint(context_.geometry.sites, site, x);
+        const double angle = separationAngle(x, point.a.point, candidate.point);
+        if (angle > widest)
+        {
+          widest = angle;
+          point.b = candidate;
+        }
+      }
+    }
+    return point;
   }
 
   const CellLattice& lattice_;
@@ -215,14 +270,16 @@ private:
   const SampleContext& context_;
   AxisSamples& samples_;
   std::vector<Cell> vertices_; ///< ascending
+  DualMesh mesh_;              ///< cells and samples of the vertices
+  std::vector<char> onSheet_;
 };
 
 } // namespace
 
-MedialComplex thinnedComplex(const CellLattice& lattice, const DepthField& depth,
+ThinnedCells thinnedCells(const CellLattice& lattice, const DepthField& depth,
   const SampleContext& context, Representation representation, AxisSamples& samples)
 {
-  return ThinnedComplex(lattice, depth, context, samples).build(representation);
+  return CellBuilder(lattice, depth, context, samples).build(representation);
 }
 
 } // namespace medial

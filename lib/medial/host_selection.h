@@ -1,0 +1,42 @@
+#pragma once
+
+#include "medial/distance/slab_field.h"
+#include "medial/distance/tile_evaluator.h"
+#include "medial/medial/crossing.h"
+#include "medial/medial/medial_axis.h"
+#include "medial/sites/grid_frame.h"
+
+#include <vector>
+
+namespace medial
+{
+
+/// Selection by separation angle where the processor evaluates: what shaders/medial_axis.frag does,
+/// on sites in host memory. Directions are computed only where the closest site changes, since
+/// projection to one convex site never parts two points by more than their own distance.
+class HostSelection
+{
+public:
+  /// @param angle least separation angle, degrees.
+  /// @param signedField whether sides mean anything.
+  HostSelection(double angle, Side side, const GridFrame& frame, bool signedField);
+
+  /// Slabs in ascending z. Uses the threads of the current arena.
+  void process(const SlabField& slab, const TileEvaluator& evaluator);
+
+  /// All crossings so far, in the order of the slabs.
+  std::vector<Crossing> takeCrossings() { return std::move(crossings_); }
+
+private:
+  void selectRow(const SlabField& slab, const TileEvaluator& evaluator, int slot, int row,
+    std::vector<Crossing>& found) const;
+  bool crossed(const TileEvaluator& evaluator, const Crossing& crossing) const;
+
+  double cosineLimit_;
+  Side side_;
+  GridFrame frame_;
+  bool signed_;
+  std::vector<Crossing> crossings_;
+};
+
+} // namespace medial

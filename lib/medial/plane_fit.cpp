@@ -1,0 +1,63 @@
+#include "medial/medial/plane_fit.h"
+
+#include <Eigen/Eigenvalues>
+
+namespace medial
+{
+namespace
+{
+
+/// Directions with less of the greatest eigenvalue are undetermined: normals within some 17 degrees
+/// of each other are those of one curved sheet.
+constexpr double kLeastShare = 0.08;
+
+} // namespace
+
+void PlaneFit::clear()
+{
+  planes_.clear();
+  mean_ = glm::dvec3(0.0);
+}
+
+void PlaneFit::add(const glm::dvec3& point, const glm::dvec3& unitNormal, double weight)
+{
+  planes_.push_back({ point, unitNormal, weight });
+  mean_ += (point - mean_) / static_cast<double>(planes_.size());
+}
+
+glm::dvec3 PlaneFit::solve(const glm::dvec3& centre, const glm::dvec3& reach) const
+{
+  Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  for (const Plane& plane : planes_)
+  {
+    const Eigen::Vector3d normal(plane.normal.x, plane.normal.y, plane.normal.z);
+    squares += plane.weight * normal * normal.transpose();
+    right += plane.weight * glm::dot(plane.normal, plane.point - mean_) * normal;
+  }
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen;
+  eigen.computeDirect(squares);
+  const Eigen::Vector3d& values = eigen.eigenvalues(); // ascending
+  int first = 0;
+  while (first < 3 && values[first] < kLeastShare * values[2])
+  {
+    ++first;
+  }
+  for (; first < 3; ++first)
+  {
+    Eigen::Vector3d offset = Eigen::Vector3d::Zero();
+    for (int i = first; i < 3 && values[i] > 0.0; ++i)
+    {
+      const Eigen::Vector3d direction = eigen.eigenvectors().col(i);
+      offset += direction.dot(right) / values[i] * direction;
+    }
+    const glm::dvec3 point = mean_ + glm::dvec3(offset[0], offset[1], offset[2]);
+    if (glm::all(glm::lessThanEqual(glm::abs(point - centre), reach)))
+    {
+      return point;
+    }
+  }
+  return mean_;
+}
+
+} // namespace medial
