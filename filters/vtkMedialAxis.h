@@ -96,9 +96,9 @@ public:
 
   ///@{
   /**
-   * Least lambda of the points of the axis, in world units, at least 0: half the distance of the two
-   * closest points. It takes away what noise of that size makes, and also what lies behind walls
-   * thinner than twice as much. Default is 0.
+   * Least lambda of the points of the axis, in world units, at least 0: half the distance of the
+   * two closest points. It takes away what noise of that size makes, and also what lies behind
+   * walls thinner than twice as much. Default is 0.
    */
   vtkSetMacro(MinimumLambda, double);
   vtkGetMacro(MinimumLambda, double);
