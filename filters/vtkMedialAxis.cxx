@@ -49,6 +49,20 @@ medial::Representation ToRepresentation(int representation)
   }
 }
 
+//------------------------------------------------------------------------------
+medial::Topology ToTopology(int topology)
+{
+  switch (topology)
+  {
+    case vtkMedialAxis::SELECTED:
+      return medial::Topology::Selected;
+    case vtkMedialAxis::PRESERVE:
+      return medial::Topology::Preserve;
+    default:
+      vtkThrowBadParameter("Topology", topology, "one of 0 (selected), 1 (preserve)");
+  }
+}
+
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -120,6 +134,20 @@ const char* vtkMedialAxis::GetRepresentationAsString()
 }
 
 //------------------------------------------------------------------------------
+const char* vtkMedialAxis::GetTopologyAsString()
+{
+  switch (this->Topology)
+  {
+    case SELECTED:
+      return "Selected";
+    case PRESERVE:
+      return "Preserve";
+    default:
+      return "Unknown";
+  }
+}
+
+//------------------------------------------------------------------------------
 int vtkMedialAxis::FillOutputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkPolyData" : "vtkImageData");
@@ -164,6 +192,7 @@ int vtkMedialAxis::RequestData(vtkInformation* request, vtkInformationVector** i
       options.side = ToSide(this->Side);
       options.representation = ToRepresentation(this->Representation);
       options.maxSpheres = this->MaximumNumberOfSpheres;
+      options.topology = ToTopology(this->Topology);
       options.field = this->Internals->MakeOptions(&progress);
 
       vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
@@ -200,5 +229,6 @@ void vtkMedialAxis::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Side: " << this->GetSideAsString() << "\n";
   os << indent << "Representation: " << this->GetRepresentationAsString() << "\n";
   os << indent << "MaximumNumberOfSpheres: " << this->MaximumNumberOfSpheres << "\n";
+  os << indent << "Topology: " << this->GetTopologyAsString() << "\n";
   os << indent << "GenerateDistanceField: " << (this->GenerateDistanceField ? "On" : "Off") << "\n";
 }

@@ -82,6 +82,15 @@ public:
     POINTS = 2
   };
 
+  /**
+   * Whether the axis must have the topology of the solid.
+   */
+  enum Topologies
+  {
+    SELECTED = 0,
+    PRESERVE = 1
+  };
+
   ///@{
   /**
    * Least separation angle of the points of the axis in degrees, in the open interval (0, 180).
@@ -151,6 +160,24 @@ public:
 
   ///@{
   /**
+   * Whether the axis must have the topology of the solid. SELECTED: what Angle selects, in as many
+   * pieces as that is. PRESERVE: whatever Angle is, the axis has as many pieces, tunnels and
+   * cavities, and so the Euler characteristic and the genus, as the solid at the resolution of the
+   * grid: the voxels of the side are thinned from the surface on without cutting or piercing, and
+   * what Angle selects as sheets stays. Curves join the sheets and stand for thin round parts, as
+   * lines. Each side is thinned by itself, an unsigned one is the whole grid. PRESERVE takes 10
+   * bytes a grid point of the whole grid, and Representation SURFACE or FACES.
+   * Default is SELECTED.
+   */
+  vtkSetMacro(Topology, int);
+  vtkGetMacro(Topology, int);
+  void SetTopologyToSelected() { this->SetTopology(SELECTED); }
+  void SetTopologyToPreserve() { this->SetTopology(PRESERVE); }
+  const char* GetTopologyAsString();
+  ///@}
+
+  ///@{
+  /**
    * Whether output port 1 is the distance field on the whole grid, from the same run and with the
    * arrays that the Generate flags ask for. Off, the port is an empty image, and the arrays of the
    * grid are never held in memory. Default is off.
@@ -190,6 +217,7 @@ protected:
   int Side = INTERIOR;
   int Representation = SURFACE;
   int MaximumNumberOfSpheres = 0;
+  int Topology = SELECTED;
   vtkTypeBool GenerateDistanceField = false;
 
 private:

@@ -28,7 +28,7 @@ void computeField(const DistanceFieldOptions& options, FieldSink& field, Result&
   result.sign = resolveSignMethod(options.sign, result.topology);
 }
 
-void computeAxis(const MedialAxisOptions& options, FieldSink* field, Result& result)
+void computeAxis(const MedialAxisOptions& options, bool reported, FieldSink* field, Result& result)
 {
   const MedialAxis axis = field != nullptr
     ? computeMedialAxis(result.mesh, result.topology, result.grid, options, *field)
@@ -38,6 +38,11 @@ void computeAxis(const MedialAxisOptions& options, FieldSink* field, Result& res
   result.simplification = axis.simplification;
   result.sign = axis.sign;
   result.side = axis.side;
+  result.solidTopology = axis.solid;
+  if (reported)
+  {
+    result.axisTopology = topologyOf(axis);
+  }
 }
 
 } // namespace
@@ -66,7 +71,7 @@ void compute(const Options& options, FieldSink* field, ProgressBar& bar, Result&
     {
       if (options.wantsAxis())
       {
-        computeAxis(wanted, field, result);
+        computeAxis(wanted, !options.report.empty(), field, result);
       }
       else if (field != nullptr)
       {

@@ -25,7 +25,9 @@ struct Result
   SignMethod sign = SignMethod::None; ///< never Auto
   Side side = Side::Both;             ///< of the axis
   RunStatistics statistics;
-  SimplificationStatistics simplification; ///< all 0 without --max-spheres
+  SimplificationStatistics simplification;   ///< all 0 without --max-spheres
+  CellTopology axisTopology;                 ///< where a report is wanted
+  std::optional<CellTopology> solidTopology; ///< where the axis preserves it
   vtkSmartPointer<vtkPolyData> axis;  ///< as vtkMedialAxis makes it; empty where it is not wanted
   std::optional<Thickness> thickness; ///< of the mesh's points, where it is wanted
   vtkSmartPointer<vtkPolyData> thicknessPicture; ///< pictureOfThickness(), where it is wanted

@@ -30,6 +30,8 @@ const Names<Side> kSides = { { "interior", Side::Interior }, { "exterior", Side:
   { "both", Side::Both } };
 const Names<Representation> kRepresentations = { { "surface", Representation::Surface },
   { "faces", Representation::Faces }, { "points", Representation::Points } };
+const Names<Topology> kTopologies = { { "selected", Topology::Selected },
+  { "preserve", Topology::Preserve } };
 const Names<SignMethod> kSigns = { { "auto", SignMethod::Auto }, { "none", SignMethod::None },
   { "pseudonormal", SignMethod::Pseudonormal }, { "winding", SignMethod::Winding } };
 const Names<Evaluator> kEvaluators = { { "auto", Evaluator::Auto },
@@ -60,6 +62,7 @@ struct Words
   std::string minRadius = "0";
   std::string side = "interior";
   std::string representation = "surface";
+  std::string topology = "selected";
   std::string sign = "auto";
   std::string evaluator = "auto";
   double spacing = 0.0;
@@ -198,6 +201,13 @@ void addAxisOptions(CLI::App& app, Words& words, Options& options)
     ->check(within<int>("[0, 2147483647]", [](int n) { return n >= 0; }))
     ->group(group);
   app
+    .add_option("--topology", words.topology,
+      "selected, in as many pieces as theta leaves, or preserve: as many pieces, tunnels and "
+      "cavities as the solid has at this resolution; default selected")
+    ->option_text("KIND")
+    ->check(oneOf(kTopologies))
+    ->group(group);
+  app
     .add_option("--sign", words.sign,
       "how inside is told from outside: auto, none, pseudonormal (closed, consistently oriented "
       "meshes) or winding (not available yet); default auto")
@@ -264,11 +274,17 @@ void convertWords(const Words& words, bool spacingGiven, Options& options)
   options.minRadius = toLength(words.minRadius);
   options.side = kSides.at(words.side);
   options.representation = kRepresentations.at(words.representation);
+  options.topology = kTopologies.at(words.topology);
   if (options.maxSpheres > 0 && options.representation == Representation::Points)
   {
     throw Failure(ExitCode::Usage,
       "--max-spheres " + std::to_string(options.maxSpheres) +
         " needs --representation surface or faces: points have no cells to simplify");
+  }
+  if (options.topology == Topology::Preserve && options.representation == Representation::Points)
+  {
+    throw Failure(ExitCode::Usage,
+      "--topology preserve needs --representation surface or faces, not points");
   }
   options.input = words.input;
   options.output = words.output;
@@ -374,6 +390,7 @@ MedialAxisOptions libraryOptions(const Options& options, double diagonal)
   result.side = options.side;
   result.representation = options.representation;
   result.maxSpheres = options.maxSpheres;
+  result.topology = options.topology;
   result.field.sign = options.signMethod;
   result.field.evaluator = options.evaluator;
   result.field.threads = options.threads;
@@ -399,6 +416,11 @@ std::string nameOf(Side side)
 std::string nameOf(SignMethod method)
 {
   return nameIn(kSigns, method);
+}
+
+std::string nameOf(Topology topology)
+{
+  return nameIn(kTopologies, topology);
 }
 
 std::string nameOf(Evaluator evaluator)

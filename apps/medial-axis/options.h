@@ -39,6 +39,7 @@ struct Options
   Side side = Side::Interior;
   Representation representation = Representation::Surface;
   int maxSpheres = 0; ///< 0: no limit
+  Topology topology = Topology::Selected;
   SignMethod signMethod = SignMethod::Auto;
   Evaluator evaluator = Evaluator::Auto;
   int threads = 0;
@@ -74,6 +75,7 @@ ThicknessOptions thicknessOptions(const Options& options);
 std::string nameOf(Side side);
 std::string nameOf(SignMethod method);
 std::string nameOf(Evaluator evaluator);
+std::string nameOf(Topology topology);
 ///@}
 
 } // namespace medial::app

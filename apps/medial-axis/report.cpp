@@ -66,6 +66,20 @@ Json describeThickness(const Thickness& thickness, const Options& options)
     { "share_without", thickness.shareWithout() }, { "seconds", thickness.seconds } };
 }
 
+Json describe(const CellTopology& topology)
+{
+  return { { "components", topology.components },
+    { "euler_characteristic", topology.eulerCharacteristic }, { "genus", topology.genus },
+    { "cavities", topology.cavities } };
+}
+
+Json describeTopology(const Result& result, Topology mode)
+{
+  return { { "mode", nameOf(mode) },
+    { "solid", result.solidTopology ? describe(*result.solidTopology) : Json() },
+    { "axis", describe(result.axisTopology) } };
+}
+
 double peakMemoryMiB()
 {
   struct rusage usage = {};
@@ -91,6 +105,7 @@ std::string makeReport(const Result& result, const Options& options, const AppSe
   {
     report["thickness"] = describeThickness(*result.thickness, options);
   }
+  report["topology"] = describeTopology(result, options.topology);
   report["peak_memory_mib"] = peakMemoryMiB();
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

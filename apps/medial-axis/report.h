@@ -23,10 +23,11 @@ struct AppSeconds
 ///   seconds {read, sites, cull, polygons, draw, resolve, medial, write, total}, counts {sites,
 ///   polygons, fragments, candidate_pairs, medial_points, medial_cells}, fragments_per_voxel,
 ///   simplification {input_points, input_components, components, joined, forced, dropped, seconds}
-///   (as in SimplificationStatistics, 0 without --max-spheres), evaluator, sign_method and
-///   peak_memory_mib; where thickness was computed also thickness {side, angle, min, median, max,
-///   share_without, seconds}, numbers being null where no point has one. Lengths are in world
-///   units.
+///   (as in SimplificationStatistics, 0 without --max-spheres), evaluator, sign_method, topology
+///   {mode, solid (null unless preserved), axis: each {components, euler_characteristic, genus,
+///   cavities}} and peak_memory_mib; where thickness was computed also thickness {side, angle, min,
+///   median, max, share_without, seconds}, numbers being null where no point has one. Lengths are
+///   in world units.
 std::string makeReport(const Result& result, const Options& options, const AppSeconds& seconds);
 
 /// @throws Failure NoSpace when the file cannot be written completely. The message names no file.

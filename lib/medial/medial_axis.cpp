@@ -15,12 +15,16 @@
 #include "medial/medial/medial_cells.h"
 #include "medial/medial/separation.h"
 #include "medial/medial/simplification/axis_simplification.h"
+#include "medial/medial/topology/field_tap.h"
+#include "medial/medial/topology/preserved_axis.h"
 
 #include <tbb/parallel_for.h>
 
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 
 namespace medial
 {
@@ -110,6 +114,21 @@ BisectorPoints represent(Representation representation, const AxisGeometry& geom
   return points;
 }
 
+/// Points and cells with the topology of the solid: nothing of them may be contracted or dropped.
+BisectorPoints preserve(Representation representation, const AxisGeometry& geometry,
+  const FieldTap& field, std::vector<Crossing>& crossings, MedialAxis& axis)
+{
+  const BisectorPoints bisectors = bisectorPoints(geometry, true, crossings);
+  PreservedAxis preserved = preserveTopology(
+    { field.distances().data(), field.sites().data(), axis.sign, axis.side, representation },
+    geometry, crossings, bisectors);
+  axis.solid = preserved.solid;
+  axis.quads = std::move(preserved.cells.quads);
+  axis.lines = std::move(preserved.cells.lines);
+  axis.vertices = std::move(preserved.cells.vertices);
+  return std::move(preserved.cells.points);
+}
+
 void checkLength(const char* name, double length)
 {
   if (!(length >= 0.0) || !std::isfinite(length))
@@ -124,6 +143,11 @@ void checkOptions(const MedialAxisOptions& options)
   checkSeparationAngle(options.angle);
   checkLength("lambda", options.lambda);
   checkLength("radius", options.radius);
+  if (options.topology == Topology::Preserve && options.representation == Representation::Points)
+  {
+    throw Error(ErrorCode::InvalidInput,
+      "points have no topology to preserve: the representation must be surface or faces");
+  }
   if (options.maxSpheres < 0)
   {
     throw Error(ErrorCode::InvalidInput,
@@ -188,7 +212,12 @@ MedialAxis runPipeline(const TriangleMesh& mesh, const MeshTopology& topology, c
   axis.side = axis.sign == SignMethod::None ? Side::Both : options.side;
   Selection stage(options.angle, axis.side, pipeline.frame(), pipeline.statistics(),
     axis.sign != SignMethod::None);
-  pipeline.run(sink, &stage);
+  std::optional<FieldTap> tap;
+  if (options.topology == Topology::Preserve)
+  {
+    tap.emplace(sink, grid.wholeExtent());
+  }
+  pipeline.run(tap ? *tap : sink, &stage);
   pipeline.report(0.8, "medial axis");
   std::vector<Crossing> crossings = stage.takeCrossings();
   pipeline.inArena(
@@ -198,8 +227,10 @@ MedialAxis runPipeline(const TriangleMesh& mesh, const MeshTopology& topology, c
       const AxisGeometry geometry{ pipeline.sites(), pipeline.query(), pipeline.frame(),
         grid.wholeExtent(), glm::radians(options.angle), options.lambda / pipeline.frame().unit,
         options.radius / pipeline.frame().unit };
-      setPoints(represent(options.representation, geometry, crossings, axis), pipeline.frame(),
-        axis);
+      const BisectorPoints points = tap
+        ? preserve(options.representation, geometry, *tap, crossings, axis)
+        : represent(options.representation, geometry, crossings, axis);
+      setPoints(points, pipeline.frame(), axis);
       axis.feature = axisFeatures(edgesOf(axis), axis.points.size());
     });
   if (options.maxSpheres > 0)

@@ -2,9 +2,11 @@
 
 #include "medial/distance/distance_field.h"
 #include "medial/medial/medial_curves.h"
+#include "medial/medial/topology/cell_topology.h"
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace medial
@@ -24,6 +26,13 @@ enum class Representation
   Surface, ///< dual mesh: a vertex per grid cell, a face per crossed grid edge
   Faces,   ///< the voxel faces between the two ends of each crossed grid edge (Foskey et al.)
   Points   ///< one point per crossed grid edge, on the bisector of the two closest sites
+};
+
+/// Whether the medial axis must have the topology of the solid.
+enum class Topology
+{
+  Selected, ///< what the separation angle selects, in as many pieces as that is
+  Preserve  ///< as many pieces, tunnels and cavities as the solid at the resolution of the grid
 };
 
 /// Default separation angle theta, in degrees.
@@ -46,6 +55,16 @@ struct MedialAxisOptions
   /// Most points of the axis, >= 0; 0 for no limit. Otherwise the axis is made compact, as by
   /// simplifyAxis(): fewer points describe the shape less closely. Not for Representation::Points.
   std::int64_t maxSpheres = 0;
+  /// Preserve: whatever theta is, the axis has the components, the Euler characteristic and the
+  /// genus of its solid, the closed voxels around the grid points of the side, those on the border
+  /// of the grid left out. Voxels are taken away from the surface on by collapses only, which stop
+  /// at selected sheets; where the sheets leave something open the axis goes on as a curve or as
+  /// part of a sheet with smaller separation angles. Curves are kept where the radius grows by at
+  /// most cos(theta / 2) per length over four voxels. Each side is thinned by itself; that of an
+  /// unsigned field is the whole grid. Needs 10 bytes a grid point, and Representation::Surface or
+  /// Faces. After Liu, Chambers, Letscher, Ju, "A simple and robust thinning algorithm on cell
+  /// complexes", 2010, and Yan, Letscher, Ju, "Voxel Cores", 2018.
+  Topology topology = Topology::Selected;
   DistanceFieldOptions field;
 };
 
@@ -81,6 +100,8 @@ struct MedialAxis
 
   SignMethod sign = SignMethod::None; ///< the method used, never Auto
   Side side = Side::Both;             ///< the side delivered: Both where the field is unsigned
+  /// Of the solid, where the topology is preserved; topologyOf(axis) is the same then.
+  std::optional<CellTopology> solid;
   RunStatistics statistics;
   SimplificationStatistics simplification;
 
@@ -100,7 +121,8 @@ struct MedialAxis
 ///
 /// @param arrays where to leave the distance field of the whole grid as well; all null for none.
 /// @throws Error InvalidInput for an angle outside (0, 180), a negative lambda, radius or
-///   maxSpheres, for maxSpheres with Representation::Points, and as computeDistanceField.
+///   maxSpheres, for maxSpheres or Topology::Preserve with Representation::Points, and as
+///   computeDistanceField.
 MedialAxis computeMedialAxis(const TriangleMesh& mesh, const MeshTopology& topology,
   const Grid& grid, const MedialAxisOptions& options = {}, const FieldArrays& arrays = {});
 

@@ -69,8 +69,8 @@ TEST_F(CommandLine, HelpNamesEveryOption)
   EXPECT_EQ(help.err, "");
   for (const char* option : { "-o,--output", "--field", "--thickness", "--thickness-image",
          "--image", "--resolution", "--spacing", "--padding", "--angle", "--lambda", "--min-radius",
-         "--side", "--representation", "--max-spheres", "--sign", "--threads", "--memory",
-         "--report", "--require-gpu", "-q,--quiet", "--version", "--help" })
+         "--side", "--representation", "--max-spheres", "--topology", "--sign", "--threads",
+         "--memory", "--report", "--require-gpu", "-q,--quiet", "--version", "--help" })
   {
     EXPECT_TRUE(contains(help.out, option)) << option;
   }
@@ -129,6 +129,10 @@ TEST_F(CommandLine, RefusesUnknownWords)
     contains(usageError({ "--side", "top" }), "'top' is not one of both, exterior, interior"));
   EXPECT_TRUE(contains(usageError({ "--representation", "mesh" }),
     "'mesh' is not one of faces, points, surface"));
+  EXPECT_TRUE(
+    contains(usageError({ "--topology", "genus" }), "'genus' is not one of preserve, selected"));
+  EXPECT_TRUE(contains(usageError({ "--topology", "preserve", "--representation", "points" }),
+    "--topology preserve needs --representation surface or faces"));
   EXPECT_TRUE(contains(usageError({ "--sign", "plus" }), "'plus' is not one of"));
   EXPECT_TRUE(contains(usageError({ "--colour", "red" }), "--colour"));
   EXPECT_TRUE(contains(usageError({ "second.obj" }), "second.obj"));

@@ -267,7 +267,7 @@ TEST_F(CommandOutput, ReportHasExactlyTheDocumentedKeys)
   const Json result = report({});
   EXPECT_EQ(keysOf(result),
     (std::set<std::string>{ "input", "grid", "device", "seconds", "counts", "fragments_per_voxel",
-      "simplification", "evaluator", "sign_method", "peak_memory_mib" }));
+      "simplification", "evaluator", "sign_method", "topology", "peak_memory_mib" }));
   EXPECT_EQ(keysOf(result["simplification"]),
     (std::set<std::string>{ "input_points", "input_components", "components", "joined", "forced",
       "dropped", "seconds" }));
@@ -282,6 +282,26 @@ TEST_F(CommandOutput, ReportHasExactlyTheDocumentedKeys)
   EXPECT_EQ(keysOf(result["counts"]),
     (std::set<std::string>{ "sites", "polygons", "fragments", "candidate_pairs", "medial_points",
       "medial_cells" }));
+}
+
+TEST_F(CommandOutput, ReportsTheTopology)
+{
+  const std::set<std::string> keys{ "components", "euler_characteristic", "genus", "cavities" };
+  writeFile(input, objText(torus(1.0, 0.3, 24, 12)));
+  const Json selected = report({ "--angle", "150" })["topology"];
+  EXPECT_EQ(keysOf(selected), (std::set<std::string>{ "mode", "solid", "axis" }));
+  EXPECT_EQ(selected["mode"], "selected");
+  EXPECT_TRUE(selected["solid"].is_null());
+  EXPECT_EQ(keysOf(selected["axis"]), keys);
+  EXPECT_GT(selected["axis"]["components"], 1);
+  const Json preserved = report({ "--angle", "150", "--topology", "preserve" })["topology"];
+  EXPECT_EQ(preserved["mode"], "preserve");
+  EXPECT_EQ(keysOf(preserved["solid"]), keys);
+  EXPECT_EQ(preserved["solid"], preserved["axis"]);
+  EXPECT_EQ(preserved["axis"]["components"], 1);
+  EXPECT_EQ(preserved["axis"]["euler_characteristic"], 0);
+  EXPECT_EQ(preserved["axis"]["genus"], 1);
+  EXPECT_EQ(preserved["axis"]["cavities"], 0);
 }
 
 TEST_F(CommandOutput, ReportIsPlausible)

@@ -144,7 +144,7 @@ TEST(FilterManual, DistanceFieldHasNoParametersOfItsOwn)
 
 TEST(FilterManual, MedialAxisParametersAreExplainedAndPrinted)
 {
-  expectManual("vtkMedialAxis", 7, printed<vtkMedialAxis>());
+  expectManual("vtkMedialAxis", 8, printed<vtkMedialAxis>());
 }
 
 TEST(FilterManual, MedialCurvesParametersArePrinted)

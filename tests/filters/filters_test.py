@@ -116,6 +116,16 @@ class FiltersTest(unittest.TestCase):
         thickness.Update()
         self.assertEqual(thickness.GetShareWithout(), 1.0)
 
+    def test_topology_of_a_box(self):
+        axis = box_axis()
+        self.assertEqual(axis.GetTopologyAsString(), "Selected")
+        axis.SetTopologyToPreserve()
+        self.assertEqual(axis.GetTopology(), axis.PRESERVE)
+        axis.Update()
+        self.assertEqual(axis.GetErrorCode(), 0)
+        self.assertGreater(axis.GetOutput().GetNumberOfCells(), 100)
+        self.assertIn("Topology: Preserve", str(axis))
+
     def test_second_output(self):
         axis = box_axis()
         axis.GenerateDistanceFieldOn()

@@ -8,6 +8,7 @@
 #include <vtkCell.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkConnectivityFilter.h>
 #include <vtkContourFilter.h>
 #include <vtkDataArray.h>
 #include <vtkInformation.h>
@@ -72,6 +73,8 @@ TEST(MedialAxisFilter, DefaultsAreThoseOfTheLibrary)
   EXPECT_EQ(options.side, medial::Side::Interior);
   EXPECT_EQ(axis->GetRepresentation(), vtkMedialAxis::SURFACE);
   EXPECT_EQ(options.representation, medial::Representation::Surface);
+  EXPECT_EQ(axis->GetTopology(), vtkMedialAxis::SELECTED);
+  EXPECT_EQ(options.topology, medial::Topology::Selected);
   EXPECT_FALSE(axis->GetGenerateDistanceField());
 }
 
@@ -293,8 +296,30 @@ TEST(MedialAxisFilter, RefusesAnglesAndEnumsOutsideTheirRange)
   axis->SetMaximumNumberOfSpheres(10);
   expectError(axis, "surface or faces");
   axis->SetMaximumNumberOfSpheres(0);
+  axis->SetTopology(2);
+  expectError(axis, "Topology 2");
+  axis->SetTopologyToPreserve();
+  expectError(axis, "surface or faces");
+  axis->SetTopologyToSelected();
   axis->Update();
   EXPECT_EQ(axis->GetErrorCode(), 0u);
+}
+
+TEST(MedialAxisFilter, PreservesTheTopology)
+{
+  // At 120 degrees only the middle rectangle of a box is left, in one piece.
+  auto axis = boxAxis(25);
+  axis->SetAngle(120.0);
+  axis->SetTopologyToPreserve();
+  EXPECT_STREQ(axis->GetTopologyAsString(), "Preserve");
+  axis->Update();
+  EXPECT_EQ(axis->GetErrorCode(), 0u);
+  vtkNew<vtkConnectivityFilter> pieces;
+  pieces->SetInputConnection(axis->GetOutputPort());
+  pieces->SetExtractionModeToAllRegions();
+  pieces->Update();
+  EXPECT_EQ(pieces->GetNumberOfExtractedRegions(), 1);
+  EXPECT_GT(axis->GetOutput()->GetNumberOfPolys(), 10);
 }
 
 TEST(MedialAxisFilter, SidesAreWhereTheySayTheyAre)

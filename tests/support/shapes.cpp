@@ -261,6 +261,48 @@ TriangleMesh regularTetrahedron(double edge)
     { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 3, 1 }, { 1, 3, 2 } });
 }
 
+TriangleMesh blocks(const std::vector<std::string>& rows, double halfHeight)
+{
+  const auto filled = [&](int x, int y)
+  {
+    const auto row = static_cast<std::size_t>(-y);
+    return y <= 0 && row < rows.size() && x >= 0 &&
+      static_cast<std::size_t>(x) < rows[row].size() && rows[row][x] == '#';
+  };
+  Soup soup;
+  const double z = halfHeight;
+  for (int row = 0; row < static_cast<int>(rows.size()); ++row)
+  {
+    for (int x = 0; x < static_cast<int>(rows[row].size()); ++x)
+    {
+      const int y = -row;
+      if (!filled(x, y))
+      {
+        continue;
+      }
+      const std::array<Point2, 4> corners{ { { x - 0.5, y - 0.5 }, { x + 0.5, y - 0.5 },
+        { x + 0.5, y + 0.5 }, { x - 0.5, y + 0.5 } } };
+      const std::array<std::array<int, 2>, 4> beside{ { { x, y - 1 }, { x + 1, y }, { x, y + 1 },
+        { x - 1, y } } };
+      std::vector<Point3> top;
+      for (int side = 0; side < 4; ++side)
+      {
+        const auto [ax, ay] = corners[side];
+        const auto [bx, by] = corners[(side + 1) % 4];
+        top.push_back({ ax, ay, z });
+        if (!filled(beside[side][0], beside[side][1]))
+        {
+          soup.add({ { ax, ay, -z }, { bx, by, -z }, { bx, by, z }, { ax, ay, z } });
+        }
+      }
+      soup.add(top);
+      soup.add({ { x - 0.5, y - 0.5, -z }, { x - 0.5, y + 0.5, -z }, { x + 0.5, y + 0.5, -z },
+        { x + 0.5, y - 0.5, -z } });
+    }
+  }
+  return soup.build();
+}
+
 TriangleMesh randomSoup(int n, std::uint32_t seed)
 {
   std::mt19937 random(seed);

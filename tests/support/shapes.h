@@ -4,6 +4,8 @@
 #include "support/transforms.h"
 
 #include <cstdint>
+#include <string>
+#include <vector>
 
 // Meshes whose distance fields and medial axes are known. Lengths are world units, angles degrees.
 // Unless said otherwise shapes are centred at the origin, closed and oriented outwards, and the
@@ -48,6 +50,10 @@ TriangleMesh wedge(double dihedral, double length, double width);
 
 /// Tetrahedron with edges of length `edge`.
 TriangleMesh regularTetrahedron(double edge);
+
+/// Blocks of side 1, |z| <= halfHeight, where rows of text have a '#', the first row at the top and
+/// the first block at the origin; blocks that share no side must not touch.
+TriangleMesh blocks(const std::vector<std::string>& rows, double halfHeight);
 
 /// n triangles without common points, corners uniformly random in [-1, 1]^3.
 TriangleMesh randomSoup(int n, std::uint32_t seed);

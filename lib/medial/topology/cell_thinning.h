@@ -1,0 +1,80 @@
+#pragma once
+
+#include "medial/medial/topology/bucket_queue.h"
+#include "medial/medial/topology/cell_lattice.h"
+#include "medial/medial/topology/curve_chains.h"
+#include "medial/medial/topology/curve_probe.h"
+#include "medial/medial/topology/voxel_solid.h"
+
+#include <cstdint>
+#include <queue>
+#include <tuple>
+#include <unordered_map>
+#include <vector>
+
+namespace medial
+{
+
+/// Thins a cubical complex until no voxel is left, by collapses alone: each removes a cell that is
+/// no face of another together with a face that belongs to no other cell. A collapse is a
+/// deformation retraction, so that components, tunnels and cavities stay as they are.
+///
+/// A fire starts at the surface and takes voxels in the order of their distances, faces as soon as
+/// an edge of theirs is free, edges likewise, but along curves (CurveProbe) at unit speed. It stops
+/// at anchored faces and at curves that are long and blunt enough (CurveChains). Voxels that
+/// anchored faces shut in are reached through the one of least angle. The result does not depend on
+/// the number of threads: the fire has one.
+class CellThinning
+{
+public:
+  /// @param lattice the solid, which becomes what is left of it.
+  /// @param depth and probe must outlive this object.
+  /// @param step frame distance of neighbouring grid points.
+  CellThinning(CellLattice& lattice, const DepthField& depth, const CurveProbe& probe,
+    const glm::dvec3& step, const CurveLimits& limits);
+
+  /// A face that is to stay.
+  /// @param angle those of lesser angle give way first where one must.
+  void anchor(Cell face, float angle);
+  bool anchored(Cell face) const { return anchors_.has(face); }
+
+  /// Burns what can be reached from outside.
+  void burn();
+  /// Burns faces that were anchored, and what can be reached then.
+  void release(const std::vector<Cell>& faces);
+
+private:
+  struct Event
+  {
+    Cell cell;
+    int chain;
+  };
+  using Gate = std::tuple<float, Cell, Cell>; ///< angle, anchored face, voxel behind it
+
+  void raise(Cell cell, int chain = CurveChains::kNone);
+  void raiseEdge(Cell edge, int chain);
+  void drain();
+  void burnVoxel(Cell voxel);
+  void burnFace(Cell face);
+  void burnEdge(Cell edge, int chain);
+  bool openGate();
+  /// Removes both; `edgeChain` is what a fire along curves goes on with.
+  void collapse(Cell cell, Cell freeFace, int edgeChain = CurveChains::kNone);
+  bool hasFreeFace(Cell cell) const;
+  Cell freeFace(Cell cell, bool anchoredToo = true) const;
+  glm::vec3 edgePosition(Cell edge) const;
+  float depthAround(Cell cell) const;
+
+  CellLattice& lattice_;
+  /// Faces, and edges of curves that are kept; and voxels that are in the queue.
+  CellLattice anchors_;
+  const DepthField& depth_;
+  const CurveProbe& probe_;
+  glm::dvec3 step_;
+  CurveChains chains_;
+  std::unordered_map<Cell, float> angles_;
+  BucketQueue<Event> queue_;
+  std::priority_queue<Gate, std::vector<Gate>, std::greater<>> gates_;
+};
+
+} // namespace medial

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+namespace medial
+{
+
+/// Union-find over 0 .. count - 1.
+class DisjointSets
+{
+public:
+  explicit DisjointSets(std::size_t count = 0)
+    : parent_(count)
+  {
+    std::iota(parent_.begin(), parent_.end(), std::int64_t{ 0 });
+  }
+
+  std::int64_t size() const { return static_cast<std::int64_t>(parent_.size()); }
+
+  std::int64_t add()
+  {
+    parent_.push_back(this->size());
+    return parent_.back();
+  }
+
+  /// The lowest member of an element's set.
+  std::int64_t find(std::int64_t element)
+  {
+    while (parent_[element] != element)
+    {
+      parent_[element] = parent_[parent_[element]];
+      element = parent_[element];
+    }
+    return element;
+  }
+
+  void join(std::int64_t a, std::int64_t b)
+  {
+    a = this->find(a);
+    b = this->find(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+private:
+  std::vector<std::int64_t> parent_;
+};
+
+} // namespace medial
