@@ -195,7 +195,9 @@ void simplify(const MedialAxisOptions& options, RunStatistics& statistics, Media
   simplification.maxSpheres = options.maxSpheres;
   simplification.threads = options.field.threads;
   simplification.progress = &progress;
+  const std::optional<CellTopology> solid = axis.solid;
   axis = simplifyAxis(axis, simplification);
+  axis.solid = solid;
   axis.feature = axisFeatures(edgesOf(axis), axis.points.size());
 }
 

@@ -100,7 +100,8 @@ struct MedialAxis
 
   SignMethod sign = SignMethod::None; ///< the method used, never Auto
   Side side = Side::Both;             ///< the side delivered: Both where the field is unsigned
-  /// Of the solid, where the topology is preserved; topologyOf(axis) is the same then.
+  /// Of the solid, where the topology is preserved; topologyOf(axis) is the same then, unless
+  /// maxSpheres is too small for it.
   std::optional<CellTopology> solid;
   RunStatistics statistics;
   SimplificationStatistics simplification;
