@@ -1,0 +1,57 @@
+#include "support/analytic_axes.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdio>
+#include <ostream>
+
+using namespace medial;
+using namespace medial::test;
+
+namespace medial::test
+{
+
+static std::ostream& operator<<(std::ostream& stream, const AnalyticAxis& axis)
+{
+  return stream << axis.name;
+}
+
+} // namespace medial::test
+
+namespace
+{
+
+class AnalyticAxisOf : public testing::TestWithParam<AnalyticAxis>
+{
+};
+
+} // namespace
+
+/// Positions in grid steps stay within bounds at every resolution, and errors in world units fall
+/// with the spacing. The figures are printed for docs/ACCURACY.md.
+TEST_P(AnalyticAxisOf, ErrorsAreSmallAndFallWithTheSpacing)
+{
+  const AnalyticAxis& axis = GetParam();
+  std::array<AnalyticErrors, 3> errors;
+  for (int level = 0; level < 3; ++level)
+  {
+    const double spacing = axis.spacing / (1 << level);
+    errors[level] = analyticErrors(axis, spacing);
+    const AnalyticErrors& e = errors[level];
+    std::printf("| %s | %.4g | %zu | %.3f / %.4f | %.3f / %.4f | %.2f / %.2f | %.2f |\n",
+      axis.name.c_str(), spacing, e.points, e.positionMost, e.positionMean, e.radiusMost,
+      e.radiusMean, e.angleMost, e.angleMean, 100.0 * e.area);
+    ASSERT_GT(e.points, 50u);
+    EXPECT_LE(e.positionMost, 0.3);
+    EXPECT_LE(e.positionMean, 0.05);
+    EXPECT_LE(e.radiusMost, 0.3);
+  }
+  // At least first order in world units: the mean in grid steps must not grow.
+  EXPECT_LE(errors[2].positionMean, 1.1 * errors[0].positionMean + 1e-4);
+  EXPECT_LE(errors[2].angleMean, errors[0].angleMean + 0.05);
+  EXPECT_LE(errors[2].area, errors[0].area + 1e-4);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shapes, AnalyticAxisOf, testing::ValuesIn(analyticAxes()),
+  [](const auto& test) { return test.param.name; });

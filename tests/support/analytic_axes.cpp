@@ -1,0 +1,327 @@
+#include "support/analytic_axes.h"
+
+#include "support/shapes.h"
+#include "support/transforms.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace medial::test
+{
+namespace
+{
+
+const double kPi = std::acos(-1.0);
+
+double degrees(double radians)
+{
+  return radians * 180.0 / kPi;
+}
+
+double dot(const Point3& a, const Point3& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+Point3 minus(const Point3& a, const Point3& b)
+{
+  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
+}
+
+double length(const Point3& a)
+{
+  return std::sqrt(dot(a, a));
+}
+
+/// Degrees between the directions from x to two points.
+double angleAt(const Point3& x, const Point3& a, const Point3& b)
+{
+  const Point3 u = minus(a, x);
+  const Point3 v = minus(b, x);
+  return degrees(std::acos(std::clamp(dot(u, v) / (length(u) * length(v)), -1.0, 1.0)));
+}
+
+/// Facets of a round shape of radius 1 per spacing: the sag is some hundredths of it.
+int segments(double spacing)
+{
+  return 4 * static_cast<int>(std::ceil(4.0 / std::sqrt(spacing)));
+}
+
+int subdivisions(double spacing)
+{
+  return spacing > 0.06 ? 4 : 5;
+}
+
+Bounds around(const Point3& half)
+{
+  Bounds bounds;
+  bounds.min = { -half[0], -half[1], -half[2] };
+  bounds.max = half;
+  return bounds;
+}
+
+/// Lower than wide: a flat disc and two cones.
+AnalyticAxis disc()
+{
+  constexpr double kRadius = 1.0;
+  constexpr double kHalf = 0.3;
+  AnalyticAxis axis;
+  axis.name = "disc";
+  axis.shape = [](double h) { return cylinder(kRadius, 2.0 * kHalf, 4 * segments(h)); };
+  axis.bounds = around({ 1.2, 1.2, 0.5 });
+  axis.spacing = 0.07;
+  axis.angle = 70.0;
+  axis.side = Side::Interior;
+  axis.truth = [](const Point3& p)
+  {
+    const double rho = std::hypot(p[0], p[1]);
+    const double toCap = kHalf - std::abs(p[2]);
+    const double toWall = kRadius - rho;
+    if (rho < kRadius - kHalf)
+    {
+      return AxisTruth{ std::abs(p[2]), kHalf, 180.0 };
+    }
+    return AxisTruth{ std::abs(toWall - toCap) / std::sqrt(2.0), 0.5 * (toWall + toCap), 90.0 };
+  };
+  axis.regular = [](const Point3& p, double h)
+  {
+    const double rho = std::hypot(p[0], p[1]);
+    return std::abs(rho - (kRadius - kHalf)) > 2.0 * h && rho < kRadius - 2.0 * h;
+  };
+  const double inner = kRadius - kHalf;
+  axis.area = kPi * inner * inner + 2.0 * kPi * (inner + kRadius) * kHalf * std::sqrt(2.0);
+  return axis;
+}
+
+AnalyticAxis triaxialEllipsoid()
+{
+  constexpr double a = 1.0;
+  constexpr double b = 0.8;
+  constexpr double c = 0.45;
+  AnalyticAxis axis;
+  axis.name = "ellipsoid";
+  axis.shape = [](double h) { return ellipsoid(a, b, c, subdivisions(h) + 1); };
+  axis.bounds = around({ 1.1, 0.9, 0.55 });
+  axis.spacing = 0.06;
+  axis.angle = 80.0;
+  axis.side = Side::Interior;
+  axis.truth = [](const Point3& p)
+  {
+    const double u = p[0] * p[0] / (a * a - c * c);
+    const double v = p[1] * p[1] / (b * b - c * c);
+    const double radius = c * std::sqrt(std::max(0.0, 1.0 - u - v));
+    const double px = p[0] * a / (a * a - c * c);
+    const double py = p[1] * b / (b * b - c * c);
+    const double pz = c * std::sqrt(std::max(0.0, 1.0 - px * px - py * py));
+    const double sine = radius > 0.0 ? std::min(1.0, pz / radius) : 0.0;
+    return AxisTruth{ std::abs(p[2]), radius, degrees(2.0 * std::asin(sine)) };
+  };
+  axis.regular = [](const Point3&, double) { return true; };
+  return axis;
+}
+
+AnalyticAxis eccentricShell()
+{
+  constexpr double kInner = 0.4;
+  constexpr double kOuter = 1.0;
+  const Point3 centre{ 0.17, 0.05, -0.08 };
+  AnalyticAxis axis;
+  axis.name = "eccentricShell";
+  axis.shape = [centre](double h)
+  {
+    return appended(translated(icosphere(kOuter, subdivisions(h)), centre),
+      flipOrientation(icosphere(kInner, subdivisions(h))));
+  };
+  axis.bounds = around({ 1.3, 1.2, 1.2 });
+  axis.spacing = 0.08;
+  axis.angle = 90.0;
+  axis.side = Side::Interior;
+  axis.truth = [centre](const Point3& p)
+  {
+    const Point3 q = minus(p, centre);
+    const double toInner = length(p);
+    const double toOuter = length(q);
+    const double cosine = dot(p, q) / (toInner * toOuter);
+    const double gradient = std::sqrt(2.0 + 2.0 * cosine);
+    return AxisTruth{ std::abs(toInner + toOuter - kInner - kOuter) / gradient, toInner - kInner,
+      degrees(std::acos(std::clamp(-cosine, -1.0, 1.0))) };
+  };
+  axis.regular = [](const Point3&, double) { return true; };
+  return axis;
+}
+
+AnalyticAxis openPlates()
+{
+  constexpr double kGap = 0.6;
+  constexpr double kHalfSide = 0.7;
+  AnalyticAxis axis;
+  axis.name = "plates";
+  axis.shape = [](double) { return plates(kGap, kHalfSide); };
+  axis.bounds = around({ 0.95, 0.9, 0.25 });
+  axis.spacing = 0.07;
+  axis.angle = 60.0;
+  axis.side = Side::Both;
+  axis.truth = [](const Point3& p)
+  {
+    const double u = std::max(0.0, std::abs(p[0]) - kHalfSide);
+    const double v = std::max(0.0, std::abs(p[1]) - kHalfSide);
+    const double radius = std::hypot(0.5 * kGap, u, v);
+    return AxisTruth{ std::abs(p[2]), radius, degrees(2.0 * std::asin(0.5 * kGap / radius)) };
+  };
+  axis.regular = [](const Point3&, double) { return true; };
+  return axis;
+}
+
+AnalyticAxis pointAndPlane()
+{
+  constexpr double kFocus = 0.35;
+  AnalyticAxis axis;
+  axis.name = "pointAndPlane";
+  axis.shape = [](double)
+  {
+    constexpr double s = 4.0;
+    return makeMesh({ { -s, -s, -kFocus }, { s, -s, -kFocus }, { s, s, -kFocus },
+                      { -s, s, -kFocus }, { 0.0, 0.0, kFocus } },
+      { { 0, 1, 2 }, { 0, 2, 3 } }, {}, { 4 });
+  };
+  axis.bounds = around({ 0.8, 0.75, 0.9 });
+  axis.spacing = 0.07;
+  axis.angle = 60.0;
+  axis.side = Side::Both;
+  axis.truth = [](const Point3& p)
+  {
+    const double rho = std::hypot(p[0], p[1]);
+    const double slope = 0.5 * rho / kFocus;
+    const Point3 below{ p[0], p[1], -kFocus };
+    return AxisTruth{ std::abs(p[2] - 0.25 * rho * rho / kFocus) / std::hypot(1.0, slope),
+      p[2] + kFocus, angleAt(p, { 0.0, 0.0, kFocus }, below) };
+  };
+  axis.regular = [](const Point3&, double) { return true; };
+  return axis;
+}
+
+AnalyticAxis skewLines()
+{
+  constexpr double k = 0.4;
+  AnalyticAxis axis;
+  axis.name = "skewLines";
+  axis.shape = [](double)
+  {
+    constexpr double s = 5.0;
+    return makeMesh({ { -s, 0.0, k }, { s, 0.0, k }, { 0.0, -s, -k }, { 0.0, s, -k } }, {},
+      { { 0, 1 }, { 2, 3 } });
+  };
+  axis.bounds = around({ 0.8, 0.85, 0.9 });
+  axis.spacing = 0.07;
+  axis.angle = 50.0;
+  axis.side = Side::Both;
+  axis.truth = [](const Point3& p)
+  {
+    const double residual = p[2] - (p[1] * p[1] - p[0] * p[0]) / (4.0 * k);
+    const double gradient = std::hypot(1.0, 0.5 * p[0] / k, 0.5 * p[1] / k);
+    return AxisTruth{ std::abs(residual) / gradient, std::hypot(p[1], p[2] - k),
+      angleAt(p, { p[0], 0.0, k }, { 0.0, p[1], -k }) };
+  };
+  axis.regular = [](const Point3&, double) { return true; };
+  return axis;
+}
+
+AnalyticAxis convexWedge()
+{
+  constexpr double kDihedral = 70.0;
+  AnalyticAxis axis;
+  axis.name = "wedge";
+  axis.shape = [](double) { return wedge(kDihedral, 6.0, 4.0); };
+  axis.bounds.min = { 0.05, -0.3, -0.4 };
+  axis.bounds.max = { 0.9, 0.3, 0.4 };
+  axis.spacing = 0.05;
+  axis.angle = 100.0;
+  axis.side = Side::Interior;
+  axis.truth = [](const Point3& p)
+  {
+    return AxisTruth{ std::abs(p[1]), p[0] * std::sin(0.5 * kDihedral * kPi / 180.0),
+      180.0 - kDihedral };
+  };
+  axis.regular = [](const Point3&, double) { return true; };
+  return axis;
+}
+
+Grid gridOf(const AnalyticAxis& axis, double spacing)
+{
+  Grid grid;
+  grid.spacing = { spacing, spacing, spacing };
+  for (int i = 0; i < 3; ++i)
+  {
+    // No round places.
+    const double shift = (0.137 + 0.171 * i) * spacing;
+    grid.origin[i] = axis.bounds.min[i] + shift;
+    grid.dimensions[i] =
+      static_cast<int>((axis.bounds.max[i] - axis.bounds.min[i] - shift) / spacing) + 1;
+  }
+  return grid;
+}
+
+double areaOf(const MedialAxis& axis)
+{
+  double sum = 0.0;
+  const auto add = [&](std::int64_t a, std::int64_t b, std::int64_t c)
+  {
+    const Point3 u = minus(axis.points[b], axis.points[a]);
+    const Point3 v = minus(axis.points[c], axis.points[a]);
+    sum += 0.5 *
+      length({ u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0] });
+  };
+  for (const auto& quad : axis.quads)
+  {
+    add(quad[0], quad[1], quad[2]);
+    add(quad[0], quad[2], quad[3]);
+  }
+  for (const auto& triangle : axis.triangles)
+  {
+    add(triangle[0], triangle[1], triangle[2]);
+  }
+  return sum;
+}
+
+} // namespace
+
+std::vector<AnalyticAxis> analyticAxes()
+{
+  return { disc(), triaxialEllipsoid(), eccentricShell(), openPlates(), pointAndPlane(),
+    skewLines(), convexWedge() };
+}
+
+AnalyticErrors analyticErrors(const AnalyticAxis& axis, double spacing)
+{
+  MedialAxisOptions options;
+  options.angle = axis.angle;
+  options.side = axis.side;
+  const MedialAxis found = computeMedialAxis(axis.shape(spacing), gridOf(axis, spacing), options);
+  AnalyticErrors errors;
+  for (std::size_t p = 0; p < found.points.size(); ++p)
+  {
+    if (!axis.regular(found.points[p], spacing))
+    {
+      continue;
+    }
+    const AxisTruth truth = axis.truth(found.points[p]);
+    const double position = truth.offAxis / spacing;
+    const double radius = std::abs(static_cast<double>(found.radius[p]) - truth.radius) / spacing;
+    const double angle = std::abs(static_cast<double>(found.separationAngle[p]) - truth.angle);
+    ++errors.points;
+    errors.positionMost = std::max(errors.positionMost, position);
+    errors.positionMean += position;
+    errors.radiusMost = std::max(errors.radiusMost, radius);
+    errors.radiusMean += radius;
+    errors.angleMost = std::max(errors.angleMost, angle);
+    errors.angleMean += angle;
+  }
+  const double count = static_cast<double>(std::max<std::size_t>(1, errors.points));
+  errors.positionMean /= count;
+  errors.radiusMean /= count;
+  errors.angleMean /= count;
+  errors.area = axis.area > 0.0 ? std::abs(areaOf(found) / axis.area - 1.0) : 0.0;
+  return errors;
+}
+
+} // namespace medial::test

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "medial/common/grid.h"
+#include "medial/medial/medial_axis.h"
+#include "medial/mesh/triangle_mesh.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+// Shapes whose medial axes, radii and separation angles are known as functions of position.
+namespace medial::test
+{
+
+/// What is true at a point near the axis.
+struct AxisTruth
+{
+  double offAxis = 0.0; ///< distance from the axis, to first order
+  double radius = 0.0;  ///< at the axis there
+  double angle = 0.0;   ///< separation angle there, degrees
+};
+
+struct AnalyticAxis
+{
+  std::string name;
+  /// Tessellation: the error of the facets falls with `spacing` squared.
+  std::function<TriangleMesh(double spacing)> shape;
+  Bounds bounds;  ///< of the grid, in which the axis is as told
+  double spacing; ///< the coarsest; halved twice
+  double angle;   ///< least separation angle, degrees
+  Side side;
+  std::function<AxisTruth(const Point3&)> truth;
+  /// False for points near seams, rims and ends, where the truth changes from one form to another.
+  std::function<bool(const Point3&, double spacing)> regular;
+  double area = 0.0; ///< of the sheets inside the bounds; 0 where it has no closed form
+};
+
+/// Disc, ellipsoid, eccentric shell, plates, point and plane, skew lines and wedges.
+std::vector<AnalyticAxis> analyticAxes();
+
+/// Errors in grid steps, angles in degrees, area relative.
+struct AnalyticErrors
+{
+  std::size_t points = 0;
+  double positionMost = 0.0;
+  double positionMean = 0.0;
+  double radiusMost = 0.0;
+  double radiusMean = 0.0;
+  double angleMost = 0.0;
+  double angleMean = 0.0;
+  double area = 0.0;
+};
+
+AnalyticErrors analyticErrors(const AnalyticAxis& axis, double spacing);
+
+} // namespace medial::test
