@@ -8,6 +8,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 
 namespace medial
@@ -18,14 +19,15 @@ namespace
 /// How far outside of its cell a vertex may lie, in steps of the grid.
 constexpr double kOutside = 0.1;
 
-/// How much farther than the closest point the other one may be, where a vertex is off the
-/// bisector: grid steps.
+/// How much farther than the closest point the other one may be, in grid steps: for a vertex that
+/// the bisectors place, and for the centre of a cell.
 constexpr double kOffBisector = 0.3;
+constexpr double kAnywhere = std::numeric_limits<double>::infinity();
 
 /// The two closest points at x: the closest one, and of the sites whose bisectors gave the vertex
 /// the one that is seen under the largest angle from it.
 BisectorPoint contacts(const AxisGeometry& geometry, const DualMesh& mesh,
-  const BisectorPoints& bisectors, std::size_t vertex, const glm::dvec3& x)
+  const BisectorPoints& bisectors, std::size_t vertex, const glm::dvec3& x, double tolerance)
 {
   const std::size_t begin = mesh.offsets[vertex];
   const std::size_t end = mesh.offsets[vertex + 1];
@@ -35,7 +37,7 @@ BisectorPoint contacts(const AxisGeometry& geometry, const DualMesh& mesh,
   result.a =
     geometry.query.closest(x, glm::distance(x, closestPoint(geometry.sites, known, x).point));
   result.b = result.a;
-  const double farthest = result.radius() + kOffBisector;
+  const double farthest = result.radius() + tolerance;
   double widest = -1.0;
   for (std::size_t i = begin; i < end; ++i)
   {
@@ -137,7 +139,8 @@ BisectorPoints surfacePoints(const AxisGeometry& geometry, const DualMesh& mesh,
         result.moved[v] = 1;
         return;
       }
-      point = contacts(geometry, mesh, bisectors, v, fitted(geometry, mesh, bisectors, v, fit));
+      point = contacts(geometry, mesh, bisectors, v, fitted(geometry, mesh, bisectors, v, fit),
+        kOffBisector);
       if (point.separationAngle() < geometry.angle)
       {
         const std::optional<BisectorPoint> other = axisAlongNormal(geometry, point);
@@ -154,7 +157,7 @@ BisectorPoints cellCentres(const AxisGeometry& geometry, const DualMesh& mesh,
     [&](std::size_t v, PlaneFit&, BisectorPoints& result)
     {
       const glm::dvec3 x = geometry.frame.sample(glm::dvec3(mesh.cells[v]) + 0.5);
-      result.points[v] = contacts(geometry, mesh, bisectors, v, x);
+      result.points[v] = contacts(geometry, mesh, bisectors, v, x, kAnywhere);
     });
 }
 

@@ -324,3 +324,13 @@ TEST(MedialAxisSelection, ACapsuleIsLinesAlongItsMiddle)
     }
   }
 }
+
+/// The corners of voxel faces lie up to a diagonal off the axis; their angles are those of the
+/// axis.
+TEST(MedialAxisSelection, CornersOfVoxelFacesSeeBothSides)
+{
+  const TriangleMesh mesh = box({ 1.0, 0.8, 0.2 });
+  const MedialAxis axis = compute(mesh, 0.043, 120.0, Side::Interior, Representation::Faces);
+  ASSERT_GT(axis.points.size(), 100u);
+  EXPECT_GE(*std::min_element(axis.separationAngle.begin(), axis.separationAngle.end()), 80.0f);
+}
