@@ -185,20 +185,20 @@ TEST(HostContext, NoneIsCurrentAfterwardsWhereNoneWasBefore)
 
 TEST(HostContext, FiltersRunInAnyThread)
 {
-  // VTK sets up its object factories with the first object, which is not safe in several threads.
-  vtkNew<vtkMeshDistanceField> first;
+  const auto distanceInTheMiddle = []
+  {
+    vtkNew<vtkMeshDistanceField> field;
+    field->SetInputData(boxPolyData({ 1.0, 1.0, 1.0 }));
+    field->SetResolution(9);
+    field->Update();
+    return valueOf(field->GetOutput(), "Distance", 9 * 9 * 9 / 2);
+  };
+  // VTK sets up its object factories at the first use, which is not safe in several threads.
+  EXPECT_NEAR(distanceInTheMiddle(), -1.0, 1e-5);
   std::vector<std::future<double>> results;
   for (int i = 0; i < 4; ++i)
   {
-    results.push_back(std::async(std::launch::async,
-      []
-      {
-        vtkNew<vtkMeshDistanceField> field;
-        field->SetInputData(boxPolyData({ 1.0, 1.0, 1.0 }));
-        field->SetResolution(9);
-        field->Update();
-        return valueOf(field->GetOutput(), "Distance", 9 * 9 * 9 / 2);
-      }));
+    results.push_back(std::async(std::launch::async, distanceInTheMiddle));
   }
   for (auto& result : results)
   {
