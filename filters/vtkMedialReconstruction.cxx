@@ -1,7 +1,6 @@
 #include "vtkMedialReconstruction.h"
 
 #include "vtkDataObject.h"
-#include "vtkDemandDrivenPipeline.h"
 #include "vtkFloatArray.h"
 #include "vtkFlyingEdges3D.h"
 #include "vtkImageData.h"
@@ -17,6 +16,7 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include "medial/common/error.h"
+#include "medial/common/memory_guard.h"
 #include "medial/medial/evaluation/union_field.h"
 
 #include <algorithm>
@@ -32,6 +32,9 @@ namespace
 
 /// The share of the work that evaluation takes, contouring being the rest.
 constexpr double EvaluationShare = 0.9;
+
+/// The field, VTK's copy of it, and what the contour filter notes about each edge.
+constexpr int BytesPerGridPoint = 2 * sizeof(float) + 1;
 
 //------------------------------------------------------------------------------
 /// Progress of a part of the execution.
@@ -136,6 +139,7 @@ int vtkMedialReconstruction::RequestData(vtkInformation*, vtkInformationVector**
     PartialProgress progress(this);
     const medial::MedialModel model = vtkMedialModelConversion::ToMedialModel(input);
     const medial::Grid grid = medial::makeGrid(medial::modelBounds(model), this->Resolution);
+    medial::requireMemory(grid.pointCount(), BytesPerGridPoint);
     const std::vector<float> field =
       medial::unionField(model, grid, this->Interpolate != 0, &progress);
     progress.report(1.0, "contour");
@@ -180,14 +184,10 @@ int vtkMedialReconstruction::Fail(vtkInformationVector* outputVector, unsigned l
 }
 
 //------------------------------------------------------------------------------
-// Data released and not generated is what makes the pipeline execute again on the next update.
 int vtkMedialReconstruction::Cancel(vtkInformationVector* outputVector)
 {
-  vtkInformation* info = outputVector->GetInformationObject(0);
-  vtkDataObject::GetData(info)->ReleaseData();
-  info->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
   this->ErrorCode = vtkMeshFieldAlgorithm::CancelledError;
-  return 0;
+  return vtkEndCancelled(this, outputVector);
 }
 
 //------------------------------------------------------------------------------

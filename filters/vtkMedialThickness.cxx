@@ -1,6 +1,5 @@
 #include "vtkMedialThickness.h"
 
-#include "vtkDemandDrivenPipeline.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMeshConversion.h"
@@ -98,14 +97,11 @@ int vtkMedialThickness::Fail(vtkPolyData* output, unsigned long code, const char
 }
 
 //------------------------------------------------------------------------------
-// Data released and not generated is what makes the pipeline execute again on the next update.
-int vtkMedialThickness::Cancel(vtkInformation* outInfo)
+int vtkMedialThickness::Cancel(vtkInformationVector* outputVector)
 {
-  vtkPolyData::GetData(outInfo)->ReleaseData();
-  outInfo->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
   this->ForgetFigures();
   this->ErrorCode = vtkMeshFieldAlgorithm::CancelledError;
-  return 0;
+  return vtkEndCancelled(this, outputVector);
 }
 
 //------------------------------------------------------------------------------
@@ -156,7 +152,7 @@ int vtkMedialThickness::RequestData(vtkInformation*, vtkInformationVector** inpu
   catch (const medial::Error& error)
   {
     return error.code() == medial::ErrorCode::Cancelled
-      ? this->Cancel(outInfo)
+      ? this->Cancel(outputVector)
       : this->Fail(output, vtkErrorCodeOf(error.code()), error.what());
   }
   catch (const std::bad_alloc&)

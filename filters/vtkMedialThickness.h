@@ -136,7 +136,7 @@ protected:
 private:
   void Execute(vtkPolyData* input, vtkPolyData* output);
   int Fail(vtkPolyData* output, unsigned long code, const char* message);
-  int Cancel(vtkInformation* outInfo);
+  int Cancel(vtkInformationVector* outputVector);
   void ForgetFigures();
 
   vtkMedialThickness(const vtkMedialThickness&) = delete;

@@ -15,6 +15,8 @@
 #include "vtkTypeInt64Array.h"
 #include "vtkUnsignedCharArray.h"
 
+#include "medial/common/memory_guard.h"
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -81,6 +83,14 @@ void AppendStrips(vtkCellArray* strips, vtkIdType firstId, medial::CellList& lis
       list.ids.push_back(firstId + iterator->GetCurrentCellId());
     }
   }
+}
+
+//------------------------------------------------------------------------------
+std::int64_t BytesPerSample(const vtkMeshConversion::ArraySelection& selection)
+{
+  return sizeof(float) + (selection.ClosestPoint ? 3 * sizeof(float) : 0) +
+    (selection.ClosestCell ? sizeof(vtkIdType) : 0) + (selection.ClosestFeature ? 1 : 0) +
+    (selection.ClosestSite ? sizeof(int) : 0);
 }
 
 //------------------------------------------------------------------------------
@@ -172,6 +182,7 @@ medial::MeshInput vtkMeshConversion::ToMeshInput(vtkPolyData* input)
 medial::FieldArrays vtkMeshConversion::AllocateField(vtkImageData* output, const medial::Grid& grid,
   const medial::Extent& extent, const ArraySelection& selection)
 {
+  medial::requireMemory(extent.pointCount(), BytesPerSample(selection));
   int vtkExtent[6];
   ToVTKExtent(extent, vtkExtent);
   output->SetOrigin(grid.origin.data());

@@ -8,10 +8,15 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkVersionMacros.h"
 
 #include <exception>
 #include <new>
 #include <sstream>
+
+// From here on an executive tells filters downstream that an input was aborted, without an error
+// message, and leaves it to filters to reset AbortExecute.
+#define MEDIAL_VTK_ABORTS_OUTPUTS (VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20221101))
 
 namespace
 {
@@ -92,6 +97,27 @@ unsigned long vtkErrorCodeOf(medial::ErrorCode code)
 }
 
 //------------------------------------------------------------------------------
+// Data released and not generated is what makes the pipeline execute again on the next update.
+int vtkEndCancelled([[maybe_unused]] vtkAlgorithm* algorithm, vtkInformationVector* outputVector)
+{
+  for (int i = 0; i < outputVector->GetNumberOfInformationObjects(); ++i)
+  {
+    vtkInformation* info = outputVector->GetInformationObject(i);
+    if (vtkDataObject* output = vtkDataObject::GetData(info))
+    {
+      output->ReleaseData();
+      info->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
+    }
+  }
+#if MEDIAL_VTK_ABORTS_OUTPUTS
+  algorithm->SetAbortOutput(true);
+  return 1;
+#else
+  return 0;
+#endif
+}
+
+//------------------------------------------------------------------------------
 void vtkThrowBadParameter(const char* name, int value, const char* range)
 {
   std::ostringstream message;
@@ -138,21 +164,11 @@ int vtkMeshFieldAlgorithm::vtkInternals::Fail(vtkInformationVector* outputVector
 }
 
 //------------------------------------------------------------------------------
-// Data released and not generated is what makes the pipeline execute again on the next update.
 int vtkMeshFieldAlgorithm::vtkInternals::Cancel(vtkInformationVector* outputVector)
 {
-  for (int i = 0; i < outputVector->GetNumberOfInformationObjects(); ++i)
-  {
-    vtkInformation* info = outputVector->GetInformationObject(i);
-    if (vtkDataObject* output = vtkDataObject::GetData(info))
-    {
-      output->ReleaseData();
-      info->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
-    }
-  }
   this->Last = Outcome();
   this->Self->ErrorCode = CancelledError;
-  return 0;
+  return vtkEndCancelled(this->Self, outputVector);
 }
 
 //------------------------------------------------------------------------------
@@ -271,6 +287,15 @@ void vtkMeshFieldAlgorithm::vtkInternals::Record(const medial::Grid& grid, media
   this->Last.Closed = this->Topology.closed();
   this->Last.Manifold = this->Topology.manifold();
   this->Last.Oriented = this->Topology.oriented();
+}
+
+//------------------------------------------------------------------------------
+vtkProgressBridge::vtkProgressBridge(vtkAlgorithm* algorithm)
+  : Algorithm(algorithm)
+{
+#if MEDIAL_VTK_ABORTS_OUTPUTS
+  algorithm->AbortExecute = 0;
+#endif
 }
 
 //------------------------------------------------------------------------------

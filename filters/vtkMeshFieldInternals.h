@@ -104,6 +104,12 @@ private:
 unsigned long vtkErrorCodeOf(medial::ErrorCode code);
 
 /**
+ * Ends an execution that an observer stopped: the outputs are empty, and made again on the next
+ * update. Returns what RequestData() is to return.
+ */
+int vtkEndCancelled(vtkAlgorithm* algorithm, vtkInformationVector* outputVector);
+
+/**
  * Throws a medial::Error that says that a parameter is not what range says.
  */
 [[noreturn]] void vtkThrowBadParameter(const char* name, int value, const char* range);
@@ -114,10 +120,10 @@ unsigned long vtkErrorCodeOf(medial::ErrorCode code);
 class vtkProgressBridge : public medial::Progress
 {
 public:
-  explicit vtkProgressBridge(vtkAlgorithm* algorithm)
-    : Algorithm(algorithm)
-  {
-  }
+  /**
+   * For use from here on: a wish to stop an earlier execution is forgotten.
+   */
+  explicit vtkProgressBridge(vtkAlgorithm* algorithm);
 
   void report(double fraction, const char* phase) override;
   bool cancelled() override;

@@ -201,6 +201,9 @@ void simplify(const MedialAxisOptions& options, RunStatistics& statistics, Media
   axis.feature = axisFeatures(edgesOf(axis), axis.points.size());
 }
 
+/// Distance and closest site, the cells, and where curves are anchored.
+constexpr int kPreserveBytesPerPoint = 10;
+
 MedialAxis runPipeline(const TriangleMesh& mesh, const MeshTopology& topology, const Grid& grid,
   const MedialAxisOptions& options, FieldSink& sink, FieldMemory* memory)
 {
@@ -217,6 +220,7 @@ MedialAxis runPipeline(const TriangleMesh& mesh, const MeshTopology& topology, c
   std::optional<FieldTap> tap;
   if (options.topology == Topology::Preserve)
   {
+    requireMemory(grid.pointCount(), kPreserveBytesPerPoint);
     tap.emplace(sink, grid.wholeExtent());
   }
   pipeline.run(tap ? *tap : sink, &stage);

@@ -278,6 +278,24 @@ TEST(DistanceFieldFilter, TellsWhatItDid)
   EXPECT_EQ(dimensions[2], 12);
 }
 
+// VTK's arrays would end the process.
+TEST(DistanceFieldFilter, RefusesAGridLargerThanMemory)
+{
+  auto field = fieldOf(boxPolyData({ 1.0, 1.0, 1.0 }), 8192);
+  EventLog log(field);
+  field->Update();
+  ASSERT_EQ(log.errors.size(), 1u);
+  EXPECT_NE(log.errors[0].find("549755813888 grid points need"), std::string::npos)
+    << log.errors[0];
+  EXPECT_EQ(field->GetErrorCode(),
+    static_cast<unsigned long>(vtkMeshFieldAlgorithm::OutOfMemoryError));
+  EXPECT_TRUE(isEmpty(field->GetOutput()));
+  field->SetResolution(8);
+  field->Update();
+  EXPECT_EQ(field->GetErrorCode(), 0u);
+  EXPECT_EQ(field->GetOutput()->GetNumberOfPoints(), 512);
+}
+
 TEST(DistanceFieldFilter, PassesFieldData)
 {
   auto box = boxPolyData({ 1.0, 1.0, 1.0 });

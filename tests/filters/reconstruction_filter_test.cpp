@@ -347,6 +347,18 @@ TEST(MedialReconstruction, RefusesWhatIsNoAxis)
   expectError([](F f) { f->SetResolution(9000); }, "9000");
 }
 
+TEST(MedialReconstruction, RefusesAGridLargerThanMemory)
+{
+  auto filter = make(balls({ { 0, 0, 0 } }, { 1.0F }));
+  filter->SetResolution(8192);
+  EventLog log(filter);
+  EXPECT_FALSE(update(filter));
+  ASSERT_EQ(log.errors.size(), 1u);
+  EXPECT_NE(log.errors[0].find("GiB of memory"), std::string::npos) << log.errors[0];
+  EXPECT_EQ(filter->GetErrorCode(),
+    static_cast<unsigned long>(vtkMeshFieldAlgorithm::OutOfMemoryError));
+}
+
 TEST(MedialReconstruction, BallsWithoutRadiusLeaveNothing)
 {
   auto filter = make(balls({ { 0, 0, 0 }, { 1, 0, 0 } }, { 0.0F, 0.0F }));
