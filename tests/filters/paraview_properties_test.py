@@ -1,0 +1,130 @@
+"""ParaView's properties say what the headers say: texts, ranges, defaults, and none is forgotten.
+
+usage: paraview_properties_test.py FILTERS-FOLDER
+"""
+
+import re
+import sys
+import unittest
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+
+FILTERS = Path(sys.argv[1])
+XML = ElementTree.parse(FILTERS / "paraview/medial.xml").getroot()
+PARAVIEWS_OWN = "ParaView "  # starts sentences that no header has
+UNAVAILABLE = {"winding"}  # values that are errors in this version
+
+
+def plain(text):
+    """Comparable wording: one line, lower case, enumerators without their prefixes."""
+    text = re.sub(r"^\s*\*", "", text, flags=re.MULTILINE)
+    return re.sub(r"\b(sign|evaluator)_", "", " ".join(text.split()).lower())
+
+
+def sentences(text):
+    return [part for part in re.split(r"(?<=[.])\s+", " ".join(text.split())) if part]
+
+
+class Header:
+    """The manual of a class and of its parameters."""
+
+    def __init__(self, name):
+        text = (FILTERS / f"{name}.h").read_text()
+        self.manual = plain(text[:text.index("#ifndef")])
+        self.parameters = {}
+        for block in re.findall(r"///@\{\n\s*/\*\*(.*?)\*/(.*?)///@\}", text, re.DOTALL):
+            for setter in re.findall(r"vtkSet(?:Vector3)?Macro\((\w+),", block[1]):
+                self.parameters[setter] = plain(block[0])
+
+
+def proxies():
+    for proxy in XML.iter("SourceProxy"):
+        yield proxy, Header(proxy.get("class"))
+
+
+def properties(proxy):
+    """Properties that are parameters of the filter, by name."""
+    return {element.get("name"): element for element in proxy
+            if element.tag.endswith("VectorProperty") and element.get("information_only") != "1"}
+
+
+def stated_default(manual):
+    """The default that a manual gives, as the text of an XML attribute."""
+    value = re.search(r"default is (\([^)]*\)|[^ :]+?)(?:\.$|\. |:| for)", manual + " ")[1]
+    words = {"on": "1", "off": "0"}
+    return words.get(value, value.strip("()").replace(",", ""))
+
+
+def default_of(element):
+    entries = {entry.get("value"): plain(entry.get("text")) for entry in element.iter("Entry")}
+    return entries.get(element.get("default_values"), element.get("default_values"))
+
+
+class Properties(unittest.TestCase):
+    def test_all_five_filters_are_in_the_menu(self):
+        classes = {proxy.get("class") for proxy, _ in proxies()
+                   if proxy.find("Hints/ShowInMenu[@category='Medial']") is not None}
+        self.assertEqual(classes, {"vtkMeshDistanceField", "vtkMedialAxis", "vtkMedialThickness",
+                                   "vtkMedialReconstruction", "vtkMedialCurves"})
+
+    def test_every_parameter_is_a_property(self):
+        for proxy, header in proxies():
+            self.assertEqual(set(properties(proxy)), set(header.parameters), proxy.get("class"))
+            for name, element in properties(proxy).items():
+                self.assertEqual(element.get("command"), f"Set{name}")
+
+    def test_texts_are_those_of_the_headers(self):
+        for proxy, header in proxies():
+            for element in [proxy, *proxy]:
+                manual = header.parameters.get(element.get("name"), header.manual)
+                for text in sentences(element.findtext("Documentation", "")):
+                    with self.subTest(proxy=proxy.get("class"), text=text):
+                        if not text.startswith(PARAVIEWS_OWN):
+                            self.assertIn(plain(text), manual)
+
+    def test_every_property_is_explained(self):
+        for proxy, _ in proxies():
+            for name, element in properties(proxy).items():
+                with self.subTest(proxy=proxy.get("class"), name=name):
+                    text = plain(element.findtext("Documentation", ""))
+                    self.assertRegex(text, "default is|paraview ")
+
+    def test_defaults_are_those_of_the_headers(self):
+        for proxy, header in proxies():
+            for name, element in properties(proxy).items():
+                with self.subTest(proxy=proxy.get("class"), name=name):
+                    if PARAVIEWS_OWN not in element.findtext("Documentation"):
+                        self.assertEqual(default_of(element),
+                                         stated_default(header.parameters[name]))
+
+    def test_ranges_are_those_of_the_headers(self):
+        for proxy, header in proxies():
+            for name, element in properties(proxy).items():
+                domain = element.find("*[@max][@min]")
+                if domain is not None and name != "Angle":  # an open interval
+                    span = f"in [{domain.get('min')}, {domain.get('max')}]"
+                    with self.subTest(proxy=proxy.get("class"), name=name):
+                        self.assertIn(span, header.parameters[name])
+
+    def test_values_are_those_of_the_headers(self):
+        for proxy, _ in proxies():
+            text = plain((FILTERS / f"{proxy.get('class')}.h").read_text())
+            stated = [sorted(pair for pair in re.findall(r"(\w+) = (\d)", values)
+                             if pair[0] not in UNAVAILABLE)
+                      for values in re.findall(r"enum \w+ \{([^}]*)\}", text)]
+            for name, element in properties(proxy).items():
+                entries = [(plain(e.get("text")), e.get("value")) for e in element.iter("Entry")]
+                if entries:
+                    with self.subTest(proxy=proxy.get("class"), name=name):
+                        self.assertIn(sorted(entries), stated)
+
+    def test_groups_have_every_property_but_single_ones(self):
+        alone = {"SignMethod", "GenerateDistanceField", "NumberOfThreads"}
+        for proxy, _ in proxies():
+            grouped = {p.get("name") for p in proxy.findall("PropertyGroup/Property")}
+            self.assertEqual(set(properties(proxy)) - grouped - alone, set())
+            self.assertLessEqual(grouped, set(properties(proxy)))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
