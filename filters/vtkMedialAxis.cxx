@@ -176,7 +176,7 @@ int vtkMedialAxis::RequestData(vtkInformation* request, vtkInformationVector** i
   const int port = std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
   const int piece = outputVector->GetInformationObject(port)->Get(
     vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER());
-  return this->Internals->Guard(outputVector,
+  const bool done = this->Internals->Try(
     [&]
     {
       this->Internals->Begin(outputVector);
@@ -217,6 +217,7 @@ int vtkMedialAxis::RequestData(vtkInformation* request, vtkInformationVector** i
       this->Internals->Record(grid, axis.sign, axis.statistics);
       this->Internals->Last.Side = axis.side;
     });
+  return done ? 1 : vtkEndWithoutOutput(this, outputVector);
 }
 
 //------------------------------------------------------------------------------

@@ -20,9 +20,7 @@
 #include "medial/medial/evaluation/union_field.h"
 
 #include <algorithm>
-#include <exception>
 #include <functional>
-#include <new>
 #include <vector>
 
 vtkStandardNewMacro(vtkMedialReconstruction);
@@ -134,60 +132,23 @@ int vtkMedialReconstruction::RequestData(vtkInformation*, vtkInformationVector**
   {
     return 1;
   }
-  try
-  {
-    PartialProgress progress(this);
-    const medial::MedialModel model = vtkMedialModelConversion::ToMedialModel(input);
-    const medial::Grid grid = medial::makeGrid(medial::modelBounds(model), this->Resolution);
-    medial::requireMemory(grid.pointCount(), BytesPerGridPoint);
-    const std::vector<float> field =
-      medial::unionField(model, grid, this->Interpolate != 0, &progress);
-    progress.report(1.0, "contour");
-    if (progress.cancelled())
+  const bool done = vtkRunGuarded(this, this->ErrorCode,
+    [&]
     {
-      return this->Cancel(outputVector);
-    }
-    Contour(grid, field, output);
-    return 1;
-  }
-  catch (const medial::Error& error)
-  {
-    switch (error.code())
-    {
-      case medial::ErrorCode::Cancelled:
-        return this->Cancel(outputVector);
-      case medial::ErrorCode::OutOfMemory:
-        return this->Fail(outputVector, vtkMeshFieldAlgorithm::OutOfMemoryError, error.what());
-      default:
-        return this->Fail(outputVector, vtkMeshFieldAlgorithm::InvalidInputError, error.what());
-    }
-  }
-  catch (const std::bad_alloc&)
-  {
-    return this->Fail(outputVector, vtkMeshFieldAlgorithm::OutOfMemoryError,
-      "not enough memory for the result");
-  }
-  catch (const std::exception& error)
-  {
-    return this->Fail(outputVector, vtkMeshFieldAlgorithm::InternalError, error.what());
-  }
-}
-
-//------------------------------------------------------------------------------
-int vtkMedialReconstruction::Fail(vtkInformationVector* outputVector, unsigned long code,
-  const char* message)
-{
-  vtkPolyData::GetData(outputVector)->Initialize();
-  this->ErrorCode = code;
-  vtkErrorMacro(<< message);
-  return 0;
-}
-
-//------------------------------------------------------------------------------
-int vtkMedialReconstruction::Cancel(vtkInformationVector* outputVector)
-{
-  this->ErrorCode = vtkMeshFieldAlgorithm::CancelledError;
-  return vtkEndCancelled(this, outputVector);
+      PartialProgress progress(this);
+      const medial::MedialModel model = vtkMedialModelConversion::ToMedialModel(input);
+      const medial::Grid grid = medial::makeGrid(medial::modelBounds(model), this->Resolution);
+      medial::requireMemory(grid.pointCount(), BytesPerGridPoint);
+      const std::vector<float> field =
+        medial::unionField(model, grid, this->Interpolate != 0, &progress);
+      progress.report(1.0, "contour");
+      if (progress.cancelled())
+      {
+        throw medial::Error(medial::ErrorCode::Cancelled, "cancelled");
+      }
+      Contour(grid, field, output);
+    });
+  return done ? 1 : vtkEndWithoutOutput(this, outputVector);
 }
 
 //------------------------------------------------------------------------------

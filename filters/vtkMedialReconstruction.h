@@ -90,9 +90,6 @@ protected:
 private:
   vtkMedialReconstruction(const vtkMedialReconstruction&) = delete;
   void operator=(const vtkMedialReconstruction&) = delete;
-
-  int Fail(vtkInformationVector* outputVector, unsigned long code, const char* message);
-  int Cancel(vtkInformationVector* outputVector);
 };
 
 #endif

@@ -10,9 +10,6 @@
 
 #include "medial/medial/thickness.h"
 
-#include <exception>
-#include <new>
-
 vtkStandardNewMacro(vtkMedialThickness);
 
 namespace
@@ -87,24 +84,6 @@ void vtkMedialThickness::ForgetFigures()
 }
 
 //------------------------------------------------------------------------------
-int vtkMedialThickness::Fail(vtkPolyData* output, unsigned long code, const char* message)
-{
-  output->Initialize();
-  this->ForgetFigures();
-  this->ErrorCode = code; // SetErrorCode() would modify the filter while it executes
-  vtkErrorMacro(<< message);
-  return 0;
-}
-
-//------------------------------------------------------------------------------
-int vtkMedialThickness::Cancel(vtkInformationVector* outputVector)
-{
-  this->ForgetFigures();
-  this->ErrorCode = vtkMeshFieldAlgorithm::CancelledError;
-  return vtkEndCancelled(this, outputVector);
-}
-
-//------------------------------------------------------------------------------
 void vtkMedialThickness::Execute(vtkPolyData* input, vtkPolyData* output)
 {
   if (!input)
@@ -137,32 +116,15 @@ int vtkMedialThickness::RequestData(vtkInformation*, vtkInformationVector** inpu
   vtkInformationVector* outputVector)
 {
   vtkInformation* outInfo = outputVector->GetInformationObject(0);
-  vtkPolyData* output = vtkPolyData::GetData(outInfo);
   this->ErrorCode = vtkErrorCode::NoError;
   this->ForgetFigures();
   if (outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0)
   {
     return 1;
   }
-  try
-  {
-    this->Execute(vtkPolyData::GetData(inputVector[0]), output);
-    return 1;
-  }
-  catch (const medial::Error& error)
-  {
-    return error.code() == medial::ErrorCode::Cancelled
-      ? this->Cancel(outputVector)
-      : this->Fail(output, vtkErrorCodeOf(error.code()), error.what());
-  }
-  catch (const std::bad_alloc&)
-  {
-    return this->Fail(output, vtkMeshFieldAlgorithm::OutOfMemoryError, "not enough memory");
-  }
-  catch (const std::exception& error)
-  {
-    return this->Fail(output, vtkMeshFieldAlgorithm::InternalError, error.what());
-  }
+  const bool done = vtkRunGuarded(this, this->ErrorCode,
+    [&] { this->Execute(vtkPolyData::GetData(inputVector[0]), vtkPolyData::GetData(outInfo)); });
+  return done ? 1 : vtkEndWithoutOutput(this, outputVector);
 }
 
 //------------------------------------------------------------------------------

@@ -135,8 +135,6 @@ protected:
 
 private:
   void Execute(vtkPolyData* input, vtkPolyData* output);
-  int Fail(vtkPolyData* output, unsigned long code, const char* message);
-  int Cancel(vtkInformationVector* outputVector);
   void ForgetFigures();
 
   vtkMedialThickness(const vtkMedialThickness&) = delete;

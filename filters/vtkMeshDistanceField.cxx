@@ -46,7 +46,7 @@ int vtkMeshDistanceField::RequestData(vtkInformation*, vtkInformationVector** in
   vtkInformationVector* outputVector)
 {
   vtkInformation* outInfo = outputVector->GetInformationObject(0);
-  return this->Internals->Guard(outputVector,
+  const bool done = this->Internals->Try(
     [&]
     {
       this->Internals->Begin(outputVector);
@@ -69,6 +69,7 @@ int vtkMeshDistanceField::RequestData(vtkInformation*, vtkInformationVector** in
         this->Internals->Topology, grid, extent, arrays, options);
       this->Internals->Record(grid, sign, statistics);
     });
+  return done ? 1 : vtkEndWithoutOutput(this, outputVector);
 }
 
 //------------------------------------------------------------------------------

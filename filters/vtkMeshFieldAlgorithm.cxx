@@ -87,7 +87,7 @@ int vtkMeshFieldAlgorithm::RequestUpdateExtent(vtkInformation*, vtkInformationVe
 int vtkMeshFieldAlgorithm::RequestImageInformation(vtkInformationVector** inputVector,
   vtkInformationVector* outputVector, int port)
 {
-  return this->Internals->Guard(outputVector,
+  const bool done = this->Internals->Try(
     [&]
     {
       vtkPolyData* input = nullptr;
@@ -110,6 +110,14 @@ int vtkMeshFieldAlgorithm::RequestImageInformation(vtkInformationVector** inputV
       vtkDataObject::SetActiveAttributeInfo(outInfo, vtkDataObject::FIELD_ASSOCIATION_POINTS,
         vtkDataSetAttributes::SCALARS, "Distance", VTK_FLOAT, 1, -1);
     });
+  if (!done)
+  {
+    for (int i = 0; i < outputVector->GetNumberOfInformationObjects(); ++i)
+    {
+      vtkDataObject::GetData(outputVector, i)->Initialize();
+    }
+  }
+  return done ? 1 : 0;
 }
 
 //------------------------------------------------------------------------------

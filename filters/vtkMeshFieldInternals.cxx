@@ -14,8 +14,8 @@
 #include <new>
 #include <sstream>
 
-// From here on an executive tells filters downstream that an input was aborted, without an error
-// message, and leaves it to filters to reset AbortExecute.
+// From here on executives keep filters downstream from using an output that a filter gave up,
+// without an error message of their own, and leave it to filters to reset AbortExecute.
 #define MEDIAL_VTK_ABORTS_OUTPUTS (VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20221101))
 
 namespace
@@ -60,19 +60,6 @@ medial::Evaluator ToEvaluator(int evaluator)
   }
 }
 
-//------------------------------------------------------------------------------
-// Leaves no result of an earlier execution behind.
-void EmptyOutputs(vtkInformationVector* outputVector)
-{
-  for (int i = 0; i < outputVector->GetNumberOfInformationObjects(); ++i)
-  {
-    if (vtkDataObject* output = vtkDataObject::GetData(outputVector, i))
-    {
-      output->Initialize();
-    }
-  }
-}
-
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -97,8 +84,45 @@ unsigned long vtkErrorCodeOf(medial::ErrorCode code)
 }
 
 //------------------------------------------------------------------------------
+bool vtkRunGuarded(vtkAlgorithm* algorithm, unsigned long& errorCode,
+  const std::function<void()>& work)
+{
+  const auto fail = [&](unsigned long code, const char* message)
+  {
+    errorCode = code;
+    vtkErrorWithObjectMacro(algorithm, << message);
+  };
+  errorCode = vtkErrorCode::NoError;
+  try
+  {
+    work();
+  }
+  catch (const medial::Error& error)
+  {
+    if (error.code() == medial::ErrorCode::Cancelled)
+    {
+      errorCode = vtkMeshFieldAlgorithm::CancelledError;
+    }
+    else
+    {
+      fail(vtkErrorCodeOf(error.code()), error.what());
+    }
+  }
+  catch (const std::bad_alloc&)
+  {
+    fail(vtkMeshFieldAlgorithm::OutOfMemoryError, "not enough memory for the result");
+  }
+  catch (const std::exception& error)
+  {
+    fail(vtkMeshFieldAlgorithm::InternalError, error.what());
+  }
+  return errorCode == vtkErrorCode::NoError;
+}
+
+//------------------------------------------------------------------------------
 // Data released and not generated is what makes the pipeline execute again on the next update.
-int vtkEndCancelled([[maybe_unused]] vtkAlgorithm* algorithm, vtkInformationVector* outputVector)
+int vtkEndWithoutOutput([[maybe_unused]] vtkAlgorithm* algorithm,
+  vtkInformationVector* outputVector)
 {
   for (int i = 0; i < outputVector->GetNumberOfInformationObjects(); ++i)
   {
@@ -108,6 +132,9 @@ int vtkEndCancelled([[maybe_unused]] vtkAlgorithm* algorithm, vtkInformationVect
       output->ReleaseData();
       info->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
     }
+    // To the extent of a request that fails VTK adds that of the next, which may be of a smaller
+    // grid.
+    info->Remove(vtkStreamingDemandDrivenPipeline::COMBINED_UPDATE_EXTENT());
   }
 #if MEDIAL_VTK_ABORTS_OUTPUTS
   algorithm->SetAbortOutput(true);
@@ -126,49 +153,14 @@ void vtkThrowBadParameter(const char* name, int value, const char* range)
 }
 
 //------------------------------------------------------------------------------
-int vtkMeshFieldAlgorithm::vtkInternals::Guard(vtkInformationVector* outputVector,
-  const std::function<void()>& work)
+bool vtkMeshFieldAlgorithm::vtkInternals::Try(const std::function<void()>& work)
 {
-  // Assigned, since SetErrorCode() would modify the filter while it executes.
-  this->Self->ErrorCode = vtkErrorCode::NoError;
-  try
+  if (!vtkRunGuarded(this->Self, this->Self->ErrorCode, work))
   {
-    work();
-    return 1;
+    this->Last = Outcome();
+    return false;
   }
-  catch (const medial::Error& error)
-  {
-    return error.code() == medial::ErrorCode::Cancelled
-      ? this->Cancel(outputVector)
-      : this->Fail(outputVector, vtkErrorCodeOf(error.code()), error.what());
-  }
-  catch (const std::bad_alloc&)
-  {
-    return this->Fail(outputVector, OutOfMemoryError, "not enough memory for the result");
-  }
-  catch (const std::exception& error)
-  {
-    return this->Fail(outputVector, InternalError, error.what());
-  }
-}
-
-//------------------------------------------------------------------------------
-int vtkMeshFieldAlgorithm::vtkInternals::Fail(vtkInformationVector* outputVector,
-  unsigned long code, const std::string& message)
-{
-  EmptyOutputs(outputVector);
-  this->Last = Outcome();
-  this->Self->ErrorCode = code;
-  vtkErrorWithObjectMacro(this->Self, << message);
-  return 0;
-}
-
-//------------------------------------------------------------------------------
-int vtkMeshFieldAlgorithm::vtkInternals::Cancel(vtkInformationVector* outputVector)
-{
-  this->Last = Outcome();
-  this->Self->ErrorCode = CancelledError;
-  return vtkEndCancelled(this->Self, outputVector);
+  return true;
 }
 
 //------------------------------------------------------------------------------

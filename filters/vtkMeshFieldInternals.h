@@ -44,10 +44,9 @@ public:
   };
 
   /**
-   * Runs work and turns what it throws into the error reporting of VTK, with empty outputs.
-   * Returns 1, or 0 after an exception.
+   * Runs work as vtkRunGuarded(), and forgets the last execution where it fails.
    */
-  int Guard(vtkInformationVector* outputVector, const std::function<void()>& work);
+  bool Try(const std::function<void()>& work);
 
   /**
    * Forgets the last execution, and what vtkImageData keeps of it for reuse.
@@ -90,9 +89,6 @@ public:
   Outcome Last;
 
 private:
-  int Fail(vtkInformationVector* outputVector, unsigned long code, const std::string& message);
-  int Cancel(vtkInformationVector* outputVector);
-
   vtkMeshFieldAlgorithm* Self;
   vtkPolyData* MeshInput = nullptr; // only ever compared
   vtkMTimeType MeshTime = 0;
@@ -104,10 +100,18 @@ private:
 unsigned long vtkErrorCodeOf(medial::ErrorCode code);
 
 /**
- * Ends an execution that an observer stopped: the outputs are empty, and made again on the next
+ * Runs work and turns what it throws into VTK's error reporting: errorCode, the algorithm's own,
+ * becomes one of vtkMeshFieldAlgorithm::ErrorCodes, with an ErrorEvent unless an observer stopped
+ * the work. Returns whether all went well.
+ */
+bool vtkRunGuarded(vtkAlgorithm* algorithm, unsigned long& errorCode,
+  const std::function<void()>& work);
+
+/**
+ * Ends an execution that failed or was stopped: the outputs are empty, and made again on the next
  * update. Returns what RequestData() is to return.
  */
-int vtkEndCancelled(vtkAlgorithm* algorithm, vtkInformationVector* outputVector);
+int vtkEndWithoutOutput(vtkAlgorithm* algorithm, vtkInformationVector* outputVector);
 
 /**
  * Throws a medial::Error that says that a parameter is not what range says.

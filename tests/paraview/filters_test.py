@@ -1,0 +1,156 @@
+"""Each filter in pvpython: values against what is known of the shape, defaults, progress, messages."""
+
+import os
+import sys
+import tempfile
+import unittest
+
+import numpy
+
+sys.path.insert(0, os.path.dirname(__file__))
+from paraview.simple import *
+from session import (HALF_SIDES, box, bunny, default_colouring, information, messages, output,
+                     points, values)
+
+
+def box_distance(x):
+    """Signed distance to the box, negative inside."""
+    q = numpy.abs(x) - HALF_SIDES
+    return numpy.linalg.norm(numpy.maximum(q, 0), axis=1) + numpy.minimum(q.max(axis=1), 0)
+
+
+def grid_points(image):
+    return numpy.array([image.GetPoint(i) for i in range(image.GetNumberOfPoints())])
+
+
+class Values(unittest.TestCase):
+    def test_distance_field_of_a_box(self):
+        field = output(MeshDistanceField(Input=box(), Resolution=24, GenerateClosestPoint=1))
+        exact = box_distance(grid_points(field))
+        numpy.testing.assert_allclose(values(field, "Distance"), exact, atol=1e-4)
+        to_closest = numpy.linalg.norm(grid_points(field) - values(field, "ClosestPoint"), axis=1)
+        numpy.testing.assert_allclose(to_closest, numpy.abs(exact), atol=1e-4)
+
+    def test_medial_axis_of_a_box(self):
+        axis = output(MedialAxis(Input=box(), Resolution=64))
+        self.assertGreater(axis.GetNumberOfCells(), 500)
+        numpy.testing.assert_allclose(values(axis, "Radius"), -box_distance(points(axis)), atol=1e-4)
+        depth = HALF_SIDES - numpy.abs(points(axis))
+        nearest, second = numpy.sort(depth, axis=1)[:, :2].T
+        in_the_middle = numpy.abs(points(axis)[:, 2]) < 0.02
+        numpy.testing.assert_array_less((second - nearest)[~in_the_middle], 0.06)
+
+    def test_distance_field_of_the_medial_axis(self):
+        axis = MedialAxis(Input=box(), Resolution=24, GenerateDistanceField=1)
+        field = output(axis, 1)
+        numpy.testing.assert_allclose(values(field, "Distance"), box_distance(grid_points(field)),
+                                      atol=1e-4)
+        axis.GenerateDistanceField = 0
+        axis.UpdatePipeline()
+        self.assertEqual(axis.GetDataInformation(1).GetNumberOfPoints(), 0)
+
+    def test_thickness_of_a_ball(self):
+        ball = Sphere(Radius=1.5, ThetaResolution=64, PhiResolution=64)
+        filter = MedialThickness(Input=ball)
+        numpy.testing.assert_allclose(values(output(filter), "Thickness"), 3.0, rtol=0.01)
+        self.assertAlmostEqual(information(filter, "MedianThickness"), 3.0, delta=0.03)
+        self.assertEqual(information(filter, "ShareWithout"), 0.0)
+
+    def test_reconstruction_of_a_box(self):
+        axis = MedialAxis(Input=box(), Resolution=100, Angle=40)
+        surface = output(MedialReconstruction(Input=axis, Resolution=64))
+        worst = numpy.abs(box_distance(points(surface))).max()
+        self.assertLess(worst, 0.1)
+        numpy.testing.assert_allclose(surface.GetBounds()[1::2], HALF_SIDES, atol=0.03)
+
+    def test_curves_of_a_box_have_the_kinds_asked_for(self):
+        axis = MedialAxis(Input=box(), Resolution=48)
+        kinds = {"Rims": 1, "Seams": 2}
+        for wanted in kinds:
+            curves = MedialCurves(Input=axis, Rims=0, Seams=0, Curves=0)
+            setattr(curves, wanted, 1)
+            lines = output(curves)
+            self.assertGreater(lines.GetNumberOfLines(), 0)
+            feature = lines.GetCellData().GetArray("AxisFeature")
+            self.assertEqual(feature.GetRange(), (kinds[wanted],) * 2)
+
+    def test_bunny(self):
+        axis = output(MedialAxis(Input=bunny(), Resolution=64))
+        self.assertGreater(axis.GetNumberOfCells(), 2000)
+        for end in "AB":
+            distance = numpy.linalg.norm(values(axis, f"ClosestPoint{end}") - points(axis), axis=1)
+            numpy.testing.assert_allclose(distance, values(axis, "Radius"), atol=0.02)
+
+
+class Properties(unittest.TestCase):
+    def test_defaults_follow_the_bounds(self):
+        field = MeshDistanceField(Input=box())
+        numpy.testing.assert_allclose(field.Spacing, [0.01] * 3)
+        numpy.testing.assert_allclose(field.Origin, numpy.negative(HALF_SIDES))
+        axis = MedialAxis(Input=box())
+        for name in ("MinimumLambda", "MinimumRadius"):
+            self.assertEqual(axis.GetPropertyValue(name), 0.0)
+            self.assertEqual(axis.GetProperty(name).GetRange(), (0.0, 1.0))
+
+    def test_grid_modes(self):
+        field = MeshDistanceField(Input=box(), GridMode="Spacing", Spacing=[0.1, 0.2, 0.1], Padding=0)
+        self.assertEqual(output(field).GetSpacing(), (0.1, 0.2, 0.1))
+        field.GridMode = "Explicit"
+        field.Dimensions = [3, 4, 5]
+        self.assertEqual(output(field).GetDimensions(), (3, 4, 5))
+        self.assertEqual(output(field).GetOrigin(), tuple(numpy.negative(HALF_SIDES)))
+
+    def test_outputs_are_coloured_by_what_they_are_for(self):
+        view = CreateView("RenderView")
+        axis = MedialAxis(Input=box(), Resolution=32)
+        self.assertEqual(default_colouring(axis, view), "Radius")
+        field = MeshDistanceField(Input=box(), Resolution=32)
+        self.assertEqual(default_colouring(field, view), "Distance")
+        self.assertEqual(GetDisplayProperties(field, view).Representation, "Slice")
+        self.assertEqual(default_colouring(MedialThickness(Input=bunny()), view), "Thickness")
+
+    def test_what_was_used_is_known(self):
+        field = MeshDistanceField(Input=box(), Resolution=16)
+        self.assertEqual(output(field).GetNumberOfPoints(), information(field, "NumberOfSamples"))
+        self.assertNotEqual(information(field, "Renderer"), "")
+        self.assertEqual(information(field, "UsedSignMethod"), "Pseudonormal")
+        self.assertIn(information(field, "UsedEvaluator"), ("Processor", "Rasteriser"))
+
+
+class Executions(unittest.TestCase):
+    def watch(self, proxy, action):
+        """Calls action at each ProgressEvent of the filter behind a proxy."""
+        algorithm = proxy.SMProxy.GetClientSideObject()
+        tag = algorithm.AddObserver("ProgressEvent", lambda caller, event: action(caller))
+        return lambda: algorithm.RemoveObserver(tag)
+
+    def filters(self):
+        axis = MedialAxis(Input=bunny(), Resolution=64)
+        return [axis, MeshDistanceField(Input=bunny(), Resolution=100),
+                MedialThickness(Input=bunny()), MedialReconstruction(Input=axis, Resolution=48)]
+
+    def test_progress(self):
+        for proxy in self.filters():
+            steps = []
+            self.watch(proxy, lambda caller: steps.append(caller.GetProgress()))
+            proxy.UpdatePipeline()
+            with self.subTest(filter=proxy.GetXMLLabel()):
+                self.assertGreater(len(set(steps)), 3)
+                self.assertEqual(max(steps), 1.0)
+
+    def test_abort_leaves_nothing_and_says_nothing(self):
+        for proxy in self.filters():
+            with self.subTest(filter=proxy.GetXMLLabel()), messages() as shown:
+                stop = self.watch(proxy, lambda caller: caller.SetAbortExecute(1))
+                proxy.UpdatePipeline()
+                self.assertEqual(proxy.GetDataInformation().GetNumberOfPoints(), 0)
+                stop()
+                proxy.SMProxy.MarkModified(proxy.SMProxy)
+                proxy.SMProxy.GetClientSideObject().Modified()
+                proxy.UpdatePipeline()
+                self.assertGreater(proxy.GetDataInformation().GetNumberOfPoints(), 0)
+                self.assertEqual(shown(), "")
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

@@ -1,0 +1,87 @@
+"""Wrong use of the filters in pvpython: one message that helps, and ParaView goes on working."""
+
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+sys.path.insert(0, os.path.dirname(__file__))
+from paraview.simple import *
+from session import box, messages, output
+
+
+class Messages(unittest.TestCase):
+    def expect(self, words, proxy, **repaired):
+        """Says the words, has no output, and works with repaired properties."""
+        with messages() as shown:
+            proxy.UpdatePipeline()
+            self.assertIn(words, shown())
+        self.assertEqual(proxy.GetDataInformation().GetNumberOfPoints(), 0)
+        with messages() as shown:
+            for name, value in repaired.items():
+                setattr(proxy, name, value)
+            proxy.UpdatePipeline()
+            self.assertEqual(shown(), "")
+        self.assertGreater(proxy.GetDataInformation().GetNumberOfPoints(), 0)
+
+    def test_files_that_are_no_meshes(self):
+        with tempfile.TemporaryDirectory() as folder:
+            damaged = os.path.join(folder, "damaged.stl")
+            with open(damaged, "w") as file:
+                file.write("solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0")
+            for path in (damaged, os.path.join(folder, "missing.stl")):
+                for make in (MeshDistanceField, MedialAxis, MedialThickness):
+                    with self.subTest(path=os.path.basename(path), filter=make.__name__):
+                        self.expect("the mesh has no cells", make(Input=STLReader(FileNames=[path])),
+                                    Input=box())
+
+    def test_parameters_outside_their_range(self):
+        self.expect("resolution 1 is outside [2, 8192]",
+                    MedialAxis(Input=box(), Resolution=1), Resolution=16)
+        self.expect("spacing -0.1 along y",
+                    MeshDistanceField(Input=box(), GridMode="Spacing", Spacing=[0.1, -0.1, 0.1]),
+                    Spacing=[0.1, 0.1, 0.1])
+        self.expect("least lambda -1.000000 is outside [0, infinity)",
+                    MedialAxis(Input=box(), Resolution=16, MinimumLambda=-1), MinimumLambda=0)
+        self.expect("180", MedialThickness(Input=Sphere(), Angle=180), Angle=60)
+
+    def test_combinations_that_cannot_be(self):
+        self.expect("the representation must be surface or faces",
+                    MedialAxis(Input=box(), Resolution=16, Topology="Preserve",
+                               Representation="Points"), Representation="Surface")
+        self.expect("hardware", MedialAxis(Input=box(), Resolution=16, RequireHardware=1),
+                    RequireHardware=0)
+
+    def test_grids_larger_than_memory(self):
+        self.expect(" GiB of memory, and ", MeshDistanceField(Input=box(), Resolution=8192),
+                    Resolution=16)
+        self.expect(" GiB of memory, and ",
+                    MedialAxis(Input=box(), Resolution=8192, Topology="Preserve"), Resolution=16)
+        axis = MedialAxis(Input=box(), Resolution=32)
+        self.expect(" GiB of memory, and ", MedialReconstruction(Input=axis, Resolution=8192),
+                    Resolution=16)
+
+    def test_reconstruction_of_what_is_no_axis(self):
+        self.expect("no point data array Radius", MedialReconstruction(Input=box(), Resolution=16),
+                    Input=MedialAxis(Input=box(), Resolution=32))
+
+    def test_no_egl(self):
+        script = ("from paraview.simple import *\n"
+                  "axis = MedialAxis(Input=Box(), Resolution=16)\n"
+                  "axis.UpdatePipeline()\n"
+                  "print(axis.GetDataInformation().GetNumberOfPoints(), 'points')\n")
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "axis.py")
+            with open(path, "w") as file:
+                file.write(script)
+            environment = dict(os.environ, __EGL_VENDOR_LIBRARY_DIRS=folder,
+                               __EGL_VENDOR_LIBRARY_FILENAMES=f"{folder}/none.json")
+            run = subprocess.run(["pvpython", path], env=environment, capture_output=True, text=True)
+        self.assertEqual((run.returncode, run.stdout), (0, "0 points\n"), run.stderr)
+        self.assertIn("no EGL device offers an OpenGL 4.5 core context; install a driver",
+                      run.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

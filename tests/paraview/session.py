@@ -1,0 +1,58 @@
+"""What the tests inside of pvpython share: meshes, values of outputs, and messages."""
+
+from contextlib import contextmanager
+
+from paraview import servermanager
+from paraview.simple import Box, Show, WavefrontOBJReader
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
+
+BUNNY = "/usr/share/glmark2/models/bunny.obj"  # of Debian's package glmark2-data
+HALF_SIDES = (1.0, 0.7, 0.4)
+
+
+def box():
+    """A closed box about the origin, brought up to date, as defaults follow from its bounds."""
+    source = Box(**{f"{axis}Length": 2 * half for axis, half in zip("XYZ", HALF_SIDES)})
+    source.UpdatePipeline()
+    return source
+
+
+def bunny():
+    return WavefrontOBJReader(registrationName="bunny.obj", FileName=BUNNY)
+
+
+def output(proxy, port=0):
+    """The data of an output, brought up to date and here."""
+    proxy.UpdatePipeline()
+    return servermanager.Fetch(proxy, idx=port)
+
+
+def points(data):
+    return vtk_to_numpy(data.GetPoints().GetData())
+
+
+def values(data, name):
+    return vtk_to_numpy(data.GetPointData().GetArray(name))
+
+
+def information(proxy, name):
+    """A property that the filter knows after an execution."""
+    proxy.SMProxy.UpdatePropertyInformation()
+    return proxy.GetPropertyValue(name)
+
+
+def default_colouring(proxy, view):
+    """The array that ParaView colours an output by unless told otherwise."""
+    return Show(proxy, view).ColorArrayName[1]
+
+
+@contextmanager
+def messages():
+    """Collects what ParaView's output window would show."""
+    window, before = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
+    vtkOutputWindow.SetInstance(window)
+    try:
+        yield window.GetOutput
+    finally:
+        vtkOutputWindow.SetInstance(before)
