@@ -8,13 +8,16 @@ import unittest
 
 sys.path.insert(0, os.path.dirname(__file__))
 from paraview.simple import *
-from session import box, messages, output
+from session import box, messages
+
+ON_MESHES = (MeshDistanceField, MedialAxis, MedialThickness)
 
 
 class Messages(unittest.TestCase):
-    def expect(self, words, proxy, **repaired):
+    def expect(self, words, filter, properties, **repaired):
         """Says the words, has no output, and works with repaired properties."""
         with messages() as shown:
+            proxy = filter(**properties)
             proxy.UpdatePipeline()
             self.assertIn(words, shown())
         self.assertEqual(proxy.GetDataInformation().GetNumberOfPoints(), 0)
@@ -27,44 +30,54 @@ class Messages(unittest.TestCase):
 
     def test_files_that_are_no_meshes(self):
         with tempfile.TemporaryDirectory() as folder:
-            damaged = os.path.join(folder, "damaged.stl")
+            damaged, missing = (os.path.join(folder, name) for name in ("damaged.stl", "missing.stl"))
             with open(damaged, "w") as file:
                 file.write("solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0")
-            for path in (damaged, os.path.join(folder, "missing.stl")):
-                for make in (MeshDistanceField, MedialAxis, MedialThickness):
-                    with self.subTest(path=os.path.basename(path), filter=make.__name__):
-                        self.expect("the mesh has no cells", make(Input=STLReader(FileNames=[path])),
+            for words, path in ((f"{damaged} at line 4", damaged), (f"{missing} not found", missing)):
+                for filter in ON_MESHES:
+                    with self.subTest(words=words, filter=filter.__name__):
+                        self.expect(words, filter, {"Input": STLReader(FileNames=[path])},
                                     Input=box())
 
+    def test_a_mesh_without_cells(self):
+        outside = Clip(Input=box(), ClipType="Plane", Invert=0)
+        outside.ClipType.Origin = [5, 0, 0]
+        for filter in ON_MESHES:
+            with self.subTest(filter=filter.__name__):
+                self.expect("the mesh has no cells", filter,
+                            {"Input": ExtractSurface(Input=outside)}, Input=box())
+
     def test_parameters_outside_their_range(self):
-        self.expect("resolution 1 is outside [2, 8192]",
-                    MedialAxis(Input=box(), Resolution=1), Resolution=16)
-        self.expect("spacing -0.1 along y",
-                    MeshDistanceField(Input=box(), GridMode="Spacing", Spacing=[0.1, -0.1, 0.1]),
+        self.expect("resolution 1 is outside [2, 8192]", MedialAxis,
+                    {"Input": box(), "Resolution": 1}, Resolution=16)
+        self.expect("spacing -0.1 along y", MeshDistanceField,
+                    {"Input": box(), "GridMode": "Spacing", "Spacing": [0.1, -0.1, 0.1]},
                     Spacing=[0.1, 0.1, 0.1])
-        self.expect("least lambda -1.000000 is outside [0, infinity)",
-                    MedialAxis(Input=box(), Resolution=16, MinimumLambda=-1), MinimumLambda=0)
-        self.expect("180", MedialThickness(Input=Sphere(), Angle=180), Angle=60)
+        self.expect("least lambda -1.000000 is outside [0, infinity)", MedialAxis,
+                    {"Input": box(), "Resolution": 16, "MinimumLambda": -1}, MinimumLambda=0)
+        self.expect("separation angle 180.000000 is outside (0, 180) degrees", MedialThickness,
+                    {"Input": box(), "Angle": 180}, Angle=60)
 
     def test_combinations_that_cannot_be(self):
-        self.expect("the representation must be surface or faces",
-                    MedialAxis(Input=box(), Resolution=16, Topology="Preserve",
-                               Representation="Points"), Representation="Surface")
-        self.expect("hardware", MedialAxis(Input=box(), Resolution=16, RequireHardware=1),
-                    RequireHardware=0)
+        self.expect("the representation must be surface or faces", MedialAxis,
+                    {"Input": box(), "Resolution": 16, "Topology": "Preserve",
+                     "Representation": "Points"}, Representation="Surface")
+        self.expect("needs a closed, consistently oriented mesh", MeshDistanceField,
+                    {"Input": Plane(), "Resolution": 16, "SignMethod": "Pseudonormal"},
+                    SignMethod="Auto")
 
     def test_grids_larger_than_memory(self):
-        self.expect(" GiB of memory, and ", MeshDistanceField(Input=box(), Resolution=8192),
-                    Resolution=16)
-        self.expect(" GiB of memory, and ",
-                    MedialAxis(Input=box(), Resolution=8192, Topology="Preserve"), Resolution=16)
         axis = MedialAxis(Input=box(), Resolution=32)
-        self.expect(" GiB of memory, and ", MedialReconstruction(Input=axis, Resolution=8192),
-                    Resolution=16)
+        for filter, properties in ((MeshDistanceField, {"Input": box()}),
+                                   (MedialAxis, {"Input": box(), "Topology": "Preserve"}),
+                                   (MedialReconstruction, {"Input": axis})):
+            with self.subTest(filter=filter.__name__):
+                self.expect(" GiB of memory, and ", filter, {**properties, "Resolution": 8192},
+                            Resolution=16)
 
     def test_reconstruction_of_what_is_no_axis(self):
-        self.expect("no point data array Radius", MedialReconstruction(Input=box(), Resolution=16),
-                    Input=MedialAxis(Input=box(), Resolution=32))
+        self.expect("no point data array Radius", MedialReconstruction,
+                    {"Input": box(), "Resolution": 16}, Input=MedialAxis(Input=box(), Resolution=32))
 
     def test_no_egl(self):
         script = ("from paraview.simple import *\n"

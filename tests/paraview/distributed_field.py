@@ -1,0 +1,32 @@
+"""Run by distributed_test.py in pvbatch: field.pvti, each process's part of the field, and result.json.
+
+usage: pvbatch distributed_field.py FOLDER
+"""
+
+import json
+import os
+import sys
+
+from paraview.simple import *
+
+folder = sys.argv[1]
+mesh = WavefrontOBJReader(FileName="/usr/share/glmark2/models/bunny.obj")
+field = MeshDistanceField(Input=mesh, Resolution=72, GenerateClosestPoint=1, GenerateClosestFeature=1)
+SaveData(os.path.join(folder, "field.pvti"), proxy=field)
+field.SMProxy.UpdatePropertyInformation()
+result = {"samples of process 0": field.GetPropertyValue("NumberOfSamples")}
+
+# A filter downstream that wants ghost samples.
+contour = Contour(Input=field, ContourBy="Distance", Isosurfaces=[0.02])
+contour.UpdatePipeline()
+result["contour bounds"] = contour.GetDataInformation().GetBounds()
+
+axis = MedialAxis(Input=mesh, Resolution=72)
+for name, proxy in (("axis", axis), ("curves", MedialCurves(Input=axis)),
+                    ("reconstruction", MedialReconstruction(Input=axis, Resolution=48)),
+                    ("thickness", MedialThickness(Input=mesh))):
+    proxy.UpdatePipeline()
+    data = proxy.GetDataInformation()
+    result[name] = [data.GetNumberOfPoints(), data.GetNumberOfCells(), *data.GetBounds()]
+with open(os.path.join(folder, "result.json"), "w") as file:
+    json.dump(result, file)

@@ -1,0 +1,89 @@
+"""Each filter's output on the bunny, as ParaView shows it by default, beside a picture of before.
+
+usage: pvpython pictures_test.py [--update]   --update makes the pictures anew: look at them
+"""
+
+import os
+import sys
+import tempfile
+import unittest
+
+sys.path.insert(0, os.path.dirname(__file__))
+from paraview.simple import *
+from session import bunny
+from vtkmodules.vtkImagingCore import vtkImageDifference
+from vtkmodules.vtkIOImage import vtkPNGReader
+
+BASELINES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "baselines")
+UPDATE = "--update" in sys.argv
+ALLOWED = 0.5  # vtkImageDifference's error for the whole picture; 0 where all pixels are close
+
+
+def read(path):
+    reader = vtkPNGReader()
+    reader.SetFileName(path)
+    reader.Update()
+    return reader.GetOutput()
+
+
+def difference(path, baseline):
+    compare = vtkImageDifference()
+    compare.SetInputData(read(path))
+    compare.SetImageData(read(baseline))
+    compare.Update()
+    return compare.GetThresholdedError()
+
+
+class Pictures(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.mesh = bunny()
+        cls.axis = MedialAxis(Input=cls.mesh, Resolution=96)
+
+    def picture(self, *shown):
+        """A new view of the proxies; a number behind one is its opacity."""
+        view = CreateView("RenderView", ViewSize=[240, 200], OrientationAxesVisibility=0)
+        self.addCleanup(Delete, view)
+        for proxy, opacity in shown:
+            Show(proxy, view).Opacity = opacity
+        view.ResetCamera()
+        view.CameraPosition = [-1.5, 1.0, 4.5]
+        view.CameraFocalPoint = [0.0, 0.0, 0.0]
+        view.StillRender()
+        return view
+
+    def expect(self, name, *shown):
+        baseline = os.path.join(BASELINES, f"{name}.png")
+        view = self.picture(*shown)
+        if UPDATE:
+            SaveScreenshot(baseline, view)
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "picture.png")
+            SaveScreenshot(path, view)
+            error = difference(path, baseline)
+            self.assertLess(error, ALLOWED, f"{name} differs")
+
+    def test_distance_field(self):
+        field = MeshDistanceField(Input=self.mesh, Resolution=64)
+        self.expect("distance_field", (field, 1.0))
+
+    def test_medial_axis(self):
+        self.expect("medial_axis", (self.axis, 1.0), (self.mesh, 0.2))
+
+    def test_medial_curves(self):
+        self.expect("medial_curves", (MedialCurves(Input=self.axis), 1.0))
+
+    def test_medial_thickness(self):
+        self.expect("medial_thickness", (MedialThickness(Input=self.mesh), 1.0))
+
+    def test_medial_reconstruction(self):
+        self.expect("medial_reconstruction", (MedialReconstruction(Input=self.axis, Resolution=64), 1.0))
+
+    def test_pictures_differ_from_each_other(self):
+        field, axis = (os.path.join(BASELINES, f"{name}.png")
+                       for name in ("distance_field", "medial_axis"))
+        self.assertGreater(difference(axis, field), 100 * ALLOWED)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1], verbosity=2)
