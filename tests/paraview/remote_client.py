@@ -1,0 +1,28 @@
+"""Run by client_server_test.py in pvpython: an axis and a picture of it from a server; figures as JSON.
+
+usage: pvpython remote_client.py PORT PICTURE
+"""
+
+import json
+import sys
+
+from paraview.simple import *
+
+Connect("127.0.0.1", int(sys.argv[1]))
+mesh = WavefrontOBJReader(FileName="/usr/share/glmark2/models/bunny.obj")
+field = MeshDistanceField(Input=mesh, Resolution=48)
+axis = MedialAxis(Input=mesh, Resolution=64)
+view = CreateView("RenderView", ViewSize=[240, 200])
+Show(field, view)
+Show(axis, view)
+view.ResetCamera()
+SaveScreenshot(sys.argv[2], view)
+field.SMProxy.UpdatePropertyInformation()
+result = {"field": field.GetDataInformation().GetNumberOfPoints(),
+          "samples of process 0": field.GetPropertyValue("NumberOfSamples"),
+          "distance": field.PointData["Distance"].GetRange(),
+          "axis": axis.GetDataInformation().GetNumberOfPoints()}
+axis.Resolution = 1
+axis.UpdatePipeline()
+result["axis after an error"] = axis.GetDataInformation().GetNumberOfPoints()
+print(json.dumps(result))
