@@ -1,6 +1,7 @@
 #include "vtkMeshFieldAlgorithm.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkCompositeDataPipeline.h"
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
@@ -28,6 +29,14 @@ const char* NameOf(const char* const (&names)[Count], int value)
   return value >= 0 && value < static_cast<int>(Count) ? names[value] : "Unknown";
 }
 
+//------------------------------------------------------------------------------
+// The pipeline marks outputs so while it asks for one block of composite input after the other.
+class BlockKey : public vtkCompositeDataPipeline
+{
+public:
+  static bool IsSet(vtkInformation* outInfo) { return outInfo->Has(SUPPRESS_RESET_PI()) != 0; }
+};
+
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -44,6 +53,10 @@ vtkMeshFieldAlgorithm::~vtkMeshFieldAlgorithm() = default;
 vtkTypeBool vtkMeshFieldAlgorithm::ProcessRequest(vtkInformation* request,
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
+  {
+    this->Internals->InputIsBlock = BlockKey::IsSet(outputVector->GetInformationObject(0));
+  }
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()))
   {
     return this->RequestInformation(request, inputVector, outputVector);
@@ -122,16 +135,17 @@ int vtkMeshFieldAlgorithm::RequestImageInformation(vtkInformationVector** inputV
 
 //------------------------------------------------------------------------------
 // Asks for what RequestUpdateExtent() asks for, so that the input is not executed twice. A block of
-// composite input is up to date already. Returns null where the input is composite itself.
+// composite input is up to date already, and its producer is amid its execution. Returns null where
+// the input is composite itself.
 vtkPolyData* vtkMeshFieldAlgorithm::UpdateWholeInput(vtkInformationVector** inputVector)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
-  int producerPort = 0;
-  vtkAlgorithm* producer = this->GetInputAlgorithm(0, 0, producerPort);
-  if (!input || input != producer->GetOutputDataObject(producerPort))
+  if (!input || this->Internals->InputIsBlock)
   {
     return input;
   }
+  int producerPort = 0;
+  vtkAlgorithm* producer = this->GetInputAlgorithm(0, 0, producerPort);
   vtkNew<vtkInformationVector> requests;
   requests->SetNumberOfInformationObjects(producer->GetNumberOfOutputPorts());
   vtkInformation* request = requests->GetInformationObject(producerPort);

@@ -84,6 +84,7 @@ public:
   void Record(const medial::Grid& grid, medial::SignMethod sign,
     const medial::RunStatistics& statistics);
 
+  bool InputIsBlock = false; // of composite input that the pipeline goes through
   medial::TriangleMesh Mesh;
   medial::MeshTopology Topology;
   Outcome Last;

@@ -13,6 +13,7 @@
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkMeshDistanceField.h>
+#include <vtkMultiBlockDataGroupFilter.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -331,6 +332,33 @@ TEST(DistanceFieldExtent, CompositeInputGivesOneGridABlock)
   alone->Update();
   ASSERT_EQ(lump->GetNumberOfPoints(), alone->GetOutput()->GetNumberOfPoints());
   expectPartOf(lump, alone->GetOutput());
+}
+
+// What makes the blocks must not be asked to update while the pipeline goes through them.
+TEST(DistanceFieldExtent, CompositeInputMayComeFromAFilter)
+{
+  vtkNew<vtkSphereSource> sphere;
+  vtkNew<vtkMultiBlockDataGroupFilter> group;
+  group->AddInputConnection(sphere->GetOutputPort());
+  group->AddInputDataObject(boxPolyData({ 2.0, 2.0, 2.0 }));
+  vtkNew<vtkMeshDistanceField> field;
+  field->SetInputConnection(group->GetOutputPort());
+  field->SetResolution(12);
+  EventLog log(field);
+  field->Update();
+  EXPECT_TRUE(log.errors.empty()) << log.errors[0];
+  auto* output = vtkMultiBlockDataSet::SafeDownCast(field->GetOutputDataObject(0));
+  ASSERT_NE(output, nullptr);
+  for (unsigned int i = 0; i < 2; ++i)
+  {
+    auto* image = vtkImageData::SafeDownCast(output->GetBlock(i));
+    ASSERT_NE(image, nullptr);
+    EXPECT_NE(image->GetPointData()->GetArray("Distance"), nullptr);
+  }
+  sphere->SetRadius(3.0);
+  field->Update();
+  output = vtkMultiBlockDataSet::SafeDownCast(field->GetOutputDataObject(0));
+  EXPECT_GT(vtkImageData::SafeDownCast(output->GetBlock(0))->GetBounds()[1], 3.0);
 }
 
 } // namespace
