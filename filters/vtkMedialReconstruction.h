@@ -21,14 +21,14 @@
  *
  * @par Errors:
  * Input without points, a missing or unfit array Radius, a radius that is negative or not finite,
- * and a Resolution outside its range are reported by one vtkErrorMacro with the value;
- * GetErrorCode() then is one of vtkMeshFieldAlgorithm::ErrorCodes, the output is empty and the
- * request fails.
+ * a Resolution outside its range and a grid larger than the memory that is left are reported by one
+ * vtkErrorMacro with the value; GetErrorCode() then is one of vtkMeshFieldAlgorithm::ErrorCodes, the
+ * output is empty and the request ends as one of vtkMeshFieldAlgorithm.
  *
  * @par Abort:
  * SetAbortExecute(1) from a ProgressEvent observer stops the execution soon. The output is empty
- * then, the request fails, GetErrorCode() is vtkMeshFieldAlgorithm::CancelledError without an
- * ErrorEvent from the filter, and the next Update() executes again.
+ * then, GetErrorCode() is vtkMeshFieldAlgorithm::CancelledError without an ErrorEvent from the
+ * filter, and the next Update() executes again.
  *
  * @par Parallel pipelines:
  * The output is not split: piece 0 is all of it, every other piece is empty. The filter asks for

@@ -29,8 +29,8 @@
  * @par Errors:
  * A parameter outside its range and input that cannot be used are reported by one vtkErrorMacro
  * with the value and the allowed range; GetErrorCode() then is one of
- * vtkMeshFieldAlgorithm::ErrorCodes, the output is empty and the request fails. Parameters are
- * checked when the filter executes.
+ * vtkMeshFieldAlgorithm::ErrorCodes, the output is empty and the request ends as one of
+ * vtkMeshFieldAlgorithm. Parameters are checked when the filter executes.
  *
  * @par Abort:
  * As vtkMeshFieldAlgorithm: SetAbortExecute(1) from a ProgressEvent observer stops the execution,

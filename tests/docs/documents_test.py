@@ -12,7 +12,7 @@ from pathlib import Path
 SOURCES, AXIS, EVALUATE = Path(sys.argv[1]), sys.argv[2], sys.argv[3]
 DOCUMENTS = [SOURCES / "README.md", SOURCES / "CONTRIBUTING.md", SOURCES / "examples/README.md",
              *sorted((SOURCES / "docs").glob("**/*.md"))]
-TOP = {path.name for path in SOURCES.iterdir()}
+TOP = {path.name for path in SOURCES.iterdir() if not path.name.startswith("build")}
 
 
 def code_words(text):
@@ -25,7 +25,7 @@ def named_files(text):
     """Paths from the project's root; patterns and build folders are none."""
     for word in code_words(text):
         path = re.sub(r"^\./|[,;:.)]+$", "", word)
-        if re.fullmatch(r"[\w./-]+", path) and path.split("/")[0] in TOP - {"build", "out"}:
+        if re.fullmatch(r"[\w./-]+", path) and path.split("/")[0] in TOP - {"out"}:
             yield path
     yield from re.findall(r"\]\((?!https?:)([^)#]+)\)", text)
 

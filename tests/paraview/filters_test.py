@@ -7,6 +7,7 @@ import unittest
 import numpy
 
 sys.path.insert(0, os.path.dirname(__file__))
+from paraview import servermanager
 from paraview.simple import *
 from vtkmodules.vtkCommonCore import reference
 from session import (HALF_SIDES, box, bunny, default_colouring, information, messages, output,
@@ -100,6 +101,27 @@ class Properties(unittest.TestCase):
         field.Dimensions = [3, 4, 5]
         self.assertEqual(output(field).GetDimensions(), (3, 4, 5))
         numpy.testing.assert_allclose(output(field).GetOrigin(), numpy.negative(HALF_SIDES))
+
+    def test_the_menu_offers_filters_for_surfaces_only(self):
+        axis = MedialAxis(Input=box(), Resolution=16)
+        fits = {("MedialAxis", Wavelet): False, ("MedialAxis", Sphere): True,
+                ("MedialReconstruction", Box): False, ("MedialReconstruction", lambda: axis): True}
+        for (name, make), expected in fits.items():
+            source = make()
+            source.UpdatePipeline()
+            proxy = servermanager.ProxyManager().NewProxy("filters", name)
+            proxy.GetProperty("Input").AddUncheckedInputConnection(source.SMProxy, 0)
+            with self.subTest(filter=name, input=source.GetXMLLabel()):
+                self.assertEqual(bool(proxy.GetProperty("Input").IsInDomains()), expected)
+
+    def test_blocks_are_computed_one_by_one(self):
+        blocks = GroupDatasets(Input=[box(), Sphere()])
+        for make in (MeshDistanceField, MedialAxis, MedialThickness):
+            with self.subTest(filter=make.__name__):
+                data = output(make(Input=blocks))
+                self.assertEqual(data.GetNumberOfBlocks(), 2)
+                for block in range(2):
+                    self.assertGreater(data.GetBlock(block).GetNumberOfPoints(), 0)
 
     def test_outputs_are_coloured_by_what_they_are_for(self):
         view = CreateView("RenderView")

@@ -82,7 +82,7 @@ class Window(unittest.TestCase):
                 while time.monotonic() < deadline:
                     time.sleep(2)
                     self.assertIsNone(window.poll(), "the window is gone")
-                    subprocess.run(["import", "-window", "root", picture], check=True)
+                    subprocess.run(["import", "-window", "root", f"PNG24:{picture}"], check=True)
                     if axis_pixels(picture) > 5000:
                         return
                 self.fail(f"{axis_pixels(picture)} pixels look like the axis after two minutes")
