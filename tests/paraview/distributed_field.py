@@ -1,4 +1,4 @@
-"""Run by distributed_test.py in pvbatch: field.pvti, each process's part of the field, and result.json.
+"""Run by distributed_test.py in pvbatch: the field in parts, and figures of other outputs.
 
 usage: pvbatch distributed_field.py FOLDER
 """
@@ -11,7 +11,8 @@ from paraview.simple import *
 
 folder = sys.argv[1]
 mesh = WavefrontOBJReader(FileName="/usr/share/glmark2/models/bunny.obj")
-field = MeshDistanceField(Input=mesh, Resolution=72, GenerateClosestPoint=1, GenerateClosestFeature=1)
+field = MeshDistanceField(Input=mesh, Resolution=72, GenerateClosestPoint=1,
+                          GenerateClosestFeature=1)
 SaveData(os.path.join(folder, "field.pvti"), proxy=field)
 field.SMProxy.UpdatePropertyInformation()
 result = {"samples of process 0": field.GetPropertyValue("NumberOfSamples")}

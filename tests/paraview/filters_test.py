@@ -1,4 +1,4 @@
-"""Each filter in pvpython: values against what is known of the shape, defaults, progress, messages."""
+"""Each filter in pvpython: values against what is known of the shape, properties, progress, abort."""
 
 import os
 import sys
@@ -35,9 +35,9 @@ class Values(unittest.TestCase):
     def test_medial_axis_of_a_box(self):
         axis = output(MedialAxis(Input=box(), Resolution=64))
         self.assertGreater(axis.GetNumberOfCells(), 500)
-        numpy.testing.assert_allclose(values(axis, "Radius"), -box_distance(points(axis)), atol=1e-4)
-        depth = HALF_SIDES - numpy.abs(points(axis))
-        nearest, second = numpy.sort(depth, axis=1)[:, :2].T
+        depth = -box_distance(points(axis))
+        numpy.testing.assert_allclose(values(axis, "Radius"), depth, atol=1e-4)
+        nearest, second = numpy.sort(HALF_SIDES - numpy.abs(points(axis)), axis=1)[:, :2].T
         in_the_middle = numpy.abs(points(axis)[:, 2]) < 0.02
         numpy.testing.assert_array_less((second - nearest)[~in_the_middle], 0.06)
 
@@ -95,7 +95,8 @@ class Properties(unittest.TestCase):
             self.assertEqual(domain.GetMaximum(0, reference(0)), 1.0)  # half the longest side
 
     def test_grid_modes(self):
-        field = MeshDistanceField(Input=box(), GridMode="Spacing", Spacing=[0.1, 0.2, 0.1], Padding=0)
+        field = MeshDistanceField(Input=box(), GridMode="Spacing", Spacing=[0.1, 0.2, 0.1],
+                                  Padding=0)
         self.assertEqual(output(field).GetSpacing(), (0.1, 0.2, 0.1))
         field.GridMode = "Explicit"
         field.Dimensions = [3, 4, 5]

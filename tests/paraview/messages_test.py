@@ -30,13 +30,14 @@ class Messages(unittest.TestCase):
 
     def test_files_that_are_no_meshes(self):
         with tempfile.TemporaryDirectory() as folder:
-            damaged, missing = (os.path.join(folder, name) for name in ("damaged.stl", "missing.stl"))
+            damaged = os.path.join(folder, "damaged.stl")
+            missing = os.path.join(folder, "missing.stl")
             with open(damaged, "w") as file:
                 file.write("solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0")
-            for words, path in ((f"{damaged} at line 4", damaged), (f"{missing} not found", missing)):
+            for path, words in ((damaged, " at line 4"), (missing, " not found")):
                 for filter in ON_MESHES:
                     with self.subTest(words=words, filter=filter.__name__):
-                        self.expect(words, filter, {"Input": STLReader(FileNames=[path])},
+                        self.expect(path + words, filter, {"Input": STLReader(FileNames=[path])},
                                     Input=box())
 
     def test_a_mesh_without_cells(self):
@@ -77,7 +78,8 @@ class Messages(unittest.TestCase):
 
     def test_reconstruction_of_what_is_no_axis(self):
         self.expect("no point data array Radius", MedialReconstruction,
-                    {"Input": box(), "Resolution": 16}, Input=MedialAxis(Input=box(), Resolution=32))
+                    {"Input": box(), "Resolution": 16},
+                    Input=MedialAxis(Input=box(), Resolution=32))
 
     def test_no_egl(self):
         script = ("from paraview.simple import *\n"
@@ -90,7 +92,8 @@ class Messages(unittest.TestCase):
                 file.write(script)
             environment = dict(os.environ, __EGL_VENDOR_LIBRARY_DIRS=folder,
                                __EGL_VENDOR_LIBRARY_FILENAMES=f"{folder}/none.json")
-            run = subprocess.run(["pvpython", path], env=environment, capture_output=True, text=True)
+            run = subprocess.run(["pvpython", path], env=environment, capture_output=True,
+                                 text=True, timeout=120)
         self.assertEqual((run.returncode, run.stdout), (0, "0 points\n"), run.stderr)
         self.assertIn("no EGL device offers an OpenGL 4.5 core context; install a driver",
                       run.stderr)

@@ -77,7 +77,8 @@ class Pictures(unittest.TestCase):
         self.expect("medial_thickness", (MedialThickness(Input=self.mesh), 1.0))
 
     def test_medial_reconstruction(self):
-        self.expect("medial_reconstruction", (MedialReconstruction(Input=self.axis, Resolution=64), 1.0))
+        surface = MedialReconstruction(Input=self.axis, Resolution=64)
+        self.expect("medial_reconstruction", (surface, 1.0))
 
     def test_pictures_differ_from_each_other(self):
         field, axis = (os.path.join(BASELINES, f"{name}.png")

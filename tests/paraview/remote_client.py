@@ -1,4 +1,4 @@
-"""Run by client_server_test.py in pvpython: an axis and a picture of it from a server; figures as JSON.
+"""Run by client_server_test.py in pvpython: outputs and a picture from a server; prints JSON.
 
 usage: pvpython remote_client.py PORT PICTURE
 """
