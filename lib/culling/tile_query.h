@@ -6,7 +6,6 @@
 
 #include <glm/glm.hpp>
 
-#include <limits>
 #include <vector>
 
 namespace medial
@@ -25,9 +24,21 @@ public:
   void add(CandidateTiles tiles);
 
   /// @param x frame coordinates, inside the hull of a tile that was added.
-  /// @param knownDistance of some surface point from x, to start from; the nearer, the faster.
-  SitePoint closest(const glm::dvec3& x,
-    double knownDistance = std::numeric_limits<double>::max()) const;
+  /// @param known surface point to start from, if any (a site of -1 is none); the nearer, the
+  ///   faster. Returned where nothing is nearer.
+  SitePoint closest(const glm::dvec3& x, const SitePoint& known = {}) const;
+
+  /// A position, and a surface point: the known one, then the closest.
+  struct Question
+  {
+    glm::dvec3 x;
+    SitePoint closest;
+  };
+  /// The same for many positions, side by side where neighbours in the list lie in one tile.
+  void closest(std::vector<Question>& questions) const;
+
+  /// Number of the tile that holds a grid point.
+  std::size_t tileIndex(const glm::ivec3& gridPoint) const;
 
 private:
   struct Candidates
@@ -36,7 +47,10 @@ private:
     const int* end = nullptr;
   };
 
-  std::size_t tileIndex(const glm::ivec3& gridPoint) const;
+  std::size_t tileAround(const glm::dvec3& x) const;
+  /// @param count in [1, PointLanes::kMost].
+  void closestInTile(const Candidates& tile, Question* questions, int count,
+    std::vector<NearSite>& scratch) const;
 
   const SiteSet& sites_;
   const CandidateFilter& filter_;

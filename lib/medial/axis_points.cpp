@@ -34,8 +34,7 @@ BisectorPoint contacts(const AxisGeometry& geometry, const DualMesh& mesh,
   BisectorPoint result;
   result.position = x;
   const int known = bisectors.points[mesh.incident[begin]].a.site;
-  result.a =
-    geometry.query.closest(x, glm::distance(x, closestPoint(geometry.sites, known, x).point));
+  result.a = geometry.query.closest(x, closestPoint(geometry.sites, known, x));
   result.b = result.a;
   const double farthest = result.radius() + tolerance;
   double widest = -1.0;

@@ -1,20 +1,20 @@
 #include "medial/medial/bisector.h"
 
-#include "medial/medial/separation.h"
-#include "medial/sites/closest_point.h"
+#include "medial/medial/site_change.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 namespace medial
 {
 namespace
 {
 
-/// A nearer third site counts from this difference on, in frame units (voxels).
-constexpr double kSameDistance = 1e-6;
 /// Medial balls smaller than this (voxels) are the surface itself.
 constexpr double kLeastRadius = 1e-3;
 /// Where two sites are this much (voxels) farther than the closest one, their separation angle
@@ -23,109 +23,6 @@ constexpr double kLeastRadius = 1e-3;
 constexpr double kFacets = 0.1;
 /// Sites between the two that are looked for at most.
 constexpr int kMaxRounds = 8;
-
-/// The part of a segment that is known to hold a change from siteA to siteB.
-class Change
-{
-public:
-  Change(const SiteSet& sites, const glm::dvec3& from, int siteA, const glm::dvec3& to, int siteB)
-    : sites_(sites)
-    , start_(from)
-    , along_(to - from)
-    , siteA_(siteA)
-    , siteB_(siteB)
-  {
-  }
-
-  /// Goes to the point at equal distance from both sites, by regula falsi with the Illinois
-  /// modification on the difference of the squared distances.
-  void solve()
-  {
-    double low = low_;
-    double high = high_;
-    double fLow = this->difference(low);
-    double fHigh = this->difference(high);
-    // Sites at equal distance at an end, to rounding: that end is the root.
-    if (fLow >= 0.0 || fHigh <= 0.0)
-    {
-      root_ = fLow >= 0.0 ? low : high;
-      this->difference(root_);
-      return;
-    }
-    for (int i = 0; i < kMaxIterations && high - low > kTolerance; ++i)
-    {
-      root_ = (low * fHigh - high * fLow) / (fHigh - fLow);
-      const double f = this->difference(root_);
-      if (std::abs(f) < kTolerance)
-      {
-        break;
-      }
-      if (f < 0.0)
-      {
-        low = root_;
-        fLow = f;
-        fHigh *= 0.5;
-      }
-      else
-      {
-        high = root_;
-        fHigh = f;
-        fLow *= 0.5;
-      }
-    }
-  }
-
-  /// Narrows to the change from or to a third site that is nearer to the root. Returns false when
-  /// there is none, that is when the root is final.
-  bool narrow(const TileQuery& query)
-  {
-    const glm::dvec3& x = point_.position;
-    const double distance = point_.radius();
-    const SitePoint third = query.closest(x, distance);
-    if (glm::distance(third.point, x) > distance - kSameDistance)
-    {
-      return false;
-    }
-    if (separationAngle(x, point_.a.point, third.point) >=
-      separationAngle(x, third.point, point_.b.point))
-    {
-      high_ = root_;
-      siteB_ = third.site;
-    }
-    else
-    {
-      low_ = root_;
-      siteA_ = third.site;
-    }
-    return true;
-  }
-
-  const BisectorPoint& point() const { return point_; }
-
-private:
-  static constexpr int kMaxIterations = 60;
-  static constexpr double kTolerance = 1e-9;
-
-  double difference(double t)
-  {
-    point_.position = start_ + t * along_;
-    point_.a = closestPoint(sites_, siteA_, point_.position);
-    point_.b = closestPoint(sites_, siteB_, point_.position);
-    const glm::dvec3 a = point_.a.point - point_.position;
-    const glm::dvec3 b = point_.b.point - point_.position;
-    return glm::dot(a, a) - glm::dot(b, b);
-  }
-
-  const SiteSet& sites_;
-  glm::dvec3 start_;
-  glm::dvec3 along_;
-  int siteA_;
-  int siteB_;
-  double low_ = 0.0;
-  double high_ = 1.0;
-  double root_ = 0.5;
-  BisectorPoint point_;
-};
 
 std::optional<BisectorPoint> atLeast(double angle, const BisectorPoint& point)
 {
@@ -137,15 +34,13 @@ std::optional<BisectorPoint> atLeast(double angle, const BisectorPoint& point)
 std::optional<BisectorPoint> facetedPoint(const AxisGeometry& geometry, const glm::dvec3& from,
   int fromSite, const glm::dvec3& to, int toSite)
 {
-  Change change(geometry.sites, from, fromSite, to, toSite);
-  change.solve();
-  BisectorPoint point = change.point();
+  BisectorPoint point = SiteChange(geometry.sites, from, fromSite, to, toSite).point();
   if (point.separationAngle() < geometry.angle)
   {
     return std::nullopt;
   }
   const double distance = point.radius();
-  const SitePoint closest = geometry.query.closest(point.position, distance);
+  const SitePoint closest = geometry.query.closest(point.position, point.a);
   if (glm::distance(closest.point, point.position) < distance - kFacets)
   {
     return std::nullopt;
@@ -190,6 +85,98 @@ std::optional<BisectorPoint> axisBetween(const AxisGeometry& geometry, const glm
   return faceted ? faceted : widened(geometry, exact, fromSite, toSite);
 }
 
+/// The grid points at the ends of a crossed edge.
+std::pair<glm::dvec3, glm::dvec3> ends(const GridFrame& frame, const Crossing& crossing)
+{
+  const glm::dvec3 from = frame.sample(glm::dvec3(crossing.voxel));
+  glm::dvec3 to = from;
+  to[crossing.axis] += frame.step[crossing.axis];
+  return { from, to };
+}
+
+/// Crossings in the order of the tiles that they are in.
+std::vector<std::size_t> byTile(const TileQuery& query, const std::vector<Crossing>& crossings,
+  const tbb::blocked_range<std::size_t>& range)
+{
+  std::vector<std::pair<std::size_t, std::size_t>> keys;
+  keys.reserve(range.size());
+  for (std::size_t c = range.begin(); c != range.end(); ++c)
+  {
+    keys.emplace_back(query.tileIndex(crossings[c].voxel), c);
+  }
+  std::sort(keys.begin(), keys.end());
+  std::vector<std::size_t> order(keys.size());
+  std::transform(keys.begin(), keys.end(), order.begin(),
+    [](const auto& key) { return key.second; });
+  return order;
+}
+
+/// bisectorPoint() of many crossings, whose queries go together.
+std::vector<SiteChange> settledChanges(const AxisGeometry& geometry,
+  const std::vector<Crossing>& crossings, const std::vector<std::size_t>& order)
+{
+  std::vector<SiteChange> changes;
+  changes.reserve(order.size());
+  for (const std::size_t c : order)
+  {
+    const auto [from, to] = ends(geometry.frame, crossings[c]);
+    changes.emplace_back(geometry.sites, from, crossings[c].siteA, to, crossings[c].siteB);
+  }
+  std::vector<std::size_t> open(order.size());
+  std::iota(open.begin(), open.end(), std::size_t{ 0 });
+  std::vector<TileQuery::Question> questions;
+  for (int round = 1; round < kMaxRounds && !open.empty(); ++round)
+  {
+    questions.clear();
+    for (const std::size_t i : open)
+    {
+      questions.push_back({ changes[i].point().position, changes[i].point().a });
+    }
+    geometry.query.closest(questions);
+    std::size_t left = 0;
+    for (std::size_t k = 0; k < open.size(); ++k)
+    {
+      if (!changes[open[k]].settledBy(questions[k].closest))
+      {
+        changes[open[k]].narrow(questions[k].closest);
+        open[left++] = open[k];
+      }
+    }
+    open.resize(left);
+  }
+  return changes;
+}
+
+/// What becomes of a bisector point; the values are those of BisectorPoints::moved.
+enum class Fate : std::uint8_t
+{
+  Kept,
+  Moved,
+  Removed
+};
+
+/// Makes a point keep the limits of angle, lambda and radius where that is possible.
+Fate limited(const AxisGeometry& geometry, bool exactAngle, const Crossing& crossing,
+  BisectorPoint& point)
+{
+  Fate fate = Fate::Kept;
+  if (exactAngle && point.separationAngle() < geometry.angle)
+  {
+    const auto [from, to] = ends(geometry.frame, crossing);
+    std::optional<BisectorPoint> other =
+      facetedPoint(geometry, from, crossing.siteA, to, crossing.siteB);
+    if (!other)
+    {
+      other = axisAlongNormal(geometry, point);
+      fate = other ? Fate::Moved : Fate::Removed;
+    }
+    point = other.value_or(point);
+  }
+  const bool large =
+    point.radius() >= std::max(geometry.radius, kLeastRadius) && point.lambda() >= geometry.lambda;
+  return large ? fate : Fate::Removed;
+}
+
 bool insideGrid(const AxisGeometry& geometry, const glm::dvec3& x)
 {
   const glm::dvec3 index = (x - geometry.frame.first) / geometry.frame.step;
@@ -205,26 +192,18 @@ bool insideGrid(const AxisGeometry& geometry, const glm::dvec3& x)
 
 } // namespace
 
-double BisectorPoint::separationAngle() const
-{
-  return medial::separationAngle(position, a.point, b.point);
-}
-
-glm::dvec3 BisectorPoint::normal() const
-{
-  const glm::dvec3 across = b.point - a.point;
-  const double length = glm::length(across);
-  return length > 0.0 ? across / length : glm::dvec3(0.0);
-}
-
 BisectorPoint bisectorPoint(const AxisGeometry& geometry, const glm::dvec3& from, int fromSite,
   const glm::dvec3& to, int toSite)
 {
-  Change change(geometry.sites, from, fromSite, to, toSite);
-  change.solve();
-  for (int round = 1; round < kMaxRounds && change.narrow(geometry.query); ++round)
+  SiteChange change(geometry.sites, from, fromSite, to, toSite);
+  for (int round = 1; round < kMaxRounds; ++round)
   {
-    change.solve();
+    const SitePoint closest = geometry.query.closest(change.point().position, change.point().a);
+    if (change.settledBy(closest))
+    {
+      break;
+    }
+    change.narrow(closest);
   }
   return change.point();
 }
@@ -244,7 +223,7 @@ std::optional<BisectorPoint> axisAlongNormal(const AxisGeometry& geometry, const
   {
     return std::nullopt;
   }
-  const SitePoint other = geometry.query.closest(end, radius + reach);
+  const SitePoint other = geometry.query.closest(end, closestPoint(geometry.sites, x.a.site, end));
   if (separationAngle(end, end - away, other.point) < geometry.angle)
   {
     return std::nullopt;
@@ -255,41 +234,28 @@ std::optional<BisectorPoint> axisAlongNormal(const AxisGeometry& geometry, const
 BisectorPoints bisectorPoints(const AxisGeometry& geometry, bool exactAngle,
   std::vector<Crossing>& crossings)
 {
-  constexpr std::uint8_t kOnEdge = 0;
-  constexpr std::uint8_t kMoved = 1;
-  constexpr std::uint8_t kRemoved = 2;
   BisectorPoints result;
   result.points.resize(crossings.size());
   result.moved.resize(crossings.size());
-  const double leastRadius = std::max(geometry.radius, kLeastRadius);
-  tbb::parallel_for(std::size_t{ 0 }, crossings.size(),
-    [&](std::size_t i)
+  // Enough for several of most tiles.
+  constexpr std::size_t kGrain = 512;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, crossings.size(), kGrain),
+    [&](const tbb::blocked_range<std::size_t>& range)
     {
-      const Crossing& crossing = crossings[i];
-      const glm::dvec3 from = geometry.frame.sample(glm::dvec3(crossing.voxel));
-      glm::dvec3 to = from;
-      to[crossing.axis] += geometry.frame.step[crossing.axis];
-      BisectorPoint& point = result.points[i];
-      point = bisectorPoint(geometry, from, crossing.siteA, to, crossing.siteB);
-      std::uint8_t fate = kOnEdge;
-      if (exactAngle && point.separationAngle() < geometry.angle)
+      const std::vector<std::size_t> order = byTile(geometry.query, crossings, range);
+      const std::vector<SiteChange> changes = settledChanges(geometry, crossings, order);
+      for (std::size_t i = 0; i < order.size(); ++i)
       {
-        std::optional<BisectorPoint> other =
-          facetedPoint(geometry, from, crossing.siteA, to, crossing.siteB);
-        if (!other)
-        {
-          other = axisAlongNormal(geometry, point);
-          fate = other ? kMoved : kRemoved;
-        }
-        point = other.value_or(point);
+        const std::size_t c = order[i];
+        result.points[c] = changes[i].point();
+        result.moved[c] =
+          static_cast<std::uint8_t>(limited(geometry, exactAngle, crossings[c], result.points[c]));
       }
-      const bool large = point.radius() >= leastRadius && point.lambda() >= geometry.lambda;
-      result.moved[i] = large ? fate : kRemoved;
     });
   std::size_t kept = 0;
   for (std::size_t i = 0; i < crossings.size(); ++i)
   {
-    if (result.moved[i] != kRemoved)
+    if (result.moved[i] != static_cast<std::uint8_t>(Fate::Removed))
     {
       crossings[kept] = crossings[i];
       result.points[kept] = result.points[i];

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "medial/medial/axis_geometry.h"
+#include "medial/medial/bisector_point.h"
 #include "medial/medial/crossing.h"
-#include "medial/sites/closest_point.h"
 
 #include <glm/glm.hpp>
 
@@ -12,22 +12,6 @@
 
 namespace medial
 {
-
-/// A point with two closest surface points; frame coordinates.
-struct BisectorPoint
-{
-  glm::dvec3 position{ 0.0 };
-  SitePoint a;
-  SitePoint b;
-
-  double radius() const { return glm::distance(position, a.point); }
-  /// Half the distance of the closest points: radius * sin(separation angle / 2).
-  double lambda() const { return 0.5 * glm::distance(a.point, b.point); }
-  /// Radians.
-  double separationAngle() const;
-  /// Unit normal of the bisector, or zero where both closest points are one.
-  glm::dvec3 normal() const;
-};
 
 /// The point of a segment at equal distance from the closest site at its start and that at its end.
 ///
