@@ -75,9 +75,9 @@ MEDIAL_VECTORISED void CandidateFilter::near(const int* begin, const int* end,
         // From below where a point does not project into the face: its edges are sites as well.
         const FacePlanes& face = facePlanes_[site];
         const Float8 height = evaluate(face.plane, x);
-        const Float8 side = greatest(greatest(evaluate(face.sides[0], x),
-                                       evaluate(face.sides[1], x)),
-          evaluate(face.sides[2], x));
+        const Float8 side =
+          greatest(greatest(evaluate(face.sides[0], x), evaluate(face.sides[1], x)),
+            evaluate(face.sides[2], x));
         const Float8 excess = greatest(side, Float8{});
         squared = height * height + excess * excess;
         break;
@@ -86,10 +86,8 @@ MEDIAL_VECTORISED void CandidateFilter::near(const int* begin, const int* end,
       {
         const EdgeLine& line = edgeLines_[site - sites_.firstEdge()];
         Vector8 v = fromPoint(x, line.start);
-        const Float8 t =
-          least(greatest(along(v, line.direction), Float8{}), splat(line.length));
-        v = { v.x - t * line.direction.x, v.y - t * line.direction.y,
-          v.z - t * line.direction.z };
+        const Float8 t = least(greatest(along(v, line.direction), Float8{}), splat(line.length));
+        v = { v.x - t * line.direction.x, v.y - t * line.direction.y, v.z - t * line.direction.z };
         squared = v.squaredLength();
         break;
       }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <utility>
 
 namespace medial
 {
@@ -60,7 +61,7 @@ std::size_t TileQuery::tileAround(const glm::dvec3& x) const
   return this->tileIndex(gridPoint);
 }
 
-void TileQuery::closestInTile(const Candidates& tile, Question* questions, int count,
+void TileQuery::closestInTile(const Candidates& tile, Question* const* questions, int count,
   std::vector<NearSite>& scratch) const
 {
   constexpr double kUnknown = std::numeric_limits<float>::max();
@@ -69,7 +70,7 @@ void TileQuery::closestInTile(const Candidates& tile, Question* questions, int c
   lanes.count = count;
   for (int i = 0; i < PointLanes::kMost; ++i)
   {
-    const Question& question = questions[i < count ? i : 0];
+    const Question& question = *questions[i < count ? i : 0];
     const bool known = question.closest.site >= 0;
     least[i] = known ? glm::distance(question.x, question.closest.point) : kUnknown;
     lanes.x[i] = static_cast<float>(question.x.x);
@@ -84,16 +85,17 @@ void TileQuery::closestInTile(const Candidates& tile, Question* questions, int c
     for (unsigned left = near.points; left != 0; left &= left - 1)
     {
       const int i = __builtin_ctz(left);
-      if (questions[i].closest.site == near.site)
+      Question& question = *questions[i];
+      if (question.closest.site == near.site)
       {
         continue;
       }
-      const SitePoint candidate = closestPoint(sites_, near.site, questions[i].x);
-      const double distance = glm::distance(candidate.point, questions[i].x);
+      const SitePoint candidate = closestPoint(sites_, near.site, question.x);
+      const double distance = glm::distance(candidate.point, question.x);
       if (distance < least[i])
       {
         least[i] = distance;
-        questions[i].closest = candidate;
+        question.closest = candidate;
       }
     }
   }
@@ -103,24 +105,31 @@ SitePoint TileQuery::closest(const glm::dvec3& x, const SitePoint& known) const
 {
   thread_local std::vector<NearSite> scratch;
   Question question{ x, known };
-  this->closestInTile(tiles_[this->tileAround(x)], &question, 1, scratch);
+  Question* const only = &question;
+  this->closestInTile(tiles_[this->tileAround(x)], &only, 1, scratch);
   return question.closest;
 }
 
 void TileQuery::closest(std::vector<Question>& questions) const
 {
-  std::vector<NearSite> scratch;
-  for (std::size_t begin = 0; begin < questions.size();)
+  std::vector<std::pair<std::size_t, Question*>> order;
+  order.reserve(questions.size());
+  for (Question& question : questions)
   {
-    const std::size_t tile = this->tileAround(questions[begin].x);
-    int count = 1;
-    while (count < PointLanes::kMost && begin + count < questions.size() &&
-      this->tileAround(questions[begin + count].x) == tile)
+    order.emplace_back(this->tileAround(question.x), &question);
+  }
+  std::sort(order.begin(), order.end());
+  std::vector<NearSite> scratch;
+  std::array<Question*, PointLanes::kMost> together;
+  for (auto next = order.begin(); next != order.end();)
+  {
+    const std::size_t tile = next->first;
+    int count = 0;
+    while (count < PointLanes::kMost && next != order.end() && next->first == tile)
     {
-      ++count;
+      together[count++] = (next++)->second;
     }
-    this->closestInTile(tiles_[tile], &questions[begin], count, scratch);
-    begin += count;
+    this->closestInTile(tiles_[tile], together.data(), count, scratch);
   }
 }
 

@@ -24,21 +24,18 @@ public:
   void add(CandidateTiles tiles);
 
   /// @param x frame coordinates, inside the hull of a tile that was added.
-  /// @param known surface point to start from, if any (a site of -1 is none); the nearer, the
-  ///   faster. Returned where nothing is nearer.
+  /// @param known the point of some site that is closest to x, to start from: the nearer, the
+  ///   faster. Returned where nothing is nearer. A site of -1 is none.
   SitePoint closest(const glm::dvec3& x, const SitePoint& known = {}) const;
 
-  /// A position, and a surface point: the known one, then the closest.
+  /// A position, and the known point that becomes the closest.
   struct Question
   {
     glm::dvec3 x;
     SitePoint closest;
   };
-  /// The same for many positions, side by side where neighbours in the list lie in one tile.
+  /// The same for many positions: those in one tile are answered side by side.
   void closest(std::vector<Question>& questions) const;
-
-  /// Number of the tile that holds a grid point.
-  std::size_t tileIndex(const glm::ivec3& gridPoint) const;
 
 private:
   struct Candidates
@@ -47,9 +44,10 @@ private:
     const int* end = nullptr;
   };
 
+  std::size_t tileIndex(const glm::ivec3& gridPoint) const;
   std::size_t tileAround(const glm::dvec3& x) const;
   /// @param count in [1, PointLanes::kMost].
-  void closestInTile(const Candidates& tile, Question* questions, int count,
+  void closestInTile(const Candidates& tile, Question* const* questions, int count,
     std::vector<NearSite>& scratch) const;
 
   const SiteSet& sites_;

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <utility>
 
 namespace medial
 {
@@ -24,24 +23,40 @@ constexpr double kFacets = 0.1;
 /// Sites between the two that are looked for at most.
 constexpr int kMaxRounds = 8;
 
-std::optional<BisectorPoint> atLeast(double angle, const BisectorPoint& point)
+using Found = std::vector<std::optional<BisectorPoint>>;
+
+bool wideEnough(const AxisGeometry& geometry, const BisectorPoint& point)
 {
-  return point.separationAngle() >= angle ? std::optional(point) : std::nullopt;
+  return point.separationAngle() >= geometry.angle;
 }
 
-/// The point at equal distance from both sites, whatever else is as near up to the sag of facets.
-/// Nothing where another site is nearer than that, or the separation angle is too small.
-std::optional<BisectorPoint> facetedPoint(const AxisGeometry& geometry, const glm::dvec3& from,
-  int fromSite, const glm::dvec3& to, int toSite)
+/// Hands the items that `wanted` says to `find`, all at once, and takes over what that finds.
+template <typename Item, typename Wanted, typename Find>
+void findFor(const std::vector<Item>& items, const Wanted& wanted, const Find& find, Found& found)
 {
-  BisectorPoint point = SiteChange(geometry.sites, from, fromSite, to, toSite).point();
-  if (point.separationAngle() < geometry.angle)
+  std::vector<Item> some;
+  std::vector<std::size_t> which;
+  for (std::size_t i = 0; i < items.size(); ++i)
   {
-    return std::nullopt;
+    if (wanted(i))
+    {
+      some.push_back(items[i]);
+      which.push_back(i);
+    }
   }
-  const double distance = point.radius();
-  const SitePoint closest = geometry.query.closest(point.position, point.a);
-  if (glm::distance(closest.point, point.position) < distance - kFacets)
+  const Found foundForSome = find(some);
+  for (std::size_t k = 0; k < which.size(); ++k)
+  {
+    found[which[k]] = foundForSome[k];
+  }
+}
+
+/// The point at equal distance from both sites where another site is nearer, but by no more than
+/// the sag of facets.
+std::optional<BisectorPoint> withinFacets(const AxisGeometry& geometry, BisectorPoint point,
+  const SitePoint& closest)
+{
+  if (glm::distance(closest.point, point.position) < point.radius() - kFacets)
   {
     return std::nullopt;
   }
@@ -51,15 +66,42 @@ std::optional<BisectorPoint> facetedPoint(const AxisGeometry& geometry, const gl
   {
     point.b = other;
   }
-  return atLeast(geometry.angle, point);
+  return wideEnough(geometry, point) ? std::optional(point) : std::nullopt;
 }
 
-/// The same point with one of the sites' points as the second closest.
+/// The points at equal distance from both sites, whatever else is as near up to the sag of facets.
+/// Nothing where another site is nearer than that, or the separation angle is too small.
+Found facetedPoints(const AxisGeometry& geometry, const std::vector<SiteSegment>& segments)
+{
+  Found points(segments.size());
+  std::vector<TileQuery::Question> questions;
+  for (std::size_t i = 0; i < segments.size(); ++i)
+  {
+    const BisectorPoint point = SiteChange(geometry.sites, segments[i]).point();
+    if (wideEnough(geometry, point))
+    {
+      points[i] = point;
+      questions.push_back({ point.position, point.a });
+    }
+  }
+  geometry.query.closest(questions);
+  auto question = questions.begin();
+  for (std::optional<BisectorPoint>& point : points)
+  {
+    if (point)
+    {
+      point = withinFacets(geometry, *point, (question++)->closest);
+    }
+  }
+  return points;
+}
+
+/// The same point with one of the segment's sites as the second closest.
 std::optional<BisectorPoint> widened(const AxisGeometry& geometry, BisectorPoint point,
-  int fromSite, int toSite)
+  const SiteSegment& segment)
 {
   const glm::dvec3& x = point.position;
-  for (const int site : { fromSite, toSite })
+  for (const int site : { segment.fromSite, segment.toSite })
   {
     const SitePoint other = closestPoint(geometry.sites, site, x);
     if (glm::distance(other.point, x) <= point.radius() + kFacets &&
@@ -72,57 +114,115 @@ std::optional<BisectorPoint> widened(const AxisGeometry& geometry, BisectorPoint
   return std::nullopt;
 }
 
-/// A point with the least separation angle between two points with different closest sites.
-std::optional<BisectorPoint> axisBetween(const AxisGeometry& geometry, const glm::dvec3& from,
-  int fromSite, const glm::dvec3& to, int toSite)
+/// Points with the least separation angle on the segments.
+Found axisBetween(const AxisGeometry& geometry, const std::vector<SiteSegment>& segments)
 {
-  const BisectorPoint exact = bisectorPoint(geometry, from, fromSite, to, toSite);
-  if (exact.separationAngle() >= geometry.angle)
+  const std::vector<BisectorPoint> exact = bisectorPoints(geometry, segments);
+  Found found(exact.begin(), exact.end());
+  const auto tooNarrow = [&](std::size_t i) { return !wideEnough(geometry, exact[i]); };
+  findFor(
+    segments, tooNarrow, [&](const auto& some) { return facetedPoints(geometry, some); }, found);
+  for (std::size_t i = 0; i < segments.size(); ++i)
   {
-    return exact;
+    if (!found[i])
+    {
+      found[i] = widened(geometry, exact[i], segments[i]);
+    }
   }
-  std::optional<BisectorPoint> faceted = facetedPoint(geometry, from, fromSite, to, toSite);
-  return faceted ? faceted : widened(geometry, exact, fromSite, toSite);
+  return found;
 }
 
-/// The grid points at the ends of a crossed edge.
-std::pair<glm::dvec3, glm::dvec3> ends(const GridFrame& frame, const Crossing& crossing)
+bool insideGrid(const AxisGeometry& geometry, const glm::dvec3& x)
+{
+  const glm::dvec3 index = (x - geometry.frame.first) / geometry.frame.step;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (index[axis] < geometry.extent.min[axis] || index[axis] > geometry.extent.max[axis])
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// From x away from its closest point, as far as the axis may be.
+SiteSegment alongNormal(const AxisGeometry& geometry, const BisectorPoint& x)
+{
+  const glm::dvec3 away = (x.position - x.a.point) / x.radius();
+  const double step = glm::dot(glm::abs(away), geometry.frame.step);
+  const double reach = step * (0.5 / std::sin(0.5 * geometry.angle) + 0.5);
+  return { x.position, x.a.site, x.position + reach * away, -1 };
+}
+
+/// What becomes of a bisector point; the values are those of BisectorPoints::moved.
+enum Fate : std::uint8_t
+{
+  kKept,
+  kMoved,
+  kRemoved
+};
+
+/// Makes the points of segments have the least separation angle where that is possible.
+void limitAngles(const AxisGeometry& geometry, const std::vector<SiteSegment>& segments,
+  std::vector<BisectorPoint>& points, std::uint8_t* fates)
+{
+  Found found(points.begin(), points.end());
+  const auto tooNarrow = [&](std::size_t i) { return !wideEnough(geometry, points[i]); };
+  findFor(
+    segments, tooNarrow, [&](const auto& some) { return facetedPoints(geometry, some); }, found);
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    fates[i] = found[i] ? kKept : kMoved;
+  }
+  findFor(
+    points, [&](std::size_t i) { return fates[i] == kMoved; },
+    [&](const auto& some) { return axisAlongNormals(geometry, some); }, found);
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    fates[i] = found[i] ? fates[i] : static_cast<std::uint8_t>(kRemoved);
+    points[i] = found[i].value_or(points[i]);
+  }
+}
+
+/// Drops the crossings that are to be removed, and their points.
+void removeMarked(std::vector<Crossing>& crossings, BisectorPoints& points)
+{
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < crossings.size(); ++i)
+  {
+    if (points.moved[i] != kRemoved)
+    {
+      crossings[kept] = crossings[i];
+      points.points[kept] = points.points[i];
+      points.moved[kept] = points.moved[i];
+      ++kept;
+    }
+  }
+  crossings.resize(kept);
+  points.points.resize(kept);
+  points.moved.resize(kept);
+}
+
+} // namespace
+
+SiteSegment segmentOf(const GridFrame& frame, const Crossing& crossing)
 {
   const glm::dvec3 from = frame.sample(glm::dvec3(crossing.voxel));
   glm::dvec3 to = from;
   to[crossing.axis] += frame.step[crossing.axis];
-  return { from, to };
+  return { from, crossing.siteA, to, crossing.siteB };
 }
 
-/// Crossings in the order of the tiles that they are in.
-std::vector<std::size_t> byTile(const TileQuery& query, const std::vector<Crossing>& crossings,
-  const tbb::blocked_range<std::size_t>& range)
-{
-  std::vector<std::pair<std::size_t, std::size_t>> keys;
-  keys.reserve(range.size());
-  for (std::size_t c = range.begin(); c != range.end(); ++c)
-  {
-    keys.emplace_back(query.tileIndex(crossings[c].voxel), c);
-  }
-  std::sort(keys.begin(), keys.end());
-  std::vector<std::size_t> order(keys.size());
-  std::transform(keys.begin(), keys.end(), order.begin(),
-    [](const auto& key) { return key.second; });
-  return order;
-}
-
-/// bisectorPoint() of many crossings, whose queries go together.
-std::vector<SiteChange> settledChanges(const AxisGeometry& geometry,
-  const std::vector<Crossing>& crossings, const std::vector<std::size_t>& order)
+std::vector<BisectorPoint> bisectorPoints(const AxisGeometry& geometry,
+  const std::vector<SiteSegment>& segments)
 {
   std::vector<SiteChange> changes;
-  changes.reserve(order.size());
-  for (const std::size_t c : order)
+  changes.reserve(segments.size());
+  for (const SiteSegment& segment : segments)
   {
-    const auto [from, to] = ends(geometry.frame, crossings[c]);
-    changes.emplace_back(geometry.sites, from, crossings[c].siteA, to, crossings[c].siteB);
+    changes.emplace_back(geometry.sites, segment);
   }
-  std::vector<std::size_t> open(order.size());
+  std::vector<std::size_t> open(segments.size());
   std::iota(open.begin(), open.end(), std::size_t{ 0 });
   std::vector<TileQuery::Question> questions;
   for (int round = 1; round < kMaxRounds && !open.empty(); ++round)
@@ -144,128 +244,87 @@ std::vector<SiteChange> settledChanges(const AxisGeometry& geometry,
     }
     open.resize(left);
   }
-  return changes;
+  std::vector<BisectorPoint> points(segments.size());
+  std::transform(changes.begin(), changes.end(), points.begin(),
+    [](const SiteChange& change) { return change.point(); });
+  return points;
 }
 
-/// What becomes of a bisector point; the values are those of BisectorPoints::moved.
-enum class Fate : std::uint8_t
+Found axisAlongNormals(const AxisGeometry& geometry, const std::vector<BisectorPoint>& points)
 {
-  Kept,
-  Moved,
-  Removed
-};
-
-/// Makes a point keep the limits of angle, lambda and radius where that is possible.
-Fate limited(const AxisGeometry& geometry, bool exactAngle, const Crossing& crossing,
-  BisectorPoint& point)
-{
-  Fate fate = Fate::Kept;
-  if (exactAngle && point.separationAngle() < geometry.angle)
+  Found found(points.size());
+  std::vector<SiteSegment> segments;
+  std::vector<std::size_t> which;
+  std::vector<TileQuery::Question> ends;
+  for (std::size_t i = 0; i < points.size(); ++i)
   {
-    const auto [from, to] = ends(geometry.frame, crossing);
-    std::optional<BisectorPoint> other =
-      facetedPoint(geometry, from, crossing.siteA, to, crossing.siteB);
-    if (!other)
+    if (points[i].radius() < kLeastRadius)
     {
-      other = axisAlongNormal(geometry, point);
-      fate = other ? Fate::Moved : Fate::Removed;
+      continue;
     }
-    point = other.value_or(point);
-  }
-  const bool large =
-    point.radius() >= std::max(geometry.radius, kLeastRadius) && point.lambda() >= geometry.lambda;
-  return large ? fate : Fate::Removed;
-}
-
-bool insideGrid(const AxisGeometry& geometry, const glm::dvec3& x)
-{
-  const glm::dvec3 index = (x - geometry.frame.first) / geometry.frame.step;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    if (index[axis] < geometry.extent.min[axis] || index[axis] > geometry.extent.max[axis])
+    const SiteSegment segment = alongNormal(geometry, points[i]);
+    if (insideGrid(geometry, segment.to))
     {
-      return false;
+      segments.push_back(segment);
+      which.push_back(i);
+      ends.push_back({ segment.to, closestPoint(geometry.sites, segment.fromSite, segment.to) });
     }
   }
-  return true;
-}
-
-} // namespace
-
-BisectorPoint bisectorPoint(const AxisGeometry& geometry, const glm::dvec3& from, int fromSite,
-  const glm::dvec3& to, int toSite)
-{
-  SiteChange change(geometry.sites, from, fromSite, to, toSite);
-  for (int round = 1; round < kMaxRounds; ++round)
+  geometry.query.closest(ends);
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < segments.size(); ++k)
   {
-    const SitePoint closest = geometry.query.closest(change.point().position, change.point().a);
-    if (change.settledBy(closest))
+    SiteSegment& segment = segments[k];
+    segment.toSite = ends[k].closest.site;
+    if (separationAngle(segment.to, segment.from, ends[k].closest.point) >= geometry.angle)
     {
-      break;
+      segments[count] = segment;
+      which[count] = which[k];
+      ++count;
     }
-    change.narrow(closest);
   }
-  return change.point();
+  segments.resize(count);
+  const Found between = axisBetween(geometry, segments);
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    found[which[k]] = between[k];
+  }
+  return found;
 }
 
-std::optional<BisectorPoint> axisAlongNormal(const AxisGeometry& geometry, const BisectorPoint& x)
-{
-  const double radius = x.radius();
-  if (radius < kLeastRadius)
-  {
-    return std::nullopt;
-  }
-  const glm::dvec3 away = (x.position - x.a.point) / radius;
-  const double step = glm::dot(glm::abs(away), geometry.frame.step);
-  const double reach = step * (0.5 / std::sin(0.5 * geometry.angle) + 0.5);
-  const glm::dvec3 end = x.position + reach * away;
-  if (!insideGrid(geometry, end))
-  {
-    return std::nullopt;
-  }
-  const SitePoint other = geometry.query.closest(end, closestPoint(geometry.sites, x.a.site, end));
-  if (separationAngle(end, end - away, other.point) < geometry.angle)
-  {
-    return std::nullopt;
-  }
-  return axisBetween(geometry, x.position, x.a.site, end, other.site);
-}
-
-BisectorPoints bisectorPoints(const AxisGeometry& geometry, bool exactAngle,
+BisectorPoints crossingPoints(const AxisGeometry& geometry, bool exactAngle,
   std::vector<Crossing>& crossings)
 {
   BisectorPoints result;
   result.points.resize(crossings.size());
   result.moved.resize(crossings.size());
-  // Enough for several of most tiles.
-  constexpr std::size_t kGrain = 512;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, crossings.size(), kGrain),
+  const double leastRadius = std::max(geometry.radius, kLeastRadius);
+  constexpr std::size_t kTogether = 512; // several in most of their tiles
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, crossings.size(), kTogether),
     [&](const tbb::blocked_range<std::size_t>& range)
     {
-      const std::vector<std::size_t> order = byTile(geometry.query, crossings, range);
-      const std::vector<SiteChange> changes = settledChanges(geometry, crossings, order);
-      for (std::size_t i = 0; i < order.size(); ++i)
+      std::vector<SiteSegment> segments(range.size());
+      std::transform(crossings.begin() + range.begin(), crossings.begin() + range.end(),
+        segments.begin(),
+        [&](const Crossing& crossing) { return segmentOf(geometry.frame, crossing); });
+      std::vector<BisectorPoint> points = bisectorPoints(geometry, segments);
+      std::uint8_t* fates = &result.moved[range.begin()];
+      if (exactAngle)
       {
-        const std::size_t c = order[i];
-        result.points[c] = changes[i].point();
-        result.moved[c] =
-          static_cast<std::uint8_t>(limited(geometry, exactAngle, crossings[c], result.points[c]));
+        limitAngles(geometry, segments, points, fates);
+      }
+      for (std::size_t i = 0; i < points.size(); ++i)
+      {
+        const bool large =
+          points[i].radius() >= leastRadius && points[i].lambda() >= geometry.lambda;
+        if (!large)
+        {
+          fates[i] = kRemoved;
+        }
+        result.points[range.begin() + i] = points[i];
       }
     });
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < crossings.size(); ++i)
-  {
-    if (result.moved[i] != static_cast<std::uint8_t>(Fate::Removed))
-    {
-      crossings[kept] = crossings[i];
-      result.points[kept] = result.points[i];
-      result.moved[kept] = result.moved[i];
-      ++kept;
-    }
-  }
-  crossings.resize(kept);
-  result.points.resize(kept);
-  result.moved.resize(kept);
+  removeMarked(crossings, result);
   return result;
 }
 

@@ -100,7 +100,7 @@ BisectorPoints represent(Representation representation, const AxisGeometry& geom
   std::vector<Crossing>& crossings, MedialAxis& axis)
 {
   const bool exactAngle = representation != Representation::Faces;
-  BisectorPoints bisectors = bisectorPoints(geometry, exactAngle, crossings);
+  BisectorPoints bisectors = crossingPoints(geometry, exactAngle, crossings);
   if (representation == Representation::Points)
   {
     buildVertices(bisectors, axis);
@@ -118,7 +118,7 @@ BisectorPoints represent(Representation representation, const AxisGeometry& geom
 BisectorPoints preserve(Representation representation, const AxisGeometry& geometry,
   const FieldTap& field, std::vector<Crossing>& crossings, MedialAxis& axis)
 {
-  const BisectorPoints bisectors = bisectorPoints(geometry, true, crossings);
+  const BisectorPoints bisectors = crossingPoints(geometry, true, crossings);
   PreservedAxis preserved = preserveTopology(
     { field.distances().data(), field.sites().data(), axis.sign, axis.side, representation },
     geometry, crossings, bisectors);

@@ -22,13 +22,12 @@ double rootOfQuadratic(double atZero, double slope, double atOne)
 
 } // namespace
 
-SiteChange::SiteChange(const SiteSet& sites, const glm::dvec3& from, int siteA,
-  const glm::dvec3& to, int siteB)
+SiteChange::SiteChange(const SiteSet& sites, const SiteSegment& segment)
   : sites_(&sites)
-  , start_(from)
-  , along_(to - from)
-  , siteA_(siteA)
-  , siteB_(siteB)
+  , start_(segment.from)
+  , along_(segment.to - segment.from)
+  , siteA_(segment.fromSite)
+  , siteB_(segment.toSite)
 {
   this->solve();
 }
@@ -82,8 +81,7 @@ void SiteChange::solve()
     }
     (middle.value < 0.0 ? low : high) = middle;
     const bool halved = high.t - low.t <= 0.5 * length;
-    part =
-      halved ? rootOfQuadratic(low.value, low.gradient * (high.t - low.t), high.value) : 0.5;
+    part = halved ? rootOfQuadratic(low.value, low.gradient * (high.t - low.t), high.value) : 0.5;
   }
 }
 

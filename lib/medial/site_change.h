@@ -1,6 +1,6 @@
 #pragma once
 
-#include "medial/medial/bisector_point.h"
+#include "medial/medial/bisector.h"
 #include "medial/sites/site_set.h"
 
 #include <glm/glm.hpp>
@@ -13,9 +13,7 @@ namespace medial
 class SiteChange
 {
 public:
-  /// @param siteA closest site at `from`; siteB: at `to`.
-  SiteChange(const SiteSet& sites, const glm::dvec3& from, int siteA, const glm::dvec3& to,
-    int siteB);
+  SiteChange(const SiteSet& sites, const SiteSegment& segment);
 
   /// The point at equal distance from both sites, as of the last narrow().
   const BisectorPoint& point() const { return point_; }
@@ -30,7 +28,7 @@ private:
   struct End
   {
     double t;
-    double value;   ///< difference of the squared distances from siteA and siteB
+    double value;    ///< difference of the squared distances from siteA and siteB
     double gradient; ///< its derivative
   };
 
