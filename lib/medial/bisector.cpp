@@ -132,19 +132,6 @@ Found axisBetween(const AxisGeometry& geometry, const std::vector<SiteSegment>& 
   return found;
 }
 
-bool insideGrid(const AxisGeometry& geometry, const glm::dvec3& x)
-{
-  const glm::dvec3 index = (x - geometry.frame.first) / geometry.frame.step;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    if (index[axis] < geometry.extent.min[axis] || index[axis] > geometry.extent.max[axis])
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
 /// From x away from its closest point, as far as the axis may be.
 SiteSegment alongNormal(const AxisGeometry& geometry, const BisectorPoint& x)
 {
@@ -263,7 +250,7 @@ Found axisAlongNormals(const AxisGeometry& geometry, const std::vector<BisectorP
       continue;
     }
     const SiteSegment segment = alongNormal(geometry, points[i]);
-    if (insideGrid(geometry, segment.to))
+    if (geometry.insideGrid(segment.to))
     {
       segments.push_back(segment);
       which.push_back(i);

@@ -9,6 +9,7 @@
 #include "medial/medial/axis_pipeline.h"
 #include "medial/medial/axis_points.h"
 #include "medial/medial/bisector.h"
+#include "medial/medial/crease_rims.h"
 #include "medial/medial/dual_mesh.h"
 #include "medial/medial/gpu_selection.h"
 #include "medial/medial/host_selection.h"
@@ -107,9 +108,16 @@ BisectorPoints represent(Representation representation, const AxisGeometry& geom
     return bisectors;
   }
   const DualMesh mesh = dualMesh(crossings, geometry.extent);
-  BisectorPoints points = representation == Representation::Surface
-    ? surfacePoints(geometry, mesh, bisectors)
-    : cellCentres(geometry, mesh, bisectors);
+  BisectorPoints points;
+  if (representation == Representation::Surface)
+  {
+    points = surfacePoints(geometry, mesh, bisectors);
+    extendRims(geometry, mesh, points);
+  }
+  else
+  {
+    points = cellCentres(geometry, mesh, bisectors);
+  }
   buildCells(mesh.quads, points, axis);
   return points;
 }
