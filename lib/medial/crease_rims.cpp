@@ -1,12 +1,12 @@
 #include "medial/medial/crease_rims.h"
 
-#include "medial/medial/medial_curves.h"
+#include "medial/medial/side_table.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <cmath>
+#include <optional>
 
 namespace medial
 {
@@ -22,22 +22,36 @@ constexpr double kLeft = 0.05;
 /// Enough for separation angles up to 150 degrees.
 constexpr int kMostSteps = 8;
 
-std::vector<std::size_t> rimVertices(const DualMesh& mesh, const BisectorPoints& points)
+/// Those with small balls between different closest points.
+std::vector<std::size_t> rimVertices(const AxisGeometry& geometry, const DualMesh& mesh,
+  const BisectorPoints& points)
 {
-  AxisEdges edges;
-  edges.sides.reserve(4 * mesh.quads.size());
+  std::vector<SideTable::Side> sides;
+  sides.reserve(4 * mesh.quads.size());
   for (const auto& quad : mesh.quads)
   {
     for (std::size_t i = 0; i < 4; ++i)
     {
-      edges.sides.push_back({ quad[i], quad[(i + 1) % 4] });
+      sides.push_back({ quad[i], quad[(i + 1) % 4] });
     }
   }
-  const std::vector<AxisFeature> features = axisFeatures(edges, mesh.cells.size());
+  std::vector<std::uint8_t> onRim(mesh.cells.size(), 0);
+  SideTable(sides, mesh.cells.size())
+    .forEach(
+      [&](const SideTable::Side& side, std::size_t count)
+      {
+        if (count == 1)
+        {
+          onRim[side[0]] = 1;
+          onRim[side[1]] = 1;
+        }
+      });
   std::vector<std::size_t> rim;
-  for (std::size_t v = 0; v < features.size(); ++v)
+  for (std::size_t v = 0; v < onRim.size(); ++v)
   {
-    if (features[v] == AxisFeature::Rim && points.points[v].radius() < kNearCrease)
+    const BisectorPoint& point = points.points[v];
+    if (onRim[v] != 0 && point.radius() < kNearCrease && point.lambda() > 0.0 &&
+      geometry.insideGrid(point.position))
     {
       rim.push_back(v);
     }
@@ -53,9 +67,16 @@ double leastRadius(const AxisGeometry& geometry, const BisectorPoint& point)
     { kLeft, geometry.radius, lambda > 0.0 ? geometry.lambda * point.radius() / lambda : 0.0 });
 }
 
+/// Across the sheet at x, from the side of one of the ball's closest points to that of the other.
+SiteSegment across(const BisectorPoint& ball, const glm::dvec3& x, double length)
+{
+  const glm::dvec3 half = 0.5 * length * glm::normalize(ball.a.point - ball.b.point);
+  return { x + half, ball.a.site, x - half, ball.b.site };
+}
+
 /// Across the sheet nearer to the crease, from one of the planes that touch the ball to the other,
-/// with the ball's sites: where a smaller ball still overlaps this one, so that both are on the same
-/// side of the surface. Empty where the planes do not meet nearby.
+/// with the ball's sites: where a smaller ball still overlaps this one, so that both are on the
+/// same side of the surface. Empty where the planes do not meet nearby.
 std::optional<SiteSegment> acrossNearerToCrease(const AxisGeometry& geometry,
   const BisectorPoint& point)
 {
@@ -72,10 +93,9 @@ std::optional<SiteSegment> acrossNearerToCrease(const AxisGeometry& geometry,
     return std::nullopt;
   }
   const glm::dvec3 x = point.position + 0.5 * (radius - target) / (slope * slope) * (toA + toB);
-  const glm::dvec3 half = 0.25 * target * (toA - toB);
-  const SiteSegment across{ x + half, point.a.site, x - half, point.b.site };
-  return geometry.insideGrid(across.from) && geometry.insideGrid(across.to)
-    ? std::optional(across)
+  const SiteSegment segment = across(point, x, 0.7 * target);
+  return geometry.insideGrid(segment.from) && geometry.insideGrid(segment.to)
+    ? std::optional(segment)
     : std::nullopt;
 }
 
@@ -109,49 +129,95 @@ bool continues(const AxisGeometry& geometry, const BisectorPoint& point, const B
     next.separationAngle() >= geometry.angle;
 }
 
-/// Moves points one step towards their creases, and returns those that moved.
-std::vector<std::size_t> moved(const AxisGeometry& geometry,
-  const std::vector<std::size_t>& vertices, BisectorPoints& points)
+/// Bisector points on segments that have sites near their ends; empty where both ends turn out to
+/// have the same closest site.
+std::vector<std::optional<BisectorPoint>> bisectorsOn(const AxisGeometry& geometry,
+  std::vector<SiteSegment> segments)
 {
-  std::vector<std::size_t> tried;
+  findSites(geometry, segments);
+  const std::vector<BisectorPoint> points = bisectorPoints(geometry, segments);
+  std::vector<std::optional<BisectorPoint>> found(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    if (segments[i].fromSite != segments[i].toSite)
+    {
+      found[i] = points[i];
+    }
+  }
+  return found;
+}
+
+/// A vertex on its way to a crease.
+struct Walker
+{
+  std::size_t vertex;
+  BisectorPoint point;
+};
+
+/// The vertices, on the bisector exactly: a fitted vertex is near it, and its second closest point
+/// that of a neighbour.
+std::vector<Walker> start(const AxisGeometry& geometry, const std::vector<std::size_t>& vertices,
+  const BisectorPoints& points)
+{
   std::vector<SiteSegment> segments;
   for (const std::size_t v : vertices)
   {
-    if (const auto segment = acrossNearerToCrease(geometry, points.points[v]))
+    const BisectorPoint& point = points.points[v];
+    segments.push_back(across(point, point.position, 0.7 * point.radius()));
+  }
+  const std::vector<std::optional<BisectorPoint>> found = bisectorsOn(geometry, segments);
+  std::vector<Walker> walkers;
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+  {
+    if (found[i] && found[i]->separationAngle() >= geometry.angle)
     {
-      tried.push_back(v);
+      walkers.push_back({ vertices[i], *found[i] });
+    }
+  }
+  return walkers;
+}
+
+/// One step towards the crease; those stay that could take it.
+void step(const AxisGeometry& geometry, std::vector<Walker>& walkers, BisectorPoints& points)
+{
+  std::vector<Walker> tried;
+  std::vector<SiteSegment> segments;
+  for (const Walker& walker : walkers)
+  {
+    if (const auto segment = acrossNearerToCrease(geometry, walker.point))
+    {
+      tried.push_back(walker);
       segments.push_back(*segment);
     }
   }
-  findSites(geometry, segments);
-  const std::vector<BisectorPoint> found = bisectorPoints(geometry, segments);
-  std::vector<std::size_t> result;
+  const std::vector<std::optional<BisectorPoint>> found = bisectorsOn(geometry, segments);
+  walkers.clear();
   for (std::size_t i = 0; i < tried.size(); ++i)
   {
-    BisectorPoint& point = points.points[tried[i]];
-    if (segments[i].fromSite != segments[i].toSite && continues(geometry, point, found[i]))
+    if (found[i] && continues(geometry, tried[i].point, *found[i]))
     {
-      point = found[i];
-      result.push_back(tried[i]);
+      points.points[tried[i].vertex] = *found[i];
+      walkers.push_back({ tried[i].vertex, *found[i] });
     }
   }
-  return result;
 }
 
 } // namespace
 
 void extendRims(const AxisGeometry& geometry, const DualMesh& mesh, BisectorPoints& points)
 {
-  const std::vector<std::size_t> rim = rimVertices(mesh, points);
+  const std::vector<std::size_t> rim = rimVertices(geometry, mesh, points);
   constexpr std::size_t kTogether = 512;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rim.size(), kTogether),
     [&](const tbb::blocked_range<std::size_t>& range)
     {
-      std::vector<std::size_t> vertices(rim.begin() + static_cast<std::ptrdiff_t>(range.begin()),
+      const std::vector<std::size_t> vertices(rim.begin() +
+          static_cast<std::ptrdiff_t>(range.begin()),
         rim.begin() + static_cast<std::ptrdiff_t>(range.end()));
-      for (int step = 0; step < kMostSteps && !vertices.empty(); ++step)
+      std::vector<Walker> walkers = start(geometry, vertices, points);
+      for (int i = 0; i < kMostSteps && !walkers.empty(); ++i)
       {
-        vertices = moved(geometry, vertices, points);
+        step(geometry, walkers, points);
       }
     });
 }

@@ -13,7 +13,8 @@ namespace
 {
 
 /// A rotation by no round angles.
-const std::array<Point3, 3> kTurn = [] {
+const std::array<Point3, 3> kTurn = []
+{
   const double a = 0.41;
   const double b = 0.73;
   return std::array<Point3, 3>{ { { std::cos(a), -std::sin(a), 0.0 },
@@ -203,8 +204,9 @@ AnalyticAxis torusAxis()
   axis.name = "torus";
   axis.shape = [](double h) { return torus(kCircle, kTube, 2 * segments(h), segments(h)); };
   axis.spacing = 0.06;
-  axis.truth = [](const Point3& p)
-  { return AxisTruth{ std::hypot(std::hypot(p[0], p[1]) - kCircle, p[2]), kTube, 180.0 }; };
+  axis.truth = [](const Point3& p) {
+    return AxisTruth{ std::hypot(std::hypot(p[0], p[1]) - kCircle, p[2]), kTube, 180.0 };
+  };
   makeCurve(axis);
   return turned(axis);
 }
@@ -282,8 +284,9 @@ AnalyticAxis shellAxis()
   axis.angle = 90.0;
   axis.side = Side::Interior;
   constexpr double kMiddle = 0.5 * (kInner + kOuter);
-  axis.truth = [](const Point3& p)
-  { return AxisTruth{ std::abs(length(p) - kMiddle), 0.5 * (kOuter - kInner), 180.0 }; };
+  axis.truth = [](const Point3& p) {
+    return AxisTruth{ std::abs(length(p) - kMiddle), 0.5 * (kOuter - kInner), 180.0 };
+  };
   axis.regular = [](const Point3&, double) { return true; };
   axis.area = 4.0 * kPi * kMiddle * kMiddle;
   return axis;
