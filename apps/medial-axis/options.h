@@ -1,23 +1,15 @@
 #pragma once
 
-#include <filesystem>
-#include <optional>
-#include <string>
+#include "length.h"
 
 #include "medial/medial/medial_axis.h"
 #include "medial/medial/thickness.h"
 
+#include <filesystem>
+#include <optional>
+
 namespace medial::app
 {
-
-/// A length in world units or in per cent of the diagonal of the mesh's bounds.
-struct Length
-{
-  double value = 0.0;
-  bool percent = false;
-
-  double inUnits(double diagonal) const { return percent ? 0.01 * value * diagonal : value; }
-};
 
 /// The command line, checked as far as that is possible without the mesh. Empty paths are outputs
 /// that are not wanted.
@@ -68,14 +60,6 @@ std::optional<Options> parseOptions(int argc, char** argv);
 /// @param diagonal of the mesh's bounds, world units.
 MedialAxisOptions libraryOptions(const Options& options, double diagonal);
 ThicknessOptions thicknessOptions(const Options& options);
-///@}
-
-///@{
-/// The word for a value.
-std::string nameOf(Side side);
-std::string nameOf(SignMethod method);
-std::string nameOf(Evaluator evaluator);
-std::string nameOf(Topology topology);
 ///@}
 
 } // namespace medial::app

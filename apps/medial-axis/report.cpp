@@ -1,5 +1,6 @@
 #include "report.h"
 
+#include "option_names.h"
 #include "sink.h"
 
 #include <vtkPolyData.h>

@@ -1,5 +1,7 @@
 #include "summary.h"
 
+#include "option_names.h"
+
 #include <vtkPolyData.h>
 
 #include <cstdio>
