@@ -82,8 +82,14 @@ void convertWords(const Words& words, bool spacingGiven, Options& options)
     throw Failure(ExitCode::Usage,
       "--topology preserve needs --representation surface or faces, not points");
   }
+  if (!words.curves.empty() && options.representation == Representation::Points)
+  {
+    throw Failure(ExitCode::Usage,
+      "--curves needs --representation surface or faces: points have no cells that meet");
+  }
   options.input = words.input;
   options.output = words.output;
+  options.curves = words.curves;
   options.field = words.field;
   options.thickness = words.thickness;
   options.thicknessImage = words.thicknessImage;
@@ -93,8 +99,8 @@ void convertWords(const Words& words, bool spacingGiven, Options& options)
   {
     options.spacing = words.spacing;
   }
-  if (options.output.empty() && options.field.empty() && options.image.empty() &&
-    options.report.empty() && !options.wantsThickness())
+  if (options.output.empty() && options.curves.empty() && options.field.empty() &&
+    options.image.empty() && options.report.empty() && !options.wantsThickness())
   {
     options.output = options.input.stem().string() + "_medial.vtp";
   }
@@ -103,14 +109,18 @@ void convertWords(const Words& words, bool spacingGiven, Options& options)
 void checkFiles(const Options& options)
 {
   checkExtension("--output", options.output, { ".vtp", ".ply", ".obj", ".ma" });
+  checkExtension("--curves", options.curves, { ".vtp" });
   checkExtension("--field", options.field, { ".vti", ".pvti" });
   checkExtension("--thickness", options.thickness, { ".vtp" });
   checkExtension("--thickness-image", options.thicknessImage, { ".png" });
   checkExtension("--image", options.image, { ".png" });
   checkExtension("--report", options.report, { ".json" });
   checkNotTheInput("--output", options.output, options);
+  checkNotTheInput("--curves", options.curves, options);
   checkNotTheInput("--thickness", options.thickness, options);
+  checkDistinct("--output", options.output, "--curves", options.curves);
   checkDistinct("--output", options.output, "--thickness", options.thickness);
+  checkDistinct("--curves", options.curves, "--thickness", options.thickness);
   checkDistinct("--image", options.image, "--thickness-image", options.thicknessImage);
 }
 

@@ -32,6 +32,13 @@ void addOutputOptions(CLI::App& app, Words& words)
     ->option_text("FILE")
     ->group(group);
   app
+    .add_option("--curves", words.curves,
+      "polylines along which the sheets of the axis meet (seams) and end (rims), and of its "
+      "curves, "
+      "told apart by the cell array AxisFeature; not for --representation points")
+    ->option_text("FILE.vtp")
+    ->group(group);
+  app
     .add_option("--field", words.field,
       "distance field with all its arrays: .vti, one file, or .pvti, pieces of 64 slices as "
       "<FILE's name>_0.vti and so on; written while it is computed, so it may be larger than "

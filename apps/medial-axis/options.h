@@ -17,6 +17,7 @@ struct Options
 {
   std::filesystem::path input;
   std::filesystem::path output;         ///< .vtp, .ply, .obj or .ma
+  std::filesystem::path curves;         ///< .vtp
   std::filesystem::path field;          ///< .vti or .pvti
   std::filesystem::path thickness;      ///< .vtp
   std::filesystem::path thicknessImage; ///< .png
@@ -46,7 +47,8 @@ struct Options
   /// is asked for alone.
   bool wantsAxis() const
   {
-    return !output.empty() || !image.empty() || (field.empty() && !wantsThickness());
+    return !output.empty() || !curves.empty() || !image.empty() ||
+      (field.empty() && !wantsThickness());
   }
 };
 

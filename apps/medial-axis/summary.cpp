@@ -12,6 +12,9 @@ namespace medial::app
 namespace
 {
 
+/// Share of the surface without axis from which on the user is told.
+constexpr double kNoticeableShare = 0.01;
+
 void printMesh(const Options& options, const Result& result)
 {
   const auto components = static_cast<long long>(result.topology.components);
@@ -57,6 +60,11 @@ void printOutputs(const Options& options, const Result& result)
   printFile(options.output,
     "medial axis, " + std::to_string(axis->GetNumberOfPoints()) + " points, " +
       std::to_string(axis->GetNumberOfCells()) + " cells");
+  if (result.curves)
+  {
+    printFile(options.curves,
+      "curves of the axis, " + std::to_string(result.curves->GetNumberOfLines()) + " polylines");
+  }
   printFile(options.field, "distance field");
   printFile(options.thickness, "surface with thickness");
   printFile(options.thicknessImage, "picture of thickness");
@@ -119,6 +127,18 @@ void printSimplification(const Options& options, const Result& result)
   }
 }
 
+void printCoverage(const Options& options, const AxisCoverage& coverage)
+{
+  if (coverage.uncoveredShare >= kNoticeableShare)
+  {
+    std::fprintf(stderr,
+      "medial-axis: note: %s: %.3g %% of the surface is farther than a voxel's diagonal, %.4g, "
+      "from "
+      "what the axis describes: parts that the grid or the selection leaves out\n",
+      options.input.c_str(), 100.0 * coverage.uncoveredShare, coverage.reach);
+  }
+}
+
 } // namespace
 
 void printSummary(const Options& options, const Result& result, const AppSeconds& seconds)
@@ -126,6 +146,10 @@ void printSummary(const Options& options, const Result& result, const AppSeconds
   if (options.wantsAxis())
   {
     printNotes(options, result);
+  }
+  if (result.coverage)
+  {
+    printCoverage(options, *result.coverage);
   }
   printMesh(options, result);
   if (options.wantsAxis() || !options.field.empty())
