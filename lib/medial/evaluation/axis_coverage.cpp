@@ -5,8 +5,8 @@
 #include "medial/medial/evaluation/evaluation_steps.h"
 #include "medial/medial/evaluation/surface_samples.h"
 
+#include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <string>
 #include <vector>
 
@@ -15,20 +15,41 @@ namespace medial
 namespace
 {
 
-double uncoveredShare(const std::vector<glm::dvec3>& samples, const MedialModel& model,
-  double reach, Progress* progress)
+using Samples = std::vector<glm::dvec3>;
+
+/// The samples that are not within reach of the balls, or of cones and slabs as well.
+Samples uncovered(const Samples& samples, const MedialModel& model, bool interpolate, double reach,
+  Steps& steps)
 {
-  if (model.centres.empty())
+  if (model.centres.empty() || samples.empty())
   {
-    return samples.empty() ? 0.0 : 1.0;
+    return samples;
   }
+  steps.report(interpolate ? 0.5 : 0.0, "coverage");
+  const BallUnion solid(model, interpolate);
+  const std::vector<double> bare =
+    steps.evaluate(samples.size(), interpolate ? 0.6 : 0.1, interpolate ? 1.0 : 0.5, "coverage",
+      [&](std::size_t i) { return solid.covers(samples[i], -reach) ? 0.0 : 1.0; });
+  Samples left;
+  for (std::size_t i = 0; i < samples.size(); ++i)
+  {
+    if (bare[i] > 0.0)
+    {
+      left.push_back(samples[i]);
+    }
+  }
+  return left;
+}
+
+double uncoveredShare(const Samples& samples, const MedialModel& model, double reach,
+  Progress* progress)
+{
   Steps steps(progress);
-  steps.report(0.0, "coverage");
-  const BallUnion solid(model);
-  const std::vector<double> uncovered = steps.evaluate(samples.size(), 0.3, 1.0, "coverage",
-    [&](std::size_t i) { return solid.covers(samples[i], -reach) ? 0.0 : 1.0; });
+  // Balls a voxel apart cover nearly everything, and there are half as many as slabs.
+  const Samples besideBalls = uncovered(samples, model, false, reach, steps);
+  const Samples left = uncovered(besideBalls, model, true, reach, steps);
   steps.report(1.0, "coverage");
-  return std::accumulate(uncovered.begin(), uncovered.end(), 0.0) /
+  return static_cast<double>(left.size()) /
     std::max<double>(1.0, static_cast<double>(samples.size()));
 }
 
@@ -48,7 +69,7 @@ AxisCoverage measureCoverage(const TriangleMesh& mesh, const MedialModel& model,
   timed(coverage.seconds,
     [&]
     {
-      std::vector<glm::dvec3> samples;
+      Samples samples;
       if (surfaceArea(mesh) > 0.0)
       {
         samples = surfaceSamples(mesh, options.samples);
