@@ -133,8 +133,7 @@ void printCoverage(const Options& options, const AxisCoverage& coverage)
   {
     std::fprintf(stderr,
       "medial-axis: note: %s: %.3g %% of the surface is farther than a voxel's diagonal, %.4g, "
-      "from "
-      "what the axis describes: parts that the grid or the selection leaves out\n",
+      "from what the axis describes: the grid, the selection or --max-spheres leaves parts out\n",
       options.input.c_str(), 100.0 * coverage.uncoveredShare, coverage.reach);
   }
 }

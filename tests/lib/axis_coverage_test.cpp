@@ -74,6 +74,28 @@ TEST(AxisCoverage, ABoxWithoutTheSheetsOfItsEdges)
   EXPECT_NEAR(uncovered(box(half), toMedialModel(sheet.axis)), 1.0 - covered / area, 0.001);
 }
 
+/// The innermost line of a wedge alone, as a theta above the angles of all its edges leaves it: the
+/// cylinder along it touches the middles of the three sides and fills the incircles of the ends.
+TEST(AxisCoverage, AWedgeWithoutTheSheetsOfItsEdges)
+{
+  const double length = 3.0;
+  const double apex = 35.0 * kPi / 180.0; // half of it; the two sides there are 1 wide
+  const double perimeter = 2.0 + 2.0 * std::sin(apex);
+  const double end = std::sin(apex) * std::cos(apex);
+  const double radius = 2.0 * end / perimeter;
+  MedialModel line;
+  const double x = radius / std::sin(apex);
+  line.centres = { { x, 0.0, -0.5 * length }, { x, 0.0, 0.5 * length } };
+  line.radii = { radius, radius };
+  line.lines = { { 0, 1 } };
+  const double outer = radius + kReach;
+  const double half = std::sqrt(outer * outer - radius * radius);
+  const double beyondSide = outer * outer * std::acos(radius / outer) - radius * half;
+  const double covered = 3.0 * 2.0 * half * length + 2.0 * (kPi * outer * outer - 3.0 * beyondSide);
+  const double area = perimeter * length + 2.0 * end;
+  EXPECT_NEAR(uncovered(wedge(70.0, length, 1.0), line), 1.0 - covered / area, 0.001);
+}
+
 TEST(AxisCoverage, WhatIsInsideTheUnionIsCovered)
 {
   EXPECT_EQ(uncovered(icosphere(1.0, 3), oneBall(5.0), 0.0), 0.0);
