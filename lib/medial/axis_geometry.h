@@ -17,6 +17,20 @@ struct AxisGeometry
   double angle;  ///< least separation angle, radians
   double lambda; ///< least BisectorPoint::lambda()
   double radius; ///< least radius
+
+  /// Whether queries at x are exact.
+  bool insideGrid(const glm::dvec3& x) const
+  {
+    const glm::dvec3 index = (x - frame.first) / frame.step;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      if (index[axis] < extent.min[axis] || index[axis] > extent.max[axis])
+      {
+        return false;
+      }
+    }
+    return true;
+  }
 };
 
 } // namespace medial
