@@ -1,4 +1,4 @@
-"""Each filter in pvpython: values against what is known of the shape, properties, progress, abort."""
+"""Each filter in pvpython: values beside what is known of shapes, properties, progress, abort."""
 
 import os
 import sys
@@ -11,7 +11,7 @@ from paraview import servermanager
 from paraview.simple import *
 from vtkmodules.vtkCommonCore import reference
 from session import (HALF_SIDES, box, bunny, default_colouring, information, messages, output,
-                     points, values)
+                     points, real_meshes, values)
 
 
 def box_distance(x):
@@ -75,12 +75,26 @@ class Values(unittest.TestCase):
             feature = lines.GetCellData().GetArray("AxisFeature")
             self.assertEqual(feature.GetRange(), (kinds[wanted],) * 2)
 
-    def test_bunny(self):
-        axis = output(MedialAxis(Input=bunny(), Resolution=64))
-        self.assertGreater(axis.GetNumberOfCells(), 2000)
-        for end in "AB":
-            distance = numpy.linalg.norm(values(axis, f"ClosestPoint{end}") - points(axis), axis=1)
-            numpy.testing.assert_allclose(distance, values(axis, "Radius"), atol=0.02)
+    def test_real_meshes(self):
+        for name, mesh in real_meshes():
+            with self.subTest(mesh=name):
+                size = numpy.ptp(points(output(mesh)), axis=0).max()
+                axis = MedialAxis(Input=mesh, Resolution=64)
+                data = output(axis)
+                self.assertGreater(data.GetNumberOfCells(), 1000)
+                for end in "AB":
+                    reach = values(data, f"ClosestPoint{end}") - points(data)
+                    numpy.testing.assert_allclose(numpy.linalg.norm(reach, axis=1),
+                                                  values(data, "Radius"), atol=0.01 * size)
+                solid = output(MedialReconstruction(Input=axis, Resolution=48))
+                numpy.testing.assert_allclose(solid.GetBounds(), output(mesh).GetBounds(),
+                                              atol=0.06 * size)
+                self.assertGreater(output(MedialCurves(Input=axis)).GetNumberOfLines(), 0)
+                thickness = MedialThickness(Input=mesh)
+                self.assertLess(numpy.nanmax(values(output(thickness), "Thickness")), size)
+                self.assertLess(information(thickness, "ShareWithout"), 0.05)
+                field = values(output(MeshDistanceField(Input=mesh, Resolution=48)), "Distance")
+                self.assertLess(field.min(), -0.4 * information(thickness, "MedianThickness") / 2)
 
 
 class Properties(unittest.TestCase):

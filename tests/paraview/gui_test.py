@@ -1,4 +1,4 @@
-"""ParaView's window on a virtual display: filters from the menu, and a state file that is opened."""
+"""ParaView's window on a virtual display: filters from the menu, and a state file opened."""
 
 import os
 import subprocess

@@ -1,9 +1,11 @@
 """What the tests inside of pvpython share: meshes, values of outputs, and messages."""
 
+import os
 from contextlib import contextmanager
+from pathlib import Path
 
 from paraview import servermanager
-from paraview.simple import Box, Show, WavefrontOBJReader
+from paraview.simple import Box, PLYReader, Show, STLReader, WavefrontOBJReader
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
 
@@ -20,6 +22,16 @@ def box():
 
 def bunny():
     return WavefrontOBJReader(registrationName="bunny.obj", FileName=BUNNY)
+
+
+def real_meshes():
+    """The bunny and, where the environment variable MEDIAL_MODELS names their folder, others."""
+    yield "bunny", bunny()
+    if "MEDIAL_MODELS" in os.environ:
+        models = Path(os.environ["MEDIAL_MODELS"])
+        yield "fandisk", WavefrontOBJReader(FileName=str(models / "cad/fandisk_13k.obj"))
+        yield "gears", STLReader(FileNames=[str(models / "cad/gears_7comp_19k.stl")])
+        yield "small bunny", PLYReader(FileNames=[str(models / "paper/bunny_2k.ply")])
 
 
 def output(proxy, port=0):
