@@ -22,8 +22,8 @@
  * @par Errors:
  * Input without points, a missing or unfit array Radius, a radius that is negative or not finite,
  * a Resolution outside its range and a grid larger than the memory that is left are reported by one
- * vtkErrorMacro with the value; GetErrorCode() then is one of vtkMeshFieldAlgorithm::ErrorCodes, the
- * output is empty and the request ends as one of vtkMeshFieldAlgorithm.
+ * vtkErrorMacro with the value; GetErrorCode() then is one of vtkMeshFieldAlgorithm::ErrorCodes,
+ * the output is empty and the request ends as one of vtkMeshFieldAlgorithm.
  *
  * @par Abort:
  * SetAbortExecute(1) from a ProgressEvent observer stops the execution soon. The output is empty

@@ -123,11 +123,11 @@ int vtkMeshFieldAlgorithm::RequestImageInformation(vtkInformationVector** inputV
       vtkDataObject::SetActiveAttributeInfo(outInfo, vtkDataObject::FIELD_ASSOCIATION_POINTS,
         vtkDataSetAttributes::SCALARS, "Distance", VTK_FLOAT, 1, -1);
     });
-  if (!done)
+  for (int i = 0; !done && i < outputVector->GetNumberOfInformationObjects(); ++i)
   {
-    for (int i = 0; i < outputVector->GetNumberOfInformationObjects(); ++i)
+    if (vtkDataObject* output = vtkDataObject::GetData(outputVector, i))
     {
-      vtkDataObject::GetData(outputVector, i)->Initialize();
+      output->Initialize();
     }
   }
   return done ? 1 : 0;

@@ -26,15 +26,15 @@
  * @par Errors:
  * A parameter outside its range, input that cannot be used, and a failure of the GPU are reported
  * by one vtkErrorMacro with the value and the allowed range; GetErrorCode() then is one of
- * ErrorCodes, all outputs are empty and the request fails (from VTK 9.2 on it succeeds, with outputs
- * that are marked as aborted, so that no other message follows). No filter downstream runs then.
- * Parameters are checked when the filter executes; no value is clamped. Images larger than the
- * memory that is left are refused before anything is computed.
+ * ErrorCodes, all outputs are empty and the request fails (from VTK 9.2 on it succeeds, with
+ * outputs that are marked as aborted, so that no other message follows). No filter downstream runs
+ * then. Parameters are checked when the filter executes; no value is clamped. Images larger than
+ * the memory that is left are refused before anything is computed.
  *
  * @par Abort:
  * SetAbortExecute(1) from a ProgressEvent observer stops the execution within a fraction of a
- * second. The outputs are empty then, as after an error, GetErrorCode() is CancelledError without an
- * ErrorEvent from the filter, and the next Update() executes again.
+ * second. The outputs are empty then, as after an error, GetErrorCode() is CancelledError without
+ * an ErrorEvent from the filter, and the next Update() executes again.
  *
  * @par OpenGL:
  * The GPU work is done on a thread and in a context of its own: an OpenGL context that is current

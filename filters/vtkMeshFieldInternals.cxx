@@ -60,10 +60,8 @@ medial::Evaluator ToEvaluator(int evaluator)
   }
 }
 
-} // namespace
-
 //------------------------------------------------------------------------------
-unsigned long vtkErrorCodeOf(medial::ErrorCode code)
+unsigned long ToErrorCode(medial::ErrorCode code)
 {
   switch (code)
   {
@@ -82,6 +80,8 @@ unsigned long vtkErrorCodeOf(medial::ErrorCode code)
   }
   return vtkMeshFieldAlgorithm::InternalError;
 }
+
+} // namespace
 
 //------------------------------------------------------------------------------
 bool vtkRunGuarded(vtkAlgorithm* algorithm, unsigned long& errorCode,
@@ -105,7 +105,7 @@ bool vtkRunGuarded(vtkAlgorithm* algorithm, unsigned long& errorCode,
     }
     else
     {
-      fail(vtkErrorCodeOf(error.code()), error.what());
+      fail(ToErrorCode(error.code()), error.what());
     }
   }
   catch (const std::bad_alloc&)

@@ -96,11 +96,6 @@ private:
 };
 
 /**
- * The value of vtkMeshFieldAlgorithm::ErrorCodes for an error of the library.
- */
-unsigned long vtkErrorCodeOf(medial::ErrorCode code);
-
-/**
  * Runs work and turns what it throws into VTK's error reporting: errorCode, the algorithm's own,
  * becomes one of vtkMeshFieldAlgorithm::ErrorCodes, with an ErrorEvent unless an observer stopped
  * the work. Returns whether all went well.

@@ -25,7 +25,14 @@ double systemMemory()
   double swap = 0.0;
   while (stream >> name >> kibibytes && std::getline(stream, unit))
   {
-    (name == "MemAvailable:" ? available : name == "SwapFree:" ? swap : kibibytes) = kibibytes;
+    if (name == "MemAvailable:")
+    {
+      available = kibibytes;
+    }
+    else if (name == "SwapFree:")
+    {
+      swap = kibibytes;
+    }
   }
   return available < 0.0 ? kUnknown : 1024.0 * (available + swap);
 }
