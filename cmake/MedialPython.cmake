@@ -1,0 +1,44 @@
+# The Python package medial: the wrapped filters, an extension module that executes them, and
+# functions over numpy arrays, all in MEDIAL_PYTHON_DIR/medial.
+
+# Debian's Python looks in this folder below /usr and below /usr/local.
+set(MEDIAL_PYTHON_DIR
+  "lib/python${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}/dist-packages"
+  CACHE STRING "Folder of the Python package, relative to the prefix")
+set(package "${MEDIAL_PYTHON_DIR}/medial")
+set(sources "${PROJECT_SOURCE_DIR}/filters/python")
+
+vtk_module_wrap_python(
+  MODULES ${modules}
+  PYTHON_PACKAGE medial
+  MODULE_DESTINATION "${MEDIAL_PYTHON_DIR}"
+  LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
+  CMAKE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/Medial"
+  TARGET Medial::Python)
+
+add_library(medial_execution MODULE "${sources}/execution.cxx")
+target_link_libraries(medial_execution
+  PRIVATE VTK::WrappingPythonCore VTK::CommonCore VTK::CommonExecutionModel)
+set_target_properties(medial_execution PROPERTIES
+  PREFIX "" OUTPUT_NAME "_execution"
+  LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${package}")
+medial_warnings(medial_execution)
+target_compile_options(medial_execution PRIVATE -Wno-pedantic) # as for the filters
+install(TARGETS medial_execution LIBRARY DESTINATION "${package}")
+
+set(files
+  __init__.py
+  _arrays.py
+  _axis.py
+  _errors.py
+  _execution.pyi
+  _field.py
+  _mesh.py
+  _options.py
+  _shape.py
+  _update.py
+  py.typed)
+foreach(file IN LISTS files)
+  configure_file("${sources}/medial/${file}" "${CMAKE_BINARY_DIR}/${package}/${file}" COPYONLY)
+  install(FILES "${sources}/medial/${file}" DESTINATION "${package}")
+endforeach()
