@@ -1,5 +1,6 @@
 #include "medial/medial/medial_axis.h"
 
+#include "medial/common/available_memory.h"
 #include "medial/common/error.h"
 #include "medial/common/memory_guard.h"
 #include "medial/common/stopwatch.h"
@@ -30,6 +31,9 @@ namespace medial
 {
 namespace
 {
+
+/// Bytes a grid point that preservation of topology takes: field, cells and anchors.
+constexpr std::size_t kPreservationBytes = 10;
 
 /// Selects where the evaluator leaves the field: on the GPU or in host memory.
 class Selection : public SlabStage
@@ -217,6 +221,7 @@ MedialAxis runPipeline(const TriangleMesh& mesh, const MeshTopology& topology, c
   std::optional<FieldTap> tap;
   if (options.topology == Topology::Preserve)
   {
+    requireMemory(grid.pointCount(), kPreservationBytes);
     tap.emplace(sink, grid.wholeExtent());
   }
   pipeline.run(tap ? *tap : sink, &stage);
