@@ -77,8 +77,13 @@ class EventReceiver : public vtkCommand
 public:
   static EventReceiver* New() { return new EventReceiver; }
 
+  /// @param algorithm the one whose progress is wanted.
   /// @param progress function of a fraction and a phase; may be None. Borrowed.
-  void SetProgress(PyObject* progress) { this->Progress = progress; }
+  void SetProgress(vtkAlgorithm* algorithm, PyObject* progress)
+  {
+    this->Algorithm = algorithm;
+    this->Progress = progress;
+  }
 
   void Execute(vtkObject* caller, unsigned long event, void* data) override
   {
@@ -123,7 +128,7 @@ private:
 
   bool CallProgress(vtkAlgorithm* algorithm)
   {
-    if (this->Progress == Py_None)
+    if (this->Progress == Py_None || algorithm != this->Algorithm)
     {
       return true;
     }
@@ -134,6 +139,7 @@ private:
     return result != nullptr;
   }
 
+  vtkAlgorithm* Algorithm = nullptr;
   PyObject* Progress = Py_None;
   PyObject* Type = nullptr;
   PyObject* Value = nullptr;
@@ -234,7 +240,7 @@ PyObject* Update(PyObject*, PyObject* arguments)
   }
   const vtkSmartPointer<vtkAlgorithm> algorithm = vtkAlgorithm::SafeDownCast(pointer);
   vtkNew<EventReceiver> receiver;
-  receiver->SetProgress(progress);
+  receiver->SetProgress(algorithm, progress);
   {
     const Subscriptions subscriptions(algorithm, receiver);
     const LockRelease release(!subscriptions.NeedLock());

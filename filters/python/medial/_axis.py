@@ -132,7 +132,8 @@ def medial_axis(
         components, tunnels and cavities of the solid at this resolution, whatever the angle; needs
         "surface" or "faces" and 10 bytes a grid point.
     field: whether MedialAxis.field is the distance field, from the same run.
-    resolution ... progress: as for distance_field(); arrays are those of the field.
+    resolution, spacing, origin, dimensions, padding, sign, arrays, threads, memory, evaluator,
+        require_gpu, progress: as for distance_field(); arrays are those of the field.
 
     Raises what distance_field() raises.
 

@@ -19,6 +19,9 @@ class OutOfMemoryError(Error, MemoryError):
     """The memory does not suffice for what was asked."""
 
 
+for _class in (Error, InvalidInputError, NoGpuError, OutOfMemoryError):
+    _class.__module__ = "medial"  # where users find it, in tracebacks
+
 _CLASSES: dict[int, type[Error]] = {
     vtkMeshFieldAlgorithm.InvalidInputError: InvalidInputError,
     vtkMeshFieldAlgorithm.NoGpuError: NoGpuError,

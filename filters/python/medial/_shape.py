@@ -85,7 +85,11 @@ def curves(axis: Axis, *, rims: bool = True, seams: bool = True,
            other: bool = True) -> list[Curve]:
     """The rims, seams and other curves of a medial axis.
 
+    axis: points and cells count.
     rims, seams, other: which kinds are wanted.
+
+    Returns them in no particular order. Raises InvalidInputError where arrays of the axis do not
+    fit each other.
 
     >>> import medial
     >>> corners = [[x, y, z] for x in (0, 4) for y in (0, 2) for z in (0, 1)]
