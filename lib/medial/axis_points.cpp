@@ -107,7 +107,7 @@ bool allMoved(const DualMesh& mesh, const BisectorPoints& bisectors, std::size_t
 }
 
 template <typename Place>
-BisectorPoints placeVertices(const DualMesh& mesh, const Place& place)
+BisectorPoints placeVertices(const AxisGeometry& geometry, const DualMesh& mesh, const Place& place)
 {
   BisectorPoints result;
   result.points.resize(mesh.cells.size());
@@ -115,6 +115,7 @@ BisectorPoints placeVertices(const DualMesh& mesh, const Place& place)
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mesh.cells.size(), 256),
     [&](const tbb::blocked_range<std::size_t>& range)
     {
+      geometry.checkpoint();
       PlaneFit fit;
       for (std::size_t v = range.begin(); v != range.end(); ++v)
       {
@@ -129,7 +130,7 @@ BisectorPoints placeVertices(const DualMesh& mesh, const Place& place)
 BisectorPoints surfacePoints(const AxisGeometry& geometry, const DualMesh& mesh,
   const BisectorPoints& bisectors)
 {
-  return placeVertices(mesh,
+  return placeVertices(geometry, mesh,
     [&](std::size_t v, PlaneFit& fit, BisectorPoints& result)
     {
       BisectorPoint& point = result.points[v];
@@ -153,7 +154,7 @@ BisectorPoints surfacePoints(const AxisGeometry& geometry, const DualMesh& mesh,
 BisectorPoints cellCentres(const AxisGeometry& geometry, const DualMesh& mesh,
   const BisectorPoints& bisectors)
 {
-  return placeVertices(mesh,
+  return placeVertices(geometry, mesh,
     [&](std::size_t v, PlaneFit&, BisectorPoints& result)
     {
       const glm::dvec3 x = geometry.frame.sample(glm::dvec3(mesh.cells[v]) + 0.5);

@@ -265,6 +265,7 @@ BisectorPoints bisectorPoints(const AxisGeometry& geometry, bool exactAngle,
   tbb::parallel_for(std::size_t{ 0 }, crossings.size(),
     [&](std::size_t i)
     {
+      geometry.checkpoint();
       const Crossing& crossing = crossings[i];
       const glm::dvec3 from = geometry.frame.sample(glm::dvec3(crossing.voxel));
       glm::dvec3 to = from;

@@ -34,6 +34,8 @@ namespace
 
 /// Bytes a grid point that preservation of topology takes: field, cells and anchors.
 constexpr std::size_t kPreservationBytes = 10;
+/// Share of the work that is done when the axis is selected.
+constexpr double kSelected = 0.8;
 
 /// Selects where the evaluator leaves the field: on the GPU or in host memory.
 class Selection : public SlabStage
@@ -105,16 +107,20 @@ BisectorPoints represent(Representation representation, const AxisGeometry& geom
 {
   const bool exactAngle = representation != Representation::Faces;
   BisectorPoints bisectors = bisectorPoints(geometry, exactAngle, crossings);
+  geometry.checkpoint();
   if (representation == Representation::Points)
   {
     buildVertices(bisectors, axis);
     return bisectors;
   }
   const DualMesh mesh = dualMesh(crossings, geometry.extent);
+  geometry.checkpoint();
   BisectorPoints points = representation == Representation::Surface
     ? surfacePoints(geometry, mesh, bisectors)
     : cellCentres(geometry, mesh, bisectors);
+  geometry.checkpoint();
   buildCells(mesh.quads, points, axis);
+  geometry.checkpoint();
   return points;
 }
 
@@ -225,15 +231,16 @@ MedialAxis runPipeline(const TriangleMesh& mesh, const MeshTopology& topology, c
     tap.emplace(sink, grid.wholeExtent());
   }
   pipeline.run(tap ? *tap : sink, &stage);
-  pipeline.report(0.8, "medial axis");
+  pipeline.report(kSelected, "medial axis");
   std::vector<Crossing> crossings = stage.takeCrossings();
   pipeline.inArena(
     [&]
     {
       const Stopwatch watch(pipeline.statistics().seconds.medial);
+      const Checkpoint checkpoint(options.field.progress, kSelected, "medial axis");
       const AxisGeometry geometry{ pipeline.sites(), pipeline.query(), pipeline.frame(),
         grid.wholeExtent(), glm::radians(options.angle), options.lambda / pipeline.frame().unit,
-        options.radius / pipeline.frame().unit };
+        options.radius / pipeline.frame().unit, checkpoint };
       const BisectorPoints points = tap
         ? preserve(options.representation, geometry, *tap, crossings, axis)
         : represent(options.representation, geometry, crossings, axis);

@@ -57,8 +57,8 @@ TEST(AvailableMemory, PreservedTopologyOfAHugeGridIsRefused)
   const medial::TriangleMesh mesh = medial::test::box({ 1, 1, 1 });
   medial::MedialAxisOptions options;
   options.topology = medial::Topology::Preserve;
-  EXPECT_NE(memoryError(
-              [&] { medial::computeMedialAxis(mesh, medial::makeGrid(mesh.bounds(), 8192), options); }),
+  EXPECT_NE(memoryError([&]
+              { medial::computeMedialAxis(mesh, medial::makeGrid(mesh.bounds(), 8192), options); }),
     "");
 }
 
