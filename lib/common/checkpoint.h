@@ -17,8 +17,8 @@ public:
   Checkpoint(Progress* progress, double fraction, const char* phase);
 
   /// Reports, and throws Error Cancelled where that is wanted. Does so every 20 ms at most and in
-  /// the thread that made this object only, so that loops over parts of any size, in any thread, may
-  /// call it for each.
+  /// the thread that made this object only, so that loops over parts of any size, in any thread,
+  /// may call it for each.
   void operator()() const;
 
 private:

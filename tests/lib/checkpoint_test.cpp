@@ -2,6 +2,8 @@
 
 #include "medial/common/error.h"
 #include "medial/common/progress.h"
+#include "medial/medial/medial_axis.h"
+#include "support/shapes.h"
 
 #include <gtest/gtest.h>
 
@@ -81,6 +83,31 @@ TEST(Checkpoint, NeedsNoProgress)
 {
   const medial::Checkpoint checkpoint(nullptr, 0.5, "thinking");
   EXPECT_NO_THROW(callFor(50ms, checkpoint));
+}
+
+/// Cancels a while after the field is done.
+class LateCancel : public medial::Progress
+{
+public:
+  void report(double fraction, const char* phase) override
+  {
+    reports_ += std::string(phase) == "medial axis" && fraction < 1.0 ? 1 : 0;
+  }
+  bool cancelled() override { return reports_ >= 4; }
+
+private:
+  int reports_ = 0;
+};
+
+TEST(Checkpoint, ThinningCanBeCancelled)
+{
+  const medial::TriangleMesh mesh = medial::test::icosphere(1.0, 3);
+  LateCancel progress;
+  medial::MedialAxisOptions options;
+  options.topology = medial::Topology::Preserve;
+  options.field.progress = &progress;
+  EXPECT_THROW(medial::computeMedialAxis(mesh, medial::makeGrid(mesh.bounds(), 128), options),
+    medial::Error);
 }
 
 } // namespace
