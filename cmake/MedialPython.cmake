@@ -1,32 +1,34 @@
 # The Python package medial: the wrapped filters, an extension module that executes them, and
-# functions over numpy arrays, all in MEDIAL_PYTHON_DIR/medial.
+# functions over numpy arrays, all in MEDIAL_PYTHON_PACKAGES/medial.
+
+find_package(Python3 REQUIRED COMPONENTS Interpreter)
 
 # Debian's Python looks in this folder below /usr and below /usr/local.
-set(MEDIAL_PYTHON_DIR
+set(MEDIAL_PYTHON_PACKAGES
   "lib/python${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}/dist-packages"
   CACHE STRING "Folder of the Python package, relative to the prefix")
-set(package "${MEDIAL_PYTHON_DIR}/medial")
-set(sources "${PROJECT_SOURCE_DIR}/filters/python")
+set(python_package "${MEDIAL_PYTHON_PACKAGES}/medial")
+set(python_sources "${PROJECT_SOURCE_DIR}/filters/python")
 
 vtk_module_wrap_python(
   MODULES ${modules}
   PYTHON_PACKAGE medial
-  MODULE_DESTINATION "${MEDIAL_PYTHON_DIR}"
+  MODULE_DESTINATION "${MEDIAL_PYTHON_PACKAGES}"
   LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
   CMAKE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/Medial"
   TARGET Medial::Python)
 
-add_library(medial_execution MODULE "${sources}/execution.cxx")
+add_library(medial_execution MODULE "${python_sources}/execution.cxx")
 target_link_libraries(medial_execution
   PRIVATE VTK::WrappingPythonCore VTK::CommonCore VTK::CommonExecutionModel)
 set_target_properties(medial_execution PROPERTIES
   PREFIX "" OUTPUT_NAME "_execution"
-  LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${package}")
+  LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${python_package}")
 medial_warnings(medial_execution)
 target_compile_options(medial_execution PRIVATE -Wno-pedantic) # as for the filters
-install(TARGETS medial_execution LIBRARY DESTINATION "${package}")
+install(TARGETS medial_execution LIBRARY DESTINATION "${python_package}")
 
-set(files
+set(python_files
   __init__.py
   _arrays.py
   _axis.py
@@ -38,7 +40,7 @@ set(files
   _shape.py
   _update.py
   py.typed)
-foreach(file IN LISTS files)
-  configure_file("${sources}/medial/${file}" "${CMAKE_BINARY_DIR}/${package}/${file}" COPYONLY)
-  install(FILES "${sources}/medial/${file}" DESTINATION "${package}")
+foreach(file IN LISTS python_files)
+  configure_file("${python_sources}/medial/${file}" "${CMAKE_BINARY_DIR}/${python_package}/${file}" COPYONLY)
+  install(FILES "${python_sources}/medial/${file}" DESTINATION "${python_package}")
 endforeach()

@@ -265,7 +265,8 @@ PyModuleDef Module = { PyModuleDef_HEAD_INIT, "_execution",
 } // namespace
 
 //------------------------------------------------------------------------------
-PyMODINIT_FUNC PyInit__execution()
+// Python derives the name from that of the module.
+PyMODINIT_FUNC PyInit__execution() // NOLINT(bugprone-reserved-identifier)
 {
   return PyModule_Create(&Module);
 }

@@ -1,6 +1,6 @@
 """Meshes as they come in and go out."""
 
-from typing import Any, NamedTuple, Optional
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
