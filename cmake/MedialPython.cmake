@@ -25,7 +25,6 @@ set_target_properties(medial_execution PROPERTIES
   PREFIX "" OUTPUT_NAME "_execution"
   LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${python_package}")
 medial_warnings(medial_execution)
-target_compile_options(medial_execution PRIVATE -Wno-pedantic) # as for the filters
 install(TARGETS medial_execution LIBRARY DESTINATION "${python_package}")
 
 set(python_files

@@ -11,6 +11,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
+#include <exception>
 #include <set>
 #include <string>
 #include <utility>
@@ -107,11 +108,22 @@ public:
 
   bool Raised() const { return this->Type != nullptr; }
 
+  /// Stands for what a filter threw in C++.
+  void SetFailure(const std::string& what) { this->Messages.push_back(what); }
+
   /// Makes the exception that stopped the execution the current one.
   void Raise()
   {
-    PyErr_Restore(this->Type, this->Value, this->Traceback);
-    this->Type = nullptr;
+    PyErr_Restore(std::exchange(this->Type, nullptr), std::exchange(this->Value, nullptr),
+      std::exchange(this->Traceback, nullptr));
+  }
+
+protected:
+  ~EventReceiver() override
+  {
+    Py_XDECREF(this->Type);
+    Py_XDECREF(this->Value);
+    Py_XDECREF(this->Traceback);
   }
 
 private:
@@ -244,7 +256,14 @@ PyObject* Update(PyObject*, PyObject* arguments)
   {
     const Subscriptions subscriptions(algorithm, receiver);
     const LockRelease release(!subscriptions.NeedLock());
-    algorithm->Update();
+    try
+    {
+      algorithm->Update();
+    }
+    catch (const std::exception& error)
+    {
+      receiver->SetFailure(error.what());
+    }
   }
   if (receiver->Raised())
   {

@@ -59,18 +59,11 @@ def index_rows(values: Any, name: str, points: int) -> NDArray[np.int64]:
         array = array.astype(np.int64)
     if not np.issubdtype(array.dtype, np.integer):
         raise InvalidInputError(f"{name} are of type {array.dtype}, not integers")
-    check_indices(array, name, points)
-    return array.astype(np.int64, copy=False)
-
-
-def check_indices(indices: NDArray[Any], name: str, points: int) -> None:
-    """Raises InvalidInputError where an index is not in [0, points)."""
-    if indices.size == 0:
-        return
-    for index in (indices.min(), indices.max()):
+    for index in (array.min(), array.max()) if array.size > 0 else ():
         if not 0 <= index < points:
             raise InvalidInputError(
                 f"{name} name the vertex {index}, but there are {points}, from 0 on")
+    return array.astype(np.int64, copy=False)
 
 
 def to_points(values: NDArray[Any]) -> vtkPoints:

@@ -28,9 +28,10 @@ _ARRAYS = {
     "closest_b": ("ClosestPointB", 3),
     "feature": ("AxisFeature", 1),
 }
+_CELLS = ("vertices", "lines", "triangles", "quads")
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class MedialAxis:
     """A medial axis: balls, given by points and radii, and cells that join them.
 
@@ -71,6 +72,10 @@ class MedialAxis:
     field: Optional[DistanceField] = None
     """The distance field, if wanted."""
 
+    def __repr__(self) -> str:
+        counts = (f"{len(getattr(self, name))} {name}" for name in ("points", *_CELLS))
+        return f"<MedialAxis of {', '.join(counts)}; {self.side}>"
+
     @property
     def faces(self) -> NDArray[np.int64]:
         """(2 q + t, 3) all sheets as triangles: the halves of each quad, then the triangles."""
@@ -93,8 +98,7 @@ class MedialAxis:
                 raise InvalidInputError(f"{attribute} has the shape {values.shape}, not {expected}")
             add_point_data(axis, name, values)
         axis.GetPointData().SetActiveScalars("Radius")
-        cells = {name: index_rows(getattr(self, name), name, len(points))
-                 for name in ("vertices", "lines", "quads", "triangles")}
+        cells = {name: index_rows(getattr(self, name), name, len(points)) for name in _CELLS}
         axis.SetVerts(rows_to_cells(cells["vertices"]))
         axis.SetLines(rows_to_cells(cells["lines"]))
         axis.SetPolys(rows_to_cells(cells["quads"], cells["triangles"]))

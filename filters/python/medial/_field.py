@@ -16,7 +16,7 @@ from ._update import Progress, update
 from .vtkMedialFilters import vtkMeshDistanceField, vtkMeshFieldAlgorithm
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class DistanceField:
     """The distance field of a mesh on a regular grid of nx x ny x nz sample points.
 
@@ -38,11 +38,15 @@ class DistanceField:
     closest_point: Optional[NDArray[np.float32]] = None
     """(nx, ny, nz, 3) world coordinates of the nearest point of the mesh."""
     closest_cell: Optional[NDArray[np.int64]] = None
-    """(nx, ny, nz) indices of a face that holds that point."""
+    """(nx, ny, nz) indices of a face that holds that point; cell ids of a vtkPolyData."""
     closest_feature: Optional[NDArray[np.uint8]] = None
     """(nx, ny, nz) what that point lies on: 0 a vertex, 1 an edge, 2 a face."""
     closest_site: Optional[NDArray[np.int32]] = None
     """(nx, ny, nz) labels of the Voronoi diagram of faces, edges and vertices, in this order."""
+
+    def __repr__(self) -> str:
+        size = " x ".join(str(count) for count in self.distance.shape)
+        return f"<DistanceField of {size} samples, sign {self.sign}>"
 
     def axes(self) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
         """World coordinates of the samples along x, along y and along z."""

@@ -4,19 +4,19 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
-from ._arrays import check_indices, float_rows, index_rows, rows_to_cells, to_cells, to_points
+from ._arrays import float_rows, index_rows, rows_to_cells, to_cells, to_points
 from ._errors import InvalidInputError
 
 
 class Surface(NamedTuple):
-    """A triangle mesh: what the functions of this package take as vertices and faces."""
+    """A mesh: what the functions of this package take as vertices and faces."""
 
     vertices: NDArray[np.float64]
     """(n, 3) coordinates in world units."""
     faces: NDArray[np.int64]
-    """(m, 3) indices of vertices."""
+    """(m, k) indices of vertices; triangles (k = 3) where this package makes them."""
 
     def to_vtk(self) -> vtkPolyData:
         """As VTK's mesh, which shares the memory of the vertices."""
@@ -56,21 +56,36 @@ def _parts_of(mesh: Any) -> tuple[Any, Any]:
 
 def _set_faces(mesh: vtkPolyData, faces: Any, points: int) -> None:
     """Cells by the number of their corners."""
-    if isinstance(faces, np.ndarray) or len({len(face) for face in faces}) <= 1:
-        rows = index_rows(faces if len(faces) > 0 else np.empty((0, 3), int), "faces", points)
-        cells = rows_to_cells(rows)
-        if rows.shape[1] == 1:
-            mesh.SetVerts(cells)
-        elif rows.shape[1] == 2:
-            mesh.SetLines(cells)
-        else:
-            mesh.SetPolys(cells)
+    sizes = _sizes_of(faces)
+    if len(set(sizes)) > 1:
+        mesh.SetPolys(_polygons(faces, sizes, points))
         return
-    sizes = np.array([len(face) for face in faces])
-    if sizes.min() < 3:
+    rows = index_rows(faces if sizes else np.empty((0, 3), dtype=np.int64), "faces", points)
+    cells = rows_to_cells(rows)
+    if rows.shape[1] == 1:
+        mesh.SetVerts(cells)
+    elif rows.shape[1] == 2:
+        mesh.SetLines(cells)
+    else:
+        mesh.SetPolys(cells)
+
+
+def _sizes_of(faces: Any) -> list[int]:
+    """Numbers of corners, of an array only that of the first face."""
+    if isinstance(faces, np.ndarray):
+        return [faces.shape[-1]] if faces.size > 0 else []
+    try:
+        return [len(face) for face in faces]
+    except TypeError:
         raise InvalidInputError(
-            f"face {sizes.argmin()} has {sizes.min()} vertices; where their number differs from "
-            f"face to face at least 3 are needed")
-    connectivity = np.concatenate([np.asarray(face, dtype=np.int64) for face in faces])
-    check_indices(connectivity, "faces", points)
-    mesh.SetPolys(to_cells(sizes, connectivity))
+            "faces are neither an array nor a sequence of sequences of vertex indices") from None
+
+
+def _polygons(faces: Any, sizes: list[int], points: int) -> vtkCellArray:
+    """Faces with different numbers of corners."""
+    if min(sizes) < 3:
+        raise InvalidInputError(
+            f"face {sizes.index(min(sizes))} has {min(sizes)} vertices; where their number differs "
+            f"from face to face at least 3 are needed")
+    joined = index_rows([[index] for face in faces for index in face], "faces", points)
+    return to_cells(np.array(sizes), joined[:, 0])

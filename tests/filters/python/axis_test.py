@@ -59,6 +59,11 @@ class Points(unittest.TestCase):
         self.assertGreater(len(axis.triangles), 0)
         self.assertLess(max(axis.quads.max(), axis.triangles.max()), n)
 
+    def test_is_described_in_short(self):
+        axis = box_axis(representation="faces")
+        self.assertEqual(repr(axis), f"<MedialAxis of {len(axis.points)} points, 0 vertices, "
+                                     f"0 lines, 0 triangles, {len(axis.quads)} quads; interior>")
+
     def test_middle_sheet_alone_has_separation_angles_of_180_degrees(self):
         axis = box_axis(angle=150)
         np.testing.assert_allclose(axis.points[:, 2], 0, atol=1e-6)

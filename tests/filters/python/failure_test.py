@@ -34,6 +34,12 @@ class Meshes(unittest.TestCase):
         self.assert_refused("faces name the vertex 9", VERTICES, [[0, 1, 2], [0, 1, 3, 9]])
         self.assert_refused("faces are of type float64", VERTICES, QUADS.astype(float))
         self.assert_refused("face 1 has 2 vertices", VERTICES, [[0, 1, 2], [0, 1]])
+        self.assert_refused("face 0 has 2 vertices", VERTICES, [[0, 1], [0, 1, 2]])
+        self.assert_refused("faces are of type float64", VERTICES, [[0, 1, 2], [0, 1, 2.5, 3]])
+        self.assert_refused("faces are of type", VERTICES, [[0, 1, 2], [0, 1, "x", 3]])
+        self.assert_refused("faces are neither an array nor", VERTICES, [0, 1, 2])
+        self.assert_refused("faces are neither an array nor", VERTICES, 5)
+        self.assert_refused(r"faces have the shape \(4,\)", VERTICES, np.array([3, 0, 1, 2]))
         self.assert_refused("the mesh has no cells", VERTICES, [])
         self.assert_refused("the mesh has no cells", VERTICES, np.empty((0, 3), dtype=int))
 

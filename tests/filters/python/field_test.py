@@ -31,6 +31,10 @@ class Values(unittest.TestCase):
         self.assertNotEqual(field.renderer, "")
         self.assert_is_of_the_box(field)
 
+    def test_is_described_in_short(self):
+        field = medial.distance_field(*shapes.box(), resolution=9)
+        self.assertEqual(repr(field), "<DistanceField of 9 x 8 x 6 samples, sign pseudonormal>")
+
     def test_padding_is_a_share_of_the_diagonal(self):
         field = medial.distance_field(*shapes.box(), resolution=33, padding=0.5)
         margin = -field.origin - shapes.HALF
@@ -115,6 +119,9 @@ class Meshes(unittest.TestCase):
         self.assert_same(self.vertices.astype(np.float32), self.quads.astype(np.uint8))
         self.assert_same(np.asfortranarray(self.vertices), np.asfortranarray(self.quads))
         self.assert_same(np.repeat(self.vertices, 2, axis=0)[::2], self.quads.astype(np.int32))
+        constant = self.vertices.copy()
+        constant.flags.writeable = False
+        self.assert_same(constant, self.quads)
 
     def test_faces_of_different_sizes(self):
         quads = self.quads.tolist()

@@ -106,7 +106,10 @@ class Curves(unittest.TestCase):
         depths = np.concatenate([shapes.HALF - points, shapes.HALF + points], axis=1)
         nearest = np.sort(depths, axis=1)
         self.assertLess(np.median(nearest[:, 2] - nearest[:, 0]), 2.5 / 33)
-        of_vtk = medial.curves(axis.to_vtk(), rims=False, other=False)
+        mesh = axis.to_vtk()
+        arrays = mesh.GetPointData().GetNumberOfArrays()
+        of_vtk = medial.curves(mesh, rims=False, other=False)
+        self.assertEqual(mesh.GetPointData().GetNumberOfArrays(), arrays)
         np.testing.assert_array_equal(of_vtk[0].indices, seams[0].indices)
 
     def test_an_axis_of_points_has_none(self):
