@@ -12,6 +12,7 @@
 #include "vtkWeakPointer.h"
 
 #include <exception>
+#include <limits>
 #include <set>
 #include <string>
 #include <utility>
@@ -209,7 +210,8 @@ private:
   /// Comes before observers in Python: VTK ends the process where Ctrl-C hits one of them.
   void Observe(vtkObject* object, unsigned long event)
   {
-    this->Tags.emplace_back(object, object->AddObserver(event, this->Receiver, 1.0f));
+    constexpr float first = std::numeric_limits<float>::max();
+    this->Tags.emplace_back(object, object->AddObserver(event, this->Receiver, first));
   }
 
   EventReceiver* Receiver;

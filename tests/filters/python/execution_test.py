@@ -75,7 +75,8 @@ class Interruption(unittest.TestCase):
         axis.SetInputData(medial.Surface(*shapes.ball(5)).to_vtk())
         axis.SetResolution(1500)
         seen = []
-        axis.AddObserver("ProgressEvent", lambda caller, _event: seen.append(caller.GetProgress()))
+        axis.AddObserver(
+            "ProgressEvent", lambda caller, _event: seen.append(caller.GetProgress()), 10.0)
         self.interrupt(0.3)
         with self.assertRaises(KeyboardInterrupt):
             medial.update(axis)

@@ -172,14 +172,20 @@ class Memory(unittest.TestCase):
     def test_vtk_object_keeps_the_arrays_alive(self):
         def surface():
             vertices, faces = shapes.ball(4)
-            return medial.Surface(vertices, faces).to_vtk()
+            return medial.Surface(vertices, faces).to_vtk(), faces.copy()
 
-        polydata = surface()
+        polydata, faces = surface()
         gc.collect()
-        scratch = [np.full(10000, np.nan) for _ in range(100)]
+        # Takes the memory that was set free, whatever its size.
+        scratch = [np.full_like(faces, -1) for _ in range(10)]
+        scratch += [np.full(len(faces) + 1, -1) for _ in range(10)]
         radii = np.linalg.norm(vtk_to_numpy(polydata.GetPoints().GetData()), axis=1)
         np.testing.assert_allclose(radii, 1.0)
-        self.assertEqual(len(scratch), 100)
+        cells = polydata.GetPolys()
+        np.testing.assert_array_equal(vtk_to_numpy(cells.GetConnectivityArray()), faces.ravel())
+        np.testing.assert_array_equal(vtk_to_numpy(cells.GetOffsetsArray()),
+                                      3 * np.arange(len(faces) + 1))
+        self.assertEqual(len(scratch), 20)
 
     def test_image_has_the_samples_where_they_belong(self):
         field = medial.distance_field(*shapes.box(), resolution=17, arrays=["closest_point"])
