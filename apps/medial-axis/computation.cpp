@@ -4,7 +4,11 @@
 #include "library_calls.h"
 #include "surface_thickness.h"
 
+#include <vtkMedialCurves.h>
 #include <vtkMeshConversion.h>
+#include <vtkNew.h>
+
+#include <cmath>
 
 namespace medial::app
 {
@@ -28,7 +32,31 @@ void computeField(const DistanceFieldOptions& options, FieldSink& field, Result&
   result.sign = resolveSignMethod(options.sign, result.topology);
 }
 
-void computeAxis(const MedialAxisOptions& options, bool reported, FieldSink* field, Result& result)
+double voxelDiagonal(const Grid& grid)
+{
+  return std::hypot(grid.spacing[0], grid.spacing[1], grid.spacing[2]);
+}
+
+AxisCoverage coverageOf(const MedialAxis& axis, const Result& result,
+  const DistanceFieldOptions& options)
+{
+  EvaluationOptions wanted;
+  wanted.samples = kDefaultCoverageSamples;
+  wanted.threads = options.threads;
+  wanted.progress = options.progress;
+  return measureCoverage(result.mesh, toMedialModel(axis), voxelDiagonal(result.grid), wanted);
+}
+
+vtkSmartPointer<vtkPolyData> curvesOf(vtkPolyData* axis)
+{
+  vtkNew<vtkMedialCurves> curves;
+  curves->SetInputData(axis);
+  curves->Update();
+  return curves->GetOutput();
+}
+
+void computeAxis(const Options& told, const MedialAxisOptions& options, FieldSink* field,
+  Result& result)
 {
   const MedialAxis axis = field != nullptr
     ? computeMedialAxis(result.mesh, result.topology, result.grid, options, *field)
@@ -39,9 +67,17 @@ void computeAxis(const MedialAxisOptions& options, bool reported, FieldSink* fie
   result.sign = axis.sign;
   result.side = axis.side;
   result.solidTopology = axis.solid;
-  if (reported)
+  if (!told.curves.empty())
+  {
+    result.curves = curvesOf(result.axis);
+  }
+  if (!told.report.empty())
   {
     result.axisTopology = topologyOf(axis);
+  }
+  if (axis.side == Side::Interior && (!told.report.empty() || !told.quiet))
+  {
+    result.coverage = coverageOf(axis, result, options.field);
   }
 }
 
@@ -71,7 +107,7 @@ void compute(const Options& options, FieldSink* field, ProgressBar& bar, Result&
     {
       if (options.wantsAxis())
       {
-        computeAxis(wanted, !options.report.empty(), field, result);
+        computeAxis(options, wanted, field, result);
       }
       else if (field != nullptr)
       {

@@ -3,6 +3,7 @@
 #include "options.h"
 #include "progress_bar.h"
 
+#include "medial/medial/evaluation/axis_coverage.h"
 #include "medial/medial/medial_axis.h"
 #include "medial/medial/thickness.h"
 #include "medial/mesh/topology.h"
@@ -28,8 +29,10 @@ struct Result
   SimplificationStatistics simplification;   ///< all 0 without --max-spheres
   CellTopology axisTopology;                 ///< where a report is wanted
   std::optional<CellTopology> solidTopology; ///< where the axis preserves it
-  vtkSmartPointer<vtkPolyData> axis;  ///< as vtkMedialAxis makes it; empty where it is not wanted
-  std::optional<Thickness> thickness; ///< of the mesh's points, where it is wanted
+  std::optional<AxisCoverage> coverage;      ///< of an interior axis, unless nobody is told
+  vtkSmartPointer<vtkPolyData> axis;   ///< as vtkMedialAxis makes it; empty where it is not wanted
+  vtkSmartPointer<vtkPolyData> curves; ///< of the axis, as vtkMedialCurves makes them, where wanted
+  std::optional<Thickness> thickness;  ///< of the mesh's points, where it is wanted
   vtkSmartPointer<vtkPolyData> thicknessPicture; ///< pictureOfThickness(), where it is wanted
 };
 

@@ -1,23 +1,15 @@
 #pragma once
 
-#include <filesystem>
-#include <optional>
-#include <string>
+#include "length.h"
 
 #include "medial/medial/medial_axis.h"
 #include "medial/medial/thickness.h"
 
+#include <filesystem>
+#include <optional>
+
 namespace medial::app
 {
-
-/// A length in world units or in per cent of the diagonal of the mesh's bounds.
-struct Length
-{
-  double value = 0.0;
-  bool percent = false;
-
-  double inUnits(double diagonal) const { return percent ? 0.01 * value * diagonal : value; }
-};
 
 /// The command line, checked as far as that is possible without the mesh. Empty paths are outputs
 /// that are not wanted.
@@ -25,6 +17,7 @@ struct Options
 {
   std::filesystem::path input;
   std::filesystem::path output;         ///< .vtp, .ply, .obj or .ma
+  std::filesystem::path curves;         ///< .vtp
   std::filesystem::path field;          ///< .vti or .pvti
   std::filesystem::path thickness;      ///< .vtp
   std::filesystem::path thicknessImage; ///< .png
@@ -54,7 +47,8 @@ struct Options
   /// is asked for alone.
   bool wantsAxis() const
   {
-    return !output.empty() || !image.empty() || (field.empty() && !wantsThickness());
+    return !output.empty() || !curves.empty() || !image.empty() ||
+      (field.empty() && !wantsThickness());
   }
 };
 
@@ -68,14 +62,6 @@ std::optional<Options> parseOptions(int argc, char** argv);
 /// @param diagonal of the mesh's bounds, world units.
 MedialAxisOptions libraryOptions(const Options& options, double diagonal);
 ThicknessOptions thicknessOptions(const Options& options);
-///@}
-
-///@{
-/// The word for a value.
-std::string nameOf(Side side);
-std::string nameOf(SignMethod method);
-std::string nameOf(Evaluator evaluator);
-std::string nameOf(Topology topology);
 ///@}
 
 } // namespace medial::app

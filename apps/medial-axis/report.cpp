@@ -1,5 +1,6 @@
 #include "report.h"
 
+#include "option_names.h"
 #include "sink.h"
 
 #include <vtkPolyData.h>
@@ -87,6 +88,16 @@ double peakMemoryMiB()
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
+Json describeCoverage(const std::optional<AxisCoverage>& coverage)
+{
+  if (!coverage)
+  {
+    return nullptr;
+  }
+  return { { "uncovered_share", coverage->uncoveredShare }, { "reach", coverage->reach },
+    { "samples", coverage->samples }, { "seconds", coverage->seconds } };
+}
+
 } // namespace
 
 std::string makeReport(const Result& result, const Options& options, const AppSeconds& seconds)
@@ -106,6 +117,7 @@ std::string makeReport(const Result& result, const Options& options, const AppSe
     report["thickness"] = describeThickness(*result.thickness, options);
   }
   report["topology"] = describeTopology(result, options.topology);
+  report["coverage"] = describeCoverage(result.coverage);
   report["peak_memory_mib"] = peakMemoryMiB();
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

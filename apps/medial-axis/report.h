@@ -25,9 +25,11 @@ struct AppSeconds
 ///   simplification {input_points, input_components, components, joined, forced, dropped, seconds}
 ///   (as in SimplificationStatistics, 0 without --max-spheres), evaluator, sign_method, topology
 ///   {mode, solid (null unless preserved), axis: each {components, euler_characteristic, genus,
-///   cavities}} and peak_memory_mib; where thickness was computed also thickness {side, angle, min,
-///   median, max, share_without, seconds}, numbers being null where no point has one. Lengths are
-///   in world units.
+///   cavities}}, coverage (null unless the axis is that of the interior) {uncovered_share: the
+///   share of the surface's area that is farther than reach, the diagonal of a voxel, from the
+///   union of the axis's balls, cones and slabs; reach, samples, seconds} and peak_memory_mib;
+///   where thickness was computed also thickness {side, angle, min, median, max, share_without,
+///   seconds}, numbers being null where no point has one. Lengths are in world units.
 std::string makeReport(const Result& result, const Options& options, const AppSeconds& seconds);
 
 /// @throws Failure NoSpace when the file cannot be written completely. The message names no file.

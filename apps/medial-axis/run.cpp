@@ -123,6 +123,7 @@ void run(const Options& options)
   Outputs outputs;
   outputs.add(options.output,
     [&](const auto& file) { writeAxis(result.axis, file, options.output.extension()); });
+  outputs.add(options.curves, [&](const auto& file) { writeVtp(result.curves, file); });
   outputs.add(options.image, [&](const auto& file) { drawPicture(mesh, result.axis, file); });
   outputs.add(options.thickness,
     [&](const auto& file) { writeVtp(withThickness(mesh, result.mesh, *result.thickness), file); });

@@ -1,5 +1,7 @@
 #include "summary.h"
 
+#include "option_names.h"
+
 #include <vtkPolyData.h>
 
 #include <cstdio>
@@ -9,6 +11,9 @@ namespace medial::app
 {
 namespace
 {
+
+/// Share of the surface without axis from which on the user is told.
+constexpr double kNoticeableShare = 0.01;
 
 void printMesh(const Options& options, const Result& result)
 {
@@ -55,6 +60,11 @@ void printOutputs(const Options& options, const Result& result)
   printFile(options.output,
     "medial axis, " + std::to_string(axis->GetNumberOfPoints()) + " points, " +
       std::to_string(axis->GetNumberOfCells()) + " cells");
+  if (result.curves)
+  {
+    printFile(options.curves,
+      "curves of the axis, " + std::to_string(result.curves->GetNumberOfLines()) + " polylines");
+  }
   printFile(options.field, "distance field");
   printFile(options.thickness, "surface with thickness");
   printFile(options.thicknessImage, "picture of thickness");
@@ -117,6 +127,17 @@ void printSimplification(const Options& options, const Result& result)
   }
 }
 
+void printCoverage(const Options& options, const AxisCoverage& coverage)
+{
+  if (coverage.uncoveredShare >= kNoticeableShare)
+  {
+    std::fprintf(stderr,
+      "medial-axis: note: %s: %.3g %% of the surface is farther than a voxel's diagonal, %.4g, "
+      "from what the axis describes: the grid, the selection or --max-spheres leaves parts out\n",
+      options.input.c_str(), 100.0 * coverage.uncoveredShare, coverage.reach);
+  }
+}
+
 } // namespace
 
 void printSummary(const Options& options, const Result& result, const AppSeconds& seconds)
@@ -124,6 +145,10 @@ void printSummary(const Options& options, const Result& result, const AppSeconds
   if (options.wantsAxis())
   {
     printNotes(options, result);
+  }
+  if (result.coverage)
+  {
+    printCoverage(options, *result.coverage);
   }
   printMesh(options, result);
   if (options.wantsAxis() || !options.field.empty())

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <cstring>
 
 // Vectors of eight lanes by the extension that GCC and Clang share. On processors without AVX2 the
@@ -46,6 +47,13 @@ MEDIAL_INLINE Float8 greatest(Float8 a, Float8 b)
 MEDIAL_INLINE Float8 loaded(const float* from)
 {
   Float8 value;
+  std::memcpy(&value, from, sizeof(value));
+  return value;
+}
+
+MEDIAL_INLINE Int8 loadedInts(const std::int32_t* from)
+{
+  Int8 value;
   std::memcpy(&value, from, sizeof(value));
   return value;
 }

@@ -142,41 +142,6 @@ std::vector<int> CandidateFilter::allSites() const
   return all;
 }
 
-DistanceBounds CandidateFilter::bounds(int site, const glm::vec3& x) const
-{
-  switch (sites_.kind(site))
-  {
-    case SiteKind::Face:
-    {
-      // Inside its prism a face is at plane distance; elsewhere its edges bound the distance from
-      // above, so only a lower bound is needed.
-      const FacePlanes& face = facePlanes_[site];
-      const float excess = std::max({ 0.0f, evaluate(face.sides[0], x), evaluate(face.sides[1], x),
-        evaluate(face.sides[2], x) });
-      const float height = std::abs(evaluate(face.plane, x));
-      // Beyond an acute corner of a needle both long sides round to 0; the ends tell.
-      const HalfSpace* ends = sites_.halfSpacesBegin(site) + 3;
-      if (excess <= 0.0f && evaluate(ends[0], x) <= 0.0f && evaluate(ends[1], x) <= 0.0f)
-      {
-        return { height, height };
-      }
-      return { std::sqrt(height * height + excess * excess), kUnknown };
-    }
-    case SiteKind::Edge:
-    {
-      const EdgeLine& line = edgeLines_[site - sites_.firstEdge()];
-      const glm::vec3 v = x - line.start;
-      const float t = glm::clamp(glm::dot(v, line.direction), 0.0f, line.length);
-      const float distance = glm::length(v - t * line.direction);
-      return { distance, distance };
-    }
-    case SiteKind::Vertex:
-      break;
-  }
-  const float distance = glm::distance(x, glm::vec3(sites_.sphere(site)));
-  return { distance, distance };
-}
-
 bool CandidateFilter::seedDistances(const FrameBox* boxes, const int* seeds, int boxCount,
   std::array<float, kMostBoxes>& squared) const
 {

@@ -17,11 +17,24 @@ struct FrameBox
   glm::vec3 half;
 };
 
-/// What the distance from a point to a site lies between, to single precision.
-struct DistanceBounds
+/// Points side by side, each with a distance within which sites are looked for; frame units.
+struct PointLanes
 {
-  float lower;
-  float upper;
+  static constexpr int kMost = 8;
+
+  int count = 0;
+  alignas(32) std::array<float, kMost> x;
+  alignas(32) std::array<float, kMost> y;
+  alignas(32) std::array<float, kMost> z;
+  /// The largest float where nothing is known.
+  alignas(32) std::array<float, kMost> reach;
+};
+
+/// A site that may be as near as wanted to the points whose bits are set.
+struct NearSite
+{
+  int site;
+  unsigned points;
 };
 
 /// Decides which sites can be closest to some point of a box. Conservative: it never drops a site
@@ -54,9 +67,10 @@ public:
   void filter(const std::vector<int>& parent, const FrameBox* boxes, const int* seeds, int boxCount,
     std::vector<int>* const* out, Scratch& scratch) const;
 
-  /// Exact for edges and vertices; for a face the upper bound is left to its border where x does
-  /// not project into it.
-  DistanceBounds bounds(int site, const glm::vec3& x) const;
+  /// Of the sites in [begin, end), those that may be within reach of a point, and all that may be
+  /// closest to one with unknown reach.
+  void near(const int* begin, const int* end, const PointLanes& points,
+    std::vector<NearSite>& found) const;
 
   /// All active sites, ascending: the candidates of everything.
   std::vector<int> allSites() const;

@@ -1,7 +1,9 @@
 #include "medial/culling/tile_query.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <utility>
 
 namespace medial
 {
@@ -45,7 +47,7 @@ void TileQuery::add(CandidateTiles tiles)
   }
 }
 
-SitePoint TileQuery::closest(const glm::dvec3& x, double knownDistance) const
+std::size_t TileQuery::tileAround(const glm::dvec3& x) const
 {
   // Grid points belong to their own tile, whatever the rounding of their position.
   constexpr double kRounding = 1e-6;
@@ -56,33 +58,79 @@ SitePoint TileQuery::closest(const glm::dvec3& x, double knownDistance) const
     gridPoint[axis] =
       std::clamp(static_cast<int>(cell[axis]), extent_.min[axis], extent_.max[axis]);
   }
-  const Candidates& candidates = tiles_[this->tileIndex(gridPoint)];
-  const glm::vec3 rounded(x);
-  const float tolerance = 2.0f * filter_.slack();
-  constexpr auto kFarthest = static_cast<double>(std::numeric_limits<float>::max());
-  float limit = static_cast<float>(std::min(knownDistance, kFarthest)) + tolerance;
-  SitePoint best;
-  double least = std::numeric_limits<double>::max();
-  for (const int* site = candidates.begin; site != candidates.end; ++site)
+  return this->tileIndex(gridPoint);
+}
+
+void TileQuery::closestInTile(const Candidates& tile, Question* const* questions, int count,
+  std::vector<NearSite>& scratch) const
+{
+  constexpr double kUnknown = std::numeric_limits<float>::max();
+  std::array<double, PointLanes::kMost> least;
+  PointLanes lanes;
+  lanes.count = count;
+  for (int i = 0; i < PointLanes::kMost; ++i)
   {
-    const glm::vec4& sphere = sites_.sphere(*site);
-    const glm::vec3 toCentre = rounded - glm::vec3(sphere);
-    const float reach = limit + sphere.w;
-    if (glm::dot(toCentre, toCentre) > reach * reach ||
-      filter_.bounds(*site, rounded).lower > limit)
+    const Question& question = *questions[i < count ? i : 0];
+    const bool known = question.closest.site >= 0;
+    least[i] = known ? glm::distance(question.x, question.closest.point) : kUnknown;
+    lanes.x[i] = static_cast<float>(question.x.x);
+    lanes.y[i] = static_cast<float>(question.x.y);
+    lanes.z[i] = static_cast<float>(question.x.z);
+    lanes.reach[i] =
+      static_cast<float>(known ? least[i] + 2.0 * static_cast<double>(filter_.slack()) : kUnknown);
+  }
+  filter_.near(tile.begin, tile.end, lanes, scratch);
+  for (const NearSite& near : scratch)
+  {
+    for (unsigned left = near.points; left != 0; left &= left - 1)
     {
-      continue;
-    }
-    const SitePoint candidate = closestPoint(sites_, *site, x);
-    const double distance = glm::distance(candidate.point, x);
-    if (distance < least)
-    {
-      least = distance;
-      limit = std::min(limit, static_cast<float>(distance) + tolerance);
-      best = candidate;
+      const int i = __builtin_ctz(left);
+      Question& question = *questions[i];
+      if (question.closest.site == near.site)
+      {
+        continue;
+      }
+      const SitePoint candidate = closestPoint(sites_, near.site, question.x);
+      const double distance = glm::distance(candidate.point, question.x);
+      if (distance < least[i])
+      {
+        least[i] = distance;
+        question.closest = candidate;
+      }
     }
   }
-  return best;
+}
+
+SitePoint TileQuery::closest(const glm::dvec3& x, const SitePoint& known) const
+{
+  thread_local std::vector<NearSite> scratch;
+  Question question{ x, known };
+  Question* const only = &question;
+  this->closestInTile(tiles_[this->tileAround(x)], &only, 1, scratch);
+  return question.closest;
+}
+
+void TileQuery::closest(std::vector<Question>& questions) const
+{
+  std::vector<std::pair<std::size_t, Question*>> order;
+  order.reserve(questions.size());
+  for (Question& question : questions)
+  {
+    order.emplace_back(this->tileAround(question.x), &question);
+  }
+  std::sort(order.begin(), order.end());
+  std::vector<NearSite> scratch;
+  std::array<Question*, PointLanes::kMost> together;
+  for (auto next = order.begin(); next != order.end();)
+  {
+    const std::size_t tile = next->first;
+    int count = 0;
+    while (count < PointLanes::kMost && next != order.end() && next->first == tile)
+    {
+      together[count++] = (next++)->second;
+    }
+    this->closestInTile(tiles_[tile], together.data(), count, scratch);
+  }
 }
 
 } // namespace medial

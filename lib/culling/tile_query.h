@@ -6,7 +6,6 @@
 
 #include <glm/glm.hpp>
 
-#include <limits>
 #include <vector>
 
 namespace medial
@@ -25,9 +24,18 @@ public:
   void add(CandidateTiles tiles);
 
   /// @param x frame coordinates, inside the hull of a tile that was added.
-  /// @param knownDistance of some surface point from x, to start from; the nearer, the faster.
-  SitePoint closest(const glm::dvec3& x,
-    double knownDistance = std::numeric_limits<double>::max()) const;
+  /// @param known the point of some site that is closest to x, to start from: the nearer, the
+  ///   faster. Returned where nothing is nearer. A site of -1 is none.
+  SitePoint closest(const glm::dvec3& x, const SitePoint& known = {}) const;
+
+  /// A position, and the known point that becomes the closest.
+  struct Question
+  {
+    glm::dvec3 x;
+    SitePoint closest;
+  };
+  /// The same for many positions: those in one tile are answered side by side.
+  void closest(std::vector<Question>& questions) const;
 
 private:
   struct Candidates
@@ -37,6 +45,10 @@ private:
   };
 
   std::size_t tileIndex(const glm::ivec3& gridPoint) const;
+  std::size_t tileAround(const glm::dvec3& x) const;
+  /// @param count in [1, PointLanes::kMost].
+  void closestInTile(const Candidates& tile, Question* const* questions, int count,
+    std::vector<NearSite>& scratch) const;
 
   const SiteSet& sites_;
   const CandidateFilter& filter_;

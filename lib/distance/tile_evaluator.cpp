@@ -75,13 +75,6 @@ MEDIAL_INLINE T blended(Int8 mask, T yes, T no)
   return mask ? yes : no;
 }
 
-MEDIAL_INLINE Int8 loadedInts(const std::int32_t* from)
-{
-  Int8 value;
-  std::memcpy(&value, from, sizeof(value));
-  return value;
-}
-
 MEDIAL_INLINE void offer(TileField& field, int row, Float8 squared, Float8 side, int site,
   Int8 allowed)
 {

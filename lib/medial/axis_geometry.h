@@ -19,6 +19,20 @@ struct AxisGeometry
   double lambda;                ///< least BisectorPoint::lambda()
   double radius;                ///< least radius
   const Checkpoint& checkpoint; ///< for loops over points
+
+  /// Whether queries at x are exact.
+  bool insideGrid(const glm::dvec3& x) const
+  {
+    const glm::dvec3 index = (x - frame.first) / frame.step;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      if (index[axis] < extent.min[axis] || index[axis] > extent.max[axis])
+      {
+        return false;
+      }
+    }
+    return true;
+  }
 };
 
 } // namespace medial

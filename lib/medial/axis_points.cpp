@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <optional>
 
 namespace medial
@@ -24,32 +25,52 @@ constexpr double kOutside = 0.1;
 constexpr double kOffBisector = 0.3;
 constexpr double kAnywhere = std::numeric_limits<double>::infinity();
 
-/// The two closest points at x: the closest one, and of the sites whose bisectors gave the vertex
-/// the one that is seen under the largest angle from it.
-BisectorPoint contacts(const AxisGeometry& geometry, const DualMesh& mesh,
-  const BisectorPoints& bisectors, std::size_t vertex, const glm::dvec3& x, double tolerance)
+/// The sites whose bisectors gave a vertex, each once.
+void sitesOf(const DualMesh& mesh, const BisectorPoints& bisectors, std::size_t vertex,
+  std::vector<int>& sites)
 {
-  const std::size_t begin = mesh.offsets[vertex];
-  const std::size_t end = mesh.offsets[vertex + 1];
-  BisectorPoint result;
-  result.position = x;
-  const int known = bisectors.points[mesh.incident[begin]].a.site;
-  result.a =
-    geometry.query.closest(x, glm::distance(x, closestPoint(geometry.sites, known, x).point));
-  result.b = result.a;
-  const double farthest = result.radius() + tolerance;
-  double widest = -1.0;
-  for (std::size_t i = begin; i < end; ++i)
+  sites.clear();
+  for (std::size_t i = mesh.offsets[vertex]; i < mesh.offsets[vertex + 1]; ++i)
   {
     const BisectorPoint& bisector = bisectors.points[mesh.incident[i]];
-    for (const int site : { bisector.a.site, bisector.b.site })
+    sites.push_back(bisector.a.site);
+    sites.push_back(bisector.b.site);
+  }
+  std::sort(sites.begin(), sites.end());
+  sites.erase(std::unique(sites.begin(), sites.end()), sites.end());
+}
+
+/// For vertices at given positions the two closest points: the closest one, and of the sites whose
+/// bisectors gave the vertex the one that is seen under the largest angle from it.
+std::vector<BisectorPoint> contacts(const AxisGeometry& geometry, const DualMesh& mesh,
+  const BisectorPoints& bisectors, const std::vector<std::size_t>& vertices,
+  const std::vector<glm::dvec3>& positions, double tolerance)
+{
+  std::vector<TileQuery::Question> questions(vertices.size());
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+  {
+    const int known = bisectors.points[mesh.incident[mesh.offsets[vertices[i]]]].a.site;
+    questions[i] = { positions[i], closestPoint(geometry.sites, known, positions[i]) };
+  }
+  geometry.query.closest(questions);
+  std::vector<BisectorPoint> result(vertices.size());
+  std::vector<int> sites;
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+  {
+    const glm::dvec3& x = positions[i];
+    const SitePoint& closest = questions[i].closest;
+    result[i] = { x, closest, closest };
+    const double farthest = result[i].radius() + tolerance;
+    double widest = -1.0;
+    sitesOf(mesh, bisectors, vertices[i], sites);
+    for (const int site : sites)
     {
       const SitePoint candidate = closestPoint(geometry.sites, site, x);
-      const double angle = separationAngle(x, result.a.point, candidate.point);
+      const double angle = separationAngle(x, closest.point, candidate.point);
       if (angle > widest && glm::distance(x, candidate.point) <= farthest)
       {
         widest = angle;
-        result.b = candidate;
+        result[i].b = candidate;
       }
     }
   }
@@ -106,21 +127,75 @@ bool allMoved(const DualMesh& mesh, const BisectorPoints& bisectors, std::size_t
     [&](std::size_t crossing) { return bisectors.moved[crossing] != 0; });
 }
 
+/// The vertices of a surface in [begin, end).
+void placeOnSurface(const AxisGeometry& geometry, const DualMesh& mesh,
+  const BisectorPoints& bisectors, std::size_t begin, std::size_t end, BisectorPoints& result)
+{
+  PlaneFit fit;
+  std::vector<std::size_t> vertices;
+  std::vector<glm::dvec3> positions;
+  for (std::size_t v = begin; v != end; ++v)
+  {
+    if (allMoved(mesh, bisectors, v))
+    {
+      result.points[v] = nearestCrossing(mesh, bisectors, v, meanCrossing(mesh, bisectors, v));
+      result.moved[v] = 1;
+      continue;
+    }
+    vertices.push_back(v);
+    positions.push_back(fitted(geometry, mesh, bisectors, v, fit));
+  }
+  const std::vector<BisectorPoint> points =
+    contacts(geometry, mesh, bisectors, vertices, positions, kOffBisector);
+  std::vector<std::size_t> narrow;
+  std::vector<BisectorPoint> narrowPoints;
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+  {
+    result.points[vertices[i]] = points[i];
+    if (points[i].separationAngle() < geometry.angle)
+    {
+      narrow.push_back(vertices[i]);
+      narrowPoints.push_back(points[i]);
+    }
+  }
+  const std::vector<std::optional<BisectorPoint>> others = axisAlongNormals(geometry, narrowPoints);
+  for (std::size_t i = 0; i < narrow.size(); ++i)
+  {
+    const std::size_t v = narrow[i];
+    result.points[v] =
+      others[i] ? *others[i] : nearestCrossing(mesh, bisectors, v, narrowPoints[i].position);
+    result.moved[v] = 1;
+  }
+}
+
+/// The vertices at the centres of the cells in [begin, end).
+void placeInCentres(const AxisGeometry& geometry, const DualMesh& mesh,
+  const BisectorPoints& bisectors, std::size_t begin, std::size_t end, BisectorPoints& result)
+{
+  std::vector<std::size_t> vertices(end - begin);
+  std::iota(vertices.begin(), vertices.end(), begin);
+  std::vector<glm::dvec3> positions(vertices.size());
+  std::transform(vertices.begin(), vertices.end(), positions.begin(),
+    [&](std::size_t v) { return geometry.frame.sample(glm::dvec3(mesh.cells[v]) + 0.5); });
+  const std::vector<BisectorPoint> points =
+    contacts(geometry, mesh, bisectors, vertices, positions, kAnywhere);
+  std::copy(points.begin(), points.end(),
+    result.points.begin() + static_cast<std::ptrdiff_t>(begin));
+}
+
 template <typename Place>
-BisectorPoints placeVertices(const AxisGeometry& geometry, const DualMesh& mesh, const Place& place)
+BisectorPoints placeVertices(const AxisGeometry& geometry, const DualMesh& mesh,
+  const BisectorPoints& bisectors, const Place& place)
 {
   BisectorPoints result;
   result.points.resize(mesh.cells.size());
   result.moved.resize(mesh.cells.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mesh.cells.size(), 256),
+  constexpr std::size_t kTogether = 512;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mesh.cells.size(), kTogether),
     [&](const tbb::blocked_range<std::size_t>& range)
     {
       geometry.checkpoint();
-      PlaneFit fit;
-      for (std::size_t v = range.begin(); v != range.end(); ++v)
-      {
-        place(v, fit, result);
-      }
+      place(geometry, mesh, bisectors, range.begin(), range.end(), result);
     });
   return result;
 }
@@ -130,36 +205,13 @@ BisectorPoints placeVertices(const AxisGeometry& geometry, const DualMesh& mesh,
 BisectorPoints surfacePoints(const AxisGeometry& geometry, const DualMesh& mesh,
   const BisectorPoints& bisectors)
 {
-  return placeVertices(geometry, mesh,
-    [&](std::size_t v, PlaneFit& fit, BisectorPoints& result)
-    {
-      BisectorPoint& point = result.points[v];
-      if (allMoved(mesh, bisectors, v))
-      {
-        point = nearestCrossing(mesh, bisectors, v, meanCrossing(mesh, bisectors, v));
-        result.moved[v] = 1;
-        return;
-      }
-      point = contacts(geometry, mesh, bisectors, v, fitted(geometry, mesh, bisectors, v, fit),
-        kOffBisector);
-      if (point.separationAngle() < geometry.angle)
-      {
-        const std::optional<BisectorPoint> other = axisAlongNormal(geometry, point);
-        point = other ? *other : nearestCrossing(mesh, bisectors, v, point.position);
-        result.moved[v] = 1;
-      }
-    });
+  return placeVertices(geometry, mesh, bisectors, placeOnSurface);
 }
 
 BisectorPoints cellCentres(const AxisGeometry& geometry, const DualMesh& mesh,
   const BisectorPoints& bisectors)
 {
-  return placeVertices(geometry, mesh,
-    [&](std::size_t v, PlaneFit&, BisectorPoints& result)
-    {
-      const glm::dvec3 x = geometry.frame.sample(glm::dvec3(mesh.cells[v]) + 0.5);
-      result.points[v] = contacts(geometry, mesh, bisectors, v, x, kAnywhere);
-    });
+  return placeVertices(geometry, mesh, bisectors, placeInCentres);
 }
 
 } // namespace medial

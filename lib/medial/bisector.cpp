@@ -1,20 +1,19 @@
 #include "medial/medial/bisector.h"
 
-#include "medial/medial/separation.h"
-#include "medial/sites/closest_point.h"
+#include "medial/medial/site_change.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace medial
 {
 namespace
 {
 
-/// A nearer third site counts from this difference on, in frame units (voxels).
-constexpr double kSameDistance = 1e-6;
 /// Medial balls smaller than this (voxels) are the surface itself.
 constexpr double kLeastRadius = 1e-3;
 /// Where two sites are this much (voxels) farther than the closest one, their separation angle
@@ -24,129 +23,40 @@ constexpr double kFacets = 0.1;
 /// Sites between the two that are looked for at most.
 constexpr int kMaxRounds = 8;
 
-/// The part of a segment that is known to hold a change from siteA to siteB.
-class Change
+using Found = std::vector<std::optional<BisectorPoint>>;
+
+bool wideEnough(const AxisGeometry& geometry, const BisectorPoint& point)
 {
-public:
-  Change(const SiteSet& sites, const glm::dvec3& from, int siteA, const glm::dvec3& to, int siteB)
-    : sites_(sites)
-    , start_(from)
-    , along_(to - from)
-    , siteA_(siteA)
-    , siteB_(siteB)
-  {
-  }
-
-  /// Goes to the point at equal distance from both sites, by regula falsi with the Illinois
-  /// modification on the difference of the squared distances.
-  void solve()
-  {
-    double low = low_;
-    double high = high_;
-    double fLow = this->difference(low);
-    double fHigh = this->difference(high);
-    // Sites at equal distance at an end, to rounding: that end is the root.
-    if (fLow >= 0.0 || fHigh <= 0.0)
-    {
-      root_ = fLow >= 0.0 ? low : high;
-      this->difference(root_);
-      return;
-    }
-    for (int i = 0; i < kMaxIterations && high - low > kTolerance; ++i)
-    {
-      root_ = (low * fHigh - high * fLow) / (fHigh - fLow);
-      const double f = this->difference(root_);
-      if (std::abs(f) < kTolerance)
-      {
-        break;
-      }
-      if (f < 0.0)
-      {
-        low = root_;
-        fLow = f;
-        fHigh *= 0.5;
-      }
-      else
-      {
-        high = root_;
-        fHigh = f;
-        fLow *= 0.5;
-      }
-    }
-  }
-
-  /// Narrows to the change from or to a third site that is nearer to the root. Returns false when
-  /// there is none, that is when the root is final.
-  bool narrow(const TileQuery& query)
-  {
-    const glm::dvec3& x = point_.position;
-    const double distance = point_.radius();
-    const SitePoint third = query.closest(x, distance);
-    if (glm::distance(third.point, x) > distance - kSameDistance)
-    {
-      return false;
-    }
-    if (separationAngle(x, point_.a.point, third.point) >=
-      separationAngle(x, third.point, point_.b.point))
-    {
-      high_ = root_;
-      siteB_ = third.site;
-    }
-    else
-    {
-      low_ = root_;
-      siteA_ = third.site;
-    }
-    return true;
-  }
-
-  const BisectorPoint& point() const { return point_; }
-
-private:
-  static constexpr int kMaxIterations = 60;
-  static constexpr double kTolerance = 1e-9;
-
-  double difference(double t)
-  {
-    point_.position = start_ + t * along_;
-    point_.a = closestPoint(sites_, siteA_, point_.position);
-    point_.b = closestPoint(sites_, siteB_, point_.position);
-    const glm::dvec3 a = point_.a.point - point_.position;
-    const glm::dvec3 b = point_.b.point - point_.position;
-    return glm::dot(a, a) - glm::dot(b, b);
-  }
-
-  const SiteSet& sites_;
-  glm::dvec3 start_;
-  glm::dvec3 along_;
-  int siteA_;
-  int siteB_;
-  double low_ = 0.0;
-  double high_ = 1.0;
-  double root_ = 0.5;
-  BisectorPoint point_;
-};
-
-std::optional<BisectorPoint> atLeast(double angle, const BisectorPoint& point)
-{
-  return point.separationAngle() >= angle ? std::optional(point) : std::nullopt;
+  return point.separationAngle() >= geometry.angle;
 }
 
-/// The point at equal distance from both sites, whatever else is as near up to the sag of facets.
-/// Nothing where another site is nearer than that, or the separation angle is too small.
-std::optional<BisectorPoint> facetedPoint(const AxisGeometry& geometry, const glm::dvec3& from,
-  int fromSite, const glm::dvec3& to, int toSite)
+/// Hands the items that `wanted` says to `find`, all at once, and takes over what that finds.
+template <typename Item, typename Wanted, typename Find>
+void findFor(const std::vector<Item>& items, const Wanted& wanted, const Find& find, Found& found)
 {
-  Change change(geometry.sites, from, fromSite, to, toSite);
-  change.solve();
-  BisectorPoint point = change.point();
-  if (point.separationAngle() < geometry.angle)
+  std::vector<Item> some;
+  std::vector<std::size_t> which;
+  for (std::size_t i = 0; i < items.size(); ++i)
   {
-    return std::nullopt;
+    if (wanted(i))
+    {
+      some.push_back(items[i]);
+      which.push_back(i);
+    }
   }
-  const double distance = point.radius();
-  const SitePoint closest = geometry.query.closest(point.position, distance);
-  if (glm::distance(closest.point, point.position) < distance - kFacets)
+  const Found foundForSome = find(some);
+  for (std::size_t k = 0; k < which.size(); ++k)
+  {
+    found[which[k]] = foundForSome[k];
+  }
+}
+
+/// The point at equal distance from both sites where another site is nearer, but by no more than
+/// the sag of facets.
+std::optional<BisectorPoint> withinFacets(const AxisGeometry& geometry, BisectorPoint point,
+  const SitePoint& closest)
+{
+  if (glm::distance(closest.point, point.position) < point.radius() - kFacets)
   {
     return std::nullopt;
   }
@@ -156,15 +66,42 @@ std::optional<BisectorPoint> facetedPoint(const AxisGeometry& geometry, const gl
   {
     point.b = other;
   }
-  return atLeast(geometry.angle, point);
+  return wideEnough(geometry, point) ? std::optional(point) : std::nullopt;
 }
 
-/// The same point with one of the sites' points as the second closest.
+/// The points at equal distance from both sites, whatever else is as near up to the sag of facets.
+/// Nothing where another site is nearer than that, or the separation angle is too small.
+Found facetedPoints(const AxisGeometry& geometry, const std::vector<SiteSegment>& segments)
+{
+  Found points(segments.size());
+  std::vector<TileQuery::Question> questions;
+  for (std::size_t i = 0; i < segments.size(); ++i)
+  {
+    const BisectorPoint point = SiteChange(geometry.sites, segments[i]).point();
+    if (wideEnough(geometry, point))
+    {
+      points[i] = point;
+      questions.push_back({ point.position, point.a });
+    }
+  }
+  geometry.query.closest(questions);
+  auto question = questions.begin();
+  for (std::optional<BisectorPoint>& point : points)
+  {
+    if (point)
+    {
+      point = withinFacets(geometry, *point, (question++)->closest);
+    }
+  }
+  return points;
+}
+
+/// The same point with one of the segment's sites as the second closest.
 std::optional<BisectorPoint> widened(const AxisGeometry& geometry, BisectorPoint point,
-  int fromSite, int toSite)
+  const SiteSegment& segment)
 {
   const glm::dvec3& x = point.position;
-  for (const int site : { fromSite, toSite })
+  for (const int site : { segment.fromSite, segment.toSite })
   {
     const SitePoint other = closestPoint(geometry.sites, site, x);
     if (glm::distance(other.point, x) <= point.radius() + kFacets &&
@@ -177,130 +114,205 @@ std::optional<BisectorPoint> widened(const AxisGeometry& geometry, BisectorPoint
   return std::nullopt;
 }
 
-/// A point with the least separation angle between two points with different closest sites.
-std::optional<BisectorPoint> axisBetween(const AxisGeometry& geometry, const glm::dvec3& from,
-  int fromSite, const glm::dvec3& to, int toSite)
+/// Points with the least separation angle on the segments.
+Found axisBetween(const AxisGeometry& geometry, const std::vector<SiteSegment>& segments)
 {
-  const BisectorPoint exact = bisectorPoint(geometry, from, fromSite, to, toSite);
-  if (exact.separationAngle() >= geometry.angle)
+  const std::vector<BisectorPoint> exact = bisectorPoints(geometry, segments);
+  Found found(exact.begin(), exact.end());
+  const auto tooNarrow = [&](std::size_t i) { return !wideEnough(geometry, exact[i]); };
+  findFor(
+    segments, tooNarrow, [&](const auto& some) { return facetedPoints(geometry, some); }, found);
+  for (std::size_t i = 0; i < segments.size(); ++i)
   {
-    return exact;
-  }
-  std::optional<BisectorPoint> faceted = facetedPoint(geometry, from, fromSite, to, toSite);
-  return faceted ? faceted : widened(geometry, exact, fromSite, toSite);
-}
-
-bool insideGrid(const AxisGeometry& geometry, const glm::dvec3& x)
-{
-  const glm::dvec3 index = (x - geometry.frame.first) / geometry.frame.step;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    if (index[axis] < geometry.extent.min[axis] || index[axis] > geometry.extent.max[axis])
+    if (!found[i])
     {
-      return false;
+      found[i] = widened(geometry, exact[i], segments[i]);
     }
   }
-  return true;
+  return found;
 }
 
-} // namespace
-
-double BisectorPoint::separationAngle() const
+/// From x away from its closest point, as far as the axis may be.
+SiteSegment alongNormal(const AxisGeometry& geometry, const BisectorPoint& x)
 {
-  return medial::separationAngle(position, a.point, b.point);
-}
-
-glm::dvec3 BisectorPoint::normal() const
-{
-  const glm::dvec3 across = b.point - a.point;
-  const double length = glm::length(across);
-  return length > 0.0 ? across / length : glm::dvec3(0.0);
-}
-
-BisectorPoint bisectorPoint(const AxisGeometry& geometry, const glm::dvec3& from, int fromSite,
-  const glm::dvec3& to, int toSite)
-{
-  Change change(geometry.sites, from, fromSite, to, toSite);
-  change.solve();
-  for (int round = 1; round < kMaxRounds && change.narrow(geometry.query); ++round)
-  {
-    change.solve();
-  }
-  return change.point();
-}
-
-std::optional<BisectorPoint> axisAlongNormal(const AxisGeometry& geometry, const BisectorPoint& x)
-{
-  const double radius = x.radius();
-  if (radius < kLeastRadius)
-  {
-    return std::nullopt;
-  }
-  const glm::dvec3 away = (x.position - x.a.point) / radius;
+  const glm::dvec3 away = (x.position - x.a.point) / x.radius();
   const double step = glm::dot(glm::abs(away), geometry.frame.step);
   const double reach = step * (0.5 / std::sin(0.5 * geometry.angle) + 0.5);
-  const glm::dvec3 end = x.position + reach * away;
-  if (!insideGrid(geometry, end))
-  {
-    return std::nullopt;
-  }
-  const SitePoint other = geometry.query.closest(end, radius + reach);
-  if (separationAngle(end, end - away, other.point) < geometry.angle)
-  {
-    return std::nullopt;
-  }
-  return axisBetween(geometry, x.position, x.a.site, end, other.site);
+  return { x.position, x.a.site, x.position + reach * away, -1 };
 }
 
-BisectorPoints bisectorPoints(const AxisGeometry& geometry, bool exactAngle,
-  std::vector<Crossing>& crossings)
+/// What becomes of a bisector point; the values are those of BisectorPoints::moved.
+enum Fate : std::uint8_t
 {
-  constexpr std::uint8_t kOnEdge = 0;
-  constexpr std::uint8_t kMoved = 1;
-  constexpr std::uint8_t kRemoved = 2;
-  BisectorPoints result;
-  result.points.resize(crossings.size());
-  result.moved.resize(crossings.size());
-  const double leastRadius = std::max(geometry.radius, kLeastRadius);
-  tbb::parallel_for(std::size_t{ 0 }, crossings.size(),
-    [&](std::size_t i)
-    {
-      geometry.checkpoint();
-      const Crossing& crossing = crossings[i];
-      const glm::dvec3 from = geometry.frame.sample(glm::dvec3(crossing.voxel));
-      glm::dvec3 to = from;
-      to[crossing.axis] += geometry.frame.step[crossing.axis];
-      BisectorPoint& point = result.points[i];
-      point = bisectorPoint(geometry, from, crossing.siteA, to, crossing.siteB);
-      std::uint8_t fate = kOnEdge;
-      if (exactAngle && point.separationAngle() < geometry.angle)
-      {
-        std::optional<BisectorPoint> other =
-          facetedPoint(geometry, from, crossing.siteA, to, crossing.siteB);
-        if (!other)
-        {
-          other = axisAlongNormal(geometry, point);
-          fate = other ? kMoved : kRemoved;
-        }
-        point = other.value_or(point);
-      }
-      const bool large = point.radius() >= leastRadius && point.lambda() >= geometry.lambda;
-      result.moved[i] = large ? fate : kRemoved;
-    });
+  kKept,
+  kMoved,
+  kRemoved
+};
+
+/// Makes the points of segments have the least separation angle where that is possible.
+void limitAngles(const AxisGeometry& geometry, const std::vector<SiteSegment>& segments,
+  std::vector<BisectorPoint>& points, std::uint8_t* fates)
+{
+  Found found(points.begin(), points.end());
+  const auto tooNarrow = [&](std::size_t i) { return !wideEnough(geometry, points[i]); };
+  findFor(
+    segments, tooNarrow, [&](const auto& some) { return facetedPoints(geometry, some); }, found);
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    fates[i] = found[i] ? kKept : kMoved;
+  }
+  findFor(
+    points, [&](std::size_t i) { return fates[i] == kMoved; },
+    [&](const auto& some) { return axisAlongNormals(geometry, some); }, found);
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    fates[i] = found[i] ? fates[i] : static_cast<std::uint8_t>(kRemoved);
+    points[i] = found[i].value_or(points[i]);
+  }
+}
+
+/// Drops the crossings that are to be removed, and their points.
+void removeMarked(std::vector<Crossing>& crossings, BisectorPoints& points)
+{
   std::size_t kept = 0;
   for (std::size_t i = 0; i < crossings.size(); ++i)
   {
-    if (result.moved[i] != kRemoved)
+    if (points.moved[i] != kRemoved)
     {
       crossings[kept] = crossings[i];
-      result.points[kept] = result.points[i];
-      result.moved[kept] = result.moved[i];
+      points.points[kept] = points.points[i];
+      points.moved[kept] = points.moved[i];
       ++kept;
     }
   }
   crossings.resize(kept);
-  result.points.resize(kept);
-  result.moved.resize(kept);
+  points.points.resize(kept);
+  points.moved.resize(kept);
+}
+
+} // namespace
+
+SiteSegment segmentOf(const GridFrame& frame, const Crossing& crossing)
+{
+  const glm::dvec3 from = frame.sample(glm::dvec3(crossing.voxel));
+  glm::dvec3 to = from;
+  to[crossing.axis] += frame.step[crossing.axis];
+  return { from, crossing.siteA, to, crossing.siteB };
+}
+
+std::vector<BisectorPoint> bisectorPoints(const AxisGeometry& geometry,
+  const std::vector<SiteSegment>& segments)
+{
+  std::vector<SiteChange> changes;
+  changes.reserve(segments.size());
+  for (const SiteSegment& segment : segments)
+  {
+    changes.emplace_back(geometry.sites, segment);
+  }
+  std::vector<std::size_t> open(segments.size());
+  std::iota(open.begin(), open.end(), std::size_t{ 0 });
+  std::vector<TileQuery::Question> questions;
+  for (int round = 1; round < kMaxRounds && !open.empty(); ++round)
+  {
+    questions.clear();
+    for (const std::size_t i : open)
+    {
+      questions.push_back({ changes[i].point().position, changes[i].point().a });
+    }
+    geometry.query.closest(questions);
+    std::size_t left = 0;
+    for (std::size_t k = 0; k < open.size(); ++k)
+    {
+      if (!changes[open[k]].settledBy(questions[k].closest))
+      {
+        changes[open[k]].narrow(questions[k].closest);
+        open[left++] = open[k];
+      }
+    }
+    open.resize(left);
+  }
+  std::vector<BisectorPoint> points(segments.size());
+  std::transform(changes.begin(), changes.end(), points.begin(),
+    [](const SiteChange& change) { return change.point(); });
+  return points;
+}
+
+Found axisAlongNormals(const AxisGeometry& geometry, const std::vector<BisectorPoint>& points)
+{
+  Found found(points.size());
+  std::vector<SiteSegment> segments;
+  std::vector<std::size_t> which;
+  std::vector<TileQuery::Question> ends;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    if (points[i].radius() < kLeastRadius)
+    {
+      continue;
+    }
+    const SiteSegment segment = alongNormal(geometry, points[i]);
+    if (geometry.insideGrid(segment.to))
+    {
+      segments.push_back(segment);
+      which.push_back(i);
+      ends.push_back({ segment.to, closestPoint(geometry.sites, segment.fromSite, segment.to) });
+    }
+  }
+  geometry.query.closest(ends);
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < segments.size(); ++k)
+  {
+    SiteSegment& segment = segments[k];
+    segment.toSite = ends[k].closest.site;
+    if (separationAngle(segment.to, segment.from, ends[k].closest.point) >= geometry.angle)
+    {
+      segments[count] = segment;
+      which[count] = which[k];
+      ++count;
+    }
+  }
+  segments.resize(count);
+  const Found between = axisBetween(geometry, segments);
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    found[which[k]] = between[k];
+  }
+  return found;
+}
+
+BisectorPoints crossingPoints(const AxisGeometry& geometry, bool exactAngle,
+  std::vector<Crossing>& crossings)
+{
+  BisectorPoints result;
+  result.points.resize(crossings.size());
+  result.moved.resize(crossings.size());
+  const double leastRadius = std::max(geometry.radius, kLeastRadius);
+  constexpr std::size_t kTogether = 512; // several in most of their tiles
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, crossings.size(), kTogether),
+    [&](const tbb::blocked_range<std::size_t>& range)
+    {
+      geometry.checkpoint();
+      std::vector<SiteSegment> segments(range.size());
+      std::transform(crossings.begin() + range.begin(), crossings.begin() + range.end(),
+        segments.begin(),
+        [&](const Crossing& crossing) { return segmentOf(geometry.frame, crossing); });
+      std::vector<BisectorPoint> points = bisectorPoints(geometry, segments);
+      std::uint8_t* fates = &result.moved[range.begin()];
+      if (exactAngle)
+      {
+        limitAngles(geometry, segments, points, fates);
+      }
+      for (std::size_t i = 0; i < points.size(); ++i)
+      {
+        const bool large =
+          points[i].radius() >= leastRadius && points[i].lambda() >= geometry.lambda;
+        if (!large)
+        {
+          fates[i] = kRemoved;
+        }
+        result.points[range.begin() + i] = points[i];
+      }
+    });
+  removeMarked(crossings, result);
   return result;
 }
 

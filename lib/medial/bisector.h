@@ -1,8 +1,8 @@
 #pragma once
 
 #include "medial/medial/axis_geometry.h"
+#include "medial/medial/bisector_point.h"
 #include "medial/medial/crossing.h"
-#include "medial/sites/closest_point.h"
 
 #include <glm/glm.hpp>
 
@@ -10,36 +10,35 @@
 #include <optional>
 #include <vector>
 
+// All of this takes many segments or points at a time, since closest points are cheaper together.
 namespace medial
 {
 
-/// A point with two closest surface points; frame coordinates.
-struct BisectorPoint
+/// A segment and the closest sites at its ends.
+struct SiteSegment
 {
-  glm::dvec3 position{ 0.0 };
-  SitePoint a;
-  SitePoint b;
-
-  double radius() const { return glm::distance(position, a.point); }
-  /// Half the distance of the closest points: radius * sin(separation angle / 2).
-  double lambda() const { return 0.5 * glm::distance(a.point, b.point); }
-  /// Radians.
-  double separationAngle() const;
-  /// Unit normal of the bisector, or zero where both closest points are one.
-  glm::dvec3 normal() const;
+  glm::dvec3 from;
+  int fromSite;
+  glm::dvec3 to;
+  int toSite;
 };
 
-/// The point of a segment at equal distance from the closest site at its start and that at its end.
+/// The grid edge of a crossing.
+SiteSegment segmentOf(const GridFrame& frame, const Crossing& crossing);
+
+/// Of each segment, the point at equal distance from the closest site at its start and that at its
+/// end.
 ///
 /// Where a third site is nearer there than the two, the segment is narrowed to the change from or
 /// to this site, whichever has the larger separation angle.
-/// @param fromSite closest site at `from`; toSite: at `to`.
-BisectorPoint bisectorPoint(const AxisGeometry& geometry, const glm::dvec3& from, int fromSite,
-  const glm::dvec3& to, int toSite);
+std::vector<BisectorPoint> bisectorPoints(const AxisGeometry& geometry,
+  const std::vector<SiteSegment>& segments);
 
-/// Follows the normal of x's closest point to the next bisector that has the least separation
-/// angle, at most h/(2 sin(theta/2)) + h/2 away: so far selection by neighbouring grid points errs.
-std::optional<BisectorPoint> axisAlongNormal(const AxisGeometry& geometry, const BisectorPoint& x);
+/// Follows the normal of each point's closest point to the next bisector that has the least
+/// separation angle, at most h/(2 sin(theta/2)) + h/2 away: so far selection by neighbouring grid
+/// points errs.
+std::vector<std::optional<BisectorPoint>> axisAlongNormals(const AxisGeometry& geometry,
+  const std::vector<BisectorPoint>& points);
 
 /// A point for each of a list of crossings.
 struct BisectorPoints
@@ -50,13 +49,13 @@ struct BisectorPoints
   std::vector<std::uint8_t> moved;
 };
 
-/// bisectorPoint() of every crossed grid edge. Crossings below the limits of lambda and radius are
-/// removed, and those that meet the surface itself, where an edge grazes it and the field is
+/// The bisector point of every crossed grid edge. Crossings below the limits of lambda and radius
+/// are removed, and those that meet the surface itself, where an edge grazes it and the field is
 /// unsigned.
-/// @param exactAngle whether the separation angle is limited as well, by axisAlongNormal() or
+/// @param exactAngle whether the separation angle is limited as well, by axisAlongNormals() or
 ///   removal. Where facets approximate a round surface, so that neighbours are closest, `b` may be
 ///   a tenth of a grid step farther than `a` to have that angle.
-BisectorPoints bisectorPoints(const AxisGeometry& geometry, bool exactAngle,
+BisectorPoints crossingPoints(const AxisGeometry& geometry, bool exactAngle,
   std::vector<Crossing>& crossings);
 
 } // namespace medial

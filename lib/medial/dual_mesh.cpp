@@ -1,33 +1,49 @@
 #include "medial/medial/dual_mesh.h"
 
+#include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
-
-#include <tuple>
 
 namespace medial
 {
 namespace
 {
 
-/// Corner `corner` of the quad around `crossing` lies in a cell.
+/// A corner of the quad around a crossing, and the vertex that it is: a cell and a side of the
+/// surface.
 struct CornerKey
 {
-  glm::ivec3 cell;
-  bool inside;
-  std::size_t crossing;
-  int corner;
+  std::uint64_t vertex;
+  std::uint64_t corner; ///< four times the crossing, plus the corner's number
+
+  bool operator<(const CornerKey& other) const
+  {
+    return vertex != other.vertex ? vertex < other.vertex : corner < other.corner;
+  }
 };
 
-bool before(const CornerKey& a, const CornerKey& b)
+/// Numbers cells by z, y, x; those half outside of the grid as well.
+class CellNumbers
 {
-  return std::tie(a.cell.z, a.cell.y, a.cell.x, a.inside, a.crossing, a.corner) <
-    std::tie(b.cell.z, b.cell.y, b.cell.x, b.inside, b.crossing, b.corner);
-}
+public:
+  explicit CellNumbers(const Extent& extent)
+    : first_(extent.min[0] - 1, extent.min[1] - 1, extent.min[2] - 1)
+    , width_(extent.size(0) + 1)
+    , height_(extent.size(1) + 1)
+  {
+  }
 
-bool sameVertex(const CornerKey& a, const CornerKey& b)
-{
-  return a.cell == b.cell && a.inside == b.inside;
-}
+  std::uint64_t number(const glm::ivec3& cell, bool inside) const
+  {
+    const glm::ivec3 offset = cell - first_;
+    return 2 * ((static_cast<std::uint64_t>(offset.z) * height_ + offset.y) * width_ + offset.x) +
+      (inside ? 1 : 0);
+  }
+
+private:
+  glm::ivec3 first_;
+  std::uint64_t width_;
+  std::uint64_t height_;
+};
 
 /// Cells around a crossed edge, in cyclic order.
 std::array<glm::ivec3, 4> cellsAround(const Crossing& crossing)
@@ -55,31 +71,33 @@ bool insideGrid(const glm::ivec3& cell, const Extent& extent)
 
 DualMesh dualMesh(const std::vector<Crossing>& crossings, const Extent& extent)
 {
-  std::vector<CornerKey> corners;
-  corners.reserve(4 * crossings.size());
-  for (std::size_t c = 0; c < crossings.size(); ++c)
-  {
-    const std::array<glm::ivec3, 4> cells = cellsAround(crossings[c]);
-    for (int i = 0; i < 4; ++i)
+  const CellNumbers numbers(extent);
+  std::vector<CornerKey> corners(4 * crossings.size());
+  tbb::parallel_for(std::size_t{ 0 }, crossings.size(),
+    [&](std::size_t c)
     {
-      corners.push_back({ cells[i], crossings[c].inside, c, i });
-    }
-  }
-  tbb::parallel_sort(corners.begin(), corners.end(), before);
+      const std::array<glm::ivec3, 4> cells = cellsAround(crossings[c]);
+      for (std::size_t i = 0; i < 4; ++i)
+      {
+        corners[4 * c + i] = { numbers.number(cells[i], crossings[c].inside), 4 * c + i };
+      }
+    });
+  tbb::parallel_sort(corners.begin(), corners.end());
   DualMesh mesh;
   mesh.incident.reserve(corners.size());
   std::vector<std::array<std::int64_t, 4>> quads(crossings.size());
   for (std::size_t i = 0; i < corners.size(); ++i)
   {
-    if (i == 0 || !sameVertex(corners[i], corners[i - 1]))
+    const std::uint64_t crossing = corners[i].corner / 4;
+    const std::uint64_t corner = corners[i].corner % 4;
+    if (i == 0 || corners[i].vertex != corners[i - 1].vertex)
     {
-      mesh.cells.push_back(corners[i].cell);
+      mesh.cells.push_back(cellsAround(crossings[crossing])[corner]);
       mesh.offsets.push_back(mesh.incident.size());
     }
-    mesh.incident.push_back(corners[i].crossing);
+    mesh.incident.push_back(crossing);
     mesh.offsets.back() = mesh.incident.size();
-    quads[corners[i].crossing][corners[i].corner] =
-      static_cast<std::int64_t>(mesh.cells.size()) - 1;
+    quads[crossing][corner] = static_cast<std::int64_t>(mesh.cells.size()) - 1;
   }
   for (const auto& quad : quads)
   {

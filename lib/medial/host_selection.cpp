@@ -1,11 +1,44 @@
 #include "medial/medial/host_selection.h"
 
+#include "medial/common/simd.h"
+
 #include <tbb/parallel_for.h>
 
 #include <cmath>
 
 namespace medial
 {
+namespace
+{
+
+/// Where two rows of sites differ, as bits; up to kLanes.
+MEDIAL_INLINE unsigned differences(const std::int32_t* a, const std::int32_t* b)
+{
+  return bits(loadedInts(a) != loadedInts(b));
+}
+
+} // namespace
+
+/// Appends the places where the closest site changes along an axis.
+MEDIAL_VECTORISED void HostSelection::findChanges(const std::int32_t* sites,
+  const std::int32_t* ends, int count, int axis, std::vector<Change>& changes)
+{
+  int i = 0;
+  for (; i + kLanes <= count; i += kLanes)
+  {
+    for (unsigned left = differences(sites + i, ends + i); left != 0; left &= left - 1)
+    {
+      changes.push_back({ i + __builtin_ctz(left), axis });
+    }
+  }
+  for (; i < count; ++i)
+  {
+    if (sites[i] != ends[i])
+    {
+      changes.push_back({ i, axis });
+    }
+  }
+}
 
 HostSelection::HostSelection(double angle, Side side, const GridFrame& frame, bool signedField)
   : cosineLimit_(std::cos(glm::radians(angle)))
@@ -21,9 +54,10 @@ void HostSelection::process(const SlabField& slab, const TileEvaluator& evaluato
   tbb::parallel_for(0, slab.slots(),
     [&](int slot)
     {
+      std::vector<Change> changes;
       for (int row = 0; row < slab.extent().size(1); ++row)
       {
-        this->selectRow(slab, evaluator, slot, row, found[slot]);
+        this->selectRow(slab, evaluator, slot, row, changes, found[slot]);
       }
     });
   for (const std::vector<Crossing>& slice : found)
@@ -33,7 +67,7 @@ void HostSelection::process(const SlabField& slab, const TileEvaluator& evaluato
 }
 
 void HostSelection::selectRow(const SlabField& slab, const TileEvaluator& evaluator, int slot,
-  int row, std::vector<Crossing>& found) const
+  int row, std::vector<Change>& changes, std::vector<Crossing>& found) const
 {
   if (slot == 0 && !slab.carried())
   {
@@ -49,25 +83,25 @@ void HostSelection::selectRow(const SlabField& slab, const TileEvaluator& evalua
   const float* endSides[3] = { sides + 1, along[1] ? slab.sides(slot, row + 1) : sides,
     along[2] ? slab.sides(slot + 1, row) : sides };
   const glm::ivec3 first(extent.min[0], extent.min[1] + row, extent.min[2] + slot - 1);
-  const int count = extent.size(0);
-  for (int i = 0; i < count; ++i)
+  changes.clear();
+  for (int axis = 0; axis < 3; ++axis)
   {
-    for (int axis = 0; axis < 3; ++axis)
+    if (along[axis])
     {
-      const bool hasEnd = along[axis] && (axis != 0 || i + 1 < count);
-      if (!hasEnd || ends[axis][i] == sites[i])
-      {
-        continue;
-      }
-      const bool isInside = signed_ && sides[i] < 0.0f;
-      const bool sameSide = isInside == (signed_ && endSides[axis][i] < 0.0f);
-      const bool wanted = side_ == Side::Both || isInside == (side_ == Side::Interior);
-      const Crossing crossing{ first + glm::ivec3(i, 0, 0), axis, sites[i], ends[axis][i],
-        isInside };
-      if (sameSide && wanted && this->crossed(evaluator, crossing))
-      {
-        found.push_back(crossing);
-      }
+      findChanges(sites, ends[axis], axis == 0 ? extent.size(0) - 1 : extent.size(0), axis,
+        changes);
+    }
+  }
+  for (const Change& change : changes)
+  {
+    const auto [i, axis] = change;
+    const bool isInside = signed_ && sides[i] < 0.0f;
+    const bool sameSide = isInside == (signed_ && endSides[axis][i] < 0.0f);
+    const bool wanted = side_ == Side::Both || isInside == (side_ == Side::Interior);
+    const Crossing crossing{ first + glm::ivec3(i, 0, 0), axis, sites[i], ends[axis][i], isInside };
+    if (sameSide && wanted && this->crossed(evaluator, crossing))
+    {
+      found.push_back(crossing);
     }
   }
 }

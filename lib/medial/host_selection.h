@@ -28,8 +28,18 @@ public:
   std::vector<Crossing> takeCrossings() { return std::move(crossings_); }
 
 private:
+  /// A grid point of a row, and the axis towards a neighbour with another closest site.
+  struct Change
+  {
+    int i;
+    int axis;
+  };
+
+  static void findChanges(const std::int32_t* sites, const std::int32_t* ends, int count, int axis,
+    std::vector<Change>& changes);
+  /// @param changes working memory.
   void selectRow(const SlabField& slab, const TileEvaluator& evaluator, int slot, int row,
-    std::vector<Crossing>& found) const;
+    std::vector<Change>& changes, std::vector<Crossing>& found) const;
   bool crossed(const TileEvaluator& evaluator, const Crossing& crossing) const;
 
   double cosineLimit_;

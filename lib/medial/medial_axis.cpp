@@ -1,6 +1,7 @@
 #include "medial/medial/medial_axis.h"
 
 #include "medial/common/available_memory.h"
+#include "medial/common/checkpoint.h"
 #include "medial/common/error.h"
 #include "medial/common/memory_guard.h"
 #include "medial/common/stopwatch.h"
@@ -10,6 +11,7 @@
 #include "medial/medial/axis_pipeline.h"
 #include "medial/medial/axis_points.h"
 #include "medial/medial/bisector.h"
+#include "medial/medial/crease_rims.h"
 #include "medial/medial/dual_mesh.h"
 #include "medial/medial/gpu_selection.h"
 #include "medial/medial/host_selection.h"
@@ -106,8 +108,7 @@ BisectorPoints represent(Representation representation, const AxisGeometry& geom
   std::vector<Crossing>& crossings, MedialAxis& axis)
 {
   const bool exactAngle = representation != Representation::Faces;
-  BisectorPoints bisectors = bisectorPoints(geometry, exactAngle, crossings);
-  geometry.checkpoint();
+  BisectorPoints bisectors = crossingPoints(geometry, exactAngle, crossings);
   if (representation == Representation::Points)
   {
     buildVertices(bisectors, axis);
@@ -115,12 +116,18 @@ BisectorPoints represent(Representation representation, const AxisGeometry& geom
   }
   const DualMesh mesh = dualMesh(crossings, geometry.extent);
   geometry.checkpoint();
-  BisectorPoints points = representation == Representation::Surface
-    ? surfacePoints(geometry, mesh, bisectors)
-    : cellCentres(geometry, mesh, bisectors);
+  BisectorPoints points;
+  if (representation == Representation::Surface)
+  {
+    points = surfacePoints(geometry, mesh, bisectors);
+    extendRims(geometry, mesh, points);
+  }
+  else
+  {
+    points = cellCentres(geometry, mesh, bisectors);
+  }
   geometry.checkpoint();
   buildCells(mesh.quads, points, axis);
-  geometry.checkpoint();
   return points;
 }
 
@@ -128,7 +135,7 @@ BisectorPoints represent(Representation representation, const AxisGeometry& geom
 BisectorPoints preserve(Representation representation, const AxisGeometry& geometry,
   const FieldTap& field, std::vector<Crossing>& crossings, MedialAxis& axis)
 {
-  const BisectorPoints bisectors = bisectorPoints(geometry, true, crossings);
+  const BisectorPoints bisectors = crossingPoints(geometry, true, crossings);
   PreservedAxis preserved = preserveTopology(
     { field.distances().data(), field.sites().data(), axis.sign, axis.side, representation },
     geometry, crossings, bisectors);

@@ -1,5 +1,7 @@
 #include "medial/medial/medial_cells.h"
 
+#include "medial/medial/side_table.h"
+
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
@@ -35,6 +37,7 @@ public:
   explicit Contraction(const BisectorPoints& points)
     : points_(points)
     , parent_(points.points.size())
+    , large_(points.points.size(), 0)
   {
     std::iota(parent_.begin(), parent_.end(), Id{ 0 });
   }
@@ -59,11 +62,16 @@ public:
     }
     const bool first = std::tuple(points_.moved[p], p) < std::tuple(points_.moved[q], q);
     parent_[first ? q : p] = first ? p : q;
+    large_[first ? p : q] = 1;
   }
+
+  /// Whether a set's own point has others in its set.
+  bool standsForOthers(Id point) const { return large_[point] != 0; }
 
 private:
   const BisectorPoints& points_;
   std::vector<Id> parent_;
+  std::vector<std::uint8_t> large_;
 };
 
 /// @param order the points to compare.
@@ -196,30 +204,14 @@ Corners contracted(const std::array<Id, 4>& quad, Contraction& contraction)
   return corners;
 }
 
-/// How many polygons have a side.
-class SideCounts
+template <typename Cell>
+void addSides(const Cell& corners, std::vector<SideTable::Side>& sides)
 {
-public:
-  void add(const Corners& corners)
+  for (std::size_t i = 0; i < corners.size(); ++i)
   {
-    for (std::size_t i = 0; i < corners.size(); ++i)
-    {
-      sides_.push_back(sortedSide(corners[i], corners[(i + 1) % corners.size()]));
-    }
+    sides.push_back({ corners[i], corners[(i + 1) % corners.size()] });
   }
-  void finish() { tbb::parallel_sort(sides_.begin(), sides_.end()); }
-
-  bool isRim(Id p, Id q) const
-  {
-    const auto range = std::equal_range(sides_.begin(), sides_.end(), sortedSide(p, q));
-    return range.second - range.first == 1;
-  }
-
-private:
-  static std::array<Id, 2> sortedSide(Id p, Id q) { return { std::min(p, q), std::max(p, q) }; }
-
-  std::vector<std::array<Id, 2>> sides_;
-};
+}
 
 double longestSide(const BisectorPoints& points, const Corners& corners)
 {
@@ -238,13 +230,13 @@ void joinNarrowStrips(const BisectorPoints& points, const std::vector<std::array
   Contraction& contraction)
 {
   std::vector<Corners> narrow;
-  SideCounts counts;
+  std::vector<SideTable::Side> sides;
   for (const auto& quad : quads)
   {
     Corners corners = contracted(quad, contraction);
     if (corners.size() >= 3)
     {
-      counts.add(corners);
+      addSides(corners, sides);
       if (area(points, corners) < kNarrow * longestSide(points, corners))
       {
         narrow.push_back(std::move(corners));
@@ -255,43 +247,52 @@ void joinNarrowStrips(const BisectorPoints& points, const std::vector<std::array
   {
     return;
   }
-  counts.finish();
+  const SideTable table(sides, points.points.size());
+  const auto isRim = [&](Id p, Id q) { return table.count({ p, q }) == 1; };
   for (const Corners& corners : narrow)
   {
     int rims = 0;
     for (std::size_t i = 0; i < corners.size(); ++i)
     {
-      rims += counts.isRim(corners[i], corners[(i + 1) % corners.size()]) ? 1 : 0;
+      rims += isRim(corners[i], corners[(i + 1) % corners.size()]) ? 1 : 0;
     }
     if (rims >= 2)
     {
-      joinSides(points, corners, kAcross, contraction,
-        [&](Id p, Id q) { return !counts.isRim(p, q); });
+      joinSides(points, corners, kAcross, contraction, [&](Id p, Id q) { return !isRim(p, q); });
     }
   }
 }
 
-/// Keeps one of the cells over the same points, in ascending order of their sorted corners.
+/// Keeps the first of the cells over the same points. Cells are distinct unless some of their
+/// points have become one.
 template <typename Cell>
-void removeDuplicates(std::vector<Cell>& cells)
+void removeDuplicates(const Contraction& contraction, std::vector<Cell>& cells)
 {
-  std::vector<std::pair<Cell, std::size_t>> keys(cells.size());
+  std::vector<std::pair<Cell, std::size_t>> keys;
   for (std::size_t i = 0; i < cells.size(); ++i)
   {
-    keys[i] = { cells[i], i };
-    std::sort(keys[i].first.begin(), keys[i].first.end());
-  }
-  tbb::parallel_sort(keys.begin(), keys.end());
-  std::vector<Cell> kept;
-  kept.reserve(cells.size());
-  for (std::size_t i = 0; i < keys.size(); ++i)
-  {
-    if (i == 0 || keys[i].first != keys[i - 1].first)
+    if (std::any_of(cells[i].begin(), cells[i].end(),
+          [&](Id corner) { return contraction.standsForOthers(corner); }))
     {
-      kept.push_back(cells[keys[i].second]);
+      keys.emplace_back(cells[i], i);
+      std::sort(keys.back().first.begin(), keys.back().first.end());
     }
   }
-  cells = std::move(kept);
+  tbb::parallel_sort(keys.begin(), keys.end());
+  std::vector<std::uint8_t> duplicate(cells.size(), 0);
+  for (std::size_t i = 1; i < keys.size(); ++i)
+  {
+    duplicate[keys[i].second] = keys[i].first == keys[i - 1].first ? 1 : 0;
+  }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+  {
+    if (duplicate[i] == 0)
+    {
+      cells[kept++] = cells[i];
+    }
+  }
+  cells.resize(kept);
 }
 
 /// Calls `visit` with a reference to every point id in the cells.
@@ -314,27 +315,16 @@ void forEachCorner(MedialAxis& axis, const Visit& visit)
 /// Lines along cells of higher dimension, and vertices at other cells, add nothing.
 void removeCovered(std::size_t pointCount, MedialAxis& axis)
 {
-  std::vector<std::array<Id, 2>> sides;
-  const auto addSides = [&](const auto& cells)
-  {
-    for (const auto& cell : cells)
-    {
-      for (std::size_t i = 0; i < cell.size(); ++i)
-      {
-        const Id p = cell[i];
-        const Id q = cell[(i + 1) % cell.size()];
-        sides.push_back({ std::min(p, q), std::max(p, q) });
-      }
-    }
-  };
   if (!axis.lines.empty())
   {
-    addSides(axis.quads);
-    addSides(axis.triangles);
-    std::sort(sides.begin(), sides.end());
-    const auto covered = [&](const std::array<Id, 2>& line)
-    { return std::binary_search(sides.begin(), sides.end(), line); };
-    axis.lines.erase(std::remove_if(axis.lines.begin(), axis.lines.end(), covered),
+    std::vector<SideTable::Side> sides;
+    std::for_each(axis.quads.begin(), axis.quads.end(),
+      [&](const auto& quad) { addSides(quad, sides); });
+    std::for_each(axis.triangles.begin(), axis.triangles.end(),
+      [&](const auto& triangle) { addSides(triangle, sides); });
+    const SideTable table(sides, pointCount);
+    axis.lines.erase(std::remove_if(axis.lines.begin(), axis.lines.end(),
+                       [&](const auto& line) { return table.count(line) > 0; }),
       axis.lines.end());
   }
   if (!axis.vertices.empty())
@@ -386,9 +376,11 @@ void buildCells(const std::vector<std::array<std::int64_t, 4>>& quads, BisectorP
   {
     addCell(points, contracted(quad, contraction), axis);
   }
-  removeDuplicates(axis.quads);
-  removeDuplicates(axis.triangles);
-  removeDuplicates(axis.lines);
+  removeDuplicates(contraction, axis.quads);
+  removeDuplicates(contraction, axis.triangles);
+  // Of flat polygons, whose points may all be their own.
+  std::sort(axis.lines.begin(), axis.lines.end());
+  axis.lines.erase(std::unique(axis.lines.begin(), axis.lines.end()), axis.lines.end());
   removeCovered(points.points.size(), axis);
   compactPoints(points, axis);
 }

@@ -1,8 +1,7 @@
 #include "medial/medial/medial_curves.h"
 
 #include "medial/medial/medial_axis.h"
-
-#include <tbb/parallel_sort.h>
+#include "medial/medial/side_table.h"
 
 #include <algorithm>
 
@@ -13,11 +12,6 @@ namespace
 
 using Edge = AxisEdges::Edge;
 
-Edge sorted(Edge edge)
-{
-  return { std::min(edge[0], edge[1]), std::max(edge[0], edge[1]) };
-}
-
 struct FeatureEdge
 {
   Edge edge;
@@ -25,25 +19,22 @@ struct FeatureEdge
 };
 
 /// All edges but those inside sheets, ascending.
-std::vector<FeatureEdge> featureEdges(const AxisEdges& edges)
+std::vector<FeatureEdge> featureEdges(const AxisEdges& edges, std::size_t pointCount)
 {
-  std::vector<Edge> sides;
-  sides.reserve(edges.sides.size());
-  std::transform(edges.sides.begin(), edges.sides.end(), std::back_inserter(sides), sorted);
-  tbb::parallel_sort(sides.begin(), sides.end());
   std::vector<FeatureEdge> result;
-  for (auto first = sides.begin(); first != sides.end();)
-  {
-    const auto last = std::find_if(first, sides.end(), [&](const Edge& e) { return e != *first; });
-    if (last - first != 2)
-    {
-      result.push_back({ *first, last - first == 1 ? AxisFeature::Rim : AxisFeature::Seam });
-    }
-    first = last;
-  }
+  SideTable(edges.sides, pointCount)
+    .forEach(
+      [&](const Edge& side, std::size_t count)
+      {
+        if (count != 2)
+        {
+          result.push_back({ side, count == 1 ? AxisFeature::Rim : AxisFeature::Seam });
+        }
+      });
   for (const Edge& line : edges.lines)
   {
-    result.push_back({ sorted(line), AxisFeature::Curve });
+    result.push_back(
+      { { std::min(line[0], line[1]), std::max(line[0], line[1]) }, AxisFeature::Curve });
   }
   return result;
 }
@@ -219,12 +210,12 @@ AxisEdges edgesOf(const MedialAxis& axis)
 
 std::vector<AxisFeature> axisFeatures(const AxisEdges& edges, std::size_t pointCount)
 {
-  return featuresOf(edges, featureEdges(edges), pointCount);
+  return featuresOf(edges, featureEdges(edges, pointCount), pointCount);
 }
 
 std::vector<AxisCurve> axisCurves(const AxisEdges& edges, std::size_t pointCount)
 {
-  const std::vector<FeatureEdge> all = featureEdges(edges);
+  const std::vector<FeatureEdge> all = featureEdges(edges, pointCount);
   const std::vector<AxisFeature> features = featuresOf(edges, all, pointCount);
   std::vector<AxisCurve> curves;
   for (const AxisFeature kind : { AxisFeature::Rim, AxisFeature::Seam, AxisFeature::Curve })

@@ -36,8 +36,9 @@ protected:
     const TemporaryFolder outputs;
     arguments.insert(arguments.end(),
       { "-o", outputs.file("axis.vtp"), "--field", outputs.file("field.vti"), "--image",
-        outputs.file("picture.png"), "--report", outputs.file("report.json"), "--thickness",
-        outputs.file("thickness.vtp"), "--thickness-image", outputs.file("thickness.png") });
+        outputs.file("picture.png"), "--curves", outputs.file("curves.vtp"), "--report",
+        outputs.file("report.json"), "--thickness", outputs.file("thickness.vtp"),
+        "--thickness-image", outputs.file("thickness.png") });
     const Outcome outcome = runMedialAxis(arguments, options);
     EXPECT_EQ(outcome.exitCode, exitCode) << outcome.err;
     EXPECT_EQ(outcome.out, "");

@@ -1,5 +1,7 @@
 #include "support/analytic_axes.h"
 
+#include "support/analytic_math.h"
+#include "support/analytic_solids.h"
 #include "support/shapes.h"
 #include "support/transforms.h"
 
@@ -11,86 +13,12 @@ namespace medial::test
 namespace
 {
 
-const double kPi = std::acos(-1.0);
-
-double degrees(double radians)
-{
-  return radians * 180.0 / kPi;
-}
-
-double dot(const Point3& a, const Point3& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Point3 minus(const Point3& a, const Point3& b)
-{
-  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
-}
-
-double length(const Point3& a)
-{
-  return std::sqrt(dot(a, a));
-}
-
 /// Degrees between the directions from x to two points.
 double angleAt(const Point3& x, const Point3& a, const Point3& b)
 {
   const Point3 u = minus(a, x);
   const Point3 v = minus(b, x);
   return degrees(std::acos(std::clamp(dot(u, v) / (length(u) * length(v)), -1.0, 1.0)));
-}
-
-/// Facets of a round shape of radius 1 per spacing: the sag is some hundredths of it.
-int segments(double spacing)
-{
-  return 4 * static_cast<int>(std::ceil(4.0 / std::sqrt(spacing)));
-}
-
-int subdivisions(double spacing)
-{
-  return spacing > 0.06 ? 4 : 5;
-}
-
-Bounds around(const Point3& half)
-{
-  Bounds bounds;
-  bounds.min = { -half[0], -half[1], -half[2] };
-  bounds.max = half;
-  return bounds;
-}
-
-/// Lower than wide: a flat disc and two cones.
-AnalyticAxis disc()
-{
-  constexpr double kRadius = 1.0;
-  constexpr double kHalf = 0.3;
-  AnalyticAxis axis;
-  axis.name = "disc";
-  axis.shape = [](double h) { return cylinder(kRadius, 2.0 * kHalf, 4 * segments(h)); };
-  axis.bounds = around({ 1.2, 1.2, 0.5 });
-  axis.spacing = 0.07;
-  axis.angle = 70.0;
-  axis.side = Side::Interior;
-  axis.truth = [](const Point3& p)
-  {
-    const double rho = std::hypot(p[0], p[1]);
-    const double toCap = kHalf - std::abs(p[2]);
-    const double toWall = kRadius - rho;
-    if (rho < kRadius - kHalf)
-    {
-      return AxisTruth{ std::abs(p[2]), kHalf, 180.0 };
-    }
-    return AxisTruth{ std::abs(toWall - toCap) / std::sqrt(2.0), 0.5 * (toWall + toCap), 90.0 };
-  };
-  axis.regular = [](const Point3& p, double h)
-  {
-    const double rho = std::hypot(p[0], p[1]);
-    return std::abs(rho - (kRadius - kHalf)) > 2.0 * h && rho < kRadius - 2.0 * h;
-  };
-  const double inner = kRadius - kHalf;
-  axis.area = kPi * inner * inner + 2.0 * kPi * (inner + kRadius) * kHalf * std::sqrt(2.0);
-  return axis;
 }
 
 AnalyticAxis triaxialEllipsoid()
@@ -287,8 +215,13 @@ double areaOf(const MedialAxis& axis)
 
 std::vector<AnalyticAxis> analyticAxes()
 {
-  return { disc(), triaxialEllipsoid(), eccentricShell(), openPlates(), pointAndPlane(),
-    skewLines(), convexWedge() };
+  std::vector<AnalyticAxis> axes = analyticSolids();
+  for (const AnalyticAxis& axis : { triaxialEllipsoid(), eccentricShell(), openPlates(),
+         pointAndPlane(), skewLines(), convexWedge() })
+  {
+    axes.push_back(axis);
+  }
+  return axes;
 }
 
 AnalyticErrors analyticErrors(const AnalyticAxis& axis, double spacing)

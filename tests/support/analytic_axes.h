@@ -32,10 +32,11 @@ struct AnalyticAxis
   std::function<AxisTruth(const Point3&)> truth;
   /// False for points near seams, rims and ends, where the truth changes from one form to another.
   std::function<bool(const Point3&, double spacing)> regular;
-  double area = 0.0; ///< of the sheets inside the bounds; 0 where it has no closed form
+  bool isCurve = false; ///< or a point, which facets make a thin tangle of lines
+  double area = 0.0;    ///< of the sheets inside the bounds; 0 where it has no closed form
 };
 
-/// Disc, ellipsoid, eccentric shell, plates, point and plane, skew lines and wedges.
+/// Solids, then ellipsoid, eccentric shell, plates, point and plane, skew lines and a wedge.
 std::vector<AnalyticAxis> analyticAxes();
 
 /// Errors in grid steps, angles in degrees, area relative.

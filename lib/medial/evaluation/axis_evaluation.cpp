@@ -1,18 +1,14 @@
 #include "medial/medial/evaluation/axis_evaluation.h"
 
-#include "medial/common/error.h"
 #include "medial/medial/evaluation/ball_union.h"
 #include "medial/medial/evaluation/boundary_samples.h"
+#include "medial/medial/evaluation/evaluation_steps.h"
 #include "medial/medial/evaluation/surface_distance.h"
 #include "medial/medial/evaluation/surface_samples.h"
 #include "medial/medial/evaluation/union_field.h"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <vector>
 
 namespace medial
@@ -48,65 +44,6 @@ double coarsening(const Bounds& solid, const Bounds& mesh)
   const double ratio = solid.diagonal() / (kLargest * mesh.diagonal());
   return std::max(1.0, ratio * ratio);
 }
-
-void checkOptions(const EvaluationOptions& options)
-{
-  if (options.samples < kLeastEvaluationSamples || options.samples > kMostEvaluationSamples)
-  {
-    throw Error(ErrorCode::InvalidInput,
-      "number of samples " + std::to_string(options.samples) + " is outside [" +
-        std::to_string(kLeastEvaluationSamples) + ", " + std::to_string(kMostEvaluationSamples) +
-        "]");
-  }
-  if (options.threads < 0)
-  {
-    throw Error(ErrorCode::InvalidInput,
-      "threads " + std::to_string(options.threads) + " is negative");
-  }
-}
-
-/// Tells how far the work is, and ends it when it is to be cancelled.
-class Steps
-{
-public:
-  explicit Steps(Progress* progress)
-    : progress_(progress)
-  {
-  }
-
-  void report(double fraction, const char* phase)
-  {
-    if (progress_ == nullptr)
-    {
-      return;
-    }
-    progress_->report(fraction, phase);
-    if (progress_->cancelled())
-    {
-      throw Error(ErrorCode::Cancelled, "cancelled");
-    }
-  }
-
-  /// Evaluates `value(i)` for i in [0, count) on all threads.
-  template <typename Value>
-  std::vector<double> evaluate(std::size_t count, double from, double to, const char* phase,
-    const Value& value)
-  {
-    constexpr std::size_t kBatch = 16384;
-    std::vector<double> values(count);
-    for (std::size_t first = 0; first < count; first += kBatch)
-    {
-      this->report(from + (to - from) * static_cast<double>(first) / static_cast<double>(count),
-        phase);
-      tbb::parallel_for(first, std::min(count, first + kBatch),
-        [&](std::size_t i) { values[i] = value(i); });
-    }
-    return values;
-  }
-
-private:
-  Progress* progress_;
-};
 
 /// Summed in order, so that the result is always the same.
 Deviation summarise(const std::vector<double>& values)
@@ -195,10 +132,8 @@ double AxisEvaluation::meanDistance() const
 AxisEvaluation evaluateAxis(const TriangleMesh& mesh, const MeshTopology& topology,
   const MedialModel& model, const EvaluationOptions& options)
 {
-  checkOptions(options);
-  const int cores = tbb::this_task_arena::max_concurrency();
-  tbb::task_arena arena(options.threads > 0 ? std::min(options.threads, cores) : cores);
-  return arena.execute([&] { return evaluate(mesh, topology, model, options); });
+  checkEvaluation(options);
+  return onThreads(options.threads, [&] { return evaluate(mesh, topology, model, options); });
 }
 
 } // namespace medial

@@ -34,7 +34,8 @@ public:
   Contact contact(const glm::dvec3& x,
     double limit = std::numeric_limits<double>::infinity()) const;
 
-  /// Whether some primitive holds x deeper than `depth`.
+  /// Whether some primitive holds x deeper than `depth`, or, where that is negative, is nearer to x
+  /// than -depth.
   bool covers(const glm::dvec3& x, double depth) const;
 
   /// Distance from x to the surface of the union. Exact outside. Inside, the distance to a point of

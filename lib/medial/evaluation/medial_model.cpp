@@ -52,7 +52,7 @@ void checkCells(const char* kind, const Cells& cells, std::size_t balls)
   }
 }
 
-void checkBall(const MedialModel& model, std::size_t i)
+[[noreturn]] void refuseBall(const MedialModel& model, std::size_t i)
 {
   std::ostringstream message;
   for (const double coordinate : model.centres[i])
@@ -64,10 +64,18 @@ void checkBall(const MedialModel& model, std::size_t i)
       refuse(message);
     }
   }
-  if (!(model.radii[i] >= 0.0 && model.radii[i] <= kLargest))
+  message << "radius " << model.radii[i] << " of ball " << i << " is outside [0, 1e100]";
+  refuse(message);
+}
+
+void checkBall(const MedialModel& model, std::size_t i)
+{
+  const Point3& centre = model.centres[i];
+  const bool finite = std::all_of(centre.begin(), centre.end(),
+    [](double coordinate) { return std::abs(coordinate) <= kLargest; });
+  if (!finite || !(model.radii[i] >= 0.0 && model.radii[i] <= kLargest))
   {
-    message << "radius " << model.radii[i] << " of ball " << i << " is outside [0, 1e100]";
-    refuse(message);
+    refuseBall(model, i);
   }
 }
 

@@ -19,15 +19,15 @@ BisectorPoint pointOn(const SampleContext& context, const CellLattice& lattice, 
   const std::size_t far = CellLattice::index(face);
   const int siteA = context.closestSites[far - static_cast<std::size_t>(lattice.stride(edge.axis))];
   const int siteB = context.closestSites[far];
-  const glm::dvec3 from = context.geometry.frame.sample(glm::dvec3(edge.voxel));
-  glm::dvec3 to = from;
-  to[edge.axis] += context.geometry.frame.step[edge.axis];
+  SiteSegment segment = segmentOf(context.geometry.frame, edge);
   if (siteA != siteB)
   {
-    return bisectorPoint(context.geometry, from, siteA, to, siteB);
+    segment.fromSite = siteA;
+    segment.toSite = siteB;
+    return bisectorPoints(context.geometry, { segment }).front();
   }
   BisectorPoint middle;
-  middle.position = 0.5 * (from + to);
+  middle.position = 0.5 * (segment.from + segment.to);
   middle.a = closestPoint(context.geometry.sites, siteA, middle.position);
   middle.b = middle.a;
   return middle;

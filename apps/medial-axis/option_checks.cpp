@@ -1,0 +1,127 @@
+#include "option_checks.h"
+
+#include "failure.h"
+#include "option_names.h"
+#include "text_cursor.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace medial::app
+{
+namespace
+{
+
+void checkExtension(const char* option, const std::filesystem::path& path,
+  const std::vector<std::string>& allowed)
+{
+  const std::string extension = lowerCase(path.extension().string());
+  if (path.empty() || std::find(allowed.begin(), allowed.end(), extension) != allowed.end())
+  {
+    return;
+  }
+  std::string list;
+  for (const std::string& one : allowed)
+  {
+    list += " " + one;
+  }
+  throw Failure(ExitCode::Usage,
+    std::string(option) + " " + path.string() + ": unknown extension '" + extension +
+      "', allowed:" + list);
+}
+
+void checkNotTheInput(const char* option, const std::filesystem::path& path, const Options& options)
+{
+  std::error_code ignored;
+  if (!path.empty() && std::filesystem::equivalent(options.input, path, ignored))
+  {
+    throw Failure(ExitCode::Usage,
+      std::string(option) + " " + path.string() + " is the input file itself");
+  }
+}
+
+// Two outputs of the same name would replace each other.
+void checkDistinct(const char* option, const std::filesystem::path& path, const char* other,
+  const std::filesystem::path& otherPath)
+{
+  std::error_code ignored;
+  if (!path.empty() &&
+    std::filesystem::weakly_canonical(path, ignored) ==
+      std::filesystem::weakly_canonical(otherPath, ignored))
+  {
+    throw Failure(ExitCode::Usage,
+      std::string(option) + " and " + other + " name the same file, " + path.string());
+  }
+}
+
+} // namespace
+
+void convertWords(const Words& words, bool spacingGiven, Options& options)
+{
+  options.signMethod = signNames().at(words.sign);
+  if (options.signMethod == SignMethod::Winding)
+  {
+    throw Failure(ExitCode::Usage,
+      "--sign winding is not available yet; available: auto, none, pseudonormal");
+  }
+  options.evaluator = evaluatorNames().at(words.evaluator);
+  options.lambda = parseLength(words.lambda).value_or(Length{});
+  options.minRadius = parseLength(words.minRadius).value_or(Length{});
+  options.side = sideNames().at(words.side);
+  options.representation = representationNames().at(words.representation);
+  options.topology = topologyNames().at(words.topology);
+  if (options.maxSpheres > 0 && options.representation == Representation::Points)
+  {
+    throw Failure(ExitCode::Usage,
+      "--max-spheres " + std::to_string(options.maxSpheres) +
+        " needs --representation surface or faces: points have no cells to simplify");
+  }
+  if (options.topology == Topology::Preserve && options.representation == Representation::Points)
+  {
+    throw Failure(ExitCode::Usage,
+      "--topology preserve needs --representation surface or faces, not points");
+  }
+  if (!words.curves.empty() && options.representation == Representation::Points)
+  {
+    throw Failure(ExitCode::Usage,
+      "--curves needs --representation surface or faces: points have no cells that meet");
+  }
+  options.input = words.input;
+  options.output = words.output;
+  options.curves = words.curves;
+  options.field = words.field;
+  options.thickness = words.thickness;
+  options.thicknessImage = words.thicknessImage;
+  options.image = words.image;
+  options.report = words.report;
+  if (spacingGiven)
+  {
+    options.spacing = words.spacing;
+  }
+  if (options.output.empty() && options.curves.empty() && options.field.empty() &&
+    options.image.empty() && options.report.empty() && !options.wantsThickness())
+  {
+    options.output = options.input.stem().string() + "_medial.vtp";
+  }
+}
+
+void checkFiles(const Options& options)
+{
+  checkExtension("--output", options.output, { ".vtp", ".ply", ".obj", ".ma" });
+  checkExtension("--curves", options.curves, { ".vtp" });
+  checkExtension("--field", options.field, { ".vti", ".pvti" });
+  checkExtension("--thickness", options.thickness, { ".vtp" });
+  checkExtension("--thickness-image", options.thicknessImage, { ".png" });
+  checkExtension("--image", options.image, { ".png" });
+  checkExtension("--report", options.report, { ".json" });
+  checkNotTheInput("--output", options.output, options);
+  checkNotTheInput("--curves", options.curves, options);
+  checkNotTheInput("--thickness", options.thickness, options);
+  checkDistinct("--output", options.output, "--curves", options.curves);
+  checkDistinct("--output", options.output, "--thickness", options.thickness);
+  checkDistinct("--curves", options.curves, "--thickness", options.thickness);
+  checkDistinct("--image", options.image, "--thickness-image", options.thicknessImage);
+}
+
+} // namespace medial::app

@@ -1,0 +1,184 @@
+#include "option_groups.h"
+
+#include "length.h"
+#include "option_names.h"
+#include "validators.h"
+
+#include <cmath>
+
+namespace medial::app
+{
+namespace
+{
+
+constexpr int kMaxResolution = 8192;
+constexpr int kMaxThreads = 1024;
+constexpr int kMinMemoryMiB = 64;
+constexpr double kMaxPadding = 10.0;
+
+CLI::Validator length()
+{
+  return CLI::Validator([](std::string& word)
+    { return parseLength(word) ? std::string() : word + " is no length >= 0, such as 0.5 or 2%"; },
+    "");
+}
+
+} // namespace
+
+void addOutputOptions(CLI::App& app, Words& words)
+{
+  const std::string group = "Outputs";
+  app.add_option("-o,--output", words.output, "medial axis: .vtp, .ply, .obj or .ma")
+    ->option_text("FILE")
+    ->group(group);
+  app
+    .add_option("--curves", words.curves,
+      "polylines along which the sheets of the axis meet (seams) and end (rims), and of its "
+      "curves, "
+      "told apart by the cell array AxisFeature; not for --representation points")
+    ->option_text("FILE.vtp")
+    ->group(group);
+  app
+    .add_option("--field", words.field,
+      "distance field with all its arrays: .vti, one file, or .pvti, pieces of 64 slices as "
+      "<FILE's name>_0.vti and so on; written while it is computed, so it may be larger than "
+      "memory")
+    ->option_text("FILE")
+    ->group(group);
+  app
+    .add_option("--thickness", words.thickness,
+      "input surface with point array Thickness: twice the radius of the medial ball that touches "
+      "the point, in world units, float32; NaN where there is no ball, 0 on convex edges that bend "
+      "by theta or more. Uses --angle and --side, but no grid: it is exact")
+    ->option_text("FILE.vtp")
+    ->group(group);
+  app
+    .add_option("--thickness-image", words.thicknessImage,
+      "a rendered picture of the surface coloured by thickness in world units, grey where there is "
+      "none; large triangles get values inside as well")
+    ->option_text("FILE.png")
+    ->group(group);
+  app.add_option("--image", words.image, "a rendered picture of axis and translucent surface")
+    ->option_text("FILE.png")
+    ->group(group);
+  app.add_option("--report", words.report, "machine-readable result")
+    ->option_text("FILE.json")
+    ->group(group);
+}
+
+void addGridOptions(CLI::App& app, Words& words, Options& options)
+{
+  const std::string group = "Grid";
+  CLI::Option* resolution =
+    app
+      .add_option("--resolution", options.resolution,
+        "number of grid points along the longest axis of the padded bounds, in [2, 8192]; "
+        "default 256")
+      ->option_text("N")
+      ->check(within<int>("[2, 8192]", [](int n) { return n >= 2 && n <= kMaxResolution; }))
+      ->group(group);
+  app
+    .add_option("--spacing", words.spacing,
+      "distance of neighbouring grid points in world units, > 0; instead of --resolution")
+    ->option_text("H")
+    ->check(within<double>("(0, infinity)", [](double h) { return std::isfinite(h) && h > 0.0; }))
+    ->excludes(resolution)
+    ->group(group);
+  app
+    .add_option("--padding", options.padding,
+      "margin on every side as a fraction of the diagonal of the mesh's bounds, in [0, 10]; "
+      "default 0.05")
+    ->option_text("F")
+    ->check(within<double>("[0, 10]", [](double f) { return f >= 0.0 && f <= kMaxPadding; }))
+    ->group(group);
+}
+
+void addAxisOptions(CLI::App& app, Words& words, Options& options)
+{
+  const std::string group = "Medial axis";
+  app
+    .add_option("--angle", options.angle,
+      "least separation angle theta of the directions to the two closest points, in degrees, in "
+      "(0, 180); small values keep more of the axis and more noise; default 60")
+    ->option_text("DEG")
+    ->check(within<double>("(0, 180)", [](double a) { return a > 0.0 && a < 180.0; }))
+    ->group(group);
+  app
+    .add_option("--lambda", words.lambda,
+      "least lambda, half the distance of the two closest points, in world units or as L% of the "
+      "diagonal of the mesh's bounds, >= 0; takes away what noise of that size makes, and what "
+      "lies "
+      "behind thinner walls; default 0")
+    ->option_text("L[%]")
+    ->check(length())
+    ->group(group);
+  app
+    .add_option("--min-radius", words.minRadius,
+      "least radius of the medial balls, in world units or as R% of the diagonal, >= 0; default 0")
+    ->option_text("R[%]")
+    ->check(length())
+    ->group(group);
+  app
+    .add_option("--side", words.side,
+      "which side of the surface: interior, exterior or both; default interior (open mesh: both, "
+      "unsigned)")
+    ->option_text("SIDE")
+    ->check(oneOf(sideNames()))
+    ->group(group);
+  app
+    .add_option("--representation", words.representation,
+      "surface (dual mesh), faces (voxel faces) or points; default surface")
+    ->option_text("KIND")
+    ->check(oneOf(representationNames()))
+    ->group(group);
+  app
+    .add_option("--max-spheres", options.maxSpheres,
+      "compact connected axis: at most N balls, joined by lines and triangles, that describe the "
+      "shape best, in [0, 2147483647]; not for --representation points; 0 for no limit; default 0")
+    ->option_text("N")
+    ->check(within<int>("[0, 2147483647]", [](int n) { return n >= 0; }))
+    ->group(group);
+  app
+    .add_option("--topology", words.topology,
+      "selected, in as many pieces as theta leaves, or preserve: as many pieces, tunnels and "
+      "cavities as the solid has at this resolution; default selected")
+    ->option_text("KIND")
+    ->check(oneOf(topologyNames()))
+    ->group(group);
+  app
+    .add_option("--sign", words.sign,
+      "how inside is told from outside: auto, none, pseudonormal (closed, consistently oriented "
+      "meshes) or winding (not available yet); default auto")
+    ->option_text("METHOD")
+    ->check(oneOf(signNames()))
+    ->group(group);
+}
+
+void addRunOptions(CLI::App& app, Words& words, Options& options)
+{
+  const std::string group = "Run";
+  app
+    .add_option("--threads", options.threads,
+      "CPU threads to use, in [0, 1024]; 0 for all cores; default 0")
+    ->option_text("N")
+    ->check(within<int>("[0, 1024]", [](int n) { return n >= 0 && n <= kMaxThreads; }))
+    ->group(group);
+  app
+    .add_option("--memory", options.memoryMiB,
+      "upper bound of the memory for slabs, in MiB, >= 64; 0 chooses; default 0")
+    ->option_text("MiB")
+    ->check(
+      within<int>("[64, 2147483647] and not 0", [](int m) { return m == 0 || m >= kMinMemoryMiB; }))
+    ->group(group);
+  app
+    .add_option("--evaluator", words.evaluator,
+      "what finds closest sites: rasteriser (OpenGL), processor (CPU) or auto, which is the "
+      "processor where OpenGL is a software renderer; default auto")
+    ->option_text("KIND")
+    ->check(oneOf(evaluatorNames()))
+    ->group(group);
+  app.add_flag("--require-gpu", options.requireGpu, "fail on a software renderer")->group(group);
+  app.add_flag("-q,--quiet", options.quiet, "print nothing but errors")->group(group);
+}
+
+} // namespace medial::app

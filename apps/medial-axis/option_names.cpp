@@ -1,0 +1,76 @@
+#include "option_names.h"
+
+#include <algorithm>
+
+namespace medial::app
+{
+namespace
+{
+
+template <typename T>
+std::string nameIn(const Names<T>& names, T value)
+{
+  const auto found = std::find_if(names.begin(), names.end(),
+    [value](const auto& name) { return name.second == value; });
+  return found != names.end() ? found->first : "unknown";
+}
+
+} // namespace
+
+const Names<Side>& sideNames()
+{
+  static const Names<Side> kNames = { { "interior", Side::Interior },
+    { "exterior", Side::Exterior }, { "both", Side::Both } };
+  return kNames;
+}
+
+const Names<Representation>& representationNames()
+{
+  static const Names<Representation> kNames = { { "surface", Representation::Surface },
+    { "faces", Representation::Faces }, { "points", Representation::Points } };
+  return kNames;
+}
+
+const Names<Topology>& topologyNames()
+{
+  static const Names<Topology> kNames = { { "selected", Topology::Selected },
+    { "preserve", Topology::Preserve } };
+  return kNames;
+}
+
+const Names<SignMethod>& signNames()
+{
+  static const Names<SignMethod> kNames = { { "auto", SignMethod::Auto },
+    { "none", SignMethod::None }, { "pseudonormal", SignMethod::Pseudonormal },
+    { "winding", SignMethod::Winding } };
+  return kNames;
+}
+
+const Names<Evaluator>& evaluatorNames()
+{
+  static const Names<Evaluator> kNames = { { "auto", Evaluator::Auto },
+    { "rasteriser", Evaluator::Rasteriser }, { "processor", Evaluator::Processor } };
+  return kNames;
+}
+
+std::string nameOf(Side side)
+{
+  return nameIn(sideNames(), side);
+}
+
+std::string nameOf(SignMethod method)
+{
+  return nameIn(signNames(), method);
+}
+
+std::string nameOf(Topology topology)
+{
+  return nameIn(topologyNames(), topology);
+}
+
+std::string nameOf(Evaluator evaluator)
+{
+  return nameIn(evaluatorNames(), evaluator);
+}
+
+} // namespace medial::app

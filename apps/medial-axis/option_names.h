@@ -1,0 +1,29 @@
+#pragma once
+
+#include "validators.h"
+
+#include "medial/medial/medial_axis.h"
+
+#include <string>
+
+namespace medial::app
+{
+
+///@{
+/// The words of the options that take one of several, with their values.
+const Names<Side>& sideNames();
+const Names<Representation>& representationNames();
+const Names<Topology>& topologyNames();
+const Names<SignMethod>& signNames();
+const Names<Evaluator>& evaluatorNames();
+///@}
+
+///@{
+/// The word for a value.
+std::string nameOf(Side side);
+std::string nameOf(SignMethod method);
+std::string nameOf(Evaluator evaluator);
+std::string nameOf(Topology topology);
+///@}
+
+} // namespace medial::app
