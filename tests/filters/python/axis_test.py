@@ -56,8 +56,8 @@ class Points(unittest.TestCase):
             cells = getattr(axis, name)
             self.assertEqual((cells.dtype, cells.shape[1]), (np.int64, corners), name)
         self.assertGreater(len(axis.quads), 0)
-        self.assertGreater(len(axis.triangles), 0)
-        self.assertLess(max(axis.quads.max(), axis.triangles.max()), n)
+        self.assertLess(axis.quads.max(), n)
+        self.assertEqual(len(axis.faces), 2 * len(axis.quads) + len(axis.triangles))
 
     def test_is_described_in_short(self):
         axis = box_axis(representation="faces")
@@ -106,6 +106,9 @@ class Parameters(unittest.TestCase):
         axis = box_axis(max_spheres=30)
         self.assertLessEqual(len(axis.points), 30)
         self.assertGreater(len(axis.points), 10)
+        self.assertGreater(len(axis.triangles), 10)
+        self.assertLess(axis.triangles.max(), len(axis.points))
+        np.testing.assert_array_equal(axis.faces, axis.triangles)
 
     def test_topology_of_a_ball_at_large_angles(self):
         vertices, faces = shapes.ball(2)
