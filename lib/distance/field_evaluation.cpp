@@ -113,10 +113,10 @@ void FieldPipeline::evaluateForStage(FieldSink& sink, SlabStage& stage)
   {
     const auto start = static_cast<double>(i);
     this->report(start * perSlab, "distance field");
-    slab.extent = extents[i];
-    this->cullSlab(hierarchy, slab);
-    writer.begin(slab.extent, sink.slabArrays(slab.extent));
     const Checkpoint checkpoint(options_.progress, start * perSlab, "distance field");
+    slab.extent = extents[i];
+    this->cullSlab(hierarchy, slab, checkpoint);
+    writer.begin(slab.extent, sink.slabArrays(slab.extent));
     this->evaluateTiles(evaluator, slab, writer, field, checkpoint);
     sink.stored(slab.extent);
     this->report((start + 0.5) * perSlab, "distance field");

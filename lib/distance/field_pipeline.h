@@ -81,7 +81,7 @@ private:
   std::vector<Extent> slabsOf(int slices) const;
   FieldWriter makeWriter() const;
   CandidateHierarchy cullBlocks(int slabSlices, TileHull hull);
-  void cullSlab(const CandidateHierarchy& hierarchy, Slab& slab);
+  void cullSlab(const CandidateHierarchy& hierarchy, Slab& slab, const Checkpoint& checkpoint);
 
   void clipPolygons(Slab& slab, const AtlasLayout& atlas);
   Renderer& obtainRenderer(const AtlasLayout& atlas);
