@@ -15,12 +15,18 @@ from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkCubeSource
 
-# Seconds from Ctrl-C to the exception. It takes 0.1 on an idle machine.
-PROMPT = 2.0
+# Seconds from Ctrl-C to the exception, on a machine that is busy with other things too. It takes 0.3
+# at most otherwise, and the work minutes.
+PROMPT = 5.0
 
 
 class Interrupted(Exception):
     pass
+
+
+def setUpModule():
+    # Shells start what is to run in the background with Ctrl-C ignored.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 def long_axis(resolution=1500, **parameters):
