@@ -1,5 +1,7 @@
 #include "vtkMeshConversion.h"
 
+#include "medial/common/available_memory.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkDoubleArray.h"
@@ -81,6 +83,14 @@ void AppendStrips(vtkCellArray* strips, vtkIdType firstId, medial::CellList& lis
       list.ids.push_back(firstId + iterator->GetCurrentCellId());
     }
   }
+}
+
+//------------------------------------------------------------------------------
+std::size_t BytesPerPoint(const vtkMeshConversion::ArraySelection& selection)
+{
+  return sizeof(float) + (selection.ClosestPoint ? 3 * sizeof(float) : 0) +
+    (selection.ClosestCell ? sizeof(vtkIdType) : 0) + (selection.ClosestFeature ? 1 : 0) +
+    (selection.ClosestSite ? sizeof(int) : 0);
 }
 
 //------------------------------------------------------------------------------
@@ -172,6 +182,7 @@ medial::MeshInput vtkMeshConversion::ToMeshInput(vtkPolyData* input)
 medial::FieldArrays vtkMeshConversion::AllocateField(vtkImageData* output, const medial::Grid& grid,
   const medial::Extent& extent, const ArraySelection& selection)
 {
+  medial::requireMemory(extent.pointCount(), BytesPerPoint(selection));
   int vtkExtent[6];
   ToVTKExtent(extent, vtkExtent);
   output->SetOrigin(grid.origin.data());
@@ -219,7 +230,7 @@ void vtkMeshConversion::ToPolyData(const medial::MedialAxis& axis, vtkPolyData* 
   AddValues(output, "Lambda", axis.lambda);
   AddVectors(output, "ClosestPointA", axis.closestPointA);
   AddVectors(output, "ClosestPointB", axis.closestPointB);
-  if (!axis.feature.empty())
+  if (axis.feature.size() == axis.points.size())
   {
     vtkNew<vtkUnsignedCharArray> features;
     features->SetName("AxisFeature");

@@ -214,6 +214,7 @@ void extendRims(const AxisGeometry& geometry, const DualMesh& mesh, BisectorPoin
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rim.size(), kTogether),
     [&](const tbb::blocked_range<std::size_t>& range)
     {
+      geometry.checkpoint();
       const std::vector<std::size_t> vertices(rim.begin() +
           static_cast<std::ptrdiff_t>(range.begin()),
         rim.begin() + static_cast<std::ptrdiff_t>(range.end()));
