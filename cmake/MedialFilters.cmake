@@ -29,17 +29,5 @@ medial_warnings(Filters)
 target_compile_options(Filters PUBLIC $<BUILD_INTERFACE:-Wno-pedantic>)
 
 if(MEDIAL_BUILD_PYTHON)
-  # On Debian this is where Python looks when the prefix is /usr.
-  set(MEDIAL_PYTHON_DIR "lib/python3/dist-packages"
-    CACHE STRING "Folder of the Python package, relative to the prefix")
-  vtk_module_wrap_python(
-    MODULES ${modules}
-    PYTHON_PACKAGE medial
-    MODULE_DESTINATION "${MEDIAL_PYTHON_DIR}"
-    LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
-    CMAKE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/Medial"
-    TARGET Medial::Python)
-  configure_file(filters/medial/__init__.py
-    "${CMAKE_BINARY_DIR}/${MEDIAL_PYTHON_DIR}/medial/__init__.py" COPYONLY)
-  install(FILES filters/medial/__init__.py DESTINATION "${MEDIAL_PYTHON_DIR}/medial")
+  include(MedialPython)
 endif()

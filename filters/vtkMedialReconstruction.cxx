@@ -15,8 +15,8 @@
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include "medial/common/available_memory.h"
 #include "medial/common/error.h"
-#include "medial/common/memory_guard.h"
 #include "medial/medial/evaluation/union_field.h"
 
 #include <algorithm>

@@ -1,5 +1,7 @@
 #include "vtkMeshConversion.h"
 
+#include "medial/common/available_memory.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkDoubleArray.h"
@@ -14,8 +16,6 @@
 #include "vtkSmartPointer.h"
 #include "vtkTypeInt64Array.h"
 #include "vtkUnsignedCharArray.h"
-
-#include "medial/common/memory_guard.h"
 
 #include <algorithm>
 #include <array>
@@ -86,7 +86,7 @@ void AppendStrips(vtkCellArray* strips, vtkIdType firstId, medial::CellList& lis
 }
 
 //------------------------------------------------------------------------------
-std::int64_t BytesPerSample(const vtkMeshConversion::ArraySelection& selection)
+std::size_t BytesPerPoint(const vtkMeshConversion::ArraySelection& selection)
 {
   return sizeof(float) + (selection.ClosestPoint ? 3 * sizeof(float) : 0) +
     (selection.ClosestCell ? sizeof(vtkIdType) : 0) + (selection.ClosestFeature ? 1 : 0) +
@@ -182,7 +182,7 @@ medial::MeshInput vtkMeshConversion::ToMeshInput(vtkPolyData* input)
 medial::FieldArrays vtkMeshConversion::AllocateField(vtkImageData* output, const medial::Grid& grid,
   const medial::Extent& extent, const ArraySelection& selection)
 {
-  medial::requireMemory(extent.pointCount(), BytesPerSample(selection));
+  medial::requireMemory(extent.pointCount(), BytesPerPoint(selection));
   int vtkExtent[6];
   ToVTKExtent(extent, vtkExtent);
   output->SetOrigin(grid.origin.data());
@@ -230,7 +230,7 @@ void vtkMeshConversion::ToPolyData(const medial::MedialAxis& axis, vtkPolyData* 
   AddValues(output, "Lambda", axis.lambda);
   AddVectors(output, "ClosestPointA", axis.closestPointA);
   AddVectors(output, "ClosestPointB", axis.closestPointB);
-  if (!axis.feature.empty())
+  if (axis.feature.size() == axis.points.size())
   {
     vtkNew<vtkUnsignedCharArray> features;
     features->SetName("AxisFeature");

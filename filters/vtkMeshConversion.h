@@ -35,8 +35,8 @@ struct ArraySelection
 
 /**
  * Lays out an empty image for a part of a grid, and attaches arrays that wait for their values.
- * Returns where the library is to write them. Throws medial::Error OutOfMemory beforehand where
- * there is too little memory for them.
+ * Returns where the library is to write them. Throws
+ * medial::Error OutOfMemory or std::bad_alloc.
  */
 medial::FieldArrays AllocateField(vtkImageData* output, const medial::Grid& grid,
   const medial::Extent& extent, const ArraySelection& selection);

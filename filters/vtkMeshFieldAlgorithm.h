@@ -32,9 +32,10 @@
  * the memory that is left are refused before anything is computed.
  *
  * @par Abort:
- * SetAbortExecute(1) from a ProgressEvent observer stops the execution within a fraction of a
- * second. The outputs are empty then, as after an error, GetErrorCode() is CancelledError without
- * an ErrorEvent from the filter, and the next Update() executes again.
+ * SetAbortExecute(1) from a ProgressEvent observer stops the execution soon: within a fraction of a
+ * second, within seconds where the mesh has a million triangles. The outputs are empty then, as
+ * after an error, GetErrorCode() is CancelledError without an ErrorEvent from the filter, and the
+ * next Update() executes again.
  *
  * @par OpenGL:
  * The GPU work is done on a thread and in a context of its own: an OpenGL context that is current

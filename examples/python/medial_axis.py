@@ -1,4 +1,4 @@
-"""Writes the medial axis and the distance field of a surface.
+"""Writes the medial axis and the distance field of a surface, by a pipeline of VTK's filters.
 
 usage: medial_axis.py INPUT.stl AXIS.vtp FIELD.vti
 
@@ -21,9 +21,7 @@ def main(surface_file, axis_file, field_file):
     axis.SetResolution(64)
     axis.SetAngle(60.0)
     axis.GenerateDistanceFieldOn()  # output port 1
-    axis.Update()
-    if axis.GetErrorCode() != 0:
-        return 1  # VTK has told why
+    medial.update(axis)  # as axis.Update(), but raises an exception where something fails
 
     for port, writer, name in ((0, vtkXMLPolyDataWriter(), axis_file),
                                (1, vtkXMLImageDataWriter(), field_file)):

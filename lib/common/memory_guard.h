@@ -24,10 +24,4 @@ auto withMemoryErrors(std::int64_t gridPoints, F&& work)
   }
 }
 
-/// Checks that arrays over a grid fit into the memory that is left, before they are allocated:
-/// Linux hands out memory that it does not have and ends the process later, and VTK's arrays abort
-/// it. Nothing happens where the system does not tell how much is left.
-/// @throws Error OutOfMemory with both numbers.
-void requireMemory(std::int64_t gridPoints, std::int64_t bytesPerPoint);
-
 } // namespace medial

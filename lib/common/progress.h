@@ -4,7 +4,7 @@ namespace medial
 {
 
 /// Receives progress and answers whether to go on. Long operations call both from the thread that
-/// started them, twice for every slab of slices.
+/// started them: for every slab of slices, and amid steps that take long.
 class Progress
 {
 public:

@@ -166,7 +166,8 @@ void CandidateHierarchy::visitLeaves(const Extent& slices, const Visitor& visito
     });
 }
 
-std::vector<CandidateTiles> CandidateHierarchy::leafTiles(const Extent& slices) const
+std::vector<CandidateTiles> CandidateHierarchy::leafTiles(const Extent& slices,
+  const Checkpoint* checkpoint) const
 {
   const std::vector<const Block*> blocks = this->blocksOf(slices);
   std::vector<CandidateTiles> tiles(blocks.size());
@@ -185,6 +186,10 @@ std::vector<CandidateTiles> CandidateHierarchy::leafTiles(const Extent& slices) 
   this->visitLeaves(slices,
     [&](const Extent& tile, const std::vector<int>& candidates)
     {
+      if (checkpoint != nullptr)
+      {
+        (*checkpoint)();
+      }
       CandidateTiles& list = listOf(tile);
       list.tiles.push_back(tile);
       list.candidates.insert(list.candidates.end(), candidates.begin(), candidates.end());

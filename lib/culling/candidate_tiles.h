@@ -1,5 +1,6 @@
 #pragma once
 
+#include "medial/common/checkpoint.h"
 #include "medial/common/grid.h"
 #include "medial/culling/candidate_filter.h"
 #include "medial/culling/closest_seeds.h"
@@ -58,7 +59,9 @@ public:
   void visitLeaves(const Extent& slices, const Visitor& visitor) const;
 
   /// The leaf tiles of some slices, as visitLeaves(), in one list per block.
-  std::vector<CandidateTiles> leafTiles(const Extent& slices) const;
+  /// @param checkpoint called for each; may be null.
+  std::vector<CandidateTiles> leafTiles(const Extent& slices,
+    const Checkpoint* checkpoint = nullptr) const;
 
 private:
   struct Block

@@ -64,7 +64,7 @@ std::size_t TileQuery::tileAround(const glm::dvec3& x) const
 void TileQuery::closestInTile(const Candidates& tile, Question* const* questions, int count,
   std::vector<NearSite>& scratch) const
 {
-  constexpr double kUnknown = std::numeric_limits<float>::max();
+  constexpr auto kUnknown = static_cast<double>(std::numeric_limits<float>::max());
   std::array<double, PointLanes::kMost> least;
   PointLanes lanes;
   lanes.count = count;

@@ -63,7 +63,9 @@ void FieldPipeline::evaluate(FieldSink& sink)
   double wall = 0.0;
   for (std::size_t i = 0; i < extents.size(); ++i)
   {
-    this->report(static_cast<double>(i) / static_cast<double>(extents.size()), "distance field");
+    const double share = static_cast<double>(i) / static_cast<double>(extents.size());
+    this->report(share, "distance field");
+    const Checkpoint checkpoint(options_.progress, share, "distance field");
     writer.begin(extents[i], sink.slabArrays(extents[i]));
     timed(wall,
       [&]
@@ -74,6 +76,7 @@ void FieldPipeline::evaluate(FieldSink& sink)
             hierarchy.visitLeaves(extents[i],
               [&](const Extent& tile, const std::vector<int>& candidates)
               {
+                checkpoint();
                 Work& work = works.local();
                 const Stopwatch watch(work.seconds);
                 work.pairs += static_cast<std::int64_t>(candidates.size());
@@ -110,10 +113,11 @@ void FieldPipeline::evaluateForStage(FieldSink& sink, SlabStage& stage)
   {
     const auto start = static_cast<double>(i);
     this->report(start * perSlab, "distance field");
+    const Checkpoint checkpoint(options_.progress, start * perSlab, "distance field");
     slab.extent = extents[i];
-    this->cullSlab(hierarchy, slab);
+    this->cullSlab(hierarchy, slab, checkpoint);
     writer.begin(slab.extent, sink.slabArrays(slab.extent));
-    this->evaluateTiles(evaluator, slab, writer, field);
+    this->evaluateTiles(evaluator, slab, writer, field, checkpoint);
     sink.stored(slab.extent);
     this->report((start + 0.5) * perSlab, "distance field");
     const Stopwatch watch(statistics_.seconds.medial);
@@ -122,7 +126,7 @@ void FieldPipeline::evaluateForStage(FieldSink& sink, SlabStage& stage)
 }
 
 void FieldPipeline::evaluateTiles(const TileEvaluator& evaluator, const Slab& slab,
-  const FieldWriter& writer, SlabField& field)
+  const FieldWriter& writer, SlabField& field, const Checkpoint& checkpoint)
 {
   const Stopwatch watch(statistics_.seconds.draw);
   field.begin(slab.extent);
@@ -133,6 +137,7 @@ void FieldPipeline::evaluateTiles(const TileEvaluator& evaluator, const Slab& sl
       tbb::parallel_for(std::size_t{ 0 }, slab.tiles.size(),
         [&](std::size_t b)
         {
+          checkpoint();
           const CandidateTiles& block = slab.tiles[b];
           Work& work = works.local();
           for (std::size_t t = 0; t < block.tiles.size(); ++t)

@@ -208,10 +208,11 @@ CandidateHierarchy FieldPipeline::cullBlocks(int slabSlices, TileHull hull)
   return std::move(*hierarchy);
 }
 
-void FieldPipeline::cullSlab(const CandidateHierarchy& hierarchy, Slab& slab)
+void FieldPipeline::cullSlab(const CandidateHierarchy& hierarchy, Slab& slab,
+  const Checkpoint& checkpoint)
 {
   const Stopwatch watch(statistics_.seconds.cull);
-  this->inArena([&] { slab.tiles = hierarchy.leafTiles(slab.extent); });
+  this->inArena([&] { slab.tiles = hierarchy.leafTiles(slab.extent, &checkpoint); });
   for (const CandidateTiles& block : slab.tiles)
   {
     statistics_.candidatePairs += static_cast<std::int64_t>(block.candidates.size());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "medial/common/checkpoint.h"
 #include "medial/culling/candidate_tiles.h"
 #include "medial/culling/tile_query.h"
 #include "medial/distance/distance_field.h"
@@ -80,7 +81,7 @@ private:
   std::vector<Extent> slabsOf(int slices) const;
   FieldWriter makeWriter() const;
   CandidateHierarchy cullBlocks(int slabSlices, TileHull hull);
-  void cullSlab(const CandidateHierarchy& hierarchy, Slab& slab);
+  void cullSlab(const CandidateHierarchy& hierarchy, Slab& slab, const Checkpoint& checkpoint);
 
   void clipPolygons(Slab& slab, const AtlasLayout& atlas);
   Renderer& obtainRenderer(const AtlasLayout& atlas);
@@ -90,7 +91,7 @@ private:
 
   TileEvaluator makeEvaluator();
   void evaluateTiles(const TileEvaluator& evaluator, const Slab& slab, const FieldWriter& writer,
-    SlabField& field);
+    SlabField& field, const Checkpoint& checkpoint);
   void addGpuSeconds();
 
   const TriangleMesh& mesh_;

@@ -65,10 +65,11 @@ void FieldPipeline::rasterise(FieldSink& sink, SlabStage* stage)
   {
     const double start = static_cast<double>(i);
     this->report(start * perSlab, "distance field");
+    const Checkpoint checkpoint(options_.progress, start * perSlab, "distance field");
     Slab& slab = ring[i % 2];
     slab.extent = extents[i];
     slab.previousSlices = i > 0 ? extents[i - 1].size(2) : 0;
-    this->cullSlab(hierarchy, slab);
+    this->cullSlab(hierarchy, slab, checkpoint);
     this->clipPolygons(slab, atlas);
     this->report((start + 0.5) * perSlab, "distance field");
     inFlight.finish();

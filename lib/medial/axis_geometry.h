@@ -1,5 +1,6 @@
 #pragma once
 
+#include "medial/common/checkpoint.h"
 #include "medial/culling/tile_query.h"
 #include "medial/sites/grid_frame.h"
 #include "medial/sites/site_set.h"
@@ -14,9 +15,10 @@ struct AxisGeometry
   const TileQuery& query;
   const GridFrame& frame;
   Extent extent;
-  double angle;  ///< least separation angle, radians
-  double lambda; ///< least BisectorPoint::lambda()
-  double radius; ///< least radius
+  double angle;                 ///< least separation angle, radians
+  double lambda;                ///< least BisectorPoint::lambda()
+  double radius;                ///< least radius
+  const Checkpoint& checkpoint; ///< for loops over points
 
   /// Whether queries at x are exact.
   bool insideGrid(const glm::dvec3& x) const

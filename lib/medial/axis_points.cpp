@@ -193,7 +193,10 @@ BisectorPoints placeVertices(const AxisGeometry& geometry, const DualMesh& mesh,
   constexpr std::size_t kTogether = 512;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mesh.cells.size(), kTogether),
     [&](const tbb::blocked_range<std::size_t>& range)
-    { place(geometry, mesh, bisectors, range.begin(), range.end(), result); });
+    {
+      geometry.checkpoint();
+      place(geometry, mesh, bisectors, range.begin(), range.end(), result);
+    });
   return result;
 }
 

@@ -290,6 +290,7 @@ BisectorPoints crossingPoints(const AxisGeometry& geometry, bool exactAngle,
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, crossings.size(), kTogether),
     [&](const tbb::blocked_range<std::size_t>& range)
     {
+      geometry.checkpoint();
       std::vector<SiteSegment> segments(range.size());
       std::transform(crossings.begin() + range.begin(), crossings.begin() + range.end(),
         segments.begin(),

@@ -93,10 +93,7 @@ std::optional<SiteSegment> acrossNearerToCrease(const AxisGeometry& geometry,
     return std::nullopt;
   }
   const glm::dvec3 x = point.position + 0.5 * (radius - target) / (slope * slope) * (toA + toB);
-  const SiteSegment segment = across(point, x, 0.7 * target);
-  return geometry.insideGrid(segment.from) && geometry.insideGrid(segment.to)
-    ? std::optional(segment)
-    : std::nullopt;
+  return across(point, x, 0.7 * target);
 }
 
 /// Turns sites near the ends of segments into the closest ones.
@@ -117,20 +114,24 @@ void findSites(const AxisGeometry& geometry, std::vector<SiteSegment>& segments)
   }
 }
 
+bool overlap(const BisectorPoint& one, const BisectorPoint& other)
+{
+  return glm::distance(one.position, other.position) < one.radius() + other.radius();
+}
+
 /// Whether `next`, nearer to the crease than `point`, is on the same side of the surface and within
 /// the limits.
 bool continues(const AxisGeometry& geometry, const BisectorPoint& point, const BisectorPoint& next)
 {
   constexpr double kRounding = 1e-6;
   const double radius = next.radius();
-  return radius > 0.5 * kLeft && radius < point.radius() &&
-    glm::distance(point.position, next.position) < point.radius() + radius &&
+  return radius > 0.5 * kLeft && radius < point.radius() && overlap(point, next) &&
     radius >= geometry.radius - kRounding && next.lambda() >= geometry.lambda - kRounding &&
     next.separationAngle() >= geometry.angle;
 }
 
 /// Bisector points on segments that have sites near their ends; empty where both ends turn out to
-/// have the same closest site.
+/// have the same closest site, or one is outside of the grid.
 std::vector<std::optional<BisectorPoint>> bisectorsOn(const AxisGeometry& geometry,
   std::vector<SiteSegment> segments)
 {
@@ -139,7 +140,8 @@ std::vector<std::optional<BisectorPoint>> bisectorsOn(const AxisGeometry& geomet
   std::vector<std::optional<BisectorPoint>> found(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    if (segments[i].fromSite != segments[i].toSite)
+    if (segments[i].fromSite != segments[i].toSite && geometry.insideGrid(segments[i].from) &&
+      geometry.insideGrid(segments[i].to))
     {
       found[i] = points[i];
     }
@@ -169,7 +171,8 @@ std::vector<Walker> start(const AxisGeometry& geometry, const std::vector<std::s
   std::vector<Walker> walkers;
   for (std::size_t i = 0; i < vertices.size(); ++i)
   {
-    if (found[i] && found[i]->separationAngle() >= geometry.angle)
+    if (found[i] && overlap(points.points[vertices[i]], *found[i]) &&
+      found[i]->separationAngle() >= geometry.angle)
     {
       walkers.push_back({ vertices[i], *found[i] });
     }
@@ -211,6 +214,7 @@ void extendRims(const AxisGeometry& geometry, const DualMesh& mesh, BisectorPoin
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rim.size(), kTogether),
     [&](const tbb::blocked_range<std::size_t>& range)
     {
+      geometry.checkpoint();
       const std::vector<std::size_t> vertices(rim.begin() +
           static_cast<std::ptrdiff_t>(range.begin()),
         rim.begin() + static_cast<std::ptrdiff_t>(range.end()));

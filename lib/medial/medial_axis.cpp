@@ -1,5 +1,7 @@
 #include "medial/medial/medial_axis.h"
 
+#include "medial/common/available_memory.h"
+#include "medial/common/checkpoint.h"
 #include "medial/common/error.h"
 #include "medial/common/memory_guard.h"
 #include "medial/common/stopwatch.h"
@@ -31,6 +33,11 @@ namespace medial
 {
 namespace
 {
+
+/// Bytes a grid point that preservation of topology takes: field, cells and anchors.
+constexpr std::size_t kPreservationBytes = 10;
+/// Share of the work that is done when the axis is selected.
+constexpr double kSelected = 0.8;
 
 /// Selects where the evaluator leaves the field: on the GPU or in host memory.
 class Selection : public SlabStage
@@ -108,6 +115,7 @@ BisectorPoints represent(Representation representation, const AxisGeometry& geom
     return bisectors;
   }
   const DualMesh mesh = dualMesh(crossings, geometry.extent);
+  geometry.checkpoint();
   BisectorPoints points;
   if (representation == Representation::Surface)
   {
@@ -118,6 +126,7 @@ BisectorPoints represent(Representation representation, const AxisGeometry& geom
   {
     points = cellCentres(geometry, mesh, bisectors);
   }
+  geometry.checkpoint();
   buildCells(mesh.quads, points, axis);
   return points;
 }
@@ -209,9 +218,6 @@ void simplify(const MedialAxisOptions& options, RunStatistics& statistics, Media
   axis.feature = axisFeatures(edgesOf(axis), axis.points.size());
 }
 
-/// Distance and closest site, the cells, and where curves are anchored.
-constexpr int kPreserveBytesPerPoint = 10;
-
 MedialAxis runPipeline(const TriangleMesh& mesh, const MeshTopology& topology, const Grid& grid,
   const MedialAxisOptions& options, FieldSink& sink, FieldMemory* memory)
 {
@@ -228,19 +234,20 @@ MedialAxis runPipeline(const TriangleMesh& mesh, const MeshTopology& topology, c
   std::optional<FieldTap> tap;
   if (options.topology == Topology::Preserve)
   {
-    requireMemory(grid.pointCount(), kPreserveBytesPerPoint);
+    requireMemory(grid.pointCount(), kPreservationBytes);
     tap.emplace(sink, grid.wholeExtent());
   }
   pipeline.run(tap ? *tap : sink, &stage);
-  pipeline.report(0.8, "medial axis");
+  pipeline.report(kSelected, "medial axis");
   std::vector<Crossing> crossings = stage.takeCrossings();
   pipeline.inArena(
     [&]
     {
       const Stopwatch watch(pipeline.statistics().seconds.medial);
+      const Checkpoint checkpoint(options.field.progress, kSelected, "medial axis");
       const AxisGeometry geometry{ pipeline.sites(), pipeline.query(), pipeline.frame(),
         grid.wholeExtent(), glm::radians(options.angle), options.lambda / pipeline.frame().unit,
-        options.radius / pipeline.frame().unit };
+        options.radius / pipeline.frame().unit, checkpoint };
       const BisectorPoints points = tap
         ? preserve(options.representation, geometry, *tap, crossings, axis)
         : represent(options.representation, geometry, crossings, axis);

@@ -116,10 +116,12 @@ struct MedialAxis
 /// Medial axis of a mesh, simplified by separation angle (Foskey, Lin, Manocha, 2003), from the
 /// distance field on `grid`. Points of Representation::Points lie on the bisector of their two
 /// sites, those of a surface where such bisectors meet (a quadratic error function over them),
-/// those of faces at the corners of voxels. Radii are exact at all of them; closestPointB may be
-/// 0.1 grid step farther where facets approximate a round surface, 0.3 where a vertex of a surface
-/// stands off the bisector, and a step at corners of faces. Surfaces and faces need a grid of at
-/// least two slices along every axis.
+/// those of faces at the corners of voxels. Sheets of a surface that end in a sharp convex edge
+/// reach up to balls of a twentieth of a grid step, or the least lambda and radius (not where the
+/// topology is preserved). Radii are exact at all of them; closestPointB may be 0.1 grid step
+/// farther where facets approximate a round surface, 0.3 where a vertex of a surface stands off the
+/// bisector, and a step at corners of faces. Surfaces and faces need a grid of at least two slices
+/// along every axis.
 ///
 /// @param arrays where to leave the distance field of the whole grid as well; all null for none.
 /// @throws Error InvalidInput for an angle outside (0, 180), a negative lambda, radius or

@@ -2,6 +2,11 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
 namespace medial
 {
 namespace
@@ -10,6 +15,31 @@ namespace
 /// Directions with less of the greatest eigenvalue are undetermined: normals within some 17 degrees
 /// of each other are those of one curved sheet.
 constexpr double kLeastShare = 0.08;
+
+/// The point nearest to `point` on a line through it with |x - centre| <= reach along every axis.
+std::optional<glm::dvec3> slid(const glm::dvec3& point, const glm::dvec3& along,
+  const glm::dvec3& centre, const glm::dvec3& reach)
+{
+  double least = -std::numeric_limits<double>::infinity();
+  double most = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double offset = centre[axis] - point[axis];
+    if (along[axis] == 0.0)
+    {
+      if (std::abs(offset) > reach[axis])
+      {
+        return std::nullopt;
+      }
+      continue;
+    }
+    const double one = (offset - reach[axis]) / along[axis];
+    const double other = (offset + reach[axis]) / along[axis];
+    least = std::max(least, std::min(one, other));
+    most = std::min(most, std::max(one, other));
+  }
+  return least <= most ? std::optional(point + std::clamp(0.0, least, most) * along) : std::nullopt;
+}
 
 } // namespace
 
@@ -52,6 +82,15 @@ glm::dvec3 PlaneFit::solve(const glm::dvec3& centre, const glm::dvec3& reach) co
       offset += direction.dot(right) / values[i] * direction;
     }
     const glm::dvec3 point = mean_ + glm::dvec3(offset[0], offset[1], offset[2]);
+    if (first == 1)
+    {
+      const Eigen::Vector3d seam = eigen.eigenvectors().col(0);
+      if (const auto onSeam = slid(point, { seam[0], seam[1], seam[2] }, centre, reach))
+      {
+        return *onSeam;
+      }
+      continue;
+    }
     if (glm::all(glm::lessThanEqual(glm::abs(point - centre), reach)))
     {
       return point;

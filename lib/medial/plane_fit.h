@@ -20,7 +20,8 @@ public:
 
   const glm::dvec3& mean() const { return mean_; }
   /// The best point with |point - centre| <= reach along every axis. Directions that the planes
-  /// determine worst are given up until it is that near; the last resort is the mean.
+  /// determine worst are given up until it is that near, where two planes leave a line the nearest
+  /// part of that; the last resort is the mean.
   glm::dvec3 solve(const glm::dvec3& centre, const glm::dvec3& reach) const;
 
 private:

@@ -354,7 +354,7 @@ TEST(MedialReconstruction, RefusesAGridLargerThanMemory)
   EventLog log(filter);
   EXPECT_FALSE(update(filter));
   ASSERT_EQ(log.errors.size(), 1u);
-  EXPECT_NE(log.errors[0].find("GiB of memory"), std::string::npos) << log.errors[0];
+  EXPECT_NE(log.errors[0].find(" MiB are available"), std::string::npos) << log.errors[0];
   EXPECT_EQ(filter->GetErrorCode(),
     static_cast<unsigned long>(vtkMeshFieldAlgorithm::OutOfMemoryError));
 }

@@ -330,6 +330,17 @@ TEST(AxisSimplification, ClosesAHoleThatTheBallsFill)
   EXPECT_EQ(axis.simplification.forced, 0);
 }
 
+TEST(AxisSimplification, KeepsSuchAHoleOfAnAxisWithPreservedTopology)
+{
+  MedialAxis full = plate();
+  full.quads.erase(full.quads.begin() + 24 * 12 + 12);
+  full.solid = topologyOf(full);
+  ASSERT_EQ(full.solid->eulerCharacteristic, 0);
+  EXPECT_EQ(topologyOf(simplified(full, 12)), *full.solid);
+  // Two balls have no loop.
+  EXPECT_EQ(eulerCharacteristic(simplified(full, 2)), 1);
+}
+
 TEST(AxisSimplification, JoinsOnlyComponentsWhoseBallsOverlap)
 {
   AxisBuilder builder;

@@ -50,7 +50,7 @@ public:
   }
   CellThinning thinning(CellLattice& lattice) const
   {
-    return { lattice, depth_, probe_, frame_.step, { 1.0 } };
+    return { lattice, depth_, probe_, frame_.step, { 1.0 }, checkpoint_ };
   }
 
 private:
@@ -68,6 +68,7 @@ private:
   std::vector<std::int32_t> closest_;
   DepthField depth_;
   CurveProbe probe_;
+  Checkpoint checkpoint_{ nullptr, 0.0, "" };
 };
 
 int count(const CellLattice& lattice, int dimension)

@@ -36,6 +36,15 @@ TEST(PlaneFit, TwoPlanesLeaveTheirLineToTheMean)
   expectNear(fit.solve(kCentre, kReach), { 0.3, 0.6, 0.5 });
 }
 
+TEST(PlaneFit, SlidesAlongTheLineOfTwoPlanesIntoReach)
+{
+  // Their line is x = y = z, and the mean's nearest point of it at 0.2.
+  PlaneFit fit;
+  fit.add({ 0.1, 0.1, 0.4 }, glm::normalize(glm::dvec3(1.0, -1.0, 0.0)), 1.0);
+  fit.add({ 0.0, 0.3, 0.3 }, glm::normalize(glm::dvec3(0.0, 1.0, -1.0)), 1.0);
+  expectNear(fit.solve(glm::dvec3(0.9), glm::dvec3(0.5)), glm::dvec3(0.4));
+}
+
 TEST(PlaneFit, NearlyParallelPlanesAreOneSheet)
 {
   PlaneFit fit;

@@ -73,7 +73,7 @@ class Messages(unittest.TestCase):
                                    (MedialAxis, {"Input": box(), "Topology": "Preserve"}),
                                    (MedialReconstruction, {"Input": axis})):
             with self.subTest(filter=filter.__name__):
-                self.expect(" GiB of memory, and ", filter, {**properties, "Resolution": 8192},
+                self.expect(" MiB are available", filter, {**properties, "Resolution": 8192},
                             Resolution=16)
 
     def test_reconstruction_of_what_is_no_axis(self):

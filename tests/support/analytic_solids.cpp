@@ -150,7 +150,7 @@ AnalyticAxis tetrahedron()
   }
   AnalyticAxis axis = polyhedron(planes);
   axis.name = "tetrahedron";
-  axis.shape = [mesh](double) { return mesh; };
+  axis.shape = [](double) { return regularTetrahedron(kEdge); };
   axis.spacing = 0.06;
   axis.angle = 60.0;
   axis.area = 6.0 * kEdge * kEdge / (4.0 * std::sqrt(2.0));

@@ -1,5 +1,6 @@
 #include "medial/medial/evaluation/union_field.h"
 
+#include "medial/common/available_memory.h"
 #include "medial/common/error.h"
 #include "medial/common/memory_guard.h"
 #include "medial/medial/evaluation/ball_union.h"
@@ -132,6 +133,7 @@ std::vector<float> unionField(const MedialModel& model, const Grid& grid, bool i
   Progress* progress)
 {
   validateGrid(grid);
+  requireMemory(grid.pointCount(), sizeof(float));
   return withMemoryErrors(grid.pointCount(),
     [&]
     {

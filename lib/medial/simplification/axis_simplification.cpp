@@ -131,10 +131,12 @@ private:
     };
     const int target = static_cast<int>(
       std::min<std::int64_t>(options_.maxSpheres, std::numeric_limits<int>::max()));
-    using Freedom = EdgeCollapse::Freedom;
-    collapse.reduceTo(target, Freedom::Careful, step);
-    const int left = collapse.reduceTo(target, Freedom::Folding, step);
-    statistics_.forced = left - collapse.reduceTo(target, Freedom::Any, step);
+    // Loops of an axis with the topology of its solid are the solid's.
+    const bool fill = !axis_.solid;
+    collapse.reduceTo(target, { fill, false, false }, step);
+    collapse.reduceTo(target, { fill, true, false }, step);
+    const int left = collapse.reduceTo(target, { true, true, false }, step);
+    statistics_.forced = left - collapse.reduceTo(target, { true, true, true }, step);
     this->dropComponents(target);
     this->report(0.7);
   }

@@ -32,7 +32,8 @@ struct SimplificationOptions
 /// 2. Edges are contracted, the one first that adds least to the squared distance between the balls
 ///    and the tangent planes of the boundary that they stand for. Components, loops and hollows
 ///    stay, but for loops of three and hollows of four balls that have a common point: they are
-///    holes in the axis where the solid has none. No triangle turns over or loses its area.
+///    holes in the axis where the solid has none. If the topology of the solid was preserved
+///    (axis.solid) they stay as well. No triangle turns over or loses its area.
 /// 3. If that does not reach the number, triangles may turn over; then loops and hollows are
 /// closed,
 ///    the cheapest first; last, whole components, each one ball by now, are left out, the smallest

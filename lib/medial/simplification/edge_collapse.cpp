@@ -98,23 +98,22 @@ int EdgeCollapse::reduceTo(int target, Freedom freedom, const std::function<void
 
 bool EdgeCollapse::allowed(int edge, Freedom freedom) const
 {
-  if (freedom == Freedom::Any)
-  {
-    return true;
-  }
-  return this->keepsTopology(edge) && this->keepsShape(edge, freedom == Freedom::Folding);
+  return freedom.close ||
+    (this->keepsTopology(edge, freedom.fill) && this->keepsShape(edge, freedom.fold));
 }
 
 /// The link condition: neighbours that both ends have, and pairs of them, belong to cells at the
-/// edge, or else close a loop of three balls, or a hollow among four, that the balls fill.
-bool EdgeCollapse::keepsTopology(int edge) const
+/// edge, or else close a loop of three balls, or a hollow among four, that the balls may fill.
+bool EdgeCollapse::keepsTopology(int edge, bool mayFill) const
 {
+  const auto filled = [&](std::initializer_list<Ball> balls)
+  { return mayFill && haveCommonPoint(balls); };
   const auto [a, b] = complex_.edge(edge);
   const std::vector<int> common = complex_.commonNeighbours(edge);
   for (std::size_t i = 0; i < common.size(); ++i)
   {
     const int c = common[i];
-    if (!complex_.hasTriangle(a, b, c) && !haveCommonPoint({ balls_[a], balls_[b], balls_[c] }))
+    if (!complex_.hasTriangle(a, b, c) && !filled({ balls_[a], balls_[b], balls_[c] }))
     {
       return false;
     }
@@ -122,7 +121,7 @@ bool EdgeCollapse::keepsTopology(int edge) const
     {
       const int d = common[j];
       if (complex_.hasTriangle(a, c, d) && complex_.hasTriangle(b, c, d) &&
-        !haveCommonPoint({ balls_[a], balls_[b], balls_[c], balls_[d] }))
+        !filled({ balls_[a], balls_[b], balls_[c], balls_[d] }))
       {
         return false;
       }

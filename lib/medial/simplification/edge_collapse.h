@@ -15,12 +15,13 @@ namespace medial
 class EdgeCollapse
 {
 public:
-  /// What a contraction may do, each more than the one before.
-  enum class Freedom
+  /// What a contraction may do besides keeping the topology of the complex and the shape of its
+  /// triangles.
+  struct Freedom
   {
-    Careful, ///< keeps the shape of triangles and the topology of the union of balls
-    Folding, ///< may turn triangles over
-    Any      ///< may also close loops and fill hollows
+    bool fill;  ///< close loops of three balls and hollows of four that the balls fill
+    bool fold;  ///< turn triangles over
+    bool close; ///< all of that, and close any loop and hollow
   };
 
   /// @param balls, complex are changed in place.
@@ -58,7 +59,7 @@ private:
   void planAll();
   void enqueue(int edge);
   bool allowed(int edge, Freedom freedom) const;
-  bool keepsTopology(int edge) const;
+  bool keepsTopology(int edge, bool mayFill) const;
   bool keepsShape(int edge, bool mayFold) const;
   bool keepsTriangle(const std::array<int, 3>& corners, int edge, bool mayFold) const;
   void contract(int edge);

@@ -16,13 +16,14 @@ constexpr int kNoCurve = -2;
 } // namespace
 
 CellThinning::CellThinning(CellLattice& lattice, const DepthField& depth, const CurveProbe& probe,
-  const glm::dvec3& step, const CurveLimits& limits)
+  const glm::dvec3& step, const CurveLimits& limits, const Checkpoint& checkpoint)
   : lattice_(lattice)
   , anchors_(lattice.size())
   , depth_(depth)
   , probe_(probe)
   , step_(step)
   , chains_(limits)
+  , checkpoint_(checkpoint)
   , queue_(kBucketWidth)
 {
 }
@@ -106,10 +107,16 @@ void CellThinning::raiseEdge(Cell edge, int chain)
 
 void CellThinning::drain()
 {
+  constexpr unsigned kEventsPerCheck = 1024;
+  unsigned events = 0;
   do
   {
     for (Event event{}; queue_.pop(event);)
     {
+      if (++events % kEventsPerCheck == 0)
+      {
+        checkpoint_();
+      }
       if (!lattice_.has(event.cell) || !lattice_.maximal(event.cell))
       {
         continue;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "medial/common/checkpoint.h"
 #include "medial/medial/topology/bucket_queue.h"
 #include "medial/medial/topology/cell_lattice.h"
 #include "medial/medial/topology/curve_chains.h"
@@ -30,8 +31,9 @@ public:
   /// @param lattice the solid, which becomes what is left of it.
   /// @param depth and probe must outlive this object.
   /// @param step frame distance of neighbouring grid points.
+  /// @param checkpoint called now and then; must outlive this object.
   CellThinning(CellLattice& lattice, const DepthField& depth, const CurveProbe& probe,
-    const glm::dvec3& step, const CurveLimits& limits);
+    const glm::dvec3& step, const CurveLimits& limits, const Checkpoint& checkpoint);
 
   /// A face that is to stay.
   /// @param angle those of lesser angle give way first where one must.
@@ -72,6 +74,7 @@ private:
   const CurveProbe& probe_;
   glm::dvec3 step_;
   CurveChains chains_;
+  const Checkpoint& checkpoint_;
   std::unordered_map<Cell, float> angles_;
   BucketQueue<Event> queue_;
   std::priority_queue<Gate, std::vector<Gate>, std::greater<>> gates_;

@@ -63,7 +63,7 @@ void thin(CellLattice& solid, const DepthField& depth, const AxisGeometry& geome
 {
   const CurveProbe probe(geometry.sites, geometry.frame, closestSites, depth, geometry.angle);
   CellThinning thinning(solid, depth, probe, geometry.frame.step,
-    { geometry.angle, geometry.lambda, geometry.radius });
+    { geometry.angle, geometry.lambda, geometry.radius }, geometry.checkpoint);
   const std::vector<Cell> anchored = sheetFaces(solid, selection);
   for (const Cell face : anchored)
   {

@@ -1,0 +1,58 @@
+"""Distance fields, medial axes and wall thickness of meshes.
+
+Functions take and return numpy arrays:
+
+    axis = medial.medial_axis(vertices, faces, resolution=128, angle=60)
+    axis.points, axis.radius, axis.faces
+
+distance_field(), medial_axis(), thickness(), reconstruct() and curves() are documented each by
+help(), as in help(medial.medial_axis). All lengths are in world units, those of the vertices, and
+all angles in degrees. They raise medial.Error, or a subclass of it, with the cause.
+
+The same is available as VTK filters, for pipelines:
+
+    axis = medial.vtkMedialAxis()
+    axis.SetInputConnection(reader.GetOutputPort())
+    medial.update(axis)
+
+help(medial.vtkMedialAxis) prints the manual of the class. medial.update() raises exceptions where
+Update() prints messages, and lets Ctrl-C and other threads in.
+"""
+
+from ._axis import MedialAxis, medial_axis
+from ._errors import Error, InvalidInputError, NoGpuError, OutOfMemoryError
+from ._field import DistanceField, distance_field
+from ._mesh import Surface
+from ._shape import Curve, curves, reconstruct, thickness
+from ._update import update
+from .vtkMedialFilters import (
+    vtkMedialAxis,
+    vtkMedialCurves,
+    vtkMedialReconstruction,
+    vtkMedialThickness,
+    vtkMeshDistanceField,
+    vtkMeshFieldAlgorithm,
+)
+
+__all__ = [
+    "Curve",
+    "DistanceField",
+    "Error",
+    "InvalidInputError",
+    "MedialAxis",
+    "NoGpuError",
+    "OutOfMemoryError",
+    "Surface",
+    "curves",
+    "distance_field",
+    "medial_axis",
+    "reconstruct",
+    "thickness",
+    "update",
+    "vtkMedialAxis",
+    "vtkMedialCurves",
+    "vtkMedialReconstruction",
+    "vtkMedialThickness",
+    "vtkMeshDistanceField",
+    "vtkMeshFieldAlgorithm",
+]

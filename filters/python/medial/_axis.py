@@ -1,0 +1,184 @@
+"""Medial axes."""
+
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass
+from typing import Any, Optional
+
+import numpy as np
+from numpy.typing import NDArray
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+from ._arrays import (add_point_data, cells_of_size, float_rows, index_rows, point_coordinates,
+                      point_data, rows_to_cells, to_points)
+from ._errors import InvalidInputError
+from ._field import DistanceField, field_of
+from ._mesh import to_polydata
+from ._options import (REPRESENTATIONS, SIDES, SIGNS, TOPOLOGIES, Evaluator, FieldArray, Lengths,
+                       Representation, Side, Sign, Topology, assign, assign_arrays, assign_grid,
+                       assign_run, choice, word)
+from ._update import Progress, update
+from .vtkMedialFilters import vtkMedialAxis
+
+# Attributes of MedialAxis, and the point data arrays of vtkMedialAxis with their components.
+_ARRAYS = {
+    "radius": ("Radius", 1),
+    "separation_angle": ("SeparationAngle", 1),
+    "lambda_": ("Lambda", 1),
+    "closest_a": ("ClosestPointA", 3),
+    "closest_b": ("ClosestPointB", 3),
+    "feature": ("AxisFeature", 1),
+}
+_CELLS = ("vertices", "lines", "triangles", "quads")
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class MedialAxis:
+    """A medial axis: balls, given by points and radii, and cells that join them.
+
+    Of n points, p vertices, l lines, t triangles and q quads. Points and what belongs to them share
+    VTK's memory.
+    """
+
+    points: NDArray[np.float64]
+    """(n, 3) centres of the medial balls, world coordinates."""
+    radius: NDArray[np.float32]
+    """(n,) distances to the mesh in world units."""
+    separation_angle: NDArray[np.float32]
+    """(n,) angles between the directions to two nearest points in degrees, in [0, 180]."""
+    lambda_: NDArray[np.float32]
+    """(n,) radius times the sine of half the separation angle, in world units. That is half
+    the distance of two nearest points."""
+    closest_a: NDArray[np.float32]
+    """(n, 3) one nearest point of the mesh, world coordinates."""
+    closest_b: NDArray[np.float32]
+    """(n, 3) another nearest point of the mesh, world coordinates."""
+    feature: NDArray[np.uint8]
+    """(n,) where the point lies: 0 in a sheet, 1 on a rim, 2 on a seam, 3 at a junction, 4 on a
+    curve, 5 alone."""
+    triangles: NDArray[np.int64]
+    """(t, 3) indices of points."""
+    quads: NDArray[np.int64]
+    """(q, 4) indices of points, in turn around the quad."""
+    lines: NDArray[np.int64]
+    """(l, 2) indices of points, where the axis is a curve."""
+    vertices: NDArray[np.int64]
+    """(p, 1) indices of points that are cells by themselves."""
+    side: str
+    """What it is the axis of: "interior", "exterior" or "both"."""
+    sign: str
+    """How inside was told from outside: "none" or "pseudonormal"."""
+    renderer: str
+    """The OpenGL implementation in use (GL_RENDERER)."""
+    field: Optional[DistanceField] = None
+    """The distance field, if wanted."""
+
+    def __repr__(self) -> str:
+        counts = (f"{len(getattr(self, name))} {name}" for name in ("points", *_CELLS))
+        return f"<MedialAxis of {', '.join(counts)}; {self.side}>"
+
+    @property
+    def faces(self) -> NDArray[np.int64]:
+        """(2 q + t, 3) all sheets as triangles: the halves of each quad, then the triangles."""
+        halves = self.quads[:, [0, 1, 2, 0, 2, 3]].reshape(-1, 3)
+        return np.concatenate([halves, self.triangles])
+
+    def to_vtk(self) -> vtkPolyData:
+        """As VTK's mesh, with the point data arrays of vtkMedialAxis. Shares the memory of points
+        and of what belongs to them; copies cells.
+
+        Raises InvalidInputError where arrays do not fit each other.
+        """
+        points = float_rows(self.points, "points", 3)
+        axis = vtkPolyData()
+        axis.SetPoints(to_points(points))
+        for attribute, (name, components) in _ARRAYS.items():
+            values = np.asarray(getattr(self, attribute))
+            expected = (len(points),) if components == 1 else (len(points), components)
+            if values.shape != expected:
+                raise InvalidInputError(f"{attribute} has the shape {values.shape}, not {expected}")
+            add_point_data(axis, name, values)
+        axis.GetPointData().SetActiveScalars("Radius")
+        cells = {name: index_rows(getattr(self, name), name, len(points)) for name in _CELLS}
+        axis.SetVerts(rows_to_cells(cells["vertices"]))
+        axis.SetLines(rows_to_cells(cells["lines"]))
+        axis.SetPolys(rows_to_cells(cells["quads"], cells["triangles"]))
+        return axis
+
+
+def medial_axis(
+    vertices: Any, faces: Any = None, *,
+    angle: float = 60.0, min_lambda: float = 0.0, min_radius: float = 0.0,
+    side: Side = "interior", representation: Representation = "surface",
+    max_spheres: int = 0, topology: Topology = "selected", field: bool = False,
+    resolution: int = 256, spacing: Optional[Lengths] = None,
+    origin: Optional[Sequence[float]] = None, dimensions: Optional[Sequence[int]] = None,
+    padding: float = 0.05, sign: Sign = "auto", arrays: Collection[FieldArray] = (),
+    threads: int = 0, memory: int = 0, evaluator: Evaluator = "auto", require_gpu: bool = False,
+    progress: Optional[Progress] = None,
+) -> MedialAxis:
+    """The medial axis of a mesh, simplified by separation angle.
+
+    The points halfway between two or more places of the mesh. Points lie where the axis is, not at
+    grid points; their radii are exact.
+
+    vertices, faces: the mesh, as for distance_field().
+    angle: least separation angle theta of the directions to the two closest points, in degrees, in
+        (0, 180); small values keep more of the axis and more noise.
+    min_lambda: least lambda, half the distance of the two closest points, in world units, >= 0;
+        takes away what noise of that size makes, and what lies behind thinner walls.
+    min_radius: least radius of the medial balls, in world units, >= 0.
+    side: which side of the surface: "interior", "exterior" or "both". An open mesh has no sides:
+        its axis is that of both, and so says MedialAxis.side.
+    representation: "surface" (dual mesh), "faces" (voxel faces) or "points".
+    max_spheres: compact connected axis: at most so many balls, joined by lines and triangles, that
+        describe the shape best, in [0, 2147483647]; not for "points"; 0 for no limit.
+    topology: "selected": what angle leaves, in as many pieces as that is; "preserve": with the
+        components, tunnels and cavities of the solid at this resolution, whatever the angle; needs
+        "surface" or "faces" and 10 bytes a grid point.
+    field: whether MedialAxis.field is the distance field, from the same run.
+    resolution, spacing, origin, dimensions, padding, sign, arrays, threads, memory, evaluator,
+        require_gpu, progress: as for distance_field(); arrays are those of the field.
+
+    Raises what distance_field() raises.
+
+    >>> corners = [[x, y, z] for x in (0, 4) for y in (0, 4) for z in (0, 1)]
+    >>> quads = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
+    >>> axis = medial_axis(corners, quads, resolution=64, angle=120)  # the middle of a plate
+    >>> float(abs(axis.points[:, 2] - 0.5).max()) < 1e-6
+    True
+    >>> float(axis.radius.max())
+    0.5
+    """
+    algorithm = vtkMedialAxis()
+    algorithm.SetInputData(to_polydata(vertices, faces))
+    assign(algorithm, Angle=angle, MinimumLambda=min_lambda, MinimumRadius=min_radius,
+           Side=choice("side", side, SIDES),
+           Representation=choice("representation", representation, REPRESENTATIONS),
+           MaximumNumberOfSpheres=max_spheres, Topology=choice("topology", topology, TOPOLOGIES),
+           GenerateDistanceField=bool(field))
+    assign_grid(algorithm, resolution=resolution, spacing=spacing, origin=origin,
+                dimensions=dimensions, padding=padding)
+    assign_run(algorithm, sign=sign, threads=threads, memory=memory, evaluator=evaluator,
+               require_gpu=require_gpu)
+    assign_arrays(algorithm, arrays)
+    update(algorithm, progress)
+    return _axis_of(algorithm)
+
+
+def _axis_of(algorithm: vtkMedialAxis) -> MedialAxis:
+    """The output of a filter that was executed."""
+    output = algorithm.GetOutput()
+    field = None
+    if algorithm.GetGenerateDistanceField():
+        field = field_of(algorithm, algorithm.GetDistanceField())
+    return MedialAxis(
+        **{attribute: point_data(output, name) for attribute, (name, _) in _ARRAYS.items()},
+        points=point_coordinates(output),
+        triangles=cells_of_size(output.GetPolys(), 3),
+        quads=cells_of_size(output.GetPolys(), 4),
+        lines=cells_of_size(output.GetLines(), 2),
+        vertices=cells_of_size(output.GetVerts(), 1),
+        side=word(algorithm.GetUsedSide(), SIDES),
+        sign=word(algorithm.GetUsedSignMethod(), SIGNS),
+        renderer=algorithm.GetRenderer(),
+        field=field)

@@ -1,0 +1,5 @@
+from typing import Callable, Optional
+
+def update(
+    algorithm: object, progress: Optional[Callable[[float, str], object]] = None
+) -> list[str]: ...

@@ -1,0 +1,91 @@
+"""Meshes as they come in and go out."""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+
+from ._arrays import float_rows, index_rows, rows_to_cells, to_cells, to_points
+from ._errors import InvalidInputError
+
+
+class Surface(NamedTuple):
+    """A mesh: what the functions of this package take as vertices and faces."""
+
+    vertices: NDArray[np.float64]
+    """(n, 3) coordinates in world units."""
+    faces: NDArray[np.int64]
+    """(m, k) indices of vertices; triangles (k = 3) where this package makes them."""
+
+    def to_vtk(self) -> vtkPolyData:
+        """As VTK's mesh, which shares the memory of the vertices."""
+        return to_polydata(self.vertices, self.faces)
+
+
+def to_polydata(vertices: Any, faces: Any = None) -> vtkPolyData:
+    """The mesh that a function of this package was called with; never the caller's own object.
+
+    Vertices are not copied where they are a C-contiguous array of float32 or float64.
+    """
+    if isinstance(vertices, vtkPolyData):
+        if faces is not None:
+            raise TypeError("a vtkPolyData has its own faces: leave out the second argument")
+        mesh = vtkPolyData()
+        mesh.ShallowCopy(vertices)
+        return mesh
+    if faces is None:
+        vertices, faces = _parts_of(vertices)
+    points = float_rows(vertices, "vertices", 3)
+    mesh = vtkPolyData()
+    mesh.SetPoints(to_points(points))
+    _set_faces(mesh, faces, len(points))
+    return mesh
+
+
+def _parts_of(mesh: Any) -> tuple[Any, Any]:
+    """Vertices and faces of an object that has both, as the meshes of trimesh and Surface do."""
+    try:
+        return mesh.vertices, mesh.faces
+    except AttributeError:
+        raise TypeError(
+            f"a mesh is given as vertices and faces, as a vtkPolyData, or as an object with the "
+            f"attributes vertices and faces, not as {type(mesh).__name__} alone; files are read by "
+            f"VTK's readers, such as vtkSTLReader") from None
+
+
+def _set_faces(mesh: vtkPolyData, faces: Any, points: int) -> None:
+    """Cells by the number of their corners."""
+    sizes = _sizes_of(faces)
+    if len(set(sizes)) > 1:
+        mesh.SetPolys(_polygons(faces, sizes, points))
+        return
+    rows = index_rows(faces if sizes else np.empty((0, 3), dtype=np.int64), "faces", points)
+    cells = rows_to_cells(rows)
+    if rows.shape[1] == 1:
+        mesh.SetVerts(cells)
+    elif rows.shape[1] == 2:
+        mesh.SetLines(cells)
+    else:
+        mesh.SetPolys(cells)
+
+
+def _sizes_of(faces: Any) -> list[int]:
+    """Numbers of corners, of an array only that of the first face."""
+    if isinstance(faces, np.ndarray):
+        return [faces.shape[-1]] if faces.size > 0 else []
+    try:
+        return [len(face) for face in faces]
+    except TypeError:
+        raise InvalidInputError(
+            "faces are neither an array nor a sequence of sequences of vertex indices") from None
+
+
+def _polygons(faces: Any, sizes: list[int], points: int) -> vtkCellArray:
+    """Faces with different numbers of corners."""
+    if min(sizes) < 3:
+        raise InvalidInputError(
+            f"face {sizes.index(min(sizes))} has {min(sizes)} vertices; where their number differs "
+            f"from face to face at least 3 are needed")
+    joined = index_rows([[index] for face in faces for index in face], "faces", points)
+    return to_cells(np.array(sizes), joined[:, 0])

@@ -1,0 +1,184 @@
+"""Wrong use ends in an exception that tells the cause."""
+
+import os
+import subprocess
+import sys
+import textwrap
+import unittest
+
+import medial
+import numpy as np
+import shapes
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkIOGeometry import vtkSTLReader
+
+VERTICES, QUADS = shapes.box()
+SMALL = {"resolution": 9}
+
+
+class Meshes(unittest.TestCase):
+    def assert_refused(self, message, *mesh, error=ValueError):
+        for function in (medial.distance_field, medial.medial_axis, medial.thickness):
+            with self.assertRaisesRegex(error, message):
+                function(*mesh)
+
+    def test_arrays(self):
+        self.assert_refused(r"vertices have the shape \(8, 2\)", VERTICES[:, :2], QUADS)
+        self.assert_refused(r"vertices have the shape \(3,\)", [1.0, 2.0, 3.0], QUADS)
+        self.assert_refused("vertices are not numbers", [["a", "b", "c"]], QUADS)
+        self.assert_refused("vertices are not numbers", VERTICES * 1j, QUADS)
+        self.assert_refused("not finite", np.where(VERTICES > 0.9, np.nan, VERTICES), QUADS)
+        self.assert_refused("not finite", np.where(VERTICES > 0.9, np.inf, VERTICES), QUADS)
+        self.assert_refused(r"faces name the vertex 8, but there are 8", VERTICES, QUADS + 1)
+        self.assert_refused(r"faces name the vertex -1,", VERTICES, QUADS - 1)
+        self.assert_refused("faces name the vertex 9", VERTICES, [[0, 1, 2], [0, 1, 3, 9]])
+        self.assert_refused("faces are of type float64", VERTICES, QUADS.astype(float))
+        self.assert_refused("face 1 has 2 vertices", VERTICES, [[0, 1, 2], [0, 1]])
+        self.assert_refused("face 0 has 2 vertices", VERTICES, [[0, 1], [0, 1, 2]])
+        self.assert_refused("faces are of type float64", VERTICES, [[0, 1, 2], [0, 1, 2.5, 3]])
+        self.assert_refused("faces are of type", VERTICES, [[0, 1, 2], [0, 1, "x", 3]])
+        self.assert_refused("faces are neither an array nor", VERTICES, [0, 1, 2])
+        self.assert_refused("faces are neither an array nor", VERTICES, 5)
+        self.assert_refused(r"faces have the shape \(4,\)", VERTICES, np.array([3, 0, 1, 2]))
+        self.assert_refused("the mesh has no cells", VERTICES, [])
+        self.assert_refused("the mesh has no cells", VERTICES, np.empty((0, 3), dtype=int))
+
+    def test_other_objects(self):
+        for mesh in ("part.stl", VERTICES, 7, None):
+            self.assert_refused("as a vtkPolyData", mesh, error=TypeError)
+        self.assert_refused("own faces", vtkPolyData(), QUADS, error=TypeError)
+        self.assert_refused("no cells", vtkPolyData())
+
+    def test_file_that_cannot_be_read(self):
+        for algorithm in (medial.vtkMedialAxis(), medial.vtkMedialThickness()):
+            reader = vtkSTLReader()
+            reader.SetFileName("absent.stl")
+            algorithm.SetInputConnection(reader.GetOutputPort())
+            with self.assertRaisesRegex(medial.Error, "absent.stl"):
+                medial.update(algorithm)
+
+
+class Parameters(unittest.TestCase):
+    def assert_refused(self, message, function=medial.distance_field, error=ValueError,
+                       **parameters):
+        with self.assertRaisesRegex(error, message):
+            function(VERTICES, QUADS, **parameters)
+
+    def test_grid(self):
+        self.assert_refused(r"resolution 1 is outside \[2, 8192\]", resolution=1)
+        self.assert_refused(r"resolution 8193 is outside", resolution=8193)
+        self.assert_refused("Resolution 1000000000000", resolution=10**12)
+        self.assert_refused("Resolution 'fine'", error=TypeError, resolution="fine")
+        self.assert_refused("Resolution 9.5", error=TypeError, resolution=9.5)
+        self.assert_refused(r"padding nan is outside \[0, 10\]", padding=float("nan"))
+        self.assert_refused("spacing -1 ", spacing=-1)
+        self.assert_refused(r"spacing \(1, 2\) is not of three", spacing=(1, 2))
+        self.assert_refused("1e-05", spacing=1e-5)
+        explicit = "an explicit grid needs origin, spacing and dimensions"
+        self.assert_refused(explicit, origin=(0, 0, 0))
+        self.assert_refused(explicit, origin=(0, 0, 0), dimensions=(1, 1, 1))
+        self.assert_refused(explicit, spacing=1, dimensions=(1, 1, 1))
+        self.assert_refused("dimension", origin=(0, 0, 0), spacing=1, dimensions=(0, 1, 1))
+
+    def test_words(self):
+        self.assert_refused("sign 'outside' is none of auto, none", sign="outside")
+        self.assert_refused(r"sign \['auto'\] is none of", sign=["auto"])
+        self.assert_refused("evaluator 'gpu' is none of", evaluator="gpu")
+        self.assert_refused("array 'closest' is none of closest_point", arrays=["closest"])
+        for name in ("side", "representation", "topology"):
+            self.assert_refused(f"{name} 'x' is none of", function=medial.medial_axis,
+                                **{name: "x"})
+
+    def test_run(self):
+        self.assert_refused("NumberOfThreads -1", threads=-1)
+        self.assert_refused("MemoryLimit 3", memory=3)
+        self.assert_refused("winding is not available", sign="winding")
+        with self.assertRaisesRegex(ValueError, "boundary"):
+            medial.distance_field(VERTICES, QUADS[1:], sign="pseudonormal", **SMALL)
+
+    def test_axis(self):
+        axis = {"function": medial.medial_axis, **SMALL}
+        self.assert_refused(r"angle 180.0+ is outside \(0, 180\)", angle=180, **axis)
+        self.assert_refused("lambda -1", min_lambda=-1, **axis)
+        self.assert_refused("radius nan", min_radius=float("nan"), **axis)
+        self.assert_refused("spheres -1", max_spheres=-1, **axis)
+        self.assert_refused("points have no topology", topology="preserve",
+                            representation="points", **axis)
+        self.assert_refused("angle 0.0+ is outside", function=medial.thickness, angle=0)
+
+    def test_shape(self):
+        axis = medial.medial_axis(VERTICES, QUADS, **SMALL)
+        with self.assertRaisesRegex(ValueError, "resolution 0"):
+            medial.reconstruct(axis, resolution=0)
+        with self.assertRaisesRegex(ValueError, "no point data array Radius"):
+            medial.reconstruct(medial.Surface(VERTICES, QUADS).to_vtk())
+        for function in (medial.reconstruct, medial.curves):
+            with self.assertRaisesRegex(TypeError, "not ndarray"):
+                function(VERTICES)
+
+    def test_grid_that_memory_cannot_hold(self):
+        huge = {"origin": (0, 0, 0), "spacing": 1, "dimensions": (8192, 8192, 8192)}
+        self.assert_refused("549755813888 points needs 2097152 MiB", error=MemoryError, **huge)
+        self.assert_refused("points needs", error=MemoryError, function=medial.medial_axis,
+                            field=True, **huge)
+        self.assert_refused("points needs", error=medial.OutOfMemoryError,
+                            function=medial.medial_axis, topology="preserve", **huge)
+        ball = medial.medial_axis(VERTICES, QUADS, **SMALL)
+        with self.assertRaises(medial.OutOfMemoryError):
+            medial.reconstruct(ball, resolution=8192)
+
+    def test_work_goes_on_after_failures(self):
+        self.assert_refused("resolution", resolution=1)
+        self.assertEqual(medial.distance_field(VERTICES, QUADS, **SMALL).distance.shape[0], 9)
+
+
+class Processes(unittest.TestCase):
+    """What depends on the environment, in processes of their own."""
+
+    def run_script(self, script, **environment):
+        """The standard output; what fails or prints errors fails the test."""
+        done = subprocess.run(
+            [sys.executable, "-c", textwrap.dedent(script)], capture_output=True, text=True,
+            timeout=120, env={**os.environ, **environment}, cwd=os.path.dirname(__file__))
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        return done.stdout
+
+    def test_without_egl(self):
+        output = self.run_script("""
+            import medial, shapes
+            for function in (medial.distance_field, medial.medial_axis):
+                try:
+                    function(*shapes.box(), resolution=9)
+                except medial.NoGpuError as error:
+                    print("no GPU:", error)
+            print(medial.thickness(*shapes.box()).max())
+            """, __EGL_VENDOR_LIBRARY_FILENAMES=os.devnull)
+        self.assertRegex(output, r"\Ano GPU: .*EGL.*\nno GPU: .*EGL.*\n0.0\n\Z")
+
+    def test_software_renderer_where_hardware_is_required(self):
+        output = self.run_script("""
+            import medial, shapes
+            try:
+                field = medial.distance_field(*shapes.box(), resolution=9, require_gpu=True)
+                print("hardware:", field.renderer)
+            except medial.NoGpuError as error:
+                print(error)
+            """)
+        self.assertRegex(output, "hardware: .|a hardware renderer is required, but")
+
+    def test_errors_are_exceptions_and_nothing_else(self):
+        self.run_script("""
+            import medial, shapes
+            vertices, quads = shapes.box()
+            for parameters in ({"resolution": 1}, {"dimensions": (8192,) * 3, "spacing": 1,
+                                                   "origin": (0, 0, 0)}):
+                try:
+                    medial.distance_field(vertices, quads, **parameters)
+                    raise SystemExit("no exception")
+                except medial.Error:
+                    pass
+            """)
+
+
+if __name__ == "__main__":
+    unittest.main()

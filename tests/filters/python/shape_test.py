@@ -1,0 +1,121 @@
+"""medial.thickness(), reconstruct() and curves() beside shapes whose answers are known."""
+
+import dataclasses
+import unittest
+
+import medial
+import numpy as np
+import shapes
+
+
+class Thickness(unittest.TestCase):
+    def test_of_a_ball_is_its_diameter(self):
+        vertices, faces = shapes.ball(4, radius=2.0)
+        values = medial.thickness(vertices, faces)
+        self.assertEqual((values.dtype, values.shape), (np.float32, (len(vertices),)))
+        np.testing.assert_allclose(values, 4.0, rtol=0.02)
+
+    def test_edges_and_the_other_side_of_a_box(self):
+        vertices, quads = shapes.box()
+        np.testing.assert_array_equal(medial.thickness(vertices, quads), 0.0)
+        # From one of its sharp edges on a box has nothing opposite.
+        np.testing.assert_array_equal(
+            np.isnan(medial.thickness(vertices, quads, side="exterior")), True)
+
+    def test_plates(self):
+        half = np.array([1.0, 1.0, 0.125])
+        vertices, quads = shapes.box(half)
+        above = vertices + [0, 0, 1.0]
+        # A point in the middle of the upper side of the lower plate.
+        vertices = np.concatenate([vertices, above, [[0, 0, 0.125]]])
+        fan = [[1, 5, 16], [5, 7, 16], [7, 3, 16], [3, 1, 16]]
+        faces = [face for face in quads.tolist() if face != [1, 5, 7, 3]]
+        faces += fan + (quads + 8).tolist()
+        for side, expected in (("interior", 0.25), ("exterior", 0.75), ("both", 0.25)):
+            values = medial.thickness(vertices, faces, side=side)
+            self.assertAlmostEqual(values[16], expected, places=5, msg=side)
+
+    def test_angle(self):
+        vertices, quads = shapes.box()
+        # The dihedral angles are 90 degrees: no convex edge bends by 120.
+        self.assertGreater(medial.thickness(vertices, quads, angle=120).min(), 0.0)
+
+
+class Reconstruction(unittest.TestCase):
+    def setUp(self):
+        self.axis = medial.medial_axis(*shapes.box(), resolution=33, angle=30)
+
+    def test_has_the_volume_of_the_box(self):
+        surface = medial.reconstruct(self.axis, resolution=48)
+        self.assertEqual(surface.vertices.dtype, np.float64)
+        self.assertEqual(surface.faces.dtype, np.int64)
+        self.assertAlmostEqual(shapes.signed_volume(*surface), 3.0, delta=0.15)
+        np.testing.assert_allclose(np.abs(surface.vertices).max(axis=0), shapes.HALF, atol=0.05)
+
+    def test_of_vtk_is_the_same(self):
+        surfaces = [medial.reconstruct(axis, resolution=24)
+                    for axis in (self.axis, self.axis.to_vtk())]
+        np.testing.assert_array_equal(surfaces[0].vertices, surfaces[1].vertices)
+
+    def test_of_larger_balls_is_larger(self):
+        larger = dataclasses.replace(self.axis, radius=self.axis.radius + np.float32(0.25))
+        volume = shapes.signed_volume(*medial.reconstruct(larger, resolution=48))
+        # A box grown by r: its volume, r times its area, pi r^2 times a quarter of the edges' sum,
+        # and a ball.
+        sides = 2 * shapes.HALF
+        area = 2 * (sides[0] * sides[1] + sides[1] * sides[2] + sides[2] * sides[0])
+        grown = 3 + 0.25 * area + np.pi * 0.25 ** 2 * sides.sum() + 4 / 3 * np.pi * 0.25 ** 3
+        self.assertAlmostEqual(volume, grown, delta=0.05 * grown)
+
+    def test_balls_alone(self):
+        axis = medial.medial_axis(*shapes.box(), resolution=33, max_spheres=12)
+        volumes = [shapes.signed_volume(*medial.reconstruct(axis, interpolate=interpolate))
+                   for interpolate in (False, True)]
+        self.assertLess(volumes[0], 0.9 * volumes[1])
+
+    def test_surface_is_a_mesh_again(self):
+        surface = medial.reconstruct(self.axis, resolution=48)
+        centre = medial.distance_field(surface, origin=(0, 0, 0), spacing=1, dimensions=(1, 1, 1))
+        self.assertEqual(centre.sign, "pseudonormal")
+        self.assertAlmostEqual(centre.distance[0, 0, 0], -0.5, delta=0.02)
+
+
+class Curves(unittest.TestCase):
+    def test_a_rectangle_has_a_rim(self):
+        # Only the middle sheet of the box has such angles.
+        axis = medial.medial_axis(*shapes.box(), resolution=65, angle=150)
+        found = medial.curves(axis)
+        self.assertEqual([curve.kind for curve in found], ["rim"])
+        indices = found[0].indices
+        self.assertEqual(indices[0], indices[-1])
+        self.assertEqual(set(axis.feature[indices]), {1})
+        rim = axis.points[indices]
+        lengths = np.linalg.norm(np.diff(rim, axis=0), axis=1)
+        # A rectangle of 1 x 0.5; its rim goes in steps, at most along both sides of each cell.
+        self.assertGreater(lengths.sum(), 2.7)
+        self.assertLess(lengths.sum(), 3.0 * 1.5)
+        self.assertEqual(medial.curves(axis, rims=False), [])
+
+    def test_a_box_has_seams_where_its_sheets_meet(self):
+        axis = medial.medial_axis(*shapes.box(), resolution=33)
+        seams = medial.curves(axis, rims=False, other=False)
+        self.assertGreater(len(seams), 0)
+        self.assertEqual({curve.kind for curve in seams}, {"seam"})
+        # Along a seam three sides of the box are equally near.
+        points = axis.points[np.concatenate([curve.indices for curve in seams])]
+        depths = np.concatenate([shapes.HALF - points, shapes.HALF + points], axis=1)
+        nearest = np.sort(depths, axis=1)
+        self.assertLess(np.median(nearest[:, 2] - nearest[:, 0]), 2.5 / 33)
+        mesh = axis.to_vtk()
+        arrays = mesh.GetPointData().GetNumberOfArrays()
+        of_vtk = medial.curves(mesh, rims=False, other=False)
+        self.assertEqual(mesh.GetPointData().GetNumberOfArrays(), arrays)
+        np.testing.assert_array_equal(of_vtk[0].indices, seams[0].indices)
+
+    def test_an_axis_of_points_has_none(self):
+        axis = medial.medial_axis(*shapes.box(), resolution=17, representation="points")
+        self.assertEqual(medial.curves(axis), [])
+
+
+if __name__ == "__main__":
+    unittest.main()
