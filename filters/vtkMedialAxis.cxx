@@ -17,22 +17,6 @@ namespace
 {
 
 //------------------------------------------------------------------------------
-medial::Side ToSide(int side)
-{
-  switch (side)
-  {
-    case vtkMedialAxis::INTERIOR:
-      return medial::Side::Interior;
-    case vtkMedialAxis::EXTERIOR:
-      return medial::Side::Exterior;
-    case vtkMedialAxis::BOTH:
-      return medial::Side::Both;
-    default:
-      vtkThrowBadParameter("Side", side, "one of 0 (interior), 1 (exterior), 2 (both)");
-  }
-}
-
-//------------------------------------------------------------------------------
 medial::Representation ToRepresentation(int representation)
 {
   switch (representation)
@@ -104,17 +88,7 @@ int vtkMedialAxis::GetUsedSide()
 //------------------------------------------------------------------------------
 const char* vtkMedialAxis::GetSideAsString()
 {
-  switch (this->Side)
-  {
-    case INTERIOR:
-      return "Interior";
-    case EXTERIOR:
-      return "Exterior";
-    case BOTH:
-      return "Both";
-    default:
-      return "Unknown";
-  }
+  return vtkSideAsString<vtkMedialAxis>(this->Side);
 }
 
 //------------------------------------------------------------------------------
@@ -189,7 +163,7 @@ int vtkMedialAxis::RequestData(vtkInformation* request, vtkInformationVector** i
       options.angle = this->Angle;
       options.lambda = this->MinimumLambda;
       options.radius = this->MinimumRadius;
-      options.side = ToSide(this->Side);
+      options.side = vtkToSide<vtkMedialAxis>(this->Side);
       options.representation = ToRepresentation(this->Representation);
       options.maxSpheres = this->MaximumNumberOfSpheres;
       options.topology = ToTopology(this->Topology);

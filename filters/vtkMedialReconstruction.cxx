@@ -112,10 +112,7 @@ int vtkMedialReconstruction::RequestInformation(vtkInformation*, vtkInformationV
 int vtkMedialReconstruction::RequestUpdateExtent(vtkInformation*,
   vtkInformationVector** inputVector, vtkInformationVector*)
 {
-  vtkInformation* input = inputVector[0]->GetInformationObject(0);
-  input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
-  input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
-  input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  vtkRequestWhole(inputVector[0]->GetInformationObject(0));
   return 1;
 }
 

@@ -12,27 +12,6 @@
 
 vtkStandardNewMacro(vtkMedialThickness);
 
-namespace
-{
-
-//------------------------------------------------------------------------------
-medial::Side ToSide(int side)
-{
-  switch (side)
-  {
-    case vtkMedialThickness::INTERIOR:
-      return medial::Side::Interior;
-    case vtkMedialThickness::EXTERIOR:
-      return medial::Side::Exterior;
-    case vtkMedialThickness::BOTH:
-      return medial::Side::Both;
-    default:
-      vtkThrowBadParameter("Side", side, "one of 0 (interior), 1 (exterior), 2 (both)");
-  }
-}
-
-} // namespace
-
 //------------------------------------------------------------------------------
 vtkMedialThickness::vtkMedialThickness() = default;
 
@@ -42,17 +21,7 @@ vtkMedialThickness::~vtkMedialThickness() = default;
 //------------------------------------------------------------------------------
 const char* vtkMedialThickness::GetSideAsString()
 {
-  switch (this->Side)
-  {
-    case INTERIOR:
-      return "Interior";
-    case EXTERIOR:
-      return "Exterior";
-    case BOTH:
-      return "Both";
-    default:
-      return "Unknown";
-  }
+  return vtkSideAsString<vtkMedialThickness>(this->Side);
 }
 
 //------------------------------------------------------------------------------
@@ -67,10 +36,7 @@ int vtkMedialThickness::RequestInformation(vtkInformation*, vtkInformationVector
 int vtkMedialThickness::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector,
   vtkInformationVector*)
 {
-  vtkInformation* inInfo = inputVector[0]->GetInformationObject(0);
-  inInfo->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
-  inInfo->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
-  inInfo->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  vtkRequestWhole(inputVector[0]->GetInformationObject(0));
   return 1;
 }
 
@@ -97,7 +63,7 @@ void vtkMedialThickness::Execute(vtkPolyData* input, vtkPolyData* output)
   vtkProgressBridge progress(this);
   medial::ThicknessOptions options;
   options.angle = this->Angle;
-  options.side = ToSide(this->Side);
+  options.side = vtkToSide<vtkMedialThickness>(this->Side);
   options.threads = this->NumberOfThreads;
   options.progress = &progress;
   const medial::TriangleMesh mesh =

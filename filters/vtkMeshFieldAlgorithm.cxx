@@ -89,10 +89,7 @@ int vtkMeshFieldAlgorithm::FillInputPortInformation(int, vtkInformation* info)
 int vtkMeshFieldAlgorithm::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector,
   vtkInformationVector*)
 {
-  vtkInformation* inInfo = inputVector[0]->GetInformationObject(0);
-  inInfo->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
-  inInfo->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
-  inInfo->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  vtkRequestWhole(inputVector[0]->GetInformationObject(0));
   return 1;
 }
 
@@ -148,10 +145,7 @@ vtkPolyData* vtkMeshFieldAlgorithm::UpdateWholeInput(vtkInformationVector** inpu
   vtkAlgorithm* producer = this->GetInputAlgorithm(0, 0, producerPort);
   vtkNew<vtkInformationVector> requests;
   requests->SetNumberOfInformationObjects(producer->GetNumberOfOutputPorts());
-  vtkInformation* request = requests->GetInformationObject(producerPort);
-  request->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
-  request->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
-  request->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  vtkRequestWhole(requests->GetInformationObject(producerPort));
   producer->Update(producerPort, requests);
   return vtkPolyData::GetData(inputVector[0]);
 }

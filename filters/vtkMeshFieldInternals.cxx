@@ -153,6 +153,14 @@ void vtkThrowBadParameter(const char* name, int value, const char* range)
 }
 
 //------------------------------------------------------------------------------
+void vtkRequestWhole(vtkInformation* request)
+{
+  request->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
+  request->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+  request->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+}
+
+//------------------------------------------------------------------------------
 bool vtkMeshFieldAlgorithm::vtkInternals::Try(const std::function<void()>& work)
 {
   if (!vtkRunGuarded(this->Self, this->Self->ErrorCode, work))

@@ -115,6 +115,49 @@ int vtkEndWithoutOutput(vtkAlgorithm* algorithm, vtkInformationVector* outputVec
 [[noreturn]] void vtkThrowBadParameter(const char* name, int value, const char* range);
 
 /**
+ * A value of the SideType of a filter as the library's side. Throws where it is none.
+ */
+template <typename FilterType>
+medial::Side vtkToSide(int side)
+{
+  switch (side)
+  {
+    case FilterType::INTERIOR:
+      return medial::Side::Interior;
+    case FilterType::EXTERIOR:
+      return medial::Side::Exterior;
+    case FilterType::BOTH:
+      return medial::Side::Both;
+    default:
+      vtkThrowBadParameter("Side", side, "one of 0 (interior), 1 (exterior), 2 (both)");
+  }
+}
+
+/**
+ * The same as a word.
+ */
+template <typename FilterType>
+const char* vtkSideAsString(int side)
+{
+  switch (side)
+  {
+    case FilterType::INTERIOR:
+      return "Interior";
+    case FilterType::EXTERIOR:
+      return "Exterior";
+    case FilterType::BOTH:
+      return "Both";
+    default:
+      return "Unknown";
+  }
+}
+
+/**
+ * Asks for the whole input instead of a piece.
+ */
+void vtkRequestWhole(vtkInformation* request);
+
+/**
  * Passes the library's progress on to a VTK algorithm's observers, and their wish to stop back.
  */
 class vtkProgressBridge : public medial::Progress

@@ -30,10 +30,7 @@ std::vector<std::size_t> rimVertices(const AxisGeometry& geometry, const DualMes
   sides.reserve(4 * mesh.quads.size());
   for (const auto& quad : mesh.quads)
   {
-    for (std::size_t i = 0; i < 4; ++i)
-    {
-      sides.push_back({ quad[i], quad[(i + 1) % 4] });
-    }
+    addSides(quad, sides);
   }
   std::vector<std::uint8_t> onRim(mesh.cells.size(), 0);
   SideTable(sides, mesh.cells.size())

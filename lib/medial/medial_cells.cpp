@@ -204,15 +204,6 @@ Corners contracted(const std::array<Id, 4>& quad, Contraction& contraction)
   return corners;
 }
 
-template <typename Cell>
-void addSides(const Cell& corners, std::vector<SideTable::Side>& sides)
-{
-  for (std::size_t i = 0; i < corners.size(); ++i)
-  {
-    sides.push_back({ corners[i], corners[(i + 1) % corners.size()] });
-  }
-}
-
 double longestSide(const BisectorPoints& points, const Corners& corners)
 {
   double longest = 0.0;

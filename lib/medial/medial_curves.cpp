@@ -184,26 +184,15 @@ private:
   AxisFeature kind_;
 };
 
-template <typename Cell>
-void addSides(const std::vector<Cell>& cells, std::vector<Edge>& sides)
-{
-  for (const Cell& cell : cells)
-  {
-    for (std::size_t i = 0; i < cell.size(); ++i)
-    {
-      sides.push_back({ cell[i], cell[(i + 1) % cell.size()] });
-    }
-  }
-}
-
 } // namespace
 
 AxisEdges edgesOf(const MedialAxis& axis)
 {
   AxisEdges edges;
   edges.sides.reserve(4 * axis.quads.size() + 3 * axis.triangles.size());
-  addSides(axis.quads, edges.sides);
-  addSides(axis.triangles, edges.sides);
+  const auto add = [&](const auto& polygon) { addSides(polygon, edges.sides); };
+  std::for_each(axis.quads.begin(), axis.quads.end(), add);
+  std::for_each(axis.triangles.begin(), axis.triangles.end(), add);
   edges.lines = axis.lines;
   return edges;
 }

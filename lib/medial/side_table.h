@@ -42,4 +42,15 @@ private:
   std::vector<std::int64_t> high_;   ///< the higher ids, ascending
 };
 
+/// Appends the sides of a polygon.
+/// @param corners point ids in cyclic order.
+template <typename Polygon>
+void addSides(const Polygon& corners, std::vector<SideTable::Side>& sides)
+{
+  for (std::size_t i = 0; i < corners.size(); ++i)
+  {
+    sides.push_back({ corners[i], corners[(i + 1) % corners.size()] });
+  }
+}
+
 } // namespace medial
