@@ -55,7 +55,8 @@ vtkSmartPointer<vtkActor> makeSharpEdges(vtkPolyData* surface)
   return actor;
 }
 
-vtkSmartPointer<vtkActor> makeAxis(vtkPolyData* axis, vtkScalarsToColors* colours, const char* array)
+vtkSmartPointer<vtkActor> makeAxis(vtkPolyData* axis, vtkScalarsToColors* colours,
+  const char* array)
 {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(axis);

@@ -16,26 +16,24 @@ namespace medial::app
 namespace
 {
 
-constexpr int kColours = 512;
-constexpr int kLinesEvery = 32; // colours between two lines of equal distance
-constexpr double kLineShade = 0.6;
+constexpr int kBands = 32;
+constexpr double kBandShade = 0.9; // of every other band
 
-// From blue through white at 0 to red, darker along the lines.
+// From blue through white at 0 to red, in bands whose borders are lines of equal distance.
 vtkSmartPointer<vtkLookupTable> makeTable()
 {
   vtkNew<vtkColorTransferFunction> colours;
   colours->SetColorSpaceToDiverging();
-  colours->AddRGBPoint(0.0, 0.13, 0.35, 0.7);
+  colours->AddRGBPoint(0.0, 0.2, 0.42, 0.75);
   colours->AddRGBPoint(0.5, 0.97, 0.97, 0.97);
-  colours->AddRGBPoint(1.0, 0.75, 0.3, 0.15);
+  colours->AddRGBPoint(1.0, 0.85, 0.5, 0.35);
   auto table = vtkSmartPointer<vtkLookupTable>::New();
-  table->SetNumberOfTableValues(kColours);
-  for (int i = 0; i < kColours; ++i)
+  table->SetNumberOfTableValues(kBands);
+  for (int i = 0; i < kBands; ++i)
   {
     double rgb[3];
-    colours->GetColor(static_cast<double>(i) / (kColours - 1), rgb);
-    const bool line = (i + 1) % kLinesEvery <= 1;
-    const double shade = line ? kLineShade : 1.0;
+    colours->GetColor(static_cast<double>(i) / (kBands - 1), rgb);
+    const double shade = i % 2 == 0 ? 1.0 : kBandShade;
     table->SetTableValue(i, shade * rgb[0], shade * rgb[1], shade * rgb[2], 1.0);
   }
   return table;

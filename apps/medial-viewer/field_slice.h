@@ -12,8 +12,8 @@ namespace medial::app
 {
 
 /// A plane through the distance field that is dragged along its normal with the left button, turned
-/// at its border and put back where it was when the field changes. Red outside, blue inside, with
-/// lines of equal distance.
+/// at its border and put back where it was when the field changes. Red outside, blue inside, in
+/// bands whose borders are lines of equal distance.
 class FieldSlice
 {
 public:

@@ -11,8 +11,7 @@ namespace medial::app
 
 vtkStandardNewMacro(ViewerStyle);
 
-void Keyboard::add(const std::string& symbol, const std::string& meaning,
-  std::function<void()> act)
+void Keyboard::add(const std::string& symbol, const std::string& meaning, std::function<void()> act)
 {
   keys_.push_back({ symbol, meaning, std::move(act) });
 }

@@ -21,7 +21,8 @@ namespace
 constexpr int kMaxThreads = 1024;
 
 const char* const kFooter =
-  "Several meshes, or a folder with meshes (taken in the order of their names), are the frames of a\n"
+  "Several meshes, or a folder with meshes (taken in the order of their names), are the frames of "
+  "a\n"
   "deforming mesh: the same cells and other positions. Press h in the window for its keys: they\n"
   "play a sequence, change the colours, write pictures. Drag the slice of the distance field with\n"
   "the left button, and turn the rest with it.\n"

@@ -47,6 +47,8 @@ void layOut(vtkTextActor* actor, double x, double y)
   text->SetColor(0.15, 0.17, 0.2);
   text->SetVerticalJustificationToTop();
   text->SetLineSpacing(1.2);
+  text->SetBackgroundColor(1.0, 1.0, 1.0);
+  text->SetBackgroundOpacity(0.8);
 }
 
 void toggle(vtkProp* prop)
@@ -67,10 +69,7 @@ ViewerScene::ViewerScene(vtkRenderer* renderer, vtkPolyData* surface, vtkPolyDat
   renderer->SetMaximumNumberOfPeels(kPeels);
   layOut(status_, 0.015, 0.985);
   layOut(help_, 0.015, 0.8);
-  vtkTextProperty* text = help_->GetTextProperty();
-  text->SetFontFamilyToCourier();
-  text->SetBackgroundColor(1.0, 1.0, 1.0);
-  text->SetBackgroundOpacity(0.85);
+  help_->GetTextProperty()->SetFontFamilyToCourier();
   help_->VisibilityOff();
   for (vtkProp* prop : std::initializer_list<vtkProp*>{ surface_, edges_, axis_ })
   {

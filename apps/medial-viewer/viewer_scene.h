@@ -37,10 +37,10 @@ public:
   std::string status() { return status_->GetInput(); }
 
 private:
+  vtkNew<vtkColorTransferFunction> colours_; // of axis_ and bar_
   vtkSmartPointer<vtkActor> surface_;
   vtkSmartPointer<vtkActor> edges_;
   vtkSmartPointer<vtkActor> axis_;
-  vtkNew<vtkColorTransferFunction> colours_;
   vtkSmartPointer<vtkScalarBarActor> bar_;
   vtkNew<vtkTextActor> status_;
   vtkNew<vtkTextActor> help_;
