@@ -1,7 +1,6 @@
 #include "keyboard.h"
 
 #include <vtkObjectFactory.h>
-#include <vtkRenderWindowInteractor.h>
 
 #include <algorithm>
 #include <utility>
@@ -36,15 +35,6 @@ std::string Keyboard::help() const
     text += key.symbol + std::string(gap, ' ') + key.meaning + "\n";
   }
   return text;
-}
-
-void ViewerStyle::OnChar()
-{
-  const char* symbol = this->Interactor->GetKeySym();
-  if (symbol != nullptr && onKey)
-  {
-    onKey(symbol);
-  }
 }
 
 } // namespace medial::app

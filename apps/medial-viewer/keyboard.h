@@ -33,17 +33,14 @@ private:
   std::vector<Key> keys_;
 };
 
-/// VTK's mouse with our keys: none of VTK's own.
+/// VTK's mouse without VTK's keys.
 class ViewerStyle : public vtkInteractorStyleTrackballCamera
 {
 public:
   static ViewerStyle* New();
   vtkTypeMacro(ViewerStyle, vtkInteractorStyleTrackballCamera);
 
-  /// Called with the key's symbol.
-  std::function<void(const std::string& symbol)> onKey;
-
-  void OnChar() override;
+  void OnChar() override {}
 
 protected:
   ViewerStyle() = default;

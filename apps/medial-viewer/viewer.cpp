@@ -76,16 +76,7 @@ Viewer::~Viewer() = default;
 
 void Viewer::listen()
 {
-  window_.style->onKey = [this](const std::string& symbol)
-  {
-    attempt(
-      [&]
-      {
-        note_.clear();
-        keyboard_.press(symbol);
-        window_.window->Render();
-      });
-  };
+  observeEvent(window_.interactor, vtkCommand::CharEvent, [this] { attempt([&] { press(); }); });
   observeEvent(window_.window, vtkCommand::StartEvent,
     [this]
     {
@@ -106,6 +97,14 @@ void Viewer::listen()
     });
   window_.interactor->Initialize();
   window_.interactor->CreateRepeatingTimer(kTick);
+}
+
+void Viewer::press()
+{
+  const char* symbol = window_.interactor->GetKeySym();
+  note_.clear();
+  keyboard_.press(symbol != nullptr ? symbol : "");
+  window_.window->Render();
 }
 
 void Viewer::addKeys()

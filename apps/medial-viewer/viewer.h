@@ -59,6 +59,7 @@ private:
   void addKeys();
   void attempt(const std::function<void()>& work);
   void listen();
+  void press();
   void resetCamera();
   void tick();
   void showFrame(std::size_t frame);

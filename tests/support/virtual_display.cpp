@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include <fcntl.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -16,7 +17,9 @@ namespace
 [[noreturn]] void becomeServer(std::vector<std::string> words, int numberTo)
 {
   const int nothing = open("/dev/null", O_WRONLY);
+  dup2(nothing, STDOUT_FILENO);
   dup2(nothing, STDERR_FILENO);
+  prctl(PR_SET_PDEATHSIG, SIGTERM); // it does not outlive a test that dies
   words.insert(words.begin(),
     { "Xvfb", "-displayfd", std::to_string(numberTo), "-screen", "0", "1280x1024x24", "-noreset",
       "-nolisten", "tcp" });
