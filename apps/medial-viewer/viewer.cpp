@@ -72,7 +72,14 @@ Viewer::Viewer(Sequence sequence, const ViewerOptions& options)
   listen();
 }
 
-Viewer::~Viewer() = default;
+// Widgets draw when they go, and events would reach members that are gone.
+Viewer::~Viewer()
+{
+  window_.interactor->EnableRenderOff();
+  window_.interactor->RemoveObservers(vtkCommand::CharEvent);
+  window_.interactor->RemoveObservers(vtkCommand::TimerEvent);
+  window_.window->RemoveObservers(vtkCommand::StartEvent);
+}
 
 void Viewer::listen()
 {

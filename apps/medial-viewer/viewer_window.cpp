@@ -39,4 +39,12 @@ ViewerWindow::ViewerWindow(const std::string& title, int width, int height)
   device = rendererOf(window);
 }
 
+// They hold each other, and VTK's event loop looks at every interactor that lives.
+ViewerWindow::~ViewerWindow()
+{
+  interactor->SetInteractorStyle(nullptr);
+  interactor->SetRenderWindow(nullptr);
+  window->SetInteractor(nullptr);
+}
+
 } // namespace medial::app

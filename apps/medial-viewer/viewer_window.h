@@ -23,6 +23,9 @@ struct ViewerWindow
 
   /// @throws Failure NoGpu when there is no display, or none with OpenGL.
   ViewerWindow(const std::string& title, int width, int height);
+  ~ViewerWindow();
+  ViewerWindow(const ViewerWindow&) = delete;
+  ViewerWindow& operator=(const ViewerWindow&) = delete;
 };
 
 } // namespace medial::app

@@ -100,8 +100,7 @@ TEST_F(ViewerCommand, WritesAScreenshot)
 {
   const VirtualDisplay display;
   const std::string file = folder.file("shot.png");
-  const Outcome outcome =
-    runMedialViewer({ input, "--resolution", "16", "--screenshot", file });
+  const Outcome outcome = runMedialViewer({ input, "--resolution", "16", "--screenshot", file });
   EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
   EXPECT_EQ(readFile(file).substr(1, 3), "PNG");

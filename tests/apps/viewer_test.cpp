@@ -4,8 +4,8 @@
 #include "support/shapes.h"
 #include "support/virtual_display.h"
 
-#include "medial/medial/medial_axis.h"
 #include "event_call.h"
+#include "medial/medial/medial_axis.h"
 #include "viewer.h"
 
 #include <vtkCommand.h>
@@ -18,7 +18,6 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
 #include <memory>
 
@@ -90,6 +89,8 @@ protected:
     mouse(x1, y1, vtkCommand::LeftButtonReleaseEvent);
   }
 
+  void click(int x, int y) { drag(x, y, x, y); }
+
   vtkSmartPointer<vtkImageData> picture()
   {
     vtkNew<vtkWindowToImageFilter> grab;
@@ -121,8 +122,8 @@ double difference(vtkImageData* a, vtkImageData* b)
       for (int c = 0; c < 3; ++c)
       {
         most = std::fmax(most,
-          std::fabs(a->GetScalarComponentAsDouble(x, y, 0, c) -
-            b->GetScalarComponentAsDouble(x, y, 0, c)));
+          std::fabs(
+            a->GetScalarComponentAsDouble(x, y, 0, c) - b->GetScalarComponentAsDouble(x, y, 0, c)));
       }
       differing += most > 24.0 ? 1 : 0;
     }
@@ -181,11 +182,11 @@ TEST_F(ViewerWindow, SelectionIsTheAxisOfThatAngle)
   EXPECT_NEAR(bounds[5], 0.0, 1e-3);
 }
 
-TEST_F(ViewerWindow, ResolutionSliderComputesOnceWhenReleased)
+TEST_F(ViewerWindow, ResolutionSliderComputesOnce)
 {
   Viewer& v = open();
   const double before = v.source().field()->GetDimensions()[0];
-  drag(static_cast<int>(0.503 * kWidth), 34, static_cast<int>(0.6 * kWidth), 34);
+  click(static_cast<int>(0.6 * kWidth), 34);
   EXPECT_EQ(v.computations(), 2);
   EXPECT_NEAR(v.source().field()->GetDimensions()[0], std::round(v.resolution().value()), 1.0);
   EXPECT_GT(v.source().field()->GetDimensions()[0], before);
@@ -208,7 +209,7 @@ TEST_F(ViewerWindow, SliceStaysWhereItIsWhenTheGridChanges)
   Viewer& v = open();
   drag(280, 240, 280, 290);
   const double before = v.slice().centre()[2];
-  drag(static_cast<int>(0.503 * kWidth), 34, static_cast<int>(0.6 * kWidth), 34);
+  click(static_cast<int>(0.6 * kWidth), 34);
   ASSERT_EQ(v.computations(), 2);
   EXPECT_NEAR(v.slice().centre()[2], before, 0.02);
 }
@@ -304,11 +305,15 @@ TEST_F(ViewerWindow, PlaysAndPauses)
   Viewer& v = open();
   press("space");
   EXPECT_TRUE(v.playing());
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-  while (v.computations() < 5 && std::chrono::steady_clock::now() < end)
-  {
-    v.interactor()->ProcessEvents();
-  }
+  app::observeEvent(v.interactor(), vtkCommand::TimerEvent,
+    [&]
+    {
+      if (v.computations() == 5)
+      {
+        press("q");
+      }
+    });
+  v.run();
   EXPECT_EQ(v.computations(), static_cast<int>(v.frame()) + 4); // once round, and every frame
   press("space");
   EXPECT_FALSE(v.playing());
@@ -335,7 +340,6 @@ TEST_F(ViewerWindow, WritesPictures)
 TEST_F(ViewerWindow, RunEndsWithItsKey)
 {
   Viewer& v = open();
-  v.interactor()->CreateOneShotTimer(1);
   app::observeEvent(v.interactor(), vtkCommand::TimerEvent, [&] { press("q"); });
   EXPECT_NO_THROW(v.run());
 }
