@@ -46,6 +46,20 @@ double greatestRadius(vtkPolyData* axis)
                                        : 0.0;
 }
 
+// The corners of the box around all frames.
+vtkSmartPointer<vtkPolyData> cornersOf(const Bounds& bounds)
+{
+  vtkNew<vtkPoints> corners;
+  for (int i = 0; i < 8; ++i)
+  {
+    corners->InsertNextPoint(((i & 1) != 0 ? bounds.max : bounds.min)[0],
+      ((i & 2) != 0 ? bounds.max : bounds.min)[1], ((i & 4) != 0 ? bounds.max : bounds.min)[2]);
+  }
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->SetPoints(corners);
+  return result;
+}
+
 vtkPolyData* asDrawn(const Sequence& sequence)
 {
   sequence.surface->GetPointData()->SetScalars(nullptr);
@@ -232,10 +246,11 @@ void Viewer::turnSlice(int axis)
 void Viewer::resetCamera()
 {
   vtkCamera* camera = window_.renderer->GetActiveCamera();
-  aimCamera(camera, sequence_.surface);
+  const vtkSmartPointer<vtkPolyData> shown =
+    sequence_.frames.size() > 1 ? cornersOf(sequence_.bounds) : sequence_.surface;
+  aimCamera(camera, shown);
   const int* size = window_.window->GetSize();
-  fitView(window_.renderer, { sequence_.surface }, static_cast<double>(size[0]) / size[1],
-    kBarShare);
+  fitView(window_.renderer, { shown }, static_cast<double>(size[0]) / size[1], kBarShare);
   camera->Zoom(kRoom);
   window_.renderer->ResetCameraClippingRange();
 }
