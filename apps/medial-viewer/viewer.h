@@ -32,7 +32,8 @@ public:
   Viewer(const Viewer&) = delete;
   Viewer& operator=(const Viewer&) = delete;
 
-  /// Answers mouse, keys and time until the user leaves.
+  /// Answers mouse, keys and time until the user leaves. For the first viewer of a process: with
+  /// VTK 9.1 the loop ends in a segmentation fault where there was a viewer before.
   /// @throws Failure, also Interrupted.
   void run();
 

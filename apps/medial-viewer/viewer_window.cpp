@@ -39,7 +39,7 @@ ViewerWindow::ViewerWindow(const std::string& title, int width, int height)
   device = rendererOf(window);
 }
 
-// They hold each other, and VTK's event loop looks at every interactor that lives.
+// They hold each other.
 ViewerWindow::~ViewerWindow()
 {
   interactor->SetInteractorStyle(nullptr);
