@@ -1,11 +1,10 @@
 #pragma once
 
+#include "colours.h"
 #include "egl_render_window.h"
 
-#include <vtkColorTransferFunction.h>
 #include <vtkNew.h>
 #include <vtkRenderer.h>
-#include <vtkSmartPointer.h>
 
 #include <filesystem>
 #include <initializer_list>
@@ -14,9 +13,6 @@ class vtkPolyData;
 
 namespace medial::app
 {
-
-/// The perceptually uniform map "viridis" from 0 to `greatest`.
-vtkSmartPointer<vtkColorTransferFunction> makeColours(double greatest);
 
 /// What the program's pictures have in common: 1600 x 1200 pixels on white, a view that fits, a
 /// scalar bar on the right. Needs no display.

@@ -142,6 +142,11 @@ Outcome runMedialEvaluate(const std::vector<std::string>& arguments, const RunOp
   return run(MEDIAL_EVALUATE_PROGRAM, arguments, options);
 }
 
+Outcome runMedialViewer(const std::vector<std::string>& arguments, const RunOptions& options)
+{
+  return run(MEDIAL_VIEWER_PROGRAM, arguments, options);
+}
+
 TemporaryFolder::TemporaryFolder()
 {
   std::string name = (std::filesystem::temp_directory_path() / "medial-test-XXXXXX").string();

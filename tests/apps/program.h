@@ -28,6 +28,7 @@ struct RunOptions
 Outcome runMedialAxis(const std::vector<std::string>& arguments, const RunOptions& options = {});
 Outcome runMedialEvaluate(const std::vector<std::string>& arguments,
   const RunOptions& options = {});
+Outcome runMedialViewer(const std::vector<std::string>& arguments, const RunOptions& options = {});
 
 /// A folder of its own that is removed with all its content at the end.
 class TemporaryFolder

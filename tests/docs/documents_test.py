@@ -1,6 +1,6 @@
 """Files that the documents name exist, and README states what the program states.
 
-usage: documents_test.py SOURCES MEDIAL-AXIS MEDIAL-EVALUATE
+usage: documents_test.py SOURCES MEDIAL-AXIS MEDIAL-EVALUATE MEDIAL-VIEWER
 """
 
 import re
@@ -9,7 +9,8 @@ import sys
 import unittest
 from pathlib import Path
 
-SOURCES, AXIS, EVALUATE = Path(sys.argv[1]), sys.argv[2], sys.argv[3]
+SOURCES = Path(sys.argv[1])
+AXIS, EVALUATE, VIEWER = sys.argv[2:5]
 DOCUMENTS = [SOURCES / "README.md", SOURCES / "CONTRIBUTING.md", SOURCES / "examples/README.md",
              *sorted((SOURCES / "docs").glob("**/*.md"))]
 TOP = {path.name for path in SOURCES.iterdir() if not path.name.startswith("build")}
@@ -59,7 +60,8 @@ class Documents(unittest.TestCase):
 
     def test_readme_has_the_options_of_the_programs(self):
         options = re.compile(r"(?<![\w-])--[a-z][a-z-]+")
-        for heading, program in (("Command line", AXIS), ("Measuring an axis", EVALUATE)):
+        for heading, program in (("Command line", AXIS), ("Viewer", VIEWER),
+                                 ("Measuring an axis", EVALUATE)):
             with self.subTest(program=program):
                 stated = set(options.findall(readme_section(heading)))
                 self.assertEqual(stated, set(options.findall(help_of(program))))
@@ -68,6 +70,8 @@ class Documents(unittest.TestCase):
         for heading, program, names in (
                 ("Command line", AXIS,
                  ("resolution", "spacing", "padding", "angle", "threads", "memory")),
+                ("Viewer", VIEWER,
+                 ("resolution", "angle", "side", "colour", "screenshot", "evaluator", "threads")),
                 ("Measuring an axis", EVALUATE, ("json", "samples", "threads"))):
             help_text = " ".join(help_of(program).split())
             for name in names:

@@ -1,0 +1,77 @@
+#include "actors.h"
+
+#include <vtkFeatureEdges.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkPolyDataNormals.h>
+#include <vtkProperty.h>
+#include <vtkScalarsToColors.h>
+
+namespace medial::app
+{
+namespace
+{
+
+constexpr double kSmoothAngle = 30.0; // degrees between faces that are shaded as one
+constexpr double kSharpAngle = 50.0;  // degrees between faces whose edge is drawn
+
+} // namespace
+
+vtkSmartPointer<vtkActor> makeSurface(vtkPolyData* surface)
+{
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputData(surface);
+  normals->SetFeatureAngle(kSmoothAngle);
+  normals->ConsistencyOff();
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(normals->GetOutputPort());
+  mapper->ScalarVisibilityOff();
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  vtkProperty* look = actor->GetProperty();
+  look->SetColor(0.62, 0.66, 0.72);
+  look->SetOpacity(0.2);
+  look->SetSpecular(0.3);
+  look->SetSpecularPower(30.0);
+  return actor;
+}
+
+vtkSmartPointer<vtkActor> makeSharpEdges(vtkPolyData* surface)
+{
+  vtkNew<vtkFeatureEdges> edges;
+  edges->SetInputData(surface);
+  edges->SetFeatureAngle(kSharpAngle);
+  edges->ColoringOff();
+  edges->NonManifoldEdgesOff();
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(edges->GetOutputPort());
+  mapper->ScalarVisibilityOff();
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(0.35, 0.38, 0.42);
+  actor->GetProperty()->SetOpacity(0.5);
+  actor->GetProperty()->LightingOff();
+  return actor;
+}
+
+vtkSmartPointer<vtkActor> makeAxis(vtkPolyData* axis, vtkScalarsToColors* colours,
+  const char* array)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(axis);
+  mapper->SetLookupTable(colours);
+  mapper->SetScalarModeToUsePointFieldData();
+  mapper->SelectColorArray(array);
+  mapper->InterpolateScalarsBeforeMappingOn();
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  vtkProperty* look = actor->GetProperty();
+  look->SetAmbient(0.35);
+  look->SetDiffuse(0.75);
+  look->SetLineWidth(2.0F);
+  look->SetPointSize(3.0F);
+  return actor;
+}
+
+} // namespace medial::app

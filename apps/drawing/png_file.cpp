@@ -1,0 +1,30 @@
+#include "png_file.h"
+
+#include "sink.h"
+
+#include <vtkNew.h>
+#include <vtkPNGWriter.h>
+#include <vtkRenderWindow.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkWindowToImageFilter.h>
+
+namespace medial::app
+{
+
+// Through memory: libpng would report a full disk on standard error.
+void writePng(vtkRenderWindow* window, const std::filesystem::path& file)
+{
+  vtkNew<vtkWindowToImageFilter> grab;
+  grab->SetInput(window);
+  grab->ReadFrontBufferOff();
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputConnection(grab->GetOutputPort());
+  writer->WriteToMemoryOn();
+  writer->Write();
+  vtkUnsignedCharArray* bytes = writer->GetResult();
+  Sink sink(file);
+  sink.raw(bytes->GetPointer(0), bytes->GetNumberOfValues());
+  sink.close();
+}
+
+} // namespace medial::app

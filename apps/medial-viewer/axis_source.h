@@ -1,0 +1,55 @@
+#pragma once
+
+#include "sequence.h"
+#include "viewer_options.h"
+
+#include "medial/medial/medial_solver.h"
+
+#include <vtkImageData.h>
+#include <vtkNew.h>
+
+namespace medial::app
+{
+
+/// Computes axis and distance field of the frames, on the library's GPU thread.
+class AxisSource
+{
+public:
+  /// @throws Failure BadInput where the mesh cannot be used.
+  AxisSource(const Sequence& sequence, const ViewerOptions& options);
+
+  /// Computes one frame on a grid that holds all of them. What is seen below follows.
+  /// @param resolution of the grid, as makeGrid().
+  /// @throws Failure.
+  void compute(const Frame& frame, int resolution);
+
+  /// All of the axis from kLeastViewerAngle on, as vtkMedialAxis makes it, with the point array
+  /// Thickness.
+  vtkPolyData* axis() { return axis_; }
+  /// The array Distance at the points of the grid.
+  vtkImageData* field() { return field_; }
+  const RunStatistics& statistics() const { return statistics_; }
+  SignMethod sign() const { return sign_; }
+  double seconds() const { return seconds_; } ///< wall-clock, of the last compute()
+
+private:
+  Grid layOut(int resolution);
+
+  MedialSolver solver_;
+  MedialAxisOptions options_;
+  Bounds bounds_;
+  std::filesystem::path input_;
+  vtkNew<vtkPolyData> axis_;
+  vtkNew<vtkImageData> field_;
+  FieldArrays arrays_; // of field_
+  int resolution_ = 0; // of field_
+  RunStatistics statistics_;
+  SignMethod sign_ = SignMethod::None;
+  double seconds_ = 0.0;
+};
+
+/// The part of an axis whose cells have at least the separation angle at all their corners.
+/// @param angle in degrees.
+void selectByAngle(vtkPolyData* axis, double angle, vtkPolyData* selected);
+
+} // namespace medial::app

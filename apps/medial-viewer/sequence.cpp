@@ -1,0 +1,144 @@
+#include "sequence.h"
+
+#include "failure.h"
+#include "interrupt.h"
+#include "library_calls.h"
+#include "mesh_reader.h"
+#include "text_cursor.h"
+
+#include <vtkMeshConversion.h>
+
+#include <algorithm>
+#include <array>
+
+namespace medial::app
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+
+constexpr std::array<const char*, 6> kExtensions = { ".stl", ".obj", ".ply", ".off", ".vtp",
+  ".vtk" };
+
+bool isMesh(const fs::path& file)
+{
+  const std::string extension = lowerCase(file.extension().string());
+  return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
+}
+
+std::vector<fs::path> meshesIn(const fs::path& folder)
+{
+  std::vector<fs::path> files;
+  std::error_code problem;
+  for (const auto& entry : fs::directory_iterator(folder, problem))
+  {
+    if (isMesh(entry.path()))
+    {
+      files.push_back(entry.path());
+    }
+  }
+  if (problem || files.empty())
+  {
+    throw Failure(ExitCode::BadInput,
+      folder.string() +
+        (problem ? ": " + problem.message()
+                 : ": no meshes in this folder (.stl, .obj, .ply, .off, .vtp, .vtk)"));
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+bool sameCells(const CellList& a, const CellList& b)
+{
+  return a.offsets == b.offsets && a.connectivity == b.connectivity;
+}
+
+bool sameCells(const MeshInput& a, const MeshInput& b)
+{
+  return a.points.size() == b.points.size() && sameCells(a.polygons, b.polygons) &&
+    sameCells(a.lines, b.lines) && sameCells(a.verts, b.verts);
+}
+
+// The positions of a frame for the welded points of the first one.
+std::vector<Point3> pointsOf(const TriangleMesh& mesh, const MeshInput& frame)
+{
+  std::vector<Point3> points(mesh.points.size());
+  for (std::size_t i = 0; i < frame.points.size(); ++i)
+  {
+    if (mesh.pointOfInput[i] >= 0)
+    {
+      points[static_cast<std::size_t>(mesh.pointOfInput[i])] = frame.points[i];
+    }
+  }
+  return points;
+}
+
+void include(Bounds& bounds, const Bounds& other)
+{
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    bounds.min[axis] = std::min(bounds.min[axis], other.min[axis]);
+    bounds.max[axis] = std::max(bounds.max[axis], other.max[axis]);
+  }
+}
+
+// Reads the first frame, to which the others must fit.
+MeshInput readFirst(const fs::path& file, Sequence& sequence)
+{
+  sequence.surface = readMesh(file);
+  MeshInput input = vtkMeshConversion::ToMeshInput(sequence.surface);
+  withFailures(file, [&] { sequence.mesh = buildTriangleMesh(input); });
+  sequence.bounds = sequence.mesh.bounds();
+  vtkSmartPointer<vtkPoints> seen = sequence.surface->GetPoints();
+  sequence.frames.push_back({ file.filename().string(), sequence.mesh.points, seen });
+  return input;
+}
+
+void readNext(const fs::path& file, const fs::path& first, const MeshInput& expected,
+  Sequence& sequence)
+{
+  const vtkSmartPointer<vtkPolyData> surface = readMesh(file);
+  const MeshInput input = vtkMeshConversion::ToMeshInput(surface);
+  if (!sameCells(input, expected))
+  {
+    throw Failure(ExitCode::BadInput,
+      file.string() + ": its points or cells are not as many, or not in the order, as in " +
+        first.string() + "; the frames of a sequence differ in positions only");
+  }
+  // Refuses what is not finite.
+  withFailures(file, [&] { include(sequence.bounds, buildTriangleMesh(input).bounds()); });
+  vtkSmartPointer<vtkPoints> seen = surface->GetPoints();
+  sequence.frames.push_back(
+    { file.filename().string(), pointsOf(sequence.mesh, input), std::move(seen) });
+}
+
+} // namespace
+
+std::vector<fs::path> filesOf(const std::vector<fs::path>& inputs)
+{
+  std::vector<fs::path> files;
+  for (const fs::path& input : inputs)
+  {
+    std::error_code ignored;
+    const std::vector<fs::path> meant =
+      fs::is_directory(input, ignored) ? meshesIn(input) : std::vector<fs::path>{ input };
+    files.insert(files.end(), meant.begin(), meant.end());
+  }
+  return files;
+}
+
+Sequence readSequence(const std::vector<fs::path>& inputs)
+{
+  const std::vector<fs::path> files = filesOf(inputs);
+  Sequence sequence;
+  const MeshInput first = readFirst(files.front(), sequence);
+  for (std::size_t i = 1; i < files.size(); ++i)
+  {
+    throwIfInterrupted();
+    readNext(files[i], files.front(), first, sequence);
+  }
+  return sequence;
+}
+
+} // namespace medial::app

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "medial/mesh/triangle_mesh.h"
+
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace medial::app
+{
+
+/// One frame of a deforming mesh.
+struct Frame
+{
+  std::string name;                ///< of its file, without folder
+  std::vector<Point3> points;      ///< of Sequence::mesh
+  vtkSmartPointer<vtkPoints> seen; ///< of Sequence::surface
+};
+
+/// A deforming mesh: the same cells, other positions every frame. A mesh that stands still has one
+/// frame.
+struct Sequence
+{
+  vtkSmartPointer<vtkPolyData> surface; ///< as read, with the points of the first frame
+  TriangleMesh mesh;                    ///< with the points of the first frame
+  Bounds bounds;                        ///< of all frames
+  std::vector<Frame> frames;            ///< at least one
+};
+
+/// The files that the arguments mean: themselves, and for a folder the meshes in it in the order of
+/// their names.
+/// @throws Failure BadInput for a folder without meshes.
+std::vector<std::filesystem::path> filesOf(const std::vector<std::filesystem::path>& inputs);
+
+/// Reads all frames.
+/// @throws Failure BadInput naming the file, also where its cells are not those of the first.
+Sequence readSequence(const std::vector<std::filesystem::path>& inputs);
+
+} // namespace medial::app

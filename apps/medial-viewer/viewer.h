@@ -1,0 +1,99 @@
+#pragma once
+
+#include "axis_source.h"
+#include "field_slice.h"
+#include "frame_rate.h"
+#include "keyboard.h"
+#include "sequence.h"
+#include "sliders.h"
+#include "viewer_options.h"
+#include "viewer_scene.h"
+#include "viewer_window.h"
+
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+
+#include <exception>
+#include <functional>
+#include <string>
+
+namespace medial::app
+{
+
+/// The window with all that is in it. Field and axis are computed on the library's GPU thread, with
+/// a context of its own beside the window's.
+class Viewer
+{
+public:
+  /// Opens the window and shows the first frame.
+  /// @throws Failure.
+  Viewer(Sequence sequence, const ViewerOptions& options);
+  ~Viewer();
+  Viewer(const Viewer&) = delete;
+  Viewer& operator=(const Viewer&) = delete;
+
+  /// Answers mouse, keys and time until the user leaves. For the first viewer of a process: with
+  /// VTK 9.1 the loop ends in a segmentation fault where there was a viewer before.
+  /// @throws Failure, also Interrupted.
+  void run();
+
+  /// Draws, and writes the window as a PNG file that appears when it is complete.
+  /// @throws Failure NoSpace.
+  void writePicture(const std::filesystem::path& file);
+
+  ///@{
+  /// For those who drive it by events.
+  vtkRenderWindowInteractor* interactor() { return window_.interactor; }
+  vtkRenderWindow* window() { return window_.window; }
+  vtkPolyData* shownAxis() { return selected_; }
+  AxisSource& source() { return source_; }
+  FieldSlice& slice() { return slice_; }
+  Slider& angle() { return angle_; }
+  Slider& resolution() { return resolution_; }
+  std::string status() { return scene_.status(); }
+  std::size_t frame() const { return frame_; }
+  int computations() const { return computations_; } ///< how often the field was computed
+  bool playing() const { return playing_; }
+  ///@}
+
+private:
+  void addKeys();
+  void attempt(const std::function<void()>& work);
+  void listen();
+  void press();
+  void resetCamera();
+  void tick();
+  void showFrame(std::size_t frame);
+  void step(int frames);
+  void compute(int resolution);
+  void select();
+  void colour();
+  void nextColour();
+  void turnSlice(int axis);
+  void savePicture();
+  std::string describe() const;
+
+  ViewerOptions options_;
+  Sequence sequence_;
+  AxisSource source_;
+  vtkNew<vtkPolyData> selected_; // the part of the axis that is shown
+  ViewerWindow window_;
+  ViewerScene scene_;
+  FieldSlice slice_;
+  Slider angle_;
+  Slider resolution_;
+  Keyboard keyboard_;
+  FrameRate rate_;
+  std::string note_; // the last line of the status
+  double greatestRadius_ = 0.0;
+  std::size_t frame_ = 0;
+  int computations_ = 0;
+  bool playing_ = false;
+  std::exception_ptr failure_; // of an event, thrown when the loop has ended
+};
+
+/// Shows what the command line asks for.
+/// @throws Failure.
+void runViewer(const ViewerOptions& options);
+
+} // namespace medial::app

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "medial/medial/medial_axis.h"
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+namespace medial::app
+{
+
+/// What the points of the axis are coloured by.
+enum class ColourBy
+{
+  Radius,   ///< of the medial balls, world units
+  Angle,    ///< separation angle, degrees
+  Thickness ///< twice the radius, world units
+};
+
+///@{
+/// Ranges of the sliders. The axis is computed for the least angle and selected from.
+constexpr double kLeastViewerAngle = 20.0;
+constexpr double kGreatestViewerAngle = 170.0;
+constexpr int kLeastViewerResolution = 16;
+constexpr int kGreatestViewerResolution = 256;
+///@}
+
+/// The command line of the viewer.
+struct ViewerOptions
+{
+  std::vector<std::filesystem::path> inputs; ///< a mesh, a folder of meshes, or several meshes
+  int resolution = 96;
+  double angle = kDefaultAngle;
+  Side side = Side::Interior;
+  ColourBy colour = ColourBy::Radius;
+  bool play = false;
+  std::filesystem::path screenshot; ///< .png; empty for none
+  Evaluator evaluator = Evaluator::Auto;
+  int threads = 0;
+  bool requireGpu = false;
+  int width = 1280; ///< of the window, in pixels
+  int height = 800;
+};
+
+/// Reads the command line; nothing when the user asked for --help or --version, which are then
+/// answered on standard output.
+/// @throws Failure Usage.
+std::optional<ViewerOptions> parseViewerOptions(int argc, char** argv);
+
+} // namespace medial::app

@@ -1,0 +1,109 @@
+#include "viewer_scene.h"
+
+#include "actors.h"
+#include "colours.h"
+#include "scalar_bar.h"
+
+#include <vtkCoordinate.h>
+#include <vtkMapper.h>
+#include <vtkPolyData.h>
+#include <vtkRenderer.h>
+#include <vtkTextProperty.h>
+
+namespace medial::app
+{
+namespace
+{
+
+constexpr int kFontSize = 15;
+constexpr int kPeels = 4; // layers of translucent surfaces; each is drawn once more
+
+struct Colouring
+{
+  const char* array;
+  const char* title;
+};
+
+Colouring colouringOf(ColourBy colour)
+{
+  switch (colour)
+  {
+    case ColourBy::Angle:
+      return { "SeparationAngle", "Angle\n(degrees)" };
+    case ColourBy::Thickness:
+      return { "Thickness", "Thickness" };
+    case ColourBy::Radius:
+      break;
+  }
+  return { "Radius", "Radius" };
+}
+
+void layOut(vtkTextActor* actor, double x, double y)
+{
+  actor->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+  actor->GetPositionCoordinate()->SetValue(x, y);
+  vtkTextProperty* text = actor->GetTextProperty();
+  text->SetFontSize(kFontSize);
+  text->SetColor(0.15, 0.17, 0.2);
+  text->SetVerticalJustificationToTop();
+  text->SetLineSpacing(1.2);
+  text->SetBackgroundColor(1.0, 1.0, 1.0);
+  text->SetBackgroundOpacity(0.8);
+}
+
+void toggle(vtkProp* prop)
+{
+  prop->SetVisibility(prop->GetVisibility() != 0 ? 0 : 1);
+}
+
+} // namespace
+
+ViewerScene::ViewerScene(vtkRenderer* renderer, vtkPolyData* surface, vtkPolyData* axis)
+  : surface_(makeSurface(surface))
+  , edges_(makeSharpEdges(surface))
+  , axis_(makeAxis(axis, colours_, "Radius"))
+  , bar_(makeScalarBar(colours_, "Radius", kFontSize))
+{
+  renderer->SetBackground(1.0, 1.0, 1.0);
+  renderer->SetUseDepthPeeling(true);
+  renderer->SetMaximumNumberOfPeels(kPeels);
+  layOut(status_, 0.015, 0.985);
+  layOut(help_, 0.015, 0.8);
+  help_->GetTextProperty()->SetFontFamilyToCourier();
+  help_->VisibilityOff();
+  for (vtkProp* prop : std::initializer_list<vtkProp*>{ surface_, edges_, axis_ })
+  {
+    prop->PickableOff(); // the slice is to be had through them
+    renderer->AddViewProp(prop);
+  }
+  for (vtkProp* prop : std::initializer_list<vtkProp*>{ bar_, status_, help_ })
+  {
+    renderer->AddViewProp(prop);
+  }
+}
+
+void ViewerScene::colourAxis(ColourBy colour, double greatest)
+{
+  const Colouring colouring = colouringOf(colour);
+  setColours(colours_, greatest);
+  axis_->GetMapper()->SelectColorArray(colouring.array);
+  bar_->SetTitle(colouring.title);
+}
+
+void ViewerScene::toggleSurface()
+{
+  toggle(surface_);
+  toggle(edges_);
+}
+
+void ViewerScene::toggleAxis()
+{
+  toggle(axis_);
+}
+
+void ViewerScene::toggleHelp()
+{
+  toggle(help_);
+}
+
+} // namespace medial::app

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "viewer_options.h"
+
+#include <vtkActor.h>
+#include <vtkColorTransferFunction.h>
+#include <vtkNew.h>
+#include <vtkScalarBarActor.h>
+#include <vtkSmartPointer.h>
+#include <vtkTextActor.h>
+
+#include <string>
+
+class vtkPolyData;
+class vtkRenderer;
+
+namespace medial::app
+{
+
+/// What is drawn beside the slice and the sliders.
+class ViewerScene
+{
+public:
+  /// @param surface, axis are drawn as they are at each drawing.
+  ViewerScene(vtkRenderer* renderer, vtkPolyData* surface, vtkPolyData* axis);
+
+  /// @param greatest value that has a colour of its own.
+  void colourAxis(ColourBy colour, double greatest);
+
+  void toggleSurface();
+  void toggleAxis();
+  void toggleHelp();
+
+  void setHelp(const std::string& text) { help_->SetInput(text.c_str()); }
+  /// What is said on the upper left.
+  void setStatus(const std::string& text) { status_->SetInput(text.c_str()); }
+  std::string status() { return status_->GetInput(); }
+
+private:
+  vtkNew<vtkColorTransferFunction> colours_; // of axis_ and bar_
+  vtkSmartPointer<vtkActor> surface_;
+  vtkSmartPointer<vtkActor> edges_;
+  vtkSmartPointer<vtkActor> axis_;
+  vtkSmartPointer<vtkScalarBarActor> bar_;
+  vtkNew<vtkTextActor> status_;
+  vtkNew<vtkTextActor> help_;
+};
+
+} // namespace medial::app

@@ -1,0 +1,50 @@
+#include "viewer_window.h"
+
+#include "display.h"
+
+namespace medial::app
+{
+namespace
+{
+
+// The value of a line `label: value` of VTK's report.
+std::string rendererOf(vtkRenderWindow* window)
+{
+  const std::string report = window->ReportCapabilities();
+  const std::string label = "OpenGL renderer string:";
+  const std::size_t at = report.find(label);
+  if (at == std::string::npos)
+  {
+    return "unknown";
+  }
+  const std::size_t begin = report.find_first_not_of(' ', at + label.size());
+  return report.substr(begin, report.find('\n', begin) - begin);
+}
+
+} // namespace
+
+ViewerWindow::ViewerWindow(const std::string& title, int width, int height)
+{
+  requireDisplay();
+  failCleanly(window);
+  window->SetWindowName(title.c_str());
+  window->SetSize(width, height);
+  window->SetMultiSamples(0); // as depth peeling needs it
+  window->SetAlphaBitPlanes(1);
+  window->AddRenderer(renderer);
+  interactor->SetRenderWindow(window);
+  interactor->SetInteractorStyle(style);
+  style->SetDefaultRenderer(renderer);
+  window->Render(); // opens it
+  device = rendererOf(window);
+}
+
+// They hold each other.
+ViewerWindow::~ViewerWindow()
+{
+  interactor->SetInteractorStyle(nullptr);
+  interactor->SetRenderWindow(nullptr);
+  window->SetInteractor(nullptr);
+}
+
+} // namespace medial::app

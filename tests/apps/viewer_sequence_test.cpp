@@ -1,0 +1,110 @@
+#include "failure.h"
+#include "frame_rate.h"
+#include "mesh_texts.h"
+#include "program.h"
+#include "sequence.h"
+
+#include "support/shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace medial::test
+{
+namespace
+{
+
+using app::ExitCode;
+using app::Failure;
+using app::readSequence;
+
+std::string messageOf(const std::vector<std::filesystem::path>& inputs)
+{
+  try
+  {
+    readSequence(inputs);
+  }
+  catch (const Failure& failure)
+  {
+    EXPECT_EQ(failure.exitCode(), ExitCode::BadInput);
+    return failure.what();
+  }
+  return "no failure";
+}
+
+TEST(ViewerSequence, TakesTheMeshesOfAFolderInTheOrderOfTheirNames)
+{
+  const TemporaryFolder folder;
+  writeFile(folder.file("b.obj"), objText(box({ 1.0, 1.0, 2.0 })));
+  writeFile(folder.file("a.obj"), objText(box({ 1.0, 1.0, 1.0 })));
+  writeFile(folder.file("notes.txt"), "no mesh");
+  const app::Sequence sequence = readSequence({ folder.path() });
+  ASSERT_EQ(sequence.frames.size(), 2U);
+  EXPECT_EQ(sequence.frames[0].name, "a.obj");
+  EXPECT_EQ(sequence.frames[1].name, "b.obj");
+  EXPECT_EQ(sequence.bounds.max[2], 2.0);
+  EXPECT_EQ(sequence.mesh.bounds().max[2], 1.0);
+}
+
+// In the order of the mesh, whatever the order of the file.
+TEST(ViewerSequence, FramesHaveThePointsOfTheWeldedMesh)
+{
+  const TemporaryFolder folder;
+  writeFile(folder.file("a.obj"), objText(box({ 1.0, 1.0, 1.0 })));
+  writeFile(folder.file("b.obj"), objText(box({ 1.0, 1.0, 3.0 })));
+  const app::Sequence sequence = readSequence({ folder.file("a.obj"), folder.file("b.obj") });
+  const auto& points = sequence.frames[1].points;
+  ASSERT_EQ(points.size(), sequence.mesh.points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    EXPECT_EQ(points[i][0], sequence.mesh.points[i][0]);
+    EXPECT_EQ(points[i][2], 3.0 * sequence.mesh.points[i][2]);
+  }
+}
+
+TEST(ViewerSequence, RefusesOtherCells)
+{
+  const TemporaryFolder folder;
+  writeFile(folder.file("a.obj"), objText(box({ 1.0, 1.0, 1.0 })));
+  writeFile(folder.file("b.obj"), objText(icosphere(1.0, 1)));
+  const std::string message = messageOf({ folder.file("a.obj"), folder.file("b.obj") });
+  EXPECT_NE(message.find("b.obj"), std::string::npos) << message;
+  EXPECT_NE(message.find("a.obj"), std::string::npos) << message;
+}
+
+TEST(ViewerSequence, RefusesFramesThatAreNotFinite)
+{
+  const TemporaryFolder folder;
+  TriangleMesh bad = box({ 1.0, 1.0, 1.0 });
+  writeFile(folder.file("a.obj"), objText(bad));
+  bad.points[3][1] = std::numeric_limits<double>::quiet_NaN();
+  writeFile(folder.file("b.obj"), objText(bad));
+  const std::string message = messageOf({ folder.file("a.obj"), folder.file("b.obj") });
+  EXPECT_NE(message.find("b.obj"), std::string::npos) << message;
+}
+
+TEST(ViewerSequence, RefusesAFolderWithoutMeshes)
+{
+  const TemporaryFolder folder;
+  const std::string message = messageOf({ folder.path() });
+  EXPECT_NE(message.find(folder.path().string()), std::string::npos) << message;
+}
+
+TEST(FrameRate, CountsTheDrawingsOfTheLastTwoSeconds)
+{
+  using std::chrono::milliseconds;
+  app::FrameRate rate;
+  EXPECT_EQ(rate.perSecond(), 0.0);
+  const app::FrameRate::Clock::time_point start{};
+  for (int i = 0; i <= 10; ++i)
+  {
+    rate.tick(start + milliseconds(100 * i));
+  }
+  EXPECT_NEAR(rate.perSecond(), 10.0, 1e-9);
+  rate.tick(start + milliseconds(10000));
+  EXPECT_EQ(rate.perSecond(), 0.0);
+}
+
+} // namespace
+} // namespace medial::test

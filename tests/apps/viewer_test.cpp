@@ -1,0 +1,348 @@
+#include "mesh_texts.h"
+#include "program.h"
+
+#include "support/shapes.h"
+#include "support/virtual_display.h"
+
+#include "event_call.h"
+#include "medial/medial/medial_axis.h"
+#include "viewer.h"
+
+#include <vtkCommand.h>
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPNGReader.h>
+#include <vtkPointData.h>
+#include <vtkWindowToImageFilter.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+namespace medial::test
+{
+namespace
+{
+
+using app::Viewer;
+using app::ViewerOptions;
+
+constexpr int kWidth = 640;
+constexpr int kHeight = 480;
+
+// A viewer on a display of its own. All events are injected.
+class ViewerWindow : public ::testing::Test
+{
+protected:
+  ViewerWindow()
+  {
+    options.inputs = { folder.file("box.obj") };
+    options.resolution = 32;
+    options.width = kWidth;
+    options.height = kHeight;
+    writeFile(options.inputs[0].string(), objText(box({ 1.0, 0.7, 0.4 })));
+  }
+
+  Viewer& open()
+  {
+    viewer = std::make_unique<Viewer>(app::readSequence(options.inputs), options);
+    viewer->window()->Render();
+    return *viewer;
+  }
+
+  // The frames of a box that grows along z.
+  void writeFrames(int count)
+  {
+    options.inputs.clear();
+    for (int i = 0; i < count; ++i)
+    {
+      options.inputs.emplace_back(folder.file("frame" + std::to_string(i) + ".obj"));
+      writeFile(options.inputs.back().string(), objText(box({ 1.0, 0.7, 0.4 + 0.1 * i })));
+    }
+  }
+
+  void press(const std::string& symbol)
+  {
+    vtkRenderWindowInteractor* interactor = viewer->interactor();
+    interactor->SetKeyEventInformation(0, 0, symbol[0], 1, symbol.c_str());
+    interactor->InvokeEvent(vtkCommand::CharEvent);
+  }
+
+  void mouse(int x, int y, unsigned long event)
+  {
+    viewer->interactor()->SetEventInformation(x, y);
+    viewer->interactor()->InvokeEvent(event);
+  }
+
+  // With the left button, in a few moves.
+  void drag(int x0, int y0, int x1, int y1)
+  {
+    constexpr int kMoves = 5;
+    mouse(x0, y0, vtkCommand::MouseMoveEvent);
+    mouse(x0, y0, vtkCommand::LeftButtonPressEvent);
+    for (int i = 1; i <= kMoves; ++i)
+    {
+      mouse(x0 + (x1 - x0) * i / kMoves, y0 + (y1 - y0) * i / kMoves, vtkCommand::MouseMoveEvent);
+    }
+    mouse(x1, y1, vtkCommand::LeftButtonReleaseEvent);
+  }
+
+  void click(int x, int y) { drag(x, y, x, y); }
+
+  vtkSmartPointer<vtkImageData> picture()
+  {
+    vtkNew<vtkWindowToImageFilter> grab;
+    grab->SetInput(viewer->window());
+    grab->ReadFrontBufferOff();
+    grab->Update();
+    vtkNew<vtkImageData> image;
+    image->DeepCopy(grab->GetOutput());
+    return image;
+  }
+
+  VirtualDisplay display;
+  TemporaryFolder folder;
+  ViewerOptions options;
+  std::unique_ptr<Viewer> viewer;
+};
+
+// Share of the pixels below the status text and above the sliders that differ visibly.
+double difference(vtkImageData* a, vtkImageData* b)
+{
+  constexpr int kBottom = 90;
+  constexpr int kTop = 330;
+  int differing = 0;
+  for (int y = kBottom; y < kTop; ++y)
+  {
+    for (int x = 0; x < kWidth; ++x)
+    {
+      double most = 0.0;
+      for (int c = 0; c < 3; ++c)
+      {
+        most = std::fmax(most,
+          std::fabs(
+            a->GetScalarComponentAsDouble(x, y, 0, c) - b->GetScalarComponentAsDouble(x, y, 0, c)));
+      }
+      differing += most > 24.0 ? 1 : 0;
+    }
+  }
+  return static_cast<double>(differing) / ((kTop - kBottom) * kWidth);
+}
+
+double leastAngle(vtkPolyData* axis)
+{
+  return axis->GetPointData()->GetArray("SeparationAngle")->GetRange()[0];
+}
+
+// Of a box that is longest along x: the middle sheet lies at the middle of the thinnest side.
+TEST_F(ViewerWindow, ShowsTheAxisThatTheLibraryComputes)
+{
+  Viewer& v = open();
+  EXPECT_GE(leastAngle(v.shownAxis()), kDefaultAngle);
+  EXPECT_NEAR(v.shownAxis()->GetPointData()->GetArray("Radius")->GetRange()[1], 0.4, 1e-3);
+  EXPECT_NEAR(v.shownAxis()->GetPointData()->GetArray("Thickness")->GetRange()[1], 0.8, 2e-3);
+  const auto shown = picture();
+  press("a");
+  EXPECT_GT(difference(shown, picture()), 0.01);
+  press("a");
+  EXPECT_LT(difference(shown, picture()), 0.001);
+}
+
+TEST_F(ViewerWindow, AngleSliderSelectsWithoutComputing)
+{
+  Viewer& v = open();
+  const vtkIdType before = v.shownAxis()->GetNumberOfCells();
+  const auto shown = picture();
+  // The slider's bar lies at 7 % of the height, from 5 to 42 % of the width.
+  drag(static_cast<int>(0.148 * kWidth), 34, static_cast<int>(0.32 * kWidth), 34);
+  EXPECT_GT(v.angle().value(), 100.0);
+  EXPECT_EQ(v.computations(), 1);
+  EXPECT_GE(leastAngle(v.shownAxis()), v.angle().value() - 1e-3);
+  EXPECT_LT(v.shownAxis()->GetNumberOfCells(), before);
+  EXPECT_GT(v.shownAxis()->GetNumberOfCells(), 0);
+  EXPECT_GT(difference(shown, picture()), 0.01);
+}
+
+// The walls of a box meet at right angles, so that all but the middle sheet has 90 degrees.
+TEST_F(ViewerWindow, SelectionIsTheAxisOfThatAngle)
+{
+  options.angle = 120.0;
+  Viewer& v = open();
+  const TriangleMesh mesh = box({ 1.0, 0.7, 0.4 });
+  MedialAxisOptions wanted;
+  wanted.angle = 120.0;
+  const MedialAxis axis = computeMedialAxis(mesh, makeGrid(mesh.bounds(), 32), wanted);
+  const double cells = static_cast<double>(axis.cellCount());
+  EXPECT_NEAR(static_cast<double>(v.shownAxis()->GetNumberOfCells()), cells, 0.1 * cells);
+  double bounds[6];
+  v.shownAxis()->GetBounds(bounds);
+  EXPECT_NEAR(bounds[4], 0.0, 1e-3);
+  EXPECT_NEAR(bounds[5], 0.0, 1e-3);
+}
+
+TEST_F(ViewerWindow, ResolutionSliderComputesOnce)
+{
+  Viewer& v = open();
+  const double before = v.source().field()->GetDimensions()[0];
+  click(static_cast<int>(0.6 * kWidth), 34);
+  EXPECT_EQ(v.computations(), 2);
+  EXPECT_NEAR(v.source().field()->GetDimensions()[0], std::round(v.resolution().value()), 1.0);
+  EXPECT_GT(v.source().field()->GetDimensions()[0], before);
+}
+
+TEST_F(ViewerWindow, SliceIsDraggedAlongItsNormal)
+{
+  Viewer& v = open();
+  const double before[3] = { v.slice().centre()[0], v.slice().centre()[1], v.slice().centre()[2] };
+  const auto shown = picture();
+  drag(280, 240, 280, 290);
+  EXPECT_NEAR(v.slice().centre()[0], before[0], 1e-6);
+  EXPECT_NEAR(v.slice().centre()[1], before[1], 1e-6);
+  EXPECT_GT(std::fabs(v.slice().centre()[2] - before[2]), 0.05);
+  EXPECT_GT(difference(shown, picture()), 0.01);
+}
+
+TEST_F(ViewerWindow, SliceStaysWhereItIsWhenTheGridChanges)
+{
+  Viewer& v = open();
+  drag(280, 240, 280, 290);
+  const double before = v.slice().centre()[2];
+  click(static_cast<int>(0.6 * kWidth), 34);
+  ASSERT_EQ(v.computations(), 2);
+  EXPECT_NEAR(v.slice().centre()[2], before, 0.02);
+}
+
+TEST_F(ViewerWindow, KeysTurnAndHideTheSlice)
+{
+  Viewer& v = open();
+  press("x");
+  EXPECT_NEAR(std::fabs(v.slice().normal()[0]), 1.0, 1e-6);
+  const auto shown = picture();
+  press("d");
+  EXPECT_FALSE(v.slice().visible());
+  EXPECT_GT(difference(shown, picture()), 0.005);
+}
+
+TEST_F(ViewerWindow, OtherDragsTurnTheCamera)
+{
+  Viewer& v = open();
+  press("d");
+  const auto shown = picture();
+  drag(300, 240, 400, 260);
+  EXPECT_GT(difference(shown, picture()), 0.02);
+  press("r");
+  EXPECT_LT(difference(shown, picture()), 0.001);
+  EXPECT_EQ(v.computations(), 1);
+}
+
+TEST_F(ViewerWindow, KeyCyclesTheColours)
+{
+  open();
+  const auto radius = picture();
+  press("c");
+  const auto angle = picture();
+  EXPECT_GT(difference(radius, angle), 0.01);
+  press("c");
+  press("c");
+  EXPECT_LT(difference(radius, picture()), 0.001);
+}
+
+TEST_F(ViewerWindow, KeyShowsTheKeys)
+{
+  open();
+  const auto shown = picture();
+  press("h");
+  EXPECT_GT(difference(shown, picture()), 0.01);
+}
+
+TEST_F(ViewerWindow, StatusNamesRendererAndRate)
+{
+  Viewer& v = open();
+  for (int i = 0; i < 3; ++i)
+  {
+    v.window()->Render();
+  }
+  const std::string status = v.status();
+  EXPECT_NE(status.find("box.obj"), std::string::npos) << status;
+  EXPECT_NE(status.find("compute: " + queryDevice().renderer), std::string::npos) << status;
+  EXPECT_NE(status.find("window: "), std::string::npos) << status;
+  EXPECT_NE(status.find("frames per second"), std::string::npos) << status;
+  EXPECT_EQ(status.find("0.0 frames per second"), std::string::npos) << status;
+}
+
+// The window's GLX context is current in this thread while the library draws with OpenGL too.
+TEST_F(ViewerWindow, ComputesWithOpenGlBesideTheWindow)
+{
+  Viewer& byProcessor = open();
+  const auto expected = picture();
+  EXPECT_EQ(byProcessor.source().statistics().evaluator, Evaluator::Processor);
+  viewer.reset();
+  options.evaluator = Evaluator::Rasteriser;
+  Viewer& v = open();
+  EXPECT_EQ(v.source().statistics().evaluator, Evaluator::Rasteriser);
+  EXPECT_LT(difference(expected, picture()), 0.005);
+}
+
+TEST_F(ViewerWindow, StepsThroughASequence)
+{
+  writeFrames(3);
+  Viewer& v = open();
+  EXPECT_NEAR(v.shownAxis()->GetPointData()->GetArray("Radius")->GetRange()[1], 0.4, 1e-3);
+  press("n");
+  EXPECT_EQ(v.frame(), 1U);
+  EXPECT_NEAR(v.shownAxis()->GetPointData()->GetArray("Radius")->GetRange()[1], 0.5, 1e-3);
+  press("b");
+  press("b");
+  EXPECT_EQ(v.frame(), 2U);
+  EXPECT_NEAR(v.shownAxis()->GetPointData()->GetArray("Radius")->GetRange()[1], 0.6, 1e-3);
+}
+
+TEST_F(ViewerWindow, PlaysAndPauses)
+{
+  writeFrames(3);
+  Viewer& v = open();
+  press("space");
+  EXPECT_TRUE(v.playing());
+  app::observeEvent(v.interactor(), vtkCommand::TimerEvent,
+    [&]
+    {
+      if (v.computations() == 5)
+      {
+        press("q");
+      }
+    });
+  v.run();
+  EXPECT_EQ(v.computations(), static_cast<int>(v.frame()) + 4); // once round, and every frame
+  press("space");
+  EXPECT_FALSE(v.playing());
+  const int computed = v.computations();
+  for (int i = 0; i < 10; ++i)
+  {
+    v.interactor()->InvokeEvent(vtkCommand::TimerEvent);
+  }
+  EXPECT_EQ(v.computations(), computed);
+}
+
+TEST_F(ViewerWindow, WritesPictures)
+{
+  Viewer& v = open();
+  v.writePicture(folder.file("window.png"));
+  vtkNew<vtkPNGReader> reader;
+  reader->SetFileName(folder.file("window.png").c_str());
+  reader->Update();
+  EXPECT_EQ(reader->GetOutput()->GetDimensions()[0], kWidth);
+  EXPECT_EQ(reader->GetOutput()->GetDimensions()[1], kHeight);
+  EXPECT_LT(difference(reader->GetOutput(), picture()), 0.001);
+}
+
+TEST_F(ViewerWindow, RunEndsWithItsKey)
+{
+  Viewer& v = open();
+  app::observeEvent(v.interactor(), vtkCommand::TimerEvent, [&] { press("q"); });
+  EXPECT_NO_THROW(v.run());
+}
+
+} // namespace
+} // namespace medial::test
