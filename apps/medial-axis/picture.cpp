@@ -68,8 +68,9 @@ void drawPicture(vtkPolyData* surface, vtkPolyData* axis, const std::filesystem:
   const VtkMessages messages;
   Scene scene;
   const auto colours = makeColours(greatestRadius(axis));
-  addSurface(scene, surface);
-  scene.addSharpEdges(surface);
+  const auto whole = welded(surface);
+  addSurface(scene, whole);
+  scene.addSharpEdges(whole);
   addAxis(scene, axis, colours);
   scene.addScalarBar(colours, "Radius");
   scene.draw({ surface, axis }, file);

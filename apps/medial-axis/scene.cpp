@@ -6,6 +6,7 @@
 #include <vtkActor.h>
 #include <vtkBoundingBox.h>
 #include <vtkCamera.h>
+#include <vtkCleanPolyData.h>
 #include <vtkFeatureEdges.h>
 #include <vtkMatrix4x4.h>
 #include <vtkPNGWriter.h>
@@ -124,6 +125,17 @@ vtkSmartPointer<vtkColorTransferFunction> makeColours(double greatest)
     colours->AddRGBPoint(t * greatest, rgb[0], rgb[1], rgb[2]);
   }
   return colours;
+}
+
+vtkSmartPointer<vtkPolyData> welded(vtkPolyData* surface)
+{
+  vtkNew<vtkCleanPolyData> weld;
+  weld->SetInputData(surface);
+  weld->SetTolerance(0.0);
+  weld->ConvertLinesToPointsOff();
+  weld->ConvertPolysToLinesOff();
+  weld->Update();
+  return weld->GetOutput();
 }
 
 Scene::Scene()

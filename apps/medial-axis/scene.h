@@ -18,6 +18,10 @@ namespace medial::app
 /// The perceptually uniform map "viridis" from 0 to `greatest`.
 vtkSmartPointer<vtkColorTransferFunction> makeColours(double greatest);
 
+/// The surface with points of equal coordinates made one. STL files share no points: every edge of
+/// theirs would be drawn and shaded as a border.
+vtkSmartPointer<vtkPolyData> welded(vtkPolyData* surface);
+
 /// What the program's pictures have in common: 1600 x 1200 pixels on white, a view that fits, a
 /// scalar bar on the right. Needs no display.
 class Scene
@@ -28,7 +32,7 @@ public:
 
   void add(vtkProp* prop) { renderer_->AddViewProp(prop); }
 
-  /// The edges at which faces meet at an angle.
+  /// The edges at which faces of a welded surface meet at an angle.
   void addSharpEdges(vtkPolyData* surface);
 
   /// @param nameOfNone how what has no value is called; null where there is none.
