@@ -1,5 +1,6 @@
 #include "actors.h"
 
+#include <vtkCleanPolyData.h>
 #include <vtkFeatureEdges.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
@@ -16,12 +17,24 @@ namespace
 constexpr double kSmoothAngle = 30.0; // degrees between faces that are shaded as one
 constexpr double kSharpAngle = 50.0;  // degrees between faces whose edge is drawn
 
+/// Makes points of equal coordinates one. STL files share no points: every edge of theirs would be
+/// drawn and shaded as a border.
+vtkSmartPointer<vtkCleanPolyData> weld(vtkPolyData* surface)
+{
+  auto weld = vtkSmartPointer<vtkCleanPolyData>::New();
+  weld->SetInputData(surface);
+  weld->SetTolerance(0.0);
+  weld->ConvertLinesToPointsOff();
+  weld->ConvertPolysToLinesOff();
+  return weld;
+}
+
 } // namespace
 
 vtkSmartPointer<vtkActor> makeSurface(vtkPolyData* surface)
 {
   vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputData(surface);
+  normals->SetInputConnection(weld(surface)->GetOutputPort());
   normals->SetFeatureAngle(kSmoothAngle);
   normals->ConsistencyOff();
   vtkNew<vtkPolyDataMapper> mapper;
@@ -40,7 +53,7 @@ vtkSmartPointer<vtkActor> makeSurface(vtkPolyData* surface)
 vtkSmartPointer<vtkActor> makeSharpEdges(vtkPolyData* surface)
 {
   vtkNew<vtkFeatureEdges> edges;
-  edges->SetInputData(surface);
+  edges->SetInputConnection(weld(surface)->GetOutputPort());
   edges->SetFeatureAngle(kSharpAngle);
   edges->ColoringOff();
   edges->NonManifoldEdgesOff();

@@ -3,6 +3,8 @@
 #include <stdexcept>
 #include <string>
 
+/// Distance fields and medial axes of meshes: algorithms over plain arrays. Failures are exceptions
+/// of the class Error.
 namespace medial
 {
 
@@ -23,12 +25,15 @@ enum class ErrorCode
 class Error : public std::runtime_error
 {
 public:
+  /// @param code why the operation failed.
+  /// @param message one line that names the value and the allowed range.
   Error(ErrorCode code, const std::string& message)
     : std::runtime_error(message)
     , code_(code)
   {
   }
 
+  /// Why the operation failed.
   ErrorCode code() const noexcept { return code_; }
 
 private:

@@ -12,38 +12,41 @@ using Point3 = std::array<double, 3>;
 /// An axis-aligned box; min <= max in every component.
 struct Bounds
 {
-  Point3 min{};
-  Point3 max{};
+  Point3 min{}; ///< least coordinates, world units
+  Point3 max{}; ///< greatest coordinates, world units
 
-  double diagonal() const;
+  double diagonal() const; ///< its length, world units
 };
 
 /// A box of grid points, both ends included, as VTK's extents.
 struct Extent
 {
-  std::array<int, 3> min{};
-  std::array<int, 3> max{ -1, -1, -1 };
+  std::array<int, 3> min{};             ///< first point along x, y, z
+  std::array<int, 3> max{ -1, -1, -1 }; ///< last point; below min where the extent is empty
 
+  /// Whether no point is in it.
   bool empty() const { return max[0] < min[0] || max[1] < min[1] || max[2] < min[2]; }
+  /// Number of points along axis 0, 1 or 2.
   int size(int axis) const { return max[axis] - min[axis] + 1; }
-  std::int64_t pointCount() const;
-  bool contains(const Extent& other) const;
+  std::int64_t pointCount() const;          ///< 0 where it is empty
+  bool contains(const Extent& other) const; ///< whether all points of `other` are in it
 };
 
 /// A regular grid of sample points: point (i,j,k) lies at origin + (i,j,k) * spacing.
 struct Grid
 {
-  Point3 origin{};
-  Point3 spacing{ 1.0, 1.0, 1.0 };
-  std::array<int, 3> dimensions{ 1, 1, 1 };
+  Point3 origin{};                          ///< of point (0,0,0), world units
+  Point3 spacing{ 1.0, 1.0, 1.0 };          ///< world units, each > 0
+  std::array<int, 3> dimensions{ 1, 1, 1 }; ///< points along x, y, z
 
-  Extent wholeExtent() const;
-  std::int64_t pointCount() const;
-  Point3 point(int i, int j, int k) const;
+  Extent wholeExtent() const;              ///< from (0,0,0) on
+  std::int64_t pointCount() const;         ///< product of the dimensions
+  Point3 point(int i, int j, int k) const; ///< its position, world units
 };
 
-/// Number of sample points along one axis: [kMinDimension, kMaxDimension].
+/// Least number of sample points along one axis.
 constexpr int kMinDimension = 1;
+/// Largest number of sample points along one axis.
 constexpr int kMaxDimension = 8192;
 
 /// Default number of grid points along the longest axis.

@@ -8,7 +8,7 @@ namespace medial
 class Progress
 {
 public:
-  virtual ~Progress() = default;
+  virtual ~Progress() = default; ///< by derived classes
 
   /// @param fraction share of the whole work that is done, in [0, 1], never decreasing.
   /// @param phase what is being done, a short lower-case text with static storage.

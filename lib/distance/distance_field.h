@@ -40,10 +40,11 @@ enum class Evaluator
   Processor   ///< evaluates the candidates of every tile with vector instructions of the CPU
 };
 
+/// How a distance field is computed.
 struct DistanceFieldOptions
 {
-  SignMethod sign = SignMethod::Auto;
-  Evaluator evaluator = Evaluator::Auto;
+  SignMethod sign = SignMethod::Auto;    ///< how inside is told from outside
+  Evaluator evaluator = Evaluator::Auto; ///< what finds the closest sites
   /// CPU threads to use; 0 for all cores.
   int threads = 0;
   /// What the slabs that are in work at a time should not exceed, in MiB, on the device as on the
@@ -66,6 +67,7 @@ struct FieldArrays
   std::uint8_t* closestFeature = nullptr; ///< Feature
   std::int64_t* closestCell = nullptr;    ///< id of an input cell that holds the closest site
 
+  /// Whether any array is wanted.
   bool any() const
   {
     return distance || closestPoint || closestSite || closestFeature || closestCell;
@@ -100,34 +102,37 @@ struct RunStatistics
     double draw = 0;     ///< upload and rasterisation; or evaluation by the processor
     double resolve = 0;  ///< exact distances from closest sites, read-back
     double medial = 0;   ///< direction field, selection, medial surface
-  } seconds;
-  std::int64_t sites = 0;
+  };
+  Seconds seconds;                 ///< of each phase
+  std::int64_t sites = 0;          ///< faces, edges and vertices of the mesh
   std::int64_t candidatePairs = 0; ///< (site, leaf tile) pairs that survive culling
-  std::int64_t polygons = 0;
+  std::int64_t polygons = 0;       ///< drawn; 0 with the processor
   /// Polygon area in samples, before the depth test; or pairs of samples and sites that the
   /// processor evaluated.
   std::int64_t fragments = 0;
   std::int64_t samples = 0; ///< grid points computed
-  Device device;
+  Device device;            ///< the OpenGL implementation, also where the processor evaluates
   Evaluator evaluator = Evaluator::Auto; ///< what was used, never Auto
 
+  /// Fragments over samples; 0 where there are none.
   double fragmentsPerVoxel() const
   {
     return samples > 0 ? static_cast<double>(fragments) / static_cast<double>(samples) : 0.0;
   }
 };
 
-/// A distance field in memory: arrays as in FieldArrays.
+/// A distance field in memory: arrays with one element (closestPoint: three) per grid point, x
+/// fastest.
 struct DistanceField
 {
-  Grid grid;
-  SignMethod sign = SignMethod::None; ///< the method used, never Auto
-  std::vector<float> distance;
-  std::vector<float> closestPoint;
-  std::vector<std::int32_t> closestSite;
-  std::vector<std::uint8_t> closestFeature;
-  std::vector<std::int64_t> closestCell;
-  RunStatistics statistics;
+  Grid grid;                                ///< where the samples are
+  SignMethod sign = SignMethod::None;       ///< the method used, never Auto
+  std::vector<float> distance;              ///< as FieldArrays::distance
+  std::vector<float> closestPoint;          ///< as FieldArrays::closestPoint
+  std::vector<std::int32_t> closestSite;    ///< as FieldArrays::closestSite
+  std::vector<std::uint8_t> closestFeature; ///< as FieldArrays::closestFeature
+  std::vector<std::int64_t> closestCell;    ///< as FieldArrays::closestCell
+  RunStatistics statistics;                 ///< what computing it took
 };
 
 /// The sign method that `requested` means for a mesh.

@@ -38,6 +38,7 @@ enum class Topology
 /// Default separation angle theta, in degrees.
 constexpr double kDefaultAngle = 60.0;
 
+/// How a medial axis is computed.
 struct MedialAxisOptions
 {
   /// Least separation angle theta of the directions to the two closest points, in degrees, in
@@ -50,8 +51,8 @@ struct MedialAxisOptions
   double lambda = 0.0;
   /// Least radius of the medial balls, world units, >= 0.
   double radius = 0.0;
-  Side side = Side::Interior;
-  Representation representation = Representation::Surface;
+  Side side = Side::Interior;                              ///< of the surface
+  Representation representation = Representation::Surface; ///< what the axis is made of
   /// Most points of the axis, >= 0; 0 for no limit. Otherwise the axis is made compact, as by
   /// simplifyAxis(): fewer points describe the shape less closely. Not for Representation::Points.
   std::int64_t maxSpheres = 0;
@@ -65,15 +66,15 @@ struct MedialAxisOptions
   /// Faces. After Liu, Chambers, Letscher, Ju, "A simple and robust thinning algorithm on cell
   /// complexes", 2010, and Yan, Letscher, Ju, "Voxel Cores", 2018.
   Topology topology = Topology::Selected;
-  DistanceFieldOptions field;
+  DistanceFieldOptions field; ///< the distance field that the axis is taken from
 };
 
 /// What simplifyAxis() did; all 0 where it was not called.
 struct SimplificationStatistics
 {
-  std::int64_t inputPoints = 0;
-  std::int64_t inputComponents = 0;
-  std::int64_t components = 0;
+  std::int64_t inputPoints = 0;     ///< of the full axis
+  std::int64_t inputComponents = 0; ///< of the full axis
+  std::int64_t components = 0;      ///< of the result
   std::int64_t joined = 0;  ///< lines that were added between components whose balls overlap
   std::int64_t forced = 0;  ///< balls merged though that closed a loop or a hollow of the shape
   std::int64_t dropped = 0; ///< components left out
@@ -88,24 +89,25 @@ struct MedialAxis
   std::vector<float> separationAngle; ///< degrees, [0, 180]
   std::vector<float> lambda;          ///< radius * sin(separationAngle / 2), world units
   std::vector<std::array<float, 3>> closestPointA; ///< world coordinates
-  std::vector<std::array<float, 3>> closestPointB;
-  std::vector<AxisFeature> feature;
+  std::vector<std::array<float, 3>> closestPointB; ///< world coordinates
+  std::vector<AxisFeature> feature;                ///< what each point lies on
 
   /// Cells by number of distinct corners; a cell never repeats a point and never has zero area.
   /// Where the axis is thinner than a sheet at this resolution it comes as lines and vertices.
   std::vector<std::array<std::int64_t, 4>> quads;
-  std::vector<std::array<std::int64_t, 3>> triangles;
-  std::vector<std::array<std::int64_t, 2>> lines;
-  std::vector<std::int64_t> vertices;
+  std::vector<std::array<std::int64_t, 3>> triangles; ///< ids of points
+  std::vector<std::array<std::int64_t, 2>> lines;     ///< ids of points
+  std::vector<std::int64_t> vertices;                 ///< ids of points
 
   SignMethod sign = SignMethod::None; ///< the method used, never Auto
   Side side = Side::Both;             ///< the side delivered: Both where the field is unsigned
   /// Of the solid, where the topology is preserved; topologyOf(axis) is the same then, unless
   /// maxSpheres is too small for it.
   std::optional<CellTopology> solid;
-  RunStatistics statistics;
-  SimplificationStatistics simplification;
+  RunStatistics statistics;                ///< what computing it took
+  SimplificationStatistics simplification; ///< what simplifyAxis() did
 
+  /// Number of cells of all kinds.
   std::int64_t cellCount() const
   {
     return static_cast<std::int64_t>(

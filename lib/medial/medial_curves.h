@@ -25,20 +25,22 @@ enum class AxisFeature : std::uint8_t
 /// The cells of an axis as far as features depend on them.
 struct AxisEdges
 {
+  /// Ids of the two points.
   using Edge = std::array<std::int64_t, 2>;
 
   std::vector<Edge> sides; ///< of all polygons, a shared side once for each of them
-  std::vector<Edge> lines;
+  std::vector<Edge> lines; ///< cells of two points
 };
 
+/// The edges of the cells of an axis.
 AxisEdges edgesOf(const MedialAxis& axis);
 
 /// A polyline of rim, seam or curve edges, from junction to junction; closed ones end where they
 /// begin.
 struct AxisCurve
 {
-  AxisFeature kind;
-  std::vector<std::int64_t> points;
+  AxisFeature kind;                 ///< Rim, Seam or Curve
+  std::vector<std::int64_t> points; ///< ids, two or more, in their order along the polyline
 };
 
 /// The feature of every point.

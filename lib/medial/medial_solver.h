@@ -21,14 +21,15 @@ namespace medial
 class MedialSolver
 {
 public:
+  /// Takes over the mesh in its first frame.
   /// @throws Error InvalidInput as analyseTopology().
   explicit MedialSolver(TriangleMesh mesh);
-  ~MedialSolver();
-  MedialSolver(MedialSolver&& other) noexcept;
-  MedialSolver& operator=(MedialSolver&& other) noexcept;
+  ~MedialSolver();                                        ///< gives back what it keeps
+  MedialSolver(MedialSolver&& other) noexcept;            ///< leaves `other` without a mesh
+  MedialSolver& operator=(MedialSolver&& other) noexcept; ///< leaves `other` without a mesh
 
-  const TriangleMesh& mesh() const;
-  const MeshTopology& topology() const;
+  const TriangleMesh& mesh() const;     ///< at the current positions
+  const MeshTopology& topology() const; ///< of the same
 
   /// Moves the mesh.
   /// @param points as many as mesh().points, in the same order; world units.
@@ -36,12 +37,14 @@ public:
   ///   then as it was.
   void setPoints(std::vector<Point3> points);
 
-  /// As the functions computeDistanceField() and computeMedialAxis(), for the current positions.
-  /// Fastest when grid and extent stay the same.
+  /// As the function computeDistanceField(), for the current positions. Fastest when grid and
+  /// extent stay the same.
   RunStatistics computeField(const Grid& grid, const Extent& extent, const FieldArrays& arrays,
     const DistanceFieldOptions& options = {});
+  /// The same, delivered slab by slab.
   RunStatistics computeField(const Grid& grid, const Extent& extent, FieldSink& sink,
     const DistanceFieldOptions& options = {});
+  /// As the function computeMedialAxis(), for the current positions.
   MedialAxis computeAxis(const Grid& grid, const MedialAxisOptions& options = {},
     const FieldArrays& arrays = {});
 

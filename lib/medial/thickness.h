@@ -11,6 +11,7 @@
 namespace medial
 {
 
+/// What thickness is measured.
 struct ThicknessOptions
 {
   /// Least separation angle theta of the medial balls that count, in degrees, in (0, 180).
@@ -31,10 +32,9 @@ struct Thickness
 {
   /// Per point of the mesh, world units; NaN where there is no medial ball.
   std::vector<float> values;
-  /// Of the values that are not NaN; NaN themselves where there are none.
-  double least = 0.0;
-  double median = 0.0;
-  double greatest = 0.0;
+  double least = 0.0;       ///< of the values that are not NaN; NaN where there are none
+  double median = 0.0;      ///< of the same
+  double greatest = 0.0;    ///< of the same
   std::int64_t without = 0; ///< number of NaN
   double seconds = 0.0;     ///< wall-clock
 

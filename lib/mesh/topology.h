@@ -12,12 +12,16 @@ namespace medial
 /// Lists of variable length in one array: row r is values[offsets[r]] .. values[offsets[r+1]-1].
 struct IncidenceLists
 {
-  std::vector<int> offsets{ 0 };
-  std::vector<int> values;
+  std::vector<int> offsets{ 0 }; ///< one more than rows, ascending
+  std::vector<int> values;       ///< of all rows, one after the other
 
+  /// Number of rows.
   int rows() const { return static_cast<int>(offsets.size()) - 1; }
+  /// Length of a row.
   int size(int row) const { return offsets[row + 1] - offsets[row]; }
+  /// First value of a row.
   const int* begin(int row) const { return values.data() + offsets[row]; }
+  /// Past the last value of a row.
   const int* end(int row) const { return values.data() + offsets[row + 1]; }
 };
 
@@ -48,7 +52,9 @@ struct MeshTopology
   double signedVolume = 0.0;
 
   bool closed() const; ///< triangles only, every edge has two of them
+  /// No triangle or point was refused.
   bool manifold() const;
+  /// No edge is misoriented.
   bool oriented() const { return misorientedEdges == 0; }
 };
 

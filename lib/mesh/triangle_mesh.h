@@ -9,26 +9,28 @@
 namespace medial
 {
 
-/// Cells as lists of point ids: cell c uses connectivity[offsets[c]] ..
+/// Cells as lists of point ids: cell c uses connectivity[offsets[c]] to
 /// connectivity[offsets[c+1]-1].
 struct CellList
 {
-  std::vector<std::int64_t> offsets{ 0 };
-  std::vector<std::int64_t> connectivity;
+  std::vector<std::int64_t> offsets{ 0 }; ///< one more than cells, ascending
+  std::vector<std::int64_t> connectivity; ///< point ids of all cells, one after the other
   /// The caller's id of every cell; reported back as ClosestCell.
   std::vector<std::int64_t> ids;
 
+  /// Number of cells.
   std::int64_t size() const { return static_cast<std::int64_t>(ids.size()); }
+  /// Adds a cell.
   void append(const std::vector<std::int64_t>& pointIds, std::int64_t cellId);
 };
 
 /// A polygon soup as a file or a VTK pipeline delivers it; nothing about it is assumed.
 struct MeshInput
 {
-  std::vector<Point3> points;
-  CellList polygons; ///< triangles, quads and simple polygons, possibly concave
-  CellList lines;    ///< polylines, two or more points each
-  CellList verts;    ///< poly-vertices, one or more points each
+  std::vector<Point3> points; ///< world coordinates
+  CellList polygons;          ///< triangles, quads and simple polygons, possibly concave
+  CellList lines;             ///< polylines, two or more points each
+  CellList verts;             ///< poly-vertices, one or more points each
 };
 
 /// Triangles, segments and isolated points over welded points: the sites' geometry.
@@ -39,15 +41,14 @@ struct MeshInput
 /// connectivity has no hole; they have no face site, only their edges and vertices.
 struct TriangleMesh
 {
-  std::vector<Point3> points;
-  std::vector<std::array<int, 3>> triangles;
-  std::vector<std::array<int, 2>> segments; ///< not the edges of triangles, but line cells
-  std::vector<int> vertices;                ///< points that are cells of their own
+  std::vector<Point3> points;                ///< world coordinates
+  std::vector<std::array<int, 3>> triangles; ///< ids of points
+  std::vector<std::array<int, 2>> segments;  ///< not the edges of triangles, but line cells
+  std::vector<int> vertices;                 ///< points that are cells of their own
 
-  /// Input cell ids, one per entry of the list of the same stem.
-  std::vector<std::int64_t> triangleCells;
-  std::vector<std::int64_t> segmentCells;
-  std::vector<std::int64_t> vertexCells;
+  std::vector<std::int64_t> triangleCells; ///< input cell of every triangle
+  std::vector<std::int64_t> segmentCells;  ///< input cell of every segment
+  std::vector<std::int64_t> vertexCells;   ///< input cell of every vertex
 
   /// Welded point of every input point, -1 where no cell uses it.
   std::vector<int> pointOfInput;
@@ -55,6 +56,7 @@ struct TriangleMesh
   std::int64_t weldedPoints = 0;        ///< input points merged into an equal one
   std::int64_t degenerateTriangles = 0; ///< triangles without area, in whatever form they are kept
 
+  /// Whether there is nothing in it.
   bool empty() const { return triangles.empty() && segments.empty() && vertices.empty(); }
   Bounds bounds() const; ///< of `points`; zero where there are none
 };

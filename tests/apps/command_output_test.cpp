@@ -231,6 +231,36 @@ TEST_F(CommandOutput, FieldHasAllArraysAndTheRightDistance)
     -exactRadius(field->GetPoint(nearest)), 1e-5);
 }
 
+// Every triangle of an STL file has corners of its own.
+TEST_F(CommandOutput, PictureOfAnUnweldedMeshIsThatOfTheWeldedOne)
+{
+  const TriangleMesh sphere = icosphere(1.0, 3);
+  writeFile(folder.file("sphere.obj"), objText(sphere));
+  writeFile(folder.file("sphere.stl"), stlText(sphere));
+  std::vector<vtkSmartPointer<vtkImageData>> pictures;
+  for (const char* name : { "sphere.obj", "sphere.stl" })
+  {
+    input = folder.file(name);
+    run({ "--image", folder.file("picture.png") });
+    vtkNew<vtkPNGReader> reader;
+    reader->SetFileName(folder.file("picture.png").c_str());
+    reader->Update();
+    pictures.emplace_back(reader->GetOutput());
+  }
+  int different = 0;
+  for (int y = 0; y < 1200; y += 2)
+  {
+    for (int x = 0; x < 1200; x += 2) // left of the scalar bar
+    {
+      different += std::abs(pictures[0]->GetScalarComponentAsDouble(x, y, 0, 0) -
+                     pictures[1]->GetScalarComponentAsDouble(x, y, 0, 0)) > 16.0
+        ? 1
+        : 0;
+    }
+  }
+  EXPECT_LT(different, 360); // of 360,000
+}
+
 TEST_F(CommandOutput, PictureShowsTheAxisInColourOnWhite)
 {
   run({ "--image", folder.file("picture.png") });

@@ -28,7 +28,9 @@ def named_files(text):
         path = re.sub(r"^\./|[,;:.)]+$", "", word)
         if re.fullmatch(r"[\w./-]+", path) and path.split("/")[0] in TOP - {"out"}:
             yield path
-    yield from re.findall(r"\]\((?!https?:)([^)#]+)\)", text)
+    # Lambdas of C++ look like links.
+    prose = re.sub(r"^```[\s\S]*?^```$", "", text, flags=re.MULTILINE)
+    yield from re.findall(r"\]\((?!https?:)([^)#]+)\)", prose)
 
 
 def exists(path):

@@ -17,3 +17,13 @@ foreach(file IN LISTS package)
     message(FATAL_ERROR "${file} names the build tree")
   endif()
 endforeach()
+
+# Programs come with manual pages and with completion, which bash looks for by their names.
+foreach(program IN LISTS PROGRAMS)
+  foreach(file IN ITEMS "bin/${program}" "${MAN_FOLDER}/man1/${program}.1"
+      "${DATA_FOLDER}/bash-completion/completions/${program}")
+    if(NOT EXISTS "${PREFIX}/${file}")
+      message(FATAL_ERROR "${file} was not installed")
+    endif()
+  endforeach()
+endforeach()

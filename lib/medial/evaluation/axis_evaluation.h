@@ -12,10 +12,12 @@ namespace medial
 
 /// Default number of samples on the surface of the mesh.
 constexpr std::int64_t kDefaultEvaluationSamples = 100000;
-/// Least and largest number of samples.
+/// Least number of samples.
 constexpr std::int64_t kLeastEvaluationSamples = 1000;
+/// Largest number of samples.
 constexpr std::int64_t kMostEvaluationSamples = 100000000;
 
+/// How an axis is measured.
 struct EvaluationOptions
 {
   /// Number of samples on the surface of the mesh, in [1000, 100000000]; the surface of the union
@@ -31,8 +33,8 @@ struct EvaluationOptions
 /// Lengths of many places; world units.
 struct Deviation
 {
-  double max = 0.0;
-  double mean = 0.0;
+  double max = 0.0;        ///< greatest
+  double mean = 0.0;       ///< over the places
   std::int64_t places = 0; ///< that the mean is over
 };
 
@@ -59,7 +61,7 @@ struct AxisEvaluation
 
   bool knowsInside = false;       ///< false for a mesh that is open or not consistently oriented
   std::int64_t centresInside = 0; ///< balls whose centre is inside the mesh; 0 where unknown
-  ModelTopology topology;
+  ModelTopology topology;         ///< of the axis
 };
 
 /// Measures an axis against the mesh that it is the axis of. The result depends neither on the

@@ -15,11 +15,11 @@ namespace medial
 /// Quads are two triangles, as quadTriangles() splits them.
 struct MedialModel
 {
-  std::vector<Point3> centres; ///< world coordinates
-  std::vector<double> radii;   ///< world units, one a centre, >= 0
-  std::vector<std::array<std::int64_t, 4>> quads;
-  std::vector<std::array<std::int64_t, 3>> triangles;
-  std::vector<std::array<std::int64_t, 2>> lines;
+  std::vector<Point3> centres;                        ///< world coordinates
+  std::vector<double> radii;                          ///< world units, one a centre, >= 0
+  std::vector<std::array<std::int64_t, 4>> quads;     ///< ids of balls, all around
+  std::vector<std::array<std::int64_t, 3>> triangles; ///< ids of balls
+  std::vector<std::array<std::int64_t, 2>> lines;     ///< ids of balls
   std::vector<std::int64_t> vertices; ///< cells of one ball; balls need not be in a cell
 
   /// The triangles, those of the quads after them.
@@ -33,6 +33,7 @@ std::array<std::array<int, 3>, 2> quadTriangles(const std::array<Point3, 4>& cor
 /// The balls and cells of an axis.
 MedialModel toMedialModel(const MedialAxis& axis);
 
+/// Refuses what is no model.
 /// @throws Error InvalidInput naming the value for a model without balls, as many radii as not
 ///   centres, a coordinate outside [-1e100, 1e100], a radius outside [0, 1e100] and a cell that
 ///   names a ball that does not exist.
@@ -41,11 +42,11 @@ void checkMedialModel(const MedialModel& model);
 /// Numbers of what a model consists of, and how it hangs together.
 struct ModelTopology
 {
-  std::int64_t points = 0;
-  std::int64_t quads = 0;
-  std::int64_t triangles = 0;
-  std::int64_t lines = 0;
-  std::int64_t vertices = 0;
+  std::int64_t points = 0;    ///< balls
+  std::int64_t quads = 0;     ///< cells of four balls
+  std::int64_t triangles = 0; ///< cells of three balls
+  std::int64_t lines = 0;     ///< cells of two balls
+  std::int64_t vertices = 0;  ///< cells of one ball
   /// Quads and triangles below 1e-14 of the squared diagonal of the centres' bounds, and lines
   /// below 1e-7 of the diagonal.
   std::int64_t zeroAreaCells = 0;
@@ -54,6 +55,7 @@ struct ModelTopology
   std::int64_t eulerCharacteristic = 0;
 };
 
+/// Counts the cells of a model and its pieces.
 /// @throws Error as checkMedialModel().
 ModelTopology analyseModel(const MedialModel& model);
 

@@ -8,6 +8,7 @@
 namespace medial
 {
 
+/// How far an axis is simplified.
 struct SimplificationOptions
 {
   /// Most balls, that is points, of the result; >= 1. A few hundred describe a shape, as few as its

@@ -15,11 +15,13 @@ struct CellTopology
   std::int64_t genus = 0;
   std::int64_t cavities = 0; ///< hollows without a way out
 
+  /// Whether all four numbers are equal.
   bool operator==(const CellTopology& other) const
   {
     return components == other.components && eulerCharacteristic == other.eulerCharacteristic &&
       genus == other.genus && cavities == other.cavities;
   }
+  /// Whether any number differs.
   bool operator!=(const CellTopology& other) const { return !(*this == other); }
 };
 

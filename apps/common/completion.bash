@@ -1,0 +1,60 @@
+# Completion of medial-axis and medial-evaluate in bash: options are those of --help, files those with
+# the extensions that an option takes.
+
+# _medial_files WORD EXTENSION...: files that begin like WORD and have one of the extensions; folders.
+_medial_files()
+{
+  local word=$1 extension
+  shift
+  for extension in "$@"; do
+    compgen -f -X "!*.$extension" -- "$word"
+    compgen -f -X "!*.${extension^^}" -- "$word"
+  done
+  compgen -d -- "$word"
+}
+
+# _medial_values OPTION WORD: values that the option can have.
+_medial_values()
+{
+  case $1 in
+    --side) compgen -W "interior exterior both" -- "$2" ;;
+    --representation) compgen -W "surface faces points" -- "$2" ;;
+    --topology) compgen -W "selected preserve" -- "$2" ;;
+    --sign) compgen -W "auto none pseudonormal" -- "$2" ;;
+    --evaluator) compgen -W "auto rasteriser processor" -- "$2" ;;
+    -o | --output) _medial_files "$2" vtp ply obj ma ;;
+    --curves | --thickness) _medial_files "$2" vtp ;;
+    --field) _medial_files "$2" vti pvti ;;
+    --image | --thickness-image) _medial_files "$2" png ;;
+    --report | --json) _medial_files "$2" json ;;
+  esac
+}
+
+# _medial_option_takes_value OPTION HELP: whether a value follows the option.
+_medial_option_takes_value()
+{
+  [[ $1 == -?* && $2 =~ (^|[[:space:],])"$1"(,--[a-z-]+)?" "[A-Z] ]]
+}
+
+_medial()
+{
+  local program=$1 word=${COMP_WORDS[COMP_CWORD]} option=${COMP_WORDS[COMP_CWORD - 1]} help
+  # "--side=x" comes as three words.
+  if [[ $word == = ]]; then
+    word=
+  elif [[ $option == = ]]; then
+    option=${COMP_WORDS[COMP_CWORD - 2]}
+  fi
+  help=$("$program" --help 2>/dev/null)
+  if _medial_option_takes_value "$option" "$help"; then
+    mapfile -t COMPREPLY < <(_medial_values "$option" "$word")
+  elif [[ $word == -* ]]; then
+    mapfile -t COMPREPLY < <(compgen -W "$(grep -oE -- '(^  |,)--?[a-z-]+' <<<"$help" | tr -d ' ,')" -- "$word")
+  elif [[ $program == *medial-evaluate ]]; then
+    mapfile -t COMPREPLY < <(_medial_files "$word" vtp ply obj ma stl off vtk)
+  else
+    mapfile -t COMPREPLY < <(_medial_files "$word" stl obj ply off vtp vtk)
+  fi
+}
+
+complete -o filenames -F _medial medial-axis medial-evaluate
