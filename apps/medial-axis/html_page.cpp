@@ -17,6 +17,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <string>
 
 namespace medial::app
 {
