@@ -20,7 +20,7 @@ namespace
 {
 
 constexpr double kFinestGrid = 1024.0; // boxes along the longest side
-constexpr double kCoarser = 0.85;
+constexpr double kCoarser = 0.97;      // at most, from one grid to the next
 
 template <std::size_t N>
 void appendCells(vtkCellArray* from, HtmlMesh::Cells<N>& to)
@@ -62,7 +62,7 @@ HtmlArray arrayOf(vtkPolyData* axis, const char* name, const char* label, const 
 }
 
 template <std::size_t N>
-void sortByAngle(HtmlMesh::Cells<N>& cells, const std::vector<float>& angles)
+void sortCells(HtmlMesh::Cells<N>& cells, const std::vector<float>& angles)
 {
   const auto least = [&](const std::array<std::uint32_t, N>& corners)
   {
@@ -230,11 +230,16 @@ HtmlMesh htmlMesh(vtkPolyData* axis)
   appendCells(simple->GetPolys(), mesh.triangles);
   appendCells(simple->GetLines(), mesh.lines);
   appendCells(simple->GetVerts(), mesh.vertices);
-  const std::vector<float>& angles = mesh.arrays[1].values;
-  sortByAngle(mesh.triangles, angles);
-  sortByAngle(mesh.lines, angles);
-  sortByAngle(mesh.vertices, angles);
   return mesh;
+}
+
+void sortByAngle(HtmlMesh& mesh)
+{
+  const auto angles = std::find_if(mesh.arrays.begin(), mesh.arrays.end(),
+    [](const HtmlArray& array) { return array.name == "SeparationAngle"; });
+  sortCells(mesh.triangles, angles->values);
+  sortCells(mesh.lines, angles->values);
+  sortCells(mesh.vertices, angles->values);
 }
 
 double coarsen(HtmlMesh& mesh, std::size_t limit)
@@ -244,7 +249,8 @@ double coarsen(HtmlMesh& mesh, std::size_t limit)
     return 0.0;
   }
   const Box box = boxOf(mesh.points);
-  for (double boxes = kFinestGrid;; boxes *= kCoarser)
+  double boxes = kFinestGrid;
+  for (;;)
   {
     const double side = box.longest / boxes;
     HtmlMesh coarse = merged(mesh, firstOfBoxes(mesh.points, box, side));
@@ -253,6 +259,9 @@ double coarsen(HtmlMesh& mesh, std::size_t limit)
       mesh = std::move(coarse);
       return side;
     }
+    // Sheets have as many points as boxes squared.
+    const double share = static_cast<double>(limit) / static_cast<double>(coarse.bytes());
+    boxes *= std::min(kCoarser, std::sqrt(share));
   }
 }
 

@@ -40,14 +40,19 @@ struct HtmlMesh
 
 HtmlMesh htmlMesh(const TriangleMesh& mesh);
 
-/// Quads become triangles. The cells of a kind are in descending order of the least separation angle
-/// of their corners, so that those of at least some angle come first.
+/// Quads become triangles.
 /// @param axis as vtkMedialAxis makes it.
 HtmlMesh htmlMesh(vtkPolyData* axis);
 
-/// Merges points that share a box of a regular grid into the first of them, and drops cells that lose
-/// a corner or are there twice, with the finest grid for which bytes() is at most `limit`. The order
-/// of cells stays. Nothing changes where bytes() is small enough already.
+/// Puts the cells of each kind in descending order of the least separation angle of their corners,
+/// so that those of at least some angle come first.
+/// @param mesh of an axis.
+void sortByAngle(HtmlMesh& mesh);
+
+/// Merges points that share a box of a regular grid into the first of them, and drops cells that
+/// lose a corner or are there twice. The grid has at most 1024 boxes along the longest side, and
+/// fewer until bytes() is at most `limit`. The order of cells stays. Nothing changes where bytes()
+/// is small enough already.
 /// @return the longest side of the boxes, world units; 0 where nothing changed.
 double coarsen(HtmlMesh& mesh, std::size_t limit);
 

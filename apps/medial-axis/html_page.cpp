@@ -13,7 +13,10 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <cstdio>
 #include <functional>
 #include <limits>
 #include <map>
@@ -205,6 +208,8 @@ std::string makeData(HtmlMesh surface, HtmlMesh axis, const std::string& title, 
   const std::size_t bytes = limit / 4 * 3;
   fit(surface, "surface", std::max(bytes / 3, bytes - std::min(bytes, axis.bytes())), notes);
   fit(axis, "medial axis", bytes - std::min(bytes, surface.bytes()), notes);
+  const bool simplified = !notes.empty();
+  sortByAngle(axis);
   const std::array<Steps, 3> frame = frameOf(surface, axis);
   notes.push_back(roundingNote(frame));
   notes.push_back("Made by medial-axis " MEDIAL_VERSION "; drawn by vtk.js.");
@@ -212,8 +217,8 @@ std::string makeData(HtmlMesh surface, HtmlMesh axis, const std::string& title, 
     { "frame",
       { { "origin", { frame[0].origin, frame[1].origin, frame[2].origin } },
         { "step", { frame[0].step, frame[1].step, frame[2].step } } } },
-    { "colours", describeColours() }, { "notes", notes }, { "surface", describe(surface, frame) },
-    { "axis", describe(axis, frame) } };
+    { "colours", describeColours() }, { "notes", notes }, { "simplified", simplified },
+    { "surface", describe(surface, frame) }, { "axis", describe(axis, frame) } };
   return escapedJson(data.dump(-1, ' ', true, Json::error_handler_t::replace));
 }
 
@@ -222,19 +227,17 @@ std::string makeData(HtmlMesh surface, HtmlMesh axis, const std::string& title, 
 std::string makeHtml(const TriangleMesh& surface, vtkPolyData* axis, const std::string& title,
   std::string_view vtkJs, std::size_t limit)
 {
-  const auto file = [](const char* name) { return [name] { return escapedScript(webFile(name)); }; };
+  const auto file = [](const char* name)
+  { return [name] { return escapedScript(webFile(name)); }; };
   constexpr std::size_t kFrame = 50'000; // page, scripts and what describes the data
   const std::size_t fixed = vtkJs.size() + kFrame;
   return filled(webFile("page.html"),
     { { "style", [] { return std::string(webFile("style.css")); } },
       { "decode", file("decode.js") }, { "scene", file("scene.js") },
       { "controls", file("controls.js") }, { "vtkjs", [&] { return escapedScript(vtkJs); } },
-      { "data",
-        [&]
-        {
-          return makeData(
-            htmlMesh(surface), htmlMesh(axis), title, limit - std::min(limit, fixed));
-        } } });
+      { "data", [&] {
+         return makeData(htmlMesh(surface), htmlMesh(axis), title, limit - std::min(limit, fixed));
+       } } });
 }
 
 void writeHtml(const TriangleMesh& surface, vtkPolyData* axis, const std::string& title,

@@ -36,6 +36,7 @@ function fillPanel(page, scene) {
     item.textContent = note;
     return item;
   }));
+  element("about").open = page.simplified;
   element("colour").replaceChildren(...scene.axisMesh.arrays.map((array) => {
     const option = document.createElement("option");
     option.value = array.name;
