@@ -5,14 +5,12 @@
 // Made by medial_embed() in CMakeLists.txt.
 extern "C"
 {
-#define MEDIAL_WEB_FILE(symbol) extern const char symbol[], symbol##End[];
-  MEDIAL_WEB_FILE(medialWebPage)
-  MEDIAL_WEB_FILE(medialWebStyle)
-  MEDIAL_WEB_FILE(medialWebDecode)
-  MEDIAL_WEB_FILE(medialWebScene)
-  MEDIAL_WEB_FILE(medialWebControls)
-  MEDIAL_WEB_FILE(medialWebVtkJs)
-#undef MEDIAL_WEB_FILE
+  extern const char medialWebPage[], medialWebPageEnd[];
+  extern const char medialWebStyle[], medialWebStyleEnd[];
+  extern const char medialWebDecode[], medialWebDecodeEnd[];
+  extern const char medialWebScene[], medialWebSceneEnd[];
+  extern const char medialWebControls[], medialWebControlsEnd[];
+  extern const char medialWebVtkJs[], medialWebVtkJsEnd[];
 }
 
 namespace medial::app

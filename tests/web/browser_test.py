@@ -34,11 +34,13 @@ BOXES = (((0, 0, 0), (1.0, 0.7, 0.4)), ((3, 0, 0), (0.5, 0.35, 0.2)))
 SIDES = ((1, 3, 4, 2), (5, 6, 8, 7), (1, 2, 6, 5), (3, 7, 8, 4), (1, 5, 7, 3), (2, 4, 8, 6))
 
 
-def write_boxes(path):
+def write_boxes(path, scale=1.0, moved=0.0):
+    """All coordinates are scaled, and then moved."""
     lines = []
     for middle, half in BOXES:
-        lines += [f"v {middle[0] + x * half[0]} {middle[1] + y * half[1]} {middle[2] + z * half[2]}"
-                  for z in (-1, 1) for y in (-1, 1) for x in (-1, 1)]
+        for signs in np.ndindex(2, 2, 2):
+            point = np.array(middle) + (2 * np.array(signs[::-1]) - 1) * half
+            lines.append("v " + " ".join(str(moved + scale * x) for x in point))
     for box in range(len(BOXES)):
         lines += ["f " + " ".join(str(8 * box + corner) for corner in side) for side in SIDES]
     path.write_text("\n".join(lines) + "\n")
@@ -104,10 +106,10 @@ class Browser(unittest.TestCase):
         cls.temporary.cleanup()
 
     @classmethod
-    def open(cls, action, fragment="", script="", flags=()):
+    def open(cls, action, fragment="", script="", flags=(), page=None):
         """Opens the page with a script behind its own, and returns what Chromium prints. Fails on
         messages of the page."""
-        page = cls.page
+        page = page or cls.page
         if script:
             page = cls.folder / "scripted.html"
             page.write_text(cls.page.read_text().replace(
@@ -120,10 +122,10 @@ class Browser(unittest.TestCase):
         return result.stdout
 
     @classmethod
-    def picture(cls, name, fragment="", script=""):
+    def picture(cls, name, fragment="", script="", page=None):
         path = PICTURES / f"{name}.png"
         path.unlink(missing_ok=True)
-        cls.open(f"--screenshot={path}", fragment, script)
+        cls.open(f"--screenshot={path}", fragment, script, page=page)
         return read_picture(path)
 
     def text(self, name, fragment="", script=""):
@@ -210,6 +212,18 @@ class Browser(unittest.TestCase):
         self.assertGreater(coloured(turned[VIEW]).mean(), 0.01)
         back = self.picture("reset", script=drag + 'document.getElementById("reset").click();')
         self.assertLess((abs(back - self.default_picture)[VIEW].max(axis=2) > 40).mean(), 0.001)
+
+    def test_neither_size_nor_place_matters(self):
+        pictures = []
+        for scale, moved in ((1.0, 0.0), (2.0**-12, 1e4)):
+            mesh = self.folder / "moved.obj"
+            page = self.folder / "moved.html"
+            write_boxes(mesh, scale, moved)
+            subprocess.run([AXIS, mesh, "--resolution", "128", "--quiet", "--html", page],
+                           check=True)
+            pictures.append(self.picture(f"moved-by-{moved:g}", page=page)[VIEW])
+        self.assertGreater(coloured(pictures[0]).mean(), 0.1)
+        self.assertLess((abs(pictures[1] - pictures[0]).max(axis=2) > 40).mean(), 0.01)
 
     def test_nothing_is_requested(self):
         script = """document.getElementById("title").textContent =

@@ -9,10 +9,13 @@ function bytes(base64) {
   return result;
 }
 
-// Coordinates x, y, z of every point.
+// Coordinates x, y, z of every point, from the corner of the frame and in its widest steps: single
+// precision would not do for meshes far from the origin.
 function decodePoints(mesh, frame) {
+  const unit = Math.max(...frame.step) || 1;
+  const scale = frame.step.map((step) => step / unit);
   const steps = new Uint16Array(bytes(mesh.points).buffer);
-  return Float32Array.from(steps, (step, i) => frame.origin[i % 3] + frame.step[i % 3] * step);
+  return Float32Array.from(steps, (step, i) => scale[i % 3] * step);
 }
 
 function decodeArray(array) {
