@@ -63,10 +63,10 @@ function aimCamera(renderer, bounds) {
 
 // What the controls need: functions that change the picture and draw it again.
 function makeScene(container, page) {
-  const window = vtk.Rendering.Misc.vtkGenericRenderWindow.newInstance({ background: [1, 1, 1] });
-  window.setContainer(container);
-  window.resize();
-  const renderer = window.getRenderer();
+  const view = vtk.Rendering.Misc.vtkGenericRenderWindow.newInstance({ background: [1, 1, 1] });
+  view.setContainer(container);
+  view.resize();
+  const renderer = view.getRenderer();
   const surfaceMesh = decodeMesh(page.surface, page.frame);
   const axisMesh = decodeMesh(page.axis, page.frame);
   const surface = makeSurface(surfaceMesh);
@@ -75,7 +75,7 @@ function makeScene(container, page) {
   renderer.addActor(surface);
   const data = axis.getMapper().getInputData();
   const bounds = surfaceMesh.points.length > 0 ? surface.getBounds() : axis.getBounds();
-  const draw = () => window.getRenderWindow().render();
+  const draw = () => view.getRenderWindow().render();
 
   return {
     axisMesh,
@@ -90,7 +90,11 @@ function makeScene(container, page) {
     },
     // Shows the cells of at least this angle, the front part of each list.
     setAngle(angle) {
-      const lists = { triangles: data.getPolys(), lines: data.getLines(), vertices: data.getVerts() };
+      const lists = {
+        triangles: data.getPolys(),
+        lines: data.getLines(),
+        vertices: data.getVerts(),
+      };
       const shown = {};
       for (const [kind, list] of Object.entries(lists)) {
         const cells = axisMesh[kind];
