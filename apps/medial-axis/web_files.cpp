@@ -5,12 +5,12 @@
 // Made by medial_embed() in CMakeLists.txt.
 extern "C"
 {
-  extern const char medialWebPage[], medialWebPageEnd[];
-  extern const char medialWebStyle[], medialWebStyleEnd[];
-  extern const char medialWebDecode[], medialWebDecodeEnd[];
-  extern const char medialWebScene[], medialWebSceneEnd[];
-  extern const char medialWebControls[], medialWebControlsEnd[];
-  extern const char medialWebVtkJs[], medialWebVtkJsEnd[];
+  extern const char kMedialWebPage[], kMedialWebPageEnd[];
+  extern const char kMedialWebStyle[], kMedialWebStyleEnd[];
+  extern const char kMedialWebDecode[], kMedialWebDecodeEnd[];
+  extern const char kMedialWebScene[], kMedialWebSceneEnd[];
+  extern const char kMedialWebControls[], kMedialWebControlsEnd[];
+  extern const char kMedialWebVtkJs[], kMedialWebVtkJsEnd[];
 }
 
 namespace medial::app
@@ -28,12 +28,12 @@ std::string_view between(const char* first, const char* last)
 std::string_view webFile(std::string_view name)
 {
   static const std::map<std::string_view, std::string_view> files = {
-    { "page.html", between(medialWebPage, medialWebPageEnd) },
-    { "style.css", between(medialWebStyle, medialWebStyleEnd) },
-    { "decode.js", between(medialWebDecode, medialWebDecodeEnd) },
-    { "scene.js", between(medialWebScene, medialWebSceneEnd) },
-    { "controls.js", between(medialWebControls, medialWebControlsEnd) },
-    { "vtk.js", between(medialWebVtkJs, medialWebVtkJsEnd) },
+    { "page.html", between(kMedialWebPage, kMedialWebPageEnd) },
+    { "style.css", between(kMedialWebStyle, kMedialWebStyleEnd) },
+    { "decode.js", between(kMedialWebDecode, kMedialWebDecodeEnd) },
+    { "scene.js", between(kMedialWebScene, kMedialWebSceneEnd) },
+    { "controls.js", between(kMedialWebControls, kMedialWebControlsEnd) },
+    { "vtk.js", between(kMedialWebVtkJs, kMedialWebVtkJsEnd) },
   };
   return files.at(name);
 }
