@@ -3,6 +3,7 @@
 #include "failure.h"
 #include "option_names.h"
 #include "text_cursor.h"
+#include "web_files.h"
 
 #include <algorithm>
 #include <string>
@@ -94,13 +95,15 @@ void convertWords(const Words& words, bool spacingGiven, Options& options)
   options.thickness = words.thickness;
   options.thicknessImage = words.thicknessImage;
   options.image = words.image;
+  options.html = words.html;
   options.report = words.report;
   if (spacingGiven)
   {
     options.spacing = words.spacing;
   }
   if (options.output.empty() && options.curves.empty() && options.field.empty() &&
-    options.image.empty() && options.report.empty() && !options.wantsThickness())
+    options.image.empty() && options.html.empty() && options.report.empty() &&
+    !options.wantsThickness())
   {
     options.output = options.input.stem().string() + "_medial.vtp";
   }
@@ -114,6 +117,7 @@ void checkFiles(const Options& options)
   checkExtension("--thickness", options.thickness, { ".vtp" });
   checkExtension("--thickness-image", options.thicknessImage, { ".png" });
   checkExtension("--image", options.image, { ".png" });
+  checkExtension("--html", options.html, { ".html" });
   checkExtension("--report", options.report, { ".json" });
   checkNotTheInput("--output", options.output, options);
   checkNotTheInput("--curves", options.curves, options);
@@ -122,6 +126,13 @@ void checkFiles(const Options& options)
   checkDistinct("--output", options.output, "--thickness", options.thickness);
   checkDistinct("--curves", options.curves, "--thickness", options.thickness);
   checkDistinct("--image", options.image, "--thickness-image", options.thicknessImage);
+  if (!options.html.empty() && webFile("vtk.js").empty())
+  {
+    throw Failure(ExitCode::Usage,
+      "--html " + options.html.string() +
+        ": this build is without vtk.js, which pages need; `./check --web` makes one with it, or "
+        "scripts/fetch-vtkjs and cmake -DMEDIAL_VTKJS=FILE");
+  }
 }
 
 } // namespace medial::app

@@ -61,6 +61,12 @@ void addOutputOptions(CLI::App& app, Words& words)
   app.add_option("--image", words.image, "a rendered picture of axis and translucent surface")
     ->option_text("FILE.png")
     ->group(group);
+  app
+    .add_option("--html", words.html,
+      "one page for browsers that shows axis and surface, with a slider for the separation angle; "
+      "needs neither a server nor a network; only in builds with vtk.js")
+    ->option_text("FILE.html")
+    ->group(group);
   app.add_option("--report", words.report, "machine-readable result")
     ->option_text("FILE.json")
     ->group(group);

@@ -12,7 +12,7 @@ namespace medial::app
 /// The words as typed, before they become values of Options.
 struct Words
 {
-  std::string input, output, curves, field, thickness, thicknessImage, image, report;
+  std::string input, output, curves, field, thickness, thicknessImage, image, html, report;
   std::string lambda = "0";
   std::string minRadius = "0";
   std::string side = "interior";

@@ -20,8 +20,8 @@ const char* const kFooter =
   "Input formats: .stl .obj .ply .off .vtp .vtk. Without any output the medial axis goes to\n"
   "<INPUT's name>_medial.vtp in the current folder. Existing files are replaced, but only once "
   "the\n"
-  "new ones are complete. Without -o, --curves and --image, --field and --thickness compute no\n"
-  "medial axis.\n"
+  "new ones are complete. Without -o, --curves, --image and --html, --field and --thickness\n"
+  "compute no medial axis.\n"
   "\n"
   "Exit codes: 0 done; 2 usage; 3 bad input; 4 no usable OpenGL; 5 out of memory or disk, or an\n"
   "output that cannot be written; 130 interrupted.";

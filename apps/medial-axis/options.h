@@ -22,6 +22,7 @@ struct Options
   std::filesystem::path thickness;      ///< .vtp
   std::filesystem::path thicknessImage; ///< .png
   std::filesystem::path image;          ///< .png
+  std::filesystem::path html;           ///< .html
   std::filesystem::path report;         ///< .json
   int resolution = kDefaultResolution;
   std::optional<double> spacing; ///< instead of resolution
@@ -47,7 +48,7 @@ struct Options
   /// is asked for alone.
   bool wantsAxis() const
   {
-    return !output.empty() || !curves.empty() || !image.empty() ||
+    return !output.empty() || !curves.empty() || !image.empty() || !html.empty() ||
       (field.empty() && !wantsThickness());
   }
 };

@@ -3,6 +3,7 @@
 #include "axis_writer.h"
 #include "computation.h"
 #include "field_output.h"
+#include "html_page.h"
 #include "interrupt.h"
 #include "mesh_reader.h"
 #include "output_file.h"
@@ -125,6 +126,9 @@ void run(const Options& options)
     [&](const auto& file) { writeAxis(result.axis, file, options.output.extension()); });
   outputs.add(options.curves, [&](const auto& file) { writeVtp(result.curves, file); });
   outputs.add(options.image, [&](const auto& file) { drawPicture(mesh, result.axis, file); });
+  outputs.add(options.html,
+    [&](const auto& file)
+    { writeHtml(result.mesh, result.axis, options.input.filename().string(), file); });
   outputs.add(options.thickness,
     [&](const auto& file) { writeVtp(withThickness(mesh, result.mesh, *result.thickness), file); });
   outputs.add(options.thicknessImage,

@@ -69,6 +69,7 @@ void printOutputs(const Options& options, const Result& result)
   printFile(options.thickness, "surface with thickness");
   printFile(options.thicknessImage, "picture of thickness");
   printFile(options.image, "picture of axis and surface");
+  printFile(options.html, "page with axis and surface");
   printFile(options.report, "report of the run");
 }
 

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "medial/mesh/triangle_mesh.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+class vtkPolyData;
+
+namespace medial::app
+{
+
+/// One value a point.
+struct HtmlArray
+{
+  std::string name;  ///< of the VTK array
+  std::string label; ///< for people
+  std::string unit;
+  std::vector<float> values;
+};
+
+/// A mesh as a page holds it: cells by the numbers of their corners.
+struct HtmlMesh
+{
+  template <std::size_t N>
+  using Cells = std::vector<std::array<std::uint32_t, N>>;
+
+  std::vector<Point3> points;
+  std::vector<HtmlArray> arrays;
+  Cells<3> triangles;
+  Cells<2> lines;
+  Cells<1> vertices;
+
+  /// What it takes in a page before base64: 16 bits a number of a point, 32 a corner.
+  std::size_t bytes() const;
+};
+
+HtmlMesh htmlMesh(const TriangleMesh& mesh);
+
+/// Quads become triangles.
+/// @param axis as vtkMedialAxis makes it.
+HtmlMesh htmlMesh(vtkPolyData* axis);
+
+/// Puts the cells of each kind in descending order of the least separation angle of their corners,
+/// so that those of at least some angle come first.
+/// @param mesh of an axis.
+void sortByAngle(HtmlMesh& mesh);
+
+/// Merges points that share a box of a regular grid into the first of them, and drops cells that
+/// lose a corner or are there twice. The grid has at most 1024 boxes along the longest side, and
+/// fewer until bytes() is at most `limit`. The order of cells stays. Nothing changes where bytes()
+/// is small enough already.
+/// @return the longest side of the boxes, world units; 0 where nothing changed.
+double coarsen(HtmlMesh& mesh, std::size_t limit);
+
+} // namespace medial::app

@@ -1,0 +1,88 @@
+#include "html_page.h"
+
+#include "html_data.h"
+#include "html_mesh.h"
+#include "sink.h"
+#include "text_cursor.h"
+#include "web_files.h"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <string>
+
+namespace medial::app
+{
+namespace
+{
+
+// Whether HTML would see the end of the script, or a comment.
+bool wouldBeRead(std::string_view text)
+{
+  constexpr std::string_view kEnd = "</script";
+  return lowerCase(std::string(text.substr(0, kEnd.size()))) == kEnd || text.substr(0, 4) == "<!--";
+}
+
+// Scripts have such text in strings and patterns only, where a backslash changes nothing.
+std::string escapedScript(std::string_view script)
+{
+  std::string text;
+  text.reserve(script.size());
+  for (std::size_t i = 0; i < script.size(); ++i)
+  {
+    text += script[i];
+    if (script[i] == '<' && wouldBeRead(script.substr(i)))
+    {
+      text += '\\';
+    }
+  }
+  return text;
+}
+
+// The text with each {{name}} replaced by what `part` makes of the name.
+std::string filled(std::string_view text,
+  const std::map<std::string_view, std::function<std::string()>>& parts)
+{
+  std::string result;
+  for (std::size_t open = text.find("{{"); open != std::string_view::npos; open = text.find("{{"))
+  {
+    const std::size_t close = text.find("}}", open);
+    result += text.substr(0, open);
+    result += parts.at(text.substr(open + 2, close - open - 2))();
+    text.remove_prefix(close + 2);
+  }
+  return result += text;
+}
+
+} // namespace
+
+std::string makeHtml(const TriangleMesh& surface, vtkPolyData* axis, const std::string& title,
+  std::string_view vtkJs, std::size_t limit)
+{
+  const auto file = [](const char* name)
+  { return [name] { return escapedScript(webFile(name)); }; };
+  constexpr std::size_t kFrame = 50'000; // page, scripts and what describes the data
+  const std::size_t fixed = vtkJs.size() + kFrame;
+  return filled(webFile("page.html"),
+    { { "style", [] { return std::string(webFile("style.css")); } },
+      { "decode", file("decode.js") }, { "scene", file("scene.js") },
+      { "controls", file("controls.js") }, { "vtkjs", [&] { return escapedScript(vtkJs); } },
+      { "data",
+        [&]
+        {
+          return makeHtmlData(htmlMesh(surface), htmlMesh(axis), title,
+            limit - std::min(limit, fixed));
+        } } });
+}
+
+void writeHtml(const TriangleMesh& surface, vtkPolyData* axis, const std::string& title,
+  const std::filesystem::path& file)
+{
+  const std::string page = makeHtml(surface, axis, title, webFile("vtk.js"));
+  Sink sink(file);
+  sink.raw(reinterpret_cast<const unsigned char*>(page.data()),
+    static_cast<vtkIdType>(page.size()));
+  sink.close();
+}
+
+} // namespace medial::app

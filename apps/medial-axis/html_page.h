@@ -1,0 +1,34 @@
+#pragma once
+
+#include "medial/mesh/triangle_mesh.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+class vtkPolyData;
+
+namespace medial::app
+{
+
+/// Bytes that a page may have; larger meshes are made coarser.
+constexpr std::size_t kHtmlLimit = 15'000'000;
+
+/// A page that shows surface and axis and loads nothing from anywhere (docs/WEB.md).
+/// @param surface, axis of the same run; both may be empty. Positions are rounded to 1/65535 of
+///   their common bounds on each axis, the axis's arrays to 1/65535 of their ranges.
+/// @param title what the page calls the mesh.
+/// @param vtkJs the bundle of vtk.js.
+/// @param limit bytes of the whole page. Beyond it the meshes are made coarser, which the page
+/// says;
+///   what is not a mesh stays, however large.
+std::string makeHtml(const TriangleMesh& surface, vtkPolyData* axis, const std::string& title,
+  std::string_view vtkJs, std::size_t limit = kHtmlLimit);
+
+/// Writes makeHtml() with the bundle that the program was built with.
+/// @throws Failure NoSpace when the file cannot be written completely. The message names no file.
+void writeHtml(const TriangleMesh& surface, vtkPolyData* axis, const std::string& title,
+  const std::filesystem::path& file);
+
+} // namespace medial::app

@@ -1,0 +1,118 @@
+// Surface and axis, drawn by vtk.js.
+
+function makePolyData(mesh) {
+  const data = vtk.Common.DataModel.vtkPolyData.newInstance();
+  data.getPoints().setData(mesh.points, 3);
+  for (const { name, values } of mesh.arrays) {
+    data.getPointData().addArray(
+      vtk.Common.Core.vtkDataArray.newInstance({ name, values, numberOfComponents: 1 }));
+  }
+  data.getPolys().setData(mesh.triangles.list, 1);
+  data.getLines().setData(mesh.lines.list, 1);
+  data.getVerts().setData(mesh.vertices.list, 1);
+  return data;
+}
+
+function makeActor(data) {
+  const mapper = vtk.Rendering.Core.vtkMapper.newInstance();
+  mapper.setInputData(data);
+  const actor = vtk.Rendering.Core.vtkActor.newInstance();
+  actor.setMapper(mapper);
+  return actor;
+}
+
+function makeSurface(mesh) {
+  const actor = makeActor(makePolyData(mesh));
+  actor.getMapper().setScalarVisibility(false);
+  const look = actor.getProperty();
+  look.setColor(0.62, 0.66, 0.72);
+  look.setSpecular(0.3);
+  look.setSpecularPower(30);
+  return actor;
+}
+
+function makeAxis(mesh) {
+  const actor = makeActor(makePolyData(mesh));
+  const mapper = actor.getMapper();
+  mapper.setScalarModeToUsePointFieldData();
+  mapper.setColorModeToMapScalars();
+  mapper.setInterpolateScalarsBeforeMapping(true);
+  const look = actor.getProperty();
+  look.setAmbient(0.35);
+  look.setDiffuse(0.75);
+  look.setLineWidth(2);
+  look.setPointSize(3);
+  return actor;
+}
+
+// Looks along the thinnest side of the bounds, from a quarter to the right and from above. Up is y,
+// or z where the mesh is flat along y.
+function aimCamera(renderer, bounds) {
+  const size = [0, 1, 2].map((axis) => bounds[2 * axis + 1] - bounds[2 * axis]);
+  const zUp = size[1] < Math.min(size[0], size[2]);
+  const fromX = size[0] < Math.min(size[1], size[2]);
+  const camera = renderer.getActiveCamera();
+  camera.setFocalPoint(0, 0, 0);
+  camera.setPosition(fromX ? 1 : 0, zUp ? -1 : 0, fromX || zUp ? 0 : 1);
+  camera.setViewUp(0, zUp ? 0 : 1, zUp ? 1 : 0);
+  camera.azimuth(25);
+  camera.elevation(18);
+  camera.orthogonalizeViewUp();
+  renderer.resetCamera(bounds);
+}
+
+// What the controls need: functions that change the picture and draw it again.
+function makeScene(container, page) {
+  const view = vtk.Rendering.Misc.vtkGenericRenderWindow.newInstance({ background: [1, 1, 1] });
+  view.setContainer(container);
+  view.resize();
+  const renderer = view.getRenderer();
+  const surfaceMesh = decodeMesh(page.surface, page.frame);
+  const axisMesh = decodeMesh(page.axis, page.frame);
+  const surface = makeSurface(surfaceMesh);
+  const axis = makeAxis(axisMesh);
+  renderer.addActor(axis);
+  renderer.addActor(surface);
+  const data = axis.getMapper().getInputData();
+  const bounds = surfaceMesh.points.length > 0 ? surface.getBounds() : axis.getBounds();
+  const draw = () => view.getRenderWindow().render();
+
+  return {
+    axisMesh,
+    draw,
+    resetView() {
+      aimCamera(renderer, bounds);
+      renderer.resetCameraClippingRange();
+    },
+    setOpacity(opacity) {
+      surface.setVisibility(opacity > 0);
+      surface.getProperty().setOpacity(opacity);
+    },
+    // Shows the cells of at least this angle, the front part of each list.
+    setAngle(angle) {
+      const lists = {
+        triangles: data.getPolys(),
+        lines: data.getLines(),
+        vertices: data.getVerts(),
+      };
+      const shown = {};
+      for (const [kind, list] of Object.entries(lists)) {
+        const cells = axisMesh[kind];
+        shown[kind] = countFrom(cells, angle);
+        list.setData(cells.list.subarray(0, shown[kind] * (cells.size + 1)), 1);
+      }
+      data.modified();
+      return shown;
+    },
+    setColour(array, colours) {
+      const map = vtk.Rendering.Core.vtkColorTransferFunction.newInstance();
+      for (const [share, red, green, blue] of colours) {
+        map.addRGBPoint(array.origin + share * 65535 * array.step, red, green, blue);
+      }
+      const mapper = axis.getMapper();
+      mapper.setLookupTable(map);
+      mapper.setUseLookupTableScalarRange(true);
+      mapper.setColorByArrayName(array.name);
+    },
+  };
+}

@@ -1,0 +1,76 @@
+#include "mesh_texts.h"
+#include "program.h"
+#include "web_files.h"
+
+#include "support/shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+namespace medial::test
+{
+namespace
+{
+
+constexpr int kUsage = 2;
+
+bool contains(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
+
+class CommandHtml : public ::testing::Test
+{
+protected:
+  CommandHtml() { writeFile(input, objText(box({ 1.0, 0.7, 0.4 }))); }
+
+  Outcome run(const std::string& page)
+  {
+    return runMedialAxis({ input, "--resolution", "24", "--html", page });
+  }
+
+  TemporaryFolder folder;
+  std::string input = folder.file("<b>.obj");
+};
+
+// Builds without vtk.js must say how to get it; builds with it must write the page.
+TEST_F(CommandHtml, WritesThePageOrSaysHowToGetVtkJs)
+{
+  const std::string file = folder.file("page.html");
+  const Outcome outcome = run(file);
+  if (app::webFile("vtk.js").empty())
+  {
+    EXPECT_EQ(outcome.exitCode, kUsage);
+    for (const std::string& part :
+      { "--html " + file, std::string("./check --web"), std::string("-DMEDIAL_VTKJS=") })
+    {
+      EXPECT_TRUE(contains(outcome.err, part)) << outcome.err;
+    }
+    EXPECT_EQ(folder.list(), std::vector<std::string>{ "<b>.obj" });
+    return;
+  }
+  EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+  EXPECT_EQ(folder.list(), (std::vector<std::string>{ "<b>.obj", "page.html" }));
+  EXPECT_TRUE(contains(outcome.out, file + ": page with axis and surface"));
+  const std::string page = readFile(file);
+  EXPECT_TRUE(contains(page, R"("title":"\u003cb>.obj")"));
+  EXPECT_TRUE(contains(page, std::string(app::webFile("vtk.js").substr(0, 1000))));
+}
+
+TEST_F(CommandHtml, RefusesOtherExtensions)
+{
+  const Outcome outcome = run("page.txt");
+  EXPECT_EQ(outcome.exitCode, kUsage);
+  EXPECT_TRUE(contains(outcome.err, "--html page.txt: unknown extension '.txt', allowed: .html"))
+    << outcome.err;
+}
+
+TEST(WebFiles, UnknownNamesThrow)
+{
+  EXPECT_THROW(app::webFile("none.js"), std::out_of_range);
+  EXPECT_TRUE(contains(std::string(app::webFile("page.html")), "{{data}}"));
+}
+
+} // namespace
+} // namespace medial::test

@@ -1,0 +1,335 @@
+#include "html_mesh.h"
+#include "html_page.h"
+#include "web_files.h"
+
+#include "support/shapes.h"
+
+#include <vtkBase64Utilities.h>
+#include <vtkCellArray.h>
+#include <vtkFloatArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include <nlohmann/json.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numeric>
+#include <regex>
+
+namespace medial::test
+{
+namespace
+{
+
+using Json = nlohmann::json;
+using app::makeHtml;
+
+constexpr double kSteps = 65535.0;
+const std::string kBundle = "var vtk = {};";
+
+float angleAt(double x)
+{
+  return static_cast<float>(60.0 + 100.0 * x * x);
+}
+
+// A square of n x n quads in the plane z = 5 with corners (0, 0) and (1, 1), a line and a point.
+vtkSmartPointer<vtkPolyData> sheet(int n)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkFloatArray> radius, angle, lambda;
+  radius->SetName("Radius");
+  angle->SetName("SeparationAngle");
+  lambda->SetName("Lambda");
+  for (int i = 0; i <= n; ++i)
+  {
+    for (int j = 0; j <= n; ++j)
+    {
+      const double x = static_cast<double>(i) / n;
+      const double y = static_cast<double>(j) / n;
+      points->InsertNextPoint(x, y, 5.0);
+      radius->InsertNextValue(static_cast<float>(2.0 + x * y));
+      angle->InsertNextValue(angleAt(x));
+      lambda->InsertNextValue(static_cast<float>(y));
+    }
+  }
+  vtkNew<vtkCellArray> quads, lines, vertices;
+  for (int i = 0; i < n; ++i)
+  {
+    for (int j = 0; j < n; ++j)
+    {
+      const vtkIdType first = i * (n + 1) + j;
+      quads->InsertNextCell({ first, first + n + 1, first + n + 2, first + 1 });
+    }
+  }
+  lines->InsertNextCell({ 0, 1 });
+  vertices->InsertNextCell({ 3 });
+  auto axis = vtkSmartPointer<vtkPolyData>::New();
+  axis->SetPoints(points);
+  axis->SetPolys(quads);
+  axis->SetLines(lines);
+  axis->SetVerts(vertices);
+  axis->GetPointData()->AddArray(radius);
+  axis->GetPointData()->AddArray(angle);
+  axis->GetPointData()->AddArray(lambda);
+  return axis;
+}
+
+vtkSmartPointer<vtkPolyData> emptyAxis()
+{
+  auto axis = sheet(1);
+  axis->SetPoints(vtkNew<vtkPoints>());
+  axis->SetPolys(nullptr);
+  axis->SetLines(nullptr);
+  axis->SetVerts(nullptr);
+  for (int i = 0; i < 3; ++i)
+  {
+    axis->GetPointData()->GetArray(i)->SetNumberOfTuples(0);
+  }
+  return axis;
+}
+
+template <typename T>
+std::vector<T> decoded(const Json& base64)
+{
+  const auto text = base64.get<std::string>();
+  std::vector<unsigned char> bytes(text.size() + 3);
+  const std::size_t length = vtkBase64Utilities::DecodeSafely(
+    reinterpret_cast<const unsigned char*>(text.data()), text.size(), bytes.data(), bytes.size());
+  std::vector<T> values(length / sizeof(T));
+  std::memcpy(values.data(), bytes.data(), values.size() * sizeof(T));
+  return values;
+}
+
+// The JSON that the browser gets from the page.
+Json dataOf(const std::string& page)
+{
+  const std::string start = R"(<script id="data" type="application/json">)";
+  const std::size_t first = page.find(start) + start.size();
+  return Json::parse(page.substr(first, page.find("</script>", first) - first));
+}
+
+std::vector<Point3> pointsOf(const Json& data, const char* mesh)
+{
+  const auto steps = decoded<std::uint16_t>(data[mesh]["points"]);
+  std::vector<Point3> points(steps.size() / 3);
+  for (std::size_t i = 0; i < steps.size(); ++i)
+  {
+    points[i / 3][i % 3] = data["frame"]["origin"][i % 3].get<double>() +
+      data["frame"]["step"][i % 3].get<double>() * steps[i];
+  }
+  return points;
+}
+
+std::vector<double> valuesOf(const Json& array)
+{
+  std::vector<double> values;
+  for (const std::uint16_t steps : decoded<std::uint16_t>(array["values"]))
+  {
+    values.push_back(array["origin"].get<double>() + array["step"].get<double>() * steps);
+  }
+  return values;
+}
+
+int occurrences(const std::string& text, const std::string& pattern)
+{
+  const std::regex expression(pattern, std::regex::icase);
+  return static_cast<int>(std::distance(std::sregex_iterator(text.begin(), text.end(), expression),
+    std::sregex_iterator()));
+}
+
+// The least separation angle of the corners of each triangle, in the order of the page.
+std::vector<double> leastAngles(const Json& data)
+{
+  const auto angles = valuesOf(data["axis"]["arrays"][1]);
+  const auto corners = decoded<std::uint32_t>(data["axis"]["triangles"]);
+  std::vector<double> least;
+  for (std::size_t t = 0; t < corners.size(); t += 3)
+  {
+    least.push_back(
+      std::min({ angles.at(corners[t]), angles.at(corners[t + 1]), angles.at(corners[t + 2]) }));
+  }
+  return least;
+}
+
+class HtmlPage : public ::testing::Test
+{
+protected:
+  TriangleMesh surface = box({ 1.0, 0.7, 6.0 });
+  std::string page = makeHtml(surface, sheet(10), "box.obj", kBundle);
+  Json data = dataOf(page);
+};
+
+TEST_F(HtmlPage, LoadsNothing)
+{
+  EXPECT_EQ(occurrences(page, R"(\b(src|href|srcset|action)\s*=\s*["'])"), 0);
+  EXPECT_EQ(occurrences(page, R"(@import|url\(|https?://|fetch\(|XMLHttpRequest|import\s*\()"), 0);
+  EXPECT_EQ(occurrences(page, "Content-Security-Policy\" content=\"default-src 'none'"), 1);
+}
+
+TEST_F(HtmlPage, IsWhole)
+{
+  EXPECT_EQ(page.rfind("<!DOCTYPE html>", 0), 0U);
+  EXPECT_EQ(occurrences(page, "<script"), 3);
+  EXPECT_EQ(occurrences(page, "</script>"), 3);
+  EXPECT_EQ(occurrences(page, R"(\{\{\w+\}\})"), 0);
+  EXPECT_NE(page.find(kBundle), std::string::npos);
+  for (const char* file : { "style.css", "decode.js", "scene.js", "controls.js" })
+  {
+    EXPECT_NE(page.find(app::webFile(file)), std::string::npos) << file;
+  }
+}
+
+TEST_F(HtmlPage, KeepsPositionsToHalfAStep)
+{
+  const auto points = pointsOf(data, "surface");
+  ASSERT_EQ(points.size(), surface.points.size());
+  const Point3 sides{ 2.0, 1.7, 12.0 }; // of the bounds; the sheet goes to y = 1
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      ASSERT_NEAR(points[i][k], surface.points[i][k], 0.5001 * sides[k] / kSteps);
+    }
+  }
+  EXPECT_EQ(decoded<std::uint32_t>(data["surface"]["triangles"]).size(), 36U);
+}
+
+TEST_F(HtmlPage, KeepsTheArraysOfTheAxis)
+{
+  const auto points = pointsOf(data, "axis");
+  const Json& arrays = data["axis"]["arrays"];
+  ASSERT_EQ(arrays.size(), 3U);
+  const auto radius = valuesOf(arrays[0]);
+  const auto angle = valuesOf(arrays[1]);
+  const auto lambda = valuesOf(arrays[2]);
+  ASSERT_EQ(points.size(), 121U);
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const auto [x, y, z] = points[i];
+    ASSERT_NEAR(z, 5.0, 1e-3);
+    ASSERT_NEAR(radius[i], 2.0 + x * y, 1e-4);
+    ASSERT_NEAR(angle[i], angleAt(x), 0.01);
+    ASSERT_NEAR(lambda[i], y, 1e-4);
+  }
+  EXPECT_EQ(arrays[0]["unit"], "world units");
+  EXPECT_EQ(arrays[1]["unit"], "degrees");
+}
+
+TEST_F(HtmlPage, TrianglesCoverTheSheetThoseOfWideAnglesFirst)
+{
+  const auto points = pointsOf(data, "axis");
+  const auto corners = decoded<std::uint32_t>(data["axis"]["triangles"]);
+  ASSERT_EQ(corners.size(), 600U);
+  double area = 0.0;
+  for (std::size_t t = 0; t < corners.size(); t += 3)
+  {
+    const Point3& a = points.at(corners[t]);
+    const Point3& b = points.at(corners[t + 1]);
+    const Point3& c = points.at(corners[t + 2]);
+    area += 0.5 * std::abs((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
+  }
+  EXPECT_NEAR(area, 1.0, 1e-3);
+  const auto angles = leastAngles(data);
+  EXPECT_TRUE(std::is_sorted(angles.rbegin(), angles.rend()));
+  EXPECT_GT(angles.front(), 130.0);
+  EXPECT_NEAR(angles.back(), 60.0, 0.01);
+  EXPECT_EQ(decoded<std::uint32_t>(data["axis"]["lines"]), (std::vector<std::uint32_t>{ 0, 1 }));
+  EXPECT_EQ(decoded<std::uint32_t>(data["axis"]["vertices"]), (std::vector<std::uint32_t>{ 3 }));
+}
+
+TEST_F(HtmlPage, NoTextEndsAScript)
+{
+  const std::string title = "</script><b>\"\\ & <!-- \xC3\xA9 \xFF";
+  const std::string hostile = makeHtml(surface, sheet(2), title, "a = '</SCRIPT><!--';");
+  EXPECT_EQ(occurrences(hostile, "</script"), 3);
+  EXPECT_EQ(occurrences(hostile, "<!--"), 1); // the page's own
+  EXPECT_NE(hostile.find(R"(a = '<\/SCRIPT><\!--';)"), std::string::npos);
+  EXPECT_EQ(dataOf(hostile)["title"], "</script><b>\"\\ & <!-- \xC3\xA9 \xEF\xBF\xBD");
+}
+
+TEST_F(HtmlPage, AnEmptyAxisIsNone)
+{
+  const Json empty = dataOf(makeHtml(surface, emptyAxis(), "box", kBundle));
+  EXPECT_EQ(empty["axis"]["points"], "");
+  EXPECT_EQ(empty["axis"]["triangles"], "");
+  EXPECT_EQ(empty["axis"]["arrays"][1]["values"], "");
+  EXPECT_EQ(pointsOf(empty, "surface").size(), 8U);
+}
+
+TEST_F(HtmlPage, SaysHowFarItRounds)
+{
+  const std::string notes = data["notes"].dump();
+  EXPECT_NE(notes.find("rounded by up to 9.16e-05 world units"), std::string::npos) << notes;
+  EXPECT_EQ(data["simplified"], false);
+  EXPECT_EQ(notes.find("simplified"), std::string::npos);
+}
+
+TEST(HtmlPageLimit, CoarserMeshesKeepItAndThePageSaysSo)
+{
+  const TriangleMesh sphere = icosphere(1.0, 6); // 81,920 triangles
+  const auto axis = sheet(300);                  // 180,000
+  constexpr std::size_t kLimit = 1'000'000;
+  const std::string whole = makeHtml(sphere, axis, "sphere", kBundle);
+  EXPECT_GT(whole.size(), 2 * kLimit);
+  const std::string page = makeHtml(sphere, axis, "sphere", kBundle, kLimit);
+  EXPECT_LT(page.size(), kLimit);
+  EXPECT_GT(page.size(), kLimit / 3);
+  const Json data = dataOf(page);
+  const std::string notes = data["notes"].dump();
+  const auto angles = leastAngles(data);
+  EXPECT_EQ(data["simplified"], true);
+  EXPECT_TRUE(std::is_sorted(angles.rbegin(), angles.rend()));
+  EXPECT_NE(notes.find("the surface was simplified from 81920 to "), std::string::npos) << notes;
+  EXPECT_NE(notes.find("the medial axis was simplified from 180002 to "), std::string::npos);
+}
+
+TEST(HtmlMesh, CoarsePointsAreNearAllOthersAndCellsStillCover)
+{
+  const auto axis = sheet(64);
+  app::HtmlMesh mesh = app::htmlMesh(axis);
+  const app::HtmlMesh fine = mesh;
+  const std::size_t limit = fine.bytes() / 8;
+  const double side = app::coarsen(mesh, limit);
+  EXPECT_LE(mesh.bytes(), limit);
+  EXPECT_GT(side, 1.0 / 64.0);
+  EXPECT_LT(side, 0.1);
+  for (const Point3& point : fine.points)
+  {
+    const bool near = std::any_of(mesh.points.begin(), mesh.points.end(),
+      [&](const Point3& kept)
+      { return std::hypot(kept[0] - point[0], kept[1] - point[1]) <= side * std::sqrt(2.0); });
+    ASSERT_TRUE(near);
+  }
+  double area = 0.0;
+  for (const auto& [a, b, c] : mesh.triangles)
+  {
+    const Point3& p = mesh.points.at(a);
+    const Point3& q = mesh.points.at(b);
+    const Point3& r = mesh.points.at(c);
+    area += 0.5 * std::abs((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]));
+  }
+  EXPECT_NEAR(area, 1.0, 4.0 * side);
+  ASSERT_EQ(mesh.arrays[1].values.size(), mesh.points.size());
+  for (std::size_t i = 0; i < mesh.points.size(); ++i)
+  {
+    ASSERT_FLOAT_EQ(mesh.arrays[1].values[i], angleAt(mesh.points[i][0]));
+  }
+}
+
+TEST(HtmlMesh, SmallMeshesStay)
+{
+  app::HtmlMesh mesh = app::htmlMesh(sheet(4));
+  EXPECT_EQ(app::coarsen(mesh, mesh.bytes()), 0.0);
+  EXPECT_EQ(mesh.points.size(), 25U);
+  EXPECT_EQ(mesh.bytes(), 25U * 12U + 32U * 12U + 8U + 4U);
+}
+
+} // namespace
+} // namespace medial::test
