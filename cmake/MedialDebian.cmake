@@ -46,6 +46,7 @@ set(CPACK_GENERATOR DEB)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_GROUPING IGNORE)
 set(CPACK_COMPONENTS_ALL runtime development tools python)
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "") # every package has its own
 set(CPACK_PACKAGE_CONTACT "${MEDIAL_PACKAGE_CONTACT}")
 set(CPACK_PACKAGE_DIRECTORY "${CMAKE_BINARY_DIR}/packages")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
@@ -62,6 +63,9 @@ set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${CMAKE_LIBRARY_OUTPUT_DIRECTORY}")
 set(CPACK_DEBIAN_ENABLE_COMPONENT_DEPENDS ON)
+# The same for packages of others that use the libraries: the file shlibs.
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS_POLICY ">=")
 
 # medial_package(COMPONENT NAME SECTION SUMMARY DESCRIPTION): the other packages need the library's of
 # the same version.
@@ -88,8 +92,6 @@ medial_package(runtime ${library_package} libs "medial axes and distance fields 
   "${about}\nThis package holds the library, and the VTK filters as one of their own.")
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_DEPENDS libegl1)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS libgl1-mesa-dri)
-set(CPACK_DEBIAN_RUNTIME_PACKAGE_GENERATE_SHLIBS ON)
-set(CPACK_DEBIAN_RUNTIME_PACKAGE_GENERATE_SHLIBS_POLICY ">=")
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA "${debian_sources}/triggers")
 
 medial_package(development libmedial-dev libdevel "medial axes and distance fields of meshes - development"
@@ -106,8 +108,8 @@ medial_manual(medial-evaluate "how well a medial axis describes a mesh")
 # The extension modules are those of one version of Python.
 math(EXPR next_python "${Python3_VERSION_MINOR} + 1")
 medial_package(python python3-medial python "medial axes and distance fields of meshes - Python 3"
-  "${about}\nThis package holds the Python package medial: functions over arrays of numpy, and
-filters for VTK's pipelines.")
+  "${about}\nThis package holds the Python package medial: functions over arrays of numpy,
+and filters for VTK's pipelines.")
 string(CONCAT CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
   "python3 (>= ${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}), "
   "python3 (<< ${Python3_VERSION_MAJOR}.${next_python}), python3-numpy, python3-vtk9")
