@@ -4,6 +4,16 @@ set(MEDIAL_PACKAGE_RELEASE 1 CACHE STRING "Debian revision of the packages")
 set(MEDIAL_PACKAGE_CONTACT "Medial developers <medial@users.invalid>"
   CACHE STRING "Maintainer of the packages: name and address")
 
+if(NOT CMAKE_INSTALL_PREFIX STREQUAL "/usr")
+  message(FATAL_ERROR
+    "MEDIAL_DEBIAN_PACKAGES needs the CMAKE_INSTALL_PREFIX /usr, not ${CMAKE_INSTALL_PREFIX}")
+endif()
+foreach(part IN ITEMS FILTERS PYTHON APPS)
+  if(NOT MEDIAL_BUILD_${part})
+    message(FATAL_ERROR "MEDIAL_DEBIAN_PACKAGES needs MEDIAL_BUILD_${part}=ON")
+  endif()
+endforeach()
+
 find_program(GZIP_PROGRAM gzip REQUIRED)
 find_program(HELP2MAN_PROGRAM help2man REQUIRED)
 set(debian_sources "${PROJECT_SOURCE_DIR}/cmake/debian")

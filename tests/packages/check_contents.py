@@ -10,7 +10,8 @@ import subprocess
 import sys
 from pathlib import Path
 
-LIBRARY = "libmedial0.1"
+SERIES = "0.1"  # versions whose binary interface is the same
+LIBRARY = f"libmedial{SERIES}"
 DOCUMENTS = ("copyright", "changelog.gz", "changelog.Debian.gz")
 
 # What each package must need, without versions. Those of libraries are found by dpkg-shlibdeps.
@@ -23,14 +24,14 @@ NEEDED = {
 
 # Where each package may have files, and files that it must have; LIB is the folder of libraries.
 FOLDERS = {
-    LIBRARY: r"LIB/lib[^/]+\.so\.0\.1(\.\d+)?",
+    LIBRARY: rf"LIB/lib[^/]+\.so\.{re.escape(SERIES)}(\.\d+)?",
     "libmedial-dev": r"usr/include/medial/.+\.h|LIB/cmake/Medial/[^/]+\.cmake|LIB/lib[^/]+\.so"
                      r"|LIB/vtk/hierarchy/Medial/[^/]+\.txt",
     "medial-tools": r"usr/bin/[^/]+|usr/share/man/man1/[^/]+\.1\.gz",
     "python3-medial": r"usr/lib/python3/dist-packages/medial/[^/]+",
 }
 FILES = {
-    LIBRARY: ("LIB/libmedial.so.0.1", "LIB/libvtkMedialFilters.so.0.1"),
+    LIBRARY: (f"LIB/libmedial.so.{SERIES}", f"LIB/libvtkMedialFilters.so.{SERIES}"),
     "libmedial-dev": (
         "LIB/libmedial.so", "LIB/libvtkMedialFilters.so", "LIB/cmake/Medial/MedialConfig.cmake",
         "usr/include/medial/medial/medial_axis.h", "usr/include/medial/filters/vtkMedialAxis.h"),
@@ -83,9 +84,12 @@ def check_control(name: str, deb: Path, version: str) -> None:
 
 def check_shlibs(deb: Path, version: str) -> None:
     """Packages built with the libraries must be told the package that they are in."""
-    lines = output("dpkg-deb", "--info", str(deb), "shlibs").splitlines()
-    expected = [f"{name} 0.1 {LIBRARY} (>= {version})" for name in ("libmedial", "libvtkMedialFilters")]
-    expect(sorted(lines) == expected, f"{LIBRARY} has the shlibs {lines}")
+    command = ("dpkg-deb", "--info", str(deb), "shlibs")  # fails where there is no such file
+    found = subprocess.run(command, check=False, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    libraries = ("libmedial", "libvtkMedialFilters")
+    expected = [f"{name} {SERIES} {LIBRARY} (>= {version})" for name in libraries]
+    lines = sorted(found.stdout.splitlines())
+    expect(lines == expected, f"{LIBRARY} has the shlibs {lines}, not {expected}")
 
 
 def check_files(name: str, files: set[str]) -> None:
