@@ -40,6 +40,7 @@ endfunction()
 
 # What every package has in its documentation folder.
 file(READ "${PROJECT_SOURCE_DIR}/LICENSE" licence)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/LICENSE")
 string(REGEX MATCH "Copyright \\(c\\) ([^\n]+)" ignored "${licence}")
 set(MEDIAL_COPYRIGHT "${CMAKE_MATCH_1}")
 string(REGEX REPLACE "^.*All rights reserved\\.\n+" "" licence "${licence}")
