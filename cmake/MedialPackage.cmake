@@ -15,9 +15,10 @@ install(
   FILES
     "${MEDIAL_BUILD_CMAKE_DIR}/MedialConfig.cmake"
     "${MEDIAL_BUILD_CMAKE_DIR}/MedialConfigVersion.cmake"
-  DESTINATION "${MEDIAL_CMAKE_DIR}")
+  DESTINATION "${MEDIAL_CMAKE_DIR}" COMPONENT development)
 
 # The targets of the VTK module are exported by vtk_module_build(), in Medial-targets.cmake.
 export(EXPORT MedialCoreTargets NAMESPACE Medial::
   FILE "${MEDIAL_BUILD_CMAKE_DIR}/MedialCoreTargets.cmake")
-install(EXPORT MedialCoreTargets NAMESPACE Medial:: DESTINATION "${MEDIAL_CMAKE_DIR}")
+install(EXPORT MedialCoreTargets NAMESPACE Medial:: DESTINATION "${MEDIAL_CMAKE_DIR}"
+  COMPONENT development)

@@ -25,7 +25,7 @@ set_target_properties(medial_execution PROPERTIES
   PREFIX "" OUTPUT_NAME "_execution"
   LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${python_package}")
 medial_warnings(medial_execution)
-install(TARGETS medial_execution LIBRARY DESTINATION "${python_package}")
+install(TARGETS medial_execution LIBRARY DESTINATION "${python_package}" COMPONENT python)
 
 set(python_files
   __init__.py
@@ -41,5 +41,5 @@ set(python_files
   py.typed)
 foreach(file IN LISTS python_files)
   configure_file("${python_sources}/medial/${file}" "${CMAKE_BINARY_DIR}/${python_package}/${file}" COPYONLY)
-  install(FILES "${python_sources}/medial/${file}" DESTINATION "${python_package}")
+  install(FILES "${python_sources}/medial/${file}" DESTINATION "${python_package}" COMPONENT python)
 endforeach()

@@ -18,7 +18,8 @@ quietly()
   fi
 }
 
-# build PRESET FOLDER [TARGET...]: configures the preset where that was not done yet, and builds.
+# build PRESET FOLDER [TARGET...]: configures the preset where that was not done yet, and builds. What
+# one folder has compiled, ccache gives to others, too, where the flags are the same.
 build()
 {
   local preset=$1 folder=$2
@@ -26,6 +27,7 @@ build()
   local launcher=()
   if command -v ccache >/dev/null; then
     launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+    export CCACHE_BASEDIR=${CCACHE_BASEDIR:-$PWD}
   fi
   if [[ ! -e $folder/build.ninja ]]; then
     say "Configuring $folder (preset $preset)"

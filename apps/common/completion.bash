@@ -1,5 +1,5 @@
-# Completion of medial-axis and medial-evaluate in bash: options are those of --help, files those with
-# the extensions that an option takes.
+# Completion of medial-axis, medial-evaluate and medial-viewer in bash: options are those of --help,
+# files those with the extensions that an option takes.
 
 # _medial_files WORD EXTENSION...: files that begin like WORD and have one of the extensions; folders.
 _medial_files()
@@ -25,7 +25,9 @@ _medial_values()
     -o | --output) _medial_files "$2" vtp ply obj ma ;;
     --curves | --thickness) _medial_files "$2" vtp ;;
     --field) _medial_files "$2" vti pvti ;;
-    --image | --thickness-image) _medial_files "$2" png ;;
+    --image | --thickness-image | --screenshot) _medial_files "$2" png ;;
+    --html) _medial_files "$2" html ;;
+    --colour) compgen -W "radius angle thickness" -- "$2" ;;
     --report | --json) _medial_files "$2" json ;;
   esac
 }
@@ -57,4 +59,4 @@ _medial()
   fi
 }
 
-complete -o filenames -F _medial medial-axis medial-evaluate
+complete -o filenames -F _medial medial-axis medial-evaluate medial-viewer

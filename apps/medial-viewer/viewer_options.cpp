@@ -21,11 +21,10 @@ namespace
 constexpr int kMaxThreads = 1024;
 
 const char* const kFooter =
-  "Several meshes, or a folder with meshes (taken in the order of their names), are the frames of "
-  "a\n"
-  "deforming mesh: the same cells and other positions. Press h in the window for its keys: they\n"
-  "play a sequence, change the colours, write pictures. Drag the slice of the distance field with\n"
-  "the left button, and turn the rest with it.\n"
+  "Several meshes, or a folder with meshes (taken in the order of their names), are the frames\n"
+  "of a deforming mesh: the same cells and other positions. Press h in the window for its keys:\n"
+  "they play a sequence, change the colours, write pictures. Drag the slice of the distance\n"
+  "field with the left button, and turn the rest with it.\n"
   "\n"
   "Exit codes: 0 done; 2 usage; 3 bad input; 4 no usable display or OpenGL; 5 out of memory, or a\n"
   "picture that cannot be written; 130 interrupted.";
