@@ -28,15 +28,32 @@ function(medial_compress source target)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${source}")
 endfunction()
 
+# medial_licence(TEXT PREFIX): splits a BSD licence into PREFIX_COPYRIGHT and PREFIX_LICENCE, as the file
+# copyright has them.
+function(medial_licence text prefix)
+  string(REGEX MATCH "Copyright \\(c\\) ([^\n]+)" ignored "${text}")
+  set(${prefix}_COPYRIGHT "${CMAKE_MATCH_1}" PARENT_SCOPE)
+  string(REGEX REPLACE "^.*All rights reserved\\.\n+" "" text "${text}")
+  string(STRIP "${text}" text)
+  string(REGEX REPLACE "\n\n" "\n.\n" text "${text}")
+  string(REPLACE "\n" "\n " text " ${text}")
+  set(${prefix}_LICENCE "${text}" PARENT_SCOPE)
+endfunction()
+
 # What every package has in its documentation folder.
 file(READ "${PROJECT_SOURCE_DIR}/LICENSE" licence)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/LICENSE")
-string(REGEX MATCH "Copyright \\(c\\) ([^\n]+)" ignored "${licence}")
-set(MEDIAL_COPYRIGHT "${CMAKE_MATCH_1}")
-string(REGEX REPLACE "^.*All rights reserved\\.\n+" "" licence "${licence}")
-string(STRIP "${licence}" licence)
-string(REGEX REPLACE "\n\n" "\n.\n" licence "${licence}")
-string(REPLACE "\n" "\n " MEDIAL_LICENCE " ${licence}")
+medial_licence("${licence}" MEDIAL)
+set(MEDIAL_VTKJS_PARAGRAPH "")
+if(MEDIAL_VTKJS)
+  # The file begins with the licence, in a comment.
+  file(READ "${MEDIAL_VTKJS}" licence LIMIT 8192)
+  string(FIND "${licence}" "\n*/" end)
+  string(SUBSTRING "${licence}" 0 ${end} licence)
+  medial_licence("${licence}" vtkjs)
+  set(MEDIAL_VTKJS_PARAGRAPH
+    "\nFiles: vtk.js\nCopyright: ${vtkjs_COPYRIGHT}\nLicense: BSD-3-Clause-vtk.js\n${vtkjs_LICENCE}\n")
+endif()
 string(TIMESTAMP MEDIAL_PACKAGE_DATE "%a, %d %b %Y %H:%M:%S +0000" UTC)
 configure_file("${debian_sources}/copyright.in" "${debian_files}/copyright" @ONLY)
 configure_file("${debian_sources}/changelog.in" "${debian_files}/changelog" @ONLY)

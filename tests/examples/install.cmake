@@ -20,7 +20,7 @@ endforeach()
 
 # Programs come with manual pages and with completion, which bash looks for by their names.
 foreach(program IN LISTS PROGRAMS)
-  foreach(file IN ITEMS "bin/${program}" "${MAN_FOLDER}/man1/${program}.1"
+  foreach(file IN ITEMS "bin/${program}" "${MAN_FOLDER}/man1/${program}.1.gz"
       "${DATA_FOLDER}/bash-completion/completions/${program}")
     if(NOT EXISTS "${PREFIX}/${file}")
       message(FATAL_ERROR "${file} was not installed")

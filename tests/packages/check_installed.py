@@ -36,11 +36,12 @@ def write_off(path: Path, vertices: np.ndarray, faces: np.ndarray) -> None:
 
 def check_programs(folder: Path, version: str) -> None:
     axis, mesh, figures = (str(folder / name) for name in ("axis.ply", "box.off", "figures.json"))
-    picture = folder / "picture.png"
+    picture, page = folder / "picture.png", folder / "page.html"
     write_off(Path(mesh), *make_box())
     for program in ("medial-axis", "medial-evaluate", "medial-viewer"):
         assert run(program, "--version").strip() == f"{program} {version}"
-    run("medial-axis", mesh, "--resolution", "64", "--output", axis, "--image", str(picture))
+    run("medial-axis", mesh, "--resolution", "64", "--output", axis, "--image", str(picture),
+        "--html", str(page))
     run("medial-evaluate", axis, mesh, "--json", figures)
     with open(figures, encoding="utf-8") as file:
         found = json.load(file)
@@ -49,6 +50,7 @@ def check_programs(folder: Path, version: str) -> None:
     assert found["radius_error"]["max"] < 1e-3 and found["centres_inside"] == 1.0, found
     assert found["two_sided"]["hausdorff"] < 1.5, found  # of the diagonal, in %
     assert picture.read_bytes().startswith(b"\x89PNG")
+    assert "vtk.js" in page.read_text(encoding="utf-8")
 
 
 def check_python() -> None:
