@@ -51,6 +51,8 @@ def check_programs(folder: Path, version: str) -> None:
     assert found["two_sided"]["hausdorff"] < 1.5, found  # of the diagonal, in %
     assert picture.read_bytes().startswith(b"\x89PNG")
     assert "vtk.js" in page.read_text(encoding="utf-8")
+    viewer = subprocess.run(("medial-viewer", mesh), check=False, stderr=subprocess.PIPE, text=True)
+    assert viewer.returncode == 4 and "no display" in viewer.stderr, viewer
 
 
 def check_python() -> None:

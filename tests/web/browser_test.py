@@ -5,6 +5,7 @@ usage: browser_test.py MEDIAL-AXIS CHROMIUM FOLDER   pictures of the page stay i
 
 import os
 import re
+import shlex
 import subprocess
 import sys
 import tempfile
@@ -19,6 +20,7 @@ from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 AXIS, CHROMIUM, PICTURES = sys.argv[1], sys.argv[2], Path(sys.argv[3])
+DOCUMENT = Path(__file__).resolve().parents[2] / "docs/WEB.md"
 SIZE = (1280, 960)
 VIEW = (slice(None), slice(320, 1080))  # between panel and legend
 LIMIT = 15_000_000  # bytes of a page
@@ -214,6 +216,15 @@ class Browser(unittest.TestCase):
         self.assertGreater(coloured(turned[VIEW]).mean(), 0.01)
         back = self.picture("reset", script=drag + 'document.getElementById("reset").click();')
         self.assertLess((abs(back - self.default_picture)[VIEW].max(axis=2) > 40).mean(), 0.001)
+
+    def test_command_and_address_of_the_document(self):
+        text = DOCUMENT.read_text()
+        command = re.search(r"^    build-web/bin/medial-axis (.*)$", text, re.MULTILINE)[1]
+        subprocess.run([AXIS, *shlex.split(command), "--quiet"], cwd=self.folder, check=True)
+        page, fragment = re.search(r"`(\w+\.html)(#\S+)`", text).groups()
+        shown = self.open("--dump-dom", fragment, page=self.folder / page)
+        self.assertIn("Separation angle ≥ 110°", re.sub(r"<[^>]*>", "", unescape(shown)))
+        self.assertRegex(shown, r'id="legend-title"[^>]*>Separation angle \(degrees\)')
 
     def test_neither_size_nor_place_matters(self):
         pictures = []
