@@ -20,7 +20,7 @@ constexpr std::size_t kHtmlLimit = 15'000'000;
 ///   their common bounds on each axis, the axis's arrays to 1/65535 of their ranges.
 /// @param title what the page calls the mesh.
 /// @param vtkJs the bundle of vtk.js.
-/// @param limit bytes of the whole page. Beyond it the meshes are made coarser, and the page says so;
+/// @param limit bytes of the whole page. Beyond it the meshes are made coarser, as the page says;
 ///   what is not a mesh stays, however large.
 std::string makeHtml(const TriangleMesh& surface, vtkPolyData* axis, const std::string& title,
   std::string_view vtkJs, std::size_t limit = kHtmlLimit);
