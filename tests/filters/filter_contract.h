@@ -33,7 +33,8 @@ protected:
       EXPECT_STREQ(filter->GetRenderer(), "") << words;
       repair(filter);
     };
-    expectErrorAndRecovery(filter, [&] { spoil(filter); }, check, words);
+    expectErrorAndRecovery(
+      filter, [&] { spoil(filter); }, check, words);
   }
 
   static void expectBadMesh(const std::function<void(vtkPolyData*)>& spoil,
