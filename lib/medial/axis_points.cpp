@@ -1,7 +1,7 @@
 #include "medial/medial/axis_points.h"
 
+#include "medial/medial/dual_contacts.h"
 #include "medial/medial/plane_fit.h"
-#include "medial/medial/separation.h"
 #include "medial/sites/closest_point.h"
 
 #include <tbb/blocked_range.h>
@@ -11,6 +11,7 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 namespace medial
 {
@@ -25,24 +26,9 @@ constexpr double kOutside = 0.1;
 constexpr double kOffBisector = 0.3;
 constexpr double kAnywhere = std::numeric_limits<double>::infinity();
 
-/// The sites whose bisectors gave a vertex, each once.
-void sitesOf(const DualMesh& mesh, const BisectorPoints& bisectors, std::size_t vertex,
-  std::vector<int>& sites)
-{
-  sites.clear();
-  for (std::size_t i = mesh.offsets[vertex]; i < mesh.offsets[vertex + 1]; ++i)
-  {
-    const BisectorPoint& bisector = bisectors.points[mesh.incident[i]];
-    sites.push_back(bisector.a.site);
-    sites.push_back(bisector.b.site);
-  }
-  std::sort(sites.begin(), sites.end());
-  sites.erase(std::unique(sites.begin(), sites.end()), sites.end());
-}
-
 /// For vertices at given positions the two closest points: the closest one, and of the sites whose
 /// bisectors gave the vertex the one that is seen under the largest angle from it.
-std::vector<BisectorPoint> contacts(const AxisGeometry& geometry, const DualMesh& mesh,
+std::vector<BisectorPoint> contactsOf(const AxisGeometry& geometry, const DualMesh& mesh,
   const BisectorPoints& bisectors, const std::vector<std::size_t>& vertices,
   const std::vector<glm::dvec3>& positions, double tolerance)
 {
@@ -52,29 +38,12 @@ std::vector<BisectorPoint> contacts(const AxisGeometry& geometry, const DualMesh
     const int known = bisectors.points[mesh.incident[mesh.offsets[vertices[i]]]].a.site;
     questions[i] = { positions[i], closestPoint(geometry.sites, known, positions[i]) };
   }
-  geometry.query.closest(questions);
-  std::vector<BisectorPoint> result(vertices.size());
-  std::vector<int> sites;
-  for (std::size_t i = 0; i < vertices.size(); ++i)
+  const auto candidates = [&](std::size_t i, std::vector<int>& sites)
   {
-    const glm::dvec3& x = positions[i];
-    const SitePoint& closest = questions[i].closest;
-    result[i] = { x, closest, closest };
-    const double farthest = result[i].radius() + tolerance;
-    double widest = -1.0;
     sitesOf(mesh, bisectors, vertices[i], sites);
-    for (const int site : sites)
-    {
-      const SitePoint candidate = closestPoint(geometry.sites, site, x);
-      const double angle = separationAngle(x, closest.point, candidate.point);
-      if (angle > widest && glm::distance(x, candidate.point) <= farthest)
-      {
-        widest = angle;
-        result[i].b = candidate;
-      }
-    }
-  }
-  return result;
+    std::sort(sites.begin(), sites.end());
+  };
+  return contacts(geometry, std::move(questions), candidates, tolerance);
 }
 
 /// Where the bisectors of the vertex's cell meet; those that were moved out of it do not count.
@@ -110,16 +79,6 @@ const BisectorPoint& nearestCrossing(const DualMesh& mesh, const BisectorPoints&
     mesh.incident.begin() + mesh.offsets[vertex + 1], nearer)];
 }
 
-glm::dvec3 meanCrossing(const DualMesh& mesh, const BisectorPoints& bisectors, std::size_t vertex)
-{
-  glm::dvec3 sum(0.0);
-  for (std::size_t i = mesh.offsets[vertex]; i < mesh.offsets[vertex + 1]; ++i)
-  {
-    sum += bisectors.points[mesh.incident[i]].position;
-  }
-  return sum / static_cast<double>(mesh.offsets[vertex + 1] - mesh.offsets[vertex]);
-}
-
 bool allMoved(const DualMesh& mesh, const BisectorPoints& bisectors, std::size_t vertex)
 {
   return std::all_of(mesh.incident.begin() + mesh.offsets[vertex],
@@ -146,7 +105,7 @@ void placeOnSurface(const AxisGeometry& geometry, const DualMesh& mesh,
     positions.push_back(fitted(geometry, mesh, bisectors, v, fit));
   }
   const std::vector<BisectorPoint> points =
-    contacts(geometry, mesh, bisectors, vertices, positions, kOffBisector);
+    contactsOf(geometry, mesh, bisectors, vertices, positions, kOffBisector);
   std::vector<std::size_t> narrow;
   std::vector<BisectorPoint> narrowPoints;
   for (std::size_t i = 0; i < vertices.size(); ++i)
@@ -178,7 +137,7 @@ void placeInCentres(const AxisGeometry& geometry, const DualMesh& mesh,
   std::transform(vertices.begin(), vertices.end(), positions.begin(),
     [&](std::size_t v) { return geometry.frame.sample(glm::dvec3(mesh.cells[v]) + 0.5); });
   const std::vector<BisectorPoint> points =
-    contacts(geometry, mesh, bisectors, vertices, positions, kAnywhere);
+    contactsOf(geometry, mesh, bisectors, vertices, positions, kAnywhere);
   std::copy(points.begin(), points.end(),
     result.points.begin() + static_cast<std::ptrdiff_t>(begin));
 }

@@ -14,16 +14,6 @@ namespace medial::test
 namespace
 {
 
-constexpr int kBadInput = 3;
-constexpr int kNoGpu = 4;
-constexpr int kNoSpace = 5;
-constexpr int kInterrupted = 130;
-
-bool contains(const std::string& text, const std::string& part)
-{
-  return text.find(part) != std::string::npos;
-}
-
 class CommandFailure : public ::testing::Test
 {
 protected:

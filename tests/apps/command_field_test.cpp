@@ -1,6 +1,5 @@
+#include "command_run.h"
 #include "mesh_reader.h"
-#include "mesh_texts.h"
-#include "program.h"
 
 #include "support/models.h"
 #include "support/shapes.h"
@@ -16,10 +15,6 @@
 #include <vtkXMLImageDataReader.h>
 #include <vtkXMLPImageDataReader.h>
 
-#include <nlohmann/json.hpp>
-
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <cstring>
 #include <functional>
@@ -30,18 +25,7 @@ namespace
 {
 
 using Image = vtkSmartPointer<vtkImageData>;
-using Json = nlohmann::json;
 using Settings = std::function<void(vtkMeshDistanceField*)>;
-
-template <typename Reader>
-Image readWith(const std::string& path)
-{
-  vtkNew<Reader> reader;
-  reader->SetFileName(path.c_str());
-  reader->Update();
-  EXPECT_EQ(reader->GetErrorCode(), 0U);
-  return reader->GetOutput();
-}
 
 Image readField(const std::string& path)
 {
@@ -101,15 +85,12 @@ void expectSameDistances(vtkImageData* actual, vtkImageData* expected)
   }
 }
 
-class CommandField : public ::testing::Test
+class CommandField : public CommandRun
 {
 protected:
-  Outcome run(std::vector<std::string> arguments)
+  CommandField()
+    : CommandRun(box({ 1.0, 0.7, 0.4 }), "mesh.obj")
   {
-    arguments.insert(arguments.begin(), input);
-    Outcome outcome = runMedialAxis(arguments);
-    EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
-    return outcome;
   }
 
   // The field as the filter makes it.
@@ -136,9 +117,6 @@ protected:
       expectSameImage(readField(name), expected);
     }
   }
-
-  TemporaryFolder folder;
-  std::string input = folder.file("mesh.obj");
 };
 
 TEST_F(CommandField, OfAClosedMeshIsTheFilters)

@@ -13,13 +13,6 @@ namespace medial::test
 namespace
 {
 
-constexpr int kUsage = 2;
-
-bool contains(const std::string& text, const std::string& part)
-{
-  return text.find(part) != std::string::npos;
-}
-
 class CommandHtml : public ::testing::Test
 {
 protected:

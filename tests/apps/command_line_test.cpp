@@ -15,8 +15,6 @@ namespace medial::test
 namespace
 {
 
-constexpr int kUsage = 2;
-
 class CommandLine : public ::testing::Test
 {
 protected:
@@ -37,11 +35,6 @@ protected:
   TemporaryFolder folder;
   std::string input = folder.file("box.obj");
 };
-
-bool contains(const std::string& text, const std::string& part)
-{
-  return text.find(part) != std::string::npos;
-}
 
 // The words of a text with one space between them.
 std::string onOneLine(const std::string& text)

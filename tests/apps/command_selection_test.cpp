@@ -1,6 +1,5 @@
 // What the program says about what its axis leaves out, and the curves of the axis.
-#include "mesh_texts.h"
-#include "program.h"
+#include "command_run.h"
 
 #include "support/shapes.h"
 
@@ -8,16 +7,10 @@
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkMath.h>
-#include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
-#include <vtkXMLPolyDataReader.h>
-
-#include <nlohmann/json.hpp>
-
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <map>
@@ -27,28 +20,15 @@ namespace medial::test
 namespace
 {
 
-using Json = nlohmann::json;
-
 const double kPi = std::acos(-1.0);
-constexpr int kUsage = 2;
 constexpr Point3 kHalfSides{ 1.0, 0.7, 0.4 };
 
-bool contains(const std::string& text, const std::string& part)
-{
-  return text.find(part) != std::string::npos;
-}
-
-class CommandSelection : public ::testing::Test
+class CommandSelection : public CommandRun
 {
 protected:
-  CommandSelection() { writeFile(input, objText(box(kHalfSides))); }
-
-  Outcome run(std::vector<std::string> arguments)
+  CommandSelection()
+    : CommandRun(box(kHalfSides))
   {
-    arguments.insert(arguments.begin(), input);
-    Outcome outcome = runMedialAxis(arguments);
-    EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
-    return outcome;
   }
 
   // The report's coverage; the notes of the run go to `notes`.
@@ -60,16 +40,6 @@ protected:
     return Json::parse(readFile(folder.file("report.json")))["coverage"];
   }
 
-  vtkSmartPointer<vtkPolyData> readVtp(const std::string& name)
-  {
-    vtkNew<vtkXMLPolyDataReader> reader;
-    reader->SetFileName(folder.file(name).c_str());
-    reader->Update();
-    return reader->GetOutput();
-  }
-
-  TemporaryFolder folder;
-  std::string input = folder.file("box.obj");
   std::string notes;
 };
 
@@ -120,7 +90,7 @@ TEST_F(CommandSelection, PinsThatAreLostAreReported)
   // No grid point of this spacing has a pin's axis between itself and the next one.
   const double share = coverage({ "--spacing", "0.2" })["uncovered_share"];
   double bounds[6];
-  readVtp("axis.vtp")->GetBounds(bounds);
+  readVtp(folder.file("axis.vtp"))->GetBounds(bounds);
   ASSERT_LT(bounds[5], shape.kPlateTop);
   EXPECT_NEAR(share, shape.pinShare, 0.001);
   EXPECT_TRUE(contains(notes, input + ": 20 % of the surface is farther than a voxel's diagonal"))
@@ -199,7 +169,7 @@ TEST_F(CommandSelection, TheCurvesOfABoxHaveTheirLengths)
     SCOPED_TRACE(spacing);
     const Outcome outcome = run({ "--spacing", spacing, "--curves", folder.file("curves.vtp") });
     EXPECT_EQ(folder.list(), (std::vector<std::string>{ "box.obj", "curves.vtp" }));
-    const auto curves = readVtp("curves.vtp");
+    const auto curves = readVtp(folder.file("curves.vtp"));
     EXPECT_TRUE(contains(outcome.out,
       "curves.vtp: curves of the axis, " + std::to_string(curves->GetNumberOfCells()) +
         " polylines"))
@@ -224,7 +194,7 @@ TEST_F(CommandSelection, CurvesGoWithAxisAndReport)
   run({ "--resolution", "24", "-o", folder.file("axis.ma"), "--curves", folder.file("c.vtp"),
     "--report", folder.file("r.json") });
   EXPECT_EQ(folder.list(), (std::vector<std::string>{ "axis.ma", "box.obj", "c.vtp", "r.json" }));
-  EXPECT_GT(readVtp("c.vtp")->GetNumberOfLines(), 10);
+  EXPECT_GT(readVtp(folder.file("c.vtp"))->GetNumberOfLines(), 10);
 }
 
 TEST_F(CommandSelection, RefusesCurvesThatCannotBe)

@@ -1,6 +1,5 @@
 // What the program does for --thickness and --thickness-image.
-#include "mesh_texts.h"
-#include "program.h"
+#include "command_run.h"
 
 #include "support/models.h"
 #include "support/shapes.h"
@@ -8,16 +7,9 @@
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
-#include <vtkNew.h>
-#include <vtkPNGReader.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
-#include <vtkXMLPolyDataReader.h>
-
-#include <nlohmann/json.hpp>
-
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,33 +20,20 @@ namespace medial::test
 namespace
 {
 
-using Json = nlohmann::json;
-
-class CommandThickness : public ::testing::Test
+class CommandThickness : public CommandRun
 {
 protected:
-  CommandThickness() { writeFile(input, objText(subdivided(box({ 1.0, 0.7, 0.4 }), 3))); }
-
-  Outcome run(std::vector<std::string> arguments)
+  CommandThickness()
+    : CommandRun(subdivided(box({ 1.0, 0.7, 0.4 }), 3))
   {
-    arguments.insert(arguments.begin(), input);
-    Outcome outcome = runMedialAxis(arguments);
-    EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
-    return outcome;
   }
 
-  vtkSmartPointer<vtkPolyData> thickness(std::vector<std::string> arguments = {})
+  vtkSmartPointer<vtkPolyData> thickness(std::vector<std::string> arguments = {}) const
   {
     arguments.insert(arguments.end(), { "--thickness", folder.file("t.vtp") });
     run(arguments);
-    vtkNew<vtkXMLPolyDataReader> reader;
-    reader->SetFileName(folder.file("t.vtp").c_str());
-    reader->Update();
-    return reader->GetOutput();
+    return readVtp(folder.file("t.vtp"));
   }
-
-  TemporaryFolder folder;
-  std::string input = folder.file("box.obj");
 };
 
 double valueAt(vtkPolyData* surface, vtkIdType point)
@@ -62,19 +41,11 @@ double valueAt(vtkPolyData* surface, vtkIdType point)
   return surface->GetPointData()->GetArray("Thickness")->GetTuple1(point);
 }
 
-bool contains(const std::string& text, const std::string& part)
-{
-  return text.find(part) != std::string::npos;
-}
-
 // Share of the picture's points that `test` is true for, left of the scalar bar.
 template <typename Test>
 double shareOf(const std::string& path, const Test& test)
 {
-  vtkNew<vtkPNGReader> reader;
-  reader->SetFileName(path.c_str());
-  reader->Update();
-  vtkImageData* picture = reader->GetOutput();
+  const auto picture = readPng(path);
   EXPECT_EQ(picture->GetDimensions()[0], 1600);
   EXPECT_EQ(picture->GetDimensions()[1], 1200);
   int found = 0;

@@ -1,13 +1,8 @@
 // medial-evaluate as a user runs it.
-#include "mesh_texts.h"
-#include "program.h"
+#include "command_run.h"
 
 #include "support/models.h"
 #include "support/shapes.h"
-
-#include <nlohmann/json.hpp>
-
-#include <gtest/gtest.h>
 
 #include <filesystem>
 #include <set>
@@ -19,28 +14,6 @@ namespace medial::test
 {
 namespace
 {
-
-using Json = nlohmann::json;
-
-constexpr int kUsage = 2;
-constexpr int kBadInput = 3;
-constexpr int kNoSpace = 5;
-constexpr int kInterrupted = 130;
-
-bool contains(const std::string& text, const std::string& part)
-{
-  return text.find(part) != std::string::npos;
-}
-
-std::set<std::string> keysOf(const Json& object)
-{
-  std::set<std::string> keys;
-  for (const auto& item : object.items())
-  {
-    keys.insert(item.key());
-  }
-  return keys;
-}
 
 class EvaluateCommand : public ::testing::Test
 {

@@ -186,4 +186,9 @@ std::string readFile(const std::string& path)
   return content.str();
 }
 
+bool contains(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
+
 } // namespace medial::test

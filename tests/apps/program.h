@@ -9,6 +9,13 @@
 namespace medial::test
 {
 
+// Exit codes, as README has them.
+constexpr int kUsage = 2;
+constexpr int kBadInput = 3;
+constexpr int kNoGpu = 4;
+constexpr int kNoSpace = 5;
+constexpr int kInterrupted = 130;
+
 /// How a run ended. A signal that ended it counts as 128 + its number, as in a shell.
 struct Outcome
 {
@@ -50,5 +57,7 @@ private:
 
 void writeFile(const std::string& path, const std::string& content);
 std::string readFile(const std::string& path);
+
+bool contains(const std::string& text, const std::string& part);
 
 } // namespace medial::test

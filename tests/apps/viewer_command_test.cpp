@@ -14,12 +14,6 @@ namespace medial::test
 namespace
 {
 
-constexpr int kUsage = 2;
-constexpr int kBadInput = 3;
-constexpr int kNoGpu = 4;
-constexpr int kNoSpace = 5;
-constexpr int kInterrupted = 130;
-
 class ViewerCommand : public ::testing::Test
 {
 protected:
@@ -40,11 +34,6 @@ protected:
   TemporaryFolder folder;
   std::string input = folder.file("box.obj");
 };
-
-bool contains(const std::string& text, const std::string& part)
-{
-  return text.find(part) != std::string::npos;
-}
 
 RunOptions withDisplay(const std::string& name)
 {

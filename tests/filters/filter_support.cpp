@@ -3,10 +3,14 @@
 #include <vtkCell.h>
 #include <vtkCellArray.h>
 #include <vtkDataArray.h>
+#include <vtkDataObject.h>
+#include <vtkElevationFilter.h>
 #include <vtkExecutive.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
+
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
@@ -63,6 +67,73 @@ void EventLog::onExecutive(vtkObject*, unsigned long, void*)
   ++pipelineErrors;
 }
 
+bool update(vtkAlgorithm* filter)
+{
+  return filter->GetExecutive()->Update() != 0;
+}
+
+vtkIdType pointCount(vtkAlgorithm* filter)
+{
+  return filter->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::POINT);
+}
+
+void expectInvalidInput(vtkAlgorithm* filter, const std::string& words)
+{
+  EventLog log(filter);
+  EXPECT_FALSE(update(filter)) << words;
+  ASSERT_EQ(log.errors.size(), 1u) << words;
+  EXPECT_NE(log.errors[0].find(words), std::string::npos) << log.errors[0];
+  EXPECT_EQ(filter->GetErrorCode(),
+    static_cast<unsigned long>(vtkMeshFieldAlgorithm::InvalidInputError));
+  EXPECT_EQ(pointCount(filter), 0) << words;
+}
+
+void expectErrorAndRecovery(vtkAlgorithm* filter, const std::function<void()>& spoil,
+  const std::function<void()>& repair, const std::string& words)
+{
+  ASSERT_TRUE(update(filter)) << words;
+  spoil();
+  expectInvalidInput(filter, words);
+  EventLog log(filter);
+  repair();
+  EXPECT_TRUE(update(filter)) << words;
+  EXPECT_EQ(filter->GetErrorCode(), 0u) << words;
+  EXPECT_GT(pointCount(filter), 0) << words;
+  EXPECT_TRUE(log.errors.empty()) << words;
+}
+
+void expectProgressToTheEnd(const EventLog& log)
+{
+  ASSERT_GE(log.progress.size(), 3u);
+  EXPECT_TRUE(std::is_sorted(log.progress.begin(), log.progress.end()));
+  EXPECT_EQ(log.progress.front(), 0.0);
+  EXPECT_EQ(log.progress.back(), 1.0);
+}
+
+void expectAbortLeavesNothing(vtkAlgorithm* filter, std::size_t event)
+{
+  vtkNew<vtkElevationFilter> downstream;
+  downstream->SetInputConnection(filter->GetOutputPort());
+  EventLog after(downstream);
+  {
+    EventLog log(filter);
+    log.abortAtProgress = static_cast<int>(event);
+    downstream->Update();
+    EXPECT_EQ(log.executions, 1) << "at event " << event;
+    EXPECT_TRUE(log.errors.empty()) << "at event " << event;
+    EXPECT_EQ(after.executions, 0) << "at event " << event;
+    EXPECT_EQ(pointCount(filter), 0) << "at event " << event;
+    vtkDataObject* output = filter->GetOutputDataObject(0);
+    EXPECT_EQ(output->GetAttributes(vtkDataObject::POINT)->GetNumberOfArrays(), 0);
+    EXPECT_EQ(filter->GetErrorCode(),
+      static_cast<unsigned long>(vtkMeshFieldAlgorithm::CancelledError));
+  }
+  downstream->Update();
+  EXPECT_EQ(after.executions, 1);
+  EXPECT_EQ(filter->GetErrorCode(), 0u);
+  EXPECT_GT(pointCount(filter), 0);
+}
+
 vtkSmartPointer<vtkPolyData> boxPolyData(const Point3& halfSides)
 {
   vtkNew<vtkPoints> points;
@@ -82,6 +153,13 @@ vtkSmartPointer<vtkPolyData> boxPolyData(const Point3& halfSides)
   auto box = vtkSmartPointer<vtkPolyData>::New();
   box->SetPoints(points);
   box->SetPolys(polys);
+  return box;
+}
+
+vtkSmartPointer<vtkPolyData> spoiledBox(const std::function<void(vtkPolyData*)>& spoil)
+{
+  auto box = boxPolyData();
+  spoil(box);
   return box;
 }
 

@@ -9,6 +9,7 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -41,8 +42,32 @@ private:
   unsigned long executiveTag_ = 0;
 };
 
+/// Whether the pipeline above the algorithm, and the algorithm, execute without error.
+bool update(vtkAlgorithm* filter);
+
+/// Points of output 0.
+vtkIdType pointCount(vtkAlgorithm* filter);
+
+/// Expects an update to fail with one InvalidInputError whose message holds `words`, and to leave
+/// nothing.
+void expectInvalidInput(vtkAlgorithm* filter, const std::string& words);
+
+/// The same after `spoil`, of a filter that can be updated before, and can be again after `repair`.
+void expectErrorAndRecovery(vtkAlgorithm* filter, const std::function<void()>& spoil,
+  const std::function<void()>& repair, const std::string& words);
+
+/// Expects progress from 0 to 1, some of it in between, never backwards.
+void expectProgressToTheEnd(const EventLog& log);
+
+/// Aborts the filter at a progress event, and expects that it leaves nothing and what is downstream
+/// does not execute; then that all is done by the next update.
+void expectAbortLeavesNothing(vtkAlgorithm* filter, std::size_t event);
+
 /// Cube of the given half sides about the origin, as six quads with outward orientation.
-vtkSmartPointer<vtkPolyData> boxPolyData(const Point3& halfSides);
+vtkSmartPointer<vtkPolyData> boxPolyData(const Point3& halfSides = { 1.0, 0.8, 0.6 });
+
+/// That box after `spoil`.
+vtkSmartPointer<vtkPolyData> spoiledBox(const std::function<void(vtkPolyData*)>& spoil);
 
 /// Signed distance to that box, negative inside.
 double boxDistance(const Point3& halfSides, const Point3& x);

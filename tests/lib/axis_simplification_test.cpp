@@ -1,20 +1,21 @@
+// Do simplified axes have the shape and the topology of what they came from?
 #include "medial/medial/simplification/axis_simplification.h"
 
-#include "medial/common/error.h"
+#include "support/analytic_math.h"
 #include "support/axes.h"
+#include "support/brute_force.h"
 #include "support/medial_checks.h"
 #include "support/models.h"
 #include "support/shapes.h"
+#include "support/simplified_axes.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <numeric>
 #include <set>
-#include <string>
 #include <vector>
 
 using namespace medial;
@@ -22,35 +23,6 @@ using namespace medial::test;
 
 namespace
 {
-
-const double kPi = std::acos(-1.0);
-
-MedialAxis simplified(const MedialAxis& axis, std::int64_t maxSpheres)
-{
-  SimplificationOptions options;
-  options.maxSpheres = maxSpheres;
-  return simplifyAxis(axis, options);
-}
-
-MedialAxis axisOf(const TriangleMesh& mesh, double spacing, std::int64_t maxSpheres = 0,
-  double angle = 60.0)
-{
-  MedialAxisOptions options;
-  options.angle = angle;
-  options.maxSpheres = maxSpheres;
-  return computeMedialAxis(mesh, offCentreGrid(mesh, spacing), options);
-}
-
-double distance(const Point3& a, const Point3& b)
-{
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
-
-/// Distance from a point to the nearest one of an axis.
-double nearest(const MedialAxis& axis, const Point3& point)
-{
-  return distancesToPoints({ point }, axis.points)[0];
-}
 
 void expectRadius(const MedialAxis& axis, double radius, double tolerance)
 {
@@ -73,7 +45,7 @@ void expectSoundCells(const MedialAxis& axis)
     used.insert(corners.begin(), corners.end());
     for (std::size_t i = 1; i < cell.size(); ++i)
     {
-      EXPECT_GT(distance(axis.points.at(cell[0]), axis.points.at(cell[i])), 0.0);
+      EXPECT_GT(length(minus(axis.points.at(cell[0]), axis.points.at(cell[i]))), 0.0);
     }
   };
   for (const auto& t : axis.triangles)
@@ -82,7 +54,7 @@ void expectSoundCells(const MedialAxis& axis)
     MedialAxis one;
     one.points = { axis.points[t[0]], axis.points[t[1]], axis.points[t[2]] };
     one.triangles = { { 0, 1, 2 } };
-    const double side = distance(one.points[0], one.points[1]);
+    const double side = length(minus(one.points[0], one.points[1]));
     EXPECT_GT(areaOf(one), 1e-7 * side * side);
   }
   std::for_each(axis.lines.begin(), axis.lines.end(), add);
@@ -101,13 +73,6 @@ void expectSoundCells(const MedialAxis& axis)
   EXPECT_EQ(used.size(), axis.points.size());
 }
 
-MedialAxis plate()
-{
-  AxisBuilder builder;
-  builder.addSheet({ 1.0, 2.0, 3.0 }, { 3.0, 0.0, 0.0 }, { 0.0, 1.6, 1.2 }, 24, 0.4);
-  return builder.axis;
-}
-
 /// Points of a circle of radius R about the z axis.
 MedialAxis ring(double R, double radius, int count)
 {
@@ -119,56 +84,6 @@ MedialAxis ring(double R, double radius, int count)
     builder.axis.lines.push_back({ i, (i + 1) % count });
   }
   return builder.axis;
-}
-
-/// The triangles of an icosphere as an axis.
-MedialAxis sphereSheet(double R, double radius)
-{
-  const TriangleMesh mesh = icosphere(R, 3);
-  AxisBuilder builder;
-  for (const Point3& point : mesh.points)
-  {
-    builder.add(point, radius);
-  }
-  for (const auto& t : mesh.triangles)
-  {
-    builder.axis.triangles.push_back({ t[0], t[1], t[2] });
-  }
-  return builder.axis;
-}
-
-void scale(MedialAxis& axis, double factor)
-{
-  for (Point3& p : axis.points)
-  {
-    p = { factor * p[0], factor * p[1], factor * p[2] };
-  }
-  const auto f = static_cast<float>(factor);
-  for (float& r : axis.radius)
-  {
-    r *= f;
-  }
-  for (auto* points : { &axis.closestPointA, &axis.closestPointB })
-  {
-    for (auto& p : *points)
-    {
-      p = { f * p[0], f * p[1], f * p[2] };
-    }
-  }
-}
-
-std::string errorOf(const std::function<void()>& work)
-{
-  try
-  {
-    work();
-  }
-  catch (const Error& error)
-  {
-    EXPECT_EQ(error.code(), ErrorCode::InvalidInput);
-    return error.what();
-  }
-  return "no error";
 }
 
 } // namespace
@@ -235,7 +150,7 @@ TEST(AxisSimplification, OfACurveOfChangingRadiusIsACone)
   {
     EXPECT_NEAR(static_cast<double>(axis.radius[i]), 0.5 - 0.15 * axis.points[i][0], 1e-4);
   }
-  EXPECT_NEAR(distance(axis.points[0], axis.points[1]), 2.0, 1e-3);
+  EXPECT_NEAR(length(minus(axis.points[0], axis.points[1])), 2.0, 1e-3);
 }
 
 TEST(AxisSimplification, KeepsTheLoopOfARing)
@@ -369,62 +284,6 @@ TEST(AxisSimplification, DropsTheSmallestComponentsLast)
   EXPECT_GT(*std::min_element(axis.radius.begin(), axis.radius.end()), 0.39F);
 }
 
-TEST(AxisSimplification, ReturnsSmallAxesAsTheyAre)
-{
-  const MedialAxis full = plate();
-  const MedialAxis axis = simplified(full, 625);
-  EXPECT_EQ(axis.points, full.points);
-  EXPECT_EQ(axis.quads, full.quads);
-  EXPECT_EQ(simplified(MedialAxis(), 1).points.size(), 0u);
-}
-
-TEST(AxisSimplification, DoesNotDependOnThreadsOrSize)
-{
-  const MedialAxis full = axisOf(lPrism(1.0, 0.6), 0.05, 0, 30.0);
-  const MedialAxis expected = simplified(full, 60);
-  SimplificationOptions options;
-  options.maxSpheres = 60;
-  options.threads = 1;
-  EXPECT_EQ(simplifyAxis(full, options).points, expected.points);
-
-  MedialAxis larger = full;
-  scale(larger, 1048576.0); // a power of two: nothing is rounded
-  MedialAxis result = simplified(larger, 60);
-  scale(result, 1.0 / 1048576.0);
-  EXPECT_EQ(result.points, expected.points);
-  EXPECT_EQ(result.radius, expected.radius);
-  EXPECT_EQ(result.triangles, expected.triangles);
-  EXPECT_EQ(result.lines, expected.lines);
-}
-
-TEST(AxisSimplification, WorksFarFromTheOrigin)
-{
-  MedialAxis far = plate();
-  for (Point3& p : far.points)
-  {
-    p = { p[0] + 1e6, p[1] - 2e6, p[2] };
-  }
-  const MedialAxis axis = simplified(far, 4);
-  EXPECT_NEAR(areaOf(axis), 6.0, 1e-5);
-  EXPECT_LT(nearest(axis, { 1000004.0, -1999998.0, 3.0 }), 1e-4);
-}
-
-TEST(AxisSimplification, AttributesAreThoseOfTheInput)
-{
-  const MedialAxis full = axisOf(box({ 1.0, 0.7, 0.4 }), 0.05);
-  const MedialAxis axis = simplified(full, 50);
-  ASSERT_EQ(axis.points.size(), 50u);
-  ASSERT_EQ(axis.closestPointB.size(), 50u);
-  const std::set<float> known(full.separationAngle.begin(), full.separationAngle.end());
-  for (std::size_t i = 0; i < 50; ++i)
-  {
-    EXPECT_EQ(known.count(axis.separationAngle[i]), 1u);
-    const double half = static_cast<double>(axis.separationAngle[i]) * kPi / 360.0;
-    EXPECT_NEAR(static_cast<double>(axis.lambda[i]),
-      static_cast<double>(axis.radius[i]) * std::sin(half), 1e-6);
-  }
-}
-
 TEST(AxisSimplification, OfABoxIsItsSheets)
 {
   const MedialAxis axis = axisOf(box({ 1.0, 0.7, 0.4 }), 0.03, 24, 60.0);
@@ -450,7 +309,7 @@ TEST(AxisSimplification, MoreBallsDescribeTheSurfaceBetter)
   for (const TriangleMesh& mesh : meshes)
   {
     const Bounds bounds = mesh.bounds();
-    const double diagonal = distance(bounds.min, bounds.max);
+    const double diagonal = length(minus(bounds.min, bounds.max));
     MedialAxisOptions options;
     options.angle = 30.0;
     const MedialAxis full = computeMedialAxis(mesh, makeGrid(mesh.bounds(), 64, 0.1), options);
@@ -466,73 +325,5 @@ TEST(AxisSimplification, MoreBallsDescribeTheSurfaceBetter)
       last = mean;
     }
     EXPECT_LT(last, 0.004 * diagonal);
-  }
-}
-
-TEST(AxisSimplification, RefusesWhatItCannotUse)
-{
-  const MedialAxis full = plate();
-  EXPECT_NE(errorOf([&] { simplified(full, 0); }).find("spheres 0 is not >= 1"), std::string::npos);
-  MedialAxis bad = full;
-  bad.radius[7] = -1.0F;
-  EXPECT_NE(errorOf([&] { simplified(bad, 5); }).find("point 7"), std::string::npos);
-  bad = full;
-  bad.points[8][1] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_NE(errorOf([&] { simplified(bad, 5); }).find("point 8"), std::string::npos);
-  bad = full;
-  bad.radius.pop_back();
-  EXPECT_NE(errorOf([&] { simplified(bad, 5); }).find("624 values of radius"), std::string::npos);
-  bad = full;
-  bad.lines.push_back({ 3, 625 });
-  EXPECT_NE(errorOf([&] { simplified(bad, 5); }).find("625, outside [0, 625)"), std::string::npos);
-}
-
-TEST(AxisSimplification, IsRefusedForPointsAndNegativeNumbers)
-{
-  const TriangleMesh mesh = box({ 1.0, 0.7, 0.4 });
-  MedialAxisOptions options;
-  options.maxSpheres = -1;
-  EXPECT_NE(errorOf([&] { computeMedialAxis(mesh, makeGrid(mesh.bounds(), 9), options); })
-              .find("-1 is negative"),
-    std::string::npos);
-  options.maxSpheres = 10;
-  options.representation = Representation::Points;
-  EXPECT_NE(errorOf([&] { computeMedialAxis(mesh, makeGrid(mesh.bounds(), 9), options); })
-              .find("surface or faces"),
-    std::string::npos);
-}
-
-TEST(AxisSimplification, ReportsProgressAndStops)
-{
-  class Watch : public Progress
-  {
-  public:
-    void report(double fraction, const char*) override
-    {
-      EXPECT_GE(fraction, last);
-      EXPECT_LE(fraction, 1.0);
-      last = fraction;
-    }
-    bool cancelled() override { return last >= stopAt; }
-    double last = 0.0;
-    double stopAt = 2.0;
-  };
-  const MedialAxis full = sphereSheet(1.0, 0.1);
-  Watch watch;
-  SimplificationOptions options;
-  options.maxSpheres = 10;
-  options.progress = &watch;
-  simplifyAxis(full, options);
-  EXPECT_EQ(watch.last, 1.0);
-  watch.last = 0.0;
-  watch.stopAt = 0.35;
-  try
-  {
-    simplifyAxis(full, options);
-    FAIL();
-  }
-  catch (const Error& error)
-  {
-    EXPECT_EQ(error.code(), ErrorCode::Cancelled);
   }
 }

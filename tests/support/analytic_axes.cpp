@@ -2,6 +2,7 @@
 
 #include "support/analytic_math.h"
 #include "support/analytic_solids.h"
+#include "support/axes.h"
 #include "support/shapes.h"
 #include "support/transforms.h"
 
@@ -32,7 +33,6 @@ AnalyticAxis triaxialEllipsoid()
   axis.bounds = around({ 1.1, 0.9, 0.55 });
   axis.spacing = 0.06;
   axis.angle = 80.0;
-  axis.side = Side::Interior;
   axis.truth = [](const Point3& p)
   {
     const double u = p[0] * p[0] / (a * a - c * c);
@@ -44,7 +44,6 @@ AnalyticAxis triaxialEllipsoid()
     const double sine = radius > 0.0 ? std::min(1.0, pz / radius) : 0.0;
     return AxisTruth{ std::abs(p[2]), radius, degrees(2.0 * std::asin(sine)) };
   };
-  axis.regular = [](const Point3&, double) { return true; };
   return axis;
 }
 
@@ -63,7 +62,6 @@ AnalyticAxis eccentricShell()
   axis.bounds = around({ 1.3, 1.2, 1.2 });
   axis.spacing = 0.08;
   axis.angle = 90.0;
-  axis.side = Side::Interior;
   axis.truth = [centre](const Point3& p)
   {
     const Point3 q = minus(p, centre);
@@ -74,7 +72,6 @@ AnalyticAxis eccentricShell()
     return AxisTruth{ std::abs(toInner + toOuter - kInner - kOuter) / gradient, toInner - kInner,
       degrees(std::acos(std::clamp(-cosine, -1.0, 1.0))) };
   };
-  axis.regular = [](const Point3&, double) { return true; };
   return axis;
 }
 
@@ -96,7 +93,6 @@ AnalyticAxis openPlates()
     const double radius = std::hypot(0.5 * kGap, u, v);
     return AxisTruth{ std::abs(p[2]), radius, degrees(2.0 * std::asin(0.5 * kGap / radius)) };
   };
-  axis.regular = [](const Point3&, double) { return true; };
   return axis;
 }
 
@@ -124,7 +120,6 @@ AnalyticAxis pointAndPlane()
     return AxisTruth{ std::abs(p[2] - 0.25 * rho * rho / kFocus) / std::hypot(1.0, slope),
       p[2] + kFocus, angleAt(p, { 0.0, 0.0, kFocus }, below) };
   };
-  axis.regular = [](const Point3&, double) { return true; };
   return axis;
 }
 
@@ -150,7 +145,6 @@ AnalyticAxis skewLines()
     return AxisTruth{ std::abs(residual) / gradient, std::hypot(p[1], p[2] - k),
       angleAt(p, { p[0], 0.0, k }, { 0.0, p[1], -k }) };
   };
-  axis.regular = [](const Point3&, double) { return true; };
   return axis;
 }
 
@@ -164,13 +158,11 @@ AnalyticAxis convexWedge()
   axis.bounds.max = { 0.9, 0.3, 0.4 };
   axis.spacing = 0.05;
   axis.angle = 100.0;
-  axis.side = Side::Interior;
   axis.truth = [](const Point3& p)
   {
     return AxisTruth{ std::abs(p[1]), p[0] * std::sin(0.5 * kDihedral * kPi / 180.0),
       180.0 - kDihedral };
   };
-  axis.regular = [](const Point3&, double) { return true; };
   return axis;
 }
 
@@ -187,28 +179,6 @@ Grid gridOf(const AnalyticAxis& axis, double spacing)
       static_cast<int>((axis.bounds.max[i] - axis.bounds.min[i] - shift) / spacing) + 1;
   }
   return grid;
-}
-
-double areaOf(const MedialAxis& axis)
-{
-  double sum = 0.0;
-  const auto add = [&](std::int64_t a, std::int64_t b, std::int64_t c)
-  {
-    const Point3 u = minus(axis.points[b], axis.points[a]);
-    const Point3 v = minus(axis.points[c], axis.points[a]);
-    sum += 0.5 *
-      length({ u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0] });
-  };
-  for (const auto& quad : axis.quads)
-  {
-    add(quad[0], quad[1], quad[2]);
-    add(quad[0], quad[2], quad[3]);
-  }
-  for (const auto& triangle : axis.triangles)
-  {
-    add(triangle[0], triangle[1], triangle[2]);
-  }
-  return sum;
 }
 
 } // namespace

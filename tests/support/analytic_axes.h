@@ -28,10 +28,11 @@ struct AnalyticAxis
   Bounds bounds;  ///< of the grid, in which the axis is as told
   double spacing; ///< the coarsest; halved twice
   double angle;   ///< least separation angle, degrees
-  Side side;
+  Side side = Side::Interior;
   std::function<AxisTruth(const Point3&)> truth;
   /// False for points near seams, rims and ends, where the truth changes from one form to another.
-  std::function<bool(const Point3&, double spacing)> regular;
+  std::function<bool(const Point3&, double spacing)> regular = [](const Point3&, double)
+  { return true; };
   bool isCurve = false; ///< or a point, which facets make a thin tangle of lines
   double area = 0.0;    ///< of the sheets inside the bounds; 0 where it has no closed form
 };

@@ -101,7 +101,6 @@ struct NearestPlanes
 AnalyticAxis polyhedron(const std::vector<Plane>& planes)
 {
   AnalyticAxis axis;
-  axis.side = Side::Interior;
   axis.truth = [planes](const Point3& p) { return NearestPlanes(planes, p).truth(); };
   axis.regular = [planes](const Point3& p, double h)
   {
@@ -162,8 +161,6 @@ void makeCurve(AnalyticAxis& axis)
 {
   axis.angle = 60.0;
   axis.isCurve = true;
-  axis.side = Side::Interior;
-  axis.regular = [](const Point3&, double) { return true; };
 }
 
 AnalyticAxis ball()
@@ -222,7 +219,6 @@ AnalyticAxis tallCylinder()
   axis.bounds = around({ 0.5, 0.5, 1.0 });
   axis.spacing = 0.05;
   axis.angle = 70.0;
-  axis.side = Side::Interior;
   axis.truth = [](const Point3& p)
   {
     const double toWall = kRadius - std::hypot(p[0], p[1]);
@@ -250,7 +246,6 @@ AnalyticAxis disc()
   axis.bounds = around({ 1.2, 1.2, 0.5 });
   axis.spacing = 0.07;
   axis.angle = 70.0;
-  axis.side = Side::Interior;
   axis.truth = [](const Point3& p)
   {
     const double rho = std::hypot(p[0], p[1]);
@@ -282,12 +277,10 @@ AnalyticAxis shellAxis()
   axis.bounds = around({ 1.1, 1.1, 1.1 });
   axis.spacing = 0.08;
   axis.angle = 90.0;
-  axis.side = Side::Interior;
   constexpr double kMiddle = 0.5 * (kInner + kOuter);
   axis.truth = [](const Point3& p) {
     return AxisTruth{ std::abs(length(p) - kMiddle), 0.5 * (kOuter - kInner), 180.0 };
   };
-  axis.regular = [](const Point3&, double) { return true; };
   axis.area = 4.0 * kPi * kMiddle * kMiddle;
   return axis;
 }

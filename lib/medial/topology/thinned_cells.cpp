@@ -1,14 +1,15 @@
 #include "medial/medial/topology/thinned_cells.h"
 
 #include "medial/medial/axis_points.h"
+#include "medial/medial/dual_contacts.h"
 #include "medial/medial/dual_mesh.h"
-#include "medial/medial/separation.h"
-#include "medial/sites/closest_point.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace medial
 {
@@ -137,17 +138,36 @@ private:
       return;
     }
     points = surfacePoints(context_.geometry, mesh_, samples_.points());
-    tbb::parallel_for(std::size_t{ 0 }, vertices_.size(),
-      [&](std::size_t i)
+    constexpr std::size_t kTogether = 512;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, vertices_.size(), kTogether),
+      [&](const tbb::blocked_range<std::size_t>& range)
+      { this->settle(range.begin(), range.end(), points.points); });
+  }
+
+  /// Moves points of surfacePoints() in [begin, end) to the mean of their samples where these are
+  /// no sheet, and into their grid cells.
+  void settle(std::size_t begin, std::size_t end, std::vector<BisectorPoint>& points) const
+  {
+    std::vector<std::size_t> moved;
+    std::vector<TileQuery::Question> questions;
+    for (std::size_t i = begin; i != end; ++i)
+    {
+      const glm::dvec3 x = this->clamped(i,
+        onSheet_[i] != 0 ? points[i].position : meanCrossing(mesh_, samples_.points(), i));
+      if (x != points[i].position)
       {
-        BisectorPoint& point = points.points[i];
-        const glm::dvec3 wanted = onSheet_[i] != 0 ? point.position : this->meanOf(i);
-        const glm::dvec3 x = this->clamped(i, wanted);
-        if (x != point.position)
-        {
-          point = this->contacts(i, x);
-        }
-      });
+        moved.push_back(i);
+        questions.push_back({ x, {} }); // of sites equally near none comes first for being known
+      }
+    }
+    const auto candidates = [&](std::size_t k, std::vector<int>& sites)
+    { sitesOf(mesh_, samples_.points(), moved[k], sites); };
+    const std::vector<BisectorPoint> found =
+      contacts(context_.geometry, std::move(questions), candidates);
+    for (std::size_t k = 0; k < moved.size(); ++k)
+    {
+      points[moved[k]] = found[k];
+    }
   }
 
   Origin originOf(Cell vertex) const
@@ -223,46 +243,11 @@ private:
     return deepest;
   }
 
-  glm::dvec3 meanOf(std::size_t i) const
-  {
-    glm::dvec3 sum(0.0);
-    for (std::size_t k = mesh_.offsets[i]; k < mesh_.offsets[i + 1]; ++k)
-    {
-      sum += samples_.points().points[mesh_.incident[k]].position;
-    }
-    return sum / static_cast<double>(mesh_.offsets[i + 1] - mesh_.offsets[i]);
-  }
-
   glm::dvec3 clamped(std::size_t i, const glm::dvec3& x) const
   {
     const glm::dvec3 low(mesh_.cells[i]);
     return glm::clamp(x, context_.geometry.frame.sample(low) + kCellMargin,
       context_.geometry.frame.sample(low + 1.0) - kCellMargin);
-  }
-
-  /// The closest surface point, and of the samples' sites the one seen under the widest angle.
-  BisectorPoint contacts(std::size_t i, const glm::dvec3& x) const
-  {
-    BisectorPoint point;
-    point.position = x;
-    point.a = context_.geometry.query.closest(x);
-    point.b = point.a;
-    double widest = -1.0;
-    for (std::size_t k = mesh_.offsets[i]; k < mesh_.offsets[i + 1]; ++k)
-    {
-      const BisectorPoint& sample = samples_.points().points[mesh_.incident[k]];
-      for (const int site : { sample.a.site, sample.b.site })
-      {
-        const SitePoint candidate = closestPoint(context_.geometry.sites, site, x);
-        const double angle = separationAngle(x, point.a.point, candidate.point);
-        if (angle > widest)
-        {
-          widest = angle;
-          point.b = candidate;
-        }
-      }
-    }
-    return point;
   }
 
   const CellLattice& lattice_;

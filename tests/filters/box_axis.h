@@ -1,0 +1,30 @@
+#pragma once
+
+#include "filter_support.h"
+
+#include <vtkMedialAxis.h>
+
+// What the tests of vtkMedialAxis share.
+namespace medial::test
+{
+
+/// Of the box.
+inline constexpr Point3 kHalfSides{ 1.0, 0.75, 0.5 };
+
+inline vtkSmartPointer<vtkMedialAxis> axisOf(vtkPolyData* mesh, int resolution)
+{
+  auto axis = vtkSmartPointer<vtkMedialAxis>::New();
+  axis->SetInputData(mesh);
+  axis->SetResolution(resolution);
+  return axis;
+}
+
+/// The margin puts the middle plane at no special place between samples.
+inline vtkSmartPointer<vtkMedialAxis> boxAxis(int resolution = 33)
+{
+  auto axis = axisOf(boxPolyData(kHalfSides), resolution);
+  axis->SetPadding(0.0637);
+  return axis;
+}
+
+} // namespace medial::test

@@ -1,0 +1,117 @@
+// What the filters over a grid refuse, and how they say so.
+#include "filter_contract.h"
+
+#include <vtkNew.h>
+#include <vtkPoints.h>
+
+#include <cmath>
+#include <limits>
+
+namespace
+{
+
+using namespace medial::test;
+
+TYPED_TEST_SUITE(FilterContract, GridFilters);
+
+TYPED_TEST(FilterContract, RefusesParametersOutsideTheirRange)
+{
+  using F = TypeParam*;
+  const auto nan = std::numeric_limits<double>::quiet_NaN();
+  this->expectError([](F f) { f->SetResolution(1); }, [](F f) { f->SetResolution(14); },
+    "resolution 1 is outside [2, 8192]");
+  this->expectError([](F f) { f->SetResolution(9000); }, [](F f) { f->SetResolution(14); }, "9000");
+  this->expectError([](F f) { f->SetPadding(-0.1); }, [](F f) { f->SetPadding(0.1); }, "padding");
+  this->expectError([=](F f) { f->SetPadding(nan); }, [](F f) { f->SetPadding(0.1); }, "padding");
+  this->expectError([](F f) { f->SetGridMode(3); }, [](F f) { f->SetGridMode(0); }, "GridMode 3");
+  this->expectError([](F f) { f->SetSignMethod(-1); }, [](F f) { f->SetSignMethod(0); },
+    "SignMethod -1");
+  this->expectError([](F f) { f->SetEvaluator(3); }, [](F f) { f->SetEvaluator(0); },
+    "Evaluator 3");
+  this->expectError([](F f) { f->SetNumberOfThreads(-2); }, [](F f) { f->SetNumberOfThreads(1); },
+    "NumberOfThreads -2");
+  this->expectError([](F f) { f->SetMemoryLimit(63); }, [](F f) { f->SetMemoryLimit(64); },
+    "MemoryLimit 63");
+  this->expectError([](F f) { f->SetMemoryLimit(-1); }, [](F f) { f->SetMemoryLimit(0); },
+    "MemoryLimit -1");
+}
+
+TYPED_TEST(FilterContract, RefusesBadGrids)
+{
+  using F = TypeParam*;
+  const auto repair = [](F f) { f->SetGridModeToResolution(); };
+  const auto spacing = [](double x, double y, double z)
+  {
+    return [=](F f)
+    {
+      f->SetGridModeToSpacing();
+      f->SetSpacing(x, y, z);
+    };
+  };
+  this->expectError(spacing(0.1, 0.0, 0.1), repair, "spacing 0");
+  this->expectError(spacing(0.1, 0.1, -2.0), repair, "spacing -2");
+  this->expectError(spacing(0.1, 1e-5, 0.1), repair, "8192");
+  const auto explicitly = [](int nx, double ox)
+  {
+    return [=](F f)
+    {
+      f->SetGridModeToExplicit();
+      f->SetSpacing(0.1, 0.1, 0.1);
+      f->SetDimensions(nx, 10, 10);
+      f->SetOrigin(ox, -0.5, -0.5);
+    };
+  };
+  this->expectError(explicitly(0, 0.0), repair, "dimension along x 0 is outside [1, 8192]");
+  this->expectError(explicitly(10, HUGE_VAL), repair, "origin inf");
+}
+
+TYPED_TEST(FilterContract, RefusesUnusableInput)
+{
+  this->expectBadMesh([](vtkPolyData* box) { box->Initialize(); }, "no cells");
+  this->expectBadMesh([](vtkPolyData* box) { box->SetPolys(nullptr); }, "no cells");
+  this->expectBadMesh([](vtkPolyData* box)
+    { box->GetPoints()->SetPoint(3, std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0); },
+    "point 3");
+  this->expectBadMesh([](vtkPolyData* box) { box->GetPoints()->SetPoint(5, 0.0, HUGE_VAL, 0.0); },
+    "point 5");
+}
+
+TYPED_TEST(FilterContract, RefusesSignsThatTheMeshCannotHave)
+{
+  using F = TypeParam*;
+  this->expectError([](F f) { f->SetSignMethodToWinding(); }, [](F f) { f->SetSignMethodToNone(); },
+    "winding");
+  this->expectError(
+    [](F f)
+    {
+      f->SetSignMethodToPseudonormal();
+      f->SetInputData(squarePolyData());
+    },
+    [](F f) {
+      f->SetInputData(boxPolyData({ 1.0, 1.0, 1.0 }));
+    },
+    "pseudonormal");
+}
+
+TYPED_TEST(FilterContract, MissingInputIsAnErrorOfThePipeline)
+{
+  vtkNew<TypeParam> filter;
+  EventLog log(filter);
+  EXPECT_FALSE(update(filter));
+  EXPECT_EQ(log.executions, 0);
+  EXPECT_GE(log.pipelineErrors, 1);
+}
+
+TYPED_TEST(FilterContract, RequireHardwareRefusesASoftwareRenderer)
+{
+  auto filter = this->make(boxPolyData());
+  filter->Update();
+  const bool software = filter->GetSoftwareRenderer();
+  EventLog log(filter);
+  filter->RequireHardwareOn();
+  EXPECT_EQ(update(filter), !software);
+  EXPECT_EQ(log.errors.empty(), !software);
+  EXPECT_EQ(filter->GetErrorCode() == vtkMeshFieldAlgorithm::NoGpuError, software);
+}
+
+} // namespace
