@@ -15,12 +15,13 @@ namespace medial::app
 class AxisSource
 {
 public:
+  /// @param progress asked whether to go on.
   /// @throws Failure BadInput where the mesh cannot be used.
-  AxisSource(const Sequence& sequence, const ViewerOptions& options);
+  AxisSource(const Sequence& sequence, const ViewerOptions& options, Progress* progress);
 
   /// Computes one frame on a grid that holds all of them. What is seen below follows.
   /// @param resolution of the grid, as makeGrid().
-  /// @throws Failure.
+  /// @throws Failure; what is seen below is then as it was.
   void compute(const Frame& frame, int resolution);
 
   /// All of the axis from kLeastViewerAngle on, as vtkMedialAxis makes it, with the point array
@@ -30,19 +31,17 @@ public:
   vtkImageData* field() { return field_; }
   const RunStatistics& statistics() const { return statistics_; }
   SignMethod sign() const { return sign_; }
-  double seconds() const { return seconds_; } ///< wall-clock, of the last compute()
+  double seconds() const { return seconds_; }    ///< wall-clock, of the last compute()
+  int resolution() const { return resolution_; } ///< of the last compute(); 0 before it
 
 private:
-  Grid layOut(int resolution);
-
   MedialSolver solver_;
   MedialAxisOptions options_;
   Bounds bounds_;
   std::filesystem::path input_;
   vtkNew<vtkPolyData> axis_;
   vtkNew<vtkImageData> field_;
-  FieldArrays arrays_; // of field_
-  int resolution_ = 0; // of field_
+  int resolution_ = 0;
   RunStatistics statistics_;
   SignMethod sign_ = SignMethod::None;
   double seconds_ = 0.0;
