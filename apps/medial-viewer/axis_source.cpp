@@ -22,7 +22,7 @@ namespace
 MedialAxisOptions optionsOf(const ViewerOptions& options, Progress* progress)
 {
   MedialAxisOptions result;
-  result.angle = kLeastViewerAngle;
+  result.angle = 0.0;
   result.side = options.side;
   result.field.evaluator = options.evaluator;
   result.field.threads = options.threads;
@@ -61,11 +61,13 @@ AxisSource::AxisSource(const Sequence& sequence, const ViewerOptions& options, P
 {
 }
 
-void AxisSource::compute(const Frame& frame, int resolution)
+void AxisSource::compute(const Frame& frame, int resolution, double angle)
 {
   double seconds = 0.0;
   vtkNew<vtkImageData> field;
   vtkNew<vtkPolyData> axis;
+  MedialAxisOptions options = options_;
+  options.angle = angle;
   withFailures(input_,
     [&]
     {
@@ -74,7 +76,7 @@ void AxisSource::compute(const Frame& frame, int resolution)
       const FieldArrays arrays = vtkMeshConversion::AllocateField(field, grid, grid.wholeExtent(),
         { false, false, false, false });
       solver_.setPoints(frame.points);
-      const MedialAxis computed = solver_.computeAxis(grid, options_, arrays);
+      const MedialAxis computed = solver_.computeAxis(grid, options, arrays);
       vtkMeshConversion::ToPolyData(computed, axis);
       addThickness(axis);
       statistics_ = computed.statistics;
@@ -84,6 +86,7 @@ void AxisSource::compute(const Frame& frame, int resolution)
   field_->ShallowCopy(field);
   seconds_ = seconds;
   resolution_ = resolution;
+  options_ = options;
 }
 
 void selectByAngle(vtkPolyData* axis, double angle, vtkPolyData* selected)

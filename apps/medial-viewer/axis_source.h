@@ -21,18 +21,22 @@ public:
 
   /// Computes one frame on a grid that holds all of them. What is seen below follows.
   /// @param resolution of the grid, as makeGrid().
+  /// @param angle least separation angle of the axis, in degrees, in (0, 180).
   /// @throws Failure; what is seen below is then as it was.
-  void compute(const Frame& frame, int resolution);
+  void compute(const Frame& frame, int resolution, double angle);
 
-  /// All of the axis from kLeastViewerAngle on, as vtkMedialAxis makes it, with the point array
-  /// Thickness.
+  /// All of the axis from angle() on, as vtkMedialAxis makes it, with the point array Thickness.
   vtkPolyData* axis() { return axis_; }
   /// The array Distance at the points of the grid.
   vtkImageData* field() { return field_; }
   const RunStatistics& statistics() const { return statistics_; }
   SignMethod sign() const { return sign_; }
-  double seconds() const { return seconds_; }    ///< wall-clock, of the last compute()
-  int resolution() const { return resolution_; } ///< of the last compute(); 0 before it
+  double seconds() const { return seconds_; } ///< wall-clock, of the last compute()
+  ///@{
+  /// Of the last compute(); 0 before it.
+  int resolution() const { return resolution_; }
+  double angle() const { return options_.angle; }
+  ///@}
 
 private:
   MedialSolver solver_;

@@ -64,7 +64,7 @@ Viewer::Viewer(Sequence sequence, const ViewerOptions& options)
   , slice_(window_.interactor, window_.renderer)
   , angle_(window_.interactor, kAngleStyle, options.angle)
   , resolution_(window_.interactor, resolutionStyle(options), options.resolution)
-  , playing_(options.play)
+  , playing_(options.play && sequence_.frames.size() > 1)
 {
   showFrame(0);
   slice_.setVisible(true);
@@ -193,7 +193,8 @@ void Viewer::changeResolution(int resolution)
 
 void Viewer::compute(std::size_t frame, int resolution)
 {
-  source_.compute(sequence_.frames[frame], resolution);
+  source_.compute(sequence_.frames[frame], resolution,
+    playing_ ? angle_.value() : kLeastViewerAngle);
   ++computations_;
   frame_ = frame;
   sequence_.surface->SetPoints(sequence_.frames[frame].seen);
@@ -205,8 +206,14 @@ void Viewer::compute(std::size_t frame, int resolution)
   window_.renderer->ResetCameraClippingRange();
 }
 
+// What plays is computed for the angle of the slider only, which takes less time.
 void Viewer::select()
 {
+  if (!playing_ && angle_.value() < source_.angle())
+  {
+    compute(frame_, source_.resolution());
+    return;
+  }
   selectByAngle(source_.axis(), angle_.value(), selected_);
 }
 

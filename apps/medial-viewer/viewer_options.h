@@ -18,8 +18,7 @@ enum class ColourBy
 };
 
 ///@{
-/// Ranges of the sliders; ViewerOptions::maxResolution may end that of the resolution before. The
-/// axis is computed for the least angle and selected from.
+/// Ranges of the sliders; ViewerOptions::maxResolution may end that of the resolution before.
 constexpr double kLeastViewerAngle = 20.0;
 constexpr double kGreatestViewerAngle = 170.0;
 constexpr int kLeastViewerResolution = 16;

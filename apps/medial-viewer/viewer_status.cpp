@@ -48,7 +48,10 @@ std::string describe(const ViewerStatus& status, const AxisSource& source)
       status.playing ? "" : " (paused)");
   }
   lines += source.sign() == SignMethod::None ? ", unsigned\n" : "\n";
-  lines += text("%.1f frames per second\n", status.drawingsPerSecond);
+  if (status.drawingsPerSecond > 0.0)
+  {
+    lines += text("%.1f frames per second\n", status.drawingsPerSecond);
+  }
   lines += text("axis: %lld cells; field and axis computed in %.3f s by the %s\n", status.cells,
     source.seconds(), nameOf(source.statistics().evaluator).c_str());
   lines += "compute: " + source.statistics().device.renderer + "\nwindow: " + status.device + "\n";

@@ -14,10 +14,10 @@ struct ViewerStatus
   std::size_t frame = 0;
   std::size_t frames = 1;
   bool playing = false;
-  double drawingsPerSecond = 0.0;
-  long long cells = 0; ///< of the axis that are shown
-  std::string device;  ///< that draws
-  std::string note;    ///< the last lines; how to see the keys where empty
+  double drawingsPerSecond = 0.0; ///< 0 where unknown
+  long long cells = 0;            ///< of the axis that are shown
+  std::string device;             ///< that draws
+  std::string note;               ///< the last lines; how to see the keys where empty
 };
 
 /// @param source what has been computed.

@@ -214,6 +214,28 @@ TEST_F(ViewerWindow, PlaysAndPauses)
   EXPECT_EQ(v.computations(), computed);
 }
 
+// The box has angles of 90 and 180 degrees.
+TEST_F(ViewerWindow, PlaysOnlyWhatTheAngleSelects)
+{
+  writeFrames(2);
+  options.angle = 120.0;
+  options.play = true;
+  Viewer& v = open();
+  EXPECT_GE(leastAngle(v.source().axis()), 119.9);
+  press("space");
+  drag(across(0.297), kSliderHeight, across(0.35), kSliderHeight);
+  EXPECT_EQ(v.computations(), 1);
+  drag(across(0.35), kSliderHeight, across(0.148), kSliderHeight);
+  EXPECT_EQ(v.computations(), 2);
+  EXPECT_LT(leastAngle(v.shownAxis()), 100.0);
+}
+
+TEST_F(ViewerWindow, OneMeshDoesNotPlay)
+{
+  options.play = true;
+  EXPECT_FALSE(open().playing());
+}
+
 TEST_F(ViewerWindow, WritesPictures)
 {
   Viewer& v = open();
