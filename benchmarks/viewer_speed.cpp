@@ -1,7 +1,7 @@
-// How fast the viewer draws, as drafts and well. Needs a display, and writes a table in Markdown.
+// How fast the viewer draws, as drafts and well: medians over rounds in which the ways take turns.
+// Needs a display; writes a table in Markdown.
 // usage: viewer-speed MESH [RESOLUTION]
 
-#include "event_call.h"
 #include "program_main.h"
 #include "viewer.h"
 
@@ -9,45 +9,60 @@
 #include <vtkCommand.h>
 #include <vtkRendererCollection.h>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
+#include <vector>
 
 namespace
 {
 
 using medial::app::Viewer;
 
-constexpr int kDrawings = 20;
-constexpr int kMostPeels = 4;
+constexpr int kRounds = 5;
+constexpr int kDrawings = 8; // a round
+constexpr std::array<int, 4> kPeels = { 4, 2, 1, 0 };
 
-double milliseconds(Viewer& viewer, const std::function<void(int)>& change)
+// Milliseconds of what is done again and again.
+using Times = std::vector<double>;
+
+void add(Times& times, Viewer& viewer, const std::function<void()>& draw)
 {
   const auto start = std::chrono::steady_clock::now();
-  for (int i = 0; i < kDrawings; ++i)
-  {
-    change(i);
-  }
+  draw();
   viewer.window()->WaitForCompletion();
   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
-  return time.count() / kDrawings;
+  times.push_back(time.count());
 }
 
-double turnCamera(Viewer& viewer)
+double median(Times times)
 {
-  vtkRenderer* renderer = viewer.window()->GetRenderers()->GetFirstRenderer();
-  return milliseconds(viewer,
-    [&](int)
-    {
-      renderer->GetActiveCamera()->Azimuth(1.0);
-      viewer.window()->Render();
-    });
+  std::nth_element(times.begin(), times.begin() + times.size() / 2, times.end());
+  return times[times.size() / 2];
+}
+
+vtkRenderer* rendererOf(Viewer& viewer)
+{
+  return viewer.window()->GetRenderers()->GetFirstRenderer();
+}
+
+void turnCamera(Viewer& viewer, Times& times)
+{
+  for (int i = 0; i < kDrawings; ++i)
+  {
+    rendererOf(viewer)->GetActiveCamera()->Azimuth(1.0);
+    add(times, viewer, [&] { viewer.window()->Render(); });
+  }
 }
 
 // By the mouse; the viewer selects and draws at each of its moves.
-double dragAngle(Viewer& viewer)
+void dragAngle(Viewer& viewer, Times& times)
 {
+  constexpr double kStart = 0.148; // of the window's width: the slider at 60 degrees
+  constexpr double kWay = 0.2;
   const int* size = viewer.window()->GetSize();
   const int y = static_cast<int>(0.07 * size[1]);
   const auto mouse = [&](double share, unsigned long event)
@@ -55,44 +70,42 @@ double dragAngle(Viewer& viewer)
     viewer.interactor()->SetEventInformation(static_cast<int>(share * size[0]), y);
     viewer.interactor()->InvokeEvent(event);
   };
-  constexpr double kStart = 0.148; // where the slider is at first: at 60 degrees
   const double angle = viewer.angle().value();
   mouse(kStart, vtkCommand::MouseMoveEvent);
   mouse(kStart, vtkCommand::LeftButtonPressEvent);
-  const double result = milliseconds(viewer,
-    [&](int i) { mouse(kStart + 0.2 * (i + 1) / kDrawings, vtkCommand::MouseMoveEvent); });
-  mouse(kStart, vtkCommand::MouseMoveEvent);
+  for (int i = 1; i <= kDrawings; ++i)
+  {
+    const double share = kStart + kWay * i / kDrawings;
+    add(times, viewer, [&] { mouse(share, vtkCommand::MouseMoveEvent); });
+  }
   mouse(kStart, vtkCommand::LeftButtonReleaseEvent);
   viewer.angle().setValue(angle);
-  return result;
 }
 
-void measure(Viewer& viewer, const char* name)
+void measure(Viewer& viewer)
 {
-  turnCamera(viewer); // compiles shaders
-  const double turning = turnCamera(viewer);
-  const double dragging = dragAngle(viewer);
-  std::printf("| %s | %.0f | %.1f | %.0f | %.1f |\n", name, turning, 1000.0 / turning, dragging,
-    1000.0 / dragging);
-  std::fflush(stdout);
-}
-
-void measureAll(const medial::app::ViewerOptions& options)
-{
-  Viewer viewer(medial::app::readSequence(options.inputs), options);
-  viewer.window()->Render(); // says what draws
-  std::printf("%s\n\n| drawing | camera: ms | per second | angle: ms | per second |\n"
-              "|---|--:|--:|--:|--:|\n",
-    viewer.status().c_str());
-  vtkRenderer* renderer = viewer.window()->GetRenderers()->GetFirstRenderer();
-  renderer->SetUseDepthPeeling(true);
-  for (int peels = kMostPeels; peels > 0; peels /= 2)
+  std::array<Times, kPeels.size()> turning;
+  std::array<Times, kPeels.size()> dragging;
+  for (int round = 0; round < kRounds; ++round)
   {
-    renderer->SetMaximumNumberOfPeels(peels);
-    measure(viewer, (std::to_string(peels) + " peels").c_str());
+    for (std::size_t i = 0; i < kPeels.size(); ++i)
+    {
+      rendererOf(viewer)->SetUseDepthPeeling(kPeels[i] > 0);
+      rendererOf(viewer)->SetMaximumNumberOfPeels(kPeels[i]);
+      viewer.window()->Render(); // compiles shaders
+      turnCamera(viewer, turning[i]);
+      dragAngle(viewer, dragging[i]);
+    }
   }
-  renderer->SetUseDepthPeeling(false);
-  measure(viewer, "draft");
+  std::printf("| peels | camera: ms | per second | angle: ms | per second |\n"
+              "|--:|--:|--:|--:|--:|\n");
+  for (std::size_t i = 0; i < kPeels.size(); ++i)
+  {
+    const double turn = median(turning[i]);
+    const double drag = median(dragging[i]);
+    std::printf("| %d | %.0f | %.1f | %.0f | %.1f |\n", kPeels[i], turn, 1000.0 / turn, drag,
+      1000.0 / drag);
+  }
 }
 
 } // namespace
@@ -105,6 +118,9 @@ int main(int argc, char** argv)
       medial::app::ViewerOptions options;
       options.inputs = { argc > 1 ? argv[1] : "" };
       options.resolution = argc > 2 ? std::atoi(argv[2]) : options.resolution;
-      measureAll(options);
+      Viewer viewer(medial::app::readSequence(options.inputs), options);
+      viewer.window()->Render(); // says what draws
+      std::printf("%s\n\n", viewer.status().c_str());
+      measure(viewer);
     });
 }
