@@ -17,6 +17,7 @@ void writePng(vtkRenderWindow* window, const std::filesystem::path& file)
   vtkNew<vtkWindowToImageFilter> grab;
   grab->SetInput(window);
   grab->ReadFrontBufferOff();
+  grab->ShouldRerenderOff();
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputConnection(grab->GetOutputPort());
   writer->WriteToMemoryOn();

@@ -19,14 +19,15 @@ namespace medial::app
 namespace
 {
 
-MedialAxisOptions optionsOf(const ViewerOptions& options)
+MedialAxisOptions optionsOf(const ViewerOptions& options, Progress* progress)
 {
   MedialAxisOptions result;
-  result.angle = kLeastViewerAngle;
+  result.angle = 0.0;
   result.side = options.side;
   result.field.evaluator = options.evaluator;
   result.field.threads = options.threads;
   result.field.requireHardware = options.requireGpu;
+  result.field.progress = progress;
   return result;
 }
 
@@ -52,48 +53,40 @@ void addThickness(vtkPolyData* axis)
 
 } // namespace
 
-AxisSource::AxisSource(const Sequence& sequence, const ViewerOptions& options)
+AxisSource::AxisSource(const Sequence& sequence, const ViewerOptions& options, Progress* progress)
   : solver_(solverFor(sequence, options.inputs.front()))
-  , options_(optionsOf(options))
+  , options_(optionsOf(options, progress))
   , bounds_(sequence.bounds)
   , input_(options.inputs.front())
 {
 }
 
-// The grid of a resolution; field_ becomes its image.
-Grid AxisSource::layOut(int resolution)
+void AxisSource::compute(const Frame& frame, int resolution, double angle)
 {
-  const Grid grid = makeGrid(bounds_, resolution);
-  if (resolution != resolution_)
-  {
-    field_->Initialize();
-    resolution_ = 0;
-    arrays_ = vtkMeshConversion::AllocateField(field_, grid, grid.wholeExtent(),
-      { false, false, false, false });
-    resolution_ = resolution;
-  }
-  return grid;
-}
-
-void AxisSource::compute(const Frame& frame, int resolution)
-{
-  seconds_ = 0.0;
-  const Stopwatch watch(seconds_);
+  double seconds = 0.0;
+  vtkNew<vtkImageData> field;
+  vtkNew<vtkPolyData> axis;
+  MedialAxisOptions options = options_;
+  options.angle = angle;
   withFailures(input_,
     [&]
     {
-      const Grid grid = layOut(resolution);
+      const Stopwatch watch(seconds);
+      const Grid grid = makeGrid(bounds_, resolution);
+      const FieldArrays arrays = vtkMeshConversion::AllocateField(field, grid, grid.wholeExtent(),
+        { false, false, false, false });
       solver_.setPoints(frame.points);
-      const MedialAxis axis = solver_.computeAxis(grid, options_, arrays_);
-      vtkNew<vtkPolyData> computed;
-      vtkMeshConversion::ToPolyData(axis, computed);
-      addThickness(computed);
-      axis_->ShallowCopy(computed);
-      statistics_ = axis.statistics;
-      sign_ = axis.sign;
+      const MedialAxis computed = solver_.computeAxis(grid, options, arrays);
+      vtkMeshConversion::ToPolyData(computed, axis);
+      addThickness(axis);
+      statistics_ = computed.statistics;
+      sign_ = computed.sign;
     });
-  field_->GetPointData()->GetScalars()->Modified();
-  field_->Modified();
+  axis_->ShallowCopy(axis);
+  field_->ShallowCopy(field);
+  seconds_ = seconds;
+  resolution_ = resolution;
+  options_ = options;
 }
 
 void selectByAngle(vtkPolyData* axis, double angle, vtkPolyData* selected)

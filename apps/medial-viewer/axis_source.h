@@ -15,34 +15,37 @@ namespace medial::app
 class AxisSource
 {
 public:
+  /// @param progress asked whether to go on.
   /// @throws Failure BadInput where the mesh cannot be used.
-  AxisSource(const Sequence& sequence, const ViewerOptions& options);
+  AxisSource(const Sequence& sequence, const ViewerOptions& options, Progress* progress);
 
   /// Computes one frame on a grid that holds all of them. What is seen below follows.
   /// @param resolution of the grid, as makeGrid().
-  /// @throws Failure.
-  void compute(const Frame& frame, int resolution);
+  /// @param angle least separation angle of the axis, in degrees, in (0, 180).
+  /// @throws Failure; what is seen below is then as it was.
+  void compute(const Frame& frame, int resolution, double angle);
 
-  /// All of the axis from kLeastViewerAngle on, as vtkMedialAxis makes it, with the point array
-  /// Thickness.
+  /// All of the axis from angle() on, as vtkMedialAxis makes it, with the point array Thickness.
   vtkPolyData* axis() { return axis_; }
   /// The array Distance at the points of the grid.
   vtkImageData* field() { return field_; }
   const RunStatistics& statistics() const { return statistics_; }
   SignMethod sign() const { return sign_; }
   double seconds() const { return seconds_; } ///< wall-clock, of the last compute()
+  ///@{
+  /// Of the last compute(); 0 before it.
+  int resolution() const { return resolution_; }
+  double angle() const { return options_.angle; }
+  ///@}
 
 private:
-  Grid layOut(int resolution);
-
   MedialSolver solver_;
   MedialAxisOptions options_;
   Bounds bounds_;
   std::filesystem::path input_;
   vtkNew<vtkPolyData> axis_;
   vtkNew<vtkImageData> field_;
-  FieldArrays arrays_; // of field_
-  int resolution_ = 0; // of field_
+  int resolution_ = 0;
   RunStatistics statistics_;
   SignMethod sign_ = SignMethod::None;
   double seconds_ = 0.0;

@@ -1,22 +1,20 @@
 #include "viewer.h"
 
-#include "camera.h"
 #include "event_call.h"
 #include "failure.h"
 #include "interrupt.h"
-#include "option_names.h"
 #include "output_file.h"
 #include "png_file.h"
-#include "scalar_bar.h"
+#include "viewer_status.h"
+#include "viewpoint.h"
 #include "vtk_messages.h"
 
-#include <vtkCamera.h>
 #include <vtkCommand.h>
 #include <vtkDataArray.h>
 #include <vtkPointData.h>
 
 #include <cmath>
-#include <cstdio>
+#include <new>
 #include <utility>
 
 namespace medial::app
@@ -25,39 +23,27 @@ namespace
 {
 
 constexpr unsigned long kTick = 16; // milliseconds between two looks at the clock
-constexpr double kRoom = 0.88;      // for the mesh, above the sliders
 
 const SliderStyle kAngleStyle = { "separation angle (degrees)", "%.0f", kLeastViewerAngle,
   kGreatestViewerAngle, 0.05, 0.42 };
-const SliderStyle kResolutionStyle = { "resolution (grid points)", "%.0f", kLeastViewerResolution,
-  kGreatestViewerResolution, 0.48, 0.82 };
 
-template <typename... Values>
-std::string text(const char* format, Values... values)
+SliderStyle resolutionStyle(const ViewerOptions& options)
 {
-  char line[256];
-  std::snprintf(line, sizeof(line), format, values...);
-  return line;
+  return { "resolution (grid points)", "%.0f", kLeastViewerResolution,
+    static_cast<double>(options.maxResolution), 0.48, 0.82 };
+}
+
+// A computation that asks for too much, or that the user gives up, leaves what was there before.
+bool mayStay(const Failure& failure)
+{
+  return failure.exitCode() == ExitCode::NoSpace ||
+    (failure.exitCode() == ExitCode::Interrupted && !interrupted());
 }
 
 double greatestRadius(vtkPolyData* axis)
 {
   return axis->GetNumberOfPoints() > 0 ? axis->GetPointData()->GetArray("Radius")->GetRange()[1]
                                        : 0.0;
-}
-
-// The corners of the box around all frames.
-vtkSmartPointer<vtkPolyData> cornersOf(const Bounds& bounds)
-{
-  vtkNew<vtkPoints> corners;
-  for (int i = 0; i < 8; ++i)
-  {
-    corners->InsertNextPoint(((i & 1) != 0 ? bounds.max : bounds.min)[0],
-      ((i & 2) != 0 ? bounds.max : bounds.min)[1], ((i & 4) != 0 ? bounds.max : bounds.min)[2]);
-  }
-  auto result = vtkSmartPointer<vtkPolyData>::New();
-  result->SetPoints(corners);
-  return result;
 }
 
 vtkPolyData* asDrawn(const Sequence& sequence)
@@ -71,17 +57,19 @@ vtkPolyData* asDrawn(const Sequence& sequence)
 Viewer::Viewer(Sequence sequence, const ViewerOptions& options)
   : options_(options)
   , sequence_(std::move(sequence))
-  , source_(sequence_, options)
+  , source_(sequence_, options, &patience_)
   , window_("medial-viewer", options.width, options.height)
+  , quality_(window_.renderer)
   , scene_(window_.renderer, asDrawn(sequence_), selected_)
   , slice_(window_.interactor, window_.renderer)
   , angle_(window_.interactor, kAngleStyle, options.angle)
-  , resolution_(window_.interactor, kResolutionStyle, options.resolution)
-  , playing_(options.play)
+  , resolution_(window_.interactor, resolutionStyle(options), options.resolution)
+  , playing_(options.play && sequence_.frames.size() > 1)
 {
   showFrame(0);
   slice_.setVisible(true);
-  resetCamera();
+  lookAt(window_.renderer, sequence_);
+  patience_.watch(window_.window);
   addKeys();
   listen();
 }
@@ -93,6 +81,7 @@ Viewer::~Viewer()
   window_.interactor->RemoveObservers(vtkCommand::CharEvent);
   window_.interactor->RemoveObservers(vtkCommand::TimerEvent);
   window_.window->RemoveObservers(vtkCommand::StartEvent);
+  window_.window->RemoveObservers(vtkCommand::EndEvent);
 }
 
 void Viewer::listen()
@@ -102,51 +91,14 @@ void Viewer::listen()
     [this]
     {
       rate_.tick();
-      scene_.setStatus(describe());
+      scene_.setStatus(statusText());
     });
+  observeEvent(window_.window, vtkCommand::EndEvent, [this] { quality_.drawn(); });
   observeEvent(window_.interactor, vtkCommand::TimerEvent, [this] { attempt([&] { tick(); }); });
   angle_.onMove([this](double) { attempt([&] { select(); }); });
-  resolution_.onRelease(
-    [this](double value)
-    {
-      attempt(
-        [&]
-        {
-          compute(static_cast<int>(std::lround(value)));
-          window_.window->Render();
-        });
-    });
-  window_.interactor->Initialize();
+  resolution_.onRelease([this](double value)
+    { attempt([&] { changeResolution(static_cast<int>(std::lround(value))); }); });
   window_.interactor->CreateRepeatingTimer(kTick);
-}
-
-void Viewer::press()
-{
-  const char* symbol = window_.interactor->GetKeySym();
-  note_.clear();
-  keyboard_.press(symbol != nullptr ? symbol : "");
-  window_.window->Render();
-}
-
-void Viewer::addKeys()
-{
-  keyboard_.add("h", "show or hide this list", [this] { scene_.toggleHelp(); });
-  keyboard_.add("space", "play or pause the sequence",
-    [this] { playing_ = !playing_ && sequence_.frames.size() > 1; });
-  keyboard_.add("n", "next frame", [this] { step(1); });
-  keyboard_.add("b", "frame before", [this] { step(-1); });
-  keyboard_.add("c", "colour by radius, angle or thickness", [this] { nextColour(); });
-  keyboard_.add("s", "show or hide the surface", [this] { scene_.toggleSurface(); });
-  keyboard_.add("a", "show or hide the axis", [this] { scene_.toggleAxis(); });
-  keyboard_.add("d", "show or hide the slice of the distance field",
-    [this] { slice_.setVisible(!slice_.visible()); });
-  keyboard_.add("x", "slice across x", [this] { turnSlice(0); });
-  keyboard_.add("y", "slice across y", [this] { turnSlice(1); });
-  keyboard_.add("z", "slice across z", [this] { turnSlice(2); });
-  keyboard_.add("r", "reset the view", [this] { resetCamera(); });
-  keyboard_.add("p", "write a picture of the window", [this] { savePicture(); });
-  keyboard_.add("q", "leave", [this] { window_.interactor->TerminateApp(); });
-  scene_.setHelp(keyboard_.help());
 }
 
 void Viewer::attempt(const std::function<void()>& work)
@@ -157,19 +109,45 @@ void Viewer::attempt(const std::function<void()>& work)
   }
   try
   {
-    work();
+    attemptAndStay(work);
   }
   catch (...)
   {
     failure_ = std::current_exception();
-    window_.interactor->TerminateApp();
+    window_.leave();
   }
+}
+
+void Viewer::attemptAndStay(const std::function<void()>& work)
+{
+  std::string problem;
+  try
+  {
+    work();
+    return;
+  }
+  catch (const Failure& failure)
+  {
+    if (!mayStay(failure))
+    {
+      throw;
+    }
+    problem = failure.what();
+  }
+  catch (const std::bad_alloc&)
+  {
+    problem = "out of memory";
+  }
+  note_ = problem;
+  playing_ = false;
+  resolution_.setValue(source_.resolution());
+  window_.window->Render();
 }
 
 void Viewer::run()
 {
   window_.window->Render();
-  window_.interactor->Start();
+  window_.loop();
   if (failure_)
   {
     std::rethrow_exception(failure_);
@@ -187,26 +165,39 @@ void Viewer::tick()
     showFrame((frame_ + 1) % sequence_.frames.size());
     window_.window->Render();
   }
+  else if (quality_.due() && !dragging())
+  {
+    drawWell();
+  }
 }
 
-void Viewer::step(int frames)
+// VTK's styles and widgets ask for another rate of drawings meanwhile.
+bool Viewer::dragging()
 {
-  playing_ = false;
-  const int count = static_cast<int>(sequence_.frames.size());
-  showFrame(static_cast<std::size_t>((static_cast<int>(frame_) + frames + count) % count));
+  return window_.window->GetDesiredUpdateRate() > window_.interactor->GetStillUpdateRate();
 }
 
 void Viewer::showFrame(std::size_t frame)
 {
-  frame_ = frame;
-  sequence_.surface->SetPoints(sequence_.frames[frame].seen);
-  compute(static_cast<int>(std::lround(resolution_.value())));
+  compute(frame, static_cast<int>(std::lround(resolution_.value())));
 }
 
-void Viewer::compute(int resolution)
+void Viewer::changeResolution(int resolution)
 {
-  source_.compute(sequence_.frames[frame_], resolution);
+  note_ = "computing with a resolution of " + std::to_string(resolution) + "; Escape gives up";
+  window_.window->Render();
+  note_.clear();
+  compute(frame_, resolution);
+  window_.window->Render();
+}
+
+void Viewer::compute(std::size_t frame, int resolution)
+{
+  source_.compute(sequence_.frames[frame], resolution,
+    playing_ ? angle_.value() : kLeastViewerAngle);
   ++computations_;
+  frame_ = frame;
+  sequence_.surface->SetPoints(sequence_.frames[frame].seen);
   greatestRadius_ = std::fmax(greatestRadius_, greatestRadius(source_.axis()));
   const double scale = greatestRadius_ > 0.0 ? greatestRadius_ : sequence_.bounds.diagonal();
   slice_.setField(source_.field(), scale);
@@ -215,8 +206,14 @@ void Viewer::compute(int resolution)
   window_.renderer->ResetCameraClippingRange();
 }
 
+// What plays is computed for the angle of the slider only, which takes less time.
 void Viewer::select()
 {
+  if (!playing_ && angle_.value() < source_.angle())
+  {
+    compute(frame_, source_.resolution());
+    return;
+  }
   selectByAngle(source_.axis(), angle_.value(), selected_);
 }
 
@@ -229,79 +226,30 @@ void Viewer::colour()
   scene_.colourAxis(options_.colour, greatest);
 }
 
-void Viewer::nextColour()
-{
-  options_.colour = options_.colour == ColourBy::Radius ? ColourBy::Angle
-    : options_.colour == ColourBy::Angle                ? ColourBy::Thickness
-                                                        : ColourBy::Radius;
-  colour();
-}
-
-void Viewer::turnSlice(int axis)
-{
-  slice_.setVisible(true);
-  slice_.setNormal(axis);
-}
-
-void Viewer::resetCamera()
-{
-  vtkCamera* camera = window_.renderer->GetActiveCamera();
-  const vtkSmartPointer<vtkPolyData> shown =
-    sequence_.frames.size() > 1 ? cornersOf(sequence_.bounds) : sequence_.surface;
-  aimCamera(camera, shown);
-  const int* size = window_.window->GetSize();
-  fitView(window_.renderer, { shown }, static_cast<double>(size[0]) / size[1], kBarShare);
-  camera->Zoom(kRoom);
-  window_.renderer->ResetCameraClippingRange();
-}
-
-void Viewer::savePicture()
-{
-  const std::string stem = options_.inputs.front().stem().string();
-  std::filesystem::path file;
-  for (int i = 1; file.empty() || std::filesystem::exists(file); ++i)
-  {
-    file = stem + text("_viewer_%03d.png", i);
-  }
-  try
-  {
-    writePicture(file);
-    note_ = "wrote " + file.string();
-  }
-  catch (const Failure& failure)
-  {
-    note_ = failure.what();
-  }
-}
-
 void Viewer::writePicture(const std::filesystem::path& file)
 {
   OutputFile output(file);
   namingFile(file,
     [&]
     {
-      window_.window->Render();
+      drawWell();
       writePng(window_.window, output.open());
       output.commit();
     });
 }
 
-std::string Viewer::describe() const
+std::string Viewer::statusText() const
 {
-  const RunStatistics& statistics = source_.statistics();
-  std::string lines = sequence_.frames[frame_].name;
-  if (sequence_.frames.size() > 1)
-  {
-    lines += text(", frame %zu of %zu%s", frame_ + 1, sequence_.frames.size(),
-      playing_ ? "" : " (paused)");
-  }
-  lines += source_.sign() == SignMethod::None ? ", unsigned\n" : "\n";
-  lines += text("%.1f frames per second\n", rate_.perSecond());
-  lines += text("axis: %lld cells; field and axis computed in %.3f s by the %s\n",
-    static_cast<long long>(selected_->GetNumberOfCells()), source_.seconds(),
-    nameOf(statistics.evaluator).c_str());
-  lines += "compute: " + statistics.device.renderer + "\nwindow: " + window_.device + "\n";
-  return lines + (note_.empty() ? "keys: h" : note_);
+  ViewerStatus status;
+  status.name = sequence_.frames[frame_].name;
+  status.frame = frame_;
+  status.frames = sequence_.frames.size();
+  status.playing = playing_;
+  status.drawingsPerSecond = rate_.perSecond();
+  status.cells = selected_->GetNumberOfCells();
+  status.device = window_.device;
+  status.note = note_;
+  return describe(status, source_);
 }
 
 void runViewer(const ViewerOptions& options)

@@ -1,9 +1,11 @@
 #pragma once
 
 #include "axis_source.h"
+#include "drawing_quality.h"
 #include "field_slice.h"
 #include "frame_rate.h"
 #include "keyboard.h"
+#include "patience.h"
 #include "sequence.h"
 #include "sliders.h"
 #include "viewer_options.h"
@@ -32,12 +34,16 @@ public:
   Viewer(const Viewer&) = delete;
   Viewer& operator=(const Viewer&) = delete;
 
-  /// Answers mouse, keys and time until the user leaves. For the first viewer of a process: with
-  /// VTK 9.1 the loop ends in a segmentation fault where there was a viewer before.
+  /// Answers mouse, keys and time until the user leaves; only once. A computation that fails for
+  /// want of memory, or that the user gives up, is said in the window, which shows what it did
+  /// before.
   /// @throws Failure, also Interrupted.
   void run();
 
-  /// Draws, and writes the window as a PNG file that appears when it is complete.
+  /// Draws with translucent surfaces sorted, as the window looks when nothing moves.
+  void drawWell() { quality_.drawWell(); }
+
+  /// Draws well, and writes the window as a PNG file that appears when it is complete.
   /// @throws Failure NoSpace.
   void writePicture(const std::filesystem::path& file);
 
@@ -59,25 +65,29 @@ public:
 private:
   void addKeys();
   void attempt(const std::function<void()>& work);
+  void attemptAndStay(const std::function<void()>& work);
   void listen();
   void press();
-  void resetCamera();
   void tick();
+  bool dragging();
   void showFrame(std::size_t frame);
   void step(int frames);
-  void compute(int resolution);
+  void changeResolution(int resolution);
+  void compute(std::size_t frame, int resolution);
   void select();
   void colour();
   void nextColour();
   void turnSlice(int axis);
   void savePicture();
-  std::string describe() const;
+  std::string statusText() const;
 
   ViewerOptions options_;
   Sequence sequence_;
+  Patience patience_;
   AxisSource source_;
   vtkNew<vtkPolyData> selected_; // the part of the axis that is shown
   ViewerWindow window_;
+  DrawingQuality quality_;
   ViewerScene scene_;
   FieldSlice slice_;
   Slider angle_;

@@ -22,9 +22,10 @@ constexpr int kMaxThreads = 1024;
 
 const char* const kFooter =
   "Several meshes, or a folder with meshes (taken in the order of their names), are the frames\n"
-  "of a deforming mesh: the same cells and other positions. Press h in the window for its keys:\n"
-  "they play a sequence, change the colours, write pictures. Drag the slice of the distance\n"
-  "field with the left button, and turn the rest with it.\n"
+  "of a deforming mesh: the same cells and other positions. One grid holds them all, so a mesh\n"
+  "that travels far has few grid points in each frame. Press h in the window for its keys: they\n"
+  "play a sequence, change the colours, write pictures. Drag the slice of the distance field with\n"
+  "the left button, and turn the rest with it.\n"
   "\n"
   "Exit codes: 0 done; 2 usage; 3 bad input; 4 no usable display or OpenGL; 5 out of memory, or a\n"
   "picture that cannot be written; 130 interrupted.";
@@ -51,11 +52,16 @@ void addViewOptions(CLI::App& app, ViewerWords& words, ViewerOptions& options)
   const std::string group = "View";
   app
     .add_option("--resolution", options.resolution,
-      "number of grid points along the longest axis of the padded bounds to begin with, in "
-      "[16, 256]; default 96")
+      "number of grid points along the longest axis of the padded bounds to begin with, at least "
+      "16 and at most --max-resolution; default 96")
     ->option_text("N")
-    ->check(within<int>("[16, 256]",
-      [](int n) { return n >= kLeastViewerResolution && n <= kGreatestViewerResolution; }))
+    ->group(group);
+  app
+    .add_option("--max-resolution", options.maxResolution,
+      "end of the resolution slider, in [32, 8192]; default 256")
+    ->option_text("N")
+    ->check(within<int>("[32, 8192]",
+      [](int n) { return n >= kLeastMaxResolution && n <= kGreatestViewerResolution; }))
     ->group(group);
   app
     .add_option("--angle", options.angle,
@@ -107,6 +113,13 @@ void addComputeOptions(CLI::App& app, ViewerWords& words, ViewerOptions& options
 
 void convert(const ViewerWords& words, ViewerOptions& options)
 {
+  if (options.resolution < kLeastViewerResolution || options.resolution > options.maxResolution)
+  {
+    throw Failure(ExitCode::Usage,
+      "--resolution: " + std::to_string(options.resolution) + " is outside [" +
+        std::to_string(kLeastViewerResolution) + ", " + std::to_string(options.maxResolution) +
+        "] (see --max-resolution)");
+  }
   options.inputs.assign(words.inputs.begin(), words.inputs.end());
   options.side = sideNames().at(words.side);
   options.colour = colourNames().at(words.colour);

@@ -18,11 +18,12 @@ enum class ColourBy
 };
 
 ///@{
-/// Ranges of the sliders. The axis is computed for the least angle and selected from.
+/// Ranges of the sliders; ViewerOptions::maxResolution may end that of the resolution before.
 constexpr double kLeastViewerAngle = 20.0;
 constexpr double kGreatestViewerAngle = 170.0;
 constexpr int kLeastViewerResolution = 16;
-constexpr int kGreatestViewerResolution = 256;
+constexpr int kLeastMaxResolution = 32;
+constexpr int kGreatestViewerResolution = 8192;
 ///@}
 
 /// The command line of the viewer.
@@ -30,6 +31,7 @@ struct ViewerOptions
 {
   std::vector<std::filesystem::path> inputs; ///< a mesh, a folder of meshes, or several meshes
   int resolution = 96;
+  int maxResolution = 256; ///< the end of the slider
   double angle = kDefaultAngle;
   Side side = Side::Interior;
   ColourBy colour = ColourBy::Radius;

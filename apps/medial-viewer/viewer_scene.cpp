@@ -16,7 +16,6 @@ namespace
 {
 
 constexpr int kFontSize = 15;
-constexpr int kPeels = 4; // layers of translucent surfaces; each is drawn once more
 
 struct Colouring
 {
@@ -65,8 +64,6 @@ ViewerScene::ViewerScene(vtkRenderer* renderer, vtkPolyData* surface, vtkPolyDat
   , bar_(makeScalarBar(colours_, "Radius", kFontSize))
 {
   renderer->SetBackground(1.0, 1.0, 1.0);
-  renderer->SetUseDepthPeeling(true);
-  renderer->SetMaximumNumberOfPeels(kPeels);
   layOut(status_, 0.015, 0.985);
   layOut(help_, 0.015, 0.8);
   help_->GetTextProperty()->SetFontFamilyToCourier();

@@ -1,6 +1,9 @@
 #include "viewer_window.h"
 
 #include "display.h"
+#include "event_call.h"
+
+#include <vtkCommand.h>
 
 namespace medial::app
 {
@@ -39,12 +42,37 @@ ViewerWindow::ViewerWindow(const std::string& title, int width, int height)
   device = rendererOf(window);
 }
 
-// They hold each other.
+// VTK 9.1 keeps a list of interactors that have been initialised, takes them off where their loop
+// ends, and not where they are deleted: the next loop of the process would use them. Window and
+// interactor hold each other.
 ViewerWindow::~ViewerWindow()
 {
+  if (!looped_)
+  {
+    observeEvent(interactor, vtkCommand::TimerEvent, [this] { leave(); });
+    interactor->EnableRenderOff();
+    interactor->CreateOneShotTimer(1);
+    loop();
+  }
   interactor->SetInteractorStyle(nullptr);
   interactor->SetRenderWindow(nullptr);
   window->SetInteractor(nullptr);
+}
+
+void ViewerWindow::loop()
+{
+  looping_ = true;
+  interactor->Start();
+  looping_ = false;
+  looped_ = true;
+}
+
+void ViewerWindow::leave()
+{
+  if (looping_)
+  {
+    interactor->TerminateApp();
+  }
 }
 
 } // namespace medial::app

@@ -26,6 +26,15 @@ struct ViewerWindow
   ~ViewerWindow();
   ViewerWindow(const ViewerWindow&) = delete;
   ViewerWindow& operator=(const ViewerWindow&) = delete;
+
+  /// Answers events until leave() is called; only once.
+  void loop();
+  /// Ends the loop; does nothing outside of it.
+  void leave();
+
+private:
+  bool looping_ = false;
+  bool looped_ = false;
 };
 
 } // namespace medial::app

@@ -39,8 +39,8 @@ class Manual(unittest.TestCase):
 
     def test_each_option_has_an_entry(self):
         for program in PROGRAMS:
-            # Their texts are indented further, or beside short ones.
-            entries = re.findall(r"^ {7}(?:-\w,)?(--[a-z-]+)", text(program), re.MULTILINE)
+            # What a short one means follows on its line.
+            entries = re.findall(r"^ {7}(?:-\w,)?(--[a-z-]+)(?: |$)", text(program), re.MULTILINE)
             with self.subTest(program=program.name):
                 stated = re.findall(r"^  (?:-\w,)?(--[a-z-]+)", help_of(program), re.MULTILINE)
                 self.assertGreater(len(stated), 4)

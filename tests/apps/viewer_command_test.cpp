@@ -72,6 +72,11 @@ TEST_F(ViewerCommand, RefusesWrongOptions)
   EXPECT_TRUE(contains(failure({ input, "--angle", "19.9" }, kUsage), "19.9 is outside [20, 170]"));
   EXPECT_TRUE(
     contains(failure({ input, "--resolution", "257" }, kUsage), "257 is outside [16, 256]"));
+  EXPECT_TRUE(contains(failure({ input, "--resolution", "65", "--max-resolution", "64" }, kUsage),
+    "[16, 64]"));
+  EXPECT_TRUE(contains(failure({ input, "--resolution", "15" }, kUsage), "15 is outside"));
+  EXPECT_TRUE(
+    contains(failure({ input, "--max-resolution", "31" }, kUsage), "31 is outside [32, 8192]"));
   EXPECT_TRUE(contains(failure({ input, "--colour", "lambda" }, kUsage), "lambda"));
   EXPECT_TRUE(contains(failure({ input, "--screenshot", "a.jpg" }, kUsage), "'.jpg'"));
   EXPECT_TRUE(contains(failure({}, kUsage), "INPUT"));
@@ -83,6 +88,13 @@ TEST_F(ViewerCommand, RefusesBadInputBeforeItAsksForADisplay)
   writeFile(bad, "v 0 0 0\nf 1 2 3\n");
   EXPECT_TRUE(contains(failure({ bad }, kBadInput, withDisplay("")), bad));
   EXPECT_TRUE(contains(failure({ folder.file("none.obj") }, kBadInput), "none.obj"));
+}
+
+TEST_F(ViewerCommand, SaysThatTheGridIsTooLarge)
+{
+  const VirtualDisplay display;
+  EXPECT_TRUE(contains(
+    failure({ input, "--resolution", "8192", "--max-resolution", "8192" }, kNoSpace), "MiB"));
 }
 
 TEST_F(ViewerCommand, WritesAScreenshot)

@@ -1,25 +1,17 @@
-#include "mesh_texts.h"
-#include "program.h"
+#include "viewer_fixture.h"
 
 #include "support/shapes.h"
-#include "support/virtual_display.h"
 
 #include "event_call.h"
 #include "medial/medial/medial_axis.h"
-#include "viewer.h"
 
-#include <vtkCommand.h>
 #include <vtkDataArray.h>
-#include <vtkImageData.h>
-#include <vtkNew.h>
 #include <vtkPNGReader.h>
 #include <vtkPointData.h>
-#include <vtkWindowToImageFilter.h>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <memory>
 
 namespace medial::test
 {
@@ -27,109 +19,6 @@ namespace
 {
 
 using app::Viewer;
-using app::ViewerOptions;
-
-constexpr int kWidth = 640;
-constexpr int kHeight = 480;
-
-// A viewer on a display of its own. All events are injected.
-class ViewerWindow : public ::testing::Test
-{
-protected:
-  ViewerWindow()
-  {
-    options.inputs = { folder.file("box.obj") };
-    options.resolution = 32;
-    options.width = kWidth;
-    options.height = kHeight;
-    writeFile(options.inputs[0].string(), objText(box({ 1.0, 0.7, 0.4 })));
-  }
-
-  Viewer& open()
-  {
-    viewer = std::make_unique<Viewer>(app::readSequence(options.inputs), options);
-    viewer->window()->Render();
-    return *viewer;
-  }
-
-  // The frames of a box that grows along z.
-  void writeFrames(int count)
-  {
-    options.inputs.clear();
-    for (int i = 0; i < count; ++i)
-    {
-      options.inputs.emplace_back(folder.file("frame" + std::to_string(i) + ".obj"));
-      writeFile(options.inputs.back().string(), objText(box({ 1.0, 0.7, 0.4 + 0.1 * i })));
-    }
-  }
-
-  void press(const std::string& symbol)
-  {
-    vtkRenderWindowInteractor* interactor = viewer->interactor();
-    interactor->SetKeyEventInformation(0, 0, symbol[0], 1, symbol.c_str());
-    interactor->InvokeEvent(vtkCommand::CharEvent);
-  }
-
-  void mouse(int x, int y, unsigned long event)
-  {
-    viewer->interactor()->SetEventInformation(x, y);
-    viewer->interactor()->InvokeEvent(event);
-  }
-
-  // With the left button, in a few moves.
-  void drag(int x0, int y0, int x1, int y1)
-  {
-    constexpr int kMoves = 5;
-    mouse(x0, y0, vtkCommand::MouseMoveEvent);
-    mouse(x0, y0, vtkCommand::LeftButtonPressEvent);
-    for (int i = 1; i <= kMoves; ++i)
-    {
-      mouse(x0 + (x1 - x0) * i / kMoves, y0 + (y1 - y0) * i / kMoves, vtkCommand::MouseMoveEvent);
-    }
-    mouse(x1, y1, vtkCommand::LeftButtonReleaseEvent);
-  }
-
-  void click(int x, int y) { drag(x, y, x, y); }
-
-  vtkSmartPointer<vtkImageData> picture()
-  {
-    vtkNew<vtkWindowToImageFilter> grab;
-    grab->SetInput(viewer->window());
-    grab->ReadFrontBufferOff();
-    grab->Update();
-    vtkNew<vtkImageData> image;
-    image->DeepCopy(grab->GetOutput());
-    return image;
-  }
-
-  VirtualDisplay display;
-  TemporaryFolder folder;
-  ViewerOptions options;
-  std::unique_ptr<Viewer> viewer;
-};
-
-// Share of the pixels below the status text and above the sliders that differ visibly.
-double difference(vtkImageData* a, vtkImageData* b)
-{
-  constexpr int kBottom = 90;
-  constexpr int kTop = 330;
-  int differing = 0;
-  for (int y = kBottom; y < kTop; ++y)
-  {
-    for (int x = 0; x < kWidth; ++x)
-    {
-      double most = 0.0;
-      for (int c = 0; c < 3; ++c)
-      {
-        most = std::fmax(most,
-          std::fabs(
-            a->GetScalarComponentAsDouble(x, y, 0, c) - b->GetScalarComponentAsDouble(x, y, 0, c)));
-      }
-      differing += most > 24.0 ? 1 : 0;
-    }
-  }
-  return static_cast<double>(differing) / ((kTop - kBottom) * kWidth);
-}
 
 double leastAngle(vtkPolyData* axis)
 {
@@ -156,7 +45,7 @@ TEST_F(ViewerWindow, AngleSliderSelectsWithoutComputing)
   const vtkIdType before = v.shownAxis()->GetNumberOfCells();
   const auto shown = picture();
   // The slider's bar lies at 7 % of the height, from 5 to 42 % of the width.
-  drag(static_cast<int>(0.148 * kWidth), 34, static_cast<int>(0.32 * kWidth), 34);
+  drag(across(0.148), kSliderHeight, across(0.32), kSliderHeight);
   EXPECT_GT(v.angle().value(), 100.0);
   EXPECT_EQ(v.computations(), 1);
   EXPECT_GE(leastAngle(v.shownAxis()), v.angle().value() - 1e-3);
@@ -186,7 +75,7 @@ TEST_F(ViewerWindow, ResolutionSliderComputesOnce)
 {
   Viewer& v = open();
   const double before = v.source().field()->GetDimensions()[0];
-  click(static_cast<int>(0.6 * kWidth), 34);
+  click(across(0.6), kSliderHeight);
   EXPECT_EQ(v.computations(), 2);
   EXPECT_NEAR(v.source().field()->GetDimensions()[0], std::round(v.resolution().value()), 1.0);
   EXPECT_GT(v.source().field()->GetDimensions()[0], before);
@@ -209,7 +98,7 @@ TEST_F(ViewerWindow, SliceStaysWhereItIsWhenTheGridChanges)
   Viewer& v = open();
   drag(280, 240, 280, 290);
   const double before = v.slice().centre()[2];
-  click(static_cast<int>(0.6 * kWidth), 34);
+  click(across(0.6), kSliderHeight);
   ASSERT_EQ(v.computations(), 2);
   EXPECT_NEAR(v.slice().centre()[2], before, 0.02);
 }
@@ -323,6 +212,28 @@ TEST_F(ViewerWindow, PlaysAndPauses)
     v.interactor()->InvokeEvent(vtkCommand::TimerEvent);
   }
   EXPECT_EQ(v.computations(), computed);
+}
+
+// The box has angles of 90 and 180 degrees.
+TEST_F(ViewerWindow, PlaysOnlyWhatTheAngleSelects)
+{
+  writeFrames(2);
+  options.angle = 120.0;
+  options.play = true;
+  Viewer& v = open();
+  EXPECT_GE(leastAngle(v.source().axis()), 119.9);
+  press("space");
+  drag(across(0.297), kSliderHeight, across(0.35), kSliderHeight);
+  EXPECT_EQ(v.computations(), 1);
+  drag(across(0.35), kSliderHeight, across(0.148), kSliderHeight);
+  EXPECT_EQ(v.computations(), 2);
+  EXPECT_LT(leastAngle(v.shownAxis()), 100.0);
+}
+
+TEST_F(ViewerWindow, OneMeshDoesNotPlay)
+{
+  options.play = true;
+  EXPECT_FALSE(open().playing());
 }
 
 TEST_F(ViewerWindow, WritesPictures)

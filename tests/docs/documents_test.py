@@ -73,7 +73,8 @@ class Documents(unittest.TestCase):
                 ("Command line", AXIS,
                  ("resolution", "spacing", "padding", "angle", "threads", "memory")),
                 ("Viewer", VIEWER,
-                 ("resolution", "angle", "side", "colour", "screenshot", "evaluator", "threads")),
+                 ("resolution", "max-resolution", "angle", "side", "colour", "screenshot", "evaluator",
+                  "threads")),
                 ("Measuring an axis", EVALUATE, ("json", "samples", "threads"))):
             help_text = " ".join(help_of(program).split())
             for name in names:

@@ -1,0 +1,80 @@
+#include "viewer.h"
+
+#include "failure.h"
+#include "viewpoint.h"
+
+// What the keys do.
+namespace medial::app
+{
+
+void Viewer::press()
+{
+  const char* symbol = window_.interactor->GetKeySym();
+  note_.clear();
+  keyboard_.press(symbol != nullptr ? symbol : "");
+  window_.window->Render();
+}
+
+void Viewer::addKeys()
+{
+  keyboard_.add("h", "show or hide this list", [this] { scene_.toggleHelp(); });
+  keyboard_.add("space", "play or pause the sequence",
+    [this] { playing_ = !playing_ && sequence_.frames.size() > 1; });
+  keyboard_.add("n", "next frame", [this] { step(1); });
+  keyboard_.add("b", "frame before", [this] { step(-1); });
+  keyboard_.add("c", "colour by radius, angle or thickness", [this] { nextColour(); });
+  keyboard_.add("s", "show or hide the surface", [this] { scene_.toggleSurface(); });
+  keyboard_.add("a", "show or hide the axis", [this] { scene_.toggleAxis(); });
+  keyboard_.add("d", "show or hide the slice of the distance field",
+    [this] { slice_.setVisible(!slice_.visible()); });
+  keyboard_.add("x", "slice across x", [this] { turnSlice(0); });
+  keyboard_.add("y", "slice across y", [this] { turnSlice(1); });
+  keyboard_.add("z", "slice across z", [this] { turnSlice(2); });
+  keyboard_.add("r", "reset the view", [this] { lookAt(window_.renderer, sequence_); });
+  keyboard_.add("p", "write a picture of the window", [this] { savePicture(); });
+  keyboard_.add("q", "leave", [this] { window_.leave(); });
+  keyboard_.add("Escape", "give up a computation", [] {}); // while it lasts: Patience
+  scene_.setHelp(keyboard_.help());
+}
+
+void Viewer::step(int frames)
+{
+  playing_ = false;
+  const int count = static_cast<int>(sequence_.frames.size());
+  showFrame(static_cast<std::size_t>((static_cast<int>(frame_) + frames + count) % count));
+}
+
+void Viewer::nextColour()
+{
+  options_.colour = options_.colour == ColourBy::Radius ? ColourBy::Angle
+    : options_.colour == ColourBy::Angle                ? ColourBy::Thickness
+                                                        : ColourBy::Radius;
+  colour();
+}
+
+void Viewer::turnSlice(int axis)
+{
+  slice_.setVisible(true);
+  slice_.setNormal(axis);
+}
+
+void Viewer::savePicture()
+{
+  const std::string stem = options_.inputs.front().stem().string();
+  std::filesystem::path file;
+  for (int i = 1; file.empty() || std::filesystem::exists(file); ++i)
+  {
+    file = stem + "_viewer_" + std::to_string(i) + ".png";
+  }
+  try
+  {
+    writePicture(file);
+    note_ = "wrote " + file.string();
+  }
+  catch (const Failure& failure)
+  {
+    note_ = failure.what();
+  }
+}
+
+} // namespace medial::app

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+
+namespace medial::app
+{
+
+class AxisSource;
+
+/// What the text on the upper left says.
+struct ViewerStatus
+{
+  std::string name; ///< of the frame
+  std::size_t frame = 0;
+  std::size_t frames = 1;
+  bool playing = false;
+  double drawingsPerSecond = 0.0; ///< 0 where unknown
+  long long cells = 0;            ///< of the axis that are shown
+  std::string device;             ///< that draws
+  std::string note;               ///< the last lines; how to see the keys where empty
+};
+
+/// @param source what has been computed.
+std::string describe(const ViewerStatus& status, const AxisSource& source);
+
+} // namespace medial::app

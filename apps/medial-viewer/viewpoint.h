@@ -1,0 +1,13 @@
+#pragma once
+
+#include "sequence.h"
+
+class vtkRenderer;
+
+namespace medial::app
+{
+
+/// Looks at the widest side of what all frames fill, above the sliders and beside the scalar bar.
+void lookAt(vtkRenderer* renderer, const Sequence& sequence);
+
+} // namespace medial::app
