@@ -28,31 +28,40 @@ function(medial_compress source target)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${source}")
 endfunction()
 
-# medial_licence(TEXT PREFIX): splits a BSD licence into PREFIX_COPYRIGHT and PREFIX_LICENCE, as the file
-# copyright has them.
-function(medial_licence text prefix)
-  string(REGEX MATCH "Copyright \\(c\\) ([^\n]+)" ignored "${text}")
-  set(${prefix}_COPYRIGHT "${CMAKE_MATCH_1}" PARENT_SCOPE)
-  string(REGEX REPLACE "^.*All rights reserved\\.\n+" "" text "${text}")
+# medial_paragraph(TEXT VARIABLE): as a field of Debian's files has it, indented and without empty lines.
+function(medial_paragraph text variable)
   string(STRIP "${text}" text)
-  string(REGEX REPLACE "\n\n" "\n.\n" text "${text}")
+  string(REPLACE "\n\n" "\n.\n" text "${text}")
   string(REPLACE "\n" "\n " text " ${text}")
-  set(${prefix}_LICENCE "${text}" PARENT_SCOPE)
+  set(${variable} "${text}" PARENT_SCOPE)
 endfunction()
 
 # What every package has in its documentation folder.
 file(READ "${PROJECT_SOURCE_DIR}/LICENSE" licence)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/LICENSE")
-medial_licence("${licence}" MEDIAL)
-set(MEDIAL_VTKJS_PARAGRAPH "")
+string(REGEX MATCH "Copyright \\(c\\) ([^\n]+)" ignored "${licence}")
+set(MEDIAL_COPYRIGHT "${CMAKE_MATCH_1}")
+string(REGEX REPLACE "^.*All rights reserved\\.\n+" "" licence "${licence}")
+medial_paragraph("${licence}" MEDIAL_LICENCE)
+set(MEDIAL_VTKJS_PARAGRAPHS "")
 if(MEDIAL_VTKJS)
-  # The file begins with the licence, in a comment.
-  file(READ "${MEDIAL_VTKJS}" licence LIMIT 8192)
+  # The file begins with a comment that has the licences.
+  file(READ "${MEDIAL_VTKJS}" licence LIMIT 16384)
   string(FIND "${licence}" "\n*/" end)
   string(SUBSTRING "${licence}" 0 ${end} licence)
-  medial_licence("${licence}" vtkjs)
-  set(MEDIAL_VTKJS_PARAGRAPH
-    "\nFiles: vtk.js\nCopyright: ${vtkjs_COPYRIGHT}\nLicense: BSD-3-Clause-vtk.js\n${vtkjs_LICENCE}\n")
+  string(REPLACE "/*! " "" licence "${licence}")
+  medial_paragraph("${licence}" licence)
+  set(MEDIAL_VTKJS_PARAGRAPHS "
+Files: usr/bin/medial-axis
+Copyright: ${MEDIAL_COPYRIGHT}
+ 2016, Kitware Inc.
+ 2016, Ken Martin, Will Schroeder, Bill Lorensen
+License: BSD-3-Clause and vtk.js
+Comment: The program contains vtk.js, for the pages that it writes.
+
+License: vtk.js
+${licence}
+")
 endif()
 string(TIMESTAMP MEDIAL_PACKAGE_DATE "%a, %d %b %Y %H:%M:%S +0000" UTC)
 configure_file("${debian_sources}/copyright.in" "${debian_files}/copyright" @ONLY)

@@ -12,6 +12,8 @@ __asm__(
   "@symbol@End:\n"
   ".previous\n");
 ]])
-  set_source_files_properties("${source}" PROPERTIES OBJECT_DEPENDS "${file}")
+  set_source_files_properties("${source}" PROPERTIES
+    OBJECT_DEPENDS "${file}"
+    COMPILE_OPTIONS -fno-lto) # which would not see the symbols
   target_sources(${target} PRIVATE "${source}")
 endfunction()

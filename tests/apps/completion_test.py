@@ -23,7 +23,8 @@ function=$(complete -p "$1" | sed -E 's/.* -F (\\S+) .*/\\1/')
 $function "$1" "${COMP_WORDS[COMP_CWORD]}" "${COMP_WORDS[COMP_CWORD - 1]}"
 printf '%s\\n' "${COMPREPLY[@]}"
 """
-CHOICES = ("--side", "--representation", "--topology", "--sign", "--evaluator")
+CHOICES = {"medial-axis": ("--side", "--representation", "--topology", "--sign", "--evaluator"),
+           "medial-viewer": ("--side", "--colour", "--evaluator")}
 RESERVED = {"winding"}
 
 
@@ -60,12 +61,12 @@ class Completion(unittest.TestCase):
                          ["--report", "--representation", "--require-gpu", "--resolution"])
 
     def test_choices_are_those_that_the_program_allows(self):
-        for option in CHOICES:
-            run = subprocess.run(["medial-axis", "part.stl", option, "none of them"], text=True,
+        for program, option in ((name, option) for name in CHOICES for option in CHOICES[name]):
+            run = subprocess.run([program, "part.stl", option, "none of them"], text=True,
                                  env=ENVIRONMENT, capture_output=True)
             allowed = re.search(r"is not one of ([\w, ]+) \(", run.stderr)[1].split(", ")
-            with self.subTest(option=option):
-                self.assertEqual(self.offers("medial-axis", "part.stl", option, ""),
+            with self.subTest(program=program, option=option):
+                self.assertEqual(self.offers(program, "part.stl", option, ""),
                                  [word for word in allowed if word not in RESERVED])
 
     def test_choices_that_begin_so(self):
@@ -80,6 +81,8 @@ class Completion(unittest.TestCase):
                          ["axis.ma", "axis.vtp"])
         self.assertEqual(self.offers("medial-axis", "part.stl", "--image", "pi"), ["picture.png"])
         self.assertEqual(self.offers("medial-evaluate", "axis.m"), ["axis.ma"])
+        self.assertEqual(self.offers("medial-viewer", "part.stl", "--screenshot", "pi"),
+                         ["picture.png"])
 
     def test_numbers_are_not_guessed(self):
         self.assertEqual(self.offers("medial-axis", "part.stl", "--angle", ""), [])

@@ -19,12 +19,12 @@ LARGEST = 60000  # bytes
 GALLERY = """\
 ![A box](images/box.png)
 
-    medial-axis $MEDIAL_MODELS/box.stl --resolution 41 \\
+    medial-axis "$MEDIAL_MODELS/box.stl" --resolution 41 \\
       --image box.png
 
 ![No box](images/absent.png)
 
-    medial-axis $MEDIAL_MODELS/absent.off --image absent.png
+    medial-axis "$MEDIAL_MODELS/absent.off" --image absent.png
 """
 
 
