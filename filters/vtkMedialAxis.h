@@ -11,8 +11,9 @@
  * Radius, the distance to the mesh (float32, world units, the active scalars); SeparationAngle
  * (float32, degrees); Lambda, Radius times the sine of half the separation angle (float32, world
  * units); ClosestPointA and ClosestPointB, two nearest points on the mesh (float32 x 3, world
- * coordinates). The axis is selected by the directions at grid points, while SeparationAngle is
- * that at the point itself: near rims and focal curves some are below Angle.
+ * coordinates). Voxel faces are selected by the directions at grid points, while SeparationAngle is
+ * that at the point itself, so some of theirs are below Angle; no others are, unless Topology keeps
+ * them.
  *
  * With MaximumNumberOfSpheres the axis is made compact: at most so many points, whose balls, with
  * the cones and slabs between those of a line or triangle, approximate the shape (quadric edge

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace medial::app
@@ -36,7 +37,12 @@ CLI::Validator within(const std::string& interval, bool (*inside)(T))
     {
       T value{};
       const bool known = CLI::detail::lexical_cast(word, value);
-      return known && inside(value) ? std::string() : word + " is outside " + interval;
+      if (!known)
+      {
+        return word + (std::is_integral_v<T> ? " is not a whole number" : " is not a number") +
+          "; allowed: " + interval;
+      }
+      return inside(value) ? std::string() : word + " is outside " + interval;
     },
     "");
 }

@@ -178,8 +178,8 @@ void addRunOptions(CLI::App& app, Words& words, Options& options)
     ->group(group);
   app
     .add_option("--evaluator", words.evaluator,
-      "what finds closest sites: rasteriser (OpenGL), processor (CPU) or auto, which is the "
-      "processor where OpenGL is a software renderer; default auto")
+      "what finds closest sites: rasteriser (OpenGL), processor (CPU; OpenGL must be there all the "
+      "same) or auto, which is the processor where OpenGL is a software renderer; default auto")
     ->option_text("KIND")
     ->check(oneOf(evaluatorNames()))
     ->group(group);

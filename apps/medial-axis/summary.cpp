@@ -4,7 +4,9 @@
 
 #include <vtkPolyData.h>
 
+#include <cmath>
 #include <cstdio>
+#include <sstream>
 #include <string>
 
 namespace medial::app
@@ -18,9 +20,15 @@ constexpr double kNoticeableShare = 0.01;
 void printMesh(const Options& options, const Result& result)
 {
   const auto components = static_cast<long long>(result.topology.components);
-  std::printf("mesh      %s: %zu triangles, %zu vertices, %lld component%s, %s\n",
-    options.input.c_str(), result.mesh.triangles.size(), result.mesh.points.size(), components,
-    components == 1 ? "" : "s", result.topology.closed() ? "closed" : "not closed");
+  const std::size_t triangles = result.mesh.triangles.size();
+  std::printf("mesh      %s: %zu triangle%s, %zu vertices, %lld component%s, %s",
+    options.input.c_str(), triangles, triangles == 1 ? "" : "s", result.mesh.points.size(),
+    components, components == 1 ? "" : "s", result.topology.closed() ? "closed" : "not closed");
+  if (result.mesh.degenerateTriangles > 0)
+  {
+    std::printf(", %lld without area", static_cast<long long>(result.mesh.degenerateTriangles));
+  }
+  std::printf("\n");
 }
 
 void printGrid(const Result& result)
@@ -32,6 +40,12 @@ void printGrid(const Result& result)
 
 void printThickness(const Options& options, const Thickness& thickness)
 {
+  if (std::isnan(thickness.median))
+  {
+    std::printf("thickness %s: none at any point, in %.2f s\n", nameOf(options.side).c_str(),
+      thickness.seconds);
+    return;
+  }
   std::printf("thickness %s: min %.4g, median %.4g, max %.4g, none at %.3g %% of the points, "
               "in %.2f s\n",
     nameOf(options.side).c_str(), thickness.least, thickness.median, thickness.greatest,
@@ -73,14 +87,45 @@ void printOutputs(const Options& options, const Result& result)
   printFile(options.report, "report of the run");
 }
 
-const char* whyUnsigned(const Options& options, const Result& result)
+// How many edges are of a kind, after those of other kinds.
+void appendEdges(std::string& list, int count, const char* kind)
+{
+  if (count > 0)
+  {
+    list += (list.empty() ? ": " : ", ") + std::to_string(count) + kind;
+  }
+}
+
+std::string whyUnsigned(const Options& options, const MeshTopology& topology)
 {
   if (options.signMethod == SignMethod::None)
   {
     return "sign method none";
   }
-  return result.topology.closed() ? "the mesh is not consistently oriented"
-                                  : "the mesh is not closed";
+  std::string edges;
+  appendEdges(edges, topology.boundaryEdges, " edges with one triangle");
+  appendEdges(edges, topology.nonManifoldEdges, " with three or more");
+  appendEdges(edges, topology.misorientedEdges, " whose triangles face different sides");
+  return (topology.closed() ? "the mesh is not consistently oriented" : "the mesh is not closed") +
+    edges;
+}
+
+// Why an axis is empty.
+std::string whatIsMissing(const Options& options)
+{
+  std::ostringstream text;
+  text << "no point of the grid has a separation angle of " << options.angle << " degrees";
+  const auto append = [&](const char* name, const Length& least)
+  {
+    if (least.value > 0.0)
+    {
+      text << " and a " << name << " of " << least.value << (least.percent ? " %" : "");
+    }
+  };
+  append("lambda", options.lambda);
+  append("radius", options.minRadius);
+  text << " or more";
+  return text.str();
 }
 
 void printNotes(const Options& options, const Result& result)
@@ -89,13 +134,12 @@ void printNotes(const Options& options, const Result& result)
   {
     std::fprintf(stderr,
       "medial-axis: note: %s: the distance is unsigned (%s), so the axis is that of both sides\n",
-      options.input.c_str(), whyUnsigned(options, result));
+      options.input.c_str(), whyUnsigned(options, result.topology).c_str());
   }
   if (result.axis->GetNumberOfPoints() == 0)
   {
-    std::fprintf(stderr,
-      "medial-axis: note: %s: no point of the grid has a separation angle of %g degrees or more\n",
-      options.input.c_str(), options.angle);
+    std::fprintf(stderr, "medial-axis: note: %s: %s\n", options.input.c_str(),
+      whatIsMissing(options).c_str());
   }
 }
 
@@ -156,7 +200,8 @@ void printSummary(const Options& options, const Result& result, const AppSeconds
   {
     printGrid(result);
     const Device& device = result.statistics.device;
-    std::printf("renderer  %s%s\n", device.renderer.c_str(), device.software ? " (software)" : "");
+    std::printf("renderer  %s%s, evaluator: %s\n", device.renderer.c_str(),
+      device.software ? " (software)" : "", nameOf(result.statistics.evaluator).c_str());
   }
   if (result.thickness)
   {

@@ -48,6 +48,18 @@ std::uint64_t groupLimit()
   return file >> bytes ? bytes : kUnknown;
 }
 
+void require(const std::string& what, std::uint64_t bytes, const std::string& detail,
+  const char* advice)
+{
+  const std::uint64_t available = availableMemory();
+  if (bytes > available)
+  {
+    throw Error(ErrorCode::OutOfMemory,
+      what + " needs " + std::to_string(bytes / kMebibyte) + " MiB" + detail + ", but only " +
+        std::to_string(available / kMebibyte) + " MiB are available; " + advice);
+  }
+}
+
 } // namespace
 
 std::uint64_t availableMemory()
@@ -55,18 +67,17 @@ std::uint64_t availableMemory()
   return std::min(systemMemory(), groupLimit());
 }
 
+void requireMemory(const std::string& what, std::uint64_t bytes)
+{
+  require(what, bytes, "", "use a coarser grid");
+}
+
 void requireMemory(std::int64_t gridPoints, std::size_t bytesPerPoint)
 {
-  const std::uint64_t needed = static_cast<std::uint64_t>(gridPoints) * bytesPerPoint;
-  const std::uint64_t available = availableMemory();
-  if (needed > available)
-  {
-    throw Error(ErrorCode::OutOfMemory,
-      "a grid of " + std::to_string(gridPoints) + " points needs " +
-        std::to_string(needed / kMebibyte) + " MiB (" + std::to_string(bytesPerPoint) +
-        " bytes a point), but only " + std::to_string(available / kMebibyte) +
-        " MiB are available; use a coarser grid, or fewer arrays");
-  }
+  require("a grid of " + std::to_string(gridPoints) + " points",
+    static_cast<std::uint64_t>(gridPoints) * bytesPerPoint,
+    " (" + std::to_string(bytesPerPoint) + " bytes a point)",
+    "use a coarser grid, or fewer arrays");
 }
 
 } // namespace medial

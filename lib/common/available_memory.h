@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 
 namespace medial
 {
@@ -10,8 +11,12 @@ namespace medial
 /// control group (version 2); the largest number where neither is known.
 std::uint64_t availableMemory();
 
-/// Throws Error OutOfMemory where `bytesPerPoint` for each point of a grid are more than that: the
-/// system would grant them, and end the process when it uses them.
+/// Throws Error OutOfMemory where `bytes` are more than that: the system would grant them, and end
+/// the process when it uses them.
+/// @param what for the message: "WHAT needs 12 MiB, but only 10 MiB are available".
+void requireMemory(const std::string& what, std::uint64_t bytes);
+
+/// The same for `bytesPerPoint` for each point of a grid.
 void requireMemory(std::int64_t gridPoints, std::size_t bytesPerPoint);
 
 } // namespace medial

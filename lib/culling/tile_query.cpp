@@ -1,8 +1,11 @@
 #include "medial/culling/tile_query.h"
 
+#include "medial/common/available_memory.h"
+
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <string>
 #include <utility>
 
 namespace medial
@@ -20,7 +23,10 @@ TileQuery::TileQuery(const SiteSet& sites, const CandidateFilter& filter, const 
   {
     tileCounts_[axis] = (extent.size(axis) + tileSize[axis] - 1) / tileSize[axis];
   }
-  tiles_.resize(static_cast<std::size_t>(tileCounts_.x) * tileCounts_.y * tileCounts_.z);
+  const std::size_t tiles = static_cast<std::size_t>(tileCounts_.x) * tileCounts_.y * tileCounts_.z;
+  requireMemory("a table of " + std::to_string(tiles) + " tiles of the grid",
+    tiles * sizeof(Candidates));
+  tiles_.resize(tiles);
 }
 
 std::size_t TileQuery::tileIndex(const glm::ivec3& gridPoint) const

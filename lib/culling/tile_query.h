@@ -17,6 +17,7 @@ class TileQuery
 {
 public:
   /// @param tileSize of the tiles that will be added: CandidateHierarchy::leafSize().
+  /// @throws Error OutOfMemory.
   TileQuery(const SiteSet& sites, const CandidateFilter& filter, const GridFrame& frame,
     const Extent& extent, const glm::ivec3& tileSize);
 

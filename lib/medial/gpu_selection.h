@@ -21,6 +21,7 @@ public:
 
   void process(const SlabRenderer& renderer, const Extent& slab, bool carried);
 
+  std::size_t crossingCount() const { return crossings_.size(); }
   /// All crossings so far, in the order of the slabs.
   std::vector<Crossing> takeCrossings() { return std::move(crossings_); }
 

@@ -24,6 +24,7 @@ public:
   /// Slabs in ascending z. Uses the threads of the current arena.
   void process(const SlabField& slab, const TileEvaluator& evaluator);
 
+  std::size_t crossingCount() const { return crossings_.size(); }
   /// All crossings so far, in the order of the slabs.
   std::vector<Crossing> takeCrossings() { return std::move(crossings_); }
 

@@ -36,6 +36,9 @@ namespace
 
 /// Bytes a grid point that preservation of topology takes: field, cells and anchors.
 constexpr std::size_t kPreservationBytes = 10;
+/// Bytes that a crossing takes until the axis is done. From one resolution to another the program
+/// took 520 more for each, some of them for files.
+constexpr std::size_t kAxisBytes = 400;
 /// Share of the work that is done when the axis is selected.
 constexpr double kSelected = 0.8;
 
@@ -56,10 +59,12 @@ public:
   void process(const SlabRenderer& renderer, const Extent& slab, bool carried) override
   {
     onGpu_->object().process(renderer, slab, carried);
+    requireRoom(onGpu_->object().crossingCount());
   }
   void process(const SlabField& slab, const TileEvaluator& evaluator) override
   {
     onHost_.process(slab, evaluator);
+    requireRoom(onHost_.crossingCount());
   }
 
   std::vector<Crossing> takeCrossings()
@@ -68,6 +73,13 @@ public:
   }
 
 private:
+  /// An axis that will not fit is given up at the first slab that shows it.
+  static void requireRoom(std::size_t crossings)
+  {
+    requireMemory("a medial axis of " + std::to_string(crossings) + " cells or more",
+      crossings * kAxisBytes);
+  }
+
   HostSelection onHost_;
   std::unique_ptr<gpu::OnGpuThread<GpuSelection>> onGpu_;
 };

@@ -51,13 +51,12 @@ void MedialSolver::setPoints(std::vector<Point3> points)
   }
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    for (const double coordinate : points[i])
+    if (!isUsable(points[i]))
     {
-      if (!std::isfinite(coordinate))
-      {
-        throw Error(ErrorCode::InvalidInput,
-          "point " + std::to_string(i) + " has the coordinate " + std::to_string(coordinate));
-      }
+      throw Error(ErrorCode::InvalidInput,
+        "point " + std::to_string(i) +
+          " has a coordinate that is not finite, or beyond 1e18 in "
+          "magnitude");
     }
   }
   state_->mesh.points = std::move(points);

@@ -87,10 +87,20 @@ void requireConsistent(const CellList& cells, const char* name)
   }
 }
 
-[[noreturn]] void throwNotFinite(std::size_t index, const Point3& point)
+[[noreturn]] void throwUnusable(std::size_t index, const Point3& point)
 {
+  const bool finite = std::all_of(point.begin(), point.end(),
+    [](double coordinate) { return std::isfinite(coordinate); });
   std::ostringstream message;
-  message << "point " << index << " has a coordinate that is not finite: (";
+  message << "point " << index << " has a coordinate that is ";
+  if (finite)
+  {
+    message << "beyond " << kGreatestCoordinate << " in magnitude: (";
+  }
+  else
+  {
+    message << "not finite: (";
+  }
   for (int axis = 0; axis < 3; ++axis)
   {
     // The sign of a NaN means nothing, yet streams print it.
@@ -192,13 +202,21 @@ private:
         continue;
       }
       const Point3& point = input_.points[i];
-      if (!std::isfinite(point[0]) || !std::isfinite(point[1]) || !std::isfinite(point[2]))
+      if (!isUsable(point))
       {
-        throwNotFinite(i, point);
+        throwUnusable(i, point);
       }
       mesh_.pointOfInput[i] = welder.insert(point, mesh_.points);
     }
     mesh_.weldedPoints = static_cast<std::int64_t>(expected - mesh_.points.size());
+    const double diagonal = mesh_.bounds().diagonal();
+    if (mesh_.points.size() > 1 && diagonal < kLeastDiagonal)
+    {
+      std::ostringstream message;
+      message << "the bounds of the points have a diagonal of " << diagonal << ", less than "
+              << kLeastDiagonal;
+      throw Error(ErrorCode::InvalidInput, message.str());
+    }
   }
 
   /// Welded points of a cell; valid until the next call.
@@ -330,6 +348,12 @@ Bounds TriangleMesh::bounds() const
     }
   }
   return result;
+}
+
+bool isUsable(const Point3& point)
+{
+  return std::all_of(point.begin(), point.end(),
+    [](double coordinate) { return std::abs(coordinate) <= kGreatestCoordinate; });
 }
 
 bool hasArea(const Point3& a, const Point3& b, const Point3& c)

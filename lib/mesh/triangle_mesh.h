@@ -61,14 +61,23 @@ struct TriangleMesh
   Bounds bounds() const; ///< of `points`; zero where there are none
 };
 
+/// What coordinates may be at most, in magnitude: squares of distances must fit single precision.
+constexpr double kGreatestCoordinate = 1e18;
+/// Least diagonal of the bounds of points that are not all equal, world units.
+constexpr double kLeastDiagonal = 1e-18;
+
+/// Whether all coordinates are finite and at most kGreatestCoordinate in magnitude.
+bool isUsable(const Point3& point);
+
 /// False when the height of triangle abc over its longest side is nil or lost in rounding, so that
 /// it has no usable normal and counts as degenerate.
 bool hasArea(const Point3& a, const Point3& b, const Point3& c);
 
 /// Welds, triangulates and sorts out degenerate cells. Polylines become segments, and pieces of
 /// them without length become points. A cell given twice is kept twice.
-/// @throws Error InvalidInput for a NaN or infinite coordinate of a point that a cell uses (naming
-///   the input point), a point id outside the list of points (naming cell and id), or an input
+/// @throws Error InvalidInput for a coordinate of a point that a cell uses that is NaN or beyond
+///   kGreatestCoordinate (naming the input point), points that differ by less than
+///   kLeastDiagonal, a point id outside the list of points (naming cell and id), or an input
 ///   without any cell.
 TriangleMesh buildTriangleMesh(const MeshInput& input);
 

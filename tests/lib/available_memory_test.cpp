@@ -52,6 +52,14 @@ TEST(AvailableMemory, TheMessageHasTheFigures)
     << message;
 }
 
+TEST(AvailableMemory, TheMessageSaysWhatNeedsIt)
+{
+  const std::string message = memoryError(
+    [] { medial::requireMemory("a medial axis of 5 cells", std::uint64_t{ 1 } << 60); });
+  EXPECT_EQ(message.rfind("a medial axis of 5 cells needs 1099511627776 MiB, but only ", 0), 0)
+    << message;
+}
+
 TEST(AvailableMemory, PreservedTopologyOfAHugeGridIsRefused)
 {
   const medial::TriangleMesh mesh = medial::test::box({ 1, 1, 1 });
