@@ -9,7 +9,7 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from ._arrays import float_rows, index_rows, rows_to_cells, to_cells, to_points
 from ._errors import InvalidInputError
 
-_WHOLE_MESH = "of pyvista or VTK pass the mesh itself in place of vertices and faces"
+_WHOLE_MESH = "pass a mesh of pyvista or VTK itself, in place of vertices and faces"
 
 
 class Surface(NamedTuple):

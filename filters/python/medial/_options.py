@@ -104,7 +104,7 @@ def _integer(name: str, value: Any) -> int:
     except TypeError:
         raise TypeError(f"{name} {value!r} is not an integer in [{lowest}, {highest}]") from None
     if not lowest <= number <= highest:
-        raise InvalidInputError(f"{name} {value!r} is outside [{lowest}, {highest}]")
+        raise InvalidInputError(f"{name} {number} is outside [{lowest}, {highest}]")
     return number
 
 

@@ -39,10 +39,10 @@ class Meshes(unittest.TestCase):
         self.assert_refused("face 0 has 2 vertices", VERTICES, [[0, 1], [0, 1, 2]])
         self.assert_refused("faces are of type float64", VERTICES, [[0, 1, 2], [0, 1, 2.5, 3]])
         self.assert_refused("faces are of type", VERTICES, [[0, 1, 2], [0, 1, "x", 3]])
-        self.assert_refused("faces are neither an array nor .* mesh itself", VERTICES,
+        self.assert_refused("faces are neither an array nor .* a mesh of pyvista", VERTICES,
                             [3, 0, 1, 2])
         self.assert_refused("faces are neither an array nor", VERTICES, 5)
-        self.assert_refused(r"faces have the shape \(4,\), not \(m, k\); of pyvista .* mesh itself",
+        self.assert_refused(r"faces have the shape \(4,\), not \(m, k\); pass a mesh of pyvista",
                             VERTICES, np.array([3, 0, 1, 2]))
         self.assert_refused("the mesh has no cells", VERTICES, [])
         self.assert_refused("the mesh has no cells", VERTICES, np.empty((0, 3), dtype=int))
