@@ -1,4 +1,5 @@
 // Reads a surface, computes its medial axis and writes it: medial_pipeline INPUT.stl OUTPUT.vtp
+#include <vtkExecutive.h>
 #include <vtkMedialAxis.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
@@ -21,8 +22,8 @@ int main(int argc, char* argv[])
   axis->SetInputConnection(reader->GetOutputPort());
   axis->SetResolution(64);
   axis->SetAngle(60.0);
-  axis->Update();
-  if (axis->GetErrorCode() != 0 || axis->GetOutput()->GetNumberOfPoints() == 0)
+  // Where a reader fails the axis is not executed and has no error code, nor have some readers.
+  if (axis->GetExecutive()->Update() == 0 || axis->GetErrorCode() != 0)
   {
     return 1; // VTK has told why
   }
@@ -30,7 +31,8 @@ int main(int argc, char* argv[])
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetInputConnection(axis->GetOutputPort());
   writer->SetFileName(argv[2]);
-  if (writer->Write() == 0)
+  writer->Write(); // returns 1 even where it cannot open the file
+  if (writer->GetErrorCode() != 0)
   {
     return 1;
   }

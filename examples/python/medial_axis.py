@@ -21,14 +21,13 @@ def main(surface_file, axis_file, field_file):
     axis.SetResolution(64)
     axis.SetAngle(60.0)
     axis.GenerateDistanceFieldOn()  # output port 1
-    medial.update(axis)  # as axis.Update(), but raises an exception where something fails
+    medial.update(axis)  # as axis.Update(), but raises an exception where it or the reader fails
 
     for port, writer, name in ((0, vtkXMLPolyDataWriter(), axis_file),
                                (1, vtkXMLImageDataWriter(), field_file)):
         writer.SetInputConnection(axis.GetOutputPort(port))
         writer.SetFileName(name)
-        if not writer.Write():
-            return 1
+        medial.update(writer)
     print(axis.GetOutput().GetNumberOfCells(), "cells, computed on", axis.GetRenderer())
     return 0
 
@@ -36,4 +35,7 @@ def main(surface_file, axis_file, field_file):
 if __name__ == "__main__":
     if len(sys.argv) != 4:
         sys.exit(__doc__)
-    sys.exit(main(*sys.argv[1:]))
+    try:
+        sys.exit(main(*sys.argv[1:]))
+    except medial.Error as error:
+        sys.exit(f"medial_axis.py: {error}")

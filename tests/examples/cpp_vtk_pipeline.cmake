@@ -10,7 +10,15 @@ run(figures "${CHECK}" "${WORK}/axis.vtp")
 # Without a file to read there is no axis, and nothing that looks like one.
 execute_process(
   COMMAND "${WORK}/medial_pipeline" "${WORK}/absent.stl" "${WORK}/absent.vtp"
-  RESULT_VARIABLE code OUTPUT_QUIET ERROR_QUIET)
-if(NOT code EQUAL 1 OR EXISTS "${WORK}/absent.vtp")
-  message(FATAL_ERROR "a missing input file ended with ${code}")
+  RESULT_VARIABLE code OUTPUT_QUIET ERROR_VARIABLE errors)
+if(NOT code EQUAL 1 OR NOT errors MATCHES "absent.stl" OR EXISTS "${WORK}/absent.vtp")
+  message(FATAL_ERROR "a missing input file ended with ${code}:\n${errors}")
+endif()
+
+# An axis that could not be written is not reported.
+execute_process(
+  COMMAND "${WORK}/medial_pipeline" "${BOX}" "${WORK}/absent/axis.vtp"
+  RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE errors)
+if(NOT code EQUAL 1 OR NOT errors MATCHES "absent/axis.vtp" OR output MATCHES "cells")
+  message(FATAL_ERROR "a missing output folder ended with ${code}:\n${output}${errors}")
 endif()

@@ -33,13 +33,18 @@ if(NOT EXISTS "${WORK}/axis.npz")
   message(FATAL_ERROR "there is no axis.npz")
 endif()
 
-# Without a file to read they say so.
-foreach(arguments IN ITEMS "measure_part.py;absent.stl;absent.npz"
-    "medial_axis.py;absent.stl;absent.vtp;absent.vti")
-  list(POP_FRONT arguments script)
+# Without a file to read, or a folder to write to, they say so in one line.
+foreach(arguments IN ITEMS
+    "absent.stl;measure_part.py;absent.stl;absent.npz"
+    "absent.stl;medial_axis.py;absent.stl;absent.vtp;absent.vti"
+    "absent/axis.npz;measure_part.py;${BOX};absent/axis.npz"
+    "absent/axis.vtp;medial_axis.py;${BOX};absent/axis.vtp;field.vti"
+    "absent/field.vti;medial_axis.py;${BOX};axis.vtp;absent/field.vti")
+  list(POP_FRONT arguments file script)
   execute_process(COMMAND "${PYTHON}" "${SOURCE}/${script}" ${arguments}
     WORKING_DIRECTORY "${WORK}" RESULT_VARIABLE code OUTPUT_QUIET ERROR_VARIABLE errors)
-  if(NOT code EQUAL 1 OR NOT errors MATCHES "absent.stl" OR EXISTS "${WORK}/absent.vtp")
+  if(NOT code EQUAL 1 OR NOT errors MATCHES "(^|\n)${script}: [^\n]*${file}[^\n]*\n$"
+      OR EXISTS "${WORK}/absent.vtp")
     message(FATAL_ERROR "${script} ended with ${code}:\n${errors}")
   endif()
 endforeach()

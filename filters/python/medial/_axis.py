@@ -1,6 +1,7 @@
 """Medial axes."""
 
-from collections.abc import Collection, Sequence
+import warnings
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any, Optional
 
@@ -15,7 +16,7 @@ from ._field import DistanceField, field_of
 from ._mesh import to_polydata
 from ._options import (REPRESENTATIONS, SIDES, SIGNS, TOPOLOGIES, Evaluator, FieldArray, Lengths,
                        Representation, Side, Sign, Topology, assign, assign_arrays, assign_grid,
-                       assign_run, choice, word)
+                       assign_numbers, assign_run, choice, word)
 from ._update import Progress, update
 from .vtkMedialFilters import vtkMedialAxis
 
@@ -63,6 +64,8 @@ class MedialAxis:
     """(l, 2) indices of points, where the axis is a curve."""
     vertices: NDArray[np.int64]
     """(p, 1) indices of points that are cells by themselves."""
+    representation: str
+    """What it is made of: "surface", "faces" or "points"."""
     side: str
     """What it is the axis of: "interior", "exterior" or "both"."""
     sign: str
@@ -108,11 +111,11 @@ class MedialAxis:
 def medial_axis(
     vertices: Any, faces: Any = None, *,
     angle: float = 60.0, min_lambda: float = 0.0, min_radius: float = 0.0,
-    side: Side = "interior", representation: Representation = "surface",
+    side: Optional[Side] = None, representation: Representation = "surface",
     max_spheres: int = 0, topology: Topology = "selected", field: bool = False,
-    resolution: int = 256, spacing: Optional[Lengths] = None,
+    resolution: Optional[int] = None, spacing: Optional[Lengths] = None,
     origin: Optional[Sequence[float]] = None, dimensions: Optional[Sequence[int]] = None,
-    padding: float = 0.05, sign: Sign = "auto", arrays: Collection[FieldArray] = (),
+    padding: Optional[float] = None, sign: Sign = "auto", arrays: Collection[FieldArray] = (),
     threads: int = 0, memory: int = 0, evaluator: Evaluator = "auto", require_gpu: bool = False,
     progress: Optional[Progress] = None,
 ) -> MedialAxis:
@@ -127,8 +130,8 @@ def medial_axis(
     min_lambda: least lambda, half the distance of the two closest points, in world units, >= 0;
         takes away what noise of that size makes, and what lies behind thinner walls.
     min_radius: least radius of the medial balls, in world units, >= 0.
-    side: which side of the surface: "interior", "exterior" or "both". An open mesh has no sides:
-        its axis is that of both, and so says MedialAxis.side.
+    side: which side of the surface: "interior", "exterior" or "both"; default interior. An open
+        mesh has no sides: its axis is that of both, and so says MedialAxis.side.
     representation: "surface" (dual mesh), "faces" (voxel faces) or "points".
     max_spheres: compact connected axis: at most so many balls, joined by lines and triangles, that
         describe the shape best, in [0, 2147483647]; not for "points"; 0 for no limit.
@@ -137,9 +140,11 @@ def medial_axis(
         "surface" or "faces" and 10 bytes a grid point.
     field: whether MedialAxis.field is the distance field, from the same run.
     resolution, spacing, origin, dimensions, padding, sign, arrays, threads, memory, evaluator,
-        require_gpu, progress: as for distance_field(); arrays are those of the field.
+        require_gpu, progress: as for distance_field(); arrays are those of the field, which they
+        need.
 
-    Raises what distance_field() raises.
+    Raises what distance_field() raises. Warns (UserWarning) where the axis is empty, and where it
+    is that of both sides though side is "interior" or "exterior".
 
     >>> corners = [[x, y, z] for x in (0, 4) for y in (0, 4) for z in (0, 1)]
     >>> quads = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
@@ -149,20 +154,42 @@ def medial_axis(
     >>> float(axis.radius.max())
     0.5
     """
+    if len(arrays) > 0 and not field:
+        raise InvalidInputError(f"arrays {arrays!r} belong to the field: they need field=True")
     algorithm = vtkMedialAxis()
     algorithm.SetInputData(to_polydata(vertices, faces))
-    assign(algorithm, Angle=angle, MinimumLambda=min_lambda, MinimumRadius=min_radius,
-           Side=choice("side", side, SIDES),
+    assign_numbers(algorithm, angle=angle, min_lambda=min_lambda, min_radius=min_radius,
+                   max_spheres=max_spheres)
+    assign(algorithm, Side=choice("side", "interior" if side is None else side, SIDES),
            Representation=choice("representation", representation, REPRESENTATIONS),
-           MaximumNumberOfSpheres=max_spheres, Topology=choice("topology", topology, TOPOLOGIES),
-           GenerateDistanceField=bool(field))
+           Topology=choice("topology", topology, TOPOLOGIES), GenerateDistanceField=bool(field))
     assign_grid(algorithm, resolution=resolution, spacing=spacing, origin=origin,
                 dimensions=dimensions, padding=padding)
     assign_run(algorithm, sign=sign, threads=threads, memory=memory, evaluator=evaluator,
                require_gpu=require_gpu)
     assign_arrays(algorithm, arrays)
     update(algorithm, progress)
+    for note in _notes(algorithm, side):
+        warnings.warn(note, stacklevel=2)
     return _axis_of(algorithm)
+
+
+def _notes(algorithm: vtkMedialAxis, side: Optional[Side]) -> Iterator[str]:
+    """What is not as the caller may expect."""
+    if side is not None and algorithm.GetUsedSide() != SIDES[side]:
+        yield (f"the axis is that of both sides, not of side {side!r}: "
+               f"inside is not known, as {_why_unsigned(algorithm)}")
+    if algorithm.GetOutput().GetNumberOfPoints() == 0:
+        yield (f"the axis is empty: no point of the grid has a separation angle of "
+               f"{algorithm.GetAngle():g} degrees, a lambda of {algorithm.GetMinimumLambda():g} "
+               f"and a radius of {algorithm.GetMinimumRadius():g} or more")
+
+
+def _why_unsigned(algorithm: vtkMedialAxis) -> str:
+    if algorithm.GetSignMethod() == vtkMedialAxis.SIGN_NONE:
+        return "sign is 'none'"
+    closed = algorithm.GetClosed()
+    return "the mesh is not " + ("consistently oriented" if closed else "closed")
 
 
 def _axis_of(algorithm: vtkMedialAxis) -> MedialAxis:
@@ -178,6 +205,7 @@ def _axis_of(algorithm: vtkMedialAxis) -> MedialAxis:
         quads=cells_of_size(output.GetPolys(), 4),
         lines=cells_of_size(output.GetLines(), 2),
         vertices=cells_of_size(output.GetVerts(), 1),
+        representation=word(algorithm.GetRepresentation(), REPRESENTATIONS),
         side=word(algorithm.GetUsedSide(), SIDES),
         sign=word(algorithm.GetUsedSignMethod(), SIGNS),
         renderer=algorithm.GetRenderer(),

@@ -73,9 +73,9 @@ class DistanceField:
 
 def distance_field(
     vertices: Any, faces: Any = None, *,
-    resolution: int = 256, spacing: Optional[Lengths] = None,
+    resolution: Optional[int] = None, spacing: Optional[Lengths] = None,
     origin: Optional[Sequence[float]] = None, dimensions: Optional[Sequence[int]] = None,
-    padding: float = 0.05, sign: Sign = "auto", arrays: Collection[FieldArray] = (),
+    padding: Optional[float] = None, sign: Sign = "auto", arrays: Collection[FieldArray] = (),
     threads: int = 0, memory: int = 0, evaluator: Evaluator = "auto", require_gpu: bool = False,
     progress: Optional[Progress] = None,
 ) -> DistanceField:
@@ -88,20 +88,21 @@ def distance_field(
         object with attributes vertices and faces.
     faces: (m, k) indices of vertices: triangles, quads or polygons of k vertices, segments for k =
         2, points for k = 1; or a sequence of m sequences of at least 3 indices.
-    resolution: number of grid points along the longest axis of the padded bounds, in [2, 8192].
+    resolution: number of grid points along the longest axis of the padded bounds, in [2, 8192];
+        default 256.
     spacing: distance of neighbouring grid points in world units, > 0, one number or one for each
         axis; instead of resolution.
     origin, dimensions: with spacing an explicit grid: world coordinates of its first point, and
         its numbers of points along x, y and z, each in [1, 8192].
-    padding: margin on every side as a fraction of the diagonal of the mesh's bounds, in [0, 10].
-        Not for explicit grids.
+    padding: margin on every side as a fraction of the diagonal of the mesh's bounds, in [0, 10];
+        default 0.05. Not with an explicit grid.
     sign: how inside, where distances are negative, is told from outside: "auto" ("pseudonormal"
         where the mesh is closed and consistently oriented, else "none"), "none", "pseudonormal"
         (an error where the mesh is not such), or "winding" (not available yet).
     arrays: what is wanted beside the distance: names of attributes of DistanceField, at 12, 8, 1
         and 4 bytes a sample for "closest_point", "closest_cell", "closest_feature" and
         "closest_site". The distance takes 4.
-    threads: number of CPU threads to use; 0 for all cores.
+    threads: number of CPU threads to use, in [0, 1024]; 0 for all cores.
     memory: upper bound of the memory for slabs, in MiB, >= 64; 0 chooses. The result is not
         counted.
     evaluator: what finds closest sites: "rasteriser" (OpenGL), "processor" (CPU), or "auto", the
@@ -110,9 +111,9 @@ def distance_field(
     progress: called with the share of the work that is done, in [0, 1], and its name. An exception
         that it raises stops the work and is raised here.
 
-    Raises InvalidInputError, a ValueError, where the mesh or a value cannot be used, NoGpuError,
-    OutOfMemoryError, TypeError, or KeyboardInterrupt after Ctrl-C. Other Python threads run
-    meanwhile; they must not change the arrays.
+    Raises InvalidInputError, a ValueError, where the mesh, a value or two together cannot be used,
+    NoGpuError, OutOfMemoryError, TypeError, or KeyboardInterrupt after Ctrl-C. Other Python threads
+    run meanwhile; they must not change the arrays.
 
     >>> cube = [[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)]
     >>> quads = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]

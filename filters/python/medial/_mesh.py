@@ -9,6 +9,8 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from ._arrays import float_rows, index_rows, rows_to_cells, to_cells, to_points
 from ._errors import InvalidInputError
 
+_WHOLE_MESH = "pass a mesh of pyvista or VTK itself, in place of vertices and faces"
+
 
 class Surface(NamedTuple):
     """A mesh: what the functions of this package take as vertices and faces."""
@@ -56,6 +58,8 @@ def _parts_of(mesh: Any) -> tuple[Any, Any]:
 
 def _set_faces(mesh: vtkPolyData, faces: Any, points: int) -> None:
     """Cells by the number of their corners."""
+    if isinstance(faces, np.ndarray) and faces.ndim == 1 and faces.size > 0:
+        raise InvalidInputError(f"faces have the shape {faces.shape}, not (m, k); {_WHOLE_MESH}")
     sizes = _sizes_of(faces)
     if len(set(sizes)) > 1:
         mesh.SetPolys(_polygons(faces, sizes, points))
@@ -78,7 +82,8 @@ def _sizes_of(faces: Any) -> list[int]:
         return [len(face) for face in faces]
     except TypeError:
         raise InvalidInputError(
-            "faces are neither an array nor a sequence of sequences of vertex indices") from None
+            "faces are neither an array nor a sequence of sequences of vertex indices; "
+            + _WHOLE_MESH) from None
 
 
 def _polygons(faces: Any, sizes: list[int], points: int) -> vtkCellArray:

@@ -1,6 +1,7 @@
 """Parameters of the functions, and how filters are told of them."""
 
 from collections.abc import Collection, Mapping, Sequence
+from operator import index
 from typing import Any, Literal, Optional, Union
 
 from ._errors import InvalidInputError
@@ -47,6 +48,23 @@ ARRAYS: dict[str, str] = {
     "closest_site": "ClosestSite",
 }
 
+# Parameters that are numbers: what the filters call them, and the values that they may have.
+_INTEGERS: dict[str, tuple[str, int, int]] = {
+    "resolution": ("Resolution", 2, 8192),
+    "dimensions": ("Dimensions", 1, 8192),
+    "max_spheres": ("MaximumNumberOfSpheres", 0, 2147483647),
+    "threads": ("NumberOfThreads", 0, 1024),
+    "memory": ("MemoryLimit", 0, 2147483647),  # the filters refuse 1 to 63
+}
+_REALS: dict[str, tuple[str, str]] = {
+    "spacing": ("Spacing", "(0, inf)"),
+    "origin": ("Origin", "(-inf, inf)"),
+    "padding": ("Padding", "[0, 10]"),
+    "angle": ("Angle", "(0, 180)"),
+    "min_lambda": ("MinimumLambda", "[0, inf)"),
+    "min_radius": ("MinimumRadius", "[0, inf)"),
+}
+
 
 def choice(name: str, value: str, choices: Mapping[str, int]) -> int:
     """The filter's constant for a word; raises InvalidInputError for any other."""
@@ -62,39 +80,75 @@ def word(value: int, choices: Mapping[str, int]) -> Any:
 
 
 def assign(algorithm: Any, **parameters: Any) -> None:
-    """Sets parameters of a filter, such as Angle; an error of type or range names the parameter."""
+    """Sets parameters of a filter, such as Side, to values that it accepts."""
     for name, value in parameters.items():
-        values = value if isinstance(value, tuple) else (value,)
-        try:
-            getattr(algorithm, "Set" + name)(*values)
-        except TypeError as error:
-            raise TypeError(f"{name} {value!r}: {error}") from None
-        except (OverflowError, ValueError) as error:
-            raise InvalidInputError(f"{name} {value!r}: {error}") from None
+        getattr(algorithm, "Set" + name)(value)
 
 
-def assign_grid(algorithm: vtkMeshFieldAlgorithm, *, resolution: int, spacing: Optional[Lengths],
-                origin: Optional[Sequence[float]], dimensions: Optional[Sequence[int]],
-                padding: float) -> None:
+def assign_numbers(algorithm: Any, **parameters: Any) -> None:
+    """Sets parameters that are numbers, or tuples of them; the filter checks the range of reals.
+
+    Raises TypeError where a value is no number, or no integer where one is needed, and
+    InvalidInputError where it is outside its range.
+    """
+    for name, value in parameters.items():
+        convert = _integer if name in _INTEGERS else _real
+        values = [convert(name, item) for item in (value if isinstance(value, tuple) else (value,))]
+        getattr(algorithm, "Set" + (_INTEGERS.get(name) or _REALS[name])[0])(*values)
+
+
+def _integer(name: str, value: Any) -> int:
+    _, lowest, highest = _INTEGERS[name]
+    try:
+        number = index(value)
+    except TypeError:
+        raise TypeError(f"{name} {value!r} is not an integer in [{lowest}, {highest}]") from None
+    if not lowest <= number <= highest:
+        raise InvalidInputError(f"{name} {number} is outside [{lowest}, {highest}]")
+    return number
+
+
+def _real(name: str, value: Any) -> float:
+    _, allowed = _REALS[name]
+    try:
+        if isinstance(value, (str, bytes)):
+            raise TypeError
+        return float(value)
+    except (TypeError, ValueError):
+        raise TypeError(f"{name} {value!r} is not a number in {allowed}") from None
+    except OverflowError:
+        raise InvalidInputError(f"{name} {value!r} is outside {allowed}") from None
+
+
+def assign_grid(algorithm: vtkMeshFieldAlgorithm, *, resolution: Optional[int],
+                spacing: Optional[Lengths], origin: Optional[Sequence[float]],
+                dimensions: Optional[Sequence[int]], padding: Optional[float]) -> None:
     """The grid of sample points, see distance_field()."""
-    assign(algorithm, Resolution=resolution, Padding=padding)
-    if spacing is not None:
-        assign(algorithm, Spacing=_triple("spacing", spacing))
-        algorithm.SetGridModeToSpacing()
-    if (origin is None) != (dimensions is None) or (origin is not None and spacing is None):
+    given = {name: value for name, value in (
+        ("resolution", resolution), ("padding", padding), ("spacing", spacing), ("origin", origin),
+        ("dimensions", dimensions)) if value is not None}
+    explicit = "origin" in given or "dimensions" in given
+    if explicit and not {"origin", "spacing", "dimensions"} <= given.keys():
         raise InvalidInputError("an explicit grid needs origin, spacing and dimensions")
-    if origin is not None:
-        assign(algorithm, Origin=_triple("origin", origin),
-               Dimensions=_triple("dimensions", dimensions))
+    for one, other in (("resolution", "spacing"), ("padding", "origin")):
+        if one in given and other in given:
+            raise InvalidInputError(
+                f"{one} {given[one]!r} and {other} {given[other]!r} exclude each other")
+    assign_numbers(algorithm, **{
+        name: value if name in ("resolution", "padding") else _triple(name, value)
+        for name, value in given.items()})
+    if explicit:
         algorithm.SetGridModeToExplicit()
+    elif "spacing" in given:
+        algorithm.SetGridModeToSpacing()
 
 
 def assign_run(algorithm: vtkMeshFieldAlgorithm, *, sign: Sign, threads: int, memory: int,
                evaluator: Evaluator, require_gpu: bool) -> None:
     """How the field is computed, see distance_field()."""
-    assign(algorithm, SignMethod=choice("sign", sign, SIGNS), NumberOfThreads=threads,
-           MemoryLimit=memory, Evaluator=choice("evaluator", evaluator, EVALUATORS),
-           RequireHardware=bool(require_gpu))
+    assign_numbers(algorithm, threads=threads, memory=memory)
+    assign(algorithm, SignMethod=choice("sign", sign, SIGNS),
+           Evaluator=choice("evaluator", evaluator, EVALUATORS), RequireHardware=bool(require_gpu))
 
 
 def assign_arrays(algorithm: vtkMeshFieldAlgorithm, arrays: Collection[str]) -> None:
@@ -109,9 +163,9 @@ def assign_arrays(algorithm: vtkMeshFieldAlgorithm, arrays: Collection[str]) -> 
 def _triple(name: str, value: Any) -> tuple[Any, ...]:
     """Three values, from one or from three."""
     try:
-        values = tuple(value)
+        values = (value,) * 3 if isinstance(value, (str, bytes)) else tuple(value)
     except TypeError:
         values = (value,) * 3
-    if len(values) != 3 or isinstance(value, str):
+    if len(values) != 3:
         raise InvalidInputError(f"{name} {value!r} is not of three numbers")
     return values

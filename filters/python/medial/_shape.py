@@ -9,8 +9,9 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from ._arrays import add_point_data, cells_of_size, point_coordinates, point_data, ragged_rows
 from ._axis import MedialAxis
+from ._errors import InvalidInputError
 from ._mesh import Surface, to_polydata
-from ._options import SIDES, Side, assign, choice
+from ._options import SIDES, Side, assign, assign_numbers, choice
 from ._update import Progress, update
 from .vtkMedialFilters import vtkMedialCurves, vtkMedialReconstruction, vtkMedialThickness
 
@@ -33,7 +34,7 @@ def thickness(vertices: Any, faces: Any = None, *, angle: float = 60.0, side: Si
         over.
     side: "interior", how thick the solid is, "exterior", how far it is to what is opposite, or
         "both", the smaller of the two.
-    threads: number of CPU threads to use; 0 for all cores.
+    threads: number of CPU threads to use, in [0, 1024]; 0 for all cores.
     progress: as for distance_field().
 
     Returns the (n,) diameters of the largest medial balls that touch the vertices, in world units;
@@ -46,7 +47,8 @@ def thickness(vertices: Any, faces: Any = None, *, angle: float = 60.0, side: Si
     """
     algorithm = vtkMedialThickness()
     algorithm.SetInputData(to_polydata(vertices, faces))
-    assign(algorithm, Angle=angle, Side=choice("side", side, SIDES), NumberOfThreads=threads)
+    assign_numbers(algorithm, angle=angle, threads=threads)
+    assign(algorithm, Side=choice("side", side, SIDES))
     update(algorithm, progress)
     return point_data(algorithm.GetOutput(), "Thickness")
 
@@ -66,7 +68,8 @@ def reconstruct(axis: Axis, *, resolution: int = 128, interpolate: bool = True,
     """
     algorithm = vtkMedialReconstruction()
     algorithm.SetInputData(_polydata_of(axis))
-    assign(algorithm, Resolution=resolution, Interpolate=bool(interpolate))
+    assign_numbers(algorithm, resolution=resolution)
+    assign(algorithm, Interpolate=bool(interpolate))
     update(algorithm, progress)
     output = algorithm.GetOutput()
     return Surface(point_coordinates(output), cells_of_size(output.GetPolys(), 3))
@@ -85,11 +88,11 @@ def curves(axis: Axis, *, rims: bool = True, seams: bool = True,
            other: bool = True) -> list[Curve]:
     """The rims, seams and other curves of a medial axis.
 
-    axis: points and cells count.
+    axis: points and cells count; not a MedialAxis with representation "points".
     rims, seams, other: which kinds are wanted.
 
     Returns them in no particular order. Raises InvalidInputError where arrays of the axis do not
-    fit each other.
+    fit each other, and where it is one of points.
 
     >>> import medial
     >>> corners = [[x, y, z] for x in (0, 4) for y in (0, 2) for z in (0, 1)]
@@ -98,6 +101,9 @@ def curves(axis: Axis, *, rims: bool = True, seams: bool = True,
     >>> [curve.kind for curve in curves(axis)]  # the axis is a rectangle
     ['rim']
     """
+    if isinstance(axis, MedialAxis) and axis.representation == "points":
+        raise InvalidInputError("an axis with representation 'points' has no cells that meet in "
+                                "curves: 'surface' or 'faces' is needed")
     mesh = _polydata_of(axis)
     add_point_data(mesh, _POINT_INDEX, np.arange(mesh.GetNumberOfPoints(), dtype=np.int64))
     algorithm = vtkMedialCurves()

@@ -2,6 +2,7 @@
 
 import dataclasses
 import unittest
+import warnings
 
 import medial
 import numpy as np
@@ -83,7 +84,9 @@ class Parameters(unittest.TestCase):
         self.assertGreaterEqual(box_axis(min_lambda=0.3).lambda_.min(), 0.3 - 0.05)
 
     def test_side(self):
-        inside, outside = box_axis(), box_axis(side="exterior")
+        inside = box_axis()
+        with self.assertWarnsRegex(UserWarning, "axis is empty"):
+            outside = box_axis(side="exterior")
         self.assertEqual((inside.side, outside.side), ("interior", "exterior"))
         self.assertGreater(len(inside.points), 0)
         self.assertEqual(len(outside.points), 0)  # a box is convex
@@ -96,6 +99,7 @@ class Parameters(unittest.TestCase):
 
     def test_representations(self):
         points = box_axis(representation="points")
+        self.assertEqual((points.representation, box_axis().representation), ("points", "surface"))
         self.assertEqual(len(points.vertices), len(points.points))
         self.assertEqual(len(points.faces), 0)
         faces = box_axis(representation="faces")
@@ -129,6 +133,44 @@ class Parameters(unittest.TestCase):
         mesh = medial.Surface(*shapes.box()).to_vtk()
         axis = medial.medial_axis(mesh, resolution=RESOLUTION)
         np.testing.assert_array_equal(axis.points, box_axis().points)
+
+
+class Warnings(unittest.TestCase):
+    def assert_warns(self, message, *mesh, **parameters):
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            axis = medial.medial_axis(*mesh, **{"resolution": RESOLUTION, **parameters})
+        self.assertEqual(len(caught), 1)
+        self.assertRegex(str(caught[0].message), message)
+        self.assertEqual(caught[0].filename, __file__)
+        return axis
+
+    def test_side_that_cannot_be_had(self):
+        vertices, quads = shapes.box()
+        for side in ("interior", "exterior"):
+            axis = self.assert_warns(f"both sides, not of side '{side}': .* mesh is not closed",
+                                     vertices, quads[1:], side=side)
+            self.assertEqual(axis.side, "both")
+        turned = np.concatenate([quads[:1, ::-1], quads[1:]])
+        self.assert_warns("the mesh is not consistently oriented", vertices, turned,
+                          side="interior")
+        self.assert_warns("sign is 'none'", vertices, quads, side="interior", sign="none")
+
+    def test_empty_axis(self):
+        axis = self.assert_warns("axis is empty: .* angle of 60 degrees, a lambda of 0.25 and a "
+                                 "radius of 3 or more", *shapes.box(), min_lambda=0.25,
+                                 min_radius=3)
+        self.assertEqual(len(axis.points), 0)
+
+    def test_nothing_to_tell(self):
+        vertices, quads = shapes.box()
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            for side in ("interior", "both"):
+                self.assertEqual(box_axis(side=side).side, side)
+            for parameters in ({}, {"side": "both"}):
+                axis = medial.medial_axis(vertices, quads[1:], resolution=RESOLUTION, **parameters)
+                self.assertEqual(axis.side, "both")
 
 
 class Vtk(unittest.TestCase):

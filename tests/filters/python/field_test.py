@@ -41,6 +41,11 @@ class Values(unittest.TestCase):
         self.assertTrue(np.all(margin > 0.5 * 2 * np.linalg.norm(shapes.HALF) - 1e-9))
         self.assert_is_of_the_box(field)
 
+    def test_resolution_and_padding_have_defaults(self):
+        distance = medial.distance_field(*shapes.box()).distance
+        stated = medial.distance_field(*shapes.box(), resolution=256, padding=0.05).distance
+        np.testing.assert_array_equal(distance, stated)
+
     def test_spacing_may_differ_by_axis(self):
         field = medial.distance_field(*shapes.box(), spacing=(0.1, 0.2, 0.15))
         np.testing.assert_array_equal(field.spacing, [0.1, 0.2, 0.15])

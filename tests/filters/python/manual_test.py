@@ -39,6 +39,12 @@ def option(name):
     return words(row)
 
 
+def stated_default(function, parameter):
+    """What the description of a parameter ends its default with."""
+    description = re.search(rf"\n    {parameter}: (.*?)\n    \w", function.__doc__, re.DOTALL)[1]
+    return re.search(r"default ([\w.]+\w)", description)[1]
+
+
 @contextlib.contextmanager
 def scratch_folder():
     """Makes an empty folder the current one."""
@@ -106,6 +112,8 @@ class Wording(unittest.TestCase):
                     parameter = {"lambda": "min_lambda"}.get(name, name.replace("-", "_"))
                     value = parameters[parameter].default
                     with self.subTest(option=name):
+                        if value is None:  # so that others can see whether it was given
+                            value = stated_default(function, parameter)
                         expected = stated[1] if isinstance(value, str) else float(stated[1])
                         self.assertEqual(value, expected)
 

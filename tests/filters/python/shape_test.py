@@ -112,9 +112,14 @@ class Curves(unittest.TestCase):
         self.assertEqual(mesh.GetPointData().GetNumberOfArrays(), arrays)
         np.testing.assert_array_equal(of_vtk[0].indices, seams[0].indices)
 
-    def test_an_axis_of_points_has_none(self):
+    def test_an_axis_of_points_is_refused(self):
         axis = medial.medial_axis(*shapes.box(), resolution=17, representation="points")
-        self.assertEqual(medial.curves(axis), [])
+        with self.assertRaisesRegex(ValueError, "representation 'points'.*'faces' is needed"):
+            medial.curves(axis)
+
+    def test_a_single_ball_has_none(self):
+        axis = medial.medial_axis(*shapes.box(), resolution=17, max_spheres=1)
+        self.assertEqual((len(axis.vertices), medial.curves(axis)), (1, []))
 
 
 if __name__ == "__main__":
