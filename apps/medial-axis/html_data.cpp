@@ -134,15 +134,24 @@ std::size_t cellsOf(const HtmlMesh& mesh)
   return mesh.triangles.size() + mesh.lines.size() + mesh.vertices.size();
 }
 
+// As in "triangles, lines and points".
 std::string kindsOf(const HtmlMesh& mesh)
 {
-  std::string kinds;
+  std::vector<std::string> kinds;
   for (const auto& [kind, count] : { std::pair("triangles", mesh.triangles.size()),
          std::pair("lines", mesh.lines.size()), std::pair("points", mesh.vertices.size()) })
   {
-    kinds += count == 0 ? "" : (kinds.empty() ? "" : " and ") + std::string(kind);
+    if (count > 0)
+    {
+      kinds.emplace_back(kind);
+    }
   }
-  return kinds;
+  std::string text;
+  for (std::size_t i = 0; i < kinds.size(); ++i)
+  {
+    text += (i == 0 ? "" : i + 1 < kinds.size() ? ", " : " and ") + kinds[i];
+  }
+  return text;
 }
 
 // Makes the mesh small enough, and adds how.

@@ -298,7 +298,7 @@ TEST(HtmlPageLimit, CoarserMeshesKeepItAndThePageSaysSo)
   const std::string axisNote = "the medial axis was simplified from 180002 to ";
   EXPECT_NE(notes.find("To keep this file small " + surfaceNote), std::string::npos) << notes;
   EXPECT_NE(notes.find("To keep this file small " + axisNote), std::string::npos) << notes;
-  EXPECT_NE(notes.find(" triangles and lines and points: "), std::string::npos) << notes;
+  EXPECT_NE(notes.find(" triangles, lines and points: "), std::string::npos) << notes;
   ASSERT_EQ(page.simplifications.size(), 2U);
   EXPECT_EQ(page.simplifications[0].rfind(surfaceNote, 0), 0U) << page.simplifications[0];
   EXPECT_EQ(page.simplifications[1].rfind(axisNote, 0), 0U) << page.simplifications[1];
