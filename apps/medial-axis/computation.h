@@ -13,6 +13,8 @@
 #include <vtkSmartPointer.h>
 
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace medial::app
 {
@@ -34,6 +36,7 @@ struct Result
   vtkSmartPointer<vtkPolyData> curves; ///< of the axis, as vtkMedialCurves makes them, where wanted
   std::optional<Thickness> thickness;  ///< of the mesh's points, where it is wanted
   vtkSmartPointer<vtkPolyData> thicknessPicture; ///< pictureOfThickness(), where it is wanted
+  std::vector<std::string> pageNotes;            ///< what --html has simplified
 };
 
 /// The mesh as the filters see it, and its grid.

@@ -14,6 +14,8 @@
 #include <cstdint>
 #include <cstdio>
 #include <limits>
+#include <optional>
+#include <utility>
 
 namespace medial::app
 {
@@ -132,16 +134,36 @@ std::size_t cellsOf(const HtmlMesh& mesh)
   return mesh.triangles.size() + mesh.lines.size() + mesh.vertices.size();
 }
 
-// Makes the mesh small enough, and tells the reader so.
-void fit(HtmlMesh& mesh, const char* name, std::size_t bytes, Json& notes)
+// As in "triangles, lines and points".
+std::string kindsOf(const HtmlMesh& mesh)
+{
+  std::vector<std::string> kinds;
+  for (const auto& [kind, count] : { std::pair("triangles", mesh.triangles.size()),
+         std::pair("lines", mesh.lines.size()), std::pair("points", mesh.vertices.size()) })
+  {
+    if (count > 0)
+    {
+      kinds.emplace_back(kind);
+    }
+  }
+  std::string text;
+  for (std::size_t i = 0; i < kinds.size(); ++i)
+  {
+    text += (i == 0 ? "" : i + 1 < kinds.size() ? ", " : " and ") + kinds[i];
+  }
+  return text;
+}
+
+// Makes the mesh small enough, and adds how.
+void fit(HtmlMesh& mesh, const char* name, std::size_t bytes, std::vector<std::string>& how)
 {
   const std::size_t before = cellsOf(mesh);
-  const double side = coarsen(mesh, bytes);
-  if (side > 0.0)
+  const std::string kinds = kindsOf(mesh);
+  if (const std::optional<double> side = coarsen(mesh, bytes))
   {
-    notes.push_back("To keep this file small the " + std::string(name) + " was simplified from " +
-      std::to_string(before) + " to " + std::to_string(cellsOf(mesh)) +
-      " cells: points that share a box of side " + shortNumber(side) + " are one.");
+    how.push_back("the " + std::string(name) + " was simplified from " + std::to_string(before) +
+      " to " + std::to_string(cellsOf(mesh)) + " " + kinds + ": points that share a box of side " +
+      shortNumber(*side) + " are one");
   }
 }
 
@@ -165,16 +187,24 @@ std::string withoutAngleBrackets(const std::string& json)
 
 } // namespace
 
-std::string makeHtmlData(HtmlMesh surface, HtmlMesh axis, const std::string& title,
-  std::size_t limit)
+std::vector<std::string> fitMeshes(HtmlMesh& surface, HtmlMesh& axis, std::size_t limit)
 {
-  Json notes = Json::array();
+  std::vector<std::string> how;
   // Base64 takes four characters for three bytes.
   const std::size_t bytes = limit / 4 * 3;
-  fit(surface, "surface", std::max(bytes / 3, bytes - std::min(bytes, axis.bytes())), notes);
-  fit(axis, "medial axis", bytes - std::min(bytes, surface.bytes()), notes);
-  const bool simplified = !notes.empty();
-  sortByAngle(axis);
+  fit(surface, "surface", std::max(bytes / 3, bytes - std::min(bytes, axis.bytes())), how);
+  fit(axis, "medial axis", bytes - std::min(bytes, surface.bytes()), how);
+  return how;
+}
+
+std::string makeHtmlData(const HtmlMesh& surface, const HtmlMesh& axis, const std::string& title,
+  const std::vector<std::string>& simplifications)
+{
+  Json notes = Json::array();
+  for (const std::string& how : simplifications)
+  {
+    notes.push_back("To keep this file small " + how + ".");
+  }
   const std::array<Steps, 3> frame = frameOf(surface, axis);
   notes.push_back(roundingNote(frame));
   notes.push_back("Made by medial-axis " MEDIAL_VERSION "; drawn by vtk.js.");
@@ -182,8 +212,9 @@ std::string makeHtmlData(HtmlMesh surface, HtmlMesh axis, const std::string& tit
     { "frame",
       { { "origin", { frame[0].origin, frame[1].origin, frame[2].origin } },
         { "step", { frame[0].step, frame[1].step, frame[2].step } } } },
-    { "colours", describeColours() }, { "notes", notes }, { "simplified", simplified },
-    { "surface", describe(surface, frame) }, { "axis", describe(axis, frame) } };
+    { "colours", describeColours() }, { "notes", notes },
+    { "simplified", !simplifications.empty() }, { "surface", describe(surface, frame) },
+    { "axis", describe(axis, frame) } };
   return withoutAngleBrackets(data.dump(-1, ' ', true, Json::error_handler_t::replace));
 }
 

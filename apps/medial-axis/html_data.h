@@ -4,16 +4,23 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace medial::app
 {
 
+/// Makes the meshes coarser where they are too large.
+/// @param surface, axis may be empty.
+/// @param limit bytes for both meshes as base64.
+/// @return for each mesh that changed, how: "the medial axis was simplified from ...".
+std::vector<std::string> fitMeshes(HtmlMesh& surface, HtmlMesh& axis, std::size_t limit);
+
 /// The data of a page as JSON without "<", so that nothing in them ends an element of HTML.
 /// docs/WEB.md has the format.
-/// @param surface, axis may be empty. They are made coarser where they are too large.
+/// @param surface, axis may be empty; sortByAngle() has been at the axis.
 /// @param title what the page calls the mesh; bytes that are not UTF-8 are replaced.
-/// @param limit bytes for both meshes as base64.
-std::string makeHtmlData(HtmlMesh surface, HtmlMesh axis, const std::string& title,
-  std::size_t limit);
+/// @param simplifications of fitMeshes(), for the reader of the page.
+std::string makeHtmlData(const HtmlMesh& surface, const HtmlMesh& axis, const std::string& title,
+  const std::vector<std::string>& simplifications);
 
 } // namespace medial::app

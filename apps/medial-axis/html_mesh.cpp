@@ -98,6 +98,12 @@ Box boxOf(const std::vector<Point3>& points)
   return { low, std::max({ high[0] - low[0], high[1] - low[1], high[2] - low[2] }) };
 }
 
+// The number of the box on an axis; sides of 0 leave one box.
+std::uint64_t boxNumber(double offset, double side)
+{
+  return side > 0.0 ? static_cast<std::uint64_t>(offset / side) : 0;
+}
+
 // For every point, the first one in the same box.
 std::vector<std::uint32_t> firstOfBoxes(const std::vector<Point3>& points, const Box& box,
   double side)
@@ -110,7 +116,7 @@ std::vector<std::uint32_t> firstOfBoxes(const std::vector<Point3>& points, const
     std::uint64_t key = 0;
     for (int axis = 0; axis < 3; ++axis)
     {
-      key = (key << 20U) | static_cast<std::uint64_t>((point[axis] - box.low[axis]) / side);
+      key = (key << 20U) | boxNumber(point[axis] - box.low[axis], side);
     }
     const auto number = static_cast<std::uint32_t>(result.size());
     result.push_back(first.emplace(key, number).first->second);
@@ -242,11 +248,11 @@ void sortByAngle(HtmlMesh& mesh)
   sortCells(mesh.vertices, angles->values);
 }
 
-double coarsen(HtmlMesh& mesh, std::size_t limit)
+std::optional<double> coarsen(HtmlMesh& mesh, std::size_t limit)
 {
   if (mesh.bytes() <= limit || mesh.points.empty())
   {
-    return 0.0;
+    return std::nullopt;
   }
   const Box box = boxOf(mesh.points);
   double boxes = kFinestGrid;

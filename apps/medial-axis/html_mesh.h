@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,7 +54,9 @@ void sortByAngle(HtmlMesh& mesh);
 /// lose a corner or are there twice. The grid has at most 1024 boxes along the longest side, and
 /// fewer until bytes() is at most `limit`. The order of cells stays. Nothing changes where bytes()
 /// is small enough already.
-/// @return the longest side of the boxes, world units; 0 where nothing changed.
-double coarsen(HtmlMesh& mesh, std::size_t limit);
+/// @return the side of the boxes, world units, 0 where all points are at one place; none where
+/// nothing
+///   changed.
+std::optional<double> coarsen(HtmlMesh& mesh, std::size_t limit);
 
 } // namespace medial::app

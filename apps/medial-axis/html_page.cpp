@@ -10,6 +10,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <utility>
 
 namespace medial::app
 {
@@ -56,33 +57,36 @@ std::string filled(std::string_view text,
 
 } // namespace
 
-std::string makeHtml(const TriangleMesh& surface, vtkPolyData* axis, const std::string& title,
+HtmlPage makeHtml(const TriangleMesh& surface, vtkPolyData* axis, const std::string& title,
   std::string_view vtkJs, std::size_t limit)
 {
-  const auto file = [](const char* name)
-  { return [name] { return escapedScript(webFile(name)); }; };
   constexpr std::size_t kFrame = 50'000; // page, scripts and what describes the data
   const std::size_t fixed = vtkJs.size() + kFrame;
-  return filled(webFile("page.html"),
-    { { "style", [] { return std::string(webFile("style.css")); } },
-      { "decode", file("decode.js") }, { "scene", file("scene.js") },
-      { "controls", file("controls.js") }, { "vtkjs", [&] { return escapedScript(vtkJs); } },
-      { "data",
-        [&]
-        {
-          return makeHtmlData(htmlMesh(surface), htmlMesh(axis), title,
-            limit - std::min(limit, fixed));
-        } } });
+  HtmlMesh surfaceMesh = htmlMesh(surface);
+  HtmlMesh axisMesh = htmlMesh(axis);
+  const auto simplifications = fitMeshes(surfaceMesh, axisMesh, limit - std::min(limit, fixed));
+  sortByAngle(axisMesh);
+
+  const auto file = [](const char* name)
+  { return [name] { return escapedScript(webFile(name)); }; };
+  const auto data = [&] { return makeHtmlData(surfaceMesh, axisMesh, title, simplifications); };
+  return { filled(webFile("page.html"),
+             { { "style", [] { return std::string(webFile("style.css")); } },
+               { "decode", file("decode.js") }, { "scene", file("scene.js") },
+               { "controls", file("controls.js") },
+               { "vtkjs", [&] { return escapedScript(vtkJs); } }, { "data", data } }),
+    simplifications };
 }
 
-void writeHtml(const TriangleMesh& surface, vtkPolyData* axis, const std::string& title,
-  const std::filesystem::path& file)
+std::vector<std::string> writeHtml(const TriangleMesh& surface, vtkPolyData* axis,
+  const std::string& title, const std::filesystem::path& file)
 {
-  const std::string page = makeHtml(surface, axis, title, webFile("vtk.js"));
+  HtmlPage page = makeHtml(surface, axis, title, webFile("vtk.js"));
   Sink sink(file);
-  sink.raw(reinterpret_cast<const unsigned char*>(page.data()),
-    static_cast<vtkIdType>(page.size()));
+  sink.raw(reinterpret_cast<const unsigned char*>(page.html.data()),
+    static_cast<vtkIdType>(page.html.size()));
   sink.close();
+  return std::move(page.simplifications);
 }
 
 } // namespace medial::app

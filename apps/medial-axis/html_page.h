@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 class vtkPolyData;
 
@@ -15,6 +16,13 @@ namespace medial::app
 /// Bytes that a page may have; larger meshes are made coarser.
 constexpr std::size_t kHtmlLimit = 15'000'000;
 
+/// A page, and what had to be simplified for it.
+struct HtmlPage
+{
+  std::string html;
+  std::vector<std::string> simplifications; ///< as fitMeshes() says it; none where all fits
+};
+
 /// A page that shows surface and axis and loads nothing from anywhere (docs/WEB.md).
 /// @param surface, axis of the same run; both may be empty. Positions are rounded to 1/65535 of
 ///   their common bounds on each axis, the axis's arrays to 1/65535 of their ranges.
@@ -22,12 +30,13 @@ constexpr std::size_t kHtmlLimit = 15'000'000;
 /// @param vtkJs the bundle of vtk.js.
 /// @param limit bytes of the whole page. Beyond it the meshes are made coarser, as the page says;
 ///   what is not a mesh stays, however large.
-std::string makeHtml(const TriangleMesh& surface, vtkPolyData* axis, const std::string& title,
+HtmlPage makeHtml(const TriangleMesh& surface, vtkPolyData* axis, const std::string& title,
   std::string_view vtkJs, std::size_t limit = kHtmlLimit);
 
 /// Writes makeHtml() with the bundle that the program was built with.
+/// @return its simplifications.
 /// @throws Failure NoSpace when the file cannot be written completely. The message names no file.
-void writeHtml(const TriangleMesh& surface, vtkPolyData* axis, const std::string& title,
-  const std::filesystem::path& file);
+std::vector<std::string> writeHtml(const TriangleMesh& surface, vtkPolyData* axis,
+  const std::string& title, const std::filesystem::path& file);
 
 } // namespace medial::app

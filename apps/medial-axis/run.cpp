@@ -128,7 +128,10 @@ void run(const Options& options)
   outputs.add(options.image, [&](const auto& file) { drawPicture(mesh, result.axis, file); });
   outputs.add(options.html,
     [&](const auto& file)
-    { writeHtml(result.mesh, result.axis, options.input.filename().string(), file); });
+    {
+      const std::string title = options.input.filename().string();
+      result.pageNotes = writeHtml(result.mesh, result.axis, title, file);
+    });
   outputs.add(options.thickness,
     [&](const auto& file) { writeVtp(withThickness(mesh, result.mesh, *result.thickness), file); });
   outputs.add(options.thicknessImage,

@@ -143,6 +143,15 @@ void printNotes(const Options& options, const Result& result)
   }
 }
 
+void printPageNotes(const Options& options, const Result& result)
+{
+  for (const std::string& note : result.pageNotes)
+  {
+    std::fprintf(stderr, "medial-axis: note: %s: to keep the page small %s\n", options.html.c_str(),
+      note.c_str());
+  }
+}
+
 void printSimplification(const Options& options, const Result& result)
 {
   const SimplificationStatistics& done = result.simplification;
@@ -195,6 +204,7 @@ void printSummary(const Options& options, const Result& result, const AppSeconds
   {
     printCoverage(options, *result.coverage);
   }
+  printPageNotes(options, result);
   printMesh(options, result);
   if (options.wantsAxis() || !options.field.empty())
   {

@@ -24,31 +24,26 @@ protected:
   }
 
   TemporaryFolder folder;
-  std::string input = folder.file("<b>.obj");
+  std::string input = folder.file("box.obj");
 };
 
-// Builds without vtk.js must say how to get it; builds with it must write the page.
-TEST_F(CommandHtml, WritesThePageOrSaysHowToGetVtkJs)
+// What builds with vtk.js write is tested in tests/web.
+TEST_F(CommandHtml, BuildsWithoutVtkJsSayHowToGetIt)
 {
   const std::string file = folder.file("page.html");
   const Outcome outcome = run(file);
-  if (app::webFile("vtk.js").empty())
+  if (!app::webFile("vtk.js").empty())
   {
-    EXPECT_EQ(outcome.exitCode, kUsage);
-    for (const std::string& part :
-      { "--html " + file, std::string("./check --web"), std::string("-DMEDIAL_VTKJS=") })
-    {
-      EXPECT_TRUE(contains(outcome.err, part)) << outcome.err;
-    }
-    EXPECT_EQ(folder.list(), std::vector<std::string>{ "<b>.obj" });
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
     return;
   }
-  EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
-  EXPECT_EQ(folder.list(), (std::vector<std::string>{ "<b>.obj", "page.html" }));
-  EXPECT_TRUE(contains(outcome.out, file + ": page with axis and surface"));
-  const std::string page = readFile(file);
-  EXPECT_TRUE(contains(page, R"("title":"\u003cb>.obj")"));
-  EXPECT_TRUE(contains(page, std::string(app::webFile("vtk.js").substr(0, 1000))));
+  EXPECT_EQ(outcome.exitCode, kUsage);
+  for (const std::string& part :
+    { "--html " + file, std::string("./check --web"), std::string("-DMEDIAL_VTKJS=") })
+  {
+    EXPECT_TRUE(contains(outcome.err, part)) << outcome.err;
+  }
+  EXPECT_EQ(folder.list(), std::vector<std::string>{ "box.obj" });
 }
 
 TEST_F(CommandHtml, RefusesOtherExtensions)

@@ -19,7 +19,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <numeric>
+#include <limits>
+#include <optional>
 #include <regex>
 
 namespace medial::test
@@ -162,7 +163,7 @@ class HtmlPage : public ::testing::Test
 {
 protected:
   TriangleMesh surface = box({ 1.0, 0.7, 6.0 });
-  std::string page = makeHtml(surface, sheet(10), "box.obj", kBundle);
+  std::string page = makeHtml(surface, sheet(10), "box.obj", kBundle).html;
   Json data = dataOf(page);
 };
 
@@ -247,7 +248,7 @@ TEST_F(HtmlPage, TrianglesCoverTheSheetThoseOfWideAnglesFirst)
 TEST_F(HtmlPage, NoTextEndsAScript)
 {
   const std::string title = "</script><b>\"\\ & <!-- \xC3\xA9 \xFF";
-  const std::string hostile = makeHtml(surface, sheet(2), title, "a = '</SCRIPT><!--';");
+  const std::string hostile = makeHtml(surface, sheet(2), title, "a = '</SCRIPT><!--';").html;
   EXPECT_EQ(occurrences(hostile, "</script"), 3);
   EXPECT_EQ(occurrences(hostile, "<!--"), 1); // the page's own
   EXPECT_NE(hostile.find(R"(a = '<\/SCRIPT><\!--';)"), std::string::npos);
@@ -256,7 +257,7 @@ TEST_F(HtmlPage, NoTextEndsAScript)
 
 TEST_F(HtmlPage, AnEmptyAxisIsNone)
 {
-  const Json empty = dataOf(makeHtml(surface, emptyAxis(), "box", kBundle));
+  const Json empty = dataOf(makeHtml(surface, emptyAxis(), "box", kBundle).html);
   EXPECT_EQ(empty["axis"]["points"], "");
   EXPECT_EQ(empty["axis"]["triangles"], "");
   EXPECT_EQ(empty["axis"]["arrays"][1]["values"], "");
@@ -276,18 +277,31 @@ TEST(HtmlPageLimit, CoarserMeshesKeepItAndThePageSaysSo)
   const TriangleMesh sphere = icosphere(1.0, 6); // 81,920 triangles
   const auto axis = sheet(300);                  // 180,000
   constexpr std::size_t kLimit = 1'000'000;
-  const std::string whole = makeHtml(sphere, axis, "sphere", kBundle);
-  EXPECT_GT(whole.size(), 2 * kLimit);
-  const std::string page = makeHtml(sphere, axis, "sphere", kBundle, kLimit);
-  EXPECT_LT(page.size(), kLimit);
-  EXPECT_GT(page.size(), kLimit / 3);
-  const Json data = dataOf(page);
+  const app::HtmlPage whole = makeHtml(sphere, axis, "sphere", kBundle);
+  EXPECT_GT(whole.html.size(), 2 * kLimit);
+  EXPECT_EQ(whole.simplifications, std::vector<std::string>());
+  const app::HtmlPage page = makeHtml(sphere, axis, "sphere", kBundle, kLimit);
+  EXPECT_LT(page.html.size(), kLimit);
+  EXPECT_GT(page.html.size(), kLimit / 3);
+  const Json data = dataOf(page.html);
   const std::string notes = data["notes"].dump();
   const auto angles = leastAngles(data);
   EXPECT_EQ(data["simplified"], true);
   EXPECT_TRUE(std::is_sorted(angles.rbegin(), angles.rend()));
-  EXPECT_NE(notes.find("the surface was simplified from 81920 to "), std::string::npos) << notes;
-  EXPECT_NE(notes.find("the medial axis was simplified from 180002 to "), std::string::npos);
+  const auto count = [&](const char* mesh, const char* kind, int corners)
+  {
+    const auto cells = decoded<std::uint32_t>(data[mesh][kind]).size() / corners;
+    return std::to_string(cells);
+  };
+  const std::string surfaceNote = "the surface was simplified from 81920 to " +
+    count("surface", "triangles", 3) + " triangles: points that share a box of side 0.0";
+  const std::string axisNote = "the medial axis was simplified from 180002 to ";
+  EXPECT_NE(notes.find("To keep this file small " + surfaceNote), std::string::npos) << notes;
+  EXPECT_NE(notes.find("To keep this file small " + axisNote), std::string::npos) << notes;
+  EXPECT_NE(notes.find(" triangles, lines and points: "), std::string::npos) << notes;
+  ASSERT_EQ(page.simplifications.size(), 2U);
+  EXPECT_EQ(page.simplifications[0].rfind(surfaceNote, 0), 0U) << page.simplifications[0];
+  EXPECT_EQ(page.simplifications[1].rfind(axisNote, 0), 0U) << page.simplifications[1];
 }
 
 TEST(HtmlMesh, CoarsePointsAreNearAllOthersAndCellsStillCover)
@@ -296,7 +310,7 @@ TEST(HtmlMesh, CoarsePointsAreNearAllOthersAndCellsStillCover)
   app::HtmlMesh mesh = app::htmlMesh(axis);
   const app::HtmlMesh fine = mesh;
   const std::size_t limit = fine.bytes() / 8;
-  const double side = app::coarsen(mesh, limit);
+  const double side = app::coarsen(mesh, limit).value();
   EXPECT_LE(mesh.bytes(), limit);
   EXPECT_GT(side, 1.0 / 64.0);
   EXPECT_LT(side, 0.1);
@@ -323,10 +337,29 @@ TEST(HtmlMesh, CoarsePointsAreNearAllOthersAndCellsStillCover)
   }
 }
 
+// Sides of boxes would be 0, or round to it.
+TEST(HtmlMesh, PointsAtOnePlaceBecomeOne)
+{
+  for (const double length : { 0.0, std::numeric_limits<double>::denorm_min() })
+  {
+    app::HtmlMesh mesh;
+    mesh.points.assign(100, { 1.0, 2.0, 0.0 });
+    mesh.points.back()[2] = length;
+    mesh.triangles = { { 0, 1, 99 } };
+    mesh.lines = { { 0, 98 } };
+    mesh.vertices = { { 5 }, { 99 } };
+    EXPECT_EQ(app::coarsen(mesh, 100), std::optional(0.0));
+    EXPECT_EQ(mesh.points, (std::vector<Point3>{ { 1.0, 2.0, 0.0 } }));
+    EXPECT_TRUE(mesh.triangles.empty());
+    EXPECT_TRUE(mesh.lines.empty());
+    EXPECT_EQ(mesh.vertices, (app::HtmlMesh::Cells<1>{ { 0 } }));
+  }
+}
+
 TEST(HtmlMesh, SmallMeshesStay)
 {
   app::HtmlMesh mesh = app::htmlMesh(sheet(4));
-  EXPECT_EQ(app::coarsen(mesh, mesh.bytes()), 0.0);
+  EXPECT_EQ(app::coarsen(mesh, mesh.bytes()), std::nullopt);
   EXPECT_EQ(mesh.points.size(), 25U);
   EXPECT_EQ(mesh.bytes(), 25U * 12U + 32U * 12U + 8U + 4U);
 }

@@ -1,10 +1,14 @@
 """A page of medial-axis --html in headless Chromium, beside the axis that was written with it.
 
-usage: browser_test.py MEDIAL-AXIS CHROMIUM FOLDER   pictures of the page stay in FOLDER
+usage: browser_test.py MEDIAL-AXIS CHROMIUM FOLDER [Browser.TEST...]
+
+Pictures of the page stay in FOLDER.
 """
 
+import json
 import os
 import re
+import resource
 import shlex
 import subprocess
 import sys
@@ -24,6 +28,7 @@ DOCUMENT = Path(__file__).resolve().parents[2] / "docs/WEB.md"
 SIZE = (1280, 960)
 VIEW = (slice(None), slice(320, 1080))  # between panel and legend
 LIMIT = 15_000_000  # bytes of a page
+NO_SPACE = 5  # exit code, as README has it
 
 # Without a GPU, SwiftShader draws. No name is resolved, so that nothing can come from elsewhere.
 FLAGS = ["--headless=new", "--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader",
@@ -36,14 +41,14 @@ BOXES = (((0, 0, 0), (1.0, 0.7, 0.4)), ((3, 0, 0), (0.5, 0.35, 0.2)))
 SIDES = ((1, 3, 4, 2), (5, 6, 8, 7), (1, 2, 6, 5), (3, 7, 8, 4), (1, 5, 7, 3), (2, 4, 8, 6))
 
 
-def write_boxes(path, scale=1.0, moved=0.0):
-    """All coordinates are scaled, and then moved."""
+def write_boxes(path, boxes=BOXES, scale=1.0, moved=0.0):
+    """Boxes by middle and half their sides. All coordinates are scaled, and then moved."""
     lines = []
-    for middle, half in BOXES:
+    for middle, half in boxes:
         for signs in np.ndindex(2, 2, 2):
             point = np.array(middle) + (2 * np.array(signs[::-1]) - 1) * half
             lines.append("v " + " ".join(str(moved + scale * x) for x in point))
-    for box in range(len(BOXES)):
+    for box in range(len(boxes)):
         lines += ["f " + " ".join(str(8 * box + corner) for corner in side) for side in SIDES]
     path.write_text("\n".join(lines) + "\n")
 
@@ -91,6 +96,21 @@ def grey(picture):
     return ~coloured(picture) & (picture.min(axis=2) < 252)
 
 
+def text_of(dom, name):
+    """The text of the element with this id."""
+    return unescape(re.search(rf'id="{name}"[^>]*>([^<]*)<', dom)[1])
+
+
+def items_of(dom, name):
+    """The texts of the list with this id."""
+    items = re.search(rf'id="{name}"[^>]*>((?:<li>[^<]*</li>)*)</', dom)[1]
+    return [unescape(item) for item in re.findall("<li>([^<]*)</li>", items)]
+
+
+def is_hidden(dom, name):
+    return re.search(rf'id="{name}"[^>]* hidden', dom) is not None
+
+
 class Browser(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -102,6 +122,7 @@ class Browser(unittest.TestCase):
                         "-o", cls.folder / "axis.vtp"], check=True)
         cls.angles = least_angles(cls.folder / "axis.vtp")
         cls.default_picture = cls.picture("default")
+        cls.default_dom = cls.open("--dump-dom")
 
     @classmethod
     def tearDownClass(cls):
@@ -113,9 +134,9 @@ class Browser(unittest.TestCase):
         scripts and refused loads fail, unless the page may complain."""
         page = page or cls.page
         if script:
+            text = page.read_text()
             page = cls.folder / "scripted.html"
-            page.write_text(cls.page.read_text().replace(
-                "</body>", f"<script>{script}</script></body>"))
+            page.write_text(text.replace("</body>", f"<script>{script}</script></body>"))
         command = [CHROMIUM, *FLAGS, *flags, f"--user-data-dir={cls.folder}/profile", action,
                    page.as_uri() + fragment]
         result = subprocess.run(command, capture_output=True, text=True, check=True, timeout=200)
@@ -130,19 +151,25 @@ class Browser(unittest.TestCase):
         cls.open(f"--screenshot={path}", fragment, script, page=page)
         return read_picture(path)
 
-    def text(self, name, fragment="", script=""):
-        """The text of the element after loading."""
-        page = self.open("--dump-dom", fragment, script)
-        return unescape(re.search(rf'id="{name}"[^>]*>([^<]*)<', page)[1])
+    @classmethod
+    def write_page(cls, mesh, *options):
+        """A page of the mesh, and what the command says on standard output and error."""
+        page = mesh.with_suffix(".html")
+        result = subprocess.run([AXIS, mesh, *options, "--html", page], check=True, text=True,
+                                capture_output=True)
+        return page, result.stdout, result.stderr
 
-    def shown(self, fragment="", script=""):
+    @staticmethod
+    def shown(dom):
         """Number of triangles that the page says it shows, and has."""
-        count = self.text("count", fragment, script)
-        return tuple(int(n.replace(",", ""))
-                     for n in re.match(r"([\d,]+) of ([\d,]+) triangles", count).groups())
+        return tuple(int(n.replace(",", "")) for n in re.match(
+            r"([\d,]+) of ([\d,]+) triangles", text_of(dom, "count")).groups())
 
     def assert_shown(self, angle, fragment="", script=""):
-        shown, all_triangles = self.shown(fragment, script)
+        self.assert_shows(angle, self.open("--dump-dom", fragment, script))
+
+    def assert_shows(self, angle, dom):
+        shown, all_triangles = self.shown(dom)
         step = 180 / 65535  # angles on the page are rounded
         self.assertEqual(all_triangles, len(self.angles))
         self.assertGreaterEqual(shown, (self.angles >= angle + step).sum())
@@ -162,11 +189,12 @@ class Browser(unittest.TestCase):
                 self.assertTrue((abs(legend - colour).max(axis=2) < 12).any())
 
     def test_title_and_notes(self):
-        self.assertEqual(self.text("title"), self.mesh.name)
-        self.assertIn("rounded", self.open("--dump-dom"))
+        self.assertEqual(text_of(self.default_dom, "title"), self.mesh.name)
+        self.assertIn("rounded", items_of(self.default_dom, "notes")[0])
+        self.assertNotIn("simplified", self.default_dom.partition("</section>")[0])
 
     def test_all_triangles_at_first(self):
-        self.assert_shown(0)
+        self.assert_shows(0, self.default_dom)
 
     def test_angle_of_the_address(self):
         for angle in (90, 150):
@@ -185,6 +213,30 @@ class Browser(unittest.TestCase):
         script = (key % ("ArrowRight", "true")) * 4 + key % ("ArrowLeft", "false")
         self.assert_shown(np.floor(self.angles.min()) + 39, script=script)
 
+    def test_keys_on_a_slider_and_unknown_names_in_the_address(self):
+        script = """const of = (id) => document.getElementById(id);
+            let resets = 0;
+            of("reset").addEventListener("click", () => ++resets);
+            const press = (key, shiftKey = false) => of("angle").dispatchEvent(
+              new KeyboardEvent("keydown", {key, shiftKey, bubbles: true, cancelable: true}));
+            of("angle").focus();
+            const before = {angle: +of("angle").value, opacity: +of("opacity").value};
+            const left = press("ArrowRight");
+            for (const key of ["c", "S", "r", "h"]) { press(key); }
+            press("ArrowRight", true);
+            of("title").textContent = JSON.stringify({before, left, resets,
+              focus: document.activeElement.id, angle: +of("angle").value,
+              opacity: +of("opacity").value, help: of("help").open});"""
+        dom = self.open("--dump-dom", "#constructor=1&__proto__=2&opacity=0.6", script)
+        self.assertTrue(is_hidden(dom, "failure"))
+        state = json.loads(text_of(dom, "title"))
+        least = int(np.floor(self.angles.min()))
+        self.assertEqual(state, {
+            "before": {"angle": least, "opacity": 0.6}, "focus": "angle",
+            "left": True,  # to the slider, which invented events do not move
+            "angle": least + 10, "opacity": 0, "resets": 1, "help": True})
+        self.assertEqual(text_of(dom, "legend-title"), "Separation angle (degrees)")
+
     def test_surface_can_be_switched_off(self):
         script = 'window.dispatchEvent(new KeyboardEvent("keydown", {key: "s"}));'
         translucent = self.picture("translucent", "#angle=180")[VIEW]
@@ -194,9 +246,9 @@ class Browser(unittest.TestCase):
         self.assertLess(grey(self.picture("no-surface", fragment, script)[VIEW]).mean(), 0.005)
 
     def test_colour_by_separation_angle(self):
-        self.assertEqual(self.text("legend-title"), "Radius (world units)")
+        self.assertEqual(text_of(self.default_dom, "legend-title"), "Radius (world units)")
+        self.assertEqual(len(set(items_of(self.default_dom, "legend-labels"))), 5)
         fragment = "#colour=SeparationAngle"
-        self.assertEqual(self.text("legend-title", fragment), "Separation angle (degrees)")
         picture = self.picture("separation-angle", fragment + "&angle=165&opacity=0")[VIEW]
         axis = picture[coloured(picture)]
         self.assertGreater(len(axis), 1000)
@@ -230,10 +282,8 @@ class Browser(unittest.TestCase):
         pictures = []
         for scale, moved in ((1.0, 0.0), (2.0**-12, 1e4)):
             mesh = self.folder / "moved.obj"
-            page = self.folder / "moved.html"
-            write_boxes(mesh, scale, moved)
-            subprocess.run([AXIS, mesh, "--resolution", "128", "--quiet", "--html", page],
-                           check=True)
+            write_boxes(mesh, scale=scale, moved=moved)
+            page, _, _ = self.write_page(mesh, "--resolution", "128")
             pictures.append(self.picture(f"moved-by-{moved:g}", page=page)[VIEW])
         self.assertGreater(coloured(pictures[0]).mean(), 0.1)
         self.assertLess((abs(pictures[1] - pictures[0]).max(axis=2) > 40).mean(), 0.01)
@@ -252,9 +302,66 @@ class Browser(unittest.TestCase):
     def test_says_so_without_webgl(self):
         page = self.open("--dump-dom", flags=["--disable-3d-apis"],
                          may_complain=True)
-        self.assertRegex(page, r'id="failure"[^>]*>The page cannot be shown: [^<]*WebGL')
-        self.assertNotRegex(page, r'id="failure"[^>]*hidden')
+        self.assertRegex(text_of(page, "failure"), r"The page cannot be shown: .*It needs WebGL 2")
+        self.assertFalse(is_hidden(page, "failure"))
+
+    def test_does_not_blame_webgl_for_other_failures(self):
+        broken = self.folder / "broken.html"
+        broken.write_text(self.page.read_text().replace('"surface":{', '"other":{'))
+        page = self.open("--dump-dom", page=broken, may_complain=True)
+        self.assertRegex(text_of(page, "failure"), r"^The page cannot be shown: Cannot read .*\.$")
+        self.assertNotIn("WebGL", text_of(page, "failure"))
+        self.assertFalse(is_hidden(page, "failure"))
+
+    def test_an_empty_axis_has_no_legend_and_names_are_text(self):
+        mesh = self.folder / "<b>.obj"
+        write_boxes(mesh, BOXES[:1])
+        page, out, _ = self.write_page(mesh, "--side", "exterior", "--resolution", "16")
+        self.assertIn(f"wrote     {page}: page with axis and surface", out)
+        self.assertIn(r'"title":"\u003cb>.obj"', page.read_text())
+        dom = self.open("--dump-dom", page=page)
+        self.assertTrue(is_hidden(dom, "failure"))
+        self.assertEqual(text_of(dom, "title"), "<b>.obj")
+        self.assertEqual(text_of(dom, "count"), "the axis is empty")
+        self.assertTrue(is_hidden(dom, "legend"))
+
+    def test_simplified_axis_of_one_radius(self):
+        """The middle of a plate as fine as the grid: more than a page can have."""
+        mesh = self.folder / "plate.obj"
+        write_boxes(mesh, [((0, 0, 0), (1, 1, 0.01))])
+        page, _, error = self.write_page(
+            mesh, "--resolution", "700", "--padding", "0.002", "--angle", "170")
+        self.assertLess(page.stat().st_size, LIMIT)
+        path = PICTURES / "plate.png"
+        path.unlink(missing_ok=True)
+        dom = self.open("--dump-dom", page=page, flags=[f"--screenshot={path}"])
+        how = re.fullmatch(
+            rf"medial-axis: note: {page}: to keep the page small (the medial axis was simplified "
+            r"from (\d+) to (\d+) triangles: points that share a box of side [\d.]+ are one)\n", error)
+        self.assertEqual(items_of(dom, "notes")[0], f"To keep this file small {how[1]}.")
+        self.assertEqual(self.shown(dom), (int(how[3]), int(how[3])))
+        self.assertGreater(int(how[2]), 1.5 * int(how[3]))
+        self.assertRegex(dom, r'id="about"[^>]* open')
+        self.assertEqual(items_of(dom, "legend-labels"), ["0.01"])
+        picture = read_picture(path)
+        bar = picture[300:700, 1155:1165]
+        self.assertEqual(np.ptp(bar, axis=(0, 1)).max(), 0)
+        axis = picture[VIEW][coloured(picture[VIEW])]
+        self.assertGreater(len(axis), 100_000)
+        self.assertLess(abs(axis - bar[0, 0]).max(axis=1).mean(), 40)  # but for light
+
+    def test_full_disk(self):
+        page = self.folder / "old.html"
+        page.write_text("old")
+        before = sorted(os.listdir(self.folder))
+        result = subprocess.run(
+            [AXIS, self.mesh, "--resolution", "16", "--html", page], capture_output=True, text=True,
+            preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096)))
+        self.assertEqual(result.returncode, NO_SPACE)
+        self.assertRegex(result.stderr, rf"^medial-axis: {page}: cannot be written: [^\n]+\n$")
+        self.assertEqual(page.read_text(), "old")
+        self.assertEqual(sorted(os.listdir(self.folder)), before)
 
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1])
+    unittest.main(argv=sys.argv[:1] + sys.argv[4:])

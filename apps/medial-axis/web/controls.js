@@ -2,6 +2,14 @@
 
 const element = (id) => document.getElementById(id);
 
+function listItems(texts) {
+  return texts.map((text) => {
+    const item = document.createElement("li");
+    item.textContent = text;
+    return item;
+  });
+}
+
 // Initial values may follow the file's name: #angle=90&opacity=0.5&colour=Lambda
 function settingsOf(hash) {
   return Object.fromEntries(new URLSearchParams(hash.replace(/^#/, "")));
@@ -11,31 +19,42 @@ function describeCount(shown, mesh) {
   const number = (n) => n.toLocaleString("en");
   const parts = Object.entries(shown)
     .filter(([kind]) => mesh[kind].count > 0)
-    .map(([kind, n]) => `${number(n)} of ${number(mesh[kind].count)} ${kind}`);
+    .map(([kind, n]) =>
+      `${number(n)} of ${number(mesh[kind].count)} ${kind === "vertices" ? "points" : kind}`);
   return parts.join(", ") || "the axis is empty";
 }
 
-function showLegend(array, colours) {
+// Texts from the greatest to the least value, with as many digits as tell them apart; one where
+// the values are the same to six digits.
+function labelsOf(array) {
+  const values = [1, 0.75, 0.5, 0.25, 0].map((share) => array.origin + share * 65535 * array.step);
+  for (let digits = 3; digits <= 6; ++digits) {
+    const labels = values.map((value) => String(Number(value.toPrecision(digits))));
+    if (new Set(labels).size === labels.length) {
+      return labels;
+    }
+  }
+  return [String(Number(array.origin.toPrecision(3)))];
+}
+
+// As many stops, all of the first one's colour.
+function oneColour(colours) {
+  return colours.map(([share]) => [share, ...colours[0].slice(1)]);
+}
+
+function showLegend(array, labels, colours) {
+  element("legend").hidden = array.values.length === 0;
   const stops = colours.map(([share, ...rgb]) =>
     `rgb(${rgb.map((c) => Math.round(255 * c)).join(" ")}) ${100 * share}%`);
   element("legend-bar").style.background = `linear-gradient(to top, ${stops.join(", ")})`;
   element("legend-title").textContent = `${array.label} (${array.unit})`;
-  const labels = [1, 0.75, 0.5, 0.25, 0].map((share) => {
-    const item = document.createElement("li");
-    item.textContent = String(Number((array.origin + share * 65535 * array.step).toPrecision(3)));
-    return item;
-  });
-  element("legend-labels").replaceChildren(...labels);
+  element("legend-labels").replaceChildren(...listItems(labels));
 }
 
 function fillPanel(page, scene) {
   document.title = `Medial axis of ${page.title}`;
   element("title").textContent = page.title;
-  element("notes").replaceChildren(...page.notes.map((note) => {
-    const item = document.createElement("li");
-    item.textContent = note;
-    return item;
-  }));
+  element("notes").replaceChildren(...listItems(page.notes));
   element("about").open = page.simplified;
   element("colour").replaceChildren(...scene.axisMesh.arrays.map((array) => {
     const option = document.createElement("option");
@@ -59,8 +78,10 @@ function makeAppliers(page, scene) {
     },
     colour() {
       const array = arrays.find(({ name }) => name === element("colour").value);
-      scene.setColour(array, page.colours);
-      showLegend(array, page.colours);
+      const labels = labelsOf(array);
+      const colours = labels.length > 1 ? page.colours : oneColour(page.colours);
+      scene.setColour(array, colours);
+      showLegend(array, labels, colours);
     },
   };
 }
@@ -70,7 +91,7 @@ function setInitialValues(page, scene) {
   element("angle").min = Math.floor(angles.origin);
   const initial = { angle: element("angle").min, opacity: 0.2, colour: "Radius" };
   for (const [id, value] of Object.entries({ ...initial, ...settingsOf(location.hash) })) {
-    if (id in initial) {
+    if (Object.hasOwn(initial, id)) {
       element(id).value = value;
     }
   }
@@ -82,6 +103,12 @@ function setInitialValues(page, scene) {
 function change(id, value) {
   element(id).value = value;
   element(id).dispatchEvent(new Event("input"));
+}
+
+// Whether the key moves a slider or the list that has the focus.
+function movesFocused(event) {
+  return event.target instanceof HTMLElement && event.target.matches("input, select") &&
+    event.key.startsWith("Arrow") && !event.shiftKey;
 }
 
 function listenToKeys() {
@@ -107,8 +134,7 @@ function listenToKeys() {
   window.addEventListener("keypress", (event) => event.stopImmediatePropagation(), true);
   window.addEventListener("keydown", (event) => {
     const action = actions[event.key] || actions[event.key.toLowerCase()];
-    const typing = event.target instanceof HTMLElement && event.target.matches("input, select");
-    if (action && !typing && !event.ctrlKey && !event.altKey && !event.metaKey) {
+    if (action && !movesFocused(event) && !event.ctrlKey && !event.altKey && !event.metaKey) {
       event.preventDefault();
       action(event);
     }
@@ -137,9 +163,14 @@ function start() {
   document.body.dataset.drawn = "yes";
 }
 
+function hasWebGl() {
+  return document.createElement("canvas").getContext("webgl2") !== null;
+}
+
 try {
   start();
 } catch (error) {
-  element("failure").textContent = `The page cannot be shown: ${error.message}. It needs WebGL 2.`;
+  const need = hasWebGl() ? "" : " It needs WebGL 2.";
+  element("failure").textContent = `The page cannot be shown: ${error.message}.${need}`;
   element("failure").hidden = false;
 }
