@@ -104,8 +104,8 @@ std::string whyUnsigned(const Options& options, const MeshTopology& topology)
   }
   std::string edges;
   appendEdges(edges, topology.boundaryEdges, " edges with one triangle");
-  appendEdges(edges, topology.nonManifoldEdges, " with three or more");
-  appendEdges(edges, topology.misorientedEdges, " whose triangles face different sides");
+  appendEdges(edges, topology.nonManifoldEdges, " edges with three or more");
+  appendEdges(edges, topology.misorientedEdges, " edges whose triangles face different sides");
   return (topology.closed() ? "the mesh is not consistently oriented" : "the mesh is not closed") +
     edges;
 }

@@ -132,6 +132,14 @@ TEST_F(CommandLine, RefusesUnknownWords)
   EXPECT_TRUE(contains(usageError({ "second.obj" }), "second.obj"));
 }
 
+TEST_F(CommandLine, WhatIsNoNumberIsRefused)
+{
+  EXPECT_TRUE(
+    contains(usageError({ "--angle", "60deg" }), "60deg is not a number; allowed: (0, 180)"));
+  EXPECT_TRUE(
+    contains(usageError({ "--resolution", "1.5" }), "1.5 is not a whole number; allowed: [2, "));
+}
+
 TEST_F(CommandLine, RefusesUnknownOutputFormats)
 {
   EXPECT_TRUE(contains(usageError({ "--field", folder.file("x.vtk") }), "x.vtk"));

@@ -175,6 +175,9 @@ TEST_F(CommandOutput, AConvexShapeHasNoExteriorAxis)
   const Outcome outcome = run({ "--side", "exterior", "-o", folder.file("axis.vtp") });
   EXPECT_EQ(readVtp(folder.file("axis.vtp"))->GetNumberOfPoints(), 0);
   EXPECT_TRUE(contains(outcome.err, "60 degrees or more")) << outcome.err;
+  EXPECT_TRUE(
+    contains(run({ "--lambda", "50%", "--min-radius", "10", "-o", folder.file("axis.vtp") }).err,
+      "60 degrees and a lambda of 50 % and a radius of 10 or more"));
   run({ "--side", "exterior", "--image", folder.file("picture.png") });
   run({ "--side", "exterior", "-o", folder.file("axis.ma") });
   EXPECT_EQ(readFile(folder.file("axis.ma")), "0 0 0\n");
@@ -184,7 +187,8 @@ TEST_F(CommandOutput, AnOpenMeshGivesBothSidesAndANote)
 {
   writeFile(input, objText(plates(0.6, 1.0)));
   const Outcome outcome = run({ "-o", folder.file("axis.vtp"), "--report", folder.file("r.json") });
-  EXPECT_TRUE(contains(outcome.err, "the mesh is not closed")) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "the mesh is not closed: 8 edges with one triangle)"))
+    << outcome.err;
   EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1);
   EXPECT_GT(readVtp(folder.file("axis.vtp"))->GetNumberOfPolys(), 0);
   const Json result = Json::parse(readFile(folder.file("r.json")));
@@ -199,7 +203,8 @@ TEST_F(CommandOutput, AMisorientedMeshGivesBothSidesAndANote)
   std::swap(mesh.triangles[4][0], mesh.triangles[4][1]);
   writeFile(input, objText(mesh));
   const Outcome outcome = run({ "-o", folder.file("axis.vtp") });
-  EXPECT_TRUE(contains(outcome.err, "the mesh is not consistently oriented")) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "not consistently oriented: 3 edges whose triangles face"))
+    << outcome.err;
 }
 
 TEST_F(CommandOutput, SignNoneOnAClosedMeshGivesBothSides)

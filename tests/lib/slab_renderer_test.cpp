@@ -76,6 +76,12 @@ TEST_F(SlabOfTorus, RectanglesCoverTheirTilesInAscendingOrder)
   }
 }
 
+TEST_F(SlabOfTorus, ATableOfTilesThatDoesNotFitIsRefused)
+{
+  const Extent huge{ { 0, 0, 0 }, { 1 << 20, 1 << 20, 1 << 20 } };
+  EXPECT_THROW(TileQuery(sites_, filter_, frame_, huge, hierarchy_.leafSize()), Error);
+}
+
 TEST_F(SlabOfTorus, HolesAreFilledExactly)
 {
   const auto normals = pseudonormals(sites_, false);

@@ -196,6 +196,30 @@ TEST(TriangleMesh, RefusesCoordinatesThatAreNotFinite)
   EXPECT_EQ(messageOf(input), "point 7 has a coordinate that is not finite: (0, -inf, 1.5)");
 }
 
+TEST(TriangleMesh, RefusesCoordinatesWhoseSquaresDoNotFitSinglePrecision)
+{
+  MeshInput input = toInput(box({ 1, 1, 1 }));
+  for (Point3& point : input.points)
+  {
+    point = { 1e18 * point[0], 1e18 * point[1], 1e18 * point[2] };
+  }
+  EXPECT_EQ(buildTriangleMesh(input).triangles.size(), 12U);
+  input.points[3] = { 0, -1.5e18, 0 };
+  EXPECT_EQ(messageOf(input),
+    "point 3 has a coordinate that is beyond 1e+18 in magnitude: (0, -1.5e+18, 0)");
+}
+
+TEST(TriangleMesh, RefusesBoundsThatSinglePrecisionCannotMeasure)
+{
+  MeshInput input = toInput(box({ 1, 1, 1 }));
+  for (Point3& point : input.points)
+  {
+    point = { 1e-50 * point[0], 1e-50 * point[1], 1e-50 * point[2] };
+  }
+  EXPECT_EQ(messageOf(input),
+    "the bounds of the points have a diagonal of 3.4641e-50, less than 1e-18");
+}
+
 TEST(TriangleMesh, RefusesPointIdsOutOfRange)
 {
   MeshInput input;
