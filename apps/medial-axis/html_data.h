@@ -17,7 +17,7 @@ std::vector<std::string> fitMeshes(HtmlMesh& surface, HtmlMesh& axis, std::size_
 
 /// The data of a page as JSON without "<", so that nothing in them ends an element of HTML.
 /// docs/WEB.md has the format.
-/// @param surface, axis may be empty; sortByAngle() has been at the axis.
+/// @param surface, axis may be empty; the axis as sortByAngle() leaves it.
 /// @param title what the page calls the mesh; bytes that are not UTF-8 are replaced.
 /// @param simplifications of fitMeshes(), for the reader of the page.
 std::string makeHtmlData(const HtmlMesh& surface, const HtmlMesh& axis, const std::string& title,

@@ -54,9 +54,8 @@ void sortByAngle(HtmlMesh& mesh);
 /// lose a corner or are there twice. The grid has at most 1024 boxes along the longest side, and
 /// fewer until bytes() is at most `limit`. The order of cells stays. Nothing changes where bytes()
 /// is small enough already.
-/// @return the side of the boxes, world units, 0 where all points are at one place; none where
-/// nothing
-///   changed.
+/// @return the side of the boxes, world units, 0 where all points are at one place; nothing where
+///   nothing changed.
 std::optional<double> coarsen(HtmlMesh& mesh, std::size_t limit);
 
 } // namespace medial::app
