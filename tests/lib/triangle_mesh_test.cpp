@@ -369,7 +369,7 @@ TEST(Triangulation, PolygonsThatAreNotSimpleStillGiveTriangles)
 
 TEST(Triangulation, SizeAndPlaceDoNotMatter)
 {
-  for (const double size : { 1e-150, 1e-6, 1.0, 1e6, 1e150 })
+  for (const double size : { 1e-17, 1e-6, 1.0, 1e6, 1e17 })
   {
     const std::vector<Point3> polygon = { { 0, 0, 0 }, { size, 0, 0 }, { size, 0, size },
       { 0.5 * size, 0, 0.25 * size }, { 0, 0, size } };

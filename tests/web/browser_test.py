@@ -227,7 +227,7 @@ class Browser(unittest.TestCase):
             of("title").textContent = JSON.stringify({before, left, resets,
               focus: document.activeElement.id, angle: +of("angle").value,
               opacity: +of("opacity").value, help: of("help").open});"""
-        dom = self.open("--dump-dom", "#constructor=1&__proto__=2&opacity=0.6", script)
+        dom = self.open("--dump-dom", "#constructor=1&__proto__=2&angle=wide&opacity=0.6", script)
         self.assertTrue(is_hidden(dom, "failure"))
         state = json.loads(text_of(dom, "title"))
         least = int(np.floor(self.angles.min()))

@@ -91,7 +91,7 @@ function setInitialValues(page, scene) {
   element("angle").min = Math.floor(angles.origin);
   const initial = { angle: element("angle").min, opacity: 0.2, colour: "Radius" };
   for (const [id, value] of Object.entries({ ...initial, ...settingsOf(location.hash) })) {
-    if (Object.hasOwn(initial, id)) {
+    if (Object.hasOwn(initial, id) && (id === "colour" || Number.isFinite(Number(value)))) {
       element(id).value = value;
     }
   }
