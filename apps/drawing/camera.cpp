@@ -2,6 +2,8 @@
 
 #include <vtkBoundingBox.h>
 #include <vtkCamera.h>
+#include <vtkCellArray.h>
+#include <vtkDataArray.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
@@ -9,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 namespace medial::app
 {
@@ -17,14 +20,41 @@ namespace
 
 constexpr double kMargin = 1.06;
 
+// The points that are seen: those of cells, and all of a mesh without cells.
+std::vector<std::array<double, 3>> seenPoints(vtkPolyData* mesh)
+{
+  std::vector<bool> seen(mesh->GetNumberOfPoints(), mesh->GetNumberOfCells() == 0);
+  for (vtkCellArray* cells :
+    { mesh->GetVerts(), mesh->GetLines(), mesh->GetPolys(), mesh->GetStrips() })
+  {
+    vtkDataArray* corners = cells->GetConnectivityArray();
+    for (vtkIdType i = 0; i < corners->GetNumberOfTuples(); ++i)
+    {
+      seen[static_cast<std::size_t>(corners->GetTuple1(i))] = true;
+    }
+  }
+  std::vector<std::array<double, 3>> points;
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    if (seen[i])
+    {
+      mesh->GetPoint(i, points.emplace_back().data());
+    }
+  }
+  return points;
+}
+
 } // namespace
 
 void aimCamera(vtkCamera* camera, vtkPolyData* surface)
 {
-  double bounds[6];
-  surface->GetBounds(bounds);
-  const std::array<double, 3> size = { bounds[1] - bounds[0], bounds[3] - bounds[2],
-    bounds[5] - bounds[4] };
+  vtkBoundingBox bounds;
+  for (const std::array<double, 3>& point : seenPoints(surface))
+  {
+    bounds.AddPoint(point[0], point[1], point[2]);
+  }
+  const std::array<double, 3> size = { bounds.GetLength(0), bounds.GetLength(1),
+    bounds.GetLength(2) };
   const bool zUp = size[1] < std::min(size[0], size[2]);
   const bool fromX = size[0] < std::min(size[1], size[2]);
   camera->SetFocalPoint(0.0, 0.0, 0.0);
@@ -44,10 +74,9 @@ void fitView(vtkRenderer* renderer, std::initializer_list<vtkPolyData*> meshes, 
   vtkBoundingBox seen;
   for (vtkPolyData* mesh : meshes)
   {
-    for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+    for (const std::array<double, 3>& position : seenPoints(mesh))
     {
-      double point[4] = { 0.0, 0.0, 0.0, 1.0 };
-      mesh->GetPoint(i, point);
+      double point[4] = { position[0], position[1], position[2], 1.0 };
       view->MultiplyPoint(point, point);
       seen.AddPoint(point);
     }

@@ -13,7 +13,7 @@ namespace medial::app
 /// front, from a quarter to the right and from above. Up is y, or z where the mesh is flat along y.
 void aimCamera(vtkCamera* camera, vtkPolyData* surface);
 
-/// Moves and scales the view until every point fits, on the left of a scalar bar.
+/// Moves and scales the view until every point of a cell fits, on the left of a scalar bar.
 /// @param aspect width of the picture over its height.
 /// @param barShare share of the width that the bar takes, in [0, 1).
 void fitView(vtkRenderer* renderer, std::initializer_list<vtkPolyData*> meshes, double aspect,

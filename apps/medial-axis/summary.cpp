@@ -92,7 +92,8 @@ void appendEdges(std::string& list, int count, const char* kind)
 {
   if (count > 0)
   {
-    list += (list.empty() ? ": " : ", ") + std::to_string(count) + kind;
+    list += (list.empty() ? ": " : ", ") + std::to_string(count) +
+      (count == 1 ? " edge" : " edges") + kind;
   }
 }
 
@@ -103,9 +104,9 @@ std::string whyUnsigned(const Options& options, const MeshTopology& topology)
     return "sign method none";
   }
   std::string edges;
-  appendEdges(edges, topology.boundaryEdges, " edges with one triangle");
-  appendEdges(edges, topology.nonManifoldEdges, " edges with three or more");
-  appendEdges(edges, topology.misorientedEdges, " edges whose triangles face different sides");
+  appendEdges(edges, topology.boundaryEdges, " with one triangle");
+  appendEdges(edges, topology.nonManifoldEdges, " with three or more");
+  appendEdges(edges, topology.misorientedEdges, " whose triangles face different sides");
   return (topology.closed() ? "the mesh is not consistently oriented" : "the mesh is not closed") +
     edges;
 }

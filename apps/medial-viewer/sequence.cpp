@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
+#include <string>
 
 namespace medial::app
 {
@@ -60,15 +62,31 @@ bool sameCells(const MeshInput& a, const MeshInput& b)
     sameCells(a.lines, b.lines) && sameCells(a.verts, b.verts);
 }
 
-// The positions of a frame for the welded points of the first one.
-std::vector<Point3> pointsOf(const TriangleMesh& mesh, const MeshInput& frame)
+// The positions of a frame for the welded points of the first one, which must stay together.
+std::vector<Point3> pointsOf(const TriangleMesh& mesh, const MeshInput& frame, const fs::path& file)
 {
+  constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+  std::vector<std::size_t> inputOf(mesh.points.size(), kNone);
   std::vector<Point3> points(mesh.points.size());
   for (std::size_t i = 0; i < frame.points.size(); ++i)
   {
-    if (mesh.pointOfInput[i] >= 0)
+    if (mesh.pointOfInput[i] < 0)
     {
-      points[static_cast<std::size_t>(mesh.pointOfInput[i])] = frame.points[i];
+      continue;
+    }
+    const auto point = static_cast<std::size_t>(mesh.pointOfInput[i]);
+    if (inputOf[point] == kNone)
+    {
+      inputOf[point] = i;
+      points[point] = frame.points[i];
+    }
+    else if (points[point] != frame.points[i])
+    {
+      throw Failure(ExitCode::BadInput,
+        file.string() + ": the points " + std::to_string(inputOf[point]) + " and " +
+          std::to_string(i) +
+          " are one in the first frame, but not here; the cells of a sequence " +
+          "must stay joined");
     }
   }
   return points;
@@ -110,7 +128,7 @@ void readNext(const fs::path& file, const fs::path& first, const MeshInput& expe
   withFailures(file, [&] { include(sequence.bounds, buildTriangleMesh(input).bounds()); });
   vtkSmartPointer<vtkPoints> seen = surface->GetPoints();
   sequence.frames.push_back(
-    { file.filename().string(), pointsOf(sequence.mesh, input), std::move(seen) });
+    { file.filename().string(), pointsOf(sequence.mesh, input, file), std::move(seen) });
 }
 
 } // namespace

@@ -37,7 +37,8 @@ struct Sequence
 std::vector<std::filesystem::path> filesOf(const std::vector<std::filesystem::path>& inputs);
 
 /// Reads all frames.
-/// @throws Failure BadInput naming the file, also where its cells are not those of the first.
+/// @throws Failure BadInput naming the file, also where its cells are not those of the first,
+///   or come apart: points that are equal in the first frame must be so in all.
 Sequence readSequence(const std::vector<std::filesystem::path>& inputs);
 
 } // namespace medial::app

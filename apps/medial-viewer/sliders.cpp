@@ -59,6 +59,7 @@ Slider::Slider(vtkRenderWindowInteractor* interactor, const SliderStyle& style, 
   widget_->SetInteractor(interactor);
   widget_->SetRepresentation(look_);
   widget_->SetAnimationModeToJump();
+  widget_->KeyPressActivationOff();
   widget_->SetPriority(kPriority);
   widget_->EnabledOn();
 }

@@ -141,6 +141,7 @@ void Viewer::attemptAndStay(const std::function<void()>& work)
   note_ = problem;
   playing_ = false;
   resolution_.setValue(source_.resolution());
+  angle_.setValue(std::fmax(angle_.value(), source_.angle()));
   window_.window->Render();
 }
 
@@ -254,6 +255,10 @@ std::string Viewer::statusText() const
 
 void runViewer(const ViewerOptions& options)
 {
+  if (!options.screenshot.empty())
+  {
+    const OutputFile writable(options.screenshot); // or throws, before anything is computed
+  }
   Sequence sequence = readSequence(options.inputs);
   const VtkMessages messages;
   Viewer viewer(std::move(sequence), options);

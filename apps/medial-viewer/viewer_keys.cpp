@@ -60,9 +60,10 @@ void Viewer::turnSlice(int axis)
 
 void Viewer::savePicture()
 {
-  const std::string stem = options_.inputs.front().stem().string();
+  const std::string stem = std::filesystem::path(sequence_.frames[frame_].name).stem().string();
   std::filesystem::path file;
-  for (int i = 1; file.empty() || std::filesystem::exists(file); ++i)
+  std::error_code ignored;
+  for (int i = 1; file.empty() || std::filesystem::exists(file, ignored); ++i)
   {
     file = stem + "_viewer_" + std::to_string(i) + ".png";
   }

@@ -9,6 +9,9 @@
 #include <vtkPolyData.h>
 #include <vtkRenderer.h>
 #include <vtkTextProperty.h>
+#include <vtk_utf8.h>
+
+#include <iterator>
 
 namespace medial::app
 {
@@ -85,6 +88,14 @@ void ViewerScene::colourAxis(ColourBy colour, double greatest)
   setColours(colours_, greatest);
   axis_->GetMapper()->SelectColorArray(colouring.array);
   bar_->SetTitle(colouring.title);
+}
+
+// A text that is not UTF-8, as names of files may be, would not be drawn at all.
+void ViewerScene::setStatus(const std::string& text)
+{
+  std::string valid;
+  utf8::replace_invalid(text.begin(), text.end(), std::back_inserter(valid), U'?');
+  status_->SetInput(valid.c_str());
 }
 
 void ViewerScene::toggleSurface()

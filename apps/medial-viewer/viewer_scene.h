@@ -33,7 +33,7 @@ public:
 
   void setHelp(const std::string& text) { help_->SetInput(text.c_str()); }
   /// What is said on the upper left.
-  void setStatus(const std::string& text) { status_->SetInput(text.c_str()); }
+  void setStatus(const std::string& text);
   std::string status() { return status_->GetInput(); }
 
 private:

@@ -31,10 +31,38 @@ std::uint64_t systemMemory()
   return kUnknown;
 }
 
-/// The file holds the word "max" where there is no limit.
-std::uint64_t groupLimit()
+std::uint64_t numberIn(const std::string& path)
 {
-  std::string group = "/";
+  std::ifstream file(path);
+  std::uint64_t number = 0;
+  return file >> number ? number : kUnknown; // the word "max" where there is no limit
+}
+
+/// What a control group uses and cannot give back: files that are cached can.
+std::uint64_t usedBy(const std::string& group)
+{
+  const std::uint64_t current = numberIn(group + "/memory.current");
+  if (current == kUnknown)
+  {
+    return 0;
+  }
+  std::ifstream file(group + "/memory.stat");
+  std::string name;
+  std::uint64_t bytes = 0;
+  while (file >> name >> bytes)
+  {
+    if (name == "inactive_file")
+    {
+      return current - std::min(current, bytes);
+    }
+  }
+  return current;
+}
+
+/// What the limits of the process's control group, and of those around it, leave.
+std::uint64_t groupMemory()
+{
+  std::string group;
   std::ifstream groups("/proc/self/cgroup");
   for (std::string line; std::getline(groups, line);)
   {
@@ -43,9 +71,20 @@ std::uint64_t groupLimit()
       group = line.substr(3);
     }
   }
-  std::ifstream file("/sys/fs/cgroup" + group + "/memory.max");
-  std::uint64_t bytes = 0;
-  return file >> bytes ? bytes : kUnknown;
+  std::uint64_t left = kUnknown;
+  for (;; group.erase(group.find_last_of('/')))
+  {
+    const std::string folder = "/sys/fs/cgroup" + group;
+    const std::uint64_t limit = numberIn(folder + "/memory.max");
+    if (limit != kUnknown)
+    {
+      left = std::min(left, limit - std::min(limit, usedBy(folder)));
+    }
+    if (group.find('/') == std::string::npos)
+    {
+      return left;
+    }
+  }
 }
 
 void require(const std::string& what, std::uint64_t bytes, const std::string& detail,
@@ -64,7 +103,7 @@ void require(const std::string& what, std::uint64_t bytes, const std::string& de
 
 std::uint64_t availableMemory()
 {
-  return std::min(systemMemory(), groupLimit());
+  return std::min(systemMemory(), groupMemory());
 }
 
 void requireMemory(const std::string& what, std::uint64_t bytes)

@@ -7,8 +7,8 @@
 namespace medial
 {
 
-/// Bytes of memory that can still be had, by Linux's estimate and the limit of the process's
-/// control group (version 2); the largest number where neither is known.
+/// Bytes of memory that can still be had, by Linux's estimate and the limits of the process's
+/// control groups (version 2); the largest number where neither is known.
 std::uint64_t availableMemory();
 
 /// Throws Error OutOfMemory where `bytes` are more than that: the system would grant them, and end

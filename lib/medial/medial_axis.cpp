@@ -76,7 +76,7 @@ private:
   /// An axis that will not fit is given up at the first slab that shows it.
   static void requireRoom(std::size_t crossings)
   {
-    requireMemory("a medial axis of " + std::to_string(crossings) + " cells or more",
+    requireMemory("a medial axis selected from " + std::to_string(crossings) + " places or more",
       crossings * kAxisBytes);
   }
 

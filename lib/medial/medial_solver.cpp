@@ -6,7 +6,7 @@
 #include "medial/distance/field_pipeline.h"
 #include "medial/medial/axis_pipeline.h"
 
-#include <cmath>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -53,10 +53,10 @@ void MedialSolver::setPoints(std::vector<Point3> points)
   {
     if (!isUsable(points[i]))
     {
-      throw Error(ErrorCode::InvalidInput,
-        "point " + std::to_string(i) +
-          " has a coordinate that is not finite, or beyond 1e18 in "
-          "magnitude");
+      std::ostringstream message;
+      message << "point " << i << " is (" << points[i][0] << ", " << points[i][1] << ", "
+              << points[i][2] << "); allowed are finite coordinates up to " << kGreatestCoordinate;
+      throw Error(ErrorCode::InvalidInput, message.str());
     }
   }
   state_->mesh.points = std::move(points);

@@ -33,8 +33,8 @@ public:
 
   /// Moves the mesh.
   /// @param points as many as mesh().points, in the same order; world units.
-  /// @throws Error InvalidInput when the number differs or a coordinate is not finite; the mesh is
-  ///   then as it was.
+  /// @throws Error InvalidInput when the number differs, or a coordinate is not finite or beyond
+  ///   kGreatestCoordinate; the mesh is then as it was.
   void setPoints(std::vector<Point3> points);
 
   /// As the function computeDistanceField(), for the current positions. Fastest when grid and

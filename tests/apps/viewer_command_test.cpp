@@ -60,7 +60,12 @@ TEST_F(ViewerCommand, SaysThatTheDisplayWasLost)
   std::thread ending(
     [&]
     {
-      std::this_thread::sleep_for(std::chrono::seconds(5));
+      const std::string search =
+        "DISPLAY=" + display.name() + " xdotool search --name '^medial-viewer$' >/dev/null 2>&1";
+      for (int i = 0; i < 600 && std::system(search.c_str()) != 0; ++i)
+      {
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+      }
       display.end();
     });
   EXPECT_TRUE(contains(failure({ input, "--resolution", "16" }, kNoGpu), "was lost"));

@@ -21,7 +21,6 @@ namespace medial::test
 namespace
 {
 
-using app::DrawingQuality;
 using app::Viewer;
 
 constexpr double kEnd = 0.815; // of the resolution slider's bar, as a share of the width

@@ -73,6 +73,19 @@ TEST(ViewerSequence, RefusesOtherCells)
   EXPECT_NE(message.find("a.obj"), std::string::npos) << message;
 }
 
+// What touches in the first frame is one mesh there.
+TEST(ViewerSequence, RefusesFramesThatComeApart)
+{
+  const TemporaryFolder folder;
+  const std::string first = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  const std::string cells = "v -1 0 0\nv 0 -1 0\nf 1 2 3\nf 4 5 6\n";
+  writeFile(folder.file("a.obj"), first + "v 0 0 0\n" + cells);
+  writeFile(folder.file("b.obj"), first + "v 0 0 0.5\n" + cells);
+  const std::string message = messageOf({ folder.file("a.obj"), folder.file("b.obj") });
+  EXPECT_NE(message.find("b.obj: the points 0 and 3 are one in the first frame"), std::string::npos)
+    << message;
+}
+
 TEST(ViewerSequence, RefusesFramesThatAreNotFinite)
 {
   const TemporaryFolder folder;

@@ -3,7 +3,9 @@
 #include "support/shapes.h"
 
 #include "event_call.h"
+#include "failure.h"
 #include "medial/medial/medial_axis.h"
+#include "mesh_texts.h"
 
 #include <vtkDataArray.h>
 #include <vtkPNGReader.h>
@@ -74,6 +76,7 @@ TEST_F(ViewerWindow, SelectionIsTheAxisOfThatAngle)
 TEST_F(ViewerWindow, ResolutionSliderComputesOnce)
 {
   Viewer& v = open();
+  press("i"); // would switch VTK's widgets off
   const double before = v.source().field()->GetDimensions()[0];
   click(across(0.6), kSliderHeight);
   EXPECT_EQ(v.computations(), 2);
@@ -158,12 +161,13 @@ TEST_F(ViewerWindow, StatusNamesRendererAndRate)
   EXPECT_NE(status.find("compute: " + queryDevice().renderer), std::string::npos) << status;
   EXPECT_NE(status.find("window: "), std::string::npos) << status;
   EXPECT_NE(status.find("frames per second"), std::string::npos) << status;
-  EXPECT_EQ(status.find("0.0 frames per second"), std::string::npos) << status;
+  EXPECT_EQ(status.find("\n0.0 frames per second"), std::string::npos) << status;
 }
 
 // The window's GLX context is current in this thread while the library draws with OpenGL too.
 TEST_F(ViewerWindow, ComputesWithOpenGlBesideTheWindow)
 {
+  options.evaluator = Evaluator::Processor;
   Viewer& byProcessor = open();
   const auto expected = picture();
   EXPECT_EQ(byProcessor.source().statistics().evaluator, Evaluator::Processor);
@@ -246,6 +250,28 @@ TEST_F(ViewerWindow, WritesPictures)
   EXPECT_EQ(reader->GetOutput()->GetDimensions()[0], kWidth);
   EXPECT_EQ(reader->GetOutput()->GetDimensions()[1], kHeight);
   EXPECT_LT(difference(reader->GetOutput(), picture()), 0.001);
+}
+
+TEST_F(ViewerWindow, NamesThatAreNotUtf8AreTold)
+{
+  options.inputs = { folder.file("b\xf6x.obj") };
+  writeFile(options.inputs[0].string(), objText(box({ 1.0, 0.7, 0.4 })));
+  EXPECT_EQ(open().status().rfind("b?x.obj\n", 0), 0U);
+}
+
+TEST_F(ViewerWindow, RefusesAPictureThatCannotBeWrittenBeforeItComputes)
+{
+  options.inputs = { folder.file("absent.obj") };
+  options.screenshot = folder.file("absent/window.png");
+  try
+  {
+    app::runViewer(options);
+    FAIL() << "was written";
+  }
+  catch (const app::Failure& failure)
+  {
+    EXPECT_NE(std::string(failure.what()).find("window.png"), std::string::npos) << failure.what();
+  }
 }
 
 TEST_F(ViewerWindow, RunEndsWithItsKey)

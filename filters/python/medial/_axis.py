@@ -180,9 +180,12 @@ def _notes(algorithm: vtkMedialAxis, side: Optional[Side]) -> Iterator[str]:
         yield (f"the axis is that of both sides, not of side {side!r}: "
                f"inside is not known, as {_why_unsigned(algorithm)}")
     if algorithm.GetOutput().GetNumberOfPoints() == 0:
+        least = "".join(
+            f" and a {name} of {value:g}" for name, value in (
+                ("lambda", algorithm.GetMinimumLambda()), ("radius", algorithm.GetMinimumRadius()))
+            if value > 0)
         yield (f"the axis is empty: no point of the grid has a separation angle of "
-               f"{algorithm.GetAngle():g} degrees, a lambda of {algorithm.GetMinimumLambda():g} "
-               f"and a radius of {algorithm.GetMinimumRadius():g} or more")
+               f"{algorithm.GetAngle():g} degrees{least} or more")
 
 
 def _why_unsigned(algorithm: vtkMedialAxis) -> str:

@@ -54,8 +54,9 @@ _INTEGERS: dict[str, tuple[str, int, int]] = {
     "dimensions": ("Dimensions", 1, 8192),
     "max_spheres": ("MaximumNumberOfSpheres", 0, 2147483647),
     "threads": ("NumberOfThreads", 0, 1024),
-    "memory": ("MemoryLimit", 0, 2147483647),  # the filters refuse 1 to 63
+    "memory": ("MemoryLimit", 0, 2147483647),  # but not 1 to 63
 }
+_LEAST_MEMORY = 64  # MiB
 _REALS: dict[str, tuple[str, str]] = {
     "spacing": ("Spacing", "(0, inf)"),
     "origin": ("Origin", "(-inf, inf)"),
@@ -64,6 +65,8 @@ _REALS: dict[str, tuple[str, str]] = {
     "min_lambda": ("MinimumLambda", "[0, inf)"),
     "min_radius": ("MinimumRadius", "[0, inf)"),
 }
+
+_TRIPLES = ("spacing", "origin", "dimensions")
 
 
 def choice(name: str, value: str, choices: Mapping[str, int]) -> int:
@@ -93,7 +96,8 @@ def assign_numbers(algorithm: Any, **parameters: Any) -> None:
     """
     for name, value in parameters.items():
         convert = _integer if name in _INTEGERS else _real
-        values = [convert(name, item) for item in (value if isinstance(value, tuple) else (value,))]
+        several = name in _TRIPLES and isinstance(value, tuple)
+        values = [convert(name, item) for item in (value if several else (value,))]
         getattr(algorithm, "Set" + (_INTEGERS.get(name) or _REALS[name])[0])(*values)
 
 
@@ -147,6 +151,8 @@ def assign_run(algorithm: vtkMeshFieldAlgorithm, *, sign: Sign, threads: int, me
                evaluator: Evaluator, require_gpu: bool) -> None:
     """How the field is computed, see distance_field()."""
     assign_numbers(algorithm, threads=threads, memory=memory)
+    if 0 < memory < _LEAST_MEMORY:
+        raise InvalidInputError(f"memory {memory} is outside [{_LEAST_MEMORY}, 2147483647] and not 0")
     assign(algorithm, SignMethod=choice("sign", sign, SIGNS),
            Evaluator=choice("evaluator", evaluator, EVALUATORS), RequireHardware=bool(require_gpu))
 

@@ -157,7 +157,7 @@ class Warnings(unittest.TestCase):
         self.assert_warns("sign is 'none'", vertices, quads, side="interior", sign="none")
 
     def test_empty_axis(self):
-        axis = self.assert_warns("axis is empty: .* angle of 60 degrees, a lambda of 0.25 and a "
+        axis = self.assert_warns("axis is empty: .* angle of 60 degrees and a lambda of 0.25 and a "
                                  "radius of 3 or more", *shapes.box(), min_lambda=0.25,
                                  min_radius=3)
         self.assertEqual(len(axis.points), 0)

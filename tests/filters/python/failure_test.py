@@ -152,7 +152,7 @@ class Parameters(unittest.TestCase):
                                 **{name: "x"})
 
     def test_run(self):
-        self.assert_refused("MemoryLimit 3", memory=3)
+        self.assert_refused("memory 3 is outside", memory=3)
         self.assert_refused("winding is not available", sign="winding")
         with self.assertRaisesRegex(ValueError, "boundary"):
             medial.distance_field(VERTICES, QUADS[1:], sign="pseudonormal", **SMALL)
