@@ -20,7 +20,7 @@ protected:
   ViewerCommand() { writeFile(input, objText(box({ 1.0, 0.7, 0.4 }))); }
 
   // What a run that must fail says: one line.
-  std::string failure(std::vector<std::string> arguments, int exitCode,
+  std::string failure(const std::vector<std::string>& arguments, int exitCode,
     const RunOptions& options = {})
   {
     const Outcome outcome = runMedialViewer(arguments, options);
