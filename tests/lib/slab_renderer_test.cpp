@@ -81,7 +81,7 @@ TEST_F(SlabOfTorus, ATableOfTilesThatDoesNotFitIsRefused)
   const Extent huge{ { 0, 0, 0 }, { 1 << 20, 1 << 20, 1 << 20 } };
   try
   {
-    TileQuery(sites_, filter_, frame_, huge, hierarchy_.leafSize());
+    const TileQuery query(sites_, filter_, frame_, huge, hierarchy_.leafSize());
     FAIL() << "was granted";
   }
   catch (const Error& error)
