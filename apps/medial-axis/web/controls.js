@@ -90,10 +90,11 @@ function setInitialValues(page, scene) {
   const angles = scene.axisMesh.arrays.find(({ name }) => name === "SeparationAngle");
   element("angle").min = Math.floor(angles.origin);
   const initial = { angle: element("angle").min, opacity: 0.2, colour: "Radius" };
-  for (const [id, value] of Object.entries({ ...initial, ...settingsOf(location.hash) })) {
-    if (Object.hasOwn(initial, id) && (id === "colour" || Number.isFinite(Number(value)))) {
-      element(id).value = value;
-    }
+  const settings = settingsOf(location.hash);
+  for (const id of Object.keys(initial)) {
+    const given = Object.hasOwn(settings, id)
+      && (id === "colour" || Number.isFinite(Number(settings[id])));
+    element(id).value = (given ? settings : initial)[id];
   }
   if (element("colour").selectedIndex < 0) {
     element("colour").value = initial.colour;
