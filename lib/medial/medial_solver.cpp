@@ -6,7 +6,6 @@
 #include "medial/distance/field_pipeline.h"
 #include "medial/medial/axis_pipeline.h"
 
-#include <sstream>
 #include <string>
 #include <utility>
 
@@ -51,13 +50,7 @@ void MedialSolver::setPoints(std::vector<Point3> points)
   }
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    if (!isUsable(points[i]))
-    {
-      std::ostringstream message;
-      message << "point " << i << " is (" << points[i][0] << ", " << points[i][1] << ", "
-              << points[i][2] << "); allowed are finite coordinates up to " << kGreatestCoordinate;
-      throw Error(ErrorCode::InvalidInput, message.str());
-    }
+    requireUsable(i, points[i]);
   }
   state_->mesh.points = std::move(points);
   state_->topology.signedVolume = signedVolume(state_->mesh);

@@ -202,10 +202,7 @@ private:
         continue;
       }
       const Point3& point = input_.points[i];
-      if (!isUsable(point))
-      {
-        throwUnusable(i, point);
-      }
+      requireUsable(i, point);
       mesh_.pointOfInput[i] = welder.insert(point, mesh_.points);
     }
     mesh_.weldedPoints = static_cast<std::int64_t>(expected - mesh_.points.size());
@@ -350,10 +347,14 @@ Bounds TriangleMesh::bounds() const
   return result;
 }
 
-bool isUsable(const Point3& point)
+void requireUsable(std::size_t index, const Point3& point)
 {
-  return std::all_of(point.begin(), point.end(),
+  const bool usable = std::all_of(point.begin(), point.end(),
     [](double coordinate) { return std::abs(coordinate) <= kGreatestCoordinate; });
+  if (!usable)
+  {
+    throwUnusable(index, point);
+  }
 }
 
 bool hasArea(const Point3& a, const Point3& b, const Point3& c)

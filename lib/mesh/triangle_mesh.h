@@ -66,8 +66,9 @@ constexpr double kGreatestCoordinate = 1e18;
 /// Least diagonal of the bounds of points that are not all equal, world units.
 constexpr double kLeastDiagonal = 1e-18;
 
-/// Whether all coordinates are finite and at most kGreatestCoordinate in magnitude.
-bool isUsable(const Point3& point);
+/// @throws Error InvalidInput, naming point `index`, for a coordinate that is not finite or beyond
+///   kGreatestCoordinate.
+void requireUsable(std::size_t index, const Point3& point);
 
 /// False when the height of triangle abc over its longest side is nil or lost in rounding, so that
 /// it has no usable normal and counts as degenerate.
