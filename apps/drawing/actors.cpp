@@ -1,5 +1,6 @@
 #include "actors.h"
 
+#include <vtkAlgorithmOutput.h>
 #include <vtkCleanPolyData.h>
 #include <vtkFeatureEdges.h>
 #include <vtkNew.h>
@@ -29,12 +30,10 @@ vtkSmartPointer<vtkCleanPolyData> weld(vtkPolyData* surface)
   return weld;
 }
 
-} // namespace
-
-vtkSmartPointer<vtkActor> makeSurface(vtkPolyData* surface)
+vtkSmartPointer<vtkActor> makeFaces(vtkAlgorithmOutput* mesh)
 {
   vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputConnection(weld(surface)->GetOutputPort());
+  normals->SetInputConnection(mesh);
   normals->SetFeatureAngle(kSmoothAngle);
   normals->ConsistencyOff();
   vtkNew<vtkPolyDataMapper> mapper;
@@ -50,10 +49,10 @@ vtkSmartPointer<vtkActor> makeSurface(vtkPolyData* surface)
   return actor;
 }
 
-vtkSmartPointer<vtkActor> makeSharpEdges(vtkPolyData* surface)
+vtkSmartPointer<vtkActor> makeSharpEdges(vtkAlgorithmOutput* mesh)
 {
   vtkNew<vtkFeatureEdges> edges;
-  edges->SetInputConnection(weld(surface)->GetOutputPort());
+  edges->SetInputConnection(mesh);
   edges->SetFeatureAngle(kSharpAngle);
   edges->ColoringOff();
   edges->NonManifoldEdgesOff();
@@ -66,6 +65,14 @@ vtkSmartPointer<vtkActor> makeSharpEdges(vtkPolyData* surface)
   actor->GetProperty()->SetOpacity(0.5);
   actor->GetProperty()->LightingOff();
   return actor;
+}
+
+} // namespace
+
+SurfaceActors makeSurface(vtkPolyData* surface)
+{
+  const auto mesh = weld(surface);
+  return { makeFaces(mesh->GetOutputPort()), makeSharpEdges(mesh->GetOutputPort()) };
 }
 
 vtkSmartPointer<vtkActor> makeAxis(vtkPolyData* axis, vtkScalarsToColors* colours,

@@ -11,11 +11,14 @@ namespace medial::app
 
 // Each follows its data, when that is modified, at the next drawing.
 
-/// A translucent grey surface, smooth but for its sharp edges.
-vtkSmartPointer<vtkActor> makeSurface(vtkPolyData* surface);
+/// A surface and its outline, either of which may be left out.
+struct SurfaceActors
+{
+  vtkSmartPointer<vtkActor> faces; ///< translucent and grey, smooth but for the sharp edges
+  vtkSmartPointer<vtkActor> edges; ///< those at which faces meet at an angle
+};
 
-/// The edges at which faces meet at an angle.
-vtkSmartPointer<vtkActor> makeSharpEdges(vtkPolyData* surface);
+SurfaceActors makeSurface(vtkPolyData* surface);
 
 /// A medial axis coloured by one of its point arrays.
 vtkSmartPointer<vtkActor> makeAxis(vtkPolyData* axis, vtkScalarsToColors* colours,

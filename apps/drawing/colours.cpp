@@ -1,5 +1,9 @@
 #include "colours.h"
 
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+
 #include <array>
 
 namespace medial::app
@@ -32,6 +36,12 @@ vtkSmartPointer<vtkColorTransferFunction> makeColours(double greatest)
   auto colours = vtkSmartPointer<vtkColorTransferFunction>::New();
   setColours(colours, greatest);
   return colours;
+}
+
+double greatestRadius(vtkPolyData* axis)
+{
+  return axis->GetNumberOfPoints() > 0 ? axis->GetPointData()->GetArray("Radius")->GetRange()[1]
+                                       : 0.0;
 }
 
 } // namespace medial::app

@@ -3,6 +3,8 @@
 #include <vtkColorTransferFunction.h>
 #include <vtkSmartPointer.h>
 
+class vtkPolyData;
+
 namespace medial::app
 {
 
@@ -11,5 +13,8 @@ void setColours(vtkColorTransferFunction* colours, double greatest);
 
 /// The perceptually uniform map "viridis" from 0 to `greatest`.
 vtkSmartPointer<vtkColorTransferFunction> makeColours(double greatest);
+
+/// The greatest radius of a medial axis, world units; 0 where it is empty.
+double greatestRadius(vtkPolyData* axis);
 
 } // namespace medial::app

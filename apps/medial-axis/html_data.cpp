@@ -1,6 +1,6 @@
 #include "html_data.h"
 
-#include "scene.h"
+#include "colours.h"
 
 #include "medial/version.h"
 

@@ -1,6 +1,5 @@
 #include "scene.h"
 
-#include "actors.h"
 #include "camera.h"
 #include "failure.h"
 #include "png_file.h"
@@ -33,11 +32,6 @@ Scene::Scene()
   renderer_->SetMaximumNumberOfPeels(8);
   renderer_->SetUseFXAA(true);
   window_->AddRenderer(renderer_);
-}
-
-void Scene::addSharpEdges(vtkPolyData* surface)
-{
-  add(makeSharpEdges(surface));
 }
 
 void Scene::addScalarBar(vtkColorTransferFunction* colours, const char* title,

@@ -24,9 +24,6 @@ public:
 
   void add(vtkProp* prop) { renderer_->AddViewProp(prop); }
 
-  /// The edges at which faces meet at an angle.
-  void addSharpEdges(vtkPolyData* surface);
-
   /// @param nameOfNone how what has no value is called; null where there is none.
   void addScalarBar(vtkColorTransferFunction* colours, const char* title,
     const char* nameOfNone = nullptr);

@@ -1,5 +1,6 @@
 #include "thickness_picture.h"
 
+#include "actors.h"
 #include "scene.h"
 #include "vtk_messages.h"
 
@@ -61,7 +62,7 @@ void drawThickness(vtkPolyData* coloured, vtkPolyData* surface, const std::files
   const auto colours = makeColours(values.greatest > 0.0 ? values.greatest : 1.0);
   colours->SetNanColor(0.72, 0.72, 0.72);
   addSurface(scene, coloured, colours);
-  scene.addSharpEdges(surface);
+  scene.add(makeSurface(surface).edges);
   scene.addScalarBar(colours, "Thickness\n(world units)", values.someMissing ? "none" : nullptr);
   scene.draw({ surface }, file);
 }

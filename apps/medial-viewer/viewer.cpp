@@ -1,5 +1,6 @@
 #include "viewer.h"
 
+#include "colours.h"
 #include "event_call.h"
 #include "failure.h"
 #include "interrupt.h"
@@ -10,7 +11,6 @@
 #include "vtk_messages.h"
 
 #include <vtkCommand.h>
-#include <vtkDataArray.h>
 #include <vtkPointData.h>
 
 #include <cmath>
@@ -38,12 +38,6 @@ bool mayStay(const Failure& failure)
 {
   return failure.exitCode() == ExitCode::NoSpace ||
     (failure.exitCode() == ExitCode::Interrupted && !interrupted());
-}
-
-double greatestRadius(vtkPolyData* axis)
-{
-  return axis->GetNumberOfPoints() > 0 ? axis->GetPointData()->GetArray("Radius")->GetRange()[1]
-                                       : 0.0;
 }
 
 vtkPolyData* asDrawn(const Sequence& sequence)

@@ -1,6 +1,5 @@
 #include "viewer_scene.h"
 
-#include "actors.h"
 #include "colours.h"
 #include "scalar_bar.h"
 
@@ -62,7 +61,6 @@ void toggle(vtkProp* prop)
 
 ViewerScene::ViewerScene(vtkRenderer* renderer, vtkPolyData* surface, vtkPolyData* axis)
   : surface_(makeSurface(surface))
-  , edges_(makeSharpEdges(surface))
   , axis_(makeAxis(axis, colours_, "Radius"))
   , bar_(makeScalarBar(colours_, "Radius", kFontSize))
 {
@@ -71,7 +69,7 @@ ViewerScene::ViewerScene(vtkRenderer* renderer, vtkPolyData* surface, vtkPolyDat
   layOut(help_, 0.015, 0.8);
   help_->GetTextProperty()->SetFontFamilyToCourier();
   help_->VisibilityOff();
-  for (vtkProp* prop : std::initializer_list<vtkProp*>{ surface_, edges_, axis_ })
+  for (vtkProp* prop : std::initializer_list<vtkProp*>{ surface_.faces, surface_.edges, axis_ })
   {
     prop->PickableOff(); // the slice is to be had through them
     renderer->AddViewProp(prop);
@@ -100,8 +98,8 @@ void ViewerScene::setStatus(const std::string& text)
 
 void ViewerScene::toggleSurface()
 {
-  toggle(surface_);
-  toggle(edges_);
+  toggle(surface_.faces);
+  toggle(surface_.edges);
 }
 
 void ViewerScene::toggleAxis()

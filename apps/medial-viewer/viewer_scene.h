@@ -1,5 +1,6 @@
 #pragma once
 
+#include "actors.h"
 #include "viewer_options.h"
 
 #include <vtkActor.h>
@@ -38,8 +39,7 @@ public:
 
 private:
   vtkNew<vtkColorTransferFunction> colours_; // of axis_ and bar_
-  vtkSmartPointer<vtkActor> surface_;
-  vtkSmartPointer<vtkActor> edges_;
+  SurfaceActors surface_;
   vtkSmartPointer<vtkActor> axis_;
   vtkSmartPointer<vtkScalarBarActor> bar_;
   vtkNew<vtkTextActor> status_;
