@@ -164,6 +164,11 @@ vtkSmartPointer<vtkPolyData> readFileWith(const fs::path& path,
   }
 }
 
+bool isMeshFile(const fs::path& path)
+{
+  return readers().count(lowerCase(path.extension().string())) > 0;
+}
+
 vtkSmartPointer<vtkPolyData> readMesh(const fs::path& path)
 {
   const auto read = [](const fs::path& file)

@@ -22,6 +22,9 @@ namespace medial::app
 /// @throws Failure BadInput naming the file and what is wrong.
 vtkSmartPointer<vtkPolyData> readMesh(const std::filesystem::path& path);
 
+/// Whether readMesh() knows the extension.
+bool isMeshFile(const std::filesystem::path& path);
+
 /// What a reader returns; its failures get the name of the file.
 /// @throws Failure BadInput naming the file, also when it is no regular file.
 vtkSmartPointer<vtkPolyData> readFileWith(const std::filesystem::path& path,

@@ -1,36 +1,16 @@
 #include "option_checks.h"
 
+#include "command_line.h"
 #include "failure.h"
 #include "option_names.h"
-#include "text_cursor.h"
 #include "web_files.h"
 
-#include <algorithm>
 #include <string>
-#include <vector>
 
 namespace medial::app
 {
 namespace
 {
-
-void checkExtension(const char* option, const std::filesystem::path& path,
-  const std::vector<std::string>& allowed)
-{
-  const std::string extension = lowerCase(path.extension().string());
-  if (path.empty() || std::find(allowed.begin(), allowed.end(), extension) != allowed.end())
-  {
-    return;
-  }
-  std::string list;
-  for (const std::string& one : allowed)
-  {
-    list += " " + one;
-  }
-  throw Failure(ExitCode::Usage,
-    std::string(option) + " " + path.string() + ": unknown extension '" + extension +
-      "', allowed:" + list);
-}
 
 void checkNotTheInput(const char* option, const std::filesystem::path& path, const Options& options)
 {

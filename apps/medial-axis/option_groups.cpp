@@ -1,5 +1,6 @@
 #include "option_groups.h"
 
+#include "command_line.h"
 #include "length.h"
 #include "option_names.h"
 #include "validators.h"
@@ -12,7 +13,6 @@ namespace
 {
 
 constexpr int kMaxResolution = 8192;
-constexpr int kMaxThreads = 1024;
 constexpr int kMinMemoryMiB = 64;
 constexpr double kMaxPadding = 10.0;
 
@@ -124,13 +124,7 @@ void addAxisOptions(CLI::App& app, Words& words, Options& options)
     ->option_text("R[%]")
     ->check(length())
     ->group(group);
-  app
-    .add_option("--side", words.side,
-      "which side of the surface: interior, exterior or both; default interior (open mesh: both, "
-      "unsigned)")
-    ->option_text("SIDE")
-    ->check(oneOf(sideNames()))
-    ->group(group);
+  addSideOption(app, words.side, group);
   app
     .add_option("--representation", words.representation,
       "surface (dual mesh), faces (voxel faces) or points; default surface")
@@ -163,12 +157,7 @@ void addAxisOptions(CLI::App& app, Words& words, Options& options)
 void addRunOptions(CLI::App& app, Words& words, Options& options)
 {
   const std::string group = "Run";
-  app
-    .add_option("--threads", options.threads,
-      "CPU threads to use, in [0, 1024]; 0 for all cores; default 0")
-    ->option_text("N")
-    ->check(within<int>("[0, 1024]", [](int n) { return n >= 0 && n <= kMaxThreads; }))
-    ->group(group);
+  addThreadsOption(app, options.threads, group);
   app
     .add_option("--memory", options.memoryMiB,
       "upper bound of the memory for slabs, in MiB, >= 64; 0 chooses; default 0")
@@ -176,15 +165,9 @@ void addRunOptions(CLI::App& app, Words& words, Options& options)
     ->check(
       within<int>("[64, 2147483647] and not 0", [](int m) { return m == 0 || m >= kMinMemoryMiB; }))
     ->group(group);
-  app
-    .add_option("--evaluator", words.evaluator,
-      "what finds closest sites: rasteriser (OpenGL), processor (CPU; OpenGL must be there all the "
-      "same) or auto, which is the processor where OpenGL is a software renderer; default auto")
-    ->option_text("KIND")
-    ->check(oneOf(evaluatorNames()))
-    ->group(group);
-  app.add_flag("--require-gpu", options.requireGpu, "fail on a software renderer")->group(group);
-  app.add_flag("-q,--quiet", options.quiet, "print nothing but errors")->group(group);
+  addEvaluatorOption(app, words.evaluator, group);
+  addRequireGpuOption(app, options.requireGpu, group);
+  addQuietOption(app, options.quiet, group);
 }
 
 } // namespace medial::app

@@ -1,15 +1,10 @@
 #include "options.h"
 
-#include "failure.h"
-#include "help_formatter.h"
+#include "command_line.h"
 #include "option_checks.h"
 #include "option_groups.h"
 
-#include "medial/version.h"
-
 #include <CLI/CLI.hpp>
-
-#include <memory>
 
 namespace medial::app
 {
@@ -31,12 +26,7 @@ const char* const kFooter =
 std::optional<Options> parseOptions(int argc, char** argv)
 {
   CLI::App app{ "Medial axis and distance field of a triangle mesh, computed on the GPU.\n" };
-  app.footer(kFooter);
-  app.name("medial-axis");
-  app.formatter(std::make_shared<HelpFormatter>());
-  app.set_version_flag("--version", std::string("medial-axis ") + MEDIAL_VERSION,
-    "print the version and leave");
-  app.set_help_flag("-h,--help", "print this text and leave");
+  setUpCommandLine(app, "medial-axis", kFooter);
 
   Words words;
   Options options;
@@ -47,18 +37,9 @@ std::optional<Options> parseOptions(int argc, char** argv)
   addGridOptions(app, words, options);
   addAxisOptions(app, words, options);
   addRunOptions(app, words, options);
-  try
+  if (!parseCommandLine(app, argc, argv))
   {
-    app.parse(argc, argv);
-  }
-  catch (const CLI::ParseError& error)
-  {
-    if (error.get_exit_code() == 0)
-    {
-      app.exit(error);
-      return std::nullopt;
-    }
-    throw Failure(ExitCode::Usage, std::string(error.what()) + " (see medial-axis --help)");
+    return std::nullopt;
   }
   convertWords(words, app.count("--spacing") > 0, options);
   checkFiles(options);

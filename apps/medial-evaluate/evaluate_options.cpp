@@ -1,23 +1,16 @@
 #include "evaluate_options.h"
 
-#include "failure.h"
-#include "help_formatter.h"
-#include "text_cursor.h"
+#include "command_line.h"
 #include "validators.h"
-
-#include "medial/version.h"
 
 #include <CLI/CLI.hpp>
 
-#include <memory>
 #include <string>
 
 namespace medial::app
 {
 namespace
 {
-
-constexpr int kMaxThreads = 1024;
 
 const char* const kFooter =
   "The axis stands for the union of its balls, of the cones between balls joined by a line or a\n"
@@ -44,24 +37,8 @@ void addOptions(CLI::App& app, EvaluateOptions& options, std::string& json)
     ->check(within<std::int64_t>("[1000, 100000000]",
       [](std::int64_t n) { return n >= kLeastEvaluationSamples && n <= kMostEvaluationSamples; }))
     ->group(group);
-  app
-    .add_option("--threads", options.threads,
-      "CPU threads to use, in [0, 1024]; 0 for all cores; default 0")
-    ->option_text("N")
-    ->check(within<int>("[0, 1024]", [](int n) { return n >= 0 && n <= kMaxThreads; }))
-    ->group(group);
-  app.add_flag("-q,--quiet", options.quiet, "print nothing but errors")->group(group);
-}
-
-void checkJson(const EvaluateOptions& options)
-{
-  const std::string extension = lowerCase(options.json.extension().string());
-  if (!options.json.empty() && extension != ".json")
-  {
-    throw Failure(ExitCode::Usage,
-      "--json " + options.json.string() + ": unknown extension '" + extension +
-        "', allowed: .json");
-  }
+  addThreadsOption(app, options.threads, group);
+  addQuietOption(app, options.quiet, group);
 }
 
 } // namespace
@@ -69,12 +46,7 @@ void checkJson(const EvaluateOptions& options)
 std::optional<EvaluateOptions> parseEvaluateOptions(int argc, char** argv)
 {
   CLI::App app{ "How well a medial axis describes a mesh: distances, radii and topology.\n" };
-  app.footer(kFooter);
-  app.name("medial-evaluate");
-  app.formatter(std::make_shared<HelpFormatter>());
-  app.set_version_flag("--version", std::string("medial-evaluate ") + MEDIAL_VERSION,
-    "print the version and leave");
-  app.set_help_flag("-h,--help", "print this text and leave");
+  setUpCommandLine(app, "medial-evaluate", kFooter);
 
   EvaluateOptions options;
   std::string axis;
@@ -87,23 +59,14 @@ std::optional<EvaluateOptions> parseEvaluateOptions(int argc, char** argv)
     ->required()
     ->option_text(" ");
   addOptions(app, options, json);
-  try
+  if (!parseCommandLine(app, argc, argv))
   {
-    app.parse(argc, argv);
-  }
-  catch (const CLI::ParseError& error)
-  {
-    if (error.get_exit_code() == 0)
-    {
-      app.exit(error);
-      return std::nullopt;
-    }
-    throw Failure(ExitCode::Usage, std::string(error.what()) + " (see medial-evaluate --help)");
+    return std::nullopt;
   }
   options.axis = axis;
   options.mesh = mesh;
   options.json = json;
-  checkJson(options);
+  checkExtension("--json", options.json, { ".json" });
   return options;
 }
 

@@ -4,12 +4,10 @@
 #include "interrupt.h"
 #include "library_calls.h"
 #include "mesh_reader.h"
-#include "text_cursor.h"
 
 #include <vtkMeshConversion.h>
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <string>
 
@@ -20,22 +18,13 @@ namespace
 
 namespace fs = std::filesystem;
 
-constexpr std::array<const char*, 6> kExtensions = { ".stl", ".obj", ".ply", ".off", ".vtp",
-  ".vtk" };
-
-bool isMesh(const fs::path& file)
-{
-  const std::string extension = lowerCase(file.extension().string());
-  return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
-}
-
 std::vector<fs::path> meshesIn(const fs::path& folder)
 {
   std::vector<fs::path> files;
   std::error_code problem;
   for (const auto& entry : fs::directory_iterator(folder, problem))
   {
-    if (isMesh(entry.path()))
+    if (isMeshFile(entry.path()))
     {
       files.push_back(entry.path());
     }

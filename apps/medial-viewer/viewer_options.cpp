@@ -1,24 +1,18 @@
 #include "viewer_options.h"
 
+#include "command_line.h"
 #include "failure.h"
-#include "help_formatter.h"
 #include "option_names.h"
-#include "text_cursor.h"
 #include "validators.h"
-
-#include "medial/version.h"
 
 #include <CLI/CLI.hpp>
 
-#include <memory>
 #include <string>
 
 namespace medial::app
 {
 namespace
 {
-
-constexpr int kMaxThreads = 1024;
 
 const char* const kFooter =
   "Several meshes, or a folder with meshes (taken in the order of their names), are the frames\n"
@@ -70,13 +64,7 @@ void addViewOptions(CLI::App& app, ViewerWords& words, ViewerOptions& options)
     ->check(within<double>("[20, 170]",
       [](double a) { return a >= kLeastViewerAngle && a <= kGreatestViewerAngle; }))
     ->group(group);
-  app
-    .add_option("--side", words.side,
-      "which side of the surface: interior, exterior or both; default interior (open mesh: both, "
-      "unsigned)")
-    ->option_text("SIDE")
-    ->check(oneOf(sideNames()))
-    ->group(group);
+  addSideOption(app, words.side, group);
   app
     .add_option("--colour", words.colour,
       "what colours the axis to begin with: radius, angle or thickness (twice the radius); default "
@@ -95,20 +83,9 @@ void addViewOptions(CLI::App& app, ViewerWords& words, ViewerOptions& options)
 void addComputeOptions(CLI::App& app, ViewerWords& words, ViewerOptions& options)
 {
   const std::string group = "Computation";
-  app
-    .add_option("--evaluator", words.evaluator,
-      "what finds closest sites: rasteriser (OpenGL), processor (CPU; OpenGL must be there all the "
-      "same) or auto, which is the processor where OpenGL is a software renderer; default auto")
-    ->option_text("KIND")
-    ->check(oneOf(evaluatorNames()))
-    ->group(group);
-  app
-    .add_option("--threads", options.threads,
-      "CPU threads to use, in [0, 1024]; 0 for all cores; default 0")
-    ->option_text("N")
-    ->check(within<int>("[0, 1024]", [](int n) { return n >= 0 && n <= kMaxThreads; }))
-    ->group(group);
-  app.add_flag("--require-gpu", options.requireGpu, "fail on a software renderer")->group(group);
+  addEvaluatorOption(app, words.evaluator, group);
+  addThreadsOption(app, options.threads, group);
+  addRequireGpuOption(app, options.requireGpu, group);
 }
 
 void convert(const ViewerWords& words, ViewerOptions& options)
@@ -125,13 +102,7 @@ void convert(const ViewerWords& words, ViewerOptions& options)
   options.colour = colourNames().at(words.colour);
   options.evaluator = evaluatorNames().at(words.evaluator);
   options.screenshot = words.screenshot;
-  const std::string extension = lowerCase(options.screenshot.extension().string());
-  if (!options.screenshot.empty() && extension != ".png")
-  {
-    throw Failure(ExitCode::Usage,
-      "--screenshot " + words.screenshot + ": unknown extension '" + extension +
-        "', allowed: .png");
-  }
+  checkExtension("--screenshot", options.screenshot, { ".png" });
 }
 
 } // namespace
@@ -139,12 +110,7 @@ void convert(const ViewerWords& words, ViewerOptions& options)
 std::optional<ViewerOptions> parseViewerOptions(int argc, char** argv)
 {
   CLI::App app{ "Shows a mesh, its medial axis and its distance field in a window.\n" };
-  app.footer(kFooter);
-  app.name("medial-viewer");
-  app.formatter(std::make_shared<HelpFormatter>());
-  app.set_version_flag("--version", std::string("medial-viewer ") + MEDIAL_VERSION,
-    "print the version and leave");
-  app.set_help_flag("-h,--help", "print this text and leave");
+  setUpCommandLine(app, "medial-viewer", kFooter);
 
   ViewerWords words;
   ViewerOptions options;
@@ -156,18 +122,9 @@ std::optional<ViewerOptions> parseViewerOptions(int argc, char** argv)
     ->option_text(" ");
   addViewOptions(app, words, options);
   addComputeOptions(app, words, options);
-  try
+  if (!parseCommandLine(app, argc, argv))
   {
-    app.parse(argc, argv);
-  }
-  catch (const CLI::ParseError& error)
-  {
-    if (error.get_exit_code() == 0)
-    {
-      app.exit(error);
-      return std::nullopt;
-    }
-    throw Failure(ExitCode::Usage, std::string(error.what()) + " (see medial-viewer --help)");
+    return std::nullopt;
   }
   convert(words, options);
   return options;

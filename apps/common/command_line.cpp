@@ -1,0 +1,111 @@
+#include "command_line.h"
+
+#include "failure.h"
+#include "help_formatter.h"
+#include "option_names.h"
+#include "text_cursor.h"
+#include "validators.h"
+
+#include "medial/version.h"
+
+#include <algorithm>
+#include <memory>
+
+namespace medial::app
+{
+namespace
+{
+
+constexpr int kMaxThreads = 1024;
+
+} // namespace
+
+void setUpCommandLine(CLI::App& app, const std::string& name, const std::string& footer)
+{
+  app.footer(footer);
+  app.name(name);
+  app.formatter(std::make_shared<HelpFormatter>());
+  app.set_version_flag("--version", name + " " + MEDIAL_VERSION, "print the version and leave");
+  app.set_help_flag("-h,--help", "print this text and leave");
+}
+
+bool parseCommandLine(CLI::App& app, int argc, char** argv)
+{
+  try
+  {
+    app.parse(argc, argv);
+    return true;
+  }
+  catch (const CLI::ParseError& error)
+  {
+    if (error.get_exit_code() == 0)
+    {
+      app.exit(error);
+      return false;
+    }
+    throw Failure(ExitCode::Usage,
+      std::string(error.what()) + " (see " + app.get_name() + " --help)");
+  }
+}
+
+void addSideOption(CLI::App& app, std::string& word, const std::string& group)
+{
+  app
+    .add_option("--side", word,
+      "which side of the surface: interior, exterior or both; default interior (open mesh: both, "
+      "unsigned)")
+    ->option_text("SIDE")
+    ->check(oneOf(sideNames()))
+    ->group(group);
+}
+
+void addEvaluatorOption(CLI::App& app, std::string& word, const std::string& group)
+{
+  app
+    .add_option("--evaluator", word,
+      "what finds closest sites: rasteriser (OpenGL), processor (CPU; OpenGL must be there all the "
+      "same) or auto, which is the processor where OpenGL is a software renderer; default auto")
+    ->option_text("KIND")
+    ->check(oneOf(evaluatorNames()))
+    ->group(group);
+}
+
+void addThreadsOption(CLI::App& app, int& threads, const std::string& group)
+{
+  app
+    .add_option("--threads", threads,
+      "CPU threads to use, in [0, 1024]; 0 for all cores; default 0")
+    ->option_text("N")
+    ->check(within<int>("[0, 1024]", [](int n) { return n >= 0 && n <= kMaxThreads; }))
+    ->group(group);
+}
+
+void addRequireGpuOption(CLI::App& app, bool& requireGpu, const std::string& group)
+{
+  app.add_flag("--require-gpu", requireGpu, "fail on a software renderer")->group(group);
+}
+
+void addQuietOption(CLI::App& app, bool& quiet, const std::string& group)
+{
+  app.add_flag("-q,--quiet", quiet, "print nothing but errors")->group(group);
+}
+
+void checkExtension(const char* option, const std::filesystem::path& path,
+  const std::vector<std::string>& allowed)
+{
+  const std::string extension = lowerCase(path.extension().string());
+  if (path.empty() || std::find(allowed.begin(), allowed.end(), extension) != allowed.end())
+  {
+    return;
+  }
+  std::string list;
+  for (const std::string& one : allowed)
+  {
+    list += " " + one;
+  }
+  throw Failure(ExitCode::Usage,
+    std::string(option) + " " + path.string() + ": unknown extension '" + extension +
+      "', allowed:" + list);
+}
+
+} // namespace medial::app

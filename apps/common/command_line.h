@@ -1,0 +1,36 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+// What the command lines of the programs share.
+namespace medial::app
+{
+
+/// Gives an application its name, the text below its options, --version and --help.
+void setUpCommandLine(CLI::App& app, const std::string& name, const std::string& footer);
+
+/// Reads the words.
+/// @return false when the user asked for --help or --version, which are then answered on standard
+///   output.
+/// @throws Failure Usage.
+bool parseCommandLine(CLI::App& app, int argc, char** argv);
+
+///@{
+/// Options that several programs have. Words become values by option_names.h.
+void addSideOption(CLI::App& app, std::string& word, const std::string& group);
+void addEvaluatorOption(CLI::App& app, std::string& word, const std::string& group);
+void addThreadsOption(CLI::App& app, int& threads, const std::string& group);
+void addRequireGpuOption(CLI::App& app, bool& requireGpu, const std::string& group);
+void addQuietOption(CLI::App& app, bool& quiet, const std::string& group);
+///@}
+
+/// @param path of an output, empty for none.
+/// @throws Failure Usage, naming the option, where its extension is not allowed.
+void checkExtension(const char* option, const std::filesystem::path& path,
+  const std::vector<std::string>& allowed);
+
+} // namespace medial::app
