@@ -1,7 +1,7 @@
 #include "frame_race.h"
 
-#include "medial/common/stopwatch.h"
-#include "medial/medial/medial_solver.h"
+#include "base/stopwatch.h"
+#include "medial/medial_solver.h"
 
 #include <algorithm>
 #include <array>
@@ -97,7 +97,7 @@ public:
   void compute(const Points& points) override
   {
     mesh_.points = points;
-    const MeshTopology topology = analyseTopology(mesh_);
+    const MeshConnectivity topology = analyseConnectivity(mesh_);
     if (task_ == FrameTask::Field)
     {
       computeDistanceField(mesh_, topology, grid_, grid_.wholeExtent(), this->arrays(),
@@ -130,7 +130,7 @@ double difference(const FrameResult& a, const FrameResult& b, FrameTask task, do
 /// One round through all frames. The ways change places from frame to frame, as the second one
 /// finds caches warm.
 std::array<double, 2> raceRound(const Animation& animation, const std::array<FrameWay*, 2>& ways,
-  FrameTask task, double voxel, double& greatestDifference)
+  FrameTask task, double voxel, double& maxDifference)
 {
   std::array<double, 2> seconds{};
   for (std::size_t i = 0; i < ways.size(); ++i)
@@ -145,8 +145,8 @@ std::array<double, 2> raceRound(const Animation& animation, const std::array<Fra
       timed(seconds[i], [&] { ways[i]->compute(points); });
     }
     first = 1 - first;
-    greatestDifference =
-      std::max(greatestDifference, difference(ways[0]->result(), ways[1]->result(), task, voxel));
+    maxDifference =
+      std::max(maxDifference, difference(ways[0]->result(), ways[1]->result(), task, voxel));
   }
   return seconds;
 }
@@ -177,8 +177,7 @@ FrameRace raceFrames(const Animation& animation, const Grid& grid, FrameTask tas
   const auto frames = static_cast<double>(animation.frames.size());
   for (int round = 0; round < rounds; ++round)
   {
-    const auto seconds =
-      raceRound(animation, { &solver, &fresh }, task, voxel, race.greatestDifference);
+    const auto seconds = raceRound(animation, { &solver, &fresh }, task, voxel, race.maxDifference);
     race.solver.samples.push_back({ { "frame", seconds[0] / frames } });
     race.fresh.samples.push_back({ { "frame", seconds[1] / frames } });
     race.solver.ratios.push_back(1.0);

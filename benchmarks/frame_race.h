@@ -23,10 +23,10 @@ constexpr char kFreshId[] = "fresh";   ///< connectivity and everything else ane
 /// What the two ways took for an animation.
 struct FrameRace
 {
-  MethodRun solver;                ///< a sample a round: mean seconds a frame
-  MethodRun fresh;                 ///< its ratios are to the solver
-  double greatestDifference = 0.0; ///< between the two: of distances in voxels, or of the number of
-                                   ///< the axis's points as a share
+  MethodRun solver;           ///< a sample a round: mean seconds a frame
+  MethodRun fresh;            ///< its ratios are to the solver
+  double maxDifference = 0.0; ///< between the two: of distances in voxels, or of the number of
+                              ///< the axis's points as a share
 };
 
 /// Lets both take turns frame by frame, in so many rounds; the solver of a round is new, and its

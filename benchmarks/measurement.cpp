@@ -3,7 +3,7 @@
 #include "memory_probe.h"
 #include "statistics.h"
 
-#include "medial/common/stopwatch.h"
+#include "base/stopwatch.h"
 
 #include <algorithm>
 #include <cmath>

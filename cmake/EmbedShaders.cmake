@@ -1,6 +1,6 @@
 # Run as a script: writes OUTPUT, a C++ source that holds each of SHADERS as a string under its file
 # name. The strings are plain bytes, so nothing in a shader needs escaping.
-set(text "#include \"medial/gpu/shader_source.h\"\n\n#include <cstddef>\n\nnamespace medial::gpu\n{\nnamespace\n{\n")
+set(text "#include \"gl/shader_source.h\"\n\n#include <cstddef>\n\nnamespace medial::gl\n{\nnamespace\n{\n")
 set(table "")
 set(index 0)
 foreach(shader IN LISTS SHADERS)
@@ -12,5 +12,5 @@ foreach(shader IN LISTS SHADERS)
   math(EXPR index "${index} + 1")
 endforeach()
 string(APPEND text "} // namespace\n\nconst EmbeddedShader kEmbeddedShaders[] = {\n${table}};\n")
-string(APPEND text "const std::size_t kEmbeddedShaderCount = ${index};\n\n} // namespace medial::gpu\n")
+string(APPEND text "const std::size_t kEmbeddedShaderCount = ${index};\n\n} // namespace medial::gl\n")
 file(WRITE "${OUTPUT}" "${text}")

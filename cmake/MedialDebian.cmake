@@ -128,7 +128,7 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS libvtk9-dev)
 
 medial_package(tools medial-tools graphics "medial axes and distance fields of meshes - programs"
   "${about}\nThis package holds the commands medial-axis, which computes them from files of
-meshes, medial-viewer, which shows them in a window, and medial-evaluate, which
+meshes, medial-viewer, which shows them in a window, and medial-measure, which
 measures how well an axis describes a mesh.")
 
 # The extension modules are those of one version of Python.

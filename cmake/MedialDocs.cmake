@@ -7,7 +7,6 @@ endif()
 
 set(MEDIAL_DOCS_DIR "${CMAKE_BINARY_DIR}/docs")
 get_property(headers GLOBAL PROPERTY MEDIAL_PUBLIC_HEADERS)
-list(TRANSFORM headers PREPEND "${PROJECT_SOURCE_DIR}/lib/")
 get_property(filters GLOBAL PROPERTY MEDIAL_FILTER_CLASSES)
 list(TRANSFORM filters REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/filters/\\1.h")
 set(documented ${headers} ${filters} "${PROJECT_SOURCE_DIR}/docs/CPP.md")

@@ -1,6 +1,6 @@
 #include "vtkMedialCurves.h"
 
-#include "medial/medial/medial_curves.h"
+#include "medial/axis_curves.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

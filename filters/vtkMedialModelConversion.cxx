@@ -7,7 +7,7 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
-#include "medial/common/error.h"
+#include "medial/error.h"
 
 #include <string>
 

@@ -6,7 +6,7 @@
 #ifndef vtkMedialModelConversion_h
 #define vtkMedialModelConversion_h
 
-#include "medial/medial/evaluation/medial_model.h"
+#include "medial/medial_model.h"
 
 class vtkPolyData;
 

@@ -15,9 +15,9 @@
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
-#include "medial/common/available_memory.h"
-#include "medial/common/error.h"
-#include "medial/medial/evaluation/union_field.h"
+#include "medial/error.h"
+#include "medial/memory.h"
+#include "medial/reconstruction.h"
 
 #include <algorithm>
 #include <functional>
@@ -137,7 +137,7 @@ int vtkMedialReconstruction::RequestData(vtkInformation*, vtkInformationVector**
       const medial::Grid grid = medial::makeGrid(medial::modelBounds(model), this->Resolution);
       medial::requireMemory(grid.pointCount(), BytesPerGridPoint);
       const std::vector<float> field =
-        medial::unionField(model, grid, this->Interpolate != 0, &progress);
+        medial::computeReconstruction(model, grid, this->Interpolate != 0, &progress);
       progress.report(1.0, "contour");
       if (progress.cancelled())
       {

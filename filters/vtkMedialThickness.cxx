@@ -8,7 +8,7 @@
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
-#include "medial/medial/thickness.h"
+#include "medial/thickness.h"
 
 vtkStandardNewMacro(vtkMedialThickness);
 
@@ -43,9 +43,9 @@ int vtkMedialThickness::RequestUpdateExtent(vtkInformation*, vtkInformationVecto
 //------------------------------------------------------------------------------
 void vtkMedialThickness::ForgetFigures()
 {
-  this->LeastThickness = 0.0;
+  this->MinThickness = 0.0;
   this->MedianThickness = 0.0;
-  this->GreatestThickness = 0.0;
+  this->MaxThickness = 0.0;
   this->ShareWithout = 0.0;
 }
 
@@ -64,16 +64,16 @@ void vtkMedialThickness::Execute(vtkPolyData* input, vtkPolyData* output)
   medial::ThicknessOptions options;
   options.angle = this->Angle;
   options.side = vtkToSide<vtkMedialThickness>(this->Side);
-  options.threads = this->NumberOfThreads;
-  options.progress = &progress;
+  options.execution.threads = this->NumberOfThreads;
+  options.execution.progress = &progress;
   const medial::TriangleMesh mesh =
     medial::buildTriangleMesh(vtkMeshConversion::ToMeshInput(input));
   const medial::Thickness thickness = medial::computeThickness(mesh, options);
   output->ShallowCopy(input);
   vtkMeshConversion::AddThickness(thickness, mesh, output);
-  this->LeastThickness = thickness.least;
+  this->MinThickness = thickness.min;
   this->MedianThickness = thickness.median;
-  this->GreatestThickness = thickness.greatest;
+  this->MaxThickness = thickness.max;
   this->ShareWithout = thickness.shareWithout();
 }
 
@@ -100,8 +100,8 @@ void vtkMedialThickness::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Angle: " << this->Angle << "\n";
   os << indent << "Side: " << this->GetSideAsString() << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
-  os << indent << "LeastThickness: " << this->LeastThickness << "\n";
+  os << indent << "MinThickness: " << this->MinThickness << "\n";
   os << indent << "MedianThickness: " << this->MedianThickness << "\n";
-  os << indent << "GreatestThickness: " << this->GreatestThickness << "\n";
+  os << indent << "MaxThickness: " << this->MaxThickness << "\n";
   os << indent << "ShareWithout: " << this->ShareWithout << "\n";
 }

@@ -111,9 +111,9 @@ public:
    * at the same place count once, points of no cell not at all. Zero before the first execution and
    * after a failed one.
    */
-  vtkGetMacro(LeastThickness, double);
+  vtkGetMacro(MinThickness, double);
   vtkGetMacro(MedianThickness, double);
-  vtkGetMacro(GreatestThickness, double);
+  vtkGetMacro(MaxThickness, double);
   vtkGetMacro(ShareWithout, double);
   ///@}
 
@@ -128,9 +128,9 @@ protected:
   double Angle = 60.0;
   int Side = INTERIOR;
   int NumberOfThreads = 0;
-  double LeastThickness = 0.0;
+  double MinThickness = 0.0;
   double MedianThickness = 0.0;
-  double GreatestThickness = 0.0;
+  double MaxThickness = 0.0;
   double ShareWithout = 0.0;
 
 private:

@@ -1,6 +1,6 @@
 #include "vtkMeshConversion.h"
 
-#include "medial/common/available_memory.h"
+#include "medial/memory.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"

@@ -6,9 +6,9 @@
 #ifndef vtkMeshConversion_h
 #define vtkMeshConversion_h
 
-#include "medial/medial/medial_axis.h"
-#include "medial/medial/thickness.h"
-#include "medial/mesh/triangle_mesh.h"
+#include "medial/compute_medial_axis.h"
+#include "medial/thickness.h"
+#include "medial/triangle_mesh.h"
 
 class vtkImageData;
 class vtkPolyData;

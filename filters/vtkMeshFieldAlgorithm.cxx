@@ -20,7 +20,7 @@ namespace
 
 const char* const GridModeNames[] = { "Resolution", "Spacing", "Explicit" };
 const char* const SignMethodNames[] = { "Auto", "None", "Pseudonormal", "Winding" };
-const char* const EvaluatorNames[] = { "Auto", "Rasteriser", "Processor" };
+const char* const EngineNames[] = { "Auto", "Rasteriser", "Processor" };
 
 //------------------------------------------------------------------------------
 template <std::size_t Count>
@@ -186,30 +186,30 @@ const char* vtkMeshFieldAlgorithm::GetUsedSignMethodAsString()
 }
 
 //------------------------------------------------------------------------------
-const char* vtkMeshFieldAlgorithm::GetEvaluatorAsString()
+const char* vtkMeshFieldAlgorithm::GetEngineAsString()
 {
-  return NameOf(EvaluatorNames, this->Evaluator);
+  return NameOf(EngineNames, this->Engine);
 }
 
 //------------------------------------------------------------------------------
-int vtkMeshFieldAlgorithm::GetUsedEvaluator()
+int vtkMeshFieldAlgorithm::GetUsedEngine()
 {
-  switch (this->Internals->Last.Statistics.evaluator)
+  switch (this->Internals->Last.Statistics.engine)
   {
-    case medial::Evaluator::Rasteriser:
-      return EVALUATOR_RASTERISER;
-    case medial::Evaluator::Processor:
-      return EVALUATOR_PROCESSOR;
-    case medial::Evaluator::Auto:
+    case medial::Engine::Rasteriser:
+      return ENGINE_RASTERISER;
+    case medial::Engine::Processor:
+      return ENGINE_PROCESSOR;
+    case medial::Engine::Auto:
       break;
   }
-  return EVALUATOR_AUTO;
+  return ENGINE_AUTO;
 }
 
 //------------------------------------------------------------------------------
-const char* vtkMeshFieldAlgorithm::GetUsedEvaluatorAsString()
+const char* vtkMeshFieldAlgorithm::GetUsedEngineAsString()
 {
-  return NameOf(EvaluatorNames, this->GetUsedEvaluator());
+  return NameOf(EngineNames, this->GetUsedEngine());
 }
 
 //------------------------------------------------------------------------------
@@ -372,7 +372,7 @@ void vtkMeshFieldAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   vector("Dimensions", this->Dimensions);
   os << indent << "Padding: " << this->Padding << "\n";
   os << indent << "SignMethod: " << this->GetSignMethodAsString() << "\n";
-  os << indent << "Evaluator: " << this->GetEvaluatorAsString() << "\n";
+  os << indent << "Engine: " << this->GetEngineAsString() << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
   flag("RequireHardware", this->RequireHardware);
@@ -381,7 +381,7 @@ void vtkMeshFieldAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   flag("GenerateClosestFeature", this->GenerateClosestFeature);
   flag("GenerateClosestSite", this->GenerateClosestSite);
   os << indent << "UsedSignMethod: " << this->GetUsedSignMethodAsString() << "\n";
-  os << indent << "UsedEvaluator: " << this->GetUsedEvaluatorAsString() << "\n";
+  os << indent << "UsedEngine: " << this->GetUsedEngineAsString() << "\n";
   vector("UsedDimensions", this->Internals->Last.Grid.dimensions);
   os << indent << "Renderer: " << this->GetRenderer() << "\n";
 }

@@ -120,11 +120,11 @@ public:
   /**
    * What finds the closest sites.
    */
-  enum Evaluators
+  enum Engines
   {
-    EVALUATOR_AUTO = 0,
-    EVALUATOR_RASTERISER = 1,
-    EVALUATOR_PROCESSOR = 2
+    ENGINE_AUTO = 0,
+    ENGINE_RASTERISER = 1,
+    ENGINE_PROCESSOR = 2
   };
 
   ///@{
@@ -210,17 +210,17 @@ public:
   ///@{
   /**
    * What finds the closest sites: the result does not depend on it, but the time does.
-   * EVALUATOR_RASTERISER: OpenGL draws bounds of Voronoi regions with the depth test.
-   * EVALUATOR_PROCESSOR: the CPU evaluates the candidates of every tile of the grid.
-   * EVALUATOR_AUTO: EVALUATOR_PROCESSOR where OpenGL is a software renderer, else
-   * EVALUATOR_RASTERISER. Default is EVALUATOR_AUTO. GetUsedEvaluator() says what was chosen.
+   * ENGINE_RASTERISER: OpenGL draws bounds of Voronoi regions with the depth test.
+   * ENGINE_PROCESSOR: the CPU evaluates the candidates of every tile of the grid.
+   * ENGINE_AUTO: ENGINE_PROCESSOR where OpenGL is a software renderer, else
+   * ENGINE_RASTERISER. Default is ENGINE_AUTO. GetUsedEngine() says what was chosen.
    */
-  vtkSetMacro(Evaluator, int);
-  vtkGetMacro(Evaluator, int);
-  void SetEvaluatorToAuto() { this->SetEvaluator(EVALUATOR_AUTO); }
-  void SetEvaluatorToRasteriser() { this->SetEvaluator(EVALUATOR_RASTERISER); }
-  void SetEvaluatorToProcessor() { this->SetEvaluator(EVALUATOR_PROCESSOR); }
-  const char* GetEvaluatorAsString();
+  vtkSetMacro(Engine, int);
+  vtkGetMacro(Engine, int);
+  void SetEngineToAuto() { this->SetEngine(ENGINE_AUTO); }
+  void SetEngineToRasteriser() { this->SetEngine(ENGINE_RASTERISER); }
+  void SetEngineToProcessor() { this->SetEngine(ENGINE_PROCESSOR); }
+  const char* GetEngineAsString();
   ///@}
 
   ///@{
@@ -304,11 +304,11 @@ public:
 
   ///@{
   /**
-   * The evaluator of the last execution: what EVALUATOR_AUTO meant for the renderer. EVALUATOR_AUTO
+   * The engine of the last execution: what ENGINE_AUTO meant for the renderer. ENGINE_AUTO
    * before the first execution and after a failed one.
    */
-  int GetUsedEvaluator();
-  const char* GetUsedEvaluatorAsString();
+  int GetUsedEngine();
+  const char* GetUsedEngineAsString();
   ///@}
 
   ///@{
@@ -411,7 +411,7 @@ protected:
   int Dimensions[3] = { 64, 64, 64 };
   double Padding = 0.05;
   int SignMethod = SIGN_AUTO;
-  int Evaluator = EVALUATOR_AUTO;
+  int Engine = ENGINE_AUTO;
   int NumberOfThreads = 0;
   int MemoryLimit = 0;
   vtkTypeBool RequireHardware = false;

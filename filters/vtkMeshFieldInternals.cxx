@@ -44,19 +44,18 @@ medial::SignMethod ToSignMethod(int method)
 }
 
 //------------------------------------------------------------------------------
-medial::Evaluator ToEvaluator(int evaluator)
+medial::Engine ToEngine(int engine)
 {
-  switch (evaluator)
+  switch (engine)
   {
-    case vtkMeshFieldAlgorithm::EVALUATOR_AUTO:
-      return medial::Evaluator::Auto;
-    case vtkMeshFieldAlgorithm::EVALUATOR_RASTERISER:
-      return medial::Evaluator::Rasteriser;
-    case vtkMeshFieldAlgorithm::EVALUATOR_PROCESSOR:
-      return medial::Evaluator::Processor;
+    case vtkMeshFieldAlgorithm::ENGINE_AUTO:
+      return medial::Engine::Auto;
+    case vtkMeshFieldAlgorithm::ENGINE_RASTERISER:
+      return medial::Engine::Rasteriser;
+    case vtkMeshFieldAlgorithm::ENGINE_PROCESSOR:
+      return medial::Engine::Processor;
     default:
-      vtkThrowBadParameter("Evaluator", evaluator,
-        "one of 0 (auto), 1 (rasteriser), 2 (processor)");
+      vtkThrowBadParameter("Engine", engine, "one of 0 (auto), 1 (rasteriser), 2 (processor)");
   }
 }
 
@@ -197,7 +196,7 @@ void vtkMeshFieldAlgorithm::vtkInternals::UpdateMesh(vtkPolyData* input)
   }
   this->MeshInput = nullptr;
   this->Mesh = medial::buildTriangleMesh(vtkMeshConversion::ToMeshInput(input));
-  this->Topology = medial::analyseTopology(this->Mesh);
+  this->Topology = medial::analyseConnectivity(this->Mesh);
   this->MeshInput = input;
   this->MeshTime = input->GetMTime();
 }
@@ -254,11 +253,11 @@ medial::DistanceFieldOptions vtkMeshFieldAlgorithm::vtkInternals::MakeOptions(
   }
   medial::DistanceFieldOptions options;
   options.sign = ToSignMethod(self->SignMethod);
-  options.evaluator = ToEvaluator(self->Evaluator);
-  options.threads = self->NumberOfThreads;
+  options.engine = ToEngine(self->Engine);
+  options.execution.threads = self->NumberOfThreads;
   options.memoryMiB = static_cast<std::size_t>(self->MemoryLimit);
   options.requireHardware = self->RequireHardware != 0;
-  options.progress = progress;
+  options.execution.progress = progress;
   return options;
 }
 

@@ -10,9 +10,9 @@
 #include "vtkMeshFieldAlgorithm.h"
 #include "vtkType.h" // For vtkMTimeType
 
-#include "medial/common/error.h"
-#include "medial/common/progress.h"
-#include "medial/medial/medial_axis.h"
+#include "medial/compute_medial_axis.h"
+#include "medial/error.h"
+#include "medial/execution.h"
 
 #include <functional>
 #include <string>
@@ -86,7 +86,7 @@ public:
 
   bool InputIsBlock = false; // of composite input that the pipeline goes through
   medial::TriangleMesh Mesh;
-  medial::MeshTopology Topology;
+  medial::MeshConnectivity Topology;
   Outcome Last;
 
 private:

@@ -3,7 +3,7 @@
 #include "axis_arrays.h"
 #include "sink.h"
 
-#include "medial/medial/evaluation/medial_model.h"
+#include "medial/medial_model.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -59,14 +59,14 @@ void addSideOption(CLI::App& app, std::string& word, const std::string& group)
     ->group(group);
 }
 
-void addEvaluatorOption(CLI::App& app, std::string& word, const std::string& group)
+void addEngineOption(CLI::App& app, std::string& word, const std::string& group)
 {
   app
-    .add_option("--evaluator", word,
+    .add_option("--engine", word,
       "what finds closest sites: rasteriser (OpenGL), processor (CPU; OpenGL must be there all the "
       "same) or auto, which is the processor where OpenGL is a software renderer; default auto")
     ->option_text("KIND")
-    ->check(oneOf(evaluatorNames()))
+    ->check(oneOf(engineNames()))
     ->group(group);
 }
 

@@ -22,7 +22,7 @@ bool parseCommandLine(CLI::App& app, int argc, char** argv);
 ///@{
 /// Options that several programs have. Words become values by option_names.h.
 void addSideOption(CLI::App& app, std::string& word, const std::string& group);
-void addEvaluatorOption(CLI::App& app, std::string& word, const std::string& group);
+void addEngineOption(CLI::App& app, std::string& word, const std::string& group);
 void addThreadsOption(CLI::App& app, int& threads, const std::string& group);
 void addRequireGpuOption(CLI::App& app, bool& requireGpu, const std::string& group);
 void addQuietOption(CLI::App& app, bool& quiet, const std::string& group);

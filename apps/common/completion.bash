@@ -1,4 +1,4 @@
-# Completion of medial-axis, medial-evaluate and medial-viewer in bash: options are those of --help,
+# Completion of medial-axis, medial-measure and medial-viewer in bash: options are those of --help,
 # files those with the extensions that an option takes.
 
 # _medial_files WORD EXTENSION...: files that begin like WORD and have one of the extensions; folders.
@@ -21,7 +21,7 @@ _medial_values()
     --representation) compgen -W "surface faces points" -- "$2" ;;
     --topology) compgen -W "selected preserve" -- "$2" ;;
     --sign) compgen -W "auto none pseudonormal" -- "$2" ;;
-    --evaluator) compgen -W "auto rasteriser processor" -- "$2" ;;
+    --engine) compgen -W "auto rasteriser processor" -- "$2" ;;
     -o | --output) _medial_files "$2" vtp ply obj ma ;;
     --curves | --thickness) _medial_files "$2" vtp ;;
     --field) _medial_files "$2" vti pvti ;;
@@ -52,11 +52,11 @@ _medial()
     mapfile -t COMPREPLY < <(_medial_values "$option" "$word")
   elif [[ $word == -* ]]; then
     mapfile -t COMPREPLY < <(compgen -W "$(grep -oE -- '(^  |,)--?[a-z-]+' <<<"$help" | tr -d ' ,')" -- "$word")
-  elif [[ $program == *medial-evaluate ]]; then
+  elif [[ $program == *medial-measure ]]; then
     mapfile -t COMPREPLY < <(_medial_files "$word" vtp ply obj ma stl off vtk)
   else
     mapfile -t COMPREPLY < <(_medial_files "$word" stl obj ply off vtp vtk)
   fi
 }
 
-complete -o filenames -F _medial medial-axis medial-evaluate medial-viewer
+complete -o filenames -F _medial medial-axis medial-measure medial-viewer

@@ -3,7 +3,7 @@
 #include "failure.h"
 #include "interrupt.h"
 
-#include "medial/common/error.h"
+#include "medial/error.h"
 
 #include <string>
 

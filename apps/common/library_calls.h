@@ -2,7 +2,7 @@
 
 #include "progress_bar.h"
 
-#include "medial/common/progress.h"
+#include "medial/execution.h"
 
 #include <filesystem>
 #include <functional>

@@ -46,10 +46,10 @@ const Names<SignMethod>& signNames()
   return kNames;
 }
 
-const Names<Evaluator>& evaluatorNames()
+const Names<Engine>& engineNames()
 {
-  static const Names<Evaluator> kNames = { { "auto", Evaluator::Auto },
-    { "rasteriser", Evaluator::Rasteriser }, { "processor", Evaluator::Processor } };
+  static const Names<Engine> kNames = { { "auto", Engine::Auto },
+    { "rasteriser", Engine::Rasteriser }, { "processor", Engine::Processor } };
   return kNames;
 }
 
@@ -68,9 +68,9 @@ std::string nameOf(Topology topology)
   return nameIn(topologyNames(), topology);
 }
 
-std::string nameOf(Evaluator evaluator)
+std::string nameOf(Engine engine)
 {
-  return nameIn(evaluatorNames(), evaluator);
+  return nameIn(engineNames(), engine);
 }
 
 } // namespace medial::app

@@ -2,7 +2,7 @@
 
 #include "validators.h"
 
-#include "medial/medial/medial_axis.h"
+#include "medial/compute_medial_axis.h"
 
 #include <string>
 
@@ -15,14 +15,14 @@ const Names<Side>& sideNames();
 const Names<Representation>& representationNames();
 const Names<Topology>& topologyNames();
 const Names<SignMethod>& signNames();
-const Names<Evaluator>& evaluatorNames();
+const Names<Engine>& engineNames();
 ///@}
 
 ///@{
 /// The word for a value.
 std::string nameOf(Side side);
 std::string nameOf(SignMethod method);
-std::string nameOf(Evaluator evaluator);
+std::string nameOf(Engine engine);
 std::string nameOf(Topology topology);
 ///@}
 

@@ -20,25 +20,25 @@ constexpr std::array<std::array<double, 3>, 9> kViridis = { { { 0.267, 0.005, 0.
 
 } // namespace
 
-void setColours(vtkColorTransferFunction* colours, double greatest)
+void setColours(vtkColorTransferFunction* colours, double max)
 {
   colours->RemoveAllPoints();
   for (std::size_t i = 0; i < kViridis.size(); ++i)
   {
     const double t = static_cast<double>(i) / static_cast<double>(kViridis.size() - 1);
     const auto& rgb = kViridis[i];
-    colours->AddRGBPoint(t * greatest, rgb[0], rgb[1], rgb[2]);
+    colours->AddRGBPoint(t * max, rgb[0], rgb[1], rgb[2]);
   }
 }
 
-vtkSmartPointer<vtkColorTransferFunction> makeColours(double greatest)
+vtkSmartPointer<vtkColorTransferFunction> makeColours(double max)
 {
   auto colours = vtkSmartPointer<vtkColorTransferFunction>::New();
-  setColours(colours, greatest);
+  setColours(colours, max);
   return colours;
 }
 
-double greatestRadius(vtkPolyData* axis)
+double maxRadius(vtkPolyData* axis)
 {
   return axis->GetNumberOfPoints() > 0 ? axis->GetPointData()->GetArray("Radius")->GetRange()[1]
                                        : 0.0;

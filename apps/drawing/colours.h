@@ -9,12 +9,12 @@ namespace medial::app
 {
 
 /// Sets the perceptually uniform map "viridis" from 0 to `greatest`.
-void setColours(vtkColorTransferFunction* colours, double greatest);
+void setColours(vtkColorTransferFunction* colours, double max);
 
 /// The perceptually uniform map "viridis" from 0 to `greatest`.
-vtkSmartPointer<vtkColorTransferFunction> makeColours(double greatest);
+vtkSmartPointer<vtkColorTransferFunction> makeColours(double max);
 
 /// The greatest radius of a medial axis, world units; 0 where it is empty.
-double greatestRadius(vtkPolyData* axis);
+double maxRadius(vtkPolyData* axis);
 
 } // namespace medial::app

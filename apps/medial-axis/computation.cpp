@@ -40,10 +40,10 @@ double voxelDiagonal(const Grid& grid)
 AxisCoverage coverageOf(const MedialAxis& axis, const Result& result,
   const DistanceFieldOptions& options)
 {
-  EvaluationOptions wanted;
+  MeasurementOptions wanted;
   wanted.samples = kDefaultCoverageSamples;
-  wanted.threads = options.threads;
-  wanted.progress = options.progress;
+  wanted.execution.threads = options.threads;
+  wanted.execution.progress = options.execution.progress;
   return measureCoverage(result.mesh, toMedialModel(axis), voxelDiagonal(result.grid), wanted);
 }
 
@@ -91,7 +91,7 @@ Result prepare(vtkPolyData* mesh, const Options& options)
     {
       result.axis = vtkSmartPointer<vtkPolyData>::New();
       result.mesh = buildTriangleMesh(vtkMeshConversion::ToMeshInput(mesh));
-      result.topology = analyseTopology(result.mesh);
+      result.topology = analyseConnectivity(result.mesh);
       result.grid = gridOf(result.mesh.bounds(), options);
     });
   return result;
@@ -101,7 +101,7 @@ void compute(const Options& options, FieldSink* field, ProgressBar& bar, Result&
 {
   Watch watch(bar);
   MedialAxisOptions wanted = libraryOptions(options, result.mesh.bounds().diagonal());
-  wanted.field.progress = &watch;
+  wanted.field.execution.progress = &watch;
   withFailures(options.input,
     [&]
     {
@@ -122,7 +122,7 @@ void computeThickness(const Options& options, vtkPolyData* surface, ProgressBar&
 {
   Watch watch(bar);
   ThicknessOptions wanted = thicknessOptions(options);
-  wanted.progress = &watch;
+  wanted.execution.progress = &watch;
   withFailures(options.input,
     [&]
     {

@@ -3,11 +3,11 @@
 #include "options.h"
 #include "progress_bar.h"
 
-#include "medial/medial/evaluation/axis_coverage.h"
-#include "medial/medial/medial_axis.h"
-#include "medial/medial/thickness.h"
-#include "medial/mesh/topology.h"
-#include "medial/mesh/triangle_mesh.h"
+#include "medial/axis_coverage.h"
+#include "medial/compute_medial_axis.h"
+#include "medial/mesh_connectivity.h"
+#include "medial/thickness.h"
+#include "medial/triangle_mesh.h"
 
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
@@ -23,7 +23,7 @@ namespace medial::app
 struct Result
 {
   TriangleMesh mesh;
-  MeshTopology topology;
+  MeshConnectivity topology;
   Grid grid;
   SignMethod sign = SignMethod::None; ///< never Auto
   Side side = Side::Both;             ///< of the axis

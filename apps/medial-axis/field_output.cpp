@@ -5,7 +5,7 @@
 #include "sink.h"
 #include "text_cursor.h"
 
-#include "medial/common/stopwatch.h"
+#include "base/stopwatch.h"
 
 #include <algorithm>
 #include <string>

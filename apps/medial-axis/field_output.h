@@ -4,7 +4,7 @@
 #include "output_file.h"
 #include "positioned_file.h"
 
-#include "medial/distance/distance_field.h"
+#include "medial/distance_field.h"
 
 #include <array>
 #include <filesystem>

@@ -64,7 +64,7 @@ HtmlArray arrayOf(vtkPolyData* axis, const char* name, const char* label, const 
 template <std::size_t N>
 void sortCells(HtmlMesh::Cells<N>& cells, const std::vector<float>& angles)
 {
-  const auto least = [&](const std::array<std::uint32_t, N>& corners)
+  const auto min = [&](const std::array<std::uint32_t, N>& corners)
   {
     float angle = std::numeric_limits<float>::max();
     for (const std::uint32_t corner : corners)
@@ -74,7 +74,7 @@ void sortCells(HtmlMesh::Cells<N>& cells, const std::vector<float>& angles)
     return angle;
   };
   std::stable_sort(cells.begin(), cells.end(),
-    [&](const auto& a, const auto& b) { return least(a) > least(b); });
+    [&](const auto& a, const auto& b) { return min(a) > min(b); });
 }
 
 struct Box

@@ -46,7 +46,7 @@ void convertWords(const Words& words, bool spacingGiven, Options& options)
     throw Failure(ExitCode::Usage,
       "--sign winding is not available yet; available: auto, none, pseudonormal");
   }
-  options.evaluator = evaluatorNames().at(words.evaluator);
+  options.engine = engineNames().at(words.engine);
   options.lambda = parseLength(words.lambda).value_or(Length{});
   options.minRadius = parseLength(words.minRadius).value_or(Length{});
   options.side = sideNames().at(words.side);

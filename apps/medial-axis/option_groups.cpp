@@ -165,7 +165,7 @@ void addRunOptions(CLI::App& app, Words& words, Options& options)
     ->check(
       within<int>("[64, 2147483647] and not 0", [](int m) { return m == 0 || m >= kMinMemoryMiB; }))
     ->group(group);
-  addEvaluatorOption(app, words.evaluator, group);
+  addEngineOption(app, words.engine, group);
   addRequireGpuOption(app, options.requireGpu, group);
   addQuietOption(app, options.quiet, group);
 }

@@ -19,7 +19,7 @@ struct Words
   std::string representation = "surface";
   std::string topology = "selected";
   std::string sign = "auto";
-  std::string evaluator = "auto";
+  std::string engine = "auto";
   double spacing = 0.0;
 };
 

@@ -57,8 +57,8 @@ MedialAxisOptions libraryOptions(const Options& options, double diagonal)
   result.maxSpheres = options.maxSpheres;
   result.topology = options.topology;
   result.field.sign = options.signMethod;
-  result.field.evaluator = options.evaluator;
-  result.field.threads = options.threads;
+  result.field.engine = options.engine;
+  result.field.execution.threads = options.threads;
   result.field.memoryMiB = static_cast<std::size_t>(options.memoryMiB);
   result.field.requireHardware = options.requireGpu;
   return result;
@@ -69,7 +69,7 @@ ThicknessOptions thicknessOptions(const Options& options)
   ThicknessOptions result;
   result.angle = options.angle;
   result.side = options.side;
-  result.threads = options.threads;
+  result.execution.threads = options.threads;
   return result;
 }
 

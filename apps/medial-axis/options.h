@@ -2,8 +2,8 @@
 
 #include "length.h"
 
-#include "medial/medial/medial_axis.h"
-#include "medial/medial/thickness.h"
+#include "medial/compute_medial_axis.h"
+#include "medial/thickness.h"
 
 #include <filesystem>
 #include <optional>
@@ -35,7 +35,7 @@ struct Options
   int maxSpheres = 0; ///< 0: no limit
   Topology topology = Topology::Selected;
   SignMethod signMethod = SignMethod::Auto;
-  Evaluator evaluator = Evaluator::Auto;
+  Engine engine = Engine::Auto;
   int threads = 0;
   int memoryMiB = 0;
   bool requireGpu = false;

@@ -13,7 +13,7 @@ void drawPicture(vtkPolyData* surface, vtkPolyData* axis, const std::filesystem:
 {
   const VtkMessages messages;
   Scene scene;
-  const auto colours = makeColours(axis->GetNumberOfPoints() > 0 ? greatestRadius(axis) : 1.0);
+  const auto colours = makeColours(axis->GetNumberOfPoints() > 0 ? maxRadius(axis) : 1.0);
   const SurfaceActors drawn = makeSurface(surface);
   scene.add(drawn.faces);
   scene.add(drawn.edges);

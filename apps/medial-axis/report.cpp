@@ -62,8 +62,8 @@ Json describeSimplification(const SimplificationStatistics& simplification)
 // NaN becomes null.
 Json describeThickness(const Thickness& thickness, const Options& options)
 {
-  return { { "side", nameOf(options.side) }, { "angle", options.angle }, { "min", thickness.least },
-    { "median", thickness.median }, { "max", thickness.greatest },
+  return { { "side", nameOf(options.side) }, { "angle", options.angle }, { "min", thickness.min },
+    { "median", thickness.median }, { "max", thickness.max },
     { "share_without", thickness.shareWithout() }, { "seconds", thickness.seconds } };
 }
 
@@ -110,7 +110,7 @@ std::string makeReport(const Result& result, const Options& options, const AppSe
   report["counts"] = describeCounts(result.statistics, result.axis);
   report["simplification"] = describeSimplification(result.simplification);
   report["fragments_per_voxel"] = result.statistics.fragmentsPerVoxel();
-  report["evaluator"] = nameOf(result.statistics.evaluator);
+  report["engine"] = nameOf(result.statistics.engine);
   report["sign_method"] = nameOf(result.sign);
   if (result.thickness)
   {

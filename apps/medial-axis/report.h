@@ -23,7 +23,7 @@ struct AppSeconds
 ///   seconds {read, sites, cull, polygons, draw, resolve, medial, write, total}, counts {sites,
 ///   polygons, fragments, candidate_pairs, medial_points, medial_cells}, fragments_per_voxel,
 ///   simplification {input_points, input_components, components, joined, forced, dropped, seconds}
-///   (as in SimplificationStatistics, 0 without --max-spheres), evaluator, sign_method, topology
+///   (as in SimplificationStatistics, 0 without --max-spheres), engine, sign_method, topology
 ///   {mode, solid (null unless preserved), axis: each {components, euler_characteristic, genus,
 ///   cavities}}, coverage (null unless the axis is that of the interior) {uncovered_share: the
 ///   share of the surface's area that is farther than reach, the diagonal of a voxel, from the

@@ -48,7 +48,7 @@ void printThickness(const Options& options, const Thickness& thickness)
   }
   std::printf("thickness %s: min %.4g, median %.4g, max %.4g, none at %.3g %% of the points, "
               "in %.2f s\n",
-    nameOf(options.side).c_str(), thickness.least, thickness.median, thickness.greatest,
+    nameOf(options.side).c_str(), thickness.min, thickness.median, thickness.max,
     100.0 * thickness.shareWithout(), thickness.seconds);
 }
 
@@ -97,7 +97,7 @@ void appendEdges(std::string& list, int count, const char* kind)
   }
 }
 
-std::string whyUnsigned(const Options& options, const MeshTopology& topology)
+std::string whyUnsigned(const Options& options, const MeshConnectivity& topology)
 {
   if (options.signMethod == SignMethod::None)
   {
@@ -116,11 +116,11 @@ std::string whatIsMissing(const Options& options)
 {
   std::ostringstream text;
   text << "no point of the grid has a separation angle of " << options.angle << " degrees";
-  const auto append = [&](const char* name, const Length& least)
+  const auto append = [&](const char* name, const Length& min)
   {
-    if (least.value > 0.0)
+    if (min.value > 0.0)
     {
-      text << " and a " << name << " of " << least.value << (least.percent ? " %" : "");
+      text << " and a " << name << " of " << min.value << (min.percent ? " %" : "");
     }
   };
   append("lambda", options.lambda);
@@ -211,8 +211,8 @@ void printSummary(const Options& options, const Result& result, const AppSeconds
   {
     printGrid(result);
     const Device& device = result.statistics.device;
-    std::printf("renderer  %s%s, evaluator: %s\n", device.renderer.c_str(),
-      device.software ? " (software)" : "", nameOf(result.statistics.evaluator).c_str());
+    std::printf("renderer  %s%s, engine: %s\n", device.renderer.c_str(),
+      device.software ? " (software)" : "", nameOf(result.statistics.engine).c_str());
   }
   if (result.thickness)
   {

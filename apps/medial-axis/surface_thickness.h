@@ -1,6 +1,6 @@
 #pragma once
 
-#include "medial/medial/thickness.h"
+#include "medial/thickness.h"
 
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>

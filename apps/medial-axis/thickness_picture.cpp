@@ -21,7 +21,7 @@ namespace
 // What the values reach up to, and whether some are NaN.
 struct Values
 {
-  double greatest = 0.0;
+  double max = 0.0;
   bool someMissing = false;
 
   explicit Values(vtkDataArray* values)
@@ -30,7 +30,7 @@ struct Values
     {
       const double value = values->GetTuple1(i);
       someMissing = someMissing || std::isnan(value);
-      greatest = std::fmax(greatest, value);
+      max = std::fmax(max, value);
     }
   }
 };
@@ -59,7 +59,7 @@ void drawThickness(vtkPolyData* coloured, vtkPolyData* surface, const std::files
   const VtkMessages messages;
   const Values values(coloured->GetPointData()->GetArray("Thickness"));
   Scene scene;
-  const auto colours = makeColours(values.greatest > 0.0 ? values.greatest : 1.0);
+  const auto colours = makeColours(values.max > 0.0 ? values.max : 1.0);
   colours->SetNanColor(0.72, 0.72, 0.72);
   addSurface(scene, coloured, colours);
   scene.add(makeSurface(surface).edges);

@@ -2,7 +2,7 @@
 
 #include "library_calls.h"
 
-#include "medial/common/stopwatch.h"
+#include "base/stopwatch.h"
 
 #include <vtkDataObject.h>
 #include <vtkFloatArray.h>
@@ -24,10 +24,10 @@ MedialAxisOptions optionsOf(const ViewerOptions& options, Progress* progress)
   MedialAxisOptions result;
   result.angle = 0.0;
   result.side = options.side;
-  result.field.evaluator = options.evaluator;
-  result.field.threads = options.threads;
+  result.field.engine = options.engine;
+  result.field.execution.threads = options.threads;
   result.field.requireHardware = options.requireGpu;
-  result.field.progress = progress;
+  result.field.execution.progress = progress;
   return result;
 }
 

@@ -3,7 +3,7 @@
 #include "sequence.h"
 #include "viewer_options.h"
 
-#include "medial/medial/medial_solver.h"
+#include "medial/medial_solver.h"
 
 #include <vtkImageData.h>
 #include <vtkNew.h>

@@ -66,9 +66,9 @@ FieldSlice::~FieldSlice()
   widget_->Off();
 }
 
-void FieldSlice::setField(vtkImageData* field, double greatest)
+void FieldSlice::setField(vtkImageData* field, double max)
 {
-  widget_->GetLookupTable()->SetTableRange(-greatest, greatest);
+  widget_->GetLookupTable()->SetTableRange(-max, max);
   const int* now = field->GetDimensions();
   if (std::equal(now, now + 3, dimensions_))
   {
@@ -94,7 +94,7 @@ void FieldSlice::setField(vtkImageData* field, double greatest)
     widget_->SetPoint2(corners[2].data());
     widget_->UpdatePlacement();
   }
-  widget_->GetLookupTable()->SetTableRange(-greatest, greatest);
+  widget_->GetLookupTable()->SetTableRange(-max, max);
 }
 
 void FieldSlice::setVisible(bool visible)

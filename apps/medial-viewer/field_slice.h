@@ -25,7 +25,7 @@ public:
 
   /// @param field with the active scalars Distance; may be the one before, with other values.
   /// @param greatest magnitude that has a colour of its own, world units.
-  void setField(vtkImageData* field, double greatest);
+  void setField(vtkImageData* field, double max);
 
   void setVisible(bool visible);
   bool visible() { return widget_->GetEnabled() != 0; }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "medial/common/progress.h"
+#include "medial/execution.h"
 
 class vtkRenderWindow;
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "medial/mesh/triangle_mesh.h"
+#include "medial/triangle_mesh.h"
 
 #include <vtkPoints.h>
 #include <vtkPolyData.h>

@@ -21,8 +21,8 @@ constexpr float kPriority = 0.7F; // before the slice, which may lie behind it
 vtkSmartPointer<vtkSliderRepresentation2D> makeLook(const SliderStyle& style)
 {
   auto look = vtkSmartPointer<vtkSliderRepresentation2D>::New();
-  look->SetMinimumValue(style.least);
-  look->SetMaximumValue(style.greatest);
+  look->SetMinimumValue(style.min);
+  look->SetMaximumValue(style.max);
   look->SetTitleText(style.title);
   look->SetLabelFormat(style.format);
   look->GetPoint1Coordinate()->SetCoordinateSystemToNormalizedDisplay();

@@ -16,8 +16,8 @@ struct SliderStyle
 {
   const char* title;
   const char* format; ///< of the value, as printf
-  double least;
-  double greatest;
+  double min;
+  double max;
   double left; ///< ends of the slider, as fractions of the window's width
   double right;
 };

@@ -24,12 +24,12 @@ namespace
 
 constexpr unsigned long kTick = 16; // milliseconds between two looks at the clock
 
-const SliderStyle kAngleStyle = { "separation angle (degrees)", "%.0f", kLeastViewerAngle,
-  kGreatestViewerAngle, 0.05, 0.42 };
+const SliderStyle kAngleStyle = { "separation angle (degrees)", "%.0f", kMinViewerAngle,
+  kMaxViewerAngle, 0.05, 0.42 };
 
 SliderStyle resolutionStyle(const ViewerOptions& options)
 {
-  return { "resolution (grid points)", "%.0f", kLeastViewerResolution,
+  return { "resolution (grid points)", "%.0f", kMinViewerResolution,
     static_cast<double>(options.maxResolution), 0.48, 0.82 };
 }
 
@@ -188,13 +188,12 @@ void Viewer::changeResolution(int resolution)
 
 void Viewer::compute(std::size_t frame, int resolution)
 {
-  source_.compute(sequence_.frames[frame], resolution,
-    playing_ ? angle_.value() : kLeastViewerAngle);
+  source_.compute(sequence_.frames[frame], resolution, playing_ ? angle_.value() : kMinViewerAngle);
   ++computations_;
   frame_ = frame;
   sequence_.surface->SetPoints(sequence_.frames[frame].seen);
-  greatestRadius_ = std::fmax(greatestRadius_, greatestRadius(source_.axis()));
-  const double scale = greatestRadius_ > 0.0 ? greatestRadius_ : sequence_.bounds.diagonal();
+  maxRadius_ = std::fmax(maxRadius_, maxRadius(source_.axis()));
+  const double scale = maxRadius_ > 0.0 ? maxRadius_ : sequence_.bounds.diagonal();
   slice_.setField(source_.field(), scale);
   colour();
   select();
@@ -214,11 +213,11 @@ void Viewer::select()
 
 void Viewer::colour()
 {
-  const double radius = greatestRadius_ > 0.0 ? greatestRadius_ : 1.0;
-  const double greatest = options_.colour == ColourBy::Angle ? 180.0
-    : options_.colour == ColourBy::Radius                    ? radius
-                                                             : 2.0 * radius;
-  scene_.colourAxis(options_.colour, greatest);
+  const double radius = maxRadius_ > 0.0 ? maxRadius_ : 1.0;
+  const double max = options_.colour == ColourBy::Angle ? 180.0
+    : options_.colour == ColourBy::Radius               ? radius
+                                                        : 2.0 * radius;
+  scene_.colourAxis(options_.colour, max);
 }
 
 void Viewer::writePicture(const std::filesystem::path& file)

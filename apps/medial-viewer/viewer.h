@@ -95,7 +95,7 @@ private:
   Keyboard keyboard_;
   FrameRate rate_;
   std::string note_; // the last line of the status
-  double greatestRadius_ = 0.0;
+  double maxRadius_ = 0.0;
   std::size_t frame_ = 0;
   int computations_ = 0;
   bool playing_ = false;

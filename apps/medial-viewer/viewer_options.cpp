@@ -37,7 +37,7 @@ struct ViewerWords
   std::vector<std::string> inputs;
   std::string side = "interior";
   std::string colour = "radius";
-  std::string evaluator = "auto";
+  std::string engine = "auto";
   std::string screenshot;
 };
 
@@ -55,14 +55,14 @@ void addViewOptions(CLI::App& app, ViewerWords& words, ViewerOptions& options)
       "end of the resolution slider, in [32, 8192]; default 256")
     ->option_text("N")
     ->check(within<int>("[32, 8192]",
-      [](int n) { return n >= kLeastMaxResolution && n <= kGreatestViewerResolution; }))
+      [](int n) { return n >= kMinMaxResolution && n <= kMaxViewerResolution; }))
     ->group(group);
   app
     .add_option("--angle", options.angle,
       "least separation angle to begin with, in degrees, in [20, 170]; default 60")
     ->option_text("DEG")
     ->check(within<double>("[20, 170]",
-      [](double a) { return a >= kLeastViewerAngle && a <= kGreatestViewerAngle; }))
+      [](double a) { return a >= kMinViewerAngle && a <= kMaxViewerAngle; }))
     ->group(group);
   addSideOption(app, words.side, group);
   app
@@ -83,24 +83,24 @@ void addViewOptions(CLI::App& app, ViewerWords& words, ViewerOptions& options)
 void addComputeOptions(CLI::App& app, ViewerWords& words, ViewerOptions& options)
 {
   const std::string group = "Computation";
-  addEvaluatorOption(app, words.evaluator, group);
+  addEngineOption(app, words.engine, group);
   addThreadsOption(app, options.threads, group);
   addRequireGpuOption(app, options.requireGpu, group);
 }
 
 void convert(const ViewerWords& words, ViewerOptions& options)
 {
-  if (options.resolution < kLeastViewerResolution || options.resolution > options.maxResolution)
+  if (options.resolution < kMinViewerResolution || options.resolution > options.maxResolution)
   {
     throw Failure(ExitCode::Usage,
       "--resolution: " + std::to_string(options.resolution) + " is outside [" +
-        std::to_string(kLeastViewerResolution) + ", " + std::to_string(options.maxResolution) +
+        std::to_string(kMinViewerResolution) + ", " + std::to_string(options.maxResolution) +
         "] (see --max-resolution)");
   }
   options.inputs.assign(words.inputs.begin(), words.inputs.end());
   options.side = sideNames().at(words.side);
   options.colour = colourNames().at(words.colour);
-  options.evaluator = evaluatorNames().at(words.evaluator);
+  options.engine = engineNames().at(words.engine);
   options.screenshot = words.screenshot;
   checkExtension("--screenshot", options.screenshot, { ".png" });
 }

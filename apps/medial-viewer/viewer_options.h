@@ -1,6 +1,6 @@
 #pragma once
 
-#include "medial/medial/medial_axis.h"
+#include "medial/compute_medial_axis.h"
 
 #include <filesystem>
 #include <optional>
@@ -19,11 +19,11 @@ enum class ColourBy
 
 ///@{
 /// Ranges of the sliders; ViewerOptions::maxResolution may end that of the resolution before.
-constexpr double kLeastViewerAngle = 20.0;
-constexpr double kGreatestViewerAngle = 170.0;
-constexpr int kLeastViewerResolution = 16;
-constexpr int kLeastMaxResolution = 32;
-constexpr int kGreatestViewerResolution = 8192;
+constexpr double kMinViewerAngle = 20.0;
+constexpr double kMaxViewerAngle = 170.0;
+constexpr int kMinViewerResolution = 16;
+constexpr int kMinMaxResolution = 32;
+constexpr int kMaxViewerResolution = 8192;
 ///@}
 
 /// The command line of the viewer.
@@ -37,7 +37,7 @@ struct ViewerOptions
   ColourBy colour = ColourBy::Radius;
   bool play = false;
   std::filesystem::path screenshot; ///< .png; empty for none
-  Evaluator evaluator = Evaluator::Auto;
+  Engine engine = Engine::Auto;
   int threads = 0;
   bool requireGpu = false;
   int width = 1280; ///< of the window, in pixels

@@ -80,10 +80,10 @@ ViewerScene::ViewerScene(vtkRenderer* renderer, vtkPolyData* surface, vtkPolyDat
   }
 }
 
-void ViewerScene::colourAxis(ColourBy colour, double greatest)
+void ViewerScene::colourAxis(ColourBy colour, double max)
 {
   const Colouring colouring = colouringOf(colour);
-  setColours(colours_, greatest);
+  setColours(colours_, max);
   axis_->GetMapper()->SelectColorArray(colouring.array);
   bar_->SetTitle(colouring.title);
 }

@@ -26,7 +26,7 @@ public:
   ViewerScene(vtkRenderer* renderer, vtkPolyData* surface, vtkPolyData* axis);
 
   /// @param greatest value that has a colour of its own.
-  void colourAxis(ColourBy colour, double greatest);
+  void colourAxis(ColourBy colour, double max);
 
   void toggleSurface();
   void toggleAxis();

@@ -53,7 +53,7 @@ std::string describe(const ViewerStatus& status, const AxisSource& source)
     lines += text("%.1f frames per second\n", status.drawingsPerSecond);
   }
   lines += text("axis: %lld cells; field and axis computed in %.3f s by the %s\n", status.cells,
-    source.seconds(), nameOf(source.statistics().evaluator).c_str());
+    source.seconds(), nameOf(source.statistics().engine).c_str());
   lines += "compute: " + source.statistics().device.renderer + "\nwindow: " + status.device + "\n";
   return lines + (status.note.empty() ? "keys: h" : wrapped(status.note));
 }

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "medial/distance/atlas_layout.h"
-#include "medial/distance/atlas_texture.h"
-#include "medial/gpu/gl_objects.h"
-#include "medial/mesh/topology.h"
-#include "medial/sites/site_set.h"
+#include "field/engines/rasteriser/atlas_layout.h"
+#include "field/engines/rasteriser/atlas_texture.h"
+#include "gl/gl_objects.h"
+#include "medial/mesh_connectivity.h"
+#include "sites/site_set.h"
 
 #include <glm/glm.hpp>
 #include <tbb/blocked_range.h>
@@ -37,7 +37,7 @@ inline float depthPerUnit(const SiteSet& sites, const GridFrame& frame)
 }
 
 /// For every site a triangle that holds it, -1 where there is none.
-inline std::vector<int> triangleOfSites(const SiteSet& sites, const MeshTopology& topology)
+inline std::vector<int> triangleOfSites(const SiteSet& sites, const MeshConnectivity& topology)
 {
   std::vector<int> triangles(sites.size(), -1);
   for (int face = 0; face < sites.faceCount(); ++face)
@@ -66,9 +66,9 @@ class SliceTarget
 public:
   explicit SliceTarget(const AtlasLayout& atlas)
     : atlas_(atlas)
-    , sites_(gpu::createTexture2D(GL_R32I, atlas.size().x, atlas.size().y))
-    , depths_(gpu::createTexture2D(GL_DEPTH_COMPONENT32F, atlas.size().x, atlas.size().y))
-    , framebuffer_(gpu::createFramebuffer({ sites_.id() }, depths_.id()))
+    , sites_(gl::createTexture2D(GL_R32I, atlas.size().x, atlas.size().y))
+    , depths_(gl::createTexture2D(GL_DEPTH_COMPONENT32F, atlas.size().x, atlas.size().y))
+    , framebuffer_(gl::createFramebuffer({ sites_.id() }, depths_.id()))
   {
   }
 
@@ -92,7 +92,7 @@ public:
   void finish() const
   {
     glDisable(GL_DEPTH_TEST);
-    gpu::checkGl("drawing distance functions");
+    gl::checkGl("drawing distance functions");
     glFinish();
   }
 
@@ -106,15 +106,15 @@ public:
 
 private:
   AtlasLayout atlas_;
-  gpu::Texture sites_, depths_;
-  gpu::Framebuffer framebuffer_;
+  gl::Texture sites_, depths_;
+  gl::Framebuffer framebuffer_;
 };
 
 /// Makes triangles and world distances, in place, of sites and depths as SliceTarget::read() gives.
 class SliceReader
 {
 public:
-  SliceReader(const SiteSet& sites, const MeshTopology& topology, const GridFrame& frame)
+  SliceReader(const SiteSet& sites, const MeshConnectivity& topology, const GridFrame& frame)
     : triangles_(triangleOfSites(sites, topology))
     , unitPerDepth_(static_cast<float>(frame.unit) / depthPerUnit(sites, frame))
   {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "medial/common/grid.h"
-#include "medial/distance/distance_field.h"
-#include "medial/mesh/triangle_mesh.h"
+#include "medial/distance_field.h"
+#include "medial/grid.h"
+#include "medial/triangle_mesh.h"
 
 #include <cstdint>
 #include <memory>
@@ -38,7 +38,7 @@ public:
 };
 
 // One factory a method; those of peers exist only where CMake found the library.
-std::unique_ptr<FieldMethod> makeMedialMethod(Evaluator evaluator);
+std::unique_ptr<FieldMethod> makeMedialMethod(Engine engine);
 std::unique_ptr<FieldMethod> makePublishedMethod();
 std::unique_ptr<FieldMethod> makeHavocMethod();
 std::unique_ptr<FieldMethod> makeEmbreeMethod();

@@ -1,6 +1,6 @@
 #include "methods/havoc_functions.h"
 
-#include "medial/distance/slice_polygon.h"
+#include "field/engines/rasteriser/slice_polygon.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@ namespace
 const double kRightAngle = std::acos(0.0);
 /// Functions of sites nearer to the slice than this, in frame units, are those of sites at this
 /// distance: it errs by as much at most.
-constexpr double kLeastHeight = 1e-3;
+constexpr double kMinHeight = 1e-3;
 /// Share of the tolerance that the estimates of points' errors may use up.
 constexpr double kSafety = 0.95;
 
@@ -215,19 +215,19 @@ private:
     const bool rising = std::abs(segment.w(low)) <= std::abs(segment.w(high));
     const double from = rising ? low : high;
     const double to = rising ? high : low;
-    const double greatest = std::max(std::abs(segment.w(to)), kLeastHeight);
-    double least = std::abs(segment.w(from));
+    const double max = std::max(std::abs(segment.w(to)), kMinHeight);
+    double min = std::abs(segment.w(from));
     // Single precision could not tell them apart.
-    least = greatest - least < kLeastHeight ? greatest : least;
-    const double radius = std::hypot(greatest, reach);
+    min = max - min < kMinHeight ? max : min;
+    const double radius = std::hypot(max, reach);
     const double sector = 2.0 * std::acos(std::max(0.0, 1.0 - tolerance_ / radius));
-    const double angleTo = std::atan2(reach, greatest);
-    const double angleFrom = std::atan2(reach, least);
+    const double angleTo = std::atan2(reach, max);
+    const double angleFrom = std::atan2(reach, min);
     const double beyond = std::ceil((angleFrom - angleTo) / sector);
     const int sectors = roundedUp(std::ceil(angleTo / sector) + beyond);
     functions_.segments[sectors].push_back({ glm::vec2(segment.origin + from * segment.along),
       glm::vec2(segment.origin + to * segment.along), glm::vec2(segment.across),
-      { static_cast<float>(least), static_cast<float>(greatest) }, static_cast<float>(reach),
+      { static_cast<float>(min), static_cast<float>(max) }, static_cast<float>(reach),
       static_cast<float>(sectors - beyond), site });
   }
 
@@ -237,7 +237,7 @@ private:
   void addPoint(int vertex)
   {
     const glm::dvec3& p = sites_.points()[vertex];
-    const double height = std::max(std::abs(first_.z - p.z), kLeastHeight);
+    const double height = std::max(std::abs(first_.z - p.z), kMinHeight);
     double radius = 0.0;
     for (const glm::dvec2& corner : corners_)
     {

@@ -3,8 +3,8 @@
 #include "methods/havoc_functions.h"
 #include "methods/havoc_renderer.h"
 
-#include "medial/common/stopwatch.h"
-#include "medial/gpu/gpu_thread.h"
+#include "base/stopwatch.h"
+#include "gl/gpu_thread.h"
 
 #include <tbb/parallel_for.h>
 
@@ -31,7 +31,7 @@ public:
     , tolerance_(tolerance)
   {
     const Stopwatch watch(sitesSeconds_);
-    const MeshTopology topology = analyseTopology(mesh);
+    const MeshConnectivity topology = analyseConnectivity(mesh);
     sites_ = std::make_unique<SiteSet>(mesh, topology, frame_);
     reader_ = std::make_unique<SliceReader>(*sites_, topology, frame_);
   }
@@ -40,7 +40,7 @@ public:
   {
     result_.distance.resize(grid_.pointCount());
     result_.triangle.resize(grid_.pointCount());
-    gpu::OnGpuThread<HavocRenderer> renderer(frame_, sliceSize_, depthPerUnit(*sites_, frame_));
+    gl::OnGpuThread<HavocRenderer> renderer(frame_, sliceSize_, depthPerUnit(*sites_, frame_));
     for (int first = 0; first < grid_.dimensions[2]; first += kSlicesPerBatch)
     {
       const auto batch = timed(functionSeconds_, [&] { return this->buildBatch(first); });
@@ -70,8 +70,7 @@ private:
     return batch;
   }
 
-  void compute(const SliceFunctions& functions, int slice,
-    gpu::OnGpuThread<HavocRenderer>& renderer)
+  void compute(const SliceFunctions& functions, int slice, gl::OnGpuThread<HavocRenderer>& renderer)
   {
     fragments_ += functions.area;
     timed(drawSeconds_, [&] { renderer.run([&](HavocRenderer& r) { r.draw(functions); }); });

@@ -1,6 +1,6 @@
 #include "methods/havoc_program.h"
 
-#include "medial/common/error.h"
+#include "medial/error.h"
 
 #include <array>
 
@@ -9,9 +9,9 @@ namespace medial::benchmark
 namespace
 {
 
-gpu::Shader compiled(GLenum stage, const std::string& text)
+gl::Shader compiled(GLenum stage, const std::string& text)
 {
-  gpu::Shader shader(glCreateShader(stage));
+  gl::Shader shader(glCreateShader(stage));
   const char* start = text.c_str();
   glShaderSource(shader.id(), 1, &start, nullptr);
   glCompileShader(shader.id());
@@ -23,8 +23,8 @@ gpu::Shader compiled(GLenum stage, const std::string& text)
 HavocProgram::HavocProgram(const std::string& vertexText, const std::string& fragmentText)
   : program_(glCreateProgram())
 {
-  const gpu::Shader vertex = compiled(GL_VERTEX_SHADER, vertexText);
-  const gpu::Shader fragment = compiled(GL_FRAGMENT_SHADER, fragmentText);
+  const gl::Shader vertex = compiled(GL_VERTEX_SHADER, vertexText);
+  const gl::Shader fragment = compiled(GL_FRAGMENT_SHADER, fragmentText);
   glAttachShader(program_.id(), vertex.id());
   glAttachShader(program_.id(), fragment.id());
   glLinkProgram(program_.id());

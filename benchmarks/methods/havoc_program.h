@@ -1,13 +1,13 @@
 #pragma once
 
-#include "medial/gpu/gl_objects.h"
+#include "gl/gl_objects.h"
 
 #include <string>
 
 namespace medial::benchmark
 {
 
-/// A program from shader texts. gpu::ShaderProgram knows only the library's own. Lives on the GPU
+/// A program from shader texts. gl::ShaderProgram knows only the library's own. Lives on the GPU
 /// thread.
 class HavocProgram
 {
@@ -20,7 +20,7 @@ public:
   void set(const char* uniform, float x, float y) const;
 
 private:
-  gpu::Program program_;
+  gl::Program program_;
 };
 
 } // namespace medial::benchmark

@@ -22,13 +22,13 @@ AtlasLayout oneSlice(const glm::ivec2& sliceSize)
 }
 
 template <typename T>
-void upload(const gpu::Buffer& buffer, const std::vector<T>& values)
+void upload(const gl::Buffer& buffer, const std::vector<T>& values)
 {
   glNamedBufferData(buffer.id(), static_cast<GLsizeiptr>(values.size() * sizeof(T)), values.data(),
     GL_STREAM_DRAW);
 }
 
-void describeFloats(const gpu::VertexArray& format, GLuint attribute, GLuint binding, GLint count,
+void describeFloats(const gl::VertexArray& format, GLuint attribute, GLuint binding, GLint count,
   std::size_t offset)
 {
   glVertexArrayAttribFormat(format.id(), attribute, count, GL_FLOAT, GL_FALSE,
@@ -37,7 +37,7 @@ void describeFloats(const gpu::VertexArray& format, GLuint attribute, GLuint bin
   glEnableVertexArrayAttrib(format.id(), attribute);
 }
 
-void describeSite(const gpu::VertexArray& format, GLuint attribute, GLuint binding,
+void describeSite(const gl::VertexArray& format, GLuint attribute, GLuint binding,
   std::size_t offset)
 {
   glVertexArrayAttribIFormat(format.id(), attribute, 1, GL_INT, static_cast<GLuint>(offset));
@@ -59,9 +59,9 @@ HavocRenderer::HavocRenderer(const GridFrame& frame, const glm::ivec2& sliceSize
   , faceProgram_(std::string(kHavocPlacement) + kHavocFace, kHavocFragment)
   , pointProgram_(std::string(kHavocPlacement) + kHavocPoint, kHavocFragment)
   , segmentProgram_(std::string(kHavocPlacement) + kHavocSegment, kHavocFragment)
-  , faceVertices_(gpu::createBuffer())
-  , faceIndices_(gpu::createBuffer())
-  , instances_(gpu::createBuffer())
+  , faceVertices_(gl::createBuffer())
+  , faceIndices_(gl::createBuffer())
+  , instances_(gl::createBuffer())
 {
   // Grid point (0, 0) is at the centre of the first pixel.
   const glm::dvec2 perPoint = 2.0 / glm::dvec2(sliceSize);
@@ -86,7 +86,7 @@ HavocRenderer::HavocRenderer(const GridFrame& frame, const glm::ivec2& sliceSize
 
 void HavocRenderer::describeFaces()
 {
-  faceFormat_ = gpu::createVertexArray();
+  faceFormat_ = gl::createVertexArray();
   glVertexArrayVertexBuffer(faceFormat_.id(), 0, faceVertices_.id(), 0, sizeof(FaceVertex));
   glVertexArrayElementBuffer(faceFormat_.id(), faceIndices_.id());
   describeFloats(faceFormat_, 0, 0, 2, offsetof(FaceVertex, position));
@@ -96,7 +96,7 @@ void HavocRenderer::describeFaces()
 
 void HavocRenderer::describePoints()
 {
-  pointFormat_ = gpu::createVertexArray();
+  pointFormat_ = gl::createVertexArray();
   glVertexArrayVertexBuffer(pointFormat_.id(), kInstanceBinding, instances_.id(), 0,
     sizeof(PointInstance));
   glVertexArrayBindingDivisor(pointFormat_.id(), kInstanceBinding, 1);
@@ -109,7 +109,7 @@ void HavocRenderer::describePoints()
 
 void HavocRenderer::describeSegments()
 {
-  segmentFormat_ = gpu::createVertexArray();
+  segmentFormat_ = gl::createVertexArray();
   glVertexArrayVertexBuffer(segmentFormat_.id(), kInstanceBinding, instances_.id(), 0,
     sizeof(SegmentInstance));
   glVertexArrayBindingDivisor(segmentFormat_.id(), kInstanceBinding, 1);
@@ -127,9 +127,9 @@ HavocRenderer::Template HavocRenderer::makeTemplate(const std::vector<glm::vec3>
   const std::vector<std::uint32_t>& indices)
 {
   Template result;
-  result.nodes = gpu::createStorageBuffer(static_cast<GLsizeiptr>(nodes.size() * sizeof(glm::vec3)),
+  result.nodes = gl::createStorageBuffer(static_cast<GLsizeiptr>(nodes.size() * sizeof(glm::vec3)),
     nodes.data());
-  result.indices = gpu::createStorageBuffer(
+  result.indices = gl::createStorageBuffer(
     static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint32_t)), indices.data());
   result.indexCount = static_cast<GLsizei>(indices.size());
   return result;
@@ -184,7 +184,7 @@ HavocRenderer::Template HavocRenderer::segmentTemplate(int sectors)
   return makeTemplate(nodes, indices);
 }
 
-void HavocRenderer::drawInstances(const gpu::VertexArray& format, const Template& shape,
+void HavocRenderer::drawInstances(const gl::VertexArray& format, const Template& shape,
   GLsizei count)
 {
   glVertexArrayVertexBuffer(format.id(), kNodeBinding, shape.nodes.id(), 0, sizeof(glm::vec3));

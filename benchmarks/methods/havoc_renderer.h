@@ -27,7 +27,7 @@ private:
   /// Nodes of a tessellated function, to be placed by the vertex shader.
   struct Template
   {
-    gpu::Buffer nodes, indices;
+    gl::Buffer nodes, indices;
     GLsizei indexCount = 0;
   };
 
@@ -39,12 +39,12 @@ private:
   void describeFaces();
   void describePoints();
   void describeSegments();
-  void drawInstances(const gpu::VertexArray& format, const Template& shape, GLsizei count);
+  void drawInstances(const gl::VertexArray& format, const Template& shape, GLsizei count);
 
   SliceTarget target_;
   HavocProgram faceProgram_, pointProgram_, segmentProgram_;
-  gpu::VertexArray faceFormat_, pointFormat_, segmentFormat_;
-  gpu::Buffer faceVertices_, faceIndices_, instances_;
+  gl::VertexArray faceFormat_, pointFormat_, segmentFormat_;
+  gl::Buffer faceVertices_, faceIndices_, instances_;
   std::map<PointFineness, Template> pointTemplates_;
   std::map<int, Template> segmentTemplates_;
   double triangles_ = 0.0;

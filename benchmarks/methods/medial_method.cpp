@@ -1,7 +1,7 @@
 #include "methods/field_method.h"
 
-#include "medial/common/stopwatch.h"
-#include "medial/distance/distance_field.h"
+#include "base/stopwatch.h"
+#include "medial/distance_field.h"
 
 #include <utility>
 
@@ -11,7 +11,7 @@ namespace
 {
 
 /// A triangle that holds a site, -1 for sites of no triangle.
-int triangleOfSite(std::int32_t site, const TriangleMesh& mesh, const MeshTopology& topology)
+int triangleOfSite(std::int32_t site, const TriangleMesh& mesh, const MeshConnectivity& topology)
 {
   const auto faces = static_cast<std::int32_t>(mesh.triangles.size());
   const auto edges = static_cast<std::int32_t>(topology.edges.size());
@@ -32,28 +32,28 @@ int triangleOfSite(std::int32_t site, const TriangleMesh& mesh, const MeshTopolo
 class MedialMethod final : public FieldMethod
 {
 public:
-  explicit MedialMethod(Evaluator evaluator)
-    : evaluator_(evaluator)
+  explicit MedialMethod(Engine engine)
+    : engine_(engine)
   {
   }
 
   std::string name() const override
   {
-    return evaluator_ == Evaluator::Rasteriser ? "Medial, rasteriser" : "Medial";
+    return engine_ == Engine::Rasteriser ? "Medial, rasteriser" : "Medial";
   }
 
   FieldResult compute(const TriangleMesh& mesh, const Grid& grid) override
   {
     FieldResult result;
     std::vector<std::int32_t> sites;
-    MeshTopology topology;
+    MeshConnectivity topology;
     RunStatistics statistics;
     double total = 0.0;
     double topologySeconds = 0.0;
     timed(total,
       [&]
       {
-        topology = timed(topologySeconds, [&] { return analyseTopology(mesh); });
+        topology = timed(topologySeconds, [&] { return analyseConnectivity(mesh); });
         const auto count = static_cast<std::size_t>(grid.pointCount());
         result.distance.resize(count);
         sites.resize(count);
@@ -62,7 +62,7 @@ public:
         arrays.closestSite = sites.data();
         DistanceFieldOptions options;
         options.sign = SignMethod::None;
-        options.evaluator = evaluator_;
+        options.engine = engine_;
         statistics =
           computeDistanceField(mesh, topology, grid, grid.wholeExtent(), arrays, options);
       });
@@ -86,7 +86,7 @@ private:
     }
     // Less than zero where phases ran side by side.
     result.seconds.emplace_back("other", total - known);
-    const bool drawn = statistics.evaluator == Evaluator::Rasteriser;
+    const bool drawn = statistics.engine == Engine::Rasteriser;
     result.figures = { { drawn ? "fragments_per_voxel" : "evaluations_per_voxel",
                          statistics.fragmentsPerVoxel() },
       { "candidate_pairs", static_cast<double>(statistics.candidatePairs) },
@@ -95,7 +95,7 @@ private:
 
   /// In place, so that the peak of memory is that of the field.
   static std::vector<std::int32_t> nameTriangles(std::vector<std::int32_t> labels,
-    const TriangleMesh& mesh, const MeshTopology& topology)
+    const TriangleMesh& mesh, const MeshConnectivity& topology)
   {
     for (std::int32_t& label : labels)
     {
@@ -104,14 +104,14 @@ private:
     return labels;
   }
 
-  Evaluator evaluator_;
+  Engine engine_;
 };
 
 } // namespace
 
-std::unique_ptr<FieldMethod> makeMedialMethod(Evaluator evaluator)
+std::unique_ptr<FieldMethod> makeMedialMethod(Engine engine)
 {
-  return std::make_unique<MedialMethod>(evaluator);
+  return std::make_unique<MedialMethod>(engine);
 }
 
 } // namespace medial::benchmark

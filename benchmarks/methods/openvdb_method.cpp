@@ -1,7 +1,7 @@
 #include "methods/field_method.h"
 #include "methods/grid_blocks.h"
 
-#include "medial/common/stopwatch.h"
+#include "base/stopwatch.h"
 
 #include <openvdb/openvdb.h>
 #include <openvdb/tools/Dense.h>

@@ -11,7 +11,7 @@ namespace
 /// Edges bent by less, in frame units of the opposite corner's height, count as flat.
 constexpr double kFlat = 1e-9;
 /// Cones opened to nearly a half-space bound nothing.
-constexpr double kLeastCosine = 0.02;
+constexpr double kMinCosine = 0.02;
 constexpr int kConeSteps = 30;
 
 enum class EdgeShape
@@ -32,7 +32,7 @@ struct Cone
 class BoundBuilder
 {
 public:
-  BoundBuilder(const SiteSet& sites, const MeshTopology& topology)
+  BoundBuilder(const SiteSet& sites, const MeshConnectivity& topology)
     : sites_(sites)
     , topology_(topology)
   {
@@ -170,7 +170,7 @@ private:
   void addHyperbolic(int vertex)
   {
     const Cone cone = this->coneOfNormals();
-    if (!(cone.cosine > kLeastCosine))
+    if (!(cone.cosine > kMinCosine))
     {
       this->addFromSites(sites_.firstVertex() + vertex, 0, 0);
       return;
@@ -230,7 +230,7 @@ private:
   }
 
   const SiteSet& sites_;
-  const MeshTopology& topology_;
+  const MeshConnectivity& topology_;
   std::vector<EdgeShape> shapes_;
   std::vector<int> fan_;
   PublishedBounds bounds_;
@@ -238,7 +238,7 @@ private:
 
 } // namespace
 
-PublishedBounds publishedBounds(const SiteSet& sites, const MeshTopology& topology)
+PublishedBounds publishedBounds(const SiteSet& sites, const MeshConnectivity& topology)
 {
   return BoundBuilder(sites, topology).build();
 }

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "medial/mesh/topology.h"
-#include "medial/sites/site_set.h"
+#include "medial/mesh_connectivity.h"
+#include "sites/site_set.h"
 
 #include <vector>
 
@@ -33,6 +33,6 @@ struct PublishedBounds
   std::vector<HalfSpace> halfSpaces;
 };
 
-PublishedBounds publishedBounds(const SiteSet& sites, const MeshTopology& topology);
+PublishedBounds publishedBounds(const SiteSet& sites, const MeshConnectivity& topology);
 
 } // namespace medial::benchmark

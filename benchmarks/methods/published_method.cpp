@@ -3,8 +3,8 @@
 #include "methods/published_polygons.h"
 #include "methods/published_renderer.h"
 
-#include "medial/common/stopwatch.h"
-#include "medial/gpu/gpu_thread.h"
+#include "base/stopwatch.h"
+#include "gl/gpu_thread.h"
 
 #include <algorithm>
 #include <cmath>
@@ -59,7 +59,7 @@ public:
     result_.triangle.resize(grid_.pointCount());
     const AtlasLayout atlas =
       AtlasLayout::make(grid_.wholeExtent(), kSlicesPerBatch, kTextureLimit);
-    gpu::OnGpuThread<PublishedRenderer> renderer(atlas, depthPerUnit(*sites_, frame_));
+    gl::OnGpuThread<PublishedRenderer> renderer(atlas, depthPerUnit(*sites_, frame_));
     for (int first = 0; first < grid_.dimensions[2]; first += kSlicesPerBatch)
     {
       this->compute(this->batch(first), renderer);
@@ -75,7 +75,7 @@ public:
 private:
   void buildSites(const TriangleMesh& mesh)
   {
-    const MeshTopology topology = analyseTopology(mesh);
+    const MeshConnectivity topology = analyseConnectivity(mesh);
     sites_ = std::make_unique<SiteSet>(mesh, topology, frame_);
     bounds_ = publishedBounds(*sites_, topology);
     reach_ = reachOfSlices(*sites_, frame_, grid_);
@@ -96,7 +96,7 @@ private:
     return batch;
   }
 
-  void compute(const SliceBatch& batch, gpu::OnGpuThread<PublishedRenderer>& renderer)
+  void compute(const SliceBatch& batch, gl::OnGpuThread<PublishedRenderer>& renderer)
   {
     const AtlasLayout& atlas = renderer.object().target().atlas();
     const std::vector<PolygonChunk> chunks = timed(polygonSeconds_,
@@ -110,7 +110,7 @@ private:
     timed(readbackSeconds_, [&] { this->read(batch, renderer); });
   }
 
-  void read(const SliceBatch& batch, gpu::OnGpuThread<PublishedRenderer>& renderer)
+  void read(const SliceBatch& batch, gl::OnGpuThread<PublishedRenderer>& renderer)
   {
     const std::size_t offset = sliceSize_ * batch.first;
     const std::size_t count = sliceSize_ * batch.reach.size();

@@ -1,6 +1,6 @@
 #include "methods/published_polygons.h"
 
-#include "medial/distance/slice_polygon.h"
+#include "field/engines/rasteriser/slice_polygon.h"
 
 #include <tbb/parallel_for.h>
 

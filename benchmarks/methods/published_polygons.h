@@ -2,8 +2,8 @@
 
 #include "methods/published_bounds.h"
 
-#include "medial/distance/atlas_layout.h"
-#include "medial/distance/polygon_builder.h"
+#include "field/engines/rasteriser/atlas_layout.h"
+#include "field/engines/rasteriser/polygon_builder.h"
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 #include "methods/published_renderer.h"
 
-#include "medial/gpu/shader_program.h"
+#include "gl/shader_program.h"
 
 #include <cstddef>
 
@@ -10,7 +10,7 @@ namespace
 {
 
 template <typename T>
-void upload(const gpu::Buffer& buffer, const std::vector<T>& values)
+void upload(const gl::Buffer& buffer, const std::vector<T>& values)
 {
   glNamedBufferData(buffer.id(), static_cast<GLsizeiptr>(values.size() * sizeof(T)), values.data(),
     GL_STREAM_DRAW);
@@ -21,9 +21,9 @@ void upload(const gpu::Buffer& buffer, const std::vector<T>& values)
 PublishedRenderer::PublishedRenderer(const AtlasLayout& atlas, float depthPerUnit)
   : target_(atlas)
   , depthPerUnit_(depthPerUnit)
-  , vertices_(gpu::createBuffer())
-  , indices_(gpu::createBuffer())
-  , format_(gpu::createVertexArray())
+  , vertices_(gl::createBuffer())
+  , indices_(gl::createBuffer())
+  , format_(gl::createVertexArray())
 {
   const GLuint format = format_.id();
   glVertexArrayVertexBuffer(format, 0, vertices_.id(), 0, sizeof(PolygonVertex));
@@ -41,8 +41,8 @@ PublishedRenderer::PublishedRenderer(const AtlasLayout& atlas, float depthPerUni
 void PublishedRenderer::draw(const std::vector<PolygonChunk>& chunks)
 {
   // The library's own shaders: interpolation of the vector and its norm are what the paper does.
-  const gpu::ShaderProgram& program =
-    gpu::cachedProgram("distance_field.vert", "distance_field.frag");
+  const gl::ShaderProgram& program =
+    gl::cachedProgram("distance_field.vert", "distance_field.frag");
   program.set("atlasSize", glm::vec2(target_.atlas().size()));
   program.set("depthScale", depthPerUnit_);
   program.use();

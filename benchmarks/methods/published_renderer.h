@@ -2,7 +2,7 @@
 
 #include "methods/baseline_slices.h"
 
-#include "medial/distance/polygon_builder.h"
+#include "field/engines/rasteriser/polygon_builder.h"
 
 #include <vector>
 
@@ -22,8 +22,8 @@ public:
 private:
   SliceTarget target_;
   float depthPerUnit_;
-  gpu::Buffer vertices_, indices_;
-  gpu::VertexArray format_;
+  gl::Buffer vertices_, indices_;
+  gl::VertexArray format_;
 };
 
 } // namespace medial::benchmark

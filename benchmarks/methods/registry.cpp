@@ -6,8 +6,8 @@ namespace medial::benchmark
 const std::vector<MethodEntry>& availableMethods()
 {
   static const std::vector<MethodEntry> methods = {
-    { kMedialId, [] { return makeMedialMethod(Evaluator::Auto); } },
-    { kRasterId, [] { return makeMedialMethod(Evaluator::Rasteriser); } },
+    { kMedialId, [] { return makeMedialMethod(Engine::Auto); } },
+    { kRasterId, [] { return makeMedialMethod(Engine::Rasteriser); } },
     { "published", makePublishedMethod },
     { "havoc", makeHavocMethod },
 #ifdef MEDIAL_HAVE_EMBREE

@@ -1,7 +1,7 @@
 #include "methods/field_method.h"
 #include "methods/grid_blocks.h"
 
-#include "medial/common/stopwatch.h"
+#include "base/stopwatch.h"
 
 #include <tbb/task_arena.h>
 #include <tbb/task_group.h>

@@ -1,7 +1,7 @@
 #include "output/machine.h"
 
-#include "medial/common/error.h"
-#include "medial/gpu/device.h"
+#include "medial/device.h"
+#include "medial/error.h"
 
 #include <array>
 #include <ctime>

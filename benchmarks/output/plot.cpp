@@ -76,14 +76,14 @@ void runGnuplot(const std::string& commands, const std::string& data, const std:
 
 /// A logarithmic axis from a little below the least to a little above the greatest value, with
 /// labels at 1, 2 and 5 times powers of ten where powers alone would be few.
-std::string logarithmicAxis(const std::string& axis, double least, double most)
+std::string logarithmicAxis(const std::string& axis, double min, double most)
 {
-  const double low = 0.75 * least;
+  const double low = 0.75 * min;
   const double high = 1.35 * most;
   std::ostringstream commands;
   commands << "set logscale " << axis << "\nset " << axis << "range [" << low << ':' << high
            << "]\n";
-  if (most < 300.0 * least)
+  if (most < 300.0 * min)
   {
     commands << "set " << axis << "tics (";
     const char* separator = "";
@@ -107,12 +107,12 @@ std::string logarithmicAxis(const std::string& axis, double least, double most)
 /// Least and greatest of some positive numbers.
 struct Span
 {
-  double least = std::numeric_limits<double>::infinity();
+  double min = std::numeric_limits<double>::infinity();
   double most = 0.0;
 
   void add(double value)
   {
-    least = std::min(least, value);
+    min = std::min(min, value);
     most = std::max(most, value);
   }
 };
@@ -144,7 +144,7 @@ void draw(const CurvePlot& plot, const fs::path& folder)
       y.add(p[3]);
     }
   }
-  commands << logarithmicAxis("x", x.least, x.most) << logarithmicAxis("y", y.least, y.most);
+  commands << logarithmicAxis("x", x.min, x.most) << logarithmicAxis("y", y.min, y.most);
   for (std::size_t i = 0; i < plot.ticks.size(); ++i)
   {
     commands << (i == 0 ? "set xtics (" : ", ") << plot.ticks[i]
@@ -193,7 +193,7 @@ void draw(const BarPlot& plot, const fs::path& folder)
            << "set style data histograms\nset style histogram clustered gap 1.5\n"
            << "set style fill solid 0.9 noborder\nset boxwidth 0.95\n"
            << "set datafile missing 'NaN'\n"
-           << logarithmicAxis("y", span.least, span.most) << "plot ";
+           << logarithmicAxis("y", span.min, span.most) << "plot ";
   for (std::size_t bar = 0; bar < plot.bars.size(); ++bar)
   {
     commands << (bar == 0 ? "" : ", ") << "data using " << bar + 2 << ":xtic(1) title "

@@ -33,7 +33,7 @@ double geometryShare(const MethodRun& run);
 /// One line for each mesh and method: seconds, ratio to ours, errors, memory.
 Table methodTable(const std::vector<Row>& rows);
 
-/// One line for each mesh and evaluator: seconds of our phases, and how much was drawn.
+/// One line for each mesh and engine: seconds of our phases, and how much was drawn.
 Table phaseTable(const std::vector<Row>& rows);
 
 } // namespace medial::benchmark

@@ -9,7 +9,7 @@ namespace
 {
 
 /// Errors below this are rounding, and a logarithmic axis has to begin somewhere.
-constexpr double kLeastError = 1e-7;
+constexpr double kMinError = 1e-7;
 constexpr int kPointsOfCurve = 200;
 
 /// Share of the checked points whose error is greater than x, over x.
@@ -25,7 +25,7 @@ CurvePlot::Curve exceedance(const MethodRun& run)
   {
     const double share =
       static_cast<double>(errors.size() - i) / static_cast<double>(errors.size());
-    curve.points.push_back({ std::max(errors[i], kLeastError), share, share, share });
+    curve.points.push_back({ std::max(errors[i], kMinError), share, share, share });
   };
   // The tail in full: it is what the plot is about.
   const std::size_t tail = errors.size() - std::min(errors.size(), step);

@@ -12,7 +12,7 @@ namespace
 {
 
 /// Frames are many, and so rounds may be few.
-constexpr int kMostRounds = 3;
+constexpr int kMaxRounds = 3;
 constexpr int kFrames = 30;
 constexpr int kTriangles = 5800; ///< of the torus that stands in
 
@@ -46,8 +46,8 @@ std::vector<std::string> cells(const Row& row, const FrameRace& race, FrameTask 
     secondsText(race.fresh, row.rounds), secondsText(race.solver, row.rounds),
     number(1.0 / race.fresh.medianSeconds()), number(1.0 / race.solver.medianSeconds()),
     number(median(race.fresh.ratios)),
-    task == FrameTask::Field ? number(race.greatestDifference, 2) + " voxel"
-                             : number(100.0 * race.greatestDifference, 2) + " % of points" };
+    task == FrameTask::Field ? number(race.maxDifference, 2) + " voxel"
+                             : number(100.0 * race.maxDifference, 2) + " % of points" };
 }
 
 SuiteReport emptyReport(const Animation& animation, int rounds)
@@ -77,7 +77,7 @@ void runFrames(const SuiteContext& context)
   {
     return;
   }
-  SuiteReport report = emptyReport(animation, std::min(context.options().repeats, kMostRounds));
+  SuiteReport report = emptyReport(animation, std::min(context.options().repeats, kMaxRounds));
   Table table;
   table.columns = { "mesh", "triangles", "grid", "fresh, s a frame", "solver, s a frame",
     "fresh, frames/s", "solver, frames/s", "fresh / solver", "difference" };

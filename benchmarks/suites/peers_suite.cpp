@@ -8,11 +8,11 @@ namespace
 {
 
 /// Targets that are the same for all meshes.
-constexpr double kMostGeometryShare = 35.0; ///< percent
-constexpr double kGreatestError = 1e-2;     ///< voxels
-constexpr double kUsualError = 1e-3;        ///< voxels, at 99.99 % of the grid points
-constexpr double kOutputsOfPeak = 3.0;      ///< peak of memory, in output arrays ...
-constexpr double kFixedPeak = 150e6;        ///< ... and bytes on top of them
+constexpr double kMaxGeometryShare = 35.0; ///< percent
+constexpr double kMaxError = 1e-2;         ///< voxels
+constexpr double kUsualError = 1e-3;       ///< voxels, at 99.99 % of the grid points
+constexpr double kOutputsOfPeak = 3.0;     ///< peak of memory, in output arrays ...
+constexpr double kFixedPeak = 150e6;       ///< ... and bytes on top of them
 
 struct Case
 {
@@ -41,9 +41,9 @@ std::vector<Target> targetsOf(const Case& one, const Row& row, bool apply)
   }
   if (const MethodRun* ours = row.find(kMedialId); ours && ours->accuracy)
   {
-    add("sites, cull and polygons, % of Medial's seconds", Kind::AtMost, kMostGeometryShare,
+    add("sites, cull and polygons, % of Medial's seconds", Kind::AtMost, kMaxGeometryShare,
       100.0 * geometryShare(*ours));
-    add("greatest error, voxels", Kind::AtMost, kGreatestError, ours->accuracy->most());
+    add("greatest error, voxels", Kind::AtMost, kMaxError, ours->accuracy->most());
     add("error of 99.99 % of grid points, voxels", Kind::AtMost, kUsualError,
       ours->accuracy->quantile9999());
     if (ours->peakBytes)

@@ -157,12 +157,12 @@ CurvePlot::Curve secondsCurve(const std::vector<Row>& rows, const std::string& m
   return curve;
 }
 
-double exponentOf(const CurvePlot::Curve& curve, double least)
+double exponentOf(const CurvePlot::Curve& curve, double min)
 {
   std::vector<std::array<double, 2>> points;
   for (const auto& point : curve.points)
   {
-    if (point[0] >= least)
+    if (point[0] >= min)
     {
       points.push_back({ point[0], point[1] });
     }

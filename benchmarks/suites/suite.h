@@ -62,7 +62,7 @@ CurvePlot::Curve secondsCurve(const std::vector<Row>& rows, const std::string& m
   const std::string& name, const std::function<double(const Row&)>& x);
 
 /// Exponent of a curve's y against x, among points with x >= least.
-double exponentOf(const CurvePlot::Curve& curve, double least = 0.0);
+double exponentOf(const CurvePlot::Curve& curve, double min = 0.0);
 
 /// The paper's meshes, and what stands in for them where they are absent.
 MeshRequest triceratops();

@@ -12,7 +12,7 @@ double trianglesOf(const Row& row)
 
 /// Fits are of the dense half, where triangles and no longer grid points decide.
 constexpr double kFitFrom = 10000.0;
-constexpr int kMostTriangles = 200000;
+constexpr int kMaxTriangles = 200000;
 
 /// Plot, fits and tables of the rows measured so far.
 void describe(const std::vector<std::string>& methods, int resolution, SuiteReport& report)
@@ -47,7 +47,7 @@ void runTriangles(const SuiteContext& context)
 {
   const std::vector<std::string> methods = { kMedialId, kRasterId, "embree" };
   const int resolution = context.resolution(128);
-  const Grid grid = makeGrid(bumpyTorus(kMostTriangles).bounds(), resolution);
+  const Grid grid = makeGrid(bumpyTorus(kMaxTriangles).bounds(), resolution);
   const auto sameGrid = [&](const TriangleMesh&) { return grid; };
   SuiteReport report;
   report.name = "triangles";
@@ -55,7 +55,7 @@ void runTriangles(const SuiteContext& context)
   report.rounds = context.options().repeats;
   report.notes = { "A bumpy torus, meshed more and more finely, on one grid." };
   SuiteContext::noteAbsent(methods, report);
-  for (const int triangles : { 1000, 2000, 5000, 10000, 20000, 50000, 100000, kMostTriangles })
+  for (const int triangles : { 1000, 2000, 5000, 10000, 20000, 50000, 100000, kMaxTriangles })
   {
     if (context.options().quick && triangles > 2000)
     {

@@ -1,6 +1,6 @@
 // Distance field and medial axis of a box that is made by hand.
-#include <medial/common/error.h>
-#include <medial/medial/medial_axis.h>
+#include <medial/error.h>
+#include <medial/compute_medial_axis.h>
 
 #include <algorithm>
 #include <iostream>

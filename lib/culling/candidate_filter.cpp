@@ -1,7 +1,7 @@
-#include "medial/culling/candidate_filter.h"
+#include "culling/candidate_filter.h"
 
-#include "medial/common/simd.h"
-#include "medial/sites/closest_point.h"
+#include "base/simd.h"
+#include "sites/closest_point.h"
 
 #include <algorithm>
 #include <cmath>
@@ -60,9 +60,9 @@ MEDIAL_INLINE Float8 squareRoot(Float8 value)
 /// Which boxes are wholly outside of a half-space.
 MEDIAL_INLINE Int8 outside(const BoxLanes& boxes, const HalfSpace& h, float slack)
 {
-  const Float8 least = boxes.x * h.x + boxes.y * h.y + boxes.z * h.z - boxes.halfX * std::abs(h.x) -
+  const Float8 min = boxes.x * h.x + boxes.y * h.y + boxes.z * h.z - boxes.halfX * std::abs(h.x) -
     boxes.halfY * std::abs(h.y) - boxes.halfZ * std::abs(h.z);
-  return least > h.w + slack;
+  return min > h.w + slack;
 }
 
 /// The corners of a box relative to its centre.
@@ -124,8 +124,8 @@ CandidateFilter::CandidateFilter(const SiteSet& sites)
   {
     reach = std::max(reach, glm::length(glm::vec3(sites.sphere(site))));
   }
-  constexpr float kLeastSlack = 1e-3f;
-  slack_ = kLeastSlack + 16.0f * std::numeric_limits<float>::epsilon() * reach;
+  constexpr float kMinSlack = 1e-3f;
+  slack_ = kMinSlack + 16.0f * std::numeric_limits<float>::epsilon() * reach;
 }
 
 std::vector<int> CandidateFilter::allSites() const
@@ -143,9 +143,9 @@ std::vector<int> CandidateFilter::allSites() const
 }
 
 bool CandidateFilter::seedDistances(const FrameBox* boxes, const int* seeds, int boxCount,
-  std::array<float, kMostBoxes>& squared) const
+  std::array<float, kMaxBoxes>& squared) const
 {
-  for (int i = 0; i < kMostBoxes; ++i)
+  for (int i = 0; i < kMaxBoxes; ++i)
   {
     const int box = i < boxCount ? i : 0;
     if (seeds == nullptr || seeds[box] < 0)
@@ -164,7 +164,7 @@ MEDIAL_VECTORISED void CandidateFilter::findNear(const std::vector<int>& parent,
 {
   const BoxLanes lanes = boxLanes(boxes, boxCount);
   Float8 upper = splat(kUnknown);
-  std::array<float, kMostBoxes> known;
+  std::array<float, kMaxBoxes> known;
   if (this->seedDistances(boxes, seeds, boxCount, known))
   {
     upper = loaded(known.data());
@@ -175,8 +175,7 @@ MEDIAL_VECTORISED void CandidateFilter::findNear(const std::vector<int>& parent,
     for (const int site : parent)
     {
       const glm::vec4& sphere = sites_.sphere(site);
-      upper =
-        least(upper, squaredLength(lanes.x - sphere.x, lanes.y - sphere.y, lanes.z - sphere.z));
+      upper = min(upper, squaredLength(lanes.x - sphere.x, lanes.y - sphere.y, lanes.z - sphere.z));
     }
   }
   const Float8 limit = squareRoot(upper) + 2.0f * lanes.radius + slack_;
@@ -249,9 +248,9 @@ MEDIAL_VECTORISED void CandidateFilter::dropDominated(const FrameBox& box,
         // From below by the half plane within one side, as that is convex.
         const Float8 side = centre[0] > centre[1] ? (centre[0] > centre[2] ? side0 : side2)
                                                   : (centre[1] > centre[2] ? side1 : side2);
-        const Float8 excess = greatest(side, Float8{});
+        const Float8 excess = max(side, Float8{});
         squared = height * height + excess * excess;
-        exact = greatest(greatest(side0, side1), side2) > 0.0f ? splat(kUnknown) : squared;
+        exact = max(max(side0, side1), side2) > 0.0f ? splat(kUnknown) : squared;
         break;
       }
       case SiteKind::Edge:
@@ -262,7 +261,7 @@ MEDIAL_VECTORISED void CandidateFilter::dropDominated(const FrameBox& box,
         const Float8 y = corners.y + fromStart.y;
         const Float8 z = corners.z + fromStart.z;
         const Float8 along = x * line.direction.x + y * line.direction.y + z * line.direction.z;
-        const Float8 t = least(greatest(along, Float8{}), splat(line.length));
+        const Float8 t = min(max(along, Float8{}), splat(line.length));
         squared = squaredLength(x - t * line.direction.x, y - t * line.direction.y,
           z - t * line.direction.z);
         exact = squared;

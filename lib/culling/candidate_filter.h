@@ -1,6 +1,6 @@
 #pragma once
 
-#include "medial/sites/site_set.h"
+#include "sites/site_set.h"
 
 #include <glm/glm.hpp>
 
@@ -20,14 +20,14 @@ struct FrameBox
 /// Points side by side, each with a distance within which sites are looked for; frame units.
 struct PointLanes
 {
-  static constexpr int kMost = 8;
+  static constexpr int kMax = 8;
 
   int count = 0;
-  alignas(32) std::array<float, kMost> x;
-  alignas(32) std::array<float, kMost> y;
-  alignas(32) std::array<float, kMost> z;
+  alignas(32) std::array<float, kMax> x;
+  alignas(32) std::array<float, kMax> y;
+  alignas(32) std::array<float, kMax> z;
   /// The largest float where nothing is known.
-  alignas(32) std::array<float, kMost> reach;
+  alignas(32) std::array<float, kMax> reach;
 };
 
 /// A site that may be as near as wanted to the points whose bits are set.
@@ -43,18 +43,18 @@ class CandidateFilter
 {
 public:
   /// Boxes that are filtered in one go.
-  static constexpr int kMostBoxes = 8;
+  static constexpr int kMaxBoxes = 8;
 
   explicit CandidateFilter(const SiteSet& sites);
 
   /// Working memory of one thread.
   struct Scratch
   {
-    std::array<std::vector<int>, kMostBoxes> near; ///< survivors of the cheap tests
-    std::vector<std::array<float, 8>> corners;     ///< squared distances of box corners
+    std::array<std::vector<int>, kMaxBoxes> near; ///< survivors of the cheap tests
+    std::vector<std::array<float, 8>> corners;    ///< squared distances of box corners
   };
 
-  /// For each of up to kMostBoxes boxes, appends to its `out`, in the order of `parent`, the sites
+  /// For each of up to kMaxBoxes boxes, appends to its `out`, in the order of `parent`, the sites
   /// that pass three tests:
   /// - dist(centre, site) <= D + 2 radius, D an upper bound of the distance at the centre;
   /// - no half-space of the site has the whole box outside;
@@ -92,7 +92,7 @@ private:
   };
 
   bool seedDistances(const FrameBox* boxes, const int* seeds, int boxCount,
-    std::array<float, kMostBoxes>& squared) const;
+    std::array<float, kMaxBoxes>& squared) const;
   void findNear(const std::vector<int>& parent, const FrameBox* boxes, const int* seeds,
     int boxCount, Scratch& scratch) const;
   void prefetch(int site) const;

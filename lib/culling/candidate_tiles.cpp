@@ -1,4 +1,4 @@
-#include "medial/culling/candidate_tiles.h"
+#include "culling/candidate_tiles.h"
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
@@ -50,12 +50,12 @@ struct CandidateHierarchy::Parts
   std::vector<Extent> extents;
   std::vector<FrameBox> boxes;
   std::vector<int> seeds;
-  std::array<std::vector<int>, CandidateFilter::kMostBoxes> candidates;
+  std::array<std::vector<int>, CandidateFilter::kMaxBoxes> candidates;
 
   void filter(const CandidateFilter& filter, const std::vector<int>& parent,
     CandidateFilter::Scratch& scratch)
   {
-    std::array<std::vector<int>*, CandidateFilter::kMostBoxes> out{};
+    std::array<std::vector<int>*, CandidateFilter::kMaxBoxes> out{};
     for (std::size_t i = 0; i < boxes.size(); ++i)
     {
       candidates[i].clear();

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "medial/common/checkpoint.h"
-#include "medial/common/grid.h"
-#include "medial/culling/candidate_filter.h"
-#include "medial/culling/closest_seeds.h"
-#include "medial/sites/grid_frame.h"
-#include "medial/sites/site_set.h"
+#include "base/checkpoint.h"
+#include "culling/candidate_filter.h"
+#include "culling/closest_seeds.h"
+#include "medial/grid.h"
+#include "sites/grid_frame.h"
+#include "sites/site_set.h"
 
 #include <cstddef>
 #include <functional>

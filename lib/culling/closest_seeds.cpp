@@ -1,4 +1,4 @@
-#include "medial/culling/closest_seeds.h"
+#include "culling/closest_seeds.h"
 
 namespace medial
 {

@@ -1,5 +1,5 @@
-#include "medial/common/simd.h"
-#include "medial/culling/candidate_filter.h"
+#include "base/simd.h"
+#include "culling/candidate_filter.h"
 
 #include <limits>
 
@@ -8,7 +8,7 @@ namespace medial
 namespace
 {
 
-static_assert(PointLanes::kMost == kLanes);
+static_assert(PointLanes::kMax == kLanes);
 
 constexpr float kUnknown = std::numeric_limits<float>::max();
 
@@ -49,7 +49,7 @@ MEDIAL_VECTORISED void CandidateFilter::near(const int* begin, const int* end,
     Float8 nearest = splat(kUnknown);
     for (const int* site = begin; site != end; ++site)
     {
-      nearest = least(nearest, fromPoint(x, glm::vec3(sites_.sphere(*site))).squaredLength());
+      nearest = min(nearest, fromPoint(x, glm::vec3(sites_.sphere(*site))).squaredLength());
     }
     for (int i = 0; i < points.count; ++i)
     {
@@ -75,10 +75,9 @@ MEDIAL_VECTORISED void CandidateFilter::near(const int* begin, const int* end,
         // From below where a point does not project into the face: its edges are sites as well.
         const FacePlanes& face = facePlanes_[site];
         const Float8 height = evaluate(face.plane, x);
-        const Float8 side =
-          greatest(greatest(evaluate(face.sides[0], x), evaluate(face.sides[1], x)),
-            evaluate(face.sides[2], x));
-        const Float8 excess = greatest(side, Float8{});
+        const Float8 side = max(max(evaluate(face.sides[0], x), evaluate(face.sides[1], x)),
+          evaluate(face.sides[2], x));
+        const Float8 excess = max(side, Float8{});
         squared = height * height + excess * excess;
         break;
       }
@@ -86,7 +85,7 @@ MEDIAL_VECTORISED void CandidateFilter::near(const int* begin, const int* end,
       {
         const EdgeLine& line = edgeLines_[site - sites_.firstEdge()];
         Vector8 v = fromPoint(x, line.start);
-        const Float8 t = least(greatest(along(v, line.direction), Float8{}), splat(line.length));
+        const Float8 t = min(max(along(v, line.direction), Float8{}), splat(line.length));
         v = { v.x - t * line.direction.x, v.y - t * line.direction.y, v.z - t * line.direction.z };
         squared = v.squaredLength();
         break;

@@ -1,6 +1,6 @@
-#include "medial/culling/tile_query.h"
+#include "culling/tile_query.h"
 
-#include "medial/common/available_memory.h"
+#include "medial/memory.h"
 
 #include <algorithm>
 #include <array>
@@ -71,19 +71,19 @@ void TileQuery::closestInTile(const Candidates& tile, Question* const* questions
   std::vector<NearSite>& scratch) const
 {
   constexpr auto kUnknown = static_cast<double>(std::numeric_limits<float>::max());
-  std::array<double, PointLanes::kMost> least;
+  std::array<double, PointLanes::kMax> min;
   PointLanes lanes;
   lanes.count = count;
-  for (int i = 0; i < PointLanes::kMost; ++i)
+  for (int i = 0; i < PointLanes::kMax; ++i)
   {
     const Question& question = *questions[i < count ? i : 0];
     const bool known = question.closest.site >= 0;
-    least[i] = known ? glm::distance(question.x, question.closest.point) : kUnknown;
+    min[i] = known ? glm::distance(question.x, question.closest.point) : kUnknown;
     lanes.x[i] = static_cast<float>(question.x.x);
     lanes.y[i] = static_cast<float>(question.x.y);
     lanes.z[i] = static_cast<float>(question.x.z);
     lanes.reach[i] =
-      static_cast<float>(known ? least[i] + 2.0 * static_cast<double>(filter_.slack()) : kUnknown);
+      static_cast<float>(known ? min[i] + 2.0 * static_cast<double>(filter_.slack()) : kUnknown);
   }
   filter_.near(tile.begin, tile.end, lanes, scratch);
   for (const NearSite& near : scratch)
@@ -98,9 +98,9 @@ void TileQuery::closestInTile(const Candidates& tile, Question* const* questions
       }
       const SitePoint candidate = closestPoint(sites_, near.site, question.x);
       const double distance = glm::distance(candidate.point, question.x);
-      if (distance < least[i])
+      if (distance < min[i])
       {
-        least[i] = distance;
+        min[i] = distance;
         question.closest = candidate;
       }
     }
@@ -126,12 +126,12 @@ void TileQuery::closest(std::vector<Question>& questions) const
   }
   std::sort(order.begin(), order.end());
   std::vector<NearSite> scratch;
-  std::array<Question*, PointLanes::kMost> together;
+  std::array<Question*, PointLanes::kMax> together;
   for (auto next = order.begin(); next != order.end();)
   {
     const std::size_t tile = next->first;
     int count = 0;
-    while (count < PointLanes::kMost && next != order.end() && next->first == tile)
+    while (count < PointLanes::kMax && next != order.end() && next->first == tile)
     {
       together[count++] = (next++)->second;
     }

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "medial/culling/candidate_filter.h"
-#include "medial/culling/candidate_tiles.h"
-#include "medial/sites/closest_point.h"
+#include "culling/candidate_filter.h"
+#include "culling/candidate_tiles.h"
+#include "sites/closest_point.h"
 
 #include <glm/glm.hpp>
 
@@ -47,7 +47,7 @@ private:
 
   std::size_t tileIndex(const glm::ivec3& gridPoint) const;
   std::size_t tileAround(const glm::dvec3& x) const;
-  /// @param count in [1, PointLanes::kMost].
+  /// @param count in [1, PointLanes::kMax].
   void closestInTile(const Candidates& tile, Question* const* questions, int count,
     std::vector<NearSite>& scratch) const;
 

@@ -1,4 +1,4 @@
-#include "medial/mesh/polygon_triangulation.h"
+#include "mesh/polygon_triangulation.h"
 
 #include <glm/glm.hpp>
 

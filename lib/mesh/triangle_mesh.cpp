@@ -1,7 +1,7 @@
-#include "medial/mesh/triangle_mesh.h"
+#include "medial/triangle_mesh.h"
 
-#include "medial/common/error.h"
-#include "medial/mesh/polygon_triangulation.h"
+#include "medial/error.h"
+#include "mesh/polygon_triangulation.h"
 
 #include <glm/glm.hpp>
 
@@ -95,7 +95,7 @@ void requireConsistent(const CellList& cells, const char* name)
   message << "point " << index << " has a coordinate that is ";
   if (finite)
   {
-    message << "beyond " << kGreatestCoordinate << " in magnitude: (";
+    message << "beyond " << kMaxCoordinate << " in magnitude: (";
   }
   else
   {
@@ -207,11 +207,11 @@ private:
     }
     mesh_.weldedPoints = static_cast<std::int64_t>(expected - mesh_.points.size());
     const double diagonal = mesh_.bounds().diagonal();
-    if (mesh_.points.size() > 1 && diagonal < kLeastDiagonal)
+    if (mesh_.points.size() > 1 && diagonal < kMinDiagonal)
     {
       std::ostringstream message;
       message << "the bounds of the points have a diagonal of " << diagonal << ", less than "
-              << kLeastDiagonal;
+              << kMinDiagonal;
       throw Error(ErrorCode::InvalidInput, message.str());
     }
   }
@@ -350,7 +350,7 @@ Bounds TriangleMesh::bounds() const
 void requireUsable(std::size_t index, const Point3& point)
 {
   const bool usable = std::all_of(point.begin(), point.end(),
-    [](double coordinate) { return std::abs(coordinate) <= kGreatestCoordinate; });
+    [](double coordinate) { return std::abs(coordinate) <= kMaxCoordinate; });
   if (!usable)
   {
     throwUnusable(index, point);

@@ -1,4 +1,4 @@
-#include "medial/sites/closest_point.h"
+#include "sites/closest_point.h"
 
 namespace medial
 {

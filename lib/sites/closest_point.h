@@ -1,6 +1,6 @@
 #pragma once
 
-#include "medial/sites/site_set.h"
+#include "sites/site_set.h"
 
 #include <glm/glm.hpp>
 

@@ -1,4 +1,4 @@
-#include "medial/sites/grid_frame.h"
+#include "sites/grid_frame.h"
 
 #include <algorithm>
 

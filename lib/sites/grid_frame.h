@@ -1,6 +1,6 @@
 #pragma once
 
-#include "medial/common/grid.h"
+#include "medial/grid.h"
 
 #include <glm/glm.hpp>
 

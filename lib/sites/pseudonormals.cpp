@@ -1,4 +1,4 @@
-#include "medial/sites/pseudonormals.h"
+#include "sites/pseudonormals.h"
 
 #include <array>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "medial/sites/site_set.h"
+#include "sites/site_set.h"
 
 #include <tbb/parallel_for.h>
 
@@ -12,7 +12,7 @@ namespace
 
 /// Triangles lower than this (frame units, that is voxels) have no face site: leaving the face to
 /// its edges then moves no closest point by more than half of it.
-constexpr double kLeastHeight = 1e-4;
+constexpr double kMinHeight = 1e-4;
 
 HalfSpace halfSpace(const glm::dvec3& normal, const glm::dvec3& pointOnPlane)
 {
@@ -27,7 +27,7 @@ glm::dvec3 conormal(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& 
 
 } // namespace
 
-SiteSet::SiteSet(const TriangleMesh& mesh, const MeshTopology& topology, const GridFrame& frame)
+SiteSet::SiteSet(const TriangleMesh& mesh, const MeshConnectivity& topology, const GridFrame& frame)
 {
   this->buildGeometry(mesh, topology, frame);
   this->buildNormals(mesh);
@@ -35,7 +35,7 @@ SiteSet::SiteSet(const TriangleMesh& mesh, const MeshTopology& topology, const G
   this->buildHalfSpaces(topology);
 }
 
-void SiteSet::buildGeometry(const TriangleMesh& mesh, const MeshTopology& topology,
+void SiteSet::buildGeometry(const TriangleMesh& mesh, const MeshConnectivity& topology,
   const GridFrame& frame)
 {
   points_.reserve(mesh.points.size());
@@ -80,7 +80,7 @@ void SiteSet::buildNormals(const TriangleMesh& mesh)
     const glm::dvec3& q = points_[faces_[face][(longest + 1) % 3]];
     const glm::dvec3& r = points_[faces_[face][(longest + 2) % 3]];
     const double height = glm::length(glm::cross(q - p, r - p)) / glm::distance(p, q);
-    active_[face] = height >= kLeastHeight;
+    active_[face] = height >= kMinHeight;
   }
 }
 
@@ -133,7 +133,7 @@ void SiteSet::buildSpheres()
   }
 }
 
-void SiteSet::buildHalfSpaces(const MeshTopology& topology)
+void SiteSet::buildHalfSpaces(const MeshConnectivity& topology)
 {
   halfSpaceOffsets_.resize(this->size() + 1);
   for (int site = 0; site < this->size(); ++site)
@@ -160,7 +160,7 @@ void SiteSet::buildHalfSpaces(const MeshTopology& topology)
     });
 }
 
-int SiteSet::halfSpaceCount(int site, const MeshTopology& topology) const
+int SiteSet::halfSpaceCount(int site, const MeshConnectivity& topology) const
 {
   switch (this->kind(site))
   {
@@ -201,7 +201,7 @@ void SiteSet::setFaceHalfSpaces(int face, HalfSpace* out) const
   *out++ = halfSpace(u, b);
 }
 
-void SiteSet::setEdgeHalfSpaces(int edge, const MeshTopology& topology, HalfSpace* out) const
+void SiteSet::setEdgeHalfSpaces(int edge, const MeshConnectivity& topology, HalfSpace* out) const
 {
   const glm::dvec3& p = points_[edges_[edge][0]];
   const glm::dvec3& q = points_[edges_[edge][1]];
@@ -224,7 +224,8 @@ void SiteSet::setEdgeHalfSpaces(int edge, const MeshTopology& topology, HalfSpac
   }
 }
 
-void SiteSet::setVertexHalfSpaces(int vertex, const MeshTopology& topology, HalfSpace* out) const
+void SiteSet::setVertexHalfSpaces(int vertex, const MeshConnectivity& topology,
+  HalfSpace* out) const
 {
   const glm::dvec3& p = points_[vertex];
   for (const int* edge = topology.pointEdges.begin(vertex); edge != topology.pointEdges.end(vertex);

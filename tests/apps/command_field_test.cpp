@@ -162,11 +162,11 @@ TEST_F(CommandField, UnsignedIsTheFilters)
 
 TEST_F(CommandField, OfTheRasteriserIsTheFilters)
 {
-  expectFilterField(torus(1.0, 0.35, 24, 12), { "--resolution", "64", "--evaluator", "rasteriser" },
+  expectFilterField(torus(1.0, 0.35, 24, 12), { "--resolution", "64", "--engine", "rasteriser" },
     [](auto* filter)
     {
       filter->SetResolution(64);
-      filter->SetEvaluatorToRasteriser();
+      filter->SetEngineToRasteriser();
     });
 }
 

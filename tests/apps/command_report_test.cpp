@@ -17,7 +17,7 @@ TEST_F(CommandOutput, ReportHasExactlyTheDocumentedKeys)
   const Json result = report({});
   EXPECT_EQ(keysOf(result),
     (std::set<std::string>{ "input", "grid", "device", "seconds", "counts", "fragments_per_voxel",
-      "simplification", "evaluator", "sign_method", "topology", "coverage", "peak_memory_mib" }));
+      "simplification", "engine", "sign_method", "topology", "coverage", "peak_memory_mib" }));
   EXPECT_EQ(keysOf(result["coverage"]),
     (std::set<std::string>{ "uncovered_share", "reach", "samples", "seconds" }));
   EXPECT_EQ(keysOf(result["simplification"]),

@@ -23,8 +23,8 @@ function=$(complete -p "$1" | sed -E 's/.* -F (\\S+) .*/\\1/')
 $function "$1" "${COMP_WORDS[COMP_CWORD]}" "${COMP_WORDS[COMP_CWORD - 1]}"
 printf '%s\\n' "${COMPREPLY[@]}"
 """
-CHOICES = {"medial-axis": ("--side", "--representation", "--topology", "--sign", "--evaluator"),
-           "medial-viewer": ("--side", "--colour", "--evaluator")}
+CHOICES = {"medial-axis": ("--side", "--representation", "--topology", "--sign", "--engine"),
+           "medial-viewer": ("--side", "--colour", "--engine")}
 RESERVED = {"winding"}
 
 
@@ -50,7 +50,7 @@ class Completion(unittest.TestCase):
         return sorted(line for line in run.stdout.splitlines() if line)
 
     def test_options_are_those_of_help(self):
-        for program in ("medial-axis", "medial-evaluate", "medial-viewer"):
+        for program in ("medial-axis", "medial-measure", "medial-viewer"):
             with self.subTest(program=program):
                 stated = re.findall(r"^  (?:(-\w),)?(--[a-z-]+)", help_of(program), re.MULTILINE)
                 self.assertEqual(self.offers(program, "-"),
@@ -80,7 +80,7 @@ class Completion(unittest.TestCase):
         self.assertEqual(self.offers("medial-axis", "part.stl", "-o", "axis"),
                          ["axis.ma", "axis.vtp"])
         self.assertEqual(self.offers("medial-axis", "part.stl", "--image", "pi"), ["picture.png"])
-        self.assertEqual(self.offers("medial-evaluate", "axis.m"), ["axis.ma"])
+        self.assertEqual(self.offers("medial-measure", "axis.m"), ["axis.ma"])
         self.assertEqual(self.offers("medial-viewer", "part.stl", "--screenshot", "pi"),
                          ["picture.png"])
 

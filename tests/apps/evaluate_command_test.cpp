@@ -1,4 +1,4 @@
-// medial-evaluate as a user runs it.
+// medial-measure as a user runs it.
 #include "command_run.h"
 
 #include "support/models.h"
@@ -15,10 +15,10 @@ namespace medial::test
 namespace
 {
 
-class EvaluateCommand : public ::testing::Test
+class MeasureCommand : public ::testing::Test
 {
 protected:
-  EvaluateCommand()
+  MeasureCommand()
   {
     writeFile(mesh, objText(icosphere(1.0, 4)));
     writeFile(ball, "1 0 0\nv 0 0 0 0.9\n");
@@ -43,7 +43,7 @@ protected:
     const Outcome outcome = runMedialEvaluate(arguments);
     EXPECT_EQ(outcome.exitCode, exitCode) << outcome.err;
     EXPECT_EQ(outcome.out, "");
-    EXPECT_EQ(outcome.err.rfind("medial-evaluate: ", 0), 0U) << outcome.err;
+    EXPECT_EQ(outcome.err.rfind("medial-measure: ", 0), 0U) << outcome.err;
     EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1) << outcome.err;
     EXPECT_EQ(outputs.list(), std::vector<std::string>());
     return outcome.err;
@@ -54,7 +54,7 @@ protected:
   std::string ball = folder.file("ball.ma");
 };
 
-TEST_F(EvaluateCommand, BallThatIsTooSmall)
+TEST_F(MeasureCommand, BallThatIsTooSmall)
 {
   const Json result = measure(ball, mesh);
   const double percent = 100.0 / result["mesh"]["diagonal"].get<double>();
@@ -73,7 +73,7 @@ TEST_F(EvaluateCommand, BallThatIsTooSmall)
   EXPECT_EQ(result["mesh"]["closed"], true);
 }
 
-TEST_F(EvaluateCommand, JsonHasExactlyTheDocumentedKeys)
+TEST_F(MeasureCommand, JsonHasExactlyTheDocumentedKeys)
 {
   const Json result = measure(ball, mesh);
   EXPECT_EQ(keysOf(result),
@@ -94,7 +94,7 @@ TEST_F(EvaluateCommand, JsonHasExactlyTheDocumentedKeys)
   EXPECT_EQ(keysOf(result["seconds"]), (std::set<std::string>{ "read", "evaluate" }));
 }
 
-TEST_F(EvaluateCommand, TableShowsTheFigures)
+TEST_F(MeasureCommand, TableShowsTheFigures)
 {
   const Outcome outcome = runMedialEvaluate({ ball, mesh });
   EXPECT_EQ(outcome.exitCode, 0);
@@ -110,14 +110,14 @@ TEST_F(EvaluateCommand, TableShowsTheFigures)
   EXPECT_EQ(quiet.out, "");
 }
 
-TEST_F(EvaluateCommand, OpenMeshHasNoInside)
+TEST_F(MeasureCommand, OpenMeshHasNoInside)
 {
   writeFile(mesh, objText(plates(0.5, 1.0)));
   EXPECT_TRUE(measure(ball, mesh)["centres_inside"].is_null());
   EXPECT_TRUE(contains(runMedialEvaluate({ ball, mesh }).out, "unknown, it is not closed"));
 }
 
-TEST_F(EvaluateCommand, SamplesAndThreads)
+TEST_F(MeasureCommand, SamplesAndThreads)
 {
   const Json few = measure(ball, mesh, { "--samples", "2000", "--threads", "1" });
   EXPECT_EQ(few["surface_to_union"]["samples"], 2000);
@@ -129,7 +129,7 @@ TEST_F(EvaluateCommand, SamplesAndThreads)
 }
 
 // The axis of a box in every format that medial-axis writes.
-TEST_F(EvaluateCommand, MeasuresAllThatMedialAxisWrites)
+TEST_F(MeasureCommand, MeasuresAllThatMedialAxisWrites)
 {
   const std::string boxFile = folder.file("box.obj");
   writeFile(boxFile, objText(box({ 1.0, 0.7, 0.4 })));
@@ -158,7 +158,7 @@ TEST_F(EvaluateCommand, MeasuresAllThatMedialAxisWrites)
   EXPECT_GT(first["axis"]["quads"], 100);
 }
 
-TEST_F(EvaluateCommand, HelpNamesEveryOption)
+TEST_F(MeasureCommand, HelpNamesEveryOption)
 {
   const Outcome help = runMedialEvaluate({ "--help" });
   EXPECT_EQ(help.exitCode, 0);
@@ -173,10 +173,10 @@ TEST_F(EvaluateCommand, HelpNamesEveryOption)
   {
     EXPECT_LE(line.size(), 100U) << line;
   }
-  EXPECT_TRUE(contains(runMedialEvaluate({ "--version" }).out, "medial-evaluate "));
+  EXPECT_TRUE(contains(runMedialEvaluate({ "--version" }).out, "medial-measure "));
 }
 
-TEST_F(EvaluateCommand, UsageErrors)
+TEST_F(MeasureCommand, UsageErrors)
 {
   EXPECT_TRUE(contains(failure(kUsage, { ball, mesh, "--samples", "999" }),
     "999 is outside [1000, 100000000]"));
@@ -188,7 +188,7 @@ TEST_F(EvaluateCommand, UsageErrors)
   EXPECT_TRUE(contains(outcome.err, "'.txt', allowed: .json")) << outcome.err;
 }
 
-TEST_F(EvaluateCommand, BadFilesAreNamed)
+TEST_F(MeasureCommand, BadFilesAreNamed)
 {
   EXPECT_TRUE(contains(failure(kBadInput, { folder.file("no.ma"), mesh }), "no.ma: no such file"));
   EXPECT_TRUE(
@@ -204,7 +204,7 @@ TEST_F(EvaluateCommand, BadFilesAreNamed)
   EXPECT_TRUE(contains(failure(kBadInput, { ball, mesh }), mesh + ": "));
 }
 
-TEST_F(EvaluateCommand, OutputThatCannotBeWritten)
+TEST_F(MeasureCommand, OutputThatCannotBeWritten)
 {
   const std::string file = folder.file("no/such/folder/result.json");
   const Outcome outcome = runMedialEvaluate({ ball, mesh, "--json", file });
@@ -219,7 +219,7 @@ TEST_F(EvaluateCommand, OutputThatCannotBeWritten)
   EXPECT_EQ(readFile(folder.file("old.json")), "old");
 }
 
-TEST_F(EvaluateCommand, InterruptLeavesNothingBehind)
+TEST_F(MeasureCommand, InterruptLeavesNothingBehind)
 {
   RunOptions options;
   options.interruptAfter = 0.4;
@@ -231,7 +231,7 @@ TEST_F(EvaluateCommand, InterruptLeavesNothingBehind)
 }
 
 // An axis that others have published, where there is one; a ball otherwise.
-TEST_F(EvaluateCommand, PublishedAxis)
+TEST_F(MeasureCommand, PublishedAxis)
 {
   const auto axis = modelPath("ma_ref/camila_hand_v200.ma");
   const auto hand = modelPath("ma_ref/camila_hand.off");

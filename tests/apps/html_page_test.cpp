@@ -146,17 +146,17 @@ int occurrences(const std::string& text, const std::string& pattern)
 }
 
 // The least separation angle of the corners of each triangle, in the order of the page.
-std::vector<double> leastAngles(const Json& data)
+std::vector<double> minAngles(const Json& data)
 {
   const auto angles = valuesOf(data["axis"]["arrays"][1]);
   const auto corners = decoded<std::uint32_t>(data["axis"]["triangles"]);
-  std::vector<double> least;
+  std::vector<double> min;
   for (std::size_t t = 0; t < corners.size(); t += 3)
   {
-    least.push_back(
+    min.push_back(
       std::min({ angles.at(corners[t]), angles.at(corners[t + 1]), angles.at(corners[t + 2]) }));
   }
-  return least;
+  return min;
 }
 
 class HtmlPage : public ::testing::Test
@@ -237,7 +237,7 @@ TEST_F(HtmlPage, TrianglesCoverTheSheetThoseOfWideAnglesFirst)
     area += 0.5 * std::abs((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
   }
   EXPECT_NEAR(area, 1.0, 1e-3);
-  const auto angles = leastAngles(data);
+  const auto angles = minAngles(data);
   EXPECT_TRUE(std::is_sorted(angles.rbegin(), angles.rend()));
   EXPECT_GT(angles.front(), 130.0);
   EXPECT_NEAR(angles.back(), 60.0, 0.01);
@@ -285,7 +285,7 @@ TEST(HtmlPageLimit, CoarserMeshesKeepItAndThePageSaysSo)
   EXPECT_GT(page.html.size(), kLimit / 3);
   const Json data = dataOf(page.html);
   const std::string notes = data["notes"].dump();
-  const auto angles = leastAngles(data);
+  const auto angles = minAngles(data);
   EXPECT_EQ(data["simplified"], true);
   EXPECT_TRUE(std::is_sorted(angles.rbegin(), angles.rend()));
   const auto count = [&](const char* mesh, const char* kind, int corners)

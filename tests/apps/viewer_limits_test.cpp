@@ -36,7 +36,7 @@ std::size_t longestLine(const std::string& text)
   return longest;
 }
 
-double greatestRadius(Viewer& viewer)
+double maxRadius(Viewer& viewer)
 {
   return viewer.shownAxis()->GetPointData()->GetArray("Radius")->GetRange()[1];
 }
@@ -80,10 +80,10 @@ TEST_F(ViewerWindow, GoesOnAfterTheResolutionWasTooMuch)
   options.maxResolution = 8192;
   Viewer& v = open();
   click(across(kEnd), kSliderHeight);
-  EXPECT_NEAR(greatestRadius(v), 0.4, 1e-3);
+  EXPECT_NEAR(maxRadius(v), 0.4, 1e-3);
   press("n");
   EXPECT_EQ(v.computations(), 2);
-  EXPECT_NEAR(greatestRadius(v), 0.5, 1e-3);
+  EXPECT_NEAR(maxRadius(v), 0.5, 1e-3);
   EXPECT_EQ(v.status().find("MiB"), std::string::npos) << v.status();
 }
 

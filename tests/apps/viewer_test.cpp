@@ -4,7 +4,7 @@
 
 #include "event_call.h"
 #include "failure.h"
-#include "medial/medial/medial_axis.h"
+#include "medial/compute_medial_axis.h"
 #include "mesh_texts.h"
 
 #include <vtkDataArray.h>
@@ -22,7 +22,7 @@ namespace
 
 using app::Viewer;
 
-double leastAngle(vtkPolyData* axis)
+double minAngle(vtkPolyData* axis)
 {
   return axis->GetPointData()->GetArray("SeparationAngle")->GetRange()[0];
 }
@@ -31,7 +31,7 @@ double leastAngle(vtkPolyData* axis)
 TEST_F(ViewerWindow, ShowsTheAxisThatTheLibraryComputes)
 {
   Viewer& v = open();
-  EXPECT_GE(leastAngle(v.shownAxis()), kDefaultAngle);
+  EXPECT_GE(minAngle(v.shownAxis()), kDefaultAngle);
   EXPECT_NEAR(v.shownAxis()->GetPointData()->GetArray("Radius")->GetRange()[1], 0.4, 1e-3);
   EXPECT_NEAR(v.shownAxis()->GetPointData()->GetArray("Thickness")->GetRange()[1], 0.8, 2e-3);
   const auto shown = picture();
@@ -50,7 +50,7 @@ TEST_F(ViewerWindow, AngleSliderSelectsWithoutComputing)
   drag(across(0.148), kSliderHeight, across(0.32), kSliderHeight);
   EXPECT_GT(v.angle().value(), 100.0);
   EXPECT_EQ(v.computations(), 1);
-  EXPECT_GE(leastAngle(v.shownAxis()), v.angle().value() - 1e-3);
+  EXPECT_GE(minAngle(v.shownAxis()), v.angle().value() - 1e-3);
   EXPECT_LT(v.shownAxis()->GetNumberOfCells(), before);
   EXPECT_GT(v.shownAxis()->GetNumberOfCells(), 0);
   EXPECT_GT(difference(shown, picture()), 0.01);
@@ -167,14 +167,14 @@ TEST_F(ViewerWindow, StatusNamesRendererAndRate)
 // The window's GLX context is current in this thread while the library draws with OpenGL too.
 TEST_F(ViewerWindow, ComputesWithOpenGlBesideTheWindow)
 {
-  options.evaluator = Evaluator::Processor;
+  options.engine = Engine::Processor;
   Viewer& byProcessor = open();
   const auto expected = picture();
-  EXPECT_EQ(byProcessor.source().statistics().evaluator, Evaluator::Processor);
+  EXPECT_EQ(byProcessor.source().statistics().engine, Engine::Processor);
   viewer.reset();
-  options.evaluator = Evaluator::Rasteriser;
+  options.engine = Engine::Rasteriser;
   Viewer& v = open();
-  EXPECT_EQ(v.source().statistics().evaluator, Evaluator::Rasteriser);
+  EXPECT_EQ(v.source().statistics().engine, Engine::Rasteriser);
   EXPECT_LT(difference(expected, picture()), 0.005);
 }
 
@@ -225,13 +225,13 @@ TEST_F(ViewerWindow, PlaysOnlyWhatTheAngleSelects)
   options.angle = 120.0;
   options.play = true;
   Viewer& v = open();
-  EXPECT_GE(leastAngle(v.source().axis()), 119.9);
+  EXPECT_GE(minAngle(v.source().axis()), 119.9);
   press("space");
   drag(across(0.297), kSliderHeight, across(0.35), kSliderHeight);
   EXPECT_EQ(v.computations(), 1);
   drag(across(0.35), kSliderHeight, across(0.148), kSliderHeight);
   EXPECT_EQ(v.computations(), 2);
-  EXPECT_LT(leastAngle(v.shownAxis()), 100.0);
+  EXPECT_LT(minAngle(v.shownAxis()), 100.0);
 }
 
 TEST_F(ViewerWindow, OneMeshDoesNotPlay)

@@ -1,6 +1,6 @@
 """Files that the documents name exist, and README states what the program states.
 
-usage: documents_test.py SOURCES MEDIAL-AXIS MEDIAL-EVALUATE MEDIAL-VIEWER
+usage: documents_test.py SOURCES MEDIAL-AXIS MEDIAL-MEASURE MEDIAL-VIEWER
 """
 
 import re
@@ -10,7 +10,7 @@ import unittest
 from pathlib import Path
 
 SOURCES = Path(sys.argv[1])
-AXIS, EVALUATE, VIEWER = sys.argv[2:5]
+AXIS, MEASURE, VIEWER = sys.argv[2:5]
 DOCUMENTS = [SOURCES / "README.md", SOURCES / "CONTRIBUTING.md", SOURCES / "examples/README.md",
              *sorted((SOURCES / "docs").glob("**/*.md"))]
 TOP = {path.name for path in SOURCES.iterdir() if not path.name.startswith("build")}
@@ -63,7 +63,7 @@ class Documents(unittest.TestCase):
     def test_readme_has_the_options_of_the_programs(self):
         options = re.compile(r"(?<![\w-])--[a-z][a-z-]+")
         for heading, program in (("Command line", AXIS), ("Viewer", VIEWER),
-                                 ("Measuring an axis", EVALUATE)):
+                                 ("Measuring an axis", MEASURE)):
             with self.subTest(program=program):
                 stated = set(options.findall(readme_section(heading)))
                 self.assertEqual(stated, set(options.findall(help_of(program))))
@@ -73,9 +73,9 @@ class Documents(unittest.TestCase):
                 ("Command line", AXIS,
                  ("resolution", "spacing", "padding", "angle", "threads", "memory")),
                 ("Viewer", VIEWER,
-                 ("resolution", "max-resolution", "angle", "side", "colour", "screenshot", "evaluator",
+                 ("resolution", "max-resolution", "angle", "side", "colour", "screenshot", "engine",
                   "threads")),
-                ("Measuring an axis", EVALUATE, ("json", "samples", "threads"))):
+                ("Measuring an axis", MEASURE, ("json", "samples", "threads"))):
             help_text = " ".join(help_of(program).split())
             for name in names:
                 row = re.search(rf"^\| `--{name} [\w.]+` \| (.*) \|$", readme_section(heading),

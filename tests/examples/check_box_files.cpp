@@ -53,15 +53,15 @@ double imbalance(const double x[3])
   }
   // The opposite face of an axis is as near only in the middle plane.
   std::sort(depths.begin(), depths.end());
-  double least = depths[1] - depths[0];
+  double min = depths[1] - depths[0];
   for (int axis = 0; axis < 3; ++axis)
   {
     if (kHalfSides[axis] - std::abs(x[axis]) == depths[0])
     {
-      least = std::min(least, 2.0 * std::abs(x[axis]));
+      min = std::min(min, 2.0 * std::abs(x[axis]));
     }
   }
-  return least;
+  return min;
 }
 
 void checkAxis(const char* file)

@@ -1,7 +1,7 @@
 // vtkMeshDistanceField: information, extents and pieces.
 #include "filter_support.h"
 
-#include "medial/common/grid.h"
+#include "medial/grid.h"
 
 #include <gtest/gtest.h>
 

@@ -267,7 +267,7 @@ TEST(DistanceFieldFilter, TellsWhatItDid)
   EXPECT_EQ(field->GetNumberOfSamples(), 12 * 12 * 12);
   EXPECT_GT(field->GetNumberOfCandidatePairs(), 0);
   EXPECT_EQ(field->GetNumberOfPolygons() > 0,
-    field->GetUsedEvaluator() == vtkMeshFieldAlgorithm::EVALUATOR_RASTERISER);
+    field->GetUsedEngine() == vtkMeshFieldAlgorithm::ENGINE_RASTERISER);
   EXPECT_GE(field->GetNumberOfFragments(), field->GetNumberOfSamples());
   EXPECT_GT(field->GetSitesSeconds() + field->GetCullSeconds() + field->GetPolygonsSeconds() +
       field->GetDrawSeconds() + field->GetResolveSeconds(),

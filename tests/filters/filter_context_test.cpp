@@ -1,7 +1,7 @@
 // The filters leave the OpenGL context of their caller alone.
 #include "filter_support.h"
 
-#include "medial/gpu/device.h"
+#include "medial/device.h"
 
 #include <gtest/gtest.h>
 

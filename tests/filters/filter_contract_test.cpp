@@ -1,7 +1,7 @@
 // What a VTK pipeline may expect of both filters: updates, abort, progress.
 #include "filter_contract.h"
 
-#include "medial/medial/medial_axis.h"
+#include "medial/compute_medial_axis.h"
 
 #include <vtkCellArray.h>
 #include <vtkDataArray.h>
@@ -68,9 +68,9 @@ TYPED_TEST(FilterContract, DefaultsAreThoseOfTheLibrary)
   EXPECT_EQ(filter->GetSignMethod(), vtkMeshFieldAlgorithm::SIGN_AUTO);
   const medial::DistanceFieldOptions options;
   EXPECT_EQ(options.sign, medial::SignMethod::Auto);
-  EXPECT_EQ(filter->GetEvaluator(), vtkMeshFieldAlgorithm::EVALUATOR_AUTO);
-  EXPECT_EQ(options.evaluator, medial::Evaluator::Auto);
-  EXPECT_EQ(filter->GetNumberOfThreads(), options.threads);
+  EXPECT_EQ(filter->GetEngine(), vtkMeshFieldAlgorithm::ENGINE_AUTO);
+  EXPECT_EQ(options.engine, medial::Engine::Auto);
+  EXPECT_EQ(filter->GetNumberOfThreads(), options.execution.threads);
   EXPECT_EQ(static_cast<std::size_t>(filter->GetMemoryLimit()), options.memoryMiB);
   EXPECT_EQ(filter->GetRequireHardware() != 0, options.requireHardware);
 }

@@ -1,7 +1,7 @@
 // vtkMedialAxis: is the axis right?
 #include "box_axis.h"
 
-#include "medial/medial/medial_axis.h"
+#include "medial/compute_medial_axis.h"
 
 #include <gtest/gtest.h>
 

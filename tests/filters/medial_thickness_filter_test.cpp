@@ -1,6 +1,6 @@
 #include "filter_support.h"
 
-#include "medial/medial/thickness.h"
+#include "medial/thickness.h"
 
 #include <gtest/gtest.h>
 
@@ -80,7 +80,7 @@ void expectError(const std::function<void(vtkMedialThickness*)>& spoil,
   auto filter = make(boxPolyData());
   const auto check = [&]
   {
-    EXPECT_EQ(filter->GetGreatestThickness(), 0.0);
+    EXPECT_EQ(filter->GetMaxThickness(), 0.0);
     repair(filter);
   };
   expectErrorAndRecovery(
@@ -97,7 +97,7 @@ TEST(MedialThicknessFilter, DefaultsAreThoseOfTheLibrary)
   EXPECT_EQ(filter->GetAngle(), options.angle);
   EXPECT_EQ(options.side, medial::Side::Interior);
   EXPECT_EQ(filter->GetSide(), vtkMedialThickness::INTERIOR);
-  EXPECT_EQ(filter->GetNumberOfThreads(), options.threads);
+  EXPECT_EQ(filter->GetNumberOfThreads(), options.execution.threads);
 }
 
 TEST(MedialThicknessFilter, OutputIsTheInputWithThickness)
@@ -118,8 +118,8 @@ TEST(MedialThicknessFilter, OutputIsTheInputWithThickness)
   EXPECT_EQ(output->GetPointData()->GetArray("Thickness")->GetDataType(), VTK_FLOAT);
   EXPECT_STREQ(output->GetPointData()->GetScalars()->GetName(), "Thickness");
   EXPECT_EQ(input->GetPointData()->GetArray("Thickness"), nullptr);
-  EXPECT_EQ(filter->GetLeastThickness(), 0.0);
-  EXPECT_NEAR(filter->GetGreatestThickness(), 1.2, 1e-6);
+  EXPECT_EQ(filter->GetMinThickness(), 0.0);
+  EXPECT_NEAR(filter->GetMaxThickness(), 1.2, 1e-6);
   EXPECT_GT(filter->GetMedianThickness(), 0.0);
   EXPECT_EQ(filter->GetShareWithout(), 0.0);
 }
@@ -183,7 +183,7 @@ TEST(MedialThicknessFilter, SideAndAngleArePassedOn)
   filter->SetSideToInterior();
   filter->SetAngle(120.0);
   filter->Update();
-  EXPECT_GT(filter->GetLeastThickness(), 0.0);
+  EXPECT_GT(filter->GetMinThickness(), 0.0);
 }
 
 TEST(MedialThicknessFilter, ExecutesWhenSomethingChangedAndDoesNotModifyItself)

@@ -18,7 +18,7 @@ UNAVAILABLE = {"winding"}  # values that are errors in this version
 def plain(text):
     """Comparable wording: one line, lower case, enumerators without their prefixes."""
     text = re.sub(r"^\s*\*", "", text, flags=re.MULTILINE)
-    return re.sub(r"\b(sign|evaluator)_", "", " ".join(text.split()).lower())
+    return re.sub(r"\b(sign|engine)_", "", " ".join(text.split()).lower())
 
 
 def sentences(text):

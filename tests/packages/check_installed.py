@@ -38,11 +38,11 @@ def check_programs(folder: Path, version: str) -> None:
     axis, mesh, figures = (str(folder / name) for name in ("axis.ply", "box.off", "figures.json"))
     picture, page = folder / "picture.png", folder / "page.html"
     write_off(Path(mesh), *make_box())
-    for program in ("medial-axis", "medial-evaluate", "medial-viewer"):
+    for program in ("medial-axis", "medial-measure", "medial-viewer"):
         assert run(program, "--version").strip() == f"{program} {version}"
     run("medial-axis", mesh, "--resolution", "64", "--output", axis, "--image", str(picture),
         "--html", str(page))
-    run("medial-evaluate", axis, mesh, "--json", figures)
+    run("medial-measure", axis, mesh, "--json", figures)
     with open(figures, encoding="utf-8") as file:
         found = json.load(file)
     # The axis of a convex solid is one contractible piece.

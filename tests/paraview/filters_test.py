@@ -152,7 +152,7 @@ class Properties(unittest.TestCase):
         self.assertEqual(output(field).GetNumberOfPoints(), information(field, "NumberOfSamples"))
         self.assertNotEqual(information(field, "Renderer"), "")
         self.assertEqual(information(field, "UsedSignMethod"), "Pseudonormal")
-        self.assertIn(information(field, "UsedEvaluator"), ("Processor", "Rasteriser"))
+        self.assertIn(information(field, "UsedEngine"), ("Processor", "Rasteriser"))
 
 
 class Executions(unittest.TestCase):

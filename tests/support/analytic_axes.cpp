@@ -212,11 +212,11 @@ AnalyticErrors analyticErrors(const AnalyticAxis& axis, double spacing)
     const double radius = std::abs(static_cast<double>(found.radius[p]) - truth.radius) / spacing;
     const double angle = std::abs(static_cast<double>(found.separationAngle[p]) - truth.angle);
     ++errors.points;
-    errors.positionMost = std::max(errors.positionMost, position);
+    errors.positionMax = std::max(errors.positionMax, position);
     errors.positionMean += position;
-    errors.radiusMost = std::max(errors.radiusMost, radius);
+    errors.radiusMax = std::max(errors.radiusMax, radius);
     errors.radiusMean += radius;
-    errors.angleMost = std::max(errors.angleMost, angle);
+    errors.angleMax = std::max(errors.angleMax, angle);
     errors.angleMean += angle;
   }
   const double count = static_cast<double>(std::max<std::size_t>(1, errors.points));

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "medial/common/grid.h"
-#include "medial/medial/medial_axis.h"
-#include "medial/mesh/triangle_mesh.h"
+#include "medial/compute_medial_axis.h"
+#include "medial/grid.h"
+#include "medial/triangle_mesh.h"
 
 #include <functional>
 #include <string>
@@ -44,11 +44,11 @@ std::vector<AnalyticAxis> analyticAxes();
 struct AnalyticErrors
 {
   std::size_t points = 0;
-  double positionMost = 0.0;
+  double positionMax = 0.0;
   double positionMean = 0.0;
-  double radiusMost = 0.0;
+  double radiusMax = 0.0;
   double radiusMean = 0.0;
-  double angleMost = 0.0;
+  double angleMax = 0.0;
   double angleMean = 0.0;
   double area = 0.0;
 };

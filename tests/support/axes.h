@@ -1,6 +1,6 @@
 #pragma once
 
-#include "medial/medial/medial_axis.h"
+#include "medial/compute_medial_axis.h"
 
 #include <array>
 #include <vector>

@@ -202,7 +202,7 @@ std::vector<Hit> closestOnMesh(const TriangleMesh& mesh, const std::vector<Point
   return hits;
 }
 
-Hit closestOnSite(const TriangleMesh& mesh, const MeshTopology& topology, std::int64_t siteId,
+Hit closestOnSite(const TriangleMesh& mesh, const MeshConnectivity& topology, std::int64_t siteId,
   const Point3& query)
 {
   const auto faces = static_cast<std::int64_t>(mesh.triangles.size());
@@ -218,8 +218,8 @@ Hit closestOnSite(const TriangleMesh& mesh, const MeshTopology& topology, std::i
   return closestOnPoint(mesh.points.at(siteId - faces - edges), query);
 }
 
-double distanceToSite(const TriangleMesh& mesh, const MeshTopology& topology, std::int64_t siteId,
-  const Point3& query)
+double distanceToSite(const TriangleMesh& mesh, const MeshConnectivity& topology,
+  std::int64_t siteId, const Point3& query)
 {
   return closestOnSite(mesh, topology, siteId, query).distance;
 }

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "medial/distance/distance_field.h"
-#include "medial/mesh/topology.h"
-#include "medial/mesh/triangle_mesh.h"
+#include "medial/distance_field.h"
+#include "medial/mesh_connectivity.h"
+#include "medial/triangle_mesh.h"
 
 #include <cstdint>
 #include <functional>
@@ -32,10 +32,10 @@ Hit closestOnMesh(const TriangleMesh& mesh, const Point3& query);
 std::vector<Hit> closestOnMesh(const TriangleMesh& mesh, const std::vector<Point3>& queries);
 
 /// Closest point of a site taken as a closed set: face, edge or point, numbered in this order.
-Hit closestOnSite(const TriangleMesh& mesh, const MeshTopology& topology, std::int64_t siteId,
+Hit closestOnSite(const TriangleMesh& mesh, const MeshConnectivity& topology, std::int64_t siteId,
   const Point3& query);
-double distanceToSite(const TriangleMesh& mesh, const MeshTopology& topology, std::int64_t siteId,
-  const Point3& query);
+double distanceToSite(const TriangleMesh& mesh, const MeshConnectivity& topology,
+  std::int64_t siteId, const Point3& query);
 
 /// Distance to what one input cell became; infinite where the mesh has nothing of it.
 double distanceToCell(const TriangleMesh& mesh, std::int64_t cellId, const Point3& query);

@@ -29,7 +29,7 @@ double length(const Point3& a, const Point3& b)
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-Feature kindOfSite(const TriangleMesh& mesh, const MeshTopology& topology, std::int64_t site)
+Feature kindOfSite(const TriangleMesh& mesh, const MeshConnectivity& topology, std::int64_t site)
 {
   const std::size_t faces = mesh.triangles.size();
   const auto id = static_cast<std::size_t>(site);
@@ -59,15 +59,15 @@ public:
   double operator()(std::int64_t cell, const Point3& query) const
   {
     const auto found = parts_.find(cell);
-    double least = std::numeric_limits<double>::infinity();
+    double min = std::numeric_limits<double>::infinity();
     if (found != parts_.end())
     {
       for (const auto& [kind, index] : found->second)
       {
-        least = std::min(least, this->toPart(kind, index, query));
+        min = std::min(min, this->toPart(kind, index, query));
       }
     }
-    return least;
+    return min;
   }
 
 private:
@@ -109,7 +109,7 @@ public:
   ErrorSum(const TriangleMesh& mesh, const DistanceField& field)
     : mesh_(mesh)
     , field_(field)
-    , topology_(analyseTopology(mesh))
+    , topology_(analyseConnectivity(mesh))
     , toCell_(mesh)
     , unit_(voxelSize(field.grid))
   {
@@ -165,7 +165,7 @@ private:
 
   const TriangleMesh& mesh_;
   const DistanceField& field_;
-  MeshTopology topology_;
+  MeshConnectivity topology_;
   CellDistance toCell_;
   double unit_;
   FieldErrors errors_;
@@ -242,22 +242,22 @@ void expectExact(const TriangleMesh& mesh, const DistanceField& field, const Vox
   EXPECT_TRUE(exact) << errors.describe();
 }
 
-std::vector<DistanceFieldOptions> allEvaluators(const DistanceFieldOptions& options)
+std::vector<DistanceFieldOptions> allEngines(const DistanceFieldOptions& options)
 {
   std::vector<DistanceFieldOptions> all;
-  for (const Evaluator evaluator : { Evaluator::Rasteriser, Evaluator::Processor })
+  for (const Engine engine : { Engine::Rasteriser, Engine::Processor })
   {
     all.push_back(options);
-    all.back().evaluator = evaluator;
+    all.back().engine = engine;
   }
   return all;
 }
 
 void expectExactField(const TriangleMesh& mesh, const Grid& grid, const Voxels& voxels)
 {
-  for (const DistanceFieldOptions& options : allEvaluators())
+  for (const DistanceFieldOptions& options : allEngines())
   {
-    SCOPED_TRACE(static_cast<int>(options.evaluator));
+    SCOPED_TRACE(static_cast<int>(options.engine));
     expectExact(mesh, computeDistanceField(mesh, grid, options), voxels);
   }
 }
@@ -265,16 +265,16 @@ void expectExactField(const TriangleMesh& mesh, const Grid& grid, const Voxels& 
 void expectExactField(const TriangleMesh& mesh, const Grid& grid,
   const DistanceFieldOptions& options)
 {
-  for (const DistanceFieldOptions& each : allEvaluators(options))
+  for (const DistanceFieldOptions& each : allEngines(options))
   {
-    SCOPED_TRACE(static_cast<int>(each.evaluator));
+    SCOPED_TRACE(static_cast<int>(each.engine));
     expectExact(mesh, computeDistanceField(mesh, grid, each), allVoxels(grid));
   }
 }
 
 FieldDifference difference(const TriangleMesh& mesh, const DistanceField& a, const DistanceField& b)
 {
-  const MeshTopology topology = analyseTopology(mesh);
+  const MeshConnectivity topology = analyseConnectivity(mesh);
   const double unit = voxelSize(a.grid);
   FieldDifference result;
   for (std::size_t i = 0; i < a.distance.size(); ++i)

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "medial/distance/distance_field.h"
-#include "medial/mesh/triangle_mesh.h"
+#include "medial/distance_field.h"
+#include "medial/triangle_mesh.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -48,10 +48,10 @@ FieldErrors fieldErrors(const TriangleMesh& mesh, const DistanceField& field, co
 /// 1e-3 at 99.99 % of the voxels, true minimisers, closest points on their cells.
 void expectExact(const TriangleMesh& mesh, const DistanceField& field, const Voxels& voxels);
 
-/// The same options for every evaluator.
-std::vector<DistanceFieldOptions> allEvaluators(const DistanceFieldOptions& options = {});
+/// The same options for every engine.
+std::vector<DistanceFieldOptions> allEngines(const DistanceFieldOptions& options = {});
 
-/// Computes a field by all evaluators and checks it at some voxels.
+/// Computes a field by all engines and checks it at some voxels.
 void expectExactField(const TriangleMesh& mesh, const Grid& grid, const Voxels& voxels);
 /// At every voxel.
 void expectExactField(const TriangleMesh& mesh, const Grid& grid,

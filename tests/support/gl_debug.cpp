@@ -1,4 +1,4 @@
-#include "medial/gpu/device.h"
+#include "medial/device.h"
 
 #include <gtest/gtest.h>
 

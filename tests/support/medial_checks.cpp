@@ -324,12 +324,12 @@ AxisErrors axisErrors(const MedialTruth& truth, const std::vector<Point3>& point
   {
     if (toCurves[i].distance <= thickness)
     {
-      errors.curveMost = std::max(errors.curveMost, toAxis[i].distance);
+      errors.curveMax = std::max(errors.curveMax, toAxis[i].distance);
       continue;
     }
     ++errors.onSheets;
     sum += toAxis[i].distance;
-    errors.sheetMost = std::max(errors.sheetMost, toAxis[i].distance);
+    errors.sheetMax = std::max(errors.sheetMax, toAxis[i].distance);
   }
   errors.sheetMean = errors.onSheets > 0 ? sum / static_cast<double>(errors.onSheets) : 0.0;
   return errors;

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "medial/medial/medial_axis.h"
-#include "medial/mesh/triangle_mesh.h"
+#include "medial/compute_medial_axis.h"
+#include "medial/triangle_mesh.h"
 #include "support/medial_truth.h"
 
 #include <cstdint>
@@ -41,10 +41,10 @@ std::vector<double> distancesToPoints(const std::vector<Point3>& points,
 /// Distances of points from a truth.
 struct AxisErrors
 {
-  double sheetMost = 0.0; ///< away from curves
+  double sheetMax = 0.0; ///< away from curves
   double sheetMean = 0.0;
   std::size_t onSheets = 0;
-  double curveMost = 0.0; ///< near curves
+  double curveMax = 0.0; ///< near curves
 };
 
 AxisErrors axisErrors(const MedialTruth& truth, const std::vector<Point3>& points,

@@ -1,6 +1,6 @@
 #include "support/simplified_axes.h"
 
-#include "medial/medial/simplification/axis_simplification.h"
+#include "medial/simplification.h"
 #include "support/axes.h"
 #include "support/brute_force.h"
 #include "support/medial_checks.h"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "medial/medial/medial_axis.h"
-#include "medial/mesh/triangle_mesh.h"
+#include "medial/compute_medial_axis.h"
+#include "medial/triangle_mesh.h"
 
 #include <cstdint>
 

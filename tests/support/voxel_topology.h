@@ -1,8 +1,8 @@
 #pragma once
 
-#include "medial/common/grid.h"
-#include "medial/medial/medial_axis.h"
-#include "medial/medial/topology/cell_topology.h"
+#include "medial/cell_topology.h"
+#include "medial/compute_medial_axis.h"
+#include "medial/grid.h"
 
 #include <vector>
 

@@ -14,7 +14,7 @@ from ._arrays import (add_point_data, cells_of_size, float_rows, index_rows, poi
 from ._errors import InvalidInputError
 from ._field import DistanceField, field_of
 from ._mesh import to_polydata
-from ._options import (REPRESENTATIONS, SIDES, SIGNS, TOPOLOGIES, Evaluator, FieldArray, Lengths,
+from ._options import (REPRESENTATIONS, SIDES, SIGNS, TOPOLOGIES, Engine, FieldArray, Lengths,
                        Representation, Side, Sign, Topology, assign, assign_arrays, assign_grid,
                        assign_numbers, assign_run, choice, word)
 from ._update import Progress, update
@@ -116,7 +116,7 @@ def medial_axis(
     resolution: Optional[int] = None, spacing: Optional[Lengths] = None,
     origin: Optional[Sequence[float]] = None, dimensions: Optional[Sequence[int]] = None,
     padding: Optional[float] = None, sign: Sign = "auto", arrays: Collection[FieldArray] = (),
-    threads: int = 0, memory: int = 0, evaluator: Evaluator = "auto", require_gpu: bool = False,
+    threads: int = 0, memory: int = 0, engine: Engine = "auto", require_gpu: bool = False,
     progress: Optional[Progress] = None,
 ) -> MedialAxis:
     """The medial axis of a mesh, simplified by separation angle.
@@ -139,7 +139,7 @@ def medial_axis(
         components, tunnels and cavities of the solid at this resolution, whatever the angle; needs
         "surface" or "faces" and 10 bytes a grid point.
     field: whether MedialAxis.field is the distance field, from the same run.
-    resolution, spacing, origin, dimensions, padding, sign, arrays, threads, memory, evaluator,
+    resolution, spacing, origin, dimensions, padding, sign, arrays, threads, memory, engine,
         require_gpu, progress: as for distance_field(); arrays are those of the field, which they
         need.
 
@@ -165,7 +165,7 @@ def medial_axis(
            Topology=choice("topology", topology, TOPOLOGIES), GenerateDistanceField=bool(field))
     assign_grid(algorithm, resolution=resolution, spacing=spacing, origin=origin,
                 dimensions=dimensions, padding=padding)
-    assign_run(algorithm, sign=sign, threads=threads, memory=memory, evaluator=evaluator,
+    assign_run(algorithm, sign=sign, threads=threads, memory=memory, engine=engine,
                require_gpu=require_gpu)
     assign_arrays(algorithm, arrays)
     update(algorithm, progress)

@@ -10,7 +10,7 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 
 from ._arrays import add_point_data, point_data
 from ._mesh import to_polydata
-from ._options import (ARRAYS, SIGNS, Evaluator, FieldArray, Lengths, Sign, assign_arrays,
+from ._options import (ARRAYS, SIGNS, Engine, FieldArray, Lengths, Sign, assign_arrays,
                        assign_grid, assign_run, word)
 from ._update import Progress, update
 from .vtkMedialFilters import vtkMeshDistanceField, vtkMeshFieldAlgorithm
@@ -76,7 +76,7 @@ def distance_field(
     resolution: Optional[int] = None, spacing: Optional[Lengths] = None,
     origin: Optional[Sequence[float]] = None, dimensions: Optional[Sequence[int]] = None,
     padding: Optional[float] = None, sign: Sign = "auto", arrays: Collection[FieldArray] = (),
-    threads: int = 0, memory: int = 0, evaluator: Evaluator = "auto", require_gpu: bool = False,
+    threads: int = 0, memory: int = 0, engine: Engine = "auto", require_gpu: bool = False,
     progress: Optional[Progress] = None,
 ) -> DistanceField:
     """The exact distance from the points of a regular grid to a mesh.
@@ -105,7 +105,7 @@ def distance_field(
     threads: number of CPU threads to use, in [0, 1024]; 0 for all cores.
     memory: upper bound of the memory for slabs, in MiB, >= 64; 0 chooses. The result is not
         counted.
-    evaluator: what finds closest sites: "rasteriser" (OpenGL), "processor" (CPU), or "auto", the
+    engine: what finds closest sites: "rasteriser" (OpenGL), "processor" (CPU), or "auto", the
         processor where OpenGL is a software renderer. The result does not depend on it.
     require_gpu: whether to fail on a software renderer.
     progress: called with the share of the work that is done, in [0, 1], and its name. An exception
@@ -127,7 +127,7 @@ def distance_field(
     field.SetInputData(to_polydata(vertices, faces))
     assign_grid(field, resolution=resolution, spacing=spacing, origin=origin,
                 dimensions=dimensions, padding=padding)
-    assign_run(field, sign=sign, threads=threads, memory=memory, evaluator=evaluator,
+    assign_run(field, sign=sign, threads=threads, memory=memory, engine=engine,
                require_gpu=require_gpu)
     assign_arrays(field, arrays)
     update(field, progress)

@@ -9,7 +9,7 @@ from .vtkMedialFilters import vtkMedialAxis, vtkMeshFieldAlgorithm
 
 Side = Literal["interior", "exterior", "both"]
 Sign = Literal["auto", "none", "pseudonormal", "winding"]
-Evaluator = Literal["auto", "rasteriser", "processor"]
+Engine = Literal["auto", "rasteriser", "processor"]
 Representation = Literal["surface", "faces", "points"]
 Topology = Literal["selected", "preserve"]
 FieldArray = Literal["closest_point", "closest_cell", "closest_feature", "closest_site"]
@@ -27,10 +27,10 @@ SIGNS: dict[str, int] = {
     "pseudonormal": vtkMeshFieldAlgorithm.SIGN_PSEUDONORMAL,
     "winding": vtkMeshFieldAlgorithm.SIGN_WINDING,
 }
-EVALUATORS: dict[str, int] = {
-    "auto": vtkMeshFieldAlgorithm.EVALUATOR_AUTO,
-    "rasteriser": vtkMeshFieldAlgorithm.EVALUATOR_RASTERISER,
-    "processor": vtkMeshFieldAlgorithm.EVALUATOR_PROCESSOR,
+ENGINES: dict[str, int] = {
+    "auto": vtkMeshFieldAlgorithm.ENGINE_AUTO,
+    "rasteriser": vtkMeshFieldAlgorithm.ENGINE_RASTERISER,
+    "processor": vtkMeshFieldAlgorithm.ENGINE_PROCESSOR,
 }
 REPRESENTATIONS: dict[str, int] = {
     "surface": vtkMedialAxis.SURFACE,
@@ -148,13 +148,13 @@ def assign_grid(algorithm: vtkMeshFieldAlgorithm, *, resolution: Optional[int],
 
 
 def assign_run(algorithm: vtkMeshFieldAlgorithm, *, sign: Sign, threads: int, memory: int,
-               evaluator: Evaluator, require_gpu: bool) -> None:
+               engine: Engine, require_gpu: bool) -> None:
     """How the field is computed, see distance_field()."""
     assign_numbers(algorithm, threads=threads, memory=memory)
     if 0 < memory < _LEAST_MEMORY:
         raise InvalidInputError(f"memory {memory} is outside [{_LEAST_MEMORY}, 2147483647] and not 0")
     assign(algorithm, SignMethod=choice("sign", sign, SIGNS),
-           Evaluator=choice("evaluator", evaluator, EVALUATORS), RequireHardware=bool(require_gpu))
+           Engine=choice("engine", engine, ENGINES), RequireHardware=bool(require_gpu))
 
 
 def assign_arrays(algorithm: vtkMeshFieldAlgorithm, arrays: Collection[str]) -> None:

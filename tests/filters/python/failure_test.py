@@ -145,7 +145,7 @@ class Parameters(unittest.TestCase):
     def test_words(self):
         self.assert_refused("sign 'outside' is none of auto, none", sign="outside")
         self.assert_refused(r"sign \['auto'\] is none of", sign=["auto"])
-        self.assert_refused("evaluator 'gpu' is none of", evaluator="gpu")
+        self.assert_refused("engine 'gpu' is none of", engine="gpu")
         self.assert_refused("array 'closest' is none of closest_point", arrays=["closest"])
         for name in ("side", "representation", "topology"):
             self.assert_refused(f"{name} 'x' is none of", function=medial.medial_axis,

@@ -67,9 +67,9 @@ class Values(unittest.TestCase):
         exact = np.abs(shapes.box_distance(samples(field)))
         np.testing.assert_allclose(field.distance, exact, atol=1e-4)
 
-    def test_evaluators_agree(self):
-        fields = [medial.distance_field(*shapes.box(), resolution=17, evaluator=evaluator)
-                  for evaluator in ("rasteriser", "processor")]
+    def test_engines_agree(self):
+        fields = [medial.distance_field(*shapes.box(), resolution=17, engine=engine)
+                  for engine in ("rasteriser", "processor")]
         for field in fields:
             self.assert_is_of_the_box(field)
 

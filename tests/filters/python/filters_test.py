@@ -111,7 +111,7 @@ class FiltersTest(unittest.TestCase):
         values = output.GetPointData().GetArray("Thickness")
         middle = output.FindPoint(0.0, 0.0, 0.25)
         self.assertAlmostEqual(values.GetValue(middle), 0.5, places=5)
-        self.assertEqual(thickness.GetLeastThickness(), 0.0)
+        self.assertEqual(thickness.GetMinThickness(), 0.0)
         thickness.SetSideToExterior()
         thickness.Update()
         self.assertEqual(thickness.GetShareWithout(), 1.0)

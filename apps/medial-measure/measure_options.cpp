@@ -1,0 +1,73 @@
+#include "measure_options.h"
+
+#include "command_line.h"
+#include "validators.h"
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+
+namespace medial::app
+{
+namespace
+{
+
+const char* const kFooter =
+  "The axis stands for the union of its balls, of the cones between balls joined by a line or a\n"
+  "side, and of the slabs between those joined by a triangle; a quad is two triangles. Distances\n"
+  "are in % of the diagonal of the mesh's bounds: from the surface of the mesh to that of the\n"
+  "union, back, and between a ball's radius and the distance of its centre from the mesh. The\n"
+  "Hausdorff distance is the larger of the first two maxima, the mean distance the mean of their\n"
+  "means. The same files give the same figures, whatever the number of threads.\n\n"
+  "Exit codes: 0 done; 2 usage; 3 bad input; 5 out of memory or disk, or an output that cannot be\n"
+  "written; 130 interrupted.";
+
+void addOptions(CLI::App& app, MeasureOptions& options, std::string& json)
+{
+  const std::string group = "Options";
+  app
+    .add_option("--json", json, "machine-readable result: all figures of the table, with the files")
+    ->option_text("FILE.json")
+    ->group(group);
+  app
+    .add_option("--samples", options.samples,
+      "number of samples on the surface of the mesh, in [1000, 100000000]; the surface of the "
+      "union gets as many per area; default 100000")
+    ->option_text("N")
+    ->check(within<std::int64_t>("[1000, 100000000]",
+      [](std::int64_t n) { return n >= kMinMeasureSamples && n <= kMaxMeasureSamples; }))
+    ->group(group);
+  addThreadsOption(app, options.threads, group);
+  addQuietOption(app, options.quiet, group);
+}
+
+} // namespace
+
+std::optional<MeasureOptions> parseMeasureOptions(int argc, char** argv)
+{
+  CLI::App app{ "How well a medial axis describes a mesh: distances, radii and topology.\n" };
+  setUpCommandLine(app, "medial-measure", kFooter);
+
+  MeasureOptions options;
+  std::string axis;
+  std::string mesh;
+  std::string json;
+  app.add_option("AXIS", axis, "medial axis: .vtp, .ply, .obj or .ma, with the radii of its balls")
+    ->required()
+    ->option_text(" ");
+  app.add_option("MESH", mesh, "mesh: .stl, .obj, .ply, .off, .vtp or .vtk")
+    ->required()
+    ->option_text(" ");
+  addOptions(app, options, json);
+  if (!parseCommandLine(app, argc, argv))
+  {
+    return std::nullopt;
+  }
+  options.axis = axis;
+  options.mesh = mesh;
+  options.json = json;
+  checkExtension("--json", options.json, { ".json" });
+  return options;
+}
+
+} // namespace medial::app

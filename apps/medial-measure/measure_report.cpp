@@ -1,0 +1,125 @@
+#include "measure_report.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+
+namespace medial::app
+{
+namespace
+{
+
+using Json = nlohmann::ordered_json;
+
+double percent(double length, const AxisMeasurement& measurement)
+{
+  return 100.0 * length / measurement.diagonal;
+}
+
+long long eulerCharacteristic(const MeasureResult& result)
+{
+  return static_cast<long long>(result.mesh.points.size()) -
+    static_cast<long long>(result.topology.edges.size()) +
+    static_cast<long long>(result.mesh.triangles.size());
+}
+
+double insideShare(const AxisMeasurement& measurement)
+{
+  return static_cast<double>(measurement.centresInside) /
+    static_cast<double>(measurement.topology.points);
+}
+
+const char* plural(long long count)
+{
+  return count == 1 ? "" : "s";
+}
+
+void printCounts(const MeasureOptions& options, const MeasureResult& result)
+{
+  const ModelTopology& axis = result.measurement.topology;
+  std::printf("axis      %s: %lld points, %lld quads, %lld triangles, %lld lines, %lld vertices\n",
+    options.axis.c_str(), static_cast<long long>(axis.points), static_cast<long long>(axis.quads),
+    static_cast<long long>(axis.triangles), static_cast<long long>(axis.lines),
+    static_cast<long long>(axis.vertices));
+  std::printf("          %lld component%s, Euler characteristic %lld, %lld cell%s without area\n",
+    static_cast<long long>(axis.components), plural(axis.components),
+    static_cast<long long>(axis.eulerCharacteristic), static_cast<long long>(axis.zeroAreaCells),
+    plural(axis.zeroAreaCells));
+  const long long components = result.topology.components;
+  std::printf("mesh      %s: %zu triangles, %zu vertices, %s\n", options.mesh.c_str(),
+    result.mesh.triangles.size(), result.mesh.points.size(),
+    result.topology.closed() ? "closed" : "not closed");
+  std::printf("          %lld component%s, Euler characteristic %lld, diagonal %.6g\n\n",
+    components, plural(components), eulerCharacteristic(result), result.measurement.diagonal);
+}
+
+void printRow(const char* name, const Deviation& deviation, const AxisMeasurement& measurement)
+{
+  std::printf("%-24s %10.5f %10.5f %10lld\n", name, percent(deviation.max, measurement),
+    percent(deviation.mean, measurement), static_cast<long long>(deviation.places));
+}
+
+Json describe(const Deviation& deviation, const AxisMeasurement& measurement)
+{
+  return { { "max", percent(deviation.max, measurement) },
+    { "mean", percent(deviation.mean, measurement) }, { "samples", deviation.places } };
+}
+
+Json describeAxis(const MeasureOptions& options, const ModelTopology& axis)
+{
+  return { { "path", options.axis.string() }, { "points", axis.points }, { "quads", axis.quads },
+    { "triangles", axis.triangles }, { "lines", axis.lines }, { "vertices", axis.vertices },
+    { "zero_area_cells", axis.zeroAreaCells }, { "components", axis.components },
+    { "euler_characteristic", axis.eulerCharacteristic } };
+}
+
+Json describeMesh(const MeasureOptions& options, const MeasureResult& result)
+{
+  return { { "path", options.mesh.string() }, { "triangles", result.mesh.triangles.size() },
+    { "vertices", result.mesh.points.size() }, { "closed", result.topology.closed() },
+    { "manifold", result.topology.manifold() }, { "components", result.topology.components },
+    { "euler_characteristic", eulerCharacteristic(result) },
+    { "diagonal", result.measurement.diagonal } };
+}
+
+} // namespace
+
+void printTable(const MeasureOptions& options, const MeasureResult& result)
+{
+  const AxisMeasurement& measurement = result.measurement;
+  printCounts(options, result);
+  std::printf("%-24s %10s %10s %10s\n", "% of the diagonal", "max", "mean", "samples");
+  printRow("surface to union", measurement.surfaceToUnion, measurement);
+  printRow("union to surface", measurement.unionToSurface, measurement);
+  std::printf("%-24s %10.5f %10.5f\n", "two-sided", percent(measurement.hausdorff(), measurement),
+    percent(measurement.meanDistance(), measurement));
+  printRow("radius error", measurement.radiusError, measurement);
+  if (measurement.knowsInside)
+  {
+    std::printf("\ncentres inside the mesh: %.3f %%\n", 100.0 * insideShare(measurement));
+  }
+  else
+  {
+    std::printf("\ncentres inside the mesh: unknown, it is %s\n",
+      result.topology.closed() ? "not consistently oriented" : "not closed");
+  }
+}
+
+std::string makeJson(const MeasureOptions& options, const MeasureResult& result)
+{
+  const AxisMeasurement& measurement = result.measurement;
+  Json json;
+  json["axis"] = describeAxis(options, measurement.topology);
+  json["mesh"] = describeMesh(options, result);
+  json["surface_to_union"] = describe(measurement.surfaceToUnion, measurement);
+  json["union_to_surface"] = describe(measurement.unionToSurface, measurement);
+  json["two_sided"] = { { "hausdorff", percent(measurement.hausdorff(), measurement) },
+    { "mean", percent(measurement.meanDistance(), measurement) } };
+  json["radius_error"] = { { "max", percent(measurement.radiusError.max, measurement) },
+    { "mean", percent(measurement.radiusError.mean, measurement) } };
+  json["centres_inside"] = measurement.knowsInside ? Json(insideShare(measurement)) : Json(nullptr);
+  json["seconds"] = { { "read", result.readSeconds }, { "evaluate", result.measureSeconds } };
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+} // namespace medial::app

@@ -1,0 +1,396 @@
+#include "axis/axis_cells.h"
+
+#include "axis/edge_table.h"
+
+#include <tbb/parallel_sort.h>
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+namespace medial
+{
+namespace
+{
+
+/// Sides shorter than this (voxels) are contracted.
+constexpr double kShort = 0.1;
+/// The same for sides that end at a moved point.
+constexpr double kShortOfMoved = 0.3;
+/// Polygons narrower than this (voxels) between two rims are curves: their inner sides up to
+/// kAcross are contracted.
+constexpr double kNarrow = 0.3;
+constexpr double kAcross = 0.75;
+/// Cells below this area (square voxels) are lines.
+constexpr double kMinArea = 1e-6;
+
+using Id = std::int64_t;
+using Corners = std::vector<Id>;
+
+/// Sets of points that become one; the set's own point is the lowest of those that were not moved,
+/// or the lowest.
+class Contraction
+{
+public:
+  explicit Contraction(const BisectorPoints& points)
+    : points_(points)
+    , parent_(points.points.size())
+    , large_(points.points.size(), 0)
+  {
+    std::iota(parent_.begin(), parent_.end(), Id{ 0 });
+  }
+
+  Id find(Id point)
+  {
+    while (parent_[point] != point)
+    {
+      parent_[point] = parent_[parent_[point]];
+      point = parent_[point];
+    }
+    return point;
+  }
+
+  void join(Id p, Id q)
+  {
+    p = this->find(p);
+    q = this->find(q);
+    if (p == q)
+    {
+      return;
+    }
+    const bool first = std::tuple(points_.moved[p], p) < std::tuple(points_.moved[q], q);
+    parent_[first ? q : p] = first ? p : q;
+    large_[first ? p : q] = 1;
+  }
+
+  /// Whether a set's own point has others in its set.
+  bool standsForOthers(Id point) const { return large_[point] != 0; }
+
+private:
+  const BisectorPoints& points_;
+  std::vector<Id> parent_;
+  std::vector<std::uint8_t> large_;
+};
+
+/// @param order the points to compare.
+void joinEqualPoints(const BisectorPoints& points, std::vector<Id> order, Contraction& contraction)
+{
+  const auto key = [&](Id p)
+  {
+    const glm::dvec3& x = points.points[p].position;
+    return std::tuple(x.x, x.y, x.z, p);
+  };
+  std::sort(order.begin(), order.end(), [&](Id p, Id q) { return key(p) < key(q); });
+  for (std::size_t i = 1; i < order.size(); ++i)
+  {
+    if (points.points[order[i]].position == points.points[order[i - 1]].position)
+    {
+      contraction.join(order[i], order[i - 1]);
+    }
+  }
+}
+
+/// Several of them may stand at one crossing.
+std::vector<Id> movedPoints(const BisectorPoints& points)
+{
+  std::vector<Id> moved;
+  for (std::size_t p = 0; p < points.moved.size(); ++p)
+  {
+    if (points.moved[p] != 0)
+    {
+      moved.push_back(static_cast<Id>(p));
+    }
+  }
+  return moved;
+}
+
+/// Returns whether there were any.
+bool joinShortSides(const BisectorPoints& points, const std::vector<std::array<Id, 4>>& quads,
+  Contraction& contraction)
+{
+  bool any = false;
+  for (const auto& quad : quads)
+  {
+    for (int i = 0; i < 4; ++i)
+    {
+      const Id p = contraction.find(quad[i]);
+      const Id q = contraction.find(quad[(i + 1) % 4]);
+      const double limit = (points.moved[p] | points.moved[q]) != 0 ? kShortOfMoved : kShort;
+      if (p != q && glm::distance(points.points[p].position, points.points[q].position) < limit)
+      {
+        contraction.join(p, q);
+        any = true;
+      }
+    }
+  }
+  return any;
+}
+
+/// Joins the ends of sides for which `wanted` holds.
+template <typename Wanted>
+void joinSides(const BisectorPoints& points, const Corners& corners, double limit,
+  Contraction& contraction, const Wanted& wanted)
+{
+  for (std::size_t i = 0; i < corners.size(); ++i)
+  {
+    const Id p = corners[i];
+    const Id q = corners[(i + 1) % corners.size()];
+    if (wanted(p, q) && glm::distance(points.points[p].position, points.points[q].position) < limit)
+    {
+      contraction.join(p, q);
+    }
+  }
+}
+
+double area(const BisectorPoints& points, const Corners& corners)
+{
+  glm::dvec3 twice(0.0);
+  const glm::dvec3& origin = points.points[corners[0]].position;
+  for (std::size_t i = 2; i < corners.size(); ++i)
+  {
+    twice += glm::cross(points.points[corners[i - 1]].position - origin,
+      points.points[corners[i]].position - origin);
+  }
+  return 0.5 * glm::length(twice);
+}
+
+void addLine(Id p, Id q, MedialAxis& axis)
+{
+  axis.lines.push_back({ std::min(p, q), std::max(p, q) });
+}
+
+/// @param corners in cyclic order, neighbours distinct.
+void addCell(const BisectorPoints& points, const Corners& corners, MedialAxis& axis)
+{
+  const bool folded = corners.size() == 4 && (corners[0] == corners[2] || corners[1] == corners[3]);
+  if (corners.size() == 1)
+  {
+    axis.vertices.push_back(corners[0]);
+  }
+  else if (corners.size() == 2 || folded || area(points, corners) < kMinArea)
+  {
+    for (std::size_t i = 0; i < corners.size(); ++i)
+    {
+      addLine(corners[i], corners[(i + 1) % corners.size()], axis);
+    }
+  }
+  else if (corners.size() == 3)
+  {
+    axis.triangles.push_back({ corners[0], corners[1], corners[2] });
+  }
+  else
+  {
+    axis.quads.push_back({ corners[0], corners[1], corners[2], corners[3] });
+  }
+}
+
+Corners contracted(const std::array<Id, 4>& quad, Contraction& contraction)
+{
+  Corners corners;
+  for (const Id corner : quad)
+  {
+    const Id point = contraction.find(corner);
+    if (corners.empty() || corners.back() != point)
+    {
+      corners.push_back(point);
+    }
+  }
+  if (corners.size() > 1 && corners.front() == corners.back())
+  {
+    corners.pop_back();
+  }
+  return corners;
+}
+
+double longestSide(const BisectorPoints& points, const Corners& corners)
+{
+  double longest = 0.0;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+  {
+    longest = std::max(longest,
+      glm::distance(points.points[corners[i]].position,
+        points.points[corners[(i + 1) % corners.size()]].position));
+  }
+  return longest;
+}
+
+/// Makes curves of strips of polygons that are too narrow for sheets.
+void joinNarrowStrips(const BisectorPoints& points, const std::vector<std::array<Id, 4>>& quads,
+  Contraction& contraction)
+{
+  std::vector<Corners> narrow;
+  std::vector<EdgeTable::Side> sides;
+  for (const auto& quad : quads)
+  {
+    Corners corners = contracted(quad, contraction);
+    if (corners.size() >= 3)
+    {
+      addSides(corners, sides);
+      if (area(points, corners) < kNarrow * longestSide(points, corners))
+      {
+        narrow.push_back(std::move(corners));
+      }
+    }
+  }
+  if (narrow.empty())
+  {
+    return;
+  }
+  const EdgeTable table(sides, points.points.size());
+  const auto isRim = [&](Id p, Id q) { return table.count({ p, q }) == 1; };
+  for (const Corners& corners : narrow)
+  {
+    int rims = 0;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+    {
+      rims += isRim(corners[i], corners[(i + 1) % corners.size()]) ? 1 : 0;
+    }
+    if (rims >= 2)
+    {
+      joinSides(points, corners, kAcross, contraction, [&](Id p, Id q) { return !isRim(p, q); });
+    }
+  }
+}
+
+/// Keeps the first of the cells over the same points. Cells are distinct unless some of their
+/// points have become one.
+template <typename Cell>
+void removeDuplicates(const Contraction& contraction, std::vector<Cell>& cells)
+{
+  std::vector<std::pair<Cell, std::size_t>> keys;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+  {
+    if (std::any_of(cells[i].begin(), cells[i].end(),
+          [&](Id corner) { return contraction.standsForOthers(corner); }))
+    {
+      keys.emplace_back(cells[i], i);
+      std::sort(keys.back().first.begin(), keys.back().first.end());
+    }
+  }
+  tbb::parallel_sort(keys.begin(), keys.end());
+  std::vector<std::uint8_t> duplicate(cells.size(), 0);
+  for (std::size_t i = 1; i < keys.size(); ++i)
+  {
+    duplicate[keys[i].second] = keys[i].first == keys[i - 1].first ? 1 : 0;
+  }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+  {
+    if (duplicate[i] == 0)
+    {
+      cells[kept++] = cells[i];
+    }
+  }
+  cells.resize(kept);
+}
+
+/// Calls `visit` with a reference to every point id in the cells.
+template <typename Visit>
+void forEachCorner(MedialAxis& axis, const Visit& visit)
+{
+  const auto each = [&](auto& cells)
+  {
+    for (auto& cell : cells)
+    {
+      std::for_each(cell.begin(), cell.end(), visit);
+    }
+  };
+  each(axis.quads);
+  each(axis.triangles);
+  each(axis.lines);
+  std::for_each(axis.vertices.begin(), axis.vertices.end(), visit);
+}
+
+/// Lines along cells of higher dimension, and vertices at other cells, add nothing.
+void removeCovered(std::size_t pointCount, MedialAxis& axis)
+{
+  if (!axis.lines.empty())
+  {
+    std::vector<EdgeTable::Side> sides;
+    std::for_each(axis.quads.begin(), axis.quads.end(),
+      [&](const auto& quad) { addSides(quad, sides); });
+    std::for_each(axis.triangles.begin(), axis.triangles.end(),
+      [&](const auto& triangle) { addSides(triangle, sides); });
+    const EdgeTable table(sides, pointCount);
+    axis.lines.erase(std::remove_if(axis.lines.begin(), axis.lines.end(),
+                       [&](const auto& line) { return table.count(line) > 0; }),
+      axis.lines.end());
+  }
+  if (!axis.vertices.empty())
+  {
+    std::vector<Id> vertices;
+    vertices.swap(axis.vertices);
+    std::vector<std::uint8_t> used(pointCount, 0);
+    forEachCorner(axis, [&](Id corner) { used[corner] = 1; });
+    std::copy_if(vertices.begin(), vertices.end(), std::back_inserter(axis.vertices),
+      [&](Id vertex) { return used[vertex] == 0; });
+    std::sort(axis.vertices.begin(), axis.vertices.end());
+    axis.vertices.erase(std::unique(axis.vertices.begin(), axis.vertices.end()),
+      axis.vertices.end());
+  }
+}
+
+void compactPoints(BisectorPoints& points, MedialAxis& axis)
+{
+  std::vector<Id> target(points.points.size(), -1);
+  forEachCorner(axis, [&](Id corner) { target[corner] = 0; });
+  BisectorPoints used;
+  for (std::size_t p = 0; p < points.points.size(); ++p)
+  {
+    if (target[p] == 0)
+    {
+      target[p] = static_cast<Id>(used.points.size());
+      used.points.push_back(points.points[p]);
+      used.moved.push_back(points.moved[p]);
+    }
+  }
+  forEachCorner(axis, [&](Id& corner) { corner = target[corner]; });
+  points = std::move(used);
+}
+
+} // namespace
+
+void buildCells(const std::vector<std::array<std::int64_t, 4>>& quads, BisectorPoints& points,
+  MedialAxis& axis)
+{
+  Contraction contraction(points);
+  joinEqualPoints(points, movedPoints(points), contraction);
+  joinShortSides(points, quads, contraction);
+  joinNarrowStrips(points, quads, contraction);
+  // A set's point stands for others of it, so that new sides may be short.
+  while (joinShortSides(points, quads, contraction))
+  {
+  }
+  for (const auto& quad : quads)
+  {
+    addCell(points, contracted(quad, contraction), axis);
+  }
+  removeDuplicates(contraction, axis.quads);
+  removeDuplicates(contraction, axis.triangles);
+  // Of flat polygons, whose points may all be their own.
+  std::sort(axis.lines.begin(), axis.lines.end());
+  axis.lines.erase(std::unique(axis.lines.begin(), axis.lines.end()), axis.lines.end());
+  removeCovered(points.points.size(), axis);
+  compactPoints(points, axis);
+}
+
+void buildVertices(BisectorPoints& points, MedialAxis& axis)
+{
+  Contraction contraction(points);
+  std::vector<Id> all(points.points.size());
+  std::iota(all.begin(), all.end(), Id{ 0 });
+  joinEqualPoints(points, std::move(all), contraction);
+  for (std::size_t p = 0; p < points.points.size(); ++p)
+  {
+    const auto id = static_cast<Id>(p);
+    if (contraction.find(id) == id)
+    {
+      axis.vertices.push_back(id);
+    }
+  }
+  compactPoints(points, axis);
+}
+
+} // namespace medial

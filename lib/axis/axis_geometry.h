@@ -1,0 +1,38 @@
+#pragma once
+
+#include "base/checkpoint.h"
+#include "culling/tile_query.h"
+#include "sites/grid_frame.h"
+#include "sites/site_set.h"
+
+namespace medial
+{
+
+/// What an axis is made from, and what its points must have; frame units.
+struct AxisGeometry
+{
+  const SiteSet& sites;
+  const TileQuery& query;
+  const GridFrame& frame;
+  Extent extent;
+  double angle;                 ///< least separation angle, radians
+  double lambda;                ///< least BisectorPoint::lambda()
+  double radius;                ///< least radius
+  const Checkpoint& checkpoint; ///< for loops over points
+
+  /// Whether queries at x are exact.
+  bool insideGrid(const glm::dvec3& x) const
+  {
+    const glm::dvec3 index = (x - frame.first) / frame.step;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      if (index[axis] < extent.min[axis] || index[axis] > extent.max[axis])
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+};
+
+} // namespace medial

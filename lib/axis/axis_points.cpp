@@ -1,0 +1,176 @@
+#include "axis/axis_points.h"
+
+#include "axis/closest_pairs.h"
+#include "axis/plane_fit.h"
+#include "sites/closest_point.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+namespace medial
+{
+namespace
+{
+
+/// How far outside of its cell a vertex may lie, in steps of the grid.
+constexpr double kOutside = 0.1;
+
+/// How much farther than the closest point the other one may be, in grid steps: for a vertex that
+/// the bisectors place, and for the centre of a cell.
+constexpr double kOffBisector = 0.3;
+constexpr double kAnywhere = std::numeric_limits<double>::infinity();
+
+/// For vertices at given positions the two closest points: the closest one, and of the sites whose
+/// bisectors gave the vertex the one that is seen under the largest angle from it.
+std::vector<BisectorPoint> vertexContacts(const AxisGeometry& geometry, const DualMesh& mesh,
+  const BisectorPoints& bisectors, const std::vector<std::size_t>& vertices,
+  const std::vector<glm::dvec3>& positions, double tolerance)
+{
+  std::vector<TileQuery::Question> questions(vertices.size());
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+  {
+    const int known = bisectors.points[mesh.incident[mesh.offsets[vertices[i]]]].a.site;
+    questions[i] = { positions[i], closestPoint(geometry.sites, known, positions[i]) };
+  }
+  const auto candidates = [&](std::size_t i, std::vector<int>& sites)
+  {
+    sitesOf(mesh, bisectors, vertices[i], sites);
+    std::sort(sites.begin(), sites.end());
+  };
+  return contacts(geometry, std::move(questions), candidates, tolerance);
+}
+
+/// Where the bisectors of the vertex's cell meet; those that were moved out of it do not count.
+glm::dvec3 fitted(const AxisGeometry& geometry, const DualMesh& mesh,
+  const BisectorPoints& bisectors, std::size_t vertex, PlaneFit& fit)
+{
+  fit.clear();
+  for (std::size_t i = mesh.offsets[vertex]; i < mesh.offsets[vertex + 1]; ++i)
+  {
+    const std::size_t crossing = mesh.incident[i];
+    if (bisectors.moved[crossing] == 0)
+    {
+      const BisectorPoint& point = bisectors.points[crossing];
+      const double sine = point.lambda() / point.radius();
+      fit.add(point.position, point.normal(), sine * sine);
+    }
+  }
+  const glm::dvec3 centre = geometry.frame.sample(glm::dvec3(mesh.cells[vertex]) + 0.5);
+  return fit.solve(centre, (0.5 + kOutside) * geometry.frame.step);
+}
+
+/// Of the bisectors' points of a cell, all of which have the least separation angle, the nearest to
+/// x.
+const BisectorPoint& nearestCrossing(const DualMesh& mesh, const BisectorPoints& bisectors,
+  std::size_t vertex, const glm::dvec3& x)
+{
+  const auto nearer = [&](std::size_t p, std::size_t q)
+  {
+    return glm::distance(bisectors.points[p].position, x) <
+      glm::distance(bisectors.points[q].position, x);
+  };
+  return bisectors.points[*std::min_element(mesh.incident.begin() + mesh.offsets[vertex],
+    mesh.incident.begin() + mesh.offsets[vertex + 1], nearer)];
+}
+
+bool allMoved(const DualMesh& mesh, const BisectorPoints& bisectors, std::size_t vertex)
+{
+  return std::all_of(mesh.incident.begin() + mesh.offsets[vertex],
+    mesh.incident.begin() + mesh.offsets[vertex + 1],
+    [&](std::size_t crossing) { return bisectors.moved[crossing] != 0; });
+}
+
+/// The vertices of a surface in [begin, end).
+void placeOnSurface(const AxisGeometry& geometry, const DualMesh& mesh,
+  const BisectorPoints& bisectors, std::size_t begin, std::size_t end, BisectorPoints& result)
+{
+  PlaneFit fit;
+  std::vector<std::size_t> vertices;
+  std::vector<glm::dvec3> positions;
+  for (std::size_t v = begin; v != end; ++v)
+  {
+    if (allMoved(mesh, bisectors, v))
+    {
+      result.points[v] = nearestCrossing(mesh, bisectors, v, meanCrossing(mesh, bisectors, v));
+      result.moved[v] = 1;
+      continue;
+    }
+    vertices.push_back(v);
+    positions.push_back(fitted(geometry, mesh, bisectors, v, fit));
+  }
+  const std::vector<BisectorPoint> points =
+    vertexContacts(geometry, mesh, bisectors, vertices, positions, kOffBisector);
+  std::vector<std::size_t> narrow;
+  std::vector<BisectorPoint> narrowPoints;
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+  {
+    result.points[vertices[i]] = points[i];
+    if (points[i].separationAngle() < geometry.angle)
+    {
+      narrow.push_back(vertices[i]);
+      narrowPoints.push_back(points[i]);
+    }
+  }
+  const std::vector<std::optional<BisectorPoint>> others = axisAlongNormals(geometry, narrowPoints);
+  for (std::size_t i = 0; i < narrow.size(); ++i)
+  {
+    const std::size_t v = narrow[i];
+    result.points[v] =
+      others[i] ? *others[i] : nearestCrossing(mesh, bisectors, v, narrowPoints[i].position);
+    result.moved[v] = 1;
+  }
+}
+
+/// The vertices at the centres of the cells in [begin, end).
+void placeInCentres(const AxisGeometry& geometry, const DualMesh& mesh,
+  const BisectorPoints& bisectors, std::size_t begin, std::size_t end, BisectorPoints& result)
+{
+  std::vector<std::size_t> vertices(end - begin);
+  std::iota(vertices.begin(), vertices.end(), begin);
+  std::vector<glm::dvec3> positions(vertices.size());
+  std::transform(vertices.begin(), vertices.end(), positions.begin(),
+    [&](std::size_t v) { return geometry.frame.sample(glm::dvec3(mesh.cells[v]) + 0.5); });
+  const std::vector<BisectorPoint> points =
+    vertexContacts(geometry, mesh, bisectors, vertices, positions, kAnywhere);
+  std::copy(points.begin(), points.end(),
+    result.points.begin() + static_cast<std::ptrdiff_t>(begin));
+}
+
+template <typename Place>
+BisectorPoints placeVertices(const AxisGeometry& geometry, const DualMesh& mesh,
+  const BisectorPoints& bisectors, const Place& place)
+{
+  BisectorPoints result;
+  result.points.resize(mesh.cells.size());
+  result.moved.resize(mesh.cells.size());
+  constexpr std::size_t kTogether = 512;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mesh.cells.size(), kTogether),
+    [&](const tbb::blocked_range<std::size_t>& range)
+    {
+      geometry.checkpoint();
+      place(geometry, mesh, bisectors, range.begin(), range.end(), result);
+    });
+  return result;
+}
+
+} // namespace
+
+BisectorPoints surfacePoints(const AxisGeometry& geometry, const DualMesh& mesh,
+  const BisectorPoints& bisectors)
+{
+  return placeVertices(geometry, mesh, bisectors, placeOnSurface);
+}
+
+BisectorPoints cellCentres(const AxisGeometry& geometry, const DualMesh& mesh,
+  const BisectorPoints& bisectors)
+{
+  return placeVertices(geometry, mesh, bisectors, placeInCentres);
+}
+
+} // namespace medial

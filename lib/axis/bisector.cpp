@@ -1,0 +1,318 @@
+#include "axis/bisector.h"
+
+#include "axis/site_change.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace medial
+{
+namespace
+{
+
+/// Medial balls smaller than this (voxels) are the surface itself.
+constexpr double kMinRadius = 1e-3;
+/// Where two sites are this much (voxels) farther than the closest one, their separation angle
+/// counts if that of the closest ones is too small: all facets of a round surface have bisectors of
+/// their own, which part at its centre.
+constexpr double kFacets = 0.1;
+/// Sites between the two that are looked for at most.
+constexpr int kMaxRounds = 8;
+
+using Found = std::vector<std::optional<BisectorPoint>>;
+
+bool wideEnough(const AxisGeometry& geometry, const BisectorPoint& point)
+{
+  return point.separationAngle() >= geometry.angle;
+}
+
+/// Hands the items that `wanted` says to `find`, all at once, and takes over what that finds.
+template <typename Item, typename Wanted, typename Find>
+void findFor(const std::vector<Item>& items, const Wanted& wanted, const Find& find, Found& found)
+{
+  std::vector<Item> some;
+  std::vector<std::size_t> which;
+  for (std::size_t i = 0; i < items.size(); ++i)
+  {
+    if (wanted(i))
+    {
+      some.push_back(items[i]);
+      which.push_back(i);
+    }
+  }
+  const Found foundForSome = find(some);
+  for (std::size_t k = 0; k < which.size(); ++k)
+  {
+    found[which[k]] = foundForSome[k];
+  }
+}
+
+/// The point at equal distance from both sites where another site is nearer, but by no more than
+/// the sag of facets.
+std::optional<BisectorPoint> withinFacets(const AxisGeometry& geometry, BisectorPoint point,
+  const SitePoint& closest)
+{
+  if (glm::distance(closest.point, point.position) < point.radius() - kFacets)
+  {
+    return std::nullopt;
+  }
+  const SitePoint other = point.a;
+  point.a = closest;
+  if (separationAngle(point.position, closest.point, other.point) > point.separationAngle())
+  {
+    point.b = other;
+  }
+  return wideEnough(geometry, point) ? std::optional(point) : std::nullopt;
+}
+
+/// The points at equal distance from both sites, whatever else is as near up to the sag of facets.
+/// Nothing where another site is nearer than that, or the separation angle is too small.
+Found facetedPoints(const AxisGeometry& geometry, const std::vector<SiteSegment>& segments)
+{
+  Found points(segments.size());
+  std::vector<TileQuery::Question> questions;
+  for (std::size_t i = 0; i < segments.size(); ++i)
+  {
+    const BisectorPoint point = SiteChange(geometry.sites, segments[i]).point();
+    if (wideEnough(geometry, point))
+    {
+      points[i] = point;
+      questions.push_back({ point.position, point.a });
+    }
+  }
+  geometry.query.closest(questions);
+  auto question = questions.begin();
+  for (std::optional<BisectorPoint>& point : points)
+  {
+    if (point)
+    {
+      point = withinFacets(geometry, *point, (question++)->closest);
+    }
+  }
+  return points;
+}
+
+/// The same point with one of the segment's sites as the second closest.
+std::optional<BisectorPoint> widened(const AxisGeometry& geometry, BisectorPoint point,
+  const SiteSegment& segment)
+{
+  const glm::dvec3& x = point.position;
+  for (const int site : { segment.fromSite, segment.toSite })
+  {
+    const SitePoint other = closestPoint(geometry.sites, site, x);
+    if (glm::distance(other.point, x) <= point.radius() + kFacets &&
+      separationAngle(x, point.a.point, other.point) >= geometry.angle)
+    {
+      point.b = other;
+      return point;
+    }
+  }
+  return std::nullopt;
+}
+
+/// Points with the least separation angle on the segments.
+Found axisBetween(const AxisGeometry& geometry, const std::vector<SiteSegment>& segments)
+{
+  const std::vector<BisectorPoint> exact = bisectorPoints(geometry, segments);
+  Found found(exact.begin(), exact.end());
+  const auto tooNarrow = [&](std::size_t i) { return !wideEnough(geometry, exact[i]); };
+  findFor(
+    segments, tooNarrow, [&](const auto& some) { return facetedPoints(geometry, some); }, found);
+  for (std::size_t i = 0; i < segments.size(); ++i)
+  {
+    if (!found[i])
+    {
+      found[i] = widened(geometry, exact[i], segments[i]);
+    }
+  }
+  return found;
+}
+
+/// From x away from its closest point, as far as the axis may be.
+SiteSegment alongNormal(const AxisGeometry& geometry, const BisectorPoint& x)
+{
+  const glm::dvec3 away = (x.position - x.a.point) / x.radius();
+  const double step = glm::dot(glm::abs(away), geometry.frame.step);
+  const double reach = step * (0.5 / std::sin(0.5 * geometry.angle) + 0.5);
+  return { x.position, x.a.site, x.position + reach * away, -1 };
+}
+
+/// What becomes of a bisector point; the values are those of BisectorPoints::moved.
+enum Fate : std::uint8_t
+{
+  kKept,
+  kMoved,
+  kRemoved
+};
+
+/// Makes the points of segments have the least separation angle where that is possible.
+void limitAngles(const AxisGeometry& geometry, const std::vector<SiteSegment>& segments,
+  std::vector<BisectorPoint>& points, std::uint8_t* fates)
+{
+  Found found(points.begin(), points.end());
+  const auto tooNarrow = [&](std::size_t i) { return !wideEnough(geometry, points[i]); };
+  findFor(
+    segments, tooNarrow, [&](const auto& some) { return facetedPoints(geometry, some); }, found);
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    fates[i] = found[i] ? kKept : kMoved;
+  }
+  findFor(
+    points, [&](std::size_t i) { return fates[i] == kMoved; },
+    [&](const auto& some) { return axisAlongNormals(geometry, some); }, found);
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    fates[i] = found[i] ? fates[i] : static_cast<std::uint8_t>(kRemoved);
+    points[i] = found[i].value_or(points[i]);
+  }
+}
+
+/// Drops the crossings that are to be removed, and their points.
+void removeMarked(std::vector<Crossing>& crossings, BisectorPoints& points)
+{
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < crossings.size(); ++i)
+  {
+    if (points.moved[i] != kRemoved)
+    {
+      crossings[kept] = crossings[i];
+      points.points[kept] = points.points[i];
+      points.moved[kept] = points.moved[i];
+      ++kept;
+    }
+  }
+  crossings.resize(kept);
+  points.points.resize(kept);
+  points.moved.resize(kept);
+}
+
+} // namespace
+
+SiteSegment segmentOf(const GridFrame& frame, const Crossing& crossing)
+{
+  const glm::dvec3 from = frame.sample(glm::dvec3(crossing.voxel));
+  glm::dvec3 to = from;
+  to[crossing.axis] += frame.step[crossing.axis];
+  return { from, crossing.siteA, to, crossing.siteB };
+}
+
+std::vector<BisectorPoint> bisectorPoints(const AxisGeometry& geometry,
+  const std::vector<SiteSegment>& segments)
+{
+  std::vector<SiteChange> changes;
+  changes.reserve(segments.size());
+  for (const SiteSegment& segment : segments)
+  {
+    changes.emplace_back(geometry.sites, segment);
+  }
+  std::vector<std::size_t> open(segments.size());
+  std::iota(open.begin(), open.end(), std::size_t{ 0 });
+  std::vector<TileQuery::Question> questions;
+  for (int round = 1; round < kMaxRounds && !open.empty(); ++round)
+  {
+    questions.clear();
+    for (const std::size_t i : open)
+    {
+      questions.push_back({ changes[i].point().position, changes[i].point().a });
+    }
+    geometry.query.closest(questions);
+    std::size_t left = 0;
+    for (std::size_t k = 0; k < open.size(); ++k)
+    {
+      if (!changes[open[k]].settledBy(questions[k].closest))
+      {
+        changes[open[k]].narrow(questions[k].closest);
+        open[left++] = open[k];
+      }
+    }
+    open.resize(left);
+  }
+  std::vector<BisectorPoint> points(segments.size());
+  std::transform(changes.begin(), changes.end(), points.begin(),
+    [](const SiteChange& change) { return change.point(); });
+  return points;
+}
+
+Found axisAlongNormals(const AxisGeometry& geometry, const std::vector<BisectorPoint>& points)
+{
+  Found found(points.size());
+  std::vector<SiteSegment> segments;
+  std::vector<std::size_t> which;
+  std::vector<TileQuery::Question> ends;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    if (points[i].radius() < kMinRadius)
+    {
+      continue;
+    }
+    const SiteSegment segment = alongNormal(geometry, points[i]);
+    if (geometry.insideGrid(segment.to))
+    {
+      segments.push_back(segment);
+      which.push_back(i);
+      ends.push_back({ segment.to, closestPoint(geometry.sites, segment.fromSite, segment.to) });
+    }
+  }
+  geometry.query.closest(ends);
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < segments.size(); ++k)
+  {
+    SiteSegment& segment = segments[k];
+    segment.toSite = ends[k].closest.site;
+    if (separationAngle(segment.to, segment.from, ends[k].closest.point) >= geometry.angle)
+    {
+      segments[count] = segment;
+      which[count] = which[k];
+      ++count;
+    }
+  }
+  segments.resize(count);
+  const Found between = axisBetween(geometry, segments);
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    found[which[k]] = between[k];
+  }
+  return found;
+}
+
+BisectorPoints crossingPoints(const AxisGeometry& geometry, bool exactAngle,
+  std::vector<Crossing>& crossings)
+{
+  BisectorPoints result;
+  result.points.resize(crossings.size());
+  result.moved.resize(crossings.size());
+  const double minRadius = std::max(geometry.radius, kMinRadius);
+  constexpr std::size_t kTogether = 512; // several in most of their tiles
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, crossings.size(), kTogether),
+    [&](const tbb::blocked_range<std::size_t>& range)
+    {
+      geometry.checkpoint();
+      std::vector<SiteSegment> segments(range.size());
+      std::transform(crossings.begin() + range.begin(), crossings.begin() + range.end(),
+        segments.begin(),
+        [&](const Crossing& crossing) { return segmentOf(geometry.frame, crossing); });
+      std::vector<BisectorPoint> points = bisectorPoints(geometry, segments);
+      std::uint8_t* fates = &result.moved[range.begin()];
+      if (exactAngle)
+      {
+        limitAngles(geometry, segments, points, fates);
+      }
+      for (std::size_t i = 0; i < points.size(); ++i)
+      {
+        const bool large = points[i].radius() >= minRadius && points[i].lambda() >= geometry.lambda;
+        if (!large)
+        {
+          fates[i] = kRemoved;
+        }
+        result.points[range.begin() + i] = points[i];
+      }
+    });
+  removeMarked(crossings, result);
+  return result;
+}
+
+} // namespace medial

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "base/separation_angle.h"
+#include "sites/closest_point.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace medial
+{
+
+/// A point with two closest surface points; frame coordinates.
+struct BisectorPoint
+{
+  glm::dvec3 position{ 0.0 };
+  SitePoint a;
+  SitePoint b;
+
+  double radius() const { return glm::distance(position, a.point); }
+  /// Half the distance of the closest points: radius * sin(separation angle / 2).
+  double lambda() const { return 0.5 * glm::distance(a.point, b.point); }
+  /// Radians.
+  double separationAngle() const { return medial::separationAngle(position, a.point, b.point); }
+  /// Unit normal of the bisector, or zero where both closest points are one.
+  glm::dvec3 normal() const
+  {
+    const glm::dvec3 across = b.point - a.point;
+    const double length = glm::length(across);
+    return length > 0.0 ? across / length : glm::dvec3(0.0);
+  }
+};
+
+} // namespace medial

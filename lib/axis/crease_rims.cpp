@@ -1,0 +1,226 @@
+#include "axis/crease_rims.h"
+
+#include "axis/edge_table.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace medial
+{
+namespace
+{
+
+/// Lengths in grid steps. Rims that end in a crease have smaller balls than this,
+constexpr double kNearCrease = 2.0;
+/// and are no farther from it.
+constexpr double kFarthest = 3.0;
+/// Radius that is left.
+constexpr double kLeft = 0.05;
+/// Enough for separation angles up to 150 degrees.
+constexpr int kMaxSteps = 8;
+
+/// Those with small balls between different closest points.
+std::vector<std::size_t> rimVertices(const AxisGeometry& geometry, const DualMesh& mesh,
+  const BisectorPoints& points)
+{
+  std::vector<EdgeTable::Side> sides;
+  sides.reserve(4 * mesh.quads.size());
+  for (const auto& quad : mesh.quads)
+  {
+    addSides(quad, sides);
+  }
+  std::vector<std::uint8_t> onRim(mesh.cells.size(), 0);
+  EdgeTable(sides, mesh.cells.size())
+    .forEach(
+      [&](const EdgeTable::Side& side, std::size_t count)
+      {
+        if (count == 1)
+        {
+          onRim[side[0]] = 1;
+          onRim[side[1]] = 1;
+        }
+      });
+  std::vector<std::size_t> rim;
+  for (std::size_t v = 0; v < onRim.size(); ++v)
+  {
+    const BisectorPoint& point = points.points[v];
+    if (onRim[v] != 0 && point.radius() < kNearCrease && point.lambda() > 0.0 &&
+      geometry.insideGrid(point.position))
+    {
+      rim.push_back(v);
+    }
+  }
+  return rim;
+}
+
+/// The least radius that may be left at a point.
+double minRadius(const AxisGeometry& geometry, const BisectorPoint& point)
+{
+  const double lambda = point.lambda();
+  return std::max(
+    { kLeft, geometry.radius, lambda > 0.0 ? geometry.lambda * point.radius() / lambda : 0.0 });
+}
+
+/// Across the sheet at x, from the side of one of the ball's closest points to that of the other.
+SiteSegment across(const BisectorPoint& ball, const glm::dvec3& x, double length)
+{
+  const glm::dvec3 half = 0.5 * length * glm::normalize(ball.a.point - ball.b.point);
+  return { x + half, ball.a.site, x - half, ball.b.site };
+}
+
+/// Across the sheet nearer to the crease, from one of the planes that touch the ball to the other,
+/// with the ball's sites: where a smaller ball still overlaps this one, so that both are on the
+/// same side of the surface. Empty where the planes do not meet nearby.
+std::optional<SiteSegment> acrossNearerToCrease(const AxisGeometry& geometry,
+  const BisectorPoint& point)
+{
+  const double radius = point.radius();
+  const glm::dvec3 toA = (point.a.point - point.position) / radius;
+  const glm::dvec3 toB = (point.b.point - point.position) / radius;
+  // By this much the radius falls per length along the bisector of two planes.
+  const double slope = 0.5 * glm::length(toA + toB);
+  const double min = minRadius(geometry, point);
+  constexpr double kOverlap = 1.1;
+  const double target = std::max(min, kOverlap * (1.0 - slope) / (1.0 + slope) * radius);
+  if (target >= radius || radius - min > kFarthest * slope)
+  {
+    return std::nullopt;
+  }
+  const glm::dvec3 x = point.position + 0.5 * (radius - target) / (slope * slope) * (toA + toB);
+  return across(point, x, 0.7 * target);
+}
+
+/// Turns sites near the ends of segments into the closest ones.
+void findSites(const AxisGeometry& geometry, std::vector<SiteSegment>& segments)
+{
+  std::vector<TileQuery::Question> questions;
+  for (const SiteSegment& segment : segments)
+  {
+    questions.push_back(
+      { segment.from, closestPoint(geometry.sites, segment.fromSite, segment.from) });
+    questions.push_back({ segment.to, closestPoint(geometry.sites, segment.toSite, segment.to) });
+  }
+  geometry.query.closest(questions);
+  for (std::size_t i = 0; i < segments.size(); ++i)
+  {
+    segments[i].fromSite = questions[2 * i].closest.site;
+    segments[i].toSite = questions[2 * i + 1].closest.site;
+  }
+}
+
+bool overlap(const BisectorPoint& one, const BisectorPoint& other)
+{
+  return glm::distance(one.position, other.position) < one.radius() + other.radius();
+}
+
+/// Whether `next`, nearer to the crease than `point`, is on the same side of the surface and within
+/// the limits.
+bool continues(const AxisGeometry& geometry, const BisectorPoint& point, const BisectorPoint& next)
+{
+  constexpr double kRounding = 1e-6;
+  const double radius = next.radius();
+  return radius > 0.5 * kLeft && radius < point.radius() && overlap(point, next) &&
+    radius >= geometry.radius - kRounding && next.lambda() >= geometry.lambda - kRounding &&
+    next.separationAngle() >= geometry.angle;
+}
+
+/// Bisector points on segments that have sites near their ends; empty where both ends turn out to
+/// have the same closest site, or one is outside of the grid.
+std::vector<std::optional<BisectorPoint>> bisectorsOn(const AxisGeometry& geometry,
+  std::vector<SiteSegment> segments)
+{
+  findSites(geometry, segments);
+  const std::vector<BisectorPoint> points = bisectorPoints(geometry, segments);
+  std::vector<std::optional<BisectorPoint>> found(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    if (segments[i].fromSite != segments[i].toSite && geometry.insideGrid(segments[i].from) &&
+      geometry.insideGrid(segments[i].to))
+    {
+      found[i] = points[i];
+    }
+  }
+  return found;
+}
+
+/// A vertex on its way to a crease.
+struct Walker
+{
+  std::size_t vertex;
+  BisectorPoint point;
+};
+
+/// The vertices, on the bisector exactly: a fitted vertex is near it, and its second closest point
+/// that of a neighbour.
+std::vector<Walker> start(const AxisGeometry& geometry, const std::vector<std::size_t>& vertices,
+  const BisectorPoints& points)
+{
+  std::vector<SiteSegment> segments;
+  for (const std::size_t v : vertices)
+  {
+    const BisectorPoint& point = points.points[v];
+    segments.push_back(across(point, point.position, 0.7 * point.radius()));
+  }
+  const std::vector<std::optional<BisectorPoint>> found = bisectorsOn(geometry, segments);
+  std::vector<Walker> walkers;
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+  {
+    if (found[i] && overlap(points.points[vertices[i]], *found[i]) &&
+      found[i]->separationAngle() >= geometry.angle)
+    {
+      walkers.push_back({ vertices[i], *found[i] });
+    }
+  }
+  return walkers;
+}
+
+/// One step towards the crease; those stay that could take it.
+void step(const AxisGeometry& geometry, std::vector<Walker>& walkers, BisectorPoints& points)
+{
+  std::vector<Walker> tried;
+  std::vector<SiteSegment> segments;
+  for (const Walker& walker : walkers)
+  {
+    if (const auto segment = acrossNearerToCrease(geometry, walker.point))
+    {
+      tried.push_back(walker);
+      segments.push_back(*segment);
+    }
+  }
+  const std::vector<std::optional<BisectorPoint>> found = bisectorsOn(geometry, segments);
+  walkers.clear();
+  for (std::size_t i = 0; i < tried.size(); ++i)
+  {
+    if (found[i] && continues(geometry, tried[i].point, *found[i]))
+    {
+      points.points[tried[i].vertex] = *found[i];
+      walkers.push_back({ tried[i].vertex, *found[i] });
+    }
+  }
+}
+
+} // namespace
+
+void extendRims(const AxisGeometry& geometry, const DualMesh& mesh, BisectorPoints& points)
+{
+  const std::vector<std::size_t> rim = rimVertices(geometry, mesh, points);
+  constexpr std::size_t kTogether = 512;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rim.size(), kTogether),
+    [&](const tbb::blocked_range<std::size_t>& range)
+    {
+      geometry.checkpoint();
+      const std::vector<std::size_t> vertices(rim.begin() +
+          static_cast<std::ptrdiff_t>(range.begin()),
+        rim.begin() + static_cast<std::ptrdiff_t>(range.end()));
+      std::vector<Walker> walkers = start(geometry, vertices, points);
+      for (int i = 0; i < kMaxSteps && !walkers.empty(); ++i)
+      {
+        step(geometry, walkers, points);
+      }
+    });
+}
+
+} // namespace medial

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace medial
+{
+
+/// The sides of polygons, looked up by their ends.
+class EdgeTable
+{
+public:
+  using Side = std::array<std::int64_t, 2>; ///< point ids, in either order
+
+  /// @param sides one for each polygon that has it; all ids in [0, pointCount).
+  EdgeTable(const std::vector<Side>& sides, std::size_t pointCount);
+
+  /// How many polygons have a side.
+  std::size_t count(const Side& side) const;
+
+  /// Calls visit(side, count) for each side, once, in ascending order; the lower id is first.
+  template <typename Visit>
+  void forEach(const Visit& visit) const
+  {
+    for (std::size_t low = 0; low + 1 < offsets_.size(); ++low)
+    {
+      for (std::size_t i = offsets_[low], next = i; i < offsets_[low + 1]; i = next)
+      {
+        while (next < offsets_[low + 1] && high_[next] == high_[i])
+        {
+          ++next;
+        }
+        visit(Side{ static_cast<std::int64_t>(low), high_[i] }, next - i);
+      }
+    }
+  }
+
+private:
+  std::vector<std::size_t> offsets_; ///< by the lower id, into
+  std::vector<std::int64_t> high_;   ///< the higher ids, ascending
+};
+
+/// Appends the sides of a polygon.
+/// @param corners point ids in cyclic order.
+template <typename Polygon>
+void addSides(const Polygon& corners, std::vector<EdgeTable::Side>& sides)
+{
+  for (std::size_t i = 0; i < corners.size(); ++i)
+  {
+    sides.push_back({ corners[i], corners[(i + 1) % corners.size()] });
+  }
+}
+
+} // namespace medial

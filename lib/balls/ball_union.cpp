@@ -1,0 +1,156 @@
+#include "balls/ball_union.h"
+
+#include <algorithm>
+
+namespace medial
+{
+namespace
+{
+
+constexpr std::int32_t kNone = -1;
+
+std::vector<Ball> ballsOf(const MedialModel& model)
+{
+  checkMedialModel(model);
+  std::vector<Ball> balls(model.centres.size());
+  for (std::size_t i = 0; i < balls.size(); ++i)
+  {
+    const Point3& centre = model.centres[i];
+    balls[i] = { { centre[0], centre[1], centre[2] }, model.radii[i] };
+  }
+  return balls;
+}
+
+std::vector<std::array<std::int32_t, 3>> primitivesOf(const MedialModel& model, bool interpolate)
+{
+  std::vector<std::array<std::int32_t, 3>> primitives;
+  std::vector<char> joined(model.centres.size(), 0);
+  const auto add = [&](std::int64_t a, std::int64_t b, std::int64_t c)
+  {
+    primitives.push_back(
+      { static_cast<std::int32_t>(a), static_cast<std::int32_t>(b), static_cast<std::int32_t>(c) });
+    joined[a] = joined[b] = 1;
+    joined[c == kNone ? a : c] = 1;
+  };
+  if (interpolate)
+  {
+    for (const auto& triangle : model.allTriangles())
+    {
+      add(triangle[0], triangle[1], triangle[2]);
+    }
+    for (const auto& line : model.lines)
+    {
+      add(line[0], line[1], kNone);
+    }
+  }
+  for (std::size_t ball = 0; ball < joined.size(); ++ball)
+  {
+    if (!joined[ball])
+    {
+      primitives.push_back({ static_cast<std::int32_t>(ball), kNone, kNone });
+    }
+  }
+  return primitives;
+}
+
+std::vector<ItemBounds> boundsOf(const std::vector<Ball>& balls,
+  const std::vector<std::array<std::int32_t, 3>>& primitives)
+{
+  std::vector<ItemBounds> bounds(primitives.size(), ItemBounds::nothing());
+  for (std::size_t i = 0; i < primitives.size(); ++i)
+  {
+    for (const std::int32_t ball : primitives[i])
+    {
+      if (ball != kNone)
+      {
+        bounds[i].add(balls[ball].centre, balls[ball].radius);
+      }
+    }
+  }
+  return bounds;
+}
+
+/// Outward at the place where a contact touches the surface; any direction will do at a centre.
+glm::dvec3 outward(const Contact& contact, const glm::dvec3& x)
+{
+  const glm::dvec3 fromCentre = x - contact.ball.centre;
+  const double length = glm::length(fromCentre);
+  return length > 0.0 ? fromCentre / length : glm::dvec3(1.0, 0.0, 0.0);
+}
+
+} // namespace
+
+BallUnion::BallUnion(const MedialModel& model, bool interpolate)
+  : balls_(ballsOf(model))
+  , primitives_(primitivesOf(model, interpolate))
+  , tree_(boundsOf(balls_, primitives_))
+{
+}
+
+Contact BallUnion::contactWith(std::uint32_t primitive, const glm::dvec3& x, double limit) const
+{
+  const auto& [a, b, c] = primitives_[primitive];
+  if (c != kNone)
+  {
+    return contactWithSlab(balls_[a], balls_[b], balls_[c], x, limit);
+  }
+  return b != kNone ? contactWithCone(balls_[a], balls_[b], x) : contactWithBall(balls_[a], x);
+}
+
+Contact BallUnion::contact(const glm::dvec3& x, double limit) const
+{
+  Contact best;
+  best.distance = limit;
+  tree_.search(x, best.distance,
+    [&](std::uint32_t primitive)
+    {
+      const Contact found = this->contactWith(primitive, x, best.distance);
+      if (found.distance < best.distance)
+      {
+        best = found;
+      }
+    });
+  return best;
+}
+
+bool BallUnion::covers(const glm::dvec3& x, double depth) const
+{
+  constexpr double kStop = -std::numeric_limits<double>::infinity();
+  double limit = -depth;
+  tree_.search(x, limit,
+    [&](std::uint32_t primitive)
+    {
+      if (limit != kStop && this->contactWith(primitive, x, -depth).distance < -depth)
+      {
+        limit = kStop;
+      }
+    });
+  return limit == kStop;
+}
+
+double BallUnion::distanceToSurface(const glm::dvec3& x, double tolerance) const
+{
+  constexpr int kMaxMoves = 64;
+  Contact contact = this->contact(x);
+  if (contact.distance >= 0.0)
+  {
+    return contact.distance;
+  }
+  glm::dvec3 y = x;
+  for (int move = 0; move < kMaxMoves && contact.distance < -tolerance; ++move)
+  {
+    y -= contact.distance * outward(contact, y);
+    contact = this->contact(y);
+  }
+  // Where the moves go round in a circle, straight on: that leaves every bounded solid.
+  constexpr int kMaxSteps = 100000;
+  const glm::dvec3 direction = outward(contact, y);
+  for (int step = 0; step < kMaxSteps && contact.distance < -tolerance; ++step)
+  {
+    y -= contact.distance * direction;
+    contact = this->contact(y);
+  }
+  return glm::distance(x, y);
+}
+
+} // namespace medial

@@ -1,0 +1,101 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace medial
+{
+
+/// What holds an item: balls of radius `reach` at most, with centres in a box.
+struct ItemBounds
+{
+  glm::dvec3 min{ 0.0 };
+  glm::dvec3 max{ 0.0 };
+  double reach = 0.0;
+
+  void add(const glm::dvec3& centre, double radius);
+  void add(const ItemBounds& other);
+  /// No point of the item is nearer to x than this; negative where x may lie inside.
+  double minDistance(const glm::dvec3& x) const
+  {
+    const glm::dvec3 outside = glm::max(glm::max(min - x, x - max), glm::dvec3(0.0));
+    return glm::length(outside) - reach;
+  }
+  static ItemBounds nothing();
+};
+
+/// A binary tree over items, for those with the least signed distance from a point. Items are split
+/// by the position of their centres and by their size, since a large ball is near to much.
+class BoundingTree
+{
+public:
+  explicit BoundingTree(const std::vector<ItemBounds>& items);
+
+  /// Calls `visit(item)` for items that may be nearer to x than `limit`, near ones first. `visit`
+  /// lowers the limit by what it finds.
+  template <typename Visit>
+  void search(const glm::dvec3& x, double& limit, const Visit& visit) const
+  {
+    if (nodes_.empty())
+    {
+      return;
+    }
+    Pending stack[kMaxPending];
+    int pending = 0;
+    stack[pending++] = { nodes_[0].bounds.minDistance(x), 0 };
+    while (pending > 0)
+    {
+      const Pending next = stack[--pending];
+      if (next.min >= limit)
+      {
+        continue;
+      }
+      const Node& node = nodes_[next.node];
+      if (node.count > 0)
+      {
+        for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
+        {
+          visit(order_[i]);
+        }
+        continue;
+      }
+      Pending near{ nodes_[node.first].bounds.minDistance(x), node.first };
+      Pending far{ nodes_[node.first + 1].bounds.minDistance(x), node.first + 1 };
+      if (far.min < near.min)
+      {
+        std::swap(near, far);
+      }
+      stack[pending++] = far;
+      stack[pending++] = near;
+    }
+  }
+
+private:
+  /// Of a leaf, items order_[first] and on; otherwise its two children from `first`, and count 0.
+  struct Node
+  {
+    ItemBounds bounds;
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+  };
+  struct Pending
+  {
+    double min;
+    std::uint32_t node;
+  };
+
+  /// Halving 2^32 items leaves fewer on the stack.
+  static constexpr int kMaxPending = 80;
+
+  void split(std::uint32_t node, const std::vector<ItemBounds>& items, std::uint32_t first,
+    std::uint32_t last);
+
+  std::vector<Node> nodes_;
+  std::vector<std::uint32_t> order_;
+};
+
+} // namespace medial

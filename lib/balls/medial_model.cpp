@@ -1,0 +1,295 @@
+#include "medial/medial_model.h"
+
+#include "medial/error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace medial
+{
+namespace
+{
+
+/// What can be squared without leaving the numbers.
+constexpr double kLargest = 1e100;
+
+[[noreturn]] void refuse(const std::ostringstream& message)
+{
+  throw Error(ErrorCode::InvalidInput, message.str());
+}
+
+Point3 difference(const Point3& from, const Point3& to)
+{
+  return { to[0] - from[0], to[1] - from[1], to[2] - from[2] };
+}
+
+Point3 cross(const Point3& u, const Point3& v)
+{
+  return { u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0] };
+}
+
+double norm(const Point3& v)
+{
+  return std::hypot(v[0], v[1], v[2]);
+}
+
+template <typename Cells>
+void checkCells(const char* kind, const Cells& cells, std::size_t balls)
+{
+  for (std::size_t i = 0; i < cells.size(); ++i)
+  {
+    for (const std::int64_t ball : cells[i])
+    {
+      if (ball < 0 || ball >= static_cast<std::int64_t>(balls))
+      {
+        std::ostringstream message;
+        message << kind << ' ' << i << " names ball " << ball << ", outside [0, "
+                << static_cast<std::int64_t>(balls) - 1 << ']';
+        refuse(message);
+      }
+    }
+  }
+}
+
+[[noreturn]] void refuseBall(const MedialModel& model, std::size_t i)
+{
+  std::ostringstream message;
+  for (const double coordinate : model.centres[i])
+  {
+    if (!(std::abs(coordinate) <= kLargest))
+    {
+      message << "centre " << i << " has the coordinate " << coordinate
+              << ", which is outside [-1e100, 1e100]";
+      refuse(message);
+    }
+  }
+  message << "radius " << model.radii[i] << " of ball " << i << " is outside [0, 1e100]";
+  refuse(message);
+}
+
+void checkBall(const MedialModel& model, std::size_t i)
+{
+  const Point3& centre = model.centres[i];
+  const bool finite = std::all_of(centre.begin(), centre.end(),
+    [](double coordinate) { return std::abs(coordinate) <= kLargest; });
+  if (!finite || !(model.radii[i] >= 0.0 && model.radii[i] <= kLargest))
+  {
+    refuseBall(model, i);
+  }
+}
+
+/// Ids in ascending order, so that equal cells compare equal.
+template <std::size_t Size>
+std::vector<std::array<std::int64_t, Size>> distinct(
+  std::vector<std::array<std::int64_t, Size>> cells)
+{
+  for (auto& cell : cells)
+  {
+    std::sort(cell.begin(), cell.end());
+  }
+  std::sort(cells.begin(), cells.end());
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+  return cells;
+}
+
+std::vector<std::array<std::int64_t, 2>> distinctEdges(const MedialModel& model)
+{
+  std::vector<std::array<std::int64_t, 2>> edges = model.lines;
+  const auto addSides = [&edges](const auto& cells)
+  {
+    for (const auto& cell : cells)
+    {
+      for (std::size_t i = 0; i < cell.size(); ++i)
+      {
+        edges.push_back({ cell[i], cell[(i + 1) % cell.size()] });
+      }
+    }
+  };
+  addSides(model.quads);
+  addSides(model.triangles);
+  return distinct(std::move(edges));
+}
+
+/// Pieces of a graph, by union-find with halving of paths.
+std::int64_t countComponents(std::size_t points,
+  const std::vector<std::array<std::int64_t, 2>>& edges)
+{
+  std::vector<std::int64_t> parent(points);
+  for (std::size_t i = 0; i < points; ++i)
+  {
+    parent[i] = static_cast<std::int64_t>(i);
+  }
+  const auto rootOf = [&parent](std::int64_t i)
+  {
+    while (parent[i] != i)
+    {
+      i = parent[i] = parent[parent[i]];
+    }
+    return i;
+  };
+  auto count = static_cast<std::int64_t>(points);
+  for (const auto& edge : edges)
+  {
+    const std::int64_t a = rootOf(edge[0]);
+    const std::int64_t b = rootOf(edge[1]);
+    count -= a != b ? 1 : 0;
+    parent[std::max(a, b)] = std::min(a, b);
+  }
+  return count;
+}
+
+class Sizes
+{
+public:
+  explicit Sizes(const MedialModel& model)
+    : centres_(model.centres)
+  {
+    Bounds bounds{ centres_.front(), centres_.front() };
+    for (const Point3& centre : centres_)
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        bounds.min[axis] = std::min(bounds.min[axis], centre[axis]);
+        bounds.max[axis] = std::max(bounds.max[axis], centre[axis]);
+      }
+    }
+    diagonal_ = bounds.diagonal();
+  }
+
+  template <typename Cell>
+  bool isFlat(const Cell& cell) const
+  {
+    constexpr double kMinArea = 1e-14; // of the squared diagonal
+    Point3 twice{};
+    for (std::size_t i = 2; i < cell.size(); ++i)
+    {
+      const Point3 one = cross(this->vector(cell[0], cell[i - 1]), this->vector(cell[0], cell[i]));
+      twice = { twice[0] + one[0], twice[1] + one[1], twice[2] + one[2] };
+    }
+    return 0.5 * norm(twice) <= kMinArea * diagonal_ * diagonal_;
+  }
+
+  bool isShort(const std::array<std::int64_t, 2>& line) const
+  {
+    constexpr double kMinLength = 1e-7; // of the diagonal
+    return norm(this->vector(line[0], line[1])) <= kMinLength * diagonal_;
+  }
+
+private:
+  Point3 vector(std::int64_t from, std::int64_t to) const
+  {
+    return difference(centres_[from], centres_[to]);
+  }
+
+  const std::vector<Point3>& centres_;
+  double diagonal_ = 0.0;
+};
+
+std::int64_t countZeroArea(const MedialModel& model)
+{
+  const Sizes sizes(model);
+  const auto isFlat = [&sizes](const auto& cell) { return sizes.isFlat(cell); };
+  return std::count_if(model.quads.begin(), model.quads.end(), isFlat) +
+    std::count_if(model.triangles.begin(), model.triangles.end(), isFlat) +
+    std::count_if(model.lines.begin(), model.lines.end(),
+      [&sizes](const auto& line) { return sizes.isShort(line); });
+}
+
+template <typename T>
+std::int64_t count(const std::vector<T>& values)
+{
+  return static_cast<std::int64_t>(values.size());
+}
+
+} // namespace
+
+std::vector<std::array<std::int64_t, 3>> MedialModel::allTriangles() const
+{
+  std::vector<std::array<std::int64_t, 3>> all = triangles;
+  all.reserve(triangles.size() + 2 * quads.size());
+  for (const auto& quad : quads)
+  {
+    for (const auto& [a, b, c] :
+      quadTriangles({ centres[quad[0]], centres[quad[1]], centres[quad[2]], centres[quad[3]] }))
+    {
+      all.push_back({ quad[a], quad[b], quad[c] });
+    }
+  }
+  return all;
+}
+
+std::array<std::array<int, 3>, 2> quadTriangles(const std::array<Point3, 4>& corners)
+{
+  const auto smaller = [&corners](const std::array<std::array<int, 3>, 2>& triangles)
+  {
+    const auto area = [&corners](const std::array<int, 3>& triangle)
+    {
+      return norm(cross(difference(corners[triangle[0]], corners[triangle[1]]),
+        difference(corners[triangle[0]], corners[triangle[2]])));
+    };
+    return std::min(area(triangles[0]), area(triangles[1]));
+  };
+  constexpr std::array<std::array<int, 3>, 2> kUsual{ { { 0, 1, 2 }, { 0, 2, 3 } } };
+  constexpr std::array<std::array<int, 3>, 2> kOther{ { { 1, 2, 3 }, { 1, 3, 0 } } };
+  return smaller(kOther) > 2.0 * smaller(kUsual) ? kOther : kUsual;
+}
+
+MedialModel toMedialModel(const MedialAxis& axis)
+{
+  MedialModel model;
+  model.centres = axis.points;
+  model.radii.assign(axis.radius.begin(), axis.radius.end());
+  model.quads = axis.quads;
+  model.triangles = axis.triangles;
+  model.lines = axis.lines;
+  model.vertices = axis.vertices;
+  return model;
+}
+
+void checkMedialModel(const MedialModel& model)
+{
+  std::ostringstream message;
+  if (model.centres.empty())
+  {
+    message << "the medial axis has 0 points";
+    refuse(message);
+  }
+  if (model.radii.size() != model.centres.size())
+  {
+    message << model.radii.size() << " radii for " << model.centres.size() << " centres";
+    refuse(message);
+  }
+  for (std::size_t i = 0; i < model.centres.size(); ++i)
+  {
+    checkBall(model, i);
+  }
+  checkCells("quad", model.quads, model.centres.size());
+  checkCells("triangle", model.triangles, model.centres.size());
+  checkCells("line", model.lines, model.centres.size());
+  std::vector<std::array<std::int64_t, 1>> vertices;
+  for (const std::int64_t vertex : model.vertices)
+  {
+    vertices.push_back({ vertex });
+  }
+  checkCells("vertex", vertices, model.centres.size());
+}
+
+ModelTopology analyseModel(const MedialModel& model)
+{
+  checkMedialModel(model);
+  ModelTopology topology;
+  topology.points = count(model.centres);
+  topology.quads = count(model.quads);
+  topology.triangles = count(model.triangles);
+  topology.lines = count(model.lines);
+  topology.vertices = count(model.vertices);
+  topology.zeroAreaCells = countZeroArea(model);
+  const auto edges = distinctEdges(model);
+  topology.components = countComponents(model.centres.size(), edges);
+  topology.eulerCharacteristic = topology.points - count(edges) + count(distinct(model.triangles)) +
+    count(distinct(model.quads));
+  return topology;
+}
+
+} // namespace medial

@@ -1,0 +1,208 @@
+#include "medial/grid.h"
+
+#include "medial/error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace medial
+{
+
+namespace
+{
+
+constexpr double kMaxPadding = 10.0;
+/// Share of a spacing by which rounding may lengthen an axis without adding a point.
+constexpr double kCountTolerance = 1e-9;
+constexpr char kAxisNames[] = "xyz";
+
+template <class T, class U>
+[[noreturn]] void throwOutside(const std::string& what, T value, U low, U high)
+{
+  std::ostringstream message;
+  message << what << ' ' << value << " is outside [" << low << ", " << high << ']';
+  throw Error(ErrorCode::InvalidInput, message.str());
+}
+
+[[noreturn]] void throwBadSpacing(double spacing, int axis)
+{
+  std::ostringstream message;
+  message << "spacing " << spacing << " along " << kAxisNames[axis]
+          << " is not a positive finite number";
+  throw Error(ErrorCode::InvalidInput, message.str());
+}
+
+bool isPositiveFinite(double value)
+{
+  return std::isfinite(value) && value > 0.0;
+}
+
+void checkBounds(const Bounds& bounds)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (!(bounds.min[axis] <= bounds.max[axis]) || !std::isfinite(bounds.min[axis]) ||
+      !std::isfinite(bounds.max[axis]) || !std::isfinite(bounds.diagonal()))
+    {
+      std::ostringstream message;
+      message << "bounds [" << bounds.min[axis] << ", " << bounds.max[axis] << "] along "
+              << kAxisNames[axis] << " are not finite with min <= max";
+      throw Error(ErrorCode::InvalidInput, message.str());
+    }
+  }
+}
+
+void checkPadding(double padding)
+{
+  if (!(padding >= 0.0 && padding <= kMaxPadding))
+  {
+    throwOutside("padding", padding, 0.0, kMaxPadding);
+  }
+}
+
+/// Lengths of the padded bounds. The bounds themselves are not widened: far from the origin that
+/// would round each axis differently.
+Point3 paddedLengths(const Bounds& bounds, double padding)
+{
+  const double diagonal = bounds.diagonal();
+  const double margin = diagonal > 0.0 ? padding * diagonal : 1.0;
+  Point3 lengths;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    lengths[axis] = bounds.max[axis] - bounds.min[axis] + 2.0 * margin;
+  }
+  return lengths;
+}
+
+/// Number of points that cover a length, both ends included; a double, as it may be beyond int.
+double pointsToCover(double length, double spacing)
+{
+  return std::max(0.0, std::ceil(length / spacing - kCountTolerance)) + 1.0;
+}
+
+void centreOn(const Bounds& bounds, Grid& grid)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double centre = 0.5 * bounds.min[axis] + 0.5 * bounds.max[axis];
+    grid.origin[axis] = centre - 0.5 * grid.spacing[axis] * (grid.dimensions[axis] - 1);
+  }
+}
+
+} // namespace
+
+double Bounds::diagonal() const
+{
+  return std::hypot(max[0] - min[0], max[1] - min[1], max[2] - min[2]);
+}
+
+std::int64_t Extent::pointCount() const
+{
+  return empty() ? 0 : static_cast<std::int64_t>(size(0)) * size(1) * size(2);
+}
+
+bool Extent::contains(const Extent& other) const
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (other.min[axis] < min[axis] || other.max[axis] > max[axis])
+    {
+      return other.empty();
+    }
+  }
+  return true;
+}
+
+Extent Grid::wholeExtent() const
+{
+  return { { 0, 0, 0 }, { dimensions[0] - 1, dimensions[1] - 1, dimensions[2] - 1 } };
+}
+
+std::int64_t Grid::pointCount() const
+{
+  return wholeExtent().pointCount();
+}
+
+Point3 Grid::point(int i, int j, int k) const
+{
+  return { origin[0] + i * spacing[0], origin[1] + j * spacing[1], origin[2] + k * spacing[2] };
+}
+
+Grid makeGrid(const Bounds& bounds, int resolution, double padding)
+{
+  checkBounds(bounds);
+  checkPadding(padding);
+  if (resolution < 2 || resolution > kMaxDimension)
+  {
+    throwOutside("resolution", resolution, 2, kMaxDimension);
+  }
+  const Point3 lengths = paddedLengths(bounds, padding);
+  const double spacing = *std::max_element(lengths.begin(), lengths.end()) / (resolution - 1);
+  Grid grid;
+  grid.spacing = { spacing, spacing, spacing };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (!isPositiveFinite(spacing))
+    {
+      throwBadSpacing(spacing, axis);
+    }
+    const double count = pointsToCover(lengths[axis], spacing);
+    grid.dimensions[axis] = static_cast<int>(std::min<double>(count, resolution));
+  }
+  centreOn(bounds, grid);
+  return grid;
+}
+
+Grid makeGridWithSpacing(const Bounds& bounds, const Point3& spacing, double padding)
+{
+  checkBounds(bounds);
+  checkPadding(padding);
+  const Point3 lengths = paddedLengths(bounds, padding);
+  Grid grid;
+  grid.spacing = spacing;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (!isPositiveFinite(spacing[axis]))
+    {
+      throwBadSpacing(spacing[axis], axis);
+    }
+    const double count = pointsToCover(lengths[axis], spacing[axis]);
+    if (!(count <= kMaxDimension))
+    {
+      std::ostringstream message;
+      message << "spacing " << spacing[axis] << " along " << kAxisNames[axis] << " needs " << count
+              << " points, more than " << kMaxDimension;
+      throw Error(ErrorCode::InvalidInput, message.str());
+    }
+    grid.dimensions[axis] = static_cast<int>(count);
+  }
+  centreOn(bounds, grid);
+  return grid;
+}
+
+void validateGrid(const Grid& grid)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (!std::isfinite(grid.origin[axis]))
+    {
+      std::ostringstream message;
+      message << "origin " << grid.origin[axis] << " along " << kAxisNames[axis]
+              << " is not finite";
+      throw Error(ErrorCode::InvalidInput, message.str());
+    }
+    if (!isPositiveFinite(grid.spacing[axis]))
+    {
+      throwBadSpacing(grid.spacing[axis], axis);
+    }
+    const int dimension = grid.dimensions[axis];
+    if (dimension < kMinDimension || dimension > kMaxDimension)
+    {
+      throwOutside(std::string("dimension along ") + kAxisNames[axis], dimension, kMinDimension,
+        kMaxDimension);
+    }
+  }
+}
+
+} // namespace medial

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+
+// Vectors of eight lanes by the extension that GCC and Clang share. On processors without AVX2 the
+// compiler splits them.
+namespace medial
+{
+
+using Float8 = float __attribute__((vector_size(32)));
+using Int8 = int __attribute__((vector_size(32))); ///< of a comparison: -1 where true, else 0
+
+constexpr int kLanes = 8;
+
+/// For functions that call the helpers below, so that vectors stay in registers; the caller decides
+/// for which processor they are compiled.
+#define MEDIAL_INLINE inline __attribute__((always_inline))
+
+/// For functions to be compiled twice, the better one being picked when the program is loaded.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#  define MEDIAL_VECTORISED __attribute__((target_clones("arch=x86-64-v3", "default")))
+#else
+#  define MEDIAL_VECTORISED
+#endif
+
+MEDIAL_INLINE Float8 splat(float value)
+{
+  return Float8{} + value;
+}
+
+MEDIAL_INLINE Float8 ramp()
+{
+  return Float8{ 0, 1, 2, 3, 4, 5, 6, 7 };
+}
+
+MEDIAL_INLINE Float8 min(Float8 a, Float8 b)
+{
+  return a < b ? a : b;
+}
+
+MEDIAL_INLINE Float8 max(Float8 a, Float8 b)
+{
+  return a > b ? a : b;
+}
+
+MEDIAL_INLINE Float8 loaded(const float* from)
+{
+  Float8 value;
+  std::memcpy(&value, from, sizeof(value));
+  return value;
+}
+
+MEDIAL_INLINE Int8 loadedInts(const std::int32_t* from)
+{
+  Int8 value;
+  std::memcpy(&value, from, sizeof(value));
+  return value;
+}
+
+MEDIAL_INLINE void store(Float8 value, float* to)
+{
+  std::memcpy(to, &value, sizeof(value));
+}
+
+/// Bit i is set where lane i is true.
+MEDIAL_INLINE unsigned bits(Int8 mask)
+{
+  constexpr Int8 kWeights = { 1, 2, 4, 8, 16, 32, 64, 128 };
+  using Long4 = long long __attribute__((vector_size(32)));
+  const Long4 parts = (Long4)(mask & kWeights);
+  const long long sum = (parts[0] | parts[1]) | (parts[2] | parts[3]);
+  return static_cast<unsigned>(sum) | static_cast<unsigned>(sum >> 32);
+}
+
+/// Whether all lanes are true.
+MEDIAL_INLINE bool all(Int8 mask)
+{
+  using Long4 = long long __attribute__((vector_size(32)));
+  const Long4 parts = (Long4)mask;
+  return (parts[0] & parts[1] & parts[2] & parts[3]) == -1;
+}
+
+} // namespace medial

@@ -1,0 +1,125 @@
+#include "field/engines/processor/processor_selection.h"
+
+#include "base/simd.h"
+
+#include <tbb/parallel_for.h>
+
+#include <cmath>
+
+namespace medial
+{
+namespace
+{
+
+/// Where two rows of sites differ, as bits; up to kLanes.
+MEDIAL_INLINE unsigned differences(const std::int32_t* a, const std::int32_t* b)
+{
+  return bits(loadedInts(a) != loadedInts(b));
+}
+
+} // namespace
+
+/// Appends the places where the closest site changes along an axis.
+MEDIAL_VECTORISED void ProcessorSelection::findChanges(const std::int32_t* sites,
+  const std::int32_t* ends, int count, int axis, std::vector<Change>& changes)
+{
+  int i = 0;
+  for (; i + kLanes <= count; i += kLanes)
+  {
+    for (unsigned left = differences(sites + i, ends + i); left != 0; left &= left - 1)
+    {
+      changes.push_back({ i + __builtin_ctz(left), axis });
+    }
+  }
+  for (; i < count; ++i)
+  {
+    if (sites[i] != ends[i])
+    {
+      changes.push_back({ i, axis });
+    }
+  }
+}
+
+ProcessorSelection::ProcessorSelection(double angle, Side side, const GridFrame& frame,
+  bool signedField)
+  : cosineLimit_(std::cos(glm::radians(angle)))
+  , side_(side)
+  , frame_(frame)
+  , signed_(signedField)
+{
+}
+
+void ProcessorSelection::process(const SlabField& slab, const TileEvaluator& evaluator)
+{
+  std::vector<std::vector<Crossing>> found(slab.slots());
+  tbb::parallel_for(0, slab.slots(),
+    [&](int slot)
+    {
+      std::vector<Change> changes;
+      for (int row = 0; row < slab.extent().size(1); ++row)
+      {
+        this->selectRow(slab, evaluator, slot, row, changes, found[slot]);
+      }
+    });
+  for (const std::vector<Crossing>& slice : found)
+  {
+    crossings_.insert(crossings_.end(), slice.begin(), slice.end());
+  }
+}
+
+void ProcessorSelection::selectRow(const SlabField& slab, const TileEvaluator& evaluator, int slot,
+  int row, std::vector<Change>& changes, std::vector<Crossing>& found) const
+{
+  if (slot == 0 && !slab.carried())
+  {
+    return;
+  }
+  const Extent& extent = slab.extent();
+  const std::int32_t* sites = slab.sites(slot, row);
+  const float* sides = slab.sides(slot, row);
+  // The slice below had its own turn for x and y.
+  const bool along[3] = { slot > 0, slot > 0 && row + 1 < extent.size(1), slot + 1 < slab.slots() };
+  const std::int32_t* ends[3] = { sites + 1, along[1] ? slab.sites(slot, row + 1) : sites,
+    along[2] ? slab.sites(slot + 1, row) : sites };
+  const float* endSides[3] = { sides + 1, along[1] ? slab.sides(slot, row + 1) : sides,
+    along[2] ? slab.sides(slot + 1, row) : sides };
+  const glm::ivec3 first(extent.min[0], extent.min[1] + row, extent.min[2] + slot - 1);
+  changes.clear();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (along[axis])
+    {
+      findChanges(sites, ends[axis], axis == 0 ? extent.size(0) - 1 : extent.size(0), axis,
+        changes);
+    }
+  }
+  for (const Change& change : changes)
+  {
+    const auto [i, axis] = change;
+    const bool isInside = signed_ && sides[i] < 0.0f;
+    const bool sameSide = isInside == (signed_ && endSides[axis][i] < 0.0f);
+    const bool wanted = side_ == Side::Both || isInside == (side_ == Side::Interior);
+    const Crossing crossing{ first + glm::ivec3(i, 0, 0), axis, sites[i], ends[axis][i], isInside };
+    if (sameSide && wanted && this->crossed(evaluator, crossing))
+    {
+      found.push_back(crossing);
+    }
+  }
+}
+
+bool ProcessorSelection::crossed(const TileEvaluator& evaluator, const Crossing& crossing) const
+{
+  const glm::dvec3 x = frame_.sample(glm::dvec3(crossing.voxel));
+  glm::dvec3 edge(0.0);
+  edge[crossing.axis] = frame_.step[crossing.axis];
+  const glm::dvec3 near = evaluator.displacement(crossing.siteA, x);
+  const glm::dvec3 far = evaluator.displacement(crossing.siteB, x + edge);
+  const double lengths = std::sqrt(glm::dot(near, near) * glm::dot(far, far));
+  // Closest points nearer to each other than the grid points: both see one reflex edge or the same
+  // patch, not two sides.
+  const glm::dvec3 gap = edge + far - near;
+  return lengths > 0.0 && glm::dot(near, far) <= cosineLimit_ * lengths &&
+    glm::dot(gap, gap) >= glm::dot(edge, edge);
+}
+
+} // namespace medial

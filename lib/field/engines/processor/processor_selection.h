@@ -1,0 +1,53 @@
+#pragma once
+
+#include "field/crossing.h"
+#include "field/engines/processor/slab_field.h"
+#include "field/engines/processor/tile_evaluator.h"
+#include "medial/compute_medial_axis.h"
+#include "sites/grid_frame.h"
+
+#include <vector>
+
+namespace medial
+{
+
+/// Selection by separation angle where the processor evaluates: what shaders/medial_axis.frag does,
+/// on sites in host memory. Directions are computed only where the closest site changes, since
+/// projection to one convex site never parts two points by more than their own distance.
+class ProcessorSelection
+{
+public:
+  /// @param angle least separation angle, degrees.
+  /// @param signedField whether sides mean anything.
+  ProcessorSelection(double angle, Side side, const GridFrame& frame, bool signedField);
+
+  /// Slabs in ascending z. Uses the threads of the current arena.
+  void process(const SlabField& slab, const TileEvaluator& evaluator);
+
+  std::size_t crossingCount() const { return crossings_.size(); }
+  /// All crossings so far, in the order of the slabs.
+  std::vector<Crossing> takeCrossings() { return std::move(crossings_); }
+
+private:
+  /// A grid point of a row, and the axis towards a neighbour with another closest site.
+  struct Change
+  {
+    int i;
+    int axis;
+  };
+
+  static void findChanges(const std::int32_t* sites, const std::int32_t* ends, int count, int axis,
+    std::vector<Change>& changes);
+  /// @param changes working memory.
+  void selectRow(const SlabField& slab, const TileEvaluator& evaluator, int slot, int row,
+    std::vector<Change>& changes, std::vector<Crossing>& found) const;
+  bool crossed(const TileEvaluator& evaluator, const Crossing& crossing) const;
+
+  double cosineLimit_;
+  Side side_;
+  GridFrame frame_;
+  bool signed_;
+  std::vector<Crossing> crossings_;
+};
+
+} // namespace medial

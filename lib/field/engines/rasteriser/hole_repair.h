@@ -1,0 +1,18 @@
+#pragma once
+
+#include "culling/tile_query.h"
+#include "field/engines/rasteriser/slab_renderer.h"
+
+#include <vector>
+
+namespace medial
+{
+
+/// Fills the grid points of a resolved slab that no polygon covered, by exact queries. The bounds
+/// of sites overlap, so that there should be none; this makes sure of it. GPU thread.
+/// @param normals pseudonormals of all sites.
+/// @param query covers the grid points of the slab.
+void repairHoles(SlabRenderer& renderer, const std::vector<glm::vec4>& normals,
+  const GridFrame& frame, const TileQuery& query, FieldSign sign, const Extent& slab);
+
+} // namespace medial

@@ -1,0 +1,73 @@
+#pragma once
+
+#include "medial/distance_field.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace medial
+{
+
+/// Keeps distances and closest sites of a whole extent while a field goes to another sink: 8 bytes
+/// a point.
+class FieldTap : public FieldSink
+{
+public:
+  FieldTap(FieldSink& sink, const Extent& extent)
+    : sink_(sink)
+    , extent_(extent)
+    , distances_(static_cast<std::size_t>(extent.pointCount()))
+    , sites_(distances_.size())
+  {
+  }
+
+  FieldArrays slabArrays(const Extent& slab) override
+  {
+    theirs_ = sink_.slabArrays(slab);
+    FieldArrays arrays = theirs_;
+    if (arrays.distance == nullptr)
+    {
+      arrays.distance = distances_.data() + this->start(slab);
+    }
+    if (arrays.closestSite == nullptr)
+    {
+      arrays.closestSite = sites_.data() + this->start(slab);
+    }
+    return arrays;
+  }
+
+  void stored(const Extent& slab) override
+  {
+    if (theirs_.distance != nullptr)
+    {
+      std::copy_n(theirs_.distance, slab.pointCount(), distances_.data() + this->start(slab));
+    }
+    if (theirs_.closestSite != nullptr)
+    {
+      std::copy_n(theirs_.closestSite, slab.pointCount(), sites_.data() + this->start(slab));
+    }
+    sink_.stored(slab);
+  }
+
+  std::size_t bytesPerPoint() const override { return sink_.bytesPerPoint(); }
+
+  const std::vector<float>& distances() const { return distances_; }
+  const std::vector<std::int32_t>& sites() const { return sites_; }
+
+private:
+  std::ptrdiff_t start(const Extent& slab) const
+  {
+    return static_cast<std::ptrdiff_t>(slab.min[2] - extent_.min[2]) * extent_.size(0) *
+      extent_.size(1);
+  }
+
+  FieldSink& sink_;
+  Extent extent_;
+  std::vector<float> distances_;
+  std::vector<std::int32_t> sites_;
+  FieldArrays theirs_;
+};
+
+} // namespace medial

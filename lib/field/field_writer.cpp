@@ -1,0 +1,176 @@
+#include "field/field_writer.h"
+
+#include "sites/closest_point.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace medial
+{
+namespace
+{
+
+void storePoint(const Point3& point, float* target)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    target[axis] = static_cast<float>(point[axis]);
+  }
+}
+
+Feature featureOf(SiteKind kind)
+{
+  switch (kind)
+  {
+    case SiteKind::Face:
+      return Feature::Face;
+    case SiteKind::Edge:
+      return Feature::Edge;
+    case SiteKind::Vertex:
+      break;
+  }
+  return Feature::Vertex;
+}
+
+} // namespace
+
+FieldWriter::FieldWriter(const TriangleMesh& mesh, const MeshConnectivity& topology,
+  const SiteSet& sites, const GridFrame& frame, bool signedField)
+  : mesh_(mesh)
+  , topology_(topology)
+  , sites_(sites)
+  , frame_(frame)
+  , signed_(signedField)
+{
+}
+
+void FieldWriter::begin(const Extent& slab, const FieldArrays& arrays)
+{
+  slab_ = slab;
+  arrays_ = arrays;
+}
+
+void FieldWriter::store(const glm::vec4* displacements, const std::int32_t* closest) const
+{
+  const int rowLength = slab_.size(0);
+  const std::int64_t rows = static_cast<std::int64_t>(slab_.size(1)) * slab_.size(2);
+  tbb::parallel_for(std::int64_t{ 0 }, rows,
+    [&](std::int64_t row)
+    {
+      const auto slice = static_cast<int>(row / slab_.size(1));
+      const glm::dvec3 first(slab_.min[0],
+        slab_.min[1] + static_cast<int>(row - static_cast<std::int64_t>(slice) * slab_.size(1)),
+        slab_.min[2] + slice);
+      const std::int64_t start = row * rowLength;
+      for (std::int64_t i = start; i < start + rowLength; ++i)
+      {
+        if (arrays_.distance)
+        {
+          arrays_.distance[i] =
+            static_cast<float>(static_cast<double>(displacements[i].w) * frame_.unit);
+        }
+        if (arrays_.closestPoint)
+        {
+          const glm::dvec3 sample =
+            frame_.sample(first + glm::dvec3(static_cast<double>(i - start), 0.0, 0.0));
+          storePoint(frame_.toWorld(sample + glm::dvec3(glm::vec3(displacements[i]))),
+            arrays_.closestPoint + 3 * i);
+        }
+      }
+      if (closest != nullptr)
+      {
+        this->storeIds(start, rowLength, closest + start);
+      }
+    });
+}
+
+void FieldWriter::store(const Extent& tile, const TileField& field) const
+{
+  for (int k = 0; k < tile.size(2); ++k)
+  {
+    for (int j = 0; j < tile.size(1); ++j)
+    {
+      const glm::ivec3 first(tile.min[0], tile.min[1] + j, tile.min[2] + k);
+      const std::int64_t target =
+        (static_cast<std::int64_t>(first.z - slab_.min[2]) * slab_.size(1) +
+          (first.y - slab_.min[1])) *
+          slab_.size(0) +
+        (first.x - slab_.min[0]);
+      const int row = TileField::index(0, j, k);
+      this->storeDistances(target, tile.size(0), field, row);
+      this->storeClosestPoints(target, first, tile.size(0), field.site + row);
+      this->storeIds(target, tile.size(0), field.site + row);
+    }
+  }
+}
+
+void FieldWriter::storeDistances(std::int64_t target, int count, const TileField& field,
+  int row) const
+{
+  if (!arrays_.distance)
+  {
+    return;
+  }
+  for (int i = 0; i < count; ++i)
+  {
+    const auto distance =
+      static_cast<float>(static_cast<double>(std::sqrt(field.squared[row + i])) * frame_.unit);
+    arrays_.distance[target + i] = signed_ && field.side[row + i] < 0.0f ? -distance : distance;
+  }
+}
+
+void FieldWriter::storeClosestPoints(std::int64_t target, const glm::ivec3& first, int count,
+  const std::int32_t* closest) const
+{
+  if (!arrays_.closestPoint)
+  {
+    return;
+  }
+  for (int i = 0; i < count; ++i)
+  {
+    const glm::dvec3 sample = frame_.sample(glm::dvec3(first) + glm::dvec3(i, 0.0, 0.0));
+    storePoint(frame_.toWorld(closestPoint(sites_, closest[i], sample).point),
+      arrays_.closestPoint + 3 * (target + i));
+  }
+}
+
+void FieldWriter::storeIds(std::int64_t target, int count, const std::int32_t* closest) const
+{
+  if (arrays_.closestSite)
+  {
+    std::copy_n(closest, count, arrays_.closestSite + target);
+  }
+  if (arrays_.closestFeature)
+  {
+    for (int i = 0; i < count; ++i)
+    {
+      arrays_.closestFeature[target + i] =
+        static_cast<std::uint8_t>(featureOf(sites_.kind(closest[i])));
+    }
+  }
+  if (arrays_.closestCell)
+  {
+    for (int i = 0; i < count; ++i)
+    {
+      arrays_.closestCell[target + i] = this->cellOf(closest[i]);
+    }
+  }
+}
+
+std::int64_t FieldWriter::cellOf(std::int32_t site) const
+{
+  switch (sites_.kind(site))
+  {
+    case SiteKind::Face:
+      return mesh_.triangleCells[site];
+    case SiteKind::Edge:
+      return topology_.edgeCells[site - sites_.firstEdge()];
+    case SiteKind::Vertex:
+      break;
+  }
+  return topology_.pointCells[site - sites_.firstVertex()];
+}
+
+} // namespace medial

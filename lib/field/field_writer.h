@@ -1,0 +1,48 @@
+#pragma once
+
+#include "field/engines/processor/tile_evaluator.h"
+#include "medial/distance_field.h"
+#include "sites/grid_frame.h"
+#include "sites/site_set.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+
+namespace medial
+{
+
+/// Converts what evaluators find to what a FieldSink takes: world units, cells and features.
+class FieldWriter
+{
+public:
+  FieldWriter(const TriangleMesh& mesh, const MeshConnectivity& topology, const SiteSet& sites,
+    const GridFrame& frame, bool signedField);
+
+  /// Where the next values go.
+  void begin(const Extent& slab, const FieldArrays& arrays);
+
+  /// Converts a resolved slab on all threads of the current arena.
+  /// @param displacements vector to the closest point and signed distance, in frame units.
+  /// @param closest sites; each may be null where no array needs it.
+  void store(const glm::vec4* displacements, const std::int32_t* closest) const;
+  /// Converts an evaluated tile. May be called from several threads at once.
+  void store(const Extent& tile, const TileField& field) const;
+
+private:
+  void storeDistances(std::int64_t target, int count, const TileField& field, int row) const;
+  void storeClosestPoints(std::int64_t target, const glm::ivec3& first, int count,
+    const std::int32_t* closest) const;
+  void storeIds(std::int64_t target, int count, const std::int32_t* closest) const;
+  std::int64_t cellOf(std::int32_t site) const;
+
+  const TriangleMesh& mesh_;
+  const MeshConnectivity& topology_;
+  const SiteSet& sites_;
+  GridFrame frame_;
+  bool signed_;
+  Extent slab_;
+  FieldArrays arrays_;
+};
+
+} // namespace medial

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <epoxy/gl.h>
+
+#include <initializer_list>
+#include <utility>
+
+namespace medial::gl
+{
+
+/// Owns one OpenGL name: move-only, empty when the name is 0. To be created and destroyed on the
+/// GPU thread only.
+template <void (*Delete)(GLuint)>
+class GlObject
+{
+public:
+  GlObject() = default;
+  explicit GlObject(GLuint id)
+    : id_(id)
+  {
+  }
+  GlObject(GlObject&& other) noexcept
+    : id_(std::exchange(other.id_, 0))
+  {
+  }
+  GlObject& operator=(GlObject&& other) noexcept
+  {
+    std::swap(id_, other.id_);
+    return *this;
+  }
+  GlObject(const GlObject&) = delete;
+  GlObject& operator=(const GlObject&) = delete;
+  ~GlObject()
+  {
+    if (id_ != 0)
+    {
+      Delete(id_);
+    }
+  }
+
+  GLuint id() const { return id_; }
+  explicit operator bool() const { return id_ != 0; }
+
+private:
+  GLuint id_ = 0;
+};
+
+void deleteBuffer(GLuint id);
+void deleteTexture(GLuint id);
+void deleteFramebuffer(GLuint id);
+void deleteVertexArray(GLuint id);
+void deleteShader(GLuint id);
+void deleteProgram(GLuint id);
+
+using Buffer = GlObject<deleteBuffer>;
+using Texture = GlObject<deleteTexture>;
+using Framebuffer = GlObject<deleteFramebuffer>;
+using VertexArray = GlObject<deleteVertexArray>;
+using Shader = GlObject<deleteShader>;
+using Program = GlObject<deleteProgram>;
+
+Buffer createBuffer();
+VertexArray createVertexArray();
+
+/// Buffer of immutable size; `data` may be null. A size of 0 makes a small buffer that can be
+/// bound.
+/// @throws Error GpuLimit or OutOfMemory.
+Buffer createStorageBuffer(GLsizeiptr bytes, const void* data);
+
+/// Two-dimensional texture of one level with nearest filtering.
+/// @throws Error GpuLimit when a side exceeds the driver's limit, OutOfMemory.
+Texture createTexture2D(GLenum internalFormat, int width, int height);
+
+/// Framebuffer over the given colour textures (attachment i is drawn to location i) and, unless it
+/// is 0, a depth texture.
+/// @throws Error GpuLimit when the driver refuses the combination.
+Framebuffer createFramebuffer(std::initializer_list<GLuint> colours, GLuint depth = 0);
+
+/// Turns a pending GL_OUT_OF_MEMORY into Error OutOfMemory and any other GL error into GpuLimit.
+void checkGl(const char* what);
+
+} // namespace medial::gl

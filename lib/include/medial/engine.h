@@ -1,0 +1,15 @@
+#pragma once
+
+namespace medial
+{
+
+/// What finds the closest sites of grid points. All engines give the same field (ids: except
+/// between sites at equal distance), at different speed.
+enum class Engine
+{
+  Auto,       ///< Processor where OpenGL runs on a software renderer, else Rasteriser
+  Rasteriser, ///< draws polygons that bound Voronoi regions, with OpenGL's depth test
+  Processor   ///< evaluates the candidates of every tile with vector instructions of the CPU
+};
+
+} // namespace medial

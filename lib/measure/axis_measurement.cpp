@@ -1,0 +1,143 @@
+#include "medial/axis_measurement.h"
+
+#include "medial/error.h"
+
+#include "balls/ball_union.h"
+#include "measure/boundary_samples.h"
+#include "measure/sample_values.h"
+#include "measure/surface_samples.h"
+#include "medial/reconstruction.h"
+#include "query/surface_distance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace medial
+{
+namespace
+{
+
+/// What counts as on a surface, of the diagonal of the mesh's bounds.
+constexpr double kTolerance = 1e-9;
+/// The same, of the greatest coordinate: what rounding may do.
+constexpr double kRounding = 1e-14;
+
+glm::dvec3 toVector(const Point3& point)
+{
+  return { point[0], point[1], point[2] };
+}
+
+double largestCoordinate(const Bounds& bounds)
+{
+  double largest = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    largest = std::max({ largest, std::abs(bounds.min[axis]), std::abs(bounds.max[axis]) });
+  }
+  return largest;
+}
+
+/// By how much sparser a union has to be sampled that is many times as large as the mesh: radii
+/// without bounds must not take time without bounds.
+double coarsening(const Bounds& solid, const Bounds& mesh)
+{
+  constexpr double kLargest = 4.0;
+  const double ratio = solid.diagonal() / (kLargest * mesh.diagonal());
+  return std::max(1.0, ratio * ratio);
+}
+
+/// Summed in order, so that the result is always the same.
+Deviation summarise(const std::vector<double>& values)
+{
+  Deviation deviation;
+  deviation.places = static_cast<std::int64_t>(values.size());
+  for (const double value : values)
+  {
+    deviation.max = std::max(deviation.max, value);
+    deviation.mean += value;
+  }
+  deviation.mean /= std::max<double>(1.0, static_cast<double>(values.size()));
+  return deviation;
+}
+
+Deviation surfaceToUnion(const TriangleMesh& mesh, const BallUnion& solid, std::int64_t count,
+  double tolerance, const Run& run)
+{
+  const auto distance = [&](const glm::dvec3& x) { return solid.distanceToSurface(x, tolerance); };
+  const std::vector<glm::dvec3> samples = surfaceSamples(mesh, count);
+  Deviation deviation = summarise(sampleValues(run.part(0.0, 0.75), samples.size(),
+    "surface to union", [&](std::size_t i) { return distance(samples[i]); }));
+  const std::vector<double> atPoints = sampleValues(run.part(0.75, 1.0), mesh.points.size(),
+    "surface to union", [&](std::size_t i) { return distance(toVector(mesh.points[i])); });
+  deviation.max = std::max(deviation.max, summarise(atPoints).max);
+  return deviation;
+}
+
+void compareBalls(const MedialModel& model, const SurfaceDistance& surface, const Run& run,
+  AxisMeasurement& result)
+{
+  const std::vector<double> distances = sampleValues(run, model.centres.size(), "radii",
+    [&](std::size_t i) { return surface.signedDistance(toVector(model.centres[i])); });
+  std::vector<double> errors(distances.size());
+  for (std::size_t i = 0; i < errors.size(); ++i)
+  {
+    errors[i] = std::abs(std::abs(distances[i]) - model.radii[i]);
+    result.centresInside += distances[i] < 0.0 ? 1 : 0;
+  }
+  result.radiusError = summarise(errors);
+}
+
+AxisMeasurement measure(const TriangleMesh& mesh, const MeshConnectivity& topology,
+  const MedialModel& model, const MeasurementOptions& options, const Run& run)
+{
+  run.report(0.0, "preparing");
+  AxisMeasurement result;
+  result.topology = analyseModel(model);
+  const double area = surfaceArea(mesh);
+  if (!(area > 0.0))
+  {
+    throw Error(ErrorCode::InvalidInput, "the mesh has an area of 0");
+  }
+  result.diagonal = mesh.bounds().diagonal();
+  const Bounds bounds = mesh.bounds();
+  const double tolerance =
+    std::max(kTolerance * result.diagonal, kRounding * largestCoordinate(bounds));
+  const BallUnion solid(model);
+  const SurfaceDistance surface(mesh, topology);
+  result.knowsInside = surface.knowsInside();
+  result.surfaceToUnion =
+    surfaceToUnion(mesh, solid, options.samples, tolerance, run.part(0.1, 0.5));
+  const double perSample =
+    area / static_cast<double>(options.samples) * coarsening(modelBounds(model), bounds);
+  const std::vector<glm::dvec3> boundary = boundarySamples(solid, perSample, tolerance,
+    [&](double fraction) { run.part(0.5, 0.7).report(fraction, "surface of the union"); });
+  result.unionToSurface =
+    summarise(sampleValues(run.part(0.7, 0.9), boundary.size(), "union to surface",
+      [&](std::size_t i) { return std::abs(surface.signedDistance(boundary[i])); }));
+  compareBalls(model, surface, run.part(0.9, 1.0), result);
+  run.report(1.0, "radii");
+  return result;
+}
+
+} // namespace
+
+double AxisMeasurement::hausdorff() const
+{
+  return std::max(surfaceToUnion.max, unionToSurface.max);
+}
+
+double AxisMeasurement::meanDistance() const
+{
+  return 0.5 * (surfaceToUnion.mean + unionToSurface.mean);
+}
+
+AxisMeasurement measureAxis(const TriangleMesh& mesh, const MeshConnectivity& topology,
+  const MedialModel& model, const MeasurementOptions& options)
+{
+  checkMeasureOptions(options);
+  const Run run(options.execution);
+  return run.onThreads([&] { return measure(mesh, topology, model, options, run); });
+}
+
+} // namespace medial

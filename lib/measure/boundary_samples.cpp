@@ -1,0 +1,233 @@
+#include "measure/boundary_samples.h"
+
+#include "measure/ball_neighbours.h"
+#include "measure/low_discrepancy.h"
+#include "measure/sphere_patches.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace medial
+{
+namespace
+{
+
+const double kPi = std::acos(-1.0);
+
+/// The pieces that the surface of the union is made of: the touching triangles of slabs, the
+/// lateral surfaces of cones and the spheres of balls.
+class Parts
+{
+public:
+  Parts(const BallUnion& solid, double areaPerSample)
+    : balls_(solid.balls())
+    , neighbours_(solid)
+    , perArea_(1.0 / areaPerSample)
+  {
+    this->place(neighbours_.slabs().size(), [this](std::size_t i) { return this->slabArea(i); });
+    this->place(neighbours_.cones().size(), [this](std::size_t i) { return this->coneArea(i); });
+    this->place(balls_.size(),
+      [this](std::size_t i) { return 4.0 * kPi * balls_[i].radius * balls_[i].radius; });
+  }
+
+  std::size_t size() const { return starts_.size() - 1; }
+
+  /// Calls `visit(point)` for the samples of a part that no primitive of the same balls covers.
+  template <typename Visit>
+  void visitSamples(std::size_t part, const Visit& visit) const
+  {
+    const double start = starts_[part];
+    const double length = starts_[part + 1] - start;
+    const std::size_t slabs = neighbours_.slabs().size();
+    const std::size_t cones = neighbours_.cones().size();
+    if (part < slabs)
+    {
+      this->visitSlab(part, start, length, visit);
+    }
+    else if (part < slabs + cones)
+    {
+      this->visitCone(part - slabs, start, length, visit);
+    }
+    else
+    {
+      this->visitBall(static_cast<std::int32_t>(part - slabs - cones), start, length, visit);
+    }
+  }
+
+private:
+  template <typename Area>
+  void place(std::size_t count, const Area& area)
+  {
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      starts_.push_back(starts_.back() + area(i) * perArea_);
+    }
+  }
+
+  const Ball& ball(std::int32_t i) const { return balls_[i]; }
+
+  /// Both touching triangles.
+  double slabArea(std::size_t slab) const
+  {
+    const auto& [a, b, c] = neighbours_.slabs()[slab];
+    const TangentPlanes planes = tangentPlanes(this->ball(a), this->ball(b), this->ball(c));
+    double area = 0.0;
+    for (const glm::dvec3& normal : planes.normals)
+    {
+      const glm::dvec3 at = this->touch(a, normal);
+      area +=
+        0.5 * glm::length(glm::cross(this->touch(b, normal) - at, this->touch(c, normal) - at));
+    }
+    return planes.exist ? area : 0.0;
+  }
+
+  double coneArea(std::size_t cone) const
+  {
+    const auto& [a, b] = neighbours_.cones()[cone];
+    const glm::dvec3 along = this->ball(b).centre - this->ball(a).centre;
+    const double growth = this->ball(b).radius - this->ball(a).radius;
+    const double slant = glm::dot(along, along) - growth * growth;
+    if (slant <= 0.0)
+    {
+      return 0.0;
+    }
+    // Circles of contact are smaller than the balls.
+    const double shrink = std::sqrt(slant / glm::dot(along, along));
+    return kPi * shrink * (this->ball(a).radius + this->ball(b).radius) * std::sqrt(slant);
+  }
+
+  glm::dvec3 touch(std::int32_t i, const glm::dvec3& normal) const
+  {
+    return this->ball(i).centre + this->ball(i).radius * normal;
+  }
+
+  template <typename Visit>
+  void visitSlab(std::size_t slab, double start, double length, const Visit& visit) const
+  {
+    const auto& [a, b, c] = neighbours_.slabs()[slab];
+    const TangentPlanes planes = tangentPlanes(this->ball(a), this->ball(b), this->ball(c));
+    for (const glm::dvec3& normal : planes.normals)
+    {
+      const glm::dvec3 corners[3] = { this->touch(a, normal), this->touch(b, normal),
+        this->touch(c, normal) };
+      forEachSample(start, 0.5 * length,
+        [&](const SquarePoint& at)
+        { visit(pointInTriangle(corners[0], corners[1], corners[2], at)); });
+      start += 0.5 * length;
+    }
+  }
+
+  template <typename Visit>
+  void visitCone(std::size_t cone, double start, double length, const Visit& visit) const
+  {
+    // No structured binding: lambdas of C++17 cannot capture it.
+    const std::int32_t a = neighbours_.cones()[cone][0];
+    const std::int32_t b = neighbours_.cones()[cone][1];
+    const glm::dvec3 along = this->ball(b).centre - this->ball(a).centre;
+    const double distance = glm::length(along);
+    const double growth = this->ball(b).radius - this->ball(a).radius;
+    const double slope = -growth / distance;
+    const double shrink = std::sqrt(std::max(0.0, 1.0 - slope * slope));
+    const glm::dvec3 axis = along / distance;
+    const glm::dvec3 helper =
+      std::abs(axis.x) < 0.5 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
+    const glm::dvec3 first = glm::normalize(glm::cross(axis, helper));
+    const glm::dvec3 second = glm::cross(axis, first);
+    forEachSample(start, length,
+      [&](const SquarePoint& at)
+      {
+        const double angle = 2.0 * kPi * at.u;
+        const glm::dvec3 normal =
+          slope * axis + shrink * (std::cos(angle) * first + std::sin(angle) * second);
+        if (!neighbours_.coneHidden(cone, normal))
+        {
+          const double t = this->alongCone(a, b, at.v);
+          visit(glm::mix(this->touch(a, normal), this->touch(b, normal), t));
+        }
+      });
+  }
+
+  /// Where along a cone the share v of its lateral surface ends.
+  double alongCone(std::int32_t a, std::int32_t b, double v) const
+  {
+    const double from = this->ball(a).radius;
+    const double growth = this->ball(b).radius - from;
+    // from t + growth t^2 / 2 = v (from + growth / 2)
+    const double wanted = v * (2.0 * from + growth);
+    const double root = std::sqrt(from * from + growth * wanted);
+    return from + root > 0.0 ? wanted / (from + root) : v;
+  }
+
+  template <typename Visit>
+  void visitBall(std::int32_t i, double start, double length, const Visit& visit) const
+  {
+    const SpherePatches& patches = SpherePatches::instance();
+    const double share = length / static_cast<double>(patches.size());
+    for (std::size_t patch = 0; patch < patches.size(); ++patch)
+    {
+      // Most balls of a sheet show no more than the two spots where it is touched.
+      if (neighbours_.patchHidden(i, patches.centre(patch)))
+      {
+        continue;
+      }
+      forEachSample(start + static_cast<double>(patch) * share, share,
+        [&](const SquarePoint& at)
+        {
+          const glm::dvec3 normal = patches.direction(patch, at.u, at.v);
+          if (!neighbours_.ballHidden(i, normal))
+          {
+            visit(this->touch(i, normal));
+          }
+        });
+    }
+  }
+
+  const std::vector<Ball>& balls_;
+  BallNeighbours neighbours_;
+  double perArea_;
+  std::vector<double> starts_{ 0.0 }; ///< in samples: slabs, cones, balls
+};
+
+} // namespace
+
+std::vector<glm::dvec3> boundarySamples(const BallUnion& solid, double areaPerSample,
+  double tolerance, const std::function<void(double)>& report)
+{
+  constexpr std::size_t kGroup = 256;
+  constexpr std::size_t kBatch = 64;
+  const Parts parts(solid, areaPerSample);
+  std::vector<std::vector<glm::dvec3>> groups((parts.size() + kGroup - 1) / kGroup);
+  const auto sample = [&](std::size_t group)
+  {
+    const std::size_t end = std::min(parts.size(), (group + 1) * kGroup);
+    for (std::size_t part = group * kGroup; part < end; ++part)
+    {
+      parts.visitSamples(part,
+        [&](const glm::dvec3& point)
+        {
+          if (!solid.covers(point, tolerance))
+          {
+            groups[group].push_back(point);
+          }
+        });
+    }
+  };
+  for (std::size_t first = 0; first < groups.size(); first += kBatch)
+  {
+    if (report)
+    {
+      report(static_cast<double>(first) / static_cast<double>(groups.size()));
+    }
+    tbb::parallel_for(first, std::min(groups.size(), first + kBatch), sample);
+  }
+  std::vector<glm::dvec3> samples;
+  for (const auto& group : groups)
+  {
+    samples.insert(samples.end(), group.begin(), group.end());
+  }
+  return samples;
+}
+
+} // namespace medial

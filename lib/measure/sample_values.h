@@ -1,0 +1,34 @@
+#pragma once
+
+#include "base/run.h"
+#include "medial/axis_measurement.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace medial
+{
+
+/// @throws Error InvalidInput for a number of samples outside its range.
+void checkMeasureOptions(const MeasurementOptions& options);
+
+/// The values `value(i)` for i in [0, count), computed on the threads of the current arena.
+template <typename Value>
+std::vector<double> sampleValues(const Run& run, std::size_t count, const char* phase,
+  const Value& value)
+{
+  constexpr std::size_t kBatch = 16384;
+  std::vector<double> values(count);
+  for (std::size_t first = 0; first < count; first += kBatch)
+  {
+    run.report(static_cast<double>(first) / static_cast<double>(count), phase);
+    tbb::parallel_for(first, std::min(count, first + kBatch),
+      [&](std::size_t i) { values[i] = value(i); });
+  }
+  return values;
+}
+
+} // namespace medial

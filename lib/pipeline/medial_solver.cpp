@@ -1,0 +1,86 @@
+#include "medial/medial_solver.h"
+
+#include "base/memory_guard.h"
+#include "field/array_sink.h"
+#include "field/field_pipeline.h"
+#include "medial/error.h"
+#include "pipeline/axis_pipeline.h"
+
+#include <string>
+#include <utility>
+
+namespace medial
+{
+
+struct MedialSolver::State
+{
+  TriangleMesh mesh;
+  MeshConnectivity topology;
+  FieldMemory memory;
+};
+
+MedialSolver::MedialSolver(TriangleMesh mesh)
+  : state_(std::make_unique<State>())
+{
+  state_->topology = analyseConnectivity(mesh);
+  state_->mesh = std::move(mesh);
+}
+
+MedialSolver::~MedialSolver() = default;
+MedialSolver::MedialSolver(MedialSolver&& other) noexcept = default;
+MedialSolver& MedialSolver::operator=(MedialSolver&& other) noexcept = default;
+
+const TriangleMesh& MedialSolver::mesh() const
+{
+  return state_->mesh;
+}
+
+const MeshConnectivity& MedialSolver::topology() const
+{
+  return state_->topology;
+}
+
+void MedialSolver::setPoints(std::vector<Point3> points)
+{
+  if (points.size() != state_->mesh.points.size())
+  {
+    throw Error(ErrorCode::InvalidInput,
+      std::to_string(points.size()) + " points given for a mesh of " +
+        std::to_string(state_->mesh.points.size()));
+  }
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    requireUsable(i, points[i]);
+  }
+  state_->mesh.points = std::move(points);
+  state_->topology.signedVolume = signedVolume(state_->mesh);
+}
+
+RunStatistics MedialSolver::computeField(const Grid& grid, const Extent& extent, FieldSink& sink,
+  const DistanceFieldOptions& options)
+{
+  return withMemoryErrors(extent.pointCount(),
+    [&]
+    {
+      FieldPipeline pipeline(state_->mesh, state_->topology, grid, extent, options);
+      pipeline.useMemory(state_->memory);
+      pipeline.run(sink, nullptr);
+      pipeline.execution().report(1.0, "distance field");
+      return pipeline.statistics();
+    });
+}
+
+RunStatistics MedialSolver::computeField(const Grid& grid, const Extent& extent,
+  const FieldArrays& arrays, const DistanceFieldOptions& options)
+{
+  ArraySink sink(extent, arrays);
+  return this->computeField(grid, extent, sink, options);
+}
+
+MedialAxis MedialSolver::computeAxis(const Grid& grid, const MedialAxisOptions& options,
+  const FieldArrays& arrays)
+{
+  return computeMedialAxis(state_->mesh, state_->topology, grid, options, arrays, &state_->memory);
+}
+
+} // namespace medial

@@ -1,0 +1,262 @@
+#include "query/surface_tree.h"
+
+#include "base/simd.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace medial
+{
+namespace
+{
+
+/// What single precision may err by, as a share of the coordinates.
+constexpr float kSinglePrecision = 1e-6f;
+/// Halving any number of sites that an int can count is not deeper.
+constexpr std::size_t kMaxDepth = 64;
+
+/// Of a box. Spelt out, since this is where much of the time goes.
+MEDIAL_INLINE double squaredDistance(const glm::dvec3& x, const glm::dvec3& low,
+  const glm::dvec3& high)
+{
+  const double dx = std::max(std::max(low.x - x.x, x.x - high.x), 0.0);
+  const double dy = std::max(std::max(low.y - x.y, x.y - high.y), 0.0);
+  const double dz = std::max(std::max(low.z - x.z, x.z - high.z), 0.0);
+  return dx * dx + dy * dy + dz * dz;
+}
+
+/// Corners of a site, repeated where it has fewer than three.
+std::array<glm::dvec3, 3> cornersOf(const SiteSet& sites, int site)
+{
+  const std::vector<glm::dvec3>& points = sites.points();
+  switch (sites.kind(site))
+  {
+    case SiteKind::Face:
+    {
+      const glm::ivec3& face = sites.faces()[site];
+      return { points[face[0]], points[face[1]], points[face[2]] };
+    }
+    case SiteKind::Edge:
+    {
+      const glm::ivec2& edge = sites.edges()[site - sites.firstEdge()];
+      return { points[edge[0]], points[edge[1]], points[edge[1]] };
+    }
+    case SiteKind::Vertex:
+      break;
+  }
+  const glm::dvec3& point = points[site - sites.firstVertex()];
+  return { point, point, point };
+}
+
+} // namespace
+
+/// A query under way.
+struct SurfaceTree::Search
+{
+  glm::dvec3 x;
+  glm::vec3 rounded;
+  float slack;
+  double squared; ///< distance of the best so far
+  SitePoint best;
+};
+
+SurfaceTree::SurfaceTree(const SiteSet& sites, const MeshConnectivity& topology)
+  : sites_(sites)
+{
+  std::vector<int> all = this->collectSites(topology);
+  if (!all.empty())
+  {
+    this->build(all.data(), all.data() + all.size());
+    const glm::dvec3 corner = glm::max(glm::abs(nodes_[0].low), glm::abs(nodes_[0].high));
+    extent_ = static_cast<float>(std::max({ corner.x, corner.y, corner.z }));
+  }
+}
+
+std::vector<int> SurfaceTree::collectSites(const MeshConnectivity& topology) const
+{
+  std::vector<int> all;
+  for (int face = 0; face < sites_.faceCount(); ++face)
+  {
+    if (sites_.active(face))
+    {
+      all.push_back(face);
+    }
+  }
+  // The edges of triangles that are too thin to count, and those of no triangle.
+  for (int edge = 0; edge < sites_.edgeCount(); ++edge)
+  {
+    const int site = sites_.firstEdge() + edge;
+    const bool covered = std::any_of(topology.edgeTriangles.begin(edge),
+      topology.edgeTriangles.end(edge), [&](int face) { return sites_.active(face); });
+    if (!covered && sites_.active(site))
+    {
+      all.push_back(site);
+    }
+  }
+  for (int vertex = 0; vertex < sites_.vertexCount(); ++vertex)
+  {
+    if (topology.pointEdges.size(vertex) == 0)
+    {
+      all.push_back(sites_.firstVertex() + vertex);
+    }
+  }
+  return all;
+}
+
+int SurfaceTree::build(int* begin, int* end)
+{
+  const auto index = static_cast<int>(nodes_.size());
+  glm::dvec3 low(std::numeric_limits<double>::max());
+  glm::dvec3 high(std::numeric_limits<double>::lowest());
+  for (const int* site = begin; site != end; ++site)
+  {
+    for (const glm::dvec3& corner : cornersOf(sites_, *site))
+    {
+      low = glm::min(low, corner);
+      high = glm::max(high, corner);
+    }
+  }
+  nodes_.push_back({ low, high });
+  if (end - begin <= Leaf::kSize)
+  {
+    nodes_[index].leaf = this->addLeaf(begin, end);
+    return index;
+  }
+  const glm::dvec3 size = high - low;
+  const int axis = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
+  // Leaves are full but for the last.
+  const std::ptrdiff_t leaves = (end - begin + Leaf::kSize - 1) / Leaf::kSize;
+  int* middle = begin + leaves / 2 * Leaf::kSize;
+  std::nth_element(begin, middle, end,
+    [&](int a, int b)
+    {
+      const float atA = sites_.sphere(a)[axis];
+      const float atB = sites_.sphere(b)[axis];
+      return atA != atB ? atA < atB : a < b;
+    });
+  this->build(begin, middle);
+  const int second = this->build(middle, end);
+  nodes_[index].second = second;
+  return index;
+}
+
+int SurfaceTree::addLeaf(const int* begin, const int* end)
+{
+  Leaf leaf{};
+  leaf.count = static_cast<int>(end - begin);
+  for (int lane = 0; lane < leaf.count; ++lane)
+  {
+    const int site = begin[lane];
+    const bool isFace = sites_.kind(site) == SiteKind::Face;
+    const glm::dvec3 normal = isFace ? sites_.faceNormal(site) : glm::dvec3(0.0);
+    const glm::vec4& sphere = sites_.sphere(site);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      leaf.normal[axis][lane] = static_cast<float>(normal[axis]);
+      leaf.centre[axis][lane] = sphere[axis];
+    }
+    leaf.offset[lane] = static_cast<float>(glm::dot(normal, cornersOf(sites_, site)[0]));
+    leaf.radius[lane] = sphere.w;
+    leaf.sites[lane] = site;
+  }
+  leaves_.push_back(leaf);
+  return static_cast<int>(leaves_.size()) - 1;
+}
+
+/// The lanes of a leaf that may be nearer to x than the limit, as bits: a site lies in the disc
+/// that its sphere cuts out of its plane. At height h above the plane the disc, of radius r and
+/// with its centre at distance d, is reached where
+///   d^2 - h^2 < (r + s)^2 = r^2 + 2 r s + s^2, with s^2 = limit^2 - h^2.
+MEDIAL_VECTORISED unsigned SurfaceTree::lanesWithin(const Leaf& leaf, const glm::vec3& x,
+  float limit, float slack) const
+{
+  Float8 height = -loaded(leaf.offset.data());
+  Float8 square{};
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    height += loaded(leaf.normal[axis].data()) * x[axis];
+    const Float8 offset = loaded(leaf.centre[axis].data()) - x[axis];
+    square += offset * offset;
+  }
+  const Float8 radius = loaded(leaf.radius.data()) + slack;
+  const Float8 inPlane = splat(limit * limit) - height * height;
+  const Float8 beyond = square - radius * radius - splat(limit * limit);
+  const Int8 reached = (beyond <= Float8{}) | (beyond * beyond < 4.0f * radius * radius * inPlane);
+  return bits((inPlane > Float8{}) & reached) & ((1u << leaf.count) - 1u);
+}
+
+void SurfaceTree::tryLeaf(const Leaf& leaf, Search& search) const
+{
+  const auto lanesLeft = [&]
+  {
+    const float limit = static_cast<float>(std::sqrt(search.squared)) + search.slack;
+    return this->lanesWithin(leaf, search.rounded, limit, search.slack);
+  };
+  unsigned lanes = lanesLeft();
+  for (int lane = 0; lanes >> lane != 0; ++lane)
+  {
+    if ((lanes >> lane & 1u) == 0)
+    {
+      continue;
+    }
+    const SitePoint candidate = closestPoint(sites_, leaf.sites[lane], search.x);
+    const glm::dvec3 offset = candidate.point - search.x;
+    const double squared = glm::dot(offset, offset);
+    if (squared < search.squared)
+    {
+      search.squared = squared;
+      search.best = candidate;
+      lanes &= lanesLeft();
+    }
+  }
+}
+
+SitePoint SurfaceTree::closest(const glm::dvec3& x, double limit) const
+{
+  struct Entry
+  {
+    int node;
+    double squared;
+  };
+  const double size = std::max({ std::abs(x.x), std::abs(x.y), std::abs(x.z) });
+  Search search{ x, glm::vec3(x), kSinglePrecision * (static_cast<float>(size) + extent_),
+    limit * limit, {} };
+  std::array<Entry, kMaxDepth> stack;
+  std::size_t depth = 0;
+  const auto push = [&](int node, double squared)
+  {
+    if (squared < search.squared)
+    {
+      stack[depth++] = { node, squared };
+    }
+  };
+  const auto distanceTo = [&](int node)
+  { return squaredDistance(x, nodes_[node].low, nodes_[node].high); };
+  if (!nodes_.empty())
+  {
+    push(0, distanceTo(0));
+  }
+  while (depth > 0)
+  {
+    const Entry entry = stack[--depth];
+    if (entry.squared >= search.squared)
+    {
+      continue;
+    }
+    const Node& node = nodes_[entry.node];
+    if (node.leaf >= 0)
+    {
+      this->tryLeaf(leaves_[node.leaf], search);
+      continue;
+    }
+    const int left = entry.node + 1;
+    const double toLeft = distanceTo(left);
+    const double toRight = distanceTo(node.second);
+    // The nearer child is on top.
+    push(toLeft < toRight ? node.second : left, std::max(toLeft, toRight));
+    push(toLeft < toRight ? left : node.second, std::min(toLeft, toRight));
+  }
+  return search.best;
+}
+
+} // namespace medial

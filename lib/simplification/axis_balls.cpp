@@ -1,0 +1,150 @@
+#include "simplification/axis_balls.h"
+
+#include "medial/error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace medial
+{
+namespace
+{
+
+void checkSize(const char* name, std::size_t size, std::size_t points)
+{
+  if (size != points)
+  {
+    throw Error(ErrorCode::InvalidInput,
+      "medial axis with " + std::to_string(size) + " values of " + name + " for " +
+        std::to_string(points) + " points");
+  }
+}
+
+void checkSizeIfAny(const char* name, std::size_t size, std::size_t points)
+{
+  checkSize(name, size == 0 ? points : size, points);
+}
+
+void checkArrays(const MedialAxis& axis)
+{
+  const std::size_t count = axis.points.size();
+  checkSize("radius", axis.radius.size(), count);
+  checkSizeIfAny("separation angle", axis.separationAngle.size(), count);
+  checkSizeIfAny("lambda", axis.lambda.size(), count);
+  checkSizeIfAny("closest point A", axis.closestPointA.size(), count);
+  checkSizeIfAny("closest point B", axis.closestPointB.size(), count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const Point3& p = axis.points[i];
+    const double r = static_cast<double>(axis.radius[i]);
+    if (!(std::isfinite(p[0] + p[1] + p[2]) && std::isfinite(r) && r >= 0.0))
+    {
+      throw Error(ErrorCode::InvalidInput,
+        "medial axis: point " + std::to_string(i) + " (" + std::to_string(p[0]) + ", " +
+          std::to_string(p[1]) + ", " + std::to_string(p[2]) + ") has the radius " +
+          std::to_string(r) + "; allowed: finite coordinates, radius >= 0");
+    }
+  }
+}
+
+int checkedId(std::int64_t id, std::size_t count)
+{
+  if (id < 0 || id >= static_cast<std::int64_t>(count))
+  {
+    throw Error(ErrorCode::InvalidInput,
+      "medial axis: a cell has the point " + std::to_string(id) + ", outside [0, " +
+        std::to_string(count) + ")");
+  }
+  return static_cast<int>(id);
+}
+
+} // namespace
+
+glm::dvec3 AxisBalls::toLocal(const Point3& world) const
+{
+  return glm::dvec3(world[0] - origin[0], world[1] - origin[1], world[2] - origin[2]) / unit;
+}
+
+glm::dvec3 AxisBalls::toLocal(const std::array<float, 3>& world) const
+{
+  return this->toLocal(Point3{ static_cast<double>(world[0]), static_cast<double>(world[1]),
+    static_cast<double>(world[2]) });
+}
+
+Point3 AxisBalls::toWorld(const glm::dvec3& local) const
+{
+  return { origin[0] + unit * local.x, origin[1] + unit * local.y, origin[2] + unit * local.z };
+}
+
+AxisBalls ballsOf(const MedialAxis& axis)
+{
+  checkArrays(axis);
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  Point3 low{ kFar, kFar, kFar };
+  Point3 high{ -kFar, -kFar, -kFar };
+  double largest = 0.0;
+  for (std::size_t i = 0; i < axis.points.size(); ++i)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      low[k] = std::min(low[k], axis.points[i][k]);
+      high[k] = std::max(high[k], axis.points[i][k]);
+    }
+    largest = std::max(largest, static_cast<double>(axis.radius[i]));
+  }
+  AxisBalls result{ {}, 1.0, {} };
+  for (int k = 0; k < 3; ++k)
+  {
+    result.origin[k] = axis.points.empty() ? 0.0 : 0.5 * (low[k] + high[k]);
+  }
+  const double diagonal =
+    axis.points.empty() ? 0.0 : std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+  const double unit = std::max(diagonal, largest);
+  result.unit = unit > 0.0 ? unit : 1.0;
+  for (std::size_t i = 0; i < axis.points.size(); ++i)
+  {
+    result.balls.emplace_back(result.toLocal(axis.points[i]),
+      static_cast<double>(axis.radius[i]) / result.unit);
+  }
+  return result;
+}
+
+std::vector<std::array<glm::dvec3, 2>> contactsOf(const MedialAxis& axis, const AxisBalls& frame)
+{
+  std::vector<std::array<glm::dvec3, 2>> contacts;
+  const std::size_t count = axis.closestPointA.size();
+  for (std::size_t i = 0; i < count && axis.closestPointB.size() == count; ++i)
+  {
+    contacts.push_back(
+      { frame.toLocal(axis.closestPointA[i]), frame.toLocal(axis.closestPointB[i]) });
+  }
+  return contacts;
+}
+
+BallComplex complexOf(const MedialAxis& axis, const std::vector<Ball>& balls)
+{
+  const auto id = [&](std::int64_t corner) { return checkedId(corner, balls.size()); };
+  BallComplex complex(static_cast<int>(balls.size()));
+  for (const auto& quad : axis.quads)
+  {
+    const std::array<int, 4> q{ id(quad[0]), id(quad[1]), id(quad[2]), id(quad[3]) };
+    const int first =
+      glm::distance(balls[q[0]], balls[q[2]]) <= glm::distance(balls[q[1]], balls[q[3]]) ? 0 : 1;
+    complex.addTriangle(q[first], q[first + 1], q[first + 2]);
+    complex.addTriangle(q[first], q[first + 2], q[(first + 3) % 4]);
+  }
+  for (const auto& triangle : axis.triangles)
+  {
+    complex.addTriangle(id(triangle[0]), id(triangle[1]), id(triangle[2]));
+  }
+  for (const auto& line : axis.lines)
+  {
+    complex.addEdge(id(line[0]), id(line[1]));
+  }
+  std::for_each(axis.vertices.begin(), axis.vertices.end(), id);
+  return complex;
+}
+
+} // namespace medial

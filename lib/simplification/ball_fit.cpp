@@ -1,0 +1,266 @@
+#include "simplification/ball_fit.h"
+
+#include "simplification/model_distance.h"
+#include "simplification/triangle_shape.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace medial
+{
+namespace
+{
+
+constexpr int kSteps = 12;
+constexpr int kSolverSteps = 60;
+constexpr double kSolverTolerance = 1e-3;
+/// Damping beside the weight of a ball's points: keeps balls where the points leave them free.
+constexpr double kDamping = 0.1;
+/// Share of the quadrics of the balls themselves in what is minimised: without it balls grow beyond
+/// the surface where no point is next to them.
+constexpr double kOwn = 0.1;
+constexpr double kMinDamping = 1e-12;
+/// So many points a ball, and so many at least, say enough.
+constexpr std::size_t kPointsPerBall = 100;
+constexpr std::size_t kMinPoints = 20000;
+/// Mean distance (units of the axis) below which nothing is left to do.
+constexpr double kExact = 3e-5;
+/// A step that gains less than this share of the sum of squares is the last.
+constexpr double kGain = 0.01;
+
+double dot(const std::vector<Ball>& a, const std::vector<Ball>& b)
+{
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    sum += glm::dot(a[i], b[i]);
+  }
+  return sum;
+}
+
+/// Conjugate gradients from 0, with the diagonal as preconditioner.
+template <typename Apply>
+std::vector<Ball> solveConjugate(const Apply& apply, const std::vector<Ball>& diagonal,
+  std::vector<Ball> residual)
+{
+  std::vector<Ball> x(residual.size(), Ball(0.0));
+  std::vector<Ball> search;
+  double last = 1.0;
+  double first = 0.0;
+  for (int step = 0; step < kSolverSteps; ++step)
+  {
+    std::vector<Ball> scaled(residual);
+    for (std::size_t v = 0; v < scaled.size(); ++v)
+    {
+      scaled[v] /= diagonal[v];
+    }
+    const double now = dot(residual, scaled);
+    first = step == 0 ? now : first;
+    if (!(now > kSolverTolerance * kSolverTolerance * first))
+    {
+      break;
+    }
+    for (std::size_t v = 0; v < scaled.size() && step > 0; ++v)
+    {
+      scaled[v] += now / last * search[v];
+    }
+    search = std::move(scaled);
+    last = now;
+    const std::vector<Ball> product = apply(search);
+    const double length = now / dot(search, product);
+    for (std::size_t v = 0; v < x.size(); ++v)
+    {
+      x[v] += length * search[v];
+      residual[v] -= length * product[v];
+    }
+  }
+  return x;
+}
+
+class Fit
+{
+public:
+  Fit(const std::vector<TangentPlane>& planes, const std::vector<int>& representatives,
+    const BallComplex& complex, std::vector<Ball>& balls)
+    : complex_(complex)
+    , balls_(balls)
+    , quadrics_(balls.size())
+  {
+    const std::size_t enough = std::max(kMinPoints, kPointsPerBall * complex.vertices().size());
+    const int stride = static_cast<int>((planes.size() + enough - 1) / enough);
+    for (const TangentPlane& plane : planes)
+    {
+      const int owner = representatives[plane.vertex];
+      if (!complex.isVertex(owner))
+      {
+        continue; // left out
+      }
+      quadrics_[owner].addPlane(plane.point, plane.normal, plane.weight * kOwn);
+      if (plane.vertex % stride == 0)
+      {
+        planes_.push_back(plane);
+        planes_.back().weight *= stride;
+        owners_.push_back(owner);
+        weight_ += planes_.back().weight;
+      }
+    }
+  }
+
+  void run(const std::function<void(double)>& report)
+  {
+    double error = this->measure(balls_);
+    for (int step = 0; step < kSteps && error > kExact * kExact * weight_; ++step)
+    {
+      report(1.0 * step / kSteps);
+      const std::vector<Ball> before = balls_;
+      this->move(this->solve());
+      const double next = this->measure(balls_);
+      if (!(next < error))
+      {
+        balls_ = before;
+        return;
+      }
+      if (next > (1.0 - kGain) * error)
+      {
+        return;
+      }
+      error = next;
+    }
+  }
+
+private:
+  /// Finds the place of the model next to every point. @return the sum of squares.
+  double measure(const std::vector<Ball>& balls)
+  {
+    contacts_.resize(planes_.size());
+    const ModelDistance model(complex_, balls);
+    tbb::parallel_for(std::size_t{ 0 }, planes_.size(),
+      [&](std::size_t i)
+      {
+        contacts_[i] = model.nearest(planes_[i].point, owners_[i]);
+        owners_[i] = contacts_[i].mainVertex();
+      });
+    double sum = 0.0;
+    for (std::size_t i = 0; i < planes_.size(); ++i)
+    {
+      sum += planes_[i].weight * contacts_[i].distance * contacts_[i].distance;
+    }
+    for (const int v : complex_.vertices())
+    {
+      sum += quadrics_[v](balls[v]);
+    }
+    return sum;
+  }
+
+  /// How a distance changes with the balls: minus the share of each corner times (direction, 1).
+  template <typename Visit>
+  void forEachCorner(std::size_t i, const Visit& visit) const
+  {
+    const Contact& contact = contacts_[i];
+    for (int k = 0; k < 3; ++k)
+    {
+      if (contact.shares[k] > 0.0)
+      {
+        visit(contact.corners[k], contact.shares[k]);
+      }
+    }
+  }
+
+  /// Normal equations times a vector.
+  std::vector<Ball> apply(const std::vector<Ball>& x) const
+  {
+    std::vector<Ball> result(x.size(), Ball(0.0));
+    for (std::size_t i = 0; i < planes_.size(); ++i)
+    {
+      const Ball direction(contacts_[i].direction, 1.0);
+      double change = 0.0;
+      this->forEachCorner(i,
+        [&](int v, double share) { change += share * glm::dot(direction, x[v]); });
+      change *= planes_[i].weight;
+      this->forEachCorner(i, [&](int v, double share) { result[v] += share * change * direction; });
+    }
+    for (std::size_t v = 0; v < x.size(); ++v)
+    {
+      result[v] += damping_[v] * x[v] + quadrics_[v].times(x[v]);
+    }
+    return result;
+  }
+
+  /// The step: normal equations with damping.
+  std::vector<Ball> solve()
+  {
+    std::vector<Ball> right(balls_.size(), Ball(0.0));
+    std::vector<Ball> diagonal(balls_.size(), Ball(0.0));
+    damping_.assign(balls_.size(), 0.0);
+    for (std::size_t i = 0; i < planes_.size(); ++i)
+    {
+      const Ball direction(contacts_[i].direction, 1.0);
+      const double weight = planes_[i].weight;
+      this->forEachCorner(i,
+        [&](int v, double share)
+        {
+          right[v] += weight * share * contacts_[i].distance * direction;
+          diagonal[v] += weight * share * share * direction * direction;
+          damping_[v] += kDamping * weight * share * share;
+        });
+    }
+    for (std::size_t v = 0; v < balls_.size(); ++v)
+    {
+      damping_[v] = std::max(damping_[v], kMinDamping);
+      diagonal[v] += damping_[v] + quadrics_[v].diagonal();
+      right[v] += quadrics_[v].linear() - quadrics_[v].times(balls_[v]);
+    }
+    return solveConjugate([this](const std::vector<Ball>& x) { return this->apply(x); }, diagonal,
+      std::move(right));
+  }
+
+  /// Ball after ball, as far as triangles allow.
+  void move(const std::vector<Ball>& step)
+  {
+    for (const int v : complex_.vertices())
+    {
+      Ball moved = balls_[v] + step[v];
+      moved.w = std::max(moved.w, 0.0);
+      const auto& triangles = complex_.trianglesOf(v);
+      const bool allowed = std::all_of(triangles.begin(), triangles.end(),
+        [&](int t)
+        {
+          TrianglePoints before{};
+          TrianglePoints after{};
+          for (int k = 0; k < 3; ++k)
+          {
+            const int corner = complex_.triangle(t)[k];
+            before[k] = centreOf(balls_[corner]);
+            after[k] = corner == v ? centreOf(moved) : before[k];
+          }
+          return keepsShape(before, after);
+        });
+      if (allowed)
+      {
+        balls_[v] = moved;
+      }
+    }
+  }
+
+  std::vector<TangentPlane> planes_;
+  const BallComplex& complex_;
+  std::vector<Ball>& balls_;
+  std::vector<int> owners_; ///< a ball next to each point
+  std::vector<Contact> contacts_;
+  std::vector<BallQuadric> quadrics_; ///< of the balls by themselves
+  double weight_ = 0.0;
+  std::vector<double> damping_;
+};
+
+} // namespace
+
+void fitBalls(const std::vector<TangentPlane>& planes, const std::vector<int>& representatives,
+  const BallComplex& complex, std::vector<Ball>& balls, const std::function<void(double)>& step)
+{
+  Fit(planes, representatives, complex, balls).run(step);
+}
+
+} // namespace medial

@@ -1,0 +1,117 @@
+#include "simplification/component_links.h"
+
+#include "balls/ball_tree.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <tuple>
+
+namespace medial
+{
+namespace
+{
+
+struct Link
+{
+  double distance = std::numeric_limits<double>::infinity();
+  int from = -1;
+  int to = -1;
+};
+
+/// The shortest link out of one component.
+Link shortestLink(const std::vector<Ball>& balls, const BallTree& tree,
+  const std::vector<int>& members, int label)
+{
+  Link best;
+  for (const int from : members)
+  {
+    const auto neighbour = tree.nearestOverlapping(balls[from], label, best.distance);
+    if (neighbour &&
+      std::tie(neighbour->distance, from, neighbour->ball) <
+        std::tie(best.distance, best.from, best.to))
+    {
+      best = { neighbour->distance, from, neighbour->ball };
+    }
+  }
+  return best;
+}
+
+/// Label and members of all components but the largest, which the others link to.
+std::map<int, std::vector<int>> smallerComponents(const std::vector<int>& labels)
+{
+  std::map<int, std::vector<int>> members;
+  for (int v = 0; v < static_cast<int>(labels.size()); ++v)
+  {
+    members[labels[v]].push_back(v);
+  }
+  members.erase(std::max_element(members.begin(), members.end(),
+    [](const auto& a, const auto& b) { return a.second.size() < b.second.size(); }));
+  return members;
+}
+
+/// Components that links join, as a forest of labels (union-find).
+class Forest
+{
+public:
+  explicit Forest(const std::vector<int>& labels)
+    : parent_(labels)
+  {
+  }
+
+  /// Whether the two were apart.
+  bool join(int a, int b)
+  {
+    a = this->root(a);
+    b = this->root(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+    return a != b;
+  }
+
+private:
+  int root(int vertex)
+  {
+    while (parent_[vertex] != vertex)
+    {
+      parent_[vertex] = parent_[parent_[vertex]];
+      vertex = parent_[vertex];
+    }
+    return vertex;
+  }
+
+  std::vector<int> parent_;
+};
+
+} // namespace
+
+int linkComponents(const std::vector<Ball>& balls, BallComplex& complex)
+{
+  int added = 0;
+  BallTree tree(balls);
+  std::vector<int> labels = componentsOf(complex);
+  for (bool more = !balls.empty(); more;)
+  {
+    tree.setGroups(labels);
+    std::vector<Link> links;
+    for (const auto& [label, members] : smallerComponents(labels))
+    {
+      links.push_back(shortestLink(balls, tree, members, label));
+    }
+    more = false;
+    Forest forest(labels);
+    for (const Link& link : links)
+    {
+      // Earlier links of this round may have joined the two already.
+      if (link.from >= 0 && forest.join(link.from, link.to))
+      {
+        complex.addEdge(link.from, link.to);
+        ++added;
+        more = true;
+      }
+    }
+    labels = componentsOf(complex);
+  }
+  return added;
+}
+
+} // namespace medial

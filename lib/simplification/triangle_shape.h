@@ -1,0 +1,45 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <array>
+
+namespace medial
+{
+
+using TrianglePoints = std::array<glm::dvec3, 3>;
+
+/// Twice the area, along the normal.
+inline glm::dvec3 areaVector(const TrianglePoints& p)
+{
+  return glm::cross(p[1] - p[0], p[2] - p[0]);
+}
+
+/// Twice the area beside the square of the longest side.
+inline double heightRatio(const TrianglePoints& p)
+{
+  const auto squared = [](const glm::dvec3& d) { return glm::dot(d, d); };
+  const double side2 =
+    std::max({ squared(p[1] - p[0]), squared(p[2] - p[1]), squared(p[0] - p[2]) });
+  return side2 > 0.0 ? glm::length(areaVector(p)) / side2 : 0.0;
+}
+
+/// Whether a triangle that moves has area afterwards.
+inline bool keepsArea(const TrianglePoints& after)
+{
+  return heightRatio(after) > 1e-5;
+}
+
+/// Whether it does not turn over either, nor become much more slender than it was.
+inline bool keepsShape(const TrianglePoints& before, const TrianglePoints& after)
+{
+  constexpr double kMinCosine = 0.2;
+  constexpr double kSlender = 2e-3;
+  const glm::dvec3 from = areaVector(before);
+  const glm::dvec3 to = areaVector(after);
+  return keepsArea(after) && heightRatio(after) > std::min(kSlender, heightRatio(before)) &&
+    glm::dot(from, to) >= kMinCosine * glm::length(from) * glm::length(to);
+}
+
+} // namespace medial

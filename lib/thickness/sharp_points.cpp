@@ -1,0 +1,144 @@
+#include "thickness/sharp_points.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace medial
+{
+namespace
+{
+
+/// Sine up to which a direction counts as that of a side.
+constexpr double kOnSide = 1e-6;
+
+double angleBetween(const glm::dvec3& a, const glm::dvec3& b)
+{
+  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+}
+
+/// The side of a face, counted like its corners, that an edge is.
+int sideOf(const SiteSet& sites, int face, int edge)
+{
+  const glm::ivec3& sides = sites.faceEdges()[face];
+  return sides[0] == edge ? 0 : (sides[1] == edge ? 1 : 2);
+}
+
+/// Whether an edge with two faces is convex, seen from behind the faces (sign 1) or from their
+/// front, and their normals are at least `angle` (radians) apart. The second face is turned as the
+/// first one where they are not oriented alike.
+bool isSharpEdge(const SiteSet& sites, int edge, int first, int second, double sign, double angle)
+{
+  const int sideOfFirst = sideOf(sites, first, edge);
+  const int sideOfSecond = sideOf(sites, second, edge);
+  const glm::ivec3& corners = sites.faces()[second];
+  const bool alike = sites.faces()[first][sideOfFirst] != corners[sideOfSecond];
+  const glm::dvec3& normal = sites.faceNormal(first);
+  const glm::dvec3 other = alike ? sites.faceNormal(second) : -sites.faceNormal(second);
+  if (normal == glm::dvec3(0.0) || other == glm::dvec3(0.0))
+  {
+    return false;
+  }
+  const glm::dvec3 across =
+    sites.points()[corners[(sideOfSecond + 2) % 3]] - sites.points()[corners[sideOfSecond]];
+  return sign * glm::dot(across, normal) < 0.0 && angleBetween(normal, other) >= angle;
+}
+
+void markSharpEdges(const SiteSet& sites, const MeshConnectivity& topology, double sign,
+  double angle, std::vector<char>& sharp)
+{
+  for (int edge = 0; edge < sites.edgeCount(); ++edge)
+  {
+    const int* faces = topology.edgeTriangles.begin(edge);
+    if (topology.edgeTriangles.size(edge) == 2 &&
+      isSharpEdge(sites, edge, faces[0], faces[1], sign, angle))
+    {
+      sharp[sites.edges()[edge][0]] = 1;
+      sharp[sites.edges()[edge][1]] = 1;
+    }
+  }
+}
+
+/// Where the ray from a corner of a face along `inward` is over the face: whether its projection
+/// lies between the two sides.
+bool isOver(const SiteSet& sites, int face, int corner, const glm::dvec3& inward)
+{
+  const glm::ivec3& corners = sites.faces()[face];
+  const glm::dvec3& tip = sites.points()[corners[corner]];
+  const glm::dvec3 u = sites.points()[corners[(corner + 1) % 3]] - tip;
+  const glm::dvec3 v = sites.points()[corners[(corner + 2) % 3]] - tip;
+  const glm::dvec3& normal = sites.faceNormal(face);
+  return glm::dot(glm::cross(u, inward), normal) >= -kOnSide * glm::length(u) &&
+    glm::dot(glm::cross(inward, v), normal) >= -kOnSide * glm::length(v);
+}
+
+/// The directions, per point, to the faces that the point's ray is over.
+class FacesBelow
+{
+public:
+  FacesBelow(const SiteSet& sites, const std::vector<glm::dvec3>& inward)
+    : steepest_(inward.size(), glm::dvec3(0.0))
+    , minCosine_(inward.size(), 2.0)
+    , widest_(inward.size(), 0.0)
+  {
+    this->visit(sites, inward,
+      [this](int point, const glm::dvec3& towards, double cosine)
+      {
+        if (cosine < minCosine_[point])
+        {
+          minCosine_[point] = cosine;
+          steepest_[point] = towards;
+        }
+      });
+    this->visit(sites, inward,
+      [this](int point, const glm::dvec3& towards, double)
+      { widest_[point] = std::max(widest_[point], angleBetween(steepest_[point], towards)); });
+  }
+
+  /// Largest angle between the steepest face, which is the nearest to the ray, and another one.
+  double widest(int point) const { return widest_[point]; }
+
+private:
+  template <typename Visit>
+  static void visit(const SiteSet& sites, const std::vector<glm::dvec3>& inward, Visit visit)
+  {
+    for (int face = 0; face < sites.faceCount(); ++face)
+    {
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        const int point = sites.faces()[face][corner];
+        if (sites.faceNormal(face) == glm::dvec3(0.0) ||
+          !isOver(sites, face, corner, inward[point]))
+        {
+          continue;
+        }
+        const double along = glm::dot(sites.faceNormal(face), inward[point]);
+        visit(point, along > 0.0 ? -sites.faceNormal(face) : sites.faceNormal(face),
+          std::abs(along));
+      }
+    }
+  }
+
+  std::vector<glm::dvec3> steepest_;
+  std::vector<double> minCosine_;
+  std::vector<double> widest_;
+};
+
+} // namespace
+
+std::vector<char> sharpPoints(const SiteSet& sites, const MeshConnectivity& topology,
+  const std::vector<glm::dvec3>& inward, double sign, double angle)
+{
+  std::vector<char> sharp(inward.size(), 0);
+  markSharpEdges(sites, topology, sign, glm::radians(angle), sharp);
+  const FacesBelow below(sites, inward);
+  for (std::size_t point = 0; point < sharp.size(); ++point)
+  {
+    if (below.widest(static_cast<int>(point)) >= glm::radians(angle))
+    {
+      sharp[point] = 1;
+    }
+  }
+  return sharp;
+}
+
+} // namespace medial

@@ -1,0 +1,256 @@
+#include "medial/thickness.h"
+
+#include "base/run.h"
+#include "base/separation_angle.h"
+#include "base/stopwatch.h"
+#include "medial/error.h"
+#include "query/surface_tree.h"
+#include "sites/pseudonormals.h"
+#include "sites/site_set.h"
+#include "thickness/sharp_points.h"
+#include "thickness/touching_ball.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <new>
+#include <optional>
+#include <string>
+
+namespace medial
+{
+namespace
+{
+
+constexpr const char* kPhase = "thickness";
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+/// Where a ray is looked at first: this share of the shortest edge that meets at its start.
+constexpr double kFirstShare = 0.05;
+/// Where a ray is looked at next, in terms of the thickness of the point before.
+constexpr double kGuess = 1.0;
+/// Points in a row that one thread evaluates: always the same, so that the result is.
+constexpr std::size_t kRow = 64;
+/// Such rows between two reports of progress, at least, and reports at most.
+constexpr std::size_t kMinRows = 8;
+constexpr std::size_t kMaxReports = 100;
+
+void checkOptions(const TriangleMesh& mesh, const ThicknessOptions& options)
+{
+  if (mesh.empty())
+  {
+    throw Error(ErrorCode::InvalidInput, "the mesh has no cells");
+  }
+  checkSeparationAngle(options.angle);
+}
+
+/// Rays are followed in units of a very fine grid around the mesh; no such grid is ever made.
+GridFrame frameOf(const TriangleMesh& mesh)
+{
+  return GridFrame(makeGrid(mesh.bounds(), kMaxDimension, 0.0));
+}
+
+bool facesInwards(const MeshConnectivity& topology)
+{
+  return topology.closed() && topology.oriented() && topology.signedVolume < 0.0;
+}
+
+/// Thickness of all points on one side.
+class SideThickness
+{
+public:
+  SideThickness(const TriangleMesh& mesh, const MeshConnectivity& topology, double angle)
+    : topology_(topology)
+    , angle_(angle)
+    , frame_(frameOf(mesh))
+    , sites_(mesh, topology, frame_)
+    , tree_(sites_, topology)
+    , ball_(tree_, angle, mesh.bounds().diagonal() / frame_.unit)
+  {
+    const std::vector<glm::vec4> outward = pseudonormals(sites_, false);
+    const double sign = facesInwards(topology) ? 1.0 : -1.0;
+    for (int vertex = 0; vertex < sites_.vertexCount(); ++vertex)
+    {
+      const glm::dvec3 normal(outward[sites_.firstVertex() + vertex]);
+      const double length = glm::length(normal);
+      inward_.push_back(length > 0.0 ? sign / length * normal : glm::dvec3(0.0));
+    }
+  }
+
+  /// Makes the rays go to one side.
+  void face(Side side)
+  {
+    if ((side == Side::Exterior) != exterior_)
+    {
+      exterior_ = !exterior_;
+      for (glm::dvec3& direction : inward_)
+      {
+        direction = -direction;
+      }
+    }
+    const double sign = facesInwards(topology_) != exterior_ ? -1.0 : 1.0;
+    sharp_ = sharpPoints(sites_, topology_, inward_, sign, angle_);
+  }
+
+  /// The values from point `first` up to `end`, world units; NaN where there is no ball. What is
+  /// found at a point is the guess for the next: their balls are often alike.
+  void evaluate(std::size_t first, std::size_t end, std::vector<float>& values) const
+  {
+    double guess = ball_.reach();
+    for (std::size_t point = first; point < end; ++point)
+    {
+      const double value = this->at(static_cast<int>(point), guess);
+      values[point] = static_cast<float>(std::fmin(values[point], value));
+      guess = value > 0.0 ? kGuess * value / frame_.unit : guess;
+    }
+  }
+
+private:
+  double at(int vertex, double guess) const
+  {
+    if (inward_[vertex] == glm::dvec3(0.0))
+    {
+      return kNone;
+    }
+    if (sharp_[vertex])
+    {
+      return 0.0;
+    }
+    const std::optional<double> radius =
+      ball_.radius({ sites_.points()[vertex], inward_[vertex] }, kFirstShare * shortestEdge(vertex),
+        guess, [&](int site) { return this->touches(site, vertex); });
+    return radius ? 2.0 * *radius * frame_.unit : kNone;
+  }
+
+  double shortestEdge(int vertex) const
+  {
+    double shortest = std::numeric_limits<double>::max();
+    const int* end = topology_.pointEdges.end(vertex);
+    for (const int* edge = topology_.pointEdges.begin(vertex); edge != end; ++edge)
+    {
+      const glm::ivec2& ends = sites_.edges()[*edge];
+      shortest =
+        std::min(shortest, glm::distance(sites_.points()[ends[0]], sites_.points()[ends[1]]));
+    }
+    return shortest;
+  }
+
+  bool touches(int site, int vertex) const
+  {
+    switch (sites_.kind(site))
+    {
+      case SiteKind::Face:
+      {
+        const glm::ivec3& corners = sites_.faces()[site];
+        return corners[0] == vertex || corners[1] == vertex || corners[2] == vertex;
+      }
+      case SiteKind::Edge:
+      {
+        const glm::ivec2& ends = sites_.edges()[site - sites_.firstEdge()];
+        return ends[0] == vertex || ends[1] == vertex;
+      }
+      case SiteKind::Vertex:
+        break;
+    }
+    return site - sites_.firstVertex() == vertex;
+  }
+
+  const MeshConnectivity& topology_;
+  double angle_;
+  GridFrame frame_;
+  SiteSet sites_;
+  SurfaceTree tree_;
+  TouchingBall ball_;
+  std::vector<glm::dvec3> inward_; ///< unit or zero
+  std::vector<char> sharp_;
+  bool exterior_ = false;
+};
+
+/// Measures all points on one side.
+void measureSide(const SideThickness& thickness, const Run& run, std::vector<float>& values)
+{
+  const std::size_t count = values.size();
+  const std::size_t rows = std::max(kMinRows, count / kRow / kMaxReports + 1);
+  for (std::size_t first = 0; first < count; first += rows * kRow)
+  {
+    run.report(static_cast<double>(first) / static_cast<double>(count), kPhase);
+    run.onThreads(
+      [&]
+      {
+        tbb::parallel_for(std::size_t{ 0 }, rows,
+          [&](std::size_t row)
+          {
+            const std::size_t start = first + row * kRow;
+            thickness.evaluate(start, std::min(start + kRow, count), values);
+          });
+      });
+  }
+}
+
+void compute(const TriangleMesh& mesh, const MeshConnectivity& topology,
+  const ThicknessOptions& options, const Run& run, std::vector<float>& values)
+{
+  std::optional<SideThickness> thickness;
+  run.onThreads([&] { thickness.emplace(mesh, topology, options.angle); });
+  const bool both = options.side == Side::Both;
+  if (options.side != Side::Exterior)
+  {
+    thickness->face(Side::Interior);
+    measureSide(*thickness, run.part(0.0, both ? 0.5 : 1.0), values);
+  }
+  if (options.side != Side::Interior)
+  {
+    thickness->face(Side::Exterior);
+    measureSide(*thickness, run.part(both ? 0.5 : 0.0, 1.0), values);
+  }
+}
+
+void summarise(Thickness& thickness)
+{
+  std::vector<float> present;
+  std::copy_if(thickness.values.begin(), thickness.values.end(), std::back_inserter(present),
+    [](float value) { return !std::isnan(value); });
+  thickness.without = static_cast<std::int64_t>(thickness.values.size() - present.size());
+  thickness.min = thickness.median = thickness.max = kNone;
+  if (!present.empty())
+  {
+    std::sort(present.begin(), present.end());
+    thickness.min = static_cast<double>(present.front());
+    thickness.median = static_cast<double>(present[present.size() / 2]);
+    thickness.max = static_cast<double>(present.back());
+  }
+}
+
+} // namespace
+
+Thickness computeThickness(const TriangleMesh& mesh, const MeshConnectivity& topology,
+  const ThicknessOptions& options)
+{
+  checkOptions(mesh, options);
+  const Run run(options.execution);
+  Thickness thickness;
+  try
+  {
+    const Stopwatch watch(thickness.seconds);
+    run.report(0.0, kPhase);
+    thickness.values.assign(mesh.points.size(), static_cast<float>(kNone));
+    compute(mesh, topology, options, run, thickness.values);
+    summarise(thickness);
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw Error(ErrorCode::OutOfMemory,
+      "out of memory for the thickness of " + std::to_string(mesh.points.size()) + " points");
+  }
+  run.report(1.0, kPhase);
+  return thickness;
+}
+
+Thickness computeThickness(const TriangleMesh& mesh, const ThicknessOptions& options)
+{
+  return computeThickness(mesh, analyseConnectivity(mesh), options);
+}
+
+} // namespace medial

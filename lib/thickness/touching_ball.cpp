@@ -1,0 +1,238 @@
+#include "thickness/touching_ball.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace medial
+{
+namespace
+{
+
+/// Distances that differ by this share are the same.
+constexpr double kSameDistance = 1e-9;
+/// Positions that differ by this share are the same.
+constexpr double kSamePosition = 1e-10;
+/// Share of the diagonal at which the search for very small balls ends.
+constexpr double kMinStart = 1e-9;
+/// From this ratio of their ends on, intervals are halved by ratio and not where tangents meet.
+constexpr double kLongInterval = 16.0;
+/// Parts of an interval that bounds are evaluated for.
+constexpr int kBoundParts = 16;
+/// Degrees above the separation angle from which on a wide place between narrow ones is certain to
+/// be found.
+constexpr double kMargin = 0.02;
+/// Intervals of one ray that are looked into at most, a handful being usual; and those after which
+/// narrow ends have to do without proof for what is in between.
+constexpr int kMaxIntervals = 6000;
+constexpr int kMaxProofs = 5000;
+
+double distanceAt(const glm::dvec3& direction, double t, const glm::dvec3& point)
+{
+  return glm::length(point - t * direction);
+}
+
+} // namespace
+
+TouchingBall::TouchingBall(const SurfaceTree& tree, double angle, double diagonal)
+  : tree_(tree)
+  , cosine_(std::cos(glm::radians(angle)))
+  , certain_(std::cos(glm::radians(std::min(angle + kMargin, 180.0))))
+  // Where a point at distance c <= diagonal from the start is seen at `angle` from x(t) and is
+  // nearer than the start, t <= c / sin(angle).
+  , reach_(1.01 * diagonal / std::sin(glm::radians(std::min(angle, 90.0))))
+  , diagonal_(diagonal)
+{
+}
+
+double TouchingBall::minStart() const
+{
+  return kMinStart * diagonal_;
+}
+
+bool TouchingBall::isWide(double t, const Sample& sample, double distance) const
+{
+  return t - sample.height <= cosine_ * distance;
+}
+
+bool TouchingBall::isCertainlyWide(double t, double height, double distance) const
+{
+  return t - height <= certain_ * distance;
+}
+
+TouchingBall::Sample TouchingBall::sampleOf(const Ray& ray, double t, const SitePoint& found) const
+{
+  Sample sample;
+  sample.t = t;
+  sample.site = found.site;
+  sample.point = found.point - ray.start;
+  sample.height = glm::dot(sample.point, ray.direction);
+  sample.square = glm::dot(sample.point, sample.point);
+  sample.distance = distanceAt(ray.direction, t, sample.point);
+  sample.wide = this->isWide(t, sample, sample.distance);
+  return sample;
+}
+
+bool TouchingBall::isStart(const Sample& sample) const
+{
+  return sample.distance >= (1.0 - kSameDistance) * sample.t;
+}
+
+TouchingBall::Sample TouchingBall::look(const Ray& ray, double t) const
+{
+  // The start itself is on the surface, to rounding.
+  const double limit = t * (1.0 + kSameDistance) + kSameDistance * this->minStart();
+  const SitePoint found = tree_.closest(ray.start + t * ray.direction, limit);
+  return this->sampleOf(ray, t, found.site >= 0 ? found : SitePoint{ -1, ray.start });
+}
+
+std::optional<TouchingBall::Sample> TouchingBall::lookNearer(const Ray& ray, double t,
+  double distance) const
+{
+  const SitePoint found =
+    tree_.closest(ray.start + t * ray.direction, distance * (1.0 - kSameDistance));
+  return found.site >= 0 ? std::optional(this->sampleOf(ray, t, found)) : std::nullopt;
+}
+
+/// Where the tangents at the ends of an interval meet.
+template <typename Interval>
+static double meeting(const Interval& interval)
+{
+  const auto& [low, high] = interval;
+  const double t = 0.5 * (high.square - low.square) / (high.height - low.height);
+  // Parallel but for rounding: the tangents are one, and any position serves.
+  return t >= low.t && t <= high.t ? t : 0.5 * (low.t + high.t);
+}
+
+/// A lower bound of the distance between two positions of an interval, since a concave function is
+/// not below its chord.
+template <typename Interval>
+static double chordDistance(const Interval& interval, double begin, double end)
+{
+  const auto& [low, high] = interval;
+  const double atLow = low.square - 2.0 * low.t * low.height;
+  const double atHigh = high.square - 2.0 * high.t * high.height;
+  const double slope = (atHigh - atLow) / (high.t - low.t);
+  const double min = std::clamp(-0.5 * slope, begin, end);
+  const double square = atLow + slope * (min - low.t) + min * min;
+  return std::sqrt(std::max(square, 0.0));
+}
+
+/// For an interval with narrow ends: whether nothing in between can be wide. Wide is what has
+///   t <= height + cosine * distance.
+/// Beyond where the tangents meet, the upper end's point bounds both, and t grows faster than the
+/// cosine of its distance. Before, at t, so does the lower end's point bound the distance; the
+/// height, which is minus half the slope of a concave function, is bounded by the slope from the
+/// lower tangent at t to the upper end, and grows.
+bool TouchingBall::staysNarrow(const Ray& ray, const Interval& interval) const
+{
+  const auto& [low, high] = interval;
+  const double middle = meeting(interval);
+  if (this->isCertainlyWide(middle, high.height, distanceAt(ray.direction, middle, high.point)))
+  {
+    return false;
+  }
+  const double atHigh = high.square - 2.0 * high.t * high.height;
+  const double growth = std::pow(middle / low.t, 1.0 / kBoundParts);
+  double begin = low.t;
+  for (int part = 0; part < kBoundParts; ++part)
+  {
+    const double end = part + 1 < kBoundParts ? begin * growth : middle;
+    const double tangent = low.square - 2.0 * end * low.height;
+    const double height =
+      high.t > end ? std::min(high.height, 0.5 * (tangent - atHigh) / (high.t - end)) : high.height;
+    // Above 90 degrees the cosine is negative, and the bound must be one from below.
+    const double distance = certain_ > 0.0 ? distanceAt(ray.direction, begin, low.point)
+                                           : chordDistance(interval, begin, end);
+    if (this->isCertainlyWide(begin, height, distance))
+    {
+      return false;
+    }
+    begin = end;
+  }
+  return true;
+}
+
+/// Looks inside an interval. Returns the radius where that settles the search; else adds the parts
+/// of the interval that are left, the lowest last.
+std::optional<double> TouchingBall::split(const Ray& ray, const Interval& interval,
+  std::vector<Interval>& pending) const
+{
+  const auto& [low, high] = interval;
+  if (!high.wide && high.t > kLongInterval * low.t)
+  {
+    const Sample middle = this->look(ray, std::sqrt(low.t * high.t));
+    if (middle.wide)
+    {
+      pending.clear();
+    }
+    else
+    {
+      pending.push_back({ middle, high });
+    }
+    pending.push_back({ low, middle });
+    return std::nullopt;
+  }
+  const double t = meeting(interval);
+  const double distance =
+    std::min(distanceAt(ray.direction, t, low.point), distanceAt(ray.direction, t, high.point));
+  const std::optional<Sample> nearer = this->lookNearer(ray, t, distance);
+  if (!nearer)
+  {
+    // The two points are all that is closest in the interval.
+    const bool wide = high.wide || this->isWide(t, high, distance);
+    return wide ? std::optional(distance) : std::nullopt;
+  }
+  if (nearer->wide)
+  {
+    pending.clear();
+  }
+  else
+  {
+    pending.push_back({ *nearer, high });
+  }
+  pending.push_back({ low, *nearer });
+  return std::nullopt;
+}
+
+std::optional<double> TouchingBall::search(const Ray& ray, const Sample& low, double guess) const
+{
+  if (guess <= low.t || guess >= reach_)
+  {
+    return this->firstWide(ray, low, this->look(ray, reach_));
+  }
+  const Sample middle = this->look(ray, guess);
+  const std::optional<double> radius = this->firstWide(ray, low, middle);
+  return radius || middle.wide ? radius : this->firstWide(ray, middle, this->look(ray, reach_));
+}
+
+std::optional<double> TouchingBall::firstWide(const Ray& ray, const Sample& low,
+  const Sample& high) const
+{
+  std::vector<Interval> pending{ { low, high } };
+  for (int count = 0; count < kMaxIntervals && !pending.empty(); ++count)
+  {
+    const Interval interval = pending.back();
+    pending.pop_back();
+    const bool point = interval.high.t - interval.low.t <= kSamePosition * interval.high.t;
+    if (point && interval.high.wide)
+    {
+      return interval.high.distance;
+    }
+    const bool narrow =
+      !interval.high.wide && (point || count > kMaxProofs || this->staysNarrow(ray, interval));
+    if (narrow)
+    {
+      continue;
+    }
+    if (const std::optional<double> radius = this->split(ray, interval, pending))
+    {
+      return radius;
+    }
+  }
+  // Only where rounding hides the end: the nearest wide place that is known.
+  return pending.empty() || !pending.front().high.wide
+    ? std::nullopt
+    : std::optional(pending.front().high.distance);
+}
+
+} // namespace medial

@@ -1,0 +1,142 @@
+#include "thinning/axis_samples.h"
+
+#include "sites/closest_point.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <tuple>
+
+namespace medial
+{
+namespace
+{
+
+/// The bisector point of a grid edge; its middle where its ends have the same closest site.
+BisectorPoint pointOn(const SampleContext& context, const CubicalComplex& lattice, CubeCell face)
+{
+  const Crossing edge = dualEdge(lattice, face);
+  const std::size_t far = CubicalComplex::index(face);
+  const int siteA = context.closestSites[far - static_cast<std::size_t>(lattice.stride(edge.axis))];
+  const int siteB = context.closestSites[far];
+  SiteSegment segment = segmentOf(context.geometry.frame, edge);
+  if (siteA != siteB)
+  {
+    segment.fromSite = siteA;
+    segment.toSite = siteB;
+    return bisectorPoints(context.geometry, { segment }).front();
+  }
+  BisectorPoint middle;
+  middle.position = 0.5 * (segment.from + segment.to);
+  middle.a = closestPoint(context.geometry.sites, siteA, middle.position);
+  middle.b = middle.a;
+  return middle;
+}
+
+/// Centre of the ball that touches the surface at the closest point of x and in another place.
+BisectorPoint shrunkBall(const SampleContext& context, const CubicalComplex& lattice,
+  const glm::dvec3& x, const SitePoint& foot)
+{
+  constexpr double kMaxRadius = 2.0;
+  constexpr double kSame = 1e-6;
+  constexpr int kMaxRounds = 20;
+  const double distance = glm::distance(x, foot.point);
+  BisectorPoint ball{ x, foot, foot };
+  if (distance < kSame)
+  {
+    return ball;
+  }
+  // Queries are exact inside the grid only.
+  const glm::dvec3 low = context.geometry.frame.sample(glm::dvec3(0.0));
+  const glm::dvec3 high = context.geometry.frame.sample(glm::dvec3(lattice.size() - 1));
+  const glm::dvec3 inwards = (x - foot.point) / distance;
+  double radius = kMaxRadius;
+  for (int round = 0; round < kMaxRounds; ++round)
+  {
+    const glm::dvec3 centre = foot.point + radius * inwards;
+    const SitePoint nearest = context.geometry.query.closest(glm::clamp(centre, low, high));
+    const glm::dvec3 chord = nearest.point - foot.point;
+    const double height = glm::dot(chord, inwards);
+    if (glm::distance(nearest.point, centre) > radius - kSame || height < kSame)
+    {
+      break;
+    }
+    radius = 0.5 * glm::dot(chord, chord) / height;
+    ball = { foot.point + radius * inwards, foot, nearest };
+  }
+  return ball;
+}
+
+} // namespace
+
+CubeCell dualFace(const CubicalComplex& lattice, const Crossing& crossing)
+{
+  glm::ivec3 position = crossing.voxel;
+  ++position[crossing.axis];
+  return lattice.cell(position, kFaceKind + crossing.axis);
+}
+
+Crossing dualEdge(const CubicalComplex& lattice, CubeCell face)
+{
+  Crossing edge{ lattice.position(face), CubicalComplex::kind(face) - kFaceKind, -1, -1, false };
+  --edge.voxel[edge.axis];
+  return edge;
+}
+
+AxisSamples::AxisSamples(const CubicalComplex& lattice, const std::vector<Crossing>& crossings,
+  const BisectorPoints& bisectors)
+  : samples_(bisectors)
+{
+  for (std::size_t i = 0; i < crossings.size(); ++i)
+  {
+    byFace_.push_back({ dualFace(lattice, crossings[i]), static_cast<int>(i) });
+  }
+  this->sort();
+}
+
+void AxisSamples::sort()
+{
+  std::sort(byFace_.begin(), byFace_.end(),
+    [](const Entry& a, const Entry& b)
+    { return std::tie(a.face, a.sample) < std::tie(b.face, b.sample); });
+}
+
+void AxisSamples::add(const SampleContext& context, const CubicalComplex& lattice,
+  std::vector<CubeCell> faces)
+{
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  faces.erase(std::remove_if(faces.begin(), faces.end(),
+                [this](CubeCell face) { return this->find(face) != kNone; }),
+    faces.end());
+  const std::size_t first = samples_.points.size();
+  samples_.points.resize(first + faces.size());
+  samples_.moved.resize(first + faces.size(), 0);
+  tbb::parallel_for(std::size_t{ 0 }, faces.size(),
+    [&](std::size_t i) { samples_.points[first + i] = pointOn(context, lattice, faces[i]); });
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    byFace_.push_back({ faces[i], static_cast<int>(first + i) });
+  }
+  this->sort();
+}
+
+int AxisSamples::addPoint(const SampleContext& context, const CubicalComplex& lattice,
+  const glm::ivec3& voxel)
+{
+  const glm::dvec3 x = context.geometry.frame.sample(glm::dvec3(voxel));
+  const int site = context.closestSites[CubicalComplex::index(lattice.cell(voxel, kVertexKind))];
+  samples_.points.push_back(
+    shrunkBall(context, lattice, x, closestPoint(context.geometry.sites, site, x)));
+  samples_.moved.push_back(0);
+  return static_cast<int>(samples_.points.size()) - 1;
+}
+
+int AxisSamples::find(CubeCell face) const
+{
+  const auto found = std::lower_bound(byFace_.begin(), byFace_.end(), face,
+    [](const Entry& entry, CubeCell wanted) { return entry.face < wanted; });
+  return found != byFace_.end() && found->face == face ? found->sample : kNone;
+}
+
+} // namespace medial

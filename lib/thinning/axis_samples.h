@@ -1,0 +1,65 @@
+#pragma once
+
+#include "axis/axis_geometry.h"
+#include "axis/bisector.h"
+#include "field/crossing.h"
+#include "thinning/cubical_complex.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace medial
+{
+
+/// What exact positions are computed from.
+struct SampleContext
+{
+  const AxisGeometry& geometry;
+  const std::int32_t* closestSites; ///< of all grid points, x fastest
+};
+
+/// Grid edges with a point of each, by the faces of a lattice that are dual to them.
+class AxisSamples
+{
+public:
+  static constexpr int kNone = -1;
+
+  AxisSamples(const CubicalComplex& lattice, const std::vector<Crossing>& crossings,
+    const BisectorPoints& bisectors);
+
+  /// Adds grid edges that no selection has delivered: at the bisector point of the closest sites of
+  /// their ends, or in the middle where these are the same.
+  void add(const SampleContext& context, const CubicalComplex& lattice,
+    std::vector<CubeCell> faces);
+
+  /// Adds the medial point seen from a grid point, for parts thinner than a voxel: the centre of
+  /// the ball, of a radius of up to two voxels, that touches the surface at its closest point and
+  /// holds no other (shrinking ball: Ma, Bae, Choi, "3D medial axis point approximation using
+  /// nearest neighbors and the normal field", 2012).
+  /// @return its index.
+  int addPoint(const SampleContext& context, const CubicalComplex& lattice,
+    const glm::ivec3& voxel);
+
+  /// Index of a face's sample or kNone.
+  int find(CubeCell face) const;
+  const BisectorPoint& point(int sample) const { return samples_.points[sample]; }
+  const BisectorPoints& points() const { return samples_; }
+
+private:
+  struct Entry
+  {
+    CubeCell face;
+    int sample;
+  };
+
+  void sort();
+
+  BisectorPoints samples_;
+  std::vector<Entry> byFace_; ///< ascending
+};
+
+/// The face dual to a crossing, and the crossing without sites of a face.
+CubeCell dualFace(const CubicalComplex& lattice, const Crossing& crossing);
+Crossing dualEdge(const CubicalComplex& lattice, CubeCell face);
+
+} // namespace medial

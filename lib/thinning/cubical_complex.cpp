@@ -1,0 +1,62 @@
+#include "thinning/cubical_complex.h"
+
+namespace medial
+{
+namespace
+{
+
+/// The kind of cells that extend along the axes of a span.
+int kindOfSpan(unsigned span)
+{
+  int kind = 0;
+  while (CubicalComplex::spans(kind) != span)
+  {
+    ++kind;
+  }
+  return kind;
+}
+
+void add(CubeCellSteps& steps, CubeCell step)
+{
+  steps.steps[steps.count++] = step;
+}
+
+} // namespace
+
+CubicalComplex::CubicalComplex(const glm::ivec3& size)
+  : size_(size)
+  , stride_{ 1, size.x, static_cast<std::int64_t>(size.x) * size.y }
+  , bits_(static_cast<std::size_t>(stride_[2]) * size.z, std::uint8_t{ 0 })
+{
+  for (int kind = 0; kind < kCubeCellKinds; ++kind)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const unsigned along = 1u << axis;
+      const CubeCell step = 8 * stride_[axis];
+      const CubeCell other = kindOfSpan(kSpans[kind] ^ along) - kind;
+      CubeCellSteps& steps = (kSpans[kind] & along) != 0 ? faces_[kind] : cofaces_[kind];
+      add(steps, other);
+      add(steps, &steps == &faces_[kind] ? other + step : other - step);
+    }
+  }
+}
+
+glm::ivec3 CubicalComplex::position(CubeCell cell) const
+{
+  const auto p = static_cast<std::int64_t>(index(cell));
+  return { static_cast<int>(p % stride_[1]), static_cast<int>(p / stride_[1] % size_.y),
+    static_cast<int>(p / stride_[2]) };
+}
+
+glm::dvec3 CubicalComplex::centre(CubeCell cell) const
+{
+  glm::dvec3 centre(this->position(cell));
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    centre[axis] -= (kSpans[kind(cell)] >> axis & 1) != 0 ? 0.0 : 0.5;
+  }
+  return centre;
+}
+
+} // namespace medial

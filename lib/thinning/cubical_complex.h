@@ -1,0 +1,117 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace medial
+{
+
+/// A cell of a cubical complex: 8 * linear index of its lattice position + kind.
+using CubeCell = std::int64_t;
+
+/// Kinds of cells: a vertex, edges along x, y, z, faces normal to x, y, z, a voxel.
+constexpr int kVertexKind = 0;
+constexpr int kEdgeKind = 1;
+constexpr int kFaceKind = 4;
+constexpr int kVoxelKind = 7;
+constexpr int kCubeCellKinds = 8;
+
+/// Differences that lead from cells of one kind to their faces or to their cofaces.
+struct CubeCellSteps
+{
+  int count = 0;
+  std::array<CubeCell, 6> steps{};
+
+  const CubeCell* begin() const { return steps.data(); }
+  const CubeCell* end() const { return steps.data() + count; }
+};
+
+/// Which cells of a cubical complex are there: unit cubes around grid points ("voxels") with their
+/// square faces, edges and corners, one byte per grid point (Voxel Cores: Yan, Letscher, Ju 2018,
+/// thin the dual complex the same way).
+///
+/// Position p = (i, j, k), x fastest, holds the voxel around grid point p, the three faces, and the
+/// three edges of it that meet in its lowest corner, and that corner. So the face of normal axis a
+/// at p is dual to the grid edge from p - e_a to p, and the vertex at p to the grid cell from
+/// p - (1,1,1) to p. Only cells of voxels away from the border of the lattice may be set.
+class CubicalComplex
+{
+public:
+  explicit CubicalComplex(const glm::ivec3& size);
+
+  static int kind(CubeCell cell) { return static_cast<int>(cell & 7); }
+  static int dimension(int kind) { return kind == kVertexKind ? 0 : (kind + 2) / 3; }
+  /// Bit a is set where cells of a kind extend along axis a.
+  static unsigned spans(int kind) { return kSpans[kind]; }
+  static std::size_t index(CubeCell cell) { return static_cast<std::size_t>(cell >> 3); }
+
+  const glm::ivec3& size() const { return size_; }
+  std::size_t positions() const { return bits_.size(); }
+  CubeCell cell(const glm::ivec3& position, int kind) const
+  {
+    return 8 * (position.x + stride_[1] * position.y + stride_[2] * position.z) + kind;
+  }
+  glm::ivec3 position(CubeCell cell) const;
+  /// Where the middle of a cell lies, in the indices of grid points.
+  glm::dvec3 centre(CubeCell cell) const;
+
+  bool has(CubeCell cell) const { return (bits_[index(cell)] >> kind(cell) & 1) != 0; }
+  void insert(CubeCell cell) { bits_[index(cell)] |= static_cast<std::uint8_t>(1u << kind(cell)); }
+  void erase(CubeCell cell)
+  {
+    bits_[index(cell)] &= static_cast<std::uint8_t>(~(1u << kind(cell)));
+  }
+
+  /// The cells at a position, bit k for kind k.
+  std::uint8_t bits(std::size_t position) const { return bits_[position]; }
+  void setBits(std::size_t position, std::uint8_t bits) { bits_[position] = bits; }
+
+  const CubeCellSteps& faces(int kind) const { return faces_[kind]; }
+  const CubeCellSteps& cofaces(int kind) const { return cofaces_[kind]; }
+
+  int cofaceCount(CubeCell cell) const
+  {
+    int count = 0;
+    for (const CubeCell step : cofaces_[kind(cell)])
+    {
+      count += this->has(cell + step) ? 1 : 0;
+    }
+    return count;
+  }
+  bool maximal(CubeCell cell) const { return this->cofaceCount(cell) == 0; }
+  /// The only coface of a cell; -1 where there is none or more than one.
+  CubeCell onlyCoface(CubeCell cell) const
+  {
+    CubeCell only = -1;
+    for (const CubeCell step : cofaces_[kind(cell)])
+    {
+      if (this->has(cell + step))
+      {
+        if (only >= 0)
+        {
+          return -1;
+        }
+        only = cell + step;
+      }
+    }
+    return only;
+  }
+
+  /// Linear step of positions along an axis.
+  std::int64_t stride(int axis) const { return stride_[axis]; }
+
+private:
+  static constexpr std::array<unsigned, kCubeCellKinds> kSpans{ 0, 1, 2, 4, 6, 5, 3, 7 };
+
+  glm::ivec3 size_;
+  std::array<std::int64_t, 3> stride_;
+  std::array<CubeCellSteps, kCubeCellKinds> faces_;
+  std::array<CubeCellSteps, kCubeCellKinds> cofaces_;
+  std::vector<std::uint8_t> bits_;
+};
+
+} // namespace medial

@@ -1,0 +1,102 @@
+#include "thinning/curve_chains.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace medial
+{
+namespace
+{
+
+/// Edges that a chord spans at most.
+constexpr int kChord = 6;
+/// How much less than the radius the mean depth of the four voxels around a curve is: their mean
+/// distance from it.
+constexpr float kMeanOffset = 0.75f;
+
+} // namespace
+
+CurveChains::CurveChains(const CurveLimits& limits)
+  : slope_(static_cast<float>(std::cos(0.5 * limits.angle)))
+  , minLambda_(static_cast<float>(limits.lambda))
+  , minRadius_(static_cast<float>(limits.radius))
+  , minLength_(static_cast<float>(limits.length))
+{
+}
+
+float CurveChains::length(int chain, const glm::vec3& position) const
+{
+  if (chain == kNone)
+  {
+    return 0.0f;
+  }
+  const Link& link = links_[chain];
+  return link.baseLength + glm::distance(position, link.base);
+}
+
+double CurveChains::arrival(int chain, const glm::vec3& position, float depth) const
+{
+  const float tip = chain == kNone ? depth : links_[chain].tipDepth;
+  return static_cast<double>(tip + this->length(chain, position));
+}
+
+int CurveChains::extend(int chain, const Pair& removed, const glm::vec3& position, float depth)
+{
+  const int index = static_cast<int>(links_.size());
+  const float length = this->length(chain, position);
+  Link link{ removed, chain, index, length, this->potential(depth, length), depth, position, length,
+    0 };
+  if (chain != kNone)
+  {
+    const Link& last = links_[chain];
+    link.tipDepth = last.tipDepth;
+    if (links_[last.best].potential >= link.potential)
+    {
+      link.best = last.best;
+    }
+    if (last.sinceBase < kChord)
+    {
+      link.base = last.base;
+      link.baseLength = last.baseLength;
+      link.sinceBase = last.sinceBase + 1;
+    }
+  }
+  links_.push_back(link);
+  return index;
+}
+
+bool CurveChains::largeEnough(float depth, float slope) const
+{
+  const float radius = depth + kMeanOffset;
+  const float cosine = std::clamp(slope, 0.0f, 1.0f);
+  return radius >= minRadius_ && radius * std::sqrt(1.0f - cosine * cosine) >= minLambda_;
+}
+
+bool CurveChains::lasting(int chain, const glm::vec3& position, float depth,
+  std::vector<Pair>& restored) const
+{
+  const float length = this->length(chain, position);
+  int far = chain;
+  while (far != kNone && length - links_[far].length < minLength_)
+  {
+    far = links_[far].previous;
+  }
+  if (far == kNone)
+  {
+    return false;
+  }
+  const int start = links_[far].best;
+  const float startDepth = links_[start].potential + slope_ * links_[start].length;
+  const float slope = (depth - startDepth) / (length - links_[start].length);
+  if (this->potential(depth, length) > links_[start].potential || !this->largeEnough(depth, slope))
+  {
+    return false;
+  }
+  for (int link = chain; link != links_[start].previous; link = links_[link].previous)
+  {
+    restored.push_back(links_[link].removed);
+  }
+  return true;
+}
+
+} // namespace medial

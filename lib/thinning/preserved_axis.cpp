@@ -1,0 +1,160 @@
+#include "thinning/preserved_axis.h"
+
+#include "thinning/sheet_faces.h"
+#include "thinning/solid_bodies.h"
+#include "thinning/thinning.h"
+#include "thinning/voxel_solid.h"
+
+#include <algorithm>
+#include <iterator>
+#include <optional>
+
+namespace medial
+{
+namespace
+{
+
+/// Selected crossings with their bisector points.
+struct Selection
+{
+  std::vector<Crossing> crossings;
+  BisectorPoints bisectors;
+};
+
+/// Those between two voxels of a solid.
+Selection selectionWithin(const CubicalComplex& solid, const std::vector<Crossing>& crossings,
+  const BisectorPoints& bisectors)
+{
+  Selection selection;
+  for (std::size_t i = 0; i < crossings.size(); ++i)
+  {
+    const CubeCell face = dualFace(solid, crossings[i]);
+    if (solid.has(face) && solid.cofaceCount(face) == 2)
+    {
+      selection.crossings.push_back(crossings[i]);
+      selection.bisectors.points.push_back(bisectors.points[i]);
+      selection.bisectors.moved.push_back(bisectors.moved[i]);
+    }
+  }
+  return selection;
+}
+
+/// Faces dual to crossings whose grid edge a sheet crosses itself. Those of fins around a curve do
+/// not count: their bisector point is elsewhere.
+std::vector<CubeCell> sheetFaces(const CubicalComplex& solid, const Selection& selection)
+{
+  std::vector<CubeCell> faces;
+  for (std::size_t i = 0; i < selection.crossings.size(); ++i)
+  {
+    if (selection.bisectors.moved[i] == 0)
+    {
+      faces.push_back(dualFace(solid, selection.crossings[i]));
+    }
+  }
+  // Crossings come in the order of slabs, whose thickness is to have no influence.
+  std::sort(faces.begin(), faces.end());
+  return splitSheets(solid.size(), faces).sheets;
+}
+
+/// Thins a solid. What is selected as a strip only, and strips that sheets were reduced to where
+/// they shut voxels in, are left to the rules for curves.
+void thin(CubicalComplex& solid, const DepthField& depth, const AxisGeometry& geometry,
+  const std::int32_t* closestSites, const Selection& selection, const AxisSamples& samples)
+{
+  const CurveProbe probe(geometry.sites, geometry.frame, closestSites, depth, geometry.angle);
+  Thinning thinning(solid, depth, probe, geometry.frame.step,
+    { geometry.angle, geometry.lambda, geometry.radius }, geometry.checkpoint);
+  const std::vector<CubeCell> anchored = sheetFaces(solid, selection);
+  for (const CubeCell face : anchored)
+  {
+    thinning.anchor(face, static_cast<float>(samples.point(samples.find(face)).separationAngle()));
+  }
+  thinning.burn();
+  std::vector<CubeCell> left;
+  std::copy_if(anchored.begin(), anchored.end(), std::back_inserter(left),
+    [&](CubeCell face) { return solid.has(face); });
+  thinning.release(splitSheets(solid, left).strips);
+}
+
+void append(const ThinnedAxis& part, ThinnedAxis& whole)
+{
+  const auto first = static_cast<std::int64_t>(whole.points.points.size());
+  whole.points.points.insert(whole.points.points.end(), part.points.points.begin(),
+    part.points.points.end());
+  whole.points.moved.insert(whole.points.moved.end(), part.points.moved.begin(),
+    part.points.moved.end());
+  for (std::array<std::int64_t, 4> quad : part.quads)
+  {
+    for (std::int64_t& corner : quad)
+    {
+      corner += first;
+    }
+    whole.quads.push_back(quad);
+  }
+  for (const std::array<std::int64_t, 2>& line : part.lines)
+  {
+    whole.lines.push_back({ line[0] + first, line[1] + first });
+  }
+  for (const std::int64_t vertex : part.vertices)
+  {
+    whole.vertices.push_back(vertex + first);
+  }
+}
+
+void add(const CellTopology& part, CellTopology& whole)
+{
+  whole.components += part.components;
+  whole.eulerCharacteristic += part.eulerCharacteristic;
+  whole.genus += part.genus;
+  whole.cavities += part.cavities;
+}
+
+std::vector<Side> sidesOf(SignMethod sign, Side side)
+{
+  if (sign != SignMethod::None && side == Side::Both)
+  {
+    return { Side::Interior, Side::Exterior };
+  }
+  return { side };
+}
+
+} // namespace
+
+PreservedAxis preserveTopology(const ThinningInput& input, const AxisGeometry& geometry,
+  const std::vector<Crossing>& crossings, const BisectorPoints& bisectors)
+{
+  const glm::ivec3 size(geometry.extent.size(0), geometry.extent.size(1), geometry.extent.size(2));
+  PreservedAxis axis;
+  const auto addSolid = [&](const DepthField& depth)
+  {
+    CubicalComplex solid = voxelSolid(depth, size);
+    add(topologyOf(solid), axis.solid);
+    const Selection selection = selectionWithin(solid, crossings, bisectors);
+    AxisSamples samples(solid, selection.crossings, selection.bisectors);
+    thin(solid, depth, geometry, input.closestSites, selection, samples);
+    append(
+      thinnedAxis(solid, depth, { geometry, input.closestSites }, input.representation, samples),
+      axis.cells);
+  };
+  for (const Side side : sidesOf(input.sign, input.side))
+  {
+    DepthField depth(input.distances, side, geometry.frame.unit);
+    std::optional<SolidBodies> bodies;
+    if (side == Side::Interior)
+    {
+      bodies.emplace(geometry.sites, geometry.frame, size, input.closestSites, depth);
+    }
+    const int colours = bodies ? bodies->colours() : 1;
+    for (int colour = 0; colour < colours; ++colour)
+    {
+      if (colours > 1)
+      {
+        depth.restrict(input.closestSites, bodies->siteColours().data(), colour);
+      }
+      addSolid(depth);
+    }
+  }
+  return axis;
+}
+
+} // namespace medial

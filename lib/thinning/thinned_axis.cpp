@@ -1,0 +1,270 @@
+#include "thinning/thinned_axis.h"
+
+#include "axis/axis_points.h"
+#include "axis/closest_pairs.h"
+#include "axis/dual_mesh.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace medial
+{
+namespace
+{
+
+/// Samples count whose separation angle is at least this part of the widest around a point.
+constexpr double kWideShare = 0.5;
+
+/// The faces around a corner: those dual to the edges of its grid cell.
+std::array<CubeCell, 12> facesAround(const CubicalComplex& lattice, CubeCell vertex)
+{
+  std::array<CubeCell, 12> faces{};
+  int count = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const CubeCell u = 8 * lattice.stride((axis + 1) % 3);
+    const CubeCell v = 8 * lattice.stride((axis + 2) % 3);
+    const CubeCell face = vertex + kFaceKind + axis;
+    for (const CubeCell step : { CubeCell{ 0 }, u, v, u + v })
+    {
+      faces[count++] = face - step;
+    }
+  }
+  return faces;
+}
+
+/// Where the point of a corner comes from.
+struct Origin
+{
+  std::vector<CubeCell> faces;
+  bool onSheet = false; ///< faces that are selected and there
+  bool widestOnly = false;
+};
+
+class CellBuilder
+{
+public:
+  CellBuilder(const CubicalComplex& lattice, const DepthField& depth, const SampleContext& context,
+    AxisSamples& samples)
+    : lattice_(lattice)
+    , depth_(depth)
+    , context_(context)
+    , samples_(samples)
+  {
+    const auto positions = static_cast<CubeCell>(lattice.positions());
+    for (CubeCell vertex = 0; vertex < 8 * positions; vertex += 8)
+    {
+      if (lattice.has(vertex))
+      {
+        vertices_.push_back(vertex);
+      }
+    }
+  }
+
+  ThinnedAxis build(Representation representation)
+  {
+    ThinnedAxis cells;
+    this->addCells(cells);
+    this->findSamples();
+    this->placePoints(representation, cells.points);
+    return cells;
+  }
+
+private:
+  void addCells(ThinnedAxis& cells) const
+  {
+    for (const CubeCell vertex : vertices_)
+    {
+      if (lattice_.maximal(vertex))
+      {
+        cells.vertices.push_back(this->point(vertex));
+      }
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const CubeCell edge = vertex + kEdgeKind + axis;
+        if (lattice_.has(edge) && lattice_.maximal(edge))
+        {
+          cells.lines.push_back(
+            { this->point(vertex), this->point(vertex + 8 * lattice_.stride(axis)) });
+        }
+        if (lattice_.has(vertex + kFaceKind + axis))
+        {
+          const CubeCell u = 8 * lattice_.stride((axis + 1) % 3);
+          const CubeCell v = 8 * lattice_.stride((axis + 2) % 3);
+          cells.quads.push_back({ this->point(vertex), this->point(vertex + u),
+            this->point(vertex + u + v), this->point(vertex + v) });
+        }
+      }
+    }
+  }
+
+  std::int64_t point(CubeCell vertex) const
+  {
+    return std::lower_bound(vertices_.begin(), vertices_.end(), vertex) - vertices_.begin();
+  }
+
+  void findSamples()
+  {
+    std::vector<Origin> origins(vertices_.size());
+    tbb::parallel_for(std::size_t{ 0 }, vertices_.size(),
+      [&](std::size_t i) { origins[i] = this->originOf(vertices_[i]); });
+    std::vector<CubeCell> needed;
+    for (const Origin& origin : origins)
+    {
+      needed.insert(needed.end(), origin.faces.begin(), origin.faces.end());
+    }
+    samples_.add(context_, lattice_, std::move(needed));
+    for (std::size_t i = 0; i < vertices_.size(); ++i)
+    {
+      for (const int sample : this->samplesOf(vertices_[i], origins[i]))
+      {
+        mesh_.incident.push_back(static_cast<std::size_t>(sample));
+      }
+      mesh_.cells.push_back(lattice_.position(vertices_[i]) - 1);
+      mesh_.offsets.push_back(mesh_.incident.size());
+      onSheet_.push_back(origins[i].onSheet ? 1 : 0);
+    }
+  }
+
+  void placePoints(Representation representation, BisectorPoints& points) const
+  {
+    if (representation == Representation::Faces)
+    {
+      points = cellCentres(context_.geometry, mesh_, samples_.points());
+      return;
+    }
+    points = surfacePoints(context_.geometry, mesh_, samples_.points());
+    constexpr std::size_t kTogether = 512;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, vertices_.size(), kTogether),
+      [&](const tbb::blocked_range<std::size_t>& range)
+      { this->settle(range.begin(), range.end(), points.points); });
+  }
+
+  /// Moves points of surfacePoints() in [begin, end) to the mean of their samples where these are
+  /// no sheet, and into their grid cells.
+  void settle(std::size_t begin, std::size_t end, std::vector<BisectorPoint>& points) const
+  {
+    std::vector<std::size_t> moved;
+    std::vector<TileQuery::Question> questions;
+    for (std::size_t i = begin; i != end; ++i)
+    {
+      const glm::dvec3 x = this->clamped(i,
+        onSheet_[i] != 0 ? points[i].position : meanCrossing(mesh_, samples_.points(), i));
+      if (x != points[i].position)
+      {
+        moved.push_back(i);
+        questions.push_back({ x, {} }); // of sites equally near none comes first for being known
+      }
+    }
+    const auto candidates = [&](std::size_t k, std::vector<int>& sites)
+    { sitesOf(mesh_, samples_.points(), moved[k], sites); };
+    const std::vector<BisectorPoint> found =
+      contacts(context_.geometry, std::move(questions), candidates);
+    for (std::size_t k = 0; k < moved.size(); ++k)
+    {
+      points[moved[k]] = found[k];
+    }
+  }
+
+  Origin originOf(CubeCell vertex) const
+  {
+    Origin both;
+    both.onSheet = true;
+    Origin either;
+    Origin wide;
+    wide.widestOnly = true;
+    for (const CubeCell face : facesAround(lattice_, vertex))
+    {
+      const bool there = lattice_.has(face);
+      const bool selected = samples_.find(face) != AxisSamples::kNone;
+      if (there && selected)
+      {
+        both.faces.push_back(face);
+      }
+      if (there || selected)
+      {
+        either.faces.push_back(face);
+      }
+      Crossing edge = dualEdge(lattice_, face);
+      const bool begins = inSolid(depth_, lattice_, edge.voxel);
+      ++edge.voxel[edge.axis];
+      if (begins && inSolid(depth_, lattice_, edge.voxel))
+      {
+        wide.faces.push_back(face);
+      }
+    }
+    return !both.faces.empty() ? both : (!either.faces.empty() ? either : wide);
+  }
+
+  std::vector<int> samplesOf(CubeCell vertex, const Origin& origin)
+  {
+    std::vector<int> around;
+    std::vector<double> angles;
+    for (const CubeCell face : origin.faces)
+    {
+      around.push_back(samples_.find(face));
+      angles.push_back(origin.widestOnly ? samples_.point(around.back()).separationAngle() : 0.0);
+    }
+    if (around.empty())
+    {
+      return { samples_.addPoint(context_, lattice_, this->deepestVoxel(vertex)) };
+    }
+    const double limit = kWideShare * *std::max_element(angles.begin(), angles.end());
+    std::vector<int> wide;
+    for (std::size_t i = 0; i < around.size(); ++i)
+    {
+      if (angles[i] >= limit)
+      {
+        wide.push_back(around[i]);
+      }
+    }
+    return wide;
+  }
+
+  glm::ivec3 deepestVoxel(CubeCell vertex) const
+  {
+    glm::ivec3 deepest(-1);
+    float most = 0.0f;
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      const glm::ivec3 voxel =
+        lattice_.position(vertex) - glm::ivec3(corner & 1, corner >> 1 & 1, corner >> 2);
+      const float depth = depth_.at(CubicalComplex::index(lattice_.cell(voxel, 0)));
+      if (inSolid(depth_, lattice_, voxel) && (deepest.x < 0 || depth > most))
+      {
+        most = depth;
+        deepest = voxel;
+      }
+    }
+    return deepest;
+  }
+
+  glm::dvec3 clamped(std::size_t i, const glm::dvec3& x) const
+  {
+    const glm::dvec3 low(mesh_.cells[i]);
+    return glm::clamp(x, context_.geometry.frame.sample(low) + kCellMargin,
+      context_.geometry.frame.sample(low + 1.0) - kCellMargin);
+  }
+
+  const CubicalComplex& lattice_;
+  const DepthField& depth_;
+  const SampleContext& context_;
+  AxisSamples& samples_;
+  std::vector<CubeCell> vertices_; ///< ascending
+  DualMesh mesh_;                  ///< cells and samples of the vertices
+  std::vector<char> onSheet_;
+};
+
+} // namespace
+
+ThinnedAxis thinnedAxis(const CubicalComplex& lattice, const DepthField& depth,
+  const SampleContext& context, Representation representation, AxisSamples& samples)
+{
+  return CellBuilder(lattice, depth, context, samples).build(representation);
+}
+
+} // namespace medial

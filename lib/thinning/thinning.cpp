@@ -1,0 +1,299 @@
+#include "thinning/thinning.h"
+
+#include <algorithm>
+#include <array>
+
+namespace medial
+{
+namespace
+{
+
+/// Frame units; voxels within a bucket burn in the order in which the fire reached them.
+constexpr double kBucketWidth = 0.125;
+/// In place of a chain: of an edge that belongs to no curve.
+constexpr int kNoCurve = -2;
+
+} // namespace
+
+Thinning::Thinning(CubicalComplex& lattice, const DepthField& depth, const CurveProbe& probe,
+  const glm::dvec3& step, const CurveLimits& limits, const Checkpoint& checkpoint)
+  : lattice_(lattice)
+  , anchors_(lattice.size())
+  , depth_(depth)
+  , probe_(probe)
+  , step_(step)
+  , chains_(limits)
+  , checkpoint_(checkpoint)
+  , queue_(kBucketWidth)
+{
+}
+
+void Thinning::anchor(CubeCell face, float angle)
+{
+  anchors_.insert(face);
+  angles_[face] = angle;
+}
+
+void Thinning::burn()
+{
+  const auto positions = static_cast<CubeCell>(lattice_.positions());
+  for (CubeCell position = 0; position < positions; ++position)
+  {
+    const CubeCell voxel = 8 * position + kVoxelKind;
+    if (lattice_.has(voxel) && this->hasFreeFace(voxel))
+    {
+      this->raise(voxel);
+    }
+  }
+  this->drain();
+}
+
+void Thinning::release(const std::vector<CubeCell>& faces)
+{
+  for (const CubeCell face : faces)
+  {
+    anchors_.erase(face);
+  }
+  for (const CubeCell face : faces)
+  {
+    this->raise(face);
+  }
+  this->drain();
+}
+
+/// Every cell that is maximal and has a free face is in the queue, but for those that are kept.
+void Thinning::raise(CubeCell cell, int chain)
+{
+  if (!lattice_.has(cell) || !lattice_.maximal(cell))
+  {
+    return;
+  }
+  switch (CubicalComplex::dimension(CubicalComplex::kind(cell)))
+  {
+    case 3:
+      if (!anchors_.has(cell))
+      {
+        anchors_.insert(cell);
+        queue_.push(static_cast<double>(depth_.at(CubicalComplex::index(cell))), { cell, chain });
+      }
+      break;
+    case 2:
+      if (!anchors_.has(cell) && this->hasFreeFace(cell))
+      {
+        queue_.push(0.0, { cell, chain });
+      }
+      break;
+    case 1:
+      if (!anchors_.has(cell) && this->hasFreeFace(cell))
+      {
+        this->raiseEdge(cell, chain);
+      }
+      break;
+    default:
+      break;
+  }
+}
+
+void Thinning::raiseEdge(CubeCell edge, int chain)
+{
+  if (chain == CurveChains::kNone && !probe_.separates(lattice_, edge))
+  {
+    queue_.push(0.0, { edge, kNoCurve });
+    return;
+  }
+  queue_.push(chains_.arrival(chain, this->edgePosition(edge), this->depthAround(edge)),
+    { edge, chain });
+}
+
+void Thinning::drain()
+{
+  constexpr unsigned kEventsPerCheck = 1024;
+  unsigned events = 0;
+  do
+  {
+    for (Event event{}; queue_.pop(event);)
+    {
+      if (++events % kEventsPerCheck == 0)
+      {
+        checkpoint_();
+      }
+      if (!lattice_.has(event.cell) || !lattice_.maximal(event.cell))
+      {
+        continue;
+      }
+      switch (CubicalComplex::dimension(CubicalComplex::kind(event.cell)))
+      {
+        case 3:
+          this->burnVoxel(event.cell);
+          break;
+        case 2:
+          this->burnFace(event.cell);
+          break;
+        default:
+          this->burnEdge(event.cell, event.chain);
+          break;
+      }
+    }
+  } while (this->openGate());
+}
+
+void Thinning::burnVoxel(CubeCell voxel)
+{
+  anchors_.erase(voxel);
+  const CubeCell face = this->freeFace(voxel, false);
+  if (face >= 0)
+  {
+    this->collapse(voxel, face);
+    return;
+  }
+  for (const CubeCell step : lattice_.faces(kVoxelKind))
+  {
+    const CubeCell gate = voxel + step;
+    if (lattice_.onlyCoface(gate) == voxel)
+    {
+      gates_.emplace(angles_.at(gate), gate, voxel);
+    }
+  }
+}
+
+void Thinning::burnFace(CubeCell face)
+{
+  const CubeCell edge = anchors_.has(face) ? -1 : this->freeFace(face);
+  if (edge >= 0)
+  {
+    this->collapse(face, edge);
+  }
+}
+
+void Thinning::burnEdge(CubeCell edge, int chain)
+{
+  const CubeCell vertex = anchors_.has(edge) ? -1 : this->freeFace(edge);
+  if (vertex < 0)
+  {
+    return;
+  }
+  if (chain == kNoCurve)
+  {
+    this->collapse(edge, vertex);
+    return;
+  }
+  const glm::vec3 position = this->edgePosition(edge);
+  const float depth = this->depthAround(edge);
+  std::vector<CurveChains::Pair> restored;
+  if (!chains_.lasting(chain, position, depth, restored) || !probe_.separates(lattice_, edge))
+  {
+    const CubeCellSteps& ends = lattice_.faces(CubicalComplex::kind(edge));
+    const CubeCell other = (edge + ends.steps[0]) + (edge + ends.steps[1]) - vertex;
+    const bool goesOn = lattice_.cofaceCount(other) == 2;
+    this->collapse(edge, vertex,
+      goesOn ? chains_.extend(chain, { edge, vertex }, position, depth) : CurveChains::kNone);
+    return;
+  }
+  anchors_.insert(edge);
+  for (const CurveChains::Pair& pair : restored)
+  {
+    lattice_.insert(pair.edge);
+    lattice_.insert(pair.vertex);
+    anchors_.insert(pair.edge);
+  }
+}
+
+/// Lets the fire through the anchored face of least angle that it has come to.
+bool Thinning::openGate()
+{
+  while (!gates_.empty())
+  {
+    const auto [angle, gate, voxel] = gates_.top();
+    gates_.pop();
+    if (lattice_.has(voxel) && lattice_.has(gate) && anchors_.has(gate))
+    {
+      anchors_.erase(gate);
+      this->raise(voxel);
+      return true;
+    }
+  }
+  return false;
+}
+
+void Thinning::collapse(CubeCell cell, CubeCell freeFace, int edgeChain)
+{
+  lattice_.erase(cell);
+  lattice_.erase(freeFace);
+  for (const CubeCell step : lattice_.faces(CubicalComplex::kind(cell)))
+  {
+    const CubeCell face = cell + step;
+    if (face == freeFace)
+    {
+      continue;
+    }
+    const CubeCell coface = lattice_.onlyCoface(face);
+    this->raise(coface >= 0 ? coface : face, edgeChain);
+  }
+  for (const CubeCell step : lattice_.faces(CubicalComplex::kind(freeFace)))
+  {
+    const CubeCell coface = lattice_.onlyCoface(freeFace + step);
+    if (coface >= 0)
+    {
+      this->raise(coface);
+    }
+  }
+}
+
+bool Thinning::hasFreeFace(CubeCell cell) const
+{
+  const CubeCellSteps& faces = lattice_.faces(CubicalComplex::kind(cell));
+  return std::any_of(faces.begin(), faces.end(),
+    [&](CubeCell step) { return lattice_.onlyCoface(cell + step) == cell; });
+}
+
+/// Of the faces of a maximal cell that belong to no other the one that lies least deep, so that
+/// what is left stays near the middle of parts as thin as a voxel; -1 where there is none.
+CubeCell Thinning::freeFace(CubeCell cell, bool anchoredToo) const
+{
+  std::array<CubeCell, 6> free{};
+  int count = 0;
+  for (const CubeCell step : lattice_.faces(CubicalComplex::kind(cell)))
+  {
+    const CubeCell face = cell + step;
+    if (lattice_.onlyCoface(face) == cell && (anchoredToo || !anchors_.has(face)))
+    {
+      free[count++] = face;
+    }
+  }
+  if (count < 2)
+  {
+    return count == 0 ? -1 : free[0];
+  }
+  return *std::min_element(free.begin(), free.begin() + count,
+    [this](CubeCell a, CubeCell b) { return this->depthAround(a) < this->depthAround(b); });
+}
+
+glm::vec3 Thinning::edgePosition(CubeCell edge) const
+{
+  return glm::vec3(lattice_.centre(edge) * step_);
+}
+
+/// Mean depth of the voxels around a cell. Around an edge it is nearly that of the curve next to
+/// it, less a constant.
+float Thinning::depthAround(CubeCell cell) const
+{
+  const unsigned spans = CubicalComplex::spans(CubicalComplex::kind(cell));
+  float sum = 0.0f;
+  int count = 0;
+  for (unsigned corner = 0; corner < 8; ++corner)
+  {
+    if ((corner & spans) == 0)
+    {
+      std::size_t voxel = CubicalComplex::index(cell);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        voxel -= (corner >> axis & 1) != 0 ? static_cast<std::size_t>(lattice_.stride(axis)) : 0;
+      }
+      sum += depth_.at(voxel);
+      ++count;
+    }
+  }
+  return sum / static_cast<float>(count);
+}
+
+} // namespace medial

@@ -1,0 +1,83 @@
+#pragma once
+
+#include "base/checkpoint.h"
+#include "thinning/bucket_queue.h"
+#include "thinning/cubical_complex.h"
+#include "thinning/curve_chains.h"
+#include "thinning/curve_probe.h"
+#include "thinning/voxel_solid.h"
+
+#include <cstdint>
+#include <queue>
+#include <tuple>
+#include <unordered_map>
+#include <vector>
+
+namespace medial
+{
+
+/// Thins a cubical complex until no voxel is left, by collapses alone: each removes a cell that is
+/// no face of another together with a face that belongs to no other cell. A collapse is a
+/// deformation retraction, so that components, tunnels and cavities stay as they are.
+///
+/// A fire starts at the surface and takes voxels in the order of their distances, faces as soon as
+/// an edge of theirs is free, edges likewise, but along curves (CurveProbe) at unit speed. It stops
+/// at anchored faces and at curves that are long and blunt enough (CurveChains). Voxels that
+/// anchored faces shut in are reached through the one of least angle. The result does not depend on
+/// the number of threads: the fire has one.
+class Thinning
+{
+public:
+  /// @param lattice the solid, which becomes what is left of it.
+  /// @param depth and probe must outlive this object.
+  /// @param step frame distance of neighbouring grid points.
+  /// @param checkpoint called now and then; must outlive this object.
+  Thinning(CubicalComplex& lattice, const DepthField& depth, const CurveProbe& probe,
+    const glm::dvec3& step, const CurveLimits& limits, const Checkpoint& checkpoint);
+
+  /// A face that is to stay.
+  /// @param angle those of lesser angle give way first where one must.
+  void anchor(CubeCell face, float angle);
+  bool anchored(CubeCell face) const { return anchors_.has(face); }
+
+  /// Burns what can be reached from outside.
+  void burn();
+  /// Burns faces that were anchored, and what can be reached then.
+  void release(const std::vector<CubeCell>& faces);
+
+private:
+  struct Event
+  {
+    CubeCell cell;
+    int chain;
+  };
+  using Gate = std::tuple<float, CubeCell, CubeCell>; ///< angle, anchored face, voxel behind it
+
+  void raise(CubeCell cell, int chain = CurveChains::kNone);
+  void raiseEdge(CubeCell edge, int chain);
+  void drain();
+  void burnVoxel(CubeCell voxel);
+  void burnFace(CubeCell face);
+  void burnEdge(CubeCell edge, int chain);
+  bool openGate();
+  /// Removes both; `edgeChain` is what a fire along curves goes on with.
+  void collapse(CubeCell cell, CubeCell freeFace, int edgeChain = CurveChains::kNone);
+  bool hasFreeFace(CubeCell cell) const;
+  CubeCell freeFace(CubeCell cell, bool anchoredToo = true) const;
+  glm::vec3 edgePosition(CubeCell edge) const;
+  float depthAround(CubeCell cell) const;
+
+  CubicalComplex& lattice_;
+  /// Faces, and edges of curves that are kept; and voxels that are in the queue.
+  CubicalComplex anchors_;
+  const DepthField& depth_;
+  const CurveProbe& probe_;
+  glm::dvec3 step_;
+  CurveChains chains_;
+  const Checkpoint& checkpoint_;
+  std::unordered_map<CubeCell, float> angles_;
+  BucketQueue<Event> queue_;
+  std::priority_queue<Gate, std::vector<Gate>, std::greater<>> gates_;
+};
+
+} // namespace medial

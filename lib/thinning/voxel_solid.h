@@ -1,0 +1,74 @@
+#pragma once
+
+#include "medial/cell_topology.h"
+#include "medial/compute_medial_axis.h"
+#include "thinning/cubical_complex.h"
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace medial
+{
+
+/// Signed distances of a whole grid, seen from one side of the surface.
+class DepthField
+{
+public:
+  /// @param distance x fastest, world units; negative inside unless unsigned.
+  /// @param side Both for an unsigned field.
+  /// @param unit world units per frame unit.
+  DepthField(const float* distance, Side side, double unit)
+    : distance_(distance)
+    , side_(side)
+    , scale_(static_cast<float>(1.0 / unit))
+  {
+  }
+
+  /// Leaves only grid points whose closest site has a colour; arrays must outlive this object.
+  void restrict(const std::int32_t* closestSites, const int* siteColours, int colour)
+  {
+    closestSites_ = closestSites;
+    siteColours_ = siteColours;
+    colour_ = colour;
+  }
+
+  /// Whether a grid point belongs to the side.
+  bool wanted(std::size_t point) const
+  {
+    return (side_ == Side::Both || (distance_[point] < 0.0f) == (side_ == Side::Interior)) &&
+      (siteColours_ == nullptr || siteColours_[closestSites_[point]] == colour_);
+  }
+  /// Distance to the surface in frame units, negative where the point does not belong to the side.
+  float at(std::size_t point) const
+  {
+    const float distance = scale_ * std::abs(distance_[point]);
+    return this->wanted(point) ? distance : -distance;
+  }
+
+private:
+  const float* distance_;
+  Side side_;
+  float scale_;
+  const std::int32_t* closestSites_ = nullptr;
+  const int* siteColours_ = nullptr;
+  int colour_ = 0;
+};
+
+/// The closed voxels around the grid points of a side, with all their faces, edges and corners.
+/// Points on the border of the grid do not count, so that every corner lies in a grid cell.
+CubicalComplex voxelSolid(const DepthField& depth, const glm::ivec3& size);
+
+/// Whether the voxel around a grid point belongs to that solid.
+inline bool inSolid(const DepthField& depth, const CubicalComplex& lattice, const glm::ivec3& point)
+{
+  const glm::ivec3 size = lattice.size();
+  return point.x > 0 && point.y > 0 && point.z > 0 && point.x < size.x - 1 &&
+    point.y < size.y - 1 && point.z < size.z - 1 &&
+    depth.wanted(CubicalComplex::index(lattice.cell(point, kVertexKind)));
+}
+
+/// Topology of a solid made by voxelSolid(): voxels that share as much as a corner are connected.
+CellTopology topologyOf(const CubicalComplex& solid);
+
+} // namespace medial

@@ -1,0 +1,220 @@
+#include "medial/distance_field.h"
+
+#include "support/field_checks.h"
+#include "support/medial_truth.h"
+#include "support/shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <ostream>
+#include <string>
+#include <vector>
+
+using namespace medial;
+using namespace medial::test;
+
+namespace
+{
+
+struct OddInput
+{
+  std::string name;
+  TriangleMesh mesh;
+  Grid grid;
+};
+
+std::ostream& operator<<(std::ostream& stream, const OddInput& input)
+{
+  return stream << input.name;
+}
+
+Grid gridAround(const TriangleMesh& mesh, int resolution = 32)
+{
+  return makeGrid(mesh.bounds(), resolution, 0.2);
+}
+
+Grid gridOf(const Point3& origin, const Point3& spacing, const std::array<int, 3>& dimensions)
+{
+  return { origin, spacing, dimensions };
+}
+
+OddInput around(const char* name, const TriangleMesh& mesh)
+{
+  return { name, mesh, gridAround(mesh) };
+}
+
+/// Faces around the edge from the origin to (0, 0, 1).
+TriangleMesh fan(int faces)
+{
+  std::vector<Point3> points{ { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 } };
+  std::vector<std::array<int, 3>> triangles;
+  for (int i = 0; i < faces; ++i)
+  {
+    const double angle = 1.0 + 1.1 * i;
+    points.push_back({ std::cos(angle), std::sin(angle), 0.3 + 0.1 * i });
+    triangles.push_back({ 0, 1, i + 2 });
+  }
+  return makeMesh(points, triangles);
+}
+
+/// Two tetrahedra that share a corner at the origin.
+TriangleMesh bowTie()
+{
+  const TriangleMesh one = regularTetrahedron(1.0);
+  const Point3& corner = one.points[0];
+  const TriangleMesh up = translated(one, { -corner[0], -corner[1], -corner[2] });
+  return appended(up, rotated90(rotated90(up, 0), 0));
+}
+
+TriangleMesh duplicates()
+{
+  const TriangleMesh mesh = torus(1.0, 0.3, 16, 8);
+  return buildTriangleMesh(unwelded(appended(mesh, flipOrientation(mesh))));
+}
+
+/// Triangles without area: collinear corners in any order, two equal corners, three equal corners.
+TriangleMesh zeroAreaTriangles()
+{
+  return makeMesh({ { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 }, { 0.3, 0.0, 0.0 }, { 0.0, 1.0, 0.2 },
+                    { 0.1, 0.2, 0.3 }, { 0.3, 0.6, 0.9 }, { 0.2, 0.4, 0.6 } },
+    { { 0, 1, 2 }, { 0, 1, 3 }, { 4, 5, 6 }, { 3, 3, 5 }, { 6, 6, 6 }, { 1, 0, 2 } });
+}
+
+/// Needles and caps of decreasing height over sides of length 1, tilted.
+TriangleMesh needles()
+{
+  std::vector<Point3> points;
+  std::vector<std::array<int, 3>> triangles;
+  double y = 0.0;
+  for (const double height : { 1e-1, 1e-2, 1e-3, 1e-5, 1e-8, 1e-12 })
+  {
+    for (const double foot : { 0.0, 0.5, 0.99, 1.0, 1.4 })
+    {
+      const int first = static_cast<int>(points.size());
+      points.insert(points.end(),
+        { { 0.0, y, 0.0 }, { 1.0, y, 0.0 }, { foot, y + height, 0.5 * height } });
+      triangles.push_back({ first, first + 1, first + 2 });
+      y += 0.21;
+    }
+  }
+  return tilted(makeMesh(points, triangles));
+}
+
+/// Two nearly parallel sheets of long strips, whose edges between coplanar triangles have regions
+/// of hardly any width. They diverge, and seen from z = 0 one is `excess` farther away than the
+/// other.
+TriangleMesh longStrips(double length, double width, int count, double excess)
+{
+  std::vector<Point3> points;
+  std::vector<std::array<int, 3>> triangles;
+  for (const double z : { -1.0, 1.0 + excess })
+  {
+    for (int i = 0; i <= count; ++i)
+    {
+      const int n = static_cast<int>(points.size());
+      points.push_back({ 0.0, i * width, z });
+      points.push_back({ length, i * width + 0.3 * length, 6.0 * z });
+      if (i > 0)
+      {
+        triangles.push_back({ n - 2, n - 1, n });
+        triangles.push_back({ n - 1, n + 1, n });
+      }
+    }
+  }
+  return makeMesh(points, triangles);
+}
+
+/// A triangle given twice and two neighbours, from a chair with double sides: the polygons of their
+/// common edge have nearly collinear corners.
+TriangleMesh doubledTriangle()
+{
+  return makeMesh({ { 0.215344, -0.0233522, -0.00842154 }, { 0.2361, -0.0249683, -0.00990934 },
+                    { 0.206755, -0.0182587, -0.0633449 }, { 0.214676, -0.0182587, 0.047165 },
+                    { 0.193932, -0.0180299, 0.04418 } },
+    { { 0, 1, 2 }, { 1, 3, 0 }, { 0, 3, 1 }, { 3, 0, 4 } });
+}
+
+TriangleMesh strayCells()
+{
+  return makeMesh({ { 0.0, 0.0, 0.0 }, { 1.0, 0.2, 0.0 }, { 0.4, 0.9, 0.1 }, { 0.0, 0.5, 0.8 },
+                    { 1.0, 0.5, 0.7 }, { 0.5, 0.1, 1.0 } },
+    { { 0, 1, 2 } }, { { 3, 4 }, { 0, 1 } }, { 5, 2 });
+}
+
+std::vector<OddInput> oddMeshes()
+{
+  return { around("soup", randomSoup(60, 11)), around("openMesh", plates(0.4, 1.0)),
+    around("edgeWithThreeFaces", fan(3)), around("edgeWithFiveFaces", fan(5)),
+    around("bowTie", bowTie()), around("duplicates", duplicates()),
+    around("zeroAreaTriangles", zeroAreaTriangles()), around("needles", needles()),
+    around("trianglesSegmentsPoints", strayCells()),
+    around("triangle",
+      makeMesh({ { 0.0, 0.0, 0.0 }, { 1.0, 0.1, 0.2 }, { 0.3, 0.8, 0.4 } }, { { 0, 1, 2 } })),
+    around("segment", makeMesh({ { 0.0, 0.0, 0.0 }, { 1.0, 0.3, 0.2 } }, {}, { { 0, 1 } })),
+    around("point", makeMesh({ { 0.3, -0.2, 5.0 } }, {}, {}, { 0 })),
+    around("farAway", translated(torus(0.5, 0.2, 24, 12), { 1e6, -1e6, 1e6 })),
+    around("tiny", scaled(torus(0.5, 0.2, 24, 12), 1e-6)),
+    around("huge", scaled(torus(0.5, 0.2, 24, 12), 1e6)),
+    around("subVoxelTriangles", scaled(icosphere(1.0, 5), 0.3)) };
+}
+
+std::vector<OddInput> oddGrids()
+{
+  const TriangleMesh ring = torus(1.0, 0.4, 32, 16);
+  const Point3 h{ 0.05, 0.05, 0.05 };
+  return { { "oneThickInX", ring, gridOf({ 0.83, -1.5, -0.6 }, h, { 1, 61, 25 }) },
+    { "oneThickInY", ring, gridOf({ -1.5, 0.21, -0.6 }, h, { 61, 1, 25 }) },
+    { "oneThickInZ", ring, gridOf({ -1.5, -1.5, 0.13 }, h, { 61, 61, 1 }) },
+    { "row", ring, gridOf({ -1.5, 0.11, 0.13 }, h, { 61, 1, 1 }) },
+    { "column", ring, gridOf({ 0.33, 0.11, -0.7 }, h, { 1, 1, 61 }) },
+    { "onePoint", ring, gridOf({ 0.91, 0.17, 0.11 }, h, { 1, 1, 1 }) },
+    { "flatVoxels", ring, gridOf({ -1.5, -1.5, -0.6 }, { 0.1, 0.1, 0.01 }, { 31, 31, 121 }) },
+    { "unequalSpacing", ring, gridOf({ -1.5, -1.5, -0.6 }, { 0.03, 0.07, 0.19 }, { 101, 43, 7 }) },
+    { "wideVoxels", ring, gridOf({ -1.5, -1.5, -0.6 }, { 0.5, 0.02, 0.06 }, { 7, 151, 21 }) },
+    { "outside", ring, gridOf({ 3.0, 2.0, 5.0 }, h, { 30, 25, 20 }) },
+    { "farOutside", ring, gridOf({ 60.0, -40.0, 50.0 }, h, { 30, 25, 20 }) },
+    { "inside", box({ 3.0, 2.0, 2.5 }), gridOf({ -0.7, -0.4, -0.5 }, h, { 30, 25, 20 }) },
+    { "insideLargeMesh", scaled(icosphere(1.0, 4), 50.0),
+      gridOf({ -0.7, -0.4, -0.5 }, h, { 30, 25, 20 }) },
+    { "onLargeMesh", scaled(icosphere(1.0, 4), 50.0),
+      gridOf({ 30.0, 40.0, -0.5 }, h, { 30, 25, 20 }) },
+    { "onVeryLargeMesh", scaled(tilted(icosphere(1.0, 2)), 5e3),
+      gridOf({ 2500.0, 3000.0, 2800.0 }, h, { 30, 25, 20 }) },
+    { "doubledTriangle", doubledTriangle(),
+      gridOf({ -0.321262419, -0.381877969, -0.0121231101 },
+        { 0.0121231101, 0.0121231101, 0.0121231101 }, { 54, 64, 1 }) } };
+}
+
+class OddMesh : public testing::TestWithParam<OddInput>
+{
+};
+
+class LongStrips : public testing::TestWithParam<double>
+{
+};
+
+} // namespace
+
+TEST_P(OddMesh, IsExactAtEveryVoxel)
+{
+  expectExactField(GetParam().mesh, GetParam().grid);
+}
+
+INSTANTIATE_TEST_SUITE_P(Meshes, OddMesh, testing::ValuesIn(oddMeshes()),
+  [](const auto& test) { return test.param.name; });
+INSTANTIATE_TEST_SUITE_P(Grids, OddMesh, testing::ValuesIn(oddGrids()),
+  [](const auto& test) { return test.param.name; });
+
+/// On the middle slice polygons of a thousand by a hundredth of a voxel compete at distances that
+/// differ by a fraction of a voxel.
+TEST_P(LongStrips, AreExactBetweenTheSheets)
+{
+  const double h = 0.02;
+  const TriangleMesh mesh = longStrips(20.0, GetParam(), 6, 0.1 * h);
+  const Grid grid = gridOf({ 0.0, 0.0, 0.0 }, { h, h, h }, { 1000, 250, 1 });
+  expectExactField(mesh, grid);
+}
+
+INSTANTIATE_TEST_SUITE_P(Width, LongStrips, testing::Values(0.0002, 0.01, 0.7));

@@ -1,0 +1,177 @@
+#include "medial/distance_field.h"
+#include "medial/error.h"
+
+#include "support/brute_force.h"
+#include "support/field_checks.h"
+#include "support/model_formats.h"
+#include "support/models.h"
+#include "support/shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace medial;
+using namespace medial::test;
+
+namespace
+{
+
+struct Solid
+{
+  std::string name;
+  TriangleMesh mesh;
+};
+
+std::ostream& operator<<(std::ostream& stream, const Solid& solid)
+{
+  return stream << solid.name;
+}
+
+/// A sharp wedge whose edge one side splits in the middle; a triangle without area closes the gap.
+TriangleMesh wedgeClosedByZeroArea(double dihedral)
+{
+  const double half = 0.5 * dihedral * std::acos(-1.0) / 180.0;
+  const double x = std::cos(half);
+  const double y = std::sin(half);
+  return makeMesh({ { 0.0, 0.0, -1.0 }, { 0.0, 0.0, 1.0 }, { 0.0, 0.0, 0.1 }, { x, -y, -1.0 },
+                    { x, -y, 1.0 }, { x, y, -1.0 }, { x, y, 1.0 } },
+    { { 0, 3, 1 }, { 1, 3, 4 }, { 0, 2, 5 }, { 2, 1, 6 }, { 2, 6, 5 }, { 0, 1, 2 }, { 3, 5, 4 },
+      { 4, 5, 6 }, { 0, 5, 3 }, { 1, 4, 6 } });
+}
+
+/// Two tetrahedra that meet in a corner.
+TriangleMesh bowTie()
+{
+  const TriangleMesh one = regularTetrahedron(1.0);
+  const Point3& corner = one.points[0];
+  const TriangleMesh up = translated(one, { -corner[0], -corner[1], -corner[2] });
+  return appended(up,
+    translated(rotated90(rotated90(one, 0), 0), { -corner[0], corner[1], corner[2] }));
+}
+
+std::vector<Solid> solids()
+{
+  std::vector<Solid> result{ { "box", box({ 1.0, 0.6, 0.3 }) }, { "lPrism", lPrism(1.0, 0.4) },
+    { "torus", torus(1.0, 0.3, 24, 12) }, { "shell", shell(0.5, 1.0, 2) },
+    { "sharpWedge", wedge(8.0, 1.0, 1.0) }, { "reflexWedge", wedge(350.0, 1.0, 1.0) },
+    { "twoSolids", appended(icosphere(0.4, 2), translated(icosphere(0.4, 2), { 1.0, 0.3, 0.2 })) },
+    { "inwardFaces", flipOrientation(torus(1.0, 0.3, 24, 12)) },
+    { "inwardShell", flipOrientation(shell(0.5, 1.0, 2)) },
+    { "wedgeClosedByZeroArea", wedgeClosedByZeroArea(20.0) }, { "bowTie", bowTie() },
+    { "flatEllipsoid", ellipsoid(1.0, 0.7, 0.02, 3) } };
+  for (const auto& [name, file] : std::vector<std::pair<const char*, const char*>>{
+         { "triceratops", "paper/triceratops.off" }, { "casting", "cad/casting_10k.off" } })
+  {
+    if (const auto path = modelPath(file))
+    {
+      result.push_back({ name, loadMesh(*path) });
+    }
+  }
+  return result;
+}
+
+class SignOf : public testing::TestWithParam<Solid>
+{
+};
+
+ErrorCode codeOf(const TriangleMesh& mesh, SignMethod sign)
+{
+  DistanceFieldOptions options;
+  options.sign = sign;
+  try
+  {
+    computeDistanceField(mesh, makeGrid(mesh.bounds(), 8, 0.1), options);
+  }
+  catch (const Error& error)
+  {
+    return error.code();
+  }
+  ADD_FAILURE() << "no error";
+  return ErrorCode::Cancelled;
+}
+
+SignMethod automaticSign(const TriangleMesh& mesh)
+{
+  return computeDistanceField(mesh, makeGrid(mesh.bounds(), 8, 0.1)).sign;
+}
+
+void expectNegativeInsideOnly(const TriangleMesh& mesh, const DistanceFieldOptions& options)
+{
+  const DistanceField field = computeDistanceField(mesh, makeGrid(mesh.bounds(), 64, 0.1), options);
+  const Voxels voxels = randomVoxels(field.grid, 5000);
+  std::vector<char> wrong(voxels.size(), 0);
+  parallelFor(voxels.size(),
+    [&](std::size_t i)
+    {
+      const double distance = static_cast<double>(field.distance[voxels[i]]);
+      const bool inside = std::abs(windingNumber(mesh, voxelPoint(field.grid, voxels[i]))) > 0.5;
+      wrong[i] = std::abs(distance) > 1e-3 * voxelSize(field.grid) && (distance < 0.0) != inside;
+    });
+  EXPECT_EQ(field.sign, SignMethod::Pseudonormal);
+  EXPECT_EQ(std::count(wrong.begin(), wrong.end(), 1), 0);
+}
+
+} // namespace
+
+TEST_P(SignOf, IsNegativeInsideOnly)
+{
+  for (const DistanceFieldOptions& options : allEngines())
+  {
+    expectNegativeInsideOnly(GetParam().mesh, options);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Solids, SignOf, testing::ValuesIn(solids()),
+  [](const auto& test) { return test.param.name; });
+
+TEST(DistanceFieldSign, DoesNotChangeTheMagnitude)
+{
+  const TriangleMesh mesh = torus(1.0, 0.3, 24, 12);
+  const Grid grid = makeGrid(mesh.bounds(), 48, 0.1);
+  DistanceFieldOptions options;
+  options.sign = SignMethod::None;
+  const DistanceField plain = computeDistanceField(mesh, grid, options);
+  const DistanceField withSign = computeDistanceField(mesh, grid);
+  for (std::size_t i = 0; i < plain.distance.size(); ++i)
+  {
+    ASSERT_EQ(plain.distance[i], std::abs(withSign.distance[i]));
+  }
+}
+
+TEST(DistanceFieldSign, IsPickedByTheMesh)
+{
+  EXPECT_EQ(automaticSign(box({ 1.0, 1.0, 1.0 })), SignMethod::Pseudonormal);
+  EXPECT_EQ(automaticSign(flipOrientation(box({ 1.0, 1.0, 1.0 }))), SignMethod::Pseudonormal);
+  EXPECT_EQ(automaticSign(plates(1.0, 1.0)), SignMethod::None);
+  EXPECT_EQ(automaticSign(randomSoup(10, 5)), SignMethod::None);
+  TriangleMesh mixed = box({ 1.0, 1.0, 1.0 });
+  std::swap(mixed.triangles[0][0], mixed.triangles[0][1]);
+  EXPECT_EQ(automaticSign(mixed), SignMethod::None);
+}
+
+TEST(DistanceFieldSign, IsUnsignedOnOpenMeshes)
+{
+  const TriangleMesh mesh = plates(0.5, 1.0);
+  const DistanceField field = computeDistanceField(mesh, makeGrid(mesh.bounds(), 32, 0.1));
+  EXPECT_TRUE(std::none_of(field.distance.begin(), field.distance.end(),
+    [](float d) { return std::signbit(d); }));
+}
+
+TEST(DistanceFieldSign, OfOpenOrMisorientedMeshesCannotBePseudonormal)
+{
+  EXPECT_EQ(codeOf(plates(1.0, 1.0), SignMethod::Pseudonormal), ErrorCode::InvalidInput);
+  TriangleMesh mixed = box({ 1.0, 1.0, 1.0 });
+  std::swap(mixed.triangles[0][0], mixed.triangles[0][1]);
+  EXPECT_EQ(codeOf(mixed, SignMethod::Pseudonormal), ErrorCode::InvalidInput);
+}
+
+TEST(DistanceFieldSign, CannotBeWinding)
+{
+  EXPECT_EQ(codeOf(box({ 1.0, 1.0, 1.0 }), SignMethod::Winding), ErrorCode::InvalidInput);
+}

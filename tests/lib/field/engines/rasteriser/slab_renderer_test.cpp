@@ -1,0 +1,126 @@
+#include "culling/candidate_tiles.h"
+#include "field/engines/rasteriser/hole_repair.h"
+#include "field/engines/rasteriser/site_rectangles.h"
+#include "field/engines/rasteriser/slab_renderer.h"
+#include "gl/gpu_thread.h"
+#include "medial/distance_field.h"
+#include "medial/error.h"
+#include "sites/pseudonormals.h"
+#include "support/shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace medial::test
+{
+namespace
+{
+
+Extent extentOf(int x, int y, int z)
+{
+  return { { 0, 0, 0 }, { x - 1, y - 1, z - 1 } };
+}
+
+TEST(AtlasLayout, HoldsASlabAndTheSliceBefore)
+{
+  const AtlasLayout atlas = AtlasLayout::make(extentOf(100, 50, 200), 64, 1000);
+  EXPECT_GE(atlas.columns * atlas.rows, 65);
+  EXPECT_LE(atlas.size().x, 1000);
+  EXPECT_LE(atlas.size().y, 1000);
+}
+
+TEST(AtlasLayout, TakesNoMoreSlicesThanTheExtentHas)
+{
+  const AtlasLayout atlas = AtlasLayout::make(extentOf(100, 50, 3), 64, 16384);
+  EXPECT_LE(atlas.columns * atlas.rows, 5);
+}
+
+TEST(AtlasLayout, SlicesThatDoNotFitAreRefused)
+{
+  EXPECT_TRUE(AtlasLayout::fits(extentOf(600, 600, 10), 1, 1200));
+  EXPECT_FALSE(AtlasLayout::fits(extentOf(600, 600, 10), 4, 1200));
+  EXPECT_THROW(AtlasLayout::make(extentOf(600, 600, 10), 4, 1200), Error);
+}
+
+/// A torus on a small grid, with all that comes before drawing.
+class SlabOfTorus : public testing::Test
+{
+protected:
+  TriangleMesh mesh_ = torus(1.0, 0.4, 16, 8);
+  MeshConnectivity topology_ = analyseConnectivity(mesh_);
+  Grid grid_ = makeGrid(mesh_.bounds(), 100);
+  GridFrame frame_{ grid_ };
+  SiteSet sites_{ mesh_, topology_, frame_ };
+  Extent slab_ = grid_.wholeExtent();
+  CandidateFilter filter_{ sites_ };
+  CandidateHierarchy hierarchy_{ filter_, frame_, slab_, TileHull::Points };
+};
+
+TEST_F(SlabOfTorus, RectanglesCoverTheirTilesInAscendingOrder)
+{
+  const auto tiles = hierarchy_.leafTiles(slab_);
+  const auto rectangles = siteRectangles(tiles, slab_, sites_.size());
+  for (std::size_t i = 1; i < rectangles.size(); ++i)
+  {
+    const auto& a = rectangles[i - 1];
+    const auto& b = rectangles[i];
+    EXPECT_TRUE(a.low.z < b.low.z || (a.low.z == b.low.z && a.site <= b.site));
+  }
+  for (const SiteRectangle& rectangle : rectangles)
+  {
+    EXPECT_LT(rectangle.high.x - rectangle.low.x, 64);
+    EXPECT_LT(rectangle.high.y - rectangle.low.y, 64);
+  }
+}
+
+TEST_F(SlabOfTorus, ATableOfTilesThatDoesNotFitIsRefused)
+{
+  const Extent huge{ { 0, 0, 0 }, { 1 << 20, 1 << 20, 1 << 20 } };
+  try
+  {
+    const TileQuery query(sites_, filter_, frame_, huge, hierarchy_.leafSize());
+    FAIL() << "was granted";
+  }
+  catch (const Error& error)
+  {
+    EXPECT_EQ(error.code(), ErrorCode::OutOfMemory);
+    EXPECT_NE(std::string(error.what()).find("tiles of the grid needs"), std::string::npos)
+      << error.what();
+  }
+}
+
+TEST_F(SlabOfTorus, HolesAreFilledExactly)
+{
+  const auto normals = pseudonormals(sites_, false);
+  TileQuery query(sites_, filter_, frame_, slab_, hierarchy_.leafSize());
+  for (CandidateTiles& block : hierarchy_.leafTiles(slab_))
+  {
+    query.add(std::move(block));
+  }
+  const auto count = static_cast<std::size_t>(slab_.pointCount());
+  std::vector<glm::vec4> filled(count);
+  gl::OnGpuThread<SlabRenderer> renderer(sites_, normals, frame_,
+    AtlasLayout::make(slab_, 64, 4096), FieldSign::Outward);
+  renderer.run(
+    [&](SlabRenderer& r)
+    {
+      r.draw({}); // no polygon at all: every grid point is a hole
+      EXPECT_EQ(r.resolve(slab_), count);
+      repairHoles(r, normals, frame_, query, FieldSign::Outward, slab_);
+      r.readDisplacements(slab_.size(2), filled.data());
+    });
+  const DistanceField truth = computeDistanceField(mesh_, grid_);
+  double worst = 0.0;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const double distance = static_cast<double>(filled[i].w) * frame_.unit;
+    worst = std::max(worst, std::abs(distance - static_cast<double>(truth.distance[i])));
+  }
+  EXPECT_LT(worst, 1e-3 * frame_.unit);
+}
+
+} // namespace
+} // namespace medial::test

@@ -1,0 +1,216 @@
+#include "gl/gpu_thread.h"
+#include "gl/shader_source.h"
+#include "medial/device.h"
+#include "medial/error.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <future>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+using namespace medial;
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+std::string textOf(const fs::path& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+/// A folder that holds nothing, for the time of a test.
+class EmptyFolder
+{
+public:
+  EmptyFolder()
+  {
+    std::string pattern = (fs::temp_directory_path() / "medial-XXXXXX").string();
+    path_ = mkdtemp(pattern.data());
+  }
+  ~EmptyFolder() { fs::remove_all(path_); }
+  EmptyFolder(const EmptyFolder&) = delete;
+  EmptyFolder& operator=(const EmptyFolder&) = delete;
+
+  const fs::path& path() const { return path_; }
+
+private:
+  fs::path path_;
+};
+
+/// 0 where the device is missing as documented: twice, as the library tries again.
+int exitCodeWithoutEgl()
+{
+  for (int attempt = 0; attempt < 2; ++attempt)
+  {
+    try
+    {
+      queryDevice();
+      return 1;
+    }
+    catch (const Error& error)
+    {
+      if (error.code() != ErrorCode::NoGpu || std::string(error.what()).empty())
+      {
+        return 2;
+      }
+    }
+  }
+  return 0;
+}
+
+} // namespace
+
+TEST(GpuThread, DescribesItsDevice)
+{
+  const Device device = queryDevice();
+  EXPECT_FALSE(device.renderer.empty());
+  EXPECT_FALSE(device.version.empty());
+}
+
+TEST(GpuThread, RunsJobsInOrderOnOneThread)
+{
+  std::vector<int> order;
+  std::set<std::thread::id> threads;
+  std::vector<std::future<void>> done;
+  for (int i = 0; i < 50; ++i)
+  {
+    done.push_back(gl::GpuThread::instance().submit(
+      [&, i]
+      {
+        order.push_back(i);
+        threads.insert(std::this_thread::get_id());
+      }));
+  }
+  done.back().get();
+  EXPECT_TRUE(std::is_sorted(order.begin(), order.end()));
+  EXPECT_EQ(order.size(), 50u);
+  EXPECT_EQ(threads.size(), 1u);
+  EXPECT_EQ(threads.count(std::this_thread::get_id()), 0u);
+}
+
+TEST(GpuThread, HandsExceptionsOfJobsToTheCaller)
+{
+  gl::GpuThread& thread = gl::GpuThread::instance();
+  EXPECT_THROW(thread.run([] { throw std::range_error("from a job"); }), std::range_error);
+  std::future<void> failing =
+    thread.submit([] { throw Error(ErrorCode::GpuLimit, "from another"); });
+  EXPECT_THROW(failing.get(), Error);
+  bool ran = false;
+  thread.run([&] { ran = true; });
+  EXPECT_TRUE(ran);
+}
+
+TEST(GpuThread, HandsExceptionsOfConstructorsToTheCaller)
+{
+  struct Failing
+  {
+    Failing() { throw std::range_error("from a constructor"); }
+  };
+  EXPECT_THROW(gl::OnGpuThread<Failing>{}, std::range_error);
+}
+
+TEST(GpuThread, BuildsAndDestroysObjectsWhereTheyLive)
+{
+  struct Recorder
+  {
+    explicit Recorder(std::vector<std::thread::id>& ids)
+      : seen(ids)
+    {
+      seen.push_back(std::this_thread::get_id());
+    }
+    ~Recorder() { seen.push_back(std::this_thread::get_id()); }
+    std::vector<std::thread::id>& seen;
+  };
+  std::vector<std::thread::id> seen;
+  {
+    const gl::OnGpuThread<Recorder> object{ seen };
+    EXPECT_EQ(seen.size(), 1u);
+  }
+  ASSERT_EQ(seen.size(), 2u);
+  EXPECT_EQ(seen[0], seen[1]);
+  EXPECT_NE(seen[0], std::this_thread::get_id());
+}
+
+TEST(GpuThread, TakesJobsFromManyThreads)
+{
+  int sum = 0;
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 4; ++i)
+  {
+    threads.emplace_back(
+      [&]
+      {
+        for (int job = 0; job < 100; ++job)
+        {
+          gl::GpuThread::instance().run([&] { ++sum; });
+        }
+      });
+  }
+  for (std::thread& thread : threads)
+  {
+    thread.join();
+  }
+  EXPECT_EQ(sum, 400);
+}
+
+TEST(NoGpuDeathTest, WithoutAnyEglDriverTheErrorSaysSo)
+{
+  testing::GTEST_FLAG(death_test_style) = "threadsafe";
+  const EmptyFolder folder;
+  EXPECT_EXIT(
+    {
+      setenv("__EGL_VENDOR_LIBRARY_DIRS", folder.path().c_str(), 1);
+      std::exit(exitCodeWithoutEgl());
+    },
+    testing::ExitedWithCode(0), "");
+}
+
+TEST(NoGpuDeathTest, WithoutAnyEglLibraryTheErrorSaysSo)
+{
+  testing::GTEST_FLAG(death_test_style) = "threadsafe";
+  const EmptyFolder folder;
+  // The child finds this file, which is no library, before the real one.
+  std::ofstream{ folder.path() / "libEGL.so.1" } << "nothing";
+  setenv("LD_LIBRARY_PATH", folder.path().c_str(), 1);
+  EXPECT_EXIT(std::exit(exitCodeWithoutEgl()), testing::ExitedWithCode(0), "");
+  unsetenv("LD_LIBRARY_PATH");
+}
+
+TEST(ShaderSource, HoldsEveryFileOfTheShadersFolder)
+{
+  std::size_t files = 0;
+  for (const auto& entry : fs::directory_iterator(MEDIAL_SHADER_FOLDER))
+  {
+    const std::string name = entry.path().filename().string();
+    EXPECT_EQ(textOf(entry.path()), gl::shaderSource(name)) << name;
+    ++files;
+  }
+  EXPECT_EQ(files, gl::kEmbeddedShaderCount);
+}
+
+TEST(ShaderSource, OfAnUnknownNameIsAnError)
+{
+  try
+  {
+    gl::shaderSource("missing.frag");
+    FAIL() << "no error";
+  }
+  catch (const Error& error)
+  {
+    EXPECT_EQ(error.code(), ErrorCode::ShaderBuild);
+  }
+}

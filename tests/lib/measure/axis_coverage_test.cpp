@@ -1,0 +1,171 @@
+// Shares of surfaces that are known from their areas.
+#include "medial/axis_coverage.h"
+
+#include "medial/error.h"
+#include "support/axes.h"
+#include "support/shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+
+namespace medial::test
+{
+namespace
+{
+
+const double kPi = std::acos(-1.0);
+constexpr double kReach = 0.03;
+
+MedialModel oneBall(double radius)
+{
+  MedialModel model;
+  model.centres = { { 0, 0, 0 } };
+  model.radii = { radius };
+  return model;
+}
+
+double uncovered(const TriangleMesh& mesh, const MedialModel& model, double reach = kReach)
+{
+  return measureCoverage(mesh, model, reach).uncoveredShare;
+}
+
+TEST(AxisCoverage, TheAxisOfACapsuleLeavesNothing)
+{
+  MedialModel model;
+  model.centres = { { 0, 0, -1 }, { 0, 0, 1 } };
+  model.radii = { 0.5, 0.5 };
+  model.lines = { { 0, 1 } };
+  const TriangleMesh mesh = uvCapsule(0.5, 1.0, 128);
+  const AxisCoverage coverage = measureCoverage(mesh, model, 1e-4);
+  EXPECT_EQ(coverage.uncoveredShare, 0.0);
+  EXPECT_EQ(coverage.reach, 1e-4);
+  EXPECT_EQ(coverage.samples, kDefaultCoverageSamples);
+  // Without the line the cylinder lies bare, as far as it is not beside the balls.
+  model.lines.clear();
+  const double beside = std::sqrt(kReach * kReach + 2.0 * kReach * 0.5);
+  EXPECT_NEAR(uncovered(mesh, model), (1.0 - beside) / (1.0 + 0.5), 0.002);
+}
+
+TEST(AxisCoverage, ABodyWithoutAxisCountsByItsArea)
+{
+  const TriangleMesh one = icosphere(1.0, 4);
+  const TriangleMesh mesh = appended(one, translated(scaled(one, 0.25), { 4.0, 0.0, 0.0 }));
+  EXPECT_NEAR(uncovered(mesh, oneBall(1.0)), 0.0625 / 1.0625, 0.0005);
+}
+
+/// The middle sheet of a box alone, as a theta of more than 90 degrees leaves it: around the places
+/// that its balls touch, whatever is nearer to it than radius + reach.
+TEST(AxisCoverage, ABoxWithoutTheSheetsOfItsEdges)
+{
+  const Point3 half{ 1.0, 0.8, 0.5 };
+  const double u = half[0] - half[2];
+  const double v = half[1] - half[2];
+  AxisBuilder sheet;
+  sheet.addSheet({ -u, -v, 0.0 }, { 2.0 * u, 0.0, 0.0 }, { 0.0, 2.0 * v, 0.0 }, 4, half[2]);
+  const double around = std::sqrt(kReach * kReach + 2.0 * kReach * half[2]);
+  const double disc = kPi * around * around;
+  const double covered = 2.0 * (4.0 * u * v + 4.0 * (u + v) * around + disc) // top and bottom
+    + 2.0 * (4.0 * v * around + disc) + 2.0 * (4.0 * u * around + disc);
+  const double area = 8.0 * (half[0] * half[1] + half[1] * half[2] + half[2] * half[0]);
+  EXPECT_NEAR(uncovered(box(half), toMedialModel(sheet.axis)), 1.0 - covered / area, 0.001);
+}
+
+/// The innermost line of a wedge alone, as a theta above the angles of all its edges leaves it: the
+/// cylinder along it touches the middles of the three sides and fills the incircles of the ends.
+TEST(AxisCoverage, AWedgeWithoutTheSheetsOfItsEdges)
+{
+  const double length = 3.0;
+  const double apex = 35.0 * kPi / 180.0; // half of it; the two sides there are 1 wide
+  const double perimeter = 2.0 + 2.0 * std::sin(apex);
+  const double end = std::sin(apex) * std::cos(apex);
+  const double radius = 2.0 * end / perimeter;
+  MedialModel line;
+  const double x = radius / std::sin(apex);
+  line.centres = { { x, 0.0, -0.5 * length }, { x, 0.0, 0.5 * length } };
+  line.radii = { radius, radius };
+  line.lines = { { 0, 1 } };
+  const double outer = radius + kReach;
+  const double half = std::sqrt(outer * outer - radius * radius);
+  const double beyondSide = outer * outer * std::acos(radius / outer) - radius * half;
+  const double covered = 3.0 * 2.0 * half * length + 2.0 * (kPi * outer * outer - 3.0 * beyondSide);
+  const double area = perimeter * length + 2.0 * end;
+  EXPECT_NEAR(uncovered(wedge(70.0, length, 1.0), line), 1.0 - covered / area, 0.001);
+}
+
+TEST(AxisCoverage, WhatIsInsideTheUnionIsCovered)
+{
+  EXPECT_EQ(uncovered(icosphere(1.0, 3), oneBall(5.0), 0.0), 0.0);
+  EXPECT_EQ(uncovered(icosphere(1.0, 3), oneBall(0.5), 0.4), 1.0);
+  EXPECT_EQ(uncovered(icosphere(1.0, 3), oneBall(0.5), 0.501), 0.0);
+}
+
+TEST(AxisCoverage, NoBallsCoverNothingAndNoAreaNeedsNone)
+{
+  EXPECT_EQ(uncovered(icosphere(1.0, 1), {}), 1.0);
+  const TriangleMesh segment = makeMesh({ { 0, 0, 0 }, { 1, 0, 0 } }, {}, { { 0, 1 } });
+  EXPECT_EQ(uncovered(segment, oneBall(0.1)), 0.0);
+  EXPECT_EQ(uncovered(segment, {}), 0.0);
+}
+
+TEST(AxisCoverage, ThreadsDoNotChangeTheResult)
+{
+  const TriangleMesh mesh = lPrism(1.0, 0.4);
+  MeasurementOptions options{ 5000 };
+  options.execution.threads = 1;
+  const double one = measureCoverage(mesh, oneBall(0.6), kReach, options).uncoveredShare;
+  options.execution.threads = 2;
+  EXPECT_EQ(measureCoverage(mesh, oneBall(0.6), kReach, options).uncoveredShare, one);
+  EXPECT_GT(one, 0.0);
+  EXPECT_LT(one, 1.0);
+}
+
+void expectError(ErrorCode code, const std::string& words, const std::function<void()>& work)
+{
+  try
+  {
+    work();
+    FAIL() << words;
+  }
+  catch (const Error& error)
+  {
+    EXPECT_EQ(error.code(), code);
+    EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+  }
+}
+
+TEST(AxisCoverage, RefusesWhatItCannotMeasure)
+{
+  const TriangleMesh mesh = icosphere(1.0, 1);
+  for (const double reach :
+    { -0.5, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity() })
+  {
+    expectError(ErrorCode::InvalidInput, "outside [0, infinity)",
+      [&] { measureCoverage(mesh, oneBall(1.0), reach); });
+  }
+  expectError(ErrorCode::InvalidInput, "radius -1", [&] { uncovered(mesh, oneBall(-1.0)); });
+  expectError(ErrorCode::InvalidInput, "number of samples 10 is outside [1000, 100000000]",
+    [&] { measureCoverage(mesh, oneBall(1.0), kReach, { 10 }); });
+}
+
+class Stop : public Progress
+{
+public:
+  void report(double, const char*) override {}
+  bool cancelled() override { return true; }
+};
+
+TEST(AxisCoverage, CanBeCancelled)
+{
+  Stop stop;
+  MeasurementOptions options;
+  options.execution.progress = &stop;
+  expectError(ErrorCode::Cancelled, "cancelled",
+    [&] { measureCoverage(icosphere(1.0, 1), oneBall(1.0), kReach, options); });
+}
+
+} // namespace
+} // namespace medial::test

@@ -1,0 +1,346 @@
+#include "medial/error.h"
+#include "medial/mesh_connectivity.h"
+#include "support/models.h"
+#include "support/shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+using namespace medial;
+using namespace medial::test;
+
+namespace
+{
+
+/// V - E + F
+int eulerCharacteristic(const TriangleMesh& mesh, const MeshConnectivity& topology)
+{
+  return static_cast<int>(mesh.points.size()) - static_cast<int>(topology.edges.size()) +
+    static_cast<int>(mesh.triangles.size());
+}
+
+/// The lists agree with the triangles and segments, whatever the mesh.
+void expectConsistent(const TriangleMesh& mesh, const MeshConnectivity& topology)
+{
+  std::set<std::pair<int, int>> pairs;
+  for (const auto& edge : topology.edges)
+  {
+    EXPECT_TRUE(pairs.insert(std::minmax(edge[0], edge[1])).second) << "an edge is there twice";
+  }
+  std::size_t incidences = 0;
+  ASSERT_EQ(topology.triangleEdges.size(), mesh.triangles.size());
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      const int edge = topology.triangleEdges[i][corner];
+      const int a = mesh.triangles[i][corner];
+      const int b = mesh.triangles[i][(corner + 1) % 3];
+      EXPECT_EQ(std::minmax(topology.edges[edge][0], topology.edges[edge][1]), std::minmax(a, b));
+      const int* const end = topology.edgeTriangles.end(edge);
+      EXPECT_NE(std::find(topology.edgeTriangles.begin(edge), end, static_cast<int>(i)), end);
+      ++incidences;
+    }
+  }
+  EXPECT_EQ(topology.edgeTriangles.values.size(), incidences);
+  EXPECT_EQ(topology.edgeTriangles.rows(), static_cast<int>(topology.edges.size()));
+  EXPECT_EQ(topology.pointEdges.rows(), static_cast<int>(mesh.points.size()));
+  EXPECT_EQ(topology.pointEdges.values.size(), 2 * topology.edges.size());
+  for (int point = 0; point < topology.pointEdges.rows(); ++point)
+  {
+    for (const int* edge = topology.pointEdges.begin(point); edge != topology.pointEdges.end(point);
+         ++edge)
+    {
+      EXPECT_TRUE(topology.edges[*edge][0] == point || topology.edges[*edge][1] == point);
+    }
+  }
+}
+
+MeshConnectivity analysed(const TriangleMesh& mesh)
+{
+  MeshConnectivity topology = analyseConnectivity(mesh);
+  expectConsistent(mesh, topology);
+  return topology;
+}
+
+/// `count` triangles around the edge between points 0 and 1.
+TriangleMesh fins(int count)
+{
+  std::vector<Point3> points = { { 0, 0, 0 }, { 0, 0, 1 } };
+  std::vector<std::array<int, 3>> triangles;
+  for (int i = 0; i < count; ++i)
+  {
+    points.push_back({ std::cos(i), std::sin(i), 0.5 });
+    triangles.push_back({ 0, 1, i + 2 });
+  }
+  return makeMesh(points, triangles);
+}
+
+TriangleMesh moebiusStrip(int segments)
+{
+  const double step = 2.0 * std::acos(-1.0) / segments;
+  std::vector<Point3> points;
+  std::vector<std::array<int, 3>> triangles;
+  for (int i = 0; i < segments; ++i)
+  {
+    for (const double side : { -0.3, 0.3 })
+    {
+      const double rho = 1.0 + side * std::cos(0.5 * i * step);
+      points.push_back(
+        { rho * std::cos(i * step), rho * std::sin(i * step), side * std::sin(0.5 * i * step) });
+    }
+    const bool last = i + 1 == segments;
+    const int next = last ? 1 : 2 * i + 2;
+    const int nextOther = last ? 0 : 2 * i + 3;
+    triangles.insert(triangles.end(),
+      { { 2 * i, next, 2 * i + 1 }, { 2 * i + 1, next, nextOther } });
+  }
+  return makeMesh(points, triangles);
+}
+
+struct Figures
+{
+  const char* model;
+  int components;
+  int boundaryEdges;
+  int nonManifoldEdges;
+  int euler;
+};
+
+} // namespace
+
+TEST(Topology, Tetrahedron)
+{
+  const TriangleMesh mesh = regularTetrahedron(2.0);
+  const MeshConnectivity topology = analysed(mesh);
+  EXPECT_EQ(topology.edges.size(), 6u);
+  EXPECT_EQ(topology.components, 1);
+  EXPECT_TRUE(topology.closed() && topology.manifold() && topology.oriented());
+  EXPECT_EQ(topology.edgeTriangles.size(0), 2);
+  EXPECT_EQ(topology.pointEdges.size(3), 3);
+  EXPECT_NEAR(topology.signedVolume, std::sqrt(8.0) / 3.0, 1e-12);
+}
+
+TEST(Topology, GeneratedShapesAreClosedAndOutward)
+{
+  const std::vector<TriangleMesh> shapes = { box({ 1, 2, 3 }), lPrism(1, 2), icosphere(2, 2),
+    ellipsoid(3, 2, 1, 2), uvCapsule(1, 2, 16), uvCapsule(1, 0, 12), torus(3, 1, 20, 10),
+    cylinder(1, 4, 17), shell(1, 2, 2), wedge(40, 5, 2), wedge(300, 5, 2), regularTetrahedron(1),
+    mirrored(lPrism(1, 1), 0), rotated90(lPrism(1, 1), 2) };
+  const std::vector<int> euler = { 2, 2, 2, 2, 2, 2, 0, 2, 4, 2, 2, 2, 2, 2 };
+  for (std::size_t i = 0; i < shapes.size(); ++i)
+  {
+    const MeshConnectivity topology = analysed(shapes[i]);
+    EXPECT_TRUE(topology.closed() && topology.manifold() && topology.oriented()) << "shape " << i;
+    EXPECT_GT(topology.signedVolume, 0.0) << "shape " << i;
+    EXPECT_EQ(eulerCharacteristic(shapes[i], topology), euler[i]) << "shape " << i;
+  }
+}
+
+TEST(Topology, VolumesOfGeneratedShapes)
+{
+  const double pi = std::acos(-1.0);
+  EXPECT_NEAR(analyseConnectivity(lPrism(1, 2)).signedVolume, 12.0, 1e-12);
+  EXPECT_NEAR(analyseConnectivity(icosphere(1, 5)).signedVolume, 4.0 / 3.0 * pi, 4e-3);
+  EXPECT_NEAR(analyseConnectivity(torus(3, 1, 200, 100)).signedVolume, 6.0 * pi * pi, 0.1);
+  EXPECT_NEAR(analyseConnectivity(cylinder(1, 4, 500)).signedVolume, 4.0 * pi, 1e-3);
+  EXPECT_NEAR(analyseConnectivity(uvCapsule(1, 2, 200)).signedVolume, (4.0 + 4.0 / 3.0) * pi, 1e-2);
+  EXPECT_NEAR(analyseConnectivity(wedge(60, 5, 2)).signedVolume, 5.0 * std::sqrt(3.0), 1e-12);
+}
+
+TEST(Topology, VolumeIsAccurateFarFromTheOrigin)
+{
+  const TriangleMesh mesh = translated(box({ 0.5, 0.5, 0.5 }), { 1e6, -1e6, 1e6 });
+  EXPECT_NEAR(analyseConnectivity(mesh).signedVolume, 1.0, 1e-12);
+  EXPECT_NEAR(analyseConnectivity(flipOrientation(mesh)).signedVolume, -1.0, 1e-12);
+}
+
+TEST(Topology, OpenBoxHasABoundary)
+{
+  TriangleMesh mesh = box({ 1, 1, 1 });
+  mesh.triangles.resize(10);
+  mesh.triangleCells.resize(10);
+  const MeshConnectivity topology = analysed(mesh);
+  EXPECT_EQ(topology.boundaryEdges, 4);
+  EXPECT_FALSE(topology.closed());
+  EXPECT_TRUE(topology.manifold() && topology.oriented());
+}
+
+TEST(Topology, ThreeFinsShareOneEdge)
+{
+  const MeshConnectivity topology = analysed(fins(3));
+  EXPECT_EQ(topology.edges.size(), 7u);
+  EXPECT_EQ(topology.nonManifoldEdges, 1);
+  EXPECT_EQ(topology.boundaryEdges, 6);
+  EXPECT_EQ(
+    *std::max_element(topology.edgeTriangles.values.begin(), topology.edgeTriangles.values.end()),
+    2);
+  EXPECT_FALSE(topology.manifold());
+  EXPECT_GE(topology.nonManifoldTriangles, 1);
+}
+
+TEST(Topology, EveryFinIsInItsEdgesList)
+{
+  const MeshConnectivity topology = analysed(fins(9));
+  const auto spine = std::find_if(topology.edges.begin(), topology.edges.end(),
+    [](const std::array<int, 2>& edge) { return edge[0] + edge[1] == 1; });
+  EXPECT_EQ(topology.edgeTriangles.size(static_cast<int>(spine - topology.edges.begin())), 9);
+}
+
+TEST(Topology, OpenBowTieIsOnePieceButNotManifold)
+{
+  const TriangleMesh mesh =
+    makeMesh({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { -1, 0, 0 }, { -1, -1, 0 } },
+      { { 0, 1, 2 }, { 0, 3, 4 } });
+  const MeshConnectivity topology = analysed(mesh);
+  EXPECT_EQ(topology.components, 1);
+  EXPECT_EQ(topology.nonManifoldPoints, 1);
+  EXPECT_FALSE(topology.manifold());
+  EXPECT_EQ(topology.pointEdges.size(0), 4);
+}
+
+TEST(Topology, ClosedBowTieIsClosedButNotManifold)
+{
+  const TriangleMesh tetrahedron = regularTetrahedron(std::sqrt(8.0));
+  const TriangleMesh mesh = appended(tetrahedron, translated(box({ 1, 1, 1 }), { 2, 2, 2 }));
+  EXPECT_EQ(mesh.points.size(), 4u + 8u - 1u);
+  const MeshConnectivity topology = analysed(mesh);
+  EXPECT_TRUE(topology.closed() && topology.oriented());
+  EXPECT_FALSE(topology.manifold());
+  EXPECT_EQ(topology.components, 1);
+}
+
+TEST(Topology, RefusedTrianglesAreNotPrinted)
+{
+  // Two closed fans around point 0, given in turn, and a third triangle at one of their edges.
+  std::vector<Point3> points = { { 0, 0, 0 } };
+  for (int i = 0; i < 6; ++i)
+  {
+    points.push_back({ std::cos(2.0 * i), std::sin(2.0 * i), i < 3 ? 1.0 : -1.0 });
+  }
+  ::testing::internal::CaptureStderr();
+  const MeshConnectivity topology = analysed(makeMesh(points,
+    { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 4, 5 }, { 0, 3, 1 }, { 0, 5, 6 }, { 0, 6, 4 }, { 1, 2, 4 },
+      { 1, 2, 5 } }));
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+  EXPECT_EQ(topology.edges.size(), 12u + 4u);
+  EXPECT_GE(topology.nonManifoldTriangles, 2);
+}
+
+TEST(Topology, MisorientedPairIsCounted)
+{
+  const MeshConnectivity topology = analysed(
+    makeMesh({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 } }, { { 0, 1, 2 }, { 1, 2, 3 } }));
+  EXPECT_EQ(topology.misorientedEdges, 1);
+  EXPECT_FALSE(topology.oriented());
+  EXPECT_EQ(topology.edges.size(), 5u);
+  EXPECT_EQ(topology.boundaryEdges, 4);
+}
+
+TEST(Topology, MoebiusStripIsNotOriented)
+{
+  const TriangleMesh mesh = moebiusStrip(12);
+  const MeshConnectivity topology = analysed(mesh);
+  EXPECT_EQ(topology.misorientedEdges, 1);
+  EXPECT_EQ(topology.boundaryEdges, 24);
+  EXPECT_EQ(topology.nonManifoldEdges, 0);
+  EXPECT_EQ(eulerCharacteristic(mesh, topology), 0);
+}
+
+TEST(Topology, DuplicatedFacesShareTheirEdges)
+{
+  TriangleMesh mesh = regularTetrahedron(1.0);
+  mesh.triangles.push_back(mesh.triangles[2]);
+  mesh.triangleCells.push_back(4);
+  const MeshConnectivity topology = analysed(mesh);
+  EXPECT_EQ(topology.edges.size(), 6u);
+  EXPECT_EQ(topology.nonManifoldEdges, 3);
+  EXPECT_EQ(topology.nonManifoldTriangles, 1);
+  EXPECT_FALSE(topology.closed());
+}
+
+TEST(Topology, CollinearTrianglesCloseTheSurface)
+{
+  // A square whose bottom side has a middle point on one side only, filled by a flat triangle.
+  const TriangleMesh mesh =
+    makeMesh({ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 1, 1, 0 }, { 1, -1, 0 } },
+      { { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 4 }, { 0, 2, 1 } });
+  const MeshConnectivity topology = analysed(mesh);
+  EXPECT_EQ(topology.boundaryEdges, 4);
+  EXPECT_TRUE(topology.manifold() && topology.oriented());
+}
+
+TEST(Topology, SegmentsOnATrianglesEdgeAreNotNewEdges)
+{
+  const MeshConnectivity topology =
+    analysed(makeMesh({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 5, 5, 5 } }, { { 0, 1, 2 } },
+      { { 1, 0 }, { 2, 3 }, { 3, 2 } }));
+  EXPECT_EQ(topology.edges.size(), 4u);
+  EXPECT_EQ(topology.segmentEdges, (std::vector<int>{ 0, 3, 3 }));
+  EXPECT_EQ(topology.edgeTriangles.size(3), 0);
+  EXPECT_EQ(topology.boundaryEdges, 3);
+  EXPECT_EQ(topology.edgeCells, (std::vector<std::int64_t>{ 0, 0, 0, 2 }));
+  EXPECT_EQ(topology.pointCells, (std::vector<std::int64_t>{ 0, 0, 0, 2 }));
+}
+
+TEST(Topology, SegmentOnAClosedMeshLeavesItClosed)
+{
+  const TriangleMesh cube = box({ 1, 1, 1 });
+  const auto& t = cube.triangles[0];
+  EXPECT_TRUE(analysed(makeMesh(cube.points, cube.triangles, { { t[0], t[1] } })).closed());
+  TriangleMesh whiskered = cube;
+  whiskered.points.push_back({ 5, 5, 5 });
+  EXPECT_FALSE(analysed(makeMesh(whiskered.points, cube.triangles, { { 0, 8 } })).closed());
+  EXPECT_FALSE(analysed(makeMesh(whiskered.points, cube.triangles, {}, { 8 })).closed());
+}
+
+TEST(Topology, ComponentsAreConnectedThroughPoints)
+{
+  EXPECT_EQ(analysed(shell(1, 2, 1)).components, 2);
+  EXPECT_EQ(analysed(plates(1, 1)).components, 2);
+  EXPECT_EQ(analysed(randomSoup(50, 1)).components, 50);
+  const TriangleMesh mixed =
+    makeMesh({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 5 }, { 9, 9, 9 }, { 8, 8, 8 } },
+      { { 0, 1, 2 } }, { { 0, 3 } }, { 4, 5 });
+  EXPECT_EQ(analysed(mixed).components, 3);
+}
+
+TEST(Topology, RefusesBrokenMeshes)
+{
+  TriangleMesh mesh = regularTetrahedron(1.0);
+  mesh.triangles[2] = { 0, 1, 4 };
+  EXPECT_THROW(analyseConnectivity(mesh), Error);
+  mesh.triangles[2] = { 0, 1, 1 };
+  EXPECT_THROW(analyseConnectivity(mesh), Error);
+  mesh = regularTetrahedron(1.0);
+  mesh.triangleCells.pop_back();
+  EXPECT_THROW(analyseConnectivity(mesh), Error);
+}
+
+TEST(Topology, FiguresOfRealMeshes)
+{
+  // Generated, so that something is checked where the models are absent.
+  EXPECT_EQ(eulerCharacteristic(torus(3, 1, 12, 8), analysed(torus(3, 1, 12, 8))), 0);
+  for (const Figures& expected : { Figures{ "paper/triceratops.off", 1, 0, 0, 2 },
+         Figures{ "paper/head_mannequin_13k.off", 1, 60, 0, 1 },
+         Figures{ "soup/beetle_vw_2k.obj", 2, 296, 47, -3 },
+         Figures{ "soup/chair_double_sided_12.8k.obj", 3, 0, 9518, 6387 },
+         Figures{ "soup/elephant_holes_4.5k.off", 1, 1353, 0, -175 },
+         Figures{ "selfint/footbones_26comp_4.2k.off", 26, 0, 0, 52 } })
+  {
+    const auto path = modelPath(expected.model);
+    if (!path)
+    {
+      continue;
+    }
+    const TriangleMesh mesh = buildTriangleMesh(loadModel(*path));
+    const MeshConnectivity topology = analysed(mesh);
+    EXPECT_EQ(topology.components, expected.components) << expected.model;
+    EXPECT_EQ(topology.boundaryEdges, expected.boundaryEdges) << expected.model;
+    EXPECT_EQ(topology.nonManifoldEdges, expected.nonManifoldEdges) << expected.model;
+    EXPECT_EQ(eulerCharacteristic(mesh, topology), expected.euler) << expected.model;
+  }
+}

@@ -1,0 +1,182 @@
+// What callers of simplifyAxis() may expect, and what it refuses.
+#include "medial/simplification.h"
+
+#include "medial/error.h"
+#include "support/analytic_math.h"
+#include "support/axes.h"
+#include "support/shapes.h"
+#include "support/simplified_axes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <set>
+#include <string>
+
+using namespace medial;
+using namespace medial::test;
+
+namespace
+{
+
+void scale(MedialAxis& axis, double factor)
+{
+  for (Point3& p : axis.points)
+  {
+    p = { factor * p[0], factor * p[1], factor * p[2] };
+  }
+  const auto f = static_cast<float>(factor);
+  for (float& r : axis.radius)
+  {
+    r *= f;
+  }
+  for (auto* points : { &axis.closestPointA, &axis.closestPointB })
+  {
+    for (auto& p : *points)
+    {
+      p = { f * p[0], f * p[1], f * p[2] };
+    }
+  }
+}
+
+std::string errorOf(const std::function<void()>& work)
+{
+  try
+  {
+    work();
+  }
+  catch (const Error& error)
+  {
+    EXPECT_EQ(error.code(), ErrorCode::InvalidInput);
+    return error.what();
+  }
+  return "no error";
+}
+
+} // namespace
+
+TEST(AxisSimplification, ReturnsSmallAxesAsTheyAre)
+{
+  const MedialAxis full = plate();
+  const MedialAxis axis = simplified(full, 625);
+  EXPECT_EQ(axis.points, full.points);
+  EXPECT_EQ(axis.quads, full.quads);
+  EXPECT_EQ(simplified(MedialAxis(), 1).points.size(), 0u);
+}
+
+TEST(AxisSimplification, DoesNotDependOnThreadsOrSize)
+{
+  const MedialAxis full = axisOf(lPrism(1.0, 0.6), 0.05, 0, 30.0);
+  const MedialAxis expected = simplified(full, 60);
+  SimplificationOptions options;
+  options.maxSpheres = 60;
+  options.execution.threads = 1;
+  EXPECT_EQ(simplifyAxis(full, options).points, expected.points);
+
+  MedialAxis larger = full;
+  scale(larger, 1048576.0); // a power of two: nothing is rounded
+  MedialAxis result = simplified(larger, 60);
+  scale(result, 1.0 / 1048576.0);
+  EXPECT_EQ(result.points, expected.points);
+  EXPECT_EQ(result.radius, expected.radius);
+  EXPECT_EQ(result.triangles, expected.triangles);
+  EXPECT_EQ(result.lines, expected.lines);
+}
+
+TEST(AxisSimplification, WorksFarFromTheOrigin)
+{
+  MedialAxis far = plate();
+  for (Point3& p : far.points)
+  {
+    p = { p[0] + 1e6, p[1] - 2e6, p[2] };
+  }
+  const MedialAxis axis = simplified(far, 4);
+  EXPECT_NEAR(areaOf(axis), 6.0, 1e-5);
+  EXPECT_LT(nearest(axis, { 1000004.0, -1999998.0, 3.0 }), 1e-4);
+}
+
+TEST(AxisSimplification, AttributesAreThoseOfTheInput)
+{
+  const MedialAxis full = axisOf(box({ 1.0, 0.7, 0.4 }), 0.05);
+  const MedialAxis axis = simplified(full, 50);
+  ASSERT_EQ(axis.points.size(), 50u);
+  ASSERT_EQ(axis.closestPointB.size(), 50u);
+  const std::set<float> known(full.separationAngle.begin(), full.separationAngle.end());
+  for (std::size_t i = 0; i < 50; ++i)
+  {
+    EXPECT_EQ(known.count(axis.separationAngle[i]), 1u);
+    const double half = static_cast<double>(axis.separationAngle[i]) * kPi / 360.0;
+    EXPECT_NEAR(static_cast<double>(axis.lambda[i]),
+      static_cast<double>(axis.radius[i]) * std::sin(half), 1e-6);
+  }
+}
+
+TEST(AxisSimplification, RefusesWhatItCannotUse)
+{
+  const MedialAxis full = plate();
+  EXPECT_NE(errorOf([&] { simplified(full, 0); }).find("spheres 0 is not >= 1"), std::string::npos);
+  MedialAxis bad = full;
+  bad.radius[7] = -1.0F;
+  EXPECT_NE(errorOf([&] { simplified(bad, 5); }).find("point 7"), std::string::npos);
+  bad = full;
+  bad.points[8][1] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_NE(errorOf([&] { simplified(bad, 5); }).find("point 8"), std::string::npos);
+  bad = full;
+  bad.radius.pop_back();
+  EXPECT_NE(errorOf([&] { simplified(bad, 5); }).find("624 values of radius"), std::string::npos);
+  bad = full;
+  bad.lines.push_back({ 3, 625 });
+  EXPECT_NE(errorOf([&] { simplified(bad, 5); }).find("625, outside [0, 625)"), std::string::npos);
+}
+
+TEST(AxisSimplification, IsRefusedForPointsAndNegativeNumbers)
+{
+  const TriangleMesh mesh = box({ 1.0, 0.7, 0.4 });
+  MedialAxisOptions options;
+  options.maxSpheres = -1;
+  EXPECT_NE(errorOf([&] { computeMedialAxis(mesh, makeGrid(mesh.bounds(), 9), options); })
+              .find("-1 is negative"),
+    std::string::npos);
+  options.maxSpheres = 10;
+  options.representation = Representation::Points;
+  EXPECT_NE(errorOf([&] { computeMedialAxis(mesh, makeGrid(mesh.bounds(), 9), options); })
+              .find("surface or faces"),
+    std::string::npos);
+}
+
+TEST(AxisSimplification, ReportsProgressAndStops)
+{
+  class Watch : public Progress
+  {
+  public:
+    void report(double fraction, const char*) override
+    {
+      EXPECT_GE(fraction, last);
+      EXPECT_LE(fraction, 1.0);
+      last = fraction;
+    }
+    bool cancelled() override { return last >= stopAt; }
+    double last = 0.0;
+    double stopAt = 2.0;
+  };
+  const MedialAxis full = sphereSheet(1.0, 0.1);
+  Watch watch;
+  SimplificationOptions options;
+  options.maxSpheres = 10;
+  options.execution.progress = &watch;
+  simplifyAxis(full, options);
+  EXPECT_EQ(watch.last, 1.0);
+  watch.last = 0.0;
+  watch.stopAt = 0.35;
+  try
+  {
+    simplifyAxis(full, options);
+    FAIL();
+  }
+  catch (const Error& error)
+  {
+    EXPECT_EQ(error.code(), ErrorCode::Cancelled);
+  }
+}

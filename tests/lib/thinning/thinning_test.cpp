@@ -1,0 +1,337 @@
+#include "thinning/thinning.h"
+
+#include "thinning/sheet_faces.h"
+
+#include "support/shapes.h"
+#include "support/voxel_topology.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <utility>
+#include <vector>
+
+using namespace medial;
+using namespace medial::test;
+
+namespace
+{
+
+/// A grid of made-up distances around a mesh of one point, whose direction separates nothing.
+class Voxels
+{
+public:
+  explicit Voxels(const std::array<int, 3>& dimensions)
+    : grid_{ { 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 }, dimensions }
+    , mesh_(makeMesh({ { 0.0, 0.0, 0.0 } }, {}, {}, { 0 }))
+    , frame_(grid_)
+    , sites_(mesh_, analyseConnectivity(mesh_), frame_)
+    , distance_(static_cast<std::size_t>(grid_.pointCount()), 1.0f)
+    , closest_(distance_.size(), 0)
+    , depth_(distance_.data(), Side::Interior, 1.0)
+    , probe_(sites_, frame_, closest_.data(), depth_, 1.0)
+  {
+  }
+
+  std::size_t size() const { return distance_.size(); }
+  void set(std::size_t voxel, float depth) { distance_[voxel] = -depth; }
+  void set(int x, int y, int z, float depth) { this->set(this->index(x, y, z), depth); }
+  CubicalComplex solid() const
+  {
+    return voxelSolid(depth_, { this->dim(0), this->dim(1), this->dim(2) });
+  }
+  CellTopology expected() const
+  {
+    return voxelTopology(solidVoxels(distance_, grid_.dimensions, Side::Interior),
+      grid_.dimensions);
+  }
+  Thinning thinning(CubicalComplex& lattice) const
+  {
+    return { lattice, depth_, probe_, frame_.step, { 1.0 }, checkpoint_ };
+  }
+
+private:
+  int dim(int axis) const { return grid_.dimensions[axis]; }
+  std::size_t index(int x, int y, int z) const
+  {
+    return (static_cast<std::size_t>(z) * dim(1) + y) * dim(0) + x;
+  }
+
+  Grid grid_;
+  TriangleMesh mesh_;
+  GridFrame frame_;
+  SiteSet sites_;
+  std::vector<float> distance_;
+  std::vector<std::int32_t> closest_;
+  DepthField depth_;
+  CurveProbe probe_;
+  Checkpoint checkpoint_{ Run(Execution{}), 0.0, "" };
+};
+
+int count(const CubicalComplex& lattice, int dimension)
+{
+  int count = 0;
+  for (CubeCell cell = 0; cell < 8 * static_cast<CubeCell>(lattice.positions()); ++cell)
+  {
+    count +=
+      CubicalComplex::dimension(CubicalComplex::kind(cell)) == dimension && lattice.has(cell);
+  }
+  return count;
+}
+
+/// The faces of cells that are there are there.
+void expectClosed(const CubicalComplex& lattice)
+{
+  for (CubeCell cell = 0; cell < 8 * static_cast<CubeCell>(lattice.positions()); ++cell)
+  {
+    if (lattice.has(cell))
+    {
+      for (const CubeCell step : lattice.faces(CubicalComplex::kind(cell)))
+      {
+        ASSERT_TRUE(lattice.has(cell + step));
+      }
+    }
+  }
+}
+
+/// Components, cavities and genus of cells without voxels, from the library's solid and its own
+/// Euler characteristic.
+MedialAxis asAxis(const CubicalComplex& lattice)
+{
+  MedialAxis axis;
+  axis.points.resize(lattice.positions());
+  const auto point = [](CubeCell cell)
+  { return static_cast<std::int64_t>(CubicalComplex::index(cell)); };
+  for (CubeCell vertex = 0; vertex < 8 * static_cast<CubeCell>(lattice.positions()); vertex += 8)
+  {
+    if (lattice.has(vertex))
+    {
+      axis.vertices.push_back(point(vertex));
+    }
+    for (int a = 0; a < 3; ++a)
+    {
+      const CubeCell along = 8 * lattice.stride(a);
+      const CubeCell u = 8 * lattice.stride((a + 1) % 3);
+      const CubeCell v = 8 * lattice.stride((a + 2) % 3);
+      if (lattice.has(vertex + kEdgeKind + a))
+      {
+        axis.lines.push_back({ point(vertex), point(vertex + along) });
+      }
+      if (lattice.has(vertex + kFaceKind + a))
+      {
+        axis.quads.push_back(
+          { point(vertex), point(vertex + u), point(vertex + u + v), point(vertex + v) });
+      }
+    }
+  }
+  return axis;
+}
+
+} // namespace
+
+TEST(CubicalComplex, KnowsFacesAndCofaces)
+{
+  const CubicalComplex lattice({ 7, 5, 6 });
+  const std::array<int, 4> faces{ 0, 2, 4, 6 };
+  const std::array<int, 4> cofaces{ 6, 4, 2, 0 };
+  for (int kind = 0; kind < kCubeCellKinds; ++kind)
+  {
+    const int dimension = CubicalComplex::dimension(kind);
+    EXPECT_EQ(lattice.faces(kind).count, faces[dimension]);
+    EXPECT_EQ(lattice.cofaces(kind).count, cofaces[dimension]);
+    const CubeCell cell = lattice.cell({ 3, 2, 3 }, kind);
+    EXPECT_EQ(lattice.position(cell), glm::ivec3(3, 2, 3));
+    for (const CubeCell step : lattice.faces(kind))
+    {
+      const CubeCell face = cell + step;
+      EXPECT_EQ(CubicalComplex::dimension(CubicalComplex::kind(face)), dimension - 1);
+      EXPECT_NEAR(glm::distance(lattice.centre(face), lattice.centre(cell)), 0.5, 1e-12);
+      const CubeCellSteps& back = lattice.cofaces(CubicalComplex::kind(face));
+      EXPECT_NE(std::find(back.begin(), back.end(), -step), back.end());
+    }
+  }
+}
+
+TEST(VoxelSolid, HasTheTopologyThatCountingFinds)
+{
+  std::mt19937 random(1);
+  for (int round = 0; round < 40; ++round)
+  {
+    Voxels voxels({ 9, 11, 8 });
+    for (std::size_t i = 0; i < voxels.size(); ++i)
+    {
+      voxels.set(i, random() % 40 < static_cast<unsigned>(round) ? 1.0f : -1.0f);
+    }
+    const CubicalComplex solid = voxels.solid();
+    expectClosed(solid);
+    EXPECT_EQ(topologyOf(solid), voxels.expected()) << "round " << round;
+  }
+}
+
+TEST(Thinning, KeepsTheTopologyOfRandomVoxelsWhateverIsAnchored)
+{
+  std::mt19937 random(2);
+  for (int round = 0; round < 60; ++round)
+  {
+    Voxels voxels({ 10, 9, 11 });
+    for (std::size_t i = 0; i < voxels.size(); ++i)
+    {
+      const float depth = 0.1f + static_cast<float>(random() % 100) * 0.05f;
+      voxels.set(i, random() % 60 < static_cast<unsigned>(round) ? depth : -depth);
+    }
+    CubicalComplex lattice = voxels.solid();
+    Thinning thinning = voxels.thinning(lattice);
+    std::vector<CubeCell> anchored;
+    for (CubeCell cell = 0; cell < 8 * static_cast<CubeCell>(lattice.positions()); ++cell)
+    {
+      const bool isFace = CubicalComplex::dimension(CubicalComplex::kind(cell)) == 2;
+      if (isFace && lattice.has(cell) && random() % 4 == 0)
+      {
+        anchored.push_back(cell);
+        thinning.anchor(cell, static_cast<float>(random() % 180));
+      }
+    }
+    thinning.burn();
+    EXPECT_EQ(count(lattice, 3), 0);
+    expectClosed(lattice);
+    EXPECT_EQ(topologyOf(asAxis(lattice)), voxels.expected()) << "round " << round;
+    thinning.release(anchored);
+    expectClosed(lattice);
+    EXPECT_EQ(topologyOf(asAxis(lattice)), voxels.expected()) << "round " << round;
+  }
+}
+
+TEST(Thinning, LeavesAPointOfABlock)
+{
+  Voxels voxels({ 9, 9, 9 });
+  for (int i = 0; i < 125; ++i)
+  {
+    const glm::ivec3 p(2 + i % 5, 2 + i / 5 % 5, 2 + i / 25);
+    const glm::ivec3 from = glm::abs(p - 4);
+    voxels.set(p.x, p.y, p.z, 2.5f - static_cast<float>(std::max({ from.x, from.y, from.z })));
+  }
+  CubicalComplex lattice = voxels.solid();
+  voxels.thinning(lattice).burn();
+  EXPECT_EQ(count(lattice, 2), 0);
+  EXPECT_EQ(count(lattice, 1), 0);
+  ASSERT_EQ(count(lattice, 0), 1);
+  for (CubeCell vertex = 0; vertex < 8 * static_cast<CubeCell>(lattice.positions()); vertex += 8)
+  {
+    if (lattice.has(vertex))
+    {
+      EXPECT_LE(glm::distance(lattice.centre(vertex), glm::dvec3(4.0)), 1.0);
+    }
+  }
+}
+
+TEST(Thinning, StopsAtAnchoredFacesAndOpensTheOneOfLeastAngle)
+{
+  Voxels voxels({ 9, 9, 9 });
+  for (int i = 0; i < 27; ++i)
+  {
+    voxels.set(3 + i % 3, 3 + i / 3 % 3, 3 + i / 9, i == 13 ? 2.0f : 1.0f);
+  }
+  CubicalComplex lattice = voxels.solid();
+  Thinning thinning = voxels.thinning(lattice);
+  const CubeCell voxel = lattice.cell({ 4, 4, 4 }, kVoxelKind);
+  float angle = 100.0f;
+  std::vector<CubeCell> walls;
+  for (const CubeCell step : lattice.faces(kVoxelKind))
+  {
+    walls.push_back(voxel + step);
+    thinning.anchor(walls.back(), walls.size() == 4 ? 50.0f : angle++);
+  }
+  thinning.burn();
+  EXPECT_FALSE(lattice.has(voxel));
+  for (std::size_t i = 0; i < walls.size(); ++i)
+  {
+    EXPECT_EQ(lattice.has(walls[i]), i != 3) << i;
+  }
+  EXPECT_EQ(count(lattice, 2), 5);
+  EXPECT_EQ(topologyOf(asAxis(lattice)), (CellTopology{ 1, 1, 0, 0 }));
+}
+
+namespace
+{
+
+/// Lets a fire take a straight curve whose radius grows by the given amounts a step, from its end
+/// on. Returns the step at which it is stopped and the number of edges that are put back; -1 and 0
+/// where it takes all.
+std::pair<int, int> burnCurve(const std::vector<float>& growth)
+{
+  CurveChains chains({ glm::radians(60.0) });
+  int chain = CurveChains::kNone;
+  float depth = 1.0f;
+  for (int step = 0; step < static_cast<int>(growth.size()); ++step)
+  {
+    depth += growth[step];
+    const glm::vec3 position(step, 0.0f, 0.0f);
+    std::vector<CurveChains::Pair> restored;
+    if (chains.lasting(chain, position, depth, restored))
+    {
+      for (std::size_t i = 0; i < restored.size(); ++i)
+      {
+        EXPECT_EQ(restored[i].edge, step - 1 - static_cast<int>(i));
+      }
+      return { step, static_cast<int>(restored.size()) };
+    }
+    chain = chains.extend(chain, { step, step + 100 }, position, depth);
+  }
+  return { -1, 0 };
+}
+
+} // namespace
+
+TEST(CurveChains, KeepCurvesAlongWhichTheRadiusGrowsSlowly)
+{
+  // The limit is cos(30 degrees) = 0.866, over a length of 4.
+  const std::pair<int, int> none{ -1, 0 };
+  EXPECT_EQ(burnCurve(std::vector<float>(30, 0.9f)), none);
+  EXPECT_EQ(burnCurve(std::vector<float>(4, 0.0f)), none);
+  EXPECT_EQ(burnCurve(std::vector<float>(30, 0.8f)), std::make_pair(4, 4));
+  std::vector<float> blunt(30, 0.95f);
+  std::fill(blunt.begin() + 10, blunt.end(), 0.0f);
+  // From the bend on: its last steep edge is where the measure begins.
+  const auto [step, restored] = burnCurve(blunt);
+  EXPECT_LE(step, 15);
+  EXPECT_GE(restored, 4);
+  EXPECT_LE(step - restored, 10);
+  EXPECT_GE(step - restored, 0);
+}
+
+TEST(CurveChains, ArriveAtUnitSpeed)
+{
+  CurveChains chains({ glm::radians(60.0) });
+  int chain = CurveChains::kNone;
+  for (int step = 0; step < 20; ++step)
+  {
+    const glm::vec3 position(step, 0.0f, 0.0f);
+    EXPECT_NEAR(chains.arrival(chain, position, 2.0f), 2.0 + step, 1e-5);
+    chain = chains.extend(chain, { step, step + 100 }, position, 2.0f);
+  }
+}
+
+TEST(SheetFaces, AreThoseWithACornerInside)
+{
+  const glm::ivec3 size(12, 12, 12);
+  const CubicalComplex lattice(size);
+  std::vector<CubeCell> faces;
+  for (int i = 0; i < 5; ++i)
+  {
+    for (int j = 0; j < 2; ++j)
+    {
+      faces.push_back(lattice.cell({ 2 + i, 2 + j, 5 }, kFaceKind + 2));
+    }
+  }
+  const std::size_t sheet = faces.size();
+  for (int i = 0; i < 3; ++i)
+  {
+    faces.push_back(lattice.cell({ 2 + i, 8, 5 }, kFaceKind + 2));
+  }
+  const SheetSplit split = splitSheets(size, faces);
+  EXPECT_EQ(split.sheets, std::vector<CubeCell>(faces.begin(), faces.begin() + sheet));
+  EXPECT_EQ(split.strips, std::vector<CubeCell>(faces.begin() + sheet, faces.end()));
+}
