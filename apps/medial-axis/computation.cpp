@@ -42,8 +42,7 @@ AxisCoverage coverageOf(const MedialAxis& axis, const Result& result,
 {
   MeasurementOptions wanted;
   wanted.samples = kDefaultCoverageSamples;
-  wanted.execution.threads = options.threads;
-  wanted.execution.progress = options.execution.progress;
+  wanted.execution = options.execution;
   return measureCoverage(result.mesh, toMedialModel(axis), voxelDiagonal(result.grid), wanted);
 }
 

@@ -139,7 +139,7 @@ Outcome runMedialAxis(const std::vector<std::string>& arguments, const RunOption
 
 Outcome runMedialEvaluate(const std::vector<std::string>& arguments, const RunOptions& options)
 {
-  return run(MEDIAL_EVALUATE_PROGRAM, arguments, options);
+  return run(MEDIAL_MEASURE_PROGRAM, arguments, options);
 }
 
 Outcome runMedialViewer(const std::vector<std::string>& arguments, const RunOptions& options)
