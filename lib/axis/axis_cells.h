@@ -1,7 +1,7 @@
 #pragma once
 
 #include "axis/bisector.h"
-#include "medial/compute_medial_axis.h"
+#include "medial/medial_axis.h"
 
 #include <array>
 #include <cstdint>

@@ -1,7 +1,7 @@
 #include "medial/axis_curves.h"
 
 #include "axis/edge_table.h"
-#include "medial/compute_medial_axis.h"
+#include "medial/medial_axis.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #include "medial/cell_topology.h"
 
 #include "base/disjoint_sets.h"
-#include "medial/compute_medial_axis.h"
+#include "medial/medial_axis.h"
 
 #include <algorithm>
 #include <array>

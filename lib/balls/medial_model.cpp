@@ -1,5 +1,7 @@
 #include "medial/medial_model.h"
 
+#include "medial/medial_axis.h"
+
 #include "medial/error.h"
 
 #include <algorithm>

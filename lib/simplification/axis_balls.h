@@ -1,6 +1,6 @@
 #pragma once
 
-#include "medial/compute_medial_axis.h"
+#include "medial/medial_axis.h"
 #include "simplification/ball_complex.h"
 #include "simplification/ball_quadric.h"
 

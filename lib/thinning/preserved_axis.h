@@ -4,7 +4,9 @@
 #include "axis/bisector.h"
 #include "field/crossing.h"
 #include "medial/cell_topology.h"
-#include "medial/compute_medial_axis.h"
+#include "medial/representation.h"
+#include "medial/side.h"
+#include "medial/sign_method.h"
 #include "thinning/thinned_axis.h"
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "axis/bisector.h"
-#include "medial/compute_medial_axis.h"
+#include "medial/representation.h"
 #include "thinning/axis_samples.h"
 #include "thinning/cubical_complex.h"
 #include "thinning/voxel_solid.h"

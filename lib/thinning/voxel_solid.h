@@ -1,7 +1,7 @@
 #pragma once
 
 #include "medial/cell_topology.h"
-#include "medial/compute_medial_axis.h"
+#include "medial/side.h"
 #include "thinning/cubical_complex.h"
 
 #include <cmath>

@@ -1,21 +1,16 @@
 #pragma once
 
+#include "medial/default_angle.h"
 #include "medial/distance_field.h"
 #include "medial/export.h"
 #include "medial/medial_axis.h"
+#include "medial/representation.h"
+#include "medial/side.h"
 
 #include <cstdint>
 
 namespace medial
 {
-
-/// What the medial axis is made of.
-enum class Representation
-{
-  Surface, ///< dual mesh: a vertex per grid cell, a face per crossed grid edge
-  Faces,   ///< the voxel faces between the two ends of each crossed grid edge (Foskey et al.)
-  Points   ///< one point per crossed grid edge, on the bisector of the two closest sites
-};
 
 /// Whether the medial axis must have the topology of the solid.
 enum class Topology
@@ -23,9 +18,6 @@ enum class Topology
   Selected, ///< what the separation angle selects, in as many pieces as that is
   Preserve  ///< as many pieces, tunnels and cavities as the solid at the resolution of the grid
 };
-
-/// Default separation angle theta, in degrees.
-constexpr double kDefaultAngle = 60.0;
 
 /// How a medial axis is computed.
 struct MedialAxisOptions

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "medial/compute_medial_axis.h"
 #include "medial/export.h"
 #include "medial/grid.h"
 
@@ -10,6 +9,8 @@
 
 namespace medial
 {
+
+struct MedialAxis;
 
 /// A medial axis as the solid that it describes: the union of its balls, of the convex hulls of two
 /// balls joined by a line or a side (cones), and of those of three joined by a triangle (slabs).

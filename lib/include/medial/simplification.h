@@ -1,8 +1,8 @@
 #pragma once
 
-#include "medial/compute_medial_axis.h"
 #include "medial/execution.h"
 #include "medial/export.h"
+#include "medial/medial_axis.h"
 
 #include <cstdint>
 

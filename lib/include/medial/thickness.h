@@ -1,9 +1,10 @@
 #pragma once
 
-#include "medial/compute_medial_axis.h"
+#include "medial/default_angle.h"
 #include "medial/execution.h"
 #include "medial/export.h"
 #include "medial/mesh_connectivity.h"
+#include "medial/side.h"
 #include "medial/triangle_mesh.h"
 
 #include <cstdint>

@@ -245,6 +245,6 @@ INSTANTIATE_TEST_SUITE_P(ThreadsAndMemory, DistanceFieldOptionsOf,
     optionsWith(0, 100000)),
   [](const auto& test)
   {
-    return "Threads" + std::to_string(test.param.threads) + "MiB" +
+    return "Threads" + std::to_string(test.param.execution.threads) + "MiB" +
       std::to_string(test.param.memoryMiB);
   });

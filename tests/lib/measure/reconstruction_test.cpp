@@ -92,7 +92,7 @@ TEST(UnionField, CanBeCancelled)
   StopAtOnce progress;
   try
   {
-    computeReconstruction(model, makeGrid(modelBounds(model), 100), true, &progress);
+    computeReconstruction(model, makeGrid(modelBounds(model), 100), true, { 0, &progress });
     FAIL();
   }
   catch (const Error& error)

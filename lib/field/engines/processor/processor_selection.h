@@ -3,7 +3,7 @@
 #include "field/crossing.h"
 #include "field/engines/processor/slab_field.h"
 #include "field/engines/processor/tile_evaluator.h"
-#include "medial/compute_medial_axis.h"
+#include "medial/side.h"
 #include "sites/grid_frame.h"
 
 #include <vector>

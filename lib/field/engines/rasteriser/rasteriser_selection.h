@@ -3,7 +3,7 @@
 #include "field/crossing.h"
 #include "field/field_pipeline.h"
 #include "gl/gl_objects.h"
-#include "medial/compute_medial_axis.h"
+#include "medial/side.h"
 
 #include <cstdint>
 #include <vector>
