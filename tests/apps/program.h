@@ -9,7 +9,7 @@
 namespace medial::test
 {
 
-// Exit codes, as README has them.
+// Exit codes, as docs/COMMAND-LINE.md has them.
 constexpr int kUsage = 2;
 constexpr int kBadInput = 3;
 constexpr int kNoGpu = 4;

@@ -1,4 +1,4 @@
-"""Files that the documents name exist, and README states what the program states.
+"""Files that the documents name exist, tutorials state what the programs state, README is short.
 
 usage: documents_test.py SOURCES MEDIAL-AXIS MEDIAL-MEASURE MEDIAL-VIEWER
 """
@@ -10,7 +10,9 @@ import unittest
 from pathlib import Path
 
 SOURCES = Path(sys.argv[1])
-AXIS, MEASURE, VIEWER = sys.argv[2:5]
+# The tutorials with tables of options, by the programs that have them.
+TUTORIALS = dict(zip(sys.argv[2:5], ("COMMAND-LINE.md", "MEASURING.md", "VIEWER.md")))
+README_WORDS = 900
 DOCUMENTS = [SOURCES / "README.md", SOURCES / "CONTRIBUTING.md", SOURCES / "examples/README.md",
              *sorted((SOURCES / "docs").glob("**/*.md"))]
 TOP = {path.name for path in SOURCES.iterdir() if not path.name.startswith("build")}
@@ -28,9 +30,20 @@ def named_files(text):
         path = re.sub(r"^\./|[,;:.)]+$", "", word)
         if re.fullmatch(r"[\w./-]+", path) and path.split("/")[0] in TOP - {"out"}:
             yield path
+    yield from (path for path, _ in links(text) if path)
+
+
+def links(text):
+    """Pairs of a file, empty for the same one, and a heading, empty for the whole file."""
     # Lambdas of C++ look like links.
     prose = re.sub(r"^```[\s\S]*?^```$", "", text, flags=re.MULTILINE)
-    yield from re.findall(r"\]\((?!https?:)([^)#]+)\)", prose)
+    return re.findall(r"\]\((?!https?:)([^)#\s]*)#?([^)\s]*)\)", prose)
+
+
+def headings(text):
+    """As links name them."""
+    return {re.sub(r"[^\w -]", "", heading.lower()).replace(" ", "-")
+            for heading in re.findall(r"^#+ (.*)$", text, re.MULTILINE)}
 
 
 def exists(path):
@@ -38,11 +51,18 @@ def exists(path):
     return path.exists() or any(path.parent.glob(path.name + ".*"))
 
 
-def readme_section(heading):
-    """From a heading of README to the next; other sections name options of CMake."""
-    text = (SOURCES / "README.md").read_text()
-    start = text.index(f"## {heading}\n")
-    return text[start:text.index("\n## ", start)]
+def table_of_options(tutorial):
+    """From its heading to the next; other sections name options of other programs."""
+    text = (SOURCES / "docs" / tutorial).read_text()
+    start = text.index("## All options\n")
+    end = text.find("\n## ", start)
+    return text[start:end if end >= 0 else len(text)]
+
+
+def rows_of_options(tutorial):
+    """Pairs of a long option and what the table says about it."""
+    return re.findall(r"^\| `(?:-\w, )?(--[a-z-]+)[^`|]*` \| (.*) \|$", table_of_options(tutorial),
+                      re.MULTILINE)
 
 
 def help_of(program):
@@ -56,32 +76,51 @@ class Documents(unittest.TestCase):
                 with self.subTest(document=document.name, path=path):
                     self.assertTrue(exists(SOURCES / path) or exists(document.parent / path))
 
+    def test_linked_headings_exist(self):
+        followed = 0
+        for document in DOCUMENTS:
+            for path, heading in links(document.read_text()):
+                if heading:
+                    target = document.parent / path if path else document
+                    with self.subTest(document=document.name, heading=heading):
+                        self.assertIn(heading, headings(target.read_text()))
+                        followed += 1
+        self.assertGreater(followed, 3)
+
     def test_some_files_are_named(self):
         names = set(named_files((SOURCES / "README.md").read_text()))
         self.assertLessEqual({"demo", "check", "docs/ARCHITECTURE.md"}, names)
 
-    def test_readme_has_the_options_of_the_programs(self):
-        options = re.compile(r"(?<![\w-])--[a-z][a-z-]+")
-        for heading, program in (("Command line", AXIS), ("Viewer", VIEWER),
-                                 ("Measuring an axis", MEASURE)):
-            with self.subTest(program=program):
-                stated = set(options.findall(readme_section(heading)))
-                self.assertEqual(stated, set(options.findall(help_of(program))))
+    def test_readme_is_short(self):
+        self.assertLessEqual(len((SOURCES / "README.md").read_text().split()), README_WORDS)
 
-    def test_readme_words_the_options_as_the_programs_do(self):
-        for heading, program, names in (
-                ("Command line", AXIS,
-                 ("resolution", "spacing", "padding", "angle", "threads", "memory")),
-                ("Viewer", VIEWER,
-                 ("resolution", "max-resolution", "angle", "side", "colour", "screenshot", "engine",
-                  "threads")),
-                ("Measuring an axis", MEASURE, ("json", "samples", "threads"))):
+    def test_readme_leads_to_the_tutorials(self):
+        names = set(named_files((SOURCES / "README.md").read_text()))
+        self.assertLessEqual({f"docs/{tutorial}" for tutorial in TUTORIALS.values()}, names)
+
+    def test_tutorials_have_the_options_of_the_programs(self):
+        options = re.compile(r"(?<![\w-])--[a-z][a-z-]+")
+        for program, tutorial in TUTORIALS.items():
+            stated = set(options.findall(help_of(program)))
+            with self.subTest(program=program):
+                self.assertGreater(len(stated), 4)
+                self.assertEqual({option for option, _ in rows_of_options(tutorial)}, stated)
+                self.assertEqual(set(options.findall(table_of_options(tutorial))), stated)
+
+    def test_tutorials_word_the_options_as_the_programs_do(self):
+        for program, tutorial in TUTORIALS.items():
             help_text = " ".join(help_of(program).split())
-            for name in names:
-                row = re.search(rf"^\| `--{name} [\w.]+` \| (.*) \|$", readme_section(heading),
-                                re.MULTILINE)
-                with self.subTest(program=program, option=name):
-                    self.assertIn(row[1].replace("`", ""), help_text)
+            for option, meaning in rows_of_options(tutorial):
+                with self.subTest(program=program, option=option):
+                    self.assertIn(meaning.replace("`", ""), help_text)
+
+    def test_every_design_page_is_linked_from_the_architecture(self):
+        linked = set(named_files((SOURCES / "docs/ARCHITECTURE.md").read_text()))
+        pages = sorted((SOURCES / "docs/design").glob("*.md"))
+        self.assertGreater(len(pages), 10)
+        for page in pages:
+            with self.subTest(page=page.name):
+                self.assertIn(f"design/{page.name}", linked)
 
 
 if __name__ == "__main__":

@@ -28,7 +28,7 @@ DOCUMENT = Path(__file__).resolve().parents[2] / "docs/WEB.md"
 SIZE = (1280, 960)
 VIEW = (slice(None), slice(320, 1080))  # between panel and legend
 LIMIT = 15_000_000  # bytes of a page
-NO_SPACE = 5  # exit code, as README has it
+NO_SPACE = 5  # exit code, as docs/COMMAND-LINE.md has it
 
 # Without a GPU, SwiftShader draws. No name is resolved, so that nothing can come from elsewhere.
 FLAGS = ["--headless=new", "--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader",

@@ -33,8 +33,8 @@ def words(text):
 
 
 def option(name):
-    """What README's table says about an option, without its default."""
-    text = (SOURCES / "README.md").read_text()
+    """What the table of the command line's tutorial says about an option."""
+    text = (SOURCES / "docs/COMMAND-LINE.md").read_text()
     row = re.search(rf"^\| `--{name} [^|`]*` \| (.*) \|$", text, re.MULTILINE)[1]
     return words(row)
 
