@@ -97,14 +97,14 @@ public:
   void compute(const Points& points) override
   {
     mesh_.points = points;
-    const MeshConnectivity topology = analyseConnectivity(mesh_);
+    const MeshConnectivity connectivity = analyseConnectivity(mesh_);
     if (task_ == FrameTask::Field)
     {
-      computeDistanceField(mesh_, topology, grid_, grid_.wholeExtent(), this->arrays(),
+      computeDistanceField(mesh_, connectivity, grid_, grid_.wholeExtent(), this->arrays(),
         fieldOptions());
       return;
     }
-    result_.axisPoints = computeMedialAxis(mesh_, topology, grid_).points.size();
+    result_.axisPoints = computeMedialAxis(mesh_, connectivity, grid_).points.size();
   }
 
 private:

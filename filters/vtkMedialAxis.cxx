@@ -186,7 +186,7 @@ int vtkMedialAxis::RequestData(vtkInformation* request, vtkInformationVector** i
       }
 
       const medial::MedialAxis axis = medial::computeMedialAxis(this->Internals->Mesh,
-        this->Internals->Topology, grid, options, arrays);
+        this->Internals->Connectivity, grid, options, arrays);
       vtkMeshConversion::ToPolyData(axis, vtkPolyData::GetData(outputVector, 0));
       this->Internals->Record(grid, axis.sign, axis.statistics);
       this->Internals->Last.Side = axis.side;

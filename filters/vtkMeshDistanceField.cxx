@@ -61,12 +61,12 @@ int vtkMeshDistanceField::RequestData(vtkInformation*, vtkInformationVector** in
       this->Internals->UpdateMesh(vtkPolyData::GetData(inputVector[0]));
       const medial::Grid grid = vtkInternals::AnnouncedGrid(outInfo);
       const medial::SignMethod sign =
-        medial::resolveSignMethod(options.sign, this->Internals->Topology);
+        medial::resolveSignMethod(options.sign, this->Internals->Connectivity);
 
       const medial::FieldArrays arrays = vtkMeshConversion::AllocateField(
         vtkImageData::GetData(outInfo), grid, extent, this->Internals->MakeSelection());
       const medial::RunStatistics statistics = medial::computeDistanceField(this->Internals->Mesh,
-        this->Internals->Topology, grid, extent, arrays, options);
+        this->Internals->Connectivity, grid, extent, arrays, options);
       this->Internals->Record(grid, sign, statistics);
     });
   return done ? 1 : vtkEndWithoutOutput(this, outputVector);

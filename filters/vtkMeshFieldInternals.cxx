@@ -196,7 +196,7 @@ void vtkMeshFieldAlgorithm::vtkInternals::UpdateMesh(vtkPolyData* input)
   }
   this->MeshInput = nullptr;
   this->Mesh = medial::buildTriangleMesh(vtkMeshConversion::ToMeshInput(input));
-  this->Topology = medial::analyseConnectivity(this->Mesh);
+  this->Connectivity = medial::analyseConnectivity(this->Mesh);
   this->MeshInput = input;
   this->MeshTime = input->GetMTime();
 }
@@ -281,11 +281,11 @@ void vtkMeshFieldAlgorithm::vtkInternals::Record(const medial::Grid& grid, media
   this->Last.Statistics = statistics;
   this->Last.NumberOfTriangles = static_cast<vtkIdType>(this->Mesh.triangles.size());
   this->Last.NumberOfVertices = static_cast<vtkIdType>(this->Mesh.points.size());
-  this->Last.NumberOfComponents = this->Topology.components;
+  this->Last.NumberOfComponents = this->Connectivity.components;
   this->Last.NumberOfDegenerateTriangles = this->Mesh.degenerateTriangles;
-  this->Last.Closed = this->Topology.closed();
-  this->Last.Manifold = this->Topology.manifold();
-  this->Last.Oriented = this->Topology.oriented();
+  this->Last.Closed = this->Connectivity.closed();
+  this->Last.Manifold = this->Connectivity.manifold();
+  this->Last.Oriented = this->Connectivity.oriented();
 }
 
 //------------------------------------------------------------------------------

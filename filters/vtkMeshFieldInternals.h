@@ -54,7 +54,7 @@ public:
   void Begin(vtkInformationVector* outputVector);
 
   /**
-   * Makes Mesh and Topology those of input, unless they are already.
+   * Makes Mesh and Connectivity those of input, unless they are already.
    */
   void UpdateMesh(vtkPolyData* input);
 
@@ -86,7 +86,7 @@ public:
 
   bool InputIsBlock = false; // of composite input that the pipeline goes through
   medial::TriangleMesh Mesh;
-  medial::MeshConnectivity Topology;
+  medial::MeshConnectivity Connectivity;
   Outcome Last;
 
 private:

@@ -27,9 +27,9 @@ Grid gridOf(const Bounds& bounds, const Options& options)
 
 void computeField(const DistanceFieldOptions& options, FieldSink& field, Result& result)
 {
-  result.statistics = computeDistanceField(result.mesh, result.topology, result.grid,
+  result.statistics = computeDistanceField(result.mesh, result.connectivity, result.grid,
     result.grid.wholeExtent(), field, options);
-  result.sign = resolveSignMethod(options.sign, result.topology);
+  result.sign = resolveSignMethod(options.sign, result.connectivity);
 }
 
 double voxelDiagonal(const Grid& grid)
@@ -58,8 +58,8 @@ void computeAxis(const Options& told, const MedialAxisOptions& options, FieldSin
   Result& result)
 {
   const MedialAxis axis = field != nullptr
-    ? computeMedialAxis(result.mesh, result.topology, result.grid, options, *field)
-    : computeMedialAxis(result.mesh, result.topology, result.grid, options);
+    ? computeMedialAxis(result.mesh, result.connectivity, result.grid, options, *field)
+    : computeMedialAxis(result.mesh, result.connectivity, result.grid, options);
   vtkMeshConversion::ToPolyData(axis, result.axis);
   result.statistics = axis.statistics;
   result.simplification = axis.simplification;
@@ -90,7 +90,7 @@ Result prepare(vtkPolyData* mesh, const Options& options)
     {
       result.axis = vtkSmartPointer<vtkPolyData>::New();
       result.mesh = buildTriangleMesh(vtkMeshConversion::ToMeshInput(mesh));
-      result.topology = analyseConnectivity(result.mesh);
+      result.connectivity = analyseConnectivity(result.mesh);
       result.grid = gridOf(result.mesh.bounds(), options);
     });
   return result;
@@ -127,7 +127,7 @@ void computeThickness(const Options& options, vtkPolyData* surface, ProgressBar&
     {
       if (options.wantsThickness())
       {
-        result.thickness = computeThickness(result.mesh, result.topology, wanted);
+        result.thickness = computeThickness(result.mesh, result.connectivity, wanted);
       }
       if (!options.thicknessImage.empty())
       {

@@ -23,7 +23,7 @@ namespace medial::app
 struct Result
 {
   TriangleMesh mesh;
-  MeshConnectivity topology;
+  MeshConnectivity connectivity;
   Grid grid;
   SignMethod sign = SignMethod::None; ///< never Auto
   Side side = Side::Both;             ///< of the axis

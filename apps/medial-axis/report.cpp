@@ -19,8 +19,9 @@ using Json = nlohmann::ordered_json;
 Json describeInput(const Result& result, const std::filesystem::path& input)
 {
   return { { "path", input.string() }, { "triangles", result.mesh.triangles.size() },
-    { "vertices", result.mesh.points.size() }, { "closed", result.topology.closed() },
-    { "manifold", result.topology.manifold() }, { "components", result.topology.components },
+    { "vertices", result.mesh.points.size() }, { "closed", result.connectivity.closed() },
+    { "manifold", result.connectivity.manifold() },
+    { "components", result.connectivity.components },
     { "skipped_degenerate", result.mesh.degenerateTriangles } };
 }
 

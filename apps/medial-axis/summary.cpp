@@ -19,11 +19,11 @@ constexpr double kNoticeableShare = 0.01;
 
 void printMesh(const Options& options, const Result& result)
 {
-  const auto components = static_cast<long long>(result.topology.components);
+  const auto components = static_cast<long long>(result.connectivity.components);
   const std::size_t triangles = result.mesh.triangles.size();
   std::printf("mesh      %s: %zu triangle%s, %zu vertices, %lld component%s, %s",
     options.input.c_str(), triangles, triangles == 1 ? "" : "s", result.mesh.points.size(),
-    components, components == 1 ? "" : "s", result.topology.closed() ? "closed" : "not closed");
+    components, components == 1 ? "" : "s", result.connectivity.closed() ? "closed" : "not closed");
   if (result.mesh.degenerateTriangles > 0)
   {
     std::printf(", %lld without area", static_cast<long long>(result.mesh.degenerateTriangles));
@@ -97,17 +97,18 @@ void appendEdges(std::string& list, int count, const char* kind)
   }
 }
 
-std::string whyUnsigned(const Options& options, const MeshConnectivity& topology)
+std::string whyUnsigned(const Options& options, const MeshConnectivity& connectivity)
 {
   if (options.signMethod == SignMethod::None)
   {
     return "sign method none";
   }
   std::string edges;
-  appendEdges(edges, topology.boundaryEdges, " with one triangle");
-  appendEdges(edges, topology.nonManifoldEdges, " with three or more");
-  appendEdges(edges, topology.misorientedEdges, " whose triangles face different sides");
-  return (topology.closed() ? "the mesh is not consistently oriented" : "the mesh is not closed") +
+  appendEdges(edges, connectivity.boundaryEdges, " with one triangle");
+  appendEdges(edges, connectivity.nonManifoldEdges, " with three or more");
+  appendEdges(edges, connectivity.misorientedEdges, " whose triangles face different sides");
+  return (connectivity.closed() ? "the mesh is not consistently oriented"
+                                : "the mesh is not closed") +
     edges;
 }
 
@@ -135,7 +136,7 @@ void printNotes(const Options& options, const Result& result)
   {
     std::fprintf(stderr,
       "medial-axis: note: %s: the distance is unsigned (%s), so the axis is that of both sides\n",
-      options.input.c_str(), whyUnsigned(options, result.topology).c_str());
+      options.input.c_str(), whyUnsigned(options, result.connectivity).c_str());
   }
   if (result.axis->GetNumberOfPoints() == 0)
   {

@@ -19,7 +19,7 @@ double percent(double length, const AxisMeasurement& measurement)
 long long eulerCharacteristic(const MeasureResult& result)
 {
   return static_cast<long long>(result.mesh.points.size()) -
-    static_cast<long long>(result.topology.edges.size()) +
+    static_cast<long long>(result.connectivity.edges.size()) +
     static_cast<long long>(result.mesh.triangles.size());
 }
 
@@ -45,10 +45,10 @@ void printCounts(const MeasureOptions& options, const MeasureResult& result)
     static_cast<long long>(axis.components), plural(axis.components),
     static_cast<long long>(axis.eulerCharacteristic), static_cast<long long>(axis.zeroAreaCells),
     plural(axis.zeroAreaCells));
-  const long long components = result.topology.components;
+  const long long components = result.connectivity.components;
   std::printf("mesh      %s: %zu triangles, %zu vertices, %s\n", options.mesh.c_str(),
     result.mesh.triangles.size(), result.mesh.points.size(),
-    result.topology.closed() ? "closed" : "not closed");
+    result.connectivity.closed() ? "closed" : "not closed");
   std::printf("          %lld component%s, Euler characteristic %lld, diagonal %.6g\n\n",
     components, plural(components), eulerCharacteristic(result), result.measurement.diagonal);
 }
@@ -76,8 +76,9 @@ Json describeAxis(const MeasureOptions& options, const ModelTopology& axis)
 Json describeMesh(const MeasureOptions& options, const MeasureResult& result)
 {
   return { { "path", options.mesh.string() }, { "triangles", result.mesh.triangles.size() },
-    { "vertices", result.mesh.points.size() }, { "closed", result.topology.closed() },
-    { "manifold", result.topology.manifold() }, { "components", result.topology.components },
+    { "vertices", result.mesh.points.size() }, { "closed", result.connectivity.closed() },
+    { "manifold", result.connectivity.manifold() },
+    { "components", result.connectivity.components },
     { "euler_characteristic", eulerCharacteristic(result) },
     { "diagonal", result.measurement.diagonal } };
 }
@@ -101,7 +102,7 @@ void printTable(const MeasureOptions& options, const MeasureResult& result)
   else
   {
     std::printf("\ncentres inside the mesh: unknown, it is %s\n",
-      result.topology.closed() ? "not consistently oriented" : "not closed");
+      result.connectivity.closed() ? "not consistently oriented" : "not closed");
   }
 }
 

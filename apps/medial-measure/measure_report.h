@@ -15,7 +15,7 @@ namespace medial::app
 struct MeasureResult
 {
   TriangleMesh mesh;
-  MeshConnectivity topology;
+  MeshConnectivity connectivity;
   AxisMeasurement measurement;
   double readSeconds = 0.0;
   double measureSeconds = 0.0;

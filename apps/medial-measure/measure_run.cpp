@@ -37,7 +37,7 @@ MeasureResult measure(const MeasureOptions& options, ProgressBar& bar)
         [&]
         {
           result.mesh = buildTriangleMesh(vtkMeshConversion::ToMeshInput(mesh));
-          result.topology = analyseConnectivity(result.mesh);
+          result.connectivity = analyseConnectivity(result.mesh);
         });
     });
   throwIfInterrupted();
@@ -50,7 +50,7 @@ MeasureResult measure(const MeasureOptions& options, ProgressBar& bar)
       wanted.execution.threads = options.threads;
       wanted.execution.progress = &watch;
       withFailures(options.mesh,
-        [&] { result.measurement = measureAxis(result.mesh, result.topology, model, wanted); });
+        [&] { result.measurement = measureAxis(result.mesh, result.connectivity, model, wanted); });
     });
   return result;
 }

@@ -37,7 +37,7 @@ inline float depthPerUnit(const SiteSet& sites, const GridFrame& frame)
 }
 
 /// For every site a triangle that holds it, -1 where there is none.
-inline std::vector<int> triangleOfSites(const SiteSet& sites, const MeshConnectivity& topology)
+inline std::vector<int> triangleOfSites(const SiteSet& sites, const MeshConnectivity& connectivity)
 {
   std::vector<int> triangles(sites.size(), -1);
   for (int face = 0; face < sites.faceCount(); ++face)
@@ -46,13 +46,13 @@ inline std::vector<int> triangleOfSites(const SiteSet& sites, const MeshConnecti
   }
   for (int edge = 0; edge < sites.edgeCount(); ++edge)
   {
-    if (topology.edgeTriangles.size(edge) == 0)
+    if (connectivity.edgeTriangles.size(edge) == 0)
     {
       continue;
     }
-    const int triangle = *topology.edgeTriangles.begin(edge);
+    const int triangle = *connectivity.edgeTriangles.begin(edge);
     triangles[sites.firstEdge() + edge] = triangle;
-    for (const int point : topology.edges[edge])
+    for (const int point : connectivity.edges[edge])
     {
       triangles[sites.firstVertex() + point] = triangle;
     }
@@ -114,8 +114,8 @@ private:
 class SliceReader
 {
 public:
-  SliceReader(const SiteSet& sites, const MeshConnectivity& topology, const GridFrame& frame)
-    : triangles_(triangleOfSites(sites, topology))
+  SliceReader(const SiteSet& sites, const MeshConnectivity& connectivity, const GridFrame& frame)
+    : triangles_(triangleOfSites(sites, connectivity))
     , unitPerDepth_(static_cast<float>(frame.unit) / depthPerUnit(sites, frame))
   {
   }

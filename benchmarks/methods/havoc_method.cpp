@@ -31,9 +31,9 @@ public:
     , tolerance_(tolerance)
   {
     const Stopwatch watch(sitesSeconds_);
-    const MeshConnectivity topology = analyseConnectivity(mesh);
-    sites_ = std::make_unique<SiteSet>(mesh, topology, frame_);
-    reader_ = std::make_unique<SliceReader>(*sites_, topology, frame_);
+    const MeshConnectivity connectivity = analyseConnectivity(mesh);
+    sites_ = std::make_unique<SiteSet>(mesh, connectivity, frame_);
+    reader_ = std::make_unique<SliceReader>(*sites_, connectivity, frame_);
   }
 
   FieldResult run()

@@ -11,22 +11,27 @@ namespace
 {
 
 /// A triangle that holds a site, -1 for sites of no triangle.
-int triangleOfSite(std::int32_t site, const TriangleMesh& mesh, const MeshConnectivity& topology)
+int triangleOfSite(std::int32_t site, const TriangleMesh& mesh,
+  const MeshConnectivity& connectivity)
 {
   const auto faces = static_cast<std::int32_t>(mesh.triangles.size());
-  const auto edges = static_cast<std::int32_t>(topology.edges.size());
+  const auto edges = static_cast<std::int32_t>(connectivity.edges.size());
   if (site < faces)
   {
     return site;
   }
   const auto firstOfEdge = [&](int edge)
-  { return topology.edgeTriangles.size(edge) > 0 ? *topology.edgeTriangles.begin(edge) : -1; };
+  {
+    return connectivity.edgeTriangles.size(edge) > 0 ? *connectivity.edgeTriangles.begin(edge) : -1;
+  };
   if (site < faces + edges)
   {
     return firstOfEdge(site - faces);
   }
   const int point = site - faces - edges;
-  return topology.pointEdges.size(point) > 0 ? firstOfEdge(*topology.pointEdges.begin(point)) : -1;
+  return connectivity.pointEdges.size(point) > 0
+    ? firstOfEdge(*connectivity.pointEdges.begin(point))
+    : -1;
 }
 
 class MedialMethod final : public FieldMethod
@@ -46,14 +51,14 @@ public:
   {
     FieldResult result;
     std::vector<std::int32_t> sites;
-    MeshConnectivity topology;
+    MeshConnectivity connectivity;
     RunStatistics statistics;
     double total = 0.0;
-    double topologySeconds = 0.0;
+    double connectivitySeconds = 0.0;
     timed(total,
       [&]
       {
-        topology = timed(topologySeconds, [&] { return analyseConnectivity(mesh); });
+        connectivity = timed(connectivitySeconds, [&] { return analyseConnectivity(mesh); });
         const auto count = static_cast<std::size_t>(grid.pointCount());
         result.distance.resize(count);
         sites.resize(count);
@@ -64,20 +69,20 @@ public:
         options.sign = SignMethod::None;
         options.engine = engine_;
         statistics =
-          computeDistanceField(mesh, topology, grid, grid.wholeExtent(), arrays, options);
+          computeDistanceField(mesh, connectivity, grid, grid.wholeExtent(), arrays, options);
       });
-    this->report(statistics, topologySeconds, total, result);
+    this->report(statistics, connectivitySeconds, total, result);
     // Sites are the finer labels, and what is asked for; triangles only serve the comparison.
-    result.triangle = nameTriangles(std::move(sites), mesh, topology);
+    result.triangle = nameTriangles(std::move(sites), mesh, connectivity);
     return result;
   }
 
 private:
-  static void report(const RunStatistics& statistics, double topology, double total,
+  static void report(const RunStatistics& statistics, double connectivity, double total,
     FieldResult& result)
   {
     const RunStatistics::Seconds& s = statistics.seconds;
-    result.seconds = { { "topology", topology }, { "sites", s.sites }, { "cull", s.cull },
+    result.seconds = { { "topology", connectivity }, { "sites", s.sites }, { "cull", s.cull },
       { "polygons", s.polygons }, { "draw", s.draw }, { "resolve", s.resolve } };
     double known = 0.0;
     for (const auto& phase : result.seconds)
@@ -95,11 +100,11 @@ private:
 
   /// In place, so that the peak of memory is that of the field.
   static std::vector<std::int32_t> nameTriangles(std::vector<std::int32_t> labels,
-    const TriangleMesh& mesh, const MeshConnectivity& topology)
+    const TriangleMesh& mesh, const MeshConnectivity& connectivity)
   {
     for (std::int32_t& label : labels)
     {
-      label = label < 0 ? -1 : triangleOfSite(label, mesh, topology);
+      label = label < 0 ? -1 : triangleOfSite(label, mesh, connectivity);
     }
     return labels;
   }

@@ -32,9 +32,9 @@ struct Cone
 class BoundBuilder
 {
 public:
-  BoundBuilder(const SiteSet& sites, const MeshConnectivity& topology)
+  BoundBuilder(const SiteSet& sites, const MeshConnectivity& connectivity)
     : sites_(sites)
-    , topology_(topology)
+    , connectivity_(connectivity)
   {
   }
 
@@ -84,8 +84,8 @@ private:
 
   EdgeShape edgeShape(int edge) const
   {
-    const int* faces = topology_.edgeTriangles.begin(edge);
-    if (topology_.edgeTriangles.size(edge) != 2 || !sites_.active(faces[0]) ||
+    const int* faces = connectivity_.edgeTriangles.begin(edge);
+    if (connectivity_.edgeTriangles.size(edge) != 2 || !sites_.active(faces[0]) ||
       !sites_.active(faces[1]))
     {
       return EdgeShape::NonManifold;
@@ -124,8 +124,8 @@ private:
   bool collectFan(int vertex)
   {
     fan_.clear();
-    const int* edges = topology_.pointEdges.begin(vertex);
-    const int edgeCount = topology_.pointEdges.size(vertex);
+    const int* edges = connectivity_.pointEdges.begin(vertex);
+    const int edgeCount = connectivity_.pointEdges.size(vertex);
     const bool manifoldEdges = std::all_of(edges, edges + edgeCount,
       [this](int edge) { return shapes_[edge] != EdgeShape::NonManifold; });
     if (edgeCount == 0 || !manifoldEdges)
@@ -133,12 +133,12 @@ private:
       return false;
     }
     int edge = edges[0];
-    int face = *topology_.edgeTriangles.begin(edge);
+    int face = *connectivity_.edgeTriangles.begin(edge);
     do
     {
       fan_.push_back(face);
       edge = this->otherEdge(face, edge, vertex);
-      const int* faces = topology_.edgeTriangles.begin(edge);
+      const int* faces = connectivity_.edgeTriangles.begin(edge);
       face = faces[0] == face ? faces[1] : faces[0];
     } while (edge != edges[0] && static_cast<int>(fan_.size()) < edgeCount);
     return edge == edges[0] && static_cast<int>(fan_.size()) == edgeCount;
@@ -146,7 +146,7 @@ private:
 
   bool hasShape(int vertex, EdgeShape shape) const
   {
-    return std::any_of(topology_.pointEdges.begin(vertex), topology_.pointEdges.end(vertex),
+    return std::any_of(connectivity_.pointEdges.begin(vertex), connectivity_.pointEdges.end(vertex),
       [&](int edge) { return shapes_[edge] == shape; });
   }
 
@@ -163,7 +163,7 @@ private:
     }
     else
     {
-      this->addFromSites(site, 0, topology_.pointEdges.size(vertex));
+      this->addFromSites(site, 0, connectivity_.pointEdges.size(vertex));
     }
   }
 
@@ -230,7 +230,7 @@ private:
   }
 
   const SiteSet& sites_;
-  const MeshConnectivity& topology_;
+  const MeshConnectivity& connectivity_;
   std::vector<EdgeShape> shapes_;
   std::vector<int> fan_;
   PublishedBounds bounds_;
@@ -238,9 +238,9 @@ private:
 
 } // namespace
 
-PublishedBounds publishedBounds(const SiteSet& sites, const MeshConnectivity& topology)
+PublishedBounds publishedBounds(const SiteSet& sites, const MeshConnectivity& connectivity)
 {
-  return BoundBuilder(sites, topology).build();
+  return BoundBuilder(sites, connectivity).build();
 }
 
 } // namespace medial::benchmark

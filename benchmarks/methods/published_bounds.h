@@ -33,6 +33,6 @@ struct PublishedBounds
   std::vector<HalfSpace> halfSpaces;
 };
 
-PublishedBounds publishedBounds(const SiteSet& sites, const MeshConnectivity& topology);
+PublishedBounds publishedBounds(const SiteSet& sites, const MeshConnectivity& connectivity);
 
 } // namespace medial::benchmark

@@ -75,11 +75,11 @@ public:
 private:
   void buildSites(const TriangleMesh& mesh)
   {
-    const MeshConnectivity topology = analyseConnectivity(mesh);
-    sites_ = std::make_unique<SiteSet>(mesh, topology, frame_);
-    bounds_ = publishedBounds(*sites_, topology);
+    const MeshConnectivity connectivity = analyseConnectivity(mesh);
+    sites_ = std::make_unique<SiteSet>(mesh, connectivity, frame_);
+    bounds_ = publishedBounds(*sites_, connectivity);
     reach_ = reachOfSlices(*sites_, frame_, grid_);
-    reader_ = std::make_unique<SliceReader>(*sites_, topology, frame_);
+    reader_ = std::make_unique<SliceReader>(*sites_, connectivity, frame_);
   }
 
   SliceBatch batch(int first) const

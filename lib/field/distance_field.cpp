@@ -10,9 +10,9 @@
 namespace medial
 {
 
-SignMethod resolveSignMethod(SignMethod requested, const MeshConnectivity& topology)
+SignMethod resolveSignMethod(SignMethod requested, const MeshConnectivity& connectivity)
 {
-  const bool possible = topology.closed() && topology.oriented();
+  const bool possible = connectivity.closed() && connectivity.oriented();
   switch (requested)
   {
     case SignMethod::Auto:
@@ -25,9 +25,9 @@ SignMethod resolveSignMethod(SignMethod requested, const MeshConnectivity& topol
       {
         throw Error(ErrorCode::InvalidInput,
           "sign method pseudonormal needs a closed, consistently oriented mesh; this one has " +
-            std::to_string(topology.boundaryEdges) + " boundary, " +
-            std::to_string(topology.nonManifoldEdges) + " non-manifold and " +
-            std::to_string(topology.misorientedEdges) + " misoriented edges; use auto or none");
+            std::to_string(connectivity.boundaryEdges) + " boundary, " +
+            std::to_string(connectivity.nonManifoldEdges) + " non-manifold and " +
+            std::to_string(connectivity.misorientedEdges) + " misoriented edges; use auto or none");
       }
       return requested;
     case SignMethod::None:
@@ -36,35 +36,35 @@ SignMethod resolveSignMethod(SignMethod requested, const MeshConnectivity& topol
   return SignMethod::None;
 }
 
-RunStatistics computeDistanceField(const TriangleMesh& mesh, const MeshConnectivity& topology,
+RunStatistics computeDistanceField(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
   const Grid& grid, const Extent& extent, FieldSink& sink, const DistanceFieldOptions& options)
 {
   return withMemoryErrors(extent.pointCount(),
     [&]
     {
-      FieldPipeline pipeline(mesh, topology, grid, extent, options);
+      FieldPipeline pipeline(mesh, connectivity, grid, extent, options);
       pipeline.run(sink, nullptr);
       pipeline.execution().report(1.0, "distance field");
       return pipeline.statistics();
     });
 }
 
-RunStatistics computeDistanceField(const TriangleMesh& mesh, const MeshConnectivity& topology,
+RunStatistics computeDistanceField(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
   const Grid& grid, const Extent& extent, const FieldArrays& arrays,
   const DistanceFieldOptions& options)
 {
   ArraySink sink(extent, arrays);
-  return computeDistanceField(mesh, topology, grid, extent, sink, options);
+  return computeDistanceField(mesh, connectivity, grid, extent, sink, options);
 }
 
 DistanceField computeDistanceField(const TriangleMesh& mesh, const Grid& grid,
   const DistanceFieldOptions& options)
 {
-  const MeshConnectivity topology = analyseConnectivity(mesh);
+  const MeshConnectivity connectivity = analyseConnectivity(mesh);
   validateGrid(grid);
   DistanceField field;
   field.grid = grid;
-  field.sign = resolveSignMethod(options.sign, topology);
+  field.sign = resolveSignMethod(options.sign, connectivity);
   const auto count = static_cast<std::size_t>(grid.pointCount());
   withMemoryErrors(grid.pointCount(),
     [&]
@@ -78,7 +78,7 @@ DistanceField computeDistanceField(const TriangleMesh& mesh, const Grid& grid,
   const FieldArrays arrays{ field.distance.data(), field.closestPoint.data(),
     field.closestSite.data(), field.closestFeature.data(), field.closestCell.data() };
   field.statistics =
-    computeDistanceField(mesh, topology, grid, grid.wholeExtent(), arrays, options);
+    computeDistanceField(mesh, connectivity, grid, grid.wholeExtent(), arrays, options);
   return field;
 }
 

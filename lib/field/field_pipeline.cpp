@@ -17,8 +17,8 @@ namespace
 constexpr std::size_t kDefaultMemoryMiB = 512;
 /// Slices of a slab where memory allows.
 constexpr int kMaxSlices = 64;
-SignMethod checkedSign(const TriangleMesh& mesh, const MeshConnectivity& topology, const Grid& grid,
-  const Extent& extent, const DistanceFieldOptions& options)
+SignMethod checkedSign(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
+  const Grid& grid, const Extent& extent, const DistanceFieldOptions& options)
 {
   if (mesh.empty())
   {
@@ -29,7 +29,7 @@ SignMethod checkedSign(const TriangleMesh& mesh, const MeshConnectivity& topolog
   {
     throw Error(ErrorCode::InvalidInput, "the extent is empty or leaves the grid");
   }
-  return resolveSignMethod(options.sign, topology);
+  return resolveSignMethod(options.sign, connectivity);
 }
 
 Device checkedDevice(const DistanceFieldOptions& options)
@@ -63,15 +63,15 @@ int textureLimit()
 
 } // namespace
 
-FieldPipeline::FieldPipeline(const TriangleMesh& mesh, const MeshConnectivity& topology,
+FieldPipeline::FieldPipeline(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
   const Grid& grid, const Extent& extent, const DistanceFieldOptions& options)
   : mesh_(mesh)
-  , topology_(topology)
+  , connectivity_(connectivity)
   , extent_(extent)
   , options_(options)
   , run_(options.execution)
   , frame_(grid)
-  , sign_(checkedSign(mesh, topology, grid, extent, options))
+  , sign_(checkedSign(mesh, connectivity, grid, extent, options))
   , statistics_(newStatistics(extent, options))
   , sites_(this->buildSites())
   , filter_(timed(statistics_.seconds.cull, [&] { return CandidateFilter(sites_); }))
@@ -84,7 +84,7 @@ FieldPipeline::FieldPipeline(const TriangleMesh& mesh, const MeshConnectivity& t
 SiteSet FieldPipeline::buildSites()
 {
   const Stopwatch watch(statistics_.seconds.sites);
-  return run_.onThreads([this] { return SiteSet(mesh_, topology_, frame_); });
+  return run_.onThreads([this] { return SiteSet(mesh_, connectivity_, frame_); });
 }
 
 FieldSign FieldPipeline::fieldSign() const
@@ -93,7 +93,7 @@ FieldSign FieldPipeline::fieldSign() const
   {
     return FieldSign::None;
   }
-  return topology_.signedVolume < 0.0 ? FieldSign::Inward : FieldSign::Outward;
+  return connectivity_.signedVolume < 0.0 ? FieldSign::Inward : FieldSign::Outward;
 }
 
 int FieldPipeline::slabSlices(std::size_t bytesPerPoint) const
@@ -135,7 +135,7 @@ std::vector<Extent> FieldPipeline::slabsOf(int slices) const
 
 FieldWriter FieldPipeline::makeWriter() const
 {
-  return { mesh_, topology_, sites_, frame_, sign_ != SignMethod::None };
+  return { mesh_, connectivity_, sites_, frame_, sign_ != SignMethod::None };
 }
 
 void FieldPipeline::run(FieldSink& sink, SlabStage* stage)

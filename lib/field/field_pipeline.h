@@ -41,7 +41,7 @@ class FieldPipeline
 public:
   /// Checks everything that can be checked before work starts.
   /// @throws Error as computeDistanceField.
-  FieldPipeline(const TriangleMesh& mesh, const MeshConnectivity& topology, const Grid& grid,
+  FieldPipeline(const TriangleMesh& mesh, const MeshConnectivity& connectivity, const Grid& grid,
     const Extent& extent, const DistanceFieldOptions& options);
 
   /// Takes over what an earlier pipeline over the same connectivity left, and leaves as much.
@@ -91,7 +91,7 @@ private:
   void addGpuSeconds();
 
   const TriangleMesh& mesh_;
-  const MeshConnectivity& topology_;
+  const MeshConnectivity& connectivity_;
   Extent extent_;
   DistanceFieldOptions options_;
   Run run_;

@@ -36,10 +36,10 @@ Feature featureOf(SiteKind kind)
 
 } // namespace
 
-FieldWriter::FieldWriter(const TriangleMesh& mesh, const MeshConnectivity& topology,
+FieldWriter::FieldWriter(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
   const SiteSet& sites, const GridFrame& frame, bool signedField)
   : mesh_(mesh)
-  , topology_(topology)
+  , connectivity_(connectivity)
   , sites_(sites)
   , frame_(frame)
   , signed_(signedField)
@@ -166,11 +166,11 @@ std::int64_t FieldWriter::cellOf(std::int32_t site) const
     case SiteKind::Face:
       return mesh_.triangleCells[site];
     case SiteKind::Edge:
-      return topology_.edgeCells[site - sites_.firstEdge()];
+      return connectivity_.edgeCells[site - sites_.firstEdge()];
     case SiteKind::Vertex:
       break;
   }
-  return topology_.pointCells[site - sites_.firstVertex()];
+  return connectivity_.pointCells[site - sites_.firstVertex()];
 }
 
 } // namespace medial

@@ -16,7 +16,7 @@ namespace medial
 class FieldWriter
 {
 public:
-  FieldWriter(const TriangleMesh& mesh, const MeshConnectivity& topology, const SiteSet& sites,
+  FieldWriter(const TriangleMesh& mesh, const MeshConnectivity& connectivity, const SiteSet& sites,
     const GridFrame& frame, bool signedField);
 
   /// Where the next values go.
@@ -37,7 +37,7 @@ private:
   std::int64_t cellOf(std::int32_t site) const;
 
   const TriangleMesh& mesh_;
-  const MeshConnectivity& topology_;
+  const MeshConnectivity& connectivity_;
   const SiteSet& sites_;
   GridFrame frame_;
   bool signed_;

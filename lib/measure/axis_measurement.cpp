@@ -88,7 +88,7 @@ void compareBalls(const MedialModel& model, const SurfaceDistance& surface, cons
   result.radiusError = summarise(errors);
 }
 
-AxisMeasurement measure(const TriangleMesh& mesh, const MeshConnectivity& topology,
+AxisMeasurement measure(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
   const MedialModel& model, const MeasurementOptions& options, const Run& run)
 {
   run.report(0.0, "preparing");
@@ -104,7 +104,7 @@ AxisMeasurement measure(const TriangleMesh& mesh, const MeshConnectivity& topolo
   const double tolerance =
     std::max(kTolerance * result.diagonal, kRounding * largestCoordinate(bounds));
   const BallUnion solid(model);
-  const SurfaceDistance surface(mesh, topology);
+  const SurfaceDistance surface(mesh, connectivity);
   result.knowsInside = surface.knowsInside();
   result.surfaceToUnion =
     surfaceToUnion(mesh, solid, options.samples, tolerance, run.part(0.1, 0.5));
@@ -132,12 +132,12 @@ double AxisMeasurement::meanDistance() const
   return 0.5 * (surfaceToUnion.mean + unionToSurface.mean);
 }
 
-AxisMeasurement measureAxis(const TriangleMesh& mesh, const MeshConnectivity& topology,
+AxisMeasurement measureAxis(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
   const MedialModel& model, const MeasurementOptions& options)
 {
   checkMeasureOptions(options);
   const Run run(options.execution);
-  return run.onThreads([&] { return measure(mesh, topology, model, options, run); });
+  return run.onThreads([&] { return measure(mesh, connectivity, model, options, run); });
 }
 
 } // namespace medial

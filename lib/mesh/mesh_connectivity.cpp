@@ -230,80 +230,80 @@ IncidenceLists invert(const std::vector<std::array<int, N>>& lists, std::size_t 
   return result;
 }
 
-void buildEdges(const TriangleMesh& mesh, MeshConnectivity& topology)
+void buildEdges(const TriangleMesh& mesh, MeshConnectivity& connectivity)
 {
   ManifoldPart manifold(mesh);
   std::vector<char> accepted(mesh.triangles.size());
   std::transform(mesh.triangles.begin(), mesh.triangles.end(), accepted.begin(),
     [&](const Triangle& t) { return manifold.add(t) ? 1 : 0; });
 
-  EdgeTable table(manifold, topology.edges);
-  topology.triangleEdges.reserve(mesh.triangles.size());
+  EdgeTable table(manifold, connectivity.edges);
+  connectivity.triangleEdges.reserve(mesh.triangles.size());
   int face = 0;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
   {
     const Triangle& t = mesh.triangles[i];
     if (accepted[i])
     {
-      topology.triangleEdges.push_back(manifold.edgesOf(face++, t));
+      connectivity.triangleEdges.push_back(manifold.edgesOf(face++, t));
       continue;
     }
-    topology.triangleEdges.push_back(
+    connectivity.triangleEdges.push_back(
       { table.findOrAdd(t[0], t[1]), table.findOrAdd(t[1], t[2]), table.findOrAdd(t[2], t[0]) });
   }
   for (const auto& segment : mesh.segments)
   {
-    topology.segmentEdges.push_back(table.findOrAdd(segment[0], segment[1]));
+    connectivity.segmentEdges.push_back(table.findOrAdd(segment[0], segment[1]));
   }
-  topology.nonManifoldTriangles = static_cast<int>(mesh.triangles.size()) - face;
-  topology.nonManifoldPoints = manifold.pointsWithGaps();
+  connectivity.nonManifoldTriangles = static_cast<int>(mesh.triangles.size()) - face;
+  connectivity.nonManifoldPoints = manifold.pointsWithGaps();
 }
 
 /// Cells that hold the edges and points; where there are several, triangles win over segments over
 /// vertices, and the first of a kind wins.
-void assignCells(const TriangleMesh& mesh, MeshConnectivity& topology)
+void assignCells(const TriangleMesh& mesh, MeshConnectivity& connectivity)
 {
-  topology.edgeCells.assign(topology.edges.size(), kNone);
-  topology.pointCells.assign(mesh.points.size(), kNone);
+  connectivity.edgeCells.assign(connectivity.edges.size(), kNone);
+  connectivity.pointCells.assign(mesh.points.size(), kNone);
   const auto assign = [](std::int64_t& cell, std::int64_t id) { cell = cell == kNone ? id : cell; };
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
   {
     for (int corner = 0; corner < 3; ++corner)
     {
-      assign(topology.edgeCells[topology.triangleEdges[i][corner]], mesh.triangleCells[i]);
-      assign(topology.pointCells[mesh.triangles[i][corner]], mesh.triangleCells[i]);
+      assign(connectivity.edgeCells[connectivity.triangleEdges[i][corner]], mesh.triangleCells[i]);
+      assign(connectivity.pointCells[mesh.triangles[i][corner]], mesh.triangleCells[i]);
     }
   }
   for (std::size_t i = 0; i < mesh.segments.size(); ++i)
   {
-    assign(topology.edgeCells[topology.segmentEdges[i]], mesh.segmentCells[i]);
-    assign(topology.pointCells[mesh.segments[i][0]], mesh.segmentCells[i]);
-    assign(topology.pointCells[mesh.segments[i][1]], mesh.segmentCells[i]);
+    assign(connectivity.edgeCells[connectivity.segmentEdges[i]], mesh.segmentCells[i]);
+    assign(connectivity.pointCells[mesh.segments[i][0]], mesh.segmentCells[i]);
+    assign(connectivity.pointCells[mesh.segments[i][1]], mesh.segmentCells[i]);
   }
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
   {
-    assign(topology.pointCells[mesh.vertices[i]], mesh.vertexCells[i]);
+    assign(connectivity.pointCells[mesh.vertices[i]], mesh.vertexCells[i]);
   }
 }
 
-void countEdgeKinds(const TriangleMesh& mesh, MeshConnectivity& topology)
+void countEdgeKinds(const TriangleMesh& mesh, MeshConnectivity& connectivity)
 {
   // +1 for every triangle that runs through the edge forwards, -1 backwards.
-  std::vector<int> direction(topology.edges.size(), 0);
+  std::vector<int> direction(connectivity.edges.size(), 0);
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
   {
     for (int corner = 0; corner < 3; ++corner)
     {
-      const int edge = topology.triangleEdges[i][corner];
-      direction[edge] += topology.edges[edge][0] == mesh.triangles[i][corner] ? 1 : -1;
+      const int edge = connectivity.triangleEdges[i][corner];
+      direction[edge] += connectivity.edges[edge][0] == mesh.triangles[i][corner] ? 1 : -1;
     }
   }
-  for (int edge = 0; edge < topology.edgeTriangles.rows(); ++edge)
+  for (int edge = 0; edge < connectivity.edgeTriangles.rows(); ++edge)
   {
-    const int triangles = topology.edgeTriangles.size(edge);
-    topology.boundaryEdges += triangles == 1 ? 1 : 0;
-    topology.nonManifoldEdges += triangles > 2 ? 1 : 0;
-    topology.misorientedEdges += triangles == 2 && direction[edge] != 0 ? 1 : 0;
+    const int triangles = connectivity.edgeTriangles.size(edge);
+    connectivity.boundaryEdges += triangles == 1 ? 1 : 0;
+    connectivity.nonManifoldEdges += triangles > 2 ? 1 : 0;
+    connectivity.misorientedEdges += triangles == 2 && direction[edge] != 0 ? 1 : 0;
   }
 }
 
@@ -385,15 +385,15 @@ bool MeshConnectivity::manifold() const
 MeshConnectivity analyseConnectivity(const TriangleMesh& mesh)
 {
   requireValid(mesh);
-  MeshConnectivity topology;
-  buildEdges(mesh, topology);
-  topology.edgeTriangles = invert(topology.triangleEdges, topology.edges.size());
-  topology.pointEdges = invert(topology.edges, mesh.points.size());
-  assignCells(mesh, topology);
-  countEdgeKinds(mesh, topology);
-  topology.components = countComponents(mesh.points.size(), topology.edges);
-  topology.signedVolume = signedVolume(mesh);
-  return topology;
+  MeshConnectivity connectivity;
+  buildEdges(mesh, connectivity);
+  connectivity.edgeTriangles = invert(connectivity.triangleEdges, connectivity.edges.size());
+  connectivity.pointEdges = invert(connectivity.edges, mesh.points.size());
+  assignCells(mesh, connectivity);
+  countEdgeKinds(mesh, connectivity);
+  connectivity.components = countComponents(mesh.points.size(), connectivity.edges);
+  connectivity.signedVolume = signedVolume(mesh);
+  return connectivity;
 }
 
 } // namespace medial

@@ -8,7 +8,7 @@ namespace medial
 
 /// computeMedialAxis() with what is left from an earlier frame.
 /// @param memory may be null.
-MedialAxis computeMedialAxis(const TriangleMesh& mesh, const MeshConnectivity& topology,
+MedialAxis computeMedialAxis(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
   const Grid& grid, const MedialAxisOptions& options, const FieldArrays& arrays,
   FieldMemory* memory);
 

@@ -202,10 +202,10 @@ void simplify(const MedialAxisOptions& options, const Run& run, RunStatistics& s
   axis.feature = axisFeatures(edgesOf(axis), axis.points.size());
 }
 
-MedialAxis runPipeline(const TriangleMesh& mesh, const MeshConnectivity& topology, const Grid& grid,
-  const MedialAxisOptions& options, FieldSink& sink, FieldMemory* memory)
+MedialAxis runPipeline(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
+  const Grid& grid, const MedialAxisOptions& options, FieldSink& sink, FieldMemory* memory)
 {
-  FieldPipeline pipeline(mesh, topology, grid, grid.wholeExtent(), options.field);
+  FieldPipeline pipeline(mesh, connectivity, grid, grid.wholeExtent(), options.field);
   if (memory != nullptr)
   {
     pipeline.useMemory(*memory);
@@ -249,28 +249,28 @@ MedialAxis runPipeline(const TriangleMesh& mesh, const MeshConnectivity& topolog
 
 } // namespace
 
-MedialAxis computeMedialAxis(const TriangleMesh& mesh, const MeshConnectivity& topology,
+MedialAxis computeMedialAxis(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
   const Grid& grid, const MedialAxisOptions& options, FieldSink& sink)
 {
   checkOptions(options);
   return withMemoryErrors(grid.pointCount(),
-    [&] { return runPipeline(mesh, topology, grid, options, sink, nullptr); });
+    [&] { return runPipeline(mesh, connectivity, grid, options, sink, nullptr); });
 }
 
-MedialAxis computeMedialAxis(const TriangleMesh& mesh, const MeshConnectivity& topology,
+MedialAxis computeMedialAxis(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
   const Grid& grid, const MedialAxisOptions& options, const FieldArrays& arrays,
   FieldMemory* memory)
 {
   checkOptions(options);
   ArraySink sink(grid.wholeExtent(), arrays);
   return withMemoryErrors(grid.pointCount(),
-    [&] { return runPipeline(mesh, topology, grid, options, sink, memory); });
+    [&] { return runPipeline(mesh, connectivity, grid, options, sink, memory); });
 }
 
-MedialAxis computeMedialAxis(const TriangleMesh& mesh, const MeshConnectivity& topology,
+MedialAxis computeMedialAxis(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
   const Grid& grid, const MedialAxisOptions& options, const FieldArrays& arrays)
 {
-  return computeMedialAxis(mesh, topology, grid, options, arrays, nullptr);
+  return computeMedialAxis(mesh, connectivity, grid, options, arrays, nullptr);
 }
 
 MedialAxis computeMedialAxis(const TriangleMesh& mesh, const Grid& grid,

@@ -15,14 +15,14 @@ namespace medial
 struct MedialSolver::State
 {
   TriangleMesh mesh;
-  MeshConnectivity topology;
+  MeshConnectivity connectivity;
   FieldMemory memory;
 };
 
 MedialSolver::MedialSolver(TriangleMesh mesh)
   : state_(std::make_unique<State>())
 {
-  state_->topology = analyseConnectivity(mesh);
+  state_->connectivity = analyseConnectivity(mesh);
   state_->mesh = std::move(mesh);
 }
 
@@ -35,9 +35,9 @@ const TriangleMesh& MedialSolver::mesh() const
   return state_->mesh;
 }
 
-const MeshConnectivity& MedialSolver::topology() const
+const MeshConnectivity& MedialSolver::connectivity() const
 {
-  return state_->topology;
+  return state_->connectivity;
 }
 
 void MedialSolver::setPoints(std::vector<Point3> points)
@@ -53,7 +53,7 @@ void MedialSolver::setPoints(std::vector<Point3> points)
     requireUsable(i, points[i]);
   }
   state_->mesh.points = std::move(points);
-  state_->topology.signedVolume = signedVolume(state_->mesh);
+  state_->connectivity.signedVolume = signedVolume(state_->mesh);
 }
 
 RunStatistics MedialSolver::computeField(const Grid& grid, const Extent& extent, FieldSink& sink,
@@ -62,7 +62,7 @@ RunStatistics MedialSolver::computeField(const Grid& grid, const Extent& extent,
   return withMemoryErrors(extent.pointCount(),
     [&]
     {
-      FieldPipeline pipeline(state_->mesh, state_->topology, grid, extent, options);
+      FieldPipeline pipeline(state_->mesh, state_->connectivity, grid, extent, options);
       pipeline.useMemory(state_->memory);
       pipeline.run(sink, nullptr);
       pipeline.execution().report(1.0, "distance field");
@@ -80,7 +80,8 @@ RunStatistics MedialSolver::computeField(const Grid& grid, const Extent& extent,
 MedialAxis MedialSolver::computeAxis(const Grid& grid, const MedialAxisOptions& options,
   const FieldArrays& arrays)
 {
-  return computeMedialAxis(state_->mesh, state_->topology, grid, options, arrays, &state_->memory);
+  return computeMedialAxis(state_->mesh, state_->connectivity, grid, options, arrays,
+    &state_->memory);
 }
 
 } // namespace medial

@@ -17,7 +17,7 @@ GridFrame frameOf(const TriangleMesh& mesh)
 }
 
 /// All faces, and the edges and vertices that belong to none.
-std::vector<int> itemsOf(const SiteSet& sites, const MeshConnectivity& topology)
+std::vector<int> itemsOf(const SiteSet& sites, const MeshConnectivity& connectivity)
 {
   std::vector<int> items;
   for (int face = 0; face < sites.faceCount(); ++face)
@@ -26,14 +26,14 @@ std::vector<int> itemsOf(const SiteSet& sites, const MeshConnectivity& topology)
   }
   for (int edge = 0; edge < sites.edgeCount(); ++edge)
   {
-    if (topology.edgeTriangles.size(edge) == 0)
+    if (connectivity.edgeTriangles.size(edge) == 0)
     {
       items.push_back(sites.firstEdge() + edge);
     }
   }
   for (int vertex = 0; vertex < sites.vertexCount(); ++vertex)
   {
-    if (topology.pointEdges.size(vertex) == 0)
+    if (connectivity.pointEdges.size(vertex) == 0)
     {
       items.push_back(sites.firstVertex() + vertex);
     }
@@ -69,22 +69,22 @@ std::vector<ItemBounds> boundsOf(const SiteSet& sites, const std::vector<int>& i
   return bounds;
 }
 
-std::vector<glm::vec4> normalsOf(const SiteSet& sites, const MeshConnectivity& topology)
+std::vector<glm::vec4> normalsOf(const SiteSet& sites, const MeshConnectivity& connectivity)
 {
-  if (resolveSignMethod(SignMethod::Auto, topology) == SignMethod::None)
+  if (resolveSignMethod(SignMethod::Auto, connectivity) == SignMethod::None)
   {
     return {};
   }
-  return pseudonormals(sites, topology.signedVolume < 0.0);
+  return pseudonormals(sites, connectivity.signedVolume < 0.0);
 }
 
 } // namespace
 
-SurfaceDistance::SurfaceDistance(const TriangleMesh& mesh, const MeshConnectivity& topology)
+SurfaceDistance::SurfaceDistance(const TriangleMesh& mesh, const MeshConnectivity& connectivity)
   : frame_(frameOf(mesh))
-  , sites_(mesh, topology, frame_)
-  , normals_(normalsOf(sites_, topology))
-  , items_(itemsOf(sites_, topology))
+  , sites_(mesh, connectivity, frame_)
+  , normals_(normalsOf(sites_, connectivity))
+  , items_(itemsOf(sites_, connectivity))
   , tree_(boundsOf(sites_, items_))
 {
 }

@@ -16,7 +16,7 @@ namespace medial
 class SurfaceDistance
 {
 public:
-  SurfaceDistance(const TriangleMesh& mesh, const MeshConnectivity& topology);
+  SurfaceDistance(const TriangleMesh& mesh, const MeshConnectivity& connectivity);
 
   /// Whether the mesh is closed and consistently oriented, so that it has an inside.
   bool knowsInside() const { return !normals_.empty(); }

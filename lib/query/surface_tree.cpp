@@ -60,10 +60,10 @@ struct SurfaceTree::Search
   SitePoint best;
 };
 
-SurfaceTree::SurfaceTree(const SiteSet& sites, const MeshConnectivity& topology)
+SurfaceTree::SurfaceTree(const SiteSet& sites, const MeshConnectivity& connectivity)
   : sites_(sites)
 {
-  std::vector<int> all = this->collectSites(topology);
+  std::vector<int> all = this->collectSites(connectivity);
   if (!all.empty())
   {
     this->build(all.data(), all.data() + all.size());
@@ -72,7 +72,7 @@ SurfaceTree::SurfaceTree(const SiteSet& sites, const MeshConnectivity& topology)
   }
 }
 
-std::vector<int> SurfaceTree::collectSites(const MeshConnectivity& topology) const
+std::vector<int> SurfaceTree::collectSites(const MeshConnectivity& connectivity) const
 {
   std::vector<int> all;
   for (int face = 0; face < sites_.faceCount(); ++face)
@@ -86,8 +86,8 @@ std::vector<int> SurfaceTree::collectSites(const MeshConnectivity& topology) con
   for (int edge = 0; edge < sites_.edgeCount(); ++edge)
   {
     const int site = sites_.firstEdge() + edge;
-    const bool covered = std::any_of(topology.edgeTriangles.begin(edge),
-      topology.edgeTriangles.end(edge), [&](int face) { return sites_.active(face); });
+    const bool covered = std::any_of(connectivity.edgeTriangles.begin(edge),
+      connectivity.edgeTriangles.end(edge), [&](int face) { return sites_.active(face); });
     if (!covered && sites_.active(site))
     {
       all.push_back(site);
@@ -95,7 +95,7 @@ std::vector<int> SurfaceTree::collectSites(const MeshConnectivity& topology) con
   }
   for (int vertex = 0; vertex < sites_.vertexCount(); ++vertex)
   {
-    if (topology.pointEdges.size(vertex) == 0)
+    if (connectivity.pointEdges.size(vertex) == 0)
     {
       all.push_back(sites_.firstVertex() + vertex);
     }

@@ -20,7 +20,7 @@ class SurfaceTree
 {
 public:
   /// @param sites must outlive this.
-  SurfaceTree(const SiteSet& sites, const MeshConnectivity& topology);
+  SurfaceTree(const SiteSet& sites, const MeshConnectivity& connectivity);
 
   /// @param x frame coordinates.
   /// @param limit surface points at this distance and beyond do not count.
@@ -53,7 +53,7 @@ private:
   };
   struct Search;
 
-  std::vector<int> collectSites(const MeshConnectivity& topology) const;
+  std::vector<int> collectSites(const MeshConnectivity& connectivity) const;
   int build(int* begin, int* end);
   int addLeaf(const int* begin, const int* end);
   unsigned lanesWithin(const Leaf& leaf, const glm::vec3& x, float limit, float slack) const;

@@ -27,15 +27,16 @@ glm::dvec3 conormal(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& 
 
 } // namespace
 
-SiteSet::SiteSet(const TriangleMesh& mesh, const MeshConnectivity& topology, const GridFrame& frame)
+SiteSet::SiteSet(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
+  const GridFrame& frame)
 {
-  this->buildGeometry(mesh, topology, frame);
+  this->buildGeometry(mesh, connectivity, frame);
   this->buildNormals(mesh);
   this->buildSpheres();
-  this->buildHalfSpaces(topology);
+  this->buildHalfSpaces(connectivity);
 }
 
-void SiteSet::buildGeometry(const TriangleMesh& mesh, const MeshConnectivity& topology,
+void SiteSet::buildGeometry(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
   const GridFrame& frame)
 {
   points_.reserve(mesh.points.size());
@@ -43,7 +44,7 @@ void SiteSet::buildGeometry(const TriangleMesh& mesh, const MeshConnectivity& to
   {
     points_.push_back(frame.toFrame(point));
   }
-  for (const auto& edge : topology.edges)
+  for (const auto& edge : connectivity.edges)
   {
     edges_.emplace_back(edge[0], edge[1]);
   }
@@ -51,7 +52,7 @@ void SiteSet::buildGeometry(const TriangleMesh& mesh, const MeshConnectivity& to
   {
     const auto& corners = mesh.triangles[t];
     faces_.emplace_back(corners[0], corners[1], corners[2]);
-    const auto& edges = topology.triangleEdges[t];
+    const auto& edges = connectivity.triangleEdges[t];
     faceEdges_.emplace_back(edges[0], edges[1], edges[2]);
   }
   active_.assign(this->size(), 1);
@@ -133,12 +134,13 @@ void SiteSet::buildSpheres()
   }
 }
 
-void SiteSet::buildHalfSpaces(const MeshConnectivity& topology)
+void SiteSet::buildHalfSpaces(const MeshConnectivity& connectivity)
 {
   halfSpaceOffsets_.resize(this->size() + 1);
   for (int site = 0; site < this->size(); ++site)
   {
-    halfSpaceOffsets_[site + 1] = halfSpaceOffsets_[site] + this->halfSpaceCount(site, topology);
+    halfSpaceOffsets_[site + 1] =
+      halfSpaceOffsets_[site] + this->halfSpaceCount(site, connectivity);
   }
   halfSpaces_.resize(halfSpaceOffsets_.back());
   tbb::parallel_for(0, this->size(),
@@ -151,16 +153,16 @@ void SiteSet::buildHalfSpaces(const MeshConnectivity& topology)
           this->setFaceHalfSpaces(site, out);
           return;
         case SiteKind::Edge:
-          this->setEdgeHalfSpaces(site - this->firstEdge(), topology, out);
+          this->setEdgeHalfSpaces(site - this->firstEdge(), connectivity, out);
           return;
         case SiteKind::Vertex:
-          this->setVertexHalfSpaces(site - this->firstVertex(), topology, out);
+          this->setVertexHalfSpaces(site - this->firstVertex(), connectivity, out);
           return;
       }
     });
 }
 
-int SiteSet::halfSpaceCount(int site, const MeshConnectivity& topology) const
+int SiteSet::halfSpaceCount(int site, const MeshConnectivity& connectivity) const
 {
   switch (this->kind(site))
   {
@@ -170,13 +172,13 @@ int SiteSet::halfSpaceCount(int site, const MeshConnectivity& topology) const
     {
       const int edge = site - this->firstEdge();
       return 2 +
-        static_cast<int>(std::count_if(topology.edgeTriangles.begin(edge),
-          topology.edgeTriangles.end(edge), [this](int face) { return active_[face] != 0; }));
+        static_cast<int>(std::count_if(connectivity.edgeTriangles.begin(edge),
+          connectivity.edgeTriangles.end(edge), [this](int face) { return active_[face] != 0; }));
     }
     case SiteKind::Vertex:
       break;
   }
-  return topology.pointEdges.size(site - this->firstVertex());
+  return connectivity.pointEdges.size(site - this->firstVertex());
 }
 
 void SiteSet::setFaceHalfSpaces(int face, HalfSpace* out) const
@@ -201,15 +203,16 @@ void SiteSet::setFaceHalfSpaces(int face, HalfSpace* out) const
   *out++ = halfSpace(u, b);
 }
 
-void SiteSet::setEdgeHalfSpaces(int edge, const MeshConnectivity& topology, HalfSpace* out) const
+void SiteSet::setEdgeHalfSpaces(int edge, const MeshConnectivity& connectivity,
+  HalfSpace* out) const
 {
   const glm::dvec3& p = points_[edges_[edge][0]];
   const glm::dvec3& q = points_[edges_[edge][1]];
   const glm::dvec3 u = glm::normalize(q - p);
   *out++ = halfSpace(-u, p);
   *out++ = halfSpace(u, q);
-  for (const int* face = topology.edgeTriangles.begin(edge);
-       face != topology.edgeTriangles.end(edge); ++face)
+  for (const int* face = connectivity.edgeTriangles.begin(edge);
+       face != connectivity.edgeTriangles.end(edge); ++face)
   {
     if (!active_[*face])
     {
@@ -224,12 +227,12 @@ void SiteSet::setEdgeHalfSpaces(int edge, const MeshConnectivity& topology, Half
   }
 }
 
-void SiteSet::setVertexHalfSpaces(int vertex, const MeshConnectivity& topology,
+void SiteSet::setVertexHalfSpaces(int vertex, const MeshConnectivity& connectivity,
   HalfSpace* out) const
 {
   const glm::dvec3& p = points_[vertex];
-  for (const int* edge = topology.pointEdges.begin(vertex); edge != topology.pointEdges.end(vertex);
-       ++edge)
+  for (const int* edge = connectivity.pointEdges.begin(vertex);
+       edge != connectivity.pointEdges.end(vertex); ++edge)
   {
     const glm::ivec2& ends = edges_[*edge];
     const glm::dvec3& other = points_[ends[0] == vertex ? ends[1] : ends[0]];

@@ -33,7 +33,7 @@ using HalfSpace = glm::vec4;
 class SiteSet
 {
 public:
-  SiteSet(const TriangleMesh& mesh, const MeshConnectivity& topology, const GridFrame& frame);
+  SiteSet(const TriangleMesh& mesh, const MeshConnectivity& connectivity, const GridFrame& frame);
 
   int faceCount() const { return static_cast<int>(faces_.size()); }
   int edgeCount() const { return static_cast<int>(edges_.size()); }
@@ -77,15 +77,15 @@ public:
   }
 
 private:
-  void buildGeometry(const TriangleMesh& mesh, const MeshConnectivity& topology,
+  void buildGeometry(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
     const GridFrame& frame);
   void buildNormals(const TriangleMesh& mesh);
   void buildSpheres();
-  void buildHalfSpaces(const MeshConnectivity& topology);
-  int halfSpaceCount(int site, const MeshConnectivity& topology) const;
+  void buildHalfSpaces(const MeshConnectivity& connectivity);
+  int halfSpaceCount(int site, const MeshConnectivity& connectivity) const;
   void setFaceHalfSpaces(int face, HalfSpace* out) const;
-  void setEdgeHalfSpaces(int edge, const MeshConnectivity& topology, HalfSpace* out) const;
-  void setVertexHalfSpaces(int vertex, const MeshConnectivity& topology, HalfSpace* out) const;
+  void setEdgeHalfSpaces(int edge, const MeshConnectivity& connectivity, HalfSpace* out) const;
+  void setVertexHalfSpaces(int vertex, const MeshConnectivity& connectivity, HalfSpace* out) const;
 
   std::vector<glm::dvec3> points_;
   std::vector<glm::ivec3> faces_;

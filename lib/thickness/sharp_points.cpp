@@ -43,13 +43,13 @@ bool isSharpEdge(const SiteSet& sites, int edge, int first, int second, double s
   return sign * glm::dot(across, normal) < 0.0 && angleBetween(normal, other) >= angle;
 }
 
-void markSharpEdges(const SiteSet& sites, const MeshConnectivity& topology, double sign,
+void markSharpEdges(const SiteSet& sites, const MeshConnectivity& connectivity, double sign,
   double angle, std::vector<char>& sharp)
 {
   for (int edge = 0; edge < sites.edgeCount(); ++edge)
   {
-    const int* faces = topology.edgeTriangles.begin(edge);
-    if (topology.edgeTriangles.size(edge) == 2 &&
+    const int* faces = connectivity.edgeTriangles.begin(edge);
+    if (connectivity.edgeTriangles.size(edge) == 2 &&
       isSharpEdge(sites, edge, faces[0], faces[1], sign, angle))
     {
       sharp[sites.edges()[edge][0]] = 1;
@@ -125,11 +125,11 @@ private:
 
 } // namespace
 
-std::vector<char> sharpPoints(const SiteSet& sites, const MeshConnectivity& topology,
+std::vector<char> sharpPoints(const SiteSet& sites, const MeshConnectivity& connectivity,
   const std::vector<glm::dvec3>& inward, double sign, double angle)
 {
   std::vector<char> sharp(inward.size(), 0);
-  markSharpEdges(sites, topology, sign, glm::radians(angle), sharp);
+  markSharpEdges(sites, connectivity, sign, glm::radians(angle), sharp);
   const FacesBelow below(sites, inward);
   for (std::size_t point = 0; point < sharp.size(); ++point)
   {

@@ -20,7 +20,7 @@ namespace medial
 /// @param sign 1 where `inward` is against the faces' own normals, else -1.
 /// @param angle degrees.
 /// @return per point of the mesh, whether it is sharp.
-std::vector<char> sharpPoints(const SiteSet& sites, const MeshConnectivity& topology,
+std::vector<char> sharpPoints(const SiteSet& sites, const MeshConnectivity& connectivity,
   const std::vector<glm::dvec3>& inward, double sign, double angle);
 
 } // namespace medial

@@ -52,25 +52,25 @@ GridFrame frameOf(const TriangleMesh& mesh)
   return GridFrame(makeGrid(mesh.bounds(), kMaxDimension, 0.0));
 }
 
-bool facesInwards(const MeshConnectivity& topology)
+bool facesInwards(const MeshConnectivity& connectivity)
 {
-  return topology.closed() && topology.oriented() && topology.signedVolume < 0.0;
+  return connectivity.closed() && connectivity.oriented() && connectivity.signedVolume < 0.0;
 }
 
 /// Thickness of all points on one side.
 class SideThickness
 {
 public:
-  SideThickness(const TriangleMesh& mesh, const MeshConnectivity& topology, double angle)
-    : topology_(topology)
+  SideThickness(const TriangleMesh& mesh, const MeshConnectivity& connectivity, double angle)
+    : connectivity_(connectivity)
     , angle_(angle)
     , frame_(frameOf(mesh))
-    , sites_(mesh, topology, frame_)
-    , tree_(sites_, topology)
+    , sites_(mesh, connectivity, frame_)
+    , tree_(sites_, connectivity)
     , ball_(tree_, angle, mesh.bounds().diagonal() / frame_.unit)
   {
     const std::vector<glm::vec4> outward = pseudonormals(sites_, false);
-    const double sign = facesInwards(topology) ? 1.0 : -1.0;
+    const double sign = facesInwards(connectivity) ? 1.0 : -1.0;
     for (int vertex = 0; vertex < sites_.vertexCount(); ++vertex)
     {
       const glm::dvec3 normal(outward[sites_.firstVertex() + vertex]);
@@ -90,8 +90,8 @@ public:
         direction = -direction;
       }
     }
-    const double sign = facesInwards(topology_) != exterior_ ? -1.0 : 1.0;
-    sharp_ = sharpPoints(sites_, topology_, inward_, sign, angle_);
+    const double sign = facesInwards(connectivity_) != exterior_ ? -1.0 : 1.0;
+    sharp_ = sharpPoints(sites_, connectivity_, inward_, sign, angle_);
   }
 
   /// The values from point `first` up to `end`, world units; NaN where there is no ball. What is
@@ -127,8 +127,8 @@ private:
   double shortestEdge(int vertex) const
   {
     double shortest = std::numeric_limits<double>::max();
-    const int* end = topology_.pointEdges.end(vertex);
-    for (const int* edge = topology_.pointEdges.begin(vertex); edge != end; ++edge)
+    const int* end = connectivity_.pointEdges.end(vertex);
+    for (const int* edge = connectivity_.pointEdges.begin(vertex); edge != end; ++edge)
     {
       const glm::ivec2& ends = sites_.edges()[*edge];
       shortest =
@@ -157,7 +157,7 @@ private:
     return site - sites_.firstVertex() == vertex;
   }
 
-  const MeshConnectivity& topology_;
+  const MeshConnectivity& connectivity_;
   double angle_;
   GridFrame frame_;
   SiteSet sites_;
@@ -189,11 +189,11 @@ void measureSide(const SideThickness& thickness, const Run& run, std::vector<flo
   }
 }
 
-void compute(const TriangleMesh& mesh, const MeshConnectivity& topology,
+void compute(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
   const ThicknessOptions& options, const Run& run, std::vector<float>& values)
 {
   std::optional<SideThickness> thickness;
-  run.onThreads([&] { thickness.emplace(mesh, topology, options.angle); });
+  run.onThreads([&] { thickness.emplace(mesh, connectivity, options.angle); });
   const bool both = options.side == Side::Both;
   if (options.side != Side::Exterior)
   {
@@ -225,7 +225,7 @@ void summarise(Thickness& thickness)
 
 } // namespace
 
-Thickness computeThickness(const TriangleMesh& mesh, const MeshConnectivity& topology,
+Thickness computeThickness(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
   const ThicknessOptions& options)
 {
   checkOptions(mesh, options);
@@ -236,7 +236,7 @@ Thickness computeThickness(const TriangleMesh& mesh, const MeshConnectivity& top
     const Stopwatch watch(thickness.seconds);
     run.report(0.0, kPhase);
     thickness.values.assign(mesh.points.size(), static_cast<float>(kNone));
-    compute(mesh, topology, options, run, thickness.values);
+    compute(mesh, connectivity, options, run, thickness.values);
     summarise(thickness);
   }
   catch (const std::bad_alloc&)

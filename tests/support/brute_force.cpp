@@ -202,26 +202,26 @@ std::vector<Hit> closestOnMesh(const TriangleMesh& mesh, const std::vector<Point
   return hits;
 }
 
-Hit closestOnSite(const TriangleMesh& mesh, const MeshConnectivity& topology, std::int64_t siteId,
-  const Point3& query)
+Hit closestOnSite(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
+  std::int64_t siteId, const Point3& query)
 {
   const auto faces = static_cast<std::int64_t>(mesh.triangles.size());
-  const auto edges = static_cast<std::int64_t>(topology.edges.size());
+  const auto edges = static_cast<std::int64_t>(connectivity.edges.size());
   if (siteId < faces)
   {
     return onTriangle(mesh.triangles.at(siteId), mesh, query);
   }
   if (siteId < faces + edges)
   {
-    return onSegment(topology.edges[siteId - faces], mesh, query);
+    return onSegment(connectivity.edges[siteId - faces], mesh, query);
   }
   return closestOnPoint(mesh.points.at(siteId - faces - edges), query);
 }
 
-double distanceToSite(const TriangleMesh& mesh, const MeshConnectivity& topology,
+double distanceToSite(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
   std::int64_t siteId, const Point3& query)
 {
-  return closestOnSite(mesh, topology, siteId, query).distance;
+  return closestOnSite(mesh, connectivity, siteId, query).distance;
 }
 
 double distanceToCell(const TriangleMesh& mesh, std::int64_t cellId, const Point3& query)

@@ -32,9 +32,9 @@ Hit closestOnMesh(const TriangleMesh& mesh, const Point3& query);
 std::vector<Hit> closestOnMesh(const TriangleMesh& mesh, const std::vector<Point3>& queries);
 
 /// Closest point of a site taken as a closed set: face, edge or point, numbered in this order.
-Hit closestOnSite(const TriangleMesh& mesh, const MeshConnectivity& topology, std::int64_t siteId,
-  const Point3& query);
-double distanceToSite(const TriangleMesh& mesh, const MeshConnectivity& topology,
+Hit closestOnSite(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
+  std::int64_t siteId, const Point3& query);
+double distanceToSite(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
   std::int64_t siteId, const Point3& query);
 
 /// Distance to what one input cell became; infinite where the mesh has nothing of it.

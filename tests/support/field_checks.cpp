@@ -29,12 +29,13 @@ double length(const Point3& a, const Point3& b)
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-Feature kindOfSite(const TriangleMesh& mesh, const MeshConnectivity& topology, std::int64_t site)
+Feature kindOfSite(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
+  std::int64_t site)
 {
   const std::size_t faces = mesh.triangles.size();
   const auto id = static_cast<std::size_t>(site);
   return id < faces ? Feature::Face
-                    : (id < faces + topology.edges.size() ? Feature::Edge : Feature::Vertex);
+                    : (id < faces + connectivity.edges.size() ? Feature::Edge : Feature::Vertex);
 }
 
 /// Distance to input cells, each found without a search.
@@ -109,7 +110,7 @@ public:
   ErrorSum(const TriangleMesh& mesh, const DistanceField& field)
     : mesh_(mesh)
     , field_(field)
-    , topology_(analyseConnectivity(mesh))
+    , connectivity_(analyseConnectivity(mesh))
     , toCell_(mesh)
     , unit_(voxelSize(field.grid))
   {
@@ -121,15 +122,15 @@ public:
     const Point3 x = voxelPoint(field_.grid, voxel);
     const std::int64_t site = field_.closestSite[voxel];
     const auto sites = static_cast<std::int64_t>(
-      mesh_.triangles.size() + topology_.edges.size() + mesh_.points.size());
+      mesh_.triangles.size() + connectivity_.edges.size() + mesh_.points.size());
     const bool valid = site >= 0 && site < sites;
     const double siteExcess =
-      valid ? distanceToSite(mesh_, topology_, site, x) - truth.distance : 0.0;
+      valid ? distanceToSite(mesh_, connectivity_, site, x) - truth.distance : 0.0;
     const Point3 closest = this->closestPoint(voxel);
     const double distance = std::abs(static_cast<double>(field_.distance[voxel]));
     const double fromCell = toCell_(field_.closestCell[voxel], closest);
-    const bool rightKind =
-      valid && field_.closestFeature[voxel] == static_cast<int>(kindOfSite(mesh_, topology_, site));
+    const bool rightKind = valid &&
+      field_.closestFeature[voxel] == static_cast<int>(kindOfSite(mesh_, connectivity_, site));
     const std::lock_guard<std::mutex> lock(mutex_);
     ++errors_.voxels;
     errors_.withoutSite += valid ? 0 : 1;
@@ -165,7 +166,7 @@ private:
 
   const TriangleMesh& mesh_;
   const DistanceField& field_;
-  MeshConnectivity topology_;
+  MeshConnectivity connectivity_;
   CellDistance toCell_;
   double unit_;
   FieldErrors errors_;
@@ -274,7 +275,7 @@ void expectExactField(const TriangleMesh& mesh, const Grid& grid,
 
 FieldDifference difference(const TriangleMesh& mesh, const DistanceField& a, const DistanceField& b)
 {
-  const MeshConnectivity topology = analyseConnectivity(mesh);
+  const MeshConnectivity connectivity = analyseConnectivity(mesh);
   const double unit = voxelSize(a.grid);
   FieldDifference result;
   for (std::size_t i = 0; i < a.distance.size(); ++i)
@@ -285,8 +286,8 @@ FieldDifference difference(const TriangleMesh& mesh, const DistanceField& a, con
     if (a.closestSite[i] != b.closestSite[i])
     {
       const Point3 x = voxelPoint(a.grid, i);
-      const double toA = distanceToSite(mesh, topology, a.closestSite[i], x);
-      const double toB = distanceToSite(mesh, topology, b.closestSite[i], x);
+      const double toA = distanceToSite(mesh, connectivity, a.closestSite[i], x);
+      const double toB = distanceToSite(mesh, connectivity, b.closestSite[i], x);
       ++result.sites;
       result.untiedSites += std::abs(toA - toB) > kUsualTolerance * unit ? 1 : 0;
     }

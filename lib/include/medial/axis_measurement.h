@@ -67,7 +67,7 @@ struct MEDIAL_EXPORT AxisMeasurement
 /// @throws Error InvalidInput as checkMedialModel(), for a mesh without area, and for a number of
 ///   samples or threads outside its range; Cancelled.
 MEDIAL_EXPORT AxisMeasurement measureAxis(const TriangleMesh& mesh,
-  const MeshConnectivity& topology, const MedialModel& model,
+  const MeshConnectivity& connectivity, const MedialModel& model,
   const MeasurementOptions& options = {});
 
 } // namespace medial

@@ -65,16 +65,16 @@ struct MedialAxisOptions
 ///   maxSpheres, for maxSpheres or Topology::Preserve with Representation::Points, and as
 ///   computeDistanceField.
 MEDIAL_EXPORT MedialAxis computeMedialAxis(const TriangleMesh& mesh,
-  const MeshConnectivity& topology, const Grid& grid, const MedialAxisOptions& options = {},
+  const MeshConnectivity& connectivity, const Grid& grid, const MedialAxisOptions& options = {},
   const FieldArrays& arrays = {});
 
 /// The same, with the distance field delivered slab by slab, for grids that memory cannot hold.
 /// Exceptions of the sink end the run and are passed on.
 MEDIAL_EXPORT MedialAxis computeMedialAxis(const TriangleMesh& mesh,
-  const MeshConnectivity& topology, const Grid& grid, const MedialAxisOptions& options,
+  const MeshConnectivity& connectivity, const Grid& grid, const MedialAxisOptions& options,
   FieldSink& sink);
 
-/// The same for a mesh whose topology the caller has no use for.
+/// The same for a mesh whose connectivity the caller has no use for.
 MEDIAL_EXPORT MedialAxis computeMedialAxis(const TriangleMesh& mesh, const Grid& grid,
   const MedialAxisOptions& options = {});
 

@@ -104,12 +104,12 @@ MEDIAL_EXPORT DistanceField computeDistanceField(const TriangleMesh& mesh, const
 /// @throws Error as computeDistanceField, and InvalidInput when the extent is empty or leaves the
 /// grid.
 MEDIAL_EXPORT RunStatistics computeDistanceField(const TriangleMesh& mesh,
-  const MeshConnectivity& topology, const Grid& grid, const Extent& extent,
+  const MeshConnectivity& connectivity, const Grid& grid, const Extent& extent,
   const FieldArrays& arrays, const DistanceFieldOptions& options = {});
 
 /// The same, delivered slab by slab. Exceptions of the sink end the run and are passed on.
 MEDIAL_EXPORT RunStatistics computeDistanceField(const TriangleMesh& mesh,
-  const MeshConnectivity& topology, const Grid& grid, const Extent& extent, FieldSink& sink,
+  const MeshConnectivity& connectivity, const Grid& grid, const Extent& extent, FieldSink& sink,
   const DistanceFieldOptions& options = {});
 
 } // namespace medial

@@ -29,8 +29,8 @@ public:
   MedialSolver(MedialSolver&& other) noexcept;            ///< leaves `other` without a mesh
   MedialSolver& operator=(MedialSolver&& other) noexcept; ///< leaves `other` without a mesh
 
-  const TriangleMesh& mesh() const;         ///< at the current positions
-  const MeshConnectivity& topology() const; ///< of the same
+  const TriangleMesh& mesh() const;             ///< at the current positions
+  const MeshConnectivity& connectivity() const; ///< of the same
 
   /// Moves the mesh.
   /// @param points as many as mesh().points, in the same order; world units.

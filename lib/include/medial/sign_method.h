@@ -19,6 +19,7 @@ enum class SignMethod
 /// The sign method that `requested` means for a mesh.
 /// @throws Error InvalidInput for Winding, and for Pseudonormal where the mesh is open or not
 ///   consistently oriented.
-MEDIAL_EXPORT SignMethod resolveSignMethod(SignMethod requested, const MeshConnectivity& topology);
+MEDIAL_EXPORT SignMethod resolveSignMethod(SignMethod requested,
+  const MeshConnectivity& connectivity);
 
 } // namespace medial

@@ -65,10 +65,10 @@ struct Thickness
 ///
 /// @throws Error InvalidInput for an empty mesh, an angle outside (0, 180) or negative threads;
 ///   OutOfMemory; Cancelled.
-MEDIAL_EXPORT Thickness computeThickness(const TriangleMesh& mesh, const MeshConnectivity& topology,
-  const ThicknessOptions& options = {});
+MEDIAL_EXPORT Thickness computeThickness(const TriangleMesh& mesh,
+  const MeshConnectivity& connectivity, const ThicknessOptions& options = {});
 
-/// The same for a mesh whose topology the caller has no use for.
+/// The same for a mesh whose connectivity the caller has no use for.
 MEDIAL_EXPORT Thickness computeThickness(const TriangleMesh& mesh,
   const ThicknessOptions& options = {});
 

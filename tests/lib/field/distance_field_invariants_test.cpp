@@ -91,8 +91,8 @@ void expectMovedFieldOfFlipped(const TriangleMesh& mesh, const std::function<Ind
 }
 
 /// Copies the part of `field` inside `extent`, all arrays, from a computation of that part alone.
-void computePart(const TriangleMesh& mesh, const MeshConnectivity& topology, const Extent& extent,
-  DistanceField& field)
+void computePart(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
+  const Extent& extent, DistanceField& field)
 {
   const auto count = static_cast<std::size_t>(extent.pointCount());
   std::vector<float> distance(count);
@@ -100,7 +100,7 @@ void computePart(const TriangleMesh& mesh, const MeshConnectivity& topology, con
   FieldArrays arrays;
   arrays.distance = distance.data();
   arrays.closestSite = site.data();
-  computeDistanceField(mesh, topology, field.grid, extent, arrays);
+  computeDistanceField(mesh, connectivity, field.grid, extent, arrays);
   std::size_t source = 0;
   for (int k = extent.min[2]; k <= extent.max[2]; ++k)
   {
@@ -188,13 +188,13 @@ TEST_P(AxisOfGrid, IsMirroredWithTheMesh)
 TEST_P(AxisOfGrid, IsTheSameFromTwoHalves)
 {
   const TriangleMesh mesh = shape();
-  const MeshConnectivity topology = analyseConnectivity(mesh);
+  const MeshConnectivity connectivity = analyseConnectivity(mesh);
   const DistanceField whole = computeDistanceField(mesh, cube());
   DistanceField parts = whole;
   std::fill(parts.distance.begin(), parts.distance.end(), 1e6f);
   for (const Extent& extent : halves(whole.grid.wholeExtent(), GetParam()))
   {
-    computePart(mesh, topology, extent, parts);
+    computePart(mesh, connectivity, extent, parts);
   }
   expectSameField(mesh, whole, parts);
 }
@@ -217,13 +217,13 @@ TEST(DistanceFieldInvariants, StaysNegativeInsideWhenTheMeshIsTurnedInsideOut)
 TEST(DistanceFieldInvariants, IsTheSameFromSinglePointExtents)
 {
   const TriangleMesh mesh = shape();
-  const MeshConnectivity topology = analyseConnectivity(mesh);
+  const MeshConnectivity connectivity = analyseConnectivity(mesh);
   const DistanceField whole = computeDistanceField(mesh, cube());
   DistanceField parts = whole;
   for (const int i : { 0, 7, 20, 33, 40 })
   {
-    computePart(mesh, topology, { { i, i, i }, { i, i, i } }, parts);
-    computePart(mesh, topology, { { 0, i, 3 }, { 40, i, 3 } }, parts);
+    computePart(mesh, connectivity, { { i, i, i }, { i, i, i } }, parts);
+    computePart(mesh, connectivity, { { 0, i, 3 }, { 40, i, 3 } }, parts);
   }
   expectSameField(mesh, whole, parts);
 }

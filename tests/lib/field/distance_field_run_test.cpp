@@ -296,11 +296,11 @@ TEST(DistanceFieldRun, RefusesAnEmptyMesh)
 TEST(DistanceFieldRun, RefusesExtentsThatAreEmptyOrLeaveTheGrid)
 {
   const TriangleMesh shape = mesh();
-  const MeshConnectivity topology = analyseConnectivity(shape);
+  const MeshConnectivity connectivity = analyseConnectivity(shape);
   for (const Extent& extent : { Extent{}, Extent{ { 0, 0, 0 }, { 50, 1, 1 } },
          Extent{ { -1, 0, 0 }, { 1, 1, 1 } }, Extent{ { 5, 5, 5 }, { 4, 6, 6 } } })
   {
-    expectInvalid([&] { computeDistanceField(shape, topology, tallGrid(), extent, {}); });
+    expectInvalid([&] { computeDistanceField(shape, connectivity, tallGrid(), extent, {}); });
   }
 }
 

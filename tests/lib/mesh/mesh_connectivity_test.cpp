@@ -16,54 +16,55 @@ namespace
 {
 
 /// V - E + F
-int eulerCharacteristic(const TriangleMesh& mesh, const MeshConnectivity& topology)
+int eulerCharacteristic(const TriangleMesh& mesh, const MeshConnectivity& connectivity)
 {
-  return static_cast<int>(mesh.points.size()) - static_cast<int>(topology.edges.size()) +
+  return static_cast<int>(mesh.points.size()) - static_cast<int>(connectivity.edges.size()) +
     static_cast<int>(mesh.triangles.size());
 }
 
 /// The lists agree with the triangles and segments, whatever the mesh.
-void expectConsistent(const TriangleMesh& mesh, const MeshConnectivity& topology)
+void expectConsistent(const TriangleMesh& mesh, const MeshConnectivity& connectivity)
 {
   std::set<std::pair<int, int>> pairs;
-  for (const auto& edge : topology.edges)
+  for (const auto& edge : connectivity.edges)
   {
     EXPECT_TRUE(pairs.insert(std::minmax(edge[0], edge[1])).second) << "an edge is there twice";
   }
   std::size_t incidences = 0;
-  ASSERT_EQ(topology.triangleEdges.size(), mesh.triangles.size());
+  ASSERT_EQ(connectivity.triangleEdges.size(), mesh.triangles.size());
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
   {
     for (int corner = 0; corner < 3; ++corner)
     {
-      const int edge = topology.triangleEdges[i][corner];
+      const int edge = connectivity.triangleEdges[i][corner];
       const int a = mesh.triangles[i][corner];
       const int b = mesh.triangles[i][(corner + 1) % 3];
-      EXPECT_EQ(std::minmax(topology.edges[edge][0], topology.edges[edge][1]), std::minmax(a, b));
-      const int* const end = topology.edgeTriangles.end(edge);
-      EXPECT_NE(std::find(topology.edgeTriangles.begin(edge), end, static_cast<int>(i)), end);
+      EXPECT_EQ(std::minmax(connectivity.edges[edge][0], connectivity.edges[edge][1]),
+        std::minmax(a, b));
+      const int* const end = connectivity.edgeTriangles.end(edge);
+      EXPECT_NE(std::find(connectivity.edgeTriangles.begin(edge), end, static_cast<int>(i)), end);
       ++incidences;
     }
   }
-  EXPECT_EQ(topology.edgeTriangles.values.size(), incidences);
-  EXPECT_EQ(topology.edgeTriangles.rows(), static_cast<int>(topology.edges.size()));
-  EXPECT_EQ(topology.pointEdges.rows(), static_cast<int>(mesh.points.size()));
-  EXPECT_EQ(topology.pointEdges.values.size(), 2 * topology.edges.size());
-  for (int point = 0; point < topology.pointEdges.rows(); ++point)
+  EXPECT_EQ(connectivity.edgeTriangles.values.size(), incidences);
+  EXPECT_EQ(connectivity.edgeTriangles.rows(), static_cast<int>(connectivity.edges.size()));
+  EXPECT_EQ(connectivity.pointEdges.rows(), static_cast<int>(mesh.points.size()));
+  EXPECT_EQ(connectivity.pointEdges.values.size(), 2 * connectivity.edges.size());
+  for (int point = 0; point < connectivity.pointEdges.rows(); ++point)
   {
-    for (const int* edge = topology.pointEdges.begin(point); edge != topology.pointEdges.end(point);
-         ++edge)
+    for (const int* edge = connectivity.pointEdges.begin(point);
+         edge != connectivity.pointEdges.end(point); ++edge)
     {
-      EXPECT_TRUE(topology.edges[*edge][0] == point || topology.edges[*edge][1] == point);
+      EXPECT_TRUE(connectivity.edges[*edge][0] == point || connectivity.edges[*edge][1] == point);
     }
   }
 }
 
 MeshConnectivity analysed(const TriangleMesh& mesh)
 {
-  MeshConnectivity topology = analyseConnectivity(mesh);
-  expectConsistent(mesh, topology);
-  return topology;
+  MeshConnectivity connectivity = analyseConnectivity(mesh);
+  expectConsistent(mesh, connectivity);
+  return connectivity;
 }
 
 /// `count` triangles around the edge between points 0 and 1.
@@ -115,13 +116,13 @@ struct Figures
 TEST(Topology, Tetrahedron)
 {
   const TriangleMesh mesh = regularTetrahedron(2.0);
-  const MeshConnectivity topology = analysed(mesh);
-  EXPECT_EQ(topology.edges.size(), 6u);
-  EXPECT_EQ(topology.components, 1);
-  EXPECT_TRUE(topology.closed() && topology.manifold() && topology.oriented());
-  EXPECT_EQ(topology.edgeTriangles.size(0), 2);
-  EXPECT_EQ(topology.pointEdges.size(3), 3);
-  EXPECT_NEAR(topology.signedVolume, std::sqrt(8.0) / 3.0, 1e-12);
+  const MeshConnectivity connectivity = analysed(mesh);
+  EXPECT_EQ(connectivity.edges.size(), 6u);
+  EXPECT_EQ(connectivity.components, 1);
+  EXPECT_TRUE(connectivity.closed() && connectivity.manifold() && connectivity.oriented());
+  EXPECT_EQ(connectivity.edgeTriangles.size(0), 2);
+  EXPECT_EQ(connectivity.pointEdges.size(3), 3);
+  EXPECT_NEAR(connectivity.signedVolume, std::sqrt(8.0) / 3.0, 1e-12);
 }
 
 TEST(Topology, GeneratedShapesAreClosedAndOutward)
@@ -133,10 +134,11 @@ TEST(Topology, GeneratedShapesAreClosedAndOutward)
   const std::vector<int> euler = { 2, 2, 2, 2, 2, 2, 0, 2, 4, 2, 2, 2, 2, 2 };
   for (std::size_t i = 0; i < shapes.size(); ++i)
   {
-    const MeshConnectivity topology = analysed(shapes[i]);
-    EXPECT_TRUE(topology.closed() && topology.manifold() && topology.oriented()) << "shape " << i;
-    EXPECT_GT(topology.signedVolume, 0.0) << "shape " << i;
-    EXPECT_EQ(eulerCharacteristic(shapes[i], topology), euler[i]) << "shape " << i;
+    const MeshConnectivity connectivity = analysed(shapes[i]);
+    EXPECT_TRUE(connectivity.closed() && connectivity.manifold() && connectivity.oriented())
+      << "shape " << i;
+    EXPECT_GT(connectivity.signedVolume, 0.0) << "shape " << i;
+    EXPECT_EQ(eulerCharacteristic(shapes[i], connectivity), euler[i]) << "shape " << i;
   }
 }
 
@@ -163,31 +165,32 @@ TEST(Topology, OpenBoxHasABoundary)
   TriangleMesh mesh = box({ 1, 1, 1 });
   mesh.triangles.resize(10);
   mesh.triangleCells.resize(10);
-  const MeshConnectivity topology = analysed(mesh);
-  EXPECT_EQ(topology.boundaryEdges, 4);
-  EXPECT_FALSE(topology.closed());
-  EXPECT_TRUE(topology.manifold() && topology.oriented());
+  const MeshConnectivity connectivity = analysed(mesh);
+  EXPECT_EQ(connectivity.boundaryEdges, 4);
+  EXPECT_FALSE(connectivity.closed());
+  EXPECT_TRUE(connectivity.manifold() && connectivity.oriented());
 }
 
 TEST(Topology, ThreeFinsShareOneEdge)
 {
-  const MeshConnectivity topology = analysed(fins(3));
-  EXPECT_EQ(topology.edges.size(), 7u);
-  EXPECT_EQ(topology.nonManifoldEdges, 1);
-  EXPECT_EQ(topology.boundaryEdges, 6);
-  EXPECT_EQ(
-    *std::max_element(topology.edgeTriangles.values.begin(), topology.edgeTriangles.values.end()),
+  const MeshConnectivity connectivity = analysed(fins(3));
+  EXPECT_EQ(connectivity.edges.size(), 7u);
+  EXPECT_EQ(connectivity.nonManifoldEdges, 1);
+  EXPECT_EQ(connectivity.boundaryEdges, 6);
+  EXPECT_EQ(*std::max_element(connectivity.edgeTriangles.values.begin(),
+              connectivity.edgeTriangles.values.end()),
     2);
-  EXPECT_FALSE(topology.manifold());
-  EXPECT_GE(topology.nonManifoldTriangles, 1);
+  EXPECT_FALSE(connectivity.manifold());
+  EXPECT_GE(connectivity.nonManifoldTriangles, 1);
 }
 
 TEST(Topology, EveryFinIsInItsEdgesList)
 {
-  const MeshConnectivity topology = analysed(fins(9));
-  const auto spine = std::find_if(topology.edges.begin(), topology.edges.end(),
+  const MeshConnectivity connectivity = analysed(fins(9));
+  const auto spine = std::find_if(connectivity.edges.begin(), connectivity.edges.end(),
     [](const std::array<int, 2>& edge) { return edge[0] + edge[1] == 1; });
-  EXPECT_EQ(topology.edgeTriangles.size(static_cast<int>(spine - topology.edges.begin())), 9);
+  EXPECT_EQ(connectivity.edgeTriangles.size(static_cast<int>(spine - connectivity.edges.begin())),
+    9);
 }
 
 TEST(Topology, OpenBowTieIsOnePieceButNotManifold)
@@ -195,11 +198,11 @@ TEST(Topology, OpenBowTieIsOnePieceButNotManifold)
   const TriangleMesh mesh =
     makeMesh({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { -1, 0, 0 }, { -1, -1, 0 } },
       { { 0, 1, 2 }, { 0, 3, 4 } });
-  const MeshConnectivity topology = analysed(mesh);
-  EXPECT_EQ(topology.components, 1);
-  EXPECT_EQ(topology.nonManifoldPoints, 1);
-  EXPECT_FALSE(topology.manifold());
-  EXPECT_EQ(topology.pointEdges.size(0), 4);
+  const MeshConnectivity connectivity = analysed(mesh);
+  EXPECT_EQ(connectivity.components, 1);
+  EXPECT_EQ(connectivity.nonManifoldPoints, 1);
+  EXPECT_FALSE(connectivity.manifold());
+  EXPECT_EQ(connectivity.pointEdges.size(0), 4);
 }
 
 TEST(Topology, ClosedBowTieIsClosedButNotManifold)
@@ -207,10 +210,10 @@ TEST(Topology, ClosedBowTieIsClosedButNotManifold)
   const TriangleMesh tetrahedron = regularTetrahedron(std::sqrt(8.0));
   const TriangleMesh mesh = appended(tetrahedron, translated(box({ 1, 1, 1 }), { 2, 2, 2 }));
   EXPECT_EQ(mesh.points.size(), 4u + 8u - 1u);
-  const MeshConnectivity topology = analysed(mesh);
-  EXPECT_TRUE(topology.closed() && topology.oriented());
-  EXPECT_FALSE(topology.manifold());
-  EXPECT_EQ(topology.components, 1);
+  const MeshConnectivity connectivity = analysed(mesh);
+  EXPECT_TRUE(connectivity.closed() && connectivity.oriented());
+  EXPECT_FALSE(connectivity.manifold());
+  EXPECT_EQ(connectivity.components, 1);
 }
 
 TEST(Topology, RefusedTrianglesAreNotPrinted)
@@ -222,32 +225,32 @@ TEST(Topology, RefusedTrianglesAreNotPrinted)
     points.push_back({ std::cos(2.0 * i), std::sin(2.0 * i), i < 3 ? 1.0 : -1.0 });
   }
   ::testing::internal::CaptureStderr();
-  const MeshConnectivity topology = analysed(makeMesh(points,
+  const MeshConnectivity connectivity = analysed(makeMesh(points,
     { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 4, 5 }, { 0, 3, 1 }, { 0, 5, 6 }, { 0, 6, 4 }, { 1, 2, 4 },
       { 1, 2, 5 } }));
   EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
-  EXPECT_EQ(topology.edges.size(), 12u + 4u);
-  EXPECT_GE(topology.nonManifoldTriangles, 2);
+  EXPECT_EQ(connectivity.edges.size(), 12u + 4u);
+  EXPECT_GE(connectivity.nonManifoldTriangles, 2);
 }
 
 TEST(Topology, MisorientedPairIsCounted)
 {
-  const MeshConnectivity topology = analysed(
+  const MeshConnectivity connectivity = analysed(
     makeMesh({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 } }, { { 0, 1, 2 }, { 1, 2, 3 } }));
-  EXPECT_EQ(topology.misorientedEdges, 1);
-  EXPECT_FALSE(topology.oriented());
-  EXPECT_EQ(topology.edges.size(), 5u);
-  EXPECT_EQ(topology.boundaryEdges, 4);
+  EXPECT_EQ(connectivity.misorientedEdges, 1);
+  EXPECT_FALSE(connectivity.oriented());
+  EXPECT_EQ(connectivity.edges.size(), 5u);
+  EXPECT_EQ(connectivity.boundaryEdges, 4);
 }
 
 TEST(Topology, MoebiusStripIsNotOriented)
 {
   const TriangleMesh mesh = moebiusStrip(12);
-  const MeshConnectivity topology = analysed(mesh);
-  EXPECT_EQ(topology.misorientedEdges, 1);
-  EXPECT_EQ(topology.boundaryEdges, 24);
-  EXPECT_EQ(topology.nonManifoldEdges, 0);
-  EXPECT_EQ(eulerCharacteristic(mesh, topology), 0);
+  const MeshConnectivity connectivity = analysed(mesh);
+  EXPECT_EQ(connectivity.misorientedEdges, 1);
+  EXPECT_EQ(connectivity.boundaryEdges, 24);
+  EXPECT_EQ(connectivity.nonManifoldEdges, 0);
+  EXPECT_EQ(eulerCharacteristic(mesh, connectivity), 0);
 }
 
 TEST(Topology, DuplicatedFacesShareTheirEdges)
@@ -255,11 +258,11 @@ TEST(Topology, DuplicatedFacesShareTheirEdges)
   TriangleMesh mesh = regularTetrahedron(1.0);
   mesh.triangles.push_back(mesh.triangles[2]);
   mesh.triangleCells.push_back(4);
-  const MeshConnectivity topology = analysed(mesh);
-  EXPECT_EQ(topology.edges.size(), 6u);
-  EXPECT_EQ(topology.nonManifoldEdges, 3);
-  EXPECT_EQ(topology.nonManifoldTriangles, 1);
-  EXPECT_FALSE(topology.closed());
+  const MeshConnectivity connectivity = analysed(mesh);
+  EXPECT_EQ(connectivity.edges.size(), 6u);
+  EXPECT_EQ(connectivity.nonManifoldEdges, 3);
+  EXPECT_EQ(connectivity.nonManifoldTriangles, 1);
+  EXPECT_FALSE(connectivity.closed());
 }
 
 TEST(Topology, CollinearTrianglesCloseTheSurface)
@@ -268,22 +271,22 @@ TEST(Topology, CollinearTrianglesCloseTheSurface)
   const TriangleMesh mesh =
     makeMesh({ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 1, 1, 0 }, { 1, -1, 0 } },
       { { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 4 }, { 0, 2, 1 } });
-  const MeshConnectivity topology = analysed(mesh);
-  EXPECT_EQ(topology.boundaryEdges, 4);
-  EXPECT_TRUE(topology.manifold() && topology.oriented());
+  const MeshConnectivity connectivity = analysed(mesh);
+  EXPECT_EQ(connectivity.boundaryEdges, 4);
+  EXPECT_TRUE(connectivity.manifold() && connectivity.oriented());
 }
 
 TEST(Topology, SegmentsOnATrianglesEdgeAreNotNewEdges)
 {
-  const MeshConnectivity topology =
+  const MeshConnectivity connectivity =
     analysed(makeMesh({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 5, 5, 5 } }, { { 0, 1, 2 } },
       { { 1, 0 }, { 2, 3 }, { 3, 2 } }));
-  EXPECT_EQ(topology.edges.size(), 4u);
-  EXPECT_EQ(topology.segmentEdges, (std::vector<int>{ 0, 3, 3 }));
-  EXPECT_EQ(topology.edgeTriangles.size(3), 0);
-  EXPECT_EQ(topology.boundaryEdges, 3);
-  EXPECT_EQ(topology.edgeCells, (std::vector<std::int64_t>{ 0, 0, 0, 2 }));
-  EXPECT_EQ(topology.pointCells, (std::vector<std::int64_t>{ 0, 0, 0, 2 }));
+  EXPECT_EQ(connectivity.edges.size(), 4u);
+  EXPECT_EQ(connectivity.segmentEdges, (std::vector<int>{ 0, 3, 3 }));
+  EXPECT_EQ(connectivity.edgeTriangles.size(3), 0);
+  EXPECT_EQ(connectivity.boundaryEdges, 3);
+  EXPECT_EQ(connectivity.edgeCells, (std::vector<std::int64_t>{ 0, 0, 0, 2 }));
+  EXPECT_EQ(connectivity.pointCells, (std::vector<std::int64_t>{ 0, 0, 0, 2 }));
 }
 
 TEST(Topology, SegmentOnAClosedMeshLeavesItClosed)
@@ -337,10 +340,10 @@ TEST(Topology, FiguresOfRealMeshes)
       continue;
     }
     const TriangleMesh mesh = buildTriangleMesh(loadModel(*path));
-    const MeshConnectivity topology = analysed(mesh);
-    EXPECT_EQ(topology.components, expected.components) << expected.model;
-    EXPECT_EQ(topology.boundaryEdges, expected.boundaryEdges) << expected.model;
-    EXPECT_EQ(topology.nonManifoldEdges, expected.nonManifoldEdges) << expected.model;
-    EXPECT_EQ(eulerCharacteristic(mesh, topology), expected.euler) << expected.model;
+    const MeshConnectivity connectivity = analysed(mesh);
+    EXPECT_EQ(connectivity.components, expected.components) << expected.model;
+    EXPECT_EQ(connectivity.boundaryEdges, expected.boundaryEdges) << expected.model;
+    EXPECT_EQ(connectivity.nonManifoldEdges, expected.nonManifoldEdges) << expected.model;
+    EXPECT_EQ(eulerCharacteristic(mesh, connectivity), expected.euler) << expected.model;
   }
 }

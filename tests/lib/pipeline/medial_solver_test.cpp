@@ -116,7 +116,7 @@ TEST_P(MedialSolverBy, SignFollowsAMeshThatTurnsInsideOut)
     p[0] = -p[0]; // a mirror image faces inwards
   }
   solver_.setPoints(points);
-  EXPECT_LT(solver_.topology().signedVolume, 0.0);
+  EXPECT_LT(solver_.connectivity().signedVolume, 0.0);
   const DistanceField field = fieldBy(solver_, kGrid.wholeExtent(), options_);
   const DistanceField fresh = computeDistanceField(solver_.mesh(), kGrid, options_);
   EXPECT_LT(difference(solver_.mesh(), fresh, field).distance, 1e-3);

@@ -19,10 +19,10 @@ struct Surface
 {
   explicit Surface(TriangleMesh shape)
     : mesh(std::move(shape))
-    , topology(analyseConnectivity(mesh))
+    , connectivity(analyseConnectivity(mesh))
     , frame(makeGrid(mesh.bounds(), kMaxDimension, 0.0))
-    , sites(mesh, topology, frame)
-    , tree(sites, topology)
+    , sites(mesh, connectivity, frame)
+    , tree(sites, connectivity)
   {
   }
 
@@ -36,7 +36,7 @@ struct Surface
       ASSERT_GE(found.site, 0);
       const double tolerance = 1e-12 * (hit.distance + mesh.bounds().diagonal());
       ASSERT_NEAR(glm::distance(found.point, x) * frame.unit, hit.distance, tolerance);
-      ASSERT_NEAR(distanceToSite(mesh, topology, found.site, query), hit.distance, tolerance);
+      ASSERT_NEAR(distanceToSite(mesh, connectivity, found.site, query), hit.distance, tolerance);
       // Nothing is nearer, and something is found with any limit beyond its distance.
       const double distance = glm::distance(found.point, x);
       EXPECT_EQ(tree.closest(x, distance * (1.0 - 1e-9)).site, -1);
@@ -45,7 +45,7 @@ struct Surface
   }
 
   TriangleMesh mesh;
-  MeshConnectivity topology;
+  MeshConnectivity connectivity;
   GridFrame frame;
   SiteSet sites;
   SurfaceTree tree;

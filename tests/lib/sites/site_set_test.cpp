@@ -109,10 +109,10 @@ protected:
   }
 
   const TriangleMesh& mesh_ = GetParam().mesh;
-  const MeshConnectivity topology_ = analyseConnectivity(mesh_);
+  const MeshConnectivity connectivity_ = analyseConnectivity(mesh_);
   const Grid grid_ = makeGrid(mesh_.bounds(), 40, 0.6);
   const GridFrame frame_{ grid_ };
-  const SiteSet sites_{ mesh_, topology_, frame_ };
+  const SiteSet sites_{ mesh_, connectivity_, frame_ };
   const std::vector<Point3> queries_ = randomPoints(
     { grid_.origin,
       grid_.point(grid_.dimensions[0] - 1, grid_.dimensions[1] - 1, grid_.dimensions[2] - 1) },
@@ -140,7 +140,7 @@ TEST_P(SiteSetOf, ClosestPointsAreThoseOfTheOracle)
     const glm::dvec3 x = frame_.toFrame(queries_[q]);
     for (int site = 0; site < sites_.size(); ++site)
     {
-      const double truth = distanceToSite(mesh_, topology_, site, queries_[q]) / frame_.unit;
+      const double truth = distanceToSite(mesh_, connectivity_, site, queries_[q]) / frame_.unit;
       ASSERT_NEAR(glm::distance(closestPoint(sites_, site, x).point, x), truth, 1e-9);
     }
   }
@@ -162,7 +162,7 @@ TEST_P(SiteSetOf, SpheresContainTheirSites)
 TEST_P(SiteSetOf, NumbersFacesEdgesAndVerticesInThisOrder)
 {
   EXPECT_EQ(sites_.faceCount(), static_cast<int>(mesh_.triangles.size()));
-  EXPECT_EQ(sites_.edgeCount(), static_cast<int>(topology_.edges.size()));
+  EXPECT_EQ(sites_.edgeCount(), static_cast<int>(connectivity_.edges.size()));
   EXPECT_EQ(sites_.vertexCount(), static_cast<int>(mesh_.points.size()));
   EXPECT_EQ(sites_.kind(sites_.firstEdge()), SiteKind::Edge);
   EXPECT_EQ(sites_.kind(sites_.firstVertex() - 1), SiteKind::Edge);

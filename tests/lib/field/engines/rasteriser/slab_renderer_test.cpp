@@ -50,10 +50,10 @@ class SlabOfTorus : public testing::Test
 {
 protected:
   TriangleMesh mesh_ = torus(1.0, 0.4, 16, 8);
-  MeshConnectivity topology_ = analyseConnectivity(mesh_);
+  MeshConnectivity connectivity_ = analyseConnectivity(mesh_);
   Grid grid_ = makeGrid(mesh_.bounds(), 100);
   GridFrame frame_{ grid_ };
-  SiteSet sites_{ mesh_, topology_, frame_ };
+  SiteSet sites_{ mesh_, connectivity_, frame_ };
   Extent slab_ = grid_.wholeExtent();
   CandidateFilter filter_{ sites_ };
   CandidateHierarchy hierarchy_{ filter_, frame_, slab_, TileHull::Points };
