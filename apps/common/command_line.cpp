@@ -25,8 +25,8 @@ void setUpCommandLine(CLI::App& app, const std::string& name, const std::string&
   app.footer(footer);
   app.name(name);
   app.formatter(std::make_shared<HelpFormatter>());
-  app.set_version_flag("--version", name + " " + MEDIAL_VERSION, "print the version and leave");
-  app.set_help_flag("-h,--help", "print this text and leave");
+  app.set_version_flag("--version", name + " " + MEDIAL_VERSION, "print the version and exit");
+  app.set_help_flag("-h,--help", "print this text and exit");
 }
 
 bool parseCommandLine(CLI::App& app, int argc, char** argv)
@@ -63,8 +63,8 @@ void addEngineOption(CLI::App& app, std::string& word, const std::string& group)
 {
   app
     .add_option("--engine", word,
-      "what finds closest sites: rasteriser (OpenGL), processor (CPU; OpenGL must be there all the "
-      "same) or auto, which is the processor where OpenGL is a software renderer; default auto")
+      "what finds the closest sites: processor (CPU, without OpenGL), rasteriser (OpenGL) or auto, "
+      "which is the processor; default auto")
     ->option_text("KIND")
     ->check(oneOf(engineNames()))
     ->group(group);
@@ -82,12 +82,13 @@ void addThreadsOption(CLI::App& app, int& threads, const std::string& group)
 
 void addRequireGpuOption(CLI::App& app, bool& requireGpu, const std::string& group)
 {
-  app.add_flag("--require-gpu", requireGpu, "fail on a software renderer")->group(group);
+  app.add_flag("--require-gpu", requireGpu, "fail unless there is OpenGL 4.5 on a GPU")
+    ->group(group);
 }
 
 void addQuietOption(CLI::App& app, bool& quiet, const std::string& group)
 {
-  app.add_flag("-q,--quiet", quiet, "print nothing but errors")->group(group);
+  app.add_flag("-q,--quiet", quiet, "print errors only")->group(group);
 }
 
 void checkExtension(const char* option, const std::filesystem::path& path,

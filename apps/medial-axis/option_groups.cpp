@@ -33,41 +33,46 @@ void addOutputOptions(CLI::App& app, Words& words)
     ->group(group);
   app
     .add_option("--curves", words.curves,
-      "polylines along which the sheets of the axis meet (seams) and end (rims), and of its "
-      "curves, "
-      "told apart by the cell array AxisFeature; not for --representation points")
+      "polylines where the sheets of the axis meet (seams), where they end (rims), and where the "
+      "axis is a curve; the cell array AxisFeature tells them apart; not for --representation "
+      "points")
     ->option_text("FILE.vtp")
     ->group(group);
   app
     .add_option("--field", words.field,
-      "distance field with all its arrays: .vti, one file, or .pvti, pieces of 64 slices as "
-      "<FILE's name>_0.vti and so on; written while it is computed, so it may be larger than "
-      "memory")
+      "distance field with all its arrays: .vti, one file, or .pvti, pieces of 64 slices "
+      "named <FILE's name>_0.vti and so on; written while it is computed, so it may be larger "
+      "than memory")
     ->option_text("FILE")
     ->group(group);
   app
     .add_option("--thickness", words.thickness,
-      "input surface with point array Thickness: twice the radius of the medial ball that touches "
-      "the point, in world units, float32; NaN where there is no ball, 0 on convex edges that bend "
-      "by theta or more. Uses --angle and --side, but no grid: it is exact")
+      "input surface with the point array Thickness: twice the radius of the medial ball that "
+      "touches the point, in world units, float32; NaN where there is no ball, 0 on convex edges "
+      "that bend by theta or more; uses --angle and --side, but no grid: it is exact")
     ->option_text("FILE.vtp")
     ->group(group);
   app
     .add_option("--thickness-image", words.thicknessImage,
-      "a rendered picture of the surface coloured by thickness in world units, grey where there is "
-      "none; large triangles get values inside as well")
+      "picture of the surface coloured by thickness in world units, grey where there is none; "
+      "large triangles get values inside as well")
     ->option_text("FILE.png")
     ->group(group);
-  app.add_option("--image", words.image, "a rendered picture of axis and translucent surface")
+  app
+    .add_option("--image", words.image,
+      "picture of the axis in the translucent surface; needs no display")
     ->option_text("FILE.png")
     ->group(group);
   app
     .add_option("--html", words.html,
-      "one page for browsers that shows axis and surface, with a slider for the separation angle; "
-      "needs neither a server nor a network; only in builds with vtk.js")
+      "page for browsers that shows axis and surface, with a slider for the separation angle; "
+      "needs no server and no network; only in builds with vtk.js")
     ->option_text("FILE.html")
     ->group(group);
-  app.add_option("--report", words.report, "machine-readable result")
+  app
+    .add_option("--report", words.report,
+      "machine-readable result: mesh, grid, device, seconds of each phase, counts, topology, "
+      "coverage")
     ->option_text("FILE.json")
     ->group(group);
 }
@@ -85,14 +90,14 @@ void addGridOptions(CLI::App& app, Words& words, Options& options)
       ->group(group);
   app
     .add_option("--spacing", words.spacing,
-      "distance of neighbouring grid points in world units, > 0; instead of --resolution")
+      "distance between neighbouring grid points in world units, > 0; instead of --resolution")
     ->option_text("H")
     ->check(within<double>("(0, infinity)", [](double h) { return std::isfinite(h) && h > 0.0; }))
     ->excludes(resolution)
     ->group(group);
   app
     .add_option("--padding", options.padding,
-      "margin on every side as a fraction of the diagonal of the mesh's bounds, in [0, 10]; "
+      "margin around the mesh as a fraction of the diagonal of its bounds, in [0, 10]; "
       "default 0.05")
     ->option_text("F")
     ->check(within<double>("[0, 10]", [](double f) { return f >= 0.0 && f <= kMaxPadding; }))
@@ -104,23 +109,23 @@ void addAxisOptions(CLI::App& app, Words& words, Options& options)
   const std::string group = "Medial axis";
   app
     .add_option("--angle", options.angle,
-      "least separation angle theta of the directions to the two closest points, in degrees, in "
-      "(0, 180); small values keep more of the axis and more noise; default 60")
+      "minimum separation angle theta between the directions to the two closest points, in "
+      "degrees, in (0, 180); smaller values keep more of the axis and more noise; default 60")
     ->option_text("DEG")
     ->check(within<double>("(0, 180)", [](double a) { return a > 0.0 && a < 180.0; }))
     ->group(group);
   app
     .add_option("--lambda", words.lambda,
-      "least lambda, half the distance of the two closest points, in world units or as L% of the "
-      "diagonal of the mesh's bounds, >= 0; takes away what noise of that size makes, and what "
-      "lies "
-      "behind thinner walls; default 0")
+      "minimum lambda, half the distance between the two closest points, in world units or as L% "
+      "of the diagonal of the mesh's bounds, >= 0; removes the sheets that noise of this size "
+      "causes, and those of walls thinner than twice this; default 0")
     ->option_text("L[%]")
     ->check(length())
     ->group(group);
   app
     .add_option("--min-radius", words.minRadius,
-      "least radius of the medial balls, in world units or as R% of the diagonal, >= 0; default 0")
+      "minimum radius of the medial balls, in world units or as R% of the diagonal, >= 0; "
+      "default 0")
     ->option_text("R[%]")
     ->check(length())
     ->group(group);
@@ -140,15 +145,16 @@ void addAxisOptions(CLI::App& app, Words& words, Options& options)
     ->group(group);
   app
     .add_option("--topology", words.topology,
-      "selected, in as many pieces as theta leaves, or preserve: as many pieces, tunnels and "
-      "cavities as the solid has at this resolution; default selected")
+      "selected: what theta selects, in as many components as that gives; preserve: with the "
+      "components, tunnels and cavities of the solid at this resolution, whatever theta is; needs "
+      "--representation surface or faces, and 10 bytes for each grid point; default selected")
     ->option_text("KIND")
     ->check(oneOf(topologyNames()))
     ->group(group);
   app
     .add_option("--sign", words.sign,
-      "how inside is told from outside: auto, none, pseudonormal (closed, consistently oriented "
-      "meshes) or winding (not available yet); default auto")
+      "how inside is told from outside: auto, none or pseudonormal (closed, consistently "
+      "oriented meshes); default auto")
     ->option_text("METHOD")
     ->check(oneOf(signNames()))
     ->group(group);
@@ -160,7 +166,7 @@ void addRunOptions(CLI::App& app, Words& words, Options& options)
   addThreadsOption(app, options.threads, group);
   app
     .add_option("--memory", options.memoryMiB,
-      "upper bound of the memory for slabs, in MiB, >= 64; 0 chooses; default 0")
+      "upper bound on the memory for slabs, in MiB, >= 64; 0 chooses one; default 0")
     ->option_text("MiB")
     ->check(
       within<int>("[64, 2147483647] and not 0", [](int m) { return m == 0 || m >= kMinMemoryMiB; }))

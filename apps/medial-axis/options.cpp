@@ -13,19 +13,18 @@ namespace
 
 const char* const kFooter =
   "Input formats: .stl .obj .ply .off .vtp .vtk. Without any output the medial axis goes to\n"
-  "<INPUT's name>_medial.vtp in the current folder. Existing files are replaced, but only once "
-  "the\n"
-  "new ones are complete. Without -o, --curves, --image and --html, --field and --thickness\n"
-  "compute no medial axis.\n"
+  "<INPUT's name>_medial.vtp in the current folder. Existing files are replaced, but only once\n"
+  "the new ones are complete. --field, --thickness and --thickness-image compute no medial axis\n"
+  "unless another output needs one.\n"
   "\n"
-  "Exit codes: 0 done; 2 usage; 3 bad input; 4 no usable OpenGL; 5 out of memory or disk, or an\n"
-  "output that cannot be written; 130 interrupted.";
+  "Exit codes: 0 done; 2 usage; 3 bad input; 4 no usable OpenGL where it is needed; 5 out of\n"
+  "memory or disk, or an output that cannot be written; 130 interrupted.";
 
 } // namespace
 
 std::optional<Options> parseOptions(int argc, char** argv)
 {
-  CLI::App app{ "Medial axis and distance field of a triangle mesh, computed on the GPU.\n" };
+  CLI::App app{ "Computes the medial axis and the distance field of a triangle mesh.\n" };
   setUpCommandLine(app, "medial-axis", kFooter);
 
   Words words;

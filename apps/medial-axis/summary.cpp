@@ -38,6 +38,17 @@ void printGrid(const Result& result)
     grid.dimensions[1], grid.dimensions[2], grid.spacing[0], nameOf(result.sign).c_str());
 }
 
+void printEngine(const RunStatistics& statistics)
+{
+  std::printf("engine    %s", nameOf(statistics.engine).c_str());
+  if (statistics.engine == Engine::Rasteriser)
+  {
+    const Device& device = statistics.device;
+    std::printf(" on %s%s", device.renderer.c_str(), device.software ? " (software)" : "");
+  }
+  std::printf("\n");
+}
+
 void printThickness(const Options& options, const Thickness& thickness)
 {
   if (std::isnan(thickness.median))
@@ -211,9 +222,7 @@ void printSummary(const Options& options, const Result& result, const AppSeconds
   if (options.wantsAxis() || !options.field.empty())
   {
     printGrid(result);
-    const Device& device = result.statistics.device;
-    std::printf("renderer  %s%s, engine: %s\n", device.renderer.c_str(),
-      device.software ? " (software)" : "", nameOf(result.statistics.engine).c_str());
+    printEngine(result.statistics);
   }
   if (result.thickness)
   {

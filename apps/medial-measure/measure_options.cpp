@@ -13,12 +13,13 @@ namespace
 {
 
 const char* const kFooter =
-  "The axis stands for the union of its balls, of the cones between balls joined by a line or a\n"
-  "side, and of the slabs between those joined by a triangle; a quad is two triangles. Distances\n"
-  "are in % of the diagonal of the mesh's bounds: from the surface of the mesh to that of the\n"
-  "union, back, and between a ball's radius and the distance of its centre from the mesh. The\n"
-  "Hausdorff distance is the larger of the first two maxima, the mean distance the mean of their\n"
-  "means. The same files give the same figures, whatever the number of threads.\n\n"
+  "The axis stands for the union of its balls, of the cones between balls joined by a line or\n"
+  "the edge of a triangle, and of the wedges between those joined by a triangle; a quad is two\n"
+  "triangles. Distances are in % of the diagonal of the mesh's bounds: from the surface of the\n"
+  "mesh to that of the union, back, and between a ball's radius and the distance of its centre\n"
+  "from the mesh. The Hausdorff distance is the larger of the first two maxima, the mean distance\n"
+  "the mean of their means. The same files give the same figures, whatever the number of\n"
+  "threads.\n\n"
   "Exit codes: 0 done; 2 usage; 3 bad input; 5 out of memory or disk, or an output that cannot be\n"
   "written; 130 interrupted.";
 
@@ -26,7 +27,8 @@ void addOptions(CLI::App& app, MeasureOptions& options, std::string& json)
 {
   const std::string group = "Options";
   app
-    .add_option("--json", json, "machine-readable result: all figures of the table, with the files")
+    .add_option("--json", json,
+      "machine-readable result: all figures of the table, with the names of the files")
     ->option_text("FILE.json")
     ->group(group);
   app
@@ -45,7 +47,9 @@ void addOptions(CLI::App& app, MeasureOptions& options, std::string& json)
 
 std::optional<MeasureOptions> parseMeasureOptions(int argc, char** argv)
 {
-  CLI::App app{ "How well a medial axis describes a mesh: distances, radii and topology.\n" };
+  CLI::App app{
+    "Measures how well a medial axis describes a mesh: distances, radii and topology.\n"
+  };
   setUpCommandLine(app, "medial-measure", kFooter);
 
   MeasureOptions options;

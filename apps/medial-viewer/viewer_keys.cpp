@@ -21,7 +21,7 @@ void Viewer::addKeys()
   keyboard_.add("space", "play or pause the sequence",
     [this] { playing_ = !playing_ && sequence_.frames.size() > 1; });
   keyboard_.add("n", "next frame", [this] { step(1); });
-  keyboard_.add("b", "frame before", [this] { step(-1); });
+  keyboard_.add("b", "previous frame", [this] { step(-1); });
   keyboard_.add("c", "colour by radius, angle or thickness", [this] { nextColour(); });
   keyboard_.add("s", "show or hide the surface", [this] { scene_.toggleSurface(); });
   keyboard_.add("a", "show or hide the axis", [this] { scene_.toggleAxis(); });
@@ -32,8 +32,8 @@ void Viewer::addKeys()
   keyboard_.add("z", "slice across z", [this] { turnSlice(2); });
   keyboard_.add("r", "reset the view", [this] { lookAt(window_.renderer, sequence_); });
   keyboard_.add("p", "write a picture of the window", [this] { savePicture(); });
-  keyboard_.add("q", "leave", [this] { window_.leave(); });
-  keyboard_.add("Escape", "give up a computation", [] {}); // while it lasts: Patience
+  keyboard_.add("q", "quit", [this] { window_.leave(); });
+  keyboard_.add("Escape", "cancel a computation", [] {}); // while it lasts: Patience
   scene_.setHelp(keyboard_.help());
 }
 

@@ -46,7 +46,7 @@ void addViewOptions(CLI::App& app, ViewerWords& words, ViewerOptions& options)
   const std::string group = "View";
   app
     .add_option("--resolution", options.resolution,
-      "number of grid points along the longest axis of the padded bounds to begin with, at least "
+      "number of grid points along the longest axis of the padded bounds at the start, at least "
       "16 and at most --max-resolution; default 96")
     ->option_text("N")
     ->group(group);
@@ -59,7 +59,7 @@ void addViewOptions(CLI::App& app, ViewerWords& words, ViewerOptions& options)
     ->group(group);
   app
     .add_option("--angle", options.angle,
-      "least separation angle to begin with, in degrees, in [20, 170]; default 60")
+      "minimum separation angle at the start, in degrees, in [20, 170]; default 60")
     ->option_text("DEG")
     ->check(within<double>("[20, 170]",
       [](double a) { return a >= kMinViewerAngle && a <= kMaxViewerAngle; }))
@@ -67,7 +67,7 @@ void addViewOptions(CLI::App& app, ViewerWords& words, ViewerOptions& options)
   addSideOption(app, words.side, group);
   app
     .add_option("--colour", words.colour,
-      "what colours the axis to begin with: radius, angle or thickness (twice the radius); default "
+      "what colours the axis at the start: radius, angle or thickness (twice the radius); default "
       "radius")
     ->option_text("BY")
     ->check(oneOf(colourNames()))
@@ -75,7 +75,7 @@ void addViewOptions(CLI::App& app, ViewerWords& words, ViewerOptions& options)
   app.add_flag("--play", options.play, "play the sequence from the start")->group(group);
   app
     .add_option("--screenshot", words.screenshot,
-      "write a picture of the window and leave; needs a display all the same")
+      "write a picture of the window and exit; needs a display all the same")
     ->option_text("FILE.png")
     ->group(group);
 }
@@ -116,8 +116,8 @@ std::optional<ViewerOptions> parseViewerOptions(int argc, char** argv)
   ViewerOptions options;
   app
     .add_option("INPUT", words.inputs,
-      "mesh, or the meshes of a sequence, or a folder of them: .stl, .obj, .ply, .off, .vtp or "
-      ".vtk")
+      "mesh, or the meshes of a sequence, or a folder of them (in the order of their names): .stl, "
+      ".obj, .ply, .off, .vtp or .vtk")
     ->required()
     ->option_text(" ");
   addViewOptions(app, words, options);

@@ -54,7 +54,11 @@ std::string describe(const ViewerStatus& status, const AxisSource& source)
   }
   lines += text("axis: %lld cells; field and axis computed in %.3f s by the %s\n", status.cells,
     source.seconds(), nameOf(source.statistics().engine).c_str());
-  lines += "compute: " + source.statistics().device.renderer + "\nwindow: " + status.device + "\n";
+  if (source.statistics().engine == Engine::Rasteriser)
+  {
+    lines += "compute: " + source.statistics().device.renderer + "\n";
+  }
+  lines += "window: " + status.device + "\n";
   return lines + (status.note.empty() ? "keys: h" : wrapped(status.note));
 }
 

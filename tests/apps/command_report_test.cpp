@@ -84,12 +84,25 @@ TEST_F(CommandOutput, ReportIsPlausible)
   EXPECT_GT(sum, 0.0);
 }
 
+TEST_F(CommandOutput, SaysWhichEngineRanAndOnWhat)
+{
+  const std::string file = folder.file("axis.vtp");
+  const Outcome processor = run({ "-o", file, "--engine", "processor" });
+  EXPECT_TRUE(contains(processor.out, "\nengine    processor\n")) << processor.out;
+  const std::string report = folder.file("report.json");
+  const Outcome rasteriser = run({ "-o", file, "--engine", "rasteriser", "--report", report });
+  const auto device = nlohmann::json::parse(readFile(report))["device"];
+  const std::string expected = "\nengine    rasteriser on " +
+    device["renderer"].get<std::string>() + (device["software"].get<bool>() ? " (software)" : "");
+  EXPECT_TRUE(contains(rasteriser.out, expected + "\n")) << rasteriser.out;
+}
+
 TEST_F(CommandOutput, SaysWhatItDidUnlessQuiet)
 {
   const std::string file = folder.file("axis.vtp");
   const Outcome loud = run({ "-o", file });
   for (const std::string& part : { input + ": 12 triangles, 8 vertices, 1 component, closed",
-         std::string("renderer"), std::string("seconds"), file + ": medial axis" })
+         std::string("\nengine    "), std::string("\nseconds   "), file + ": medial axis" })
   {
     EXPECT_TRUE(contains(loud.out, part)) << loud.out;
   }

@@ -45,14 +45,14 @@ class MedialAxis:
     radius: NDArray[np.float32]
     """(n,) distances to the mesh in world units."""
     separation_angle: NDArray[np.float32]
-    """(n,) angles between the directions to two nearest points in degrees, in [0, 180]."""
+    """(n,) angles between the directions to the two closest points, in degrees, in [0, 180]."""
     lambda_: NDArray[np.float32]
     """(n,) radius times the sine of half the separation angle, in world units. That is half
-    the distance of two nearest points."""
+    the distance between the two closest points."""
     closest_a: NDArray[np.float32]
-    """(n, 3) one nearest point of the mesh, world coordinates."""
+    """(n, 3) one of the two closest points of the mesh, world coordinates."""
     closest_b: NDArray[np.float32]
-    """(n, 3) another nearest point of the mesh, world coordinates."""
+    """(n, 3) the other one, world coordinates."""
     feature: NDArray[np.uint8]
     """(n,) where the point lies: 0 in a sheet, 1 on a rim, 2 on a seam, 3 at a junction, 4 on a
     curve, 5 alone."""
@@ -125,19 +125,20 @@ def medial_axis(
     grid points; their radii are exact.
 
     vertices, faces: the mesh, as for distance_field().
-    angle: least separation angle theta of the directions to the two closest points, in degrees, in
-        (0, 180); small values keep more of the axis and more noise.
-    min_lambda: least lambda, half the distance of the two closest points, in world units, >= 0;
-        takes away what noise of that size makes, and what lies behind thinner walls.
-    min_radius: least radius of the medial balls, in world units, >= 0.
+    angle: minimum separation angle theta between the directions to the two closest points, in
+        degrees, in (0, 180); smaller values keep more of the axis and more noise.
+    min_lambda: minimum lambda, half the distance between the two closest points, in world units,
+        >= 0; removes the sheets that noise of this size causes, and those of walls thinner than
+        twice this.
+    min_radius: minimum radius of the medial balls, in world units, >= 0.
     side: which side of the surface: "interior", "exterior" or "both"; default interior. An open
         mesh has no sides: its axis is that of both, and so says MedialAxis.side.
     representation: "surface" (dual mesh), "faces" (voxel faces) or "points".
     max_spheres: compact connected axis: at most so many balls, joined by lines and triangles, that
         describe the shape best, in [0, 2147483647]; not for "points"; 0 for no limit.
-    topology: "selected": what angle leaves, in as many pieces as that is; "preserve": with the
-        components, tunnels and cavities of the solid at this resolution, whatever the angle; needs
-        "surface" or "faces" and 10 bytes a grid point.
+    topology: "selected": what theta selects, in as many components as that gives; "preserve": with
+        the components, tunnels and cavities of the solid at this resolution, whatever theta is;
+        needs "surface" or "faces", and 10 bytes for each grid point.
     field: whether MedialAxis.field is the distance field, from the same run.
     resolution, spacing, origin, dimensions, padding, sign, arrays, threads, memory, engine,
         require_gpu, progress: as for distance_field(); arrays are those of the field, which they
@@ -180,12 +181,12 @@ def _notes(algorithm: vtkMedialAxis, side: Optional[Side]) -> Iterator[str]:
         yield (f"the axis is that of both sides, not of side {side!r}: "
                f"inside is not known, as {_why_unsigned(algorithm)}")
     if algorithm.GetOutput().GetNumberOfPoints() == 0:
-        least = "".join(
+        minimums = "".join(
             f" and a {name} of {value:g}" for name, value in (
                 ("lambda", algorithm.GetMinimumLambda()), ("radius", algorithm.GetMinimumRadius()))
             if value > 0)
         yield (f"the axis is empty: no point of the grid has a separation angle of "
-               f"{algorithm.GetAngle():g} degrees{least} or more")
+               f"{algorithm.GetAngle():g} degrees{minimums} or more")
 
 
 def _why_unsigned(algorithm: vtkMedialAxis) -> str:

@@ -90,24 +90,24 @@ def distance_field(
         2, points for k = 1; or a sequence of m sequences of at least 3 indices.
     resolution: number of grid points along the longest axis of the padded bounds, in [2, 8192];
         default 256.
-    spacing: distance of neighbouring grid points in world units, > 0, one number or one for each
-        axis; instead of resolution.
+    spacing: distance between neighbouring grid points in world units, > 0, one number or one for
+        each axis; instead of resolution.
     origin, dimensions: with spacing an explicit grid: world coordinates of its first point, and
         its numbers of points along x, y and z, each in [1, 8192].
-    padding: margin on every side as a fraction of the diagonal of the mesh's bounds, in [0, 10];
-        default 0.05. Not with an explicit grid.
+    padding: margin around the mesh as a fraction of the diagonal of its bounds, in [0, 10]; default
+        0.05. Not with an explicit grid.
     sign: how inside, where distances are negative, is told from outside: "auto" ("pseudonormal"
-        where the mesh is closed and consistently oriented, else "none"), "none", "pseudonormal"
-        (an error where the mesh is not such), or "winding" (not available yet).
+        where the mesh is closed and consistently oriented, else "none"), "none", or "pseudonormal"
+        (an error where the mesh is not such).
     arrays: what is wanted beside the distance: names of attributes of DistanceField, at 12, 8, 1
         and 4 bytes a sample for "closest_point", "closest_cell", "closest_feature" and
         "closest_site". The distance takes 4.
     threads: number of CPU threads to use, in [0, 1024]; 0 for all cores.
-    memory: upper bound of the memory for slabs, in MiB, >= 64; 0 chooses. The result is not
+    memory: upper bound on the memory for slabs, in MiB, >= 64; 0 chooses one. The result is not
         counted.
-    engine: what finds closest sites: "rasteriser" (OpenGL), "processor" (CPU), or "auto", the
-        processor where OpenGL is a software renderer. The result does not depend on it.
-    require_gpu: whether to fail on a software renderer.
+    engine: what finds the closest sites: "processor" (CPU, without OpenGL), "rasteriser" (OpenGL)
+        or "auto", which is the processor. The distances do not depend on it.
+    require_gpu: whether to fail unless there is OpenGL 4.5 on a GPU.
     progress: called with the share of the work that is done, in [0, 1], and its name. An exception
         that it raises stops the work and is raised here.
 

@@ -29,9 +29,9 @@ def thickness(vertices: Any, faces: Any = None, *, angle: float = 60.0, side: Si
 
     vertices, faces: the mesh, as for distance_field(). Inside is behind the faces, also of an open
         mesh.
-    angle: least separation angle of the balls that count in degrees, in (0, 180): places where two
-        nearest points are seen under less, as between the facets of a curved surface, are passed
-        over.
+    angle: minimum separation angle of the balls that count, in degrees, in (0, 180): places whose
+        two closest points are seen under less, as between the facets of a curved surface, are
+        passed over.
     side: "interior", how thick the solid is, "exterior", how far it is to what is opposite, or
         "both", the smaller of the two.
     threads: number of CPU threads to use, in [0, 1024]; 0 for all cores.
@@ -60,7 +60,8 @@ def reconstruct(axis: Axis, *, resolution: int = 128, interpolate: bool = True,
     axis: points, radii and cells count; of a vtkPolyData the point data array Radius.
     resolution: number of grid points along the longest axis of the balls' padded bounds, in
         [2, 8192].
-    interpolate: whether cones and slabs between the balls of lines and faces belong to the solid.
+    interpolate: whether cones between balls joined by a line or an edge, and wedges between those
+        joined by a triangle, belong to the solid.
     progress: as for distance_field().
 
     Returns a closed triangle mesh whose faces point outwards. Raises InvalidInputError where the
