@@ -73,7 +73,8 @@ TEST_F(CommandLine, HelpNamesEveryOption)
   {
     EXPECT_LE(line.size(), 100U) << line;
   }
-  EXPECT_TRUE(contains(help.out, "Exit codes: 0 done; 2 usage; 3 bad input; 4 no usable OpenGL;"));
+  EXPECT_TRUE(contains(help.out,
+    "Exit codes: 0 done; 2 usage; 3 bad input; 4 no usable OpenGL where it is needed;"));
 }
 
 TEST_F(CommandLine, HelpStatesTheDefaultsOfTheFilter)
@@ -85,7 +86,7 @@ TEST_F(CommandLine, HelpStatesTheDefaultsOfTheFilter)
   EXPECT_TRUE(contains(help, defaultOf(filter->GetAngle())));
   EXPECT_TRUE(contains(help, "0 for no limit; " + defaultOf(filter->GetMaximumNumberOfSpheres())));
   EXPECT_TRUE(contains(help, "0 for all cores; " + defaultOf(filter->GetNumberOfThreads())));
-  EXPECT_TRUE(contains(help, "0 chooses; " + defaultOf(filter->GetMemoryLimit())));
+  EXPECT_TRUE(contains(help, "0 chooses one; " + defaultOf(filter->GetMemoryLimit())));
 }
 
 TEST_F(CommandLine, VersionIsOneLine)

@@ -94,8 +94,8 @@ def distance_field(
         each axis; instead of resolution.
     origin, dimensions: with spacing an explicit grid: world coordinates of its first point, and
         its numbers of points along x, y and z, each in [1, 8192].
-    padding: margin around the mesh as a fraction of the diagonal of its bounds, in [0, 10]; default
-        0.05. Not with an explicit grid.
+    padding: margin around the mesh as a fraction of the diagonal of its bounds, in [0, 10];
+        default 0.05. Not with an explicit grid.
     sign: how inside, where distances are negative, is told from outside: "auto" ("pseudonormal"
         where the mesh is closed and consistently oriented, else "none"), "none", or "pseudonormal"
         (an error where the mesh is not such).
