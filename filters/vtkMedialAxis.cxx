@@ -3,6 +3,8 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMedialExecution.h"
+#include "vtkMedialFigures.h"
 #include "vtkMeshConversion.h"
 #include "vtkMeshFieldInternals.h"
 #include "vtkObjectFactory.h"
@@ -47,6 +49,21 @@ medial::Topology ToTopology(int topology)
   }
 }
 
+//------------------------------------------------------------------------------
+// What the axis is to be; the options of the field are not set.
+medial::MedialAxisOptions ToOptions(vtkMedialAxis* axis)
+{
+  medial::MedialAxisOptions options;
+  options.angle = axis->GetAngle();
+  options.lambda = axis->GetMinimumLambda();
+  options.radius = axis->GetMinimumRadius();
+  options.side = vtkToSide(axis->GetSide());
+  options.representation = ToRepresentation(axis->GetRepresentation());
+  options.maxSpheres = axis->GetMaximumNumberOfSpheres();
+  options.topology = ToTopology(axis->GetTopology());
+  return options;
+}
+
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -71,24 +88,9 @@ vtkImageData* vtkMedialAxis::GetDistanceField()
 }
 
 //------------------------------------------------------------------------------
-int vtkMedialAxis::GetUsedSide()
-{
-  switch (this->Internals->Last.Side)
-  {
-    case medial::Side::Interior:
-      return INTERIOR;
-    case medial::Side::Exterior:
-      return EXTERIOR;
-    case medial::Side::Both:
-      break;
-  }
-  return BOTH;
-}
-
-//------------------------------------------------------------------------------
 const char* vtkMedialAxis::GetSideAsString()
 {
-  return vtkSideAsString<vtkMedialAxis>(this->Side);
+  return vtkSideAsString(this->Side);
 }
 
 //------------------------------------------------------------------------------
@@ -144,6 +146,43 @@ int vtkMedialAxis::RequestInformation(vtkInformation*, vtkInformationVector** in
 }
 
 //------------------------------------------------------------------------------
+void vtkMedialAxis::Execute(vtkPolyData* input, vtkInformationVector* outputVector)
+{
+  vtkProgressBridge progress(this);
+  medial::MedialAxisOptions options = ToOptions(this);
+  options.field = this->Internals->MakeOptions(progress);
+  this->Internals->UpdateMesh(input);
+  vtkInformation* imageInfo = outputVector->GetInformationObject(1);
+  vtkImageData* image = vtkImageData::GetData(imageInfo);
+  medial::Grid grid;
+  medial::FieldArrays arrays;
+  if (this->GenerateDistanceField)
+  {
+    grid = vtkInternals::AnnouncedGrid(imageInfo);
+    arrays = vtkMeshConversion::AllocateField(image, grid, grid.wholeExtent(),
+      this->Internals->MakeSelection());
+  }
+  else
+  {
+    grid = this->Internals->MakeGrid(input);
+  }
+  const medial::MedialAxis axis = medial::computeMedialAxis(this->Internals->Mesh,
+    this->Internals->Connectivity, grid, options, arrays);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+  vtkMeshConversion::ToPolyData(axis, output);
+  const auto record = [&](vtkDataObject* data)
+  {
+    this->Internals->Record(grid, axis.sign, axis.statistics, data);
+    vtkMedialFigures(data).AddText("Side", vtkSideAsString(vtkFromSide(axis.side)));
+  };
+  record(output);
+  if (this->GenerateDistanceField)
+  {
+    record(image);
+  }
+}
+
+//------------------------------------------------------------------------------
 int vtkMedialAxis::RequestData(vtkInformation* request, vtkInformationVector** inputVector,
   vtkInformationVector* outputVector)
 {
@@ -153,43 +192,11 @@ int vtkMedialAxis::RequestData(vtkInformation* request, vtkInformationVector** i
   const bool done = this->Internals->Try(
     [&]
     {
-      this->Internals->Begin(outputVector);
-      if (piece > 0)
+      vtkInternals::Begin(outputVector);
+      if (piece <= 0)
       {
-        return;
+        this->Execute(vtkPolyData::GetData(inputVector[0]), outputVector);
       }
-      vtkProgressBridge progress(this);
-      medial::MedialAxisOptions options;
-      options.angle = this->Angle;
-      options.lambda = this->MinimumLambda;
-      options.radius = this->MinimumRadius;
-      options.side = vtkToSide<vtkMedialAxis>(this->Side);
-      options.representation = ToRepresentation(this->Representation);
-      options.maxSpheres = this->MaximumNumberOfSpheres;
-      options.topology = ToTopology(this->Topology);
-      options.field = this->Internals->MakeOptions(&progress);
-
-      vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
-      this->Internals->UpdateMesh(input);
-      vtkInformation* imageInfo = outputVector->GetInformationObject(1);
-      medial::Grid grid;
-      medial::FieldArrays arrays;
-      if (this->GenerateDistanceField)
-      {
-        grid = vtkInternals::AnnouncedGrid(imageInfo);
-        arrays = vtkMeshConversion::AllocateField(vtkImageData::GetData(imageInfo), grid,
-          grid.wholeExtent(), this->Internals->MakeSelection());
-      }
-      else
-      {
-        grid = this->Internals->MakeGrid(input);
-      }
-
-      const medial::MedialAxis axis = medial::computeMedialAxis(this->Internals->Mesh,
-        this->Internals->Connectivity, grid, options, arrays);
-      vtkMeshConversion::ToPolyData(axis, vtkPolyData::GetData(outputVector, 0));
-      this->Internals->Record(grid, axis.sign, axis.statistics);
-      this->Internals->Last.Side = axis.side;
     });
   return done ? 1 : vtkEndWithoutOutput(this, outputVector);
 }

@@ -9,23 +9,25 @@
  *
  * Output port 0 is the axis, a vtkPolyData with points in double precision. Its point data arrays:
  * Radius, the distance to the mesh (float32, world units, the active scalars); SeparationAngle
- * (float32, degrees); Lambda, Radius times the sine of half the separation angle (float32, world
- * units); ClosestPointA and ClosestPointB, two nearest points on the mesh (float32 x 3, world
- * coordinates). Voxel faces are selected by the directions at grid points, while SeparationAngle is
- * that at the point itself, so some of theirs are below Angle; no others are, unless Topology keeps
- * them.
+ * (float32, degrees, in [0, 180]); Lambda, Radius times the sine of half the separation angle
+ * (float32, world units); ClosestPointA and ClosestPointB, two nearest points on the mesh (float32
+ * x 3, world coordinates); AxisFeature, where the point lies on the axis (unsigned char: 0 inside a
+ * sheet, 1 on a rim, where a sheet ends, 2 on a seam, where sheets meet, 3 at a junction, 4 on a
+ * curve, 5 alone). With Representation FACES the angle may be below Angle, since faces are selected
+ * by the directions at grid points; otherwise it is below Angle only where Topology keeps a point.
  *
  * With MaximumNumberOfSpheres the axis is made compact: at most so many points, whose balls, with
- * the cones and slabs between those of a line or triangle, approximate the shape (quadric edge
- * collapse, after Li and others: Q-MAT, 2015). Radius then is that of the best ball,
- * which may reach a little beyond the surface; SeparationAngle and the closest points are those of
- * the point of the full axis next to it.
+ * the cones between two of them on a line and the wedges between three on a triangle, approximate
+ * the shape (quadric edge collapse, after Li and others: Q-MAT, 2015). Radius then is that of the
+ * best ball, which may reach a little beyond the surface; SeparationAngle and the closest points
+ * are those of the nearest point of the full axis.
  *
  * Output port 1 is the distance field on the same grid, a vtkImageData as vtkMeshDistanceField
  * makes it. It is empty unless GenerateDistanceField is on.
  *
  * vtkMeshFieldAlgorithm documents the parameters of the grid and of the distance field, the input,
- * errors and abort.
+ * the field data of both outputs, errors and abort. The field data has one more array here: Side (a
+ * string, as GetSideAsString()), the side that the axis is of, Both where the distance is unsigned.
  *
  * @par Parameter tuning:
  * Angle 60 shows the sheets that carry the shape and drops most noise; 90 and more leave the thick
@@ -64,16 +66,6 @@ public:
   ///@}
 
   /**
-   * The side of the surface that the axis is wanted for.
-   */
-  enum Sides
-  {
-    INTERIOR = 0,
-    EXTERIOR = 1,
-    BOTH = 2
-  };
-
-  /**
    * What the axis is made of.
    */
   enum Representations
@@ -94,18 +86,17 @@ public:
 
   ///@{
   /**
-   * Least separation angle of the points of the axis in degrees, in the open interval (0, 180).
-   * Smaller values keep more of the axis and more noise. Default is 60.
+   * Minimum separation angle of the axis in degrees, in the open interval (0, 180). Smaller values
+   * keep more of the axis and more noise. Default is 60.
    */
-  vtkSetMacro(Angle, double);
-  vtkGetMacro(Angle, double);
+  vtkMedialAngleMacro();
   ///@}
 
   ///@{
   /**
-   * Least lambda of the points of the axis, in world units, at least 0: half the distance of the
-   * two closest points. It takes away what noise of that size makes, and also what lies behind
-   * walls thinner than twice as much. Default is 0.
+   * Minimum lambda of the axis in world units, at least 0. Lambda is half the distance between the
+   * two closest points: this removes what noise of that size makes, and also the axis of walls
+   * thinner than twice as much. Default is 0.
    */
   vtkSetMacro(MinimumLambda, double);
   vtkGetMacro(MinimumLambda, double);
@@ -113,7 +104,7 @@ public:
 
   ///@{
   /**
-   * Least radius of the medial balls, in world units, at least 0. Default is 0.
+   * Minimum radius of the medial balls in world units, at least 0. Default is 0.
    */
   vtkSetMacro(MinimumRadius, double);
   vtkGetMacro(MinimumRadius, double);
@@ -121,24 +112,20 @@ public:
 
   ///@{
   /**
-   * The side of the surface that the axis is wanted for: INTERIOR, where the distance is negative,
-   * EXTERIOR, where it is positive, or BOTH. An unsigned distance, as of an open mesh, knows no
-   * sides: the axis is that of BOTH then, and GetUsedSide() says so. Default is INTERIOR.
+   * The side of the surface on which the axis lies: INTERIOR, where the distance is negative,
+   * EXTERIOR, where it is positive, or BOTH. An unsigned distance, as of an open mesh, has no
+   * sides: then the axis is that of BOTH, and the field data array Side says so. Default is
+   * INTERIOR.
    */
-  vtkSetMacro(Side, int);
-  vtkGetMacro(Side, int);
-  void SetSideToInterior() { this->SetSide(INTERIOR); }
-  void SetSideToExterior() { this->SetSide(EXTERIOR); }
-  void SetSideToBoth() { this->SetSide(BOTH); }
-  const char* GetSideAsString();
+  vtkMedialSideMacro();
   ///@}
 
   ///@{
   /**
-   * What the axis is made of. SURFACE: a mesh with at most one point a voxel, quads and triangles,
-   * and lines and vertices where the axis is thinner than a sheet. FACES: the voxel faces between
-   * sample points on either side of the axis. POINTS: one point for each such face, on the bisector
-   * of the two nearest sites. Default is SURFACE.
+   * What the axis is made of. SURFACE: a mesh with at most one point per voxel, of quads and
+   * triangles, and of lines and vertices where the axis is thinner than a sheet. FACES: the voxel
+   * faces between sample points on either side of the axis. POINTS: one point for each such face,
+   * on the bisector of the two nearest sites. Default is SURFACE.
    */
   vtkSetMacro(Representation, int);
   vtkGetMacro(Representation, int);
@@ -150,10 +137,11 @@ public:
 
   ///@{
   /**
-   * Most points of the axis; 0 for no limit, else >= 1. Components that Angle has cut apart are
-   * joined where their balls overlap, and edges collapsed, the least error first, until the number
-   * is reached; holes and components of the shape stay as long as it allows. A few hundred describe
-   * most shapes. Not for POINTS, which have no cells. Default is 0.
+   * Maximum number of points of the axis, >= 1, or 0 for no limit. Components that Angle has cut
+   * apart are joined where their balls overlap; then edges are collapsed, those of the smallest
+   * error first, until the number is reached. Holes and components of the shape are kept as long as
+   * the number allows. A few hundred points describe most shapes. Not for POINTS, which have no
+   * cells. Default is 0.
    */
   vtkSetMacro(MaximumNumberOfSpheres, int);
   vtkGetMacro(MaximumNumberOfSpheres, int);
@@ -161,14 +149,14 @@ public:
 
   ///@{
   /**
-   * Whether the axis must have the topology of the solid. SELECTED: what Angle selects, in as many
-   * pieces as that is. PRESERVE: whatever Angle is, the axis has as many pieces, tunnels and
-   * cavities, and so the Euler characteristic and the genus, as the solid at the resolution of the
-   * grid: the voxels of the side are thinned from the surface on without cutting or piercing, and
-   * what Angle selects as sheets stays. Curves join the sheets and stand for thin round parts, as
-   * lines. Each side is thinned by itself, an unsigned one is the whole grid. PRESERVE takes 10
-   * bytes a grid point of the whole grid, and Representation SURFACE or FACES.
-   * Default is SELECTED.
+   * Whether the axis must have the topology of the solid. SELECTED: the axis is what Angle selects,
+   * in as many pieces as that has. PRESERVE: whatever Angle is, the axis has as many components,
+   * tunnels and cavities, and so the Euler characteristic and the genus, as the solid at the
+   * resolution of the grid. The voxels of the side are thinned from the surface inwards without
+   * cutting or piercing, and the sheets that Angle selects stay. Curves join the sheets and stand
+   * for thin round parts, as lines. Each side is thinned by itself; an unsigned one is the whole
+   * grid. PRESERVE takes 10 bytes per point of the whole grid, and needs Representation SURFACE or
+   * FACES. Default is SELECTED.
    */
   vtkSetMacro(Topology, int);
   vtkGetMacro(Topology, int);
@@ -180,19 +168,13 @@ public:
   ///@{
   /**
    * Whether output port 1 is the distance field on the whole grid, from the same run and with the
-   * arrays that the Generate flags ask for. Off, the port is an empty image, and the arrays of the
-   * grid are never held in memory. Default is off.
+   * arrays that the Generate flags ask for. Otherwise the port is an empty image, and the arrays of
+   * the grid are never held in memory. Default is off.
    */
   vtkSetMacro(GenerateDistanceField, vtkTypeBool);
   vtkGetMacro(GenerateDistanceField, vtkTypeBool);
   vtkBooleanMacro(GenerateDistanceField, vtkTypeBool);
   ///@}
-
-  /**
-   * The side of the last execution: BOTH where the distance is unsigned, else Side. BOTH before the
-   * first execution and after a failed one.
-   */
-  int GetUsedSide();
 
   /**
    * The medial axis, output port 0.
@@ -222,6 +204,8 @@ protected:
   vtkTypeBool GenerateDistanceField = false;
 
 private:
+  void Execute(vtkPolyData* input, vtkInformationVector* outputVector);
+
   vtkMedialAxis(const vtkMedialAxis&) = delete;
   void operator=(const vtkMedialAxis&) = delete;
 };

@@ -1,11 +1,8 @@
 #include "vtkMedialCurves.h"
 
-#include "medial/axis_curves.h"
-
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkInformation.h"
-#include "vtkInformationVector.h"
+#include "vtkMedialExecution.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -13,6 +10,11 @@
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 
+#include "medial/axis_curves.h"
+#include "medial/error.h"
+
+#include <algorithm>
+#include <string>
 #include <vector>
 
 vtkStandardNewMacro(vtkMedialCurves);
@@ -20,28 +22,57 @@ vtkStandardNewMacro(vtkMedialCurves);
 namespace
 {
 
+/// The progress when edges are collected, and when curves are found.
+constexpr double EdgesShare = 0.2;
+constexpr double SearchShare = 0.8;
+
+constexpr std::size_t CopyingSteps = 20;
+
+//------------------------------------------------------------------------------
+void RequirePoint(vtkIdType id, vtkPolyData* input)
+{
+  if (id < 0 || id >= input->GetNumberOfPoints())
+  {
+    throw medial::Error(medial::ErrorCode::InvalidInput,
+      "a cell names the point " + std::to_string(id) + ", but there are " +
+        std::to_string(input->GetNumberOfPoints()) + ", from 0 on");
+  }
+}
+
+//------------------------------------------------------------------------------
+template <typename Visit>
+void ForEachCell(vtkCellArray* cells, vtkPolyData* input, const Visit& visit)
+{
+  vtkIdType count = 0;
+  const vtkIdType* ids = nullptr;
+  for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
+  {
+    cells->GetCellAtId(cell, count, ids);
+    std::for_each(ids, ids + count, [&](vtkIdType id) { RequirePoint(id, input); });
+    visit(ids, count);
+  }
+}
+
 //------------------------------------------------------------------------------
 medial::AxisEdges EdgesOf(vtkPolyData* input)
 {
   medial::AxisEdges edges;
-  vtkIdType count = 0;
-  const vtkIdType* ids = nullptr;
-  for (vtkIdType cell = 0; cell < input->GetPolys()->GetNumberOfCells(); ++cell)
-  {
-    input->GetPolys()->GetCellAtId(cell, count, ids);
-    for (vtkIdType i = 0; i < count; ++i)
+  ForEachCell(input->GetPolys(), input,
+    [&](const vtkIdType* ids, vtkIdType count)
     {
-      edges.sides.push_back({ ids[i], ids[(i + 1) % count] });
-    }
-  }
-  for (vtkIdType cell = 0; cell < input->GetLines()->GetNumberOfCells(); ++cell)
-  {
-    input->GetLines()->GetCellAtId(cell, count, ids);
-    for (vtkIdType i = 0; i + 1 < count; ++i)
+      for (vtkIdType i = 0; i < count; ++i)
+      {
+        edges.sides.push_back({ ids[i], ids[(i + 1) % count] });
+      }
+    });
+  ForEachCell(input->GetLines(), input,
+    [&](const vtkIdType* ids, vtkIdType count)
     {
-      edges.lines.push_back({ ids[i], ids[i + 1] });
-    }
-  }
+      for (vtkIdType i = 0; i + 1 < count; ++i)
+      {
+        edges.lines.push_back({ ids[i], ids[i + 1] });
+      }
+    });
   return edges;
 }
 
@@ -78,49 +109,64 @@ private:
   std::vector<vtkIdType> Targets;
 };
 
-} // namespace
-
 //------------------------------------------------------------------------------
-int vtkMedialCurves::RequestData(vtkInformation*, vtkInformationVector** inputVector,
-  vtkInformationVector* outputVector)
+// The polylines as cells, with their kinds as the active cell scalars.
+void AddCurves(const std::vector<medial::AxisCurve>& curves, vtkPolyData* input,
+  vtkPolyData* output, vtkProgressBridge& progress)
 {
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
-  vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  if (input->GetNumberOfPoints() == 0)
-  {
-    return 1;
-  }
-  const auto wanted = [this](medial::AxisFeature kind)
-  {
-    return (kind == medial::AxisFeature::Rim && this->Rims) ||
-      (kind == medial::AxisFeature::Seam && this->Seams) ||
-      (kind == medial::AxisFeature::Curve && this->Curves);
-  };
   vtkNew<vtkCellArray> lines;
   vtkNew<vtkUnsignedCharArray> kinds;
   kinds->SetName("AxisFeature");
   PointCopier copier(input, output);
-  for (const medial::AxisCurve& curve :
-    medial::axisCurves(EdgesOf(input), static_cast<std::size_t>(input->GetNumberOfPoints())))
+  const std::size_t step = curves.size() / CopyingSteps + 1;
+  for (std::size_t i = 0; i < curves.size(); ++i)
   {
-    if (this->GetAbortExecute())
+    if (i % step == 0)
     {
-      output->Initialize();
-      return 1;
+      const double share = static_cast<double>(i) / static_cast<double>(curves.size());
+      progress.ReportOrStop(SearchShare + (1.0 - SearchShare) * share, "points of curves");
     }
-    if (wanted(curve.kind))
+    lines->InsertNextCell(static_cast<int>(curves[i].points.size()));
+    for (const vtkIdType point : curves[i].points)
     {
-      lines->InsertNextCell(static_cast<int>(curve.points.size()));
-      for (const vtkIdType point : curve.points)
-      {
-        lines->InsertCellPoint(copier.Copy(point));
-      }
-      kinds->InsertNextValue(static_cast<unsigned char>(curve.kind));
+      lines->InsertCellPoint(copier.Copy(point));
     }
+    kinds->InsertNextValue(static_cast<unsigned char>(curves[i].kind));
   }
   output->SetLines(lines);
   output->GetCellData()->SetScalars(kinds);
-  return 1;
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+vtkMedialCurves::vtkMedialCurves() = default;
+
+//------------------------------------------------------------------------------
+vtkMedialCurves::~vtkMedialCurves() = default;
+
+//------------------------------------------------------------------------------
+void vtkMedialCurves::Execute(vtkPolyData* input, vtkPolyData* output)
+{
+  vtkProgressBridge progress(this);
+  progress.ReportOrStop(0.0, "edges");
+  const medial::AxisEdges edges = EdgesOf(input);
+  if (input->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  progress.ReportOrStop(EdgesShare, "curves");
+  std::vector<medial::AxisCurve> curves =
+    medial::axisCurves(edges, static_cast<std::size_t>(input->GetNumberOfPoints()));
+  const auto unwanted = [this](const medial::AxisCurve& curve)
+  {
+    return !(curve.kind == medial::AxisFeature::Rim && this->Rims) &&
+      !(curve.kind == medial::AxisFeature::Seam && this->Seams) &&
+      !(curve.kind == medial::AxisFeature::Curve && this->Curves);
+  };
+  curves.erase(std::remove_if(curves.begin(), curves.end(), unwanted), curves.end());
+  progress.ReportOrStop(SearchShare, "points of curves");
+  AddCurves(curves, input, output, progress);
 }
 
 //------------------------------------------------------------------------------

@@ -7,21 +7,31 @@
  * where they end (rims: edges with one polygon), and where it is no sheet but a curve (lines).
  * Polylines run from junction to junction; loops end where they begin.
  *
- * The points used keep their point data. The cell data array AxisFeature (unsigned char) has the
- * kind of each polyline: 1 rim, 2 seam, 4 curve, the values that the point data array of the same
- * name has on the axis of vtkMedialAxis (0 inside a sheet, 3 junction, 5 alone).
+ * @par Input:
+ * A vtkPolyData with polygons and lines, of any number of points; an empty one gives an empty
+ * output. Vertices and triangle strips are ignored.
+ *
+ * @par Output:
+ * Lines over the points of the input that they use, in the same precision and with their point
+ * data. The cell data array AxisFeature (unsigned char, the active scalars) has the kind of each
+ * polyline: 1 rim, 2 seam, 4 curve, the values that the point data array of the same name has on
+ * the axis of vtkMedialAxis (0 inside a sheet, 3 junction, 5 alone).
+ *
+ * @par Errors:
+ * A cell that names a point that the input does not have. vtkMedialPolyDataAlgorithm documents how
+ * errors are reported, abort and parallel pipelines.
  *
  * @sa
- * vtkMedialAxis
+ * vtkMedialAxis vtkMedialPolyDataAlgorithm
  */
 
 #ifndef vtkMedialCurves_h
 #define vtkMedialCurves_h
 
 #include "vtkMedialFiltersModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkMedialPolyDataAlgorithm.h"
 
-class VTKMEDIALFILTERS_EXPORT vtkMedialCurves : public vtkPolyDataAlgorithm
+class VTKMEDIALFILTERS_EXPORT vtkMedialCurves : public vtkMedialPolyDataAlgorithm
 {
 public:
   ///@{
@@ -29,30 +39,45 @@ public:
    * Standard methods for instantiation, obtaining type information, and printing.
    */
   static vtkMedialCurves* New();
-  vtkTypeMacro(vtkMedialCurves, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkMedialCurves, vtkMedialPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
   ///@}
 
   ///@{
   /**
-   * Whether polylines of each kind are wanted. Default is on for all.
+   * Whether the output has rims: polylines of edges with one polygon, where a sheet ends. Default
+   * is on.
    */
   vtkSetMacro(Rims, vtkTypeBool);
   vtkGetMacro(Rims, vtkTypeBool);
   vtkBooleanMacro(Rims, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the output has seams: polylines of edges with three polygons or more, where sheets
+   * meet. Default is on.
+   */
   vtkSetMacro(Seams, vtkTypeBool);
   vtkGetMacro(Seams, vtkTypeBool);
   vtkBooleanMacro(Seams, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the output has curves: polylines of the input's lines, where the axis is no sheet.
+   * Default is on.
+   */
   vtkSetMacro(Curves, vtkTypeBool);
   vtkGetMacro(Curves, vtkTypeBool);
   vtkBooleanMacro(Curves, vtkTypeBool);
   ///@}
 
 protected:
-  vtkMedialCurves() = default;
-  ~vtkMedialCurves() override = default;
+  vtkMedialCurves();
+  ~vtkMedialCurves() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkPolyData* input, vtkPolyData* output) override;
 
   vtkTypeBool Rims = true;
   vtkTypeBool Seams = true;

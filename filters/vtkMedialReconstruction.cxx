@@ -1,21 +1,16 @@
 #include "vtkMedialReconstruction.h"
 
-#include "vtkDataObject.h"
 #include "vtkFloatArray.h"
 #include "vtkFlyingEdges3D.h"
 #include "vtkImageData.h"
-#include "vtkInformation.h"
-#include "vtkInformationVector.h"
+#include "vtkMedialExecution.h"
 #include "vtkMedialModelConversion.h"
-#include "vtkMeshFieldInternals.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 
-#include "medial/error.h"
 #include "medial/memory.h"
 #include "medial/reconstruction.h"
 
@@ -28,30 +23,30 @@ vtkStandardNewMacro(vtkMedialReconstruction);
 namespace
 {
 
-/// The share of the work that evaluation takes, contouring being the rest.
-constexpr double EvaluationShare = 0.9;
+/// The field's share of the work; the rest is contouring.
+constexpr double FieldShare = 0.9;
 
 /// The field, VTK's copy of it, and what the contour filter notes about each edge.
 constexpr int BytesPerGridPoint = 2 * sizeof(float) + 1;
 
 //------------------------------------------------------------------------------
-/// Progress of a part of the execution.
-class PartialProgress : public medial::Progress
+/// Progress of the field as a part of the execution.
+class FieldProgress : public medial::Progress
 {
 public:
-  explicit PartialProgress(vtkAlgorithm* algorithm)
-    : Bridge(algorithm)
+  explicit FieldProgress(vtkProgressBridge& bridge)
+    : Bridge(bridge)
   {
   }
 
   void report(double fraction, const char* phase) override
   {
-    this->Bridge.report(EvaluationShare * fraction, phase);
+    this->Bridge.report(FieldShare * fraction, phase);
   }
   bool cancelled() override { return this->Bridge.cancelled(); }
 
 private:
-  vtkProgressBridge Bridge;
+  vtkProgressBridge& Bridge;
 };
 
 //------------------------------------------------------------------------------
@@ -101,51 +96,17 @@ vtkMedialReconstruction::vtkMedialReconstruction() = default;
 vtkMedialReconstruction::~vtkMedialReconstruction() = default;
 
 //------------------------------------------------------------------------------
-int vtkMedialReconstruction::RequestInformation(vtkInformation*, vtkInformationVector**,
-  vtkInformationVector* outputVector)
+void vtkMedialReconstruction::Execute(vtkPolyData* input, vtkPolyData* output)
 {
-  outputVector->GetInformationObject(0)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
-  return 1;
-}
-
-//------------------------------------------------------------------------------
-int vtkMedialReconstruction::RequestUpdateExtent(vtkInformation*,
-  vtkInformationVector** inputVector, vtkInformationVector*)
-{
-  vtkRequestWhole(inputVector[0]->GetInformationObject(0));
-  return 1;
-}
-
-//------------------------------------------------------------------------------
-int vtkMedialReconstruction::RequestData(vtkInformation*, vtkInformationVector** inputVector,
-  vtkInformationVector* outputVector)
-{
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
-  vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  // Assigned, since SetErrorCode() would modify the filter while it executes.
-  this->ErrorCode = vtkErrorCode::NoError;
-  if (outputVector->GetInformationObject(0)->Get(
-        vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0)
-  {
-    return 1;
-  }
-  const bool done = vtkRunGuarded(this, this->ErrorCode,
-    [&]
-    {
-      PartialProgress progress(this);
-      const medial::MedialModel model = vtkMedialModelConversion::ToMedialModel(input);
-      const medial::Grid grid = medial::makeGrid(medial::modelBounds(model), this->Resolution);
-      medial::requireMemory(grid.pointCount(), BytesPerGridPoint);
-      const std::vector<float> field =
-        medial::computeReconstruction(model, grid, this->Interpolate != 0, { 0, &progress });
-      progress.report(1.0, "contour");
-      if (progress.cancelled())
-      {
-        throw medial::Error(medial::ErrorCode::Cancelled, "cancelled");
-      }
-      Contour(grid, field, output);
-    });
-  return done ? 1 : vtkEndWithoutOutput(this, outputVector);
+  vtkProgressBridge bridge(this);
+  FieldProgress progress(bridge);
+  const medial::MedialModel model = vtkMedialModelConversion::ToMedialModel(input);
+  const medial::Grid grid = medial::makeGrid(medial::modelBounds(model), this->Resolution);
+  medial::requireMemory(grid.pointCount(), BytesPerGridPoint);
+  const std::vector<float> field =
+    medial::computeReconstruction(model, grid, this->Interpolate != 0, { 0, &progress });
+  bridge.ReportOrStop(FieldShare, "contour");
+  Contour(grid, field, output);
 }
 
 //------------------------------------------------------------------------------

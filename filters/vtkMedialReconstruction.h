@@ -3,8 +3,8 @@
  * @brief   surface of the solid that a medial axis describes
  *
  * vtkMedialReconstruction makes the surface of the union of the balls of a medial axis, and with
- * Interpolate of what lies between them: the convex hulls of two balls joined by a line or a side
- * of a polygon (cones) and of three joined by a triangle (slabs). It evaluates the signed distance
+ * Interpolate of what lies between them: the convex hulls of two balls joined by a line or an edge
+ * of a polygon (cones) and of three joined by a triangle (wedges). It computes the signed distance
  * to them exactly at the points of a regular grid, near the surface, and contours it with
  * vtkFlyingEdges3D.
  *
@@ -21,30 +21,20 @@
  *
  * @par Errors:
  * Input without points, a missing or unfit array Radius, a radius that is negative or not finite,
- * a Resolution outside its range and a grid larger than the memory that is left are reported by one
- * vtkErrorMacro with the value; GetErrorCode() then is one of vtkMeshFieldAlgorithm::ErrorCodes,
- * the output is empty and the request ends as one of vtkMeshFieldAlgorithm.
- *
- * @par Abort:
- * SetAbortExecute(1) from a ProgressEvent observer stops the execution soon. The output is empty
- * then, GetErrorCode() is vtkMeshFieldAlgorithm::CancelledError without an ErrorEvent from the
- * filter, and the next Update() executes again.
- *
- * @par Parallel pipelines:
- * The output is not split: piece 0 is all of it, every other piece is empty. The filter asks for
- * its whole input.
+ * a Resolution outside its range and a grid larger than the memory that is left.
+ * vtkMedialPolyDataAlgorithm documents how errors are reported, abort and parallel pipelines.
  *
  * @sa
- * vtkMedialAxis vtkMeshFieldAlgorithm
+ * vtkMedialAxis vtkMedialPolyDataAlgorithm
  */
 
 #ifndef vtkMedialReconstruction_h
 #define vtkMedialReconstruction_h
 
 #include "vtkMedialFiltersModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkMedialPolyDataAlgorithm.h"
 
-class VTKMEDIALFILTERS_EXPORT vtkMedialReconstruction : public vtkPolyDataAlgorithm
+class VTKMEDIALFILTERS_EXPORT vtkMedialReconstruction : public vtkMedialPolyDataAlgorithm
 {
 public:
   ///@{
@@ -52,7 +42,7 @@ public:
    * Standard methods for instantiation, obtaining type information, and printing.
    */
   static vtkMedialReconstruction* New();
-  vtkTypeMacro(vtkMedialReconstruction, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkMedialReconstruction, vtkMedialPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
   ///@}
 
@@ -68,7 +58,7 @@ public:
 
   ///@{
   /**
-   * Whether cones and slabs between the balls belong to the solid. Off, it is the union of the
+   * Whether cones and wedges between the balls belong to the solid. Off, it is the union of the
    * balls alone, which is bumpy where they lie apart. Default is on.
    */
   vtkSetMacro(Interpolate, vtkTypeBool);
@@ -80,9 +70,7 @@ protected:
   vtkMedialReconstruction();
   ~vtkMedialReconstruction() override;
 
-  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
-  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkPolyData* input, vtkPolyData* output) override;
 
   int Resolution = 128;
   vtkTypeBool Interpolate = true;

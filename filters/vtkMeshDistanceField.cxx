@@ -3,6 +3,7 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMedialExecution.h"
 #include "vtkMeshConversion.h"
 #include "vtkMeshFieldInternals.h"
 #include "vtkObjectFactory.h"
@@ -46,10 +47,11 @@ int vtkMeshDistanceField::RequestData(vtkInformation*, vtkInformationVector** in
   vtkInformationVector* outputVector)
 {
   vtkInformation* outInfo = outputVector->GetInformationObject(0);
+  vtkImageData* output = vtkImageData::GetData(outInfo);
   const bool done = this->Internals->Try(
     [&]
     {
-      this->Internals->Begin(outputVector);
+      vtkInternals::Begin(outputVector);
       const medial::Extent extent = vtkMeshConversion::ToExtent(
         outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT()));
       if (extent.empty())
@@ -57,17 +59,17 @@ int vtkMeshDistanceField::RequestData(vtkInformation*, vtkInformationVector** in
         return;
       }
       vtkProgressBridge progress(this);
-      const medial::DistanceFieldOptions options = this->Internals->MakeOptions(&progress);
+      const medial::DistanceFieldOptions options = this->Internals->MakeOptions(progress);
       this->Internals->UpdateMesh(vtkPolyData::GetData(inputVector[0]));
       const medial::Grid grid = vtkInternals::AnnouncedGrid(outInfo);
       const medial::SignMethod sign =
         medial::resolveSignMethod(options.sign, this->Internals->Connectivity);
 
-      const medial::FieldArrays arrays = vtkMeshConversion::AllocateField(
-        vtkImageData::GetData(outInfo), grid, extent, this->Internals->MakeSelection());
+      const medial::FieldArrays arrays =
+        vtkMeshConversion::AllocateField(output, grid, extent, this->Internals->MakeSelection());
       const medial::RunStatistics statistics = medial::computeDistanceField(this->Internals->Mesh,
         this->Internals->Connectivity, grid, extent, arrays, options);
-      this->Internals->Record(grid, sign, statistics);
+      this->Internals->Record(grid, sign, statistics, output);
     });
   return done ? 1 : vtkEndWithoutOutput(this, outputVector);
 }

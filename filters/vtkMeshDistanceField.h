@@ -3,14 +3,15 @@
  * @brief   exact distance field of a mesh on a regular grid
  *
  * vtkMeshDistanceField computes the exact distance from every point of a regular grid to the
- * nearest point of a mesh, and which point, cell and feature that is. The work is done on the GPU
- * by linear factorisation (Sud, Govindaraju, Gayle, Manocha: Interactive 3D Distance Field
- * Computation using Linear Factorization, I3D 2006).
+ * nearest point of a mesh, and which point, cell and feature that is. The method is linear
+ * factorisation (Sud, Govindaraju, Gayle, Manocha: Interactive 3D Distance Field Computation using
+ * Linear Factorization, I3D 2006).
  *
  * The output is a vtkImageData with the point data array Distance as its active scalars (float32,
  * world units, negative inside where the distance is signed) and, unless switched off,
- * ClosestPoint, ClosestCell, ClosestFeature and ClosestSite. vtkMeshFieldAlgorithm documents the
- * parameters, the input, errors and abort.
+ * ClosestPoint (float32 x 3, world coordinates), ClosestCell (vtkIdType), ClosestFeature (uint8: 0
+ * vertex, 1 edge, 2 face) and ClosestSite (int32). vtkMeshFieldAlgorithm documents the parameters,
+ * the input, these arrays and those of the field data, errors and abort.
  *
  * @par Extents:
  * The filter computes the requested update extent and nothing else, so that parts of a grid can be

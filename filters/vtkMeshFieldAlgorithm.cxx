@@ -7,19 +7,18 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMedialExecution.h"
 #include "vtkMeshConversion.h"
 #include "vtkMeshFieldInternals.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
-#include <algorithm>
-
 namespace
 {
 
 const char* const GridModeNames[] = { "Resolution", "Spacing", "Explicit" };
-const char* const SignMethodNames[] = { "Auto", "None", "Pseudonormal", "Winding" };
+const char* const SignMethodNames[] = { "Auto", "None", "Pseudonormal" };
 const char* const EngineNames[] = { "Auto", "Rasteriser", "Processor" };
 
 //------------------------------------------------------------------------------
@@ -163,197 +162,9 @@ const char* vtkMeshFieldAlgorithm::GetSignMethodAsString()
 }
 
 //------------------------------------------------------------------------------
-int vtkMeshFieldAlgorithm::GetUsedSignMethod()
-{
-  switch (this->Internals->Last.Sign)
-  {
-    case medial::SignMethod::None:
-      return SIGN_NONE;
-    case medial::SignMethod::Pseudonormal:
-      return SIGN_PSEUDONORMAL;
-    case medial::SignMethod::Winding:
-      return SIGN_WINDING;
-    case medial::SignMethod::Auto:
-      break;
-  }
-  return SIGN_AUTO;
-}
-
-//------------------------------------------------------------------------------
-const char* vtkMeshFieldAlgorithm::GetUsedSignMethodAsString()
-{
-  return NameOf(SignMethodNames, this->GetUsedSignMethod());
-}
-
-//------------------------------------------------------------------------------
 const char* vtkMeshFieldAlgorithm::GetEngineAsString()
 {
   return NameOf(EngineNames, this->Engine);
-}
-
-//------------------------------------------------------------------------------
-int vtkMeshFieldAlgorithm::GetUsedEngine()
-{
-  switch (this->Internals->Last.Statistics.engine)
-  {
-    case medial::Engine::Rasteriser:
-      return ENGINE_RASTERISER;
-    case medial::Engine::Processor:
-      return ENGINE_PROCESSOR;
-    case medial::Engine::Auto:
-      break;
-  }
-  return ENGINE_AUTO;
-}
-
-//------------------------------------------------------------------------------
-const char* vtkMeshFieldAlgorithm::GetUsedEngineAsString()
-{
-  return NameOf(EngineNames, this->GetUsedEngine());
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshFieldAlgorithm::GetUsedOrigin(double origin[3])
-{
-  std::copy_n(this->Internals->Last.Grid.origin.data(), 3, origin);
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshFieldAlgorithm::GetUsedSpacing(double spacing[3])
-{
-  std::copy_n(this->Internals->Last.Grid.spacing.data(), 3, spacing);
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshFieldAlgorithm::GetUsedDimensions(int dimensions[3])
-{
-  std::copy_n(this->Internals->Last.Grid.dimensions.data(), 3, dimensions);
-}
-
-//------------------------------------------------------------------------------
-const char* vtkMeshFieldAlgorithm::GetRenderer()
-{
-  return this->Internals->Last.Statistics.device.renderer.c_str();
-}
-
-//------------------------------------------------------------------------------
-const char* vtkMeshFieldAlgorithm::GetRendererVersion()
-{
-  return this->Internals->Last.Statistics.device.version.c_str();
-}
-
-//------------------------------------------------------------------------------
-bool vtkMeshFieldAlgorithm::GetSoftwareRenderer()
-{
-  return this->Internals->Last.Statistics.device.software;
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkMeshFieldAlgorithm::GetNumberOfTriangles()
-{
-  return this->Internals->Last.NumberOfTriangles;
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkMeshFieldAlgorithm::GetNumberOfVertices()
-{
-  return this->Internals->Last.NumberOfVertices;
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkMeshFieldAlgorithm::GetNumberOfComponents()
-{
-  return this->Internals->Last.NumberOfComponents;
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkMeshFieldAlgorithm::GetNumberOfDegenerateTriangles()
-{
-  return this->Internals->Last.NumberOfDegenerateTriangles;
-}
-
-//------------------------------------------------------------------------------
-bool vtkMeshFieldAlgorithm::GetClosed()
-{
-  return this->Internals->Last.Closed;
-}
-
-//------------------------------------------------------------------------------
-bool vtkMeshFieldAlgorithm::GetManifold()
-{
-  return this->Internals->Last.Manifold;
-}
-
-//------------------------------------------------------------------------------
-bool vtkMeshFieldAlgorithm::GetOriented()
-{
-  return this->Internals->Last.Oriented;
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkMeshFieldAlgorithm::GetNumberOfSites()
-{
-  return this->Internals->Last.Statistics.sites;
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkMeshFieldAlgorithm::GetNumberOfCandidatePairs()
-{
-  return this->Internals->Last.Statistics.candidatePairs;
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkMeshFieldAlgorithm::GetNumberOfPolygons()
-{
-  return this->Internals->Last.Statistics.polygons;
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkMeshFieldAlgorithm::GetNumberOfFragments()
-{
-  return this->Internals->Last.Statistics.fragments;
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkMeshFieldAlgorithm::GetNumberOfSamples()
-{
-  return this->Internals->Last.Statistics.samples;
-}
-
-//------------------------------------------------------------------------------
-double vtkMeshFieldAlgorithm::GetSitesSeconds()
-{
-  return this->Internals->Last.Statistics.seconds.sites;
-}
-
-//------------------------------------------------------------------------------
-double vtkMeshFieldAlgorithm::GetCullSeconds()
-{
-  return this->Internals->Last.Statistics.seconds.cull;
-}
-
-//------------------------------------------------------------------------------
-double vtkMeshFieldAlgorithm::GetPolygonsSeconds()
-{
-  return this->Internals->Last.Statistics.seconds.polygons;
-}
-
-//------------------------------------------------------------------------------
-double vtkMeshFieldAlgorithm::GetDrawSeconds()
-{
-  return this->Internals->Last.Statistics.seconds.draw;
-}
-
-//------------------------------------------------------------------------------
-double vtkMeshFieldAlgorithm::GetResolveSeconds()
-{
-  return this->Internals->Last.Statistics.seconds.resolve;
-}
-
-//------------------------------------------------------------------------------
-double vtkMeshFieldAlgorithm::GetMedialSeconds()
-{
-  return this->Internals->Last.Statistics.seconds.medial;
 }
 
 //------------------------------------------------------------------------------
@@ -380,8 +191,4 @@ void vtkMeshFieldAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   flag("GenerateClosestCell", this->GenerateClosestCell);
   flag("GenerateClosestFeature", this->GenerateClosestFeature);
   flag("GenerateClosestSite", this->GenerateClosestSite);
-  os << indent << "UsedSignMethod: " << this->GetUsedSignMethodAsString() << "\n";
-  os << indent << "UsedEngine: " << this->GetUsedEngineAsString() << "\n";
-  vector("UsedDimensions", this->Internals->Last.Grid.dimensions);
-  os << indent << "Renderer: " << this->GetRenderer() << "\n";
 }

@@ -4,7 +4,7 @@
  *
  * vtkMeshFieldAlgorithm holds what vtkMeshDistanceField and vtkMedialAxis have in common: the grid
  * of sample points, the sign of the distance, the limits on resources, the choice of image arrays,
- * and the figures of the last execution.
+ * and the field data that describes an execution.
  *
  * @par Input:
  * Any vtkPolyData: triangles, quads, polygons, triangle strips, lines and vertices, mixed as they
@@ -23,6 +23,29 @@
  * joined mesh is kept until the input changes, so that a new extent or parameter does not prepare
  * it again.
  *
+ * @par Field data:
+ * Every output that is not empty tells how it was made, in field data arrays of one tuple each:
+ * - SignMethod and Engine (strings): what was used, as GetSignMethodAsString() and
+ *   GetEngineAsString() call it; never Auto.
+ * - GridOrigin and GridSpacing (double x 3, world units) and GridDimensions (int x 3): the whole
+ *   grid, also where only part of it was computed.
+ * - Triangles, Vertices, Components, DegenerateTriangles (vtkIdType): the mesh once points at the
+ *   same place were joined and polygons cut into triangles; its connected components and its
+ *   triangles without area.
+ * - Closed (every edge has two triangles), Manifold, Oriented (consistently): unsigned char, 0 or
+ *   1.
+ * - Sites, CandidatePairs, Polygons, Fragments, Samples (vtkIdType): faces, edges and vertices of
+ *   the mesh; pairs of a site and a tile of the grid that culling left; polygons drawn, 0 with the
+ *   processor; samples that they cover before the depth test, or pairs of a sample and a site that
+ *   the processor evaluated; grid points computed.
+ * - Seconds (double, one named component a phase): wall-clock time of building sites (Sites),
+ *   culling (Cull), clipping polygons (Polygons), drawing or evaluating (Draw), final distances
+ *   and read-back (Resolve), and the medial axis (Medial, 0 for vtkMeshDistanceField).
+ * - Renderer and RendererVersion (strings: GL_RENDERER, GL_VERSION) and SoftwareRenderer (unsigned
+ *   char, 0 or 1): the OpenGL implementation; missing where OpenGL was not used.
+ *
+ * The field data of the input is passed on, as by other filters of VTK.
+ *
  * @par Errors:
  * A parameter outside its range, input that cannot be used, and a failure of the GPU are reported
  * by one vtkErrorMacro with the value and the allowed range; GetErrorCode() then is one of
@@ -38,8 +61,9 @@
  * next Update() executes again.
  *
  * @par OpenGL:
- * The GPU work is done on a thread and in a context of its own: an OpenGL context that is current
- * in the calling thread stays so, with its state. Observers are called in the calling thread.
+ * Only ENGINE_RASTERISER and RequireHardware ask for OpenGL. It then works on a thread and in a
+ * context of its own: an OpenGL context that is current in the calling thread stays so, with its
+ * state. Observers are called in the calling thread.
  *
  * @par Parallel pipelines:
  * Whatever piece is requested, the filter asks for its whole input, since every sample depends on
@@ -52,6 +76,7 @@
 #include "vtkAlgorithm.h"
 #include "vtkErrorCode.h"           // For UserError
 #include "vtkMedialFiltersModule.h" // For export macro
+#include "vtkMedialParameters.h"    // For parameters of several filters
 
 #include <memory> // For std::unique_ptr
 
@@ -113,8 +138,7 @@ public:
   {
     SIGN_AUTO = 0,
     SIGN_NONE = 1,
-    SIGN_PSEUDONORMAL = 2,
-    SIGN_WINDING = 3
+    SIGN_PSEUDONORMAL = 2
   };
 
   /**
@@ -194,16 +218,14 @@ public:
    * How inside, where the distance is negative, is told from outside; the magnitude of the distance
    * does not depend on it. SIGN_AUTO: SIGN_PSEUDONORMAL where the mesh is closed and consistently
    * oriented, else SIGN_NONE. SIGN_NONE: unsigned. SIGN_PSEUDONORMAL: angle-weighted pseudonormals;
-   * an error where the mesh is open or not consistently oriented. SIGN_WINDING: generalised winding
-   * numbers; not available in this version, an error. Default is SIGN_AUTO.
-   * GetUsedSignMethod() says what was chosen.
+   * an error where the mesh is open or not consistently oriented. Default is SIGN_AUTO. The field
+   * data array SignMethod tells what was chosen.
    */
   vtkSetMacro(SignMethod, int);
   vtkGetMacro(SignMethod, int);
   void SetSignMethodToAuto() { this->SetSignMethod(SIGN_AUTO); }
   void SetSignMethodToNone() { this->SetSignMethod(SIGN_NONE); }
   void SetSignMethodToPseudonormal() { this->SetSignMethod(SIGN_PSEUDONORMAL); }
-  void SetSignMethodToWinding() { this->SetSignMethod(SIGN_WINDING); }
   const char* GetSignMethodAsString();
   ///@}
 
@@ -211,9 +233,9 @@ public:
   /**
    * What finds the closest sites: the result does not depend on it, but the time does.
    * ENGINE_RASTERISER: OpenGL draws bounds of Voronoi regions with the depth test.
-   * ENGINE_PROCESSOR: the CPU evaluates the candidates of every tile of the grid.
-   * ENGINE_AUTO: ENGINE_PROCESSOR where OpenGL is a software renderer, else
-   * ENGINE_RASTERISER. Default is ENGINE_AUTO. GetUsedEngine() says what was chosen.
+   * ENGINE_PROCESSOR: the CPU evaluates the candidates of every tile of the grid, without OpenGL.
+   * ENGINE_AUTO: ENGINE_PROCESSOR on every machine. Default is ENGINE_AUTO. The field data array
+   * Engine tells what was chosen.
    */
   vtkSetMacro(Engine, int);
   vtkGetMacro(Engine, int);
@@ -228,8 +250,7 @@ public:
    * Number of CPU threads to use, >= 0; 0 uses all cores. The result does not depend on it.
    * Default is 0.
    */
-  vtkSetMacro(NumberOfThreads, int);
-  vtkGetMacro(NumberOfThreads, int);
+  vtkMedialThreadsMacro();
   ///@}
 
   ///@{
@@ -244,8 +265,8 @@ public:
 
   ///@{
   /**
-   * Whether to fail where OpenGL is a software renderer such as Mesa's llvmpipe. Default is off: a
-   * software renderer gives the same result, but slowly.
+   * Whether to fail where there is no OpenGL, or only a software renderer such as Mesa's llvmpipe,
+   * whatever the engine. Default is off: a software renderer gives the same result, but slowly.
    */
   vtkSetMacro(RequireHardware, vtkTypeBool);
   vtkGetMacro(RequireHardware, vtkTypeBool);
@@ -291,89 +312,6 @@ public:
   vtkSetMacro(GenerateClosestSite, vtkTypeBool);
   vtkGetMacro(GenerateClosestSite, vtkTypeBool);
   vtkBooleanMacro(GenerateClosestSite, vtkTypeBool);
-  ///@}
-
-  ///@{
-  /**
-   * The sign method of the last execution: what SIGN_AUTO meant for its input. SIGN_AUTO before the
-   * first execution and after a failed one.
-   */
-  int GetUsedSignMethod();
-  const char* GetUsedSignMethodAsString();
-  ///@}
-
-  ///@{
-  /**
-   * The engine of the last execution: what ENGINE_AUTO meant for the renderer. ENGINE_AUTO
-   * before the first execution and after a failed one.
-   */
-  int GetUsedEngine();
-  const char* GetUsedEngineAsString();
-  ///@}
-
-  ///@{
-  /**
-   * The grid of the last execution, whole even where part of it was computed: origin and spacing in
-   * world units, numbers of sample points. All zero before the first execution and after a failed
-   * one.
-   */
-  void GetUsedOrigin(double origin[3]);
-  void GetUsedSpacing(double spacing[3]);
-  void GetUsedDimensions(int dimensions[3]);
-  ///@}
-
-  ///@{
-  /**
-   * The OpenGL implementation of the last execution: its name (GL_RENDERER), its version
-   * (GL_VERSION), and whether it is a software renderer. Empty before the first execution and after
-   * a failed one.
-   */
-  const char* GetRenderer();
-  const char* GetRendererVersion();
-  bool GetSoftwareRenderer();
-  ///@}
-
-  ///@{
-  /**
-   * What the input of the last execution was found to be, after points at the same place were
-   * joined and polygons cut into triangles: numbers of triangles and of points, connected
-   * components and triangles without area; whether the surface is closed (every edge has two
-   * triangles), manifold, and consistently oriented.
-   */
-  vtkIdType GetNumberOfTriangles();
-  vtkIdType GetNumberOfVertices();
-  vtkIdType GetNumberOfComponents();
-  vtkIdType GetNumberOfDegenerateTriangles();
-  bool GetClosed();
-  bool GetManifold();
-  bool GetOriented();
-  ///@}
-
-  ///@{
-  /**
-   * How much work the last execution was: vertices, edges and faces of the mesh (sites), pairs of a
-   * site and a tile of the grid that culling left, polygons drawn, the samples that they cover
-   * before the depth test (fragments), and grid points computed (samples).
-   */
-  vtkIdType GetNumberOfSites();
-  vtkIdType GetNumberOfCandidatePairs();
-  vtkIdType GetNumberOfPolygons();
-  vtkIdType GetNumberOfFragments();
-  vtkIdType GetNumberOfSamples();
-  ///@}
-
-  ///@{
-  /**
-   * Wall-clock seconds that each phase of the last execution took: building sites and their
-   * half-spaces, culling, clipping of polygons, drawing, evaluation and read-back of distances, and
-   * the medial axis (0 for vtkMeshDistanceField).
-   */
-  double GetSitesSeconds();
-  double GetCullSeconds();
-  double GetPolygonsSeconds();
-  double GetDrawSeconds();
-  double GetResolveSeconds();
-  double GetMedialSeconds();
   ///@}
 
   /**

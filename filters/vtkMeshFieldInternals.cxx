@@ -1,22 +1,18 @@
 #include "vtkMeshFieldInternals.h"
 
 #include "vtkDataObject.h"
-#include "vtkDemandDrivenPipeline.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMedialExecution.h"
+#include "vtkMedialFigures.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkVersionMacros.h"
 
-#include <exception>
-#include <new>
-#include <sstream>
+#include "medial/error.h"
 
-// From here on executives keep filters downstream from using an output that a filter gave up,
-// without an error message of their own, and leave it to filters to reset AbortExecute.
-#define MEDIAL_VTK_ABORTS_OUTPUTS (VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20221101))
+#include <optional>
 
 namespace
 {
@@ -34,12 +30,8 @@ medial::SignMethod ToSignMethod(int method)
       return medial::SignMethod::None;
     case vtkMeshFieldAlgorithm::SIGN_PSEUDONORMAL:
       return medial::SignMethod::Pseudonormal;
-    case vtkMeshFieldAlgorithm::SIGN_WINDING:
-      return medial::SignMethod::Winding;
     default:
-      vtkThrowBadParameter("SignMethod", method,
-        "one of 0 (auto), 1 (none), 2 (pseudonormal), "
-        "3 (winding)");
+      vtkThrowBadParameter("SignMethod", method, "one of 0 (auto), 1 (none), 2 (pseudonormal)");
   }
 }
 
@@ -60,120 +52,84 @@ medial::Engine ToEngine(int engine)
 }
 
 //------------------------------------------------------------------------------
-unsigned long ToErrorCode(medial::ErrorCode code)
+const char* NameOf(medial::SignMethod method)
 {
-  switch (code)
+  switch (method)
   {
-    case medial::ErrorCode::InvalidInput:
-      return vtkMeshFieldAlgorithm::InvalidInputError;
-    case medial::ErrorCode::NoGpu:
-      return vtkMeshFieldAlgorithm::NoGpuError;
-    case medial::ErrorCode::ShaderBuild:
-      return vtkMeshFieldAlgorithm::ShaderBuildError;
-    case medial::ErrorCode::GpuLimit:
-      return vtkMeshFieldAlgorithm::GpuLimitError;
-    case medial::ErrorCode::OutOfMemory:
-      return vtkMeshFieldAlgorithm::OutOfMemoryError;
-    case medial::ErrorCode::Cancelled:
-      return vtkMeshFieldAlgorithm::CancelledError;
+    case medial::SignMethod::Auto:
+      return "Auto";
+    case medial::SignMethod::None:
+      return "None";
+    case medial::SignMethod::Pseudonormal:
+      return "Pseudonormal";
   }
-  return vtkMeshFieldAlgorithm::InternalError;
+  return "Unknown";
+}
+
+//------------------------------------------------------------------------------
+const char* NameOf(medial::Engine engine)
+{
+  switch (engine)
+  {
+    case medial::Engine::Auto:
+      return "Auto";
+    case medial::Engine::Rasteriser:
+      return "Rasteriser";
+    case medial::Engine::Processor:
+      return "Processor";
+  }
+  return "Unknown";
+}
+
+//------------------------------------------------------------------------------
+void AddMesh(const medial::TriangleMesh& mesh, const medial::MeshConnectivity& connectivity,
+  vtkMedialFigures& figures)
+{
+  figures.AddCount("Triangles", static_cast<vtkIdType>(mesh.triangles.size()));
+  figures.AddCount("Vertices", static_cast<vtkIdType>(mesh.points.size()));
+  figures.AddCount("Components", connectivity.components);
+  figures.AddCount("DegenerateTriangles", mesh.degenerateTriangles);
+  figures.AddFlag("Closed", connectivity.closed());
+  figures.AddFlag("Manifold", connectivity.manifold());
+  figures.AddFlag("Oriented", connectivity.oriented());
+}
+
+//------------------------------------------------------------------------------
+void AddWork(const medial::RunStatistics& statistics, vtkMedialFigures& figures)
+{
+  figures.AddCount("Sites", statistics.sites);
+  figures.AddCount("CandidatePairs", statistics.candidatePairs);
+  figures.AddCount("Polygons", statistics.polygons);
+  figures.AddCount("Fragments", statistics.fragments);
+  figures.AddCount("Samples", statistics.samples);
+  const medial::RunStatistics::Seconds& seconds = statistics.seconds;
+  figures.AddParts("Seconds",
+    { { "Sites", seconds.sites }, { "Cull", seconds.cull }, { "Polygons", seconds.polygons },
+      { "Draw", seconds.draw }, { "Resolve", seconds.resolve }, { "Medial", seconds.medial } });
+}
+
+//------------------------------------------------------------------------------
+void AddDevice(const std::optional<medial::Device>& device, vtkMedialFigures& figures)
+{
+  if (device)
+  {
+    figures.AddText("Renderer", device->renderer);
+    figures.AddText("RendererVersion", device->version);
+    figures.AddFlag("SoftwareRenderer", device->software);
+  }
 }
 
 } // namespace
 
 //------------------------------------------------------------------------------
-bool vtkRunGuarded(vtkAlgorithm* algorithm, unsigned long& errorCode,
-  const std::function<void()>& work)
-{
-  const auto fail = [&](unsigned long code, const char* message)
-  {
-    errorCode = code;
-    vtkErrorWithObjectMacro(algorithm, << message);
-  };
-  errorCode = vtkErrorCode::NoError;
-  try
-  {
-    work();
-  }
-  catch (const medial::Error& error)
-  {
-    if (error.code() == medial::ErrorCode::Cancelled)
-    {
-      errorCode = vtkMeshFieldAlgorithm::CancelledError;
-    }
-    else
-    {
-      fail(ToErrorCode(error.code()), error.what());
-    }
-  }
-  catch (const std::bad_alloc&)
-  {
-    fail(vtkMeshFieldAlgorithm::OutOfMemoryError, "not enough memory for the result");
-  }
-  catch (const std::exception& error)
-  {
-    fail(vtkMeshFieldAlgorithm::InternalError, error.what());
-  }
-  return errorCode == vtkErrorCode::NoError;
-}
-
-//------------------------------------------------------------------------------
-// Data released and not generated is what makes the pipeline execute again on the next update.
-int vtkEndWithoutOutput([[maybe_unused]] vtkAlgorithm* algorithm,
-  vtkInformationVector* outputVector)
-{
-  for (int i = 0; i < outputVector->GetNumberOfInformationObjects(); ++i)
-  {
-    vtkInformation* info = outputVector->GetInformationObject(i);
-    if (vtkDataObject* output = vtkDataObject::GetData(info))
-    {
-      output->ReleaseData();
-      info->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
-    }
-    // To the extent of a request that fails VTK adds that of the next, which may be of a smaller
-    // grid.
-    info->Remove(vtkStreamingDemandDrivenPipeline::COMBINED_UPDATE_EXTENT());
-  }
-#if MEDIAL_VTK_ABORTS_OUTPUTS
-  algorithm->SetAbortOutput(true);
-  return 1;
-#else
-  return 0;
-#endif
-}
-
-//------------------------------------------------------------------------------
-void vtkThrowBadParameter(const char* name, int value, const char* range)
-{
-  std::ostringstream message;
-  message << name << ' ' << value << " is not " << range;
-  throw medial::Error(medial::ErrorCode::InvalidInput, message.str());
-}
-
-//------------------------------------------------------------------------------
-void vtkRequestWhole(vtkInformation* request)
-{
-  request->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
-  request->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
-  request->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
-}
-
-//------------------------------------------------------------------------------
 bool vtkMeshFieldAlgorithm::vtkInternals::Try(const std::function<void()>& work)
 {
-  if (!vtkRunGuarded(this->Self, this->Self->ErrorCode, work))
-  {
-    this->Last = Outcome();
-    return false;
-  }
-  return true;
+  return vtkRunGuarded(this->Self, this->Self->ErrorCode, work);
 }
 
 //------------------------------------------------------------------------------
 void vtkMeshFieldAlgorithm::vtkInternals::Begin(vtkInformationVector* outputVector)
 {
-  this->Last = Outcome();
   for (int i = 0; i < outputVector->GetNumberOfInformationObjects(); ++i)
   {
     if (vtkImageData* image = vtkImageData::GetData(outputVector, i))
@@ -240,13 +196,9 @@ medial::Grid vtkMeshFieldAlgorithm::vtkInternals::AnnouncedGrid(vtkInformation* 
 
 //------------------------------------------------------------------------------
 medial::DistanceFieldOptions vtkMeshFieldAlgorithm::vtkInternals::MakeOptions(
-  medial::Progress* progress)
+  medial::Progress& progress)
 {
   const vtkMeshFieldAlgorithm* self = this->Self;
-  if (self->NumberOfThreads < 0)
-  {
-    vtkThrowBadParameter("NumberOfThreads", self->NumberOfThreads, ">= 0");
-  }
   if (self->MemoryLimit != 0 && self->MemoryLimit < MinMemoryLimit)
   {
     vtkThrowBadParameter("MemoryLimit", self->MemoryLimit, "0 or >= 64 (MiB)");
@@ -254,10 +206,9 @@ medial::DistanceFieldOptions vtkMeshFieldAlgorithm::vtkInternals::MakeOptions(
   medial::DistanceFieldOptions options;
   options.sign = ToSignMethod(self->SignMethod);
   options.engine = ToEngine(self->Engine);
-  options.execution.threads = self->NumberOfThreads;
+  options.execution = vtkToExecution(self->NumberOfThreads, progress);
   options.memoryMiB = static_cast<std::size_t>(self->MemoryLimit);
   options.requireHardware = self->RequireHardware != 0;
-  options.execution.progress = progress;
   return options;
 }
 
@@ -274,38 +225,15 @@ vtkMeshConversion::ArraySelection vtkMeshFieldAlgorithm::vtkInternals::MakeSelec
 
 //------------------------------------------------------------------------------
 void vtkMeshFieldAlgorithm::vtkInternals::Record(const medial::Grid& grid, medial::SignMethod sign,
-  const medial::RunStatistics& statistics)
+  const medial::RunStatistics& statistics, vtkDataObject* output)
 {
-  this->Last.Grid = grid;
-  this->Last.Sign = sign;
-  this->Last.Statistics = statistics;
-  this->Last.NumberOfTriangles = static_cast<vtkIdType>(this->Mesh.triangles.size());
-  this->Last.NumberOfVertices = static_cast<vtkIdType>(this->Mesh.points.size());
-  this->Last.NumberOfComponents = this->Connectivity.components;
-  this->Last.NumberOfDegenerateTriangles = this->Mesh.degenerateTriangles;
-  this->Last.Closed = this->Connectivity.closed();
-  this->Last.Manifold = this->Connectivity.manifold();
-  this->Last.Oriented = this->Connectivity.oriented();
-}
-
-//------------------------------------------------------------------------------
-vtkProgressBridge::vtkProgressBridge(vtkAlgorithm* algorithm)
-  : Algorithm(algorithm)
-{
-#if MEDIAL_VTK_ABORTS_OUTPUTS
-  algorithm->AbortExecute = 0;
-#endif
-}
-
-//------------------------------------------------------------------------------
-void vtkProgressBridge::report(double fraction, const char* phase)
-{
-  this->Algorithm->SetProgressText(phase);
-  this->Algorithm->UpdateProgress(fraction);
-}
-
-//------------------------------------------------------------------------------
-bool vtkProgressBridge::cancelled()
-{
-  return this->Algorithm->GetAbortExecute() != 0;
+  vtkMedialFigures figures(output);
+  figures.AddText("SignMethod", NameOf(sign));
+  figures.AddText("Engine", NameOf(statistics.engine));
+  figures.AddPoint("GridOrigin", grid.origin);
+  figures.AddPoint("GridSpacing", grid.spacing);
+  figures.AddCounts("GridDimensions", grid.dimensions);
+  AddMesh(this->Mesh, this->Connectivity, figures);
+  AddWork(statistics, figures);
+  AddDevice(statistics.device, figures);
 }

@@ -41,8 +41,7 @@ const Names<Topology>& topologyNames()
 const Names<SignMethod>& signNames()
 {
   static const Names<SignMethod> kNames = { { "auto", SignMethod::Auto },
-    { "none", SignMethod::None }, { "pseudonormal", SignMethod::Pseudonormal },
-    { "winding", SignMethod::Winding } };
+    { "none", SignMethod::None }, { "pseudonormal", SignMethod::Pseudonormal } };
   return kNames;
 }
 

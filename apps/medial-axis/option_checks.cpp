@@ -41,11 +41,6 @@ void checkDistinct(const char* option, const std::filesystem::path& path, const 
 void convertWords(const Words& words, bool spacingGiven, Options& options)
 {
   options.signMethod = signNames().at(words.sign);
-  if (options.signMethod == SignMethod::Winding)
-  {
-    throw Failure(ExitCode::Usage,
-      "--sign winding is not available yet; available: auto, none, pseudonormal");
-  }
   options.engine = engineNames().at(words.engine);
   options.lambda = parseLength(words.lambda).value_or(Length{});
   options.minRadius = parseLength(words.minRadius).value_or(Length{});

@@ -1,9 +1,12 @@
 // Reads a surface, computes its medial axis and writes it: medial_pipeline INPUT.stl OUTPUT.vtp
+#include <vtkAbstractArray.h>
 #include <vtkExecutive.h>
+#include <vtkFieldData.h>
 #include <vtkMedialAxis.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkSTLReader.h>
+#include <vtkVariant.h>
 #include <vtkXMLPolyDataWriter.h>
 
 #include <iostream>
@@ -36,6 +39,8 @@ int main(int argc, char* argv[])
   {
     return 1;
   }
-  std::cout << axis->GetOutput()->GetNumberOfCells() << " cells, computed on "
-            << axis->GetRenderer() << "\n";
+  // Field data tell how an output was made.
+  vtkFieldData* figures = axis->GetOutput()->GetFieldData();
+  std::cout << axis->GetOutput()->GetNumberOfCells() << " cells, computed by the engine "
+            << figures->GetAbstractArray("Engine")->GetVariantValue(0).ToString() << "\n";
 }

@@ -28,7 +28,9 @@ def main(surface_file, axis_file, field_file):
         writer.SetInputConnection(axis.GetOutputPort(port))
         writer.SetFileName(name)
         medial.update(writer)
-    print(axis.GetOutput().GetNumberOfCells(), "cells, computed on", axis.GetRenderer())
+    figures = axis.GetOutput().GetFieldData()  # how the output was made
+    print(axis.GetOutput().GetNumberOfCells(), "cells, computed by the engine",
+          figures.GetAbstractArray("Engine").GetValue(0))
     return 0
 
 

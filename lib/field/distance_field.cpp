@@ -17,9 +17,6 @@ SignMethod resolveSignMethod(SignMethod requested, const MeshConnectivity& conne
   {
     case SignMethod::Auto:
       return possible ? SignMethod::Pseudonormal : SignMethod::None;
-    case SignMethod::Winding:
-      throw Error(ErrorCode::InvalidInput,
-        "sign method winding is not available yet; use auto, none or pseudonormal");
     case SignMethod::Pseudonormal:
       if (!possible)
       {

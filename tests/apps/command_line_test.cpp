@@ -154,9 +154,10 @@ TEST_F(CommandLine, RefusesUnknownOutputFormats)
   EXPECT_TRUE(contains(outcome.err, "'.stl', allowed: .vtp .ply .obj .ma")) << outcome.err;
 }
 
-TEST_F(CommandLine, SaysWhatIsNotThereYet)
+TEST_F(CommandLine, RefusesSignMethodsThatItDoesNotHave)
 {
-  EXPECT_TRUE(contains(usageError({ "--sign", "winding" }), "not available yet"));
+  const std::string error = usageError({ "--sign", "winding" });
+  EXPECT_TRUE(contains(error, "winding") && contains(error, "auto, none, pseudonormal")) << error;
 }
 
 TEST_F(CommandLine, RefusesToSimplifyPoints)

@@ -2,7 +2,7 @@
 include("${CMAKE_CURRENT_LIST_DIR}/consumer.cmake")
 build_example("${SOURCE}")
 run(output "${WORK}/medial_pipeline" "${BOX}" "${WORK}/axis.vtp")
-if(NOT output MATCHES "^[0-9]+ cells, computed on [^\n]+")
+if(NOT output MATCHES "^[0-9]+ cells, computed by the engine [^\n]+")
   message(FATAL_ERROR "unexpected output: ${output}")
 endif()
 run(figures "${CHECK}" "${WORK}/axis.vtp")

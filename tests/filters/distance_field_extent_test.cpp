@@ -204,7 +204,8 @@ TEST(DistanceFieldExtent, SubExtentHasTheValuesOfTheWhole)
     part->UpdateExtent(extent.data());
     EXPECT_EQ(extentOf(part->GetOutput()), extent);
     EXPECT_DOUBLE_EQ(part->GetOutput()->GetOrigin()[0], whole->GetOutput()->GetOrigin()[0]);
-    EXPECT_EQ(part->GetNumberOfSamples(), part->GetOutput()->GetNumberOfPoints());
+    EXPECT_EQ(figure(part->GetOutput(), "Samples"), part->GetOutput()->GetNumberOfPoints());
+    EXPECT_EQ(figures(part->GetOutput(), "GridDimensions")[0], 30.0) << "that of the whole";
     expectPartOf(part->GetOutput(), whole->GetOutput());
   }
 }
@@ -263,7 +264,7 @@ TEST(DistanceFieldExtent, PiecesSplitTheGridButNotTheInput)
     part->SetInputConnection(again->GetOutputPort());
     part->SetResolution(18);
     part->UpdatePiece(piece, 3, 0);
-    EXPECT_EQ(part->GetUsedSignMethod(), vtkMeshFieldAlgorithm::SIGN_PSEUDONORMAL);
+    EXPECT_EQ(textFigure(part->GetOutput(), "SignMethod"), "Pseudonormal");
     expectPartOf(part->GetOutput(), whole->GetOutput());
     points += part->GetOutput()->GetNumberOfPoints();
   }

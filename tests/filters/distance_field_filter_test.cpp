@@ -16,6 +16,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace
 {
@@ -41,7 +43,7 @@ TEST(DistanceFieldFilter, BoxHasItsAnalyticDistance)
   field->Update();
   vtkImageData* image = field->GetOutput();
   ASSERT_EQ(image->GetDimensions()[0], 29);
-  EXPECT_EQ(field->GetUsedSignMethod(), vtkMeshFieldAlgorithm::SIGN_PSEUDONORMAL);
+  EXPECT_EQ(textFigure(field->GetOutput(), "SignMethod"), "Pseudonormal");
   const double h = image->GetSpacing()[0];
   for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
   {
@@ -95,7 +97,7 @@ TEST(DistanceFieldFilter, CellIdsOfMixedInputAreThoseOfVtk)
   auto field = fieldOf(mixed, 33);
   field->Update();
   vtkImageData* image = field->GetOutput();
-  EXPECT_EQ(field->GetUsedSignMethod(), vtkMeshFieldAlgorithm::SIGN_NONE);
+  EXPECT_EQ(textFigure(field->GetOutput(), "SignMethod"), "None");
   const double h = image->GetSpacing()[0];
   int samples[4] = {};
   for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
@@ -130,7 +132,7 @@ TEST(DistanceFieldFilter, StripsAreTheTrianglesThatVtkMakesOfThem)
   flat->Update();
   const double h = flat->GetOutput()->GetSpacing()[0];
   ASSERT_EQ(strips->GetOutput()->GetNumberOfPoints(), flat->GetOutput()->GetNumberOfPoints());
-  EXPECT_EQ(strips->GetNumberOfTriangles(), flat->GetNumberOfTriangles());
+  EXPECT_EQ(figure(strips->GetOutput(), "Triangles"), figure(flat->GetOutput(), "Triangles"));
   for (vtkIdType i = 0; i < flat->GetOutput()->GetNumberOfPoints(); ++i)
   {
     ASSERT_NEAR(valueOf(strips->GetOutput(), "Distance", i),
@@ -151,9 +153,9 @@ TEST(DistanceFieldFilter, ClosedSurfaceOfStripsIsSigned)
   auto field = fieldOf(box, 15);
   field->Update();
   ASSERT_EQ(field->GetErrorCode(), 0u);
-  EXPECT_TRUE(field->GetClosed());
-  EXPECT_TRUE(field->GetOriented());
-  EXPECT_EQ(field->GetUsedSignMethod(), vtkMeshFieldAlgorithm::SIGN_PSEUDONORMAL);
+  EXPECT_EQ(figure(field->GetOutput(), "Closed"), 1.0);
+  EXPECT_EQ(figure(field->GetOutput(), "Oriented"), 1.0);
+  EXPECT_EQ(textFigure(field->GetOutput(), "SignMethod"), "Pseudonormal");
   vtkImageData* image = field->GetOutput();
   const double h = image->GetSpacing()[0];
   for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
@@ -217,7 +219,7 @@ TEST(DistanceFieldFilter, FeaturesAndSitesOfABox)
   EXPECT_EQ(valueOf(image, "ClosestFeature", besideEdge), 1.0);
   EXPECT_NE(valueOf(image, "ClosestFeature", besideFace), 0.0); // a face, or the quad's diagonal
   // 12 faces come first, then 18 edges, then 8 vertices.
-  EXPECT_EQ(field->GetNumberOfSites(), 12 + 18 + 8);
+  EXPECT_EQ(figure(image, "Sites"), 12 + 18 + 8);
   EXPECT_GE(valueOf(image, "ClosestSite", corner), 30.0);
   EXPECT_LT(valueOf(image, "ClosestSite", corner), 38.0);
   EXPECT_GE(valueOf(image, "ClosestSite", besideEdge), 12.0);
@@ -230,7 +232,7 @@ TEST(DistanceFieldFilter, SignMethodNoneKeepsTheMagnitude)
   auto field = fieldOf(boxPolyData(halfSides), 15);
   field->SetSignMethodToNone();
   field->Update();
-  EXPECT_EQ(field->GetUsedSignMethod(), vtkMeshFieldAlgorithm::SIGN_NONE);
+  EXPECT_EQ(textFigure(field->GetOutput(), "SignMethod"), "None");
   vtkImageData* image = field->GetOutput();
   for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
   {
@@ -244,38 +246,67 @@ TEST(DistanceFieldFilter, OpenMeshIsUnsigned)
   auto field = fieldOf(squarePolyData(), 11);
   field->SetPadding(0.5);
   field->Update();
-  EXPECT_EQ(field->GetUsedSignMethod(), vtkMeshFieldAlgorithm::SIGN_NONE);
-  EXPECT_STREQ(field->GetUsedSignMethodAsString(), "None");
-  EXPECT_FALSE(field->GetClosed());
+  EXPECT_EQ(textFigure(field->GetOutput(), "SignMethod"), "None");
+  EXPECT_EQ(figure(field->GetOutput(), "Closed"), 0.0);
   EXPECT_GE(field->GetOutput()->GetScalarRange()[0], 0.0);
 }
 
-TEST(DistanceFieldFilter, TellsWhatItDid)
+TEST(DistanceFieldFilter, FieldDataTellsWhatItDid)
 {
   auto field = fieldOf(boxPolyData({ 1.0, 1.0, 1.0 }), 12);
-  EXPECT_STREQ(field->GetRenderer(), "");
-  EXPECT_EQ(field->GetUsedSignMethod(), vtkMeshFieldAlgorithm::SIGN_AUTO);
   field->Update();
-  EXPECT_STRNE(field->GetRenderer(), "");
-  EXPECT_STRNE(field->GetRendererVersion(), "");
-  EXPECT_EQ(field->GetNumberOfTriangles(), 12);
-  EXPECT_EQ(field->GetNumberOfVertices(), 8);
-  EXPECT_EQ(field->GetNumberOfComponents(), 1);
-  EXPECT_EQ(field->GetNumberOfDegenerateTriangles(), 0);
-  EXPECT_TRUE(field->GetClosed());
-  EXPECT_TRUE(field->GetManifold());
-  EXPECT_EQ(field->GetNumberOfSamples(), 12 * 12 * 12);
-  EXPECT_GT(field->GetNumberOfCandidatePairs(), 0);
-  EXPECT_EQ(field->GetNumberOfPolygons() > 0,
-    field->GetUsedEngine() == vtkMeshFieldAlgorithm::ENGINE_RASTERISER);
-  EXPECT_GE(field->GetNumberOfFragments(), field->GetNumberOfSamples());
-  EXPECT_GT(field->GetSitesSeconds() + field->GetCullSeconds() + field->GetPolygonsSeconds() +
-      field->GetDrawSeconds() + field->GetResolveSeconds(),
-    0.0);
-  EXPECT_EQ(field->GetMedialSeconds(), 0.0);
-  int dimensions[3];
-  field->GetUsedDimensions(dimensions);
-  EXPECT_EQ(dimensions[2], 12);
+  vtkDataObject* output = field->GetOutput();
+  const std::pair<const char*, double> expected[] = { { "Triangles", 12 }, { "Vertices", 8 },
+    { "Components", 1 }, { "DegenerateTriangles", 0 }, { "Closed", 1 }, { "Manifold", 1 },
+    { "Oriented", 1 }, { "Sites", 12 + 18 + 8 }, { "Samples", 12 * 12 * 12 }, { "Polygons", 0 } };
+  for (const auto& [name, value] : expected)
+  {
+    EXPECT_EQ(figure(output, name), value) << name;
+  }
+  EXPECT_GT(figure(output, "CandidatePairs"), 0);
+  EXPECT_GE(figure(output, "Fragments"), figure(output, "Samples"));
+  EXPECT_EQ(textFigure(output, "SignMethod"), "Pseudonormal");
+  EXPECT_EQ(textFigure(output, "Engine"), "Processor");
+  EXPECT_EQ(figures(output, "GridDimensions"), std::vector<double>(3, 12.0));
+  EXPECT_EQ(figures(output, "GridSpacing")[1], field->GetOutput()->GetSpacing()[1]);
+  EXPECT_EQ(figures(output, "GridOrigin")[2], field->GetOutput()->GetOrigin()[2]);
+}
+
+TEST(DistanceFieldFilter, SecondsOfThePhasesHaveNames)
+{
+  auto field = fieldOf(boxPolyData({ 1.0, 1.0, 1.0 }), 12);
+  field->Update();
+  vtkDataArray* seconds = field->GetOutput()->GetFieldData()->GetArray("Seconds");
+  ASSERT_NE(seconds, nullptr);
+  const char* const names[] = { "Sites", "Cull", "Polygons", "Draw", "Resolve", "Medial" };
+  ASSERT_EQ(seconds->GetNumberOfComponents(), 6);
+  double sum = 0.0;
+  for (int i = 0; i < 6; ++i)
+  {
+    EXPECT_STREQ(seconds->GetComponentName(i), names[i]);
+    sum += seconds->GetComponent(0, i);
+  }
+  EXPECT_GT(sum, 0.0);
+  EXPECT_EQ(seconds->GetComponent(0, 5), 0.0);
+}
+
+TEST(DistanceFieldFilter, OnlyTheRasteriserTellsOfOpenGL)
+{
+  auto field = fieldOf(boxPolyData({ 1.0, 1.0, 1.0 }), 12);
+  field->SetEngineToRasteriser();
+  field->Update();
+  vtkDataObject* output = field->GetOutput();
+  EXPECT_EQ(textFigure(output, "Engine"), "Rasteriser");
+  EXPECT_GT(figure(output, "Polygons"), 0);
+  EXPECT_NE(textFigure(output, "Renderer"), "");
+  EXPECT_NE(textFigure(output, "RendererVersion"), "");
+  EXPECT_NE(output->GetFieldData()->GetArray("SoftwareRenderer"), nullptr);
+  field->SetEngineToProcessor();
+  field->Update();
+  for (const char* name : { "Renderer", "RendererVersion", "SoftwareRenderer" })
+  {
+    EXPECT_EQ(output->GetFieldData()->GetAbstractArray(name), nullptr) << name;
+  }
 }
 
 // VTK's arrays would end the process.

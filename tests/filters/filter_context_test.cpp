@@ -141,6 +141,7 @@ void expectUntouched()
   vtkNew<Filter> filter;
   filter->SetInputData(lumpPolyData());
   filter->SetResolution(20);
+  filter->SetEngineToRasteriser();
   bool sameInObserver = true;
   const auto observe = [&](vtkObject*, unsigned long, void*)
   { sameInObserver = sameInObserver && eglGetCurrentContext() == host.context(); };
@@ -178,6 +179,7 @@ TEST(HostContext, NoneIsCurrentAfterwardsWhereNoneWasBefore)
   vtkNew<vtkMeshDistanceField> field;
   field->SetInputData(lumpPolyData());
   field->SetResolution(12);
+  field->SetEngineToRasteriser();
   field->Update();
   EXPECT_EQ(field->GetErrorCode(), 0u);
   EXPECT_EQ(eglGetCurrentContext(), EGL_NO_CONTEXT);

@@ -28,13 +28,9 @@ protected:
     const std::function<void(Filter*)>& repair, const std::string& words)
   {
     auto filter = make(boxPolyData());
-    const auto check = [&]
-    {
-      EXPECT_STREQ(filter->GetRenderer(), "") << words;
-      repair(filter);
-    };
     expectErrorAndRecovery(
-      filter, [&] { spoil(filter); }, check, words);
+      filter, [&] { spoil(filter); }, [&] { repair(filter); }, words);
+    EXPECT_EQ(textFigure(filter->GetOutput(), "Engine"), "Processor") << words;
   }
 
   static void expectBadMesh(const std::function<void(vtkPolyData*)>& spoil,

@@ -119,12 +119,12 @@ TYPED_TEST(FilterContract, ExecutesAgainAfterAnInputChange)
   filter->SetResolution(12);
   filter->Update();
   EXPECT_NEAR(filter->GetOutput()->GetLength(), 1.9, 1.9);
-  double before[3];
-  filter->GetUsedSpacing(before);
+  const std::vector<double> before = figures(filter->GetOutput(), "GridSpacing");
+  ASSERT_EQ(before.size(), 3u);
   sphere->SetRadius(50.0);
   filter->Update();
-  double after[3];
-  filter->GetUsedSpacing(after);
+  const std::vector<double> after = figures(filter->GetOutput(), "GridSpacing");
+  ASSERT_EQ(after.size(), 3u);
   EXPECT_NEAR(after[0], 100.0 * before[0], 1e-4 * after[0]);
 }
 
@@ -133,8 +133,8 @@ TYPED_TEST(FilterContract, ExecutesAgainWhenPointsMoveInPlace)
   auto box = boxPolyData();
   auto filter = this->make(box);
   filter->Update();
-  double before[3];
-  filter->GetUsedOrigin(before);
+  const std::vector<double> before = figures(filter->GetOutput(), "GridOrigin");
+  ASSERT_EQ(before.size(), 3u);
   for (vtkIdType i = 0; i < box->GetNumberOfPoints(); ++i)
   {
     const medial::Point3 x = pointOf(box, i);
@@ -142,8 +142,8 @@ TYPED_TEST(FilterContract, ExecutesAgainWhenPointsMoveInPlace)
   }
   box->GetPoints()->Modified();
   filter->Update();
-  double after[3];
-  filter->GetUsedOrigin(after);
+  const std::vector<double> after = figures(filter->GetOutput(), "GridOrigin");
+  ASSERT_EQ(after.size(), 3u);
   EXPECT_NEAR(after[0], before[0] + 10.0, 1e-9);
 }
 
@@ -156,8 +156,8 @@ TYPED_TEST(FilterContract, ForgetsAMeshThatIsReplaced)
     // The old mesh dies; the new one may well live at its address.
     filter->SetInputData(boxPolyData({ 1.0 + i, 0.8, 0.6 }));
     filter->Update();
-    double origin[3];
-    filter->GetUsedOrigin(origin);
+    const std::vector<double> origin = figures(filter->GetOutput(), "GridOrigin");
+    ASSERT_EQ(origin.size(), 3u);
     EXPECT_LT(origin[0], -1.0 - i);
   }
 }
@@ -175,10 +175,10 @@ TYPED_TEST(FilterContract, TellsMeshesWithCommonPointsApart)
   closed->GetPoints()->Modified();
   ASSERT_EQ(open->GetMTime(), closed->GetMTime());
   filter->Update();
-  EXPECT_TRUE(filter->GetClosed());
+  EXPECT_EQ(figure(filter->GetOutput(), "Closed"), 1.0);
   filter->SetInputData(open);
   filter->Update();
-  EXPECT_FALSE(filter->GetClosed());
+  EXPECT_EQ(figure(filter->GetOutput(), "Closed"), 0.0);
 }
 
 TYPED_TEST(FilterContract, FollowsInputThatChangesWithTime)
@@ -228,7 +228,7 @@ TYPED_TEST(FilterContract, WorksWhereTheInputReleasesItsData)
   EXPECT_TRUE(update(filter));
   filter->SetPadding(0.2);
   EXPECT_TRUE(update(filter));
-  EXPECT_EQ(filter->GetNumberOfTriangles(), 96);
+  EXPECT_EQ(figure(filter->GetOutput(), "Triangles"), 96.0);
 }
 
 TYPED_TEST(FilterContract, ReportsProgress)

@@ -1,6 +1,9 @@
 // The headers are the manual: every parameter is explained, and PrintSelf() shows it.
+#include "filter_support.h"
+
 #include <gtest/gtest.h>
 
+#include <vtkFieldData.h>
 #include <vtkMedialAxis.h>
 #include <vtkMedialCurves.h>
 #include <vtkMedialReconstruction.h>
@@ -18,13 +21,15 @@
 namespace
 {
 
+using namespace medial::test;
+
 struct Parameter
 {
   std::string name;
   std::string manual; ///< the comment of its ///@{ ... ///@} block
 };
 
-std::string headerOf(const std::string& name)
+std::string fileOf(const std::string& name)
 {
   std::ifstream stream(std::filesystem::path(MEDIAL_FILTERS_DIR) / (name + ".h"));
   std::stringstream text;
@@ -43,6 +48,28 @@ std::string nextBetween(const std::string& text, const std::string& open, const 
   position = end == std::string::npos ? end : end + close.size();
   return end == std::string::npos ? std::string()
                                   : text.substr(start + open.size(), end - start - open.size());
+}
+
+/// A header with the declarations of parameters that several filters have in place of their macros.
+std::string headerOf(const std::string& name)
+{
+  std::string header = fileOf(name);
+  const std::string macros = fileOf("vtkMedialParameters");
+  for (std::size_t position = 0;;)
+  {
+    const std::string macro = nextBetween(macros, "#define vtkMedial", "()", position);
+    if (position == std::string::npos)
+    {
+      return header;
+    }
+    const std::string call = "  vtkMedial" + macro + "();";
+    const std::size_t place = header.find(call);
+    if (place != std::string::npos)
+    {
+      const std::size_t end = macros.find("\n\n", position);
+      header.replace(place, call.size(), macros.substr(position, end - position) + ';');
+    }
+  }
 }
 
 /// Names of the parameters that a text has set macros for.
@@ -147,13 +174,51 @@ TEST(FilterManual, MedialAxisParametersAreExplainedAndPrinted)
   expectManual("vtkMedialAxis", 8, printed<vtkMedialAxis>());
 }
 
-TEST(FilterManual, MedialCurvesParametersArePrinted)
+TEST(FilterManual, MedialCurvesParametersAreExplainedAndPrinted)
 {
   const std::string print = printed<vtkMedialCurves>();
+  expectManual("vtkMedialCurves", 3, print);
   for (const char* name : { "Rims: On", "Seams: On", "Curves: On" })
   {
     EXPECT_NE(print.find(name), std::string::npos) << name;
   }
+}
+
+// The manuals name every array of the outputs.
+TEST(FilterManual, OutputsHaveNoArraysThatTheManualsDoNotName)
+{
+  vtkNew<vtkMedialAxis> axis;
+  axis->SetInputData(boxPolyData());
+  axis->SetResolution(12);
+  axis->GenerateDistanceFieldOn();
+  vtkNew<vtkMedialThickness> thickness;
+  thickness->SetInputData(boxPolyData());
+  vtkNew<vtkMedialCurves> curves;
+  curves->SetInputConnection(axis->GetOutputPort());
+  vtkNew<vtkMedialReconstruction> surface;
+  surface->SetInputConnection(axis->GetOutputPort());
+  surface->SetResolution(12);
+  const std::string grid = headerOf("vtkMeshFieldAlgorithm");
+  const auto expectNamed = [&](vtkAlgorithm* filter, int port, const std::string& manual)
+  {
+    filter->Update(port);
+    vtkDataObject* output = filter->GetOutputDataObject(port);
+    for (const int type : { vtkDataObject::POINT, vtkDataObject::CELL, vtkDataObject::FIELD })
+    {
+      vtkFieldData* arrays = output->GetAttributesAsFieldData(type);
+      for (int i = 0; arrays && i < arrays->GetNumberOfArrays(); ++i)
+      {
+        EXPECT_NE(manual.find(arrays->GetArrayName(i)), std::string::npos)
+          << arrays->GetArrayName(i) << " of " << filter->GetClassName();
+      }
+    }
+  };
+  const std::string ofAxis = headerOf("vtkMedialAxis");
+  expectNamed(axis, 0, ofAxis.substr(0, ofAxis.find("#ifndef")) + grid);
+  expectNamed(axis, 1, headerOf("vtkMeshDistanceField") + ofAxis + grid);
+  expectNamed(thickness, 0, headerOf("vtkMedialThickness"));
+  expectNamed(curves, 0, headerOf("vtkMedialCurves") + ofAxis + grid); // with those of the axis
+  expectNamed(surface, 0, headerOf("vtkMedialReconstruction"));
 }
 
 TEST(FilterManual, ReconstructionParametersAreExplainedAndPrinted)

@@ -78,8 +78,8 @@ TYPED_TEST(FilterContract, RefusesUnusableInput)
 TYPED_TEST(FilterContract, RefusesSignsThatTheMeshCannotHave)
 {
   using F = TypeParam*;
-  this->expectError([](F f) { f->SetSignMethodToWinding(); }, [](F f) { f->SetSignMethodToNone(); },
-    "winding");
+  this->expectError([](F f) { f->SetSignMethod(3); }, [](F f) { f->SetSignMethodToNone(); },
+    "SignMethod 3 is not one of 0 (auto), 1 (none), 2 (pseudonormal)");
   this->expectError(
     [](F f)
     {
@@ -104,9 +104,11 @@ TYPED_TEST(FilterContract, MissingInputIsAnErrorOfThePipeline)
 TYPED_TEST(FilterContract, RequireHardwareRefusesASoftwareRenderer)
 {
   auto filter = this->make(boxPolyData());
+  filter->SetEngineToRasteriser();
   filter->Update();
-  const bool software = filter->GetSoftwareRenderer();
+  const bool software = figure(filter->GetOutput(), "SoftwareRenderer") != 0.0;
   EventLog log(filter);
+  filter->SetEngineToProcessor();
   filter->RequireHardwareOn();
   EXPECT_EQ(update(filter), !software);
   EXPECT_EQ(log.errors.empty(), !software);

@@ -6,15 +6,18 @@
 #include <vtkDataObject.h>
 #include <vtkElevationFilter.h>
 #include <vtkExecutive.h>
+#include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
+#include <vtkStringArray.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace medial::test
 {
@@ -86,6 +89,7 @@ void expectInvalidInput(vtkAlgorithm* filter, const std::string& words)
   EXPECT_EQ(filter->GetErrorCode(),
     static_cast<unsigned long>(vtkMeshFieldAlgorithm::InvalidInputError));
   EXPECT_EQ(pointCount(filter), 0) << words;
+  EXPECT_EQ(filter->GetOutputDataObject(0)->GetFieldData()->GetNumberOfArrays(), 0) << words;
 }
 
 void expectErrorAndRecovery(vtkAlgorithm* filter, const std::function<void()>& spoil,
@@ -292,6 +296,29 @@ double distanceToCell(vtkPolyData* mesh, vtkIdType cell, const Point3& x)
   double distance2 = 0.0;
   geometry->EvaluatePosition(x.data(), closest, subId, pcoords, distance2, weights.data());
   return std::sqrt(distance2);
+}
+
+std::vector<double> figures(vtkDataObject* data, const char* array)
+{
+  vtkDataArray* values = data->GetFieldData()->GetArray(array);
+  std::vector<double> result;
+  for (int i = 0; values && i < values->GetNumberOfComponents(); ++i)
+  {
+    result.push_back(values->GetComponent(0, i));
+  }
+  return result;
+}
+
+double figure(vtkDataObject* data, const char* array)
+{
+  const std::vector<double> values = figures(data, array);
+  return values.size() == 1 ? values[0] : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::string textFigure(vtkDataObject* data, const char* array)
+{
+  auto* texts = vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray(array));
+  return texts && texts->GetNumberOfValues() == 1 ? texts->GetValue(0) : std::string();
 }
 
 bool isEmpty(vtkImageData* image)

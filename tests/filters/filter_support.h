@@ -90,6 +90,13 @@ double distanceBetween(const Point3& a, const Point3& b);
 /// Distance from a point to one cell, by VTK.
 double distanceToCell(vtkPolyData* mesh, vtkIdType cell, const Point3& x);
 
+/// The values of a field data array, of its one tuple; nothing where there is no such array.
+std::vector<double> figures(vtkDataObject* data, const char* array);
+/// The only one of them; NaN where there is none.
+double figure(vtkDataObject* data, const char* array);
+/// The only text of a field data array; empty where there is no such array.
+std::string textFigure(vtkDataObject* data, const char* array);
+
 /// True when an image has neither points nor arrays.
 bool isEmpty(vtkImageData* image);
 

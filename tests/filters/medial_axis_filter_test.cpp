@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace
 {
@@ -83,8 +84,8 @@ TEST(MedialAxisFilter, CurvesOfABoxAreItsSeamsAndRims)
   curves->SetInputConnection(axis->GetOutputPort());
   curves->Update();
   vtkPolyData* output = curves->GetOutput();
-  double spacing[3];
-  axis->GetUsedSpacing(spacing);
+  const std::vector<double> spacing = figures(axis->GetOutput(), "GridSpacing");
+  ASSERT_EQ(spacing.size(), 3u);
   vtkDataArray* kinds = output->GetCellData()->GetArray("AxisFeature");
   ASSERT_NE(kinds, nullptr);
   int seamPoints = 0;
@@ -113,8 +114,8 @@ TEST(MedialAxisFilter, BoxHasItsAnalyticAxis)
   axis->Update();
   vtkPolyData* output = axis->GetOutput();
   ASSERT_GT(output->GetNumberOfPoints(), 500);
-  double spacing[3];
-  axis->GetUsedSpacing(spacing);
+  const std::vector<double> spacing = figures(axis->GetOutput(), "GridSpacing");
+  ASSERT_EQ(spacing.size(), 3u);
   const double h = spacing[0];
   double offAxis = 0.0;
   for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
@@ -134,8 +135,8 @@ TEST(MedialAxisFilter, AttributesFulfilTheirIdentities)
   auto axis = boxAxis();
   axis->Update();
   vtkPolyData* output = axis->GetOutput();
-  double spacing[3];
-  axis->GetUsedSpacing(spacing);
+  const std::vector<double> spacing = figures(axis->GetOutput(), "GridSpacing");
+  ASSERT_EQ(spacing.size(), 3u);
   for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
   {
     const double radius = valueOf(output, "Radius", i);
@@ -214,8 +215,8 @@ TEST(MedialAxisFilter, LargerAnglesKeepLess)
   vtkPolyData* output = axis->GetOutput();
   EXPECT_LT(output->GetNumberOfCells(), all / 2);
   EXPECT_GT(output->GetNumberOfCells(), 0);
-  double spacing[3];
-  axis->GetUsedSpacing(spacing);
+  const std::vector<double> spacing = figures(axis->GetOutput(), "GridSpacing");
+  ASSERT_EQ(spacing.size(), 3u);
   for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
   {
     EXPECT_NEAR(pointOf(output, i)[2], 0.0, spacing[0]) << "only the middle rectangle is left";
@@ -298,7 +299,10 @@ TEST(MedialAxisFilter, SidesAreWhereTheySayTheyAre)
     axis->SetSide(side);
     axis->GenerateDistanceFieldOn();
     axis->Update();
-    EXPECT_EQ(axis->GetUsedSide(), side);
+    for (const int port : { 0, 1 })
+    {
+      EXPECT_EQ(textFigure(axis->GetOutputDataObject(port), "Side"), axis->GetSideAsString());
+    }
     std::array<int, 2> counts{};
     vtkImageData* field = axis->GetDistanceField();
     for (vtkIdType i = 0; i < axis->GetOutput()->GetNumberOfPoints(); ++i)
@@ -346,9 +350,9 @@ TEST(MedialAxisFilter, OpenMeshHasBothSides)
   plates->SetPolys(polys);
   auto axis = axisOf(plates, 26);
   axis->Update();
-  EXPECT_EQ(axis->GetUsedSignMethod(), vtkMeshFieldAlgorithm::SIGN_NONE);
+  EXPECT_EQ(textFigure(axis->GetOutput(), "SignMethod"), "None");
   EXPECT_EQ(axis->GetSide(), vtkMedialAxis::INTERIOR);
-  EXPECT_EQ(axis->GetUsedSide(), vtkMedialAxis::BOTH);
+  EXPECT_EQ(textFigure(axis->GetOutput(), "Side"), "Both");
   vtkPolyData* output = axis->GetOutput();
   ASSERT_GT(output->GetNumberOfPoints(), 100);
   for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)

@@ -138,6 +138,25 @@ TEST(MedialAxisOutputs, AFailedExecutionEmptiesBoth)
   EXPECT_TRUE(isEmpty(axis->GetDistanceField()));
 }
 
+TEST(MedialAxisOutputs, BothTellOfTheExecution)
+{
+  auto axis = boxAxis(13);
+  axis->GenerateDistanceFieldOn();
+  axis->Update();
+  for (const int port : { 0, 1 })
+  {
+    vtkDataObject* output = axis->GetOutputDataObject(port);
+    EXPECT_EQ(textFigure(output, "Engine"), "Processor");
+    EXPECT_EQ(textFigure(output, "Side"), "Interior");
+    EXPECT_EQ(figure(output, "Samples"), axis->GetDistanceField()->GetNumberOfPoints());
+    ASSERT_EQ(figures(output, "Seconds").size(), 6u);
+    EXPECT_GT(figures(output, "Seconds")[5], 0.0);
+  }
+  axis->GenerateDistanceFieldOff();
+  axis->Update(1);
+  EXPECT_TRUE(figures(axis->GetDistanceField(), "Seconds").empty());
+}
+
 TEST(MedialAxisPieces, PieceZeroIsAllOfIt)
 {
   auto whole = boxAxis(17);

@@ -14,8 +14,7 @@ mesh = WavefrontOBJReader(FileName="/usr/share/glmark2/models/bunny.obj")
 field = MeshDistanceField(Input=mesh, Resolution=72, GenerateClosestPoint=1,
                           GenerateClosestFeature=1)
 SaveData(os.path.join(folder, "field.pvti"), proxy=field)
-field.SMProxy.UpdatePropertyInformation()
-result = {"samples of process 0": field.GetPropertyValue("NumberOfSamples")}
+result = {"samples of a process": field.FieldData["Samples"].GetRange()}
 
 # A filter downstream that wants ghost samples.
 contour = Contour(Input=field, ContourBy="Distance", Isosurfaces=[0.02])

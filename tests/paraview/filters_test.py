@@ -10,8 +10,8 @@ sys.path.insert(0, os.path.dirname(__file__))
 from paraview import servermanager
 from paraview.simple import *
 from vtkmodules.vtkCommonCore import reference
-from session import (HALF_SIDES, box, bunny, default_colouring, information, messages, output,
-                     points, real_meshes, values)
+from session import (HALF_SIDES, box, bunny, default_colouring, figure, messages, output, points,
+                     real_meshes, values)
 
 
 def box_distance(x):
@@ -54,8 +54,8 @@ class Values(unittest.TestCase):
         ball = Sphere(Radius=1.5, ThetaResolution=64, PhiResolution=64)
         filter = MedialThickness(Input=ball)
         numpy.testing.assert_allclose(values(output(filter), "Thickness"), 3.0, rtol=0.01)
-        self.assertAlmostEqual(information(filter, "MedianThickness"), 3.0, delta=0.03)
-        self.assertEqual(information(filter, "ShareWithout"), 0.0)
+        self.assertAlmostEqual(figure(filter, "MedianThickness"), 3.0, delta=0.03)
+        self.assertEqual(figure(filter, "ShareWithout"), 0.0)
 
     def test_reconstruction_of_a_box(self):
         axis = MedialAxis(Input=box(), Resolution=100, Angle=40)
@@ -92,9 +92,9 @@ class Values(unittest.TestCase):
                 self.assertGreater(output(MedialCurves(Input=axis)).GetNumberOfLines(), 0)
                 thickness = MedialThickness(Input=mesh)
                 self.assertLess(numpy.nanmax(values(output(thickness), "Thickness")), size)
-                self.assertLess(information(thickness, "ShareWithout"), 0.05)
+                self.assertLess(figure(thickness, "ShareWithout"), 0.05)
                 field = values(output(MeshDistanceField(Input=mesh, Resolution=48)), "Distance")
-                self.assertLess(field.min(), -0.4 * information(thickness, "MedianThickness") / 2)
+                self.assertLess(field.min(), -0.4 * figure(thickness, "MedianThickness") / 2)
 
 
 class Properties(unittest.TestCase):
@@ -149,10 +149,12 @@ class Properties(unittest.TestCase):
 
     def test_what_was_used_is_known(self):
         field = MeshDistanceField(Input=box(), Resolution=16)
-        self.assertEqual(output(field).GetNumberOfPoints(), information(field, "NumberOfSamples"))
-        self.assertNotEqual(information(field, "Renderer"), "")
-        self.assertEqual(information(field, "UsedSignMethod"), "Pseudonormal")
-        self.assertIn(information(field, "UsedEngine"), ("Processor", "Rasteriser"))
+        self.assertEqual(output(field).GetNumberOfPoints(), figure(field, "Samples"))
+        self.assertEqual(figure(field, "SignMethod"), "Pseudonormal")
+        self.assertEqual(figure(field, "Engine"), "Processor")
+        field.Engine = "Rasteriser"
+        self.assertEqual(figure(field, "Engine"), "Rasteriser")
+        self.assertNotEqual(figure(field, "Renderer"), "")
 
 
 class Executions(unittest.TestCase):
@@ -165,7 +167,8 @@ class Executions(unittest.TestCase):
     def filters(self):
         axis = MedialAxis(Input=bunny(), Resolution=64)
         return [axis, MeshDistanceField(Input=bunny(), Resolution=100),
-                MedialThickness(Input=bunny()), MedialReconstruction(Input=axis, Resolution=48)]
+                MedialThickness(Input=bunny()), MedialReconstruction(Input=axis, Resolution=48),
+                MedialCurves(Input=axis)]
 
     def test_progress(self):
         for proxy in self.filters():

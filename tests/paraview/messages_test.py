@@ -83,7 +83,7 @@ class Messages(unittest.TestCase):
 
     def test_no_egl(self):
         script = ("from paraview.simple import *\n"
-                  "axis = MedialAxis(Input=Box(), Resolution=16)\n"
+                  "axis = MedialAxis(Input=Box(), Resolution=16, Engine='Rasteriser')\n"
                   "axis.UpdatePipeline()\n"
                   "print(axis.GetDataInformation().GetNumberOfPoints(), 'points')\n")
         with tempfile.TemporaryDirectory() as folder:

@@ -17,9 +17,8 @@ Show(field, view)
 Show(axis, view)
 view.ResetCamera()
 SaveScreenshot(sys.argv[2], view)
-field.SMProxy.UpdatePropertyInformation()
 result = {"field": field.GetDataInformation().GetNumberOfPoints(),
-          "samples of process 0": field.GetPropertyValue("NumberOfSamples"),
+          "samples of a process": field.FieldData["Samples"].GetRange(),
           "distance": field.PointData["Distance"].GetRange(),
           "axis": axis.GetDataInformation().GetNumberOfPoints()}
 axis.Resolution = 1

@@ -48,10 +48,9 @@ def values(data, name):
     return vtk_to_numpy(data.GetPointData().GetArray(name))
 
 
-def information(proxy, name):
-    """A property that the filter knows after an execution."""
-    proxy.SMProxy.UpdatePropertyInformation()
-    return proxy.GetPropertyValue(name)
+def figure(proxy, name):
+    """The first value of a field data array of the output: what the filter tells of itself."""
+    return output(proxy).GetFieldData().GetAbstractArray(name).GetValue(0)
 
 
 def default_colouring(proxy, view):

@@ -5,7 +5,7 @@ Functions take and return numpy arrays:
     axis = medial.medial_axis(vertices, faces, resolution=128, angle=60)
     axis.points, axis.radius, axis.faces
 
-distance_field(), medial_axis(), thickness(), reconstruct() and curves() are documented each by
+distance_field(), medial_axis(), thickness(), reconstruction() and curves() are each documented by
 help(), as in help(medial.medial_axis). All lengths are in world units, those of the vertices, and
 all angles in degrees. They raise medial.Error, or a subclass of it, with the cause.
 
@@ -23,11 +23,12 @@ from ._axis import MedialAxis, medial_axis
 from ._errors import Error, InvalidInputError, NoGpuError, OutOfMemoryError
 from ._field import DistanceField, distance_field
 from ._mesh import Surface
-from ._shape import Curve, curves, reconstruct, thickness
+from ._shape import Curve, curves, reconstruction, thickness
 from ._update import update
 from .vtkMedialFilters import (
     vtkMedialAxis,
     vtkMedialCurves,
+    vtkMedialPolyDataAlgorithm,
     vtkMedialReconstruction,
     vtkMedialThickness,
     vtkMeshDistanceField,
@@ -46,11 +47,12 @@ __all__ = [
     "curves",
     "distance_field",
     "medial_axis",
-    "reconstruct",
+    "reconstruction",
     "thickness",
     "update",
     "vtkMedialAxis",
     "vtkMedialCurves",
+    "vtkMedialPolyDataAlgorithm",
     "vtkMedialReconstruction",
     "vtkMedialThickness",
     "vtkMeshDistanceField",

@@ -17,6 +17,12 @@ def point_data(data: Any, name: str) -> NDArray[Any]:
     return values
 
 
+def figure(data: Any, name: str, default: Any = None) -> Any:
+    """The only value of a field data array, a number or a text; default where there is none."""
+    array = data.GetFieldData().GetAbstractArray(name)
+    return array.GetValue(0) if array else default
+
+
 def point_coordinates(data: Any) -> NDArray[np.float64]:
     """The (n, 3) points of a data set whose points are float64; shares VTK's memory."""
     points = data.GetPoints()

@@ -9,12 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from ._arrays import (add_point_data, cells_of_size, float_rows, index_rows, point_coordinates,
-                      point_data, rows_to_cells, to_points)
+from ._arrays import (add_point_data, cells_of_size, figure, float_rows, index_rows,
+                      point_coordinates, point_data, rows_to_cells, to_points)
 from ._errors import InvalidInputError
 from ._field import DistanceField, field_of
 from ._mesh import to_polydata
-from ._options import (REPRESENTATIONS, SIDES, SIGNS, TOPOLOGIES, Engine, FieldArray, Lengths,
+from ._options import (REPRESENTATIONS, SIDES, TOPOLOGIES, Engine, FieldArray, Lengths,
                        Representation, Side, Sign, Topology, assign, assign_arrays, assign_grid,
                        assign_numbers, assign_run, choice, word)
 from ._update import Progress, update
@@ -70,8 +70,10 @@ class MedialAxis:
     """What it is the axis of: "interior", "exterior" or "both"."""
     sign: str
     """How inside was told from outside: "none" or "pseudonormal"."""
+    engine: str
+    """What found the closest sites: "processor" or "rasteriser"."""
     renderer: str
-    """The OpenGL implementation in use (GL_RENDERER)."""
+    """The OpenGL implementation (GL_RENDERER); empty where OpenGL was not used."""
     field: Optional[DistanceField] = None
     """The distance field, if wanted."""
 
@@ -177,10 +179,11 @@ def medial_axis(
 
 def _notes(algorithm: vtkMedialAxis, side: Optional[Side]) -> Iterator[str]:
     """What is not as the caller may expect."""
-    if side is not None and algorithm.GetUsedSide() != SIDES[side]:
+    output = algorithm.GetOutput()
+    if side is not None and figure(output, "Side").lower() != side:
         yield (f"the axis is that of both sides, not of side {side!r}: "
                f"inside is not known, as {_why_unsigned(algorithm)}")
-    if algorithm.GetOutput().GetNumberOfPoints() == 0:
+    if output.GetNumberOfPoints() == 0:
         minimums = "".join(
             f" and a {name} of {value:g}" for name, value in (
                 ("lambda", algorithm.GetMinimumLambda()), ("radius", algorithm.GetMinimumRadius()))
@@ -192,7 +195,7 @@ def _notes(algorithm: vtkMedialAxis, side: Optional[Side]) -> Iterator[str]:
 def _why_unsigned(algorithm: vtkMedialAxis) -> str:
     if algorithm.GetSignMethod() == vtkMedialAxis.SIGN_NONE:
         return "sign is 'none'"
-    closed = algorithm.GetClosed()
+    closed = figure(algorithm.GetOutput(), "Closed")
     return "the mesh is not " + ("consistently oriented" if closed else "closed")
 
 
@@ -201,7 +204,7 @@ def _axis_of(algorithm: vtkMedialAxis) -> MedialAxis:
     output = algorithm.GetOutput()
     field = None
     if algorithm.GetGenerateDistanceField():
-        field = field_of(algorithm, algorithm.GetDistanceField())
+        field = field_of(algorithm.GetDistanceField())
     return MedialAxis(
         **{attribute: point_data(output, name) for attribute, (name, _) in _ARRAYS.items()},
         points=point_coordinates(output),
@@ -210,7 +213,8 @@ def _axis_of(algorithm: vtkMedialAxis) -> MedialAxis:
         lines=cells_of_size(output.GetLines(), 2),
         vertices=cells_of_size(output.GetVerts(), 1),
         representation=word(algorithm.GetRepresentation(), REPRESENTATIONS),
-        side=word(algorithm.GetUsedSide(), SIDES),
-        sign=word(algorithm.GetUsedSignMethod(), SIGNS),
-        renderer=algorithm.GetRenderer(),
+        side=figure(output, "Side").lower(),
+        sign=figure(output, "SignMethod").lower(),
+        engine=figure(output, "Engine").lower(),
+        renderer=figure(output, "Renderer", ""),
         field=field)

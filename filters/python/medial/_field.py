@@ -2,18 +2,18 @@
 
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
-from typing import Any, Optional, cast
+from typing import Any, Optional
 
 import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
-from ._arrays import add_point_data, point_data
+from ._arrays import add_point_data, figure, point_data
 from ._mesh import to_polydata
-from ._options import (ARRAYS, SIGNS, Engine, FieldArray, Lengths, Sign, assign_arrays,
-                       assign_grid, assign_run, word)
+from ._options import (ARRAYS, Engine, FieldArray, Lengths, Sign, assign_arrays, assign_grid,
+                       assign_run)
 from ._update import Progress, update
-from .vtkMedialFilters import vtkMeshDistanceField, vtkMeshFieldAlgorithm
+from .vtkMedialFilters import vtkMeshDistanceField
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -33,8 +33,10 @@ class DistanceField:
     """(3,) distances of neighbouring samples along x, y and z in world units."""
     sign: str
     """How inside was told from outside: "none" (unsigned) or "pseudonormal"."""
+    engine: str
+    """What found the closest sites: "processor" or "rasteriser"."""
     renderer: str
-    """The OpenGL implementation in use (GL_RENDERER)."""
+    """The OpenGL implementation (GL_RENDERER); empty where OpenGL was not used."""
     closest_point: Optional[NDArray[np.float32]] = None
     """(nx, ny, nz, 3) world coordinates of the nearest point of the mesh."""
     closest_cell: Optional[NDArray[np.int64]] = None
@@ -131,10 +133,10 @@ def distance_field(
                require_gpu=require_gpu)
     assign_arrays(field, arrays)
     update(field, progress)
-    return field_of(field, field.GetOutput())
+    return field_of(field.GetOutput())
 
 
-def field_of(algorithm: vtkMeshFieldAlgorithm, image: vtkImageData) -> DistanceField:
+def field_of(image: vtkImageData) -> DistanceField:
     """The image of a filter that was executed; shares its memory."""
     shape = image.GetDimensions()
     present = {attribute: _grid_first(point_data(image, name), shape)
@@ -143,8 +145,9 @@ def field_of(algorithm: vtkMeshFieldAlgorithm, image: vtkImageData) -> DistanceF
         distance=_grid_first(point_data(image, "Distance"), shape),
         origin=np.array(image.GetOrigin()),
         spacing=np.array(image.GetSpacing()),
-        sign=cast(str, word(algorithm.GetUsedSignMethod(), SIGNS)),
-        renderer=algorithm.GetRenderer(),
+        sign=figure(image, "SignMethod").lower(),
+        engine=figure(image, "Engine").lower(),
+        renderer=figure(image, "Renderer", ""),
         **present)
 
 

@@ -8,7 +8,7 @@ from ._errors import InvalidInputError
 from .vtkMedialFilters import vtkMedialAxis, vtkMeshFieldAlgorithm
 
 Side = Literal["interior", "exterior", "both"]
-Sign = Literal["auto", "none", "pseudonormal", "winding"]
+Sign = Literal["auto", "none", "pseudonormal"]
 Engine = Literal["auto", "rasteriser", "processor"]
 Representation = Literal["surface", "faces", "points"]
 Topology = Literal["selected", "preserve"]
@@ -25,7 +25,6 @@ SIGNS: dict[str, int] = {
     "auto": vtkMeshFieldAlgorithm.SIGN_AUTO,
     "none": vtkMeshFieldAlgorithm.SIGN_NONE,
     "pseudonormal": vtkMeshFieldAlgorithm.SIGN_PSEUDONORMAL,
-    "winding": vtkMeshFieldAlgorithm.SIGN_WINDING,
 }
 ENGINES: dict[str, int] = {
     "auto": vtkMeshFieldAlgorithm.ENGINE_AUTO,
@@ -56,7 +55,7 @@ _INTEGERS: dict[str, tuple[str, int, int]] = {
     "threads": ("NumberOfThreads", 0, 1024),
     "memory": ("MemoryLimit", 0, 2147483647),  # but not 1 to 63
 }
-_LEAST_MEMORY = 64  # MiB
+_MIN_MEMORY = 64  # MiB
 _REALS: dict[str, tuple[str, str]] = {
     "spacing": ("Spacing", "(0, inf)"),
     "origin": ("Origin", "(-inf, inf)"),
@@ -151,8 +150,8 @@ def assign_run(algorithm: vtkMeshFieldAlgorithm, *, sign: Sign, threads: int, me
                engine: Engine, require_gpu: bool) -> None:
     """How the field is computed, see distance_field()."""
     assign_numbers(algorithm, threads=threads, memory=memory)
-    if 0 < memory < _LEAST_MEMORY:
-        raise InvalidInputError(f"memory {memory} is outside [{_LEAST_MEMORY}, 2147483647] and not 0")
+    if 0 < memory < _MIN_MEMORY:
+        raise InvalidInputError(f"memory {memory} is outside [{_MIN_MEMORY}, 2147483647] and not 0")
     assign(algorithm, SignMethod=choice("sign", sign, SIGNS),
            Engine=choice("engine", engine, ENGINES), RequireHardware=bool(require_gpu))
 

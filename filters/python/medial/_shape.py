@@ -53,8 +53,8 @@ def thickness(vertices: Any, faces: Any = None, *, angle: float = 60.0, side: Si
     return point_data(algorithm.GetOutput(), "Thickness")
 
 
-def reconstruct(axis: Axis, *, resolution: int = 128, interpolate: bool = True,
-                progress: Optional[Progress] = None) -> Surface:
+def reconstruction(axis: Axis, *, resolution: int = 128, interpolate: bool = True,
+                   progress: Optional[Progress] = None) -> Surface:
     """The surface of the solid that a medial axis describes: the union of its balls.
 
     axis: points, radii and cells count; of a vtkPolyData the point data array Radius.
@@ -85,12 +85,13 @@ class Curve(NamedTuple):
     """(k,) indices of points of the axis; the last of a loop is the first."""
 
 
-def curves(axis: Axis, *, rims: bool = True, seams: bool = True,
-           other: bool = True) -> list[Curve]:
+def curves(axis: Axis, *, rims: bool = True, seams: bool = True, other: bool = True,
+           progress: Optional[Progress] = None) -> list[Curve]:
     """The rims, seams and other curves of a medial axis.
 
     axis: points and cells count; not a MedialAxis with representation "points".
     rims, seams, other: which kinds are wanted.
+    progress: as for distance_field().
 
     Returns them in no particular order. Raises InvalidInputError where arrays of the axis do not
     fit each other, and where it is one of points.
@@ -110,7 +111,7 @@ def curves(axis: Axis, *, rims: bool = True, seams: bool = True,
     algorithm = vtkMedialCurves()
     algorithm.SetInputData(mesh)
     assign(algorithm, Rims=bool(rims), Seams=bool(seams), Curves=bool(other))
-    update(algorithm)
+    update(algorithm, progress)
     output = algorithm.GetOutput()
     if output.GetNumberOfLines() == 0:
         return []

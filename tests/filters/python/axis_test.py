@@ -95,7 +95,7 @@ class Parameters(unittest.TestCase):
     def test_open_mesh_has_no_sides(self):
         vertices, quads = shapes.box()
         axis = medial.medial_axis(vertices, quads[1:], resolution=RESOLUTION)
-        self.assertEqual((axis.side, axis.sign), ("both", "none"))
+        self.assertEqual((axis.side, axis.sign, axis.engine), ("both", "none", "processor"))
 
     def test_representations(self):
         points = box_axis(representation="points")

@@ -144,10 +144,13 @@ class Threads(unittest.TestCase):
 
 class Progress(unittest.TestCase):
     def test_fractions_grow_and_phases_have_names(self):
-        for function in (medial.distance_field, medial.medial_axis, medial.thickness):
+        axis = medial.medial_axis(*shapes.ball(3), resolution=33)
+        gridded = (medial.distance_field, medial.medial_axis)
+        for function in (*gridded, medial.thickness, medial.reconstruction, medial.curves):
             reports = []
-            parameters = {} if function is medial.thickness else {"resolution": 65}
-            function(*shapes.ball(3), **parameters,
+            parameters = {"resolution": 65} if function in gridded else {}
+            subject = shapes.ball(3) if function in (*gridded, medial.thickness) else (axis,)
+            function(*subject, **parameters,
                      progress=lambda fraction, phase: reports.append((fraction, phase)))
             fractions = [fraction for fraction, _ in reports]
             self.assertGreater(len(fractions), 1)

@@ -28,7 +28,7 @@ class Values(unittest.TestCase):
         self.assertEqual(field.distance.shape[0], 33)
         self.assertEqual(len(set(field.distance.shape)), 3)
         self.assertEqual(field.sign, "pseudonormal")
-        self.assertNotEqual(field.renderer, "")
+        self.assertEqual((field.engine, field.renderer), ("processor", ""))
         self.assert_is_of_the_box(field)
 
     def test_is_described_in_short(self):
@@ -72,6 +72,8 @@ class Values(unittest.TestCase):
                   for engine in ("rasteriser", "processor")]
         for field in fields:
             self.assert_is_of_the_box(field)
+        self.assertEqual([field.engine for field in fields], ["rasteriser", "processor"])
+        self.assertNotEqual(fields[0].renderer, "")
 
     def test_what_is_closest(self):
         vertices, quads = shapes.box()

@@ -23,11 +23,17 @@ def box_axis(resolution=17):
     return axis
 
 
+def figure(output, name):
+    """The first value of a field data array."""
+    return output.GetFieldData().GetAbstractArray(name).GetValue(0)
+
+
 class FiltersTest(unittest.TestCase):
     def test_package_holds_the_filters(self):
         self.assertEqual({name for name in medial.__all__ if name.startswith("vtk")},
                          {"vtkMedialAxis", "vtkMedialCurves", "vtkMedialReconstruction",
-                          "vtkMedialThickness", "vtkMeshDistanceField", "vtkMeshFieldAlgorithm"})
+                          "vtkMedialPolyDataAlgorithm", "vtkMedialThickness",
+                          "vtkMeshDistanceField", "vtkMeshFieldAlgorithm"})
         from medial.vtkMedialFilters import vtkMedialAxis
         self.assertIs(medial.vtkMedialAxis, vtkMedialAxis)
         self.assertTrue(issubclass(medial.vtkMedialAxis, vtkObject))
@@ -36,10 +42,23 @@ class FiltersTest(unittest.TestCase):
         self.assertIn("separation angle", medial.vtkMedialAxis.__doc__)
         self.assertIn("Default is 60", medial.vtkMedialAxis.SetAngle.__doc__)
         self.assertIn("[2, 8192]", medial.vtkMeshDistanceField.SetResolution.__doc__)
+        self.assertIn("Default is INTERIOR", medial.vtkMedialThickness.SetSide.__doc__)
+        self.assertIn("AxisFeature", medial.vtkMedialAxis.__doc__)
+
+    def test_parameters_of_several_filters(self):
+        for filter_, angle in ((medial.vtkMedialAxis(), 75.0), (medial.vtkMedialThickness(), 30.0)):
+            filter_.SetAngle(angle)
+            filter_.SetSideToExterior()
+            filter_.SetNumberOfThreads(2)
+            self.assertEqual((filter_.GetAngle(), filter_.GetSide(), filter_.GetNumberOfThreads()),
+                             (angle, filter_.EXTERIOR, 2))
+            self.assertEqual(filter_.GetSideAsString(), "Exterior")
+            self.assertEqual((filter_.INTERIOR, filter_.EXTERIOR, filter_.BOTH), (0, 1, 2))
 
     def test_superclass_is_abstract(self):
-        with self.assertRaises(TypeError):
-            medial.vtkMeshFieldAlgorithm()
+        for superclass in (medial.vtkMeshFieldAlgorithm, medial.vtkMedialPolyDataAlgorithm):
+            with self.assertRaises(TypeError):
+                superclass()
 
     def test_distance_field_of_a_cube(self):
         cube = vtkCubeSource()
@@ -54,8 +73,8 @@ class FiltersTest(unittest.TestCase):
         self.assertIsInstance(image, vtkImageData)
         self.assertEqual(image.GetDimensions(), (5, 5, 5))
         # vtkCubeSource does not share points between its faces, but they weld to a closed box.
-        self.assertTrue(field.GetClosed())
-        self.assertEqual(field.GetUsedSignMethodAsString(), "Pseudonormal")
+        self.assertEqual(figure(image, "Closed"), 1)
+        self.assertEqual(figure(image, "SignMethod"), "Pseudonormal")
         distance = image.GetPointData().GetArray("Distance")
         self.assertAlmostEqual(distance.GetValue(0), -0.5, places=4)
         self.assertAlmostEqual(distance.GetValue(124), math.sqrt(0.75), places=4)
@@ -80,11 +99,9 @@ class FiltersTest(unittest.TestCase):
         self.assertGreater(output.GetNumberOfCells(), 100)
         radius = output.GetPointData().GetArray("Radius")
         self.assertAlmostEqual(radius.GetRange()[1], 0.5, delta=0.02)
-        self.assertEqual(axis.GetUsedSide(), axis.INTERIOR)
-        self.assertNotEqual(axis.GetRenderer(), "")
-        spacing = [0.0] * 3
-        axis.GetUsedSpacing(spacing)
-        self.assertGreater(spacing[0], 0.0)
+        self.assertEqual(figure(output, "Side"), "Interior")
+        self.assertEqual(figure(output, "Engine"), "Processor")
+        self.assertGreater(figure(output, "GridSpacing"), 0.0)
 
     def test_axis_of_few_spheres(self):
         axis = box_axis(33)
@@ -111,10 +128,10 @@ class FiltersTest(unittest.TestCase):
         values = output.GetPointData().GetArray("Thickness")
         middle = output.FindPoint(0.0, 0.0, 0.25)
         self.assertAlmostEqual(values.GetValue(middle), 0.5, places=5)
-        self.assertEqual(thickness.GetMinThickness(), 0.0)
+        self.assertEqual(figure(output, "MinThickness"), 0.0)
         thickness.SetSideToExterior()
         thickness.Update()
-        self.assertEqual(thickness.GetShareWithout(), 1.0)
+        self.assertEqual(figure(thickness.GetOutput(), "ShareWithout"), 1.0)
 
     def test_topology_of_a_box(self):
         axis = box_axis()

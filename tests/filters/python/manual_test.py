@@ -18,8 +18,8 @@ from pathlib import Path
 import medial
 
 SOURCES = Path(sys.argv[1])
-FUNCTIONS = (medial.distance_field, medial.medial_axis, medial.thickness, medial.reconstruct,
-             medial.curves, medial.update)
+FUNCTIONS = (medial.distance_field, medial.medial_axis, medial.thickness,
+             medial.reconstruction, medial.curves, medial.update)
 # The options of medial-axis, by the parameters that are the same.
 OPTIONS = {
     medial.distance_field: ("resolution", "spacing", "padding", "memory"),

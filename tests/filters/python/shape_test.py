@@ -1,4 +1,4 @@
-"""medial.thickness(), reconstruct() and curves() beside shapes whose answers are known."""
+"""medial.thickness(), reconstruction() and curves() beside shapes whose answers are known."""
 
 import dataclasses
 import unittest
@@ -46,20 +46,20 @@ class Reconstruction(unittest.TestCase):
         self.axis = medial.medial_axis(*shapes.box(), resolution=33, angle=30)
 
     def test_has_the_volume_of_the_box(self):
-        surface = medial.reconstruct(self.axis, resolution=48)
+        surface = medial.reconstruction(self.axis, resolution=48)
         self.assertEqual(surface.vertices.dtype, np.float64)
         self.assertEqual(surface.faces.dtype, np.int64)
         self.assertAlmostEqual(shapes.signed_volume(*surface), 3.0, delta=0.15)
         np.testing.assert_allclose(np.abs(surface.vertices).max(axis=0), shapes.HALF, atol=0.05)
 
     def test_of_vtk_is_the_same(self):
-        surfaces = [medial.reconstruct(axis, resolution=24)
+        surfaces = [medial.reconstruction(axis, resolution=24)
                     for axis in (self.axis, self.axis.to_vtk())]
         np.testing.assert_array_equal(surfaces[0].vertices, surfaces[1].vertices)
 
     def test_of_larger_balls_is_larger(self):
         larger = dataclasses.replace(self.axis, radius=self.axis.radius + np.float32(0.25))
-        volume = shapes.signed_volume(*medial.reconstruct(larger, resolution=48))
+        volume = shapes.signed_volume(*medial.reconstruction(larger, resolution=48))
         # A box grown by r: its volume, r times its area, pi r^2 times a quarter of the edges' sum,
         # and a ball.
         sides = 2 * shapes.HALF
@@ -69,12 +69,12 @@ class Reconstruction(unittest.TestCase):
 
     def test_balls_alone(self):
         axis = medial.medial_axis(*shapes.box(), resolution=33, max_spheres=12)
-        volumes = [shapes.signed_volume(*medial.reconstruct(axis, interpolate=interpolate))
+        volumes = [shapes.signed_volume(*medial.reconstruction(axis, interpolate=interpolate))
                    for interpolate in (False, True)]
         self.assertLess(volumes[0], 0.9 * volumes[1])
 
     def test_surface_is_a_mesh_again(self):
-        surface = medial.reconstruct(self.axis, resolution=48)
+        surface = medial.reconstruction(self.axis, resolution=48)
         centre = medial.distance_field(surface, origin=(0, 0, 0), spacing=1, dimensions=(1, 1, 1))
         self.assertEqual(centre.sign, "pseudonormal")
         self.assertAlmostEqual(centre.distance[0, 0, 0], -0.5, delta=0.02)

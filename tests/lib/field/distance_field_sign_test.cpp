@@ -170,8 +170,3 @@ TEST(DistanceFieldSign, OfOpenOrMisorientedMeshesCannotBePseudonormal)
   std::swap(mixed.triangles[0][0], mixed.triangles[0][1]);
   EXPECT_EQ(codeOf(mixed, SignMethod::Pseudonormal), ErrorCode::InvalidInput);
 }
-
-TEST(DistanceFieldSign, CannotBeWinding)
-{
-  EXPECT_EQ(codeOf(box({ 1.0, 1.0, 1.0 }), SignMethod::Winding), ErrorCode::InvalidInput);
-}

@@ -1,0 +1,212 @@
+#include "vtkMedialExecution.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkDataObject.h"
+#include "vtkDemandDrivenPipeline.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMedialAxis.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkVersionMacros.h"
+
+#include "medial/error.h"
+
+#include <exception>
+#include <new>
+#include <sstream>
+
+// From here on executives keep filters downstream from using an output that a filter gave up,
+// without an error message of their own, and leave it to filters to reset AbortExecute.
+#define MEDIAL_VTK_ABORTS_OUTPUTS (VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20221101))
+
+namespace
+{
+
+//------------------------------------------------------------------------------
+unsigned long ToErrorCode(medial::ErrorCode code)
+{
+  switch (code)
+  {
+    case medial::ErrorCode::InvalidInput:
+      return vtkMeshFieldAlgorithm::InvalidInputError;
+    case medial::ErrorCode::NoGpu:
+      return vtkMeshFieldAlgorithm::NoGpuError;
+    case medial::ErrorCode::ShaderBuild:
+      return vtkMeshFieldAlgorithm::ShaderBuildError;
+    case medial::ErrorCode::GpuLimit:
+      return vtkMeshFieldAlgorithm::GpuLimitError;
+    case medial::ErrorCode::OutOfMemory:
+      return vtkMeshFieldAlgorithm::OutOfMemoryError;
+    case medial::ErrorCode::Cancelled:
+      return vtkMeshFieldAlgorithm::CancelledError;
+  }
+  return vtkMeshFieldAlgorithm::InternalError;
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+bool vtkRunGuarded(vtkAlgorithm* algorithm, unsigned long& errorCode,
+  const std::function<void()>& work)
+{
+  const auto fail = [&](unsigned long code, const char* message)
+  {
+    errorCode = code;
+    vtkErrorWithObjectMacro(algorithm, << message);
+  };
+  errorCode = vtkErrorCode::NoError;
+  try
+  {
+    work();
+  }
+  catch (const medial::Error& error)
+  {
+    if (error.code() == medial::ErrorCode::Cancelled)
+    {
+      errorCode = vtkMeshFieldAlgorithm::CancelledError;
+    }
+    else
+    {
+      fail(ToErrorCode(error.code()), error.what());
+    }
+  }
+  catch (const std::bad_alloc&)
+  {
+    fail(vtkMeshFieldAlgorithm::OutOfMemoryError, "not enough memory for the result");
+  }
+  catch (const std::exception& error)
+  {
+    fail(vtkMeshFieldAlgorithm::InternalError, error.what());
+  }
+  return errorCode == vtkErrorCode::NoError;
+}
+
+//------------------------------------------------------------------------------
+// Data released and not generated is what makes the pipeline execute again on the next update.
+int vtkEndWithoutOutput([[maybe_unused]] vtkAlgorithm* algorithm,
+  vtkInformationVector* outputVector)
+{
+  for (int i = 0; i < outputVector->GetNumberOfInformationObjects(); ++i)
+  {
+    vtkInformation* info = outputVector->GetInformationObject(i);
+    if (vtkDataObject* output = vtkDataObject::GetData(info))
+    {
+      output->ReleaseData();
+      info->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
+    }
+    // To the extent of a request that fails VTK adds that of the next, which may be of a smaller
+    // grid.
+    info->Remove(vtkStreamingDemandDrivenPipeline::COMBINED_UPDATE_EXTENT());
+  }
+#if MEDIAL_VTK_ABORTS_OUTPUTS
+  algorithm->SetAbortOutput(true);
+  return 1;
+#else
+  return 0;
+#endif
+}
+
+//------------------------------------------------------------------------------
+void vtkThrowBadParameter(const char* name, int value, const char* range)
+{
+  std::ostringstream message;
+  message << name << ' ' << value << " is not " << range;
+  throw medial::Error(medial::ErrorCode::InvalidInput, message.str());
+}
+
+//------------------------------------------------------------------------------
+medial::Execution vtkToExecution(int numberOfThreads, medial::Progress& progress)
+{
+  if (numberOfThreads < 0)
+  {
+    vtkThrowBadParameter("NumberOfThreads", numberOfThreads, ">= 0");
+  }
+  return { numberOfThreads, &progress };
+}
+
+//------------------------------------------------------------------------------
+medial::Side vtkToSide(int side)
+{
+  switch (side)
+  {
+    case vtkMedialAxis::INTERIOR:
+      return medial::Side::Interior;
+    case vtkMedialAxis::EXTERIOR:
+      return medial::Side::Exterior;
+    case vtkMedialAxis::BOTH:
+      return medial::Side::Both;
+    default:
+      vtkThrowBadParameter("Side", side, "one of 0 (interior), 1 (exterior), 2 (both)");
+  }
+}
+
+//------------------------------------------------------------------------------
+const char* vtkSideAsString(int side)
+{
+  switch (side)
+  {
+    case vtkMedialAxis::INTERIOR:
+      return "Interior";
+    case vtkMedialAxis::EXTERIOR:
+      return "Exterior";
+    case vtkMedialAxis::BOTH:
+      return "Both";
+    default:
+      return "Unknown";
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkFromSide(medial::Side side)
+{
+  switch (side)
+  {
+    case medial::Side::Interior:
+      return vtkMedialAxis::INTERIOR;
+    case medial::Side::Exterior:
+      return vtkMedialAxis::EXTERIOR;
+    case medial::Side::Both:
+      break;
+  }
+  return vtkMedialAxis::BOTH;
+}
+
+//------------------------------------------------------------------------------
+void vtkRequestWhole(vtkInformation* request)
+{
+  request->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
+  request->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+  request->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+}
+
+//------------------------------------------------------------------------------
+vtkProgressBridge::vtkProgressBridge(vtkAlgorithm* algorithm)
+  : Algorithm(algorithm)
+{
+#if MEDIAL_VTK_ABORTS_OUTPUTS
+  algorithm->AbortExecute = 0;
+#endif
+}
+
+//------------------------------------------------------------------------------
+void vtkProgressBridge::report(double fraction, const char* phase)
+{
+  this->Algorithm->SetProgressText(phase);
+  this->Algorithm->UpdateProgress(fraction);
+}
+
+//------------------------------------------------------------------------------
+bool vtkProgressBridge::cancelled()
+{
+  return this->Algorithm->GetAbortExecute() != 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkProgressBridge::ReportOrStop(double fraction, const char* phase)
+{
+  this->report(fraction, phase);
+  if (this->cancelled())
+  {
+    throw medial::Error(medial::ErrorCode::Cancelled, "cancelled");
+  }
+}

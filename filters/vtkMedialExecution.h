@@ -1,0 +1,82 @@
+/**
+ * How all filters run the library: progress, abort, errors and threads in VTK's terms. Private to
+ * the module.
+ */
+
+#ifndef vtkMedialExecution_h
+#define vtkMedialExecution_h
+
+#include "medial/execution.h"
+#include "medial/side.h"
+
+#include <functional>
+
+class vtkAlgorithm;
+class vtkInformation;
+class vtkInformationVector;
+
+/**
+ * Runs work and turns what it throws into VTK's error reporting: errorCode, the algorithm's own,
+ * becomes one of vtkMeshFieldAlgorithm::ErrorCodes, with an ErrorEvent unless an observer stopped
+ * the work. Returns whether all went well.
+ */
+bool vtkRunGuarded(vtkAlgorithm* algorithm, unsigned long& errorCode,
+  const std::function<void()>& work);
+
+/**
+ * Ends an execution that failed or was stopped: the outputs are empty, and made again on the next
+ * update. Returns what RequestData() is to return.
+ */
+int vtkEndWithoutOutput(vtkAlgorithm* algorithm, vtkInformationVector* outputVector);
+
+/**
+ * Throws a medial::Error that says that a parameter is not what range says.
+ */
+[[noreturn]] void vtkThrowBadParameter(const char* name, int value, const char* range);
+
+/**
+ * The parameter NumberOfThreads and the receiver of progress for the library. Throws where the
+ * number is negative.
+ */
+medial::Execution vtkToExecution(int numberOfThreads, medial::Progress& progress);
+
+///@{
+/**
+ * The parameter Side as the library's side, which throws where it is none, and as a word; and the
+ * library's side as the parameter.
+ */
+medial::Side vtkToSide(int side);
+const char* vtkSideAsString(int side);
+int vtkFromSide(medial::Side side);
+///@}
+
+/**
+ * Asks for the whole input instead of a piece.
+ */
+void vtkRequestWhole(vtkInformation* request);
+
+/**
+ * Passes the library's progress on to a VTK algorithm's observers, and their wish to stop back.
+ */
+class vtkProgressBridge : public medial::Progress
+{
+public:
+  /**
+   * For use from here on: a wish to stop an earlier execution is forgotten.
+   */
+  explicit vtkProgressBridge(vtkAlgorithm* algorithm);
+
+  void report(double fraction, const char* phase) override;
+  bool cancelled() override;
+
+  /**
+   * As report(), for work of the filter itself. Throws medial::Error Cancelled where an observer
+   * wants to stop.
+   */
+  void ReportOrStop(double fraction, const char* phase);
+
+private:
+  vtkAlgorithm* Algorithm;
+};
+
+#endif

@@ -1,0 +1,64 @@
+/**
+ * @class   vtkMedialPolyDataAlgorithm
+ * @brief   superclass of the filters that make a vtkPolyData of a vtkPolyData, without a grid of
+ * samples
+ *
+ * vtkMedialPolyDataAlgorithm executes vtkMedialThickness, vtkMedialReconstruction and
+ * vtkMedialCurves: their errors, abort and parallel pipelines are the same.
+ *
+ * @par Errors:
+ * A parameter outside its range and input that cannot be used are reported by one vtkErrorMacro
+ * with the value and the allowed range; GetErrorCode() then is one of
+ * vtkMeshFieldAlgorithm::ErrorCodes, the output is empty and the request ends as one of
+ * vtkMeshFieldAlgorithm. Parameters are checked when the filter executes; no value is clamped.
+ *
+ * @par Abort:
+ * SetAbortExecute(1) from a ProgressEvent observer stops the execution soon. The output is empty
+ * then, GetErrorCode() is vtkMeshFieldAlgorithm::CancelledError without an ErrorEvent from the
+ * filter, and the next Update() executes again.
+ *
+ * @par Parallel pipelines:
+ * The output is not split: piece 0 is all of it, every other piece is empty. Whatever piece is
+ * requested, the filter asks for its whole input.
+ *
+ * @sa
+ * vtkMedialThickness vtkMedialReconstruction vtkMedialCurves vtkMeshFieldAlgorithm
+ */
+
+#ifndef vtkMedialPolyDataAlgorithm_h
+#define vtkMedialPolyDataAlgorithm_h
+
+#include "vtkMedialFiltersModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+
+class VTKMEDIALFILTERS_EXPORT vtkMedialPolyDataAlgorithm : public vtkPolyDataAlgorithm
+{
+public:
+  ///@{
+  /**
+   * Standard methods for obtaining type information, and printing.
+   */
+  vtkTypeMacro(vtkMedialPolyDataAlgorithm, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+  ///@}
+
+protected:
+  vtkMedialPolyDataAlgorithm();
+  ~vtkMedialPolyDataAlgorithm() override;
+
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  /**
+   * Fills the empty output. What it throws becomes an error or, where it is medial::Error
+   * Cancelled, the end of an execution that was aborted.
+   */
+  virtual void Execute(vtkPolyData* input, vtkPolyData* output) = 0;
+
+private:
+  vtkMedialPolyDataAlgorithm(const vtkMedialPolyDataAlgorithm&) = delete;
+  void operator=(const vtkMedialPolyDataAlgorithm&) = delete;
+};
+
+#endif
