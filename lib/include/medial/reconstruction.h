@@ -14,12 +14,12 @@ namespace medial
 /// @throws Error as checkMedialModel().
 MEDIAL_EXPORT Bounds modelBounds(const MedialModel& model);
 
-/// Signed distance, negative inside, to the union of balls, cones and slabs at the points of a
+/// Signed distance, negative inside, to the union of balls, cones and wedges at the points of a
 /// grid, x fastest, for the zero contour. Within three voxels of the union's surface it is the
 /// least of the signed distances to the primitives, which outside is the exact one; elsewhere only
 /// the sign is right, and that the surface is farther away.
 ///
-/// @param interpolate balls, cones and slabs; otherwise the balls only.
+/// @param interpolate balls, cones and wedges; otherwise the balls only.
 /// @throws Error as checkMedialModel() and validateGrid(); Cancelled.
 MEDIAL_EXPORT std::vector<float> computeReconstruction(const MedialModel& model, const Grid& grid,
   bool interpolate = true, const Execution& execution = {});
