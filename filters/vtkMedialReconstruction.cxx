@@ -137,7 +137,7 @@ int vtkMedialReconstruction::RequestData(vtkInformation*, vtkInformationVector**
       const medial::Grid grid = medial::makeGrid(medial::modelBounds(model), this->Resolution);
       medial::requireMemory(grid.pointCount(), BytesPerGridPoint);
       const std::vector<float> field =
-        medial::computeReconstruction(model, grid, this->Interpolate != 0, { 0, &progress });
+        medial::computeReconstruction(model, grid, { this->Interpolate != 0, { 0, &progress } });
       progress.report(1.0, "contour");
       if (progress.cancelled())
       {

@@ -20,7 +20,7 @@ namespace
 
 /// What counts as on a surface, of the diagonal of the mesh's bounds.
 constexpr double kTolerance = 1e-9;
-/// The same, of the greatest coordinate: what rounding may do.
+/// The same, of the largest coordinate: what rounding may do.
 constexpr double kRounding = 1e-14;
 
 glm::dvec3 toVector(const Point3& point)

@@ -32,7 +32,7 @@ public:
   bool coneHidden(std::size_t cone, const glm::dvec3& normal) const;
 
 private:
-  /// Hides the directions n with n . towards > least, and the patches about them with n . towards >
+  /// Hides the directions n with n . towards > min, and the patches about them with n . towards >
   /// minOfPatch. What exceeds 1 hides nothing, what is below -1 everything.
   struct Cover
   {

@@ -130,15 +130,15 @@ Bounds modelBounds(const MedialModel& model)
 }
 
 std::vector<float> computeReconstruction(const MedialModel& model, const Grid& grid,
-  bool interpolate, const Execution& execution)
+  const ReconstructionOptions& options)
 {
-  const Run run(execution);
+  const Run run(options.execution);
   validateGrid(grid);
   requireMemory(grid.pointCount(), sizeof(float));
   return withMemoryErrors(grid.pointCount(),
     [&]
     {
-      const BallUnion solid(model, interpolate);
+      const BallUnion solid(model, options.interpolate);
       std::vector<float> field(static_cast<std::size_t>(grid.pointCount()));
       FieldBuilder builder(solid, grid, field);
       Extent slab = grid.wholeExtent();

@@ -31,7 +31,7 @@ struct MeasurementOptions
 /// Lengths of many places; world units.
 struct Deviation
 {
-  double max = 0.0;        ///< greatest
+  double max = 0.0;        ///< maximum
   double mean = 0.0;       ///< over the places
   std::int64_t places = 0; ///< that the mean is over
 };

@@ -104,7 +104,8 @@ TEST(AxisCoverage, AWedgeWithoutTheSheetsOfItsEdges)
   const double outer = radius + kReach;
   const double half = std::sqrt(outer * outer - radius * radius);
   const double beyondFlank = outer * outer * std::acos(radius / outer) - radius * half;
-  const double covered = 3.0 * 2.0 * half * length + 2.0 * (kPi * outer * outer - 3.0 * beyondFlank);
+  const double covered =
+    3.0 * 2.0 * half * length + 2.0 * (kPi * outer * outer - 3.0 * beyondFlank);
   const double area = perimeter * length + 2.0 * end;
   EXPECT_NEAR(uncovered(wedge(70.0, length, 1.0), line), 1.0 - covered / area, 0.001);
 }
