@@ -72,11 +72,6 @@ const HullDistance& nearer(const HullDistance& a, const HullDistance& b)
 
 } // namespace
 
-HullDistance distanceToBall(const Ball& ball, const glm::dvec3& x)
-{
-  return { glm::distance(x, ball.centre) - ball.radius, ball };
-}
-
 HullDistance distanceToCone(const Ball& a, const Ball& b, const glm::dvec3& x)
 {
   const glm::dvec3 along = b.centre - a.centre;

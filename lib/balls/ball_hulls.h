@@ -24,7 +24,10 @@ struct HullDistance
   Ball ball;             ///< the ball of the family that touches the surface nearest to the point
 };
 
-HullDistance distanceToBall(const Ball& ball, const glm::dvec3& x);
+inline HullDistance distanceToBall(const Ball& ball, const glm::dvec3& x)
+{
+  return { glm::distance(x, ball.centre) - ball.radius, ball };
+}
 
 /// The convex hull of two balls; one of them where it holds the other.
 HullDistance distanceToCone(const Ball& a, const Ball& b, const glm::dvec3& x);

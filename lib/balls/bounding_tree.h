@@ -128,8 +128,11 @@ private:
   /// Halving 2^32 items leaves fewer on the stack.
   static constexpr int kMaxPending = 80;
 
-  void split(std::uint32_t node, const std::vector<ItemBounds>& items, std::uint32_t first,
+  /// @param keys of the items: what they are split by.
+  void split(std::uint32_t node, const std::vector<glm::dvec4>& keys, std::uint32_t first,
     std::uint32_t last);
+  /// Sets the bounds of the nodes.
+  void fit(const std::vector<ItemBounds>& items);
 
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> order_;
