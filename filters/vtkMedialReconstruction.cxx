@@ -104,7 +104,7 @@ void vtkMedialReconstruction::Execute(vtkPolyData* input, vtkPolyData* output)
   const medial::Grid grid = medial::makeGrid(medial::modelBounds(model), this->Resolution);
   medial::requireMemory(grid.pointCount(), BytesPerGridPoint);
   const std::vector<float> field =
-    medial::computeReconstruction(model, grid, this->Interpolate != 0, { 0, &progress });
+    medial::computeReconstruction(model, grid, { this->Interpolate != 0, { 0, &progress } });
   bridge.ReportOrStop(FieldShare, "contour");
   Contour(grid, field, output);
 }

@@ -40,8 +40,7 @@ double voxelDiagonal(const Grid& grid)
 AxisCoverage coverageOf(const MedialAxis& axis, const Result& result,
   const DistanceFieldOptions& options)
 {
-  MeasurementOptions wanted;
-  wanted.samples = kDefaultCoverageSamples;
+  CoverageOptions wanted;
   wanted.execution = options.execution;
   return measureCoverage(result.mesh, toMedialModel(axis), voxelDiagonal(result.grid), wanted);
 }

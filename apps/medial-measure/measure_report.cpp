@@ -26,7 +26,7 @@ long long eulerCharacteristic(const MeasureResult& result)
 double insideShare(const AxisMeasurement& measurement)
 {
   return static_cast<double>(measurement.centresInside) /
-    static_cast<double>(measurement.topology.points);
+    static_cast<double>(measurement.counts.points);
 }
 
 const char* plural(long long count)
@@ -36,7 +36,7 @@ const char* plural(long long count)
 
 void printCounts(const MeasureOptions& options, const MeasureResult& result)
 {
-  const ModelTopology& axis = result.measurement.topology;
+  const ModelCounts& axis = result.measurement.counts;
   std::printf("axis      %s: %lld points, %lld quads, %lld triangles, %lld lines, %lld vertices\n",
     options.axis.c_str(), static_cast<long long>(axis.points), static_cast<long long>(axis.quads),
     static_cast<long long>(axis.triangles), static_cast<long long>(axis.lines),
@@ -65,7 +65,7 @@ Json describe(const Deviation& deviation, const AxisMeasurement& measurement)
     { "mean", percent(deviation.mean, measurement) }, { "samples", deviation.places } };
 }
 
-Json describeAxis(const MeasureOptions& options, const ModelTopology& axis)
+Json describeAxis(const MeasureOptions& options, const ModelCounts& axis)
 {
   return { { "path", options.axis.string() }, { "points", axis.points }, { "quads", axis.quads },
     { "triangles", axis.triangles }, { "lines", axis.lines }, { "vertices", axis.vertices },
@@ -110,7 +110,7 @@ std::string makeJson(const MeasureOptions& options, const MeasureResult& result)
 {
   const AxisMeasurement& measurement = result.measurement;
   Json json;
-  json["axis"] = describeAxis(options, measurement.topology);
+  json["axis"] = describeAxis(options, measurement.counts);
   json["mesh"] = describeMesh(options, result);
   json["surface_to_union"] = describe(measurement.surfaceToUnion, measurement);
   json["union_to_surface"] = describe(measurement.unionToSurface, measurement);

@@ -11,9 +11,11 @@ namespace
 
 /// Triangles whose height is below this share of their longest side have no plane.
 constexpr double kMinHeight = 1e-9;
+/// The same, where the normal itself is wanted.
+constexpr double kMinReliableHeight = 1e-6;
 
 /// A triangle of centres with what follows from it for the radius.
-struct SlabPlane
+struct WedgePlane
 {
   bool usable = false;
   glm::dvec3 normal;    ///< not of unit length
@@ -24,9 +26,9 @@ struct SlabPlane
   double rise;         ///< sqrt(1 - squared length of the gradient)
 };
 
-SlabPlane slabPlane(const Ball& a, const Ball& b, const Ball& c)
+WedgePlane wedgePlane(const Ball& a, const Ball& b, const Ball& c)
 {
-  SlabPlane plane{};
+  WedgePlane plane{};
   const glm::dvec3 u = b.centre - a.centre;
   const glm::dvec3 v = c.centre - a.centre;
   const double longest = std::max({ glm::dot(u, u), glm::dot(v, v), glm::dot(v - u, v - u) });
@@ -45,9 +47,9 @@ SlabPlane slabPlane(const Ball& a, const Ball& b, const Ball& c)
   return plane;
 }
 
-/// What the distance to a slab does not fall below: a convex function lies above its tangent, here
-/// at the middle of the triangle.
-Contact slabBound(const Ball& a, const Ball& b, const Ball& c, const glm::dvec3& x)
+/// A bound that the distance to a wedge does not fall below: a convex function lies above its
+/// tangent, here at the middle of the triangle.
+HullDistance wedgeBound(const Ball& a, const Ball& b, const Ball& c, const glm::dvec3& x)
 {
   constexpr double kThird = 1.0 / 3.0;
   const glm::dvec3 middle = kThird * (a.centre + b.centre + c.centre);
@@ -63,26 +65,21 @@ Contact slabBound(const Ball& a, const Ball& b, const Ball& c, const glm::dvec3&
   return { distance + std::min({ tangent(a), tangent(b), tangent(c) }), a };
 }
 
-const Contact& nearer(const Contact& a, const Contact& b)
+const HullDistance& nearer(const HullDistance& a, const HullDistance& b)
 {
   return b.distance < a.distance ? b : a;
 }
 
 } // namespace
 
-Contact contactWithBall(const Ball& ball, const glm::dvec3& x)
-{
-  return { glm::distance(x, ball.centre) - ball.radius, ball };
-}
-
-Contact contactWithCone(const Ball& a, const Ball& b, const glm::dvec3& x)
+HullDistance distanceToCone(const Ball& a, const Ball& b, const glm::dvec3& x)
 {
   const glm::dvec3 along = b.centre - a.centre;
   const double squared = glm::dot(along, along);
   const double growth = b.radius - a.radius;
   if (growth * growth >= squared)
   {
-    return contactWithBall(growth > 0.0 ? b : a, x);
+    return distanceToBall(growth > 0.0 ? b : a, x);
   }
   const glm::dvec3 toX = x - a.centre;
   const double foot = glm::dot(toX, along) / squared;
@@ -90,56 +87,137 @@ Contact contactWithCone(const Ball& a, const Ball& b, const glm::dvec3& x)
   // The ball that touches the cone where x is nearest lies by this farther to the thick end.
   const double shift = height * growth / (squared * std::sqrt(1.0 - growth * growth / squared));
   const double t = std::clamp(foot + shift, 0.0, 1.0);
-  return contactWithBall({ a.centre + t * along, a.radius + t * growth }, x);
+  return distanceToBall({ a.centre + t * along, a.radius + t * growth }, x);
 }
 
-Contact contactWithSlab(const Ball& a, const Ball& b, const Ball& c, const glm::dvec3& x,
+HullDistance distanceToWedge(const Ball& a, const Ball& b, const Ball& c, const glm::dvec3& x,
   double limit)
 {
-  const Contact bound = slabBound(a, b, c, x);
+  const HullDistance bound = wedgeBound(a, b, c, x);
   if (bound.distance >= limit)
   {
     return bound;
   }
-  const SlabPlane plane = slabPlane(a, b, c);
+  const WedgePlane plane = wedgePlane(a, b, c);
   if (!plane.usable)
   {
-    return nearer(nearer(contactWithCone(a, b, x), contactWithCone(b, c, x)),
-      contactWithCone(c, a, x));
+    return nearer(nearer(distanceToCone(a, b, x), distanceToCone(b, c, x)),
+      distanceToCone(c, a, x));
   }
   const glm::dvec3 toX = x - a.centre;
   const double lift = glm::dot(toX, plane.normal) / plane.normalSquared;
   const double height = std::abs(lift) * std::sqrt(plane.normalSquared);
   const glm::dvec3 centre = toX - lift * plane.normal + height / plane.rise * plane.gradient;
   const double radius = a.radius + glm::dot(plane.gradient, centre);
-  const Contact onPlane{ height / plane.rise - radius, { a.centre + centre, radius } };
+  const HullDistance onPlane{ height / plane.rise - radius, { a.centre + centre, radius } };
   const double atB = glm::dot(centre, plane.dualB);
   const double atC = glm::dot(centre, plane.dualC);
   if (onPlane.distance >= limit || (atB >= 0.0 && atC >= 0.0 && atB + atC <= 1.0))
   {
     return onPlane;
   }
-  // The least of a convex function over the triangle lies on a side that the least of all is
+  // The minimum of a convex function over the triangle lies on an edge that the minimum of all is
   // beyond.
-  Contact best;
+  HullDistance best;
   best.distance = std::numeric_limits<double>::infinity();
-  best = atC < 0.0 ? contactWithCone(a, b, x) : best;
-  best = atB < 0.0 ? nearer(best, contactWithCone(c, a, x)) : best;
-  return atB + atC > 1.0 ? nearer(best, contactWithCone(b, c, x)) : best;
+  best = atC < 0.0 ? distanceToCone(a, b, x) : best;
+  best = atB < 0.0 ? nearer(best, distanceToCone(c, a, x)) : best;
+  return atB + atC > 1.0 ? nearer(best, distanceToCone(b, c, x)) : best;
 }
 
-TangentPlanes tangentPlanes(const Ball& a, const Ball& b, const Ball& c)
+std::optional<std::array<glm::dvec3, 2>> tangentNormals(const Ball& a, const Ball& b, const Ball& c)
 {
-  const SlabPlane plane = slabPlane(a, b, c);
-  TangentPlanes result;
-  result.exist = plane.usable;
-  if (plane.usable)
+  const WedgePlane plane = wedgePlane(a, b, c);
+  if (!plane.usable)
   {
-    const glm::dvec3 up = plane.rise * plane.normal / std::sqrt(plane.normalSquared);
-    result.normals[0] = up - plane.gradient;
-    result.normals[1] = -up - plane.gradient;
+    return std::nullopt;
   }
-  return result;
+  const glm::dvec3 up = plane.rise * plane.normal / std::sqrt(plane.normalSquared);
+  return std::array<glm::dvec3, 2>{ up - plane.gradient, -up - plane.gradient };
+}
+
+std::optional<Cone> coneOf(const Ball& a, const Ball& b)
+{
+  Cone cone;
+  cone.axis = b.centre - a.centre;
+  cone.length = glm::length(cone.axis);
+  const double difference = a.radius - b.radius;
+  if (!(cone.length > std::abs(difference)))
+  {
+    return std::nullopt;
+  }
+  cone.axis /= cone.length;
+  cone.slope = difference / cone.length;
+  cone.sine = std::sqrt(1.0 - cone.slope * cone.slope);
+  return cone;
+}
+
+std::optional<Wedge> wedgeOf(const Ball& a, const Ball& b, const Ball& c)
+{
+  const glm::dvec3 e = b.centre - a.centre;
+  const glm::dvec3 f = c.centre - a.centre;
+  const glm::dvec3 normal = glm::cross(e, f);
+  const double twice = glm::length(normal);
+  const double ee = glm::dot(e, e);
+  const double ff = glm::dot(f, f);
+  if (!(twice > kMinReliableHeight * std::max(ee, ff)))
+  {
+    return std::nullopt;
+  }
+  // slope . e = a.radius - b.radius and slope . f = a.radius - c.radius, within the plane.
+  const double ef = glm::dot(e, f);
+  const double p = a.radius - b.radius;
+  const double q = a.radius - c.radius;
+  const double determinant = twice * twice;
+  Wedge wedge;
+  wedge.slope = ((p * ff - q * ef) * e + (q * ee - p * ef) * f) / determinant;
+  const double sine2 = 1.0 - glm::dot(wedge.slope, wedge.slope);
+  if (!(sine2 > 0.0))
+  {
+    return std::nullopt;
+  }
+  wedge.sine = std::sqrt(sine2);
+  wedge.up = normal / twice;
+  wedge.area = 0.5 * twice;
+  return wedge;
+}
+
+std::array<double, 2> nearestShares(const Ball& a, const Ball& b, const glm::dvec3& x)
+{
+  const auto cone = coneOf(a, b);
+  if (!cone)
+  {
+    return a.radius > b.radius ? std::array{ 1.0, 0.0 } : std::array{ 0.0, 1.0 };
+  }
+  const glm::dvec3 d = x - a.centre;
+  const double along = glm::dot(d, cone->axis);
+  const double height = glm::length(d - along * cone->axis);
+  const double t = (along - cone->slope * height / cone->sine) / cone->length;
+  const double share = std::clamp(t, 0.0, 1.0);
+  return { 1.0 - share, share };
+}
+
+std::optional<std::array<double, 3>> nearestShares(const Ball& a, const Ball& b, const Ball& c,
+  const glm::dvec3& x)
+{
+  const auto wedge = wedgeOf(a, b, c);
+  if (!wedge)
+  {
+    return std::nullopt;
+  }
+  const glm::dvec3 e = b.centre - a.centre;
+  const glm::dvec3 f = c.centre - a.centre;
+  // The nearest ball lies off the foot of the perpendicular, towards growing radii.
+  const double height = glm::dot(x - a.centre, wedge->up);
+  const glm::dvec3 d =
+    x - a.centre - height * wedge->up - wedge->slope * (std::abs(height) / wedge->sine);
+  const double s = glm::dot(glm::cross(d, f), wedge->up) / (2.0 * wedge->area);
+  const double t = glm::dot(glm::cross(e, d), wedge->up) / (2.0 * wedge->area);
+  if (s < 0.0 || t < 0.0 || s + t > 1.0)
+  {
+    return std::nullopt;
+  }
+  return std::array{ 1.0 - s - t, s, t };
 }
 
 } // namespace medial

@@ -1,49 +1,87 @@
 #pragma once
 
+#include "balls/ball.h"
+
 #include <glm/glm.hpp>
 
+#include <array>
 #include <limits>
+#include <optional>
 
+// The exact geometry of convex hulls of balls: of two, cones, and of three, wedges.
+//
+// The hull of balls (c_i, r_i) is the union of the balls whose centre and radius are the same
+// convex combination of theirs. Its signed distance from x is the minimum of |x - c| - r over
+// these, a convex function of the combination: so the minimum over all of space, where it lies
+// within the triangle (or segment), is the answer, and otherwise the minimum on the boundary is.
 namespace medial
 {
 
-struct Ball
-{
-  glm::dvec3 centre{ 0.0 };
-  double radius = 0.0;
-};
-
 /// Where a point is with respect to a solid that is the union of a family of balls.
-struct Contact
+struct HullDistance
 {
   double distance = 0.0; ///< signed distance to the solid's surface, negative inside
   Ball ball;             ///< the ball of the family that touches the surface nearest to the point
 };
 
-// Exact signed distances to convex hulls of balls, inside and outside. The hull of balls (c_i, r_i)
-// is the union of the balls whose centre and radius are the same convex combination of theirs. Its
-// signed distance is the least of |x - c| - r over these, a convex function of the combination: so
-// the least over all of space, where it lies within the triangle (or segment), is the answer, and
-// otherwise the least on the boundary is.
-
-Contact contactWithBall(const Ball& ball, const glm::dvec3& x);
+inline HullDistance distanceToBall(const Ball& ball, const glm::dvec3& x)
+{
+  return { glm::distance(x, ball.centre) - ball.radius, ball };
+}
 
 /// The convex hull of two balls; one of them where it holds the other.
-Contact contactWithCone(const Ball& a, const Ball& b, const glm::dvec3& x);
+HullDistance distanceToCone(const Ball& a, const Ball& b, const glm::dvec3& x);
 
 /// The convex hull of three balls; that of two where the triangle has no area or the third adds
 /// nothing.
 /// @param limit where the distance is not below it, another one that is not either may be returned.
-Contact contactWithSlab(const Ball& a, const Ball& b, const Ball& c, const glm::dvec3& x,
+HullDistance distanceToWedge(const Ball& a, const Ball& b, const Ball& c, const glm::dvec3& x,
   double limit = std::numeric_limits<double>::infinity());
 
-/// The planes that touch three balls from outside, on either side of their triangle.
-struct TangentPlanes
+/// Outward unit normals of the two planes that touch three balls from outside: each touches ball
+/// (c, r) at c + r normal. Nothing for a triangle without area or where radii differ too much.
+std::optional<std::array<glm::dvec3, 2>> tangentNormals(const Ball& a, const Ball& b,
+  const Ball& c);
+
+// What the simplification needs beside distances. It comes to the same planes and the same nearest
+// balls as the functions above, but for the last bits, on which the simplification's result
+// depends.
+
+/// The planes that touch two balls have the unit normals slope * axis + sine * radial, radial any
+/// unit vector at right angles to the axis.
+struct Cone
 {
-  bool exist = false;      ///< false for a triangle without area or where radii differ too much
-  glm::dvec3 normals[2]{}; ///< outward, unit; ball (c, r) is touched at c + r normal
+  glm::dvec3 axis; ///< unit vector between the centres
+  double slope;
+  double sine; ///< (0, 1]
+  double length;
 };
 
-TangentPlanes tangentPlanes(const Ball& a, const Ball& b, const Ball& c);
+/// The planes that touch three balls have the unit normals slope +- sine * up.
+struct Wedge
+{
+  glm::dvec3 slope; ///< in the plane of the centres, where radii grow against it
+  glm::dvec3 up;    ///< unit normal of that plane
+  double sine;      ///< of half the angle between the two normals, (0, 1]
+  double area;      ///< of the triangle of centres
+
+  /// @param sign 1 or -1.
+  glm::dvec3 normal(double sign) const { return slope + sign * sine * up; }
+};
+
+///@{
+/// Nothing where no plane touches all balls, since one lies inside another or inside the hull of
+/// the others, or where centres coincide or almost lie on a line.
+std::optional<Cone> coneOf(const Ball& a, const Ball& b);
+std::optional<Wedge> wedgeOf(const Ball& a, const Ball& b, const Ball& c);
+///@}
+
+/// Shares of two balls in the ball of their cone whose surface is nearest to x.
+std::array<double, 2> nearestShares(const Ball& a, const Ball& b, const glm::dvec3& x);
+
+/// Shares of three balls in the ball of their wedge whose surface is nearest to x. Nothing where
+/// that is a ball of one of its cones, or where wedgeOf() has nothing.
+std::optional<std::array<double, 3>> nearestShares(const Ball& a, const Ball& b, const Ball& c,
+  const glm::dvec3& x);
 
 } // namespace medial

@@ -1,6 +1,6 @@
 #include "balls/ball_union.h"
 
-#include <algorithm>
+#include <utility>
 
 namespace medial
 {
@@ -21,7 +21,18 @@ std::vector<Ball> ballsOf(const MedialModel& model)
   return balls;
 }
 
-std::vector<std::array<std::int32_t, 3>> primitivesOf(const MedialModel& model, bool interpolate)
+std::vector<std::array<std::int32_t, 3>> ballsAlone(std::size_t count)
+{
+  std::vector<std::array<std::int32_t, 3>> primitives;
+  primitives.reserve(count);
+  for (std::size_t ball = 0; ball < count; ++ball)
+  {
+    primitives.push_back({ static_cast<std::int32_t>(ball), kNone, kNone });
+  }
+  return primitives;
+}
+
+std::vector<std::array<std::int32_t, 3>> primitivesOf(const MedialModel& model)
 {
   std::vector<std::array<std::int32_t, 3>> primitives;
   std::vector<char> joined(model.centres.size(), 0);
@@ -32,16 +43,13 @@ std::vector<std::array<std::int32_t, 3>> primitivesOf(const MedialModel& model, 
     joined[a] = joined[b] = 1;
     joined[c == kNone ? a : c] = 1;
   };
-  if (interpolate)
+  for (const auto& triangle : model.allTriangles())
   {
-    for (const auto& triangle : model.allTriangles())
-    {
-      add(triangle[0], triangle[1], triangle[2]);
-    }
-    for (const auto& line : model.lines)
-    {
-      add(line[0], line[1], kNone);
-    }
+    add(triangle[0], triangle[1], triangle[2]);
+  }
+  for (const auto& line : model.lines)
+  {
+    add(line[0], line[1], kNone);
   }
   for (std::size_t ball = 0; ball < joined.size(); ++ball)
   {
@@ -70,10 +78,10 @@ std::vector<ItemBounds> boundsOf(const std::vector<Ball>& balls,
   return bounds;
 }
 
-/// Outward at the place where a contact touches the surface; any direction will do at a centre.
-glm::dvec3 outward(const Contact& contact, const glm::dvec3& x)
+/// The direction out of a ball; any will do at its centre.
+glm::dvec3 outward(const Ball& ball, const glm::dvec3& x)
 {
-  const glm::dvec3 fromCentre = x - contact.ball.centre;
+  const glm::dvec3 fromCentre = x - ball.centre;
   const double length = glm::length(fromCentre);
   return length > 0.0 ? fromCentre / length : glm::dvec3(1.0, 0.0, 0.0);
 }
@@ -82,29 +90,36 @@ glm::dvec3 outward(const Contact& contact, const glm::dvec3& x)
 
 BallUnion::BallUnion(const MedialModel& model, bool interpolate)
   : balls_(ballsOf(model))
-  , primitives_(primitivesOf(model, interpolate))
+  , primitives_(interpolate ? primitivesOf(model) : ballsAlone(balls_.size()))
   , tree_(boundsOf(balls_, primitives_))
 {
 }
 
-Contact BallUnion::contactWith(std::uint32_t primitive, const glm::dvec3& x, double limit) const
+BallUnion::BallUnion(std::vector<Ball> balls)
+  : balls_(std::move(balls))
+  , primitives_(ballsAlone(balls_.size()))
+  , tree_(boundsOf(balls_, primitives_))
+{
+}
+
+HullDistance BallUnion::distanceTo(std::uint32_t primitive, const glm::dvec3& x, double limit) const
 {
   const auto& [a, b, c] = primitives_[primitive];
   if (c != kNone)
   {
-    return contactWithSlab(balls_[a], balls_[b], balls_[c], x, limit);
+    return distanceToWedge(balls_[a], balls_[b], balls_[c], x, limit);
   }
-  return b != kNone ? contactWithCone(balls_[a], balls_[b], x) : contactWithBall(balls_[a], x);
+  return b != kNone ? distanceToCone(balls_[a], balls_[b], x) : distanceToBall(balls_[a], x);
 }
 
-Contact BallUnion::contact(const glm::dvec3& x, double limit) const
+HullDistance BallUnion::nearest(const glm::dvec3& x, double limit) const
 {
-  Contact best;
+  HullDistance best;
   best.distance = limit;
   tree_.search(x, best.distance,
     [&](std::uint32_t primitive)
     {
-      const Contact found = this->contactWith(primitive, x, best.distance);
+      const HullDistance found = this->distanceTo(primitive, x, best.distance);
       if (found.distance < best.distance)
       {
         best = found;
@@ -120,7 +135,7 @@ bool BallUnion::covers(const glm::dvec3& x, double depth) const
   tree_.search(x, limit,
     [&](std::uint32_t primitive)
     {
-      if (limit != kStop && this->contactWith(primitive, x, -depth).distance < -depth)
+      if (limit != kStop && this->distanceTo(primitive, x, -depth).distance < -depth)
       {
         limit = kStop;
       }
@@ -131,24 +146,24 @@ bool BallUnion::covers(const glm::dvec3& x, double depth) const
 double BallUnion::distanceToSurface(const glm::dvec3& x, double tolerance) const
 {
   constexpr int kMaxMoves = 64;
-  Contact contact = this->contact(x);
-  if (contact.distance >= 0.0)
+  HullDistance nearest = this->nearest(x);
+  if (nearest.distance >= 0.0)
   {
-    return contact.distance;
+    return nearest.distance;
   }
   glm::dvec3 y = x;
-  for (int move = 0; move < kMaxMoves && contact.distance < -tolerance; ++move)
+  for (int move = 0; move < kMaxMoves && nearest.distance < -tolerance; ++move)
   {
-    y -= contact.distance * outward(contact, y);
-    contact = this->contact(y);
+    y -= nearest.distance * outward(nearest.ball, y);
+    nearest = this->nearest(y);
   }
   // Where the moves go round in a circle, straight on: that leaves every bounded solid.
   constexpr int kMaxSteps = 100000;
-  const glm::dvec3 direction = outward(contact, y);
-  for (int step = 0; step < kMaxSteps && contact.distance < -tolerance; ++step)
+  const glm::dvec3 direction = outward(nearest.ball, y);
+  for (int step = 0; step < kMaxSteps && nearest.distance < -tolerance; ++step)
   {
-    y -= contact.distance * direction;
-    contact = this->contact(y);
+    y -= nearest.distance * direction;
+    nearest = this->nearest(y);
   }
   return glm::distance(x, y);
 }

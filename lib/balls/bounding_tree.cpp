@@ -11,10 +11,15 @@ namespace
 
 constexpr std::uint32_t kLeafItems = 4;
 
-/// Middle of an item along x, y, z, or its reach.
-double keyOf(const ItemBounds& item, int key)
+/// What items are split by: their middle along x, y, z, and their reach.
+std::vector<glm::dvec4> keysOf(const std::vector<ItemBounds>& items)
 {
-  return key < 3 ? 0.5 * (item.min[key] + item.max[key]) : item.reach;
+  std::vector<glm::dvec4> keys(items.size());
+  for (std::size_t i = 0; i < items.size(); ++i)
+  {
+    keys[i] = { 0.5 * (items[i].min + items[i].max), items[i].reach };
+  }
+  return keys;
 }
 
 } // namespace
@@ -47,36 +52,26 @@ BoundingTree::BoundingTree(const std::vector<ItemBounds>& items)
   {
     nodes_.reserve(items.size());
     nodes_.emplace_back();
-    this->split(0, items, 0, static_cast<std::uint32_t>(items.size()));
+    this->split(0, keysOf(items), 0, static_cast<std::uint32_t>(items.size()));
+    this->fit(items);
   }
 }
 
-void BoundingTree::split(std::uint32_t node, const std::vector<ItemBounds>& items,
+void BoundingTree::split(std::uint32_t node, const std::vector<glm::dvec4>& keys,
   std::uint32_t first, std::uint32_t last)
 {
-  ItemBounds bounds = ItemBounds::nothing();
-  double low[4];
-  double high[4];
-  for (int key = 0; key < 4; ++key)
-  {
-    low[key] = high[key] = keyOf(items[order_[first]], key);
-  }
-  for (std::uint32_t i = first; i < last; ++i)
-  {
-    const ItemBounds& item = items[order_[i]];
-    bounds.add(item);
-    for (int key = 0; key < 4; ++key)
-    {
-      low[key] = std::min(low[key], keyOf(item, key));
-      high[key] = std::max(high[key], keyOf(item, key));
-    }
-  }
-  nodes_[node].bounds = bounds;
   if (last - first <= kLeafItems)
   {
     nodes_[node].first = first;
     nodes_[node].count = last - first;
     return;
+  }
+  glm::dvec4 low = keys[order_[first]];
+  glm::dvec4 high = low;
+  for (std::uint32_t i = first + 1; i < last; ++i)
+  {
+    low = glm::min(low, keys[order_[i]]);
+    high = glm::max(high, keys[order_[i]]);
   }
   int widest = 0;
   for (int key = 1; key < 4; ++key)
@@ -85,17 +80,32 @@ void BoundingTree::split(std::uint32_t node, const std::vector<ItemBounds>& item
   }
   const std::uint32_t middle = first + (last - first) / 2;
   std::nth_element(order_.begin() + first, order_.begin() + middle, order_.begin() + last,
-    [&items, widest](std::uint32_t a, std::uint32_t b)
+    [&keys, widest](std::uint32_t a, std::uint32_t b)
     {
-      const double keyA = keyOf(items[a], widest);
-      const double keyB = keyOf(items[b], widest);
+      const double keyA = keys[a][widest];
+      const double keyB = keys[b][widest];
       return keyA != keyB ? keyA < keyB : a < b;
     });
   const auto children = static_cast<std::uint32_t>(nodes_.size());
   nodes_.resize(nodes_.size() + 2);
   nodes_[node].first = children;
-  this->split(children, items, first, middle);
-  this->split(children + 1, items, middle, last);
+  this->split(children, keys, first, middle);
+  this->split(children + 1, keys, middle, last);
+}
+
+void BoundingTree::fit(const std::vector<ItemBounds>& items)
+{
+  const auto join = [](ItemBounds a, const ItemBounds& b)
+  {
+    a.add(b);
+    return a;
+  };
+  const std::vector<ItemBounds> bounds =
+    this->valuesOfNodes<ItemBounds>([&items](std::uint32_t item) { return items[item]; }, join);
+  for (std::size_t i = 0; i < nodes_.size(); ++i)
+  {
+    nodes_[i].bounds = bounds[i];
+  }
 }
 
 } // namespace medial

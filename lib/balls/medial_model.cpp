@@ -1,8 +1,8 @@
 #include "medial/medial_model.h"
 
-#include "medial/medial_axis.h"
-
+#include "base/disjoint_sets.h"
 #include "medial/error.h"
+#include "medial/medial_axis.h"
 
 #include <algorithm>
 #include <cmath>
@@ -98,7 +98,7 @@ std::vector<std::array<std::int64_t, Size>> distinct(
 std::vector<std::array<std::int64_t, 2>> distinctEdges(const MedialModel& model)
 {
   std::vector<std::array<std::int64_t, 2>> edges = model.lines;
-  const auto addSides = [&edges](const auto& cells)
+  const auto addEdges = [&edges](const auto& cells)
   {
     for (const auto& cell : cells)
     {
@@ -108,35 +108,19 @@ std::vector<std::array<std::int64_t, 2>> distinctEdges(const MedialModel& model)
       }
     }
   };
-  addSides(model.quads);
-  addSides(model.triangles);
+  addEdges(model.quads);
+  addEdges(model.triangles);
   return distinct(std::move(edges));
 }
 
-/// Pieces of a graph, by union-find with halving of paths.
 std::int64_t countComponents(std::size_t points,
   const std::vector<std::array<std::int64_t, 2>>& edges)
 {
-  std::vector<std::int64_t> parent(points);
-  for (std::size_t i = 0; i < points; ++i)
-  {
-    parent[i] = static_cast<std::int64_t>(i);
-  }
-  const auto rootOf = [&parent](std::int64_t i)
-  {
-    while (parent[i] != i)
-    {
-      i = parent[i] = parent[parent[i]];
-    }
-    return i;
-  };
+  DisjointSets pieces(points);
   auto count = static_cast<std::int64_t>(points);
   for (const auto& edge : edges)
   {
-    const std::int64_t a = rootOf(edge[0]);
-    const std::int64_t b = rootOf(edge[1]);
-    count -= a != b ? 1 : 0;
-    parent[std::max(a, b)] = std::min(a, b);
+    count -= pieces.join(edge[0], edge[1]) ? 1 : 0;
   }
   return count;
 }
@@ -277,21 +261,21 @@ void checkMedialModel(const MedialModel& model)
   checkCells("vertex", vertices, model.centres.size());
 }
 
-ModelTopology analyseModel(const MedialModel& model)
+ModelCounts countModel(const MedialModel& model)
 {
   checkMedialModel(model);
-  ModelTopology topology;
-  topology.points = count(model.centres);
-  topology.quads = count(model.quads);
-  topology.triangles = count(model.triangles);
-  topology.lines = count(model.lines);
-  topology.vertices = count(model.vertices);
-  topology.zeroAreaCells = countZeroArea(model);
+  ModelCounts counts;
+  counts.points = count(model.centres);
+  counts.quads = count(model.quads);
+  counts.triangles = count(model.triangles);
+  counts.lines = count(model.lines);
+  counts.vertices = count(model.vertices);
+  counts.zeroAreaCells = countZeroArea(model);
   const auto edges = distinctEdges(model);
-  topology.components = countComponents(model.centres.size(), edges);
-  topology.eulerCharacteristic = topology.points - count(edges) + count(distinct(model.triangles)) +
-    count(distinct(model.quads));
-  return topology;
+  counts.components = countComponents(model.centres.size(), edges);
+  counts.eulerCharacteristic =
+    counts.points - count(edges) + count(distinct(model.triangles)) + count(distinct(model.quads));
+  return counts;
 }
 
 } // namespace medial

@@ -37,11 +37,13 @@ public:
     return element;
   }
 
-  void join(std::int64_t a, std::int64_t b)
+  /// Whether the two were in different sets.
+  bool join(std::int64_t a, std::int64_t b)
   {
     a = this->find(a);
     b = this->find(b);
     parent_[std::max(a, b)] = std::min(a, b);
+    return a != b;
   }
 
 private:

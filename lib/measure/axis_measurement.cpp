@@ -20,7 +20,7 @@ namespace
 
 /// What counts as on a surface, of the diagonal of the mesh's bounds.
 constexpr double kTolerance = 1e-9;
-/// The same, of the greatest coordinate: what rounding may do.
+/// The same, of the largest coordinate: what rounding may do.
 constexpr double kRounding = 1e-14;
 
 glm::dvec3 toVector(const Point3& point)
@@ -93,7 +93,7 @@ AxisMeasurement measure(const TriangleMesh& mesh, const MeshConnectivity& connec
 {
   run.report(0.0, "preparing");
   AxisMeasurement result;
-  result.topology = analyseModel(model);
+  result.counts = countModel(model);
   const double area = surfaceArea(mesh);
   if (!(area > 0.0))
   {
@@ -135,7 +135,7 @@ double AxisMeasurement::meanDistance() const
 AxisMeasurement measureAxis(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
   const MedialModel& model, const MeasurementOptions& options)
 {
-  checkMeasureOptions(options);
+  checkSampleCount(options.samples);
   const Run run(options.execution);
   return run.onThreads([&] { return measure(mesh, connectivity, model, options, run); });
 }

@@ -1,6 +1,6 @@
 #include "measure/ball_neighbours.h"
 
-#include "measure/sphere_patches.h"
+#include "measure/direction_patches.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,17 +12,17 @@ namespace medial
 namespace
 {
 
-/// Directions hidden by less than this are not: the slab and cones that touch there say the same.
+/// Directions hidden by less than this are not: the wedge and cones that touch there say the same.
 constexpr double kTolerance = 1e-12;
 
-/// A cone, and the third ball of a slab that it is a side of; -1 for a line.
-using Side = std::array<std::int32_t, 3>;
+/// A cone, and the third ball of a wedge that it is an edge of; -1 for a line.
+using ConeOfPrimitive = std::array<std::int32_t, 3>;
 
-std::vector<Side> sidesOf(const BallUnion& solid)
+std::vector<ConeOfPrimitive> conesOf(const BallUnion& solid)
 {
-  std::vector<Side> sides;
-  const auto add = [&sides](std::int32_t a, std::int32_t b, std::int32_t third) {
-    sides.push_back({ std::min(a, b), std::max(a, b), third });
+  std::vector<ConeOfPrimitive> cones;
+  const auto add = [&cones](std::int32_t a, std::int32_t b, std::int32_t third) {
+    cones.push_back({ std::min(a, b), std::max(a, b), third });
   };
   for (const auto& [a, b, c] : solid.primitives())
   {
@@ -37,9 +37,9 @@ std::vector<Side> sidesOf(const BallUnion& solid)
       add(a, b, -1);
     }
   }
-  std::sort(sides.begin(), sides.end());
-  sides.erase(std::unique(sides.begin(), sides.end()), sides.end());
-  return sides;
+  std::sort(cones.begin(), cones.end());
+  cones.erase(std::unique(cones.begin(), cones.end()), cones.end());
+  return cones;
 }
 
 } // namespace
@@ -50,7 +50,7 @@ BallNeighbours::BallNeighbours(const BallUnion& solid)
   {
     if (primitive[2] >= 0)
     {
-      slabs_.push_back(primitive);
+      wedges_.push_back(primitive);
     }
   }
   this->collectCones(solid);
@@ -78,7 +78,7 @@ BallNeighbours::BallNeighbours(const BallUnion& solid)
 void BallNeighbours::collectCones(const BallUnion& solid)
 {
   const std::vector<Ball>& balls = solid.balls();
-  for (const auto& [a, b, third] : sidesOf(solid))
+  for (const auto& [a, b, third] : conesOf(solid))
   {
     if (cones_.empty() || cones_.back() != std::array<std::int32_t, 2>{ a, b })
     {
@@ -109,7 +109,7 @@ BallNeighbours::Cover BallNeighbours::coverOf(const Ball& ball, const Ball& neig
     return kNone;
   }
   const double min = shrink / distance;
-  const double reach = std::acos(min) - SpherePatches::instance().radius();
+  const double reach = std::acos(min) - DirectionPatches::instance().radius();
   return { along / distance, min + kTolerance, reach > 0.0 ? std::cos(reach) : 2.0 };
 }
 

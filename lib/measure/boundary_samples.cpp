@@ -1,8 +1,8 @@
 #include "measure/boundary_samples.h"
 
 #include "measure/ball_neighbours.h"
+#include "measure/direction_patches.h"
 #include "measure/low_discrepancy.h"
-#include "measure/sphere_patches.h"
 
 #include <tbb/parallel_for.h>
 
@@ -16,8 +16,8 @@ namespace
 
 const double kPi = std::acos(-1.0);
 
-/// The pieces that the surface of the union is made of: the touching triangles of slabs, the
-/// lateral surfaces of cones and the spheres of balls.
+/// The pieces that the surface of the union is made of: the touching triangles of wedges, the
+/// lateral surfaces of cones and whole balls.
 class Parts
 {
 public:
@@ -26,7 +26,7 @@ public:
     , neighbours_(solid)
     , perArea_(1.0 / areaPerSample)
   {
-    this->place(neighbours_.slabs().size(), [this](std::size_t i) { return this->slabArea(i); });
+    this->place(neighbours_.wedges().size(), [this](std::size_t i) { return this->wedgeArea(i); });
     this->place(neighbours_.cones().size(), [this](std::size_t i) { return this->coneArea(i); });
     this->place(balls_.size(),
       [this](std::size_t i) { return 4.0 * kPi * balls_[i].radius * balls_[i].radius; });
@@ -40,19 +40,19 @@ public:
   {
     const double start = starts_[part];
     const double length = starts_[part + 1] - start;
-    const std::size_t slabs = neighbours_.slabs().size();
+    const std::size_t wedges = neighbours_.wedges().size();
     const std::size_t cones = neighbours_.cones().size();
-    if (part < slabs)
+    if (part < wedges)
     {
-      this->visitSlab(part, start, length, visit);
+      this->visitWedge(part, start, length, visit);
     }
-    else if (part < slabs + cones)
+    else if (part < wedges + cones)
     {
-      this->visitCone(part - slabs, start, length, visit);
+      this->visitCone(part - wedges, start, length, visit);
     }
     else
     {
-      this->visitBall(static_cast<std::int32_t>(part - slabs - cones), start, length, visit);
+      this->visitBall(static_cast<std::int32_t>(part - wedges - cones), start, length, visit);
     }
   }
 
@@ -69,18 +69,22 @@ private:
   const Ball& ball(std::int32_t i) const { return balls_[i]; }
 
   /// Both touching triangles.
-  double slabArea(std::size_t slab) const
+  double wedgeArea(std::size_t wedge) const
   {
-    const auto& [a, b, c] = neighbours_.slabs()[slab];
-    const TangentPlanes planes = tangentPlanes(this->ball(a), this->ball(b), this->ball(c));
+    const auto& [a, b, c] = neighbours_.wedges()[wedge];
+    const auto normals = tangentNormals(this->ball(a), this->ball(b), this->ball(c));
+    if (!normals)
+    {
+      return 0.0;
+    }
     double area = 0.0;
-    for (const glm::dvec3& normal : planes.normals)
+    for (const glm::dvec3& normal : *normals)
     {
       const glm::dvec3 at = this->touch(a, normal);
       area +=
         0.5 * glm::length(glm::cross(this->touch(b, normal) - at, this->touch(c, normal) - at));
     }
-    return planes.exist ? area : 0.0;
+    return area;
   }
 
   double coneArea(std::size_t cone) const
@@ -93,7 +97,7 @@ private:
     {
       return 0.0;
     }
-    // Circles of contact are smaller than the balls.
+    // The circles where the cone touches its balls are smaller than theirs.
     const double shrink = std::sqrt(slant / glm::dot(along, along));
     return kPi * shrink * (this->ball(a).radius + this->ball(b).radius) * std::sqrt(slant);
   }
@@ -104,11 +108,15 @@ private:
   }
 
   template <typename Visit>
-  void visitSlab(std::size_t slab, double start, double length, const Visit& visit) const
+  void visitWedge(std::size_t wedge, double start, double length, const Visit& visit) const
   {
-    const auto& [a, b, c] = neighbours_.slabs()[slab];
-    const TangentPlanes planes = tangentPlanes(this->ball(a), this->ball(b), this->ball(c));
-    for (const glm::dvec3& normal : planes.normals)
+    const auto& [a, b, c] = neighbours_.wedges()[wedge];
+    const auto normals = tangentNormals(this->ball(a), this->ball(b), this->ball(c));
+    if (!normals)
+    {
+      return; // nor has it any area
+    }
+    for (const glm::dvec3& normal : *normals)
     {
       const glm::dvec3 corners[3] = { this->touch(a, normal), this->touch(b, normal),
         this->touch(c, normal) };
@@ -163,11 +171,11 @@ private:
   template <typename Visit>
   void visitBall(std::int32_t i, double start, double length, const Visit& visit) const
   {
-    const SpherePatches& patches = SpherePatches::instance();
+    const DirectionPatches& patches = DirectionPatches::instance();
     const double share = length / static_cast<double>(patches.size());
     for (std::size_t patch = 0; patch < patches.size(); ++patch)
     {
-      // Most balls of a sheet show no more than the two spots where it is touched.
+      // Most balls of a sheet show no more than the two spots where they touch its wedges.
       if (neighbours_.patchHidden(i, patches.centre(patch)))
       {
         continue;
@@ -187,7 +195,7 @@ private:
   const std::vector<Ball>& balls_;
   BallNeighbours neighbours_;
   double perArea_;
-  std::vector<double> starts_{ 0.0 }; ///< in samples: slabs, cones, balls
+  std::vector<double> starts_{ 0.0 }; ///< in samples: wedges, cones, balls
 };
 
 } // namespace

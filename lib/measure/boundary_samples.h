@@ -10,7 +10,7 @@
 namespace medial
 {
 
-/// Points on the surface of a union of balls, cones and slabs, evenly spread by area; always the
+/// Points on the surface of a union of balls, cones and wedges, evenly spread by area; always the
 /// same ones, whatever the number of threads. The surface of every part is sampled, and what lies
 /// inside another part is left out.
 /// @param areaPerSample > 0.

@@ -16,9 +16,9 @@ namespace medial
 namespace
 {
 
-/// Points along the sides of the largest blocks.
+/// Points along the edges of the largest blocks.
 constexpr int kBlockSize = 16;
-/// Voxels on either side of the surface where every point is evaluated.
+/// Voxels from the surface, inside and outside, where every point is evaluated.
 constexpr double kBand = 3.0;
 
 class FieldBuilder
@@ -40,14 +40,14 @@ public:
     const glm::dvec3 high = this->position(block.max);
     const glm::dvec3 middle = 0.5 * (low + high);
     const double reach = 0.5 * glm::distance(low, high);
-    const double distance = solid_.contact(middle, limit).distance;
+    const double distance = solid_.nearest(middle, limit).distance;
     if (block.pointCount() == 1 || std::abs(distance) > reach + band_)
     {
       // The distance changes by no more than the way to the middle.
       this->set(block, static_cast<float>(distance - std::copysign(reach, distance)));
       return;
     }
-    const int axis = this->longestSide(block);
+    const int axis = this->longestAxis(block);
     Extent lower = block;
     Extent upper = block;
     lower.max[axis] = (block.min[axis] + block.max[axis]) / 2;
@@ -66,7 +66,7 @@ private:
     return { at[0], at[1], at[2] };
   }
 
-  static int longestSide(const Extent& block)
+  static int longestAxis(const Extent& block)
   {
     int longest = 0;
     for (int axis = 1; axis < 3; ++axis)
@@ -130,15 +130,15 @@ Bounds modelBounds(const MedialModel& model)
 }
 
 std::vector<float> computeReconstruction(const MedialModel& model, const Grid& grid,
-  bool interpolate, const Execution& execution)
+  const ReconstructionOptions& options)
 {
-  const Run run(execution);
+  const Run run(options.execution);
   validateGrid(grid);
   requireMemory(grid.pointCount(), sizeof(float));
   return withMemoryErrors(grid.pointCount(),
     [&]
     {
-      const BallUnion solid(model, interpolate);
+      const BallUnion solid(model, options.interpolate);
       std::vector<float> field(static_cast<std::size_t>(grid.pointCount()));
       FieldBuilder builder(solid, grid, field);
       Extent slab = grid.wholeExtent();

@@ -1,5 +1,6 @@
 #include "measure/sample_values.h"
 
+#include "medial/axis_measurement.h"
 #include "medial/error.h"
 
 #include <string>
@@ -7,12 +8,12 @@
 namespace medial
 {
 
-void checkMeasureOptions(const MeasurementOptions& options)
+void checkSampleCount(std::int64_t samples)
 {
-  if (options.samples < kMinMeasureSamples || options.samples > kMaxMeasureSamples)
+  if (samples < kMinMeasureSamples || samples > kMaxMeasureSamples)
   {
     throw Error(ErrorCode::InvalidInput,
-      "number of samples " + std::to_string(options.samples) + " is outside [" +
+      "number of samples " + std::to_string(samples) + " is outside [" +
         std::to_string(kMinMeasureSamples) + ", " + std::to_string(kMaxMeasureSamples) + "]");
   }
 }

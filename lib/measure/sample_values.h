@@ -1,19 +1,19 @@
 #pragma once
 
 #include "base/run.h"
-#include "medial/axis_measurement.h"
 
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace medial
 {
 
 /// @throws Error InvalidInput for a number of samples outside its range.
-void checkMeasureOptions(const MeasurementOptions& options);
+void checkSampleCount(std::int64_t samples);
 
 /// The values `value(i)` for i in [0, count), computed on the threads of the current arena.
 template <typename Value>

@@ -105,33 +105,33 @@ AxisBalls ballsOf(const MedialAxis& axis)
   result.unit = unit > 0.0 ? unit : 1.0;
   for (std::size_t i = 0; i < axis.points.size(); ++i)
   {
-    result.balls.emplace_back(result.toLocal(axis.points[i]),
-      static_cast<double>(axis.radius[i]) / result.unit);
+    result.balls.push_back(
+      { result.toLocal(axis.points[i]), static_cast<double>(axis.radius[i]) / result.unit });
   }
   return result;
 }
 
-std::vector<std::array<glm::dvec3, 2>> contactsOf(const MedialAxis& axis, const AxisBalls& frame)
+std::vector<ClosestPair> closestPairsOf(const MedialAxis& axis, const AxisBalls& frame)
 {
-  std::vector<std::array<glm::dvec3, 2>> contacts;
+  std::vector<ClosestPair> pairs;
   const std::size_t count = axis.closestPointA.size();
   for (std::size_t i = 0; i < count && axis.closestPointB.size() == count; ++i)
   {
-    contacts.push_back(
-      { frame.toLocal(axis.closestPointA[i]), frame.toLocal(axis.closestPointB[i]) });
+    pairs.push_back({ frame.toLocal(axis.closestPointA[i]), frame.toLocal(axis.closestPointB[i]) });
   }
-  return contacts;
+  return pairs;
 }
 
 BallComplex complexOf(const MedialAxis& axis, const std::vector<Ball>& balls)
 {
   const auto id = [&](std::int64_t corner) { return checkedId(corner, balls.size()); };
+  const auto distance = [&](int a, int b)
+  { return glm::distance(toVector(balls[a]), toVector(balls[b])); };
   BallComplex complex(static_cast<int>(balls.size()));
   for (const auto& quad : axis.quads)
   {
     const std::array<int, 4> q{ id(quad[0]), id(quad[1]), id(quad[2]), id(quad[3]) };
-    const int first =
-      glm::distance(balls[q[0]], balls[q[2]]) <= glm::distance(balls[q[1]], balls[q[3]]) ? 0 : 1;
+    const int first = distance(q[0], q[2]) <= distance(q[1], q[3]) ? 0 : 1;
     complex.addTriangle(q[first], q[first + 1], q[first + 2]);
     complex.addTriangle(q[first], q[first + 2], q[(first + 3) % 4]);
   }

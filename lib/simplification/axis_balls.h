@@ -1,8 +1,8 @@
 #pragma once
 
+#include "balls/ball.h"
 #include "medial/medial_axis.h"
 #include "simplification/ball_complex.h"
-#include "simplification/ball_quadric.h"
 
 #include <array>
 #include <vector>
@@ -24,12 +24,14 @@ struct AxisBalls
 };
 
 /// @throws Error InvalidInput for numbers that are not finite, negative radii, and arrays whose
-/// size
-///   is neither that of the points nor, but for radii, 0.
+///   size is neither that of the points nor, but for radii, 0.
 AxisBalls ballsOf(const MedialAxis& axis);
 
-/// The closest points of an axis in coordinates of its balls; nothing where it has none.
-std::vector<std::array<glm::dvec3, 2>> contactsOf(const MedialAxis& axis, const AxisBalls& frame);
+/// The two closest surface points of a point of an axis, in the coordinates of the balls.
+using ClosestPair = std::array<glm::dvec3, 2>;
+
+/// The closest pairs of an axis in coordinates of its balls; nothing where it has none.
+std::vector<ClosestPair> closestPairsOf(const MedialAxis& axis, const AxisBalls& frame);
 
 /// The cells of an axis; quads are cut along the diagonal that is shorter in R^4.
 /// @throws Error InvalidInput for point ids out of range.

@@ -9,14 +9,14 @@ namespace medial
 {
 
 /// An abstract simplicial complex of triangles, edges and vertices that need not be manifold, with
-/// edge contraction. Every side of a triangle is an edge.
+/// edge contraction. The edges of its triangles are edges of the complex.
 class BallComplex
 {
 public:
   explicit BallComplex(int vertexCount);
 
   ///@{
-  /// Adds a cell with its sides, unless it is there or repeats a vertex.
+  /// Adds a cell with its edges, unless it is there or repeats a vertex.
   void addEdge(int a, int b);
   void addTriangle(int a, int b, int c);
   ///@}

@@ -1,5 +1,6 @@
 #include "simplification/ball_fit.h"
 
+#include "simplification/ball_quadric.h"
 #include "simplification/model_distance.h"
 #include "simplification/triangle_shape.h"
 
@@ -31,7 +32,10 @@ constexpr double kExact = 3e-5;
 /// A step that gains less than this share of the sum of squares is the last.
 constexpr double kGain = 0.01;
 
-double dot(const std::vector<Ball>& a, const std::vector<Ball>& b)
+/// One a ball, in R^4.
+using Vectors = std::vector<glm::dvec4>;
+
+double dot(const Vectors& a, const Vectors& b)
 {
   double sum = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i)
@@ -43,16 +47,15 @@ double dot(const std::vector<Ball>& a, const std::vector<Ball>& b)
 
 /// Conjugate gradients from 0, with the diagonal as preconditioner.
 template <typename Apply>
-std::vector<Ball> solveConjugate(const Apply& apply, const std::vector<Ball>& diagonal,
-  std::vector<Ball> residual)
+Vectors solveConjugate(const Apply& apply, const Vectors& diagonal, Vectors residual)
 {
-  std::vector<Ball> x(residual.size(), Ball(0.0));
-  std::vector<Ball> search;
+  Vectors x(residual.size(), glm::dvec4(0.0));
+  Vectors search;
   double last = 1.0;
   double first = 0.0;
   for (int step = 0; step < kSolverSteps; ++step)
   {
-    std::vector<Ball> scaled(residual);
+    Vectors scaled(residual);
     for (std::size_t v = 0; v < scaled.size(); ++v)
     {
       scaled[v] /= diagonal[v];
@@ -69,7 +72,7 @@ std::vector<Ball> solveConjugate(const Apply& apply, const std::vector<Ball>& di
     }
     search = std::move(scaled);
     last = now;
-    const std::vector<Ball> product = apply(search);
+    const Vectors product = apply(search);
     const double length = now / dot(search, product);
     for (std::size_t v = 0; v < x.size(); ++v)
     {
@@ -135,22 +138,22 @@ private:
   /// Finds the place of the model next to every point. @return the sum of squares.
   double measure(const std::vector<Ball>& balls)
   {
-    contacts_.resize(planes_.size());
+    nearest_.resize(planes_.size());
     const ModelDistance model(complex_, balls);
     tbb::parallel_for(std::size_t{ 0 }, planes_.size(),
       [&](std::size_t i)
       {
-        contacts_[i] = model.nearest(planes_[i].point, owners_[i]);
-        owners_[i] = contacts_[i].mainVertex();
+        nearest_[i] = model.nearest(planes_[i].point, owners_[i]);
+        owners_[i] = nearest_[i].mainVertex();
       });
     double sum = 0.0;
     for (std::size_t i = 0; i < planes_.size(); ++i)
     {
-      sum += planes_[i].weight * contacts_[i].distance * contacts_[i].distance;
+      sum += planes_[i].weight * nearest_[i].distance * nearest_[i].distance;
     }
     for (const int v : complex_.vertices())
     {
-      sum += quadrics_[v](balls[v]);
+      sum += quadrics_[v](toVector(balls[v]));
     }
     return sum;
   }
@@ -159,23 +162,23 @@ private:
   template <typename Visit>
   void forEachCorner(std::size_t i, const Visit& visit) const
   {
-    const Contact& contact = contacts_[i];
+    const NearestCell& nearest = nearest_[i];
     for (int k = 0; k < 3; ++k)
     {
-      if (contact.shares[k] > 0.0)
+      if (nearest.shares[k] > 0.0)
       {
-        visit(contact.corners[k], contact.shares[k]);
+        visit(nearest.corners[k], nearest.shares[k]);
       }
     }
   }
 
   /// Normal equations times a vector.
-  std::vector<Ball> apply(const std::vector<Ball>& x) const
+  Vectors apply(const Vectors& x) const
   {
-    std::vector<Ball> result(x.size(), Ball(0.0));
+    Vectors result(x.size(), glm::dvec4(0.0));
     for (std::size_t i = 0; i < planes_.size(); ++i)
     {
-      const Ball direction(contacts_[i].direction, 1.0);
+      const glm::dvec4 direction(nearest_[i].direction, 1.0);
       double change = 0.0;
       this->forEachCorner(i,
         [&](int v, double share) { change += share * glm::dot(direction, x[v]); });
@@ -190,19 +193,19 @@ private:
   }
 
   /// The step: normal equations with damping.
-  std::vector<Ball> solve()
+  Vectors solve()
   {
-    std::vector<Ball> right(balls_.size(), Ball(0.0));
-    std::vector<Ball> diagonal(balls_.size(), Ball(0.0));
+    Vectors right(balls_.size(), glm::dvec4(0.0));
+    Vectors diagonal(balls_.size(), glm::dvec4(0.0));
     damping_.assign(balls_.size(), 0.0);
     for (std::size_t i = 0; i < planes_.size(); ++i)
     {
-      const Ball direction(contacts_[i].direction, 1.0);
+      const glm::dvec4 direction(nearest_[i].direction, 1.0);
       const double weight = planes_[i].weight;
       this->forEachCorner(i,
         [&](int v, double share)
         {
-          right[v] += weight * share * contacts_[i].distance * direction;
+          right[v] += weight * share * nearest_[i].distance * direction;
           diagonal[v] += weight * share * share * direction * direction;
           damping_[v] += kDamping * weight * share * share;
         });
@@ -211,19 +214,19 @@ private:
     {
       damping_[v] = std::max(damping_[v], kMinDamping);
       diagonal[v] += damping_[v] + quadrics_[v].diagonal();
-      right[v] += quadrics_[v].linear() - quadrics_[v].times(balls_[v]);
+      right[v] += quadrics_[v].linear() - quadrics_[v].times(toVector(balls_[v]));
     }
-    return solveConjugate([this](const std::vector<Ball>& x) { return this->apply(x); }, diagonal,
+    return solveConjugate([this](const Vectors& x) { return this->apply(x); }, diagonal,
       std::move(right));
   }
 
   /// Ball after ball, as far as triangles allow.
-  void move(const std::vector<Ball>& step)
+  void move(const Vectors& step)
   {
     for (const int v : complex_.vertices())
     {
-      Ball moved = balls_[v] + step[v];
-      moved.w = std::max(moved.w, 0.0);
+      Ball moved = toBall(toVector(balls_[v]) + step[v]);
+      moved.radius = std::max(moved.radius, 0.0);
       const auto& triangles = complex_.trianglesOf(v);
       const bool allowed = std::all_of(triangles.begin(), triangles.end(),
         [&](int t)
@@ -233,8 +236,8 @@ private:
           for (int k = 0; k < 3; ++k)
           {
             const int corner = complex_.triangle(t)[k];
-            before[k] = centreOf(balls_[corner]);
-            after[k] = corner == v ? centreOf(moved) : before[k];
+            before[k] = balls_[corner].centre;
+            after[k] = corner == v ? moved.centre : before[k];
           }
           return keepsShape(before, after);
         });
@@ -249,7 +252,7 @@ private:
   const BallComplex& complex_;
   std::vector<Ball>& balls_;
   std::vector<int> owners_; ///< a ball next to each point
-  std::vector<Contact> contacts_;
+  std::vector<NearestCell> nearest_;
   std::vector<BallQuadric> quadrics_; ///< of the balls by themselves
   double weight_ = 0.0;
   std::vector<double> damping_;

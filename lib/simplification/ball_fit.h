@@ -1,7 +1,7 @@
 #pragma once
 
+#include "balls/ball.h"
 #include "simplification/ball_complex.h"
-#include "simplification/ball_quadric.h"
 #include "simplification/boundary_planes.h"
 
 #include <functional>
@@ -10,7 +10,7 @@
 namespace medial
 {
 
-/// Moves the balls of a simplified complex so that the boundary of their cones and slabs, not only
+/// Moves the balls of a simplified complex so that the boundary of their cones and wedges, not only
 /// that of the balls themselves, runs through the points of the planes: damped Gauss-Newton steps
 /// on the weighted squared distances, each point against the nearest cell around the ball that it
 /// belongs to. Balls do not move where a triangle would turn over or lose its area. Stops when a

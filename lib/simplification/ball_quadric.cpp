@@ -14,7 +14,7 @@ namespace
 constexpr double kPull = 1e-7;
 
 /// Solves the positive definite system of the first `size` unknowns (Cholesky); the others are 0.
-Ball solve(const glm::dmat4& matrix, const Ball& right, int size)
+glm::dvec4 solve(const glm::dmat4& matrix, const glm::dvec4& right, int size)
 {
   std::array<std::array<double, 4>, 4> lower{};
   for (int i = 0; i < size; ++i)
@@ -29,7 +29,7 @@ Ball solve(const glm::dmat4& matrix, const Ball& right, int size)
       lower[i][j] = i == j ? std::sqrt(std::max(sum, 1e-300)) : sum / lower[j][j];
     }
   }
-  Ball result(0.0);
+  glm::dvec4 result(0.0);
   for (int i = 0; i < size; ++i)
   {
     result[i] = right[i];
@@ -54,7 +54,7 @@ Ball solve(const glm::dmat4& matrix, const Ball& right, int size)
 
 void BallQuadric::addPlane(const glm::dvec3& point, const glm::dvec3& normal, double weight)
 {
-  const Ball n(normal, 1.0);
+  const glm::dvec4 n(normal, 1.0);
   const double offset = glm::dot(point, normal);
   matrix_ += glm::outerProduct(n, weight * n);
   linear_ += weight * offset * n;
@@ -71,13 +71,13 @@ BallQuadric& BallQuadric::operator+=(const BallQuadric& other)
   return *this;
 }
 
-double BallQuadric::operator()(const Ball& ball) const
+double BallQuadric::operator()(const glm::dvec4& ball) const
 {
   const double value = glm::dot(ball, matrix_ * ball - 2.0 * linear_) + constant_;
   return std::max(value, 0.0);
 }
 
-Ball BallQuadric::minimiser(const Ball& reference) const
+glm::dvec4 BallQuadric::minimiser(const glm::dvec4& reference) const
 {
   if (!(weight_ > 0.0))
   {
@@ -88,12 +88,12 @@ Ball BallQuadric::minimiser(const Ball& reference) const
   {
     matrix[i][i] += kPull * weight_;
   }
-  const Ball best = reference + solve(matrix, linear_ - matrix_ * reference, 4);
+  const glm::dvec4 best = reference + solve(matrix, linear_ - matrix_ * reference, 4);
   if (best.w >= 0.0)
   {
     return best;
   }
-  const Ball point(centreOf(reference), 0.0);
+  const glm::dvec4 point(glm::dvec3(reference), 0.0);
   return point + solve(matrix, linear_ - matrix_ * point, 3);
 }
 

@@ -5,19 +5,11 @@
 namespace medial
 {
 
-/// A ball as a point of R^4: its centre and, as w, its radius.
-using Ball = glm::dvec4;
-
-inline glm::dvec3 centreOf(const Ball& ball)
-{
-  return glm::dvec3(ball);
-}
-
 /// Weighted sum of the squared distances between a ball's boundary and oriented planes that it
 /// should touch from behind ("spherical quadric error metric": Thiery, Guy, Boubekeur,
 /// "Sphere-Meshes", 2013, section 3). A plane with outward unit normal n through p is touched by
 /// the balls (c, r) with n . c + r = n . p, which is a hyperplane of R^4 with the normal (n, 1); so
-/// the sum is a quadratic function of R^4.
+/// the sum is a quadratic function of R^4. Balls are points of R^4 here, as toVector() makes them.
 class BallQuadric
 {
 public:
@@ -27,25 +19,28 @@ public:
   BallQuadric& operator+=(const BallQuadric& other);
 
   /// Sum of weighted squared distances, >= 0.
-  double operator()(const Ball& ball) const;
+  double operator()(const glm::dvec4& ball) const;
 
   /// The ball of radius >= 0 with the least sum. Where the planes leave it some freedom, the one
   /// nearest to `reference`.
-  Ball minimiser(const Ball& reference) const;
+  glm::dvec4 minimiser(const glm::dvec4& reference) const;
 
   double weight() const { return weight_; }
 
   ///@{
   /// Half the derivative of the sum is times(ball) - linear().
-  Ball times(const Ball& ball) const { return matrix_ * ball; }
-  const Ball& linear() const { return linear_; }
+  glm::dvec4 times(const glm::dvec4& ball) const { return matrix_ * ball; }
+  const glm::dvec4& linear() const { return linear_; }
   ///@}
   /// Of the matrix of times().
-  Ball diagonal() const { return { matrix_[0][0], matrix_[1][1], matrix_[2][2], matrix_[3][3] }; }
+  glm::dvec4 diagonal() const
+  {
+    return { matrix_[0][0], matrix_[1][1], matrix_[2][2], matrix_[3][3] };
+  }
 
 private:
   glm::dmat4 matrix_{ 0.0 };
-  Ball linear_{ 0.0 };
+  glm::dvec4 linear_{ 0.0 };
   double constant_ = 0.0;
   double weight_ = 0.0;
 };

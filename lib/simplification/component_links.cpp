@@ -1,6 +1,7 @@
 #include "simplification/component_links.h"
 
-#include "balls/ball_tree.h"
+#include "base/disjoint_sets.h"
+#include "simplification/overlapping_balls.h"
 
 #include <algorithm>
 #include <limits>
@@ -20,13 +21,13 @@ struct Link
 };
 
 /// The shortest link out of one component.
-Link shortestLink(const std::vector<Ball>& balls, const BallTree& tree,
+Link shortestLink(const std::vector<Ball>& balls, const OverlappingBalls& others,
   const std::vector<int>& members, int label)
 {
   Link best;
   for (const int from : members)
   {
-    const auto neighbour = tree.nearestOverlapping(balls[from], label, best.distance);
+    const auto neighbour = others.nearest(balls[from], label, best.distance);
     if (neighbour &&
       std::tie(neighbour->distance, from, neighbour->ball) <
         std::tie(best.distance, best.from, best.to))
@@ -50,59 +51,27 @@ std::map<int, std::vector<int>> smallerComponents(const std::vector<int>& labels
   return members;
 }
 
-/// Components that links join, as a forest of labels (union-find).
-class Forest
-{
-public:
-  explicit Forest(const std::vector<int>& labels)
-    : parent_(labels)
-  {
-  }
-
-  /// Whether the two were apart.
-  bool join(int a, int b)
-  {
-    a = this->root(a);
-    b = this->root(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-    return a != b;
-  }
-
-private:
-  int root(int vertex)
-  {
-    while (parent_[vertex] != vertex)
-    {
-      parent_[vertex] = parent_[parent_[vertex]];
-      vertex = parent_[vertex];
-    }
-    return vertex;
-  }
-
-  std::vector<int> parent_;
-};
-
 } // namespace
 
 int linkComponents(const std::vector<Ball>& balls, BallComplex& complex)
 {
   int added = 0;
-  BallTree tree(balls);
+  OverlappingBalls others(balls);
   std::vector<int> labels = componentsOf(complex);
   for (bool more = !balls.empty(); more;)
   {
-    tree.setGroups(labels);
+    others.setGroups(labels);
     std::vector<Link> links;
     for (const auto& [label, members] : smallerComponents(labels))
     {
-      links.push_back(shortestLink(balls, tree, members, label));
+      links.push_back(shortestLink(balls, others, members, label));
     }
     more = false;
-    Forest forest(labels);
+    DisjointSets joined(labels.size());
     for (const Link& link : links)
     {
       // Earlier links of this round may have joined the two already.
-      if (link.from >= 0 && forest.join(link.from, link.to))
+      if (link.from >= 0 && joined.join(labels[link.from], labels[link.to]))
       {
         complex.addEdge(link.from, link.to);
         ++added;

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "balls/ball.h"
 #include "simplification/ball_complex.h"
-#include "simplification/ball_quadric.h"
+
+#include <vector>
 
 namespace medial
 {

@@ -1,7 +1,7 @@
 #include "simplification/edge_collapse.h"
 
+#include "balls/common_point.h"
 #include "simplification/triangle_shape.h"
-#include "simplification/wedge.h"
 
 #include <tbb/parallel_for.h>
 
@@ -43,21 +43,23 @@ void EdgeCollapse::plan(int edge)
   const double weightB = quadrics_[b].weight();
   BallQuadric sum = quadrics_[a];
   sum += quadrics_[b];
-  const Ball middle = 0.5 * (balls_[a] + balls_[b]);
-  const double length = glm::distance(balls_[a], balls_[b]);
-  Plan& plan = plans_[edge];
-  plan.ball = sum.minimiser(middle);
-  if (!(glm::distance(plan.ball, middle) <= kReach * length))
+  const glm::dvec4 ends[2] = { toVector(balls_[a]), toVector(balls_[b]) };
+  const glm::dvec4 middle = 0.5 * (ends[0] + ends[1]);
+  const double length = glm::distance(ends[0], ends[1]);
+  glm::dvec4 best = sum.minimiser(middle);
+  if (!(glm::distance(best, middle) <= kReach * length))
   {
-    plan.ball = middle;
-    for (const Ball& end : { balls_[a], balls_[b] })
+    best = middle;
+    for (const glm::dvec4& end : ends)
     {
-      plan.ball = sum(end) < sum(plan.ball) ? end : plan.ball;
+      best = sum(end) < sum(best) ? end : best;
     }
   }
   const double both = weightA + weightB;
   const double spread = both > 0.0 ? weightA * weightB / both : 0.0;
-  plan.cost = sum(plan.ball) + kSpread * spread * length * length;
+  Plan& plan = plans_[edge];
+  plan.ball = toBall(best);
+  plan.cost = sum(best) + kSpread * spread * length * length;
 }
 
 void EdgeCollapse::enqueue(int edge)
@@ -154,8 +156,8 @@ bool EdgeCollapse::keepsTriangle(const std::array<int, 3>& corners, int edge, bo
   {
     const auto& ends = complex_.edge(edge);
     const bool moves = corners[i] == ends[0] || corners[i] == ends[1];
-    before[i] = centreOf(balls_[corners[i]]);
-    after[i] = moves ? centreOf(plans_[edge].ball) : before[i];
+    before[i] = balls_[corners[i]].centre;
+    after[i] = moves ? plans_[edge].ball.centre : before[i];
     moved += moves ? 1 : 0;
   }
   if (moved == 2)

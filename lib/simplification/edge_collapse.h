@@ -1,5 +1,6 @@
 #pragma once
 
+#include "balls/ball.h"
 #include "simplification/ball_complex.h"
 #include "simplification/ball_quadric.h"
 
@@ -49,7 +50,7 @@ private:
 
   struct Plan
   {
-    Ball ball{ 0.0 };
+    Ball ball;
     double cost = 0.0;
     std::uint32_t version = 0;
     bool refused = false; ///< under the present freedom, by its neighbourhood as it was

@@ -1,7 +1,8 @@
 #include "simplification/model_distance.h"
 
+#include "balls/ball_hulls.h"
+
 #include <algorithm>
-#include <cmath>
 
 namespace medial
 {
@@ -13,7 +14,7 @@ constexpr double kFar = 0.01;
 
 } // namespace
 
-int Contact::mainVertex() const
+int NearestCell::mainVertex() const
 {
   return corners[std::max_element(shares.begin(), shares.end()) - shares.begin()];
 }
@@ -24,102 +25,71 @@ ModelDistance::ModelDistance(const BallComplex& complex, const std::vector<Ball>
 {
 }
 
-Contact ModelDistance::nearest(const glm::dvec3& point, int vertex) const
+NearestCell ModelDistance::nearest(const glm::dvec3& point, int vertex) const
 {
-  Contact best = this->nearestAround(point, vertex);
+  NearestCell best = this->nearestAround(point, vertex);
   while (best.mainVertex() != vertex)
   {
     vertex = best.mainVertex();
-    const Contact next = this->nearestAround(point, vertex);
+    const NearestCell next = this->nearestAround(point, vertex);
     if (!(next.distance < best.distance))
     {
       break;
     }
     best = next;
   }
-  if (best.distance > kFar * balls_[vertex].w)
+  if (best.distance > kFar * balls_[vertex].radius)
   {
     for (const int edge : complex_.edgesOf(vertex))
     {
-      const Contact next = this->nearestAround(point, complex_.across(edge, vertex));
+      const NearestCell next = this->nearestAround(point, complex_.across(edge, vertex));
       best = next.distance < best.distance ? next : best;
     }
   }
   return best;
 }
 
-Contact ModelDistance::nearestAround(const glm::dvec3& point, int vertex) const
+NearestCell ModelDistance::nearestAround(const glm::dvec3& point, int vertex) const
 {
-  Contact best = this->ofShares(point, { vertex, vertex, vertex }, { 1.0, 0.0, 0.0 });
+  NearestCell best = this->cellOf(point, { vertex, vertex, vertex }, { 1.0, 0.0, 0.0 });
+  const auto compare = [&best](const NearestCell& cell)
+  { best = cell.distance < best.distance ? cell : best; };
   for (const int edge : complex_.edgesOf(vertex))
   {
-    const Contact contact = this->ofEdge(point, edge);
-    best = contact.distance < best.distance ? contact : best;
+    const auto [a, b] = complex_.edge(edge);
+    const auto shares = nearestShares(balls_[a], balls_[b], point);
+    compare(this->cellOf(point, { a, b, b }, { shares[0], shares[1], 0.0 }));
   }
   for (const int triangle : complex_.trianglesOf(vertex))
   {
-    const auto contact = this->ofTriangle(point, triangle);
-    best = contact && contact->distance < best.distance ? *contact : best;
+    const std::array<int, 3>& corners = complex_.triangle(triangle);
+    const auto shares =
+      nearestShares(balls_[corners[0]], balls_[corners[1]], balls_[corners[2]], point);
+    if (shares)
+    {
+      compare(this->cellOf(point, corners, *shares));
+    }
   }
   return best;
 }
 
-Contact ModelDistance::ofShares(const glm::dvec3& point, const std::array<int, 3>& corners,
+NearestCell ModelDistance::cellOf(const glm::dvec3& point, const std::array<int, 3>& corners,
   const std::array<double, 3>& shares) const
 {
-  Ball ball(0.0);
+  glm::dvec4 mean(0.0);
   for (int k = 0; k < 3; ++k)
   {
-    ball += shares[k] * balls_[corners[k]];
+    mean += shares[k] * toVector(balls_[corners[k]]);
   }
-  Contact contact;
-  contact.corners = corners;
-  contact.shares = shares;
-  const glm::dvec3 offset = point - centreOf(ball);
+  const Ball ball = toBall(mean);
+  const glm::dvec3 offset = point - ball.centre;
   const double length = glm::length(offset);
-  contact.distance = length - ball.w;
-  contact.direction = length > 0.0 ? offset / length : glm::dvec3(0.0);
-  return contact;
-}
-
-/// The nearest ball lies off the foot of the perpendicular, towards growing radii.
-std::optional<Contact> ModelDistance::ofTriangle(const glm::dvec3& point, int triangle) const
-{
-  const std::array<int, 3>& corners = complex_.triangle(triangle);
-  const auto slab = slabOf(balls_[corners[0]], balls_[corners[1]], balls_[corners[2]]);
-  if (!slab)
-  {
-    return std::nullopt;
-  }
-  const glm::dvec3 a = centreOf(balls_[corners[0]]);
-  const glm::dvec3 e = centreOf(balls_[corners[1]]) - a;
-  const glm::dvec3 f = centreOf(balls_[corners[2]]) - a;
-  const double height = glm::dot(point - a, slab->up);
-  const glm::dvec3 d =
-    point - a - height * slab->up - slab->slope * (std::abs(height) / slab->sine);
-  const double s = glm::dot(glm::cross(d, f), slab->up) / (2.0 * slab->area);
-  const double t = glm::dot(glm::cross(e, d), slab->up) / (2.0 * slab->area);
-  if (s < 0.0 || t < 0.0 || s + t > 1.0)
-  {
-    return std::nullopt;
-  }
-  return this->ofShares(point, corners, { 1.0 - s - t, s, t });
-}
-
-Contact ModelDistance::ofEdge(const glm::dvec3& point, int edge) const
-{
-  const auto [a, b] = complex_.edge(edge);
-  const auto cone = coneOf(balls_[a], balls_[b]);
-  if (!cone)
-  {
-    return this->ofShares(point, { balls_[a].w > balls_[b].w ? a : b, a, b }, { 1.0, 0.0, 0.0 });
-  }
-  const glm::dvec3 d = point - centreOf(balls_[a]);
-  const double along = glm::dot(d, cone->axis);
-  const double height = glm::length(d - along * cone->axis);
-  const double t = (along - cone->slope * height / cone->sine) / cone->length;
-  const double share = std::clamp(t, 0.0, 1.0);
-  return this->ofShares(point, { a, b, b }, { 1.0 - share, share, 0.0 });
+  NearestCell cell;
+  cell.corners = corners;
+  cell.shares = shares;
+  cell.distance = length - ball.radius;
+  cell.direction = length > 0.0 ? offset / length : glm::dvec3(0.0);
+  return cell;
 }
 
 } // namespace medial

@@ -1,26 +1,22 @@
 #include "medial/simplification.h"
 
-#include "balls/ball_tree.h"
+#include "balls/ball_union.h"
 #include "base/stopwatch.h"
-#include "medial/axis_curves.h"
 #include "medial/error.h"
 #include "simplification/axis_balls.h"
 #include "simplification/ball_fit.h"
 #include "simplification/boundary_planes.h"
 #include "simplification/component_links.h"
 #include "simplification/edge_collapse.h"
+#include "simplification/simplified_axis.h"
 #include "simplification/simplify_axis.h"
-#include "simplification/wedge.h"
-
-#include <glm/glm.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <optional>
-#include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace medial
 {
@@ -42,6 +38,55 @@ std::vector<BallQuadric> quadricsOf(const std::vector<TangentPlane>& planes, std
   return quadrics;
 }
 
+std::int64_t componentCount(const BallComplex& complex)
+{
+  const std::vector<int> labels = componentsOf(complex);
+  std::int64_t count = 0;
+  for (std::size_t v = 0; v < labels.size(); ++v)
+  {
+    count += labels[v] == static_cast<int>(v) ? 1 : 0;
+  }
+  return count;
+}
+
+/// Leaves out the smallest balls of a complex without edges, until `target` are left.
+/// @return how many.
+std::int64_t dropSmallest(const std::vector<Ball>& balls, int target, BallComplex& complex)
+{
+  std::vector<int> left = complex.vertices();
+  if (left.size() <= static_cast<std::size_t>(target))
+  {
+    return 0;
+  }
+  std::sort(left.begin(), left.end(),
+    [&balls](int a, int b)
+    { return std::make_pair(-balls[a].radius, a) < std::make_pair(-balls[b].radius, b); });
+  std::for_each(left.begin() + target, left.end(),
+    [&complex](int vertex) { complex.removeVertex(vertex); });
+  return static_cast<std::int64_t>(left.size()) - target;
+}
+
+/// Lets no ball reach far beyond the closest points of the axis, which sample the surface.
+void limitRadii(const MedialAxis& axis, const AxisBalls& frame, const BallComplex& complex,
+  std::vector<Ball>& balls)
+{
+  std::vector<Ball> surface;
+  for (const auto* points : { &axis.closestPointA, &axis.closestPointB })
+  {
+    for (const auto& p : *points)
+    {
+      surface.push_back({ frame.toLocal(p), 0.0 });
+    }
+  }
+  const BallUnion samples(std::move(surface));
+  for (const int v : complex.vertices())
+  {
+    Ball& ball = balls[v];
+    const double inside = samples.nearest(ball.centre, ball.radius).distance;
+    ball.radius = std::min(ball.radius, inside + kReach * ball.radius);
+  }
+}
+
 class Simplifier
 {
 public:
@@ -58,48 +103,32 @@ public:
   MedialAxis run()
   {
     statistics_.inputPoints = static_cast<std::int64_t>(balls_.size());
-    statistics_.inputComponents = this->componentCount();
+    statistics_.inputComponents = componentCount(complex_);
     statistics_.components = statistics_.inputComponents;
     this->report(0.0);
-    MedialAxis result;
     if (statistics_.inputPoints <= maxSpheres_)
     {
-      result = axis_;
-      result.simplification = statistics_;
-      return result;
+      MedialAxis same = axis_;
+      same.simplification = statistics_;
+      return same;
     }
-    result.sign = axis_.sign;
-    result.side = axis_.side;
-    result.statistics = axis_.statistics;
-    this->collapse();
-    statistics_.components = this->componentCount();
-    this->limitRadii();
-    this->setPoints(result);
-    this->setCells(result);
-    result.feature = axisFeatures(edgesOf(result), result.points.size());
+    this->simplify();
+    statistics_.components = componentCount(complex_);
+    limitRadii(axis_, frame_, complex_, balls_);
+    MedialAxis result = simplifiedAxis(axis_, frame_, { balls_, complex_, representatives_ });
     result.simplification = statistics_;
     this->report(1.0);
     return result;
   }
 
 private:
-  std::int64_t componentCount() const
-  {
-    const std::vector<int> labels = componentsOf(complex_);
-    std::int64_t count = 0;
-    for (std::size_t v = 0; v < labels.size(); ++v)
-    {
-      count += labels[v] == static_cast<int>(v) ? 1 : 0;
-    }
-    return count;
-  }
-
   void report(double fraction) const { run_.report(fraction, "simplification"); }
 
-  void collapse()
+  void simplify()
   {
     std::vector<TangentPlane> planes;
-    run_.onThreads([&] { planes = boundaryPlanes(balls_, contactsOf(axis_, frame_), complex_); });
+    run_.onThreads(
+      [&] { planes = boundaryPlanes(balls_, closestPairsOf(axis_, frame_), complex_); });
     this->report(0.2);
     statistics_.joined = linkComponents(balls_, complex_);
     this->report(0.3);
@@ -127,131 +156,8 @@ private:
     collapse.reduceTo(target, { fill, true, false }, step);
     const int left = collapse.reduceTo(target, { true, true, false }, step);
     statistics_.forced = left - collapse.reduceTo(target, { true, true, true }, step);
-    this->dropComponents(target);
+    statistics_.dropped = dropSmallest(balls_, target, complex_);
     this->report(0.7);
-  }
-
-  /// The smallest balls, each of which is a component, until few enough are left.
-  void dropComponents(int target)
-  {
-    std::vector<int> left = complex_.vertices();
-    const auto most = static_cast<std::size_t>(target);
-    if (left.size() <= most)
-    {
-      return;
-    }
-    std::sort(left.begin(), left.end(),
-      [this](int a, int b)
-      { return std::make_pair(-balls_[a].w, a) < std::make_pair(-balls_[b].w, b); });
-    statistics_.dropped = static_cast<std::int64_t>(left.size() - most);
-    std::for_each(left.begin() + static_cast<std::ptrdiff_t>(most), left.end(),
-      [this](int vertex) { complex_.removeVertex(vertex); });
-  }
-
-  /// Against the closest points of the axis, which sample the surface.
-  void limitRadii()
-  {
-    std::vector<Ball> surface;
-    for (const auto* points : { &axis_.closestPointA, &axis_.closestPointB })
-    {
-      for (const auto& p : *points)
-      {
-        surface.emplace_back(frame_.toLocal(p), 0.0);
-      }
-    }
-    const BallTree tree(std::move(surface));
-    for (const int v : complex_.vertices())
-    {
-      Ball& ball = balls_[v];
-      const double inside = tree.distance(centreOf(ball), ball.w);
-      ball.w = std::min(ball.w, inside + kReach * ball.w);
-    }
-  }
-
-  /// For every ball the point that it stands for and lies nearest.
-  std::vector<int> nearestOriginals() const
-  {
-    std::vector<int> nearest(balls_.size(), -1);
-    std::vector<double> min(balls_.size(), std::numeric_limits<double>::infinity());
-    for (std::size_t i = 0; i < balls_.size(); ++i)
-    {
-      const int to = representatives_[i];
-      const double distance = glm::distance(centreOf(frame_.balls[i]), centreOf(balls_[to]));
-      if (distance < min[to])
-      {
-        min[to] = distance;
-        nearest[to] = static_cast<int>(i);
-      }
-    }
-    return nearest;
-  }
-
-  void setPoints(MedialAxis& result)
-  {
-    const std::vector<int> nearest = this->nearestOriginals();
-    newIds_.assign(balls_.size(), -1);
-    for (const int v : complex_.vertices())
-    {
-      newIds_[v] = static_cast<std::int64_t>(result.points.size());
-      const double radius = balls_[v].w * frame_.unit;
-      result.points.push_back(frame_.toWorld(centreOf(balls_[v])));
-      result.radius.push_back(static_cast<float>(radius));
-      const auto inherit = [&](const auto& from, auto& to)
-      {
-        if (!from.empty())
-        {
-          to.push_back(from[nearest[v]]);
-        }
-      };
-      inherit(axis_.separationAngle, result.separationAngle);
-      inherit(axis_.closestPointA, result.closestPointA);
-      inherit(axis_.closestPointB, result.closestPointB);
-      if (!axis_.separationAngle.empty() && !axis_.lambda.empty())
-      {
-        const auto angle = static_cast<double>(result.separationAngle.back());
-        result.lambda.push_back(static_cast<float>(radius * std::sin(0.5 * glm::radians(angle))));
-      }
-    }
-  }
-
-  void setCells(MedialAxis& result) const
-  {
-    std::set<std::pair<int, int>> sides;
-    for (const std::array<int, 3>& t : complex_.triangles())
-    {
-      if (!this->hasArea(t))
-      {
-        continue; // its sides are lines
-      }
-      result.triangles.push_back({ newIds_[t[0]], newIds_[t[1]], newIds_[t[2]] });
-      for (int i = 0; i < 3; ++i)
-      {
-        sides.insert(std::minmax(t[i], t[(i + 1) % 3]));
-      }
-    }
-    for (const int edge : complex_.edges())
-    {
-      const auto [a, b] = complex_.edge(edge);
-      if (sides.count({ a, b }) == 0)
-      {
-        result.lines.push_back({ newIds_[a], newIds_[b] });
-      }
-    }
-    for (const int v : complex_.vertices())
-    {
-      if (complex_.edgesOf(v).empty())
-      {
-        result.vertices.push_back(newIds_[v]);
-      }
-    }
-  }
-
-  bool hasArea(const std::array<int, 3>& t) const
-  {
-    const glm::dvec3 a = centreOf(balls_[t[0]]);
-    const glm::dvec3 b = centreOf(balls_[t[1]]) - a;
-    const glm::dvec3 c = centreOf(balls_[t[2]]) - a;
-    return glm::length(glm::cross(b, c)) > 1e-6 * std::max(glm::dot(b, b), glm::dot(c, c));
   }
 
   const MedialAxis& axis_;
@@ -261,7 +167,6 @@ private:
   std::vector<Ball> balls_;
   BallComplex complex_;
   std::vector<int> representatives_;
-  std::vector<std::int64_t> newIds_; ///< of the vertices that are left
   SimplificationStatistics statistics_;
 };
 

@@ -16,13 +16,13 @@ inline glm::dvec3 areaVector(const TrianglePoints& p)
   return glm::cross(p[1] - p[0], p[2] - p[0]);
 }
 
-/// Twice the area beside the square of the longest side.
+/// Twice the area beside the square of the longest edge.
 inline double heightRatio(const TrianglePoints& p)
 {
   const auto squared = [](const glm::dvec3& d) { return glm::dot(d, d); };
-  const double side2 =
+  const double edge2 =
     std::max({ squared(p[1] - p[0]), squared(p[2] - p[1]), squared(p[0] - p[2]) });
-  return side2 > 0.0 ? glm::length(areaVector(p)) / side2 : 0.0;
+  return edge2 > 0.0 ? glm::length(areaVector(p)) / edge2 : 0.0;
 }
 
 /// Whether a triangle that moves has area afterwards.

@@ -17,7 +17,7 @@ public:
   std::int64_t add(const Point3& point, double radius);
 
   /// Grid of quads over the parallelogram origin + s u + t v, s and t in [0, 1], with `cells` cells
-  /// along each side and equal radii. Points equal to ones that are there already are shared.
+  /// along each edge and equal radii. Points equal to ones that are there already are shared.
   void addSheet(const Point3& origin, const Point3& u, const Point3& v, int cells, double radius);
 
   /// Lines between `cells` + 1 points from a to b.
@@ -29,7 +29,7 @@ private:
   std::int64_t shared(const Point3& point, double radius);
 };
 
-/// Euler characteristic of the cells with their sides: points - sides - lines + faces.
+/// Euler characteristic of the cells with their edges: points - edges - lines + polygons.
 std::int64_t eulerCharacteristic(const MedialAxis& axis);
 
 /// Number of connected components.
@@ -39,8 +39,8 @@ std::int64_t componentCount(const MedialAxis& axis);
 double areaOf(const MedialAxis& axis);
 
 /// Distance from each point to the boundary of the union of balls, cones between the two balls of a
-/// side or line, and slabs between the three of a triangle, by sampling the cells densely: at most
-/// `step` of the longest side too large. Negative inside.
+/// edge or line, and wedges between the three of a triangle, by sampling the cells densely: at most
+/// `step` of the longest edge too large. Negative inside.
 std::vector<double> distancesToModel(const MedialAxis& axis, const std::vector<Point3>& points,
   int samplesPerSide = 40);
 

@@ -31,7 +31,7 @@ struct MeasurementOptions
 /// Lengths of many places; world units.
 struct Deviation
 {
-  double max = 0.0;        ///< greatest
+  double max = 0.0;        ///< maximum
   double mean = 0.0;       ///< over the places
   std::int64_t places = 0; ///< that the mean is over
 };
@@ -41,13 +41,13 @@ struct MEDIAL_EXPORT AxisMeasurement
 {
   double diagonal = 0.0; ///< of the mesh's bounds, world units
 
-  /// Distances from the mesh to the surface of the union of balls, cones and slabs: from samples
+  /// Distances from the mesh to the surface of the union of balls, cones and wedges: from samples
   /// evenly spread by area, and for the maximum from all points of the mesh as well. At samples
   /// outside the union the distance is exact. Inside it is that to a point of the union's surface
   /// found nearby, so that it is never too small.
   Deviation surfaceToUnion;
   /// Distances from the surface of the union to the mesh, exact: from samples on the surfaces of
-  /// balls, cones and slabs, evenly spread by area, that are not inside another one.
+  /// balls, cones and wedges, evenly spread by area, that are not inside another one.
   Deviation unionToSurface;
   /// |radius - distance from the centre to the mesh| over the balls.
   Deviation radiusError;
@@ -59,7 +59,7 @@ struct MEDIAL_EXPORT AxisMeasurement
 
   bool knowsInside = false;       ///< false for a mesh that is open or not consistently oriented
   std::int64_t centresInside = 0; ///< balls whose centre is inside the mesh; 0 where unknown
-  ModelTopology topology;         ///< of the axis
+  ModelCounts counts;             ///< of the axis
 };
 
 /// Measures an axis against the mesh that it is the axis of. The result depends neither on the

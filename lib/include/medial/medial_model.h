@@ -13,8 +13,9 @@ namespace medial
 struct MedialAxis;
 
 /// A medial axis as the solid that it describes: the union of its balls, of the convex hulls of two
-/// balls joined by a line or a side (cones), and of those of three joined by a triangle (slabs).
-/// Quads are two triangles, as quadTriangles() splits them.
+/// balls joined by a line or the edge of a polygon (cones), and of those of three joined by a
+/// triangle (wedges, which the literature calls medial slabs). Quads are two triangles, as
+/// quadTriangles() splits them.
 struct MedialModel
 {
   std::vector<Point3> centres;                        ///< world coordinates
@@ -41,8 +42,8 @@ MEDIAL_EXPORT MedialModel toMedialModel(const MedialAxis& axis);
 ///   names a ball that does not exist.
 MEDIAL_EXPORT void checkMedialModel(const MedialModel& model);
 
-/// Numbers of what a model consists of, and how it hangs together.
-struct ModelTopology
+/// How many cells and pieces a model has.
+struct ModelCounts
 {
   std::int64_t points = 0;    ///< balls
   std::int64_t quads = 0;     ///< cells of four balls
@@ -53,12 +54,12 @@ struct ModelTopology
   /// below 1e-7 of the diagonal.
   std::int64_t zeroAreaCells = 0;
   std::int64_t components = 0; ///< pieces connected by cells; a ball without cell is one
-  /// Points - edges + faces, sides and cells that occur twice counted once.
+  /// Points - edges + polygons, where edges and cells that occur twice count once.
   std::int64_t eulerCharacteristic = 0;
 };
 
 /// Counts the cells of a model and its pieces.
 /// @throws Error as checkMedialModel().
-MEDIAL_EXPORT ModelTopology analyseModel(const MedialModel& model);
+MEDIAL_EXPORT ModelCounts countModel(const MedialModel& model);
 
 } // namespace medial

@@ -19,11 +19,10 @@ struct SimplificationOptions
 };
 
 /// A compact axis of at most options.maxSpheres balls, whose union with the cones between the two
-/// balls of a line (or of a side of a triangle) and the slabs between the three of a triangle
+/// balls of a line (or of an edge of a triangle) and the wedges between the three of a triangle
 /// approximates the shape: quadric edge collapse of the points (x, y, z, radius) of R^4 (spherical
-/// quadrics: Thiery, Guy, Boubekeur, "Sphere-Meshes", 2013; of medial slabs: Li, Wang, Sun,
-/// Guo, Zhang, Wang, "Q-MAT: Computing Medial Axis Transform by Quadratic Error Minimization",
-/// 2015).
+/// quadrics: Thiery, Guy, Boubekeur, "Sphere-Meshes", 2013; of wedges: Li, Wang, Sun, Guo, Zhang,
+/// Wang, "Q-MAT: Computing Medial Axis Transform by Quadratic Error Minimization", 2015).
 ///
 /// The order of the steps:
 /// 1. Quads become triangles. Components whose balls overlap are joined by a line between their
@@ -34,10 +33,9 @@ struct SimplificationOptions
 ///    holes in the axis where the solid has none. If the topology of the solid was preserved
 ///    (axis.solid) they stay as well. No triangle turns over or loses its area.
 /// 3. If that does not reach the number, triangles may turn over; then loops and hollows are
-/// closed,
-///    the cheapest first; last, whole components, each one ball by now, are left out, the smallest
-///    ball first. Only then has the result fewer components than the union of balls.
-/// 4. All balls are moved together, a little, until cones and slabs fit the boundary best (least
+///    closed, the cheapest first; last, whole components, each one ball by now, are left out, the
+///    smallest ball first. Only then has the result fewer components than the union of balls.
+/// 4. All balls are moved together, a little, until cones and wedges fit the boundary best (least
 ///    squares, a dozen Gauss-Newton steps). Cells stay as they are.
 ///
 /// Balls and their radii fit the boundary in the mean: they may reach a little beyond it, but not

@@ -1,4 +1,4 @@
-// Distances to hulls of balls against the support function, which knows nothing of contacts.
+// Distances to hulls of balls against the support function, which knows nothing of touching balls.
 #include "balls/ball_hulls.h"
 
 #include <gtest/gtest.h>
@@ -95,13 +95,13 @@ private:
   std::mt19937 generator_{ 7 };
 };
 
-void expectDistance(const std::vector<Ball>& balls, const Contact& contact, const glm::dvec3& x)
+void expectDistance(const std::vector<Ball>& balls, const HullDistance& found, const glm::dvec3& x)
 {
   const double expected = oracle(balls, x);
-  EXPECT_GE(contact.distance, expected - 1e-9);
-  EXPECT_LE(contact.distance, expected + 5e-4);
+  EXPECT_GE(found.distance, expected - 1e-9);
+  EXPECT_LE(found.distance, expected + 5e-4);
   // The ball that is named touches there.
-  EXPECT_NEAR(glm::distance(x, contact.ball.centre) - contact.ball.radius, contact.distance, 1e-9);
+  EXPECT_NEAR(glm::distance(x, found.ball.centre) - found.ball.radius, found.distance, 1e-9);
 }
 
 TEST(BallHulls, ConeIsItsSupport)
@@ -112,11 +112,11 @@ TEST(BallHulls, ConeIsItsSupport)
     const Ball a = random.ball(0.8);
     const Ball b = random.ball(0.8);
     const glm::dvec3 x = 1.5 * random.point();
-    expectDistance({ a, b }, contactWithCone(a, b, x), x);
+    expectDistance({ a, b }, distanceToCone(a, b, x), x);
   }
 }
 
-TEST(BallHulls, SlabIsItsSupport)
+TEST(BallHulls, WedgeIsItsSupport)
 {
   Random random;
   for (int i = 0; i < 300; ++i)
@@ -125,11 +125,11 @@ TEST(BallHulls, SlabIsItsSupport)
     const Ball b = random.ball(0.7);
     const Ball c = random.ball(0.7);
     const glm::dvec3 x = 1.5 * random.point();
-    expectDistance({ a, b, c }, contactWithSlab(a, b, c, x), x);
+    expectDistance({ a, b, c }, distanceToWedge(a, b, c, x), x);
   }
 }
 
-// Deep inside, where the nearest surface is that of a slab, a cone or a ball.
+// Deep inside, where the nearest surface is that of a wedge, a cone or a ball.
 TEST(BallHulls, InsideIsExactToo)
 {
   Random random;
@@ -141,8 +141,8 @@ TEST(BallHulls, InsideIsExactToo)
     const double u = random(0.0, 1.0);
     const double v = random(0.0, 1.0 - u);
     const glm::dvec3 x = a.centre + u * (b.centre - a.centre) + v * (c.centre - a.centre);
-    ASSERT_LT(contactWithSlab(a, b, c, x).distance, -0.49);
-    expectDistance({ a, b, c }, contactWithSlab(a, b, c, x), x);
+    ASSERT_LT(distanceToWedge(a, b, c, x).distance, -0.49);
+    expectDistance({ a, b, c }, distanceToWedge(a, b, c, x), x);
   }
 }
 
@@ -151,17 +151,17 @@ TEST(BallHulls, KnownDistances)
   const Ball a{ { 0.0, 0.0, 0.0 }, 1.0 };
   const Ball b{ { 4.0, 0.0, 0.0 }, 1.0 };
   const Ball c{ { 0.0, 4.0, 0.0 }, 1.0 };
-  EXPECT_DOUBLE_EQ(contactWithCone(a, b, { 2.0, 3.0, 0.0 }).distance, 2.0);
-  EXPECT_DOUBLE_EQ(contactWithCone(a, b, { 2.0, 0.0, 0.0 }).distance, -1.0);
-  EXPECT_DOUBLE_EQ(contactWithCone(a, b, { 7.0, 0.0, 0.0 }).distance, 2.0);
-  EXPECT_DOUBLE_EQ(contactWithSlab(a, b, c, { 1.0, 1.0, 3.0 }).distance, 2.0);
-  EXPECT_DOUBLE_EQ(contactWithSlab(a, b, c, { 1.0, 1.0, -0.25 }).distance, -0.75);
-  EXPECT_DOUBLE_EQ(contactWithSlab(a, b, c, { 1.0, -3.0, 0.0 }).distance, 2.0);
+  EXPECT_DOUBLE_EQ(distanceToCone(a, b, { 2.0, 3.0, 0.0 }).distance, 2.0);
+  EXPECT_DOUBLE_EQ(distanceToCone(a, b, { 2.0, 0.0, 0.0 }).distance, -1.0);
+  EXPECT_DOUBLE_EQ(distanceToCone(a, b, { 7.0, 0.0, 0.0 }).distance, 2.0);
+  EXPECT_DOUBLE_EQ(distanceToWedge(a, b, c, { 1.0, 1.0, 3.0 }).distance, 2.0);
+  EXPECT_DOUBLE_EQ(distanceToWedge(a, b, c, { 1.0, 1.0, -0.25 }).distance, -0.75);
+  EXPECT_DOUBLE_EQ(distanceToWedge(a, b, c, { 1.0, -3.0, 0.0 }).distance, 2.0);
   // A cone of half angle 30 degrees from its tip.
   const Ball tip{ { 0.0, 0.0, 0.0 }, 0.0 };
   const Ball large{ { 2.0, 0.0, 0.0 }, 1.0 };
-  EXPECT_NEAR(contactWithCone(tip, large, { 0.8, 0.0, 0.0 }).distance, -0.4, 1e-15);
-  EXPECT_NEAR(contactWithCone(tip, large, { -0.5, 0.0, 0.0 }).distance, 0.5, 1e-15);
+  EXPECT_NEAR(distanceToCone(tip, large, { 0.8, 0.0, 0.0 }).distance, -0.4, 1e-15);
+  EXPECT_NEAR(distanceToCone(tip, large, { -0.5, 0.0, 0.0 }).distance, 0.5, 1e-15);
 }
 
 TEST(BallHulls, DegenerateOnesAreWhatIsLeft)
@@ -172,15 +172,15 @@ TEST(BallHulls, DegenerateOnesAreWhatIsLeft)
   const Ball other{ { 2.0, 0.0, 0.0 }, 1.0 };
   const Ball beyond{ { 4.0, 0.0, 0.0 }, 1.0 };
   const glm::dvec3 x{ 1.0, 2.0, 0.5 };
-  EXPECT_EQ(contactWithCone(large, within, x).distance, contactWithBall(large, x).distance);
-  EXPECT_EQ(contactWithCone(within, large, x).distance, contactWithBall(large, x).distance);
-  EXPECT_EQ(contactWithCone(large, same, x).distance, contactWithBall(large, x).distance);
-  EXPECT_EQ(contactWithSlab(large, same, same, x).distance, contactWithBall(large, x).distance);
+  EXPECT_EQ(distanceToCone(large, within, x).distance, distanceToBall(large, x).distance);
+  EXPECT_EQ(distanceToCone(within, large, x).distance, distanceToBall(large, x).distance);
+  EXPECT_EQ(distanceToCone(large, same, x).distance, distanceToBall(large, x).distance);
+  EXPECT_EQ(distanceToWedge(large, same, same, x).distance, distanceToBall(large, x).distance);
   // A triangle without area, and one whose third ball adds nothing.
-  EXPECT_NEAR(contactWithSlab(large, other, beyond, x).distance,
-    contactWithCone(large, beyond, x).distance, 1e-15);
-  EXPECT_EQ(contactWithSlab(large, other, within, x).distance,
-    contactWithCone(large, other, x).distance);
+  EXPECT_NEAR(distanceToWedge(large, other, beyond, x).distance,
+    distanceToCone(large, beyond, x).distance, 1e-15);
+  EXPECT_EQ(distanceToWedge(large, other, within, x).distance,
+    distanceToCone(large, other, x).distance);
 }
 
 TEST(BallHulls, TangentPlanesTouchAllThree)
@@ -190,14 +190,14 @@ TEST(BallHulls, TangentPlanesTouchAllThree)
   for (int i = 0; i < 100; ++i)
   {
     const std::vector<Ball> balls{ random.ball(0.4), random.ball(0.4), random.ball(0.4) };
-    const TangentPlanes planes = tangentPlanes(balls[0], balls[1], balls[2]);
-    existing += planes.exist ? 1 : 0;
-    for (const glm::dvec3& normal : planes.normals)
+    const auto normals = tangentNormals(balls[0], balls[1], balls[2]);
+    if (!normals)
     {
-      if (!planes.exist)
-      {
-        continue;
-      }
+      continue;
+    }
+    ++existing;
+    for (const glm::dvec3& normal : *normals)
+    {
       EXPECT_NEAR(glm::length(normal), 1.0, 1e-9);
       const double offset = glm::dot(normal, balls[0].centre) + balls[0].radius;
       EXPECT_NEAR(glm::dot(normal, balls[1].centre) + balls[1].radius, offset, 1e-9);
@@ -205,6 +205,74 @@ TEST(BallHulls, TangentPlanesTouchAllThree)
     }
   }
   EXPECT_GT(existing, 50);
+}
+
+glm::dvec4 meanOf(const std::vector<Ball>& balls, const double* shares)
+{
+  glm::dvec4 mean(0.0);
+  for (std::size_t i = 0; i < balls.size(); ++i)
+  {
+    mean += shares[i] * toVector(balls[i]);
+  }
+  return mean;
+}
+
+/// The ball of these shares is the one that the distance is measured to.
+void expectNearest(const std::vector<Ball>& balls, const double* shares, const HullDistance& found,
+  const glm::dvec3& x)
+{
+  const Ball mean = toBall(meanOf(balls, shares));
+  EXPECT_NEAR(distanceToBall(mean, x).distance, found.distance, 1e-12);
+  EXPECT_NEAR(glm::distance(toVector(mean), toVector(found.ball)), 0.0, 1e-9);
+}
+
+TEST(BallHulls, NearestSharesAreThoseOfTheDistance)
+{
+  Random random;
+  int within = 0;
+  for (int i = 0; i < 1000; ++i)
+  {
+    const std::vector<Ball> balls{ random.ball(0.5), random.ball(0.5), random.ball(0.5) };
+    const glm::dvec3 x = 1.5 * random.point();
+    const std::vector<Ball> two{ balls[0], balls[1] };
+    const auto ofCone = nearestShares(two[0], two[1], x);
+    expectNearest(two, ofCone.data(), distanceToCone(two[0], two[1], x), x);
+    const auto ofWedge = nearestShares(balls[0], balls[1], balls[2], x);
+    if (ofWedge)
+    {
+      ++within;
+      expectNearest(balls, ofWedge->data(), distanceToWedge(balls[0], balls[1], balls[2], x), x);
+    }
+  }
+  EXPECT_GT(within, 50);
+}
+
+TEST(BallHulls, WedgesAndConesHaveTheSameTangentPlanes)
+{
+  Random random;
+  int existing = 0;
+  for (int i = 0; i < 200; ++i)
+  {
+    const Ball a = random.ball(0.4);
+    const Ball b = random.ball(0.4);
+    const Ball c = random.ball(0.4);
+    const auto wedge = wedgeOf(a, b, c);
+    const auto normals = tangentNormals(a, b, c);
+    ASSERT_EQ(wedge.has_value(), normals.has_value());
+    if (!wedge)
+    {
+      continue;
+    }
+    ++existing;
+    EXPECT_NEAR(glm::distance(wedge->normal(1.0), (*normals)[0]), 0.0, 1e-9);
+    EXPECT_NEAR(glm::distance(wedge->normal(-1.0), (*normals)[1]), 0.0, 1e-9);
+    // Seen along the cone of two of the balls, the planes touch that as well.
+    const auto cone = coneOf(a, b);
+    ASSERT_TRUE(cone);
+    EXPECT_NEAR(glm::dot((*normals)[0], cone->axis), cone->slope, 1e-9);
+    EXPECT_NEAR(cone->sine * cone->sine + cone->slope * cone->slope, 1.0, 1e-12);
+  }
+  EXPECT_GT(existing, 100);
 }
 
 } // namespace

@@ -19,7 +19,7 @@ namespace
 
 const double kPi = std::acos(-1.0);
 
-MedialModel randomModel(int balls, int slabs, int cones)
+MedialModel randomModel(int balls, int wedges, int cones)
 {
   std::mt19937 generator(3);
   std::uniform_real_distribution<double> coordinate(-1.0, 1.0);
@@ -32,7 +32,7 @@ MedialModel randomModel(int balls, int slabs, int cones)
       { coordinate(generator), coordinate(generator), coordinate(generator) });
     model.radii.push_back(radius(generator));
   }
-  for (int i = 0; i < slabs; ++i)
+  for (int i = 0; i < wedges; ++i)
   {
     model.triangles.push_back({ id(generator), id(generator), id(generator) });
   }
@@ -54,17 +54,17 @@ double minOfAll(const MedialModel& model, const glm::dvec3& x, bool interpolate)
   double min = 1e30;
   for (std::size_t i = 0; i < model.centres.size(); ++i)
   {
-    min = std::min(min, contactWithBall(ballOf(model, i), x).distance);
+    min = std::min(min, distanceToBall(ballOf(model, i), x).distance);
   }
   for (const auto& [a, b, c] : model.triangles)
   {
-    const double slab =
-      contactWithSlab(ballOf(model, a), ballOf(model, b), ballOf(model, c), x).distance;
-    min = interpolate ? std::min(min, slab) : min;
+    const double wedge =
+      distanceToWedge(ballOf(model, a), ballOf(model, b), ballOf(model, c), x).distance;
+    min = interpolate ? std::min(min, wedge) : min;
   }
   for (const auto& [a, b] : model.lines)
   {
-    const double cone = contactWithCone(ballOf(model, a), ballOf(model, b), x).distance;
+    const double cone = distanceToCone(ballOf(model, a), ballOf(model, b), x).distance;
     min = interpolate ? std::min(min, cone) : min;
   }
   return min;
@@ -93,7 +93,7 @@ double sampledArea(const MedialModel& model, double areaPerSample)
   return areaPerSample * static_cast<double>(boundarySamples(solid, areaPerSample, 1e-9).size());
 }
 
-TEST(BallUnion, FindsTheLeastOfAllPrimitives)
+TEST(BallUnion, FindsTheMinimumOfAllPrimitives)
 {
   const MedialModel model = randomModel(60, 40, 30);
   const std::vector<Point3> points =
@@ -105,11 +105,31 @@ TEST(BallUnion, FindsTheLeastOfAllPrimitives)
     {
       const glm::dvec3 x{ p[0], p[1], p[2] };
       const double expected = minOfAll(model, x, interpolate);
-      ASSERT_NEAR(solid.contact(x).distance, expected, 1e-12);
-      EXPECT_EQ(solid.contact(x, expected - 0.01).distance, expected - 0.01);
+      ASSERT_NEAR(solid.nearest(x).distance, expected, 1e-12);
+      EXPECT_EQ(solid.nearest(x, expected - 0.01).distance, expected - 0.01);
       EXPECT_EQ(solid.covers(x, 0.02), expected < -0.02);
     }
   }
+}
+
+TEST(BallUnion, OfBallsAloneIsThatOfAModelWithoutCells)
+{
+  const MedialModel model = randomModel(60, 40, 30);
+  std::vector<Ball> balls;
+  for (std::size_t i = 0; i < model.centres.size(); ++i)
+  {
+    balls.push_back(ballOf(model, static_cast<std::int64_t>(i)));
+  }
+  const BallUnion alone(balls);
+  const BallUnion expected(model, false);
+  for (const Point3& p : randomPoints({ { -1.5, -1.5, -1.5 }, { 1.5, 1.5, 1.5 } }, 500, 8))
+  {
+    const glm::dvec3 x{ p[0], p[1], p[2] };
+    EXPECT_EQ(alone.nearest(x).distance, expected.nearest(x).distance);
+    EXPECT_EQ(alone.covers(x, 0.01), expected.covers(x, 0.01));
+  }
+  EXPECT_FALSE(BallUnion(std::vector<Ball>()).covers({ 0.0, 0.0, 0.0 }, 0.0));
+  EXPECT_EQ(BallUnion(std::vector<Ball>()).nearest({ 0.0, 0.0, 0.0 }, 0.25).distance, 0.25);
 }
 
 TEST(BallUnion, DistanceToItsSurfaceFromInside)
@@ -146,7 +166,7 @@ TEST(BallUnion, NeverTooSmallInside)
       truth = std::min(truth, glm::distance(x, y));
     }
     ASSERT_GE(distance, truth - 0.04); // between the samples
-    inside += solid.contact(x).distance < 0.0 ? 1 : 0;
+    inside += solid.nearest(x).distance < 0.0 ? 1 : 0;
     exact += std::abs(distance - truth) < 0.04 ? 1 : 0;
   }
   EXPECT_GT(inside, 125);
@@ -174,8 +194,8 @@ TEST(BoundarySamples, CountAreas)
   cone.radii[1] = 0.5;
   const double slope = 0.25;
   const double caps = 2.0 * kPi * (1.0 + slope) + 2.0 * kPi * 0.25 * (1.0 - slope);
-  const double side = kPi * 1.5 * 2.0 * (1.0 - slope * slope);
-  EXPECT_NEAR(sampledArea(cone, 1e-4), caps + side, 0.02);
+  const double lateral = kPi * 1.5 * 2.0 * (1.0 - slope * slope);
+  EXPECT_NEAR(sampledArea(cone, 1e-4), caps + lateral, 0.02);
   // A plate: two squares, four half cylinders and a ball.
   MedialModel plate;
   plate.centres = { { 0, 0, 0 }, { 2, 0, 0 }, { 2, 2, 0 }, { 0, 2, 0 } };

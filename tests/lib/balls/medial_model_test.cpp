@@ -48,20 +48,20 @@ void expectRefused(const std::function<void(MedialModel&)>& spoil, const std::st
 
 TEST(MedialModel, StripIsADisc)
 {
-  const ModelTopology topology = analyseModel(strip(3));
-  EXPECT_EQ(topology.points, 8);
-  EXPECT_EQ(topology.quads, 3);
-  EXPECT_EQ(topology.components, 1);
-  EXPECT_EQ(topology.eulerCharacteristic, 1);
-  EXPECT_EQ(topology.zeroAreaCells, 0);
+  const ModelCounts counts = countModel(strip(3));
+  EXPECT_EQ(counts.points, 8);
+  EXPECT_EQ(counts.quads, 3);
+  EXPECT_EQ(counts.components, 1);
+  EXPECT_EQ(counts.eulerCharacteristic, 1);
+  EXPECT_EQ(counts.zeroAreaCells, 0);
 }
 
 TEST(MedialModel, StripClosedToARingHasALoop)
 {
   MedialModel model = strip(5);
   model.lines.push_back({ 0, 10 });
-  EXPECT_EQ(analyseModel(model).eulerCharacteristic, 0);
-  EXPECT_EQ(analyseModel(model).components, 1);
+  EXPECT_EQ(countModel(model).eulerCharacteristic, 0);
+  EXPECT_EQ(countModel(model).components, 1);
 }
 
 TEST(MedialModel, SurfaceOfATetrahedronIsASphere)
@@ -70,7 +70,7 @@ TEST(MedialModel, SurfaceOfATetrahedronIsASphere)
   model.centres = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
   model.radii.assign(4, 0.1);
   model.triangles = { { 0, 1, 2 }, { 0, 1, 3 }, { 1, 2, 3 }, { 0, 2, 3 } };
-  EXPECT_EQ(analyseModel(model).eulerCharacteristic, 2);
+  EXPECT_EQ(countModel(model).eulerCharacteristic, 2);
 }
 
 TEST(MedialModel, RepeatedCellsCountOnce)
@@ -79,10 +79,10 @@ TEST(MedialModel, RepeatedCellsCountOnce)
   model.quads.push_back({ 3, 1, 0, 2 });
   model.lines.push_back({ 0, 1 }); // a side
   model.lines.push_back({ 1, 0 });
-  const ModelTopology topology = analyseModel(model);
-  EXPECT_EQ(topology.quads, 2);
-  EXPECT_EQ(topology.lines, 2);
-  EXPECT_EQ(topology.eulerCharacteristic, 1);
+  const ModelCounts counts = countModel(model);
+  EXPECT_EQ(counts.quads, 2);
+  EXPECT_EQ(counts.lines, 2);
+  EXPECT_EQ(counts.eulerCharacteristic, 1);
 }
 
 TEST(MedialModel, EveryLooseBallIsAComponent)
@@ -92,10 +92,10 @@ TEST(MedialModel, EveryLooseBallIsAComponent)
   model.centres.push_back({ 6.0, 0.0, 0.0 });
   model.radii.resize(6, 0.1);
   model.vertices.push_back(5);
-  const ModelTopology topology = analyseModel(model);
-  EXPECT_EQ(topology.components, 3);
-  EXPECT_EQ(topology.eulerCharacteristic, 3);
-  EXPECT_EQ(topology.vertices, 1);
+  const ModelCounts counts = countModel(model);
+  EXPECT_EQ(counts.components, 3);
+  EXPECT_EQ(counts.eulerCharacteristic, 3);
+  EXPECT_EQ(counts.vertices, 1);
 }
 
 TEST(MedialModel, CountsCellsWithoutArea)
@@ -105,7 +105,7 @@ TEST(MedialModel, CountsCellsWithoutArea)
   model.triangles.push_back({ 0, 0, 1 });
   model.lines.push_back({ 3, 3 });
   model.lines.push_back({ 0, 7 });
-  EXPECT_EQ(analyseModel(model).zeroAreaCells, 3);
+  EXPECT_EQ(countModel(model).zeroAreaCells, 3);
 }
 
 TEST(MedialModel, RefusesWhatIsNoModel)
@@ -133,7 +133,7 @@ TEST(MedialModel, QuadsAreSplitWhereNoTriangleIsFlat)
   EXPECT_EQ(all[1], (std::array<std::int64_t, 3>{ 1, 2, 0 }));
   model.quads.clear();
   model.triangles = all;
-  EXPECT_EQ(analyseModel(model).zeroAreaCells, 0);
+  EXPECT_EQ(countModel(model).zeroAreaCells, 0);
 }
 
 TEST(MedialModel, QuadsAreTwoTriangles)

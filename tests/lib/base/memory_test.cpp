@@ -76,7 +76,7 @@ TEST(AvailableMemory, TheFieldOfAUnionOnAHugeGridIsRefused)
   model.centres = { { 0, 0, 0 } };
   model.radii = { 1 };
   const medial::Grid grid = medial::makeGrid(medial::modelBounds(model), 8192);
-  EXPECT_NE(memoryError([&] { medial::computeReconstruction(model, grid, true, {}); }), "");
+  EXPECT_NE(memoryError([&] { medial::computeReconstruction(model, grid); }), "");
 }
 
 } // namespace

@@ -50,6 +50,19 @@ TEST(AxisCoverage, TheAxisOfACapsuleLeavesNothing)
   EXPECT_NEAR(uncovered(mesh, model), (1.0 - beside) / (1.0 + 0.5), 0.002);
 }
 
+TEST(AxisCoverage, DefaultIsTheSameHoweverItIsMade)
+{
+  const TriangleMesh mesh = icosphere(1.0, 2);
+  EXPECT_EQ(CoverageOptions().samples, kDefaultCoverageSamples);
+  const AxisCoverage expected = measureCoverage(mesh, oneBall(0.9), kReach);
+  for (const CoverageOptions& options : { CoverageOptions(), CoverageOptions{} })
+  {
+    const AxisCoverage coverage = measureCoverage(mesh, oneBall(0.9), kReach, options);
+    EXPECT_EQ(coverage.samples, expected.samples);
+    EXPECT_EQ(coverage.uncoveredShare, expected.uncoveredShare);
+  }
+}
+
 TEST(AxisCoverage, ABodyWithoutAxisCountsByItsArea)
 {
   const TriangleMesh one = icosphere(1.0, 4);
@@ -75,11 +88,11 @@ TEST(AxisCoverage, ABoxWithoutTheSheetsOfItsEdges)
 }
 
 /// The innermost line of a wedge alone, as a theta above the angles of all its edges leaves it: the
-/// cylinder along it touches the middles of the three sides and fills the incircles of the ends.
+/// cylinder along it touches the middles of the three flanks and fills the incircles of the ends.
 TEST(AxisCoverage, AWedgeWithoutTheSheetsOfItsEdges)
 {
   const double length = 3.0;
-  const double apex = 35.0 * kPi / 180.0; // half of it; the two sides there are 1 wide
+  const double apex = 35.0 * kPi / 180.0; // half of it; the two flanks there are 1 wide
   const double perimeter = 2.0 + 2.0 * std::sin(apex);
   const double end = std::sin(apex) * std::cos(apex);
   const double radius = 2.0 * end / perimeter;
@@ -90,8 +103,9 @@ TEST(AxisCoverage, AWedgeWithoutTheSheetsOfItsEdges)
   line.lines = { { 0, 1 } };
   const double outer = radius + kReach;
   const double half = std::sqrt(outer * outer - radius * radius);
-  const double beyondSide = outer * outer * std::acos(radius / outer) - radius * half;
-  const double covered = 3.0 * 2.0 * half * length + 2.0 * (kPi * outer * outer - 3.0 * beyondSide);
+  const double beyondFlank = outer * outer * std::acos(radius / outer) - radius * half;
+  const double covered =
+    3.0 * 2.0 * half * length + 2.0 * (kPi * outer * outer - 3.0 * beyondFlank);
   const double area = perimeter * length + 2.0 * end;
   EXPECT_NEAR(uncovered(wedge(70.0, length, 1.0), line), 1.0 - covered / area, 0.001);
 }
@@ -114,7 +128,8 @@ TEST(AxisCoverage, NoBallsCoverNothingAndNoAreaNeedsNone)
 TEST(AxisCoverage, ThreadsDoNotChangeTheResult)
 {
   const TriangleMesh mesh = lPrism(1.0, 0.4);
-  MeasurementOptions options{ 5000 };
+  CoverageOptions options;
+  options.samples = 5000;
   options.execution.threads = 1;
   const double one = measureCoverage(mesh, oneBall(0.6), kReach, options).uncoveredShare;
   options.execution.threads = 2;
@@ -148,7 +163,19 @@ TEST(AxisCoverage, RefusesWhatItCannotMeasure)
   }
   expectError(ErrorCode::InvalidInput, "radius -1", [&] { uncovered(mesh, oneBall(-1.0)); });
   expectError(ErrorCode::InvalidInput, "number of samples 10 is outside [1000, 100000000]",
-    [&] { measureCoverage(mesh, oneBall(1.0), kReach, { 10 }); });
+    [&]
+    {
+      CoverageOptions options;
+      options.samples = 10;
+      measureCoverage(mesh, oneBall(1.0), kReach, options);
+    });
+  expectError(ErrorCode::InvalidInput, "threads -1 is negative",
+    [&]
+    {
+      CoverageOptions options;
+      options.execution.threads = -1;
+      measureCoverage(mesh, oneBall(1.0), kReach, options);
+    });
 }
 
 class Stop : public Progress
@@ -161,7 +188,7 @@ public:
 TEST(AxisCoverage, CanBeCancelled)
 {
   Stop stop;
-  MeasurementOptions options;
+  CoverageOptions options;
   options.execution.progress = &stop;
   expectError(ErrorCode::Cancelled, "cancelled",
     [&] { measureCoverage(icosphere(1.0, 1), oneBall(1.0), kReach, options); });

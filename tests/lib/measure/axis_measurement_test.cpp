@@ -33,7 +33,7 @@ MedialModel segment(double halfLength, double radius)
   return model;
 }
 
-AxisMeasurement evaluateOn(const TriangleMesh& mesh, const MedialModel& model,
+AxisMeasurement measureOn(const TriangleMesh& mesh, const MedialModel& model,
   const MeasurementOptions& options = {})
 {
   return measureAxis(mesh, analyseConnectivity(mesh), model, options);
@@ -42,7 +42,7 @@ AxisMeasurement evaluateOn(const TriangleMesh& mesh, const MedialModel& model,
 TEST(AxisMeasurement, SmallerBallInASphere)
 {
   // Facets of the icosphere lie inside the sphere by up to 2e-4.
-  const AxisMeasurement result = evaluateOn(icosphere(1.0, 5), oneBall(0.9));
+  const AxisMeasurement result = measureOn(icosphere(1.0, 5), oneBall(0.9));
   EXPECT_NEAR(result.hausdorff(), 0.1, 1e-9); // at the points of the mesh
   EXPECT_NEAR(result.surfaceToUnion.max, 0.1, 1e-9);
   EXPECT_NEAR(result.surfaceToUnion.mean, 0.1, 4e-4);
@@ -52,13 +52,13 @@ TEST(AxisMeasurement, SmallerBallInASphere)
   EXPECT_NEAR(result.radiusError.mean, 0.1, 4e-4);
   EXPECT_EQ(result.centresInside, 1);
   EXPECT_TRUE(result.knowsInside);
-  EXPECT_EQ(result.topology.components, 1);
-  EXPECT_EQ(result.topology.eulerCharacteristic, 1);
+  EXPECT_EQ(result.counts.components, 1);
+  EXPECT_EQ(result.counts.eulerCharacteristic, 1);
 }
 
 TEST(AxisMeasurement, LargerBallAroundASphere)
 {
-  const AxisMeasurement result = evaluateOn(icosphere(1.0, 5), oneBall(1.25));
+  const AxisMeasurement result = measureOn(icosphere(1.0, 5), oneBall(1.25));
   EXPECT_NEAR(result.surfaceToUnion.max, 0.25, 4e-4);
   EXPECT_NEAR(result.surfaceToUnion.mean, 0.25, 4e-4);
   EXPECT_NEAR(result.unionToSurface.mean, 0.25, 4e-4);
@@ -69,7 +69,7 @@ TEST(AxisMeasurement, SamplesAreAsManyPerAreaOnBothSurfaces)
 {
   MeasurementOptions options;
   options.samples = 20000;
-  const AxisMeasurement result = evaluateOn(icosphere(1.0, 4), oneBall(0.5), options);
+  const AxisMeasurement result = measureOn(icosphere(1.0, 4), oneBall(0.5), options);
   EXPECT_EQ(result.surfaceToUnion.places, 20000);
   EXPECT_NEAR(static_cast<double>(result.unionToSurface.places), 5000.0, 30.0);
 }
@@ -77,25 +77,25 @@ TEST(AxisMeasurement, SamplesAreAsManyPerAreaOnBothSurfaces)
 TEST(AxisMeasurement, CapsuleIsItsSegment)
 {
   const TriangleMesh mesh = uvCapsule(0.5, 1.0, 256);
-  const AxisMeasurement result = evaluateOn(mesh, segment(1.0, 0.5));
+  const AxisMeasurement result = measureOn(mesh, segment(1.0, 0.5));
   EXPECT_LT(result.hausdorff(), 2e-4);
   EXPECT_LT(result.radiusError.max, 2e-4);
   // Half of the segment leaves half a unit uncovered at each end.
-  const AxisMeasurement half = evaluateOn(mesh, segment(0.5, 0.5));
+  const AxisMeasurement half = measureOn(mesh, segment(0.5, 0.5));
   EXPECT_NEAR(half.surfaceToUnion.max, 0.5, 2e-4);
   EXPECT_LT(half.surfaceToUnion.mean, 0.25);
   // Its ends lie inside the mesh, sqrt(0.5) - 0.5 at most.
   EXPECT_NEAR(half.unionToSurface.max, 0.5, 0.01);
 }
 
-TEST(AxisMeasurement, OneSideSeesWhatTheOtherDoesNot)
+TEST(AxisMeasurement, OneDirectionSeesWhatTheOtherDoesNot)
 {
   // A spur of radius 0 sticks out of a ball that is exact elsewhere.
   MedialModel spur = oneBall(1.0);
   spur.centres.push_back({ 0, 0, 2 });
   spur.radii.push_back(0.0);
   spur.lines = { { 0, 1 } };
-  const AxisMeasurement result = evaluateOn(icosphere(1.0, 5), spur);
+  const AxisMeasurement result = measureOn(icosphere(1.0, 5), spur);
   EXPECT_NEAR(result.unionToSurface.max, 1.0, 0.05);
   EXPECT_EQ(result.hausdorff(), result.unionToSurface.max);
   // The spur's cone covers the top of the ball: the way out from there is along the mesh.
@@ -106,13 +106,13 @@ TEST(AxisMeasurement, OneSideSeesWhatTheOtherDoesNot)
 
 TEST(AxisMeasurement, ReflexEdgesAreNoLongWayOut)
 {
-  // Two slabs that fill an L and reach over its reflex edge by 0.05.
+  // Two bars that fill an L and reach over its reflex edge by 0.05.
   MedialModel model;
   const double half = 0.05;
   model.centres = { { -0.5, -1, 0 }, { -0.5, 1, 0 }, { -1, -0.5, 0 }, { 1, -0.5, 0 } };
   model.radii.assign(4, 0.5 + half);
   model.lines = { { 0, 1 }, { 2, 3 } };
-  const AxisMeasurement result = evaluateOn(lPrism(1.0, 0.3), model);
+  const AxisMeasurement result = measureOn(lPrism(1.0, 0.3), model);
   // At the edge (0, 0, z) the nearest places of the surface are on the crease nearby.
   EXPECT_LT(result.surfaceToUnion.max, 0.6);
 }
@@ -123,18 +123,18 @@ TEST(AxisMeasurement, RadiusErrorsAreThoseOfEveryBall)
   MedialModel model;
   model.centres = { { 0, 0, 0 }, { 0.2, 0, 0 }, { 0, 0, 0.9 } };
   model.radii = { 0.6, 0.5, 0.3 };
-  const AxisMeasurement result = evaluateOn(mesh, model);
+  const AxisMeasurement result = measureOn(mesh, model);
   EXPECT_NEAR(result.radiusError.max, 0.1, 1e-12);
   EXPECT_NEAR(result.radiusError.mean, 0.1 / 3.0, 1e-12);
   EXPECT_EQ(result.centresInside, 2);
-  EXPECT_EQ(result.topology.components, 3);
+  EXPECT_EQ(result.counts.components, 3);
   EXPECT_NEAR(result.diagonal, 2.0 * std::sqrt(2.0), 1e-12);
 }
 
 TEST(AxisMeasurement, FarFromTheOriginAndInwardFacesChangeNothing)
 {
   TriangleMesh mesh = icosphere(1.0, 4);
-  const AxisMeasurement expected = evaluateOn(mesh, oneBall(0.9));
+  const AxisMeasurement expected = measureOn(mesh, oneBall(0.9));
   for (auto& triangle : mesh.triangles)
   {
     std::swap(triangle[0], triangle[1]);
@@ -145,7 +145,7 @@ TEST(AxisMeasurement, FarFromTheOriginAndInwardFacesChangeNothing)
   {
     point = { point[0] + 1e5, point[1] - 2e5, point[2] + 3e5 };
   }
-  const AxisMeasurement result = evaluateOn(mesh, model);
+  const AxisMeasurement result = measureOn(mesh, model);
   EXPECT_NEAR(result.hausdorff(), expected.hausdorff(), 1e-8);
   EXPECT_NEAR(result.radiusError.max, expected.radiusError.max, 1e-8);
   EXPECT_EQ(result.centresInside, 1);
@@ -154,7 +154,7 @@ TEST(AxisMeasurement, FarFromTheOriginAndInwardFacesChangeNothing)
 TEST(AxisMeasurement, AnOpenMeshHasNoInside)
 {
   MedialModel model = oneBall(0.25);
-  const AxisMeasurement result = evaluateOn(plates(0.5, 1.0), model);
+  const AxisMeasurement result = measureOn(plates(0.5, 1.0), model);
   EXPECT_FALSE(result.knowsInside);
   EXPECT_EQ(result.centresInside, 0);
   EXPECT_NEAR(result.radiusError.max, 0.0, 1e-12);
@@ -171,8 +171,8 @@ TEST(AxisMeasurement, ThreadsDoNotChangeTheResult)
   model.centres.push_back({ -0.5, -0.5, 0.0 });
   model.radii.push_back(0.2);
   model.triangles = { { 0, 1, 2 } };
-  const AxisMeasurement a = evaluateOn(mesh, model, one);
-  const AxisMeasurement b = evaluateOn(mesh, model, two);
+  const AxisMeasurement a = measureOn(mesh, model, one);
+  const AxisMeasurement b = measureOn(mesh, model, two);
   EXPECT_EQ(a.surfaceToUnion.mean, b.surfaceToUnion.mean);
   EXPECT_EQ(a.unionToSurface.mean, b.unionToSurface.mean);
   EXPECT_EQ(a.unionToSurface.places, b.unionToSurface.places);
@@ -189,7 +189,7 @@ TEST(AxisMeasurement, RadiiWithoutMeasureTakeNoMoreTime)
     model.centres.push_back({ radius, 0.0, 0.0 });
     model.radii.push_back(radius);
     model.lines.push_back({ 1, 2 });
-    const AxisMeasurement result = evaluateOn(icosphere(1.0, 3), model, options);
+    const AxisMeasurement result = measureOn(icosphere(1.0, 3), model, options);
     EXPECT_GT(result.unionToSurface.max, 1.9 * radius);
     EXPECT_LT(result.unionToSurface.max, 2.1 * radius);
     EXPECT_LT(result.unionToSurface.places, 1000000);
@@ -207,7 +207,7 @@ TEST(AxisMeasurement, VeryFarFromTheOriginItComesToAnEnd)
       point[0] += 1e10;
     }
   }
-  const AxisMeasurement result = evaluateOn(mesh, model);
+  const AxisMeasurement result = measureOn(mesh, model);
   EXPECT_NEAR(result.hausdorff(), 0.4, 0.01);
 }
 
@@ -229,7 +229,7 @@ TEST(AxisMeasurement, ReportsProgressAndCanBeCancelled)
   Watch watch;
   MeasurementOptions options;
   options.execution.progress = &watch;
-  evaluateOn(icosphere(1.0, 3), oneBall(0.9), options);
+  measureOn(icosphere(1.0, 3), oneBall(0.9), options);
   EXPECT_EQ(watch.last, 1.0);
   for (const double stopAt : { 0.0, 0.3, 0.8 })
   {
@@ -238,7 +238,7 @@ TEST(AxisMeasurement, ReportsProgressAndCanBeCancelled)
     options.execution.progress = &stop;
     try
     {
-      evaluateOn(icosphere(1.0, 3), oneBall(0.9), options);
+      measureOn(icosphere(1.0, 3), oneBall(0.9), options);
       FAIL() << stopAt;
     }
     catch (const Error& error)
@@ -258,7 +258,7 @@ void expectRefused(
   spoil(mesh, model, options);
   try
   {
-    evaluateOn(mesh, model, options);
+    measureOn(mesh, model, options);
     FAIL() << words;
   }
   catch (const Error& error)

@@ -23,7 +23,7 @@ MedialModel bentPlate()
   return model;
 }
 
-TEST(UnionField, IsTheDistanceNearTheSurfaceAndHasTheSignElsewhere)
+TEST(Reconstruction, IsTheDistanceNearTheSurfaceAndHasTheSignElsewhere)
 {
   for (const Point3& offset : { Point3{ 0, 0, 0 }, Point3{ 1e4, -2e4, 3e4 } })
   {
@@ -36,7 +36,7 @@ TEST(UnionField, IsTheDistanceNearTheSurfaceAndHasTheSignElsewhere)
     {
       Grid grid = makeGrid(modelBounds(model), 45);
       grid.spacing[1] *= 1.5;
-      const auto field = computeReconstruction(model, grid, interpolate);
+      const auto field = computeReconstruction(model, grid, { interpolate, {} });
       const BallUnion solid(model, interpolate);
       const double band = 3.0 * grid.spacing[1];
       std::size_t voxel = 0;
@@ -48,7 +48,7 @@ TEST(UnionField, IsTheDistanceNearTheSurfaceAndHasTheSignElsewhere)
           for (int i = 0; i < grid.dimensions[0]; ++i, ++voxel)
           {
             const Point3 p = grid.point(i, j, k);
-            const double exact = solid.contact({ p[0], p[1], p[2] }).distance;
+            const double exact = solid.nearest({ p[0], p[1], p[2] }).distance;
             const auto value = static_cast<double>(field[voxel]);
             if (std::abs(exact) <= band)
             {
@@ -70,7 +70,7 @@ TEST(UnionField, IsTheDistanceNearTheSurfaceAndHasTheSignElsewhere)
   }
 }
 
-TEST(UnionField, BoundsHoldAllBalls)
+TEST(Reconstruction, BoundsHoldAllBalls)
 {
   const Bounds bounds = modelBounds(bentPlate());
   EXPECT_EQ(bounds.min[0], -1.4);
@@ -86,19 +86,35 @@ public:
   double last = -1.0;
 };
 
-TEST(UnionField, CanBeCancelled)
+TEST(Reconstruction, CanBeCancelled)
 {
   const MedialModel model = bentPlate();
   StopAtOnce progress;
   try
   {
-    computeReconstruction(model, makeGrid(modelBounds(model), 100), true, { 0, &progress });
+    computeReconstruction(model, makeGrid(modelBounds(model), 100), { true, { 0, &progress } });
     FAIL();
   }
   catch (const Error& error)
   {
     EXPECT_EQ(error.code(), ErrorCode::Cancelled);
     EXPECT_LT(progress.last, 1.0);
+  }
+}
+
+TEST(Reconstruction, RefusesANegativeNumberOfThreads)
+{
+  ReconstructionOptions options;
+  options.execution.threads = -1;
+  try
+  {
+    computeReconstruction(bentPlate(), makeGrid(modelBounds(bentPlate()), 10), options);
+    FAIL();
+  }
+  catch (const Error& error)
+  {
+    EXPECT_EQ(error.code(), ErrorCode::InvalidInput);
+    EXPECT_STREQ(error.what(), "threads -1 is negative");
   }
 }
 

@@ -1,4 +1,4 @@
-#include "measure/sphere_patches.h"
+#include "measure/direction_patches.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@ constexpr std::size_t kSectors = 32;
 
 } // namespace
 
-SpherePatches::SpherePatches()
+DirectionPatches::DirectionPatches()
 {
   constexpr int kProbes = 8;
   for (std::size_t patch = 0; patch < kBands * kSectors; ++patch)
@@ -23,9 +23,9 @@ SpherePatches::SpherePatches()
     {
       // Along the patch's border, where it is farthest.
       const double t = static_cast<double>(probe % kProbes) / kProbes;
-      const int side = probe / kProbes;
-      const double u = side == 0 ? 0.0 : (side == 1 ? 1.0 : t);
-      const double v = side == 2 ? 0.0 : (side == 3 ? 1.0 : t);
+      const int edge = probe / kProbes;
+      const double u = edge == 0 ? 0.0 : (edge == 1 ? 1.0 : t);
+      const double v = edge == 2 ? 0.0 : (edge == 3 ? 1.0 : t);
       const double cosine = glm::dot(centres_.back(), this->direction(patch, u, v));
       radius_ = std::max(radius_, std::acos(std::min(1.0, cosine)));
     }
@@ -34,13 +34,13 @@ SpherePatches::SpherePatches()
   radius_ *= kBetweenProbes;
 }
 
-const SpherePatches& SpherePatches::instance()
+const DirectionPatches& DirectionPatches::instance()
 {
-  static const SpherePatches kPatches;
+  static const DirectionPatches kPatches;
   return kPatches;
 }
 
-glm::dvec3 SpherePatches::direction(std::size_t patch, double u, double v) const
+glm::dvec3 DirectionPatches::direction(std::size_t patch, double u, double v) const
 {
   static const double kPi = std::acos(-1.0);
   const std::size_t band = patch / kSectors;

@@ -8,11 +8,11 @@
 namespace medial
 {
 
-/// The unit sphere in patches of equal area, between circles of latitude and meridians.
-class SpherePatches
+/// All directions in patches of equal area, between circles of latitude and meridians.
+class DirectionPatches
 {
 public:
-  static const SpherePatches& instance();
+  static const DirectionPatches& instance();
 
   std::size_t size() const { return centres_.size(); }
   /// A direction of the patch.
@@ -23,7 +23,7 @@ public:
   glm::dvec3 direction(std::size_t patch, double u, double v) const;
 
 private:
-  SpherePatches();
+  DirectionPatches();
 
   std::vector<glm::dvec3> centres_;
   double radius_ = 0.0;

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+namespace medial
+{
+
+/// A point is a ball of radius 0.
+struct Ball
+{
+  glm::dvec3 centre{ 0.0 };
+  double radius = 0.0;
+};
+
+///@{
+/// Balls as points of R^4, with the radius as fourth coordinate: there they can be added and
+/// scaled.
+inline glm::dvec4 toVector(const Ball& ball)
+{
+  return { ball.centre, ball.radius };
+}
+
+inline Ball toBall(const glm::dvec4& vector)
+{
+  return { glm::dvec3(vector), vector.w };
+}
+///@}
+
+} // namespace medial
