@@ -113,12 +113,12 @@ macro(medial_package component name section summary description)
 endmacro()
 
 set(about "Medial computes medial axes of triangle meshes, simplified by separation angle,
-exact distance fields on regular grids, and wall thickness. It uses the GPU, or
-the processor where OpenGL is a software renderer.\n")
+exact distance fields on regular grids, and wall thickness. It computes on the
+processor, or with OpenGL where that is asked for.\n")
 medial_package(runtime ${library_package} libs "medial axes and distance fields of meshes - libraries"
   "${about}\nThis package holds the library, and the VTK filters as one of their own.")
-set(CPACK_DEBIAN_RUNTIME_PACKAGE_DEPENDS libegl1)
-set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS libgl1-mesa-dri)
+# OpenGL, for the rasteriser and for pictures.
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS "libegl1, libgl1-mesa-dri")
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA "${debian_sources}/triggers")
 
 medial_package(development libmedial-dev libdevel "medial axes and distance fields of meshes - development"

@@ -29,9 +29,9 @@ EglRenderWindow::EglRenderWindow()
 
 EglRenderWindow::~EglRenderWindow()
 {
-  if (context_.exists())
+  if (context_)
   {
-    context_.makeCurrent();
+    context_->makeCurrent();
     this->Finalize();
   }
 }
@@ -43,7 +43,7 @@ void EglRenderWindow::OpenGLInitContext()
   {
     return;
   }
-  context_.makeCurrent();
+  context_->makeCurrent();
   const GLenum result = glewInit();
   this->GlewInitValid = result == GLEW_OK || result == kNoGlxDisplay;
   this->Initialized = this->GlewInitValid;

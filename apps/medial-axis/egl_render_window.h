@@ -1,8 +1,10 @@
 #pragma once
 
-#include "egl_context.h"
+#include "gl/egl_context.h"
 
 #include <vtkGenericOpenGLRenderWindow.h>
+
+#include <memory>
 
 namespace medial::app
 {
@@ -16,12 +18,12 @@ public:
   vtkTypeMacro(EglRenderWindow, vtkGenericOpenGLRenderWindow);
 
   /// Makes the context; call once, before anything is drawn.
-  /// @return false where no EGL display offers one.
-  bool createContext() { return context_.create(); }
+  /// @throws Error NoGpu where EGL offers none.
+  void createContext() { context_ = std::make_unique<gl::EglContext>(); }
 
-  void MakeCurrent() override { context_.makeCurrent(); }
-  bool IsCurrent() override { return context_.isCurrent(); }
-  void ReleaseCurrent() override { context_.release(); }
+  void MakeCurrent() override { context_->makeCurrent(); }
+  bool IsCurrent() override { return context_ && context_->isCurrent(); }
+  void ReleaseCurrent() override { context_->release(); }
   int SupportsOpenGL() override { return 1; }
   vtkTypeBool IsDirect() override { return 1; }
   void OpenGLInitContext() override;
@@ -34,7 +36,7 @@ private:
   EglRenderWindow(const EglRenderWindow&) = delete;
   void operator=(const EglRenderWindow&) = delete;
 
-  EglContext context_;
+  std::unique_ptr<gl::EglContext> context_;
 };
 
 } // namespace medial::app

@@ -7,6 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <optional>
+
 #include <sys/resource.h>
 
 namespace medial::app
@@ -31,10 +33,16 @@ Json describeGrid(const Grid& grid)
     { "origin", grid.origin } };
 }
 
-Json describeDevice(const Device& device)
+/// All null where no engine asked for OpenGL.
+Json describeDevice(const std::optional<Device>& device)
 {
-  return { { "renderer", device.renderer }, { "version", device.version },
-    { "software", device.software } };
+  Json json{ { "renderer", nullptr }, { "version", nullptr }, { "software", nullptr } };
+  if (device)
+  {
+    json = { { "renderer", device->renderer }, { "version", device->version },
+      { "software", device->software } };
+  }
+  return json;
 }
 
 Json describeSeconds(const RunStatistics::Seconds& run, const AppSeconds& app)

@@ -2,10 +2,13 @@
 
 #include "camera.h"
 #include "failure.h"
+#include "medial/error.h"
 #include "png_file.h"
 #include "scalar_bar.h"
 
 #include <vtkPolyData.h>
+
+#include <string>
 
 namespace medial::app
 {
@@ -21,9 +24,13 @@ constexpr int kFontSize = 28;
 
 Scene::Scene()
 {
-  if (!window_->createContext())
+  try
   {
-    throw Failure(ExitCode::NoGpu, "no OpenGL context for drawing could be had from EGL");
+    window_->createContext();
+  }
+  catch (const Error& error)
+  {
+    throw Failure(ExitCode::NoGpu, std::string("no picture can be drawn: ") + error.what());
   }
   window_->SetSize(kWidth, kHeight);
   window_->SetAlphaBitPlanes(1);

@@ -43,8 +43,8 @@ void printEngine(const RunStatistics& statistics)
   std::printf("engine    %s", nameOf(statistics.engine).c_str());
   if (statistics.engine == Engine::Rasteriser)
   {
-    const Device& device = statistics.device;
-    std::printf(" on %s%s", device.renderer.c_str(), device.software ? " (software)" : "");
+    std::printf(" on %s%s", statistics.device->renderer.c_str(),
+      statistics.device->software ? " (software)" : "");
   }
   std::printf("\n");
 }

@@ -56,7 +56,7 @@ std::string describe(const ViewerStatus& status, const AxisSource& source)
     source.seconds(), nameOf(source.statistics().engine).c_str());
   if (source.statistics().engine == Engine::Rasteriser)
   {
-    lines += "compute: " + source.statistics().device.renderer + "\n";
+    lines += "compute: " + source.statistics().device->renderer + "\n";
   }
   lines += "window: " + status.device + "\n";
   return lines + (status.note.empty() ? "keys: h" : wrapped(status.note));

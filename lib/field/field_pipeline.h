@@ -1,111 +1,64 @@
 #pragma once
 
-#include "base/checkpoint.h"
-#include "culling/candidate_tiles.h"
+#include "base/run.h"
+#include "culling/candidate_filter.h"
 #include "culling/tile_query.h"
-#include "field/engines/processor/slab_field.h"
-#include "field/engines/processor/tile_evaluator.h"
-#include "field/engines/rasteriser/slab_renderer.h"
-#include "field/field_memory.h"
-#include "field/field_writer.h"
+#include "field/crossing.h"
+#include "field/field_engine.h"
 #include "medial/distance_field.h"
 #include "sites/grid_frame.h"
 #include "sites/site_set.h"
 
-#include <functional>
+#include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace medial
 {
 
-/// A later stage of the pipeline, which works on slab after slab in ascending z, where the
-/// evaluator left it.
-class SlabStage
-{
-public:
-  virtual ~SlabStage() = default;
-
-  /// A slab in GPU textures; on the GPU thread.
-  /// @param slab its slices are in slots 1 to slab.size(2) of the renderer's atlas.
-  /// @param carried whether slot 0 holds the slice below slab.min[2].
-  virtual void process(const SlabRenderer& renderer, const Extent& slab, bool carried) = 0;
-  /// A slab in host memory, in the pipeline's arena.
-  virtual void process(const SlabField& slab, const TileEvaluator& evaluator) = 0;
-};
-
-/// Mesh -> sites -> candidate tiles -> closest sites -> resolved field, slab by slab. While the GPU
-/// works on a slab, the processor prepares the next one and stores the one before.
+/// From a mesh to its field: input checked, sites built, and an engine run over them.
 class FieldPipeline
 {
 public:
   /// Checks everything that can be checked before work starts.
+  /// @param mesh, connectivity must outlive this.
+  /// @param run takes the place of options.execution.
   /// @throws Error as computeDistanceField.
   FieldPipeline(const TriangleMesh& mesh, const MeshConnectivity& connectivity, const Grid& grid,
-    const Extent& extent, const DistanceFieldOptions& options);
+    const Extent& extent, const DistanceFieldOptions& options, const Run& run);
 
-  /// Takes over what an earlier pipeline over the same connectivity left, and leaves as much.
-  void useMemory(FieldMemory& memory) { memory_ = &memory; }
-
-  /// @param stage may be null.
-  void run(FieldSink& sink, SlabStage* stage);
-
-  /// Exact queries anywhere inside the extent; after a run with a stage.
-  const TileQuery& query() const { return *query_; }
-
-  const SiteSet& sites() const { return sites_; }
-  const GridFrame& frame() const { return frame_; }
   SignMethod sign() const { return sign_; }
+  const GridFrame& frame() const { return frame_; }
   RunStatistics& statistics() { return statistics_; }
 
-  const Run& execution() const { return run_; }
+  /// Computes the field.
+  void run(FieldEngine& engine, FieldSink& sink);
+
+  /// Computes the field and selects the grid edges that the medial axis crosses.
+  std::vector<Crossing> run(FieldEngine& engine, FieldSink& sink,
+    const CrossingSelection& selection);
+
+  /// After a run.
+  const SiteSet& sites() const { return *sites_; }
+  /// Exact closest points anywhere inside the extent; after a run with a selection.
+  const TileQuery& query() const { return *query_; }
 
 private:
-  using Renderer = gl::OnGpuThread<SlabRenderer>;
-  struct Slab;
-  struct InFlight;
-
-  void rasterise(FieldSink& sink, SlabStage* stage);
-  void evaluate(FieldSink& sink);
-  void evaluateForStage(FieldSink& sink, SlabStage& stage);
-
-  FieldSign fieldSign() const;
-  SiteSet buildSites();
-  static double shareOfField(bool staged) { return staged ? 0.8 : 1.0; }
-  int slabSlices(std::size_t bytesPerPoint) const;
-  AtlasLayout chooseAtlas(std::size_t bytesPerPoint) const;
-  std::vector<Extent> slabsOf(int slices) const;
-  FieldWriter makeWriter() const;
-  CandidateHierarchy cullBlocks(int slabSlices, TileHull hull);
-  void cullSlab(const CandidateHierarchy& hierarchy, Slab& slab, const Checkpoint& checkpoint);
-
-  void clipPolygons(Slab& slab, const AtlasLayout& atlas);
-  Renderer& obtainRenderer(const AtlasLayout& atlas);
-  void render(SlabRenderer& renderer, Slab& slab, SlabStage* stage);
-  void noteSeeds(const Slab& slab);
-  void storeSlab(const Slab& slab, FieldWriter& writer, FieldSink& sink);
-
-  TileEvaluator makeEvaluator();
-  void evaluateTiles(const TileEvaluator& evaluator, const Slab& slab, const FieldWriter& writer,
-    SlabField& field, const Checkpoint& checkpoint);
-  void addGpuSeconds();
+  FieldJob prepare(const FieldEngine& engine);
 
   const TriangleMesh& mesh_;
   const MeshConnectivity& connectivity_;
   Extent extent_;
-  DistanceFieldOptions options_;
+  std::size_t memoryMiB_;
   Run run_;
   GridFrame frame_;
-  SignMethod sign_;
+  SignMethod sign_ = SignMethod::None;
   RunStatistics statistics_;
-  RunStatistics::Seconds gpuSeconds_; ///< of what the GPU thread does
-  SiteSet sites_;
-  CandidateFilter filter_;
+  std::optional<SiteSet> sites_;
+  std::optional<CandidateFilter> filter_;
   std::vector<glm::vec4> normals_;
-  FieldMemory ownMemory_;
-  FieldMemory* memory_ = &ownMemory_;
-  ClosestSeeds nextSeeds_;
-  std::unique_ptr<TileQuery> query_; ///< only where a stage needs it
+  std::unique_ptr<TileQuery> query_;
 };
 
 } // namespace medial

@@ -36,13 +36,12 @@ Feature featureOf(SiteKind kind)
 
 } // namespace
 
-FieldWriter::FieldWriter(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
-  const SiteSet& sites, const GridFrame& frame, bool signedField)
-  : mesh_(mesh)
-  , connectivity_(connectivity)
-  , sites_(sites)
-  , frame_(frame)
-  , signed_(signedField)
+FieldWriter::FieldWriter(const FieldJob& job)
+  : mesh_(job.mesh)
+  , connectivity_(job.connectivity)
+  , sites_(job.sites)
+  , frame_(job.frame)
+  , signed_(job.sign != FieldSign::None)
 {
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "field/engines/processor/tile_evaluator.h"
+#include "field/field_job.h"
+#include "field/tile_field.h"
 #include "medial/distance_field.h"
 #include "sites/grid_frame.h"
 #include "sites/site_set.h"
@@ -12,12 +13,11 @@
 namespace medial
 {
 
-/// Converts what evaluators find to what a FieldSink takes: world units, cells and features.
+/// Converts what engines find to what a FieldSink takes: world units, cells and features.
 class FieldWriter
 {
 public:
-  FieldWriter(const TriangleMesh& mesh, const MeshConnectivity& connectivity, const SiteSet& sites,
-    const GridFrame& frame, bool signedField);
+  explicit FieldWriter(const FieldJob& job);
 
   /// Where the next values go.
   void begin(const Extent& slab, const FieldArrays& arrays);

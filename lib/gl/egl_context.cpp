@@ -1,14 +1,13 @@
 #include "gl/egl_context.h"
 
-#include "gl/debug_log.h"
 #include "medial/error.h"
 
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 
-#include <cstdlib>
 #include <cstring>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <dlfcn.h>
@@ -41,15 +40,30 @@ std::string glString(GLenum name)
   return text != nullptr ? text : "unknown";
 }
 
-/// libepoxy ends the process where it finds no EGL library.
-void requireEglLibrary()
+bool canLoad(const char* library)
 {
-  void* library = dlopen("libEGL.so.1", RTLD_LAZY | RTLD_LOCAL);
-  if (library == nullptr)
+  void* handle = dlopen(library, RTLD_LAZY | RTLD_LOCAL);
+  if (handle != nullptr)
+  {
+    dlclose(handle);
+  }
+  return handle != nullptr;
+}
+
+/// libepoxy ends the process where it finds no library to call.
+void requireLibraries()
+{
+  if (!canLoad("libEGL.so.1"))
   {
     throw Error(ErrorCode::NoGpu, "libEGL.so.1 cannot be loaded; install it (Debian: libegl1)");
   }
-  dlclose(library);
+  if (!canLoad("libOpenGL.so.0") && !canLoad("libGL.so.1"))
+  {
+    throw Error(ErrorCode::NoGpu,
+      "neither libOpenGL.so.0 nor libGL.so.1 can be loaded; install one of them (Debian: "
+      "libopengl0 "
+      "or libgl1)");
+  }
 }
 
 /// Displays in the order in which they are to be tried.
@@ -112,10 +126,14 @@ EGLContext makeContext(EGLDisplay display, bool debug)
   return context;
 }
 
-void releaseContext(EGLDisplay display, EGLContext context)
+/// What the current context draws on.
+Device currentDevice()
 {
-  eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-  eglDestroyContext(display, context);
+  Device device;
+  device.renderer = glString(GL_RENDERER);
+  device.version = glString(GL_VERSION);
+  device.software = isSoftware(device.renderer);
+  return device;
 }
 
 } // namespace
@@ -124,55 +142,71 @@ struct EglContext::Handles
 {
   EGLDisplay display = EGL_NO_DISPLAY;
   EGLContext context = EGL_NO_CONTEXT;
+
+  bool exist() const { return context != EGL_NO_CONTEXT; }
+  void destroy()
+  {
+    if (this->exist())
+    {
+      eglDestroyContext(display, context);
+    }
+  }
 };
 
-EglContext::EglContext()
+EglContext::EglContext(bool debug)
   : handles_(std::make_unique<Handles>())
 {
-  requireEglLibrary();
-  const bool debug = std::getenv("MEDIAL_GL_DEBUG") != nullptr;
+  requireLibraries();
   for (EGLDisplay display : candidateDisplays())
   {
-    const EGLContext context = makeContext(display, debug);
-    if (context == EGL_NO_CONTEXT)
+    const Handles found{ display, makeContext(display, debug) };
+    if (!found.exist())
     {
       continue;
     }
-    const bool software = isSoftware(glString(GL_RENDERER));
+    const Device device = currentDevice();
     // The first software renderer is kept only until a hardware one turns up.
-    if (handles_->context != EGL_NO_CONTEXT && software)
+    Handles unused = found;
+    if (!handles_->exist() || !device.software)
     {
-      releaseContext(display, context);
-      continue;
+      unused = std::exchange(*handles_, found);
+      device_ = device;
     }
-    if (handles_->context != EGL_NO_CONTEXT)
-    {
-      eglDestroyContext(handles_->display, handles_->context);
-    }
-    *handles_ = { display, context };
-    if (!software)
+    unused.destroy();
+    if (!device.software)
     {
       break;
     }
   }
-  if (handles_->context == EGL_NO_CONTEXT)
+  if (!handles_->exist())
   {
     throw Error(ErrorCode::NoGpu,
       "no EGL device offers an OpenGL 4.5 core context; install a driver (Debian: libegl-mesa0 "
       "and libgl1-mesa-dri for software rendering)");
   }
-  eglMakeCurrent(handles_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, handles_->context);
-  device_ = { glString(GL_RENDERER), glString(GL_VERSION), isSoftware(glString(GL_RENDERER)) };
-  if (debug)
-  {
-    captureDebugOutput();
-  }
+  this->makeCurrent();
 }
 
 EglContext::~EglContext()
 {
-  releaseContext(handles_->display, handles_->context);
+  this->release();
+  handles_->destroy();
   eglReleaseThread();
+}
+
+void EglContext::makeCurrent()
+{
+  eglMakeCurrent(handles_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, handles_->context);
+}
+
+bool EglContext::isCurrent() const
+{
+  return eglGetCurrentContext() == handles_->context;
+}
+
+void EglContext::release()
+{
+  eglMakeCurrent(handles_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
 }
 
 } // namespace medial::gl

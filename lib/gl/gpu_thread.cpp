@@ -5,6 +5,7 @@
 #include "gl/shader_program.h"
 
 #include <condition_variable>
+#include <cstdlib>
 #include <deque>
 #include <mutex>
 #include <thread>
@@ -28,7 +29,12 @@ struct GpuThread::State
     std::unique_ptr<EglContext> context;
     try
     {
-      context = std::make_unique<EglContext>();
+      const bool debug = std::getenv("MEDIAL_GL_DEBUG") != nullptr;
+      context = std::make_unique<EglContext>(debug);
+      if (debug)
+      {
+        captureDebugOutput();
+      }
     }
     catch (...)
     {

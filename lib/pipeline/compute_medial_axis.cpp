@@ -7,18 +7,17 @@
 #include "axis/dual_mesh.h"
 #include "base/checkpoint.h"
 #include "base/memory_guard.h"
+#include "base/run.h"
 #include "base/separation_angle.h"
 #include "base/stopwatch.h"
 #include "field/array_sink.h"
-#include "field/engines/processor/processor_selection.h"
-#include "field/engines/rasteriser/rasteriser_selection.h"
+#include "field/engines/make_engine.h"
 #include "field/field_pipeline.h"
 #include "field/field_tap.h"
-#include "gl/gpu_thread.h"
 #include "medial/axis_curves.h"
 #include "medial/error.h"
 #include "medial/memory.h"
-#include "pipeline/axis_pipeline.h"
+#include "pipeline/frame.h"
 #include "simplification/simplify_axis.h"
 #include "thinning/preserved_axis.h"
 
@@ -37,53 +36,8 @@ namespace
 
 /// Bytes a grid point that preservation of topology takes: field, cells and anchors.
 constexpr std::size_t kPreservationBytes = 10;
-/// Bytes that a crossing takes until the axis is done. From one resolution to another the program
-/// took 520 more for each, some of them for files.
-constexpr std::size_t kAxisBytes = 400;
 /// Share of the work that is done when the axis is selected.
 constexpr double kSelected = 0.8;
-
-/// Selects where the evaluator leaves the field: on the GPU or in host memory.
-class Selection : public SlabStage
-{
-public:
-  Selection(double angle, Side side, const GridFrame& frame, const RunStatistics& statistics,
-    bool signedField)
-    : onHost_(angle, side, frame, signedField)
-  {
-    if (statistics.engine == Engine::Rasteriser)
-    {
-      onGpu_ = std::make_unique<gl::OnGpuThread<RasteriserSelection>>(angle, side, frame);
-    }
-  }
-
-  void process(const SlabRenderer& renderer, const Extent& slab, bool carried) override
-  {
-    onGpu_->object().process(renderer, slab, carried);
-    requireRoom(onGpu_->object().crossingCount());
-  }
-  void process(const SlabField& slab, const TileEvaluator& evaluator) override
-  {
-    onHost_.process(slab, evaluator);
-    requireRoom(onHost_.crossingCount());
-  }
-
-  std::vector<Crossing> takeCrossings()
-  {
-    return onGpu_ ? onGpu_->object().takeCrossings() : onHost_.takeCrossings();
-  }
-
-private:
-  /// An axis that will not fit is given up at the first slab that shows it.
-  static void requireRoom(std::size_t crossings)
-  {
-    requireMemory("a medial axis selected from " + std::to_string(crossings) + " places or more",
-      crossings * kAxisBytes);
-  }
-
-  ProcessorSelection onHost_;
-  std::unique_ptr<gl::OnGpuThread<RasteriserSelection>> onGpu_;
-};
 
 std::array<float, 3> narrowed(const Point3& point)
 {
@@ -202,75 +156,81 @@ void simplify(const MedialAxisOptions& options, const Run& run, RunStatistics& s
   axis.feature = axisFeatures(edgesOf(axis), axis.points.size());
 }
 
-MedialAxis runPipeline(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
-  const Grid& grid, const MedialAxisOptions& options, FieldSink& sink, FieldMemory* memory)
+/// Points, cells and features of the axis from the crossings.
+/// @param tap the field, where the topology is to be preserved.
+void buildAxis(const MedialAxisOptions& options, const FieldPipeline& pipeline, const Grid& grid,
+  const FieldTap* tap, const Checkpoint& checkpoint, std::vector<Crossing>& crossings,
+  MedialAxis& axis)
 {
-  FieldPipeline pipeline(mesh, connectivity, grid, grid.wholeExtent(), options.field);
-  if (memory != nullptr)
-  {
-    pipeline.useMemory(*memory);
-  }
+  const GridFrame& frame = pipeline.frame();
+  const AxisGeometry geometry{ pipeline.sites(), pipeline.query(), frame, grid.wholeExtent(),
+    glm::radians(options.angle), options.lambda / frame.unit, options.radius / frame.unit,
+    checkpoint };
+  const BisectorPoints points = tap != nullptr
+    ? preserve(options.representation, geometry, *tap, crossings, axis)
+    : represent(options.representation, geometry, crossings, axis);
+  setPoints(points, frame, axis);
+  axis.feature = axisFeatures(edgesOf(axis), axis.points.size());
+}
+
+MedialAxis runPipeline(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
+  const Grid& grid, const MedialAxisOptions& options, FieldSink& sink,
+  std::unique_ptr<FieldEngine>& engine)
+{
+  const Run run(options.field.execution);
+  FieldPipeline pipeline(mesh, connectivity, grid, grid.wholeExtent(), options.field,
+    run.part(0.0, kSelected));
   MedialAxis axis;
   axis.sign = pipeline.sign();
   axis.side = axis.sign == SignMethod::None ? Side::Both : options.side;
-  Selection stage(options.angle, axis.side, pipeline.frame(), pipeline.statistics(),
-    axis.sign != SignMethod::None);
   std::optional<FieldTap> tap;
   if (options.topology == Topology::Preserve)
   {
     requireMemory(grid.pointCount(), kPreservationBytes);
     tap.emplace(sink, grid.wholeExtent());
   }
-  pipeline.run(tap ? *tap : sink, &stage);
-  pipeline.execution().report(kSelected, "medial axis");
-  std::vector<Crossing> crossings = stage.takeCrossings();
-  pipeline.execution().onThreads(
+  std::vector<Crossing> crossings = pipeline.run(obtainEngine(options.field.engine, engine),
+    tap ? *tap : sink, CrossingSelection{ options.angle, axis.side });
+  run.report(kSelected, "medial axis");
+  run.onThreads(
     [&]
     {
       const Stopwatch watch(pipeline.statistics().seconds.medial);
-      const Checkpoint checkpoint(pipeline.execution(), kSelected, "medial axis");
-      const AxisGeometry geometry{ pipeline.sites(), pipeline.query(), pipeline.frame(),
-        grid.wholeExtent(), glm::radians(options.angle), options.lambda / pipeline.frame().unit,
-        options.radius / pipeline.frame().unit, checkpoint };
-      const BisectorPoints points = tap
-        ? preserve(options.representation, geometry, *tap, crossings, axis)
-        : represent(options.representation, geometry, crossings, axis);
-      setPoints(points, pipeline.frame(), axis);
-      axis.feature = axisFeatures(edgesOf(axis), axis.points.size());
+      const Checkpoint checkpoint(run, kSelected, "medial axis");
+      buildAxis(options, pipeline, grid, tap ? &*tap : nullptr, checkpoint, crossings, axis);
     });
   if (options.maxSpheres > 0)
   {
-    simplify(options, pipeline.execution().part(0.9, 1.0), pipeline.statistics(), axis);
+    simplify(options, run.part(0.9, 1.0), pipeline.statistics(), axis);
   }
-  pipeline.execution().report(1.0, "medial axis");
+  run.report(1.0, "medial axis");
   axis.statistics = pipeline.statistics();
   return axis;
 }
 
 } // namespace
 
-MedialAxis computeMedialAxis(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
-  const Grid& grid, const MedialAxisOptions& options, FieldSink& sink)
+MedialAxis computeAxis(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
+  const Grid& grid, const MedialAxisOptions& options, FieldSink& sink,
+  std::unique_ptr<FieldEngine>& engine)
 {
   checkOptions(options);
   return withMemoryErrors(grid.pointCount(),
-    [&] { return runPipeline(mesh, connectivity, grid, options, sink, nullptr); });
+    [&] { return runPipeline(mesh, connectivity, grid, options, sink, engine); });
 }
 
 MedialAxis computeMedialAxis(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
-  const Grid& grid, const MedialAxisOptions& options, const FieldArrays& arrays,
-  FieldMemory* memory)
+  const Grid& grid, const MedialAxisOptions& options, FieldSink& sink)
 {
-  checkOptions(options);
-  ArraySink sink(grid.wholeExtent(), arrays);
-  return withMemoryErrors(grid.pointCount(),
-    [&] { return runPipeline(mesh, connectivity, grid, options, sink, memory); });
+  std::unique_ptr<FieldEngine> engine;
+  return computeAxis(mesh, connectivity, grid, options, sink, engine);
 }
 
 MedialAxis computeMedialAxis(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
   const Grid& grid, const MedialAxisOptions& options, const FieldArrays& arrays)
 {
-  return computeMedialAxis(mesh, connectivity, grid, options, arrays, nullptr);
+  ArraySink sink(grid.wholeExtent(), arrays);
+  return computeMedialAxis(mesh, connectivity, grid, options, sink);
 }
 
 MedialAxis computeMedialAxis(const TriangleMesh& mesh, const Grid& grid,

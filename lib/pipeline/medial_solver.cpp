@@ -1,10 +1,9 @@
 #include "medial/medial_solver.h"
 
-#include "base/memory_guard.h"
 #include "field/array_sink.h"
-#include "field/field_pipeline.h"
+#include "field/field_engine.h"
 #include "medial/error.h"
-#include "pipeline/axis_pipeline.h"
+#include "pipeline/frame.h"
 
 #include <string>
 #include <utility>
@@ -16,7 +15,7 @@ struct MedialSolver::State
 {
   TriangleMesh mesh;
   MeshConnectivity connectivity;
-  FieldMemory memory;
+  std::unique_ptr<FieldEngine> engine; ///< of the last frame; null before the first
 };
 
 MedialSolver::MedialSolver(TriangleMesh mesh)
@@ -59,15 +58,8 @@ void MedialSolver::setPoints(std::vector<Point3> points)
 RunStatistics MedialSolver::computeField(const Grid& grid, const Extent& extent, FieldSink& sink,
   const DistanceFieldOptions& options)
 {
-  return withMemoryErrors(extent.pointCount(),
-    [&]
-    {
-      FieldPipeline pipeline(state_->mesh, state_->connectivity, grid, extent, options);
-      pipeline.useMemory(state_->memory);
-      pipeline.run(sink, nullptr);
-      pipeline.execution().report(1.0, "distance field");
-      return pipeline.statistics();
-    });
+  return medial::computeField(state_->mesh, state_->connectivity, grid, extent, sink, options,
+    state_->engine);
 }
 
 RunStatistics MedialSolver::computeField(const Grid& grid, const Extent& extent,
@@ -80,8 +72,9 @@ RunStatistics MedialSolver::computeField(const Grid& grid, const Extent& extent,
 MedialAxis MedialSolver::computeAxis(const Grid& grid, const MedialAxisOptions& options,
   const FieldArrays& arrays)
 {
-  return computeMedialAxis(state_->mesh, state_->connectivity, grid, options, arrays,
-    &state_->memory);
+  ArraySink sink(grid.wholeExtent(), arrays);
+  return medial::computeAxis(state_->mesh, state_->connectivity, grid, options, sink,
+    state_->engine);
 }
 
 } // namespace medial

@@ -186,20 +186,32 @@ TEST_F(CommandFailure, FieldThatTheDiskCannotHold)
   failure(kNoSpace, { input, "--resolution", "8192" }, options);
 }
 
+/// Where OpenGL is missing, those who draw say so; the processor does without.
 TEST_F(CommandFailure, NoEgl)
 {
   std::filesystem::create_directory(folder.file("vendors"));
   RunOptions options;
   options.environment = { { "__EGL_VENDOR_LIBRARY_DIRS", folder.file("vendors") },
     { "__EGL_VENDOR_LIBRARY_FILENAMES", folder.file("vendors/none.json") } };
-  const std::string error = failure(kNoGpu, { input }, options);
-  EXPECT_TRUE(contains(error, "OpenGL") || contains(error, "EGL")) << error;
+  for (const std::vector<std::string>& drawing :
+    std::vector<std::vector<std::string>>{ { "--engine", "rasteriser" }, { "--require-gpu" },
+      { "--image", folder.file("axis.png") } })
+  {
+    std::vector<std::string> arguments{ input };
+    arguments.insert(arguments.end(), drawing.begin(), drawing.end());
+    const std::string error = failure(kNoGpu, arguments, options);
+    EXPECT_TRUE(contains(error, "no EGL device offers an OpenGL 4.5 core context")) << error;
+  }
+  const std::string file = folder.file("axis.ma");
+  const Outcome outcome = runMedialAxis({ input, "--resolution", "16", "-o", file }, options);
+  EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+  EXPECT_FALSE(readFile(file).empty());
 }
 
 TEST_F(CommandFailure, SoftwareRendererWhereHardwareIsRequired)
 {
-  const Outcome probe =
-    runMedialAxis({ input, "--resolution", "8", "--report", folder.file("report.json") });
+  const Outcome probe = runMedialAxis({ input, "--resolution", "8", "--engine", "rasteriser",
+    "--report", folder.file("report.json") });
   ASSERT_EQ(probe.exitCode, 0) << probe.err;
   const auto device = nlohmann::json::parse(readFile(folder.file("report.json")))["device"];
   const Outcome outcome =

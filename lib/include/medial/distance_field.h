@@ -34,7 +34,7 @@ struct DistanceFieldOptions
   /// host; 0 chooses. Sites, candidates, and arrays that the caller holds come on top. A slab has
   /// at least one slice.
   std::size_t memoryMiB = 0;
-  /// Fail on a software renderer.
+  /// Fail without OpenGL and on a software renderer, whatever the engine.
   bool requireHardware = false;
   Execution execution; ///< threads, progress and cancelling
 };
@@ -91,11 +91,11 @@ struct DistanceField
 /// The closest site of every grid point is found by linear factorisation (Sud, Govindaraju, Gayle,
 /// Manocha, I3D 2006, section 3): distance vectors are affine over a site's Voronoi region, so the
 /// rasteriser interpolates them over a polygon that bounds the region on each slice and the depth
-/// test keeps the nearest. Distances are then evaluated exactly from the closest site. Where there
-/// is no graphics hardware the processor evaluates the same affine functions tile by tile.
+/// test keeps the nearest. Distances are then evaluated exactly from the closest site. The
+/// processor evaluates the same affine functions tile by tile.
 ///
-/// @throws Error InvalidInput (empty mesh, bad grid, impossible sign), NoGpu, GpuLimit,
-///   OutOfMemory, Cancelled.
+/// @throws Error InvalidInput (empty mesh, bad grid, impossible sign), NoGpu and GpuLimit (with the
+///   rasteriser or requireHardware), OutOfMemory, Cancelled.
 MEDIAL_EXPORT DistanceField computeDistanceField(const TriangleMesh& mesh, const Grid& grid,
   const DistanceFieldOptions& options = {});
 

@@ -4,10 +4,10 @@ namespace medial
 {
 
 /// What finds the closest sites of grid points. All engines give the same field (ids: except
-/// between sites at equal distance), at different speed.
+/// between sites at equal distance), at different speed. Only the rasteriser needs OpenGL.
 enum class Engine
 {
-  Auto,       ///< Processor where OpenGL runs on a software renderer, else Rasteriser
+  Auto,       ///< Processor on every machine: feeding the rasteriser takes the CPU longer
   Rasteriser, ///< draws polygons that bound Voronoi regions, with OpenGL's depth test
   Processor   ///< evaluates the candidates of every tile with vector instructions of the CPU
 };

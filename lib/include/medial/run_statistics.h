@@ -4,6 +4,7 @@
 #include "medial/engine.h"
 
 #include <cstdint>
+#include <optional>
 
 namespace medial
 {
@@ -29,8 +30,10 @@ struct RunStatistics
   /// processor evaluated.
   std::int64_t fragments = 0;
   std::int64_t samples = 0;     ///< grid points computed
-  Device device;                ///< the OpenGL implementation, also where the processor evaluates
   Engine engine = Engine::Auto; ///< what was used, never Auto
+  /// The OpenGL implementation that the engine used. With the processor there is none, unless
+  /// hardware was required: then the hardware that was found.
+  std::optional<Device> device;
 
   /// Fragments over samples; 0 where there are none.
   double fragmentsPerVoxel() const

@@ -190,6 +190,17 @@ TEST(NoGpuDeathTest, WithoutAnyEglLibraryTheErrorSaysSo)
   unsetenv("LD_LIBRARY_PATH");
 }
 
+TEST(NoGpuDeathTest, WithoutAnyOpenGlLibraryTheErrorSaysSo)
+{
+  testing::GTEST_FLAG(death_test_style) = "threadsafe";
+  const EmptyFolder folder;
+  std::ofstream{ folder.path() / "libGL.so.1" } << "nothing";
+  std::ofstream{ folder.path() / "libOpenGL.so.0" } << "nothing";
+  setenv("LD_LIBRARY_PATH", folder.path().c_str(), 1);
+  EXPECT_EXIT(std::exit(exitCodeWithoutEgl()), testing::ExitedWithCode(0), "");
+  unsetenv("LD_LIBRARY_PATH");
+}
+
 TEST(ShaderSource, HoldsEveryFileOfTheShadersFolder)
 {
   std::size_t files = 0;

@@ -40,10 +40,10 @@ MEDIAL_VECTORISED void ProcessorSelection::findChanges(const std::int32_t* sites
   }
 }
 
-ProcessorSelection::ProcessorSelection(double angle, Side side, const GridFrame& frame,
+ProcessorSelection::ProcessorSelection(const CrossingSelection& selection, const GridFrame& frame,
   bool signedField)
-  : cosineLimit_(std::cos(glm::radians(angle)))
-  , side_(side)
+  : cosineLimit_(std::cos(glm::radians(selection.angle)))
+  , side_(selection.side)
   , frame_(frame)
   , signed_(signedField)
 {
@@ -65,6 +65,7 @@ void ProcessorSelection::process(const SlabField& slab, const TileEvaluator& eva
   {
     crossings_.insert(crossings_.end(), slice.begin(), slice.end());
   }
+  requireRoomForAxis(crossings_.size());
 }
 
 void ProcessorSelection::selectRow(const SlabField& slab, const TileEvaluator& evaluator, int slot,

@@ -3,7 +3,6 @@
 #include "field/crossing.h"
 #include "field/engines/processor/slab_field.h"
 #include "field/engines/processor/tile_evaluator.h"
-#include "medial/side.h"
 #include "sites/grid_frame.h"
 
 #include <vector>
@@ -11,20 +10,19 @@
 namespace medial
 {
 
-/// Selection by separation angle where the processor evaluates: what shaders/medial_axis.frag does,
-/// on sites in host memory. Directions are computed only where the closest site changes, since
-/// projection to one convex site never parts two points by more than their own distance.
+/// Selects crossings on sites in host memory, as medial_axis.frag does on textures. Directions are
+/// computed only where the closest site changes, since projection to one convex site never parts
+/// two points by more than their own distance.
 class ProcessorSelection
 {
 public:
-  /// @param angle least separation angle, degrees.
   /// @param signedField whether sides mean anything.
-  ProcessorSelection(double angle, Side side, const GridFrame& frame, bool signedField);
+  ProcessorSelection(const CrossingSelection& selection, const GridFrame& frame, bool signedField);
 
   /// Slabs in ascending z. Uses the threads of the current arena.
+  /// @throws Error as requireRoomForAxis().
   void process(const SlabField& slab, const TileEvaluator& evaluator);
 
-  std::size_t crossingCount() const { return crossings_.size(); }
   /// All crossings so far, in the order of the slabs.
   std::vector<Crossing> takeCrossings() { return std::move(crossings_); }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "field/engines/processor/tile_evaluator.h"
+#include "field/tile_field.h"
 #include "medial/grid.h"
 
 #include <cstddef>
@@ -10,8 +10,8 @@
 namespace medial
 {
 
-/// The closest sites of a slab in host memory, and of the slice below it: what a stage works on
-/// where the processor evaluates.
+/// The closest sites of a slab in host memory, and of the slice below it: what crossings are
+/// selected in.
 class SlabField
 {
 public:

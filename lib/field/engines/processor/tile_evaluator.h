@@ -1,5 +1,6 @@
 #pragma once
 
+#include "field/tile_field.h"
 #include "medial/grid.h"
 #include "sites/grid_frame.h"
 #include "sites/site_set.h"
@@ -12,19 +13,6 @@
 
 namespace medial
 {
-
-/// The closest sites of the grid points of one tile, x fastest; rows of kRow.
-struct TileField
-{
-  static constexpr int kRow = 8;
-  static constexpr int kPoints = kRow * kRow * kRow;
-
-  static int index(int i, int j, int k) { return (k * kRow + j) * kRow + i; }
-
-  alignas(32) float squared[kPoints]; ///< squared distance, frame units
-  alignas(32) float side[kPoints];    ///< negative inside; only its sign means something
-  alignas(32) std::int32_t site[kPoints];
-};
 
 /// Finds closest sites by evaluating every candidate of a tile at the tile's grid points: what a
 /// processor does faster than it can imitate a rasteriser. As there, distance vectors are affine

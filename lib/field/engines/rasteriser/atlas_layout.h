@@ -8,7 +8,8 @@ namespace medial
 {
 
 /// How the slices of a slab lie side by side in one 2D texture. Slot 0 holds the last slice of the
-/// slab before, for the stages that look at neighbouring slices; slots from 1 on hold the slab.
+/// slab before, for the selection, which looks at neighbouring slices; slots from 1 on hold the
+/// slab.
 struct AtlasLayout
 {
   glm::ivec2 sliceSize{ 0 }; ///< grid points of a slice

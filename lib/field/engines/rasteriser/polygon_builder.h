@@ -12,7 +12,7 @@
 namespace medial
 {
 
-/// Input of shaders/distance_field.vert.
+/// Input of distance_field.vert.
 struct PolygonVertex
 {
   glm::vec2 position; ///< atlas pixels

@@ -8,9 +8,8 @@
 namespace medial
 {
 
-RasteriserSelection::RasteriserSelection(double angle, Side side, const GridFrame& frame)
-  : angle_(angle)
-  , side_(side)
+RasteriserSelection::RasteriserSelection(const CrossingSelection& selection, const GridFrame& frame)
+  : selection_(selection)
   , frame_(frame)
   , noVertices_(gl::createVertexArray())
 {
@@ -37,6 +36,7 @@ void RasteriserSelection::process(const SlabRenderer& renderer, const Extent& sl
   this->select(renderer.atlas(), slab.size(2), carried);
   gl::checkGl("selecting the medial axis");
   this->collect(renderer, slab);
+  requireRoomForAxis(crossings_.size());
 }
 
 void RasteriserSelection::computeDirections(const SlabRenderer& renderer)
@@ -59,8 +59,9 @@ void RasteriserSelection::select(const AtlasLayout& atlas, int slices, bool carr
   program.set("firstSlot", carried ? 0 : 1);
   program.set("endSlot", 1 + slices);
   program.set("spacing", glm::vec3(frame_.step));
-  program.set("cosineLimit", static_cast<float>(std::cos(glm::radians(angle_))));
-  program.set("side", side_ == Side::Interior ? -1.0f : (side_ == Side::Exterior ? 1.0f : 0.0f));
+  program.set("cosineLimit", static_cast<float>(std::cos(glm::radians(selection_.angle))));
+  const Side side = selection_.side;
+  program.set("side", side == Side::Interior ? -1.0f : (side == Side::Exterior ? 1.0f : 0.0f));
   program.use();
   glBindTextureUnit(0, directions_.id());
   glBindFramebuffer(GL_FRAMEBUFFER, selectionTarget_.id());

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "field/crossing.h"
-#include "field/field_pipeline.h"
+#include "field/engines/rasteriser/slab_renderer.h"
 #include "gl/gl_objects.h"
-#include "medial/side.h"
+#include "sites/grid_frame.h"
 
 #include <cstdint>
 #include <vector>
@@ -11,17 +11,19 @@
 namespace medial
 {
 
-/// The medial stage on the GPU: neighbour direction field, then selection by separation angle. Only
-/// the crossed grid edges leave it. Lives on the GPU thread.
+/// Selects crossings in the renderer's textures: neighbour direction field, then the test of angle,
+/// side and gap. Only the crossings leave the GPU. Lives on the GPU thread.
 class RasteriserSelection
 {
 public:
-  /// @param angle least separation angle, degrees.
-  RasteriserSelection(double angle, Side side, const GridFrame& frame);
+  RasteriserSelection(const CrossingSelection& selection, const GridFrame& frame);
 
+  /// Slabs in ascending z.
+  /// @param slab its slices are in slots 1 to slab.size(2) of the renderer's atlas.
+  /// @param carried whether slot 0 holds the slice below slab.min[2].
+  /// @throws Error GpuLimit, and as requireRoomForAxis().
   void process(const SlabRenderer& renderer, const Extent& slab, bool carried);
 
-  std::size_t crossingCount() const { return crossings_.size(); }
   /// All crossings so far, in the order of the slabs.
   std::vector<Crossing> takeCrossings() { return std::move(crossings_); }
 
@@ -32,8 +34,7 @@ private:
   void collect(const SlabRenderer& renderer, const Extent& slab);
   void addCrossings(const Extent& slab, const AtlasLayout& atlas, int slot, std::size_t index);
 
-  double angle_;
-  Side side_;
+  CrossingSelection selection_;
   GridFrame frame_;
   gl::VertexArray noVertices_;
   gl::Texture directions_, selected_;

@@ -53,7 +53,7 @@ std::vector<glm::ivec4> padded(const std::vector<glm::ivec3>& values)
   return result;
 }
 
-/// Layout of Line in shaders/resolve.frag.
+/// Layout of Line in resolve.frag.
 struct EdgeLine
 {
   glm::vec4 foot;

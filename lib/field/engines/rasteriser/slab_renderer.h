@@ -2,6 +2,7 @@
 
 #include "field/engines/rasteriser/atlas_layout.h"
 #include "field/engines/rasteriser/polygon_builder.h"
+#include "field/field_sign.h"
 #include "gl/gl_objects.h"
 #include "sites/site_set.h"
 
@@ -12,14 +13,6 @@
 
 namespace medial
 {
-
-/// Sign of the field: none, or from the pseudonormals, possibly of a surface that faces inwards.
-enum class FieldSign
-{
-  None,
-  Outward,
-  Inward
-};
 
 /// Draws the polygons of a slab and resolves the winners into exact distances, in GPU textures that
 /// the next slab reuses. Lives on the GPU thread.

@@ -1,49 +1,35 @@
 #include "medial/distance_field.h"
 
 #include "base/memory_guard.h"
+#include "base/run.h"
 #include "field/array_sink.h"
+#include "field/engines/make_engine.h"
 #include "field/field_pipeline.h"
-#include "medial/error.h"
-
-#include <string>
+#include "pipeline/frame.h"
 
 namespace medial
 {
 
-SignMethod resolveSignMethod(SignMethod requested, const MeshConnectivity& connectivity)
+RunStatistics computeField(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
+  const Grid& grid, const Extent& extent, FieldSink& sink, const DistanceFieldOptions& options,
+  std::unique_ptr<FieldEngine>& engine)
 {
-  const bool possible = connectivity.closed() && connectivity.oriented();
-  switch (requested)
-  {
-    case SignMethod::Auto:
-      return possible ? SignMethod::Pseudonormal : SignMethod::None;
-    case SignMethod::Pseudonormal:
-      if (!possible)
-      {
-        throw Error(ErrorCode::InvalidInput,
-          "sign method pseudonormal needs a closed, consistently oriented mesh; this one has " +
-            std::to_string(connectivity.boundaryEdges) + " boundary, " +
-            std::to_string(connectivity.nonManifoldEdges) + " non-manifold and " +
-            std::to_string(connectivity.misorientedEdges) + " misoriented edges; use auto or none");
-      }
-      return requested;
-    case SignMethod::None:
-      break;
-  }
-  return SignMethod::None;
+  return withMemoryErrors(extent.pointCount(),
+    [&]
+    {
+      const Run run(options.execution);
+      FieldPipeline pipeline(mesh, connectivity, grid, extent, options, run);
+      pipeline.run(obtainEngine(options.engine, engine), sink);
+      run.report(1.0, "distance field");
+      return pipeline.statistics();
+    });
 }
 
 RunStatistics computeDistanceField(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
   const Grid& grid, const Extent& extent, FieldSink& sink, const DistanceFieldOptions& options)
 {
-  return withMemoryErrors(extent.pointCount(),
-    [&]
-    {
-      FieldPipeline pipeline(mesh, connectivity, grid, extent, options);
-      pipeline.run(sink, nullptr);
-      pipeline.execution().report(1.0, "distance field");
-      return pipeline.statistics();
-    });
+  std::unique_ptr<FieldEngine> engine;
+  return computeField(mesh, connectivity, grid, extent, sink, options, engine);
 }
 
 RunStatistics computeDistanceField(const TriangleMesh& mesh, const MeshConnectivity& connectivity,

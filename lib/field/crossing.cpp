@@ -1,0 +1,24 @@
+#include "field/crossing.h"
+
+#include "medial/memory.h"
+
+#include <string>
+
+namespace medial
+{
+namespace
+{
+
+/// Bytes that a crossing takes until the axis is done. From one resolution to another the program
+/// took 520 more for each, some of them for files.
+constexpr std::size_t kAxisBytes = 400;
+
+} // namespace
+
+void requireRoomForAxis(std::size_t crossings)
+{
+  requireMemory("a medial axis selected from " + std::to_string(crossings) + " places or more",
+    crossings * kAxisBytes);
+}
+
+} // namespace medial

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "culling/closest_seeds.h"
+#include "field/engines/rasteriser/slab_renderer.h"
+#include "field/field_engine.h"
+#include "gl/gpu_thread.h"
+
+#include <memory>
+
+namespace medial
+{
+
+/// The paper's method: polygons that bound Voronoi regions, clipped on the host and drawn with
+/// OpenGL's depth test.
+class RasteriserEngine : public FieldEngine
+{
+public:
+  /// Starts the GPU thread if need be.
+  /// @throws Error NoGpu.
+  RasteriserEngine();
+
+  Engine kind() const override { return Engine::Rasteriser; }
+  std::optional<Device> device() const override { return thread_.device(); }
+
+  void run(const FieldJob& job, FieldSink& sink) override;
+  SelectedField select(const FieldJob& job, const CrossingSelection& selection,
+    FieldSink& sink) override;
+
+private:
+  using Renderer = gl::OnGpuThread<SlabRenderer>;
+
+  AtlasLayout chooseAtlas(const FieldJob& job, const FieldSink& sink) const;
+  Renderer& obtainRenderer(const FieldJob& job, const AtlasLayout& atlas);
+
+  gl::GpuThread& thread_;
+  ClosestSeeds seeds_;                 ///< of the last job
+  std::unique_ptr<Renderer> renderer_; ///< of the last job; null before
+};
+
+} // namespace medial

@@ -1,0 +1,80 @@
+#pragma once
+
+#include "base/checkpoint.h"
+#include "culling/candidate_tiles.h"
+#include "culling/closest_seeds.h"
+#include "field/engines/rasteriser/polygon_builder.h"
+#include "field/engines/rasteriser/rasteriser_selection.h"
+#include "field/engines/rasteriser/slab_readback.h"
+#include "field/engines/rasteriser/slab_renderer.h"
+#include "field/field_job.h"
+#include "field/field_writer.h"
+#include "field/slab_culling.h"
+#include "gl/gpu_thread.h"
+#include "medial/distance_field.h"
+
+#include <array>
+#include <future>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace medial
+{
+
+/// One job of the rasteriser. While the GPU works on a slab, the processor culls and clips the next
+/// one and stores the one before.
+class RasteriserRun
+{
+public:
+  using Renderer = gl::OnGpuThread<SlabRenderer>;
+
+  /// @param renderer has the job's positions.
+  RasteriserRun(const FieldJob& job, SlabCulling& culling, Renderer& renderer, FieldSink& sink);
+  /// Waits for the GPU.
+  ~RasteriserRun();
+  RasteriserRun(const RasteriserRun&) = delete;
+  RasteriserRun& operator=(const RasteriserRun&) = delete;
+
+  /// Computes all slabs; to be called once.
+  /// @param selection sees every slab where it lies; may be null.
+  void compute(RasteriserSelection* selection);
+
+  /// The closest sites amid the tiles, where any array needed sites.
+  ClosestSeeds takeSeeds() { return std::move(seeds_); }
+
+private:
+  using Readback = gl::OnGpuThread<SlabReadback>;
+
+  struct Slab
+  {
+    Extent extent;
+    int previousSlices = 0; ///< of the slab below; 0 for the first
+    std::vector<CandidateTiles> tiles;
+    std::vector<PolygonChunk> chunks;
+    std::unique_ptr<Readback> readback; ///< null where nothing is wanted
+  };
+
+  void allocateReadbacks(int slices);
+  void prepare(const Extent& extent, double done, double share, Slab& slab);
+  void clip(Slab& slab);
+  void render(SlabRenderer& renderer, Slab& slab, RasteriserSelection* selection);
+  void repair(SlabRenderer& renderer, const Slab& slab) const;
+  void finishRendering();
+  void store(const Slab& slab);
+  void noteSeeds(const Slab& slab);
+
+  const FieldJob& job_;
+  SlabCulling& culling_;
+  Renderer& renderer_;
+  FieldSink& sink_;
+  AtlasLayout atlas_;
+  FieldWriter writer_;
+  ClosestSeeds seeds_;
+  FieldArrays firstArrays_; ///< of the first slab, asked for before there are any values
+  std::array<Slab, 2> ring_;
+  std::future<void> rendering_;
+  RunStatistics::Seconds gpuSeconds_; ///< of what the GPU thread does
+};
+
+} // namespace medial

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "base/run.h"
+#include "culling/candidate_filter.h"
+#include "field/field_sign.h"
+#include "medial/grid.h"
+#include "medial/mesh_connectivity.h"
+#include "medial/run_statistics.h"
+#include "medial/triangle_mesh.h"
+#include "sites/grid_frame.h"
+#include "sites/site_set.h"
+
+#include <glm/glm.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace medial
+{
+
+/// A field to be computed: a mesh as sites in the coordinates of a grid.
+struct FieldJob
+{
+  const TriangleMesh& mesh;
+  const MeshConnectivity& connectivity;
+  const SiteSet& sites;
+  const CandidateFilter& filter;
+  const std::vector<glm::vec4>& normals; ///< pseudonormals() of all sites, for the sign
+  FieldSign sign;
+  GridFrame frame;
+  Extent extent;             ///< the part of the grid that is wanted
+  std::size_t memoryMiB;     ///< as DistanceFieldOptions::memoryMiB
+  Run run;                   ///< its progress is the job's
+  RunStatistics& statistics; ///< engines add seconds and counts
+};
+
+} // namespace medial

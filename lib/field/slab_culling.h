@@ -1,0 +1,40 @@
+#pragma once
+
+#include "base/checkpoint.h"
+#include "culling/candidate_tiles.h"
+#include "culling/closest_seeds.h"
+#include "culling/tile_query.h"
+#include "field/field_job.h"
+
+#include <memory>
+#include <vector>
+
+namespace medial
+{
+
+/// The candidates of a job, slab by slab, for engines that cull on the host. Adds its seconds and
+/// pairs to the job's statistics.
+class SlabCulling
+{
+public:
+  /// @param slabSlices of the slabs that will be asked for.
+  /// @param hull with TileHull::Cells the tiles are kept, for queries anywhere between grid points.
+  /// @param seeds of an earlier job; must outlive this.
+  SlabCulling(const FieldJob& job, int slabSlices, TileHull hull, const ClosestSeeds& seeds);
+
+  /// To visit the tiles of a slab without listing them.
+  const CandidateHierarchy& hierarchy() const { return hierarchy_; }
+
+  /// Lists the leaf tiles of a slab, in one list per block.
+  std::vector<CandidateTiles> tilesOf(const Extent& slab, const Checkpoint& checkpoint);
+
+  /// Queries in all slabs that were listed; null with TileHull::Points.
+  std::unique_ptr<TileQuery> takeQuery() { return std::move(query_); }
+
+private:
+  const FieldJob& job_;
+  CandidateHierarchy hierarchy_;
+  std::unique_ptr<TileQuery> query_;
+};
+
+} // namespace medial

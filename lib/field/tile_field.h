@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+
+namespace medial
+{
+
+/// The closest sites of the grid points of one tile, x fastest; rows of kRow.
+struct TileField
+{
+  static constexpr int kRow = 8;
+  static constexpr int kPoints = kRow * kRow * kRow;
+
+  static int index(int i, int j, int k) { return (k * kRow + j) * kRow + i; }
+
+  alignas(32) float squared[kPoints]; ///< squared distance, frame units
+  alignas(32) float side[kPoints];    ///< negative inside; only its sign means something
+  alignas(32) std::int32_t site[kPoints];
+};
+
+} // namespace medial
