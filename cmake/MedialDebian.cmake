@@ -18,7 +18,7 @@ if(NOT MEDIAL_HELP2MAN OR NOT MEDIAL_GZIP)
   message(FATAL_ERROR "MEDIAL_DEBIAN_PACKAGES needs help2man and gzip, for manual pages")
 endif()
 set(debian_sources "${PROJECT_SOURCE_DIR}/cmake/debian")
-set(debian_files "${CMAKE_BINARY_DIR}/debian")
+set(debian_files "${PROJECT_BINARY_DIR}/debian")
 set(library_package "libmedial${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}")
 
 # medial_compress(SOURCE TARGET): as Debian wants it, and the same bytes at any time. Runs at once.
@@ -75,7 +75,7 @@ set(CPACK_COMPONENTS_GROUPING IGNORE)
 set(CPACK_COMPONENTS_ALL runtime development tools python)
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "") # every package has its own
 set(CPACK_PACKAGE_CONTACT "${MEDIAL_PACKAGE_CONTACT}")
-set(CPACK_PACKAGE_DIRECTORY "${CMAKE_BINARY_DIR}/packages")
+set(CPACK_PACKAGE_DIRECTORY "${PROJECT_BINARY_DIR}/packages")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS

@@ -3,7 +3,7 @@
 include(CMakePackageConfigHelpers)
 
 set(MEDIAL_CMAKE_DIR "${CMAKE_INSTALL_LIBDIR}/cmake/Medial")
-set(MEDIAL_BUILD_CMAKE_DIR "${CMAKE_BINARY_DIR}/${MEDIAL_CMAKE_DIR}")
+set(MEDIAL_BUILD_CMAKE_DIR "${PROJECT_BINARY_DIR}/${MEDIAL_CMAKE_DIR}")
 
 configure_package_config_file(cmake/MedialConfig.cmake.in
   "${MEDIAL_BUILD_CMAKE_DIR}/MedialConfig.cmake"

@@ -22,14 +22,19 @@ function(configure source binary)
   set(configure_errors "${errors}" PARENT_SCOPE)
 endfunction()
 
-# build_example(SOURCE OPTION...): configures and builds into WORK, anew.
-function(build_example source)
-  file(REMOVE_RECURSE "${WORK}")
+# build_again(SOURCE OPTION...): configures and builds into WORK.
+function(build_again source)
   configure("${source}" "${WORK}" ${ARGN})
   if(NOT configure_code EQUAL 0)
     message(FATAL_ERROR "configuring ${source} failed:\n${configure_errors}")
   endif()
   run(ignored "${CMAKE_COMMAND}" --build "${WORK}" --config "${CONFIG}")
+endfunction()
+
+# build_example(SOURCE OPTION...): the same, anew.
+function(build_example source)
+  file(REMOVE_RECURSE "${WORK}")
+  build_again("${source}" ${ARGN})
 endfunction()
 
 # expect_near(WHAT VALUE EXPECTED TOLERANCE), in integers of VALUE's millionths.

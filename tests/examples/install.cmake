@@ -5,17 +5,19 @@ execute_process(
   COMMAND_ERROR_IS_FATAL ANY OUTPUT_QUIET)
 file(RENAME "${PREFIX}.new" "${PREFIX}")
 
-# No file of the package may know the trees that it was built from.
+# No file of the package may know the trees that it was built from, nor the targets that make the library.
 file(GLOB_RECURSE package "${PREFIX}/*.cmake")
 if(NOT package)
   message(FATAL_ERROR "no CMake package was installed")
 endif()
 foreach(file IN LISTS package)
   file(READ "${file}" text)
-  string(FIND "${text}" "${BUILD}" position)
-  if(NOT position EQUAL -1)
-    message(FATAL_ERROR "${file} names the build tree")
-  endif()
+  foreach(name IN ITEMS "${BUILD}" "medial_objects" "medial_internals")
+    string(FIND "${text}" "${name}" position)
+    if(NOT position EQUAL -1)
+      message(FATAL_ERROR "${file} names ${name}")
+    endif()
+  endforeach()
 endforeach()
 
 # Programs come with manual pages and with completion, which bash looks for by their names.

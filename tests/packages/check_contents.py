@@ -23,10 +23,16 @@ NEEDED = {
     "python3-medial": {"libc6", "libstdc++6", "libvtk9.1", "python3", "python3-numpy", "python3-vtk9"},
 }
 
+# All headers of the library, and no others.
+PUBLIC_HEADERS = tuple(
+    f"usr/include/medial/{path.name}"
+    for path in sorted(Path(__file__).parents[2].glob("lib/include/medial/*.h")))
+
 # Where each package may have files, and files that it must have; LIB is the folder of libraries.
 FOLDERS = {
     LIBRARY: rf"LIB/lib[^/]+\.so\.{re.escape(SERIES)}(\.\d+)?",
-    "libmedial-dev": r"usr/include/medial/.+\.h|LIB/cmake/Medial/[^/]+\.cmake|LIB/lib[^/]+\.so"
+    "libmedial-dev": "|".join(map(re.escape, PUBLIC_HEADERS)) +
+                     r"|usr/include/medial/filters/[^/]+\.h|LIB/cmake/Medial/[^/]+\.cmake|LIB/lib[^/]+\.so"
                      r"|LIB/vtk/hierarchy/Medial/[^/]+\.txt",
     "medial-tools": r"usr/bin/[^/]+|usr/share/man/man1/[^/]+\.1\.gz"
                     r"|usr/share/bash-completion/completions/[^/]+",
@@ -36,7 +42,7 @@ FILES = {
     LIBRARY: (f"LIB/libmedial.so.{SERIES}", f"LIB/libvtkMedialFilters.so.{SERIES}"),
     "libmedial-dev": (
         "LIB/libmedial.so", "LIB/libvtkMedialFilters.so", "LIB/cmake/Medial/MedialConfig.cmake",
-        "usr/include/medial/medial/medial_axis.h", "usr/include/medial/filters/vtkMedialAxis.h"),
+        "usr/include/medial/filters/vtkMedialAxis.h", *PUBLIC_HEADERS),
     "medial-tools": tuple(
         form.format(program) for program in PROGRAMS
         for form in ("usr/bin/{}", "usr/share/man/man1/{}.1.gz", "usr/share/bash-completion/completions/{}")),

@@ -10,7 +10,7 @@ from pathlib import Path
 
 PUBLIC = "medial/"
 COLLECTION = "medial.h"  # includes all public headers, so it lies in no room
-SOURCES = {".h", ".cpp", ".in"}
+SOURCES = {".h", ".cpp"}
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*"([^"]+)"', re.MULTILINE)
 QUOTED = re.compile(r"`([^`]+)`")
 
@@ -100,7 +100,6 @@ def table_faults(root, rooms):
     """What the table and the folders do not have in common."""
     lib = root / "lib"
     public = {path.name for path in (lib / "include/medial").glob("*.h")} - {COLLECTION}
-    public |= {path.name.removesuffix(".in") for path in lib.glob("*.h.in")}
     faults = [f"the table lacks the header {name}" for name in sorted(public - set(rooms.headers))]
     faults += [f"there is no header {name}" for name in sorted(set(rooms.headers) - public)]
     faults += [f"there is no room lib/{room}" for room in rooms.arrows if not (lib / room).is_dir()]

@@ -1,14 +1,19 @@
-# Builds the VTK module in filters/ as Medial::Filters and, if wanted, wraps it for Python. Without
-# COMPONENTS, find_package(VTK) looks for everything that VTK was ever built with.
-set(MEDIAL_VTK_COMPONENTS CommonCore CommonDataModel CommonExecutionModel FiltersCore)
-set(vtk_wrapping)
+# Builds the VTK module in this folder as Medial::Filters and, if wanted, wraps it for Python. Included,
+# not added: VTK adds this folder itself. Without COMPONENTS, find_package(VTK) looks for everything that
+# VTK was ever built with.
+set(MEDIAL_VTK_COMPONENTS CommonCore CommonDataModel CommonExecutionModel CommonMisc FiltersCore)
+set(wrapping)
 if(MEDIAL_BUILD_PYTHON)
-  set(vtk_wrapping Python WrappingPythonCore)
+  set(wrapping Python WrappingPythonCore)
 endif()
-find_package(VTK 9.1 REQUIRED COMPONENTS ${MEDIAL_VTK_COMPONENTS} ${vtk_wrapping})
+find_package(VTK 9.1 REQUIRED COMPONENTS ${MEDIAL_VTK_COMPONENTS} ${wrapping})
 
+set(export)
+if(MEDIAL_INSTALL)
+  set(export INSTALL_EXPORT MedialFiltersTargets)
+endif()
 set(BUILD_SHARED_LIBS ON)
-vtk_module_find_modules(module_files "${PROJECT_SOURCE_DIR}/filters")
+vtk_module_find_modules(module_files "${CMAKE_CURRENT_LIST_DIR}")
 vtk_module_scan(
   MODULE_FILES ${module_files}
   PROVIDES_MODULES modules
@@ -19,7 +24,8 @@ vtk_module_build(
   PACKAGE Medial
   VERSION ${PROJECT_VERSION}
   SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
-  INSTALL_EXPORT MedialFiltersTargets
+  INSTALL_HEADERS ${MEDIAL_INSTALL}
+  ${export}
   CMAKE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/Medial"
   HEADERS_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/medial/filters"
   ENABLE_WRAPPING ${MEDIAL_BUILD_PYTHON}
@@ -29,5 +35,5 @@ medial_warnings(Filters)
 target_compile_options(Filters PUBLIC $<BUILD_INTERFACE:-Wno-pedantic>)
 
 if(MEDIAL_BUILD_PYTHON)
-  include(MedialPython)
+  add_subdirectory(filters/python)
 endif()
