@@ -114,8 +114,8 @@ public:
   /**
    * The side of the surface on which the axis lies: INTERIOR, where the distance is negative,
    * EXTERIOR, where it is positive, or BOTH. An unsigned distance, as of an open mesh, has no
-   * sides: then the axis is that of BOTH, and the field data array Side says so. Default is
-   * INTERIOR.
+   * sides: then the axis is that of BOTH, and the field data array Side says so.
+   * Default is INTERIOR.
    */
   vtkMedialSideMacro();
   ///@}

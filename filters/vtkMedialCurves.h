@@ -45,8 +45,8 @@ public:
 
   ///@{
   /**
-   * Whether the output has rims: polylines of edges with one polygon, where a sheet ends. Default
-   * is on.
+   * Whether the output has rims: polylines of edges with one polygon, where a sheet ends.
+   * Default is on.
    */
   vtkSetMacro(Rims, vtkTypeBool);
   vtkGetMacro(Rims, vtkTypeBool);

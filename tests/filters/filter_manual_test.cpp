@@ -55,7 +55,7 @@ std::string headerOf(const std::string& name)
 {
   std::string header = fileOf(name);
   const std::string macros = fileOf("vtkMedialParameters");
-  for (std::size_t position = 0;;)
+  for (std::size_t position = macros.find("#include");;)
   {
     const std::string macro = nextBetween(macros, "#define vtkMedial", "()", position);
     if (position == std::string::npos)
