@@ -1,4 +1,4 @@
-#include "patience.h"
+#include "cancellation.h"
 
 #include "interrupt.h"
 
@@ -32,7 +32,7 @@ bool takeEscape(vtkRenderWindow* window)
 
 } // namespace
 
-bool Patience::cancelled()
+bool Cancellation::cancelled()
 {
   return interrupted() || (window_ != nullptr && takeEscape(window_));
 }

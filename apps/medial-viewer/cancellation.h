@@ -7,11 +7,12 @@ class vtkRenderWindow;
 namespace medial::app
 {
 
-/// Ends a computation that the user gives up: by Escape in the window, or with the program.
-class Patience : public Progress
+/// Cancels a computation when the user presses Escape in the window, or ends the program.
+class Cancellation : public Progress
 {
 public:
-  /// Whose keys are looked at, in the thread that computes; none before.
+  /// Looks for Escape among the keys of this window, in the thread that computes. Without a window
+  /// only the end of the program cancels.
   void watch(vtkRenderWindow* window) { window_ = window; }
 
   void report(double /*fraction*/, const char* /*phase*/) override {}
