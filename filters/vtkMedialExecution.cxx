@@ -39,6 +39,9 @@ unsigned long ToErrorCode(medial::ErrorCode code)
       return vtkMeshFieldAlgorithm::OutOfMemoryError;
     case medial::ErrorCode::Cancelled:
       return vtkMeshFieldAlgorithm::CancelledError;
+    case medial::ErrorCode::CannotRead:
+    case medial::ErrorCode::CannotWrite:
+      break; // filters touch no files
   }
   return vtkMeshFieldAlgorithm::InternalError;
 }

@@ -65,27 +65,6 @@ vtkIdType AppendCells(vtkCellArray* cells, vtkIdType firstId, medial::CellList& 
 }
 
 //------------------------------------------------------------------------------
-// Every other triangle of a strip runs backwards; two of its corners are swapped.
-void AppendStrips(vtkCellArray* strips, vtkIdType firstId, medial::CellList& list)
-{
-  auto iterator = vtk::TakeSmartPointer(strips->NewIterator());
-  for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell())
-  {
-    vtkIdType size;
-    const vtkIdType* ids;
-    iterator->GetCurrentCell(size, ids);
-    for (vtkIdType i = 0; i + 2 < size; ++i)
-    {
-      const vtkIdType odd = i % 2;
-      list.connectivity.insert(list.connectivity.end(),
-        { ids[i], ids[i + 1 + odd], ids[i + 2 - odd] });
-      list.offsets.push_back(static_cast<std::int64_t>(list.connectivity.size()));
-      list.ids.push_back(firstId + iterator->GetCurrentCellId());
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
 std::size_t BytesPerPoint(const vtkMeshConversion::ArraySelection& selection)
 {
   return sizeof(float) + (selection.ClosestPoint ? 3 * sizeof(float) : 0) +
@@ -174,7 +153,7 @@ medial::MeshInput vtkMeshConversion::ToMeshInput(vtkPolyData* input)
   vtkIdType nextId = AppendCells(input->GetVerts(), 0, mesh.verts);
   nextId = AppendCells(input->GetLines(), nextId, mesh.lines);
   nextId = AppendCells(input->GetPolys(), nextId, mesh.polygons);
-  AppendStrips(input->GetStrips(), nextId, mesh.polygons);
+  AppendCells(input->GetStrips(), nextId, mesh.strips);
   return mesh;
 }
 

@@ -17,8 +17,7 @@ namespace vtkMeshConversion
 {
 
 /**
- * The cells of a vtkPolyData with their ids, strips cut into triangles that keep their strip's id.
- * Cells without points and strips of fewer than three are left out.
+ * The cells of a vtkPolyData with their ids. Cells without points are left out.
  */
 medial::MeshInput ToMeshInput(vtkPolyData* input);
 

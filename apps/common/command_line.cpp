@@ -2,8 +2,8 @@
 
 #include "failure.h"
 #include "help_formatter.h"
+#include "input_file.h"
 #include "option_names.h"
-#include "text_cursor.h"
 #include "validators.h"
 
 #include "medial/version.h"
@@ -94,7 +94,7 @@ void addQuietOption(CLI::App& app, bool& quiet, const std::string& group)
 void checkExtension(const char* option, const std::filesystem::path& path,
   const std::vector<std::string>& allowed)
 {
-  const std::string extension = lowerCase(path.extension().string());
+  const std::string extension = extensionOf(path);
   if (path.empty() || std::find(allowed.begin(), allowed.end(), extension) != allowed.end())
   {
     return;

@@ -13,14 +13,13 @@ namespace medial::app
 /// Gives an application its name, the text below its options, --version and --help.
 void setUpCommandLine(CLI::App& app, const std::string& name, const std::string& footer);
 
-/// Reads the words.
-/// @return false when the user asked for --help or --version, which are then answered on standard
-///   output.
+/// Parses the command line.
+/// @return false when the user asked for --help or --version, which it answers on standard output.
 /// @throws Failure Usage.
 bool parseCommandLine(CLI::App& app, int argc, char** argv);
 
 ///@{
-/// Options that several programs have. Words become values by option_names.h.
+/// Options that several programs have. option_names.h turns what is typed into values.
 void addSideOption(CLI::App& app, std::string& word, const std::string& group);
 void addEngineOption(CLI::App& app, std::string& word, const std::string& group);
 void addThreadsOption(CLI::App& app, int& threads, const std::string& group);

@@ -17,6 +17,7 @@ ExitCode exitCodeOf(ErrorCode code)
   switch (code)
   {
     case ErrorCode::InvalidInput:
+    case ErrorCode::CannotRead:
       return ExitCode::BadInput;
     case ErrorCode::NoGpu:
     case ErrorCode::ShaderBuild:
@@ -25,9 +26,25 @@ ExitCode exitCodeOf(ErrorCode code)
       return ExitCode::Interrupted;
     case ErrorCode::GpuLimit:
     case ErrorCode::OutOfMemory:
+    case ErrorCode::CannotWrite:
       break;
   }
   return ExitCode::NoSpace;
+}
+
+// Trouble with the GPU is no fault of the input.
+void runWithFailures(const std::string& culprit, const std::function<void()>& work)
+{
+  try
+  {
+    work();
+  }
+  catch (const Error& error)
+  {
+    throwIfInterrupted();
+    const ExitCode code = exitCodeOf(error.code());
+    throw Failure(code, (code == ExitCode::NoGpu ? "" : culprit) + error.what());
+  }
 }
 
 } // namespace
@@ -39,17 +56,12 @@ bool Watch::cancelled()
 
 void withFailures(const std::filesystem::path& input, const std::function<void()>& work)
 {
-  try
-  {
-    work();
-  }
-  catch (const Error& error)
-  {
-    throwIfInterrupted();
-    const ExitCode code = exitCodeOf(error.code());
-    const std::string culprit = code == ExitCode::NoGpu ? "" : input.string() + ": ";
-    throw Failure(code, culprit + error.what());
-  }
+  runWithFailures(input.string() + ": ", work);
+}
+
+void withFailures(const std::function<void()>& work)
+{
+  runWithFailures("", work);
 }
 
 } // namespace medial::app

@@ -26,8 +26,11 @@ private:
   ProgressBar& bar_;
 };
 
-/// Runs work and turns the library's errors into failures of the program that name the input which
-/// was worked on.
+///@{
+/// Runs `work` and turns the library's errors into failures of the program.
+/// @param input is named in front of the message; left out for work whose errors name their files.
 void withFailures(const std::filesystem::path& input, const std::function<void()>& work);
+void withFailures(const std::function<void()>& work);
+///@}
 
 } // namespace medial::app

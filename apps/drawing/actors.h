@@ -9,7 +9,7 @@ class vtkScalarsToColors;
 namespace medial::app
 {
 
-// Each follows its data, when that is modified, at the next drawing.
+// Each shows changes of its data at the next drawing.
 
 /// A surface and its outline, either of which may be left out.
 struct SurfaceActors

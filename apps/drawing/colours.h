@@ -8,13 +8,13 @@ class vtkPolyData;
 namespace medial::app
 {
 
-/// Sets the perceptually uniform map "viridis" from 0 to `greatest`.
+/// Sets the perceptually uniform map "viridis" from 0 to `max`.
 void setColours(vtkColorTransferFunction* colours, double max);
 
-/// The perceptually uniform map "viridis" from 0 to `greatest`.
+/// The perceptually uniform map "viridis" from 0 to `max`.
 vtkSmartPointer<vtkColorTransferFunction> makeColours(double max);
 
-/// The greatest radius of a medial axis, world units; 0 where it is empty.
+/// The largest radius of a medial axis, world units; 0 where it is empty.
 double maxRadius(vtkPolyData* axis);
 
 } // namespace medial::app

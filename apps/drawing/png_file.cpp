@@ -1,6 +1,6 @@
 #include "png_file.h"
 
-#include "sink.h"
+#include "file_writer.h"
 
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
@@ -23,9 +23,9 @@ void writePng(vtkRenderWindow* window, const std::filesystem::path& file)
   writer->WriteToMemoryOn();
   writer->Write();
   vtkUnsignedCharArray* bytes = writer->GetResult();
-  Sink sink(file);
-  sink.raw(bytes->GetPointer(0), bytes->GetNumberOfValues());
-  sink.close();
+  writeFile(file,
+    std::string_view(reinterpret_cast<const char*>(bytes->GetPointer(0)),
+      static_cast<std::size_t>(bytes->GetNumberOfValues())));
 }
 
 } // namespace medial::app

@@ -4,10 +4,6 @@
 #include "library_calls.h"
 #include "surface_thickness.h"
 
-#include <vtkMedialCurves.h>
-#include <vtkMeshConversion.h>
-#include <vtkNew.h>
-
 #include <cmath>
 
 namespace medial::app
@@ -37,66 +33,53 @@ double voxelDiagonal(const Grid& grid)
   return std::hypot(grid.spacing[0], grid.spacing[1], grid.spacing[2]);
 }
 
-AxisCoverage coverageOf(const MedialAxis& axis, const Result& result,
-  const DistanceFieldOptions& options)
+AxisCoverage coverageOf(const Result& result, const DistanceFieldOptions& fieldOptions)
 {
-  CoverageOptions wanted;
-  wanted.execution = options.execution;
-  return measureCoverage(result.mesh, toMedialModel(axis), voxelDiagonal(result.grid), wanted);
+  CoverageOptions options;
+  options.execution = fieldOptions.execution;
+  return measureCoverage(result.mesh, toMedialModel(result.axis), voxelDiagonal(result.grid),
+    options);
 }
 
-vtkSmartPointer<vtkPolyData> curvesOf(vtkPolyData* axis)
-{
-  vtkNew<vtkMedialCurves> curves;
-  curves->SetInputData(axis);
-  curves->Update();
-  return curves->GetOutput();
-}
-
-void computeAxis(const Options& told, const MedialAxisOptions& options, FieldSink* field,
+void computeAxis(const Options& options, const MedialAxisOptions& axisOptions, FieldSink* field,
   Result& result)
 {
-  const MedialAxis axis = field != nullptr
-    ? computeMedialAxis(result.mesh, result.connectivity, result.grid, options, *field)
-    : computeMedialAxis(result.mesh, result.connectivity, result.grid, options);
-  vtkMeshConversion::ToPolyData(axis, result.axis);
-  result.statistics = axis.statistics;
-  result.simplification = axis.simplification;
-  result.sign = axis.sign;
-  result.side = axis.side;
-  result.solidTopology = axis.solid;
-  if (!told.curves.empty())
+  result.axis = field != nullptr
+    ? computeMedialAxis(result.mesh, result.connectivity, result.grid, axisOptions, *field)
+    : computeMedialAxis(result.mesh, result.connectivity, result.grid, axisOptions);
+  result.statistics = result.axis.statistics;
+  result.sign = result.axis.sign;
+  if (!options.report.empty())
   {
-    result.curves = curvesOf(result.axis);
+    result.axisTopology = topologyOf(result.axis);
   }
-  if (!told.report.empty())
+  if (result.axis.side == Side::Interior && (!options.report.empty() || !options.quiet))
   {
-    result.axisTopology = topologyOf(axis);
-  }
-  if (axis.side == Side::Interior && (!told.report.empty() || !told.quiet))
-  {
-    result.coverage = coverageOf(axis, result, options.field);
+    result.coverage = coverageOf(result, axisOptions.field);
   }
 }
 
 } // namespace
 
-Result prepare(vtkPolyData* mesh, const Options& options)
+Result prepare(const Surface& surface, const Options& options)
 {
   Result result;
   withFailures(options.input,
     [&]
     {
-      result.axis = vtkSmartPointer<vtkPolyData>::New();
-      result.mesh = buildTriangleMesh(vtkMeshConversion::ToMeshInput(mesh));
+      result.mesh = surface.toTriangleMesh();
       result.connectivity = analyseConnectivity(result.mesh);
       result.grid = gridOf(result.mesh.bounds(), options);
     });
   return result;
 }
 
-void compute(const Options& options, FieldSink* field, ProgressBar& bar, Result& result)
+void compute(const Options& options, FieldOutput* field, ProgressBar& bar, Result& result)
 {
+  if (field != nullptr)
+  {
+    field->begin(result.grid);
+  }
   Watch watch(bar);
   MedialAxisOptions wanted = libraryOptions(options, result.mesh.bounds().diagonal());
   wanted.field.execution.progress = &watch;
@@ -113,10 +96,13 @@ void compute(const Options& options, FieldSink* field, ProgressBar& bar, Result&
       }
     });
   throwIfInterrupted();
+  if (field != nullptr)
+  {
+    field->finish();
+  }
 }
 
-void computeThickness(const Options& options, vtkPolyData* surface, ProgressBar& bar,
-  Result& result)
+void computeThickness(const Options& options, Surface& surface, ProgressBar& bar, Result& result)
 {
   Watch watch(bar);
   ThicknessOptions wanted = thicknessOptions(options);
@@ -130,7 +116,7 @@ void computeThickness(const Options& options, vtkPolyData* surface, ProgressBar&
       }
       if (!options.thicknessImage.empty())
       {
-        result.thicknessPicture = pictureOfThickness(surface, wanted);
+        result.thicknessPicture = pictureOfThickness(surface.polyData(), wanted);
       }
     });
   throwIfInterrupted();

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "field_output.h"
 #include "options.h"
 #include "progress_bar.h"
+#include "surface.h"
 
 #include "medial/axis_coverage.h"
 #include "medial/compute_medial_axis.h"
@@ -13,8 +15,6 @@
 #include <vtkSmartPointer.h>
 
 #include <optional>
-#include <string>
-#include <vector>
 
 namespace medial::app
 {
@@ -26,33 +26,27 @@ struct Result
   MeshConnectivity connectivity;
   Grid grid;
   SignMethod sign = SignMethod::None; ///< never Auto
-  Side side = Side::Both;             ///< of the axis
   RunStatistics statistics;
-  SimplificationStatistics simplification;   ///< all 0 without --max-spheres
-  CellTopology axisTopology;                 ///< where a report is wanted
-  std::optional<CellTopology> solidTopology; ///< where the axis preserves it
-  std::optional<AxisCoverage> coverage;      ///< of an interior axis, unless nobody is told
-  vtkSmartPointer<vtkPolyData> axis;   ///< as vtkMedialAxis makes it; empty where it is not wanted
-  vtkSmartPointer<vtkPolyData> curves; ///< of the axis, as vtkMedialCurves makes them, where wanted
-  std::optional<Thickness> thickness;  ///< of the mesh's points, where it is wanted
+  MedialAxis axis;                      ///< empty where it is not wanted
+  CellTopology axisTopology;            ///< where a report is wanted
+  std::optional<AxisCoverage> coverage; ///< of an interior axis, where report or summary has it
+  std::optional<Thickness> thickness;   ///< of the mesh's points, where it is wanted
   vtkSmartPointer<vtkPolyData> thicknessPicture; ///< pictureOfThickness(), where it is wanted
-  std::vector<std::string> pageNotes;            ///< what --html has simplified
 };
 
 /// The mesh as the filters see it, and its grid.
 /// @throws Failure BadInput.
-Result prepare(vtkPolyData* mesh, const Options& options);
+Result prepare(const Surface& surface, const Options& options);
 
-/// Fills in what follows from mesh and grid: the axis where an option asks for it, and the field
-/// where there is a sink for it, in one pass over the grid; nothing where neither is wanted.
-/// @param field may be null. Its exceptions are passed on.
+/// Fills in what follows from mesh and grid, in one pass over the grid: the axis where an option
+/// asks for it, and the field, which goes to disk meanwhile; nothing where neither is wanted.
+/// @param field null where it is not wanted.
 /// @throws Failure.
-void compute(const Options& options, FieldSink* field, ProgressBar& bar, Result& result);
+void compute(const Options& options, FieldOutput* field, ProgressBar& bar, Result& result);
 
 /// Fills in what is wanted of the thickness.
 /// @param surface what the mesh of the result was made from.
 /// @throws Failure.
-void computeThickness(const Options& options, vtkPolyData* surface, ProgressBar& bar,
-  Result& result);
+void computeThickness(const Options& options, Surface& surface, ProgressBar& bar, Result& result);
 
 } // namespace medial::app

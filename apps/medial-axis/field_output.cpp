@@ -1,11 +1,10 @@
 #include "field_output.h"
 
 #include "failure.h"
+#include "file_writer.h"
+#include "input_file.h"
 #include "interrupt.h"
-#include "sink.h"
-#include "text_cursor.h"
-
-#include "base/stopwatch.h"
+#include "timer.h"
 
 #include <algorithm>
 #include <string>
@@ -24,7 +23,7 @@ FieldOutput::FieldOutput(const fs::path& path)
 
 bool FieldOutput::hasIndex() const
 {
-  return lowerCase(path_.extension().string()) == ".pvti";
+  return extensionOf(path_) == ".pvti";
 }
 
 fs::path FieldOutput::piecePath(std::size_t number) const
@@ -34,7 +33,7 @@ fs::path FieldOutput::piecePath(std::size_t number) const
 
 void FieldOutput::begin(const Grid& grid)
 {
-  const Stopwatch watch(seconds_);
+  const Timer timer;
   if (this->hasIndex())
   {
     const std::vector<Extent> extents = fieldPieces(grid);
@@ -53,6 +52,7 @@ void FieldOutput::begin(const Grid& grid)
   {
     namingFile(piece.file.path(), [&] { this->writeFrame(piece); });
   }
+  seconds_ += timer.seconds();
 }
 
 void FieldOutput::writeIndex(const Grid& grid, const std::vector<Extent>& extents)
@@ -63,13 +63,7 @@ void FieldOutput::writeIndex(const Grid& grid, const std::vector<Extent>& extent
     sources.push_back(piece.file.path().filename().string());
   }
   index_.emplace(path_);
-  namingFile(path_,
-    [&]
-    {
-      Sink sink(index_->open());
-      sink << fieldIndex(grid, extents, sources).c_str();
-      sink.close();
-    });
+  namingFile(path_, [&] { writeFile(index_->open(), fieldIndex(grid, extents, sources)); });
 }
 
 // Better now than after hours.
@@ -128,11 +122,12 @@ FieldArrays FieldOutput::slabArrays(const Extent& slab)
 
 void FieldOutput::stored(const Extent& slab)
 {
-  const Stopwatch watch(seconds_);
+  const Timer timer;
   for (Piece& piece : pieces_)
   {
     namingFile(piece.file.path(), [&] { this->writeSlab(piece, slab); });
   }
+  seconds_ += timer.seconds();
 }
 
 // The slices that a piece and a slab have in common, array after array.
@@ -167,7 +162,7 @@ std::size_t FieldOutput::bytesPerPoint() const
 
 void FieldOutput::finish()
 {
-  const Stopwatch watch(seconds_);
+  const Timer timer;
   for (auto& values : values_)
   {
     values.reset();
@@ -177,6 +172,7 @@ void FieldOutput::finish()
   {
     namingFile(piece.file.path(), [&] { piece.data->close(); });
   }
+  seconds_ += timer.seconds();
 }
 
 void FieldOutput::commit()

@@ -45,8 +45,8 @@ HtmlMesh htmlMesh(const TriangleMesh& mesh);
 /// @param axis as vtkMedialAxis makes it.
 HtmlMesh htmlMesh(vtkPolyData* axis);
 
-/// Puts the cells of each kind in descending order of the least separation angle of their corners,
-/// so that those of at least some angle come first.
+/// Puts the cells of each kind in descending order of the smallest separation angle of their
+/// corners, so that the cells above any angle come first.
 /// @param mesh of an axis.
 void sortByAngle(HtmlMesh& mesh);
 

@@ -1,9 +1,8 @@
 #include "html_page.h"
 
+#include "file_writer.h"
 #include "html_data.h"
 #include "html_mesh.h"
-#include "sink.h"
-#include "text_cursor.h"
 #include "web_files.h"
 
 #include <algorithm>
@@ -11,6 +10,8 @@
 #include <map>
 #include <string>
 #include <utility>
+
+#include <strings.h>
 
 namespace medial::app
 {
@@ -21,7 +22,9 @@ namespace
 bool wouldBeRead(std::string_view text)
 {
   constexpr std::string_view kEnd = "</script";
-  return lowerCase(std::string(text.substr(0, kEnd.size()))) == kEnd || text.substr(0, 4) == "<!--";
+  const bool isEnd =
+    text.size() >= kEnd.size() && strncasecmp(text.data(), kEnd.data(), kEnd.size()) == 0;
+  return isEnd || text.substr(0, 4) == "<!--";
 }
 
 // Scripts have such text in strings and patterns only, where a backslash changes nothing.
@@ -82,10 +85,7 @@ std::vector<std::string> writeHtml(const TriangleMesh& surface, vtkPolyData* axi
   const std::string& title, const std::filesystem::path& file)
 {
   HtmlPage page = makeHtml(surface, axis, title, webFile("vtk.js"));
-  Sink sink(file);
-  sink.raw(reinterpret_cast<const unsigned char*>(page.html.data()),
-    static_cast<vtkIdType>(page.html.size()));
-  sink.close();
+  writeFile(file, page.html);
   return std::move(page.simplifications);
 }
 

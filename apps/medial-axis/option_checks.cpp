@@ -38,15 +38,15 @@ void checkDistinct(const char* option, const std::filesystem::path& path, const 
 
 } // namespace
 
-void convertWords(const Words& words, bool spacingGiven, Options& options)
+void convertTexts(const OptionTexts& texts, bool spacingGiven, Options& options)
 {
-  options.signMethod = signNames().at(words.sign);
-  options.engine = engineNames().at(words.engine);
-  options.lambda = parseLength(words.lambda).value_or(Length{});
-  options.minRadius = parseLength(words.minRadius).value_or(Length{});
-  options.side = sideNames().at(words.side);
-  options.representation = representationNames().at(words.representation);
-  options.topology = topologyNames().at(words.topology);
+  options.signMethod = signNames().at(texts.sign);
+  options.engine = engineNames().at(texts.engine);
+  options.lambda = parseLength(texts.lambda).value_or(Length{});
+  options.minRadius = parseLength(texts.minRadius).value_or(Length{});
+  options.side = sideNames().at(texts.side);
+  options.representation = representationNames().at(texts.representation);
+  options.topology = topologyNames().at(texts.topology);
   if (options.maxSpheres > 0 && options.representation == Representation::Points)
   {
     throw Failure(ExitCode::Usage,
@@ -58,23 +58,23 @@ void convertWords(const Words& words, bool spacingGiven, Options& options)
     throw Failure(ExitCode::Usage,
       "--topology preserve needs --representation surface or faces, not points");
   }
-  if (!words.curves.empty() && options.representation == Representation::Points)
+  if (!texts.curves.empty() && options.representation == Representation::Points)
   {
     throw Failure(ExitCode::Usage,
       "--curves needs --representation surface or faces: points have no cells that meet");
   }
-  options.input = words.input;
-  options.output = words.output;
-  options.curves = words.curves;
-  options.field = words.field;
-  options.thickness = words.thickness;
-  options.thicknessImage = words.thicknessImage;
-  options.image = words.image;
-  options.html = words.html;
-  options.report = words.report;
+  options.input = texts.input;
+  options.output = texts.output;
+  options.curves = texts.curves;
+  options.field = texts.field;
+  options.thickness = texts.thickness;
+  options.thicknessImage = texts.thicknessImage;
+  options.image = texts.image;
+  options.html = texts.html;
+  options.report = texts.report;
   if (spacingGiven)
   {
-    options.spacing = words.spacing;
+    options.spacing = texts.spacing;
   }
   if (options.output.empty() && options.curves.empty() && options.field.empty() &&
     options.image.empty() && options.html.empty() && options.report.empty() &&

@@ -5,9 +5,9 @@
 namespace medial::app
 {
 
-/// Makes values of the words.
+/// Turns what the user typed into values.
 /// @throws Failure Usage for values that do not go together or are not there yet.
-void convertWords(const Words& words, bool spacingGiven, Options& options);
+void convertTexts(const OptionTexts& texts, bool spacingGiven, Options& options);
 
 /// @throws Failure Usage for an output with an unknown extension, one that would replace the input
 ///   and two of the same name.

@@ -25,59 +25,59 @@ CLI::Validator length()
 
 } // namespace
 
-void addOutputOptions(CLI::App& app, Words& words)
+void addOutputOptions(CLI::App& app, OptionTexts& texts)
 {
   const std::string group = "Outputs";
-  app.add_option("-o,--output", words.output, "medial axis: .vtp, .ply, .obj or .ma")
+  app.add_option("-o,--output", texts.output, "medial axis: .vtp, .ply, .obj or .ma")
     ->option_text("FILE")
     ->group(group);
   app
-    .add_option("--curves", words.curves,
+    .add_option("--curves", texts.curves,
       "polylines where the sheets of the axis meet (seams), where they end (rims), and where the "
       "axis is a curve; the cell array AxisFeature tells them apart; not for --representation "
       "points")
     ->option_text("FILE.vtp")
     ->group(group);
   app
-    .add_option("--field", words.field,
+    .add_option("--field", texts.field,
       "distance field with all its arrays: .vti, one file, or .pvti, pieces of 64 slices "
       "named <FILE's name>_0.vti and so on; written while it is computed, so it may be larger "
       "than memory")
     ->option_text("FILE")
     ->group(group);
   app
-    .add_option("--thickness", words.thickness,
+    .add_option("--thickness", texts.thickness,
       "input surface with the point array Thickness: twice the radius of the medial ball that "
       "touches the point, in world units, float32; NaN where there is no ball, 0 on convex edges "
       "that bend by theta or more; uses --angle and --side, but no grid: it is exact")
     ->option_text("FILE.vtp")
     ->group(group);
   app
-    .add_option("--thickness-image", words.thicknessImage,
+    .add_option("--thickness-image", texts.thicknessImage,
       "picture of the surface coloured by thickness in world units, grey where there is none; "
       "large triangles get values inside as well")
     ->option_text("FILE.png")
     ->group(group);
   app
-    .add_option("--image", words.image,
+    .add_option("--image", texts.image,
       "picture of the axis in the translucent surface; needs no display")
     ->option_text("FILE.png")
     ->group(group);
   app
-    .add_option("--html", words.html,
+    .add_option("--html", texts.html,
       "page for browsers that shows axis and surface, with a slider for the separation angle; "
       "needs no server and no network; only in builds with vtk.js")
     ->option_text("FILE.html")
     ->group(group);
   app
-    .add_option("--report", words.report,
+    .add_option("--report", texts.report,
       "machine-readable result: mesh, grid, device, seconds of each phase, counts, topology, "
       "coverage")
     ->option_text("FILE.json")
     ->group(group);
 }
 
-void addGridOptions(CLI::App& app, Words& words, Options& options)
+void addGridOptions(CLI::App& app, OptionTexts& texts, Options& options)
 {
   const std::string group = "Grid";
   CLI::Option* resolution =
@@ -89,7 +89,7 @@ void addGridOptions(CLI::App& app, Words& words, Options& options)
       ->check(within<int>("[2, 8192]", [](int n) { return n >= 2 && n <= kMaxResolution; }))
       ->group(group);
   app
-    .add_option("--spacing", words.spacing,
+    .add_option("--spacing", texts.spacing,
       "distance between neighbouring grid points in world units, > 0; instead of --resolution")
     ->option_text("H")
     ->check(within<double>("(0, infinity)", [](double h) { return std::isfinite(h) && h > 0.0; }))
@@ -104,7 +104,7 @@ void addGridOptions(CLI::App& app, Words& words, Options& options)
     ->group(group);
 }
 
-void addAxisOptions(CLI::App& app, Words& words, Options& options)
+void addAxisOptions(CLI::App& app, OptionTexts& texts, Options& options)
 {
   const std::string group = "Medial axis";
   app
@@ -115,7 +115,7 @@ void addAxisOptions(CLI::App& app, Words& words, Options& options)
     ->check(within<double>("(0, 180)", [](double a) { return a > 0.0 && a < 180.0; }))
     ->group(group);
   app
-    .add_option("--lambda", words.lambda,
+    .add_option("--lambda", texts.lambda,
       "minimum lambda, half the distance between the two closest points, in world units or as L% "
       "of the diagonal of the mesh's bounds, >= 0; removes the sheets that noise of this size "
       "causes, and those of walls thinner than twice this; default 0")
@@ -123,15 +123,15 @@ void addAxisOptions(CLI::App& app, Words& words, Options& options)
     ->check(length())
     ->group(group);
   app
-    .add_option("--min-radius", words.minRadius,
+    .add_option("--min-radius", texts.minRadius,
       "minimum radius of the medial balls, in world units or as R% of the diagonal, >= 0; "
       "default 0")
     ->option_text("R[%]")
     ->check(length())
     ->group(group);
-  addSideOption(app, words.side, group);
+  addSideOption(app, texts.side, group);
   app
-    .add_option("--representation", words.representation,
+    .add_option("--representation", texts.representation,
       "surface (dual mesh), faces (voxel faces) or points; default surface")
     ->option_text("KIND")
     ->check(oneOf(representationNames()))
@@ -144,7 +144,7 @@ void addAxisOptions(CLI::App& app, Words& words, Options& options)
     ->check(within<int>("[0, 2147483647]", [](int n) { return n >= 0; }))
     ->group(group);
   app
-    .add_option("--topology", words.topology,
+    .add_option("--topology", texts.topology,
       "selected: what theta selects, in as many components as that gives; preserve: with the "
       "components, tunnels and cavities of the solid at this resolution, whatever theta is; needs "
       "--representation surface or faces, and 10 bytes for each grid point; default selected")
@@ -152,7 +152,7 @@ void addAxisOptions(CLI::App& app, Words& words, Options& options)
     ->check(oneOf(topologyNames()))
     ->group(group);
   app
-    .add_option("--sign", words.sign,
+    .add_option("--sign", texts.sign,
       "how inside is told from outside: auto, none or pseudonormal (closed, consistently "
       "oriented meshes); default auto")
     ->option_text("METHOD")
@@ -160,7 +160,7 @@ void addAxisOptions(CLI::App& app, Words& words, Options& options)
     ->group(group);
 }
 
-void addRunOptions(CLI::App& app, Words& words, Options& options)
+void addRunOptions(CLI::App& app, OptionTexts& texts, Options& options)
 {
   const std::string group = "Run";
   addThreadsOption(app, options.threads, group);
@@ -171,7 +171,7 @@ void addRunOptions(CLI::App& app, Words& words, Options& options)
     ->check(
       within<int>("[64, 2147483647] and not 0", [](int m) { return m == 0 || m >= kMinMemoryMiB; }))
     ->group(group);
-  addEngineOption(app, words.engine, group);
+  addEngineOption(app, texts.engine, group);
   addRequireGpuOption(app, options.requireGpu, group);
   addQuietOption(app, options.quiet, group);
 }

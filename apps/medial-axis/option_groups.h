@@ -9,8 +9,8 @@
 namespace medial::app
 {
 
-/// The words as typed, before they become values of Options.
-struct Words
+/// What the user typed, before it becomes values of Options.
+struct OptionTexts
 {
   std::string input, output, curves, field, thickness, thicknessImage, image, html, report;
   std::string lambda = "0";
@@ -24,12 +24,12 @@ struct Words
 };
 
 ///@{
-/// Adds the options of one group of the help to the program. What is typed goes to `words`, numbers
+/// Adds the options of one group of the help to the program. What is typed goes to `texts`, numbers
 /// to `options`; both must outlive the parsing.
-void addOutputOptions(CLI::App& app, Words& words);
-void addGridOptions(CLI::App& app, Words& words, Options& options);
-void addAxisOptions(CLI::App& app, Words& words, Options& options);
-void addRunOptions(CLI::App& app, Words& words, Options& options);
+void addOutputOptions(CLI::App& app, OptionTexts& texts);
+void addGridOptions(CLI::App& app, OptionTexts& texts, Options& options);
+void addAxisOptions(CLI::App& app, OptionTexts& texts, Options& options);
+void addRunOptions(CLI::App& app, OptionTexts& texts, Options& options);
 ///@}
 
 } // namespace medial::app

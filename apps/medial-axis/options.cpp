@@ -27,20 +27,20 @@ std::optional<Options> parseOptions(int argc, char** argv)
   CLI::App app{ "Computes the medial axis and the distance field of a triangle mesh.\n" };
   setUpCommandLine(app, "medial-axis", kFooter);
 
-  Words words;
+  OptionTexts texts;
   Options options;
-  app.add_option("INPUT", words.input, "mesh: .stl, .obj, .ply, .off, .vtp or .vtk")
+  app.add_option("INPUT", texts.input, "mesh: .stl, .obj, .ply, .off, .vtp or .vtk")
     ->required()
     ->option_text(" ");
-  addOutputOptions(app, words);
-  addGridOptions(app, words, options);
-  addAxisOptions(app, words, options);
-  addRunOptions(app, words, options);
+  addOutputOptions(app, texts);
+  addGridOptions(app, texts, options);
+  addAxisOptions(app, texts, options);
+  addRunOptions(app, texts, options);
   if (!parseCommandLine(app, argc, argv))
   {
     return std::nullopt;
   }
-  convertWords(words, app.count("--spacing") > 0, options);
+  convertTexts(texts, app.count("--spacing") > 0, options);
   checkFiles(options);
   return options;
 }

@@ -53,8 +53,8 @@ struct Options
   }
 };
 
-/// Reads the command line; nothing when the user asked for --help or --version, which are then
-/// answered on standard output.
+/// Reads the command line; empty when the user asked for --help or --version, which it answers
+/// on standard output.
 /// @throws Failure Usage.
 std::optional<Options> parseOptions(int argc, char** argv);
 

@@ -1,9 +1,7 @@
 #include "report.h"
 
+#include "file_writer.h"
 #include "option_names.h"
-#include "sink.h"
-
-#include <vtkPolyData.h>
 
 #include <nlohmann/json.hpp>
 
@@ -52,11 +50,11 @@ Json describeSeconds(const RunStatistics::Seconds& run, const AppSeconds& app)
     { "medial", run.medial }, { "write", app.write }, { "total", app.total } };
 }
 
-Json describeCounts(const RunStatistics& statistics, vtkPolyData* axis)
+Json describeCounts(const RunStatistics& statistics, const MedialAxis& axis)
 {
   return { { "sites", statistics.sites }, { "polygons", statistics.polygons },
     { "fragments", statistics.fragments }, { "candidate_pairs", statistics.candidatePairs },
-    { "medial_points", axis->GetNumberOfPoints() }, { "medial_cells", axis->GetNumberOfCells() } };
+    { "medial_points", axis.points.size() }, { "medial_cells", axis.cellCount() } };
 }
 
 Json describeSimplification(const SimplificationStatistics& simplification)
@@ -86,7 +84,7 @@ Json describe(const CellTopology& topology)
 Json describeTopology(const Result& result, Topology mode)
 {
   return { { "mode", nameOf(mode) },
-    { "solid", result.solidTopology ? describe(*result.solidTopology) : Json() },
+    { "solid", result.axis.solid ? describe(*result.axis.solid) : Json() },
     { "axis", describe(result.axisTopology) } };
 }
 
@@ -117,7 +115,7 @@ std::string makeReport(const Result& result, const Options& options, const AppSe
   report["device"] = describeDevice(result.statistics.device);
   report["seconds"] = describeSeconds(result.statistics.seconds, seconds);
   report["counts"] = describeCounts(result.statistics, result.axis);
-  report["simplification"] = describeSimplification(result.simplification);
+  report["simplification"] = describeSimplification(result.axis.simplification);
   report["fragments_per_voxel"] = result.statistics.fragmentsPerVoxel();
   report["engine"] = nameOf(result.statistics.engine);
   report["sign_method"] = nameOf(result.sign);
@@ -133,9 +131,7 @@ std::string makeReport(const Result& result, const Options& options, const AppSe
 
 void writeReport(const std::string& report, const std::filesystem::path& file)
 {
-  Sink sink(file);
-  sink << report.c_str();
-  sink.close();
+  writeFile(file, report);
 }
 
 } // namespace medial::app

@@ -5,8 +5,8 @@
 namespace medial::app
 {
 
-/// Reads the mesh, computes, writes everything that was asked for, and says so on standard output.
-/// All outputs appear together at the end, or none.
+/// Reads the mesh, computes, writes what the user asked for, and prints a summary. All outputs
+/// appear together at the end, or none.
 /// @throws Failure.
 void run(const Options& options);
 

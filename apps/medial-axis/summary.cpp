@@ -2,8 +2,6 @@
 
 #include "option_names.h"
 
-#include <vtkPolyData.h>
-
 #include <cmath>
 #include <cstdio>
 #include <sstream>
@@ -14,7 +12,7 @@ namespace medial::app
 namespace
 {
 
-/// Share of the surface without axis from which on the user is told.
+/// From this share of the surface without axis on, a note says so.
 constexpr double kNoticeableShare = 0.01;
 
 void printMesh(const Options& options, const Result& result)
@@ -79,17 +77,12 @@ void printFile(const std::filesystem::path& path, const std::string& content)
   }
 }
 
-void printOutputs(const Options& options, const Result& result)
+void printOutputs(const Options& options, const MedialAxis& axis, const OutputNotes& notes)
 {
-  vtkPolyData* axis = result.axis;
   printFile(options.output,
-    "medial axis, " + std::to_string(axis->GetNumberOfPoints()) + " points, " +
-      std::to_string(axis->GetNumberOfCells()) + " cells");
-  if (result.curves)
-  {
-    printFile(options.curves,
-      "curves of the axis, " + std::to_string(result.curves->GetNumberOfLines()) + " polylines");
-  }
+    "medial axis, " + std::to_string(axis.points.size()) + " points, " +
+      std::to_string(axis.cellCount()) + " cells");
+  printFile(options.curves, "curves of the axis, " + std::to_string(notes.curves) + " polylines");
   printFile(options.field, "distance field");
   printFile(options.thickness, "surface with thickness");
   printFile(options.thicknessImage, "picture of thickness");
@@ -143,31 +136,31 @@ std::string whatIsMissing(const Options& options)
 
 void printNotes(const Options& options, const Result& result)
 {
-  if (result.side != options.side)
+  if (result.axis.side != options.side)
   {
     std::fprintf(stderr,
       "medial-axis: note: %s: the distance is unsigned (%s), so the axis is that of both sides\n",
       options.input.c_str(), whyUnsigned(options, result.connectivity).c_str());
   }
-  if (result.axis->GetNumberOfPoints() == 0)
+  if (result.axis.points.empty())
   {
     std::fprintf(stderr, "medial-axis: note: %s: %s\n", options.input.c_str(),
       whatIsMissing(options).c_str());
   }
 }
 
-void printPageNotes(const Options& options, const Result& result)
+void printPageNotes(const Options& options, const OutputNotes& notes)
 {
-  for (const std::string& note : result.pageNotes)
+  for (const std::string& note : notes.page)
   {
     std::fprintf(stderr, "medial-axis: note: %s: to keep the page small %s\n", options.html.c_str(),
       note.c_str());
   }
 }
 
-void printSimplification(const Options& options, const Result& result)
+void printSimplification(const Options& options, const MedialAxis& axis)
 {
-  const SimplificationStatistics& done = result.simplification;
+  const SimplificationStatistics& done = axis.simplification;
   const auto components = static_cast<long long>(done.components);
   if (done.dropped > 0)
   {
@@ -189,8 +182,8 @@ void printSimplification(const Options& options, const Result& result)
   {
     std::printf("simplified %lld points in %lld component%s to %lld in %lld, %.2f s\n",
       static_cast<long long>(done.inputPoints), static_cast<long long>(done.inputComponents),
-      done.inputComponents == 1 ? "" : "s",
-      static_cast<long long>(result.axis->GetNumberOfPoints()), components, done.seconds);
+      done.inputComponents == 1 ? "" : "s", static_cast<long long>(axis.points.size()), components,
+      done.seconds);
   }
 }
 
@@ -207,7 +200,8 @@ void printCoverage(const Options& options, const AxisCoverage& coverage)
 
 } // namespace
 
-void printSummary(const Options& options, const Result& result, const AppSeconds& seconds)
+void printSummary(const Options& options, const Result& result, const OutputNotes& notes,
+  const AppSeconds& seconds)
 {
   if (options.wantsAxis())
   {
@@ -217,7 +211,7 @@ void printSummary(const Options& options, const Result& result, const AppSeconds
   {
     printCoverage(options, *result.coverage);
   }
-  printPageNotes(options, result);
+  printPageNotes(options, notes);
   printMesh(options, result);
   if (options.wantsAxis() || !options.field.empty())
   {
@@ -229,8 +223,8 @@ void printSummary(const Options& options, const Result& result, const AppSeconds
     printThickness(options, *result.thickness);
   }
   printSeconds(result.statistics.seconds, seconds);
-  printSimplification(options, result);
-  printOutputs(options, result);
+  printSimplification(options, result.axis);
+  printOutputs(options, result.axis, notes);
 }
 
 } // namespace medial::app

@@ -7,7 +7,7 @@ class vtkPolyData;
 namespace medial::app
 {
 
-/// Draws a surface coloured by its Thickness, from 0 to the greatest value, grey where there is
+/// Draws a surface coloured by its Thickness, from 0 to its maximum, grey where there is
 /// none, with a scalar bar in world units, as a PNG file of 1600 x 1200 pixels. Needs no display.
 /// @param coloured has the array, and as many points as that takes.
 /// @param surface of the same shape, whose sharp edges are drawn.

@@ -1,4 +1,4 @@
-#include "measure_options.h"
+#include "measure_command.h"
 #include "measure_run.h"
 #include "program_main.h"
 
@@ -7,9 +7,9 @@ int main(int argc, char** argv)
   return medial::app::runProgram("medial-measure",
     [&]
     {
-      if (const auto options = medial::app::parseMeasureOptions(argc, argv))
+      if (const auto command = medial::app::parseMeasureCommand(argc, argv))
       {
-        medial::app::runMeasure(*options);
+        medial::app::runMeasure(*command);
       }
     });
 }

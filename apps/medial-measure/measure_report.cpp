@@ -16,11 +16,11 @@ double percent(double length, const AxisMeasurement& measurement)
   return 100.0 * length / measurement.diagonal;
 }
 
-long long eulerCharacteristic(const MeasureResult& result)
+long long eulerCharacteristic(const MeasureResults& results)
 {
-  return static_cast<long long>(result.mesh.points.size()) -
-    static_cast<long long>(result.connectivity.edges.size()) +
-    static_cast<long long>(result.mesh.triangles.size());
+  return static_cast<long long>(results.mesh.points.size()) -
+    static_cast<long long>(results.connectivity.edges.size()) +
+    static_cast<long long>(results.mesh.triangles.size());
 }
 
 double insideShare(const AxisMeasurement& measurement)
@@ -34,23 +34,23 @@ const char* plural(long long count)
   return count == 1 ? "" : "s";
 }
 
-void printCounts(const MeasureOptions& options, const MeasureResult& result)
+void printCounts(const MeasureCommand& command, const MeasureResults& results)
 {
-  const ModelCounts& axis = result.measurement.counts;
+  const ModelCounts& axis = results.measurement.counts;
   std::printf("axis      %s: %lld points, %lld quads, %lld triangles, %lld lines, %lld vertices\n",
-    options.axis.c_str(), static_cast<long long>(axis.points), static_cast<long long>(axis.quads),
+    command.axis.c_str(), static_cast<long long>(axis.points), static_cast<long long>(axis.quads),
     static_cast<long long>(axis.triangles), static_cast<long long>(axis.lines),
     static_cast<long long>(axis.vertices));
   std::printf("          %lld component%s, Euler characteristic %lld, %lld cell%s without area\n",
     static_cast<long long>(axis.components), plural(axis.components),
     static_cast<long long>(axis.eulerCharacteristic), static_cast<long long>(axis.zeroAreaCells),
     plural(axis.zeroAreaCells));
-  const long long components = result.connectivity.components;
-  std::printf("mesh      %s: %zu triangles, %zu vertices, %s\n", options.mesh.c_str(),
-    result.mesh.triangles.size(), result.mesh.points.size(),
-    result.connectivity.closed() ? "closed" : "not closed");
+  const long long components = results.connectivity.components;
+  std::printf("mesh      %s: %zu triangles, %zu vertices, %s\n", command.mesh.c_str(),
+    results.mesh.triangles.size(), results.mesh.points.size(),
+    results.connectivity.closed() ? "closed" : "not closed");
   std::printf("          %lld component%s, Euler characteristic %lld, diagonal %.6g\n\n",
-    components, plural(components), eulerCharacteristic(result), result.measurement.diagonal);
+    components, plural(components), eulerCharacteristic(results), results.measurement.diagonal);
 }
 
 void printRow(const char* name, const Deviation& deviation, const AxisMeasurement& measurement)
@@ -65,30 +65,30 @@ Json describe(const Deviation& deviation, const AxisMeasurement& measurement)
     { "mean", percent(deviation.mean, measurement) }, { "samples", deviation.places } };
 }
 
-Json describeAxis(const MeasureOptions& options, const ModelCounts& axis)
+Json describeAxis(const MeasureCommand& command, const ModelCounts& axis)
 {
-  return { { "path", options.axis.string() }, { "points", axis.points }, { "quads", axis.quads },
+  return { { "path", command.axis.string() }, { "points", axis.points }, { "quads", axis.quads },
     { "triangles", axis.triangles }, { "lines", axis.lines }, { "vertices", axis.vertices },
     { "zero_area_cells", axis.zeroAreaCells }, { "components", axis.components },
     { "euler_characteristic", axis.eulerCharacteristic } };
 }
 
-Json describeMesh(const MeasureOptions& options, const MeasureResult& result)
+Json describeMesh(const MeasureCommand& command, const MeasureResults& results)
 {
-  return { { "path", options.mesh.string() }, { "triangles", result.mesh.triangles.size() },
-    { "vertices", result.mesh.points.size() }, { "closed", result.connectivity.closed() },
-    { "manifold", result.connectivity.manifold() },
-    { "components", result.connectivity.components },
-    { "euler_characteristic", eulerCharacteristic(result) },
-    { "diagonal", result.measurement.diagonal } };
+  return { { "path", command.mesh.string() }, { "triangles", results.mesh.triangles.size() },
+    { "vertices", results.mesh.points.size() }, { "closed", results.connectivity.closed() },
+    { "manifold", results.connectivity.manifold() },
+    { "components", results.connectivity.components },
+    { "euler_characteristic", eulerCharacteristic(results) },
+    { "diagonal", results.measurement.diagonal } };
 }
 
 } // namespace
 
-void printTable(const MeasureOptions& options, const MeasureResult& result)
+void printTable(const MeasureCommand& command, const MeasureResults& results)
 {
-  const AxisMeasurement& measurement = result.measurement;
-  printCounts(options, result);
+  const AxisMeasurement& measurement = results.measurement;
+  printCounts(command, results);
   std::printf("%-24s %10s %10s %10s\n", "% of the diagonal", "max", "mean", "samples");
   printRow("surface to union", measurement.surfaceToUnion, measurement);
   printRow("union to surface", measurement.unionToSurface, measurement);
@@ -102,16 +102,16 @@ void printTable(const MeasureOptions& options, const MeasureResult& result)
   else
   {
     std::printf("\ncentres inside the mesh: unknown, it is %s\n",
-      result.connectivity.closed() ? "not consistently oriented" : "not closed");
+      results.connectivity.closed() ? "not consistently oriented" : "not closed");
   }
 }
 
-std::string makeJson(const MeasureOptions& options, const MeasureResult& result)
+std::string makeJson(const MeasureCommand& command, const MeasureResults& results)
 {
-  const AxisMeasurement& measurement = result.measurement;
+  const AxisMeasurement& measurement = results.measurement;
   Json json;
-  json["axis"] = describeAxis(options, measurement.counts);
-  json["mesh"] = describeMesh(options, result);
+  json["axis"] = describeAxis(command, measurement.counts);
+  json["mesh"] = describeMesh(command, results);
   json["surface_to_union"] = describe(measurement.surfaceToUnion, measurement);
   json["union_to_surface"] = describe(measurement.unionToSurface, measurement);
   json["two_sided"] = { { "hausdorff", percent(measurement.hausdorff(), measurement) },
@@ -119,7 +119,7 @@ std::string makeJson(const MeasureOptions& options, const MeasureResult& result)
   json["radius_error"] = { { "max", percent(measurement.radiusError.max, measurement) },
     { "mean", percent(measurement.radiusError.mean, measurement) } };
   json["centres_inside"] = measurement.knowsInside ? Json(insideShare(measurement)) : Json(nullptr);
-  json["seconds"] = { { "read", result.readSeconds }, { "evaluate", result.measureSeconds } };
+  json["seconds"] = { { "read", results.readSeconds }, { "evaluate", results.measureSeconds } };
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

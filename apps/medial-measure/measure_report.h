@@ -1,6 +1,6 @@
 #pragma once
 
-#include "measure_options.h"
+#include "measure_command.h"
 
 #include "medial/axis_measurement.h"
 #include "medial/mesh_connectivity.h"
@@ -12,7 +12,7 @@ namespace medial::app
 {
 
 /// What was measured, and on what.
-struct MeasureResult
+struct MeasureResults
 {
   TriangleMesh mesh;
   MeshConnectivity connectivity;
@@ -22,7 +22,7 @@ struct MeasureResult
 };
 
 /// A table for people, on standard output.
-void printTable(const MeasureOptions& options, const MeasureResult& result);
+void printTable(const MeasureCommand& command, const MeasureResults& results);
 
 /// @return JSON text with the keys axis {path, points, quads, triangles, lines, vertices,
 ///   zero_area_cells, components, euler_characteristic}, mesh {path, triangles, vertices, closed,
@@ -30,6 +30,6 @@ void printTable(const MeasureOptions& options, const MeasureResult& result);
 ///   union_to_surface {max, mean, samples}, two_sided {hausdorff, mean}, radius_error {max, mean},
 ///   centres_inside and seconds {read, evaluate}. Distances are in % of the diagonal, which is in
 ///   world units; centres_inside is a share in [0, 1], null where the mesh has no inside.
-std::string makeJson(const MeasureOptions& options, const MeasureResult& result);
+std::string makeJson(const MeasureCommand& command, const MeasureResults& results);
 
 } // namespace medial::app

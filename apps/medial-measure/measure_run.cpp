@@ -1,18 +1,14 @@
 #include "measure_run.h"
 
-#include "axis_reader.h"
+#include "file_writer.h"
 #include "interrupt.h"
 #include "library_calls.h"
 #include "measure_report.h"
-#include "mesh_reader.h"
+#include "model_reader.h"
 #include "output_file.h"
 #include "progress_bar.h"
-#include "sink.h"
-
-#include "base/stopwatch.h"
-
-#include <vtkMedialModelConversion.h>
-#include <vtkMeshConversion.h>
+#include "surface_reader.h"
+#include "timer.h"
 
 #include <optional>
 
@@ -21,72 +17,65 @@ namespace medial::app
 namespace
 {
 
-// Errors of the axis and of the mesh name the file at fault.
-MeasureResult measure(const MeasureOptions& options, ProgressBar& bar)
+MedialModel readInputs(const MeasureCommand& command, MeasureResults& results)
 {
-  MeasureResult result;
-  MedialModel model;
-  timed(result.readSeconds,
+  const Timer timer;
+  MedialModel model = readModel(command.axis);
+  const Surface surface = readSurface(command.mesh);
+  withFailures(command.mesh,
     [&]
     {
-      bar.show(0.0, "reading");
-      const auto axis = readAxis(options.axis);
-      withFailures(options.axis, [&] { model = vtkMedialModelConversion::ToMedialModel(axis); });
-      const auto mesh = readMesh(options.mesh);
-      withFailures(options.mesh,
-        [&]
-        {
-          result.mesh = buildTriangleMesh(vtkMeshConversion::ToMeshInput(mesh));
-          result.connectivity = analyseConnectivity(result.mesh);
-        });
+      results.mesh = surface.toTriangleMesh();
+      results.connectivity = analyseConnectivity(results.mesh);
     });
+  results.readSeconds = timer.seconds();
   throwIfInterrupted();
-  timed(result.measureSeconds,
-    [&]
-    {
-      Watch watch(bar);
-      MeasurementOptions wanted;
-      wanted.samples = options.samples;
-      wanted.execution.threads = options.threads;
-      wanted.execution.progress = &watch;
-      withFailures(options.mesh,
-        [&] { result.measurement = measureAxis(result.mesh, result.connectivity, model, wanted); });
-    });
-  return result;
+  return model;
+}
+
+void measure(const MeasureCommand& command, const MedialModel& model, ProgressBar& bar,
+  MeasureResults& results)
+{
+  const Timer timer;
+  Watch watch(bar);
+  MeasurementOptions options;
+  options.samples = command.samples;
+  options.execution.threads = command.threads;
+  options.execution.progress = &watch;
+  withFailures(command.mesh,
+    [&] { results.measurement = measureAxis(results.mesh, results.connectivity, model, options); });
+  results.measureSeconds = timer.seconds();
 }
 
 void writeJson(const std::string& json, OutputFile& file)
 {
-  namingFile(file.path(),
-    [&]
-    {
-      Sink sink(file.open());
-      sink << json.c_str();
-      sink.close();
-    });
+  namingFile(file.path(), [&] { writeFile(file.open(), json); });
   throwIfInterrupted();
   file.commit();
 }
 
 } // namespace
 
-void runMeasure(const MeasureOptions& options)
+void runMeasure(const MeasureCommand& command)
 {
   std::optional<OutputFile> json;
-  if (!options.json.empty())
+  if (!command.json.empty())
   {
-    json.emplace(options.json);
+    json.emplace(command.json);
   }
-  ProgressBar bar(options.quiet);
-  const MeasureResult result = measure(options, bar);
+  ProgressBar bar(command.quiet);
+  bar.show(0.0, "reading");
+  MeasureResults results;
+  const MedialModel model = readInputs(command, results);
+  measure(command, model, bar, results);
   bar.clear();
   if (json)
   {
-    writeJson(makeJson(options, result), *json);
+    writeJson(makeJson(command, results), *json);
   }
-  if (!options.quiet)
+  if (!command.quiet)
   {
-    printTable(options, result);
+    printTable(command, results);
   }
 }
 

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "measure_options.h"
+#include "measure_command.h"
 
 namespace medial::app
 {
 
-/// Reads axis and mesh, measures, and leaves table and JSON file.
+/// Reads axis and mesh, measures, and writes table and JSON file.
 /// @throws Failure.
-void runMeasure(const MeasureOptions& options);
+void runMeasure(const MeasureCommand& command);
 
 } // namespace medial::app

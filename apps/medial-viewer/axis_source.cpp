@@ -1,8 +1,7 @@
 #include "axis_source.h"
 
 #include "library_calls.h"
-
-#include "base/stopwatch.h"
+#include "timer.h"
 
 #include <vtkDataObject.h>
 #include <vtkFloatArray.h>
@@ -63,7 +62,7 @@ AxisSource::AxisSource(const Sequence& sequence, const ViewerOptions& options, P
 
 void AxisSource::compute(const Frame& frame, int resolution, double angle)
 {
-  double seconds = 0.0;
+  const Timer timer;
   vtkNew<vtkImageData> field;
   vtkNew<vtkPolyData> axis;
   MedialAxisOptions options = options_;
@@ -71,7 +70,6 @@ void AxisSource::compute(const Frame& frame, int resolution, double angle)
   withFailures(input_,
     [&]
     {
-      const Stopwatch watch(seconds);
       const Grid grid = makeGrid(bounds_, resolution);
       const FieldArrays arrays = vtkMeshConversion::AllocateField(field, grid, grid.wholeExtent(),
         { false, false, false, false });
@@ -82,6 +80,7 @@ void AxisSource::compute(const Frame& frame, int resolution, double angle)
       statistics_ = computed.statistics;
       sign_ = computed.sign;
     });
+  const double seconds = timer.seconds();
   axis_->ShallowCopy(axis);
   field_->ShallowCopy(field);
   seconds_ = seconds;

@@ -11,27 +11,28 @@
 namespace medial::app
 {
 
-/// Computes axis and distance field of the frames, on the library's GPU thread.
+/// Computes axis and distance field of the frames.
 class AxisSource
 {
 public:
-  /// @param progress asked whether to go on.
+  /// @param progress may cancel a computation.
   /// @throws Failure BadInput where the mesh cannot be used.
   AxisSource(const Sequence& sequence, const ViewerOptions& options, Progress* progress);
 
-  /// Computes one frame on a grid that holds all of them. What is seen below follows.
+  /// Computes one frame on a grid that holds all of them, and replaces the results below.
   /// @param resolution of the grid, as makeGrid().
-  /// @param angle least separation angle of the axis, in degrees, in (0, 180).
-  /// @throws Failure; what is seen below is then as it was.
+  /// @param angle smallest separation angle of the axis, in degrees, in (0, 180).
+  /// @throws Failure; the results below then stay as they were.
   void compute(const Frame& frame, int resolution, double angle);
 
-  /// All of the axis from angle() on, as vtkMedialAxis makes it, with the point array Thickness.
+  /// The axis with separation angles from angle() on, as vtkMedialAxis makes it, with the point
+  /// array Thickness.
   vtkPolyData* axis() { return axis_; }
   /// The array Distance at the points of the grid.
   vtkImageData* field() { return field_; }
   const RunStatistics& statistics() const { return statistics_; }
   SignMethod sign() const { return sign_; }
-  double seconds() const { return seconds_; } ///< wall-clock, of the last compute()
+  double seconds() const { return seconds_; } ///< wall-clock time of the last compute()
   ///@{
   /// Of the last compute(); 0 before it.
   int resolution() const { return resolution_; }

@@ -5,13 +5,12 @@ class vtkRenderWindow;
 namespace medial::app
 {
 
-/// Checks what VTK would end the process for.
+/// Checks that a window can be opened; without this, VTK ends the process where it cannot.
 /// @throws Failure NoGpu when there is no X server, or one without OpenGL.
 void requireDisplay();
 
-/// Turns what ends VTK's windows into failures: a context that cannot be had, which Render()
-/// throws as Failure NoGpu, and a lost connection, which ends the process with a message and that
-/// exit code.
+/// Makes VTK's windows fail cleanly: Render() throws Failure NoGpu when no OpenGL context can be
+/// made, and a lost connection ends the process with a message and the exit code of NoGpu.
 void failCleanly(vtkRenderWindow* window);
 
 } // namespace medial::app

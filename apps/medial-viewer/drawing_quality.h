@@ -7,18 +7,18 @@ class vtkRenderer;
 namespace medial::app
 {
 
-/// Draws drafts while something moves, and well when nothing has moved for a while. Translucent
-/// surfaces are blended as they come in drafts; drawn well they are sorted by depth peeling, which
-/// draws them once more for each of their layers.
+/// Draws drafts while something moves, and well when nothing has moved for a while. Drafts blend
+/// translucent surfaces unsorted; a good drawing sorts them by depth peeling, which draws them once
+/// more for each of their layers.
 class DrawingQuality
 {
 public:
   using Clock = std::chrono::steady_clock;
 
-  /// From now on the renderer draws drafts.
+  /// Makes the renderer draw drafts.
   explicit DrawingQuality(vtkRenderer* renderer);
 
-  /// To be told when the renderer has drawn.
+  /// Call it when the renderer has drawn.
   void drawn(Clock::time_point now = Clock::now());
 
   /// Whether the last drawing was a draft, a quarter of a second ago or more.
@@ -30,7 +30,7 @@ public:
 private:
   vtkRenderer* renderer_;
   Clock::time_point drawnAt_;
-  bool draft_ = false; // what was drawn last
+  bool draft_ = false; // the last drawing
 };
 
 } // namespace medial::app

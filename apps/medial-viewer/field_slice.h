@@ -24,7 +24,7 @@ public:
   FieldSlice& operator=(const FieldSlice&) = delete;
 
   /// @param field with the active scalars Distance; may be the one before, with other values.
-  /// @param greatest magnitude that has a colour of its own, world units.
+  /// @param max distances from here on share the last colour, world units.
   void setField(vtkImageData* field, double max);
 
   void setVisible(bool visible);

@@ -12,7 +12,7 @@ class FrameRate
 public:
   using Clock = std::chrono::steady_clock;
 
-  /// Counts a drawing. Those more than two seconds before it count no more.
+  /// Counts a drawing, and forgets those more than two seconds before it.
   void tick(Clock::time_point now = Clock::now());
 
   /// 0 until there were two drawings within two seconds.

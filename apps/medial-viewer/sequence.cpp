@@ -3,9 +3,7 @@
 #include "failure.h"
 #include "interrupt.h"
 #include "library_calls.h"
-#include "mesh_reader.h"
-
-#include <vtkMeshConversion.h>
+#include "surface_reader.h"
 
 #include <algorithm>
 #include <limits>
@@ -24,7 +22,7 @@ std::vector<fs::path> meshesIn(const fs::path& folder)
   std::error_code problem;
   for (const auto& entry : fs::directory_iterator(folder, problem))
   {
-    if (isMeshFile(entry.path()))
+    if (isSurfaceFile(entry.path()))
     {
       files.push_back(entry.path());
     }
@@ -48,7 +46,7 @@ bool sameCells(const CellList& a, const CellList& b)
 bool sameCells(const MeshInput& a, const MeshInput& b)
 {
   return a.points.size() == b.points.size() && sameCells(a.polygons, b.polygons) &&
-    sameCells(a.lines, b.lines) && sameCells(a.verts, b.verts);
+    sameCells(a.strips, b.strips) && sameCells(a.lines, b.lines) && sameCells(a.verts, b.verts);
 }
 
 // The positions of a frame for the welded points of the first one, which must stay together.
@@ -93,10 +91,11 @@ void include(Bounds& bounds, const Bounds& other)
 // Reads the first frame, to which the others must fit.
 MeshInput readFirst(const fs::path& file, Sequence& sequence)
 {
-  sequence.surface = readMesh(file);
-  MeshInput input = vtkMeshConversion::ToMeshInput(sequence.surface);
+  Surface surface = readSurface(file);
+  MeshInput input = surface.toMeshInput();
   withFailures(file, [&] { sequence.mesh = buildTriangleMesh(input); });
   sequence.bounds = sequence.mesh.bounds();
+  sequence.surface = surface.polyData();
   vtkSmartPointer<vtkPoints> seen = sequence.surface->GetPoints();
   sequence.frames.push_back({ file.filename().string(), sequence.mesh.points, seen });
   return input;
@@ -105,8 +104,8 @@ MeshInput readFirst(const fs::path& file, Sequence& sequence)
 void readNext(const fs::path& file, const fs::path& first, const MeshInput& expected,
   Sequence& sequence)
 {
-  const vtkSmartPointer<vtkPolyData> surface = readMesh(file);
-  const MeshInput input = vtkMeshConversion::ToMeshInput(surface);
+  Surface surface = readSurface(file);
+  const MeshInput input = surface.toMeshInput();
   if (!sameCells(input, expected))
   {
     throw Failure(ExitCode::BadInput,
@@ -115,7 +114,7 @@ void readNext(const fs::path& file, const fs::path& first, const MeshInput& expe
   }
   // Refuses what is not finite.
   withFailures(file, [&] { include(sequence.bounds, buildTriangleMesh(input).bounds()); });
-  vtkSmartPointer<vtkPoints> seen = surface->GetPoints();
+  vtkSmartPointer<vtkPoints> seen = surface.polyData()->GetPoints();
   sequence.frames.push_back(
     { file.filename().string(), pointsOf(sequence.mesh, input, file), std::move(seen) });
 }

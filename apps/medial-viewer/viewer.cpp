@@ -22,7 +22,7 @@ namespace medial::app
 namespace
 {
 
-constexpr unsigned long kTick = 16; // milliseconds between two looks at the clock
+constexpr unsigned long kTick = 16; // milliseconds between two timer events
 
 const SliderStyle kAngleStyle = { "separation angle (degrees)", "%.0f", kMinViewerAngle,
   kMaxViewerAngle, 0.05, 0.42 };
@@ -33,7 +33,7 @@ SliderStyle resolutionStyle(const ViewerOptions& options)
     static_cast<double>(options.maxResolution), 0.48, 0.82 };
 }
 
-// A computation that asks for too much, or that the user gives up, leaves what was there before.
+// A computation that needs too much memory, or that the user cancels, leaves what was shown before.
 bool mayStay(const Failure& failure)
 {
   return failure.exitCode() == ExitCode::NoSpace ||
@@ -51,7 +51,7 @@ vtkPolyData* asDrawn(const Sequence& sequence)
 Viewer::Viewer(Sequence sequence, const ViewerOptions& options)
   : options_(options)
   , sequence_(std::move(sequence))
-  , source_(sequence_, options, &patience_)
+  , source_(sequence_, options, &cancellation_)
   , window_("medial-viewer", options.width, options.height)
   , quality_(window_.renderer)
   , scene_(window_.renderer, asDrawn(sequence_), selected_)
@@ -63,12 +63,12 @@ Viewer::Viewer(Sequence sequence, const ViewerOptions& options)
   showFrame(0);
   slice_.setVisible(true);
   lookAt(window_.renderer, sequence_);
-  patience_.watch(window_.window);
+  cancellation_.watch(window_.window);
   addKeys();
   listen();
 }
 
-// Widgets draw when they go, and events would reach members that are gone.
+// Widgets draw when they are destroyed, and events would reach members that no longer exist.
 Viewer::~Viewer()
 {
   window_.interactor->EnableRenderOff();
@@ -166,7 +166,7 @@ void Viewer::tick()
   }
 }
 
-// VTK's styles and widgets ask for another rate of drawings meanwhile.
+// While the user drags, VTK's styles and widgets ask for another update rate.
 bool Viewer::dragging()
 {
   return window_.window->GetDesiredUpdateRate() > window_.interactor->GetStillUpdateRate();
@@ -200,7 +200,7 @@ void Viewer::compute(std::size_t frame, int resolution)
   window_.renderer->ResetCameraClippingRange();
 }
 
-// What plays is computed for the angle of the slider only, which takes less time.
+// While a sequence plays, the axis is computed for the slider's angle only, which takes less time.
 void Viewer::select()
 {
   if (!playing_ && angle_.value() < source_.angle())

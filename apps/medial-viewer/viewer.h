@@ -1,11 +1,11 @@
 #pragma once
 
 #include "axis_source.h"
+#include "cancellation.h"
 #include "drawing_quality.h"
 #include "field_slice.h"
 #include "frame_rate.h"
 #include "keyboard.h"
-#include "patience.h"
 #include "sequence.h"
 #include "sliders.h"
 #include "viewer_options.h"
@@ -22,8 +22,8 @@
 namespace medial::app
 {
 
-/// The window with all that is in it. Field and axis are computed on the library's GPU thread, with
-/// a context of its own beside the window's.
+/// The window and everything in it. The library computes field and axis on a thread of its own,
+/// with another OpenGL context than the window's.
 class Viewer
 {
 public:
@@ -34,9 +34,8 @@ public:
   Viewer(const Viewer&) = delete;
   Viewer& operator=(const Viewer&) = delete;
 
-  /// Answers mouse, keys and time until the user leaves; only once. A computation that fails for
-  /// want of memory, or that the user gives up, is said in the window, which shows what it did
-  /// before.
+  /// Answers mouse, keys and timer until the user leaves; only once. When a computation runs out of
+  /// memory or the user cancels it, the window says so and still shows what it did before.
   /// @throws Failure, also Interrupted.
   void run();
 
@@ -48,7 +47,7 @@ public:
   void writePicture(const std::filesystem::path& file);
 
   ///@{
-  /// For those who drive it by events.
+  /// For callers that send events to the window.
   vtkRenderWindowInteractor* interactor() { return window_.interactor; }
   vtkRenderWindow* window() { return window_.window; }
   vtkPolyData* shownAxis() { return selected_; }
@@ -83,7 +82,7 @@ private:
 
   ViewerOptions options_;
   Sequence sequence_;
-  Patience patience_;
+  Cancellation cancellation_;
   AxisSource source_;
   vtkNew<vtkPolyData> selected_; // the part of the axis that is shown
   ViewerWindow window_;

@@ -33,7 +33,7 @@ void Viewer::addKeys()
   keyboard_.add("r", "reset the view", [this] { lookAt(window_.renderer, sequence_); });
   keyboard_.add("p", "write a picture of the window", [this] { savePicture(); });
   keyboard_.add("q", "quit", [this] { window_.leave(); });
-  keyboard_.add("Escape", "cancel a computation", [] {}); // while it lasts: Patience
+  keyboard_.add("Escape", "cancel a computation", [] {}); // Cancellation handles it
   scene_.setHelp(keyboard_.help());
 }
 

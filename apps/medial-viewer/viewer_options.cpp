@@ -31,8 +31,8 @@ const Names<ColourBy>& colourNames()
   return kNames;
 }
 
-// The words as typed, before they become values of ViewerOptions.
-struct ViewerWords
+// What the user typed, before it becomes values of ViewerOptions.
+struct ViewerTexts
 {
   std::vector<std::string> inputs;
   std::string side = "interior";
@@ -41,7 +41,7 @@ struct ViewerWords
   std::string screenshot;
 };
 
-void addViewOptions(CLI::App& app, ViewerWords& words, ViewerOptions& options)
+void addViewOptions(CLI::App& app, ViewerTexts& texts, ViewerOptions& options)
 {
   const std::string group = "View";
   app
@@ -64,9 +64,9 @@ void addViewOptions(CLI::App& app, ViewerWords& words, ViewerOptions& options)
     ->check(within<double>("[20, 170]",
       [](double a) { return a >= kMinViewerAngle && a <= kMaxViewerAngle; }))
     ->group(group);
-  addSideOption(app, words.side, group);
+  addSideOption(app, texts.side, group);
   app
-    .add_option("--colour", words.colour,
+    .add_option("--colour", texts.colour,
       "what colours the axis at the start: radius, angle or thickness (twice the radius); default "
       "radius")
     ->option_text("BY")
@@ -74,21 +74,21 @@ void addViewOptions(CLI::App& app, ViewerWords& words, ViewerOptions& options)
     ->group(group);
   app.add_flag("--play", options.play, "play the sequence from the start")->group(group);
   app
-    .add_option("--screenshot", words.screenshot,
+    .add_option("--screenshot", texts.screenshot,
       "write a picture of the window and exit; needs a display all the same")
     ->option_text("FILE.png")
     ->group(group);
 }
 
-void addComputeOptions(CLI::App& app, ViewerWords& words, ViewerOptions& options)
+void addComputeOptions(CLI::App& app, ViewerTexts& texts, ViewerOptions& options)
 {
   const std::string group = "Computation";
-  addEngineOption(app, words.engine, group);
+  addEngineOption(app, texts.engine, group);
   addThreadsOption(app, options.threads, group);
   addRequireGpuOption(app, options.requireGpu, group);
 }
 
-void convert(const ViewerWords& words, ViewerOptions& options)
+void convert(const ViewerTexts& texts, ViewerOptions& options)
 {
   if (options.resolution < kMinViewerResolution || options.resolution > options.maxResolution)
   {
@@ -97,11 +97,11 @@ void convert(const ViewerWords& words, ViewerOptions& options)
         std::to_string(kMinViewerResolution) + ", " + std::to_string(options.maxResolution) +
         "] (see --max-resolution)");
   }
-  options.inputs.assign(words.inputs.begin(), words.inputs.end());
-  options.side = sideNames().at(words.side);
-  options.colour = colourNames().at(words.colour);
-  options.engine = engineNames().at(words.engine);
-  options.screenshot = words.screenshot;
+  options.inputs.assign(texts.inputs.begin(), texts.inputs.end());
+  options.side = sideNames().at(texts.side);
+  options.colour = colourNames().at(texts.colour);
+  options.engine = engineNames().at(texts.engine);
+  options.screenshot = texts.screenshot;
   checkExtension("--screenshot", options.screenshot, { ".png" });
 }
 
@@ -112,21 +112,21 @@ std::optional<ViewerOptions> parseViewerOptions(int argc, char** argv)
   CLI::App app{ "Shows a mesh, its medial axis and its distance field in a window.\n" };
   setUpCommandLine(app, "medial-viewer", kFooter);
 
-  ViewerWords words;
+  ViewerTexts texts;
   ViewerOptions options;
   app
-    .add_option("INPUT", words.inputs,
+    .add_option("INPUT", texts.inputs,
       "mesh, or the meshes of a sequence, or a folder of them (in the order of their names): .stl, "
       ".obj, .ply, .off, .vtp or .vtk")
     ->required()
     ->option_text(" ");
-  addViewOptions(app, words, options);
-  addComputeOptions(app, words, options);
+  addViewOptions(app, texts, options);
+  addComputeOptions(app, texts, options);
   if (!parseCommandLine(app, argc, argv))
   {
     return std::nullopt;
   }
-  convert(words, options);
+  convert(texts, options);
   return options;
 }
 

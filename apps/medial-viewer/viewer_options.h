@@ -44,8 +44,8 @@ struct ViewerOptions
   int height = 800;
 };
 
-/// Reads the command line; nothing when the user asked for --help or --version, which are then
-/// answered on standard output.
+/// Reads the command line; empty when the user asked for --help or --version, which it answers
+/// on standard output.
 /// @throws Failure Usage.
 std::optional<ViewerOptions> parseViewerOptions(int argc, char** argv);
 

@@ -25,7 +25,7 @@ public:
   /// @param surface, axis are drawn as they are at each drawing.
   ViewerScene(vtkRenderer* renderer, vtkPolyData* surface, vtkPolyData* axis);
 
-  /// @param greatest value that has a colour of its own.
+  /// @param max values from here on share the last colour.
   void colourAxis(ColourBy colour, double max);
 
   void toggleSurface();
@@ -33,7 +33,7 @@ public:
   void toggleHelp();
 
   void setHelp(const std::string& text) { help_->SetInput(text.c_str()); }
-  /// What is said on the upper left.
+  /// The text at the upper left.
   void setStatus(const std::string& text);
   std::string status() { return status_->GetInput(); }
 

@@ -7,7 +7,7 @@ namespace medial::app
 
 class AxisSource;
 
-/// What the text on the upper left says.
+/// What the text at the upper left says.
 struct ViewerStatus
 {
   std::string name; ///< of the frame
@@ -17,10 +17,11 @@ struct ViewerStatus
   double drawingsPerSecond = 0.0; ///< 0 where unknown
   long long cells = 0;            ///< of the axis that are shown
   std::string device;             ///< that draws
-  std::string note;               ///< the last lines; how to see the keys where empty
+  std::string note;               ///< the last lines; if empty, the key for help
 };
 
-/// @param source what has been computed.
+/// The text at the upper left.
+/// @param source with its last results.
 std::string describe(const ViewerStatus& status, const AxisSource& source);
 
 } // namespace medial::app

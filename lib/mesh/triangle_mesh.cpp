@@ -75,6 +75,23 @@ private:
   std::vector<int> slots_;
 };
 
+/// Every other triangle of a strip runs backwards; two of its corners are swapped.
+CellList trianglesOf(const CellList& strips)
+{
+  CellList triangles;
+  for (std::int64_t strip = 0; strip < strips.size(); ++strip)
+  {
+    const std::int64_t* ids = strips.connectivity.data() + strips.offsets[strip];
+    const std::int64_t count = strips.offsets[strip + 1] - strips.offsets[strip];
+    for (std::int64_t i = 0; i + 2 < count; ++i)
+    {
+      const std::int64_t odd = i % 2;
+      triangles.append({ ids[i], ids[i + 1 + odd], ids[i + 2 - odd] }, strips.ids[strip]);
+    }
+  }
+  return triangles;
+}
+
 void requireConsistent(const CellList& cells, const char* name)
 {
   const auto& offsets = cells.offsets;
@@ -129,15 +146,21 @@ public:
 
   TriangleMesh build()
   {
-    checkSizes();
+    requireConsistent(input_.strips, "strips");
+    const CellList stripTriangles = trianglesOf(input_.strips);
+    checkSizes(stripTriangles);
     std::vector<char> used(input_.points.size(), 0);
     markUsed(input_.polygons, used);
+    markUsed(stripTriangles, used);
     markUsed(input_.lines, used);
     markUsed(input_.verts, used);
     weld(used);
-    for (std::int64_t cell = 0; cell < input_.polygons.size(); ++cell)
+    for (const CellList* faces : { &input_.polygons, &stripTriangles })
     {
-      addPolygon(corners(input_.polygons, cell), input_.polygons.ids[cell]);
+      for (std::int64_t cell = 0; cell < faces->size(); ++cell)
+      {
+        addPolygon(corners(*faces, cell), faces->ids[cell]);
+      }
     }
     for (std::int64_t cell = 0; cell < input_.lines.size(); ++cell)
     {
@@ -158,13 +181,14 @@ public:
   }
 
 private:
-  void checkSizes() const
+  void checkSizes(const CellList& stripTriangles) const
   {
     requireConsistent(input_.polygons, "polygons");
     requireConsistent(input_.lines, "lines");
     requireConsistent(input_.verts, "verts");
     const std::size_t total = input_.polygons.connectivity.size() +
-      input_.lines.connectivity.size() + input_.verts.connectivity.size();
+      stripTriangles.connectivity.size() + input_.lines.connectivity.size() +
+      input_.verts.connectivity.size();
     if (static_cast<std::int64_t>(total) > kMaxCorners)
     {
       throw Error(ErrorCode::InvalidInput,

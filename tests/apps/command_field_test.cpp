@@ -1,5 +1,5 @@
 #include "command_run.h"
-#include "mesh_reader.h"
+#include "surface_reader.h"
 
 #include "support/models.h"
 #include "support/shapes.h"
@@ -97,7 +97,7 @@ protected:
   Image filterField(const Settings& settings)
   {
     vtkNew<vtkMeshDistanceField> filter;
-    filter->SetInputData(app::readMesh(input));
+    filter->SetInputData(app::readSurface(input).polyData());
     settings(filter);
     filter->Update();
     return filter->GetOutput();

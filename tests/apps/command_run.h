@@ -1,7 +1,7 @@
 #pragma once
 
-#include "mesh_texts.h"
 #include "program.h"
+#include "support/mesh_texts.h"
 
 #include <vtkImageData.h>
 #include <vtkNew.h>

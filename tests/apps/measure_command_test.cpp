@@ -29,7 +29,7 @@ protected:
     std::vector<std::string> arguments = {})
   {
     arguments.insert(arguments.begin(), { axis, onMesh, "--json", folder.file("result.json") });
-    const Outcome outcome = runMedialEvaluate(arguments);
+    const Outcome outcome = runMedialMeasure(arguments);
     EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
     return Json::parse(readFile(folder.file("result.json")));
@@ -40,7 +40,7 @@ protected:
   {
     const TemporaryFolder outputs;
     arguments.insert(arguments.end(), { "--json", outputs.file("result.json") });
-    const Outcome outcome = runMedialEvaluate(arguments);
+    const Outcome outcome = runMedialMeasure(arguments);
     EXPECT_EQ(outcome.exitCode, exitCode) << outcome.err;
     EXPECT_EQ(outcome.out, "");
     EXPECT_EQ(outcome.err.rfind("medial-measure: ", 0), 0U) << outcome.err;
@@ -96,7 +96,7 @@ TEST_F(MeasureCommand, JsonHasExactlyTheDocumentedKeys)
 
 TEST_F(MeasureCommand, TableShowsTheFigures)
 {
-  const Outcome outcome = runMedialEvaluate({ ball, mesh });
+  const Outcome outcome = runMedialMeasure({ ball, mesh });
   EXPECT_EQ(outcome.exitCode, 0);
   EXPECT_EQ(outcome.err, "");
   for (const char* text : { "1 points, 0 quads", "1 component, Euler characteristic 1",
@@ -105,7 +105,7 @@ TEST_F(MeasureCommand, TableShowsTheFigures)
   {
     EXPECT_TRUE(contains(outcome.out, text)) << text << "\n" << outcome.out;
   }
-  const Outcome quiet = runMedialEvaluate({ ball, mesh, "-q" });
+  const Outcome quiet = runMedialMeasure({ ball, mesh, "-q" });
   EXPECT_EQ(quiet.exitCode, 0);
   EXPECT_EQ(quiet.out, "");
 }
@@ -114,7 +114,7 @@ TEST_F(MeasureCommand, OpenMeshHasNoInside)
 {
   writeFile(mesh, objText(plates(0.5, 1.0)));
   EXPECT_TRUE(measure(ball, mesh)["centres_inside"].is_null());
-  EXPECT_TRUE(contains(runMedialEvaluate({ ball, mesh }).out, "unknown, it is not closed"));
+  EXPECT_TRUE(contains(runMedialMeasure({ ball, mesh }).out, "unknown, it is not closed"));
 }
 
 TEST_F(MeasureCommand, SamplesAndThreads)
@@ -160,7 +160,7 @@ TEST_F(MeasureCommand, MeasuresAllThatMedialAxisWrites)
 
 TEST_F(MeasureCommand, HelpNamesEveryOption)
 {
-  const Outcome help = runMedialEvaluate({ "--help" });
+  const Outcome help = runMedialMeasure({ "--help" });
   EXPECT_EQ(help.exitCode, 0);
   EXPECT_EQ(help.err, "");
   for (const char* text : { "AXIS", "MESH", "--json", "--samples", "--threads", "-q,--quiet",
@@ -173,7 +173,7 @@ TEST_F(MeasureCommand, HelpNamesEveryOption)
   {
     EXPECT_LE(line.size(), 100U) << line;
   }
-  EXPECT_TRUE(contains(runMedialEvaluate({ "--version" }).out, "medial-measure "));
+  EXPECT_TRUE(contains(runMedialMeasure({ "--version" }).out, "medial-measure "));
 }
 
 TEST_F(MeasureCommand, UsageErrors)
@@ -183,7 +183,7 @@ TEST_F(MeasureCommand, UsageErrors)
   EXPECT_TRUE(contains(failure(kUsage, { ball, mesh, "--threads", "-1" }), "-1 is outside"));
   EXPECT_TRUE(contains(failure(kUsage, { ball, mesh, "--colour" }), "--colour"));
   EXPECT_TRUE(contains(failure(kUsage, { ball }), "MESH"));
-  const Outcome outcome = runMedialEvaluate({ ball, mesh, "--json", folder.file("result.txt") });
+  const Outcome outcome = runMedialMeasure({ ball, mesh, "--json", folder.file("result.txt") });
   EXPECT_EQ(outcome.exitCode, kUsage);
   EXPECT_TRUE(contains(outcome.err, "'.txt', allowed: .json")) << outcome.err;
 }
@@ -207,14 +207,14 @@ TEST_F(MeasureCommand, BadFilesAreNamed)
 TEST_F(MeasureCommand, OutputThatCannotBeWritten)
 {
   const std::string file = folder.file("no/such/folder/result.json");
-  const Outcome outcome = runMedialEvaluate({ ball, mesh, "--json", file });
+  const Outcome outcome = runMedialMeasure({ ball, mesh, "--json", file });
   EXPECT_EQ(outcome.exitCode, kNoSpace);
   EXPECT_TRUE(contains(outcome.err, file + ": cannot be written")) << outcome.err;
   RunOptions full;
   full.fileSizeLimit = 64;
   writeFile(folder.file("old.json"), "old");
   const Outcome cut =
-    runMedialEvaluate({ ball, mesh, "-q", "--json", folder.file("old.json") }, full);
+    runMedialMeasure({ ball, mesh, "-q", "--json", folder.file("old.json") }, full);
   EXPECT_EQ(cut.exitCode, kNoSpace);
   EXPECT_EQ(readFile(folder.file("old.json")), "old");
 }
@@ -223,7 +223,7 @@ TEST_F(MeasureCommand, InterruptLeavesNothingBehind)
 {
   RunOptions options;
   options.interruptAfter = 0.4;
-  const Outcome outcome = runMedialEvaluate(
+  const Outcome outcome = runMedialMeasure(
     { ball, mesh, "--samples", "20000000", "--json", folder.file("result.json") }, options);
   EXPECT_EQ(outcome.exitCode, kInterrupted) << outcome.err;
   EXPECT_TRUE(contains(outcome.err, "interrupted")) << outcome.err;

@@ -1,5 +1,5 @@
-#include "mesh_texts.h"
 #include "program.h"
+#include "support/mesh_texts.h"
 
 #include "support/shapes.h"
 #include "support/virtual_display.h"

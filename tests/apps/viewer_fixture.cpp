@@ -1,6 +1,6 @@
 #include "viewer_fixture.h"
 
-#include "mesh_texts.h"
+#include "support/mesh_texts.h"
 
 #include "support/shapes.h"
 

@@ -1,8 +1,8 @@
 #include "failure.h"
 #include "frame_rate.h"
-#include "mesh_texts.h"
 #include "program.h"
 #include "sequence.h"
+#include "support/mesh_texts.h"
 
 #include "support/shapes.h"
 

@@ -5,7 +5,7 @@
 #include "event_call.h"
 #include "failure.h"
 #include "medial/compute_medial_axis.h"
-#include "mesh_texts.h"
+#include "support/mesh_texts.h"
 
 #include <vtkDataArray.h>
 #include <vtkPNGReader.h>

@@ -18,6 +18,8 @@ enum class ErrorCode
   ShaderBuild,  ///< a shader was refused by the driver
   GpuLimit,     ///< the request exceeds a limit of the GPU or its driver
   OutOfMemory,  ///< host or device memory ran out
+  CannotRead,   ///< a file is missing, of an unknown format, or not readable
+  CannotWrite,  ///< a file that cannot be written completely, as on a full disk
   Cancelled     ///< Progress::cancelled() returned true
 };
 

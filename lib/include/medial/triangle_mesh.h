@@ -32,6 +32,7 @@ struct MeshInput
   CellList polygons;          ///< triangles, quads and simple polygons, possibly concave
   CellList lines;             ///< polylines, two or more points each
   CellList verts;             ///< poly-vertices, one or more points each
+  CellList strips;            ///< triangle strips; those of fewer than three points are left out
 };
 
 /// Triangles, segments and isolated points over welded points: the sites' geometry.
@@ -75,8 +76,8 @@ MEDIAL_EXPORT void requireUsable(std::size_t index, const Point3& point);
 /// it has no usable normal and counts as degenerate.
 MEDIAL_EXPORT bool hasArea(const Point3& a, const Point3& b, const Point3& c);
 
-/// Welds, triangulates and sorts out degenerate cells. Polylines become segments, and pieces of
-/// them without length become points. A cell given twice is kept twice.
+/// Welds, triangulates and sorts out degenerate cells. Strips become triangles, polylines segments,
+/// and pieces of them without length become points. A cell given twice is kept twice.
 /// @throws Error InvalidInput for a coordinate of a point that a cell uses that is NaN or beyond
 ///   kMaxCoordinate (naming the input point), points that differ by less than
 ///   kMinDiagonal, a point id outside the list of points (naming cell and id), or an input

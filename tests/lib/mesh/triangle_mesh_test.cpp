@@ -180,6 +180,22 @@ TEST(TriangleMesh, PolylinesBecomeSegments)
   EXPECT_EQ(mesh.vertices, (std::vector<int>{ 1 }));
 }
 
+// Every other triangle of a strip runs backwards; all keep the strip's id.
+TEST(TriangleMesh, StripsBecomeTrianglesOfOneOrientation)
+{
+  MeshInput input = polygonInput({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } });
+  input.points.insert(input.points.end(), { { 2, 0, 0 }, { 2, 1, 0 }, { 3, 0, 0 }, { 3, 1, 0 } });
+  input.strips.append({ 1, 3, 2, 4 }, 7);
+  input.strips.append({ 5, 6 }, 8); // no triangle, so its points are not used
+  const TriangleMesh mesh = buildTriangleMesh(input);
+  EXPECT_EQ(mesh.triangles,
+    (std::vector<std::array<int, 3>>{ { 0, 1, 2 }, { 1, 3, 2 }, { 3, 4, 2 } }));
+  EXPECT_EQ(mesh.triangleCells, (std::vector<std::int64_t>{ 0, 7, 7 }));
+  EXPECT_EQ(mesh.points.size(), 5U);
+  input.strips.offsets.back() = 9;
+  EXPECT_THROW(buildTriangleMesh(input), Error);
+}
+
 TEST(TriangleMesh, RepeatedTrianglesAreKept)
 {
   const TriangleMesh mesh =

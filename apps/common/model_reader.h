@@ -1,0 +1,20 @@
+#pragma once
+
+#include "medial/medial_model.h"
+
+#include <filesystem>
+
+namespace medial::app
+{
+
+/// Reads a medial axis by the extension of its file: .ply, .obj and .ma as readAxis() does; .vtp
+/// with polygons, lines and vertices, and a point data array Radius of one component. Radii have
+/// single precision.
+///
+/// @return what checkMedialModel() accepts.
+/// @throws Failure BadInput naming the file and what is wrong, with the line or point: a file that
+///   ends early or contradicts its header, an index out of range, a coordinate that is not finite,
+///   a radius that is missing or outside [0, infinity), no points at all.
+MedialModel readModel(const std::filesystem::path& path);
+
+} // namespace medial::app

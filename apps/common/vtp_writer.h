@@ -1,0 +1,14 @@
+#pragma once
+
+#include <filesystem>
+
+class vtkPolyData;
+
+namespace medial::app
+{
+
+/// Writes a data set with its arrays as a .vtp file.
+/// @throws Failure NoSpace when the file cannot be written completely. The message names no file.
+void writeVtp(vtkPolyData* data, const std::filesystem::path& file);
+
+} // namespace medial::app

@@ -1,0 +1,78 @@
+#include "output_writer.h"
+
+#include "file_writer.h"
+#include "html_page.h"
+#include "picture.h"
+#include "surface_thickness.h"
+#include "thickness_picture.h"
+#include "vtp_writer.h"
+
+#include "medial/axis_io.h"
+
+#include <vtkMedialCurves.h>
+#include <vtkMeshConversion.h>
+#include <vtkNew.h>
+
+namespace medial::app
+{
+namespace
+{
+
+// The axis for those outputs that VTK makes; null where there are none.
+vtkSmartPointer<vtkPolyData> axisForVtk(const Options& options, const MedialAxis& axis)
+{
+  const bool isVtp = !options.output.empty() && !axisFormatOf(options.output);
+  if (!isVtp && options.curves.empty() && options.image.empty() && options.html.empty())
+  {
+    return nullptr;
+  }
+  auto polyData = vtkSmartPointer<vtkPolyData>::New();
+  vtkMeshConversion::ToPolyData(axis, polyData);
+  return polyData;
+}
+
+void writeAxisFile(const MedialAxis& axis, vtkPolyData* polyData, const Options& options,
+  const std::filesystem::path& file)
+{
+  if (const auto format = axisFormatOf(options.output))
+  {
+    writeFile(file, [&](std::ostream& stream) { writeAxis(axis, *format, stream); });
+    return;
+  }
+  writeVtp(polyData, file);
+}
+
+// Returns the number of curves.
+long long writeCurves(vtkPolyData* axis, const std::filesystem::path& file)
+{
+  vtkNew<vtkMedialCurves> curves;
+  curves->SetInputData(axis);
+  curves->Update();
+  writeVtp(curves->GetOutput(), file);
+  return curves->GetOutput()->GetNumberOfLines();
+}
+
+} // namespace
+
+OutputNotes writeOutputs(const Options& options, Surface& surface, const Result& result,
+  Outputs& outputs)
+{
+  OutputNotes notes;
+  const vtkSmartPointer<vtkPolyData> axis = axisForVtk(options, result.axis);
+  outputs.write(options.output,
+    [&](const auto& file) { writeAxisFile(result.axis, axis, options, file); });
+  outputs.write(options.curves, [&](const auto& file) { notes.curves = writeCurves(axis, file); });
+  outputs.write(options.image,
+    [&](const auto& file) { drawPicture(surface.polyData(), axis, file); });
+  outputs.write(options.html,
+    [&](const auto& file)
+    { notes.page = writeHtml(result.mesh, axis, options.input.filename().string(), file); });
+  outputs.write(options.thickness,
+    [&](const auto& file)
+    { writeVtp(withThickness(surface.polyData(), result.mesh, *result.thickness), file); });
+  outputs.write(options.thicknessImage,
+    [&](const auto& file) { drawThickness(result.thicknessPicture, surface.polyData(), file); });
+  return notes;
+}
+
+} // namespace medial::app

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "computation.h"
+#include "options.h"
+#include "outputs.h"
+#include "surface.h"
+
+#include <string>
+#include <vector>
+
+namespace medial::app
+{
+
+/// What the user should know of files that were written.
+struct OutputNotes
+{
+  long long curves = 0;          ///< polylines of --curves
+  std::vector<std::string> page; ///< what --html has simplified
+};
+
+/// Writes all files that the options ask for, but for the report.
+/// @param result of the surface.
+/// @throws Failure.
+OutputNotes writeOutputs(const Options& options, Surface& surface, const Result& result,
+  Outputs& outputs);
+
+} // namespace medial::app

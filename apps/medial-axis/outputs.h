@@ -1,0 +1,45 @@
+#pragma once
+
+#include "field_output.h"
+#include "options.h"
+#include "output_file.h"
+
+#include <filesystem>
+#include <functional>
+#include <list>
+#include <optional>
+
+namespace medial::app
+{
+
+/// The files that a run leaves. They are checked before anything is computed, and appear together
+/// when all of them are complete, or not at all.
+class Outputs
+{
+public:
+  /// Checks that every file that the options ask for can be made; leaves nothing behind.
+  /// @throws Failure NoSpace.
+  explicit Outputs(const Options& options);
+
+  /// Where the distance field goes while it is computed; null where it is not wanted.
+  FieldOutput* field() { return field_ ? &*field_ : nullptr; }
+
+  /// Wall-clock seconds that writing the field took.
+  double fieldSeconds() const { return field_ ? field_->seconds() : 0.0; }
+
+  /// Has `write` make one of the files under a temporary name; does nothing for an empty path.
+  /// @param path as the options have it.
+  /// @throws Failure of `write`, naming the file where it could not be written, and Interrupted.
+  void write(const std::filesystem::path& path,
+    const std::function<void(const std::filesystem::path& file)>& write);
+
+  /// Gives all files their names.
+  /// @throws Failure NoSpace or Interrupted.
+  void commit();
+
+private:
+  std::optional<FieldOutput> field_;
+  std::list<OutputFile> files_;
+};
+
+} // namespace medial::app
