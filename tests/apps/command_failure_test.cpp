@@ -197,10 +197,14 @@ TEST_F(CommandFailure, NoEgl)
     std::vector<std::vector<std::string>>{ { "--engine", "rasteriser" }, { "--require-gpu" },
       { "--image", folder.file("axis.png") } })
   {
-    std::vector<std::string> arguments{ input };
+    const std::string axis = folder.file("drawn.ma");
+    std::vector<std::string> arguments{ input, "--resolution", "16", "-o", axis };
     arguments.insert(arguments.end(), drawing.begin(), drawing.end());
-    const std::string error = failure(kNoGpu, arguments, options);
-    EXPECT_TRUE(contains(error, "no EGL device offers an OpenGL 4.5 core context")) << error;
+    const Outcome outcome = runMedialAxis(arguments, options);
+    EXPECT_EQ(outcome.exitCode, kNoGpu) << drawing[0];
+    EXPECT_TRUE(contains(outcome.err, "no EGL device offers an OpenGL 4.5 core context"))
+      << outcome.err;
+    EXPECT_FALSE(fs::exists(axis)) << drawing[0];
   }
   const std::string file = folder.file("axis.ma");
   const Outcome outcome = runMedialAxis({ input, "--resolution", "16", "-o", file }, options);
