@@ -204,7 +204,7 @@ TEST_F(CommandFailure, NoEgl)
     EXPECT_EQ(outcome.exitCode, kNoGpu) << drawing[0];
     EXPECT_TRUE(contains(outcome.err, "no EGL device offers an OpenGL 4.5 core context"))
       << outcome.err;
-    EXPECT_FALSE(fs::exists(axis)) << drawing[0];
+    EXPECT_FALSE(std::filesystem::exists(axis)) << drawing[0];
   }
   const std::string file = folder.file("axis.ma");
   const Outcome outcome = runMedialAxis({ input, "--resolution", "16", "-o", file }, options);
