@@ -7,7 +7,7 @@
 #include "measure/sample_values.h"
 #include "measure/surface_samples.h"
 #include "medial/reconstruction.h"
-#include "query/surface_distance.h"
+#include "query/surface_query.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,6 +22,8 @@ namespace
 constexpr double kTolerance = 1e-9;
 /// The same, of the largest coordinate: what rounding may do.
 constexpr double kRounding = 1e-14;
+/// Of LocalCoordinates::around().
+constexpr double kMargin = 0.05;
 
 glm::dvec3 toVector(const Point3& point)
 {
@@ -74,11 +76,11 @@ Deviation surfaceToUnion(const TriangleMesh& mesh, const BallUnion& solid, std::
   return deviation;
 }
 
-void compareBalls(const MedialModel& model, const SurfaceDistance& surface, const Run& run,
+void compareBalls(const MedialModel& model, const SurfaceQuery& surface, const Run& run,
   AxisMeasurement& result)
 {
   const std::vector<double> distances = sampleValues(run, model.centres.size(), "radii",
-    [&](std::size_t i) { return surface.signedDistance(toVector(model.centres[i])); });
+    [&](std::size_t i) { return surface.signedDistance(model.centres[i]); });
   std::vector<double> errors(distances.size());
   for (std::size_t i = 0; i < errors.size(); ++i)
   {
@@ -104,7 +106,7 @@ AxisMeasurement measure(const TriangleMesh& mesh, const MeshConnectivity& connec
   const double tolerance =
     std::max(kTolerance * result.diagonal, kRounding * largestCoordinate(bounds));
   const BallUnion solid(model);
-  const SurfaceDistance surface(mesh, connectivity);
+  const SurfaceQuery surface(mesh, connectivity, kMargin);
   result.knowsInside = surface.knowsInside();
   result.surfaceToUnion =
     surfaceToUnion(mesh, solid, options.samples, tolerance, run.part(0.1, 0.5));
@@ -114,7 +116,9 @@ AxisMeasurement measure(const TriangleMesh& mesh, const MeshConnectivity& connec
     [&](double fraction) { run.part(0.5, 0.7).report(fraction, "surface of the union"); });
   result.unionToSurface =
     summarise(sampleValues(run.part(0.7, 0.9), boundary.size(), "union to surface",
-      [&](std::size_t i) { return std::abs(surface.signedDistance(boundary[i])); }));
+      [&](std::size_t i) {
+        return std::abs(surface.signedDistance({ boundary[i].x, boundary[i].y, boundary[i].z }));
+      }));
   compareBalls(model, surface, run.part(0.9, 1.0), result);
   run.report(1.0, "radii");
   return result;

@@ -10,7 +10,7 @@ namespace medial
 namespace
 {
 
-/// Triangles lower than this (frame units, that is voxels) have no face site: leaving the face to
+/// Triangles lower than this (local units) have no face site: leaving the face to
 /// its edges then moves no closest point by more than half of it.
 constexpr double kMinHeight = 1e-4;
 
@@ -28,21 +28,21 @@ glm::dvec3 conormal(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& 
 } // namespace
 
 SiteSet::SiteSet(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
-  const GridFrame& frame)
+  const LocalCoordinates& local)
 {
-  this->buildGeometry(mesh, connectivity, frame);
+  this->buildGeometry(mesh, connectivity, local);
   this->buildNormals(mesh);
-  this->buildSpheres();
+  this->buildBalls();
   this->buildHalfSpaces(connectivity);
 }
 
 void SiteSet::buildGeometry(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
-  const GridFrame& frame)
+  const LocalCoordinates& local)
 {
   points_.reserve(mesh.points.size());
   for (const Point3& point : mesh.points)
   {
-    points_.push_back(frame.toFrame(point));
+    points_.push_back(local.toLocal(point));
   }
   for (const auto& edge : connectivity.edges)
   {
@@ -64,11 +64,11 @@ void SiteSet::buildNormals(const TriangleMesh& mesh)
   { return glm::dvec3(to[0] - from[0], to[1] - from[1], to[2] - from[2]); };
   for (int face = 0; face < this->faceCount(); ++face)
   {
-    // From world coordinates: the change of frame may round what is flat.
+    // From world coordinates: the change of coordinates may round what is flat.
     const Point3& a = mesh.points[faces_[face][0]];
     const Point3& b = mesh.points[faces_[face][1]];
     const Point3& c = mesh.points[faces_[face][2]];
-    const int longest = this->longestSide(face);
+    const int longest = this->longestEdge(face);
     if (!hasArea(a, b, c))
     {
       faceNormals_.emplace_back(0.0);
@@ -85,7 +85,7 @@ void SiteSet::buildNormals(const TriangleMesh& mesh)
   }
 }
 
-int SiteSet::longestSide(int face) const
+int SiteSet::longestEdge(int face) const
 {
   int longest = 0;
   double longestLength = 0.0;
@@ -102,9 +102,9 @@ int SiteSet::longestSide(int face) const
   return longest;
 }
 
-void SiteSet::buildSpheres()
+void SiteSet::buildBalls()
 {
-  spheres_.reserve(this->size());
+  balls_.reserve(this->size());
   const auto add = [this](std::initializer_list<int> corners)
   {
     glm::dvec3 sum(0.0);
@@ -118,7 +118,7 @@ void SiteSet::buildSpheres()
     {
       radius = std::max(radius, glm::distance(centre, points_[corner]));
     }
-    spheres_.emplace_back(glm::vec3(centre), static_cast<float>(radius));
+    balls_.emplace_back(glm::vec3(centre), static_cast<float>(radius));
   };
   for (const glm::ivec3& face : faces_)
   {
@@ -195,7 +195,7 @@ void SiteSet::setFaceHalfSpaces(int face, HalfSpace* out) const
   }
   // The triangle lies between the planes across the ends of its longest edge. They cut off what
   // dilation adds far beyond an acute corner.
-  const int longest = this->longestSide(face);
+  const int longest = this->longestEdge(face);
   const glm::dvec3& a = points_[faces_[face][longest]];
   const glm::dvec3& b = points_[faces_[face][(longest + 1) % 3]];
   const glm::dvec3 u = glm::normalize(b - a);
@@ -218,9 +218,9 @@ void SiteSet::setEdgeHalfSpaces(int edge, const MeshConnectivity& connectivity,
     {
       continue;
     }
-    // The face's own winding tells the outward side, whichever way the edge is stored.
-    const glm::ivec3& sides = faceEdges_[*face];
-    const int i = sides[0] == edge ? 0 : (sides[1] == edge ? 1 : 2);
+    // The face's own winding tells which way is outward, whichever way the edge is stored.
+    const glm::ivec3& edges = faceEdges_[*face];
+    const int i = edges[0] == edge ? 0 : (edges[1] == edge ? 1 : 2);
     const glm::dvec3& a = points_[faces_[*face][i]];
     const glm::dvec3& b = points_[faces_[*face][(i + 1) % 3]];
     *out++ = halfSpace(-conormal(a, b, faceNormals_[*face]), a);

@@ -2,7 +2,7 @@
 
 #include "medial/mesh_connectivity.h"
 #include "medial/triangle_mesh.h"
-#include "sites/grid_frame.h"
+#include "sites/local_coordinates.h"
 
 #include <glm/glm.hpp>
 
@@ -23,7 +23,7 @@ enum class SiteKind : std::uint8_t
 /// length.
 using HalfSpace = glm::vec4;
 
-/// All sites of a mesh in the coordinates of a GridFrame, each with half-spaces that contain its
+/// All sites of a mesh in local coordinates, each with half-spaces that contain its
 /// Voronoi region. Ids: faces in [0, F), edges in [F, F+E), vertices in [F+E, F+E+V).
 ///
 /// A point whose closest surface point lies inside a site satisfies all half-spaces of the site:
@@ -33,7 +33,8 @@ using HalfSpace = glm::vec4;
 class SiteSet
 {
 public:
-  SiteSet(const TriangleMesh& mesh, const MeshConnectivity& connectivity, const GridFrame& frame);
+  SiteSet(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
+    const LocalCoordinates& local);
 
   int faceCount() const { return static_cast<int>(faces_.size()); }
   int edgeCount() const { return static_cast<int>(edges_.size()); }
@@ -60,12 +61,12 @@ public:
 
   /// Unit normal of a face; zero where it has no area.
   const glm::dvec3& faceNormal(int face) const { return faceNormals_[face]; }
-  /// Which side of a face, counted like its edges, is the longest.
-  int longestSide(int face) const;
-  /// Centre and radius of a sphere around the site; the centre is a point of the site.
-  const glm::vec4& sphere(int site) const { return spheres_[site]; }
+  /// Which edge of a face, counted like faceEdges(), is the longest.
+  int longestEdge(int face) const;
+  /// Centre and radius of a ball around the site; the centre is a point of the site.
+  const glm::vec4& boundingBall(int site) const { return balls_[site]; }
 
-  /// Half-spaces of a face: its three sides, then two across its longest side's ends; of an edge:
+  /// Half-spaces of a face: across its three edges, then two across the ends of the longest; of an edge:
   /// the two across its ends, then one for each of its faces; of a vertex: one for each edge.
   const HalfSpace* halfSpacesBegin(int site) const
   {
@@ -78,9 +79,9 @@ public:
 
 private:
   void buildGeometry(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
-    const GridFrame& frame);
+    const LocalCoordinates& local);
   void buildNormals(const TriangleMesh& mesh);
-  void buildSpheres();
+  void buildBalls();
   void buildHalfSpaces(const MeshConnectivity& connectivity);
   int halfSpaceCount(int site, const MeshConnectivity& connectivity) const;
   void setFaceHalfSpaces(int face, HalfSpace* out) const;
@@ -93,7 +94,7 @@ private:
   std::vector<glm::ivec2> edges_;
   std::vector<glm::dvec3> faceNormals_;
   std::vector<char> active_;
-  std::vector<glm::vec4> spheres_;
+  std::vector<glm::vec4> balls_;
   std::vector<int> halfSpaceOffsets_{ 0 };
   std::vector<HalfSpace> halfSpaces_;
 };

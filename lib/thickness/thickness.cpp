@@ -4,9 +4,7 @@
 #include "base/separation_angle.h"
 #include "base/stopwatch.h"
 #include "medial/error.h"
-#include "query/surface_tree.h"
-#include "sites/pseudonormals.h"
-#include "sites/site_set.h"
+#include "query/surface_query.h"
 #include "thickness/sharp_points.h"
 #include "thickness/touching_ball.h"
 
@@ -31,6 +29,8 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kFirstShare = 0.05;
 /// Where a ray is looked at next, in terms of the thickness of the point before.
 constexpr double kGuess = 1.0;
+/// Of LocalCoordinates::around().
+constexpr double kMargin = 0.0;
 /// Points in a row that one thread evaluates: always the same, so that the result is.
 constexpr std::size_t kRow = 64;
 /// Such rows between two reports of progress, at least, and reports at most.
@@ -46,17 +46,6 @@ void checkOptions(const TriangleMesh& mesh, const ThicknessOptions& options)
   checkSeparationAngle(options.angle);
 }
 
-/// Rays are followed in units of a very fine grid around the mesh; no such grid is ever made.
-GridFrame frameOf(const TriangleMesh& mesh)
-{
-  return GridFrame(makeGrid(mesh.bounds(), kMaxDimension, 0.0));
-}
-
-bool facesInwards(const MeshConnectivity& connectivity)
-{
-  return connectivity.closed() && connectivity.oriented() && connectivity.signedVolume < 0.0;
-}
-
 /// Thickness of all points on one side.
 class SideThickness
 {
@@ -64,16 +53,14 @@ public:
   SideThickness(const TriangleMesh& mesh, const MeshConnectivity& connectivity, double angle)
     : connectivity_(connectivity)
     , angle_(angle)
-    , frame_(frameOf(mesh))
-    , sites_(mesh, connectivity, frame_)
-    , tree_(sites_, connectivity)
-    , ball_(tree_, angle, mesh.bounds().diagonal() / frame_.unit)
+    , surface_(mesh, connectivity, kMargin)
+    , sites_(surface_.sites())
+    , ball_(surface_, angle, mesh.bounds().diagonal() / surface_.local().unit)
   {
-    const std::vector<glm::vec4> outward = pseudonormals(sites_, false);
-    const double sign = facesInwards(connectivity) ? 1.0 : -1.0;
+    const double sign = surface_.facesInwards() ? 1.0 : -1.0;
     for (int vertex = 0; vertex < sites_.vertexCount(); ++vertex)
     {
-      const glm::dvec3 normal(outward[sites_.firstVertex() + vertex]);
+      const glm::dvec3 normal = surface_.normal(sites_.firstVertex() + vertex);
       const double length = glm::length(normal);
       inward_.push_back(length > 0.0 ? sign / length * normal : glm::dvec3(0.0));
     }
@@ -90,7 +77,7 @@ public:
         direction = -direction;
       }
     }
-    const double sign = facesInwards(connectivity_) != exterior_ ? -1.0 : 1.0;
+    const double sign = surface_.facesInwards() != exterior_ ? -1.0 : 1.0;
     sharp_ = sharpPoints(sites_, connectivity_, inward_, sign, angle_);
   }
 
@@ -103,7 +90,7 @@ public:
     {
       const double value = this->at(static_cast<int>(point), guess);
       values[point] = static_cast<float>(std::fmin(values[point], value));
-      guess = value > 0.0 ? kGuess * value / frame_.unit : guess;
+      guess = value > 0.0 ? kGuess * value / surface_.local().unit : guess;
     }
   }
 
@@ -121,7 +108,7 @@ private:
     const std::optional<double> radius =
       ball_.radius({ sites_.points()[vertex], inward_[vertex] }, kFirstShare * shortestEdge(vertex),
         guess, [&](int site) { return this->touches(site, vertex); });
-    return radius ? 2.0 * *radius * frame_.unit : kNone;
+    return radius ? 2.0 * *radius * surface_.local().unit : kNone;
   }
 
   double shortestEdge(int vertex) const
@@ -159,9 +146,8 @@ private:
 
   const MeshConnectivity& connectivity_;
   double angle_;
-  GridFrame frame_;
-  SiteSet sites_;
-  SurfaceTree tree_;
+  SurfaceQuery surface_;
+  const SiteSet& sites_;
   TouchingBall ball_;
   std::vector<glm::dvec3> inward_; ///< unit or zero
   std::vector<char> sharp_;

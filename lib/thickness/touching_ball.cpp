@@ -33,8 +33,8 @@ double distanceAt(const glm::dvec3& direction, double t, const glm::dvec3& point
 
 } // namespace
 
-TouchingBall::TouchingBall(const SurfaceTree& tree, double angle, double diagonal)
-  : tree_(tree)
+TouchingBall::TouchingBall(const SurfaceQuery& surface, double angle, double diagonal)
+  : surface_(surface)
   , cosine_(std::cos(glm::radians(angle)))
   , certain_(std::cos(glm::radians(std::min(angle + kMargin, 180.0))))
   // Where a point at distance c <= diagonal from the start is seen at `angle` from x(t) and is
@@ -81,7 +81,7 @@ TouchingBall::Sample TouchingBall::look(const Ray& ray, double t) const
 {
   // The start itself is on the surface, to rounding.
   const double limit = t * (1.0 + kSameDistance) + kSameDistance * this->minStart();
-  const SitePoint found = tree_.closest(ray.start + t * ray.direction, limit);
+  const SitePoint found = surface_.closest(ray.start + t * ray.direction, limit);
   return this->sampleOf(ray, t, found.site >= 0 ? found : SitePoint{ -1, ray.start });
 }
 
@@ -89,7 +89,7 @@ std::optional<TouchingBall::Sample> TouchingBall::lookNearer(const Ray& ray, dou
   double distance) const
 {
   const SitePoint found =
-    tree_.closest(ray.start + t * ray.direction, distance * (1.0 - kSameDistance));
+    surface_.closest(ray.start + t * ray.direction, distance * (1.0 - kSameDistance));
   return found.site >= 0 ? std::optional(this->sampleOf(ray, t, found)) : std::nullopt;
 }
 

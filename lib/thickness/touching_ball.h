@@ -1,6 +1,6 @@
 #pragma once
 
-#include "query/surface_tree.h"
+#include "query/surface_query.h"
 
 #include <glm/glm.hpp>
 
@@ -26,10 +26,10 @@ namespace medial
 class TouchingBall
 {
 public:
-  /// @param tree must outlive this.
+  /// @param surface must outlive this.
   /// @param angle least separation angle, degrees, in (0, 180).
-  /// @param diagonal of the mesh's bounds, frame units: no surface point is farther from another.
-  TouchingBall(const SurfaceTree& tree, double angle, double diagonal);
+  /// @param diagonal of the mesh's bounds, local units: no surface point is farther from another.
+  TouchingBall(const SurfaceQuery& surface, double angle, double diagonal);
 
   struct Ray
   {
@@ -37,13 +37,13 @@ public:
     glm::dvec3 direction; ///< of unit length
   };
 
-  /// @param first where to look first, frame units, > 0: at a share of the size of what meets at
+  /// @param first where to look first, local units, > 0: at a share of the size of what meets at
   /// the
   ///   start, which up to there is a cone of facets.
   /// @param touches whether a site is among what meets at the start. One that is seen at a wide
   ///   angle at once makes the radius 0.
   /// @param guess where to look next; the result does not depend on it, but the time does.
-  /// @return the ball's radius in frame units; nothing where there is no such ball.
+  /// @return the ball's radius in local units; nothing where there is no such ball.
   template <typename Touches>
   std::optional<double> radius(const Ray& ray, double first, double guess,
     const Touches& touches) const;
@@ -84,7 +84,7 @@ private:
   std::optional<double> split(const Ray& ray, const Interval& interval,
     std::vector<Interval>& pending) const;
 
-  const SurfaceTree& tree_;
+  const SurfaceQuery& surface_;
   double cosine_;
   double certain_; ///< cosine
   double reach_;

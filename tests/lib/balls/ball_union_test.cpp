@@ -1,7 +1,6 @@
 // The union of a medial model against all of its primitives, and samples of its surface.
 #include "balls/ball_union.h"
 #include "measure/boundary_samples.h"
-#include "query/surface_distance.h"
 
 #include "support/brute_force.h"
 #include "support/shapes.h"
@@ -234,37 +233,6 @@ TEST(BoundarySamples, SubdivisionChangesNoArea)
     }
   }
   EXPECT_NEAR(sampledArea(plate, 1e-3), 8.0 + 8.0 * kPi * 0.25 + 4.0 * kPi * 0.0625, 0.05);
-}
-
-TEST(SurfaceDistance, AgreesWithBruteForce)
-{
-  for (const TriangleMesh& mesh :
-    { shell(0.6, 1.0, 2), lPrism(1.0, 0.5), randomSoup(300, 4), plates(0.4, 1.0) })
-  {
-    const SurfaceDistance surface(mesh, analyseConnectivity(mesh));
-    const auto points = randomPoints({ { -1.5, -1.5, -1.5 }, { 1.5, 1.5, 1.5 } }, 1000, 9);
-    const auto hits = closestOnMesh(mesh, points);
-    for (std::size_t i = 0; i < points.size(); ++i)
-    {
-      const double distance = surface.signedDistance({ points[i][0], points[i][1], points[i][2] });
-      ASSERT_NEAR(std::abs(distance), hits[i].distance, 1e-9);
-      const bool inside = surface.knowsInside() && windingNumber(mesh, points[i]) > 0.5;
-      ASSERT_EQ(distance < 0.0, inside) << i;
-    }
-  }
-}
-
-TEST(SurfaceDistance, LinesAndPointsCount)
-{
-  MeshInput input;
-  input.points = { { 0, 0, 0 }, { 1, 0, 0 }, { 5, 5, 5 } };
-  input.lines.append({ 0, 1 }, 0);
-  input.verts.append({ 2 }, 1);
-  const TriangleMesh mesh = buildTriangleMesh(input);
-  const SurfaceDistance surface(mesh, analyseConnectivity(mesh));
-  EXPECT_FALSE(surface.knowsInside());
-  EXPECT_NEAR(surface.signedDistance({ 0.5, 2.0, 0.0 }), 2.0, 1e-12);
-  EXPECT_NEAR(surface.signedDistance({ 5.0, 5.0, 8.0 }), 3.0, 1e-12);
 }
 
 } // namespace

@@ -127,7 +127,7 @@ TEST_P(SiteSetOf, BoundsContainThePointsClosestToASite)
   parallelFor(queries_.size(),
     [&](std::size_t i)
     {
-      const glm::dvec3 x = frame_.toFrame(queries_[i]);
+      const glm::dvec3 x = frame_.toLocal(queries_[i]);
       excesses[i] = excess(closestSite(x), x);
     });
   EXPECT_LE(*std::max_element(excesses.begin(), excesses.end()), kPrecision);
@@ -137,7 +137,7 @@ TEST_P(SiteSetOf, ClosestPointsAreThoseOfTheOracle)
 {
   for (std::size_t q = 0; q < 200; ++q)
   {
-    const glm::dvec3 x = frame_.toFrame(queries_[q]);
+    const glm::dvec3 x = frame_.toLocal(queries_[q]);
     for (int site = 0; site < sites_.size(); ++site)
     {
       const double truth = distanceToSite(mesh_, connectivity_, site, queries_[q]) / frame_.unit;
@@ -215,7 +215,7 @@ TEST(SiteSet, FramesAreCentredOnTheGridInUnitsOfItsFinestSpacing)
   EXPECT_EQ(frame.unit, 0.25);
   EXPECT_EQ(frame.step, glm::dvec3(2.0, 1.0, 4.0));
   EXPECT_EQ(frame.sample(glm::dvec3(5.0, 10.0, 2.0)), glm::dvec3(0.0));
-  const glm::dvec3 corner = frame.toFrame(grid.point(10, 20, 4));
+  const glm::dvec3 corner = frame.toLocal(grid.point(10, 20, 4));
   EXPECT_EQ(corner, frame.sample(glm::dvec3(10.0, 20.0, 4.0)));
   EXPECT_EQ(frame.toWorld(corner), grid.point(10, 20, 4));
 }

@@ -1,0 +1,107 @@
+#pragma once
+
+#include "medial/mesh_connectivity.h"
+#include "sites/closest_point.h"
+#include "sites/site_set.h"
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <limits>
+#include <vector>
+
+namespace medial
+{
+
+/// Exact closest surface points of a mesh, in double precision, from anywhere: a hierarchy of boxes
+/// around the whole mesh. Unlike TileQuery it needs no grid and knows no bounds; it serves where
+/// the positions asked for are few beside the voxels of a grid. Queries may come from several
+/// threads at once.
+class SurfaceQuery
+{
+public:
+  /// @param margin as LocalCoordinates::around().
+  SurfaceQuery(const TriangleMesh& mesh, const MeshConnectivity& connectivity, double margin);
+
+  const LocalCoordinates& local() const { return local_; }
+  const SiteSet& sites() const { return sites_; } ///< in the local coordinates
+
+  /// @param x local coordinates.
+  /// @param limit local units; surface points at this distance and beyond do not count.
+  /// @return the closest surface point; its site is -1 where there is none within the limit.
+  SitePoint closest(const glm::dvec3& x,
+    double limit = std::numeric_limits<double>::infinity()) const;
+
+  /// The unit pseudonormal of a site, on the side that its triangles' own normals are on; zero
+  /// where no triangle meets the site.
+  glm::dvec3 normal(int site) const { return glm::dvec3(normals_[site]); }
+  /// Whether the mesh is closed and consistently oriented, so that it has an inside.
+  bool knowsInside() const { return knowsInside_; }
+  /// Whether the normals point into the inside; false where it is not known.
+  bool facesInwards() const { return facesInwards_; }
+
+  /// @param x world coordinates.
+  /// @return world units; negative inside where that is known.
+  double signedDistance(const Point3& x) const;
+
+private:
+  struct Box
+  {
+    glm::dvec3 low{ std::numeric_limits<double>::max() };
+    glm::dvec3 high{ std::numeric_limits<double>::lowest() };
+
+    void add(const glm::dvec3& point);
+    void add(const Box& other)
+    {
+      low = glm::min(low, other.low);
+      high = glm::max(high, other.high);
+    }
+    glm::dvec3 middle() const { return 0.5 * (low + high); }
+  };
+  /// Sites that are tried together, each with a plane and a ball that bound its distance from
+  /// below; the zero plane where it has none. Their quarters have boxes.
+  struct Leaf
+  {
+    static constexpr int kQuarter = 4;
+    static constexpr int kSize = 4 * kQuarter;
+    using Lanes = std::array<float, kSize>;
+
+    std::array<Lanes, 3> normal;
+    Lanes offset;
+    std::array<Lanes, 3> centre;
+    Lanes radius;
+    std::array<int, kSize> sites;
+    std::array<Box, 2> halves;
+    std::array<Box, 4> quarters;
+    unsigned used = 0; ///< lanes, as bits
+  };
+  /// An inner node's children are the next node and `second`; others have a leaf.
+  struct Node
+  {
+    Box box;
+    int second = -1;
+    int leaf = -1;
+  };
+  struct Search;
+
+  std::vector<int> collectSites(const MeshConnectivity& connectivity) const;
+  static std::vector<Box> boxesOf(const SiteSet& sites);
+  static int* halve(int* begin, int* end, const std::vector<Box>& boxes);
+  int build(int* begin, int* end, const std::vector<Box>& boxes);
+  Leaf makeLeaf(int* begin, int* end, const std::vector<Box>& boxes) const;
+  void setLane(int lane, int site, Leaf& leaf) const;
+  unsigned lanesWithin(const Leaf& leaf, const glm::vec3& x, float limit, float slack) const;
+  void tryLeaf(const Leaf& leaf, Search& search) const;
+  bool trySite(int site, Search& search) const;
+
+  LocalCoordinates local_;
+  SiteSet sites_;
+  std::vector<glm::vec4> normals_; ///< pseudonormals()
+  bool knowsInside_;
+  bool facesInwards_;
+  std::vector<Leaf> leaves_;
+  std::vector<Node> nodes_;
+  float extent_ = 0.0f; ///< largest coordinate
+};
+
+} // namespace medial

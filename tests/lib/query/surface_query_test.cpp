@@ -1,0 +1,131 @@
+#include "query/surface_query.h"
+
+#include "support/brute_force.h"
+#include "support/shapes.h"
+#include "support/transforms.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+using namespace medial;
+using namespace medial::test;
+
+namespace
+{
+
+struct Surface
+{
+  explicit Surface(TriangleMesh shape)
+    : mesh(std::move(shape))
+    , connectivity(analyseConnectivity(mesh))
+    , query(mesh, connectivity, 0.0)
+  {
+  }
+
+  void expectExact(const std::vector<Point3>& positions) const
+  {
+    for (const Point3& position : positions)
+    {
+      const Hit hit = closestOnMesh(mesh, position);
+      const glm::dvec3 x = query.local().toLocal(position);
+      const SitePoint found = query.closest(x);
+      ASSERT_GE(found.site, 0);
+      const double tolerance = 1e-12 * (hit.distance + mesh.bounds().diagonal());
+      ASSERT_NEAR(glm::distance(found.point, x) * query.local().unit, hit.distance, tolerance);
+      ASSERT_NEAR(distanceToSite(mesh, connectivity, found.site, position), hit.distance,
+        tolerance);
+      // Nothing is nearer, and something is found with any limit beyond its distance.
+      const double distance = glm::distance(found.point, x);
+      EXPECT_EQ(query.closest(x, distance * (1.0 - 1e-9)).site, -1);
+      EXPECT_GE(query.closest(x, distance * (1.0 + 1e-9)).site, 0);
+    }
+  }
+
+  TriangleMesh mesh;
+  MeshConnectivity connectivity;
+  SurfaceQuery query;
+};
+
+void expectExact(const TriangleMesh& mesh)
+{
+  const Surface surface(mesh);
+  Bounds around = surface.mesh.bounds();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double margin = 0.5 * (around.max[axis] - around.min[axis]) + 0.1;
+    around.min[axis] -= margin;
+    around.max[axis] += margin;
+  }
+  surface.expectExact(randomPoints(around, 300, 11));
+}
+
+} // namespace
+
+TEST(SurfaceQuery, IsExactAroundClosedShapes)
+{
+  expectExact(box({ 1.0, 0.7, 0.4 }));
+  expectExact(torus(1.0, 0.3, 40, 20));
+  expectExact(icosphere(1.0, 3));
+}
+
+TEST(SurfaceQuery, IsExactAroundSoupsSegmentsAndPoints)
+{
+  expectExact(randomSoup(200, 3));
+  expectExact(makeMesh({ { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 2.0 },
+                         { 1.0, 1.0, 2.0 }, { 3.0, 0.5, 1.0 } },
+    { { 0, 1, 2 } }, { { 3, 4 } }, { 5 }));
+}
+
+TEST(SurfaceQuery, IsExactAroundTrianglesWithoutAreaAndNeedles)
+{
+  expectExact(makeMesh({ { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 }, { 2.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 },
+                         { 1.0, 1.0 + 1e-9, 0.0 }, { 2.0, 1.0, 0.5 } },
+    { { 0, 1, 2 }, { 3, 4, 5 } }));
+}
+
+// Far outside single precision is coarse.
+TEST(SurfaceQuery, IsExactFromFarAway)
+{
+  const Surface surface(translated(icosphere(1.0, 3), { 1e4, -2e4, 3e4 }));
+  surface.expectExact({ { 0.0, 0.0, 0.0 }, { 1e6, 0.0, 1e6 }, { 1e4, -2e4, 3e4 + 50.0 } });
+}
+
+TEST(SurfaceQuery, FindsNothingBeyondTheLimit)
+{
+  const Surface surface(box({ 1.0, 1.0, 1.0 }));
+  const glm::dvec3 x = surface.query.local().toLocal({ 0.0, 0.0, 3.0 });
+  EXPECT_EQ(surface.query.closest(x, 1.99 / surface.query.local().unit).site, -1);
+  EXPECT_GE(surface.query.closest(x, 2.01 / surface.query.local().unit).site, 0);
+}
+
+TEST(SurfaceQuery, SignedDistancesAgreeWithBruteForce)
+{
+  for (const TriangleMesh& mesh :
+    { shell(0.6, 1.0, 2), lPrism(1.0, 0.5), randomSoup(300, 4), plates(0.4, 1.0) })
+  {
+    const SurfaceQuery surface(mesh, analyseConnectivity(mesh), 0.0);
+    const auto points = randomPoints({ { -1.5, -1.5, -1.5 }, { 1.5, 1.5, 1.5 } }, 1000, 9);
+    const auto hits = closestOnMesh(mesh, points);
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      const double distance = surface.signedDistance(points[i]);
+      ASSERT_NEAR(std::abs(distance), hits[i].distance, 1e-9);
+      const bool inside = surface.knowsInside() && windingNumber(mesh, points[i]) > 0.5;
+      ASSERT_EQ(distance < 0.0, inside) << i;
+    }
+  }
+}
+
+TEST(SurfaceQuery, LinesAndPointsCount)
+{
+  MeshInput input;
+  input.points = { { 0, 0, 0 }, { 1, 0, 0 }, { 5, 5, 5 } };
+  input.lines.append({ 0, 1 }, 0);
+  input.verts.append({ 2 }, 1);
+  const TriangleMesh mesh = buildTriangleMesh(input);
+  const SurfaceQuery surface(mesh, analyseConnectivity(mesh), 0.0);
+  EXPECT_FALSE(surface.knowsInside());
+  EXPECT_NEAR(surface.signedDistance({ 0.5, 2.0, 0.0 }), 2.0, 1e-12);
+  EXPECT_NEAR(surface.signedDistance({ 5.0, 5.0, 8.0 }), 3.0, 1e-12);
+}
