@@ -64,7 +64,7 @@ class Tutorial(unittest.TestCase):
                     self.serve(code)
                 else:
                     printed += self.run_command(code)
-        self.assertRegex(printed, r"computed on \w+")
+        self.assertRegex(printed, r"computed by the engine \w+")
         self.assertRegex(printed, r"\d\d\d\d cells")
         for output in ("bunny_axis.png", "bunny_axis.pvsm", "bunny_axis.vtp", "bunny_field.pvti",
                        "bunny_field/bunny_field_1.vti"):
