@@ -7,14 +7,15 @@
 namespace medial
 {
 
-/// The coordinates that sites, culling and GPU compute in: centred on the grid, in units of its
-/// finest spacing, so that single precision serves wherever the mesh lies and however large it is.
+/// The local coordinates that sites, culling and engines compute in. The origin is the middle of
+/// the grid and the unit its finest spacing, so single precision suffices wherever the mesh lies
+/// and however large it is.
 struct GridFrame
 {
-  glm::dvec3 centre; ///< world position of the frame's origin
-  double unit;       ///< world units per frame unit
-  glm::dvec3 first;  ///< frame position of grid point (0,0,0)
-  glm::dvec3 step;   ///< frame distance of neighbouring grid points, each >= 1
+  glm::dvec3 centre; ///< world position of the origin
+  double unit;       ///< world units per local unit
+  glm::dvec3 first;  ///< grid point (0,0,0), local coordinates
+  glm::dvec3 step;   ///< distance of neighbouring grid points, local units, each >= 1
 
   explicit GridFrame(const Grid& grid);
 

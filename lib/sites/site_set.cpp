@@ -10,7 +10,7 @@ namespace medial
 namespace
 {
 
-/// Triangles lower than this (frame units, that is voxels) have no face site: leaving the face to
+/// Triangles lower than this (local units, that is voxels) have no face site: leaving the face to
 /// its edges then moves no closest point by more than half of it.
 constexpr double kMinHeight = 1e-4;
 
