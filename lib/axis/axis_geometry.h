@@ -8,16 +8,16 @@
 namespace medial
 {
 
-/// What an axis is made from, and what its points must have; frame units.
+/// The input of an axis and the limits that its points must meet; local units.
 struct AxisGeometry
 {
   const SiteSet& sites;
   const TileQuery& query;
   const GridFrame& frame;
   Extent extent;
-  double angle;                 ///< least separation angle, radians
-  double lambda;                ///< least BisectorPoint::lambda()
-  double radius;                ///< least radius
+  double angle;                 ///< minimum separation angle, radians
+  double lambda;                ///< minimum BisectorPoint::lambda()
+  double radius;                ///< minimum radius
   const Checkpoint& checkpoint; ///< for loops over points
 
   /// Whether queries at x are exact.

@@ -8,12 +8,12 @@ namespace medial
 {
 
 /// Places every vertex of the dual mesh where the bisectors of its cell meet, by a quadratic error
-/// function over their planes. Where the separation angle is too small there, axisAlongNormal() is
-/// tried, then the nearest crossing of the cell, so that all vertices have it.
+/// function over their planes. If the separation angle is too small there, it tries
+/// axisAlongNormals(), then the nearest crossing of the cell, so that all vertices have the angle.
 BisectorPoints surfacePoints(const AxisGeometry& geometry, const DualMesh& mesh,
   const BisectorPoints& bisectors);
 
-/// The centres of the cells.
+/// Places every vertex at the centre of its cell.
 BisectorPoints cellCentres(const AxisGeometry& geometry, const DualMesh& mesh,
   const BisectorPoints& bisectors);
 

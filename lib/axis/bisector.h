@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-// All of this takes many segments or points at a time, since closest points are cheaper together.
+// These functions take many segments or points at once, since this makes closest points cheaper.
 namespace medial
 {
 
@@ -23,20 +23,19 @@ struct SiteSegment
   int toSite;
 };
 
-/// The grid edge of a crossing.
+/// Returns the grid edge of a crossing.
 SiteSegment segmentOf(const GridFrame& frame, const Crossing& crossing);
 
-/// Of each segment, the point at equal distance from the closest site at its start and that at its
-/// end.
+/// For each segment, finds the point at equal distance from the closest sites of its two ends.
 ///
-/// Where a third site is nearer there than the two, the segment is narrowed to the change from or
-/// to this site, whichever has the larger separation angle.
+/// If a third site is nearer there than these two, the segment is narrowed to the change from or to
+/// that site, whichever has the larger separation angle.
 std::vector<BisectorPoint> bisectorPoints(const AxisGeometry& geometry,
   const std::vector<SiteSegment>& segments);
 
-/// Follows the normal of each point's closest point to the next bisector that has the least
-/// separation angle, at most h/(2 sin(theta/2)) + h/2 away: so far selection by neighbouring grid
-/// points errs.
+/// Follows the normal of each point's closest point to the next bisector with the minimum
+/// separation angle, at most h/(2 sin(theta/2)) + h/2 away: the error of selection by neighbouring
+/// grid points is no larger.
 std::vector<std::optional<BisectorPoint>> axisAlongNormals(const AxisGeometry& geometry,
   const std::vector<BisectorPoint>& points);
 
@@ -44,17 +43,17 @@ std::vector<std::optional<BisectorPoint>> axisAlongNormals(const AxisGeometry& g
 struct BisectorPoints
 {
   std::vector<BisectorPoint> points;
-  /// Where the bisector on the grid edge has too small a separation angle and that along the normal
-  /// stands for it: fins around curves.
+  /// Marks fins around curves: the bisector on the grid edge has too small a separation angle, and
+  /// the one along the normal replaces it.
   std::vector<std::uint8_t> moved;
 };
 
-/// The bisector point of every crossed grid edge. Crossings below the limits of lambda and radius
-/// are removed, and those that meet the surface itself, where an edge grazes it and the field is
+/// Finds the bisector point of every crossed grid edge. Removes crossings below the limits of
+/// lambda and radius, and those on the surface itself, where an edge grazes it and the field is
 /// unsigned.
-/// @param exactAngle whether the separation angle is limited as well, by axisAlongNormals() or
-///   removal. Where facets approximate a round surface, so that neighbours are closest, `b` may be
-///   a tenth of a grid step farther than `a` to have that angle.
+/// @param exactAngle whether to limit the separation angle as well, by axisAlongNormals() or
+///   removal. Where facets approximate a round surface, so that neighbouring facets are closest,
+///   `b` may be a tenth of a grid step farther away than `a` to have that angle.
 BisectorPoints crossingPoints(const AxisGeometry& geometry, bool exactAngle,
   std::vector<Crossing>& crossings);
 

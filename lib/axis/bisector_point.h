@@ -11,7 +11,7 @@
 namespace medial
 {
 
-/// A point with two closest surface points; frame coordinates.
+/// A point with its closest pair; local coordinates.
 struct BisectorPoint
 {
   glm::dvec3 position{ 0.0 };
@@ -19,11 +19,11 @@ struct BisectorPoint
   SitePoint b;
 
   double radius() const { return glm::distance(position, a.point); }
-  /// Half the distance of the closest points: radius * sin(separation angle / 2).
+  /// Half the distance between the closest pair: radius * sin(separation angle / 2).
   double lambda() const { return 0.5 * glm::distance(a.point, b.point); }
   /// Radians.
   double separationAngle() const { return medial::separationAngle(position, a.point, b.point); }
-  /// Unit normal of the bisector, or zero where both closest points are one.
+  /// Unit normal of the bisector; zero if both closest points are the same.
   glm::dvec3 normal() const
   {
     const glm::dvec3 across = b.point - a.point;

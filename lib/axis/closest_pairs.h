@@ -11,25 +11,24 @@
 #include <limits>
 #include <vector>
 
-// What vertices of the dual mesh get from the bisectors in their cells.
+// How vertices of the dual mesh get positions and closest pairs from the bisectors in their cells.
 namespace medial
 {
 
-/// The mean of the bisectors' points of a vertex.
+/// Returns the mean of the bisector points of a vertex.
 glm::dvec3 meanCrossing(const DualMesh& mesh, const BisectorPoints& bisectors, std::size_t vertex);
 
-/// Replaces `sites` by those whose bisectors gave a vertex, each once, in the order of the
+/// Replaces `sites` by the sites whose bisectors gave a vertex, each once, in the order of the
 /// bisectors.
 void sitesOf(const DualMesh& mesh, const BisectorPoints& bisectors, std::size_t vertex,
   std::vector<int>& sites);
 
-/// Positions with their two closest points: the closest one, and of some sites the one that is seen
-/// under the largest angle from it. Many positions near each other are cheaper together.
+/// Finds the closest pairs of positions: the closest point and, from a list of sites, the point
+/// seen at the largest angle from it. Many positions near each other are cheaper together.
 ///
-/// @param questions for the closest points: positions inside the grid, and what is known there.
-/// @param candidates replaces `sites` by those for question i; where angles are equal the first one
-///   counts.
-/// @param tolerance how much farther than the closest point the other one may be, frame units.
+/// @param questions positions inside the grid, with what is known of their closest points.
+/// @param candidates replaces `sites` by those for question i; of equal angles the first one wins.
+/// @param tolerance how much farther away than the closest point the other one may be, local units.
 std::vector<BisectorPoint> contacts(const AxisGeometry& geometry,
   std::vector<TileQuery::Question> questions,
   const std::function<void(std::size_t i, std::vector<int>& sites)>& candidates,

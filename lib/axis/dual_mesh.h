@@ -13,14 +13,14 @@
 namespace medial
 {
 
-/// The mesh dual to the grid: a vertex in every grid cell with a crossed edge, a quad around every
-/// crossed edge that lies inside the grid. Both sides of the surface have vertices of their own, so
-/// that a cell cut by a thin wall does not join them.
+/// The mesh dual to the grid: a vertex in every grid cell with a crossed edge, and a quad around
+/// every crossed edge inside the grid. The two sides of the surface have separate vertices, so a
+/// grid cell that a thin wall cuts does not join them.
 struct DualMesh
 {
-  /// Cell (i,j,k) of vertex v spans the grid points from (i,j,k) to (i+1,j+1,k+1).
+  /// The grid cell (i,j,k) of vertex v spans the grid points from (i,j,k) to (i+1,j+1,k+1).
   std::vector<glm::ivec3> cells;
-  /// Edges incident[offsets[v]] .. incident[offsets[v+1]-1] of its cell are crossed.
+  /// Crossings incident[offsets[v]] to incident[offsets[v+1]-1] lie on edges of its grid cell.
   std::vector<std::size_t> offsets{ 0 };
   std::vector<std::size_t> incident;
   std::vector<std::array<std::int64_t, 4>> quads;

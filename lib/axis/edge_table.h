@@ -8,19 +8,19 @@
 namespace medial
 {
 
-/// The sides of polygons, looked up by their ends.
+/// The edges of polygons, looked up by their ends.
 class EdgeTable
 {
 public:
   using Side = std::array<std::int64_t, 2>; ///< point ids, in either order
 
-  /// @param sides one for each polygon that has it; all ids in [0, pointCount).
+  /// @param sides one for each polygon at an edge; all ids in [0, pointCount).
   EdgeTable(const std::vector<Side>& sides, std::size_t pointCount);
 
-  /// How many polygons have a side.
+  /// Returns how many polygons have an edge.
   std::size_t count(const Side& side) const;
 
-  /// Calls visit(side, count) for each side, once, in ascending order; the lower id is first.
+  /// Calls visit(side, count) once for each edge, in ascending order; its lower id comes first.
   template <typename Visit>
   void forEach(const Visit& visit) const
   {
@@ -38,11 +38,11 @@ public:
   }
 
 private:
-  std::vector<std::size_t> offsets_; ///< by the lower id, into
+  std::vector<std::size_t> offsets_; ///< into high_, by the lower id
   std::vector<std::int64_t> high_;   ///< the higher ids, ascending
 };
 
-/// Appends the sides of a polygon.
+/// Appends the edges of a polygon.
 /// @param corners point ids in cyclic order.
 template <typename Polygon>
 void addSides(const Polygon& corners, std::vector<EdgeTable::Side>& sides)

@@ -8,7 +8,7 @@ namespace medial
 namespace
 {
 
-/// A nearer third site counts from this difference on, in frame units (voxels).
+/// A nearer third site counts from this difference on, in local units (voxels).
 constexpr double kSameDistance = 1e-6;
 
 /// Of the quadratic on [0, 1] with f(0) = atZero < 0, f'(0) = slope and f(1) = atOne > 0.

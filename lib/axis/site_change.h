@@ -8,20 +8,20 @@
 namespace medial
 {
 
-/// The part of a segment that is known to hold a change from one closest site to another. Its point
-/// at equal distance from both is a bisector point once no third site is nearer.
+/// The part of a segment where one closest site is known to change to another. The point at equal
+/// distance from both is a bisector point as soon as no third site is nearer.
 class SiteChange
 {
 public:
   SiteChange(const SiteSet& sites, const SiteSegment& segment);
 
-  /// The point at equal distance from both sites, as of the last narrow().
+  /// Returns the point at equal distance from both sites, after the last narrow().
   const BisectorPoint& point() const { return point_; }
 
-  /// Whether a closest surface point is near enough to be that of siteA or siteB.
+  /// Whether a closest surface point is so near that it can be that of siteA or siteB.
   bool settledBy(const SitePoint& closest) const;
-  /// Narrows to the change from or to a third site that is nearer at point(): the one with the
-  /// larger separation angle.
+  /// Narrows the segment to the change from or to a third site that is nearer at point(), whichever
+  /// has the larger separation angle.
   void narrow(const SitePoint& third);
 
 private:

@@ -5,7 +5,7 @@
 namespace medial
 {
 
-/// A point is a ball of radius 0.
+/// A ball; a point is a ball of radius 0.
 struct Ball
 {
   glm::dvec3 centre{ 0.0 };
@@ -13,8 +13,8 @@ struct Ball
 };
 
 ///@{
-/// Balls as points of R^4, with the radius as fourth coordinate: there they can be added and
-/// scaled.
+/// Turns balls into points of R^4, with the radius as fourth coordinate, and back. There they can
+/// be added and scaled.
 inline glm::dvec4 toVector(const Ball& ball)
 {
   return { ball.centre, ball.radius };

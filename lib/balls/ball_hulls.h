@@ -17,7 +17,7 @@
 namespace medial
 {
 
-/// Where a point is with respect to a solid that is the union of a family of balls.
+/// The position of a point relative to a solid that is the union of a family of balls.
 struct HullDistance
 {
   double distance = 0.0; ///< signed distance to the solid's surface, negative inside
@@ -29,26 +29,29 @@ inline HullDistance distanceToBall(const Ball& ball, const glm::dvec3& x)
   return { glm::distance(x, ball.centre) - ball.radius, ball };
 }
 
-/// The convex hull of two balls; one of them where it holds the other.
+/// Returns the distance to the convex hull of two balls, or to one of them if it contains the
+/// other.
 HullDistance distanceToCone(const Ball& a, const Ball& b, const glm::dvec3& x);
 
-/// The convex hull of three balls; that of two where the triangle has no area or the third adds
-/// nothing.
-/// @param limit where the distance is not below it, another one that is not either may be returned.
+/// Returns the distance to the convex hull of three balls, or to that of two if the triangle has no
+/// area or the third adds nothing.
+/// @param limit if the distance is not below it, any other value that is not below it may be
+///   returned.
 HullDistance distanceToWedge(const Ball& a, const Ball& b, const Ball& c, const glm::dvec3& x,
   double limit = std::numeric_limits<double>::infinity());
 
-/// Outward unit normals of the two planes that touch three balls from outside: each touches ball
-/// (c, r) at c + r normal. Nothing for a triangle without area or where radii differ too much.
+/// Returns the outward unit normals of the two planes that touch three balls from outside: each
+/// touches ball (c, r) at c + r normal. Nothing for a triangle without area or if the radii differ
+/// too much.
 std::optional<std::array<glm::dvec3, 2>> tangentNormals(const Ball& a, const Ball& b,
   const Ball& c);
 
-// What the simplification needs beside distances. It comes to the same planes and the same nearest
-// balls as the functions above, but for the last bits, on which the simplification's result
-// depends.
+// These functions serve simplification, which needs more than distances. They find the same planes
+// and the same nearest balls as the functions above, except for the last bits; the result of
+// simplification depends on these.
 
-/// The planes that touch two balls have the unit normals slope * axis + sine * radial, radial any
-/// unit vector at right angles to the axis.
+/// The planes that touch two balls have the unit normals slope * axis + sine * radial, where radial
+/// is any unit vector at right angles to the axis.
 struct Cone
 {
   glm::dvec3 axis; ///< unit vector between the centres
@@ -60,7 +63,7 @@ struct Cone
 /// The planes that touch three balls have the unit normals slope +- sine * up.
 struct Wedge
 {
-  glm::dvec3 slope; ///< in the plane of the centres, where radii grow against it
+  glm::dvec3 slope; ///< in the plane of the centres, against the growth of the radii
   glm::dvec3 up;    ///< unit normal of that plane
   double sine;      ///< of half the angle between the two normals, (0, 1]
   double area;      ///< of the triangle of centres
@@ -70,17 +73,17 @@ struct Wedge
 };
 
 ///@{
-/// Nothing where no plane touches all balls, since one lies inside another or inside the hull of
-/// the others, or where centres coincide or almost lie on a line.
+/// Nothing if no plane touches all balls, since one lies inside another or inside the hull of the
+/// others, or if centres coincide or almost lie on a line.
 std::optional<Cone> coneOf(const Ball& a, const Ball& b);
 std::optional<Wedge> wedgeOf(const Ball& a, const Ball& b, const Ball& c);
 ///@}
 
-/// Shares of two balls in the ball of their cone whose surface is nearest to x.
+/// Returns the shares of two balls in that ball of their cone whose surface is nearest to x.
 std::array<double, 2> nearestShares(const Ball& a, const Ball& b, const glm::dvec3& x);
 
-/// Shares of three balls in the ball of their wedge whose surface is nearest to x. Nothing where
-/// that is a ball of one of its cones, or where wedgeOf() has nothing.
+/// Returns the shares of three balls in that ball of their wedge whose surface is nearest to x.
+/// Nothing if it is a ball of one of the wedge's cones, or if wedgeOf() has nothing.
 std::optional<std::array<double, 3>> nearestShares(const Ball& a, const Ball& b, const Ball& c,
   const glm::dvec3& x);
 

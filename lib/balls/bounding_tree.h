@@ -10,8 +10,8 @@
 namespace medial
 {
 
-/// What holds an item, as a ball or a hull of balls: balls of radius `reach` at most, with centres
-/// in a box.
+/// Bounds of an item, which is a ball or a hull of balls: centres in a box, and radii of at most
+/// `reach`.
 struct ItemBounds
 {
   glm::dvec3 min{ 0.0 };
@@ -30,15 +30,15 @@ struct ItemBounds
   static ItemBounds nothing();
 };
 
-/// A binary tree over items, for those that are nearest to something. Items are split by the
-/// position of their centres and by their size, since a large ball is near to much.
+/// A binary tree over items, for finding those nearest to something. Items are split by the
+/// position of their centres and by their size, since a large ball is near to much of space.
 class BoundingTree
 {
 public:
   explicit BoundingTree(const std::vector<ItemBounds>& items);
 
   /// Calls `visit(item)` for items that may be nearer to x than `limit`, near ones first. `visit`
-  /// lowers the limit by what it finds.
+  /// lowers the limit when it finds something.
   template <typename Visit>
   void search(const glm::dvec3& x, double& limit, const Visit& visit) const
   {
@@ -46,8 +46,8 @@ public:
       visit);
   }
 
-  /// The same for another measure than the distance from a point.
-  /// @param minimum of a node: the measure of its items is not below it.
+  /// The same for a measure other than the distance from a point.
+  /// @param minimum of a node: a lower bound of the measure of its items.
   template <typename Minimum, typename Visit>
   void searchNodes(const Minimum& minimum, double& limit, const Visit& visit) const
   {
@@ -87,7 +87,7 @@ public:
 
   const ItemBounds& bounds(std::uint32_t node) const { return nodes_[node].bounds; }
 
-  /// What holds for all items of a node, for every node.
+  /// Returns a value for every node that describes all its items.
   /// @param ofItem maps an item to its value.
   /// @param join maps the values of two parts to that of both.
   template <typename Value, typename OfItem, typename Join>
@@ -112,7 +112,8 @@ public:
   }
 
 private:
-  /// Of a leaf, items order_[first] and on; otherwise its two children from `first`, and count 0.
+  /// A leaf has the items order_[first] and following. An inner node has count 0 and two children,
+  /// starting at `first`.
   struct Node
   {
     ItemBounds bounds;
@@ -125,10 +126,10 @@ private:
     std::uint32_t node;
   };
 
-  /// Halving 2^32 items leaves fewer on the stack.
+  /// Enough for halving 2^32 items.
   static constexpr int kMaxPending = 80;
 
-  /// @param keys of the items: what they are split by.
+  /// @param keys of the items, by which they are split.
   void split(std::uint32_t node, const std::vector<glm::dvec4>& keys, std::uint32_t first,
     std::uint32_t last);
   /// Sets the bounds of the nodes.

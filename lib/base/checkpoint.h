@@ -8,16 +8,17 @@
 namespace medial
 {
 
-/// Lets work be cancelled within a step whose share of the whole is not known.
+/// Reports progress and checks for cancelling within a step whose length is unknown.
 class Checkpoint
 {
 public:
-  /// @param fraction, phase what is reported, see Run::report().
+  /// @param fraction progress to report during the step, in [0, 1]; see Run::report().
+  /// @param phase what is being done; see Run::report().
   Checkpoint(const Run& run, double fraction, const char* phase);
 
-  /// Reports, every 20 ms at most and only in the thread that made this object: loops over parts of
-  /// any size, in any thread, may call it for each part.
-  /// @throws Error Cancelled where the caller wants to stop.
+  /// Reports progress at most every 20 ms, and only on the thread that made this object. Loops may
+  /// therefore call it for every part, however small, on any thread.
+  /// @throws Error Cancelled if the caller wants to stop.
   void operator()() const;
 
 private:

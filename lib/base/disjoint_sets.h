@@ -8,7 +8,7 @@
 namespace medial
 {
 
-/// Union-find over 0 .. count - 1.
+/// Union-find over the elements 0 .. count - 1.
 class DisjointSets
 {
 public:
@@ -26,7 +26,7 @@ public:
     return parent_.back();
   }
 
-  /// The lowest member of an element's set.
+  /// Returns the lowest member of an element's set.
   std::int64_t find(std::int64_t element)
   {
     while (parent_[element] != element)
@@ -37,7 +37,7 @@ public:
     return element;
   }
 
-  /// Whether the two were in different sets.
+  /// Joins the sets of two elements. Returns whether they were different.
   bool join(std::int64_t a, std::int64_t b)
   {
     a = this->find(a);

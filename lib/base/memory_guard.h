@@ -9,7 +9,7 @@
 namespace medial
 {
 
-/// Runs `work`, turning std::bad_alloc into Error OutOfMemory.
+/// Runs `work` and turns std::bad_alloc into Error OutOfMemory.
 template <typename F>
 auto withMemoryErrors(std::int64_t gridPoints, F&& work)
 {

@@ -7,24 +7,26 @@
 namespace medial
 {
 
-/// An operation under way, or a part of one: the threads it may use and its share of the progress.
+/// A running operation or a part of one: the threads it may use and its share of the progress.
 class Run
 {
 public:
   /// @throws Error InvalidInput for a negative number of threads.
   explicit Run(const Execution& execution);
 
-  /// A part of this operation, whose progress from 0 to 1 fills [begin, end] of it.
+  /// Returns a part of this operation. Its progress from 0 to 1 fills [begin, end] of the whole.
   Run part(double begin, double end) const;
 
   /// Reports progress.
-  /// @throws Error Cancelled where the caller wants to stop.
+  /// @param fraction of this part, in [0, 1].
+  /// @param phase as for Progress::report().
+  /// @throws Error Cancelled if the caller wants to stop.
   void report(double fraction, const char* phase) const;
 
-  /// At least 1.
+  /// Number of threads, at least 1.
   int threads() const { return threads_; }
 
-  /// Runs `work`, whose parallel loops then use no more threads than these.
+  /// Runs `work` with parallel loops limited to these threads.
   template <typename Work>
   auto onThreads(const Work& work) const
   {

@@ -10,7 +10,7 @@
 namespace medial
 {
 
-/// Angle, in radians, between the directions from x to two surface points.
+/// Returns the angle, in radians, between the directions from x to two surface points.
 inline double separationAngle(const glm::dvec3& x, const glm::dvec3& a, const glm::dvec3& b)
 {
   const glm::dvec3 u = a - x;
@@ -18,7 +18,8 @@ inline double separationAngle(const glm::dvec3& x, const glm::dvec3& a, const gl
   return std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v));
 }
 
-/// @throws Error InvalidInput for a least separation angle outside (0, 180) degrees.
+/// Checks a minimum separation angle.
+/// @throws Error InvalidInput if it is outside (0, 180) degrees.
 inline void checkSeparationAngle(double angle)
 {
   if (!(angle > 0.0 && angle < 180.0))

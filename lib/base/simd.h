@@ -3,21 +3,22 @@
 #include <cstdint>
 #include <cstring>
 
-// Vectors of eight lanes by the extension that GCC and Clang share. On processors without AVX2 the
-// compiler splits them.
+// Vectors of eight lanes, by the extension that GCC and Clang share. The compiler splits them for
+// processors without AVX2.
 namespace medial
 {
 
 using Float8 = float __attribute__((vector_size(32)));
-using Int8 = int __attribute__((vector_size(32))); ///< of a comparison: -1 where true, else 0
+using Int8 =
+  int __attribute__((vector_size(32))); ///< result of a comparison: -1 where true, 0 where false
 
 constexpr int kLanes = 8;
 
-/// For functions that call the helpers below, so that vectors stay in registers; the caller decides
-/// for which processor they are compiled.
+/// Keeps vectors in registers: functions marked so are inlined, and the caller decides for which
+/// processor they are compiled.
 #define MEDIAL_INLINE inline __attribute__((always_inline))
 
-/// For functions to be compiled twice, the better one being picked when the program is loaded.
+/// Compiles a function twice; the better version is picked when the program is loaded.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 #  define MEDIAL_VECTORISED __attribute__((target_clones("arch=x86-64-v3", "default")))
 #else

@@ -5,7 +5,7 @@
 namespace medial
 {
 
-/// Adds the wall-clock seconds of its own lifetime to a total.
+/// Adds the wall-clock seconds of its lifetime to a total.
 class Stopwatch
 {
 public:
@@ -24,7 +24,7 @@ private:
   Clock::time_point start_;
 };
 
-/// Runs `work` and adds the seconds that it took to `total`.
+/// Runs `work` and adds its wall-clock seconds to `total`.
 template <typename F>
 auto timed(double& total, F&& work)
 {

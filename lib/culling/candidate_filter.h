@@ -10,14 +10,14 @@
 namespace medial
 {
 
-/// An axis-aligned box in frame coordinates, by centre and half sides.
+/// An axis-aligned box in local coordinates, by its centre and half its lengths.
 struct FrameBox
 {
   glm::vec3 centre;
   glm::vec3 half;
 };
 
-/// Points side by side, each with a distance within which sites are looked for; frame units.
+/// Points side by side, each with a distance within which to look for sites; local units.
 struct PointLanes
 {
   static constexpr int kMax = 8;
@@ -26,23 +26,23 @@ struct PointLanes
   alignas(32) std::array<float, kMax> x;
   alignas(32) std::array<float, kMax> y;
   alignas(32) std::array<float, kMax> z;
-  /// The largest float where nothing is known.
+  /// The largest float if nothing is known.
   alignas(32) std::array<float, kMax> reach;
 };
 
-/// A site that may be as near as wanted to the points whose bits are set.
+/// A site that may be within reach of the points whose bits are set.
 struct NearSite
 {
   int site;
   unsigned points;
 };
 
-/// Decides which sites can be closest to some point of a box. Conservative: it never drops a site
-/// that is, so that it may change the time but not the result.
+/// Decides which sites can be closest to some point of a box. The filter is conservative: it never
+/// drops a site that is, so it can change the time but not the result.
 class CandidateFilter
 {
 public:
-  /// Boxes that are filtered in one go.
+  /// Number of boxes that are filtered at once.
   static constexpr int kMaxBoxes = 8;
 
   explicit CandidateFilter(const SiteSet& sites);
@@ -51,31 +51,30 @@ public:
   struct Scratch
   {
     std::array<std::vector<int>, kMaxBoxes> near; ///< survivors of the cheap tests
-    std::vector<std::array<float, 8>> corners;    ///< squared distances of box corners
+    std::vector<std::array<float, 8>> corners;    ///< squared distances to the corners of boxes
   };
 
   /// For each of up to kMaxBoxes boxes, appends to its `out`, in the order of `parent`, the sites
   /// that pass three tests:
-  /// - dist(centre, site) <= D + 2 radius, D an upper bound of the distance at the centre;
+  /// - dist(centre, site) <= D + 2 radius, where D is an upper bound of the distance at the centre;
   /// - no half-space of the site has the whole box outside;
-  /// - no surface point among some near ones is nearer than the site to all corners of the box. As
-  /// a
-  ///   site is convex, the point is then nearer all over the box: the difference of the squared
-  ///   distances is a minimum of affine functions, hence concave, and least at a corner.
-  /// @param parent candidates of a box that contains these.
-  /// @param seeds a site near the centre of each box, as far as known, -1 where not; null if none.
+  /// - no surface point, of some that are near, is nearer than the site to all corners of the box.
+  ///   Such a point is nearer everywhere in the box, as the site is convex: the difference of the
+  ///   squared distances is a minimum of affine functions, hence concave, and smallest at a corner.
+  /// @param parent candidates of a box that contains these boxes.
+  /// @param seeds a site near the centre of each box, or -1 if none is known; null for none at all.
   void filter(const std::vector<int>& parent, const FrameBox* boxes, const int* seeds, int boxCount,
     std::vector<int>* const* out, Scratch& scratch) const;
 
-  /// Of the sites in [begin, end), those that may be within reach of a point, and all that may be
-  /// closest to one with unknown reach.
+  /// Finds the sites in [begin, end) that may be within reach of a point, and all that may be
+  /// closest to a point with unknown reach.
   void near(const int* begin, const int* end, const PointLanes& points,
     std::vector<NearSite>& found) const;
 
-  /// All active sites, ascending: the candidates of everything.
+  /// All active sites, ascending: the candidates of the whole space.
   std::vector<int> allSites() const;
 
-  /// What single precision may err by anywhere near the grid and the mesh, in frame units.
+  /// Bound of the rounding error of single precision near the grid and the mesh, in local units.
   float slack() const { return slack_; }
 
 private:

@@ -14,52 +14,53 @@
 namespace medial
 {
 
-/// Leaf tiles of grid points, each with the sites that can be closest inside the tile's hull.
+/// Leaf tiles of grid points with their candidates: the sites that can be closest inside the hull
+/// of the tile.
 struct CandidateTiles
 {
   std::vector<Extent> tiles;
-  std::vector<std::size_t> offsets{ 0 }; ///< of each tile's candidates, one more than tiles
+  std::vector<std::size_t> offsets{ 0 }; ///< offsets of each tile's candidates, one more than tiles
   std::vector<int> candidates;           ///< site ids, ascending within a tile
 };
 
-/// Where the candidates of a tile are to be complete.
+/// Where the candidates of a tile are complete.
 enum class TileHull
 {
   Points, ///< at its grid points and between them
-  Cells   ///< up to the first points of the next tiles too, so that there are no gaps between tiles
+  Cells ///< also up to the first points of the next tiles, so that there are no gaps between tiles
 };
 
-/// Finds candidates top down over an octree of tiles. The upper levels are done once, the lower
+/// Finds candidates top-down over an octree of tiles. The upper levels are computed once, the lower
 /// ones region by region, so that memory stays bounded.
 class CandidateHierarchy
 {
 public:
-  /// Most grid points along the sides of a leaf tile.
+  /// Largest number of grid points along an edge of a leaf tile.
   static constexpr int kLeafSize = 8;
-  /// Grid points along the sides of the blocks that the upper levels end with.
+  /// Number of grid points along an edge of the blocks, where the upper levels end.
   static constexpr int kBlockSize = 32;
 
   /// Called from several threads at once.
   /// @param candidates ascending.
   using Visitor = std::function<void(const Extent& tile, const std::vector<int>& candidates)>;
 
-  /// @param filter of all sites; must outlive this.
+  /// @param filter over all sites; must outlive this.
   /// @param extent part of the grid to cover.
-  /// @param leafSlices z size of leaf tiles, a power of two up to kLeafSize.
-  /// @param seeds of an earlier frame, which must outlive this; may be null.
+  /// @param leafSlices number of slices of leaf tiles, a power of two up to kLeafSize.
+  /// @param seeds of an earlier frame, must outlive this; may be null.
   CandidateHierarchy(const CandidateFilter& filter, const GridFrame& frame, const Extent& extent,
     TileHull hull, int leafSlices = kLeafSize, const ClosestSeeds* seeds = nullptr);
 
-  /// Largest size of a leaf tile; tiles start at multiples of it from the extent's corner.
+  /// Largest size of a leaf tile. Tiles start at multiples of it, counted from the extent's corner.
   const glm::ivec3& leafSize() const { return leafSize_; }
 
-  /// Visits the leaf tiles of some slices on all threads of the current arena.
-  /// @param slices all of the extent in x and y; its first slice a multiple of the leaf size away
-  ///   from the extent's.
+  /// Visits the leaf tiles of some slices, on all threads of the current arena.
+  /// @param slices the whole extent in x and y. Its first slice is a multiple of the leaf size away
+  ///   from that of the extent.
   void visitLeaves(const Extent& slices, const Visitor& visitor) const;
 
-  /// The leaf tiles of some slices, as visitLeaves(), in one list per block.
-  /// @param checkpoint called for each; may be null.
+  /// Lists the leaf tiles of some slices, which are as for visitLeaves(), in one list per block.
+  /// @param checkpoint called for each block; may be null.
   std::vector<CandidateTiles> leafTiles(const Extent& slices,
     const Checkpoint* checkpoint = nullptr) const;
 

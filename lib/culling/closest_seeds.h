@@ -9,24 +9,26 @@
 namespace medial
 {
 
-/// The sites that were closest amid tiles of the grid in an earlier frame. Wherever the mesh has
-/// moved since, their distances are upper bounds of the field, and tight ones if it moved little.
+/// The sites that were closest in the middle of tiles in an earlier frame. Wherever the mesh has
+/// moved since, their distances are upper bounds of the field, and tight ones if it has moved
+/// little.
 class ClosestSeeds
 {
 public:
-  /// Grid points along the sides of a tile.
+  /// Number of grid points along an edge of a tile.
   static constexpr int kTileSize = 8;
 
-  /// Forgets all, and gets ready for the tiles of an extent.
+  /// Forgets all seeds and prepares for the tiles of an extent.
   void reset(const Extent& extent);
 
-  /// Whether anything is known about tiles of this extent.
+  /// Whether there are seeds for the tiles of this extent.
   bool knows(const Extent& extent) const;
 
-  /// Notes the closest site amid a tile. May be called from several threads for different tiles.
+  /// Stores the closest site in the middle of a tile. Several threads may call it at once for
+  /// different tiles.
   void set(const Extent& tile, int site);
 
-  /// The site noted for the tile amid `node`; -1 if none.
+  /// Returns the site of the tile in the middle of `node`; -1 if there is none.
   int at(const Extent& node) const { return sites_[this->indexOf(node)]; }
 
 private:

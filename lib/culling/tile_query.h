@@ -11,8 +11,8 @@
 namespace medial
 {
 
-/// Exact closest surface points, in double precision, at arbitrary positions: all candidates of the
-/// tile around the position are tried.
+/// Finds exact closest surface points, in double precision, at any position: it tries all
+/// candidates of the tile around the position.
 class TileQuery
 {
 public:
@@ -21,21 +21,22 @@ public:
   TileQuery(const SiteSet& sites, const CandidateFilter& filter, const GridFrame& frame,
     const Extent& extent, const glm::ivec3& tileSize);
 
-  /// Adds the tiles of one block. They must cover the hull of what is asked for later.
+  /// Adds the tiles of one block. Together they must cover the positions of later queries.
   void add(CandidateTiles tiles);
 
-  /// @param x frame coordinates, inside the hull of a tile that was added.
-  /// @param known the point of some site that is closest to x, to start from: the nearer, the
-  ///   faster. Returned where nothing is nearer. A site of -1 is none.
+  /// Returns the closest surface point.
+  /// @param x local coordinates, inside the hull of a tile that was added.
+  /// @param known start of the search: the closest point of some site to x. The nearer it is, the
+  ///   faster the search. It is returned if no other point is nearer. A site of -1 means none.
   SitePoint closest(const glm::dvec3& x, const SitePoint& known = {}) const;
 
-  /// A position, and the known point that becomes the closest.
+  /// A position with a known point, which closest() replaces by the closest one.
   struct Question
   {
     glm::dvec3 x;
     SitePoint closest;
   };
-  /// The same for many positions: those in one tile are answered side by side.
+  /// The same for many positions; those in one tile are answered together.
   void closest(std::vector<Question>& questions) const;
 
 private:

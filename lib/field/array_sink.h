@@ -7,7 +7,7 @@
 namespace medial
 {
 
-/// Lets slabs be written straight to arrays that hold a whole extent.
+/// Writes slabs straight to arrays that hold a whole extent.
 class ArraySink : public FieldSink
 {
 public:

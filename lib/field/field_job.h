@@ -18,7 +18,7 @@
 namespace medial
 {
 
-/// A field to be computed: a mesh as sites in the coordinates of a grid.
+/// A field to compute: a mesh as sites in the local coordinates of a grid.
 struct FieldJob
 {
   const TriangleMesh& mesh;
@@ -28,10 +28,10 @@ struct FieldJob
   const std::vector<glm::vec4>& normals; ///< pseudonormals() of all sites, for the sign
   FieldSign sign;
   GridFrame frame;
-  Extent extent;             ///< the part of the grid that is wanted
+  Extent extent;             ///< the part of the grid to compute
   std::size_t memoryMiB;     ///< as DistanceFieldOptions::memoryMiB
-  Run run;                   ///< its progress is the job's
-  RunStatistics& statistics; ///< engines add seconds and counts
+  Run run;                   ///< progress of this job
+  RunStatistics& statistics; ///< engines add their seconds and counts
 };
 
 } // namespace medial

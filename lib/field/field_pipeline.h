@@ -17,13 +17,13 @@
 namespace medial
 {
 
-/// From a mesh to its field: input checked, sites built, and an engine run over them.
+/// Computes the field of a mesh: checks the input, builds the sites and runs an engine.
 class FieldPipeline
 {
 public:
-  /// Checks everything that can be checked before work starts.
+  /// Checks everything that can be checked before the work starts.
   /// @param mesh, connectivity must outlive this.
-  /// @param run takes the place of options.execution.
+  /// @param run replaces options.execution.
   /// @throws Error as computeDistanceField.
   FieldPipeline(const TriangleMesh& mesh, const MeshConnectivity& connectivity, const Grid& grid,
     const Extent& extent, const DistanceFieldOptions& options, const Run& run);
@@ -39,9 +39,9 @@ public:
   std::vector<Crossing> run(FieldEngine& engine, FieldSink& sink,
     const CrossingSelection& selection);
 
-  /// After a run.
+  /// Available after a run.
   const SiteSet& sites() const { return *sites_; }
-  /// Exact closest points anywhere inside the extent; after a run with a selection.
+  /// Exact closest points anywhere in the extent. Available after a run with a selection.
   const TileQuery& query() const { return *query_; }
 
 private:

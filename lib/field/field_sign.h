@@ -6,7 +6,7 @@
 namespace medial
 {
 
-/// Sign of the field: none, or from the pseudonormals, possibly of a surface that faces inwards.
+/// Sign of the field: none, or from the pseudonormals of a surface that faces outwards or inwards.
 enum class FieldSign
 {
   None,
@@ -14,7 +14,8 @@ enum class FieldSign
   Inward
 };
 
-/// @param method resolved, not Auto.
+/// Returns the sign of the field of a mesh.
+/// @param method never Auto; see resolveSignMethod().
 FieldSign fieldSign(SignMethod method, const MeshConnectivity& connectivity);
 
 } // namespace medial

@@ -10,8 +10,8 @@
 namespace medial
 {
 
-/// Keeps distances and closest sites of a whole extent while a field goes to another sink: 8 bytes
-/// a point.
+/// Keeps the distances and closest sites of a whole extent while a field goes to another sink.
+/// Takes 8 bytes per point.
 class FieldTap : public FieldSink
 {
 public:

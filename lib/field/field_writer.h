@@ -13,20 +13,21 @@
 namespace medial
 {
 
-/// Converts what engines find to what a FieldSink takes: world units, cells and features.
+/// Converts the results of engines to those of a FieldSink: world units, cells and features.
 class FieldWriter
 {
 public:
   explicit FieldWriter(const FieldJob& job);
 
-  /// Where the next values go.
+  /// Sets the slab and the arrays of the next values.
   void begin(const Extent& slab, const FieldArrays& arrays);
 
-  /// Converts a resolved slab on all threads of the current arena.
-  /// @param displacements vector to the closest point and signed distance, in frame units.
-  /// @param closest sites; each may be null where no array needs it.
+  /// Converts a resolved slab, on all threads of the current arena.
+  /// @param displacements vectors to the closest points, with signed distances; local units. May be
+  ///   null if no array needs them.
+  /// @param closest sites; may be null if no array needs them.
   void store(const glm::vec4* displacements, const std::int32_t* closest) const;
-  /// Converts an evaluated tile. May be called from several threads at once.
+  /// Converts an evaluated tile. Several threads may call it at once.
   void store(const Extent& tile, const TileField& field) const;
 
 private:

@@ -12,23 +12,23 @@
 namespace medial
 {
 
-/// The candidates of a job, slab by slab, for engines that cull on the host. Adds its seconds and
-/// pairs to the job's statistics.
+/// Finds the candidates of a job, slab by slab, for engines that cull on the host. Adds seconds and
+/// pairs to the statistics of the job.
 class SlabCulling
 {
 public:
-  /// @param slabSlices of the slabs that will be asked for.
-  /// @param hull with TileHull::Cells the tiles are kept, for queries anywhere between grid points.
+  /// @param slabSlices largest number of slices of a slab.
+  /// @param hull with TileHull::Cells the tiles are kept, for queries between grid points.
   /// @param seeds of an earlier job; must outlive this.
   SlabCulling(const FieldJob& job, int slabSlices, TileHull hull, const ClosestSeeds& seeds);
 
-  /// To visit the tiles of a slab without listing them.
+  /// For visiting the tiles of a slab without listing them.
   const CandidateHierarchy& hierarchy() const { return hierarchy_; }
 
   /// Lists the leaf tiles of a slab, in one list per block.
   std::vector<CandidateTiles> tilesOf(const Extent& slab, const Checkpoint& checkpoint);
 
-  /// Queries in all slabs that were listed; null with TileHull::Points.
+  /// Gives away the query over all slabs listed so far; null with TileHull::Points.
   std::unique_ptr<TileQuery> takeQuery() { return std::move(query_); }
 
 private:

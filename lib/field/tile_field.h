@@ -5,7 +5,7 @@
 namespace medial
 {
 
-/// The closest sites of the grid points of one tile, x fastest; rows of kRow.
+/// The closest sites of the grid points of one tile, x fastest, in rows of kRow.
 struct TileField
 {
   static constexpr int kRow = 8;
@@ -13,8 +13,8 @@ struct TileField
 
   static int index(int i, int j, int k) { return (k * kRow + j) * kRow + i; }
 
-  alignas(32) float squared[kPoints]; ///< squared distance, frame units
-  alignas(32) float side[kPoints];    ///< negative inside; only its sign means something
+  alignas(32) float squared[kPoints]; ///< squared distance, local units
+  alignas(32) float side[kPoints];    ///< negative inside; only the sign counts
   alignas(32) std::int32_t site[kPoints];
 };
 

@@ -5,11 +5,10 @@
 namespace medial::gl
 {
 
-/// Collects what the current context's debug output says, notifications and performance hints
-/// apart.
+/// Collects the current context's debug output, without notifications and performance hints.
 void captureDebugOutput();
 
-/// All lines collected so far in this process.
+/// Returns all lines collected so far in this process.
 std::string debugLog();
 
 } // namespace medial::gl

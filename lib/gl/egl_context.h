@@ -7,26 +7,27 @@
 namespace medial::gl
 {
 
-/// A surfaceless OpenGL 4.5 core context from EGL: the library computes in one, and medial-axis
-/// draws its pictures in another. (The header has no epoxy, whose declarations of OpenGL exclude
-/// those of GLEW.)
+/// A surfaceless OpenGL 4.5 core context from EGL. The library computes in one, and medial-axis
+/// draws its pictures in another. (The header does not include epoxy, since epoxy's declarations of
+/// OpenGL exclude those of GLEW.)
 ///
 /// Every EGL device is tried, hardware before software renderers, then Mesa's surfaceless platform.
 class EglContext
 {
 public:
   /// Makes a context and makes it current on this thread.
-  /// @param debug whether it is to be a debug context.
+  /// @param debug whether to make a debug context.
   /// @throws Error NoGpu with the reason.
   explicit EglContext(bool debug = false);
-  /// On the thread where it was used last. The display stays initialised, as others may use it.
+  /// To be called on the thread that used the context last. The display stays initialised, since
+  /// others may use it.
   ~EglContext();
   EglContext(const EglContext&) = delete;
   EglContext& operator=(const EglContext&) = delete;
 
   void makeCurrent();
   bool isCurrent() const;
-  /// Leaves this thread without a context.
+  /// Leaves this thread without a current context.
   void release();
 
   const Device& device() const { return device_; }

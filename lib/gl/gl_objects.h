@@ -8,8 +8,8 @@
 namespace medial::gl
 {
 
-/// Owns one OpenGL name: move-only, empty when the name is 0. To be created and destroyed on the
-/// GPU thread only.
+/// Owns one OpenGL name. Move-only; empty if the name is 0. Created and destroyed on the GPU thread
+/// only.
 template <void (*Delete)(GLuint)>
 class GlObject
 {
@@ -62,18 +62,18 @@ using Program = GlObject<deleteProgram>;
 Buffer createBuffer();
 VertexArray createVertexArray();
 
-/// Buffer of immutable size; `data` may be null. A size of 0 makes a small buffer that can be
-/// bound.
+/// Creates a buffer of immutable size; `data` may be null. For a size of 0 the buffer has a few
+/// bytes, so that it can be bound.
 /// @throws Error GpuLimit or OutOfMemory.
 Buffer createStorageBuffer(GLsizeiptr bytes, const void* data);
 
-/// Two-dimensional texture of one level with nearest filtering.
-/// @throws Error GpuLimit when a side exceeds the driver's limit, OutOfMemory.
+/// Creates a two-dimensional texture of one level with nearest filtering.
+/// @throws Error GpuLimit if width or height exceeds the limit of the driver, OutOfMemory.
 Texture createTexture2D(GLenum internalFormat, int width, int height);
 
-/// Framebuffer over the given colour textures (attachment i is drawn to location i) and, unless it
-/// is 0, a depth texture.
-/// @throws Error GpuLimit when the driver refuses the combination.
+/// Creates a framebuffer over the given colour textures (attachment i receives location i) and,
+/// unless it is 0, a depth texture.
+/// @throws Error GpuLimit if the driver refuses the combination.
 Framebuffer createFramebuffer(std::initializer_list<GLuint> colours, GLuint depth = 0);
 
 /// Turns a pending GL_OUT_OF_MEMORY into Error OutOfMemory and any other GL error into GpuLimit.

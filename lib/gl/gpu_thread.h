@@ -10,14 +10,14 @@
 namespace medial::gl
 {
 
-/// The one thread of the process that talks to OpenGL, with a context of its own, so that a
-/// caller's current context is never touched. (Where a GLX context is current, as in a VTK window,
-/// making an EGL one current on the same thread fails anyway.)
+/// The one thread of the process that uses OpenGL. It has its own context and so never touches a
+/// caller's current context. (Where a GLX context is current, as in a VTK window, making an EGL
+/// context current on the same thread fails anyway.)
 class GpuThread
 {
 public:
-  /// Starts the thread on first use.
-  /// @throws Error NoGpu when no context can be made; the next call tries again.
+  /// Returns the thread, and starts it on first use.
+  /// @throws Error NoGpu if no context can be made; the next call tries again.
   static GpuThread& instance();
 
   ~GpuThread();
@@ -26,11 +26,11 @@ public:
 
   const Device& device() const;
 
-  /// Queues a job; jobs run one at a time in the order of submission. Exceptions end up in the
-  /// future.
+  /// Queues a job. Jobs run one at a time in the order of submission; their exceptions end up in
+  /// the future.
   std::future<void> submit(std::function<void()> job);
 
-  /// Runs a job and waits for it. Not to be called from a job.
+  /// Runs a job and waits for it. Must not be called from a job.
   void run(std::function<void()> job) { this->submit(std::move(job)).get(); }
 
 private:
@@ -39,7 +39,8 @@ private:
   std::unique_ptr<State> state_;
 };
 
-/// Holds a T that lives on the GPU thread: constructed, used through `run` and destroyed there.
+/// Holds a T that lives on the GPU thread: it is constructed, used through `run` and destroyed
+/// there.
 template <typename T>
 class OnGpuThread
 {
@@ -66,14 +67,14 @@ public:
     thread_.run([&] { job(*object_); });
   }
 
-  /// Queues a job that must not outlive this.
+  /// Queues a job, which must end before this object is destroyed.
   template <typename F>
   std::future<void> submit(F&& job)
   {
     return thread_.submit([this, job = std::forward<F>(job)] { job(*object_); });
   }
 
-  /// For jobs that run on the GPU thread already, and for members that need no OpenGL.
+  /// For jobs that already run on the GPU thread, and for members that need no OpenGL.
   T& object() { return *object_; }
 
 private:

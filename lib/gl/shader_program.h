@@ -9,8 +9,8 @@
 namespace medial::gl
 {
 
-/// A linked program of a vertex and a fragment shader of shaders/. Uniforms that a shader does not
-/// use may be set; they are ignored.
+/// A linked program of a vertex and a fragment shader from shaders/. Setting a uniform that no
+/// shader uses has no effect.
 class ShaderProgram
 {
 public:
@@ -29,11 +29,11 @@ private:
   Program program_;
 };
 
-/// The program of these two files, compiled once per process. GPU thread only.
+/// Returns the program of two shader files, compiled once per process. GPU thread only.
 const ShaderProgram& cachedProgram(const std::string& vertexShader,
   const std::string& fragmentShader);
 
-/// Deletes the cached programs; called when the GPU thread ends.
+/// Deletes the cached programs. Called when the GPU thread ends.
 void releaseProgramCache();
 
 } // namespace medial::gl

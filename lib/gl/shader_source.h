@@ -6,7 +6,7 @@
 namespace medial::gl
 {
 
-/// A file of shaders/, embedded at build time.
+/// A file from shaders/, embedded at build time.
 struct EmbeddedShader
 {
   const char* name;
@@ -16,8 +16,8 @@ struct EmbeddedShader
 extern const EmbeddedShader kEmbeddedShaders[];
 extern const std::size_t kEmbeddedShaderCount;
 
-/// Text of the shader file `name`.
-/// @throws Error ShaderBuild when no such file was embedded.
+/// Returns the text of the shader file `name`.
+/// @throws Error ShaderBuild if no such file was embedded.
 const char* shaderSource(const std::string& name);
 
 } // namespace medial::gl

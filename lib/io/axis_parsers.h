@@ -8,9 +8,9 @@ namespace medial
 {
 
 ///@{
-/// Reads an axis from the whole content of a file, as readAxis() says. Coordinates and radii are
-/// not all checked.
-/// @throws Error InvalidInput without the file's name.
+/// Reads an axis from the whole content of a file, as readAxis() describes. Not all coordinates and
+/// radii are checked here.
+/// @throws Error InvalidInput, without the name of the file.
 MedialAxis parseAxisPly(const std::string& content);
 MedialAxis parseAxisObj(const std::string& content);
 MedialAxis parseAxisMa(const std::string& content);

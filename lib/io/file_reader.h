@@ -8,18 +8,18 @@
 namespace medial
 {
 
-/// The whole content of a file.
-/// @throws Error CannotRead without the file's name.
+/// Returns the whole content of a file.
+/// @throws Error CannotRead, without the name of the file.
 std::string readContent(const std::filesystem::path& path);
 
-/// The extension in lower case, with its dot.
+/// Returns the extension in lower case, with its dot.
 std::string extensionOf(const std::filesystem::path& path);
 
-/// @throws Error CannotRead without the file's name when there is no such file, or none that can be
-///   read from start to end.
+/// Checks that a path leads to a file that can be read from start to end.
+/// @throws Error CannotRead, without the name of the file.
 void requireRegularFile(const std::filesystem::path& path);
 
-/// Returns what `read` makes of a file; the errors that it throws get the file's name.
+/// Returns the result of `read` for a file, and adds the name of the file to its errors.
 /// @throws Error as `read`, and CannotRead.
 template <typename Read>
 auto readFile(const std::filesystem::path& path, const Read& read)

@@ -9,15 +9,15 @@
 namespace medial
 {
 
-/// Values of the vertices of a PLY file by the names of their properties.
+/// Values of vertex properties in a PLY file, by name.
 using PlyAttributes = std::map<std::string, std::vector<double>>;
 
 ///@{
-/// Reads a format from the whole content of a file.
-/// @throws Error InvalidInput without the file's name.
+/// Reads a mesh from the whole content of a file.
+/// @throws Error InvalidInput, without the name of the file.
 MeshInput parseObj(const std::string& content);
-/// @param attributes gets the values of those properties that it has entries for and the file has
-///   too; may be null.
+/// @param attributes receives the values of the properties that it has entries for, if the file has
+///   them; may be null.
 MeshInput parsePly(const std::string& content, PlyAttributes* attributes = nullptr);
 MeshInput parseOff(const std::string& content);
 MeshInput parseLegacyVtk(const std::string& content);

@@ -6,8 +6,8 @@ namespace medial
 {
 
 ///@{
-/// Says what is wrong with the content of a file; readFile() adds the file's name.
-/// @param line where it is wrong, from 1; 0 where that is unknown.
+/// Reports what is wrong with the content of a file; readFile() adds the name of the file.
+/// @param line where the mistake is, from 1; 0 if that is unknown.
 /// @throws Error InvalidInput.
 [[noreturn]] void refuse(const std::string& why);
 [[noreturn]] void refuseLine(int line, const std::string& why);

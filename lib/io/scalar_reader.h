@@ -23,7 +23,7 @@ enum class ScalarType
   Float64
 };
 
-/// The type that a file calls `name`, in either format's spelling.
+/// Returns the type with the given name, in the spelling of either format.
 std::optional<ScalarType> toScalarType(std::string_view name);
 
 enum class Encoding
@@ -33,14 +33,14 @@ enum class Encoding
   BigEndian
 };
 
-/// Takes numbers off the text behind a cursor one by one, whatever their encoding.
+/// Reads numbers one by one from the text behind a cursor, in any encoding.
 class ScalarReader
 {
 public:
   /// @param text must outlive the reader. Binary numbers begin on the line after the current one.
   ScalarReader(TextCursor& text, Encoding encoding);
 
-  /// The next number; nothing at the end of the text or where it is none.
+  /// Reads the next number; nothing at the end of the text, or if there is no number.
   std::optional<double> next(ScalarType type);
 
 private:

@@ -13,20 +13,21 @@ class SoupBuilder
 {
 public:
   void addPoint(double x, double y, double z) { soup_.points.push_back({ x, y, z }); }
-  /// A polygon; with two points a line, with one a vertex. `line` is where the file names it.
+  /// Adds a polygon, or a line for two points, or a vertex for one.
+  /// @param line of the file that defines it, for messages; 0 if unknown.
   void addFace(const std::vector<std::int64_t>& pointIds, int line = 0);
   void addLine(const std::vector<std::int64_t>& pointIds, int line = 0);
-  /// A triangle strip.
+  /// Adds a triangle strip.
   void addStrip(const std::vector<std::int64_t>& pointIds, int line = 0);
-  /// Every point a vertex, all of them one cell.
+  /// Adds one cell in which every point is a vertex.
   void addVertices(const std::vector<std::int64_t>& pointIds, int line = 0);
 
   std::int64_t pointCount() const { return static_cast<std::int64_t>(soup_.points.size()); }
 
-  /// Gives the cells their ids, as VTK counts them: vertices first, then lines, polygons and
-  /// strips, each in the order of the file. Only once.
-  /// @param firstIndex what the file calls its first point, for messages: 0 or 1.
-  /// @throws Error InvalidInput when a cell names a point that does not exist.
+  /// Gives the cells ids in VTK's order: vertices first, then lines, polygons and strips, each in
+  /// the order of the file. To be called once.
+  /// @param firstIndex the file's number of its first point, for messages: 0 or 1.
+  /// @throws Error InvalidInput if a cell uses a point that does not exist.
   MeshInput finish(int firstIndex);
 
 private:

@@ -9,7 +9,7 @@
 namespace medial
 {
 
-/// Walks over the words of a text, line by line. '#' starts a comment that ends with the line.
+/// Reads the words of a text, line by line. '#' starts a comment that ends with the line.
 class TextCursor
 {
 public:
@@ -19,23 +19,23 @@ public:
   {
   }
 
-  /// Next word on the current line; empty where the line ends. A backslash before the line's end
-  /// joins the next line to it.
+  /// Returns the next word on the current line; empty at the end of the line. A backslash before
+  /// the end of a line joins the next line to it.
   std::string_view wordOnLine();
 
-  /// Next word on this or a later line; empty at the end of the text.
+  /// Returns the next word on this or a later line; empty at the end of the text.
   std::string_view word();
 
-  /// What wordOnLine() has not passed yet of the current line, comments and all.
+  /// The part of the current line that wordOnLine() has not passed yet, with comments.
   std::string_view restOfLine() const { return rest_.substr(0, rest_.find('\n')); }
 
-  /// Leaves the rest of the current line; false at the end of the text.
+  /// Skips the rest of the current line; false at the end of the text.
   bool nextLine();
 
   /// Number of the current line, from 1.
   int line() const { return line_; }
 
-  /// Copies the next bytes as they are; false, and nothing is taken, where there are fewer.
+  /// Copies the next bytes unchanged. If there are fewer, takes none and returns false.
   bool takeBytes(char* bytes, std::size_t count);
 
 private:
@@ -43,11 +43,11 @@ private:
   int line_ = 1;
 };
 
-/// The number that the whole word spells, "nan" and "inf" among them.
+/// Returns the number that the whole word spells; "nan" and "inf" are numbers.
 std::optional<double> toDouble(std::string_view word);
 std::optional<std::int64_t> toInteger(std::string_view word);
 
-/// ASCII letters in lower case.
+/// Turns ASCII letters into lower case.
 std::string lowerCase(std::string word);
 
 } // namespace medial

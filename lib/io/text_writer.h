@@ -8,9 +8,8 @@
 namespace medial
 {
 
-/// Writes text and raw values to a stream piece by piece. Numbers are spelled as short as they can
-/// be read back without loss, in every locale. Only what flush() has passed on is sure to be
-/// written.
+/// Writes text and raw values to a stream piece by piece. Numbers have the shortest spelling that
+/// is read back without loss, in every locale. Values are only sure to be written after flush().
 class TextWriter
 {
 public:
@@ -25,14 +24,14 @@ public:
   TextWriter& operator<<(float number);
   TextWriter& operator<<(std::int64_t number);
 
-  /// The value's bytes as they are in memory.
+  /// Writes the bytes of a value as they are in memory.
   template <typename T>
   void raw(const T& value)
   {
     this->append(reinterpret_cast<const char*>(&value), sizeof(value));
   }
 
-  /// Passes on what is still in the buffer.
+  /// Writes what is still in the buffer.
   void flush();
 
 private:

@@ -11,9 +11,9 @@
 namespace medial
 {
 
-/// What every ball and cone of a union is part of, and what of their surfaces that hides. A ball is
-/// touched by its own cones and wedges: they hold the place in direction n of ball a when some
-/// other ball b of theirs reaches farther along n, n . b + r_b > n . a + r_a.
+/// The cones and wedges of every ball and cone of a union, and which parts of their surfaces these
+/// hide. A ball touches its own cones and wedges from inside. They cover the place in direction n
+/// of ball a if another ball b of theirs reaches farther along n: n . b + r_b > n . a + r_a.
 class BallNeighbours
 {
 public:
@@ -24,16 +24,18 @@ public:
   /// Balls of the cones: lines and edges of wedges, each once.
   const std::vector<std::array<std::int32_t, 2>>& cones() const { return cones_; }
 
-  /// @param normal unit.
+  /// Whether the surface of a ball is hidden in a direction.
+  /// @param normal of unit length.
   bool ballHidden(std::int32_t ball, const glm::dvec3& normal) const;
   /// Whether one neighbour hides all directions within DirectionPatches::radius() of `centre`.
   bool patchHidden(std::int32_t ball, const glm::dvec3& centre) const;
-  /// @param normal of the cone's lateral surface, unit.
+  /// Whether the surface of a cone is hidden at a normal.
+  /// @param normal of the cone's lateral surface, of unit length.
   bool coneHidden(std::size_t cone, const glm::dvec3& normal) const;
 
 private:
-  /// Hides the directions n with n . towards > min, and the patches about them with n . towards >
-  /// minOfPatch. What exceeds 1 hides nothing, what is below -1 everything.
+  /// Hides the directions n with n . towards > min, and the patches around directions n with n .
+  /// towards > minOfPatch. A limit above 1 hides nothing, one below -1 everything.
   struct Cover
   {
     glm::dvec3 towards; ///< unit

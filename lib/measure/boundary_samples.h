@@ -10,12 +10,13 @@
 namespace medial
 {
 
-/// Points on the surface of a union of balls, cones and wedges, evenly spread by area; always the
-/// same ones, whatever the number of threads. The surface of every part is sampled, and what lies
-/// inside another part is left out.
+/// Spreads points evenly by area over the surface of a union of balls, cones and wedges. The points
+/// do not depend on the number of threads. The surface of every part is sampled, and samples inside
+/// other parts are dropped.
 /// @param areaPerSample > 0.
-/// @param tolerance how deep inside another primitive a point still counts as on the surface.
-/// @param report told now and then what share in [0, 1] is done; its exceptions end the work.
+/// @param tolerance points this deep inside another primitive still count as on the surface.
+/// @param report called regularly with the share of the work that is done, in [0, 1]; its
+///   exceptions end the work.
 std::vector<glm::dvec3> boundarySamples(const BallUnion& solid, double areaPerSample,
   double tolerance, const std::function<void(double)>& report = {});
 

@@ -8,18 +8,18 @@
 namespace medial
 {
 
-/// All directions in patches of equal area, between circles of latitude and meridians.
+/// All directions, in patches of equal area between circles of latitude and meridians.
 class DirectionPatches
 {
 public:
   static const DirectionPatches& instance();
 
   std::size_t size() const { return centres_.size(); }
-  /// A direction of the patch.
+  /// Returns the direction in the middle of a patch.
   const glm::dvec3& centre(std::size_t patch) const { return centres_[patch]; }
-  /// No direction of a patch is farther from its centre than this angle, in radians.
+  /// Returns the largest angle, in radians, between a direction of a patch and its centre.
   double radius() const { return radius_; }
-  /// Maps the unit square to a patch, areas in proportion.
+  /// Maps the unit square to a patch, and equal areas to equal areas.
   glm::dvec3 direction(std::size_t patch, double u, double v) const;
 
 private:

@@ -26,7 +26,7 @@ inline SquarePoint spreadPoint(std::int64_t k)
   return { u - std::floor(u), v - std::floor(v) };
 }
 
-/// Maps the unit square to a triangle, areas in proportion.
+/// Maps the unit square to a triangle, and equal areas to equal areas.
 inline glm::dvec3 pointInTriangle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
   const SquarePoint& at)
 {
@@ -34,8 +34,9 @@ inline glm::dvec3 pointInTriangle(const glm::dvec3& a, const glm::dvec3& b, cons
   return (1.0 - root) * a + root * (1.0 - at.v) * b + root * at.v * c;
 }
 
-/// Samples at k + 1/2 for whole k along a line of pieces one after the other, so that every piece
-/// gets as many as its length, to one. Calls `visit(SquarePoint)` for those in a piece.
+/// Places samples at k + 1/2, for whole k, along a line of pieces one after the other, so that
+/// every piece gets as many as its length, give or take one. Calls `visit(SquarePoint)` for those
+/// of one piece.
 template <typename Visit>
 void forEachSample(double start, double length, const Visit& visit)
 {

@@ -12,10 +12,11 @@
 namespace medial
 {
 
-/// @throws Error InvalidInput for a number of samples outside its range.
+/// Checks a number of samples.
+/// @throws Error InvalidInput if it is outside its range.
 void checkSampleCount(std::int64_t samples);
 
-/// The values `value(i)` for i in [0, count), computed on the threads of the current arena.
+/// Computes value(i) for i in [0, count), on the threads of the current arena.
 template <typename Value>
 std::vector<double> sampleValues(const Run& run, std::size_t count, const char* phase,
   const Value& value)

@@ -10,10 +10,10 @@
 namespace medial
 {
 
-/// World units squared; the triangles of a mesh only.
+/// Returns the area of the triangles of a mesh, world units squared.
 double surfaceArea(const TriangleMesh& mesh);
 
-/// `count` points on the triangles of a mesh, evenly spread by area; always the same ones.
+/// Spreads `count` points evenly by area over the triangles of a mesh; always the same ones.
 std::vector<glm::dvec3> surfaceSamples(const TriangleMesh& mesh, std::int64_t count);
 
 } // namespace medial

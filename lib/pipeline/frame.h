@@ -9,14 +9,15 @@
 namespace medial
 {
 
-/// computeDistanceField() for one of several frames.
-/// @param engine of the frame before, over the same mesh in other positions; null before the first.
-///   Replaced where the options want another.
+/// Does the work of computeDistanceField() for one of several frames.
+/// @param engine of the previous frame, over the same mesh in other positions; null for the first
+///   frame. Replaced if the options ask for another kind.
 RunStatistics computeField(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
   const Grid& grid, const Extent& extent, FieldSink& sink, const DistanceFieldOptions& options,
   std::unique_ptr<FieldEngine>& engine);
 
-/// computeMedialAxis() for one of several frames, with the engine as for computeField().
+/// Does the work of computeMedialAxis() for one of several frames, with the engine as for
+/// computeField().
 MedialAxis computeAxis(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
   const Grid& grid, const MedialAxisOptions& options, FieldSink& sink,
   std::unique_ptr<FieldEngine>& engine);

@@ -10,8 +10,8 @@
 namespace medial
 {
 
-/// Balls of an axis in coordinates of their own: the origin at the middle of the centres' bounds,
-/// the diagonal of these bounds (or the largest radius, if more) the unit.
+/// The balls of an axis in coordinates of their own. The origin is the middle of the bounds of the
+/// centres; the unit is the diagonal of these bounds, or the largest radius if that is larger.
 struct AxisBalls
 {
   Point3 origin; ///< world coordinates
@@ -23,17 +23,18 @@ struct AxisBalls
   Point3 toWorld(const glm::dvec3& local) const;
 };
 
+/// Returns the balls of an axis.
 /// @throws Error InvalidInput for numbers that are not finite, negative radii, and arrays whose
-///   size is neither that of the points nor, but for radii, 0.
+///   size is neither that of the points nor 0 (radii may not be empty).
 AxisBalls ballsOf(const MedialAxis& axis);
 
-/// The two closest surface points of a point of an axis, in the coordinates of the balls.
+/// The two closest surface points of a point of an axis, in the coordinates of its balls.
 using ClosestPair = std::array<glm::dvec3, 2>;
 
-/// The closest pairs of an axis in coordinates of its balls; nothing where it has none.
+/// Returns the closest pairs of an axis, in the coordinates of its balls; nothing if it has none.
 std::vector<ClosestPair> closestPairsOf(const MedialAxis& axis, const AxisBalls& frame);
 
-/// The cells of an axis; quads are cut along the diagonal that is shorter in R^4.
+/// Returns the cells of an axis. Quads are split along the diagonal that is shorter in R^4.
 /// @throws Error InvalidInput for point ids out of range.
 BallComplex complexOf(const MedialAxis& axis, const std::vector<Ball>& balls);
 

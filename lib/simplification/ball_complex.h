@@ -8,15 +8,15 @@
 namespace medial
 {
 
-/// An abstract simplicial complex of triangles, edges and vertices that need not be manifold, with
-/// edge contraction. The edges of its triangles are edges of the complex.
+/// An abstract simplicial complex of triangles, edges and vertices, with edge contraction. It need
+/// not be manifold. The edges of its triangles are edges of the complex.
 class BallComplex
 {
 public:
   explicit BallComplex(int vertexCount);
 
   ///@{
-  /// Adds a cell with its edges, unless it is there or repeats a vertex.
+  /// Adds a cell with its edges, unless it exists already or repeats a vertex.
   void addEdge(int a, int b);
   void addTriangle(int a, int b, int c);
   ///@}
@@ -30,25 +30,25 @@ public:
   const std::vector<int>& edgesOf(int vertex) const { return vertices_[vertex].edges; }
   const std::vector<int>& trianglesOf(int vertex) const { return vertices_[vertex].triangles; }
 
-  /// The other end of an edge of `vertex`.
+  /// Returns the other end of an edge of `vertex`.
   int across(int edge, int vertex) const
   {
     return edges_[edge][0] == vertex ? edges_[edge][1] : edges_[edge][0];
   }
   std::optional<int> findEdge(int a, int b) const;
   bool hasTriangle(int a, int b, int c) const;
-  /// Third corners of the triangles at an edge.
+  /// Returns the third corners of the triangles at an edge.
   std::vector<int> opposite(int edge) const;
-  /// Vertices with edges to both ends of an edge.
+  /// Returns the vertices with edges to both ends of an edge.
   std::vector<int> commonNeighbours(int edge) const;
 
-  /// Merges the second vertex of an edge into the first; cells that become equal are one.
+  /// Merges the second vertex of an edge into the first; cells that become equal are joined.
   /// @return the vertex that stays.
   int contract(int edge);
   void removeVertex(int vertex);
 
   ///@{
-  /// What is left.
+  /// Returns the cells that are left.
   std::vector<int> vertices() const;
   std::vector<int> edges() const;
   std::vector<std::array<int, 3>> triangles() const;
@@ -67,11 +67,11 @@ private:
   void dropTriangle(int triangle);
 
   std::vector<Vertex> vertices_;
-  std::vector<std::array<int, 2>> edges_;     ///< -1 where gone
-  std::vector<std::array<int, 3>> triangles_; ///< -1 where gone
+  std::vector<std::array<int, 2>> edges_;     ///< -1 if removed
+  std::vector<std::array<int, 3>> triangles_; ///< -1 if removed
 };
 
-/// Labels of connected components: for every vertex the lowest vertex of its component.
+/// Returns, for every vertex, the lowest vertex of its connected component.
 std::vector<int> componentsOf(const BallComplex& complex);
 
 } // namespace medial

@@ -9,8 +9,8 @@ namespace medial
 {
 
 /// Joins components of the complex whose balls overlap, by edges between nearest centres (Boruvka's
-/// minimum spanning forest). Balls inside a solid overlap only where it is connected, so no two
-/// parts of it are ever joined; no loop arises.
+/// minimum spanning forest). Balls inside a solid overlap only where it is connected, so different
+/// parts are never joined. No loop arises.
 /// @return number of edges added.
 int linkComponents(const std::vector<Ball>& balls, BallComplex& complex);
 

@@ -16,23 +16,24 @@ namespace medial
 class EdgeCollapse
 {
 public:
-  /// What a contraction may do besides keeping the topology of the complex and the shape of its
-  /// triangles.
+  /// A contraction keeps the topology of the complex and the shape of its triangles. These flags
+  /// allow more.
   struct Freedom
   {
     bool fill;  ///< close loops of three balls and hollows of four that the balls fill
     bool fold;  ///< turn triangles over
-    bool close; ///< all of that, and close any loop and hollow
+    bool close; ///< do all of that, and close any loop and hollow
   };
 
-  /// @param balls, complex are changed in place.
+  /// @param balls, complex changed in place.
   EdgeCollapse(std::vector<Ball>& balls, std::vector<BallQuadric> quadrics, BallComplex& complex);
 
-  /// @param step called with the number of balls left, now and then.
-  /// @return number of balls left: `target`, or more where the freedom does not allow it.
+  /// Contracts edges until `target` balls are left.
+  /// @param step called regularly with the number of balls left.
+  /// @return number of balls left: `target`, or more if the freedom does not allow it.
   int reduceTo(int target, Freedom freedom, const std::function<void(int)>& step);
 
-  /// Vertex that each of the original ones has been merged into.
+  /// Returns the vertex that each of the original ones has been merged into.
   std::vector<int> representatives() const;
 
 private:
@@ -53,7 +54,7 @@ private:
     Ball ball;
     double cost = 0.0;
     std::uint32_t version = 0;
-    bool refused = false; ///< under the present freedom, by its neighbourhood as it was
+    bool refused = false; ///< under the current freedom, as long as its neighbourhood stays
   };
 
   void plan(int edge);

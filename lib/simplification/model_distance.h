@@ -11,7 +11,8 @@
 namespace medial
 {
 
-/// The ball of the medial model whose surface is nearest to a point: a mean of those of a cell.
+/// The ball of the medial model whose surface is nearest to a point, as a convex combination of the
+/// balls of a cell.
 struct NearestCell
 {
   std::array<int, 3> corners{ 0, 0, 0 };
@@ -19,7 +20,7 @@ struct NearestCell
   double distance = 0.0;       ///< of the point from the ball's surface, negative inside
   glm::dvec3 direction{ 0.0 }; ///< unit vector from the ball's centre to the point
 
-  /// The corner of the largest share.
+  /// Returns the corner with the largest share.
   int mainVertex() const;
 };
 

@@ -17,7 +17,7 @@ public:
   /// @param balls must outlive this.
   explicit OverlappingBalls(const std::vector<Ball>& balls);
 
-  /// @param groups one a ball, >= 0.
+  /// @param groups one per ball, >= 0.
   void setGroups(const std::vector<int>& groups);
 
   struct Neighbour
@@ -26,15 +26,15 @@ public:
     double distance; ///< of the centres
   };
 
-  /// Of the balls of other groups that overlap `ball` and do not just touch it, the one with the
-  /// nearest centre, if that is not farther than `limit`; the one of lowest index among equals.
+  /// Among the balls of other groups that overlap `ball` by more than a touch, returns the one with
+  /// the nearest centre if that is within `limit`; of equal ones that of lowest index.
   std::optional<Neighbour> nearest(const Ball& ball, int group, double limit) const;
 
 private:
   const std::vector<Ball>& balls_;
   BoundingTree tree_;
   std::vector<int> groups_;
-  std::vector<int> groupOfNode_; ///< of all its balls, or kSeveral
+  std::vector<int> groupOfNode_; ///< group of all balls of a node, or kSeveral
 };
 
 } // namespace medial

@@ -10,13 +10,13 @@ namespace medial
 
 using TrianglePoints = std::array<glm::dvec3, 3>;
 
-/// Twice the area, along the normal.
+/// Returns the normal with a length of twice the area.
 inline glm::dvec3 areaVector(const TrianglePoints& p)
 {
   return glm::cross(p[1] - p[0], p[2] - p[0]);
 }
 
-/// Twice the area beside the square of the longest edge.
+/// Returns twice the area, divided by the squared length of the longest edge.
 inline double heightRatio(const TrianglePoints& p)
 {
   const auto squared = [](const glm::dvec3& d) { return glm::dot(d, d); };
@@ -25,13 +25,13 @@ inline double heightRatio(const TrianglePoints& p)
   return edge2 > 0.0 ? glm::length(areaVector(p)) / edge2 : 0.0;
 }
 
-/// Whether a triangle that moves has area afterwards.
+/// Whether a triangle still has area after a move.
 inline bool keepsArea(const TrianglePoints& after)
 {
   return heightRatio(after) > 1e-5;
 }
 
-/// Whether it does not turn over either, nor become much more slender than it was.
+/// Whether it also neither turns over nor becomes much more slender.
 inline bool keepsShape(const TrianglePoints& before, const TrianglePoints& after)
 {
   constexpr double kMinCosine = 0.2;

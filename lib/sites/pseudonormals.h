@@ -9,12 +9,13 @@
 namespace medial
 {
 
-/// Angle-weighted pseudonormals of all sites (Baerentzen and Aanaes 2005); zero where no triangle
-/// meets the site. A face's has the offset of its plane as fourth component, others 0.
+/// Computes the angle-weighted pseudonormals of all sites (Baerentzen and Aanaes 2005); zero where
+/// no triangle meets the site. That of a face has the offset of its plane as fourth component, all
+/// others have 0.
 ///
-/// Triangles without area have no normal; edges and vertices see through them to the triangles on
-/// the other side, as if the neighbours were joined directly.
-/// @param flip turn them round, for a surface that faces inwards.
+/// Triangles without area have no normal. Edges and vertices ignore them: they use the triangles on
+/// the other side, as if these were direct neighbours.
+/// @param flip whether to reverse the pseudonormals, for a surface that faces inwards.
 std::vector<glm::vec4> pseudonormals(const SiteSet& sites, bool flip);
 
 } // namespace medial

@@ -19,17 +19,16 @@ enum class SiteKind : std::uint8_t
   Vertex
 };
 
-/// The closed half-space dot(normal, x) <= offset, as (normal, offset); the normal is of unit
-/// length.
+/// The closed half-space dot(normal, x) <= offset, stored as (normal, offset) with a unit normal.
 using HalfSpace = glm::vec4;
 
-/// All sites of a mesh in local coordinates, each with half-spaces that contain its
-/// Voronoi region. Ids: faces in [0, F), edges in [F, F+E), vertices in [F+E, F+E+V).
+/// All sites of a mesh in local coordinates, each with half-spaces that contain its Voronoi region.
+/// Ids: faces in [0, F), edges in [F, F+E), vertices in [F+E, F+E+V).
 ///
-/// A point whose closest surface point lies inside a site satisfies all half-spaces of the site:
-/// each says "nearer to this site than to the rest of one incident element", which holds for
-/// convex, concave, saddle, boundary and non-manifold elements alike (the paper's section 4 has
-/// looser bounds for some of these).
+/// A point whose closest surface point lies inside a site is in all half-spaces of the site. Each
+/// of them says "nearer to this site than to the rest of one incident element". This holds for
+/// convex, concave, saddle, boundary and non-manifold elements alike; section 4 of the paper has
+/// looser bounds for some of them.
 class SiteSet
 {
 public:
@@ -50,24 +49,25 @@ public:
   int firstEdge() const { return this->faceCount(); }
   int firstVertex() const { return this->faceCount() + this->edgeCount(); }
 
-  /// False for triangles that are thinner than counts, since their edges stand for them, and for
-  /// the longest edge of a triangle without area, since the other two stand for it.
+  /// False for triangles that are too thin, since their edges stand for them, and for the longest
+  /// edge of a triangle without area, since the other two stand for it.
   bool active(int site) const { return active_[site] != 0; }
 
   const std::vector<glm::dvec3>& points() const { return points_; }
   const std::vector<glm::ivec3>& faces() const { return faces_; }         ///< corners
-  const std::vector<glm::ivec3>& faceEdges() const { return faceEdges_; } ///< edge numbers
+  const std::vector<glm::ivec3>& faceEdges() const { return faceEdges_; } ///< ids in edges()
   const std::vector<glm::ivec2>& edges() const { return edges_; }         ///< end points
 
-  /// Unit normal of a face; zero where it has no area.
+  /// Unit normal of a face; zero if it has no area.
   const glm::dvec3& faceNormal(int face) const { return faceNormals_[face]; }
-  /// Which edge of a face, counted like faceEdges(), is the longest.
+  /// Index of the longest edge of a face, as in faceEdges().
   int longestEdge(int face) const;
   /// Centre and radius of a ball around the site; the centre is a point of the site.
   const glm::vec4& boundingBall(int site) const { return balls_[site]; }
 
-  /// Half-spaces of a face: across its three edges, then two across the ends of the longest; of an edge:
-  /// the two across its ends, then one for each of its faces; of a vertex: one for each edge.
+  /// Half-spaces of a site. A face has one at each of its three edges, then two across the ends of
+  /// its longest edge. An edge has two across its ends, then one for each of its faces. A vertex
+  /// has one for each of its edges.
   const HalfSpace* halfSpacesBegin(int site) const
   {
     return halfSpaces_.data() + halfSpaceOffsets_[site];

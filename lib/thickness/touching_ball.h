@@ -10,25 +10,26 @@
 namespace medial
 {
 
-/// Finds the medial ball that touches the surface at a point: along a ray from the point, the first
-/// centre whose closest surface point is seen at the separation angle or more away from the ray's
-/// start. What is closest at smaller angles, as neighbouring facets of a curved surface are, is
-/// passed over.
+/// Finds the medial ball that touches the surface at a point. On a ray from the point, its centre
+/// is the first place from which the closest surface point and the start of the ray are seen at the
+/// separation angle or more from each other. Closest points at smaller angles, such as those of
+/// neighbouring facets of a curved surface, are passed over.
 ///
 /// The search is exact. At x(t) = start + t direction the distance D obeys
 ///   D(t)^2 - t^2 = min over surface points p of |p - start|^2 - 2 t (p - start) . direction,
 /// a minimum of affine functions of t, hence concave. So the tangents at two positions bound what
-/// can be closest in between, and where they meet is the centre of the ball through both of their
-/// points: from outside this is the iteration of shrinking balls (Ma, Bae, Choi 2012: 3D medial
-/// point approximation using normal vectors), here with the exact closest point of the mesh.
-/// Between two positions without a wide angle, bounds from concavity show that there is none, or
-/// the search goes on inside.
+/// can be closest in between, and they meet at the centre of the ball through both closest points.
+/// Seen from outside this is the iteration of shrinking balls (Ma, Bae, Choi 2012: 3D medial point
+/// approximation using normal vectors), here with the exact closest point of the mesh. Between two
+/// positions without a wide angle, concavity gives bounds: they show that there is no wide angle in
+/// between, or else the search continues inside.
 class TouchingBall
 {
 public:
   /// @param surface must outlive this.
-  /// @param angle least separation angle, degrees, in (0, 180).
-  /// @param diagonal of the mesh's bounds, local units: no surface point is farther from another.
+  /// @param angle minimum separation angle, degrees, in (0, 180).
+  /// @param diagonal of the bounds of the mesh, local units: the largest distance of two surface
+  ///   points.
   TouchingBall(const SurfaceQuery& surface, double angle, double diagonal);
 
   struct Ray
@@ -37,29 +38,29 @@ public:
     glm::dvec3 direction; ///< of unit length
   };
 
-  /// @param first where to look first, local units, > 0: at a share of the size of what meets at
-  /// the
-  ///   start, which up to there is a cone of facets.
-  /// @param touches whether a site is among what meets at the start. One that is seen at a wide
-  ///   angle at once makes the radius 0.
-  /// @param guess where to look next; the result does not depend on it, but the time does.
-  /// @return the ball's radius in local units; nothing where there is no such ball.
+  /// Finds the radius of the ball.
+  /// @param first where to look first, local units, > 0: a fraction of the size of the cells that
+  ///   meet at the start, since within that size the surface is a cone of facets.
+  /// @param touches whether a site is among those that meet at the start. If such a site is seen at
+  ///   a wide angle at once, the radius is 0.
+  /// @param guess where to look next; it changes the time but not the result.
+  /// @return radius in local units; nothing if there is no such ball.
   template <typename Touches>
   std::optional<double> radius(const Ray& ray, double first, double guess,
     const Touches& touches) const;
 
-  /// Farther than this from its start no ray is followed.
+  /// Rays end at this distance from their start.
   double reach() const { return reach_; }
 
 private:
-  /// What is closest at one position of a ray.
+  /// The closest point at one position of a ray.
   struct Sample
   {
     double t = 0.0;
     int site = -1;
     glm::dvec3 point{ 0.0 }; ///< relative to the ray's start
-    double height = 0.0;     ///< of the point along the ray
-    double square = 0.0;     ///< of its distance from the start
+    double height = 0.0;     ///< of the point above the start, along the ray
+    double square = 0.0;     ///< squared distance of the point from the start
     double distance = 0.0;   ///< of the point from x(t)
     bool wide = false;
   };
@@ -69,9 +70,9 @@ private:
     Sample high;
   };
 
-  /// Nearer than this no ball is looked for.
+  /// Nearer to the start, the search for a ball stops.
   double minStart() const;
-  /// Whether the start itself is closest.
+  /// Whether the start itself is the closest point.
   bool isStart(const Sample& sample) const;
   Sample look(const Ray& ray, double t) const;
   std::optional<Sample> lookNearer(const Ray& ray, double t, double distance) const;
@@ -98,7 +99,7 @@ std::optional<double> TouchingBall::radius(const Ray& ray, double first, double 
   constexpr double kDescent = 1.0 / 64.0;
   Sample low = this->look(ray, first);
   Sample high;
-  // Something else is very near.
+  // Another part of the surface is very near.
   while (!this->isStart(low) && !touches(low.site))
   {
     if (low.t < this->minStart())

@@ -11,14 +11,14 @@
 namespace medial
 {
 
-/// What exact positions are computed from.
+/// The input for exact positions.
 struct SampleContext
 {
   const AxisGeometry& geometry;
   const std::int32_t* closestSites; ///< of all grid points, x fastest
 };
 
-/// Grid edges with a point of each, by the faces of a lattice that are dual to them.
+/// Grid edges with a point on each, found by the faces of a lattice that are dual to them.
 class AxisSamples
 {
 public:
@@ -27,20 +27,20 @@ public:
   AxisSamples(const CubicalComplex& lattice, const std::vector<Crossing>& crossings,
     const BisectorPoints& bisectors);
 
-  /// Adds grid edges that no selection has delivered: at the bisector point of the closest sites of
-  /// their ends, or in the middle where these are the same.
+  /// Adds grid edges that were not selected: at the bisector point of the closest sites of their
+  /// ends, or at the middle if these are the same.
   void add(const SampleContext& context, const CubicalComplex& lattice,
     std::vector<CubeCell> faces);
 
   /// Adds the medial point seen from a grid point, for parts thinner than a voxel: the centre of
-  /// the ball, of a radius of up to two voxels, that touches the surface at its closest point and
-  /// holds no other (shrinking ball: Ma, Bae, Choi, "3D medial axis point approximation using
-  /// nearest neighbors and the normal field", 2012).
-  /// @return its index.
+  /// the ball, with a radius of at most two voxels, that touches the surface at the closest point
+  /// of the grid point and contains no other surface point (shrinking ball: Ma, Bae, Choi, "3D
+  /// medial axis point approximation using nearest neighbors and the normal field", 2012).
+  /// @return the index of the sample.
   int addPoint(const SampleContext& context, const CubicalComplex& lattice,
     const glm::ivec3& voxel);
 
-  /// Index of a face's sample or kNone.
+  /// Returns the index of a face's sample, or kNone.
   int find(CubeCell face) const;
   const BisectorPoint& point(int sample) const { return samples_.points[sample]; }
   const BisectorPoints& points() const { return samples_; }
@@ -58,7 +58,7 @@ private:
   std::vector<Entry> byFace_; ///< ascending
 };
 
-/// The face dual to a crossing, and the crossing without sites of a face.
+/// Returns the face dual to a crossing, or the crossing of a face, without sites.
 CubeCell dualFace(const CubicalComplex& lattice, const Crossing& crossing);
 Crossing dualEdge(const CubicalComplex& lattice, CubeCell face);
 

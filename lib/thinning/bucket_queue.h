@@ -8,8 +8,8 @@
 namespace medial
 {
 
-/// A priority queue for keys that hardly ever fall behind what was popped last: buckets of equal
-/// width, first in, first out within a bucket. Elements pushed behind the current bucket join it.
+/// A priority queue for keys that rarely fall behind the last key taken out. Its buckets have equal
+/// width and are first in, first out. An element behind the current bucket joins that bucket.
 template <typename T>
 class BucketQueue
 {
@@ -31,7 +31,7 @@ public:
     buckets_[target].push_back(value);
   }
 
-  /// Takes the next element; false where there is none.
+  /// Takes out the next element; false if there is none.
   bool pop(T& value)
   {
     while (current_ < buckets_.size() && next_ == buckets_[current_].size())

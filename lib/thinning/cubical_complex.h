@@ -10,17 +10,18 @@
 namespace medial
 {
 
-/// A cell of a cubical complex: 8 * linear index of its lattice position + kind.
+/// A cube cell, that is a cell of a cubical complex: 8 * linear index of its lattice position +
+/// kind.
 using CubeCell = std::int64_t;
 
-/// Kinds of cells: a vertex, edges along x, y, z, faces normal to x, y, z, a voxel.
+/// Kinds of cube cells: a vertex, edges along x, y, z, faces normal to x, y, z, a voxel.
 constexpr int kVertexKind = 0;
 constexpr int kEdgeKind = 1;
 constexpr int kFaceKind = 4;
 constexpr int kVoxelKind = 7;
 constexpr int kCubeCellKinds = 8;
 
-/// Differences that lead from cells of one kind to their faces or to their cofaces.
+/// Differences between cube cells of one kind and their faces or their cofaces.
 struct CubeCellSteps
 {
   int count = 0;
@@ -30,14 +31,14 @@ struct CubeCellSteps
   const CubeCell* end() const { return steps.data() + count; }
 };
 
-/// Which cells of a cubical complex are there: unit cubes around grid points ("voxels") with their
-/// square faces, edges and corners, one byte per grid point (Voxel Cores: Yan, Letscher, Ju 2018,
-/// thin the dual complex the same way).
+/// A cubical complex: unit cubes around grid points ("voxels") with their square faces, edges and
+/// corners. It stores which of these cube cells are there, in one byte per grid point. (Voxel
+/// Cores, Yan, Letscher, Ju 2018, thin the dual complex in the same way.)
 ///
-/// Position p = (i, j, k), x fastest, holds the voxel around grid point p, the three faces, and the
-/// three edges of it that meet in its lowest corner, and that corner. So the face of normal axis a
-/// at p is dual to the grid edge from p - e_a to p, and the vertex at p to the grid cell from
-/// p - (1,1,1) to p. Only cells of voxels away from the border of the lattice may be set.
+/// Position p = (i, j, k), x fastest, has the voxel around grid point p, the voxel's three faces
+/// and three edges that meet in its lowest corner, and that corner. So the face of normal axis a at
+/// p is dual to the grid edge from p - e_a to p, and the vertex at p to the grid cell from p -
+/// (1,1,1) to p. Only cells of voxels away from the border of the lattice may be set.
 class CubicalComplex
 {
 public:
@@ -45,7 +46,7 @@ public:
 
   static int kind(CubeCell cell) { return static_cast<int>(cell & 7); }
   static int dimension(int kind) { return kind == kVertexKind ? 0 : (kind + 2) / 3; }
-  /// Bit a is set where cells of a kind extend along axis a.
+  /// Bit a is set if cells of a kind extend along axis a.
   static unsigned spans(int kind) { return kSpans[kind]; }
   static std::size_t index(CubeCell cell) { return static_cast<std::size_t>(cell >> 3); }
 
@@ -56,7 +57,7 @@ public:
     return 8 * (position.x + stride_[1] * position.y + stride_[2] * position.z) + kind;
   }
   glm::ivec3 position(CubeCell cell) const;
-  /// Where the middle of a cell lies, in the indices of grid points.
+  /// Returns the centre of a cell, in indices of grid points.
   glm::dvec3 centre(CubeCell cell) const;
 
   bool has(CubeCell cell) const { return (bits_[index(cell)] >> kind(cell) & 1) != 0; }
@@ -66,7 +67,7 @@ public:
     bits_[index(cell)] &= static_cast<std::uint8_t>(~(1u << kind(cell)));
   }
 
-  /// The cells at a position, bit k for kind k.
+  /// The cells at a position: bit k for kind k.
   std::uint8_t bits(std::size_t position) const { return bits_[position]; }
   void setBits(std::size_t position, std::uint8_t bits) { bits_[position] = bits; }
 
@@ -83,7 +84,7 @@ public:
     return count;
   }
   bool maximal(CubeCell cell) const { return this->cofaceCount(cell) == 0; }
-  /// The only coface of a cell; -1 where there is none or more than one.
+  /// Returns the only coface of a cell; -1 if there is none or more than one.
   CubeCell onlyCoface(CubeCell cell) const
   {
     CubeCell only = -1;

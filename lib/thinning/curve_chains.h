@@ -9,30 +9,31 @@
 namespace medial
 {
 
-/// Which curves are to be kept.
+/// Which curves to keep.
 struct CurveLimits
 {
-  /// Least separation angle, radians. Along a curve of the medial axis the radius r grows with the
-  /// arc length s by dr/ds = cos(S/2).
+  /// Minimum separation angle S, radians. Along a curve of the medial axis the radius r grows with
+  /// the arc length s by dr/ds = cos(S/2).
   double angle;
-  /// Least radius * sin(S / 2), and least radius; frame units.
+  /// Minimum radius * sin(S / 2) and minimum radius, local units.
   double lambda = 0.0;
   double radius = 0.0;
-  /// Arc length, in frame units, over which the angle is measured; shorter curves are not kept.
+  /// Arc length, in local units, over which the angle is measured. Shorter curves are dropped.
   double length = 4.0;
 };
 
-/// The edges that a fire has taken from curves, from their free ends on: the medial persistence of
-/// Liu, Chambers, Letscher, Ju (A simple and robust thinning algorithm on cell complexes, 2010) for
-/// 1-cells, with the distance to the surface as time of isolation and the arc length from the free
-/// end as time of removal. What they compare from the end on is compared over parts of the curve
-/// here, so that a curve counts however far its end is from where the noise of the surface ends.
+/// The edges that a fire has removed from curves, starting at their free ends. This is the medial
+/// persistence of Liu, Chambers, Letscher, Ju (A simple and robust thinning algorithm on cell
+/// complexes, 2010) for 1-cells: the distance to the surface is the time of isolation, and the arc
+/// length from the free end is the time of removal. They compare these from the end of the curve
+/// on. Here parts of the curve are compared, so that a curve counts however far its end is from
+/// where the noise of the surface stops.
 class CurveChains
 {
 public:
   static constexpr int kNone = -1;
 
-  /// An edge and the vertex that it was removed with.
+  /// An edge and the vertex that was removed with it.
   struct Pair
   {
     CubeCell edge;
@@ -41,16 +42,18 @@ public:
 
   explicit CurveChains(const CurveLimits& limits);
 
-  /// When a fire that comes along a chain burns an edge; kNone: that starts with the edge.
-  /// @param position and depth of the edge, frame units.
+  /// Returns when a fire that comes along a chain burns an edge. With kNone the fire starts at the
+  /// edge.
+  /// @param position, depth of the edge, local units.
   double arrival(int chain, const glm::vec3& position, float depth) const;
 
-  /// Adds a removed edge to a chain, or starts one. Returns the new end.
+  /// Adds a removed edge to a chain, or starts a chain. Returns its new end.
   int extend(int chain, const Pair& removed, const glm::vec3& position, float depth);
 
-  /// Whether the curve that ends with this edge is long enough and its radius grows slowly enough
-  /// to be kept.
-  /// @return the removed pairs to be put back, in this order, or nothing in `restored`.
+  /// Whether to keep the curve that ends with this edge: it must be long enough, and its radius
+  /// must grow slowly enough.
+  /// @param restored receives the removed pairs to put back, in this order; empty if there are
+  ///   none.
   bool lasting(int chain, const glm::vec3& position, float depth,
     std::vector<Pair>& restored) const;
 
@@ -59,11 +62,11 @@ private:
   {
     Pair removed;
     int previous;
-    int best; ///< link with the greatest potential up to here
+    int best; ///< link with the largest potential up to here
     float length;
-    float potential; ///< depth less what the limit allows it to grow by
+    float potential; ///< depth minus the growth that the limit allows
     float tipDepth;
-    glm::vec3 base; ///< lengths are chords from here, so that steps of the grid do not count
+    glm::vec3 base; ///< lengths are chords from here, so that steps of the grid do not add to them
     float baseLength;
     int sinceBase;
   };

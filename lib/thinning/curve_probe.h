@@ -10,26 +10,26 @@
 namespace medial
 {
 
-/// Tells edges along which a curve of the medial axis may run from those that an oblique front of
-/// voxels leaves behind: by the closest sites of the four voxels around them.
+/// Tells which edges a curve of the medial axis may follow. An oblique front of voxels leaves
+/// others behind. The closest sites of the four voxels around an edge make the difference.
 class CurveProbe
 {
 public:
   /// @param closestSites of all grid points.
-  /// @param angle least separation angle theta, radians. Around a straight curve the four
-  ///   directions are up to 135 degrees or more apart, wherever it crosses their square; from 120
-  ///   degrees on that is what is asked for.
+  /// @param angle minimum separation angle theta, radians. Around a straight curve the four
+  ///   directions are up to 135 degrees or more apart, wherever the curve crosses the square of the
+  ///   voxels; no more than 120 degrees are therefore required.
   CurveProbe(const SiteSet& sites, const GridFrame& frame, const std::int32_t* closestSites,
     const DepthField& depth, double angle);
 
-  /// Whether two of the four voxels around an edge are closest to places of the surface that face
-  /// away from each other by the angle. Voxels on the other side of the surface, around parts that
-  /// are thinner than a voxel, count with the direction that they see the surface from, and for
-  /// 120 degrees, so that convex edges are no such parts.
+  /// Whether two of the four voxels around an edge are closest to parts of the surface that face
+  /// away from each other by the angle. Voxels on the other side of the surface, around parts
+  /// thinner than a voxel, count with the direction from which they see the surface; they need 120
+  /// degrees, so that convex edges are not taken for such parts.
   bool separates(const CubicalComplex& lattice, CubeCell edge) const;
 
 private:
-  /// Whether the voxels around an edge are all closest to the inside of one face.
+  /// Whether the interior of one face is closest to all voxels around an edge.
   bool seeOneFace(const CubicalComplex& lattice, CubeCell edge) const;
 
   const SiteSet& sites_;

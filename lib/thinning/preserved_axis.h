@@ -22,21 +22,21 @@ struct PreservedAxis
   CellTopology solid;
 };
 
-/// What is to be thinned, with the field at all grid points, x fastest.
+/// What to thin, with the field at all grid points, x fastest.
 struct ThinningInput
 {
   const float* distances; ///< world units
   const std::int32_t* closestSites;
   SignMethod sign;
-  Side side; ///< Both where there is no sign
+  Side side; ///< Both if there is no sign
   Representation representation;
 };
 
-/// Thins the voxels of each wanted side to an axis of the same topology (Thinning), anchored at
-/// the faces dual to the crossings that were selected, but for those that make no sheet.
+/// Thins the voxels of each side asked for to an axis of the same topology (Thinning). The anchors
+/// are the faces dual to the selected crossings, except those that form no sheet.
 ///
-/// Needs 10 bytes a grid point with the field, and what the fire's front takes.
-/// @param crossings selected, with their bisector points.
+/// Needs 10 bytes per grid point, including the field, and memory for the front of the fire.
+/// @param crossings the selected ones, with their bisector points.
 PreservedAxis preserveTopology(const ThinningInput& input, const AxisGeometry& geometry,
   const std::vector<Crossing>& crossings, const BisectorPoints& bisectors);
 

@@ -7,9 +7,9 @@
 namespace medial
 {
 
-/// Of faces that are part of a complex those that are part of a sheet there, and not of a strip one
-/// face wide or alone: a corner of theirs is inside, which means that no face ends at an edge of
-/// it. The others stand for curves and points.
+/// Faces of a complex, split into sheets and strips. A face is part of a sheet if one of its
+/// corners is an inner point: no face ends at an edge of that corner. The others are single faces
+/// or strips one face wide, and stand for curves and points.
 struct SheetSplit
 {
   std::vector<CubeCell> sheets;
@@ -18,7 +18,7 @@ struct SheetSplit
 
 SheetSplit splitSheets(const CubicalComplex& lattice, const std::vector<CubeCell>& faces);
 
-/// The same, in the complex that the faces make up by themselves.
+/// The same, in the complex that the faces form on their own.
 SheetSplit splitSheets(const glm::ivec3& size, const std::vector<CubeCell>& faces);
 
 } // namespace medial

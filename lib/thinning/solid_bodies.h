@@ -10,10 +10,10 @@
 namespace medial
 {
 
-/// Tells bodies apart that are nearer to each other than a voxel, or touch: closed voxels would
-/// join them. A body is what a connected part of the surface encloses that is oriented like the
-/// whole; parts oriented the other way are walls of cavities and belong to the bodies that they are
-/// next to, and so do bodies to each other that overlap by more than a voxel.
+/// Tells apart bodies that touch or are less than a voxel from each other: closed voxels would join
+/// them. A body is what a connected part of the surface encloses if it is oriented like the whole.
+/// Parts with the opposite orientation are walls of cavities and belong to the bodies next to them.
+/// Bodies that overlap by more than a voxel are one.
 class SolidBodies
 {
 public:
@@ -22,8 +22,8 @@ public:
   SolidBodies(const SiteSet& sites, const GridFrame& frame, const glm::ivec3& size,
     const std::int32_t* closestSites, const DepthField& depth);
 
-  /// Bodies are coloured so that those which only seem to touch differ; a mesh of one body, or of
-  /// bodies that stay apart, needs one colour.
+  /// Number of colours. Bodies that only seem to touch have different colours. A mesh of one body,
+  /// or of bodies that stay apart, needs one colour.
   int colours() const { return colours_; }
   /// Colour of each site's body.
   const std::vector<int>& siteColours() const { return siteColours_; }

@@ -13,7 +13,7 @@
 namespace medial
 {
 
-/// Cells of the dual mesh.
+/// Cells of a dual mesh.
 struct ThinnedAxis
 {
   BisectorPoints points; ///< distinct
@@ -22,21 +22,21 @@ struct ThinnedAxis
   std::vector<std::int64_t> vertices;
 };
 
-/// What thinning left, as cells of the dual mesh: a quad for each face, a line for each edge of no
-/// face, a vertex for each corner of neither, all with one point for each corner.
+/// Turns what thinning left into cells of the dual mesh: a quad for each face, a line for each edge
+/// of no face, and a vertex for each corner of neither. Each corner has one point.
 ///
-/// Where selected faces are there a point is placed as surfacePoints() does. Elsewhere it lies at
-/// the mean of the samples around it: of faces that are there without being selected, or selected
-/// ones that are gone, or else of the grid edges with the widest separation angles. For
+/// Where selected faces are left, a point is placed as by surfacePoints(). Elsewhere it lies at the
+/// mean of the samples around it: those of faces that are left without being selected, or of
+/// selected faces that are gone, or else of the grid edges with the widest separation angles. For
 /// Representation::Faces it is the middle of its grid cell. Points stay at least kCellMargin inside
-/// of their grid cells, which makes them distinct and every quad have an area, so that the cells
+/// their grid cells. This makes points distinct and gives every quad an area, so that the cells
 /// have the topology of the lattice.
 ///
-/// @param samples receives those that are missing.
+/// @param samples receives the samples that are missing.
 ThinnedAxis thinnedAxis(const CubicalComplex& lattice, const DepthField& depth,
   const SampleContext& context, Representation representation, AxisSamples& samples);
 
-/// In frame units along the finest axis.
+/// Margin in local units along the finest axis.
 constexpr double kCellMargin = 0.02;
 
 } // namespace medial

@@ -8,7 +8,7 @@ namespace medial
 namespace
 {
 
-/// Frame units; voxels within a bucket burn in the order in which the fire reached them.
+/// Local units; voxels within a bucket burn in the order in which the fire reached them.
 constexpr double kBucketWidth = 0.125;
 /// In place of a chain: of an edge that belongs to no curve.
 constexpr int kNoCurve = -2;

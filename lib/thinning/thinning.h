@@ -16,33 +16,33 @@
 namespace medial
 {
 
-/// Thins a cubical complex until no voxel is left, by collapses alone: each removes a cell that is
-/// no face of another together with a face that belongs to no other cell. A collapse is a
-/// deformation retraction, so that components, tunnels and cavities stay as they are.
+/// Thins a cubical complex by collapses until no voxel is left. A collapse removes a cell that is
+/// not a face of another cell, together with a face that belongs to no other cell. Since it is a
+/// deformation retraction, components, tunnels and cavities stay as they are.
 ///
-/// A fire starts at the surface and takes voxels in the order of their distances, faces as soon as
-/// an edge of theirs is free, edges likewise, but along curves (CurveProbe) at unit speed. It stops
-/// at anchored faces and at curves that are long and blunt enough (CurveChains). Voxels that
-/// anchored faces shut in are reached through the one of least angle. The result does not depend on
-/// the number of threads: the fire has one.
+/// A fire starts at the surface. It takes voxels in the order of their distances, and faces and
+/// edges as soon as they have a free edge or vertex; along curves (CurveProbe) it takes edges at
+/// unit speed. It stops at anchored faces and at curves that are long and blunt enough
+/// (CurveChains). Where anchored faces enclose voxels, the fire enters through the face with the
+/// smallest angle. The result does not depend on the number of threads: the fire runs on one.
 class Thinning
 {
 public:
-  /// @param lattice the solid, which becomes what is left of it.
-  /// @param depth and probe must outlive this object.
-  /// @param step frame distance of neighbouring grid points.
-  /// @param checkpoint called now and then; must outlive this object.
+  /// @param lattice the solid; the object turns it into what is left of it.
+  /// @param depth, probe must outlive this object.
+  /// @param step distance of neighbouring grid points, local units.
+  /// @param checkpoint called regularly; must outlive this object.
   Thinning(CubicalComplex& lattice, const DepthField& depth, const CurveProbe& probe,
     const glm::dvec3& step, const CurveLimits& limits, const Checkpoint& checkpoint);
 
-  /// A face that is to stay.
-  /// @param angle those of lesser angle give way first where one must.
+  /// Makes a face stay.
+  /// @param angle the face with the smallest angle gives way first if one must.
   void anchor(CubeCell face, float angle);
   bool anchored(CubeCell face) const { return anchors_.has(face); }
 
-  /// Burns what can be reached from outside.
+  /// Burns all cells that can be reached from outside.
   void burn();
-  /// Burns faces that were anchored, and what can be reached then.
+  /// Burns faces that were anchored, and all cells that can be reached then.
   void release(const std::vector<CubeCell>& faces);
 
 private:
@@ -60,7 +60,7 @@ private:
   void burnFace(CubeCell face);
   void burnEdge(CubeCell edge, int chain);
   bool openGate();
-  /// Removes both; `edgeChain` is what a fire along curves goes on with.
+  /// Removes both cells; a fire along curves goes on with `edgeChain`.
   void collapse(CubeCell cell, CubeCell freeFace, int edgeChain = CurveChains::kNone);
   bool hasFreeFace(CubeCell cell) const;
   CubeCell freeFace(CubeCell cell, bool anchoredToo = true) const;
@@ -68,7 +68,7 @@ private:
   float depthAround(CubeCell cell) const;
 
   CubicalComplex& lattice_;
-  /// Faces, and edges of curves that are kept; and voxels that are in the queue.
+  /// Faces, edges of curves that are kept, and voxels in the queue.
   CubicalComplex anchors_;
   const DepthField& depth_;
   const CurveProbe& probe_;

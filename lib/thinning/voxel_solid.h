@@ -11,13 +11,13 @@
 namespace medial
 {
 
-/// Signed distances of a whole grid, seen from one side of the surface.
+/// The signed distances of a whole grid, seen from one side of the surface.
 class DepthField
 {
 public:
   /// @param distance x fastest, world units; negative inside unless unsigned.
   /// @param side Both for an unsigned field.
-  /// @param unit world units per frame unit.
+  /// @param unit world units per local unit.
   DepthField(const float* distance, Side side, double unit)
     : distance_(distance)
     , side_(side)
@@ -25,7 +25,8 @@ public:
   {
   }
 
-  /// Leaves only grid points whose closest site has a colour; arrays must outlive this object.
+  /// Restricts the side to grid points whose closest site has a colour; the arrays must outlive
+  /// this object.
   void restrict(const std::int32_t* closestSites, const int* siteColours, int colour)
   {
     closestSites_ = closestSites;
@@ -39,7 +40,8 @@ public:
     return (side_ == Side::Both || (distance_[point] < 0.0f) == (side_ == Side::Interior)) &&
       (siteColours_ == nullptr || siteColours_[closestSites_[point]] == colour_);
   }
-  /// Distance to the surface in frame units, negative where the point does not belong to the side.
+  /// Returns the distance to the surface in local units; negative if the point does not belong to
+  /// the side.
   float at(std::size_t point) const
   {
     const float distance = scale_ * std::abs(distance_[point]);
@@ -55,8 +57,9 @@ private:
   int colour_ = 0;
 };
 
-/// The closed voxels around the grid points of a side, with all their faces, edges and corners.
-/// Points on the border of the grid do not count, so that every corner lies in a grid cell.
+/// Makes the closed voxels around the grid points of a side, with all their faces, edges and
+/// corners. Points on the border of the grid are left out, so that every corner lies in a grid
+/// cell.
 CubicalComplex voxelSolid(const DepthField& depth, const glm::ivec3& size);
 
 /// Whether the voxel around a grid point belongs to that solid.
@@ -68,7 +71,8 @@ inline bool inSolid(const DepthField& depth, const CubicalComplex& lattice, cons
     depth.wanted(CubicalComplex::index(lattice.cell(point, kVertexKind)));
 }
 
-/// Topology of a solid made by voxelSolid(): voxels that share as much as a corner are connected.
+/// Computes the topology of a solid from voxelSolid(). Voxels that share only a corner are
+/// connected, too.
 CellTopology topologyOf(const CubicalComplex& solid);
 
 } // namespace medial

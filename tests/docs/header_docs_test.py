@@ -13,7 +13,7 @@ DOXYGEN, DOXYFILE = sys.argv[1], Path(sys.argv[2])
 SHOWN = {
     "index.html": "Medial from C++",
     "namespacemedial.html": "computeMedialAxis",
-    "structmedial_1_1MedialAxisOptions.html": "Least separation angle theta",
+    "structmedial_1_1MedialAxisOptions.html": "Minimum separation angle theta",
     "classvtkMedialAxis.html": "SetAngle",
     "classvtkMeshFieldAlgorithm.html": "GetSpacing",
 }

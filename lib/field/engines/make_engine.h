@@ -8,15 +8,15 @@
 namespace medial
 {
 
-/// Makes the engine that is wanted.
+/// Makes an engine.
 ///
-/// Auto is the processor, also where there is a GPU: to feed the rasteriser, the host culls and
-/// clips polygons for longer than the processor takes for the whole field.
-/// @throws Error NoGpu where it draws and there is no OpenGL.
+/// Auto is the processor, even with a GPU: for the rasteriser, the host culls and clips polygons,
+/// and this alone takes longer than the whole field on the processor.
+/// @throws Error NoGpu for the rasteriser without OpenGL.
 std::unique_ptr<FieldEngine> makeEngine(Engine wanted);
 
-/// The engine of an earlier job over the same mesh if that is the wanted one, else a new one in its
-/// place.
+/// Returns the engine of an earlier job over the same mesh if it is of the wanted kind, otherwise
+/// replaces it by a new one.
 /// @param kept null before the first job.
 /// @throws Error as makeEngine().
 FieldEngine& obtainEngine(Engine wanted, std::unique_ptr<FieldEngine>& kept);

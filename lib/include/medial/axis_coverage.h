@@ -10,18 +10,18 @@
 namespace medial
 {
 
-/// What of a surface a medial axis accounts for.
+/// How much of a surface a medial axis accounts for.
 struct AxisCoverage
 {
-  /// Share of the surface's area that is farther than `reach` from the union of the axis's balls,
-  /// cones and wedges, in [0, 1]. What is inside the union counts as covered.
+  /// Share of the surface's area, in [0, 1], that lies farther than `reach` from the union of the
+  /// axis's balls, cones and wedges. Surface inside the union counts as covered.
   double uncoveredShare = 0.0;
-  double reach = 0.0;       ///< world units
-  std::int64_t samples = 0; ///< that the share is of
-  double seconds = 0.0;     ///< wall-clock
+  double reach = 0.0;       ///< the distance asked for, world units
+  std::int64_t samples = 0; ///< number of samples on the surface
+  double seconds = 0.0;     ///< wall-clock time
 };
 
-/// Default number of samples: they are spread evenly, so that the share is right to about 0.001.
+/// Default number of samples. They are spread evenly, so the share is accurate to about 0.001.
 constexpr std::int64_t kDefaultCoverageSamples = 20000;
 
 /// How coverage is measured.
@@ -32,15 +32,16 @@ struct CoverageOptions
   Execution execution; ///< threads, progress and cancelling
 };
 
-/// How much of a surface the axis of its interior does not account for: parts that the selection or
-/// the grid has lost, and the flanks of edges that bend less than theta. It says little of other
-/// axes, since no ball outside touches what is convex. The result depends neither on the number of
-/// threads nor on chance.
-/// @param model may have no balls, which cover nothing; a mesh without area has nothing to cover.
-/// @param reach world units, >= 0; one voxel's diagonal suits an axis from a grid, whose sheets end
-///   up to that far before the places that they lead to.
-/// @throws Error InvalidInput for a negative reach, and as checkMedialModel() and for a number of
-///   samples or threads outside its range; Cancelled.
+/// Measures how much of a surface the axis of its interior leaves out: parts that the selection or
+/// the grid has lost, and the flanks of edges that bend by less than theta. It says little about
+/// axes of the exterior, since no ball outside touches a convex part. The result is the same for
+/// every number of threads and every call.
+/// @param model may have no balls, and then covers nothing. A mesh without area has nothing to
+///   cover.
+/// @param reach world units, >= 0. One voxel's diagonal suits an axis computed on a grid: its
+///   sheets can end that far from the parts of the surface that they lead to.
+/// @throws Error InvalidInput for a negative reach, a number of samples or threads outside its
+///   range, and as checkMedialModel(); Cancelled.
 MEDIAL_EXPORT AxisCoverage measureCoverage(const TriangleMesh& mesh, const MedialModel& model,
   double reach, const CoverageOptions& options = {});
 

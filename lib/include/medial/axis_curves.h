@@ -13,32 +13,33 @@ namespace medial
 
 struct MedialAxis;
 
-/// The cells of an axis as far as features depend on them.
+/// The edges of an axis, which determine its features.
 struct AxisEdges
 {
-  /// Ids of the two points.
+  /// Ids of two points.
   using Edge = std::array<std::int64_t, 2>;
 
-  std::vector<Edge> sides; ///< of all polygons, a shared side once for each of them
-  std::vector<Edge> lines; ///< cells of two points
+  std::vector<Edge> sides; ///< edges of all polygons, a shared edge once for each polygon
+  std::vector<Edge> lines; ///< line cells
 };
 
-/// The edges of the cells of an axis.
+/// Collects the edges of the cells of an axis.
 MEDIAL_EXPORT AxisEdges edgesOf(const MedialAxis& axis);
 
-/// A polyline of rim, seam or curve edges, from junction to junction; closed ones end where they
-/// begin.
+/// A polyline of rim, seam or curve edges that runs from junction to junction. A closed polyline
+/// ends where it begins.
 struct AxisCurve
 {
   AxisFeature kind;                 ///< Rim, Seam or Curve
-  std::vector<std::int64_t> points; ///< ids, two or more, in their order along the polyline
+  std::vector<std::int64_t> points; ///< ids in their order along the polyline, two or more
 };
 
-/// The feature of every point.
-/// @param pointCount ids in `edges` are below it.
+/// Returns the feature of every point of an axis.
+/// @param pointCount number of points; all ids in `edges` are below it.
 MEDIAL_EXPORT std::vector<AxisFeature> axisFeatures(const AxisEdges& edges, std::size_t pointCount);
 
-/// All seams, rims and curves, each edge once; in ascending order of their kind and first points.
+/// Returns all seams, rims and curves, each edge once, in ascending order of kind and first points.
+/// @param pointCount number of points; all ids in `edges` are below it.
 MEDIAL_EXPORT std::vector<AxisCurve> axisCurves(const AxisEdges& edges, std::size_t pointCount);
 
 } // namespace medial

@@ -5,16 +5,16 @@
 namespace medial
 {
 
-/// What a point of the axis lies on. Edges of the mesh are told apart by the number of its polygons
-/// that meet there.
+/// Where a point of the axis lies. The kind of an edge follows from the number of polygons that
+/// meet at it.
 enum class AxisFeature : std::uint8_t
 {
-  Sheet = 0,    ///< in the middle of polygons
-  Rim = 1,      ///< where a sheet ends: edges with one polygon
-  Seam = 2,     ///< where sheets meet: edges with three and more polygons
-  Junction = 3, ///< where seams, curves or a seam and a rim meet or end
-  Curve = 4,    ///< on lines, where the axis is no sheet
-  Point = 5     ///< alone
+  Sheet = 0,    ///< inside a sheet, with polygons all around
+  Rim = 1,      ///< where a sheet ends: edges of one polygon
+  Seam = 2,     ///< where sheets meet: edges of three or more polygons
+  Junction = 3, ///< where seams or curves meet or end, or a seam reaches a rim
+  Curve = 4,    ///< on a line, where the axis is not a sheet
+  Point = 5     ///< an isolated point
 };
 
 } // namespace medial

@@ -7,12 +7,12 @@
 namespace medial
 {
 
-/// What a homotopy does not change in a solid or in the cells of an axis.
+/// What every homotopy preserves in a solid or in the cells of an axis.
 struct CellTopology
 {
   std::int64_t components = 0;          ///< pieces
   std::int64_t eulerCharacteristic = 0; ///< components - genus + cavities
-  /// Tunnels: independent loops that bound nothing. For a solid the sum of the genera of its
+  /// Tunnels: independent loops that bound nothing. For a solid, the sum of the genera of its
   /// boundary surfaces.
   std::int64_t genus = 0;
   std::int64_t cavities = 0; ///< hollows without a way out
@@ -29,9 +29,9 @@ struct CellTopology
 
 struct MedialAxis;
 
-/// Topology of the cells of an axis as they are stored: points are the same where their ids are;
-/// edges are those between consecutive corners of quads and triangles, and the lines.
-/// Linear but for the cavities, which need rank computations over the seams of closed sheets.
+/// Returns the topology of the cells of an axis as they are stored: points are equal if their ids
+/// are; the edges are the lines and the pairs of consecutive corners of quads and triangles. The
+/// time is linear, except that cavities need rank computations over the seams of closed sheets.
 MEDIAL_EXPORT CellTopology topologyOf(const MedialAxis& axis);
 
 } // namespace medial

@@ -3,8 +3,8 @@
 namespace medial
 {
 
-/// What finds the closest sites of grid points. All engines give the same field (ids: except
-/// between sites at equal distance), at different speed. Only the rasteriser needs OpenGL.
+/// What finds the closest sites of grid points. All engines give the same field (ids may differ
+/// between sites at equal distance), at different speeds. Only the rasteriser needs OpenGL.
 enum class Engine
 {
   Auto,       ///< Processor on every machine: feeding the rasteriser takes the CPU longer

@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <string>
 
-/// Distance fields and medial axes of meshes: algorithms over plain arrays. Failures are exceptions
-/// of the class Error.
+/// Distance fields and medial axes of meshes: algorithms over plain arrays. Failures are reported
+/// by exceptions of the class Error.
 namespace medial
 {
 
@@ -14,13 +14,13 @@ namespace medial
 enum class ErrorCode
 {
   InvalidInput, ///< a mesh, grid or option outside its documented range
-  NoGpu,        ///< no usable OpenGL 4.5 context, or a software one where hardware is required
-  ShaderBuild,  ///< a shader was refused by the driver
-  GpuLimit,     ///< the request exceeds a limit of the GPU or its driver
-  OutOfMemory,  ///< host or device memory ran out
-  CannotRead,   ///< a file is missing, of an unknown format, or not readable
-  CannotWrite,  ///< a file that cannot be written completely, as on a full disk
-  Cancelled     ///< Progress::cancelled() returned true
+  NoGpu, ///< no usable OpenGL 4.5 context, or only a software renderer where hardware is required
+  ShaderBuild, ///< the driver refused a shader
+  GpuLimit,    ///< the request exceeds a limit of the GPU or its driver
+  OutOfMemory, ///< host or device memory ran out
+  CannotRead,  ///< a file is missing, of an unknown format, or not readable
+  CannotWrite, ///< a file cannot be written completely, for example on a full disk
+  Cancelled    ///< Progress::cancelled() returned true
 };
 
 /// The only exception type that the library throws on purpose. The message is one line that names

@@ -1,6 +1,6 @@
 #pragma once
 
-// All of the library.
+// Includes all public headers of the library.
 #include "medial/axis_coverage.h"
 #include "medial/axis_curves.h"
 #include "medial/axis_feature.h"

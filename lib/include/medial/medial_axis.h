@@ -15,16 +15,16 @@
 namespace medial
 {
 
-/// What simplifyAxis() did; all 0 where it was not called.
+/// What simplifyAxis() did; all 0 if it was not called.
 struct SimplificationStatistics
 {
-  std::int64_t inputPoints = 0;     ///< of the full axis
-  std::int64_t inputComponents = 0; ///< of the full axis
-  std::int64_t components = 0;      ///< of the result
-  std::int64_t joined = 0;  ///< lines that were added between components whose balls overlap
-  std::int64_t forced = 0;  ///< balls merged though that closed a loop or a hollow of the shape
+  std::int64_t inputPoints = 0;     ///< points of the full axis
+  std::int64_t inputComponents = 0; ///< components of the full axis
+  std::int64_t components = 0;      ///< components of the result
+  std::int64_t joined = 0;          ///< lines added between components whose balls overlap
+  std::int64_t forced = 0;  ///< balls merged although this closed a loop or a hollow of the shape
   std::int64_t dropped = 0; ///< components left out
-  double seconds = 0.0;     ///< wall-clock
+  double seconds = 0.0;     ///< wall-clock time
 };
 
 /// A medial axis as points with attributes and cells over them.
@@ -36,21 +36,21 @@ struct MedialAxis
   std::vector<float> lambda;          ///< radius * sin(separationAngle / 2), world units
   std::vector<std::array<float, 3>> closestPointA; ///< world coordinates
   std::vector<std::array<float, 3>> closestPointB; ///< world coordinates
-  std::vector<AxisFeature> feature;                ///< what each point lies on
+  std::vector<AxisFeature> feature;                ///< where each point lies
 
   /// Cells by number of distinct corners; a cell never repeats a point and never has zero area.
-  /// Where the axis is thinner than a sheet at this resolution it comes as lines and vertices.
+  /// Where the axis is thinner than a sheet at this resolution, its cells are lines and vertices.
   std::vector<std::array<std::int64_t, 4>> quads;
   std::vector<std::array<std::int64_t, 3>> triangles; ///< ids of points
   std::vector<std::array<std::int64_t, 2>> lines;     ///< ids of points
   std::vector<std::int64_t> vertices;                 ///< ids of points
 
   SignMethod sign = SignMethod::None; ///< the method used, never Auto
-  Side side = Side::Both;             ///< the side delivered: Both where the field is unsigned
-  /// Of the solid, where the topology is preserved; topologyOf(axis) is the same then, unless
+  Side side = Side::Both;             ///< the side that was computed: Both if the field is unsigned
+  /// Topology of the solid, if it was preserved. topologyOf(axis) is then the same, unless
   /// maxSpheres is too small for it.
   std::optional<CellTopology> solid;
-  RunStatistics statistics;                ///< what computing it took
+  RunStatistics statistics;                ///< times and counts of the computation
   SimplificationStatistics simplification; ///< what simplifyAxis() did
 
   /// Number of cells of all kinds.

@@ -9,16 +9,17 @@
 namespace medial
 {
 
-/// Bytes of memory that can still be had, by Linux's estimate and the limits of the process's
-/// control groups (version 2); the largest number where neither is known.
+/// Returns how many bytes of memory are still available, by Linux's estimate and the limits of the
+/// process's control groups (version 2); the largest number if neither is known.
 MEDIAL_EXPORT std::uint64_t availableMemory();
 
-/// Throws Error OutOfMemory where `bytes` are more than that: the system would grant them, and end
-/// the process when it uses them.
-/// @param what for the message: "WHAT needs 12 MiB, but only 10 MiB are available".
+/// Checks that `bytes` of memory are available. Without this check the system would grant them, and
+/// kill the process when it uses them.
+/// @param what subject of the message: "WHAT needs 12 MiB, but only 10 MiB are available".
+/// @throws Error OutOfMemory if `bytes` exceed availableMemory().
 MEDIAL_EXPORT void requireMemory(const std::string& what, std::uint64_t bytes);
 
-/// The same for `bytesPerPoint` for each point of a grid.
+/// The same for a grid with `bytesPerPoint` bytes per point.
 MEDIAL_EXPORT void requireMemory(std::int64_t gridPoints, std::size_t bytesPerPoint);
 
 } // namespace medial

@@ -26,48 +26,52 @@ struct IncidenceLists
   const int* end(int row) const { return values.data() + offsets[row + 1]; }
 };
 
-/// Who touches whom in a TriangleMesh, manifold or not, and what follows for the whole mesh.
+/// How the cells and points of a TriangleMesh, manifold or not, are connected, and the properties
+/// of the whole mesh that follow.
 struct MEDIAL_EXPORT MeshConnectivity
 {
-  /// Undirected edges as point pairs: those of the triangles, then the segments that are no edge of
-  /// a triangle.
+  /// Undirected edges as pairs of points: those of the triangles, then the segments that are not
+  /// edges of a triangle.
   std::vector<std::array<int, 2>> edges;
   /// Edge i of a triangle joins its corners i and (i+1)%3.
   std::vector<std::array<int, 3>> triangleEdges;
-  std::vector<int> segmentEdges; ///< per segment: its edge, which a triangle may have too
+  std::vector<int> segmentEdges; ///< per segment: its edge, which can also belong to a triangle
   IncidenceLists edgeTriangles;  ///< per edge: its triangles, 0, 1, 2, 3 or more
   IncidenceLists pointEdges;     ///< per point: the edges that end there
 
-  std::vector<std::int64_t> edgeCells;  ///< per edge: an input cell that holds it
-  std::vector<std::int64_t> pointCells; ///< per point: an input cell that holds it
+  std::vector<std::int64_t> edgeCells;  ///< per edge: an input cell that contains it
+  std::vector<std::int64_t> pointCells; ///< per point: an input cell that contains it
 
   int components = 0;       ///< pieces connected through points
   int boundaryEdges = 0;    ///< edges with one triangle
   int nonManifoldEdges = 0; ///< edges with three or more triangles
-  int misorientedEdges = 0; ///< edges whose two triangles run through them the same way
-  /// Triangles that an oriented manifold half-edge mesh cannot hold, added in their order.
+  int misorientedEdges = 0; ///< edges that both their triangles run through in the same direction
+  /// Triangles that an oriented manifold half-edge mesh refuses when they are added in their order.
   int nonManifoldTriangles = 0;
-  /// Points at which that half-edge mesh has more than one gap, as open bow-ties.
+  /// Points where that half-edge mesh has more than one gap, as in open bow-ties.
   int nonManifoldPoints = 0;
-  /// World units cubed; negative when closed faces point inwards, of no meaning for open meshes.
+  /// World units cubed; negative if the faces of a closed mesh point inwards, meaningless for an
+  /// open mesh.
   double signedVolume = 0.0;
 
-  bool closed() const; ///< triangles only, every edge has two of them
-  /// No triangle or point was refused.
+  bool closed() const; ///< whether there are only triangles, and two at every edge
+  /// Whether no triangle and no point is non-manifold.
   bool manifold() const;
-  /// No edge is misoriented.
+  /// Whether no edge is misoriented.
   bool oriented() const { return misorientedEdges == 0; }
 };
 
-/// Connectivity of the manifold part from OpenMesh; triangles that it refuses join by their edges.
-/// The numbering depends on the order of the mesh's lists only. The time is linear in the size of
-/// the mesh, but may be quadratic in the number of triangles around one point.
+/// Analyses the connectivity of a mesh. OpenMesh finds that of the manifold part; triangles that it
+/// refuses are connected through their edges. The numbering depends only on the order of the mesh's
+/// lists. The time is linear in the size of the mesh, but can be quadratic in the number of
+/// triangles around one point.
 /// @throws Error InvalidInput for a point id that is out of range or repeated within a triangle or
-///   segment, and for lists of cell ids of the wrong size; buildTriangleMesh makes none of these.
+///   segment, and for lists of cell ids of the wrong size; meshes from buildTriangleMesh() have
+///   neither.
 MEDIAL_EXPORT MeshConnectivity analyseConnectivity(const TriangleMesh& mesh);
 
-/// Volume that the triangles enclose by their orientation, world units cubed; as in
-/// MeshConnectivity.
+/// Returns the volume that the triangles enclose by their orientation, world units cubed; see
+/// MeshConnectivity::signedVolume.
 MEDIAL_EXPORT double signedVolume(const TriangleMesh& mesh);
 
 } // namespace medial

@@ -16,26 +16,26 @@ struct RunStatistics
   struct Seconds
   {
     double sites = 0;    ///< building sites and their half-spaces
-    double cull = 0;     ///< hierarchical candidates
-    double polygons = 0; ///< clipping bounds of Voronoi regions
-    double draw = 0;     ///< upload and rasterisation; or evaluation by the processor
-    double resolve = 0;  ///< exact distances from closest sites, read-back
-    double medial = 0;   ///< direction field, selection, medial surface
+    double cull = 0;     ///< finding the candidates of every tile
+    double polygons = 0; ///< clipping the polygons that bound Voronoi regions
+    double draw = 0;     ///< upload and rasterisation, or evaluation by the processor
+    double resolve = 0;  ///< exact distances from the closest sites, and read-back
+    double medial = 0;   ///< neighbour directions, selection, and building the axis
   };
   Seconds seconds;                 ///< of each phase
   std::int64_t sites = 0;          ///< faces, edges and vertices of the mesh
-  std::int64_t candidatePairs = 0; ///< (site, leaf tile) pairs that survive culling
-  std::int64_t polygons = 0;       ///< drawn; 0 with the processor
-  /// Polygon area in samples, before the depth test; or pairs of samples and sites that the
-  /// processor evaluated.
+  std::int64_t candidatePairs = 0; ///< pairs of a candidate and its leaf tile
+  std::int64_t polygons = 0;       ///< polygons drawn; 0 with the processor
+  /// Area of the drawn polygons in grid points, before the depth test; with the processor the
+  /// number of pairs of a grid point and a site that it evaluated.
   std::int64_t fragments = 0;
   std::int64_t samples = 0;     ///< grid points computed
-  Engine engine = Engine::Auto; ///< what was used, never Auto
-  /// The OpenGL implementation that the engine used. With the processor there is none, unless
-  /// hardware was required: then the hardware that was found.
+  Engine engine = Engine::Auto; ///< the engine used, never Auto
+  /// The OpenGL implementation that the engine used. The processor uses none; if hardware was
+  /// required, this is then the hardware that was found.
   std::optional<Device> device;
 
-  /// Fragments over samples; 0 where there are none.
+  /// Fragments per grid point; 0 if there are none.
   double fragmentsPerVoxel() const
   {
     return samples > 0 ? static_cast<double>(fragments) / static_cast<double>(samples) : 0.0;

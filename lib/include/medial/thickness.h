@@ -13,15 +13,15 @@
 namespace medial
 {
 
-/// What thickness is measured.
+/// How thickness is measured.
 struct ThicknessOptions
 {
-  /// Least separation angle theta of the medial balls that count, in degrees, in (0, 180).
-  /// Bisectors of smaller angles, as between the facets of a curved surface, are passed over.
+  /// Minimum separation angle theta of the medial balls that count, in degrees, in (0, 180).
+  /// Bisectors with smaller angles, such as those between facets of a curved surface, are ignored.
   double angle = kDefaultAngle;
-  /// Interior: how thick the solid is. Exterior: how far it is to what is opposite (clearance).
-  /// Both: the smaller one. Interior is behind the faces, by their own orientation; a closed,
-  /// consistently oriented mesh whose faces point inwards is turned round.
+  /// Interior: the thickness of the solid. Exterior: the distance to the opposite surface
+  /// (clearance). Both: the smaller of the two. The interior is behind the faces, by their own
+  /// orientation; a closed, consistently oriented mesh whose faces point inwards is reversed first.
   Side side = Side::Interior;
   Execution execution; ///< threads, progress and cancelling
 };
@@ -31,11 +31,11 @@ struct Thickness
 {
   /// Per point of the mesh, world units; NaN where there is no medial ball.
   std::vector<float> values;
-  double min = 0.0;         ///< of the values that are not NaN; NaN where there are none
-  double median = 0.0;      ///< of the same
-  double max = 0.0;         ///< of the same
-  std::int64_t without = 0; ///< number of NaN
-  double seconds = 0.0;     ///< wall-clock
+  double min = 0.0;         ///< smallest of the values that are not NaN; NaN if there are none
+  double median = 0.0;      ///< median of the same values
+  double max = 0.0;         ///< largest of the same values
+  std::int64_t without = 0; ///< number of points without a value (NaN)
+  double seconds = 0.0;     ///< wall-clock time
 
   /// Share of the points without a value, in [0, 1].
   double shareWithout() const
@@ -44,31 +44,34 @@ struct Thickness
   }
 };
 
-/// At every point of a mesh twice the radius of the medial ball that touches it: the ray from the
-/// point against its angle-weighted pseudonormal (for exteriors: along it) is followed to the first
-/// place x whose closest surface point is seen from x under theta or more away from the ray's
-/// start, that is to the first crossing with a bisector of separation angle theta; the radius is
-/// the distance there. This is exact for the mesh as it is, in double precision: no grid and no
-/// medial axis is involved, nor OpenGL.
+/// Computes the thickness at every point of a mesh: twice the radius of the medial ball that
+/// touches the surface there. A ray starts at the point, against its angle-weighted pseudonormal
+/// (for exteriors along it). It ends at its first crossing with a bisector of separation angle
+/// theta: the first place x from which the closest surface point and the ray's start are seen at
+/// theta or more from each other. The radius is the distance to the surface there. This is exact
+/// for the mesh as it is, in double precision; it needs no grid, no medial axis and no OpenGL.
 ///
-/// - Where a sheet of the axis runs into the surface the value is 0, as it tends to 0 nearby: on
-///   edges that are convex seen from the side and bend by theta or more, and on tips as sharp as
-///   that. So the corners of a box have thickness 0; its faces need points to have a value inside.
-/// - Edges and tips that bend by less are passed over: their points see the opposite wall.
-/// - NaN where there is no such ball: for exteriors of convex parts, where an open mesh has nothing
-///   opposite, and at points without a normal (of no triangle, or where those cancel out).
+/// - Where a sheet of the axis ends at the surface the value is 0, as thickness tends to 0 nearby:
+///   on edges that bend by theta or more and are convex seen from the side, and on equally sharp
+///   tips. So the corners of a box have thickness 0; its faces have a thickness only at points
+///   inside them.
+/// - Edges and tips that bend by less are ignored: their points see the opposite wall.
+/// - NaN where there is no such ball: at exteriors of convex parts, where an open mesh has no
+///   opposite surface, and at points without a normal (of no triangle, or where the normals cancel
+///   out).
 ///
 /// On a tessellated curved surface the error falls with the square of the facets' size, as that of
-/// the tessellation; a little more slowly where the axis is a point. A ball is the slowest case:
-/// all its facets are equally near its centre, so that the time grows with the square of their
+/// the tessellation does; a little more slowly where the axis is a point. A ball is the slowest
+/// case: all its facets are equally near its centre, so the time grows with the square of their
 /// number.
 ///
-/// @throws Error InvalidInput for an empty mesh, an angle outside (0, 180) or negative threads;
-///   OutOfMemory; Cancelled.
+/// @return one value per point of the mesh, and their minimum, median and maximum.
+/// @throws Error InvalidInput for an empty mesh, an angle outside (0, 180) or a negative number of
+///   threads; OutOfMemory; Cancelled.
 MEDIAL_EXPORT Thickness computeThickness(const TriangleMesh& mesh,
   const MeshConnectivity& connectivity, const ThicknessOptions& options = {});
 
-/// The same for a mesh whose connectivity the caller has no use for.
+/// The same for callers that do not need the connectivity of the mesh.
 MEDIAL_EXPORT Thickness computeThickness(const TriangleMesh& mesh,
   const ThicknessOptions& options = {});
 

@@ -10,16 +10,17 @@
 namespace medial
 {
 
-/// Selects crossings on sites in host memory, as medial_axis.frag does on textures. Directions are
-/// computed only where the closest site changes, since projection to one convex site never parts
-/// two points by more than their own distance.
+/// Selects crossings from sites in host memory, as medial_axis.frag does in textures. Directions
+/// are computed only where the closest site changes: projection to one convex site never moves two
+/// points farther apart, so it cannot give a crossing.
 class ProcessorSelection
 {
 public:
-  /// @param signedField whether sides mean anything.
+  /// @param signedField whether the field has a sign, and so sides.
   ProcessorSelection(const CrossingSelection& selection, const GridFrame& frame, bool signedField);
 
-  /// Slabs in ascending z. Uses the threads of the current arena.
+  /// Selects the crossings of a slab; slabs come in ascending z. Uses the threads of the current
+  /// arena.
   /// @throws Error as requireRoomForAxis().
   void process(const SlabField& slab, const TileEvaluator& evaluator);
 

@@ -10,25 +10,25 @@
 namespace medial
 {
 
-/// The closest sites of a slab in host memory, and of the slice below it: what crossings are
-/// selected in.
+/// The closest sites of a slab and of the slice below it, in host memory, for the selection of
+/// crossings.
 class SlabField
 {
 public:
-  /// Keeps the last slice of the slab before as the slice below.
+  /// Starts a slab. The last slice of the slab before becomes the slice below.
   void begin(const Extent& slab);
-  /// May be called from several threads at once for different tiles.
+  /// Stores a tile. Several threads may call it at once for different tiles.
   void store(const Extent& tile, const TileField& field);
 
   const Extent& extent() const { return extent_; }
   /// Whether slot 0 holds the slice below extent().min[2].
   bool carried() const { return carried_; }
-  /// Slots in use: the slab's slices follow slot 0.
+  /// Number of slots in use: slot 0 and one for each slice of the slab.
   int slots() const { return 1 + extent_.size(2); }
 
-  /// Closest sites of a row of grid points along x.
+  /// Returns the closest sites of a row of grid points along x.
   const std::int32_t* sites(int slot, int row) const { return &sites_[this->index(slot, row)]; }
-  /// Negative inside; only the sign means something.
+  /// Returns values that are negative inside; only the sign counts.
   const float* sides(int slot, int row) const { return &sides_[this->index(slot, row)]; }
 
 private:
@@ -40,7 +40,7 @@ private:
   Extent extent_;
   bool begun_ = false;
   bool carried_ = false;
-  std::vector<std::int32_t> sites_; ///< slot after slot, x fastest, as are
+  std::vector<std::int32_t> sites_; ///< slot by slot, x fastest
   std::vector<float> sides_;
 };
 

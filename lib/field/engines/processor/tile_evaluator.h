@@ -14,12 +14,13 @@
 namespace medial
 {
 
-/// Finds closest sites by evaluating every candidate of a tile at the tile's grid points: what a
-/// processor does faster than it can imitate a rasteriser. As there, distance vectors are affine
-/// (the paper's section 3.1) and evaluated only where the site's bounds let them win.
+/// Finds closest sites by evaluating the candidates of a tile at its grid points, which a processor
+/// does faster than imitating a rasteriser. As there, distance vectors are affine (section 3.1 of
+/// the paper), and a candidate is evaluated only where the bounds of its Voronoi region allow it to
+/// be closest.
 ///
-/// Edges compete where the point projects into them and vertices everywhere, whatever the other
-/// half-spaces say, so that rounding leaves no gaps between sites.
+/// To leave no gaps between sites after rounding, edges compete wherever the point projects into
+/// them, and vertices everywhere, whatever their other half-spaces say.
 class TileEvaluator
 {
 public:
@@ -27,14 +28,15 @@ public:
   TileEvaluator(const SiteSet& sites, const std::vector<glm::vec4>& normals, const GridFrame& frame,
     float slack);
 
-  /// @param tile no longer than TileField::kRow.
-  /// @param candidates all of the tile's, `count` of them, ascending.
-  /// @return number of pairs of grid points and sites that were evaluated.
+  /// Finds the closest sites of a tile.
+  /// @param tile at most TileField::kRow points long.
+  /// @param candidates all `count` candidates of the tile, ascending.
+  /// @return number of pairs of a grid point and a site that were evaluated.
   std::int64_t evaluate(const Extent& tile, const int* candidates, std::size_t count,
     TileField& field) const;
 
-  /// Vector from a point to the closest point of the site that evaluate() found for it; frame
-  /// units.
+  /// Returns the vector from a point to the closest point of the site that evaluate() found for it;
+  /// local units.
   glm::dvec3 displacement(int site, const glm::dvec3& x) const;
 
 private:
@@ -46,8 +48,8 @@ private:
   };
 
   void setFaceSides(int face);
-  /// Exact queries where no candidate's bounds hold a point. There should be no such point; this
-  /// makes sure of it.
+  /// Fills grid points that the bounds of all candidates exclude, by exact queries. There should be
+  /// no such point; this makes sure of it.
   void fillHoles(const Extent& extent, const int* candidates, std::size_t count,
     TileField& field) const;
 

@@ -8,8 +8,7 @@ namespace medial
 {
 
 /// How the slices of a slab lie side by side in one 2D texture. Slot 0 holds the last slice of the
-/// slab before, for the selection, which looks at neighbouring slices; slots from 1 on hold the
-/// slab.
+/// previous slab, since the selection compares neighbouring slices; the slab starts at slot 1.
 struct AtlasLayout
 {
   glm::ivec2 sliceSize{ 0 }; ///< grid points of a slice
@@ -17,11 +16,12 @@ struct AtlasLayout
   int rows = 1;
   int slabSlices = 0; ///< slices of a full slab
 
-  /// Whether a slab of so many slices of the extent fits textures of `textureLimit` pixels a side.
+  /// Whether a slab of `slabSlices` slices of the extent fits into square textures of
+  /// `textureLimit` pixels.
   static bool fits(const Extent& extent, int slabSlices, int textureLimit);
 
-  /// Nearly square layout.
-  /// @throws Error GpuLimit when it does not fit.
+  /// Makes a nearly square layout.
+  /// @throws Error GpuLimit if it does not fit.
   static AtlasLayout make(const Extent& extent, int slabSlices, int textureLimit);
 
   bool operator==(const AtlasLayout& other) const

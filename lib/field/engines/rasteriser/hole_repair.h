@@ -8,8 +8,8 @@
 namespace medial
 {
 
-/// Fills the grid points of a resolved slab that no polygon covered, by exact queries. The bounds
-/// of sites overlap, so that there should be none; this makes sure of it. GPU thread.
+/// Fills grid points of a resolved slab that no polygon covered, by exact queries. The bounds of
+/// Voronoi regions overlap, so there should be none; this makes sure of it. GPU thread only.
 /// @param normals pseudonormals of all sites.
 /// @param query covers the grid points of the slab.
 void repairHoles(SlabRenderer& renderer, const std::vector<glm::vec4>& normals,

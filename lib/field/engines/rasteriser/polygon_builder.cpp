@@ -212,7 +212,7 @@ private:
   PolygonChunk& chunk_;
 
   SiteRectangle rectangle_{};
-  glm::dvec3 corner_{ 0.0 }; ///< frame position of the rectangle's first grid point
+  glm::dvec3 corner_{ 0.0 }; ///< local position of the rectangle's first grid point
   std::vector<Side> sides_;
   std::array<GridFunction, 3> distance_{};
 };

@@ -16,7 +16,7 @@ namespace medial
 struct PolygonVertex
 {
   glm::vec2 position; ///< atlas pixels
-  glm::vec3 distance; ///< vector to the site, in axes of the site's own; frame units
+  glm::vec3 distance; ///< vector to the site, in the site's own axes; local units
   std::int32_t site;
 };
 
@@ -29,10 +29,11 @@ struct PolygonChunk
   double area = 0.0; ///< in grid points
 };
 
-/// The polygons of a slab: for every slice and every site that may be closest there, the part of
-/// the slice inside the site's candidate tiles and half-spaces (the paper's section 3.2, with the
-/// bounds of SiteSet). On each slice in ascending order of sites, so that ties go to the lowest id.
-/// @param slab what the tiles cover; slice slab.min[2] goes to slot 1 of the atlas.
+/// Builds the polygons of a slab: for every slice and every site that may be closest there, the
+/// part of the slice inside the candidate tiles and half-spaces of the site (section 3.2 of the
+/// paper, with the bounds of SiteSet). Sites are in ascending order on each slice, so that ties go
+/// to the lowest id.
+/// @param slab the extent that the tiles cover; slice slab.min[2] goes to slot 1 of the atlas.
 std::vector<PolygonChunk> buildPolygons(const SiteSet& sites, const GridFrame& frame,
   const std::vector<CandidateTiles>& tiles, const Extent& slab, const AtlasLayout& atlas);
 

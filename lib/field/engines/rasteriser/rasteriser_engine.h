@@ -10,12 +10,12 @@
 namespace medial
 {
 
-/// The paper's method: polygons that bound Voronoi regions, clipped on the host and drawn with
-/// OpenGL's depth test.
+/// The method of the paper: the host clips polygons that bound Voronoi regions, and OpenGL draws
+/// them with its depth test.
 class RasteriserEngine : public FieldEngine
 {
 public:
-  /// Starts the GPU thread if need be.
+  /// Starts the GPU thread if necessary.
   /// @throws Error NoGpu.
   RasteriserEngine();
 

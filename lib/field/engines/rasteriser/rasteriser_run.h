@@ -23,24 +23,24 @@ namespace medial
 {
 
 /// One job of the rasteriser. While the GPU works on a slab, the processor culls and clips the next
-/// one and stores the one before.
+/// one and stores the previous one.
 class RasteriserRun
 {
 public:
   using Renderer = gl::OnGpuThread<SlabRenderer>;
 
-  /// @param renderer has the job's positions.
+  /// @param renderer already has the positions of the job.
   RasteriserRun(const FieldJob& job, SlabCulling& culling, Renderer& renderer, FieldSink& sink);
   /// Waits for the GPU.
   ~RasteriserRun();
   RasteriserRun(const RasteriserRun&) = delete;
   RasteriserRun& operator=(const RasteriserRun&) = delete;
 
-  /// Computes all slabs; to be called once.
-  /// @param selection sees every slab where it lies; may be null.
+  /// Computes all slabs. To be called once.
+  /// @param selection processes every slab on the GPU; may be null.
   void compute(RasteriserSelection* selection);
 
-  /// The closest sites amid the tiles, where any array needed sites.
+  /// The closest sites in the middle of tiles, if any array needed sites.
   ClosestSeeds takeSeeds() { return std::move(seeds_); }
 
 private:
@@ -52,7 +52,7 @@ private:
     int previousSlices = 0; ///< of the slab below; 0 for the first
     std::vector<CandidateTiles> tiles;
     std::vector<PolygonChunk> chunks;
-    std::unique_ptr<Readback> readback; ///< null where nothing is wanted
+    std::unique_ptr<Readback> readback; ///< null if no array is wanted
   };
 
   void allocateReadbacks(int slices);
@@ -71,10 +71,10 @@ private:
   AtlasLayout atlas_;
   FieldWriter writer_;
   ClosestSeeds seeds_;
-  FieldArrays firstArrays_; ///< of the first slab, asked for before there are any values
+  FieldArrays firstArrays_; ///< of the first slab, requested before it is computed
   std::array<Slab, 2> ring_;
   std::future<void> rendering_;
-  RunStatistics::Seconds gpuSeconds_; ///< of what the GPU thread does
+  RunStatistics::Seconds gpuSeconds_; ///< time spent on the GPU thread
 };
 
 } // namespace medial

@@ -11,14 +11,14 @@
 namespace medial
 {
 
-/// Selects crossings in the renderer's textures: neighbour direction field, then the test of angle,
-/// side and gap. Only the crossings leave the GPU. Lives on the GPU thread.
+/// Selects crossings in the renderer's textures: first the neighbour directions, then the tests of
+/// angle, side and gap. Only the crossings leave the GPU. Lives on the GPU thread.
 class RasteriserSelection
 {
 public:
   RasteriserSelection(const CrossingSelection& selection, const GridFrame& frame);
 
-  /// Slabs in ascending z.
+  /// Selects the crossings of a slab; slabs come in ascending z.
   /// @param slab its slices are in slots 1 to slab.size(2) of the renderer's atlas.
   /// @param carried whether slot 0 holds the slice below slab.min[2].
   /// @throws Error GpuLimit, and as requireRoomForAxis().

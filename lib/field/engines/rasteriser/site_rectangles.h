@@ -9,8 +9,9 @@
 namespace medial
 {
 
-/// The grid points of one layer of leaf tiles that a site's polygons are to cover: the bounding box
-/// of the tiles that list the site, or a part of it no longer than 64 points. Both ends included.
+/// The grid points, in one layer of leaf tiles, that the polygons of a site must cover: the
+/// bounding box of the tiles that list the site, or a part of it at most 64 points long. Both ends
+/// are included.
 struct SiteRectangle
 {
   int site;
@@ -18,7 +19,8 @@ struct SiteRectangle
   glm::ivec3 high;
 };
 
-/// Gathers the tiles of a slab into rectangles: layer by layer, sites ascending within a layer.
+/// Gathers the tiles of a slab into rectangles, layer by layer, with sites ascending within a
+/// layer.
 std::vector<SiteRectangle> siteRectangles(const std::vector<CandidateTiles>& tiles,
   const Extent& slab, int siteCount);
 

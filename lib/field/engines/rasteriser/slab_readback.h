@@ -8,19 +8,20 @@
 namespace medial
 {
 
-/// Pixel buffers that one resolved slab is read back into. They stay mapped, so that any thread
-/// can read them while the GPU works on the next slab; a pair of these makes a ring. Created, used
-/// and destroyed on the GPU thread but for the accessors.
+/// Pixel buffers that receive one resolved slab. They stay mapped, so that any thread can read them
+/// while the GPU works on the next slab; two of them make a ring. Created, used and destroyed on
+/// the GPU thread, except for the accessors.
 class SlabReadback
 {
 public:
   /// @param slices of the largest slab.
+  /// @param displacements, sites which textures to read back.
   SlabReadback(const AtlasLayout& atlas, int slices, bool displacements, bool sites);
 
-  /// Copies slots [1, slices] and waits until they have arrived.
+  /// Copies slots [1, slices] and waits for them.
   void fetch(const SlabRenderer& renderer, int slices);
 
-  /// Of the slab fetched last, slice after slice, x fastest; null where not wanted.
+  /// Values of the slab fetched last, slice by slice, x fastest; null if they are not read back.
   const glm::vec4* displacements() const { return displacementValues_; }
   const std::int32_t* sites() const { return siteValues_; }
 

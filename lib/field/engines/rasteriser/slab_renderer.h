@@ -14,38 +14,39 @@
 namespace medial
 {
 
-/// Draws the polygons of a slab and resolves the winners into exact distances, in GPU textures that
-/// the next slab reuses. Lives on the GPU thread.
+/// Draws the polygons of a slab and turns the winners of the depth test into exact distances. The
+/// next slab reuses its textures. Lives on the GPU thread.
 class SlabRenderer
 {
 public:
-  /// @param normals pseudonormals(), flipped where the surface faces inwards.
+  /// @param normals pseudonormals(), reversed if the surface faces inwards.
   SlabRenderer(const SiteSet& sites, const std::vector<glm::vec4>& normals, const GridFrame& frame,
     const AtlasLayout& atlas, FieldSign sign);
 
-  /// The same mesh in other positions: only those are uploaded.
+  /// Moves the mesh to other positions; only these are uploaded.
   void move(const SiteSet& sites, const std::vector<glm::vec4>& normals, const GridFrame& frame,
     FieldSign sign);
 
-  /// Keeps the last slice of the slab drawn before in slot 0. To be called before draw().
+  /// Keeps the last slice of the previous slab in slot 0. To be called before draw().
   void carryLastSlice(int previousSlices);
 
-  /// Finds the closest sites: slots [1, slices] of the atlas.
+  /// Finds the closest sites of slots [1, slices] of the atlas.
   void draw(const std::vector<PolygonChunk>& chunks);
 
-  /// Evaluates them exactly. Returns the number of grid points that no polygon covered.
-  /// @param slab the slice slab.min[2] is in slot 1.
+  /// Computes exact distances from the closest sites. Returns the number of grid points that no
+  /// polygon covered.
+  /// @param slab its slice slab.min[2] is in slot 1.
   std::uint32_t resolve(const Extent& slab);
 
-  /// Reads slots [1, slices] of the resolved textures, slice after slice, x fastest.
-  /// Destinations are offsets where a pixel buffer is bound.
+  /// Reads slots [1, slices] of the resolved textures, slice by slice, x fastest. While a pixel
+  /// buffer is bound, destinations are offsets into it.
   void readSites(int slices, std::int32_t* sites) const;
   void readDisplacements(int slices, glm::vec4* displacements) const;
   /// Overwrites one resolved grid point.
   void write(const glm::ivec2& point, int slot, const glm::vec4& displacement, std::int32_t site);
 
   const AtlasLayout& atlas() const { return atlas_; }
-  /// RGBA32F atlas: vector to the closest point, signed distance; frame units.
+  /// RGBA32F atlas: vector to the closest point and signed distance, local units.
   GLuint displacements() const { return displacements_.id(); }
   /// R32I atlas of the resolved site ids.
   GLuint sites() const { return sites_.id(); }

@@ -7,7 +7,7 @@
 namespace medial
 {
 
-/// a i + b j + c, an affine function over the grid points (i, j) of a slice.
+/// The affine function a i + b j + c over the grid points (i, j) of a slice.
 struct Affine
 {
   float a;
@@ -17,34 +17,35 @@ struct Affine
   float operator()(const glm::vec2& p) const { return a * p.x + b * p.y + c; }
 };
 
-/// A convex polygon on a slice, in grid points from some corner of it.
+/// A convex polygon on a slice. Coordinates are grid points, counted from some corner.
 class SlicePolygon
 {
 public:
-  /// The rectangle from (0,0) to `last`, half a grid point wider on every side.
+  /// Makes the rectangle from (0,0) to `last`, wider by half a grid point on every side.
   explicit SlicePolygon(const glm::vec2& last);
 
   int size() const { return size_; }
   bool empty() const { return size_ < 3; }
-  /// Corner i, counted round and round.
+  /// Corner i; indices wrap around.
   const glm::vec2& corner(int i) const { return corners_[i % size_]; }
 
-  /// Keeps the part where `side` <= `limit`. A polygon with too many corners is left as it is,
-  /// which is conservative.
+  /// Keeps the part where `side` <= `limit`. A polygon with too many corners stays as it is; this
+  /// is conservative.
   void clip(const Affine& side, float limit);
 
-  /// Moves corners to the grid on which rasterisers place them, so that what is evaluated there is
-  /// interpolated without loss, and joins those that become one.
+  /// Moves corners to the subpixel grid on which rasterisers place them, so that values at corners
+  /// are interpolated without loss. Corners that become equal are joined.
   void snap();
 
-  /// The corner from which to draw a fan of triangles: one that makes no needles, since the
-  /// interpolation over needles is imprecise.
+  /// The corner where a fan of triangles should start to have no needles, since interpolation over
+  /// needles is imprecise.
   int fanStart() const;
 
-  /// Whether the bounding box holds a grid point; most that do not draw nothing.
+  /// Whether the bounding box contains a grid point; most polygons that draw nothing fail this
+  /// test.
   bool coversGridPoint() const;
 
-  /// In grid points.
+  /// Area in grid points.
   double area() const;
 
 private:

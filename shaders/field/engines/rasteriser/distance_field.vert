@@ -3,7 +3,7 @@
 //
 // in   position      atlas pixels; pixel centres are grid points
 //      distance      vector to the site, affine in the position; only its length matters, so that
-//                    its axes are the site's own; frame units
+//                    its axes are the site's own; local units
 //      site          site id
 // out  scaledVector  `distance` times a power of two that brings every length below 1
 

@@ -10,7 +10,7 @@ uniform ivec2 sliceSize;   // grid points of a slice
 uniform int columns;       // slots of the atlas in a row
 uniform int firstSlot;     // 0 where slot 0 holds the slice before the slab, else 1
 uniform int endSlot;       // one past the last slot in use
-uniform vec3 spacing;      // frame distance of neighbouring grid points
+uniform vec3 spacing;      // distance of neighbouring grid points, local units
 uniform float cosineLimit; // cosine of the least separation angle
 uniform float side;        // -1: interior, 1: exterior, 0: both
 

@@ -3,7 +3,7 @@
 // its closest surface point.
 //
 // in   displacement  RGBA32F atlas; xyz: vector to the closest point, w: signed distance
-// out  direction     xyz: unit vector, zero on the surface; w: signed distance, frame units
+// out  direction     xyz: unit vector, zero on the surface; w: signed distance, local units
 
 uniform sampler2D displacement;
 

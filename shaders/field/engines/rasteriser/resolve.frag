@@ -2,8 +2,8 @@
 // Exact closest point, signed distance and site from the id that the depth test left.
 //
 // in   closestSite   R32I atlas of site ids, -1 where no polygon fell
-//      storage       the mesh in frame coordinates; w of a face's normal: its plane's offset
-// out  displacement  xyz: vector to the closest point; w: signed distance; frame units
+//      storage       the mesh in local coordinates; w of a face's normal: its plane's offset
+// out  displacement  xyz: vector to the closest point; w: signed distance; local units
 //      site          the site whose interior holds the closest point; -1 if none
 //      holes         number of grid points without a site
 
@@ -28,8 +28,8 @@ uniform ivec2 sliceSize;  // grid points of a slice
 uniform int columns;      // slots of the atlas in a row
 uniform int firstSlot;    // slots [firstSlot, endSlot) are in use
 uniform int endSlot;
-uniform vec3 origin;      // frame position of the grid point in pixel (0,0) of slot 0
-uniform vec3 spacing;     // frame distance of neighbouring grid points
+uniform vec3 origin;      // grid point in pixel (0,0) of slot 0, local coordinates
+uniform vec3 spacing;     // distance of neighbouring grid points, local units
 uniform int firstEdge;    // first edge site
 uniform int firstVertex;  // first vertex site
 uniform int signedField;  // 0: unsigned
