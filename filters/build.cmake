@@ -31,7 +31,7 @@ vtk_module_build(
   ENABLE_WRAPPING ${MEDIAL_BUILD_PYTHON}
   TEST_DIRECTORY_NAME NONE)
 medial_warnings(Filters)
-# vtkTypeMacro() is followed by a semicolon all over VTK, which -Wpedantic calls one too many.
+# All of VTK puts a semicolon after vtkTypeMacro(), which -Wpedantic calls one too many.
 target_compile_options(Filters PUBLIC $<BUILD_INTERFACE:-Wno-pedantic>)
 
 if(MEDIAL_BUILD_PYTHON)

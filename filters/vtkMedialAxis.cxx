@@ -50,7 +50,7 @@ medial::Topology ToTopology(int topology)
 }
 
 //------------------------------------------------------------------------------
-// What the axis is to be; the options of the field are not set.
+// The options of the axis; those of the field are not set.
 medial::MedialAxisOptions ToOptions(vtkMedialAxis* axis)
 {
   medial::MedialAxisOptions options;

@@ -2,15 +2,16 @@
  * @class   vtkMedialAxis
  * @brief   medial axis of a mesh, simplified by separation angle
  *
- * vtkMedialAxis computes the medial axis of a mesh: the points with two or more nearest points on
- * it. It keeps the part whose separation angle, the angle between the directions to two nearest
- * points, is at least Angle (Foskey, Lin, Manocha: Efficient Computation of a Simplified Medial
- * Axis, 2003), from the exact distance field on a regular grid. Points have sub-voxel positions.
+ * vtkMedialAxis computes the medial axis of a mesh: the points with two or more closest points on
+ * the mesh. It keeps the part whose separation angle, the angle between the directions to two
+ * closest points, is at least Angle (Foskey, Lin, Manocha: Efficient Computation of a Simplified
+ * Medial Axis, 2003). It works from the exact distance field on a regular grid. Points have
+ * sub-voxel positions.
  *
  * Output port 0 is the axis, a vtkPolyData with points in double precision. Its point data arrays:
  * Radius, the distance to the mesh (float32, world units, the active scalars); SeparationAngle
  * (float32, degrees, in [0, 180]); Lambda, Radius times the sine of half the separation angle
- * (float32, world units); ClosestPointA and ClosestPointB, two nearest points on the mesh (float32
+ * (float32, world units); ClosestPointA and ClosestPointB, two closest points on the mesh (float32
  * x 3, world coordinates); AxisFeature, where the point lies on the axis (unsigned char: 0 inside a
  * sheet, 1 on a rim, where a sheet ends, 2 on a seam, where sheets meet, 3 at a junction, 4 on a
  * curve, 5 alone). With Representation FACES the angle may be below Angle, since faces are selected
@@ -18,16 +19,17 @@
  *
  * With MaximumNumberOfSpheres the axis is made compact: at most so many points, whose balls, with
  * the cones between two of them on a line and the wedges between three on a triangle, approximate
- * the shape (quadric edge collapse, after Li and others: Q-MAT, 2015). Radius then is that of the
- * best ball, which may reach a little beyond the surface; SeparationAngle and the closest points
- * are those of the nearest point of the full axis.
+ * the shape (edge contraction by quadrics, after Li and others: Q-MAT, 2015). Radius then is that
+ * of the best ball, which may reach a little beyond the surface; SeparationAngle and the closest
+ * points are those of the nearest point of the full axis.
  *
  * Output port 1 is the distance field on the same grid, a vtkImageData as vtkMeshDistanceField
  * makes it. It is empty unless GenerateDistanceField is on.
  *
  * vtkMeshFieldAlgorithm documents the parameters of the grid and of the distance field, the input,
  * the field data of both outputs, errors and abort. The field data has one more array here: Side (a
- * string, as GetSideAsString()), the side that the axis is of, Both where the distance is unsigned.
+ * string, as GetSideAsString()), the side on which the axis lies: Both where the distance is
+ * unsigned.
  *
  * @par Parameter tuning:
  * Angle 60 shows the sheets that carry the shape and drops most noise; 90 and more leave the thick
@@ -37,8 +39,8 @@
  * point, as of a ball, is sure to be found only for Angle <= 70.
  *
  * @par Parallel pipelines:
- * Neither output is split: piece 0 is all of it, every other piece is empty. Distance fields in
- * parts come from vtkMeshDistanceField.
+ * Neither output is split: piece 0 is all of it, every other piece is empty. For a distance field
+ * in pieces use vtkMeshDistanceField.
  *
  * @sa
  * vtkMeshDistanceField vtkMeshFieldAlgorithm
@@ -95,8 +97,8 @@ public:
   ///@{
   /**
    * Minimum lambda of the axis in world units, at least 0. Lambda is half the distance between the
-   * two closest points: this removes what noise of that size makes, and also the axis of walls
-   * thinner than twice as much. Default is 0.
+   * two closest points. This removes the sheets that noise of this size causes, and those of walls
+   * thinner than twice this. Default is 0.
    */
   vtkSetMacro(MinimumLambda, double);
   vtkGetMacro(MinimumLambda, double);
@@ -124,8 +126,8 @@ public:
   /**
    * What the axis is made of. SURFACE: a mesh with at most one point per voxel, of quads and
    * triangles, and of lines and vertices where the axis is thinner than a sheet. FACES: the voxel
-   * faces between sample points on either side of the axis. POINTS: one point for each such face,
-   * on the bisector of the two nearest sites. Default is SURFACE.
+   * faces between neighbouring grid points on either side of the axis. POINTS: one point for each
+   * such face, on the bisector of the two closest sites. Default is SURFACE.
    */
   vtkSetMacro(Representation, int);
   vtkGetMacro(Representation, int);
@@ -138,7 +140,7 @@ public:
   ///@{
   /**
    * Maximum number of points of the axis, >= 1, or 0 for no limit. Components that Angle has cut
-   * apart are joined where their balls overlap; then edges are collapsed, those of the smallest
+   * apart are joined where their balls overlap; then edges are contracted, those with the smallest
    * error first, until the number is reached. Holes and components of the shape are kept as long as
    * the number allows. A few hundred points describe most shapes. Not for POINTS, which have no
    * cells. Default is 0.
@@ -150,13 +152,13 @@ public:
   ///@{
   /**
    * Whether the axis must have the topology of the solid. SELECTED: the axis is what Angle selects,
-   * in as many pieces as that has. PRESERVE: whatever Angle is, the axis has as many components,
-   * tunnels and cavities, and so the Euler characteristic and the genus, as the solid at the
-   * resolution of the grid. The voxels of the side are thinned from the surface inwards without
-   * cutting or piercing, and the sheets that Angle selects stay. Curves join the sheets and stand
-   * for thin round parts, as lines. Each side is thinned by itself; an unsigned one is the whole
-   * grid. PRESERVE takes 10 bytes per point of the whole grid, and needs Representation SURFACE or
-   * FACES. Default is SELECTED.
+   * in as many components as that gives. PRESERVE: whatever Angle is, the axis has as many
+   * components, tunnels and cavities, and so the Euler characteristic and the genus, as the solid
+   * at the resolution of the grid. The voxels of the side are thinned from the surface inwards
+   * without cutting or piercing, and the sheets that Angle selects stay. Curves join the sheets and
+   * stand for thin round parts, as lines. Each side is thinned by itself; without a sign the side
+   * is the whole grid. PRESERVE takes 10 bytes per point of the whole grid, and needs
+   * Representation SURFACE or FACES. Default is SELECTED.
    */
   vtkSetMacro(Topology, int);
   vtkGetMacro(Topology, int);

@@ -4,8 +4,8 @@
  *
  * vtkMedialCurves takes a medial axis as vtkMedialAxis makes it, or any mesh of polygons and lines,
  * and gives the polylines along which its sheets meet (seams: edges with three polygons and more),
- * where they end (rims: edges with one polygon), and where it is no sheet but a curve (lines).
- * Polylines run from junction to junction; loops end where they begin.
+ * where they end (rims: edges with one polygon), and where it is a curve instead of a sheet
+ * (lines). Polylines run from junction to junction; loops end where they begin.
  *
  * @par Input:
  * A vtkPolyData with polygons and lines, of any number of points; an empty one gives an empty
@@ -18,7 +18,7 @@
  * the axis of vtkMedialAxis (0 inside a sheet, 3 junction, 5 alone).
  *
  * @par Errors:
- * A cell that names a point that the input does not have. vtkMedialPolyDataAlgorithm documents how
+ * A cell with a point id that the input does not have. vtkMedialPolyDataAlgorithm documents how
  * errors are reported, abort and parallel pipelines.
  *
  * @sa
@@ -65,7 +65,7 @@ public:
 
   ///@{
   /**
-   * Whether the output has curves: polylines of the input's lines, where the axis is no sheet.
+   * Whether the output has curves: polylines of the input's lines, where the axis is not a sheet.
    * Default is on.
    */
   vtkSetMacro(Curves, vtkTypeBool);

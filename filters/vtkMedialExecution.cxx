@@ -15,8 +15,8 @@
 #include <new>
 #include <sstream>
 
-// From here on executives keep filters downstream from using an output that a filter gave up,
-// without an error message of their own, and leave it to filters to reset AbortExecute.
+// From this version on executives keep filters downstream from using the output of an aborted
+// filter, without an error message of their own, and leave it to filters to reset AbortExecute.
 #define MEDIAL_VTK_ABORTS_OUTPUTS (VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20221101))
 
 namespace
@@ -85,7 +85,8 @@ bool vtkRunGuarded(vtkAlgorithm* algorithm, unsigned long& errorCode,
 }
 
 //------------------------------------------------------------------------------
-// Data released and not generated is what makes the pipeline execute again on the next update.
+// Data that are released and not marked as generated make the pipeline execute again on the next
+// update.
 int vtkEndWithoutOutput([[maybe_unused]] vtkAlgorithm* algorithm,
   vtkInformationVector* outputVector)
 {
@@ -97,8 +98,8 @@ int vtkEndWithoutOutput([[maybe_unused]] vtkAlgorithm* algorithm,
       output->ReleaseData();
       info->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
     }
-    // To the extent of a request that fails VTK adds that of the next, which may be of a smaller
-    // grid.
+    // VTK merges the extent of a request that failed with that of the next one, whose grid may be
+    // smaller.
     info->Remove(vtkStreamingDemandDrivenPipeline::COMBINED_UPDATE_EXTENT());
   }
 #if MEDIAL_VTK_ABORTS_OUTPUTS

@@ -30,20 +30,20 @@ bool vtkRunGuarded(vtkAlgorithm* algorithm, unsigned long& errorCode,
 int vtkEndWithoutOutput(vtkAlgorithm* algorithm, vtkInformationVector* outputVector);
 
 /**
- * Throws a medial::Error that says that a parameter is not what range says.
+ * Throws a medial::Error which says that the value of a parameter is not in range.
  */
 [[noreturn]] void vtkThrowBadParameter(const char* name, int value, const char* range);
 
 /**
- * The parameter NumberOfThreads and the receiver of progress for the library. Throws where the
- * number is negative.
+ * The parameter NumberOfThreads and the receiver of progress as the library takes them. Throws if
+ * the number is negative.
  */
 medial::Execution vtkToExecution(int numberOfThreads, medial::Progress& progress);
 
 ///@{
 /**
- * The parameter Side as the library's side, which throws where it is none, and as a word; and the
- * library's side as the parameter.
+ * Conversions of the parameter Side: to the library's side (throws if the value is none of Sides),
+ * to a word, and back from the library's side.
  */
 medial::Side vtkToSide(int side);
 const char* vtkSideAsString(int side);
@@ -56,13 +56,14 @@ int vtkFromSide(medial::Side side);
 void vtkRequestWhole(vtkInformation* request);
 
 /**
- * Passes the library's progress on to a VTK algorithm's observers, and their wish to stop back.
+ * Passes the library's progress on to a VTK algorithm's observers, and their requests to stop back
+ * to the library.
  */
 class vtkProgressBridge : public medial::Progress
 {
 public:
   /**
-   * For use from here on: a wish to stop an earlier execution is forgotten.
+   * Starts a new execution: a request to stop an earlier one is forgotten.
    */
   explicit vtkProgressBridge(vtkAlgorithm* algorithm);
 
@@ -70,8 +71,8 @@ public:
   bool cancelled() override;
 
   /**
-   * As report(), for work of the filter itself. Throws medial::Error Cancelled where an observer
-   * wants to stop.
+   * As report(), for work of the filter itself. Throws medial::Error Cancelled if an observer wants
+   * to stop.
    */
   void ReportOrStop(double fraction, const char* phase);
 

@@ -9,7 +9,7 @@
 
 #include "vtkSetGet.h"
 
-/// Angle: least separation angle in degrees.
+/// Angle: minimum separation angle in degrees.
 #define vtkMedialAngleMacro()                                                                      \
   vtkSetMacro(Angle, double);                                                                      \
   vtkGetMacro(Angle, double)

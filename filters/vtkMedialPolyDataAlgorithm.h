@@ -1,7 +1,7 @@
 /**
  * @class   vtkMedialPolyDataAlgorithm
- * @brief   superclass of the filters that make a vtkPolyData of a vtkPolyData, without a grid of
- * samples
+ * @brief   superclass of the filters that make a vtkPolyData of a vtkPolyData, without a distance
+ * field
  *
  * vtkMedialPolyDataAlgorithm executes vtkMedialThickness, vtkMedialReconstruction and
  * vtkMedialCurves: their errors, abort and parallel pipelines are the same.
@@ -9,7 +9,7 @@
  * @par Errors:
  * A parameter outside its range and input that cannot be used are reported by one vtkErrorMacro
  * with the value and the allowed range; GetErrorCode() then is one of
- * vtkMeshFieldAlgorithm::ErrorCodes, the output is empty and the request ends as one of
+ * vtkMeshFieldAlgorithm::ErrorCodes, the output is empty and the request ends as it does for
  * vtkMeshFieldAlgorithm. Parameters are checked when the filter executes; no value is clamped.
  *
  * @par Abort:

@@ -50,7 +50,7 @@ private:
 };
 
 //------------------------------------------------------------------------------
-// The contour filter makes points in single precision, which serve near the origin only.
+// The contour filter makes points in single precision, which suffices only near the origin.
 void MoveTo(const medial::Point3& origin, vtkPolyData* surface)
 {
   vtkNew<vtkPoints> points;
@@ -71,7 +71,8 @@ void Contour(const medial::Grid& grid, const std::vector<float>& field, vtkPolyD
   vtkNew<vtkFloatArray> values;
   values->SetName("Depth");
   values->SetNumberOfValues(static_cast<vtkIdType>(field.size()));
-  // For VTK inside is where the values are high: so triangles and normals face outwards.
+  // The contour filter takes high values for the inside. Negated, triangles and normals face
+  // outwards.
   std::transform(field.begin(), field.end(), values->GetPointer(0), std::negate<float>());
   vtkNew<vtkImageData> image;
   image->SetSpacing(grid.spacing.data());

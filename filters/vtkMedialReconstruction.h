@@ -2,8 +2,8 @@
  * @class   vtkMedialReconstruction
  * @brief   surface of the solid that a medial axis describes
  *
- * vtkMedialReconstruction makes the surface of the union of the balls of a medial axis, and with
- * Interpolate of what lies between them: the convex hulls of two balls joined by a line or an edge
+ * vtkMedialReconstruction makes the surface of the union of the balls of a medial axis, and, with
+ * Interpolate, of what lies between them: the convex hulls of two balls joined by a line or an edge
  * of a polygon (cones) and of three joined by a triangle (wedges). It computes the signed distance
  * to them exactly at the points of a regular grid, near the surface, and contours it with
  * vtkFlyingEdges3D.
@@ -16,12 +16,12 @@
  *
  * @par Output:
  * Triangles, closed, points in double precision, with normals that point outwards (array Normals).
- * Details thinner than a voxel may be missing. Balls of radius 0 have no inside, so they leave
+ * Details thinner than a voxel may be missing. Balls of radius 0 have no inside, so they add
  * nothing.
  *
  * @par Errors:
- * Input without points, a missing or unfit array Radius, a radius that is negative or not finite,
- * a Resolution outside its range and a grid larger than the memory that is left.
+ * Input without points, a missing or unsuitable array Radius, a radius that is negative or not
+ * finite, a Resolution outside its range and a grid larger than the memory that is left.
  * vtkMedialPolyDataAlgorithm documents how errors are reported, abort and parallel pipelines.
  *
  * @sa
@@ -49,8 +49,8 @@ public:
   ///@{
   /**
    * Number of grid points along the longest axis of the balls' bounds, which are padded by 5 % of
-   * their diagonal, in [2, 8192]. The surface's distance from the exact one falls with the square
-   * of the spacing where it is smooth. Default is 128.
+   * their diagonal, in [2, 8192]. Where the surface is smooth, its error falls with the square of
+   * the spacing. Default is 128.
    */
   vtkSetMacro(Resolution, int);
   vtkGetMacro(Resolution, int);
@@ -58,8 +58,8 @@ public:
 
   ///@{
   /**
-   * Whether cones and wedges between the balls belong to the solid. Off, it is the union of the
-   * balls alone, which is bumpy where they lie apart. Default is on.
+   * Whether cones and wedges between the balls belong to the solid. If off, the solid is the union
+   * of the balls alone, which is bumpy where they lie apart. Default is on.
    */
   vtkSetMacro(Interpolate, vtkTypeBool);
   vtkGetMacro(Interpolate, vtkTypeBool);

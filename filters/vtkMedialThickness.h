@@ -4,11 +4,11 @@
  *
  * vtkMedialThickness gives every point of a surface twice the radius of the medial ball that
  * touches it: how thick the solid is there or, for the exterior, how wide the gap is. From each
- * point it follows the ray against the angle-weighted normal to the first place that sees its
- * closest surface point and the start under Angle or more; the radius is the distance there. This
- * is exact for the mesh as it is, in double precision, and needs neither a grid nor OpenGL. The
- * iteration is that of shrinking balls (Ma, Bae, Choi: 3D Medial Point Approximation Using Normal
- * Vectors, 2012) with exact closest points of the mesh.
+ * point it follows the ray against the angle-weighted normal to the first place where the
+ * directions to its closest surface point and to the start form an angle of Angle or more; the
+ * radius is the distance there. This is exact for the mesh as it is, in double precision, and needs
+ * neither a grid nor OpenGL. The iteration is that of shrinking balls (Ma, Bae, Choi: 3D Medial
+ * Point Approximation Using Normal Vectors, 2012) with exact closest points of the mesh.
  *
  * The output is the input with the point data array Thickness (float32, world units, the active
  * scalars). It is 0 where a sheet of the medial axis runs into the surface: on edges that are
@@ -26,11 +26,12 @@
  * Any vtkPolyData, as for vtkMedialAxis: polygons, triangle strips, lines and vertices, closed or
  * not. All cells limit the balls; points of polygons and strips have values. Interior is behind the
  * faces, by their own orientation; a closed, consistently oriented surface whose faces point
- * inwards is turned round.
+ * inwards is turned inside out first.
  *
  * @par Parameter tuning:
  * Values are at points only. The points of a coarse CAD mesh lie on sharp edges, where they are 0:
- * put vtkAdaptiveSubdivisionFilter (or vtkLinearSubdivisionFilter) in front to see what is between.
+ * put vtkAdaptiveSubdivisionFilter (or vtkLinearSubdivisionFilter) in front to see values in
+ * between.
  *
  * vtkMedialPolyDataAlgorithm documents errors, abort and parallel pipelines.
  *
@@ -60,16 +61,17 @@ public:
   ///@{
   /**
    * Minimum separation angle of the balls that count, in degrees, in the open interval (0, 180).
-   * Places that see two nearest points under a smaller angle, as between the facets of a curved
-   * surface, are passed over. Default is 60.
+   * Places whose two closest points are seen under a smaller angle, as between the facets of a
+   * curved surface, are passed over. Default is 60.
    */
   vtkMedialAngleMacro();
   ///@}
 
   ///@{
   /**
-   * The side of the surface that is measured: INTERIOR, how thick the solid is, EXTERIOR, how wide
-   * the gap is (clearance), or BOTH, the smaller of the two. Default is INTERIOR.
+   * The side of the surface whose thickness is computed: INTERIOR, how thick the solid is,
+   * EXTERIOR, how wide the gap is (clearance), or BOTH, the smaller of the two. Default is
+   * INTERIOR.
    */
   vtkMedialSideMacro();
   ///@}

@@ -33,9 +33,8 @@ struct ArraySelection
 };
 
 /**
- * Lays out an empty image for a part of a grid, and attaches arrays that wait for their values.
- * Returns where the library is to write them. Throws
- * medial::Error OutOfMemory or std::bad_alloc.
+ * Lays out an empty image for a part of a grid and attaches its arrays, still without values.
+ * Returns where the library writes the values. Throws medial::Error OutOfMemory or std::bad_alloc.
  */
 medial::FieldArrays AllocateField(vtkImageData* output, const medial::Grid& grid,
   const medial::Extent& extent, const ArraySelection& selection);

@@ -3,7 +3,7 @@
  * @brief   exact distance field of a mesh on a regular grid
  *
  * vtkMeshDistanceField computes the exact distance from every point of a regular grid to the
- * nearest point of a mesh, and which point, cell and feature that is. The method is linear
+ * closest point of a mesh, and which point, cell and feature that is. The method is linear
  * factorisation (Sud, Govindaraju, Gayle, Manocha: Interactive 3D Distance Field Computation using
  * Linear Factorization, I3D 2006).
  *

@@ -29,7 +29,7 @@ const char* NameOf(const char* const (&names)[Count], int value)
 }
 
 //------------------------------------------------------------------------------
-// The pipeline marks outputs so while it asks for one block of composite input after the other.
+// The pipeline marks outputs this way while it goes through the blocks of composite input.
 class BlockKey : public vtkCompositeDataPipeline
 {
 public:
@@ -131,8 +131,8 @@ int vtkMeshFieldAlgorithm::RequestImageInformation(vtkInformationVector** inputV
 
 //------------------------------------------------------------------------------
 // Asks for what RequestUpdateExtent() asks for, so that the input is not executed twice. A block of
-// composite input is up to date already, and its producer is amid its execution. Returns null where
-// the input is composite itself.
+// composite input is up to date already, and its producer is still executing. Returns null if the
+// input itself is composite.
 vtkPolyData* vtkMeshFieldAlgorithm::UpdateWholeInput(vtkInformationVector** inputVector)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);

@@ -2,9 +2,9 @@
  * @class   vtkMeshFieldAlgorithm
  * @brief   superclass of the filters that sample the distance field of a mesh on a regular grid
  *
- * vtkMeshFieldAlgorithm holds what vtkMeshDistanceField and vtkMedialAxis have in common: the grid
- * of sample points, the sign of the distance, the limits on resources, the choice of image arrays,
- * and the field data that describes an execution.
+ * vtkMeshFieldAlgorithm holds what vtkMeshDistanceField and vtkMedialAxis have in common: the grid,
+ * the sign of the distance, the limits on resources, the choice of image arrays, and the field data
+ * that describe an execution.
  *
  * @par Input:
  * Any vtkPolyData: triangles, quads, polygons, triangle strips, lines and vertices, mixed as they
@@ -14,14 +14,13 @@
  *
  * @par Coordinates:
  * All lengths are in world units, those of the input's points. Image outputs have point data on a
- * grid without rotation; the sample points are the image's points.
+ * grid without rotation; the grid points are the image's points.
  *
  * @par Information:
  * Unless GridMode is EXPLICIT the grid of an image output follows from the bounds of the input, so
  * UpdateInformation() updates the input (never the field). For input that changes with time the
  * grid is that of the time at which the information was made; use an explicit grid there. The
- * joined mesh is kept until the input changes, so that a new extent or parameter does not prepare
- * it again.
+ * welded mesh is kept until the input changes: a new extent or parameter reuses it.
  *
  * @par Field data:
  * Every output that is not empty tells how it was made, in field data arrays of one tuple each:
@@ -29,15 +28,15 @@
  *   GetEngineAsString() call it; never Auto.
  * - GridOrigin and GridSpacing (double x 3, world units) and GridDimensions (int x 3): the whole
  *   grid, also where only part of it was computed.
- * - Triangles, Vertices, Components, DegenerateTriangles (vtkIdType): the mesh once points at the
- *   same place were joined and polygons cut into triangles; its connected components and its
+ * - Triangles, Vertices, Components, DegenerateTriangles (vtkIdType): the mesh after points at the
+ *   same place were welded and polygons cut into triangles; its connected components and its
  *   triangles without area.
  * - Closed (every edge has two triangles), Manifold, Oriented (consistently): unsigned char, 0 or
  *   1.
  * - Sites, CandidatePairs, Polygons, Fragments, Samples (vtkIdType): faces, edges and vertices of
  *   the mesh; pairs of a site and a tile of the grid that culling left; polygons drawn, 0 with the
- *   processor; samples that they cover before the depth test, or pairs of a sample and a site that
- *   the processor evaluated; grid points computed.
+ *   processor; grid points that they cover before the depth test, or pairs of a grid point and a
+ *   site that the processor evaluated; grid points computed.
  * - Seconds (double, one named component a phase): wall-clock time of building sites (Sites),
  *   culling (Cull), clipping polygons (Polygons), drawing or evaluating (Draw), final distances
  *   and read-back (Resolve), and the medial axis (Medial, 0 for vtkMeshDistanceField).
@@ -66,8 +65,8 @@
  * state. Observers are called in the calling thread.
  *
  * @par Parallel pipelines:
- * Whatever piece is requested, the filter asks for its whole input, since every sample depends on
- * all of it.
+ * Whatever piece is requested, the filter asks for its whole input, since every grid point depends
+ * on all of it.
  */
 
 #ifndef vtkMeshFieldAlgorithm_h
@@ -122,7 +121,7 @@ public:
   };
 
   /**
-   * How the grid of sample points is chosen.
+   * How the grid is chosen.
    */
   enum GridModes
   {
@@ -153,10 +152,10 @@ public:
 
   ///@{
   /**
-   * How the grid of sample points is chosen. RESOLUTION: cubic voxels, as many points along the
-   * longest axis as Resolution says. SPACING: voxels of the size Spacing. Both cover the bounds of
-   * the input with a margin of Padding on every side. EXPLICIT: Origin, Spacing and Dimensions as
-   * they are, whatever the input. Default is RESOLUTION.
+   * How the grid is chosen. RESOLUTION: cubic voxels, as many points along the longest axis as
+   * Resolution says. SPACING: voxels of the size Spacing. Both cover the bounds of the input with a
+   * margin of Padding on every side. EXPLICIT: Origin, Spacing and Dimensions as they are, whatever
+   * the input. Default is RESOLUTION.
    */
   vtkSetMacro(GridMode, int);
   vtkGetMacro(GridMode, int);
@@ -168,7 +167,7 @@ public:
 
   ///@{
   /**
-   * Number of sample points along the longest axis of the padded bounds, in [2, 8192]. Time and
+   * Number of grid points along the longest axis of the padded bounds, in [2, 8192]. Time and
    * memory grow with its cube. Used when GridMode is RESOLUTION. Default is 256.
    */
   vtkSetMacro(Resolution, int);
@@ -177,7 +176,7 @@ public:
 
   ///@{
   /**
-   * Distance of neighbouring sample points along x, y and z in world units, each > 0; they may
+   * Distance between neighbouring grid points along x, y and z in world units, each > 0; they may
    * differ. Used when GridMode is SPACING, where it must give at most 8192 points along an axis, or
    * EXPLICIT. Default is (1, 1, 1).
    */
@@ -187,8 +186,8 @@ public:
 
   ///@{
   /**
-   * World coordinates of the first sample point, any finite numbers. Used when GridMode is
-   * EXPLICIT. Default is (0, 0, 0).
+   * World coordinates of the first grid point, any finite numbers. Used when GridMode is EXPLICIT.
+   * Default is (0, 0, 0).
    */
   vtkSetVector3Macro(Origin, double);
   vtkGetVector3Macro(Origin, double);
@@ -196,7 +195,7 @@ public:
 
   ///@{
   /**
-   * Number of sample points along x, y and z, each in [1, 8192]. Used when GridMode is EXPLICIT.
+   * Number of grid points along x, y and z, each in [1, 8192]. Used when GridMode is EXPLICIT.
    * Default is (64, 64, 64).
    */
   vtkSetVector3Macro(Dimensions, int);
@@ -275,8 +274,8 @@ public:
 
   ///@{
   /**
-   * Whether the image has the point data array ClosestPoint: the world coordinates of the nearest
-   * point of the mesh, float32 x 3. Costs 12 bytes a sample. Default is on.
+   * Whether the image has the point data array ClosestPoint: the world coordinates of the closest
+   * point of the mesh, float32 x 3. Costs 12 bytes per grid point. Default is on.
    */
   vtkSetMacro(GenerateClosestPoint, vtkTypeBool);
   vtkGetMacro(GenerateClosestPoint, vtkTypeBool);
@@ -286,7 +285,7 @@ public:
   ///@{
   /**
    * Whether the image has the point data array ClosestCell: the id of an input cell that holds the
-   * nearest point, vtkIdType. Costs 8 bytes a sample. Default is on.
+   * closest point, vtkIdType. Costs 8 bytes per grid point. Default is on.
    */
   vtkSetMacro(GenerateClosestCell, vtkTypeBool);
   vtkGetMacro(GenerateClosestCell, vtkTypeBool);
@@ -295,8 +294,8 @@ public:
 
   ///@{
   /**
-   * Whether the image has the point data array ClosestFeature: what the nearest point lies on,
-   * 0 for a vertex, 1 for an edge, 2 for a face, uint8. Costs 1 byte a sample. Default is on.
+   * Whether the image has the point data array ClosestFeature: what the closest point lies on, 0
+   * for a vertex, 1 for an edge, 2 for a face, uint8. Costs 1 byte per grid point. Default is on.
    */
   vtkSetMacro(GenerateClosestFeature, vtkTypeBool);
   vtkGetMacro(GenerateClosestFeature, vtkTypeBool);
@@ -305,9 +304,9 @@ public:
 
   ///@{
   /**
-   * Whether the image has the point data array ClosestSite: the label of the nearest vertex, edge
+   * Whether the image has the point data array ClosestSite: the label of the closest vertex, edge
    * or face of the welded mesh, that is the generalised Voronoi diagram, int32. Faces come first,
-   * then edges, then vertices. Costs 4 bytes a sample. Default is on.
+   * then edges, then vertices. Costs 4 bytes per grid point. Default is on.
    */
   vtkSetMacro(GenerateClosestSite, vtkTypeBool);
   vtkGetMacro(GenerateClosestSite, vtkTypeBool);

@@ -1,6 +1,6 @@
 /**
- * What vtkMeshFieldAlgorithm keeps from its users: the library's view of the input and of the
- * parameters. Private to the module.
+ * The private part of vtkMeshFieldAlgorithm: the input and the parameters as the library takes
+ * them. Private to the module.
  */
 
 #ifndef vtkMeshFieldInternals_h
@@ -49,7 +49,7 @@ public:
   static medial::Grid AnnouncedGrid(vtkInformation* outInfo);
 
   /**
-   * The parameters of the distance field, checked as far as the library cannot.
+   * The parameters of the distance field. Checks what the library cannot check.
    */
   medial::DistanceFieldOptions MakeOptions(medial::Progress& progress);
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-// What the command lines of the programs share.
+// Parts of the command line that all programs share.
 namespace medial::app
 {
 
@@ -14,12 +14,12 @@ namespace medial::app
 void setUpCommandLine(CLI::App& app, const std::string& name, const std::string& footer);
 
 /// Parses the command line.
-/// @return false when the user asked for --help or --version, which it answers on standard output.
+/// @return false if the user asked for --help or --version; the answer is on standard output then.
 /// @throws Failure Usage.
 bool parseCommandLine(CLI::App& app, int argc, char** argv);
 
 ///@{
-/// Options that several programs have. option_names.h turns what is typed into values.
+/// Options of several programs. option_names.h turns the words that the user types into values.
 void addSideOption(CLI::App& app, std::string& word, const std::string& group);
 void addEngineOption(CLI::App& app, std::string& word, const std::string& group);
 void addThreadsOption(CLI::App& app, int& threads, const std::string& group);
@@ -28,7 +28,7 @@ void addQuietOption(CLI::App& app, bool& quiet, const std::string& group);
 ///@}
 
 /// @param path of an output, empty for none.
-/// @throws Failure Usage, naming the option, where its extension is not allowed.
+/// @throws Failure Usage, naming the option, if its extension is not allowed.
 void checkExtension(const char* option, const std::filesystem::path& path,
   const std::vector<std::string>& allowed);
 

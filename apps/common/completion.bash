@@ -1,7 +1,8 @@
-# Completion of medial-axis, medial-measure and medial-viewer in bash: options are those of --help,
-# files those with the extensions that an option takes.
+# Bash completion for medial-axis, medial-measure and medial-viewer. It offers the options of --help, and
+# files with the extensions that an option accepts.
 
-# _medial_files WORD EXTENSION...: files that begin like WORD and have one of the extensions; folders.
+# _medial_files WORD EXTENSION...: prints the files that begin with WORD and have one of the extensions, and
+# folders.
 _medial_files()
 {
   local word=$1 extension
@@ -13,7 +14,7 @@ _medial_files()
   compgen -d -- "$word"
 }
 
-# _medial_values OPTION WORD: values that the option can have.
+# _medial_values OPTION WORD: prints the values that the option accepts.
 _medial_values()
 {
   case $1 in

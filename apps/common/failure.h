@@ -6,7 +6,7 @@
 namespace medial::app
 {
 
-/// What the program returns to the shell.
+/// The exit code of a program.
 enum class ExitCode
 {
   Done = 0,

@@ -15,7 +15,7 @@ void writeFile(const std::filesystem::path& file, const std::function<void(std::
   write(stream);
   if (stream)
   {
-    errno = 0; // so that what it holds below comes from close()
+    errno = 0; // so that an error found below comes from close()
   }
   stream.close();
   if (!stream)

@@ -9,8 +9,8 @@ namespace medial::app
 {
 
 ///@{
-/// Makes a file of what `write` passes to the stream, or of bytes.
-/// @throws Failure NoSpace unless everything reached the file. The message names no file.
+/// Creates a file with what `write` sends to the stream, or with the given bytes.
+/// @throws Failure NoSpace unless everything reached the file. The message does not name the file.
 void writeFile(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write);
 void writeFile(const std::filesystem::path& file, std::string_view bytes);
 ///@}

@@ -3,14 +3,14 @@
 namespace medial::app
 {
 
-/// Takes over SIGINT and SIGTERM: the first one asks the program to stop, the second one ends it at
-/// once. Also makes a write beyond the file size limit an ordinary error.
+/// Handles SIGINT and SIGTERM: the first signal asks the program to stop, the second one ends it at
+/// once. Also turns a write beyond the file size limit into an ordinary error.
 void installSignalHandlers();
 
-/// True once the program was asked to stop.
+/// True once the program has been asked to stop.
 bool interrupted();
 
-/// @throws Failure Interrupted once the program was asked to stop.
+/// @throws Failure Interrupted once the program has been asked to stop.
 void throwIfInterrupted();
 
 } // namespace medial::app

@@ -32,7 +32,7 @@ ExitCode exitCodeOf(ErrorCode code)
   return ExitCode::NoSpace;
 }
 
-// Trouble with the GPU is no fault of the input.
+// The input is not to blame for a failure of the GPU.
 void runWithFailures(const std::string& culprit, const std::function<void()>& work)
 {
   try

@@ -10,7 +10,7 @@
 namespace medial::app
 {
 
-/// Forwards progress to the terminal, and the user's wish to stop to the library.
+/// Forwards progress to the terminal, and the user's request to stop to the library.
 class Watch : public Progress
 {
 public:
@@ -28,7 +28,8 @@ private:
 
 ///@{
 /// Runs `work` and turns the library's errors into failures of the program.
-/// @param input is named in front of the message; left out for work whose errors name their files.
+/// @param input is named in front of the message; omit it for work whose errors name their files
+///   themselves.
 void withFailures(const std::filesystem::path& input, const std::function<void()>& work);
 void withFailures(const std::function<void()>& work);
 ///@}

@@ -28,7 +28,7 @@ std::string text(double number)
   return stream.str();
 }
 
-// Whatever precision the file has.
+// Rounds to single precision, whatever precision the file has.
 double toRadius(double value)
 {
   return static_cast<double>(static_cast<float>(value));

@@ -11,7 +11,7 @@ namespace medial::app
 /// with polygons, lines and vertices, and a point data array Radius of one component. Radii have
 /// single precision.
 ///
-/// @return what checkMedialModel() accepts.
+/// @return a model that checkMedialModel() accepts.
 /// @throws Failure BadInput naming the file and what is wrong, with the line or point: a file that
 ///   ends early or contradicts its header, an index out of range, a coordinate that is not finite,
 ///   a radius that is missing or outside [0, infinity), no points at all.

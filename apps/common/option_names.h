@@ -10,7 +10,7 @@ namespace medial::app
 {
 
 ///@{
-/// The words of the options that take one of several, with their values.
+/// The words that an option accepts, with the values that they stand for.
 const Names<Side>& sideNames();
 const Names<Representation>& representationNames();
 const Names<Topology>& topologyNames();

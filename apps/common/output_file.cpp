@@ -22,7 +22,7 @@ namespace
   throw Failure(ExitCode::NoSpace, path.string() + ": cannot be written: " + why);
 }
 
-// The mode of a file that is replaced stays; a new one gets what the user's umask leaves.
+// A replaced file keeps its mode; a new one gets the mode that the user's umask allows.
 mode_t wantedMode(const fs::path& target)
 {
   struct stat status = {};

@@ -7,13 +7,13 @@ namespace medial::app
 {
 
 /// A file that appears only when it is complete. It is written under a temporary name in the same
-/// folder; commit() gives it its name, in place of an older file. Without commit() nothing is left.
+/// folder; commit() renames it and replaces an older file. Without commit() nothing is left.
 class OutputFile
 {
 public:
-  /// Checks that a file can be made there; leaves nothing behind.
-  /// @throws Failure NoSpace when the folder does not exist or refuses it, or when `path` exists
-  ///   and is no regular file.
+  /// Checks that a file can be created there; leaves nothing behind.
+  /// @throws Failure NoSpace if the folder does not exist or refuses new files, or if `path` exists
+  ///   and is not a regular file.
   explicit OutputFile(const std::filesystem::path& path);
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
@@ -22,7 +22,7 @@ public:
   /// The name that the user gave.
   const std::filesystem::path& path() const { return path_; }
 
-  /// Makes the temporary file, empty, and returns its name.
+  /// Creates the temporary file, empty, and returns its name.
   const std::filesystem::path& open();
 
   /// @throws Failure NoSpace.
@@ -34,8 +34,8 @@ private:
   std::filesystem::path temporary_;
 };
 
-/// Runs work that writes a file and names the file in the message of what it throws for want of
-/// space.
+/// Runs work that writes a file. Where the work throws Failure NoSpace, adds the name of the file
+/// to the message.
 void namingFile(const std::filesystem::path& path, const std::function<void()>& work);
 
 } // namespace medial::app

@@ -5,8 +5,8 @@
 namespace medial::app
 {
 
-/// Runs a program's work with its signal handlers. What ends it becomes one line on standard error,
-/// "name: what is wrong".
+/// Runs a program's work with signal handlers in place. A failure becomes one line on standard
+/// error, "name: what is wrong".
 /// @return the exit code.
 int runProgram(const char* name, const std::function<void()>& work);
 

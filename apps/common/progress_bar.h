@@ -6,8 +6,8 @@
 namespace medial::app
 {
 
-/// One line on standard error that says what is being done and how far it got; silent unless that
-/// is a terminal.
+/// One line on standard error that says what is being done and how far it has got; silent unless
+/// standard error is a terminal.
 class ProgressBar
 {
 public:

@@ -8,8 +8,8 @@
 namespace medial::app
 {
 
-/// A mesh from a file: for the library, and for what VTK draws or writes. It is held as its reader
-/// made it and becomes the other form only where that is asked for.
+/// A mesh from a file, for the library and for VTK. It is kept in the form that its reader made,
+/// and converted to the other form only on demand.
 class Surface
 {
 public:
@@ -21,7 +21,7 @@ public:
   /// The mesh for the library.
   MeshInput toMeshInput() const;
 
-  /// buildTriangleMesh() of it.
+  /// The mesh that buildTriangleMesh() makes of it.
   /// @throws Error InvalidInput.
   TriangleMesh toTriangleMesh() const;
 

@@ -5,7 +5,7 @@
 namespace medial::app
 {
 
-/// Wall-clock seconds since it was made.
+/// Wall-clock seconds since its construction.
 class Timer
 {
 public:

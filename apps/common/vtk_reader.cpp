@@ -21,7 +21,7 @@ namespace medial::app
 namespace
 {
 
-// VTK's reader takes what is left of a truncated binary file for the whole mesh.
+// VTK's reader takes a truncated binary file for a whole mesh.
 void checkStlSize(const fs::path& path)
 {
   constexpr std::uintmax_t kHeader = 84;

@@ -13,7 +13,7 @@ namespace medial::app
 
 void writeVtp(vtkPolyData* data, const std::filesystem::path& file)
 {
-  const VtkMessages messages; // what goes wrong is in the error code
+  const VtkMessages messages; // errors are in the error code
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetInputData(data);
   writer->SetFileName(file.c_str());

@@ -8,7 +8,7 @@ namespace medial::app
 {
 
 /// Writes a data set with its arrays as a .vtp file.
-/// @throws Failure NoSpace when the file cannot be written completely. The message names no file.
+/// @throws Failure NoSpace if the file cannot be written completely. The message does not name it.
 void writeVtp(vtkPolyData* data, const std::filesystem::path& file);
 
 } // namespace medial::app

@@ -18,8 +18,8 @@ namespace
 constexpr double kSmoothAngle = 30.0; // degrees between faces that are shaded as one
 constexpr double kSharpAngle = 50.0;  // degrees between faces whose edge is drawn
 
-/// Makes points of equal coordinates one. STL files share no points: every edge of theirs would be
-/// drawn and shaded as a border.
+/// Merges points with equal coordinates. The triangles of STL files share no points: unmerged,
+/// every edge would be drawn and shaded as a border.
 vtkSmartPointer<vtkCleanPolyData> weld(vtkPolyData* surface)
 {
   auto weld = vtkSmartPointer<vtkCleanPolyData>::New();

@@ -9,7 +9,7 @@ class vtkScalarsToColors;
 namespace medial::app
 {
 
-// Each shows changes of its data at the next drawing.
+// Each actor shows changes of its data the next time it is drawn.
 
 /// A surface and its outline, either of which may be left out.
 struct SurfaceActors

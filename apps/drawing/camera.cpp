@@ -20,7 +20,7 @@ namespace
 
 constexpr double kMargin = 1.06;
 
-// The points that are seen: those of cells, and all of a mesh without cells.
+// The visible points: those of cells, or all points of a mesh without cells.
 std::vector<std::array<double, 3>> seenPoints(vtkPolyData* mesh)
 {
   std::vector<bool> seen(mesh->GetNumberOfPoints(), mesh->GetNumberOfCells() == 0);

@@ -7,8 +7,8 @@ class vtkRenderWindow;
 namespace medial::app
 {
 
-/// Writes what a window has drawn last.
-/// @throws Failure NoSpace when the file cannot be written completely. The message names no file.
+/// Writes what a window drew last.
+/// @throws Failure NoSpace if the file cannot be written completely. The message does not name it.
 void writePng(vtkRenderWindow* window, const std::filesystem::path& file);
 
 } // namespace medial::app

@@ -13,7 +13,7 @@ constexpr double kBarShare = 0.16;
 
 /// A scalar bar for the right margin of a picture on white.
 /// @param fontSize of the title and numbers, in pixels.
-/// @param nameOfNone how what has no value is called; null where there is none.
+/// @param nameOfNone label for places without a value; null if all have one.
 vtkSmartPointer<vtkScalarBarActor> makeScalarBar(vtkScalarsToColors* colours, const char* title,
   int fontSize, const char* nameOfNone = nullptr);
 

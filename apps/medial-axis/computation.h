@@ -19,7 +19,7 @@
 namespace medial::app
 {
 
-/// What a run computes, and from what.
+/// What a run computes, and what it computes it from.
 struct Result
 {
   TriangleMesh mesh;
@@ -38,14 +38,14 @@ struct Result
 /// @throws Failure BadInput.
 Result prepare(const Surface& surface, const Options& options);
 
-/// Fills in what follows from mesh and grid, in one pass over the grid: the axis where an option
-/// asks for it, and the field, which goes to disk meanwhile; nothing where neither is wanted.
-/// @param field null where it is not wanted.
+/// Computes the axis, if an option asks for it, and the field, which goes to disk meanwhile, in one
+/// pass over the grid. Does nothing if neither is wanted.
+/// @param field null if it is not wanted.
 /// @throws Failure.
 void compute(const Options& options, FieldOutput* field, ProgressBar& bar, Result& result);
 
-/// Fills in what is wanted of the thickness.
-/// @param surface what the mesh of the result was made from.
+/// Computes the thickness, as far as options ask for it.
+/// @param surface the one that the mesh of the result was made from.
 /// @throws Failure.
 void computeThickness(const Options& options, Surface& surface, ProgressBar& bar, Result& result);
 

@@ -17,7 +17,7 @@ constexpr char kByteOrder[] = "LittleEndian";
 constexpr char kByteOrder[] = "BigEndian";
 #endif
 
-// As short as it can be read back without loss, in every locale.
+// The shortest text that reads back without loss, in every locale.
 std::string numberText(double number)
 {
   char text[32];

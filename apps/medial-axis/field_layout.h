@@ -27,9 +27,8 @@ constexpr std::array<FieldArrayFormat, 5> kFieldArrays = { {
   { "type=\"Int32\" Name=\"ClosestSite\"", 4 },
 } };
 
-/// Where everything is in a .vti file of a distance field: a header, then each array as its length
-/// (8 bytes) and its values, x fastest, as they are in memory, then a footer. Offsets and sizes in
-/// bytes.
+/// The layout of a .vti file of a distance field: a header, then each array as its length (8 bytes)
+/// and its values, x fastest, as they are in memory, then a footer. Offsets and sizes in bytes.
 class FieldLayout
 {
 public:

@@ -66,7 +66,7 @@ void FieldOutput::writeIndex(const Grid& grid, const std::vector<Extent>& extent
   namingFile(path_, [&] { writeFile(index_->open(), fieldIndex(grid, extents, sources)); });
 }
 
-// Better now than after hours.
+// A full disk is better found now than after hours of computing.
 void FieldOutput::checkSpace() const
 {
   std::uint64_t needed = 0;
@@ -85,7 +85,7 @@ void FieldOutput::checkSpace() const
   }
 }
 
-// All but the values.
+// Writes everything but the values.
 void FieldOutput::writeFrame(Piece& piece)
 {
   const FieldLayout& layout = piece.layout;
@@ -107,7 +107,7 @@ FieldArrays FieldOutput::slabArrays(const Extent& slab)
     for (std::size_t array = 0; array < kFieldArrays.size(); ++array)
     {
       const auto bytes = static_cast<std::size_t>(capacity_) * kFieldArrays[array].bytesPerPoint;
-      values_[array].reset(); // before there are two
+      values_[array].reset(); // so that there are never two
       values_[array].reset(new char[bytes]);
     }
   }
@@ -130,7 +130,7 @@ void FieldOutput::stored(const Extent& slab)
   seconds_ += timer.seconds();
 }
 
-// The slices that a piece and a slab have in common, array after array.
+// Writes the slices that a piece and a slab have in common, array after array.
 void FieldOutput::writeSlab(Piece& piece, const Extent& slab)
 {
   const FieldLayout& layout = piece.layout;

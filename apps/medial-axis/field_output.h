@@ -23,12 +23,12 @@ namespace medial::app
 class FieldOutput : public FieldSink
 {
 public:
-  /// Checks that a file can be made there; leaves nothing behind.
+  /// Checks that a file can be created there; leaves nothing behind.
   /// @throws Failure NoSpace.
   explicit FieldOutput(const std::filesystem::path& path);
 
-  /// Makes the files, with all but their values.
-  /// @throws Failure NoSpace, also where the disk has too little space for them.
+  /// Creates the files, complete but for their values.
+  /// @throws Failure NoSpace, also if the disk has too little space for them.
   void begin(const Grid& grid);
 
   FieldArrays slabArrays(const Extent& slab) override;

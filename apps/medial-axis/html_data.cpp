@@ -26,7 +26,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kSteps = 65535.0;
 
-// A range in steps that 16 bits can count.
+// A range divided into as many steps as 16 bits can count.
 struct Steps
 {
   double origin = 0.0;
@@ -154,7 +154,7 @@ std::string kindsOf(const HtmlMesh& mesh)
   return text;
 }
 
-// Makes the mesh small enough, and adds how.
+// Makes the mesh small enough, and notes how.
 void fit(HtmlMesh& mesh, const char* name, std::size_t bytes, std::vector<std::string>& how)
 {
   const std::size_t before = cellsOf(mesh);

@@ -9,14 +9,14 @@
 namespace medial::app
 {
 
-/// Makes the meshes coarser where they are too large.
+/// Makes the meshes coarser if they are too large.
 /// @param surface, axis may be empty.
 /// @param limit bytes for both meshes as base64.
 /// @return for each mesh that changed, how: "the medial axis was simplified from ...".
 std::vector<std::string> fitMeshes(HtmlMesh& surface, HtmlMesh& axis, std::size_t limit);
 
-/// The data of a page as JSON without "<", so that nothing in them ends an element of HTML.
-/// docs/WEB.md has the format.
+/// The data of a page as JSON without "<", so that nothing in it ends an HTML element. docs/WEB.md
+/// has the format.
 /// @param surface, axis may be empty; the axis as sortByAngle() leaves it.
 /// @param title what the page calls the mesh; bytes that are not UTF-8 are replaced.
 /// @param simplifications of fitMeshes(), for the reader of the page.

@@ -265,7 +265,7 @@ std::optional<double> coarsen(HtmlMesh& mesh, std::size_t limit)
       mesh = std::move(coarse);
       return side;
     }
-    // Sheets have as many points as boxes squared.
+    // The number of points of a sheet grows with the square of the number of boxes.
     const double share = static_cast<double>(limit) / static_cast<double>(coarse.bytes());
     boxes *= std::min(kCoarser, std::sqrt(share));
   }

@@ -14,7 +14,7 @@ class vtkPolyData;
 namespace medial::app
 {
 
-/// One value a point.
+/// An array with one value per point.
 struct HtmlArray
 {
   std::string name;  ///< of the VTK array
@@ -23,7 +23,7 @@ struct HtmlArray
   std::vector<float> values;
 };
 
-/// A mesh as a page holds it: cells by the numbers of their corners.
+/// A mesh as a page holds it: its cells are lists of point numbers.
 struct HtmlMesh
 {
   template <std::size_t N>
@@ -35,7 +35,7 @@ struct HtmlMesh
   Cells<2> lines;
   Cells<1> vertices;
 
-  /// What it takes in a page before base64: 16 bits a number of a point, 32 a corner.
+  /// Its size in a page before base64: 16 bits for each number of a point, 32 for each corner.
   std::size_t bytes() const;
 };
 

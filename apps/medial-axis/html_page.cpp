@@ -18,7 +18,7 @@ namespace medial::app
 namespace
 {
 
-// Whether HTML would see the end of the script, or a comment.
+// Whether HTML would take this for the end of the script, or for a comment.
 bool wouldBeRead(std::string_view text)
 {
   constexpr std::string_view kEnd = "</script";

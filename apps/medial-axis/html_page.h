@@ -33,9 +33,9 @@ struct HtmlPage
 HtmlPage makeHtml(const TriangleMesh& surface, vtkPolyData* axis, const std::string& title,
   std::string_view vtkJs, std::size_t limit = kHtmlLimit);
 
-/// Writes makeHtml() with the bundle that the program was built with.
+/// Writes the page of makeHtml() with the bundle of vtk.js that is built into the program.
 /// @return its simplifications.
-/// @throws Failure NoSpace when the file cannot be written completely. The message names no file.
+/// @throws Failure NoSpace if the file cannot be written completely. The message does not name it.
 std::vector<std::string> writeHtml(const TriangleMesh& surface, vtkPolyData* axis,
   const std::string& title, const std::filesystem::path& file);
 

@@ -15,7 +15,7 @@ struct Length
   double inUnits(double diagonal) const { return percent ? 0.01 * value * diagonal : value; }
 };
 
-/// Nothing where the word is no length >= 0, such as 0.5 or 2%.
+/// Reads a length >= 0, such as 0.5 or 2%. Nothing if the word is not one.
 std::optional<Length> parseLength(const std::string& word);
 
 } // namespace medial::app

@@ -22,7 +22,7 @@ void checkNotTheInput(const char* option, const std::filesystem::path& path, con
   }
 }
 
-// Two outputs of the same name would replace each other.
+// One of two outputs with the same name would replace the other.
 void checkDistinct(const char* option, const std::filesystem::path& path, const char* other,
   const std::filesystem::path& otherPath)
 {

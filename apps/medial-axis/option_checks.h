@@ -6,7 +6,7 @@ namespace medial::app
 {
 
 /// Turns what the user typed into values.
-/// @throws Failure Usage for values that do not go together or are not there yet.
+/// @throws Failure Usage for unknown words, and for values that do not go together.
 void convertTexts(const OptionTexts& texts, bool spacingGiven, Options& options);
 
 /// @throws Failure Usage for an output with an unknown extension, one that would replace the input

@@ -53,13 +53,13 @@ struct Options
   }
 };
 
-/// Reads the command line; empty when the user asked for --help or --version, which it answers
-/// on standard output.
+/// Reads the command line. Empty if the user asked for --help or --version; the answer is on
+/// standard output then.
 /// @throws Failure Usage.
 std::optional<Options> parseOptions(int argc, char** argv);
 
 ///@{
-/// What the options say to the library.
+/// The options as the library takes them.
 /// @param diagonal of the mesh's bounds, world units.
 MedialAxisOptions libraryOptions(const Options& options, double diagonal);
 ThicknessOptions thicknessOptions(const Options& options);

@@ -18,7 +18,7 @@ namespace medial::app
 namespace
 {
 
-// The axis for those outputs that VTK makes; null where there are none.
+// The axis for those outputs that VTK makes; null if there are none.
 vtkSmartPointer<vtkPolyData> axisForVtk(const Options& options, const MedialAxis& axis)
 {
   const bool isVtp = !options.output.empty() && !axisFormatOf(options.output);

@@ -11,14 +11,14 @@
 namespace medial::app
 {
 
-/// What the user should know of files that were written.
+/// What the user should know about the files that were written.
 struct OutputNotes
 {
   long long curves = 0;          ///< polylines of --curves
   std::vector<std::string> page; ///< what --html has simplified
 };
 
-/// Writes all files that the options ask for, but for the report.
+/// Writes all files that the options ask for, except the report.
 /// @param result of the surface.
 /// @throws Failure.
 OutputNotes writeOutputs(const Options& options, Surface& surface, const Result& result,

@@ -17,19 +17,20 @@ namespace medial::app
 class Outputs
 {
 public:
-  /// Checks that every file that the options ask for can be made; leaves nothing behind.
+  /// Checks that every file that the options ask for can be created; leaves nothing behind.
   /// @throws Failure NoSpace.
   explicit Outputs(const Options& options);
 
-  /// Where the distance field goes while it is computed; null where it is not wanted.
+  /// Where the distance field goes while it is computed; null if it is not wanted.
   FieldOutput* field() { return field_ ? &*field_ : nullptr; }
 
   /// Wall-clock seconds that writing the field took.
   double fieldSeconds() const { return field_ ? field_->seconds() : 0.0; }
 
-  /// Has `write` make one of the files under a temporary name; does nothing for an empty path.
+  /// Calls `write` to create one of the files under a temporary name; does nothing for an empty
+  /// path.
   /// @param path as the options have it.
-  /// @throws Failure of `write`, naming the file where it could not be written, and Interrupted.
+  /// @throws Failure of `write`, naming the file if it could not be written, and Interrupted.
   void write(const std::filesystem::path& path,
     const std::function<void(const std::filesystem::path& file)>& write);
 

@@ -9,8 +9,8 @@ namespace medial::app
 
 /// Draws the medial axis coloured by radius inside the translucent surface, with a scalar bar, and
 /// writes it as a PNG file of 1600 x 1200 pixels. Needs no display.
-/// @throws Failure NoGpu when OpenGL cannot be had, NoSpace when the file cannot be written
-///   completely. The message names no file.
+/// @throws Failure NoGpu if there is no OpenGL, NoSpace if the file cannot be written completely.
+///   The message does not name it.
 void drawPicture(vtkPolyData* surface, vtkPolyData* axis, const std::filesystem::path& file);
 
 } // namespace medial::app

@@ -6,8 +6,8 @@
 namespace medial::app
 {
 
-/// A file that is written in any order, at offsets of 64 bits. What was never written reads as
-/// zeros. Messages of failures name no file.
+/// A file that is written in any order, at offsets of 64 bits. Parts that were never written read
+/// as zeros. Messages of failures do not name the file.
 class PositionedFile
 {
 public:
@@ -20,7 +20,7 @@ public:
   /// @throws Failure NoSpace unless everything was written.
   void write(const void* bytes, std::uint64_t count, std::uint64_t offset);
 
-  /// @throws Failure NoSpace where the system tells only now that something was not written.
+  /// @throws Failure NoSpace if the system reports only now that something was not written.
   void close();
 
 private:

@@ -17,7 +17,7 @@ struct AppSeconds
   double total = 0.0;
 };
 
-/// Figures of a run; those of what was not computed are 0 or empty.
+/// The figures of a run; where something was not computed they are 0 or empty.
 /// @return JSON text with the keys input {path, triangles, vertices, closed, manifold, components,
 ///   skipped_degenerate}, grid {dimensions, spacing, origin}, device {renderer, version, software},
 ///   seconds {read, sites, cull, polygons, draw, resolve, medial, write, total}, counts {sites,
@@ -27,12 +27,12 @@ struct AppSeconds
 ///   {mode, solid (null unless preserved), axis: each {components, euler_characteristic, genus,
 ///   cavities}}, coverage (null unless the axis is that of the interior) {uncovered_share: the
 ///   share of the surface's area that is farther than reach, the diagonal of a voxel, from the
-///   union of the axis's balls, cones and slabs; reach, samples, seconds} and peak_memory_mib;
+///   union of the axis's balls, cones and wedges; reach, samples, seconds} and peak_memory_mib;
 ///   where thickness was computed also thickness {side, angle, min, median, max, share_without,
-///   seconds}, numbers being null where no point has one. Lengths are in world units.
+///   seconds}, whose numbers are null where no point has a thickness. Lengths are in world units.
 std::string makeReport(const Result& result, const Options& options, const AppSeconds& seconds);
 
-/// @throws Failure NoSpace when the file cannot be written completely. The message names no file.
+/// @throws Failure NoSpace if the file cannot be written completely. The message does not name it.
 void writeReport(const std::string& report, const std::filesystem::path& file);
 
 } // namespace medial::app

@@ -19,18 +19,19 @@ namespace medial::app
 class Scene
 {
 public:
-  /// @throws Failure NoGpu when OpenGL cannot be had.
+  /// @throws Failure NoGpu if there is no OpenGL.
   Scene();
 
   void add(vtkProp* prop) { renderer_->AddViewProp(prop); }
 
-  /// @param nameOfNone how what has no value is called; null where there is none.
+  /// @param nameOfNone label for places without a value; null if all have one.
   void addScalarBar(vtkColorTransferFunction* colours, const char* title,
     const char* nameOfNone = nullptr);
 
   /// Writes a PNG file of the scene.
   /// @param shown what must fit into it; the first one decides where to look from.
-  /// @throws Failure NoSpace when the file cannot be written completely. The message names no file.
+  /// @throws Failure NoSpace if the file cannot be written completely. The message does not name
+  ///   it.
   void draw(std::initializer_list<vtkPolyData*> shown, const std::filesystem::path& file);
 
 private:

@@ -12,7 +12,7 @@ namespace medial::app
 namespace
 {
 
-/// From this share of the surface without axis on, a note says so.
+/// A note tells the user if the axis leaves out this share of the surface or more.
 constexpr double kNoticeableShare = 0.01;
 
 void printMesh(const Options& options, const Result& result)
@@ -91,7 +91,7 @@ void printOutputs(const Options& options, const MedialAxis& axis, const OutputNo
   printFile(options.report, "report of the run");
 }
 
-// How many edges are of a kind, after those of other kinds.
+// Appends the number of edges of a kind to a list of others.
 void appendEdges(std::string& list, int count, const char* kind)
 {
   if (count > 0)

@@ -13,7 +13,7 @@ namespace
 /// Longest edge of a picture's triangles, as a share of the diagonal of the bounds.
 constexpr double kLongestEdge = 1.0 / 60.0;
 
-// Lines and vertices stay, since they block balls as well: such a surface is not divided.
+// A surface with lines or vertices is not divided: they limit the balls as well, so they must stay.
 vtkSmartPointer<vtkPolyData> divided(vtkPolyData* surface)
 {
   vtkNew<vtkPolyData> copy;

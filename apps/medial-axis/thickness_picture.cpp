@@ -18,7 +18,7 @@ namespace medial::app
 namespace
 {
 
-// What the values reach up to, and whether some are NaN.
+// The maximum of the values, and whether some are NaN.
 struct Values
 {
   double max = 0.0;

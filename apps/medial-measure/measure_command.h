@@ -20,8 +20,8 @@ struct MeasureCommand
   bool quiet = false;
 };
 
-/// Reads the command line; empty when the user asked for --help or --version, which it answers
-/// on standard output.
+/// Reads the command line. Empty if the user asked for --help or --version; the answer is on
+/// standard output then.
 /// @throws Failure Usage.
 std::optional<MeasureCommand> parseMeasureCommand(int argc, char** argv);
 

@@ -21,7 +21,7 @@ struct MeasureResults
   double measureSeconds = 0.0;
 };
 
-/// A table for people, on standard output.
+/// Prints a table on standard output.
 void printTable(const MeasureCommand& command, const MeasureResults& results);
 
 /// @return JSON text with the keys axis {path, points, quads, triangles, lines, vertices,

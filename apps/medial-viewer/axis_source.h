@@ -16,7 +16,7 @@ class AxisSource
 {
 public:
   /// @param progress may cancel a computation.
-  /// @throws Failure BadInput where the mesh cannot be used.
+  /// @throws Failure BadInput if the mesh cannot be used.
   AxisSource(const Sequence& sequence, const ViewerOptions& options, Progress* progress);
 
   /// Computes one frame on a grid that holds all of them, and replaces the results below.

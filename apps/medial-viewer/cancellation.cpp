@@ -20,7 +20,7 @@ Bool isEscape(Display* /*display*/, XEvent* event, XPointer window)
     : False;
 }
 
-// Takes the key out of the queue; what else is in it stays for VTK.
+// Takes the key out of the queue; everything else stays for VTK.
 bool takeEscape(vtkRenderWindow* window)
 {
   auto* display = static_cast<Display*>(window->GetGenericDisplayId());

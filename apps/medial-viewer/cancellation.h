@@ -7,7 +7,7 @@ class vtkRenderWindow;
 namespace medial::app
 {
 
-/// Cancels a computation when the user presses Escape in the window, or ends the program.
+/// Cancels a computation when the user presses Escape in the window or ends the program.
 class Cancellation : public Progress
 {
 public:

@@ -54,7 +54,7 @@ void requireDisplay()
 void failCleanly(vtkRenderWindow* window)
 {
   XSetIOErrorHandler(leave);
-  // VTK would call abort() if nobody listened.
+  // Without an observer VTK would call abort().
   observeEvent(window, vtkCommand::ExitEvent,
     []
     {

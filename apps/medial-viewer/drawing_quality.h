@@ -7,9 +7,9 @@ class vtkRenderer;
 namespace medial::app
 {
 
-/// Draws drafts while something moves, and well when nothing has moved for a while. Drafts blend
-/// translucent surfaces unsorted; a good drawing sorts them by depth peeling, which draws them once
-/// more for each of their layers.
+/// Draws drafts while something moves, and a good picture once nothing has moved for a while.
+/// Drafts blend translucent surfaces unsorted; a good picture sorts them by depth peeling, which
+/// draws them once more for each of their layers.
 class DrawingQuality
 {
 public:
@@ -24,7 +24,7 @@ public:
   /// Whether the last drawing was a draft, a quarter of a second ago or more.
   bool due(Clock::time_point now = Clock::now()) const;
 
-  /// Draws well, once.
+  /// Draws a good picture, once.
   void drawWell();
 
 private:

@@ -54,7 +54,7 @@ FieldSlice::FieldSlice(vtkRenderWindowInteractor* interactor, vtkRenderer* rende
   widget_->SetResliceInterpolateToLinear();
   widget_->UserControlledLookupTableOn();
   widget_->SetLookupTable(makeTable());
-  // An opaque texture is drawn right beside translucent surfaces.
+  // Together with translucent surfaces VTK draws only an opaque texture correctly.
   widget_->GetColorMap()->SetOutputFormatToRGB();
   widget_->GetColorMap()->PassAlphaToOutputOff();
   widget_->GetPlaneProperty()->SetColor(0.35, 0.38, 0.42);

@@ -11,26 +11,26 @@ class vtkRenderWindowInteractor;
 namespace medial::app
 {
 
-/// A plane through the distance field that is dragged along its normal with the left button, turned
-/// at its border and put back where it was when the field changes. Red outside, blue inside, in
-/// bands whose borders are lines of equal distance.
+/// A plane through the distance field. The left button drags it along its normal, or turns it at
+/// its border. It stays where it is when the field changes. Red outside, blue inside, in bands
+/// whose borders are lines of equal distance.
 class FieldSlice
 {
 public:
   FieldSlice(vtkRenderWindowInteractor* interactor, vtkRenderer* renderer);
-  /// The interactor need not live any more.
+  /// The interactor may be gone by then.
   ~FieldSlice();
   FieldSlice(const FieldSlice&) = delete;
   FieldSlice& operator=(const FieldSlice&) = delete;
 
-  /// @param field with the active scalars Distance; may be the one before, with other values.
-  /// @param max distances from here on share the last colour, world units.
+  /// @param field with the active scalars Distance; may be the previous image with new values.
+  /// @param max distances of this and more share the last colour, world units.
   void setField(vtkImageData* field, double max);
 
   void setVisible(bool visible);
   bool visible() { return widget_->GetEnabled() != 0; }
 
-  /// Across the middle of the field.
+  /// Puts the plane across the middle of the field.
   /// @param axis of the grid that is the plane's normal, in [0, 2].
   void setNormal(int axis);
 

@@ -33,7 +33,7 @@ private:
   std::vector<Key> keys_;
 };
 
-/// VTK's mouse without VTK's keys.
+/// VTK's interaction by mouse, without VTK's keys.
 class ViewerStyle : public vtkInteractorStyleTrackballCamera
 {
 public:

@@ -88,7 +88,7 @@ void include(Bounds& bounds, const Bounds& other)
   }
 }
 
-// Reads the first frame, to which the others must fit.
+// Reads the first frame, which the others must match.
 MeshInput readFirst(const fs::path& file, Sequence& sequence)
 {
   Surface surface = readSurface(file);

@@ -21,8 +21,8 @@ struct Frame
   vtkSmartPointer<vtkPoints> seen; ///< of Sequence::surface
 };
 
-/// A deforming mesh: the same cells, other positions every frame. A mesh that stands still has one
-/// frame.
+/// A deforming mesh: the same cells with other positions in every frame. A mesh that stands still
+/// has one frame.
 struct Sequence
 {
   vtkSmartPointer<vtkPolyData> surface; ///< as read, with the points of the first frame
@@ -31,8 +31,8 @@ struct Sequence
   std::vector<Frame> frames;            ///< at least one
 };
 
-/// The files that the arguments mean: themselves, and for a folder the meshes in it in the order of
-/// their names.
+/// The files that the arguments name. A folder stands for the meshes in it, in the order of their
+/// names.
 /// @throws Failure BadInput for a folder without meshes.
 std::vector<std::filesystem::path> filesOf(const std::vector<std::filesystem::path>& inputs);
 

@@ -11,7 +11,7 @@ class vtkRenderWindowInteractor;
 namespace medial::app
 {
 
-/// What a slider looks like and ranges over.
+/// The looks and the range of a slider.
 struct SliderStyle
 {
   const char* title;

@@ -33,7 +33,8 @@ SliderStyle resolutionStyle(const ViewerOptions& options)
     static_cast<double>(options.maxResolution), 0.48, 0.82 };
 }
 
-// A computation that needs too much memory, or that the user cancels, leaves what was shown before.
+// Where a computation needs too much memory, or the user cancels it, the window keeps what it
+// showed before.
 bool mayStay(const Failure& failure)
 {
   return failure.exitCode() == ExitCode::NoSpace ||
@@ -250,7 +251,7 @@ void runViewer(const ViewerOptions& options)
 {
   if (!options.screenshot.empty())
   {
-    const OutputFile writable(options.screenshot); // or throws, before anything is computed
+    const OutputFile writable(options.screenshot); // throws before anything is computed
   }
   Sequence sequence = readSequence(options.inputs);
   const VtkMessages messages;

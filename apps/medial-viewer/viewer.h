@@ -34,15 +34,15 @@ public:
   Viewer(const Viewer&) = delete;
   Viewer& operator=(const Viewer&) = delete;
 
-  /// Answers mouse, keys and timer until the user leaves; only once. When a computation runs out of
-  /// memory or the user cancels it, the window says so and still shows what it did before.
+  /// Handles mouse, keys and timer until the user quits; call it once. If a computation runs out of
+  /// memory or the user cancels it, the window says so and still shows what it showed before.
   /// @throws Failure, also Interrupted.
   void run();
 
   /// Draws with translucent surfaces sorted, as the window looks when nothing moves.
   void drawWell() { quality_.drawWell(); }
 
-  /// Draws well, and writes the window as a PNG file that appears when it is complete.
+  /// Draws a good picture, and writes it as a PNG file that appears when it is complete.
   /// @throws Failure NoSpace.
   void writePicture(const std::filesystem::path& file);
 

@@ -18,7 +18,7 @@ enum class ColourBy
 };
 
 ///@{
-/// Ranges of the sliders; ViewerOptions::maxResolution may end that of the resolution before.
+/// Ranges of the sliders; ViewerOptions::maxResolution may lower the end of the resolution's range.
 constexpr double kMinViewerAngle = 20.0;
 constexpr double kMaxViewerAngle = 170.0;
 constexpr int kMinViewerResolution = 16;
@@ -44,8 +44,8 @@ struct ViewerOptions
   int height = 800;
 };
 
-/// Reads the command line; empty when the user asked for --help or --version, which it answers
-/// on standard output.
+/// Reads the command line. Empty if the user asked for --help or --version; the answer is on
+/// standard output then.
 /// @throws Failure Usage.
 std::optional<ViewerOptions> parseViewerOptions(int argc, char** argv);
 

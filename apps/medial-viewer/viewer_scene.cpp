@@ -71,7 +71,7 @@ ViewerScene::ViewerScene(vtkRenderer* renderer, vtkPolyData* surface, vtkPolyDat
   help_->VisibilityOff();
   for (vtkProp* prop : std::initializer_list<vtkProp*>{ surface_.faces, surface_.edges, axis_ })
   {
-    prop->PickableOff(); // the slice is to be had through them
+    prop->PickableOff(); // so that the mouse reaches the slice through them
     renderer->AddViewProp(prop);
   }
   for (vtkProp* prop : std::initializer_list<vtkProp*>{ bar_, status_, help_ })

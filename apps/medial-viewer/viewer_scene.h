@@ -18,14 +18,14 @@ class vtkRenderer;
 namespace medial::app
 {
 
-/// What is drawn beside the slice and the sliders.
+/// Everything that is drawn except the slice and the sliders.
 class ViewerScene
 {
 public:
-  /// @param surface, axis are drawn as they are at each drawing.
+  /// @param surface, axis are drawn as they are at the time.
   ViewerScene(vtkRenderer* renderer, vtkPolyData* surface, vtkPolyData* axis);
 
-  /// @param max values from here on share the last colour.
+  /// @param max values of this and more share the last colour.
   void colourAxis(ColourBy colour, double max);
 
   void toggleSurface();

@@ -42,9 +42,9 @@ ViewerWindow::ViewerWindow(const std::string& title, int width, int height)
   device = rendererOf(window);
 }
 
-// VTK 9.1 keeps a list of interactors that have been initialised, takes them off where their loop
-// ends, and not where they are deleted: the next loop of the process would use them. Window and
-// interactor hold each other.
+// VTK 9.1 keeps a list of initialised interactors. It removes one when its loop ends, but not when
+// it is deleted: the next loop of the process would use the deleted one. Window and interactor hold
+// references to each other.
 ViewerWindow::~ViewerWindow()
 {
   if (!looped_)

@@ -21,13 +21,13 @@ struct ViewerWindow
   vtkNew<ViewerStyle> style;
   std::string device; ///< what draws in it: GL_RENDERER
 
-  /// @throws Failure NoGpu when there is no display, or none with OpenGL.
+  /// @throws Failure NoGpu if there is no display, or none with OpenGL.
   ViewerWindow(const std::string& title, int width, int height);
   ~ViewerWindow();
   ViewerWindow(const ViewerWindow&) = delete;
   ViewerWindow& operator=(const ViewerWindow&) = delete;
 
-  /// Answers events until leave() is called; only once.
+  /// Handles events until leave() is called; call it once.
   void loop();
   /// Ends the loop; does nothing outside of it.
   void leave();

@@ -7,7 +7,8 @@ class vtkRenderer;
 namespace medial::app
 {
 
-/// Looks at the widest side of what all frames fill, above the sliders and beside the scalar bar.
+/// Looks at the widest side of the bounds of all frames, above the sliders and beside the scalar
+/// bar.
 void lookAt(vtkRenderer* renderer, const Sequence& sequence);
 
 } // namespace medial::app

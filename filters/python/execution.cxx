@@ -1,6 +1,6 @@
-// The extension module medial._execution: executes a filter with Python's global lock released,
-// and hands on what happens meanwhile: error events as texts, Ctrl-C and exceptions of the progress
-// function as exceptions, for which the filter is aborted.
+// The extension module medial._execution: executes a filter with Python's global lock released, and
+// passes on what happens meanwhile: error events as texts, Ctrl-C and exceptions of the progress
+// function as exceptions, after aborting the filter.
 #include "vtkPython.h" // must come first
 
 #include "vtkAlgorithm.h"
@@ -22,7 +22,7 @@ namespace
 {
 
 //------------------------------------------------------------------------------
-/// Lets other Python threads run during its life.
+/// Lets other Python threads run while it lives.
 class LockRelease
 {
 public:
@@ -45,7 +45,7 @@ private:
 };
 
 //------------------------------------------------------------------------------
-/// Holds Python's global lock during its life, whether it was held before or not.
+/// Holds Python's global lock while it lives, whether the thread held it before or not.
 class LockHold
 {
 public:
@@ -109,7 +109,7 @@ public:
 
   bool Raised() const { return this->Type != nullptr; }
 
-  /// Stands for what a filter threw in C++.
+  /// Records an exception that a filter threw in C++.
   void SetFailure(const std::string& what) { this->Messages.push_back(what); }
 
   /// Makes the exception that stopped the execution the current one.
@@ -162,7 +162,7 @@ private:
 };
 
 //------------------------------------------------------------------------------
-/// Adds the receiver to the algorithm and to all that it gets its input from.
+/// Adds the receiver to the algorithm and to everything upstream of it.
 class Subscriptions
 {
 public:
@@ -207,7 +207,7 @@ private:
     }
   }
 
-  /// Comes before observers in Python: VTK ends the process where Ctrl-C hits one of them.
+  /// Runs before observers in Python: VTK ends the process if Ctrl-C arrives in one of them.
   void Observe(vtkObject* object, unsigned long event)
   {
     constexpr float first = std::numeric_limits<float>::max();

@@ -16,7 +16,7 @@ The same is available as VTK filters, for pipelines:
     medial.update(axis)
 
 help(medial.vtkMedialAxis) prints the manual of the class. medial.update() raises exceptions where
-Update() prints messages, and lets Ctrl-C and other threads in.
+Update() prints messages, reacts to Ctrl-C, and lets other threads run.
 """
 
 from ._axis import MedialAxis, medial_axis

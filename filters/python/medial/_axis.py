@@ -36,7 +36,7 @@ _CELLS = ("vertices", "lines", "triangles", "quads")
 class MedialAxis:
     """A medial axis: balls, given by points and radii, and cells that join them.
 
-    Of n points, p vertices, l lines, t triangles and q quads. Points and what belongs to them share
+    For n points, p vertices, l lines, t triangles and q quads. Points and their attributes share
     VTK's memory.
     """
 
@@ -89,7 +89,7 @@ class MedialAxis:
 
     def to_vtk(self) -> vtkPolyData:
         """As VTK's mesh, with the point data arrays of vtkMedialAxis. Shares the memory of points
-        and of what belongs to them; copies cells.
+        and their attributes; copies cells.
 
         Raises InvalidInputError where arrays do not fit each other.
         """
@@ -178,7 +178,7 @@ def medial_axis(
 
 
 def _notes(algorithm: vtkMedialAxis, side: Optional[Side]) -> Iterator[str]:
-    """What is not as the caller may expect."""
+    """Notes on what the caller may not expect."""
     output = algorithm.GetOutput()
     if side is not None and figure(output, "Side").lower() != side:
         yield (f"the axis is that of both sides, not of side {side!r}: "

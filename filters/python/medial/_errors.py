@@ -16,7 +16,7 @@ class NoGpuError(Error):
 
 
 class OutOfMemoryError(Error, MemoryError):
-    """The memory does not suffice for what was asked."""
+    """There is not enough memory for the result."""
 
 
 for _class in (Error, InvalidInputError, NoGpuError, OutOfMemoryError):

@@ -18,19 +18,19 @@ from .vtkMedialFilters import vtkMeshDistanceField
 
 @dataclass(frozen=True, eq=False, repr=False)
 class DistanceField:
-    """The distance field of a mesh on a regular grid of nx x ny x nz sample points.
+    """The distance field of a mesh on a regular grid of nx x ny x nz points.
 
-    The sample [i, j, k] of every array is at origin + (i, j, k) * spacing. The arrays share VTK's
+    The value [i, j, k] of every array is at origin + (i, j, k) * spacing. The arrays share VTK's
     memory, where x runs fastest: they are Fortran-ordered views of one component after the other.
     """
 
     distance: NDArray[np.float32]
-    """(nx, ny, nz) distances to the nearest point of the mesh in world units, negative inside where
+    """(nx, ny, nz) distances to the closest point of the mesh in world units, negative inside where
     sign is not "none"."""
     origin: NDArray[np.float64]
-    """(3,) world coordinates of the sample [0, 0, 0]."""
+    """(3,) world coordinates of the grid point [0, 0, 0]."""
     spacing: NDArray[np.float64]
-    """(3,) distances of neighbouring samples along x, y and z in world units."""
+    """(3,) distances between neighbouring grid points along x, y and z in world units."""
     sign: str
     """How inside was told from outside: "none" (unsigned) or "pseudonormal"."""
     engine: str
@@ -38,7 +38,7 @@ class DistanceField:
     renderer: str
     """The OpenGL implementation (GL_RENDERER); empty where OpenGL was not used."""
     closest_point: Optional[NDArray[np.float32]] = None
-    """(nx, ny, nz, 3) world coordinates of the nearest point of the mesh."""
+    """(nx, ny, nz, 3) world coordinates of the closest point of the mesh."""
     closest_cell: Optional[NDArray[np.int64]] = None
     """(nx, ny, nz) indices of a face that holds that point; cell ids of a vtkPolyData."""
     closest_feature: Optional[NDArray[np.uint8]] = None
@@ -51,7 +51,7 @@ class DistanceField:
         return f"<DistanceField of {size} samples, sign {self.sign}>"
 
     def axes(self) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
-        """World coordinates of the samples along x, along y and along z."""
+        """World coordinates of the grid points along x, along y and along z."""
         x, y, z = (first + step * np.arange(count) for first, step, count
                    in zip(self.origin, self.spacing, self.distance.shape))
         return x, y, z
@@ -86,7 +86,7 @@ def distance_field(
     The mesh need be neither closed nor manifold nor welded.
 
     vertices: (n, 3) coordinates in world units; float32 and float64 arrays in C order are not
-        copied. Or, without faces, a whole mesh: a vtkPolyData (pyvista's meshes are such), or any
+        copied. Or, without faces, a whole mesh: a vtkPolyData (as pyvista's meshes are), or any
         object with attributes vertices and faces.
     faces: (m, k) indices of vertices: triangles, quads or polygons of k vertices, segments for k =
         2, points for k = 1; or a sequence of m sequences of at least 3 indices.
@@ -100,9 +100,9 @@ def distance_field(
         default 0.05. Not with an explicit grid.
     sign: how inside, where distances are negative, is told from outside: "auto" ("pseudonormal"
         where the mesh is closed and consistently oriented, else "none"), "none", or "pseudonormal"
-        (an error where the mesh is not such).
-    arrays: what is wanted beside the distance: names of attributes of DistanceField, at 12, 8, 1
-        and 4 bytes a sample for "closest_point", "closest_cell", "closest_feature" and
+        (an error for other meshes).
+    arrays: what to return beside the distance: names of attributes of DistanceField, at 12, 8, 1
+        and 4 bytes per grid point for "closest_point", "closest_cell", "closest_feature" and
         "closest_site". The distance takes 4.
     threads: number of CPU threads to use, in [0, 1024]; 0 for all cores.
     memory: upper bound on the memory for slabs, in MiB, >= 64; 0 chooses one. The result is not
@@ -113,7 +113,7 @@ def distance_field(
     progress: called with the share of the work that is done, in [0, 1], and its name. An exception
         that it raises stops the work and is raised here.
 
-    Raises InvalidInputError, a ValueError, where the mesh, a value or two together cannot be used,
+    Raises InvalidInputError, a ValueError, where the mesh or a value, or two together, are unusable,
     NoGpuError, OutOfMemoryError, TypeError, or KeyboardInterrupt after Ctrl-C. Other Python threads
     run meanwhile; they must not change the arrays.
 
@@ -152,7 +152,7 @@ def field_of(image: vtkImageData) -> DistanceField:
 
 
 def _grid_first(values: NDArray[Any], shape: tuple[int, int, int]) -> NDArray[Any]:
-    """From VTK's order of samples to [x, y, z] or [x, y, z, component], as a view."""
+    """From VTK's order of grid points to [x, y, z] or [x, y, z, component], as a view."""
     cube = values.reshape(shape[::-1] + values.shape[1:])
     return cube.transpose((2, 1, 0) + ((3,) if values.ndim == 2 else ()))
 

@@ -57,7 +57,7 @@ def _parts_of(mesh: Any) -> tuple[Any, Any]:
 
 
 def _set_faces(mesh: vtkPolyData, faces: Any, points: int) -> None:
-    """Cells by the number of their corners."""
+    """Sets the cells, by the number of their corners."""
     if isinstance(faces, np.ndarray) and faces.ndim == 1 and faces.size > 0:
         raise InvalidInputError(f"faces have the shape {faces.shape}, not (m, k); {_WHOLE_MESH}")
     sizes = _sizes_of(faces)

@@ -1,4 +1,4 @@
-"""Parameters of the functions, and how filters are told of them."""
+"""Parameters of the functions, and how they are passed to filters."""
 
 from collections.abc import Collection, Mapping, Sequence
 from operator import index
@@ -126,7 +126,7 @@ def _real(name: str, value: Any) -> float:
 def assign_grid(algorithm: vtkMeshFieldAlgorithm, *, resolution: Optional[int],
                 spacing: Optional[Lengths], origin: Optional[Sequence[float]],
                 dimensions: Optional[Sequence[int]], padding: Optional[float]) -> None:
-    """The grid of sample points, see distance_field()."""
+    """The grid, see distance_field()."""
     given = {name: value for name, value in (
         ("resolution", resolution), ("padding", padding), ("spacing", spacing), ("origin", origin),
         ("dimensions", dimensions)) if value is not None}

@@ -32,7 +32,7 @@ def thickness(vertices: Any, faces: Any = None, *, angle: float = 60.0, side: Si
     angle: minimum separation angle of the balls that count, in degrees, in (0, 180): places whose
         two closest points are seen under less, as between the facets of a curved surface, are
         passed over.
-    side: "interior", how thick the solid is, "exterior", how far it is to what is opposite, or
+    side: "interior", how thick the solid is, "exterior", how wide the gap is (clearance), or
         "both", the smaller of the two.
     threads: number of CPU threads to use, in [0, 1024]; 0 for all cores.
     progress: as for distance_field().
