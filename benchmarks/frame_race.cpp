@@ -1,6 +1,7 @@
 #include "frame_race.h"
 
 #include "base/stopwatch.h"
+#include "medial/compute_distance_field.h"
 #include "medial/medial_solver.h"
 
 #include <algorithm>

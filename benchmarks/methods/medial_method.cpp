@@ -1,7 +1,7 @@
 #include "methods/field_method.h"
 
 #include "base/stopwatch.h"
-#include "medial/distance_field.h"
+#include "medial/compute_distance_field.h"
 
 #include <utility>
 

@@ -1,4 +1,5 @@
 // Distance field and medial axis of a box that is made by hand.
+#include <medial/compute_distance_field.h>
 #include <medial/compute_medial_axis.h>
 #include <medial/error.h>
 

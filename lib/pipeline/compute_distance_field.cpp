@@ -1,4 +1,4 @@
-#include "medial/distance_field.h"
+#include "medial/compute_distance_field.h"
 
 #include "base/memory_guard.h"
 #include "base/run.h"

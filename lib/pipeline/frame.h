@@ -1,8 +1,8 @@
 #pragma once
 
 #include "field/field_engine.h"
+#include "medial/compute_distance_field.h"
 #include "medial/compute_medial_axis.h"
-#include "medial/distance_field.h"
 
 #include <memory>
 

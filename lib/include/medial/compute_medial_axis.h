@@ -4,8 +4,10 @@
 #include "medial/distance_field.h"
 #include "medial/export.h"
 #include "medial/medial_axis.h"
+#include "medial/mesh_connectivity.h"
 #include "medial/representation.h"
 #include "medial/side.h"
+#include "medial/triangle_mesh.h"
 
 #include <cstdint>
 

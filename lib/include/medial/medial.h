@@ -7,6 +7,7 @@
 #include "medial/axis_io.h"
 #include "medial/axis_measurement.h"
 #include "medial/cell_topology.h"
+#include "medial/compute_distance_field.h"
 #include "medial/compute_medial_axis.h"
 #include "medial/default_angle.h"
 #include "medial/device.h"

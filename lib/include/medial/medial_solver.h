@@ -3,6 +3,8 @@
 #include "medial/compute_medial_axis.h"
 #include "medial/distance_field.h"
 #include "medial/export.h"
+#include "medial/mesh_connectivity.h"
+#include "medial/triangle_mesh.h"
 
 #include <memory>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "medial/distance_field.h"
+#include "medial/compute_distance_field.h"
 
 #include "support/field_checks.h"
 #include "support/shapes.h"

@@ -1,5 +1,5 @@
+#include "medial/compute_distance_field.h"
 #include "medial/compute_medial_axis.h"
-#include "medial/distance_field.h"
 #include "medial/error.h"
 #include "medial/execution.h"
 

@@ -1,4 +1,4 @@
-#include "medial/distance_field.h"
+#include "medial/compute_distance_field.h"
 #include "medial/error.h"
 
 #include "support/brute_force.h"

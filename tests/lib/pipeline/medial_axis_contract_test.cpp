@@ -1,3 +1,4 @@
+#include "medial/compute_distance_field.h"
 #include "medial/compute_medial_axis.h"
 
 #include "support/brute_force.h"

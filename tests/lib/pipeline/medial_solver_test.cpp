@@ -1,3 +1,4 @@
+#include "medial/compute_distance_field.h"
 #include "medial/medial_solver.h"
 
 #include "medial/error.h"

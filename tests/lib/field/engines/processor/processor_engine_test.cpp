@@ -1,3 +1,4 @@
+#include "medial/compute_distance_field.h"
 #include "medial/compute_medial_axis.h"
 #include "medial/error.h"
 #include "medial/medial_solver.h"

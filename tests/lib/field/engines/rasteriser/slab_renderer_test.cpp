@@ -3,7 +3,7 @@
 #include "field/engines/rasteriser/site_rectangles.h"
 #include "field/engines/rasteriser/slab_renderer.h"
 #include "gl/gpu_thread.h"
-#include "medial/distance_field.h"
+#include "medial/compute_distance_field.h"
 #include "medial/error.h"
 #include "sites/pseudonormals.h"
 #include "support/shapes.h"
