@@ -75,8 +75,7 @@ private:
   std::vector<int> slots_;
 };
 
-/// Splits triangle strips. Every other triangle of a strip runs backwards, so two of its corners
-/// are swapped.
+/// Splits strips; two corners of every other triangle are swapped, since it runs backwards.
 CellList trianglesOf(const CellList& strips)
 {
   CellList triangles;
