@@ -15,22 +15,22 @@ namespace medial
 namespace
 {
 
-/// Sides shorter than this (voxels) are contracted.
+/// Edges shorter than this (voxels) are contracted.
 constexpr double kShort = 0.1;
-/// The same for sides that end at a moved point.
+/// The same for edges that end at a moved point.
 constexpr double kShortOfMoved = 0.3;
-/// Polygons narrower than this (voxels) between two rims are curves: their inner sides up to
+/// Polygons narrower than this (voxels) between two rims are curves: their inner edges up to
 /// kAcross are contracted.
 constexpr double kNarrow = 0.3;
 constexpr double kAcross = 0.75;
-/// Cells below this area (square voxels) are lines.
+/// Cells below this area (square voxels) become lines.
 constexpr double kMinArea = 1e-6;
 
 using Id = std::int64_t;
 using Corners = std::vector<Id>;
 
-/// Sets of points that become one; the set's own point is the lowest of those that were not moved,
-/// or the lowest.
+/// Sets of points that become one. The lowest point that was not moved represents its set, or the
+/// lowest of all.
 class Contraction
 {
 public:
@@ -65,7 +65,7 @@ public:
     large_[first ? p : q] = 1;
   }
 
-  /// Whether a set's own point has others in its set.
+  /// Whether the point that represents a set has others in it.
   bool standsForOthers(Id point) const { return large_[point] != 0; }
 
 private:
@@ -92,7 +92,7 @@ void joinEqualPoints(const BisectorPoints& points, std::vector<Id> order, Contra
   }
 }
 
-/// Several of them may stand at one crossing.
+/// Returns the moved points, as several of them may be at one crossing.
 std::vector<Id> movedPoints(const BisectorPoints& points)
 {
   std::vector<Id> moved;
@@ -106,7 +106,7 @@ std::vector<Id> movedPoints(const BisectorPoints& points)
   return moved;
 }
 
-/// Returns whether there were any.
+/// Joins the ends of short edges. Returns whether there were any.
 bool joinShortSides(const BisectorPoints& points, const std::vector<std::array<Id, 4>>& quads,
   Contraction& contraction)
 {
@@ -128,7 +128,7 @@ bool joinShortSides(const BisectorPoints& points, const std::vector<std::array<I
   return any;
 }
 
-/// Joins the ends of sides for which `wanted` holds.
+/// Joins the ends of edges for which `wanted` holds.
 template <typename Wanted>
 void joinSides(const BisectorPoints& points, const Corners& corners, double limit,
   Contraction& contraction, const Wanted& wanted)
@@ -216,7 +216,7 @@ double longestSide(const BisectorPoints& points, const Corners& corners)
   return longest;
 }
 
-/// Makes curves of strips of polygons that are too narrow for sheets.
+/// Turns strips of polygons that are too narrow for sheets into curves.
 void joinNarrowStrips(const BisectorPoints& points, const std::vector<std::array<Id, 4>>& quads,
   Contraction& contraction)
 {
@@ -254,8 +254,8 @@ void joinNarrowStrips(const BisectorPoints& points, const std::vector<std::array
   }
 }
 
-/// Keeps the first of the cells over the same points. Cells are distinct unless some of their
-/// points have become one.
+/// Keeps the first of several cells over the same points. These exist only where points have become
+/// one.
 template <typename Cell>
 void removeDuplicates(const Contraction& contraction, std::vector<Cell>& cells)
 {
@@ -303,7 +303,8 @@ void forEachCorner(MedialAxis& axis, const Visit& visit)
   std::for_each(axis.vertices.begin(), axis.vertices.end(), visit);
 }
 
-/// Lines along cells of higher dimension, and vertices at other cells, add nothing.
+/// Removes lines along cells of higher dimension and vertices of other cells, since they add
+/// nothing.
 void removeCovered(std::size_t pointCount, MedialAxis& axis)
 {
   if (!axis.lines.empty())
@@ -359,7 +360,7 @@ void buildCells(const std::vector<std::array<std::int64_t, 4>>& quads, BisectorP
   joinEqualPoints(points, movedPoints(points), contraction);
   joinShortSides(points, quads, contraction);
   joinNarrowStrips(points, quads, contraction);
-  // A set's point stands for others of it, so that new sides may be short.
+  // The point of a set replaces others, so new edges may be short.
   while (joinShortSides(points, quads, contraction))
   {
   }
@@ -369,7 +370,7 @@ void buildCells(const std::vector<std::array<std::int64_t, 4>>& quads, BisectorP
   }
   removeDuplicates(contraction, axis.quads);
   removeDuplicates(contraction, axis.triangles);
-  // Of flat polygons, whose points may all be their own.
+  // Flat polygons may have left equal lines, even if all their points are their own.
   std::sort(axis.lines.begin(), axis.lines.end());
   axis.lines.erase(std::unique(axis.lines.begin(), axis.lines.end()), axis.lines.end());
   removeCovered(points.points.size(), axis);

@@ -18,7 +18,7 @@ struct FeatureEdge
   AxisFeature kind; ///< Rim, Seam or Curve
 };
 
-/// All edges but those inside sheets, ascending.
+/// Returns all edges except those inside sheets, ascending.
 std::vector<FeatureEdge> featureEdges(const AxisEdges& edges, std::size_t pointCount)
 {
   std::vector<FeatureEdge> result;
@@ -39,7 +39,7 @@ std::vector<FeatureEdge> featureEdges(const AxisEdges& edges, std::size_t pointC
   return result;
 }
 
-/// How many edges of each kind meet at a point.
+/// Numbers of edges of each kind that meet at a point.
 struct Valence
 {
   bool inSheet = false;
@@ -116,7 +116,7 @@ public:
 
   void append(std::vector<AxisCurve>& curves)
   {
-    // First those with ends, so that what is left are loops.
+    // Curves with ends come first, so that only loops remain.
     for (std::size_t i = 0; i < ends_.size(); ++i)
     {
       if (this->isEnd(ends_[i].point) && used_[ends_[i].edge] == 0)

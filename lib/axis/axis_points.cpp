@@ -18,16 +18,16 @@ namespace medial
 namespace
 {
 
-/// How far outside of its cell a vertex may lie, in steps of the grid.
+/// How far outside its cell a vertex may lie, in grid steps.
 constexpr double kOutside = 0.1;
 
-/// How much farther than the closest point the other one may be, in grid steps: for a vertex that
-/// the bisectors place, and for the centre of a cell.
+/// How much farther away than the closest point the other one may be, in grid steps: first for a
+/// vertex that the bisectors place, then for the centre of a cell.
 constexpr double kOffBisector = 0.3;
 constexpr double kAnywhere = std::numeric_limits<double>::infinity();
 
-/// For vertices at given positions the two closest points: the closest one, and of the sites whose
-/// bisectors gave the vertex the one that is seen under the largest angle from it.
+/// Finds the closest pairs of vertices at given positions: the closest point and, of the sites
+/// whose bisectors gave the vertex, the point seen at the largest angle from it.
 std::vector<BisectorPoint> vertexContacts(const AxisGeometry& geometry, const DualMesh& mesh,
   const BisectorPoints& bisectors, const std::vector<std::size_t>& vertices,
   const std::vector<glm::dvec3>& positions, double tolerance)
@@ -46,7 +46,8 @@ std::vector<BisectorPoint> vertexContacts(const AxisGeometry& geometry, const Du
   return contacts(geometry, std::move(questions), candidates, tolerance);
 }
 
-/// Where the bisectors of the vertex's cell meet; those that were moved out of it do not count.
+/// Returns where the bisectors of the cell of a vertex meet, without those that were moved out of
+/// it.
 glm::dvec3 fitted(const AxisGeometry& geometry, const DualMesh& mesh,
   const BisectorPoints& bisectors, std::size_t vertex, PlaneFit& fit)
 {
@@ -65,8 +66,8 @@ glm::dvec3 fitted(const AxisGeometry& geometry, const DualMesh& mesh,
   return fit.solve(centre, (0.5 + kOutside) * geometry.frame.step);
 }
 
-/// Of the bisectors' points of a cell, all of which have the least separation angle, the nearest to
-/// x.
+/// Returns the bisector point of a cell that is nearest to x; all of them have the minimum
+/// separation angle.
 const BisectorPoint& nearestCrossing(const DualMesh& mesh, const BisectorPoints& bisectors,
   std::size_t vertex, const glm::dvec3& x)
 {
@@ -86,7 +87,7 @@ bool allMoved(const DualMesh& mesh, const BisectorPoints& bisectors, std::size_t
     [&](std::size_t crossing) { return bisectors.moved[crossing] != 0; });
 }
 
-/// The vertices of a surface in [begin, end).
+/// Places the vertices of a surface in [begin, end).
 void placeOnSurface(const AxisGeometry& geometry, const DualMesh& mesh,
   const BisectorPoints& bisectors, std::size_t begin, std::size_t end, BisectorPoints& result)
 {
@@ -127,7 +128,7 @@ void placeOnSurface(const AxisGeometry& geometry, const DualMesh& mesh,
   }
 }
 
-/// The vertices at the centres of the cells in [begin, end).
+/// Places the vertices in [begin, end) at the centres of their cells.
 void placeInCentres(const AxisGeometry& geometry, const DualMesh& mesh,
   const BisectorPoints& bisectors, std::size_t begin, std::size_t end, BisectorPoints& result)
 {

@@ -14,13 +14,13 @@ namespace medial
 namespace
 {
 
-/// Medial balls smaller than this (voxels) are the surface itself.
+/// Medial balls smaller than this (voxels) belong to the surface itself.
 constexpr double kMinRadius = 1e-3;
-/// Where two sites are this much (voxels) farther than the closest one, their separation angle
-/// counts if that of the closest ones is too small: all facets of a round surface have bisectors of
-/// their own, which part at its centre.
+/// Two sites up to this much (voxels) farther away than the closest one count if the closest ones
+/// have too small a separation angle: all facets of a round surface have bisectors of their own,
+/// which part at its centre.
 constexpr double kFacets = 0.1;
-/// Sites between the two that are looked for at most.
+/// Maximum number of sites that are looked for between the two.
 constexpr int kMaxRounds = 8;
 
 using Found = std::vector<std::optional<BisectorPoint>>;
@@ -30,7 +30,7 @@ bool wideEnough(const AxisGeometry& geometry, const BisectorPoint& point)
   return point.separationAngle() >= geometry.angle;
 }
 
-/// Hands the items that `wanted` says to `find`, all at once, and takes over what that finds.
+/// Passes the items for which `wanted` holds to `find`, all at once, and stores the results.
 template <typename Item, typename Wanted, typename Find>
 void findFor(const std::vector<Item>& items, const Wanted& wanted, const Find& find, Found& found)
 {
@@ -51,7 +51,7 @@ void findFor(const std::vector<Item>& items, const Wanted& wanted, const Find& f
   }
 }
 
-/// The point at equal distance from both sites where another site is nearer, but by no more than
+/// Returns the point at equal distance from both sites if another site is nearer by no more than
 /// the sag of facets.
 std::optional<BisectorPoint> withinFacets(const AxisGeometry& geometry, BisectorPoint point,
   const SitePoint& closest)
@@ -69,8 +69,8 @@ std::optional<BisectorPoint> withinFacets(const AxisGeometry& geometry, Bisector
   return wideEnough(geometry, point) ? std::optional(point) : std::nullopt;
 }
 
-/// The points at equal distance from both sites, whatever else is as near up to the sag of facets.
-/// Nothing where another site is nearer than that, or the separation angle is too small.
+/// Finds the points at equal distance from both sites, even if others are nearer by up to the sag
+/// of facets. Nothing if another site is nearer than that, or if the separation angle is too small.
 Found facetedPoints(const AxisGeometry& geometry, const std::vector<SiteSegment>& segments)
 {
   Found points(segments.size());
@@ -96,7 +96,7 @@ Found facetedPoints(const AxisGeometry& geometry, const std::vector<SiteSegment>
   return points;
 }
 
-/// The same point with one of the segment's sites as the second closest.
+/// Returns the same point with one of the sites of the segment as the second closest.
 std::optional<BisectorPoint> widened(const AxisGeometry& geometry, BisectorPoint point,
   const SiteSegment& segment)
 {
@@ -114,7 +114,7 @@ std::optional<BisectorPoint> widened(const AxisGeometry& geometry, BisectorPoint
   return std::nullopt;
 }
 
-/// Points with the least separation angle on the segments.
+/// Finds points with the minimum separation angle on the segments.
 Found axisBetween(const AxisGeometry& geometry, const std::vector<SiteSegment>& segments)
 {
   const std::vector<BisectorPoint> exact = bisectorPoints(geometry, segments);
@@ -132,7 +132,7 @@ Found axisBetween(const AxisGeometry& geometry, const std::vector<SiteSegment>& 
   return found;
 }
 
-/// From x away from its closest point, as far as the axis may be.
+/// Returns the segment from x away from its closest point, as far as the axis may be.
 SiteSegment alongNormal(const AxisGeometry& geometry, const BisectorPoint& x)
 {
   const glm::dvec3 away = (x.position - x.a.point) / x.radius();
@@ -141,7 +141,7 @@ SiteSegment alongNormal(const AxisGeometry& geometry, const BisectorPoint& x)
   return { x.position, x.a.site, x.position + reach * away, -1 };
 }
 
-/// What becomes of a bisector point; the values are those of BisectorPoints::moved.
+/// The fate of a bisector point; the values are those of BisectorPoints::moved.
 enum Fate : std::uint8_t
 {
   kKept,
@@ -149,7 +149,7 @@ enum Fate : std::uint8_t
   kRemoved
 };
 
-/// Makes the points of segments have the least separation angle where that is possible.
+/// Gives the points of segments the minimum separation angle where possible.
 void limitAngles(const AxisGeometry& geometry, const std::vector<SiteSegment>& segments,
   std::vector<BisectorPoint>& points, std::uint8_t* fates)
 {
@@ -171,7 +171,7 @@ void limitAngles(const AxisGeometry& geometry, const std::vector<SiteSegment>& s
   }
 }
 
-/// Drops the crossings that are to be removed, and their points.
+/// Drops marked crossings and their points.
 void removeMarked(std::vector<Crossing>& crossings, BisectorPoints& points)
 {
   std::size_t kept = 0;

@@ -63,9 +63,9 @@ public:
   std::int64_t faceCount() const { return faceCount_; }
   const std::vector<Edge>& edges() const { return edges_; }
 
-  /// Rank of the second homology with coefficients modulo 2: faces that end somewhere bound
-  /// nothing and are taken away; what is left are patches of a manifold, all or none of which is in
-  /// a cycle, with a condition for each seam of three or more.
+  /// Returns the rank of the second homology with coefficients modulo 2. Faces that end somewhere
+  /// bound nothing and are removed. The rest are patches of a manifold: a cycle has all of a patch
+  /// or nothing of it, and each seam of three or more adds a condition.
   std::int64_t cavities()
   {
     this->collapse();
@@ -97,7 +97,7 @@ private:
     ++faceCount_;
   }
 
-  /// Takes faces with an edge of their own away until there is none.
+  /// Removes faces with an edge of their own until there are none.
   void collapse()
   {
     gone_.assign(faceCount_, 0);

@@ -10,8 +10,8 @@ namespace medial
 namespace
 {
 
-/// Of the sites' points at most `tolerance` farther than the closest one, that which is seen under
-/// the largest angle from it.
+/// Among the points of sites at most `tolerance` farther away than the closest point, returns the
+/// one seen at the largest angle from it.
 SitePoint oppositeContact(const SiteSet& sites, const std::vector<int>& candidates,
   const glm::dvec3& x, const SitePoint& closest, double tolerance)
 {

@@ -13,16 +13,16 @@ namespace medial
 namespace
 {
 
-/// Lengths in grid steps. Rims that end in a crease have smaller balls than this,
+/// The balls of rims that end in a crease are smaller than this, in grid steps.
 constexpr double kNearCrease = 2.0;
-/// and are no farther from it.
+/// Such rims are no farther from the crease, in grid steps.
 constexpr double kFarthest = 3.0;
-/// Radius that is left.
+/// Radius of the last ball, in grid steps.
 constexpr double kLeft = 0.05;
 /// Enough for separation angles up to 150 degrees.
 constexpr int kMaxSteps = 8;
 
-/// Those with small balls between different closest points.
+/// Returns the rim vertices with small balls between different closest points.
 std::vector<std::size_t> rimVertices(const AxisGeometry& geometry, const DualMesh& mesh,
   const BisectorPoints& points)
 {
@@ -56,7 +56,7 @@ std::vector<std::size_t> rimVertices(const AxisGeometry& geometry, const DualMes
   return rim;
 }
 
-/// The least radius that may be left at a point.
+/// Returns the smallest radius that the last ball of a point may have.
 double minRadius(const AxisGeometry& geometry, const BisectorPoint& point)
 {
   const double lambda = point.lambda();
@@ -64,23 +64,24 @@ double minRadius(const AxisGeometry& geometry, const BisectorPoint& point)
     { kLeft, geometry.radius, lambda > 0.0 ? geometry.lambda * point.radius() / lambda : 0.0 });
 }
 
-/// Across the sheet at x, from the side of one of the ball's closest points to that of the other.
+/// Returns a segment across the sheet at x, from the side of one closest point of the ball to that
+/// of the other.
 SiteSegment across(const BisectorPoint& ball, const glm::dvec3& x, double length)
 {
   const glm::dvec3 half = 0.5 * length * glm::normalize(ball.a.point - ball.b.point);
   return { x + half, ball.a.site, x - half, ball.b.site };
 }
 
-/// Across the sheet nearer to the crease, from one of the planes that touch the ball to the other,
-/// with the ball's sites: where a smaller ball still overlaps this one, so that both are on the
-/// same side of the surface. Empty where the planes do not meet nearby.
+/// Returns a segment across the sheet nearer to the crease, from one of the planes that touch the
+/// ball to the other, with the sites of the ball. A smaller ball there still overlaps this one, so
+/// that both are on the same side of the surface. Nothing if the planes do not meet nearby.
 std::optional<SiteSegment> acrossNearerToCrease(const AxisGeometry& geometry,
   const BisectorPoint& point)
 {
   const double radius = point.radius();
   const glm::dvec3 toA = (point.a.point - point.position) / radius;
   const glm::dvec3 toB = (point.b.point - point.position) / radius;
-  // By this much the radius falls per length along the bisector of two planes.
+  // The radius falls by this much per unit of length along the bisector of two planes.
   const double slope = 0.5 * glm::length(toA + toB);
   const double min = minRadius(geometry, point);
   constexpr double kOverlap = 1.1;
@@ -93,7 +94,7 @@ std::optional<SiteSegment> acrossNearerToCrease(const AxisGeometry& geometry,
   return across(point, x, 0.7 * target);
 }
 
-/// Turns sites near the ends of segments into the closest ones.
+/// Replaces sites near the ends of segments by the closest ones.
 void findSites(const AxisGeometry& geometry, std::vector<SiteSegment>& segments)
 {
   std::vector<TileQuery::Question> questions;
@@ -127,8 +128,8 @@ bool continues(const AxisGeometry& geometry, const BisectorPoint& point, const B
     next.separationAngle() >= geometry.angle;
 }
 
-/// Bisector points on segments that have sites near their ends; empty where both ends turn out to
-/// have the same closest site, or one is outside of the grid.
+/// Finds bisector points on segments with sites near their ends. Nothing if both ends turn out to
+/// have the same closest site, or if one is outside the grid.
 std::vector<std::optional<BisectorPoint>> bisectorsOn(const AxisGeometry& geometry,
   std::vector<SiteSegment> segments)
 {
@@ -153,8 +154,8 @@ struct Walker
   BisectorPoint point;
 };
 
-/// The vertices, on the bisector exactly: a fitted vertex is near it, and its second closest point
-/// that of a neighbour.
+/// Moves the vertices exactly onto the bisector: a fitted vertex is only near it, and its second
+/// closest point is that of a neighbour.
 std::vector<Walker> start(const AxisGeometry& geometry, const std::vector<std::size_t>& vertices,
   const BisectorPoints& points)
 {
@@ -177,7 +178,7 @@ std::vector<Walker> start(const AxisGeometry& geometry, const std::vector<std::s
   return walkers;
 }
 
-/// One step towards the crease; those stay that could take it.
+/// Takes one step towards the crease, and keeps the walkers that could.
 void step(const AxisGeometry& geometry, std::vector<Walker>& walkers, BisectorPoints& points)
 {
   std::vector<Walker> tried;

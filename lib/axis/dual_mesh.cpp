@@ -8,7 +8,7 @@ namespace medial
 namespace
 {
 
-/// A corner of the quad around a crossing, and the vertex that it is: a cell and a side of the
+/// A corner of the quad around a crossing, and its vertex, given by a cell and a side of the
 /// surface.
 struct CornerKey
 {
@@ -21,7 +21,7 @@ struct CornerKey
   }
 };
 
-/// Numbers cells by z, y, x; those half outside of the grid as well.
+/// Numbers cells by z, y, x, including those half outside the grid.
 class CellNumbers
 {
 public:
@@ -45,7 +45,7 @@ private:
   std::uint64_t height_;
 };
 
-/// Cells around a crossed edge, in cyclic order.
+/// Returns the cells around a crossed edge, in cyclic order.
 std::array<glm::ivec3, 4> cellsAround(const Crossing& crossing)
 {
   glm::ivec3 u(0);

@@ -12,11 +12,12 @@ namespace medial
 namespace
 {
 
-/// Directions with less of the greatest eigenvalue are undetermined: normals within some 17 degrees
-/// of each other are those of one curved sheet.
+/// Directions with less than this share of the largest eigenvalue are undetermined: normals within
+/// some 17 degrees of each other belong to one curved sheet.
 constexpr double kMinShare = 0.08;
 
-/// The point nearest to `point` on a line through it with |x - centre| <= reach along every axis.
+/// Returns the point nearest to `point` on a line through it with |x - centre| <= reach along every
+/// axis.
 std::optional<glm::dvec3> slid(const glm::dvec3& point, const glm::dvec3& along,
   const glm::dvec3& centre, const glm::dvec3& reach)
 {

@@ -8,10 +8,11 @@ namespace medial
 namespace
 {
 
-/// A nearer third site counts from this difference on, in local units (voxels).
+/// A third site counts as nearer from this difference on, in local units (voxels).
 constexpr double kSameDistance = 1e-6;
 
-/// Of the quadratic on [0, 1] with f(0) = atZero < 0, f'(0) = slope and f(1) = atOne > 0.
+/// Returns the root of the quadratic on [0, 1] with f(0) = atZero < 0, f'(0) = slope and f(1) =
+/// atOne > 0.
 double rootOfQuadratic(double atZero, double slope, double atOne)
 {
   const double square = atOne - atZero - slope;
@@ -54,15 +55,15 @@ void SiteChange::narrow(const SitePoint& third)
   this->solve();
 }
 
-/// Squared distances are quadratic along the segment as long as the closest points are on the same
-/// faces, edges and vertices, and so is their difference: mostly the first step ends at the root.
+/// Squared distances, and their difference, are quadratic along the segment as long as the closest
+/// points stay on the same faces, edges and vertices. So usually the first step ends at the root.
 void SiteChange::solve()
 {
   constexpr int kMaxIterations = 60;
   constexpr double kTolerance = 1e-9;
   End low = this->evaluate(low_);
   End high = this->evaluate(high_);
-  // Sites at equal distance at an end, to rounding: that end is the root.
+  // If the sites are at equal distance at an end, up to rounding, that end is the root.
   if (low.value >= 0.0 || high.value <= 0.0)
   {
     root_ = low.value >= 0.0 ? low_ : high_;

@@ -9,12 +9,12 @@ namespace medial
 namespace
 {
 
-/// Triangles whose height is below this share of their longest side have no plane.
+/// Triangles with a height below this share of their longest edge have no plane.
 constexpr double kMinHeight = 1e-9;
-/// The same, where the normal itself is wanted.
+/// The same, if the normal itself is needed.
 constexpr double kMinReliableHeight = 1e-6;
 
-/// A triangle of centres with what follows from it for the radius.
+/// A triangle of centres, and the radius as a function over its plane.
 struct WedgePlane
 {
   bool usable = false;
@@ -47,8 +47,8 @@ WedgePlane wedgePlane(const Ball& a, const Ball& b, const Ball& c)
   return plane;
 }
 
-/// A bound that the distance to a wedge does not fall below: a convex function lies above its
-/// tangent, here at the middle of the triangle.
+/// Returns a lower bound of the distance to a wedge: a convex function lies above its tangent, here
+/// at the middle of the triangle.
 HullDistance wedgeBound(const Ball& a, const Ball& b, const Ball& c, const glm::dvec3& x)
 {
   constexpr double kThird = 1.0 / 3.0;
@@ -84,7 +84,7 @@ HullDistance distanceToCone(const Ball& a, const Ball& b, const glm::dvec3& x)
   const glm::dvec3 toX = x - a.centre;
   const double foot = glm::dot(toX, along) / squared;
   const double height = glm::length(toX - foot * along);
-  // The ball that touches the cone where x is nearest lies by this farther to the thick end.
+  // The ball that touches the cone nearest to x is shifted by this towards the thick end.
   const double shift = height * growth / (squared * std::sqrt(1.0 - growth * growth / squared));
   const double t = std::clamp(foot + shift, 0.0, 1.0);
   return distanceToBall({ a.centre + t * along, a.radius + t * growth }, x);
@@ -116,8 +116,8 @@ HullDistance distanceToWedge(const Ball& a, const Ball& b, const Ball& c, const 
   {
     return onPlane;
   }
-  // The minimum of a convex function over the triangle lies on an edge that the minimum of all is
-  // beyond.
+  // The minimum of a convex function over the triangle lies on an edge that separates the triangle
+  // from the minimum over all.
   HullDistance best;
   best.distance = std::numeric_limits<double>::infinity();
   best = atC < 0.0 ? distanceToCone(a, b, x) : best;
@@ -207,7 +207,8 @@ std::optional<std::array<double, 3>> nearestShares(const Ball& a, const Ball& b,
   }
   const glm::dvec3 e = b.centre - a.centre;
   const glm::dvec3 f = c.centre - a.centre;
-  // The nearest ball lies off the foot of the perpendicular, towards growing radii.
+  // The centre of the nearest ball is not the foot of the perpendicular, but shifted towards
+  // growing radii.
   const double height = glm::dot(x - a.centre, wedge->up);
   const glm::dvec3 d =
     x - a.centre - height * wedge->up - wedge->slope * (std::abs(height) / wedge->sine);

@@ -78,7 +78,7 @@ std::vector<ItemBounds> boundsOf(const std::vector<Ball>& balls,
   return bounds;
 }
 
-/// The direction out of a ball; any will do at its centre.
+/// Returns the direction out of a ball; at its centre any will do.
 glm::dvec3 outward(const Ball& ball, const glm::dvec3& x)
 {
   const glm::dvec3 fromCentre = x - ball.centre;
@@ -157,7 +157,7 @@ double BallUnion::distanceToSurface(const glm::dvec3& x, double tolerance) const
     y -= nearest.distance * outward(nearest.ball, y);
     nearest = this->nearest(y);
   }
-  // Where the moves go round in a circle, straight on: that leaves every bounded solid.
+  // If the moves go round in a circle, go straight on: that leaves every bounded solid.
   constexpr int kMaxSteps = 100000;
   const glm::dvec3 direction = outward(nearest.ball, y);
   for (int step = 0; step < kMaxSteps && nearest.distance < -tolerance; ++step)

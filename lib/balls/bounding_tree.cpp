@@ -11,7 +11,7 @@ namespace
 
 constexpr std::uint32_t kLeafItems = 4;
 
-/// What items are split by: their middle along x, y, z, and their reach.
+/// Returns the keys by which items are split: their middle along x, y, z, and their reach.
 std::vector<glm::dvec4> keysOf(const std::vector<ItemBounds>& items)
 {
   std::vector<glm::dvec4> keys(items.size());

@@ -9,7 +9,7 @@ namespace medial
 namespace
 {
 
-/// Solves a square system in place by elimination with pivots; false where it is singular.
+/// Solves a square system in place by elimination with pivots; false if it is singular.
 bool eliminate(std::vector<std::vector<double>>& rows)
 {
   const std::size_t size = rows.size();
@@ -43,14 +43,14 @@ double power(const Ball& ball, const glm::dvec3& x)
   return glm::dot(d, d) - ball.radius * ball.radius;
 }
 
-/// The lowest point of equal power of some balls, relative to the first, if it lies between their
-/// centres: the power there is the minimum of the largest of theirs.
+/// Returns the lowest point of equal power of some balls, relative to the first, if it lies between
+/// their centres. The power there is the minimum of their largest power.
 double minPower(const std::vector<Ball>& balls)
 {
   constexpr double kNone = -std::numeric_limits<double>::infinity();
   const std::size_t size = balls.size();
   const glm::dvec3 origin = balls[0].centre;
-  // Unknown: the shares of the centres, which sum to 1, and the common value.
+  // The unknowns are the shares of the centres, which sum to 1, and the common value.
   std::vector<std::vector<double>> rows(size + 1, std::vector<double>(size + 2, 1.0));
   for (std::size_t i = 0; i < size; ++i)
   {

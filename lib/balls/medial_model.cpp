@@ -13,7 +13,7 @@ namespace medial
 namespace
 {
 
-/// What can be squared without leaving the numbers.
+/// Largest magnitude that can be squared without overflow.
 constexpr double kLargest = 1e100;
 
 [[noreturn]] void refuse(const std::ostringstream& message)

@@ -13,7 +13,7 @@ namespace
 {
 
 constexpr double kMaxPadding = 10.0;
-/// Share of a spacing by which rounding may lengthen an axis without adding a point.
+/// Rounding may lengthen an axis by this share of a spacing without adding a point.
 constexpr double kCountTolerance = 1e-9;
 constexpr char kAxisNames[] = "xyz";
 
@@ -61,8 +61,8 @@ void checkPadding(double padding)
   }
 }
 
-/// Lengths of the padded bounds. The bounds themselves are not widened: far from the origin that
-/// would round each axis differently.
+/// Returns the lengths of the padded bounds. The bounds themselves are not widened, since far from
+/// the origin that would round each axis differently.
 Point3 paddedLengths(const Bounds& bounds, double padding)
 {
   const double diagonal = bounds.diagonal();
@@ -75,7 +75,8 @@ Point3 paddedLengths(const Bounds& bounds, double padding)
   return lengths;
 }
 
-/// Number of points that cover a length, both ends included; a double, as it may be beyond int.
+/// Returns the number of points that cover a length, both ends included. It is a double, since it
+/// may exceed int.
 double pointsToCover(double length, double spacing)
 {
   return std::max(0.0, std::ceil(length / spacing - kCountTolerance)) + 1.0;

@@ -35,10 +35,11 @@ std::uint64_t numberIn(const std::string& path)
 {
   std::ifstream file(path);
   std::uint64_t number = 0;
-  return file >> number ? number : kUnknown; // the word "max" where there is no limit
+  return file >> number ? number : kUnknown; // without a limit the file has the word "max"
 }
 
-/// What a control group uses and cannot give back: files that are cached can.
+/// Returns the memory that a control group uses and cannot give back. Cached files can be given
+/// back.
 std::uint64_t usedBy(const std::string& group)
 {
   const std::uint64_t current = numberIn(group + "/memory.current");
@@ -59,7 +60,8 @@ std::uint64_t usedBy(const std::string& group)
   return current;
 }
 
-/// What the limits of the process's control group, and of those around it, leave.
+/// Returns the memory that the limits of the process's control group, and of those around it,
+/// leave.
 std::uint64_t groupMemory()
 {
   std::string group;

@@ -19,7 +19,7 @@ int threadsFor(const Execution& execution)
     throw Error(ErrorCode::InvalidInput,
       "threads " + std::to_string(execution.threads) + " is negative");
   }
-  // TBB complains when it is asked for more threads than there are cores.
+  // TBB warns when it is asked for more threads than there are cores.
   const int cores = tbb::info::default_concurrency();
   return execution.threads > 0 ? std::min(execution.threads, cores) : cores;
 }

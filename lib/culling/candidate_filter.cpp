@@ -12,11 +12,11 @@ namespace medial
 namespace
 {
 
-/// Candidates to fetch ahead.
+/// Number of candidates to prefetch.
 constexpr std::size_t kAhead = 6;
 constexpr float kUnknown = std::numeric_limits<float>::max();
 
-/// Eight boxes side by side; spare lanes repeat the first.
+/// Eight boxes side by side; unused lanes repeat the first.
 struct BoxLanes
 {
   Float8 x, y, z;
@@ -57,7 +57,7 @@ MEDIAL_INLINE Float8 squareRoot(Float8 value)
   return root;
 }
 
-/// Which boxes are wholly outside of a half-space.
+/// Which boxes lie entirely outside a half-space.
 MEDIAL_INLINE Int8 outside(const BoxLanes& boxes, const HalfSpace& h, float slack)
 {
   const Float8 min = boxes.x * h.x + boxes.y * h.y + boxes.z * h.z - boxes.halfX * std::abs(h.x) -
@@ -82,7 +82,7 @@ struct Corners
     return squaredLength(x - point.x, y - point.y, z - point.z);
   }
 
-  /// Signed distances from a plane, given that of the centre.
+  /// Returns the signed distances from a plane, given that of the centre.
   MEDIAL_INLINE Float8 evaluate(const HalfSpace& plane, float atCentre) const
   {
     return x * plane.x + y * plane.y + z * plane.z + atCentre;
@@ -171,7 +171,7 @@ MEDIAL_VECTORISED void CandidateFilter::findNear(const std::vector<int>& parent,
   }
   else
   {
-    // The centres of spheres are points of the surface.
+    // The centres of these balls are points of the surface.
     for (const int site : parent)
     {
       const glm::vec4& sphere = sites_.sphere(site);
@@ -182,7 +182,8 @@ MEDIAL_VECTORISED void CandidateFilter::findNear(const std::vector<int>& parent,
   const unsigned used = (1u << boxCount) - 1u;
   for (std::size_t i = 0; i < parent.size(); ++i)
   {
-    // Meshes list neighbours far apart; more than half of the time went into waiting for memory.
+    // Meshes list neighbours far apart: without prefetching, more than half of the time was spent
+    // waiting for memory.
     if (i + kAhead < parent.size())
     {
       __builtin_prefetch(sites_.halfSpacesBegin(parent[i + kAhead]));
@@ -245,7 +246,7 @@ MEDIAL_VECTORISED void CandidateFilter::dropDominated(const FrameBox& box,
         const Float8 side0 = corners.evaluate(face.sides[0], centre[0]);
         const Float8 side1 = corners.evaluate(face.sides[1], centre[1]);
         const Float8 side2 = corners.evaluate(face.sides[2], centre[2]);
-        // From below by the half plane within one side, as that is convex.
+        // A lower bound by the half plane inside one edge, as the half plane is convex.
         const Float8 side = centre[0] > centre[1] ? (centre[0] > centre[2] ? side0 : side2)
                                                   : (centre[1] > centre[2] ? side1 : side2);
         const Float8 excess = max(side, Float8{});

@@ -11,8 +11,8 @@ namespace medial
 namespace
 {
 
-/// The halves, quarters or eighths of an extent: every axis longer than its limit is cut near its
-/// middle, at a multiple of the limit from the start.
+/// Splits an extent into halves, quarters or eighths: every axis longer than its limit is cut near
+/// its middle, at a multiple of the limit from the start.
 std::vector<Extent> split(const Extent& extent, const glm::ivec3& limit)
 {
   std::vector<Extent> parts{ extent };
@@ -44,7 +44,7 @@ bool fits(const Extent& extent, const glm::ivec3& limit)
 
 } // namespace
 
-/// What a node is divided into, and the candidates of each part.
+/// The parts of a node, and the candidates of each.
 struct CandidateHierarchy::Parts
 {
   std::vector<Extent> extents;
@@ -66,7 +66,7 @@ struct CandidateHierarchy::Parts
   }
 };
 
-/// Memory of one thread, used again for every node.
+/// Memory of one thread, reused for every node.
 struct CandidateHierarchy::Workspace
 {
   CandidateFilter::Scratch scratch;
@@ -182,7 +182,7 @@ std::vector<CandidateTiles> CandidateHierarchy::leafTiles(const Extent& slices,
     const int layer = (tile.min[2] - extent_.min[2]) / kBlockSize - firstLayer;
     return tiles[index + static_cast<std::size_t>(layer) * blockCounts_.x * blockCounts_.y];
   };
-  // Every block is visited by one thread.
+  // One thread visits each block.
   this->visitLeaves(slices,
     [&](const Extent& tile, const std::vector<int>& candidates)
     {

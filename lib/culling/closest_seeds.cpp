@@ -20,7 +20,7 @@ bool ClosestSeeds::knows(const Extent& extent) const
 
 void ClosestSeeds::set(const Extent& tile, int site)
 {
-  // Of thin tiles the first in each place.
+  // Of several thin tiles in one place, only the first counts.
   if ((tile.min[2] - extent_.min[2]) % kTileSize == 0)
   {
     sites_[this->indexOf(tile)] = site;

@@ -45,7 +45,7 @@ MEDIAL_VECTORISED void CandidateFilter::near(const int* begin, const int* end,
   const unsigned used = (1u << points.count) - 1u;
   if ((bits(reach >= kUnknown) & used) != 0)
   {
-    // The centres of spheres are points of the surface.
+    // The centres of these balls are points of the surface.
     Float8 nearest = splat(kUnknown);
     for (const int* site = begin; site != end; ++site)
     {
@@ -72,7 +72,8 @@ MEDIAL_VECTORISED void CandidateFilter::near(const int* begin, const int* end,
     {
       case SiteKind::Face:
       {
-        // From below where a point does not project into the face: its edges are sites as well.
+        // Only a lower bound where a point does not project into the face; there its edges count,
+        // which are sites as well.
         const FacePlanes& face = facePlanes_[site];
         const Float8 height = evaluate(face.plane, x);
         const Float8 side = max(max(evaluate(face.sides[0], x), evaluate(face.sides[1], x)),

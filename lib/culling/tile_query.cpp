@@ -55,7 +55,7 @@ void TileQuery::add(CandidateTiles tiles)
 
 std::size_t TileQuery::tileAround(const glm::dvec3& x) const
 {
-  // Grid points belong to their own tile, whatever the rounding of their position.
+  // Grid points belong to their own tile, even if their position is rounded.
   constexpr double kRounding = 1e-6;
   const glm::dvec3 cell = glm::floor((x - frame_.first) / frame_.step + kRounding);
   glm::ivec3 gridPoint;

@@ -9,8 +9,8 @@ namespace medial
 namespace
 {
 
-/// Bytes that a crossing takes until the axis is done. From one resolution to another the program
-/// took 520 more for each, some of them for files.
+/// Bytes that a crossing takes until the axis is finished. Measured between resolutions the program
+/// took 520 more for each crossing, some of them for files.
 constexpr std::size_t kAxisBytes = 400;
 
 } // namespace

@@ -26,7 +26,7 @@ void checkInput(const TriangleMesh& mesh, const Grid& grid, const Extent& extent
   }
 }
 
-/// The hardware that is required, whatever the engine.
+/// Returns the hardware renderer that is required, whatever the engine.
 Device requiredHardware()
 {
   Device device = queryDevice();

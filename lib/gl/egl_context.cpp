@@ -50,7 +50,7 @@ bool canLoad(const char* library)
   return handle != nullptr;
 }
 
-/// libepoxy ends the process where it finds no library to call.
+/// Checks for the libraries first, since libepoxy ends the process if it finds none.
 void requireLibraries()
 {
   if (!canLoad("libEGL.so.1"))
@@ -66,7 +66,7 @@ void requireLibraries()
   }
 }
 
-/// Displays in the order in which they are to be tried.
+/// Returns the displays in the order to try them.
 std::vector<EGLDisplay> candidateDisplays()
 {
   std::vector<EGLDisplay> displays;
@@ -95,7 +95,7 @@ std::vector<EGLDisplay> candidateDisplays()
   return displays;
 }
 
-/// A context of `display` made current, or EGL_NO_CONTEXT.
+/// Makes a context of `display` and makes it current; EGL_NO_CONTEXT if this fails.
 EGLContext makeContext(EGLDisplay display, bool debug)
 {
   if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr) ||
@@ -106,7 +106,8 @@ EGLContext makeContext(EGLDisplay display, bool debug)
   const EGLint attributes[] = { EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 5,
     EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_CONTEXT_OPENGL_DEBUG,
     debug ? EGL_TRUE : EGL_FALSE, EGL_NONE };
-  // Not every driver offers configless contexts, so take any configuration that renders OpenGL.
+  // Not every driver offers contexts without a configuration, so take any configuration that
+  // renders OpenGL.
   const EGLint wanted[] = { EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, EGL_DONT_CARE,
     EGL_NONE };
   EGLConfig config = nullptr;
@@ -126,7 +127,7 @@ EGLContext makeContext(EGLDisplay display, bool debug)
   return context;
 }
 
-/// What the current context draws on.
+/// Describes the device of the current context.
 Device currentDevice()
 {
   Device device;
@@ -165,7 +166,7 @@ EglContext::EglContext(bool debug)
       continue;
     }
     const Device device = currentDevice();
-    // The first software renderer is kept only until a hardware one turns up.
+    // Keep the first software renderer only until hardware turns up.
     Handles unused = found;
     if (!handles_->exist() || !device.software)
     {

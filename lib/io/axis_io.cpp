@@ -67,7 +67,7 @@ MedialAxis parse(AxisFormat format, const std::string& content)
   return parseAxisMa(content);
 }
 
-// What went wrong is in errno where the system refused a write.
+// errno tells why the system refused a write.
 void close(std::ofstream& stream)
 {
   if (stream)

@@ -25,7 +25,7 @@ std::vector<float> toFloats(const std::vector<double>& values)
   return result;
 }
 
-// Four corners stay together, more come apart around the first.
+// Adds a polygon. Up to four corners stay one cell; more are split around the first.
 void addPolygon(const std::int64_t* ids, std::int64_t count, MedialAxis& axis)
 {
   if (count == 4)
@@ -91,7 +91,7 @@ void addLooseVertices(MedialAxis& axis)
   }
 }
 
-// The next word of the line as a finite number.
+// Reads the next word of the line as a finite number.
 double readNumber(TextCursor& text, const char* what)
 {
   const std::string_view word = text.wordOnLine();
@@ -124,7 +124,7 @@ std::int64_t readIndex(TextCursor& text)
   return *index;
 }
 
-// The counts at the start of an .ma file, and how many there were.
+// The counts at the start of an .ma file, and how many of them there were.
 struct MaCounts
 {
   std::int64_t vertices = 0;
@@ -168,7 +168,7 @@ Edge sorted(std::int64_t a, std::int64_t b)
   return { std::min(a, b), std::max(a, b) };
 }
 
-// Edges that are no sides of triangles become lines.
+// Makes lines of the edges that do not belong to triangles.
 class MaBuilder
 {
 public:
@@ -230,7 +230,7 @@ private:
   std::int64_t faces_ = 0;
 };
 
-// "# radius R"; other comments are left alone.
+// Reads "# radius R"; other comments are ignored.
 std::optional<double> radiusInComment(const TextCursor& text)
 {
   const std::string_view rest = text.restOfLine();
@@ -246,7 +246,7 @@ std::optional<double> radiusInComment(const TextCursor& text)
   return toRadius(comment.wordOnLine(), text.line());
 }
 
-// The radii in the comments of an OBJ file, one a vertex.
+// Reads the radii in the comments of an OBJ file, one per vertex.
 std::vector<double> readObjRadii(const std::string& content)
 {
   constexpr double kMissing = -1.0;
@@ -257,7 +257,7 @@ std::vector<double> readObjRadii(const std::string& content)
   {
     if (!radii.empty() && radii.back() == kMissing)
     {
-      refuseLine(vertexLine, "a vertex without radius; a line '# radius R' is to follow it");
+      refuseLine(vertexLine, "a vertex without radius; a line '# radius R' must follow it");
     }
   };
   do
@@ -307,7 +307,7 @@ MedialAxis parseAxisMa(const std::string& content)
     {
       refuseLine(text.line(), "'" + std::string(keyword.substr(0, 40)) + "' is none of v, e, f");
     }
-    text.nextLine(); // what other programs add
+    text.nextLine(); // additions of other programs
   }
   return builder.finish(counts);
 }

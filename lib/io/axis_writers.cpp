@@ -65,7 +65,7 @@ void writePoint(const Point3& point, TextWriter& writer)
 
 using Triangles = std::vector<std::array<std::int64_t, 3>>;
 
-// Quads come apart.
+// Returns the triangles of an axis, with quads split.
 Triangles triangulate(const MedialAxis& axis)
 {
   Triangles triangles;
@@ -84,7 +84,7 @@ Triangles triangulate(const MedialAxis& axis)
 
 using Edges = std::vector<std::pair<std::int64_t, std::int64_t>>;
 
-// The sides of the triangles and the lines, each once and in order.
+// Returns the edges of the triangles and the lines, each once, in ascending order.
 Edges collectEdges(const Triangles& triangles, const MedialAxis& axis)
 {
   Edges edges;

@@ -149,7 +149,8 @@ private:
 
   using Add = void (SoupBuilder::*)(const std::vector<std::int64_t>&, int);
 
-  // Since version 5.1 cells are offsets and connectivity, before that a list of sizes and ids.
+  // Since version 5.1 cells are lists of offsets and connectivity; before, they are one list of
+  // sizes and ids.
   void readCells(Add add)
   {
     const std::int64_t first = readCount();
@@ -205,7 +206,7 @@ private:
     std::vector<std::int64_t> pointIds;
     for (std::size_t i = 0; i < count; ++i)
     {
-      // Beyond this a double is no exact id, and no file has as many points.
+      // Beyond this a double cannot hold an exact id, and no file has so many points.
       pointIds.push_back(std::abs(ids[i]) < 9e15 ? static_cast<std::int64_t>(ids[i]) : -1);
     }
     if (!pointIds.empty())
@@ -235,7 +236,7 @@ private:
   }
 
   TextCursor text_;
-  std::int64_t largestCount_; // no number takes less than a byte
+  std::int64_t largestCount_; // upper limit of counts: every number takes at least one byte
   Encoding encoding_ = Encoding::Text;
   SoupBuilder soup_;
 };

@@ -24,7 +24,8 @@ void readPoint(TextCursor& text, SoupBuilder& soup)
   soup.addPoint(xyz[0], xyz[1], xyz[2]);
 }
 
-// Point ids of "i", "i/t", "i//n" or "i/t/n". OBJ counts from 1, and backwards with negative ones.
+// Reads point ids as "i", "i/t", "i//n" or "i/t/n". OBJ counts from 1; negative ids count
+// backwards.
 std::vector<std::int64_t> readPointIds(TextCursor& text, const SoupBuilder& soup)
 {
   std::vector<std::int64_t> ids;

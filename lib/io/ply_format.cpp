@@ -75,7 +75,7 @@ void readProperty(TextCursor& text, Header& header)
   header.elements.back().properties.push_back(property);
 }
 
-// Leaves the cursor at the end of the line "end_header".
+// Reads the header; the cursor is then at the end of the line "end_header".
 Header readHeader(TextCursor& text)
 {
   if (text.wordOnLine() != "ply")
@@ -113,7 +113,7 @@ Header readHeader(TextCursor& text)
   refuse("ends early: its header has no 'end_header'");
 }
 
-// What one item of an element holds: its single values by name, and the list of point indices.
+// The content of one item of an element: its single values by name, and its list of point indices.
 struct Item
 {
   std::map<std::string, double> values;

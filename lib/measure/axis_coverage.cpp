@@ -21,7 +21,7 @@ constexpr const char* kPhase = "coverage";
 
 using Samples = std::vector<glm::dvec3>;
 
-/// The samples that are not within reach of the balls, or of cones and wedges as well.
+/// Returns the samples that are not within reach of the balls, or of cones and wedges as well.
 Samples uncovered(const Samples& samples, const MedialModel& model, bool interpolate, double reach,
   const Run& run)
 {
@@ -47,7 +47,7 @@ Samples uncovered(const Samples& samples, const MedialModel& model, bool interpo
 double uncoveredShare(const Samples& samples, const MedialModel& model, double reach,
   const Run& run)
 {
-  // Balls a voxel apart cover nearly everything, and there are half as many as wedges.
+  // Balls a voxel apart cover nearly everything, and there are half as many of them as wedges.
   const Samples besideBalls = uncovered(samples, model, false, reach, run.part(0.0, 0.5));
   const Samples left = uncovered(besideBalls, model, true, reach, run.part(0.5, 1.0));
   run.report(1.0, kPhase);

@@ -18,9 +18,9 @@ namespace medial
 namespace
 {
 
-/// What counts as on a surface, of the diagonal of the mesh's bounds.
+/// Points this near count as on a surface; a share of the diagonal of the bounds of the mesh.
 constexpr double kTolerance = 1e-9;
-/// The same, of the largest coordinate: what rounding may do.
+/// The same for rounding; a share of the largest coordinate.
 constexpr double kRounding = 1e-14;
 /// Of LocalCoordinates::around().
 constexpr double kMargin = 0.05;
@@ -40,8 +40,8 @@ double largestCoordinate(const Bounds& bounds)
   return largest;
 }
 
-/// By how much sparser a union has to be sampled that is many times as large as the mesh: radii
-/// without bounds must not take time without bounds.
+/// Returns by how much sparser to sample a union that is many times as large as the mesh: unbounded
+/// radii must not take unbounded time.
 double coarsening(const Bounds& solid, const Bounds& mesh)
 {
   constexpr double kLargest = 4.0;
@@ -49,7 +49,7 @@ double coarsening(const Bounds& solid, const Bounds& mesh)
   return std::max(1.0, ratio * ratio);
 }
 
-/// Summed in order, so that the result is always the same.
+/// Sums in order, so that the result is always the same.
 Deviation summarise(const std::vector<double>& values)
 {
   Deviation deviation;

@@ -12,10 +12,11 @@ namespace medial
 namespace
 {
 
-/// Directions hidden by less than this are not: the wedge and cones that touch there say the same.
+/// Directions hidden by less than this stay visible: the wedge and the cones that touch there
+/// agree.
 constexpr double kTolerance = 1e-12;
 
-/// A cone, and the third ball of a wedge that it is an edge of; -1 for a line.
+/// A cone, and the third ball of a wedge that has it as an edge; -1 for a line.
 using ConeOfPrimitive = std::array<std::int32_t, 3>;
 
 std::vector<ConeOfPrimitive> conesOf(const BallUnion& solid)

@@ -16,8 +16,8 @@ namespace
 
 const double kPi = std::acos(-1.0);
 
-/// The pieces that the surface of the union is made of: the touching triangles of wedges, the
-/// lateral surfaces of cones and whole balls.
+/// The pieces of the surface of the union: the touching triangles of wedges, the lateral surfaces
+/// of cones, and whole balls.
 class Parts
 {
 public:
@@ -68,7 +68,7 @@ private:
 
   const Ball& ball(std::int32_t i) const { return balls_[i]; }
 
-  /// Both touching triangles.
+  /// Returns the area of both touching triangles.
   double wedgeArea(std::size_t wedge) const
   {
     const auto& [a, b, c] = neighbours_.wedges()[wedge];
@@ -97,7 +97,7 @@ private:
     {
       return 0.0;
     }
-    // The circles where the cone touches its balls are smaller than theirs.
+    // The circles where the cone touches its balls are smaller than the great circles of these.
     const double shrink = std::sqrt(slant / glm::dot(along, along));
     return kPi * shrink * (this->ball(a).radius + this->ball(b).radius) * std::sqrt(slant);
   }
@@ -114,7 +114,7 @@ private:
     const auto normals = tangentNormals(this->ball(a), this->ball(b), this->ball(c));
     if (!normals)
     {
-      return; // nor has it any area
+      return; // it has no area either
     }
     for (const glm::dvec3& normal : *normals)
     {
@@ -130,7 +130,7 @@ private:
   template <typename Visit>
   void visitCone(std::size_t cone, double start, double length, const Visit& visit) const
   {
-    // No structured binding: lambdas of C++17 cannot capture it.
+    // No structured binding here: lambdas of C++17 cannot capture it.
     const std::int32_t a = neighbours_.cones()[cone][0];
     const std::int32_t b = neighbours_.cones()[cone][1];
     const glm::dvec3 along = this->ball(b).centre - this->ball(a).centre;
@@ -157,7 +157,7 @@ private:
       });
   }
 
-  /// Where along a cone the share v of its lateral surface ends.
+  /// Returns where along a cone the share v of its lateral surface ends.
   double alongCone(std::int32_t a, std::int32_t b, double v) const
   {
     const double from = this->ball(a).radius;
@@ -175,7 +175,7 @@ private:
     const double share = length / static_cast<double>(patches.size());
     for (std::size_t patch = 0; patch < patches.size(); ++patch)
     {
-      // Most balls of a sheet show no more than the two spots where they touch its wedges.
+      // Most balls of a sheet show only the two spots where they touch its wedges.
       if (neighbours_.patchHidden(i, patches.centre(patch)))
       {
         continue;

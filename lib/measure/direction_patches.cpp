@@ -21,7 +21,7 @@ DirectionPatches::DirectionPatches()
     centres_.push_back(this->direction(patch, 0.5, 0.5));
     for (int probe = 0; probe < 4 * kProbes; ++probe)
     {
-      // Along the patch's border, where it is farthest.
+      // The distance is largest along the border of the patch.
       const double t = static_cast<double>(probe % kProbes) / kProbes;
       const int edge = probe / kProbes;
       const double u = edge == 0 ? 0.0 : (edge == 1 ? 1.0 : t);

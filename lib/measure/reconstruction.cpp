@@ -16,9 +16,9 @@ namespace medial
 namespace
 {
 
-/// Points along the edges of the largest blocks.
+/// Number of points along an edge of the largest blocks.
 constexpr int kBlockSize = 16;
-/// Voxels from the surface, inside and outside, where every point is evaluated.
+/// Every point within this many voxels of the surface is computed on its own.
 constexpr double kBand = 3.0;
 
 class FieldBuilder
@@ -32,8 +32,8 @@ public:
   {
   }
 
-  /// Fills a block: whole where the surface is far, and otherwise part by part.
-  /// @param limit no smaller than the signed distance at the middle.
+  /// Fills a block: at once if the surface is far away, otherwise part by part.
+  /// @param limit at least the signed distance at the middle.
   void fill(const Extent& block, double limit)
   {
     const glm::dvec3 low = this->position(block.min);
@@ -43,7 +43,7 @@ public:
     const double distance = solid_.nearest(middle, limit).distance;
     if (block.pointCount() == 1 || std::abs(distance) > reach + band_)
     {
-      // The distance changes by no more than the way to the middle.
+      // The distance changes by at most the way to the middle.
       this->set(block, static_cast<float>(distance - std::copysign(reach, distance)));
       return;
     }

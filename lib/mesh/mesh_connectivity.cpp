@@ -63,7 +63,7 @@ void requireValid(const TriangleMesh& mesh)
   }
 }
 
-/// The half-edge mesh of the triangles that fit together as an oriented manifold.
+/// The half-edge mesh of those triangles that together form an oriented manifold.
 class ManifoldPart
 {
 public:
@@ -76,7 +76,7 @@ public:
     }
   }
 
-  /// False where the triangle does not fit and was left out.
+  /// Adds a triangle. False if it does not fit and was left out.
   bool add(const Triangle& t)
   {
     const HalfEdgeMesh::VertexHandle v[3] = { mesh_.vertex_handle(t[0]), mesh_.vertex_handle(t[1]),
@@ -124,7 +124,8 @@ public:
   }
 
 private:
-  /// add_face's own conditions. It would print what it refuses, and the library never prints.
+  /// The conditions of add_face itself. It would print what it refuses, and the library never
+  /// prints.
   bool fits(const HalfEdgeMesh::VertexHandle (&v)[3]) const
   {
     HalfEdgeMesh::HalfedgeHandle sides[3];
@@ -146,8 +147,8 @@ private:
     return true;
   }
 
-  /// Whether two boundary half-edges that meet can follow one another around a new face: what lies
-  /// between them has to move into another gap of their vertex.
+  /// Whether two boundary half-edges that meet can follow each other around a new face. The faces
+  /// between them must then move into another gap of their vertex.
   bool canJoin(HalfEdgeMesh::HalfedgeHandle before, HalfEdgeMesh::HalfedgeHandle after) const
   {
     if (!before.is_valid() || !after.is_valid() || mesh_.next_halfedge_handle(before) == after)
@@ -203,8 +204,8 @@ private:
   std::unordered_map<std::uint64_t, int> others_;
 };
 
-/// Turns lists of N rows each into the rows that name each value: row v of the result holds, in
-/// ascending order, the indices of the lists that contain v.
+/// Inverts lists of N values: row v of the result has the indices of the lists that contain v, in
+/// ascending order.
 template <std::size_t N>
 IncidenceLists invert(const std::vector<std::array<int, N>>& lists, std::size_t rows)
 {
@@ -259,7 +260,7 @@ void buildEdges(const TriangleMesh& mesh, MeshConnectivity& connectivity)
   connectivity.nonManifoldPoints = manifold.pointsWithGaps();
 }
 
-/// Cells that hold the edges and points; where there are several, triangles win over segments over
+/// Assigns cells to edges and points. Of several cells, triangles win over segments and these over
 /// vertices, and the first of a kind wins.
 void assignCells(const TriangleMesh& mesh, MeshConnectivity& connectivity)
 {

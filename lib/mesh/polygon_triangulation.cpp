@@ -14,15 +14,16 @@ namespace
 
 using Triangles = std::vector<std::array<int, 3>>;
 
-/// Twice the area of an ear over the square of its longest side, below which it is clipped only
-/// when there is no better one.
+/// Twice the area of an ear, divided by the square of its longest edge. Ears below this are clipped
+/// only if there is no better one.
 constexpr double kFlatEar = 1e-6;
-/// Distance over the polygon's size at which a corner is as good as on the side of an ear: rounded
-/// coordinates seldom lie on a line, and a side that just misses a corner ends in overlaps.
+/// A corner this near to an edge of an ear, relative to the size of the polygon, counts as on it:
+/// rounded coordinates seldom lie on a line, and an edge that just misses a corner ends in
+/// overlaps.
 constexpr double kTouching = 1e-9;
 
-/// Corners relative to the first one and scaled to unit size, so that no product leaves the range
-/// of double.
+/// Returns the corners relative to the first one and scaled to unit size, so that no product leaves
+/// the range of double.
 std::vector<glm::dvec3> normalised(const std::vector<Point3>& corners)
 {
   const glm::dvec3 first(corners[0][0], corners[0][1], corners[0][2]);
@@ -52,7 +53,7 @@ glm::dvec3 newellNormal(const std::vector<glm::dvec3>& corners)
   return normal;
 }
 
-/// Drops the main axis of the normal, which loses no precision; the result runs anticlockwise.
+/// Drops the main axis of the normal, since this loses no precision. The result is anticlockwise.
 std::vector<glm::dvec2> project(const std::vector<glm::dvec3>& corners, const glm::dvec3& normal)
 {
   const glm::dvec3 size = glm::abs(normal);
@@ -68,13 +69,13 @@ std::vector<glm::dvec2> project(const std::vector<glm::dvec3>& corners, const gl
   return result;
 }
 
-/// Twice the signed area of a triangle.
+/// Returns twice the signed area of a triangle.
 double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
 {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// Twice the signed area over the square of the longest side.
+/// Returns twice the signed area, divided by the square of the longest edge.
 double shape(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
 {
   const double longest =
@@ -82,8 +83,8 @@ double shape(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
   return longest > 0.0 ? turn(a, b, c) / longest : 0.0;
 }
 
-/// Clips ears from a ring of corners; going on behind the neighbour of the last ear keeps the
-/// number of triangles around each corner low.
+/// Clips ears from a ring of corners. Each search starts behind the neighbour of the last ear,
+/// which keeps the number of triangles around each corner low.
 class EarClipper
 {
 public:
@@ -129,7 +130,8 @@ private:
     return shape(points_[previous_[i]], points_[i], points_[next_[i]]);
   }
 
-  /// The first good ear, else a flat one, else (not a simple polygon) any convex corner.
+  /// Returns the first good ear, otherwise a flat one, otherwise (for a polygon that is not simple)
+  /// any convex corner.
   int findEar(int start, int left) const
   {
     for (const bool careful : { true, false })
@@ -151,9 +153,9 @@ private:
     return best;
   }
 
-  /// True when no flat or reflex corner lies in the ear or closer to it than `margin`. A corner at
-  /// the same place as one of the ear's is not in the way: polygons with holes visit the ends of
-  /// their bridges twice.
+  /// Whether no flat or reflex corner lies in the ear or closer to it than `margin`. A corner at
+  /// the same place as one of the ear is no obstacle: polygons with holes visit the ends of their
+  /// bridges twice.
   bool isFree(int ear, double margin) const
   {
     const glm::dvec2& a = points_[previous_[ear]];

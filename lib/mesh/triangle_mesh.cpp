@@ -40,7 +40,7 @@ public:
     slots_.assign(capacity, -1);
   }
 
-  /// Index in `points` of a point equal to `point`, which is appended if there is none.
+  /// Returns the index in `points` of a point equal to `point`; appends the point if there is none.
   int insert(const Point3& point, std::vector<Point3>& points)
   {
     // Adding zero turns -0 into 0.
@@ -75,7 +75,7 @@ private:
   std::vector<int> slots_;
 };
 
-/// Every other triangle of a strip runs backwards; two of its corners are swapped.
+/// Splits strips; two corners of every other triangle are swapped, since it runs backwards.
 CellList trianglesOf(const CellList& strips)
 {
   CellList triangles;
@@ -120,7 +120,7 @@ void requireConsistent(const CellList& cells, const char* name)
   }
   for (int axis = 0; axis < 3; ++axis)
   {
-    // The sign of a NaN means nothing, yet streams print it.
+    // The sign of a NaN means nothing, but streams print it.
     message << (axis > 0 ? ", " : "")
             << (std::isnan(point[axis]) ? std::abs(point[axis]) : point[axis]);
   }
@@ -271,7 +271,7 @@ private:
     {
       addTriangulated(cell);
     }
-    // Corners that coincide with their neighbour would have made triangles without area.
+    // With neighbouring corners at the same place, there would have been triangles without area.
     mesh_.degenerateTriangles += static_cast<std::int64_t>(
       std::max<std::size_t>(points.size(), 2) - std::max<std::size_t>(polygon_.size(), 2));
   }

@@ -34,9 +34,9 @@ namespace medial
 namespace
 {
 
-/// Bytes a grid point that preservation of topology takes: field, cells and anchors.
+/// Bytes per grid point for preserving topology: field, cells and anchors.
 constexpr std::size_t kPreservationBytes = 10;
-/// Share of the work that is done when the axis is selected.
+/// Share of the work that is done once the crossings are selected.
 constexpr double kSelected = 0.8;
 
 std::array<float, 3> narrowed(const Point3& point)
@@ -45,7 +45,7 @@ std::array<float, 3> narrowed(const Point3& point)
     static_cast<float>(point[2]) };
 }
 
-/// Points and attributes in world units.
+/// Sets points and attributes in world units.
 void setPoints(const BisectorPoints& points, const GridFrame& frame, MedialAxis& axis)
 {
   const std::size_t count = points.points.size();
@@ -70,7 +70,7 @@ void setPoints(const BisectorPoints& points, const GridFrame& frame, MedialAxis&
     });
 }
 
-/// Points and cells of the chosen representation.
+/// Makes the points and cells of the chosen representation.
 BisectorPoints represent(Representation representation, const AxisGeometry& geometry,
   std::vector<Crossing>& crossings, MedialAxis& axis)
 {
@@ -98,7 +98,8 @@ BisectorPoints represent(Representation representation, const AxisGeometry& geom
   return points;
 }
 
-/// Points and cells with the topology of the solid: nothing of them may be contracted or dropped.
+/// Makes points and cells with the topology of the solid. None of them may be contracted or
+/// dropped.
 BisectorPoints preserve(Representation representation, const AxisGeometry& geometry,
   const FieldTap& field, std::vector<Crossing>& crossings, MedialAxis& axis)
 {
@@ -156,8 +157,8 @@ void simplify(const MedialAxisOptions& options, const Run& run, RunStatistics& s
   axis.feature = axisFeatures(edgesOf(axis), axis.points.size());
 }
 
-/// Points, cells and features of the axis from the crossings.
-/// @param tap the field, where the topology is to be preserved.
+/// Builds points, cells and features of the axis from the crossings.
+/// @param tap the field, if the topology is to be preserved.
 void buildAxis(const MedialAxisOptions& options, const FieldPipeline& pipeline, const Grid& grid,
   const FieldTap* tap, const Checkpoint& checkpoint, std::vector<Crossing>& crossings,
   MedialAxis& axis)

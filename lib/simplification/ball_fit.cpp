@@ -18,21 +18,22 @@ namespace
 constexpr int kSteps = 12;
 constexpr int kSolverSteps = 60;
 constexpr double kSolverTolerance = 1e-3;
-/// Damping beside the weight of a ball's points: keeps balls where the points leave them free.
+/// Damping relative to the weight of the points of a ball. It holds balls where the points leave
+/// them free.
 constexpr double kDamping = 0.1;
-/// Share of the quadrics of the balls themselves in what is minimised: without it balls grow beyond
-/// the surface where no point is next to them.
+/// Weight of the quadrics of the balls themselves. Without them balls grow beyond the surface where
+/// no point is near.
 constexpr double kOwn = 0.1;
 constexpr double kMinDamping = 1e-12;
-/// So many points a ball, and so many at least, say enough.
+/// This many points per ball are enough, and at least this many in all.
 constexpr std::size_t kPointsPerBall = 100;
 constexpr std::size_t kMinPoints = 20000;
-/// Mean distance (units of the axis) below which nothing is left to do.
+/// Below this mean distance (units of the axis) there is nothing left to improve.
 constexpr double kExact = 3e-5;
-/// A step that gains less than this share of the sum of squares is the last.
+/// A step that reduces the sum of squares by less than this share is the last one.
 constexpr double kGain = 0.01;
 
-/// One a ball, in R^4.
+/// One vector of R^4 per ball.
 using Vectors = std::vector<glm::dvec4>;
 
 double dot(const Vectors& a, const Vectors& b)
@@ -45,7 +46,7 @@ double dot(const Vectors& a, const Vectors& b)
   return sum;
 }
 
-/// Conjugate gradients from 0, with the diagonal as preconditioner.
+/// Solves by conjugate gradients from 0, with the diagonal as preconditioner.
 template <typename Apply>
 Vectors solveConjugate(const Apply& apply, const Vectors& diagonal, Vectors residual)
 {
@@ -135,7 +136,8 @@ public:
   }
 
 private:
-  /// Finds the place of the model next to every point. @return the sum of squares.
+  /// Finds the nearest place of the model for every point.
+  /// @return the sum of squares.
   double measure(const std::vector<Ball>& balls)
   {
     nearest_.resize(planes_.size());
@@ -158,7 +160,7 @@ private:
     return sum;
   }
 
-  /// How a distance changes with the balls: minus the share of each corner times (direction, 1).
+  /// Derivatives of a distance by the balls: minus the share of each corner times (direction, 1).
   template <typename Visit>
   void forEachCorner(std::size_t i, const Visit& visit) const
   {
@@ -172,7 +174,7 @@ private:
     }
   }
 
-  /// Normal equations times a vector.
+  /// Multiplies a vector by the matrix of the normal equations.
   Vectors apply(const Vectors& x) const
   {
     Vectors result(x.size(), glm::dvec4(0.0));
@@ -192,7 +194,7 @@ private:
     return result;
   }
 
-  /// The step: normal equations with damping.
+  /// Returns the step: the solution of the damped normal equations.
   Vectors solve()
   {
     Vectors right(balls_.size(), glm::dvec4(0.0));
@@ -220,7 +222,7 @@ private:
       std::move(right));
   }
 
-  /// Ball after ball, as far as triangles allow.
+  /// Moves one ball after the other, as far as triangles allow.
   void move(const Vectors& step)
   {
     for (const int v : complex_.vertices())

@@ -9,8 +9,8 @@ namespace medial
 namespace
 {
 
-/// Pull towards the reference, as a share of the matrix' mean eigenvalue: far below what planes
-/// that differ by a tenth of a degree say, far above rounding.
+/// Pull towards the reference, as a share of the mean eigenvalue of the matrix: far below the
+/// effect of planes that differ by a tenth of a degree, and far above rounding.
 constexpr double kPull = 1e-7;
 
 /// Solves the positive definite system of the first `size` unknowns (Cholesky); the others are 0.

@@ -18,8 +18,8 @@ constexpr int kArcSamples = 6;
 constexpr int kCircleSamples = 12;
 constexpr int kBallSamples = 32;
 constexpr double kTipCosine = 0.5; ///< of the angle between neighbours and their mean direction
-/// A boundary point is covered where another ball reaches beyond it by this share of the mean
-/// length of edges, that is of the grid's spacing: far above rounding, below any hole.
+/// A boundary point is covered if another ball extends beyond it by this share of the mean length
+/// of edges, that is of the grid's spacing: far above rounding, and below any hole.
 constexpr double kCoverDepth = 0.05;
 
 /// Closest points nearer than this (units of the axis) give no direction in single precision.
@@ -66,7 +66,7 @@ public:
   {
   }
 
-  /// The share of a vertex in the cells around it.
+  /// Returns the planes of a vertex from the cells around it.
   Planes at(int vertex) const
   {
     Planes planes;
@@ -93,7 +93,7 @@ public:
   }
 
 private:
-  /// Both planes, each for a third of the area in which the wedge's face meets it.
+  /// Adds both planes, each for a third of the area of its face of the wedge.
   void addWedge(int vertex, const std::array<int, 3>& corners, Planes& planes) const
   {
     const auto wedge = wedgeOf(balls_[corners[0]], balls_[corners[1]], balls_[corners[2]]);
@@ -111,7 +111,7 @@ private:
     }
   }
 
-  /// The planes that touch the surface where the ball does.
+  /// Adds the planes that touch the surface where the ball does.
   void addClosestPair(int vertex, Planes& planes) const
   {
     double area = 0.0;
@@ -166,7 +166,7 @@ private:
     }
   }
 
-  /// Half the cone's boundary, from -halfAngle to halfAngle around its axis; 0 is `start`.
+  /// Adds half the boundary of a cone, from -halfAngle to halfAngle around its axis; 0 is `start`.
   void addArc(int vertex, int edge, const Cone& cone, const glm::dvec3& start, double halfAngle,
     int samples, Planes& planes) const
   {
@@ -187,7 +187,7 @@ private:
     }
   }
 
-  /// Whether all neighbours lie in one direction, as of the end of a line or the corner of a sheet.
+  /// Whether all neighbours lie in one direction, as at the end of a line or the corner of a sheet.
   bool isTip(int vertex) const
   {
     std::vector<glm::dvec3> directions;
@@ -205,7 +205,7 @@ private:
       [&](const glm::dvec3& direction) { return glm::dot(direction, sum) >= min; });
   }
 
-  /// Directions along a spiral, each for the same area.
+  /// Adds directions along a spiral, each for the same area.
   void addBall(int vertex, Planes& planes) const
   {
     const Ball& ball = balls_[vertex];
@@ -224,7 +224,8 @@ private:
     }
   }
 
-  /// Whether the cells around the vertex leave its ball's boundary free in this direction.
+  /// Whether the cells around the vertex leave the boundary of its ball uncovered in this
+  /// direction.
   bool isOutermost(int vertex, const glm::dvec3& normal) const
   {
     const glm::dvec4 direction(normal, 1.0);

@@ -20,7 +20,7 @@ struct Link
   int to = -1;
 };
 
-/// The shortest link out of one component.
+/// Returns the shortest link out of one component.
 Link shortestLink(const std::vector<Ball>& balls, const OverlappingBalls& others,
   const std::vector<int>& members, int label)
 {
@@ -38,7 +38,7 @@ Link shortestLink(const std::vector<Ball>& balls, const OverlappingBalls& others
   return best;
 }
 
-/// Label and members of all components but the largest, which the others link to.
+/// Returns labels and members of all components except the largest, to which the others link.
 std::map<int, std::vector<int>> smallerComponents(const std::vector<int>& labels)
 {
   std::map<int, std::vector<int>> members;
@@ -70,7 +70,7 @@ int linkComponents(const std::vector<Ball>& balls, BallComplex& complex)
     DisjointSets joined(labels.size());
     for (const Link& link : links)
     {
-      // Earlier links of this round may have joined the two already.
+      // Earlier links of this round may have joined the two components already.
       if (link.from >= 0 && joined.join(labels[link.from], labels[link.to]))
       {
         complex.addEdge(link.from, link.to);

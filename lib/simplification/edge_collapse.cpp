@@ -14,10 +14,10 @@ namespace medial
 namespace
 {
 
-/// Weight of the spread of the merged balls' centres beside the squared distances to planes: where
-/// the boundary is flat, the shortest edges go first.
+/// Weight of the spread of the merged balls' centres, relative to the squared distances to planes.
+/// It makes the shortest edges go first where the boundary is flat.
 constexpr double kSpread = 1e-7;
-/// Merged balls lie no farther from the middle of their edge than this many of its lengths.
+/// Merged balls lie at most this many lengths of their edge from its middle.
 constexpr double kReach = 1.5;
 constexpr int kStepEvery = 512;
 
@@ -104,8 +104,8 @@ bool EdgeCollapse::allowed(int edge, Freedom freedom) const
     (this->keepsTopology(edge, freedom.fill) && this->keepsShape(edge, freedom.fold));
 }
 
-/// The link condition: neighbours that both ends have, and pairs of them, belong to cells at the
-/// edge, or else close a loop of three balls, or a hollow among four, that the balls may fill.
+/// Checks the link condition: common neighbours of both ends, and pairs of them, belong to cells at
+/// the edge, or else close a loop of three balls or a hollow among four that the balls may fill.
 bool EdgeCollapse::keepsTopology(int edge, bool mayFill) const
 {
   const auto filled = [&](std::initializer_list<Ball> balls)

@@ -9,7 +9,7 @@ namespace medial
 namespace
 {
 
-/// Points farther away (radii) may have their nearest cell around a neighbour.
+/// Points farther away than this (radii) may have their nearest cell around a neighbour.
 constexpr double kFar = 0.01;
 
 } // namespace

@@ -11,8 +11,8 @@ namespace
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr int kSeveral = -1;
-/// Balls on opposite sides of a surface touch; those that overlap do so by more than this share of
-/// the smaller radius.
+/// Balls on opposite sides of a surface only touch. Balls overlap if they do so by more than this
+/// share of the smaller radius.
 constexpr double kMinOverlap = 0.05;
 
 bool overlap(const Ball& a, const Ball& b, double distance)
@@ -57,7 +57,7 @@ std::optional<OverlappingBalls::Neighbour> OverlappingBalls::nearest(const Ball&
     return possible ? distance : kNever;
   };
   std::optional<Neighbour> best;
-  // What is exactly as far as the limit counts as well.
+  // Centres exactly at the limit count, too.
   double beyond = std::nextafter(limit, kNever);
   tree_.searchNodes(minDistance, beyond,
     [&](std::uint32_t item)

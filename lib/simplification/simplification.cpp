@@ -23,9 +23,10 @@ namespace medial
 namespace
 {
 
-/// How far a ball may reach beyond the surface, as a share of its radius. Less makes both one-sided
-/// distances worse, since the fit is balanced: hand, 50 balls, S->U and U->S in the mean: no limit
-/// 0.226 and 0.210 % of the diagonal, a tenth 0.230 and 0.213, nothing 0.363 and 0.333.
+/// How far a ball may extend beyond the surface, as a share of its radius. A smaller share makes
+/// both one-sided distances worse, since the fit is balanced. Mean S->U and U->S of the hand with
+/// 50 balls: no limit 0.226 and 0.210 % of the diagonal, a tenth 0.230 and 0.213, zero 0.363 and
+/// 0.333.
 constexpr double kReach = 0.25;
 
 std::vector<BallQuadric> quadricsOf(const std::vector<TangentPlane>& planes, std::size_t vertices)
@@ -49,8 +50,8 @@ std::int64_t componentCount(const BallComplex& complex)
   return count;
 }
 
-/// Leaves out the smallest balls of a complex without edges, until `target` are left.
-/// @return how many.
+/// Removes the smallest balls of a complex without edges, until `target` are left.
+/// @return the number of balls removed.
 std::int64_t dropSmallest(const std::vector<Ball>& balls, int target, BallComplex& complex)
 {
   std::vector<int> left = complex.vertices();
@@ -66,7 +67,7 @@ std::int64_t dropSmallest(const std::vector<Ball>& balls, int target, BallComple
   return static_cast<std::int64_t>(left.size()) - target;
 }
 
-/// Lets no ball reach far beyond the closest points of the axis, which sample the surface.
+/// Limits how far balls extend beyond the closest points of the axis, which sample the surface.
 void limitRadii(const MedialAxis& axis, const AxisBalls& frame, const BallComplex& complex,
   std::vector<Ball>& balls)
 {
@@ -150,7 +151,7 @@ private:
     };
     const int target =
       static_cast<int>(std::min<std::int64_t>(maxSpheres_, std::numeric_limits<int>::max()));
-    // Loops of an axis with the topology of its solid are the solid's.
+    // In an axis with the topology of its solid, loops belong to the solid.
     const bool fill = !axis_.solid;
     collapse.reduceTo(target, { fill, false, false }, step);
     collapse.reduceTo(target, { fill, true, false }, step);

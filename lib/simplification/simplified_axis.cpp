@@ -25,7 +25,7 @@ bool hasArea(const std::vector<Ball>& balls, const std::array<int, 3>& t)
   return glm::length(glm::cross(b, c)) > 1e-6 * std::max(glm::dot(b, b), glm::dot(c, c));
 }
 
-/// For every ball the nearest of the points that it represents.
+/// For every ball, finds the nearest of the points that it represents.
 std::vector<int> nearestOriginals(const AxisBalls& frame, const SimplifiedBalls& simplified)
 {
   const std::vector<Ball>& balls = simplified.balls;
@@ -44,7 +44,7 @@ std::vector<int> nearestOriginals(const AxisBalls& frame, const SimplifiedBalls&
   return nearest;
 }
 
-/// Numbers of the points of the result by vertex.
+/// Returns the index in the result by vertex.
 std::vector<std::int64_t> pointIds(const BallComplex& complex)
 {
   std::vector<std::int64_t> ids(complex.vertexCount(), -1);

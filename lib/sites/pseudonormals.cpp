@@ -8,7 +8,7 @@ namespace medial
 namespace
 {
 
-/// Triangles without area in a row that are seen through at most.
+/// Maximum number of triangles without area in a row that normals pass through.
 constexpr int kMaxPasses = 16;
 
 glm::dvec3 unitOrZero(const glm::dvec3& v)
@@ -52,7 +52,7 @@ public:
 private:
   using PerSide = std::array<glm::dvec3, 3>;
 
-  /// A triangle without area and what its sides see through it.
+  /// A triangle without area and the normals that its edges get from its other edges.
   struct FlatFace
   {
     int face;
@@ -83,7 +83,7 @@ private:
     }
   }
 
-  /// In passes, since they may lie in a row.
+  /// Takes several passes, since such triangles may lie in a row.
   void seeThroughFlatFaces()
   {
     bool changed = !flat_.empty();
@@ -101,8 +101,8 @@ private:
     }
   }
 
-  /// Updates what the sides of a triangle without area see; false where nothing is new. Its longest
-  /// side is the other two once more.
+  /// Updates the normals at the edges of a triangle without area; false if nothing changes. Its
+  /// longest edge covers the other two once more.
   bool look(FlatFace& flat)
   {
     PerSide beyond;

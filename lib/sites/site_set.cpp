@@ -10,8 +10,8 @@ namespace medial
 namespace
 {
 
-/// Triangles lower than this (local units) have no face site: leaving the face to
-/// its edges then moves no closest point by more than half of it.
+/// Triangles lower than this (local units, that is voxels) have no face site. Their edges take its
+/// place, which moves closest points by at most half of this.
 constexpr double kMinHeight = 1e-4;
 
 HalfSpace halfSpace(const glm::dvec3& normal, const glm::dvec3& pointOnPlane)
@@ -19,7 +19,8 @@ HalfSpace halfSpace(const glm::dvec3& normal, const glm::dvec3& pointOnPlane)
   return { glm::vec3(normal), static_cast<float>(glm::dot(normal, pointOnPlane)) };
 }
 
-/// Outward conormal of the edge a-b of a triangle: unit, in the triangle's plane.
+/// Returns the outward conormal of the edge a-b of a triangle: of unit length, in the plane of the
+/// triangle.
 glm::dvec3 conormal(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& faceNormal)
 {
   return glm::normalize(glm::cross(b - a, faceNormal));
@@ -64,7 +65,7 @@ void SiteSet::buildNormals(const TriangleMesh& mesh)
   { return glm::dvec3(to[0] - from[0], to[1] - from[1], to[2] - from[2]); };
   for (int face = 0; face < this->faceCount(); ++face)
   {
-    // From world coordinates: the change of coordinates may round what is flat.
+    // Uses world coordinates: rounding to local coordinates may bend flat triangles.
     const Point3& a = mesh.points[faces_[face][0]];
     const Point3& b = mesh.points[faces_[face][1]];
     const Point3& c = mesh.points[faces_[face][2]];
@@ -193,8 +194,8 @@ void SiteSet::setFaceHalfSpaces(int face, HalfSpace* out) const
     const glm::dvec3& b = points_[faces_[face][(i + 1) % 3]];
     *out++ = halfSpace(conormal(a, b, faceNormals_[face]), a);
   }
-  // The triangle lies between the planes across the ends of its longest edge. They cut off what
-  // dilation adds far beyond an acute corner.
+  // The triangle lies between the planes across the ends of its longest edge. They cut off the area
+  // that dilation adds far beyond an acute corner.
   const int longest = this->longestEdge(face);
   const glm::dvec3& a = points_[faces_[face][longest]];
   const glm::dvec3& b = points_[faces_[face][(longest + 1) % 3]];
@@ -218,7 +219,7 @@ void SiteSet::setEdgeHalfSpaces(int edge, const MeshConnectivity& connectivity,
     {
       continue;
     }
-    // The face's own winding tells which way is outward, whichever way the edge is stored.
+    // The winding of the face tells its outward side, whichever way the edge is stored.
     const glm::ivec3& edges = faceEdges_[*face];
     const int i = edges[0] == edge ? 0 : (edges[1] == edge ? 1 : 2);
     const glm::dvec3& a = points_[faces_[*face][i]];

@@ -8,7 +8,7 @@ namespace medial
 namespace
 {
 
-/// Sine up to which a direction counts as that of a side.
+/// Directions count as that of an edge up to this sine.
 constexpr double kOnSide = 1e-6;
 
 double angleBetween(const glm::dvec3& a, const glm::dvec3& b)
@@ -16,7 +16,7 @@ double angleBetween(const glm::dvec3& a, const glm::dvec3& b)
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
-/// The side of a face, counted like its corners, that an edge is.
+/// Returns which edge of a face, counted like its corners, an edge is.
 int sideOf(const SiteSet& sites, int face, int edge)
 {
   const glm::ivec3& sides = sites.faceEdges()[face];
@@ -24,8 +24,8 @@ int sideOf(const SiteSet& sites, int face, int edge)
 }
 
 /// Whether an edge with two faces is convex, seen from behind the faces (sign 1) or from their
-/// front, and their normals are at least `angle` (radians) apart. The second face is turned as the
-/// first one where they are not oriented alike.
+/// front, and their normals are at least `angle` (radians) apart. If the faces are not oriented
+/// alike, the second one is reversed.
 bool isSharpEdge(const SiteSet& sites, int edge, int first, int second, double sign, double angle)
 {
   const int sideOfFirst = sideOf(sites, first, edge);
@@ -58,8 +58,8 @@ void markSharpEdges(const SiteSet& sites, const MeshConnectivity& connectivity, 
   }
 }
 
-/// Where the ray from a corner of a face along `inward` is over the face: whether its projection
-/// lies between the two sides.
+/// Whether the ray from a corner of a face along `inward` is over the face, that is whether its
+/// projection lies between the two edges.
 bool isOver(const SiteSet& sites, int face, int corner, const glm::dvec3& inward)
 {
   const glm::ivec3& corners = sites.faces()[face];
@@ -71,7 +71,7 @@ bool isOver(const SiteSet& sites, int face, int corner, const glm::dvec3& inward
     glm::dot(glm::cross(inward, v), normal) >= -kOnSide * glm::length(v);
 }
 
-/// The directions, per point, to the faces that the point's ray is over.
+/// Per point, the directions to the faces that the ray of the point is over.
 class FacesBelow
 {
 public:
@@ -94,7 +94,8 @@ public:
       { widest_[point] = std::max(widest_[point], angleBetween(steepest_[point], towards)); });
   }
 
-  /// Largest angle between the steepest face, which is the nearest to the ray, and another one.
+  /// Returns the largest angle between the steepest face, which is nearest to the ray, and another
+  /// one.
   double widest(int point) const { return widest_[point]; }
 
 private:

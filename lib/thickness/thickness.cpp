@@ -25,15 +25,15 @@ namespace
 
 constexpr const char* kPhase = "thickness";
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-/// Where a ray is looked at first: this share of the shortest edge that meets at its start.
+/// First position on a ray: this share of the shortest edge that meets at its start.
 constexpr double kFirstShare = 0.05;
-/// Where a ray is looked at next, in terms of the thickness of the point before.
+/// Next position on a ray, in multiples of the thickness at the previous point.
 constexpr double kGuess = 1.0;
 /// Of LocalCoordinates::around().
 constexpr double kMargin = 0.0;
 /// Points in a row that one thread evaluates: always the same, so that the result is.
 constexpr std::size_t kRow = 64;
-/// Such rows between two reports of progress, at least, and reports at most.
+/// Minimum number of such rows between two reports of progress, and maximum number of reports.
 constexpr std::size_t kMinRows = 8;
 constexpr std::size_t kMaxReports = 100;
 
@@ -46,7 +46,7 @@ void checkOptions(const TriangleMesh& mesh, const ThicknessOptions& options)
   checkSeparationAngle(options.angle);
 }
 
-/// Thickness of all points on one side.
+/// Computes the thickness of all points on one side.
 class SideThickness
 {
 public:
@@ -66,7 +66,7 @@ public:
     }
   }
 
-  /// Makes the rays go to one side.
+  /// Turns the rays to one side.
   void face(Side side)
   {
     if ((side == Side::Exterior) != exterior_)
@@ -81,8 +81,8 @@ public:
     sharp_ = sharpPoints(sites_, connectivity_, inward_, sign, angle_);
   }
 
-  /// The values from point `first` up to `end`, world units; NaN where there is no ball. What is
-  /// found at a point is the guess for the next: their balls are often alike.
+  /// Computes the values of points [first, end), world units; NaN if there is no ball. The result
+  /// at one point is the guess for the next, since their balls are often alike.
   void evaluate(std::size_t first, std::size_t end, std::vector<float>& values) const
   {
     double guess = ball_.reach();
@@ -149,7 +149,7 @@ private:
   SurfaceQuery surface_;
   const SiteSet& sites_;
   TouchingBall ball_;
-  std::vector<glm::dvec3> inward_; ///< unit or zero
+  std::vector<glm::dvec3> inward_; ///< of unit length, or zero
   std::vector<char> sharp_;
   bool exterior_ = false;
 };

@@ -8,21 +8,21 @@ namespace medial
 namespace
 {
 
-/// Distances that differ by this share are the same.
+/// Distances that differ by less than this share count as equal.
 constexpr double kSameDistance = 1e-9;
-/// Positions that differ by this share are the same.
+/// Positions that differ by less than this share count as equal.
 constexpr double kSamePosition = 1e-10;
 /// Share of the diagonal at which the search for very small balls ends.
 constexpr double kMinStart = 1e-9;
-/// From this ratio of their ends on, intervals are halved by ratio and not where tangents meet.
+/// From this ratio of their ends on, intervals are halved by ratio, not where tangents meet.
 constexpr double kLongInterval = 16.0;
-/// Parts of an interval that bounds are evaluated for.
+/// Number of parts of an interval for which bounds are computed.
 constexpr int kBoundParts = 16;
-/// Degrees above the separation angle from which on a wide place between narrow ones is certain to
-/// be found.
+/// A wide place between narrow ones is certain to be found if its angle exceeds the separation
+/// angle by this many degrees.
 constexpr double kMargin = 0.02;
-/// Intervals of one ray that are looked into at most, a handful being usual; and those after which
-/// narrow ends have to do without proof for what is in between.
+/// Maximum number of intervals of one ray that are searched; a handful is usual. The second number
+/// is the limit after which narrow ends must do, without proof for the space in between.
 constexpr int kMaxIntervals = 6000;
 constexpr int kMaxProofs = 5000;
 
@@ -37,8 +37,8 @@ TouchingBall::TouchingBall(const SurfaceQuery& surface, double angle, double dia
   : surface_(surface)
   , cosine_(std::cos(glm::radians(angle)))
   , certain_(std::cos(glm::radians(std::min(angle + kMargin, 180.0))))
-  // Where a point at distance c <= diagonal from the start is seen at `angle` from x(t) and is
-  // nearer than the start, t <= c / sin(angle).
+  // If a point at distance c <= diagonal from the start is seen at `angle` from x(t) and is nearer
+  // than the start, then t <= c / sin(angle).
   , reach_(1.01 * diagonal / std::sin(glm::radians(std::min(angle, 90.0))))
   , diagonal_(diagonal)
 {
@@ -79,7 +79,7 @@ bool TouchingBall::isStart(const Sample& sample) const
 
 TouchingBall::Sample TouchingBall::look(const Ray& ray, double t) const
 {
-  // The start itself is on the surface, to rounding.
+  // The start itself is on the surface, up to rounding.
   const double limit = t * (1.0 + kSameDistance) + kSameDistance * this->minStart();
   const SitePoint found = surface_.closest(ray.start + t * ray.direction, limit);
   return this->sampleOf(ray, t, found.site >= 0 ? found : SitePoint{ -1, ray.start });
@@ -93,18 +93,18 @@ std::optional<TouchingBall::Sample> TouchingBall::lookNearer(const Ray& ray, dou
   return found.site >= 0 ? std::optional(this->sampleOf(ray, t, found)) : std::nullopt;
 }
 
-/// Where the tangents at the ends of an interval meet.
+/// Returns where the tangents at the ends of an interval meet.
 template <typename Interval>
 static double meeting(const Interval& interval)
 {
   const auto& [low, high] = interval;
   const double t = 0.5 * (high.square - low.square) / (high.height - low.height);
-  // Parallel but for rounding: the tangents are one, and any position serves.
+  // If they are parallel up to rounding, the tangents are one, and any position will do.
   return t >= low.t && t <= high.t ? t : 0.5 * (low.t + high.t);
 }
 
-/// A lower bound of the distance between two positions of an interval, since a concave function is
-/// not below its chord.
+/// Returns a lower bound of the distance between two positions of an interval: a concave function
+/// is not below its chord.
 template <typename Interval>
 static double chordDistance(const Interval& interval, double begin, double end)
 {
@@ -117,12 +117,12 @@ static double chordDistance(const Interval& interval, double begin, double end)
   return std::sqrt(std::max(square, 0.0));
 }
 
-/// For an interval with narrow ends: whether nothing in between can be wide. Wide is what has
+/// Whether nothing can be wide inside an interval with narrow ends. A position is wide if
 ///   t <= height + cosine * distance.
-/// Beyond where the tangents meet, the upper end's point bounds both, and t grows faster than the
-/// cosine of its distance. Before, at t, so does the lower end's point bound the distance; the
-/// height, which is minus half the slope of a concave function, is bounded by the slope from the
-/// lower tangent at t to the upper end, and grows.
+/// Beyond the place where the tangents meet, the point of the upper end bounds both terms, and t
+/// grows faster than cosine * distance. Before it, the point of the lower end bounds the distance
+/// in the same way. The height is minus half the slope of a concave function and grows; the slope
+/// from the lower tangent at t to the upper end bounds it.
 bool TouchingBall::staysNarrow(const Ray& ray, const Interval& interval) const
 {
   const auto& [low, high] = interval;
@@ -140,7 +140,7 @@ bool TouchingBall::staysNarrow(const Ray& ray, const Interval& interval) const
     const double tangent = low.square - 2.0 * end * low.height;
     const double height =
       high.t > end ? std::min(high.height, 0.5 * (tangent - atHigh) / (high.t - end)) : high.height;
-    // Above 90 degrees the cosine is negative, and the bound must be one from below.
+    // Above 90 degrees the cosine is negative, so a lower bound is needed.
     const double distance = certain_ > 0.0 ? distanceAt(ray.direction, begin, low.point)
                                            : chordDistance(interval, begin, end);
     if (this->isCertainlyWide(begin, height, distance))
@@ -152,8 +152,8 @@ bool TouchingBall::staysNarrow(const Ray& ray, const Interval& interval) const
   return true;
 }
 
-/// Looks inside an interval. Returns the radius where that settles the search; else adds the parts
-/// of the interval that are left, the lowest last.
+/// Looks inside an interval. Returns the radius if that settles the search; otherwise adds the
+/// remaining parts of the interval, the lowest last.
 std::optional<double> TouchingBall::split(const Ray& ray, const Interval& interval,
   std::vector<Interval>& pending) const
 {
@@ -178,7 +178,7 @@ std::optional<double> TouchingBall::split(const Ray& ray, const Interval& interv
   const std::optional<Sample> nearer = this->lookNearer(ray, t, distance);
   if (!nearer)
   {
-    // The two points are all that is closest in the interval.
+    // No other points are closest inside the interval.
     const bool wide = high.wide || this->isWide(t, high, distance);
     return wide ? std::optional(distance) : std::nullopt;
   }
@@ -229,7 +229,7 @@ std::optional<double> TouchingBall::firstWide(const Ray& ray, const Sample& low,
       return radius;
     }
   }
-  // Only where rounding hides the end: the nearest wide place that is known.
+  // This happens only if rounding hides the end: then the nearest known wide place counts.
   return pending.empty() || !pending.front().high.wide
     ? std::nullopt
     : std::optional(pending.front().high.distance);

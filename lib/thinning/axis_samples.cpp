@@ -12,7 +12,7 @@ namespace medial
 namespace
 {
 
-/// The bisector point of a grid edge; its middle where its ends have the same closest site.
+/// Returns the bisector point of a grid edge; its middle if its ends have the same closest site.
 BisectorPoint pointOn(const SampleContext& context, const CubicalComplex& lattice, CubeCell face)
 {
   const Crossing edge = dualEdge(lattice, face);
@@ -33,7 +33,8 @@ BisectorPoint pointOn(const SampleContext& context, const CubicalComplex& lattic
   return middle;
 }
 
-/// Centre of the ball that touches the surface at the closest point of x and in another place.
+/// Returns the centre of the ball that touches the surface at the closest point of x and in another
+/// place.
 BisectorPoint shrunkBall(const SampleContext& context, const CubicalComplex& lattice,
   const glm::dvec3& x, const SitePoint& foot)
 {
@@ -46,7 +47,7 @@ BisectorPoint shrunkBall(const SampleContext& context, const CubicalComplex& lat
   {
     return ball;
   }
-  // Queries are exact inside the grid only.
+  // Queries are exact only inside the grid.
   const glm::dvec3 low = context.geometry.frame.sample(glm::dvec3(0.0));
   const glm::dvec3 high = context.geometry.frame.sample(glm::dvec3(lattice.size() - 1));
   const glm::dvec3 inwards = (x - foot.point) / distance;

@@ -5,7 +5,7 @@ namespace medial
 namespace
 {
 
-/// The kind of cells that extend along the axes of a span.
+/// Returns the kind of cells that extend along the axes of a span.
 int kindOfSpan(unsigned span)
 {
   int kind = 0;

@@ -8,10 +8,10 @@ namespace medial
 namespace
 {
 
-/// Edges that a chord spans at most.
+/// Maximum number of edges that a chord spans.
 constexpr int kChord = 6;
-/// How much less than the radius the mean depth of the four voxels around a curve is: their mean
-/// distance from it.
+/// The mean depth of the four voxels around a curve is smaller than the radius by this: their mean
+/// distance from the curve.
 constexpr float kMeanOffset = 0.75f;
 
 } // namespace

@@ -32,7 +32,7 @@ bool apart(const Voxel& a, const Voxel& b, double cosine)
   const glm::dvec3 gap = a.closest - b.closest;
   if (!through)
   {
-    // As for neighbours: else both see one reflex edge or the same patch.
+    // As for neighbours: otherwise both see the same reflex edge or the same patch.
     const glm::dvec3 step = a.place - b.place;
     return glm::dot(gap, gap) >= glm::dot(step, step);
   }

@@ -21,7 +21,7 @@ struct Selection
   BisectorPoints bisectors;
 };
 
-/// Those between two voxels of a solid.
+/// Returns those between two voxels of a solid.
 Selection selectionWithin(const CubicalComplex& solid, const std::vector<Crossing>& crossings,
   const BisectorPoints& bisectors)
 {
@@ -39,8 +39,8 @@ Selection selectionWithin(const CubicalComplex& solid, const std::vector<Crossin
   return selection;
 }
 
-/// Faces dual to crossings whose grid edge a sheet crosses itself. Those of fins around a curve do
-/// not count: their bisector point is elsewhere.
+/// Returns the faces dual to crossings whose grid edge itself crosses a sheet. Fins around a curve
+/// do not count, since their bisector point is elsewhere.
 std::vector<CubeCell> sheetFaces(const CubicalComplex& solid, const Selection& selection)
 {
   std::vector<CubeCell> faces;
@@ -51,13 +51,13 @@ std::vector<CubeCell> sheetFaces(const CubicalComplex& solid, const Selection& s
       faces.push_back(dualFace(solid, selection.crossings[i]));
     }
   }
-  // Crossings come in the order of slabs, whose thickness is to have no influence.
+  // Crossings come in the order of slabs, whose thickness must have no influence.
   std::sort(faces.begin(), faces.end());
   return splitSheets(solid.size(), faces).sheets;
 }
 
-/// Thins a solid. What is selected as a strip only, and strips that sheets were reduced to where
-/// they shut voxels in, are left to the rules for curves.
+/// Thins a solid. The rules for curves apply to strips: selected ones, and those that sheets were
+/// reduced to where they enclose voxels.
 void thin(CubicalComplex& solid, const DepthField& depth, const AxisGeometry& geometry,
   const std::int32_t* closestSites, const Selection& selection, const AxisSamples& samples)
 {

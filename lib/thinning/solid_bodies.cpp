@@ -15,8 +15,8 @@ namespace medial
 namespace
 {
 
-/// Balls around two neighbours that overlap by less than this part of their distance leave room for
-/// a surface, which they touch, between them.
+/// If the balls around two neighbours overlap by less than this share of their distance, there is
+/// room between them for a surface that they touch.
 constexpr double kOverlap = 1e-3;
 
 using Pair = std::pair<int, int>;
@@ -63,7 +63,7 @@ SurfaceParts partsOf(const SiteSet& sites)
   return parts;
 }
 
-/// Which parts are next to each other in the solid, and which only seem to be.
+/// Which parts are next to each other in the solid, and which only seem so.
 struct Contacts
 {
   std::set<Pair> joined;
@@ -118,7 +118,7 @@ private:
   }
   bool isBody(int part) const { return parts_.volumes[part] * total_ > 0.0; }
 
-  /// Looks at the half of the 26 neighbours that come later.
+  /// Visits the later half of the 26 neighbours.
   void visit(const glm::ivec3& p, Contacts& contacts) const
   {
     const std::size_t here = this->index(p);
@@ -152,7 +152,7 @@ private:
   double total_ = 0.0;
 };
 
-/// The lowest colour for each group that none of those it seems to touch has.
+/// Gives each group the lowest colour that no group which it seems to touch has.
 std::vector<int> coloured(DisjointSets& groups, const std::set<Pair>& apart)
 {
   std::map<std::int64_t, std::set<std::int64_t>> conflicts;
@@ -173,7 +173,7 @@ std::vector<int> coloured(DisjointSets& groups, const std::set<Pair>& apart)
     std::set<int> taken;
     for (const std::int64_t other : conflicts[group])
     {
-      // Those that come later have no colour yet.
+      // Later groups have no colour yet.
       if (other < group)
       {
         taken.insert(colours[other]);

@@ -16,10 +16,10 @@ namespace medial
 namespace
 {
 
-/// Samples count whose separation angle is at least this part of the widest around a point.
+/// Samples count if their separation angle is at least this share of the widest around a point.
 constexpr double kWideShare = 0.5;
 
-/// The faces around a corner: those dual to the edges of its grid cell.
+/// Returns the faces around a corner: those dual to the edges of its grid cell.
 std::array<CubeCell, 12> facesAround(const CubicalComplex& lattice, CubeCell vertex)
 {
   std::array<CubeCell, 12> faces{};
@@ -37,11 +37,11 @@ std::array<CubeCell, 12> facesAround(const CubicalComplex& lattice, CubeCell ver
   return faces;
 }
 
-/// Where the point of a corner comes from.
+/// The origin of the point of a corner.
 struct Origin
 {
   std::vector<CubeCell> faces;
-  bool onSheet = false; ///< faces that are selected and there
+  bool onSheet = false; ///< whether selected faces are left
   bool widestOnly = false;
 };
 
@@ -144,8 +144,8 @@ private:
       { this->settle(range.begin(), range.end(), points.points); });
   }
 
-  /// Moves points of surfacePoints() in [begin, end) to the mean of their samples where these are
-  /// no sheet, and into their grid cells.
+  /// Moves points of surfacePoints() in [begin, end) into their grid cells, and to the mean of
+  /// their samples where these form no sheet.
   void settle(std::size_t begin, std::size_t end, std::vector<BisectorPoint>& points) const
   {
     std::vector<std::size_t> moved;
@@ -157,7 +157,7 @@ private:
       if (x != points[i].position)
       {
         moved.push_back(i);
-        questions.push_back({ x, {} }); // of sites equally near none comes first for being known
+        questions.push_back({ x, {} }); // nothing is known, so that no site wins a tie for that
       }
     }
     const auto candidates = [&](std::size_t k, std::vector<int>& sites)

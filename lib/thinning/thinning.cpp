@@ -8,9 +8,9 @@ namespace medial
 namespace
 {
 
-/// Local units; voxels within a bucket burn in the order in which the fire reached them.
+/// Local units. Voxels in one bucket burn in the order in which the fire reached them.
 constexpr double kBucketWidth = 0.125;
-/// In place of a chain: of an edge that belongs to no curve.
+/// Replaces the chain of an edge that belongs to no curve.
 constexpr int kNoCurve = -2;
 
 } // namespace
@@ -61,7 +61,7 @@ void Thinning::release(const std::vector<CubeCell>& faces)
   this->drain();
 }
 
-/// Every cell that is maximal and has a free face is in the queue, but for those that are kept.
+/// Every maximal cell with a free face is in the queue, except those that are kept.
 void Thinning::raise(CubeCell cell, int chain)
 {
   if (!lattice_.has(cell) || !lattice_.maximal(cell))
@@ -198,7 +198,7 @@ void Thinning::burnEdge(CubeCell edge, int chain)
   }
 }
 
-/// Lets the fire through the anchored face of least angle that it has come to.
+/// Lets the fire through the anchored face with the smallest angle that it has reached.
 bool Thinning::openGate()
 {
   while (!gates_.empty())
@@ -246,8 +246,8 @@ bool Thinning::hasFreeFace(CubeCell cell) const
     [&](CubeCell step) { return lattice_.onlyCoface(cell + step) == cell; });
 }
 
-/// Of the faces of a maximal cell that belong to no other the one that lies least deep, so that
-/// what is left stays near the middle of parts as thin as a voxel; -1 where there is none.
+/// Returns the free face of a maximal cell that lies least deep; -1 if there is none. This keeps
+/// what is left near the middle of parts as thin as a voxel.
 CubeCell Thinning::freeFace(CubeCell cell, bool anchoredToo) const
 {
   std::array<CubeCell, 6> free{};
@@ -273,8 +273,8 @@ glm::vec3 Thinning::edgePosition(CubeCell edge) const
   return glm::vec3(lattice_.centre(edge) * step_);
 }
 
-/// Mean depth of the voxels around a cell. Around an edge it is nearly that of the curve next to
-/// it, less a constant.
+/// Returns the mean depth of the voxels around a cell. Around an edge it is nearly that of the
+/// curve next to it, minus a constant.
 float Thinning::depthAround(CubeCell cell) const
 {
   const unsigned spans = CubicalComplex::spans(CubicalComplex::kind(cell));

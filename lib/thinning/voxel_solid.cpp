@@ -14,7 +14,7 @@ namespace medial
 namespace
 {
 
-/// Voxels of a row that are next to each other, all inside the solid or all outside.
+/// Neighbouring voxels of a row, all inside the solid or all outside.
 struct Run
 {
   int first;
@@ -22,8 +22,8 @@ struct Run
   bool inside;
 };
 
-/// Runs of all rows along x, labelled over connected ones: through corners inside, as closed voxels
-/// touch, and through faces outside, as what is left open does.
+/// The runs of all rows along x, labelled by connected parts. Inside they are connected through
+/// corners, as closed voxels touch; outside through faces, as the open rest does.
 class RunLabels
 {
 public:
@@ -85,7 +85,7 @@ private:
     std::size_t b = rows_[other];
     for (std::size_t a = rows_[row]; a < rows_[row + 1]; ++a)
     {
-      // Runs that reach beyond a may touch the next one too.
+      // Runs that extend beyond a may also touch the next one.
       while (b > rows_[other] && runs_[b - 1].last + 1 >= runs_[a].first)
       {
         --b;
@@ -113,7 +113,7 @@ private:
   DisjointSets sets_;
 };
 
-/// Sum over dimensions of (-1)^dimension times the number of cells.
+/// Returns the sum over dimensions of (-1)^dimension times the number of cells.
 std::int64_t eulerCharacteristic(const CubicalComplex& lattice)
 {
   constexpr unsigned kOdd = 0x8e; // edges and voxels
@@ -131,10 +131,11 @@ std::int64_t eulerCharacteristic(const CubicalComplex& lattice)
     std::plus<>());
 }
 
-/// Cells at a position by the voxels that touch it: a cell is there where one of its voxels is.
+/// Returns the cells at a position: those that touch a voxel of the solid.
 std::uint8_t cellsAt(const DepthField& depth, const CubicalComplex& lattice, const glm::ivec3& p)
 {
-  // By the axes along which the voxel lies below: a cell that extends along one does not touch it.
+  // Indexed by the axes along which the voxel lies below: a cell that extends along one of them
+  // does not touch it.
   constexpr std::array<unsigned, 8> kTouching{ 0xff, 0x1d, 0x2b, 0x09, 0x47, 0x05, 0x03, 0x01 };
   unsigned bits = 0;
   for (unsigned corner = 0; corner < 8; ++corner)

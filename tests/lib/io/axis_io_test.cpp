@@ -280,9 +280,9 @@ TEST(AxisIo, RefusesDamagedObj)
 {
   const std::string first = "v 0 0 0\n# radius 1\n";
   EXPECT_EQ(refusal("a.obj", first + "v 0 1 0\nv 0 0 1\n# radius 2\n"),
-    "a.obj: line 3: a vertex without radius; a line '# radius R' is to follow it");
+    "a.obj: line 3: a vertex without radius; a line '# radius R' must follow it");
   EXPECT_EQ(refusal("a.obj", first + "v 0 1 0\n"),
-    "a.obj: line 3: a vertex without radius; a line '# radius R' is to follow it");
+    "a.obj: line 3: a vertex without radius; a line '# radius R' must follow it");
   EXPECT_EQ(refusal("a.obj", first + "v 0 1 0\n# radius -1\n"),
     "a.obj: line 4: radius '-1' is not in [0, infinity)");
   EXPECT_EQ(refusal("a.obj", first + "v 0 nan 0\n# radius 1\n"),

@@ -21,10 +21,10 @@ namespace medial
 namespace
 {
 
-/// What a grid point of a slab takes where crossings are selected: site and side.
+/// Bytes per grid point of a slab when crossings are selected: site and side.
 constexpr std::size_t kSelectionBytesPerPoint = 8;
 
-/// One thread's tile, and what it has done.
+/// The current tile of a thread, and its counts so far.
 struct Work
 {
   TileField field;
@@ -41,7 +41,7 @@ int middleSite(const Extent& tile, const TileField& field)
     .site[TileField::index((tile.size(0) - 1) / 2, (tile.size(1) - 1) / 2, (tile.size(2) - 1) / 2)];
 }
 
-/// What turns candidates of tiles into values of a sink.
+/// Turns the candidates of tiles into values for a sink.
 struct Evaluation
 {
   explicit Evaluation(const FieldJob& job)
@@ -51,7 +51,7 @@ struct Evaluation
     seeds.reset(job.extent);
   }
 
-  /// Leaves the tile in work.field as well. Called from several threads at once.
+  /// Also leaves the tile in work.field. Several threads may call this at once.
   void evaluate(const Extent& tile, const int* candidates, std::size_t count, Work& work)
   {
     work.evaluations += evaluator.evaluate(tile, candidates, count, work.field);
@@ -89,8 +89,8 @@ void evaluateSlab(const FieldJob& job, const CandidateHierarchy& hierarchy, cons
     });
 }
 
-/// Adds what the threads did. Evaluation and the descent to leaf tiles are interleaved; the wall
-/// clock is shared out by the evaluation's part of the threads' time.
+/// Adds the work of all threads. Evaluation and the descent to leaf tiles alternate; each gets the
+/// share of the wall clock that it has of the threads' time.
 void addWorks(const Works& works, double wall, int threads, RunStatistics& statistics)
 {
   double seconds = 0.0;

@@ -11,7 +11,7 @@ namespace medial
 namespace
 {
 
-/// Where two rows of sites differ, as bits; up to kLanes.
+/// Returns where two rows of sites differ, as bits for up to kLanes of them.
 MEDIAL_INLINE unsigned differences(const std::int32_t* a, const std::int32_t* b)
 {
   return bits(loadedInts(a) != loadedInts(b));
@@ -78,7 +78,7 @@ void ProcessorSelection::selectRow(const SlabField& slab, const TileEvaluator& e
   const Extent& extent = slab.extent();
   const std::int32_t* sites = slab.sites(slot, row);
   const float* sides = slab.sides(slot, row);
-  // The slice below had its own turn for x and y.
+  // The slice below was compared along x and y when it was part of its own slab.
   const bool along[3] = { slot > 0, slot > 0 && row + 1 < extent.size(1), slot + 1 < slab.slots() };
   const std::int32_t* ends[3] = { sites + 1, along[1] ? slab.sites(slot, row + 1) : sites,
     along[2] ? slab.sites(slot + 1, row) : sites };
@@ -116,8 +116,8 @@ bool ProcessorSelection::crossed(const TileEvaluator& evaluator, const Crossing&
   const glm::dvec3 near = evaluator.displacement(crossing.siteA, x);
   const glm::dvec3 far = evaluator.displacement(crossing.siteB, x + edge);
   const double lengths = std::sqrt(glm::dot(near, near) * glm::dot(far, far));
-  // Closest points nearer to each other than the grid points: both see one reflex edge or the same
-  // patch, not two sides.
+  // If the closest points are nearer to each other than the grid points, both see the same reflex
+  // edge or the same patch, not two sides.
   const glm::dvec3 gap = edge + far - near;
   return lengths > 0.0 && glm::dot(near, far) <= cosineLimit_ * lengths &&
     glm::dot(gap, gap) >= glm::dot(edge, edge);

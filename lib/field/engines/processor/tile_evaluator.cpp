@@ -16,14 +16,14 @@ namespace
 
 static_assert(TileField::kRow == kLanes);
 
-/// Candidates to fetch ahead.
+/// Number of candidates to prefetch.
 constexpr int kAhead = 3;
 
-/// Sharper triangles need the planes across the ends of their longest side: beyond the acute corner
-/// rounding makes a strip of the space between the long sides.
+/// Sharper triangles also need the planes across the ends of their longest edge: beyond the acute
+/// corner, rounding turns the space between the long edges into a strip.
 constexpr double kNeedleSine = 0.05;
 
-/// dot(normal, x) - offset over the grid points of a tile.
+/// The function dot(normal, x) - offset over the grid points of a tile.
 struct TileFunction
 {
   float perX;
@@ -32,7 +32,7 @@ struct TileFunction
   float first; ///< value at the tile's first point
 };
 
-/// A tile that is being filled.
+/// A tile in progress.
 struct Tile
 {
   glm::dvec3 origin;
@@ -50,7 +50,7 @@ struct Tile
   }
 };
 
-/// The row of grid points (j, k).
+/// Returns the value at the start of the row of grid points (j, k).
 MEDIAL_INLINE float rowStart(const TileFunction& f, int j, int k)
 {
   return f.first + f.perY * static_cast<float>(j) + f.perZ * static_cast<float>(k);
@@ -61,14 +61,14 @@ MEDIAL_INLINE Float8 onRow(const TileFunction& f, int j, int k)
   return ramp() * f.perX + rowStart(f, j, k);
 }
 
-/// The least value on each of the rows of slice k.
+/// Returns the smallest value on each row of slice k.
 MEDIAL_INLINE Float8 minOfRows(const Tile& tile, const TileFunction& f, int k)
 {
   const float atStart = f.first + f.perZ * static_cast<float>(k);
   return ramp() * f.perY + (atStart + std::min(0.0f, f.perX * tile.lastX));
 }
 
-/// Takes over what is nearer than all before.
+/// Stores the values that are smaller than all before.
 template <typename T>
 MEDIAL_INLINE T blended(Int8 mask, T yes, T no)
 {
@@ -86,7 +86,7 @@ MEDIAL_INLINE void offer(TileField& field, int row, Float8 squared, Float8 side,
   std::memcpy(field.site + row, &sites, sizeof(sites));
 }
 
-/// The rows of slice k that a site's bounds meet, as bits.
+/// Returns the rows of slice k that the bounds of a site meet, as bits.
 template <typename Functions>
 MEDIAL_INLINE unsigned rowsWithin(const Tile& tile, const Functions& bounds, int count, int k,
   float slack)
@@ -99,7 +99,7 @@ MEDIAL_INLINE unsigned rowsWithin(const Tile& tile, const Functions& bounds, int
   return bits(worst <= slack) & ((1u << tile.rows) - 1u);
 }
 
-/// @param height over the face's plane, sides <= 0 within its prism.
+/// @param height over the plane of the face; `sides` are <= 0 within its prism.
 MEDIAL_INLINE std::int64_t addFace(const Tile& tile, int site, const TileFunction& height,
   const TileFunction* sides, int sideCount)
 {
@@ -122,7 +122,7 @@ MEDIAL_INLINE std::int64_t addFace(const Tile& tile, int site, const TileFunctio
   return rows;
 }
 
-/// A vector from a point of the site to the grid points, by axis.
+/// The vector from a point of the site to the grid points, by axis.
 struct Offset
 {
   Float8 x;
@@ -138,7 +138,7 @@ struct Offset
   {
   }
 
-  /// Squared length of the y and z components on row (j, k).
+  /// Returns the squared length of the y and z components on row (j, k).
   MEDIAL_INLINE float squaredYZ(int j, int k) const
   {
     const float dy = y + stepY * static_cast<float>(j);
@@ -147,8 +147,8 @@ struct Offset
   }
 };
 
-/// @param across two functions whose squares add up to that of the distance from the edge's line.
-/// @param bounds <= 0 up to the start and up to the end, then those of the edge's faces.
+/// @param across two functions whose squares add up to the squared distance from the edge's line.
+/// @param bounds <= 0 inside: those at the start and the end, then those of the edge's faces.
 MEDIAL_INLINE std::int64_t addEdge(const Tile& tile, int site, const TileFunction (&across)[2],
   const TileFunction& side, const TileFunction* bounds, int boundCount, float slack)
 {
@@ -185,7 +185,7 @@ MEDIAL_INLINE std::int64_t addVertex(const Tile& tile, int site, const Offset& o
   return static_cast<std::int64_t>(tile.slices) * tile.rows;
 }
 
-/// Two unit vectors orthogonal to a third and to each other (Duff et al. 2017).
+/// Finds two unit vectors orthogonal to a third and to each other (Duff et al. 2017).
 MEDIAL_INLINE void completeBasis(const glm::dvec3& n, glm::dvec3 (&across)[2])
 {
   const double sign = std::copysign(1.0, n.z);
@@ -195,7 +195,7 @@ MEDIAL_INLINE void completeBasis(const glm::dvec3& n, glm::dvec3 (&across)[2])
   across[1] = { b, sign + n.y * n.y * a, -n.y };
 }
 
-/// Whether a point has no site.
+/// Whether some point has no site.
 MEDIAL_INLINE bool hasHoles(const Tile& tile)
 {
   const Int8 used = ramp() <= tile.lastX;
@@ -302,7 +302,7 @@ MEDIAL_VECTORISED std::int64_t TileEvaluator::evaluate(const Extent& extent, con
         {
           bounds[i] = tile.function(glm::dvec3(sides.side[i]), sides.side[i].w);
         }
-        // The pseudonormal is the normal, turned to the outside.
+        // The pseudonormal of a face is its normal, turned outwards.
         const glm::dvec3& corner = sites_.points()[sites_.faces()[site][0]];
         const glm::dvec3& faceNormal = sites_.faceNormal(site);
         const double turn = glm::dot(faceNormal, normal) < 0.0 ? -1.0 : 1.0;

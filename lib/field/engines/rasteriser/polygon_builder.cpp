@@ -14,16 +14,17 @@ namespace medial
 namespace
 {
 
-/// Bounds are dilated, since neighbouring polygons are cut independently: by what snapping to 1/256
-/// pixel can move two edges, in pixels of the slice, and by what single precision can, in frame
-/// units. Only where it is harmless: beyond a face's sides and an edge's ends their distances are
-/// too small, but nowhere else.
+/// Bounds are dilated, since neighbouring polygons are cut independently. One margin is how far
+/// snapping to 1/256 pixel can move two edges, in pixels of the slice; the other is the error of
+/// single precision, in local units. Only harmless bounds are dilated: beyond the edges of a face
+/// and the ends of an edge, distances would come out too small.
 constexpr float kSnapDilation = 0.008f;
 constexpr float kPrecisionDilation = 0.0005f;
 
 constexpr std::size_t kRectanglesPerChunk = 1024;
 
-/// dot(normal, x) - offset over the grid, split by axis so that slices are cheap to reach.
+/// The function dot(normal, x) - offset over the grid, split by axis so that slices are cheap to
+/// reach.
 struct GridFunction
 {
   float a;
@@ -34,7 +35,7 @@ struct GridFunction
   Affine onSlice(int slice) const { return { a, b, c + perSlice * static_cast<float>(slice) }; }
 };
 
-/// Cuts the polygons of one site after the other and appends them to a chunk.
+/// Cuts the polygons of one site after another and appends them to a chunk.
 class SiteClipper
 {
 public:
@@ -77,7 +78,8 @@ private:
       static_cast<float>(glm::dot(normal, corner_) - offset) };
   }
 
-  /// Dilation does no harm from this of the site's half-spaces on: see SiteSet for their order.
+  /// Returns the first half-space of the site from which on dilation does no harm; see SiteSet for
+  /// their order.
   std::ptrdiff_t firstHarmlessSide() const
   {
     switch (sites_.kind(rectangle_.site))
@@ -92,7 +94,8 @@ private:
     return 0;
   }
 
-  /// The half-spaces that cut the rectangle's box; false when one has all of it outside.
+  /// Collects the half-spaces that cut the box of the rectangle; false if the box lies entirely
+  /// outside one.
   bool collectSides()
   {
     sides_.clear();
@@ -105,7 +108,7 @@ private:
       const bool harmless = h - sites_.halfSpacesBegin(rectangle_.site) >= firstHarmless;
       const float limit =
         kPrecisionDilation + (harmless ? kSnapDilation * std::sqrt(f.a * f.a + f.b * f.b) : 0.0f);
-      // The rectangle reaches half a pixel beyond its grid points.
+      // The rectangle extends half a pixel beyond its grid points.
       const glm::vec3 reach(f.a * size.x, f.b * size.y, f.perSlice * size.z);
       const float margin = 0.5f * (std::abs(f.a) + std::abs(f.b));
       const float min =
@@ -124,8 +127,8 @@ private:
     return true;
   }
 
-  /// The distance vector as affine functions (linear factorisation, the paper's section 3.1): one
-  /// along a face's normal, two across an edge, three for a vertex.
+  /// Sets the distance vector as affine functions (linear factorisation, section 3.1 of the paper):
+  /// one along the normal of a face, two across an edge, three for a vertex.
   void setDistance()
   {
     const int site = rectangle_.site;
@@ -212,7 +215,7 @@ private:
   PolygonChunk& chunk_;
 
   SiteRectangle rectangle_{};
-  glm::dvec3 corner_{ 0.0 }; ///< local position of the rectangle's first grid point
+  glm::dvec3 corner_{ 0.0 }; ///< first grid point of the rectangle, local coordinates
   std::vector<Side> sides_;
   std::array<GridFunction, 3> distance_{};
 };

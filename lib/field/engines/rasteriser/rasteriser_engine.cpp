@@ -10,8 +10,8 @@ namespace medial
 namespace
 {
 
-/// What a grid point of a slab takes: textures, a ring of two pixel buffers, the selection's
-/// textures and polygons.
+/// Bytes per grid point of a slab: textures, a ring of two pixel buffers, the textures of the
+/// selection, and polygons.
 constexpr std::size_t kBytesPerPoint = 112;
 
 } // namespace

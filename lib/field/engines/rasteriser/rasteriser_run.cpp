@@ -97,7 +97,7 @@ void RasteriserRun::clip(Slab& slab)
   statistics.fragments += static_cast<std::int64_t>(area);
 }
 
-/// On the GPU thread.
+/// Runs on the GPU thread.
 void RasteriserRun::render(SlabRenderer& renderer, Slab& slab, RasteriserSelection* selection)
 {
   if (slab.previousSlices > 0)

@@ -20,7 +20,7 @@ struct Reach
   std::int16_t highX = -1;
   std::int16_t highY = -1;
 
-  /// Coordinates relative to the slab, which fit: see kMaxDimension.
+  /// Coordinates are relative to the slab and fit their type: see kMaxDimension.
   void include(const Extent& tile, const Extent& slab)
   {
     lowX = std::min(lowX, static_cast<std::int16_t>(tile.min[0] - slab.min[0]));
@@ -30,7 +30,7 @@ struct Reach
   }
 };
 
-/// Adds a rectangle in parts that are not too long to interpolate over.
+/// Adds a rectangle in parts that are short enough to interpolate over.
 void addRectangles(int site, const glm::ivec3& low, const glm::ivec3& high,
   std::vector<SiteRectangle>& rectangles)
 {

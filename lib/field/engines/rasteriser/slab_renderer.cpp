@@ -76,7 +76,7 @@ std::vector<EdgeLine> edgeLines(const SiteSet& sites)
   return lines;
 }
 
-/// Power of two, so that nothing is rounded, which brings every distance on the grid below 1.
+/// Returns a power of two, which rounds nothing, that brings every distance on the grid below 1.
 float depthScale(const SiteSet& sites, const GridFrame& frame)
 {
   double reach = 0.0;
@@ -241,7 +241,7 @@ void SlabRenderer::draw(const std::vector<PolygonChunk>& chunks)
     drawOffsets_.data(), static_cast<GLsizei>(drawCounts_.size()), drawBases_.data());
   glDisable(GL_DEPTH_TEST);
   gl::checkGl("drawing polygons");
-  // So that the time of each phase is its own.
+  // Wait here, so that each phase is charged with its own time.
   glFinish();
 }
 

@@ -9,8 +9,8 @@ namespace medial
 namespace
 {
 
-/// Adding and subtracting this rounds numbers much smaller than it to multiples of 1/256: OpenGL's
-/// usual 8 subpixel bits.
+/// Adding and subtracting this rounds much smaller numbers to multiples of 1/256, which are
+/// OpenGL's usual 8 subpixel bits.
 constexpr float kSubpixelRounding = 49152.0f;
 /// A fan whose lowest triangle is at least this high, in square pixels, is good enough.
 constexpr float kGoodSquaredHeight = 0.05f * 0.05f;
@@ -20,7 +20,7 @@ float cross(const glm::vec2& u, const glm::vec2& v)
   return u.x * v.y - u.y * v.x;
 }
 
-/// Squared height of a triangle over its longest side.
+/// Returns the squared height of a triangle over its longest edge.
 float squaredHeight(const glm::vec2& p, const glm::vec2& q, const glm::vec2& r)
 {
   const glm::vec2 u = q - p;
@@ -54,7 +54,7 @@ void SlicePolygon::clip(const Affine& side, float limit)
   {
     return;
   }
-  // Rounding may make more than two sides cross the line.
+  // After rounding, more than two edges may cross the line.
   int count = 0;
   for (int i = 0; i < size_; ++i)
   {

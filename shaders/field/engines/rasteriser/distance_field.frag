@@ -1,6 +1,6 @@
 #version 450 core
-// Linear factorisation: the interpolated distance vector is exact, and its norm is the depth, so
-// that the depth test keeps the closest site of every grid point.
+// Linear factorisation: the interpolated distance vector is exact. Its length is the depth, so
+// the depth test keeps the closest site of every grid point.
 //
 // in   scaledVector  distance vector, length in [0, 1)
 // out  closestSite   site id; colour buffer R32I, cleared to -1

@@ -2,8 +2,8 @@
 // Vertices of polygons that bound the Voronoi regions of sites on one slice (paper, section 3).
 //
 // in   position      atlas pixels; pixel centres are grid points
-//      distance      vector to the site, affine in the position; only its length matters, so that
-//                    its axes are the site's own; local units
+//      distance      vector to the site, affine in the position; only its length matters, so
+//                    its axes are those of the site; local units
 //      site          site id
 // out  scaledVector  `distance` times a power of two that brings every length below 1
 

@@ -1,14 +1,14 @@
 #version 450 core
-// Exact closest point, signed distance and site from the id that the depth test left.
+// Exact closest point, signed distance and site from the site id that the depth test left.
 //
-// in   closestSite   R32I atlas of site ids, -1 where no polygon fell
+// in   closestSite   R32I atlas of site ids, -1 where there was no polygon
 //      storage       the mesh in local coordinates; w of a face's normal: its plane's offset
 // out  displacement  xyz: vector to the closest point; w: signed distance; local units
-//      site          the site whose interior holds the closest point; -1 if none
+//      site          the site whose interior contains the closest point; -1 if none
 //      holes         number of grid points without a site
 
-// Lines and planes are given by where they pass the origin, which is amid the grid: single precision
-// then suffices for meshes much larger than the grid.
+// Lines and planes are stored by where they pass the origin, which is in the middle of the grid:
+// single precision then suffices for meshes much larger than the grid.
 struct Line
 {
   vec4 foot;      // xyz: the line's point nearest to the origin; w: where the edge starts
@@ -83,7 +83,7 @@ SitePoint closestOnFace(int face, vec3 x)
   {
     return SitePoint(face, (plane.w - dot(plane.xyz, x)) * plane.xyz);
   }
-  // The face's bound is dilated a little, so the point may belong to the border.
+  // The bound of the face is dilated a little, so the point may belong to the border.
   ivec3 border = faceEdges[face].xyz;
   return nearer(closestOnEdge(border.x, x), nearer(closestOnEdge(border.y, x), closestOnEdge(border.z, x)));
 }
