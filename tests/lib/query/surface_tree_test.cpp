@@ -14,7 +14,7 @@ using namespace medial::test;
 namespace
 {
 
-/// A mesh with its tree, in world coordinates that are those of the frame but for the scale.
+/// A mesh with its tree. World coordinates differ from local ones by the scale only.
 struct Surface
 {
   explicit Surface(TriangleMesh shape)
