@@ -42,7 +42,7 @@ Point3 AccuracyCheck::place(std::size_t point) const
 
 std::vector<std::size_t> AccuracyCheck::knownPoints(const FieldResult& field) const
 {
-  // The same sequence for every method, so that those that know all points share the sample.
+  // The same sequence for every method: methods with values at all points share the sample.
   std::mt19937_64 random(1);
   std::uniform_int_distribution<std::size_t> pick(0, field.distance.size() - 1);
   const auto wanted = static_cast<std::size_t>(points_);

@@ -10,7 +10,7 @@
 namespace medial::benchmark
 {
 
-/// How far a field is from the truth at some grid points, random ones among those that it knows.
+/// How far a field is from the truth at random grid points among those where it has values.
 struct Accuracy
 {
   std::vector<double> errors;        ///< of distance, voxels
@@ -30,7 +30,7 @@ constexpr double kLabelTolerance = 1e-3;
 class AccuracyCheck
 {
 public:
-  /// @param points how many grid points each field is looked at.
+  /// @param points number of grid points at which each field is checked.
   AccuracyCheck(const TriangleMesh& mesh, const Grid& grid, int points);
 
   Accuracy operator()(const FieldResult& field);

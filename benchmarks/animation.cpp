@@ -27,7 +27,7 @@ std::string frameFile(int frame)
   return std::string("anim/elastic-cow/") + name.data();
 }
 
-/// As many frames as there are files; none where the first is absent.
+/// As many frames as there are files; none if the first is absent.
 void readFrames(int count, Animation& animation)
 {
   for (int frame = 0; frame < count; ++frame)

@@ -20,8 +20,8 @@ struct Animation
 };
 
 /// Reads the soft-body cow of the folder of real meshes, as provideMesh() finds it, or makes a
-/// bending torus of so many triangles where there is none or where `generatedOnly` is set.
-/// @throws std::runtime_error where frames differ in their triangles.
+/// bending torus of so many triangles if there is none or if `generatedOnly` is set.
+/// @throws std::runtime_error if frames differ in their triangles.
 Animation provideAnimation(int frames, int triangles, bool generatedOnly);
 
 } // namespace medial::benchmark

@@ -16,7 +16,7 @@ namespace
 
 using Points = std::vector<Point3>;
 
-/// What a frame gives: a field, or the number of the axis's points.
+/// The result of a frame: a field, or the number of the axis's points.
 struct FrameResult
 {
   std::vector<float> distance;
@@ -128,7 +128,7 @@ double difference(const FrameResult& a, const FrameResult& b, FrameTask task, do
   return most;
 }
 
-/// One round through all frames. The ways change places from frame to frame, as the second one
+/// One round through all frames. The ways swap their order from frame to frame, as the second one
 /// finds caches warm.
 std::array<double, 2> raceRound(const Animation& animation, const std::array<FrameWay*, 2>& ways,
   FrameTask task, double voxel, double& maxDifference)

@@ -16,7 +16,7 @@ enum class FrameTask
   Axis   ///< the medial axis, with the library's defaults
 };
 
-/// The ways to do so; names in results.
+/// The ways to do so, by their names in results.
 constexpr char kSolverId[] = "solver"; ///< MedialSolver, which keeps what frames share
 constexpr char kFreshId[] = "fresh";   ///< connectivity and everything else anew
 
@@ -29,8 +29,8 @@ struct FrameRace
                               ///< the axis's points as a share
 };
 
-/// Lets both take turns frame by frame, in so many rounds; the solver of a round is new, and its
-/// first frame includes making it.
+/// Lets both ways take turns frame by frame, in so many rounds. Each round has a new solver, whose
+/// first frame includes its construction.
 FrameRace raceFrames(const Animation& animation, const Grid& grid, FrameTask task, int rounds);
 
 } // namespace medial::benchmark

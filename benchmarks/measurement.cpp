@@ -42,8 +42,8 @@ double wallSeconds(FieldMethod& method, const TriangleMesh& mesh, const Grid& gr
   return seconds;
 }
 
-/// Runs a method on two coarse grids and says how long it would take on the whole one if time went
-/// on growing as between them, at most with the number of grid points.
+/// Runs a method on two coarse grids and predicts its time on the whole one: time goes on growing
+/// as between the two, at most with the number of grid points.
 double predictSeconds(FieldMethod& method, const TriangleMesh& mesh, const Grid& grid, double cap)
 {
   wallSeconds(method, mesh, coarser(grid, 8)); // the first call compiles shaders, starts threads
@@ -90,7 +90,7 @@ public:
       });
   }
 
-  /// One turn is always taken; another one where the budget allows for it.
+  /// A method always gets one turn, and another one if its budget allows.
   void takeTurn(const TriangleMesh& mesh, const Grid& grid, double budget, AccuracyCheck& check)
   {
     if (!run_.samples.empty() && spent_ + slowest_ > budget)

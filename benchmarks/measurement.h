@@ -25,7 +25,7 @@ struct MethodRun
   std::vector<Phases> samples;
   Phases figures;                   ///< of the last sample, not seconds
   std::optional<Accuracy> accuracy; ///< of the first sample
-  std::optional<double> predicted;  ///< seconds, where that was too much to be run
+  std::optional<double> predicted;  ///< seconds, where the method was too slow to run
   std::string failure;              ///< why there is no sample
   std::optional<double> peakBytes;  ///< growth of resident memory in the first call
   std::vector<double> ratios;       ///< per round: this method's seconds over ours
@@ -43,7 +43,7 @@ struct Row
   std::string note; ///< what the reader must know of the mesh
   std::int64_t triangles = 0;
   Grid grid;
-  int rounds = 1; ///< slow methods sit some of them out
+  int rounds = 1; ///< slow methods skip some of them
   std::vector<MethodRun> runs;
 
   const MethodRun* find(const std::string& id) const; ///< null where it took no part
@@ -59,9 +59,9 @@ struct MeasurementOptions
   std::vector<std::string> memoryOf; ///< ids of methods whose peak of memory is asked for
 };
 
-/// Measures methods side by side: after a warm-up on coarse grids, which also predicts who is too
-/// slow, and a whole run of ours, all take turns, so that a busy minute of the machine meets all of
-/// them. A method that throws is reported as such.
+/// Measures methods side by side. First come a warm-up on coarse grids, which also predicts which
+/// methods are too slow, and a whole run of ours. Then all take turns, so that a busy minute of the
+/// machine affects all of them. A method that throws is reported as failed.
 Row measureRow(const TriangleMesh& mesh, const Grid& grid, const std::vector<MethodEntry>& methods,
   const MeasurementOptions& options);
 

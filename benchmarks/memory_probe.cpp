@@ -44,7 +44,7 @@ double statusBytes(const std::string& key)
   throw std::runtime_error("/proc/self/status tells no " + key);
 }
 
-/// For the shell.
+/// Quotes a text for the shell.
 std::string quoted(const std::string& text)
 {
   std::string result = "'";
@@ -131,7 +131,7 @@ void answerPeak(const std::string& methodId, const fs::path& file)
     throw std::runtime_error("no method " + methodId + " in this build");
   }
   const Problem problem = readProblem(file);
-  // Linux forgets the peak so far; elsewhere, or where it may not, the figure is too large.
+  // Makes Linux forget the peak so far. Where that is not possible the figure is too large.
   std::ofstream("/proc/self/clear_refs") << 5 << std::flush;
   const double before = statusBytes("VmRSS");
   const FieldResult result = entry->make()->compute(problem.mesh, problem.grid);

@@ -17,7 +17,7 @@ struct Problem
 };
 
 /// Of the mesh only the triangles.
-/// @throws std::runtime_error where the file cannot be written or read.
+/// @throws std::runtime_error if the file cannot be written or read.
 void writeProblem(const std::filesystem::path& file, const TriangleMesh& mesh, const Grid& grid);
 Problem readProblem(const std::filesystem::path& file);
 

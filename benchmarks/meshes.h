@@ -23,12 +23,12 @@ struct BenchmarkMesh
 };
 
 /// Reads the real mesh from the folder in the environment variable MEDIAL_MODELS, or else from
-/// ../shared/models beside the sources; makes a bumpy torus where there is none, or where
-/// `generatedOnly` is set.
+/// ../shared/models beside the sources; makes a bumpy torus if there is none, or if `generatedOnly`
+/// is set.
 BenchmarkMesh provideMesh(const MeshRequest& request, bool generatedOnly);
 
-/// A closed torus about the z axis whose tube is bumpy in several sizes, of about so many
-/// triangles.
+/// A closed torus about the z axis with about so many triangles, whose tube has bumps of several
+/// sizes.
 TriangleMesh bumpyTorus(int triangles);
 
 } // namespace medial::benchmark

@@ -20,13 +20,14 @@ struct Options
   double budget = 30.0;
   int checkedPoints = 10000;
   bool quick = false;
-  /// How the program measures memory: it starts itself with a method and a file of what to compute.
+  /// To measure memory, the program starts itself with a method and a file that says what to
+  /// compute.
   std::string memoryOf;
   std::filesystem::path problem;
 };
 
 /// Reads the command line. Sets the environment variable MEDIAL_MODELS for --models.
-/// @return nothing where the program shall end at once, with `exitCode`.
+/// @return nothing if the program shall end at once, with `exitCode`.
 std::optional<Options> parseOptions(int argc, char** argv, int& exitCode);
 
 } // namespace medial::benchmark

@@ -41,7 +41,7 @@ double distanceToSegment(const Point3& query, const Point3& a, const Point3& b)
   return length({ offset[0] - t * along[0], offset[1] - t * along[1], offset[2] - t * along[2] });
 }
 
-/// Whether the projection of a point onto the plane of abc is inside of its side ab.
+/// Whether the projection of a point onto the plane of abc is inside its edge ab.
 bool insideSide(const Point3& query, const Point3& a, const Point3& b, const Point3& normal)
 {
   return dot(cross(normal, minus(b, a)), minus(query, a)) > 0.0;

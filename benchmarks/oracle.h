@@ -8,8 +8,8 @@
 namespace medial::benchmark
 {
 
-/// Exact distances in double precision, by every triangle of the mesh: what all methods are judged
-/// by, and so it shares no code with any.
+/// Exact distances in double precision, from every triangle of the mesh. All methods are compared
+/// with it, so it shares no code with any of them.
 class Oracle
 {
 public:

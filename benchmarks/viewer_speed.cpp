@@ -1,6 +1,5 @@
-// How fast the viewer draws, as drafts and well: medians over rounds in which the ways take turns.
-// Needs a display; writes a table in Markdown.
-// usage: viewer-speed MESH [RESOLUTION]
+// How fast the viewer draws drafts and good pictures: medians over rounds in which the two take
+// turns. Needs a display; writes a table in Markdown. usage: viewer-speed MESH [RESOLUTION]
 
 #include "program_main.h"
 #include "viewer.h"
@@ -26,7 +25,7 @@ constexpr int kRounds = 5;
 constexpr int kDrawings = 8; // a round
 constexpr std::array<int, 4> kPeels = { 4, 2, 1, 0 };
 
-// Milliseconds of what is done again and again.
+// Milliseconds per repetition of some work.
 using Times = std::vector<double>;
 
 void add(Times& times, Viewer& viewer, const std::function<void()>& draw)

@@ -1,6 +1,6 @@
-# Run as a script: writes OUTPUT, the linker's list of what libmedial exports: the classes that HEADERS
-# mark with MEDIAL_EXPORT, and functions. Visibility alone does not hide private functions that GCC
-# compiles for several processors, nor what the standard library's templates make.
+# Run as a script: writes OUTPUT, the linker's list of what libmedial exports: the classes that HEADERS mark
+# with MEDIAL_EXPORT, and functions. Visibility alone does not hide private functions that GCC compiles for
+# several processors, nor instances of the standard library's templates.
 set(classes "")
 foreach(header IN LISTS HEADERS)
   file(STRINGS "${header}" lines REGEX "^(class|struct) MEDIAL_EXPORT ")

@@ -1,5 +1,5 @@
-# Four Debian packages, one a component of the installation, by cpack. Meant for the preset "packages",
-# which installs to /usr; scripts/check-packages builds and checks them.
+# Four Debian packages, one for each component of the installation, by cpack. Meant for the preset
+# "packages", which installs to /usr; scripts/check-packages builds and checks them.
 set(MEDIAL_PACKAGE_RELEASE 1 CACHE STRING "Debian revision of the packages")
 set(MEDIAL_PACKAGE_CONTACT "Medial developers <medial@users.invalid>"
   CACHE STRING "Maintainer of the packages: name and address")
@@ -21,7 +21,7 @@ set(debian_sources "${PROJECT_SOURCE_DIR}/cmake/debian")
 set(debian_files "${PROJECT_BINARY_DIR}/debian")
 set(library_package "libmedial${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}")
 
-# medial_compress(SOURCE TARGET): as Debian wants it, and the same bytes at any time. Runs at once.
+# medial_compress(SOURCE TARGET): as Debian wants it, and reproducibly. Runs while CMake configures.
 function(medial_compress source target)
   execute_process(COMMAND "${MEDIAL_GZIP}" -9nc "${source}"
     OUTPUT_FILE "${target}" COMMAND_ERROR_IS_FATAL ANY)
@@ -36,7 +36,7 @@ function(medial_paragraph text variable)
   set(${variable} "${text}" PARENT_SCOPE)
 endfunction()
 
-# What every package has in its documentation folder.
+# Files that every package has in its documentation folder.
 file(READ "${PROJECT_SOURCE_DIR}/LICENSE" licence)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/LICENSE")
 string(REGEX MATCH "Copyright \\(c\\) ([^\n]+)" ignored "${licence}")

@@ -1,5 +1,5 @@
-# Target docs: the comments of the public headers as HTML, by Doxygen where it is installed. Fails where
-# something public has no comment, or a comment names what does not exist.
+# Target docs: the comments of the public headers as HTML, by Doxygen where it is installed. Fails if
+# something public has no comment, or if a comment names something that does not exist.
 find_package(Doxygen QUIET)
 if(NOT DOXYGEN_FOUND)
   return()

@@ -1,6 +1,6 @@
-# medial_program(PROGRAM SUMMARY): what comes with a program: completion for bash, and the manual page
-# PROGRAM.1 from the program's own --help and from PROGRAM.h2m in the current folder, by help2man where
-# that is installed. Installs all three.
+# medial_program(PROGRAM SUMMARY): adds what comes with a program: completion for bash, and the manual page
+# PROGRAM.1 from the program's own --help and from PROGRAM.h2m in the current folder, by help2man where that
+# is installed. Installs all three.
 find_program(MEDIAL_HELP2MAN help2man DOC "Makes manual pages from --help")
 find_program(MEDIAL_GZIP gzip DOC "Compresses manual pages")
 mark_as_advanced(MEDIAL_HELP2MAN MEDIAL_GZIP)
@@ -12,7 +12,7 @@ endif()
 function(medial_manual program summary page)
   get_filename_component(folder "${page}" DIRECTORY)
   file(MAKE_DIRECTORY "${folder}")
-  # Leaks of the libraries are no matter of --help. Compressed so, the bytes are the same at any time.
+  # Leaks in other libraries do not matter for --help. gzip -n makes the same bytes every time.
   add_custom_command(OUTPUT "${page}" "${page}.gz"
     COMMAND ${CMAKE_COMMAND} -E env ASAN_OPTIONS=detect_leaks=0 LC_ALL=C
       "${MEDIAL_HELP2MAN}" --no-info --name "${summary}" --manual "Medial"

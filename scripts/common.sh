@@ -18,8 +18,8 @@ quietly()
   fi
 }
 
-# build PRESET FOLDER [TARGET...]: configures the preset where that was not done yet, and builds. What
-# one folder has compiled, ccache gives to others, too, where the flags are the same.
+# build PRESET FOLDER [TARGET...]: configures the preset if that was not done yet, and builds. ccache shares
+# what one folder has compiled with other folders that have the same flags.
 build()
 {
   local preset=$1 folder=$2

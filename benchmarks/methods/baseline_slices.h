@@ -22,7 +22,7 @@
 namespace medial::benchmark
 {
 
-/// Depth of a fragment per frame unit of distance: a power of two that keeps depths below 1.
+/// Depth of a fragment per local unit of distance: a power of two that keeps depths below 1.
 inline float depthPerUnit(const SiteSet& sites, const GridFrame& frame)
 {
   double farthest = 0.0;
@@ -30,8 +30,8 @@ inline float depthPerUnit(const SiteSet& sites, const GridFrame& frame)
   {
     farthest = std::max(farthest, glm::length(point));
   }
-  // Both ends of a distance lie within these spheres around the frame's origin; tessellated
-  // functions reach a little beyond the grid.
+  // Both ends of a distance lie within these balls around the local origin; tessellated functions
+  // reach a little beyond the grid.
   const double longest = 2.0 * (farthest + glm::length(frame.first) + 1.0);
   return static_cast<float>(std::exp2(-std::ceil(std::log2(longest))));
 }
@@ -60,7 +60,7 @@ inline std::vector<int> triangleOfSites(const SiteSet& sites, const MeshConnecti
   return triangles;
 }
 
-/// Slices of closest sites and their depths in GPU textures. Lives on the GPU thread.
+/// Slices of closest sites and their depths in GPU textures. For use on the GPU thread.
 class SliceTarget
 {
 public:
@@ -88,7 +88,7 @@ public:
     glClearBufferfv(GL_DEPTH, 0, &kFar);
   }
 
-  /// Waits for what was drawn, so that the time of each phase is its own.
+  /// Waits until drawing is done, so that its time counts in its own phase.
   void finish() const
   {
     glDisable(GL_DEPTH_TEST);

@@ -54,7 +54,8 @@ public:
         triangles = makeTriangles(mesh);
         tree.insert(triangles.cbegin(), triangles.cend());
         tree.build();
-        // The neighbour's answer is a better guess than the nearest corner in a second tree.
+        // The neighbour's answer is a better first guess than the nearest corner from a second
+        // tree.
         tree.do_not_accelerate_distance_queries();
       });
     timed(query, [&] { this->queryGrid(tree, triangles, grid, result); });

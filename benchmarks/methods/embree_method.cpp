@@ -31,7 +31,7 @@ Vector minus(const Vector& a, const Vector& b)
   return { a.x - b.x, a.y - b.y, a.z - b.z };
 }
 
-/// A triangle as corner and two sides, with the products that every query needs.
+/// A triangle as a corner and two edges, with the products that every query needs.
 struct Triangle
 {
   Vector corner, u, v;
@@ -45,7 +45,7 @@ Triangle makeTriangle(const Vector& a, const Vector& b, const Vector& c)
   return { a, u, v, dot(u, u), dot(u, v), dot(v, v) };
 }
 
-/// 0 instead of a quotient by 0, as sides without length have.
+/// 0 instead of a quotient by 0, which edges without length give.
 float share(float part, float whole)
 {
   return whole > 0.0F ? part / whole : 0.0F;
@@ -163,7 +163,7 @@ public:
       static_cast<float>(p[2] - grid.origin[2]) };
   }
 
-  /// @param guess a triangle that may be near, or -1; only nearer ones are looked for.
+  /// @param guess a triangle that may be near, or -1; the search looks for nearer ones only.
   Nearest closest(const Vector& query, std::int32_t guess) const
   {
     Nearest nearest{ triangles_.data(), query, std::numeric_limits<float>::infinity(), guess };

@@ -12,21 +12,21 @@
 namespace medial::benchmark
 {
 
-/// What a method computes at every grid point, x fastest. An empty array means that the method does
-/// not tell.
+/// What a method computes at every grid point, x fastest. An array that the method does not compute
+/// is empty.
 struct FieldResult
 {
   std::vector<float> distance;        ///< world units, unsigned
   std::vector<std::int32_t> triangle; ///< a triangle that holds the closest point
-  /// Wall-clock seconds of each phase, in order: ("build", ...), ("query", ...). Their sum is what
-  /// tables report.
+  /// Wall-clock seconds of each phase, in order: ("build", ...), ("query", ...). Tables report
+  /// their sum.
   std::vector<std::pair<std::string, double>> seconds;
   /// Other figures worth a column, such as fragments per voxel.
   std::vector<std::pair<std::string, double>> figures;
 };
 
-/// One way to compute a whole distance field: ours, a peer's or a published one. Each is used the
-/// way that suits it best, on all cores.
+/// One way to compute a whole distance field: ours, a peer's or a published one. Each runs as suits
+/// it best, on all cores.
 class FieldMethod
 {
 public:
@@ -37,7 +37,7 @@ public:
   virtual FieldResult compute(const TriangleMesh& mesh, const Grid& grid) = 0;
 };
 
-// One factory a method; those of peers exist only where CMake found the library.
+// One factory per method; those of peers exist only if CMake found the library.
 std::unique_ptr<FieldMethod> makeMedialMethod(Engine engine);
 std::unique_ptr<FieldMethod> makePublishedMethod();
 std::unique_ptr<FieldMethod> makeHavocMethod();

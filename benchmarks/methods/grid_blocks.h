@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <vector>
 
-// The order in which trees are asked for the whole grid: one query's answer is a good first guess
-// for the next, and what the caches hold stays useful.
+// The order in which trees are queried for the whole grid: the answer of one query is a good first
+// guess for the next, and the caches stay warm.
 namespace medial::benchmark
 {
 

@@ -12,13 +12,13 @@ namespace
 {
 
 const double kRightAngle = std::acos(0.0);
-/// Functions of sites nearer to the slice than this, in frame units, are those of sites at this
-/// distance: it errs by as much at most.
+/// A site nearer to the slice than this, in local units, is treated as if at this distance; its
+/// function errs by no more than that.
 constexpr double kMinHeight = 1e-3;
 /// Share of the tolerance that the estimates of points' errors may use up.
 constexpr double kSafety = 0.95;
 
-/// The least of the numbers 1 to 8, 10, 12, 14, 16, 20, ... that is not less.
+/// Rounds up to one of the numbers 1 to 8, 10, 12, 14, 16, 20, ...
 int roundedUp(double count)
 {
   int power = 1;
@@ -111,7 +111,7 @@ public:
   }
 
 private:
-  /// The side of a half-space, over grid points.
+  /// The inside of a half-space, over grid points.
   Affine onSlice(const glm::dvec3& normal, double offset) const
   {
     const glm::vec2 gradient(normal * frame_.step);
@@ -231,9 +231,9 @@ private:
       static_cast<float>(sectors - beyond), site });
   }
 
-  /// The errors of rings and of sectors add up. That of rings is greatest at the centre and falls
-  /// off as height / distance; that of sectors grows from nil at the centre. So their sum is
-  /// greatest either at the centre or at the outermost ring.
+  /// The errors of rings and of sectors add up. That of rings is largest at the centre and falls
+  /// off as height / distance; that of sectors grows from 0 at the centre. So their sum is largest
+  /// either at the centre or at the outermost ring.
   void addPoint(int vertex)
   {
     const glm::dvec3& p = sites_.points()[vertex];
@@ -251,7 +251,7 @@ private:
     // Chords of the hyperbola whose ends differ by t in asinh(r / height) err by
     // height (cosh(t / 2) - 1) at most.
     const double step = 2.0 * std::acosh(1.0 + ringError / height);
-    // At the middle of a sector's outer side, `radius` from the centre, the depth is that at its
+    // At the middle of a sector's outer edge, `radius` from the centre, the depth is that at its
     // ends, radius / cosine from the centre.
     const double allowed = farthest + sectorError;
     const double cosine = radius / std::sqrt(allowed * allowed - height * height);

@@ -13,8 +13,8 @@ namespace medial::benchmark
 {
 
 // The distance functions of sites over one slice, each made of triangles between which the depth is
-// linear (Hoff et al. 1999). All of them are convex, so that the interpolated depths are too large
-// if anything. Frame units; positions are x and y on the slice.
+// linear (Hoff et al. 1999). All of them are convex, so interpolated depths are never too small.
+// Local units; positions are x and y on the slice.
 
 /// How finely a point's function is tessellated; both are taken from short lists, so that few
 /// templates serve all points.
@@ -43,11 +43,11 @@ struct PointInstance
 /// from the line's projection onto the slice and w is linear along it.
 struct SegmentInstance
 {
-  glm::vec2 from; ///< where y = 0 and w is least
-  glm::vec2 to;   ///< where y = 0 and w is greatest
+  glm::vec2 from; ///< where y = 0 and w is smallest
+  glm::vec2 to;   ///< where y = 0 and w is largest
   glm::vec2 across;
   glm::vec2 w; ///< at `from` and `to`, 0 <= w.x <= w.y
-  float reach; ///< greatest y
+  float reach; ///< maximum of y
   float split; ///< sectors that end at `to`; the others end at y = reach
   std::int32_t site;
 };
@@ -70,7 +70,7 @@ struct SliceFunctions
   double area = 0.0; ///< grid points covered by all functions
 };
 
-/// @param tolerance greatest error of a depth, frame units.
+/// @param tolerance maximum error of a depth, local units.
 SliceFunctions sliceFunctions(const SiteSet& sites, const GridFrame& frame,
   const glm::ivec2& sliceSize, int slice, double tolerance);
 

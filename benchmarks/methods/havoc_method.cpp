@@ -17,7 +17,7 @@ namespace
 
 /// Slices whose functions are built side by side.
 constexpr int kSlicesPerBatch = 8;
-/// Greatest error of a distance, in units of the finest grid spacing.
+/// Maximum error of a distance, in units of the finest grid spacing.
 constexpr double kTolerance = 0.25;
 
 /// One computation, slice by slice.
@@ -99,8 +99,8 @@ private:
 
 /// Hoff, Culver, Keyser, Lin and Manocha, "Fast Computation of Generalized Voronoi Diagrams Using
 /// Graphics Hardware", SIGGRAPH 1999, in 3D: on every slice the tessellated distance function of
-/// every site over the whole slice. Distances are the interpolated ones, never less than the true
-/// ones and more by the tolerance at most.
+/// every site over the whole slice. Distances are the interpolated ones: never less than the true
+/// ones, and more by at most the tolerance.
 class HavocMethod : public FieldMethod
 {
 public:

@@ -32,7 +32,7 @@ HavocProgram::HavocProgram(const std::string& vertexText, const std::string& fra
   glGetProgramiv(program_.id(), GL_LINK_STATUS, &linked);
   if (!linked)
   {
-    // A shader that did not compile says why in a log of its own.
+    // A shader that did not compile has a log of its own.
     std::array<GLchar, 2048> log{};
     std::string reasons;
     for (const GLuint shader : { vertex.id(), fragment.id() })

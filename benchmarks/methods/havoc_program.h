@@ -7,7 +7,7 @@
 namespace medial::benchmark
 {
 
-/// A program from shader texts. gl::ShaderProgram knows only the library's own. Lives on the GPU
+/// A program from shader texts; gl::ShaderProgram knows only the library's own. For use on the GPU
 /// thread.
 class HavocProgram
 {

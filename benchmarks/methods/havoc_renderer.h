@@ -10,8 +10,8 @@
 namespace medial::benchmark
 {
 
-/// Draws the distance functions of one slice, keeping the least. Points' and segments' functions
-/// are instances of a few templates. Lives on the GPU thread.
+/// Draws the distance functions of one slice and keeps the smallest distance. Functions of points
+/// and segments are instances of a few templates. For use on the GPU thread.
 class HavocRenderer
 {
 public:

@@ -3,10 +3,10 @@
 namespace medial::benchmark
 {
 
-// Here and not in files: the library embeds only its own.
+// These are texts here, not files: the library embeds only its own shaders.
 
-/// What the three vertex shaders share: from a position (frame units, or grid points for faces) and
-/// a distance (frame units) to a vertex.
+/// What the three vertex shaders share: from a position (local units, or grid points for faces) and
+/// a distance (local units) to a vertex.
 constexpr char kHavocPlacement[] = R"(#version 450 core
 uniform vec2 scale;
 uniform vec2 offset;

@@ -72,7 +72,7 @@ public:
           computeDistanceField(mesh, connectivity, grid, grid.wholeExtent(), arrays, options);
       });
     this->report(statistics, connectivitySeconds, total, result);
-    // Sites are the finer labels, and what is asked for; triangles only serve the comparison.
+    // Sites are the finer labels, and what users ask for; triangles only serve the comparison.
     result.triangle = nameTriangles(std::move(sites), mesh, connectivity);
     return result;
   }

@@ -47,8 +47,9 @@ IndexMesh makeIndexMesh(const TriangleMesh& mesh, const Grid& grid)
   return result;
 }
 
-/// A band, in voxels, that surely covers the grid and is not much wider: the greatest distance of
-/// a coarse set of grid points to the mesh's points, and how far others can be from that set.
+/// The width of a band, in voxels, that surely covers the grid and is not much wider: the largest
+/// distance of a coarse set of grid points to the mesh's points, plus how far others can be from
+/// that set.
 float wholeGridBand(const IndexMesh& mesh, const Grid& grid)
 {
   constexpr int kSteps = 8;

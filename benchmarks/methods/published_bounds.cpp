@@ -8,7 +8,7 @@ namespace medial::benchmark
 namespace
 {
 
-/// Edges bent by less, in frame units of the opposite corner's height, count as flat.
+/// Edges bent by less, in local units of the opposite corner's height, count as flat.
 constexpr double kFlat = 1e-9;
 /// Cones opened to nearly a half-space bound nothing.
 constexpr double kMinCosine = 0.02;
@@ -44,7 +44,7 @@ public:
     {
       if (sites_.active(face))
       {
-        // SiteSet has two more, of which the paper knows nothing.
+        // SiteSet has two more, which the paper does not have.
         this->addFromSites(face, 3, 3);
       }
     }
@@ -210,7 +210,7 @@ private:
     return best;
   }
 
-  /// The pyramid whose sides touch the cone of the given opening.
+  /// The pyramid whose faces touch the cone of the given opening.
   void addPyramid(int vertex, const glm::dvec3& axis, double cosine)
   {
     const int begin = this->count();

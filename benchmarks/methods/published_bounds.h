@@ -22,7 +22,8 @@ struct SiteBound
 /// is manifold at the site:
 ///
 /// - face: the prism over the triangle;
-/// - edge: the slab between its ends; where two faces meet, also the wedge between them;
+/// - edge: the space between the planes across its ends and, where two faces meet, between the
+///   planes across them;
 /// - convex or concave vertex: the polytope of the half-spaces across its edges;
 /// - hyperbolic vertex: a square pyramid around a cone around the normals of its faces, and its
 ///   mirror image, as the region may lie on either side of the surface;

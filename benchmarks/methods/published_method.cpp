@@ -15,10 +15,11 @@ namespace medial::benchmark
 namespace
 {
 
-/// More slices a batch cost fewer round trips but know less of how far their points can reach.
+/// More slices in a batch mean fewer round trips but looser bounds on how far their points can
+/// reach.
 constexpr int kSlicesPerBatch = 8;
 constexpr int kTextureLimit = 16384;
-/// Rounding of distances that were read back, in frame units.
+/// Rounding of distances that were read back, in local units.
 constexpr double kReachMargin = 0.01;
 
 /// For every slice an upper bound on its distances: from the mesh point whose farthest grid point
@@ -142,8 +143,8 @@ private:
 };
 
 /// Sud, Govindaraju, Gayle and Manocha, "Interactive 3D Distance Field Computation using Linear
-/// Factorization", I3D 2006: every site's polygon on every slice, bounded only by what the site's
-/// own neighbourhood tells, and a greatest distance carried from slice to slice. Distances are the
+/// Factorization", I3D 2006: every site's polygon on every slice, bounded only by the site's own
+/// neighbourhood and by a maximum distance carried from slice to slice. Distances are the
 /// interpolated ones, as published.
 class PublishedMethod : public FieldMethod
 {

@@ -13,8 +13,8 @@ namespace
 
 constexpr std::size_t kBoundsPerChunk = 4096;
 
-// The paper does not say how it keeps the cracks between polygons shut that are cut independently.
-// This does: by what rasterisers round, in pixels, and by what single precision rounds.
+// The paper does not say how it closes cracks between polygons that are cut independently. Here
+// polygons grow by the rounding of rasterisers, in pixels, and by that of single precision.
 constexpr float kSnapDilation = 0.008f;
 constexpr float kPrecisionDilation = 0.0005f;
 
@@ -34,7 +34,7 @@ public:
   {
   }
 
-  /// @param reach no distance on the slice is greater.
+  /// @param reach no distance on the slice is larger.
   void add(const SiteBound& bound, double reach)
   {
     if (!this->findReached(sites_.sphere(bound.site), reach))
@@ -61,7 +61,7 @@ public:
   }
 
 private:
-  /// The rectangle of grid points that are no farther from the sphere; false when it is empty.
+  /// The rectangle of grid points that are no farther from the sphere; false if it is empty.
   bool findReached(const glm::vec4& sphere, double reach)
   {
     const glm::dvec3 centre(sphere);

@@ -14,7 +14,7 @@ namespace medial::benchmark
 struct SliceBatch
 {
   int first = 0;
-  std::vector<double> reach; ///< for each slice, no distance on it is greater; frame units
+  std::vector<double> reach; ///< for each slice, no distance on it is larger; local units
 };
 
 /// For every slice and every bound whose site the slice's points can reach: the intersection, with

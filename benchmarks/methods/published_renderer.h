@@ -9,7 +9,7 @@
 namespace medial::benchmark
 {
 
-/// Draws polygons with distance vectors, keeping the shortest. Lives on the GPU thread.
+/// Draws polygons with distance vectors and keeps the shortest vector. For use on the GPU thread.
 class PublishedRenderer
 {
 public:

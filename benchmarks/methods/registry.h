@@ -11,7 +11,7 @@ namespace medial::benchmark
 
 /// The id of our own method.
 constexpr char kMedialId[] = "medial";
-/// The same with OpenGL's rasteriser, also where OpenGL is software.
+/// The same with the engine rasteriser, even if OpenGL is a software renderer.
 constexpr char kRasterId[] = "medial-raster";
 
 struct MethodEntry

@@ -96,7 +96,7 @@ public:
     std::vector<vtkSmartPointer<vtkImplicitPolyDataDistance>> functions(
       static_cast<std::size_t>(threads));
     double build = 0.0;
-    // Evaluation is not safe for threads, and so each has its own locator.
+    // Locators are not safe for threads, so each thread has its own.
     timed(build,
       [&]
       {

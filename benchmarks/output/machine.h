@@ -5,7 +5,7 @@
 namespace medial::benchmark
 {
 
-/// What the figures were taken on.
+/// The machine on which the figures were taken.
 struct Machine
 {
   std::string renderer; ///< why there is none where there is none

@@ -74,7 +74,7 @@ void runGnuplot(const std::string& commands, const std::string& data, const std:
   }
 }
 
-/// A logarithmic axis from a little below the least to a little above the greatest value, with
+/// A logarithmic axis from a little below the smallest to a little above the largest value, with
 /// labels at 1, 2 and 5 times powers of ten where powers alone would be few.
 std::string logarithmicAxis(const std::string& axis, double min, double most)
 {
@@ -104,7 +104,7 @@ std::string logarithmicAxis(const std::string& axis, double min, double most)
   return commands.str();
 }
 
-/// Least and greatest of some positive numbers.
+/// Smallest and largest of some positive numbers.
 struct Span
 {
   double min = std::numeric_limits<double>::infinity();

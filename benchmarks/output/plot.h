@@ -14,8 +14,8 @@ struct CurvePlot
   struct Curve
   {
     std::string name;
-    std::vector<std::array<double, 4>> points; ///< x, y, least y, greatest y
-    bool bars = true;                          ///< draw points with bars from least to greatest
+    std::vector<std::array<double, 4>> points; ///< x, y, minimum of y, maximum of y
+    bool bars = true;                          ///< draw points with bars from minimum to maximum
   };
 
   std::string name; ///< stem of the files
@@ -34,7 +34,7 @@ struct BarPlot
 };
 
 /// Draws name.svg and name.png with gnuplot.
-/// @throws std::runtime_error where gnuplot is missing or fails.
+/// @throws std::runtime_error if gnuplot is missing or fails.
 void draw(const CurvePlot& plot, const std::filesystem::path& folder);
 void draw(const BarPlot& plot, const std::filesystem::path& folder);
 

@@ -14,7 +14,7 @@
 namespace medial::benchmark
 {
 
-/// What a suite has to say.
+/// The results of a suite.
 struct SuiteReport
 {
   std::string name;  ///< stem of the files
@@ -32,7 +32,7 @@ struct SuiteReport
 
 /// Writes NAME.json, NAME.md and the plots. Plots are left out, with a line on stderr, where they
 /// cannot be drawn. Files that are there already are replaced when the new ones are complete.
-/// @throws std::runtime_error when a file cannot be written.
+/// @throws std::runtime_error if a file cannot be written.
 void writeReport(const SuiteReport& report, const Machine& machine,
   const std::filesystem::path& folder);
 

@@ -17,7 +17,7 @@ std::string percent(double share)
   return number(100.0 * share) + " %";
 }
 
-/// The row's note belongs to the mesh, and so stands once.
+/// The note belongs to the mesh, so it appears once.
 std::string meshText(const Row& row)
 {
   return row.note.empty() ? row.mesh : row.mesh + " (" + row.note + ")";

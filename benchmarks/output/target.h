@@ -11,7 +11,7 @@
 namespace medial::benchmark
 {
 
-/// A figure that Medial is to reach.
+/// A figure that Medial should reach.
 struct Target
 {
   enum class Kind
@@ -25,7 +25,7 @@ struct Target
   Kind kind = Kind::AtMost;
   double bound = 0.0;
   double measured = std::numeric_limits<double>::quiet_NaN();
-  bool applies = true; ///< not so for stand-ins of meshes and for other grids
+  bool applies = true; ///< false for stand-ins of meshes and for other grids
 
   /// "met", "missed", or "-" where nothing was measured or the target does not apply.
   std::string verdict() const;

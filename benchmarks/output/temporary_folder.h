@@ -9,11 +9,11 @@
 namespace medial::benchmark
 {
 
-/// A folder that goes away with its contents.
+/// A folder that is removed with its contents at the end.
 class TemporaryFolder
 {
 public:
-  /// @throws std::runtime_error where it cannot be made.
+  /// @throws std::runtime_error if it cannot be created.
   TemporaryFolder()
   {
     std::string pattern = (std::filesystem::temp_directory_path() / "medial-XXXXXX").string();

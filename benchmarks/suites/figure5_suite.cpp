@@ -11,7 +11,7 @@ namespace
 /// Fits leave out the coarsest grids, whose time is that of the triangles.
 constexpr int kFitFrom = 64;
 constexpr int kFinest = 512;
-/// Greatest exponent that Medial is to have.
+/// Maximum exponent that Medial should have.
 constexpr double kTargetExponent = 1.05;
 
 int longestAxis(const Grid& grid)
@@ -69,7 +69,7 @@ CurvePlot plotOf(const std::vector<Row>& rows, const std::vector<std::string>& m
   return plot;
 }
 
-/// What was too slow, or failed, at one resolution would be so at the next.
+/// A method that was too slow, or failed, at one resolution would do so at the next.
 void leaveOutSlow(const Row& row, std::vector<std::string>& methods)
 {
   const auto slow = [&](const std::string& id)

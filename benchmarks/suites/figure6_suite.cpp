@@ -12,7 +12,7 @@ namespace
 constexpr double kMinError = 1e-7;
 constexpr int kPointsOfCurve = 200;
 
-/// Share of the checked points whose error is greater than x, over x.
+/// Share of the checked points whose error is larger than x, over x.
 CurvePlot::Curve exceedance(const MethodRun& run)
 {
   CurvePlot::Curve curve;
@@ -27,7 +27,7 @@ CurvePlot::Curve exceedance(const MethodRun& run)
       static_cast<double>(errors.size() - i) / static_cast<double>(errors.size());
     curve.points.push_back({ std::max(errors[i], kMinError), share, share, share });
   };
-  // The tail in full: it is what the plot is about.
+  // The whole tail: the plot is about it.
   const std::size_t tail = errors.size() - std::min(errors.size(), step);
   for (std::size_t i = 0; i < errors.size(); i += i < tail ? step : 1)
   {

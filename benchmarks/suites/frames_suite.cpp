@@ -11,10 +11,10 @@ namespace medial::benchmark
 namespace
 {
 
-/// Frames are many, and so rounds may be few.
+/// There are many frames, so a few rounds suffice.
 constexpr int kMaxRounds = 3;
 constexpr int kFrames = 30;
-constexpr int kTriangles = 5800; ///< of the torus that stands in
+constexpr int kTriangles = 5800; ///< of the torus that replaces an absent mesh
 
 std::vector<int> resolutions(const SuiteContext& context)
 {

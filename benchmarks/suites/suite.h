@@ -12,8 +12,8 @@
 namespace medial::benchmark
 {
 
-/// What suites share: choosing methods and meshes as the options say, measuring them, and where
-/// reports go.
+/// What suites share: they choose methods and meshes by the options, measure them, and write
+/// reports.
 class SuiteContext
 {
 public:
@@ -25,8 +25,8 @@ public:
   const Options& options() const { return options_; }
   MeasurementOptions measurement() const;
 
-  /// Writes a report as far as it has come. Suites do so after every row, so that a run that is
-  /// ended early leaves what it has.
+  /// Writes a report as far as it has come. Suites do so after every row, so that a run that ends
+  /// early leaves what it has.
   void publish(const SuiteReport& report) const { publish_(report); }
 
   bool wantsMesh(const std::string& name) const;
@@ -37,8 +37,8 @@ public:
   /// The suite's own resolution, unless the options name one.
   int resolution(int own) const;
 
-  /// Measures the methods of these ids, as far as they are built, and tells stderr. Nothing where
-  /// the options leave the mesh out.
+  /// Measures the methods of these ids, as far as they are built, and prints progress on stderr.
+  /// Nothing if the options leave the mesh out.
   std::optional<Row> measure(const MeshRequest& request, const MakeGrid& makeGrid,
     const std::vector<std::string>& methodIds, const MeasurementOptions& options) const;
   std::optional<Row> measure(const MeshRequest& request, const MakeGrid& makeGrid,
@@ -57,14 +57,14 @@ private:
 /// A grid of so many points along the longest axis of the padded bounds.
 SuiteContext::MakeGrid gridOfResolution(int resolution);
 
-/// A curve of the median seconds of one method over x, where it ran, with least and greatest.
+/// A curve of the median seconds of one method over x, where it ran, with minimum and maximum.
 CurvePlot::Curve secondsCurve(const std::vector<Row>& rows, const std::string& methodId,
   const std::string& name, const std::function<double(const Row&)>& x);
 
 /// Exponent of a curve's y against x, among points with x >= least.
 double exponentOf(const CurvePlot::Curve& curve, double min = 0.0);
 
-/// The paper's meshes, and what stands in for them where they are absent.
+/// The paper's meshes, and their stand-ins where they are absent.
 MeshRequest triceratops();
 MeshRequest head();
 MeshRequest gargoyle();

@@ -10,7 +10,7 @@ double trianglesOf(const Row& row)
   return static_cast<double>(row.triangles);
 }
 
-/// Fits are of the dense half, where triangles and no longer grid points decide.
+/// Fits use the dense half, where the triangles and no longer the grid points decide the time.
 constexpr double kFitFrom = 10000.0;
 constexpr int kMaxTriangles = 200000;
 

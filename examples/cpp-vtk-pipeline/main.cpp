@@ -25,21 +25,22 @@ int main(int argc, char* argv[])
   axis->SetInputConnection(reader->GetOutputPort());
   axis->SetResolution(64);
   axis->SetAngle(60.0);
-  // Where a reader fails the axis is not executed and has no error code, nor have some readers.
+  // If the reader fails, the axis is not executed and has no error code. Some readers have none
+  // either.
   if (axis->GetExecutive()->Update() == 0 || axis->GetErrorCode() != 0)
   {
-    return 1; // VTK has told why
+    return 1; // VTK has printed the cause
   }
 
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetInputConnection(axis->GetOutputPort());
   writer->SetFileName(argv[2]);
-  writer->Write(); // returns 1 even where it cannot open the file
+  writer->Write(); // returns 1 even if it cannot open the file
   if (writer->GetErrorCode() != 0)
   {
     return 1;
   }
-  // Field data tell how an output was made.
+  // The field data tell how an output was made.
   vtkFieldData* figures = axis->GetOutput()->GetFieldData();
   std::cout << axis->GetOutput()->GetNumberOfCells() << " cells, computed by the engine "
             << figures->GetAbstractArray("Engine")->GetVariantValue(0).ToString() << "\n";

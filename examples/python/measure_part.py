@@ -1,4 +1,4 @@
-"""Measures a part by numpy arrays: its volume, its deepest place, where its sheets meet.
+"""Measures a part with numpy arrays: its volume, its deepest point, and where its sheets meet.
 
 usage: measure_part.py INPUT.stl AXIS.npz
 

@@ -21,7 +21,7 @@ def main(surface_file, axis_file, field_file):
     axis.SetResolution(64)
     axis.SetAngle(60.0)
     axis.GenerateDistanceFieldOn()  # output port 1
-    medial.update(axis)  # as axis.Update(), but raises an exception where it or the reader fails
+    medial.update(axis)  # as axis.Update(), but raises an exception if it or the reader fails
 
     for port, writer, name in ((0, vtkXMLPolyDataWriter(), axis_file),
                                (1, vtkXMLImageDataWriter(), field_file)):

@@ -32,7 +32,7 @@ class Build:
         return [path for path in sorted(paths) if self.programs.parent in path.resolve().parents]
 
     def arguments(self, command, mesh, spacing):
-        """The command in the words that this build knows."""
+        """The command with the names that this build knows."""
         values = {"MESH": mesh, "SPACING": spacing}
         values.update((new, old) for new, old in self.old_words.items()
                       if not (self.programs / new).exists() and new not in self.help)

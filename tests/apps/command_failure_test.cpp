@@ -19,7 +19,7 @@ class CommandFailure : public ::testing::Test
 protected:
   CommandFailure() { writeFile(input, objText(box({ 1.0, 0.7, 0.4 }))); }
 
-  // Runs with all outputs asked for; it must end with `exitCode`, one line on stderr and no file.
+  // Runs with all outputs, and must end with `exitCode`, one line on stderr and no file.
   std::string failure(int exitCode, std::vector<std::string> arguments,
     const RunOptions& options = {})
   {
@@ -172,7 +172,7 @@ TEST_F(CommandFailure, FieldThatTheDiskCannotHold)
 {
   writeFile(input, objText(box({ 1.0, 1.0, 1.0 })));
   RunOptions options;
-  options.fileSizeLimit = 1L << 30; // should there be a disk that can
+  options.fileSizeLimit = 1L << 30; // in case there is a disk that can
   for (const char* name : { "field.vti", "field.pvti" })
   {
     writeFile(folder.file(name), "old");
@@ -186,7 +186,7 @@ TEST_F(CommandFailure, FieldThatTheDiskCannotHold)
   failure(kNoSpace, { input, "--resolution", "8192" }, options);
 }
 
-/// Where OpenGL is missing, those who draw say so; the processor does without.
+/// Without OpenGL, options that draw fail with a message; the engine processor works.
 TEST_F(CommandFailure, NoEgl)
 {
   std::filesystem::create_directory(folder.file("vendors"));

@@ -170,7 +170,8 @@ TEST_F(CommandField, OfTheRasteriserIsTheFilters)
     });
 }
 
-// In six slabs or more, of four slices. Between sites at equal distance the slabs decide.
+// In six slabs or more, of four slices. Between sites at equal distance the choice depends on the
+// slabs.
 TEST_F(CommandField, InManySlabsIsTheFilters)
 {
   TriangleMesh thin = torus(1.0, 0.2, 24, 12);

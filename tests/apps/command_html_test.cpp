@@ -27,7 +27,7 @@ protected:
   std::string input = folder.file("box.obj");
 };
 
-// What builds with vtk.js write is tested in tests/web.
+// tests/web has the tests of pages, for builds with vtk.js.
 TEST_F(CommandHtml, BuildsWithoutVtkJsSayHowToGetIt)
 {
   const std::string file = folder.file("page.html");

@@ -4,7 +4,7 @@
 
 #include "support/shapes.h"
 
-// What medial-axis makes of a box.
+// The outputs of medial-axis for a box.
 namespace medial::test
 {
 
@@ -20,7 +20,7 @@ protected:
   {
   }
 
-  /// Runs on a grid of kResolution where no spacing is given.
+  /// Runs on a grid of kResolution unless a spacing is given.
   Outcome run(std::vector<std::string> arguments) const;
   vtkSmartPointer<vtkPolyData> axis(std::vector<std::string> arguments) const;
   Json report(std::vector<std::string> arguments) const;

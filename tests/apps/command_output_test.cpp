@@ -135,8 +135,8 @@ TEST_F(CommandOutput, FieldHasAllArraysAndTheRightDistance)
     -exactRadius(field->GetPoint(nearest)), 1e-5);
 }
 
-// Every triangle of an STL file has corners of its own.
-// Nor do points that no cell uses show.
+// Every triangle of an STL file has corners of its own. Points that no cell uses do not show
+// either.
 TEST_F(CommandOutput, PictureOfAnUnweldedMeshIsThatOfTheWeldedOne)
 {
   const TriangleMesh sphere = icosphere(1.0, 3);

@@ -1,4 +1,4 @@
-// What medial-axis reports and notes, and what its options do to the axis.
+// The reports and notes of medial-axis, and the effect of its options on the axis.
 #include "command_output.h"
 
 #include "support/transforms.h"

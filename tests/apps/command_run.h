@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-// Runs of medial-axis that succeed, and what they write.
+// Runs of medial-axis that must succeed, and the files that they write.
 namespace medial::test
 {
 
@@ -24,7 +24,7 @@ using Json = nlohmann::json;
 
 std::set<std::string> keysOf(const Json& object);
 
-/// What a reader of VTK's makes of a file.
+/// The data that a reader of VTK gets from a file.
 template <typename Reader>
 auto readWith(const std::string& path)
 {

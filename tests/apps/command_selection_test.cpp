@@ -1,4 +1,4 @@
-// What the program says about what its axis leaves out, and the curves of the axis.
+// What the program tells about the parts that its axis leaves out, and the curves of the axis.
 #include "command_run.h"
 
 #include "support/shapes.h"
@@ -87,7 +87,7 @@ TEST_F(CommandSelection, PinsThatAreLostAreReported)
 {
   const PlateWithPins shape;
   writeFile(input, objText(shape.mesh));
-  // No grid point of this spacing has a pin's axis between itself and the next one.
+  // With this spacing no pin's axis lies between two neighbouring grid points.
   const double share = coverage({ "--spacing", "0.2" })["uncovered_share"];
   double bounds[6];
   readVtp(folder.file("axis.vtp"))->GetBounds(bounds);

@@ -1,4 +1,4 @@
-"""What bash offers where a command line of the programs is not complete yet.
+"""What bash offers to complete command lines of the programs.
 
 usage: completion_test.py COMPLETION FOLDER-OF-PROGRAMS
 """

@@ -18,7 +18,7 @@ def page(program):
 
 
 def text(program):
-    """As it is read, without the overstrikes of a terminal and the hyphens of its lines."""
+    """The text as people read it, without a terminal's overstrikes and hyphens at line ends."""
     shown = subprocess.run([MANDOC, "-T", "utf8", "-O", "width=1000", page(program)], text=True,
                            capture_output=True, check=True).stdout
     return re.sub(r".\x08", "", shown)
@@ -39,7 +39,7 @@ class Manual(unittest.TestCase):
 
     def test_each_option_has_an_entry(self):
         for program in PROGRAMS:
-            # What a short one means follows on its line.
+            # The text of a short entry follows on the same line.
             entries = re.findall(r"^ {7}(?:-\w,)?(--[a-z-]+)(?: |$)", text(program), re.MULTILINE)
             with self.subTest(program=program.name):
                 stated = re.findall(r"^  (?:-\w,)?(--[a-z-]+)", help_of(program), re.MULTILINE)

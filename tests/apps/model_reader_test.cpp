@@ -1,4 +1,5 @@
-// Models of balls come from every format of axes, and damaged files are refused by point and value.
+// Models of balls come from every format of axes, and messages about damaged files name point and
+// value.
 #include "failure.h"
 #include "model_reader.h"
 #include "vtp_writer.h"
@@ -31,7 +32,7 @@ namespace
 using app::Failure;
 using app::readModel;
 
-/// Two quads, a triangle, two lines and two vertices, at places that no format may round.
+/// Two quads, a triangle, two lines and two vertices, with coordinates that no format may round.
 MedialAxis sampleAxis()
 {
   MedialAxis axis;

@@ -19,7 +19,7 @@ class ViewerCommand : public ::testing::Test
 protected:
   ViewerCommand() { writeFile(input, objText(box({ 1.0, 0.7, 0.4 }))); }
 
-  // What a run that must fail says: one line.
+  // The one line that a run prints, which must fail.
   std::string failure(const std::vector<std::string>& arguments, int exitCode,
     const RunOptions& options = {})
   {

@@ -46,7 +46,7 @@ protected:
   static int across(double share) { return static_cast<int>(share * kWidth); }
   static constexpr int kSliderHeight = 34;
 
-  /// What the window shows when nothing moves.
+  /// The picture in the window when nothing moves.
   vtkSmartPointer<vtkImageData> picture();
   vtkSmartPointer<vtkImageData> lastDrawn();
 

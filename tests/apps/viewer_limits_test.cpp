@@ -133,7 +133,7 @@ TEST_F(ViewerWindow, DrawsDraftsWhileAButtonIsHeld)
   }
 }
 
-// A draft is no other picture: few pixels have more than one layer whose order counts.
+// A draft looks almost the same: few pixels have several layers whose order matters.
 TEST_F(ViewerWindow, DraftsLookLikeWhatIsDrawnWell)
 {
   Viewer& v = open();

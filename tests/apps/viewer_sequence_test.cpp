@@ -73,7 +73,7 @@ TEST(ViewerSequence, RefusesOtherCells)
   EXPECT_NE(message.find("a.obj"), std::string::npos) << message;
 }
 
-// What touches in the first frame is one mesh there.
+// Parts that touch in the first frame are welded.
 TEST(ViewerSequence, RefusesFramesThatComeApart)
 {
   const TemporaryFolder folder;

@@ -38,13 +38,13 @@ std::vector<Shape> shapes()
     { "openFins", openFins() }, { "soup", randomSoup(30, 7) } };
 }
 
-/// What a method answers beside the truth, in units of the finest spacing.
+/// The errors of a method, in units of the finest spacing.
 struct Comparison
 {
-  double lowest = 0.0;          ///< least of distance - truth
+  double lowest = 0.0;          ///< minimum of distance - truth
   double highest = 0.0;         ///< greatest
   double beyondHundredth = 0.0; ///< share of the points that err by more than 0.01
-  double labels = 0.0;          ///< greatest excess of the distance from the answered triangle
+  double labels = 0.0;          ///< maximum excess of the distance from the answered triangle
 };
 
 Comparison compare(const TriangleMesh& mesh, const Grid& grid, const benchmark::FieldResult& result)

@@ -18,7 +18,7 @@
 
 #include <cmath>
 
-// The parts of the benchmark program: what measures must itself be right.
+// The parts of the benchmark program must themselves be right.
 namespace medial::benchmark
 {
 namespace
@@ -149,7 +149,7 @@ TEST(BenchmarkFrames, BothWaysAgree)
   }
 }
 
-/// Whatever was found at configuration: those that are exact by design.
+/// All exact methods that this build has.
 TEST(BenchmarkMethods, ExactOnesAreExact)
 {
   for (const TriangleMesh& mesh : { bumpyTorus(400), test::lPrism(1.0, 0.7) })

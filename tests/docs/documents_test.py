@@ -1,4 +1,4 @@
-"""Files that the documents name exist, tutorials state what the programs state, README is short.
+"""Files that the documents name exist, tutorials agree with the programs' --help, README is short.
 
 usage: documents_test.py SOURCES MEDIAL-AXIS MEDIAL-MEASURE MEDIAL-VIEWER
 """
@@ -25,7 +25,7 @@ def code_words(text):
 
 
 def named_files(text):
-    """Paths from the project's root; patterns and build folders are none."""
+    """Paths from the project's root, without patterns and build folders."""
     for word in code_words(text):
         path = re.sub(r"^\./|[,;:.)]+$", "", word)
         if re.fullmatch(r"[\w./-]+", path) and path.split("/")[0] in TOP - {"out"}:
@@ -41,7 +41,7 @@ def links(text):
 
 
 def headings(text):
-    """As links name them."""
+    """Headings, as links name them."""
     return {re.sub(r"[^\w -]", "", heading.lower()).replace(" ", "-")
             for heading in re.findall(r"^#+ (.*)$", text, re.MULTILINE)}
 

@@ -1,4 +1,4 @@
-"""Doxygen has nothing to say against the comments of the public headers, and leaves none out.
+"""Doxygen reports no warning about the public headers, and everything public is documented.
 
 usage: header_docs_test.py DOXYGEN DOXYFILE
 """

@@ -1,6 +1,6 @@
 """A tutorial does what it says: its files and commands, in their order, in a folder of their own.
 
-Blocks in Markdown: sh is run and must succeed; a block without a language after it is what it prints,
+Blocks in Markdown: a block of sh is run and must succeed; a block without a language after it is its output,
 where ... stands for anything; blocks of other languages become the file that the text before names
 last.
 

@@ -43,7 +43,7 @@ double boxDistance(const double x[3])
   return inside > 0.0 ? std::sqrt(outside) : inside;
 }
 
-/// Difference of the distances to the two nearest faces: nought on the axis.
+/// Difference of the distances to the two nearest faces: 0 on the axis.
 double imbalance(const double x[3])
 {
   std::array<double, 3> depths;

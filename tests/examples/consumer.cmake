@@ -1,6 +1,6 @@
 # Functions for projects that use the installation at PREFIX.
 
-# run(OUTPUT COMMAND...): the command's standard output; its failure is that of the test.
+# run(OUTPUT COMMAND...): runs the command and returns its standard output; if it fails, so does the test.
 function(run output)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE text ERROR_VARIABLE errors)
   message(STATUS "${text}")

@@ -7,7 +7,7 @@ if(NOT output MATCHES "^[0-9]+ cells, computed by the engine [^\n]+")
 endif()
 run(figures "${CHECK}" "${WORK}/axis.vtp")
 
-# Without a file to read there is no axis, and nothing that looks like one.
+# Without a file to read there is no axis, and no file that looks like one.
 execute_process(
   COMMAND "${WORK}/medial_pipeline" "${WORK}/absent.stl" "${WORK}/absent.vtp"
   RESULT_VARIABLE code OUTPUT_QUIET ERROR_VARIABLE errors)
@@ -15,7 +15,7 @@ if(NOT code EQUAL 1 OR NOT errors MATCHES "absent.stl" OR EXISTS "${WORK}/absent
   message(FATAL_ERROR "a missing input file ended with ${code}:\n${errors}")
 endif()
 
-# An axis that could not be written is not reported.
+# The program does not report an axis that it could not write.
 execute_process(
   COMMAND "${WORK}/medial_pipeline" "${BOX}" "${WORK}/absent/axis.vtp"
   RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE errors)

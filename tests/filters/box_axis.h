@@ -19,7 +19,7 @@ inline vtkSmartPointer<vtkMedialAxis> axisOf(vtkPolyData* mesh, int resolution)
   return axis;
 }
 
-/// The margin puts the middle plane at no special place between samples.
+/// With this margin the middle plane has no special place between grid points.
 inline vtkSmartPointer<vtkMedialAxis> boxAxis(int resolution = 33)
 {
   auto axis = axisOf(boxPolyData(kHalfSides), resolution);

@@ -165,7 +165,7 @@ TEST(DistanceFieldInformation, InputIsExecutedOnce)
   EXPECT_EQ(source.executions, 1);
 }
 
-// The source still has the piece that somebody else asked for.
+// The source still has the piece of an earlier request.
 TEST(DistanceFieldInformation, GridIsThatOfTheWholeInput)
 {
   vtkNew<vtkSphereSource> sphere;
@@ -335,7 +335,7 @@ TEST(DistanceFieldExtent, CompositeInputGivesOneGridABlock)
   expectPartOf(lump, alone->GetOutput());
 }
 
-// What makes the blocks must not be asked to update while the pipeline goes through them.
+// The producer of the blocks must not be updated while the pipeline goes through them.
 TEST(DistanceFieldExtent, CompositeInputMayComeFromAFilter)
 {
   vtkNew<vtkSphereSource> sphere;

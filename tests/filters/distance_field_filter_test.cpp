@@ -25,7 +25,7 @@ namespace
 using namespace medial::test;
 using medial::Point3;
 
-/// Largest error that DESIGN allows, as a share of the spacing.
+/// Maximum error allowed, as a share of the spacing.
 constexpr double kTolerance = 1e-2;
 
 vtkSmartPointer<vtkMeshDistanceField> fieldOf(vtkPolyData* mesh, int resolution)

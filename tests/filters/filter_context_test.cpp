@@ -59,7 +59,7 @@ private:
   EGLContext context_ = EGL_NO_CONTEXT;
 };
 
-/// State that a careless library would change.
+/// OpenGL state that a careless library would change.
 struct State
 {
   std::vector<GLint> integers;

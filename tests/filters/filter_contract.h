@@ -7,7 +7,7 @@
 #include <vtkMedialAxis.h>
 #include <vtkMeshDistanceField.h>
 
-// The filters over a grid, for what their tests have in common.
+// The filters over a grid, for tests that apply to both.
 namespace medial::test
 {
 
@@ -23,7 +23,7 @@ protected:
     return filter;
   }
 
-  /// The error after `spoil` holds `words`; all is well again after `repair`.
+  /// After `spoil` the error message contains `words`; after `repair` the filter works again.
   static void expectError(const std::function<void(Filter*)>& spoil,
     const std::function<void(Filter*)>& repair, const std::string& words)
   {

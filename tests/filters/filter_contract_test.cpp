@@ -254,7 +254,7 @@ TYPED_TEST(FilterContract, AbortWorksAtEveryProgressEvent)
     filter->Update();
     events = log.progress.size();
   }
-  // The last event but one may come when all work is done; the last one always does.
+  // The last event always comes after all work is done, and the one before may.
   for (std::size_t i = 0; i + 2 < events; ++i)
   {
     filter->Modified();

@@ -48,8 +48,8 @@ bool update(vtkAlgorithm* filter);
 /// Points of output 0.
 vtkIdType pointCount(vtkAlgorithm* filter);
 
-/// Expects an update to fail with one InvalidInputError whose message holds `words`, and to leave
-/// nothing.
+/// Expects an update to fail with one InvalidInputError whose message contains `words`, and to
+/// leave no output.
 void expectInvalidInput(vtkAlgorithm* filter, const std::string& words);
 
 /// The same after `spoil`, of a filter that can be updated before, and can be again after `repair`.

@@ -291,7 +291,7 @@ TEST(MedialAxisFilter, PreservesTheTopology)
 
 TEST(MedialAxisFilter, SidesAreWhereTheySayTheyAre)
 {
-  // A lump has axes on both sides: it is not convex.
+  // A lump is not convex, so it has axes on both sides.
   auto axis = axisOf(lumpPolyData(), 33);
   axis->SetPadding(0.2);
   const auto signs = [&](int side)
@@ -310,7 +310,7 @@ TEST(MedialAxisFilter, SidesAreWhereTheySayTheyAre)
       double x[3];
       axis->GetOutput()->GetPoint(i, x);
       const double distance = valueOf(field, "Distance", field->FindPoint(x));
-      // Near the surface the nearest sample may lie across it.
+      // Near the surface the nearest grid point may lie across it.
       if (std::abs(distance) > field->GetSpacing()[0])
       {
         ++counts[distance < 0.0 ? 0 : 1];

@@ -35,7 +35,7 @@ vtkSmartPointer<vtkMedialThickness> make(vtkPolyData* mesh)
   return filter;
 }
 
-/// What an algorithm puts out, with points inside its faces.
+/// The output of an algorithm, with points added inside its faces.
 vtkSmartPointer<vtkPolyData> refined(vtkAlgorithm* algorithm)
 {
   vtkNew<vtkTriangleFilter> triangles;

@@ -1,4 +1,4 @@
-"""ParaView's properties say what the headers say: texts, ranges, defaults, and none is forgotten.
+"""ParaView's properties have the texts, ranges and defaults of the headers, and none is missing.
 
 usage: paraview_properties_test.py FILTERS-FOLDER
 """

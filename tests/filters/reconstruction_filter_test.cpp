@@ -1,4 +1,4 @@
-// Surfaces of balls, cones and slabs whose volumes are known, and what a pipeline may expect.
+// Surfaces of balls, cones and wedges whose volumes are known, and what a pipeline may expect.
 #include "filter_support.h"
 
 #include <gtest/gtest.h>

@@ -15,7 +15,7 @@ LIBRARY = f"libmedial{SERIES}"
 PROGRAMS = ("medial-axis", "medial-measure", "medial-viewer")
 DOCUMENTS = ("copyright", "changelog.gz", "changelog.Debian.gz")
 
-# What each package must need, without versions. Those of libraries are found by dpkg-shlibdeps.
+# What each package must depend on, without versions. Those of libraries are found by dpkg-shlibdeps.
 NEEDED = {
     LIBRARY: {"libc6", "libepoxy0", "libopenmesh1", "libstdc++6", "libtbb12", "libvtk9.1"},
     "libmedial-dev": set(),

@@ -16,7 +16,7 @@ field = MeshDistanceField(Input=mesh, Resolution=72, GenerateClosestPoint=1,
 SaveData(os.path.join(folder, "field.pvti"), proxy=field)
 result = {"samples of a process": field.FieldData["Samples"].GetRange()}
 
-# A filter downstream that wants ghost samples.
+# A downstream filter that wants ghost points.
 contour = Contour(Input=field, ContourBy="Distance", Isosurfaces=[0.02])
 contour.UpdatePipeline()
 result["contour bounds"] = contour.GetDataInformation().GetBounds()

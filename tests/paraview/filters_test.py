@@ -1,4 +1,4 @@
-"""Each filter in pvpython: values beside what is known of shapes, properties, progress, abort."""
+"""Each filter in pvpython: values on known shapes, properties, progress, abort."""
 
 import os
 import sys

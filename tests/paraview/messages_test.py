@@ -15,7 +15,7 @@ ON_MESHES = (MeshDistanceField, MedialAxis, MedialThickness)
 
 class Messages(unittest.TestCase):
     def expect(self, words, filter, properties, **repaired):
-        """Says the words, has no output, and works with repaired properties."""
+        """The message has the words, there is no output, and repaired properties work."""
         with messages() as shown:
             proxy = filter(**properties)
             proxy.UpdatePipeline()

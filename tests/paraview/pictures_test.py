@@ -1,4 +1,4 @@
-"""Each filter's output on the bunny, as ParaView shows it by default, beside a picture of before.
+"""Each filter's output on the bunny, as ParaView shows it by default, compared with a stored picture.
 
 usage: pvpython pictures_test.py [--update]   --update makes the pictures anew: look at them
 """

@@ -1,4 +1,4 @@
-"""Compares builds that are made up: scripts in the place of the programs, which differ in one thing.
+"""Compares made-up builds: scripts in place of the programs, which differ in one thing.
 
 usage: compare_outputs_test.py SCRIPT
 """

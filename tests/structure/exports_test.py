@@ -84,7 +84,7 @@ class Exports(unittest.TestCase):
 
 
 class Declarations(unittest.TestCase):
-    """What would be found in a library that exported more."""
+    """What the test finds in a library that exports more."""
 
     HEADER = """
         #define MEDIAL_EXPORT defined(int)

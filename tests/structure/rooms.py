@@ -54,7 +54,7 @@ def read_rooms(document):
 
 
 def find_cycle(arrows):
-    """Rooms that lead from one to itself, or nothing."""
+    """The rooms of a cycle, or nothing."""
     done = set()
 
     def visit(room, way):
@@ -97,7 +97,7 @@ def includes(root, rooms):
 
 
 def table_faults(root, rooms):
-    """What the table and the folders do not have in common."""
+    """Differences between the table and the folders."""
     lib = root / "lib"
     public = {path.name for path in (lib / "include/medial").glob("*.h")} - {COLLECTION}
     faults = [f"the table lacks the header {name}" for name in sorted(public - set(rooms.headers))]
@@ -137,7 +137,7 @@ def unused_arrows(root, rooms):
 
 
 def mirror_faults(root):
-    """Folders of shaders and of the tests that are none of lib."""
+    """Folders of shaders and tests that are not rooms of lib."""
     known = set(subfolders(root / "lib"))
     return [f"{mirror}/{folder} mirrors no folder of lib" for mirror in ("shaders", "tests/lib")
             for folder in subfolders(root / mirror) if folder not in known]

@@ -25,15 +25,15 @@ struct AnalyticAxis
   std::string name;
   /// Tessellation: the error of the facets falls with `spacing` squared.
   std::function<TriangleMesh(double spacing)> shape;
-  Bounds bounds;  ///< of the grid, in which the axis is as told
+  Bounds bounds;  ///< of the grid, in which the axis is as described
   double spacing; ///< the coarsest; halved twice
-  double angle;   ///< least separation angle, degrees
+  double angle;   ///< minimum separation angle, degrees
   Side side = Side::Interior;
   std::function<AxisTruth(const Point3&)> truth;
   /// False for points near seams, rims and ends, where the truth changes from one form to another.
   std::function<bool(const Point3&, double spacing)> regular = [](const Point3&, double)
   { return true; };
-  bool isCurve = false; ///< or a point, which facets make a thin tangle of lines
+  bool isCurve = false; ///< or a point, which facets turn into a thin tangle of lines
   double area = 0.0;    ///< of the sheets inside the bounds; 0 where it has no closed form
 };
 

@@ -12,7 +12,7 @@ namespace medial::test
 namespace
 {
 
-/// A rotation by no round angles.
+/// A rotation by angles that are not round.
 const std::array<Point3, 3> kTurn = []
 {
   const double a = 0.41;

@@ -9,8 +9,7 @@
 namespace medial::test
 {
 
-/// An axis of which only points, radii and cells are there, to be added to. Lengths are world
-/// units.
+/// An axis that has only points, radii and cells, to which functions add. Lengths are world units.
 class AxisBuilder
 {
 public:

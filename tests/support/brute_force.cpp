@@ -58,8 +58,8 @@ Hit closestOnPoint(const Point3& p, const Point3& query)
   return { length(query - p), p, Feature::Vertex };
 }
 
-/// Closest point of the triangle a, a + u, a + v, u its longest side, if it lies inside. The
-/// candidate is built from the sides and so lies on the triangle even if it is a sliver, where a
+/// Closest point of the triangle a, a + u, a + v with the longest edge u, if it lies inside. The
+/// candidate is built from the edges and so lies on the triangle even if it is a sliver, where a
 /// distance along a normal could be far too small.
 Hit closestInside(const Point3& a, const Point3& u, const Point3& v, const Point3& query)
 {

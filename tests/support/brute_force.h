@@ -14,7 +14,7 @@
 namespace medial::test
 {
 
-/// Where a mesh, or a part of it, is closest to a query point.
+/// The closest point of a mesh, or of a part of it, to a query point.
 struct Hit
 {
   double distance = std::numeric_limits<double>::infinity(); ///< world units, >= 0
@@ -37,7 +37,7 @@ Hit closestOnSite(const TriangleMesh& mesh, const MeshConnectivity& connectivity
 double distanceToSite(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
   std::int64_t siteId, const Point3& query);
 
-/// Distance to what one input cell became; infinite where the mesh has nothing of it.
+/// Distance to the elements made from one input cell; infinite if the mesh has none.
 double distanceToCell(const TriangleMesh& mesh, std::int64_t cellId, const Point3& query);
 
 /// Sum of the signed solid angles of the triangles over 4 pi: 1 inside a closed mesh oriented

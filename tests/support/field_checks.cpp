@@ -156,7 +156,7 @@ private:
   void addDistance(std::size_t voxel, double error)
   {
     errors_.inexact += error <= kUsualTolerance ? 0 : 1;
-    // Not a number counts as the worst error.
+    // NaN counts as the worst error.
     if (!(error <= errors_.distance))
     {
       errors_.distance = std::isnan(error) ? std::numeric_limits<double>::infinity() : error;

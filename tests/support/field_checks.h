@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-// Distance fields against the brute-force oracle and against each other.
+// Compares distance fields with the brute-force oracle and with each other.
 namespace medial::test
 {
 
@@ -32,11 +32,11 @@ struct FieldErrors
   std::size_t withoutSite = 0;  ///< closest site outside [0, number of sites)
   std::size_t wrongFeature = 0; ///< feature that is not the kind of the closest site
   std::size_t inexact = 0;      ///< distance more than 1e-3 wrong
-  double distance = 0.0;        ///< greatest error of abs(Distance)
-  double site = 0.0;            ///< greatest distance to the closest site beyond the least
-  double pointLength = 0.0;     ///< greatest difference of |ClosestPoint - voxel| and the distance
-  double pointFromCell = 0.0;   ///< greatest distance of ClosestPoint from ClosestCell
-  std::size_t worst = 0;        ///< the voxel of the greatest `distance`
+  double distance = 0.0;        ///< maximum error of abs(Distance)
+  double site = 0.0;            ///< maximum excess of the distance to the closest site
+  double pointLength = 0.0;     ///< maximum difference of |ClosestPoint - voxel| and the distance
+  double pointFromCell = 0.0;   ///< maximum distance of ClosestPoint from ClosestCell
+  std::size_t worst = 0;        ///< the voxel of the maximum `distance`
   double rounding = 0.0;        ///< what storing ClosestPoint in single precision may add
 
   std::string describe() const;
@@ -60,7 +60,7 @@ void expectExactField(const TriangleMesh& mesh, const Grid& grid,
 /// How two fields over the same number of voxels differ.
 struct FieldDifference
 {
-  double distance = 0.0;       ///< greatest, in voxels of the first field, signs included
+  double distance = 0.0;       ///< maximum, in voxels of the first field, signs included
   std::size_t sites = 0;       ///< voxels with different sites
   std::size_t untiedSites = 0; ///< those whose sites the mesh has at different distances
 };

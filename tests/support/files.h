@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-// Files that tests make and look into.
+// Files that tests write and read.
 namespace medial::test
 {
 

@@ -7,16 +7,16 @@
 #include <cstdint>
 #include <vector>
 
-// What holds for every medial axis, and how near it is to the truth.
+// Checks of what holds for every medial axis, and of how near it is to the truth.
 namespace medial::test
 {
 
-/// A grid around a mesh with its points at no round place.
+/// A grid around a mesh; no grid point has round coordinates.
 Grid offCentreGrid(const TriangleMesh& mesh, double spacing, double margin = 0.25);
 
 /// Expects attributes and cells of an axis to be consistent with each other and with the mesh:
 /// Radius exact, closest points at that distance and on the surface, Lambda and SeparationAngle
-/// what they mean, cells without repeated corners, area or use, no unused point.
+/// what they mean, no cell with repeated corners or without area, no unused point.
 ///
 /// ClosestPointB belongs to a crossing of the axis with a grid edge. For Points it is as near as
 /// ClosestPointA. Points of the other representations are moved from the crossings by up to half
@@ -50,7 +50,7 @@ struct AxisErrors
 AxisErrors axisErrors(const MedialTruth& truth, const std::vector<Point3>& points,
   double thickness);
 
-/// Distance of the place of the true axis that is farthest from all points; places nearer than
+/// Distance of that point of the true axis which is farthest from all points; points nearer than
 /// `margin` to the surface do not count.
 double uncovered(const MedialTruth& truth, const std::vector<Point3>& points, double margin);
 

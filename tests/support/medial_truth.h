@@ -9,7 +9,7 @@
 namespace medial::test
 {
 
-/// A rotation that brings no plane of a shape onto one of the grid's, and its inverse.
+/// A rotation that aligns no plane of a shape with the grid, and its inverse.
 Point3 tilted(const Point3& point);
 Point3 untilted(const Point3& point);
 TriangleMesh tilted(TriangleMesh mesh);
@@ -20,9 +20,10 @@ struct MedialTruth
   TriangleMesh shape;
   /// The axis at `angle`: triangles, segments and points.
   TriangleMesh axis;
-  /// Where sheets meet or end, and what of the axis is no sheet: a grid thickens these.
+  /// Where sheets meet or end, and the parts of the axis that are not sheets: a grid thickens
+  /// these.
   TriangleMesh curves;
-  double angle;   ///< separation angle, degrees, away from that of any part of the axis
+  double angle;   ///< in degrees, different from the separation angle of any part of the axis
   double spacing; ///< of a grid that resolves the shape and does not show its facets
 };
 

@@ -4,7 +4,8 @@
 
 #include <string>
 
-// Meshes as the content of files. Coordinates keep 17 digits in text, floats in binary.
+// Meshes as the content of files. Coordinates have 17 digits in texts and are floats in binary
+// files.
 namespace medial::test
 {
 

@@ -29,7 +29,7 @@ void skipLine(std::istream& file)
   file.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
 }
 
-/// Sizes of the elements "vertex" and "face" from a PLY header, which ends the reading.
+/// Sizes of the elements "vertex" and "face" from a PLY header; stops at its end.
 void readPlyHeader(std::istream& file, std::size_t& points, std::size_t& faces)
 {
   for (std::string text; std::getline(file, text) && text.rfind("end_header", 0) != 0;)

@@ -20,7 +20,7 @@ TriangleMesh box(const Point3& halfSides);
 /// edge lies on the z axis.
 TriangleMesh lPrism(double halfSide, double halfHeight);
 
-/// Icosahedron with its sides halved `subdivisions` times (20 * 4^subdivisions triangles); points
+/// Icosahedron with its edges halved `subdivisions` times (20 * 4^subdivisions triangles); points
 /// lie on the sphere, faces inside by up to radius * 0.2 / 4^subdivisions.
 TriangleMesh icosphere(double radius, int subdivisions);
 
@@ -51,8 +51,8 @@ TriangleMesh wedge(double dihedral, double length, double width);
 /// Tetrahedron with edges of length `edge`.
 TriangleMesh regularTetrahedron(double edge);
 
-/// Blocks of side 1, |z| <= halfHeight, where rows of text have a '#', the first row at the top and
-/// the first block at the origin; blocks that share no side must not touch.
+/// Blocks 1 wide, |z| <= halfHeight, where rows of text have a '#', the first row at the top and
+/// the first block at the origin; blocks that share no face must not touch.
 TriangleMesh blocks(const std::vector<std::string>& rows, double halfHeight);
 
 /// n triangles without common points, corners uniformly random in [-1, 1]^3.

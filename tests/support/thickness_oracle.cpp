@@ -108,7 +108,7 @@ double thicknessByBruteForce(const TriangleMesh& mesh, const Point3& start, cons
   double angle, double firstStep)
 {
   constexpr double kGrowth = 1.01;
-  constexpr int kSteps = 64;      // looked at together
+  constexpr int kSteps = 64;      // checked together
   constexpr int kRefinements = 7; // of a step, into as many parts each
   const double end = mesh.bounds().diagonal() / std::sin(std::min(angle, 90.0) * kDegree);
   const auto isWide = [](const Place& place) { return place.wide; };

@@ -33,7 +33,7 @@ TriangleMesh mirrored(TriangleMesh mesh, int axis);
 
 TriangleMesh flipOrientation(TriangleMesh mesh);
 
-/// Every triangle cut into four at the middles of its sides, `times` times; the shape is the same.
+/// Every triangle cut into four at the middles of its edges, `times` times; the shape is the same.
 TriangleMesh subdivided(TriangleMesh mesh, int times);
 
 /// Both meshes in one, bit-equal points welded; cell ids of `b` follow those of `a`.

@@ -51,7 +51,7 @@ private:
   std::array<int, 3> size_;
 };
 
-/// Pieces of the points with a value, neighbours differing in at most `most` coordinates.
+/// Components of the points with a value; neighbours differ in at most `most` coordinates.
 std::int64_t pieces(const std::vector<char>& values, char value, const Box& box, int most)
 {
   std::vector<char> seen(values.size(), 0);

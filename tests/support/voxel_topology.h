@@ -6,7 +6,7 @@
 
 #include <vector>
 
-// Topology by counting and flooding, for comparison with the library's.
+// Topology by counting and flooding, to compare with the library's.
 namespace medial::test
 {
 

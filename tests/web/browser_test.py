@@ -1,4 +1,4 @@
-"""A page of medial-axis --html in headless Chromium, beside the axis that was written with it.
+"""A page of medial-axis --html in headless Chromium, compared with the axis written by the same run.
 
 usage: browser_test.py MEDIAL-AXIS CHROMIUM FOLDER [Browser.TEST...]
 
@@ -36,7 +36,7 @@ FLAGS = ["--headless=new", "--no-sandbox", "--use-gl=angle", "--use-angle=swifts
          f"--window-size={SIZE[0]},{SIZE[1]}", "--force-device-scale-factor=1",
          "--virtual-time-budget=10000", "--enable-logging=stderr"]
 
-# A dumbbell of boxes, 2 x 1.4 x 0.8 and smaller, for want of a scan.
+# A dumbbell of boxes, 2 x 1.4 x 0.8 and smaller, in case there is no scan.
 BOXES = (((0, 0, 0), (1.0, 0.7, 0.4)), ((3, 0, 0), (0.5, 0.35, 0.2)))
 SIDES = ((1, 3, 4, 2), (5, 6, 8, 7), (1, 2, 6, 5), (3, 7, 8, 4), (1, 5, 7, 3), (2, 4, 8, 6))
 
@@ -63,7 +63,7 @@ def find_mesh(folder):
 
 
 def least_angles(path):
-    """The least separation angle of the corners of each triangle of the axis."""
+    """The minimum separation angle of the corners of each triangle of the axis."""
     reader = vtkXMLPolyDataReader()
     reader.SetFileName(str(path))
     triangulate = vtkTriangleFilter()

@@ -1,4 +1,4 @@
-"""medial.medial_axis() beside axes that are known."""
+"""Compares medial.medial_axis() with known axes."""
 
 import dataclasses
 import unittest

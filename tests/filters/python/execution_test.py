@@ -15,8 +15,8 @@ from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkCubeSource
 
-# Seconds from Ctrl-C to the exception, on a machine that is busy with other things too. It takes 0.3
-# at most otherwise, and the work minutes.
+# Seconds from Ctrl-C to the exception, on a machine that is busy with other things too. It takes 0.3 at
+# most on an idle machine, and the work takes minutes.
 PROMPT = 5.0
 
 
@@ -39,7 +39,7 @@ class Interruption(unittest.TestCase):
         self.sent = None
 
     def interrupt(self, seconds):
-        """What Ctrl-C does, after some time; only a thread that runs meanwhile can do it."""
+        """Does what Ctrl-C does, after some time; only a thread that runs meanwhile can do it."""
 
         def send():
             time.sleep(seconds)

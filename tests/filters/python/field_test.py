@@ -1,4 +1,4 @@
-"""medial.distance_field() beside exact distances."""
+"""Compares medial.distance_field() with exact distances."""
 
 import gc
 import unittest
@@ -13,7 +13,7 @@ from vtkmodules.vtkFiltersSources import vtkCubeSource
 
 
 def samples(field):
-    """World coordinates of all samples, (nx, ny, nz, 3)."""
+    """World coordinates of all grid points, (nx, ny, nz, 3)."""
     return np.stack(np.meshgrid(*field.axes(), indexing="ij"), axis=-1)
 
 
@@ -146,7 +146,7 @@ class Meshes(unittest.TestCase):
 
     def test_subclass_of_polydata(self):
         class PolyData(vtkPolyData):
-            """Pyvista's class is such a one."""
+            """A subclass of vtkPolyData, as pyvista's class is."""
 
         mesh = PolyData()
         mesh.ShallowCopy(medial.Surface(self.vertices, self.quads).to_vtk())
@@ -183,7 +183,7 @@ class Memory(unittest.TestCase):
 
         polydata, faces = surface()
         gc.collect()
-        # Takes the memory that was set free, whatever its size.
+        # Takes any memory that was set free, whatever its size.
         scratch = [np.full_like(faces, -1) for _ in range(10)]
         scratch += [np.full(len(faces) + 1, -1) for _ in range(10)]
         radii = np.linalg.norm(vtk_to_numpy(polydata.GetPoints().GetData()), axis=1)

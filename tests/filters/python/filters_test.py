@@ -1,4 +1,4 @@
-"""The filters from Python, beside VTK's own package."""
+"""The filters from Python, together with VTK's own package."""
 
 import math
 import unittest

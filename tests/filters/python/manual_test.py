@@ -1,4 +1,4 @@
-"""What the package's documents say holds: examples run, parameters are worded as everywhere.
+"""The package's documents are right: examples run, parameters are worded as elsewhere.
 
 usage: manual_test.py SOURCES
 """
@@ -40,7 +40,7 @@ def option(name):
 
 
 def stated_default(function, parameter):
-    """What the description of a parameter ends its default with."""
+    """The default that the description of a parameter states."""
     description = re.search(rf"\n    {parameter}: (.*?)\n    \w", function.__doc__, re.DOTALL)[1]
     return re.search(r"default ([\w.]+\w)", description)[1]
 
@@ -95,7 +95,7 @@ class Wording(unittest.TestCase):
         for function, names in OPTIONS.items():
             text = words(function.__doc__)
             for name in names:
-                # What they have in common: what it is, and the range.
+                # Both texts have the meaning and the range.
                 meaning = re.split(r", in world units|: |; ", option(name))[0]
                 ranges = re.findall(r"in [\[(][^])]*[])]|>= ?\d+|> 0", option(name))
                 with self.subTest(option=name):

@@ -1,4 +1,4 @@
-"""medial.thickness(), reconstruction() and curves() beside shapes whose answers are known."""
+"""Checks medial.thickness(), reconstruction() and curves() on shapes with known answers."""
 
 import dataclasses
 import unittest
@@ -18,7 +18,7 @@ class Thickness(unittest.TestCase):
     def test_edges_and_the_other_side_of_a_box(self):
         vertices, quads = shapes.box()
         np.testing.assert_array_equal(medial.thickness(vertices, quads), 0.0)
-        # From one of its sharp edges on a box has nothing opposite.
+        # Outside a box there is nothing opposite its faces.
         np.testing.assert_array_equal(
             np.isnan(medial.thickness(vertices, quads, side="exterior")), True)
 

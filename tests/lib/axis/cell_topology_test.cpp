@@ -62,7 +62,7 @@ void addTetrahedron(const std::array<std::int64_t, 4>& p, Triangles& triangles)
   }
 }
 
-/// Number of rows of a matrix modulo 2 that do not depend on others.
+/// The rank of a matrix modulo 2.
 std::int64_t rank(std::vector<std::vector<char>> rows)
 {
   std::int64_t rank = 0;

@@ -38,7 +38,7 @@ TEST(PlaneFit, TwoPlanesLeaveTheirLineToTheMean)
 
 TEST(PlaneFit, SlidesAlongTheLineOfTwoPlanesIntoReach)
 {
-  // Their line is x = y = z, and the mean's nearest point of it at 0.2.
+  // They meet in the line x = y = z; its point nearest to the mean is at 0.2.
   PlaneFit fit;
   fit.add({ 0.1, 0.1, 0.4 }, glm::normalize(glm::dvec3(1.0, -1.0, 0.0)), 1.0);
   fit.add({ 0.0, 0.3, 0.3 }, glm::normalize(glm::dvec3(0.0, 1.0, -1.0)), 1.0);

@@ -1,4 +1,5 @@
-// Distances to hulls of balls against the support function, which knows nothing of touching balls.
+// Compares distances to hulls of balls with the support function, which does not use touching
+// balls.
 #include "balls/ball_hulls.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +28,7 @@ std::vector<glm::dvec3> directions(int count)
   return result;
 }
 
-/// Least of n . (x - c) - r over some balls.
+/// Minimum of n . (x - c) - r over some balls.
 double behind(const std::vector<Ball>& balls, const glm::dvec3& x, const glm::dvec3& n)
 {
   double min = 1e30;
@@ -57,9 +58,9 @@ double climb(const std::vector<Ball>& balls, const glm::dvec3& x, glm::dvec3 bes
   return max;
 }
 
-/// The signed distance to a convex body is the greatest over all directions n of n . x - h(n), with
-/// h(n) the greatest n . c + r of the balls. From inside there are several local maxima: climbed
-/// from the best sample of every octant.
+/// The signed distance to a convex body is the maximum over all directions n of n . x - h(n), where
+/// h(n) is the maximum of n . c + r over the balls. From inside there are several local maxima, so
+/// the search climbs from the best sample of every octant.
 double oracle(const std::vector<Ball>& balls, const glm::dvec3& x)
 {
   static const std::vector<glm::dvec3> kDirections = directions(20000);
@@ -100,7 +101,7 @@ void expectDistance(const std::vector<Ball>& balls, const HullDistance& found, c
   const double expected = oracle(balls, x);
   EXPECT_GE(found.distance, expected - 1e-9);
   EXPECT_LE(found.distance, expected + 5e-4);
-  // The ball that is named touches there.
+  // The returned ball touches there.
   EXPECT_NEAR(glm::distance(x, found.ball.centre) - found.ball.radius, found.distance, 1e-9);
 }
 
@@ -217,7 +218,7 @@ glm::dvec4 meanOf(const std::vector<Ball>& balls, const double* shares)
   return mean;
 }
 
-/// The ball of these shares is the one that the distance is measured to.
+/// The distance is that to the ball with these shares.
 void expectNearest(const std::vector<Ball>& balls, const double* shares, const HullDistance& found,
   const glm::dvec3& x)
 {
@@ -266,7 +267,7 @@ TEST(BallHulls, WedgesAndConesHaveTheSameTangentPlanes)
     ++existing;
     EXPECT_NEAR(glm::distance(wedge->normal(1.0), (*normals)[0]), 0.0, 1e-9);
     EXPECT_NEAR(glm::distance(wedge->normal(-1.0), (*normals)[1]), 0.0, 1e-9);
-    // Seen along the cone of two of the balls, the planes touch that as well.
+    // Seen along the cone of two of the balls, the planes touch that cone as well.
     const auto cone = coneOf(a, b);
     ASSERT_TRUE(cone);
     EXPECT_NEAR(glm::dot((*normals)[0], cone->axis), cone->slope, 1e-9);

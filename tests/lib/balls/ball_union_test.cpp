@@ -1,4 +1,4 @@
-// The union of a medial model against all of its primitives, and samples of its surface.
+// Compares the union of a medial model with all of its primitives; checks samples of its surface.
 #include "balls/ball_union.h"
 #include "measure/boundary_samples.h"
 
@@ -143,7 +143,7 @@ TEST(BallUnion, DistanceToItsSurfaceFromInside)
   EXPECT_NEAR(solid.distanceToSurface({ 0.0, 1.7, 0.0 }, 1e-9), std::sqrt(3.0) - 1.7, 1e-2);
   EXPECT_NEAR(solid.distanceToSurface({ -1.5, 0.0, 0.0 }, 1e-9), 1.5, 1e-12);
   EXPECT_NEAR(solid.distanceToSurface({ 0.0, 0.0, 5.0 }, 1e-9), std::sqrt(26.0) - 2.0, 1e-12);
-  // At a centre any direction is as good, and none leads astray.
+  // At a centre all directions are equally good, and none leads astray.
   EXPECT_GE(solid.distanceToSurface({ -1.0, 0.0, 0.0 }, 1e-9), 2.0 - 1e-9);
   EXPECT_LE(solid.distanceToSurface({ -1.0, 0.0, 0.0 }, 1e-9), 4.0);
 }

@@ -1,4 +1,4 @@
-// Where balls overlap, pairwise or all of them.
+// Whether balls overlap, pairwise or all of them.
 #include "balls/common_point.h"
 
 #include <gtest/gtest.h>

@@ -32,7 +32,7 @@ public:
   bool cancel = false;
 };
 
-/// Calls it for some time, as a loop over small parts does.
+/// Calls a checkpoint for some time, as a loop over small parts does.
 void callFor(std::chrono::milliseconds duration, const medial::Checkpoint& checkpoint)
 {
   const auto end = std::chrono::steady_clock::now() + duration;

@@ -18,7 +18,7 @@ using medial::ErrorCode;
 /// More than any machine has: 8192 points along each axis.
 constexpr std::int64_t kHugeGrid = std::int64_t{ 8192 } * 8192 * 8192;
 
-/// The message of the OutOfMemory error of `work`, empty where there is none.
+/// The message of the OutOfMemory error of `work`, empty if there is none.
 template <typename F>
 std::string memoryError(F&& work)
 {

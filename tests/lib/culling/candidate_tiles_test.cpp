@@ -23,7 +23,7 @@ using namespace medial::test;
 namespace
 {
 
-/// Frame units within which sites count as equally close.
+/// Sites count as equally close within this, in local units.
 constexpr double kTie = 1e-3;
 
 struct Culling
@@ -38,7 +38,7 @@ std::ostream& operator<<(std::ostream& stream, const Culling& culling)
   return stream << culling.name;
 }
 
-/// Twelve faces in pairs of equal and opposite ones, so that edges have many.
+/// Twelve faces in pairs that are equal and opposite, so that edges have many faces.
 TriangleMesh bookOfFaces()
 {
   std::vector<Point3> points{ { 0.0, 0.0, -0.5 }, { 0.0, 0.0, 0.5 } };
@@ -73,7 +73,7 @@ std::vector<Culling> cullings()
 class CandidateTilesOf : public testing::TestWithParam<Culling>
 {
 protected:
-  /// Whether some of the ids, ascending, is a site whose own interior holds the closest point.
+  /// Whether one of the ids, ascending, is a site whose own interior holds the closest point.
   bool holdsClosest(const glm::dvec3& x, const int* begin, const int* end) const
   {
     double min = 1e300;

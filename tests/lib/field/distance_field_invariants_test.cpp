@@ -228,7 +228,7 @@ TEST(DistanceFieldInvariants, IsTheSameFromSinglePointExtents)
   expectSameField(mesh, whole, parts);
 }
 
-/// On a grid of so many points that little memory means thin slabs.
+/// On a grid so large that little memory means thin slabs.
 TEST_P(DistanceFieldOptionsOf, DoNotMatter)
 {
   const TriangleMesh mesh = shape();

@@ -82,7 +82,7 @@ TriangleMesh zeroAreaTriangles()
     { { 0, 1, 2 }, { 0, 1, 3 }, { 4, 5, 6 }, { 3, 3, 5 }, { 6, 6, 6 }, { 1, 0, 2 } });
 }
 
-/// Needles and caps of decreasing height over sides of length 1, tilted.
+/// Needles and caps of decreasing height over edges of length 1, tilted.
 TriangleMesh needles()
 {
   std::vector<Point3> points;
@@ -126,7 +126,7 @@ TriangleMesh longStrips(double length, double width, int count, double excess)
   return makeMesh(points, triangles);
 }
 
-/// A triangle given twice and two neighbours, from a chair with double sides: the polygons of their
+/// A triangle given twice and two neighbours, from a chair with double faces: the polygons of their
 /// common edge have nearly collinear corners.
 TriangleMesh doubledTriangle()
 {

@@ -21,7 +21,7 @@ using namespace medial::test;
 namespace
 {
 
-/// Records what it is told and cancels after a number of reports.
+/// Records reports of progress and cancels after a number of them.
 class RecordingProgress : public Progress
 {
 public:
@@ -63,7 +63,7 @@ TriangleMesh mesh()
   return torus(1.0, 0.35, 32, 16);
 }
 
-/// Of several slabs, as 64 slices are the most for one.
+/// Takes several slabs, as one has at most 64 slices.
 Grid tallGrid()
 {
   return { { -1.5, -1.5, -1.5 }, { 0.06, 0.06, 0.015 }, { 50, 50, 200 } };
@@ -104,7 +104,7 @@ void expectInvalid(Work work)
   }
 }
 
-/// An array with elements before and after it that nobody may touch.
+/// An array between elements that nobody may touch.
 template <class T>
 class Guarded
 {

@@ -33,7 +33,8 @@ std::ostream& operator<<(std::ostream& stream, const Solid& solid)
   return stream << solid.name;
 }
 
-/// A sharp wedge whose edge one side splits in the middle; a triangle without area closes the gap.
+/// A sharp wedge whose edge one of its faces splits in the middle; a triangle without area closes
+/// the gap.
 TriangleMesh wedgeClosedByZeroArea(double dihedral)
 {
   const double half = 0.5 * dihedral * std::acos(-1.0) / 180.0;

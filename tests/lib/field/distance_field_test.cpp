@@ -34,7 +34,7 @@ std::ostream& operator<<(std::ostream& stream, const NamedMesh& named)
   return stream << named.name;
 }
 
-/// What ends up in the name of a test.
+/// The text in the name of a test.
 std::string identifier(std::string name)
 {
   std::replace_if(

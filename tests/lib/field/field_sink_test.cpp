@@ -25,7 +25,7 @@ struct SinkFailure : std::runtime_error
   }
 };
 
-/// Puts slabs together again, in the arrays of a whole extent.
+/// Collects slabs in the arrays of a whole extent.
 class CollectingSink : public FieldSink
 {
 public:
@@ -88,7 +88,7 @@ TriangleMesh mesh()
   return torus(1.0, 0.35, 32, 16);
 }
 
-/// No multiple of any slab's thickness.
+/// Not a multiple of any slab's thickness.
 Grid tallGrid()
 {
   return { { -1.5, -1.5, -1.5 }, { 0.06, 0.06, 0.0211 }, { 50, 50, 143 } };

@@ -32,7 +32,7 @@ std::string textOf(const fs::path& path)
   return text.str();
 }
 
-/// A folder that holds nothing, for the time of a test.
+/// An empty folder, for the time of a test.
 class EmptyFolder
 {
 public:
@@ -51,7 +51,7 @@ private:
   fs::path path_;
 };
 
-/// 0 where the device is missing as documented: twice, as the library tries again.
+/// 0 if the device is missing as documented. Asks twice, as the library tries again.
 int exitCodeWithoutEgl()
 {
   for (int attempt = 0; attempt < 2; ++attempt)

@@ -1,4 +1,4 @@
-// Axes come back from every format, and damaged files are refused by line and value.
+// Axes survive every format, and messages about damaged files name the line and the value.
 #include "medial/axis_io.h"
 
 #include "medial/error.h"
@@ -26,7 +26,7 @@ using Ids = std::vector<std::int64_t>;
 
 constexpr std::array<const char*, 3> kExtensions = { ".ply", ".obj", ".ma" };
 
-/// Two quads, a triangle, two lines and two vertices, at places that no format may round.
+/// Two quads, a triangle, two lines and two vertices, with coordinates that no format may round.
 MedialAxis sample()
 {
   MedialAxis axis;
@@ -159,7 +159,7 @@ TEST(AxisIo, WritesTheDocumentedText)
     "f 0 1 2\n");
 }
 
-// The code and the message of what writing throws.
+// The code and the message of the error that writing throws.
 std::string writeError(const std::string& path)
 {
   try
@@ -320,7 +320,7 @@ TEST(AxisIo, RefusesFilesThatAreNone)
   EXPECT_THROW(readAxis("missing.ma"), Error);
 }
 
-// A file cut anywhere is refused or, at a line's end that completes it, read as it is; never more.
+// A file cut anywhere is refused or, if the cut leaves it complete, read as it is.
 TEST(AxisIo, SurvivesEveryTruncation)
 {
   const TemporaryFolder folder;

@@ -1,4 +1,4 @@
-// Meshes come back from every format, and damaged files are refused by line and value.
+// Meshes survive every format, and messages about damaged files name the line and the value.
 #include "medial/mesh_io.h"
 
 #include "medial/error.h"

@@ -44,7 +44,7 @@ TEST(AxisCoverage, TheAxisOfACapsuleLeavesNothing)
   EXPECT_EQ(coverage.uncoveredShare, 0.0);
   EXPECT_EQ(coverage.reach, 1e-4);
   EXPECT_EQ(coverage.samples, kDefaultCoverageSamples);
-  // Without the line the cylinder lies bare, as far as it is not beside the balls.
+  // Without the line the cylinder is uncovered except beside the balls.
   model.lines.clear();
   const double beside = std::sqrt(kReach * kReach + 2.0 * kReach * 0.5);
   EXPECT_NEAR(uncovered(mesh, model), (1.0 - beside) / (1.0 + 0.5), 0.002);

@@ -64,7 +64,7 @@ void expectCovers(const std::vector<Point3>& polygon, double area)
   EXPECT_NEAR(std::hypot(sum[0], sum[1], sum[2]), area, 1e-9 * area);
 }
 
-/// The plane polygon, tilted so that no axis is special.
+/// The planar polygon, tilted so that no axis is special.
 std::vector<Point3> tilted(const std::vector<std::array<double, 2>>& polygon)
 {
   std::vector<Point3> result;

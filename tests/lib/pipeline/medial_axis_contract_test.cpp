@@ -86,7 +86,7 @@ MedialAxis compute(const AxisCase& input, Representation representation,
   return computeMedialAxis(input.mesh, input.grid, options);
 }
 
-/// The greatest distance of one in twenty points of `a` from all points of `b`.
+/// The maximum distance of every twentieth point of `a` from the points of `b`.
 double farthest(const MedialAxis& a, const MedialAxis& b)
 {
   std::vector<Point3> some;
@@ -101,7 +101,7 @@ double farthest(const MedialAxis& a, const MedialAxis& b)
 class MedialAxisContract : public testing::TestWithParam<AxisCase>
 {
 protected:
-  /// Sheets need grid cells, which a grid of one slice has not.
+  /// Sheets need grid cells, and a grid of one slice has none.
   static void expectContract(Representation representation)
   {
     for (const DistanceFieldOptions& options : allEngines())

@@ -36,7 +36,7 @@ class WedgeAxis : public testing::TestWithParam<double>
 {
 protected:
   static constexpr double kFork = 0.5;
-  static constexpr double kHalfLength = 0.3; ///< without what the caps influence
+  static constexpr double kHalfLength = 0.3; ///< without the part that the caps influence
   static constexpr double kSpacing = 0.0231;
 
   static double separation() { return 180.0 - GetParam(); }
@@ -48,7 +48,7 @@ protected:
     return wedge(GetParam(), 2.0 * (kHalfLength + kFork * std::sin(half)), width);
   }
 
-  /// Three voxels away from whatever else there is.
+  /// Three voxels away from everything else.
   static bool nearBisector(const Point3& p)
   {
     constexpr double kMargin = 3.0 * kSpacing;
@@ -325,8 +325,8 @@ TEST(MedialAxisSelection, ACapsuleIsLinesAlongItsMiddle)
   }
 }
 
-/// The corners of voxel faces lie up to a diagonal off the axis; their angles are those of the
-/// axis.
+/// The corners of voxel faces lie up to a diagonal away from the axis; their angles are those of
+/// the axis.
 TEST(MedialAxisSelection, CornersOfVoxelFacesSeeBothSides)
 {
   const TriangleMesh mesh = box({ 1.0, 0.8, 0.2 });

@@ -50,7 +50,7 @@ protected:
     EXPECT_LE(errors.curveMax, reach);
   }
 
-  /// Every place of the true axis has a point nearby.
+  /// Every point of the true axis has a computed point nearby.
   void expectCovered(const std::vector<Point3>& points) const
   {
     EXPECT_LE(uncovered(truth_, points, 2.0 * truth_.spacing), thickness_);

@@ -54,8 +54,8 @@ std::vector<SolidCase> cases()
     { "thinRing", torus(1.0, 0.05, 64, 12), 1, 0, 1, 0.0431 } };
 }
 
-/// For expectConsistent: points that are no mean of crossings have a second closest point that may
-/// be farther than the first by a voxel's diagonal.
+/// For expectConsistent: points that are not means of crossings have a second closest point that
+/// may be farther than the first by a voxel's diagonal.
 constexpr Representation kAnyDistanceB = Representation::Faces;
 
 MedialAxis preserved(const TriangleMesh& mesh, const Grid& grid, double angle,
@@ -242,7 +242,7 @@ TEST(TopologyPreservation, KeepsTheWallsOfThinShellsTogether)
   expectSame(axis, { 1, 2, 0, 1 });
 }
 
-/// A selection by angle alone loses what is as thin.
+/// A selection by angle alone loses parts as thin as this.
 TEST(TopologyPreservation, KeepsThinRoundPartsAsCurves)
 {
   const double radius = 0.06;
@@ -280,7 +280,7 @@ TEST(TopologyPreservation, KeepsTheSelectedSheets)
   EXPECT_LE(axis.points.size(), selected.points.size() * 11 / 10);
 }
 
-/// Sheets that the angle leaves in pieces are joined, and by little more than curves.
+/// Sheets that the angle leaves in pieces are joined by little more than curves.
 TEST(TopologyPreservation, JoinsPieces)
 {
   // Two boxes and a square bar between them, whose axis is a line.

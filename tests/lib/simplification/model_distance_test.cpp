@@ -1,4 +1,4 @@
-// Distances to the cells around a vertex against those to the same cones and wedges.
+// Compares distances to the cells around a vertex with those to the same cones and wedges.
 #include "simplification/model_distance.h"
 
 #include "balls/ball_hulls.h"

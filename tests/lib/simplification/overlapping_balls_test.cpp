@@ -1,4 +1,4 @@
-// The nearest overlapping ball of another group against a search of all of them.
+// Compares the nearest overlapping ball of another group with a search through all balls.
 #include "simplification/overlapping_balls.h"
 
 #include <gtest/gtest.h>

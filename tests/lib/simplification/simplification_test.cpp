@@ -1,4 +1,4 @@
-// Do simplified axes have the shape and the topology of what they came from?
+// Do simplified axes keep the shape and the topology of the full ones?
 #include "medial/simplification.h"
 
 #include "support/analytic_math.h"

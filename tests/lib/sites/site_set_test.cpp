@@ -20,7 +20,7 @@ using namespace medial::test;
 namespace
 {
 
-/// Frame units; half-spaces are stored in single precision.
+/// Local units; half-spaces are stored in single precision.
 constexpr double kPrecision = 1e-4;
 
 struct NamedMesh
@@ -187,8 +187,8 @@ TEST(SiteSet, ShortEdgesStandForTrianglesWithoutArea)
   EXPECT_TRUE(sites.active(sites.firstEdge() + edges[2]));
 }
 
-/// Every edge of these belongs to several triangles without area, so that there are very many ways
-/// to look through one after the other.
+/// Every edge here belongs to several triangles without area, so a search along edges has very many
+/// ways to go.
 TEST(Pseudonormals, AreQuickForPilesOfTrianglesWithoutArea)
 {
   std::vector<std::array<int, 3>> triangles;

@@ -1,4 +1,4 @@
-// What holds for the thickness of every mesh, beside brute force.
+// What holds for the thickness of every mesh, compared with brute force.
 #include "medial/thickness.h"
 
 #include "medial/error.h"
@@ -37,7 +37,7 @@ TriangleMesh lump(int subdivisions)
 }
 
 /// Compares `count` points, spread over the mesh, with brute force. Points whose value is 0 by the
-/// rule for sharp edges and tips are passed over; their number is returned.
+/// rule for sharp edges and tips are skipped; returns their number.
 int compare(const TriangleMesh& mesh, const ThicknessOptions& options, int count)
 {
   const Thickness thickness = computeThickness(mesh, options);
@@ -192,7 +192,7 @@ TEST(ThicknessContract, SummaryIsThatOfTheValues)
   EXPECT_EQ(thickness.max, present.back());
 }
 
-// What has no normal has no ball, but it is in the way of others.
+// A point without a normal has no ball, but it limits the balls of others.
 TEST(ThicknessContract, SegmentsAndPointsLimitBallsAndHaveNone)
 {
   TriangleMesh mesh =

@@ -19,7 +19,7 @@ using namespace medial::test;
 namespace
 {
 
-/// Of single precision, relative to values about 1.
+/// The tolerance of single precision, relative to values about 1.
 constexpr double kRounding = 3e-7;
 
 Thickness thicknessOf(const TriangleMesh& mesh, Side side = Side::Interior, double angle = 60.0)
@@ -200,7 +200,7 @@ TEST(Thickness, OfATorusIsThatOfItsTube)
 
 TEST(Thickness, OfACylinder)
 {
-  // Twice the least of radius, half height and distance to the rim; 0 on the rim.
+  // Twice the minimum of radius, half height and distance to the rim; 0 on the rim.
   const auto truth = [](const Point3& x)
   {
     const double rho = std::hypot(x[0], x[1]);
@@ -237,7 +237,8 @@ TEST(Thickness, OnSharpConvexEdgesAndTipsIsNothing)
   EXPECT_EQ(thicknessOf(steep).values[0], 0.0f);
 }
 
-// A tip of 2 x 75 degrees is blunt: its sides' normals are 30 degrees apart. It sees the base.
+// A tip of 2 x 75 degrees is blunt: the normals around it are 30 degrees apart. Its ball touches
+// the base.
 TEST(Thickness, OnBluntTipsIsThatBehindThem)
 {
   const double pi = std::acos(-1.0);

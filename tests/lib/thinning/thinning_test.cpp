@@ -20,7 +20,7 @@ using namespace medial::test;
 namespace
 {
 
-/// A grid of made-up distances around a mesh of one point, whose direction separates nothing.
+/// A grid of made-up distances around a mesh of one point, where no two directions are separated.
 class Voxels
 {
 public:
@@ -82,7 +82,7 @@ int count(const CubicalComplex& lattice, int dimension)
   return count;
 }
 
-/// The faces of cells that are there are there.
+/// All faces of the present cells are present.
 void expectClosed(const CubicalComplex& lattice)
 {
   for (CubeCell cell = 0; cell < 8 * static_cast<CubeCell>(lattice.positions()); ++cell)

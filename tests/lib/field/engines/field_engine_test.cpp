@@ -1,4 +1,4 @@
-// What every engine promises, and how one is made.
+// What holds for every engine, and how engines are made.
 #include "field/field_engine.h"
 
 #include "base/run.h"
@@ -48,7 +48,7 @@ std::set<Key> keysOf(const std::vector<Crossing>& crossings)
   return keys;
 }
 
-/// Sites at equal distance take turns where polygons are cut in another way.
+/// Cutting polygons in another way may swap sites at equal distance.
 void expectEqualButForTies(const Selected& a, const Selected& b)
 {
   for (std::size_t i = 0; i < a.distance.size(); ++i)

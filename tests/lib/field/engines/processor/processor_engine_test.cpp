@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 constexpr const char* kOpenGlLibraries[] = { "libEGL", "libGL.", "libGLX", "libOpenGL",
   "libGLdispatch", "_dri.so", "libgallium", "libLLVM" };
 
-/// A folder of files that have the names of OpenGL's libraries, and are none.
+/// A folder of files that have the names of OpenGL's libraries but are not libraries.
 class NoOpenGl
 {
 public:
@@ -82,7 +82,7 @@ std::string outcomeOf(const DistanceFieldOptions& options)
   }
 }
 
-/// Exits with 0 where everything but what draws has worked.
+/// Exits with 0 if everything that does not draw has worked.
 void computeEverything()
 {
   MedialAxisOptions options;

@@ -22,7 +22,8 @@ namespace
 class EvaluatedTile : public testing::Test
 {
 protected:
-  /// Compares a tile with exact distances to the closed candidates, and says how many are negative.
+  /// Compares a tile with exact distances to the closed candidates, and returns how many are
+  /// negative.
   int expectExact(const Extent& tile, const std::vector<int>& candidates)
   {
     auto field = std::make_unique<TileField>();

@@ -45,7 +45,7 @@ TEST(AtlasLayout, SlicesThatDoNotFitAreRefused)
   EXPECT_THROW(AtlasLayout::make(extentOf(600, 600, 10), 4, 1200), Error);
 }
 
-/// A torus on a small grid, with all that comes before drawing.
+/// A torus on a small grid, with everything that must precede drawing.
 class SlabOfTorus : public testing::Test
 {
 protected:

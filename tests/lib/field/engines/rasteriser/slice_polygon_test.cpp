@@ -58,7 +58,7 @@ TEST(SlicePolygon, SnappingJoinsCornersThatBecomeOne)
   EXPECT_EQ(polygon.size(), 4);
 }
 
-/// As above the apex of a cone with very many edges: corners within rounding of the next side.
+/// As above the apex of a cone with very many edges: corners lie within rounding of the next edge.
 TEST(SlicePolygon, VeryManySidesNeverMakeTooManyCorners)
 {
   for (int edges : { 64, 250, 1000, 5000 })
