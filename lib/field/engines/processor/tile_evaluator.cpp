@@ -195,7 +195,53 @@ MEDIAL_INLINE void completeBasis(const glm::dvec3& n, glm::dvec3 (&across)[2])
   across[1] = { b, sign + n.y * n.y * a, -n.y };
 }
 
-/// Whether some point has no site.
+/// Evaluates a face.
+/// @param normal the pseudonormal: the face's normal, turned to the outside.
+MEDIAL_INLINE std::int64_t evaluateFace(const Tile& tile, const SiteSet& sites, int site,
+  const glm::dvec3& normal, const FaceSides& sides)
+{
+  TileFunction bounds[5];
+  for (int i = 0; i < sides.count; ++i)
+  {
+    bounds[i] = tile.function(glm::dvec3(sides.side[i]), sides.side[i].w);
+  }
+  const glm::dvec3& corner = sites.points()[sites.faces()[site][0]];
+  const glm::dvec3& faceNormal = sites.faceNormal(site);
+  const double turn = glm::dot(faceNormal, normal) < 0.0 ? -1.0 : 1.0;
+  return addFace(tile, site, tile.function(turn * faceNormal, turn * glm::dot(faceNormal, corner)),
+    bounds, sides.count);
+}
+
+/// Evaluates an edge, within its ends and as many of its other half-spaces as there is room for.
+MEDIAL_INLINE std::int64_t evaluateEdge(const Tile& tile, const SiteSet& sites, int site,
+  const glm::dvec3& normal, float slack)
+{
+  constexpr int kMaxBounds = 8;
+  TileFunction bounds[kMaxBounds];
+  const glm::ivec2& ends = sites.edges()[site - sites.firstEdge()];
+  const glm::dvec3& p = sites.points()[ends[0]];
+  const glm::dvec3& q = sites.points()[ends[1]];
+  const double length = glm::distance(p, q);
+  const glm::dvec3 u = (q - p) / length;
+  const double start = glm::dot(u, p);
+  bounds[0] = tile.function(-u, -start);
+  bounds[1] = tile.function(u, start + length);
+  int boundCount = 2;
+  const HalfSpace* end = sites.halfSpacesEnd(site);
+  for (const HalfSpace* h = sites.halfSpacesBegin(site) + 2; h != end && boundCount < kMaxBounds;
+       ++h)
+  {
+    bounds[boundCount++] = tile.function(glm::dvec3(*h), static_cast<double>(h->w));
+  }
+  glm::dvec3 across[2];
+  completeBasis(u, across);
+  const TileFunction distance[2] = { tile.function(across[0], glm::dot(across[0], p)),
+    tile.function(across[1], glm::dot(across[1], p)) };
+  return addEdge(tile, site, distance, tile.function(normal, glm::dot(normal, p)), bounds,
+    boundCount, slack);
+}
+
+/// Whether a point has no site.
 MEDIAL_INLINE bool hasHoles(const Tile& tile)
 {
   const Int8 used = ramp() <= tile.lastX;
@@ -243,7 +289,7 @@ void TileEvaluator::setFaceSides(int face)
     along[i] = glm::normalize(sites_.points()[corners[(i + 1) % 3]] - a);
     result.side[i] = plane(glm::normalize(glm::cross(along[i], sites_.faceNormal(face))), a);
   }
-  const int longest = sites_.longestSide(face);
+  const int longest = sites_.longestEdge(face);
   const glm::dvec3& u = along[longest];
   result.side[3] = plane(-u, sites_.points()[corners[longest]]);
   result.side[4] = plane(u, sites_.points()[corners[(longest + 1) % 3]]);
@@ -282,8 +328,6 @@ MEDIAL_VECTORISED std::int64_t TileEvaluator::evaluate(const Extent& extent, con
   std::fill(std::begin(field.squared), std::end(field.squared), std::numeric_limits<float>::max());
   std::fill(std::begin(field.site), std::end(field.site), -1);
   std::int64_t rows = 0;
-  constexpr int kMaxBounds = 8;
-  TileFunction bounds[kMaxBounds];
   for (const int* candidate = candidates; candidate != candidates + count; ++candidate)
   {
     const int site = *candidate;
@@ -296,46 +340,11 @@ MEDIAL_VECTORISED std::int64_t TileEvaluator::evaluate(const Extent& extent, con
     switch (sites_.kind(site))
     {
       case SiteKind::Face:
-      {
-        const FaceSides& sides = faceSides_[site];
-        for (int i = 0; i < sides.count; ++i)
-        {
-          bounds[i] = tile.function(glm::dvec3(sides.side[i]), sides.side[i].w);
-        }
-        // The pseudonormal of a face is its normal, turned outwards.
-        const glm::dvec3& corner = sites_.points()[sites_.faces()[site][0]];
-        const glm::dvec3& faceNormal = sites_.faceNormal(site);
-        const double turn = glm::dot(faceNormal, normal) < 0.0 ? -1.0 : 1.0;
-        rows +=
-          addFace(tile, site, tile.function(turn * faceNormal, turn * glm::dot(faceNormal, corner)),
-            bounds, sides.count);
+        rows += evaluateFace(tile, sites_, site, normal, faceSides_[site]);
         break;
-      }
       case SiteKind::Edge:
-      {
-        const glm::ivec2& ends = sites_.edges()[site - sites_.firstEdge()];
-        const glm::dvec3& p = sites_.points()[ends[0]];
-        const glm::dvec3& q = sites_.points()[ends[1]];
-        const double length = glm::distance(p, q);
-        const glm::dvec3 u = (q - p) / length;
-        const double start = glm::dot(u, p);
-        bounds[0] = tile.function(-u, -start);
-        bounds[1] = tile.function(u, start + length);
-        int boundCount = 2;
-        const HalfSpace* end = sites_.halfSpacesEnd(site);
-        for (const HalfSpace* h = sites_.halfSpacesBegin(site) + 2;
-             h != end && boundCount < kMaxBounds; ++h)
-        {
-          bounds[boundCount++] = tile.function(glm::dvec3(*h), static_cast<double>(h->w));
-        }
-        glm::dvec3 across[2];
-        completeBasis(u, across);
-        const TileFunction distance[2] = { tile.function(across[0], glm::dot(across[0], p)),
-          tile.function(across[1], glm::dot(across[1], p)) };
-        rows += addEdge(tile, site, distance, tile.function(normal, glm::dot(normal, p)), bounds,
-          boundCount, slack_);
+        rows += evaluateEdge(tile, sites_, site, normal, slack_);
         break;
-      }
       case SiteKind::Vertex:
       default:
       {

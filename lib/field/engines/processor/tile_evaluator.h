@@ -14,6 +14,13 @@
 namespace medial
 {
 
+/// The half-spaces of a face in double precision; the last two only matter for needles.
+struct FaceSides
+{
+  glm::dvec4 side[5];
+  int count;
+};
+
 /// Finds closest sites by evaluating the candidates of a tile at its grid points, which a processor
 /// does faster than imitating a rasteriser. As there, distance vectors are affine (section 3.1 of
 /// the paper), and a candidate is evaluated only where the bounds of its Voronoi region allow it to
@@ -40,13 +47,6 @@ public:
   glm::dvec3 displacement(int site, const glm::dvec3& x) const;
 
 private:
-  /// The half-spaces of a face in double precision; the last two only matter for needles.
-  struct FaceSides
-  {
-    glm::dvec4 side[5];
-    int count;
-  };
-
   void setFaceSides(int face);
   /// Fills grid points that the bounds of all candidates exclude, by exact queries. There should be
   /// no such point; this makes sure of it.
