@@ -30,7 +30,7 @@ void sitesOf(const DualMesh& mesh, const BisectorPoints& bisectors, std::size_t 
 /// @param candidates replaces `sites` by those for question i; where angles are equal the first one
 ///   counts.
 /// @param tolerance how much farther than the closest point the other one may be, frame units.
-std::vector<BisectorPoint> contacts(const AxisGeometry& geometry,
+std::vector<BisectorPoint> closestPairs(const AxisGeometry& geometry,
   std::vector<TileQuery::Question> questions,
   const std::function<void(std::size_t i, std::vector<int>& sites)>& candidates,
   double tolerance = std::numeric_limits<double>::infinity());

@@ -8,19 +8,19 @@
 namespace medial
 {
 
-/// The sides of polygons, looked up by their ends.
+/// The edges of polygons, looked up by their ends.
 class EdgeTable
 {
 public:
-  using Side = std::array<std::int64_t, 2>; ///< point ids, in either order
+  using Edge = std::array<std::int64_t, 2>; ///< point ids, in either order
 
-  /// @param sides one for each polygon that has it; all ids in [0, pointCount).
-  EdgeTable(const std::vector<Side>& sides, std::size_t pointCount);
+  /// @param edges one for each polygon that has it; all ids in [0, pointCount).
+  EdgeTable(const std::vector<Edge>& edges, std::size_t pointCount);
 
-  /// How many polygons have a side.
-  std::size_t count(const Side& side) const;
+  /// How many polygons have a edge.
+  std::size_t count(const Edge& edge) const;
 
-  /// Calls visit(side, count) for each side, once, in ascending order; the lower id is first.
+  /// Calls visit(edge, count) for each edge, once, in ascending order; the lower id is first.
   template <typename Visit>
   void forEach(const Visit& visit) const
   {
@@ -32,7 +32,7 @@ public:
         {
           ++next;
         }
-        visit(Side{ static_cast<std::int64_t>(low), high_[i] }, next - i);
+        visit(Edge{ static_cast<std::int64_t>(low), high_[i] }, next - i);
       }
     }
   }
@@ -42,14 +42,14 @@ private:
   std::vector<std::int64_t> high_;   ///< the higher ids, ascending
 };
 
-/// Appends the sides of a polygon.
+/// Appends the edges of a polygon.
 /// @param corners point ids in cyclic order.
 template <typename Polygon>
-void addSides(const Polygon& corners, std::vector<EdgeTable::Side>& sides)
+void addEdges(const Polygon& corners, std::vector<EdgeTable::Edge>& edges)
 {
   for (std::size_t i = 0; i < corners.size(); ++i)
   {
-    sides.push_back({ corners[i], corners[(i + 1) % corners.size()] });
+    edges.push_back({ corners[i], corners[(i + 1) % corners.size()] });
   }
 }
 

@@ -18,18 +18,18 @@ struct SampleContext
   const std::int32_t* closestSites; ///< of all grid points, x fastest
 };
 
-/// Grid edges with a point of each, by the faces of a lattice that are dual to them.
+/// Grid edges with a point of each, by the faces of a complex that are dual to them.
 class AxisSamples
 {
 public:
   static constexpr int kNone = -1;
 
-  AxisSamples(const CubicalComplex& lattice, const std::vector<Crossing>& crossings,
+  AxisSamples(const CubicalComplex& complex, const std::vector<Crossing>& crossings,
     const BisectorPoints& bisectors);
 
   /// Adds grid edges that no selection has delivered: at the bisector point of the closest sites of
   /// their ends, or in the middle where these are the same.
-  void add(const SampleContext& context, const CubicalComplex& lattice,
+  void add(const SampleContext& context, const CubicalComplex& complex,
     std::vector<CubeCell> faces);
 
   /// Adds the medial point seen from a grid point, for parts thinner than a voxel: the centre of
@@ -37,7 +37,7 @@ public:
   /// holds no other (shrinking ball: Ma, Bae, Choi, "3D medial axis point approximation using
   /// nearest neighbors and the normal field", 2012).
   /// @return its index.
-  int addPoint(const SampleContext& context, const CubicalComplex& lattice,
+  int addPoint(const SampleContext& context, const CubicalComplex& complex,
     const glm::ivec3& voxel);
 
   /// Index of a face's sample or kNone.
@@ -59,7 +59,7 @@ private:
 };
 
 /// The face dual to a crossing, and the crossing without sites of a face.
-CubeCell dualFace(const CubicalComplex& lattice, const Crossing& crossing);
-Crossing dualEdge(const CubicalComplex& lattice, CubeCell face);
+CubeCell dualFace(const CubicalComplex& complex, const Crossing& crossing);
+Crossing dualEdge(const CubicalComplex& complex, CubeCell face);
 
 } // namespace medial

@@ -10,7 +10,7 @@
 namespace medial
 {
 
-/// A cell of a cubical complex: 8 * linear index of its lattice position + kind.
+/// A cell of a cubical complex: 8 * linear index of its position + kind.
 using CubeCell = std::int64_t;
 
 /// Kinds of cells: a vertex, edges along x, y, z, faces normal to x, y, z, a voxel.
@@ -37,7 +37,7 @@ struct CubeCellSteps
 /// Position p = (i, j, k), x fastest, holds the voxel around grid point p, the three faces, and the
 /// three edges of it that meet in its lowest corner, and that corner. So the face of normal axis a
 /// at p is dual to the grid edge from p - e_a to p, and the vertex at p to the grid cell from
-/// p - (1,1,1) to p. Only cells of voxels away from the border of the lattice may be set.
+/// p - (1,1,1) to p. Only cells of voxels away from the border of the complex may be set.
 class CubicalComplex
 {
 public:

@@ -26,11 +26,11 @@ public:
   /// away from each other by the angle. Voxels on the other side of the surface, around parts that
   /// are thinner than a voxel, count with the direction that they see the surface from, and for
   /// 120 degrees, so that convex edges are no such parts.
-  bool separates(const CubicalComplex& lattice, CubeCell edge) const;
+  bool separates(const CubicalComplex& complex, CubeCell edge) const;
 
 private:
   /// Whether the voxels around an edge are all closest to the inside of one face.
-  bool seeOneFace(const CubicalComplex& lattice, CubeCell edge) const;
+  bool seeOneFace(const CubicalComplex& complex, CubeCell edge) const;
 
   const SiteSet& sites_;
   GridFrame frame_;

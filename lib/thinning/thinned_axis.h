@@ -30,10 +30,10 @@ struct ThinnedAxis
 /// ones that are gone, or else of the grid edges with the widest separation angles. For
 /// Representation::Faces it is the middle of its grid cell. Points stay at least kCellMargin inside
 /// of their grid cells, which makes them distinct and every quad have an area, so that the cells
-/// have the topology of the lattice.
+/// have the topology of the complex.
 ///
 /// @param samples receives those that are missing.
-ThinnedAxis thinnedAxis(const CubicalComplex& lattice, const DepthField& depth,
+ThinnedAxis thinnedAxis(const CubicalComplex& complex, const DepthField& depth,
   const SampleContext& context, Representation representation, AxisSamples& samples);
 
 /// In frame units along the finest axis.

@@ -28,11 +28,11 @@ namespace medial
 class Thinning
 {
 public:
-  /// @param lattice the solid, which becomes what is left of it.
+  /// @param complex the solid, which becomes what is left of it.
   /// @param depth and probe must outlive this object.
   /// @param step frame distance of neighbouring grid points.
   /// @param checkpoint called now and then; must outlive this object.
-  Thinning(CubicalComplex& lattice, const DepthField& depth, const CurveProbe& probe,
+  Thinning(CubicalComplex& complex, const DepthField& depth, const CurveProbe& probe,
     const glm::dvec3& step, const CurveLimits& limits, const Checkpoint& checkpoint);
 
   /// A face that is to stay.
@@ -67,7 +67,7 @@ private:
   glm::vec3 edgePosition(CubeCell edge) const;
   float depthAround(CubeCell cell) const;
 
-  CubicalComplex& lattice_;
+  CubicalComplex& complex_;
   /// Faces, and edges of curves that are kept; and voxels that are in the queue.
   CubicalComplex anchors_;
   const DepthField& depth_;

@@ -19,8 +19,8 @@ struct AxisEdges
   /// Ids of the two points.
   using Edge = std::array<std::int64_t, 2>;
 
-  std::vector<Edge> sides; ///< of all polygons, a shared side once for each of them
-  std::vector<Edge> lines; ///< cells of two points
+  std::vector<Edge> polygonEdges; ///< of all polygons, a shared edge once for each of them
+  std::vector<Edge> lines;        ///< cells of two points
 };
 
 /// The edges of the cells of an axis.
