@@ -26,10 +26,11 @@ void sitesOf(const DualMesh& mesh, const BisectorPoints& bisectors, std::size_t 
 /// Finds the closest pairs of positions: the closest point and, from a list of sites, the point
 /// seen at the largest angle from it. Many positions near each other are cheaper together.
 ///
-/// @param questions positions inside the grid, with what is known of their closest points.
-/// @param candidates replaces `sites` by those for question i; of equal angles the first one wins.
-/// @param tolerance how much farther away than the closest point the other one may be, local units.
-std::vector<BisectorPoint> contacts(const AxisGeometry& geometry,
+/// @param questions for the closest points: positions inside the grid, and what is known there.
+/// @param candidates replaces `sites` by those for question i; where angles are equal the first one
+///   counts.
+/// @param tolerance how much farther than the closest point the other one may be, frame units.
+std::vector<BisectorPoint> closestPairs(const AxisGeometry& geometry,
   std::vector<TileQuery::Question> questions,
   const std::function<void(std::size_t i, std::vector<int>& sites)>& candidates,
   double tolerance = std::numeric_limits<double>::infinity());

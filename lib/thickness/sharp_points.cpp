@@ -16,11 +16,11 @@ double angleBetween(const glm::dvec3& a, const glm::dvec3& b)
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
-/// Returns which edge of a face, counted like its corners, an edge is.
-int sideOf(const SiteSet& sites, int face, int edge)
+/// Which edge of a face, counted like its corners, an edge is.
+int placeOf(const SiteSet& sites, int face, int edge)
 {
-  const glm::ivec3& sides = sites.faceEdges()[face];
-  return sides[0] == edge ? 0 : (sides[1] == edge ? 1 : 2);
+  const glm::ivec3& edges = sites.faceEdges()[face];
+  return edges[0] == edge ? 0 : (edges[1] == edge ? 1 : 2);
 }
 
 /// Whether an edge with two faces is convex, seen from behind the faces (sign 1) or from their
@@ -28,10 +28,10 @@ int sideOf(const SiteSet& sites, int face, int edge)
 /// alike, the second one is reversed.
 bool isSharpEdge(const SiteSet& sites, int edge, int first, int second, double sign, double angle)
 {
-  const int sideOfFirst = sideOf(sites, first, edge);
-  const int sideOfSecond = sideOf(sites, second, edge);
+  const int inFirst = placeOf(sites, first, edge);
+  const int inSecond = placeOf(sites, second, edge);
   const glm::ivec3& corners = sites.faces()[second];
-  const bool alike = sites.faces()[first][sideOfFirst] != corners[sideOfSecond];
+  const bool alike = sites.faces()[first][inFirst] != corners[inSecond];
   const glm::dvec3& normal = sites.faceNormal(first);
   const glm::dvec3 other = alike ? sites.faceNormal(second) : -sites.faceNormal(second);
   if (normal == glm::dvec3(0.0) || other == glm::dvec3(0.0))
@@ -39,7 +39,7 @@ bool isSharpEdge(const SiteSet& sites, int edge, int first, int second, double s
     return false;
   }
   const glm::dvec3 across =
-    sites.points()[corners[(sideOfSecond + 2) % 3]] - sites.points()[corners[sideOfSecond]];
+    sites.points()[corners[(inSecond + 2) % 3]] - sites.points()[corners[inSecond]];
   return sign * glm::dot(across, normal) < 0.0 && angleBetween(normal, other) >= angle;
 }
 

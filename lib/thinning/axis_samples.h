@@ -24,20 +24,20 @@ class AxisSamples
 public:
   static constexpr int kNone = -1;
 
-  AxisSamples(const CubicalComplex& lattice, const std::vector<Crossing>& crossings,
+  AxisSamples(const CubicalComplex& complex, const std::vector<Crossing>& crossings,
     const BisectorPoints& bisectors);
 
-  /// Adds grid edges that were not selected: at the bisector point of the closest sites of their
-  /// ends, or at the middle if these are the same.
-  void add(const SampleContext& context, const CubicalComplex& lattice,
+  /// Adds grid edges that no selection has delivered: at the bisector point of the closest sites of
+  /// their ends, or in the middle where these are the same.
+  void add(const SampleContext& context, const CubicalComplex& complex,
     std::vector<CubeCell> faces);
 
   /// Adds the medial point seen from a grid point, for parts thinner than a voxel: the centre of
-  /// the ball, with a radius of at most two voxels, that touches the surface at the closest point
-  /// of the grid point and contains no other surface point (shrinking ball: Ma, Bae, Choi, "3D
-  /// medial axis point approximation using nearest neighbors and the normal field", 2012).
-  /// @return the index of the sample.
-  int addPoint(const SampleContext& context, const CubicalComplex& lattice,
+  /// the ball, of a radius of up to two voxels, that touches the surface at its closest point and
+  /// holds no other (shrinking ball: Ma, Bae, Choi, "3D medial axis point approximation using
+  /// nearest neighbors and the normal field", 2012).
+  /// @return its index.
+  int addPoint(const SampleContext& context, const CubicalComplex& complex,
     const glm::ivec3& voxel);
 
   /// Returns the index of a face's sample, or kNone.
@@ -58,8 +58,8 @@ private:
   std::vector<Entry> byFace_; ///< ascending
 };
 
-/// Returns the face dual to a crossing, or the crossing of a face, without sites.
-CubeCell dualFace(const CubicalComplex& lattice, const Crossing& crossing);
-Crossing dualEdge(const CubicalComplex& lattice, CubeCell face);
+/// The face dual to a crossing, and the crossing without sites of a face.
+CubeCell dualFace(const CubicalComplex& complex, const Crossing& crossing);
+Crossing dualEdge(const CubicalComplex& complex, CubeCell face);
 
 } // namespace medial

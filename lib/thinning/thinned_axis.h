@@ -29,11 +29,11 @@ struct ThinnedAxis
 /// mean of the samples around it: those of faces that are left without being selected, or of
 /// selected faces that are gone, or else of the grid edges with the widest separation angles. For
 /// Representation::Faces it is the middle of its grid cell. Points stay at least kCellMargin inside
-/// their grid cells. This makes points distinct and gives every quad an area, so that the cells
-/// have the topology of the lattice.
+/// of their grid cells, which makes them distinct and every quad have an area, so that the cells
+/// have the topology of the complex.
 ///
-/// @param samples receives the samples that are missing.
-ThinnedAxis thinnedAxis(const CubicalComplex& lattice, const DepthField& depth,
+/// @param samples receives those that are missing.
+ThinnedAxis thinnedAxis(const CubicalComplex& complex, const DepthField& depth,
   const SampleContext& context, Representation representation, AxisSamples& samples);
 
 /// Margin in local units along the finest axis.

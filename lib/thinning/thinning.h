@@ -28,11 +28,11 @@ namespace medial
 class Thinning
 {
 public:
-  /// @param lattice the solid; the object turns it into what is left of it.
-  /// @param depth, probe must outlive this object.
-  /// @param step distance of neighbouring grid points, local units.
-  /// @param checkpoint called regularly; must outlive this object.
-  Thinning(CubicalComplex& lattice, const DepthField& depth, const CurveProbe& probe,
+  /// @param complex the solid, which becomes what is left of it.
+  /// @param depth and probe must outlive this object.
+  /// @param step frame distance of neighbouring grid points.
+  /// @param checkpoint called now and then; must outlive this object.
+  Thinning(CubicalComplex& complex, const DepthField& depth, const CurveProbe& probe,
     const glm::dvec3& step, const CurveLimits& limits, const Checkpoint& checkpoint);
 
   /// Makes a face stay.
@@ -67,8 +67,8 @@ private:
   glm::vec3 edgePosition(CubeCell edge) const;
   float depthAround(CubeCell cell) const;
 
-  CubicalComplex& lattice_;
-  /// Faces, edges of curves that are kept, and voxels in the queue.
+  CubicalComplex& complex_;
+  /// Faces, and edges of curves that are kept; and voxels that are in the queue.
   CubicalComplex anchors_;
   const DepthField& depth_;
   const CurveProbe& probe_;
