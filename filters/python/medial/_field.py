@@ -48,7 +48,7 @@ class DistanceField:
 
     def __repr__(self) -> str:
         size = " x ".join(str(count) for count in self.distance.shape)
-        return f"<DistanceField of {size} samples, sign {self.sign}>"
+        return f"<DistanceField of {size} grid points, sign {self.sign}>"
 
     def axes(self) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
         """World coordinates of the grid points along x, along y and along z."""
