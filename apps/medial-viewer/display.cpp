@@ -57,10 +57,7 @@ void failCleanly(vtkRenderWindow* window)
   // Without an observer VTK would call abort().
   observeEvent(window, vtkCommand::ExitEvent,
     []
-    {
-      throw Failure(ExitCode::NoGpu,
-        "no OpenGL 3.2 context for the window could be had from the display");
-    });
+    { throw Failure(ExitCode::NoGpu, "the display offers no OpenGL 3.2 context for the window"); });
 }
 
 } // namespace medial::app

@@ -180,7 +180,7 @@ void Viewer::showFrame(std::size_t frame)
 
 void Viewer::changeResolution(int resolution)
 {
-  note_ = "computing with a resolution of " + std::to_string(resolution) + "; Escape gives up";
+  note_ = "computing with a resolution of " + std::to_string(resolution) + "; Escape cancels";
   window_.window->Render();
   note_.clear();
   compute(frame_, resolution);

@@ -145,7 +145,7 @@ int occurrences(const std::string& text, const std::string& pattern)
     std::sregex_iterator()));
 }
 
-// The least separation angle of the corners of each triangle, in the order of the page.
+// The minimum separation angle of the corners of each triangle, in the order of the page.
 std::vector<double> minAngles(const Json& data)
 {
   const auto angles = valuesOf(data["axis"]["arrays"][1]);

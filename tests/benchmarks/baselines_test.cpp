@@ -42,7 +42,7 @@ std::vector<Shape> shapes()
 struct Comparison
 {
   double lowest = 0.0;          ///< minimum of distance - truth
-  double highest = 0.0;         ///< greatest
+  double highest = 0.0;         ///< maximum of distance - truth
   double beyondHundredth = 0.0; ///< share of the points that err by more than 0.01
   double labels = 0.0;          ///< maximum excess of the distance from the answered triangle
 };

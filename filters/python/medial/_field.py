@@ -48,7 +48,7 @@ class DistanceField:
 
     def __repr__(self) -> str:
         size = " x ".join(str(count) for count in self.distance.shape)
-        return f"<DistanceField of {size} samples, sign {self.sign}>"
+        return f"<DistanceField of {size} grid points, sign {self.sign}>"
 
     def axes(self) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
         """World coordinates of the grid points along x, along y and along z."""
@@ -113,7 +113,7 @@ def distance_field(
     progress: called with the share of the work that is done, in [0, 1], and its name. An exception
         that it raises stops the work and is raised here.
 
-    Raises InvalidInputError, a ValueError, where the mesh or a value, or two together, are unusable,
+    Raises InvalidInputError, a ValueError, where the mesh, a value or two of them are unusable,
     NoGpuError, OutOfMemoryError, TypeError, or KeyboardInterrupt after Ctrl-C. Other Python threads
     run meanwhile; they must not change the arrays.
 

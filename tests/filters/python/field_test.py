@@ -33,7 +33,7 @@ class Values(unittest.TestCase):
 
     def test_is_described_in_short(self):
         field = medial.distance_field(*shapes.box(), resolution=9)
-        self.assertEqual(repr(field), "<DistanceField of 9 x 8 x 6 samples, sign pseudonormal>")
+        self.assertEqual(repr(field), "<DistanceField of 9 x 8 x 6 grid points, sign pseudonormal>")
 
     def test_padding_is_a_share_of_the_diagonal(self):
         field = medial.distance_field(*shapes.box(), resolution=33, padding=0.5)
