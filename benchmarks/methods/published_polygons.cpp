@@ -37,7 +37,7 @@ public:
   /// @param reach no distance on the slice is larger.
   void add(const SiteBound& bound, double reach)
   {
-    if (!this->findReached(sites_.sphere(bound.site), reach))
+    if (!this->findReached(sites_.boundingBall(bound.site), reach))
     {
       return;
     }

@@ -204,7 +204,7 @@ Corners contracted(const std::array<Id, 4>& quad, Contraction& contraction)
   return corners;
 }
 
-double longestSide(const BisectorPoints& points, const Corners& corners)
+double longestEdge(const BisectorPoints& points, const Corners& corners)
 {
   double longest = 0.0;
   for (std::size_t i = 0; i < corners.size(); ++i)
@@ -228,7 +228,7 @@ void joinNarrowStrips(const BisectorPoints& points, const std::vector<std::array
     if (corners.size() >= 3)
     {
       addSides(corners, sides);
-      if (area(points, corners) < kNarrow * longestSide(points, corners))
+      if (area(points, corners) < kNarrow * longestEdge(points, corners))
       {
         narrow.push_back(std::move(corners));
       }

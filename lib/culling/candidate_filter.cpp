@@ -122,7 +122,7 @@ CandidateFilter::CandidateFilter(const SiteSet& sites)
   float reach = 0.0f;
   for (int site = sites.firstVertex(); site < sites.size(); ++site)
   {
-    reach = std::max(reach, glm::length(glm::vec3(sites.sphere(site))));
+    reach = std::max(reach, glm::length(glm::vec3(sites.boundingBall(site))));
   }
   constexpr float kMinSlack = 1e-3f;
   slack_ = kMinSlack + 16.0f * std::numeric_limits<float>::epsilon() * reach;
@@ -174,7 +174,7 @@ MEDIAL_VECTORISED void CandidateFilter::findNear(const std::vector<int>& parent,
     // The centres of these balls are points of the surface.
     for (const int site : parent)
     {
-      const glm::vec4& sphere = sites_.sphere(site);
+      const glm::vec4& sphere = sites_.boundingBall(site);
       upper = min(upper, squaredLength(lanes.x - sphere.x, lanes.y - sphere.y, lanes.z - sphere.z));
     }
   }
@@ -190,7 +190,7 @@ MEDIAL_VECTORISED void CandidateFilter::findNear(const std::vector<int>& parent,
       __builtin_prefetch(sites_.halfSpacesBegin(parent[i + kAhead]) + 4);
     }
     const int site = parent[i];
-    const glm::vec4& sphere = sites_.sphere(site);
+    const glm::vec4& sphere = sites_.boundingBall(site);
     const Float8 reach = limit + sphere.w;
     const Float8 squared =
       squaredLength(lanes.x - sphere.x, lanes.y - sphere.y, lanes.z - sphere.z);
@@ -270,7 +270,7 @@ MEDIAL_VECTORISED void CandidateFilter::dropDominated(const FrameBox& box,
       }
       case SiteKind::Vertex:
       default:
-        squared = corners.squaredDistances(glm::vec3(sites_.sphere(site)) - box.centre);
+        squared = corners.squaredDistances(glm::vec3(sites_.boundingBall(site)) - box.centre);
         exact = squared;
         break;
     }

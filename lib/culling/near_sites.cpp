@@ -49,7 +49,7 @@ MEDIAL_VECTORISED void CandidateFilter::near(const int* begin, const int* end,
     Float8 nearest = splat(kUnknown);
     for (const int* site = begin; site != end; ++site)
     {
-      nearest = min(nearest, fromPoint(x, glm::vec3(sites_.sphere(*site))).squaredLength());
+      nearest = min(nearest, fromPoint(x, glm::vec3(sites_.boundingBall(*site))).squaredLength());
     }
     for (int i = 0; i < points.count; ++i)
     {
@@ -60,7 +60,7 @@ MEDIAL_VECTORISED void CandidateFilter::near(const int* begin, const int* end,
   for (const int* candidate = begin; candidate != end; ++candidate)
   {
     const int site = *candidate;
-    const glm::vec4& sphere = sites_.sphere(site);
+    const glm::vec4& sphere = sites_.boundingBall(site);
     const Float8 toSphere = reach + sphere.w;
     Float8 squared = fromPoint(x, glm::vec3(sphere)).squaredLength();
     unsigned near = bits(squared <= toSphere * toSphere) & used;

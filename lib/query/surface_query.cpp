@@ -228,7 +228,7 @@ void SurfaceQuery::setLane(int lane, int site, Leaf& leaf) const
 {
   const bool isFace = sites_.kind(site) == SiteKind::Face;
   const glm::dvec3 normal = isFace ? sites_.faceNormal(site) : glm::dvec3(0.0);
-  const glm::vec4& ball = sites_.sphere(site);
+  const glm::vec4& ball = sites_.boundingBall(site);
   for (int axis = 0; axis < 3; ++axis)
   {
     leaf.normal[axis][lane] = static_cast<float>(normal[axis]);

@@ -97,7 +97,7 @@ private:
     }
     for (const FlatFace& flat : flat_)
     {
-      this->addToCorners(flat.face, flat.seen[(sites_.longestSide(flat.face) + 1) % 3]);
+      this->addToCorners(flat.face, flat.seen[(sites_.longestEdge(flat.face) + 1) % 3]);
     }
   }
 
@@ -110,7 +110,7 @@ private:
     {
       beyond[side] = unitOrZero(this->edgeSum(flat.face, side) - flat.seen[side]);
     }
-    const int longest = sites_.longestSide(flat.face);
+    const int longest = sites_.longestEdge(flat.face);
     const int first = (longest + 1) % 3;
     const int second = (longest + 2) % 3;
     PerSide seen;

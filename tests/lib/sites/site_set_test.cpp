@@ -152,7 +152,7 @@ TEST_P(SiteSetOf, SpheresContainTheirSites)
   {
     for (int corner = 0; corner < 3; ++corner)
     {
-      const glm::dvec4 sphere(sites_.sphere(face));
+      const glm::dvec4 sphere(sites_.boundingBall(face));
       const glm::dvec3& p = sites_.points()[sites_.faces()[face][corner]];
       EXPECT_LE(glm::distance(glm::dvec3(sphere), p), sphere.w + kPrecision);
     }
@@ -181,7 +181,7 @@ TEST(SiteSet, ShortEdgesStandForTrianglesWithoutArea)
   EXPECT_FALSE(sites.active(0));
   EXPECT_TRUE(sites.active(1));
   const glm::ivec3& edges = sites.faceEdges()[0];
-  EXPECT_EQ(sites.longestSide(0), 0);
+  EXPECT_EQ(sites.longestEdge(0), 0);
   EXPECT_FALSE(sites.active(sites.firstEdge() + edges[0]));
   EXPECT_TRUE(sites.active(sites.firstEdge() + edges[1]));
   EXPECT_TRUE(sites.active(sites.firstEdge() + edges[2]));

@@ -243,7 +243,7 @@ void TileEvaluator::setFaceSides(int face)
     along[i] = glm::normalize(sites_.points()[corners[(i + 1) % 3]] - a);
     result.side[i] = plane(glm::normalize(glm::cross(along[i], sites_.faceNormal(face))), a);
   }
-  const int longest = sites_.longestSide(face);
+  const int longest = sites_.longestEdge(face);
   const glm::dvec3& u = along[longest];
   result.side[3] = plane(-u, sites_.points()[corners[longest]]);
   result.side[4] = plane(u, sites_.points()[corners[(longest + 1) % 3]]);
