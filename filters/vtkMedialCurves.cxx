@@ -62,7 +62,7 @@ medial::AxisEdges EdgesOf(vtkPolyData* input)
     {
       for (vtkIdType i = 0; i < count; ++i)
       {
-        edges.sides.push_back({ ids[i], ids[(i + 1) % count] });
+        edges.polygonEdges.push_back({ ids[i], ids[(i + 1) % count] });
       }
     });
   ForEachCell(input->GetLines(), input,

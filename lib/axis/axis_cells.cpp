@@ -1,6 +1,7 @@
 #include "axis/axis_cells.h"
 
 #include "axis/edge_table.h"
+#include "base/disjoint_sets.h"
 
 #include <tbb/parallel_sort.h>
 
@@ -36,21 +37,14 @@ class Contraction
 public:
   explicit Contraction(const BisectorPoints& points)
     : points_(points)
-    , parent_(points.points.size())
+    , sets_(points.points.size())
+    , own_(points.points.size())
     , large_(points.points.size(), 0)
   {
-    std::iota(parent_.begin(), parent_.end(), Id{ 0 });
+    std::iota(own_.begin(), own_.end(), Id{ 0 });
   }
 
-  Id find(Id point)
-  {
-    while (parent_[point] != point)
-    {
-      parent_[point] = parent_[parent_[point]];
-      point = parent_[point];
-    }
-    return point;
-  }
+  Id find(Id point) { return own_[sets_.find(point)]; }
 
   void join(Id p, Id q)
   {
@@ -61,7 +55,8 @@ public:
       return;
     }
     const bool first = std::tuple(points_.moved[p], p) < std::tuple(points_.moved[q], q);
-    parent_[first ? q : p] = first ? p : q;
+    sets_.join(p, q);
+    own_[sets_.find(p)] = first ? p : q;
     large_[first ? p : q] = 1;
   }
 
@@ -70,7 +65,8 @@ public:
 
 private:
   const BisectorPoints& points_;
-  std::vector<Id> parent_;
+  DisjointSets sets_;
+  std::vector<Id> own_; ///< by the lowest point of the set
   std::vector<std::uint8_t> large_;
 };
 
@@ -107,7 +103,7 @@ std::vector<Id> movedPoints(const BisectorPoints& points)
 }
 
 /// Joins the ends of short edges. Returns whether there were any.
-bool joinShortSides(const BisectorPoints& points, const std::vector<std::array<Id, 4>>& quads,
+bool joinShortEdges(const BisectorPoints& points, const std::vector<std::array<Id, 4>>& quads,
   Contraction& contraction)
 {
   bool any = false;
@@ -221,13 +217,13 @@ void joinNarrowStrips(const BisectorPoints& points, const std::vector<std::array
   Contraction& contraction)
 {
   std::vector<Corners> narrow;
-  std::vector<EdgeTable::Side> sides;
+  std::vector<EdgeTable::Edge> edges;
   for (const auto& quad : quads)
   {
     Corners corners = contracted(quad, contraction);
     if (corners.size() >= 3)
     {
-      addSides(corners, sides);
+      addEdges(corners, edges);
       if (area(points, corners) < kNarrow * longestEdge(points, corners))
       {
         narrow.push_back(std::move(corners));
@@ -238,7 +234,7 @@ void joinNarrowStrips(const BisectorPoints& points, const std::vector<std::array
   {
     return;
   }
-  const EdgeTable table(sides, points.points.size());
+  const EdgeTable table(edges, points.points.size());
   const auto isRim = [&](Id p, Id q) { return table.count({ p, q }) == 1; };
   for (const Corners& corners : narrow)
   {
@@ -309,12 +305,12 @@ void removeCovered(std::size_t pointCount, MedialAxis& axis)
 {
   if (!axis.lines.empty())
   {
-    std::vector<EdgeTable::Side> sides;
+    std::vector<EdgeTable::Edge> edges;
     std::for_each(axis.quads.begin(), axis.quads.end(),
-      [&](const auto& quad) { addSides(quad, sides); });
+      [&](const auto& quad) { addEdges(quad, edges); });
     std::for_each(axis.triangles.begin(), axis.triangles.end(),
-      [&](const auto& triangle) { addSides(triangle, sides); });
-    const EdgeTable table(sides, pointCount);
+      [&](const auto& triangle) { addEdges(triangle, edges); });
+    const EdgeTable table(edges, pointCount);
     axis.lines.erase(std::remove_if(axis.lines.begin(), axis.lines.end(),
                        [&](const auto& line) { return table.count(line) > 0; }),
       axis.lines.end());
@@ -358,10 +354,10 @@ void buildCells(const std::vector<std::array<std::int64_t, 4>>& quads, BisectorP
 {
   Contraction contraction(points);
   joinEqualPoints(points, movedPoints(points), contraction);
-  joinShortSides(points, quads, contraction);
+  joinShortEdges(points, quads, contraction);
   joinNarrowStrips(points, quads, contraction);
   // The point of a set replaces others, so new edges may be short.
-  while (joinShortSides(points, quads, contraction))
+  while (joinShortEdges(points, quads, contraction))
   {
   }
   for (const auto& quad : quads)

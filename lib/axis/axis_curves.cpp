@@ -22,13 +22,13 @@ struct FeatureEdge
 std::vector<FeatureEdge> featureEdges(const AxisEdges& edges, std::size_t pointCount)
 {
   std::vector<FeatureEdge> result;
-  EdgeTable(edges.sides, pointCount)
+  EdgeTable(edges.polygonEdges, pointCount)
     .forEach(
-      [&](const Edge& side, std::size_t count)
+      [&](const Edge& edge, std::size_t count)
       {
         if (count != 2)
         {
-          result.push_back({ side, count == 1 ? AxisFeature::Rim : AxisFeature::Seam });
+          result.push_back({ edge, count == 1 ? AxisFeature::Rim : AxisFeature::Seam });
         }
       });
   for (const Edge& line : edges.lines)
@@ -75,10 +75,10 @@ std::vector<AxisFeature> featuresOf(const AxisEdges& edges,
   const std::vector<FeatureEdge>& featureEdges, std::size_t pointCount)
 {
   std::vector<Valence> valences(pointCount);
-  for (const Edge& side : edges.sides)
+  for (const Edge& edge : edges.polygonEdges)
   {
-    valences[side[0]].inSheet = true;
-    valences[side[1]].inSheet = true;
+    valences[edge[0]].inSheet = true;
+    valences[edge[1]].inSheet = true;
   }
   for (const FeatureEdge& edge : featureEdges)
   {
@@ -189,8 +189,8 @@ private:
 AxisEdges edgesOf(const MedialAxis& axis)
 {
   AxisEdges edges;
-  edges.sides.reserve(4 * axis.quads.size() + 3 * axis.triangles.size());
-  const auto add = [&](const auto& polygon) { addSides(polygon, edges.sides); };
+  edges.polygonEdges.reserve(4 * axis.quads.size() + 3 * axis.triangles.size());
+  const auto add = [&](const auto& polygon) { addEdges(polygon, edges.polygonEdges); };
   std::for_each(axis.quads.begin(), axis.quads.end(), add);
   std::for_each(axis.triangles.begin(), axis.triangles.end(), add);
   edges.lines = axis.lines;

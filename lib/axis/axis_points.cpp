@@ -28,7 +28,7 @@ constexpr double kAnywhere = std::numeric_limits<double>::infinity();
 
 /// Finds the closest pairs of vertices at given positions: the closest point and, of the sites
 /// whose bisectors gave the vertex, the point seen at the largest angle from it.
-std::vector<BisectorPoint> vertexContacts(const AxisGeometry& geometry, const DualMesh& mesh,
+std::vector<BisectorPoint> vertexPairs(const AxisGeometry& geometry, const DualMesh& mesh,
   const BisectorPoints& bisectors, const std::vector<std::size_t>& vertices,
   const std::vector<glm::dvec3>& positions, double tolerance)
 {
@@ -43,7 +43,7 @@ std::vector<BisectorPoint> vertexContacts(const AxisGeometry& geometry, const Du
     sitesOf(mesh, bisectors, vertices[i], sites);
     std::sort(sites.begin(), sites.end());
   };
-  return contacts(geometry, std::move(questions), candidates, tolerance);
+  return closestPairs(geometry, std::move(questions), candidates, tolerance);
 }
 
 /// Returns where the bisectors of the cell of a vertex meet, without those that were moved out of
@@ -106,7 +106,7 @@ void placeOnSurface(const AxisGeometry& geometry, const DualMesh& mesh,
     positions.push_back(fitted(geometry, mesh, bisectors, v, fit));
   }
   const std::vector<BisectorPoint> points =
-    vertexContacts(geometry, mesh, bisectors, vertices, positions, kOffBisector);
+    vertexPairs(geometry, mesh, bisectors, vertices, positions, kOffBisector);
   std::vector<std::size_t> narrow;
   std::vector<BisectorPoint> narrowPoints;
   for (std::size_t i = 0; i < vertices.size(); ++i)
@@ -138,7 +138,7 @@ void placeInCentres(const AxisGeometry& geometry, const DualMesh& mesh,
   std::transform(vertices.begin(), vertices.end(), positions.begin(),
     [&](std::size_t v) { return geometry.frame.sample(glm::dvec3(mesh.cells[v]) + 0.5); });
   const std::vector<BisectorPoint> points =
-    vertexContacts(geometry, mesh, bisectors, vertices, positions, kAnywhere);
+    vertexPairs(geometry, mesh, bisectors, vertices, positions, kAnywhere);
   std::copy(points.begin(), points.end(),
     result.points.begin() + static_cast<std::ptrdiff_t>(begin));
 }

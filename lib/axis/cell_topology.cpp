@@ -17,7 +17,7 @@ namespace
 using Edge = std::array<std::int64_t, 2>; ///< ascending
 
 /// An edge of a face.
-struct FaceSide
+struct EdgeUse
 {
   Edge edge;
   std::int64_t face;
@@ -39,23 +39,23 @@ public:
     }
     for (const auto& line : axis.lines)
     {
-      sides_.push_back({ ordered(line[0], line[1]), -1 });
+      uses_.push_back({ ordered(line[0], line[1]), -1 });
     }
-    std::sort(sides_.begin(), sides_.end(),
-      [](const FaceSide& a, const FaceSide& b)
+    std::sort(uses_.begin(), uses_.end(),
+      [](const EdgeUse& a, const EdgeUse& b)
       { return a.edge != b.edge ? a.edge < b.edge : a.face < b.face; });
     facesEdges_.resize(faceCount_);
-    for (std::size_t i = 0; i < sides_.size(); ++i)
+    for (std::size_t i = 0; i < uses_.size(); ++i)
     {
-      if (i == 0 || sides_[i].edge != sides_[i - 1].edge)
+      if (i == 0 || uses_[i].edge != uses_[i - 1].edge)
       {
-        edges_.push_back(sides_[i].edge);
+        edges_.push_back(uses_[i].edge);
         edgeFaces_.emplace_back();
       }
-      if (sides_[i].face >= 0)
+      if (uses_[i].face >= 0)
       {
-        edgeFaces_.back().push_back(sides_[i].face);
-        facesEdges_[sides_[i].face].push_back(edges_.size() - 1);
+        edgeFaces_.back().push_back(uses_[i].face);
+        facesEdges_[uses_[i].face].push_back(edges_.size() - 1);
       }
     }
   }
@@ -92,7 +92,7 @@ private:
   {
     for (int i = 0; i < count; ++i)
     {
-      sides_.push_back({ ordered(corners[i], corners[(i + 1) % count]), faceCount_ });
+      uses_.push_back({ ordered(corners[i], corners[(i + 1) % count]), faceCount_ });
     }
     ++faceCount_;
   }
@@ -165,7 +165,7 @@ private:
   }
 
   std::int64_t faceCount_ = 0;
-  std::vector<FaceSide> sides_;
+  std::vector<EdgeUse> uses_;
   std::vector<Edge> edges_;
   std::vector<std::vector<std::int64_t>> edgeFaces_;
   std::vector<std::vector<std::size_t>> facesEdges_;

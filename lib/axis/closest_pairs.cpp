@@ -12,7 +12,7 @@ namespace
 
 /// Among the points of sites at most `tolerance` farther away than the closest point, returns the
 /// one seen at the largest angle from it.
-SitePoint oppositeContact(const SiteSet& sites, const std::vector<int>& candidates,
+SitePoint oppositePoint(const SiteSet& sites, const std::vector<int>& candidates,
   const glm::dvec3& x, const SitePoint& closest, double tolerance)
 {
   const double farthest = glm::distance(x, closest.point) + tolerance;
@@ -60,7 +60,7 @@ void sitesOf(const DualMesh& mesh, const BisectorPoints& bisectors, std::size_t 
   }
 }
 
-std::vector<BisectorPoint> contacts(const AxisGeometry& geometry,
+std::vector<BisectorPoint> closestPairs(const AxisGeometry& geometry,
   std::vector<TileQuery::Question> questions,
   const std::function<void(std::size_t i, std::vector<int>& sites)>& candidates, double tolerance)
 {
@@ -71,7 +71,7 @@ std::vector<BisectorPoint> contacts(const AxisGeometry& geometry,
   {
     const auto& [x, closest] = questions[i];
     candidates(i, sites);
-    result[i] = { x, closest, oppositeContact(geometry.sites, sites, x, closest, tolerance) };
+    result[i] = { x, closest, oppositePoint(geometry.sites, sites, x, closest, tolerance) };
   }
   return result;
 }

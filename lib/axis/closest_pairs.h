@@ -29,7 +29,7 @@ void sitesOf(const DualMesh& mesh, const BisectorPoints& bisectors, std::size_t 
 /// @param questions positions inside the grid, with what is known of their closest points.
 /// @param candidates replaces `sites` by those for question i; of equal angles the first one wins.
 /// @param tolerance how much farther away than the closest point the other one may be, local units.
-std::vector<BisectorPoint> contacts(const AxisGeometry& geometry,
+std::vector<BisectorPoint> closestPairs(const AxisGeometry& geometry,
   std::vector<TileQuery::Question> questions,
   const std::function<void(std::size_t i, std::vector<int>& sites)>& candidates,
   double tolerance = std::numeric_limits<double>::infinity());

@@ -26,21 +26,21 @@ constexpr int kMaxSteps = 8;
 std::vector<std::size_t> rimVertices(const AxisGeometry& geometry, const DualMesh& mesh,
   const BisectorPoints& points)
 {
-  std::vector<EdgeTable::Side> sides;
-  sides.reserve(4 * mesh.quads.size());
+  std::vector<EdgeTable::Edge> edges;
+  edges.reserve(4 * mesh.quads.size());
   for (const auto& quad : mesh.quads)
   {
-    addSides(quad, sides);
+    addEdges(quad, edges);
   }
   std::vector<std::uint8_t> onRim(mesh.cells.size(), 0);
-  EdgeTable(sides, mesh.cells.size())
+  EdgeTable(edges, mesh.cells.size())
     .forEach(
-      [&](const EdgeTable::Side& side, std::size_t count)
+      [&](const EdgeTable::Edge& edge, std::size_t count)
       {
         if (count == 1)
         {
-          onRim[side[0]] = 1;
-          onRim[side[1]] = 1;
+          onRim[edge[0]] = 1;
+          onRim[edge[1]] = 1;
         }
       });
   std::vector<std::size_t> rim;

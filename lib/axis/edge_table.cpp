@@ -5,13 +5,13 @@
 namespace medial
 {
 
-EdgeTable::EdgeTable(const std::vector<Side>& sides, std::size_t pointCount)
+EdgeTable::EdgeTable(const std::vector<Edge>& edges, std::size_t pointCount)
   : offsets_(pointCount + 1)
-  , high_(sides.size())
+  , high_(edges.size())
 {
-  for (const Side& side : sides)
+  for (const Edge& edge : edges)
   {
-    ++offsets_[std::min(side[0], side[1])];
+    ++offsets_[std::min(edge[0], edge[1])];
   }
   std::size_t total = 0;
   for (std::size_t& offset : offsets_)
@@ -19,9 +19,9 @@ EdgeTable::EdgeTable(const std::vector<Side>& sides, std::size_t pointCount)
     total += offset;
     offset = total; // ends; filling turns them into beginnings
   }
-  for (const Side& side : sides)
+  for (const Edge& edge : edges)
   {
-    high_[--offsets_[std::min(side[0], side[1])]] = std::max(side[0], side[1]);
+    high_[--offsets_[std::min(edge[0], edge[1])]] = std::max(edge[0], edge[1]);
   }
   for (std::size_t low = 0; low < pointCount; ++low)
   {
@@ -30,11 +30,11 @@ EdgeTable::EdgeTable(const std::vector<Side>& sides, std::size_t pointCount)
   }
 }
 
-std::size_t EdgeTable::count(const Side& side) const
+std::size_t EdgeTable::count(const Edge& edge) const
 {
-  const std::int64_t low = std::min(side[0], side[1]);
+  const std::int64_t low = std::min(edge[0], edge[1]);
   const auto range = std::equal_range(high_.begin() + static_cast<std::ptrdiff_t>(offsets_[low]),
-    high_.begin() + static_cast<std::ptrdiff_t>(offsets_[low + 1]), std::max(side[0], side[1]));
+    high_.begin() + static_cast<std::ptrdiff_t>(offsets_[low + 1]), std::max(edge[0], edge[1]));
   return static_cast<std::size_t>(range.second - range.first);
 }
 

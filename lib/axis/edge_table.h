@@ -12,15 +12,15 @@ namespace medial
 class EdgeTable
 {
 public:
-  using Side = std::array<std::int64_t, 2>; ///< point ids, in either order
+  using Edge = std::array<std::int64_t, 2>; ///< point ids, in either order
 
-  /// @param sides one for each polygon at an edge; all ids in [0, pointCount).
-  EdgeTable(const std::vector<Side>& sides, std::size_t pointCount);
+  /// @param edges one for each polygon at an edge; all ids in [0, pointCount).
+  EdgeTable(const std::vector<Edge>& edges, std::size_t pointCount);
 
   /// Returns how many polygons have an edge.
-  std::size_t count(const Side& side) const;
+  std::size_t count(const Edge& edge) const;
 
-  /// Calls visit(side, count) once for each edge, in ascending order; its lower id comes first.
+  /// Calls visit(edge, count) once for each edge, in ascending order; its lower id comes first.
   template <typename Visit>
   void forEach(const Visit& visit) const
   {
@@ -32,7 +32,7 @@ public:
         {
           ++next;
         }
-        visit(Side{ static_cast<std::int64_t>(low), high_[i] }, next - i);
+        visit(Edge{ static_cast<std::int64_t>(low), high_[i] }, next - i);
       }
     }
   }
@@ -45,11 +45,11 @@ private:
 /// Appends the edges of a polygon.
 /// @param corners point ids in cyclic order.
 template <typename Polygon>
-void addSides(const Polygon& corners, std::vector<EdgeTable::Side>& sides)
+void addEdges(const Polygon& corners, std::vector<EdgeTable::Edge>& edges)
 {
   for (std::size_t i = 0; i < corners.size(); ++i)
   {
-    sides.push_back({ corners[i], corners[(i + 1) % corners.size()] });
+    edges.push_back({ corners[i], corners[(i + 1) % corners.size()] });
   }
 }
 

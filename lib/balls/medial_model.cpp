@@ -113,18 +113,6 @@ std::vector<std::array<std::int64_t, 2>> distinctEdges(const MedialModel& model)
   return distinct(std::move(edges));
 }
 
-std::int64_t countComponents(std::size_t points,
-  const std::vector<std::array<std::int64_t, 2>>& edges)
-{
-  DisjointSets pieces(points);
-  auto count = static_cast<std::int64_t>(points);
-  for (const auto& edge : edges)
-  {
-    count -= pieces.join(edge[0], edge[1]) ? 1 : 0;
-  }
-  return count;
-}
-
 class Sizes
 {
 public:

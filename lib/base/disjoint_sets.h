@@ -50,4 +50,17 @@ private:
   std::vector<std::int64_t> parent_;
 };
 
+/// The number of pieces that pairs of ids in [0, points) leave.
+template <typename Pairs>
+std::int64_t countComponents(std::size_t points, const Pairs& pairs)
+{
+  DisjointSets sets(points);
+  std::int64_t count = sets.size();
+  for (const auto& [a, b] : pairs)
+  {
+    count -= sets.join(a, b) ? 1 : 0;
+  }
+  return count;
+}
+
 } // namespace medial

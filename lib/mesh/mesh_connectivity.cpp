@@ -1,12 +1,13 @@
 #include "medial/mesh_connectivity.h"
 
+#include "base/disjoint_sets.h"
+
 #include "medial/error.h"
 
 #include <OpenMesh/Core/Mesh/TriConnectivity.hh>
 #include <glm/glm.hpp>
 
 #include <algorithm>
-#include <numeric>
 #include <sstream>
 #include <unordered_map>
 
@@ -308,33 +309,6 @@ void countEdgeKinds(const TriangleMesh& mesh, MeshConnectivity& connectivity)
   }
 }
 
-int countComponents(std::size_t pointCount, const std::vector<std::array<int, 2>>& edges)
-{
-  std::vector<int> parent(pointCount);
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](int point)
-  {
-    while (parent[point] != point)
-    {
-      parent[point] = parent[parent[point]];
-      point = parent[point];
-    }
-    return point;
-  };
-  int components = static_cast<int>(pointCount);
-  for (const auto& edge : edges)
-  {
-    const int a = root(edge[0]);
-    const int b = root(edge[1]);
-    if (a != b)
-    {
-      parent[std::max(a, b)] = std::min(a, b);
-      --components;
-    }
-  }
-  return components;
-}
-
 } // namespace
 
 double signedVolume(const TriangleMesh& mesh)
@@ -392,7 +366,8 @@ MeshConnectivity analyseConnectivity(const TriangleMesh& mesh)
   connectivity.pointEdges = invert(connectivity.edges, mesh.points.size());
   assignCells(mesh, connectivity);
   countEdgeKinds(mesh, connectivity);
-  connectivity.components = countComponents(mesh.points.size(), connectivity.edges);
+  connectivity.components =
+    static_cast<int>(countComponents(mesh.points.size(), connectivity.edges));
   connectivity.signedVolume = signedVolume(mesh);
   return connectivity;
 }

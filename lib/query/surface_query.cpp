@@ -302,13 +302,14 @@ bool SurfaceQuery::trySite(int site, Search& search) const
 {
   const SitePoint candidate = closestPoint(sites_, site, search.x);
   const double distance = glm::distance(candidate.point, search.x);
-  if (distance >= search.distance)
+  // Not a number for edges whose ends rounding has made one.
+  const bool nearer = distance < search.distance;
+  if (nearer)
   {
-    return false;
+    search.setDistance(distance);
+    search.best = candidate;
   }
-  search.setDistance(distance);
-  search.best = candidate;
-  return true;
+  return nearer;
 }
 
 SitePoint SurfaceQuery::closest(const glm::dvec3& x, double limit) const

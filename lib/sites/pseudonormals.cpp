@@ -50,25 +50,25 @@ public:
   const glm::dvec3& operator[](int site) const { return sums_[site]; }
 
 private:
-  using PerSide = std::array<glm::dvec3, 3>;
+  using PerEdge = std::array<glm::dvec3, 3>;
 
   /// A triangle without area and the normals that its edges get from its other edges.
   struct FlatFace
   {
     int face;
-    PerSide seen;
+    PerEdge seen;
   };
 
-  glm::dvec3& edgeSum(int face, int side)
+  glm::dvec3& edgeSum(int face, int edge)
   {
-    return sums_[sites_.firstEdge() + sites_.faceEdges()[face][side]];
+    return sums_[sites_.firstEdge() + sites_.faceEdges()[face][edge]];
   }
 
-  void addToEdges(int face, const PerSide& normals)
+  void addToEdges(int face, const PerEdge& normals)
   {
-    for (int side = 0; side < 3; ++side)
+    for (int edge = 0; edge < 3; ++edge)
     {
-      this->edgeSum(face, side) += normals[side];
+      this->edgeSum(face, edge) += normals[edge];
     }
   }
 
@@ -105,15 +105,15 @@ private:
   /// longest edge covers the other two once more.
   bool look(FlatFace& flat)
   {
-    PerSide beyond;
-    for (int side = 0; side < 3; ++side)
+    PerEdge beyond;
+    for (int edge = 0; edge < 3; ++edge)
     {
-      beyond[side] = unitOrZero(this->edgeSum(flat.face, side) - flat.seen[side]);
+      beyond[edge] = unitOrZero(this->edgeSum(flat.face, edge) - flat.seen[edge]);
     }
     const int longest = sites_.longestEdge(flat.face);
     const int first = (longest + 1) % 3;
     const int second = (longest + 2) % 3;
-    PerSide seen;
+    PerEdge seen;
     seen[first] = seen[second] = beyond[longest];
     seen[longest] = unitOrZero(beyond[first] + beyond[second]);
     if (seen == flat.seen)

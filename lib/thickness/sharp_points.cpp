@@ -9,7 +9,7 @@ namespace
 {
 
 /// Directions count as that of an edge up to this sine.
-constexpr double kOnSide = 1e-6;
+constexpr double kOnEdge = 1e-6;
 
 double angleBetween(const glm::dvec3& a, const glm::dvec3& b)
 {
@@ -17,10 +17,10 @@ double angleBetween(const glm::dvec3& a, const glm::dvec3& b)
 }
 
 /// Returns which edge of a face, counted like its corners, an edge is.
-int sideOf(const SiteSet& sites, int face, int edge)
+int placeOf(const SiteSet& sites, int face, int edge)
 {
-  const glm::ivec3& sides = sites.faceEdges()[face];
-  return sides[0] == edge ? 0 : (sides[1] == edge ? 1 : 2);
+  const glm::ivec3& edges = sites.faceEdges()[face];
+  return edges[0] == edge ? 0 : (edges[1] == edge ? 1 : 2);
 }
 
 /// Whether an edge with two faces is convex, seen from behind the faces (sign 1) or from their
@@ -28,10 +28,10 @@ int sideOf(const SiteSet& sites, int face, int edge)
 /// alike, the second one is reversed.
 bool isSharpEdge(const SiteSet& sites, int edge, int first, int second, double sign, double angle)
 {
-  const int sideOfFirst = sideOf(sites, first, edge);
-  const int sideOfSecond = sideOf(sites, second, edge);
+  const int inFirst = placeOf(sites, first, edge);
+  const int inSecond = placeOf(sites, second, edge);
   const glm::ivec3& corners = sites.faces()[second];
-  const bool alike = sites.faces()[first][sideOfFirst] != corners[sideOfSecond];
+  const bool alike = sites.faces()[first][inFirst] != corners[inSecond];
   const glm::dvec3& normal = sites.faceNormal(first);
   const glm::dvec3 other = alike ? sites.faceNormal(second) : -sites.faceNormal(second);
   if (normal == glm::dvec3(0.0) || other == glm::dvec3(0.0))
@@ -39,7 +39,7 @@ bool isSharpEdge(const SiteSet& sites, int edge, int first, int second, double s
     return false;
   }
   const glm::dvec3 across =
-    sites.points()[corners[(sideOfSecond + 2) % 3]] - sites.points()[corners[sideOfSecond]];
+    sites.points()[corners[(inSecond + 2) % 3]] - sites.points()[corners[inSecond]];
   return sign * glm::dot(across, normal) < 0.0 && angleBetween(normal, other) >= angle;
 }
 
@@ -67,8 +67,8 @@ bool isOver(const SiteSet& sites, int face, int corner, const glm::dvec3& inward
   const glm::dvec3 u = sites.points()[corners[(corner + 1) % 3]] - tip;
   const glm::dvec3 v = sites.points()[corners[(corner + 2) % 3]] - tip;
   const glm::dvec3& normal = sites.faceNormal(face);
-  return glm::dot(glm::cross(u, inward), normal) >= -kOnSide * glm::length(u) &&
-    glm::dot(glm::cross(inward, v), normal) >= -kOnSide * glm::length(v);
+  return glm::dot(glm::cross(u, inward), normal) >= -kOnEdge * glm::length(u) &&
+    glm::dot(glm::cross(inward, v), normal) >= -kOnEdge * glm::length(v);
 }
 
 /// Per point, the directions to the faces that the ray of the point is over.

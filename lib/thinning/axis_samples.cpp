@@ -13,11 +13,11 @@ namespace
 {
 
 /// Returns the bisector point of a grid edge; its middle if its ends have the same closest site.
-BisectorPoint pointOn(const SampleContext& context, const CubicalComplex& lattice, CubeCell face)
+BisectorPoint pointOn(const SampleContext& context, const CubicalComplex& complex, CubeCell face)
 {
-  const Crossing edge = dualEdge(lattice, face);
+  const Crossing edge = dualEdge(complex, face);
   const std::size_t far = CubicalComplex::index(face);
-  const int siteA = context.closestSites[far - static_cast<std::size_t>(lattice.stride(edge.axis))];
+  const int siteA = context.closestSites[far - static_cast<std::size_t>(complex.stride(edge.axis))];
   const int siteB = context.closestSites[far];
   SiteSegment segment = segmentOf(context.geometry.frame, edge);
   if (siteA != siteB)
@@ -35,7 +35,7 @@ BisectorPoint pointOn(const SampleContext& context, const CubicalComplex& lattic
 
 /// Returns the centre of the ball that touches the surface at the closest point of x and in another
 /// place.
-BisectorPoint shrunkBall(const SampleContext& context, const CubicalComplex& lattice,
+BisectorPoint shrunkBall(const SampleContext& context, const CubicalComplex& complex,
   const glm::dvec3& x, const SitePoint& foot)
 {
   constexpr double kMaxRadius = 2.0;
@@ -49,7 +49,7 @@ BisectorPoint shrunkBall(const SampleContext& context, const CubicalComplex& lat
   }
   // Queries are exact only inside the grid.
   const glm::dvec3 low = context.geometry.frame.sample(glm::dvec3(0.0));
-  const glm::dvec3 high = context.geometry.frame.sample(glm::dvec3(lattice.size() - 1));
+  const glm::dvec3 high = context.geometry.frame.sample(glm::dvec3(complex.size() - 1));
   const glm::dvec3 inwards = (x - foot.point) / distance;
   double radius = kMaxRadius;
   for (int round = 0; round < kMaxRounds; ++round)
@@ -70,27 +70,27 @@ BisectorPoint shrunkBall(const SampleContext& context, const CubicalComplex& lat
 
 } // namespace
 
-CubeCell dualFace(const CubicalComplex& lattice, const Crossing& crossing)
+CubeCell dualFace(const CubicalComplex& complex, const Crossing& crossing)
 {
   glm::ivec3 position = crossing.voxel;
   ++position[crossing.axis];
-  return lattice.cell(position, kFaceKind + crossing.axis);
+  return complex.cell(position, kFaceKind + crossing.axis);
 }
 
-Crossing dualEdge(const CubicalComplex& lattice, CubeCell face)
+Crossing dualEdge(const CubicalComplex& complex, CubeCell face)
 {
-  Crossing edge{ lattice.position(face), CubicalComplex::kind(face) - kFaceKind, -1, -1, false };
+  Crossing edge{ complex.position(face), CubicalComplex::kind(face) - kFaceKind, -1, -1, false };
   --edge.voxel[edge.axis];
   return edge;
 }
 
-AxisSamples::AxisSamples(const CubicalComplex& lattice, const std::vector<Crossing>& crossings,
+AxisSamples::AxisSamples(const CubicalComplex& complex, const std::vector<Crossing>& crossings,
   const BisectorPoints& bisectors)
   : samples_(bisectors)
 {
   for (std::size_t i = 0; i < crossings.size(); ++i)
   {
-    byFace_.push_back({ dualFace(lattice, crossings[i]), static_cast<int>(i) });
+    byFace_.push_back({ dualFace(complex, crossings[i]), static_cast<int>(i) });
   }
   this->sort();
 }
@@ -102,7 +102,7 @@ void AxisSamples::sort()
     { return std::tie(a.face, a.sample) < std::tie(b.face, b.sample); });
 }
 
-void AxisSamples::add(const SampleContext& context, const CubicalComplex& lattice,
+void AxisSamples::add(const SampleContext& context, const CubicalComplex& complex,
   std::vector<CubeCell> faces)
 {
   std::sort(faces.begin(), faces.end());
@@ -114,7 +114,7 @@ void AxisSamples::add(const SampleContext& context, const CubicalComplex& lattic
   samples_.points.resize(first + faces.size());
   samples_.moved.resize(first + faces.size(), 0);
   tbb::parallel_for(std::size_t{ 0 }, faces.size(),
-    [&](std::size_t i) { samples_.points[first + i] = pointOn(context, lattice, faces[i]); });
+    [&](std::size_t i) { samples_.points[first + i] = pointOn(context, complex, faces[i]); });
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
     byFace_.push_back({ faces[i], static_cast<int>(first + i) });
@@ -122,13 +122,13 @@ void AxisSamples::add(const SampleContext& context, const CubicalComplex& lattic
   this->sort();
 }
 
-int AxisSamples::addPoint(const SampleContext& context, const CubicalComplex& lattice,
+int AxisSamples::addPoint(const SampleContext& context, const CubicalComplex& complex,
   const glm::ivec3& voxel)
 {
   const glm::dvec3 x = context.geometry.frame.sample(glm::dvec3(voxel));
-  const int site = context.closestSites[CubicalComplex::index(lattice.cell(voxel, kVertexKind))];
+  const int site = context.closestSites[CubicalComplex::index(complex.cell(voxel, kVertexKind))];
   samples_.points.push_back(
-    shrunkBall(context, lattice, x, closestPoint(context.geometry.sites, site, x)));
+    shrunkBall(context, complex, x, closestPoint(context.geometry.sites, site, x)));
   samples_.moved.push_back(0);
   return static_cast<int>(samples_.points.size()) - 1;
 }

@@ -18,18 +18,18 @@ struct SampleContext
   const std::int32_t* closestSites; ///< of all grid points, x fastest
 };
 
-/// Grid edges with a point on each, found by the faces of a lattice that are dual to them.
+/// Grid edges with a point on each, found by the faces of a complex that are dual to them.
 class AxisSamples
 {
 public:
   static constexpr int kNone = -1;
 
-  AxisSamples(const CubicalComplex& lattice, const std::vector<Crossing>& crossings,
+  AxisSamples(const CubicalComplex& complex, const std::vector<Crossing>& crossings,
     const BisectorPoints& bisectors);
 
   /// Adds grid edges that were not selected: at the bisector point of the closest sites of their
   /// ends, or at the middle if these are the same.
-  void add(const SampleContext& context, const CubicalComplex& lattice,
+  void add(const SampleContext& context, const CubicalComplex& complex,
     std::vector<CubeCell> faces);
 
   /// Adds the medial point seen from a grid point, for parts thinner than a voxel: the centre of
@@ -37,7 +37,7 @@ public:
   /// of the grid point and contains no other surface point (shrinking ball: Ma, Bae, Choi, "3D
   /// medial axis point approximation using nearest neighbors and the normal field", 2012).
   /// @return the index of the sample.
-  int addPoint(const SampleContext& context, const CubicalComplex& lattice,
+  int addPoint(const SampleContext& context, const CubicalComplex& complex,
     const glm::ivec3& voxel);
 
   /// Returns the index of a face's sample, or kNone.
@@ -59,7 +59,7 @@ private:
 };
 
 /// Returns the face dual to a crossing, or the crossing of a face, without sites.
-CubeCell dualFace(const CubicalComplex& lattice, const Crossing& crossing);
-Crossing dualEdge(const CubicalComplex& lattice, CubeCell face);
+CubeCell dualFace(const CubicalComplex& complex, const Crossing& crossing);
+Crossing dualEdge(const CubicalComplex& complex, CubeCell face);
 
 } // namespace medial

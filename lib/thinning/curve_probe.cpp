@@ -51,19 +51,19 @@ CurveProbe::CurveProbe(const SiteSet& sites, const GridFrame& frame,
 {
 }
 
-bool CurveProbe::seeOneFace(const CubicalComplex& lattice, CubeCell edge) const
+bool CurveProbe::seeOneFace(const CubicalComplex& complex, CubeCell edge) const
 {
   const int axis = CubicalComplex::kind(edge) - kEdgeKind;
-  const auto u = static_cast<std::size_t>(lattice.stride((axis + 1) % 3));
-  const auto v = static_cast<std::size_t>(lattice.stride((axis + 2) % 3));
+  const auto u = static_cast<std::size_t>(complex.stride((axis + 1) % 3));
+  const auto v = static_cast<std::size_t>(complex.stride((axis + 2) % 3));
   const std::int32_t* const site = closestSites_ + CubicalComplex::index(edge);
   return sites_.kind(*site) == SiteKind::Face && *site == *(site - u) && *site == *(site - v) &&
     *site == *(site - u - v);
 }
 
-bool CurveProbe::separates(const CubicalComplex& lattice, CubeCell edge) const
+bool CurveProbe::separates(const CubicalComplex& complex, CubeCell edge) const
 {
-  if (this->seeOneFace(lattice, edge))
+  if (this->seeOneFace(complex, edge))
   {
     return false;
   }
@@ -72,13 +72,13 @@ bool CurveProbe::separates(const CubicalComplex& lattice, CubeCell edge) const
   glm::ivec3 v(0);
   u[(axis + 1) % 3] = 1;
   v[(axis + 2) % 3] = 1;
-  const glm::ivec3 p = lattice.position(edge);
+  const glm::ivec3 p = complex.position(edge);
   std::array<Voxel, 4> voxels;
   int count = 0;
   for (const glm::ivec3& point : { p, p - u, p - v, p - u - v })
   {
     Voxel& voxel = voxels[count];
-    const std::size_t index = CubicalComplex::index(lattice.cell(point, 0));
+    const std::size_t index = CubicalComplex::index(complex.cell(point, 0));
     voxel.place = frame_.sample(glm::dvec3(point));
     voxel.closest = closestPoint(sites_, closestSites_[index], voxel.place).point;
     voxel.inside = depth_.wanted(index);

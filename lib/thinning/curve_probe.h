@@ -26,11 +26,11 @@ public:
   /// away from each other by the angle. Voxels on the other side of the surface, around parts
   /// thinner than a voxel, count with the direction from which they see the surface; they need 120
   /// degrees, so that convex edges are not taken for such parts.
-  bool separates(const CubicalComplex& lattice, CubeCell edge) const;
+  bool separates(const CubicalComplex& complex, CubeCell edge) const;
 
 private:
   /// Whether the interior of one face is closest to all voxels around an edge.
-  bool seeOneFace(const CubicalComplex& lattice, CubeCell edge) const;
+  bool seeOneFace(const CubicalComplex& complex, CubeCell edge) const;
 
   const SiteSet& sites_;
   GridFrame frame_;

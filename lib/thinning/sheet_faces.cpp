@@ -5,12 +5,12 @@ namespace medial
 namespace
 {
 
-bool isInside(const CubicalComplex& lattice, CubeCell vertex)
+bool isInside(const CubicalComplex& complex, CubeCell vertex)
 {
-  for (const CubeCell step : lattice.cofaces(kVertexKind))
+  for (const CubeCell step : complex.cofaces(kVertexKind))
   {
     const CubeCell edge = vertex + step;
-    if (lattice.has(edge) && lattice.cofaceCount(edge) == 1)
+    if (complex.has(edge) && complex.cofaceCount(edge) == 1)
     {
       return false;
     }
@@ -18,14 +18,14 @@ bool isInside(const CubicalComplex& lattice, CubeCell vertex)
   return true;
 }
 
-bool isInSheet(const CubicalComplex& lattice, CubeCell face)
+bool isInSheet(const CubicalComplex& complex, CubeCell face)
 {
-  for (const CubeCell step : lattice.faces(CubicalComplex::kind(face)))
+  for (const CubeCell step : complex.faces(CubicalComplex::kind(face)))
   {
     const CubeCell edge = face + step;
-    for (const CubeCell end : lattice.faces(CubicalComplex::kind(edge)))
+    for (const CubeCell end : complex.faces(CubicalComplex::kind(edge)))
     {
-      if (isInside(lattice, edge + end))
+      if (isInside(complex, edge + end))
       {
         return true;
       }
@@ -36,33 +36,33 @@ bool isInSheet(const CubicalComplex& lattice, CubeCell face)
 
 } // namespace
 
-SheetSplit splitSheets(const CubicalComplex& lattice, const std::vector<CubeCell>& faces)
+SheetSplit splitSheets(const CubicalComplex& complex, const std::vector<CubeCell>& faces)
 {
   SheetSplit split;
   for (const CubeCell face : faces)
   {
-    (isInSheet(lattice, face) ? split.sheets : split.strips).push_back(face);
+    (isInSheet(complex, face) ? split.sheets : split.strips).push_back(face);
   }
   return split;
 }
 
 SheetSplit splitSheets(const glm::ivec3& size, const std::vector<CubeCell>& faces)
 {
-  CubicalComplex lattice(size);
+  CubicalComplex complex(size);
   for (const CubeCell face : faces)
   {
-    lattice.insert(face);
-    for (const CubeCell step : lattice.faces(CubicalComplex::kind(face)))
+    complex.insert(face);
+    for (const CubeCell step : complex.faces(CubicalComplex::kind(face)))
     {
       const CubeCell edge = face + step;
-      lattice.insert(edge);
-      for (const CubeCell end : lattice.faces(CubicalComplex::kind(edge)))
+      complex.insert(edge);
+      for (const CubeCell end : complex.faces(CubicalComplex::kind(edge)))
       {
-        lattice.insert(edge + end);
+        complex.insert(edge + end);
       }
     }
   }
-  return splitSheets(lattice, faces);
+  return splitSheets(complex, faces);
 }
 
 } // namespace medial

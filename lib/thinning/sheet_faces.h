@@ -16,7 +16,7 @@ struct SheetSplit
   std::vector<CubeCell> strips;
 };
 
-SheetSplit splitSheets(const CubicalComplex& lattice, const std::vector<CubeCell>& faces);
+SheetSplit splitSheets(const CubicalComplex& complex, const std::vector<CubeCell>& faces);
 
 /// The same, in the complex that the faces form on their own.
 SheetSplit splitSheets(const glm::ivec3& size, const std::vector<CubeCell>& faces);

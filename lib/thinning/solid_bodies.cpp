@@ -64,16 +64,16 @@ SurfaceParts partsOf(const SiteSet& sites)
 }
 
 /// Which parts are next to each other in the solid, and which only seem so.
-struct Contacts
+struct PartPairs
 {
   std::set<Pair> joined;
   std::set<Pair> apart;
 };
 
-class ContactScan
+class PairScan
 {
 public:
-  ContactScan(const SurfaceParts& parts, const GridFrame& frame, const glm::ivec3& size,
+  PairScan(const SurfaceParts& parts, const GridFrame& frame, const glm::ivec3& size,
     const std::int32_t* closestSites, const DepthField& depth)
     : parts_(parts)
     , frame_(frame)
@@ -87,23 +87,23 @@ public:
     }
   }
 
-  Contacts run() const
+  PartPairs run() const
   {
-    tbb::enumerable_thread_specific<Contacts> found;
+    tbb::enumerable_thread_specific<PartPairs> found;
     tbb::parallel_for(1, std::max(1, size_.z - 1),
       [&](int z)
       {
-        Contacts& contacts = found.local();
+        PartPairs& pairs = found.local();
         for (int y = 1; y < size_.y - 1; ++y)
         {
           for (int x = 1; x < size_.x - 1; ++x)
           {
-            this->visit({ x, y, z }, contacts);
+            this->visit({ x, y, z }, pairs);
           }
         }
       });
-    Contacts all;
-    for (const Contacts& each : found)
+    PartPairs all;
+    for (const PartPairs& each : found)
     {
       all.joined.insert(each.joined.begin(), each.joined.end());
       all.apart.insert(each.apart.begin(), each.apart.end());
@@ -119,7 +119,7 @@ private:
   bool isBody(int part) const { return parts_.volumes[part] * total_ > 0.0; }
 
   /// Visits the later half of the 26 neighbours.
-  void visit(const glm::ivec3& p, Contacts& contacts) const
+  void visit(const glm::ivec3& p, PartPairs& pairs) const
   {
     const std::size_t here = this->index(p);
     if (!depth_.wanted(here))
@@ -140,7 +140,7 @@ private:
       const auto covered = static_cast<double>(depth_.at(here) + depth_.at(there));
       const bool room =
         this->isBody(part) && this->isBody(other) && covered <= length * (1.0 + kOverlap);
-      (room ? contacts.apart : contacts.joined).insert(std::minmax(part, other));
+      (room ? pairs.apart : pairs.joined).insert(std::minmax(part, other));
     }
   }
 
@@ -197,13 +197,13 @@ SolidBodies::SolidBodies(const SiteSet& sites, const GridFrame& frame, const glm
   {
     return;
   }
-  const Contacts contacts = ContactScan(parts, frame, size, closestSites, depth).run();
+  const PartPairs pairs = PairScan(parts, frame, size, closestSites, depth).run();
   DisjointSets groups(static_cast<std::size_t>(parts.count()));
-  for (const auto& [a, b] : contacts.joined)
+  for (const auto& [a, b] : pairs.joined)
   {
     groups.join(a, b);
   }
-  const std::vector<int> colours = coloured(groups, contacts.apart);
+  const std::vector<int> colours = coloured(groups, pairs.apart);
   for (const int part : parts.ofSite)
   {
     siteColours_.push_back(colours[part]);

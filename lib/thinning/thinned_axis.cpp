@@ -20,14 +20,14 @@ namespace
 constexpr double kWideShare = 0.5;
 
 /// Returns the faces around a corner: those dual to the edges of its grid cell.
-std::array<CubeCell, 12> facesAround(const CubicalComplex& lattice, CubeCell vertex)
+std::array<CubeCell, 12> facesAround(const CubicalComplex& complex, CubeCell vertex)
 {
   std::array<CubeCell, 12> faces{};
   int count = 0;
   for (int axis = 0; axis < 3; ++axis)
   {
-    const CubeCell u = 8 * lattice.stride((axis + 1) % 3);
-    const CubeCell v = 8 * lattice.stride((axis + 2) % 3);
+    const CubeCell u = 8 * complex.stride((axis + 1) % 3);
+    const CubeCell v = 8 * complex.stride((axis + 2) % 3);
     const CubeCell face = vertex + kFaceKind + axis;
     for (const CubeCell step : { CubeCell{ 0 }, u, v, u + v })
     {
@@ -48,17 +48,17 @@ struct Origin
 class CellBuilder
 {
 public:
-  CellBuilder(const CubicalComplex& lattice, const DepthField& depth, const SampleContext& context,
+  CellBuilder(const CubicalComplex& complex, const DepthField& depth, const SampleContext& context,
     AxisSamples& samples)
-    : lattice_(lattice)
+    : complex_(complex)
     , depth_(depth)
     , context_(context)
     , samples_(samples)
   {
-    const auto positions = static_cast<CubeCell>(lattice.positions());
+    const auto positions = static_cast<CubeCell>(complex.positions());
     for (CubeCell vertex = 0; vertex < 8 * positions; vertex += 8)
     {
-      if (lattice.has(vertex))
+      if (complex.has(vertex))
       {
         vertices_.push_back(vertex);
       }
@@ -79,22 +79,22 @@ private:
   {
     for (const CubeCell vertex : vertices_)
     {
-      if (lattice_.maximal(vertex))
+      if (complex_.maximal(vertex))
       {
         cells.vertices.push_back(this->point(vertex));
       }
       for (int axis = 0; axis < 3; ++axis)
       {
         const CubeCell edge = vertex + kEdgeKind + axis;
-        if (lattice_.has(edge) && lattice_.maximal(edge))
+        if (complex_.has(edge) && complex_.maximal(edge))
         {
           cells.lines.push_back(
-            { this->point(vertex), this->point(vertex + 8 * lattice_.stride(axis)) });
+            { this->point(vertex), this->point(vertex + 8 * complex_.stride(axis)) });
         }
-        if (lattice_.has(vertex + kFaceKind + axis))
+        if (complex_.has(vertex + kFaceKind + axis))
         {
-          const CubeCell u = 8 * lattice_.stride((axis + 1) % 3);
-          const CubeCell v = 8 * lattice_.stride((axis + 2) % 3);
+          const CubeCell u = 8 * complex_.stride((axis + 1) % 3);
+          const CubeCell v = 8 * complex_.stride((axis + 2) % 3);
           cells.quads.push_back({ this->point(vertex), this->point(vertex + u),
             this->point(vertex + u + v), this->point(vertex + v) });
         }
@@ -117,14 +117,14 @@ private:
     {
       needed.insert(needed.end(), origin.faces.begin(), origin.faces.end());
     }
-    samples_.add(context_, lattice_, std::move(needed));
+    samples_.add(context_, complex_, std::move(needed));
     for (std::size_t i = 0; i < vertices_.size(); ++i)
     {
       for (const int sample : this->samplesOf(vertices_[i], origins[i]))
       {
         mesh_.incident.push_back(static_cast<std::size_t>(sample));
       }
-      mesh_.cells.push_back(lattice_.position(vertices_[i]) - 1);
+      mesh_.cells.push_back(complex_.position(vertices_[i]) - 1);
       mesh_.offsets.push_back(mesh_.incident.size());
       onSheet_.push_back(origins[i].onSheet ? 1 : 0);
     }
@@ -163,7 +163,7 @@ private:
     const auto candidates = [&](std::size_t k, std::vector<int>& sites)
     { sitesOf(mesh_, samples_.points(), moved[k], sites); };
     const std::vector<BisectorPoint> found =
-      contacts(context_.geometry, std::move(questions), candidates);
+      closestPairs(context_.geometry, std::move(questions), candidates);
     for (std::size_t k = 0; k < moved.size(); ++k)
     {
       points[moved[k]] = found[k];
@@ -177,9 +177,9 @@ private:
     Origin either;
     Origin wide;
     wide.widestOnly = true;
-    for (const CubeCell face : facesAround(lattice_, vertex))
+    for (const CubeCell face : facesAround(complex_, vertex))
     {
-      const bool there = lattice_.has(face);
+      const bool there = complex_.has(face);
       const bool selected = samples_.find(face) != AxisSamples::kNone;
       if (there && selected)
       {
@@ -189,10 +189,10 @@ private:
       {
         either.faces.push_back(face);
       }
-      Crossing edge = dualEdge(lattice_, face);
-      const bool begins = inSolid(depth_, lattice_, edge.voxel);
+      Crossing edge = dualEdge(complex_, face);
+      const bool begins = inSolid(depth_, complex_, edge.voxel);
       ++edge.voxel[edge.axis];
-      if (begins && inSolid(depth_, lattice_, edge.voxel))
+      if (begins && inSolid(depth_, complex_, edge.voxel))
       {
         wide.faces.push_back(face);
       }
@@ -211,7 +211,7 @@ private:
     }
     if (around.empty())
     {
-      return { samples_.addPoint(context_, lattice_, this->deepestVoxel(vertex)) };
+      return { samples_.addPoint(context_, complex_, this->deepestVoxel(vertex)) };
     }
     const double limit = kWideShare * *std::max_element(angles.begin(), angles.end());
     std::vector<int> wide;
@@ -232,9 +232,9 @@ private:
     for (int corner = 0; corner < 8; ++corner)
     {
       const glm::ivec3 voxel =
-        lattice_.position(vertex) - glm::ivec3(corner & 1, corner >> 1 & 1, corner >> 2);
-      const float depth = depth_.at(CubicalComplex::index(lattice_.cell(voxel, 0)));
-      if (inSolid(depth_, lattice_, voxel) && (deepest.x < 0 || depth > most))
+        complex_.position(vertex) - glm::ivec3(corner & 1, corner >> 1 & 1, corner >> 2);
+      const float depth = depth_.at(CubicalComplex::index(complex_.cell(voxel, 0)));
+      if (inSolid(depth_, complex_, voxel) && (deepest.x < 0 || depth > most))
       {
         most = depth;
         deepest = voxel;
@@ -250,7 +250,7 @@ private:
       context_.geometry.frame.sample(low + 1.0) - kCellMargin);
   }
 
-  const CubicalComplex& lattice_;
+  const CubicalComplex& complex_;
   const DepthField& depth_;
   const SampleContext& context_;
   AxisSamples& samples_;
@@ -261,10 +261,10 @@ private:
 
 } // namespace
 
-ThinnedAxis thinnedAxis(const CubicalComplex& lattice, const DepthField& depth,
+ThinnedAxis thinnedAxis(const CubicalComplex& complex, const DepthField& depth,
   const SampleContext& context, Representation representation, AxisSamples& samples)
 {
-  return CellBuilder(lattice, depth, context, samples).build(representation);
+  return CellBuilder(complex, depth, context, samples).build(representation);
 }
 
 } // namespace medial

@@ -30,10 +30,10 @@ struct ThinnedAxis
 /// selected faces that are gone, or else of the grid edges with the widest separation angles. For
 /// Representation::Faces it is the middle of its grid cell. Points stay at least kCellMargin inside
 /// their grid cells. This makes points distinct and gives every quad an area, so that the cells
-/// have the topology of the lattice.
+/// have the topology of the complex.
 ///
 /// @param samples receives the samples that are missing.
-ThinnedAxis thinnedAxis(const CubicalComplex& lattice, const DepthField& depth,
+ThinnedAxis thinnedAxis(const CubicalComplex& complex, const DepthField& depth,
   const SampleContext& context, Representation representation, AxisSamples& samples);
 
 /// Margin in local units along the finest axis.

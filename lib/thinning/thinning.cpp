@@ -15,10 +15,10 @@ constexpr int kNoCurve = -2;
 
 } // namespace
 
-Thinning::Thinning(CubicalComplex& lattice, const DepthField& depth, const CurveProbe& probe,
+Thinning::Thinning(CubicalComplex& complex, const DepthField& depth, const CurveProbe& probe,
   const glm::dvec3& step, const CurveLimits& limits, const Checkpoint& checkpoint)
-  : lattice_(lattice)
-  , anchors_(lattice.size())
+  : complex_(complex)
+  , anchors_(complex.size())
   , depth_(depth)
   , probe_(probe)
   , step_(step)
@@ -36,11 +36,11 @@ void Thinning::anchor(CubeCell face, float angle)
 
 void Thinning::burn()
 {
-  const auto positions = static_cast<CubeCell>(lattice_.positions());
+  const auto positions = static_cast<CubeCell>(complex_.positions());
   for (CubeCell position = 0; position < positions; ++position)
   {
     const CubeCell voxel = 8 * position + kVoxelKind;
-    if (lattice_.has(voxel) && this->hasFreeFace(voxel))
+    if (complex_.has(voxel) && this->hasFreeFace(voxel))
     {
       this->raise(voxel);
     }
@@ -64,7 +64,7 @@ void Thinning::release(const std::vector<CubeCell>& faces)
 /// Every maximal cell with a free face is in the queue, except those that are kept.
 void Thinning::raise(CubeCell cell, int chain)
 {
-  if (!lattice_.has(cell) || !lattice_.maximal(cell))
+  if (!complex_.has(cell) || !complex_.maximal(cell))
   {
     return;
   }
@@ -96,7 +96,7 @@ void Thinning::raise(CubeCell cell, int chain)
 
 void Thinning::raiseEdge(CubeCell edge, int chain)
 {
-  if (chain == CurveChains::kNone && !probe_.separates(lattice_, edge))
+  if (chain == CurveChains::kNone && !probe_.separates(complex_, edge))
   {
     queue_.push(0.0, { edge, kNoCurve });
     return;
@@ -117,7 +117,7 @@ void Thinning::drain()
       {
         checkpoint_();
       }
-      if (!lattice_.has(event.cell) || !lattice_.maximal(event.cell))
+      if (!complex_.has(event.cell) || !complex_.maximal(event.cell))
       {
         continue;
       }
@@ -146,10 +146,10 @@ void Thinning::burnVoxel(CubeCell voxel)
     this->collapse(voxel, face);
     return;
   }
-  for (const CubeCell step : lattice_.faces(kVoxelKind))
+  for (const CubeCell step : complex_.faces(kVoxelKind))
   {
     const CubeCell gate = voxel + step;
-    if (lattice_.onlyCoface(gate) == voxel)
+    if (complex_.onlyCoface(gate) == voxel)
     {
       gates_.emplace(angles_.at(gate), gate, voxel);
     }
@@ -180,11 +180,11 @@ void Thinning::burnEdge(CubeCell edge, int chain)
   const glm::vec3 position = this->edgePosition(edge);
   const float depth = this->depthAround(edge);
   std::vector<CurveChains::Pair> restored;
-  if (!chains_.lasting(chain, position, depth, restored) || !probe_.separates(lattice_, edge))
+  if (!chains_.lasting(chain, position, depth, restored) || !probe_.separates(complex_, edge))
   {
-    const CubeCellSteps& ends = lattice_.faces(CubicalComplex::kind(edge));
+    const CubeCellSteps& ends = complex_.faces(CubicalComplex::kind(edge));
     const CubeCell other = (edge + ends.steps[0]) + (edge + ends.steps[1]) - vertex;
-    const bool goesOn = lattice_.cofaceCount(other) == 2;
+    const bool goesOn = complex_.cofaceCount(other) == 2;
     this->collapse(edge, vertex,
       goesOn ? chains_.extend(chain, { edge, vertex }, position, depth) : CurveChains::kNone);
     return;
@@ -192,8 +192,8 @@ void Thinning::burnEdge(CubeCell edge, int chain)
   anchors_.insert(edge);
   for (const CurveChains::Pair& pair : restored)
   {
-    lattice_.insert(pair.edge);
-    lattice_.insert(pair.vertex);
+    complex_.insert(pair.edge);
+    complex_.insert(pair.vertex);
     anchors_.insert(pair.edge);
   }
 }
@@ -205,7 +205,7 @@ bool Thinning::openGate()
   {
     const auto [angle, gate, voxel] = gates_.top();
     gates_.pop();
-    if (lattice_.has(voxel) && lattice_.has(gate) && anchors_.has(gate))
+    if (complex_.has(voxel) && complex_.has(gate) && anchors_.has(gate))
     {
       anchors_.erase(gate);
       this->raise(voxel);
@@ -217,21 +217,21 @@ bool Thinning::openGate()
 
 void Thinning::collapse(CubeCell cell, CubeCell freeFace, int edgeChain)
 {
-  lattice_.erase(cell);
-  lattice_.erase(freeFace);
-  for (const CubeCell step : lattice_.faces(CubicalComplex::kind(cell)))
+  complex_.erase(cell);
+  complex_.erase(freeFace);
+  for (const CubeCell step : complex_.faces(CubicalComplex::kind(cell)))
   {
     const CubeCell face = cell + step;
     if (face == freeFace)
     {
       continue;
     }
-    const CubeCell coface = lattice_.onlyCoface(face);
+    const CubeCell coface = complex_.onlyCoface(face);
     this->raise(coface >= 0 ? coface : face, edgeChain);
   }
-  for (const CubeCell step : lattice_.faces(CubicalComplex::kind(freeFace)))
+  for (const CubeCell step : complex_.faces(CubicalComplex::kind(freeFace)))
   {
-    const CubeCell coface = lattice_.onlyCoface(freeFace + step);
+    const CubeCell coface = complex_.onlyCoface(freeFace + step);
     if (coface >= 0)
     {
       this->raise(coface);
@@ -241,9 +241,9 @@ void Thinning::collapse(CubeCell cell, CubeCell freeFace, int edgeChain)
 
 bool Thinning::hasFreeFace(CubeCell cell) const
 {
-  const CubeCellSteps& faces = lattice_.faces(CubicalComplex::kind(cell));
+  const CubeCellSteps& faces = complex_.faces(CubicalComplex::kind(cell));
   return std::any_of(faces.begin(), faces.end(),
-    [&](CubeCell step) { return lattice_.onlyCoface(cell + step) == cell; });
+    [&](CubeCell step) { return complex_.onlyCoface(cell + step) == cell; });
 }
 
 /// Returns the free face of a maximal cell that lies least deep; -1 if there is none. This keeps
@@ -252,10 +252,10 @@ CubeCell Thinning::freeFace(CubeCell cell, bool anchoredToo) const
 {
   std::array<CubeCell, 6> free{};
   int count = 0;
-  for (const CubeCell step : lattice_.faces(CubicalComplex::kind(cell)))
+  for (const CubeCell step : complex_.faces(CubicalComplex::kind(cell)))
   {
     const CubeCell face = cell + step;
-    if (lattice_.onlyCoface(face) == cell && (anchoredToo || !anchors_.has(face)))
+    if (complex_.onlyCoface(face) == cell && (anchoredToo || !anchors_.has(face)))
     {
       free[count++] = face;
     }
@@ -270,7 +270,7 @@ CubeCell Thinning::freeFace(CubeCell cell, bool anchoredToo) const
 
 glm::vec3 Thinning::edgePosition(CubeCell edge) const
 {
-  return glm::vec3(lattice_.centre(edge) * step_);
+  return glm::vec3(complex_.centre(edge) * step_);
 }
 
 /// Returns the mean depth of the voxels around a cell. Around an edge it is nearly that of the
@@ -287,7 +287,7 @@ float Thinning::depthAround(CubeCell cell) const
       std::size_t voxel = CubicalComplex::index(cell);
       for (int axis = 0; axis < 3; ++axis)
       {
-        voxel -= (corner >> axis & 1) != 0 ? static_cast<std::size_t>(lattice_.stride(axis)) : 0;
+        voxel -= (corner >> axis & 1) != 0 ? static_cast<std::size_t>(complex_.stride(axis)) : 0;
       }
       sum += depth_.at(voxel);
       ++count;

@@ -28,11 +28,11 @@ namespace medial
 class Thinning
 {
 public:
-  /// @param lattice the solid; the object turns it into what is left of it.
+  /// @param complex the solid; the object turns it into what is left of it.
   /// @param depth, probe must outlive this object.
   /// @param step distance of neighbouring grid points, local units.
   /// @param checkpoint called regularly; must outlive this object.
-  Thinning(CubicalComplex& lattice, const DepthField& depth, const CurveProbe& probe,
+  Thinning(CubicalComplex& complex, const DepthField& depth, const CurveProbe& probe,
     const glm::dvec3& step, const CurveLimits& limits, const Checkpoint& checkpoint);
 
   /// Makes a face stay.
@@ -67,7 +67,7 @@ private:
   glm::vec3 edgePosition(CubeCell edge) const;
   float depthAround(CubeCell cell) const;
 
-  CubicalComplex& lattice_;
+  CubicalComplex& complex_;
   /// Faces, edges of curves that are kept, and voxels in the queue.
   CubicalComplex anchors_;
   const DepthField& depth_;

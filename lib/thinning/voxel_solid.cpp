@@ -114,16 +114,16 @@ private:
 };
 
 /// Returns the sum over dimensions of (-1)^dimension times the number of cells.
-std::int64_t eulerCharacteristic(const CubicalComplex& lattice)
+std::int64_t eulerCharacteristic(const CubicalComplex& complex)
 {
   constexpr unsigned kOdd = 0x8e; // edges and voxels
   return tbb::parallel_reduce(
-    tbb::blocked_range<std::size_t>(0, lattice.positions()), std::int64_t{ 0 },
+    tbb::blocked_range<std::size_t>(0, complex.positions()), std::int64_t{ 0 },
     [&](const tbb::blocked_range<std::size_t>& range, std::int64_t sum)
     {
       for (std::size_t p = range.begin(); p < range.end(); ++p)
       {
-        const unsigned bits = lattice.bits(p);
+        const unsigned bits = complex.bits(p);
         sum += __builtin_popcount(bits & ~kOdd) - __builtin_popcount(bits & kOdd);
       }
       return sum;
@@ -132,7 +132,7 @@ std::int64_t eulerCharacteristic(const CubicalComplex& lattice)
 }
 
 /// Returns the cells at a position: those that touch a voxel of the solid.
-std::uint8_t cellsAt(const DepthField& depth, const CubicalComplex& lattice, const glm::ivec3& p)
+std::uint8_t cellsAt(const DepthField& depth, const CubicalComplex& complex, const glm::ivec3& p)
 {
   // Indexed by the axes along which the voxel lies below: a cell that extends along one of them
   // does not touch it.
@@ -141,7 +141,7 @@ std::uint8_t cellsAt(const DepthField& depth, const CubicalComplex& lattice, con
   for (unsigned corner = 0; corner < 8; ++corner)
   {
     const glm::ivec3 voxel = p - glm::ivec3(corner & 1, corner >> 1 & 1, corner >> 2);
-    if (inSolid(depth, lattice, voxel))
+    if (inSolid(depth, complex, voxel))
     {
       bits |= kTouching[corner];
     }
@@ -153,7 +153,7 @@ std::uint8_t cellsAt(const DepthField& depth, const CubicalComplex& lattice, con
 
 CubicalComplex voxelSolid(const DepthField& depth, const glm::ivec3& size)
 {
-  CubicalComplex lattice(size);
+  CubicalComplex complex(size);
   tbb::parallel_for(1, std::max(1, size.z),
     [&](int z)
     {
@@ -162,11 +162,11 @@ CubicalComplex voxelSolid(const DepthField& depth, const glm::ivec3& size)
         for (int x = 1; x < size.x; ++x)
         {
           const glm::ivec3 p(x, y, z);
-          lattice.setBits(CubicalComplex::index(lattice.cell(p, 0)), cellsAt(depth, lattice, p));
+          complex.setBits(CubicalComplex::index(complex.cell(p, 0)), cellsAt(depth, complex, p));
         }
       }
     });
-  return lattice;
+  return complex;
 }
 
 CellTopology topologyOf(const CubicalComplex& solid)

@@ -63,12 +63,12 @@ private:
 CubicalComplex voxelSolid(const DepthField& depth, const glm::ivec3& size);
 
 /// Whether the voxel around a grid point belongs to that solid.
-inline bool inSolid(const DepthField& depth, const CubicalComplex& lattice, const glm::ivec3& point)
+inline bool inSolid(const DepthField& depth, const CubicalComplex& complex, const glm::ivec3& point)
 {
-  const glm::ivec3 size = lattice.size();
+  const glm::ivec3 size = complex.size();
   return point.x > 0 && point.y > 0 && point.z > 0 && point.x < size.x - 1 &&
     point.y < size.y - 1 && point.z < size.z - 1 &&
-    depth.wanted(CubicalComplex::index(lattice.cell(point, kVertexKind)));
+    depth.wanted(CubicalComplex::index(complex.cell(point, kVertexKind)));
 }
 
 /// Computes the topology of a solid from voxelSolid(). Voxels that share only a corner are

@@ -1,11 +1,11 @@
 #include "support/axes.h"
 
+#include "base/disjoint_sets.h"
 #include "support/brute_force.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <set>
 #include <utility>
 
@@ -176,25 +176,7 @@ std::int64_t eulerCharacteristic(const MedialAxis& axis)
 
 std::int64_t componentCount(const MedialAxis& axis)
 {
-  std::vector<std::int64_t> parent(axis.points.size());
-  std::iota(parent.begin(), parent.end(), std::int64_t{ 0 });
-  const auto root = [&](std::int64_t v)
-  {
-    while (parent[v] != v)
-    {
-      v = parent[v];
-    }
-    return v;
-  };
-  auto count = static_cast<std::int64_t>(parent.size());
-  for (const auto& [a, b] : sidesOf(axis))
-  {
-    const std::int64_t from = root(a);
-    const std::int64_t to = root(b);
-    parent[std::max(from, to)] = std::min(from, to);
-    count -= from != to ? 1 : 0;
-  }
-  return count;
+  return countComponents(axis.points.size(), sidesOf(axis));
 }
 
 double areaOf(const MedialAxis& axis)

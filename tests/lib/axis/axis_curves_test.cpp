@@ -27,7 +27,7 @@ AxisEdges polygons(const std::vector<Ids>& cells, const std::vector<AxisEdges::E
   {
     for (std::size_t i = 0; i < cell.size(); ++i)
     {
-      edges.sides.push_back({ cell[i], cell[(i + 1) % cell.size()] });
+      edges.polygonEdges.push_back({ cell[i], cell[(i + 1) % cell.size()] });
     }
   }
   return edges;

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <vector>
 
 using namespace medial;
@@ -82,6 +84,36 @@ TEST(SurfaceQuery, IsExactAroundTrianglesWithoutAreaAndNeedles)
   expectExact(makeMesh({ { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 }, { 2.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 },
                          { 1.0, 1.0 + 1e-9, 0.0 }, { 2.0, 1.0, 0.5 } },
     { { 0, 1, 2 }, { 3, 4, 5 } }));
+}
+
+// Rounding to local coordinates makes the ends of the short edges one, and lets the long edges of
+// flat triangles each pass for the longest.
+TEST(SurfaceQuery, FindsATubeThatIsThinnerThanRounding)
+{
+  std::vector<Point3> points;
+  std::vector<std::array<std::int64_t, 3>> triangles;
+  for (const double x : { 0.0, 1.0 })
+  {
+    points.insert(points.end(), { { x, 1e-17, 0.0 }, { x, -1e-17, 1e-17 }, { x, 0.0, -1e-17 } });
+  }
+  for (std::int64_t i = 0; i < 3; ++i)
+  {
+    const std::int64_t next = (i + 1) % 3;
+    triangles.push_back({ i, next, i + 3 });
+    triangles.push_back({ next, next + 3, i + 3 });
+  }
+  points.insert(points.end(), { { 0.0, 0.9, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, 0.9, 0.1 } });
+  triangles.push_back({ 6, 7, 8 });
+  MeshInput input;
+  input.points = points;
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+  {
+    input.polygons.append({ triangles[i][0], triangles[i][1], triangles[i][2] },
+      static_cast<std::int64_t>(i));
+  }
+  const TriangleMesh mesh = buildTriangleMesh(input);
+  const SurfaceQuery surface(mesh, analyseConnectivity(mesh), 0.0);
+  EXPECT_NEAR(std::abs(surface.signedDistance({ 0.5, 0.0, 0.25 })), 0.25, 1e-12);
 }
 
 // Far outside single precision is coarse.

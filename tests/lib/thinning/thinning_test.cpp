@@ -48,9 +48,9 @@ public:
     return voxelTopology(solidVoxels(distance_, grid_.dimensions, Side::Interior),
       grid_.dimensions);
   }
-  Thinning thinning(CubicalComplex& lattice) const
+  Thinning thinning(CubicalComplex& complex) const
   {
-    return { lattice, depth_, probe_, frame_.step, { 1.0 }, checkpoint_ };
+    return { complex, depth_, probe_, frame_.step, { 1.0 }, checkpoint_ };
   }
 
 private:
@@ -71,27 +71,27 @@ private:
   Checkpoint checkpoint_{ Run(Execution{}), 0.0, "" };
 };
 
-int count(const CubicalComplex& lattice, int dimension)
+int count(const CubicalComplex& complex, int dimension)
 {
   int count = 0;
-  for (CubeCell cell = 0; cell < 8 * static_cast<CubeCell>(lattice.positions()); ++cell)
+  for (CubeCell cell = 0; cell < 8 * static_cast<CubeCell>(complex.positions()); ++cell)
   {
     count +=
-      CubicalComplex::dimension(CubicalComplex::kind(cell)) == dimension && lattice.has(cell);
+      CubicalComplex::dimension(CubicalComplex::kind(cell)) == dimension && complex.has(cell);
   }
   return count;
 }
 
 /// All faces of the present cells are present.
-void expectClosed(const CubicalComplex& lattice)
+void expectClosed(const CubicalComplex& complex)
 {
-  for (CubeCell cell = 0; cell < 8 * static_cast<CubeCell>(lattice.positions()); ++cell)
+  for (CubeCell cell = 0; cell < 8 * static_cast<CubeCell>(complex.positions()); ++cell)
   {
-    if (lattice.has(cell))
+    if (complex.has(cell))
     {
-      for (const CubeCell step : lattice.faces(CubicalComplex::kind(cell)))
+      for (const CubeCell step : complex.faces(CubicalComplex::kind(cell)))
       {
-        ASSERT_TRUE(lattice.has(cell + step));
+        ASSERT_TRUE(complex.has(cell + step));
       }
     }
   }
@@ -99,28 +99,28 @@ void expectClosed(const CubicalComplex& lattice)
 
 /// Components, cavities and genus of cells without voxels, from the library's solid and its own
 /// Euler characteristic.
-MedialAxis asAxis(const CubicalComplex& lattice)
+MedialAxis asAxis(const CubicalComplex& complex)
 {
   MedialAxis axis;
-  axis.points.resize(lattice.positions());
+  axis.points.resize(complex.positions());
   const auto point = [](CubeCell cell)
   { return static_cast<std::int64_t>(CubicalComplex::index(cell)); };
-  for (CubeCell vertex = 0; vertex < 8 * static_cast<CubeCell>(lattice.positions()); vertex += 8)
+  for (CubeCell vertex = 0; vertex < 8 * static_cast<CubeCell>(complex.positions()); vertex += 8)
   {
-    if (lattice.has(vertex))
+    if (complex.has(vertex))
     {
       axis.vertices.push_back(point(vertex));
     }
     for (int a = 0; a < 3; ++a)
     {
-      const CubeCell along = 8 * lattice.stride(a);
-      const CubeCell u = 8 * lattice.stride((a + 1) % 3);
-      const CubeCell v = 8 * lattice.stride((a + 2) % 3);
-      if (lattice.has(vertex + kEdgeKind + a))
+      const CubeCell along = 8 * complex.stride(a);
+      const CubeCell u = 8 * complex.stride((a + 1) % 3);
+      const CubeCell v = 8 * complex.stride((a + 2) % 3);
+      if (complex.has(vertex + kEdgeKind + a))
       {
         axis.lines.push_back({ point(vertex), point(vertex + along) });
       }
-      if (lattice.has(vertex + kFaceKind + a))
+      if (complex.has(vertex + kFaceKind + a))
       {
         axis.quads.push_back(
           { point(vertex), point(vertex + u), point(vertex + u + v), point(vertex + v) });
@@ -134,22 +134,22 @@ MedialAxis asAxis(const CubicalComplex& lattice)
 
 TEST(CubicalComplex, KnowsFacesAndCofaces)
 {
-  const CubicalComplex lattice({ 7, 5, 6 });
+  const CubicalComplex complex({ 7, 5, 6 });
   const std::array<int, 4> faces{ 0, 2, 4, 6 };
   const std::array<int, 4> cofaces{ 6, 4, 2, 0 };
   for (int kind = 0; kind < kCubeCellKinds; ++kind)
   {
     const int dimension = CubicalComplex::dimension(kind);
-    EXPECT_EQ(lattice.faces(kind).count, faces[dimension]);
-    EXPECT_EQ(lattice.cofaces(kind).count, cofaces[dimension]);
-    const CubeCell cell = lattice.cell({ 3, 2, 3 }, kind);
-    EXPECT_EQ(lattice.position(cell), glm::ivec3(3, 2, 3));
-    for (const CubeCell step : lattice.faces(kind))
+    EXPECT_EQ(complex.faces(kind).count, faces[dimension]);
+    EXPECT_EQ(complex.cofaces(kind).count, cofaces[dimension]);
+    const CubeCell cell = complex.cell({ 3, 2, 3 }, kind);
+    EXPECT_EQ(complex.position(cell), glm::ivec3(3, 2, 3));
+    for (const CubeCell step : complex.faces(kind))
     {
       const CubeCell face = cell + step;
       EXPECT_EQ(CubicalComplex::dimension(CubicalComplex::kind(face)), dimension - 1);
-      EXPECT_NEAR(glm::distance(lattice.centre(face), lattice.centre(cell)), 0.5, 1e-12);
-      const CubeCellSteps& back = lattice.cofaces(CubicalComplex::kind(face));
+      EXPECT_NEAR(glm::distance(complex.centre(face), complex.centre(cell)), 0.5, 1e-12);
+      const CubeCellSteps& back = complex.cofaces(CubicalComplex::kind(face));
       EXPECT_NE(std::find(back.begin(), back.end(), -step), back.end());
     }
   }
@@ -182,25 +182,25 @@ TEST(Thinning, KeepsTheTopologyOfRandomVoxelsWhateverIsAnchored)
       const float depth = 0.1f + static_cast<float>(random() % 100) * 0.05f;
       voxels.set(i, random() % 60 < static_cast<unsigned>(round) ? depth : -depth);
     }
-    CubicalComplex lattice = voxels.solid();
-    Thinning thinning = voxels.thinning(lattice);
+    CubicalComplex complex = voxels.solid();
+    Thinning thinning = voxels.thinning(complex);
     std::vector<CubeCell> anchored;
-    for (CubeCell cell = 0; cell < 8 * static_cast<CubeCell>(lattice.positions()); ++cell)
+    for (CubeCell cell = 0; cell < 8 * static_cast<CubeCell>(complex.positions()); ++cell)
     {
       const bool isFace = CubicalComplex::dimension(CubicalComplex::kind(cell)) == 2;
-      if (isFace && lattice.has(cell) && random() % 4 == 0)
+      if (isFace && complex.has(cell) && random() % 4 == 0)
       {
         anchored.push_back(cell);
         thinning.anchor(cell, static_cast<float>(random() % 180));
       }
     }
     thinning.burn();
-    EXPECT_EQ(count(lattice, 3), 0);
-    expectClosed(lattice);
-    EXPECT_EQ(topologyOf(asAxis(lattice)), voxels.expected()) << "round " << round;
+    EXPECT_EQ(count(complex, 3), 0);
+    expectClosed(complex);
+    EXPECT_EQ(topologyOf(asAxis(complex)), voxels.expected()) << "round " << round;
     thinning.release(anchored);
-    expectClosed(lattice);
-    EXPECT_EQ(topologyOf(asAxis(lattice)), voxels.expected()) << "round " << round;
+    expectClosed(complex);
+    EXPECT_EQ(topologyOf(asAxis(complex)), voxels.expected()) << "round " << round;
   }
 }
 
@@ -213,16 +213,16 @@ TEST(Thinning, LeavesAPointOfABlock)
     const glm::ivec3 from = glm::abs(p - 4);
     voxels.set(p.x, p.y, p.z, 2.5f - static_cast<float>(std::max({ from.x, from.y, from.z })));
   }
-  CubicalComplex lattice = voxels.solid();
-  voxels.thinning(lattice).burn();
-  EXPECT_EQ(count(lattice, 2), 0);
-  EXPECT_EQ(count(lattice, 1), 0);
-  ASSERT_EQ(count(lattice, 0), 1);
-  for (CubeCell vertex = 0; vertex < 8 * static_cast<CubeCell>(lattice.positions()); vertex += 8)
+  CubicalComplex complex = voxels.solid();
+  voxels.thinning(complex).burn();
+  EXPECT_EQ(count(complex, 2), 0);
+  EXPECT_EQ(count(complex, 1), 0);
+  ASSERT_EQ(count(complex, 0), 1);
+  for (CubeCell vertex = 0; vertex < 8 * static_cast<CubeCell>(complex.positions()); vertex += 8)
   {
-    if (lattice.has(vertex))
+    if (complex.has(vertex))
     {
-      EXPECT_LE(glm::distance(lattice.centre(vertex), glm::dvec3(4.0)), 1.0);
+      EXPECT_LE(glm::distance(complex.centre(vertex), glm::dvec3(4.0)), 1.0);
     }
   }
 }
@@ -234,24 +234,24 @@ TEST(Thinning, StopsAtAnchoredFacesAndOpensTheOneOfLeastAngle)
   {
     voxels.set(3 + i % 3, 3 + i / 3 % 3, 3 + i / 9, i == 13 ? 2.0f : 1.0f);
   }
-  CubicalComplex lattice = voxels.solid();
-  Thinning thinning = voxels.thinning(lattice);
-  const CubeCell voxel = lattice.cell({ 4, 4, 4 }, kVoxelKind);
+  CubicalComplex complex = voxels.solid();
+  Thinning thinning = voxels.thinning(complex);
+  const CubeCell voxel = complex.cell({ 4, 4, 4 }, kVoxelKind);
   float angle = 100.0f;
   std::vector<CubeCell> walls;
-  for (const CubeCell step : lattice.faces(kVoxelKind))
+  for (const CubeCell step : complex.faces(kVoxelKind))
   {
     walls.push_back(voxel + step);
     thinning.anchor(walls.back(), walls.size() == 4 ? 50.0f : angle++);
   }
   thinning.burn();
-  EXPECT_FALSE(lattice.has(voxel));
+  EXPECT_FALSE(complex.has(voxel));
   for (std::size_t i = 0; i < walls.size(); ++i)
   {
-    EXPECT_EQ(lattice.has(walls[i]), i != 3) << i;
+    EXPECT_EQ(complex.has(walls[i]), i != 3) << i;
   }
-  EXPECT_EQ(count(lattice, 2), 5);
-  EXPECT_EQ(topologyOf(asAxis(lattice)), (CellTopology{ 1, 1, 0, 0 }));
+  EXPECT_EQ(count(complex, 2), 5);
+  EXPECT_EQ(topologyOf(asAxis(complex)), (CellTopology{ 1, 1, 0, 0 }));
 }
 
 namespace
@@ -317,19 +317,19 @@ TEST(CurveChains, ArriveAtUnitSpeed)
 TEST(SheetFaces, AreThoseWithACornerInside)
 {
   const glm::ivec3 size(12, 12, 12);
-  const CubicalComplex lattice(size);
+  const CubicalComplex complex(size);
   std::vector<CubeCell> faces;
   for (int i = 0; i < 5; ++i)
   {
     for (int j = 0; j < 2; ++j)
     {
-      faces.push_back(lattice.cell({ 2 + i, 2 + j, 5 }, kFaceKind + 2));
+      faces.push_back(complex.cell({ 2 + i, 2 + j, 5 }, kFaceKind + 2));
     }
   }
   const std::size_t sheet = faces.size();
   for (int i = 0; i < 3; ++i)
   {
-    faces.push_back(lattice.cell({ 2 + i, 8, 5 }, kFaceKind + 2));
+    faces.push_back(complex.cell({ 2 + i, 8, 5 }, kFaceKind + 2));
   }
   const SheetSplit split = splitSheets(size, faces);
   EXPECT_EQ(split.sheets, std::vector<CubeCell>(faces.begin(), faces.begin() + sheet));
