@@ -103,7 +103,7 @@ std::vector<Id> movedPoints(const BisectorPoints& points)
 }
 
 /// Joins the ends of short edges. Returns whether there were any.
-bool joinShortSides(const BisectorPoints& points, const std::vector<std::array<Id, 4>>& quads,
+bool joinShortEdges(const BisectorPoints& points, const std::vector<std::array<Id, 4>>& quads,
   Contraction& contraction)
 {
   bool any = false;
@@ -354,10 +354,10 @@ void buildCells(const std::vector<std::array<std::int64_t, 4>>& quads, BisectorP
 {
   Contraction contraction(points);
   joinEqualPoints(points, movedPoints(points), contraction);
-  joinShortSides(points, quads, contraction);
+  joinShortEdges(points, quads, contraction);
   joinNarrowStrips(points, quads, contraction);
   // The point of a set replaces others, so new edges may be short.
-  while (joinShortSides(points, quads, contraction))
+  while (joinShortEdges(points, quads, contraction))
   {
   }
   for (const auto& quad : quads)

@@ -14,13 +14,13 @@ class EdgeTable
 public:
   using Edge = std::array<std::int64_t, 2>; ///< point ids, in either order
 
-  /// @param edges one for each polygon that has it; all ids in [0, pointCount).
+  /// @param edges one for each polygon at an edge; all ids in [0, pointCount).
   EdgeTable(const std::vector<Edge>& edges, std::size_t pointCount);
 
-  /// How many polygons have a edge.
+  /// Returns how many polygons have an edge.
   std::size_t count(const Edge& edge) const;
 
-  /// Calls visit(edge, count) for each edge, once, in ascending order; the lower id is first.
+  /// Calls visit(edge, count) once for each edge, in ascending order; its lower id comes first.
   template <typename Visit>
   void forEach(const Visit& visit) const
   {

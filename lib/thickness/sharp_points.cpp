@@ -9,7 +9,7 @@ namespace
 {
 
 /// Directions count as that of an edge up to this sine.
-constexpr double kOnSide = 1e-6;
+constexpr double kOnEdge = 1e-6;
 
 double angleBetween(const glm::dvec3& a, const glm::dvec3& b)
 {
@@ -67,8 +67,8 @@ bool isOver(const SiteSet& sites, int face, int corner, const glm::dvec3& inward
   const glm::dvec3 u = sites.points()[corners[(corner + 1) % 3]] - tip;
   const glm::dvec3 v = sites.points()[corners[(corner + 2) % 3]] - tip;
   const glm::dvec3& normal = sites.faceNormal(face);
-  return glm::dot(glm::cross(u, inward), normal) >= -kOnSide * glm::length(u) &&
-    glm::dot(glm::cross(inward, v), normal) >= -kOnSide * glm::length(v);
+  return glm::dot(glm::cross(u, inward), normal) >= -kOnEdge * glm::length(u) &&
+    glm::dot(glm::cross(inward, v), normal) >= -kOnEdge * glm::length(v);
 }
 
 /// Per point, the directions to the faces that the ray of the point is over.

@@ -18,7 +18,7 @@ struct SampleContext
   const std::int32_t* closestSites; ///< of all grid points, x fastest
 };
 
-/// Grid edges with a point on each, found by the faces of a lattice that are dual to them.
+/// Grid edges with a point on each, found by the faces of a complex that are dual to them.
 class AxisSamples
 {
 public:

@@ -10,7 +10,7 @@
 namespace medial
 {
 
-/// A cube cell, that is a cell of a cubical complex: 8 * linear index of its lattice position +
+/// A cube cell, that is a cell of a cubical complex: 8 * linear index of its position +
 /// kind.
 using CubeCell = std::int64_t;
 
@@ -38,7 +38,7 @@ struct CubeCellSteps
 /// Position p = (i, j, k), x fastest, has the voxel around grid point p, the voxel's three faces
 /// and three edges that meet in its lowest corner, and that corner. So the face of normal axis a at
 /// p is dual to the grid edge from p - e_a to p, and the vertex at p to the grid cell from p -
-/// (1,1,1) to p. Only cells of voxels away from the border of the lattice may be set.
+/// (1,1,1) to p. Only cells of voxels away from the border of the complex may be set.
 class CubicalComplex
 {
 public:

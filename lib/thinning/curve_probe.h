@@ -22,14 +22,14 @@ public:
   CurveProbe(const SiteSet& sites, const GridFrame& frame, const std::int32_t* closestSites,
     const DepthField& depth, double angle);
 
-  /// Whether two of the four voxels around an edge are closest to places of the surface that face
-  /// away from each other by the angle. Voxels on the other side of the surface, around parts that
-  /// are thinner than a voxel, count with the direction that they see the surface from, and for
-  /// 120 degrees, so that convex edges are no such parts.
+  /// Whether two of the four voxels around an edge are closest to parts of the surface that face
+  /// away from each other by the angle. Voxels on the other side of the surface, around parts
+  /// thinner than a voxel, count with the direction from which they see the surface; they need 120
+  /// degrees, so that convex edges are not taken for such parts.
   bool separates(const CubicalComplex& complex, CubeCell edge) const;
 
 private:
-  /// Whether the voxels around an edge are all closest to the inside of one face.
+  /// Whether the interior of one face is closest to all voxels around an edge.
   bool seeOneFace(const CubicalComplex& complex, CubeCell edge) const;
 
   const SiteSet& sites_;

@@ -19,8 +19,8 @@ struct AxisEdges
   /// Ids of two points.
   using Edge = std::array<std::int64_t, 2>;
 
-  std::vector<Edge> polygonEdges; ///< of all polygons, a shared edge once for each of them
-  std::vector<Edge> lines;        ///< cells of two points
+  std::vector<Edge> polygonEdges; ///< of all polygons, a shared edge once for each polygon
+  std::vector<Edge> lines;        ///< line cells
 };
 
 /// Collects the edges of the cells of an axis.
