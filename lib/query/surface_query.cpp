@@ -12,12 +12,12 @@ namespace medial
 namespace
 {
 
-/// What single precision may err by, as a share of the coordinates.
+/// Error of single precision, as a share of the coordinates.
 constexpr float kSinglePrecision = 1e-6f;
-/// Halving any number of sites that an int can count is not deeper.
+/// Enough for halving any number of sites that fits an int.
 constexpr std::size_t kMaxDepth = 64;
 
-/// From x to a box. Spelt out, since this is where much of the time goes.
+/// From x to a box. Spelt out, since much of the time is spent here.
 template <typename Box>
 MEDIAL_INLINE double squaredDistance(const Box& box, const glm::dvec3& x)
 {
@@ -27,7 +27,7 @@ MEDIAL_INLINE double squaredDistance(const Box& box, const glm::dvec3& x)
   return dx * dx + dy * dy + dz * dz;
 }
 
-/// Corners of a site, repeated where it has fewer than three.
+/// Returns the corners of a site, with repetitions if it has fewer than three.
 std::array<glm::dvec3, 3> cornersOf(const SiteSet& sites, int site)
 {
   const std::vector<glm::dvec3>& points = sites.points();
@@ -52,7 +52,7 @@ std::array<glm::dvec3, 3> cornersOf(const SiteSet& sites, int site)
 
 } // namespace
 
-/// A query under way.
+/// A query in progress.
 struct SurfaceQuery::Search
 {
   glm::dvec3 x;
@@ -79,13 +79,13 @@ struct SurfaceQuery::Search
     above = limit * limit * (1.0 + kRounding);
   }
 
-  /// Whether the root of a square is less than the distance, mostly without taking the root.
+  /// Whether the root of a square is below the distance; usually decided without taking the root.
   bool reaches(double squared) const
   {
     return squared < below || (squared < above && std::sqrt(squared) < distance);
   }
 
-  /// Calls visit(i) for those of two boxes that may hold something nearer, the nearer box first.
+  /// Calls visit(i) for those of two boxes that may contain a nearer point, the nearer box first.
   template <typename Visit>
   void visitPair(const Box* boxes, const Visit& visit) const
   {
@@ -138,7 +138,8 @@ SurfaceQuery::SurfaceQuery(const TriangleMesh& mesh, const MeshConnectivity& con
   }
 }
 
-/// All faces, also those too thin to count, and the edges and vertices that belong to none.
+/// Collects all faces, even those too thin to count, and the edges and vertices that belong to no
+/// face.
 std::vector<int> SurfaceQuery::collectSites(const MeshConnectivity& connectivity) const
 {
   std::vector<int> all(sites_.faceCount());
@@ -160,7 +161,8 @@ std::vector<int> SurfaceQuery::collectSites(const MeshConnectivity& connectivity
   return all;
 }
 
-/// Halves sites by the middles of their boxes, along the axis where these are farthest apart.
+/// Splits sites in half by the middles of their boxes, along the axis where these are farthest
+/// apart.
 int* SurfaceQuery::halve(int* begin, int* end, const std::vector<Box>& boxes)
 {
   Box middles;
@@ -240,9 +242,9 @@ void SurfaceQuery::setLane(int lane, int site, Leaf& leaf) const
   leaf.used |= 1u << lane;
 }
 
-/// The lanes of a leaf that may be nearer to x than the limit, as bits: a site lies in the disc
-/// that its ball cuts out of its plane. At height h above the plane the disc, of radius r and
-/// with its centre at distance d, is reached where
+/// Returns the lanes of a leaf that may be nearer to x than the limit, as bits. A site lies in the
+/// disc that its ball cuts out of its plane. The limit reaches this disc, of radius r and with its
+/// centre at distance d, from height h above the plane if
 ///   d^2 - h^2 < (r + s)^2 = r^2 + 2 r s + s^2, with s^2 = limit^2 - h^2.
 MEDIAL_VECTORISED unsigned SurfaceQuery::lanesWithin(const Leaf& leaf, const glm::vec3& x,
   float limit, float slack) const

@@ -13,35 +13,34 @@
 namespace medial
 {
 
-/// Exact closest surface points of a mesh, in double precision, from anywhere: a hierarchy of boxes
-/// around the whole mesh. Unlike TileQuery it needs no grid and knows no bounds; it serves where
-/// the positions asked for are few beside the voxels of a grid. Queries may come from several
-/// threads at once.
+/// Finds exact closest surface points of a mesh, in double precision, from anywhere: a hierarchy of
+/// boxes around the whole mesh. Unlike TileQuery it needs no grid and has no bounds. It suits
+/// queries that are few compared with the voxels of a grid. Several threads may query it at once.
 class SurfaceQuery
 {
 public:
-  /// @param margin as LocalCoordinates::around().
+  /// @param margin see LocalCoordinates::around().
   SurfaceQuery(const TriangleMesh& mesh, const MeshConnectivity& connectivity, double margin);
 
   const LocalCoordinates& local() const { return local_; }
-  const SiteSet& sites() const { return sites_; } ///< in the local coordinates
+  const SiteSet& sites() const { return sites_; } ///< in local coordinates
 
+  /// Returns the closest surface point; its site is -1 if there is none within the limit.
   /// @param x local coordinates.
-  /// @param limit local units; surface points at this distance and beyond do not count.
-  /// @return the closest surface point; its site is -1 where there is none within the limit.
+  /// @param limit local units; surface points at this distance or beyond do not count.
   SitePoint closest(const glm::dvec3& x,
     double limit = std::numeric_limits<double>::infinity()) const;
 
-  /// The unit pseudonormal of a site, on the side that its triangles' own normals are on; zero
-  /// where no triangle meets the site.
+  /// Returns the unit pseudonormal of a site, on the side of its triangles' own normals; zero if
+  /// the site has no triangle.
   glm::dvec3 normal(int site) const { return glm::dvec3(normals_[site]); }
   /// Whether the mesh is closed and consistently oriented, so that it has an inside.
   bool knowsInside() const { return knowsInside_; }
-  /// Whether the normals point into the inside; false where it is not known.
+  /// Whether the normals point into the inside; false if there is no inside.
   bool facesInwards() const { return facesInwards_; }
 
+  /// Returns the distance to the surface, world units; negative inside if the mesh has an inside.
   /// @param x world coordinates.
-  /// @return world units; negative inside where that is known.
   double signedDistance(const Point3& x) const;
 
 private:
@@ -58,8 +57,8 @@ private:
     }
     glm::dvec3 middle() const { return 0.5 * (low + high); }
   };
-  /// Sites that are tried together, each with a plane and a ball that bound its distance from
-  /// below; the zero plane where it has none. Their quarters have boxes.
+  /// Sites that are tried together. Each has a plane (the zero plane if there is none) and a ball
+  /// that give lower bounds of its distance. Each quarter of the sites has a box.
   struct Leaf
   {
     static constexpr int kQuarter = 4;
@@ -75,7 +74,7 @@ private:
     std::array<Box, 4> quarters;
     unsigned used = 0; ///< lanes, as bits
   };
-  /// An inner node's children are the next node and `second`; others have a leaf.
+  /// An inner node has two children, the next node and `second`; other nodes have a leaf.
   struct Node
   {
     Box box;

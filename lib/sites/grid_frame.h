@@ -5,11 +5,11 @@
 namespace medial
 {
 
-/// A grid in local coordinates: centred on it, in units of its finest spacing.
+/// A grid in local coordinates: the origin is its middle, the unit its finest spacing.
 struct GridFrame : LocalCoordinates
 {
-  glm::dvec3 first; ///< local position of grid point (0,0,0)
-  glm::dvec3 step;  ///< local distance of neighbouring grid points, each >= 1
+  glm::dvec3 first; ///< grid point (0,0,0), local coordinates
+  glm::dvec3 step;  ///< distance of neighbouring grid points, local units, each >= 1
 
   explicit GridFrame(const Grid& grid);
 

@@ -10,8 +10,8 @@ namespace medial
 namespace
 {
 
-/// Triangles lower than this (local units, that is voxels) have no face site. Their edges take its
-/// place, which moves closest points by at most half of this.
+/// Triangles lower than this (local units) have no face site. Their edges take its place, which
+/// moves closest points by at most half of this.
 constexpr double kMinHeight = 1e-4;
 
 HalfSpace halfSpace(const glm::dvec3& normal, const glm::dvec3& pointOnPlane)

@@ -29,9 +29,9 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kFirstShare = 0.05;
 /// Next position on a ray, in multiples of the thickness at the previous point.
 constexpr double kGuess = 1.0;
-/// Of LocalCoordinates::around().
+/// Margin for LocalCoordinates::around().
 constexpr double kMargin = 0.0;
-/// Points in a row that one thread evaluates: always the same, so that the result is.
+/// Number of points in a row that one thread handles. It is fixed, so that the result is, too.
 constexpr std::size_t kRow = 64;
 /// Minimum number of such rows between two reports of progress, and maximum number of reports.
 constexpr std::size_t kMinRows = 8;

@@ -196,7 +196,7 @@ MEDIAL_INLINE void completeBasis(const glm::dvec3& n, glm::dvec3 (&across)[2])
 }
 
 /// Evaluates a face.
-/// @param normal the pseudonormal: the face's normal, turned to the outside.
+/// @param normal the pseudonormal: the normal of the face, turned outwards.
 MEDIAL_INLINE std::int64_t evaluateFace(const Tile& tile, const SiteSet& sites, int site,
   const glm::dvec3& normal, const FaceSides& sides)
 {
@@ -241,7 +241,7 @@ MEDIAL_INLINE std::int64_t evaluateEdge(const Tile& tile, const SiteSet& sites, 
     boundCount, slack);
 }
 
-/// Whether a point has no site.
+/// Whether some point has no site.
 MEDIAL_INLINE bool hasHoles(const Tile& tile)
 {
   const Int8 used = ramp() <= tile.lastX;
