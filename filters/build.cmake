@@ -31,6 +31,9 @@ vtk_module_build(
   ENABLE_WRAPPING ${MEDIAL_BUILD_PYTHON}
   TEST_DIRECTORY_NAME NONE)
 medial_warnings(Filters)
+target_precompile_headers(Filters PRIVATE
+  <algorithm> <array> <cmath> <functional> <memory> <string> <vector>
+  <vtkCellArray.h> <vtkImageData.h> <vtkInformation.h> <vtkNew.h> <vtkPointData.h> <vtkPolyData.h>)
 # All of VTK puts a semicolon after vtkTypeMacro(), which -Wpedantic calls one too many.
 target_compile_options(Filters PUBLIC $<BUILD_INTERFACE:-Wno-pedantic>)
 

@@ -10,6 +10,8 @@
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include "medial/compute_distance_field.h"
+
 vtkStandardNewMacro(vtkMeshDistanceField);
 
 //------------------------------------------------------------------------------

@@ -4,6 +4,8 @@
 #include "library_calls.h"
 #include "surface_thickness.h"
 
+#include "medial/compute_distance_field.h"
+
 #include <cmath>
 
 namespace medial::app

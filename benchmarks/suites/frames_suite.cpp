@@ -3,6 +3,8 @@
 #include "frame_race.h"
 #include "statistics.h"
 
+#include "medial/compute_distance_field.h"
+
 #include <algorithm>
 #include <iostream>
 

@@ -1,5 +1,6 @@
 #include "support/field_checks.h"
 
+#include "medial/compute_distance_field.h"
 #include "support/brute_force.h"
 
 #include <gtest/gtest.h>
