@@ -4,6 +4,7 @@
 #include "field/engines/rasteriser/atlas_texture.h"
 #include "gl/gl_objects.h"
 #include "medial/mesh_connectivity.h"
+#include "sites/grid_frame.h"
 #include "sites/site_set.h"
 
 #include <glm/glm.hpp>

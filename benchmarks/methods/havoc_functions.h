@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sites/grid_frame.h"
 #include "sites/site_set.h"
 
 #include <glm/glm.hpp>

@@ -1,4 +1,5 @@
 #include "sites/closest_point.h"
+#include "sites/grid_frame.h"
 #include "sites/pseudonormals.h"
 #include "sites/site_set.h"
 
