@@ -26,8 +26,8 @@ constexpr double kOutside = 0.1;
 constexpr double kOffBisector = 0.3;
 constexpr double kAnywhere = std::numeric_limits<double>::infinity();
 
-/// For vertices at given positions the two closest points: the closest one, and of the sites whose
-/// bisectors gave the vertex the one that is seen under the largest angle from it.
+/// Finds the closest pairs of vertices at given positions. A site of the vertex's first bisector
+/// bounds the search.
 std::vector<BisectorPoint> vertexPairs(const AxisGeometry& geometry, const DualMesh& mesh,
   const BisectorPoints& bisectors, const std::vector<std::size_t>& vertices,
   const std::vector<glm::dvec3>& positions, double tolerance)
@@ -38,12 +38,8 @@ std::vector<BisectorPoint> vertexPairs(const AxisGeometry& geometry, const DualM
     const int known = bisectors.points[mesh.incident[mesh.offsets[vertices[i]]]].a.site;
     questions[i] = { positions[i], closestPoint(geometry.sites, known, positions[i]) };
   }
-  const auto candidates = [&](std::size_t i, std::vector<int>& sites)
-  {
-    sitesOf(mesh, bisectors, vertices[i], sites);
-    std::sort(sites.begin(), sites.end());
-  };
-  return closestPairs(geometry, std::move(questions), candidates, tolerance);
+  return closestPairs(geometry, mesh, bisectors, vertices, std::move(questions),
+    EqualAngles::LowestSite, tolerance);
 }
 
 /// Returns where the bisectors of the cell of a vertex meet, without those that were moved out of

@@ -31,18 +31,8 @@ SitePoint oppositePoint(const SiteSet& sites, const std::vector<int>& candidates
   return opposite;
 }
 
-} // namespace
-
-glm::dvec3 meanCrossing(const DualMesh& mesh, const BisectorPoints& bisectors, std::size_t vertex)
-{
-  glm::dvec3 sum(0.0);
-  for (std::size_t i = mesh.offsets[vertex]; i < mesh.offsets[vertex + 1]; ++i)
-  {
-    sum += bisectors.points[mesh.incident[i]].position;
-  }
-  return sum / static_cast<double>(mesh.offsets[vertex + 1] - mesh.offsets[vertex]);
-}
-
+/// Replaces `sites` by the sites whose bisectors gave a vertex, each once, in the order of the
+/// bisectors.
 void sitesOf(const DualMesh& mesh, const BisectorPoints& bisectors, std::size_t vertex,
   std::vector<int>& sites)
 {
@@ -60,9 +50,21 @@ void sitesOf(const DualMesh& mesh, const BisectorPoints& bisectors, std::size_t 
   }
 }
 
-std::vector<BisectorPoint> closestPairs(const AxisGeometry& geometry,
-  std::vector<TileQuery::Question> questions,
-  const std::function<void(std::size_t i, std::vector<int>& sites)>& candidates, double tolerance)
+} // namespace
+
+glm::dvec3 meanCrossing(const DualMesh& mesh, const BisectorPoints& bisectors, std::size_t vertex)
+{
+  glm::dvec3 sum(0.0);
+  for (std::size_t i = mesh.offsets[vertex]; i < mesh.offsets[vertex + 1]; ++i)
+  {
+    sum += bisectors.points[mesh.incident[i]].position;
+  }
+  return sum / static_cast<double>(mesh.offsets[vertex + 1] - mesh.offsets[vertex]);
+}
+
+std::vector<BisectorPoint> closestPairs(const AxisGeometry& geometry, const DualMesh& mesh,
+  const BisectorPoints& bisectors, const std::vector<std::size_t>& vertices,
+  std::vector<TileQuery::Question> questions, EqualAngles equalAngles, double tolerance)
 {
   geometry.query.closest(questions);
   std::vector<BisectorPoint> result(questions.size());
@@ -70,7 +72,11 @@ std::vector<BisectorPoint> closestPairs(const AxisGeometry& geometry,
   for (std::size_t i = 0; i < questions.size(); ++i)
   {
     const auto& [x, closest] = questions[i];
-    candidates(i, sites);
+    sitesOf(mesh, bisectors, vertices[i], sites);
+    if (equalAngles == EqualAngles::LowestSite)
+    {
+      std::sort(sites.begin(), sites.end());
+    }
     result[i] = { x, closest, oppositePoint(geometry.sites, sites, x, closest, tolerance) };
   }
   return result;

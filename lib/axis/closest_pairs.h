@@ -7,7 +7,6 @@
 #include <glm/glm.hpp>
 
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <vector>
 
@@ -18,21 +17,23 @@ namespace medial
 /// Returns the mean of the bisector points of a vertex.
 glm::dvec3 meanCrossing(const DualMesh& mesh, const BisectorPoints& bisectors, std::size_t vertex);
 
-/// Replaces `sites` by the sites whose bisectors gave a vertex, each once, in the order of the
-/// bisectors.
-void sitesOf(const DualMesh& mesh, const BisectorPoints& bisectors, std::size_t vertex,
-  std::vector<int>& sites);
+/// Which of a vertex's sites counts where several are seen at the same angle.
+enum class EqualAngles
+{
+  LowestSite,
+  FirstBisector, ///< in the order of the vertex's bisectors
+};
 
-/// Finds the closest pairs of positions: the closest point and, from a list of sites, the point
-/// seen at the largest angle from it. Many positions near each other are cheaper together.
+/// Finds the closest pairs of vertices: the closest point and, from the sites whose bisectors gave
+/// the vertex, the point seen at the largest angle from it. Many vertices near each other are
+/// cheaper together.
 ///
-/// @param questions for the closest points: positions inside the grid, and what is known there.
-/// @param candidates replaces `sites` by those for question i; where angles are equal the first one
-///   counts.
+/// @param questions one for each vertex: its position, which is inside the grid, and what is known
+///   of its closest point.
 /// @param tolerance how much farther than the closest point the other one may be, frame units.
-std::vector<BisectorPoint> closestPairs(const AxisGeometry& geometry,
-  std::vector<TileQuery::Question> questions,
-  const std::function<void(std::size_t i, std::vector<int>& sites)>& candidates,
+std::vector<BisectorPoint> closestPairs(const AxisGeometry& geometry, const DualMesh& mesh,
+  const BisectorPoints& bisectors, const std::vector<std::size_t>& vertices,
+  std::vector<TileQuery::Question> questions, EqualAngles equalAngles,
   double tolerance = std::numeric_limits<double>::infinity());
 
 } // namespace medial

@@ -22,7 +22,7 @@ std::optional<glm::dvec3> slid(const glm::dvec3& point, const glm::dvec3& along,
   const glm::dvec3& centre, const glm::dvec3& reach)
 {
   double min = -std::numeric_limits<double>::infinity();
-  double most = std::numeric_limits<double>::infinity();
+  double max = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 3; ++axis)
   {
     const double offset = centre[axis] - point[axis];
@@ -37,9 +37,9 @@ std::optional<glm::dvec3> slid(const glm::dvec3& point, const glm::dvec3& along,
     const double one = (offset - reach[axis]) / along[axis];
     const double other = (offset + reach[axis]) / along[axis];
     min = std::max(min, std::min(one, other));
-    most = std::min(most, std::max(one, other));
+    max = std::min(max, std::max(one, other));
   }
-  return min <= most ? std::optional(point + std::clamp(0.0, min, most) * along) : std::nullopt;
+  return min <= max ? std::optional(point + std::clamp(0.0, min, max) * along) : std::nullopt;
 }
 
 } // namespace

@@ -160,10 +160,8 @@ private:
         questions.push_back({ x, {} }); // nothing is known, so that no site wins a tie for that
       }
     }
-    const auto candidates = [&](std::size_t k, std::vector<int>& sites)
-    { sitesOf(mesh_, samples_.points(), moved[k], sites); };
-    const std::vector<BisectorPoint> found =
-      closestPairs(context_.geometry, std::move(questions), candidates);
+    const std::vector<BisectorPoint> found = closestPairs(context_.geometry, mesh_,
+      samples_.points(), moved, std::move(questions), EqualAngles::FirstBisector);
     for (std::size_t k = 0; k < moved.size(); ++k)
     {
       points[moved[k]] = found[k];
@@ -228,15 +226,15 @@ private:
   glm::ivec3 deepestVoxel(CubeCell vertex) const
   {
     glm::ivec3 deepest(-1);
-    float most = 0.0f;
+    float maxDepth = 0.0f;
     for (int corner = 0; corner < 8; ++corner)
     {
       const glm::ivec3 voxel =
         complex_.position(vertex) - glm::ivec3(corner & 1, corner >> 1 & 1, corner >> 2);
       const float depth = depth_.at(CubicalComplex::index(complex_.cell(voxel, 0)));
-      if (inSolid(depth_, complex_, voxel) && (deepest.x < 0 || depth > most))
+      if (inSolid(depth_, complex_, voxel) && (deepest.x < 0 || depth > maxDepth))
       {
-        most = depth;
+        maxDepth = depth;
         deepest = voxel;
       }
     }

@@ -113,13 +113,13 @@ private:
       const float margin = 0.5f * (std::abs(f.a) + std::abs(f.b));
       const float min =
         f.c + std::min(reach.x, 0.0f) + std::min(reach.y, 0.0f) + std::min(reach.z, 0.0f) - margin;
-      const float most =
+      const float max =
         f.c + std::max(reach.x, 0.0f) + std::max(reach.y, 0.0f) + std::max(reach.z, 0.0f) + margin;
       if (min > limit)
       {
         return false;
       }
-      if (most > limit)
+      if (max > limit)
       {
         sides_.push_back({ f, limit });
       }
