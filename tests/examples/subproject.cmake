@@ -2,7 +2,7 @@
 include("${CMAKE_CURRENT_LIST_DIR}/consumer.cmake")
 include("${CMAKE_CURRENT_LIST_DIR}/box_axis.cmake")
 set(source "${CMAKE_CURRENT_LIST_DIR}/subproject")
-set(options "-DMEDIAL=${MEDIAL}" "-DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}")
+set(options "-DMEDIAL=${MEDIAL}" "-DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}" -DCMAKE_CXX_FLAGS_RELEASE=-O1)
 
 # What was built before is kept: this compiles the library a second time.
 build_again("${source}" ${options} -DCMAKE_DISABLE_FIND_PACKAGE_VTK=ON)
