@@ -70,8 +70,8 @@ public:
   ///@{
   /**
    * The side of the surface whose thickness is computed: INTERIOR, how thick the solid is,
-   * EXTERIOR, how wide the gap is (clearance), or BOTH, the smaller of the two. Default is
-   * INTERIOR.
+   * EXTERIOR, how wide the gap is (clearance), or BOTH, the smaller of the two.
+   * Default is INTERIOR.
    */
   vtkMedialSideMacro();
   ///@}
