@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 using namespace medial;
@@ -160,4 +161,12 @@ TEST(SurfaceQuery, LinesAndPointsCount)
   EXPECT_FALSE(surface.knowsInside());
   EXPECT_NEAR(surface.signedDistance({ 0.5, 2.0, 0.0 }), 2.0, 1e-12);
   EXPECT_NEAR(surface.signedDistance({ 5.0, 5.0, 8.0 }), 3.0, 1e-12);
+}
+
+TEST(SurfaceQuery, NothingIsAtAnInfiniteDistance)
+{
+  const TriangleMesh mesh = box({ 1.0, 1.0, 1.0 });
+  const SurfaceQuery surface(mesh, analyseConnectivity(mesh), 0.0);
+  const double unknown = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(std::isinf(surface.signedDistance({ unknown, 0.0, 0.0 })));
 }
