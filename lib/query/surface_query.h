@@ -45,11 +45,25 @@ public:
   double signedDistance(const Point3& x) const;
 
 private:
+  struct Box
+  {
+    glm::dvec3 low{ std::numeric_limits<double>::max() };
+    glm::dvec3 high{ std::numeric_limits<double>::lowest() };
+
+    void add(const glm::dvec3& point);
+    void add(const Box& other)
+    {
+      low = glm::min(low, other.low);
+      high = glm::max(high, other.high);
+    }
+    glm::dvec3 middle() const { return 0.5 * (low + high); }
+  };
   /// Sites that are tried together. Each has a plane (the zero plane if there is none) and a ball
-  /// that bound its distance from below.
+  /// that give lower bounds of its distance. Each quarter of the sites has a box.
   struct Leaf
   {
-    static constexpr int kSize = 8;
+    static constexpr int kQuarter = 4;
+    static constexpr int kSize = 4 * kQuarter;
     using Lanes = std::array<float, kSize>;
 
     std::array<Lanes, 3> normal;
@@ -57,23 +71,28 @@ private:
     std::array<Lanes, 3> centre;
     Lanes radius;
     std::array<int, kSize> sites;
-    int count;
+    std::array<Box, 2> halves;
+    std::array<Box, 4> quarters;
+    unsigned used = 0; ///< lanes, as bits
   };
-  /// An inner node's children are the next node and `second`; others have a leaf.
+  /// An inner node has two children, the next node and `second`; other nodes have a leaf.
   struct Node
   {
-    glm::dvec3 low;
-    glm::dvec3 high;
+    Box box;
     int second = -1;
     int leaf = -1;
   };
   struct Search;
 
   std::vector<int> collectSites(const MeshConnectivity& connectivity) const;
-  int build(int* begin, int* end);
-  int addLeaf(const int* begin, const int* end);
+  static std::vector<Box> boxesOf(const SiteSet& sites);
+  static int* halve(int* begin, int* end, const std::vector<Box>& boxes);
+  int build(int* begin, int* end, const std::vector<Box>& boxes);
+  Leaf makeLeaf(int* begin, int* end, const std::vector<Box>& boxes) const;
+  void setLane(int lane, int site, Leaf& leaf) const;
   unsigned lanesWithin(const Leaf& leaf, const glm::vec3& x, float limit, float slack) const;
   void tryLeaf(const Leaf& leaf, Search& search) const;
+  bool trySite(int site, Search& search) const;
 
   LocalCoordinates local_;
   SiteSet sites_;
