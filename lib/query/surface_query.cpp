@@ -274,6 +274,12 @@ void SurfaceQuery::tryLeaf(const Leaf& leaf, Search& search) const
 {
   const auto lanesLeft = [&]
   {
+    // Squares of coordinates farther out do not fit single precision: all sites are tried there.
+    constexpr float kMaxSlack = 1e12f;
+    if (search.slack > kMaxSlack)
+    {
+      return leaf.used;
+    }
     const float limit = static_cast<float>(search.distance) + search.slack;
     return this->lanesWithin(leaf, search.rounded, limit, search.slack);
   };
