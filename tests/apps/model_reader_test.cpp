@@ -7,6 +7,7 @@
 #include "medial/axis_io.h"
 
 #include "support/files.h"
+#include "support/refusal.h"
 
 #include <vtkCellArray.h>
 #include <vtkDataArray.h>
@@ -127,22 +128,9 @@ TEST(ModelReader, RadiiOfVtpHaveSinglePrecision)
 // The message for a file that must be refused, without the folder's name.
 std::string refusal(const std::string& name, const std::string& content)
 {
-  const TemporaryFolder folder;
-  writeFile(folder.file(name), content);
-  try
-  {
-    readModel(folder.file(name));
-  }
-  catch (const Failure& failure)
-  {
-    EXPECT_EQ(failure.exitCode(), app::ExitCode::BadInput);
-    const std::string message = failure.what();
-    EXPECT_EQ(message.find(folder.path().string()), 0U) << message;
-    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
-    return message.substr(folder.path().string().size() + 1);
-  }
-  ADD_FAILURE() << name << " was accepted";
-  return "";
+  return refusalOf<Failure>(
+    name, content, [](const std::string& file) { readModel(file); },
+    [](const Failure& failure) { EXPECT_EQ(failure.exitCode(), app::ExitCode::BadInput); });
 }
 
 TEST(ModelReader, RefusesDamagedVtp)

@@ -3,6 +3,7 @@
 
 #include "support/files.h"
 #include "support/mesh_texts.h"
+#include "support/refusal.h"
 #include "support/shapes.h"
 
 #include <vtkCellArray.h>
@@ -39,22 +40,9 @@ vtkSmartPointer<vtkPolyData> readText(const std::string& name, const std::string
 // The message for a file that must be refused, without the folder's name.
 std::string refusal(const std::string& name, const std::string& content)
 {
-  const TemporaryFolder folder;
-  writeFile(folder.file(name), content);
-  try
-  {
-    readSurface(folder.file(name));
-  }
-  catch (const Failure& failure)
-  {
-    EXPECT_EQ(failure.exitCode(), app::ExitCode::BadInput);
-    const std::string message = failure.what();
-    EXPECT_EQ(message.find(folder.path().string()), 0U) << message;
-    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
-    return message.substr(folder.path().string().size() + 1);
-  }
-  ADD_FAILURE() << name << " was accepted";
-  return "";
+  return refusalOf<Failure>(
+    name, content, [](const std::string& file) { readSurface(file); },
+    [](const Failure& failure) { EXPECT_EQ(failure.exitCode(), app::ExitCode::BadInput); });
 }
 
 void expectSample(vtkPolyData* mesh)

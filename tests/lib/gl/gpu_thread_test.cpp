@@ -2,6 +2,7 @@
 #include "gl/shader_source.h"
 #include "medial/device.h"
 #include "medial/error.h"
+#include "support/files.h"
 
 #include <gtest/gtest.h>
 
@@ -11,45 +12,19 @@
 #include <fstream>
 #include <future>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
 
 using namespace medial;
+using test::readFile;
+using test::TemporaryFolder;
 
 namespace
 {
 
 namespace fs = std::filesystem;
-
-std::string textOf(const fs::path& path)
-{
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
-/// An empty folder, for the time of a test.
-class EmptyFolder
-{
-public:
-  EmptyFolder()
-  {
-    std::string pattern = (fs::temp_directory_path() / "medial-XXXXXX").string();
-    path_ = mkdtemp(pattern.data());
-  }
-  ~EmptyFolder() { fs::remove_all(path_); }
-  EmptyFolder(const EmptyFolder&) = delete;
-  EmptyFolder& operator=(const EmptyFolder&) = delete;
-
-  const fs::path& path() const { return path_; }
-
-private:
-  fs::path path_;
-};
 
 /// 0 if the device is missing as documented. Asks twice, as the library tries again.
 int exitCodeWithoutEgl()
@@ -170,7 +145,7 @@ TEST(GpuThread, TakesJobsFromManyThreads)
 TEST(NoGpuDeathTest, WithoutAnyEglDriverTheErrorSaysSo)
 {
   testing::GTEST_FLAG(death_test_style) = "threadsafe";
-  const EmptyFolder folder;
+  const TemporaryFolder folder;
   EXPECT_EXIT(
     {
       setenv("__EGL_VENDOR_LIBRARY_DIRS", folder.path().c_str(), 1);
@@ -182,7 +157,7 @@ TEST(NoGpuDeathTest, WithoutAnyEglDriverTheErrorSaysSo)
 TEST(NoGpuDeathTest, WithoutAnyEglLibraryTheErrorSaysSo)
 {
   testing::GTEST_FLAG(death_test_style) = "threadsafe";
-  const EmptyFolder folder;
+  const TemporaryFolder folder;
   // The child finds this file, which is no library, before the real one.
   std::ofstream{ folder.path() / "libEGL.so.1" } << "nothing";
   setenv("LD_LIBRARY_PATH", folder.path().c_str(), 1);
@@ -193,7 +168,7 @@ TEST(NoGpuDeathTest, WithoutAnyEglLibraryTheErrorSaysSo)
 TEST(NoGpuDeathTest, WithoutAnyOpenGlLibraryTheErrorSaysSo)
 {
   testing::GTEST_FLAG(death_test_style) = "threadsafe";
-  const EmptyFolder folder;
+  const TemporaryFolder folder;
   std::ofstream{ folder.path() / "libGL.so.1" } << "nothing";
   std::ofstream{ folder.path() / "libOpenGL.so.0" } << "nothing";
   setenv("LD_LIBRARY_PATH", folder.path().c_str(), 1);
@@ -207,7 +182,7 @@ TEST(ShaderSource, HoldsEveryFileOfTheShadersFolder)
   for (const auto& entry : fs::directory_iterator(MEDIAL_SHADER_FOLDER))
   {
     const std::string name = entry.path().filename().string();
-    EXPECT_EQ(textOf(entry.path()), gl::shaderSource(name)) << name;
+    EXPECT_EQ(readFile(entry.path().string()), gl::shaderSource(name)) << name;
     ++files;
   }
   EXPECT_EQ(files, gl::kEmbeddedShaderCount);

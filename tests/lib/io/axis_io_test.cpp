@@ -4,6 +4,7 @@
 #include "medial/error.h"
 
 #include "support/files.h"
+#include "support/refusal.h"
 
 #include <gtest/gtest.h>
 
@@ -229,22 +230,9 @@ TEST(AxisIo, LargePolygonsAndPolylinesComeApart)
 std::string refusal(const std::string& name, const std::string& content,
   ErrorCode expected = ErrorCode::InvalidInput)
 {
-  const TemporaryFolder folder;
-  writeFile(folder.file(name), content);
-  try
-  {
-    readAxis(folder.file(name));
-  }
-  catch (const Error& error)
-  {
-    EXPECT_EQ(error.code(), expected);
-    const std::string message = error.what();
-    EXPECT_EQ(message.find(folder.path().string()), 0U) << message;
-    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
-    return message.substr(folder.path().string().size() + 1);
-  }
-  ADD_FAILURE() << name << " was accepted";
-  return "";
+  return refusalOf<Error>(
+    name, content, [](const std::string& file) { readAxis(file); },
+    [&](const Error& error) { EXPECT_EQ(error.code(), expected); });
 }
 
 TEST(AxisIo, RefusesDamagedMa)

@@ -5,6 +5,7 @@
 
 #include "support/files.h"
 #include "support/mesh_texts.h"
+#include "support/refusal.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
@@ -39,22 +40,9 @@ MeshInput readText(const std::string& name, const std::string& content)
 std::string refusal(const std::string& name, const std::string& content,
   ErrorCode expected = ErrorCode::InvalidInput)
 {
-  const TemporaryFolder folder;
-  writeFile(folder.file(name), content);
-  try
-  {
-    readMesh(folder.file(name));
-  }
-  catch (const Error& error)
-  {
-    EXPECT_EQ(error.code(), expected);
-    const std::string message = error.what();
-    EXPECT_EQ(message.find(folder.path().string()), 0U) << message;
-    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
-    return message.substr(folder.path().string().size() + 1);
-  }
-  ADD_FAILURE() << name << " was accepted";
-  return "";
+  return refusalOf<Error>(
+    name, content, [](const std::string& file) { readMesh(file); },
+    [&](const Error& error) { EXPECT_EQ(error.code(), expected); });
 }
 
 void expectSample(const MeshInput& mesh)

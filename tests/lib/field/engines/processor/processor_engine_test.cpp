@@ -2,12 +2,12 @@
 #include "medial/compute_medial_axis.h"
 #include "medial/error.h"
 #include "medial/medial_solver.h"
+#include "support/files.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <string>
@@ -16,8 +16,6 @@ namespace medial::test
 {
 namespace
 {
-
-namespace fs = std::filesystem;
 
 constexpr const char* kOpenGlLibraries[] = { "libEGL", "libGL.", "libGLX", "libOpenGL",
   "libGLdispatch", "_dri.so", "libgallium", "libLLVM" };
@@ -28,25 +26,19 @@ class NoOpenGl
 public:
   NoOpenGl()
   {
-    std::string pattern = (fs::temp_directory_path() / "medial-XXXXXX").string();
-    path_ = mkdtemp(pattern.data());
     for (const char* name : { "libEGL.so.1", "libGL.so.1", "libOpenGL.so.0" })
     {
-      std::ofstream{ path_ / name } << "nothing";
+      medial::test::writeFile(folder_.file(name), "nothing");
     }
     // The child finds these before the real ones.
-    setenv("LD_LIBRARY_PATH", path_.c_str(), 1);
+    setenv("LD_LIBRARY_PATH", folder_.path().c_str(), 1);
   }
-  ~NoOpenGl()
-  {
-    unsetenv("LD_LIBRARY_PATH");
-    fs::remove_all(path_);
-  }
+  ~NoOpenGl() { unsetenv("LD_LIBRARY_PATH"); }
   NoOpenGl(const NoOpenGl&) = delete;
   NoOpenGl& operator=(const NoOpenGl&) = delete;
 
 private:
-  fs::path path_;
+  medial::test::TemporaryFolder folder_;
 };
 
 /// Whether this process has mapped any library of OpenGL.
