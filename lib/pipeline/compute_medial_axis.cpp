@@ -119,7 +119,7 @@ void checkLength(const char* name, double length)
   if (!(length >= 0.0) || !std::isfinite(length))
   {
     throw Error(ErrorCode::InvalidInput,
-      "least " + std::string(name) + " " + std::to_string(length) + " is outside [0, infinity)");
+      "minimum " + std::string(name) + " " + std::to_string(length) + " is outside [0, infinity)");
   }
 }
 

@@ -54,7 +54,7 @@ class Messages(unittest.TestCase):
         self.expect("spacing -0.1 along y", MeshDistanceField,
                     {"Input": box(), "GridMode": "Spacing", "Spacing": [0.1, -0.1, 0.1]},
                     Spacing=[0.1, 0.1, 0.1])
-        self.expect("least lambda -1.000000 is outside [0, infinity)", MedialAxis,
+        self.expect("minimum lambda -1.000000 is outside [0, infinity)", MedialAxis,
                     {"Input": box(), "Resolution": 16, "MinimumLambda": -1}, MinimumLambda=0)
         self.expect("separation angle 180.000000 is outside (0, 180) degrees", MedialThickness,
                     {"Input": box(), "Angle": 180}, Angle=60)
