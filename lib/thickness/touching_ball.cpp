@@ -99,9 +99,13 @@ static double meeting(const Interval& interval)
 {
   const auto& [low, high] = interval;
   const double t = 0.5 * (high.square - low.square) / (high.height - low.height);
-  // Not a number if the tangents are one: then any position will do. Rounding may place their
-  // meeting just outside of the interval, as where an earlier look hit the centre itself.
-  return std::isnan(t) ? 0.5 * (low.t + high.t) : std::clamp(t, low.t, high.t);
+  // Rounding may place the meeting just above the interval, where an earlier look hit the centre.
+  if (t > high.t && t <= high.t * (1.0 + kSamePosition))
+  {
+    return high.t;
+  }
+  // If they are parallel up to rounding, the tangents are one, and any position will do.
+  return t >= low.t && t <= high.t ? t : 0.5 * (low.t + high.t);
 }
 
 /// Returns a lower bound of the distance between two positions of an interval: a concave function
