@@ -64,14 +64,12 @@ int vtkMeshDistanceField::RequestData(vtkInformation*, vtkInformationVector** in
       const medial::DistanceFieldOptions options = this->Internals->MakeOptions(progress);
       this->Internals->UpdateMesh(vtkPolyData::GetData(inputVector[0]));
       const medial::Grid grid = vtkInternals::AnnouncedGrid(outInfo);
-      const medial::SignMethod sign =
-        medial::resolveSignMethod(options.sign, this->Internals->Connectivity);
 
       const medial::FieldArrays arrays =
         vtkMeshConversion::AllocateField(output, grid, extent, this->Internals->MakeSelection());
       const medial::RunStatistics statistics = medial::computeDistanceField(this->Internals->Mesh,
         this->Internals->Connectivity, grid, extent, arrays, options);
-      this->Internals->Record(grid, sign, statistics, output);
+      this->Internals->Record(grid, statistics.sign.method, statistics, output);
     });
   return done ? 1 : vtkEndWithoutOutput(this, outputVector);
 }

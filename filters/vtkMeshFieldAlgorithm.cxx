@@ -18,7 +18,7 @@ namespace
 {
 
 const char* const GridModeNames[] = { "Resolution", "Spacing", "Explicit" };
-const char* const SignMethodNames[] = { "Auto", "None", "Pseudonormal" };
+const char* const SignMethodNames[] = { "Auto", "None", "Pseudonormal", "Winding" };
 const char* const EngineNames[] = { "Auto", "Rasteriser", "Processor" };
 
 //------------------------------------------------------------------------------

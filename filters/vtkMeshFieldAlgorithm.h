@@ -26,6 +26,7 @@
  * Every output that is not empty tells how it was made, in field data arrays of one tuple each:
  * - SignMethod and Engine (strings): what was used, as GetSignMethodAsString() and
  *   GetEngineAsString() call it; never Auto.
+ * - SignReason (string): why this sign method, such as the number of holes closed in thought.
  * - GridOrigin and GridSpacing (double x 3, world units) and GridDimensions (int x 3): the whole
  *   grid, also where only part of it was computed.
  * - Triangles, Vertices, Components, DegenerateTriangles (vtkIdType): the mesh after points at the
@@ -38,6 +39,7 @@
  *   processor; grid points that they cover before the depth test, or pairs of a grid point and a
  *   site that the processor evaluated; grid points computed.
  * - Seconds (double, one named component a phase): wall-clock time of building sites (Sites),
+ *   of finding out what is inside by winding numbers (Sign),
  *   culling (Cull), clipping polygons (Polygons), drawing or evaluating (Draw), final distances
  *   and read-back (Resolve), and the medial axis (Medial, 0 for vtkMeshDistanceField).
  * - Renderer and RendererVersion (strings: GL_RENDERER, GL_VERSION) and SoftwareRenderer (unsigned
@@ -137,7 +139,8 @@ public:
   {
     SIGN_AUTO = 0,
     SIGN_NONE = 1,
-    SIGN_PSEUDONORMAL = 2
+    SIGN_PSEUDONORMAL = 2,
+    SIGN_WINDING = 3
   };
 
   /**
@@ -215,9 +218,12 @@ public:
   ///@{
   /**
    * How inside, where the distance is negative, is told from outside; the magnitude of the distance
-   * does not depend on it. SIGN_AUTO: SIGN_PSEUDONORMAL where the mesh is closed and consistently
-   * oriented, else SIGN_NONE. SIGN_NONE: unsigned. SIGN_PSEUDONORMAL: angle-weighted pseudonormals;
-   * an error where the mesh is open or not consistently oriented. Default is SIGN_AUTO. The field
+   * does not depend on it. SIGN_WINDING: generalised winding numbers, for any mesh of triangles,
+   * also with holes, and with parts that overlap, touch or face different ways. SIGN_AUTO:
+   * SIGN_WINDING, but SIGN_NONE where the mesh leaves open what is inside: where it has no triangles,
+   * or its winding number is between 1/4 and 3/4 at more than 1 % of the grid. SIGN_NONE: unsigned.
+   * SIGN_PSEUDONORMAL: angle-weighted pseudonormals; an error where the mesh is open or not
+   * consistently oriented, and wrong where parts overlap or touch. Default is SIGN_AUTO. The field
    * data array SignMethod tells what was chosen.
    */
   vtkSetMacro(SignMethod, int);
@@ -225,6 +231,7 @@ public:
   void SetSignMethodToAuto() { this->SetSignMethod(SIGN_AUTO); }
   void SetSignMethodToNone() { this->SetSignMethod(SIGN_NONE); }
   void SetSignMethodToPseudonormal() { this->SetSignMethod(SIGN_PSEUDONORMAL); }
+  void SetSignMethodToWinding() { this->SetSignMethod(SIGN_WINDING); }
   const char* GetSignMethodAsString();
   ///@}
 

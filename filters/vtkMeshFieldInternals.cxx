@@ -30,8 +30,11 @@ medial::SignMethod ToSignMethod(int method)
       return medial::SignMethod::None;
     case vtkMeshFieldAlgorithm::SIGN_PSEUDONORMAL:
       return medial::SignMethod::Pseudonormal;
+    case vtkMeshFieldAlgorithm::SIGN_WINDING:
+      return medial::SignMethod::Winding;
     default:
-      vtkThrowBadParameter("SignMethod", method, "one of 0 (auto), 1 (none), 2 (pseudonormal)");
+      vtkThrowBadParameter(
+        "SignMethod", method, "one of 0 (auto), 1 (none), 2 (pseudonormal), 3 (winding)");
   }
 }
 
@@ -62,6 +65,8 @@ const char* NameOf(medial::SignMethod method)
       return "None";
     case medial::SignMethod::Pseudonormal:
       return "Pseudonormal";
+    case medial::SignMethod::Winding:
+      return "Winding";
   }
   return "Unknown";
 }
@@ -104,7 +109,7 @@ void AddWork(const medial::RunStatistics& statistics, vtkMedialFigures& figures)
   figures.AddCount("Samples", statistics.samples);
   const medial::RunStatistics::Seconds& seconds = statistics.seconds;
   figures.AddParts("Seconds",
-    { { "Sites", seconds.sites }, { "Cull", seconds.cull }, { "Polygons", seconds.polygons },
+    { { "Sites", seconds.sites }, { "Sign", seconds.sign }, { "Cull", seconds.cull }, { "Polygons", seconds.polygons },
       { "Draw", seconds.draw }, { "Resolve", seconds.resolve }, { "Medial", seconds.medial } });
 }
 
@@ -229,6 +234,7 @@ void vtkMeshFieldAlgorithm::vtkInternals::Record(const medial::Grid& grid, media
 {
   vtkMedialFigures figures(output);
   figures.AddText("SignMethod", NameOf(sign));
+  figures.AddText("SignReason", statistics.sign.reason);
   figures.AddText("Engine", NameOf(statistics.engine));
   figures.AddPoint("GridOrigin", grid.origin);
   figures.AddPoint("GridSpacing", grid.spacing);

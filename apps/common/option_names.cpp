@@ -41,7 +41,8 @@ const Names<Topology>& topologyNames()
 const Names<SignMethod>& signNames()
 {
   static const Names<SignMethod> kNames = { { "auto", SignMethod::Auto },
-    { "none", SignMethod::None }, { "pseudonormal", SignMethod::Pseudonormal } };
+    { "none", SignMethod::None }, { "pseudonormal", SignMethod::Pseudonormal },
+    { "winding", SignMethod::Winding } };
   return kNames;
 }
 

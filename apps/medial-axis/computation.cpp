@@ -27,7 +27,7 @@ void computeField(const DistanceFieldOptions& options, FieldSink& field, Result&
 {
   result.statistics = computeDistanceField(result.mesh, result.connectivity, result.grid,
     result.grid.wholeExtent(), field, options);
-  result.sign = resolveSignMethod(options.sign, result.connectivity);
+  result.sign = result.statistics.sign.method;
 }
 
 double voxelDiagonal(const Grid& grid)

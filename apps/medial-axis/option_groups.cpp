@@ -153,8 +153,9 @@ void addAxisOptions(CLI::App& app, OptionTexts& texts, Options& options)
     ->group(group);
   app
     .add_option("--sign", texts.sign,
-      "how inside is told from outside: auto, none or pseudonormal (closed, consistently "
-      "oriented meshes); default auto")
+      "how inside is told from outside: winding (winding numbers, for any mesh of triangles), "
+      "pseudonormal (closed, consistently oriented meshes only), none, or auto (winding, or none "
+      "where the mesh leaves the inside open); default auto")
     ->option_text("METHOD")
     ->check(oneOf(signNames()))
     ->group(group);

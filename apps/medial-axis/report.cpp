@@ -45,9 +45,16 @@ Json describeDevice(const std::optional<Device>& device)
 
 Json describeSeconds(const RunStatistics::Seconds& run, const AppSeconds& app)
 {
-  return { { "read", app.read }, { "sites", run.sites }, { "cull", run.cull },
+  return { { "read", app.read }, { "sites", run.sites }, { "sign", run.sign }, { "cull", run.cull },
     { "polygons", run.polygons }, { "draw", run.draw }, { "resolve", run.resolve },
     { "medial", run.medial }, { "write", app.write }, { "total", app.total } };
+}
+
+Json describeSign(const SignReport& sign)
+{
+  return { { "reason", sign.reason }, { "rim_edges", sign.rimEdges }, { "holes", sign.holes },
+    { "ambiguous_share", sign.ambiguousShare }, { "copies", sign.copies },
+    { "turned", sign.turned } };
 }
 
 Json describeCounts(const RunStatistics& statistics, const MedialAxis& axis)
@@ -119,6 +126,7 @@ std::string makeReport(const Result& result, const Options& options, const AppSe
   report["fragments_per_voxel"] = result.statistics.fragmentsPerVoxel();
   report["engine"] = nameOf(result.statistics.engine);
   report["sign_method"] = nameOf(result.sign);
+  report["sign"] = describeSign(result.statistics.sign);
   if (result.thickness)
   {
     report["thickness"] = describeThickness(*result.thickness, options);

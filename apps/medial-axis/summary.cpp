@@ -63,10 +63,10 @@ void printThickness(const Options& options, const Thickness& thickness)
 
 void printSeconds(const RunStatistics::Seconds& run, const AppSeconds& app)
 {
-  std::printf("seconds   read %.2f, sites %.2f, cull %.2f, polygons %.2f, draw %.2f, resolve %.2f, "
-              "medial %.2f, write %.2f, total %.2f\n",
-    app.read, run.sites, run.cull, run.polygons, run.draw, run.resolve, run.medial, app.write,
-    app.total);
+  std::printf("seconds   read %.2f, sites %.2f, sign %.2f, cull %.2f, polygons %.2f, draw %.2f, "
+              "resolve %.2f, medial %.2f, write %.2f, total %.2f\n",
+    app.read, run.sites, run.sign, run.cull, run.polygons, run.draw, run.resolve, run.medial,
+    app.write, app.total);
 }
 
 void printFile(const std::filesystem::path& path, const std::string& content)
@@ -89,31 +89,6 @@ void printOutputs(const Options& options, const MedialAxis& axis, const OutputNo
   printFile(options.image, "picture of axis and surface");
   printFile(options.html, "page with axis and surface");
   printFile(options.report, "report of the run");
-}
-
-// Appends the number of edges of a kind to a list of others.
-void appendEdges(std::string& list, int count, const char* kind)
-{
-  if (count > 0)
-  {
-    list += (list.empty() ? ": " : ", ") + std::to_string(count) +
-      (count == 1 ? " edge" : " edges") + kind;
-  }
-}
-
-std::string whyUnsigned(const Options& options, const MeshConnectivity& connectivity)
-{
-  if (options.signMethod == SignMethod::None)
-  {
-    return "sign method none";
-  }
-  std::string edges;
-  appendEdges(edges, connectivity.boundaryEdges, " with one triangle");
-  appendEdges(edges, connectivity.nonManifoldEdges, " with three or more");
-  appendEdges(edges, connectivity.misorientedEdges, " whose triangles face different sides");
-  return (connectivity.closed() ? "the mesh is not consistently oriented"
-                                : "the mesh is not closed") +
-    edges;
 }
 
 // Why an axis is empty.
@@ -140,7 +115,13 @@ void printNotes(const Options& options, const Result& result)
   {
     std::fprintf(stderr,
       "medial-axis: note: %s: the distance is unsigned (%s), so the axis is that of both sides\n",
-      options.input.c_str(), whyUnsigned(options, result.connectivity).c_str());
+      options.input.c_str(), result.statistics.sign.reason.c_str());
+  }
+  const SignReport& sign = result.statistics.sign;
+  if (sign.method == SignMethod::Winding && sign.holes > 0)
+  {
+    std::fprintf(stderr, "medial-axis: note: %s: %s, to tell inside from outside\n",
+      options.input.c_str(), sign.reason.c_str());
   }
   if (result.axis.points.empty())
   {

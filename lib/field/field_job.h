@@ -7,6 +7,7 @@
 #include "medial/mesh_connectivity.h"
 #include "medial/run_statistics.h"
 #include "medial/triangle_mesh.h"
+#include "sign/inside_rows.h"
 #include "sites/grid_frame.h"
 #include "sites/site_set.h"
 
@@ -27,6 +28,7 @@ struct FieldJob
   const CandidateFilter& filter;
   const std::vector<glm::vec4>& normals; ///< pseudonormals() of all sites, for the sign
   FieldSign sign;
+  const InsideRows* inside; ///< grid points that are inside, if `sign` is Rows; otherwise null
   GridFrame frame;
   Extent extent;             ///< the part of the grid to compute
   std::size_t memoryMiB;     ///< as DistanceFieldOptions::memoryMiB

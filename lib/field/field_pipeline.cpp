@@ -50,11 +50,13 @@ FieldPipeline::FieldPipeline(const TriangleMesh& mesh, const MeshConnectivity& c
   , frame_(grid)
 {
   checkInput(mesh, grid, extent);
-  sign_ = resolveSignMethod(options.sign, connectivity);
   if (options.requireHardware)
   {
     statistics_.device = requiredHardware();
   }
+  timed(statistics_.seconds.sign, [&]
+    { run_.onThreads([&] { sign_.emplace(options.sign, mesh, connectivity, grid, frame_); }); });
+  statistics_.sign = sign_->report();
 }
 
 void FieldPipeline::run(FieldEngine& engine, FieldSink& sink)
@@ -78,15 +80,24 @@ FieldJob FieldPipeline::prepare(const FieldEngine& engine)
     statistics_.device = device;
   }
   RunStatistics::Seconds& seconds = statistics_.seconds;
-  const FieldSign sign = fieldSign(sign_, connectivity_);
+  const FieldSign sign = fieldSign(this->sign(), connectivity_);
   timed(seconds.sites,
-    [&] { run_.onThreads([&] { sites_.emplace(mesh_, connectivity_, frame_); }); });
+    [&]
+    {
+      const OrientedMesh* turned = sign_->turnedMesh();
+      run_.onThreads([&]
+        {
+          sites_.emplace(turned ? turned->mesh : mesh_,
+            turned ? turned->connectivity : connectivity_, frame_);
+        });
+    });
   timed(seconds.cull, [&] { filter_.emplace(*sites_); });
   timed(seconds.sites, [&] { normals_ = pseudonormals(*sites_, sign == FieldSign::Inward); });
+  timed(seconds.sign, [&] { run_.onThreads([&] { inside_ = sign_->insideRows(extent_); }); });
   statistics_.sites = sites_->size();
   statistics_.samples = extent_.pointCount();
   run_.report(0.0, "distance field");
-  return { mesh_, connectivity_, *sites_, *filter_, normals_, sign, frame_, extent_, memoryMiB_,
+  return { mesh_, connectivity_, *sites_, *filter_, normals_, sign, inside_ ? &*inside_ : nullptr, frame_, extent_, memoryMiB_,
     run_, statistics_ };
 }
 

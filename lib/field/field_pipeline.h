@@ -6,6 +6,7 @@
 #include "field/crossing.h"
 #include "field/field_engine.h"
 #include "medial/distance_field.h"
+#include "sign/sign_choice.h"
 #include "sites/grid_frame.h"
 #include "sites/site_set.h"
 
@@ -28,7 +29,8 @@ public:
   FieldPipeline(const TriangleMesh& mesh, const MeshConnectivity& connectivity, const Grid& grid,
     const Extent& extent, const DistanceFieldOptions& options, const Run& run);
 
-  SignMethod sign() const { return sign_; }
+  /// The method used, never Auto.
+  SignMethod sign() const { return sign_->report().method; }
   const GridFrame& frame() const { return frame_; }
   RunStatistics& statistics() { return statistics_; }
 
@@ -53,7 +55,8 @@ private:
   std::size_t memoryMiB_;
   Run run_;
   GridFrame frame_;
-  SignMethod sign_ = SignMethod::None;
+  std::optional<SignChoice> sign_;
+  std::optional<InsideRows> inside_;
   RunStatistics statistics_;
   std::optional<SiteSet> sites_;
   std::optional<CandidateFilter> filter_;

@@ -5,11 +5,17 @@ namespace medial
 
 FieldSign fieldSign(SignMethod method, const MeshConnectivity& connectivity)
 {
-  if (method != SignMethod::Pseudonormal)
+  switch (method)
   {
-    return FieldSign::None;
+    case SignMethod::Winding:
+      return FieldSign::Rows;
+    case SignMethod::Pseudonormal:
+      return connectivity.signedVolume < 0.0 ? FieldSign::Inward : FieldSign::Outward;
+    case SignMethod::Auto:
+    case SignMethod::None:
+      break;
   }
-  return connectivity.signedVolume < 0.0 ? FieldSign::Inward : FieldSign::Outward;
+  return FieldSign::None;
 }
 
 } // namespace medial

@@ -6,13 +6,21 @@
 namespace medial
 {
 
-/// Sign of the field: none, or from the pseudonormals of a surface that faces outwards or inwards.
+/// Sign of the field: none, from the pseudonormals of a surface that faces outwards or inwards, or
+/// from the rows of grid points that are inside.
 enum class FieldSign
 {
   None,
   Outward,
-  Inward
+  Inward,
+  Rows
 };
+
+/// Whether pseudonormals give the sign.
+inline bool hasPseudonormals(FieldSign sign)
+{
+  return sign == FieldSign::Outward || sign == FieldSign::Inward;
+}
 
 /// Returns the sign of the field of a mesh.
 /// @param method never Auto; see resolveSignMethod().

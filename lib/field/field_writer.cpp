@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace medial
 {
@@ -42,6 +43,7 @@ FieldWriter::FieldWriter(const FieldJob& job)
   , sites_(job.sites)
   , frame_(job.frame)
   , signed_(job.sign != FieldSign::None)
+  , inside_(job.inside)
 {
 }
 
@@ -59,21 +61,27 @@ void FieldWriter::store(const glm::vec4* displacements, const std::int32_t* clos
     [&](std::int64_t row)
     {
       const auto slice = static_cast<int>(row / slab_.size(1));
-      const glm::dvec3 first(slab_.min[0],
+      const glm::ivec3 first(slab_.min[0],
         slab_.min[1] + static_cast<int>(row - static_cast<std::int64_t>(slice) * slab_.size(1)),
         slab_.min[2] + slice);
+      std::vector<float> sides(inside_ != nullptr ? rowLength : 0);
+      if (inside_ != nullptr)
+      {
+        inside_->write(first, rowLength, sides.data());
+      }
       const std::int64_t start = row * rowLength;
       for (std::int64_t i = start; i < start + rowLength; ++i)
       {
         if (arrays_.distance)
         {
+          const float side = inside_ != nullptr ? sides[i - start] : 1.0f;
           arrays_.distance[i] =
-            static_cast<float>(static_cast<double>(displacements[i].w) * frame_.unit);
+            side * static_cast<float>(static_cast<double>(displacements[i].w) * frame_.unit);
         }
         if (arrays_.closestPoint)
         {
           const glm::dvec3 sample =
-            frame_.sample(first + glm::dvec3(static_cast<double>(i - start), 0.0, 0.0));
+            frame_.sample(glm::dvec3(first) + glm::dvec3(static_cast<double>(i - start), 0.0, 0.0));
           storePoint(frame_.toWorld(sample + glm::dvec3(glm::vec3(displacements[i]))),
             arrays_.closestPoint + 3 * i);
         }

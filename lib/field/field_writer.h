@@ -23,8 +23,8 @@ public:
   void begin(const Extent& slab, const FieldArrays& arrays);
 
   /// Converts a resolved slab, on all threads of the current arena.
-  /// @param displacements vectors to the closest points, with signed distances; local units. May be
-  ///   null if no array needs them.
+  /// @param displacements vectors to the closest points, with distances, local units; signed unless
+  ///   the job knows which points are inside. May be null if no array needs them.
   /// @param closest sites; may be null if no array needs them.
   void store(const glm::vec4* displacements, const std::int32_t* closest) const;
   /// Converts an evaluated tile. Several threads may call it at once.
@@ -42,6 +42,7 @@ private:
   const SiteSet& sites_;
   GridFrame frame_;
   bool signed_;
+  const InsideRows* inside_; ///< null if the engine finds the sides
   Extent slab_;
   FieldArrays arrays_;
 };

@@ -8,6 +8,7 @@
 #include "measure/surface_samples.h"
 #include "medial/reconstruction.h"
 #include "query/surface_query.h"
+#include "sign/inside_query.h"
 
 #include <algorithm>
 #include <cmath>
@@ -76,16 +77,22 @@ Deviation surfaceToUnion(const TriangleMesh& mesh, const BallUnion& solid, std::
   return deviation;
 }
 
-void compareBalls(const MedialModel& model, const SurfaceQuery& surface, const Run& run,
-  AxisMeasurement& result)
+void compareBalls(const MedialModel& model, const SurfaceQuery& surface, const InsideQuery& inside,
+  const Run& run, AxisMeasurement& result)
 {
   const std::vector<double> distances = sampleValues(run, model.centres.size(), "radii",
-    [&](std::size_t i) { return surface.signedDistance(model.centres[i]); });
+    [&](std::size_t i) { return surface.distance(model.centres[i]); });
   std::vector<double> errors(distances.size());
   for (std::size_t i = 0; i < errors.size(); ++i)
   {
-    errors[i] = std::abs(std::abs(distances[i]) - model.radii[i]);
-    result.centresInside += distances[i] < 0.0 ? 1 : 0;
+    errors[i] = std::abs(distances[i] - model.radii[i]);
+  }
+  if (result.knowsInside)
+  {
+    const std::vector<double> sides = sampleValues(run, model.centres.size(), "radii",
+      [&](std::size_t i)
+      { return inside.contains(surface.local().toLocal(model.centres[i])) ? -1.0 : 1.0; });
+    result.centresInside = std::count(sides.begin(), sides.end(), -1.0);
   }
   result.radiusError = summarise(errors);
 }
@@ -107,7 +114,8 @@ AxisMeasurement measure(const TriangleMesh& mesh, const MeshConnectivity& connec
     std::max(kTolerance * result.diagonal, kRounding * largestCoordinate(bounds));
   const BallUnion solid(model);
   const SurfaceQuery surface(mesh, connectivity, kMargin);
-  result.knowsInside = surface.knowsInside();
+  const InsideQuery inside(mesh, connectivity, surface.local());
+  result.knowsInside = inside.closed();
   result.surfaceToUnion =
     surfaceToUnion(mesh, solid, options.samples, tolerance, run.part(0.1, 0.5));
   const double perSample =
@@ -117,9 +125,9 @@ AxisMeasurement measure(const TriangleMesh& mesh, const MeshConnectivity& connec
   result.unionToSurface =
     summarise(sampleValues(run.part(0.7, 0.9), boundary.size(), "union to surface",
       [&](std::size_t i) {
-        return std::abs(surface.signedDistance({ boundary[i].x, boundary[i].y, boundary[i].z }));
+        return surface.distance({ boundary[i].x, boundary[i].y, boundary[i].z });
       }));
-  compareBalls(model, surface, run.part(0.9, 1.0), result);
+  compareBalls(model, surface, inside, run.part(0.9, 1.0), result);
   run.report(1.0, "radii");
   return result;
 }

@@ -47,7 +47,6 @@ DistanceField computeDistanceField(const TriangleMesh& mesh, const Grid& grid,
   validateGrid(grid);
   DistanceField field;
   field.grid = grid;
-  field.sign = resolveSignMethod(options.sign, connectivity);
   const auto count = static_cast<std::size_t>(grid.pointCount());
   withMemoryErrors(grid.pointCount(),
     [&]
@@ -62,6 +61,7 @@ DistanceField computeDistanceField(const TriangleMesh& mesh, const Grid& grid,
     field.closestSite.data(), field.closestFeature.data(), field.closestCell.data() };
   field.statistics =
     computeDistanceField(mesh, connectivity, grid, grid.wholeExtent(), arrays, options);
+  field.sign = field.statistics.sign.method;
   return field;
 }
 

@@ -1,11 +1,13 @@
 #include "query/surface_query.h"
 
 #include "base/simd.h"
+#include "sign/surface_orientation.h"
 #include "sites/pseudonormals.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 namespace medial
 {
@@ -48,6 +50,15 @@ std::array<glm::dvec3, 3> cornersOf(const SiteSet& sites, int site)
   }
   const glm::dvec3& point = points[site - sites.firstVertex()];
   return { point, point, point };
+}
+
+SiteSet orientedSites(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
+  const LocalCoordinates& local)
+{
+  const std::optional<OrientedMesh> other =
+    turned(mesh, connectivity, orientSurface(mesh, connectivity));
+  return other ? SiteSet(other->mesh, other->connectivity, local)
+               : SiteSet(mesh, connectivity, local);
 }
 
 } // namespace
@@ -124,10 +135,8 @@ std::vector<SurfaceQuery::Box> SurfaceQuery::boxesOf(const SiteSet& sites)
 SurfaceQuery::SurfaceQuery(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
   double margin)
   : local_(LocalCoordinates::around(mesh.bounds(), margin))
-  , sites_(mesh, connectivity, local_)
+  , sites_(orientedSites(mesh, connectivity, local_))
   , normals_(pseudonormals(sites_, false))
-  , knowsInside_(connectivity.closed() && connectivity.oriented())
-  , facesInwards_(knowsInside_ && connectivity.signedVolume < 0.0)
 {
   std::vector<int> all = this->collectSites(connectivity);
   if (!all.empty())
@@ -366,18 +375,12 @@ SitePoint SurfaceQuery::closest(const glm::dvec3& x, double limit) const
   return search.best;
 }
 
-double SurfaceQuery::signedDistance(const Point3& world) const
+double SurfaceQuery::distance(const Point3& world) const
 {
   const glm::dvec3 x = local_.toLocal(world);
   const SitePoint found = this->closest(x);
-  if (found.site < 0)
-  {
-    return std::numeric_limits<double>::infinity();
-  }
-  const double distance = glm::distance(found.point, x);
-  const double height = glm::dot(this->normal(found.site), x - found.point);
-  const bool inside = knowsInside_ && (facesInwards_ ? -height : height) < 0.0;
-  return (inside ? -distance : distance) * local_.unit;
+  return found.site < 0 ? std::numeric_limits<double>::infinity()
+                        : glm::distance(found.point, x) * local_.unit;
 }
 
 } // namespace medial

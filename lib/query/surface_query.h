@@ -23,7 +23,8 @@ public:
   SurfaceQuery(const TriangleMesh& mesh, const MeshConnectivity& connectivity, double margin);
 
   const LocalCoordinates& local() const { return local_; }
-  const SiteSet& sites() const { return sites_; } ///< in local coordinates
+  /// In local coordinates; the triangles face the way of orientSurface().
+  const SiteSet& sites() const { return sites_; }
 
   /// Returns the closest surface point; its site is -1 if there is none within the limit.
   /// @param x local coordinates.
@@ -31,18 +32,14 @@ public:
   SitePoint closest(const glm::dvec3& x,
     double limit = std::numeric_limits<double>::infinity()) const;
 
-  /// Returns the unit pseudonormal of a site, on the side of its triangles' own normals; zero if
-  /// the site has no triangle.
+  /// Returns the unit pseudonormal of a site; zero if the site has no triangle. It points outwards
+  /// where orientSurface() knows the way.
   glm::dvec3 normal(int site) const { return glm::dvec3(normals_[site]); }
-  /// Whether the mesh is closed and consistently oriented, so that it has an inside.
-  bool knowsInside() const { return knowsInside_; }
-  /// Whether the normals point into the inside; false if there is no inside.
-  bool facesInwards() const { return facesInwards_; }
 
-  /// Returns the distance to the surface, world units; negative inside if the mesh has an inside,
-  /// infinite if nothing is found, as at coordinates that are not numbers.
+  /// Returns the distance to the surface, world units; infinite if nothing is found, as at
+  /// coordinates that are not numbers.
   /// @param x world coordinates.
-  double signedDistance(const Point3& x) const;
+  double distance(const Point3& x) const;
 
 private:
   struct Box
@@ -97,8 +94,6 @@ private:
   LocalCoordinates local_;
   SiteSet sites_;
   std::vector<glm::vec4> normals_; ///< pseudonormals()
-  bool knowsInside_;
-  bool facesInwards_;
   std::vector<Leaf> leaves_;
   std::vector<Node> nodes_;
   float extent_ = 0.0f; ///< largest coordinate

@@ -57,12 +57,11 @@ public:
     , sites_(surface_.sites())
     , ball_(surface_, angle, mesh.bounds().diagonal() / surface_.local().unit)
   {
-    const double sign = surface_.facesInwards() ? 1.0 : -1.0;
     for (int vertex = 0; vertex < sites_.vertexCount(); ++vertex)
     {
       const glm::dvec3 normal = surface_.normal(sites_.firstVertex() + vertex);
       const double length = glm::length(normal);
-      inward_.push_back(length > 0.0 ? sign / length * normal : glm::dvec3(0.0));
+      inward_.push_back(length > 0.0 ? -normal / length : glm::dvec3(0.0));
     }
   }
 
@@ -77,7 +76,7 @@ public:
         direction = -direction;
       }
     }
-    const double sign = surface_.facesInwards() != exterior_ ? -1.0 : 1.0;
+    const double sign = exterior_ ? -1.0 : 1.0;
     sharp_ = sharpPoints(sites_, connectivity_, inward_, sign, angle_);
   }
 

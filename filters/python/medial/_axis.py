@@ -69,7 +69,7 @@ class MedialAxis:
     side: str
     """What it is the axis of: "interior", "exterior" or "both"."""
     sign: str
-    """How inside was told from outside: "none" or "pseudonormal"."""
+    """How inside was told from outside: "none", "pseudonormal" or "winding"."""
     engine: str
     """What found the closest sites: "processor" or "rasteriser"."""
     renderer: str
@@ -182,7 +182,7 @@ def _notes(algorithm: vtkMedialAxis, side: Optional[Side]) -> Iterator[str]:
     output = algorithm.GetOutput()
     if side is not None and figure(output, "Side").lower() != side:
         yield (f"the axis is that of both sides, not of side {side!r}: "
-               f"inside is not known, as {_why_unsigned(algorithm)}")
+               f"inside is not known ({figure(output, 'SignReason')})")
     if output.GetNumberOfPoints() == 0:
         minimums = "".join(
             f" and a {name} of {value:g}" for name, value in (
@@ -190,13 +190,6 @@ def _notes(algorithm: vtkMedialAxis, side: Optional[Side]) -> Iterator[str]:
             if value > 0)
         yield (f"the axis is empty: no point of the grid has a separation angle of "
                f"{algorithm.GetAngle():g} degrees{minimums} or more")
-
-
-def _why_unsigned(algorithm: vtkMedialAxis) -> str:
-    if algorithm.GetSignMethod() == vtkMedialAxis.SIGN_NONE:
-        return "sign is 'none'"
-    closed = figure(algorithm.GetOutput(), "Closed")
-    return "the mesh is not " + ("consistently oriented" if closed else "closed")
 
 
 def _axis_of(algorithm: vtkMedialAxis) -> MedialAxis:

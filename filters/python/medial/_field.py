@@ -32,7 +32,7 @@ class DistanceField:
     spacing: NDArray[np.float64]
     """(3,) distances between neighbouring grid points along x, y and z in world units."""
     sign: str
-    """How inside was told from outside: "none" (unsigned) or "pseudonormal"."""
+    """How inside was told from outside: "none" (unsigned), "pseudonormal" or "winding"."""
     engine: str
     """What found the closest sites: "processor" or "rasteriser"."""
     renderer: str
@@ -98,9 +98,10 @@ def distance_field(
         its numbers of points along x, y and z, each in [1, 8192].
     padding: margin around the mesh as a fraction of the diagonal of its bounds, in [0, 10];
         default 0.05. Not with an explicit grid.
-    sign: how inside, where distances are negative, is told from outside: "auto" ("pseudonormal"
-        where the mesh is closed and consistently oriented, else "none"), "none", or "pseudonormal"
-        (an error for other meshes).
+    sign: how inside, where distances are negative, is told from outside: "winding" (winding
+        numbers, for any mesh of triangles), "auto" ("winding", but "none" where the mesh leaves
+        open what is inside), "none", or "pseudonormal" (an error for meshes that are not closed
+        and consistently oriented).
     arrays: what to return beside the distance: names of attributes of DistanceField, at 12, 8, 1
         and 4 bytes per grid point for "closest_point", "closest_cell", "closest_feature" and
         "closest_site". The distance takes 4.

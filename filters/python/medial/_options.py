@@ -8,7 +8,7 @@ from ._errors import InvalidInputError
 from .vtkMedialFilters import vtkMedialAxis, vtkMeshFieldAlgorithm
 
 Side = Literal["interior", "exterior", "both"]
-Sign = Literal["auto", "none", "pseudonormal"]
+Sign = Literal["auto", "none", "pseudonormal", "winding"]
 Engine = Literal["auto", "rasteriser", "processor"]
 Representation = Literal["surface", "faces", "points"]
 Topology = Literal["selected", "preserve"]
@@ -25,6 +25,7 @@ SIGNS: dict[str, int] = {
     "auto": vtkMeshFieldAlgorithm.SIGN_AUTO,
     "none": vtkMeshFieldAlgorithm.SIGN_NONE,
     "pseudonormal": vtkMeshFieldAlgorithm.SIGN_PSEUDONORMAL,
+    "winding": vtkMeshFieldAlgorithm.SIGN_WINDING,
 }
 ENGINES: dict[str, int] = {
     "auto": vtkMeshFieldAlgorithm.ENGINE_AUTO,

@@ -58,7 +58,7 @@ struct MEDIAL_EXPORT AxisMeasurement
   /// The mean of the two one-sided means.
   double meanDistance() const;
 
-  bool knowsInside = false;       ///< whether the mesh is closed and consistently oriented
+  bool knowsInside = false;       ///< whether the mesh is closed
   std::int64_t centresInside = 0; ///< balls whose centre lies inside the mesh; 0 if !knowsInside
   ModelCounts counts;             ///< of the axis
 };

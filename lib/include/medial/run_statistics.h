@@ -2,6 +2,7 @@
 
 #include "medial/device.h"
 #include "medial/engine.h"
+#include "medial/sign_method.h"
 
 #include <cstdint>
 #include <optional>
@@ -16,6 +17,7 @@ struct RunStatistics
   struct Seconds
   {
     double sites = 0;    ///< building sites and their half-spaces
+    double sign = 0;     ///< finding out which grid points are inside, by winding numbers
     double cull = 0;     ///< finding the candidates of every tile
     double polygons = 0; ///< clipping the polygons that bound Voronoi regions
     double draw = 0;     ///< upload and rasterisation, or evaluation by the processor
@@ -30,6 +32,7 @@ struct RunStatistics
   /// number of pairs of a grid point and a site that it evaluated.
   std::int64_t fragments = 0;
   std::int64_t samples = 0;     ///< grid points computed
+  SignReport sign;              ///< how the sign was found
   Engine engine = Engine::Auto; ///< the engine used, never Auto
   /// The OpenGL implementation that the engine used. The processor uses none; if hardware was
   /// required, this is then the hardware that was found.

@@ -1,24 +1,37 @@
 #pragma once
 
-#include "medial/export.h"
+#include <cstdint>
+#include <string>
 
 namespace medial
 {
 
-struct MeshConnectivity;
-
 /// How to tell inside from outside. Negative is inside; the magnitude never depends on the method.
-/// Pseudonormals are weighted by angles (Baerentzen, Aanaes, 2005).
 enum class SignMethod
 {
-  Auto,        ///< Pseudonormal for closed, consistently oriented meshes, otherwise None
-  None,        ///< unsigned distance
-  Pseudonormal ///< angle-weighted pseudonormals; the mesh must be closed and oriented
+  /// Winding, unless the mesh has no triangles or leaves open what is inside: None, if the winding
+  /// number is between 1/4 and 3/4 at more than 1 % of the grid points.
+  Auto,
+  None, ///< unsigned distance
+  /// Angle-weighted pseudonormals (Baerentzen, Aanaes 2005). The mesh must be closed and
+  /// consistently oriented. Wrong where parts overlap, touch or face different ways.
+  Pseudonormal,
+  /// Generalised winding numbers (Jacobson, Kavan, Sorkine-Hornung 2013) above 1/2 are inside, also
+  /// for meshes with holes, with parts that overlap, touch or face different ways, and with
+  /// triangles that are there twice. The mesh must have triangles.
+  Winding
 };
 
-/// Returns the method that `requested` means for a mesh, never Auto.
-/// @throws Error InvalidInput for Pseudonormal if the mesh is open or not consistently oriented.
-MEDIAL_EXPORT SignMethod resolveSignMethod(SignMethod requested,
-  const MeshConnectivity& connectivity);
+/// How the sign of a field was found.
+struct SignReport
+{
+  SignMethod method = SignMethod::None; ///< the method used, never Auto
+  std::string reason;          ///< why this method, in words
+  std::int64_t rimEdges = 0;   ///< Winding: edges of holes, closed in thought
+  std::int64_t holes = 0;      ///< Winding: connected pieces of these edges
+  std::int64_t copies = 0;     ///< Winding: triangles left out as copies of others
+  std::int64_t turned = 0;     ///< Winding: triangles turned round
+  double ambiguousShare = 0.0; ///< Auto, Winding: share of the grid with winding number 1/4 to 3/4
+};
 
 } // namespace medial

@@ -102,7 +102,8 @@ SignMethod automaticSign(const TriangleMesh& mesh)
   return computeDistanceField(mesh, makeGrid(mesh.bounds(), 8, 0.1)).sign;
 }
 
-void expectNegativeInsideOnly(const TriangleMesh& mesh, const DistanceFieldOptions& options)
+void expectNegativeInsideOnly(const TriangleMesh& mesh, const DistanceFieldOptions& options,
+  SignMethod expected)
 {
   const DistanceField field = computeDistanceField(mesh, makeGrid(mesh.bounds(), 64, 0.1), options);
   const Voxels voxels = randomVoxels(field.grid, 5000);
@@ -114,7 +115,7 @@ void expectNegativeInsideOnly(const TriangleMesh& mesh, const DistanceFieldOptio
       const bool inside = std::abs(windingNumber(mesh, voxelPoint(field.grid, voxels[i]))) > 0.5;
       wrong[i] = std::abs(distance) > 1e-3 * voxelSize(field.grid) && (distance < 0.0) != inside;
     });
-  EXPECT_EQ(field.sign, SignMethod::Pseudonormal);
+  EXPECT_EQ(field.sign, expected);
   EXPECT_EQ(std::count(wrong.begin(), wrong.end(), 1), 0);
 }
 
@@ -124,7 +125,17 @@ TEST_P(SignOf, IsNegativeInsideOnly)
 {
   for (const DistanceFieldOptions& options : allEngines())
   {
-    expectNegativeInsideOnly(GetParam().mesh, options);
+    expectNegativeInsideOnly(GetParam().mesh, options, SignMethod::Winding);
+  }
+}
+
+TEST_P(SignOf, IsNegativeInsideOnlyWithPseudonormals)
+{
+  DistanceFieldOptions pseudonormal;
+  pseudonormal.sign = SignMethod::Pseudonormal;
+  for (const DistanceFieldOptions& options : allEngines(pseudonormal))
+  {
+    expectNegativeInsideOnly(GetParam().mesh, options, SignMethod::Pseudonormal);
   }
 }
 
@@ -147,13 +158,13 @@ TEST(DistanceFieldSign, DoesNotChangeTheMagnitude)
 
 TEST(DistanceFieldSign, IsPickedByTheMesh)
 {
-  EXPECT_EQ(automaticSign(box({ 1.0, 1.0, 1.0 })), SignMethod::Pseudonormal);
-  EXPECT_EQ(automaticSign(flipOrientation(box({ 1.0, 1.0, 1.0 }))), SignMethod::Pseudonormal);
+  EXPECT_EQ(automaticSign(box({ 1.0, 1.0, 1.0 })), SignMethod::Winding);
+  EXPECT_EQ(automaticSign(flipOrientation(box({ 1.0, 1.0, 1.0 }))), SignMethod::Winding);
   EXPECT_EQ(automaticSign(plates(1.0, 1.0)), SignMethod::None);
   EXPECT_EQ(automaticSign(randomSoup(10, 5)), SignMethod::None);
   TriangleMesh mixed = box({ 1.0, 1.0, 1.0 });
   std::swap(mixed.triangles[0][0], mixed.triangles[0][1]);
-  EXPECT_EQ(automaticSign(mixed), SignMethod::None);
+  EXPECT_EQ(automaticSign(mixed), SignMethod::Winding);
 }
 
 TEST(DistanceFieldSign, IsUnsignedOnOpenMeshes)

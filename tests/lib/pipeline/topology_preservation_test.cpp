@@ -47,6 +47,8 @@ std::vector<SolidCase> cases()
     { "shell", shell(0.6, 1.0, 3), 1, 2, 0, 0.0731 },
     { "doubleTorus", blocks({ "#####", "#.#.#", "#####" }, 0.5), 1, -1, 2, 0.137 },
     { "twoBalls", appended(ball, translated(ball, { 2.3, 0.4, -0.2 })), 2, 2, 0, 0.0931 },
+    { "oneOfTwoBallsInsideOut",
+      appended(ball, flipOrientation(translated(ball, { 2.3, 0.4, -0.2 }))), 2, 2, 0, 0.0931 },
     { "capsule", uvCapsule(0.3, 1.2, 24), 1, 1, 0, 0.0631 },
     { "plateWithHoles", blocks({ "#######", "#.#.#.#", "#######", "#.#.#.#", "#######" }, 0.2), 1,
       -5, 6, 0.117 },

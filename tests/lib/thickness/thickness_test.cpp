@@ -150,6 +150,16 @@ TEST(Thickness, OfABoxIsTwiceTheDistanceToTheNearestSide)
   EXPECT_LE(worst(mesh, thicknessOf(tilted(mesh)), truth), kRounding);
 }
 
+TEST(Thickness, OfPartsThatFaceDifferentWays)
+{
+  const Point3 halfSides{ 1.0, 0.7, 0.4 };
+  const TriangleMesh part = subdivided(box(halfSides), 3);
+  const TriangleMesh mesh = appended(part, flipOrientation(translated(part, { 4.0, 0.0, 0.0 })));
+  const auto truth = [&](const Point3& x)
+  { return boxThickness(halfSides, { x[0] > 2.0 ? x[0] - 4.0 : x[0], x[1], x[2] }); };
+  EXPECT_LE(worst(mesh, thicknessOf(mesh), truth), kRounding);
+}
+
 // Above 90 degrees the sheets that run into the edges do not count, only the one in the middle.
 TEST(Thickness, ForWideAnglesIsThatOfTheMiddleSheet)
 {

@@ -41,11 +41,24 @@ int middleSite(const Extent& tile, const TileField& field)
     .site[TileField::index((tile.size(0) - 1) / 2, (tile.size(1) - 1) / 2, (tile.size(2) - 1) / 2)];
 }
 
+void setSides(const InsideRows& inside, const Extent& tile, TileField& field)
+{
+  for (int k = 0; k < tile.size(2); ++k)
+  {
+    for (int j = 0; j < tile.size(1); ++j)
+    {
+      inside.write({ tile.min[0], tile.min[1] + j, tile.min[2] + k }, tile.size(0),
+        field.side + TileField::index(0, j, k));
+    }
+  }
+}
+
 /// Turns the candidates of tiles into values for a sink.
 struct Evaluation
 {
   explicit Evaluation(const FieldJob& job)
-    : evaluator(job.sites, job.normals, job.frame, job.filter.slack())
+    : inside(job.inside)
+    , evaluator(job.sites, job.normals, job.frame, job.filter.slack())
     , writer(job)
   {
     seeds.reset(job.extent);
@@ -55,10 +68,15 @@ struct Evaluation
   void evaluate(const Extent& tile, const int* candidates, std::size_t count, Work& work)
   {
     work.evaluations += evaluator.evaluate(tile, candidates, count, work.field);
+    if (inside != nullptr)
+    {
+      setSides(*inside, tile, work.field);
+    }
     writer.store(tile, work.field);
     seeds.set(tile, middleSite(tile, work.field));
   }
 
+  const InsideRows* inside; ///< null if the evaluator finds the sides
   TileEvaluator evaluator;
   FieldWriter writer;
   ClosestSeeds seeds; ///< for the next job

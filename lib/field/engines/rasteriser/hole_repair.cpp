@@ -25,7 +25,7 @@ void repairHoles(SlabRenderer& renderer, const std::vector<glm::vec4>& normals,
     const SitePoint found = query.closest(sample);
     const glm::vec3 vector(found.point - sample);
     const bool inside =
-      sign != FieldSign::None && glm::dot(glm::vec3(normals[found.site]), vector) > 0.0f;
+      hasPseudonormals(sign) && glm::dot(glm::vec3(normals[found.site]), vector) > 0.0f;
     const float distance = glm::length(vector);
     renderer.write(glm::ivec2(local), 1 + local.z, glm::vec4(vector, inside ? -distance : distance),
       found.site);

@@ -35,7 +35,7 @@ SelectedField RasteriserEngine::select(const FieldJob& job, const CrossingSelect
 {
   const AtlasLayout atlas = this->chooseAtlas(job, sink);
   SlabCulling culling(job, atlas.slabSlices, TileHull::Cells, seeds_);
-  gl::OnGpuThread<RasteriserSelection> selection(wanted, job.frame);
+  gl::OnGpuThread<RasteriserSelection> selection(wanted, job.frame, job.inside);
   RasteriserRun run(job, culling, this->obtainRenderer(job, atlas), sink);
   run.compute(&selection.object());
   seeds_ = run.takeSeeds();

@@ -8,9 +8,11 @@
 namespace medial
 {
 
-RasteriserSelection::RasteriserSelection(const CrossingSelection& selection, const GridFrame& frame)
+RasteriserSelection::RasteriserSelection(const CrossingSelection& selection, const GridFrame& frame,
+  const InsideRows* inside)
   : selection_(selection)
   , frame_(frame)
+  , inside_(inside)
   , noVertices_(gl::createVertexArray())
 {
 }
@@ -60,7 +62,8 @@ void RasteriserSelection::select(const AtlasLayout& atlas, int slices, bool carr
   program.set("endSlot", 1 + slices);
   program.set("spacing", glm::vec3(frame_.step));
   program.set("cosineLimit", static_cast<float>(std::cos(glm::radians(selection_.angle))));
-  const Side side = selection_.side;
+  // Without a sign in the textures the sides are told apart on the host.
+  const Side side = inside_ != nullptr ? Side::Both : selection_.side;
   program.set("side", side == Side::Interior ? -1.0f : (side == Side::Exterior ? 1.0f : 0.0f));
   program.use();
   glBindTextureUnit(0, directions_.id());
@@ -91,6 +94,16 @@ void RasteriserSelection::collect(const SlabRenderer& renderer, const Extent& sl
   }
 }
 
+bool RasteriserSelection::isWanted(Crossing& crossing) const
+{
+  glm::ivec3 neighbour = crossing.voxel;
+  ++neighbour[crossing.axis];
+  crossing.inside = inside_->contains(crossing.voxel);
+  const bool wanted =
+    selection_.side == Side::Both || crossing.inside == (selection_.side == Side::Interior);
+  return wanted && crossing.inside == inside_->contains(neighbour);
+}
+
 void RasteriserSelection::addCrossings(const Extent& slab, const AtlasLayout& atlas, int slot,
   std::size_t index)
 {
@@ -105,7 +118,11 @@ void RasteriserSelection::addCrossings(const Extent& slab, const AtlasLayout& at
   {
     if ((masks_[here] >> axis & 1) != 0)
     {
-      crossings_.push_back({ voxel, axis, sites_[here], sites_[here + stride[axis]], inside });
+      Crossing crossing{ voxel, axis, sites_[here], sites_[here + stride[axis]], inside };
+      if (inside_ == nullptr || this->isWanted(crossing))
+      {
+        crossings_.push_back(crossing);
+      }
     }
   }
 }

@@ -3,6 +3,7 @@
 #include "field/crossing.h"
 #include "field/engines/rasteriser/slab_renderer.h"
 #include "gl/gl_objects.h"
+#include "sign/inside_rows.h"
 #include "sites/grid_frame.h"
 
 #include <cstdint>
@@ -16,7 +17,9 @@ namespace medial
 class RasteriserSelection
 {
 public:
-  RasteriserSelection(const CrossingSelection& selection, const GridFrame& frame);
+  /// @param inside grid points that are inside; null if the renderer's distances have the sign.
+  RasteriserSelection(const CrossingSelection& selection, const GridFrame& frame,
+    const InsideRows* inside);
 
   /// Selects the crossings of a slab; slabs come in ascending z.
   /// @param slab its slices are in slots 1 to slab.size(2) of the renderer's atlas.
@@ -32,10 +35,13 @@ private:
   void computeDirections(const SlabRenderer& renderer);
   void select(const AtlasLayout& atlas, int slices, bool carried);
   void collect(const SlabRenderer& renderer, const Extent& slab);
+  /// Whether a crossing is on the wanted side; finds out whether it is inside.
+  bool isWanted(Crossing& crossing) const;
   void addCrossings(const Extent& slab, const AtlasLayout& atlas, int slot, std::size_t index);
 
   CrossingSelection selection_;
   GridFrame frame_;
+  const InsideRows* inside_;
   gl::VertexArray noVertices_;
   gl::Texture directions_, selected_;
   gl::Framebuffer directionTarget_, selectionTarget_;

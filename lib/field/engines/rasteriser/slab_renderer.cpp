@@ -257,7 +257,7 @@ std::uint32_t SlabRenderer::resolve(const Extent& slab)
   program.set("spacing", glm::vec3(frame_.step));
   program.set("firstEdge", firstEdge_);
   program.set("firstVertex", firstVertex_);
-  program.set("signedField", sign_ == FieldSign::None ? 0 : 1);
+  program.set("signedField", hasPseudonormals(sign_) ? 1 : 0);
   program.set("orientation", sign_ == FieldSign::Inward ? -1.0f : 1.0f);
   program.use();
   const GLuint buffers[] = { points_.id(), faces_.id(), faceEdges_.id(), edges_.id(), lines_.id(),

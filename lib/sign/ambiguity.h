@@ -1,0 +1,18 @@
+#pragma once
+
+#include "medial/grid.h"
+#include "sign/closed_surface.h"
+#include "sign/lids.h"
+#include "sites/grid_frame.h"
+
+namespace medial
+{
+
+/// Returns the share of a grid's points at which the winding number of an open surface is between
+/// 1/4 and 3/4, so that it does not tell inside from outside. It is estimated from at most 16
+/// points along each axis. Uses the threads of the current arena.
+/// @param closed the surface with its lids.
+double ambiguousShare(const TriangleChain& closed, const Lids& lids,
+  const GridFrame& frame, const Grid& grid);
+
+} // namespace medial

@@ -1,0 +1,125 @@
+#include "sign/sign_choice.h"
+
+#include "medial/error.h"
+#include "sign/ambiguity.h"
+#include "sign/lid_offsets.h"
+#include "sign/surface_orientation.h"
+
+#include <iomanip>
+#include <sstream>
+#include <string>
+
+namespace medial
+{
+namespace
+{
+
+/// Auto gives up the sign if the winding number is ambiguous at a larger share of the grid.
+constexpr double kMaxAmbiguousShare = 0.01;
+
+void requirePseudonormals(const MeshConnectivity& connectivity)
+{
+  if (!connectivity.closed() || !connectivity.oriented())
+  {
+    throw Error(ErrorCode::InvalidInput,
+      "sign method pseudonormal needs a closed, consistently oriented mesh; this one has " +
+        std::to_string(connectivity.boundaryEdges) + " boundary, " +
+        std::to_string(connectivity.nonManifoldEdges) + " non-manifold and " +
+        std::to_string(connectivity.misorientedEdges) +
+        " misoriented edges; use auto, winding or none");
+  }
+}
+
+std::string count(std::int64_t number, const char* what)
+{
+  return std::to_string(number) + " " + what + (number == 1 ? "" : "s");
+}
+
+/// Says why the sign is from winding numbers, or why it cannot be.
+std::string windingReason(const SignReport& report)
+{
+  if (report.method == SignMethod::None)
+  {
+    std::ostringstream text;
+    text << std::setprecision(3) << "the mesh leaves open what is inside: its winding number is "
+         << "between 1/4 and 3/4 at " << 100.0 * report.ambiguousShare << " % of the grid";
+    return text.str();
+  }
+  return report.holes == 0
+    ? "the mesh is closed"
+    : count(report.holes, "hole") + " with " + count(report.rimEdges, "edge") +
+      " closed in thought";
+}
+
+} // namespace
+
+SignChoice::SignChoice(SignMethod requested, const TriangleMesh& mesh,
+  const MeshConnectivity& connectivity, const Grid& grid, const GridFrame& frame)
+  : frame_(frame)
+{
+  report_.reason = "asked for";
+  switch (requested)
+  {
+    case SignMethod::Pseudonormal:
+      requirePseudonormals(connectivity);
+      report_.method = requested;
+      break;
+    case SignMethod::Winding:
+      if (mesh.triangles.empty())
+      {
+        throw Error(ErrorCode::InvalidInput,
+          "sign method winding needs triangles; this mesh has none; use auto or none");
+      }
+      this->wind(requested, mesh, connectivity, grid);
+      break;
+    case SignMethod::Auto:
+      report_.reason = "the mesh has no triangles";
+      if (!mesh.triangles.empty())
+      {
+        this->wind(requested, mesh, connectivity, grid);
+      }
+      break;
+    case SignMethod::None:
+      break;
+  }
+}
+
+void SignChoice::wind(SignMethod requested, const TriangleMesh& mesh,
+  const MeshConnectivity& connectivity, const Grid& grid)
+{
+  const SurfaceOrientation orientation = orientSurface(mesh, connectivity);
+  surface_ = closeSurface(mesh, orientation, frame_);
+  report_.rimEdges = static_cast<std::int64_t>(orientation.rim.size());
+  report_.holes = static_cast<std::int64_t>(surface_.lidCount());
+  report_.copies = orientation.copies;
+  report_.turned = orientation.turned;
+  if (surface_.lidCount() > 0)
+  {
+    lids_ = std::make_unique<Lids>(surface_);
+    report_.ambiguousShare = ambiguousShare(surface_.chain, *lids_, frame_, grid);
+  }
+  const bool clear = report_.ambiguousShare <= kMaxAmbiguousShare;
+  report_.method =
+    clear || requested == SignMethod::Winding ? SignMethod::Winding : SignMethod::None;
+  report_.reason = windingReason(report_);
+  if (report_.method == SignMethod::Winding)
+  {
+    turned_ = turned(mesh, connectivity, orientation);
+  }
+}
+
+std::optional<InsideRows> SignChoice::insideRows(const Extent& extent) const
+{
+  if (report_.method != SignMethod::Winding)
+  {
+    return {};
+  }
+  std::vector<SliceCrossings> slices = rowCrossings(surface_.chain, frame_, extent);
+  if (lids_)
+  {
+    subtractLids(surface_, *lids_, frame_, extent, slices);
+  }
+  return InsideRows(extent, slices);
+}
+
+} // namespace medial

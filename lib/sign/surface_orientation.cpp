@@ -1,0 +1,305 @@
+#include "sign/surface_orientation.h"
+
+#include "sign/containment.h"
+#include "sign/patches.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <unordered_map>
+#include <utility>
+
+namespace medial
+{
+namespace
+{
+
+/// Lids may take this share of a patch's area if the patch is to count as the surface of a solid.
+constexpr double kMaxLidShare = 0.25;
+/// Solids flatter than this, as volume over area to the power of 3/2, have no inside.
+constexpr double kMinVolumeShare = 1e-9;
+/// Number of places at which a patch is tested for being inside another one.
+constexpr std::size_t kProbes = 5;
+
+using Points = std::vector<glm::dvec3>;
+
+Points pointsAroundMiddle(const TriangleMesh& mesh)
+{
+  const Bounds bounds = mesh.bounds();
+  Points points;
+  points.reserve(mesh.points.size());
+  for (const Point3& p : mesh.points)
+  {
+    glm::dvec3 relative;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      relative[axis] = p[axis] - (0.5 * bounds.min[axis] + 0.5 * bounds.max[axis]);
+    }
+    points.push_back(relative);
+  }
+  return points;
+}
+
+void addRimEdge(const MeshConnectivity& connectivity, int edge, int net, std::vector<RimEdge>& rim)
+{
+  const auto [from, to] = connectivity.edges[edge];
+  if (net != 0)
+  {
+    rim.push_back(net > 0 ? RimEdge{ from, to, net } : RimEdge{ to, from, -net });
+  }
+}
+
+/// A triangle of a patch, its lids included, as it counts in the patch.
+struct CountedTriangle
+{
+  std::array<glm::dvec3, 3> corners;
+  int weight;
+};
+
+/// What is known of a patch as the surface of a solid.
+struct PatchSolid
+{
+  std::vector<RimEdge> rim;
+  double volume = 0.0; ///< within the patch and its lids; negative if it faces inwards
+  bool solid = false;  ///< whether it encloses a volume up to small holes
+  bool turned = false;
+};
+
+class Orientation
+{
+public:
+  Orientation(const TriangleMesh& mesh, const MeshConnectivity& connectivity)
+    : mesh_(mesh)
+    , connectivity_(connectivity)
+    , points_(pointsAroundMiddle(mesh))
+    , patches_(findPatches(mesh, connectivity, points_))
+    , solids_(patches_.triangles.size())
+  {
+    this->findRims();
+    for (std::size_t patch = 0; patch < solids_.size(); ++patch)
+    {
+      this->measure(static_cast<int>(patch));
+    }
+    this->turnSolids(this->containers());
+  }
+
+  SurfaceOrientation result() const
+  {
+    SurfaceOrientation result;
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
+    {
+      const int original = patches_.originals[t];
+      const bool isCopy = original != static_cast<int>(t);
+      const int turn = solids_[patches_.ofTriangle[original]].turned ? -1 : 1;
+      const int direction = turn * patches_.senses[original] * (isCopy ? this->alike(t, original) : 1);
+      result.directions.push_back(static_cast<std::int8_t>(direction));
+      result.weights.push_back(static_cast<std::int8_t>(isCopy ? 0 : direction));
+      result.copies += isCopy ? 1 : 0;
+      result.turned += !isCopy && direction < 0 ? 1 : 0;
+    }
+    for (int edge = 0; edge < connectivity_.edgeTriangles.rows(); ++edge)
+    {
+      int net = 0;
+      std::for_each(connectivity_.edgeTriangles.begin(edge), connectivity_.edgeTriangles.end(edge),
+        [&](int t)
+        { net += result.weights[t] * directionAlong(mesh_, connectivity_, t, edge); });
+      addRimEdge(connectivity_, edge, net, result.rim);
+    }
+    return result;
+  }
+
+private:
+  /// Returns 1 if two triangles with the same corners face the same way, otherwise -1.
+  int alike(std::size_t a, int b) const
+  {
+    const int edge = connectivity_.triangleEdges[b][0];
+    return directionAlong(mesh_, connectivity_, static_cast<int>(a), edge) *
+      directionAlong(mesh_, connectivity_, b, edge);
+  }
+
+  /// Finds the rim of every patch, whatever other patches do there.
+  void findRims()
+  {
+    std::vector<std::pair<int, int>> nets; // patch and direction
+    for (int edge = 0; edge < connectivity_.edgeTriangles.rows(); ++edge)
+    {
+      nets.clear();
+      std::for_each(connectivity_.edgeTriangles.begin(edge), connectivity_.edgeTriangles.end(edge),
+        [&](int t)
+        {
+          nets.emplace_back(patches_.ofTriangle[t],
+            patches_.senses[t] * directionAlong(mesh_, connectivity_, t, edge));
+        });
+      std::sort(nets.begin(), nets.end());
+      for (auto first = nets.begin(); first != nets.end();)
+      {
+        const int patch = first->first;
+        int net = 0;
+        for (; first != nets.end() && first->first == patch; ++first)
+        {
+          net += first->second;
+        }
+        if (patch >= 0)
+        {
+          addRimEdge(connectivity_, edge, net, solids_[patch].rim);
+        }
+      }
+    }
+  }
+
+  /// Calls visit() with every triangle of a patch and its lids, whether it is of a lid.
+  template <typename Visit>
+  void visitTriangles(int patch, const Visit& visit) const
+  {
+    for (const int t : patches_.triangles[patch])
+    {
+      const auto& [a, b, c] = mesh_.triangles[t];
+      visit(CountedTriangle{ { points_[a], points_[b], points_[c] }, patches_.senses[t] }, false);
+    }
+    for (const Lid& lid : lidsOf(solids_[patch].rim, points_))
+    {
+      for (const RimEdge& edge : lid.rim)
+      {
+        visit(CountedTriangle{ { points_[edge.to], points_[edge.from], lid.tip }, edge.weight },
+          true);
+      }
+    }
+  }
+
+  void measure(int patch)
+  {
+    PatchSolid& solid = solids_[patch];
+    const glm::dvec3 origin = points_[mesh_.triangles[patches_.triangles[patch].front()][0]];
+    double area = 0.0;
+    double lidArea = 0.0;
+    this->visitTriangles(patch,
+      [&](const CountedTriangle& triangle, bool isLid)
+      {
+        const glm::dvec3 a = triangle.corners[0] - origin;
+        const glm::dvec3 normal =
+          glm::cross(triangle.corners[1] - origin - a, triangle.corners[2] - origin - a);
+        (isLid ? lidArea : area) += 0.5 * glm::length(normal);
+        solid.volume += triangle.weight * glm::dot(a, normal) / 6.0;
+      });
+    solid.solid = lidArea <= kMaxLidShare * area &&
+      std::abs(solid.volume) > kMinVolumeShare * area * std::sqrt(area);
+  }
+
+  /// Returns the smallest solid that contains a patch, or -1, for every patch.
+  std::vector<int> containers() const
+  {
+    const auto count = static_cast<int>(solids_.size());
+    std::vector<int> result(count, -1);
+    if (count < 2)
+    {
+      return result;
+    }
+    Points probes;
+    std::vector<int> patchOfProbe;
+    std::vector<SolidTriangle> triangles;
+    for (int patch = 0; patch < count; ++patch)
+    {
+      this->addProbes(patch, probes, patchOfProbe);
+      if (solids_[patch].solid)
+      {
+        this->visitTriangles(patch, [&](const CountedTriangle& triangle, bool /*isLid*/)
+          { triangles.push_back({ triangle.corners, patch, triangle.weight }); });
+      }
+    }
+    const Containment containment(triangles, probes);
+    std::vector<std::unordered_map<int, std::size_t>> hits(count);
+    for (std::size_t i = 0; i < probes.size(); ++i)
+    {
+      for (const int solid : containment.solidsAround(static_cast<int>(i)))
+      {
+        ++hits[patchOfProbe[i]][solid];
+      }
+    }
+    for (int patch = 0; patch < count; ++patch)
+    {
+      const std::size_t probed = std::min(kProbes, patches_.triangles[patch].size());
+      for (const auto& [solid, hit] : hits[patch])
+      {
+        const int smallest = result[patch];
+        if (2 * hit > probed && this->isSmaller(patch, solid) &&
+          (smallest < 0 || this->isSmaller(solid, smallest)))
+        {
+          result[patch] = solid;
+        }
+      }
+    }
+    return result;
+  }
+
+  bool isSmaller(int a, int b) const
+  {
+    const double volumeA = std::abs(solids_[a].volume);
+    const double volumeB = std::abs(solids_[b].volume);
+    return volumeA != volumeB ? volumeA < volumeB : a < b;
+  }
+
+  void addProbes(int patch, Points& probes, std::vector<int>& patchOfProbe) const
+  {
+    const std::vector<int>& members = patches_.triangles[patch];
+    const std::size_t count = std::min(kProbes, members.size());
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const auto& [a, b, c] = mesh_.triangles[members[(2 * i + 1) * members.size() / (2 * count)]];
+      probes.push_back((points_[a] + points_[b] + points_[c]) / 3.0);
+      patchOfProbe.push_back(patch);
+    }
+  }
+
+  /// Turns solids, the largest first, so that a container is done before what it contains.
+  void turnSolids(const std::vector<int>& containers)
+  {
+    std::vector<int> order(solids_.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(), [this](int a, int b) { return this->isSmaller(b, a); });
+    for (const int patch : order)
+    {
+      PatchSolid& solid = solids_[patch];
+      const int container = containers[patch];
+      if (solid.solid)
+      {
+        solid.turned = container < 0 ? solid.volume < 0.0 : solids_[container].turned;
+      }
+    }
+  }
+
+  const TriangleMesh& mesh_;
+  const MeshConnectivity& connectivity_;
+  Points points_;
+  Patches patches_;
+  std::vector<PatchSolid> solids_;
+};
+
+} // namespace
+
+SurfaceOrientation orientSurface(const TriangleMesh& mesh, const MeshConnectivity& connectivity)
+{
+  return Orientation(mesh, connectivity).result();
+}
+
+std::optional<OrientedMesh> turned(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
+  const SurfaceOrientation& orientation)
+{
+  if (std::none_of(orientation.directions.begin(), orientation.directions.end(),
+        [](int direction) { return direction < 0; }))
+  {
+    return {};
+  }
+  OrientedMesh result{ mesh, connectivity };
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  {
+    if (orientation.directions[t] < 0)
+    {
+      std::swap(result.mesh.triangles[t][1], result.mesh.triangles[t][2]);
+      std::swap(result.connectivity.triangleEdges[t][0], result.connectivity.triangleEdges[t][2]);
+    }
+  }
+  return result;
+}
+
+} // namespace medial

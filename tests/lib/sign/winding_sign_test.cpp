@@ -1,0 +1,338 @@
+// The sign by winding numbers, on meshes whose inside is known or summed up by brute force.
+#include "medial/compute_distance_field.h"
+#include "medial/error.h"
+#include "medial/mesh_io.h"
+
+#include "support/brute_force.h"
+#include "support/field_checks.h"
+#include "support/models.h"
+#include "support/shapes.h"
+#include "support/transforms.h"
+
+#include "sign/surface_orientation.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <ostream>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace medial;
+using namespace medial::test;
+
+namespace
+{
+
+/// A mesh and closed meshes that face outwards: what is in one of them is inside.
+struct Assembly
+{
+  std::string name;
+  TriangleMesh mesh;
+  std::vector<TriangleMesh> parts;
+};
+
+std::ostream& operator<<(std::ostream& stream, const Assembly& assembly)
+{
+  return stream << assembly.name;
+}
+
+TriangleMesh welded(const TriangleMesh& mesh)
+{
+  return buildTriangleMesh(toInput(mesh));
+}
+
+TriangleMesh unitBox(const Point3& centre = {})
+{
+  return translated(box({ 0.5, 0.5, 0.5 }), centre);
+}
+
+TriangleMesh withoutTriangles(TriangleMesh mesh, const std::vector<std::size_t>& ascending)
+{
+  for (auto i = ascending.rbegin(); i != ascending.rend(); ++i)
+  {
+    mesh.triangles.erase(mesh.triangles.begin() + static_cast<std::ptrdiff_t>(*i));
+    mesh.triangleCells.erase(mesh.triangleCells.begin() + static_cast<std::ptrdiff_t>(*i));
+  }
+  return mesh;
+}
+
+TriangleMesh withFlipped(TriangleMesh mesh, const std::vector<std::size_t>& triangles)
+{
+  for (const std::size_t t : triangles)
+  {
+    std::swap(mesh.triangles[t][0], mesh.triangles[t][1]);
+  }
+  return mesh;
+}
+
+/// Two parts as one mesh.
+Assembly pair(const std::string& name, const TriangleMesh& a, const TriangleMesh& b)
+{
+  return { name, appended(a, b), { a, b } };
+}
+
+std::vector<Assembly> assemblies()
+{
+  const TriangleMesh ball = icosphere(0.5, 2);
+  const TriangleMesh small = icosphere(0.2, 1);
+  std::vector<Assembly> result{
+    pair("overlapping", unitBox(), unitBox({ 0.6, 0.3, 0.2 })),
+    pair("touching", unitBox(), unitBox({ 1.0, 0.0, 0.0 })),
+    pair("almostTouching", unitBox(), unitBox({ 1.0 + 1e-9, 0.0, 0.0 })),
+    pair("touchingAlongZ", unitBox(), unitBox({ 0.0, 0.0, 1.0 })),
+    pair("partsInParts", ball, small),
+    { "onePartInsideOut", appended(unitBox(), flipOrientation(unitBox({ 2.0, 0.0, 0.0 }))),
+      { unitBox(), unitBox({ 2.0, 0.0, 0.0 }) } },
+    { "overlappingInsideOut",
+      appended(unitBox(), flipOrientation(unitBox({ 0.6, 0.3, 0.2 }))),
+      { unitBox(), unitBox({ 0.6, 0.3, 0.2 }) } },
+    { "sharedEdge", welded(appended(unitBox(), unitBox({ 1.0, 1.0, 0.0 }))),
+      { unitBox(), unitBox({ 1.0, 1.0, 0.0 }) } },
+    { "sharedFace", welded(appended(unitBox(), unitBox({ 1.0, 0.0, 0.0 }))),
+      { unitBox(), unitBox({ 1.0, 0.0, 0.0 }) } },
+    { "flippedTriangles", withFlipped(ball, { 3, 17, 40 }), { ball } },
+    { "doubled", welded(appended(ball, ball)), { ball } },
+    { "doubleSided", welded(appended(ball, flipOrientation(ball))), { ball } },
+    { "doubledUnwelded", appended(ball, ball), { ball } },
+    { "withSegment", makeMesh(unitBox().points, unitBox().triangles, { { 0, 6 } }), { unitBox() } } };
+  return result;
+}
+
+DistanceField fieldOf(const TriangleMesh& mesh, const DistanceFieldOptions& options, int resolution)
+{
+  return computeDistanceField(mesh, makeGrid(mesh.bounds(), resolution, 0.13), options);
+}
+
+/// Number of voxels with the wrong sign, farther than 1e-3 voxel from the surface.
+std::size_t wrongSigns(const DistanceField& field,
+  const std::function<bool(const Point3&)>& isInside)
+{
+  std::vector<char> wrong(field.distance.size(), 0);
+  parallelFor(wrong.size(),
+    [&](std::size_t i)
+    {
+      const double distance = static_cast<double>(field.distance[i]);
+      wrong[i] = std::abs(distance) > 1e-3 * voxelSize(field.grid) &&
+        (distance < 0.0) != isInside(voxelPoint(field.grid, i));
+    });
+  return static_cast<std::size_t>(std::count(wrong.begin(), wrong.end(), 1));
+}
+
+bool isInAnyPart(const std::vector<TriangleMesh>& parts, const Point3& x)
+{
+  return std::any_of(parts.begin(), parts.end(),
+    [&](const TriangleMesh& part) { return windingNumber(part, x) > 0.5; });
+}
+
+/// Winding number by brute force, with the triangles turned as the library turns them.
+double orientedWinding(const TriangleMesh& mesh, const SurfaceOrientation& orientation,
+  const Point3& x)
+{
+  double sum = 0.0;
+  TriangleMesh single;
+  single.points.resize(3);
+  single.triangles = { { 0, 1, 2 } };
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      single.points[corner] = mesh.points[mesh.triangles[t][corner]];
+    }
+    sum += orientation.weights[t] * windingNumber(single, x);
+  }
+  return sum;
+}
+
+TriangleMesh moebiusStrip(int segments)
+{
+  std::vector<Point3> points;
+  std::vector<std::array<int, 3>> triangles;
+  const double turn = 2.0 * std::acos(-1.0) / segments;
+  for (int i = 0; i < segments; ++i)
+  {
+    for (const double across : { -0.4, 0.4 })
+    {
+      const double r = 1.0 + across * std::cos(0.5 * i * turn);
+      points.push_back(
+        { r * std::cos(i * turn), r * std::sin(i * turn), across * std::sin(0.5 * i * turn) });
+    }
+  }
+  for (int i = 0; i < segments; ++i)
+  {
+    const bool last = i + 1 == segments;
+    const int a = last ? 1 : 2 * i + 2;
+    const int b = last ? 0 : 2 * i + 3;
+    triangles.push_back({ 2 * i, a, 2 * i + 1 });
+    triangles.push_back({ 2 * i + 1, a, b });
+  }
+  return makeMesh(points, triangles);
+}
+
+struct OpenMesh
+{
+  std::string name;
+  TriangleMesh mesh;
+};
+
+std::ostream& operator<<(std::ostream& stream, const OpenMesh& mesh)
+{
+  return stream << mesh.name;
+}
+
+std::vector<OpenMesh> openMeshes()
+{
+  const TriangleMesh ball = icosphere(0.5, 2);
+  std::vector<std::size_t> lower;
+  for (std::size_t t = 0; t < ball.triangles.size(); ++t)
+  {
+    const auto& [a, b, c] = ball.triangles[t];
+    if (ball.points[a][2] + ball.points[b][2] + ball.points[c][2] < 0.0)
+    {
+      lower.push_back(t);
+    }
+  }
+  std::vector<OpenMesh> result{ { "oneTriangleMissing", withoutTriangles(ball, { 5 }) },
+    { "threeHoles", withoutTriangles(ball, { 5, 60, 61, 62, 200 }) },
+    { "hemisphere", withoutTriangles(ball, lower) },
+    { "boxWithoutHalfASide", withoutTriangles(unitBox(), { 0 }) },
+    { "boxWithoutASide", withoutTriangles(unitBox(), { 0, 1 }) },
+    { "moebiusStrip", moebiusStrip(20) }, { "plates", plates(0.5, 1.0) },
+    { "oneTriangle", makeMesh({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0.5 } }, { { 0, 1, 2 } }) },
+    { "soup", randomSoup(60, 11) } };
+  for (const auto& [name, file] : std::vector<std::pair<const char*, const char*>>{
+         { "elephantWithHoles", "soup/elephant_holes_4.5k.off" },
+         { "manySmallHoles", "soup/many_small_holes_3.5k.ply" },
+         { "doubleSidedChair", "soup/chair_double_sided_12.8k.obj" },
+         { "bunnyWithOneHole", "odd/bunny_one_hole.off" } })
+  {
+    if (const auto path = modelPath(file))
+    {
+      result.push_back({ name, buildTriangleMesh(readMesh(*path)) });
+    }
+  }
+  return result;
+}
+
+DistanceFieldOptions winding(const DistanceFieldOptions& options)
+{
+  DistanceFieldOptions result = options;
+  result.sign = SignMethod::Winding;
+  return result;
+}
+
+class SignOfAssembly : public testing::TestWithParam<Assembly>
+{
+};
+
+class SignOfOpenMesh : public testing::TestWithParam<OpenMesh>
+{
+};
+
+} // namespace
+
+TEST_P(SignOfAssembly, IsThatOfItsParts)
+{
+  for (const DistanceFieldOptions& options : allEngines())
+  {
+    const DistanceField field = fieldOf(GetParam().mesh, options, 29);
+    EXPECT_EQ(field.sign, SignMethod::Winding);
+    EXPECT_EQ(
+      wrongSigns(field, [](const Point3& x) { return isInAnyPart(GetParam().parts, x); }), 0U);
+  }
+}
+
+TEST_P(SignOfAssembly, DoesNotDependOnTheOrderOfTriangles)
+{
+  TriangleMesh mesh = GetParam().mesh;
+  std::mt19937 random(3);
+  for (int i = 0; i < 3; ++i)
+  {
+    std::shuffle(mesh.triangles.begin(), mesh.triangles.end(), random);
+    const DistanceField field = fieldOf(mesh, {}, 19);
+    EXPECT_EQ(wrongSigns(field,
+                [&](const Point3& x) { return isInAnyPart(GetParam().parts, x); }),
+      0U);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Assemblies, SignOfAssembly, testing::ValuesIn(assemblies()),
+  [](const auto& test) { return test.param.name; });
+
+TEST_P(SignOfOpenMesh, IsThatOfTheWindingNumber)
+{
+  const TriangleMesh& mesh = GetParam().mesh;
+  const SurfaceOrientation orientation = orientSurface(mesh, analyseConnectivity(mesh));
+  for (const DistanceFieldOptions& options : allEngines())
+  {
+    const DistanceField field = fieldOf(mesh, winding(options), 18);
+    EXPECT_EQ(field.sign, SignMethod::Winding);
+    EXPECT_EQ(wrongSigns(field, [&](const Point3& x)
+                { return orientedWinding(mesh, orientation, x) > 0.5; }),
+      0U);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(OpenMeshes, SignOfOpenMesh, testing::ValuesIn(openMeshes()),
+  [](const auto& test) { return test.param.name; });
+
+TEST(WindingSign, KnowsCavitiesWhicheverWayTheShellFaces)
+{
+  const TriangleMesh mesh = shell(0.5, 1.0, 2);
+  for (const TriangleMesh& turned : { mesh, flipOrientation(mesh) })
+  {
+    const DistanceField field = fieldOf(turned, {}, 33);
+    EXPECT_EQ(
+      wrongSigns(field, [&](const Point3& x) { return windingNumber(mesh, x) > 0.5; }), 0U);
+  }
+}
+
+TEST(WindingSign, IsTheSameInEveryExtent)
+{
+  const TriangleMesh mesh = withoutTriangles(icosphere(0.5, 2), { 5, 60, 61, 62, 200 });
+  const MeshConnectivity connectivity = analyseConnectivity(mesh);
+  const DistanceField whole = fieldOf(mesh, {}, 40);
+  const Extent part{ { 7, 3, 11 }, { 30, 29, 33 } };
+  std::vector<float> distance(static_cast<std::size_t>(part.pointCount()));
+  FieldArrays arrays;
+  arrays.distance = distance.data();
+  computeDistanceField(mesh, connectivity, whole.grid, part, arrays);
+  std::size_t i = 0;
+  for (int z = part.min[2]; z <= part.max[2]; ++z)
+  {
+    for (int y = part.min[1]; y <= part.max[1]; ++y)
+    {
+      for (int x = part.min[0]; x <= part.max[0]; ++x)
+      {
+        const std::size_t there =
+          (static_cast<std::size_t>(z) * whole.grid.dimensions[1] + y) * whole.grid.dimensions[0] +
+          x;
+        ASSERT_EQ(std::signbit(distance[i++]), std::signbit(whole.distance[there]));
+      }
+    }
+  }
+}
+
+TEST(WindingSign, ReportSaysWhatWasMended)
+{
+  const TriangleMesh ball = icosphere(0.5, 2);
+  const SignReport hole = fieldOf(withoutTriangles(ball, { 5 }), {}, 16).statistics.sign;
+  EXPECT_EQ(hole.rimEdges, 3);
+  EXPECT_EQ(hole.holes, 1);
+  EXPECT_EQ(fieldOf(welded(appended(ball, ball)), {}, 16).statistics.sign.copies,
+    static_cast<std::int64_t>(ball.triangles.size()));
+  EXPECT_EQ(fieldOf(withFlipped(ball, { 3, 17 }), {}, 16).statistics.sign.turned, 2);
+  EXPECT_GT(fieldOf(plates(0.5, 1.0), {}, 16).statistics.sign.ambiguousShare, 0.01);
+}
+
+TEST(WindingSign, NeedsTriangles)
+{
+  const TriangleMesh segment = makeMesh({ { 0, 0, 0 }, { 1, 1, 1 } }, {}, { { 0, 1 } });
+  EXPECT_EQ(fieldOf(segment, {}, 8).sign, SignMethod::None);
+  DistanceFieldOptions options;
+  EXPECT_THROW(fieldOf(segment, winding(options), 8), Error);
+}
