@@ -63,10 +63,8 @@ std::vector<FarGrid> farGrids()
     { "flat1e6", ring(), flatGrid(1e6) }, { "flat1e12", ring(), flatGrid(1e12) },
     { "far1e5", ring(), farGrid(1e5) }, { "far1e7", ring(), farGrid(1e7) },
     { "far1e12", ring(), farGrid(1e12) }, { "far1e17", ring(), farGrid(1e17) },
-    { "flatAroundAPoint", onePoint(),
-      { { -4.0, -4e4, -4e4 }, { 1.0, 1e4, 1e4 }, { 9, 40, 40 } } },
-    { "longAroundAPoint", onePoint(),
-      { { -4.0, -4.0, -4e9 }, { 1.0, 1.0, 1e9 }, { 9, 9, 40 } } } };
+    { "flatAroundAPoint", onePoint(), { { -4.0, -4e4, -4e4 }, { 1.0, 1e4, 1e4 }, { 9, 40, 40 } } },
+    { "longAroundAPoint", onePoint(), { { -4.0, -4.0, -4e9 }, { 1.0, 1.0, 1e9 }, { 9, 9, 40 } } } };
 }
 
 DistanceField fieldOf(const TriangleMesh& mesh, const Grid& grid, Engine engine = Engine::Processor)
@@ -77,8 +75,7 @@ DistanceField fieldOf(const TriangleMesh& mesh, const Grid& grid, Engine engine 
 }
 
 /// The message with which a field is refused; empty if it is not.
-std::string refusalOf(const TriangleMesh& mesh, const Grid& grid,
-  Engine engine = Engine::Processor)
+std::string refusalOf(const TriangleMesh& mesh, const Grid& grid, Engine engine = Engine::Processor)
 {
   try
   {
@@ -147,7 +144,8 @@ TEST(FarField, IsRefusedWhereSquaresDoNotFitSinglePrecision)
     "the mesh reaches 3e+19 times the finest spacing from the middle of the grid, more than 1e+18");
   EXPECT_NE(refusalOf(ring(), away, Engine::Rasteriser), "");
   EXPECT_EQ(refusalOf(ring(), flatGrid(1e20)),
-    "the grid reaches 2.12132e+21 times the finest spacing from the middle of the grid, more than 1e+18");
+    "the grid reaches 2.12132e+21 times the finest spacing from the middle of the grid, more than "
+    "1e+18");
   EXPECT_NE(refusalOf(ring(), { { 0.0, 0.0, 0.0 }, { 1e-300, 1e300, 1.0 }, { 8, 8, 8 } }), "");
   EXPECT_THROW(computeMedialAxis(ring(), away), Error);
 }
@@ -165,7 +163,8 @@ TEST(FarField, HasASiteAtEveryPointOfAnyGrid)
   for (int i = 0; i < 200; ++i)
   {
     const double size = power(-6.0, 6.0);
-    const TriangleMesh mesh = scaled(i % 2 == 0 ? regularTetrahedron(1.0) : randomSoup(20, 7), size);
+    const TriangleMesh mesh =
+      scaled(i % 2 == 0 ? regularTetrahedron(1.0) : randomSoup(20, 7), size);
     Grid grid{ {}, {}, { 9, 10, 17 } };
     for (int axis = 0; axis < 3; ++axis)
     {

@@ -241,6 +241,14 @@ MEDIAL_INLINE std::int64_t evaluateEdge(const Tile& tile, const SiteSet& sites, 
     boundCount, slack);
 }
 
+/// Whether functions over a tile have large values wherever its sites are.
+bool isLong(const Extent& extent, const glm::dvec3& step)
+{
+  const glm::dvec3 cells(extent.size(0) - 1, extent.size(1) - 1, extent.size(2) - 1);
+  const glm::dvec3 diagonal = cells * step;
+  return glm::dot(diagonal, diagonal) > static_cast<double>(TileField::kFarSquared);
+}
+
 /// Whether some point is far from its site, or has none.
 MEDIAL_INLINE bool hasFarPoints(const Tile& tile)
 {
@@ -327,6 +335,11 @@ MEDIAL_VECTORISED std::int64_t TileEvaluator::evaluate(const Extent& extent, con
     extent.size(1), extent.size(2), static_cast<float>(extent.size(0) - 1), field };
   std::fill(std::begin(field.squared), std::end(field.squared), std::numeric_limits<float>::max());
   std::fill(std::begin(field.site), std::end(field.site), -1);
+  if (isLong(extent, frame_.step))
+  {
+    this->queryFarPoints(extent, candidates, count, field);
+    return extent.pointCount() * static_cast<std::int64_t>(count);
+  }
   std::int64_t rows = 0;
   for (const int* candidate = candidates; candidate != candidates + count; ++candidate)
   {

@@ -48,9 +48,9 @@ public:
 
 private:
   void setFaceSides(int face);
-  /// Finds the sites of grid points that are far from theirs, by exact queries. So it does for
-  /// points that the bounds of all candidates exclude; there should be none, and this makes sure of
-  /// it.
+  /// Finds the sites of grid points that are far from what was found, or without a site, by exact
+  /// queries. So it does for points that the bounds of all candidates exclude; there should be
+  /// none, and this makes sure of it.
   void queryFarPoints(const Extent& extent, const int* candidates, std::size_t count,
     TileField& field) const;
 
