@@ -96,7 +96,7 @@ float evaluate(const HalfSpace& plane, const glm::vec3& x)
 
 } // namespace
 
-CandidateFilter::CandidateFilter(const SiteSet& sites)
+CandidateFilter::CandidateFilter(const SiteSet& sites, const GridFrame& frame)
   : sites_(sites)
 {
   facePlanes_.resize(sites.faceCount());
@@ -124,8 +124,10 @@ CandidateFilter::CandidateFilter(const SiteSet& sites)
   {
     reach = std::max(reach, glm::length(glm::vec3(sites.boundingBall(site))));
   }
+  // Enough for the grid points of most grids; those of very large or flat ones are farther out.
   constexpr float kMinSlack = 1e-3f;
-  slack_ = kMinSlack + 16.0f * std::numeric_limits<float>::epsilon() * reach;
+  constexpr float kRounding = 16.0f * std::numeric_limits<float>::epsilon();
+  slack_ = std::max(kMinSlack, kRounding * static_cast<float>(frame.reach())) + kRounding * reach;
 }
 
 std::vector<int> CandidateFilter::allSites() const

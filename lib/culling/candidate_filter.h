@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sites/grid_frame.h"
 #include "sites/site_set.h"
 
 #include <glm/glm.hpp>
@@ -45,7 +46,7 @@ public:
   /// Number of boxes that are filtered at once.
   static constexpr int kMaxBoxes = 8;
 
-  explicit CandidateFilter(const SiteSet& sites);
+  CandidateFilter(const SiteSet& sites, const GridFrame& frame);
 
   /// Working memory of one thread.
   struct Scratch

@@ -6,6 +6,7 @@
 #include "medial/error.h"
 #include "sites/pseudonormals.h"
 
+#include <sstream>
 #include <utility>
 
 namespace medial
@@ -24,6 +25,30 @@ void checkInput(const TriangleMesh& mesh, const Grid& grid, const Extent& extent
   {
     throw Error(ErrorCode::InvalidInput, "the extent is empty or leaves the grid");
   }
+}
+
+/// Squares of distances must fit single precision.
+constexpr double kMaxReach = 1e18;
+
+void requireReach(const char* what, double reach)
+{
+  if (!(reach <= kMaxReach))
+  {
+    std::ostringstream message;
+    message << what << " reaches " << reach
+            << " times the finest spacing from the middle of the grid, more than " << kMaxReach;
+    throw Error(ErrorCode::InvalidInput, message.str());
+  }
+}
+
+/// Checks what single precision can hold in local coordinates.
+void checkReach(const TriangleMesh& mesh, const GridFrame& frame)
+{
+  requireReach("the grid", frame.reach());
+  const Bounds bounds = mesh.bounds();
+  const glm::dvec3 low = glm::abs(frame.toLocal(bounds.min));
+  const glm::dvec3 high = glm::abs(frame.toLocal(bounds.max));
+  requireReach("the mesh", glm::length(glm::max(low, high)));
 }
 
 /// Returns the hardware renderer that is required, whatever the engine.
@@ -50,6 +75,7 @@ FieldPipeline::FieldPipeline(const TriangleMesh& mesh, const MeshConnectivity& c
   , frame_(grid)
 {
   checkInput(mesh, grid, extent);
+  checkReach(mesh, frame_);
   if (options.requireHardware)
   {
     statistics_.device = requiredHardware();
@@ -91,7 +117,7 @@ FieldJob FieldPipeline::prepare(const FieldEngine& engine)
             turned ? turned->connectivity : connectivity_, frame_);
         });
     });
-  timed(seconds.cull, [&] { filter_.emplace(*sites_); });
+  timed(seconds.cull, [&] { filter_.emplace(*sites_, frame_); });
   timed(seconds.sites, [&] { normals_ = pseudonormals(*sites_, sign == FieldSign::Inward); });
   timed(seconds.sign, [&] { run_.onThreads([&] { inside_ = sign_->insideRows(extent_); }); });
   statistics_.sites = sites_->size();

@@ -106,25 +106,42 @@ void FieldWriter::store(const Extent& tile, const TileField& field) const
           slab_.size(0) +
         (first.x - slab_.min[0]);
       const int row = TileField::index(0, j, k);
-      this->storeDistances(target, tile.size(0), field, row);
+      this->storeDistances(target, first, tile.size(0), field, row);
       this->storeClosestPoints(target, first, tile.size(0), field.site + row);
       this->storeIds(target, tile.size(0), field.site + row);
     }
   }
 }
 
-void FieldWriter::storeDistances(std::int64_t target, int count, const TileField& field,
-  int row) const
+double FieldWriter::exactDistance(const glm::ivec3& gridPoint, std::int32_t site) const
+{
+  const glm::dvec3 sample = frame_.sample(glm::dvec3(gridPoint));
+  return glm::distance(closestPoint(sites_, site, sample).point, sample) * frame_.unit;
+}
+
+void FieldWriter::storeDistances(std::int64_t target, const glm::ivec3& first, int count,
+  const TileField& field, int row) const
 {
   if (!arrays_.distance)
   {
     return;
   }
+  const auto set = [&](int i, double distance)
+  {
+    const auto rounded = static_cast<float>(distance);
+    arrays_.distance[target + i] = signed_ && field.side[row + i] < 0.0f ? -rounded : rounded;
+  };
+  const float* squared = field.squared + row;
   for (int i = 0; i < count; ++i)
   {
-    const auto distance =
-      static_cast<float>(static_cast<double>(std::sqrt(field.squared[row + i])) * frame_.unit);
-    arrays_.distance[target + i] = signed_ && field.side[row + i] < 0.0f ? -distance : distance;
+    set(i, static_cast<double>(std::sqrt(squared[i])) * frame_.unit);
+  }
+  if (*std::max_element(squared, squared + count) > TileField::kFarSquared)
+  {
+    for (int i = 0; i < count; ++i)
+    {
+      set(i, this->exactDistance(first + glm::ivec3(i, 0, 0), field.site[row + i]));
+    }
   }
 }
 

@@ -31,7 +31,10 @@ public:
   void store(const Extent& tile, const TileField& field) const;
 
 private:
-  void storeDistances(std::int64_t target, int count, const TileField& field, int row) const;
+  void storeDistances(std::int64_t target, const glm::ivec3& first, int count,
+    const TileField& field, int row) const;
+  /// Returns the distance of a grid point from its site in double precision, world units.
+  double exactDistance(const glm::ivec3& gridPoint, std::int32_t site) const;
   void storeClosestPoints(std::int64_t target, const glm::ivec3& first, int count,
     const std::int32_t* closest) const;
   void storeIds(std::int64_t target, int count, const std::int32_t* closest) const;

@@ -10,6 +10,9 @@ struct TileField
 {
   static constexpr int kRow = 8;
   static constexpr int kPoints = kRow * kRow * kRow;
+  /// Squared distance, local units, up to which single precision tells sites and distances apart to
+  /// 1e-3. Grids around a mesh have hardly any larger ones.
+  static constexpr float kFarSquared = 4096.0f * 4096.0f;
 
   static int index(int i, int j, int k) { return (k * kRow + j) * kRow + i; }
 

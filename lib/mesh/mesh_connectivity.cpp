@@ -3,13 +3,14 @@
 #include "base/disjoint_sets.h"
 
 #include "medial/error.h"
+#include "mesh/edge_list.h"
+#include "mesh/manifold_part.h"
 
-#include <OpenMesh/Core/Mesh/TriConnectivity.hh>
 #include <glm/glm.hpp>
 
 #include <algorithm>
+#include <numeric>
 #include <sstream>
-#include <unordered_map>
 
 namespace medial
 {
@@ -17,9 +18,7 @@ namespace medial
 namespace
 {
 
-/// Connectivity alone: the points stay in TriangleMesh.
-using HalfEdgeMesh = OpenMesh::TriConnectivity;
-using Triangle = std::array<int, 3>;
+using Triangle = ManifoldPart::Triangle;
 
 constexpr int kNone = -1;
 
@@ -64,145 +63,41 @@ void requireValid(const TriangleMesh& mesh)
   }
 }
 
-/// The half-edge mesh of those triangles that together form an oriented manifold.
-class ManifoldPart
+/// Gives edges their ids: first come, first numbered.
+class EdgeNumbers
 {
 public:
-  explicit ManifoldPart(const TriangleMesh& mesh)
-  {
-    mesh_.reserve(mesh.points.size(), 3 * mesh.triangles.size() / 2, mesh.triangles.size());
-    for (std::size_t i = 0; i < mesh.points.size(); ++i)
-    {
-      mesh_.new_vertex();
-    }
-  }
-
-  /// Adds a triangle. False if it does not fit and was left out.
-  bool add(const Triangle& t)
-  {
-    const HalfEdgeMesh::VertexHandle v[3] = { mesh_.vertex_handle(t[0]), mesh_.vertex_handle(t[1]),
-      mesh_.vertex_handle(t[2]) };
-    return fits(v) && mesh_.add_face(v[0], v[1], v[2]).is_valid();
-  }
-
-  int edgeCount() const { return static_cast<int>(mesh_.n_edges()); }
-
-  std::array<int, 2> edge(int id) const
-  {
-    const auto halfEdge = mesh_.halfedge_handle(mesh_.edge_handle(id), 0);
-    return { mesh_.from_vertex_handle(halfEdge).idx(), mesh_.to_vertex_handle(halfEdge).idx() };
-  }
-
-  /// Edges of an accepted triangle; `face` counts the accepted ones.
-  Triangle edgesOf(int face, const Triangle& t) const
-  {
-    Triangle result{};
-    auto halfEdge = mesh_.halfedge_handle(mesh_.face_handle(face));
-    for (int i = 0; i < 3; ++i)
-    {
-      const int corner = mesh_.from_vertex_handle(halfEdge).idx();
-      result[corner == t[0] ? 0 : (corner == t[1] ? 1 : 2)] = mesh_.edge_handle(halfEdge).idx();
-      halfEdge = mesh_.next_halfedge_handle(halfEdge);
-    }
-    return result;
-  }
-
-  int find(int a, int b) const
-  {
-    const auto halfEdge = mesh_.find_halfedge(mesh_.vertex_handle(a), mesh_.vertex_handle(b));
-    return halfEdge.is_valid() ? mesh_.edge_handle(halfEdge).idx() : kNone;
-  }
-
-  /// Points whose triangles form several fans.
-  int pointsWithGaps() const
-  {
-    int count = 0;
-    for (const auto vertex : mesh_.vertices())
-    {
-      count += mesh_.is_manifold(vertex) ? 0 : 1;
-    }
-    return count;
-  }
-
-private:
-  /// The conditions of add_face itself. It would print what it refuses, and the library never
-  /// prints.
-  bool fits(const HalfEdgeMesh::VertexHandle (&v)[3]) const
-  {
-    HalfEdgeMesh::HalfedgeHandle sides[3];
-    for (int i = 0; i < 3; ++i)
-    {
-      sides[i] = mesh_.find_halfedge(v[i], v[(i + 1) % 3]);
-      if (!mesh_.is_boundary(v[i]) || (sides[i].is_valid() && !mesh_.is_boundary(sides[i])))
-      {
-        return false;
-      }
-    }
-    for (int i = 0; i < 3; ++i)
-    {
-      if (!canJoin(sides[i], sides[(i + 1) % 3]))
-      {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  /// Whether two boundary half-edges that meet can follow each other around a new face. The faces
-  /// between them must then move into another gap of their vertex.
-  bool canJoin(HalfEdgeMesh::HalfedgeHandle before, HalfEdgeMesh::HalfedgeHandle after) const
-  {
-    if (!before.is_valid() || !after.is_valid() || mesh_.next_halfedge_handle(before) == after)
-    {
-      return true;
-    }
-    auto gap = mesh_.opposite_halfedge_handle(after);
-    do
-    {
-      gap = mesh_.opposite_halfedge_handle(mesh_.next_halfedge_handle(gap));
-    } while (!mesh_.is_boundary(gap));
-    return gap != before;
-  }
-
-  HalfEdgeMesh mesh_;
-};
-
-/// All edges: those of the manifold part, then those of other triangles and of segments.
-class EdgeTable
-{
-public:
-  EdgeTable(const ManifoldPart& manifold, std::vector<std::array<int, 2>>& edges)
-    : manifold_(manifold)
+  EdgeNumbers(int count, std::vector<std::array<int, 2>>& edges)
+    : ids_(count, kNone)
     , edges_(edges)
   {
-    for (int i = 0; i < manifold_.edgeCount(); ++i)
-    {
-      edges_.push_back(manifold_.edge(i));
-    }
+    edges_.reserve(count);
   }
 
-  int findOrAdd(int a, int b)
+  /// Returns the id of an edge from point a to point b.
+  int of(int edge, int a, int b)
   {
-    const int known = manifold_.find(a, b);
-    if (known != kNone)
+    if (ids_[edge] == kNone)
     {
-      return known;
-    }
-    const auto low = static_cast<std::uint64_t>(std::min(a, b));
-    const auto high = static_cast<std::uint64_t>(std::max(a, b));
-    const auto [entry, isNew] =
-      others_.try_emplace(low << 32 | high, static_cast<int>(edges_.size()));
-    if (isNew)
-    {
+      ids_[edge] = static_cast<int>(edges_.size());
       edges_.push_back({ a, b });
     }
-    return entry->second;
+    return ids_[edge];
+  }
+
+  Triangle of(const Triangle& sides, const Triangle& corners)
+  {
+    Triangle ids{};
+    for (int i = 0; i < 3; ++i)
+    {
+      ids[i] = this->of(sides[i], corners[i], corners[(i + 1) % 3]);
+    }
+    return ids;
   }
 
 private:
-  const ManifoldPart& manifold_;
+  std::vector<int> ids_;
   std::vector<std::array<int, 2>>& edges_;
-  std::unordered_map<std::uint64_t, int> others_;
 };
 
 /// Inverts lists of N values: row v of the result has the indices of the lists that contain v, in
@@ -232,32 +127,31 @@ IncidenceLists invert(const std::vector<std::array<int, N>>& lists, std::size_t 
   return result;
 }
 
+/// Numbers the edges of the manifold part, then those of other triangles and of segments.
 void buildEdges(const TriangleMesh& mesh, MeshConnectivity& connectivity)
 {
-  ManifoldPart manifold(mesh);
-  std::vector<char> accepted(mesh.triangles.size());
-  std::transform(mesh.triangles.begin(), mesh.triangles.end(), accepted.begin(),
-    [&](const Triangle& t) { return manifold.add(t) ? 1 : 0; });
-
-  EdgeTable table(manifold, connectivity.edges);
-  connectivity.triangleEdges.reserve(mesh.triangles.size());
-  int face = 0;
+  const EdgeList list(mesh);
+  EdgeNumbers numbers(list.size(), connectivity.edges);
+  ManifoldPart manifold(mesh.points.size(), list.size());
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
   {
-    const Triangle& t = mesh.triangles[i];
-    if (accepted[i])
+    const bool accepted = manifold.add(mesh.triangles[i], list.ofTriangle(i));
+    if (accepted)
     {
-      connectivity.triangleEdges.push_back(manifold.edgesOf(face++, t));
-      continue;
+      numbers.of(list.ofTriangle(i), mesh.triangles[i]);
     }
-    connectivity.triangleEdges.push_back(
-      { table.findOrAdd(t[0], t[1]), table.findOrAdd(t[1], t[2]), table.findOrAdd(t[2], t[0]) });
+    connectivity.nonManifoldTriangles += accepted ? 0 : 1;
   }
-  for (const auto& segment : mesh.segments)
+  connectivity.triangleEdges.reserve(mesh.triangles.size());
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
   {
-    connectivity.segmentEdges.push_back(table.findOrAdd(segment[0], segment[1]));
+    connectivity.triangleEdges.push_back(numbers.of(list.ofTriangle(i), mesh.triangles[i]));
   }
-  connectivity.nonManifoldTriangles = static_cast<int>(mesh.triangles.size()) - face;
+  for (std::size_t i = 0; i < mesh.segments.size(); ++i)
+  {
+    const auto& [a, b] = mesh.segments[i];
+    connectivity.segmentEdges.push_back(numbers.of(list.ofSegment(i), a, b));
+  }
   connectivity.nonManifoldPoints = manifold.pointsWithGaps();
 }
 

@@ -319,7 +319,6 @@ bool SurfaceQuery::trySite(int site, Search& search) const
 {
   const SitePoint candidate = closestPoint(sites_, site, search.x);
   const double distance = glm::distance(candidate.point, search.x);
-  // Not a number for edges whose ends rounding has made one.
   const bool nearer = distance < search.distance;
   if (nearer)
   {

@@ -12,7 +12,8 @@ SitePoint closestOnEdge(const SiteSet& sites, int edge, const glm::dvec3& x)
   const glm::dvec3& q = sites.points()[ends[1]];
   const glm::dvec3 along = q - p;
   const double t = glm::dot(x - p, along) / glm::dot(along, along);
-  if (t <= 0.0)
+  // Not a number where rounding has made the ends one point.
+  if (!(t > 0.0))
   {
     return { sites.firstVertex() + ends[0], p };
   }

@@ -14,6 +14,8 @@ struct GridFrame : LocalCoordinates
   explicit GridFrame(const Grid& grid);
 
   glm::dvec3 sample(const glm::dvec3& index) const { return first + index * step; }
+  /// Distance of the farthest grid point from the origin, local units.
+  double reach() const { return glm::length(first); }
 };
 
 } // namespace medial

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <utility>
 
 namespace medial
 {
@@ -24,6 +25,14 @@ HalfSpace halfSpace(const glm::dvec3& normal, const glm::dvec3& pointOnPlane)
 glm::dvec3 conormal(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& faceNormal)
 {
   return glm::normalize(glm::cross(b - a, faceNormal));
+}
+
+/// Returns the unit vector between two points. It is zero where rounding has made them one; a
+/// half-space of it holds everything.
+glm::dvec3 direction(const glm::dvec3& from, const glm::dvec3& to)
+{
+  const glm::dvec3 vector = to - from;
+  return glm::length(vector) > 0.0 ? glm::normalize(vector) : glm::dvec3(0.0);
 }
 
 } // namespace
@@ -57,6 +66,10 @@ void SiteSet::buildGeometry(const TriangleMesh& mesh, const MeshConnectivity& co
     faceEdges_.emplace_back(edges[0], edges[1], edges[2]);
   }
   active_.assign(this->size(), 1);
+  for (int edge = 0; edge < this->edgeCount(); ++edge)
+  {
+    active_[this->firstEdge() + edge] = this->edgeLength(edge) > 0.0;
+  }
 }
 
 void SiteSet::buildNormals(const TriangleMesh& mesh)
@@ -74,7 +87,7 @@ void SiteSet::buildNormals(const TriangleMesh& mesh)
     {
       faceNormals_.emplace_back(0.0);
       active_[face] = 0;
-      active_[this->firstEdge() + faceEdges_[face][longest]] = 0;
+      active_[this->firstEdge() + this->coveredEdge(face)] = 0;
       continue;
     }
     faceNormals_.push_back(glm::normalize(glm::cross(vector(a, b), vector(a, c))));
@@ -101,6 +114,19 @@ int SiteSet::longestEdge(int face) const
     }
   }
   return longest;
+}
+
+double SiteSet::edgeLength(int edge) const
+{
+  return glm::distance(points_[edges_[edge][0]], points_[edges_[edge][1]]);
+}
+
+int SiteSet::coveredEdge(int face) const
+{
+  const auto shorter = [this](int a, int b)
+  { return std::pair(this->edgeLength(a), a) < std::pair(this->edgeLength(b), b); };
+  const glm::ivec3& edges = faceEdges_[face];
+  return std::max({ edges[0], edges[1], edges[2] }, shorter);
 }
 
 void SiteSet::buildBalls()
@@ -209,7 +235,7 @@ void SiteSet::setEdgeHalfSpaces(int edge, const MeshConnectivity& connectivity,
 {
   const glm::dvec3& p = points_[edges_[edge][0]];
   const glm::dvec3& q = points_[edges_[edge][1]];
-  const glm::dvec3 u = glm::normalize(q - p);
+  const glm::dvec3 u = direction(p, q);
   *out++ = halfSpace(-u, p);
   *out++ = halfSpace(u, q);
   for (const int* face = connectivity.edgeTriangles.begin(edge);
@@ -237,7 +263,7 @@ void SiteSet::setVertexHalfSpaces(int vertex, const MeshConnectivity& connectivi
   {
     const glm::ivec2& ends = edges_[*edge];
     const glm::dvec3& other = points_[ends[0] == vertex ? ends[1] : ends[0]];
-    *out++ = halfSpace(glm::normalize(other - p), p);
+    *out++ = halfSpace(direction(p, other), p);
   }
 }
 

@@ -49,8 +49,9 @@ public:
   int firstEdge() const { return this->faceCount(); }
   int firstVertex() const { return this->faceCount() + this->edgeCount(); }
 
-  /// False for triangles that are too thin, since their edges stand for them, and for the longest
-  /// edge of a triangle without area, since the other two stand for it.
+  /// False for triangles that are too thin, since their edges stand for them, for the longest edge
+  /// of a triangle without area, since the other two stand for it, and for edges whose ends are one
+  /// point after rounding.
   bool active(int site) const { return active_[site] != 0; }
 
   const std::vector<glm::dvec3>& points() const { return points_; }
@@ -81,6 +82,10 @@ private:
   void buildGeometry(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
     const LocalCoordinates& local);
   void buildNormals(const TriangleMesh& mesh);
+  double edgeLength(int edge) const;
+  /// The edge for which the others of a triangle without area stand: the longest. Of equal ones it
+  /// is that with the highest id, so that around a ring of such triangles one edge stays.
+  int coveredEdge(int face) const;
   void buildBalls();
   void buildHalfSpaces(const MeshConnectivity& connectivity);
   int halfSpaceCount(int site, const MeshConnectivity& connectivity) const;

@@ -17,7 +17,7 @@ DOCUMENTS = ("copyright", "changelog.gz", "changelog.Debian.gz")
 
 # What each package must depend on, without versions. Those of libraries are found by dpkg-shlibdeps.
 NEEDED = {
-    LIBRARY: {"libc6", "libepoxy0", "libopenmesh1", "libstdc++6", "libtbb12", "libvtk9.1"},
+    LIBRARY: {"libc6", "libepoxy0", "libstdc++6", "libtbb12", "libvtk9.1"},
     "libmedial-dev": set(),
     "medial-tools": {"libc6", "libstdc++6", "libvtk9.1", "libx11-6"},
     "python3-medial": {"libc6", "libstdc++6", "libvtk9.1", "python3", "python3-numpy", "python3-vtk9"},

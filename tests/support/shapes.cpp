@@ -303,6 +303,24 @@ TriangleMesh blocks(const std::vector<std::string>& rows, double halfHeight)
   return soup.build();
 }
 
+TriangleMesh hair(double halfLength, int sides)
+{
+  constexpr double kRadius = 1e-17;
+  std::vector<Point3> points;
+  std::vector<std::array<int, 3>> triangles;
+  for (int i = 0; i < sides; ++i)
+  {
+    // An angle without symmetry, lest coordinates are equal.
+    const double y = kRadius * std::cos(1.0 + 1.1 * i);
+    const double z = kRadius * std::sin(1.0 + 1.1 * i);
+    const int next = (i + 1) % sides;
+    points.insert(points.end(), { { -halfLength, y, z }, { halfLength, y, z } });
+    triangles.push_back({ 2 * i, 2 * next, 2 * i + 1 });
+    triangles.push_back({ 2 * next, 2 * next + 1, 2 * i + 1 });
+  }
+  return makeMesh(points, triangles);
+}
+
 TriangleMesh randomSoup(int n, std::uint32_t seed)
 {
   std::mt19937 random(seed);

@@ -55,6 +55,10 @@ TriangleMesh regularTetrahedron(double edge);
 /// the first block at the origin; blocks that share no face must not touch.
 TriangleMesh blocks(const std::vector<std::string>& rows, double halfHeight);
 
+/// An open tube with `sides` sides along the x axis, |x| <= halfLength, that is thinner than the
+/// rounding of any local coordinates: triangles without area, whose long edges are equally long.
+TriangleMesh hair(double halfLength, int sides);
+
 /// n triangles without common points, corners uniformly random in [-1, 1]^3.
 TriangleMesh randomSoup(int n, std::uint32_t seed);
 

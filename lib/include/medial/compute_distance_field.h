@@ -17,8 +17,10 @@ namespace medial
 /// and the depth test keeps the nearest. The processor evaluates the same affine functions tile by
 /// tile. Both then compute exact distances from the closest sites.
 ///
-/// @throws Error InvalidInput (empty mesh, bad grid, impossible sign), NoGpu and GpuLimit (with the
-///   rasteriser or requireHardware), OutOfMemory, Cancelled.
+/// @throws Error InvalidInput (empty mesh, bad grid, impossible sign; a mesh or grid that reaches
+///   farther than 1e18 times the finest spacing from the middle of the grid; with the rasteriser,
+///   grid points that may be farther than 32768 times that spacing from the mesh), NoGpu and
+///   GpuLimit (with the rasteriser or requireHardware), OutOfMemory, Cancelled.
 MEDIAL_EXPORT DistanceField computeDistanceField(const TriangleMesh& mesh, const Grid& grid,
   const DistanceFieldOptions& options = {});
 

@@ -40,7 +40,9 @@ struct DistanceFieldOptions
 /// extent, x fastest. A null pointer means that the array is not wanted.
 struct FieldArrays
 {
-  float* distance = nullptr;              ///< world units; negative inside unless unsigned
+  /// World units; negative inside unless unsigned. The nearest number of single precision where it
+  /// is over 4096 times the finest spacing.
+  float* distance = nullptr;
   float* closestPoint = nullptr;          ///< world coordinates, xyz
   std::int32_t* closestSite = nullptr;    ///< in [0, F+E+V): faces, then edges, then vertices
   std::uint8_t* closestFeature = nullptr; ///< a value of Feature

@@ -61,10 +61,10 @@ struct MEDIAL_EXPORT MeshConnectivity
   bool oriented() const { return misorientedEdges == 0; }
 };
 
-/// Analyses the connectivity of a mesh. OpenMesh finds that of the manifold part; triangles that it
-/// refuses are connected through their edges. The numbering depends only on the order of the mesh's
-/// lists. The time is linear in the size of the mesh, but can be quadratic in the number of
-/// triangles around one point.
+/// Analyses the connectivity of a mesh. The edges of its manifold part have the first ids, then
+/// come those of the triangles that it refuses, then the segments'. The numbering depends only on
+/// the order of the mesh's lists. The time is n log n in the size of the mesh, however many
+/// triangles meet at a point.
 /// @throws Error InvalidInput for a point id that is out of range or repeated within a triangle or
 ///   segment, and for lists of cell ids of the wrong size; meshes from buildTriangleMesh() have
 ///   neither.

@@ -137,7 +137,7 @@ protected:
   const Grid& grid_ = GetParam().grid;
   const GridFrame frame_{ grid_ };
   const SiteSet sites_{ mesh_, analyseConnectivity(mesh_), frame_ };
-  const CandidateFilter filter_{ sites_ };
+  const CandidateFilter filter_{ sites_, frame_ };
 };
 
 std::vector<glm::dvec3> indicesOf(const Extent& extent)
@@ -215,7 +215,7 @@ TEST(CandidateTiles, LeaveMostSitesOut)
   const TriangleMesh mesh = torus(1.0, 0.4, 60, 30);
   const Grid grid = makeGrid(mesh.bounds(), 64, 0.1);
   const SiteSet sites(mesh, analyseConnectivity(mesh), GridFrame(grid));
-  const CandidateFilter filter(sites);
+  const CandidateFilter filter(sites, GridFrame(grid));
   const CandidateHierarchy hierarchy(filter, GridFrame(grid), grid.wholeExtent(), TileHull::Points);
   std::size_t tiles = 0;
   std::size_t pairs = 0;

@@ -102,6 +102,13 @@ TriangleMesh needles()
   return tilted(makeMesh(points, triangles));
 }
 
+/// Two triangles without area on the same points, each with two longest edges.
+TriangleMesh tiedSlivers()
+{
+  return makeMesh({ { 0.0, 0.0, 0.0 }, { 0.0, 1e-13, 0.0 }, { 1.0, 0.0, 0.0 } },
+    { { 0, 1, 2 }, { 2, 0, 1 } });
+}
+
 /// Two nearly parallel sheets of long strips, whose edges between coplanar triangles have regions
 /// of hardly any width. They diverge, and seen from z = 0 one is `excess` farther away than the
 /// other.
@@ -149,6 +156,8 @@ std::vector<OddInput> oddMeshes()
     around("edgeWithThreeFaces", fan(3)), around("edgeWithFiveFaces", fan(5)),
     around("bowTie", bowTie()), around("duplicates", duplicates()),
     around("zeroAreaTriangles", zeroAreaTriangles()), around("needles", needles()),
+    around("tiedSlivers", tiedSlivers()),
+    around("hair", appended(hair(0.5, 6), translated(plates(0.1, 0.3), { 0.0, 0.5, 0.2 }))),
     around("trianglesSegmentsPoints", strayCells()),
     around("triangle",
       makeMesh({ { 0.0, 0.0, 0.0 }, { 1.0, 0.1, 0.2 }, { 0.3, 0.8, 0.4 } }, { { 0, 1, 2 } })),

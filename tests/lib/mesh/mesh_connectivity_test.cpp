@@ -6,7 +6,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <map>
+#include <random>
 #include <set>
 
 using namespace medial;
@@ -100,6 +103,77 @@ TriangleMesh moebiusStrip(int segments)
       { { 2 * i, next, 2 * i + 1 }, { 2 * i + 1, next, nextOther } });
   }
   return makeMesh(points, triangles);
+}
+
+/// Whether the triangles around a point of a manifold may be these, given as pairs of their other
+/// points: one cycle, or paths only.
+bool isCycleOrPaths(const std::map<int, int>& next)
+{
+  std::set<int> targets;
+  for (const auto& [from, to] : next)
+  {
+    targets.insert(to);
+  }
+  if (targets.size() != next.size())
+  {
+    return false;
+  }
+  std::size_t onPaths = 0;
+  for (auto start = next.begin(); start != next.end(); ++start)
+  {
+    const bool starts = targets.count(start->first) == 0;
+    for (auto at = starts ? start : next.end(); at != next.end(); at = next.find(at->second))
+    {
+      ++onPaths;
+    }
+  }
+  std::size_t onCycle = 1;
+  for (auto at = next.find(next.begin()->second); at != next.end() && at != next.begin();
+       at = next.find(at->second))
+  {
+    ++onCycle;
+  }
+  return onPaths == next.size() || (onPaths == 0 && onCycle == next.size());
+}
+
+/// The number of triangles that do not fit a manifold when they are added in their order, found
+/// from all neighbours of each corner.
+int refusedTriangles(const TriangleMesh& mesh)
+{
+  std::vector<std::map<int, int>> next(mesh.points.size());
+  int refused = 0;
+  for (const auto& t : mesh.triangles)
+  {
+    auto changed = next;
+    bool fits = true;
+    for (int i = 0; i < 3; ++i)
+    {
+      auto& around = changed[t[i]];
+      fits =
+        fits && around.emplace(t[(i + 1) % 3], t[(i + 2) % 3]).second && isCycleOrPaths(around);
+    }
+    refused += fits ? 0 : 1;
+    next = fits ? changed : next;
+  }
+  return refused;
+}
+
+/// A double cone over a rim; its triangles are given in a random order.
+TriangleMesh doubleCone(int rim)
+{
+  TriangleMesh mesh;
+  mesh.points = { { 0, 0, 1 }, { 0, 0, -1 } };
+  for (int i = 0; i < rim; ++i)
+  {
+    const double angle = 2.0 * std::acos(-1.0) * i / rim;
+    mesh.points.push_back({ std::cos(angle), std::sin(angle), 0.0 });
+    const int next = (i + 1) % rim;
+    mesh.triangles.push_back({ 0, 2 + i, 2 + next });
+    mesh.triangles.push_back({ 1, 2 + next, 2 + i });
+  }
+  std::shuffle(mesh.triangles.begin(), mesh.triangles.end(), std::mt19937(3));
+  mesh.triangleCells.resize(mesh.triangles.size());
+  return mesh;
 }
 
 struct Figures
@@ -309,6 +383,46 @@ TEST(Topology, ComponentsAreConnectedThroughPoints)
     makeMesh({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 5 }, { 9, 9, 9 }, { 8, 8, 8 } },
       { { 0, 1, 2 } }, { { 0, 3 } }, { 4, 5 });
   EXPECT_EQ(analysed(mixed).components, 3);
+}
+
+TEST(Topology, TheManifoldPartIsThatOfAHalfEdgeMesh)
+{
+  std::mt19937 random(7);
+  int refused = 0;
+  for (int run = 0; run < 2000; ++run)
+  {
+    TriangleMesh mesh;
+    mesh.points.resize(4 + random() % 5);
+    const auto point = [&] { return static_cast<int>(random() % mesh.points.size()); };
+    for (int i = 0; i < 14; ++i)
+    {
+      // Every other mesh has all triangles around one point.
+      const std::array<int, 3> t{ run % 2 == 0 ? 0 : point(), point(), point() };
+      if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0])
+      {
+        mesh.triangles.push_back(t);
+      }
+    }
+    mesh.triangleCells.resize(mesh.triangles.size());
+    const int truth = refusedTriangles(mesh);
+    ASSERT_EQ(analysed(mesh).nonManifoldTriangles, truth) << run;
+    refused += truth;
+  }
+  EXPECT_GT(refused, 2000);
+}
+
+/// The time was quadratic: minutes here.
+TEST(Topology, IsQuickHoweverManyTrianglesMeetAtAPoint)
+{
+  constexpr int kRim = 200000;
+  const TriangleMesh mesh = doubleCone(kRim);
+  const auto start = std::chrono::steady_clock::now();
+  const MeshConnectivity connectivity = analyseConnectivity(mesh);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  EXPECT_LT(seconds.count(), 20.0);
+  EXPECT_TRUE(connectivity.closed() && connectivity.manifold() && connectivity.oriented());
+  EXPECT_EQ(connectivity.edges.size(), 3u * kRim);
+  EXPECT_EQ(connectivity.pointEdges.size(0), kRim);
 }
 
 TEST(Topology, RefusesBrokenMeshes)

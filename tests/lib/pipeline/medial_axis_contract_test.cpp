@@ -55,6 +55,8 @@ std::vector<AxisCase> cases()
   const Point3 h{ 0.057, 0.057, 0.057 };
   std::vector<AxisCase> result{ around("soup", randomSoup(40, 6), Side::Both),
     around("lPrism", lPrism(1.0, 0.6), Side::Both),
+    around("hair", appended(hair(0.5, 6), translated(plates(0.1, 0.5), { 0.0, 0.1, 0.4 })),
+      Side::Both),
     around("thinEllipsoid", ellipsoid(1.0, 0.7, 0.05, 3), Side::Interior),
     around("farAway", translated(torus(0.5, 0.2, 24, 12), { 1e4, -2e4, 3e4 }), Side::Interior),
     around("tiny", scaled(torus(0.5, 0.2, 24, 12), 1e-6), Side::Interior),

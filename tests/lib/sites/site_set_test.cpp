@@ -188,6 +188,30 @@ TEST(SiteSet, ShortEdgesStandForTrianglesWithoutArea)
   EXPECT_TRUE(sites.active(sites.firstEdge() + edges[2]));
 }
 
+/// Each of two triangles could leave another of two equal edges out, and each edge of a ring.
+TEST(SiteSet, OneOfTiedLongestEdgesStays)
+{
+  const TriangleMesh mesh = makeMesh({ { 0.0, 0.0, 0.0 }, { 0.0, 1e-13, 0.0 }, { 1.0, 0.0, 0.0 } },
+    { { 0, 1, 2 }, { 2, 0, 1 } });
+  const SiteSet sites(mesh, analyseConnectivity(mesh), GridFrame(makeGrid(mesh.bounds(), 16, 0.1)));
+  int active = 0;
+  for (int edge = 0; edge < sites.edgeCount(); ++edge)
+  {
+    active += sites.active(sites.firstEdge() + edge) ? 1 : 0;
+  }
+  EXPECT_EQ(active, 2);
+}
+
+TEST(SiteSet, EdgesWhoseEndsAreOnePointAreNotActive)
+{
+  const TriangleMesh mesh = makeMesh({ { 0.0, 0.0, 0.0 }, { 0.0, 1e-17, 0.0 }, { 1.0, 1.0, 0.0 } },
+    {}, { { 0, 1 }, { 1, 2 } });
+  const SiteSet sites(mesh, analyseConnectivity(mesh), GridFrame(makeGrid(mesh.bounds(), 16, 0.1)));
+  EXPECT_FALSE(sites.active(sites.firstEdge()));
+  EXPECT_TRUE(sites.active(sites.firstEdge() + 1));
+  EXPECT_EQ(closestPoint(sites, sites.firstEdge(), glm::dvec3(0.0)).point, sites.points()[0]);
+}
+
 /// Every edge here belongs to several triangles without area, so a search along edges has very many
 /// ways to go.
 TEST(Pseudonormals, AreQuickForPilesOfTrianglesWithoutArea)

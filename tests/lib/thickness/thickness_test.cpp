@@ -318,3 +318,16 @@ TEST(Thickness, OfBothSidesIsTheSmaller)
   EXPECT_GT(outside.without, 0);
   EXPECT_EQ(both.without, 0);
 }
+
+// The ball under the middle of the plate touches the tube, whose triangles have no area.
+TEST(Thickness, AHairIsSeen)
+{
+  constexpr double kGap = 0.4;
+  const TriangleMesh plate =
+    makeMesh({ { 0, -0.5, kGap }, { 0, 0, kGap }, { 0.1, 0.5, kGap }, { -0.1, 0.5, kGap } },
+      { { 0, 1, 2 }, { 0, 3, 1 }, { 1, 3, 2 } });
+  const TriangleMesh mesh = appended(plate, hair(0.6, 6));
+  const Thickness thickness = thicknessOf(mesh, Side::Both);
+  EXPECT_EQ(mesh.points[1][1], 0.0);
+  EXPECT_NEAR(thickness.values[1], kGap, kRounding);
+}

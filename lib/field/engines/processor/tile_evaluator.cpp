@@ -241,19 +241,27 @@ MEDIAL_INLINE std::int64_t evaluateEdge(const Tile& tile, const SiteSet& sites, 
     boundCount, slack);
 }
 
-/// Whether some point has no site.
-MEDIAL_INLINE bool hasHoles(const Tile& tile)
+/// Whether functions over a tile have large values wherever its sites are.
+bool isLong(const Extent& extent, const glm::dvec3& step)
+{
+  const glm::dvec3 cells(extent.size(0) - 1, extent.size(1) - 1, extent.size(2) - 1);
+  const glm::dvec3 diagonal = cells * step;
+  return glm::dot(diagonal, diagonal) > static_cast<double>(TileField::kFarSquared);
+}
+
+/// Whether some point is far from its site, or has none.
+MEDIAL_INLINE bool hasFarPoints(const Tile& tile)
 {
   const Int8 used = ramp() <= tile.lastX;
-  Int8 holes{};
+  Int8 far{};
   for (int k = 0; k < tile.slices; ++k)
   {
     for (int j = 0; j < tile.rows; ++j)
     {
-      holes |= loadedInts(tile.field.site + TileField::index(0, j, k)) < 0;
+      far |= loaded(tile.field.squared + TileField::index(0, j, k)) > TileField::kFarSquared;
     }
   }
-  return bits(holes & used) != 0;
+  return bits(far & used) != 0;
 }
 
 glm::dvec4 plane(const glm::dvec3& normal, const glm::dvec3& point)
@@ -327,6 +335,11 @@ MEDIAL_VECTORISED std::int64_t TileEvaluator::evaluate(const Extent& extent, con
     extent.size(1), extent.size(2), static_cast<float>(extent.size(0) - 1), field };
   std::fill(std::begin(field.squared), std::end(field.squared), std::numeric_limits<float>::max());
   std::fill(std::begin(field.site), std::end(field.site), -1);
+  if (isLong(extent, frame_.step))
+  {
+    this->queryFarPoints(extent, candidates, count, field);
+    return extent.pointCount() * static_cast<std::int64_t>(count);
+  }
   std::int64_t rows = 0;
   for (const int* candidate = candidates; candidate != candidates + count; ++candidate)
   {
@@ -354,14 +367,14 @@ MEDIAL_VECTORISED std::int64_t TileEvaluator::evaluate(const Extent& extent, con
       }
     }
   }
-  if (hasHoles(tile))
+  if (hasFarPoints(tile))
   {
-    this->fillHoles(extent, candidates, count, field);
+    this->queryFarPoints(extent, candidates, count, field);
   }
   return rows * extent.size(0);
 }
 
-void TileEvaluator::fillHoles(const Extent& extent, const int* candidates, std::size_t count,
+void TileEvaluator::queryFarPoints(const Extent& extent, const int* candidates, std::size_t count,
   TileField& field) const
 {
   for (int index = 0; index < TileField::kPoints; ++index)
@@ -370,20 +383,22 @@ void TileEvaluator::fillHoles(const Extent& extent, const int* candidates, std::
       index / TileField::kRow / TileField::kRow);
     const bool inside =
       point.x < extent.size(0) && point.y < extent.size(1) && point.z < extent.size(2);
-    if (!inside || field.site[index] >= 0)
+    if (!inside || field.squared[index] <= TileField::kFarSquared)
     {
       continue;
     }
     const glm::dvec3 x =
       frame_.sample(glm::dvec3(point + glm::ivec3(extent.min[0], extent.min[1], extent.min[2])));
+    double min = std::numeric_limits<double>::max();
     for (const int* site = candidates; site != candidates + count; ++site)
     {
       const SitePoint closest = closestPoint(sites_, *site, x);
       const glm::dvec3 vector = closest.point - x;
-      const auto squared = static_cast<float>(glm::dot(vector, vector));
-      if (squared < field.squared[index])
+      const double squared = glm::dot(vector, vector);
+      if (squared < min)
       {
-        field.squared[index] = squared;
+        min = squared;
+        field.squared[index] = static_cast<float>(squared);
         field.side[index] =
           static_cast<float>(-glm::dot(glm::dvec3(normals_[closest.site]), vector));
         field.site[index] = closest.site;

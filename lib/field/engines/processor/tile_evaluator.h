@@ -48,9 +48,10 @@ public:
 
 private:
   void setFaceSides(int face);
-  /// Fills grid points that the bounds of all candidates exclude, by exact queries. There should be
-  /// no such point; this makes sure of it.
-  void fillHoles(const Extent& extent, const int* candidates, std::size_t count,
+  /// Finds the sites of grid points that are far from what was found, or without a site, by exact
+  /// queries. So it does for points that the bounds of all candidates exclude; there should be
+  /// none, and this makes sure of it.
+  void queryFarPoints(const Extent& extent, const int* candidates, std::size_t count,
     TileField& field) const;
 
   const SiteSet& sites_;

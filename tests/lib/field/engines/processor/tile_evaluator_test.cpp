@@ -64,7 +64,7 @@ protected:
   GridFrame frame_{ grid_ };
   SiteSet sites_{ mesh_, analyseConnectivity(mesh_), frame_ };
   std::vector<glm::vec4> normals_ = pseudonormals(sites_, false);
-  TileEvaluator evaluator_{ sites_, normals_, frame_, CandidateFilter(sites_).slack() };
+  TileEvaluator evaluator_{ sites_, normals_, frame_, CandidateFilter(sites_, frame_).slack() };
 };
 
 TEST_F(EvaluatedTile, HoldsTheClosestOfAllSites)

@@ -55,7 +55,7 @@ protected:
   GridFrame frame_{ grid_ };
   SiteSet sites_{ mesh_, connectivity_, frame_ };
   Extent slab_ = grid_.wholeExtent();
-  CandidateFilter filter_{ sites_ };
+  CandidateFilter filter_{ sites_, frame_ };
   CandidateHierarchy hierarchy_{ filter_, frame_, slab_, TileHull::Points };
 };
 
