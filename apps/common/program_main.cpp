@@ -3,12 +3,10 @@
 #include "failure.h"
 #include "interrupt.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <new>
-#include <string>
 #include <system_error>
 
 namespace medial::app
@@ -16,17 +14,27 @@ namespace medial::app
 namespace
 {
 
-const std::string kFault = "a fault of the program: ";
 const char* programName = "";
 
-std::string inOneLine(std::string text)
+/// Allocates nothing, since there may be no memory.
+int report(ExitCode code, const char* kind, const char* message)
 {
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  return text;
+  std::fprintf(stderr, "%s: %s", programName, kind);
+  for (; *message != 0; ++message)
+  {
+    std::fputc(*message == '\n' ? ' ' : *message, stderr);
+  }
+  std::fputc('\n', stderr);
+  return static_cast<int>(code);
 }
 
-/// How the exception being handled ends a program.
-Failure failureOfException()
+int reportFault(const char* message)
+{
+  return report(ExitCode::Fault, "a fault of the program: ", message);
+}
+
+/// Reports the exception that is being handled; returns the exit code.
+int reportException()
 {
   try
   {
@@ -34,42 +42,32 @@ Failure failureOfException()
   }
   catch (const Failure& failure)
   {
-    return failure;
+    return report(failure.exitCode(), "", failure.what());
   }
   catch (const std::bad_alloc&)
   {
-    return { ExitCode::NoSpace, "not enough memory" };
+    return report(ExitCode::NoSpace, "", "not enough memory");
   }
   catch (const std::system_error& error)
   {
-    if (error.code() == std::errc::resource_unavailable_try_again)
-    {
-      return { ExitCode::NoSpace, std::string("the system has no more threads: ") + error.what() };
-    }
-    return { ExitCode::Fault, kFault + inOneLine(error.what()) };
+    return error.code() == std::errc::resource_unavailable_try_again
+      ? report(ExitCode::NoSpace, "the system has no more threads: ", error.what())
+      : reportFault(error.what());
   }
   catch (const std::exception& error)
   {
-    return { ExitCode::Fault, kFault + inOneLine(error.what()) };
+    return reportFault(error.what());
   }
   catch (...)
   {
-    return { ExitCode::Fault, kFault + "an exception of an unknown type" };
+    return reportFault("an exception of an unknown type");
   }
-}
-
-int report(const Failure& failure)
-{
-  std::fprintf(stderr, "%s: %s\n", programName, failure.what());
-  return static_cast<int>(failure.exitCode());
 }
 
 /// For exceptions that leave a destructor or a thread.
 [[noreturn]] void terminate()
 {
-  std::_Exit(
-    report(std::current_exception() ? failureOfException()
-                                    : Failure(ExitCode::Fault, kFault + "it was terminated")));
+  std::_Exit(std::current_exception() ? reportException() : reportFault("it was terminated"));
 }
 
 } // namespace
@@ -86,7 +84,7 @@ int runProgram(const char* name, const std::function<void()>& work)
   }
   catch (...)
   {
-    return report(failureOfException());
+    return reportException();
   }
 }
 

@@ -40,13 +40,16 @@ TEST(ProgramMainDeathTest, ALackOfMemoryOrThreadsIsNoFaultOfTheProgram)
   expectEnd(kNoSpace, "not enough memory", [] { throw std::bad_alloc(); });
   expectEnd(kNoSpace, "not enough memory", [] { throw std::bad_array_new_length(); });
   expectEnd(kNoSpace, "the system has no more threads: .*",
-    [] { throw std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again)); });
+    []
+    { throw std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again)); });
 }
 
 TEST(ProgramMainDeathTest, AnyOtherExceptionIsAFaultOfTheProgram)
 {
-  expectEnd(kFault, "a fault of the program: vector::at", [] { throw std::out_of_range("vector::at"); });
-  expectEnd(kFault, "a fault of the program: two lines", [] { throw std::logic_error("two\nlines"); });
+  expectEnd(kFault, "a fault of the program: vector::at",
+    [] { throw std::out_of_range("vector::at"); });
+  expectEnd(kFault, "a fault of the program: two lines",
+    [] { throw std::logic_error("two\nlines"); });
   expectEnd(kFault, "a fault of the program: an exception of an unknown type", [] { throw 1; });
 }
 

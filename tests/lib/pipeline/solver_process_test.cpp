@@ -13,8 +13,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-// How solvers end together with their process, and what is left of them in a child. Each test runs in
-// a process of its own, which an alarm ends if it hangs.
+// How solvers end together with their process, and what is left of them in a child. Each test runs
+// in a process of its own, which an alarm ends if it hangs.
 
 namespace medial::test
 {
@@ -56,8 +56,8 @@ std::string refusal(MedialSolver& solver, Engine engine)
   }
 }
 
-/// Runs `work` in a child by fork(). The child ends by _exit(), as those of Python's multiprocessing
-/// do: in exit() Mesa waits for threads that only the parent has.
+/// Runs `work` in a child by fork(). The child ends by _exit(), as those of Python's
+/// multiprocessing do: in exit() Mesa waits for threads that only the parent has.
 template <typename Work>
 int exitCodeOfChild(const Work& work)
 {
