@@ -2,6 +2,8 @@
 
 #include "failure.h"
 #include "interrupt.h"
+#include "output_file.h"
+#include "vtk_messages.h"
 
 #include <cstdio>
 #include <cstdlib>
@@ -67,6 +69,7 @@ int reportException()
 /// For exceptions that leave a destructor or a thread.
 [[noreturn]] void terminate()
 {
+  OutputFile::removeTemporaries();
   std::_Exit(std::current_exception() ? reportException() : reportFault("it was terminated"));
 }
 
@@ -79,6 +82,7 @@ int runProgram(const char* name, const std::function<void()>& work)
   std::set_terminate(terminate);
   try
   {
+    const VtkMessages silence; // a failure is one line, and not also those of VTK
     work();
     return static_cast<int>(ExitCode::Done);
   }
