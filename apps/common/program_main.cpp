@@ -5,11 +5,12 @@
 #include "output_file.h"
 #include "vtk_messages.h"
 
+#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <exception>
 #include <new>
-#include <system_error>
 
 namespace medial::app
 {
@@ -35,6 +36,13 @@ int reportFault(const char* message)
   return report(ExitCode::Fault, "a fault of the program: ", message);
 }
 
+/// Whether the system refused to start a thread. TBB throws std::runtime_error then, whose message
+/// ends with the system's.
+bool isLackOfThreads(const std::exception& error)
+{
+  return std::strstr(error.what(), std::strerror(EAGAIN)) != nullptr;
+}
+
 /// Reports the exception that is being handled; returns the exit code.
 int reportException()
 {
@@ -50,15 +58,11 @@ int reportException()
   {
     return report(ExitCode::NoSpace, "", "not enough memory");
   }
-  catch (const std::system_error& error)
-  {
-    return error.code() == std::errc::resource_unavailable_try_again
-      ? report(ExitCode::NoSpace, "the system has no more threads: ", error.what())
-      : reportFault(error.what());
-  }
   catch (const std::exception& error)
   {
-    return reportFault(error.what());
+    return isLackOfThreads(error)
+      ? report(ExitCode::NoSpace, "no memory for another thread: ", error.what())
+      : reportFault(error.what());
   }
   catch (...)
   {

@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <functional>
 #include <new>
 #include <stdexcept>
@@ -39,9 +41,13 @@ TEST(ProgramMainDeathTest, ALackOfMemoryOrThreadsIsNoFaultOfTheProgram)
 {
   expectEnd(kNoSpace, "not enough memory", [] { throw std::bad_alloc(); });
   expectEnd(kNoSpace, "not enough memory", [] { throw std::bad_array_new_length(); });
-  expectEnd(kNoSpace, "the system has no more threads: .*",
+  expectEnd(kNoSpace, "no memory for another thread: .*",
     []
     { throw std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again)); });
+  expectEnd(kNoSpace, "no memory for another thread: .*", // as TBB says it
+    [] {
+      throw std::runtime_error(std::string("pthread_create has failed: ") + std::strerror(EAGAIN));
+    });
 }
 
 TEST(ProgramMainDeathTest, AnyOtherExceptionIsAFaultOfTheProgram)
