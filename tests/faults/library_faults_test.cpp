@@ -21,8 +21,9 @@
 #include <thread>
 #include <vector>
 
-// The library where memory runs out, and where many threads use it at once. The environment variable
-// MEDIAL_FAULT_STEP is the distance between the allocations that fail; 1 tries all of them.
+// The library where memory runs out, and where many threads use it at once. The environment
+// variable MEDIAL_FAULT_STEP is the distance between the allocations that fail; 1 tries all of
+// them.
 
 namespace medial::test
 {
@@ -161,7 +162,8 @@ TEST_F(LibraryFaults, EachAllocationMayFail)
         refused += survives(stage, file, expected, n, failing) ? 0 : 1;
         const std::int64_t before = liveBlocks();
         survives(stage, file, expected, n, failing);
-        EXPECT_LE(liveBlocks(), before) << stage.name << " leaks where allocation " << n << " fails";
+        EXPECT_LE(liveBlocks(), before)
+          << stage.name << " leaks where allocation " << n << " fails";
         ++injected;
       }
     }
