@@ -111,8 +111,8 @@ private:
     std::unique_lock<std::mutex> lock(mutex_);
     for (;;)
     {
-      const auto next = std::find_if(jobs_.begin(), jobs_.end(),
-        [](const Job* job) { return job->wanted > 0; });
+      const auto next =
+        std::find_if(jobs_.begin(), jobs_.end(), [](const Job* job) { return job->wanted > 0; });
       if (next != jobs_.end())
       {
         Job& job = **next;
