@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <cstddef>
 #include <exception>
@@ -46,11 +47,15 @@ public:
     Job job{ &work, helpers, 0, nullptr };
     std::unique_lock<std::mutex> lock(mutex_);
     const auto place = jobs_.insert(jobs_.end(), &job);
-    lock.unlock();
+    // A race shows only where several threads take part, so short loops wait for help that can
+    // come.
+    const int expected = std::min(helpers, idle_);
     wake_.notify_all();
+    changed_.wait_for(lock, kPatience, [&] { return helpers - job.wanted >= expected; });
+    lock.unlock();
     call(job, lock);
     jobs_.erase(place);
-    finished_.wait(lock, [&job] { return job.running == 0; });
+    changed_.wait(lock, [&job] { return job.running == 0; });
     if (job.error)
     {
       std::rethrow_exception(job.error);
@@ -58,6 +63,8 @@ public:
   }
 
 private:
+  static constexpr std::chrono::milliseconds kPatience{ 20 };
+
   struct Job
   {
     const std::function<void()>* work;
@@ -118,10 +125,11 @@ private:
         Job& job = **next;
         --job.wanted;
         ++job.running;
+        changed_.notify_all();
         lock.unlock();
         call(job, lock);
         --job.running;
-        finished_.notify_all();
+        changed_.notify_all();
       }
       else if (stopping_)
       {
@@ -129,14 +137,17 @@ private:
       }
       else
       {
+        ++idle_;
         wake_.wait(lock);
+        --idle_;
       }
     }
   }
 
   std::mutex mutex_;
   std::condition_variable wake_;
-  std::condition_variable finished_;
+  std::condition_variable changed_; ///< a job has more helpers, or fewer
+  int idle_ = 0;
   std::list<Job*> jobs_;
   std::vector<std::thread> threads_;
   bool stopping_ = false;
@@ -156,6 +167,7 @@ void forParts(std::size_t count, const Body& body)
       for (std::size_t begin = next.fetch_add(step); begin < count; begin = next.fetch_add(step))
       {
         body(begin, std::min(count, begin + step));
+        std::this_thread::yield();
       }
     }
     catch (...)
