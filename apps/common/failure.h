@@ -14,6 +14,7 @@ enum class ExitCode
   BadInput = 3, ///< the mesh cannot be read or used
   NoGpu = 4,    ///< no usable OpenGL, or a software renderer with --require-gpu
   NoSpace = 5,  ///< out of memory, or an output cannot be written
+  Fault = 70,   ///< the program itself is to blame: an exception that nobody expected
   Interrupted = 130
 };
 

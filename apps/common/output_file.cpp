@@ -6,6 +6,7 @@
 #include <cstring>
 #include <string>
 #include <system_error>
+#include <utility>
 
 #include <sys/stat.h>
 #include <unistd.h>
@@ -35,6 +36,8 @@ mode_t wantedMode(const fs::path& target)
   return 0666 & ~mask;
 }
 
+OutputFile* newest = nullptr; // of those with a temporary file
+
 } // namespace
 
 OutputFile::OutputFile(const fs::path& path)
@@ -51,9 +54,9 @@ OutputFile::OutputFile(const fs::path& path)
   {
     failToWrite(path, "it exists and is not a regular file");
   }
-  open();
+  create();
   unlink(temporary_.c_str());
-  temporary_.clear();
+  forget();
 }
 
 OutputFile::~OutputFile()
@@ -61,22 +64,49 @@ OutputFile::~OutputFile()
   if (!temporary_.empty())
   {
     unlink(temporary_.c_str());
+    forget();
   }
 }
 
-const fs::path& OutputFile::open()
+fs::path OutputFile::open()
 {
-  std::string name = (target_.parent_path() / ("." + target_.filename().string())).string();
-  name += ".XXXXXX";
-  const int descriptor = mkstemp(name.data());
+  create();
+  return temporary_;
+}
+
+void OutputFile::create()
+{
+  // From here on nothing is allocated: a file that exists is known to the destructor.
+  temporary_ = (target_.parent_path() / ("." + target_.filename().string() + ".XXXXXX")).string();
+  const int descriptor = mkstemp(temporary_.data());
   if (descriptor < 0)
   {
-    failToWrite(path_, std::strerror(errno));
+    const int error = errno;
+    temporary_.clear();
+    failToWrite(path_, std::strerror(error));
   }
+  previous_ = std::exchange(newest, this);
   fchmod(descriptor, wantedMode(target_));
   close(descriptor);
-  temporary_ = name;
-  return temporary_;
+}
+
+void OutputFile::forget()
+{
+  OutputFile** link = &newest;
+  while (*link != this)
+  {
+    link = &(*link)->previous_;
+  }
+  *link = previous_;
+  temporary_.clear();
+}
+
+void OutputFile::removeTemporaries() noexcept
+{
+  for (const OutputFile* file = newest; file != nullptr; file = file->previous_)
+  {
+    unlink(file->temporary_.c_str());
+  }
 }
 
 void OutputFile::commit()
@@ -87,7 +117,7 @@ void OutputFile::commit()
   {
     failToWrite(path_, error.message());
   }
-  temporary_.clear();
+  forget();
 }
 
 void namingFile(const fs::path& path, const std::function<void()>& work)

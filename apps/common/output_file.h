@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <string>
 
 namespace medial::app
 {
@@ -23,15 +24,23 @@ public:
   const std::filesystem::path& path() const { return path_; }
 
   /// Creates the temporary file, empty, and returns its name.
-  const std::filesystem::path& open();
+  std::filesystem::path open();
 
   /// @throws Failure NoSpace.
   void commit();
 
+  /// Removes the temporary files of all objects, for programs that end without destroying them.
+  /// Allocates nothing.
+  static void removeTemporaries() noexcept;
+
 private:
+  void create();
+  void forget();
+
   std::filesystem::path path_;
-  std::filesystem::path target_; // path_ with its symbolic links followed
-  std::filesystem::path temporary_;
+  std::filesystem::path target_;   // path_ with its symbolic links followed
+  std::string temporary_;          // empty while there is none
+  OutputFile* previous_ = nullptr; // with a temporary file
 };
 
 /// Runs work that writes a file. Where the work throws Failure NoSpace, adds the name of the file

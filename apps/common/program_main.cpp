@@ -2,8 +2,13 @@
 
 #include "failure.h"
 #include "interrupt.h"
+#include "output_file.h"
+#include "vtk_messages.h"
 
+#include <cerrno>
 #include <cstdio>
+#include <cstdlib>
+#include <cstring>
 #include <exception>
 #include <new>
 
@@ -12,33 +17,82 @@ namespace medial::app
 namespace
 {
 
-int fail(const char* name, ExitCode code, const char* message)
+const char* programName = "";
+
+/// Allocates nothing, since there may be no memory.
+int report(ExitCode code, const char* kind, const char* message)
 {
-  std::fprintf(stderr, "%s: %s\n", name, message);
+  std::fprintf(stderr, "%s: %s", programName, kind);
+  for (; *message != 0; ++message)
+  {
+    std::fputc(*message == '\n' ? ' ' : *message, stderr);
+  }
+  std::fputc('\n', stderr);
   return static_cast<int>(code);
+}
+
+int reportFault(const char* message)
+{
+  return report(ExitCode::Fault, "a fault of the program: ", message);
+}
+
+/// Whether the system refused to start a thread. TBB throws std::runtime_error then, whose message
+/// ends with the system's.
+bool isLackOfThreads(const std::exception& error)
+{
+  return std::strstr(error.what(), std::strerror(EAGAIN)) != nullptr;
+}
+
+/// Reports the exception that is being handled; returns the exit code.
+int reportException()
+{
+  try
+  {
+    throw;
+  }
+  catch (const Failure& failure)
+  {
+    return report(failure.exitCode(), "", failure.what());
+  }
+  catch (const std::bad_alloc&)
+  {
+    return report(ExitCode::NoSpace, "", "not enough memory");
+  }
+  catch (const std::exception& error)
+  {
+    return isLackOfThreads(error)
+      ? report(ExitCode::NoSpace, "no memory for another thread: ", error.what())
+      : reportFault(error.what());
+  }
+  catch (...)
+  {
+    return reportFault("an exception of an unknown type");
+  }
+}
+
+/// For exceptions that leave a destructor or a thread.
+[[noreturn]] void terminate()
+{
+  OutputFile::removeTemporaries();
+  std::_Exit(std::current_exception() ? reportException() : reportFault("it was terminated"));
 }
 
 } // namespace
 
 int runProgram(const char* name, const std::function<void()>& work)
 {
+  programName = name;
   installSignalHandlers();
+  std::set_terminate(terminate);
   try
   {
+    const VtkMessages silence; // a failure is one line, and not also those of VTK
     work();
     return static_cast<int>(ExitCode::Done);
   }
-  catch (const Failure& failure)
+  catch (...)
   {
-    return fail(name, failure.exitCode(), failure.what());
-  }
-  catch (const std::bad_alloc&)
-  {
-    return fail(name, ExitCode::NoSpace, "not enough memory");
-  }
-  catch (const std::exception& error)
-  {
-    return fail(name, ExitCode::NoSpace, error.what());
+    return reportException();
   }
 }
 

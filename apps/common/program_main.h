@@ -6,7 +6,8 @@ namespace medial::app
 {
 
 /// Runs a program's work with signal handlers in place. A failure becomes one line on standard
-/// error, "name: what is wrong".
+/// error, "name: what is wrong"; so does an exception that nobody expected, as a fault of the
+/// program.
 /// @return the exit code.
 int runProgram(const char* name, const std::function<void()>& work);
 

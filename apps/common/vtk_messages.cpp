@@ -3,8 +3,6 @@
 #include <vtkLogger.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
-#include <vtkOutputWindow.h>
-#include <vtkSmartPointer.h>
 
 #include <algorithm>
 
@@ -61,6 +59,7 @@ vtkStandardNewMacro(MessageWindow);
 } // namespace
 
 VtkMessages::VtkMessages()
+  : outer_(vtkOutputWindow::GetInstance())
 {
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   vtkNew<MessageWindow> window;
@@ -69,7 +68,7 @@ VtkMessages::VtkMessages()
 
 VtkMessages::~VtkMessages()
 {
-  vtkOutputWindow::SetInstance(nullptr);
+  vtkOutputWindow::SetInstance(outer_);
 }
 
 std::string VtkMessages::first() const

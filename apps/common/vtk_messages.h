@@ -1,11 +1,15 @@
 #pragma once
 
+#include <vtkOutputWindow.h>
+#include <vtkSmartPointer.h>
+
 #include <string>
 
 namespace medial::app
 {
 
-/// Keeps VTK's errors and warnings from standard error while it lives, and remembers the first.
+/// Keeps VTK's errors and warnings from standard error while it lives, and remembers the first. May
+/// be nested: the inner one gets the messages.
 class VtkMessages
 {
 public:
@@ -17,6 +21,9 @@ public:
   /// The first error, or without one the first warning, on one line and without VTK's source
   /// position; empty when there was neither.
   std::string first() const;
+
+private:
+  vtkSmartPointer<vtkOutputWindow> outer_;
 };
 
 } // namespace medial::app

@@ -76,9 +76,9 @@ void checkPointIds(const fs::path& path, vtkPolyData* mesh)
 }
 
 template <typename Reader>
-vtkSmartPointer<vtkPolyData> readWith(Reader* reader, const fs::path& path)
+vtkSmartPointer<vtkPolyData> readWith(Reader* reader, const VtkMessages& messages,
+  const fs::path& path)
 {
-  const VtkMessages messages;
   reader->SetFileName(path.c_str());
   reader->Update();
   if (!messages.first().empty())
@@ -96,17 +96,19 @@ vtkSmartPointer<vtkPolyData> readStl(const fs::path& path)
 {
   requireRegularFile(path);
   checkStlSize(path);
+  const VtkMessages messages;
   vtkNew<vtkSTLReader> reader;
   // The library welds equal points itself; VTK's merging does not survive NaN.
   reader->MergingOff();
-  return readWith(reader.Get(), path);
+  return readWith(reader.Get(), messages, path);
 }
 
 vtkSmartPointer<vtkPolyData> readVtp(const fs::path& path)
 {
   requireRegularFile(path);
+  const VtkMessages messages;
   vtkNew<vtkXMLPolyDataReader> reader;
-  return readWith(reader.Get(), path);
+  return readWith(reader.Get(), messages, path);
 }
 
 } // namespace medial::app

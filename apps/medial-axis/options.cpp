@@ -18,7 +18,8 @@ const char* const kFooter =
   "unless another output needs one.\n"
   "\n"
   "Exit codes: 0 done; 2 usage; 3 bad input; 4 no usable OpenGL where it is needed; 5 out of\n"
-  "memory or disk, or an output that cannot be written; 130 interrupted.";
+  "memory or disk, or an output that cannot be written; 70 a fault of the program; 130\n"
+  "interrupted.";
 
 } // namespace
 

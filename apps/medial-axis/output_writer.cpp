@@ -5,13 +5,19 @@
 #include "picture.h"
 #include "surface_thickness.h"
 #include "thickness_picture.h"
+#include "vtk_messages.h"
 #include "vtp_writer.h"
 
 #include "medial/axis_io.h"
 
+#include <vtkErrorCode.h>
 #include <vtkMedialCurves.h>
 #include <vtkMeshConversion.h>
+#include <vtkMeshFieldAlgorithm.h>
 #include <vtkNew.h>
+
+#include <new>
+#include <stdexcept>
 
 namespace medial::app
 {
@@ -45,9 +51,18 @@ void writeAxisFile(const MedialAxis& axis, vtkPolyData* polyData, const Options&
 // Returns the number of curves.
 long long writeCurves(vtkPolyData* axis, const std::filesystem::path& file)
 {
+  const VtkMessages messages;
   vtkNew<vtkMedialCurves> curves;
   curves->SetInputData(axis);
   curves->Update();
+  if (curves->GetErrorCode() == vtkMeshFieldAlgorithm::OutOfMemoryError)
+  {
+    throw std::bad_alloc();
+  }
+  if (curves->GetErrorCode() != vtkErrorCode::NoError)
+  {
+    throw std::runtime_error(messages.first());
+  }
   writeVtp(curves->GetOutput(), file);
   return curves->GetOutput()->GetNumberOfLines();
 }

@@ -12,6 +12,8 @@
 
 #include <vtkSMPTools.h>
 
+#include <algorithm>
+
 namespace medial::app
 {
 
@@ -23,7 +25,8 @@ void run(const Options& options)
   ProgressBar bar(options.quiet);
   if (options.threads > 0)
   {
-    vtkSMPTools::Initialize(options.threads);
+    // TBB warns when it is asked for more threads than there are cores.
+    vtkSMPTools::Initialize(std::min(options.threads, vtkSMPTools::GetEstimatedNumberOfThreads()));
   }
 
   bar.show(0.0, "reading");

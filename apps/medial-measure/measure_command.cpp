@@ -21,7 +21,7 @@ const char* const kFooter =
   "the mean of their means. The same files give the same figures, whatever the number of\n"
   "threads.\n\n"
   "Exit codes: 0 done; 2 usage; 3 bad input; 5 out of memory or disk, or an output that cannot be\n"
-  "written; 130 interrupted.";
+  "written; 70 a fault of the program; 130 interrupted.";
 
 void addOptions(CLI::App& app, MeasureCommand& command, std::string& json)
 {

@@ -22,7 +22,7 @@ const char* const kFooter =
   "the left button, and turn the rest with it.\n"
   "\n"
   "Exit codes: 0 done; 2 usage; 3 bad input; 4 no usable display or OpenGL; 5 out of memory, or a\n"
-  "picture that cannot be written; 130 interrupted.";
+  "picture that cannot be written; 70 a fault of the program; 130 interrupted.";
 
 const Names<ColourBy>& colourNames()
 {

@@ -18,8 +18,9 @@ constexpr int kLanes = 8;
 /// processor they are compiled.
 #define MEDIAL_INLINE inline __attribute__((always_inline))
 
-/// Compiles a function twice; the better version is picked when the program is loaded.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+/// Compiles a function twice; the better version is picked when the program is loaded, which is too
+/// early for ThreadSanitizer.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_THREAD__)
 #  define MEDIAL_VECTORISED __attribute__((target_clones("arch=x86-64-v3", "default")))
 #else
 #  define MEDIAL_VECTORISED

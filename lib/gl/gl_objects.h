@@ -1,5 +1,7 @@
 #pragma once
 
+#include "gl/gpu_thread.h"
+
 #include <epoxy/gl.h>
 
 #include <initializer_list>
@@ -9,7 +11,8 @@ namespace medial::gl
 {
 
 /// Owns one OpenGL name. Move-only; empty if the name is 0. Created and destroyed on the GPU thread
-/// only.
+/// only; where that thread is not alive(), a name has gone with its context, and there is nothing
+/// to delete.
 template <void (*Delete)(GLuint)>
 class GlObject
 {
@@ -32,7 +35,7 @@ public:
   GlObject& operator=(const GlObject&) = delete;
   ~GlObject()
   {
-    if (id_ != 0)
+    if (id_ != 0 && GpuThread::isThisThread())
     {
       Delete(id_);
     }
@@ -58,6 +61,23 @@ using Framebuffer = GlObject<deleteFramebuffer>;
 using VertexArray = GlObject<deleteVertexArray>;
 using Shader = GlObject<deleteShader>;
 using Program = GlObject<deleteProgram>;
+
+/// Binds a buffer to a target, and nothing once it goes out of scope.
+class BufferBinding
+{
+public:
+  BufferBinding(GLenum target, const Buffer& buffer)
+    : target_(target)
+  {
+    glBindBuffer(target, buffer.id());
+  }
+  ~BufferBinding() { glBindBuffer(target_, 0); }
+  BufferBinding(const BufferBinding&) = delete;
+  BufferBinding& operator=(const BufferBinding&) = delete;
+
+private:
+  GLenum target_;
+};
 
 Buffer createBuffer();
 VertexArray createVertexArray();

@@ -3,29 +3,77 @@
 #include "gl/debug_log.h"
 #include "gl/egl_context.h"
 #include "gl/shader_program.h"
+#include "medial/error.h"
 
 #include <condition_variable>
 #include <cstdlib>
-#include <deque>
+#include <exception>
 #include <mutex>
 #include <thread>
+
+#include <sys/types.h>
+#include <unistd.h>
 
 namespace medial
 {
 namespace gl
 {
 
+namespace
+{
+
+thread_local bool isTheGpuThread = false;
+
+} // namespace
+
+/// Work in the queue. Jobs link themselves, so that queueing one allocates nothing.
+struct GpuThread::Job
+{
+  virtual ~Job() = default;
+  /// Runs on the GPU thread. The job may be gone afterwards.
+  virtual void execute() noexcept = 0;
+
+  Job* next = nullptr;
+};
+
 struct GpuThread::State
 {
   Device device;
   std::mutex mutex;
   std::condition_variable wake;
-  std::deque<std::packaged_task<void()>> jobs;
+  std::condition_variable finished; ///< a job that someone waits for
+  Job* first = nullptr;
+  Job* last = nullptr;
   bool stopping = false;
   std::thread thread;
+  pid_t process = getpid(); ///< where the thread runs
+
+  bool forked() const { return getpid() != this->process; }
+
+  /// Returns false where no thread would run the job. In a child after fork() even the mutex may be
+  /// locked for ever.
+  bool enqueue(Job& job)
+  {
+    if (this->forked())
+    {
+      return false;
+    }
+    {
+      const std::lock_guard<std::mutex> lock(this->mutex);
+      if (this->stopping)
+      {
+        return false;
+      }
+      (this->last != nullptr ? this->last->next : this->first) = &job;
+      this->last = &job;
+    }
+    this->wake.notify_one();
+    return true;
+  }
 
   void work(std::promise<void> started)
   {
+    isTheGpuThread = true;
     std::unique_ptr<EglContext> context;
     try
     {
@@ -52,23 +100,58 @@ struct GpuThread::State
     std::unique_lock<std::mutex> lock(this->mutex);
     for (;;)
     {
-      this->wake.wait(lock, [this] { return this->stopping || !this->jobs.empty(); });
-      if (this->jobs.empty())
+      this->wake.wait(lock, [this] { return this->stopping || this->first != nullptr; });
+      if (this->first == nullptr)
       {
         return;
       }
-      std::packaged_task<void()> job = std::move(this->jobs.front());
-      this->jobs.pop_front();
+      Job* job = this->first;
+      this->first = job->next;
+      this->last = this->first != nullptr ? this->last : nullptr;
       lock.unlock();
-      job();
+      job->execute();
       lock.lock();
     }
+  }
+
+  void stop()
+  {
+    if (this->forked())
+    {
+      return;
+    }
+    {
+      const std::lock_guard<std::mutex> lock(this->mutex);
+      this->stopping = true;
+    }
+    this->wake.notify_one();
+    this->thread.join();
+  }
+
+  [[noreturn]] void refuse() const
+  {
+    throw Error(ErrorCode::NoGpu,
+      this->forked()
+        ? "this process is a child by fork() of one that uses OpenGL, and so cannot use it; start "
+          "children by exec (multiprocessing of Python: start method \"spawn\"), or use the engine "
+          "processor"
+        : "OpenGL cannot be used any more, since the process is exiting");
   }
 };
 
 GpuThread& GpuThread::instance()
 {
-  static GpuThread thread;
+  // Never destroyed: objects that were made before it, such as global ones, may ask for it later.
+  static GpuThread& thread = *new GpuThread;
+  struct Stopper
+  {
+    ~Stopper() { thread.state_->stop(); }
+  };
+  static const Stopper stopAtExit;
+  if (!thread.alive())
+  {
+    thread.state_->refuse();
+  }
   return thread;
 }
 
@@ -90,14 +173,21 @@ GpuThread::GpuThread()
   }
 }
 
-GpuThread::~GpuThread()
+GpuThread::~GpuThread() = default;
+
+bool GpuThread::isThisThread()
 {
+  return isTheGpuThread;
+}
+
+bool GpuThread::alive() const
+{
+  if (state_->forked())
   {
-    const std::lock_guard<std::mutex> lock(state_->mutex);
-    state_->stopping = true;
+    return false;
   }
-  state_->wake.notify_one();
-  state_->thread.join();
+  const std::lock_guard<std::mutex> lock(state_->mutex);
+  return !state_->stopping;
 }
 
 const Device& GpuThread::device() const
@@ -105,16 +195,81 @@ const Device& GpuThread::device() const
   return state_->device;
 }
 
-std::future<void> GpuThread::submit(std::function<void()> job)
+std::future<void> GpuThread::submit(std::function<void()> work)
 {
-  std::packaged_task<void()> task(std::move(job));
-  std::future<void> done = task.get_future();
+  struct Submitted : Job
   {
-    const std::lock_guard<std::mutex> lock(state_->mutex);
-    state_->jobs.push_back(std::move(task));
+    std::packaged_task<void()> task;
+
+    void execute() noexcept override
+    {
+      task();
+      delete this;
+    }
+  };
+  auto job = std::make_unique<Submitted>();
+  job->task = std::packaged_task<void()>(std::move(work));
+  std::future<void> done = job->task.get_future();
+  if (!state_->enqueue(*job))
+  {
+    state_->refuse();
   }
-  state_->wake.notify_one();
+  static_cast<void>(job.release()); // it deletes itself
   return done;
+}
+
+void GpuThread::run(const std::function<void()>& work)
+{
+  if (!this->runIfAlive(work))
+  {
+    state_->refuse();
+  }
+}
+
+bool GpuThread::runIfAlive(const std::function<void()>& work)
+{
+  struct Awaited : Job
+  {
+    const std::function<void()>& work;
+    State& state;
+    std::exception_ptr error;
+    bool done = false;
+
+    Awaited(const std::function<void()>& task, State& owner)
+      : work(task)
+      , state(owner)
+    {
+    }
+
+    void execute() noexcept override
+    {
+      try
+      {
+        work();
+      }
+      catch (...)
+      {
+        error = std::current_exception();
+      }
+      const std::lock_guard<std::mutex> lock(state.mutex);
+      done = true;
+      state.finished.notify_all();
+    }
+  };
+  Awaited job(work, *state_);
+  if (!state_->enqueue(job))
+  {
+    return false;
+  }
+  {
+    std::unique_lock<std::mutex> lock(state_->mutex);
+    state_->finished.wait(lock, [&job] { return job.done; });
+  }
+  if (job.error)
+  {
+    std::rethrow_exception(job.error);
+  }
+  return true;
 }
 
 } // namespace gl

@@ -17,30 +17,48 @@ class GpuThread
 {
 public:
   /// Returns the thread, and starts it on first use.
-  /// @throws Error NoGpu if no context can be made; the next call tries again.
+  /// @throws Error NoGpu if no context can be made (the next call tries again), and where the
+  /// thread
+  ///   is not alive().
   static GpuThread& instance();
+
+  /// Whether the caller runs on the GPU thread.
+  static bool isThisThread();
 
   ~GpuThread();
   GpuThread(const GpuThread&) = delete;
   GpuThread& operator=(const GpuThread&) = delete;
 
+  /// Whether there is a thread to run jobs. It ends when the process begins to exit, before the
+  /// static objects are destroyed that are older than itself; and a child after fork() has no
+  /// threads of its parent.
+  bool alive() const;
+
   const Device& device() const;
 
   /// Queues a job. Jobs run one at a time in the order of submission; their exceptions end up in
   /// the future.
-  std::future<void> submit(std::function<void()> job);
+  /// @throws Error NoGpu if the thread is not alive().
+  std::future<void> submit(std::function<void()> work);
 
   /// Runs a job and waits for it. Must not be called from a job.
-  void run(std::function<void()> job) { this->submit(std::move(job)).get(); }
+  /// @throws Error NoGpu if the thread is not alive(), and the job's exceptions.
+  void run(const std::function<void()>& work);
+
+  /// As run(), but returns false where the thread is not alive(). Allocates nothing, so destructors
+  /// may call it.
+  bool runIfAlive(const std::function<void()>& work);
 
 private:
   GpuThread();
+  struct Job;
   struct State;
   std::unique_ptr<State> state_;
 };
 
 /// Holds a T that lives on the GPU thread: it is constructed, used through `run` and destroyed
-/// there.
+/// there. Once that thread is not alive(), T is destroyed by the caller: its memory, that is, since
+/// its names of OpenGL went with their context.
 template <typename T>
 class OnGpuThread
 {
@@ -55,7 +73,7 @@ public:
   {
     if (object_)
     {
-      thread_.run([this] { object_.reset(); });
+      thread_.runIfAlive([this] { object_.reset(); });
     }
   }
   OnGpuThread(const OnGpuThread&) = delete;

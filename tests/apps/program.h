@@ -16,6 +16,7 @@ constexpr int kUsage = 2;
 constexpr int kBadInput = 3;
 constexpr int kNoGpu = 4;
 constexpr int kNoSpace = 5;
+constexpr int kFault = 70;
 constexpr int kInterrupted = 130;
 
 /// How a run ended. A signal that ended it counts as 128 + its number, as in a shell.

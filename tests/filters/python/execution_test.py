@@ -4,6 +4,7 @@ import os
 import signal
 import subprocess
 import sys
+import textwrap
 import threading
 import time
 import unittest
@@ -184,6 +185,32 @@ class Progress(unittest.TestCase):
             with self.assertRaises(Interrupted):
                 medial.distance_field(*shapes.box(), resolution=5, progress=progress)
         self.assertEqual(sys.getrefcount(progress), before)
+
+
+class Processes(unittest.TestCase):
+    def test_children_by_fork_compute_or_say_why_not(self):
+        # In a process of its own, since what the child gets depends on what its parent has done.
+        script = """
+            import multiprocessing
+            import medial, shapes
+
+            def compute(engine):
+                try:
+                    return medial.distance_field(*shapes.box(), resolution=9, engine=engine).distance.min()
+                except medial.NoGpuError as error:
+                    return str(error)
+
+            here = compute("rasteriser")
+            with multiprocessing.get_context("fork").Pool(2) as pool:
+                refusals = pool.map_async(compute, 2 * ["rasteriser"]).get(60)
+                minima = pool.map_async(compute, 2 * ["processor"]).get(60)
+            print(all("fork()" in text for text in refusals))
+            print(all(abs(minimum - here) < 1e-5 for minimum in minima))
+            """
+        done = subprocess.run(
+            [sys.executable, "-c", textwrap.dedent(script)], capture_output=True, text=True,
+            timeout=120, cwd=os.path.dirname(os.path.abspath(__file__)))
+        self.assertEqual((done.stdout, done.stderr), ("True\nTrue\n", ""))
 
 
 class Source(VTKPythonAlgorithmBase):

@@ -120,6 +120,29 @@ TEST(GpuThread, BuildsAndDestroysObjectsWhereTheyLive)
   EXPECT_NE(seen[0], std::this_thread::get_id());
 }
 
+TEST(GpuThread, DestroysWhatAFailedConstructorHasMadeWhereItLives)
+{
+  struct Member
+  {
+    ~Member() { *destroyedOn = std::this_thread::get_id(); }
+    std::thread::id* destroyedOn;
+  };
+  struct FailingLate
+  {
+    explicit FailingLate(std::thread::id* destroyedOn)
+      : member{ destroyedOn }
+    {
+      throw std::range_error("after the member");
+    }
+    Member member;
+  };
+  std::thread::id destroyedOn;
+  std::thread::id gpuThread;
+  gl::GpuThread::instance().run([&] { gpuThread = std::this_thread::get_id(); });
+  EXPECT_THROW(gl::OnGpuThread<FailingLate>{ &destroyedOn }, std::range_error);
+  EXPECT_EQ(destroyedOn, gpuThread);
+}
+
 TEST(GpuThread, TakesJobsFromManyThreads)
 {
   int sum = 0;

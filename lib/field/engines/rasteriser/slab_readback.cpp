@@ -40,15 +40,14 @@ void SlabReadback::fetch(const SlabRenderer& renderer, int slices)
   // With a pixel buffer bound, the destination is an offset into it.
   if (displacements_)
   {
-    glBindBuffer(GL_PIXEL_PACK_BUFFER, displacements_.id());
+    const gl::BufferBinding binding(GL_PIXEL_PACK_BUFFER, displacements_);
     renderer.readDisplacements(slices, nullptr);
   }
   if (sites_)
   {
-    glBindBuffer(GL_PIXEL_PACK_BUFFER, sites_.id());
+    const gl::BufferBinding binding(GL_PIXEL_PACK_BUFFER, sites_);
     renderer.readSites(slices, nullptr);
   }
-  glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
   const GLsync fence = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
   while (
     glClientWaitSync(fence, GL_SYNC_FLUSH_COMMANDS_BIT, GL_TIMEOUT_IGNORED) == GL_TIMEOUT_EXPIRED)

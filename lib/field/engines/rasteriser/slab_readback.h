@@ -18,7 +18,8 @@ public:
   /// @param displacements, sites which textures to read back.
   SlabReadback(const AtlasLayout& atlas, int slices, bool displacements, bool sites);
 
-  /// Copies slots [1, slices] and waits for them.
+  /// Copies slots [1, slices] and waits for them. No buffer stays bound, also where this fails.
+  /// @throws Error GpuLimit or OutOfMemory.
   void fetch(const SlabRenderer& renderer, int slices);
 
   /// Values of the slab fetched last, slice by slice, x fastest; null if they are not read back.

@@ -1,6 +1,7 @@
 #include "culling/candidate_tiles.h"
 #include "field/engines/rasteriser/hole_repair.h"
 #include "field/engines/rasteriser/site_rectangles.h"
+#include "field/engines/rasteriser/slab_readback.h"
 #include "field/engines/rasteriser/slab_renderer.h"
 #include "gl/gpu_thread.h"
 #include "medial/compute_distance_field.h"
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <vector>
 
 namespace medial::test
@@ -120,6 +122,38 @@ TEST_F(SlabOfTorus, HolesAreFilledExactly)
     worst = std::max(worst, std::abs(distance - static_cast<double>(truth.distance[i])));
   }
   EXPECT_LT(worst, 1e-3 * frame_.unit);
+}
+
+using SlabOfTorusDeathTest = SlabOfTorus;
+
+/// In a process of its own, since OpenGL's debug output fails a test.
+TEST_F(SlabOfTorusDeathTest, AFailedReadBackLeavesNoPixelBufferBound)
+{
+  testing::GTEST_FLAG(death_test_style) = "threadsafe";
+  const auto readBack = [&]
+  {
+    const auto normals = pseudonormals(sites_, false);
+    const AtlasLayout atlas = AtlasLayout::make(slab_, 64, 4096);
+    gl::OnGpuThread<SlabRenderer> renderer(sites_, normals, frame_, atlas, FieldSign::Outward);
+    gl::OnGpuThread<SlabReadback> tooSmall(atlas, 1, true, true);
+    GLint bound = -1;
+    bool refused = false;
+    renderer.run(
+      [&](SlabRenderer& r)
+      {
+        try
+        {
+          tooSmall.object().fetch(r, 2);
+        }
+        catch (const Error& error)
+        {
+          refused = error.code() == ErrorCode::GpuLimit;
+        }
+        glGetIntegerv(GL_PIXEL_PACK_BUFFER_BINDING, &bound);
+      });
+    return refused && bound == 0;
+  };
+  EXPECT_EXIT(std::exit(readBack() ? 0 : 1), testing::ExitedWithCode(0), "");
 }
 
 } // namespace

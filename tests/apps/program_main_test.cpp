@@ -1,0 +1,70 @@
+#include "program.h"
+
+#include "failure.h"
+#include "program_main.h"
+
+#include <gtest/gtest.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <functional>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+
+namespace medial::test
+{
+namespace
+{
+
+using app::ExitCode;
+using app::Failure;
+
+/// The work must end a program with `exitCode` and nothing but the line `message`, a regular
+/// expression.
+void expectEnd(int exitCode, const std::string& message, const std::function<void()>& work)
+{
+  EXPECT_EXIT(std::exit(app::runProgram("medial-axis", work)), testing::ExitedWithCode(exitCode),
+    "^" + (message.empty() ? "" : "medial-axis: " + message + "\n") + "$");
+}
+
+TEST(ProgramMainDeathTest, FailuresHaveTheirOwnExitCode)
+{
+  expectEnd(0, "", [] {});
+  expectEnd(kBadInput, "a.obj: is bad", [] { throw Failure(ExitCode::BadInput, "a.obj: is bad"); });
+  expectEnd(kInterrupted, "stopped", [] { throw Failure(ExitCode::Interrupted, "stopped"); });
+}
+
+TEST(ProgramMainDeathTest, ALackOfMemoryOrThreadsIsNoFaultOfTheProgram)
+{
+  expectEnd(kNoSpace, "not enough memory", [] { throw std::bad_alloc(); });
+  expectEnd(kNoSpace, "not enough memory", [] { throw std::bad_array_new_length(); });
+  expectEnd(kNoSpace, "no memory for another thread: .*",
+    []
+    { throw std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again)); });
+  expectEnd(kNoSpace, "no memory for another thread: .*", // as TBB says it
+    [] {
+      throw std::runtime_error(std::string("pthread_create has failed: ") + std::strerror(EAGAIN));
+    });
+}
+
+TEST(ProgramMainDeathTest, AnyOtherExceptionIsAFaultOfTheProgram)
+{
+  expectEnd(kFault, "a fault of the program: vector::at",
+    [] { throw std::out_of_range("vector::at"); });
+  expectEnd(kFault, "a fault of the program: two lines",
+    [] { throw std::logic_error("two\nlines"); });
+  expectEnd(kFault, "a fault of the program: an exception of an unknown type", [] { throw 1; });
+}
+
+TEST(ProgramMainDeathTest, AnExceptionThatNobodyCanCatchIsAFaultOfTheProgram)
+{
+  expectEnd(kFault, "a fault of the program: beyond all help",
+    [] { []() noexcept { throw std::logic_error("beyond all help"); }(); });
+  expectEnd(kNoSpace, "not enough memory", [] { []() noexcept { throw std::bad_alloc(); }(); });
+}
+
+} // namespace
+} // namespace medial::test

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <algorithm>
+
+namespace tbb
+{
+
+template <typename Iterator>
+void parallel_sort(Iterator begin, Iterator end)
+{
+  std::sort(begin, end);
+}
+
+} // namespace tbb
