@@ -1,9 +1,14 @@
 #include "input_file.h"
 
 #include "failure.h"
+#include "library_calls.h"
+
+#include "medial/error.h"
 
 #include <algorithm>
 #include <cctype>
+#include <cstdint>
+#include <fstream>
 
 namespace fs = std::filesystem;
 
@@ -23,6 +28,18 @@ void refuseFile(const fs::path& path, const std::string& why)
   throw Failure(ExitCode::BadInput, path.string() + ": " + why);
 }
 
+void refuseContent(std::string why)
+{
+  constexpr std::size_t kMaxLength = 300;
+  if (why.size() > kMaxLength)
+  {
+    why.replace(kMaxLength, std::string::npos, "...");
+  }
+  std::replace_if(
+    why.begin(), why.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  throw Error(ErrorCode::InvalidInput, why);
+}
+
 void requireRegularFile(const fs::path& path)
 {
   std::error_code error;
@@ -36,6 +53,26 @@ void requireRegularFile(const fs::path& path)
     refuseFile(path, "no such file");
   }
   refuseFile(path, error ? error.message() : "is not a regular file");
+}
+
+std::string readContent(const fs::path& path)
+{
+  requireRegularFile(path);
+  std::string content;
+  withFailures(path,
+    [&]
+    {
+      std::error_code error;
+      const std::uintmax_t size = fs::file_size(path, error);
+      content.resize(error ? 0 : size);
+      std::ifstream file(path, std::ios::binary);
+      file.read(content.data(), static_cast<std::streamsize>(content.size()));
+      if (error || !file)
+      {
+        refuseFile(path, "cannot be read");
+      }
+    });
+  return content;
 }
 
 } // namespace medial::app

@@ -13,8 +13,17 @@ std::string extensionOf(const std::filesystem::path& path);
 /// @throws Failure BadInput naming the file.
 [[noreturn]] void refuseFile(const std::filesystem::path& path, const std::string& why);
 
+/// Reports what is wrong with the content of a file; withFailures() adds the name of the file. Of
+/// the message 300 characters are kept, and those that are not printable become question marks.
+/// @throws Error InvalidInput.
+[[noreturn]] void refuseContent(std::string why);
+
 /// @throws Failure BadInput naming the file if it does not exist or cannot be read from start to
 ///   end.
 void requireRegularFile(const std::filesystem::path& path);
+
+/// The whole content of a file.
+/// @throws Failure as requireRegularFile(); NoSpace naming the file if it does not fit into memory.
+std::string readContent(const std::filesystem::path& path);
 
 } // namespace medial::app

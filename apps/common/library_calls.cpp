@@ -5,6 +5,7 @@
 
 #include "medial/error.h"
 
+#include <new>
 #include <string>
 
 namespace medial::app
@@ -44,6 +45,10 @@ void runWithFailures(const std::string& culprit, const std::function<void()>& wo
     throwIfInterrupted();
     const ExitCode code = exitCodeOf(error.code());
     throw Failure(code, (code == ExitCode::NoGpu ? "" : culprit) + error.what());
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw Failure(ExitCode::NoSpace, culprit + "not enough memory");
   }
 }
 

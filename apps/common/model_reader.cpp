@@ -2,7 +2,7 @@
 
 #include "input_file.h"
 #include "library_calls.h"
-#include "vtk_reader.h"
+#include "vtp_reader.h"
 
 #include "medial/axis_io.h"
 

@@ -2,7 +2,8 @@
 
 #include "input_file.h"
 #include "library_calls.h"
-#include "vtk_reader.h"
+#include "stl_reader.h"
+#include "vtp_reader.h"
 
 #include "medial/mesh_io.h"
 

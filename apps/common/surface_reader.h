@@ -11,9 +11,9 @@ namespace medial::app
 /// early, contradicts its own header or names points that it does not have is refused, never read
 /// in part. NaN coordinates pass; the library refuses them.
 ///
-/// STL and VTP go through VTK's readers, the other formats through the library's: VTK's keep the
-/// coordinates of OBJ and PLY in single precision (1000000.01 becomes 1000000), read the word `nan`
-/// in an OBJ file as 0, and crash on a truncated PLY or legacy VTK file (VTK 9.1).
+/// None goes through VTK's readers: they allocate what a header asks for, keep the coordinates of
+/// OBJ and PLY in single precision (1000000.01 becomes 1000000), read the word `nan` in an OBJ file
+/// as 0, and crash on a truncated PLY or legacy VTK file (VTK 9.1).
 ///
 /// @throws Failure BadInput naming the file and what is wrong.
 Surface readSurface(const std::filesystem::path& path);

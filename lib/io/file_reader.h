@@ -3,6 +3,7 @@
 #include "medial/error.h"
 
 #include <filesystem>
+#include <new>
 #include <string>
 
 namespace medial
@@ -20,7 +21,7 @@ std::string extensionOf(const std::filesystem::path& path);
 void requireRegularFile(const std::filesystem::path& path);
 
 /// Returns the result of `read` for a file, and adds the name of the file to its errors.
-/// @throws Error as `read`, and CannotRead.
+/// @throws Error as `read`, CannotRead, and OutOfMemory if the content does not fit into memory.
 template <typename Read>
 auto readFile(const std::filesystem::path& path, const Read& read)
 {
@@ -36,6 +37,10 @@ auto readFile(const std::filesystem::path& path, const Read& read)
   catch (const std::filesystem::filesystem_error& error)
   {
     throw Error(ErrorCode::CannotRead, path.string() + ": " + error.code().message());
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw Error(ErrorCode::OutOfMemory, path.string() + ": not enough memory");
   }
 }
 

@@ -1,10 +1,12 @@
 #include "mesh/polygon_triangulation.h"
 
+#include "medial/error.h"
+
 #include <glm/glm.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
+#include <string>
 
 namespace medial
 {
@@ -88,11 +90,14 @@ double shape(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
 class EarClipper
 {
 public:
-  explicit EarClipper(const std::vector<glm::dvec2>& points)
+  EarClipper(const std::vector<glm::dvec2>& points, TriangulationEffort& effort)
     : points_(points)
+    , effort_(effort)
     , previous_(points.size())
     , next_(points.size())
     , shapes_(points.size())
+    , places_(points.size(), kNowhere)
+    , blockers_(points.size(), std::array<int, 2>{ kNowhere, kNowhere })
   {
     const int count = static_cast<int>(points.size());
     for (int i = 0; i < count; ++i)
@@ -103,10 +108,7 @@ public:
     for (int i = 0; i < count; ++i)
     {
       shapes_[i] = shapeAt(i);
-      if (shapes_[i] <= kFlatEar)
-      {
-        obstacles_.push_back(i);
-      }
+      updateObstacle(i);
     }
   }
 
@@ -132,14 +134,14 @@ private:
 
   /// Returns the first good ear, otherwise a flat one, otherwise (for a polygon that is not simple)
   /// any convex corner.
-  int findEar(int start, int left) const
+  int findEar(int start, int left)
   {
     for (const bool careful : { true, false })
     {
+      effort_.spend(left);
       for (int i = 0, corner = start; i < left; ++i, corner = next_[corner])
       {
-        if (shapes_[corner] > (careful ? kFlatEar : 0.0) &&
-          isFree(corner, careful ? kTouching : 0.0))
+        if (shapes_[corner] > (careful ? kFlatEar : 0.0) && isFree(corner, careful))
         {
           return corner;
         }
@@ -153,27 +155,34 @@ private:
     return best;
   }
 
-  /// Whether no flat or reflex corner lies in the ear or closer to it than `margin`. A corner at
-  /// the same place as one of the ear is no obstacle: polygons with holes visit the ends of their
-  /// bridges twice.
-  bool isFree(int ear, double margin) const
+  /// Whether no flat or reflex corner lies in the ear, or near it where that is asked for. What was
+  /// in the way before is tried first: mostly it still is.
+  bool isFree(int ear, bool careful)
+  {
+    int& blocker = blockers_[ear][careful ? 1 : 0];
+    const double margin = careful ? kTouching : 0.0;
+    if (blocker != kNowhere && places_[blocker] != kNowhere && blocks(blocker, ear, margin))
+    {
+      return false;
+    }
+    effort_.spend(static_cast<std::int64_t>(obstacles_.size()));
+    const auto found = std::find_if(obstacles_.begin(), obstacles_.end(),
+      [&](int obstacle) { return blocks(obstacle, ear, margin); });
+    blocker = found == obstacles_.end() ? kNowhere : *found;
+    return found == obstacles_.end();
+  }
+
+  /// Whether a corner lies in an ear or closer to it than `margin`. A corner at the same place as
+  /// one of the ear is no obstacle: polygons with holes visit the ends of their bridges twice.
+  bool blocks(int obstacle, int ear, double margin) const
   {
     const glm::dvec2& a = points_[previous_[ear]];
     const glm::dvec2& b = points_[ear];
     const glm::dvec2& c = points_[next_[ear]];
-    const double beyondAb = -margin * glm::distance(a, b);
-    const double beyondBc = -margin * glm::distance(b, c);
-    const double beyondCa = -margin * glm::distance(c, a);
-    for (const int obstacle : obstacles_)
-    {
-      const glm::dvec2& p = points_[obstacle];
-      if (p != a && p != b && p != c && turn(a, b, p) >= beyondAb && turn(b, c, p) >= beyondBc &&
-        turn(c, a, p) >= beyondCa)
-      {
-        return false;
-      }
-    }
-    return true;
+    const glm::dvec2& p = points_[obstacle];
+    return p != a && p != b && p != c && turn(a, b, p) >= -margin * glm::distance(a, b) &&
+      turn(b, c, p) >= -margin * glm::distance(b, c) &&
+      turn(c, a, p) >= -margin * glm::distance(c, a);
   }
 
   void remove(int ear)
@@ -184,24 +193,44 @@ private:
     previous_[after] = before;
     shapes_[before] = shapeAt(before);
     shapes_[after] = shapeAt(after);
-    obstacles_.erase(std::remove_if(obstacles_.begin(), obstacles_.end(),
-                       [&](int i) { return i == ear || shapes_[i] > kFlatEar; }),
-      obstacles_.end());
-    for (const int corner : { before, after })
+    eraseObstacle(ear);
+    updateObstacle(before);
+    updateObstacle(after);
+  }
+
+  /// Makes a corner an obstacle, or none, by its shape. Their order does not matter.
+  void updateObstacle(int corner)
+  {
+    eraseObstacle(corner);
+    if (shapes_[corner] <= kFlatEar)
     {
-      if (shapes_[corner] <= kFlatEar &&
-        std::find(obstacles_.begin(), obstacles_.end(), corner) == obstacles_.end())
-      {
-        obstacles_.push_back(corner);
-      }
+      places_[corner] = static_cast<int>(obstacles_.size());
+      obstacles_.push_back(corner);
     }
   }
 
+  void eraseObstacle(int corner)
+  {
+    const int place = places_[corner];
+    if (place != kNowhere)
+    {
+      obstacles_[place] = obstacles_.back();
+      places_[obstacles_[place]] = place;
+      obstacles_.pop_back();
+      places_[corner] = kNowhere;
+    }
+  }
+
+  static constexpr int kNowhere = -1;
+
   const std::vector<glm::dvec2>& points_;
+  TriangulationEffort& effort_;
   std::vector<int> previous_;
   std::vector<int> next_;
   std::vector<double> shapes_;
-  std::vector<int> obstacles_; ///< corners that are flat or reflex
+  std::vector<int> obstacles_;               ///< corners that are flat or reflex
+  std::vector<int> places_;                  ///< of every corner among the obstacles
+  std::vector<std::array<int, 2>> blockers_; ///< of every ear, an obstacle found in or near it
 };
 
 Triangles splitQuad(const std::vector<glm::dvec2>& q)
@@ -229,8 +258,21 @@ Triangles fan(int count)
 
 } // namespace
 
-Triangles triangulatePolygon(const std::vector<Point3>& corners)
+void TriangulationEffort::spend(std::int64_t steps)
 {
+  constexpr std::size_t kFew = 1000;
+  left_ -= corners_ > kFew ? steps : 0;
+  if (left_ < 0)
+  {
+    throw Error(ErrorCode::InvalidInput,
+      "a polygon of " + std::to_string(corners_) +
+        " corners takes too long to be split into triangles");
+  }
+}
+
+Triangles triangulatePolygon(const std::vector<Point3>& corners, TriangulationEffort& effort)
+{
+  effort.begin(corners.size());
   const int count = static_cast<int>(corners.size());
   if (count <= 3)
   {
@@ -243,7 +285,7 @@ Triangles triangulatePolygon(const std::vector<Point3>& corners)
     return fan(count);
   }
   const std::vector<glm::dvec2> points = project(scaled, normal);
-  return count == 4 ? splitQuad(points) : EarClipper(points).run();
+  return count == 4 ? splitQuad(points) : EarClipper(points, effort).run();
 }
 
 } // namespace medial

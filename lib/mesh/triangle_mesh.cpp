@@ -283,7 +283,7 @@ private:
     {
       positions_.push_back(mesh_.points[point]);
     }
-    for (const auto& t : triangulatePolygon(positions_))
+    for (const auto& t : triangulatePolygon(positions_, effort_))
     {
       addTriangle({ polygon_[t[0]], polygon_[t[1]], polygon_[t[2]] }, cell);
     }
@@ -341,6 +341,7 @@ private:
   std::vector<int> corners_;
   std::vector<int> polygon_;
   std::vector<Point3> positions_;
+  TriangulationEffort effort_;
 };
 
 } // namespace

@@ -1,6 +1,8 @@
 // Meshes survive every format, and messages about damaged files name the line and the value.
 #include "medial/mesh_io.h"
 
+#include "io/file_reader.h"
+
 #include "medial/error.h"
 
 #include "support/files.h"
@@ -12,6 +14,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <new>
 #include <string>
 #include <utility>
 #include <vector>
@@ -238,6 +241,26 @@ TEST(MeshIo, RefusesOtherDataSets)
               "# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 0 float\n")
               .find("UNSTRUCTURED_GRID"),
     std::string::npos);
+}
+
+TEST(MeshIo, MessagesQuoteNothingThatATerminalWouldObey)
+{
+  EXPECT_EQ(refusal("a.off", "\x1b[31mOF\n"),
+    "a.off: not a three-dimensional OFF file: it starts with '?[31mOF'");
+  EXPECT_EQ(refusal("a.obj", "v 0 0 " + std::string(100000, 'x')).size(), 7U + 300U + 3U);
+}
+
+TEST(MeshIo, NamesTheFileThatDoesNotFitIntoMemory)
+{
+  EXPECT_EQ(refusalOf<Error>(
+              "a.obj", "v 0 0 0\n",
+              [](const std::string& file)
+              {
+                medial::readFile(file,
+                  [](const std::filesystem::path&) -> MeshInput { throw std::bad_alloc(); });
+              },
+              [](const Error& error) { EXPECT_EQ(error.code(), ErrorCode::OutOfMemory); }),
+    "a.obj: not enough memory");
 }
 
 } // namespace

@@ -383,6 +383,27 @@ TEST(Triangulation, PolygonsThatAreNotSimpleStillGiveTriangles)
   EXPECT_EQ(straight.degenerateTriangles, 3);
 }
 
+std::vector<Point3> tangledPolygon(int corners)
+{
+  std::mt19937 random(3);
+  const auto next = [&] { return static_cast<double>(random() % 4096); };
+  std::vector<Point3> polygon;
+  for (int i = 0; i < corners; ++i)
+  {
+    const double x = next();
+    polygon.push_back({ x, next(), 0.0 });
+  }
+  return polygon;
+}
+
+// Each took minutes: the effort grew with the cube of the corners.
+TEST(Triangulation, TangledPolygonsOfManyCornersTakeSecondsOrAreRefused)
+{
+  const TriangleMesh mesh = buildTriangleMesh(polygonInput(tangledPolygon(12000)));
+  EXPECT_EQ(mesh.triangles.size(), 11998u);
+  EXPECT_THROW(buildTriangleMesh(polygonInput(tangledPolygon(100000))), Error);
+}
+
 TEST(Triangulation, SizeAndPlaceDoNotMatter)
 {
   for (const double size : { 1e-17, 1e-6, 1.0, 1e6, 1e17 })
