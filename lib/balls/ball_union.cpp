@@ -1,5 +1,7 @@
 #include "balls/ball_union.h"
 
+#include "base/id_limits.h"
+
 #include <utility>
 
 namespace medial
@@ -12,6 +14,7 @@ constexpr std::int32_t kNone = -1;
 std::vector<Ball> ballsOf(const MedialModel& model)
 {
   checkMedialModel(model);
+  requireCount("the medial model", static_cast<std::int64_t>(model.centres.size()), "balls");
   std::vector<Ball> balls(model.centres.size());
   for (std::size_t i = 0; i < balls.size(); ++i)
   {

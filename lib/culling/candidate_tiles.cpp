@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 namespace medial
 {
@@ -70,17 +71,16 @@ struct CandidateHierarchy::Parts
 struct CandidateHierarchy::Workspace
 {
   CandidateFilter::Scratch scratch;
-  std::array<Parts, 4> levels; ///< from blocks to leaves; leaf tiles may be one slice thick
+  std::array<Parts, 2> levels; ///< from blocks to leaves
 };
 
 CandidateHierarchy::CandidateHierarchy(const CandidateFilter& filter, const GridFrame& frame,
-  const Extent& extent, TileHull hull, int leafSlices, const ClosestSeeds* seeds)
+  const Extent& extent, TileHull hull, const ClosestSeeds* seeds)
   : filter_(filter)
   , frame_(frame)
   , extent_(extent)
   , hull_(hull)
   , seeds_(seeds != nullptr && seeds->knows(extent) ? seeds : nullptr)
-  , leafSize_(kLeafSize, kLeafSize, leafSlices)
 {
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -139,11 +139,11 @@ void CandidateHierarchy::descendToBlocks(const Extent& node, const std::vector<i
 }
 
 std::vector<const CandidateHierarchy::Block*> CandidateHierarchy::blocksOf(
-  const Extent& slices) const
+  const Extent& layers) const
 {
   const std::size_t layer = static_cast<std::size_t>(blockCounts_.x) * blockCounts_.y;
-  const std::size_t first = (slices.min[2] - extent_.min[2]) / kBlockSize;
-  const std::size_t last = (slices.max[2] - extent_.min[2]) / kBlockSize;
+  const std::size_t first = (layers.min[2] - extent_.min[2]) / kBlockSize;
+  const std::size_t last = (layers.max[2] - extent_.min[2]) / kBlockSize;
   std::vector<const Block*> blocks;
   for (std::size_t i = first * layer; i < (last + 1) * layer; ++i)
   {
@@ -152,24 +152,38 @@ std::vector<const CandidateHierarchy::Block*> CandidateHierarchy::blocksOf(
   return blocks;
 }
 
-void CandidateHierarchy::visitLeaves(const Extent& slices, const Visitor& visitor) const
+Extent CandidateHierarchy::layersOf(const Extent& slab) const
 {
-  const std::vector<const Block*> blocks = this->blocksOf(slices);
+  Extent layers = slab;
+  layers.min[2] -= (slab.min[2] - extent_.min[2]) % kBlockSize;
+  const int last = (slab.max[2] - extent_.min[2]) / kBlockSize;
+  layers.max[2] = std::min(extent_.min[2] + (last + 1) * kBlockSize - 1, extent_.max[2]);
+  return layers;
+}
+
+std::size_t CandidateHierarchy::blockBytes() const
+{
+  return std::accumulate(blocks_.begin(), blocks_.end(), std::size_t{ 0 },
+    [](std::size_t sum, const Block& block)
+    { return sum + sizeof(Block) + block.candidates.capacity() * sizeof(int); });
+}
+
+void CandidateHierarchy::visitLeaves(const Extent& layers, const Visitor& visitor) const
+{
+  const std::vector<const Block*> blocks = this->blocksOf(layers);
   tbb::enumerable_thread_specific<Workspace> workspaces;
   tbb::parallel_for(std::size_t{ 0 }, blocks.size(),
     [&](std::size_t i)
     {
-      Extent part = blocks[i]->extent;
-      part.min[2] = std::max(part.min[2], slices.min[2]);
-      part.max[2] = std::min(part.max[2], slices.max[2]);
-      this->descendToLeaves(part, blocks[i]->candidates, 0, workspaces.local(), visitor);
+      this->descendToLeaves(blocks[i]->extent, blocks[i]->candidates, 0, workspaces.local(),
+        visitor);
     });
 }
 
-std::vector<CandidateTiles> CandidateHierarchy::leafTiles(const Extent& slices,
+std::vector<CandidateTiles> CandidateHierarchy::leafTiles(const Extent& layers,
   const Checkpoint* checkpoint) const
 {
-  const std::vector<const Block*> blocks = this->blocksOf(slices);
+  const std::vector<const Block*> blocks = this->blocksOf(layers);
   std::vector<CandidateTiles> tiles(blocks.size());
   const auto listOf = [&](const Extent& tile) -> CandidateTiles&
   {
@@ -178,12 +192,12 @@ std::vector<CandidateTiles> CandidateHierarchy::leafTiles(const Extent& slices,
     {
       index = index * blockCounts_[axis] + (tile.min[axis] - extent_.min[axis]) / kBlockSize;
     }
-    const int firstLayer = (slices.min[2] - extent_.min[2]) / kBlockSize;
+    const int firstLayer = (layers.min[2] - extent_.min[2]) / kBlockSize;
     const int layer = (tile.min[2] - extent_.min[2]) / kBlockSize - firstLayer;
     return tiles[index + static_cast<std::size_t>(layer) * blockCounts_.x * blockCounts_.y];
   };
   // One thread visits each block.
-  this->visitLeaves(slices,
+  this->visitLeaves(layers,
     [&](const Extent& tile, const std::vector<int>& candidates)
     {
       if (checkpoint != nullptr)
@@ -202,11 +216,11 @@ void CandidateHierarchy::descendToLeaves(const Extent& node, const std::vector<i
   int depth, Workspace& workspace, const Visitor& visitor) const
 {
   Parts& parts = workspace.levels[depth];
-  this->divide(node, leafSize_, parts);
+  this->divide(node, glm::ivec3(kLeafSize), parts);
   parts.filter(filter_, candidates, workspace.scratch);
   for (std::size_t i = 0; i < parts.extents.size(); ++i)
   {
-    if (fits(parts.extents[i], leafSize_))
+    if (fits(parts.extents[i], glm::ivec3(kLeafSize)))
     {
       visitor(parts.extents[i], parts.candidates[i]);
     }

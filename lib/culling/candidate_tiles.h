@@ -37,7 +37,8 @@ class CandidateHierarchy
 public:
   /// Largest number of grid points along an edge of a leaf tile.
   static constexpr int kLeafSize = 8;
-  /// Number of grid points along an edge of the blocks, where the upper levels end.
+  /// Number of grid points along an edge of the blocks, where the upper levels end. Blocks start at
+  /// multiples of it, counted from the extent's corner.
   static constexpr int kBlockSize = 32;
 
   /// Called from several threads at once.
@@ -46,23 +47,28 @@ public:
 
   /// @param filter over all sites; must outlive this.
   /// @param extent part of the grid to cover.
-  /// @param leafSlices number of slices of leaf tiles, a power of two up to kLeafSize.
   /// @param seeds of an earlier frame, must outlive this; may be null.
   CandidateHierarchy(const CandidateFilter& filter, const GridFrame& frame, const Extent& extent,
-    TileHull hull, int leafSlices = kLeafSize, const ClosestSeeds* seeds = nullptr);
+    TileHull hull, const ClosestSeeds* seeds = nullptr);
 
-  /// Largest size of a leaf tile. Tiles start at multiples of it, counted from the extent's corner.
-  const glm::ivec3& leafSize() const { return leafSize_; }
+  /// Returns the layers of blocks, with all their slices, that contain a slab. Candidates are only
+  /// found for whole layers: those of a part would be others, and so would be the last bits of
+  /// results.
+  Extent layersOf(const Extent& slab) const;
 
-  /// Visits the leaf tiles of some slices, on all threads of the current arena.
-  /// @param slices the whole extent in x and y. Its first slice is a multiple of the leaf size away
-  ///   from that of the extent.
-  void visitLeaves(const Extent& slices, const Visitor& visitor) const;
+  /// Visits the leaf tiles of whole layers, on all threads of the current arena. Tiles start at
+  /// multiples of kLeafSize, counted from the extent's corner.
+  /// @param layers of layersOf().
+  void visitLeaves(const Extent& layers, const Visitor& visitor) const;
 
-  /// Lists the leaf tiles of some slices, which are as for visitLeaves(), in one list per block.
+  /// Lists the leaf tiles of whole layers, in one list per block.
+  /// @param layers of layersOf().
   /// @param checkpoint called for each block; may be null.
-  std::vector<CandidateTiles> leafTiles(const Extent& slices,
+  std::vector<CandidateTiles> leafTiles(const Extent& layers,
     const Checkpoint* checkpoint = nullptr) const;
+
+  /// Memory that the candidates of the blocks take.
+  std::size_t blockBytes() const;
 
 private:
   struct Block
@@ -79,14 +85,13 @@ private:
   void descendToBlocks(const Extent& node, const std::vector<int>& candidates);
   void descendToLeaves(const Extent& node, const std::vector<int>& candidates, int depth,
     Workspace& workspace, const Visitor& visitor) const;
-  std::vector<const Block*> blocksOf(const Extent& slices) const;
+  std::vector<const Block*> blocksOf(const Extent& layers) const;
 
   const CandidateFilter& filter_;
   GridFrame frame_;
   Extent extent_;
   TileHull hull_;
   const ClosestSeeds* seeds_;
-  glm::ivec3 leafSize_;
   glm::ivec3 blockCounts_;
   std::vector<Block> blocks_; ///< x fastest
 };

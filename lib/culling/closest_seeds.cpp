@@ -20,11 +20,7 @@ bool ClosestSeeds::knows(const Extent& extent) const
 
 void ClosestSeeds::set(const Extent& tile, int site)
 {
-  // Of several thin tiles in one place, only the first counts.
-  if ((tile.min[2] - extent_.min[2]) % kTileSize == 0)
-  {
-    sites_[this->indexOf(tile)] = site;
-  }
+  sites_[this->indexOf(tile)] = site;
 }
 
 std::size_t ClosestSeeds::indexOf(const Extent& node) const

@@ -10,18 +10,23 @@
 
 namespace medial
 {
+namespace
+{
+
+constexpr int kTileSize = CandidateHierarchy::kLeafSize;
+
+} // namespace
 
 TileQuery::TileQuery(const SiteSet& sites, const CandidateFilter& filter, const GridFrame& frame,
-  const Extent& extent, const glm::ivec3& tileSize)
+  const Extent& extent)
   : sites_(sites)
   , filter_(filter)
   , frame_(frame)
   , extent_(extent)
-  , tileSize_(tileSize)
 {
   for (int axis = 0; axis < 3; ++axis)
   {
-    tileCounts_[axis] = (extent.size(axis) + tileSize[axis] - 1) / tileSize[axis];
+    tileCounts_[axis] = (extent.size(axis) + kTileSize - 1) / kTileSize;
   }
   const std::size_t tiles = static_cast<std::size_t>(tileCounts_.x) * tileCounts_.y * tileCounts_.z;
   requireMemory("a table of " + std::to_string(tiles) + " tiles of the grid",
@@ -35,7 +40,7 @@ std::size_t TileQuery::tileIndex(const glm::ivec3& gridPoint) const
   for (int axis = 2; axis >= 0; --axis)
   {
     const int offset = gridPoint[axis] - extent_.min[axis];
-    index = index * tileCounts_[axis] + offset / tileSize_[axis];
+    index = index * tileCounts_[axis] + offset / kTileSize;
   }
   return index;
 }

@@ -16,10 +16,10 @@ namespace medial
 class TileQuery
 {
 public:
-  /// @param tileSize of the tiles that will be added: CandidateHierarchy::leafSize().
+  /// @param extent where the queries will be, of a hierarchy or some of its layers.
   /// @throws Error OutOfMemory.
   TileQuery(const SiteSet& sites, const CandidateFilter& filter, const GridFrame& frame,
-    const Extent& extent, const glm::ivec3& tileSize);
+    const Extent& extent);
 
   /// Adds the tiles of one block. Together they must cover the positions of later queries.
   void add(CandidateTiles tiles);
@@ -56,7 +56,6 @@ private:
   const CandidateFilter& filter_;
   GridFrame frame_;
   Extent extent_;
-  glm::ivec3 tileSize_;
   glm::ivec3 tileCounts_;
   std::vector<CandidateTiles> blocks_;
   std::vector<Candidates> tiles_; ///< x fastest

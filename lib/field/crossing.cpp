@@ -1,7 +1,9 @@
 #include "field/crossing.h"
 
+#include "base/id_limits.h"
 #include "medial/memory.h"
 
+#include <cstdint>
 #include <string>
 
 namespace medial
@@ -19,6 +21,8 @@ void requireRoomForAxis(std::size_t crossings)
 {
   requireMemory("a medial axis selected from " + std::to_string(crossings) + " places or more",
     crossings * kAxisBytes);
+  requireCount("the medial axis", static_cast<std::int64_t>(crossings),
+    "places where it crosses the grid", kMaxCrossings);
 }
 
 } // namespace medial

@@ -32,7 +32,7 @@ struct CrossingSelection
 /// Gives up an axis that does not fit into memory, at the first slab that shows it. Engines call it
 /// after every slab.
 /// @param crossings number of crossings selected so far.
-/// @throws Error OutOfMemory.
+/// @throws Error OutOfMemory, and InvalidInput for more than kMaxCrossings.
 void requireRoomForAxis(std::size_t crossings);
 
 } // namespace medial

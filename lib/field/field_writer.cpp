@@ -95,7 +95,8 @@ void FieldWriter::store(const glm::vec4* displacements, const std::int32_t* clos
 
 void FieldWriter::store(const Extent& tile, const TileField& field) const
 {
-  for (int k = 0; k < tile.size(2); ++k)
+  const SliceRange slices = SliceRange::common(tile, slab_);
+  for (int k = slices.begin; k < slices.end; ++k)
   {
     for (int j = 0; j < tile.size(1); ++j)
     {

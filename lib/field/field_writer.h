@@ -27,7 +27,7 @@ public:
   ///   the job knows which points are inside. May be null if no array needs them.
   /// @param closest sites; may be null if no array needs them.
   void store(const glm::vec4* displacements, const std::int32_t* closest) const;
-  /// Converts an evaluated tile. Several threads may call it at once.
+  /// Converts the slab's part of an evaluated tile. Several threads may call it at once.
   void store(const Extent& tile, const TileField& field) const;
 
 private:

@@ -2,7 +2,6 @@
 
 #include "base/stopwatch.h"
 
-#include <algorithm>
 #include <cstdint>
 
 namespace medial
@@ -10,35 +9,39 @@ namespace medial
 namespace
 {
 
-CandidateHierarchy cullBlocks(const FieldJob& job, int slabSlices, TileHull hull,
-  const ClosestSeeds& seeds)
+CandidateHierarchy cullBlocks(const FieldJob& job, TileHull hull, const ClosestSeeds& seeds)
 {
   const Stopwatch watch(job.statistics.seconds.cull);
-  const int leafSlices = std::min(slabSlices, CandidateHierarchy::kLeafSize);
-  return job.run.onThreads([&]
-    { return CandidateHierarchy(job.filter, job.frame, job.extent, hull, leafSlices, &seeds); });
+  return job.run.onThreads(
+    [&] { return CandidateHierarchy(job.filter, job.frame, job.extent, hull, &seeds); });
 }
 
 } // namespace
 
-SlabCulling::SlabCulling(const FieldJob& job, int slabSlices, TileHull hull,
-  const ClosestSeeds& seeds)
+SlabCulling::SlabCulling(const FieldJob& job, TileHull hull, const ClosestSeeds& seeds)
   : job_(job)
-  , hierarchy_(cullBlocks(job, slabSlices, hull, seeds))
+  , hierarchy_(cullBlocks(job, hull, seeds))
 {
   if (hull == TileHull::Cells)
   {
-    query_ = std::make_unique<TileQuery>(job.sites, job.filter, job.frame, job.extent,
-      hierarchy_.leafSize());
+    query_ = std::make_unique<TileQuery>(job.sites, job.filter, job.frame, job.extent);
   }
 }
 
-std::vector<CandidateTiles> SlabCulling::tilesOf(const Extent& slab, const Checkpoint& checkpoint)
+std::shared_ptr<const SlabCulling::Tiles> SlabCulling::tilesOf(const Extent& slab,
+  const Checkpoint& checkpoint)
 {
+  const Extent layers = hierarchy_.layersOf(slab);
+  if (tiles_ != nullptr && layers.min == layers_.min && layers.max == layers_.max)
+  {
+    return tiles_;
+  }
   const Stopwatch watch(job_.statistics.seconds.cull);
-  std::vector<CandidateTiles> blocks =
-    job_.run.onThreads([&] { return hierarchy_.leafTiles(slab, &checkpoint); });
-  for (const CandidateTiles& block : blocks)
+  tiles_.reset();
+  tiles_ = std::make_shared<const Tiles>(
+    job_.run.onThreads([&] { return hierarchy_.leafTiles(layers, &checkpoint); }));
+  layers_ = layers;
+  for (const CandidateTiles& block : *tiles_)
   {
     job_.statistics.candidatePairs += static_cast<std::int64_t>(block.candidates.size());
     if (query_)
@@ -46,7 +49,7 @@ std::vector<CandidateTiles> SlabCulling::tilesOf(const Extent& slab, const Check
       query_->add(block);
     }
   }
-  return blocks;
+  return tiles_;
 }
 
 } // namespace medial

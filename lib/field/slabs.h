@@ -8,11 +8,16 @@
 namespace medial
 {
 
+/// Number of slices of the thickest slabs.
+constexpr int kMaxSlices = 64;
+
 /// Returns the number of slices per slab of an extent: a power of two, as large as memory and an
 /// upper limit allow, and at least one.
 /// @param bytesPerPoint memory of the slabs in progress, per grid point of a slab.
 /// @param memoryMiB memory that they should not exceed; 0 for a default.
-int slabSlices(const Extent& extent, std::size_t bytesPerPoint, std::size_t memoryMiB);
+/// @param bytesTaken memory that counts towards memoryMiB, but is not theirs.
+int slabSlices(const Extent& extent, std::size_t bytesPerPoint, std::size_t memoryMiB,
+  std::size_t bytesTaken);
 
 /// Returns the slabs in ascending z; the last one may be thinner.
 std::vector<Extent> slabsOf(const Extent& extent, int slices);

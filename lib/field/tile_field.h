@@ -1,9 +1,28 @@
 #pragma once
 
+#include "medial/grid.h"
+
+#include <algorithm>
 #include <cstdint>
 
 namespace medial
 {
+
+/// Slices [begin, end) of a tile, counted from its first.
+struct SliceRange
+{
+  int begin;
+  int end;
+
+  /// Those of a tile that lie in a slab.
+  static SliceRange common(const Extent& tile, const Extent& slab)
+  {
+    return { std::max(slab.min[2] - tile.min[2], 0),
+      std::min(slab.max[2], tile.max[2]) - tile.min[2] + 1 };
+  }
+
+  bool contains(int slice) const { return slice >= begin && slice < end; }
+};
 
 /// The closest sites of the grid points of one tile, x fastest, in rows of kRow.
 struct TileField

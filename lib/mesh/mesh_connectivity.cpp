@@ -1,7 +1,7 @@
 #include "medial/mesh_connectivity.h"
 
 #include "base/disjoint_sets.h"
-
+#include "base/id_limits.h"
 #include "medial/error.h"
 #include "mesh/edge_list.h"
 #include "mesh/manifold_part.h"
@@ -48,6 +48,10 @@ void requireValid(const TriangleMesh& mesh)
     throw Error(ErrorCode::InvalidInput,
       "the mesh's lists of cells and of cell ids differ in size");
   }
+  requireCount("the mesh", static_cast<std::int64_t>(mesh.points.size()), "points");
+  requireCount("the mesh",
+    static_cast<std::int64_t>(3 * mesh.triangles.size() + mesh.segments.size()),
+    "sides of triangles and segments");
   const int points = static_cast<int>(mesh.points.size());
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
   {
@@ -131,6 +135,10 @@ IncidenceLists invert(const std::vector<std::array<int, N>>& lists, std::size_t 
 void buildEdges(const TriangleMesh& mesh, MeshConnectivity& connectivity)
 {
   const EdgeList list(mesh);
+  const std::int64_t edges = list.size();
+  requireCount("the mesh", 2 * edges, "ends of edges");
+  requireCount("the mesh",
+    edges + static_cast<std::int64_t>(mesh.triangles.size() + mesh.points.size()), "sites");
   EdgeNumbers numbers(list.size(), connectivity.edges);
   ManifoldPart manifold(mesh.points.size(), list.size());
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i)

@@ -1,5 +1,6 @@
 #include "medial/triangle_mesh.h"
 
+#include "base/id_limits.h"
 #include "medial/error.h"
 #include "mesh/polygon_triangulation.h"
 
@@ -18,8 +19,6 @@ namespace
 
 /// Height over longest side below which the direction of a normal is rounding noise.
 constexpr double kMinRelativeHeight = 1e-12;
-/// Every cell corner adds at most four sites, whose ids are 32 bits wide.
-constexpr std::int64_t kMaxCorners = (std::int64_t{ 1 } << 29) - 1;
 
 glm::dvec3 toVector(const Point3& p)
 {
@@ -189,12 +188,7 @@ private:
     const std::size_t total = input_.polygons.connectivity.size() +
       stripTriangles.connectivity.size() + input_.lines.connectivity.size() +
       input_.verts.connectivity.size();
-    if (static_cast<std::int64_t>(total) > kMaxCorners)
-    {
-      throw Error(ErrorCode::InvalidInput,
-        "the mesh has " + std::to_string(total) + " cell corners, more than " +
-          std::to_string(kMaxCorners));
-    }
+    requireCount("the mesh", static_cast<std::int64_t>(total), "cell corners", kMaxCorners);
   }
 
   void markUsed(const CellList& cells, std::vector<char>& used) const

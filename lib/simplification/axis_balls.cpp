@@ -1,5 +1,6 @@
 #include "simplification/axis_balls.h"
 
+#include "base/id_limits.h"
 #include "medial/error.h"
 
 #include <algorithm>
@@ -30,6 +31,7 @@ void checkSizeIfAny(const char* name, std::size_t size, std::size_t points)
 void checkArrays(const MedialAxis& axis)
 {
   const std::size_t count = axis.points.size();
+  requireCount("the medial axis", static_cast<std::int64_t>(count), "points");
   checkSize("radius", axis.radius.size(), count);
   checkSizeIfAny("separation angle", axis.separationAngle.size(), count);
   checkSizeIfAny("lambda", axis.lambda.size(), count);

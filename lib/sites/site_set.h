@@ -32,6 +32,9 @@ using HalfSpace = glm::vec4;
 class SiteSet
 {
 public:
+  /// Index of a half-space. There are up to 16 for each cell corner of a mesh.
+  using HalfSpaceIndex = std::int64_t;
+
   SiteSet(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
     const LocalCoordinates& local);
 
@@ -100,7 +103,7 @@ private:
   std::vector<glm::dvec3> faceNormals_;
   std::vector<char> active_;
   std::vector<glm::vec4> balls_;
-  std::vector<int> halfSpaceOffsets_{ 0 };
+  std::vector<HalfSpaceIndex> halfSpaceOffsets_{ 0 };
   std::vector<HalfSpace> halfSpaces_;
 };
 

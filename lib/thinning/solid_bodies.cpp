@@ -73,9 +73,10 @@ struct PartPairs
 class PairScan
 {
 public:
-  PairScan(const SurfaceParts& parts, const GridFrame& frame, const glm::ivec3& size,
-    const std::int32_t* closestSites, const DepthField& depth)
-    : parts_(parts)
+  PairScan(const SiteSet& sites, const SurfaceParts& parts, const GridFrame& frame,
+    const glm::ivec3& size, const std::int32_t* closestSites, const DepthField& depth)
+    : sites_(sites)
+    , parts_(parts)
     , frame_(frame)
     , size_(size)
     , closestSites_(closestSites)
@@ -118,11 +119,24 @@ private:
   }
   bool isBody(int part) const { return parts_.volumes[part] * total_ > 0.0; }
 
+  /// Whether a grid point lies outside of the part whose face is closest to it. Where parts touch or
+  /// overlap it is in another one, and tells nothing about which parts are next to each other.
+  bool isBehind(const glm::ivec3& p) const
+  {
+    const std::int32_t site = closestSites_[this->index(p)];
+    if (sites_.kind(site) != SiteKind::Face)
+    {
+      return false;
+    }
+    const glm::dvec3& corner = sites_.points()[sites_.faces()[site][0]];
+    return total_ * glm::dot(sites_.faceNormal(site), frame_.sample(glm::dvec3(p)) - corner) > 0.0;
+  }
+
   /// Looks at the half of the 26 neighbours that come later.
   void visit(const glm::ivec3& p, PartPairs& pairs) const
   {
     const std::size_t here = this->index(p);
-    if (!depth_.wanted(here))
+    if (!depth_.wanted(here) || this->isBehind(p))
     {
       return;
     }
@@ -132,7 +146,7 @@ private:
       const glm::ivec3 offset(step % 3 - 1, step / 3 % 3 - 1, step / 9 - 1);
       const std::size_t there = this->index(p + offset);
       const int other = parts_.ofSite[closestSites_[there]];
-      if (other == part || !depth_.wanted(there))
+      if (other == part || !depth_.wanted(there) || this->isBehind(p + offset))
       {
         continue;
       }
@@ -144,6 +158,7 @@ private:
     }
   }
 
+  const SiteSet& sites_;
   const SurfaceParts& parts_;
   const GridFrame& frame_;
   glm::ivec3 size_;
@@ -197,7 +212,7 @@ SolidBodies::SolidBodies(const SiteSet& sites, const GridFrame& frame, const glm
   {
     return;
   }
-  const PartPairs pairs = PairScan(parts, frame, size, closestSites, depth).run();
+  const PartPairs pairs = PairScan(sites, parts, frame, size, closestSites, depth).run();
   DisjointSets groups(static_cast<std::size_t>(parts.count()));
   for (const auto& [a, b] : pairs.joined)
   {

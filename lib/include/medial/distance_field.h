@@ -27,9 +27,10 @@ struct DistanceFieldOptions
 {
   SignMethod sign = SignMethod::Auto; ///< how to tell inside from outside
   Engine engine = Engine::Auto;       ///< what finds the closest sites
-  /// Memory in MiB that the slabs in progress should not exceed, on the host and on the device
-  /// each; 0 lets the library choose. Sites, candidates and the caller's arrays come on top. A slab
-  /// has at least one slice.
+  /// Memory in MiB that the slabs in progress should not exceed, on the host together with the
+  /// candidates of blocks, and on the device; 0 lets the library choose. Sites, the candidates of
+  /// tiles and the caller's arrays come on top. A slab has at least one slice. It changes no byte
+  /// of what the processor computes.
   std::size_t memoryMiB = 0;
   /// Fail without OpenGL or with a software renderer, whatever the engine.
   bool requireHardware = false;

@@ -66,8 +66,8 @@ struct MEDIAL_EXPORT MeshConnectivity
 /// the order of the mesh's lists. The time is n log n in the size of the mesh, however many
 /// triangles meet at a point.
 /// @throws Error InvalidInput for a point id that is out of range or repeated within a triangle or
-///   segment, and for lists of cell ids of the wrong size; meshes from buildTriangleMesh() have
-///   neither.
+///   segment, for lists of cell ids of the wrong size, and for more than 2147483647 sides, ends of
+///   edges or sites; meshes from buildTriangleMesh() have none of these.
 MEDIAL_EXPORT MeshConnectivity analyseConnectivity(const TriangleMesh& mesh);
 
 /// Returns the volume that the triangles enclose by their orientation, world units cubed; see

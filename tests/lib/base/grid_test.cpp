@@ -163,6 +163,13 @@ TEST(Grid, PointsFollowOriginAndSpacing)
   EXPECT_EQ(grid.wholeExtent().max, (std::array<int, 3>{ 8191, 8191, 63 }));
 }
 
+TEST(Grid, LargestHasMorePointsThanAnIdOf32Bits)
+{
+  const Grid grid{ {}, { 1, 1, 1 }, { kMaxDimension, kMaxDimension, kMaxDimension } };
+  validateGrid(grid);
+  EXPECT_EQ(grid.pointCount(), std::int64_t{ 1 } << 39);
+}
+
 TEST(Extent, CountsAndContains)
 {
   const Extent all{ { 0, 0, 0 }, { 9, 9, 9 } };

@@ -99,18 +99,24 @@ protected:
   void forEachTile(int slabSlices, TileHull hull, Check check) const
   {
     const Extent whole = grid_.wholeExtent();
-    const CandidateHierarchy hierarchy(filter_, frame_, whole, hull, std::min(slabSlices, 8));
+    const CandidateHierarchy hierarchy(filter_, frame_, whole, hull);
     for (int first = 0; first <= whole.max[2]; first += slabSlices)
     {
       Extent slab = whole;
       slab.min[2] = first;
       slab.max[2] = std::min(first + slabSlices - 1, whole.max[2]);
-      for (const CandidateTiles& block : hierarchy.leafTiles(slab))
+      for (const CandidateTiles& block : hierarchy.leafTiles(hierarchy.layersOf(slab)))
       {
         for (std::size_t t = 0; t < block.tiles.size(); ++t)
         {
           const int* ids = block.candidates.data();
-          check(block.tiles[t], ids + block.offsets[t], ids + block.offsets[t + 1]);
+          Extent part = block.tiles[t];
+          part.min[2] = std::max(part.min[2], slab.min[2]);
+          part.max[2] = std::min(part.max[2], slab.max[2]);
+          if (!part.empty())
+          {
+            check(part, ids + block.offsets[t], ids + block.offsets[t + 1]);
+          }
         }
       }
     }

@@ -206,7 +206,7 @@ TEST(MedialAxis, OfTheInteriorIsInside)
   {
     const MedialAxis axis = compute(input, representation);
     EXPECT_EQ(axis.side, Side::Interior);
-    EXPECT_EQ(axis.sign, SignMethod::Pseudonormal);
+    EXPECT_EQ(axis.sign, SignMethod::Winding);
     for (const Point3& point : axis.points)
     {
       EXPECT_GT(std::abs(windingNumber(mesh, point)), 0.5);

@@ -1,3 +1,4 @@
+#include "base/id_limits.h"
 #include "sites/closest_point.h"
 #include "sites/grid_frame.h"
 #include "sites/pseudonormals.h"
@@ -10,6 +11,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <limits>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -231,6 +234,14 @@ TEST(Pseudonormals, AreQuickForPilesOfTrianglesWithoutArea)
   EXPECT_EQ(normals.size(), static_cast<std::size_t>(sites.size()));
   EXPECT_EQ(normals[0], glm::vec4(0.0f));
   EXPECT_EQ(glm::abs(normals[80].z), 1.0f);
+}
+
+/// Meshes that large cannot be tried. A polygon of n corners has up to 16 n half-spaces: 5 for each
+/// of n - 2 faces, 2 and one for each side of a face for 2 n edges, and one for each of their ends.
+TEST(SiteSet, HalfSpacesOfTheLargestMeshHaveIndices)
+{
+  EXPECT_GT(std::numeric_limits<SiteSet::HalfSpaceIndex>::max(), 16 * kMaxCorners);
+  EXPECT_GT(16 * kMaxCorners, std::int64_t{ std::numeric_limits<int>::max() });
 }
 
 TEST(SiteSet, FramesAreCentredOnTheGridInUnitsOfItsFinestSpacing)

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 
 namespace medial
@@ -34,12 +35,6 @@ struct Work
 };
 
 using Works = tbb::enumerable_thread_specific<Work>;
-
-int middleSite(const Extent& tile, const TileField& field)
-{
-  return field
-    .site[TileField::index((tile.size(0) - 1) / 2, (tile.size(1) - 1) / 2, (tile.size(2) - 1) / 2)];
-}
 
 void setSides(const InsideRows& inside, const Extent& tile, TileField& field)
 {
@@ -64,22 +59,37 @@ struct Evaluation
     seeds.reset(job.extent);
   }
 
-  /// Also leaves the tile in work.field. Several threads may call this at once.
+  /// Sets the slab and the arrays of the next tiles.
+  void begin(const Extent& nextSlab, const FieldArrays& arrays)
+  {
+    slab = nextSlab;
+    writer.begin(slab, arrays);
+  }
+
+  /// Evaluates the slab's part of a tile, and leaves it in work.field as well. Several threads may
+  /// call this at once.
   void evaluate(const Extent& tile, const int* candidates, std::size_t count, Work& work)
   {
-    work.evaluations += evaluator.evaluate(tile, candidates, count, work.field);
+    const SliceRange slices = SliceRange::common(tile, slab);
+    work.evaluations += evaluator.evaluate(tile, candidates, count, slices, work.field);
     if (inside != nullptr)
     {
       setSides(*inside, tile, work.field);
     }
     writer.store(tile, work.field);
-    seeds.set(tile, middleSite(tile, work.field));
+    const int middle = (tile.size(2) - 1) / 2;
+    if (slices.contains(middle))
+    {
+      const int index = TileField::index((tile.size(0) - 1) / 2, (tile.size(1) - 1) / 2, middle);
+      seeds.set(tile, work.field.site[index]);
+    }
   }
 
   const InsideRows* inside; ///< null if the evaluator finds the sides
   TileEvaluator evaluator;
   FieldWriter writer;
   ClosestSeeds seeds; ///< for the next job
+  Extent slab;
 };
 
 Evaluation makeEvaluation(const FieldJob& job)
@@ -88,14 +98,14 @@ Evaluation makeEvaluation(const FieldJob& job)
   return job.run.onThreads([&] { return Evaluation(job); });
 }
 
-/// Evaluates a slab while its tiles are found, so that they need not be listed.
-void evaluateSlab(const FieldJob& job, const CandidateHierarchy& hierarchy, const Extent& slab,
+/// Evaluates whole layers of blocks while their tiles are found, so that they need not be listed.
+void evaluateLayers(const FieldJob& job, const CandidateHierarchy& hierarchy,
   const Checkpoint& checkpoint, Evaluation& evaluation, Works& works)
 {
   job.run.onThreads(
     [&]
     {
-      hierarchy.visitLeaves(slab,
+      hierarchy.visitLeaves(evaluation.slab,
         [&](const Extent& tile, const std::vector<int>& candidates)
         {
           checkpoint();
@@ -107,6 +117,12 @@ void evaluateSlab(const FieldJob& job, const CandidateHierarchy& hierarchy, cons
     });
 }
 
+std::int64_t evaluations(const Works& works)
+{
+  return std::accumulate(works.begin(), works.end(), std::int64_t{ 0 },
+    [](std::int64_t sum, const Work& work) { return sum + work.evaluations; });
+}
+
 /// Adds the work of all threads. Evaluation and the descent to leaf tiles alternate; each gets the
 /// share of the wall clock that it has of the threads' time.
 void addWorks(const Works& works, double wall, int threads, RunStatistics& statistics)
@@ -116,21 +132,32 @@ void addWorks(const Works& works, double wall, int threads, RunStatistics& stati
   {
     seconds += work.seconds / threads;
     statistics.candidatePairs += work.pairs;
-    statistics.fragments += work.evaluations;
   }
+  statistics.fragments += evaluations(works);
   seconds = std::min(seconds, wall);
   statistics.seconds.draw += seconds;
   statistics.seconds.cull += wall - seconds;
 }
 
-/// Evaluates listed tiles, and keeps them for the selection.
-void evaluateTiles(const FieldJob& job, const Extent& slab,
-  const std::vector<CandidateTiles>& blocks, const Checkpoint& checkpoint, Evaluation& evaluation,
-  SlabField& field)
+/// Evaluates those of some listed tiles that the slab cuts.
+/// @param field keeps them for the selection; may be null.
+void evaluateTiles(const FieldJob& job, const std::vector<CandidateTiles>& blocks,
+  const Checkpoint& checkpoint, Evaluation& evaluation, SlabField* field, Works& works)
 {
-  const Stopwatch watch(job.statistics.seconds.draw);
-  field.begin(slab);
-  Works works;
+  const auto evaluate = [&](const CandidateTiles& block, std::size_t t, Work& work)
+  {
+    const Extent& tile = block.tiles[t];
+    if (tile.max[2] < evaluation.slab.min[2] || tile.min[2] > evaluation.slab.max[2])
+    {
+      return;
+    }
+    evaluation.evaluate(tile, block.candidates.data() + block.offsets[t],
+      block.offsets[t + 1] - block.offsets[t], work);
+    if (field != nullptr)
+    {
+      field->store(tile, work.field);
+    }
+  };
   job.run.onThreads(
     [&]
     {
@@ -138,19 +165,29 @@ void evaluateTiles(const FieldJob& job, const Extent& slab,
         [&](std::size_t b)
         {
           checkpoint();
-          const CandidateTiles& block = blocks[b];
           Work& work = works.local();
-          for (std::size_t t = 0; t < block.tiles.size(); ++t)
+          const Stopwatch watch(work.seconds);
+          for (std::size_t t = 0; t < blocks[b].tiles.size(); ++t)
           {
-            evaluation.evaluate(block.tiles[t], block.candidates.data() + block.offsets[t],
-              block.offsets[t + 1] - block.offsets[t], work);
-            field.store(block.tiles[t], work.field);
+            evaluate(blocks[b], t, work);
           }
         });
     });
-  for (const Work& work : works)
+}
+
+/// Evaluates a slab; its tiles are listed only if it shares them with others.
+void evaluateSlab(const FieldJob& job, SlabCulling& culling, const Checkpoint& checkpoint,
+  Evaluation& evaluation, Works& works)
+{
+  const Extent layers = culling.hierarchy().layersOf(evaluation.slab);
+  if (layers.size(2) == evaluation.slab.size(2))
   {
-    job.statistics.fragments += work.evaluations;
+    evaluateLayers(job, culling.hierarchy(), checkpoint, evaluation, works);
+  }
+  else
+  {
+    evaluateTiles(job, *culling.tilesOf(evaluation.slab, checkpoint), checkpoint, evaluation,
+      nullptr, works);
   }
 }
 
@@ -158,8 +195,9 @@ void evaluateTiles(const FieldJob& job, const Extent& slab,
 
 void ProcessorEngine::run(const FieldJob& job, FieldSink& sink)
 {
-  const int slices = slabSlices(job.extent, sink.bytesPerPoint(), job.memoryMiB);
-  const SlabCulling culling(job, slices, TileHull::Points, seeds_);
+  SlabCulling culling(job, TileHull::Points, seeds_);
+  const int slices =
+    slabSlices(job.extent, sink.bytesPerPoint(), job.memoryMiB, culling.hierarchy().blockBytes());
   Evaluation evaluation = makeEvaluation(job);
   const std::vector<Extent> slabs = slabsOf(job.extent, slices);
   Works works;
@@ -169,9 +207,8 @@ void ProcessorEngine::run(const FieldJob& job, FieldSink& sink)
     const double done = static_cast<double>(i) / static_cast<double>(slabs.size());
     job.run.report(done, "distance field");
     const Checkpoint checkpoint(job.run, done, "distance field");
-    evaluation.writer.begin(slabs[i], sink.slabArrays(slabs[i]));
-    timed(wall,
-      [&] { evaluateSlab(job, culling.hierarchy(), slabs[i], checkpoint, evaluation, works); });
+    evaluation.begin(slabs[i], sink.slabArrays(slabs[i]));
+    timed(wall, [&] { evaluateSlab(job, culling, checkpoint, evaluation, works); });
     sink.stored(slabs[i]);
   }
   addWorks(works, wall, job.run.threads(), job.statistics);
@@ -181,11 +218,11 @@ void ProcessorEngine::run(const FieldJob& job, FieldSink& sink)
 SelectedField ProcessorEngine::select(const FieldJob& job, const CrossingSelection& wanted,
   FieldSink& sink)
 {
-  const int slices =
-    slabSlices(job.extent, kSelectionBytesPerPoint + sink.bytesPerPoint(), job.memoryMiB);
-  SlabCulling culling(job, slices, TileHull::Cells, seeds_);
+  SlabCulling culling(job, TileHull::Cells, seeds_);
+  const int slices = slabSlices(job.extent, kSelectionBytesPerPoint + sink.bytesPerPoint(),
+    job.memoryMiB, culling.hierarchy().blockBytes());
   Evaluation evaluation = makeEvaluation(job);
-  ProcessorSelection selection(wanted, job.frame, job.sign != FieldSign::None);
+  ProcessorSelection selection(wanted, job.frame, job.extent, job.sign != FieldSign::None);
   const std::vector<Extent> slabs = slabsOf(job.extent, slices);
   const double perSlab = 1.0 / static_cast<double>(slabs.size());
   SlabField field;
@@ -194,9 +231,16 @@ SelectedField ProcessorEngine::select(const FieldJob& job, const CrossingSelecti
     const double done = static_cast<double>(i) * perSlab;
     job.run.report(done, "distance field");
     const Checkpoint checkpoint(job.run, done, "distance field");
-    const std::vector<CandidateTiles> blocks = culling.tilesOf(slabs[i], checkpoint);
-    evaluation.writer.begin(slabs[i], sink.slabArrays(slabs[i]));
-    evaluateTiles(job, slabs[i], blocks, checkpoint, evaluation, field);
+    const auto tiles = culling.tilesOf(slabs[i], checkpoint);
+    evaluation.begin(slabs[i], sink.slabArrays(slabs[i]));
+    timed(job.statistics.seconds.draw,
+      [&]
+      {
+        Works works;
+        field.begin(slabs[i]);
+        evaluateTiles(job, *tiles, checkpoint, evaluation, &field, works);
+        job.statistics.fragments += evaluations(works);
+      });
     sink.stored(slabs[i]);
     job.run.report(done + 0.5 * perSlab, "distance field");
     const Stopwatch watch(job.statistics.seconds.medial);

@@ -1,6 +1,7 @@
 #include "field/engines/processor/processor_selection.h"
 
 #include "base/simd.h"
+#include "field/slabs.h"
 
 #include <tbb/parallel_for.h>
 
@@ -41,10 +42,11 @@ MEDIAL_VECTORISED void ProcessorSelection::findChanges(const std::int32_t* sites
 }
 
 ProcessorSelection::ProcessorSelection(const CrossingSelection& selection, const GridFrame& frame,
-  bool signedField)
+  const Extent& extent, bool signedField)
   : cosineLimit_(std::cos(glm::radians(selection.angle)))
   , side_(selection.side)
   , frame_(frame)
+  , extent_(extent)
   , signed_(signedField)
 {
 }
@@ -65,7 +67,13 @@ void ProcessorSelection::process(const SlabField& slab, const TileEvaluator& eva
   {
     crossings_.insert(crossings_.end(), slice.begin(), slice.end());
   }
+  waited_ = this->waits(slab.extent());
   requireRoomForAxis(crossings_.size());
+}
+
+bool ProcessorSelection::waits(const Extent& slab) const
+{
+  return slab.max[2] < extent_.max[2] && (slab.max[2] + 1 - extent_.min[2]) % kMaxSlices != 0;
 }
 
 void ProcessorSelection::selectRow(const SlabField& slab, const TileEvaluator& evaluator, int slot,
@@ -78,8 +86,9 @@ void ProcessorSelection::selectRow(const SlabField& slab, const TileEvaluator& e
   const Extent& extent = slab.extent();
   const std::int32_t* sites = slab.sites(slot, row);
   const float* sides = slab.sides(slot, row);
-  // The slice below was compared along x and y when it was part of its own slab.
-  const bool along[3] = { slot > 0, slot > 0 && row + 1 < extent.size(1), slot + 1 < slab.slots() };
+  const bool last = slot + 1 == slab.slots();
+  const bool inSlice = slot > 0 ? !last || !this->waits(extent) : waited_;
+  const bool along[3] = { inSlice, inSlice && row + 1 < extent.size(1), !last };
   const std::int32_t* ends[3] = { sites + 1, along[1] ? slab.sites(slot, row + 1) : sites,
     along[2] ? slab.sites(slot + 1, row) : sites };
   const float* endSides[3] = { sides + 1, along[1] ? slab.sides(slot, row + 1) : sides,

@@ -16,10 +16,13 @@ namespace medial
 class ProcessorSelection
 {
 public:
+  /// @param extent of all slabs.
   /// @param signedField whether the field has a sign, and so sides.
-  ProcessorSelection(const CrossingSelection& selection, const GridFrame& frame, bool signedField);
+  ProcessorSelection(const CrossingSelection& selection, const GridFrame& frame,
+    const Extent& extent, bool signedField);
 
-  /// Selects the crossings of a slab; slabs come in ascending z. Uses the threads of the current
+  /// Selects the crossings of a slab; slabs come in ascending z. The order of crossings does not
+  /// depend on the slabs. Uses the threads of the current
   /// arena.
   /// @throws Error as requireRoomForAxis().
   void process(const SlabField& slab, const TileEvaluator& evaluator);
@@ -37,6 +40,9 @@ private:
 
   static void findChanges(const std::int32_t* sites, const std::int32_t* ends, int count, int axis,
     std::vector<Change>& changes);
+  /// Whether the crossings of a slab's last slice wait for the slice above, so that all of them
+  /// come together. Those along x and y do not wait where even the thickest slabs end.
+  bool waits(const Extent& slab) const;
   /// @param changes working memory.
   void selectRow(const SlabField& slab, const TileEvaluator& evaluator, int slot, int row,
     std::vector<Change>& changes, std::vector<Crossing>& found) const;
@@ -45,7 +51,9 @@ private:
   double cosineLimit_;
   Side side_;
   GridFrame frame_;
+  Extent extent_;
   bool signed_;
+  bool waited_ = false; ///< whether those of the slice below the next slab do
   std::vector<Crossing> crossings_;
 };
 

@@ -23,7 +23,8 @@ void SlabField::begin(const Extent& slab)
 
 void SlabField::store(const Extent& tile, const TileField& field)
 {
-  for (int k = 0; k < tile.size(2); ++k)
+  const SliceRange slices = SliceRange::common(tile, extent_);
+  for (int k = slices.begin; k < slices.end; ++k)
   {
     for (int j = 0; j < tile.size(1); ++j)
     {

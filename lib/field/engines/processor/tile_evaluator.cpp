@@ -37,8 +37,9 @@ struct Tile
 {
   glm::dvec3 origin;
   glm::dvec3 step;
-  int rows;    ///< along y
-  int slices;  ///< along z
+  int rows; ///< along y
+  int firstSlice;
+  int endSlice;
   float lastX; ///< index of the last point of a row
   TileField& field;
 
@@ -104,7 +105,7 @@ MEDIAL_INLINE std::int64_t addFace(const Tile& tile, int site, const TileFunctio
   const TileFunction* sides, int sideCount)
 {
   std::int64_t rows = 0;
-  for (int k = 0; k < tile.slices; ++k)
+  for (int k = tile.firstSlice; k < tile.endSlice; ++k)
   {
     for (unsigned left = rowsWithin(tile, sides, sideCount, k, 0.0f); left != 0; left &= left - 1)
     {
@@ -153,7 +154,7 @@ MEDIAL_INLINE std::int64_t addEdge(const Tile& tile, int site, const TileFunctio
   const TileFunction& side, const TileFunction* bounds, int boundCount, float slack)
 {
   std::int64_t rows = 0;
-  for (int k = 0; k < tile.slices; ++k)
+  for (int k = tile.firstSlice; k < tile.endSlice; ++k)
   {
     for (unsigned left = rowsWithin(tile, bounds, boundCount, k, slack); left != 0;
          left &= left - 1)
@@ -174,7 +175,7 @@ MEDIAL_INLINE std::int64_t addVertex(const Tile& tile, int site, const Offset& o
   const TileFunction& side)
 {
   const Float8 squaredX = offset.x * offset.x;
-  for (int k = 0; k < tile.slices; ++k)
+  for (int k = tile.firstSlice; k < tile.endSlice; ++k)
   {
     for (int j = 0; j < tile.rows; ++j)
     {
@@ -182,7 +183,7 @@ MEDIAL_INLINE std::int64_t addVertex(const Tile& tile, int site, const Offset& o
         onRow(side, j, k), site, Int8{} - 1);
     }
   }
-  return static_cast<std::int64_t>(tile.slices) * tile.rows;
+  return static_cast<std::int64_t>(tile.endSlice - tile.firstSlice) * tile.rows;
 }
 
 /// Finds two unit vectors orthogonal to a third and to each other (Duff et al. 2017).
@@ -254,7 +255,7 @@ MEDIAL_INLINE bool hasFarPoints(const Tile& tile)
 {
   const Int8 used = ramp() <= tile.lastX;
   Int8 far{};
-  for (int k = 0; k < tile.slices; ++k)
+  for (int k = tile.firstSlice; k < tile.endSlice; ++k)
   {
     for (int j = 0; j < tile.rows; ++j)
     {
@@ -329,15 +330,15 @@ glm::dvec3 TileEvaluator::displacement(int site, const glm::dvec3& x) const
 }
 
 MEDIAL_VECTORISED std::int64_t TileEvaluator::evaluate(const Extent& extent, const int* candidates,
-  std::size_t count, TileField& field) const
+  std::size_t count, const SliceRange& slices, TileField& field) const
 {
   Tile tile{ frame_.sample({ extent.min[0], extent.min[1], extent.min[2] }), frame_.step,
-    extent.size(1), extent.size(2), static_cast<float>(extent.size(0) - 1), field };
+    extent.size(1), slices.begin, slices.end, static_cast<float>(extent.size(0) - 1), field };
   std::fill(std::begin(field.squared), std::end(field.squared), std::numeric_limits<float>::max());
   std::fill(std::begin(field.site), std::end(field.site), -1);
   if (isLong(extent, frame_.step))
   {
-    this->queryFarPoints(extent, candidates, count, field);
+    this->queryFarPoints(extent, candidates, count, slices, field);
     return extent.pointCount() * static_cast<std::int64_t>(count);
   }
   std::int64_t rows = 0;
@@ -369,20 +370,20 @@ MEDIAL_VECTORISED std::int64_t TileEvaluator::evaluate(const Extent& extent, con
   }
   if (hasFarPoints(tile))
   {
-    this->queryFarPoints(extent, candidates, count, field);
+    this->queryFarPoints(extent, candidates, count, slices, field);
   }
   return rows * extent.size(0);
 }
 
 void TileEvaluator::queryFarPoints(const Extent& extent, const int* candidates, std::size_t count,
-  TileField& field) const
+  const SliceRange& slices, TileField& field) const
 {
   for (int index = 0; index < TileField::kPoints; ++index)
   {
     const glm::ivec3 point(index % TileField::kRow, index / TileField::kRow % TileField::kRow,
       index / TileField::kRow / TileField::kRow);
     const bool inside =
-      point.x < extent.size(0) && point.y < extent.size(1) && point.z < extent.size(2);
+      point.x < extent.size(0) && point.y < extent.size(1) && slices.contains(point.z);
     if (!inside || field.squared[index] <= TileField::kFarSquared)
     {
       continue;

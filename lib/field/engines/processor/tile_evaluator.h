@@ -38,9 +38,10 @@ public:
   /// Finds the closest sites of a tile.
   /// @param tile at most TileField::kRow points long.
   /// @param candidates all `count` candidates of the tile, ascending.
+  /// @param slices of the tile to evaluate. Their values do not depend on which these are.
   /// @return number of pairs of a grid point and a site that were evaluated.
   std::int64_t evaluate(const Extent& tile, const int* candidates, std::size_t count,
-    TileField& field) const;
+    const SliceRange& slices, TileField& field) const;
 
   /// Returns the vector from a point to the closest point of the site that evaluate() found for it;
   /// local units.
@@ -52,7 +53,7 @@ private:
   /// queries. So it does for points that the bounds of all candidates exclude; there should be
   /// none, and this makes sure of it.
   void queryFarPoints(const Extent& extent, const int* candidates, std::size_t count,
-    TileField& field) const;
+    const SliceRange& slices, TileField& field) const;
 
   const SiteSet& sites_;
   const std::vector<glm::vec4>& normals_;

@@ -53,8 +53,8 @@ RasteriserEngine::RasteriserEngine()
 void RasteriserEngine::run(const FieldJob& job, FieldSink& sink)
 {
   requireNear(job);
-  const AtlasLayout atlas = this->chooseAtlas(job, sink);
-  SlabCulling culling(job, atlas.slabSlices, TileHull::Points, seeds_);
+  SlabCulling culling(job, TileHull::Points, seeds_);
+  const AtlasLayout atlas = this->chooseAtlas(job, sink, culling.hierarchy().blockBytes());
   RasteriserRun run(job, culling, this->obtainRenderer(job, atlas), sink);
   run.compute(nullptr);
   seeds_ = run.takeSeeds();
@@ -64,8 +64,8 @@ SelectedField RasteriserEngine::select(const FieldJob& job, const CrossingSelect
   FieldSink& sink)
 {
   requireNear(job);
-  const AtlasLayout atlas = this->chooseAtlas(job, sink);
-  SlabCulling culling(job, atlas.slabSlices, TileHull::Cells, seeds_);
+  SlabCulling culling(job, TileHull::Cells, seeds_);
+  const AtlasLayout atlas = this->chooseAtlas(job, sink, culling.hierarchy().blockBytes());
   gl::OnGpuThread<RasteriserSelection> selection(wanted, job.frame, job.inside);
   RasteriserRun run(job, culling, this->obtainRenderer(job, atlas), sink);
   run.compute(&selection.object());
@@ -73,11 +73,13 @@ SelectedField RasteriserEngine::select(const FieldJob& job, const CrossingSelect
   return { selection.object().takeCrossings(), culling.takeQuery() };
 }
 
-AtlasLayout RasteriserEngine::chooseAtlas(const FieldJob& job, const FieldSink& sink) const
+AtlasLayout RasteriserEngine::chooseAtlas(const FieldJob& job, const FieldSink& sink,
+  std::size_t bytesTaken) const
 {
   GLint limit = 0;
   thread_.run([&] { glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit); });
-  int slices = slabSlices(job.extent, kBytesPerPoint + sink.bytesPerPoint(), job.memoryMiB);
+  int slices =
+    slabSlices(job.extent, kBytesPerPoint + sink.bytesPerPoint(), job.memoryMiB, bytesTaken);
   while (slices > 1 && !AtlasLayout::fits(job.extent, slices, limit))
   {
     slices /= 2;

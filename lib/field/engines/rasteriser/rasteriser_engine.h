@@ -29,7 +29,8 @@ public:
 private:
   using Renderer = gl::OnGpuThread<SlabRenderer>;
 
-  AtlasLayout chooseAtlas(const FieldJob& job, const FieldSink& sink) const;
+  /// @param bytesTaken by candidates; they count towards the job's memory.
+  AtlasLayout chooseAtlas(const FieldJob& job, const FieldSink& sink, std::size_t bytesTaken) const;
   Renderer& obtainRenderer(const FieldJob& job, const AtlasLayout& atlas);
 
   gl::GpuThread& thread_;

@@ -87,7 +87,7 @@ void RasteriserRun::clip(Slab& slab)
   RunStatistics& statistics = job_.statistics;
   const Stopwatch watch(statistics.seconds.polygons);
   slab.chunks = job_.run.onThreads(
-    [&] { return buildPolygons(job_.sites, job_.frame, slab.tiles, slab.extent, atlas_); });
+    [&] { return buildPolygons(job_.sites, job_.frame, *slab.tiles, slab.extent, atlas_); });
   double area = 0.0;
   for (const PolygonChunk& chunk : slab.chunks)
   {
@@ -127,10 +127,8 @@ void RasteriserRun::render(SlabRenderer& renderer, Slab& slab, RasteriserSelecti
 
 void RasteriserRun::repair(SlabRenderer& renderer, const Slab& slab) const
 {
-  constexpr int kLeafSize = CandidateHierarchy::kLeafSize;
-  TileQuery query(job_.sites, job_.filter, job_.frame, slab.extent,
-    glm::ivec3(kLeafSize, kLeafSize, std::min(kLeafSize, atlas_.slabSlices)));
-  for (const CandidateTiles& block : slab.tiles)
+  TileQuery query(job_.sites, job_.filter, job_.frame, culling_.hierarchy().layersOf(slab.extent));
+  for (const CandidateTiles& block : *slab.tiles)
   {
     query.add(block);
   }
@@ -167,10 +165,15 @@ void RasteriserRun::noteSeeds(const Slab& slab)
   {
     return;
   }
-  for (const CandidateTiles& block : slab.tiles)
+  for (const CandidateTiles& block : *slab.tiles)
   {
     for (const Extent& tile : block.tiles)
     {
+      const int middleSlice = tile.min[2] + (tile.max[2] - tile.min[2]) / 2;
+      if (middleSlice < slab.extent.min[2] || middleSlice > slab.extent.max[2])
+      {
+        continue;
+      }
       std::size_t index = 0;
       for (int axis = 2; axis >= 0; --axis)
       {

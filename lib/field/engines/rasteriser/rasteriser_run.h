@@ -49,8 +49,8 @@ private:
   struct Slab
   {
     Extent extent;
-    int previousSlices = 0; ///< of the slab below; 0 for the first
-    std::vector<CandidateTiles> tiles;
+    int previousSlices = 0;                          ///< of the slab below; 0 for the first
+    std::shared_ptr<const SlabCulling::Tiles> tiles; ///< of the layers that contain the slab
     std::vector<PolygonChunk> chunks;
     std::unique_ptr<Readback> readback; ///< null if no array is wanted
   };

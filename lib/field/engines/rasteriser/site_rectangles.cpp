@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <set>
 
 namespace medial
 {
@@ -72,11 +73,30 @@ std::vector<SiteRectangle> layerRectangles(const std::vector<CandidateTiles>& bl
     const Reach& reach = reaches[site];
     if (reach.highX >= 0)
     {
-      addRectangles(site, { slab.min[0] + reach.lowX, slab.min[1] + reach.lowY, firstSlice },
-        { slab.min[0] + reach.highX, slab.min[1] + reach.highY, lastSlice }, rectangles);
+      addRectangles(site,
+        { slab.min[0] + reach.lowX, slab.min[1] + reach.lowY, std::max(firstSlice, slab.min[2]) },
+        { slab.min[0] + reach.highX, slab.min[1] + reach.highY, std::min(lastSlice, slab.max[2]) },
+        rectangles);
     }
   }
   return rectangles;
+}
+
+/// Returns the first slices of the layers of leaf tiles that a slab cuts, in ascending order.
+std::vector<int> layersIn(const Extent& slab, const std::vector<CandidateTiles>& blocks)
+{
+  std::set<int> firstSlices;
+  for (const CandidateTiles& block : blocks)
+  {
+    for (const Extent& tile : block.tiles)
+    {
+      if (tile.min[2] <= slab.max[2] && tile.max[2] >= slab.min[2])
+      {
+        firstSlices.insert(tile.min[2]);
+      }
+    }
+  }
+  return { firstSlices.begin(), firstSlices.end() };
 }
 
 } // namespace
@@ -84,13 +104,11 @@ std::vector<SiteRectangle> layerRectangles(const std::vector<CandidateTiles>& bl
 std::vector<SiteRectangle> siteRectangles(const std::vector<CandidateTiles>& tiles,
   const Extent& slab, int siteCount)
 {
-  // Slabs are either thinner than a leaf tile or a multiple of it.
-  constexpr int kLeaf = CandidateHierarchy::kLeafSize;
-  const int layers = (slab.size(2) + kLeaf - 1) / kLeaf;
-  std::vector<std::vector<SiteRectangle>> perLayer(layers);
-  tbb::parallel_for(0, layers,
-    [&](int layer)
-    { perLayer[layer] = layerRectangles(tiles, slab, siteCount, slab.min[2] + layer * kLeaf); });
+  const std::vector<int> firstSlices = layersIn(slab, tiles);
+  std::vector<std::vector<SiteRectangle>> perLayer(firstSlices.size());
+  tbb::parallel_for(std::size_t{ 0 }, firstSlices.size(),
+    [&](std::size_t layer)
+    { perLayer[layer] = layerRectangles(tiles, slab, siteCount, firstSlices[layer]); });
   std::vector<SiteRectangle> all;
   for (const auto& rectangles : perLayer)
   {

@@ -9,9 +9,9 @@
 namespace medial
 {
 
-/// The grid points, in one layer of leaf tiles, that the polygons of a site must cover: the
-/// bounding box of the tiles that list the site, or a part of it at most 64 points long. Both ends
-/// are included.
+/// The grid points of a slab, in one layer of leaf tiles, that the polygons of a site must cover:
+/// the bounding box of the tiles that list the site, or a part of it at most 64 points long. Both
+/// ends are included.
 struct SiteRectangle
 {
   int site;
@@ -21,6 +21,7 @@ struct SiteRectangle
 
 /// Gathers the tiles of a slab into rectangles, layer by layer, with sites ascending within a
 /// layer.
+/// @param tiles of the slab; those beside it do not count.
 std::vector<SiteRectangle> siteRectangles(const std::vector<CandidateTiles>& tiles,
   const Extent& slab, int siteCount);
 

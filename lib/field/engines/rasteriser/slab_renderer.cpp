@@ -2,10 +2,13 @@
 
 #include "field/engines/rasteriser/atlas_texture.h"
 #include "gl/shader_program.h"
+#include "medial/error.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <string>
 
 namespace medial
 {
@@ -190,6 +193,13 @@ void SlabRenderer::uploadPolygons(const std::vector<PolygonChunk>& chunks)
     drawOffsets_.push_back(reinterpret_cast<const void*>(indexCount * sizeof(std::uint32_t)));
     vertexCount += chunk.vertices.size();
     indexCount += chunk.indices.size();
+  }
+  constexpr std::size_t kMaxVertices = std::numeric_limits<GLint>::max();
+  if (vertexCount > kMaxVertices)
+  {
+    throw Error(ErrorCode::GpuLimit,
+      "the polygons of a slab have " + std::to_string(vertexCount) + " corners, more than " +
+        std::to_string(kMaxVertices) + "; allow less memory for slabs");
   }
   const auto allocate = [](const gl::Buffer& buffer, std::size_t bytes)
   {

@@ -27,7 +27,7 @@ protected:
   int expectExact(const Extent& tile, const std::vector<int>& candidates)
   {
     auto field = std::make_unique<TileField>();
-    evaluator_.evaluate(tile, candidates.data(), candidates.size(), *field);
+    evaluator_.evaluate(tile, candidates.data(), candidates.size(), { 0, tile.size(2) }, *field);
     int inside = 0;
     for (int k = 0; k < tile.size(2); ++k)
     {

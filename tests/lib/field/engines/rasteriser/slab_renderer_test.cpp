@@ -83,7 +83,7 @@ TEST_F(SlabOfTorus, ATableOfTilesThatDoesNotFitIsRefused)
   const Extent huge{ { 0, 0, 0 }, { 1 << 20, 1 << 20, 1 << 20 } };
   try
   {
-    const TileQuery query(sites_, filter_, frame_, huge, hierarchy_.leafSize());
+    const TileQuery query(sites_, filter_, frame_, huge);
     FAIL() << "was granted";
   }
   catch (const Error& error)
@@ -97,7 +97,7 @@ TEST_F(SlabOfTorus, ATableOfTilesThatDoesNotFitIsRefused)
 TEST_F(SlabOfTorus, HolesAreFilledExactly)
 {
   const auto normals = pseudonormals(sites_, false);
-  TileQuery query(sites_, filter_, frame_, slab_, hierarchy_.leafSize());
+  TileQuery query(sites_, filter_, frame_, slab_);
   for (CandidateTiles& block : hierarchy_.leafTiles(slab_))
   {
     query.add(std::move(block));
