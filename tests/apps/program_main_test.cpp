@@ -50,6 +50,22 @@ TEST(ProgramMainDeathTest, ALackOfMemoryOrThreadsIsNoFaultOfTheProgram)
     });
 }
 
+TEST(ProgramMainDeathTest, ALackOfMemoryEndsAProgramThereAndThen)
+{
+  expectEnd(kNoSpace, "not enough memory",
+    []
+    {
+      try
+      {
+        const std::string tooLong(std::size_t{ 1 } << 60, 'x');
+      }
+      catch (const std::bad_alloc&) // as streams do
+      {
+        throw Failure(ExitCode::BadInput, "a.vtp: is bad");
+      }
+    });
+}
+
 TEST(ProgramMainDeathTest, AnyOtherExceptionIsAFaultOfTheProgram)
 {
   expectEnd(kFault, "a fault of the program: vector::at",
