@@ -57,7 +57,8 @@ TEST(ProgramMainDeathTest, ALackOfMemoryEndsAProgramThereAndThen)
     {
       try
       {
-        const std::string tooLong(std::size_t{ 1 } << 60, 'x');
+        std::get_new_handler()(); // as operator new does
+        throw std::bad_alloc();
       }
       catch (const std::bad_alloc&) // as streams do
       {
