@@ -3,7 +3,9 @@
 #include "failure.h"
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
+#include <mutex>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -37,6 +39,7 @@ mode_t wantedMode(const fs::path& target)
 }
 
 OutputFile* newest = nullptr; // of those with a temporary file
+std::mutex newestMutex;       // nobody allocates while holding it
 
 } // namespace
 
@@ -55,17 +58,12 @@ OutputFile::OutputFile(const fs::path& path)
     failToWrite(path, "it exists and is not a regular file");
   }
   create();
-  unlink(temporary_.c_str());
-  forget();
+  discard();
 }
 
 OutputFile::~OutputFile()
 {
-  if (!temporary_.empty())
-  {
-    unlink(temporary_.c_str());
-    forget();
-  }
+  discard();
 }
 
 fs::path OutputFile::open()
@@ -78,16 +76,29 @@ void OutputFile::create()
 {
   // From here on nothing is allocated: a file that exists is known to the destructor.
   temporary_ = (target_.parent_path() / ("." + target_.filename().string() + ".XXXXXX")).string();
+  std::unique_lock<std::mutex> lock(newestMutex);
   const int descriptor = mkstemp(temporary_.data());
   if (descriptor < 0)
   {
     const int error = errno;
+    lock.unlock();
     temporary_.clear();
     failToWrite(path_, std::strerror(error));
   }
   previous_ = std::exchange(newest, this);
+  lock.unlock();
   fchmod(descriptor, wantedMode(target_));
   close(descriptor);
+}
+
+void OutputFile::discard()
+{
+  const std::lock_guard<std::mutex> lock(newestMutex);
+  if (!temporary_.empty())
+  {
+    unlink(temporary_.c_str());
+    forget();
+  }
 }
 
 void OutputFile::forget()
@@ -103,6 +114,8 @@ void OutputFile::forget()
 
 void OutputFile::removeTemporaries() noexcept
 {
+  // Held until the process has ended, so that no file comes after this.
+  newestMutex.lock();
   for (const OutputFile* file = newest; file != nullptr; file = file->previous_)
   {
     unlink(file->temporary_.c_str());
@@ -111,11 +124,12 @@ void OutputFile::removeTemporaries() noexcept
 
 void OutputFile::commit()
 {
-  std::error_code error;
-  fs::rename(temporary_, target_, error);
-  if (error)
+  std::unique_lock<std::mutex> lock(newestMutex);
+  if (std::rename(temporary_.c_str(), target_.c_str()) != 0)
   {
-    failToWrite(path_, error.message());
+    const int error = errno;
+    lock.unlock();
+    failToWrite(path_, std::strerror(error));
   }
   forget();
 }

@@ -29,12 +29,13 @@ public:
   /// @throws Failure NoSpace.
   void commit();
 
-  /// Removes the temporary files of all objects, for programs that end without destroying them.
-  /// Allocates nothing.
+  /// Removes the temporary files of all objects, and keeps other threads from making more: for
+  /// programs that are about to end without destroying them. Allocates nothing.
   static void removeTemporaries() noexcept;
 
 private:
   void create();
+  void discard();
   void forget();
 
   std::filesystem::path path_;

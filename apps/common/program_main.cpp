@@ -36,6 +36,11 @@ int reportFault(const char* message)
   return report(ExitCode::Fault, "a fault of the program: ", message);
 }
 
+int reportLackOfMemory()
+{
+  return report(ExitCode::NoSpace, "", "not enough memory");
+}
+
 /// Whether the system refused to start a thread. TBB throws std::runtime_error then, whose message
 /// ends with the system's.
 bool isLackOfThreads(const std::exception& error)
@@ -56,7 +61,7 @@ int reportException()
   }
   catch (const std::bad_alloc&)
   {
-    return report(ExitCode::NoSpace, "", "not enough memory");
+    return reportLackOfMemory();
   }
   catch (const std::exception& error)
   {
@@ -68,6 +73,14 @@ int reportException()
   {
     return reportFault("an exception of an unknown type");
   }
+}
+
+/// Ends the program where memory runs out, rather than by std::bad_alloc: VTK's constructors do not
+/// survive exceptions, and streams keep them to themselves.
+[[noreturn]] void endWithoutMemory()
+{
+  OutputFile::removeTemporaries();
+  std::_Exit(reportLackOfMemory());
 }
 
 /// For exceptions that leave a destructor or a thread.
@@ -83,6 +96,7 @@ int runProgram(const char* name, const std::function<void()>& work)
 {
   programName = name;
   installSignalHandlers();
+  std::set_new_handler(endWithoutMemory);
   std::set_terminate(terminate);
   try
   {

@@ -249,6 +249,7 @@ std::string Viewer::statusText() const
 
 void runViewer(const ViewerOptions& options)
 {
+  std::set_new_handler(nullptr); // what does not fit into memory is refused, and the window stays
   if (!options.screenshot.empty())
   {
     const OutputFile writable(options.screenshot); // throws before anything is computed

@@ -50,6 +50,23 @@ TEST(ProgramMainDeathTest, ALackOfMemoryOrThreadsIsNoFaultOfTheProgram)
     });
 }
 
+TEST(ProgramMainDeathTest, ALackOfMemoryEndsAProgramThereAndThen)
+{
+  expectEnd(kNoSpace, "not enough memory",
+    []
+    {
+      try
+      {
+        std::get_new_handler()(); // as operator new does
+        throw std::bad_alloc();
+      }
+      catch (const std::bad_alloc&) // as streams do
+      {
+        throw Failure(ExitCode::BadInput, "a.vtp: is bad");
+      }
+    });
+}
+
 TEST(ProgramMainDeathTest, AnyOtherExceptionIsAFaultOfTheProgram)
 {
   expectEnd(kFault, "a fault of the program: vector::at",
@@ -59,11 +76,17 @@ TEST(ProgramMainDeathTest, AnyOtherExceptionIsAFaultOfTheProgram)
   expectEnd(kFault, "a fault of the program: an exception of an unknown type", [] { throw 1; });
 }
 
+/// Lets no exception out, as destructors do.
+void withoutWayOut(const std::function<void()>& work) noexcept
+{
+  work();
+}
+
 TEST(ProgramMainDeathTest, AnExceptionThatNobodyCanCatchIsAFaultOfTheProgram)
 {
   expectEnd(kFault, "a fault of the program: beyond all help",
-    [] { []() noexcept { throw std::logic_error("beyond all help"); }(); });
-  expectEnd(kNoSpace, "not enough memory", [] { []() noexcept { throw std::bad_alloc(); }(); });
+    [] { withoutWayOut([] { throw std::logic_error("beyond all help"); }); });
+  expectEnd(kNoSpace, "not enough memory", [] { withoutWayOut([] { throw std::bad_alloc(); }); });
 }
 
 } // namespace

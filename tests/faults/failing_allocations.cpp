@@ -53,6 +53,10 @@ void* allocateOrThrow(std::size_t bytes, std::size_t alignment)
   void* block = allocate(bytes, alignment);
   if (block == nullptr)
   {
+    if (const std::new_handler handler = std::get_new_handler())
+    {
+      handler();
+    }
     throw std::bad_alloc();
   }
   return block;
