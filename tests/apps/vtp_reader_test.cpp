@@ -339,6 +339,21 @@ TEST(VtpReader, ArraysShareNoBytes)
   EXPECT_NE(refusal(many).find("ends early or is damaged"), std::string::npos);
 }
 
+// 190 KB that become 80 MB.
+TEST(VtpReader, SmallFilesDoNotBecomeLarge)
+{
+  const Mesh mesh = sample(40);
+  vtkNew<vtkUnsignedCharArray> zeros;
+  zeros->SetName("Zeros");
+  zeros->SetNumberOfValues(80'000'000);
+  zeros->Fill(0.0);
+  mesh->GetFieldData()->AddArray(zeros);
+  const std::string bomb = compressed(mesh);
+  EXPECT_LT(bomb.size(), 250'000U);
+  EXPECT_EQ(refusal(bomb),
+    "a.vtp: its arrays become more than 64 MiB and 64 times as large as the file");
+}
+
 TEST(VtpReader, RefusesWhatIsNoXmlOfMeshes)
 {
   for (const char* content :
