@@ -174,9 +174,11 @@ void decompress(const Compressor& with, std::string_view block, std::size_t size
 
 } // namespace
 
+// Meshes compress to a tenth, where much is equal to a hundredth.
 VtpArrays::VtpArrays(VtpEncoding encoding, std::size_t fileSize)
   : encoding_(std::move(encoding))
   , unread_(fileSize)
+  , expandable_((std::size_t{ 64 } << 20) + 64 * fileSize)
 {
 }
 
@@ -219,7 +221,9 @@ std::vector<std::int64_t> VtpArrays::readIntegers(const XmlElement& element)
     refuse(element, "holds no integers");
   }
   const std::string bytes = this->readBytes(element);
-  std::vector<std::int64_t> integers(bytes.size() / type->size);
+  std::vector<std::int64_t> integers;
+  this->expand(bytes.size() / type->size * sizeof(std::int64_t));
+  integers.resize(bytes.size() / type->size);
   for (std::size_t i = 0; i < integers.size(); ++i)
   {
     integers[i] = type->integerAt(bytes, i);
@@ -309,24 +313,34 @@ std::string VtpArrays::readCompressed(std::string_view text, bool base64)
   const std::uint64_t blocks = headerWords(source.peek(word), encoding_)[0];
   this->spend(blocks);
   const auto header = headerWords(source.take((kFixed + blocks) * word), encoding_);
-  std::uint64_t size = 0;
+  std::uint64_t sum = 0;
   for (std::size_t i = kFixed; i < header.size(); ++i)
   {
     this->spend(header[i]);
-    size += header[i];
+    sum += header[i];
   }
-  const std::string compressed = source.take(size);
+  const std::string compressed = source.take(sum);
   const Compressor compressor = makeCompressor(encoding_.compressor);
   std::string bytes;
   std::size_t start = 0;
   for (std::size_t i = kFixed; i < header.size(); ++i)
   {
     const bool shorter = i + 1 == header.size() && header[2] != 0;
-    decompress(compressor, std::string_view(compressed).substr(start, header[i]),
-      header[shorter ? 2 : 1], bytes);
+    const std::uint64_t size = header[shorter ? 2 : 1];
+    this->expand(size);
+    decompress(compressor, std::string_view(compressed).substr(start, header[i]), size, bytes);
     start += header[i];
   }
   return bytes;
+}
+
+void VtpArrays::expand(std::size_t bytes)
+{
+  if (bytes > expandable_)
+  {
+    refuseContent("its arrays become more than 64 MiB and 64 times as large as the file");
+  }
+  expandable_ -= bytes;
 }
 
 void VtpArrays::spend(std::size_t bytes)

@@ -26,7 +26,7 @@ struct VtpEncoding
 
 /// Reads the arrays of a file. What a header asks for is compared with the bytes that are there
 /// before memory is allocated, and no byte is read for two arrays: what all arrays take together is
-/// limited, too.
+/// limited, too. Decompressed they are at most 64 MiB and 64 times as large as the file.
 ///
 /// Errors are InvalidInput, without the name of the file.
 class VtpArrays
@@ -49,9 +49,11 @@ private:
   std::string readBinary(std::string_view text, bool base64);
   std::string readCompressed(std::string_view text, bool base64);
   void spend(std::size_t bytes);
+  void expand(std::size_t bytes);
 
   VtpEncoding encoding_;
-  std::size_t unread_; // bytes of the file that no array has taken
+  std::size_t unread_;     // bytes of the file that no array has taken
+  std::size_t expandable_; // bytes that arrays may still become in memory
 };
 
 } // namespace medial::app

@@ -3,7 +3,7 @@
 
 usage: make_corpora.py [FOLDER]     FOLDER: tests/fuzz/corpora if it is left out
 
-The files are part of the project, with what fuzzing has added to them (scripts/fuzz --keep). Needs
+The files are part of the project; this script is how they were made. Needs
 VTK's Python package, for VTP files.
 """
 
