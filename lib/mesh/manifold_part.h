@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace medial
@@ -37,7 +38,7 @@ private:
 
   std::vector<int> fans_;            ///< per point: its fans
   std::vector<char> closed_;         ///< per point: whether triangles are all around it
-  std::vector<char> faces_;          ///< per edge: its triangles
+  std::vector<std::uint8_t> faces_;  ///< per edge: its triangles
   std::vector<int> starts_;          ///< per edge: the first point of its last triangle's side
   std::vector<std::size_t> fanEnds_; ///< per end of a boundary edge: that at its fan's other end
 };
