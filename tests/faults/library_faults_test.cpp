@@ -44,6 +44,7 @@ std::string axisOf(const TriangleMesh& mesh, const MedialAxisOptions& options)
   const Grid grid = makeGrid(mesh.bounds(), kResolution);
   const MedialAxis axis = computeMedialAxis(mesh, grid, options);
   std::ostringstream text;
+  text.exceptions(std::ios::badbit); // otherwise it keeps a lack of memory to itself
   writeAxis(axis, AxisFormat::Ply, text);
   return text.str();
 }
@@ -126,9 +127,7 @@ protected:
     catch (const Error& error)
     {
       stopFailing();
-      // Streams of the standard library keep a lack of memory to themselves.
-      const bool stream = error.code() == ErrorCode::CannotWrite;
-      problem = stream || error.code() == ErrorCode::OutOfMemory ? "" : error.what();
+      problem = error.code() == ErrorCode::OutOfMemory ? "" : error.what();
     }
     catch (const std::bad_alloc&)
     {

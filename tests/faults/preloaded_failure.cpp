@@ -57,9 +57,12 @@ int mainWithFailures(int argc, char** argv, char** environment)
 
 } // namespace
 
-/// Takes the place of glibc's, which calls main().
-extern "C" int __libc_start_main(Main main, int argc, char** argv, void (*init)(), void (*fini)(),
-  void (*loader)(), void* stack)
+/// Takes the place of glibc's function, which calls main().
+extern "C" int startProgram(Main main, int argc, char** argv, void (*init)(), void (*fini)(),
+  void (*loader)(), void* stack) __asm__("__libc_start_main");
+
+int startProgram(Main main, int argc, char** argv, void (*init)(), void (*fini)(), void (*loader)(),
+  void* stack)
 {
   programMain = main;
   const auto start = reinterpret_cast<Start>(dlsym(RTLD_NEXT, "__libc_start_main"));
