@@ -108,15 +108,7 @@ FieldJob FieldPipeline::prepare(const FieldEngine& engine)
   RunStatistics::Seconds& seconds = statistics_.seconds;
   const FieldSign sign = fieldSign(this->sign(), connectivity_);
   timed(seconds.sites,
-    [&]
-    {
-      const OrientedMesh* turned = sign_->turnedMesh();
-      run_.onThreads([&]
-        {
-          sites_.emplace(turned ? turned->mesh : mesh_,
-            turned ? turned->connectivity : connectivity_, frame_);
-        });
-    });
+    [&] { run_.onThreads([&] { sites_.emplace(mesh_, connectivity_, frame_); }); });
   timed(seconds.cull, [&] { filter_.emplace(*sites_, frame_); });
   timed(seconds.sites, [&] { normals_ = pseudonormals(*sites_, sign == FieldSign::Inward); });
   timed(seconds.sign, [&] { run_.onThreads([&] { inside_ = sign_->insideRows(extent_); }); });

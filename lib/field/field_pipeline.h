@@ -31,6 +31,8 @@ public:
 
   /// The method used, never Auto.
   SignMethod sign() const { return sign_->report().method; }
+  /// Per triangle 1 if it faces outwards as it is, or -1. Empty without a sign.
+  const std::vector<std::int8_t>& directions() const { return sign_->directions(); }
   const GridFrame& frame() const { return frame_; }
   RunStatistics& statistics() { return statistics_; }
 

@@ -101,11 +101,12 @@ BisectorPoints represent(Representation representation, const AxisGeometry& geom
 /// Makes points and cells with the topology of the solid. None of them may be contracted or
 /// dropped.
 BisectorPoints preserve(Representation representation, const AxisGeometry& geometry,
-  const FieldTap& field, std::vector<Crossing>& crossings, MedialAxis& axis)
+  const FieldTap& field, const std::vector<std::int8_t>& directions,
+  std::vector<Crossing>& crossings, MedialAxis& axis)
 {
   const BisectorPoints bisectors = crossingPoints(geometry, true, crossings);
   PreservedAxis preserved = preserveTopology(
-    { field.distances().data(), field.sites().data(), axis.sign, axis.side, representation },
+    { field.distances().data(), field.sites().data(), directions, axis.side, representation },
     geometry, crossings, bisectors);
   axis.solid = preserved.solid;
   axis.quads = std::move(preserved.cells.quads);
@@ -168,7 +169,7 @@ void buildAxis(const MedialAxisOptions& options, const FieldPipeline& pipeline, 
     glm::radians(options.angle), options.lambda / frame.unit, options.radius / frame.unit,
     checkpoint };
   const BisectorPoints points = tap != nullptr
-    ? preserve(options.representation, geometry, *tap, crossings, axis)
+    ? preserve(options.representation, geometry, *tap, pipeline.directions(), crossings, axis)
     : represent(options.representation, geometry, crossings, axis);
   setPoints(points, frame, axis);
   axis.feature = axisFeatures(edgesOf(axis), axis.points.size());

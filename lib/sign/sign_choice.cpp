@@ -57,12 +57,14 @@ SignChoice::SignChoice(SignMethod requested, const TriangleMesh& mesh,
   const MeshConnectivity& connectivity, const Grid& grid, const GridFrame& frame)
   : frame_(frame)
 {
-  report_.reason = "asked for";
+  report_.reason = std::string("sign method ") + (requested == SignMethod::None ? "none" : "pseudonormal") + " was asked for";
   switch (requested)
   {
     case SignMethod::Pseudonormal:
       requirePseudonormals(connectivity);
       report_.method = requested;
+      directions_.assign(mesh.triangles.size(),
+        static_cast<std::int8_t>(connectivity.signedVolume < 0.0 ? -1 : 1));
       break;
     case SignMethod::Winding:
       if (mesh.triangles.empty())
@@ -104,7 +106,7 @@ void SignChoice::wind(SignMethod requested, const TriangleMesh& mesh,
   report_.reason = windingReason(report_);
   if (report_.method == SignMethod::Winding)
   {
-    turned_ = turned(mesh, connectivity, orientation);
+    directions_ = orientation.directions;
   }
 }
 

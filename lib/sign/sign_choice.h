@@ -11,8 +11,10 @@
 #include "sign/surface_orientation.h"
 #include "sites/grid_frame.h"
 
+#include <cstdint>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace medial
 {
@@ -28,9 +30,8 @@ public:
     const Grid& grid, const GridFrame& frame);
 
   const SignReport& report() const { return report_; }
-  /// The mesh whose triangles face outwards; null if nothing had to be turned or the method is not
-  /// Winding.
-  const OrientedMesh* turnedMesh() const { return turned_ ? &*turned_ : nullptr; }
+  /// Per triangle 1 if it faces outwards as it is, or -1. Empty without a sign.
+  const std::vector<std::int8_t>& directions() const { return directions_; }
   /// Returns the points of an extent that are inside; nothing unless the method is Winding.
   std::optional<InsideRows> insideRows(const Extent& extent) const;
 
@@ -41,7 +42,7 @@ private:
   GridFrame frame_;
   SignReport report_;
   ClosedSurface surface_;
-  std::optional<OrientedMesh> turned_;
+  std::vector<std::int8_t> directions_;
   std::unique_ptr<Lids> lids_; ///< null if there are none
 };
 

@@ -109,9 +109,9 @@ void add(const CellTopology& part, CellTopology& whole)
   whole.cavities += part.cavities;
 }
 
-std::vector<Side> sidesOf(SignMethod sign, Side side)
+std::vector<Side> sidesOf(bool hasSign, Side side)
 {
-  if (sign != SignMethod::None && side == Side::Both)
+  if (hasSign && side == Side::Both)
   {
     return { Side::Interior, Side::Exterior };
   }
@@ -136,13 +136,13 @@ PreservedAxis preserveTopology(const ThinningInput& input, const AxisGeometry& g
       thinnedAxis(solid, depth, { geometry, input.closestSites }, input.representation, samples),
       axis.cells);
   };
-  for (const Side side : sidesOf(input.sign, input.side))
+  for (const Side side : sidesOf(!input.directions.empty(), input.side))
   {
     DepthField depth(input.distances, side, geometry.frame.unit);
     std::optional<SolidBodies> bodies;
     if (side == Side::Interior)
     {
-      bodies.emplace(geometry.sites, geometry.frame, size, input.closestSites, depth);
+      bodies.emplace(geometry.sites, input.directions, geometry.frame, size, input.closestSites, depth);
     }
     const int colours = bodies ? bodies->colours() : 1;
     for (int colour = 0; colour < colours; ++colour)

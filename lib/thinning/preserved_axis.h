@@ -6,7 +6,6 @@
 #include "medial/cell_topology.h"
 #include "medial/representation.h"
 #include "medial/side.h"
-#include "medial/sign_method.h"
 #include "thinning/thinned_axis.h"
 
 #include <cstdint>
@@ -27,7 +26,8 @@ struct ThinningInput
 {
   const float* distances; ///< world units
   const std::int32_t* closestSites;
-  SignMethod sign;
+  /// Per triangle 1 if it faces outwards as it is, or -1. Empty without a sign.
+  const std::vector<std::int8_t>& directions;
   Side side; ///< Both if there is no sign
   Representation representation;
 };

@@ -30,7 +30,7 @@ struct SurfaceParts
   int count() const { return static_cast<int>(volumes.size()); }
 };
 
-SurfaceParts partsOf(const SiteSet& sites)
+SurfaceParts partsOf(const SiteSet& sites, const std::vector<std::int8_t>& directions)
 {
   DisjointSets joined(sites.points().size());
   for (const glm::ivec2& edge : sites.edges())
@@ -48,12 +48,13 @@ SurfaceParts partsOf(const SiteSet& sites)
       parts.volumes.push_back(0.0);
     }
   }
-  for (const glm::ivec3& face : sites.faces())
+  for (int f = 0; f < sites.faceCount(); ++f)
   {
     const auto& points = sites.points();
+    const glm::ivec3& face = sites.faces()[f];
     parts.ofSite.push_back(partOfPoint[face.x]);
     parts.volumes[partOfPoint[face.x]] +=
-      glm::dot(points[face.x], glm::cross(points[face.y], points[face.z]));
+      directions[f] * glm::dot(points[face.x], glm::cross(points[face.y], points[face.z]));
   }
   for (const glm::ivec2& edge : sites.edges())
   {
@@ -73,19 +74,17 @@ struct PartPairs
 class PairScan
 {
 public:
-  PairScan(const SiteSet& sites, const SurfaceParts& parts, const GridFrame& frame,
-    const glm::ivec3& size, const std::int32_t* closestSites, const DepthField& depth)
+  PairScan(const SiteSet& sites, const std::vector<std::int8_t>& directions,
+    const SurfaceParts& parts, const GridFrame& frame, const glm::ivec3& size,
+    const std::int32_t* closestSites, const DepthField& depth)
     : sites_(sites)
+    , directions_(directions)
     , parts_(parts)
     , frame_(frame)
     , size_(size)
     , closestSites_(closestSites)
     , depth_(depth)
   {
-    for (const double volume : parts.volumes)
-    {
-      total_ += volume;
-    }
   }
 
   PartPairs run() const
@@ -117,7 +116,7 @@ private:
   {
     return (static_cast<std::size_t>(p.z) * size_.y + p.y) * size_.x + p.x;
   }
-  bool isBody(int part) const { return parts_.volumes[part] * total_ > 0.0; }
+  bool isBody(int part) const { return parts_.volumes[part] > 0.0; }
 
   /// Whether a grid point lies outside of the part whose face is closest to it. Where parts touch or
   /// overlap it is in another one, and tells nothing about which parts are next to each other.
@@ -129,7 +128,7 @@ private:
       return false;
     }
     const glm::dvec3& corner = sites_.points()[sites_.faces()[site][0]];
-    return total_ * glm::dot(sites_.faceNormal(site), frame_.sample(glm::dvec3(p)) - corner) > 0.0;
+    return directions_[site] * glm::dot(sites_.faceNormal(site), frame_.sample(glm::dvec3(p)) - corner) > 0.0;
   }
 
   /// Looks at the half of the 26 neighbours that come later.
@@ -159,12 +158,12 @@ private:
   }
 
   const SiteSet& sites_;
+  const std::vector<std::int8_t>& directions_;
   const SurfaceParts& parts_;
   const GridFrame& frame_;
   glm::ivec3 size_;
   const std::int32_t* closestSites_;
   const DepthField& depth_;
-  double total_ = 0.0;
 };
 
 /// Gives each group the lowest colour that no group which it seems to touch has.
@@ -204,15 +203,15 @@ std::vector<int> coloured(DisjointSets& groups, const std::set<Pair>& apart)
 
 } // namespace
 
-SolidBodies::SolidBodies(const SiteSet& sites, const GridFrame& frame, const glm::ivec3& size,
-  const std::int32_t* closestSites, const DepthField& depth)
+SolidBodies::SolidBodies(const SiteSet& sites, const std::vector<std::int8_t>& directions,
+  const GridFrame& frame, const glm::ivec3& size, const std::int32_t* closestSites, const DepthField& depth)
 {
-  const SurfaceParts parts = partsOf(sites);
+  const SurfaceParts parts = partsOf(sites, directions);
   if (parts.count() < 2)
   {
     return;
   }
-  const PartPairs pairs = PairScan(sites, parts, frame, size, closestSites, depth).run();
+  const PartPairs pairs = PairScan(sites, directions, parts, frame, size, closestSites, depth).run();
   DisjointSets groups(static_cast<std::size_t>(parts.count()));
   for (const auto& [a, b] : pairs.joined)
   {

@@ -11,15 +11,16 @@ namespace medial
 {
 
 /// Tells apart bodies that touch or are less than a voxel from each other: closed voxels would join
-/// them. A body is what a connected part of the surface encloses if it is oriented like the whole.
-/// Parts with the opposite orientation are walls of cavities and belong to the bodies next to them.
+/// them. A body is what a connected part of the surface encloses if it faces outwards.
+/// Parts that face inwards are walls of cavities and belong to the bodies next to them.
 /// Bodies that overlap by more than a voxel are one.
 class SolidBodies
 {
 public:
+  /// @param directions per triangle: 1 if it faces outwards as it is, or -1.
   /// @param size of the grid.
   /// @param depth of all bodies; interior.
-  SolidBodies(const SiteSet& sites, const GridFrame& frame, const glm::ivec3& size,
+  SolidBodies(const SiteSet& sites, const std::vector<std::int8_t>& directions, const GridFrame& frame, const glm::ivec3& size,
     const std::int32_t* closestSites, const DepthField& depth);
 
   /// Number of colours. Bodies that only seem to touch have different colours. A mesh of one body,

@@ -224,7 +224,7 @@ TEST_F(CommandField, AloneComputesNoAxis)
   EXPECT_EQ(report["counts"]["medial_points"], 0);
   EXPECT_EQ(report["counts"]["medial_cells"], 0);
   EXPECT_EQ(report["counts"]["sites"], 12 + 18 + 8);
-  EXPECT_EQ(report["sign_method"], "pseudonormal");
+  EXPECT_EQ(report["sign_method"], "winding");
   EXPECT_EQ(report["seconds"]["medial"], 0.0);
   EXPECT_GT(report["seconds"]["write"].get<double>(), 0.0);
   EXPECT_GE(report["fragments_per_voxel"].get<double>(), 1.0);

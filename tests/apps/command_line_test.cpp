@@ -156,8 +156,8 @@ TEST_F(CommandLine, RefusesUnknownOutputFormats)
 
 TEST_F(CommandLine, RefusesSignMethodsThatItDoesNotHave)
 {
-  const std::string error = usageError({ "--sign", "winding" });
-  EXPECT_TRUE(contains(error, "winding") && contains(error, "auto, none, pseudonormal")) << error;
+  const std::string error = usageError({ "--sign", "parity" });
+  EXPECT_TRUE(contains(error, "parity") && contains(error, "auto, none, pseudonormal, winding")) << error;
 }
 
 TEST_F(CommandLine, RefusesToSimplifyPoints)

@@ -17,7 +17,7 @@ TEST_F(CommandOutput, ReportHasExactlyTheDocumentedKeys)
   const Json result = report({});
   EXPECT_EQ(keysOf(result),
     (std::set<std::string>{ "input", "grid", "device", "seconds", "counts", "fragments_per_voxel",
-      "simplification", "engine", "sign_method", "topology", "coverage", "peak_memory_mib" }));
+      "simplification", "engine", "sign", "sign_method", "topology", "coverage", "peak_memory_mib" }));
   EXPECT_EQ(keysOf(result["coverage"]),
     (std::set<std::string>{ "uncovered_share", "reach", "samples", "seconds" }));
   EXPECT_EQ(keysOf(result["simplification"]),
@@ -29,7 +29,7 @@ TEST_F(CommandOutput, ReportHasExactlyTheDocumentedKeys)
   EXPECT_EQ(keysOf(result["grid"]), (std::set<std::string>{ "dimensions", "spacing", "origin" }));
   EXPECT_EQ(keysOf(result["device"]), (std::set<std::string>{ "renderer", "version", "software" }));
   EXPECT_EQ(keysOf(result["seconds"]),
-    (std::set<std::string>{ "read", "sites", "cull", "polygons", "draw", "resolve", "medial",
+    (std::set<std::string>{ "read", "sites", "sign", "cull", "polygons", "draw", "resolve", "medial",
       "write", "total" }));
   EXPECT_EQ(keysOf(result["counts"]),
     (std::set<std::string>{ "sites", "polygons", "fragments", "candidate_pairs", "medial_points",
@@ -67,7 +67,7 @@ TEST_F(CommandOutput, ReportIsPlausible)
   EXPECT_EQ(result["input"]["components"], 1);
   EXPECT_EQ(result["input"]["skipped_degenerate"], 0);
   EXPECT_EQ(result["grid"]["dimensions"][0], kResolution);
-  EXPECT_EQ(result["sign_method"], "pseudonormal");
+  EXPECT_EQ(result["sign_method"], "winding");
   EXPECT_EQ(result["counts"]["sites"], 12 + 18 + 8);
   EXPECT_EQ(result["counts"]["medial_points"],
     readVtp(folder.file("axis.vtp"))->GetNumberOfPoints());
@@ -201,7 +201,7 @@ TEST_F(CommandOutput, AnOpenMeshGivesBothSidesAndANote)
 {
   writeFile(input, objText(plates(0.6, 1.0)));
   const Outcome outcome = run({ "-o", folder.file("axis.vtp"), "--report", folder.file("r.json") });
-  EXPECT_TRUE(contains(outcome.err, "the mesh is not closed: 8 edges with one triangle)"))
+  EXPECT_TRUE(contains(outcome.err, "the mesh leaves open what is inside: its winding number is between 1/4 and 3/4"))
     << outcome.err;
   EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1);
   EXPECT_GT(readVtp(folder.file("axis.vtp"))->GetNumberOfPolys(), 0);
@@ -211,14 +211,32 @@ TEST_F(CommandOutput, AnOpenMeshGivesBothSidesAndANote)
   EXPECT_EQ(run({ "--side", "both", "-o", folder.file("axis.vtp") }).err, "");
 }
 
-TEST_F(CommandOutput, AMisorientedMeshGivesBothSidesAndANote)
+TEST_F(CommandOutput, AMisorientedMeshIsTurnedAndGivesTheInterior)
 {
   TriangleMesh mesh = box(kHalfSides);
   std::swap(mesh.triangles[4][0], mesh.triangles[4][1]);
   writeFile(input, objText(mesh));
-  const Outcome outcome = run({ "-o", folder.file("axis.vtp") });
-  EXPECT_TRUE(contains(outcome.err, "not consistently oriented: 3 edges whose triangles face"))
-    << outcome.err;
+  const Outcome outcome = run({ "-o", folder.file("axis.vtp"), "--report", folder.file("r.json") });
+  EXPECT_EQ(outcome.err, "");
+  const Json result = Json::parse(readFile(folder.file("r.json")));
+  EXPECT_EQ(result["sign_method"], "winding");
+  EXPECT_EQ(result["sign"]["turned"], 1);
+  EXPECT_EQ(result["sign"]["reason"], "the mesh is closed");
+}
+
+TEST_F(CommandOutput, AHoleIsClosedInThoughtAndSaid)
+{
+  TriangleMesh mesh = icosphere(0.5, 2);
+  mesh.triangles.pop_back();
+  mesh.triangleCells.pop_back();
+  writeFile(input, objText(mesh));
+  const Outcome outcome = run({ "-o", folder.file("axis.vtp"), "--report", folder.file("r.json") });
+  EXPECT_TRUE(contains(outcome.err, "1 hole with 3 edges closed in thought")) << outcome.err;
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1);
+  const Json result = Json::parse(readFile(folder.file("r.json")));
+  EXPECT_EQ(result["sign_method"], "winding");
+  EXPECT_EQ(result["sign"]["holes"], 1);
+  EXPECT_EQ(result["sign"]["rim_edges"], 3);
 }
 
 TEST_F(CommandOutput, SignNoneOnAClosedMeshGivesBothSides)

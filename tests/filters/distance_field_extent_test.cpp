@@ -264,7 +264,7 @@ TEST(DistanceFieldExtent, PiecesSplitTheGridButNotTheInput)
     part->SetInputConnection(again->GetOutputPort());
     part->SetResolution(18);
     part->UpdatePiece(piece, 3, 0);
-    EXPECT_EQ(textFigure(part->GetOutput(), "SignMethod"), "Pseudonormal");
+    EXPECT_EQ(textFigure(part->GetOutput(), "SignMethod"), "Winding");
     expectPartOf(part->GetOutput(), whole->GetOutput());
     points += part->GetOutput()->GetNumberOfPoints();
   }

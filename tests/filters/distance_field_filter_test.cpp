@@ -43,7 +43,7 @@ TEST(DistanceFieldFilter, BoxHasItsAnalyticDistance)
   field->Update();
   vtkImageData* image = field->GetOutput();
   ASSERT_EQ(image->GetDimensions()[0], 29);
-  EXPECT_EQ(textFigure(field->GetOutput(), "SignMethod"), "Pseudonormal");
+  EXPECT_EQ(textFigure(field->GetOutput(), "SignMethod"), "Winding");
   const double h = image->GetSpacing()[0];
   for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
   {
@@ -155,7 +155,7 @@ TEST(DistanceFieldFilter, ClosedSurfaceOfStripsIsSigned)
   ASSERT_EQ(field->GetErrorCode(), 0u);
   EXPECT_EQ(figure(field->GetOutput(), "Closed"), 1.0);
   EXPECT_EQ(figure(field->GetOutput(), "Oriented"), 1.0);
-  EXPECT_EQ(textFigure(field->GetOutput(), "SignMethod"), "Pseudonormal");
+  EXPECT_EQ(textFigure(field->GetOutput(), "SignMethod"), "Winding");
   vtkImageData* image = field->GetOutput();
   const double h = image->GetSpacing()[0];
   for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
@@ -265,7 +265,7 @@ TEST(DistanceFieldFilter, FieldDataTellsWhatItDid)
   }
   EXPECT_GT(figure(output, "CandidatePairs"), 0);
   EXPECT_GE(figure(output, "Fragments"), figure(output, "Samples"));
-  EXPECT_EQ(textFigure(output, "SignMethod"), "Pseudonormal");
+  EXPECT_EQ(textFigure(output, "SignMethod"), "Winding");
   EXPECT_EQ(textFigure(output, "Engine"), "Processor");
   EXPECT_EQ(figures(output, "GridDimensions"), std::vector<double>(3, 12.0));
   EXPECT_EQ(figures(output, "GridSpacing")[1], field->GetOutput()->GetSpacing()[1]);
@@ -278,16 +278,16 @@ TEST(DistanceFieldFilter, SecondsOfThePhasesHaveNames)
   field->Update();
   vtkDataArray* seconds = field->GetOutput()->GetFieldData()->GetArray("Seconds");
   ASSERT_NE(seconds, nullptr);
-  const char* const names[] = { "Sites", "Cull", "Polygons", "Draw", "Resolve", "Medial" };
-  ASSERT_EQ(seconds->GetNumberOfComponents(), 6);
+  const char* const names[] = { "Sites", "Sign", "Cull", "Polygons", "Draw", "Resolve", "Medial" };
+  ASSERT_EQ(seconds->GetNumberOfComponents(), 7);
   double sum = 0.0;
-  for (int i = 0; i < 6; ++i)
+  for (int i = 0; i < 7; ++i)
   {
     EXPECT_STREQ(seconds->GetComponentName(i), names[i]);
     sum += seconds->GetComponent(0, i);
   }
   EXPECT_GT(sum, 0.0);
-  EXPECT_EQ(seconds->GetComponent(0, 5), 0.0);
+  EXPECT_EQ(seconds->GetComponent(0, 6), 0.0);
 }
 
 TEST(DistanceFieldFilter, OnlyTheRasteriserTellsOfOpenGL)

@@ -78,8 +78,8 @@ TYPED_TEST(FilterContract, RefusesUnusableInput)
 TYPED_TEST(FilterContract, RefusesSignsThatTheMeshCannotHave)
 {
   using F = TypeParam*;
-  this->expectError([](F f) { f->SetSignMethod(3); }, [](F f) { f->SetSignMethodToNone(); },
-    "SignMethod 3 is not one of 0 (auto), 1 (none), 2 (pseudonormal)");
+  this->expectError([](F f) { f->SetSignMethod(4); }, [](F f) { f->SetSignMethodToNone(); },
+    "SignMethod 4 is not one of 0 (auto), 1 (none), 2 (pseudonormal), 3 (winding)");
   this->expectError(
     [](F f)
     {

@@ -150,7 +150,7 @@ class Properties(unittest.TestCase):
     def test_what_was_used_is_known(self):
         field = MeshDistanceField(Input=box(), Resolution=16)
         self.assertEqual(output(field).GetNumberOfPoints(), figure(field, "Samples"))
-        self.assertEqual(figure(field, "SignMethod"), "Pseudonormal")
+        self.assertEqual(figure(field, "SignMethod"), "Winding")
         self.assertEqual(figure(field, "Engine"), "Processor")
         field.Engine = "Rasteriser"
         self.assertEqual(figure(field, "Engine"), "Rasteriser")

@@ -153,7 +153,7 @@ class Parameters(unittest.TestCase):
 
     def test_run(self):
         self.assert_refused("memory 3 is outside", memory=3)
-        self.assert_refused("sign 'winding' is none of auto, none, pseudonormal$", sign="winding")
+        self.assert_refused("sign 'parity' is none of auto, none, pseudonormal, winding$", sign="parity")
         with self.assertRaisesRegex(ValueError, "boundary"):
             medial.distance_field(VERTICES, QUADS[1:], sign="pseudonormal", **SMALL)
 

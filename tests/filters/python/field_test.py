@@ -27,13 +27,13 @@ class Values(unittest.TestCase):
         self.assertEqual(field.distance.dtype, np.float32)
         self.assertEqual(field.distance.shape[0], 33)
         self.assertEqual(len(set(field.distance.shape)), 3)
-        self.assertEqual(field.sign, "pseudonormal")
+        self.assertEqual(field.sign, "winding")
         self.assertEqual((field.engine, field.renderer), ("processor", ""))
         self.assert_is_of_the_box(field)
 
     def test_is_described_in_short(self):
         field = medial.distance_field(*shapes.box(), resolution=9)
-        self.assertEqual(repr(field), "<DistanceField of 9 x 8 x 6 grid points, sign pseudonormal>")
+        self.assertEqual(repr(field), "<DistanceField of 9 x 8 x 6 grid points, sign winding>")
 
     def test_padding_is_a_share_of_the_diagonal(self):
         field = medial.distance_field(*shapes.box(), resolution=33, padding=0.5)

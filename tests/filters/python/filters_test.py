@@ -75,7 +75,7 @@ class FiltersTest(unittest.TestCase):
         self.assertEqual(image.GetDimensions(), (5, 5, 5))
         # vtkCubeSource does not share points between its faces, but they weld to a closed box.
         self.assertEqual(figure(image, "Closed"), 1)
-        self.assertEqual(figure(image, "SignMethod"), "Pseudonormal")
+        self.assertEqual(figure(image, "SignMethod"), "Winding")
         distance = image.GetPointData().GetArray("Distance")
         self.assertAlmostEqual(distance.GetValue(0), -0.5, places=4)
         self.assertAlmostEqual(distance.GetValue(124), math.sqrt(0.75), places=4)

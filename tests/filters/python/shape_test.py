@@ -76,7 +76,7 @@ class Reconstruction(unittest.TestCase):
     def test_surface_is_a_mesh_again(self):
         surface = medial.reconstruction(self.axis, resolution=48)
         centre = medial.distance_field(surface, origin=(0, 0, 0), spacing=1, dimensions=(1, 1, 1))
-        self.assertEqual(centre.sign, "pseudonormal")
+        self.assertEqual(centre.sign, "winding")
         self.assertAlmostEqual(centre.distance[0, 0, 0], -0.5, delta=0.02)
 
 
