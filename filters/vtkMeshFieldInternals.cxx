@@ -33,8 +33,8 @@ medial::SignMethod ToSignMethod(int method)
     case vtkMeshFieldAlgorithm::SIGN_WINDING:
       return medial::SignMethod::Winding;
     default:
-      vtkThrowBadParameter(
-        "SignMethod", method, "one of 0 (auto), 1 (none), 2 (pseudonormal), 3 (winding)");
+      vtkThrowBadParameter("SignMethod", method,
+        "one of 0 (auto), 1 (none), 2 (pseudonormal), 3 (winding)");
   }
 }
 
@@ -109,8 +109,9 @@ void AddWork(const medial::RunStatistics& statistics, vtkMedialFigures& figures)
   figures.AddCount("Samples", statistics.samples);
   const medial::RunStatistics::Seconds& seconds = statistics.seconds;
   figures.AddParts("Seconds",
-    { { "Sites", seconds.sites }, { "Sign", seconds.sign }, { "Cull", seconds.cull }, { "Polygons", seconds.polygons },
-      { "Draw", seconds.draw }, { "Resolve", seconds.resolve }, { "Medial", seconds.medial } });
+    { { "Sites", seconds.sites }, { "Sign", seconds.sign }, { "Cull", seconds.cull },
+      { "Polygons", seconds.polygons }, { "Draw", seconds.draw }, { "Resolve", seconds.resolve },
+      { "Medial", seconds.medial } });
 }
 
 //------------------------------------------------------------------------------

@@ -80,7 +80,8 @@ FieldPipeline::FieldPipeline(const TriangleMesh& mesh, const MeshConnectivity& c
   {
     statistics_.device = requiredHardware();
   }
-  timed(statistics_.seconds.sign, [&]
+  timed(statistics_.seconds.sign,
+    [&]
     { run_.onThreads([&] { sign_.emplace(options.sign, mesh, connectivity, grid, frame_); }); });
   statistics_.sign = sign_->report();
 }
@@ -115,8 +116,8 @@ FieldJob FieldPipeline::prepare(const FieldEngine& engine)
   statistics_.sites = sites_->size();
   statistics_.samples = extent_.pointCount();
   run_.report(0.0, "distance field");
-  return { mesh_, connectivity_, *sites_, *filter_, normals_, sign, inside_ ? &*inside_ : nullptr, frame_, extent_, memoryMiB_,
-    run_, statistics_ };
+  return { mesh_, connectivity_, *sites_, *filter_, normals_, sign, inside_ ? &*inside_ : nullptr,
+    frame_, extent_, memoryMiB_, run_, statistics_ };
 }
 
 } // namespace medial

@@ -43,8 +43,8 @@ bool isAmbiguous(double winding)
 
 } // namespace
 
-double ambiguousShare(const TriangleChain& closed, const Lids& lids,
-  const GridFrame& frame, const Grid& grid)
+double ambiguousShare(const TriangleChain& closed, const Lids& lids, const GridFrame& frame,
+  const Grid& grid)
 {
   const Sample sample(frame, grid);
   const std::vector<SliceCrossings> slices = rowCrossings(closed, sample.frame, sample.extent);

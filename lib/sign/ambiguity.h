@@ -12,7 +12,7 @@ namespace medial
 /// 1/4 and 3/4, so that it does not tell inside from outside. It is estimated from at most 16
 /// points along each axis. Uses the threads of the current arena.
 /// @param closed the surface with its lids.
-double ambiguousShare(const TriangleChain& closed, const Lids& lids,
-  const GridFrame& frame, const Grid& grid);
+double ambiguousShare(const TriangleChain& closed, const Lids& lids, const GridFrame& frame,
+  const Grid& grid);
 
 } // namespace medial

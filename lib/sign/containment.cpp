@@ -57,8 +57,7 @@ private:
 
   glm::ivec2 squareOf(const glm::dvec2& point) const
   {
-    return glm::ivec2(
-      glm::clamp((point - low_) / step_, glm::dvec2(0.0), glm::dvec2(size_ - 1)));
+    return glm::ivec2(glm::clamp((point - low_) / step_, glm::dvec2(0.0), glm::dvec2(size_ - 1)));
   }
 
   int size_;

@@ -46,8 +46,7 @@ public:
   {
     const glm::dvec3 low = this->sample({ box.min[0], box.min[1], box.min[2] });
     const glm::dvec3 high = this->sample({ box.max[0], box.max[1], box.max[2] });
-    const Lids::View view =
-      lids_.look(outer, 0.5 * (low + high), 0.5 * glm::distance(low, high));
+    const Lids::View view = lids_.look(outer, 0.5 * (low + high), 0.5 * glm::distance(low, high));
     if (box.pointCount() == 1)
     {
       this->addBox(box, lids_.rounded(view, low));

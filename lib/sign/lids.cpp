@@ -75,8 +75,7 @@ Interval Lids::smoothBounds(const View& view) const
   double change = view.far.change() - view.far.error;
   for (std::size_t i = 0; i < view.near.size() && change < 1.0; ++i)
   {
-    change +=
-      view.far.radius * rims_[view.near[i]].maxGradient(view.far.centre, view.far.radius);
+    change += view.far.radius * rims_[view.near[i]].maxGradient(view.far.centre, view.far.radius);
   }
   // Not worth a look.
   if (change >= 0.5)

@@ -127,8 +127,8 @@ Patches findPatches(const TriangleMesh& mesh, const MeshConnectivity& connectivi
     for (const int t : members)
     {
       const auto& [a, b, c] = mesh.triangles[t];
-      majority += patches.senses[t] *
-        glm::length(glm::cross(points[b] - points[a], points[c] - points[a]));
+      majority +=
+        patches.senses[t] * glm::length(glm::cross(points[b] - points[a], points[c] - points[a]));
     }
     if (majority < 0.0)
     {

@@ -49,8 +49,7 @@ std::vector<Lid> lidsOf(const std::vector<RimEdge>& rim, const std::vector<glm::
   std::unordered_map<std::int64_t, std::size_t> lidOfPiece;
   for (const RimEdge& edge : rim)
   {
-    const auto [entry, isNew] =
-      lidOfPiece.try_emplace(pieces.find(number(edge.from)), lids.size());
+    const auto [entry, isNew] = lidOfPiece.try_emplace(pieces.find(number(edge.from)), lids.size());
     if (isNew)
     {
       lids.emplace_back();

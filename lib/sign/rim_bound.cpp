@@ -20,7 +20,8 @@ double RimBound::Piece::distance(const glm::dvec3& point) const
 {
   const glm::dvec3 along = to - from;
   const double square = glm::dot(along, along);
-  const double t = square > 0.0 ? glm::clamp(glm::dot(point - from, along) / square, 0.0, 1.0) : 0.0;
+  const double t =
+    square > 0.0 ? glm::clamp(glm::dot(point - from, along) / square, 0.0, 1.0) : 0.0;
   return glm::distance(point, from + t * along);
 }
 

@@ -60,8 +60,7 @@ public:
 private:
   IndexRange slicesOf(const std::array<glm::dvec3, 3>& corners) const
   {
-    const auto [low, high] =
-      std::minmax({ corners[0].z, corners[1].z, corners[2].z });
+    const auto [low, high] = std::minmax({ corners[0].z, corners[1].z, corners[2].z });
     return planesBetween(low, high, frame_.first.z, frame_.step.z, extent_.min[2], extent_.max[2]);
   }
 
@@ -119,7 +118,8 @@ private:
 
 void sortCrossings(SliceCrossings& crossings)
 {
-  std::sort(crossings.begin(), crossings.end(), [](const RowCrossing& a, const RowCrossing& b)
+  std::sort(crossings.begin(), crossings.end(),
+    [](const RowCrossing& a, const RowCrossing& b)
     { return std::tie(a.row, a.point) < std::tie(b.row, b.point); });
 }
 

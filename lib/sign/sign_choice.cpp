@@ -45,10 +45,9 @@ std::string windingReason(const SignReport& report)
          << "between 1/4 and 3/4 at " << 100.0 * report.ambiguousShare << " % of the grid";
     return text.str();
   }
-  return report.holes == 0
-    ? "the mesh is closed"
-    : count(report.holes, "hole") + " with " + count(report.rimEdges, "edge") +
-      " closed in thought";
+  return report.holes == 0 ? "the mesh is closed"
+                           : count(report.holes, "hole") + " with " +
+      count(report.rimEdges, "edge") + " closed in thought";
 }
 
 } // namespace
@@ -57,7 +56,8 @@ SignChoice::SignChoice(SignMethod requested, const TriangleMesh& mesh,
   const MeshConnectivity& connectivity, const Grid& grid, const GridFrame& frame)
   : frame_(frame)
 {
-  report_.reason = std::string("sign method ") + (requested == SignMethod::None ? "none" : "pseudonormal") + " was asked for";
+  report_.reason = std::string("sign method ") +
+    (requested == SignMethod::None ? "none" : "pseudonormal") + " was asked for";
   switch (requested)
   {
     case SignMethod::Pseudonormal:

@@ -92,7 +92,8 @@ public:
       const int original = patches_.originals[t];
       const bool isCopy = original != static_cast<int>(t);
       const int turn = solids_[patches_.ofTriangle[original]].turned ? -1 : 1;
-      const int direction = turn * patches_.senses[original] * (isCopy ? this->alike(t, original) : 1);
+      const int direction =
+        turn * patches_.senses[original] * (isCopy ? this->alike(t, original) : 1);
       result.directions.push_back(static_cast<std::int8_t>(direction));
       result.weights.push_back(static_cast<std::int8_t>(isCopy ? 0 : direction));
       result.copies += isCopy ? 1 : 0;
@@ -102,8 +103,7 @@ public:
     {
       int net = 0;
       std::for_each(connectivity_.edgeTriangles.begin(edge), connectivity_.edgeTriangles.end(edge),
-        [&](int t)
-        { net += result.weights[t] * directionAlong(mesh_, connectivity_, t, edge); });
+        [&](int t) { net += result.weights[t] * directionAlong(mesh_, connectivity_, t, edge); });
       addRimEdge(connectivity_, edge, net, result.rim);
     }
     return result;
@@ -203,8 +203,10 @@ private:
       this->addProbes(patch, probes, patchOfProbe);
       if (solids_[patch].solid)
       {
-        this->visitTriangles(patch, [&](const CountedTriangle& triangle, bool /*isLid*/)
-          { triangles.push_back({ triangle.corners, patch, triangle.weight }); });
+        this->visitTriangles(patch,
+          [&](const CountedTriangle& triangle, bool /*isLid*/) {
+            triangles.push_back({ triangle.corners, patch, triangle.weight });
+          });
       }
     }
     const Containment containment(triangles, probes);

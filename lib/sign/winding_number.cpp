@@ -102,8 +102,9 @@ int WindingNumber::build(int* begin, int* end)
     const int axis = size.z > size[xOrY] ? 2 : xOrY;
     int* half = begin + (end - begin) / 2;
     std::nth_element(begin, half, end,
-      [&](int a, int b)
-      { return std::make_pair(this->middle(a)[axis], a) < std::make_pair(this->middle(b)[axis], b); });
+      [&](int a, int b) {
+        return std::make_pair(this->middle(a)[axis], a) < std::make_pair(this->middle(b)[axis], b);
+      });
     this->build(begin, half);
     this->build(half, end);
   }

@@ -28,10 +28,7 @@ struct AffineBound
   glm::dvec3 gradient{ 0.0 };
   double error = 0.0;
 
-  double at(const glm::dvec3& point) const
-  {
-    return value + glm::dot(gradient, point - centre);
-  }
+  double at(const glm::dvec3& point) const { return value + glm::dot(gradient, point - centre); }
   /// Returns the largest difference from the value at the centre.
   double change() const { return error + glm::length(gradient) * radius; }
 };
@@ -58,8 +55,8 @@ public:
   /// triangles are summed one by one.
   bool isAboveHalf(const glm::dvec3& point) const;
 
-  /// Adds the values in a ball, all triangles as one dipole. Returns false, and adds nothing, if the
-  /// error could be above the tolerance.
+  /// Adds the values in a ball, all triangles as one dipole. Returns false, and adds nothing, if
+  /// the error could be above the tolerance.
   bool addDipole(double tolerance, AffineBound& sum) const;
 
   /// Whether a triangle may meet a ball.

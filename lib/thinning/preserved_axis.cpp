@@ -142,7 +142,8 @@ PreservedAxis preserveTopology(const ThinningInput& input, const AxisGeometry& g
     std::optional<SolidBodies> bodies;
     if (side == Side::Interior)
     {
-      bodies.emplace(geometry.sites, input.directions, geometry.frame, size, input.closestSites, depth);
+      bodies.emplace(geometry.sites, input.directions, geometry.frame, size, input.closestSites,
+        depth);
     }
     const int colours = bodies ? bodies->colours() : 1;
     for (int colour = 0; colour < colours; ++colour)

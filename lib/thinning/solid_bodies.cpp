@@ -118,8 +118,8 @@ private:
   }
   bool isBody(int part) const { return parts_.volumes[part] > 0.0; }
 
-  /// Whether a grid point lies outside of the part whose face is closest to it. Where parts touch or
-  /// overlap it is in another one, and tells nothing about which parts are next to each other.
+  /// Whether a grid point lies outside of the part whose face is closest to it. Where parts touch
+  /// or overlap it is in another one, and tells nothing about which parts are next to each other.
   bool isBehind(const glm::ivec3& p) const
   {
     const std::int32_t site = closestSites_[this->index(p)];
@@ -128,7 +128,9 @@ private:
       return false;
     }
     const glm::dvec3& corner = sites_.points()[sites_.faces()[site][0]];
-    return directions_[site] * glm::dot(sites_.faceNormal(site), frame_.sample(glm::dvec3(p)) - corner) > 0.0;
+    return directions_[site] *
+      glm::dot(sites_.faceNormal(site), frame_.sample(glm::dvec3(p)) - corner) >
+      0.0;
   }
 
   /// Looks at the half of the 26 neighbours that come later.
@@ -204,14 +206,16 @@ std::vector<int> coloured(DisjointSets& groups, const std::set<Pair>& apart)
 } // namespace
 
 SolidBodies::SolidBodies(const SiteSet& sites, const std::vector<std::int8_t>& directions,
-  const GridFrame& frame, const glm::ivec3& size, const std::int32_t* closestSites, const DepthField& depth)
+  const GridFrame& frame, const glm::ivec3& size, const std::int32_t* closestSites,
+  const DepthField& depth)
 {
   const SurfaceParts parts = partsOf(sites, directions);
   if (parts.count() < 2)
   {
     return;
   }
-  const PartPairs pairs = PairScan(sites, directions, parts, frame, size, closestSites, depth).run();
+  const PartPairs pairs =
+    PairScan(sites, directions, parts, frame, size, closestSites, depth).run();
   DisjointSets groups(static_cast<std::size_t>(parts.count()));
   for (const auto& [a, b] : pairs.joined)
   {

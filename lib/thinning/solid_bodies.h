@@ -20,8 +20,9 @@ public:
   /// @param directions per triangle: 1 if it faces outwards as it is, or -1.
   /// @param size of the grid.
   /// @param depth of all bodies; interior.
-  SolidBodies(const SiteSet& sites, const std::vector<std::int8_t>& directions, const GridFrame& frame, const glm::ivec3& size,
-    const std::int32_t* closestSites, const DepthField& depth);
+  SolidBodies(const SiteSet& sites, const std::vector<std::int8_t>& directions,
+    const GridFrame& frame, const glm::ivec3& size, const std::int32_t* closestSites,
+    const DepthField& depth);
 
   /// Number of colours. Bodies that only seem to touch have different colours. A mesh of one body,
   /// or of bodies that stay apart, needs one colour.

@@ -157,7 +157,8 @@ TEST_F(CommandLine, RefusesUnknownOutputFormats)
 TEST_F(CommandLine, RefusesSignMethodsThatItDoesNotHave)
 {
   const std::string error = usageError({ "--sign", "parity" });
-  EXPECT_TRUE(contains(error, "parity") && contains(error, "auto, none, pseudonormal, winding")) << error;
+  EXPECT_TRUE(contains(error, "parity") && contains(error, "auto, none, pseudonormal, winding"))
+    << error;
 }
 
 TEST_F(CommandLine, RefusesToSimplifyPoints)

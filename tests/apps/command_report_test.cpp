@@ -17,7 +17,8 @@ TEST_F(CommandOutput, ReportHasExactlyTheDocumentedKeys)
   const Json result = report({});
   EXPECT_EQ(keysOf(result),
     (std::set<std::string>{ "input", "grid", "device", "seconds", "counts", "fragments_per_voxel",
-      "simplification", "engine", "sign", "sign_method", "topology", "coverage", "peak_memory_mib" }));
+      "simplification", "engine", "sign", "sign_method", "topology", "coverage",
+      "peak_memory_mib" }));
   EXPECT_EQ(keysOf(result["coverage"]),
     (std::set<std::string>{ "uncovered_share", "reach", "samples", "seconds" }));
   EXPECT_EQ(keysOf(result["simplification"]),
@@ -29,8 +30,8 @@ TEST_F(CommandOutput, ReportHasExactlyTheDocumentedKeys)
   EXPECT_EQ(keysOf(result["grid"]), (std::set<std::string>{ "dimensions", "spacing", "origin" }));
   EXPECT_EQ(keysOf(result["device"]), (std::set<std::string>{ "renderer", "version", "software" }));
   EXPECT_EQ(keysOf(result["seconds"]),
-    (std::set<std::string>{ "read", "sites", "sign", "cull", "polygons", "draw", "resolve", "medial",
-      "write", "total" }));
+    (std::set<std::string>{ "read", "sites", "sign", "cull", "polygons", "draw", "resolve",
+      "medial", "write", "total" }));
   EXPECT_EQ(keysOf(result["counts"]),
     (std::set<std::string>{ "sites", "polygons", "fragments", "candidate_pairs", "medial_points",
       "medial_cells" }));
@@ -201,7 +202,8 @@ TEST_F(CommandOutput, AnOpenMeshGivesBothSidesAndANote)
 {
   writeFile(input, objText(plates(0.6, 1.0)));
   const Outcome outcome = run({ "-o", folder.file("axis.vtp"), "--report", folder.file("r.json") });
-  EXPECT_TRUE(contains(outcome.err, "the mesh leaves open what is inside: its winding number is between 1/4 and 3/4"))
+  EXPECT_TRUE(contains(outcome.err,
+    "the mesh leaves open what is inside: its winding number is between 1/4 and 3/4"))
     << outcome.err;
   EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1);
   EXPECT_GT(readVtp(folder.file("axis.vtp"))->GetNumberOfPolys(), 0);

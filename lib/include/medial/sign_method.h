@@ -13,8 +13,8 @@ enum class SignMethod
   /// number is between 1/4 and 3/4 at more than 1 % of the grid points.
   Auto,
   None, ///< unsigned distance
-  /// Angle-weighted pseudonormals (Baerentzen, Aanaes 2005). The mesh must be closed and
-  /// consistently oriented. Wrong where parts overlap, touch or face different ways.
+        /// Angle-weighted pseudonormals (Baerentzen, Aanaes 2005). The mesh must be closed and
+        /// consistently oriented. Wrong where parts overlap, touch or face different ways.
   Pseudonormal,
   /// Generalised winding numbers (Jacobson, Kavan, Sorkine-Hornung 2013) above 1/2 are inside, also
   /// for meshes with holes, with parts that overlap, touch or face different ways, and with
@@ -26,11 +26,11 @@ enum class SignMethod
 struct SignReport
 {
   SignMethod method = SignMethod::None; ///< the method used, never Auto
-  std::string reason;          ///< why this method, in words
-  std::int64_t rimEdges = 0;   ///< Winding: edges of holes, closed in thought
-  std::int64_t holes = 0;      ///< Winding: connected pieces of these edges
-  std::int64_t copies = 0;     ///< Winding: triangles left out as copies of others
-  std::int64_t turned = 0;     ///< Winding: triangles turned round
+  std::string reason;                   ///< why this method, in words
+  std::int64_t rimEdges = 0;            ///< Winding: edges of holes, closed in thought
+  std::int64_t holes = 0;               ///< Winding: connected pieces of these edges
+  std::int64_t copies = 0;              ///< Winding: triangles left out as copies of others
+  std::int64_t turned = 0;              ///< Winding: triangles turned round
   double ambiguousShare = 0.0; ///< Auto, Winding: share of the grid with winding number 1/4 to 3/4
 };
 

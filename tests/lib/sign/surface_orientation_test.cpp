@@ -57,8 +57,7 @@ TEST(SurfaceOrientation, TurnsPartsOutwards)
 TEST(SurfaceOrientation, KeepsCavitiesAndWhatIsInThem)
 {
   const auto cube = [](double half) { return box({ half, half, half }); };
-  const TriangleMesh nested =
-    appended(appended(cube(3.0), flipOrientation(cube(2.0))), cube(1.0));
+  const TriangleMesh nested = appended(appended(cube(3.0), flipOrientation(cube(2.0))), cube(1.0));
   const double volume = 216.0 - 64.0 + 8.0;
   EXPECT_NEAR(volumeOf(nested), volume, 1e-9);
   EXPECT_NEAR(volumeOf(flipOrientation(nested)), volume, 1e-9);

@@ -80,16 +80,14 @@ std::vector<Assembly> assemblies()
 {
   const TriangleMesh ball = icosphere(0.5, 2);
   const TriangleMesh small = icosphere(0.2, 1);
-  std::vector<Assembly> result{
-    pair("overlapping", unitBox(), unitBox({ 0.6, 0.3, 0.2 })),
+  std::vector<Assembly> result{ pair("overlapping", unitBox(), unitBox({ 0.6, 0.3, 0.2 })),
     pair("touching", unitBox(), unitBox({ 1.0, 0.0, 0.0 })),
     pair("almostTouching", unitBox(), unitBox({ 1.0 + 1e-9, 0.0, 0.0 })),
     pair("touchingAlongZ", unitBox(), unitBox({ 0.0, 0.0, 1.0 })),
     pair("partsInParts", ball, small),
     { "onePartInsideOut", appended(unitBox(), flipOrientation(unitBox({ 2.0, 0.0, 0.0 }))),
       { unitBox(), unitBox({ 2.0, 0.0, 0.0 }) } },
-    { "overlappingInsideOut",
-      appended(unitBox(), flipOrientation(unitBox({ 0.6, 0.3, 0.2 }))),
+    { "overlappingInsideOut", appended(unitBox(), flipOrientation(unitBox({ 0.6, 0.3, 0.2 }))),
       { unitBox(), unitBox({ 0.6, 0.3, 0.2 }) } },
     { "sharedEdge", welded(appended(unitBox(), unitBox({ 1.0, 1.0, 0.0 }))),
       { unitBox(), unitBox({ 1.0, 1.0, 0.0 }) } },
@@ -99,7 +97,8 @@ std::vector<Assembly> assemblies()
     { "doubled", welded(appended(ball, ball)), { ball } },
     { "doubleSided", welded(appended(ball, flipOrientation(ball))), { ball } },
     { "doubledUnwelded", appended(ball, ball), { ball } },
-    { "withSegment", makeMesh(unitBox().points, unitBox().triangles, { { 0, 6 } }), { unitBox() } } };
+    { "withSegment", makeMesh(unitBox().points, unitBox().triangles, { { 0, 6 } }),
+      { unitBox() } } };
   return result;
 }
 
@@ -241,8 +240,8 @@ TEST_P(SignOfAssembly, IsThatOfItsParts)
   {
     const DistanceField field = fieldOf(GetParam().mesh, options, 29);
     EXPECT_EQ(field.sign, SignMethod::Winding);
-    EXPECT_EQ(
-      wrongSigns(field, [](const Point3& x) { return isInAnyPart(GetParam().parts, x); }), 0U);
+    EXPECT_EQ(wrongSigns(field, [](const Point3& x) { return isInAnyPart(GetParam().parts, x); }),
+      0U);
   }
 }
 
@@ -254,8 +253,7 @@ TEST_P(SignOfAssembly, DoesNotDependOnTheOrderOfTriangles)
   {
     std::shuffle(mesh.triangles.begin(), mesh.triangles.end(), random);
     const DistanceField field = fieldOf(mesh, {}, 19);
-    EXPECT_EQ(wrongSigns(field,
-                [&](const Point3& x) { return isInAnyPart(GetParam().parts, x); }),
+    EXPECT_EQ(wrongSigns(field, [&](const Point3& x) { return isInAnyPart(GetParam().parts, x); }),
       0U);
   }
 }
@@ -271,8 +269,8 @@ TEST_P(SignOfOpenMesh, IsThatOfTheWindingNumber)
   {
     const DistanceField field = fieldOf(mesh, winding(options), 18);
     EXPECT_EQ(field.sign, SignMethod::Winding);
-    EXPECT_EQ(wrongSigns(field, [&](const Point3& x)
-                { return orientedWinding(mesh, orientation, x) > 0.5; }),
+    EXPECT_EQ(wrongSigns(field,
+                [&](const Point3& x) { return orientedWinding(mesh, orientation, x) > 0.5; }),
       0U);
   }
 }
@@ -286,8 +284,7 @@ TEST(WindingSign, KnowsCavitiesWhicheverWayTheShellFaces)
   for (const TriangleMesh& turned : { mesh, flipOrientation(mesh) })
   {
     const DistanceField field = fieldOf(turned, {}, 33);
-    EXPECT_EQ(
-      wrongSigns(field, [&](const Point3& x) { return windingNumber(mesh, x) > 0.5; }), 0U);
+    EXPECT_EQ(wrongSigns(field, [&](const Point3& x) { return windingNumber(mesh, x) > 0.5; }), 0U);
   }
 }
 

@@ -155,8 +155,9 @@ TEST(Thickness, OfPartsThatFaceDifferentWays)
   const Point3 halfSides{ 1.0, 0.7, 0.4 };
   const TriangleMesh part = subdivided(box(halfSides), 3);
   const TriangleMesh mesh = appended(part, flipOrientation(translated(part, { 4.0, 0.0, 0.0 })));
-  const auto truth = [&](const Point3& x)
-  { return boxThickness(halfSides, { x[0] > 2.0 ? x[0] - 4.0 : x[0], x[1], x[2] }); };
+  const auto truth = [&](const Point3& x) {
+    return boxThickness(halfSides, { x[0] > 2.0 ? x[0] - 4.0 : x[0], x[1], x[2] });
+  };
   EXPECT_LE(worst(mesh, thicknessOf(mesh), truth), kRounding);
 }
 
