@@ -3,12 +3,12 @@
 #include "support/models.h"
 #include "support/shapes.h"
 
+#include <OpenMesh/Core/Mesh/TriConnectivity.hh>
+#include <OpenMesh/Core/System/omstream.hh>
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <map>
 #include <random>
 #include <set>
 
@@ -105,57 +105,24 @@ TriangleMesh moebiusStrip(int segments)
   return makeMesh(points, triangles);
 }
 
-/// Whether the triangles around a point of a manifold may be these, given as pairs of their other
-/// points: one cycle, or paths only.
-bool isCycleOrPaths(const std::map<int, int>& next)
-{
-  std::set<int> targets;
-  for (const auto& [from, to] : next)
-  {
-    targets.insert(to);
-  }
-  if (targets.size() != next.size())
-  {
-    return false;
-  }
-  std::size_t onPaths = 0;
-  for (auto start = next.begin(); start != next.end(); ++start)
-  {
-    const bool starts = targets.count(start->first) == 0;
-    for (auto at = starts ? start : next.end(); at != next.end(); at = next.find(at->second))
-    {
-      ++onPaths;
-    }
-  }
-  std::size_t onCycle = 1;
-  for (auto at = next.find(next.begin()->second); at != next.end() && at != next.begin();
-       at = next.find(at->second))
-  {
-    ++onCycle;
-  }
-  return onPaths == next.size() || (onPaths == 0 && onCycle == next.size());
-}
-
-/// The number of triangles that do not fit a manifold when they are added in their order, found
-/// from all neighbours of each corner.
+/// The number of triangles that a half-edge mesh of OpenMesh refuses when they are added in their
+/// order.
 int refusedTriangles(const TriangleMesh& mesh)
 {
-  std::vector<std::map<int, int>> next(mesh.points.size());
-  int refused = 0;
-  for (const auto& t : mesh.triangles)
+  omerr().disable();
+  OpenMesh::TriConnectivity halfEdges;
+  for (std::size_t i = 0; i < mesh.points.size(); ++i)
   {
-    auto changed = next;
-    bool fits = true;
-    for (int i = 0; i < 3; ++i)
-    {
-      auto& around = changed[t[i]];
-      fits =
-        fits && around.emplace(t[(i + 1) % 3], t[(i + 2) % 3]).second && isCycleOrPaths(around);
-    }
-    refused += fits ? 0 : 1;
-    next = fits ? changed : next;
+    halfEdges.new_vertex();
   }
-  return refused;
+  return static_cast<int>(std::count_if(mesh.triangles.begin(), mesh.triangles.end(),
+    [&](const std::array<int, 3>& t)
+    {
+      return !halfEdges
+                .add_face(halfEdges.vertex_handle(t[0]), halfEdges.vertex_handle(t[1]),
+                  halfEdges.vertex_handle(t[2]))
+                .is_valid();
+    }));
 }
 
 /// A double cone over a rim; its triangles are given in a random order.
@@ -411,15 +378,12 @@ TEST(Topology, TheManifoldPartIsThatOfAHalfEdgeMesh)
   EXPECT_GT(refused, 2000);
 }
 
-/// The time was quadratic: minutes here.
+// The time was quadratic: longer here than a test may take.
 TEST(Topology, IsQuickHoweverManyTrianglesMeetAtAPoint)
 {
   constexpr int kRim = 200000;
   const TriangleMesh mesh = doubleCone(kRim);
-  const auto start = std::chrono::steady_clock::now();
   const MeshConnectivity connectivity = analyseConnectivity(mesh);
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  EXPECT_LT(seconds.count(), 20.0);
   EXPECT_TRUE(connectivity.closed() && connectivity.manifold() && connectivity.oriented());
   EXPECT_EQ(connectivity.edges.size(), 3u * kRim);
   EXPECT_EQ(connectivity.pointEdges.size(0), kRim);
