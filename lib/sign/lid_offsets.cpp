@@ -14,8 +14,6 @@ namespace
 
 /// Boxes that the search starts with, points a side.
 constexpr int kBlock = 16;
-/// Points on a lid count as before it, as in rowCrossings(). Local units.
-const glm::dvec3 kBefore(-1e-10, -1e-8, -1e-6);
 
 int nearest(double value)
 {
@@ -75,7 +73,7 @@ public:
   }
 
 private:
-  glm::dvec3 sample(const glm::ivec3& point) const { return frame_.sample(point) + kBefore; }
+  glm::dvec3 sample(const glm::ivec3& point) const { return frame_.sample(point); }
 
   void addBox(const Extent& box, int k)
   {

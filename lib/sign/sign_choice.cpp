@@ -17,6 +17,10 @@ namespace
 /// Auto gives up the sign if the winding number is ambiguous at a larger share of the grid.
 constexpr double kMaxAmbiguousShare = 0.01;
 
+/// Grid points are taken this far from where they are, local units: symmetric meshes have faces and
+/// lids exactly through grid points, where rounding would decide, and not always alike.
+const glm::dvec3 kShift(1.1e-6, 1.7e-6, 2.3e-6);
+
 void requirePseudonormals(const MeshConnectivity& connectivity)
 {
   if (!connectivity.closed() || !connectivity.oriented())
@@ -56,6 +60,7 @@ SignChoice::SignChoice(SignMethod requested, const TriangleMesh& mesh,
   const MeshConnectivity& connectivity, const Grid& grid, const GridFrame& frame)
   : frame_(frame)
 {
+  frame_.first += kShift;
   report_.reason = std::string("sign method ") +
     (requested == SignMethod::None ? "none" : "pseudonormal") + " was asked for";
   switch (requested)

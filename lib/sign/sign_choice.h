@@ -39,7 +39,7 @@ private:
   void wind(SignMethod requested, const TriangleMesh& mesh, const MeshConnectivity& connectivity,
     const Grid& grid);
 
-  GridFrame frame_;
+  GridFrame frame_; ///< shifted by a little
   SignReport report_;
   ClosedSurface surface_;
   std::vector<std::int8_t> directions_;

@@ -228,10 +228,6 @@ void checkDistances(Bytes& bytes, const TriangleMesh& mesh, const Result& result
   }
 }
 
-// The place for the check of SignMethod::Winding: the sign of every distance against
-// test::windingNumber() of the mesh, wherever that is not near 0.5.
-void checkSigns(const TriangleMesh& /*mesh*/, const Result& /*result*/) {}
-
 void checkRadii(const TriangleMesh& mesh, const Result& result)
 {
   const MedialAxis& axis = result.axis;
@@ -270,7 +266,6 @@ void computeAndCheck(Bytes& bytes, const TriangleMesh& mesh)
 {
   const Result result = compute(bytes, mesh);
   checkDistances(bytes, mesh, result);
-  checkSigns(mesh, result);
   checkRadii(mesh, result);
 }
 
