@@ -1,5 +1,6 @@
 #include "field/field_pipeline.h"
 
+#include "base/checkpoint.h"
 #include "base/stopwatch.h"
 #include "field/field_sign.h"
 #include "medial/device.h"
@@ -82,7 +83,11 @@ FieldPipeline::FieldPipeline(const TriangleMesh& mesh, const MeshConnectivity& c
   }
   timed(statistics_.seconds.sign,
     [&]
-    { run_.onThreads([&] { sign_.emplace(options.sign, mesh, connectivity, grid, frame_); }); });
+    {
+      const Checkpoint checkpoint(run_, 0.0, "distance field");
+      run_.onThreads(
+        [&] { sign_.emplace(options.sign, mesh, connectivity, grid, frame_, checkpoint); });
+    });
   statistics_.sign = sign_->report();
 }
 

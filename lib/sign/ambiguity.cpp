@@ -44,7 +44,7 @@ bool isAmbiguous(double winding)
 } // namespace
 
 double ambiguousShare(const TriangleChain& closed, const Lids& lids, const GridFrame& frame,
-  const Grid& grid)
+  const Grid& grid, const Checkpoint& checkpoint)
 {
   const Sample sample(frame, grid);
   const std::vector<SliceCrossings> slices = rowCrossings(closed, sample.frame, sample.extent);
@@ -55,6 +55,7 @@ double ambiguousShare(const TriangleChain& closed, const Lids& lids, const GridF
       auto next = slices[k].begin();
       for (int j = 0; j < sample.extent.size(1); ++j)
       {
+        checkpoint();
         int winding = 0;
         for (int i = 0; i < sample.extent.size(0); ++i)
         {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/checkpoint.h"
 #include "medial/grid.h"
 #include "sign/closed_surface.h"
 #include "sign/lids.h"
@@ -13,6 +14,6 @@ namespace medial
 /// points along each axis. Uses the threads of the current arena.
 /// @param closed the surface with its lids.
 double ambiguousShare(const TriangleChain& closed, const Lids& lids, const GridFrame& frame,
-  const Grid& grid);
+  const Grid& grid, const Checkpoint& checkpoint);
 
 } // namespace medial

@@ -171,14 +171,18 @@ TriangleChain lidsOnly(const ClosedSurface& surface)
 } // namespace
 
 void subtractLids(const ClosedSurface& surface, const Lids& lids, const GridFrame& frame,
-  const Extent& extent, std::vector<SliceCrossings>& slices)
+  const Extent& extent, const Checkpoint& checkpoint, std::vector<SliceCrossings>& slices)
 {
   const std::vector<SliceCrossings> crossings = rowCrossings(lidsOnly(surface), frame, extent);
   const std::vector<Extent> blocks = blocksOf(extent);
   const Lids::View everything = lids.everything();
   std::vector<std::vector<OffsetRow>> found(blocks.size());
   tbb::parallel_for(std::size_t{ 0 }, blocks.size(),
-    [&](std::size_t b) { OffsetSearch(lids, frame, found[b]).search(blocks[b], everything); });
+    [&](std::size_t b)
+    {
+      checkpoint();
+      OffsetSearch(lids, frame, found[b]).search(blocks[b], everything);
+    });
   for (const std::vector<OffsetRow>& rows : found)
   {
     for (const OffsetRow& row : rows)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/checkpoint.h"
 #include "medial/grid.h"
 #include "sign/closed_surface.h"
 #include "sign/lids.h"
@@ -18,6 +19,6 @@ namespace medial
 /// on along their rows where lids pass through them; points are looked at singly near the rims and
 /// where w is near a half.
 void subtractLids(const ClosedSurface& surface, const Lids& lids, const GridFrame& frame,
-  const Extent& extent, std::vector<SliceCrossings>& slices);
+  const Extent& extent, const Checkpoint& checkpoint, std::vector<SliceCrossings>& slices);
 
 } // namespace medial

@@ -16,6 +16,10 @@ namespace
 
 /// Auto gives up the sign if the winding number is ambiguous at a larger share of the grid.
 constexpr double kMaxAmbiguousShare = 0.01;
+/// Auto does not close more edges of holes than this, nor more than this share of the triangles:
+/// the time grows with the holes, and a soup of single triangles has no inside.
+constexpr std::int64_t kMaxRimEdges = 10000;
+constexpr double kMaxRimShare = 0.5;
 
 /// Grid points are taken this far from where they are, local units: symmetric meshes have faces and
 /// lids exactly through grid points, where rounding would decide, and not always alike.
@@ -57,8 +61,10 @@ std::string windingReason(const SignReport& report)
 } // namespace
 
 SignChoice::SignChoice(SignMethod requested, const TriangleMesh& mesh,
-  const MeshConnectivity& connectivity, const Grid& grid, const GridFrame& frame)
+  const MeshConnectivity& connectivity, const Grid& grid, const GridFrame& frame,
+  const Checkpoint& checkpoint)
   : frame_(frame)
+  , checkpoint_(checkpoint)
 {
   frame_.first += kShift;
   report_.reason = std::string("sign method ") +
@@ -95,15 +101,24 @@ void SignChoice::wind(SignMethod requested, const TriangleMesh& mesh,
   const MeshConnectivity& connectivity, const Grid& grid)
 {
   const SurfaceOrientation orientation = orientSurface(mesh, connectivity);
-  surface_ = closeSurface(mesh, orientation, frame_);
   report_.rimEdges = static_cast<std::int64_t>(orientation.rim.size());
+  const auto triangles = static_cast<double>(mesh.triangles.size());
+  if (requested == SignMethod::Auto &&
+    (report_.rimEdges > kMaxRimEdges ||
+      static_cast<double>(report_.rimEdges) > kMaxRimShare * triangles))
+  {
+    report_.reason =
+      "the mesh leaves open what is inside: its holes have " + count(report_.rimEdges, "edge");
+    return;
+  }
+  surface_ = closeSurface(mesh, orientation, frame_);
   report_.holes = static_cast<std::int64_t>(surface_.lidCount());
   report_.copies = orientation.copies;
   report_.turned = orientation.turned;
   if (surface_.lidCount() > 0)
   {
     lids_ = std::make_unique<Lids>(surface_);
-    report_.ambiguousShare = ambiguousShare(surface_.chain, *lids_, frame_, grid);
+    report_.ambiguousShare = ambiguousShare(surface_.chain, *lids_, frame_, grid, checkpoint_);
   }
   const bool clear = report_.ambiguousShare <= kMaxAmbiguousShare;
   report_.method =
@@ -124,7 +139,7 @@ std::optional<InsideRows> SignChoice::insideRows(const Extent& extent) const
   std::vector<SliceCrossings> slices = rowCrossings(surface_.chain, frame_, extent);
   if (lids_)
   {
-    subtractLids(surface_, *lids_, frame_, extent, slices);
+    subtractLids(surface_, *lids_, frame_, extent, checkpoint_, slices);
   }
   return InsideRows(extent, slices);
 }

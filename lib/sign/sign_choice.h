@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/run.h"
+#include "base/checkpoint.h"
 #include "medial/grid.h"
 #include "medial/mesh_connectivity.h"
 #include "medial/sign_method.h"
@@ -25,9 +25,9 @@ class SignChoice
 public:
   /// Chooses the method. Uses the threads of the current arena.
   /// @throws Error InvalidInput for Pseudonormal if the mesh is open or not consistently oriented,
-  ///   and for Winding if it has no triangles.
+  ///   and for Winding if it has no triangles; Cancelled.
   SignChoice(SignMethod requested, const TriangleMesh& mesh, const MeshConnectivity& connectivity,
-    const Grid& grid, const GridFrame& frame);
+    const Grid& grid, const GridFrame& frame, const Checkpoint& checkpoint);
 
   const SignReport& report() const { return report_; }
   /// Per triangle 1 if it faces outwards as it is, or -1. Empty without a sign.
@@ -40,6 +40,7 @@ private:
     const Grid& grid);
 
   GridFrame frame_; ///< shifted by a little
+  Checkpoint checkpoint_;
   SignReport report_;
   ClosedSurface surface_;
   std::vector<std::int8_t> directions_;

@@ -9,12 +9,14 @@ namespace medial
 /// How to tell inside from outside. Negative is inside; the magnitude never depends on the method.
 enum class SignMethod
 {
-  /// Winding, unless the mesh has no triangles or leaves open what is inside: None, if the winding
-  /// number is between 1/4 and 3/4 at more than 1 % of the grid points.
+  /// Winding, unless the mesh leaves open what is inside: None, if it has no triangles, if its
+  /// winding number is between 1/4 and 3/4 at more than 1 % of the grid points, or if its holes have
+  /// more than 10,000 edges or half as many as there are triangles.
   Auto,
-  None, ///< unsigned distance
-        /// Angle-weighted pseudonormals (Baerentzen, Aanaes 2005). The mesh must be closed and
-        /// consistently oriented. Wrong where parts overlap, touch or face different ways.
+  /// Unsigned distance.
+  None,
+  /// Angle-weighted pseudonormals (Baerentzen, Aanaes 2005). The mesh must be closed and
+  /// consistently oriented. Wrong where parts overlap, touch or face different ways.
   Pseudonormal,
   /// Generalised winding numbers (Jacobson, Kavan, Sorkine-Hornung 2013) above 1/2 are inside, also
   /// for meshes with holes, with parts that overlap, touch or face different ways, and with

@@ -375,6 +375,13 @@ TEST(WindingSign, ReportSaysWhatWasMended)
   EXPECT_GT(fieldOf(plates(0.5, 1.0), {}, 16).statistics.sign.ambiguousShare, 0.01);
 }
 
+TEST(WindingSign, IsNotAutomaticForSoups)
+{
+  const DistanceField field = fieldOf(randomSoup(200, 3), {}, 16);
+  EXPECT_EQ(field.sign, SignMethod::None);
+  EXPECT_NE(field.statistics.sign.reason.find("600 edges"), std::string::npos);
+}
+
 TEST(WindingSign, NeedsTriangles)
 {
   const TriangleMesh segment = makeMesh({ { 0, 0, 0 }, { 1, 1, 1 } }, {}, { { 0, 1 } });
