@@ -16,10 +16,18 @@ namespace
 
 /// Auto gives up the sign if the winding number is ambiguous at a larger share of the grid.
 constexpr double kMaxAmbiguousShare = 0.01;
-/// Auto does not close more edges of holes than this, nor more than this share of the triangles:
-/// the time grows with the holes, and a soup of single triangles has no inside.
+/// The time grows with the holes, and a soup of single triangles has no inside: Auto closes at most
+/// so many edges of holes, and above the smaller number at most this share of the triangles.
 constexpr std::int64_t kMaxRimEdges = 10000;
+constexpr std::int64_t kFewRimEdges = 1000;
 constexpr double kMaxRimShare = 0.5;
+
+bool isTorn(std::int64_t rimEdges, std::size_t triangles)
+{
+  return rimEdges > kMaxRimEdges ||
+    (rimEdges > kFewRimEdges &&
+      static_cast<double>(rimEdges) > kMaxRimShare * static_cast<double>(triangles));
+}
 
 /// Grid points are taken this far from where they are, local units: symmetric meshes have faces and
 /// lids exactly through grid points, where rounding would decide, and not always alike.
@@ -102,10 +110,7 @@ void SignChoice::wind(SignMethod requested, const TriangleMesh& mesh,
 {
   const SurfaceOrientation orientation = orientSurface(mesh, connectivity);
   report_.rimEdges = static_cast<std::int64_t>(orientation.rim.size());
-  const auto triangles = static_cast<double>(mesh.triangles.size());
-  if (requested == SignMethod::Auto &&
-    (report_.rimEdges > kMaxRimEdges ||
-      static_cast<double>(report_.rimEdges) > kMaxRimShare * triangles))
+  if (requested == SignMethod::Auto && isTorn(report_.rimEdges, mesh.triangles.size()))
   {
     report_.reason =
       "the mesh leaves open what is inside: its holes have " + count(report_.rimEdges, "edge");

@@ -377,9 +377,9 @@ TEST(WindingSign, ReportSaysWhatWasMended)
 
 TEST(WindingSign, IsNotAutomaticForSoups)
 {
-  const DistanceField field = fieldOf(randomSoup(200, 3), {}, 16);
+  const DistanceField field = fieldOf(randomSoup(400, 3), {}, 16);
   EXPECT_EQ(field.sign, SignMethod::None);
-  EXPECT_NE(field.statistics.sign.reason.find("600 edges"), std::string::npos);
+  EXPECT_NE(field.statistics.sign.reason.find("1200 edges"), std::string::npos);
 }
 
 TEST(WindingSign, NeedsTriangles)
