@@ -172,7 +172,7 @@ void vtkMedialAxis::Execute(vtkPolyData* input, vtkInformationVector* outputVect
   vtkMeshConversion::ToPolyData(axis, output);
   const auto record = [&](vtkDataObject* data)
   {
-    this->Internals->Record(grid, axis.sign, axis.statistics, data);
+    this->Internals->Record(grid, axis.statistics, data);
     vtkMedialFigures(data).AddText("Side", vtkSideAsString(vtkFromSide(axis.side)));
   };
   record(output);

@@ -69,7 +69,7 @@ int vtkMeshDistanceField::RequestData(vtkInformation*, vtkInformationVector** in
         vtkMeshConversion::AllocateField(output, grid, extent, this->Internals->MakeSelection());
       const medial::RunStatistics statistics = medial::computeDistanceField(this->Internals->Mesh,
         this->Internals->Connectivity, grid, extent, arrays, options);
-      this->Internals->Record(grid, statistics.sign.method, statistics, output);
+      this->Internals->Record(grid, statistics, output);
     });
   return done ? 1 : vtkEndWithoutOutput(this, outputVector);
 }

@@ -230,11 +230,11 @@ vtkMeshConversion::ArraySelection vtkMeshFieldAlgorithm::vtkInternals::MakeSelec
 }
 
 //------------------------------------------------------------------------------
-void vtkMeshFieldAlgorithm::vtkInternals::Record(const medial::Grid& grid, medial::SignMethod sign,
+void vtkMeshFieldAlgorithm::vtkInternals::Record(const medial::Grid& grid,
   const medial::RunStatistics& statistics, vtkDataObject* output)
 {
   vtkMedialFigures figures(output);
-  figures.AddText("SignMethod", NameOf(sign));
+  figures.AddText("SignMethod", NameOf(statistics.sign.method));
   figures.AddText("SignReason", statistics.sign.reason);
   figures.AddText("Engine", NameOf(statistics.engine));
   figures.AddPoint("GridOrigin", grid.origin);

@@ -62,8 +62,8 @@ public:
    * Adds the field data arrays of the filter's manual to an output, after an execution on the
    * current mesh.
    */
-  void Record(const medial::Grid& grid, medial::SignMethod sign,
-    const medial::RunStatistics& statistics, vtkDataObject* output);
+  void Record(const medial::Grid& grid, const medial::RunStatistics& statistics,
+    vtkDataObject* output);
 
   bool InputIsBlock = false; // of composite input that the pipeline goes through
   medial::TriangleMesh Mesh;

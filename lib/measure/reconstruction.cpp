@@ -1,6 +1,7 @@
 #include "medial/reconstruction.h"
 
 #include "balls/ball_union.h"
+#include "base/longest_axis.h"
 #include "base/memory_guard.h"
 #include "base/run.h"
 #include "medial/memory.h"
@@ -47,7 +48,7 @@ public:
       this->set(block, static_cast<float>(distance - std::copysign(reach, distance)));
       return;
     }
-    const int axis = this->longestAxis(block);
+    const int axis = longestAxis(block);
     Extent lower = block;
     Extent upper = block;
     lower.max[axis] = (block.min[axis] + block.max[axis]) / 2;
@@ -64,16 +65,6 @@ private:
   {
     const Point3 at = grid_.point(point[0], point[1], point[2]);
     return { at[0], at[1], at[2] };
-  }
-
-  static int longestAxis(const Extent& block)
-  {
-    int longest = 0;
-    for (int axis = 1; axis < 3; ++axis)
-    {
-      longest = block.size(axis) > block.size(longest) ? axis : longest;
-    }
-    return longest;
   }
 
   void set(const Extent& block, float value)

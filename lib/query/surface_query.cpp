@@ -1,5 +1,6 @@
 #include "query/surface_query.h"
 
+#include "base/longest_axis.h"
 #include "base/simd.h"
 #include "sign/surface_orientation.h"
 #include "sites/pseudonormals.h"
@@ -180,8 +181,7 @@ int* SurfaceQuery::halve(int* begin, int* end, const std::vector<Box>& boxes)
     middles.add(boxes[*site].middle());
   }
   const glm::dvec3 size = middles.high - middles.low;
-  const int xOrY = size.y > size.x ? 1 : 0;
-  const int axis = size.z > size[xOrY] ? 2 : xOrY;
+  const int axis = longestAxis(size);
   int* half = begin + (end - begin) / 2;
   std::nth_element(begin, half, end,
     [&](int a, int b)

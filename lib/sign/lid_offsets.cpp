@@ -1,5 +1,7 @@
 #include "sign/lid_offsets.h"
 
+#include "base/longest_axis.h"
+
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -99,16 +101,6 @@ private:
         found_.push_back({ first, box.max[0] + 1, nearest(smooth) + jump, true });
       }
     }
-  }
-
-  static int longestAxis(const Extent& box)
-  {
-    int axis = 0;
-    for (int other = 1; other < 3; ++other)
-    {
-      axis = box.size(other) > box.size(axis) ? other : axis;
-    }
-    return axis;
   }
 
   const Lids& lids_;

@@ -18,7 +18,6 @@ public:
   {
     return numbers_.try_emplace(point, static_cast<int>(numbers_.size())).first->second;
   }
-  std::size_t size() const { return numbers_.size(); }
 
 private:
   std::unordered_map<int, int> numbers_;

@@ -1,5 +1,7 @@
 #include "sign/winding_number.h"
 
+#include "base/longest_axis.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -98,8 +100,7 @@ int WindingNumber::build(int* begin, int* end)
       high = glm::max(high, this->middle(*t));
     }
     const glm::dvec3 size = high - low;
-    const int xOrY = size.y > size.x ? 1 : 0;
-    const int axis = size.z > size[xOrY] ? 2 : xOrY;
+    const int axis = longestAxis(size);
     int* half = begin + (end - begin) / 2;
     std::nth_element(begin, half, end,
       [&](int a, int b) {
