@@ -221,11 +221,10 @@ MEDIAL_INLINE void CandidateFilter::prefetch(int site) const
   }
 }
 
-MEDIAL_VECTORISED void CandidateFilter::dropDominated(const FrameBox& box,
-  const std::vector<int>& near, std::vector<int>& out, Scratch& scratch) const
+MEDIAL_VECTORISED std::size_t CandidateFilter::dropDominated(const FrameBox& box,
+  std::vector<int>& near, std::vector<std::array<float, 8>>& squaredDistances) const
 {
   const Corners corners(box.half);
-  scratch.corners.resize(near.size());
   Float8 nearest = splat(kUnknown);
   Int8 nearestSite = Int8{} - 1;
   for (std::size_t i = 0; i < near.size(); ++i)
@@ -276,7 +275,7 @@ MEDIAL_VECTORISED void CandidateFilter::dropDominated(const FrameBox& box,
         exact = squared;
         break;
     }
-    store(squared, scratch.corners[i].data());
+    store(squared, squaredDistances[i].data());
     const Int8 nearer = exact < nearest;
     nearest = nearer ? exact : nearest;
     nearestSite = nearer ? Int8{} + site : nearestSite;
@@ -298,9 +297,10 @@ MEDIAL_VECTORISED void CandidateFilter::dropDominated(const FrameBox& box,
     const float tolerance = 2.0f * slack_ * (glm::length(point) + radius + slack_);
     known[knownCount++] = corners.squaredDistances(point) + tolerance;
   }
+  std::size_t kept = 0;
   for (std::size_t i = 0; i < near.size(); ++i)
   {
-    const Float8 squared = loaded(scratch.corners[i].data());
+    const Float8 squared = loaded(squaredDistances[i].data());
     bool dominated = false;
     for (int k = 0; k < knownCount && !dominated; ++k)
     {
@@ -308,9 +308,10 @@ MEDIAL_VECTORISED void CandidateFilter::dropDominated(const FrameBox& box,
     }
     if (!dominated)
     {
-      out.push_back(near[i]);
+      near[kept++] = near[i];
     }
   }
+  return kept;
 }
 
 void CandidateFilter::filter(const std::vector<int>& parent, const FrameBox* boxes,
@@ -319,11 +320,15 @@ void CandidateFilter::filter(const std::vector<int>& parent, const FrameBox* box
   for (int i = 0; i < boxCount; ++i)
   {
     scratch.near[i].clear();
+    scratch.near[i].reserve(parent.size());
   }
   this->findNear(parent, boxes, seeds, boxCount, scratch);
   for (int i = 0; i < boxCount; ++i)
   {
-    this->dropDominated(boxes[i], scratch.near[i], *out[i], scratch);
+    std::vector<int>& near = scratch.near[i];
+    scratch.corners.resize(near.size());
+    const std::size_t kept = this->dropDominated(boxes[i], near, scratch.corners);
+    out[i]->insert(out[i]->end(), near.begin(), near.begin() + kept);
   }
 }
 

@@ -68,7 +68,7 @@ public:
     std::vector<int>* const* out, Scratch& scratch) const;
 
   /// Finds the sites in [begin, end) that may be within reach of a point, and all that may be
-  /// closest to a point with unknown reach.
+  /// closest to a point with unknown reach. `found` has room for the whole range.
   void near(const int* begin, const int* end, const PointLanes& points,
     std::vector<NearSite>& found) const;
 
@@ -93,11 +93,14 @@ private:
 
   bool seedDistances(const FrameBox* boxes, const int* seeds, int boxCount,
     std::array<float, kMaxBoxes>& squared) const;
+  /// Appends to the boxes' lists, which have room for the whole of `parent`.
   void findNear(const std::vector<int>& parent, const FrameBox* boxes, const int* seeds,
     int boxCount, Scratch& scratch) const;
   void prefetch(int site) const;
-  void dropDominated(const FrameBox& box, const std::vector<int>& near, std::vector<int>& out,
-    Scratch& scratch) const;
+  /// Moves the sites that stay to the front of `near`, and returns their number.
+  /// @param squaredDistances working memory, as long as `near`.
+  std::size_t dropDominated(const FrameBox& box, std::vector<int>& near,
+    std::vector<std::array<float, 8>>& squaredDistances) const;
 
   const SiteSet& sites_;
   std::vector<FacePlanes> facePlanes_;

@@ -90,6 +90,7 @@ void TileQuery::closestInTile(const Candidates& tile, Question* const* questions
     lanes.reach[i] =
       static_cast<float>(known ? min[i] + 2.0 * static_cast<double>(filter_.slack()) : kUnknown);
   }
+  scratch.reserve(tile.end - tile.begin);
   filter_.near(tile.begin, tile.end, lanes, scratch);
   for (const NearSite& near : scratch)
   {

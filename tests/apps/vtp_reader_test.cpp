@@ -322,7 +322,12 @@ TEST(VtpReader, DamagedFilesTakeLittleMemory)
     }
   }
   EXPECT_GT(refused, 600);
-  EXPECT_LT(maxMemoryKiB() - before, 100 * 1024);
+#ifdef __SANITIZE_ADDRESS__
+  constexpr std::int64_t kFreedButKept = 256 * 1024; // AddressSanitizer's quarantine
+#else
+  constexpr std::int64_t kFreedButKept = 0;
+#endif
+  EXPECT_LT(maxMemoryKiB() - before, kFreedButKept + 100 * 1024);
 }
 
 TEST(VtpReader, ArraysShareNoBytes)

@@ -20,7 +20,8 @@ MEDIAL_INLINE unsigned differences(const std::int32_t* a, const std::int32_t* b)
 
 } // namespace
 
-/// Appends the places where the closest site changes along an axis.
+/// Appends the places where the closest site changes along an axis. `changes` has room for `count`
+/// more.
 MEDIAL_VECTORISED void ProcessorSelection::findChanges(const std::int32_t* sites,
   const std::int32_t* ends, int count, int axis, std::vector<Change>& changes)
 {
@@ -99,8 +100,9 @@ void ProcessorSelection::selectRow(const SlabField& slab, const TileEvaluator& e
   {
     if (along[axis])
     {
-      findChanges(sites, ends[axis], axis == 0 ? extent.size(0) - 1 : extent.size(0), axis,
-        changes);
+      const int count = axis == 0 ? extent.size(0) - 1 : extent.size(0);
+      changes.reserve(changes.size() + count);
+      findChanges(sites, ends[axis], count, axis, changes);
     }
   }
   for (const Change& change : changes)
