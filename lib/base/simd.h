@@ -19,8 +19,8 @@ constexpr int kLanes = 8;
 #define MEDIAL_INLINE inline __attribute__((always_inline))
 
 /// Compiles a function twice; the better version is picked when the program is loaded, which is too
-/// early for ThreadSanitizer. Such a function must not throw, and so not allocate: GCC 12 assumes at
-/// its calls that it does not, and an exception ends the program.
+/// early for ThreadSanitizer. Such a function must not throw, and so not allocate: GCC 12 assumes
+/// at its calls that it does not, and an exception ends the program.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_THREAD__)
 #  define MEDIAL_VECTORISED __attribute__((target_clones("arch=x86-64-v3", "default")))
 #else
