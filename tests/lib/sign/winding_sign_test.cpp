@@ -6,6 +6,7 @@
 #include "support/brute_force.h"
 #include "support/field_checks.h"
 #include "support/models.h"
+#include "support/named.h"
 #include "support/shapes.h"
 #include "support/transforms.h"
 
@@ -16,7 +17,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <ostream>
 #include <random>
 #include <string>
 #include <utility>
@@ -31,15 +31,9 @@ namespace
 /// A mesh and closed meshes that face outwards: what is in one of them is inside.
 struct Assembly
 {
-  std::string name;
   TriangleMesh mesh;
   std::vector<TriangleMesh> parts;
 };
-
-std::ostream& operator<<(std::ostream& stream, const Assembly& assembly)
-{
-  return stream << assembly.name;
-}
 
 TriangleMesh welded(const TriangleMesh& mesh)
 {
@@ -71,35 +65,81 @@ TriangleMesh withFlipped(TriangleMesh mesh, const std::vector<std::size_t>& tria
 }
 
 /// Two parts as one mesh.
-Assembly pair(const std::string& name, const TriangleMesh& a, const TriangleMesh& b)
+Assembly pair(const TriangleMesh& a, const TriangleMesh& b)
 {
-  return { name, appended(a, b), { a, b } };
+  return { appended(a, b), { a, b } };
 }
 
-std::vector<Assembly> assemblies()
+/// Two parts as one mesh, without double points.
+Assembly weldedPair(const TriangleMesh& a, const TriangleMesh& b)
 {
-  const TriangleMesh ball = icosphere(0.5, 2);
-  const TriangleMesh small = icosphere(0.2, 1);
-  std::vector<Assembly> result{ pair("overlapping", unitBox(), unitBox({ 0.6, 0.3, 0.2 })),
-    pair("touching", unitBox(), unitBox({ 1.0, 0.0, 0.0 })),
-    pair("almostTouching", unitBox(), unitBox({ 1.0 + 1e-9, 0.0, 0.0 })),
-    pair("touchingAlongZ", unitBox(), unitBox({ 0.0, 0.0, 1.0 })),
-    pair("partsInParts", ball, small),
-    { "onePartInsideOut", appended(unitBox(), flipOrientation(unitBox({ 2.0, 0.0, 0.0 }))),
-      { unitBox(), unitBox({ 2.0, 0.0, 0.0 }) } },
-    { "overlappingInsideOut", appended(unitBox(), flipOrientation(unitBox({ 0.6, 0.3, 0.2 }))),
-      { unitBox(), unitBox({ 0.6, 0.3, 0.2 }) } },
-    { "sharedEdge", welded(appended(unitBox(), unitBox({ 1.0, 1.0, 0.0 }))),
-      { unitBox(), unitBox({ 1.0, 1.0, 0.0 }) } },
-    { "sharedFace", welded(appended(unitBox(), unitBox({ 1.0, 0.0, 0.0 }))),
-      { unitBox(), unitBox({ 1.0, 0.0, 0.0 }) } },
-    { "flippedTriangles", withFlipped(ball, { 3, 17, 40 }), { ball } },
-    { "doubled", welded(appended(ball, ball)), { ball } },
-    { "doubleSided", welded(appended(ball, flipOrientation(ball))), { ball } },
-    { "doubledUnwelded", appended(ball, ball), { ball } },
-    { "withSegment", makeMesh(unitBox().points, unitBox().triangles, { { 0, 6 } }),
-      { unitBox() } } };
-  return result;
+  return { welded(appended(a, b)), { a, b } };
+}
+
+/// Two parts as one mesh, the second one inside out.
+Assembly pairInsideOut(const TriangleMesh& a, const TriangleMesh& b)
+{
+  return { appended(a, flipOrientation(b)), { a, b } };
+}
+
+std::vector<Named<Assembly>> assemblies()
+{
+  const auto ball = [] { return icosphere(0.5, 2); };
+  return { { "overlapping",
+             [] {
+               return pair(unitBox(), unitBox({ 0.6, 0.3, 0.2 }));
+             } },
+    { "touching",
+      [] {
+        return pair(unitBox(), unitBox({ 1.0, 0.0, 0.0 }));
+      } },
+    { "almostTouching",
+      [] {
+        return pair(unitBox(), unitBox({ 1.0 + 1e-9, 0.0, 0.0 }));
+      } },
+    { "touchingAlongZ",
+      [] {
+        return pair(unitBox(), unitBox({ 0.0, 0.0, 1.0 }));
+      } },
+    { "partsInParts", [=] { return pair(ball(), icosphere(0.2, 1)); } },
+    { "onePartInsideOut",
+      [] {
+        return pairInsideOut(unitBox(), unitBox({ 2.0, 0.0, 0.0 }));
+      } },
+    { "overlappingInsideOut",
+      [] {
+        return pairInsideOut(unitBox(), unitBox({ 0.6, 0.3, 0.2 }));
+      } },
+    { "sharedEdge",
+      [] {
+        return weldedPair(unitBox(), unitBox({ 1.0, 1.0, 0.0 }));
+      } },
+    { "sharedFace",
+      [] {
+        return weldedPair(unitBox(), unitBox({ 1.0, 0.0, 0.0 }));
+      } },
+    { "flippedTriangles",
+      [=] {
+        return Assembly{ withFlipped(ball(), { 3, 17, 40 }), { ball() } };
+      } },
+    { "doubled",
+      [=] {
+        return Assembly{ welded(appended(ball(), ball())), { ball() } };
+      } },
+    { "doubleSided",
+      [=] {
+        return Assembly{ welded(appended(ball(), flipOrientation(ball()))), { ball() } };
+      } },
+    { "doubledUnwelded",
+      [=] {
+        return Assembly{ appended(ball(), ball()), { ball() } };
+      } },
+    { "withSegment",
+      []
+      {
+        return Assembly{ makeMesh(unitBox().points, unitBox().triangles, { { 0, 6 } }),
+          { unitBox() } };
+      } } };
 }
 
 DistanceField fieldOf(const TriangleMesh& mesh, const DistanceFieldOptions& options, int resolution)
@@ -177,18 +217,7 @@ TriangleMesh moebiusStrip(int segments)
   return makeMesh(points, triangles);
 }
 
-struct OpenMesh
-{
-  std::string name;
-  TriangleMesh mesh;
-};
-
-std::ostream& operator<<(std::ostream& stream, const OpenMesh& mesh)
-{
-  return stream << mesh.name;
-}
-
-std::vector<OpenMesh> openMeshes()
+TriangleMesh hemisphere()
 {
   const TriangleMesh ball = icosphere(0.5, 2);
   std::vector<std::size_t> lower;
@@ -200,14 +229,31 @@ std::vector<OpenMesh> openMeshes()
       lower.push_back(t);
     }
   }
-  std::vector<OpenMesh> result{ { "oneTriangleMissing", withoutTriangles(ball, { 5 }) },
-    { "threeHoles", withoutTriangles(ball, { 5, 60, 61, 62, 200 }) },
-    { "hemisphere", withoutTriangles(ball, lower) },
-    { "boxWithoutHalfASide", withoutTriangles(unitBox(), { 0 }) },
-    { "boxWithoutASide", withoutTriangles(unitBox(), { 0, 1 }) },
-    { "moebiusStrip", moebiusStrip(20) }, { "plates", plates(0.5, 1.0) },
-    { "oneTriangle", makeMesh({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0.5 } }, { { 0, 1, 2 } }) },
-    { "soup", randomSoup(60, 11) } };
+  return withoutTriangles(ball, lower);
+}
+
+std::vector<Named<TriangleMesh>> openMeshes()
+{
+  std::vector<Named<TriangleMesh>> result{
+    { "oneTriangleMissing", [] { return withoutTriangles(icosphere(0.5, 2), { 5 }); } },
+    { "threeHoles",
+      [] {
+        return withoutTriangles(icosphere(0.5, 2), { 5, 60, 61, 62, 200 });
+      } },
+    { "hemisphere", hemisphere },
+    { "boxWithoutHalfASide", [] { return withoutTriangles(unitBox(), { 0 }); } },
+    { "boxWithoutASide",
+      [] {
+        return withoutTriangles(unitBox(), { 0, 1 });
+      } },
+    { "moebiusStrip", [] { return moebiusStrip(20); } },
+    { "plates", [] { return plates(0.5, 1.0); } },
+    { "oneTriangle",
+      [] {
+        return makeMesh({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0.5 } }, { { 0, 1, 2 } });
+      } },
+    { "soup", [] { return randomSoup(60, 11); } }
+  };
   for (const auto& [name, file] : std::vector<std::pair<const char*, const char*>>{
          { "elephantWithHoles", "soup/elephant_holes_4.5k.off" },
          { "manySmallHoles", "soup/many_small_holes_3.5k.ply" },
@@ -216,7 +262,7 @@ std::vector<OpenMesh> openMeshes()
   {
     if (const auto path = modelPath(file))
     {
-      result.push_back({ name, buildTriangleMesh(readMesh(*path)) });
+      result.push_back({ name, [path] { return buildTriangleMesh(readMesh(*path)); } });
     }
   }
   return result;
@@ -259,11 +305,11 @@ TriangleMesh defective(std::mt19937& random)
   return welded(mesh);
 }
 
-class SignOfAssembly : public testing::TestWithParam<Assembly>
+class SignOfAssembly : public testing::TestWithParam<Named<Assembly>>
 {
 };
 
-class SignOfOpenMesh : public testing::TestWithParam<OpenMesh>
+class SignOfOpenMesh : public testing::TestWithParam<Named<TriangleMesh>>
 {
 };
 
@@ -271,34 +317,36 @@ class SignOfOpenMesh : public testing::TestWithParam<OpenMesh>
 
 TEST_P(SignOfAssembly, IsThatOfItsParts)
 {
+  const Assembly assembly = GetParam().make();
   for (const DistanceFieldOptions& options : allEngines())
   {
-    const DistanceField field = fieldOf(GetParam().mesh, options, 29);
+    const DistanceField field = fieldOf(assembly.mesh, options, 29);
     EXPECT_EQ(field.sign, SignMethod::Winding);
-    EXPECT_EQ(wrongSigns(field, [](const Point3& x) { return insideAnyPart(GetParam().parts, x); }),
+    EXPECT_EQ(wrongSigns(field, [&](const Point3& x) { return insideAnyPart(assembly.parts, x); }),
       0U);
   }
 }
 
 TEST_P(SignOfAssembly, DoesNotDependOnTheOrderOfTriangles)
 {
-  TriangleMesh mesh = GetParam().mesh;
+  auto [mesh, parts] = GetParam().make();
   std::mt19937 random(3);
   for (int i = 0; i < 3; ++i)
   {
     std::shuffle(mesh.triangles.begin(), mesh.triangles.end(), random);
     const DistanceField field = fieldOf(mesh, {}, 19);
     EXPECT_EQ(
-      wrongSigns(field, [&](const Point3& x) { return insideAnyPart(GetParam().parts, x); }), 0U);
+      wrongSigns(field, [&, &solids = parts](const Point3& x) { return insideAnyPart(solids, x); }),
+      0U);
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(Assemblies, SignOfAssembly, testing::ValuesIn(assemblies()),
-  [](const auto& test) { return test.param.name; });
+  nameOfParameter);
 
 TEST_P(SignOfOpenMesh, IsThatOfTheWindingNumber)
 {
-  const TriangleMesh& mesh = GetParam().mesh;
+  const TriangleMesh mesh = GetParam().make();
   const SurfaceOrientation orientation = orientSurface(mesh, analyseConnectivity(mesh));
   for (const DistanceFieldOptions& options : allEngines())
   {
@@ -311,7 +359,7 @@ TEST_P(SignOfOpenMesh, IsThatOfTheWindingNumber)
 }
 
 INSTANTIATE_TEST_SUITE_P(OpenMeshes, SignOfOpenMesh, testing::ValuesIn(openMeshes()),
-  [](const auto& test) { return test.param.name; });
+  nameOfParameter);
 
 TEST(WindingSign, KnowsCavitiesWhicheverWayTheShellFaces)
 {
