@@ -23,6 +23,6 @@ std::ostream& operator<<(std::ostream& stream, const Named<T>& named)
 }
 
 /// For INSTANTIATE_TEST_SUITE_P.
-inline const auto nameOfParameter = [](const auto& test) { return test.param.name; };
+inline const auto kNameOfParameter = [](const auto& test) { return test.param.name; };
 
 } // namespace medial::test

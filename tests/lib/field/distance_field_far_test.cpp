@@ -147,7 +147,7 @@ TEST_P(FarField, IsExactButForRounding)
   expectExactButForRounding(mesh, grid);
 }
 
-INSTANTIATE_TEST_SUITE_P(Grids, FarField, testing::ValuesIn(farGrids()), nameOfParameter);
+INSTANTIATE_TEST_SUITE_P(Grids, FarField, testing::ValuesIn(farGrids()), kNameOfParameter);
 
 TEST(FarField, OfTheRasteriserIsExactOrRefused)
 {

@@ -278,8 +278,8 @@ TEST_P(OddMesh, IsExactAtEveryVoxel)
   expectExactField(mesh, grid);
 }
 
-INSTANTIATE_TEST_SUITE_P(Meshes, OddMesh, testing::ValuesIn(oddMeshes()), nameOfParameter);
-INSTANTIATE_TEST_SUITE_P(Grids, OddMesh, testing::ValuesIn(oddGrids()), nameOfParameter);
+INSTANTIATE_TEST_SUITE_P(Meshes, OddMesh, testing::ValuesIn(oddMeshes()), kNameOfParameter);
+INSTANTIATE_TEST_SUITE_P(Grids, OddMesh, testing::ValuesIn(oddGrids()), kNameOfParameter);
 
 /// On the middle slice polygons of a thousand by a hundredth of a voxel compete at distances that
 /// differ by a fraction of a voxel.

@@ -139,7 +139,7 @@ TEST_P(SignOf, IsNegativeInsideOnlyWithPseudonormals)
   expectNegativeInsideOnly(GetParam().make(), SignMethod::Pseudonormal, SignMethod::Pseudonormal);
 }
 
-INSTANTIATE_TEST_SUITE_P(Solids, SignOf, testing::ValuesIn(solids()), nameOfParameter);
+INSTANTIATE_TEST_SUITE_P(Solids, SignOf, testing::ValuesIn(solids()), kNameOfParameter);
 
 TEST(DistanceFieldSign, DoesNotChangeTheMagnitude)
 {

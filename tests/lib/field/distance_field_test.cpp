@@ -98,7 +98,7 @@ TEST_P(DistanceFieldOfShape, IsExactInsideAndAroundABigGrid)
 }
 
 INSTANTIATE_TEST_SUITE_P(Generated, DistanceFieldOfShape, testing::ValuesIn(shapes()),
-  nameOfParameter);
+  kNameOfParameter);
 
 TEST_P(DistanceFieldOfModel, IsExactAtResolution64)
 {

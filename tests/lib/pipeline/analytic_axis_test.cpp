@@ -63,4 +63,4 @@ TEST_P(AnalyticAxisOf, ErrorsAreSmallAndFallWithTheSpacing)
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, AnalyticAxisOf, testing::ValuesIn(analyticAxes()),
-  nameOfParameter);
+  kNameOfParameter);

@@ -162,7 +162,7 @@ TEST_P(MedialAxisContract, HoldsForPoints)
   EXPECT_EQ(axis.vertices.size(), axis.points.size());
 }
 
-INSTANTIATE_TEST_SUITE_P(Cases, MedialAxisContract, testing::ValuesIn(cases()), nameOfParameter);
+INSTANTIATE_TEST_SUITE_P(Cases, MedialAxisContract, testing::ValuesIn(cases()), kNameOfParameter);
 
 TEST(MedialAxis, IsTheSameForAnyMemoryLimitAndThreads)
 {

@@ -78,4 +78,4 @@ TEST_P(MedialAxisOf, VoxelFacesAreNextToTheTrueAxis)
   expectConsistent(truth_.shape, grid_, axis, Representation::Faces);
 }
 
-INSTANTIATE_TEST_SUITE_P(Shapes, MedialAxisOf, testing::ValuesIn(medialTruths()), nameOfParameter);
+INSTANTIATE_TEST_SUITE_P(Shapes, MedialAxisOf, testing::ValuesIn(medialTruths()), kNameOfParameter);

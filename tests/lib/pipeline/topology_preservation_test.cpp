@@ -145,7 +145,8 @@ TEST_P(TopologyPreservation, GivesTheTopologyOfTheSolidForAnyAngle)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Solids, TopologyPreservation, testing::ValuesIn(cases()), nameOfParameter);
+INSTANTIATE_TEST_SUITE_P(Solids, TopologyPreservation, testing::ValuesIn(cases()),
+  kNameOfParameter);
 
 TEST(TopologyPreservation, GivesVoxelFacesTheTopologyOfTheSolid)
 {

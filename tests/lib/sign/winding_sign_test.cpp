@@ -359,7 +359,7 @@ TEST_P(SignOfAssembly, DoesNotDependOnTheOrderOfTriangles)
 }
 
 INSTANTIATE_TEST_SUITE_P(Assemblies, SignOfAssembly, testing::ValuesIn(assemblies()),
-  nameOfParameter);
+  kNameOfParameter);
 
 TEST_P(SignOfOpenMesh, IsThatOfTheWindingNumber)
 {
@@ -377,7 +377,7 @@ TEST_P(SignOfOpenMesh, IsThatOfTheWindingNumber)
 }
 
 INSTANTIATE_TEST_SUITE_P(OpenMeshes, SignOfOpenMesh, testing::ValuesIn(openMeshes()),
-  nameOfParameter);
+  kNameOfParameter);
 
 TEST(WindingSign, KnowsCavitiesWhicheverWayTheShellFaces)
 {
