@@ -2,9 +2,11 @@
 include("${CMAKE_CURRENT_LIST_DIR}/consumer.cmake")
 include("${CMAKE_CURRENT_LIST_DIR}/box_axis.cmake")
 set(source "${CMAKE_CURRENT_LIST_DIR}/subproject")
-set(options "-DMEDIAL=${MEDIAL}" "-DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}" -DCMAKE_CXX_FLAGS_RELEASE=-O1)
+set(options "-DMEDIAL=${MEDIAL}" "-DCMAKE_CXX_FLAGS_RELEASE=${CXX_FLAGS_RELEASE}")
 
-# What was built before is kept: this compiles the library a second time.
+# What was built before is kept.
+set(ENV{CMAKE_CXX_COMPILER_LAUNCHER}
+  "${PYTHON};-I;-S;${CMAKE_CURRENT_LIST_DIR}/compile_once.py;${BUILD};${WORK}/medial;${LAUNCHER}")
 build_again("${source}" ${options} -DCMAKE_DISABLE_FIND_PACKAGE_VTK=ON)
 expect_box_axis("${WORK}/box_axis")
 run(ignored "${CMAKE_COMMAND}" --install "${WORK}" --prefix "${WORK}/prefix" --config "${CONFIG}")

@@ -1,5 +1,5 @@
 #include "filters/filter_support.h"
-#include "support/brute_force.h"
+#include "support/mesh_search.h"
 #include "support/models.h"
 
 #include <vtkCell.h>
@@ -82,12 +82,13 @@ void expectExactAndSigned(vtkPolyData* surface, int resolution)
   ASSERT_EQ(filter->GetErrorCode(), 0u);
   EXPECT_EQ(figure(filter->GetOutput(), "Closed"), 1.0) << "welding has to close the surface";
   vtkImageData* image = filter->GetOutput();
+  const MeshSearch search(mesh);
   const vtkIdType stride = 1 + image->GetNumberOfPoints() / 5000;
   for (vtkIdType i = 0; i < image->GetNumberOfPoints(); i += stride)
   {
     Point3 x;
     image->GetPoint(i, x.data());
-    const double truth = closestOnMesh(mesh, x).distance;
+    const double truth = search.closest(x).distance;
     ASSERT_NEAR(std::abs(valueOf(image, "Distance", i)), truth, 1e-3 * image->GetSpacing()[0]);
   }
 }

@@ -111,10 +111,10 @@ def table_faults(root, rooms):
     return faults
 
 
-def include_faults(root, rooms):
-    """Includes that the table does not allow."""
+def include_faults(root, rooms, found):
+    """Of the includes that were found, those that the table does not allow."""
     faults = []
-    for file, room, name in includes(root, rooms):
+    for file, room, name in found:
         target = rooms.of_include(name)
         if file.parts[0] != "include" and len(file.parts) > 1 and room is None:
             faults.append(f"{file} lies in no room")
@@ -129,9 +129,9 @@ def include_faults(root, rooms):
     return sorted(set(faults))
 
 
-def unused_arrows(root, rooms):
-    """Arrows of the table that no include needs."""
-    used = {(room, rooms.of_include(name)) for _, room, name in includes(root, rooms)}
+def unused_arrows(rooms, found):
+    """Arrows of the table that no include that was found needs."""
+    used = {(room, rooms.of_include(name)) for _, room, name in found}
     return [f"no file needs the arrow from {room} to {target}"
             for room, targets in rooms.arrows.items() for target in targets if (room, target) not in used]
 
@@ -145,5 +145,6 @@ def mirror_faults(root):
 
 def all_faults(root):
     rooms = read_rooms(root / "docs/ARCHITECTURE.md")
-    return [*table_faults(root, rooms), *include_faults(root, rooms), *unused_arrows(root, rooms),
-            *mirror_faults(root)]
+    found = list(includes(root, rooms))
+    return [*table_faults(root, rooms), *include_faults(root, rooms, found),
+            *unused_arrows(rooms, found), *mirror_faults(root)]

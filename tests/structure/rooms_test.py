@@ -28,20 +28,21 @@ class Tree(unittest.TestCase):
 
 
 class ChangedTree(unittest.TestCase):
-    """Each of these changes to a copy of the tree is a fault, and the only one."""
+    """Each of these changes to a copy of the tree is a fault, and the only one. It is undone afterwards."""
 
     @classmethod
     def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.root = Path(folder.name)
+        (cls.root / "docs").mkdir()
+        shutil.copy(SOURCES / DOCUMENT, cls.root / DOCUMENT)
+        for name in ("lib", "shaders", "tests/lib"):
+            shutil.copytree(SOURCES / name, cls.root / name)
         cls.before = set(all_faults(SOURCES))
 
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.root = Path(folder.name)
-        (self.root / "docs").mkdir()
-        shutil.copy(SOURCES / DOCUMENT, self.root / DOCUMENT)
-        for name in ("lib", "shaders", "tests/lib"):
-            shutil.copytree(SOURCES / name, self.root / name)
+        self.assertEqual(set(all_faults(self.root)), self.before)
 
     def expect_fault(self, pattern):
         faults = set(all_faults(self.root)) - self.before
@@ -49,13 +50,26 @@ class ChangedTree(unittest.TestCase):
         self.assertRegex(faults.pop(), pattern)
 
     def append(self, file, line):
-        with (self.root / file).open("a") as stream:
-            stream.write(f"\n{line}\n")
+        path = self.root / file
+        before = ""
+        if path.exists():
+            before = path.read_text()
+            self.addCleanup(path.write_text, before)
+        else:
+            self.addCleanup(path.unlink)
+        path.write_text(f"{before}\n{line}\n")
+
+    def add_folder(self, name):
+        path = self.root / name
+        path.mkdir()
+        self.addCleanup(path.rmdir)
 
     def edit_table(self, pattern, replacement):
         path = self.root / DOCUMENT
-        text, count = re.subn(pattern, replacement, path.read_text(), count=1, flags=re.MULTILINE)
+        before = path.read_text()
+        text, count = re.subn(pattern, replacement, before, count=1, flags=re.MULTILINE)
         self.assertEqual(count, 1)
+        self.addCleanup(path.write_text, before)
         path.write_text(text)
 
     def test_private_header_of_a_later_room(self):
@@ -87,7 +101,7 @@ class ChangedTree(unittest.TestCase):
         self.expect_fault("site_set.h, which is in no room")
 
     def test_new_room(self):
-        (self.root / "lib/attic").mkdir()
+        self.add_folder("lib/attic")
         self.append("lib/attic/attic.cpp", '#include "base/run.h"')
         self.expect_fault("attic/attic.cpp lies in no room")
 
@@ -109,11 +123,11 @@ class ChangedTree(unittest.TestCase):
         self.expect_fault("no file needs the arrow from pipeline to measure")
 
     def test_folder_of_tests_without_a_room(self):
-        (self.root / "tests/lib/attic").mkdir()
+        self.add_folder("tests/lib/attic")
         self.expect_fault("tests/lib/attic mirrors no folder of lib")
 
     def test_folder_of_shaders_without_a_room(self):
-        (self.root / "shaders/attic").mkdir()
+        self.add_folder("shaders/attic")
         self.expect_fault("shaders/attic mirrors no folder of lib")
 
 

@@ -28,7 +28,6 @@ AnalyticAxis triaxialEllipsoid()
   constexpr double b = 0.8;
   constexpr double c = 0.45;
   AnalyticAxis axis;
-  axis.name = "ellipsoid";
   axis.shape = [](double h) { return ellipsoid(a, b, c, subdivisions(h) + 1); };
   axis.bounds = around({ 1.1, 0.9, 0.55 });
   axis.spacing = 0.06;
@@ -53,7 +52,6 @@ AnalyticAxis eccentricShell()
   constexpr double kOuter = 1.0;
   const Point3 centre{ 0.17, 0.05, -0.08 };
   AnalyticAxis axis;
-  axis.name = "eccentricShell";
   axis.shape = [centre](double h)
   {
     return appended(translated(icosphere(kOuter, subdivisions(h)), centre),
@@ -80,7 +78,6 @@ AnalyticAxis openPlates()
   constexpr double kGap = 0.6;
   constexpr double kHalfSide = 0.7;
   AnalyticAxis axis;
-  axis.name = "plates";
   axis.shape = [](double) { return plates(kGap, kHalfSide); };
   axis.bounds = around({ 0.95, 0.9, 0.25 });
   axis.spacing = 0.07;
@@ -100,7 +97,6 @@ AnalyticAxis pointAndPlane()
 {
   constexpr double kFocus = 0.35;
   AnalyticAxis axis;
-  axis.name = "pointAndPlane";
   axis.shape = [](double)
   {
     constexpr double s = 4.0;
@@ -127,7 +123,6 @@ AnalyticAxis skewLines()
 {
   constexpr double k = 0.4;
   AnalyticAxis axis;
-  axis.name = "skewLines";
   axis.shape = [](double)
   {
     constexpr double s = 5.0;
@@ -152,7 +147,6 @@ AnalyticAxis convexWedge()
 {
   constexpr double kDihedral = 70.0;
   AnalyticAxis axis;
-  axis.name = "wedge";
   axis.shape = [](double) { return wedge(kDihedral, 6.0, 4.0); };
   axis.bounds.min = { 0.05, -0.3, -0.4 };
   axis.bounds.max = { 0.9, 0.3, 0.4 };
@@ -183,14 +177,13 @@ Grid gridOf(const AnalyticAxis& axis, double spacing)
 
 } // namespace
 
-std::vector<AnalyticAxis> analyticAxes()
+std::vector<Named<AnalyticAxis>> analyticAxes()
 {
-  std::vector<AnalyticAxis> axes = analyticSolids();
-  for (const AnalyticAxis& axis : { triaxialEllipsoid(), eccentricShell(), openPlates(),
-         pointAndPlane(), skewLines(), convexWedge() })
-  {
-    axes.push_back(axis);
-  }
+  std::vector<Named<AnalyticAxis>> axes = analyticSolids();
+  axes.insert(axes.end(),
+    { { "ellipsoid", triaxialEllipsoid }, { "eccentricShell", eccentricShell },
+      { "plates", openPlates }, { "pointAndPlane", pointAndPlane }, { "skewLines", skewLines },
+      { "wedge", convexWedge } });
   return axes;
 }
 

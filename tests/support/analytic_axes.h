@@ -3,9 +3,9 @@
 #include "medial/compute_medial_axis.h"
 #include "medial/grid.h"
 #include "medial/triangle_mesh.h"
+#include "support/named.h"
 
 #include <functional>
-#include <string>
 #include <vector>
 
 // Shapes whose medial axes, radii and separation angles are known as functions of position.
@@ -22,7 +22,6 @@ struct AxisTruth
 
 struct AnalyticAxis
 {
-  std::string name;
   /// Tessellation: the error of the facets falls with `spacing` squared.
   std::function<TriangleMesh(double spacing)> shape;
   Bounds bounds;  ///< of the grid, in which the axis is as described
@@ -38,7 +37,7 @@ struct AnalyticAxis
 };
 
 /// Solids, then ellipsoid, eccentric shell, plates, point and plane, skew lines and a wedge.
-std::vector<AnalyticAxis> analyticAxes();
+std::vector<Named<AnalyticAxis>> analyticAxes();
 
 /// Errors in grid steps, angles in degrees, area relative.
 struct AnalyticErrors

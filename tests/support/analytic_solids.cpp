@@ -127,7 +127,6 @@ AnalyticAxis boxAxis()
     }
   }
   AnalyticAxis axis = polyhedron(planes);
-  axis.name = "box";
   axis.shape = [half](double) { return box(half); };
   axis.spacing = 0.06;
   axis.angle = 60.0;
@@ -148,7 +147,6 @@ AnalyticAxis tetrahedron()
     planes.push_back({ { -corner[0] / size, -corner[1] / size, -corner[2] / size }, inradius });
   }
   AnalyticAxis axis = polyhedron(planes);
-  axis.name = "tetrahedron";
   axis.shape = [](double) { return regularTetrahedron(kEdge); };
   axis.spacing = 0.06;
   axis.angle = 60.0;
@@ -166,7 +164,6 @@ void makeCurve(AnalyticAxis& axis)
 AnalyticAxis ball()
 {
   AnalyticAxis axis;
-  axis.name = "ball";
   axis.shape = [](double h) { return icosphere(1.0, subdivisions(h)); };
   axis.bounds = around({ 1.1, 1.1, 1.1 });
   axis.spacing = 0.08;
@@ -180,7 +177,6 @@ AnalyticAxis capsule()
   constexpr double kRadius = 0.5;
   constexpr double kHalf = 0.6;
   AnalyticAxis axis;
-  axis.name = "capsule";
   axis.shape = [](double h) { return uvCapsule(kRadius, kHalf, segments(h)); };
   axis.bounds = around({ 0.6, 0.6, 1.2 });
   axis.spacing = 0.06;
@@ -198,7 +194,6 @@ AnalyticAxis torusAxis()
   constexpr double kCircle = 0.8;
   constexpr double kTube = 0.35;
   AnalyticAxis axis;
-  axis.name = "torus";
   axis.shape = [](double h) { return torus(kCircle, kTube, 2 * segments(h), segments(h)); };
   axis.spacing = 0.06;
   axis.truth = [](const Point3& p) {
@@ -214,7 +209,6 @@ AnalyticAxis tallCylinder()
   constexpr double kRadius = 0.4;
   constexpr double kHalf = 0.9;
   AnalyticAxis axis;
-  axis.name = "cylinder";
   axis.shape = [](double h) { return cylinder(kRadius, 2.0 * kHalf, 4 * segments(h)); };
   axis.bounds = around({ 0.5, 0.5, 1.0 });
   axis.spacing = 0.05;
@@ -241,7 +235,6 @@ AnalyticAxis disc()
   constexpr double kRadius = 1.0;
   constexpr double kHalf = 0.3;
   AnalyticAxis axis;
-  axis.name = "disc";
   axis.shape = [](double h) { return cylinder(kRadius, 2.0 * kHalf, 4 * segments(h)); };
   axis.bounds = around({ 1.2, 1.2, 0.5 });
   axis.spacing = 0.07;
@@ -272,7 +265,6 @@ AnalyticAxis shellAxis()
   constexpr double kInner = 0.5;
   constexpr double kOuter = 1.0;
   AnalyticAxis axis;
-  axis.name = "shell";
   axis.shape = [](double h) { return shell(kInner, kOuter, subdivisions(h)); };
   axis.bounds = around({ 1.1, 1.1, 1.1 });
   axis.spacing = 0.08;
@@ -288,7 +280,6 @@ AnalyticAxis shellAxis()
 AnalyticAxis holeOfShell()
 {
   AnalyticAxis axis = ball();
-  axis.name = "holeOfShell";
   constexpr double kInner = 0.6;
   axis.shape = [](double h) { return shell(kInner, 1.0, subdivisions(h)); };
   axis.truth = [](const Point3& p) { return AxisTruth{ length(p), kInner, 180.0 }; };
@@ -298,10 +289,11 @@ AnalyticAxis holeOfShell()
 
 } // namespace
 
-std::vector<AnalyticAxis> analyticSolids()
+std::vector<Named<AnalyticAxis>> analyticSolids()
 {
-  return { boxAxis(), tetrahedron(), ball(), capsule(), torusAxis(), tallCylinder(), disc(),
-    shellAxis(), holeOfShell() };
+  return { { "box", boxAxis }, { "tetrahedron", tetrahedron }, { "ball", ball },
+    { "capsule", capsule }, { "torus", torusAxis }, { "cylinder", tallCylinder }, { "disc", disc },
+    { "shell", shellAxis }, { "holeOfShell", holeOfShell } };
 }
 
 } // namespace medial::test

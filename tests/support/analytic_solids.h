@@ -7,6 +7,6 @@ namespace medial::test
 
 /// Box, tetrahedron, ball, capsule, torus, cylinder, disc, shell and the hole of a shell; where
 /// they have corners they are turned away from the grid's directions.
-std::vector<AnalyticAxis> analyticSolids();
+std::vector<Named<AnalyticAxis>> analyticSolids();
 
 } // namespace medial::test

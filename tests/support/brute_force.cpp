@@ -1,5 +1,7 @@
 #include "support/brute_force.h"
 
+#include "support/mesh_search.h"
+
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -44,15 +46,6 @@ double length(const Point3& a)
   return std::sqrt(dot(a, a));
 }
 
-/// At equal distance the simpler feature wins.
-void keepCloser(Hit& best, const Hit& hit)
-{
-  if (hit.distance < best.distance || (hit.distance == best.distance && hit.kind < best.kind))
-  {
-    best = hit;
-  }
-}
-
 Hit closestOnPoint(const Point3& p, const Point3& query)
 {
   return { length(query - p), p, Feature::Vertex };
@@ -91,62 +84,15 @@ Hit onSegment(const std::array<int, 2>& s, const TriangleMesh& mesh, const Point
   return closestOnSegment(mesh.points[s[0]], mesh.points[s[1]], query);
 }
 
-/// A ball around each triangle, to skip those that cannot be the closest.
-class TriangleSearch
-{
-public:
-  explicit TriangleSearch(const TriangleMesh& mesh)
-    : mesh_(mesh)
-  {
-    for (const auto& t : mesh.triangles)
-    {
-      const Point3& a = mesh.points[t[0]];
-      const Point3 centre = a + (1.0 / 3.0) * ((mesh.points[t[1]] - a) + (mesh.points[t[2]] - a));
-      double radius = 0.0;
-      for (const int corner : t)
-      {
-        radius = std::max(radius, length(mesh.points[corner] - centre));
-      }
-      // The factor makes up for rounding.
-      balls_.push_back({ centre, radius * (1.0 + 1e-9) });
-    }
-  }
-
-  Hit closest(const Point3& query) const
-  {
-    Hit best;
-    for (std::size_t i = 0; i < balls_.size(); ++i)
-    {
-      const Point3 toCentre = query - balls_[i].centre;
-      const double reach = best.distance + balls_[i].radius;
-      if (dot(toCentre, toCentre) <= reach * reach * (1.0 + 1e-9))
-      {
-        keepCloser(best, onTriangle(mesh_.triangles[i], mesh_, query));
-      }
-    }
-    for (const auto& segment : mesh_.segments)
-    {
-      keepCloser(best, onSegment(segment, mesh_, query));
-    }
-    for (const int vertex : mesh_.vertices)
-    {
-      keepCloser(best, closestOnPoint(mesh_.points[vertex], query));
-    }
-    return best;
-  }
-
-private:
-  struct Ball
-  {
-    Point3 centre;
-    double radius;
-  };
-
-  const TriangleMesh& mesh_;
-  std::vector<Ball> balls_;
-};
-
 } // namespace
+
+void keepCloser(Hit& best, const Hit& hit)
+{
+  if (hit.distance < best.distance || (hit.distance == best.distance && hit.kind < best.kind))
+  {
+    best = hit;
+  }
+}
 
 Hit closestOnSegment(const Point3& a, const Point3& b, const Point3& query)
 {
@@ -189,14 +135,33 @@ Hit closestOnTriangle(const Point3& a, const Point3& b, const Point3& c, const P
   return best;
 }
 
+Hit closestOnSegmentsAndVertices(const TriangleMesh& mesh, const Point3& query)
+{
+  Hit best;
+  for (const auto& segment : mesh.segments)
+  {
+    keepCloser(best, onSegment(segment, mesh, query));
+  }
+  for (const int vertex : mesh.vertices)
+  {
+    keepCloser(best, closestOnPoint(mesh.points[vertex], query));
+  }
+  return best;
+}
+
 Hit closestOnMesh(const TriangleMesh& mesh, const Point3& query)
 {
-  return TriangleSearch(mesh).closest(query);
+  Hit best = closestOnSegmentsAndVertices(mesh, query);
+  for (const auto& triangle : mesh.triangles)
+  {
+    keepCloser(best, onTriangle(triangle, mesh, query));
+  }
+  return best;
 }
 
 std::vector<Hit> closestOnMesh(const TriangleMesh& mesh, const std::vector<Point3>& queries)
 {
-  const TriangleSearch search(mesh);
+  const MeshSearch search(mesh);
   std::vector<Hit> hits(queries.size());
   parallelFor(queries.size(), [&](std::size_t i) { hits[i] = search.closest(queries[i]); });
   return hits;

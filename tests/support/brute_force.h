@@ -22,13 +22,19 @@ struct Hit
   Feature kind = Feature::Vertex; ///< what the point lies inside; at ties the lower one
 };
 
+/// The closer of two hits; at equal distance the one inside the simpler feature.
+void keepCloser(Hit& best, const Hit& hit);
+
 Hit closestOnSegment(const Point3& a, const Point3& b, const Point3& query);
 Hit closestOnTriangle(const Point3& a, const Point3& b, const Point3& c, const Point3& query);
 
 /// Closest point over all triangles, segments and vertices of a mesh.
 Hit closestOnMesh(const TriangleMesh& mesh, const Point3& query);
 
-/// As closestOnMesh for every query, on all cores.
+/// Closest point over the segments and vertices of a mesh alone.
+Hit closestOnSegmentsAndVertices(const TriangleMesh& mesh, const Point3& query);
+
+/// As closestOnMesh for every query, on all cores; a MeshSearch saves most triangles.
 std::vector<Hit> closestOnMesh(const TriangleMesh& mesh, const std::vector<Point3>& queries);
 
 /// Closest point of a site taken as a closed set: face, edge or point, numbered in this order.

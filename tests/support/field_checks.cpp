@@ -174,6 +174,37 @@ private:
   std::mutex mutex_;
 };
 
+std::vector<Hit> truthAt(const TriangleMesh& mesh, const Grid& grid, const Voxels& voxels)
+{
+  std::vector<Point3> queries;
+  queries.reserve(voxels.size());
+  for (const std::size_t voxel : voxels)
+  {
+    queries.push_back(voxelPoint(grid, voxel));
+  }
+  return closestOnMesh(mesh, queries);
+}
+
+FieldErrors fieldErrors(const TriangleMesh& mesh, const DistanceField& field, const Voxels& voxels,
+  const std::vector<Hit>& truth)
+{
+  ErrorSum sum(mesh, field);
+  parallelFor(voxels.size(), [&](std::size_t i) { sum.add(voxels[i], truth[i]); });
+  return sum.errors();
+}
+
+void expectExact(const TriangleMesh& mesh, const DistanceField& field, const Voxels& voxels,
+  const std::vector<Hit>& truth)
+{
+  const FieldErrors errors = fieldErrors(mesh, field, voxels, truth);
+  const double pointTolerance = kTolerance + 4.0 * errors.rounding;
+  const bool exact = errors.voxels > 0 && errors.withoutSite == 0 && errors.wrongFeature == 0 &&
+    errors.distance <= kTolerance && errors.inexact * kRare <= errors.voxels &&
+    errors.site <= kTolerance && errors.pointLength <= pointTolerance &&
+    errors.pointFromCell <= pointTolerance;
+  EXPECT_TRUE(exact) << errors.describe();
+}
+
 } // namespace
 
 Voxels allVoxels(const Grid& grid)
@@ -221,27 +252,12 @@ std::string FieldErrors::describe() const
 
 FieldErrors fieldErrors(const TriangleMesh& mesh, const DistanceField& field, const Voxels& voxels)
 {
-  std::vector<Point3> queries;
-  queries.reserve(voxels.size());
-  for (const std::size_t voxel : voxels)
-  {
-    queries.push_back(voxelPoint(field.grid, voxel));
-  }
-  const std::vector<Hit> truth = closestOnMesh(mesh, queries);
-  ErrorSum sum(mesh, field);
-  parallelFor(voxels.size(), [&](std::size_t i) { sum.add(voxels[i], truth[i]); });
-  return sum.errors();
+  return fieldErrors(mesh, field, voxels, truthAt(mesh, field.grid, voxels));
 }
 
 void expectExact(const TriangleMesh& mesh, const DistanceField& field, const Voxels& voxels)
 {
-  const FieldErrors errors = fieldErrors(mesh, field, voxels);
-  const double pointTolerance = kTolerance + 4.0 * errors.rounding;
-  const bool exact = errors.voxels > 0 && errors.withoutSite == 0 && errors.wrongFeature == 0 &&
-    errors.distance <= kTolerance && errors.inexact * kRare <= errors.voxels &&
-    errors.site <= kTolerance && errors.pointLength <= pointTolerance &&
-    errors.pointFromCell <= pointTolerance;
-  EXPECT_TRUE(exact) << errors.describe();
+  expectExact(mesh, field, voxels, truthAt(mesh, field.grid, voxels));
 }
 
 std::vector<DistanceFieldOptions> allEngines(const DistanceFieldOptions& options)
@@ -257,10 +273,11 @@ std::vector<DistanceFieldOptions> allEngines(const DistanceFieldOptions& options
 
 void expectExactField(const TriangleMesh& mesh, const Grid& grid, const Voxels& voxels)
 {
+  const std::vector<Hit> truth = truthAt(mesh, grid, voxels);
   for (const DistanceFieldOptions& options : allEngines())
   {
     SCOPED_TRACE(static_cast<int>(options.engine));
-    expectExact(mesh, computeDistanceField(mesh, grid, options), voxels);
+    expectExact(mesh, computeDistanceField(mesh, grid, options), voxels, truth);
   }
 }
 

@@ -63,10 +63,9 @@ private:
   MeshInput curves_;
 };
 
-MedialTruth truth(const char* name, TriangleMesh shape, const Pieces& pieces, double angle,
-  double spacing)
+MedialTruth truth(TriangleMesh shape, const Pieces& pieces, double angle, double spacing)
 {
-  return { name, std::move(shape), pieces.axis(), pieces.curves(), angle, spacing };
+  return { std::move(shape), pieces.axis(), pieces.curves(), angle, spacing };
 }
 
 void addBoxEdgeSheets(Pieces& pieces, const Point3& halfSides)
@@ -155,8 +154,8 @@ TriangleMesh tilted(TriangleMesh mesh)
 
 MedialTruth tilted(const MedialTruth& truth)
 {
-  return { truth.name + "Tilted", tilted(truth.shape), tilted(truth.axis), tilted(truth.curves),
-    truth.angle, truth.spacing };
+  return { tilted(truth.shape), tilted(truth.axis), tilted(truth.curves), truth.angle,
+    truth.spacing };
 }
 
 MedialTruth boxTruth(const Point3& halfSides, double angle)
@@ -169,21 +168,21 @@ MedialTruth boxTruth(const Point3& halfSides, double angle)
   {
     addBoxEdgeSheets(pieces, halfSides);
   }
-  return truth(angle < 90.0 ? "box" : "boxAtWideAngle", box(halfSides), pieces, angle, 0.043);
+  return truth(box(halfSides), pieces, angle, 0.043);
 }
 
 MedialTruth ballTruth()
 {
   Pieces pieces;
   pieces.curve({ { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 } });
-  return truth("ball", icosphere(1.0, 5), pieces, 60.0, 0.053);
+  return truth(icosphere(1.0, 5), pieces, 60.0, 0.053);
 }
 
 MedialTruth capsuleTruth()
 {
   Pieces pieces;
   pieces.curve({ { 0.0, 0.0, -0.8 }, { 0.0, 0.0, 0.8 } });
-  return truth("capsule", uvCapsule(0.6, 0.8, 96), pieces, 60.0, 0.047);
+  return truth(uvCapsule(0.6, 0.8, 96), pieces, 60.0, 0.047);
 }
 
 MedialTruth torusTruth()
@@ -197,7 +196,7 @@ MedialTruth torusTruth()
   }
   Pieces pieces;
   pieces.curve(circle);
-  return truth("torus", torus(1.0, 0.4, kSegments, 64), pieces, 60.0, 0.041);
+  return truth(torus(1.0, 0.4, kSegments, 64), pieces, 60.0, 0.041);
 }
 
 MedialTruth cylinderTruth()
@@ -220,13 +219,12 @@ MedialTruth cylinderTruth()
       pieces.border({ p, q });
     }
   }
-  return truth("cylinder", cylinder(radius, 2.0 * top, kSides), pieces, 60.0, 0.037);
+  return truth(cylinder(radius, 2.0 * top, kSides), pieces, 60.0, 0.037);
 }
 
 MedialTruth shellTruth()
 {
   MedialTruth result = ballTruth();
-  result.name = "shell";
   result.shape = shell(0.5, 1.0, 4);
   result.axis = icosphere(0.75, 5);
   result.curves = {};
@@ -244,16 +242,31 @@ MedialTruth tetrahedronTruth()
       pieces.sheet({ { 0.0, 0.0, 0.0 }, shape.points[i], shape.points[j] });
     }
   }
-  return truth("tetrahedron", shape, pieces, 60.0, 0.031);
+  return truth(shape, pieces, 60.0, 0.031);
 }
 
-std::vector<MedialTruth> medialTruths()
+std::vector<Named<MedialTruth>> medialTruths()
 {
-  const MedialTruth wideBox = boxTruth({ 1.1, 0.8, 0.5 }, 120.0);
-  const MedialTruth narrowBox = boxTruth({ 1.1, 0.8, 0.5 }, 60.0);
-  return { narrowBox, tilted(narrowBox), wideBox, tilted(wideBox), ballTruth(), capsuleTruth(),
-    tilted(capsuleTruth()), torusTruth(), cylinderTruth(), tilted(cylinderTruth()), shellTruth(),
-    tetrahedronTruth(), tilted(tetrahedronTruth()) };
+  const auto narrowBox = [] { return boxTruth({ 1.1, 0.8, 0.5 }, 60.0); };
+  const auto wideBox = [] { return boxTruth({ 1.1, 0.8, 0.5 }, 120.0); };
+  std::vector<Named<MedialTruth>> truths;
+  const auto add = [&](const std::string& name, const std::function<MedialTruth()>& make) {
+    truths.push_back({ name, make });
+  };
+  const auto addBoth = [&](const std::string& name, const std::function<MedialTruth()>& make)
+  {
+    add(name, make);
+    add(name + "Tilted", [make] { return tilted(make()); });
+  };
+  addBoth("box", narrowBox);
+  addBoth("boxAtWideAngle", wideBox);
+  add("ball", ballTruth);
+  addBoth("capsule", capsuleTruth);
+  add("torus", torusTruth);
+  addBoth("cylinder", cylinderTruth);
+  add("shell", shellTruth);
+  addBoth("tetrahedron", tetrahedronTruth);
+  return truths;
 }
 
 } // namespace medial::test

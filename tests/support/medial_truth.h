@@ -1,8 +1,8 @@
 #pragma once
 
 #include "medial/triangle_mesh.h"
+#include "support/named.h"
 
-#include <string>
 #include <vector>
 
 // Shapes whose medial axes are known in closed form.
@@ -16,7 +16,6 @@ TriangleMesh tilted(TriangleMesh mesh);
 
 struct MedialTruth
 {
-  std::string name;
   TriangleMesh shape;
   /// The axis at `angle`: triangles, segments and points.
   TriangleMesh axis;
@@ -42,6 +41,6 @@ MedialTruth tetrahedronTruth();
 MedialTruth tilted(const MedialTruth& truth);
 
 /// All of the above, some of them tilted as well.
-std::vector<MedialTruth> medialTruths();
+std::vector<Named<MedialTruth>> medialTruths();
 
 } // namespace medial::test

@@ -1,6 +1,6 @@
 #include "support/thickness_oracle.h"
 
-#include "support/brute_force.h"
+#include "support/mesh_search.h"
 
 #include <algorithm>
 #include <cmath>
@@ -56,22 +56,18 @@ struct Place
 };
 
 /// Places at several positions of a ray.
-std::vector<Place> placesAt(const TriangleMesh& mesh, const Point3& start, const Point3& direction,
+std::vector<Place> placesAt(const MeshSearch& search, const Point3& start, const Point3& direction,
   const std::vector<double>& positions, double angle)
 {
-  std::vector<Point3> queries;
-  for (const double t : positions)
-  {
-    queries.push_back(
-      { start[0] + t * direction[0], start[1] + t * direction[1], start[2] + t * direction[2] });
-  }
-  const std::vector<Hit> hits = closestOnMesh(mesh, queries);
   const Point3 back{ -direction[0], -direction[1], -direction[2] };
   std::vector<Place> places;
-  for (std::size_t i = 0; i < hits.size(); ++i)
+  for (const double t : positions)
   {
-    const double seen = angleBetween(back, minus(hits[i].point, queries[i]));
-    places.push_back({ positions[i], hits[i].distance, seen >= angle * kDegree });
+    const Point3 query{ start[0] + t * direction[0], start[1] + t * direction[1],
+      start[2] + t * direction[2] };
+    const Hit hit = search.closest(query);
+    const double seen = angleBetween(back, minus(hit.point, query));
+    places.push_back({ t, hit.distance, seen >= angle * kDegree });
   }
   return places;
 }
@@ -104,13 +100,13 @@ std::vector<Point3> pointNormals(const TriangleMesh& mesh)
   return normals;
 }
 
-double thicknessByBruteForce(const TriangleMesh& mesh, const Point3& start, const Point3& direction,
+double thicknessByBruteForce(const MeshSearch& search, const Point3& start, const Point3& direction,
   double angle, double firstStep)
 {
   constexpr double kGrowth = 1.01;
   constexpr int kSteps = 64;      // checked together
   constexpr int kRefinements = 7; // of a step, into as many parts each
-  const double end = mesh.bounds().diagonal() / std::sin(std::min(angle, 90.0) * kDegree);
+  const double end = search.mesh().bounds().diagonal() / std::sin(std::min(angle, 90.0) * kDegree);
   const auto isWide = [](const Place& place) { return place.wide; };
   double low = 0.0;
   double next = firstStep;
@@ -121,7 +117,7 @@ double thicknessByBruteForce(const TriangleMesh& mesh, const Point3& start, cons
     {
       positions.push_back(next);
     }
-    std::vector<Place> places = placesAt(mesh, start, direction, positions, angle);
+    std::vector<Place> places = placesAt(search, start, direction, positions, angle);
     auto wide = std::find_if(places.begin(), places.end(), isWide);
     if (wide == places.end())
     {
@@ -137,7 +133,7 @@ double thicknessByBruteForce(const TriangleMesh& mesh, const Point3& start, cons
       {
         positions.push_back(low + (high - low) * i / kSteps);
       }
-      places = placesAt(mesh, start, direction, positions, angle);
+      places = placesAt(search, start, direction, positions, angle);
       wide = std::find_if(places.begin(), places.end() - 1, isWide);
     }
     return 2.0 * wide->distance;

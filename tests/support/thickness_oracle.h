@@ -1,6 +1,7 @@
 #pragma once
 
 #include "medial/triangle_mesh.h"
+#include "support/mesh_search.h"
 
 #include <vector>
 
@@ -18,7 +19,7 @@ std::vector<Point3> pointNormals(const TriangleMesh& mesh);
 /// @param direction of unit length.
 /// @param firstStep where to begin; every step is 1 % of the way so far.
 /// @return twice the distance to the mesh there; NaN where there is no such place.
-double thicknessByBruteForce(const TriangleMesh& mesh, const Point3& start, const Point3& direction,
+double thicknessByBruteForce(const MeshSearch& search, const Point3& start, const Point3& direction,
   double angle, double firstStep);
 
 } // namespace medial::test

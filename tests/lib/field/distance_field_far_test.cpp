@@ -5,6 +5,7 @@
 
 #include "support/brute_force.h"
 #include "support/field_checks.h"
+#include "support/named.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +14,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <ostream>
 #include <random>
 #include <string>
 #include <vector>
@@ -26,15 +26,9 @@ namespace
 
 struct FarGrid
 {
-  std::string name;
   TriangleMesh mesh;
   Grid grid;
 };
-
-std::ostream& operator<<(std::ostream& stream, const FarGrid& far)
-{
-  return stream << far.name;
-}
 
 TriangleMesh ring()
 {
@@ -57,14 +51,47 @@ Grid farGrid(double voxels)
   return { { 0.05 * voxels, 0.03 * voxels, -0.02 * voxels }, { 0.05, 0.05, 0.05 }, { 9, 17, 10 } };
 }
 
-std::vector<FarGrid> farGrids()
+std::vector<Named<FarGrid>> farGrids()
 {
-  return { { "flat1e3", ring(), flatGrid(1e3) }, { "flat1e5", ring(), flatGrid(1e5) },
-    { "flat1e6", ring(), flatGrid(1e6) }, { "flat1e12", ring(), flatGrid(1e12) },
-    { "far1e5", ring(), farGrid(1e5) }, { "far1e7", ring(), farGrid(1e7) },
-    { "far1e12", ring(), farGrid(1e12) }, { "far1e17", ring(), farGrid(1e17) },
-    { "flatAroundAPoint", onePoint(), { { -4.0, -4e4, -4e4 }, { 1.0, 1e4, 1e4 }, { 9, 40, 40 } } },
-    { "longAroundAPoint", onePoint(), { { -4.0, -4.0, -4e9 }, { 1.0, 1.0, 1e9 }, { 9, 9, 40 } } } };
+  return { { "flat1e3",
+             [] {
+               return FarGrid{ ring(), flatGrid(1e3) };
+             } },
+    { "flat1e5",
+      [] {
+        return FarGrid{ ring(), flatGrid(1e5) };
+      } },
+    { "flat1e6",
+      [] {
+        return FarGrid{ ring(), flatGrid(1e6) };
+      } },
+    { "flat1e12",
+      [] {
+        return FarGrid{ ring(), flatGrid(1e12) };
+      } },
+    { "far1e5",
+      [] {
+        return FarGrid{ ring(), farGrid(1e5) };
+      } },
+    { "far1e7",
+      [] {
+        return FarGrid{ ring(), farGrid(1e7) };
+      } },
+    { "far1e12",
+      [] {
+        return FarGrid{ ring(), farGrid(1e12) };
+      } },
+    { "far1e17",
+      [] {
+        return FarGrid{ ring(), farGrid(1e17) };
+      } },
+    { "flatAroundAPoint",
+      [] {
+        return FarGrid{ onePoint(), { { -4.0, -4e4, -4e4 }, { 1.0, 1e4, 1e4 }, { 9, 40, 40 } } };
+      } },
+    { "longAroundAPoint", [] {
+       return FarGrid{ onePoint(), { { -4.0, -4.0, -4e9 }, { 1.0, 1.0, 1e9 }, { 9, 9, 40 } } };
+     } } };
 }
 
 DistanceField fieldOf(const TriangleMesh& mesh, const Grid& grid, Engine engine = Engine::Processor)
@@ -107,7 +134,7 @@ void expectExactButForRounding(const TriangleMesh& mesh, const Grid& grid)
   }
 }
 
-class FarField : public testing::TestWithParam<FarGrid>
+class FarField : public testing::TestWithParam<Named<FarGrid>>
 {
 };
 
@@ -116,11 +143,11 @@ class FarField : public testing::TestWithParam<FarGrid>
 /// Nothing is lost but what a distance in single precision cannot hold.
 TEST_P(FarField, IsExactButForRounding)
 {
-  expectExactButForRounding(GetParam().mesh, GetParam().grid);
+  const auto [mesh, grid] = GetParam().make();
+  expectExactButForRounding(mesh, grid);
 }
 
-INSTANTIATE_TEST_SUITE_P(Grids, FarField, testing::ValuesIn(farGrids()),
-  [](const auto& test) { return test.param.name; });
+INSTANTIATE_TEST_SUITE_P(Grids, FarField, testing::ValuesIn(farGrids()), kNameOfParameter);
 
 TEST(FarField, OfTheRasteriserIsExactOrRefused)
 {

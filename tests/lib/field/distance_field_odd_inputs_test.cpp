@@ -2,13 +2,13 @@
 
 #include "support/field_checks.h"
 #include "support/medial_truth.h"
+#include "support/named.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
-#include <ostream>
 #include <string>
 #include <vector>
 
@@ -20,15 +20,9 @@ namespace
 
 struct OddInput
 {
-  std::string name;
   TriangleMesh mesh;
   Grid grid;
 };
-
-std::ostream& operator<<(std::ostream& stream, const OddInput& input)
-{
-  return stream << input.name;
-}
 
 Grid gridAround(const TriangleMesh& mesh, int resolution = 32)
 {
@@ -40,9 +34,9 @@ Grid gridOf(const Point3& origin, const Point3& spacing, const std::array<int, 3
   return { origin, spacing, dimensions };
 }
 
-OddInput around(const char* name, const TriangleMesh& mesh)
+OddInput around(const TriangleMesh& mesh)
 {
-  return { name, mesh, gridAround(mesh) };
+  return { mesh, gridAround(mesh) };
 }
 
 /// Faces around the edge from the origin to (0, 0, 1).
@@ -150,53 +144,125 @@ TriangleMesh strayCells()
     { { 0, 1, 2 } }, { { 3, 4 }, { 0, 1 } }, { 5, 2 });
 }
 
-std::vector<OddInput> oddMeshes()
+std::vector<Named<OddInput>> oddMeshes()
 {
-  return { around("soup", randomSoup(60, 11)), around("openMesh", plates(0.4, 1.0)),
-    around("edgeWithThreeFaces", fan(3)), around("edgeWithFiveFaces", fan(5)),
-    around("bowTie", bowTie()), around("duplicates", duplicates()),
-    around("zeroAreaTriangles", zeroAreaTriangles()), around("needles", needles()),
-    around("tiedSlivers", tiedSlivers()),
-    around("hair", appended(hair(0.5, 6), translated(plates(0.1, 0.3), { 0.0, 0.5, 0.2 }))),
-    around("trianglesSegmentsPoints", strayCells()),
-    around("triangle",
-      makeMesh({ { 0.0, 0.0, 0.0 }, { 1.0, 0.1, 0.2 }, { 0.3, 0.8, 0.4 } }, { { 0, 1, 2 } })),
-    around("segment", makeMesh({ { 0.0, 0.0, 0.0 }, { 1.0, 0.3, 0.2 } }, {}, { { 0, 1 } })),
-    around("point", makeMesh({ { 0.3, -0.2, 5.0 } }, {}, {}, { 0 })),
-    around("farAway", translated(torus(0.5, 0.2, 24, 12), { 1e6, -1e6, 1e6 })),
-    around("tiny", scaled(torus(0.5, 0.2, 24, 12), 1e-6)),
-    around("huge", scaled(torus(0.5, 0.2, 24, 12), 1e6)),
-    around("subVoxelTriangles", scaled(icosphere(1.0, 5), 0.3)) };
+  return { { "soup", [] { return around(randomSoup(60, 11)); } },
+    { "openMesh", [] { return around(plates(0.4, 1.0)); } },
+    { "edgeWithThreeFaces", [] { return around(fan(3)); } },
+    { "edgeWithFiveFaces", [] { return around(fan(5)); } },
+    { "bowTie", [] { return around(bowTie()); } },
+    { "duplicates", [] { return around(duplicates()); } },
+    { "zeroAreaTriangles", [] { return around(zeroAreaTriangles()); } },
+    { "needles", [] { return around(needles()); } },
+    { "tiedSlivers", [] { return around(tiedSlivers()); } },
+    { "hair",
+      [] {
+        return around(appended(hair(0.5, 6), translated(plates(0.1, 0.3), { 0.0, 0.5, 0.2 })));
+      } },
+    { "trianglesSegmentsPoints", [] { return around(strayCells()); } },
+    { "triangle",
+      []
+      {
+        return around(
+          makeMesh({ { 0.0, 0.0, 0.0 }, { 1.0, 0.1, 0.2 }, { 0.3, 0.8, 0.4 } }, { { 0, 1, 2 } }));
+      } },
+    { "segment",
+      [] {
+        return around(makeMesh({ { 0.0, 0.0, 0.0 }, { 1.0, 0.3, 0.2 } }, {}, { { 0, 1 } }));
+      } },
+    { "point",
+      [] {
+        return around(makeMesh({ { 0.3, -0.2, 5.0 } }, {}, {}, { 0 }));
+      } },
+    { "farAway",
+      [] {
+        return around(translated(torus(0.5, 0.2, 24, 12), { 1e6, -1e6, 1e6 }));
+      } },
+    { "tiny", [] { return around(scaled(torus(0.5, 0.2, 24, 12), 1e-6)); } },
+    { "huge", [] { return around(scaled(torus(0.5, 0.2, 24, 12), 1e6)); } },
+    { "subVoxelTriangles", [] { return around(scaled(icosphere(1.0, 5), 0.3)); } } };
 }
 
-std::vector<OddInput> oddGrids()
+std::vector<Named<OddInput>> oddGrids()
 {
-  const TriangleMesh ring = torus(1.0, 0.4, 32, 16);
-  const Point3 h{ 0.05, 0.05, 0.05 };
-  return { { "oneThickInX", ring, gridOf({ 0.83, -1.5, -0.6 }, h, { 1, 61, 25 }) },
-    { "oneThickInY", ring, gridOf({ -1.5, 0.21, -0.6 }, h, { 61, 1, 25 }) },
-    { "oneThickInZ", ring, gridOf({ -1.5, -1.5, 0.13 }, h, { 61, 61, 1 }) },
-    { "row", ring, gridOf({ -1.5, 0.11, 0.13 }, h, { 61, 1, 1 }) },
-    { "column", ring, gridOf({ 0.33, 0.11, -0.7 }, h, { 1, 1, 61 }) },
-    { "onePoint", ring, gridOf({ 0.91, 0.17, 0.11 }, h, { 1, 1, 1 }) },
-    { "flatVoxels", ring, gridOf({ -1.5, -1.5, -0.6 }, { 0.1, 0.1, 0.01 }, { 31, 31, 121 }) },
-    { "unequalSpacing", ring, gridOf({ -1.5, -1.5, -0.6 }, { 0.03, 0.07, 0.19 }, { 101, 43, 7 }) },
-    { "wideVoxels", ring, gridOf({ -1.5, -1.5, -0.6 }, { 0.5, 0.02, 0.06 }, { 7, 151, 21 }) },
-    { "outside", ring, gridOf({ 3.0, 2.0, 5.0 }, h, { 30, 25, 20 }) },
-    { "farOutside", ring, gridOf({ 60.0, -40.0, 50.0 }, h, { 30, 25, 20 }) },
-    { "inside", box({ 3.0, 2.0, 2.5 }), gridOf({ -0.7, -0.4, -0.5 }, h, { 30, 25, 20 }) },
-    { "insideLargeMesh", scaled(icosphere(1.0, 4), 50.0),
-      gridOf({ -0.7, -0.4, -0.5 }, h, { 30, 25, 20 }) },
-    { "onLargeMesh", scaled(icosphere(1.0, 4), 50.0),
-      gridOf({ 30.0, 40.0, -0.5 }, h, { 30, 25, 20 }) },
-    { "onVeryLargeMesh", scaled(tilted(icosphere(1.0, 2)), 5e3),
-      gridOf({ 2500.0, 3000.0, 2800.0 }, h, { 30, 25, 20 }) },
-    { "doubledTriangle", doubledTriangle(),
-      gridOf({ -0.321262419, -0.381877969, -0.0121231101 },
-        { 0.0121231101, 0.0121231101, 0.0121231101 }, { 54, 64, 1 }) } };
+  static const Point3 h{ 0.05, 0.05, 0.05 };
+  const auto ring = [](const Grid& grid) { return OddInput{ torus(1.0, 0.4, 32, 16), grid }; };
+  return { { "oneThickInX",
+             [=] {
+               return ring(gridOf({ 0.83, -1.5, -0.6 }, h, { 1, 61, 25 }));
+             } },
+    { "oneThickInY",
+      [=] {
+        return ring(gridOf({ -1.5, 0.21, -0.6 }, h, { 61, 1, 25 }));
+      } },
+    { "oneThickInZ",
+      [=] {
+        return ring(gridOf({ -1.5, -1.5, 0.13 }, h, { 61, 61, 1 }));
+      } },
+    { "row",
+      [=] {
+        return ring(gridOf({ -1.5, 0.11, 0.13 }, h, { 61, 1, 1 }));
+      } },
+    { "column",
+      [=] {
+        return ring(gridOf({ 0.33, 0.11, -0.7 }, h, { 1, 1, 61 }));
+      } },
+    { "onePoint",
+      [=] {
+        return ring(gridOf({ 0.91, 0.17, 0.11 }, h, { 1, 1, 1 }));
+      } },
+    { "flatVoxels",
+      [=] {
+        return ring(gridOf({ -1.5, -1.5, -0.6 }, { 0.1, 0.1, 0.01 }, { 31, 31, 121 }));
+      } },
+    { "unequalSpacing",
+      [=] {
+        return ring(gridOf({ -1.5, -1.5, -0.6 }, { 0.03, 0.07, 0.19 }, { 101, 43, 7 }));
+      } },
+    { "wideVoxels",
+      [=] {
+        return ring(gridOf({ -1.5, -1.5, -0.6 }, { 0.5, 0.02, 0.06 }, { 7, 151, 21 }));
+      } },
+    { "outside",
+      [=] {
+        return ring(gridOf({ 3.0, 2.0, 5.0 }, h, { 30, 25, 20 }));
+      } },
+    { "farOutside",
+      [=] {
+        return ring(gridOf({ 60.0, -40.0, 50.0 }, h, { 30, 25, 20 }));
+      } },
+    { "inside",
+      [] {
+        return OddInput{ box({ 3.0, 2.0, 2.5 }), gridOf({ -0.7, -0.4, -0.5 }, h, { 30, 25, 20 }) };
+      } },
+    { "insideLargeMesh",
+      []
+      {
+        return OddInput{ scaled(icosphere(1.0, 4), 50.0),
+          gridOf({ -0.7, -0.4, -0.5 }, h, { 30, 25, 20 }) };
+      } },
+    { "onLargeMesh",
+      []
+      {
+        return OddInput{ scaled(icosphere(1.0, 4), 50.0),
+          gridOf({ 30.0, 40.0, -0.5 }, h, { 30, 25, 20 }) };
+      } },
+    { "onVeryLargeMesh",
+      []
+      {
+        return OddInput{ scaled(tilted(icosphere(1.0, 2)), 5e3),
+          gridOf({ 2500.0, 3000.0, 2800.0 }, h, { 30, 25, 20 }) };
+      } },
+    { "doubledTriangle",
+      []
+      {
+        return OddInput{ doubledTriangle(),
+          gridOf({ -0.321262419, -0.381877969, -0.0121231101 },
+            { 0.0121231101, 0.0121231101, 0.0121231101 }, { 54, 64, 1 }) };
+      } } };
 }
 
-class OddMesh : public testing::TestWithParam<OddInput>
+class OddMesh : public testing::TestWithParam<Named<OddInput>>
 {
 };
 
@@ -208,13 +274,12 @@ class LongStrips : public testing::TestWithParam<double>
 
 TEST_P(OddMesh, IsExactAtEveryVoxel)
 {
-  expectExactField(GetParam().mesh, GetParam().grid);
+  const auto [mesh, grid] = GetParam().make();
+  expectExactField(mesh, grid);
 }
 
-INSTANTIATE_TEST_SUITE_P(Meshes, OddMesh, testing::ValuesIn(oddMeshes()),
-  [](const auto& test) { return test.param.name; });
-INSTANTIATE_TEST_SUITE_P(Grids, OddMesh, testing::ValuesIn(oddGrids()),
-  [](const auto& test) { return test.param.name; });
+INSTANTIATE_TEST_SUITE_P(Meshes, OddMesh, testing::ValuesIn(oddMeshes()), kNameOfParameter);
+INSTANTIATE_TEST_SUITE_P(Grids, OddMesh, testing::ValuesIn(oddGrids()), kNameOfParameter);
 
 /// On the middle slice polygons of a thousand by a hundredth of a voxel compete at distances that
 /// differ by a fraction of a voxel.

@@ -4,13 +4,13 @@
 #include "support/field_checks.h"
 #include "support/model_formats.h"
 #include "support/models.h"
+#include "support/named.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cctype>
-#include <ostream>
 #include <string>
 #include <vector>
 
@@ -23,17 +23,6 @@ namespace
 /// Voxels of large fields that are checked.
 constexpr std::size_t kSamples = 20000;
 
-struct NamedMesh
-{
-  std::string name;
-  TriangleMesh mesh;
-};
-
-std::ostream& operator<<(std::ostream& stream, const NamedMesh& named)
-{
-  return stream << named.name;
-}
-
 /// The text in the name of a test.
 std::string identifier(std::string name)
 {
@@ -42,15 +31,23 @@ std::string identifier(std::string name)
   return name;
 }
 
-std::vector<NamedMesh> shapes()
+std::vector<Named<TriangleMesh>> shapes()
 {
-  return { { "box", box({ 1.0, 0.7, 0.4 }) }, { "lPrism", lPrism(1.0, 0.6) },
-    { "icosphere", icosphere(1.0, 3) }, { "ellipsoid", ellipsoid(1.0, 0.6, 0.3, 3) },
-    { "capsule", uvCapsule(0.4, 0.8, 24) }, { "torus", torus(1.0, 0.35, 40, 20) },
-    { "cylinder", cylinder(0.5, 2.0, 48) }, { "shell", shell(0.5, 1.0, 2) },
-    { "plates", plates(0.6, 1.0) }, { "sharpWedge", wedge(20.0, 1.0, 1.0) },
-    { "reflexWedge", wedge(290.0, 1.0, 1.0) }, { "tetrahedron", regularTetrahedron(1.0) },
-    { "soup", randomSoup(150, 3) } };
+  return { { "box",
+             [] {
+               return box({ 1.0, 0.7, 0.4 });
+             } },
+    { "lPrism", [] { return lPrism(1.0, 0.6); } },
+    { "icosphere", [] { return icosphere(1.0, 3); } },
+    { "ellipsoid", [] { return ellipsoid(1.0, 0.6, 0.3, 3); } },
+    { "capsule", [] { return uvCapsule(0.4, 0.8, 24); } },
+    { "torus", [] { return torus(1.0, 0.35, 40, 20); } },
+    { "cylinder", [] { return cylinder(0.5, 2.0, 48); } },
+    { "shell", [] { return shell(0.5, 1.0, 2); } }, { "plates", [] { return plates(0.6, 1.0); } },
+    { "sharpWedge", [] { return wedge(20.0, 1.0, 1.0); } },
+    { "reflexWedge", [] { return wedge(290.0, 1.0, 1.0); } },
+    { "tetrahedron", [] { return regularTetrahedron(1.0); } },
+    { "soup", [] { return randomSoup(150, 3); } } };
 }
 
 /// Files of real meshes that are there.
@@ -70,7 +67,7 @@ std::vector<std::string> models()
   return found;
 }
 
-class DistanceFieldOfShape : public testing::TestWithParam<NamedMesh>
+class DistanceFieldOfShape : public testing::TestWithParam<Named<TriangleMesh>>
 {
 };
 
@@ -89,19 +86,19 @@ protected:
 
 TEST_P(DistanceFieldOfShape, IsExactAtEveryVoxel)
 {
-  const TriangleMesh& mesh = GetParam().mesh;
+  const TriangleMesh mesh = GetParam().make();
   expectExactField(mesh, makeGrid(mesh.bounds(), 48, 0.1));
 }
 
 TEST_P(DistanceFieldOfShape, IsExactInsideAndAroundABigGrid)
 {
-  const TriangleMesh& mesh = GetParam().mesh;
+  const TriangleMesh mesh = GetParam().make();
   const Grid grid = makeGrid(mesh.bounds(), 160, 0.5);
   expectExactField(mesh, grid, randomVoxels(grid, kSamples));
 }
 
 INSTANTIATE_TEST_SUITE_P(Generated, DistanceFieldOfShape, testing::ValuesIn(shapes()),
-  [](const auto& test) { return test.param.name; });
+  kNameOfParameter);
 
 TEST_P(DistanceFieldOfModel, IsExactAtResolution64)
 {

@@ -5,20 +5,9 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <ostream>
 
 using namespace medial;
 using namespace medial::test;
-
-namespace medial::test
-{
-
-static std::ostream& operator<<(std::ostream& stream, const AnalyticAxis& axis)
-{
-  return stream << axis.name;
-}
-
-} // namespace medial::test
 
 namespace
 {
@@ -30,7 +19,7 @@ double curveTolerance(double angle)
   return 0.5 / std::sin(0.5 * angle * kDegree) + 0.5;
 }
 
-class AnalyticAxisOf : public testing::TestWithParam<AnalyticAxis>
+class AnalyticAxisOf : public testing::TestWithParam<Named<AnalyticAxis>>
 {
 };
 
@@ -40,15 +29,15 @@ class AnalyticAxisOf : public testing::TestWithParam<AnalyticAxis>
 /// with the spacing. The figures are printed for docs/ACCURACY.md.
 TEST_P(AnalyticAxisOf, ErrorsAreSmallAndFallWithTheSpacing)
 {
-  const AnalyticAxis& axis = GetParam();
+  const AnalyticAxis axis = GetParam().make();
   std::array<AnalyticErrors, 3> errors;
   for (int level = 0; level < 3; ++level)
   {
     const double spacing = axis.spacing / (1 << level);
     errors[level] = analyticErrors(axis, spacing);
     const AnalyticErrors& e = errors[level];
-    std::printf("| %s | %.4g | %zu | %.3f / %.4f | %.3f / %.4f | ", axis.name.c_str(), spacing,
-      e.points, e.positionMax, e.positionMean, e.radiusMax, e.radiusMean);
+    std::printf("| %s | %.4g | %zu | %.3f / %.4f | %.3f / %.4f | ", GetParam().name.c_str(),
+      spacing, e.points, e.positionMax, e.positionMean, e.radiusMax, e.radiusMean);
     axis.isCurve ? std::printf("| ") : std::printf("%.2f / %.2f | ", e.angleMax, e.angleMean);
     axis.area > 0.0 ? std::printf("%.2f |\n", 100.0 * e.area) : std::printf("|\n");
     if (axis.isCurve)
@@ -74,4 +63,4 @@ TEST_P(AnalyticAxisOf, ErrorsAreSmallAndFallWithTheSpacing)
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, AnalyticAxisOf, testing::ValuesIn(analyticAxes()),
-  [](const auto& test) { return test.param.name; });
+  kNameOfParameter);

@@ -6,6 +6,7 @@
 #include "support/medial_checks.h"
 #include "support/model_formats.h"
 #include "support/models.h"
+#include "support/named.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +15,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <ostream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,20 +27,14 @@ namespace
 
 struct AxisCase
 {
-  std::string name;
   TriangleMesh mesh;
   Grid grid;
   Side side;
 };
 
-std::ostream& operator<<(std::ostream& stream, const AxisCase& axisCase)
+AxisCase around(const TriangleMesh& mesh, Side side, int resolution = 40)
 {
-  return stream << axisCase.name;
-}
-
-AxisCase around(const char* name, const TriangleMesh& mesh, Side side, int resolution = 40)
-{
-  return { name, mesh, makeGrid(mesh.bounds(), resolution, 0.15), side };
+  return { mesh, makeGrid(mesh.bounds(), resolution, 0.15), side };
 }
 
 /// Grids that cut through the axis, so that it ends at their borders.
@@ -49,30 +43,56 @@ Grid cutGrid(const Point3& spacing, const std::array<int, 3>& dimensions)
   return { { -0.31, -0.33, -0.37 }, spacing, dimensions };
 }
 
-std::vector<AxisCase> cases()
+std::vector<Named<AxisCase>> cases()
 {
-  const TriangleMesh solid = box({ 1.1, 0.8, 0.5 });
-  const Point3 h{ 0.057, 0.057, 0.057 };
-  std::vector<AxisCase> result{ around("soup", randomSoup(40, 6), Side::Both),
-    around("lPrism", lPrism(1.0, 0.6), Side::Both),
-    around("hair", appended(hair(0.5, 6), translated(plates(0.1, 0.5), { 0.0, 0.1, 0.4 })),
-      Side::Both),
-    around("thinEllipsoid", ellipsoid(1.0, 0.7, 0.05, 3), Side::Interior),
-    around("farAway", translated(torus(0.5, 0.2, 24, 12), { 1e4, -2e4, 3e4 }), Side::Interior),
-    around("tiny", scaled(torus(0.5, 0.2, 24, 12), 1e-6), Side::Interior),
-    { "insideTheSolid", solid, cutGrid(h, { 14, 12, 11 }), Side::Both },
-    { "unequalSpacing", solid, cutGrid({ 0.031, 0.057, 0.093 }, { 60, 17, 9 }), Side::Both },
-    { "oneSlice", solid, { { -1.02, -0.77, -0.21 }, h, { 36, 27, 1 } }, Side::Both },
-    { "oneRow", solid, { { -1.02, 0.11, -0.21 }, h, { 36, 1, 1 } }, Side::Both },
+  const auto solid = [](const Grid& grid) {
+    return AxisCase{ box({ 1.1, 0.8, 0.5 }), grid, Side::Both };
+  };
+  static const Point3 h{ 0.057, 0.057, 0.057 };
+  std::vector<Named<AxisCase>> result{ { "soup",
+                                         [] { return around(randomSoup(40, 6), Side::Both); } },
+    { "lPrism", [] { return around(lPrism(1.0, 0.6), Side::Both); } },
+    { "hair",
+      []
+      {
+        return around(appended(hair(0.5, 6), translated(plates(0.1, 0.5), { 0.0, 0.1, 0.4 })),
+          Side::Both);
+      } },
+    { "thinEllipsoid", [] { return around(ellipsoid(1.0, 0.7, 0.05, 3), Side::Interior); } },
+    { "farAway",
+      [] {
+        return around(translated(torus(0.5, 0.2, 24, 12), { 1e4, -2e4, 3e4 }), Side::Interior);
+      } },
+    { "tiny", [] { return around(scaled(torus(0.5, 0.2, 24, 12), 1e-6), Side::Interior); } },
+    { "insideTheSolid",
+      [=] {
+        return solid(cutGrid(h, { 14, 12, 11 }));
+      } },
+    { "unequalSpacing",
+      [=] {
+        return solid(cutGrid({ 0.031, 0.057, 0.093 }, { 60, 17, 9 }));
+      } },
+    { "oneSlice",
+      [=] {
+        return solid({ { -1.02, -0.77, -0.21 }, h, { 36, 27, 1 } });
+      } },
+    { "oneRow",
+      [=] {
+        return solid({ { -1.02, 0.11, -0.21 }, h, { 36, 1, 1 } });
+      } },
     { "points",
-      makeMesh({ { 0.0, 0.0, 0.0 }, { 1.0, 0.2, 0.1 }, { 0.3, 0.9, 0.2 } }, {}, {}, { 0, 1, 2 }),
-      cutGrid({ 0.083, 0.083, 0.083 }, { 18, 19, 9 }), Side::Both } };
+      []
+      {
+        return AxisCase{ makeMesh({ { 0.0, 0.0, 0.0 }, { 1.0, 0.2, 0.1 }, { 0.3, 0.9, 0.2 } }, {},
+                           {}, { 0, 1, 2 }),
+          cutGrid({ 0.083, 0.083, 0.083 }, { 18, 19, 9 }), Side::Both };
+      } } };
   for (const auto& [name, file] : std::vector<std::pair<const char*, const char*>>{
          { "triceratops", "paper/triceratops.off" }, { "beetle", "soup/beetle_vw_2k.obj" } })
   {
     if (const auto path = modelPath(file))
     {
-      result.push_back(around(name, loadMesh(*path), Side::Both, 80));
+      result.push_back({ name, [path] { return around(loadMesh(*path), Side::Both, 80); } });
     }
   }
   return result;
@@ -100,23 +120,24 @@ double farthest(const MedialAxis& a, const MedialAxis& b)
   return distances.empty() ? 0.0 : *std::max_element(distances.begin(), distances.end());
 }
 
-class MedialAxisContract : public testing::TestWithParam<AxisCase>
+class MedialAxisContract : public testing::TestWithParam<Named<AxisCase>>
 {
 protected:
   /// Sheets need grid cells, and a grid of one slice has none.
   static void expectContract(Representation representation)
   {
+    const AxisCase input = GetParam().make();
     for (const DistanceFieldOptions& options : allEngines())
     {
       SCOPED_TRACE(static_cast<int>(options.engine));
-      const MedialAxis axis = compute(GetParam(), representation, options);
-      if (GetParam().grid.dimensions[2] == 1)
+      const MedialAxis axis = compute(input, representation, options);
+      if (input.grid.dimensions[2] == 1)
       {
         EXPECT_EQ(axis.points.size(), 0u);
         EXPECT_EQ(axis.cellCount(), 0);
         continue;
       }
-      expectConsistent(GetParam().mesh, GetParam().grid, axis, representation);
+      expectConsistent(input.mesh, input.grid, axis, representation);
     }
   }
 };
@@ -135,18 +156,18 @@ TEST_P(MedialAxisContract, HoldsForVoxelFaces)
 
 TEST_P(MedialAxisContract, HoldsForPoints)
 {
-  const MedialAxis axis = compute(GetParam(), Representation::Points);
-  expectConsistent(GetParam().mesh, GetParam().grid, axis, Representation::Points);
+  const AxisCase input = GetParam().make();
+  const MedialAxis axis = compute(input, Representation::Points);
+  expectConsistent(input.mesh, input.grid, axis, Representation::Points);
   EXPECT_EQ(axis.vertices.size(), axis.points.size());
 }
 
-INSTANTIATE_TEST_SUITE_P(Cases, MedialAxisContract, testing::ValuesIn(cases()),
-  [](const auto& test) { return test.param.name; });
+INSTANTIATE_TEST_SUITE_P(Cases, MedialAxisContract, testing::ValuesIn(cases()), kNameOfParameter);
 
 TEST(MedialAxis, IsTheSameForAnyMemoryLimitAndThreads)
 {
   const TriangleMesh mesh = lPrism(1.0, 0.6);
-  const AxisCase input{ "", mesh, offCentreGrid(mesh, 0.0213), Side::Interior };
+  const AxisCase input{ mesh, offCentreGrid(mesh, 0.0213), Side::Interior };
   for (const Representation representation : { Representation::Surface, Representation::Points })
   {
     DistanceFieldOptions options;
@@ -164,7 +185,7 @@ TEST(MedialAxis, IsTheSameForAnyMemoryLimitAndThreads)
 TEST(MedialAxis, IsTheSameByAllEngines)
 {
   const TriangleMesh mesh = lPrism(1.0, 0.6);
-  const AxisCase input{ "", mesh, offCentreGrid(mesh, 0.0213), Side::Both };
+  const AxisCase input{ mesh, offCentreGrid(mesh, 0.0213), Side::Both };
   const std::vector<DistanceFieldOptions> engines = allEngines();
   const MedialAxis expected = compute(input, Representation::Surface, engines[0]);
   const MedialAxis axis = compute(input, Representation::Surface, engines[1]);
@@ -201,7 +222,7 @@ TEST(MedialAxis, LeavesTheDistanceFieldAsWell)
 TEST(MedialAxis, OfTheInteriorIsInside)
 {
   const TriangleMesh mesh = flipOrientation(lPrism(1.0, 0.6));
-  const AxisCase input = around("", mesh, Side::Interior);
+  const AxisCase input = around(mesh, Side::Interior);
   for (const Representation representation : { Representation::Surface, Representation::Points })
   {
     const MedialAxis axis = compute(input, representation);

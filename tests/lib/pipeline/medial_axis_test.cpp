@@ -8,26 +8,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <ostream>
 #include <vector>
 
 using namespace medial;
 using namespace medial::test;
 
-namespace medial::test
-{
-
-static std::ostream& operator<<(std::ostream& stream, const MedialTruth& truth)
-{
-  return stream << truth.name;
-}
-
-} // namespace medial::test
-
 namespace
 {
 
-class MedialAxisOf : public testing::TestWithParam<MedialTruth>
+class MedialAxisOf : public testing::TestWithParam<Named<MedialTruth>>
 {
 protected:
   MedialAxis compute(Representation representation) const
@@ -56,7 +45,7 @@ protected:
     EXPECT_LE(uncovered(truth_, points, 2.0 * truth_.spacing), thickness_);
   }
 
-  const MedialTruth truth_ = GetParam();
+  const MedialTruth truth_ = GetParam().make();
   const Grid grid_ = offCentreGrid(truth_.shape, truth_.spacing);
   const double thickness_ = thickening(truth_.spacing, truth_.angle);
 };
@@ -89,5 +78,4 @@ TEST_P(MedialAxisOf, VoxelFacesAreNextToTheTrueAxis)
   expectConsistent(truth_.shape, grid_, axis, Representation::Faces);
 }
 
-INSTANTIATE_TEST_SUITE_P(Shapes, MedialAxisOf, testing::ValuesIn(medialTruths()),
-  [](const auto& test) { return test.param.name; });
+INSTANTIATE_TEST_SUITE_P(Shapes, MedialAxisOf, testing::ValuesIn(medialTruths()), kNameOfParameter);

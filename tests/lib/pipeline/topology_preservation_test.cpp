@@ -5,6 +5,7 @@
 #include "support/medial_checks.h"
 #include "support/model_formats.h"
 #include "support/models.h"
+#include "support/named.h"
 #include "support/shapes.h"
 #include "support/voxel_topology.h"
 
@@ -26,7 +27,6 @@ namespace
 /// A solid of known components, Euler characteristic and genus.
 struct SolidCase
 {
-  std::string name;
   TriangleMesh mesh;
   std::int64_t components;
   std::int64_t eulerCharacteristic;
@@ -34,26 +34,54 @@ struct SolidCase
   double spacing; ///< the coarser of two
 };
 
-std::ostream& operator<<(std::ostream& stream, const SolidCase& solidCase)
+std::vector<Named<SolidCase>> cases()
 {
-  return stream << solidCase.name;
-}
-
-std::vector<SolidCase> cases()
-{
-  const TriangleMesh ball = icosphere(1.0, 3);
-  return { { "ball", ball, 1, 1, 0, 0.0731 },
-    { "torus", torus(1.0, 0.35, 48, 24), 1, 0, 1, 0.0731 },
-    { "shell", shell(0.6, 1.0, 3), 1, 2, 0, 0.0731 },
-    { "doubleTorus", blocks({ "#####", "#.#.#", "#####" }, 0.5), 1, -1, 2, 0.137 },
-    { "twoBalls", appended(ball, translated(ball, { 2.3, 0.4, -0.2 })), 2, 2, 0, 0.0931 },
+  const auto ball = [] { return icosphere(1.0, 3); };
+  return { { "ball",
+             [=] {
+               return SolidCase{ ball(), 1, 1, 0, 0.0731 };
+             } },
+    { "torus",
+      [] {
+        return SolidCase{ torus(1.0, 0.35, 48, 24), 1, 0, 1, 0.0731 };
+      } },
+    { "shell",
+      [] {
+        return SolidCase{ shell(0.6, 1.0, 3), 1, 2, 0, 0.0731 };
+      } },
+    { "doubleTorus",
+      [] {
+        return SolidCase{ blocks({ "#####", "#.#.#", "#####" }, 0.5), 1, -1, 2, 0.137 };
+      } },
+    { "twoBalls",
+      [=]
+      {
+        return SolidCase{ appended(ball(), translated(ball(), { 2.3, 0.4, -0.2 })), 2, 2, 0,
+          0.0931 };
+      } },
     { "oneOfTwoBallsInsideOut",
-      appended(ball, flipOrientation(translated(ball, { 2.3, 0.4, -0.2 }))), 2, 2, 0, 0.0931 },
-    { "capsule", uvCapsule(0.3, 1.2, 24), 1, 1, 0, 0.0631 },
-    { "plateWithHoles", blocks({ "#######", "#.#.#.#", "#######", "#.#.#.#", "#######" }, 0.2), 1,
-      -5, 6, 0.117 },
-    { "box", tilted(box({ 1.0, 0.7, 0.4 })), 1, 1, 0, 0.0631 },
-    { "thinRing", torus(1.0, 0.05, 64, 12), 1, 0, 1, 0.0431 } };
+      [=]
+      {
+        return SolidCase{ appended(ball(), flipOrientation(translated(ball(), { 2.3, 0.4, -0.2 }))),
+          2, 2, 0, 0.0931 };
+      } },
+    { "capsule",
+      [] {
+        return SolidCase{ uvCapsule(0.3, 1.2, 24), 1, 1, 0, 0.0631 };
+      } },
+    { "plateWithHoles",
+      []
+      {
+        return SolidCase{ blocks({ "#######", "#.#.#.#", "#######", "#.#.#.#", "#######" }, 0.2), 1,
+          -5, 6, 0.117 };
+      } },
+    { "box",
+      [] {
+        return SolidCase{ tilted(box({ 1.0, 0.7, 0.4 })), 1, 1, 0, 0.0631 };
+      } },
+    { "thinRing", [] {
+       return SolidCase{ torus(1.0, 0.05, 64, 12), 1, 0, 1, 0.0431 };
+     } } };
 }
 
 /// For expectConsistent: points that are not means of crossings have a second closest point that
@@ -91,7 +119,7 @@ void expectSame(const MedialAxis& axis, const CellTopology& solid)
   EXPECT_EQ(*axis.solid, solid);
 }
 
-class TopologyPreservation : public testing::TestWithParam<SolidCase>
+class TopologyPreservation : public testing::TestWithParam<Named<SolidCase>>
 {
 };
 
@@ -99,7 +127,7 @@ class TopologyPreservation : public testing::TestWithParam<SolidCase>
 
 TEST_P(TopologyPreservation, GivesTheTopologyOfTheSolidForAnyAngle)
 {
-  const SolidCase& input = GetParam();
+  const SolidCase input = GetParam().make();
   for (const double spacing : { input.spacing, 0.6 * input.spacing })
   {
     const Grid grid = offCentreGrid(input.mesh, spacing);
@@ -109,7 +137,7 @@ TEST_P(TopologyPreservation, GivesTheTopologyOfTheSolidForAnyAngle)
     EXPECT_EQ(solid.genus, input.genus);
     for (const double angle : { 30.0, 60.0, 120.0, 170.0 })
     {
-      SCOPED_TRACE(input.name + " " + std::to_string(spacing) + " " + std::to_string(angle));
+      SCOPED_TRACE(GetParam().name + " " + std::to_string(spacing) + " " + std::to_string(angle));
       const MedialAxis axis = preserved(input.mesh, grid, angle);
       expectSame(axis, solid);
       expectConsistent(input.mesh, grid, axis, kAnyDistanceB);
@@ -118,7 +146,7 @@ TEST_P(TopologyPreservation, GivesTheTopologyOfTheSolidForAnyAngle)
 }
 
 INSTANTIATE_TEST_SUITE_P(Solids, TopologyPreservation, testing::ValuesIn(cases()),
-  [](const auto& test) { return test.param.name; });
+  kNameOfParameter);
 
 TEST(TopologyPreservation, GivesVoxelFacesTheTopologyOfTheSolid)
 {

@@ -6,6 +6,7 @@
 #include "support/brute_force.h"
 #include "support/field_checks.h"
 #include "support/models.h"
+#include "support/named.h"
 #include "support/shapes.h"
 #include "support/transforms.h"
 
@@ -14,9 +15,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
-#include <ostream>
 #include <random>
 #include <string>
 #include <utility>
@@ -31,15 +32,9 @@ namespace
 /// A mesh and closed meshes that face outwards: what is in one of them is inside.
 struct Assembly
 {
-  std::string name;
   TriangleMesh mesh;
   std::vector<TriangleMesh> parts;
 };
-
-std::ostream& operator<<(std::ostream& stream, const Assembly& assembly)
-{
-  return stream << assembly.name;
-}
 
 TriangleMesh welded(const TriangleMesh& mesh)
 {
@@ -71,58 +66,117 @@ TriangleMesh withFlipped(TriangleMesh mesh, const std::vector<std::size_t>& tria
 }
 
 /// Two parts as one mesh.
-Assembly pair(const std::string& name, const TriangleMesh& a, const TriangleMesh& b)
+Assembly pair(const TriangleMesh& a, const TriangleMesh& b)
 {
-  return { name, appended(a, b), { a, b } };
+  return { appended(a, b), { a, b } };
 }
 
-std::vector<Assembly> assemblies()
+/// Two parts as one mesh, without double points.
+Assembly weldedPair(const TriangleMesh& a, const TriangleMesh& b)
 {
-  const TriangleMesh ball = icosphere(0.5, 2);
-  const TriangleMesh small = icosphere(0.2, 1);
-  std::vector<Assembly> result{ pair("overlapping", unitBox(), unitBox({ 0.6, 0.3, 0.2 })),
-    pair("touching", unitBox(), unitBox({ 1.0, 0.0, 0.0 })),
-    pair("almostTouching", unitBox(), unitBox({ 1.0 + 1e-9, 0.0, 0.0 })),
-    pair("touchingAlongZ", unitBox(), unitBox({ 0.0, 0.0, 1.0 })),
-    pair("partsInParts", ball, small),
-    { "onePartInsideOut", appended(unitBox(), flipOrientation(unitBox({ 2.0, 0.0, 0.0 }))),
-      { unitBox(), unitBox({ 2.0, 0.0, 0.0 }) } },
-    { "overlappingInsideOut", appended(unitBox(), flipOrientation(unitBox({ 0.6, 0.3, 0.2 }))),
-      { unitBox(), unitBox({ 0.6, 0.3, 0.2 }) } },
-    { "sharedEdge", welded(appended(unitBox(), unitBox({ 1.0, 1.0, 0.0 }))),
-      { unitBox(), unitBox({ 1.0, 1.0, 0.0 }) } },
-    { "sharedFace", welded(appended(unitBox(), unitBox({ 1.0, 0.0, 0.0 }))),
-      { unitBox(), unitBox({ 1.0, 0.0, 0.0 }) } },
-    { "flippedTriangles", withFlipped(ball, { 3, 17, 40 }), { ball } },
-    { "doubled", welded(appended(ball, ball)), { ball } },
-    { "doubleSided", welded(appended(ball, flipOrientation(ball))), { ball } },
-    { "doubledUnwelded", appended(ball, ball), { ball } },
-    { "withSegment", makeMesh(unitBox().points, unitBox().triangles, { { 0, 6 } }),
-      { unitBox() } } };
-  return result;
+  return { welded(appended(a, b)), { a, b } };
+}
+
+/// Two parts as one mesh, the second one inside out.
+Assembly pairInsideOut(const TriangleMesh& a, const TriangleMesh& b)
+{
+  return { appended(a, flipOrientation(b)), { a, b } };
+}
+
+std::vector<Named<Assembly>> assemblies()
+{
+  const auto ball = [] { return icosphere(0.5, 2); };
+  return { { "overlapping",
+             [] {
+               return pair(unitBox(), unitBox({ 0.6, 0.3, 0.2 }));
+             } },
+    { "touching",
+      [] {
+        return pair(unitBox(), unitBox({ 1.0, 0.0, 0.0 }));
+      } },
+    { "almostTouching",
+      [] {
+        return pair(unitBox(), unitBox({ 1.0 + 1e-9, 0.0, 0.0 }));
+      } },
+    { "touchingAlongZ",
+      [] {
+        return pair(unitBox(), unitBox({ 0.0, 0.0, 1.0 }));
+      } },
+    { "partsInParts", [=] { return pair(ball(), icosphere(0.2, 1)); } },
+    { "onePartInsideOut",
+      [] {
+        return pairInsideOut(unitBox(), unitBox({ 2.0, 0.0, 0.0 }));
+      } },
+    { "overlappingInsideOut",
+      [] {
+        return pairInsideOut(unitBox(), unitBox({ 0.6, 0.3, 0.2 }));
+      } },
+    { "sharedEdge",
+      [] {
+        return weldedPair(unitBox(), unitBox({ 1.0, 1.0, 0.0 }));
+      } },
+    { "sharedFace",
+      [] {
+        return weldedPair(unitBox(), unitBox({ 1.0, 0.0, 0.0 }));
+      } },
+    { "flippedTriangles",
+      [=] {
+        return Assembly{ withFlipped(ball(), { 3, 17, 40 }), { ball() } };
+      } },
+    { "doubled",
+      [=] {
+        return Assembly{ welded(appended(ball(), ball())), { ball() } };
+      } },
+    { "doubleSided",
+      [=] {
+        return Assembly{ welded(appended(ball(), flipOrientation(ball()))), { ball() } };
+      } },
+    { "doubledUnwelded",
+      [=] {
+        return Assembly{ appended(ball(), ball()), { ball() } };
+      } },
+    { "withSegment",
+      []
+      {
+        return Assembly{ makeMesh(unitBox().points, unitBox().triangles, { { 0, 6 } }),
+          { unitBox() } };
+      } } };
+}
+
+Grid gridAround(const TriangleMesh& mesh, int resolution)
+{
+  return makeGrid(mesh.bounds(), resolution, 0.13);
 }
 
 DistanceField fieldOf(const TriangleMesh& mesh, const DistanceFieldOptions& options, int resolution)
 {
-  return computeDistanceField(mesh, makeGrid(mesh.bounds(), resolution, 0.13), options);
+  return computeDistanceField(mesh, gridAround(mesh, resolution), options);
+}
+
+/// The winding numbers at all voxels.
+std::vector<double> windings(const Grid& grid,
+  const std::function<double(const Point3&)>& windingAt)
+{
+  std::vector<double> result(static_cast<std::size_t>(grid.pointCount()));
+  parallelFor(result.size(), [&](std::size_t i) { result[i] = windingAt(voxelPoint(grid, i)); });
+  return result;
 }
 
 /// Number of voxels with the wrong sign, farther than 1e-3 voxel from the surface. Where the
 /// winding number is 1/2 to 1e-4 either sign is right: grid points are shifted by a millionth of a
 /// voxel.
-std::size_t wrongSigns(const DistanceField& field,
-  const std::function<double(const Point3&)>& windingAt)
+std::size_t wrongSigns(const DistanceField& field, const std::vector<double>& windings)
 {
-  std::vector<char> wrong(field.distance.size(), 0);
-  parallelFor(wrong.size(),
-    [&](std::size_t i)
-    {
-      const double distance = static_cast<double>(field.distance[i]);
-      const double excess = windingAt(voxelPoint(field.grid, i)) - 0.5;
-      wrong[i] = std::abs(distance) > 1e-3 * voxelSize(field.grid) && std::abs(excess) > 1e-4 &&
-        (distance < 0.0) != (excess > 0.0);
-    });
-  return static_cast<std::size_t>(std::count(wrong.begin(), wrong.end(), 1));
+  EXPECT_EQ(windings.size(), field.distance.size());
+  std::size_t wrong = 0;
+  for (std::size_t i = 0; i < windings.size(); ++i)
+  {
+    const double distance = static_cast<double>(field.distance[i]);
+    const double excess = windings[i] - 0.5;
+    const bool known = std::abs(distance) > 1e-3 * voxelSize(field.grid) && std::abs(excess) > 1e-4;
+    wrong += known && (distance < 0.0) != (excess > 0.0) ? 1 : 0;
+  }
+  return wrong;
 }
 
 double insideAnyPart(const std::vector<TriangleMesh>& parts, const Point3& x)
@@ -177,18 +231,7 @@ TriangleMesh moebiusStrip(int segments)
   return makeMesh(points, triangles);
 }
 
-struct OpenMesh
-{
-  std::string name;
-  TriangleMesh mesh;
-};
-
-std::ostream& operator<<(std::ostream& stream, const OpenMesh& mesh)
-{
-  return stream << mesh.name;
-}
-
-std::vector<OpenMesh> openMeshes()
+TriangleMesh hemisphere()
 {
   const TriangleMesh ball = icosphere(0.5, 2);
   std::vector<std::size_t> lower;
@@ -200,14 +243,31 @@ std::vector<OpenMesh> openMeshes()
       lower.push_back(t);
     }
   }
-  std::vector<OpenMesh> result{ { "oneTriangleMissing", withoutTriangles(ball, { 5 }) },
-    { "threeHoles", withoutTriangles(ball, { 5, 60, 61, 62, 200 }) },
-    { "hemisphere", withoutTriangles(ball, lower) },
-    { "boxWithoutHalfASide", withoutTriangles(unitBox(), { 0 }) },
-    { "boxWithoutASide", withoutTriangles(unitBox(), { 0, 1 }) },
-    { "moebiusStrip", moebiusStrip(20) }, { "plates", plates(0.5, 1.0) },
-    { "oneTriangle", makeMesh({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0.5 } }, { { 0, 1, 2 } }) },
-    { "soup", randomSoup(60, 11) } };
+  return withoutTriangles(ball, lower);
+}
+
+std::vector<Named<TriangleMesh>> openMeshes()
+{
+  std::vector<Named<TriangleMesh>> result{
+    { "oneTriangleMissing", [] { return withoutTriangles(icosphere(0.5, 2), { 5 }); } },
+    { "threeHoles",
+      [] {
+        return withoutTriangles(icosphere(0.5, 2), { 5, 60, 61, 62, 200 });
+      } },
+    { "hemisphere", hemisphere },
+    { "boxWithoutHalfASide", [] { return withoutTriangles(unitBox(), { 0 }); } },
+    { "boxWithoutASide",
+      [] {
+        return withoutTriangles(unitBox(), { 0, 1 });
+      } },
+    { "moebiusStrip", [] { return moebiusStrip(20); } },
+    { "plates", [] { return plates(0.5, 1.0); } },
+    { "oneTriangle",
+      [] {
+        return makeMesh({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0.5 } }, { { 0, 1, 2 } });
+      } },
+    { "soup", [] { return randomSoup(60, 11); } }
+  };
   for (const auto& [name, file] : std::vector<std::pair<const char*, const char*>>{
          { "elephantWithHoles", "soup/elephant_holes_4.5k.off" },
          { "manySmallHoles", "soup/many_small_holes_3.5k.ply" },
@@ -216,7 +276,7 @@ std::vector<OpenMesh> openMeshes()
   {
     if (const auto path = modelPath(file))
     {
-      result.push_back({ name, buildTriangleMesh(readMesh(*path)) });
+      result.push_back({ name, [path] { return buildTriangleMesh(readMesh(*path)); } });
     }
   }
   return result;
@@ -259,11 +319,11 @@ TriangleMesh defective(std::mt19937& random)
   return welded(mesh);
 }
 
-class SignOfAssembly : public testing::TestWithParam<Assembly>
+class SignOfAssembly : public testing::TestWithParam<Named<Assembly>>
 {
 };
 
-class SignOfOpenMesh : public testing::TestWithParam<OpenMesh>
+class SignOfOpenMesh : public testing::TestWithParam<Named<TriangleMesh>>
 {
 };
 
@@ -271,55 +331,63 @@ class SignOfOpenMesh : public testing::TestWithParam<OpenMesh>
 
 TEST_P(SignOfAssembly, IsThatOfItsParts)
 {
+  constexpr int kResolution = 29;
+  const Assembly assembly = GetParam().make();
+  const std::vector<double> truth = windings(gridAround(assembly.mesh, kResolution),
+    [&](const Point3& x) { return insideAnyPart(assembly.parts, x); });
   for (const DistanceFieldOptions& options : allEngines())
   {
-    const DistanceField field = fieldOf(GetParam().mesh, options, 29);
+    const DistanceField field = fieldOf(assembly.mesh, options, kResolution);
     EXPECT_EQ(field.sign, SignMethod::Winding);
-    EXPECT_EQ(wrongSigns(field, [](const Point3& x) { return insideAnyPart(GetParam().parts, x); }),
-      0U);
+    EXPECT_EQ(wrongSigns(field, truth), 0U);
   }
 }
 
 TEST_P(SignOfAssembly, DoesNotDependOnTheOrderOfTriangles)
 {
-  TriangleMesh mesh = GetParam().mesh;
+  constexpr int kResolution = 19;
+  Assembly assembly = GetParam().make();
+  const std::vector<double> truth = windings(gridAround(assembly.mesh, kResolution),
+    [&](const Point3& x) { return insideAnyPart(assembly.parts, x); });
   std::mt19937 random(3);
   for (int i = 0; i < 3; ++i)
   {
-    std::shuffle(mesh.triangles.begin(), mesh.triangles.end(), random);
-    const DistanceField field = fieldOf(mesh, {}, 19);
-    EXPECT_EQ(
-      wrongSigns(field, [&](const Point3& x) { return insideAnyPart(GetParam().parts, x); }), 0U);
+    std::vector<std::array<int, 3>>& triangles = assembly.mesh.triangles;
+    std::shuffle(triangles.begin(), triangles.end(), random);
+    EXPECT_EQ(wrongSigns(fieldOf(assembly.mesh, {}, kResolution), truth), 0U);
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(Assemblies, SignOfAssembly, testing::ValuesIn(assemblies()),
-  [](const auto& test) { return test.param.name; });
+  kNameOfParameter);
 
 TEST_P(SignOfOpenMesh, IsThatOfTheWindingNumber)
 {
-  const TriangleMesh& mesh = GetParam().mesh;
+  constexpr int kResolution = 18;
+  const TriangleMesh mesh = GetParam().make();
   const SurfaceOrientation orientation = orientSurface(mesh, analyseConnectivity(mesh));
+  const std::vector<double> truth = windings(gridAround(mesh, kResolution),
+    [&](const Point3& x) { return orientedWinding(mesh, orientation, x); });
   for (const DistanceFieldOptions& options : allEngines())
   {
-    const DistanceField field = fieldOf(mesh, winding(options), 18);
+    const DistanceField field = fieldOf(mesh, winding(options), kResolution);
     EXPECT_EQ(field.sign, SignMethod::Winding);
-    EXPECT_EQ(
-      wrongSigns(field, [&](const Point3& x) { return orientedWinding(mesh, orientation, x); }),
-      0U);
+    EXPECT_EQ(wrongSigns(field, truth), 0U);
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(OpenMeshes, SignOfOpenMesh, testing::ValuesIn(openMeshes()),
-  [](const auto& test) { return test.param.name; });
+  kNameOfParameter);
 
 TEST(WindingSign, KnowsCavitiesWhicheverWayTheShellFaces)
 {
   const TriangleMesh mesh = shell(0.5, 1.0, 2);
+  constexpr int kResolution = 33;
+  const std::vector<double> truth = windings(gridAround(mesh, kResolution),
+    [&](const Point3& x) { return windingNumber(mesh, x); });
   for (const TriangleMesh& turned : { mesh, flipOrientation(mesh) })
   {
-    const DistanceField field = fieldOf(turned, {}, 33);
-    EXPECT_EQ(wrongSigns(field, [&](const Point3& x) { return windingNumber(mesh, x); }), 0U);
+    EXPECT_EQ(wrongSigns(fieldOf(turned, {}, kResolution), truth), 0U);
   }
 }
 
@@ -331,9 +399,9 @@ TEST(WindingSign, AgreesWithBruteForceOnMeshesWithDefects)
     const TriangleMesh mesh = defective(random);
     const SurfaceOrientation orientation = orientSurface(mesh, analyseConnectivity(mesh));
     const DistanceField field = fieldOf(mesh, winding({}), 11);
-    ASSERT_EQ(
-      wrongSigns(field, [&](const Point3& x) { return orientedWinding(mesh, orientation, x); }), 0U)
-      << run;
+    const std::vector<double> truth =
+      windings(field.grid, [&](const Point3& x) { return orientedWinding(mesh, orientation, x); });
+    ASSERT_EQ(wrongSigns(field, truth), 0U) << run;
   }
 }
 

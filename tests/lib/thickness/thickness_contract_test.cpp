@@ -50,6 +50,7 @@ int compare(const TriangleMesh& mesh, const ThicknessOptions& options, int count
   {
     points.push_back(i);
   }
+  const MeshSearch search(mesh);
   std::vector<double> expected(points.size());
   parallelFor(points.size(),
     [&](std::size_t i)
@@ -57,7 +58,7 @@ int compare(const TriangleMesh& mesh, const ThicknessOptions& options, int count
       const Point3& n = normals[points[i]];
       const Point3 direction{ sign * n[0], sign * n[1], sign * n[2] };
       expected[i] = n == Point3{} ? std::numeric_limits<double>::quiet_NaN()
-                                  : thicknessByBruteForce(mesh, mesh.points[points[i]], direction,
+                                  : thicknessByBruteForce(search, mesh.points[points[i]], direction,
                                       options.angle, 1e-5 * diagonal);
     });
   int sharp = 0;
