@@ -151,7 +151,7 @@ void vtkMedialAxis::Execute(vtkPolyData* input, vtkInformationVector* outputVect
   vtkProgressBridge progress(this);
   medial::MedialAxisOptions options = ToOptions(this);
   options.field = this->Internals->MakeOptions(progress);
-  this->Internals->UpdateMesh(input);
+  this->Internals->UpdateMesh(input, options.field.execution);
   vtkInformation* imageInfo = outputVector->GetInformationObject(1);
   vtkImageData* image = vtkImageData::GetData(imageInfo);
   medial::Grid grid;

@@ -62,7 +62,7 @@ int vtkMeshDistanceField::RequestData(vtkInformation*, vtkInformationVector** in
       }
       vtkProgressBridge progress(this);
       const medial::DistanceFieldOptions options = this->Internals->MakeOptions(progress);
-      this->Internals->UpdateMesh(vtkPolyData::GetData(inputVector[0]));
+      this->Internals->UpdateMesh(vtkPolyData::GetData(inputVector[0]), options.execution);
       const medial::Grid grid = vtkInternals::AnnouncedGrid(outInfo);
 
       const medial::FieldArrays arrays =

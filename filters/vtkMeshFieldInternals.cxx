@@ -146,7 +146,8 @@ void vtkMeshFieldAlgorithm::vtkInternals::Begin(vtkInformationVector* outputVect
 }
 
 //------------------------------------------------------------------------------
-void vtkMeshFieldAlgorithm::vtkInternals::UpdateMesh(vtkPolyData* input)
+void vtkMeshFieldAlgorithm::vtkInternals::UpdateMesh(vtkPolyData* input,
+  const medial::Execution& execution)
 {
   if (!input)
   {
@@ -158,7 +159,7 @@ void vtkMeshFieldAlgorithm::vtkInternals::UpdateMesh(vtkPolyData* input)
   }
   this->MeshInput = nullptr;
   this->Mesh = medial::buildTriangleMesh(vtkMeshConversion::ToMeshInput(input));
-  this->Connectivity = medial::analyseConnectivity(this->Mesh);
+  this->Connectivity = medial::analyseConnectivity(this->Mesh, execution);
   this->MeshInput = input;
   this->MeshTime = input->GetMTime();
 }

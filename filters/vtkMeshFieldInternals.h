@@ -34,9 +34,10 @@ public:
   static void Begin(vtkInformationVector* outputVector);
 
   /**
-   * Makes Mesh and Connectivity those of input, unless they are already.
+   * Makes Mesh and Connectivity those of input, unless they are already. The execution can cancel
+   * that.
    */
-  void UpdateMesh(vtkPolyData* input);
+  void UpdateMesh(vtkPolyData* input, const medial::Execution& execution = {});
 
   /**
    * The grid that the parameters ask for. input may be null for an explicit grid.

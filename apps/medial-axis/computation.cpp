@@ -63,14 +63,15 @@ void computeAxis(const Options& options, const MedialAxisOptions& axisOptions, F
 
 } // namespace
 
-Result prepare(const Surface& surface, const Options& options)
+Result prepare(const Surface& surface, const Options& options, ProgressBar& bar)
 {
+  Watch watch(bar);
   Result result;
   withFailures(options.input,
     [&]
     {
       result.mesh = surface.toTriangleMesh();
-      result.connectivity = analyseConnectivity(result.mesh);
+      result.connectivity = analyseConnectivity(result.mesh, { options.threads, &watch });
       result.grid = gridOf(result.mesh.bounds(), options);
     });
   return result;

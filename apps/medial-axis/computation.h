@@ -35,8 +35,8 @@ struct Result
 };
 
 /// The mesh as the filters see it, and its grid.
-/// @throws Failure BadInput.
-Result prepare(const Surface& surface, const Options& options);
+/// @throws Failure.
+Result prepare(const Surface& surface, const Options& options, ProgressBar& bar);
 
 /// Computes the axis, if an option asks for it, and the field, which goes to disk meanwhile, in one
 /// pass over the grid. Does nothing if neither is wanted.

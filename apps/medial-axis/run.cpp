@@ -34,7 +34,7 @@ void run(const Options& options)
   seconds.read = total.seconds();
   throwIfInterrupted();
 
-  Result result = prepare(surface, options);
+  Result result = prepare(surface, options, bar);
   compute(options, outputs.field(), bar, result);
   computeThickness(options, surface, bar, result);
 

@@ -17,16 +17,17 @@ namespace medial::app
 namespace
 {
 
-MedialModel readInputs(const MeasureCommand& command, MeasureResults& results)
+MedialModel readInputs(const MeasureCommand& command, ProgressBar& bar, MeasureResults& results)
 {
   const Timer timer;
   MedialModel model = readModel(command.axis);
   const Surface surface = readSurface(command.mesh);
+  Watch watch(bar);
   withFailures(command.mesh,
     [&]
     {
       results.mesh = surface.toTriangleMesh();
-      results.connectivity = analyseConnectivity(results.mesh);
+      results.connectivity = analyseConnectivity(results.mesh, { command.threads, &watch });
     });
   results.readSeconds = timer.seconds();
   throwIfInterrupted();
@@ -66,7 +67,7 @@ void runMeasure(const MeasureCommand& command)
   ProgressBar bar(command.quiet);
   bar.show(0.0, "reading");
   MeasureResults results;
-  const MedialModel model = readInputs(command, results);
+  const MedialModel model = readInputs(command, bar, results);
   measure(command, model, bar, results);
   bar.clear();
   if (json)

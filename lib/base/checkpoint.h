@@ -3,6 +3,7 @@
 #include "base/run.h"
 
 #include <chrono>
+#include <cstddef>
 #include <thread>
 
 namespace medial
@@ -20,6 +21,14 @@ public:
   /// therefore call it for every part, however small, on any thread.
   /// @throws Error Cancelled if the caller wants to stop.
   void operator()() const;
+  /// The same for loops whose parts take less time than asking: asks at one part of 1,024.
+  void operator()(std::size_t part) const
+  {
+    if (part % 1024 == 0)
+    {
+      (*this)();
+    }
+  }
 
 private:
   using Clock = std::chrono::steady_clock;

@@ -6,7 +6,7 @@
 namespace medial
 {
 
-EdgeList::EdgeList(const TriangleMesh& mesh)
+EdgeList::EdgeList(const TriangleMesh& mesh, const Checkpoint& checkpoint)
   : triangleSides_(3 * mesh.triangles.size())
 {
   std::vector<Side> sides;
@@ -22,7 +22,7 @@ EdgeList::EdgeList(const TriangleMesh& mesh)
   {
     addSide(segment[0], segment[1], sides);
   }
-  this->number(sides, mesh.points.size());
+  this->number(sides, mesh.points.size(), checkpoint);
 }
 
 void EdgeList::addSide(int a, int b, std::vector<Side>& sides)
@@ -30,7 +30,8 @@ void EdgeList::addSide(int a, int b, std::vector<Side>& sides)
   sides.push_back({ std::min(a, b), std::max(a, b) });
 }
 
-void EdgeList::number(const std::vector<Side>& sides, std::size_t points)
+void EdgeList::number(const std::vector<Side>& sides, std::size_t points,
+  const Checkpoint& checkpoint)
 {
   std::vector<int> starts(points + 1, 0);
   for (const Side& side : sides)
@@ -47,6 +48,7 @@ void EdgeList::number(const std::vector<Side>& sides, std::size_t points)
   edges_.resize(sides.size());
   for (std::size_t point = 0; point < points; ++point)
   {
+    checkpoint(point);
     const auto begin = order.begin() + starts[point];
     const auto end = order.begin() + starts[point + 1];
     std::sort(begin, end, [&](int a, int b) { return sides[a].high < sides[b].high; });

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/checkpoint.h"
 #include "medial/triangle_mesh.h"
 
 #include <array>
@@ -13,7 +14,7 @@ namespace medial
 class EdgeList
 {
 public:
-  explicit EdgeList(const TriangleMesh& mesh);
+  EdgeList(const TriangleMesh& mesh, const Checkpoint& checkpoint);
 
   int size() const { return size_; }
   /// The edges from each corner of a triangle to the next.
@@ -33,7 +34,7 @@ private:
 
   static void addSide(int a, int b, std::vector<Side>& sides);
   /// Numbers the sides, those between the same points alike.
-  void number(const std::vector<Side>& sides, std::size_t points);
+  void number(const std::vector<Side>& sides, std::size_t points, const Checkpoint& checkpoint);
 
   std::size_t triangleSides_;
   std::vector<int> edges_; ///< of the sides of all triangles, then of the segments

@@ -1,5 +1,6 @@
 #include "medial/mesh_connectivity.h"
 
+#include "base/checkpoint.h"
 #include "base/disjoint_sets.h"
 #include "base/id_limits.h"
 #include "medial/error.h"
@@ -39,7 +40,7 @@ void requireIds(const char* name, std::size_t index, const int* points, int size
   }
 }
 
-void requireValid(const TriangleMesh& mesh)
+void requireValid(const TriangleMesh& mesh, const Checkpoint& checkpoint)
 {
   if (mesh.triangleCells.size() != mesh.triangles.size() ||
     mesh.segmentCells.size() != mesh.segments.size() ||
@@ -55,6 +56,7 @@ void requireValid(const TriangleMesh& mesh)
   const int points = static_cast<int>(mesh.points.size());
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
   {
+    checkpoint(i);
     requireIds("triangle", i, mesh.triangles[i].data(), 3, points);
   }
   for (std::size_t i = 0; i < mesh.segments.size(); ++i)
@@ -107,7 +109,8 @@ private:
 /// Inverts lists of N values: row v of the result has the indices of the lists that contain v, in
 /// ascending order.
 template <std::size_t N>
-IncidenceLists invert(const std::vector<std::array<int, N>>& lists, std::size_t rows)
+IncidenceLists invert(const std::vector<std::array<int, N>>& lists, std::size_t rows,
+  const Checkpoint& checkpoint)
 {
   IncidenceLists result;
   result.offsets.assign(rows + 1, 0);
@@ -123,6 +126,7 @@ IncidenceLists invert(const std::vector<std::array<int, N>>& lists, std::size_t 
   std::vector<int> next(result.offsets.begin(), result.offsets.end() - 1);
   for (std::size_t i = 0; i < lists.size(); ++i)
   {
+    checkpoint(i);
     for (const int row : lists[i])
     {
       result.values[next[row]++] = static_cast<int>(i);
@@ -132,9 +136,10 @@ IncidenceLists invert(const std::vector<std::array<int, N>>& lists, std::size_t 
 }
 
 /// Numbers the edges of the manifold part, then those of other triangles and of segments.
-void buildEdges(const TriangleMesh& mesh, MeshConnectivity& connectivity)
+void buildEdges(const TriangleMesh& mesh, const Checkpoint& checkpoint,
+  MeshConnectivity& connectivity)
 {
-  const EdgeList list(mesh);
+  const EdgeList list(mesh, checkpoint);
   const std::int64_t edges = list.size();
   requireCount("the mesh", 2 * edges, "ends of edges");
   requireCount("the mesh",
@@ -143,6 +148,7 @@ void buildEdges(const TriangleMesh& mesh, MeshConnectivity& connectivity)
   ManifoldPart manifold(mesh.points.size(), list.size());
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
   {
+    checkpoint(i);
     const bool accepted = manifold.add(mesh.triangles[i], list.ofTriangle(i));
     if (accepted)
     {
@@ -153,6 +159,7 @@ void buildEdges(const TriangleMesh& mesh, MeshConnectivity& connectivity)
   connectivity.triangleEdges.reserve(mesh.triangles.size());
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
   {
+    checkpoint(i);
     connectivity.triangleEdges.push_back(numbers.of(list.ofTriangle(i), mesh.triangles[i]));
   }
   for (std::size_t i = 0; i < mesh.segments.size(); ++i)
@@ -165,13 +172,15 @@ void buildEdges(const TriangleMesh& mesh, MeshConnectivity& connectivity)
 
 /// Assigns cells to edges and points. Of several cells, triangles win over segments and these over
 /// vertices, and the first of a kind wins.
-void assignCells(const TriangleMesh& mesh, MeshConnectivity& connectivity)
+void assignCells(const TriangleMesh& mesh, const Checkpoint& checkpoint,
+  MeshConnectivity& connectivity)
 {
   connectivity.edgeCells.assign(connectivity.edges.size(), kNone);
   connectivity.pointCells.assign(mesh.points.size(), kNone);
   const auto assign = [](std::int64_t& cell, std::int64_t id) { cell = cell == kNone ? id : cell; };
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
   {
+    checkpoint(i);
     for (int corner = 0; corner < 3; ++corner)
     {
       assign(connectivity.edgeCells[connectivity.triangleEdges[i][corner]], mesh.triangleCells[i]);
@@ -190,12 +199,14 @@ void assignCells(const TriangleMesh& mesh, MeshConnectivity& connectivity)
   }
 }
 
-void countEdgeKinds(const TriangleMesh& mesh, MeshConnectivity& connectivity)
+void countEdgeKinds(const TriangleMesh& mesh, const Checkpoint& checkpoint,
+  MeshConnectivity& connectivity)
 {
   // +1 for every triangle that runs through the edge forwards, -1 backwards.
   std::vector<int> direction(connectivity.edges.size(), 0);
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
   {
+    checkpoint(i);
     for (int corner = 0; corner < 3; ++corner)
     {
       const int edge = connectivity.triangleEdges[i][corner];
@@ -259,15 +270,17 @@ bool MeshConnectivity::manifold() const
   return nonManifoldTriangles == 0 && nonManifoldPoints == 0;
 }
 
-MeshConnectivity analyseConnectivity(const TriangleMesh& mesh)
+MeshConnectivity analyseConnectivity(const TriangleMesh& mesh, const Execution& execution)
 {
-  requireValid(mesh);
+  const Checkpoint checkpoint(Run(execution), 0.0, "connecting triangles");
+  requireValid(mesh, checkpoint);
   MeshConnectivity connectivity;
-  buildEdges(mesh, connectivity);
-  connectivity.edgeTriangles = invert(connectivity.triangleEdges, connectivity.edges.size());
-  connectivity.pointEdges = invert(connectivity.edges, mesh.points.size());
-  assignCells(mesh, connectivity);
-  countEdgeKinds(mesh, connectivity);
+  buildEdges(mesh, checkpoint, connectivity);
+  connectivity.edgeTriangles =
+    invert(connectivity.triangleEdges, connectivity.edges.size(), checkpoint);
+  connectivity.pointEdges = invert(connectivity.edges, mesh.points.size(), checkpoint);
+  assignCells(mesh, checkpoint, connectivity);
+  countEdgeKinds(mesh, checkpoint, connectivity);
   connectivity.components =
     static_cast<int>(countComponents(mesh.points.size(), connectivity.edges));
   connectivity.signedVolume = signedVolume(mesh);

@@ -43,7 +43,7 @@ RunStatistics computeDistanceField(const TriangleMesh& mesh, const MeshConnectiv
 DistanceField computeDistanceField(const TriangleMesh& mesh, const Grid& grid,
   const DistanceFieldOptions& options)
 {
-  const MeshConnectivity connectivity = analyseConnectivity(mesh);
+  const MeshConnectivity connectivity = analyseConnectivity(mesh, options.execution);
   validateGrid(grid);
   DistanceField field;
   field.grid = grid;

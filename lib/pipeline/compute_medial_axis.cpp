@@ -238,7 +238,7 @@ MedialAxis computeMedialAxis(const TriangleMesh& mesh, const MeshConnectivity& c
 MedialAxis computeMedialAxis(const TriangleMesh& mesh, const Grid& grid,
   const MedialAxisOptions& options)
 {
-  return computeMedialAxis(mesh, analyseConnectivity(mesh), grid, options);
+  return computeMedialAxis(mesh, analyseConnectivity(mesh, options.field.execution), grid, options);
 }
 
 } // namespace medial

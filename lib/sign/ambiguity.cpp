@@ -14,8 +14,12 @@ namespace medial
 namespace
 {
 
-constexpr int kMaxPoints = 16;
-constexpr double kPrecision = 0.01;
+/// Points along each axis: few where they leave no doubt.
+constexpr int kFewPoints = 8;
+constexpr int kManyPoints = 16;
+constexpr double kNoDoubt = 0.05;
+/// Farther than this from 1/2, winding numbers tell inside from outside.
+constexpr double kAmbiguous = 0.25;
 
 /// Takes every n-th point of a grid, from the middle of the first n on.
 struct Sample
@@ -23,12 +27,12 @@ struct Sample
   GridFrame frame;
   Extent extent;
 
-  Sample(const GridFrame& whole, const Grid& grid)
+  Sample(const GridFrame& whole, const Grid& grid, int maxPoints)
     : frame(whole)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      const int stride = (grid.dimensions[axis] + kMaxPoints - 1) / kMaxPoints;
+      const int stride = (grid.dimensions[axis] + maxPoints - 1) / maxPoints;
       frame.first[axis] += 0.5 * (stride - 1) * whole.step[axis];
       frame.step[axis] *= stride;
       extent.max[axis] = std::max(1, grid.dimensions[axis] / stride) - 1;
@@ -36,17 +40,30 @@ struct Sample
   }
 };
 
-bool isAmbiguous(double winding)
+/// Whether the winding number of an open surface is between 1/4 and 3/4.
+/// @param closed winding number of the closed surface.
+bool isAmbiguous(int closed, const WindingNumber& lids, const glm::dvec3& point)
 {
-  return std::abs(winding - 0.5) < 0.25;
+  for (const double tolerance : { 1e-2, 1e-3, 1e-4, 0.0 })
+  {
+    const Interval w = lids.bounds(point, tolerance);
+    const double low = closed - 0.5 - w.high;
+    const double high = closed - 0.5 - w.low;
+    if (low >= kAmbiguous || high <= -kAmbiguous)
+    {
+      return false;
+    }
+    if (low > -kAmbiguous && high < kAmbiguous)
+    {
+      return true;
+    }
+  }
+  return false; // on the border
 }
 
-} // namespace
-
-double ambiguousShare(const TriangleChain& closed, const Lids& lids, const GridFrame& frame,
-  const Grid& grid, const Checkpoint& checkpoint)
+double shareOf(const Sample& sample, const TriangleChain& closed, const WindingNumber& lids,
+  const Checkpoint& checkpoint)
 {
-  const Sample sample(frame, grid);
   const std::vector<SliceCrossings> slices = rowCrossings(closed, sample.frame, sample.extent);
   std::atomic<std::int64_t> ambiguous{ 0 };
   tbb::parallel_for(0, sample.extent.size(2),
@@ -63,8 +80,7 @@ double ambiguousShare(const TriangleChain& closed, const Lids& lids, const GridF
           {
             winding += next->change;
           }
-          const double lid = lids.at(sample.frame.sample({ i, j, k }), kPrecision);
-          ambiguous += isAmbiguous(winding - lid) ? 1 : 0;
+          ambiguous += isAmbiguous(winding, lids, sample.frame.sample({ i, j, k })) ? 1 : 0;
         }
         for (; next != slices[k].end() && next->row == j; ++next)
         {
@@ -72,6 +88,16 @@ double ambiguousShare(const TriangleChain& closed, const Lids& lids, const GridF
       }
     });
   return static_cast<double>(ambiguous) / static_cast<double>(sample.extent.pointCount());
+}
+
+} // namespace
+
+double ambiguousShare(const TriangleChain& closed, const WindingNumber& lids,
+  const GridFrame& frame, const Grid& grid, const Checkpoint& checkpoint)
+{
+  const double share = shareOf(Sample(frame, grid, kFewPoints), closed, lids, checkpoint);
+  return share > kNoDoubt ? share
+                          : shareOf(Sample(frame, grid, kManyPoints), closed, lids, checkpoint);
 }
 
 } // namespace medial

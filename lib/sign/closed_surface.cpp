@@ -3,19 +3,10 @@
 namespace medial
 {
 
-TriangleChain ClosedSurface::lid(std::size_t index) const
+TriangleChain ClosedSurface::lids() const
 {
-  TriangleChain result;
-  for (std::size_t t = lidOffsets[index]; t < lidOffsets[index + 1]; ++t)
-  {
-    const auto first = static_cast<int>(result.points.size());
-    for (const glm::dvec3& corner : chain.cornersOf(chain.triangles[t]))
-    {
-      result.points.push_back(corner);
-    }
-    result.triangles.push_back({ { first, first + 1, first + 2 }, chain.triangles[t].weight });
-  }
-  return result;
+  const auto first = chain.triangles.begin() + static_cast<std::ptrdiff_t>(firstLid);
+  return { chain.points, { first, chain.triangles.end() } };
 }
 
 TriangleChain chainOf(const TriangleMesh& mesh, const SurfaceOrientation& orientation,
@@ -40,19 +31,13 @@ TriangleChain chainOf(const TriangleMesh& mesh, const SurfaceOrientation& orient
 ClosedSurface closeSurface(const TriangleMesh& mesh, const SurfaceOrientation& orientation,
   const LocalCoordinates& local)
 {
-  ClosedSurface surface{ chainOf(mesh, orientation, local), {} };
+  ClosedSurface surface;
+  surface.chain = chainOf(mesh, orientation, local);
   TriangleChain& chain = surface.chain;
-  surface.lidOffsets.push_back(chain.triangles.size());
-  for (const Lid& lid : lidsOf(orientation.rim, chain.points))
-  {
-    const auto tip = static_cast<int>(chain.points.size());
-    chain.points.push_back(lid.tip);
-    for (const RimEdge& edge : lid.rim)
-    {
-      chain.triangles.push_back({ { edge.to, edge.from, tip }, edge.weight });
-    }
-    surface.lidOffsets.push_back(chain.triangles.size());
-  }
+  surface.firstLid = chain.triangles.size();
+  const std::vector<WeightedTriangle> lids = lidsOf(orientation.rim);
+  chain.triangles.insert(chain.triangles.end(), lids.begin(), lids.end());
+  surface.holes = countHoles(orientation.rim);
   return surface;
 }
 

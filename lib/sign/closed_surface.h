@@ -8,18 +8,11 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace medial
 {
-
-/// A triangle that counts `weight` times, as seen from the side where its corners run
-/// counterclockwise.
-struct WeightedTriangle
-{
-  std::array<int, 3> corners;
-  int weight;
-};
 
 /// Weighted triangles and their points in local coordinates.
 struct TriangleChain
@@ -38,13 +31,12 @@ struct TriangleChain
 /// none of them has a winding number that is an integer.
 struct ClosedSurface
 {
-  TriangleChain chain; ///< the triangles of the surface, then those of the lids
-  /// First triangle of every lid, and the end.
-  std::vector<std::size_t> lidOffsets;
+  TriangleChain chain;      ///< the triangles of the surface, then those of the lids
+  std::size_t firstLid = 0; ///< first triangle of the lids
+  std::int64_t holes = 0;   ///< connected pieces of the rim
 
-  std::size_t lidCount() const { return lidOffsets.size() - 1; }
-  /// Returns the triangles of one lid; the first two corners of each are on the rim.
-  TriangleChain lid(std::size_t index) const;
+  /// Returns the triangles of the lids.
+  TriangleChain lids() const;
 };
 
 /// Returns the triangles of a surface, as they count.

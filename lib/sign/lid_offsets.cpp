@@ -5,9 +5,9 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
-#include <tuple>
 
 namespace medial
 {
@@ -15,67 +15,111 @@ namespace
 {
 
 /// Boxes that the search starts with, points a side.
-constexpr int kBlock = 16;
+constexpr int kBlock = 32;
+/// Largest error of a group of triangles or a triangle that counts as far.
+constexpr double kTolerance = 1e-3;
+/// Errors are made smaller by this factor, down to this one, where points are uncertain.
+constexpr double kRefinement = 4.0;
+constexpr double kMinTolerance = 1e-7;
+/// Rounding of a sum.
+constexpr double kRounding = 1e-9;
 
 int nearest(double value)
 {
   return static_cast<int>(std::floor(value + 0.5));
 }
 
-/// A row of a box of grid points, with k at its first point.
-struct OffsetRow
+/// Points of a row that follow each other and have the same k, which is not 0.
+struct OffsetRun
 {
   glm::ivec3 first;
   int end; ///< index along x after the last point
   int k;
-  bool crossed; ///< whether lids pass through the row, so that k changes with W
 };
 
-/// Finds the rows in which k is not 0 for all points.
+using Indices = std::array<glm::ivec3, SolidAngleSums::kPoints>;
+using Numbers = std::array<int, SolidAngleSums::kPoints>;
+
+/// Values as the nearest integers, halves upwards.
+struct Rounding
+{
+  Numbers values;
+  bool certain = true; ///< whether the error does not matter
+
+  Rounding(const SolidAngleSums::Values& exact, double error)
+  {
+    for (int i = 0; i < SolidAngleSums::kPoints; ++i)
+    {
+      values[i] = nearest(exact[i]);
+      certain = certain && nearest(exact[i] - error - kRounding) == values[i] &&
+        nearest(exact[i] + error + kRounding) == values[i];
+    }
+  }
+};
+
+/// Finds the runs of grid points at which k is not 0.
 class OffsetSearch
 {
 public:
-  OffsetSearch(const Lids& lids, const GridFrame& frame, std::vector<OffsetRow>& found)
+  OffsetSearch(const WindingNumber& lids, const GridFrame& frame, const Checkpoint& checkpoint,
+    std::vector<OffsetRun>& found)
     : lids_(lids)
     , frame_(frame)
+    , checkpoint_(checkpoint)
     , found_(found)
   {
   }
 
-  void search(const Extent& box, const Lids::View& outer)
+  void search(const Extent& box, const WindingNumber::View& outer)
   {
-    const glm::dvec3 low = this->sample({ box.min[0], box.min[1], box.min[2] });
-    const glm::dvec3 high = this->sample({ box.max[0], box.max[1], box.max[2] });
-    const Lids::View view = lids_.look(outer, 0.5 * (low + high), 0.5 * glm::distance(low, high));
-    if (box.pointCount() == 1)
+    checkpoint_();
+    const glm::dvec3 low = this->sample(box.min);
+    const glm::dvec3 high = this->sample(box.max);
+    const glm::dvec3 centre = 0.5 * (low + high);
+    const double radius = 0.5 * glm::distance(low, high);
+    if (box.pointCount() <= SolidAngleSums::kPoints)
     {
-      this->addBox(box, lids_.rounded(view, low));
+      this->addPoints(box, lids_.lookClosely(outer, centre, radius, kTolerance));
       return;
     }
-    const Interval w = lids_.smoothBounds(view);
-    if (std::floor(w.low + 0.5) == std::floor(w.high + 0.5))
+    const WindingNumber::View view = lids_.look(outer, centre, radius, kTolerance);
+    const Interval w = lids_.bounds(view);
+    if (std::floor(w.low + 0.5 - kRounding) == std::floor(w.high + 0.5 + kRounding))
     {
-      if (lids_.mayMeet(view))
-      {
-        this->addCrossed(box, view, 0.5 * (w.low + w.high));
-      }
-      else
-      {
-        this->addBox(box, nearest(w.low));
-      }
+      this->addBox(box, nearest(w.low));
       return;
     }
-    const int axis = longestAxis(box);
-    Extent half = box;
-    half.max[axis] = box.min[axis] + box.size(axis) / 2 - 1;
-    this->search(half, view);
-    half.min[axis] = half.max[axis] + 1;
-    half.max[axis] = box.max[axis];
-    this->search(half, view);
+    const int longest = box.size(longestAxis(box));
+    this->searchParts(box, longest, 0, view);
   }
 
 private:
-  glm::dvec3 sample(const glm::ivec3& point) const { return frame_.sample(point); }
+  glm::dvec3 sample(const std::array<int, 3>& point) const
+  {
+    return frame_.sample({ point[0], point[1], point[2] });
+  }
+
+  /// Halves a box along its long axes.
+  void searchParts(const Extent& box, int longest, int axis, const WindingNumber::View& view)
+  {
+    if (axis == 3)
+    {
+      this->search(box, view);
+      return;
+    }
+    const int size = box.size(axis);
+    if (2 * size <= longest)
+    {
+      this->searchParts(box, longest, axis + 1, view);
+      return;
+    }
+    Extent half = box;
+    half.max[axis] = box.min[axis] + size / 2 - 1;
+    this->searchParts(half, longest, axis + 1, view);
+    half.min[axis] = half.max[axis] + 1;
+    half.max[axis] = box.max[axis];
+    this->searchParts(half, longest, axis + 1, view);
+  }
 
   void addBox(const Extent& box, int k)
   {
@@ -83,29 +127,61 @@ private:
     {
       for (int y = box.min[1]; y <= box.max[1]; ++y)
       {
-        found_.push_back({ { box.min[0], y, z }, box.max[0] + 1, k, false });
+        found_.push_back({ { box.min[0], y, z }, box.max[0] + 1, k });
       }
     }
   }
 
-  /// Adds the rows of a box through which lids pass.
-  /// @param smooth middle of the values of w in the box, but for its jumps.
-  void addCrossed(const Extent& box, const Lids::View& view, double smooth)
+  /// Looks at the points of a box singly.
+  /// @param view close view of the box.
+  void addPoints(const Extent& box, const WindingNumber::View& view)
   {
+    Indices indices;
+    int count = 0;
     for (int z = box.min[2]; z <= box.max[2]; ++z)
     {
       for (int y = box.min[1]; y <= box.max[1]; ++y)
       {
-        const glm::ivec3 first(box.min[0], y, z);
-        const int jump = nearest(lids_.roughly(view, this->sample(first)) - smooth);
-        found_.push_back({ first, box.max[0] + 1, nearest(smooth) + jump, true });
+        for (int x = box.min[0]; x <= box.max[0]; ++x)
+        {
+          indices[count++] = { x, y, z };
+        }
+      }
+    }
+    std::fill(indices.begin() + count, indices.end(), indices.front());
+    const Numbers k = this->rounded(view, indices);
+    for (int i = 0; i < count; ++i)
+    {
+      if (k[i] != 0)
+      {
+        found_.push_back({ indices[i], indices[i].x + 1, k[i] });
       }
     }
   }
 
-  const Lids& lids_;
+  /// Returns w at grid points in the ball of a close view, rounded. Bounds are refined until only
+  /// one integer is left; near a half all triangles are summed one by one.
+  Numbers rounded(WindingNumber::View view, const Indices& indices) const
+  {
+    SolidAngleSums::Points points;
+    std::transform(indices.begin(), indices.end(), points.begin(),
+      [this](const glm::ivec3& index) { return frame_.sample(index); });
+    for (double tolerance = kTolerance / kRefinement;; tolerance /= kRefinement)
+    {
+      const Rounding rounding(lids_.at(view, points), view.far.error);
+      if (rounding.certain || tolerance < kMinTolerance / kRefinement)
+      {
+        return rounding.values;
+      }
+      view = lids_.lookClosely(lids_.everything(), view.far.centre, view.far.radius,
+        tolerance < kMinTolerance ? 0.0 : tolerance);
+    }
+  }
+
+  const WindingNumber& lids_;
   GridFrame frame_;
-  std::vector<OffsetRow>& found_;
+  const Checkpoint& checkpoint_;
+  std::vector<OffsetRun>& found_;
 };
 
 std::vector<Extent> blocksOf(const Extent& extent)
@@ -130,57 +206,23 @@ std::vector<Extent> blocksOf(const Extent& extent)
   return blocks;
 }
 
-/// Adds the changes of -k along a row.
-/// @param lids where rows of the slice pass through lids.
-void addChanges(const OffsetRow& row, const SliceCrossings& lids, SliceCrossings& slice)
-{
-  const int y = row.first.y;
-  int k = row.k;
-  slice.push_back({ y, row.first.x, -k });
-  if (row.crossed)
-  {
-    auto crossing = std::upper_bound(lids.begin(), lids.end(), RowCrossing{ y, row.first.x, 0 },
-      [](const RowCrossing& a, const RowCrossing& b)
-      { return std::tie(a.row, a.point) < std::tie(b.row, b.point); });
-    for (; crossing != lids.end() && crossing->row == y && crossing->point < row.end; ++crossing)
-    {
-      slice.push_back({ y, crossing->point, -crossing->change });
-      k += crossing->change;
-    }
-  }
-  slice.push_back({ y, row.end, k });
-}
-
-TriangleChain lidsOnly(const ClosedSurface& surface)
-{
-  TriangleChain lids{ surface.chain.points, {} };
-  lids.triangles.assign(surface.chain.triangles.begin() +
-      static_cast<std::ptrdiff_t>(surface.lidOffsets.front()),
-    surface.chain.triangles.end());
-  return lids;
-}
-
 } // namespace
 
-void subtractLids(const ClosedSurface& surface, const Lids& lids, const GridFrame& frame,
-  const Extent& extent, const Checkpoint& checkpoint, std::vector<SliceCrossings>& slices)
+void subtractLids(const WindingNumber& lids, const GridFrame& frame, const Extent& extent,
+  const Checkpoint& checkpoint, std::vector<SliceCrossings>& slices)
 {
-  const std::vector<SliceCrossings> crossings = rowCrossings(lidsOnly(surface), frame, extent);
   const std::vector<Extent> blocks = blocksOf(extent);
-  const Lids::View everything = lids.everything();
-  std::vector<std::vector<OffsetRow>> found(blocks.size());
+  std::vector<std::vector<OffsetRun>> found(blocks.size());
   tbb::parallel_for(std::size_t{ 0 }, blocks.size(),
     [&](std::size_t b)
-    {
-      checkpoint();
-      OffsetSearch(lids, frame, found[b]).search(blocks[b], everything);
-    });
-  for (const std::vector<OffsetRow>& rows : found)
+    { OffsetSearch(lids, frame, checkpoint, found[b]).search(blocks[b], lids.everything()); });
+  for (const std::vector<OffsetRun>& runs : found)
   {
-    for (const OffsetRow& row : rows)
+    for (const OffsetRun& run : runs)
     {
-      const int slice = row.first.z - extent.min[2];
-      addChanges(row, crossings[slice], slices[slice]);
+      SliceCrossings& slice = slices[run.first.z - extent.min[2]];
+      slice.push_back({ run.first.y, run.first.x, -run.k });
+      slice.push_back({ run.first.y, run.end, run.k });
     }
   }
   tbb::parallel_for(std::size_t{ 0 }, slices.size(),

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <glm/glm.hpp>
-
+#include <array>
+#include <cstdint>
 #include <vector>
 
 namespace medial
@@ -15,15 +15,20 @@ struct RimEdge
   int weight; ///< how often the triangles run from `from` to `to`, > 0
 };
 
-/// A cone over a connected piece of a rim, which closes a hole.
-struct Lid
+/// A triangle that counts `weight` times, as seen from the side where its corners run
+/// counterclockwise.
+struct WeightedTriangle
 {
-  glm::dvec3 tip; ///< the middle of the piece's points
-  std::vector<RimEdge> rim;
+  std::array<int, 3> corners;
+  int weight;
 };
 
-/// Closes the holes of a surface, one lid for each connected piece of the rim.
-/// @param points of the surface, by the ids of the rim's edges.
-std::vector<Lid> lidsOf(const std::vector<RimEdge>& rim, const std::vector<glm::dvec3>& points);
+/// Closes the holes of a surface: splits the rim into loops, and each loop in the middle, time and
+/// again, so that most triangles are small and near the rim. Together with them the surface has no
+/// rim.
+std::vector<WeightedTriangle> lidsOf(const std::vector<RimEdge>& rim);
+
+/// Returns the number of connected pieces of a rim.
+std::int64_t countHoles(const std::vector<RimEdge>& rim);
 
 } // namespace medial

@@ -16,17 +16,15 @@ namespace
 
 /// Auto gives up the sign if the winding number is ambiguous at a larger share of the grid.
 constexpr double kMaxAmbiguousShare = 0.01;
-/// The time grows with the holes, and a soup of single triangles has no inside: Auto closes at most
-/// so many edges of holes, and above the smaller number at most this share of the triangles.
-constexpr std::int64_t kMaxRimEdges = 10000;
+/// A soup of single triangles has no inside: Auto closes at most this many edges of holes for each
+/// triangle, but few in any case.
 constexpr std::int64_t kFewRimEdges = 1000;
 constexpr double kMaxRimShare = 0.5;
 
 bool isTorn(std::int64_t rimEdges, std::size_t triangles)
 {
-  return rimEdges > kMaxRimEdges ||
-    (rimEdges > kFewRimEdges &&
-      static_cast<double>(rimEdges) > kMaxRimShare * static_cast<double>(triangles));
+  return rimEdges > kFewRimEdges &&
+    static_cast<double>(rimEdges) > kMaxRimShare * static_cast<double>(triangles);
 }
 
 /// Grid points are taken this far from where they are, local units: symmetric meshes have faces and
@@ -117,12 +115,12 @@ void SignChoice::wind(SignMethod requested, const TriangleMesh& mesh,
     return;
   }
   surface_ = closeSurface(mesh, orientation, frame_);
-  report_.holes = static_cast<std::int64_t>(surface_.lidCount());
+  report_.holes = surface_.holes;
   report_.copies = orientation.copies;
   report_.turned = orientation.turned;
-  if (surface_.lidCount() > 0)
+  if (surface_.holes > 0)
   {
-    lids_ = std::make_unique<Lids>(surface_);
+    lids_ = std::make_unique<WindingNumber>(surface_.lids());
     report_.ambiguousShare = ambiguousShare(surface_.chain, *lids_, frame_, grid, checkpoint_);
   }
   const bool clear = report_.ambiguousShare <= kMaxAmbiguousShare;
@@ -144,7 +142,7 @@ std::optional<InsideRows> SignChoice::insideRows(const Extent& extent) const
   std::vector<SliceCrossings> slices = rowCrossings(surface_.chain, frame_, extent);
   if (lids_)
   {
-    subtractLids(surface_, *lids_, frame_, extent, checkpoint_, slices);
+    subtractLids(*lids_, frame_, extent, checkpoint_, slices);
   }
   return InsideRows(extent, slices);
 }

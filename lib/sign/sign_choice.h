@@ -7,8 +7,8 @@
 #include "medial/triangle_mesh.h"
 #include "sign/closed_surface.h"
 #include "sign/inside_rows.h"
-#include "sign/lids.h"
 #include "sign/surface_orientation.h"
+#include "sign/winding_number.h"
 #include "sites/grid_frame.h"
 
 #include <cstdint>
@@ -44,7 +44,7 @@ private:
   SignReport report_;
   ClosedSurface surface_;
   std::vector<std::int8_t> directions_;
-  std::unique_ptr<Lids> lids_; ///< null if there are none
+  std::unique_ptr<WindingNumber> lids_; ///< null if there are none
 };
 
 } // namespace medial

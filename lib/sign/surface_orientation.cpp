@@ -157,13 +157,10 @@ private:
       const auto& [a, b, c] = mesh_.triangles[t];
       visit(CountedTriangle{ { points_[a], points_[b], points_[c] }, patches_.senses[t] }, false);
     }
-    for (const Lid& lid : lidsOf(solids_[patch].rim, points_))
+    for (const WeightedTriangle& lid : lidsOf(solids_[patch].rim))
     {
-      for (const RimEdge& edge : lid.rim)
-      {
-        visit(CountedTriangle{ { points_[edge.to], points_[edge.from], lid.tip }, edge.weight },
-          true);
-      }
+      const auto& [a, b, c] = lid.corners;
+      visit(CountedTriangle{ { points_[a], points_[b], points_[c] }, lid.weight }, true);
     }
   }
 

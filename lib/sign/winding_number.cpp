@@ -4,195 +4,242 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numeric>
-#include <utility>
+#include <cstdlib>
 
 namespace medial
 {
 namespace
 {
 
-constexpr double kPi = 3.14159265358979323846;
-constexpr double kFirstDerivative = 2.449489742783178; // square root of 6
+/// Triangles in a leaf of the tree.
+constexpr int kLeafSize = 4;
+/// Groups are opened where they are larger than this many radii of the ball.
+constexpr double kOpenAbove = 0.5;
+/// Larger errors are not worth a look.
+constexpr double kMaxError = 0.5;
+/// Rounding of a sum.
+constexpr double kRounding = 1e-9;
+
 } // namespace
 
-double solidAngle(const std::array<glm::dvec3, 3>& corners, const glm::dvec3& from)
+WindingNumber::WindingNumber(const TriangleChain& chain)
 {
-  const glm::dvec3 a = corners[0] - from;
-  const glm::dvec3 b = corners[1] - from;
-  const glm::dvec3 c = corners[2] - from;
-  const double la = glm::length(a);
-  const double lb = glm::length(b);
-  const double lc = glm::length(c);
-  const double cosines =
-    la * lb * lc + glm::dot(a, b) * lc + glm::dot(b, c) * la + glm::dot(c, a) * lb;
-  const double volume = glm::dot(a, glm::cross(b, c));
-  // In the plane of the triangle the angle is taken as none.
-  return volume == 0.0 ? 0.0 : std::atan2(volume, cosines) / (2.0 * kPi);
-}
-
-/// The solid angle of a group over 4 pi as that of a dipole in its middle.
-struct WindingNumber::Dipole
-{
-  glm::dvec3 areaVector;
-  glm::dvec3 offset; ///< from the point to the middle
-  double distance;
-
-  Dipole(const glm::dvec3& vector, const glm::dvec3& toMiddle)
-    : areaVector(vector)
-    , offset(toMiddle)
-    , distance(glm::length(toMiddle))
+  for (const WeightedTriangle& weighted : chain.triangles)
   {
+    Triangle triangle;
+    triangle.corners = chain.cornersOf(weighted);
+    triangle.weight = weighted.weight;
+    const auto& [a, b, c] = triangle.corners;
+    triangle.area = 0.5 * glm::length(glm::cross(b - a, c - a));
+    triangle.middle = (a + b + c) / 3.0;
+    triangle.radius = std::max({ glm::distance(a, triangle.middle),
+      glm::distance(b, triangle.middle), glm::distance(c, triangle.middle) });
+    // What has no area has no solid angle.
+    if (triangle.area > 0.0)
+    {
+      triangles_.push_back(triangle);
+    }
   }
-
-  double value() const
+  if (!triangles_.empty())
   {
-    return glm::dot(areaVector, offset) / (4.0 * kPi * distance * distance * distance);
-  }
-  glm::dvec3 gradient() const
-  {
-    const double square = distance * distance;
-    return (3.0 * glm::dot(areaVector, offset) / square * offset - areaVector) /
-      (4.0 * kPi * square * distance);
-  }
-};
-
-/// Bounds the difference between a group and its dipole with the gradient, inside a ball: terms of
-/// first order in the group's extent have the moment, those of second order do not cancel out.
-/// @param gap between the ball and the group, > 0.
-double WindingNumber::dipoleError(const Node& node, double gap, double radius)
-{
-  const double reach = node.radius + radius;
-  return (kFirstDerivative * node.moment + 3.0 * node.area * reach * reach / gap) /
-    (4.0 * kPi * gap * gap * gap);
-}
-
-WindingNumber::WindingNumber(TriangleChain chain)
-  : chain_(std::move(chain))
-{
-  std::vector<int> all(chain_.triangles.size());
-  std::iota(all.begin(), all.end(), 0);
-  nodes_.reserve(2 * all.size());
-  if (!all.empty())
-  {
-    this->build(all.data(), all.data() + all.size());
+    this->build(0, static_cast<int>(triangles_.size()));
   }
 }
 
-int WindingNumber::build(int* begin, int* end)
+int WindingNumber::build(int begin, int end)
 {
-  const auto index = static_cast<int>(nodes_.size());
-  Node node;
-  this->measure(begin, end, node);
-  nodes_.push_back(node);
-  if (end - begin == 1)
+  const auto index = static_cast<int>(groups_.size());
+  groups_.emplace_back();
+  Group group;
+  group.begin = begin;
+  group.end = end;
+  if (end - begin <= kLeafSize)
   {
-    nodes_[index].triangle = *begin;
+    group.multipole = Multipole::ofTriangle(triangles_[begin].corners, triangles_[begin].weight);
+    for (int t = begin + 1; t < end; ++t)
+    {
+      group.multipole = Multipole::ofBoth(group.multipole,
+        Multipole::ofTriangle(triangles_[t].corners, triangles_[t].weight));
+    }
   }
   else
   {
     glm::dvec3 low(HUGE_VAL);
     glm::dvec3 high(-HUGE_VAL);
-    for (const int* t = begin; t != end; ++t)
+    for (int t = begin; t < end; ++t)
     {
-      low = glm::min(low, this->middle(*t));
-      high = glm::max(high, this->middle(*t));
+      low = glm::min(low, triangles_[t].middle);
+      high = glm::max(high, triangles_[t].middle);
     }
-    const glm::dvec3 size = high - low;
-    const int axis = longestAxis(size);
-    int* half = begin + (end - begin) / 2;
-    std::nth_element(begin, half, end,
-      [&](int a, int b) {
-        return std::make_pair(this->middle(a)[axis], a) < std::make_pair(this->middle(b)[axis], b);
-      });
-    this->build(begin, half);
-    this->build(half, end);
+    const int axis = longestAxis(high - low);
+    const int middle = begin + (end - begin) / 2;
+    std::nth_element(triangles_.begin() + begin, triangles_.begin() + middle,
+      triangles_.begin() + end,
+      [axis](const Triangle& a, const Triangle& b) { return a.middle[axis] < b.middle[axis]; });
+    const int first = this->build(begin, middle);
+    group.half = this->build(middle, end);
+    group.multipole = Multipole::ofBoth(groups_[first].multipole, groups_[group.half].multipole);
   }
-  nodes_[index].next = static_cast<int>(nodes_.size());
+  for (int t = begin; t < end; ++t)
+  {
+    for (const glm::dvec3& corner : triangles_[t].corners)
+    {
+      group.radius = std::max(group.radius, glm::distance(corner, group.multipole.middle));
+    }
+  }
+  groups_[index] = group;
   return index;
 }
 
-glm::dvec3 WindingNumber::areaVector(const WeightedTriangle& triangle) const
+WindingNumber::View WindingNumber::everything() const
 {
-  const auto [a, b, c] = chain_.cornersOf(triangle);
-  return 0.5 * static_cast<double>(triangle.weight) * glm::cross(b - a, c - a);
-}
-
-glm::dvec3 WindingNumber::middle(int triangle) const
-{
-  const auto [a, b, c] = chain_.cornersOf(chain_.triangles[triangle]);
-  return (a + b + c) / 3.0;
-}
-
-void WindingNumber::measure(const int* begin, const int* end, Node& node) const
-{
-  glm::dvec3 weighted(0.0);
-  glm::dvec3 sum(0.0);
-  for (const int* t = begin; t != end; ++t)
+  View view;
+  view.far.radius = HUGE_VAL;
+  if (!groups_.empty())
   {
-    const glm::dvec3 vector = this->areaVector(chain_.triangles[*t]);
-    const double area = glm::length(vector);
-    node.areaVector += vector;
-    node.area += area;
-    weighted += area * this->middle(*t);
-    sum += this->middle(*t);
+    view.near.push_back(0);
+    view.nearError = HUGE_VAL;
   }
-  node.middle = node.area > 0.0 ? weighted / node.area : sum / static_cast<double>(end - begin);
-  glm::dmat3 moment(0.0);
-  for (const int* t = begin; t != end; ++t)
+  return view;
+}
+
+double WindingNumber::errorOf(int item, const LocalExpansion& far, double tolerance) const
+{
+  if (item < 0)
   {
-    const WeightedTriangle& triangle = chain_.triangles[*t];
-    moment += glm::outerProduct(this->areaVector(triangle), this->middle(*t) - node.middle);
-    for (const glm::dvec3& corner : chain_.cornersOf(triangle))
+    const Triangle& triangle = triangles_[-1 - item];
+    const double weight = std::abs(triangle.weight);
+    const double distance = glm::distance(triangle.middle, far.centre);
+    // The gap is somewhere between the first two.
+    if (weight * triangleError(triangle.area, distance, far.radius) > tolerance)
     {
-      node.radius = std::max(node.radius, glm::distance(corner, node.middle));
+      return HUGE_VAL;
+    }
+    const double error =
+      weight * triangleError(triangle.area, distance - triangle.radius, far.radius);
+    return error <= tolerance ? error
+                              : weight *
+        triangleError(triangle.area, distanceToTriangle(triangle.corners, far.centre), far.radius);
+  }
+  const Group& group = groups_[item];
+  return group.multipole.errorAt(glm::distance(group.multipole.middle, far.centre),
+    group.radius + far.radius);
+}
+
+bool WindingNumber::isOpened(int item, double radius, bool closely) const
+{
+  return item >= 0 && (closely || groups_[item].radius > kOpenAbove * radius);
+}
+
+void WindingNumber::add(int item, LocalExpansion& far) const
+{
+  if (item < 0)
+  {
+    addTriangle(triangles_[-1 - item].corners, triangles_[-1 - item].weight, far);
+  }
+  else
+  {
+    groups_[item].multipole.addTo(far);
+  }
+}
+
+WindingNumber::View WindingNumber::look(const View& outer, const glm::dvec3& centre, double radius,
+  double tolerance, bool closely) const
+{
+  View view;
+  view.far = outer.far.movedTo(centre, radius);
+  constexpr std::size_t kUsual = 64;
+  view.near.reserve(kUsual);
+  std::vector<int> rest;
+  rest.reserve(outer.near.size() + kUsual);
+  rest.assign(outer.near.rbegin(), outer.near.rend());
+  while (!rest.empty())
+  {
+    const int item = rest.back();
+    rest.pop_back();
+    const double error = tolerance > 0.0 && (item >= 0 || !closely)
+      ? this->errorOf(item, view.far, view.nearError < kMaxError ? kMaxError : tolerance)
+      : HUGE_VAL;
+    if (error <= tolerance)
+    {
+      this->add(item, view.far);
+      view.far.error += error;
+    }
+    else if (!this->isOpened(item, radius, closely))
+    {
+      view.near.push_back(item);
+      view.nearError += error;
+    }
+    else if (groups_[item].half == 0)
+    {
+      for (int t = groups_[item].end - 1; t >= groups_[item].begin; --t)
+      {
+        rest.push_back(-1 - t);
+      }
+    }
+    else
+    {
+      rest.push_back(groups_[item].half);
+      rest.push_back(item + 1);
     }
   }
-  node.moment = std::sqrt(glm::dot(moment[0], moment[0]) + glm::dot(moment[1], moment[1]) +
-    glm::dot(moment[2], moment[2]));
+  return view;
+}
+
+WindingNumber::View WindingNumber::look(const View& outer, const glm::dvec3& centre, double radius,
+  double tolerance) const
+{
+  return this->look(outer, centre, radius, tolerance, false);
+}
+
+WindingNumber::View WindingNumber::lookClosely(const View& outer, const glm::dvec3& centre,
+  double radius, double tolerance) const
+{
+  return this->look(outer, centre, radius, tolerance, true);
+}
+
+Interval WindingNumber::bounds(const View& view) const
+{
+  if (view.far.error + view.nearError >= kMaxError)
+  {
+    return { -HUGE_VAL, HUGE_VAL };
+  }
+  LocalExpansion all = view.far;
+  all.error += view.nearError;
+  for (const int item : view.near)
+  {
+    this->add(item, all);
+  }
+  return all.bounds();
+}
+
+SolidAngleSums::Values WindingNumber::at(const View& view,
+  const SolidAngleSums::Points& points) const
+{
+  SolidAngleSums near(points);
+  for (const int item : view.near)
+  {
+    near.add(triangles_[-1 - item].corners, triangles_[-1 - item].weight);
+  }
+  SolidAngleSums::Values values;
+  for (int i = 0; i < SolidAngleSums::kPoints; ++i)
+  {
+    values[i] = view.far.at(points[i]) + near.at(i);
+  }
+  return values;
 }
 
 Interval WindingNumber::bounds(const glm::dvec3& point, double tolerance) const
 {
-  double value = 0.0;
-  double error = 0.0;
-  for (int index = 0; index < static_cast<int>(nodes_.size());)
+  const View view = this->lookClosely(this->everything(), point, 0.0, tolerance);
+  double value = view.far.value;
+  for (const int item : view.near)
   {
-    const Node& node = nodes_[index];
-    if (node.triangle >= 0)
-    {
-      const WeightedTriangle& triangle = chain_.triangles[node.triangle];
-      value += triangle.weight * solidAngle(chain_.cornersOf(triangle), point);
-      ++index;
-      continue;
-    }
-    const Dipole dipole(node.areaVector, node.middle - point);
-    const double gap = dipole.distance - node.radius;
-    const double difference = gap > 0.0 ? dipoleError(node, gap, 0.0) : HUGE_VAL;
-    if (difference <= tolerance)
-    {
-      value += dipole.value();
-      error += difference;
-    }
-    index = difference <= tolerance ? node.next : index + 1;
+    const Triangle& triangle = triangles_[-1 - item];
+    value += triangle.weight * solidAngle(triangle.corners, point);
   }
+  const double error = view.far.error + kRounding;
   return { value - error, value + error };
-}
-
-double WindingNumber::at(const glm::dvec3& point, double precision) const
-{
-  constexpr double kRefinement = 16.0;
-  constexpr double kMinTolerance = 1e-6;
-  for (double tolerance = 0.1 * precision; tolerance >= kMinTolerance; tolerance /= kRefinement)
-  {
-    const Interval value = this->bounds(point, tolerance);
-    if (value.high - value.low <= 2.0 * precision)
-    {
-      return 0.5 * (value.low + value.high);
-    }
-  }
-  return this->bounds(point, 0.0).low;
 }
 
 bool WindingNumber::isAboveHalf(const glm::dvec3& point) const
@@ -205,38 +252,8 @@ bool WindingNumber::isAboveHalf(const glm::dvec3& point) const
       return value.low > 0.5;
     }
   }
-  return this->bounds(point, 0.0).low > 0.5;
-}
-
-bool WindingNumber::addDipole(double tolerance, AffineBound& sum) const
-{
-  const Node& all = nodes_.front();
-  const Dipole dipole(all.areaVector, all.middle - sum.centre);
-  const double gap = dipole.distance - sum.radius - all.radius;
-  const double error = gap > 0.0 ? dipoleError(all, gap, sum.radius) : HUGE_VAL;
-  if (error > tolerance)
-  {
-    return false;
-  }
-  sum.value += dipole.value();
-  sum.gradient += dipole.gradient();
-  sum.error += error;
-  return true;
-}
-
-bool WindingNumber::mayMeet(const glm::dvec3& centre, double radius) const
-{
-  for (int index = 0; index < static_cast<int>(nodes_.size());)
-  {
-    const Node& node = nodes_[index];
-    const bool apart = glm::distance(node.middle, centre) > node.radius + radius;
-    if (!apart && node.triangle >= 0)
-    {
-      return true;
-    }
-    index = apart ? node.next : index + 1;
-  }
-  return false;
+  const Interval exact = this->bounds(point, 0.0);
+  return 0.5 * (exact.low + exact.high) > 0.5;
 }
 
 } // namespace medial

@@ -235,7 +235,7 @@ Thickness computeThickness(const TriangleMesh& mesh, const MeshConnectivity& con
 
 Thickness computeThickness(const TriangleMesh& mesh, const ThicknessOptions& options)
 {
-  return computeThickness(mesh, analyseConnectivity(mesh), options);
+  return computeThickness(mesh, analyseConnectivity(mesh, options.execution), options);
 }
 
 } // namespace medial

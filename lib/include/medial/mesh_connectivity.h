@@ -1,5 +1,6 @@
 #pragma once
 
+#include "medial/execution.h"
 #include "medial/export.h"
 #include "medial/triangle_mesh.h"
 
@@ -65,10 +66,13 @@ struct MEDIAL_EXPORT MeshConnectivity
 /// come those of the triangles that it refuses, then the segments'. The numbering depends only on
 /// the order of the mesh's lists. The time is n log n in the size of the mesh, however many
 /// triangles meet at a point.
+/// @param execution its progress stays 0 all the time, so that what comes next can begin there; one
+///   thread is used.
 /// @throws Error InvalidInput for a point id that is out of range or repeated within a triangle or
 ///   segment, for lists of cell ids of the wrong size, and for more than 2147483647 sides, ends of
-///   edges or sites; meshes from buildTriangleMesh() have none of these.
-MEDIAL_EXPORT MeshConnectivity analyseConnectivity(const TriangleMesh& mesh);
+///   edges or sites; meshes from buildTriangleMesh() have none of these. Error Cancelled.
+MEDIAL_EXPORT MeshConnectivity analyseConnectivity(const TriangleMesh& mesh,
+  const Execution& execution = {});
 
 /// Returns the volume that the triangles enclose by their orientation, world units cubed; see
 /// MeshConnectivity::signedVolume.

@@ -11,7 +11,7 @@ enum class SignMethod
 {
   /// Winding, unless the mesh leaves open what is inside: None, if it has no triangles, if its
   /// winding number is between 1/4 and 3/4 at more than 1 % of the grid points, or if its holes
-  /// have more than 10,000 edges, or more than 1,000 and half as many as there are triangles.
+  /// have more than 1,000 edges and more than half as many as there are triangles.
   Auto,
   /// Unsigned distance.
   None,

@@ -425,3 +425,44 @@ TEST(Topology, FiguresOfRealMeshes)
     EXPECT_EQ(eulerCharacteristic(mesh, connectivity), expected.euler) << expected.model;
   }
 }
+
+namespace
+{
+
+/// Cancels when it is asked for the n-th time.
+class CancelAt : public Progress
+{
+public:
+  explicit CancelAt(int call)
+    : left_(call)
+  {
+  }
+  void report(double fraction, const char* /*phase*/) override { EXPECT_EQ(fraction, 0.0); }
+  bool cancelled() override { return --left_ <= 0; }
+
+private:
+  int left_;
+};
+
+} // namespace
+
+TEST(Topology, CanBeCancelled)
+{
+  // Takes many times the 20 ms between two questions.
+  const TriangleMesh mesh = icosphere(1.0, 8);
+  for (const int call : { 1, 4 })
+  {
+    CancelAt progress(call);
+    Execution execution;
+    execution.progress = &progress;
+    try
+    {
+      analyseConnectivity(mesh, execution);
+      FAIL() << "was not cancelled";
+    }
+    catch (const Error& error)
+    {
+      EXPECT_EQ(error.code(), ErrorCode::Cancelled);
+    }
+  }
+}

@@ -1,0 +1,195 @@
+#include "sign/local_expansion.h"
+
+#include "base/simd.h"
+#include "sign/solid_angle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace medial
+{
+namespace
+{
+
+constexpr double kPi = 3.14159265358979323846;
+
+/// Returns the matrix m with m * v = cross(a, v).
+glm::dmat3 crossMatrix(const glm::dvec3& a)
+{
+  return { { 0.0, a.z, -a.y }, { -a.z, 0.0, a.x }, { a.y, -a.x, 0.0 } };
+}
+
+/// Returns the sum of (m + 1) x^m over all m > 2, x being the radius over the distance.
+double tail(double radius, double distance)
+{
+  const double gap = distance - radius;
+  return radius * radius * radius * (4.0 * distance - 3.0 * radius) /
+    (distance * distance * gap * gap);
+}
+
+} // namespace
+
+double LocalExpansion::at(const glm::dvec3& point) const
+{
+  const glm::dvec3 offset = point - centre;
+  return value + glm::dot(gradient + 0.5 * (hessian * offset), offset);
+}
+
+Interval LocalExpansion::bounds() const
+{
+  const double curvature = std::sqrt(glm::dot(hessian[0], hessian[0]) +
+    glm::dot(hessian[1], hessian[1]) + glm::dot(hessian[2], hessian[2]));
+  const double change = error + radius * (glm::length(gradient) + 0.5 * radius * curvature);
+  return { value - change, value + change };
+}
+
+LocalExpansion LocalExpansion::movedTo(const glm::dvec3& newCentre, double newRadius) const
+{
+  LocalExpansion moved = *this;
+  moved.centre = newCentre;
+  moved.radius = newRadius;
+  moved.value = this->at(newCentre);
+  moved.gradient = gradient + hessian * (newCentre - centre);
+  return moved;
+}
+
+Multipole Multipole::ofTriangle(const std::array<glm::dvec3, 3>& corners, int weight)
+{
+  const auto& [a, b, c] = corners;
+  Multipole result;
+  result.middle = (a + b + c) / 3.0;
+  result.areaVector = 0.5 * weight * glm::cross(b - a, c - a);
+  result.area = glm::length(result.areaVector);
+  glm::dmat3 spread(0.0);
+  for (const glm::dvec3& corner : corners)
+  {
+    const glm::dvec3 offset = corner - result.middle;
+    spread += glm::outerProduct(offset, offset) / 12.0;
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    result.second[i] = spread * result.areaVector[i];
+  }
+  return result;
+}
+
+Multipole Multipole::ofBoth(const Multipole& a, const Multipole& b)
+{
+  Multipole result;
+  result.area = a.area + b.area;
+  result.areaVector = a.areaVector + b.areaVector;
+  result.middle = (a.area * a.middle + b.area * b.middle) / result.area;
+  for (const Multipole* part : { &a, &b })
+  {
+    const glm::dvec3 shift = part->middle - result.middle;
+    const glm::dmat3 outer = glm::outerProduct(part->areaVector, shift);
+    result.first += part->first + 0.5 * (outer + glm::transpose(outer));
+    for (int i = 0; i < 3; ++i)
+    {
+      // Only the symmetric part counts, so the first moment's may stand for the moment.
+      const glm::dmat3 mixed = glm::outerProduct(part->first[i], shift);
+      result.second[i] += part->second[i] + mixed + glm::transpose(mixed) +
+        glm::outerProduct(shift, shift) * part->areaVector[i];
+    }
+  }
+  return result;
+}
+
+double Multipole::errorAt(double distance, double reach) const
+{
+  return distance > reach ? area * tail(reach, distance) / (4.0 * kPi * distance * distance)
+                          : HUGE_VAL;
+}
+
+MEDIAL_VECTORISED void Multipole::addTo(LocalExpansion& expansion) const
+{
+  const glm::dvec3 y = middle - expansion.centre;
+  const double square = glm::dot(y, y);
+  const double scale3 = 1.0 / (4.0 * kPi * square * std::sqrt(square));
+  const double scale5 = 3.0 * scale3 / square;
+  const double scale7 = 5.0 * scale5 / square;
+  const double along = glm::dot(areaVector, y);
+  const glm::dvec3 firstY = first * y;
+  const double firstYY = glm::dot(firstY, y);
+  const double firstTrace = first[0][0] + first[1][1] + first[2][2];
+  glm::dvec3 secondTrace(0.0);
+  double secondYYY = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    secondTrace += 2.0 * second[i][i];
+    secondTrace[i] += second[i][0][0] + second[i][1][1] + second[i][2][2];
+    secondYYY += y[i] * glm::dot(second[i] * y, y);
+  }
+  expansion.value += scale3 * (along + firstTrace) - scale5 * firstYY +
+    0.5 * (scale7 * secondYYY - scale5 * glm::dot(secondTrace, y));
+  expansion.gradient += (scale5 * along) * y - scale3 * areaVector +
+    scale5 * (firstTrace * y + 2.0 * firstY) - (scale7 * firstYY) * y;
+  const glm::dmat3 mixed = glm::outerProduct(areaVector, y);
+  expansion.hessian += glm::outerProduct(y, y) * (scale7 * along) -
+    (mixed + glm::transpose(mixed) + glm::dmat3(along)) * scale5;
+}
+
+double distanceToTriangle(const std::array<glm::dvec3, 3>& corners, const glm::dvec3& point)
+{
+  const glm::dvec3 normal =
+    glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
+  const double height = glm::dot(normal, point - corners[0]);
+  double outside = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    const glm::dvec3 outwards = glm::cross(corners[(i + 1) % 3] - corners[i], normal);
+    outside = std::max(outside, glm::dot(outwards, point - corners[i]) / glm::length(outwards));
+  }
+  return std::sqrt(height * height + outside * outside);
+}
+
+double triangleError(double area, double gap, double radius)
+{
+  if (gap <= radius)
+  {
+    return HUGE_VAL;
+  }
+  // The integral of 1 / distance^2 over the triangle, or that of radius^3 / distance^5 over its
+  // plane.
+  const double integral = std::min(area / (gap * gap), 2.0 * kPi / 3.0);
+  return integral * tail(radius, gap) / (4.0 * kPi);
+}
+
+MEDIAL_VECTORISED void addTriangle(const std::array<glm::dvec3, 3>& corners, int weight,
+  LocalExpansion& expansion)
+{
+  std::array<glm::dvec3, 3> offsets;
+  std::array<double, 3> lengths;
+  std::array<glm::dvec3, 3> inverses; // offset / length^2
+  for (int i = 0; i < 3; ++i)
+  {
+    offsets[i] = corners[i] - expansion.centre;
+    const double square = glm::dot(offsets[i], offsets[i]);
+    lengths[i] = std::sqrt(square);
+    inverses[i] = offsets[i] / square;
+  }
+  expansion.value += weight * solidAngle(corners, expansion.centre);
+  // The law of Biot and Savart for every edge, and its derivative.
+  const double scale = weight / (4.0 * kPi);
+  for (int i = 0; i < 3; ++i)
+  {
+    const int next = (i + 1) % 3;
+    const glm::dvec3& a = offsets[i];
+    const glm::dvec3& b = offsets[next];
+    const double la = lengths[i];
+    const double lb = lengths[next];
+    const double both = la + lb;
+    const double product = la * lb;
+    const double opening = product + glm::dot(a, b);
+    const double strength = scale * both / (product * opening);
+    const glm::dvec3 normal = glm::cross(a, b);
+    const glm::dvec3 growth = inverses[i] * (1.0 + product / opening - la / both) +
+      inverses[next] * (1.0 + product / opening - lb / both) + (a + b) / opening;
+    expansion.gradient += strength * normal;
+    expansion.hessian +=
+      crossMatrix(b - a) * strength + glm::outerProduct(normal, strength * growth);
+  }
+}
+
+} // namespace medial

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <array>
+
+namespace medial
+{
+
+/// Bounds of a value.
+struct Interval
+{
+  double low;
+  double high;
+
+  bool contains(double value) const { return low <= value && value <= high; }
+};
+
+/// Winding numbers in a ball: a quadratic function, and the largest difference from it.
+struct LocalExpansion
+{
+  glm::dvec3 centre{ 0.0 };
+  double radius = 0.0;
+  double value = 0.0; ///< at the centre
+  glm::dvec3 gradient{ 0.0 };
+  glm::dmat3 hessian{ 0.0 }; ///< symmetric
+  double error = 0.0;
+
+  double at(const glm::dvec3& point) const;
+  /// Bounds the values in the ball.
+  Interval bounds() const;
+  /// Returns the same function around the centre of a ball inside this one.
+  LocalExpansion movedTo(const glm::dvec3& newCentre, double newRadius) const;
+};
+
+/// Triangles as seen from afar: integrals of their area vectors times powers of the offset from
+/// their middle. For the expansions see docs/design/sign.md.
+struct Multipole
+{
+  glm::dvec3 middle{ 0.0 };
+  double area = 0.0;
+  glm::dvec3 areaVector{ 0.0 };
+  glm::dmat3 first{ 0.0 }; ///< symmetric part
+  std::array<glm::dmat3, 3> second{ glm::dmat3(0.0), glm::dmat3(0.0), glm::dmat3(0.0) };
+
+  /// @param weight how often the triangle counts.
+  static Multipole ofTriangle(const std::array<glm::dvec3, 3>& corners, int weight);
+  /// Returns the multipole of two groups together.
+  static Multipole ofBoth(const Multipole& a, const Multipole& b);
+
+  /// Bounds the error of addTo().
+  /// @param reach radius of the group around its middle plus that of the ball.
+  double errorAt(double distance, double reach) const;
+  /// Adds the group to an expansion, but for the error.
+  void addTo(LocalExpansion& expansion) const;
+};
+
+/// Returns a lower bound of the distance to a triangle that has an area.
+double distanceToTriangle(const std::array<glm::dvec3, 3>& corners, const glm::dvec3& point);
+
+/// Bounds the error of addTriangle().
+/// @param gap from the centre to the triangle, or less; may be negative.
+/// @param radius of the ball.
+double triangleError(double area, double gap, double radius);
+
+/// Adds a triangle to an expansion, but for the error.
+void addTriangle(const std::array<glm::dvec3, 3>& corners, int weight, LocalExpansion& expansion);
+
+} // namespace medial
