@@ -200,12 +200,22 @@ std::vector<OpenMesh> openMeshes()
       lower.push_back(t);
     }
   }
-  std::vector<OpenMesh> result{ { "oneTriangleMissing", withoutTriangles(ball, { 5 }) },
+  std::vector<std::size_t> everyFourth;
+  for (std::size_t t = 0; t < ball.triangles.size(); t += 4)
+  {
+    everyFourth.push_back(t);
+  }
+  std::vector<OpenMesh> result{ { "everyFourthTriangleMissing",
+                                  withoutTriangles(ball, everyFourth) },
+    { "oneTriangleMissing", withoutTriangles(ball, { 5 }) },
     { "threeHoles", withoutTriangles(ball, { 5, 60, 61, 62, 200 }) },
     { "hemisphere", withoutTriangles(ball, lower) },
     { "boxWithoutHalfASide", withoutTriangles(unitBox(), { 0 }) },
     { "boxWithoutASide", withoutTriangles(unitBox(), { 0, 1 }) },
     { "moebiusStrip", moebiusStrip(20) }, { "plates", plates(0.5, 1.0) },
+    { "overlappingHemispheres",
+      appended(withoutTriangles(ball, lower),
+        translated(withoutTriangles(ball, lower), { 0.2, 0.1, 0.05 })) },
     { "oneTriangle", makeMesh({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0.5 } }, { { 0, 1, 2 } }) },
     { "soup", randomSoup(60, 11) } };
   for (const auto& [name, file] : std::vector<std::pair<const char*, const char*>>{
