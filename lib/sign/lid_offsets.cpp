@@ -154,9 +154,21 @@ private:
     {
       if (k[i] != 0)
       {
-        found_.push_back({ indices[i], indices[i].x + 1, k[i] });
+        this->addPoint(indices[i], k[i]);
       }
     }
+  }
+
+  /// Prolongs the last run if that ends here.
+  void addPoint(const glm::ivec3& index, int k)
+  {
+    if (!found_.empty() && found_.back().end == index.x && found_.back().k == k &&
+      found_.back().first.y == index.y && found_.back().first.z == index.z)
+    {
+      ++found_.back().end;
+      return;
+    }
+    found_.push_back({ index, index.x + 1, k });
   }
 
   /// Returns w at grid points in the ball of a close view, rounded. Bounds are refined until only

@@ -12,7 +12,7 @@ namespace
 {
 
 /// Triangles in a leaf of the tree.
-constexpr int kLeafSize = 4;
+constexpr int kLeafSize = 3;
 /// Groups are opened where they are larger than this many radii of the ball.
 constexpr double kOpenAbove = 0.5;
 /// Larger errors are not worth a look.

@@ -1,10 +1,11 @@
-// Meshes with random defects: their field and axis at a low resolution, against the oracle.
+// Meshes with random defects: their field, sign and axis at a low resolution, against the oracle.
 #include "support/brute_force.h"
 #include "support/shapes.h"
 
 #include "medial/compute_medial_axis.h"
 #include "medial/error.h"
 #include "medial/mesh_connectivity.h"
+#include "sign/surface_orientation.h"
 
 #include <fuzzer/FuzzedDataProvider.h>
 
@@ -14,6 +15,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace medial::fuzz
@@ -228,6 +230,53 @@ void checkDistances(Bytes& bytes, const TriangleMesh& mesh, const Result& result
   }
 }
 
+/// The triangles that count for the sign, each facing the way it counts.
+TriangleMesh countedTriangles(const TriangleMesh& mesh)
+{
+  const SurfaceOrientation orientation = orientSurface(mesh, analyseConnectivity(mesh));
+  TriangleMesh counted;
+  counted.points = mesh.points;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  {
+    auto [a, b, c] = mesh.triangles[t];
+    if (orientation.weights[t] < 0)
+    {
+      std::swap(b, c);
+    }
+    if (orientation.weights[t] != 0)
+    {
+      counted.triangles.push_back({ a, b, c });
+    }
+  }
+  return counted;
+}
+
+/// Compares signs by winding numbers with the sum of all solid angles, except where the distance
+/// is tiny or the sum close to a half: the library takes points a millionth of a voxel aside.
+void checkSigns(Bytes& bytes, const TriangleMesh& mesh, const Result& result)
+{
+  if (result.axis.statistics.sign.method != SignMethod::Winding)
+  {
+    return;
+  }
+  const TriangleMesh counted = countedTriangles(mesh);
+  const std::vector<Point3> points = test::gridPoints(result.grid);
+  constexpr std::size_t kStep = 3;
+  for (auto i = bytes.ConsumeIntegralInRange<std::size_t>(0, kStep - 1); i < points.size();
+       i += kStep)
+  {
+    const double voxels = static_cast<double>(std::abs(result.distance[i])) / result.voxel();
+    const double excess = test::windingNumber(counted, points[i]) - 0.5;
+    const double margin = 1e-6 + 1e-5 / voxels;
+    if (voxels > 1e-3 && std::abs(excess) > margin &&
+      std::signbit(result.distance[i]) != (excess > 0.0))
+    {
+      report(mesh, "a wrong sign: winding number", points[i],
+        static_cast<double>(result.distance[i]), excess + 0.5);
+    }
+  }
+}
+
 void checkRadii(const TriangleMesh& mesh, const Result& result)
 {
   const MedialAxis& axis = result.axis;
@@ -254,6 +303,7 @@ Result compute(Bytes& bytes, const TriangleMesh& mesh)
   options.field.execution.threads = 1;
   options.angle = bytes.PickValueInArray({ 60.0, 5.0, 150.0 });
   options.side = bytes.PickValueInArray({ Side::Interior, Side::Exterior, Side::Both });
+  options.field.sign = bytes.ConsumeBool() ? SignMethod::Winding : SignMethod::Auto;
   options.topology = bytes.ConsumeBool() ? Topology::Preserve : Topology::Selected;
   result.distance.resize(test::gridPoints(result.grid).size());
   FieldArrays arrays;
@@ -266,6 +316,7 @@ void computeAndCheck(Bytes& bytes, const TriangleMesh& mesh)
 {
   const Result result = compute(bytes, mesh);
   checkDistances(bytes, mesh, result);
+  checkSigns(bytes, mesh, result);
   checkRadii(mesh, result);
 }
 

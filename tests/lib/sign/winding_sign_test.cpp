@@ -246,9 +246,20 @@ TriangleMesh hemisphere()
   return withoutTriangles(ball, lower);
 }
 
+TriangleMesh everyFourthMissing()
+{
+  const TriangleMesh ball = icosphere(0.5, 2);
+  std::vector<std::size_t> missing;
+  for (std::size_t t = 0; t < ball.triangles.size(); t += 4)
+  {
+    missing.push_back(t);
+  }
+  return withoutTriangles(ball, missing);
+}
+
 std::vector<Named<TriangleMesh>> openMeshes()
 {
-  std::vector<Named<TriangleMesh>> result{
+  std::vector<Named<TriangleMesh>> result{ { "everyFourthTriangleMissing", everyFourthMissing },
     { "oneTriangleMissing", [] { return withoutTriangles(icosphere(0.5, 2), { 5 }); } },
     { "threeHoles",
       [] {
@@ -262,12 +273,15 @@ std::vector<Named<TriangleMesh>> openMeshes()
       } },
     { "moebiusStrip", [] { return moebiusStrip(20); } },
     { "plates", [] { return plates(0.5, 1.0); } },
+    { "overlappingHemispheres",
+      [] {
+        return appended(hemisphere(), translated(hemisphere(), { 0.2, 0.1, 0.05 }));
+      } },
     { "oneTriangle",
       [] {
         return makeMesh({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0.5 } }, { { 0, 1, 2 } });
       } },
-    { "soup", [] { return randomSoup(60, 11); } }
-  };
+    { "soup", [] { return randomSoup(60, 11); } } };
   for (const auto& [name, file] : std::vector<std::pair<const char*, const char*>>{
          { "elephantWithHoles", "soup/elephant_holes_4.5k.off" },
          { "manySmallHoles", "soup/many_small_holes_3.5k.ply" },
