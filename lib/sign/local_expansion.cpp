@@ -156,20 +156,20 @@ double triangleError(double area, double gap, double radius)
   return integral * tail(radius, gap) / (4.0 * kPi);
 }
 
-MEDIAL_VECTORISED void addTriangle(const std::array<glm::dvec3, 3>& corners, int weight,
-  LocalExpansion& expansion)
+MEDIAL_VECTORISED void LocalExpansion::addTriangle(const std::array<glm::dvec3, 3>& corners,
+  int weight)
 {
   std::array<glm::dvec3, 3> offsets;
   std::array<double, 3> lengths;
   std::array<glm::dvec3, 3> inverses; // offset / length^2
   for (int i = 0; i < 3; ++i)
   {
-    offsets[i] = corners[i] - expansion.centre;
+    offsets[i] = corners[i] - centre;
     const double square = glm::dot(offsets[i], offsets[i]);
     lengths[i] = std::sqrt(square);
     inverses[i] = offsets[i] / square;
   }
-  expansion.value += weight * solidAngle(corners, expansion.centre);
+  value += weight * solidAngle(corners, centre);
   // The law of Biot and Savart for every edge, and its derivative.
   const double scale = weight / (4.0 * kPi);
   for (int i = 0; i < 3; ++i)
@@ -186,8 +186,8 @@ MEDIAL_VECTORISED void addTriangle(const std::array<glm::dvec3, 3>& corners, int
     const glm::dvec3 normal = glm::cross(a, b);
     const glm::dvec3 growth = inverses[i] * (1.0 + product / opening - la / both) +
       inverses[next] * (1.0 + product / opening - lb / both) + (a + b) / opening;
-    expansion.gradient += strength * normal;
-    expansion.hessian +=
+    gradient += strength * normal;
+    hessian +=
       crossMatrix(b - a) * strength + glm::outerProduct(normal, strength * growth);
   }
 }

@@ -31,6 +31,9 @@ struct LocalExpansion
   Interval bounds() const;
   /// Returns the same function around the centre of a ball inside this one.
   LocalExpansion movedTo(const glm::dvec3& newCentre, double newRadius) const;
+  /// Adds a triangle, but for the error.
+  /// @param weight how often it counts.
+  void addTriangle(const std::array<glm::dvec3, 3>& corners, int weight);
 };
 
 /// Triangles as seen from afar: integrals of their area vectors times powers of the offset from
@@ -58,12 +61,9 @@ struct Multipole
 /// Returns a lower bound of the distance to a triangle that has an area.
 double distanceToTriangle(const std::array<glm::dvec3, 3>& corners, const glm::dvec3& point);
 
-/// Bounds the error of addTriangle().
+/// Bounds the error of LocalExpansion::addTriangle().
 /// @param gap from the centre to the triangle, or less; may be negative.
 /// @param radius of the ball.
 double triangleError(double area, double gap, double radius);
-
-/// Adds a triangle to an expansion, but for the error.
-void addTriangle(const std::array<glm::dvec3, 3>& corners, int weight, LocalExpansion& expansion);
 
 } // namespace medial

@@ -135,7 +135,7 @@ void WindingNumber::add(int item, LocalExpansion& far) const
 {
   if (item < 0)
   {
-    addTriangle(triangles_[-1 - item].corners, triangles_[-1 - item].weight, far);
+    far.addTriangle(triangles_[-1 - item].corners, triangles_[-1 - item].weight);
   }
   else
   {

@@ -159,7 +159,7 @@ TEST(LocalExpansion, HasTheDerivativesOfATriangle)
   const std::array<glm::dvec3, 3> corners{ glm::dvec3(0.0), { 1.0, 0.2, 0.0 }, { 0.3, 0.9, 0.4 } };
   LocalExpansion expansion;
   expansion.centre = { 0.2, 0.1, 0.8 };
-  addTriangle(corners, 2, expansion);
+  expansion.addTriangle(corners, 2);
   constexpr double kStep = 1e-3;
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -185,8 +185,8 @@ TEST(LocalExpansion, OfAGroupIsThatOfItsTriangles)
     together.centre = distance * glm::normalize(glm::dvec3(0.3, -0.5, 0.8));
     LocalExpansion apart = together;
     group.addTo(together);
-    addTriangle(chain.cornersOf(chain.triangles[0]), 1, apart);
-    addTriangle(chain.cornersOf(chain.triangles[1]), -2, apart);
+    apart.addTriangle(chain.cornersOf(chain.triangles[0]), 1);
+    apart.addTriangle(chain.cornersOf(chain.triangles[1]), -2);
     const double fifth = std::pow(distance, -5.0);
     EXPECT_NEAR(together.value, apart.value, 20.0 * fifth);
     EXPECT_NEAR(glm::distance(together.gradient, apart.gradient), 0.0, 60.0 * fifth);
