@@ -3,6 +3,8 @@
 usage: mutate_meshes_test.py SCRIPT
 """
 
+import importlib.machinery
+import importlib.util
 import os
 import re
 import subprocess
@@ -12,17 +14,24 @@ import unittest
 from pathlib import Path
 
 SCRIPT = sys.argv[1]
+sys.path.insert(0, str(Path(SCRIPT).parent))
+
+from comparison.meshes import made_up_shapes  # noqa: E402
+from mutation.shapes import Shape  # noqa: E402
+from mutation.winding import oriented_surface, winding_number  # noqa: E402
 
 # Refuses every mesh, as medial-axis does.
 PROGRAM = """#!{python} -IS
 import os, signal, struct, sys
-mesh, outputs = sys.argv[1], {{name: sys.argv[sys.argv.index(name) + 1] for name in ("-o", "--field")}}
+mesh, outputs = sys.argv[1], {{name: sys.argv[sys.argv.index(name) + 1] for name in ("-o", "--field", "--report")}}
 {fault}
 print("program: " + mesh + ": refused", file=sys.stderr)
 sys.exit(3)
 """
 FIELD = """
-with open(outputs["-o"], "w") as axis, open(outputs["--field"], "wb") as field:
+open(outputs["-o"], "w").close()
+with open(outputs["--field"], "wb") as field, open(outputs["--report"], "w") as report:
+    report.write('{{"sign_method": "winding"}}')
     field.write(b'<ImageData WholeExtent="0 1 0 1 0 1" Origin="1e6 0 0" Spacing="1 1 1"><AppendedData>_' +
                 struct.pack("<Q8f", 32, *(8 * [{distance}])))
 sys.exit(0)
@@ -64,6 +73,47 @@ class MutateMeshes(unittest.TestCase):
         texts = [re.findall(r"^  [0-9a-f]{32}$", self.run_on(fault, 6)[0], re.MULTILINE) for _ in range(2)]
         self.assertEqual(len(texts[0]), 6)
         self.assertEqual(texts[0], texts[1])
+
+
+def box(*changes):
+    """A box whose triangles are changed."""
+    points, triangles = made_up_shapes()["box"]
+    cells = [list(triangle) for triangle in triangles]
+    for change in changes:
+        change(cells)
+    return Shape([tuple(point) for point in points], cells)
+
+
+def turn_all(cells):
+    for cell in cells:
+        cell.reverse()
+
+
+class Signs(unittest.TestCase):
+    def test_surfaces_face_outwards_whatever_was_done_to_them(self):
+        middle = [sum(point[axis] for point in box().points) / len(box().points) for axis in range(3)]
+        far = [1000.0, 2000.0, 3000.0]
+        for change in (lambda cells: None, turn_all, lambda cells: cells[3].reverse(),
+                       lambda cells: cells.append(cells[5][::-1]), lambda cells: cells.insert(0, cells.pop())):
+            surface = oriented_surface(box(change), 1.0)
+            self.assertAlmostEqual(winding_number(surface, middle, 1.0), 1.0)
+            self.assertAlmostEqual(winding_number(surface, far, 1.0), 0.0)
+
+    def test_what_could_face_both_ways_is_not_compared(self):
+        for change in (lambda cells: cells.append([0]), lambda cells: cells.append([0, 0, 1]),
+                       lambda cells: (turn_all(cells), cells.pop())):
+            self.assertIsNone(oriented_surface(box(change), 1.0))
+
+    def test_a_wrong_sign_is_found(self):
+        loader = importlib.machinery.SourceFileLoader("mutate_meshes", SCRIPT)
+        module = importlib.util.module_from_spec(importlib.util.spec_from_loader("mutate_meshes", loader))
+        loader.exec_module(module)
+        surface = oriented_surface(box(), 1.0)
+        middle = [sum(point[axis] for point in box().points) / len(box().points) for axis in range(3)]
+        field = type("Field", (), {"spacing": [1.0] * 3})()
+        for distance, wrong in ((-0.5, False), (0.5, True), (0.0, False)):
+            field.samples = lambda case, distance=distance: [([0, 0, 0], middle, distance)]
+            self.assertEqual(module.wrong_sign(None, field, surface) is not None, wrong)
 
 
 if __name__ == "__main__":
