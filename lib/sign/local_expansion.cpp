@@ -187,8 +187,7 @@ MEDIAL_VECTORISED void LocalExpansion::addTriangle(const std::array<glm::dvec3, 
     const glm::dvec3 growth = inverses[i] * (1.0 + product / opening - la / both) +
       inverses[next] * (1.0 + product / opening - lb / both) + (a + b) / opening;
     gradient += strength * normal;
-    hessian +=
-      crossMatrix(b - a) * strength + glm::outerProduct(normal, strength * growth);
+    hessian += crossMatrix(b - a) * strength + glm::outerProduct(normal, strength * growth);
   }
 }
 
