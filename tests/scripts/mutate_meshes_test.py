@@ -84,6 +84,9 @@ def box(*changes):
     return Shape([tuple(point) for point in points], cells)
 
 
+MIDDLE = [sum(point[axis] for point in box().points) / len(box().points) for axis in range(3)]
+
+
 def turn_all(cells):
     for cell in cells:
         cell.reverse()
@@ -91,12 +94,11 @@ def turn_all(cells):
 
 class Signs(unittest.TestCase):
     def test_surfaces_face_outwards_whatever_was_done_to_them(self):
-        middle = [sum(point[axis] for point in box().points) / len(box().points) for axis in range(3)]
         far = [1000.0, 2000.0, 3000.0]
         for change in (lambda cells: None, turn_all, lambda cells: cells[3].reverse(),
                        lambda cells: cells.append(cells[5][::-1]), lambda cells: cells.insert(0, cells.pop())):
             surface = oriented_surface(box(change), 1.0)
-            self.assertAlmostEqual(winding_number(surface, middle, 1.0), 1.0)
+            self.assertAlmostEqual(winding_number(surface, MIDDLE, 1.0), 1.0)
             self.assertAlmostEqual(winding_number(surface, far, 1.0), 0.0)
 
     def test_what_could_face_both_ways_is_not_compared(self):
@@ -109,10 +111,9 @@ class Signs(unittest.TestCase):
         module = importlib.util.module_from_spec(importlib.util.spec_from_loader("mutate_meshes", loader))
         loader.exec_module(module)
         surface = oriented_surface(box(), 1.0)
-        middle = [sum(point[axis] for point in box().points) / len(box().points) for axis in range(3)]
         field = type("Field", (), {"spacing": [1.0] * 3})()
         for distance, wrong in ((-0.5, False), (0.5, True), (0.0, False)):
-            field.samples = lambda case, distance=distance: [([0, 0, 0], middle, distance)]
+            field.samples = lambda case, distance=distance: [([0, 0, 0], MIDDLE, distance)]
             self.assertEqual(module.wrong_sign(None, field, surface) is not None, wrong)
 
 

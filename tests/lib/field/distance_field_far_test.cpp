@@ -53,45 +53,29 @@ Grid farGrid(double voxels)
 
 std::vector<Named<FarGrid>> farGrids()
 {
-  return { { "flat1e3",
-             [] {
-               return FarGrid{ ring(), flatGrid(1e3) };
-             } },
-    { "flat1e5",
-      [] {
-        return FarGrid{ ring(), flatGrid(1e5) };
-      } },
-    { "flat1e6",
-      [] {
-        return FarGrid{ ring(), flatGrid(1e6) };
-      } },
-    { "flat1e12",
-      [] {
-        return FarGrid{ ring(), flatGrid(1e12) };
-      } },
-    { "far1e5",
-      [] {
-        return FarGrid{ ring(), farGrid(1e5) };
-      } },
-    { "far1e7",
-      [] {
-        return FarGrid{ ring(), farGrid(1e7) };
-      } },
-    { "far1e12",
-      [] {
-        return FarGrid{ ring(), farGrid(1e12) };
-      } },
-    { "far1e17",
-      [] {
-        return FarGrid{ ring(), farGrid(1e17) };
-      } },
+  std::vector<Named<FarGrid>> grids{
     { "flatAroundAPoint",
       [] {
         return FarGrid{ onePoint(), { { -4.0, -4e4, -4e4 }, { 1.0, 1e4, 1e4 }, { 9, 40, 40 } } };
       } },
-    { "longAroundAPoint", [] {
-       return FarGrid{ onePoint(), { { -4.0, -4.0, -4e9 }, { 1.0, 1.0, 1e9 }, { 9, 9, 40 } } };
-     } } };
+    { "longAroundAPoint",
+      [] {
+        return FarGrid{ onePoint(), { { -4.0, -4.0, -4e9 }, { 1.0, 1.0, 1e9 }, { 9, 9, 40 } } };
+      } }
+  };
+  for (const char* size : { "1e3", "1e5", "1e6", "1e12" })
+  {
+    grids.push_back({ std::string("flat") + size, [size] {
+                       return FarGrid{ ring(), flatGrid(std::stod(size)) };
+                     } });
+  }
+  for (const char* size : { "1e5", "1e7", "1e12", "1e17" })
+  {
+    grids.push_back({ std::string("far") + size, [size] {
+                       return FarGrid{ ring(), farGrid(std::stod(size)) };
+                     } });
+  }
+  return grids;
 }
 
 DistanceField fieldOf(const TriangleMesh& mesh, const Grid& grid, Engine engine = Engine::Processor)
