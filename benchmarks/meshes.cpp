@@ -1,5 +1,6 @@
 #include "meshes.h"
 
+#include "medial/mesh_io.h"
 #include "support/models.h"
 
 #include <algorithm>
@@ -51,11 +52,11 @@ TriangleMesh bumpyTorus(int triangles)
 
 BenchmarkMesh provideMesh(const MeshRequest& request, bool generatedOnly)
 {
-  if (!request.file.empty() && !generatedOnly)
+  if (!request.file.empty() && (request.given || !generatedOnly))
   {
     if (const auto path = test::modelPath(request.file))
     {
-      return { request.name, buildTriangleMesh(test::loadModel(*path)), false };
+      return { request.name, buildTriangleMesh(readMesh(*path)), false };
     }
   }
   return { request.name, bumpyTorus(request.triangles), true };

@@ -11,8 +11,9 @@ namespace medial::benchmark
 struct MeshRequest
 {
   std::string name;
-  std::string file;  ///< in the folder of real meshes; empty for a generated shape
-  int triangles = 0; ///< of the shape that stands in where the file is absent
+  std::string file;   ///< in the folder of real meshes; empty for a generated shape
+  int triangles = 0;  ///< of the shape that stands in where the file is absent
+  bool given = false; ///< the user named the file, so nothing may stand in for it
 };
 
 struct BenchmarkMesh
@@ -24,7 +25,8 @@ struct BenchmarkMesh
 
 /// Reads the real mesh from the folder in the environment variable MEDIAL_MODELS, or else from
 /// ../shared/models beside the sources; makes a bumpy torus if there is none, or if `generatedOnly`
-/// is set.
+/// is set and the user did not name the file.
+/// @throws Error if the file cannot be read.
 BenchmarkMesh provideMesh(const MeshRequest& request, bool generatedOnly);
 
 /// A closed torus about the z axis with about so many triangles, whose tube has bumps of several

@@ -29,6 +29,8 @@ void addOptions(CLI::App& app, Options& options, std::string& models)
   app.add_option("--methods", options.methods, "only these methods")
     ->check(CLI::IsMember(knownMethodIds()));
   app.add_option("--meshes", options.meshes, "only these meshes, by their names in the tables");
+  app.add_option("--files", options.files, "meshes that the suite models measures besides its own")
+    ->check(CLI::ExistingFile);
   app.add_option("--models", models, "folder of real meshes (default: MEDIAL_MODELS)")
     ->check(CLI::ExistingDirectory);
   app.add_option("--output", options.output, "folder of the results")
@@ -41,13 +43,20 @@ void addOptions(CLI::App& app, Options& options, std::string& models)
     ->check(CLI::Range(8, 1024));
   app
     .add_option("--time-cap", options.timeCap,
-      "seconds; methods that are predicted to be slower are not run")
+      "seconds; methods that are predicted to be slower are not run (but in the suites triangles "
+      "and models)")
     ->check(CLI::PositiveNumber)
     ->capture_default_str();
   app
     .add_option("--budget", options.budget,
-      "seconds; a method runs in fewer rounds, but once, where all of them would last longer")
+      "seconds; a method runs in fewer rounds, but once, where all of them would last longer (not "
+      "in triangles and models)")
     ->check(CLI::PositiveNumber)
+    ->capture_default_str();
+  app
+    .add_option("--max-triangles", options.maxTriangles,
+      "of the finest mesh of the suite triangles")
+    ->check(CLI::Range(10000, 2000000))
     ->capture_default_str();
   app.add_option("--points", options.checkedPoints, "grid points checked in every field")
     ->check(CLI::Range(1, 1000000))

@@ -192,7 +192,7 @@ void draw(const BarPlot& plot, const fs::path& folder)
   commands << header(plot.title, plot.yLabel)
            << "set style data histograms\nset style histogram clustered gap 1.5\n"
            << "set style fill solid 0.9 noborder\nset boxwidth 0.95\n"
-           << "set datafile missing 'NaN'\n"
+           << "set datafile missing 'NaN'\nset xtics rotate by -25\n"
            << logarithmicAxis("y", span.min, span.most) << "plot ";
   for (std::size_t bar = 0; bar < plot.bars.size(); ++bar)
   {

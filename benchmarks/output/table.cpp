@@ -17,12 +17,6 @@ std::string percent(double share)
   return number(100.0 * share) + " %";
 }
 
-/// The note belongs to the mesh, so it appears once.
-std::string meshText(const Row& row)
-{
-  return row.note.empty() ? row.mesh : row.mesh + " (" + row.note + ")";
-}
-
 std::string remarks(const MethodRun& run)
 {
   std::string text;
@@ -173,6 +167,17 @@ std::string secondsText(const MethodRun& run, int rounds)
     text += ", " + std::to_string(totals.size()) + (totals.size() == 1 ? " run" : " runs");
   }
   return text;
+}
+
+std::string secondsText(const Row& row, const std::string& id)
+{
+  const MethodRun* run = row.find(id);
+  return run ? secondsText(*run, row.rounds) : "-";
+}
+
+std::string meshText(const Row& row)
+{
+  return row.note.empty() ? row.mesh : row.mesh + " (" + row.note + ")";
 }
 
 Table methodTable(const std::vector<Row>& rows)

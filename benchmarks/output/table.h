@@ -26,6 +26,11 @@ std::string dimensionsText(const Grid& grid);
 /// Seconds as "0.71 (0.70-0.74)", with the number of runs where there were fewer than rounds; a
 /// prediction as "~ 210, not run"; or the failure.
 std::string secondsText(const MethodRun& run, int rounds);
+/// The same for the method of an id; "-" where it took no part.
+std::string secondsText(const Row& row, const std::string& id);
+
+/// The mesh's name and what the reader must know of it.
+std::string meshText(const Row& row);
 
 /// The part of our seconds that goes into sites, culling and polygons; NaN without samples.
 double geometryShare(const MethodRun& run);

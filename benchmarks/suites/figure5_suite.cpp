@@ -14,11 +14,6 @@ constexpr int kFinest = 512;
 /// Maximum exponent that Medial should have.
 constexpr double kTargetExponent = 1.05;
 
-int longestAxis(const Grid& grid)
-{
-  return *std::max_element(grid.dimensions.begin(), grid.dimensions.end());
-}
-
 std::vector<int> resolutions(const SuiteContext& context)
 {
   std::vector<int> result;
@@ -80,21 +75,6 @@ void leaveOutSlow(const Row& row, std::vector<std::string>& methods)
   methods.erase(std::remove_if(methods.begin(), methods.end(), slow), methods.end());
 }
 
-/// The rows of each mesh, in order.
-std::vector<std::vector<Row>> byMesh(const std::vector<Row>& rows)
-{
-  std::vector<std::vector<Row>> groups;
-  for (const Row& row : rows)
-  {
-    if (groups.empty() || groups.back().front().mesh != row.mesh)
-    {
-      groups.emplace_back();
-    }
-    groups.back().push_back(row);
-  }
-  return groups;
-}
-
 /// Plots, fits, targets and tables of the rows measured so far.
 void describe(const SuiteContext& context, const std::vector<std::string>& methods,
   SuiteReport& report)
@@ -105,7 +85,8 @@ void describe(const SuiteContext& context, const std::vector<std::string>& metho
   fits.columns = { "mesh", "Medial", "Medial, rasteriser", "Embree" };
   report.curves.clear();
   report.targets.clear();
-  for (const std::vector<Row>& rows : byMesh(report.rows))
+  for (const std::vector<Row>& rows :
+    groupRows(report.rows, [](const Row& row) { return row.mesh; }))
   {
     const std::string& mesh = rows.front().mesh;
     fits.rows.push_back({ mesh });

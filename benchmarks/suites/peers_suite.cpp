@@ -24,8 +24,7 @@ struct Case
 std::vector<Case> cases()
 {
   return { { triceratops(), 256, 7.0 }, { bunny(), 256, 20.0 }, { gargoyle(), 256, 10.0 },
-    { head(), 128, 5.0 }, { { "armadillo", "organic/armadillo_52k.off", 52000 }, 256, 6.0 },
-    { { "dragon", "large/dragon_100k_closed.obj", 100000 }, 256, 4.0 } };
+    { head(), 128, 5.0 }, { armadillo(), 256, 6.0 }, { dragon(), 256, 4.0 } };
 }
 
 std::vector<Target> targetsOf(const Case& one, const Row& row, bool apply)
@@ -53,29 +52,6 @@ std::vector<Target> targetsOf(const Case& one, const Row& row, bool apply)
     }
   }
   return targets;
-}
-
-BarPlot secondsPlot(const std::vector<Row>& rows)
-{
-  BarPlot plot;
-  plot.name = "peers";
-  plot.title = "Whole distance fields";
-  plot.yLabel = "median time (s)";
-  for (const Row& row : rows)
-  {
-    plot.groups.push_back(row.mesh);
-    std::vector<double> heights;
-    for (const MethodRun& run : row.runs)
-    {
-      heights.push_back(run.medianSeconds());
-    }
-    plot.heights.push_back(heights);
-  }
-  for (const MethodRun& run : rows.front().runs)
-  {
-    plot.bars.push_back(run.name);
-  }
-  return plot;
 }
 
 } // namespace
@@ -113,7 +89,7 @@ void runPeers(const SuiteContext& context)
       report.tables = { methodTable(report.rows), phaseTable(report.rows) };
       if (!report.rows.front().runs.empty())
       {
-        report.bars = { secondsPlot(report.rows) };
+        report.bars = { secondsBars(report.rows, report.name, "Whole distance fields") };
       }
       context.publish(report);
     }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <limits>
 #include <utility>
 
 namespace medial::benchmark
@@ -49,6 +50,14 @@ bool SuiteContext::targetsApply(const Row& row) const
 MeasurementOptions SuiteContext::measurement() const
 {
   return { options_.repeats, options_.timeCap, options_.budget, options_.checkedPoints, {} };
+}
+
+MeasurementOptions SuiteContext::allRounds() const
+{
+  MeasurementOptions options = this->measurement();
+  options.timeCap = std::numeric_limits<double>::infinity();
+  options.budget = std::numeric_limits<double>::infinity();
+  return options;
 }
 
 int SuiteContext::resolution(int own) const
@@ -139,6 +148,36 @@ MeshRequest shellCharge()
   return { "shell charge", "paper/shellcharge_sub_cube_minus_sphere_4.1k.obj", 4128 };
 }
 
+MeshRequest armadillo()
+{
+  return { "armadillo", "organic/armadillo_52k.off", 52000 };
+}
+
+MeshRequest dragon()
+{
+  return { "dragon", "large/dragon_100k_closed.obj", 100000 };
+}
+
+int longestAxis(const Grid& grid)
+{
+  return *std::max_element(grid.dimensions.begin(), grid.dimensions.end());
+}
+
+std::vector<std::vector<Row>> groupRows(const std::vector<Row>& rows,
+  const std::function<std::string(const Row&)>& text)
+{
+  std::vector<std::vector<Row>> groups;
+  for (const Row& row : rows)
+  {
+    if (groups.empty() || text(groups.back().front()) != text(row))
+    {
+      groups.emplace_back();
+    }
+    groups.back().push_back(row);
+  }
+  return groups;
+}
+
 CurvePlot::Curve secondsCurve(const std::vector<Row>& rows, const std::string& methodId,
   const std::string& name, const std::function<double(const Row&)>& x)
 {
@@ -157,24 +196,44 @@ CurvePlot::Curve secondsCurve(const std::vector<Row>& rows, const std::string& m
   return curve;
 }
 
-double exponentOf(const CurvePlot::Curve& curve, double min)
+double exponentOf(const CurvePlot::Curve& curve)
 {
   std::vector<std::array<double, 2>> points;
   for (const auto& point : curve.points)
   {
-    if (point[0] >= min)
-    {
-      points.push_back({ point[0], point[1] });
-    }
+    points.push_back({ point[0], point[1] });
   }
   return fittedExponent(points);
+}
+
+BarPlot secondsBars(const std::vector<Row>& rows, const std::string& name, const std::string& title)
+{
+  BarPlot plot;
+  plot.name = name;
+  plot.title = title;
+  plot.yLabel = "median time (s)";
+  for (const Row& row : rows)
+  {
+    plot.groups.push_back(row.mesh + ", " + std::to_string(longestAxis(row.grid)));
+    std::vector<double> heights;
+    for (const MethodRun& run : row.runs)
+    {
+      heights.push_back(run.medianSeconds());
+    }
+    plot.heights.push_back(heights);
+  }
+  for (const MethodRun& run : rows.front().runs)
+  {
+    plot.bars.push_back(run.name);
+  }
+  return plot;
 }
 
 const std::vector<SuiteEntry>& suites()
 {
   static const std::vector<SuiteEntry> entries = { { "peers", runPeers }, { "table1", runTable1 },
-    { "figure5", runFigure5 }, { "triangles", runTriangles }, { "figure6", runFigure6 },
-    { "frames", runFrames } };
+    { "figure5", runFigure5 }, { "triangles", runTriangles }, { "models", runModels },
+    { "figure6", runFigure6 }, { "frames", runFrames } };
   return entries;
 }
 

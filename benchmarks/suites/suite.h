@@ -24,6 +24,8 @@ public:
 
   const Options& options() const { return options_; }
   MeasurementOptions measurement() const;
+  /// As measurement(), but every method runs in all rounds, however slow it is.
+  MeasurementOptions allRounds() const;
 
   /// Writes a report as far as it has come. Suites do so after every row, so that a run that ends
   /// early leaves what it has.
@@ -57,19 +59,31 @@ private:
 /// A grid of so many points along the longest axis of the padded bounds.
 SuiteContext::MakeGrid gridOfResolution(int resolution);
 
+int longestAxis(const Grid& grid);
+
+/// Rows in groups of neighbours that have the same text.
+std::vector<std::vector<Row>> groupRows(const std::vector<Row>& rows,
+  const std::function<std::string(const Row&)>& text);
+
 /// A curve of the median seconds of one method over x, where it ran, with minimum and maximum.
 CurvePlot::Curve secondsCurve(const std::vector<Row>& rows, const std::string& methodId,
   const std::string& name, const std::function<double(const Row&)>& x);
 
-/// Exponent of a curve's y against x, among points with x >= least.
-double exponentOf(const CurvePlot::Curve& curve, double min = 0.0);
+/// Exponent of a curve's y against x.
+double exponentOf(const CurvePlot::Curve& curve);
 
-/// The paper's meshes, and their stand-ins where they are absent.
+/// Bars of the median seconds of all methods, by mesh and resolution; there must be rows.
+BarPlot secondsBars(const std::vector<Row>& rows, const std::string& name,
+  const std::string& title);
+
+/// The paper's meshes and two larger ones, and their stand-ins where they are absent.
 MeshRequest triceratops();
 MeshRequest head();
 MeshRequest gargoyle();
 MeshRequest bunny();
 MeshRequest shellCharge();
+MeshRequest armadillo();
+MeshRequest dragon();
 
 struct SuiteEntry
 {
@@ -86,8 +100,10 @@ void runPeers(const SuiteContext& context);
 void runTable1(const SuiteContext& context);
 /// Time against resolution.
 void runFigure5(const SuiteContext& context);
-/// Time against the number of triangles.
+/// Time against the number of triangles, up to two million, on two grids.
 void runTriangles(const SuiteContext& context);
+/// Real meshes of up to hundreds of thousands of triangles, and files of the user's, beside Embree.
+void runModels(const SuiteContext& context);
 /// Errors of distances and labels.
 void runFigure6(const SuiteContext& context);
 /// A deforming mesh: what frames share against a fresh computation of each.

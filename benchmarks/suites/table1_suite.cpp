@@ -70,19 +70,13 @@ SuiteContext::MakeGrid gridOf(const Case& one, const SuiteContext& context)
   return [dimensions](const TriangleMesh& mesh) { return fittedGrid(mesh, dimensions); };
 }
 
-std::string cell(const Row& row, const std::string& id)
-{
-  const MethodRun* run = row.find(id);
-  return run ? secondsText(*run, row.rounds) : "-";
-}
-
 std::vector<std::string> paperCells(const Case& one, const Row& row)
 {
   const MethodRun* ours = row.find(kMedialId);
   return { row.mesh, row.note.empty() ? one.difference : row.note, thousands(row.triangles),
-    dimensionsText(row.grid), number(one.paperSeconds), cell(row, kMedialId),
-    ours ? number(one.paperSeconds / ours->medianSeconds(), 2) : "-", cell(row, kRasterId),
-    cell(row, "published"), cell(row, "havoc"), cell(row, "embree") };
+    dimensionsText(row.grid), number(one.paperSeconds), secondsText(row, kMedialId),
+    ours ? number(one.paperSeconds / ours->medianSeconds(), 2) : "-", secondsText(row, kRasterId),
+    secondsText(row, "published"), secondsText(row, "havoc"), secondsText(row, "embree") };
 }
 
 Target targetOf(const Case& one, const Row& row, const SuiteContext& context)

@@ -4,6 +4,7 @@ usage: benchmark_program_test.py PROGRAM
 """
 
 import json
+import math
 import shutil
 import subprocess
 import sys
@@ -12,9 +13,33 @@ import unittest
 from pathlib import Path
 
 PROGRAM = sys.argv[1]
-FIELD_SUITES = ["peers", "table1", "figure5", "triangles", "figure6"]
+RASTERISER_SUITES = ["peers", "table1", "figure5", "figure6"]
+FIELD_SUITES = [*RASTERISER_SUITES, "triangles", "models"]
 SUITES = [*FIELD_SUITES, "frames"]
 EXACT = {"medial": 1e-2, "medial-raster": 1e-2, "embree": 1e-2, "cgal": 1e-2, "vtk": 1e-2}  # voxels
+
+
+TETRAHEDRON = """OFF
+4 4 0
+0 0 0
+1 0 0
+0 1 0
+0 0 1
+3 0 2 1
+3 0 1 3
+3 0 3 2
+3 1 2 3
+"""
+
+
+def fitted_exponent(rows, method):
+    """Slope of the line through the logarithms of triangles and of median seconds."""
+    seconds = [next(m["median_seconds"] for m in row["methods"] if m["id"] == method)
+               for row in rows]
+    xs = [math.log(row["triangles"]) for row in rows]
+    ys = [math.log(s) for s in seconds]
+    x, y = sum(xs) / len(xs), sum(ys) / len(ys)
+    return sum((a - x) * (b - y) for a, b in zip(xs, ys)) / sum((a - x) ** 2 for a in xs)
 
 
 class BenchmarkProgram(unittest.TestCase):
@@ -23,8 +48,11 @@ class BenchmarkProgram(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(folder.cleanup)
         cls.folder = Path(folder.name)
-        subprocess.run([PROGRAM, "--quick", "--output", folder.name, "--suite", *SUITES],
-                       check=True, stderr=subprocess.DEVNULL)
+        (cls.folder / "tetrahedron.off").write_text(TETRAHEDRON)
+        run = subprocess.run([PROGRAM, "--quick", "--output", folder.name,
+                              "--files", cls.folder / "tetrahedron.off", "--suite", *SUITES],
+                             check=True, stderr=subprocess.PIPE, text=True)
+        cls.progress = run.stderr
 
     def report(self, suite):
         return json.loads((self.folder / f"{suite}.json").read_text())
@@ -44,6 +72,7 @@ class BenchmarkProgram(unittest.TestCase):
                 self.assertIn(report["title"], text)
                 if suite in FIELD_SUITES:
                     self.assertIn("| Medial |", text)
+                if suite in RASTERISER_SUITES:
                     self.assertIn("| Medial, rasteriser |", text)
         self.assertFalse(list(self.folder.glob("*.part")))
 
@@ -64,6 +93,36 @@ class BenchmarkProgram(unittest.TestCase):
                                 sample["total"], sum(sample["seconds"].values()))
                         self.assertGreater(method["median_seconds"], 0)
                         self.assertGreater(method["median_ratio"], 0)
+
+    def test_exponents_fit_the_medians_of_each_grid(self):
+        report = self.report("triangles")
+        self.assertEqual(len(report["figures"]), 2)
+        for grid, exponents in report["figures"].items():
+            rows = [row for row in report["rows"]
+                    if "x".join(map(str, row["grid"]["dimensions"])) == grid]
+            self.assertEqual(len(rows), 3)
+            methods = [method["id"] for method in rows[0]["methods"]]
+            self.assertIn("medial", methods)
+            for method in methods:
+                with self.subTest(grid=grid, method=method):
+                    self.assertAlmostEqual(exponents[f"exponent_{method}"],
+                                           fitted_exponent(rows, method))
+            self.assertRegex(self.progress, rf"\| {grid} \| [\d,]+ to [\d,]+ \| -?\d")
+
+    def test_no_round_is_left_out_where_medians_need_all(self):
+        with tempfile.TemporaryDirectory() as folder:
+            subprocess.run([PROGRAM, "--quick", "--budget", "1e-9", "--time-cap", "1e-9",
+                            "--output", folder, "--suite", "triangles", "--meshes", "torus 1K"],
+                           check=True, stderr=subprocess.DEVNULL)
+            report = json.loads((Path(folder) / "triangles.json").read_text())
+        self.assertEqual([row["mesh"] for row in report["rows"]], 2 * ["torus 1K"])
+        for row in report["rows"]:
+            for method in row["methods"]:
+                self.assertEqual(len(method.get("samples", [])), report["rounds"])
+
+    def test_files_of_the_user_are_measured_as_they_are(self):
+        row = self.report("models")["rows"][-1]
+        self.assertEqual((row["mesh"], row["triangles"]), ("tetrahedron", 4))
 
     def test_memory_is_that_of_a_process_of_its_own(self):
         for row in self.report("peers")["rows"]:
@@ -102,7 +161,9 @@ class BenchmarkProgram(unittest.TestCase):
                     self.assertGreater((self.folder / name).stat().st_size, 1000)
 
     def test_wrong_options_end_with_usage(self):
-        for options in (["--suite", "nothing"], ["--repeats", "0"], ["--methods", "magic"]):
+        for options in (["--suite", "nothing"], ["--repeats", "0"], ["--methods", "magic"],
+                        ["--max-triangles", "9999"], ["--max-triangles", "2000001"],
+                        ["--files", "/nowhere.off"]):
             with self.subTest(options=options):
                 run = subprocess.run([PROGRAM, *options], capture_output=True, check=False)
                 self.assertEqual(run.returncode, 2)
