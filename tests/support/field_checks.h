@@ -1,6 +1,7 @@
 #pragma once
 
 #include "medial/distance_field.h"
+#include "medial/mesh_connectivity.h"
 #include "medial/triangle_mesh.h"
 
 #include <cstddef>
@@ -11,6 +12,12 @@
 // Compares distance fields with the brute-force oracle and with each other.
 namespace medial::test
 {
+
+struct MeshOnGrid
+{
+  TriangleMesh mesh;
+  Grid grid;
+};
 
 /// Voxels, that is points, of a field: indices into its arrays.
 using Voxels = std::vector<std::size_t>;
@@ -56,6 +63,11 @@ void expectExactField(const TriangleMesh& mesh, const Grid& grid, const Voxels& 
 /// At every voxel.
 void expectExactField(const TriangleMesh& mesh, const Grid& grid,
   const DistanceFieldOptions& options = {});
+
+/// Overwrites the distances and sites of `field` inside `extent` with those of a computation of
+/// that part alone.
+void computePart(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
+  const Extent& extent, DistanceField& field);
 
 /// How two fields over the same number of voxels differ.
 struct FieldDifference

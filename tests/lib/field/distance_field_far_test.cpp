@@ -24,12 +24,6 @@ using namespace medial::test;
 namespace
 {
 
-struct FarGrid
-{
-  TriangleMesh mesh;
-  Grid grid;
-};
-
 TriangleMesh ring()
 {
   return torus(1.0, 0.4, 32, 16);
@@ -51,28 +45,28 @@ Grid farGrid(double voxels)
   return { { 0.05 * voxels, 0.03 * voxels, -0.02 * voxels }, { 0.05, 0.05, 0.05 }, { 9, 17, 10 } };
 }
 
-std::vector<Named<FarGrid>> farGrids()
+std::vector<Named<MeshOnGrid>> farGrids()
 {
-  std::vector<Named<FarGrid>> grids{
+  std::vector<Named<MeshOnGrid>> grids{
     { "flatAroundAPoint",
       [] {
-        return FarGrid{ onePoint(), { { -4.0, -4e4, -4e4 }, { 1.0, 1e4, 1e4 }, { 9, 40, 40 } } };
+        return MeshOnGrid{ onePoint(), { { -4.0, -4e4, -4e4 }, { 1.0, 1e4, 1e4 }, { 9, 40, 40 } } };
       } },
     { "longAroundAPoint",
       [] {
-        return FarGrid{ onePoint(), { { -4.0, -4.0, -4e9 }, { 1.0, 1.0, 1e9 }, { 9, 9, 40 } } };
+        return MeshOnGrid{ onePoint(), { { -4.0, -4.0, -4e9 }, { 1.0, 1.0, 1e9 }, { 9, 9, 40 } } };
       } }
   };
   for (const char* size : { "1e3", "1e5", "1e6", "1e12" })
   {
     grids.push_back({ std::string("flat") + size, [size] {
-                       return FarGrid{ ring(), flatGrid(std::stod(size)) };
+                       return MeshOnGrid{ ring(), flatGrid(std::stod(size)) };
                      } });
   }
   for (const char* size : { "1e5", "1e7", "1e12", "1e17" })
   {
     grids.push_back({ std::string("far") + size, [size] {
-                       return FarGrid{ ring(), farGrid(std::stod(size)) };
+                       return MeshOnGrid{ ring(), farGrid(std::stod(size)) };
                      } });
   }
   return grids;
@@ -118,7 +112,7 @@ void expectExactButForRounding(const TriangleMesh& mesh, const Grid& grid)
   }
 }
 
-class FarField : public testing::TestWithParam<Named<FarGrid>>
+class FarField : public testing::TestWithParam<Named<MeshOnGrid>>
 {
 };
 

@@ -90,33 +90,6 @@ void expectMovedFieldOfFlipped(const TriangleMesh& mesh, const std::function<Ind
   expectSameField(shape(), original, back);
 }
 
-/// Copies the part of `field` inside `extent`, all arrays, from a computation of that part alone.
-void computePart(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
-  const Extent& extent, DistanceField& field)
-{
-  const auto count = static_cast<std::size_t>(extent.pointCount());
-  std::vector<float> distance(count);
-  std::vector<std::int32_t> site(count);
-  FieldArrays arrays;
-  arrays.distance = distance.data();
-  arrays.closestSite = site.data();
-  computeDistanceField(mesh, connectivity, field.grid, extent, arrays);
-  std::size_t source = 0;
-  for (int k = extent.min[2]; k <= extent.max[2]; ++k)
-  {
-    for (int j = extent.min[1]; j <= extent.max[1]; ++j)
-    {
-      for (int i = extent.min[0]; i <= extent.max[0]; ++i, ++source)
-      {
-        const auto& n = field.grid.dimensions;
-        const std::size_t target = i + static_cast<std::size_t>(n[0]) * (j + n[1] * k);
-        field.distance[target] = distance[source];
-        field.closestSite[target] = site[source];
-      }
-    }
-  }
-}
-
 /// Halves of an extent along an axis.
 std::vector<Extent> halves(const Extent& extent, int axis)
 {

@@ -18,12 +18,6 @@ using namespace medial::test;
 namespace
 {
 
-struct OddInput
-{
-  TriangleMesh mesh;
-  Grid grid;
-};
-
 Grid gridAround(const TriangleMesh& mesh, int resolution = 32)
 {
   return makeGrid(mesh.bounds(), resolution, 0.2);
@@ -34,7 +28,7 @@ Grid gridOf(const Point3& origin, const Point3& spacing, const std::array<int, 3
   return { origin, spacing, dimensions };
 }
 
-OddInput around(const TriangleMesh& mesh)
+MeshOnGrid around(const TriangleMesh& mesh)
 {
   return { mesh, gridAround(mesh) };
 }
@@ -144,7 +138,7 @@ TriangleMesh strayCells()
     { { 0, 1, 2 } }, { { 3, 4 }, { 0, 1 } }, { 5, 2 });
 }
 
-std::vector<Named<OddInput>> oddMeshes()
+std::vector<Named<MeshOnGrid>> oddMeshes()
 {
   return { { "soup", [] { return around(randomSoup(60, 11)); } },
     { "openMesh", [] { return around(plates(0.4, 1.0)); } },
@@ -183,10 +177,10 @@ std::vector<Named<OddInput>> oddMeshes()
     { "subVoxelTriangles", [] { return around(scaled(icosphere(1.0, 5), 0.3)); } } };
 }
 
-std::vector<Named<OddInput>> oddGrids()
+std::vector<Named<MeshOnGrid>> oddGrids()
 {
   static const Point3 h{ 0.05, 0.05, 0.05 };
-  const auto ring = [](const Grid& grid) { return OddInput{ torus(1.0, 0.4, 32, 16), grid }; };
+  const auto ring = [](const Grid& grid) { return MeshOnGrid{ torus(1.0, 0.4, 32, 16), grid }; };
   return { { "oneThickInX",
              [=] {
                return ring(gridOf({ 0.83, -1.5, -0.6 }, h, { 1, 61, 25 }));
@@ -233,36 +227,37 @@ std::vector<Named<OddInput>> oddGrids()
       } },
     { "inside",
       [] {
-        return OddInput{ box({ 3.0, 2.0, 2.5 }), gridOf({ -0.7, -0.4, -0.5 }, h, { 30, 25, 20 }) };
+        return MeshOnGrid{ box({ 3.0, 2.0, 2.5 }),
+          gridOf({ -0.7, -0.4, -0.5 }, h, { 30, 25, 20 }) };
       } },
     { "insideLargeMesh",
       []
       {
-        return OddInput{ scaled(icosphere(1.0, 4), 50.0),
+        return MeshOnGrid{ scaled(icosphere(1.0, 4), 50.0),
           gridOf({ -0.7, -0.4, -0.5 }, h, { 30, 25, 20 }) };
       } },
     { "onLargeMesh",
       []
       {
-        return OddInput{ scaled(icosphere(1.0, 4), 50.0),
+        return MeshOnGrid{ scaled(icosphere(1.0, 4), 50.0),
           gridOf({ 30.0, 40.0, -0.5 }, h, { 30, 25, 20 }) };
       } },
     { "onVeryLargeMesh",
       []
       {
-        return OddInput{ scaled(tilted(icosphere(1.0, 2)), 5e3),
+        return MeshOnGrid{ scaled(tilted(icosphere(1.0, 2)), 5e3),
           gridOf({ 2500.0, 3000.0, 2800.0 }, h, { 30, 25, 20 }) };
       } },
     { "doubledTriangle",
       []
       {
-        return OddInput{ doubledTriangle(),
+        return MeshOnGrid{ doubledTriangle(),
           gridOf({ -0.321262419, -0.381877969, -0.0121231101 },
             { 0.0121231101, 0.0121231101, 0.0121231101 }, { 54, 64, 1 }) };
       } } };
 }
 
-class OddMesh : public testing::TestWithParam<Named<OddInput>>
+class OddMesh : public testing::TestWithParam<Named<MeshOnGrid>>
 {
 };
 
