@@ -103,6 +103,8 @@ void AddMesh(const medial::TriangleMesh& mesh, const medial::MeshConnectivity& c
 void AddWork(const medial::RunStatistics& statistics, vtkMedialFigures& figures)
 {
   figures.AddCount("Sites", statistics.sites);
+  figures.AddCount("GroupTests", statistics.groupTests);
+  figures.AddCount("SiteTests", statistics.siteTests);
   figures.AddCount("CandidatePairs", statistics.candidatePairs);
   figures.AddCount("Polygons", statistics.polygons);
   figures.AddCount("Fragments", statistics.fragments);

@@ -60,7 +60,8 @@ Json describeSign(const SignReport& sign)
 Json describeCounts(const RunStatistics& statistics, const MedialAxis& axis)
 {
   return { { "sites", statistics.sites }, { "polygons", statistics.polygons },
-    { "fragments", statistics.fragments }, { "candidate_pairs", statistics.candidatePairs },
+    { "fragments", statistics.fragments }, { "group_tests", statistics.groupTests },
+    { "site_tests", statistics.siteTests }, { "candidate_pairs", statistics.candidatePairs },
     { "medial_points", axis.points.size() }, { "medial_cells", axis.cellCount() } };
 }
 

@@ -21,7 +21,8 @@ struct AppSeconds
 /// @return JSON text with the keys input {path, triangles, vertices, closed, manifold, components,
 ///   skipped_degenerate}, grid {dimensions, spacing, origin}, device {renderer, version, software},
 ///   seconds {read, sites, cull, polygons, draw, resolve, medial, write, total}, counts {sites,
-///   polygons, fragments, candidate_pairs, medial_points, medial_cells}, fragments_per_voxel,
+///   polygons, fragments, group_tests, site_tests, candidate_pairs, medial_points, medial_cells},
+///   fragments_per_voxel,
 ///   simplification {input_points, input_components, components, joined, forced, dropped, seconds}
 ///   (as in SimplificationStatistics, 0 without --max-spheres), engine, sign_method, topology
 ///   {mode, solid (null unless preserved), axis: each {components, euler_characteristic, genus,

@@ -73,9 +73,10 @@ struct SegmentProjection
 class FunctionBuilder
 {
 public:
-  FunctionBuilder(const SiteSet& sites, const GridFrame& frame, const glm::ivec2& sliceSize,
-    int slice, double tolerance)
+  FunctionBuilder(const SiteSet& sites, const SiteBounds& bounds, const GridFrame& frame,
+    const glm::ivec2& sliceSize, int slice, double tolerance)
     : sites_(sites)
+    , bounds_(bounds)
     , frame_(frame)
     , last_(sliceSize - 1)
     , first_(frame.sample({ 0.0, 0.0, slice }))
@@ -122,7 +123,8 @@ private:
   SlicePolygon prism(int site, int count) const
   {
     SlicePolygon polygon{ glm::vec2(last_) };
-    const HalfSpace* h = sites_.halfSpacesBegin(site);
+    bounds_.prepare(site);
+    const HalfSpace* h = bounds_.begin(site);
     for (int i = 0; i < count && !polygon.empty(); ++i)
     {
       polygon.clip(this->onSlice(glm::dvec3(h[i]), static_cast<double>(h[i].w)), 0.0f);
@@ -265,6 +267,7 @@ private:
   }
 
   const SiteSet& sites_;
+  const SiteBounds& bounds_;
   const GridFrame& frame_;
   glm::ivec2 last_;
   glm::dvec3 first_; ///< position of the slice's first grid point
@@ -275,10 +278,10 @@ private:
 
 } // namespace
 
-SliceFunctions sliceFunctions(const SiteSet& sites, const GridFrame& frame,
-  const glm::ivec2& sliceSize, int slice, double tolerance)
+SliceFunctions sliceFunctions(const SiteSet& sites, const SiteBounds& bounds,
+  const GridFrame& frame, const glm::ivec2& sliceSize, int slice, double tolerance)
 {
-  return FunctionBuilder(sites, frame, sliceSize, slice, tolerance).build();
+  return FunctionBuilder(sites, bounds, frame, sliceSize, slice, tolerance).build();
 }
 
 } // namespace medial::benchmark

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sites/grid_frame.h"
+#include "sites/site_bounds.h"
 #include "sites/site_set.h"
 
 #include <glm/glm.hpp>
@@ -72,7 +73,7 @@ struct SliceFunctions
 };
 
 /// @param tolerance maximum error of a depth, local units.
-SliceFunctions sliceFunctions(const SiteSet& sites, const GridFrame& frame,
-  const glm::ivec2& sliceSize, int slice, double tolerance);
+SliceFunctions sliceFunctions(const SiteSet& sites, const SiteBounds& bounds,
+  const GridFrame& frame, const glm::ivec2& sliceSize, int slice, double tolerance);
 
 } // namespace medial::benchmark

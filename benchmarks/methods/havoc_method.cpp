@@ -31,9 +31,10 @@ public:
     , tolerance_(tolerance)
   {
     const Stopwatch watch(sitesSeconds_);
-    const MeshConnectivity connectivity = analyseConnectivity(mesh);
-    sites_ = std::make_unique<SiteSet>(mesh, connectivity, frame_);
-    reader_ = std::make_unique<SliceReader>(*sites_, connectivity, frame_);
+    connectivity_ = analyseConnectivity(mesh);
+    sites_ = std::make_unique<SiteSet>(mesh, connectivity_, frame_);
+    bounds_ = std::make_unique<SiteBounds>(*sites_, connectivity_);
+    reader_ = std::make_unique<SliceReader>(*sites_, connectivity_, frame_);
   }
 
   FieldResult run()
@@ -65,7 +66,7 @@ private:
       [&](std::size_t i)
       {
         const int slice = first + static_cast<int>(i);
-        batch[i] = sliceFunctions(*sites_, frame_, sliceSize_, slice, tolerance_);
+        batch[i] = sliceFunctions(*sites_, *bounds_, frame_, sliceSize_, slice, tolerance_);
       });
     return batch;
   }
@@ -86,7 +87,9 @@ private:
   GridFrame frame_;
   glm::ivec2 sliceSize_;
   double tolerance_;
+  MeshConnectivity connectivity_;
   std::unique_ptr<SiteSet> sites_;
+  std::unique_ptr<SiteBounds> bounds_;
   std::unique_ptr<SliceReader> reader_;
 
   FieldResult result_;

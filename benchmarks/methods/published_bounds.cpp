@@ -35,6 +35,7 @@ public:
   BoundBuilder(const SiteSet& sites, const MeshConnectivity& connectivity)
     : sites_(sites)
     , connectivity_(connectivity)
+    , siteBounds_(sites, connectivity)
   {
   }
 
@@ -44,7 +45,7 @@ public:
     {
       if (sites_.active(face))
       {
-        // SiteSet has two more, which the paper does not have.
+        // SiteBounds has two more, which the paper does not have.
         this->addFromSites(face, 3, 3);
       }
     }
@@ -71,7 +72,8 @@ private:
   void addFromSites(int site, int undilated, int taken)
   {
     const int begin = this->count();
-    const HalfSpace* first = sites_.halfSpacesBegin(site);
+    siteBounds_.prepare(site);
+    const HalfSpace* first = siteBounds_.begin(site);
     bounds_.halfSpaces.insert(bounds_.halfSpaces.end(), first, first + taken);
     bounds_.sites.push_back({ site, begin, begin + undilated, this->count() });
   }
@@ -231,6 +233,7 @@ private:
 
   const SiteSet& sites_;
   const MeshConnectivity& connectivity_;
+  SiteBounds siteBounds_;
   std::vector<EdgeShape> shapes_;
   std::vector<int> fan_;
   PublishedBounds bounds_;

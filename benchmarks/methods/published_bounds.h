@@ -1,7 +1,7 @@
 #pragma once
 
 #include "medial/mesh_connectivity.h"
-#include "sites/site_set.h"
+#include "sites/site_bounds.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/checkpoint.h"
-#include "culling/tile_query.h"
+#include "culling/site_query.h"
 #include "sites/grid_frame.h"
 #include "sites/site_set.h"
 
@@ -12,7 +12,7 @@ namespace medial
 struct AxisGeometry
 {
   const SiteSet& sites;
-  const TileQuery& query;
+  const SiteQuery& query;
   const GridFrame& frame;
   Extent extent;
   double angle;                 ///< minimum separation angle, radians

@@ -32,7 +32,7 @@ std::vector<BisectorPoint> vertexPairs(const AxisGeometry& geometry, const DualM
   const BisectorPoints& bisectors, const std::vector<std::size_t>& vertices,
   const std::vector<glm::dvec3>& positions, double tolerance)
 {
-  std::vector<TileQuery::Question> questions(vertices.size());
+  std::vector<SiteQuery::Question> questions(vertices.size());
   for (std::size_t i = 0; i < vertices.size(); ++i)
   {
     const int known = bisectors.points[mesh.incident[mesh.offsets[vertices[i]]]].a.site;

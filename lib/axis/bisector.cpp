@@ -74,7 +74,7 @@ std::optional<BisectorPoint> withinFacets(const AxisGeometry& geometry, Bisector
 Found facetedPoints(const AxisGeometry& geometry, const std::vector<SiteSegment>& segments)
 {
   Found points(segments.size());
-  std::vector<TileQuery::Question> questions;
+  std::vector<SiteQuery::Question> questions;
   for (std::size_t i = 0; i < segments.size(); ++i)
   {
     const BisectorPoint point = SiteChange(geometry.sites, segments[i]).point();
@@ -211,7 +211,7 @@ std::vector<BisectorPoint> bisectorPoints(const AxisGeometry& geometry,
   }
   std::vector<std::size_t> open(segments.size());
   std::iota(open.begin(), open.end(), std::size_t{ 0 });
-  std::vector<TileQuery::Question> questions;
+  std::vector<SiteQuery::Question> questions;
   for (int round = 1; round < kMaxRounds && !open.empty(); ++round)
   {
     questions.clear();
@@ -242,7 +242,7 @@ Found axisAlongNormals(const AxisGeometry& geometry, const std::vector<BisectorP
   Found found(points.size());
   std::vector<SiteSegment> segments;
   std::vector<std::size_t> which;
-  std::vector<TileQuery::Question> ends;
+  std::vector<SiteQuery::Question> ends;
   for (std::size_t i = 0; i < points.size(); ++i)
   {
     if (points[i].radius() < kMinRadius)

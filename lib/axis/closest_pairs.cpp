@@ -64,7 +64,7 @@ glm::dvec3 meanCrossing(const DualMesh& mesh, const BisectorPoints& bisectors, s
 
 std::vector<BisectorPoint> closestPairs(const AxisGeometry& geometry, const DualMesh& mesh,
   const BisectorPoints& bisectors, const std::vector<std::size_t>& vertices,
-  std::vector<TileQuery::Question> questions, EqualAngles equalAngles, double tolerance)
+  std::vector<SiteQuery::Question> questions, EqualAngles equalAngles, double tolerance)
 {
   geometry.query.closest(questions);
   std::vector<BisectorPoint> result(questions.size());

@@ -33,7 +33,7 @@ enum class EqualAngles
 /// @param tolerance how much farther than the closest point the other one may be, frame units.
 std::vector<BisectorPoint> closestPairs(const AxisGeometry& geometry, const DualMesh& mesh,
   const BisectorPoints& bisectors, const std::vector<std::size_t>& vertices,
-  std::vector<TileQuery::Question> questions, EqualAngles equalAngles,
+  std::vector<SiteQuery::Question> questions, EqualAngles equalAngles,
   double tolerance = std::numeric_limits<double>::infinity());
 
 } // namespace medial

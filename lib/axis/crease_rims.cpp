@@ -97,7 +97,7 @@ std::optional<SiteSegment> acrossNearerToCrease(const AxisGeometry& geometry,
 /// Replaces sites near the ends of segments by the closest ones.
 void findSites(const AxisGeometry& geometry, std::vector<SiteSegment>& segments)
 {
-  std::vector<TileQuery::Question> questions;
+  std::vector<SiteQuery::Question> questions;
   for (const SiteSegment& segment : segments)
   {
     questions.push_back(

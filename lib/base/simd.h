@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 
@@ -8,6 +9,7 @@
 namespace medial
 {
 
+// Without AVX the compiler aligns them to 16 bytes only: what keeps them in memory is alignas(32).
 using Float8 = float __attribute__((vector_size(32)));
 using Int8 =
   int __attribute__((vector_size(32))); ///< result of a comparison: -1 where true, 0 where false
@@ -45,6 +47,17 @@ MEDIAL_INLINE Float8 min(Float8 a, Float8 b)
 MEDIAL_INLINE Float8 max(Float8 a, Float8 b)
 {
   return a > b ? a : b;
+}
+
+/// One instruction, since the library is compiled without errno for the functions of <cmath>.
+MEDIAL_INLINE Float8 squareRoot(Float8 value)
+{
+  Float8 root{};
+  for (int i = 0; i < kLanes; ++i)
+  {
+    root[i] = std::sqrt(value[i]);
+  }
+  return root;
 }
 
 MEDIAL_INLINE Float8 loaded(const float* from)

@@ -46,17 +46,6 @@ MEDIAL_INLINE Float8 squaredLength(Float8 x, Float8 y, Float8 z)
   return x * x + y * y + z * z;
 }
 
-/// For a few values only.
-MEDIAL_INLINE Float8 squareRoot(Float8 value)
-{
-  Float8 root{};
-  for (int i = 0; i < kLanes; ++i)
-  {
-    root[i] = std::sqrt(value[i]);
-  }
-  return root;
-}
-
 /// Which boxes lie entirely outside a half-space.
 MEDIAL_INLINE Int8 outside(const BoxLanes& boxes, const HalfSpace& h, float slack)
 {
@@ -94,91 +83,95 @@ float evaluate(const HalfSpace& plane, const glm::vec3& x)
   return plane.x * x.x + plane.y * x.y + plane.z * x.z - plane.w;
 }
 
-} // namespace
-
-CandidateFilter::CandidateFilter(const SiteSet& sites, const GridFrame& frame)
-  : sites_(sites)
+/// Finds the parts of a group's elements that can hold the closest point of some position in a box.
+MEDIAL_VECTORISED void findParts(const SiteGroup& group, const BoxReach& reach, float slack,
+  SiteGroup::IntLanes& parts)
 {
-  facePlanes_.resize(sites.faceCount());
-  for (int face = 0; face < sites.faceCount(); ++face)
-  {
-    const glm::dvec3& normal = sites.faceNormal(face);
-    const glm::dvec3& corner = sites.points()[sites.faces()[face][0]];
-    facePlanes_[face].plane = { glm::vec3(normal), static_cast<float>(glm::dot(normal, corner)) };
-    if (sites.active(face))
-    {
-      std::copy_n(sites.halfSpacesBegin(face), 3, facePlanes_[face].sides);
-    }
-  }
-  edgeLines_.reserve(sites.edgeCount());
-  for (const glm::ivec2& ends : sites.edges())
-  {
-    const glm::dvec3 start = sites.points()[ends[0]];
-    const glm::dvec3 along = sites.points()[ends[1]] - start;
-    const double length = glm::length(along);
-    edgeLines_.push_back(
-      { glm::vec3(start), static_cast<float>(length), glm::vec3(along / length) });
-  }
+  const ElementPosition centre(group, group.toGroup(glm::dvec3(reach.box().centre)));
+  const Int8 found = partsNear(group, AllElements(), centre, reach.radius() + slack) &
+    (centre.squared <= reach.squared());
+  std::memcpy(parts.data(), &found, sizeof(found));
+}
+
+/// Returns a bound of the rounding error of single precision near the grid and the mesh.
+float slackNear(const SiteSet& sites, const GridFrame& frame)
+{
   float reach = 0.0f;
-  for (int site = sites.firstVertex(); site < sites.size(); ++site)
+  for (const glm::dvec3& point : sites.points())
   {
-    reach = std::max(reach, glm::length(glm::vec3(sites.boundingBall(site))));
+    reach = std::max(reach, glm::length(glm::vec3(point)));
   }
   // Enough for the grid points of most grids; those of very large or flat ones are farther out.
   constexpr float kMinSlack = 1e-3f;
   constexpr float kRounding = 16.0f * std::numeric_limits<float>::epsilon();
-  slack_ = std::max(kMinSlack, kRounding * static_cast<float>(frame.reach())) + kRounding * reach;
+  return std::max(kMinSlack, kRounding * static_cast<float>(frame.reach())) + kRounding * reach;
 }
 
-std::vector<int> CandidateFilter::allSites() const
+} // namespace
+
+CandidateFilter::CandidateFilter(const SiteSet& sites, const MeshConnectivity& connectivity,
+  const GridFrame& frame)
+  : sites_(sites)
+  , bounds_(sites, connectivity)
+  , facePlanes_(sites.faceCount())
+  , edgeLines_(sites.edgeCount())
+  , slack_(slackNear(sites, frame))
+  , tree_(sites, slack_)
 {
-  std::vector<int> all;
-  all.reserve(sites_.size());
-  for (int site = 0; site < sites_.size(); ++site)
-  {
-    if (sites_.active(site))
-    {
-      all.push_back(site);
-    }
-  }
-  return all;
 }
 
-bool CandidateFilter::seedDistances(const FrameBox* boxes, const int* seeds, int boxCount,
-  std::array<float, kMaxBoxes>& squared) const
+CandidateFilter::FacePlanes CandidateFilter::facePlanes(int face) const
 {
-  for (int i = 0; i < kMaxBoxes; ++i)
+  const glm::dvec3& normal = sites_.faceNormal(face);
+  const glm::dvec3& corner = sites_.points()[sites_.faces()[face][0]];
+  FacePlanes planes{};
+  planes.plane = { glm::vec3(normal), static_cast<float>(glm::dot(normal, corner)) };
+  if (sites_.active(face))
   {
-    const int box = i < boxCount ? i : 0;
-    if (seeds == nullptr || seeds[box] < 0)
-    {
-      return false;
-    }
-    const glm::dvec3 centre(boxes[box].centre);
-    const glm::dvec3 point = closestPoint(sites_, seeds[box], centre).point;
-    squared[i] = static_cast<float>(glm::dot(point - centre, point - centre));
+    bounds_.prepare(face);
+    std::copy_n(bounds_.begin(face), 3, planes.sides);
   }
-  return true;
+  return planes;
+}
+
+CandidateFilter::EdgeLine CandidateFilter::edgeLine(int edge) const
+{
+  const glm::ivec2& ends = sites_.edges()[edge];
+  const glm::dvec3& start = sites_.points()[ends[0]];
+  const glm::dvec3 along = sites_.points()[ends[1]] - start;
+  const double length = glm::length(along);
+  return { glm::vec3(start), static_cast<float>(length), glm::vec3(along / length) };
+}
+
+void CandidateFilter::prepare(const std::vector<int>& sites) const
+{
+  const auto setPlanes = [this](int face, FacePlanes* table)
+  { table[face] = this->facePlanes(face); };
+  const auto setLine = [this](int edge, EdgeLine* table) { table[edge] = this->edgeLine(edge); };
+  for (const int site : sites)
+  {
+    bounds_.prepare(site);
+    if (site < sites_.faceCount())
+    {
+      facePlanes_.prepare(site, setPlanes);
+    }
+    else if (site < sites_.firstVertex())
+    {
+      edgeLines_.prepare(site - sites_.firstEdge(), setLine);
+    }
+  }
 }
 
 MEDIAL_VECTORISED void CandidateFilter::findNear(const std::vector<int>& parent,
-  const FrameBox* boxes, const int* seeds, int boxCount, Scratch& scratch) const
+  const FrameBox* boxes, int boxCount, Scratch& scratch) const
 {
   const BoxLanes lanes = boxLanes(boxes, boxCount);
   Float8 upper = splat(kUnknown);
-  std::array<float, kMaxBoxes> known;
-  if (this->seedDistances(boxes, seeds, boxCount, known))
+  // The centres of these balls are points of the surface.
+  for (const int site : parent)
   {
-    upper = loaded(known.data());
-  }
-  else
-  {
-    // The centres of these balls are points of the surface.
-    for (const int site : parent)
-    {
-      const glm::vec4& sphere = sites_.boundingBall(site);
-      upper = min(upper, squaredLength(lanes.x - sphere.x, lanes.y - sphere.y, lanes.z - sphere.z));
-    }
+    const glm::vec4& sphere = sites_.boundingBall(site);
+    upper = min(upper, squaredLength(lanes.x - sphere.x, lanes.y - sphere.y, lanes.z - sphere.z));
   }
   const Float8 limit = squareRoot(upper) + 2.0f * lanes.radius + slack_;
   const unsigned used = (1u << boxCount) - 1u;
@@ -188,8 +181,8 @@ MEDIAL_VECTORISED void CandidateFilter::findNear(const std::vector<int>& parent,
     // waiting for memory.
     if (i + kAhead < parent.size())
     {
-      __builtin_prefetch(sites_.halfSpacesBegin(parent[i + kAhead]));
-      __builtin_prefetch(sites_.halfSpacesBegin(parent[i + kAhead]) + 4);
+      __builtin_prefetch(bounds_.begin(parent[i + kAhead]));
+      __builtin_prefetch(bounds_.begin(parent[i + kAhead]) + 4);
     }
     const int site = parent[i];
     const glm::vec4& sphere = sites_.boundingBall(site);
@@ -197,8 +190,8 @@ MEDIAL_VECTORISED void CandidateFilter::findNear(const std::vector<int>& parent,
     const Float8 squared =
       squaredLength(lanes.x - sphere.x, lanes.y - sphere.y, lanes.z - sphere.z);
     Int8 dropped = squared > reach * reach;
-    const HalfSpace* end = sites_.halfSpacesEnd(site);
-    for (const HalfSpace* h = sites_.halfSpacesBegin(site); h != end; ++h)
+    const HalfSpace* end = bounds_.end(site);
+    for (const HalfSpace* h = bounds_.begin(site); h != end; ++h)
     {
       dropped |= outside(lanes, *h, slack_);
     }
@@ -314,22 +307,45 @@ MEDIAL_VECTORISED std::size_t CandidateFilter::dropDominated(const FrameBox& box
   return kept;
 }
 
-void CandidateFilter::filter(const std::vector<int>& parent, const FrameBox* boxes,
-  const int* seeds, int boxCount, std::vector<int>* const* out, Scratch& scratch) const
+void CandidateFilter::collectSites(const BoxReach& reach, const GroupList& groups,
+  std::vector<int>& sites) const
 {
+  sites.clear();
+  SiteGroup::IntLanes parts;
+  for (const int id : groups.groups())
+  {
+    const SiteGroup& group = tree_.groups()[id];
+    findParts(group, reach, slack_, parts);
+    for (int lane = 0; lane < SiteGroup::kSize; ++lane)
+    {
+      for (int left = parts[lane]; left != 0; left &= left - 1)
+      {
+        sites.push_back(siteOf(sites_, group, lane, __builtin_ctz(left)));
+      }
+    }
+  }
+}
+
+std::int64_t CandidateFilter::listSites(const BoxReach& reach, const GroupList& groups,
+  const FrameBox* boxes, int boxCount, std::vector<int>* lists, Scratch& scratch) const
+{
+  this->collectSites(reach, groups, scratch.sites);
+  this->prepare(scratch.sites);
   for (int i = 0; i < boxCount; ++i)
   {
     scratch.near[i].clear();
-    scratch.near[i].reserve(parent.size());
+    scratch.near[i].reserve(scratch.sites.size());
   }
-  this->findNear(parent, boxes, seeds, boxCount, scratch);
+  this->findNear(scratch.sites, boxes, boxCount, scratch);
   for (int i = 0; i < boxCount; ++i)
   {
     std::vector<int>& near = scratch.near[i];
     scratch.corners.resize(near.size());
     const std::size_t kept = this->dropDominated(boxes[i], near, scratch.corners);
-    out[i]->insert(out[i]->end(), near.begin(), near.begin() + kept);
+    lists[i].assign(near.begin(), near.begin() + kept);
+    std::sort(lists[i].begin(), lists[i].end());
   }
+  return static_cast<std::int64_t>(scratch.sites.size()) * boxCount;
 }
 
 } // namespace medial

@@ -1,42 +1,20 @@
 #pragma once
 
+#include "base/lazy_table.h"
+#include "culling/group_list.h"
+#include "culling/group_tree.h"
 #include "sites/grid_frame.h"
+#include "sites/site_bounds.h"
 #include "sites/site_set.h"
 
 #include <glm/glm.hpp>
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 namespace medial
 {
-
-/// An axis-aligned box in local coordinates, by its centre and half its lengths.
-struct FrameBox
-{
-  glm::vec3 centre;
-  glm::vec3 half;
-};
-
-/// Points side by side, each with a distance within which to look for sites; local units.
-struct PointLanes
-{
-  static constexpr int kMax = 8;
-
-  int count = 0;
-  alignas(32) std::array<float, kMax> x;
-  alignas(32) std::array<float, kMax> y;
-  alignas(32) std::array<float, kMax> z;
-  /// The largest float if nothing is known.
-  alignas(32) std::array<float, kMax> reach;
-};
-
-/// A site that may be within reach of the points whose bits are set.
-struct NearSite
-{
-  int site;
-  unsigned points;
-};
 
 /// Decides which sites can be closest to some point of a box. The filter is conservative: it never
 /// drops a site that is, so it can change the time but not the result.
@@ -46,34 +24,40 @@ public:
   /// Number of boxes that are filtered at once.
   static constexpr int kMaxBoxes = 8;
 
-  CandidateFilter(const SiteSet& sites, const GridFrame& frame);
+  /// @param sites, connectivity must outlive this.
+  CandidateFilter(const SiteSet& sites, const MeshConnectivity& connectivity,
+    const GridFrame& frame);
+
+  /// Half-spaces of all sites that have been listed.
+  const SiteBounds& bounds() const { return bounds_; }
+
+  /// The elements of the mesh.
+  const GroupTree& tree() const { return tree_; }
 
   /// Working memory of one thread.
   struct Scratch
   {
+    std::vector<int> sites;                       ///< of the groups
     std::array<std::vector<int>, kMaxBoxes> near; ///< survivors of the cheap tests
     std::vector<std::array<float, 8>> corners;    ///< squared distances to the corners of boxes
   };
 
-  /// For each of up to kMaxBoxes boxes, appends to its `out`, in the order of `parent`, the sites
-  /// that pass three tests:
+  /// Lists the sites, ascending, that can be closest somewhere in each of some neighbouring boxes.
+  /// Those of the groups stay that pass four tests:
+  /// - the Voronoi region of the site, as far as its element bounds it, meets the ball around all
+  ///   boxes;
   /// - dist(centre, site) <= D + 2 radius, where D is an upper bound of the distance at the centre;
   /// - no half-space of the site has the whole box outside;
   /// - no surface point, of some that are near, is nearer than the site to all corners of the box.
   ///   Such a point is nearer everywhere in the box, as the site is convex: the difference of the
   ///   squared distances is a minimum of affine functions, hence concave, and smallest at a corner.
-  /// @param parent candidates of a box that contains these boxes.
-  /// @param seeds a site near the centre of each box, or -1 if none is known; null for none at all.
-  void filter(const std::vector<int>& parent, const FrameBox* boxes, const int* seeds, int boxCount,
-    std::vector<int>* const* out, Scratch& scratch) const;
-
-  /// Finds the sites in [begin, end) that may be within reach of a point, and all that may be
-  /// closest to a point with unknown reach. `found` has room for the whole range.
-  void near(const int* begin, const int* end, const PointLanes& points,
-    std::vector<NearSite>& found) const;
-
-  /// All active sites, ascending: the candidates of the whole space.
-  std::vector<int> allSites() const;
+  /// @param reach of all boxes together.
+  /// @param groups all that may hold closest points of the boxes.
+  /// @param boxCount in [1, kMaxBoxes].
+  /// @param lists one for each box.
+  /// @return number of pairs of a site and a box that were tested.
+  std::int64_t listSites(const BoxReach& reach, const GroupList& groups, const FrameBox* boxes,
+    int boxCount, std::vector<int>* lists, Scratch& scratch) const;
 
   /// Bound of the rounding error of single precision near the grid and the mesh, in local units.
   float slack() const { return slack_; }
@@ -91,11 +75,14 @@ private:
     HalfSpace sides[3];
   };
 
-  bool seedDistances(const FrameBox* boxes, const int* seeds, int boxCount,
-    std::array<float, kMaxBoxes>& squared) const;
+  /// Makes what the tests need of sites.
+  void prepare(const std::vector<int>& sites) const;
+  FacePlanes facePlanes(int face) const;
+  EdgeLine edgeLine(int edge) const;
+  void collectSites(const BoxReach& reach, const GroupList& groups, std::vector<int>& sites) const;
   /// Appends to the boxes' lists, which have room for the whole of `parent`.
-  void findNear(const std::vector<int>& parent, const FrameBox* boxes, const int* seeds,
-    int boxCount, Scratch& scratch) const;
+  void findNear(const std::vector<int>& parent, const FrameBox* boxes, int boxCount,
+    Scratch& scratch) const;
   void prefetch(int site) const;
   /// Moves the sites that stay to the front of `near`, and returns their number.
   /// @param squaredDistances working memory, as long as `near`.
@@ -103,9 +90,11 @@ private:
     std::vector<std::array<float, 8>>& squaredDistances) const;
 
   const SiteSet& sites_;
-  std::vector<FacePlanes> facePlanes_;
-  std::vector<EdgeLine> edgeLines_;
+  SiteBounds bounds_;
+  LazyTable<FacePlanes> facePlanes_;
+  LazyTable<EdgeLine> edgeLines_;
   float slack_;
+  GroupTree tree_;
 };
 
 } // namespace medial

@@ -1,234 +1,169 @@
 #include "culling/candidate_tiles.h"
 
-#include <tbb/enumerable_thread_specific.h>
+#include "culling/extent_parts.h"
+
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <array>
-#include <numeric>
 
 namespace medial
 {
 namespace
 {
 
-/// Splits an extent into halves, quarters or eighths: every axis longer than its limit is cut near
-/// its middle, at a multiple of the limit from the start.
-std::vector<Extent> split(const Extent& extent, const glm::ivec3& limit)
-{
-  std::vector<Extent> parts{ extent };
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const int size = extent.size(axis);
-    if (size <= limit[axis])
-    {
-      continue;
-    }
-    const int units = (size + limit[axis] - 1) / limit[axis];
-    const int cut = extent.min[axis] + (units + 1) / 2 * limit[axis];
-    const std::size_t count = parts.size();
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      Extent upper = parts[i];
-      upper.min[axis] = cut;
-      parts[i].max[axis] = cut - 1;
-      parts.push_back(upper);
-    }
-  }
-  return parts;
-}
+/// Number of grid points along an edge of a set of tiles.
+constexpr int kSetSize = 2 * CandidateHierarchy::kTileSize;
 
-bool fits(const Extent& extent, const glm::ivec3& limit)
+/// Number of groups of a set up to which lists of sites are quicker than groups.
+constexpr int kFewGroups = 100;
+
+bool cuts(const Extent& slab, const Extent& part)
 {
-  return extent.size(0) <= limit.x && extent.size(1) <= limit.y && extent.size(2) <= limit.z;
+  return part.max[2] >= slab.min[2] && part.min[2] <= slab.max[2];
 }
 
 } // namespace
 
-/// The parts of a node, and the candidates of each.
-struct CandidateHierarchy::Parts
-{
-  std::vector<Extent> extents;
-  std::vector<FrameBox> boxes;
-  std::vector<int> seeds;
-  std::array<std::vector<int>, CandidateFilter::kMaxBoxes> candidates;
-
-  void filter(const CandidateFilter& filter, const std::vector<int>& parent,
-    CandidateFilter::Scratch& scratch)
-  {
-    std::array<std::vector<int>*, CandidateFilter::kMaxBoxes> out{};
-    for (std::size_t i = 0; i < boxes.size(); ++i)
-    {
-      candidates[i].clear();
-      out[i] = &candidates[i];
-    }
-    filter.filter(parent, boxes.data(), seeds.data(), static_cast<int>(boxes.size()), out.data(),
-      scratch);
-  }
-};
-
-/// Memory of one thread, reused for every node.
-struct CandidateHierarchy::Workspace
-{
-  CandidateFilter::Scratch scratch;
-  std::array<Parts, 2> levels; ///< from blocks to leaves
-};
-
 CandidateHierarchy::CandidateHierarchy(const CandidateFilter& filter, const GridFrame& frame,
-  const Extent& extent, TileHull hull, const ClosestSeeds* seeds)
+  const Extent& extent)
   : filter_(filter)
   , frame_(frame)
   , extent_(extent)
-  , hull_(hull)
-  , seeds_(seeds != nullptr && seeds->knows(extent) ? seeds : nullptr)
 {
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    blockCounts_[axis] = (extent.size(axis) + kBlockSize - 1) / kBlockSize;
-  }
-  blocks_.resize(static_cast<std::size_t>(blockCounts_.x) * blockCounts_.y * blockCounts_.z);
-  this->descendToBlocks(extent, filter_.allSites());
 }
 
-FrameBox CandidateHierarchy::hullOf(const Extent& extent) const
+std::vector<Extent> CandidateHierarchy::setsOf(const Extent& slab) const
 {
-  Extent points = extent;
-  if (hull_ == TileHull::Cells)
-  {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      points.max[axis] = std::min(points.max[axis] + 1, extent_.max[axis]);
-    }
-  }
-  const glm::dvec3 low(points.min[0], points.min[1], points.min[2]);
-  const glm::dvec3 high(points.max[0], points.max[1], points.max[2]);
-  return { glm::vec3(frame_.sample(0.5 * (low + high))),
-    glm::vec3(0.5 * (high - low) * frame_.step) };
+  Extent layers = extent_;
+  layers.min[2] = slab.min[2] - (slab.min[2] - extent_.min[2]) % kSetSize;
+  const int last = (slab.max[2] - extent_.min[2]) / kSetSize;
+  layers.max[2] = std::min(extent_.min[2] + (last + 1) * kSetSize - 1, extent_.max[2]);
+  std::vector<Extent> sets;
+  visitParts(layers, kSetSize, [&](const Extent& set) { sets.push_back(set); });
+  return sets;
 }
 
-void CandidateHierarchy::divide(const Extent& node, const glm::ivec3& limit, Parts& parts) const
+CullingCounts CandidateHierarchy::visitTiles(const Extent& slab, const Visitor& visitor) const
 {
-  parts.extents = split(node, limit);
-  parts.boxes.clear();
-  parts.seeds.clear();
-  for (const Extent& part : parts.extents)
-  {
-    parts.boxes.push_back(this->hullOf(part));
-    parts.seeds.push_back(seeds_ != nullptr ? seeds_->at(part) : -1);
-  }
-}
-
-void CandidateHierarchy::descendToBlocks(const Extent& node, const std::vector<int>& candidates)
-{
-  Parts parts;
-  this->divide(node, glm::ivec3(kBlockSize), parts);
-  if (parts.extents.size() == 1)
-  {
-    std::size_t index = 0;
-    for (int axis = 2; axis >= 0; --axis)
-    {
-      index = index * blockCounts_[axis] + (node.min[axis] - extent_.min[axis]) / kBlockSize;
-    }
-    blocks_[index] = { node, candidates };
-    return;
-  }
-  CandidateFilter::Scratch scratch;
-  parts.filter(filter_, candidates, scratch);
-  tbb::parallel_for(std::size_t{ 0 }, parts.extents.size(),
-    [&](std::size_t i) { this->descendToBlocks(parts.extents[i], parts.candidates[i]); });
-}
-
-std::vector<const CandidateHierarchy::Block*> CandidateHierarchy::blocksOf(
-  const Extent& layers) const
-{
-  const std::size_t layer = static_cast<std::size_t>(blockCounts_.x) * blockCounts_.y;
-  const std::size_t first = (layers.min[2] - extent_.min[2]) / kBlockSize;
-  const std::size_t last = (layers.max[2] - extent_.min[2]) / kBlockSize;
-  std::vector<const Block*> blocks;
-  for (std::size_t i = first * layer; i < (last + 1) * layer; ++i)
-  {
-    blocks.push_back(&blocks_[i]);
-  }
-  return blocks;
-}
-
-Extent CandidateHierarchy::layersOf(const Extent& slab) const
-{
-  Extent layers = slab;
-  layers.min[2] -= (slab.min[2] - extent_.min[2]) % kBlockSize;
-  const int last = (slab.max[2] - extent_.min[2]) / kBlockSize;
-  layers.max[2] = std::min(extent_.min[2] + (last + 1) * kBlockSize - 1, extent_.max[2]);
-  return layers;
-}
-
-std::size_t CandidateHierarchy::blockBytes() const
-{
-  return std::accumulate(blocks_.begin(), blocks_.end(), std::size_t{ 0 },
-    [](std::size_t sum, const Block& block)
-    { return sum + sizeof(Block) + block.candidates.capacity() * sizeof(int); });
-}
-
-void CandidateHierarchy::visitLeaves(const Extent& layers, const Visitor& visitor) const
-{
-  const std::vector<const Block*> blocks = this->blocksOf(layers);
-  tbb::enumerable_thread_specific<Workspace> workspaces;
-  tbb::parallel_for(std::size_t{ 0 }, blocks.size(),
+  const std::vector<Extent> sets = this->setsOf(slab);
+  Workspaces workspaces;
+  tbb::parallel_for(std::size_t{ 0 }, sets.size(),
     [&](std::size_t i)
     {
-      this->descendToLeaves(blocks[i]->extent, blocks[i]->candidates, 0, workspaces.local(),
-        visitor);
+      Workspace& workspace = workspaces.local();
+      const BoxReach reach = this->collectGroups(sets[i], kFewGroups, workspace);
+      if (workspace.shared.size() <= kFewGroups)
+      {
+        this->visitSites(sets[i], reach, slab, workspace, visitor);
+        return;
+      }
+      visitParts(sets[i], kTileSize,
+        [&](const Extent& tile)
+        {
+          if (cuts(slab, tile))
+          {
+            this->visitGroups(tile, workspace, visitor);
+          }
+        });
     });
+  return sumOf(workspaces);
 }
 
-std::vector<CandidateTiles> CandidateHierarchy::leafTiles(const Extent& layers,
+CullingCounts CandidateHierarchy::sumOf(const Workspaces& workspaces)
+{
+  CullingCounts sum;
+  for (const Workspace& workspace : workspaces)
+  {
+    sum.groupTests += workspace.counts.groupTests;
+    sum.siteTests += workspace.counts.siteTests;
+  }
+  return sum;
+}
+
+std::vector<CandidateTiles> CandidateHierarchy::listTiles(const Extent& slab, CullingCounts& counts,
   const Checkpoint* checkpoint) const
 {
-  const std::vector<const Block*> blocks = this->blocksOf(layers);
-  std::vector<CandidateTiles> tiles(blocks.size());
-  const auto listOf = [&](const Extent& tile) -> CandidateTiles&
-  {
-    std::size_t index = 0;
-    for (int axis : { 1, 0 })
-    {
-      index = index * blockCounts_[axis] + (tile.min[axis] - extent_.min[axis]) / kBlockSize;
-    }
-    const int firstLayer = (layers.min[2] - extent_.min[2]) / kBlockSize;
-    const int layer = (tile.min[2] - extent_.min[2]) / kBlockSize - firstLayer;
-    return tiles[index + static_cast<std::size_t>(layer) * blockCounts_.x * blockCounts_.y];
-  };
-  // One thread visits each block.
-  this->visitLeaves(layers,
-    [&](const Extent& tile, const std::vector<int>& candidates)
+  const std::vector<Extent> sets = this->setsOf(slab);
+  std::vector<CandidateTiles> lists(sets.size());
+  Workspaces workspaces;
+  tbb::parallel_for(std::size_t{ 0 }, sets.size(),
+    [&](std::size_t i)
     {
       if (checkpoint != nullptr)
       {
         (*checkpoint)();
       }
-      CandidateTiles& list = listOf(tile);
-      list.tiles.push_back(tile);
-      list.candidates.insert(list.candidates.end(), candidates.begin(), candidates.end());
-      list.offsets.push_back(list.candidates.size());
+      CandidateTiles& list = lists[i];
+      Workspace& workspace = workspaces.local();
+      const auto add = [&](const Extent& tile, const std::vector<int>& sites)
+      {
+        list.tiles.push_back(tile);
+        list.candidates.insert(list.candidates.end(), sites.begin(), sites.end());
+        list.offsets.push_back(list.candidates.size());
+      };
+      const BoxReach reach = this->collectGroups(sets[i], kFewGroups, workspace);
+      this->visitSites(sets[i], reach, slab, workspace, { add, nullptr });
     });
-  return tiles;
+  counts = sumOf(workspaces);
+  return lists;
 }
 
-void CandidateHierarchy::descendToLeaves(const Extent& node, const std::vector<int>& candidates,
-  int depth, Workspace& workspace, const Visitor& visitor) const
+BoxReach CandidateHierarchy::collectGroups(const Extent& set, int enough,
+  Workspace& workspace) const
 {
-  Parts& parts = workspace.levels[depth];
-  this->divide(node, glm::ivec3(kLeafSize), parts);
-  parts.filter(filter_, candidates, workspace.scratch);
-  for (std::size_t i = 0; i < parts.extents.size(); ++i)
+  const GroupTree& tree = filter_.tree();
+  const FrameBox hull = hullOf(set, frame_);
+  const NearestElement nearest = tree.nearest(glm::dvec3(hull.centre));
+  BoxReach reach(hull, nearest);
+  workspace.counts.groupTests += tree.collect(reach, workspace.shared);
+  if (workspace.shared.size() > enough)
   {
-    if (fits(parts.extents[i], glm::ivec3(kLeafSize)))
-    {
-      visitor(parts.extents[i], parts.candidates[i]);
-    }
-    else
-    {
-      this->descendToLeaves(parts.extents[i], parts.candidates[i], depth + 1, workspace, visitor);
-    }
+    addCorners(
+      tree, nearest,
+      [&](const glm::dvec3& x, const NearestElement& start) { return tree.nearest(x, start); },
+      reach);
+    std::swap(workspace.shared, workspace.own);
+    workspace.counts.groupTests += workspace.own.size();
+    workspace.own.refine(reach, workspace.shared);
   }
+  return reach;
+}
+
+void CandidateHierarchy::visitSites(const Extent& set, const BoxReach& reach, const Extent& slab,
+  Workspace& workspace, const Visitor& visitor) const
+{
+  workspace.tiles.clear();
+  workspace.hulls.clear();
+  visitParts(set, kTileSize,
+    [&](const Extent& tile)
+    {
+      if (cuts(slab, tile))
+      {
+        workspace.tiles.push_back(tile);
+        workspace.hulls.push_back(hullOf(tile, frame_));
+      }
+    });
+  workspace.counts.siteTests += filter_.listSites(reach, workspace.shared, workspace.hulls.data(),
+    static_cast<int>(workspace.hulls.size()), workspace.sites.data(), workspace.scratch);
+  for (std::size_t i = 0; i < workspace.tiles.size(); ++i)
+  {
+    visitor.sites(workspace.tiles[i], workspace.sites[i]);
+  }
+}
+
+void CandidateHierarchy::visitGroups(const Extent& tile, Workspace& workspace,
+  const Visitor& visitor) const
+{
+  const GroupTree& tree = filter_.tree();
+  const auto nearestTo = [&](const glm::dvec3& x, const NearestElement& start)
+  { return workspace.shared.nearest(tree.groups(), x, start); };
+  const FrameBox hull = hullOf(tile, frame_);
+  const NearestElement nearest = nearestTo(glm::dvec3(hull.centre), {});
+  BoxReach reach(hull, nearest);
+  addCorners(tree, nearest, nearestTo, reach);
+  workspace.counts.groupTests += workspace.shared.size();
+  workspace.shared.refine(reach, workspace.own);
+  visitor.groups(tile, reach, workspace.own);
 }
 
 } // namespace medial

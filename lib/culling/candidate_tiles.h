@@ -2,20 +2,23 @@
 
 #include "base/checkpoint.h"
 #include "culling/candidate_filter.h"
-#include "culling/closest_seeds.h"
+#include "culling/group_list.h"
 #include "medial/grid.h"
 #include "sites/grid_frame.h"
-#include "sites/site_set.h"
 
+#include <tbb/enumerable_thread_specific.h>
+
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <vector>
 
 namespace medial
 {
 
-/// Leaf tiles of grid points with their candidates: the sites that can be closest inside the hull
-/// of the tile.
+/// Tiles of grid points with their candidates: the sites that can be closest in the hull of the
+/// tile.
 struct CandidateTiles
 {
   std::vector<Extent> tiles;
@@ -23,77 +26,70 @@ struct CandidateTiles
   std::vector<int> candidates;           ///< site ids, ascending within a tile
 };
 
-/// Where the candidates of a tile are complete.
-enum class TileHull
+/// What finding candidates took.
+struct CullingCounts
 {
-  Points, ///< at its grid points and between them
-  Cells ///< also up to the first points of the next tiles, so that there are no gaps between tiles
+  std::int64_t groupTests = 0; ///< pairs of a disc and a set of tiles or a tile that were tested
+  std::int64_t siteTests = 0;  ///< pairs of a site and a tile
 };
 
-/// Finds candidates top-down over an octree of tiles. The upper levels are computed once, the lower
-/// ones region by region, so that memory stays bounded.
+/// Finds the candidates of tiles by two trees: that of the elements, and that of tiles. Sets of
+/// neighbouring tiles find the groups of elements that can be closest to them, and tiles find
+/// theirs among these. What is found does not depend on which tiles are visited.
 class CandidateHierarchy
 {
 public:
-  /// Largest number of grid points along an edge of a leaf tile.
-  static constexpr int kLeafSize = 8;
-  /// Number of grid points along an edge of the blocks, where the upper levels end. Blocks start at
-  /// multiples of it, counted from the extent's corner.
-  static constexpr int kBlockSize = 32;
+  /// Largest number of grid points along an edge of a tile. Tiles start at multiples of it, counted
+  /// from the extent's corner.
+  static constexpr int kTileSize = 8;
 
   /// Called from several threads at once.
-  /// @param candidates ascending.
-  using Visitor = std::function<void(const Extent& tile, const std::vector<int>& candidates)>;
+  struct Visitor
+  {
+    /// Tiles with few candidates.
+    /// @param sites ascending.
+    std::function<void(const Extent& tile, const std::vector<int>& sites)> sites;
+    /// Tiles with many.
+    std::function<void(const Extent& tile, const BoxReach& reach, const GroupList& groups)> groups;
+  };
 
   /// @param filter over all sites; must outlive this.
   /// @param extent part of the grid to cover.
-  /// @param seeds of an earlier frame, must outlive this; may be null.
-  CandidateHierarchy(const CandidateFilter& filter, const GridFrame& frame, const Extent& extent,
-    TileHull hull, const ClosestSeeds* seeds = nullptr);
+  CandidateHierarchy(const CandidateFilter& filter, const GridFrame& frame, const Extent& extent);
 
-  /// Returns the layers of blocks, with all their slices, that contain a slab. Candidates are only
-  /// found for whole layers: those of a part would be others, and so would be the last bits of
-  /// results.
-  Extent layersOf(const Extent& slab) const;
+  /// Visits the tiles that a slab cuts, whole, on all threads of the current arena.
+  CullingCounts visitTiles(const Extent& slab, const Visitor& visitor) const;
 
-  /// Visits the leaf tiles of whole layers, on all threads of the current arena. Tiles start at
-  /// multiples of kLeafSize, counted from the extent's corner.
-  /// @param layers of layersOf().
-  void visitLeaves(const Extent& layers, const Visitor& visitor) const;
-
-  /// Lists the leaf tiles of whole layers, in one list per block.
-  /// @param layers of layersOf().
-  /// @param checkpoint called for each block; may be null.
-  std::vector<CandidateTiles> leafTiles(const Extent& layers,
+  /// Lists the tiles that a slab cuts. Those of one list are neighbours.
+  /// @param checkpoint called for each list; may be null.
+  std::vector<CandidateTiles> listTiles(const Extent& slab, CullingCounts& counts,
     const Checkpoint* checkpoint = nullptr) const;
 
-  /// Memory that the candidates of the blocks take.
-  std::size_t blockBytes() const;
-
 private:
-  struct Block
+  /// Memory of one thread.
+  struct Workspace
   {
-    Extent extent;
-    std::vector<int> candidates;
+    GroupList shared; ///< groups of a set of tiles
+    GroupList own;    ///< groups of one of them
+    std::vector<Extent> tiles;
+    std::vector<FrameBox> hulls;
+    std::array<std::vector<int>, CandidateFilter::kMaxBoxes> sites; ///< of each
+    CandidateFilter::Scratch scratch;
+    CullingCounts counts;
   };
-  struct Workspace;
+  using Workspaces = tbb::enumerable_thread_specific<Workspace>;
 
-  struct Parts;
-
-  FrameBox hullOf(const Extent& extent) const;
-  void divide(const Extent& node, const glm::ivec3& limit, Parts& parts) const;
-  void descendToBlocks(const Extent& node, const std::vector<int>& candidates);
-  void descendToLeaves(const Extent& node, const std::vector<int>& candidates, int depth,
+  static CullingCounts sumOf(const Workspaces& workspaces);
+  std::vector<Extent> setsOf(const Extent& slab) const;
+  /// Finds the groups of a set of tiles, and fewer where there are more than enough.
+  BoxReach collectGroups(const Extent& set, int enough, Workspace& workspace) const;
+  void visitSites(const Extent& set, const BoxReach& reach, const Extent& slab,
     Workspace& workspace, const Visitor& visitor) const;
-  std::vector<const Block*> blocksOf(const Extent& layers) const;
+  void visitGroups(const Extent& tile, Workspace& workspace, const Visitor& visitor) const;
 
   const CandidateFilter& filter_;
   GridFrame frame_;
   Extent extent_;
-  TileHull hull_;
-  const ClosestSeeds* seeds_;
-  glm::ivec3 blockCounts_;
-  std::vector<Block> blocks_; ///< x fastest
 };
 
 } // namespace medial

@@ -1,38 +1,28 @@
 #pragma once
 
-#include "culling/tile_query.h"
 #include "field/crossing.h"
 #include "field/field_job.h"
 #include "medial/device.h"
 #include "medial/distance_field.h"
 #include "medial/engine.h"
 
-#include <memory>
 #include <optional>
 #include <vector>
 
 namespace medial
 {
 
-/// What an engine selects for the axis.
-struct SelectedField
-{
-  std::vector<Crossing> crossings;  ///< slice by slice, in ascending z
-  std::unique_ptr<TileQuery> query; ///< exact closest points anywhere in the job's extent
-};
-
 /// Finds the closest sites of grid points, slab by slab in ascending z, and writes the arrays that
 /// a sink wants.
 ///
 /// All engines give the same field (ids may differ between sites at equal distance) and the same
 /// crossings (except at the thresholds). Each engine decides how it cuts the extent into slabs,
-/// where it keeps them and what runs at the same time. slabsOf(), SlabCulling and FieldWriter help
-/// engines that work on the host. An engine that draws or dispatches asks for its device when it is
-/// made; no other engine touches OpenGL.
+/// where it keeps them and what runs at the same time. slabsOf(), CandidateHierarchy and
+/// FieldWriter help engines that work on the host. An engine that draws or dispatches asks for its
+/// device when it is made; no other engine touches OpenGL.
 ///
 /// An engine serves one mesh, whose points may move from job to job. Whatever does not depend on
-/// the positions stays where it is (a device only receives new positions), and the closest sites of
-/// one job bound the distances of the next.
+/// the positions stays where it is: a device only receives new positions.
 class FieldEngine
 {
 public:
@@ -47,9 +37,9 @@ public:
   virtual void run(const FieldJob& job, FieldSink& sink) = 0;
 
   /// Computes a field and selects crossings where the field lies, so that only the arrays which the
-  /// sink wants have to leave a device.
+  /// sink wants have to leave a device. Crossings come slice by slice, in ascending z.
   /// @throws Error as run(), and as requireRoomForAxis().
-  virtual SelectedField select(const FieldJob& job, const CrossingSelection& selection,
+  virtual std::vector<Crossing> select(const FieldJob& job, const CrossingSelection& selection,
     FieldSink& sink) = 0;
 };
 

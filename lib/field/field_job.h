@@ -26,7 +26,8 @@ struct FieldJob
   const MeshConnectivity& connectivity;
   const SiteSet& sites;
   const CandidateFilter& filter;
-  const std::vector<glm::vec4>& normals; ///< pseudonormals() of all sites, for the sign
+  const std::vector<glm::vec4>& normals; ///< pseudonormals() of all sites; the processor has
+                                         ///< them only if they give the sign
   FieldSign sign;
   const InsideRows* inside; ///< grid points that are inside, if `sign` is Rows; otherwise null
   GridFrame frame;

@@ -8,7 +8,6 @@
 #include "sites/pseudonormals.h"
 
 #include <sstream>
-#include <utility>
 
 namespace medial
 {
@@ -99,9 +98,7 @@ void FieldPipeline::run(FieldEngine& engine, FieldSink& sink)
 std::vector<Crossing> FieldPipeline::run(FieldEngine& engine, FieldSink& sink,
   const CrossingSelection& selection)
 {
-  SelectedField selected = engine.select(this->prepare(engine), selection, sink);
-  query_ = std::move(selected.query);
-  return std::move(selected.crossings);
+  return engine.select(this->prepare(engine), selection, sink);
 }
 
 FieldJob FieldPipeline::prepare(const FieldEngine& engine)
@@ -115,8 +112,14 @@ FieldJob FieldPipeline::prepare(const FieldEngine& engine)
   const FieldSign sign = fieldSign(this->sign(), connectivity_);
   timed(seconds.sites,
     [&] { run_.onThreads([&] { sites_.emplace(mesh_, connectivity_, frame_); }); });
-  timed(seconds.cull, [&] { filter_.emplace(*sites_, frame_); });
-  timed(seconds.sites, [&] { normals_ = pseudonormals(*sites_, sign == FieldSign::Inward); });
+  timed(seconds.cull,
+    [&] { run_.onThreads([&] { filter_.emplace(*sites_, connectivity_, frame_); }); });
+  query_.emplace(filter_->tree(), filter_->slack());
+  // They hold the planes of faces as well, with which the rasteriser draws.
+  if (hasPseudonormals(sign) || engine.kind() == Engine::Rasteriser)
+  {
+    timed(seconds.sites, [&] { normals_ = pseudonormals(*sites_, sign == FieldSign::Inward); });
+  }
   timed(seconds.sign, [&] { run_.onThreads([&] { inside_ = sign_->insideRows(extent_); }); });
   statistics_.sites = sites_->size();
   statistics_.samples = extent_.pointCount();

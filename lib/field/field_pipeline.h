@@ -2,7 +2,7 @@
 
 #include "base/run.h"
 #include "culling/candidate_filter.h"
-#include "culling/tile_query.h"
+#include "culling/site_query.h"
 #include "field/crossing.h"
 #include "field/field_engine.h"
 #include "medial/distance_field.h"
@@ -11,7 +11,6 @@
 #include "sites/site_set.h"
 
 #include <cstddef>
-#include <memory>
 #include <optional>
 #include <vector>
 
@@ -45,8 +44,8 @@ public:
 
   /// Available after a run.
   const SiteSet& sites() const { return *sites_; }
-  /// Exact closest points anywhere in the extent. Available after a run with a selection.
-  const TileQuery& query() const { return *query_; }
+  /// Exact closest points. Available after a run.
+  const SiteQuery& query() const { return *query_; }
 
 private:
   FieldJob prepare(const FieldEngine& engine);
@@ -63,7 +62,7 @@ private:
   std::optional<SiteSet> sites_;
   std::optional<CandidateFilter> filter_;
   std::vector<glm::vec4> normals_;
-  std::unique_ptr<TileQuery> query_;
+  std::optional<SiteQuery> query_;
 };
 
 } // namespace medial

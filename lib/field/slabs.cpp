@@ -8,15 +8,15 @@ namespace
 {
 
 constexpr std::size_t kDefaultMemoryMiB = 512;
+
 } // namespace
 
-int slabSlices(const Extent& extent, std::size_t bytesPerPoint, std::size_t memoryMiB,
-  std::size_t bytesTaken)
+int slabSlices(const Extent& extent, std::size_t bytesPerPoint, std::size_t memoryMiB)
 {
   const std::size_t bytes = (memoryMiB > 0 ? memoryMiB : kDefaultMemoryMiB) * 1024 * 1024;
   const std::size_t slice = std::max<std::size_t>(bytesPerPoint, 1) *
     static_cast<std::size_t>(extent.size(0)) * static_cast<std::size_t>(extent.size(1));
-  const std::size_t fitting = (bytes - std::min(bytes, bytesTaken)) / slice;
+  const std::size_t fitting = bytes / slice;
   int slices = kMaxSlices;
   while (slices > 1 && static_cast<std::size_t>(slices) > fitting)
   {

@@ -15,9 +15,7 @@ constexpr int kMaxSlices = 64;
 /// upper limit allow, and at least one.
 /// @param bytesPerPoint memory of the slabs in progress, per grid point of a slab.
 /// @param memoryMiB memory that they should not exceed; 0 for a default.
-/// @param bytesTaken memory that counts towards memoryMiB, but is not theirs.
-int slabSlices(const Extent& extent, std::size_t bytesPerPoint, std::size_t memoryMiB,
-  std::size_t bytesTaken);
+int slabSlices(const Extent& extent, std::size_t bytesPerPoint, std::size_t memoryMiB);
 
 /// Returns the slabs in ascending z; the last one may be thinner.
 std::vector<Extent> slabsOf(const Extent& extent, int slices);

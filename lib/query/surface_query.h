@@ -14,7 +14,7 @@ namespace medial
 {
 
 /// Finds exact closest surface points of a mesh, in double precision, from anywhere: a hierarchy of
-/// boxes around the whole mesh. Unlike TileQuery it needs no grid and has no bounds. It suits
+/// boxes around the whole mesh. Unlike SiteQuery it needs no grid and has no bounds. It suits
 /// queries that are few compared with the voxels of a grid. Several threads may query it at once.
 class SurfaceQuery
 {

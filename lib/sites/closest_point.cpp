@@ -1,5 +1,7 @@
 #include "sites/closest_point.h"
 
+#include <limits>
+
 namespace medial
 {
 namespace
@@ -33,7 +35,7 @@ SitePoint closestOnFace(const SiteSet& sites, int face, const glm::dvec3& x)
 {
   const glm::ivec3& corners = sites.faces()[face];
   const glm::dvec3& normal = sites.faceNormal(face);
-  bool inside = normal != glm::dvec3(0.0);
+  bool inside = sites.active(face);
   for (int i = 0; i < 3 && inside; ++i)
   {
     const glm::dvec3& a = sites.points()[corners[i]];
@@ -45,12 +47,17 @@ SitePoint closestOnFace(const SiteSet& sites, int face, const glm::dvec3& x)
     const glm::dvec3& a = sites.points()[corners[0]];
     return { face, x - glm::dot(x - a, normal) * normal };
   }
-  SitePoint best = closestOnEdge(sites, sites.faceEdges()[face][0], x);
-  for (int i = 1; i < 3; ++i)
+  SitePoint best;
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 3; ++i)
   {
     const SitePoint other = closestOnEdge(sites, sites.faceEdges()[face][i], x);
-    if (squaredDistance(other.point, x) < squaredDistance(best.point, x))
+    // The other edges of a face without area cover the longest.
+    const bool covered = !sites.active(face) && !sites.active(other.site);
+    const double squared = squaredDistance(other.point, x);
+    if (squared < least && !covered)
     {
+      least = squared;
       best = other;
     }
   }

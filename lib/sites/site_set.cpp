@@ -1,7 +1,5 @@
 #include "sites/site_set.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <initializer_list>
 #include <utility>
@@ -15,26 +13,6 @@ namespace
 /// moves closest points by at most half of this.
 constexpr double kMinHeight = 1e-4;
 
-HalfSpace halfSpace(const glm::dvec3& normal, const glm::dvec3& pointOnPlane)
-{
-  return { glm::vec3(normal), static_cast<float>(glm::dot(normal, pointOnPlane)) };
-}
-
-/// Returns the outward conormal of the edge a-b of a triangle: of unit length, in the plane of the
-/// triangle.
-glm::dvec3 conormal(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& faceNormal)
-{
-  return glm::normalize(glm::cross(b - a, faceNormal));
-}
-
-/// Returns the unit vector between two points. It is zero where rounding has made them one; a
-/// half-space of it holds everything.
-glm::dvec3 direction(const glm::dvec3& from, const glm::dvec3& to)
-{
-  const glm::dvec3 vector = to - from;
-  return glm::length(vector) > 0.0 ? glm::normalize(vector) : glm::dvec3(0.0);
-}
-
 } // namespace
 
 SiteSet::SiteSet(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
@@ -43,7 +21,6 @@ SiteSet::SiteSet(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
   this->buildGeometry(mesh, connectivity, local);
   this->buildNormals(mesh);
   this->buildBalls();
-  this->buildHalfSpaces(connectivity);
 }
 
 void SiteSet::buildGeometry(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
@@ -158,112 +135,6 @@ void SiteSet::buildBalls()
   for (int vertex = 0; vertex < this->vertexCount(); ++vertex)
   {
     add({ vertex });
-  }
-}
-
-void SiteSet::buildHalfSpaces(const MeshConnectivity& connectivity)
-{
-  halfSpaceOffsets_.resize(this->size() + 1);
-  for (int site = 0; site < this->size(); ++site)
-  {
-    halfSpaceOffsets_[site + 1] =
-      halfSpaceOffsets_[site] + this->halfSpaceCount(site, connectivity);
-  }
-  halfSpaces_.resize(halfSpaceOffsets_.back());
-  tbb::parallel_for(0, this->size(),
-    [&](int site)
-    {
-      HalfSpace* out = halfSpaces_.data() + halfSpaceOffsets_[site];
-      switch (this->kind(site))
-      {
-        case SiteKind::Face:
-          this->setFaceHalfSpaces(site, out);
-          return;
-        case SiteKind::Edge:
-          this->setEdgeHalfSpaces(site - this->firstEdge(), connectivity, out);
-          return;
-        case SiteKind::Vertex:
-          this->setVertexHalfSpaces(site - this->firstVertex(), connectivity, out);
-          return;
-      }
-    });
-}
-
-int SiteSet::halfSpaceCount(int site, const MeshConnectivity& connectivity) const
-{
-  switch (this->kind(site))
-  {
-    case SiteKind::Face:
-      return active_[site] ? 5 : 0;
-    case SiteKind::Edge:
-    {
-      const int edge = site - this->firstEdge();
-      return 2 +
-        static_cast<int>(std::count_if(connectivity.edgeTriangles.begin(edge),
-          connectivity.edgeTriangles.end(edge), [this](int face) { return active_[face] != 0; }));
-    }
-    case SiteKind::Vertex:
-      break;
-  }
-  return connectivity.pointEdges.size(site - this->firstVertex());
-}
-
-void SiteSet::setFaceHalfSpaces(int face, HalfSpace* out) const
-{
-  if (!active_[face])
-  {
-    return;
-  }
-  for (int i = 0; i < 3; ++i)
-  {
-    const glm::dvec3& a = points_[faces_[face][i]];
-    const glm::dvec3& b = points_[faces_[face][(i + 1) % 3]];
-    *out++ = halfSpace(conormal(a, b, faceNormals_[face]), a);
-  }
-  // The triangle lies between the planes across the ends of its longest edge. They cut off the area
-  // that dilation adds far beyond an acute corner.
-  const int longest = this->longestEdge(face);
-  const glm::dvec3& a = points_[faces_[face][longest]];
-  const glm::dvec3& b = points_[faces_[face][(longest + 1) % 3]];
-  const glm::dvec3 u = glm::normalize(b - a);
-  *out++ = halfSpace(-u, a);
-  *out++ = halfSpace(u, b);
-}
-
-void SiteSet::setEdgeHalfSpaces(int edge, const MeshConnectivity& connectivity,
-  HalfSpace* out) const
-{
-  const glm::dvec3& p = points_[edges_[edge][0]];
-  const glm::dvec3& q = points_[edges_[edge][1]];
-  const glm::dvec3 u = direction(p, q);
-  *out++ = halfSpace(-u, p);
-  *out++ = halfSpace(u, q);
-  for (const int* face = connectivity.edgeTriangles.begin(edge);
-       face != connectivity.edgeTriangles.end(edge); ++face)
-  {
-    if (!active_[*face])
-    {
-      continue;
-    }
-    // The winding of the face tells its outward side, whichever way the edge is stored.
-    const glm::ivec3& edges = faceEdges_[*face];
-    const int i = edges[0] == edge ? 0 : (edges[1] == edge ? 1 : 2);
-    const glm::dvec3& a = points_[faces_[*face][i]];
-    const glm::dvec3& b = points_[faces_[*face][(i + 1) % 3]];
-    *out++ = halfSpace(-conormal(a, b, faceNormals_[*face]), a);
-  }
-}
-
-void SiteSet::setVertexHalfSpaces(int vertex, const MeshConnectivity& connectivity,
-  HalfSpace* out) const
-{
-  const glm::dvec3& p = points_[vertex];
-  for (const int* edge = connectivity.pointEdges.begin(vertex);
-       edge != connectivity.pointEdges.end(vertex); ++edge)
-  {
-    const glm::ivec2& ends = edges_[*edge];
-    const glm::dvec3& other = points_[ends[0] == vertex ? ends[1] : ends[0]];
-    *out++ = halfSpace(direction(p, other), p);
   }
 }
 

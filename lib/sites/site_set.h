@@ -19,22 +19,11 @@ enum class SiteKind : std::uint8_t
   Vertex
 };
 
-/// The closed half-space dot(normal, x) <= offset, stored as (normal, offset) with a unit normal.
-using HalfSpace = glm::vec4;
-
-/// All sites of a mesh in local coordinates, each with half-spaces that contain its Voronoi region.
+/// All sites of a mesh in local coordinates.
 /// Ids: faces in [0, F), edges in [F, F+E), vertices in [F+E, F+E+V).
-///
-/// A point whose closest surface point lies inside a site is in all half-spaces of the site. Each
-/// of them says "nearer to this site than to the rest of one incident element". This holds for
-/// convex, concave, saddle, boundary and non-manifold elements alike; section 4 of the paper has
-/// looser bounds for some of them.
 class SiteSet
 {
 public:
-  /// Index of a half-space. There are up to 16 for each cell corner of a mesh.
-  using HalfSpaceIndex = std::int64_t;
-
   SiteSet(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
     const LocalCoordinates& local);
 
@@ -69,18 +58,6 @@ public:
   /// Centre and radius of a ball around the site; the centre is a point of the site.
   const glm::vec4& boundingBall(int site) const { return balls_[site]; }
 
-  /// Half-spaces of a site. A face has one at each of its three edges, then two across the ends of
-  /// its longest edge. An edge has two across its ends, then one for each of its faces. A vertex
-  /// has one for each of its edges.
-  const HalfSpace* halfSpacesBegin(int site) const
-  {
-    return halfSpaces_.data() + halfSpaceOffsets_[site];
-  }
-  const HalfSpace* halfSpacesEnd(int site) const
-  {
-    return halfSpaces_.data() + halfSpaceOffsets_[site + 1];
-  }
-
 private:
   void buildGeometry(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
     const LocalCoordinates& local);
@@ -90,11 +67,6 @@ private:
   /// is that with the highest id, so that around a ring of such triangles one edge stays.
   int coveredEdge(int face) const;
   void buildBalls();
-  void buildHalfSpaces(const MeshConnectivity& connectivity);
-  int halfSpaceCount(int site, const MeshConnectivity& connectivity) const;
-  void setFaceHalfSpaces(int face, HalfSpace* out) const;
-  void setEdgeHalfSpaces(int edge, const MeshConnectivity& connectivity, HalfSpace* out) const;
-  void setVertexHalfSpaces(int vertex, const MeshConnectivity& connectivity, HalfSpace* out) const;
 
   std::vector<glm::dvec3> points_;
   std::vector<glm::ivec3> faces_;
@@ -103,8 +75,6 @@ private:
   std::vector<glm::dvec3> faceNormals_;
   std::vector<char> active_;
   std::vector<glm::vec4> balls_;
-  std::vector<HalfSpaceIndex> halfSpaceOffsets_{ 0 };
-  std::vector<HalfSpace> halfSpaces_;
 };
 
 } // namespace medial

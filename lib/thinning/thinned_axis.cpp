@@ -149,7 +149,7 @@ private:
   void settle(std::size_t begin, std::size_t end, std::vector<BisectorPoint>& points) const
   {
     std::vector<std::size_t> moved;
-    std::vector<TileQuery::Question> questions;
+    std::vector<SiteQuery::Question> questions;
     for (std::size_t i = begin; i != end; ++i)
     {
       const glm::dvec3 x = this->clamped(i,

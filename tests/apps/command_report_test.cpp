@@ -33,8 +33,8 @@ TEST_F(CommandOutput, ReportHasExactlyTheDocumentedKeys)
     (std::set<std::string>{ "read", "sites", "sign", "cull", "polygons", "draw", "resolve",
       "medial", "write", "total" }));
   EXPECT_EQ(keysOf(result["counts"]),
-    (std::set<std::string>{ "sites", "polygons", "fragments", "candidate_pairs", "medial_points",
-      "medial_cells" }));
+    (std::set<std::string>{ "sites", "polygons", "fragments", "group_tests", "site_tests",
+      "candidate_pairs", "medial_points", "medial_cells" }));
 }
 
 TEST_F(CommandOutput, ReportsTheTopology)

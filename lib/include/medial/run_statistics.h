@@ -24,12 +24,15 @@ struct RunStatistics
     double resolve = 0;  ///< exact distances from the closest sites, and read-back
     double medial = 0;   ///< neighbour directions, selection, and building the axis
   };
-  Seconds seconds;                 ///< of each phase
-  std::int64_t sites = 0;          ///< faces, edges and vertices of the mesh
-  std::int64_t candidatePairs = 0; ///< pairs of a candidate and its leaf tile
+  Seconds seconds;        ///< of each phase
+  std::int64_t sites = 0; ///< faces, edges and vertices of the mesh
+  /// Pairs that culling tested: a disc around eight triangles or more with a tile or several.
+  std::int64_t groupTests = 0;
+  std::int64_t siteTests = 0;      ///< pairs of a site and a tile that culling tested
+  std::int64_t candidatePairs = 0; ///< pairs of a candidate (a site, or a triangle) and its tile
   std::int64_t polygons = 0;       ///< polygons drawn; 0 with the processor
   /// Area of the drawn polygons in grid points, before the depth test; with the processor the
-  /// number of pairs of a grid point and a site that it evaluated.
+  /// number of pairs of a grid point and a site that it evaluated, idle lanes included.
   std::int64_t fragments = 0;
   std::int64_t samples = 0;     ///< grid points computed
   SignReport sign;              ///< how the sign was found

@@ -3,6 +3,7 @@
 #include "sites/site_set.h"
 
 #include "support/brute_force.h"
+#include "support/culling_cases.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
@@ -26,51 +27,7 @@ namespace
 /// Sites count as equally close within this, in local units.
 constexpr double kTie = 1e-3;
 
-struct Culling
-{
-  std::string name;
-  TriangleMesh mesh;
-  Grid grid;
-};
-
-std::ostream& operator<<(std::ostream& stream, const Culling& culling)
-{
-  return stream << culling.name;
-}
-
-/// Twelve faces in pairs that are equal and opposite, so that edges have many faces.
-TriangleMesh bookOfFaces()
-{
-  std::vector<Point3> points{ { 0.0, 0.0, -0.5 }, { 0.0, 0.0, 0.5 } };
-  std::vector<std::array<int, 3>> triangles;
-  for (int i = 0; i < 6; ++i)
-  {
-    points.push_back({ std::cos(1.1 * i), std::sin(1.1 * i), 0.2 * i - 0.5 });
-    triangles.push_back({ 0, 1, i + 2 });
-    triangles.push_back({ 1, 0, i + 2 });
-  }
-  return makeMesh(points, triangles);
-}
-
-std::vector<Culling> cullings()
-{
-  const auto around = [](const char* name, const TriangleMesh& mesh, int resolution) -> Culling {
-    return { name, mesh, makeGrid(mesh.bounds(), resolution, 0.15) };
-  };
-  const TriangleMesh ring = torus(1.0, 0.4, 16, 8);
-  return { around("box", box({ 1.0, 0.6, 0.3 }), 37), around("torus", ring, 29),
-    around("soup", randomSoup(40, 4), 31), around("manyFacedEdge", bookOfFaces(), 27),
-    around("needles", wedge(2.0, 1.0, 1.0), 33),
-    around("pointsAndSegments",
-      makeMesh({ { 0.0, 0.0, 0.0 }, { 1.0, 0.2, 0.4 }, { 0.5, 0.9, 0.3 } }, {}, { { 0, 1 } },
-        { 2 }),
-      21),
-    { "unequalSpacing", ring, { { -1.5, -1.5, -0.6 }, { 0.06, 0.1, 0.21 }, { 51, 31, 7 } } },
-    { "oneSlice", ring, { { -1.5, -1.5, 0.13 }, { 0.06, 0.06, 0.06 }, { 51, 51, 1 } } },
-    { "outside", ring, { { 3.0, 2.0, 4.0 }, { 0.1, 0.1, 0.1 }, { 20, 17, 19 } } } };
-}
-
-class CandidateTilesOf : public testing::TestWithParam<Culling>
+class CandidateTilesOf : public testing::TestWithParam<CullingCase>
 {
 protected:
   /// Whether one of the ids, ascending, is a site whose own interior holds the closest point.
@@ -96,16 +53,17 @@ protected:
 
   /// Tiles of all slabs and blocks, each of which `check` must accept.
   template <class Check>
-  void forEachTile(int slabSlices, TileHull hull, Check check) const
+  void forEachTile(int slabSlices, Check check) const
   {
     const Extent whole = grid_.wholeExtent();
-    const CandidateHierarchy hierarchy(filter_, frame_, whole, hull);
+    const CandidateHierarchy hierarchy(filter_, frame_, whole);
+    CullingCounts counts;
     for (int first = 0; first <= whole.max[2]; first += slabSlices)
     {
       Extent slab = whole;
       slab.min[2] = first;
       slab.max[2] = std::min(first + slabSlices - 1, whole.max[2]);
-      for (const CandidateTiles& block : hierarchy.leafTiles(hierarchy.layersOf(slab)))
+      for (const CandidateTiles& block : hierarchy.listTiles(slab, counts))
       {
         for (std::size_t t = 0; t < block.tiles.size(); ++t)
         {
@@ -122,28 +80,12 @@ protected:
     }
   }
 
-  /// Random positions between a tile's first points and those of the next tiles.
-  std::vector<glm::dvec3> positionsIn(const Extent& tile) const
-  {
-    Bounds hull{};
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      hull.min[axis] = tile.min[axis];
-      hull.max[axis] = std::min(tile.max[axis] + 1, grid_.dimensions[axis] - 1);
-    }
-    std::vector<glm::dvec3> positions;
-    for (const Point3& index : randomPoints(hull, 50, 7))
-    {
-      positions.push_back(frame_.sample({ index[0], index[1], index[2] }));
-    }
-    return positions;
-  }
-
   const TriangleMesh& mesh_ = GetParam().mesh;
   const Grid& grid_ = GetParam().grid;
   const GridFrame frame_{ grid_ };
-  const SiteSet sites_{ mesh_, analyseConnectivity(mesh_), frame_ };
-  const CandidateFilter filter_{ sites_, frame_ };
+  const MeshConnectivity connectivity_ = analyseConnectivity(mesh_);
+  const SiteSet sites_{ mesh_, connectivity_, frame_ };
+  const CandidateFilter filter_{ sites_, connectivity_, frame_ };
 };
 
 std::vector<glm::dvec3> indicesOf(const Extent& extent)
@@ -167,7 +109,7 @@ std::vector<glm::dvec3> indicesOf(const Extent& extent)
 TEST_P(CandidateTilesOf, HoldTheClosestSiteOfEveryPoint)
 {
   std::atomic<int> missing{ 0 };
-  forEachTile(64, TileHull::Points,
+  forEachTile(64,
     [&](const Extent& tile, const int* begin, const int* end)
     {
       const std::vector<glm::dvec3> indices = indicesOf(tile);
@@ -178,26 +120,12 @@ TEST_P(CandidateTilesOf, HoldTheClosestSiteOfEveryPoint)
   EXPECT_EQ(missing, 0);
 }
 
-TEST_P(CandidateTilesOf, HoldTheClosestSiteEverywhereInTheirCells)
-{
-  int missing = 0;
-  forEachTile(64, TileHull::Cells,
-    [&](const Extent& tile, const int* begin, const int* end)
-    {
-      for (const glm::dvec3& x : positionsIn(tile))
-      {
-        missing += holdsClosest(x, begin, end) ? 0 : 1;
-      }
-    });
-  EXPECT_EQ(missing, 0);
-}
-
 TEST_P(CandidateTilesOf, CoverEveryPointOnceInAscendingOrder)
 {
   for (const int slabSlices : { 1, 4, 8, 16, 64 })
   {
     std::vector<int> covered(static_cast<std::size_t>(grid_.pointCount()), 0);
-    forEachTile(slabSlices, TileHull::Points,
+    forEachTile(slabSlices,
       [&](const Extent& tile, const int* begin, const int* end)
       {
         EXPECT_LT(begin, end);
@@ -213,19 +141,21 @@ TEST_P(CandidateTilesOf, CoverEveryPointOnceInAscendingOrder)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Meshes, CandidateTilesOf, testing::ValuesIn(cullings()),
+INSTANTIATE_TEST_SUITE_P(Meshes, CandidateTilesOf, testing::ValuesIn(cullingCases()),
   [](const auto& test) { return test.param.name; });
 
 TEST(CandidateTiles, LeaveMostSitesOut)
 {
   const TriangleMesh mesh = torus(1.0, 0.4, 60, 30);
   const Grid grid = makeGrid(mesh.bounds(), 64, 0.1);
-  const SiteSet sites(mesh, analyseConnectivity(mesh), GridFrame(grid));
-  const CandidateFilter filter(sites, GridFrame(grid));
-  const CandidateHierarchy hierarchy(filter, GridFrame(grid), grid.wholeExtent(), TileHull::Points);
+  const MeshConnectivity connectivity = analyseConnectivity(mesh);
+  const SiteSet sites(mesh, connectivity, GridFrame(grid));
+  const CandidateFilter filter(sites, connectivity, GridFrame(grid));
+  const CandidateHierarchy hierarchy(filter, GridFrame(grid), grid.wholeExtent());
+  CullingCounts counts;
   std::size_t tiles = 0;
   std::size_t pairs = 0;
-  for (const CandidateTiles& block : hierarchy.leafTiles(grid.wholeExtent()))
+  for (const CandidateTiles& block : hierarchy.listTiles(grid.wholeExtent(), counts))
   {
     tiles += block.tiles.size();
     pairs += block.candidates.size();

@@ -209,6 +209,8 @@ TEST_P(DistanceFieldEngines, CountTheirWork)
   EXPECT_EQ(statistics.samples, tallGrid().pointCount());
   // Faces, edges and vertices of a torus grid.
   EXPECT_EQ(statistics.sites, 32 * 16 * (2 + 3 + 1));
+  EXPECT_GT(statistics.groupTests, 0);
+  EXPECT_GT(statistics.siteTests, 0);
   EXPECT_GT(statistics.candidatePairs, 0);
   EXPECT_EQ(statistics.polygons > 0, GetParam() == Engine::Rasteriser);
   EXPECT_GE(statistics.fragmentsPerVoxel(), 0.9);

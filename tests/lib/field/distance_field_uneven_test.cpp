@@ -48,8 +48,8 @@ TriangleMesh largeTriangle()
     { { 0, 1, 2 } });
 }
 
-/// Needles whose sharp ends, between grid points of integer coordinates, point at more of them; their
-/// other ends are up to a hundred thousand voxels away.
+/// Needles whose sharp ends, between grid points of integer coordinates, point at more of them;
+/// their other ends are up to a hundred thousand voxels away.
 TriangleMesh needleRays()
 {
   const std::array<Point3, 4> directions{ { { 3.0, 1.0, 0.0 }, { 2.0, -1.0, 1.0 },

@@ -1,7 +1,7 @@
-#include "base/id_limits.h"
 #include "sites/closest_point.h"
 #include "sites/grid_frame.h"
 #include "sites/pseudonormals.h"
+#include "sites/site_bounds.h"
 #include "sites/site_set.h"
 
 #include "support/brute_force.h"
@@ -11,8 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
-#include <limits>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -105,7 +103,8 @@ protected:
   double excess(int site, const glm::dvec3& x) const
   {
     double most = -1e300;
-    for (const HalfSpace* h = sites_.halfSpacesBegin(site); h != sites_.halfSpacesEnd(site); ++h)
+    bounds_.prepare(site);
+    for (const HalfSpace* h = bounds_.begin(site); h != bounds_.end(site); ++h)
     {
       most = std::max(most, glm::dot(glm::dvec3(*h), x) - static_cast<double>(h->w));
     }
@@ -117,6 +116,7 @@ protected:
   const Grid grid_ = makeGrid(mesh_.bounds(), 40, 0.6);
   const GridFrame frame_{ grid_ };
   const SiteSet sites_{ mesh_, connectivity_, frame_ };
+  const SiteBounds bounds_{ sites_, connectivity_ };
   const std::vector<Point3> queries_ = randomPoints(
     { grid_.origin,
       grid_.point(grid_.dimensions[0] - 1, grid_.dimensions[1] - 1, grid_.dimensions[2] - 1) },
@@ -234,14 +234,6 @@ TEST(Pseudonormals, AreQuickForPilesOfTrianglesWithoutArea)
   EXPECT_EQ(normals.size(), static_cast<std::size_t>(sites.size()));
   EXPECT_EQ(normals[0], glm::vec4(0.0f));
   EXPECT_EQ(glm::abs(normals[80].z), 1.0f);
-}
-
-/// Meshes that large cannot be tried. A polygon of n corners has up to 16 n half-spaces: 5 for each
-/// of n - 2 faces, 2 and one for each side of a face for 2 n edges, and one for each of their ends.
-TEST(SiteSet, HalfSpacesOfTheLargestMeshHaveIndices)
-{
-  EXPECT_GT(std::numeric_limits<SiteSet::HalfSpaceIndex>::max(), 16 * kMaxCorners);
-  EXPECT_GT(16 * kMaxCorners, std::int64_t{ std::numeric_limits<int>::max() });
 }
 
 TEST(SiteSet, FramesAreCentredOnTheGridInUnitsOfItsFinestSpacing)

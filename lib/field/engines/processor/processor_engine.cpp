@@ -2,20 +2,21 @@
 
 #include "base/checkpoint.h"
 #include "base/stopwatch.h"
+#include "culling/candidate_tiles.h"
+#include "field/engines/processor/brick_evaluator.h"
+#include "field/engines/processor/exact_points.h"
+#include "field/engines/processor/point_evaluator.h"
 #include "field/engines/processor/processor_selection.h"
 #include "field/engines/processor/slab_field.h"
 #include "field/engines/processor/tile_evaluator.h"
 #include "field/field_writer.h"
-#include "field/slab_culling.h"
 #include "field/slabs.h"
 
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cstdint>
-#include <numeric>
-#include <utility>
+#include <vector>
 
 namespace medial
 {
@@ -25,10 +26,12 @@ namespace
 /// Bytes per grid point of a slab when crossings are selected: site and side.
 constexpr std::size_t kSelectionBytesPerPoint = 8;
 
-/// The current tile of a thread, and its counts so far.
+/// The current tile of a thread, its memory, and its counts so far.
 struct Work
 {
   TileField field;
+  BrickEvaluator::Workspace bricks;
+  GroupList brickGroups;
   double seconds = 0.0;
   std::int64_t pairs = 0;
   std::int64_t evaluations = 0;
@@ -48,48 +51,109 @@ void setSides(const InsideRows& inside, const Extent& tile, TileField& field)
   }
 }
 
-/// Turns the candidates of tiles into values for a sink.
-struct Evaluation
+/// Computes a job, tile by tile.
+class Evaluation
 {
+public:
   explicit Evaluation(const FieldJob& job)
-    : inside(job.inside)
-    , evaluator(job.sites, job.normals, job.frame, job.filter.slack())
-    , writer(job)
+    : job_(job)
+    , hierarchy_(job.filter, job.frame, job.extent)
+    , sites_(job.sites, job.filter.bounds(), job.normals, job.frame, job.filter.slack())
+    , bricks_(job.filter.tree(), job.frame, job.filter.slack())
+    , points_(job.filter.tree(), job.frame)
+    , exact_(SiteQuery(job.filter.tree(), job.filter.slack()), job.frame)
+    , writer_(job)
   {
-    seeds.reset(job.extent);
   }
 
-  /// Sets the slab and the arrays of the next tiles.
-  void begin(const Extent& nextSlab, const FieldArrays& arrays)
-  {
-    slab = nextSlab;
-    writer.begin(slab, arrays);
-  }
+  const TileEvaluator& sites() const { return sites_; }
 
-  /// Evaluates the slab's part of a tile, and leaves it in work.field as well. Several threads may
-  /// call this at once.
-  void evaluate(const Extent& tile, const int* candidates, std::size_t count, Work& work)
+  /// Computes a slab.
+  /// @param field keeps it for the selection; may be null.
+  void evaluate(const Extent& slab, const FieldArrays& arrays, const Checkpoint& checkpoint,
+    SlabField* field, Works& works)
   {
-    const SliceRange slices = SliceRange::common(tile, slab);
-    work.evaluations += evaluator.evaluate(tile, candidates, count, slices, work.field);
-    if (inside != nullptr)
+    writer_.begin(slab, arrays);
+    const auto inTile = [&](const Extent& tile, const auto& evaluate)
     {
-      setSides(*inside, tile, work.field);
-    }
-    writer.store(tile, work.field);
-    const int middle = (tile.size(2) - 1) / 2;
-    if (slices.contains(middle))
+      checkpoint();
+      Work& work = works.local();
+      const Stopwatch watch(work.seconds);
+      const SliceRange slices = SliceRange::common(tile, slab);
+      evaluate(slices, work);
+      this->finish(tile, slices, work.field);
+      writer_.store(tile, work.field);
+      if (field != nullptr)
+      {
+        field->store(tile, work.field);
+      }
+    };
+    CandidateHierarchy::Visitor visitor;
+    visitor.sites = [&](const Extent& tile, const std::vector<int>& sites)
     {
-      const int index = TileField::index((tile.size(0) - 1) / 2, (tile.size(1) - 1) / 2, middle);
-      seeds.set(tile, work.field.site[index]);
+      inTile(tile,
+        [&](const SliceRange& slices, Work& work)
+        { this->evaluateSites(tile, sites, slices, work); });
+    };
+    visitor.groups = [&](const Extent& tile, const BoxReach& reach, const GroupList& groups)
+    {
+      inTile(tile,
+        [&](const SliceRange& slices, Work& work)
+        { this->evaluateGroups(tile, reach, groups, slices, work); });
+    };
+    const CullingCounts counts =
+      job_.run.onThreads([&] { return hierarchy_.visitTiles(slab, visitor); });
+    job_.statistics.groupTests += counts.groupTests;
+    job_.statistics.siteTests += counts.siteTests;
+  }
+
+private:
+  void evaluateSites(const Extent& tile, const std::vector<int>& sites, const SliceRange& slices,
+    Work& work) const
+  {
+    work.pairs += static_cast<std::int64_t>(sites.size());
+    work.evaluations += sites_.evaluate(tile, sites.data(), sites.size(), slices, work.field);
+  }
+
+  void evaluateGroups(const Extent& tile, const BoxReach& reach, const GroupList& groups,
+    const SliceRange& slices, Work& work) const
+  {
+    work.pairs += static_cast<std::int64_t>(groups.size()) * SiteGroup::kSize;
+    // From here on a search for every point takes less time than trying what a brick needs.
+    constexpr int kManyGroups = 200;
+    if (groups.size() > kManyGroups)
+    {
+      work.evaluations += points_.evaluate(tile, groups, slices, work.field, work.brickGroups);
+    }
+    else
+    {
+      work.evaluations += bricks_.evaluate(tile, reach, groups, slices, work.field, work.bricks);
+    }
+    if (hasPseudonormals(job_.sign))
+    {
+      sites_.setSides(tile, slices, work.field);
     }
   }
 
-  const InsideRows* inside; ///< null if the evaluator finds the sides
-  TileEvaluator evaluator;
-  FieldWriter writer;
-  ClosestSeeds seeds; ///< for the next job
-  Extent slab;
+  void finish(const Extent& tile, const SliceRange& slices, TileField& values) const
+  {
+    if (exact_.fill(tile, slices, values) && hasPseudonormals(job_.sign))
+    {
+      sites_.setSides(tile, slices, values);
+    }
+    if (job_.inside != nullptr)
+    {
+      setSides(*job_.inside, tile, values);
+    }
+  }
+
+  const FieldJob& job_;
+  CandidateHierarchy hierarchy_;
+  TileEvaluator sites_;
+  BrickEvaluator bricks_;
+  PointEvaluator points_;
+  ExactPoints exact_;
+  FieldWriter writer_;
 };
 
 Evaluation makeEvaluation(const FieldJob& job)
@@ -98,33 +162,8 @@ Evaluation makeEvaluation(const FieldJob& job)
   return job.run.onThreads([&] { return Evaluation(job); });
 }
 
-/// Evaluates whole layers of blocks while their tiles are found, so that they need not be listed.
-void evaluateLayers(const FieldJob& job, const CandidateHierarchy& hierarchy,
-  const Checkpoint& checkpoint, Evaluation& evaluation, Works& works)
-{
-  job.run.onThreads(
-    [&]
-    {
-      hierarchy.visitLeaves(evaluation.slab,
-        [&](const Extent& tile, const std::vector<int>& candidates)
-        {
-          checkpoint();
-          Work& work = works.local();
-          const Stopwatch watch(work.seconds);
-          work.pairs += static_cast<std::int64_t>(candidates.size());
-          evaluation.evaluate(tile, candidates.data(), candidates.size(), work);
-        });
-    });
-}
-
-std::int64_t evaluations(const Works& works)
-{
-  return std::accumulate(works.begin(), works.end(), std::int64_t{ 0 },
-    [](std::int64_t sum, const Work& work) { return sum + work.evaluations; });
-}
-
-/// Adds the work of all threads. Evaluation and the descent to leaf tiles alternate; each gets the
-/// share of the wall clock that it has of the threads' time.
+/// Adds the work of all threads. Evaluation and culling alternate; each gets the share of the wall
+/// clock that it has of the threads' time.
 void addWorks(const Works& works, double wall, int threads, RunStatistics& statistics)
 {
   double seconds = 0.0;
@@ -132,122 +171,70 @@ void addWorks(const Works& works, double wall, int threads, RunStatistics& stati
   {
     seconds += work.seconds / threads;
     statistics.candidatePairs += work.pairs;
+    statistics.fragments += work.evaluations;
   }
-  statistics.fragments += evaluations(works);
   seconds = std::min(seconds, wall);
   statistics.seconds.draw += seconds;
   statistics.seconds.cull += wall - seconds;
 }
 
-/// Evaluates those of some listed tiles that the slab cuts.
-/// @param field keeps them for the selection; may be null.
-void evaluateTiles(const FieldJob& job, const std::vector<CandidateTiles>& blocks,
-  const Checkpoint& checkpoint, Evaluation& evaluation, SlabField* field, Works& works)
+/// Computes all slabs of a job.
+/// @param fieldOf returns the memory that keeps a slab for `finish`, or null.
+/// @param finish called when a slab is computed, with its share of the progress.
+template <typename FieldOf, typename Finish>
+void evaluateSlabs(const FieldJob& job, const std::vector<Extent>& slabs, Evaluation& evaluation,
+  FieldSink& sink, const FieldOf& fieldOf, const Finish& finish)
 {
-  const auto evaluate = [&](const CandidateTiles& block, std::size_t t, Work& work)
+  Works works;
+  double wall = 0.0;
+  const double perSlab = 1.0 / static_cast<double>(slabs.size());
+  for (std::size_t i = 0; i < slabs.size(); ++i)
   {
-    const Extent& tile = block.tiles[t];
-    if (tile.max[2] < evaluation.slab.min[2] || tile.min[2] > evaluation.slab.max[2])
-    {
-      return;
-    }
-    evaluation.evaluate(tile, block.candidates.data() + block.offsets[t],
-      block.offsets[t + 1] - block.offsets[t], work);
-    if (field != nullptr)
-    {
-      field->store(tile, work.field);
-    }
-  };
-  job.run.onThreads(
-    [&]
-    {
-      tbb::parallel_for(std::size_t{ 0 }, blocks.size(),
-        [&](std::size_t b)
-        {
-          checkpoint();
-          Work& work = works.local();
-          const Stopwatch watch(work.seconds);
-          for (std::size_t t = 0; t < blocks[b].tiles.size(); ++t)
-          {
-            evaluate(blocks[b], t, work);
-          }
-        });
-    });
-}
-
-/// Evaluates a slab; its tiles are listed only if it shares them with others.
-void evaluateSlab(const FieldJob& job, SlabCulling& culling, const Checkpoint& checkpoint,
-  Evaluation& evaluation, Works& works)
-{
-  const Extent layers = culling.hierarchy().layersOf(evaluation.slab);
-  if (layers.size(2) == evaluation.slab.size(2))
-  {
-    evaluateLayers(job, culling.hierarchy(), checkpoint, evaluation, works);
+    const double done = static_cast<double>(i) * perSlab;
+    job.run.report(done, "distance field");
+    const Checkpoint checkpoint(job.run, done, "distance field");
+    const FieldArrays arrays = sink.slabArrays(slabs[i]);
+    SlabField* const field = fieldOf(slabs[i]);
+    timed(wall, [&] { evaluation.evaluate(slabs[i], arrays, checkpoint, field, works); });
+    sink.stored(slabs[i]);
+    finish(done + 0.5 * perSlab);
   }
-  else
-  {
-    evaluateTiles(job, *culling.tilesOf(evaluation.slab, checkpoint), checkpoint, evaluation,
-      nullptr, works);
-  }
+  addWorks(works, wall, job.run.threads(), job.statistics);
 }
 
 } // namespace
 
 void ProcessorEngine::run(const FieldJob& job, FieldSink& sink)
 {
-  SlabCulling culling(job, TileHull::Points, seeds_);
-  const int slices =
-    slabSlices(job.extent, sink.bytesPerPoint(), job.memoryMiB, culling.hierarchy().blockBytes());
   Evaluation evaluation = makeEvaluation(job);
-  const std::vector<Extent> slabs = slabsOf(job.extent, slices);
-  Works works;
-  double wall = 0.0;
-  for (std::size_t i = 0; i < slabs.size(); ++i)
-  {
-    const double done = static_cast<double>(i) / static_cast<double>(slabs.size());
-    job.run.report(done, "distance field");
-    const Checkpoint checkpoint(job.run, done, "distance field");
-    evaluation.begin(slabs[i], sink.slabArrays(slabs[i]));
-    timed(wall, [&] { evaluateSlab(job, culling, checkpoint, evaluation, works); });
-    sink.stored(slabs[i]);
-  }
-  addWorks(works, wall, job.run.threads(), job.statistics);
-  seeds_ = std::move(evaluation.seeds);
+  const int slices = slabSlices(job.extent, sink.bytesPerPoint(), job.memoryMiB);
+  evaluateSlabs(
+    job, slabsOf(job.extent, slices), evaluation, sink,
+    [](const Extent&) -> SlabField* { return nullptr; }, [](double) {});
 }
 
-SelectedField ProcessorEngine::select(const FieldJob& job, const CrossingSelection& wanted,
+std::vector<Crossing> ProcessorEngine::select(const FieldJob& job, const CrossingSelection& wanted,
   FieldSink& sink)
 {
-  SlabCulling culling(job, TileHull::Cells, seeds_);
-  const int slices = slabSlices(job.extent, kSelectionBytesPerPoint + sink.bytesPerPoint(),
-    job.memoryMiB, culling.hierarchy().blockBytes());
   Evaluation evaluation = makeEvaluation(job);
   ProcessorSelection selection(wanted, job.frame, job.extent, job.sign != FieldSign::None);
-  const std::vector<Extent> slabs = slabsOf(job.extent, slices);
-  const double perSlab = 1.0 / static_cast<double>(slabs.size());
   SlabField field;
-  for (std::size_t i = 0; i < slabs.size(); ++i)
-  {
-    const double done = static_cast<double>(i) * perSlab;
-    job.run.report(done, "distance field");
-    const Checkpoint checkpoint(job.run, done, "distance field");
-    const auto tiles = culling.tilesOf(slabs[i], checkpoint);
-    evaluation.begin(slabs[i], sink.slabArrays(slabs[i]));
-    timed(job.statistics.seconds.draw,
-      [&]
-      {
-        Works works;
-        field.begin(slabs[i]);
-        evaluateTiles(job, *tiles, checkpoint, evaluation, &field, works);
-        job.statistics.fragments += evaluations(works);
-      });
-    sink.stored(slabs[i]);
-    job.run.report(done + 0.5 * perSlab, "distance field");
-    const Stopwatch watch(job.statistics.seconds.medial);
-    job.run.onThreads([&] { selection.process(field, evaluation.evaluator); });
-  }
-  seeds_ = std::move(evaluation.seeds);
-  return { selection.takeCrossings(), culling.takeQuery() };
+  const int slices =
+    slabSlices(job.extent, kSelectionBytesPerPoint + sink.bytesPerPoint(), job.memoryMiB);
+  evaluateSlabs(
+    job, slabsOf(job.extent, slices), evaluation, sink,
+    [&](const Extent& slab)
+    {
+      field.begin(slab);
+      return &field;
+    },
+    [&](double done)
+    {
+      job.run.report(done, "distance field");
+      const Stopwatch watch(job.statistics.seconds.medial);
+      job.run.onThreads([&] { selection.process(field, evaluation.sites()); });
+    });
+  return selection.takeCrossings();
 }
 
 } // namespace medial

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "culling/closest_seeds.h"
 #include "field/field_engine.h"
 
 namespace medial
@@ -15,11 +14,8 @@ public:
   std::optional<Device> device() const override { return {}; }
 
   void run(const FieldJob& job, FieldSink& sink) override;
-  SelectedField select(const FieldJob& job, const CrossingSelection& selection,
+  std::vector<Crossing> select(const FieldJob& job, const CrossingSelection& selection,
     FieldSink& sink) override;
-
-private:
-  ClosestSeeds seeds_; ///< of the last job
 };
 
 } // namespace medial

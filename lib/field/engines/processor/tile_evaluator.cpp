@@ -3,8 +3,6 @@
 #include "base/simd.h"
 #include "sites/closest_point.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -214,8 +212,8 @@ MEDIAL_INLINE std::int64_t evaluateFace(const Tile& tile, const SiteSet& sites, 
 }
 
 /// Evaluates an edge, within its ends and as many of its other half-spaces as there is room for.
-MEDIAL_INLINE std::int64_t evaluateEdge(const Tile& tile, const SiteSet& sites, int site,
-  const glm::dvec3& normal, float slack)
+MEDIAL_INLINE std::int64_t evaluateEdge(const Tile& tile, const SiteSet& sites,
+  const SiteBounds& siteBounds, int site, const glm::dvec3& normal, float slack)
 {
   constexpr int kMaxBounds = 8;
   TileFunction bounds[kMaxBounds];
@@ -228,9 +226,8 @@ MEDIAL_INLINE std::int64_t evaluateEdge(const Tile& tile, const SiteSet& sites, 
   bounds[0] = tile.function(-u, -start);
   bounds[1] = tile.function(u, start + length);
   int boundCount = 2;
-  const HalfSpace* end = sites.halfSpacesEnd(site);
-  for (const HalfSpace* h = sites.halfSpacesBegin(site) + 2; h != end && boundCount < kMaxBounds;
-       ++h)
+  const HalfSpace* end = siteBounds.end(site);
+  for (const HalfSpace* h = siteBounds.begin(site) + 2; h != end && boundCount < kMaxBounds; ++h)
   {
     bounds[boundCount++] = tile.function(glm::dvec3(*h), static_cast<double>(h->w));
   }
@@ -242,29 +239,6 @@ MEDIAL_INLINE std::int64_t evaluateEdge(const Tile& tile, const SiteSet& sites, 
     boundCount, slack);
 }
 
-/// Whether functions over a tile have large values wherever its sites are.
-bool isLong(const Extent& extent, const glm::dvec3& step)
-{
-  const glm::dvec3 cells(extent.size(0) - 1, extent.size(1) - 1, extent.size(2) - 1);
-  const glm::dvec3 diagonal = cells * step;
-  return glm::dot(diagonal, diagonal) > static_cast<double>(TileField::kFarSquared);
-}
-
-/// Whether some point is far from its site, or has none.
-MEDIAL_INLINE bool hasFarPoints(const Tile& tile)
-{
-  const Int8 used = ramp() <= tile.lastX;
-  Int8 far{};
-  for (int k = tile.firstSlice; k < tile.endSlice; ++k)
-  {
-    for (int j = 0; j < tile.rows; ++j)
-    {
-      far |= loaded(tile.field.squared + TileField::index(0, j, k)) > TileField::kFarSquared;
-    }
-  }
-  return bits(far & used) != 0;
-}
-
 glm::dvec4 plane(const glm::dvec3& normal, const glm::dvec3& point)
 {
   return { normal, glm::dot(normal, point) };
@@ -272,24 +246,24 @@ glm::dvec4 plane(const glm::dvec3& normal, const glm::dvec3& point)
 
 } // namespace
 
-TileEvaluator::TileEvaluator(const SiteSet& sites, const std::vector<glm::vec4>& normals,
-  const GridFrame& frame, float slack)
+TileEvaluator::TileEvaluator(const SiteSet& sites, const SiteBounds& bounds,
+  const std::vector<glm::vec4>& normals, const GridFrame& frame, float slack)
   : sites_(sites)
+  , bounds_(bounds)
   , normals_(normals)
   , frame_(frame)
   , slack_(slack)
   , faceSides_(sites.faceCount())
 {
-  tbb::parallel_for(0, sites.faceCount(), [this](int face) { this->setFaceSides(face); });
 }
 
-void TileEvaluator::setFaceSides(int face)
+FaceSides TileEvaluator::sidesOf(int face) const
 {
+  FaceSides result{};
   if (!sites_.active(face))
   {
-    return;
+    return result;
   }
-  FaceSides& result = faceSides_[face];
   const glm::ivec3& corners = sites_.faces()[face];
   glm::dvec3 along[3];
   for (int i = 0; i < 3; ++i)
@@ -305,6 +279,7 @@ void TileEvaluator::setFaceSides(int face)
   const double sine = std::min(glm::length(glm::cross(u, along[(longest + 1) % 3])),
     glm::length(glm::cross(u, along[(longest + 2) % 3])));
   result.count = sine < kNeedleSine ? 5 : 3;
+  return result;
 }
 
 glm::dvec3 TileEvaluator::displacement(int site, const glm::dvec3& x) const
@@ -329,18 +304,47 @@ glm::dvec3 TileEvaluator::displacement(int site, const glm::dvec3& x) const
   return sites_.points()[site - sites_.firstVertex()] - x;
 }
 
-MEDIAL_VECTORISED std::int64_t TileEvaluator::evaluate(const Extent& extent, const int* candidates,
-  std::size_t count, const SliceRange& slices, TileField& field) const
+void TileEvaluator::setSides(const Extent& tile, const SliceRange& slices, TileField& field) const
+{
+  for (int k = slices.begin; k < slices.end; ++k)
+  {
+    for (int j = 0; j < tile.size(1); ++j)
+    {
+      for (int i = 0; i < tile.size(0); ++i)
+      {
+        const int index = TileField::index(i, j, k);
+        const int site = field.site[index];
+        const glm::dvec3 x =
+          frame_.sample(glm::dvec3(tile.min[0] + i, tile.min[1] + j, tile.min[2] + k));
+        field.side[index] =
+          static_cast<float>(-glm::dot(glm::dvec3(normals_[site]), this->displacement(site, x)));
+      }
+    }
+  }
+}
+
+std::int64_t TileEvaluator::evaluate(const Extent& extent, const int* candidates, std::size_t count,
+  const SliceRange& slices, TileField& field) const
+{
+  const auto setSides = [this](int face, FaceSides* table) { table[face] = this->sidesOf(face); };
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    bounds_.prepare(candidates[i]);
+    if (candidates[i] < sites_.faceCount())
+    {
+      faceSides_.prepare(candidates[i], setSides);
+    }
+  }
+  return this->evaluatePrepared(extent, candidates, count, slices, field);
+}
+
+MEDIAL_VECTORISED std::int64_t TileEvaluator::evaluatePrepared(const Extent& extent,
+  const int* candidates, std::size_t count, const SliceRange& slices, TileField& field) const
 {
   Tile tile{ frame_.sample({ extent.min[0], extent.min[1], extent.min[2] }), frame_.step,
     extent.size(1), slices.begin, slices.end, static_cast<float>(extent.size(0) - 1), field };
   std::fill(std::begin(field.squared), std::end(field.squared), std::numeric_limits<float>::max());
   std::fill(std::begin(field.site), std::end(field.site), -1);
-  if (isLong(extent, frame_.step))
-  {
-    this->queryFarPoints(extent, candidates, count, slices, field);
-    return extent.pointCount() * static_cast<std::int64_t>(count);
-  }
   std::int64_t rows = 0;
   for (const int* candidate = candidates; candidate != candidates + count; ++candidate)
   {
@@ -350,14 +354,14 @@ MEDIAL_VECTORISED std::int64_t TileEvaluator::evaluate(const Extent& extent, con
       __builtin_prefetch(&faceSides_[candidate[kAhead]]);
       __builtin_prefetch(&sites_.faceNormal(candidate[kAhead]));
     }
-    const glm::dvec3 normal(normals_[site]);
+    const glm::dvec3 normal = normals_.empty() ? glm::dvec3(0.0) : glm::dvec3(normals_[site]);
     switch (sites_.kind(site))
     {
       case SiteKind::Face:
         rows += evaluateFace(tile, sites_, site, normal, faceSides_[site]);
         break;
       case SiteKind::Edge:
-        rows += evaluateEdge(tile, sites_, site, normal, slack_);
+        rows += evaluateEdge(tile, sites_, bounds_, site, normal, slack_);
         break;
       case SiteKind::Vertex:
       default:
@@ -368,44 +372,7 @@ MEDIAL_VECTORISED std::int64_t TileEvaluator::evaluate(const Extent& extent, con
       }
     }
   }
-  if (hasFarPoints(tile))
-  {
-    this->queryFarPoints(extent, candidates, count, slices, field);
-  }
   return rows * extent.size(0);
-}
-
-void TileEvaluator::queryFarPoints(const Extent& extent, const int* candidates, std::size_t count,
-  const SliceRange& slices, TileField& field) const
-{
-  for (int index = 0; index < TileField::kPoints; ++index)
-  {
-    const glm::ivec3 point(index % TileField::kRow, index / TileField::kRow % TileField::kRow,
-      index / TileField::kRow / TileField::kRow);
-    const bool inside =
-      point.x < extent.size(0) && point.y < extent.size(1) && slices.contains(point.z);
-    if (!inside || field.squared[index] <= TileField::kFarSquared)
-    {
-      continue;
-    }
-    const glm::dvec3 x =
-      frame_.sample(glm::dvec3(point + glm::ivec3(extent.min[0], extent.min[1], extent.min[2])));
-    double min = std::numeric_limits<double>::max();
-    for (const int* site = candidates; site != candidates + count; ++site)
-    {
-      const SitePoint closest = closestPoint(sites_, *site, x);
-      const glm::dvec3 vector = closest.point - x;
-      const double squared = glm::dot(vector, vector);
-      if (squared < min)
-      {
-        min = squared;
-        field.squared[index] = static_cast<float>(squared);
-        field.side[index] =
-          static_cast<float>(-glm::dot(glm::dvec3(normals_[closest.site]), vector));
-        field.site[index] = closest.site;
-      }
-    }
-  }
 }
 
 } // namespace medial

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "base/lazy_table.h"
 #include "field/tile_field.h"
 #include "medial/grid.h"
 #include "sites/grid_frame.h"
+#include "sites/site_bounds.h"
 #include "sites/site_set.h"
 
 #include <glm/glm.hpp>
@@ -31,9 +33,10 @@ struct FaceSides
 class TileEvaluator
 {
 public:
-  /// @param normals pseudonormals of all sites, for the sign.
-  TileEvaluator(const SiteSet& sites, const std::vector<glm::vec4>& normals, const GridFrame& frame,
-    float slack);
+  /// @param normals pseudonormals of all sites, for the sign; empty if there are no sides to find.
+  /// @param bounds of all candidates.
+  TileEvaluator(const SiteSet& sites, const SiteBounds& bounds,
+    const std::vector<glm::vec4>& normals, const GridFrame& frame, float slack);
 
   /// Finds the closest sites of a tile.
   /// @param tile at most TileField::kRow points long.
@@ -43,23 +46,24 @@ public:
   std::int64_t evaluate(const Extent& tile, const int* candidates, std::size_t count,
     const SliceRange& slices, TileField& field) const;
 
+  /// Sets on which side of their sites the points of a tile are.
+  void setSides(const Extent& tile, const SliceRange& slices, TileField& field) const;
+
   /// Returns the vector from a point to the closest point of the site that evaluate() found for it;
   /// local units.
   glm::dvec3 displacement(int site, const glm::dvec3& x) const;
 
 private:
-  void setFaceSides(int face);
-  /// Finds the sites of grid points that are far from what was found, or without a site, by exact
-  /// queries. So it does for points that the bounds of all candidates exclude; there should be
-  /// none, and this makes sure of it.
-  void queryFarPoints(const Extent& extent, const int* candidates, std::size_t count,
+  FaceSides sidesOf(int face) const;
+  std::int64_t evaluatePrepared(const Extent& tile, const int* candidates, std::size_t count,
     const SliceRange& slices, TileField& field) const;
 
   const SiteSet& sites_;
+  const SiteBounds& bounds_;
   const std::vector<glm::vec4>& normals_;
   GridFrame frame_;
   float slack_;
-  std::vector<FaceSides> faceSides_;
+  LazyTable<FaceSides> faceSides_;
 };
 
 } // namespace medial

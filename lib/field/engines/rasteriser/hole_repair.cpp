@@ -7,7 +7,7 @@ namespace medial
 {
 
 void repairHoles(SlabRenderer& renderer, const std::vector<glm::vec4>& normals,
-  const GridFrame& frame, const TileQuery& query, FieldSign sign, const Extent& slab)
+  const GridFrame& frame, const SiteQuery& query, FieldSign sign, const Extent& slab)
 {
   std::vector<std::int32_t> closest(static_cast<std::size_t>(slab.pointCount()));
   renderer.readSites(slab.size(2), closest.data());

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "culling/tile_query.h"
+#include "culling/site_query.h"
 #include "field/engines/rasteriser/slab_renderer.h"
 
 #include <vector>
@@ -13,6 +13,6 @@ namespace medial
 /// @param normals pseudonormals of all sites.
 /// @param query covers the grid points of the slab.
 void repairHoles(SlabRenderer& renderer, const std::vector<glm::vec4>& normals,
-  const GridFrame& frame, const TileQuery& query, FieldSign sign, const Extent& slab);
+  const GridFrame& frame, const SiteQuery& query, FieldSign sign, const Extent& slab);
 
 } // namespace medial

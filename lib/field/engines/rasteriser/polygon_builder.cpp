@@ -39,9 +39,10 @@ struct GridFunction
 class SiteClipper
 {
 public:
-  SiteClipper(const SiteSet& sites, const GridFrame& frame, const Extent& slab,
-    const AtlasLayout& atlas, PolygonChunk& chunk)
+  SiteClipper(const SiteSet& sites, const SiteBounds& bounds, const GridFrame& frame,
+    const Extent& slab, const AtlasLayout& atlas, PolygonChunk& chunk)
     : sites_(sites)
+    , bounds_(bounds)
     , frame_(frame)
     , slab_(slab)
     , atlas_(atlas)
@@ -78,14 +79,14 @@ private:
       static_cast<float>(glm::dot(normal, corner_) - offset) };
   }
 
-  /// Returns the first half-space of the site from which on dilation does no harm; see SiteSet for
-  /// their order.
+  /// Returns the first half-space of the site from which on dilation does no harm; see SiteBounds
+  /// for their order.
   std::ptrdiff_t firstHarmlessSide() const
   {
     switch (sites_.kind(rectangle_.site))
     {
       case SiteKind::Face:
-        return sites_.halfSpacesEnd(rectangle_.site) - sites_.halfSpacesBegin(rectangle_.site);
+        return bounds_.end(rectangle_.site) - bounds_.begin(rectangle_.site);
       case SiteKind::Edge:
         return 2;
       case SiteKind::Vertex:
@@ -101,11 +102,11 @@ private:
     sides_.clear();
     const std::ptrdiff_t firstHarmless = this->firstHarmlessSide();
     const glm::vec3 size(rectangle_.high - rectangle_.low);
-    const HalfSpace* end = sites_.halfSpacesEnd(rectangle_.site);
-    for (const HalfSpace* h = sites_.halfSpacesBegin(rectangle_.site); h != end; ++h)
+    const HalfSpace* end = bounds_.end(rectangle_.site);
+    for (const HalfSpace* h = bounds_.begin(rectangle_.site); h != end; ++h)
     {
       const GridFunction f = this->gridFunction(glm::dvec3(*h), static_cast<double>(h->w));
-      const bool harmless = h - sites_.halfSpacesBegin(rectangle_.site) >= firstHarmless;
+      const bool harmless = h - bounds_.begin(rectangle_.site) >= firstHarmless;
       const float limit =
         kPrecisionDilation + (harmless ? kSnapDilation * std::sqrt(f.a * f.a + f.b * f.b) : 0.0f);
       // The rectangle extends half a pixel beyond its grid points.
@@ -209,6 +210,7 @@ private:
   }
 
   const SiteSet& sites_;
+  const SiteBounds& bounds_;
   const GridFrame& frame_;
   const Extent& slab_;
   const AtlasLayout& atlas_;
@@ -222,8 +224,9 @@ private:
 
 } // namespace
 
-std::vector<PolygonChunk> buildPolygons(const SiteSet& sites, const GridFrame& frame,
-  const std::vector<CandidateTiles>& tiles, const Extent& slab, const AtlasLayout& atlas)
+std::vector<PolygonChunk> buildPolygons(const SiteSet& sites, const SiteBounds& bounds,
+  const GridFrame& frame, const std::vector<CandidateTiles>& tiles, const Extent& slab,
+  const AtlasLayout& atlas)
 {
   const std::vector<SiteRectangle> rectangles = siteRectangles(tiles, slab, sites.size());
   const std::size_t count = (rectangles.size() + kRectanglesPerChunk - 1) / kRectanglesPerChunk;
@@ -231,7 +234,7 @@ std::vector<PolygonChunk> buildPolygons(const SiteSet& sites, const GridFrame& f
   tbb::parallel_for(std::size_t{ 0 }, count,
     [&](std::size_t index)
     {
-      SiteClipper clipper(sites, frame, slab, atlas, chunks[index]);
+      SiteClipper clipper(sites, bounds, frame, slab, atlas, chunks[index]);
       const std::size_t end = std::min(rectangles.size(), (index + 1) * kRectanglesPerChunk);
       for (std::size_t i = index * kRectanglesPerChunk; i < end; ++i)
       {

@@ -2,6 +2,7 @@
 
 #include "culling/candidate_tiles.h"
 #include "field/engines/rasteriser/atlas_layout.h"
+#include "sites/site_bounds.h"
 #include "sites/site_set.h"
 
 #include <glm/glm.hpp>
@@ -31,10 +32,11 @@ struct PolygonChunk
 
 /// Builds the polygons of a slab: for every slice and every site that may be closest there, the
 /// part of the slice inside the candidate tiles and half-spaces of the site (section 3.2 of the
-/// paper, with the bounds of SiteSet). Sites are in ascending order on each slice, so that ties go
-/// to the lowest id.
+/// paper, with the bounds of SiteBounds). Sites are in ascending order on each slice, so that ties
+/// go to the lowest id.
 /// @param slab the extent that the tiles cover; slice slab.min[2] goes to slot 1 of the atlas.
-std::vector<PolygonChunk> buildPolygons(const SiteSet& sites, const GridFrame& frame,
-  const std::vector<CandidateTiles>& tiles, const Extent& slab, const AtlasLayout& atlas);
+std::vector<PolygonChunk> buildPolygons(const SiteSet& sites, const SiteBounds& bounds,
+  const GridFrame& frame, const std::vector<CandidateTiles>& tiles, const Extent& slab,
+  const AtlasLayout& atlas);
 
 } // namespace medial

@@ -2,7 +2,6 @@
 
 #include "field/engines/rasteriser/rasteriser_run.h"
 #include "field/engines/rasteriser/rasteriser_selection.h"
-#include "field/slab_culling.h"
 #include "field/slabs.h"
 #include "medial/error.h"
 #include "sites/closest_point.h"
@@ -53,33 +52,27 @@ RasteriserEngine::RasteriserEngine()
 void RasteriserEngine::run(const FieldJob& job, FieldSink& sink)
 {
   requireNear(job);
-  SlabCulling culling(job, TileHull::Points, seeds_);
-  const AtlasLayout atlas = this->chooseAtlas(job, sink, culling.hierarchy().blockBytes());
-  RasteriserRun run(job, culling, this->obtainRenderer(job, atlas), sink);
+  const AtlasLayout atlas = this->chooseAtlas(job, sink);
+  RasteriserRun run(job, this->obtainRenderer(job, atlas), sink);
   run.compute(nullptr);
-  seeds_ = run.takeSeeds();
 }
 
-SelectedField RasteriserEngine::select(const FieldJob& job, const CrossingSelection& wanted,
+std::vector<Crossing> RasteriserEngine::select(const FieldJob& job, const CrossingSelection& wanted,
   FieldSink& sink)
 {
   requireNear(job);
-  SlabCulling culling(job, TileHull::Cells, seeds_);
-  const AtlasLayout atlas = this->chooseAtlas(job, sink, culling.hierarchy().blockBytes());
+  const AtlasLayout atlas = this->chooseAtlas(job, sink);
   gl::OnGpuThread<RasteriserSelection> selection(wanted, job.frame, job.inside);
-  RasteriserRun run(job, culling, this->obtainRenderer(job, atlas), sink);
+  RasteriserRun run(job, this->obtainRenderer(job, atlas), sink);
   run.compute(&selection.object());
-  seeds_ = run.takeSeeds();
-  return { selection.object().takeCrossings(), culling.takeQuery() };
+  return selection.object().takeCrossings();
 }
 
-AtlasLayout RasteriserEngine::chooseAtlas(const FieldJob& job, const FieldSink& sink,
-  std::size_t bytesTaken) const
+AtlasLayout RasteriserEngine::chooseAtlas(const FieldJob& job, const FieldSink& sink) const
 {
   GLint limit = 0;
   thread_.run([&] { glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit); });
-  int slices =
-    slabSlices(job.extent, kBytesPerPoint + sink.bytesPerPoint(), job.memoryMiB, bytesTaken);
+  int slices = slabSlices(job.extent, kBytesPerPoint + sink.bytesPerPoint(), job.memoryMiB);
   while (slices > 1 && !AtlasLayout::fits(job.extent, slices, limit))
   {
     slices /= 2;

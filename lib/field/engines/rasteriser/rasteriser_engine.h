@@ -1,6 +1,5 @@
 #pragma once
 
-#include "culling/closest_seeds.h"
 #include "field/engines/rasteriser/slab_renderer.h"
 #include "field/field_engine.h"
 #include "gl/gpu_thread.h"
@@ -23,18 +22,16 @@ public:
   std::optional<Device> device() const override { return thread_.device(); }
 
   void run(const FieldJob& job, FieldSink& sink) override;
-  SelectedField select(const FieldJob& job, const CrossingSelection& selection,
+  std::vector<Crossing> select(const FieldJob& job, const CrossingSelection& selection,
     FieldSink& sink) override;
 
 private:
   using Renderer = gl::OnGpuThread<SlabRenderer>;
 
-  /// @param bytesTaken by candidates; they count towards the job's memory.
-  AtlasLayout chooseAtlas(const FieldJob& job, const FieldSink& sink, std::size_t bytesTaken) const;
+  AtlasLayout chooseAtlas(const FieldJob& job, const FieldSink& sink) const;
   Renderer& obtainRenderer(const FieldJob& job, const AtlasLayout& atlas);
 
   gl::GpuThread& thread_;
-  ClosestSeeds seeds_;                 ///< of the last job
   std::unique_ptr<Renderer> renderer_; ///< of the last job; null before
 };
 

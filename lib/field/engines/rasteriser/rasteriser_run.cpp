@@ -1,7 +1,7 @@
 #include "field/engines/rasteriser/rasteriser_run.h"
 
 #include "base/stopwatch.h"
-#include "culling/tile_query.h"
+#include "culling/site_query.h"
 #include "field/engines/rasteriser/hole_repair.h"
 #include "field/slabs.h"
 
@@ -12,16 +12,14 @@
 namespace medial
 {
 
-RasteriserRun::RasteriserRun(const FieldJob& job, SlabCulling& culling, Renderer& renderer,
-  FieldSink& sink)
+RasteriserRun::RasteriserRun(const FieldJob& job, Renderer& renderer, FieldSink& sink)
   : job_(job)
-  , culling_(culling)
+  , hierarchy_(job.filter, job.frame, job.extent)
   , renderer_(renderer)
   , sink_(sink)
   , atlas_(renderer.object().atlas())
   , writer_(job)
 {
-  seeds_.reset(job.extent);
 }
 
 RasteriserRun::~RasteriserRun()
@@ -77,9 +75,24 @@ void RasteriserRun::prepare(const Extent& extent, double done, double share, Sla
 {
   job_.run.report(done, "distance field");
   slab.extent = extent;
-  slab.tiles = culling_.tilesOf(extent, Checkpoint(job_.run, done, "distance field"));
+  this->cull(slab, done);
   this->clip(slab);
   job_.run.report(done + 0.5 * share, "distance field");
+}
+
+void RasteriserRun::cull(Slab& slab, double done)
+{
+  const Checkpoint checkpoint(job_.run, done, "distance field");
+  const Stopwatch watch(job_.statistics.seconds.cull);
+  CullingCounts counts;
+  slab.tiles =
+    job_.run.onThreads([&] { return hierarchy_.listTiles(slab.extent, counts, &checkpoint); });
+  job_.statistics.groupTests += counts.groupTests;
+  job_.statistics.siteTests += counts.siteTests;
+  for (const CandidateTiles& tiles : slab.tiles)
+  {
+    job_.statistics.candidatePairs += static_cast<std::int64_t>(tiles.candidates.size());
+  }
 }
 
 void RasteriserRun::clip(Slab& slab)
@@ -87,7 +100,11 @@ void RasteriserRun::clip(Slab& slab)
   RunStatistics& statistics = job_.statistics;
   const Stopwatch watch(statistics.seconds.polygons);
   slab.chunks = job_.run.onThreads(
-    [&] { return buildPolygons(job_.sites, job_.frame, *slab.tiles, slab.extent, atlas_); });
+    [&]
+    {
+      return buildPolygons(job_.sites, job_.filter.bounds(), job_.frame, slab.tiles, slab.extent,
+        atlas_);
+    });
   double area = 0.0;
   for (const PolygonChunk& chunk : slab.chunks)
   {
@@ -127,11 +144,7 @@ void RasteriserRun::render(SlabRenderer& renderer, Slab& slab, RasteriserSelecti
 
 void RasteriserRun::repair(SlabRenderer& renderer, const Slab& slab) const
 {
-  TileQuery query(job_.sites, job_.filter, job_.frame, culling_.hierarchy().layersOf(slab.extent));
-  for (const CandidateTiles& block : *slab.tiles)
-  {
-    query.add(block);
-  }
+  const SiteQuery query(job_.filter.tree(), job_.filter.slack());
   repairHoles(renderer, job_.normals, job_.frame, query, job_.sign, slab.extent);
 }
 
@@ -153,36 +166,8 @@ void RasteriserRun::store(const Slab& slab)
     const SlabReadback& readback = slab.readback->object();
     writer_.begin(slab.extent, arrays);
     job_.run.onThreads([&] { writer_.store(readback.displacements(), readback.sites()); });
-    this->noteSeeds(slab);
   }
   sink_.stored(slab.extent);
-}
-
-void RasteriserRun::noteSeeds(const Slab& slab)
-{
-  const std::int32_t* sites = slab.readback->object().sites();
-  if (sites == nullptr)
-  {
-    return;
-  }
-  for (const CandidateTiles& block : *slab.tiles)
-  {
-    for (const Extent& tile : block.tiles)
-    {
-      const int middleSlice = tile.min[2] + (tile.max[2] - tile.min[2]) / 2;
-      if (middleSlice < slab.extent.min[2] || middleSlice > slab.extent.max[2])
-      {
-        continue;
-      }
-      std::size_t index = 0;
-      for (int axis = 2; axis >= 0; --axis)
-      {
-        const int middle = tile.min[axis] + (tile.max[axis] - tile.min[axis]) / 2;
-        index = index * slab.extent.size(axis) + (middle - slab.extent.min[axis]);
-      }
-      seeds_.set(tile, sites[index]);
-    }
-  }
 }
 
 } // namespace medial

@@ -2,14 +2,12 @@
 
 #include "base/checkpoint.h"
 #include "culling/candidate_tiles.h"
-#include "culling/closest_seeds.h"
 #include "field/engines/rasteriser/polygon_builder.h"
 #include "field/engines/rasteriser/rasteriser_selection.h"
 #include "field/engines/rasteriser/slab_readback.h"
 #include "field/engines/rasteriser/slab_renderer.h"
 #include "field/field_job.h"
 #include "field/field_writer.h"
-#include "field/slab_culling.h"
 #include "gl/gpu_thread.h"
 #include "medial/distance_field.h"
 
@@ -30,7 +28,7 @@ public:
   using Renderer = gl::OnGpuThread<SlabRenderer>;
 
   /// @param renderer already has the positions of the job.
-  RasteriserRun(const FieldJob& job, SlabCulling& culling, Renderer& renderer, FieldSink& sink);
+  RasteriserRun(const FieldJob& job, Renderer& renderer, FieldSink& sink);
   /// Waits for the GPU.
   ~RasteriserRun();
   RasteriserRun(const RasteriserRun&) = delete;
@@ -40,17 +38,14 @@ public:
   /// @param selection processes every slab on the GPU; may be null.
   void compute(RasteriserSelection* selection);
 
-  /// The closest sites in the middle of tiles, if any array needed sites.
-  ClosestSeeds takeSeeds() { return std::move(seeds_); }
-
 private:
   using Readback = gl::OnGpuThread<SlabReadback>;
 
   struct Slab
   {
     Extent extent;
-    int previousSlices = 0;                          ///< of the slab below; 0 for the first
-    std::shared_ptr<const SlabCulling::Tiles> tiles; ///< of the layers that contain the slab
+    int previousSlices = 0; ///< of the slab below; 0 for the first
+    std::vector<CandidateTiles> tiles;
     std::vector<PolygonChunk> chunks;
     std::unique_ptr<Readback> readback; ///< null if no array is wanted
   };
@@ -59,18 +54,17 @@ private:
   void prepare(const Extent& extent, double done, double share, Slab& slab);
   void clip(Slab& slab);
   void render(SlabRenderer& renderer, Slab& slab, RasteriserSelection* selection);
+  void cull(Slab& slab, double done);
   void repair(SlabRenderer& renderer, const Slab& slab) const;
   void finishRendering();
   void store(const Slab& slab);
-  void noteSeeds(const Slab& slab);
 
   const FieldJob& job_;
-  SlabCulling& culling_;
+  CandidateHierarchy hierarchy_;
   Renderer& renderer_;
   FieldSink& sink_;
   AtlasLayout atlas_;
   FieldWriter writer_;
-  ClosestSeeds seeds_;
   FieldArrays firstArrays_; ///< of the first slab, requested before it is computed
   std::array<Slab, 2> ring_;
   std::future<void> rendering_;

@@ -82,7 +82,7 @@ std::vector<SiteRectangle> layerRectangles(const std::vector<CandidateTiles>& bl
   return rectangles;
 }
 
-/// Returns the first slices of the layers of leaf tiles that a slab cuts, in ascending order.
+/// Returns the first slices of the layers of tiles that a slab cuts, in ascending order.
 std::vector<int> layersIn(const Extent& slab, const std::vector<CandidateTiles>& blocks)
 {
   std::set<int> firstSlices;

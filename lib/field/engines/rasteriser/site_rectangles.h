@@ -9,7 +9,7 @@
 namespace medial
 {
 
-/// The grid points of a slab, in one layer of leaf tiles, that the polygons of a site must cover:
+/// The grid points of a slab, in one layer of tiles, that the polygons of a site must cover:
 /// the bounding box of the tiles that list the site, or a part of it at most 64 points long. Both
 /// ends are included.
 struct SiteRectangle

@@ -62,9 +62,12 @@ protected:
   TriangleMesh mesh_ = torus(1.0, 0.4, 16, 8);
   Grid grid_ = makeGrid(mesh_.bounds(), 40);
   GridFrame frame_{ grid_ };
-  SiteSet sites_{ mesh_, analyseConnectivity(mesh_), frame_ };
+  MeshConnectivity connectivity_ = analyseConnectivity(mesh_);
+  SiteSet sites_{ mesh_, connectivity_, frame_ };
   std::vector<glm::vec4> normals_ = pseudonormals(sites_, false);
-  TileEvaluator evaluator_{ sites_, normals_, frame_, CandidateFilter(sites_, frame_).slack() };
+  SiteBounds bounds_{ sites_, connectivity_ };
+  TileEvaluator evaluator_{ sites_, bounds_, normals_, frame_,
+    CandidateFilter(sites_, connectivity_, frame_).slack() };
 };
 
 TEST_F(EvaluatedTile, HoldsTheClosestOfAllSites)
@@ -86,11 +89,13 @@ TEST_F(EvaluatedTile, HoldsTheClosestOfAllSites)
   EXPECT_EQ(expectExact({ { 1, 2, 3 }, { 1, 2, 3 } }, all), 0);
 }
 
-TEST_F(EvaluatedTile, HasNoHolesWhateverTheCandidates)
+TEST_F(EvaluatedTile, PointsThatItsCandidatesExcludeHaveNoSite)
 {
   const Extent tile{ { 3, 3, 3 }, { 10, 10, 8 } };
-  expectExact(tile, { 5 });                      // beside the face's prism
-  expectExact(tile, { sites_.firstEdge() + 3 }); // beyond the edge's ends
+  const int edge = sites_.firstEdge() + 3; // the tile is beyond its ends
+  auto field = std::make_unique<TileField>();
+  evaluator_.evaluate(tile, &edge, 1, { 0, tile.size(2) }, *field);
+  EXPECT_EQ(field->site[TileField::index(0, 0, 0)], -1);
 }
 
 } // namespace

@@ -57,13 +57,14 @@ protected:
   GridFrame frame_{ grid_ };
   SiteSet sites_{ mesh_, connectivity_, frame_ };
   Extent slab_ = grid_.wholeExtent();
-  CandidateFilter filter_{ sites_, frame_ };
-  CandidateHierarchy hierarchy_{ filter_, frame_, slab_, TileHull::Points };
+  CandidateFilter filter_{ sites_, connectivity_, frame_ };
+  CandidateHierarchy hierarchy_{ filter_, frame_, slab_ };
 };
 
 TEST_F(SlabOfTorus, RectanglesCoverTheirTilesInAscendingOrder)
 {
-  const auto tiles = hierarchy_.leafTiles(slab_);
+  CullingCounts counts;
+  const auto tiles = hierarchy_.listTiles(slab_, counts);
   const auto rectangles = siteRectangles(tiles, slab_, sites_.size());
   for (std::size_t i = 1; i < rectangles.size(); ++i)
   {
@@ -78,30 +79,10 @@ TEST_F(SlabOfTorus, RectanglesCoverTheirTilesInAscendingOrder)
   }
 }
 
-TEST_F(SlabOfTorus, ATableOfTilesThatDoesNotFitIsRefused)
-{
-  const Extent huge{ { 0, 0, 0 }, { 1 << 20, 1 << 20, 1 << 20 } };
-  try
-  {
-    const TileQuery query(sites_, filter_, frame_, huge);
-    FAIL() << "was granted";
-  }
-  catch (const Error& error)
-  {
-    EXPECT_EQ(error.code(), ErrorCode::OutOfMemory);
-    EXPECT_NE(std::string(error.what()).find("tiles of the grid needs"), std::string::npos)
-      << error.what();
-  }
-}
-
 TEST_F(SlabOfTorus, HolesAreFilledExactly)
 {
   const auto normals = pseudonormals(sites_, false);
-  TileQuery query(sites_, filter_, frame_, slab_);
-  for (CandidateTiles& block : hierarchy_.leafTiles(slab_))
-  {
-    query.add(std::move(block));
-  }
+  const SiteQuery query(filter_.tree(), filter_.slack());
   const auto count = static_cast<std::size_t>(slab_.pointCount());
   std::vector<glm::vec4> filled(count);
   gl::OnGpuThread<SlabRenderer> renderer(sites_, normals, frame_,

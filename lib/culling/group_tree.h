@@ -1,0 +1,127 @@
+#pragma once
+
+#include "culling/discs.h"
+#include "culling/group_list.h"
+#include "culling/site_group.h"
+#include "sites/closest_point.h"
+#include "sites/site_set.h"
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <vector>
+
+namespace medial
+{
+
+/// A linear tree over the elements of a mesh. Its leaves are the groups: elements are sorted so
+/// that any 2^k of them, from a multiple of 2^k on, are close together, and eight in a row make a
+/// group. Every level above has a disc for every eight nodes of the level below.
+///
+/// Elements much larger than most have trees of their own, so that they widen no other disc.
+class GroupTree
+{
+public:
+  /// @param sites must outlive this.
+  /// @param slack bound of the rounding of single precision near the grid and the mesh, by which
+  ///   discs are widened; local units.
+  GroupTree(const SiteSet& sites, float slack);
+
+  const SiteSet& sites() const { return sites_; }
+  const std::vector<SiteGroup>& groups() const { return groups_; }
+
+  /// Returns the element nearest to a position, in single precision.
+  /// @param start some element; the nearer it is, the faster the search.
+  NearestElement nearest(const glm::dvec3& x, const NearestElement& start = {}) const;
+
+  /// Calls visit(group) for the groups whose discs are within a distance of a position, the nearer
+  /// of a node's children first.
+  /// @param limit returns the squared distance, which may fall meanwhile.
+  template <typename Limit, typename Visit>
+  void visitNear(const glm::vec3& x, const Limit& limit, const Visit& visit) const;
+
+  /// Lists the groups that may hold the closest point of some position in a box, in ascending
+  /// order.
+  /// @return number of discs that were tested.
+  int collect(const BoxReach& reach, GroupList& found) const;
+
+private:
+  /// The tree of elements of about the same size.
+  struct SizeTree
+  {
+    int firstGroup;
+    std::vector<std::vector<Discs>> levels; ///< the first holds the discs of groups
+  };
+  /// A node to look at.
+  struct Node
+  {
+    int level; ///< that of its discs, or -1 for a group
+    int index;
+    float squared; ///< distance
+  };
+  /// The nodes still to be looked at. Of the eight below a node, one is left for those below it;
+  /// each level has 8 times as many nodes as the one above.
+  struct Stack
+  {
+    std::array<Node, 16 * kLanes> nodes;
+    int count = 0;
+
+    void push(const Node& node) { nodes[count++] = node; }
+    Node pop() { return nodes[--count]; }
+  };
+
+  /// Pushes the nodes below one whose discs are within a squared distance, the nearest last.
+  static void pushNear(const Discs& discs, const glm::vec3& x, float limit, const Node& parent,
+    Stack& stack);
+
+  void addTree(std::vector<int>& elements, const SharedSites& shared, float slack);
+
+  const SiteSet& sites_;
+  std::vector<SiteGroup> groups_;
+  std::vector<SizeTree> trees_;
+};
+
+template <typename Limit, typename Visit>
+void GroupTree::visitNear(const glm::vec3& x, const Limit& limit, const Visit& visit) const
+{
+  Stack stack;
+  for (const SizeTree& tree : trees_)
+  {
+    stack.push({ static_cast<int>(tree.levels.size()) - 1, 0, 0.0f });
+    while (stack.count > 0)
+    {
+      const Node node = stack.pop();
+      if (node.squared > limit())
+      {
+        continue;
+      }
+      if (node.level < 0)
+      {
+        visit(tree.firstGroup + node.index);
+        continue;
+      }
+      pushNear(tree.levels[node.level][node.index], x, limit(), node, stack);
+    }
+  }
+}
+
+/// Adds the surface points nearest to the corners of a box to its reach.
+/// @param found nearest to its centre.
+/// @param nearest a NearestElement(const glm::dvec3& x, const NearestElement& start).
+template <typename Nearest>
+void addCorners(const GroupTree& tree, NearestElement found, const Nearest& nearest,
+  BoxReach& reach)
+{
+  const FrameBox& box = reach.box();
+  for (int i = 0; i < FrameBox::kCorners; ++i)
+  {
+    const glm::dvec3 corner = glm::dvec3(box.centre) + glm::dvec3(box.corner(i));
+    NearestElement start;
+    start.tryGroup(tree.groups(), found.group, corner);
+    found = nearest(corner, start);
+    const int element = tree.groups()[found.group].elements[found.lane];
+    reach.add(glm::vec3(closestPoint(tree.sites(), element, corner).point));
+  }
+}
+
+} // namespace medial

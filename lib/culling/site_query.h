@@ -1,0 +1,42 @@
+#pragma once
+
+#include "culling/group_tree.h"
+#include "sites/closest_point.h"
+
+#include <glm/glm.hpp>
+
+#include <vector>
+
+namespace medial
+{
+
+/// Finds exact closest surface points, in double precision, at any position. Several threads may
+/// query it at once.
+class SiteQuery
+{
+public:
+  /// @param tree must outlive this.
+  /// @param slack bound of the rounding of single precision where the queries will be.
+  SiteQuery(const GroupTree& tree, float slack);
+
+  /// Returns the closest surface point.
+  /// @param x local coordinates.
+  /// @param known start of the search: the closest point of some site to x. The nearer it is, the
+  ///   faster the search. It is returned if no other point is nearer. A site of -1 means none.
+  SitePoint closest(const glm::dvec3& x, const SitePoint& known = {}) const;
+
+  /// A position with a known point, which closest() replaces by the closest one.
+  struct Question
+  {
+    glm::dvec3 x;
+    SitePoint closest;
+  };
+  /// The same for many positions.
+  void closest(std::vector<Question>& questions) const;
+
+private:
+  const GroupTree& tree_;
+  float slack_;
+};
+
+} // namespace medial

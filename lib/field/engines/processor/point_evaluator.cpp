@@ -1,0 +1,80 @@
+#include "field/engines/processor/point_evaluator.h"
+
+#include "culling/extent_parts.h"
+#include "sites/closest_point.h"
+
+namespace medial
+{
+namespace
+{
+
+/// Number of grid points along an edge of a brick. Smaller ones spend more on finding their groups
+/// than they save.
+constexpr int kBrickSize = 4;
+
+} // namespace
+
+PointEvaluator::PointEvaluator(const GroupTree& tree, const GridFrame& frame)
+  : tree_(tree)
+  , frame_(frame)
+{
+}
+
+/// Returns the element nearest to the middle of the brick.
+NearestElement PointEvaluator::collectGroups(const Extent& brick, const GroupList& candidates,
+  GroupList& found) const
+{
+  const auto nearestTo = [&](const glm::dvec3& x, const NearestElement& start)
+  { return candidates.nearest(tree_.groups(), x, start); };
+  const FrameBox box = hullOf(brick, frame_);
+  const NearestElement nearest = nearestTo(glm::dvec3(box.centre), {});
+  BoxReach reach(box, nearest);
+  addCorners(tree_, nearest, nearestTo, reach);
+  candidates.refine(reach, found);
+  return nearest;
+}
+
+std::int64_t PointEvaluator::evaluateBrick(const Extent& brick, const Extent& tile,
+  const GroupList& groups, NearestElement nearest, TileField& field) const
+{
+  std::int64_t groupsTried = 0;
+  for (int k = brick.min[2]; k <= brick.max[2]; ++k)
+  {
+    for (int j = brick.min[1]; j <= brick.max[1]; ++j)
+    {
+      for (int i = brick.min[0]; i <= brick.max[0]; ++i)
+      {
+        const glm::dvec3 x = frame_.sample(glm::dvec3(i, j, k));
+        NearestElement start;
+        start.tryGroup(tree_.groups(), nearest.group, x);
+        nearest = groups.nearest(tree_.groups(), x, start);
+        groupsTried += nearest.tried;
+        const int element = tree_.groups()[nearest.group].elements[nearest.lane];
+        const SitePoint closest = closestPoint(tree_.sites(), element, x);
+        const int index = TileField::index(i - tile.min[0], j - tile.min[1], k - tile.min[2]);
+        field.squared[index] = static_cast<float>(glm::dot(closest.point - x, closest.point - x));
+        field.site[index] = closest.site;
+      }
+    }
+  }
+  return groupsTried * SiteGroup::kSize;
+}
+
+std::int64_t PointEvaluator::evaluate(const Extent& tile, const GroupList& candidates,
+  const SliceRange& slices, TileField& field, GroupList& brickGroups) const
+{
+  std::int64_t evaluated = 0;
+  visitParts(tile, kBrickSize,
+    [&](const Extent& brick)
+    {
+      if (brick.max[2] < tile.min[2] + slices.begin || brick.min[2] >= tile.min[2] + slices.end)
+      {
+        return;
+      }
+      const NearestElement nearest = this->collectGroups(brick, candidates, brickGroups);
+      evaluated += this->evaluateBrick(brick, tile, brickGroups, nearest, field);
+    });
+  return evaluated;
+}
+
+} // namespace medial

@@ -1,0 +1,174 @@
+#include "culling/group_tree.h"
+#include "culling/site_query.h"
+#include "sites/closest_point.h"
+#include "sites/grid_frame.h"
+
+#include "support/brute_force.h"
+#include "support/culling_cases.h"
+#include "support/shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <vector>
+
+namespace medial::test
+{
+namespace
+{
+
+constexpr float kSlack = 1e-3f;
+
+double exactDistance(const SiteSet& sites, const glm::dvec3& x)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (int site = 0; site < sites.size(); ++site)
+  {
+    least = sites.active(site)
+      ? std::min(least, glm::distance(closestPoint(sites, site, x).point, x))
+      : least;
+  }
+  return least;
+}
+
+class GroupTreeOf : public testing::TestWithParam<CullingCase>
+{
+protected:
+  /// Positions in the grid and as far around it.
+  std::vector<glm::dvec3> positions() const
+  {
+    Bounds bounds{};
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double size = grid_.dimensions[axis];
+      bounds.min[axis] = -size;
+      bounds.max[axis] = 2.0 * size;
+    }
+    std::vector<glm::dvec3> positions;
+    for (const Point3& index : randomPoints(bounds, 2000, 3))
+    {
+      positions.push_back(frame_.sample({ index[0], index[1], index[2] }));
+    }
+    return positions;
+  }
+
+  const TriangleMesh& mesh_ = GetParam().mesh;
+  const Grid& grid_ = GetParam().grid;
+  const GridFrame frame_{ grid_ };
+  const SiteSet sites_{ mesh_, analyseConnectivity(mesh_), frame_ };
+  const GroupTree tree_{ sites_, kSlack };
+};
+
+} // namespace
+
+TEST_P(GroupTreeOf, HoldsEveryActiveSiteOnce)
+{
+  std::vector<int> count(sites_.size(), 0);
+  for (const SiteGroup& group : tree_.groups())
+  {
+    for (int lane = 0; lane < SiteGroup::kSize; ++lane)
+    {
+      for (int left = group.owned[lane]; left != 0; left &= left - 1)
+      {
+        ++count[siteOf(sites_, group, lane, __builtin_ctz(static_cast<unsigned>(left)))];
+      }
+    }
+  }
+  for (int site = 0; site < sites_.size(); ++site)
+  {
+    EXPECT_EQ(count[site], sites_.active(site) ? 1 : 0) << site;
+  }
+}
+
+TEST_P(GroupTreeOf, FindsTheNearestElement)
+{
+  NearestElement last;
+  for (const glm::dvec3& x : positions())
+  {
+    const double truth = exactDistance(sites_, x);
+    const double tolerance = 1e-3 + 1e-5 * truth;
+    const NearestElement nearest = tree_.nearest(x);
+    EXPECT_NEAR(std::sqrt(nearest.squared), truth, tolerance);
+    const int element = tree_.groups()[nearest.group].elements[nearest.lane];
+    EXPECT_NEAR(glm::distance(closestPoint(sites_, element, x).point, x), truth, tolerance);
+    if (last.group >= 0)
+    {
+      NearestElement start;
+      start.tryGroup(tree_.groups(), last.group, x);
+      EXPECT_EQ(tree_.nearest(x, start).squared, nearest.squared);
+    }
+    last = nearest;
+  }
+}
+
+TEST_P(GroupTreeOf, AnswersQueriesExactly)
+{
+  const SiteQuery query(tree_, kSlack);
+  std::vector<SiteQuery::Question> questions;
+  for (const glm::dvec3& x : positions())
+  {
+    const double truth = exactDistance(sites_, x);
+    const SitePoint closest = query.closest(x);
+    EXPECT_NEAR(glm::distance(closest.point, x), truth, 1e-12 * truth);
+    EXPECT_TRUE(sites_.active(closest.site) || sites_.kind(closest.site) == SiteKind::Edge);
+    // A known closest point stays, and any other is replaced.
+    EXPECT_EQ(query.closest(x, closest).site, closest.site);
+    questions.push_back({ x, closestPoint(sites_, sites_.size() - 1, x) });
+  }
+  query.closest(questions);
+  for (const SiteQuery::Question& question : questions)
+  {
+    EXPECT_EQ(glm::distance(question.closest.point, question.x),
+      glm::distance(query.closest(question.x).point, question.x));
+  }
+}
+
+/// Every group that holds the closest point of some position in a box is found.
+TEST_P(GroupTreeOf, CollectsTheGroupsOfBoxes)
+{
+  for (const glm::dvec3& centre : positions())
+  {
+    const FrameBox box{ glm::vec3(centre), glm::vec3(3.0f, 2.0f, 4.0f) };
+    const NearestElement nearest = tree_.nearest(centre);
+    BoxReach reach(box, nearest);
+    addCorners(
+      tree_, nearest,
+      [&](const glm::dvec3& x, const NearestElement& start) { return tree_.nearest(x, start); },
+      reach);
+    GroupList groups;
+    tree_.collect(reach, groups);
+    EXPECT_TRUE(std::is_sorted(groups.groups().begin(), groups.groups().end()));
+    for (int i = 0; i < FrameBox::kCorners; ++i)
+    {
+      const glm::dvec3 x = centre + 0.7 * glm::dvec3(box.corner(i));
+      const double found = std::sqrt(groups.nearest(tree_.groups(), x, {}).squared);
+      const double truth = exactDistance(sites_, x);
+      EXPECT_NEAR(found, truth, 1e-3 + 1e-5 * truth);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Meshes, GroupTreeOf, testing::ValuesIn(cullingCases()),
+  [](const auto& test) { return test.param.name; });
+
+TEST(GroupTree, LooksAtFewGroupsOfASmoothSurface)
+{
+  const TriangleMesh mesh = torus(1.0, 0.4, 200, 100);
+  const GridFrame frame(makeGrid(mesh.bounds(), 64, 0.1));
+  const SiteSet sites(mesh, analyseConnectivity(mesh), frame);
+  const GroupTree tree(sites, kSlack);
+  ASSERT_GE(tree.groups().size(), 5000u);
+  // Amid a quarter of the tube, from where all of the tube around is about equally far.
+  const glm::dvec3 x = frame.toLocal({ 1.05, 0.0, 0.0 });
+  const NearestElement nearest = tree.nearest(x);
+  int seen = 0;
+  tree.visitNear(
+    glm::vec3(x), [&] { return nearest.squared; }, [&](int) { ++seen; });
+  EXPECT_GE(seen, 1);
+  EXPECT_LE(seen, 20);
+}
+
+} // namespace medial::test
