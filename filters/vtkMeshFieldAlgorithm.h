@@ -34,11 +34,11 @@
  *   triangles without area.
  * - Closed (every edge has two triangles), Manifold, Oriented (consistently): unsigned char, 0 or
  *   1.
- * - Sites, GroupTests, SiteTests, CandidatePairs, Polygons, Fragments, Samples (vtkIdType): faces,
- *   edges and vertices of the mesh; pairs of a group of triangles and tiles of the grid that
- * culling tested; pairs of a site and a tile that it tested; pairs that it left; polygons drawn, 0
- * with the processor; grid points that they cover before the depth test, or pairs of a grid point
- * and a site that the processor evaluated; grid points computed.
+ * - Sites, GroupTests, SiteTests, CandidatePairs, Polygons, Fragments, Samples (vtkIdType):
+ *   faces, edges and vertices of the mesh; pairs of a disc around triangles and tiles of the grid
+ *   that culling tested; pairs of a site and a tile that it tested; pairs that it left; polygons
+ *   drawn, 0 with the processor; grid points that they cover before the depth test, or pairs of a
+ *   grid point and a site that the processor evaluated; grid points computed.
  * - Seconds (double, one named component a phase): wall-clock time of building sites (Sites),
  *   of finding out what is inside by winding numbers (Sign),
  *   culling (Cull), clipping polygons (Polygons), drawing or evaluating (Draw), final distances

@@ -93,20 +93,6 @@ MEDIAL_VECTORISED void findParts(const SiteGroup& group, const BoxReach& reach, 
   std::memcpy(parts.data(), &found, sizeof(found));
 }
 
-/// Returns a bound of the rounding error of single precision near the grid and the mesh.
-float slackNear(const SiteSet& sites, const GridFrame& frame)
-{
-  float reach = 0.0f;
-  for (const glm::dvec3& point : sites.points())
-  {
-    reach = std::max(reach, glm::length(glm::vec3(point)));
-  }
-  // Enough for the grid points of most grids; those of very large or flat ones are farther out.
-  constexpr float kMinSlack = 1e-3f;
-  constexpr float kRounding = 16.0f * std::numeric_limits<float>::epsilon();
-  return std::max(kMinSlack, kRounding * static_cast<float>(frame.reach())) + kRounding * reach;
-}
-
 } // namespace
 
 CandidateFilter::CandidateFilter(const SiteSet& sites, const MeshConnectivity& connectivity,
@@ -115,8 +101,8 @@ CandidateFilter::CandidateFilter(const SiteSet& sites, const MeshConnectivity& c
   , bounds_(sites, connectivity)
   , facePlanes_(sites.faceCount())
   , edgeLines_(sites.edgeCount())
-  , slack_(slackNear(sites, frame))
-  , tree_(sites, slack_)
+  , slack_(roundingNear(sites, frame.reach()))
+  , tree_(sites, connectivity, slack_)
 {
 }
 

@@ -114,7 +114,7 @@ BoxReach CandidateHierarchy::collectGroups(const Extent& set, int enough,
   const GroupTree& tree = filter_.tree();
   const FrameBox hull = hullOf(set, frame_);
   const NearestElement nearest = tree.nearest(glm::dvec3(hull.centre));
-  BoxReach reach(hull, nearest);
+  BoxReach reach(hull, nearest, tree.slack());
   workspace.counts.groupTests += tree.collect(reach, workspace.shared);
   if (workspace.shared.size() > enough)
   {
@@ -154,15 +154,10 @@ void CandidateHierarchy::visitSites(const Extent& set, const BoxReach& reach, co
 void CandidateHierarchy::visitGroups(const Extent& tile, Workspace& workspace,
   const Visitor& visitor) const
 {
-  const GroupTree& tree = filter_.tree();
-  const auto nearestTo = [&](const glm::dvec3& x, const NearestElement& start)
-  { return workspace.shared.nearest(tree.groups(), x, start); };
-  const FrameBox hull = hullOf(tile, frame_);
-  const NearestElement nearest = nearestTo(glm::dvec3(hull.centre), {});
-  BoxReach reach(hull, nearest);
-  addCorners(tree, nearest, nearestTo, reach);
+  NearestElement nearest;
   workspace.counts.groupTests += workspace.shared.size();
-  workspace.shared.refine(reach, workspace.own);
+  const BoxReach reach =
+    refine(filter_.tree(), workspace.shared, hullOf(tile, frame_), nearest, workspace.own);
   visitor.groups(tile, reach, workspace.own);
 }
 

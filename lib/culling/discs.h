@@ -13,9 +13,10 @@ namespace medial
 /// surface, a little larger than it by the rounding of single precision.
 ///
 /// Where the part is smooth, its Voronoi regions widen slowly: they are made of vectors that are
-/// orthogonal to the surface, and these lie in the cone around the normals of all faces at its
-/// sites. So a position in a region is no farther from the axis than the radius and the slope of
-/// the cone, times the distance along the axis, allow.
+/// orthogonal to the surface. Where the surface goes on all around with its faces turned the same
+/// way, these lie in the cone around the normals of all faces at its sites. So a position in a
+/// region is no farther from the axis than the radius and the slope of the cone, times the distance
+/// along the axis, allow.
 struct alignas(32) Discs
 {
   using Lanes = std::array<float, kLanes>;
@@ -73,11 +74,11 @@ struct DiscPosition
     return this->squaredDistance(loaded(discs.radius.data()), loaded(discs.halfHeight.data()));
   }
 
-  /// Whether Voronoi regions of the discs may meet the ball of a radius around the position.
-  MEDIAL_INLINE Int8 meetsRegions(const Discs& discs, float ball) const
+  /// Whether Voronoi regions of the discs may come within a distance of the position.
+  MEDIAL_INLINE Int8 meetsRegions(const Discs& discs, float within) const
   {
-    const Float8 along = height + loaded(discs.halfHeight.data()) + ball;
-    return fromAxis <= loaded(discs.radius.data()) + ball + along * loaded(discs.slope.data());
+    const Float8 along = height + loaded(discs.halfHeight.data()) + within;
+    return fromAxis <= loaded(discs.radius.data()) + within + along * loaded(discs.slope.data());
   }
 };
 

@@ -38,11 +38,11 @@ MEDIAL_VECTORISED void NearestElement::tryGroup(const std::vector<SiteGroup>& gr
   tryElements(groups, next, x, *this);
 }
 
-BoxReach::BoxReach(const FrameBox& box, const NearestElement& nearest)
+BoxReach::BoxReach(const FrameBox& box, const NearestElement& nearest, float slack)
   : box_(box)
   , radius_(glm::length(box.half))
 {
-  const float reach = std::sqrt(nearest.squared) + 2.0f * radius_;
+  const float reach = std::sqrt(nearest.squared) + 2.0f * (radius_ + slack);
   squared_ = reach * reach * kRoundedUp;
 }
 

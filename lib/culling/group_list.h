@@ -48,7 +48,8 @@ class BoxReach
 {
 public:
   /// @param nearest of all elements, from the box's centre.
-  BoxReach(const FrameBox& box, const NearestElement& nearest);
+  /// @param slack bound of the rounding of single precision there.
+  BoxReach(const FrameBox& box, const NearestElement& nearest, float slack);
 
   const FrameBox& box() const { return box_; }
   /// Radius of the ball around the box.

@@ -72,13 +72,13 @@ std::map<int, std::vector<int>> bySize(const SiteSet& sites, const std::vector<i
   }
   const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
   std::nth_element(radii.begin(), middle, radii.end());
-  const float most = 4.0f * *middle;
+  const float limit = 4.0f * *middle;
   std::map<int, std::vector<int>> classes;
   for (const int element : elements)
   {
     const float radius = sites.boundingBall(element).w;
-    const bool larger = radius > most && most > 0.0f;
-    classes[larger ? 1 + static_cast<int>(std::log2(radius / most) / 3.0f) : 0].push_back(element);
+    const bool larger = radius > limit && limit > 0.0f;
+    classes[larger ? 1 + static_cast<int>(std::log2(radius / limit) / 3.0f) : 0].push_back(element);
   }
   return classes;
 }
@@ -174,9 +174,9 @@ Disc discOf(const SiteSet& sites, const SharedSites& shared, const SiteGroup& gr
       }
     });
   double cosine = 1.0;
-  for (int lane = 0; lane < SiteGroup::kSize; ++lane)
+  for (const int element : group.elements)
   {
-    cosine = std::min(cosine, shared.leastCosine(sites, group, lane, disc.normal));
+    cosine = std::min(cosine, shared.minCosine(sites, element, disc.normal));
   }
   disc.cone = cosine > 0.0 ? std::acos(std::min(cosine, 1.0)) : kNoCone;
   return disc;
@@ -256,10 +256,25 @@ std::vector<Discs> packed(std::vector<Disc>& discs, float slack)
 
 } // namespace
 
-GroupTree::GroupTree(const SiteSet& sites, float slack)
-  : sites_(sites)
+float roundingNear(const SiteSet& sites, double reach)
 {
-  const SharedSites shared(sites);
+  double farthest = 0.0;
+  for (const glm::dvec3& point : sites.points())
+  {
+    farthest = std::max(farthest, glm::dot(point, point));
+  }
+  // Enough for the grid points of most grids; those of very large or flat ones are farther out.
+  constexpr float kMin = 1e-3f;
+  constexpr float kRounding = 16.0f * std::numeric_limits<float>::epsilon();
+  return std::max(kMin, kRounding * static_cast<float>(reach)) +
+    kRounding * static_cast<float>(std::sqrt(farthest));
+}
+
+GroupTree::GroupTree(const SiteSet& sites, const MeshConnectivity& connectivity, float slack)
+  : sites_(sites)
+  , slack_(slack)
+{
+  const SharedSites shared(sites, connectivity);
   for (auto& [size, elements] : bySize(sites, shared.elements(sites)))
   {
     this->addTree(elements, shared, slack);

@@ -14,6 +14,10 @@
 namespace medial
 {
 
+/// Returns a bound of the rounding of single precision near a mesh, local units.
+/// @param reach how far from the local origin positions are, local units.
+float roundingNear(const SiteSet& sites, double reach);
+
 /// A linear tree over the elements of a mesh. Its leaves are the groups: elements are sorted so
 /// that any 2^k of them, from a multiple of 2^k on, are close together, and eight in a row make a
 /// group. Every level above has a disc for every eight nodes of the level below.
@@ -25,9 +29,11 @@ public:
   /// @param sites must outlive this.
   /// @param slack bound of the rounding of single precision near the grid and the mesh, by which
   ///   discs are widened; local units.
-  GroupTree(const SiteSet& sites, float slack);
+  GroupTree(const SiteSet& sites, const MeshConnectivity& connectivity, float slack);
 
   const SiteSet& sites() const { return sites_; }
+  /// Bound of the rounding of single precision near the grid and the mesh, local units.
+  float slack() const { return slack_; }
   const std::vector<SiteGroup>& groups() const { return groups_; }
 
   /// Returns the element nearest to a position, in single precision.
@@ -59,8 +65,8 @@ private:
     int index;
     float squared; ///< distance
   };
-  /// The nodes still to be looked at. Of the eight below a node, one is left for those below it;
-  /// each level has 8 times as many nodes as the one above.
+  /// The nodes still to be looked at. A node is taken away before the eight below it are added, so
+  /// each level adds seven at most.
   struct Stack
   {
     std::array<Node, 16 * kLanes> nodes;
@@ -77,6 +83,7 @@ private:
   void addTree(std::vector<int>& elements, const SharedSites& shared, float slack);
 
   const SiteSet& sites_;
+  float slack_;
   std::vector<SiteGroup> groups_;
   std::vector<SizeTree> trees_;
 };
@@ -122,6 +129,20 @@ void addCorners(const GroupTree& tree, NearestElement found, const Nearest& near
     const int element = tree.groups()[found.group].elements[found.lane];
     reach.add(glm::vec3(closestPoint(tree.sites(), element, corner).point));
   }
+}
+
+/// Lists those of some groups that may hold the closest point of some position in a box.
+/// @param nearest set to the element nearest to the centre.
+inline BoxReach refine(const GroupTree& tree, const GroupList& groups, const FrameBox& box,
+  NearestElement& nearest, GroupList& found)
+{
+  const auto nearestTo = [&](const glm::dvec3& x, const NearestElement& start)
+  { return groups.nearest(tree.groups(), x, start); };
+  nearest = nearestTo(glm::dvec3(box.centre), {});
+  BoxReach reach(box, nearest, tree.slack());
+  addCorners(tree, nearest, nearestTo, reach);
+  groups.refine(reach, found);
+  return reach;
 }
 
 } // namespace medial

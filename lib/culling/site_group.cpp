@@ -1,5 +1,7 @@
 #include "culling/site_group.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <numeric>
 
@@ -183,8 +185,25 @@ void setLane(SiteGroup& group, int lane, const SiteSet& sites, const SharedSites
   const Element element = elementOf(sites, site);
   const Axes axes = axesOf(element);
   setGeometry(group, lane, element, axes);
+  for (const glm::dvec3& corner : element.corners)
+  {
+    group.extent = std::max(group.extent, static_cast<float>(glm::distance(corner, group.origin)));
+  }
   setSharing(group, lane, sites, shared, site, element, axes);
   group.elements[lane] = site;
+}
+
+/// Whether a face has the ends of one of its edges in their order.
+bool runsAlong(const SiteSet& sites, int face, int edge)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    if (sites.faceEdges()[face][i] == edge)
+    {
+      return sites.faces()[face][i] == sites.edges()[edge][0];
+    }
+  }
+  return false;
 }
 
 } // namespace
@@ -214,76 +233,58 @@ void SiteGroup::copy(int to, const SiteGroup& from, int lane)
   longest[to] = from.longest[lane];
 }
 
-SharedSites::SharedSites(const SiteSet& sites)
-  : edgeOwners(sites.edgeCount(), kNone)
-  , vertexOwners(sites.vertexCount(), kNone)
+SharedSites::SharedSites(const SiteSet& sites, const MeshConnectivity& connectivity)
+  : edgeOwners(sites.edgeCount())
+  , vertexOwners(sites.vertexCount())
   , edgeFaces(sites.edgeCount(), glm::ivec2(kNone))
-  , faceOffsets(sites.vertexCount() + 1, 0)
   , open(sites.vertexCount(), 0)
+  , pointEdges(connectivity.pointEdges)
 {
-  std::vector<int> faceCounts(sites.edgeCount(), 0);
-  const auto claim = [](int& owner, int element) { owner = owner == kNone ? element : owner; };
-  for (int face = 0; face < sites.faceCount(); ++face)
-  {
-    for (int i = 0; i < 3; ++i)
+  std::vector<char> closed(sites.edgeCount());
+  tbb::parallel_for(0, sites.edgeCount(),
+    [&](int edge)
     {
-      const int edge = sites.faceEdges()[face][i];
-      claim(edgeOwners[edge], face);
-      claim(vertexOwners[sites.faces()[face][i]], face);
-      glm::ivec2& faces = edgeFaces[edge];
-      if (sites.active(face))
+      int owner = sites.firstEdge() + edge;
+      int active = 0;
+      int direction = 0; // how many more faces run along the edge than against it
+      for (const int* face = connectivity.edgeTriangles.begin(edge);
+           face != connectivity.edgeTriangles.end(edge); ++face)
       {
-        ++faceCounts[edge];
-        if (faces[1] == kNone)
+        owner = std::min(owner, *face);
+        if (!sites.active(*face))
         {
-          faces[faces[0] == kNone ? 0 : 1] = face;
+          continue;
         }
+        if (active < 2)
+        {
+          edgeFaces[edge][active] = *face;
+        }
+        ++active;
+        direction += runsAlong(sites, *face, edge) ? 1 : -1;
       }
-      ++faceOffsets[sites.faces()[face][i] + 1];
-    }
-  }
-  std::partial_sum(faceOffsets.begin(), faceOffsets.end(), faceOffsets.begin());
-  vertexFaces.resize(faceOffsets.back());
-  std::vector<std::size_t> next(faceOffsets.begin(), faceOffsets.end() - 1);
-  for (int face = 0; face < sites.faceCount(); ++face)
-  {
-    for (int i = 0; i < 3; ++i)
+      edgeOwners[edge] = owner;
+      closed[edge] = active == 2 && direction == 0 ? 1 : 0;
+    });
+  tbb::parallel_for(0, sites.vertexCount(),
+    [&](int vertex)
     {
-      vertexFaces[next[sites.faces()[face][i]]++] = face;
-    }
-  }
-  for (int edge = 0; edge < sites.edgeCount(); ++edge)
-  {
-    if (faceCounts[edge] != 2)
-    {
-      open[sites.edges()[edge][0]] = 1;
-      open[sites.edges()[edge][1]] = 1;
-    }
-  }
-  for (int edge = 0; edge < sites.edgeCount(); ++edge)
-  {
-    if (edgeOwners[edge] == kNone)
-    {
-      edgeOwners[edge] = sites.firstEdge() + edge;
-      claim(vertexOwners[sites.edges()[edge][0]], edgeOwners[edge]);
-      claim(vertexOwners[sites.edges()[edge][1]], edgeOwners[edge]);
-    }
-  }
-  for (int vertex = 0; vertex < sites.vertexCount(); ++vertex)
-  {
-    claim(vertexOwners[vertex], sites.firstVertex() + vertex);
-  }
+      int owner = sites.firstVertex() + vertex;
+      for (const int* edge = pointEdges.begin(vertex); edge != pointEdges.end(vertex); ++edge)
+      {
+        owner = std::min(owner, edgeOwners[*edge]);
+        open[vertex] |= closed[*edge] == 0 ? 1 : 0;
+      }
+      vertexOwners[vertex] = owner;
+    });
 }
 
-double SharedSites::leastCosine(const SiteSet& sites, const SiteGroup& group, int lane,
-  const glm::dvec3& axis) const
+double SharedSites::minCosine(const SiteSet& sites, int element, const glm::dvec3& axis) const
 {
-  const int element = group.elements[lane];
   if (sites.kind(element) != SiteKind::Face || !sites.active(element))
   {
     return -1.0;
   }
-  double least = 1.0;
+  double min = 1.0;
   for (int i = 0; i < 3; ++i)
   {
     const int vertex = sites.faces()[element][i];
@@ -291,12 +292,15 @@ double SharedSites::leastCosine(const SiteSet& sites, const SiteGroup& group, in
     {
       return -1.0;
     }
-    for (std::size_t k = faceOffsets[vertex]; k < faceOffsets[vertex + 1]; ++k)
+    for (const int* edge = pointEdges.begin(vertex); edge != pointEdges.end(vertex); ++edge)
     {
-      least = std::min(least, glm::dot(axis, sites.faceNormal(vertexFaces[k])));
+      for (int k = 0; k < 2; ++k)
+      {
+        min = std::min(min, glm::dot(axis, sites.faceNormal(edgeFaces[*edge][k])));
+      }
     }
   }
-  return least;
+  return min;
 }
 
 std::vector<int> SharedSites::elements(const SiteSet& sites) const
@@ -325,6 +329,7 @@ SiteGroup makeSiteGroup(const SiteSet& sites, const SharedSites& shared, const i
     sum += glm::dvec3(sites.boundingBall(elements[i]));
   }
   group.origin = sum / static_cast<double>(count);
+  group.extent = 0.0f;
   for (int lane = 0; lane < SiteGroup::kSize; ++lane)
   {
     setLane(group, lane, sites, shared, elements[std::min(lane, count - 1)]);

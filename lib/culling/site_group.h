@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/simd.h"
+#include "medial/mesh_connectivity.h"
 #include "sites/site_set.h"
 
 #include <glm/glm.hpp>
@@ -50,6 +51,7 @@ struct alignas(32) SiteGroup
                               ///< the rest, and owns nothing there
   std::array<std::uint8_t, kSize> longest; ///< which edge AB is, as in SiteSet::faceEdges()
   glm::dvec3 origin;                       ///< local coordinates
+  float extent;                            ///< largest distance of a corner from the origin
 
   /// Copies an element. Its start stays relative to the origin of `from`.
   void copy(int to, const SiteGroup& from, int lane);
@@ -66,17 +68,17 @@ struct SharedSites
   std::vector<int> edgeOwners;       ///< element of every edge
   std::vector<int> vertexOwners;     ///< element of every vertex
   std::vector<glm::ivec2> edgeFaces; ///< the first two active faces of every edge, or kNone
-  std::vector<std::size_t>
-    faceOffsets; ///< where the faces of vertices begin, one more than vertices
-  std::vector<int> vertexFaces;
-  std::vector<char> open; ///< of every vertex: whether an edge there has not two active faces
+  std::vector<char>
+    open; ///< of every vertex: whether an edge there has not two active faces, one each way
+  const IncidenceLists& pointEdges; ///< of the connectivity
 
-  explicit SharedSites(const SiteSet& sites);
+  /// @param connectivity must outlive this.
+  SharedSites(const SiteSet& sites, const MeshConnectivity& connectivity);
 
-  /// Returns the least cosine between an axis and the normals of the faces at an element's sites.
-  /// @return -1 if the surface ends or branches there.
-  double leastCosine(const SiteSet& sites, const SiteGroup& group, int lane,
-    const glm::dvec3& axis) const;
+  /// Returns the smallest cosine between an axis and the normals of the faces at an element's
+  /// sites.
+  /// @return -1 if the surface ends or branches there, or turns its other side out.
+  double minCosine(const SiteSet& sites, int element, const glm::dvec3& axis) const;
 
   /// Returns all elements, by the sites that name them: faces, and edges and vertices of no face.
   std::vector<int> elements(const SiteSet& sites) const;

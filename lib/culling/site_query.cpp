@@ -9,6 +9,8 @@ namespace medial
 namespace
 {
 
+constexpr unsigned kAllLanes = (1u << SiteGroup::kSize) - 1u;
+
 /// Returns the squared distance in single precision within which elements may be nearer.
 float limitAt(double distance, float slack)
 {
@@ -30,36 +32,55 @@ SiteQuery::SiteQuery(const GroupTree& tree, float slack)
 {
 }
 
-SitePoint SiteQuery::closest(const glm::dvec3& x, const SitePoint& known) const
+SitePoint SiteQuery::search(const glm::dvec3& x, SitePoint closest, double distance) const
 {
-  const SitePoint start = known.site >= 0
-    ? known
-    : closestPoint(tree_.sites(), tree_.groups().front().elements.front(), x);
-  SitePoint closest = start;
-  double distance = glm::distance(x, start.point);
+  const SiteSet& sites = tree_.sites();
   float limit = limitAt(distance, slack_);
-  const auto tryElement = [&](int element)
+  const auto tryElements = [&](const SiteGroup& group, unsigned lanes)
   {
-    const SitePoint candidate = closestPoint(tree_.sites(), element, x);
-    const double found = glm::distance(candidate.point, x);
-    if (found < distance)
+    for (unsigned left = lanes; left != 0; left &= left - 1)
     {
-      distance = found;
-      closest = candidate;
-      limit = limitAt(distance, slack_);
+      const SitePoint candidate = closestPoint(sites, group.elements[__builtin_ctz(left)], x);
+      const double found = glm::distance(candidate.point, x);
+      if (found < distance)
+      {
+        distance = found;
+        closest = candidate;
+        limit = limitAt(distance, slack_);
+      }
     }
   };
+  // Squares of coordinates farther out do not fit single precision.
+  constexpr double kMaxReach = 1e18;
+  if (!(glm::length(x) <= kMaxReach))
+  {
+    for (const SiteGroup& group : tree_.groups())
+    {
+      tryElements(group, kAllLanes);
+    }
+    return closest;
+  }
   tree_.visitNear(
     glm::vec3(x), [&] { return limit; },
     [&](int id)
     {
       const SiteGroup& group = tree_.groups()[id];
-      for (unsigned left = elementsWithin(group, x, limit); left != 0; left &= left - 1)
-      {
-        tryElement(group.elements[__builtin_ctz(left)]);
-      }
+      tryElements(group, elementsWithin(group, x, limit));
     });
   return closest;
+}
+
+SitePoint SiteQuery::closest(const glm::dvec3& x, const SitePoint& known) const
+{
+  const SitePoint start = known.site >= 0
+    ? known
+    : closestPoint(tree_.sites(), tree_.groups().front().elements.front(), x);
+  return this->search(x, start, glm::distance(x, start.point));
+}
+
+SitePoint SiteQuery::closestWithin(const glm::dvec3& x, double limit) const
+{
+  return this->search(x, {}, limit);
 }
 
 void SiteQuery::closest(std::vector<Question>& questions) const

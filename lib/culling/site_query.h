@@ -25,6 +25,11 @@ public:
   ///   faster the search. It is returned if no other point is nearer. A site of -1 means none.
   SitePoint closest(const glm::dvec3& x, const SitePoint& known = {}) const;
 
+  /// Returns the closest surface point; its site is -1 if there is none within the limit, or if x
+  /// is not a number.
+  /// @param limit local units; surface points at this distance or beyond do not count.
+  SitePoint closestWithin(const glm::dvec3& x, double limit) const;
+
   /// A position with a known point, which closest() replaces by the closest one.
   struct Question
   {
@@ -35,6 +40,8 @@ public:
   void closest(std::vector<Question>& questions) const;
 
 private:
+  SitePoint search(const glm::dvec3& x, SitePoint closest, double distance) const;
+
   const GroupTree& tree_;
   float slack_;
 };

@@ -47,17 +47,17 @@ SitePoint closestOnFace(const SiteSet& sites, int face, const glm::dvec3& x)
     const glm::dvec3& a = sites.points()[corners[0]];
     return { face, x - glm::dot(x - a, normal) * normal };
   }
+  // The other two edges of a face without area cover the longest.
+  const int covered = normal == glm::dvec3(0.0) ? sites.longestEdge(face) : -1;
   SitePoint best;
-  double least = std::numeric_limits<double>::infinity();
+  double min = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 3; ++i)
   {
     const SitePoint other = closestOnEdge(sites, sites.faceEdges()[face][i], x);
-    // The other edges of a face without area cover the longest.
-    const bool covered = !sites.active(face) && !sites.active(other.site);
     const double squared = squaredDistance(other.point, x);
-    if (squared < least && !covered)
+    if (squared < min && i != covered)
     {
-      least = squared;
+      min = squared;
       best = other;
     }
   }

@@ -1,7 +1,8 @@
 #include "sites/site_set.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
-#include <initializer_list>
 #include <utility>
 
 namespace medial
@@ -43,37 +44,44 @@ void SiteSet::buildGeometry(const TriangleMesh& mesh, const MeshConnectivity& co
     faceEdges_.emplace_back(edges[0], edges[1], edges[2]);
   }
   active_.assign(this->size(), 1);
-  for (int edge = 0; edge < this->edgeCount(); ++edge)
-  {
-    active_[this->firstEdge() + edge] = this->edgeLength(edge) > 0.0;
-  }
+  tbb::parallel_for(0, this->edgeCount(),
+    [this](int edge) { active_[this->firstEdge() + edge] = this->edgeLength(edge) > 0.0; });
 }
 
 void SiteSet::buildNormals(const TriangleMesh& mesh)
 {
-  const auto vector = [](const Point3& from, const Point3& to)
-  { return glm::dvec3(to[0] - from[0], to[1] - from[1], to[2] - from[2]); };
+  faceNormals_.resize(this->faceCount());
+  tbb::parallel_for(0, this->faceCount(), [&](int face) { this->setNormal(mesh, face); });
   for (int face = 0; face < this->faceCount(); ++face)
   {
-    // Uses world coordinates: rounding to local coordinates may bend flat triangles.
-    const Point3& a = mesh.points[faces_[face][0]];
-    const Point3& b = mesh.points[faces_[face][1]];
-    const Point3& c = mesh.points[faces_[face][2]];
-    const int longest = this->longestEdge(face);
-    if (!hasArea(a, b, c))
+    if (faceNormals_[face] == glm::dvec3(0.0))
     {
-      faceNormals_.emplace_back(0.0);
-      active_[face] = 0;
       active_[this->firstEdge() + this->coveredEdge(face)] = 0;
-      continue;
     }
-    faceNormals_.push_back(glm::normalize(glm::cross(vector(a, b), vector(a, c))));
-    const glm::dvec3& p = points_[faces_[face][longest]];
-    const glm::dvec3& q = points_[faces_[face][(longest + 1) % 3]];
-    const glm::dvec3& r = points_[faces_[face][(longest + 2) % 3]];
-    const double height = glm::length(glm::cross(q - p, r - p)) / glm::distance(p, q);
-    active_[face] = height >= kMinHeight;
   }
+}
+
+void SiteSet::setNormal(const TriangleMesh& mesh, int face)
+{
+  const auto vector = [](const Point3& from, const Point3& to)
+  { return glm::dvec3(to[0] - from[0], to[1] - from[1], to[2] - from[2]); };
+  // Uses world coordinates: rounding to local coordinates may bend flat triangles.
+  const Point3& a = mesh.points[faces_[face][0]];
+  const Point3& b = mesh.points[faces_[face][1]];
+  const Point3& c = mesh.points[faces_[face][2]];
+  if (!hasArea(a, b, c))
+  {
+    faceNormals_[face] = glm::dvec3(0.0);
+    active_[face] = 0;
+    return;
+  }
+  faceNormals_[face] = glm::normalize(glm::cross(vector(a, b), vector(a, c)));
+  const int longest = this->longestEdge(face);
+  const glm::dvec3& p = points_[faces_[face][longest]];
+  const glm::dvec3& q = points_[faces_[face][(longest + 1) % 3]];
+  const glm::dvec3& r = points_[faces_[face][(longest + 2) % 3]];
+  const double height = glm::length(glm::cross(q - p, r - p)) / glm::distance(p, q);
+  active_[face] = height >= kMinHeight;
 }
 
 int SiteSet::longestEdge(int face) const
@@ -106,36 +114,44 @@ int SiteSet::coveredEdge(int face) const
   return std::max({ edges[0], edges[1], edges[2] }, shorter);
 }
 
+glm::vec4 SiteSet::ballAround(std::initializer_list<int> corners) const
+{
+  glm::dvec3 sum(0.0);
+  for (const int corner : corners)
+  {
+    sum += points_[corner];
+  }
+  const glm::dvec3 centre = sum / static_cast<double>(corners.size());
+  double radius = 0.0;
+  for (const int corner : corners)
+  {
+    radius = std::max(radius, glm::distance(centre, points_[corner]));
+  }
+  return { glm::vec3(centre), static_cast<float>(radius) };
+}
+
 void SiteSet::buildBalls()
 {
-  balls_.reserve(this->size());
-  const auto add = [this](std::initializer_list<int> corners)
-  {
-    glm::dvec3 sum(0.0);
-    for (int corner : corners)
+  balls_.resize(this->size());
+  tbb::parallel_for(0, this->size(),
+    [this](int site)
     {
-      sum += points_[corner];
-    }
-    const glm::dvec3 centre = sum / static_cast<double>(corners.size());
-    double radius = 0.0;
-    for (int corner : corners)
-    {
-      radius = std::max(radius, glm::distance(centre, points_[corner]));
-    }
-    balls_.emplace_back(glm::vec3(centre), static_cast<float>(radius));
-  };
-  for (const glm::ivec3& face : faces_)
-  {
-    add({ face[0], face[1], face[2] });
-  }
-  for (const glm::ivec2& edge : edges_)
-  {
-    add({ edge[0], edge[1] });
-  }
-  for (int vertex = 0; vertex < this->vertexCount(); ++vertex)
-  {
-    add({ vertex });
-  }
+      switch (this->kind(site))
+      {
+        case SiteKind::Face:
+          balls_[site] = this->ballAround({ faces_[site][0], faces_[site][1], faces_[site][2] });
+          return;
+        case SiteKind::Edge:
+        {
+          const glm::ivec2& ends = edges_[site - this->firstEdge()];
+          balls_[site] = this->ballAround({ ends[0], ends[1] });
+          return;
+        }
+        case SiteKind::Vertex:
+          balls_[site] = this->ballAround({ site - this->firstVertex() });
+          return;
+      }
+    });
 }
 
 } // namespace medial

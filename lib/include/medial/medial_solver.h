@@ -15,8 +15,7 @@ namespace medial
 /// Computes distance fields and medial axes of a mesh that deforms: the connectivity stays, the
 /// positions change from frame to frame. Between frames the solver keeps what does not change:
 /// connectivity, shader programs, textures, and buffers of the GPU, to which it uploads only
-/// positions. It also keeps the closest sites of the last frame, since their distances bound those
-/// of the next.
+/// positions.
 ///
 /// The results are those of computeDistanceField() and computeMedialAxis() on the same positions,
 /// except that points which happen to become equal are not welded.

@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 #include <vector>
 
 namespace medial::test
@@ -24,14 +23,13 @@ constexpr float kSlack = 1e-3f;
 
 double exactDistance(const SiteSet& sites, const glm::dvec3& x)
 {
-  double least = std::numeric_limits<double>::infinity();
+  double min = std::numeric_limits<double>::infinity();
   for (int site = 0; site < sites.size(); ++site)
   {
-    least = sites.active(site)
-      ? std::min(least, glm::distance(closestPoint(sites, site, x).point, x))
-      : least;
+    min = sites.active(site) ? std::min(min, glm::distance(closestPoint(sites, site, x).point, x))
+                             : min;
   }
-  return least;
+  return min;
 }
 
 class GroupTreeOf : public testing::TestWithParam<CullingCase>
@@ -58,8 +56,9 @@ protected:
   const TriangleMesh& mesh_ = GetParam().mesh;
   const Grid& grid_ = GetParam().grid;
   const GridFrame frame_{ grid_ };
-  const SiteSet sites_{ mesh_, analyseConnectivity(mesh_), frame_ };
-  const GroupTree tree_{ sites_, kSlack };
+  const MeshConnectivity connectivity_ = analyseConnectivity(mesh_);
+  const SiteSet sites_{ mesh_, connectivity_, frame_ };
+  const GroupTree tree_{ sites_, connectivity_, kSlack };
 };
 
 } // namespace
@@ -133,7 +132,7 @@ TEST_P(GroupTreeOf, CollectsTheGroupsOfBoxes)
   {
     const FrameBox box{ glm::vec3(centre), glm::vec3(3.0f, 2.0f, 4.0f) };
     const NearestElement nearest = tree_.nearest(centre);
-    BoxReach reach(box, nearest);
+    BoxReach reach(box, nearest, kSlack);
     addCorners(
       tree_, nearest,
       [&](const glm::dvec3& x, const NearestElement& start) { return tree_.nearest(x, start); },
@@ -158,8 +157,9 @@ TEST(GroupTree, LooksAtFewGroupsOfASmoothSurface)
 {
   const TriangleMesh mesh = torus(1.0, 0.4, 200, 100);
   const GridFrame frame(makeGrid(mesh.bounds(), 64, 0.1));
-  const SiteSet sites(mesh, analyseConnectivity(mesh), frame);
-  const GroupTree tree(sites, kSlack);
+  const MeshConnectivity connectivity = analyseConnectivity(mesh);
+  const SiteSet sites(mesh, connectivity, frame);
+  const GroupTree tree(sites, connectivity, kSlack);
   ASSERT_GE(tree.groups().size(), 5000u);
   // Amid a quarter of the tube, from where all of the tube around is about equally far.
   const glm::dvec3 x = frame.toLocal({ 1.05, 0.0, 0.0 });

@@ -20,20 +20,6 @@ PointEvaluator::PointEvaluator(const GroupTree& tree, const GridFrame& frame)
 {
 }
 
-/// Returns the element nearest to the middle of the brick.
-NearestElement PointEvaluator::collectGroups(const Extent& brick, const GroupList& candidates,
-  GroupList& found) const
-{
-  const auto nearestTo = [&](const glm::dvec3& x, const NearestElement& start)
-  { return candidates.nearest(tree_.groups(), x, start); };
-  const FrameBox box = hullOf(brick, frame_);
-  const NearestElement nearest = nearestTo(glm::dvec3(box.centre), {});
-  BoxReach reach(box, nearest);
-  addCorners(tree_, nearest, nearestTo, reach);
-  candidates.refine(reach, found);
-  return nearest;
-}
-
 std::int64_t PointEvaluator::evaluateBrick(const Extent& brick, const Extent& tile,
   const GroupList& groups, NearestElement nearest, TileField& field) const
 {
@@ -71,7 +57,8 @@ std::int64_t PointEvaluator::evaluate(const Extent& tile, const GroupList& candi
       {
         return;
       }
-      const NearestElement nearest = this->collectGroups(brick, candidates, brickGroups);
+      NearestElement nearest;
+      refine(tree_, candidates, hullOf(brick, frame_), nearest, brickGroups);
       evaluated += this->evaluateBrick(brick, tile, brickGroups, nearest, field);
     });
   return evaluated;

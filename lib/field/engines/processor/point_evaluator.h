@@ -29,8 +29,6 @@ public:
     TileField& field, GroupList& brickGroups) const;
 
 private:
-  NearestElement collectGroups(const Extent& brick, const GroupList& candidates,
-    GroupList& found) const;
   std::int64_t evaluateBrick(const Extent& brick, const Extent& tile, const GroupList& groups,
     NearestElement nearest, TileField& field) const;
 

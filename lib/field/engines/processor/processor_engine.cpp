@@ -74,14 +74,14 @@ public:
     SlabField* field, Works& works)
   {
     writer_.begin(slab, arrays);
-    const auto inTile = [&](const Extent& tile, const auto& evaluate)
+    const auto inTile = [&](const Extent& tile, bool sided, const auto& evaluate)
     {
       checkpoint();
       Work& work = works.local();
       const Stopwatch watch(work.seconds);
       const SliceRange slices = SliceRange::common(tile, slab);
       evaluate(slices, work);
-      this->finish(tile, slices, work.field);
+      this->finish(tile, slices, sided, work.field);
       writer_.store(tile, work.field);
       if (field != nullptr)
       {
@@ -91,13 +91,13 @@ public:
     CandidateHierarchy::Visitor visitor;
     visitor.sites = [&](const Extent& tile, const std::vector<int>& sites)
     {
-      inTile(tile,
+      inTile(tile, true,
         [&](const SliceRange& slices, Work& work)
         { this->evaluateSites(tile, sites, slices, work); });
     };
     visitor.groups = [&](const Extent& tile, const BoxReach& reach, const GroupList& groups)
     {
-      inTile(tile,
+      inTile(tile, false,
         [&](const SliceRange& slices, Work& work)
         { this->evaluateGroups(tile, reach, groups, slices, work); });
     };
@@ -121,7 +121,11 @@ private:
     work.pairs += static_cast<std::int64_t>(groups.size()) * SiteGroup::kSize;
     // From here on a search for every point takes less time than trying what a brick needs.
     constexpr int kManyGroups = 200;
-    if (groups.size() > kManyGroups)
+    if (this->isTooLong(groups, reach))
+    {
+      std::fill(std::begin(work.field.site), std::end(work.field.site), -1);
+    }
+    else if (groups.size() > kManyGroups)
     {
       work.evaluations += points_.evaluate(tile, groups, slices, work.field, work.brickGroups);
     }
@@ -129,15 +133,28 @@ private:
     {
       work.evaluations += bricks_.evaluate(tile, reach, groups, slices, work.field, work.bricks);
     }
-    if (hasPseudonormals(job_.sign))
-    {
-      sites_.setSides(tile, slices, work.field);
-    }
   }
 
-  void finish(const Extent& tile, const SliceRange& slices, TileField& values) const
+  /// Whether some element reaches so far from a tile that single precision does not tell distances
+  /// to 1e-3; exact queries do.
+  bool isTooLong(const GroupList& candidates, const BoxReach& reach) const
   {
-    if (exact_.fill(tile, slices, values) && hasPseudonormals(job_.sign))
+    constexpr double kMax = 2048.0;
+    const glm::dvec3 centre(reach.box().centre);
+    const std::vector<int>& ids = candidates.groups();
+    return std::any_of(ids.begin(), ids.end(),
+      [&](int id)
+      {
+        const SiteGroup& group = job_.filter.tree().groups()[id];
+        return glm::distance(group.origin, centre) + static_cast<double>(group.extent) > kMax;
+      });
+  }
+
+  /// @param sided whether the sides are known where sites are.
+  void finish(const Extent& tile, const SliceRange& slices, bool sided, TileField& values) const
+  {
+    const bool filled = exact_.fill(tile, slices, values);
+    if ((filled || !sided) && hasPseudonormals(job_.sign))
     {
       sites_.setSides(tile, slices, values);
     }

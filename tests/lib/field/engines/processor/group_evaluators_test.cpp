@@ -38,7 +38,7 @@ protected:
       [&](const Extent& tile)
       {
         const FrameBox hull = hullOf(tile, frame_);
-        const BoxReach reach(hull, tree.nearest(glm::dvec3(hull.centre)));
+        const BoxReach reach(hull, tree.nearest(glm::dvec3(hull.centre)), tree.slack());
         tree.collect(reach, groups);
         // Slices must not depend on those asked for.
         const SliceRange slices{ std::min(1, tile.size(2) - 1), tile.size(2) };
