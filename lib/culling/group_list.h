@@ -6,7 +6,6 @@
 #include <glm/glm.hpp>
 
 #include <array>
-#include <cmath>
 #include <limits>
 #include <vector>
 

@@ -95,17 +95,22 @@ struct Disc
   double cone = kNoCone; ///< largest angle between its normal and those of the faces at its sites
 };
 
+/// Returns the axis of a disc around faces.
+/// @param area sum of their normals, of lengths in proportion to their areas.
+glm::dvec3 axisOf(const glm::dvec3& area)
+{
+  const double length = glm::length(area);
+  return length > 0.0 ? area / length : glm::dvec3(0.0, 0.0, 1.0);
+}
+
 /// Returns a disc around parts.
-/// @param direction along its normal, of any length.
 /// @param visit calls its argument with the centre of every part, and how far the part extends
 ///   along the normal and across it.
 template <typename Visit>
-Disc discAround(const glm::dvec3& direction, const Visit& visit)
+Disc discAround(const glm::dvec3& n, const Visit& visit)
 {
-  const double length = glm::length(direction);
   Disc disc;
-  disc.normal = length > 0.0 ? direction / length : glm::dvec3(0.0, 0.0, 1.0);
-  const glm::dvec3& n = disc.normal;
+  disc.normal = n;
   double low = std::numeric_limits<double>::max();
   double high = std::numeric_limits<double>::lowest();
   glm::dvec3 min(std::numeric_limits<double>::max());
@@ -165,7 +170,7 @@ Disc discOf(const SiteSet& sites, const SharedSites& shared, const SiteGroup& gr
       area += glm::cross(sites.points()[face[1]] - a, sites.points()[face[2]] - a);
     }
   }
-  Disc disc = discAround(area,
+  Disc disc = discAround(axisOf(area),
     [&](const auto& add)
     {
       for (const int element : group.elements)
@@ -189,8 +194,7 @@ Disc discOf(const Disc* discs, int count)
   {
     area += discs[i].normal * (discs[i].radius * discs[i].radius);
   }
-  const double length = glm::length(area);
-  const glm::dvec3 n = length > 0.0 ? area / length : glm::dvec3(0.0, 0.0, 1.0);
+  const glm::dvec3 n = axisOf(area);
   Disc parent = discAround(n,
     [&](const auto& add)
     {

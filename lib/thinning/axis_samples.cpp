@@ -34,8 +34,7 @@ BisectorPoint pointOn(const SampleContext& context, const CubicalComplex& comple
 }
 
 /// Centre of the ball that touches the surface at the closest point of x and in another place.
-BisectorPoint shrunkBall(const SampleContext& context, const CubicalComplex& complex,
-  const glm::dvec3& x, const SitePoint& foot)
+BisectorPoint shrunkBall(const SampleContext& context, const glm::dvec3& x, const SitePoint& foot)
 {
   constexpr double kMaxRadius = 2.0;
   constexpr double kSame = 1e-6;
@@ -46,15 +45,12 @@ BisectorPoint shrunkBall(const SampleContext& context, const CubicalComplex& com
   {
     return ball;
   }
-  // Queries are exact only inside the grid.
-  const glm::dvec3 low = context.geometry.frame.sample(glm::dvec3(0.0));
-  const glm::dvec3 high = context.geometry.frame.sample(glm::dvec3(complex.size() - 1));
   const glm::dvec3 inwards = (x - foot.point) / distance;
   double radius = kMaxRadius;
   for (int round = 0; round < kMaxRounds; ++round)
   {
     const glm::dvec3 centre = foot.point + radius * inwards;
-    const SitePoint nearest = context.geometry.query.closest(glm::clamp(centre, low, high));
+    const SitePoint nearest = context.geometry.query.closest(centre);
     const glm::dvec3 chord = nearest.point - foot.point;
     const double height = glm::dot(chord, inwards);
     if (glm::distance(nearest.point, centre) > radius - kSame || height < kSame)
@@ -126,8 +122,7 @@ int AxisSamples::addPoint(const SampleContext& context, const CubicalComplex& co
 {
   const glm::dvec3 x = context.geometry.frame.sample(glm::dvec3(voxel));
   const int site = context.closestSites[CubicalComplex::index(complex.cell(voxel, kVertexKind))];
-  samples_.points.push_back(
-    shrunkBall(context, complex, x, closestPoint(context.geometry.sites, site, x)));
+  samples_.points.push_back(shrunkBall(context, x, closestPoint(context.geometry.sites, site, x)));
   samples_.moved.push_back(0);
   return static_cast<int>(samples_.points.size()) - 1;
 }

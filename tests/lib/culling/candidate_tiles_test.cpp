@@ -9,12 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
-#include <cmath>
-#include <iterator>
-#include <ostream>
-#include <string>
 #include <utility>
 #include <vector>
 

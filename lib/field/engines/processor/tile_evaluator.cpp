@@ -67,13 +67,13 @@ MEDIAL_INLINE Float8 minOfRows(const Tile& tile, const TileFunction& f, int k)
   return ramp() * f.perY + (atStart + std::min(0.0f, f.perX * tile.lastX));
 }
 
-/// Stores the values that are smaller than all before.
 template <typename T>
 MEDIAL_INLINE T blended(Int8 mask, T yes, T no)
 {
   return mask ? yes : no;
 }
 
+/// Stores the values that are smaller than all before.
 MEDIAL_INLINE void offer(TileField& field, int row, Float8 squared, Float8 side, int site,
   Int8 allowed)
 {

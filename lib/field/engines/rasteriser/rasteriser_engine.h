@@ -5,6 +5,7 @@
 #include "gl/gpu_thread.h"
 
 #include <memory>
+#include <vector>
 
 namespace medial
 {

@@ -14,7 +14,6 @@
 #include <array>
 #include <future>
 #include <memory>
-#include <utility>
 #include <vector>
 
 namespace medial
