@@ -4,7 +4,6 @@
 #include "culling/nearest_element.h"
 
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <cmath>
@@ -57,7 +56,8 @@ void sortByHalves(Place* begin, Place* end)
     sortByHalves(middle, end);
     return;
   }
-  tbb::parallel_invoke([&] { sortByHalves(begin, middle); }, [&] { sortByHalves(middle, end); });
+  Place* const ends[3] = { begin, middle, end };
+  tbb::parallel_for(0, 2, [&](int i) { sortByHalves(ends[i], ends[i + 1]); });
 }
 
 /// Returns elements by size: those up to four times as large as the median, then those larger by
