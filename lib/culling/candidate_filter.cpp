@@ -101,8 +101,7 @@ CandidateFilter::CandidateFilter(const SiteSet& sites, const MeshConnectivity& c
   , bounds_(sites, connectivity)
   , facePlanes_(sites.faceCount())
   , edgeLines_(sites.edgeCount())
-  , slack_(roundingNear(sites, frame.reach()))
-  , tree_(sites, connectivity, slack_)
+  , tree_(sites, connectivity, roundingNear(sites, frame.reach()))
 {
 }
 
@@ -159,7 +158,7 @@ MEDIAL_VECTORISED void CandidateFilter::findNear(const std::vector<int>& parent,
     const glm::vec4& sphere = sites_.boundingBall(site);
     upper = min(upper, squaredLength(lanes.x - sphere.x, lanes.y - sphere.y, lanes.z - sphere.z));
   }
-  const Float8 limit = squareRoot(upper) + 2.0f * lanes.radius + slack_;
+  const Float8 limit = squareRoot(upper) + 2.0f * lanes.radius + tree_.slack();
   const unsigned used = (1u << boxCount) - 1u;
   for (std::size_t i = 0; i < parent.size(); ++i)
   {
@@ -179,7 +178,7 @@ MEDIAL_VECTORISED void CandidateFilter::findNear(const std::vector<int>& parent,
     const HalfSpace* end = bounds_.end(site);
     for (const HalfSpace* h = bounds_.begin(site); h != end; ++h)
     {
-      dropped |= outside(lanes, *h, slack_);
+      dropped |= outside(lanes, *h, tree_.slack());
     }
     for (unsigned kept = ~bits(dropped) & used; kept != 0; kept &= kept - 1)
     {
@@ -273,7 +272,7 @@ MEDIAL_VECTORISED std::size_t CandidateFilter::dropDominated(const FrameBox& box
     const glm::dvec3 centre(box.centre);
     const glm::dvec3 corner = centre + glm::dvec3(corners.x[i], corners.y[i], corners.z[i]);
     const glm::vec3 point(closestPoint(sites_, nearestSite[i], corner).point - centre);
-    const float tolerance = 2.0f * slack_ * (glm::length(point) + radius + slack_);
+    const float tolerance = 2.0f * tree_.slack() * (glm::length(point) + radius + tree_.slack());
     known[knownCount++] = corners.squaredDistances(point) + tolerance;
   }
   std::size_t kept = 0;
@@ -301,7 +300,7 @@ void CandidateFilter::collectSites(const BoxReach& reach, const GroupList& group
   for (const int id : groups.groups())
   {
     const SiteGroup& group = tree_.groups()[id];
-    findParts(group, reach, slack_, parts);
+    findParts(group, reach, tree_.slack(), parts);
     for (int lane = 0; lane < SiteGroup::kSize; ++lane)
     {
       for (int left = parts[lane]; left != 0; left &= left - 1)

@@ -60,7 +60,7 @@ public:
     int boxCount, std::vector<int>* lists, Scratch& scratch) const;
 
   /// Bound of the rounding error of single precision near the grid and the mesh, in local units.
-  float slack() const { return slack_; }
+  float slack() const { return tree_.slack(); }
 
 private:
   struct EdgeLine
@@ -93,7 +93,6 @@ private:
   SiteBounds bounds_;
   LazyTable<FacePlanes> facePlanes_;
   LazyTable<EdgeLine> edgeLines_;
-  float slack_;
   GroupTree tree_;
 };
 

@@ -26,16 +26,15 @@ MEDIAL_VECTORISED unsigned elementsWithin(const SiteGroup& group, const glm::dve
 
 } // namespace
 
-SiteQuery::SiteQuery(const GroupTree& tree, float slack)
+SiteQuery::SiteQuery(const GroupTree& tree)
   : tree_(tree)
-  , slack_(slack)
 {
 }
 
 SitePoint SiteQuery::search(const glm::dvec3& x, SitePoint closest, double distance) const
 {
   const SiteSet& sites = tree_.sites();
-  float limit = limitAt(distance, slack_);
+  float limit = limitAt(distance, tree_.slack());
   const auto tryElements = [&](const SiteGroup& group, unsigned lanes)
   {
     for (unsigned left = lanes; left != 0; left &= left - 1)
@@ -46,7 +45,7 @@ SitePoint SiteQuery::search(const glm::dvec3& x, SitePoint closest, double dista
       {
         distance = found;
         closest = candidate;
-        limit = limitAt(distance, slack_);
+        limit = limitAt(distance, tree_.slack());
       }
     }
   };

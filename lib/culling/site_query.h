@@ -16,8 +16,7 @@ class SiteQuery
 {
 public:
   /// @param tree must outlive this.
-  /// @param slack bound of the rounding of single precision where the queries will be.
-  SiteQuery(const GroupTree& tree, float slack);
+  explicit SiteQuery(const GroupTree& tree);
 
   /// Returns the closest surface point.
   /// @param x local coordinates.
@@ -43,7 +42,6 @@ private:
   SitePoint search(const glm::dvec3& x, SitePoint closest, double distance) const;
 
   const GroupTree& tree_;
-  float slack_;
 };
 
 } // namespace medial

@@ -114,7 +114,7 @@ FieldJob FieldPipeline::prepare(const FieldEngine& engine)
     [&] { run_.onThreads([&] { sites_.emplace(mesh_, connectivity_, frame_); }); });
   timed(seconds.cull,
     [&] { run_.onThreads([&] { filter_.emplace(*sites_, connectivity_, frame_); }); });
-  query_.emplace(filter_->tree(), filter_->slack());
+  query_.emplace(filter_->tree());
   // They hold the planes of faces as well, with which the rasteriser draws.
   if (hasPseudonormals(sign) || engine.kind() == Engine::Rasteriser)
   {

@@ -24,9 +24,8 @@ SurfaceQuery::SurfaceQuery(const LocalCoordinates& local, const TriangleMesh& me
   : local_(local)
   , sites_(mesh, connectivity, local)
   , normals_(pseudonormals(sites_, false))
-  , slack_(roundingNear(sites_, 0.0))
-  , tree_(sites_, connectivity, slack_)
-  , query_(tree_, slack_)
+  , tree_(sites_, connectivity, roundingNear(sites_, 0.0))
+  , query_(tree_)
 {
 }
 

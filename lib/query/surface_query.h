@@ -56,7 +56,6 @@ private:
   LocalCoordinates local_;
   SiteSet sites_;
   std::vector<glm::vec4> normals_; ///< pseudonormals()
-  float slack_;
   GroupTree tree_;
   SiteQuery query_;
 };

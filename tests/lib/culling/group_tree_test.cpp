@@ -105,7 +105,7 @@ TEST_P(GroupTreeOf, FindsTheNearestElement)
 
 TEST_P(GroupTreeOf, AnswersQueriesExactly)
 {
-  const SiteQuery query(tree_, kSlack);
+  const SiteQuery query(tree_);
   std::vector<SiteQuery::Question> questions;
   for (const glm::dvec3& x : positions())
   {

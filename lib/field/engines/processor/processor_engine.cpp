@@ -61,7 +61,7 @@ public:
     , sites_(job.sites, job.filter.bounds(), job.normals, job.frame, job.filter.slack())
     , bricks_(job.filter.tree(), job.frame, job.filter.slack())
     , points_(job.filter.tree(), job.frame)
-    , exact_(SiteQuery(job.filter.tree(), job.filter.slack()), job.frame)
+    , exact_(SiteQuery(job.filter.tree()), job.frame)
     , writer_(job)
   {
   }

@@ -144,7 +144,7 @@ void RasteriserRun::render(SlabRenderer& renderer, Slab& slab, RasteriserSelecti
 
 void RasteriserRun::repair(SlabRenderer& renderer, const Slab& slab) const
 {
-  const SiteQuery query(job_.filter.tree(), job_.filter.slack());
+  const SiteQuery query(job_.filter.tree());
   repairHoles(renderer, job_.normals, job_.frame, query, job_.sign, slab.extent);
 }
 

@@ -31,7 +31,7 @@ protected:
   void expectExact(const Evaluate& evaluate) const
   {
     const GroupTree& tree = filter_.tree();
-    const SiteQuery query(tree, filter_.slack());
+    const SiteQuery query(tree);
     auto field = std::make_unique<TileField>();
     GroupList groups;
     visitParts(grid_.wholeExtent(), TileField::kRow,
@@ -96,7 +96,7 @@ TEST_P(GroupsOf, PointsAreExact)
 
 TEST_P(GroupsOf, GapsAreFilledExactly)
 {
-  const ExactPoints exact(SiteQuery(filter_.tree(), filter_.slack()), frame_);
+  const ExactPoints exact(SiteQuery(filter_.tree()), frame_);
   expectExact(
     [&](const Extent& tile, const BoxReach&, const GroupList&, const SliceRange& slices,
       TileField& field)

@@ -82,7 +82,7 @@ TEST_F(SlabOfTorus, RectanglesCoverTheirTilesInAscendingOrder)
 TEST_F(SlabOfTorus, HolesAreFilledExactly)
 {
   const auto normals = pseudonormals(sites_, false);
-  const SiteQuery query(filter_.tree(), filter_.slack());
+  const SiteQuery query(filter_.tree());
   const auto count = static_cast<std::size_t>(slab_.pointCount());
   std::vector<glm::vec4> filled(count);
   gl::OnGpuThread<SlabRenderer> renderer(sites_, normals, frame_,
