@@ -49,7 +49,7 @@ const Names<SignMethod>& signNames()
 const Names<Engine>& engineNames()
 {
   static const Names<Engine> kNames = { { "auto", Engine::Auto },
-    { "rasteriser", Engine::Rasteriser }, { "processor", Engine::Processor } };
+    { "device", Engine::Device }, { "rasteriser", Engine::Rasteriser }, { "processor", Engine::Processor } };
   return kNames;
 }
 

@@ -2,6 +2,8 @@
 
 #include "sites/closest_point.h"
 
+#include <glm/gtc/type_ptr.hpp>
+
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -53,7 +55,7 @@ void FieldWriter::begin(const Extent& slab, const FieldArrays& arrays)
   arrays_ = arrays;
 }
 
-void FieldWriter::store(const glm::vec4* displacements, const std::int32_t* closest) const
+void FieldWriter::store(const ResolvedSlab& values) const
 {
   const int rowLength = slab_.size(0);
   const std::int64_t rows = static_cast<std::int64_t>(slab_.size(1)) * slab_.size(2);
@@ -76,19 +78,19 @@ void FieldWriter::store(const glm::vec4* displacements, const std::int32_t* clos
         {
           const float side = inside_ != nullptr ? sides[i - start] : 1.0f;
           arrays_.distance[i] =
-            side * static_cast<float>(static_cast<double>(displacements[i].w) * frame_.unit);
+            side * static_cast<float>(static_cast<double>(*values.distances.at(i)) * frame_.unit);
         }
         if (arrays_.closestPoint)
         {
           const glm::dvec3 sample =
             frame_.sample(glm::dvec3(first) + glm::dvec3(static_cast<double>(i - start), 0.0, 0.0));
-          storePoint(frame_.toWorld(sample + glm::dvec3(glm::vec3(displacements[i]))),
+          storePoint(frame_.toWorld(sample + glm::dvec3(glm::make_vec3(values.vectors.at(i)))),
             arrays_.closestPoint + 3 * i);
         }
       }
-      if (closest != nullptr)
+      if (values.sites != nullptr)
       {
-        this->storeIds(start, rowLength, closest + start);
+        this->storeIds(start, rowLength, values.sites + start);
       }
     });
 }

@@ -8,10 +8,28 @@
 
 #include <glm/glm.hpp>
 
+#include <cstddef>
 #include <cstdint>
 
 namespace medial
 {
+
+/// Values of grid points, so many numbers apart; null where they are not wanted.
+struct StridedValues
+{
+  const float* values = nullptr;
+  std::ptrdiff_t stride = 1;
+
+  const float* at(std::int64_t i) const { return values + i * stride; }
+};
+
+/// A slab that a device has resolved, in local units, slice by slice, x fastest.
+struct ResolvedSlab
+{
+  StridedValues distances;             ///< signed unless the job knows which points are inside
+  StridedValues vectors;               ///< to the closest points
+  const std::int32_t* sites = nullptr; ///< closest ones; null if no array needs them
+};
 
 /// Converts the results of engines to those of a FieldSink: world units, cells and features.
 class FieldWriter
@@ -23,10 +41,7 @@ public:
   void begin(const Extent& slab, const FieldArrays& arrays);
 
   /// Converts a resolved slab, on all threads of the current arena.
-  /// @param displacements vectors to the closest points, with distances, local units; signed unless
-  ///   the job knows which points are inside. May be null if no array needs them.
-  /// @param closest sites; may be null if no array needs them.
-  void store(const glm::vec4* displacements, const std::int32_t* closest) const;
+  void store(const ResolvedSlab& values) const;
   /// Converts the slab's part of an evaluated tile. Several threads may call it at once.
   void store(const Extent& tile, const TileField& field) const;
 

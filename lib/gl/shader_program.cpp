@@ -40,6 +40,17 @@ ProgramCache& programCache()
   return cache;
 }
 
+template <typename Make>
+const ShaderProgram& obtainProgram(const ProgramCache::key_type& key, const Make& make)
+{
+  auto found = programCache().find(key);
+  if (found == programCache().end())
+  {
+    found = programCache().emplace(key, make()).first;
+  }
+  return found->second;
+}
+
 } // namespace
 
 ShaderProgram::ShaderProgram(const std::string& vertexShader, const std::string& fragmentShader)
@@ -47,19 +58,34 @@ ShaderProgram::ShaderProgram(const std::string& vertexShader, const std::string&
 {
   const Shader vertex = compile(GL_VERTEX_SHADER, vertexShader);
   const Shader fragment = compile(GL_FRAGMENT_SHADER, fragmentShader);
-  glAttachShader(program_.id(), vertex.id());
-  glAttachShader(program_.id(), fragment.id());
+  this->link({ &vertex, &fragment }, "shaders " + vertexShader + " and " + fragmentShader + " do");
+}
+
+ShaderProgram::ShaderProgram(const std::string& computeShader)
+  : program_(glCreateProgram())
+{
+  const Shader compute = compile(GL_COMPUTE_SHADER, computeShader);
+  this->link({ &compute }, "shader " + computeShader + " does");
+}
+
+void ShaderProgram::link(std::initializer_list<const Shader*> shaders, const std::string& subject)
+{
+  for (const Shader* shader : shaders)
+  {
+    glAttachShader(program_.id(), shader->id());
+  }
   glLinkProgram(program_.id());
-  glDetachShader(program_.id(), vertex.id());
-  glDetachShader(program_.id(), fragment.id());
+  for (const Shader* shader : shaders)
+  {
+    glDetachShader(program_.id(), shader->id());
+  }
   GLint ok = GL_FALSE;
   glGetProgramiv(program_.id(), GL_LINK_STATUS, &ok);
   if (!ok)
   {
     std::vector<GLchar> log(4096, '\0');
     glGetProgramInfoLog(program_.id(), static_cast<GLsizei>(log.size()) - 1, nullptr, log.data());
-    throw Error(ErrorCode::ShaderBuild,
-      "shaders " + vertexShader + " and " + fragmentShader + " do not link: " + log.data());
+    throw Error(ErrorCode::ShaderBuild, subject + " not link: " + log.data());
   }
 }
 
@@ -83,6 +109,21 @@ void ShaderProgram::set(const char* uniform, float value) const
   glProgramUniform1f(program_.id(), this->location(uniform), value);
 }
 
+void ShaderProgram::set(const char* uniform, double value) const
+{
+  glProgramUniform1d(program_.id(), this->location(uniform), value);
+}
+
+void ShaderProgram::set(const char* uniform, const glm::ivec3& value) const
+{
+  glProgramUniform3iv(program_.id(), this->location(uniform), 1, glm::value_ptr(value));
+}
+
+void ShaderProgram::set(const char* uniform, const glm::dvec3& value) const
+{
+  glProgramUniform3dv(program_.id(), this->location(uniform), 1, glm::value_ptr(value));
+}
+
 void ShaderProgram::set(const char* uniform, const glm::ivec2& value) const
 {
   glProgramUniform2iv(program_.id(), this->location(uniform), 1, glm::value_ptr(value));
@@ -101,13 +142,13 @@ void ShaderProgram::set(const char* uniform, const glm::vec3& value) const
 const ShaderProgram& cachedProgram(const std::string& vertexShader,
   const std::string& fragmentShader)
 {
-  const std::pair<std::string, std::string> key(vertexShader, fragmentShader);
-  auto found = programCache().find(key);
-  if (found == programCache().end())
-  {
-    found = programCache().emplace(key, ShaderProgram(vertexShader, fragmentShader)).first;
-  }
-  return found->second;
+  return obtainProgram({ vertexShader, fragmentShader },
+    [&] { return ShaderProgram(vertexShader, fragmentShader); });
+}
+
+const ShaderProgram& cachedProgram(const std::string& computeShader)
+{
+  return obtainProgram({ computeShader, "" }, [&] { return ShaderProgram(computeShader); });
 }
 
 void releaseProgramCache()

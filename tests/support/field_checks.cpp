@@ -263,7 +263,7 @@ void expectExact(const TriangleMesh& mesh, const DistanceField& field, const Vox
 std::vector<DistanceFieldOptions> allEngines(const DistanceFieldOptions& options)
 {
   std::vector<DistanceFieldOptions> all;
-  for (const Engine engine : { Engine::Rasteriser, Engine::Processor })
+  for (const Engine engine : { Engine::Device, Engine::Rasteriser, Engine::Processor })
   {
     all.push_back(options);
     all.back().engine = engine;

@@ -1,5 +1,6 @@
 #include "field/engines/make_engine.h"
 
+#include "field/engines/device/device_engine.h"
 #include "field/engines/processor/processor_engine.h"
 #include "field/engines/rasteriser/rasteriser_engine.h"
 
@@ -17,9 +18,15 @@ Engine resolved(Engine wanted)
 
 std::unique_ptr<FieldEngine> makeEngine(Engine wanted)
 {
-  if (resolved(wanted) == Engine::Rasteriser)
+  switch (resolved(wanted))
   {
-    return std::make_unique<RasteriserEngine>();
+    case Engine::Rasteriser:
+      return std::make_unique<RasteriserEngine>();
+    case Engine::Device:
+      return std::make_unique<DeviceEngine>();
+    case Engine::Auto:
+    case Engine::Processor:
+      break;
   }
   return std::make_unique<ProcessorEngine>();
 }

@@ -35,6 +35,10 @@ struct RunStatistics
   /// number of pairs of a grid point and a site that it evaluated, idle lanes included.
   std::int64_t fragments = 0;
   std::int64_t samples = 0;     ///< grid points computed
+  /// Bytes that the engine `device` has sent to its device, and dispatches that it has started.
+  std::int64_t bytesUploaded = 0;
+  std::int64_t bytesReadBack = 0; ///< and bytes that came back
+  std::int64_t dispatches = 0;
   SignReport sign;              ///< how the sign was found
   Engine engine = Engine::Auto; ///< the engine used, never Auto
   /// The OpenGL implementation that the engine used. The processor uses none; if hardware was

@@ -244,7 +244,7 @@ TEST_P(DistanceFieldEngines, RefuseASoftwareRendererWhereHardwareIsRequired)
 }
 
 INSTANTIATE_TEST_SUITE_P(All, DistanceFieldEngines,
-  testing::Values(Engine::Rasteriser, Engine::Processor));
+  testing::Values(Engine::Device, Engine::Rasteriser, Engine::Processor));
 
 TEST(DistanceFieldRun, IsTheProcessorsOnEveryMachine)
 {

@@ -157,4 +157,4 @@ TEST_P(FieldSinkOf, ExceptionsPassThroughAMedialAxis)
 }
 
 INSTANTIATE_TEST_SUITE_P(Engines, FieldSinkOf,
-  testing::Values(Engine::Rasteriser, Engine::Processor));
+  testing::Values(Engine::Device, Engine::Rasteriser, Engine::Processor));

@@ -160,5 +160,5 @@ TEST_P(MedialSolverBy, BadPointsAreRefusedAndLeaveTheMeshAlone)
 }
 
 INSTANTIATE_TEST_SUITE_P(All, MedialSolverBy,
-  testing::Values(Engine::Rasteriser, Engine::Processor),
+  testing::Values(Engine::Device, Engine::Rasteriser, Engine::Processor),
   [](const auto& test) { return test.param == Engine::Rasteriser ? "Rasteriser" : "Processor"; });

@@ -2,13 +2,10 @@
 
 #include "field/engines/rasteriser/rasteriser_run.h"
 #include "field/engines/rasteriser/rasteriser_selection.h"
+#include "field/reach.h"
 #include "field/slabs.h"
-#include "medial/error.h"
-#include "sites/closest_point.h"
 
 #include <algorithm>
-#include <limits>
-#include <sstream>
 
 namespace medial
 {
@@ -18,29 +15,6 @@ namespace
 /// Bytes per grid point of a slab: textures, a ring of two pixel buffers, the textures of the
 /// selection, and polygons.
 constexpr std::size_t kBytesPerPoint = 112;
-/// Largest distance of a grid point from the surface, local units. Shaders and depths are of single
-/// precision; beyond this they would be more than 1e-2 off.
-constexpr double kMaxDistance = 32768.0;
-
-/// Checks that no grid point can be too far from the surface.
-/// @throws Error InvalidInput.
-void requireNear(const FieldJob& job)
-{
-  const glm::dvec3 middle(0.0);
-  double nearest = std::numeric_limits<double>::max();
-  for (int site = 0; site < job.sites.size(); ++site)
-  {
-    nearest = std::min(nearest, glm::length(closestPoint(job.sites, site, middle).point));
-  }
-  const double farthest = nearest + job.frame.reach();
-  if (farthest > kMaxDistance)
-  {
-    std::ostringstream message;
-    message << "grid points may be " << farthest << " times the finest spacing away from the mesh, "
-            << "more than " << kMaxDistance << ": this needs the engine processor";
-    throw Error(ErrorCode::InvalidInput, message.str());
-  }
-}
 
 } // namespace
 

@@ -165,7 +165,7 @@ void RasteriserRun::store(const Slab& slab)
     const Stopwatch watch(job_.statistics.seconds.resolve);
     const SlabReadback& readback = slab.readback->object();
     writer_.begin(slab.extent, arrays);
-    job_.run.onThreads([&] { writer_.store(readback.displacements(), readback.sites()); });
+    job_.run.onThreads([&] { writer_.store(readback.values()); });
   }
   sink_.stored(slab.extent);
 }

@@ -35,6 +35,18 @@ SlabReadback::SlabReadback(const AtlasLayout& atlas, int slices, bool displaceme
   }
 }
 
+ResolvedSlab SlabReadback::values() const
+{
+  ResolvedSlab slab;
+  slab.sites = siteValues_;
+  if (displacementValues_ != nullptr)
+  {
+    slab.distances = { &displacementValues_->w, 4 };
+    slab.vectors = { &displacementValues_->x, 4 };
+  }
+  return slab;
+}
+
 void SlabReadback::fetch(const SlabRenderer& renderer, int slices)
 {
   // With a pixel buffer bound, the destination is an offset into it.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "field/engines/rasteriser/slab_renderer.h"
+#include "field/field_writer.h"
 #include "gl/gl_objects.h"
 
 #include <cstdint>
@@ -22,9 +23,8 @@ public:
   /// @throws Error GpuLimit or OutOfMemory.
   void fetch(const SlabRenderer& renderer, int slices);
 
-  /// Values of the slab fetched last, slice by slice, x fastest; null if they are not read back.
-  const glm::vec4* displacements() const { return displacementValues_; }
-  const std::int32_t* sites() const { return siteValues_; }
+  /// The slab fetched last.
+  ResolvedSlab values() const;
 
 private:
   gl::Buffer displacements_, sites_;

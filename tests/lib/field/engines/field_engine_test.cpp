@@ -175,7 +175,7 @@ TEST_P(FieldEngines, AreKeptUntilAnotherIsWanted)
   EXPECT_EQ(obtainEngine(other, kept).kind(), other);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, FieldEngines, testing::Values(Engine::Rasteriser, Engine::Processor));
+INSTANTIATE_TEST_SUITE_P(All, FieldEngines, testing::Values(Engine::Device, Engine::Rasteriser, Engine::Processor));
 
 TEST(MakeEngine, OfAutoIsTheProcessor)
 {

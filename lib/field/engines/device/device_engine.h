@@ -1,0 +1,35 @@
+#pragma once
+
+#include "field/engines/device/device_field.h"
+#include "field/field_engine.h"
+#include "gl/gpu_thread.h"
+
+#include <memory>
+
+namespace medial
+{
+
+/// Finds closest sites by compute shaders. The host uploads positions and copies results.
+class DeviceEngine : public FieldEngine
+{
+public:
+  /// @throws Error NoGpu without OpenGL.
+  DeviceEngine();
+
+  Engine kind() const override { return Engine::Device; }
+  std::optional<Device> device() const override { return thread_.device(); }
+
+  void run(const FieldJob& job, FieldSink& sink) override;
+  std::vector<Crossing> select(const FieldJob& job, const CrossingSelection& selection,
+    FieldSink& sink) override;
+
+private:
+  using Field = gl::OnGpuThread<DeviceField>;
+
+  Field& obtainField(const FieldJob& job);
+
+  gl::GpuThread& thread_;
+  std::unique_ptr<Field> field_; ///< of the mesh that the engine serves
+};
+
+} // namespace medial

@@ -1,0 +1,231 @@
+#include "field/engines/device/device_mesh.h"
+
+#include "field/engines/device/element_order.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace medial
+{
+namespace
+{
+
+/// Sizes in the buffers of the kernels, bytes.
+constexpr std::int64_t kPointBytes = 3 * sizeof(double);
+constexpr std::int64_t kFaceBytes = 4 * sizeof(double);
+constexpr std::int64_t kEdgeBytes = 4 * sizeof(std::int32_t);
+constexpr std::int64_t kVertexBytes = 2 * sizeof(std::int32_t);
+constexpr std::int64_t kElementBytes = 9 * 4 * sizeof(std::uint32_t);
+constexpr std::int64_t kDiscBytes = 3 * 4 * sizeof(float);
+
+/// As that of SiteSet: lower triangles are no sites.
+constexpr double kMinHeight = 1e-4;
+
+std::vector<TreeLevel> levelsOver(int groups)
+{
+  std::vector<TreeLevel> levels{ { 0, groups } };
+  while (levels.back().count > 1)
+  {
+    const TreeLevel& below = levels.back();
+    levels.push_back(
+      { below.first + below.count, (below.count + kGroupSize - 1) / kGroupSize });
+  }
+  return levels;
+}
+
+/// A box around points, local units.
+struct PointBounds
+{
+  glm::dvec3 low{ std::numeric_limits<double>::max() };
+  glm::dvec3 high{ std::numeric_limits<double>::lowest() };
+  double farthest = 0.0; ///< from the local origin
+};
+
+PointBounds boundsOf(const TriangleMesh& mesh, const LocalCoordinates& local)
+{
+  PointBounds bounds;
+  double squared = 0.0;
+  for (const Point3& point : mesh.points)
+  {
+    const glm::dvec3 x = local.toLocal(point);
+    bounds.low = glm::min(bounds.low, x);
+    bounds.high = glm::max(bounds.high, x);
+    squared = std::max(squared, glm::dot(x, x));
+  }
+  bounds.farthest = std::sqrt(squared);
+  return bounds;
+}
+
+/// Bounds the rounding of single precision, as roundingNear() does.
+float slackNear(double reach, double farthest)
+{
+  constexpr float kMin = 1e-3f;
+  constexpr float kRounding = 16.0f * std::numeric_limits<float>::epsilon();
+  return std::max(kMin, kRounding * static_cast<float>(reach)) +
+    kRounding * static_cast<float>(farthest);
+}
+
+} // namespace
+
+DeviceMesh::DeviceMesh(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
+  Kernels& kernels)
+  : faceCount_(static_cast<int>(mesh.triangles.size()))
+  , edgeCount_(static_cast<int>(connectivity.edges.size()))
+  , vertexCount_(static_cast<int>(mesh.points.size()))
+  , incidenceCount_(static_cast<int>(connectivity.edgeTriangles.values.size()))
+{
+  this->uploadConnectivity(mesh, connectivity, kernels);
+  const std::vector<std::int32_t> order = orderElements(mesh, connectivity);
+  slotCount_ = static_cast<int>(order.size());
+  levels_ = levelsOver(slotCount_ / kGroupSize);
+  const auto bytes = static_cast<std::int64_t>(order.size() * sizeof(std::int32_t));
+  obtainBuffer(order_, bytes);
+  kernels.upload(order_, 0, bytes, order.data());
+  this->allocate();
+}
+
+void DeviceMesh::uploadConnectivity(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
+  Kernels& kernels)
+{
+  std::int64_t offset = 0;
+  const auto section = [&](const auto& values)
+  {
+    const auto bytes = static_cast<std::int64_t>(values.size() * sizeof(values[0]));
+    if (connectivity_)
+    {
+      kernels.upload(connectivity_, offset, bytes, values.data());
+    }
+    offset += bytes;
+  };
+  const auto all = [&]
+  {
+    offset = 0;
+    section(mesh.triangles);
+    section(connectivity.triangleEdges);
+    section(connectivity.edges);
+    section(connectivity.edgeTriangles.offsets);
+    section(connectivity.edgeTriangles.values);
+    section(connectivity.pointEdges.offsets);
+    section(connectivity.pointEdges.values);
+  };
+  all();
+  obtainBuffer(connectivity_, offset);
+  all();
+}
+
+void DeviceMesh::allocate()
+{
+  obtainBuffer(points_, vertexCount_ * kPointBytes);
+  obtainBuffer(faces_, faceCount_ * kFaceBytes);
+  obtainBuffer(edges_, edgeCount_ * kEdgeBytes);
+  obtainBuffer(vertices_, vertexCount_ * kVertexBytes);
+  obtainBuffer(elements_, slotCount_ * kElementBytes);
+  obtainBuffer(discs_, (levels_.back().first + levels_.back().count) * kDiscBytes);
+}
+
+void DeviceMesh::move(const TriangleMesh& mesh, const LocalCoordinates& local, double reach,
+  Kernels& kernels)
+{
+  this->uploadPoints(mesh, local, reach, kernels);
+  this->buildSites(kernels);
+  this->buildTree(kernels);
+  gl::checkGl("building sites");
+}
+
+void DeviceMesh::uploadPoints(const TriangleMesh& mesh, const LocalCoordinates& local,
+  double reach, Kernels& kernels)
+{
+  constexpr double kCells = std::numeric_limits<std::uint32_t>::max();
+  constexpr double kMaxQuantum = 1e-6;
+  constexpr double kRounding = 1e-12;
+  const PointBounds bounds = boundsOf(mesh, local);
+  slack_ = slackNear(reach, bounds.farthest);
+  const glm::dvec3 size = bounds.high - bounds.low;
+  const double longest = std::max({ size.x, size.y, size.z });
+  const double quantum = longest > 0.0 ? longest / kCells : 1.0;
+  const bool fixedPoint = quantum <= kMaxQuantum || longest == 0.0;
+  flatHeight_ = fixedPoint ? 4.0 * quantum : kRounding * (bounds.farthest + 1.0);
+  if (longest == 0.0)
+  {
+    flatHeight_ = 0.0;
+  }
+  packed_.clear();
+  for (const Point3& point : mesh.points)
+  {
+    const glm::dvec3 x = local.toLocal(point);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      if (fixedPoint)
+      {
+        packed_.push_back(
+          static_cast<std::uint32_t>(std::min((x[axis] - bounds.low[axis]) / quantum + 0.5, kCells)));
+        continue;
+      }
+      std::uint32_t halves[2];
+      std::memcpy(halves, &x[axis], sizeof(halves));
+      packed_.insert(packed_.end(), halves, halves + 2);
+    }
+  }
+  const auto bytes = static_cast<std::int64_t>(packed_.size() * sizeof(std::uint32_t));
+  obtainBuffer(positions_, bytes);
+  kernels.upload(positions_, 0, bytes, packed_.data());
+  const gl::ShaderProgram& kernel = gl::cachedProgram("points.comp");
+  kernel.set("count", 3 * vertexCount_);
+  kernel.set("fixedPoint", fixedPoint ? 1 : 0);
+  kernel.set("low", bounds.low);
+  kernel.set("quantum", quantum);
+  kernels.startItems(kernel, { &positions_, &points_ }, std::int64_t{ 3 } * vertexCount_);
+}
+
+void DeviceMesh::describe(const gl::ShaderProgram& kernel) const
+{
+  kernel.set("faceCount", faceCount_);
+  kernel.set("edgeCount", edgeCount_);
+  kernel.set("vertexCount", vertexCount_);
+  kernel.set("incidenceCount", incidenceCount_);
+}
+
+void DeviceMesh::buildSites(Kernels& kernels) const
+{
+  const gl::ShaderProgram& faces = gl::cachedProgram("faces.comp");
+  this->describe(faces);
+  faces.set("flatHeight", flatHeight_);
+  faces.set("minHeight", kMinHeight);
+  kernels.startItems(faces, { &connectivity_, &points_, &faces_ }, faceCount_);
+  const gl::ShaderProgram& edges = gl::cachedProgram("edges.comp");
+  this->describe(edges);
+  kernels.startItems(edges, { &connectivity_, &points_, &faces_, &edges_ }, edgeCount_);
+  const gl::ShaderProgram& vertices = gl::cachedProgram("vertices.comp");
+  this->describe(vertices);
+  kernels.startItems(vertices, { &connectivity_, &points_, nullptr, &edges_, &vertices_ },
+    vertexCount_);
+  const gl::ShaderProgram& elements = gl::cachedProgram("elements.comp");
+  this->describe(elements);
+  elements.set("slotCount", slotCount_);
+  kernels.startItems(elements,
+    { &connectivity_, &points_, &faces_, &edges_, &vertices_, &order_, &elements_ }, slotCount_);
+}
+
+void DeviceMesh::buildTree(Kernels& kernels) const
+{
+  const gl::ShaderProgram& groups = gl::cachedProgram("group_discs.comp");
+  this->describe(groups);
+  groups.set("groupCount", levels_[0].count);
+  groups.set("slack", slack_);
+  kernels.startItems(groups,
+    { &connectivity_, &points_, &faces_, &edges_, &vertices_, &order_, &discs_ },
+    levels_[0].count);
+  const gl::ShaderProgram& nodes = gl::cachedProgram("node_discs.comp");
+  nodes.set("slack", slack_);
+  for (std::size_t level = 1; level < levels_.size(); ++level)
+  {
+    nodes.set("below", levels_[level - 1].first);
+    nodes.set("belowCount", levels_[level - 1].count);
+    nodes.set("first", levels_[level].first);
+    kernels.startItems(nodes, { nullptr, &discs_ }, levels_[level].count);
+  }
+}
+
+} // namespace medial

@@ -1,0 +1,68 @@
+#pragma once
+
+#include "field/engines/device/kernels.h"
+#include "medial/mesh_connectivity.h"
+#include "medial/triangle_mesh.h"
+#include "sites/local_coordinates.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace medial
+{
+
+/// A level of the tree over the groups of elements: where its discs are.
+struct TreeLevel
+{
+  int first;
+  int count;
+};
+
+/// A mesh on the device: its sites, its elements in groups of eight, and a tree of discs over them.
+/// The connectivity is uploaded once; what depends on positions is made on the device. GPU thread
+/// only.
+class DeviceMesh
+{
+public:
+  /// @throws Error GpuLimit or OutOfMemory.
+  DeviceMesh(const TriangleMesh& mesh, const MeshConnectivity& connectivity, Kernels& kernels);
+
+  /// Takes over positions.
+  /// @param mesh of the same connectivity.
+  /// @param reach how far from the local origin grid points are, local units.
+  void move(const TriangleMesh& mesh, const LocalCoordinates& local, double reach,
+    Kernels& kernels);
+
+  /// Sets the uniforms of mesh.glsl.
+  void describe(const gl::ShaderProgram& kernel) const;
+
+  const gl::Buffer& connectivity() const { return connectivity_; }
+  const gl::Buffer& points() const { return points_; }
+  const gl::Buffer& faces() const { return faces_; }
+  const gl::Buffer& order() const { return order_; }
+  const gl::Buffer& elements() const { return elements_; }
+  const gl::Buffer& discs() const { return discs_; }
+  /// The groups, then the levels above up to a single node.
+  const std::vector<TreeLevel>& levels() const { return levels_; }
+  /// Bound of the rounding of single precision near the mesh and the grid, local units.
+  float slack() const { return slack_; }
+
+private:
+  void uploadConnectivity(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
+    Kernels& kernels);
+  void allocate();
+  void uploadPoints(const TriangleMesh& mesh, const LocalCoordinates& local, double reach,
+    Kernels& kernels);
+  void buildSites(Kernels& kernels) const;
+  void buildTree(Kernels& kernels) const;
+
+  int faceCount_, edgeCount_, vertexCount_, incidenceCount_, slotCount_;
+  std::vector<TreeLevel> levels_;
+  float slack_ = 0.0f;
+  double flatHeight_ = 0.0;
+  std::vector<std::uint32_t> packed_; ///< positions, kept from frame to frame
+  gl::Buffer connectivity_, order_, positions_, points_, faces_, edges_, vertices_, elements_,
+    discs_;
+};
+
+} // namespace medial

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "base/checkpoint.h"
+#include "field/engines/device/device_field.h"
+#include "field/field_job.h"
+#include "field/field_writer.h"
+#include "gl/gpu_thread.h"
+#include "medial/distance_field.h"
+
+#include <functional>
+#include <vector>
+
+namespace medial
+{
+
+/// One job of the engine `device`. While the device works on a slab, the host stores the one before.
+class DeviceRun
+{
+public:
+  using Field = gl::OnGpuThread<DeviceField>;
+
+  DeviceRun(const FieldJob& job, gl::GpuThread& thread, Field& field, FieldSink& sink);
+
+  /// Computes slabs. To be called once.
+  void compute(const std::vector<Extent>& slabs);
+
+private:
+  void start(const std::vector<Extent>& slabs, std::size_t number, const Checkpoint& checkpoint);
+  /// Waits for a slab, and computes it again where something had too little room.
+  void finish(const std::vector<Extent>& slabs, std::size_t number, const Checkpoint& checkpoint);
+  void store(const Extent& slab, std::size_t number);
+  void addCounts(const DeviceCounts& before);
+
+  const FieldJob& job_;
+  gl::GpuThread& thread_;
+  Field& field_;
+  FieldSink& sink_;
+  FieldWriter writer_;
+};
+
+} // namespace medial

@@ -1,0 +1,45 @@
+#include "field/engines/device/slab_values.h"
+
+namespace medial
+{
+
+SlabValues::SlabValues(const DeviceMesh& mesh, const ElementSearch& search, Kernels& kernels)
+  : mesh_(mesh)
+  , search_(search)
+  , kernels_(kernels)
+{
+}
+
+void SlabValues::setNormals(const std::vector<glm::vec4>& normals, FieldSign sign)
+{
+  hasNormals_ = hasPseudonormals(sign);
+  if (hasNormals_)
+  {
+    const auto bytes = static_cast<std::int64_t>(normals.size() * sizeof(glm::vec4));
+    obtainBuffer(normals_, bytes);
+    kernels_.upload(normals_, 0, bytes, normals.data());
+  }
+}
+
+void SlabValues::resolve(const GridFrame& frame, const Extent& slab)
+{
+  const std::int64_t points = slab.pointCount();
+  const std::int64_t slice = std::int64_t{ slab.size(0) } * slab.size(1);
+  obtainBuffer(values_, points * (wantsVectors_ ? 16 : 4));
+  obtainBuffer(sites_, (points + slice) * 4);
+  const gl::ShaderProgram& kernel = gl::cachedProgram("resolve.comp");
+  mesh_.describe(kernel);
+  kernel.set("exactFirst", frame.first);
+  kernel.set("exactSpacing", frame.step);
+  kernel.set("slabMin", glm::ivec3(slab.min[0], slab.min[1], slab.min[2]));
+  kernel.set("slabSize", glm::ivec3(slab.size(0), slab.size(1), slab.size(2)));
+  kernel.set("hasNormals", hasNormals_ ? 1 : 0);
+  kernel.set("wantsVectors", wantsVectors_ ? 1 : 0);
+  kernels_.startItems(kernel,
+    { &mesh_.connectivity(), &mesh_.points(), &mesh_.faces(), &mesh_.order(),
+      hasNormals_ ? &normals_ : nullptr, &search_.winners(), &values_, &sites_ },
+    points);
+  gl::checkGl("resolving distances");
+}
+
+} // namespace medial

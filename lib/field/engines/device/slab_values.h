@@ -1,0 +1,48 @@
+#pragma once
+
+#include "field/engines/device/device_mesh.h"
+#include "field/engines/device/element_search.h"
+#include "field/engines/device/kernels.h"
+#include "field/field_sign.h"
+#include "medial/grid.h"
+#include "sites/grid_frame.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace medial
+{
+
+/// Exact distances and closest sites of a slab, in buffers of the device. GPU thread only.
+class SlabValues
+{
+public:
+  /// @param mesh, search, kernels must outlive this.
+  SlabValues(const DeviceMesh& mesh, const ElementSearch& search, Kernels& kernels);
+
+  /// Whether vectors to the closest points are wanted, besides distances.
+  void setVectors(bool wanted) { wantsVectors_ = wanted; }
+  /// Uploads the pseudonormals of all sites, which give distances their sign.
+  void setNormals(const std::vector<glm::vec4>& normals, FieldSign sign);
+
+  /// Resolves what the search has found. The last slice of the slab before stays.
+  void resolve(const GridFrame& frame, const Extent& slab);
+
+  /// Distances, local units; after them vectors, if they are wanted.
+  const gl::Buffer& values() const { return values_; }
+  /// Closest sites, after those of the slice below.
+  const gl::Buffer& sites() const { return sites_; }
+  bool hasVectors() const { return wantsVectors_; }
+
+private:
+  const DeviceMesh& mesh_;
+  const ElementSearch& search_;
+  Kernels& kernels_;
+  bool wantsVectors_ = false;
+  bool hasNormals_ = false;
+  gl::Buffer values_, sites_, normals_;
+};
+
+} // namespace medial

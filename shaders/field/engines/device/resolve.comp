@@ -1,0 +1,60 @@
+#version 450 core
+// The exact distance and closest site of every grid point, from the element that is nearest to it.
+//
+// in   winners   slots of elements
+// out  values    distances, local units, negative inside if there are normals; then, if they are wanted, vectors
+//                to the closest points, by threes
+//      sites     closest sites, after one slice of room
+#include "numbering.glsl"
+#include "mesh.glsl"
+#include "faces.glsl"
+#include "closest_point.glsl"
+
+layout(local_size_x = 64) in;
+layout(std430, binding = 3) readonly buffer Order { int order[]; };
+layout(std430, binding = 4) readonly buffer Normals { vec4 normals[]; }; // pseudonormals of all sites
+layout(std430, binding = 5) readonly buffer Winners { int winners[]; };
+layout(std430, binding = 6) writeonly buffer Values { float values[]; };
+layout(std430, binding = 7) writeonly buffer Sites { int sites[]; };
+
+uniform dvec3 exactFirst; // grid point (0,0,0)
+uniform dvec3 exactSpacing;
+uniform ivec3 slabMin;
+uniform ivec3 slabSize;
+uniform bool hasNormals;
+uniform bool wantsVectors;
+
+void main()
+{
+  int i = int(itemNumber());
+  int count = slabSize.x * slabSize.y * slabSize.z;
+  if (i >= count)
+  {
+    return;
+  }
+  int row = i / slabSize.x;
+  int slice = row / slabSize.y;
+  ivec3 at = ivec3(i - row * slabSize.x, row - slice * slabSize.y, slice);
+  dvec3 x = exactFirst + dvec3(slabMin + at) * exactSpacing;
+  int slot = winners[i];
+  SitePoint closest = SitePoint(-1, x);
+  if (slot >= 0)
+  {
+    closest = closestOnSite(order[slot], x);
+  }
+  dvec3 v = closest.point - x;
+  float distance = float(length(v));
+  if (hasNormals && closest.site >= 0 && dot(normals[closest.site].xyz, vec3(v)) > 0.0)
+  {
+    distance = -distance;
+  }
+  values[i] = distance;
+  if (wantsVectors)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      values[count + 3 * i + axis] = float(v[axis]);
+    }
+  }
+  sites[slabSize.x * slabSize.y + i] = closest.site;
+}
