@@ -19,7 +19,7 @@ namespace
 
 const char* const GridModeNames[] = { "Resolution", "Spacing", "Explicit" };
 const char* const SignMethodNames[] = { "Auto", "None", "Pseudonormal", "Winding" };
-const char* const EngineNames[] = { "Auto", "Rasteriser", "Processor" };
+const char* const EngineNames[] = { "Auto", "Rasteriser", "Processor", "Device" };
 
 //------------------------------------------------------------------------------
 template <std::size_t Count>

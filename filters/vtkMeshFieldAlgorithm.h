@@ -63,7 +63,7 @@
  * next Update() executes again.
  *
  * @par OpenGL:
- * Only ENGINE_RASTERISER and RequireHardware ask for OpenGL. It then works on a thread and in a
+ * Only ENGINE_DEVICE, ENGINE_RASTERISER and RequireHardware need OpenGL. It then works on a thread and in a
  * context of its own: an OpenGL context that is current in the calling thread stays so, with its
  * state. Observers are called in the calling thread.
  *
@@ -151,7 +151,8 @@ public:
   {
     ENGINE_AUTO = 0,
     ENGINE_RASTERISER = 1,
-    ENGINE_PROCESSOR = 2
+    ENGINE_PROCESSOR = 2,
+    ENGINE_DEVICE = 3
   };
 
   ///@{
@@ -241,7 +242,8 @@ public:
    * What finds the closest sites: the result does not depend on it, but the time does.
    * ENGINE_RASTERISER: OpenGL draws bounds of Voronoi regions with the depth test.
    * ENGINE_PROCESSOR: the CPU evaluates the candidates of every tile of the grid, without OpenGL.
-   * ENGINE_AUTO: ENGINE_PROCESSOR on every machine. Default is ENGINE_AUTO. The field data array
+   * ENGINE_DEVICE: compute shaders of OpenGL do the same. ENGINE_AUTO: ENGINE_DEVICE on graphics
+   * hardware that works, ENGINE_PROCESSOR otherwise. Default is ENGINE_AUTO. The field data array
    * Engine tells what was chosen.
    */
   vtkSetMacro(Engine, int);
@@ -249,6 +251,7 @@ public:
   void SetEngineToAuto() { this->SetEngine(ENGINE_AUTO); }
   void SetEngineToRasteriser() { this->SetEngine(ENGINE_RASTERISER); }
   void SetEngineToProcessor() { this->SetEngine(ENGINE_PROCESSOR); }
+  void SetEngineToDevice() { this->SetEngine(ENGINE_DEVICE); }
   const char* GetEngineAsString();
   ///@}
 

@@ -49,8 +49,11 @@ medial::Engine ToEngine(int engine)
       return medial::Engine::Rasteriser;
     case vtkMeshFieldAlgorithm::ENGINE_PROCESSOR:
       return medial::Engine::Processor;
+    case vtkMeshFieldAlgorithm::ENGINE_DEVICE:
+      return medial::Engine::Device;
     default:
-      vtkThrowBadParameter("Engine", engine, "one of 0 (auto), 1 (rasteriser), 2 (processor)");
+      vtkThrowBadParameter("Engine", engine,
+        "one of 0 (auto), 1 (rasteriser), 2 (processor), 3 (device)");
   }
 }
 
@@ -82,6 +85,8 @@ const char* NameOf(medial::Engine engine)
       return "Rasteriser";
     case medial::Engine::Processor:
       return "Processor";
+    case medial::Engine::Device:
+      return "Device";
   }
   return "Unknown";
 }

@@ -63,8 +63,9 @@ void addEngineOption(CLI::App& app, std::string& word, const std::string& group)
 {
   app
     .add_option("--engine", word,
-      "what finds the closest sites: processor (CPU, without OpenGL), rasteriser (OpenGL) or auto, "
-      "which is the processor; default auto")
+      "what finds the closest sites: processor (CPU, without OpenGL), device (compute shaders of "
+      "OpenGL), rasteriser (OpenGL) or auto, the device on graphics hardware that works, otherwise "
+      "the processor; default auto")
     ->option_text("KIND")
     ->check(oneOf(engineNames()))
     ->group(group);

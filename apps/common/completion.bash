@@ -22,7 +22,7 @@ _medial_values()
     --representation) compgen -W "surface faces points" -- "$2" ;;
     --topology) compgen -W "selected preserve" -- "$2" ;;
     --sign) compgen -W "auto none pseudonormal winding" -- "$2" ;;
-    --engine) compgen -W "auto rasteriser processor" -- "$2" ;;
+    --engine) compgen -W "auto device rasteriser processor" -- "$2" ;;
     -o | --output) _medial_files "$2" vtp ply obj ma ;;
     --curves | --thickness) _medial_files "$2" vtp ;;
     --field) _medial_files "$2" vti pvti ;;

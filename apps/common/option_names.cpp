@@ -48,8 +48,8 @@ const Names<SignMethod>& signNames()
 
 const Names<Engine>& engineNames()
 {
-  static const Names<Engine> kNames = { { "auto", Engine::Auto },
-    { "device", Engine::Device }, { "rasteriser", Engine::Rasteriser }, { "processor", Engine::Processor } };
+  static const Names<Engine> kNames = { { "auto", Engine::Auto }, { "device", Engine::Device },
+    { "rasteriser", Engine::Rasteriser }, { "processor", Engine::Processor } };
   return kNames;
 }
 

@@ -62,7 +62,9 @@ Json describeCounts(const RunStatistics& statistics, const MedialAxis& axis)
   return { { "sites", statistics.sites }, { "polygons", statistics.polygons },
     { "fragments", statistics.fragments }, { "group_tests", statistics.groupTests },
     { "site_tests", statistics.siteTests }, { "candidate_pairs", statistics.candidatePairs },
-    { "medial_points", axis.points.size() }, { "medial_cells", axis.cellCount() } };
+    { "bytes_uploaded", statistics.bytesUploaded }, { "bytes_read_back", statistics.bytesReadBack },
+    { "dispatches", statistics.dispatches }, { "medial_points", axis.points.size() },
+    { "medial_cells", axis.cellCount() } };
 }
 
 Json describeSimplification(const SimplificationStatistics& simplification)

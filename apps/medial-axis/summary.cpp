@@ -39,7 +39,7 @@ void printGrid(const Result& result)
 void printEngine(const RunStatistics& statistics)
 {
   std::printf("engine    %s", nameOf(statistics.engine).c_str());
-  if (statistics.engine == Engine::Rasteriser)
+  if (statistics.engine != Engine::Processor)
   {
     std::printf(" on %s%s", statistics.device->renderer.c_str(),
       statistics.device->software ? " (software)" : "");

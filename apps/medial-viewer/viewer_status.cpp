@@ -54,7 +54,7 @@ std::string describe(const ViewerStatus& status, const AxisSource& source)
   }
   lines += text("axis: %lld cells; field and axis computed in %.3f s by the %s\n", status.cells,
     source.seconds(), nameOf(source.statistics().engine).c_str());
-  if (source.statistics().engine == Engine::Rasteriser)
+  if (source.statistics().engine != Engine::Processor)
   {
     lines += "compute: " + source.statistics().device->renderer + "\n";
   }

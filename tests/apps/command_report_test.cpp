@@ -92,11 +92,14 @@ TEST_F(CommandOutput, SaysWhichEngineRanAndOnWhat)
   const Outcome processor = run({ "-o", file, "--engine", "processor" });
   EXPECT_TRUE(contains(processor.out, "\nengine    processor\n")) << processor.out;
   const std::string report = folder.file("report.json");
-  const Outcome rasteriser = run({ "-o", file, "--engine", "rasteriser", "--report", report });
-  const auto device = nlohmann::json::parse(readFile(report))["device"];
-  const std::string expected = "\nengine    rasteriser on " +
-    device["renderer"].get<std::string>() + (device["software"].get<bool>() ? " (software)" : "");
-  EXPECT_TRUE(contains(rasteriser.out, expected + "\n")) << rasteriser.out;
+  for (const std::string engine : { "rasteriser", "device" })
+  {
+    const Outcome drawn = run({ "-o", file, "--engine", engine, "--report", report });
+    const auto device = nlohmann::json::parse(readFile(report))["device"];
+    const std::string expected = "\nengine    " + engine + " on " +
+      device["renderer"].get<std::string>() + (device["software"].get<bool>() ? " (software)" : "");
+    EXPECT_TRUE(contains(drawn.out, expected + "\n")) << drawn.out;
+  }
 }
 
 TEST_F(CommandOutput, SaysWhatItDidUnlessQuiet)

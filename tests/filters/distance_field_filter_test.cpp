@@ -290,7 +290,7 @@ TEST(DistanceFieldFilter, SecondsOfThePhasesHaveNames)
   EXPECT_EQ(seconds->GetComponent(0, 6), 0.0);
 }
 
-TEST(DistanceFieldFilter, OnlyTheRasteriserTellsOfOpenGL)
+TEST(DistanceFieldFilter, OnlyEnginesOnADeviceTellOfOpenGL)
 {
   auto field = fieldOf(boxPolyData({ 1.0, 1.0, 1.0 }), 12);
   field->SetEngineToRasteriser();
@@ -301,6 +301,10 @@ TEST(DistanceFieldFilter, OnlyTheRasteriserTellsOfOpenGL)
   EXPECT_NE(textFigure(output, "Renderer"), "");
   EXPECT_NE(textFigure(output, "RendererVersion"), "");
   EXPECT_NE(output->GetFieldData()->GetArray("SoftwareRenderer"), nullptr);
+  field->SetEngineToDevice();
+  field->Update();
+  EXPECT_EQ(textFigure(output, "Engine"), "Device");
+  EXPECT_NE(textFigure(output, "Renderer"), "");
   field->SetEngineToProcessor();
   field->Update();
   for (const char* name : { "Renderer", "RendererVersion", "SoftwareRenderer" })

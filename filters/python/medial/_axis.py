@@ -71,7 +71,7 @@ class MedialAxis:
     sign: str
     """How inside was told from outside: "none", "pseudonormal" or "winding"."""
     engine: str
-    """What found the closest sites: "processor" or "rasteriser"."""
+    """What found the closest sites: "processor", "device" or "rasteriser"."""
     renderer: str
     """The OpenGL implementation (GL_RENDERER); empty where OpenGL was not used."""
     field: Optional[DistanceField] = None

@@ -34,7 +34,7 @@ class DistanceField:
     sign: str
     """How inside was told from outside: "none" (unsigned), "pseudonormal" or "winding"."""
     engine: str
-    """What found the closest sites: "processor" or "rasteriser"."""
+    """What found the closest sites: "processor", "device" or "rasteriser"."""
     renderer: str
     """The OpenGL implementation (GL_RENDERER); empty where OpenGL was not used."""
     closest_point: Optional[NDArray[np.float32]] = None
@@ -108,8 +108,9 @@ def distance_field(
     threads: number of CPU threads to use, in [0, 1024]; 0 for all cores.
     memory: upper bound on the memory for slabs, in MiB, >= 64; 0 chooses one. The result is not
         counted.
-    engine: what finds the closest sites: "processor" (CPU, without OpenGL), "rasteriser" (OpenGL)
-        or "auto", which is the processor. The distances do not depend on it.
+    engine: what finds the closest sites: "processor" (CPU, without OpenGL), "device" (compute
+        shaders of OpenGL), "rasteriser" (OpenGL) or "auto": the device on graphics hardware that
+        works, otherwise the processor. The distances do not depend on it.
     require_gpu: whether to fail unless there is OpenGL 4.5 on a GPU.
     progress: called with the share of the work that is done, in [0, 1], and its name. An exception
         that it raises stops the work and is raised here.

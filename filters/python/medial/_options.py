@@ -9,7 +9,7 @@ from .vtkMedialFilters import vtkMedialAxis, vtkMeshFieldAlgorithm
 
 Side = Literal["interior", "exterior", "both"]
 Sign = Literal["auto", "none", "pseudonormal", "winding"]
-Engine = Literal["auto", "rasteriser", "processor"]
+Engine = Literal["auto", "device", "rasteriser", "processor"]
 Representation = Literal["surface", "faces", "points"]
 Topology = Literal["selected", "preserve"]
 FieldArray = Literal["closest_point", "closest_cell", "closest_feature", "closest_site"]
@@ -29,6 +29,7 @@ SIGNS: dict[str, int] = {
 }
 ENGINES: dict[str, int] = {
     "auto": vtkMeshFieldAlgorithm.ENGINE_AUTO,
+    "device": vtkMeshFieldAlgorithm.ENGINE_DEVICE,
     "rasteriser": vtkMeshFieldAlgorithm.ENGINE_RASTERISER,
     "processor": vtkMeshFieldAlgorithm.ENGINE_PROCESSOR,
 }

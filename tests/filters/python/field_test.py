@@ -69,10 +69,10 @@ class Values(unittest.TestCase):
 
     def test_engines_agree(self):
         fields = [medial.distance_field(*shapes.box(), resolution=17, engine=engine)
-                  for engine in ("rasteriser", "processor")]
+                  for engine in ("device", "rasteriser", "processor")]
         for field in fields:
             self.assert_is_of_the_box(field)
-        self.assertEqual([field.engine for field in fields], ["rasteriser", "processor"])
+        self.assertEqual([field.engine for field in fields], ["device", "rasteriser", "processor"])
         self.assertNotEqual(fields[0].renderer, "")
 
     def test_what_is_closest(self):

@@ -161,4 +161,9 @@ TEST_P(MedialSolverBy, BadPointsAreRefusedAndLeaveTheMeshAlone)
 
 INSTANTIATE_TEST_SUITE_P(All, MedialSolverBy,
   testing::Values(Engine::Device, Engine::Rasteriser, Engine::Processor),
-  [](const auto& test) { return test.param == Engine::Rasteriser ? "Rasteriser" : "Processor"; });
+  [](const auto& test)
+  {
+    return test.param == Engine::Rasteriser
+      ? "Rasteriser"
+      : (test.param == Engine::Device ? "Device" : "Processor");
+  });

@@ -93,12 +93,13 @@ TEST_P(SolverProcessDeathTest, AChildComputesOrSaysWhyNot)
     return exitCodeOfChild(
       [&]
       {
-        const std::string here = refusal(*solver, Engine::Rasteriser);
+        const bool forked = GetParam() != Engine::Processor;
+        const Engine drawing = forked ? GetParam() : Engine::Rasteriser;
+        const std::string here = refusal(*solver, drawing);
         MedialSolver another(solver->mesh());
-        const std::string there = refusal(another, Engine::Rasteriser);
-        const bool expected = GetParam() == Engine::Rasteriser
-          ? here.find("fork()") != std::string::npos && here == there
-          : here.empty() && there.empty();
+        const std::string there = refusal(another, drawing);
+        const bool expected = forked ? here.find("fork()") != std::string::npos && here == there
+                                     : here.empty() && there.empty();
         solver.reset();
         const float again = distanceBy(another, Engine::Processor);
         return expected && std::abs(again - distance) < 1e-4F ? 0 : 1;
@@ -108,9 +109,13 @@ TEST_P(SolverProcessDeathTest, AChildComputesOrSaysWhyNot)
 }
 
 INSTANTIATE_TEST_SUITE_P(Engines, SolverProcessDeathTest,
-  testing::Values(Engine::Processor, Engine::Rasteriser),
+  testing::Values(Engine::Processor, Engine::Device, Engine::Rasteriser),
   [](const auto& test)
-  { return test.param == Engine::Processor ? std::string("Processor") : "Rasteriser"; });
+  {
+    return test.param == Engine::Processor
+      ? std::string("Processor")
+      : (test.param == Engine::Device ? "Device" : "Rasteriser");
+  });
 
 } // namespace
 } // namespace medial::test

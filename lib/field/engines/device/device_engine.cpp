@@ -24,18 +24,22 @@ DeviceEngine::DeviceEngine()
 
 void DeviceEngine::run(const FieldJob& job, FieldSink& sink)
 {
-  requireNear(job);
-  const int slices = slabSlices(job.extent, kBytesPerPoint + sink.bytesPerPoint(), job.memoryMiB);
-  DeviceRun run(job, thread_, this->obtainField(job), sink);
-  run.compute(slabsOf(job.extent, slices));
+  this->compute(job, nullptr, sink);
 }
 
 std::vector<Crossing> DeviceEngine::select(const FieldJob& job, const CrossingSelection& selection,
   FieldSink& sink)
 {
-  static_cast<void>(selection);
-  this->run(job, sink);
-  return {};
+  return this->compute(job, &selection, sink);
+}
+
+std::vector<Crossing> DeviceEngine::compute(const FieldJob& job, const CrossingSelection* selection,
+  FieldSink& sink)
+{
+  requireNear(job);
+  const int slices = slabSlices(job.extent, kBytesPerPoint + sink.bytesPerPoint(), job.memoryMiB);
+  DeviceRun run(job, thread_, this->obtainField(job), sink);
+  return run.compute(slabsOf(job.extent, slices), selection);
 }
 
 DeviceEngine::Field& DeviceEngine::obtainField(const FieldJob& job)

@@ -26,6 +26,8 @@ public:
 private:
   using Field = gl::OnGpuThread<DeviceField>;
 
+  std::vector<Crossing> compute(const FieldJob& job, const CrossingSelection* selection,
+    FieldSink& sink);
   Field& obtainField(const FieldJob& job);
 
   gl::GpuThread& thread_;

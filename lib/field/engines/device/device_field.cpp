@@ -7,24 +7,38 @@ DeviceField::DeviceField(const TriangleMesh& mesh, const MeshConnectivity& conne
   : mesh_(mesh, connectivity, kernels_)
   , search_(mesh_, kernels_)
   , values_(mesh_, search_, kernels_)
+  , selecting_(mesh_, values_, kernels_)
 {
 }
 
-void DeviceField::move(const FieldJob& job, const WantedValues& wanted)
+void DeviceField::move(const FieldJob& job, const WantedValues& wanted,
+  const CrossingSelection* selection)
 {
   mesh_.move(job.mesh, job.frame, job.frame.reach(), kernels_);
   values_.setNormals(job.normals, job.sign);
   values_.setVectors(wanted.vectors);
   wanted_ = wanted;
+  selection_ = selection;
+  carried_ = 0;
 }
 
-std::vector<std::function<void()>> DeviceField::steps(const FieldJob& job, const Extent& slab,
-  int number)
+std::vector<std::function<void()>> DeviceField::steps(const FieldJob& job,
+  const std::vector<Extent>& slabs, int number)
 {
+  const Extent& slab = slabs[number];
   std::vector<std::function<void()>> steps = search_.steps(job.frame, slab);
+  if (selection_ != nullptr && carried_ != number)
+  {
+    steps.emplace_back([this, below = slabs[number - 1]] { values_.carryLastSlice(below); });
+    carried_ = number;
+  }
   steps.emplace_back([this, &job, slab] { values_.resolve(job.frame, slab); });
-  steps.emplace_back(
-    [this, slab, number]
+  if (selection_ != nullptr)
+  {
+    steps.emplace_back(
+      [this, &job, slab] { selecting_.select(job, *selection_, slab, search_.counters()); });
+  }
+  steps.emplace_back([this, slab, number]
     { ring_[number % ring_.size()].fetch(values_, search_.counters(), slab, wanted_, kernels_); });
   return steps;
 }
@@ -36,7 +50,13 @@ bool DeviceField::isHere(int number, std::uint64_t nanoseconds)
 
 bool DeviceField::grow(int number)
 {
-  return search_.grow(this->slab(number).counters());
+  const SearchCounters& counters = this->slab(number).counters();
+  return search_.grow(counters) || (selection_ != nullptr && selecting_.grow(counters.crossings));
+}
+
+void DeviceField::takeCrossings(const FieldJob& job, int number, std::vector<Crossing>& crossings)
+{
+  selecting_.take(job, *selection_, this->slab(number).counters().crossings, crossings);
 }
 
 } // namespace medial

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "field/engines/device/device_mesh.h"
+#include "field/engines/device/device_selection.h"
 #include "field/engines/device/element_search.h"
 #include "field/engines/device/kernels.h"
 #include "field/engines/device/mapped_slab.h"
@@ -23,17 +24,22 @@ public:
   DeviceField(const TriangleMesh& mesh, const MeshConnectivity& connectivity);
 
   /// Takes over the positions of a job over the same mesh.
-  void move(const FieldJob& job, const WantedValues& wanted);
+  /// @param selection of crossings; null if none are wanted. Must outlive the job.
+  void move(const FieldJob& job, const WantedValues& wanted, const CrossingSelection* selection);
 
   /// Returns what there is to do for a slab, in steps of limited time, for the GPU thread.
-  /// @param number of the slab, from 0 on in ascending z.
-  std::vector<std::function<void()>> steps(const FieldJob& job, const Extent& slab, int number);
+  /// @param slabs of the job, in ascending z.
+  std::vector<std::function<void()>> steps(const FieldJob& job, const std::vector<Extent>& slabs,
+    int number);
 
   /// Waits for a slab, for a while.
   bool isHere(int number, std::uint64_t nanoseconds);
   /// Makes room for what a slab had too little of, so that it has to be computed again.
   /// @return whether there was too little.
   bool grow(int number);
+
+  /// Appends the crossings of a slab that is here; to be called before the next one starts.
+  void takeCrossings(const FieldJob& job, int number, std::vector<Crossing>& crossings);
 
   /// Of a slab that is here; valid until the next but one starts.
   const MappedSlab& slab(int number) const { return ring_[number % ring_.size()]; }
@@ -45,7 +51,10 @@ private:
   DeviceMesh mesh_;
   ElementSearch search_;
   SlabValues values_;
+  DeviceSelection selecting_;
   WantedValues wanted_;
+  const CrossingSelection* selection_ = nullptr;
+  int carried_ = 0; ///< number of the slab that has the slice below
   std::array<MappedSlab, 2> ring_;
 };
 

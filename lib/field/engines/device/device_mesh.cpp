@@ -29,8 +29,7 @@ std::vector<TreeLevel> levelsOver(int groups)
   while (levels.back().count > 1)
   {
     const TreeLevel& below = levels.back();
-    levels.push_back(
-      { below.first + below.count, (below.count + kGroupSize - 1) / kGroupSize });
+    levels.push_back({ below.first + below.count, (below.count + kGroupSize - 1) / kGroupSize });
   }
   return levels;
 }
@@ -134,8 +133,8 @@ void DeviceMesh::move(const TriangleMesh& mesh, const LocalCoordinates& local, d
   gl::checkGl("building sites");
 }
 
-void DeviceMesh::uploadPoints(const TriangleMesh& mesh, const LocalCoordinates& local,
-  double reach, Kernels& kernels)
+void DeviceMesh::uploadPoints(const TriangleMesh& mesh, const LocalCoordinates& local, double reach,
+  Kernels& kernels)
 {
   constexpr double kCells = std::numeric_limits<std::uint32_t>::max();
   constexpr double kMaxQuantum = 1e-6;
@@ -159,8 +158,8 @@ void DeviceMesh::uploadPoints(const TriangleMesh& mesh, const LocalCoordinates& 
     {
       if (fixedPoint)
       {
-        packed_.push_back(
-          static_cast<std::uint32_t>(std::min((x[axis] - bounds.low[axis]) / quantum + 0.5, kCells)));
+        packed_.push_back(static_cast<std::uint32_t>(
+          std::min((x[axis] - bounds.low[axis]) / quantum + 0.5, kCells)));
         continue;
       }
       std::uint32_t halves[2];
@@ -215,8 +214,7 @@ void DeviceMesh::buildTree(Kernels& kernels) const
   groups.set("groupCount", levels_[0].count);
   groups.set("slack", slack_);
   kernels.startItems(groups,
-    { &connectivity_, &points_, &faces_, &edges_, &vertices_, &order_, &discs_ },
-    levels_[0].count);
+    { &connectivity_, &points_, &faces_, &edges_, &vertices_, &order_, &discs_ }, levels_[0].count);
   const gl::ShaderProgram& nodes = gl::cachedProgram("node_discs.comp");
   nodes.set("slack", slack_);
   for (std::size_t level = 1; level < levels_.size(); ++level)

@@ -30,13 +30,16 @@ DeviceRun::DeviceRun(const FieldJob& job, gl::GpuThread& thread, Field& field, F
 {
 }
 
-void DeviceRun::compute(const std::vector<Extent>& slabs)
+std::vector<Crossing> DeviceRun::compute(const std::vector<Extent>& slabs,
+  const CrossingSelection* selection)
 {
+  std::vector<Crossing> crossings;
   const double share = 1.0 / static_cast<double>(slabs.size());
   FieldArrays arrays = sink_.slabArrays(slabs[0]);
   const DeviceCounts before = field_.object().counts();
   timed(job_.statistics.seconds.sites,
-    [&] { field_.run([&](DeviceField& field) { field.move(job_, wantedBy(arrays)); }); });
+    [&]
+    { field_.run([&](DeviceField& field) { field.move(job_, wantedBy(arrays), selection); }); });
   for (std::size_t i = 0; i < slabs.size(); ++i)
   {
     const double done = static_cast<double>(i) * share;
@@ -50,6 +53,11 @@ void DeviceRun::compute(const std::vector<Extent>& slabs)
           this->start(slabs, i, checkpoint);
         }
         this->finish(slabs, i, checkpoint);
+        if (selection != nullptr)
+        {
+          field_.run(
+            [&](DeviceField& field) { field.takeCrossings(job_, static_cast<int>(i), crossings); });
+        }
         if (i + 1 < slabs.size())
         {
           this->start(slabs, i + 1, checkpoint);
@@ -64,12 +72,13 @@ void DeviceRun::compute(const std::vector<Extent>& slabs)
     sink_.stored(slabs[i]);
   }
   this->addCounts(before);
+  return crossings;
 }
 
 void DeviceRun::start(const std::vector<Extent>& slabs, std::size_t number,
   const Checkpoint& checkpoint)
 {
-  for (const auto& step : field_.object().steps(job_, slabs[number], static_cast<int>(number)))
+  for (const auto& step : field_.object().steps(job_, slabs, static_cast<int>(number)))
   {
     checkpoint();
     thread_.run(step);

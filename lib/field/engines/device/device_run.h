@@ -13,7 +13,8 @@
 namespace medial
 {
 
-/// One job of the engine `device`. While the device works on a slab, the host stores the one before.
+/// One job of the engine `device`. While the device works on a slab, the host stores the one
+/// before.
 class DeviceRun
 {
 public:
@@ -22,7 +23,9 @@ public:
   DeviceRun(const FieldJob& job, gl::GpuThread& thread, Field& field, FieldSink& sink);
 
   /// Computes slabs. To be called once.
-  void compute(const std::vector<Extent>& slabs);
+  /// @param selection of crossings; null if none are wanted.
+  std::vector<Crossing> compute(const std::vector<Extent>& slabs,
+    const CrossingSelection* selection);
 
 private:
   void start(const std::vector<Extent>& slabs, std::size_t number, const Checkpoint& checkpoint);

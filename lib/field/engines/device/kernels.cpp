@@ -43,8 +43,8 @@ void Kernels::upload(const gl::Buffer& buffer, std::int64_t offset, std::int64_t
 {
   if (bytes > 0)
   {
-    glNamedBufferSubData(buffer.id(), static_cast<GLintptr>(offset),
-      static_cast<GLsizeiptr>(bytes), data);
+    glNamedBufferSubData(buffer.id(), static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes),
+      data);
     counts_.bytesUploaded += bytes;
   }
 }

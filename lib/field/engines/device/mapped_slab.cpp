@@ -32,8 +32,8 @@ void MappedSlab::obtain(Mapped<T>& mapped, std::int64_t bytes)
   glNamedBufferStorage(mapped.buffer.id(), static_cast<GLsizeiptr>(bytes), nullptr,
     kMapping | GL_CLIENT_STORAGE_BIT);
   gl::checkGl("allocating a buffer for results");
-  mapped.values = static_cast<const T*>(glMapNamedBufferRange(mapped.buffer.id(), 0,
-    static_cast<GLsizeiptr>(bytes), kMapping));
+  mapped.values = static_cast<const T*>(
+    glMapNamedBufferRange(mapped.buffer.id(), 0, static_cast<GLsizeiptr>(bytes), kMapping));
   gl::checkGl("mapping a buffer for results");
   mapped.bytes = bytes;
 }

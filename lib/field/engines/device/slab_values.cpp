@@ -21,6 +21,14 @@ void SlabValues::setNormals(const std::vector<glm::vec4>& normals, FieldSign sig
   }
 }
 
+void SlabValues::carryLastSlice(const Extent& slab)
+{
+  const std::int64_t bytes = std::int64_t{ 4 } * slab.size(0) * slab.size(1);
+  glCopyNamedBufferSubData(sites_.id(), sites_.id(), static_cast<GLintptr>(bytes * slab.size(2)), 0,
+    static_cast<GLsizeiptr>(bytes));
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
 void SlabValues::resolve(const GridFrame& frame, const Extent& slab)
 {
   const std::int64_t points = slab.pointCount();
@@ -36,8 +44,8 @@ void SlabValues::resolve(const GridFrame& frame, const Extent& slab)
   kernel.set("hasNormals", hasNormals_ ? 1 : 0);
   kernel.set("wantsVectors", wantsVectors_ ? 1 : 0);
   kernels_.startItems(kernel,
-    { &mesh_.connectivity(), &mesh_.points(), &mesh_.faces(), &mesh_.order(),
-      hasNormals_ ? &normals_ : nullptr, &search_.winners(), &values_, &sites_ },
+    { &mesh_.connectivity(), &mesh_.points(), &mesh_.faces(), &mesh_.order(), this->normals(),
+      &search_.winners(), &values_, &sites_ },
     points);
   gl::checkGl("resolving distances");
 }

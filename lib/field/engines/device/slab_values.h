@@ -27,14 +27,17 @@ public:
   /// Uploads the pseudonormals of all sites, which give distances their sign.
   void setNormals(const std::vector<glm::vec4>& normals, FieldSign sign);
 
-  /// Resolves what the search has found. The last slice of the slab before stays.
+  /// Keeps the sites of the last slice of a slab, as those below the next one.
+  void carryLastSlice(const Extent& slab);
+  /// Resolves what the search has found.
   void resolve(const GridFrame& frame, const Extent& slab);
 
   /// Distances, local units; after them vectors, if they are wanted.
   const gl::Buffer& values() const { return values_; }
   /// Closest sites, after those of the slice below.
   const gl::Buffer& sites() const { return sites_; }
-  bool hasVectors() const { return wantsVectors_; }
+  /// Pseudonormals of all sites; null unless they give the sign.
+  const gl::Buffer* normals() const { return hasNormals_ ? &normals_ : nullptr; }
 
 private:
   const DeviceMesh& mesh_;

@@ -1,0 +1,126 @@
+#include "field/engines/device/device_selection.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace medial
+{
+namespace
+{
+
+constexpr std::int64_t kFirstRoom = 1 << 16;
+constexpr std::int64_t kCrossingBytes = 16;
+
+void clear(const gl::Buffer& buffer)
+{
+  const std::uint32_t none = 0;
+  glClearNamedBufferData(buffer.id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &none);
+}
+
+void setSlab(const gl::ShaderProgram& kernel, const Extent& slab)
+{
+  kernel.set("slabMin", glm::ivec3(slab.min[0], slab.min[1], slab.min[2]));
+  kernel.set("slabSize", glm::ivec3(slab.size(0), slab.size(1), slab.size(2)));
+  kernel.set("slots", 1 + slab.size(2));
+}
+
+/// Returns -1 for the interior, 1 for the exterior, 0 where the host tells the sides apart.
+int sideOnDevice(const FieldJob& job, Side side)
+{
+  return job.inside != nullptr || side == Side::Both ? 0 : (side == Side::Interior ? -1 : 1);
+}
+
+/// Whether a crossing is on the wanted side; finds out whether it is inside.
+bool isWanted(const InsideRows& inside, Side side, Crossing& crossing)
+{
+  glm::ivec3 end = crossing.voxel;
+  ++end[crossing.axis];
+  crossing.inside = inside.contains(crossing.voxel);
+  return crossing.inside == inside.contains(end) &&
+    (side == Side::Both || crossing.inside == (side == Side::Interior));
+}
+
+} // namespace
+
+DeviceSelection::DeviceSelection(const DeviceMesh& mesh, const SlabValues& values, Kernels& kernels)
+  : mesh_(mesh)
+  , values_(values)
+  , kernels_(kernels)
+{
+}
+
+void DeviceSelection::select(const FieldJob& job, const CrossingSelection& selection,
+  const Extent& slab, const gl::Buffer& counters)
+{
+  constexpr std::int64_t kPlanes = 4;
+  const std::int64_t rows = std::int64_t{ 1 + slab.size(2) } * slab.size(1);
+  obtainBuffer(marks_, 4 * kPlanes * rows * ((slab.size(0) + 31) / 32));
+  obtainBuffer(rowCounts_, 4 * rows);
+  room_ = std::max(room_, kFirstRoom);
+  obtainBuffer(list_, kCrossingBytes * room_);
+  clear(marks_);
+  clear(rowCounts_);
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+  this->mark(job, selection, slab);
+  const gl::ShaderProgram& number = gl::cachedProgram("number_rows.comp");
+  setSlab(number, slab);
+  kernels_.start(number, { &rowCounts_, nullptr, nullptr, nullptr, &counters }, glm::ivec3(1));
+  const gl::ShaderProgram& list = gl::cachedProgram("list_crossings.comp");
+  setSlab(list, slab);
+  list.set("room", static_cast<int>(room_));
+  kernels_.startItems(list, { &values_.sites(), &marks_, &rowCounts_, &list_ }, rows);
+  gl::checkGl("selecting the medial axis");
+}
+
+void DeviceSelection::mark(const FieldJob& job, const CrossingSelection& selection,
+  const Extent& slab)
+{
+  const gl::ShaderProgram& kernel = gl::cachedProgram("mark_crossings.comp");
+  mesh_.describe(kernel);
+  setSlab(kernel, slab);
+  kernel.set("exactFirst", job.frame.first);
+  kernel.set("exactSpacing", job.frame.step);
+  kernel.set("carried", slab.min[2] > job.extent.min[2] ? 1 : 0);
+  kernel.set("isLast", slab.max[2] == job.extent.max[2] ? 1 : 0);
+  kernel.set("cosineLimit", std::cos(glm::radians(selection.angle)));
+  kernel.set("hasNormals", values_.normals() != nullptr ? 1 : 0);
+  kernel.set("side", sideOnDevice(job, selection.side));
+  const std::int64_t slice = std::int64_t{ slab.size(0) } * slab.size(1);
+  kernels_.startItems(kernel,
+    { &mesh_.connectivity(), &mesh_.points(), &mesh_.faces(), &values_.sites(), values_.normals(),
+      &marks_, &rowCounts_ },
+    slab.pointCount() + slice);
+}
+
+bool DeviceSelection::grow(std::uint32_t crossings)
+{
+  const bool isShort = crossings > room_;
+  room_ = isShort ? 2 * std::int64_t{ crossings } : room_;
+  return isShort;
+}
+
+void DeviceSelection::take(const FieldJob& job, const CrossingSelection& selection,
+  std::uint32_t count, std::vector<Crossing>& crossings)
+{
+  packed_.resize(count);
+  if (count > 0)
+  {
+    const std::int64_t bytes = kCrossingBytes * count;
+    glGetNamedBufferSubData(list_.id(), 0, static_cast<GLsizeiptr>(bytes), packed_.data());
+    kernels_.counts().bytesReadBack += bytes;
+    gl::checkGl("reading crossings back");
+  }
+  for (const auto& [xy, z, siteA, siteB] : packed_)
+  {
+    Crossing crossing{ glm::ivec3(xy & 0xffffu, xy >> 16, z & 0xffffu),
+      static_cast<int>(z >> 16 & 3u), static_cast<std::int32_t>(siteA),
+      static_cast<std::int32_t>(siteB), z >> 31 != 0 };
+    if (job.inside == nullptr || isWanted(*job.inside, selection.side, crossing))
+    {
+      crossings.push_back(crossing);
+    }
+  }
+  requireRoomForAxis(crossings.size());
+}
+
+} // namespace medial
