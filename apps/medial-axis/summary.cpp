@@ -111,6 +111,10 @@ std::string whatIsMissing(const Options& options)
 
 void printNotes(const Options& options, const Result& result)
 {
+  if (!result.statistics.note.empty())
+  {
+    std::fprintf(stderr, "medial-axis: note: %s\n", result.statistics.note.c_str());
+  }
   if (result.axis.side != options.side)
   {
     std::fprintf(stderr,

@@ -29,6 +29,8 @@ public:
   virtual ~FieldEngine() = default;
 
   virtual Engine kind() const = 0;
+  /// Whether it is what options ask for.
+  virtual bool serves(Engine wanted) const { return wanted == this->kind(); }
   /// The device that it computes on, if it uses OpenGL.
   virtual std::optional<Device> device() const = 0;
 

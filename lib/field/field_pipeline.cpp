@@ -5,7 +5,6 @@
 #include "field/field_sign.h"
 #include "medial/device.h"
 #include "medial/error.h"
-#include "sites/pseudonormals.h"
 
 #include <sstream>
 
@@ -71,6 +70,7 @@ FieldPipeline::FieldPipeline(const TriangleMesh& mesh, const MeshConnectivity& c
   , connectivity_(connectivity)
   , extent_(extent)
   , memoryMiB_(options.memoryMiB)
+  , verify_(options.verify)
   , run_(run)
   , frame_(grid)
 {
@@ -108,24 +108,16 @@ FieldJob FieldPipeline::prepare(const FieldEngine& engine)
   {
     statistics_.device = device;
   }
-  RunStatistics::Seconds& seconds = statistics_.seconds;
-  const FieldSign sign = fieldSign(this->sign(), connectivity_);
-  timed(seconds.sites,
-    [&] { run_.onThreads([&] { sites_.emplace(mesh_, connectivity_, frame_); }); });
-  timed(seconds.cull,
-    [&] { run_.onThreads([&] { filter_.emplace(*sites_, connectivity_, frame_); }); });
-  query_.emplace(filter_->tree());
-  // They hold the planes of faces as well, with which the rasteriser draws.
-  if (hasPseudonormals(sign) || engine.kind() == Engine::Rasteriser)
-  {
-    timed(seconds.sites, [&] { normals_ = pseudonormals(*sites_, sign == FieldSign::Inward); });
-  }
-  timed(seconds.sign, [&] { run_.onThreads([&] { inside_ = sign_->insideRows(extent_); }); });
-  statistics_.sites = sites_->size();
+  host_.emplace(mesh_, connectivity_, frame_, fieldSign(this->sign(), connectivity_), run_,
+    statistics_);
+  timed(statistics_.seconds.sign,
+    [&] { run_.onThreads([&] { inside_ = sign_->insideRows(extent_); }); });
+  statistics_.sites = static_cast<std::int64_t>(
+    mesh_.triangles.size() + connectivity_.edges.size() + mesh_.points.size());
   statistics_.samples = extent_.pointCount();
   run_.report(0.0, "distance field");
-  return { mesh_, connectivity_, *sites_, *filter_, normals_, sign, inside_ ? &*inside_ : nullptr,
-    frame_, extent_, memoryMiB_, run_, statistics_ };
+  return { mesh_, connectivity_, *host_, fieldSign(this->sign(), connectivity_),
+    inside_ ? &*inside_ : nullptr, frame_, extent_, memoryMiB_, verify_, run_, statistics_ };
 }
 
 } // namespace medial

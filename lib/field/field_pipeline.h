@@ -1,14 +1,12 @@
 #pragma once
 
 #include "base/run.h"
-#include "culling/candidate_filter.h"
-#include "culling/site_query.h"
 #include "field/crossing.h"
 #include "field/field_engine.h"
+#include "field/host_sites.h"
 #include "medial/distance_field.h"
 #include "sign/sign_choice.h"
 #include "sites/grid_frame.h"
-#include "sites/site_set.h"
 
 #include <cstddef>
 #include <optional>
@@ -43,9 +41,9 @@ public:
     const CrossingSelection& selection);
 
   /// Available after a run.
-  const SiteSet& sites() const { return *sites_; }
+  const SiteSet& sites() const { return host_->sites(); }
   /// Exact closest points. Available after a run.
-  const SiteQuery& query() const { return *query_; }
+  const SiteQuery& query() const { return host_->query(); }
 
 private:
   FieldJob prepare(const FieldEngine& engine);
@@ -54,15 +52,13 @@ private:
   const MeshConnectivity& connectivity_;
   Extent extent_;
   std::size_t memoryMiB_;
+  bool verify_;
   Run run_;
   GridFrame frame_;
   std::optional<SignChoice> sign_;
   std::optional<InsideRows> inside_;
   RunStatistics statistics_;
-  std::optional<SiteSet> sites_;
-  std::optional<CandidateFilter> filter_;
-  std::vector<glm::vec4> normals_;
-  std::optional<SiteQuery> query_;
+  std::optional<HostSites> host_;
 };
 
 } // namespace medial

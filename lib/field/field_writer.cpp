@@ -23,26 +23,14 @@ void storePoint(const Point3& point, float* target)
   }
 }
 
-Feature featureOf(SiteKind kind)
-{
-  switch (kind)
-  {
-    case SiteKind::Face:
-      return Feature::Face;
-    case SiteKind::Edge:
-      return Feature::Edge;
-    case SiteKind::Vertex:
-      break;
-  }
-  return Feature::Vertex;
-}
-
 } // namespace
 
 FieldWriter::FieldWriter(const FieldJob& job)
   : mesh_(job.mesh)
   , connectivity_(job.connectivity)
-  , sites_(job.sites)
+  , host_(job.host)
+  , firstEdge_(static_cast<std::int32_t>(job.mesh.triangles.size()))
+  , firstVertex_(firstEdge_ + static_cast<std::int32_t>(job.connectivity.edges.size()))
   , frame_(job.frame)
   , signed_(job.sign != FieldSign::None)
   , inside_(job.inside)
@@ -119,7 +107,7 @@ void FieldWriter::store(const Extent& tile, const TileField& field) const
 double FieldWriter::exactDistance(const glm::ivec3& gridPoint, std::int32_t site) const
 {
   const glm::dvec3 sample = frame_.sample(glm::dvec3(gridPoint));
-  return glm::distance(closestPoint(sites_, site, sample).point, sample) * frame_.unit;
+  return glm::distance(closestPoint(host_.sites(), site, sample).point, sample) * frame_.unit;
 }
 
 void FieldWriter::storeDistances(std::int64_t target, const glm::ivec3& first, int count,
@@ -158,7 +146,7 @@ void FieldWriter::storeClosestPoints(std::int64_t target, const glm::ivec3& firs
   for (int i = 0; i < count; ++i)
   {
     const glm::dvec3 sample = frame_.sample(glm::dvec3(first) + glm::dvec3(i, 0.0, 0.0));
-    storePoint(frame_.toWorld(closestPoint(sites_, closest[i], sample).point),
+    storePoint(frame_.toWorld(closestPoint(host_.sites(), closest[i], sample).point),
       arrays_.closestPoint + 3 * (target + i));
   }
 }
@@ -173,8 +161,7 @@ void FieldWriter::storeIds(std::int64_t target, int count, const std::int32_t* c
   {
     for (int i = 0; i < count; ++i)
     {
-      arrays_.closestFeature[target + i] =
-        static_cast<std::uint8_t>(featureOf(sites_.kind(closest[i])));
+      arrays_.closestFeature[target + i] = static_cast<std::uint8_t>(this->featureOf(closest[i]));
     }
   }
   if (arrays_.closestCell)
@@ -186,18 +173,24 @@ void FieldWriter::storeIds(std::int64_t target, int count, const std::int32_t* c
   }
 }
 
+Feature FieldWriter::featureOf(std::int32_t site) const
+{
+  return site < firstEdge_ ? Feature::Face
+                           : (site < firstVertex_ ? Feature::Edge : Feature::Vertex);
+}
+
 std::int64_t FieldWriter::cellOf(std::int32_t site) const
 {
-  switch (sites_.kind(site))
+  switch (this->featureOf(site))
   {
-    case SiteKind::Face:
+    case Feature::Face:
       return mesh_.triangleCells[site];
-    case SiteKind::Edge:
-      return connectivity_.edgeCells[site - sites_.firstEdge()];
-    case SiteKind::Vertex:
+    case Feature::Edge:
+      return connectivity_.edgeCells[site - firstEdge_];
+    case Feature::Vertex:
       break;
   }
-  return connectivity_.pointCells[site - sites_.firstVertex()];
+  return connectivity_.pointCells[site - firstVertex_];
 }
 
 } // namespace medial

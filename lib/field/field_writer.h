@@ -4,7 +4,6 @@
 #include "field/tile_field.h"
 #include "medial/distance_field.h"
 #include "sites/grid_frame.h"
-#include "sites/site_set.h"
 
 #include <glm/glm.hpp>
 
@@ -53,11 +52,14 @@ private:
   void storeClosestPoints(std::int64_t target, const glm::ivec3& first, int count,
     const std::int32_t* closest) const;
   void storeIds(std::int64_t target, int count, const std::int32_t* closest) const;
+  Feature featureOf(std::int32_t site) const;
   std::int64_t cellOf(std::int32_t site) const;
 
   const TriangleMesh& mesh_;
   const MeshConnectivity& connectivity_;
-  const SiteSet& sites_;
+  const HostSites& host_;
+  std::int32_t firstEdge_;   ///< first edge site
+  std::int32_t firstVertex_; ///< first vertex site
   GridFrame frame_;
   bool signed_;
   const InsideRows* inside_; ///< null if the engine finds the sides

@@ -5,12 +5,15 @@
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 
+#include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <dlfcn.h>
+#include <unistd.h>
 
 namespace medial::gl
 {
@@ -103,9 +106,14 @@ EGLContext makeContext(EGLDisplay display, bool debug)
   {
     return EGL_NO_CONTEXT;
   }
+  // The last two make a device that was reset say so; not every driver knows them.
   const EGLint attributes[] = { EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 5,
     EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_CONTEXT_OPENGL_DEBUG,
-    debug ? EGL_TRUE : EGL_FALSE, EGL_NONE };
+    debug ? EGL_TRUE : EGL_FALSE, EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY,
+    EGL_LOSE_CONTEXT_ON_RESET, EGL_NONE };
+  EGLint plain[std::size(attributes)];
+  std::copy(std::begin(attributes), std::end(attributes), plain);
+  plain[std::size(attributes) - 3] = EGL_NONE;
   // Not every driver offers contexts without a configuration, so take any configuration that
   // renders OpenGL.
   const EGLint wanted[] = { EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, EGL_DONT_CARE,
@@ -113,8 +121,13 @@ EGLContext makeContext(EGLDisplay display, bool debug)
   EGLConfig config = nullptr;
   EGLint count = 0;
   eglChooseConfig(display, wanted, &config, 1, &count);
-  const EGLContext context =
-    eglCreateContext(display, count > 0 ? config : nullptr, EGL_NO_CONTEXT, attributes);
+  EGLContext context = EGL_NO_CONTEXT;
+  for (const EGLint* wished : { attributes, static_cast<const EGLint*>(plain) })
+  {
+    context = context != EGL_NO_CONTEXT
+      ? context
+      : eglCreateContext(display, count > 0 ? config : nullptr, EGL_NO_CONTEXT, wished);
+  }
   if (context == EGL_NO_CONTEXT)
   {
     return EGL_NO_CONTEXT;
@@ -138,6 +151,25 @@ Device currentDevice()
 }
 
 } // namespace
+
+bool mayHaveHardware()
+{
+  for (const char* node : { "/dev/nvidiactl", "/dev/dxg" })
+  {
+    if (access(node, F_OK) == 0)
+    {
+      return true;
+    }
+  }
+  for (int i = 128; i < 192; ++i)
+  {
+    if (access(("/dev/dri/renderD" + std::to_string(i)).c_str(), F_OK) == 0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
 
 struct EglContext::Handles
 {

@@ -7,6 +7,9 @@
 namespace medial::gl
 {
 
+/// Whether the system has any graphics device. Takes no time, and loads no library.
+bool mayHaveHardware();
+
 /// A surfaceless OpenGL 4.5 core context from EGL. The library computes in one, and medial-axis
 /// draws its pictures in another. (The header does not include epoxy, since epoxy's declarations of
 /// OpenGL exclude those of GLEW.)

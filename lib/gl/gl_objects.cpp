@@ -1,5 +1,6 @@
 #include "gl/gl_objects.h"
 
+#include "gl/fault.h"
 #include "medial/error.h"
 
 #include <algorithm>
@@ -56,8 +57,7 @@ VertexArray createVertexArray()
 Buffer createStorageBuffer(GLsizeiptr bytes, const void* data)
 {
   constexpr GLsizeiptr kMinBytes = 16;
-  GLint64 limit = 0;
-  glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &limit);
+  const std::int64_t limit = storageBufferLimit();
   if (bytes > limit)
   {
     throw Error(ErrorCode::GpuLimit,
@@ -71,6 +71,10 @@ Buffer createStorageBuffer(GLsizeiptr bytes, const void* data)
     glNamedBufferSubData(buffer.id(), 0, bytes, data);
   }
   checkGl("allocating a buffer");
+  if (faultHappens(Fault::AllocationRefused))
+  {
+    throw Error(ErrorCode::OutOfMemory, "the GPU is out of memory while allocating a buffer");
+  }
   return buffer;
 }
 
@@ -123,6 +127,10 @@ Framebuffer createFramebuffer(std::initializer_list<GLuint> colours, GLuint dept
 void checkGl(const char* what)
 {
   const GLenum error = glGetError();
+  if (glGetGraphicsResetStatus() != GL_NO_ERROR || faultHappens(Fault::ContextLost))
+  {
+    throw Error(ErrorCode::NoGpu, std::string("the device was reset while ") + what);
+  }
   if (error == GL_NO_ERROR)
   {
     return;

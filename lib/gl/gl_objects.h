@@ -96,7 +96,8 @@ Texture createTexture2D(GLenum internalFormat, int width, int height);
 /// @throws Error GpuLimit if the driver refuses the combination.
 Framebuffer createFramebuffer(std::initializer_list<GLuint> colours, GLuint depth = 0);
 
-/// Turns a pending GL_OUT_OF_MEMORY into Error OutOfMemory and any other GL error into GpuLimit.
+/// Turns a pending GL_OUT_OF_MEMORY into Error OutOfMemory, a device that was reset into NoGpu and
+/// any other GL error into GpuLimit.
 void checkGl(const char* what);
 
 } // namespace medial::gl

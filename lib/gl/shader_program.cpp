@@ -1,5 +1,6 @@
 #include "gl/shader_program.h"
 
+#include "gl/fault.h"
 #include "gl/shader_source.h"
 #include "medial/error.h"
 
@@ -22,7 +23,7 @@ Shader compile(GLenum stage, const std::string& name)
   glCompileShader(shader.id());
   GLint ok = GL_FALSE;
   glGetShaderiv(shader.id(), GL_COMPILE_STATUS, &ok);
-  if (!ok)
+  if (!ok || faultHappens(Fault::ShaderRefused))
   {
     std::vector<GLchar> log(4096, '\0');
     glGetShaderInfoLog(shader.id(), static_cast<GLsizei>(log.size()) - 1, nullptr, log.data());

@@ -1,17 +1,35 @@
 #include "field/engines/make_engine.h"
 
 #include "field/engines/device/device_engine.h"
+#include "field/engines/fallback_engine.h"
 #include "field/engines/processor/processor_engine.h"
 #include "field/engines/rasteriser/rasteriser_engine.h"
+#include "gl/egl_context.h"
+#include "medial/device.h"
+#include "medial/error.h"
 
 namespace medial
 {
 namespace
 {
 
+/// Whether OpenGL runs on graphics hardware.
+bool hasHardware()
+{
+  try
+  {
+    return gl::mayHaveHardware() && !queryDevice().software;
+  }
+  catch (const Error&)
+  {
+    return false;
+  }
+}
+
+/// Returns Auto only where there is a choice.
 Engine resolved(Engine wanted)
 {
-  return wanted == Engine::Auto ? Engine::Processor : wanted;
+  return wanted == Engine::Auto && !hasHardware() ? Engine::Processor : wanted;
 }
 
 } // namespace
@@ -20,11 +38,12 @@ std::unique_ptr<FieldEngine> makeEngine(Engine wanted)
 {
   switch (resolved(wanted))
   {
+    case Engine::Auto:
+      return std::make_unique<FallbackEngine>([] { return std::make_unique<DeviceEngine>(); });
     case Engine::Rasteriser:
       return std::make_unique<RasteriserEngine>();
     case Engine::Device:
       return std::make_unique<DeviceEngine>();
-    case Engine::Auto:
     case Engine::Processor:
       break;
   }
@@ -33,7 +52,7 @@ std::unique_ptr<FieldEngine> makeEngine(Engine wanted)
 
 FieldEngine& obtainEngine(Engine wanted, std::unique_ptr<FieldEngine>& kept)
 {
-  if (!kept || kept->kind() != resolved(wanted))
+  if (!kept || !kept->serves(resolved(wanted)))
   {
     kept = makeEngine(wanted);
   }

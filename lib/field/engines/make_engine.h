@@ -10,9 +10,9 @@ namespace medial
 
 /// Makes an engine.
 ///
-/// Auto is the processor, even with a GPU: for the rasteriser, the host culls and clips polygons,
-/// and this alone takes longer than the whole field on the processor.
-/// @throws Error NoGpu for the rasteriser without OpenGL.
+/// Auto is the device on graphics hardware, and the processor where there is none or where the
+/// device fails.
+/// @throws Error NoGpu for the rasteriser and the device without OpenGL.
 std::unique_ptr<FieldEngine> makeEngine(Engine wanted);
 
 /// Returns the engine of an earlier job over the same mesh if it is of the wanted kind, otherwise

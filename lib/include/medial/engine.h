@@ -4,10 +4,11 @@ namespace medial
 {
 
 /// What finds the closest sites of grid points. All engines give the same field (ids may differ
-/// between sites at equal distance), at different speeds. The rasteriser and the device need OpenGL.
+/// between sites at equal distance), at different speeds. The rasteriser and the device need
+/// OpenGL.
 enum class Engine
 {
-  Auto,       ///< Processor on every machine: feeding the rasteriser takes the CPU longer
+  Auto,       ///< Device on graphics hardware that works, otherwise Processor
   Rasteriser, ///< draws polygons that bound Voronoi regions, with OpenGL's depth test
   Device,     ///< searches, culls and evaluates by compute shaders of OpenGL 4.5
   Processor   ///< evaluates the candidates of every tile with vector instructions of the CPU

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 namespace medial
 {
@@ -34,13 +35,15 @@ struct RunStatistics
   /// Area of the drawn polygons in grid points, before the depth test; with the processor the
   /// number of pairs of a grid point and a site that it evaluated, idle lanes included.
   std::int64_t fragments = 0;
-  std::int64_t samples = 0;     ///< grid points computed
+  std::int64_t samples = 0; ///< grid points computed
   /// Bytes that the engine `device` has sent to its device, and dispatches that it has started.
   std::int64_t bytesUploaded = 0;
   std::int64_t bytesReadBack = 0; ///< and bytes that came back
   std::int64_t dispatches = 0;
   SignReport sign;              ///< how the sign was found
   Engine engine = Engine::Auto; ///< the engine used, never Auto
+  /// Why the engine is not the one that Auto had chosen; one line, empty if it is.
+  std::string note;
   /// The OpenGL implementation that the engine used. The processor uses none; if hardware was
   /// required, this is then the hardware that was found.
   std::optional<Device> device;

@@ -127,18 +127,19 @@ TEST_P(FarField, IsExactButForRounding)
 
 INSTANTIATE_TEST_SUITE_P(Grids, FarField, testing::ValuesIn(farGrids()), kNameOfParameter);
 
-TEST(FarField, OfTheRasteriserIsExactOrRefused)
+TEST(FarField, OfEnginesInSinglePrecisionIsExactOrRefused)
 {
-  EXPECT_EQ(refusalOf(ring(), flatGrid(100.0), Engine::Rasteriser), "");
-  const Grid flat = flatGrid(1e3);
-  const FieldErrors errors =
-    fieldErrors(ring(), fieldOf(ring(), flat, Engine::Rasteriser), allVoxels(flat));
-  EXPECT_LE(errors.distance, 1e-2);
-  EXPECT_EQ(errors.withoutSite, 0u);
-  for (const Grid& grid : { flatGrid(1e5), farGrid(1e5), farGrid(1e7), farGrid(1e17) })
+  for (const Engine engine : { Engine::Rasteriser, Engine::Device })
   {
-    EXPECT_NE(refusalOf(ring(), grid, Engine::Rasteriser).find("more than 32768"),
-      std::string::npos);
+    EXPECT_EQ(refusalOf(ring(), flatGrid(100.0), engine), "");
+    const Grid flat = flatGrid(1e3);
+    const FieldErrors errors = fieldErrors(ring(), fieldOf(ring(), flat, engine), allVoxels(flat));
+    EXPECT_LE(errors.distance, 1e-2);
+    EXPECT_EQ(errors.withoutSite, 0u);
+    for (const Grid& grid : { flatGrid(1e5), farGrid(1e5), farGrid(1e7), farGrid(1e17) })
+    {
+      EXPECT_NE(refusalOf(ring(), grid, engine).find("more than 32768"), std::string::npos);
+    }
   }
 }
 

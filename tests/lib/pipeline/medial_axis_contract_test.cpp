@@ -187,13 +187,16 @@ TEST(MedialAxis, IsTheSameByAllEngines)
   const TriangleMesh mesh = lPrism(1.0, 0.6);
   const AxisCase input{ mesh, offCentreGrid(mesh, 0.0213), Side::Both };
   const std::vector<DistanceFieldOptions> engines = allEngines();
-  const MedialAxis expected = compute(input, Representation::Surface, engines[0]);
-  const MedialAxis axis = compute(input, Representation::Surface, engines[1]);
-  ASSERT_GT(axis.points.size(), 1000u);
-  EXPECT_EQ(axis.points.size(), expected.points.size());
-  EXPECT_EQ(axis.cellCount(), expected.cellCount());
-  EXPECT_LE(farthest(axis, expected), 1e-3 * input.grid.spacing[0]);
-  EXPECT_LE(farthest(expected, axis), 1e-3 * input.grid.spacing[0]);
+  const MedialAxis expected = compute(input, Representation::Surface, engines.back());
+  for (std::size_t i = 0; i + 1 < engines.size(); ++i)
+  {
+    const MedialAxis axis = compute(input, Representation::Surface, engines[i]);
+    ASSERT_GT(axis.points.size(), 1000u);
+    EXPECT_EQ(axis.points.size(), expected.points.size());
+    EXPECT_EQ(axis.cellCount(), expected.cellCount());
+    EXPECT_LE(farthest(axis, expected), 1e-3 * input.grid.spacing[0]);
+    EXPECT_LE(farthest(expected, axis), 1e-3 * input.grid.spacing[0]);
+  }
 }
 
 TEST(MedialAxis, LeavesTheDistanceFieldAsWell)

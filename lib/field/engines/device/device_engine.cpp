@@ -3,6 +3,7 @@
 #include "field/engines/device/device_run.h"
 #include "field/reach.h"
 #include "field/slabs.h"
+#include "gl/fault.h"
 
 #include <algorithm>
 
@@ -14,6 +15,8 @@ namespace
 /// Bytes per grid point of a slab: winners, values and sites on the device, and two slabs on their
 /// way to the host.
 constexpr std::size_t kBytesPerPoint = 64;
+/// Bytes per grid point of the largest buffer: a distance and a vector.
+constexpr std::int64_t kBufferBytes = 16;
 
 } // namespace
 
@@ -37,9 +40,23 @@ std::vector<Crossing> DeviceEngine::compute(const FieldJob& job, const CrossingS
   FieldSink& sink)
 {
   requireNear(job);
-  const int slices = slabSlices(job.extent, kBytesPerPoint + sink.bytesPerPoint(), job.memoryMiB);
-  DeviceRun run(job, thread_, this->obtainField(job), sink);
-  return run.compute(slabsOf(job.extent, slices), selection);
+  const DeviceCounts before = field_ ? field_->object().counts() : DeviceCounts();
+  Field& field = this->obtainField(job);
+  DeviceRun run(job, thread_, field, sink, before);
+  return run.compute(slabsOf(job.extent, this->chooseSlices(job, sink)), selection);
+}
+
+int DeviceEngine::chooseSlices(const FieldJob& job, const FieldSink& sink) const
+{
+  std::int64_t limit = 0;
+  thread_.run([&] { limit = gl::storageBufferLimit(); });
+  const std::int64_t slice = kBufferBytes * job.extent.size(0) * job.extent.size(1);
+  int slices = slabSlices(job.extent, kBytesPerPoint + sink.bytesPerPoint(), job.memoryMiB);
+  while (slices > 1 && slice * (slices + 1) > limit)
+  {
+    slices /= 2;
+  }
+  return slices;
 }
 
 DeviceEngine::Field& DeviceEngine::obtainField(const FieldJob& job)

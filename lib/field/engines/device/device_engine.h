@@ -29,6 +29,7 @@ private:
   std::vector<Crossing> compute(const FieldJob& job, const CrossingSelection* selection,
     FieldSink& sink);
   Field& obtainField(const FieldJob& job);
+  int chooseSlices(const FieldJob& job, const FieldSink& sink) const;
 
   gl::GpuThread& thread_;
   std::unique_ptr<Field> field_; ///< of the mesh that the engine serves

@@ -15,7 +15,7 @@ void DeviceField::move(const FieldJob& job, const WantedValues& wanted,
   const CrossingSelection* selection)
 {
   mesh_.move(job.mesh, job.frame, job.frame.reach(), kernels_);
-  values_.setNormals(job.normals, job.sign);
+  values_.setNormals(job.host.signNormals());
   values_.setVectors(wanted.vectors);
   wanted_ = wanted;
   selection_ = selection;

@@ -21,12 +21,15 @@ WantedValues wantedBy(const FieldArrays& arrays)
 
 } // namespace
 
-DeviceRun::DeviceRun(const FieldJob& job, gl::GpuThread& thread, Field& field, FieldSink& sink)
+DeviceRun::DeviceRun(const FieldJob& job, gl::GpuThread& thread, Field& field, FieldSink& sink,
+  const DeviceCounts& before)
   : job_(job)
   , thread_(thread)
   , field_(field)
   , sink_(sink)
   , writer_(job)
+  , check_(job, thread.device())
+  , before_(before)
 {
 }
 
@@ -36,10 +39,10 @@ std::vector<Crossing> DeviceRun::compute(const std::vector<Extent>& slabs,
   std::vector<Crossing> crossings;
   const double share = 1.0 / static_cast<double>(slabs.size());
   FieldArrays arrays = sink_.slabArrays(slabs[0]);
-  const DeviceCounts before = field_.object().counts();
+  WantedValues wanted = wantedBy(arrays);
+  wanted.distances = wanted.distances || check_.isDue();
   timed(job_.statistics.seconds.sites,
-    [&]
-    { field_.run([&](DeviceField& field) { field.move(job_, wantedBy(arrays), selection); }); });
+    [&] { field_.run([&](DeviceField& field) { field.move(job_, wanted, selection); }); });
   for (std::size_t i = 0; i < slabs.size(); ++i)
   {
     const double done = static_cast<double>(i) * share;
@@ -71,7 +74,8 @@ std::vector<Crossing> DeviceRun::compute(const std::vector<Extent>& slabs,
     timed(job_.statistics.seconds.resolve, [&] { this->store(slabs[i], i); });
     sink_.stored(slabs[i]);
   }
-  this->addCounts(before);
+  check_.passed();
+  this->addCounts();
   return crossings;
 }
 
@@ -112,22 +116,23 @@ void DeviceRun::store(const Extent& slab, std::size_t number)
   const SearchCounters& counters = mapped.counters();
   if (counters.withoutSite > 0)
   {
-    throw Error(ErrorCode::GpuLimit,
+    throw Error(ErrorCode::NoGpu,
       "the device found no closest site for " + std::to_string(counters.withoutSite) + " of " +
         std::to_string(slab.pointCount()) + " grid points");
   }
   job_.statistics.groupTests += counters.tests;
   job_.statistics.candidatePairs += counters.pairs;
   job_.statistics.fragments += counters.evaluations;
+  check_.check(slab, mapped.values());
   job_.run.onThreads([&] { writer_.store(mapped.values()); });
 }
 
-void DeviceRun::addCounts(const DeviceCounts& before)
+void DeviceRun::addCounts()
 {
   const DeviceCounts& now = field_.object().counts();
-  job_.statistics.bytesUploaded += now.bytesUploaded - before.bytesUploaded;
-  job_.statistics.bytesReadBack += now.bytesReadBack - before.bytesReadBack;
-  job_.statistics.dispatches += now.dispatches - before.dispatches;
+  job_.statistics.bytesUploaded += now.bytesUploaded - before_.bytesUploaded;
+  job_.statistics.bytesReadBack += now.bytesReadBack - before_.bytesReadBack;
+  job_.statistics.dispatches += now.dispatches - before_.dispatches;
 }
 
 } // namespace medial

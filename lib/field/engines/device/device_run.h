@@ -2,6 +2,7 @@
 
 #include "base/checkpoint.h"
 #include "field/engines/device/device_field.h"
+#include "field/engines/device/self_check.h"
 #include "field/field_job.h"
 #include "field/field_writer.h"
 #include "gl/gpu_thread.h"
@@ -20,7 +21,9 @@ class DeviceRun
 public:
   using Field = gl::OnGpuThread<DeviceField>;
 
-  DeviceRun(const FieldJob& job, gl::GpuThread& thread, Field& field, FieldSink& sink);
+  /// @param before what the device had done before the job.
+  DeviceRun(const FieldJob& job, gl::GpuThread& thread, Field& field, FieldSink& sink,
+    const DeviceCounts& before);
 
   /// Computes slabs. To be called once.
   /// @param selection of crossings; null if none are wanted.
@@ -32,13 +35,15 @@ private:
   /// Waits for a slab, and computes it again where something had too little room.
   void finish(const std::vector<Extent>& slabs, std::size_t number, const Checkpoint& checkpoint);
   void store(const Extent& slab, std::size_t number);
-  void addCounts(const DeviceCounts& before);
+  void addCounts();
 
   const FieldJob& job_;
   gl::GpuThread& thread_;
   Field& field_;
   FieldSink& sink_;
   FieldWriter writer_;
+  SelfCheck check_;
+  DeviceCounts before_;
 };
 
 } // namespace medial

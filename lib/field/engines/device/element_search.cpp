@@ -1,5 +1,6 @@
 #include "field/engines/device/element_search.h"
 
+#include "gl/fault.h"
 #include "medial/error.h"
 
 #include <algorithm>
@@ -125,6 +126,11 @@ void ElementSearch::evaluate(const GridFrame& frame, const Extent& slab, int lay
   kernels_.start(kernel,
     { &mesh_.elements(), &mesh_.discs(), &ranges_, &lists_, &counters_, &winners_ },
     { bricks.x, bricks.y, layers });
+  if (gl::faultHappens(gl::Fault::WrongResult))
+  {
+    const std::int32_t first = 0;
+    glClearNamedBufferData(winners_.id(), GL_R32I, GL_RED_INTEGER, GL_INT, &first);
+  }
   gl::checkGl("evaluating");
 }
 

@@ -1,9 +1,17 @@
 #include "field/engines/device/mapped_slab.h"
 
+#include "gl/fault.h"
 #include "medial/error.h"
 
 namespace medial
 {
+namespace
+{
+
+/// Longer than any slab takes; a driver that hangs never finishes.
+constexpr std::chrono::seconds kPatience{ 60 };
+
+} // namespace
 
 MappedSlab::~MappedSlab()
 {
@@ -67,6 +75,7 @@ void MappedSlab::fetch(const SlabValues& values, const gl::Buffer& counters, con
   glMemoryBarrier(GL_CLIENT_MAPPED_BUFFER_BARRIER_BIT);
   this->dropFence();
   fence_ = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+  started_ = Clock::now();
   glFlush();
   gl::checkGl("reading a slab back");
 }
@@ -74,12 +83,17 @@ void MappedSlab::fetch(const SlabValues& values, const gl::Buffer& counters, con
 bool MappedSlab::isHere(std::uint64_t nanoseconds)
 {
   const GLenum state = glClientWaitSync(fence_, GL_SYNC_FLUSH_COMMANDS_BIT, nanoseconds);
-  if (state == GL_WAIT_FAILED)
+  gl::checkGl("waiting for a slab");
+  const bool hangs = gl::faultHappens(gl::Fault::NeverReady);
+  if (!hangs && (state == GL_ALREADY_SIGNALED || state == GL_CONDITION_SATISFIED))
   {
-    gl::checkGl("waiting for a slab");
-    throw Error(ErrorCode::GpuLimit, "the device does not say when it has finished");
+    return true;
   }
-  return state != GL_TIMEOUT_EXPIRED;
+  if (hangs || state == GL_WAIT_FAILED || Clock::now() - started_ > kPatience)
+  {
+    throw Error(ErrorCode::NoGpu, "the device does not finish its work");
+  }
+  return false;
 }
 
 ResolvedSlab MappedSlab::values() const

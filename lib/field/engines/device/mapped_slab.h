@@ -7,6 +7,7 @@
 #include "gl/gl_objects.h"
 #include "medial/grid.h"
 
+#include <chrono>
 #include <cstdint>
 
 namespace medial
@@ -36,7 +37,7 @@ public:
     const WantedValues& wanted, Kernels& kernels);
 
   /// Waits for the values, for a while.
-  /// @throws Error GpuLimit if the device fails.
+  /// @throws Error NoGpu if the device was reset or does not finish.
   bool isHere(std::uint64_t nanoseconds);
 
   /// Available once the values are here.
@@ -44,6 +45,8 @@ public:
   ResolvedSlab values() const;
 
 private:
+  using Clock = std::chrono::steady_clock;
+
   template <typename T>
   struct Mapped
   {
@@ -63,6 +66,7 @@ private:
   Mapped<float> vectors_;
   Mapped<std::int32_t> sites_;
   GLsync fence_ = nullptr;
+  Clock::time_point started_; ///< when the fence was set
 };
 
 } // namespace medial

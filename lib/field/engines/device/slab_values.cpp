@@ -10,9 +10,9 @@ SlabValues::SlabValues(const DeviceMesh& mesh, const ElementSearch& search, Kern
 {
 }
 
-void SlabValues::setNormals(const std::vector<glm::vec4>& normals, FieldSign sign)
+void SlabValues::setNormals(const std::vector<glm::vec4>& normals)
 {
-  hasNormals_ = hasPseudonormals(sign);
+  hasNormals_ = !normals.empty();
   if (hasNormals_)
   {
     const auto bytes = static_cast<std::int64_t>(normals.size() * sizeof(glm::vec4));

@@ -3,7 +3,6 @@
 #include "field/engines/device/device_mesh.h"
 #include "field/engines/device/element_search.h"
 #include "field/engines/device/kernels.h"
-#include "field/field_sign.h"
 #include "medial/grid.h"
 #include "sites/grid_frame.h"
 
@@ -24,8 +23,8 @@ public:
 
   /// Whether vectors to the closest points are wanted, besides distances.
   void setVectors(bool wanted) { wantsVectors_ = wanted; }
-  /// Uploads the pseudonormals of all sites, which give distances their sign.
-  void setNormals(const std::vector<glm::vec4>& normals, FieldSign sign);
+  /// Uploads pseudonormals, which give distances their sign; empty if they do not.
+  void setNormals(const std::vector<glm::vec4>& normals);
 
   /// Keeps the sites of the last slice of a slab, as those below the next one.
   void carryLastSlice(const Extent& slab);

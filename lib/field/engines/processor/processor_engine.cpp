@@ -57,11 +57,12 @@ class Evaluation
 public:
   explicit Evaluation(const FieldJob& job)
     : job_(job)
-    , hierarchy_(job.filter, job.frame, job.extent)
-    , sites_(job.sites, job.filter.bounds(), job.normals, job.frame, job.filter.slack())
-    , bricks_(job.filter.tree(), job.frame, job.filter.slack())
-    , points_(job.filter.tree(), job.frame)
-    , exact_(SiteQuery(job.filter.tree()), job.frame)
+    , hierarchy_(job.host.filter(), job.frame, job.extent)
+    , sites_(job.host.sites(), job.host.filter().bounds(), job.host.signNormals(), job.frame,
+        job.host.filter().slack())
+    , bricks_(job.host.filter().tree(), job.frame, job.host.filter().slack())
+    , points_(job.host.filter().tree(), job.frame)
+    , exact_(job.host.query(), job.frame)
     , writer_(job)
   {
   }
@@ -145,7 +146,7 @@ private:
     return std::any_of(ids.begin(), ids.end(),
       [&](int id)
       {
-        const SiteGroup& group = job_.filter.tree().groups()[id];
+        const SiteGroup& group = job_.host.filter().tree().groups()[id];
         return glm::distance(group.origin, centre) + static_cast<double>(group.extent) > kMax;
       });
   }

@@ -59,13 +59,14 @@ RasteriserEngine::Renderer& RasteriserEngine::obtainRenderer(const FieldJob& job
 {
   if (renderer_ && renderer_->object().atlas() == atlas)
   {
-    renderer_->run(
-      [&](SlabRenderer& renderer) { renderer.move(job.sites, job.normals, job.frame, job.sign); });
+    renderer_->run([&](SlabRenderer& renderer)
+      { renderer.move(job.host.sites(), job.host.normals(), job.frame, job.sign); });
   }
   else
   {
     renderer_.reset();
-    renderer_ = std::make_unique<Renderer>(job.sites, job.normals, job.frame, atlas, job.sign);
+    renderer_ =
+      std::make_unique<Renderer>(job.host.sites(), job.host.normals(), job.frame, atlas, job.sign);
   }
   return *renderer_;
 }

@@ -1,7 +1,6 @@
 #include "field/engines/rasteriser/rasteriser_run.h"
 
 #include "base/stopwatch.h"
-#include "culling/site_query.h"
 #include "field/engines/rasteriser/hole_repair.h"
 #include "field/slabs.h"
 
@@ -14,7 +13,7 @@ namespace medial
 
 RasteriserRun::RasteriserRun(const FieldJob& job, Renderer& renderer, FieldSink& sink)
   : job_(job)
-  , hierarchy_(job.filter, job.frame, job.extent)
+  , hierarchy_(job.host.filter(), job.frame, job.extent)
   , renderer_(renderer)
   , sink_(sink)
   , atlas_(renderer.object().atlas())
@@ -102,8 +101,8 @@ void RasteriserRun::clip(Slab& slab)
   slab.chunks = job_.run.onThreads(
     [&]
     {
-      return buildPolygons(job_.sites, job_.filter.bounds(), job_.frame, slab.tiles, slab.extent,
-        atlas_);
+      return buildPolygons(job_.host.sites(), job_.host.filter().bounds(), job_.frame, slab.tiles,
+        slab.extent, atlas_);
     });
   double area = 0.0;
   for (const PolygonChunk& chunk : slab.chunks)
@@ -144,8 +143,7 @@ void RasteriserRun::render(SlabRenderer& renderer, Slab& slab, RasteriserSelecti
 
 void RasteriserRun::repair(SlabRenderer& renderer, const Slab& slab) const
 {
-  const SiteQuery query(job_.filter.tree());
-  repairHoles(renderer, job_.normals, job_.frame, query, job_.sign, slab.extent);
+  repairHoles(renderer, job_.host.normals(), job_.frame, job_.host.query(), job_.sign, slab.extent);
 }
 
 void RasteriserRun::finishRendering()

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "field/field_engine.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace medial
+{
+
+/// The engine `auto` where there is graphics hardware: the device, and the processor as soon as the
+/// device fails. What the device has stored by then stays, the processor goes on, and a note in the
+/// statistics says why.
+class FallbackEngine : public FieldEngine
+{
+public:
+  using Make = std::function<std::unique_ptr<FieldEngine>()>;
+
+  /// @param make makes the engine to begin with. It may throw, which counts as a failure.
+  explicit FallbackEngine(const Make& make);
+
+  Engine kind() const override;
+  bool serves(Engine wanted) const override { return wanted == Engine::Auto; }
+  std::optional<Device> device() const override;
+
+  void run(const FieldJob& job, FieldSink& sink) override;
+  std::vector<Crossing> select(const FieldJob& job, const CrossingSelection& selection,
+    FieldSink& sink) override;
+
+private:
+  template <typename Work>
+  auto attempt(const FieldJob& job, FieldSink& sink, const Work& work);
+  void giveUp(const std::string& why);
+
+  std::unique_ptr<FieldEngine> first_; ///< null once it has failed
+  std::unique_ptr<FieldEngine> second_;
+  std::string failure_;
+};
+
+} // namespace medial

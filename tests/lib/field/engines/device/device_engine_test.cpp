@@ -1,0 +1,315 @@
+// What only the engine `device` promises: few bytes, faults that it survives, checks of itself.
+#include "field/engines/device/device_engine.h"
+
+#include "base/run.h"
+#include "field/array_sink.h"
+#include "field/engines/device/element_order.h"
+#include "field/engines/fallback_engine.h"
+#include "field/field_pipeline.h"
+#include "gl/fault.h"
+#include "gl/gpu_thread.h"
+#include "gl/shader_program.h"
+#include "medial/compute_distance_field.h"
+#include "medial/error.h"
+#include "medial/medial_solver.h"
+#include "support/collecting_sink.h"
+#include "support/field_checks.h"
+#include "support/shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numeric>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace medial::test
+{
+namespace
+{
+
+TriangleMesh ring()
+{
+  return torus(1.0, 0.35, 24, 12);
+}
+
+/// Several slabs with little memory.
+Grid tallGrid()
+{
+  return { { -1.45, -1.45, -0.6 }, { 0.09, 0.09, 0.031 }, { 33, 33, 40 } };
+}
+
+/// A field, and what its run says.
+struct Computed
+{
+  DistanceField field;
+  std::vector<Crossing> crossings;
+};
+
+/// Computes a field with crossings in slabs of few slices.
+Computed computedBy(FieldEngine& engine, const TriangleMesh& mesh, const Grid& grid,
+  bool verify = false)
+{
+  const MeshConnectivity connectivity = analyseConnectivity(mesh);
+  DistanceFieldOptions options;
+  options.memoryMiB = 1;
+  options.verify = verify;
+  const Extent extent = grid.wholeExtent();
+  FieldPipeline pipeline(mesh, connectivity, grid, extent, options, Run(options.execution));
+  const std::size_t bytes = (std::size_t{ 1 } << 20) / (33 * 33 * 8);
+  CollectingSink sink(extent, bytes);
+  Computed computed;
+  computed.crossings = pipeline.run(engine, sink, { 60.0, Side::Interior });
+  computed.field.grid = grid;
+  computed.field.distance = sink.distance;
+  computed.field.closestSite = sink.site;
+  computed.field.statistics = pipeline.statistics();
+  return computed;
+}
+
+void expectSameField(const Computed& a, const Computed& b)
+{
+  ASSERT_EQ(a.field.distance.size(), b.field.distance.size());
+  const FieldDifference found = difference(ring(), a.field, b.field);
+  EXPECT_LE(found.distance, 1e-3);
+  EXPECT_EQ(found.untiedSites, 0u);
+  EXPECT_NEAR(static_cast<double>(a.crossings.size()), static_cast<double>(b.crossings.size()),
+    0.02 * static_cast<double>(b.crossings.size()));
+}
+
+std::unique_ptr<FieldEngine> makeDevice()
+{
+  return std::make_unique<DeviceEngine>();
+}
+
+/// A fault, after so many opportunities, and the error that it is where the device was asked for by
+/// name.
+struct FaultCase
+{
+  const char* name;
+  gl::Fault fault;
+  int opportunities;
+  ErrorCode code;
+};
+
+void PrintTo(const FaultCase& fault, std::ostream* out)
+{
+  *out << fault.name;
+}
+
+class DeviceFault : public testing::TestWithParam<FaultCase>
+{
+protected:
+  void SetUp() override
+  {
+    // So that shaders are compiled again.
+    gl::GpuThread::instance().run([] { gl::releaseProgramCache(); });
+  }
+  void TearDown() override { gl::injectFault(gl::Fault::None); }
+};
+
+TEST_P(DeviceFault, LeadsToTheProcessorWithANote)
+{
+  FallbackEngine engine(makeDevice);
+  EXPECT_EQ(engine.kind(), Engine::Device);
+  gl::injectFault(GetParam().fault, GetParam().opportunities);
+  const Computed computed = computedBy(engine, ring(), tallGrid(), true);
+  EXPECT_EQ(computed.field.statistics.engine, Engine::Processor);
+  EXPECT_NE(computed.field.statistics.note.find("the engine device failed ("), std::string::npos);
+  EXPECT_EQ(computed.field.statistics.note.find('\n'), std::string::npos);
+  FallbackEngine sound(makeDevice);
+  const Computed expected = computedBy(sound, ring(), tallGrid());
+  EXPECT_EQ(expected.field.statistics.engine, Engine::Device);
+  EXPECT_EQ(expected.field.statistics.note, "");
+  expectSameField(computed, expected);
+  // From now on without a try, and without another word.
+  const Computed again = computedBy(engine, ring(), tallGrid());
+  EXPECT_EQ(again.field.statistics.engine, Engine::Processor);
+  expectSameField(again, expected);
+}
+
+TEST_P(DeviceFault, IsAnErrorOfTheDeviceAskedForByName)
+{
+  DeviceEngine engine;
+  gl::injectFault(GetParam().fault, GetParam().opportunities);
+  try
+  {
+    computedBy(engine, ring(), tallGrid(), true);
+    FAIL() << "no error";
+  }
+  catch (const Error& error)
+  {
+    EXPECT_EQ(error.code(), GetParam().code) << error.what();
+  }
+  EXPECT_GT(computedBy(engine, ring(), tallGrid()).crossings.size(), 100u); // works afterwards
+}
+
+INSTANTIATE_TEST_SUITE_P(All, DeviceFault,
+  testing::Values(FaultCase{ "shader", gl::Fault::ShaderRefused, 2, ErrorCode::ShaderBuild },
+    FaultCase{ "allocation", gl::Fault::AllocationRefused, 7, ErrorCode::OutOfMemory },
+    FaultCase{ "fence", gl::Fault::NeverReady, 1, ErrorCode::NoGpu },
+    FaultCase{ "reset", gl::Fault::ContextLost, 40, ErrorCode::NoGpu },
+    FaultCase{ "resetBetweenSlabs", gl::Fault::ContextLost, 75, ErrorCode::NoGpu },
+    FaultCase{ "wrongResult", gl::Fault::WrongResult, 1, ErrorCode::NoGpu }),
+  [](const auto& test) { return std::string(test.param.name); });
+
+TEST(DeviceEngine, ThatCannotBeMadeLeadsToTheProcessor)
+{
+  FallbackEngine engine(
+    []() -> std::unique_ptr<FieldEngine> { throw Error(ErrorCode::NoGpu, "no device\nat all"); });
+  EXPECT_EQ(engine.kind(), Engine::Processor);
+  const Computed computed = computedBy(engine, ring(), tallGrid());
+  EXPECT_EQ(computed.field.statistics.note,
+    "the engine device failed (no device), so the processor did the work");
+}
+
+TEST(DeviceEngine, RefusesWhatDoesNotFitAStorageBuffer)
+{
+  struct Limited
+  {
+    Limited() { gl::limitStorageBuffers(1 << 20); }
+    ~Limited() { gl::limitStorageBuffers(0); }
+  };
+  const TriangleMesh large = icosphere(1.0, 6);
+  const Grid grid = makeGrid(large.bounds(), 12, 0.1);
+  const Limited limited;
+  DeviceEngine engine;
+  try
+  {
+    computedBy(engine, large, grid);
+    FAIL() << "no error";
+  }
+  catch (const Error& error)
+  {
+    EXPECT_EQ(error.code(), ErrorCode::GpuLimit);
+    EXPECT_NE(std::string(error.what()).find("the driver's limit of 1048576"), std::string::npos);
+  }
+  // Slabs become thinner, where this helps.
+  DeviceEngine another;
+  const Computed computed = computedBy(another, ring(), tallGrid());
+  EXPECT_EQ(computed.field.statistics.engine, Engine::Device);
+}
+
+TEST(DeviceEngine, MovesFewBytes)
+{
+  const TriangleMesh mesh = ring();
+  const auto vertices = static_cast<std::int64_t>(mesh.points.size());
+  MedialSolver solver(mesh);
+  DistanceFieldOptions options;
+  options.engine = Engine::Device;
+  const Grid grid = makeGrid(mesh.bounds(), 24, 0.1);
+  std::vector<float> distance(grid.pointCount());
+  std::vector<std::int32_t> sites(grid.pointCount());
+  FieldArrays arrays;
+  arrays.distance = distance.data();
+  arrays.closestSite = sites.data();
+  const RunStatistics first = solver.computeField(grid, grid.wholeExtent(), arrays, options);
+  const RunStatistics second = solver.computeField(grid, grid.wholeExtent(), arrays, options);
+  EXPECT_GT(first.bytesUploaded, second.bytesUploaded);
+  EXPECT_LE(second.bytesUploaded, 12 * vertices + 4096);
+  EXPECT_LE(second.bytesReadBack, 8 * grid.pointCount() + 65536);
+  EXPECT_EQ(second.dispatches, first.dispatches);
+}
+
+TEST(DeviceEngine, PassesItsOwnCheck)
+{
+  DistanceFieldOptions options;
+  options.engine = Engine::Device;
+  options.verify = true;
+  for (const TriangleMesh& mesh : { ring(), randomSoup(40, 3) })
+  {
+    expectExactField(mesh, makeGrid(mesh.bounds(), 16, 0.3), options);
+  }
+}
+
+/// Every tile of a coarse grid has hundreds of groups, so that the first lists do not suffice.
+TEST(DeviceEngine, MakesRoomForLongLists)
+{
+  const TriangleMesh mesh = icosphere(1.0, 5);
+  DistanceFieldOptions options;
+  options.engine = Engine::Device;
+  const Grid grid = makeGrid(mesh.bounds(), 11, 0.1);
+  MedialSolver solver(mesh);
+  DistanceField field = computeDistanceField(mesh, grid, options);
+  expectExact(mesh, field, allVoxels(grid));
+  FieldArrays arrays;
+  arrays.distance = field.distance.data();
+  const std::int64_t first =
+    solver.computeField(grid, grid.wholeExtent(), arrays, options).dispatches;
+  EXPECT_LT(solver.computeField(grid, grid.wholeExtent(), arrays, options).dispatches, first);
+}
+
+TEST(DeviceEngine, ServesThreadsAtOnce)
+{
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 8; ++i)
+  {
+    threads.emplace_back(
+      [i]
+      {
+        const TriangleMesh mesh = box({ 1.0, 0.3 + 0.1 * i, 0.7 });
+        DistanceFieldOptions options;
+        options.engine = Engine::Device;
+        const Grid grid = makeGrid(mesh.bounds(), 12, 0.2);
+        expectExact(mesh, computeDistanceField(mesh, grid, options), allVoxels(grid));
+      });
+  }
+  for (std::thread& thread : threads)
+  {
+    thread.join();
+  }
+}
+
+TEST(DeviceEngine, CanBeCancelledBetweenDispatches)
+{
+  class Cancelling : public Progress
+  {
+  public:
+    void report(double /*fraction*/, const char* /*phase*/) override { ++reports; }
+    bool cancelled() override { return reports > 3; }
+    int reports = 0;
+  };
+  Cancelling progress;
+  DistanceFieldOptions options;
+  options.engine = Engine::Device;
+  options.execution.progress = &progress;
+  const TriangleMesh mesh = ring();
+  try
+  {
+    computeDistanceField(mesh, makeGrid(mesh.bounds(), 96, 0.1), options);
+    FAIL() << "no error";
+  }
+  catch (const Error& error)
+  {
+    EXPECT_EQ(error.code(), ErrorCode::Cancelled);
+  }
+}
+
+/// Elements of very different sizes, and some of every kind.
+TEST(ElementOrder, HasEveryElementOnceAndGroupsOfOneSize)
+{
+  TriangleMesh mesh = makeMesh({ { 0.0, 0.0, 0.0 }, { 1.0, 0.2, 0.0 }, { 0.4, 0.9, 0.1 },
+                                 { 0.0, 0.5, 0.8 }, { 1.0, 0.5, 0.7 }, { 0.5, 0.1, 1.0 } },
+    { { 0, 1, 2 } }, { { 3, 4 }, { 0, 1 } }, { 5, 2 });
+  mesh = appended(mesh, scaled(mesh, 1000.0));
+  mesh = appended(mesh, torus(1.0, 0.3, 16, 8));
+  const MeshConnectivity connectivity = analyseConnectivity(mesh);
+  const std::vector<std::int32_t> order = orderElements(mesh, connectivity);
+  EXPECT_EQ(order.size() % kGroupSize, 0u);
+  std::vector<std::int32_t> sites(order);
+  sites.erase(std::remove(sites.begin(), sites.end(), -1), sites.end());
+  std::sort(sites.begin(), sites.end());
+  EXPECT_EQ(std::adjacent_find(sites.begin(), sites.end()), sites.end());
+  // All faces, and of each of the two small meshes an edge and a vertex of no face.
+  ASSERT_EQ(sites.size(), mesh.triangles.size() + 4);
+  std::vector<std::int32_t> faces(mesh.triangles.size());
+  std::iota(faces.begin(), faces.end(), 0);
+  EXPECT_TRUE(std::equal(faces.begin(), faces.end(), sites.begin()));
+  EXPECT_GT(order.size(), sites.size());
+}
+
+} // namespace
+} // namespace medial::test
