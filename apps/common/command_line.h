@@ -1,5 +1,7 @@
 #pragma once
 
+#include "device_options.h"
+
 #include <CLI/CLI.hpp>
 
 #include <filesystem>
@@ -23,7 +25,7 @@ bool parseCommandLine(CLI::App& app, int argc, char** argv);
 void addSideOption(CLI::App& app, std::string& word, const std::string& group);
 void addEngineOption(CLI::App& app, std::string& word, const std::string& group);
 void addThreadsOption(CLI::App& app, int& threads, const std::string& group);
-void addRequireGpuOption(CLI::App& app, bool& requireGpu, const std::string& group);
+void addDeviceOptions(CLI::App& app, DeviceOptions& options, const std::string& group);
 void addQuietOption(CLI::App& app, bool& quiet, const std::string& group);
 ///@}
 

@@ -173,7 +173,7 @@ void addRunOptions(CLI::App& app, OptionTexts& texts, Options& options)
       within<int>("[64, 2147483647] and not 0", [](int m) { return m == 0 || m >= kMinMemoryMiB; }))
     ->group(group);
   addEngineOption(app, texts.engine, group);
-  addRequireGpuOption(app, options.requireGpu, group);
+  addDeviceOptions(app, options.device, group);
   addQuietOption(app, options.quiet, group);
 }
 

@@ -60,7 +60,8 @@ MedialAxisOptions libraryOptions(const Options& options, double diagonal)
   result.field.engine = options.engine;
   result.field.execution.threads = options.threads;
   result.field.memoryMiB = static_cast<std::size_t>(options.memoryMiB);
-  result.field.requireHardware = options.requireGpu;
+  result.field.requireHardware = options.device.require;
+  result.field.verify = options.device.verify;
   return result;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "device_options.h"
 #include "length.h"
 
 #include "medial/compute_medial_axis.h"
@@ -38,7 +39,7 @@ struct Options
   Engine engine = Engine::Auto;
   int threads = 0;
   int memoryMiB = 0;
-  bool requireGpu = false;
+  DeviceOptions device;
   bool quiet = false;
 
   /// Whether the thickness of the surface is to be computed.

@@ -50,6 +50,13 @@ Json describeSeconds(const RunStatistics::Seconds& run, const AppSeconds& app)
     { "medial", run.medial }, { "write", app.write }, { "total", app.total } };
 }
 
+Json describeSeconds(const RunStatistics::DeviceSeconds& device)
+{
+  return { { "sites", device.sites }, { "cull", device.cull }, { "evaluate", device.evaluate },
+    { "resolve", device.resolve }, { "select", device.select }, { "copy", device.copy },
+    { "total", device.total() } };
+}
+
 Json describeSign(const SignReport& sign)
 {
   return { { "reason", sign.reason }, { "rim_edges", sign.rimEdges }, { "holes", sign.holes },
@@ -62,9 +69,7 @@ Json describeCounts(const RunStatistics& statistics, const MedialAxis& axis)
   return { { "sites", statistics.sites }, { "polygons", statistics.polygons },
     { "fragments", statistics.fragments }, { "group_tests", statistics.groupTests },
     { "site_tests", statistics.siteTests }, { "candidate_pairs", statistics.candidatePairs },
-    { "bytes_uploaded", statistics.bytesUploaded }, { "bytes_read_back", statistics.bytesReadBack },
-    { "dispatches", statistics.dispatches }, { "medial_points", axis.points.size() },
-    { "medial_cells", axis.cellCount() } };
+    { "medial_points", axis.points.size() }, { "medial_cells", axis.cellCount() } };
 }
 
 Json describeSimplification(const SimplificationStatistics& simplification)
@@ -124,6 +129,10 @@ std::string makeReport(const Result& result, const Options& options, const AppSe
   report["grid"] = describeGrid(result.grid);
   report["device"] = describeDevice(result.statistics.device);
   report["seconds"] = describeSeconds(result.statistics.seconds, seconds);
+  report["device_seconds"] = describeSeconds(result.statistics.deviceSeconds);
+  report["bytes_uploaded"] = result.statistics.bytesUploaded;
+  report["bytes_read_back"] = result.statistics.bytesReadBack;
+  report["dispatches"] = result.statistics.dispatches;
   report["counts"] = describeCounts(result.statistics, result.axis);
   report["simplification"] = describeSimplification(result.axis.simplification);
   report["fragments_per_voxel"] = result.statistics.fragmentsPerVoxel();

@@ -25,7 +25,8 @@ MedialAxisOptions optionsOf(const ViewerOptions& options, Progress* progress)
   result.side = options.side;
   result.field.engine = options.engine;
   result.field.execution.threads = options.threads;
-  result.field.requireHardware = options.requireGpu;
+  result.field.requireHardware = options.device.require;
+  result.field.verify = options.device.verify;
   result.field.execution.progress = progress;
   return result;
 }

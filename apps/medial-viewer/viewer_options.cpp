@@ -85,7 +85,7 @@ void addComputeOptions(CLI::App& app, ViewerTexts& texts, ViewerOptions& options
   const std::string group = "Computation";
   addEngineOption(app, texts.engine, group);
   addThreadsOption(app, options.threads, group);
-  addRequireGpuOption(app, options.requireGpu, group);
+  addDeviceOptions(app, options.device, group);
 }
 
 void convert(const ViewerTexts& texts, ViewerOptions& options)

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "device_options.h"
+
 #include "medial/compute_medial_axis.h"
 
 #include <filesystem>
@@ -39,7 +41,7 @@ struct ViewerOptions
   std::filesystem::path screenshot; ///< .png; empty for none
   Engine engine = Engine::Auto;
   int threads = 0;
-  bool requireGpu = false;
+  DeviceOptions device;
   int width = 1280; ///< of the window, in pixels
   int height = 800;
 };

@@ -69,17 +69,35 @@ void requireLibraries()
   }
 }
 
-/// Returns the displays in the order to try them.
-std::vector<EGLDisplay> candidateDisplays()
+/// A display to try, and what EGL calls its device.
+struct Candidate
 {
-  std::vector<EGLDisplay> displays;
+  EGLDisplay display;
+  std::string name;
+};
+
+/// Returns a device's file, if EGL tells it.
+std::string nameOf(EGLDeviceEXT device, EGLint number)
+{
+  const char* extensions = eglQueryDeviceStringEXT(device, EGL_EXTENSIONS);
+  const char* file = hasExtension(extensions, "EGL_EXT_device_drm")
+    ? eglQueryDeviceStringEXT(device, EGL_DRM_DEVICE_FILE_EXT)
+    : nullptr;
+  return file != nullptr ? file : "EGL device " + std::to_string(number);
+}
+
+/// Returns the displays in the order to try them.
+std::vector<Candidate> candidateDisplays()
+{
+  std::vector<Candidate> candidates;
   const char* extensions = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
   if (!hasExtension(extensions, "EGL_EXT_platform_base"))
   {
-    return displays;
+    return candidates;
   }
   if (hasExtension(extensions, "EGL_EXT_platform_device") &&
-    hasExtension(extensions, "EGL_EXT_device_enumeration"))
+    hasExtension(extensions, "EGL_EXT_device_enumeration") &&
+    hasExtension(extensions, "EGL_EXT_device_query"))
   {
     constexpr EGLint kMaxDevices = 32;
     EGLDeviceEXT devices[kMaxDevices];
@@ -87,15 +105,17 @@ std::vector<EGLDisplay> candidateDisplays()
     eglQueryDevicesEXT(kMaxDevices, devices, &count);
     for (EGLint i = 0; i < count; ++i)
     {
-      displays.push_back(eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr));
+      candidates.push_back({ eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr),
+        nameOf(devices[i], i) });
     }
   }
   if (hasExtension(extensions, "EGL_MESA_platform_surfaceless"))
   {
-    displays.push_back(
-      eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
+    candidates.push_back(
+      { eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr),
+        "Mesa's surfaceless platform" });
   }
-  return displays;
+  return candidates;
 }
 
 /// Makes a context of `display` and makes it current; EGL_NO_CONTEXT if this fails.
@@ -186,27 +206,42 @@ struct EglContext::Handles
   }
 };
 
-EglContext::EglContext(bool debug)
+namespace
+{
+
+/// Whether a device is the wanted one: by its number among all, or by a part of its renderer's
+/// name. All are if none is wanted.
+bool isWanted(const Device& device, std::size_t number, const std::string& wanted)
+{
+  return wanted.empty() || wanted == std::to_string(number) ||
+    device.renderer.find(wanted) != std::string::npos;
+}
+
+} // namespace
+
+EglContext::EglContext(bool debug, const std::string& wanted)
   : handles_(std::make_unique<Handles>())
 {
   requireLibraries();
-  for (EGLDisplay display : candidateDisplays())
+  const std::vector<Candidate> candidates = candidateDisplays();
+  for (std::size_t i = 0; i < candidates.size(); ++i)
   {
-    const Handles found{ display, makeContext(display, debug) };
+    const Handles found{ candidates[i].display, makeContext(candidates[i].display, debug) };
     if (!found.exist())
     {
       continue;
     }
     const Device device = currentDevice();
+    const bool isRight = isWanted(device, i, wanted);
     // Keep the first software renderer only until hardware turns up.
     Handles unused = found;
-    if (!handles_->exist() || !device.software)
+    if (isRight && (!handles_->exist() || !device.software))
     {
       unused = std::exchange(*handles_, found);
       device_ = device;
     }
     unused.destroy();
-    if (!device.software)
+    if (isRight && !device.software)
     {
       break;
     }
@@ -214,10 +249,38 @@ EglContext::EglContext(bool debug)
   if (!handles_->exist())
   {
     throw Error(ErrorCode::NoGpu,
-      "no EGL device offers an OpenGL 4.5 core context; install a driver (Debian: libegl-mesa0 "
-      "and libgl1-mesa-dri for software rendering)");
+      wanted.empty()
+        ? "no EGL device offers an OpenGL 4.5 core context; install a driver (Debian: "
+          "libegl-mesa0 and libgl1-mesa-dri for software rendering)"
+        : "no EGL device that offers an OpenGL 4.5 core context is \"" + wanted + "\"");
   }
   this->makeCurrent();
+}
+
+std::vector<ListedDevice> EglContext::list()
+{
+  requireLibraries();
+  std::vector<ListedDevice> listed;
+  for (const Candidate& candidate : candidateDisplays())
+  {
+    ListedDevice device;
+    device.name = candidate.name;
+    Handles handles{ candidate.display, makeContext(candidate.display, false) };
+    if (handles.exist())
+    {
+      device.device = currentDevice();
+      eglMakeCurrent(handles.display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+      handles.destroy();
+    }
+    else
+    {
+      device.refusal = candidate.display == EGL_NO_DISPLAY ? "EGL makes no display of it"
+                                                           : "it offers no OpenGL 4.5 core context";
+    }
+    listed.push_back(device);
+  }
+  eglReleaseThread();
+  return listed;
 }
 
 EglContext::~EglContext()

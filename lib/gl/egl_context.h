@@ -3,6 +3,8 @@
 #include "medial/device.h"
 
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace medial::gl
 {
@@ -20,8 +22,9 @@ class EglContext
 public:
   /// Makes a context and makes it current on this thread.
   /// @param debug whether to make a debug context.
+  /// @param wanted number of a device in list(), or a part of its renderer's name; empty for any.
   /// @throws Error NoGpu with the reason.
-  explicit EglContext(bool debug = false);
+  explicit EglContext(bool debug = false, const std::string& wanted = "");
   /// To be called on the thread that used the context last. The display stays initialised, since
   /// others may use it.
   ~EglContext();
@@ -34,6 +37,10 @@ public:
   void release();
 
   const Device& device() const { return device_; }
+
+  /// Lists what there is to choose from. The thread has no current context afterwards.
+  /// @throws Error NoGpu where the libraries are missing.
+  static std::vector<ListedDevice> list();
 
 private:
   struct Handles;

@@ -30,6 +30,11 @@ void deleteVertexArray(GLuint id)
   glDeleteVertexArrays(1, &id);
 }
 
+void deleteQuery(GLuint id)
+{
+  glDeleteQueries(1, &id);
+}
+
 void deleteShader(GLuint id)
 {
   glDeleteShader(id);
@@ -52,6 +57,13 @@ VertexArray createVertexArray()
   GLuint id = 0;
   glCreateVertexArrays(1, &id);
   return VertexArray(id);
+}
+
+Query createTimestamp()
+{
+  GLuint id = 0;
+  glCreateQueries(GL_TIMESTAMP, 1, &id);
+  return Query(id);
 }
 
 Buffer createStorageBuffer(GLsizeiptr bytes, const void* data)

@@ -53,12 +53,14 @@ void deleteTexture(GLuint id);
 void deleteFramebuffer(GLuint id);
 void deleteVertexArray(GLuint id);
 void deleteShader(GLuint id);
+void deleteQuery(GLuint id);
 void deleteProgram(GLuint id);
 
 using Buffer = GlObject<deleteBuffer>;
 using Texture = GlObject<deleteTexture>;
 using Framebuffer = GlObject<deleteFramebuffer>;
 using VertexArray = GlObject<deleteVertexArray>;
+using Query = GlObject<deleteQuery>;
 using Shader = GlObject<deleteShader>;
 using Program = GlObject<deleteProgram>;
 
@@ -81,6 +83,7 @@ private:
 
 Buffer createBuffer();
 VertexArray createVertexArray();
+Query createTimestamp();
 
 /// Creates a buffer of immutable size; `data` may be null. For a size of 0 the buffer has a few
 /// bytes, so that it can be bound.

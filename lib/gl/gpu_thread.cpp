@@ -24,6 +24,25 @@ namespace
 
 thread_local bool isTheGpuThread = false;
 
+struct Choice
+{
+  std::mutex mutex;
+  std::string device;
+};
+
+Choice& choice()
+{
+  // Never destroyed, as the thread that reads it.
+  static Choice& theChoice = *new Choice;
+  return theChoice;
+}
+
+std::string chosenDevice()
+{
+  const std::lock_guard<std::mutex> lock(choice().mutex);
+  return choice().device;
+}
+
 } // namespace
 
 /// Work in the queue. Jobs link themselves, so that queueing one allocates nothing.
@@ -78,7 +97,7 @@ struct GpuThread::State
     try
     {
       const bool debug = std::getenv("MEDIAL_GL_DEBUG") != nullptr;
-      context = std::make_unique<EglContext>(debug);
+      context = std::make_unique<EglContext>(debug, chosenDevice());
       if (debug)
       {
         captureDebugOutput();
@@ -277,6 +296,18 @@ bool GpuThread::runIfAlive(const std::function<void()>& work)
 Device queryDevice()
 {
   return gl::GpuThread::instance().device();
+}
+
+std::vector<ListedDevice> listDevices()
+{
+  // Of another thread, so that the caller's context stays.
+  return std::async(std::launch::async, [] { return gl::EglContext::list(); }).get();
+}
+
+void chooseDevice(const std::string& device)
+{
+  const std::lock_guard<std::mutex> lock(gl::choice().mutex);
+  gl::choice().device = device;
 }
 
 std::string deviceDebugLog()

@@ -194,8 +194,8 @@ TEST_F(CommandFailure, NoEgl)
   options.environment = { { "__EGL_VENDOR_LIBRARY_DIRS", folder.file("vendors") },
     { "__EGL_VENDOR_LIBRARY_FILENAMES", folder.file("vendors/none.json") } };
   for (const std::vector<std::string>& drawing :
-    std::vector<std::vector<std::string>>{ { "--engine", "rasteriser" }, { "--require-gpu" },
-      { "--image", folder.file("axis.png") } })
+    std::vector<std::vector<std::string>>{ { "--engine", "rasteriser" }, { "--engine", "device" },
+      { "--require-gpu" }, { "--image", folder.file("axis.png") } })
   {
     const std::string axis = folder.file("drawn.ma");
     std::vector<std::string> arguments{ input, "--resolution", "16", "-o", axis };
@@ -210,6 +210,35 @@ TEST_F(CommandFailure, NoEgl)
   const Outcome outcome = runMedialAxis({ input, "--resolution", "16", "-o", file }, options);
   EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
   EXPECT_FALSE(readFile(file).empty());
+}
+
+TEST_F(CommandFailure, DeviceThatIsNotThere)
+{
+  for (const std::string engine : { "device", "rasteriser" })
+  {
+    const Outcome outcome = runMedialAxis({ input, "--resolution", "8", "--engine", engine,
+      "--device", "a device of no maker", "-o", folder.file("axis.ma") });
+    EXPECT_EQ(outcome.exitCode, kNoGpu);
+    EXPECT_TRUE(contains(outcome.err, "is \"a device of no maker\"")) << outcome.err;
+  }
+}
+
+TEST_F(CommandFailure, ListOfDevicesSaysWhatTheyRunOn)
+{
+  const Outcome probe = runMedialAxis({ input, "--resolution", "8", "--engine", "device",
+    "--verify", "--report", folder.file("report.json") });
+  ASSERT_EQ(probe.exitCode, 0) << probe.err;
+  const auto device = nlohmann::json::parse(readFile(folder.file("report.json")))["device"];
+  const Outcome list = runMedialAxis({ "--list-devices" });
+  EXPECT_EQ(list.exitCode, 0) << list.err;
+  EXPECT_TRUE(contains(list.out, ": " + device["renderer"].get<std::string>() + ", OpenGL "))
+    << list.out;
+  EXPECT_EQ(contains(list.out, "none of them is a GPU"), device["software"].get<bool>());
+  RunOptions options;
+  options.environment = { { "__EGL_VENDOR_LIBRARY_FILENAMES", folder.file("none.json") } };
+  const Outcome without = runMedialAxis({ "--list-devices" }, options);
+  EXPECT_EQ(without.exitCode, 0) << without.err;
+  EXPECT_TRUE(contains(without.out, "none of them is a GPU")) << without.out;
 }
 
 TEST_F(CommandFailure, SoftwareRendererWhereHardwareIsRequired)

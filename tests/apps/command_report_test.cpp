@@ -17,8 +17,8 @@ TEST_F(CommandOutput, ReportHasExactlyTheDocumentedKeys)
   const Json result = report({});
   EXPECT_EQ(keysOf(result),
     (std::set<std::string>{ "input", "grid", "device", "seconds", "counts", "fragments_per_voxel",
-      "simplification", "engine", "sign", "sign_method", "topology", "coverage",
-      "peak_memory_mib" }));
+      "device_seconds", "bytes_uploaded", "bytes_read_back", "dispatches", "simplification",
+      "engine", "sign", "sign_method", "topology", "coverage", "peak_memory_mib" }));
   EXPECT_EQ(keysOf(result["coverage"]),
     (std::set<std::string>{ "uncovered_share", "reach", "samples", "seconds" }));
   EXPECT_EQ(keysOf(result["simplification"]),

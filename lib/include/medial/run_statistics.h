@@ -25,7 +25,21 @@ struct RunStatistics
     double resolve = 0;  ///< exact distances from the closest sites, and read-back
     double medial = 0;   ///< neighbour directions, selection, and building the axis
   };
-  Seconds seconds;        ///< of each phase
+  Seconds seconds; ///< of each phase
+  /// Seconds that the engine `device` spent on its device, by the device's own clock. They run
+  /// beside those of the host.
+  struct DeviceSeconds
+  {
+    double sites = 0;    ///< elements, and the tree over them
+    double cull = 0;     ///< nodes of the tree for boxes of grid points
+    double evaluate = 0; ///< the nearest element of every grid point
+    double resolve = 0;  ///< exact distances and sites
+    double select = 0;   ///< crossings of the medial axis
+    double copy = 0;     ///< results, towards the host
+
+    double total() const { return sites + cull + evaluate + resolve + select + copy; }
+  };
+  DeviceSeconds deviceSeconds;
   std::int64_t sites = 0; ///< faces, edges and vertices of the mesh
   /// Pairs that culling tested: a disc around eight triangles or more with a tile or several.
   std::int64_t groupTests = 0;

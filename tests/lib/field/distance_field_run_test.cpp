@@ -216,6 +216,7 @@ TEST_P(DistanceFieldEngines, CountTheirWork)
   EXPECT_GE(statistics.fragmentsPerVoxel(), 0.9);
   ASSERT_EQ(statistics.device.has_value(), GetParam() != Engine::Processor);
   EXPECT_EQ(statistics.dispatches > 0, GetParam() == Engine::Device);
+  EXPECT_EQ(statistics.deviceSeconds.evaluate > 0.0, GetParam() == Engine::Device);
   EXPECT_EQ(statistics.bytesReadBack > 0, GetParam() == Engine::Device);
   EXPECT_TRUE(!statistics.device || !statistics.device->renderer.empty());
 }

@@ -14,8 +14,14 @@ DeviceField::DeviceField(const TriangleMesh& mesh, const MeshConnectivity& conne
 void DeviceField::move(const FieldJob& job, const WantedValues& wanted,
   const CrossingSelection* selection)
 {
+  for (DeviceClock& clock : clocks_)
+  {
+    clock.reset();
+  }
+  clocks_[0].begin(&RunStatistics::DeviceSeconds::sites);
   mesh_.move(job.mesh, job.frame, job.frame.reach(), kernels_);
   values_.setNormals(job.host.signNormals());
+  clocks_[0].begin(nullptr);
   values_.setVectors(wanted.vectors);
   wanted_ = wanted;
   selection_ = selection;
@@ -26,26 +32,47 @@ std::vector<std::function<void()>> DeviceField::steps(const FieldJob& job,
   const std::vector<Extent>& slabs, int number)
 {
   const Extent& slab = slabs[number];
-  std::vector<std::function<void()>> steps = search_.steps(job.frame, slab);
+  DeviceClock& clock = clocks_[number % clocks_.size()];
+  std::vector<std::function<void()>> steps = search_.steps(job.frame, slab, clock);
   if (selection_ != nullptr && carried_ != number)
   {
     steps.emplace_back([this, below = slabs[number - 1]] { values_.carryLastSlice(below); });
     carried_ = number;
   }
-  steps.emplace_back([this, &job, slab] { values_.resolve(job.frame, slab); });
+  steps.emplace_back(
+    [this, &job, &clock, slab]
+    {
+      clock.begin(&RunStatistics::DeviceSeconds::resolve);
+      values_.resolve(job.frame, slab);
+    });
   if (selection_ != nullptr)
   {
     steps.emplace_back(
-      [this, &job, slab] { selecting_.select(job, *selection_, slab, search_.counters()); });
+      [this, &job, &clock, slab]
+      {
+        clock.begin(&RunStatistics::DeviceSeconds::select);
+        selecting_.select(job, *selection_, slab, search_.counters());
+      });
   }
-  steps.emplace_back([this, slab, number]
-    { ring_[number % ring_.size()].fetch(values_, search_.counters(), slab, wanted_, kernels_); });
+  steps.emplace_back(
+    [this, &clock, slab, number]
+    {
+      clock.begin(&RunStatistics::DeviceSeconds::copy);
+      ring_[number % ring_.size()].fetch(values_, search_.counters(), slab, wanted_, kernels_);
+      clock.begin(nullptr);
+    });
   return steps;
 }
 
-bool DeviceField::isHere(int number, std::uint64_t nanoseconds)
+bool DeviceField::isHere(int number, std::uint64_t nanoseconds,
+  RunStatistics::DeviceSeconds& seconds)
 {
-  return ring_[number % ring_.size()].isHere(nanoseconds);
+  if (!ring_[number % ring_.size()].isHere(nanoseconds))
+  {
+    return false;
+  }
+  clocks_[number % clocks_.size()].collect(seconds);
+  return true;
 }
 
 bool DeviceField::grow(int number)

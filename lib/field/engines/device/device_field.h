@@ -1,5 +1,6 @@
 #pragma once
 
+#include "field/engines/device/device_clock.h"
 #include "field/engines/device/device_mesh.h"
 #include "field/engines/device/device_selection.h"
 #include "field/engines/device/element_search.h"
@@ -33,7 +34,8 @@ public:
     int number);
 
   /// Waits for a slab, for a while.
-  bool isHere(int number, std::uint64_t nanoseconds);
+  /// @param seconds gets those of the slab once it is here.
+  bool isHere(int number, std::uint64_t nanoseconds, RunStatistics::DeviceSeconds& seconds);
   /// Makes room for what a slab had too little of, so that it has to be computed again.
   /// @return whether there was too little.
   bool grow(int number);
@@ -56,6 +58,7 @@ private:
   const CrossingSelection* selection_ = nullptr;
   int carried_ = 0; ///< number of the slab that has the slice below
   std::array<MappedSlab, 2> ring_;
+  std::array<DeviceClock, 2> clocks_;
 };
 
 } // namespace medial

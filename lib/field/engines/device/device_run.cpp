@@ -99,7 +99,8 @@ void DeviceRun::finish(const std::vector<Extent>& slabs, std::size_t number,
     bool isHere = false;
     while (!isHere)
     {
-      field_.run([&](DeviceField& field) { isHere = field.isHere(id, kWait); });
+      field_.run([&](DeviceField& field)
+        { isHere = field.isHere(id, kWait, job_.statistics.deviceSeconds); });
       checkpoint();
     }
     grown = field_.object().grow(id);

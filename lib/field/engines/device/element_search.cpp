@@ -43,14 +43,21 @@ ElementSearch::ElementSearch(const DeviceMesh& mesh, Kernels& kernels)
 {
 }
 
-std::vector<std::function<void()>> ElementSearch::steps(const GridFrame& frame, const Extent& slab)
+std::vector<std::function<void()>> ElementSearch::steps(const GridFrame& frame, const Extent& slab,
+  DeviceClock& clock)
 {
   std::vector<std::function<void()>> steps;
-  steps.emplace_back([=] { this->begin(slab); });
+  steps.emplace_back(
+    [=, &clock]
+    {
+      clock.begin(&RunStatistics::DeviceSeconds::cull);
+      this->begin(slab);
+    });
   for (std::size_t level = 0; level < std::size(kBoxSizes); ++level)
   {
     steps.emplace_back([=] { this->refine(frame, slab, level); });
   }
+  steps.emplace_back([&clock] { clock.begin(&RunStatistics::DeviceSeconds::evaluate); });
   const glm::ivec3 bricks = boxesOf(slab, kBrickSize);
   const int layers = std::max(1, kBricksOfStep / (bricks.x * bricks.y));
   for (int layer = 0; layer < bricks.z; layer += layers)

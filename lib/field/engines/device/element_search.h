@@ -1,5 +1,6 @@
 #pragma once
 
+#include "field/engines/device/device_clock.h"
 #include "field/engines/device/device_mesh.h"
 #include "field/engines/device/kernels.h"
 #include "medial/grid.h"
@@ -33,7 +34,9 @@ public:
 
   /// Returns what there is to do for a slab, in steps of limited time. The steps may be run on the
   /// GPU thread only, in order.
-  std::vector<std::function<void()>> steps(const GridFrame& frame, const Extent& slab);
+  /// @param clock for the phases; must outlive the steps.
+  std::vector<std::function<void()>> steps(const GridFrame& frame, const Extent& slab,
+    DeviceClock& clock);
 
   /// Makes room for all lists of a slab that had too little of it.
   /// @return whether there was too little.
