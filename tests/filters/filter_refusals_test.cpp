@@ -26,7 +26,7 @@ TYPED_TEST(FilterContract, RefusesParametersOutsideTheirRange)
   this->expectError([](F f) { f->SetGridMode(3); }, [](F f) { f->SetGridMode(0); }, "GridMode 3");
   this->expectError([](F f) { f->SetSignMethod(-1); }, [](F f) { f->SetSignMethod(0); },
     "SignMethod -1");
-  this->expectError([](F f) { f->SetEngine(3); }, [](F f) { f->SetEngine(0); }, "Engine 3");
+  this->expectError([](F f) { f->SetEngine(4); }, [](F f) { f->SetEngine(0); }, "Engine 4");
   this->expectError([](F f) { f->SetNumberOfThreads(-2); }, [](F f) { f->SetNumberOfThreads(1); },
     "NumberOfThreads -2");
   this->expectError([](F f) { f->SetMemoryLimit(63); }, [](F f) { f->SetMemoryLimit(64); },

@@ -57,6 +57,9 @@ void expectExact(const TriangleMesh& mesh, const DistanceField& field, const Vox
 
 /// The same options for every engine.
 std::vector<DistanceFieldOptions> allEngines(const DistanceFieldOptions& options = {});
+/// The same but for the device where it would take long: on a large grid without a GPU.
+std::vector<DistanceFieldOptions> enginesFor(const Grid& grid,
+  const DistanceFieldOptions& options = {});
 
 /// Computes a field by all engines and checks it at some voxels.
 void expectExactField(const TriangleMesh& mesh, const Grid& grid, const Voxels& voxels);

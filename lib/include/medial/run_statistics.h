@@ -37,10 +37,11 @@ struct RunStatistics
     double select = 0;   ///< crossings of the medial axis
     double copy = 0;     ///< results, towards the host
 
+    /// All of them.
     double total() const { return sites + cull + evaluate + resolve + select + copy; }
   };
-  DeviceSeconds deviceSeconds;
-  std::int64_t sites = 0; ///< faces, edges and vertices of the mesh
+  DeviceSeconds deviceSeconds; ///< 0 for other engines
+  std::int64_t sites = 0;      ///< faces, edges and vertices of the mesh
   /// Pairs that culling tested: a disc around eight triangles or more with a tile or several.
   std::int64_t groupTests = 0;
   std::int64_t siteTests = 0;      ///< pairs of a site and a tile that culling tested
@@ -49,13 +50,12 @@ struct RunStatistics
   /// Area of the drawn polygons in grid points, before the depth test; with the processor the
   /// number of pairs of a grid point and a site that it evaluated, idle lanes included.
   std::int64_t fragments = 0;
-  std::int64_t samples = 0; ///< grid points computed
-  /// Bytes that the engine `device` has sent to its device, and dispatches that it has started.
-  std::int64_t bytesUploaded = 0;
-  std::int64_t bytesReadBack = 0; ///< and bytes that came back
-  std::int64_t dispatches = 0;
-  SignReport sign;              ///< how the sign was found
-  Engine engine = Engine::Auto; ///< the engine used, never Auto
+  std::int64_t samples = 0;       ///< grid points computed
+  std::int64_t bytesUploaded = 0; ///< bytes that the engine `device` has sent to its device
+  std::int64_t bytesReadBack = 0; ///< bytes that came back
+  std::int64_t dispatches = 0;    ///< compute shaders that it has started
+  SignReport sign;                ///< how the sign was found
+  Engine engine = Engine::Auto;   ///< the engine used, never Auto
   /// Why the engine is not the one that Auto had chosen; one line, empty if it is.
   std::string note;
   /// The OpenGL implementation that the engine used. The processor uses none; if hardware was
