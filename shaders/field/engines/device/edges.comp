@@ -26,11 +26,11 @@ int coveredEdge(int face)
   double coveredLength = edgeLength(border.x);
   for (int i = 1; i < 3; ++i)
   {
-    double length = edgeLength(border[i]);
-    if (length > coveredLength || (length == coveredLength && border[i] > covered))
+    double size = edgeLength(border[i]);
+    if (size > coveredLength || (size == coveredLength && border[i] > covered))
     {
       covered = border[i];
-      coveredLength = length;
+      coveredLength = size;
     }
   }
   return covered;

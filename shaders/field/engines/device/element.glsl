@@ -56,7 +56,7 @@ Place placeOf(Element e, vec3 p)
 // x + xLow: a position, local coordinates
 vec3 inPlane(Element e, vec3 x, vec3 xLow)
 {
-  vec3 v = (x - e.origin) + (xLow - e.originLow);
+  precise vec3 v = (x - e.origin) + (xLow - e.originLow);
   return vec3(dot(v, e.along), dot(v, e.across), dot(v, cross(e.along, e.across)));
 }
 

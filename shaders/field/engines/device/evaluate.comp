@@ -26,6 +26,7 @@ shared uint cubes[512];     // for which cubes of the brick each of them is, as 
 shared uint survivorTotal;
 shared vec4 cubeBalls[8]; // around the cubes of 2 x 2 x 2 grid points; w: radius, negative if there is none
 shared float cubeReach[8];
+shared uint writers[9]; // of nearPoints
 shared uint evaluated;
 shared uint left;
 shared uint missing;
@@ -78,7 +79,13 @@ void searchGroup(int i, vec3 x, bool takesPart)
     }
   }
   barrier();
+  // Of several at the same distance one alone may write: a mixture of their points is none of the surface.
   if (takesPart && squared < kFar && floatBitsToUint(squared) == nearestSquared[i])
+  {
+    atomicMin(writers[i], gl_LocalInvocationIndex);
+  }
+  barrier();
+  if (takesPart && writers[i] == gl_LocalInvocationIndex)
   {
     nearPoints[i] = point;
   }
@@ -136,6 +143,7 @@ void main()
   if (me < 9u)
   {
     nearestSquared[me] = floatBitsToUint(kFar);
+    writers[me] = 64u;
     nearPoints[me] = loadDisc(nearestNodes[me]).surfacePoint;
   }
   barrier();

@@ -24,10 +24,10 @@ void main()
   double longestLength = 0.0LF;
   for (int i = 0; i < 3; ++i)
   {
-    double length = distance(p[i], p[(i + 1) % 3]);
-    if (length > longestLength)
+    double size = distance(p[i], p[(i + 1) % 3]);
+    if (size > longestLength)
     {
-      longestLength = length;
+      longestLength = size;
       longest = i;
     }
   }

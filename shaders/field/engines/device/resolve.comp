@@ -43,12 +43,12 @@ void main()
     closest = closestOnSite(order[slot], x);
   }
   dvec3 v = closest.point - x;
-  float distance = float(length(v));
+  float away = float(length(v));
   if (hasNormals && closest.site >= 0 && dot(normals[closest.site].xyz, vec3(v)) > 0.0)
   {
-    distance = -distance;
+    away = -away;
   }
-  values[i] = distance;
+  values[i] = away;
   if (wantsVectors)
   {
     for (int axis = 0; axis < 3; ++axis)

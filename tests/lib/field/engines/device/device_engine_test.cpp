@@ -20,11 +20,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <memory>
 #include <numeric>
 #include <string>
 #include <thread>
 #include <vector>
+
+#include <unistd.h>
 
 namespace medial::test
 {
@@ -207,11 +210,43 @@ TEST(DeviceEngine, MovesFewBytes)
   arrays.distance = distance.data();
   arrays.closestSite = sites.data();
   const RunStatistics first = solver.computeField(grid, grid.wholeExtent(), arrays, options);
+  gl::injectFault(gl::Fault::AllocationRefused); // none is needed any more
   const RunStatistics second = solver.computeField(grid, grid.wholeExtent(), arrays, options);
+  gl::injectFault(gl::Fault::None);
   EXPECT_GT(first.bytesUploaded, second.bytesUploaded);
   EXPECT_LE(second.bytesUploaded, 12 * vertices + 4096);
   EXPECT_LE(second.bytesReadBack, 8 * grid.pointCount() + 65536);
   EXPECT_EQ(second.dispatches, first.dispatches);
+}
+
+/// Resident memory of this process, MiB.
+double residentMiB()
+{
+  std::ifstream file("/proc/self/statm");
+  double total = 0.0;
+  double resident = 0.0;
+  file >> total >> resident;
+  return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / (1 << 20);
+}
+
+TEST(DeviceEngine, LeaksNothingOverManyFrames)
+{
+  const TriangleMesh mesh = box({ 1.0, 0.7, 0.4 });
+  MedialSolver solver(mesh);
+  MedialAxisOptions options;
+  options.field.engine = Engine::Device;
+  const Grid grid = makeGrid(mesh.bounds(), 12, 0.1);
+  const auto compute = [&](int frames)
+  {
+    for (int i = 0; i < frames; ++i)
+    {
+      EXPECT_GT(solver.computeAxis(grid, options).points.size(), 0u);
+    }
+  };
+  compute(50);
+  const double before = residentMiB();
+  compute(250);
+  EXPECT_LT(residentMiB() - before, 4.0);
 }
 
 TEST(DeviceEngine, PassesItsOwnCheck)
