@@ -47,8 +47,7 @@ void sortByHalves(Place* begin, Place* end)
   const int axis = longestAxis(glm::dvec3(high - low));
   Place* const middle = begin + half;
   std::nth_element(begin, middle, end,
-    [axis](const Place& a, const Place& b)
-    { return a.centre[axis] < b.centre[axis]; });
+    [axis](const Place& a, const Place& b) { return a.centre[axis] < b.centre[axis]; });
   constexpr std::ptrdiff_t kAlone = 4096;
   if (count < kAlone)
   {
