@@ -70,6 +70,16 @@ void addEngineOption(CLI::App& app, std::string& word, const std::string& group)
     ->group(group);
 }
 
+void addDeviceOption(CLI::App& app, std::string& device, const std::string& group)
+{
+  app
+    .add_option("--device", device,
+      "what OpenGL computes on, by its number or a part of its name as medial-axis --list-devices "
+      "tells; default: the first GPU, else a software renderer")
+    ->option_text("N|NAME")
+    ->group(group);
+}
+
 void addThreadsOption(CLI::App& app, int& threads, const std::string& group)
 {
   app

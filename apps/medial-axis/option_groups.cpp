@@ -1,11 +1,13 @@
 #include "option_groups.h"
 
 #include "command_line.h"
+#include "device_listing.h"
 #include "length.h"
 #include "option_names.h"
 #include "validators.h"
 
 #include <cmath>
+#include <cstdio>
 
 namespace medial::app
 {
@@ -173,6 +175,17 @@ void addRunOptions(CLI::App& app, OptionTexts& texts, Options& options)
       within<int>("[64, 2147483647] and not 0", [](int m) { return m == 0 || m >= kMinMemoryMiB; }))
     ->group(group);
   addEngineOption(app, texts.engine, group);
+  addDeviceOption(app, options.device, group);
+  app
+    .add_flag_callback(
+      "--list-devices",
+      []
+      {
+        std::printf("%s", deviceListing(listDevices()).c_str());
+        throw CLI::Success();
+      },
+      "print what OpenGL can compute on, and what is refused and why, and exit")
+    ->group(group);
   addRequireGpuOption(app, options.requireGpu, group);
   addQuietOption(app, options.quiet, group);
 }

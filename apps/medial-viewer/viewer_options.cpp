@@ -84,6 +84,7 @@ void addComputeOptions(CLI::App& app, ViewerTexts& texts, ViewerOptions& options
 {
   const std::string group = "Computation";
   addEngineOption(app, texts.engine, group);
+  addDeviceOption(app, options.device, group);
   addThreadsOption(app, options.threads, group);
   addRequireGpuOption(app, options.requireGpu, group);
 }

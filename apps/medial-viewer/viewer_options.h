@@ -39,6 +39,7 @@ struct ViewerOptions
   std::filesystem::path screenshot; ///< .png; empty for none
   Engine engine = Engine::Auto;
   int threads = 0;
+  std::string device; ///< number or part of the name; empty for the best
   bool requireGpu = false;
   int width = 1280; ///< of the window, in pixels
   int height = 800;

@@ -71,14 +71,14 @@ struct GpuThread::State
     return true;
   }
 
-  void work(std::promise<void> started)
+  void work(const std::string& wanted, std::promise<void> started)
   {
     isTheGpuThread = true;
     std::unique_ptr<EglContext> context;
     try
     {
       const bool debug = std::getenv("MEDIAL_GL_DEBUG") != nullptr;
-      context = std::make_unique<EglContext>(debug);
+      context = std::make_unique<EglContext>(wanted, debug);
       if (debug)
       {
         captureDebugOutput();
@@ -139,10 +139,10 @@ struct GpuThread::State
   }
 };
 
-GpuThread& GpuThread::instance()
+GpuThread& GpuThread::instance(const std::string& wanted)
 {
   // Never destroyed: objects that were made before it, such as global ones, may ask for it later.
-  static GpuThread& thread = *new GpuThread;
+  static GpuThread& thread = *new GpuThread(wanted);
   struct Stopper
   {
     ~Stopper() { thread.state_->stop(); }
@@ -152,16 +152,22 @@ GpuThread& GpuThread::instance()
   {
     thread.state_->refuse();
   }
+  if (!answersTo(thread.device(), wanted))
+  {
+    throw Error(ErrorCode::NoGpu,
+      "this process computes on " + thread.device().renderer + ", so it cannot use the device '" +
+        wanted + "'");
+  }
   return thread;
 }
 
-GpuThread::GpuThread()
+GpuThread::GpuThread(const std::string& wanted)
   : state_(std::make_unique<State>())
 {
   std::promise<void> started;
   std::future<void> ready = started.get_future();
   state_->thread = std::thread(
-    [this, promise = std::move(started)]() mutable { state_->work(std::move(promise)); });
+    [&, promise = std::move(started)]() mutable { state_->work(wanted, std::move(promise)); });
   try
   {
     ready.get();

@@ -212,6 +212,16 @@ TEST_F(CommandFailure, NoEgl)
   EXPECT_FALSE(readFile(file).empty());
 }
 
+TEST_F(CommandFailure, DeviceThatIsNotThere)
+{
+  const std::string axis = folder.file("axis.ma");
+  const Outcome outcome = runMedialAxis(
+    { input, "--resolution", "8", "--engine", "rasteriser", "--device", "Voodoo", "-o", axis });
+  EXPECT_EQ(outcome.exitCode, kNoGpu);
+  EXPECT_TRUE(contains(outcome.err, "Voodoo")) << outcome.err;
+  EXPECT_FALSE(std::filesystem::exists(axis));
+}
+
 TEST_F(CommandFailure, SoftwareRendererWhereHardwareIsRequired)
 {
   const Outcome probe = runMedialAxis({ input, "--resolution", "8", "--engine", "rasteriser",

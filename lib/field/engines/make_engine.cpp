@@ -15,20 +15,21 @@ Engine resolved(Engine wanted)
 
 } // namespace
 
-std::unique_ptr<FieldEngine> makeEngine(Engine wanted)
+std::unique_ptr<FieldEngine> makeEngine(Engine wanted, const std::string& device)
 {
   if (resolved(wanted) == Engine::Rasteriser)
   {
-    return std::make_unique<RasteriserEngine>();
+    return std::make_unique<RasteriserEngine>(device);
   }
   return std::make_unique<ProcessorEngine>();
 }
 
-FieldEngine& obtainEngine(Engine wanted, std::unique_ptr<FieldEngine>& kept)
+FieldEngine& obtainEngine(Engine wanted, const std::string& device,
+  std::unique_ptr<FieldEngine>& kept)
 {
   if (!kept || kept->kind() != resolved(wanted))
   {
-    kept = makeEngine(wanted);
+    kept = makeEngine(wanted, device);
   }
   return *kept;
 }

@@ -3,17 +3,39 @@
 #include "medial/export.h"
 
 #include <string>
+#include <vector>
 
 namespace medial
 {
 
-/// The OpenGL implementation that the library computes on.
+/// An OpenGL implementation that the library can compute on.
 struct Device
 {
+  int number = 0;        ///< as in DeviceList
+  std::string origin;    ///< a file under /dev where it is known, or how EGL offers it
   std::string renderer;  ///< GL_RENDERER
   std::string version;   ///< GL_VERSION
   bool software = false; ///< a software renderer such as Mesa's llvmpipe
 };
+
+/// A device, and why the library cannot use it.
+struct ListedDevice
+{
+  Device device;       ///< without renderer and version if it is refused
+  std::string refusal; ///< empty if the library can use it
+};
+
+/// What there is to compute on.
+struct DeviceList
+{
+  std::vector<ListedDevice> devices; ///< in the order of their numbers, from 0
+  std::vector<std::string> notes;    ///< sentences about hardware that EGL does not offer
+};
+
+/// Tries all EGL devices, on a thread of its own. One piece of hardware may be listed twice, as a
+/// device and by Mesa's surfaceless platform.
+/// @throws Error NoGpu if EGL or OpenGL is not installed.
+MEDIAL_EXPORT DeviceList listDevices();
 
 /// Starts the library's GPU thread if necessary, and describes the device that it uses.
 /// @throws Error NoGpu if there is no EGL, or if it offers no OpenGL 4.5 core context.

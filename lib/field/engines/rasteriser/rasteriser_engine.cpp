@@ -44,8 +44,8 @@ void requireNear(const FieldJob& job)
 
 } // namespace
 
-RasteriserEngine::RasteriserEngine()
-  : thread_(gl::GpuThread::instance())
+RasteriserEngine::RasteriserEngine(const std::string& device)
+  : thread_(gl::GpuThread::instance(device))
 {
 }
 
