@@ -1,7 +1,6 @@
 #include "sign/local_expansion.h"
 
 #include "base/simd.h"
-#include "sign/solid_angle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,12 +12,6 @@ namespace
 {
 
 constexpr double kPi = 3.14159265358979323846;
-
-/// Returns the matrix m with m * v = cross(a, v).
-glm::dmat3 crossMatrix(const glm::dvec3& a)
-{
-  return { { 0.0, a.z, -a.y }, { -a.z, 0.0, a.x }, { a.y, -a.x, 0.0 } };
-}
 
 /// Returns the sum of (m + 1) x^m over all m > 2, x being the radius over the distance.
 double tail(double radius, double distance)
@@ -130,18 +123,33 @@ MEDIAL_VECTORISED void Multipole::addTo(LocalExpansion& expansion) const
     (mixed + glm::transpose(mixed) + glm::dmat3(along)) * scale5;
 }
 
-double distanceToTriangle(const std::array<glm::dvec3, 3>& corners, const glm::dvec3& point)
+TrianglePlanes::TrianglePlanes(const std::array<glm::dvec3, 3>& corners)
 {
   const glm::dvec3 normal =
     glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
-  const double height = glm::dot(normal, point - corners[0]);
-  double outside = 0.0;
-  for (int i = 0; i < 3; ++i)
+  for (int plane = 0; plane < 4; ++plane)
   {
-    const glm::dvec3 outwards = glm::cross(corners[(i + 1) % 3] - corners[i], normal);
-    outside = std::max(outside, glm::dot(outwards, point - corners[i]) / glm::length(outwards));
+    const glm::dvec3& corner = corners[plane % 3];
+    const glm::dvec3 outwards =
+      plane == 3 ? normal : glm::normalize(glm::cross(corners[(plane + 1) % 3] - corner, normal));
+    distances_[plane] = glm::dot(outwards, corner);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      normals_[axis][plane] = outwards[axis];
+    }
   }
-  return std::sqrt(height * height + outside * outside);
+}
+
+double TrianglePlanes::distanceTo(const glm::dvec3& point) const
+{
+  std::array<double, 4> heights;
+  for (int plane = 0; plane < 4; ++plane)
+  {
+    heights[plane] = normals_[0][plane] * point.x + normals_[1][plane] * point.y +
+      normals_[2][plane] * point.z - distances_[plane];
+  }
+  const double outside = std::max(std::max(heights[0], heights[1]), std::max(heights[2], 0.0));
+  return std::sqrt(heights[3] * heights[3] + outside * outside);
 }
 
 double triangleError(double area, double gap, double radius)
@@ -151,44 +159,22 @@ double triangleError(double area, double gap, double radius)
     return HUGE_VAL;
   }
   // The integral of 1 / distance^2 over the triangle, or that of radius^3 / distance^5 over its
-  // plane.
-  const double integral = std::min(area / (gap * gap), 2.0 * kPi / 3.0);
-  return integral * tail(radius, gap) / (4.0 * kPi);
+  // plane, times the tail of the series.
+  const double square = gap * gap;
+  const double integral = std::min(area, 2.0 * kPi / 3.0 * square);
+  return integral * radius * radius * radius * (4.0 * gap - 3.0 * radius) /
+    (4.0 * kPi * square * square * (gap - radius) * (gap - radius));
 }
 
-MEDIAL_VECTORISED void LocalExpansion::addTriangle(const std::array<glm::dvec3, 3>& corners,
-  int weight)
+double edgeError(double length, double gap, double radius)
 {
-  std::array<glm::dvec3, 3> offsets;
-  std::array<double, 3> lengths;
-  std::array<glm::dvec3, 3> inverses; // offset / length^2
-  for (int i = 0; i < 3; ++i)
+  if (gap <= radius)
   {
-    offsets[i] = corners[i] - centre;
-    const double square = glm::dot(offsets[i], offsets[i]);
-    lengths[i] = std::sqrt(square);
-    inverses[i] = offsets[i] / square;
+    return HUGE_VAL;
   }
-  value += weight * solidAngle(corners, centre);
-  // The law of Biot and Savart for every edge, and its derivative.
-  const double scale = weight / (4.0 * kPi);
-  for (int i = 0; i < 3; ++i)
-  {
-    const int next = (i + 1) % 3;
-    const glm::dvec3& a = offsets[i];
-    const glm::dvec3& b = offsets[next];
-    const double la = lengths[i];
-    const double lb = lengths[next];
-    const double both = la + lb;
-    const double product = la * lb;
-    const double opening = product + glm::dot(a, b);
-    const double strength = scale * both / (product * opening);
-    const glm::dvec3 normal = glm::cross(a, b);
-    const glm::dvec3 growth = inverses[i] * (1.0 + product / opening - la / both) +
-      inverses[next] * (1.0 + product / opening - lb / both) + (a + b) / opening;
-    gradient += strength * normal;
-    hessian += crossMatrix(b - a) * strength + glm::outerProduct(normal, strength * growth);
-  }
+  // The integral of 1 / distance^4 over the edge, or that over its line.
+  const double integral = std::min(length / gap, 0.5 * kPi) / (gap * gap * gap);
+  return integral * radius * radius * radius * gap / (4.0 * kPi * (gap - radius));
 }
 
 } // namespace medial

@@ -31,9 +31,6 @@ struct LocalExpansion
   Interval bounds() const;
   /// Returns the same function around the centre of a ball inside this one.
   LocalExpansion movedTo(const glm::dvec3& newCentre, double newRadius) const;
-  /// Adds a triangle, but for the error.
-  /// @param weight how often it counts.
-  void addTriangle(const std::array<glm::dvec3, 3>& corners, int weight);
 };
 
 /// Triangles as seen from afar: integrals of their area vectors times powers of the offset from
@@ -58,12 +55,29 @@ struct Multipole
   void addTo(LocalExpansion& expansion) const;
 };
 
-/// Returns a lower bound of the distance to a triangle that has an area.
-double distanceToTriangle(const std::array<glm::dvec3, 3>& corners, const glm::dvec3& point);
+/// Planes of a triangle that has an area: its own, and three through its edges that face outwards.
+class TrianglePlanes
+{
+public:
+  explicit TrianglePlanes(const std::array<glm::dvec3, 3>& corners);
 
-/// Bounds the error of LocalExpansion::addTriangle().
+  /// Returns a lower bound of the distance from a point.
+  double distanceTo(const glm::dvec3& point) const;
+
+private:
+  std::array<std::array<double, 4>, 3> normals_; ///< x, y and z
+  std::array<double, 4> distances_;              ///< from the origin
+};
+
+/// Bounds the error of ExpansionSum::addTriangle().
 /// @param gap from the centre to the triangle, or less; may be negative.
 /// @param radius of the ball.
 double triangleError(double area, double gap, double radius);
+
+/// Bounds the error of ExpansionSum::addEdge(): of the change from the centre to a point of the
+/// ball.
+/// @param gap from the centre to the edge, or less.
+/// @param radius of the ball.
+double edgeError(double length, double gap, double radius);
 
 } // namespace medial
