@@ -3,6 +3,7 @@
 #include "base/simd.h"
 #include "sign/solid_angle.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <numeric>
@@ -11,8 +12,6 @@ namespace medial
 {
 namespace
 {
-
-constexpr double kPi = 3.14159265358979323846;
 
 using Values = ExpansionSum::Values;
 using Vectors = ExpansionSum::Vectors;
@@ -41,7 +40,7 @@ MEDIAL_VECTORISED void addDerivatives(const std::array<Vectors, 2>& ends, const 
     const double perProduct = both * inverse;
     const double perBoth = product * inverse;
     const double common = (1.0 + product * opening) * perProduct * perProduct;
-    const double strength = weights[i] / (4.0 * kPi) * both * perProduct * opening;
+    const double strength = kPerSphere * weights[i] * both * perProduct * opening;
     const double ofA = opening + squareB * (common - perProduct * perProduct * la * perBoth);
     const double ofB = opening + squareA * (common - perProduct * perProduct * lb * perBoth);
     const double x = strength * (ay * bz - az * by);
@@ -195,7 +194,7 @@ double ExpansionSum::angles() const
     multiply(angles_.real[i], angles_.imaginary[i], real, imaginary, turns);
     turns += angles_.turns[i];
   }
-  return std::atan2(imaginary, real) / (2.0 * kPi) + turns;
+  return 2.0 * kPerSphere * std::atan2(imaginary, real) + turns;
 }
 
 void ExpansionSum::addTo(LocalExpansion& expansion)

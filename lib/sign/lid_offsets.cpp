@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 namespace medial
 {
@@ -299,11 +300,12 @@ private:
     std::vector<int> left;
     for (std::size_t i = 0; i < points.open.size(); ++i)
     {
-      points.k[points.open[i]] = static_cast<int>(result.values[i]);
       if (result.certain[i] == 0.0)
       {
         left.push_back(points.open[i]);
+        continue;
       }
+      points.k[points.open[i]] = static_cast<int>(result.values[i]);
     }
     points.open = std::move(left);
   }

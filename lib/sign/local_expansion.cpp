@@ -4,25 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 namespace medial
 {
-namespace
-{
-
-constexpr double kPi = 3.14159265358979323846;
-
-/// Returns the sum of (m + 1) x^m over all m > 2, x being the radius over the distance.
-double tail(double radius, double distance)
-{
-  const double gap = distance - radius;
-  return radius * radius * radius * (4.0 * distance - 3.0 * radius) /
-    (distance * distance * gap * gap);
-}
-
-} // namespace
-
 double LocalExpansion::at(const glm::dvec3& point) const
 {
   const glm::dvec3 offset = point - centre;
@@ -89,17 +73,11 @@ Multipole Multipole::ofBoth(const Multipole& a, const Multipole& b)
   return result;
 }
 
-double Multipole::errorAt(double distance, double reach) const
-{
-  return distance > reach ? area * tail(reach, distance) / (4.0 * kPi * distance * distance)
-                          : HUGE_VAL;
-}
-
 MEDIAL_VECTORISED void Multipole::addTo(LocalExpansion& expansion) const
 {
   const glm::dvec3 y = middle - expansion.centre;
   const double square = glm::dot(y, y);
-  const double scale3 = 1.0 / (4.0 * kPi * square * std::sqrt(square));
+  const double scale3 = kPerSphere / (square * std::sqrt(square));
   const double scale5 = 3.0 * scale3 / square;
   const double scale7 = 5.0 * scale5 / square;
   const double along = glm::dot(areaVector, y);
@@ -152,20 +130,6 @@ double TrianglePlanes::distanceTo(const glm::dvec3& point) const
   return std::sqrt(heights[3] * heights[3] + outside * outside);
 }
 
-double triangleError(double area, double gap, double radius)
-{
-  if (gap <= radius)
-  {
-    return HUGE_VAL;
-  }
-  // The integral of 1 / distance^2 over the triangle, or that of radius^3 / distance^5 over its
-  // plane, times the tail of the series.
-  const double square = gap * gap;
-  const double integral = std::min(area, 2.0 * kPi / 3.0 * square);
-  return integral * radius * radius * radius * (4.0 * gap - 3.0 * radius) /
-    (4.0 * kPi * square * square * (gap - radius) * (gap - radius));
-}
-
 double edgeError(double length, double gap, double radius)
 {
   if (gap <= radius)
@@ -173,8 +137,8 @@ double edgeError(double length, double gap, double radius)
     return HUGE_VAL;
   }
   // The integral of 1 / distance^4 over the edge, or that over its line.
-  const double integral = std::min(length / gap, 0.5 * kPi) / (gap * gap * gap);
-  return integral * radius * radius * radius * gap / (4.0 * kPi * (gap - radius));
+  const double integral = std::min(kPerSphere * length / gap, 0.125) / (gap * gap * gap);
+  return integral * radius * radius * radius * gap / (gap - radius);
 }
 
 } // namespace medial

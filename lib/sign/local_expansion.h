@@ -2,10 +2,15 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace medial
 {
+
+/// One over 4 pi.
+constexpr double kPerSphere = 0.0795774715459476678844;
 
 /// Bounds of a value.
 struct Interval
@@ -50,7 +55,14 @@ struct Multipole
 
   /// Bounds the error of addTo().
   /// @param reach radius of the group around its middle plus that of the ball.
-  double errorAt(double distance, double reach) const;
+  double errorAt(double distance, double reach) const
+  {
+    const double gap = distance - reach;
+    // The tail of the series.
+    return gap > 0.0 ? kPerSphere * area * reach * reach * reach * (4.0 * distance - 3.0 * reach) /
+        (distance * distance * distance * distance * gap * gap)
+                     : HUGE_VAL;
+  }
   /// Adds the group to an expansion, but for the error.
   void addTo(LocalExpansion& expansion) const;
 };
@@ -72,7 +84,19 @@ private:
 /// Bounds the error of ExpansionSum::addTriangle().
 /// @param gap from the centre to the triangle, or less; may be negative.
 /// @param radius of the ball.
-double triangleError(double area, double gap, double radius);
+inline double triangleError(double area, double gap, double radius)
+{
+  if (gap <= radius)
+  {
+    return HUGE_VAL;
+  }
+  // The integral of 1 / distance^2 over the triangle, or that of radius^3 / distance^5 over its
+  // plane, times the tail of the series.
+  const double square = gap * gap;
+  const double integral = std::min(kPerSphere * area, square / 6.0);
+  return integral * radius * radius * radius * (4.0 * gap - 3.0 * radius) /
+    (square * square * (gap - radius) * (gap - radius));
+}
 
 /// Bounds the error of ExpansionSum::addEdge(): of the change from the centre to a point of the
 /// ball.

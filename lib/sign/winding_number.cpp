@@ -47,6 +47,8 @@ WindingNumber::WindingNumber(const TriangleChain& chain)
     const auto& [a, b, c] = triangle.corners;
     triangle.area = 0.5 * glm::length(glm::cross(b - a, c - a));
     triangle.middle = (a + b + c) / 3.0;
+    triangle.radius = std::max({ glm::distance(a, triangle.middle),
+      glm::distance(b, triangle.middle), glm::distance(c, triangle.middle) });
     // What has no area has no solid angle.
     if (triangle.area > 0.0)
     {
@@ -165,13 +167,24 @@ double WindingNumber::distanceTo(int triangle, const glm::dvec3& point) const
                          : planes_[triangle].distanceTo(point);
 }
 
-double WindingNumber::errorOf(int item, const LocalExpansion& far) const
+double WindingNumber::errorOf(int item, const LocalExpansion& far, double tolerance) const
 {
   if (item < 0)
   {
     const int t = -1 - item;
-    return std::abs(triangles_[t].weight) *
-      triangleError(triangles_[t].area, this->distanceTo(t, far.centre), far.radius);
+    const Triangle& triangle = triangles_[t];
+    const double weight = std::abs(triangle.weight);
+    const double distance = glm::distance(triangle.middle, far.centre);
+    // The gap is somewhere between the first two.
+    if (weight * triangleError(triangle.area, distance, far.radius) > tolerance)
+    {
+      return HUGE_VAL;
+    }
+    const double error =
+      weight * triangleError(triangle.area, distance - triangle.radius, far.radius);
+    return error <= tolerance
+      ? error
+      : weight * triangleError(triangle.area, this->distanceTo(t, far.centre), far.radius);
   }
   const Group& group = groups_[item];
   return group.multipole.errorAt(glm::distance(group.multipole.middle, far.centre),
@@ -211,8 +224,9 @@ WindingNumber::View WindingNumber::look(const View& outer, const glm::dvec3& cen
   {
     const int item = rest.back();
     rest.pop_back();
-    const double error =
-      tolerance > 0.0 && (item >= 0 || radius > 0.0) ? this->errorOf(item, view.far) : HUGE_VAL;
+    const double error = tolerance > 0.0 && (item >= 0 || radius > 0.0)
+      ? this->errorOf(item, view.far, view.nearError < kMaxError ? kMaxError : tolerance)
+      : HUGE_VAL;
     if (error <= tolerance)
     {
       this->add(item, view.far, triangles);

@@ -66,6 +66,7 @@ private:
     std::array<int, 3> points; ///< the corners' numbers
     int weight;
     glm::dvec3 middle;
+    double radius; ///< around the middle
     double area;
   };
   /// A group of triangles that follow each other, in two halves unless it is a leaf.
@@ -85,8 +86,8 @@ private:
   double distanceTo(int triangle, const glm::dvec3& point) const;
   View look(const View& outer, const glm::dvec3& centre, double radius, double tolerance,
     bool closely) const;
-  /// Returns the error of an item as far.
-  double errorOf(int item, const LocalExpansion& far) const;
+  /// Returns the error of an item as far; if it is above the tolerance maybe infinity.
+  double errorOf(int item, const LocalExpansion& far, double tolerance) const;
   bool isOpened(int item, double radius, bool closely) const;
   void add(int item, LocalExpansion& far, ExpansionSum& triangles) const;
 
