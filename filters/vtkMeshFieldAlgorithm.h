@@ -273,7 +273,7 @@ public:
   ///@{
   /**
    * What an engine that uses OpenGL computes on: a device's number, or a part of its name, as
-   * `medial-axis --list-devices` tells; empty for the first GPU, else a software renderer. A
+   * medial-axis --list-devices tells; empty for the first GPU, else a software renderer. A
    * process has one device, that of its first such engine. Default is empty.
    */
   vtkSetStdStringFromCharMacro(Device);

@@ -74,9 +74,9 @@ void addDeviceOption(CLI::App& app, std::string& device, const std::string& grou
 {
   app
     .add_option("--device", device,
-      "what OpenGL computes on, by its number or a part of its name as medial-axis --list-devices "
-      "tells; default: the first GPU, else a software renderer")
-    ->option_text("N|NAME")
+      "what OpenGL computes on: a number, or a part of a name, of those that medial-axis lists; "
+      "default: the first GPU, else a software renderer")
+    ->option_text("DEVICE")
     ->group(group);
 }
 
