@@ -186,6 +186,7 @@ void vtkMeshFieldAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Engine: " << this->GetEngineAsString() << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
+  os << indent << "Device: " << this->Device << "\n";
   flag("RequireHardware", this->RequireHardware);
   flag("GenerateClosestPoint", this->GenerateClosestPoint);
   flag("GenerateClosestCell", this->GenerateClosestCell);

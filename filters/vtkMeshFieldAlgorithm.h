@@ -275,6 +275,16 @@ public:
 
   ///@{
   /**
+   * What an engine that uses OpenGL computes on: a device's number, or a part of its name, as
+   * medial-axis --list-devices tells; empty for the first GPU, else a software renderer. A
+   * process has one device, that of its first such engine. Default is empty.
+   */
+  vtkSetStdStringFromCharMacro(Device);
+  vtkGetCharFromStdStringMacro(Device);
+  ///@}
+
+  ///@{
+  /**
    * Whether to fail where there is no OpenGL, or only a software renderer such as Mesa's llvmpipe,
    * whatever the engine. Default is off: a software renderer gives the same result, but slowly.
    */
@@ -362,6 +372,7 @@ protected:
   int Engine = ENGINE_AUTO;
   int NumberOfThreads = 0;
   int MemoryLimit = 0;
+  std::string Device;
   vtkTypeBool RequireHardware = false;
   vtkTypeBool GenerateClosestPoint = true;
   vtkTypeBool GenerateClosestCell = true;

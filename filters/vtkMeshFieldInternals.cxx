@@ -220,6 +220,7 @@ medial::DistanceFieldOptions vtkMeshFieldAlgorithm::vtkInternals::MakeOptions(
   medial::DistanceFieldOptions options;
   options.sign = ToSignMethod(self->SignMethod);
   options.engine = ToEngine(self->Engine);
+  options.device = self->Device;
   options.execution = vtkToExecution(self->NumberOfThreads, progress);
   options.memoryMiB = static_cast<std::size_t>(self->MemoryLimit);
   options.requireHardware = self->RequireHardware != 0;

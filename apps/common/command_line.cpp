@@ -3,15 +3,12 @@
 #include "failure.h"
 #include "help_formatter.h"
 #include "input_file.h"
-#include "library_calls.h"
 #include "option_names.h"
 #include "validators.h"
 
-#include "medial/device.h"
 #include "medial/version.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 
 namespace medial::app
@@ -20,31 +17,6 @@ namespace
 {
 
 constexpr int kMaxThreads = 1024;
-
-void printDevices()
-{
-  std::vector<ListedDevice> devices;
-  withFailures([&] { devices = listDevices(); });
-  bool hasHardware = false;
-  for (std::size_t i = 0; i < devices.size(); ++i)
-  {
-    const ListedDevice& listed = devices[i];
-    std::printf("%zu  %s: ", i, listed.name.c_str());
-    if (!listed.device)
-    {
-      std::printf("refused, %s\n", listed.refusal.c_str());
-      continue;
-    }
-    std::printf("%s, OpenGL %s%s\n", listed.device->renderer.c_str(),
-      listed.device->version.c_str(), listed.device->software ? " (software)" : "");
-    hasHardware = hasHardware || !listed.device->software;
-  }
-  if (!hasHardware)
-  {
-    std::printf("none of them is a GPU; if there is one, its driver or the driver's file in "
-                "/usr/share/glvnd/egl_vendor.d is missing\n");
-  }
-}
 
 } // namespace
 
@@ -112,20 +84,10 @@ void addThreadsOption(CLI::App& app, int& threads, const std::string& group)
 void addDeviceOptions(CLI::App& app, DeviceOptions& options, const std::string& group)
 {
   app
-    .add_option_function<std::string>("--device", chooseDevice,
-      "what OpenGL runs on: a number that --list-devices shows, or a part of the renderer's name; "
-      "default the first GPU, otherwise a software renderer")
+    .add_option("--device", options.name,
+      "what OpenGL computes on: a number, or a part of a name, of those that medial-axis lists; "
+      "default: the first GPU, else a software renderer")
     ->option_text("DEVICE")
-    ->group(group);
-  app
-    .add_flag_callback(
-      "--list-devices",
-      []
-      {
-        printDevices();
-        throw CLI::Success();
-      },
-      "print what OpenGL can run on, and what it cannot and why, and exit")
     ->group(group);
   app.add_flag("--require-gpu", options.require, "fail unless there is OpenGL 4.5 on a GPU")
     ->group(group);

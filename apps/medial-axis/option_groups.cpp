@@ -1,11 +1,13 @@
 #include "option_groups.h"
 
 #include "command_line.h"
+#include "device_listing.h"
 #include "length.h"
 #include "option_names.h"
 #include "validators.h"
 
 #include <cmath>
+#include <cstdio>
 
 namespace medial::app
 {
@@ -174,6 +176,16 @@ void addRunOptions(CLI::App& app, OptionTexts& texts, Options& options)
     ->group(group);
   addEngineOption(app, texts.engine, group);
   addDeviceOptions(app, options.device, group);
+  app
+    .add_flag_callback(
+      "--list-devices",
+      []
+      {
+        std::printf("%s", deviceListing(listDevices()).c_str());
+        throw CLI::Success();
+      },
+      "print what OpenGL can compute on, and what is refused and why, and exit")
+    ->group(group);
   addQuietOption(app, options.quiet, group);
 }
 

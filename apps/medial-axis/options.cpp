@@ -58,6 +58,7 @@ MedialAxisOptions libraryOptions(const Options& options, double diagonal)
   result.topology = options.topology;
   result.field.sign = options.signMethod;
   result.field.engine = options.engine;
+  result.field.device = options.device.name;
   result.field.execution.threads = options.threads;
   result.field.memoryMiB = static_cast<std::size_t>(options.memoryMiB);
   result.field.requireHardware = options.device.require;

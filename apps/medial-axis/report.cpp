@@ -34,10 +34,12 @@ Json describeGrid(const Grid& grid)
 /// All null where no engine asked for OpenGL.
 Json describeDevice(const std::optional<Device>& device)
 {
-  Json json{ { "renderer", nullptr }, { "version", nullptr }, { "software", nullptr } };
+  Json json{ { "number", nullptr }, { "origin", nullptr }, { "renderer", nullptr },
+    { "version", nullptr }, { "software", nullptr } };
   if (device)
   {
-    json = { { "renderer", device->renderer }, { "version", device->version },
+    json = { { "number", device->number }, { "origin", device->origin },
+      { "renderer", device->renderer }, { "version", device->version },
       { "software", device->software } };
   }
   return json;

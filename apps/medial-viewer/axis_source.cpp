@@ -24,6 +24,7 @@ MedialAxisOptions optionsOf(const ViewerOptions& options, Progress* progress)
   result.angle = 0.0;
   result.side = options.side;
   result.field.engine = options.engine;
+  result.field.device = options.device.name;
   result.field.execution.threads = options.threads;
   result.field.requireHardware = options.device.require;
   result.field.verify = options.device.verify;

@@ -4,6 +4,10 @@
 #include <cstdint>
 #include <cstring>
 
+#ifdef __SSE2__
+#  include <emmintrin.h>
+#endif
+
 // Vectors of eight lanes, by the extension that GCC and Clang share. The compiler splits them for
 // processors without AVX2.
 namespace medial
@@ -82,19 +86,24 @@ MEDIAL_INLINE void store(Float8 value, float* to)
 /// Bit i is set where lane i is true.
 MEDIAL_INLINE unsigned bits(Int8 mask)
 {
+#ifdef __SSE2__
+  __m128i halves[2];
+  std::memcpy(halves, &mask, sizeof(halves));
+  const __m128i words = _mm_packs_epi32(halves[0], halves[1]);
+  return static_cast<unsigned>(_mm_movemask_epi8(_mm_packs_epi16(words, __m128i{})));
+#else
   constexpr Int8 kWeights = { 1, 2, 4, 8, 16, 32, 64, 128 };
   using Long4 = long long __attribute__((vector_size(32)));
   const Long4 parts = (Long4)(mask & kWeights);
   const long long sum = (parts[0] | parts[1]) | (parts[2] | parts[3]);
   return static_cast<unsigned>(sum) | static_cast<unsigned>(sum >> 32);
+#endif
 }
 
 /// Whether all lanes are true.
 MEDIAL_INLINE bool all(Int8 mask)
 {
-  using Long4 = long long __attribute__((vector_size(32)));
-  const Long4 parts = (Long4)mask;
-  return (parts[0] & parts[1] & parts[2] & parts[3]) == -1;
+  return bits(mask) == 0xffu;
 }
 
 } // namespace medial

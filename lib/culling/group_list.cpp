@@ -126,27 +126,78 @@ MEDIAL_VECTORISED int nearestDisc(const std::vector<Discs>& discs, const glm::ve
   return where[first] * kLanes + first;
 }
 
+/// Number of packs of discs that are compared before their groups are tried.
+constexpr std::size_t kPacks = 64 / kLanes;
+
+/// Returns which groups of some packs of discs may hold an element within a squared distance, as
+/// bits.
+MEDIAL_INLINE std::uint64_t groupsNear(const Discs* discs, std::size_t packs, const glm::vec3& x,
+  float limit)
+{
+  std::uint64_t near = 0;
+  for (std::size_t i = 0; i < packs; ++i)
+  {
+    const DiscPosition position(discs[i], x);
+    const Int8 met =
+      (position.squaredDistance(discs[i]) <= limit) & position.meetsRegions(discs[i], 0.0f);
+    near |= static_cast<std::uint64_t>(bits(met)) << (i * kLanes);
+  }
+  return near;
+}
+
+/// The nearest elements of the groups tried so far, lane by lane: whatever is found, no branch
+/// depends on it before the end.
+struct NearestInLanes
+{
+  Float8 squared = splat(std::numeric_limits<float>::infinity());
+  Int8 group = Int8{} - 1;
+  Int8 element = Int8{};
+
+  MEDIAL_INLINE void tryGroup(const SiteGroup& tried, int number, const glm::dvec3& x)
+  {
+    const Float8 candidate = ElementPosition(tried, tried.toGroup(x)).squared;
+    const Int8 elements = loadedInts(tried.elements.data());
+    const Int8 nearer = (candidate < squared) | ((candidate == squared) & (elements < element));
+    squared = nearer ? candidate : squared;
+    group = nearer ? Int8{} + number : group;
+    element = nearer ? elements : element;
+  }
+
+  MEDIAL_INLINE void reduce(const std::vector<SiteGroup>& groups, NearestElement& nearest) const
+  {
+    for (int lane = 0; lane < kLanes; ++lane)
+    {
+      const bool lower = squared[lane] == nearest.squared && group[lane] >= 0 &&
+        element[lane] < groups[nearest.group].elements[nearest.lane];
+      if (squared[lane] < nearest.squared || lower)
+      {
+        nearest = { squared[lane], group[lane], lane, nearest.tried };
+      }
+    }
+  }
+};
+
 MEDIAL_VECTORISED void tryDiscs(const std::vector<SiteGroup>& groups,
   const std::vector<Discs>& discs, const std::vector<int>& ids, const glm::dvec3& x,
   NearestElement& nearest)
 {
   const int tried = nearest.group;
   const glm::vec3 rounded(x);
-  for (std::size_t i = 0; i < discs.size(); ++i)
+  for (std::size_t i = 0; i < discs.size(); i += kPacks)
   {
-    const DiscPosition position(discs[i], rounded);
-    const Float8 squared = position.squaredDistance(discs[i]);
-    for (unsigned left =
-           bits((squared <= limitOf(nearest)) & position.meetsRegions(discs[i], 0.0f));
+    NearestInLanes found;
+    for (std::uint64_t left =
+           groupsNear(&discs[i], std::min(kPacks, discs.size() - i), rounded, limitOf(nearest));
          left != 0; left &= left - 1)
     {
-      const int lane = __builtin_ctz(left);
-      const int group = ids[i * kLanes + lane];
-      if (group != tried && squared[lane] <= limitOf(nearest))
+      const int group = ids[i * kLanes + __builtin_ctzll(left)];
+      if (group != tried)
       {
-        tryElements(groups, group, x, nearest);
+        found.tryGroup(groups[group], group, x);
+        ++nearest.tried;
       }
     }
+    found.reduce(groups, nearest);
   }
 }
 

@@ -47,8 +47,7 @@ void sortByHalves(Place* begin, Place* end)
   const int axis = longestAxis(glm::dvec3(high - low));
   Place* const middle = begin + half;
   std::nth_element(begin, middle, end,
-    [axis](const Place& a, const Place& b)
-    { return std::pair(a.centre[axis], a.site) < std::pair(b.centre[axis], b.site); });
+    [axis](const Place& a, const Place& b) { return a.centre[axis] < b.centre[axis]; });
   constexpr std::ptrdiff_t kAlone = 4096;
   if (count < kAlone)
   {
@@ -178,11 +177,7 @@ Disc discOf(const SiteSet& sites, const SharedSites& shared, const SiteGroup& gr
         visitCorners(sites, element, [&](const glm::dvec3& point) { add(point, 0.0, 0.0); });
       }
     });
-  double cosine = 1.0;
-  for (const int element : group.elements)
-  {
-    cosine = std::min(cosine, shared.minCosine(sites, element, disc.normal));
-  }
+  const double cosine = shared.minCosine(sites, group, disc.normal);
   disc.cone = cosine > 0.0 ? std::acos(std::min(cosine, 1.0)) : kNoCone;
   return disc;
 }

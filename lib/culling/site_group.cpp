@@ -59,12 +59,20 @@ Element elementOf(const SiteSet& sites, int site)
   return element;
 }
 
-/// The axes of an element's plane.
-struct Axes
+/// The plane of an element, as SiteGroup describes it.
+struct Plane
 {
   glm::dvec3 along;
   glm::dvec3 across;
   glm::dvec3 normal;
+  glm::dvec3 lengths; ///< of AB, BC, AC
+  glm::dvec2 fromB;
+  glm::dvec2 fromA;
+
+  glm::dvec2 project(const glm::dvec3& v) const
+  {
+    return { glm::dot(v, along), glm::dot(v, across) };
+  }
 };
 
 /// Returns a unit vector orthogonal to a unit vector.
@@ -76,102 +84,162 @@ glm::dvec3 orthogonal(const glm::dvec3& u)
   return glm::normalize(glm::cross(u, axis));
 }
 
-Axes axesOf(const Element& element)
+/// Returns the unit vector of a vector of a given length; one without length has any direction.
+template <typename Vector>
+Vector unitVector(const Vector& v, double length)
 {
-  const glm::dvec3 edge = element.corners[1] - element.corners[0];
-  const double length = glm::length(edge);
-  Axes axes;
-  axes.along = length > 0.0 ? edge / length : glm::dvec3(1.0, 0.0, 0.0);
-  // Orthogonal to the edge to the last bit, which the normal of a needle need not be.
-  const glm::dvec3 up = element.normal - glm::dot(element.normal, axes.along) * axes.along;
-  axes.normal = glm::length(up) > 0.5 ? glm::normalize(up) : orthogonal(axes.along);
-  axes.across = glm::cross(axes.normal, axes.along);
-  return axes;
+  Vector any(0.0);
+  any.x = 1.0;
+  return length > 0.0 ? v / length : any;
 }
 
-void setVector(SiteGroup::Lanes3& target, int lane, const glm::dvec3& value)
+Plane planeOf(const Element& element)
 {
-  for (int axis = 0; axis < 3; ++axis)
+  const auto& [a, b, c] = element.corners;
+  Plane plane;
+  plane.lengths = { glm::distance(a, b), glm::distance(b, c), glm::distance(a, c) };
+  plane.along = unitVector(b - a, plane.lengths[0]);
+  // Orthogonal to the edge to the last bit, which the normal of a needle need not be.
+  const glm::dvec3 up = element.normal - glm::dot(element.normal, plane.along) * plane.along;
+  const double height = glm::length(up);
+  plane.normal = height > 0.5 ? up / height : orthogonal(plane.along);
+  plane.across = glm::cross(plane.normal, plane.along);
+  const glm::dvec2 top = plane.project(c - a);
+  const glm::dvec2 end(plane.lengths[0], 0.0);
+  plane.fromA = unitVector(top, glm::length(top));
+  plane.fromB = unitVector(top - end, glm::distance(top, end));
+  return plane;
+}
+
+template <typename Target, typename Vector>
+void setVector(Target& target, int lane, const Vector& value)
+{
+  for (int axis = 0; axis < Vector::length(); ++axis)
   {
     target[axis][lane] = static_cast<float>(value[axis]);
   }
 }
 
-/// Sets a direction in the plane; a vector without length has any.
-void setDirection(std::array<SiteGroup::Lanes, 2>& target, int lane, const glm::dvec2& vector)
+void setGeometry(SiteGroup& group, int lane, const Element& element, const Plane& plane)
 {
-  const double length = glm::length(vector);
-  const glm::dvec2 unit = length > 0.0 ? vector / length : glm::dvec2(1.0, 0.0);
-  target[0][lane] = static_cast<float>(unit.x);
-  target[1][lane] = static_cast<float>(unit.y);
-}
-
-void setGeometry(SiteGroup& group, int lane, const Element& element, const Axes& axes)
-{
-  const auto& [a, b, c] = element.corners;
-  setVector(group.start, lane, a - group.origin);
-  setVector(group.along, lane, axes.along);
-  setVector(group.across, lane, axes.across);
-  setVector(group.normal, lane, axes.normal);
-  setVector(group.lengths, lane, { glm::distance(a, b), glm::distance(b, c), glm::distance(a, c) });
-  const glm::dvec2 fromA(glm::dot(c - a, axes.along), glm::dot(c - a, axes.across));
-  setDirection(group.fromA, lane, fromA);
-  setDirection(group.fromB, lane, fromA - glm::dvec2(glm::distance(a, b), 0.0));
+  setVector(group.start, lane, element.corners[0] - group.origin);
+  setVector(group.along, lane, plane.along);
+  setVector(group.across, lane, plane.across);
+  setVector(group.normal, lane, plane.normal);
+  setVector(group.lengths, lane, plane.lengths);
+  setVector(group.fromA, lane, plane.fromA);
+  setVector(group.fromB, lane, plane.fromB);
   group.withoutFace[lane] = element.hasFace ? 0.0f : std::numeric_limits<float>::infinity();
   group.longest[lane] = static_cast<std::uint8_t>(element.longest);
 }
 
-/// Returns the unit vector orthogonal to an edge that points into one of its faces.
-glm::dvec3 intoFace(const SiteSet& sites, int face, int edge)
+/// Returns the corner of a face that is no end of one of its edges.
+int cornerOpposite(const SiteSet& sites, int face, int edge)
 {
+  const glm::ivec3& corners = sites.faces()[face];
   const glm::ivec2& ends = sites.edges()[edge];
-  const glm::dvec3& p = sites.points()[ends[0]];
-  const glm::dvec3 u = glm::normalize(sites.points()[ends[1]] - p);
-  glm::dvec3 into(0.0);
-  for (int i = 0; i < 3; ++i)
+  for (int i = 0; i < 2; ++i)
   {
-    const glm::dvec3 v = sites.points()[sites.faces()[face][i]] - p;
-    into += v - glm::dot(v, u) * u;
+    if (corners[i] != ends[0] && corners[i] != ends[1])
+    {
+      return corners[i];
+    }
   }
-  return glm::normalize(into);
+  return corners[2];
 }
 
 /// Sets how the neighbour at an edge bends.
-/// @param into of the neighbour, as by intoFace(), or zero.
-void setFold(SiteGroup& group, int lane, int edge, const Axes& axes, const glm::dvec3& into)
+/// @param vertex of the neighbour, opposite to the edge.
+void setFold(SiteGroup& group, int lane, int edge, const SiteSet& sites, const Element& element,
+  const Plane& plane, int vertex)
 {
-  const glm::dvec2 b(group.fromB[0][lane], group.fromB[1][lane]);
-  const glm::dvec2 a(group.fromA[0][lane], group.fromA[1][lane]);
+  const glm::dvec2& b = plane.fromB;
+  const glm::dvec2& a = plane.fromA;
   const glm::dvec2 outwards[3] = { { 0.0, -1.0 }, { b.y, -b.x }, { -a.y, a.x } };
-  const glm::dvec3 out = outwards[edge].x * axes.along + outwards[edge].y * axes.across;
-  group.foldCosine[edge][lane] = static_cast<float>(glm::dot(into, out));
-  group.foldSine[edge][lane] = static_cast<float>(glm::dot(into, axes.normal));
+  const glm::dvec3 v = sites.points()[vertex] - element.corners[edge == 1 ? 1 : 0];
+  // Both directions are orthogonal to the edge.
+  const glm::dvec2 across(glm::dot(plane.project(v), outwards[edge]), glm::dot(v, plane.normal));
+  const double length = glm::length(across);
+  const glm::dvec2 fold = length > 0.0 ? across / length : glm::dvec2(0.0);
+  group.foldCosine[edge][lane] = static_cast<float>(fold.x);
+  group.foldSine[edge][lane] = static_cast<float>(fold.y);
+}
+
+/// Returns the unit vector of that edge at a vertex whose direction is the most opposite to a
+/// vector, or zero if there is none that leads away from it.
+glm::dvec3 edgeAway(const SiteSet& sites, const IncidenceLists& pointEdges, int vertex,
+  const glm::dvec3& from)
+{
+  const glm::dvec3& start = sites.points()[vertex];
+  glm::dvec3 away(0.0);
+  double squaredLength = 1.0;
+  double least = 0.0; // squared cosine, times the squared length of `from`, negative
+  for (const int* edge = pointEdges.begin(vertex); edge != pointEdges.end(vertex); ++edge)
+  {
+    const glm::ivec2& ends = sites.edges()[*edge];
+    const glm::dvec3 v = sites.points()[ends[0] == vertex ? ends[1] : ends[0]] - start;
+    const double along = glm::dot(v, from);
+    const double squared = glm::dot(v, v);
+    if (along < 0.0 && -along * along < least * squared)
+    {
+      least = -along * along / squared;
+      squaredLength = squared;
+      away = v;
+    }
+  }
+  return away / std::sqrt(squaredLength);
+}
+
+/// Sets the edge at a corner that leads away from the element.
+void setAway(SiteGroup& group, int lane, int corner, const SiteSet& sites,
+  const IncidenceLists& pointEdges, const Element& element, const Plane& plane)
+{
+  const glm::dvec2& a = plane.fromA;
+  const glm::dvec2& b = plane.fromB;
+  const glm::dvec2 x(1.0, 0.0);
+  const glm::dvec2 into[3] = { x + a, b - x, -a - b };
+  const glm::dvec3 away = edgeAway(sites, pointEdges, element.vertices[corner],
+    into[corner].x * plane.along + into[corner].y * plane.across);
+  // Past the corner and outside the edge AB or, at C, AC.
+  const glm::dvec2 past = corner == 2 ? a : corner == 1 ? x : -x;
+  const glm::dvec2 outside = corner == 2 ? glm::dvec2(-a.y, a.x) : glm::dvec2(0.0, -1.0);
+  const glm::dvec2 inPlane = plane.project(away);
+  setVector(group.away[corner], lane,
+    glm::dvec3(glm::dot(inPlane, past), glm::dot(inPlane, outside), glm::dot(away, plane.normal)));
 }
 
 void setSharing(SiteGroup& group, int lane, const SiteSet& sites, const SharedSites& shared,
-  int site, const Element& element, const Axes& axes)
+  int site, const Element& element, const Plane& plane)
 {
   int owned = element.hasFace ? kFacePart : 0;
   for (int i = 0; i < 3; ++i)
   {
     const int edge = element.edges[i];
-    glm::dvec3 into(0.0);
+    group.foldCosine[i][lane] = 0.0f;
+    group.foldSine[i][lane] = 0.0f;
     if (edge != SharedSites::kNone && shared.edgeOwners[edge] == site &&
       sites.active(sites.firstEdge() + edge))
     {
       owned |= kEdgePart << i;
       const glm::ivec2& faces = shared.edgeFaces[edge];
       const int neighbour = faces[0] == site ? faces[1] : faces[0];
-      into = neighbour != SharedSites::kNone ? intoFace(sites, neighbour, edge) : into;
+      if (neighbour != SharedSites::kNone)
+      {
+        setFold(group, lane, i, sites, element, plane, cornerOpposite(sites, neighbour, edge));
+      }
     }
-    setFold(group, lane, i, axes, into);
   }
   const std::array<int, 3>& vertices = element.vertices;
   for (int i = 0; i < 3; ++i)
   {
     const bool repeated =
       std::find(vertices.begin(), vertices.begin() + i, vertices[i]) != vertices.begin() + i;
-    owned |= !repeated && shared.vertexOwners[vertices[i]] == site ? kVertexPart << i : 0;
+    setVector(group.away[i], lane, glm::dvec3(0.0));
+    if (!repeated && shared.vertexOwners[vertices[i]] == site)
+    {
+      owned |= kVertexPart << i;
+      setAway(group, lane, i, sites, shared.pointEdges, element, plane);
+    }
   }
   group.owned[lane] = owned;
   // Without length, an edge has no direction that bounds anything.
@@ -181,17 +249,22 @@ void setSharing(SiteGroup& group, int lane, const SiteSet& sites, const SharedSi
   group.unbounded[lane] = bounded ? 0 : owned;
 }
 
-void setLane(SiteGroup& group, int lane, const SiteSet& sites, const SharedSites& shared, int site)
+/// Returns the largest squared distance of a corner from the group's origin.
+double setLane(SiteGroup& group, int lane, const SiteSet& sites, const SharedSites& shared,
+  int site)
 {
   const Element element = elementOf(sites, site);
-  const Axes axes = axesOf(element);
-  setGeometry(group, lane, element, axes);
+  const Plane plane = planeOf(element);
+  setGeometry(group, lane, element, plane);
+  setSharing(group, lane, sites, shared, site, element, plane);
+  group.elements[lane] = site;
+  double squaredExtent = 0.0;
   for (const glm::dvec3& corner : element.corners)
   {
-    group.extent = std::max(group.extent, static_cast<float>(glm::distance(corner, group.origin)));
+    const glm::dvec3 v = corner - group.origin;
+    squaredExtent = std::max(squaredExtent, glm::dot(v, v));
   }
-  setSharing(group, lane, sites, shared, site, element, axes);
-  group.elements[lane] = site;
+  return squaredExtent;
 }
 
 /// Whether a face has the ends of one of its edges in their order.
@@ -227,6 +300,10 @@ void SiteGroup::copy(int to, const SiteGroup& from, int lane)
   copyAll(fromA, from.fromA);
   copyAll(foldCosine, from.foldCosine);
   copyAll(foldSine, from.foldSine);
+  for (std::size_t corner = 0; corner < away.size(); ++corner)
+  {
+    copyAll(away[corner], from.away[corner]);
+  }
   withoutFace[to] = from.withoutFace[lane];
   owned[to] = from.owned[lane];
   unbounded[to] = from.unbounded[lane];
@@ -279,21 +356,32 @@ SharedSites::SharedSites(const SiteSet& sites, const MeshConnectivity& connectiv
     });
 }
 
-double SharedSites::minCosine(const SiteSet& sites, int element, const glm::dvec3& axis) const
+double SharedSites::minCosine(const SiteSet& sites, const SiteGroup& group,
+  const glm::dvec3& axis) const
 {
-  if (sites.kind(element) != SiteKind::Face || !sites.active(element))
+  std::array<int, 3 * SiteGroup::kSize> vertices;
+  auto end = vertices.begin();
+  for (const int element : group.elements)
   {
-    return -1.0;
-  }
-  double min = 1.0;
-  for (int i = 0; i < 3; ++i)
-  {
-    const int vertex = sites.faces()[element][i];
-    if (open[vertex] != 0)
+    if (sites.kind(element) != SiteKind::Face || !sites.active(element))
     {
       return -1.0;
     }
-    for (const int* edge = pointEdges.begin(vertex); edge != pointEdges.end(vertex); ++edge)
+    for (int i = 0; i < 3; ++i)
+    {
+      *end++ = sites.faces()[element][i];
+    }
+  }
+  std::sort(vertices.begin(), end);
+  end = std::unique(vertices.begin(), end);
+  double min = 1.0;
+  for (auto vertex = vertices.begin(); vertex != end; ++vertex)
+  {
+    if (open[*vertex] != 0)
+    {
+      return -1.0;
+    }
+    for (const int* edge = pointEdges.begin(*vertex); edge != pointEdges.end(*vertex); ++edge)
     {
       for (int k = 0; k < 2; ++k)
       {
@@ -330,12 +418,14 @@ SiteGroup makeSiteGroup(const SiteSet& sites, const SharedSites& shared, const i
     sum += glm::dvec3(sites.boundingBall(elements[i]));
   }
   group.origin = sum / static_cast<double>(count);
-  group.extent = 0.0f;
+  double squaredExtent = 0.0;
   for (int lane = 0; lane < SiteGroup::kSize; ++lane)
   {
-    setLane(group, lane, sites, shared, elements[std::min(lane, count - 1)]);
+    const int element = elements[std::min(lane, count - 1)];
+    squaredExtent = std::max(squaredExtent, setLane(group, lane, sites, shared, element));
     group.owned[lane] = lane < count ? group.owned[lane] : 0;
   }
+  group.extent = static_cast<float>(std::sqrt(squaredExtent));
   return group;
 }
 

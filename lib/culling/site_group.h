@@ -34,23 +34,29 @@ struct alignas(32) SiteGroup
   using Lanes3 = std::array<Lanes, 3>;
   using IntLanes = std::array<std::int32_t, kSize>;
 
-  Lanes3 start;               ///< A, relative to `origin`
-  Lanes3 along;               ///< unit vector of x
-  Lanes3 across;              ///< unit vector of y
-  Lanes3 normal;              ///< unit vector orthogonal to both
-  Lanes3 lengths;             ///< of AB, BC, AC
-  std::array<Lanes, 2> fromB; ///< unit vector from B to C, in the plane
-  std::array<Lanes, 2> fromA; ///< unit vector from A to C, in the plane
-  Lanes3 foldCosine;          ///< of the angle by which the neighbour at AB, BC, AC bends from
-  Lanes3 foldSine;            ///< the plane towards the normal; both are 0 without a neighbour
-  Lanes withoutFace;          ///< 0, or infinite where the element has no active face
-  IntLanes owned;             ///< active sites, as bits of SitePart
-  IntLanes unbounded;         ///< those whose Voronoi regions the edges do not tell
-  IntLanes elements;          ///< sites that name them, ascending; the last one fills
-                              ///< the rest, and owns nothing there
+  // First what distances need, so that it lies together.
+  Lanes3 start;                  ///< A, relative to `origin`
+  Lanes3 along;                  ///< unit vector of x
+  Lanes3 across;                 ///< unit vector of y
+  Lanes3 normal;                 ///< unit vector orthogonal to both
+  Lanes3 lengths;                ///< of AB, BC, AC
+  std::array<Lanes, 2> fromB;    ///< unit vector from B to C, in the plane
+  std::array<Lanes, 2> fromA;    ///< unit vector from A to C, in the plane
+  Lanes withoutFace;             ///< 0, or infinite where the element has no active face
+  IntLanes elements;             ///< sites that name them, ascending; the last one fills
+                                 ///< the rest, and owns nothing there
+  alignas(32) glm::dvec3 origin; ///< local coordinates
+  float extent;                  ///< largest distance of a corner from the origin
+  alignas(32) Lanes3 foldCosine; ///< of the angle by which the neighbour at AB, BC, AC bends from
+  Lanes3 foldSine;               ///< the plane towards the normal; both are 0 without a neighbour
+  std::array<Lanes3, 3> away;    ///< unit vectors of the edges at A, B, C that lead away from the
+                              ///< element, for ElementPosition::alongAway(); 0 where there is none
+  IntLanes owned;                          ///< active sites, as bits of SitePart
+  IntLanes unbounded;                      ///< those whose Voronoi regions the edges do not tell
   std::array<std::uint8_t, kSize> longest; ///< which edge AB is, as in SiteSet::faceEdges()
-  glm::dvec3 origin;                       ///< local coordinates
-  float extent;                            ///< largest distance of a corner from the origin
+
+  /// Sets nothing, so that many groups can be made without a pass over their memory.
+  SiteGroup() {}
 
   /// Copies an element. Its start stays relative to the origin of `from`.
   void copy(int to, const SiteGroup& from, int lane);
@@ -74,10 +80,9 @@ struct SharedSites
   /// @param connectivity must outlive this.
   SharedSites(const SiteSet& sites, const MeshConnectivity& connectivity);
 
-  /// Returns the smallest cosine between an axis and the normals of the faces at an element's
-  /// sites.
+  /// Returns the smallest cosine between an axis and the normals of the faces at a group's sites.
   /// @return -1 if the surface ends or branches there, or turns its other side out.
-  double minCosine(const SiteSet& sites, int element, const glm::dvec3& axis) const;
+  double minCosine(const SiteSet& sites, const SiteGroup& group, const glm::dvec3& axis) const;
 
   /// Returns all elements, by the sites that name them: faces, and edges and vertices of no face.
   std::vector<int> elements(const SiteSet& sites) const;
@@ -181,6 +186,16 @@ struct alignas(32) ElementPosition
     squared = height * height + (offFace > 0.0f ? squared : Float8{});
   }
 
+  /// Returns the distance from a corner along the edge there that leads away from the element.
+  /// @param corner 0, 1, 2 for A, B, C.
+  template <typename Of>
+  MEDIAL_INLINE Float8 alongAway(const SiteGroup& group, const Of& of, int corner) const
+  {
+    const SiteGroup::Lanes3& away = group.away[corner];
+    const Float8 past = corner == 0 ? before[0] : corner == 1 ? beyond[0] : beyond[2];
+    return of(away[0]) * past + of(away[1]) * outside[corner == 2 ? 2 : 0] + of(away[2]) * height;
+  }
+
   /// A position in relation to all elements of a group.
   /// @param x relative to the group's origin.
   MEDIAL_INLINE ElementPosition(const SiteGroup& group, const glm::vec3& x)
@@ -193,8 +208,8 @@ struct alignas(32) ElementPosition
 };
 
 /// Returns the owned sites that can hold the closest points of positions in balls, as bits of
-/// SitePart: those whose Voronoi regions meet the ball, as far as the element and one neighbour at
-/// each edge bound them.
+/// SitePart: those whose Voronoi regions meet the ball, as far as the element, one neighbour at
+/// each edge and one more edge at each corner bound them.
 /// @param of AllElements, or OneElement.
 template <typename Of>
 MEDIAL_INLINE Int8 partsNear(const SiteGroup& group, const Of& of, const ElementPosition& centre,
@@ -210,9 +225,13 @@ MEDIAL_INLINE Int8 partsNear(const SiteGroup& group, const Of& of, const Element
     parts |= (centre.outside[edge] + withoutFace >= -r) & (intoNeighbour <= r) &
       (max(centre.before[edge], centre.beyond[edge]) <= r) & (kEdgePart << edge);
   }
-  parts |= (centre.before[0] >= -r) & (centre.before[2] >= -r) & static_cast<int>(kVertexPart);
-  parts |= (centre.beyond[0] >= -r) & (centre.before[1] >= -r) & (kVertexPart << 1);
-  parts |= (centre.beyond[1] >= -r) & (centre.beyond[2] >= -r) & (kVertexPart << 2);
+  const Float8 beyondCorner[3][2] = { { centre.before[0], centre.before[2] },
+    { centre.beyond[0], centre.before[1] }, { centre.beyond[1], centre.beyond[2] } };
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    parts |= (min(beyondCorner[corner][0], beyondCorner[corner][1]) >= -r) &
+      (centre.alongAway(group, of, corner) <= r) & (kVertexPart << corner);
+  }
   return (parts | of(group.unbounded)) & of(group.owned);
 }
 

@@ -3,6 +3,7 @@
 #include "base/checkpoint.h"
 #include "base/stopwatch.h"
 #include "field/field_sign.h"
+#include "gl/gpu_thread.h"
 #include "medial/device.h"
 #include "medial/error.h"
 
@@ -51,9 +52,9 @@ void checkReach(const TriangleMesh& mesh, const GridFrame& frame)
 }
 
 /// Returns the hardware renderer that is required, whatever the engine.
-Device requiredHardware()
+Device requiredHardware(const std::string& wanted)
 {
-  Device device = queryDevice();
+  Device device = gl::GpuThread::instance(wanted).device();
   if (device.software)
   {
     throw Error(ErrorCode::NoGpu,
@@ -78,7 +79,7 @@ FieldPipeline::FieldPipeline(const TriangleMesh& mesh, const MeshConnectivity& c
   checkReach(mesh, frame_);
   if (options.requireHardware)
   {
-    statistics_.device = requiredHardware();
+    statistics_.device = requiredHardware(options.device);
   }
   timed(statistics_.seconds.sign,
     [&]

@@ -1,29 +1,24 @@
 #include "gl/egl_context.h"
 
+#include "gl/egl_displays.h"
 #include "medial/error.h"
 
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 
 #include <algorithm>
-#include <cstring>
+#include <cctype>
 #include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include <dlfcn.h>
 #include <unistd.h>
 
 namespace medial::gl
 {
 namespace
 {
-
-bool hasExtension(const char* extensions, const char* name)
-{
-  return extensions != nullptr && std::strstr(extensions, name) != nullptr;
-}
 
 bool isSoftware(const std::string& renderer)
 {
@@ -43,97 +38,31 @@ std::string glString(GLenum name)
   return text != nullptr ? text : "unknown";
 }
 
-bool canLoad(const char* library)
+/// A display with a context that is current, or why there is none.
+struct Opened
 {
-  void* handle = dlopen(library, RTLD_LAZY | RTLD_LOCAL);
-  if (handle != nullptr)
-  {
-    dlclose(handle);
-  }
-  return handle != nullptr;
-}
+  EGLDisplay display = EGL_NO_DISPLAY;
+  EGLContext context = EGL_NO_CONTEXT;
+  std::string refusal;
 
-/// Checks for the libraries first, since libepoxy ends the process if it finds none.
-void requireLibraries()
-{
-  if (!canLoad("libEGL.so.1"))
+  bool exists() const { return context != EGL_NO_CONTEXT; }
+  void destroy()
   {
-    throw Error(ErrorCode::NoGpu, "libEGL.so.1 cannot be loaded; install it (Debian: libegl1)");
-  }
-  if (!canLoad("libOpenGL.so.0") && !canLoad("libGL.so.1"))
-  {
-    throw Error(ErrorCode::NoGpu,
-      "neither libOpenGL.so.0 nor libGL.so.1 can be loaded; install one of them (Debian: "
-      "libopengl0 "
-      "or libgl1)");
-  }
-}
-
-/// A display to try, and what EGL calls its device.
-struct Candidate
-{
-  EGLDisplay display;
-  std::string name;
-};
-
-/// Returns a device's file, if EGL tells it.
-std::string nameOf(EGLDeviceEXT device, EGLint number)
-{
-  const char* extensions = eglQueryDeviceStringEXT(device, EGL_EXTENSIONS);
-  const char* file = hasExtension(extensions, "EGL_EXT_device_drm")
-    ? eglQueryDeviceStringEXT(device, EGL_DRM_DEVICE_FILE_EXT)
-    : nullptr;
-  return file != nullptr ? file : "EGL device " + std::to_string(number);
-}
-
-/// Returns the displays in the order to try them.
-std::vector<Candidate> candidateDisplays()
-{
-  std::vector<Candidate> candidates;
-  const char* extensions = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
-  if (!hasExtension(extensions, "EGL_EXT_platform_base"))
-  {
-    return candidates;
-  }
-  if (hasExtension(extensions, "EGL_EXT_platform_device") &&
-    hasExtension(extensions, "EGL_EXT_device_enumeration") &&
-    hasExtension(extensions, "EGL_EXT_device_query"))
-  {
-    constexpr EGLint kMaxDevices = 32;
-    EGLDeviceEXT devices[kMaxDevices];
-    EGLint count = 0;
-    eglQueryDevicesEXT(kMaxDevices, devices, &count);
-    for (EGLint i = 0; i < count; ++i)
+    if (this->exists())
     {
-      candidates.push_back({ eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr),
-        nameOf(devices[i], i) });
+      eglDestroyContext(display, context);
+      context = EGL_NO_CONTEXT;
     }
   }
-  if (hasExtension(extensions, "EGL_MESA_platform_surfaceless"))
-  {
-    candidates.push_back(
-      { eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr),
-        "Mesa's surfaceless platform" });
-  }
-  return candidates;
-}
+};
 
-/// Makes a context of `display` and makes it current; EGL_NO_CONTEXT if this fails.
-EGLContext makeContext(EGLDisplay display, bool debug)
+/// Makes a context that, if the driver knows how, says when the device was reset.
+EGLContext createContext(EGLDisplay display, bool debug)
 {
-  if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr) ||
-    !eglBindAPI(EGL_OPENGL_API))
-  {
-    return EGL_NO_CONTEXT;
-  }
-  // The last two make a device that was reset say so; not every driver knows them.
   const EGLint attributes[] = { EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 5,
     EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_CONTEXT_OPENGL_DEBUG,
     debug ? EGL_TRUE : EGL_FALSE, EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY,
     EGL_LOSE_CONTEXT_ON_RESET, EGL_NONE };
-  EGLint plain[std::size(attributes)];
-  std::copy(std::begin(attributes), std::end(attributes), plain);
-  plain[std::size(attributes) - 3] = EGL_NONE;
   // Not every driver offers contexts without a configuration, so take any configuration that
   // renders OpenGL.
   const EGLint wanted[] = { EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, EGL_DONT_CARE,
@@ -141,33 +70,74 @@ EGLContext makeContext(EGLDisplay display, bool debug)
   EGLConfig config = nullptr;
   EGLint count = 0;
   eglChooseConfig(display, wanted, &config, 1, &count);
-  EGLContext context = EGL_NO_CONTEXT;
-  for (const EGLint* wished : { attributes, static_cast<const EGLint*>(plain) })
+  const auto create = [&](const EGLint* some)
+  { return eglCreateContext(display, count > 0 ? config : nullptr, EGL_NO_CONTEXT, some); };
+  const EGLContext context = create(attributes);
+  if (context != EGL_NO_CONTEXT)
   {
-    context = context != EGL_NO_CONTEXT
-      ? context
-      : eglCreateContext(display, count > 0 ? config : nullptr, EGL_NO_CONTEXT, wished);
+    return context;
   }
+  constexpr std::size_t kOfReset = 3; // the last attribute, its value and the end
+  EGLint plain[std::size(attributes)];
+  std::copy(std::begin(attributes), std::end(attributes), plain);
+  plain[std::size(attributes) - kOfReset] = EGL_NONE;
+  return create(plain);
+}
+
+/// Makes a context and makes it current.
+Opened open(EGLDisplay display, bool debug)
+{
+  const auto refused = [](const char* reason) {
+    return Opened{ EGL_NO_DISPLAY, EGL_NO_CONTEXT, reason };
+  };
+  if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr))
+  {
+    return refused("EGL cannot initialise it (no driver, or no permission)");
+  }
+  if (!eglBindAPI(EGL_OPENGL_API))
+  {
+    return refused("it offers no OpenGL");
+  }
+  const EGLContext context = createContext(display, debug);
   if (context == EGL_NO_CONTEXT)
   {
-    return EGL_NO_CONTEXT;
+    return refused("it offers no OpenGL 4.5 core context");
   }
   if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context))
   {
     eglDestroyContext(display, context);
-    return EGL_NO_CONTEXT;
+    return refused("it draws into surfaces only");
   }
-  return context;
+  return { display, context, {} };
 }
 
 /// Describes the device of the current context.
-Device currentDevice()
+Device currentDevice(int number, const std::string& origin)
 {
   Device device;
+  device.number = number;
+  device.origin = origin;
   device.renderer = glString(GL_RENDERER);
   device.version = glString(GL_VERSION);
   device.software = isSoftware(device.renderer);
   return device;
+}
+
+std::string lowerCase(std::string text)
+{
+  std::transform(text.begin(), text.end(), text.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+[[noreturn]] void throwNoDevice(const std::string& wanted)
+{
+  throw Error(ErrorCode::NoGpu,
+    wanted.empty()
+      ? "no EGL device offers an OpenGL 4.5 core context; install a driver (Debian: libegl-mesa0 "
+        "and libgl1-mesa-dri for software rendering)"
+      : "no device with OpenGL 4.5 has the number or name '" + wanted +
+        "'; medial-axis --list-devices lists all");
 }
 
 } // namespace
@@ -191,96 +161,77 @@ bool mayHaveHardware()
   return false;
 }
 
-struct EglContext::Handles
+bool answersTo(const Device& device, const std::string& wanted)
 {
-  EGLDisplay display = EGL_NO_DISPLAY;
-  EGLContext context = EGL_NO_CONTEXT;
-
-  bool exist() const { return context != EGL_NO_CONTEXT; }
-  void destroy()
+  const bool isNumber =
+    std::all_of(wanted.begin(), wanted.end(), [](char c) { return c >= '0' && c <= '9'; });
+  if (isNumber)
   {
-    if (this->exist())
-    {
-      eglDestroyContext(display, context);
-    }
+    return wanted.empty() || wanted == std::to_string(device.number);
   }
-};
-
-namespace
-{
-
-/// Whether a device is the wanted one: by its number among all, or by a part of its renderer's
-/// name. All are if none is wanted.
-bool isWanted(const Device& device, std::size_t number, const std::string& wanted)
-{
-  return wanted.empty() || wanted == std::to_string(number) ||
-    device.renderer.find(wanted) != std::string::npos;
+  const std::string part = lowerCase(wanted);
+  return lowerCase(device.renderer).find(part) != std::string::npos ||
+    lowerCase(device.origin).find(part) != std::string::npos;
 }
 
-} // namespace
+std::vector<ListedDevice> openableDevices()
+{
+  std::vector<ListedDevice> found;
+  for (const EglDisplay& offered : eglDisplays())
+  {
+    const int number = static_cast<int>(found.size());
+    Opened opened = open(offered.display, false);
+    ListedDevice listed;
+    listed.device.number = number;
+    listed.device.origin = offered.origin;
+    listed.refusal = opened.refusal;
+    if (opened.exists())
+    {
+      listed.device = currentDevice(number, offered.origin);
+      eglMakeCurrent(opened.display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+      opened.destroy();
+    }
+    found.push_back(listed);
+  }
+  eglReleaseThread();
+  return found;
+}
 
-EglContext::EglContext(bool debug, const std::string& wanted)
+struct EglContext::Handles : Opened
+{
+};
+
+EglContext::EglContext(const std::string& wanted, bool debug)
   : handles_(std::make_unique<Handles>())
 {
-  requireLibraries();
-  const std::vector<Candidate> candidates = candidateDisplays();
-  for (std::size_t i = 0; i < candidates.size(); ++i)
+  int number = 0;
+  for (const EglDisplay& offered : eglDisplays())
   {
-    const Handles found{ candidates[i].display, makeContext(candidates[i].display, debug) };
-    if (!found.exist())
+    Opened opened = open(offered.display, debug);
+    const Device device = opened.exists() ? currentDevice(number, offered.origin) : Device();
+    ++number;
+    if (!opened.exists())
     {
       continue;
     }
-    const Device device = currentDevice();
-    const bool isRight = isWanted(device, i, wanted);
     // Keep the first software renderer only until hardware turns up.
-    Handles unused = found;
-    if (isRight && (!handles_->exist() || !device.software))
+    const bool better = !handles_->exists() || (device_.software && !device.software);
+    if (better && answersTo(device, wanted))
     {
-      unused = std::exchange(*handles_, found);
+      std::swap<Opened>(*handles_, opened);
       device_ = device;
     }
-    unused.destroy();
-    if (isRight && !device.software)
+    opened.destroy();
+    if (handles_->exists() && !device_.software)
     {
       break;
     }
   }
-  if (!handles_->exist())
+  if (!handles_->exists())
   {
-    throw Error(ErrorCode::NoGpu,
-      wanted.empty()
-        ? "no EGL device offers an OpenGL 4.5 core context; install a driver (Debian: "
-          "libegl-mesa0 and libgl1-mesa-dri for software rendering)"
-        : "no EGL device that offers an OpenGL 4.5 core context is \"" + wanted + "\"");
+    throwNoDevice(wanted);
   }
   this->makeCurrent();
-}
-
-std::vector<ListedDevice> EglContext::list()
-{
-  requireLibraries();
-  std::vector<ListedDevice> listed;
-  for (const Candidate& candidate : candidateDisplays())
-  {
-    ListedDevice device;
-    device.name = candidate.name;
-    Handles handles{ candidate.display, makeContext(candidate.display, false) };
-    if (handles.exist())
-    {
-      device.device = currentDevice();
-      eglMakeCurrent(handles.display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-      handles.destroy();
-    }
-    else
-    {
-      device.refusal = candidate.display == EGL_NO_DISPLAY ? "EGL makes no display of it"
-                                                           : "it offers no OpenGL 4.5 core context";
-    }
-    listed.push_back(device);
-  }
-  eglReleaseThread();
-  return listed;
 }
 
 EglContext::~EglContext()

@@ -11,20 +11,28 @@ namespace medial::gl
 
 /// Whether the system has any graphics device. Takes no time, and loads no library.
 bool mayHaveHardware();
+/// Whether a device has this number or, in upper or lower case, this part of its name or origin.
+/// Each answers to an empty word.
+bool answersTo(const Device& device, const std::string& wanted);
+
+/// Returns what EGL offers, tried one by one. Leaves the thread without a current context.
+/// @throws Error NoGpu if EGL or OpenGL is not installed.
+std::vector<ListedDevice> openableDevices();
 
 /// A surfaceless OpenGL 4.5 core context from EGL. The library computes in one, and medial-axis
 /// draws its pictures in another. (The header does not include epoxy, since epoxy's declarations of
 /// OpenGL exclude those of GLEW.)
 ///
-/// Every EGL device is tried, hardware before software renderers, then Mesa's surfaceless platform.
+/// Unless one is asked for, every EGL device is tried, hardware before software renderers, then
+/// Mesa's surfaceless platform.
 class EglContext
 {
 public:
   /// Makes a context and makes it current on this thread.
+  /// @param wanted the device's number, or a part of its name; empty for the best.
   /// @param debug whether to make a debug context.
-  /// @param wanted number of a device in list(), or a part of its renderer's name; empty for any.
   /// @throws Error NoGpu with the reason.
-  explicit EglContext(bool debug = false, const std::string& wanted = "");
+  explicit EglContext(const std::string& wanted = {}, bool debug = false);
   /// To be called on the thread that used the context last. The display stays initialised, since
   /// others may use it.
   ~EglContext();
@@ -37,10 +45,6 @@ public:
   void release();
 
   const Device& device() const { return device_; }
-
-  /// Lists what there is to choose from. The thread has no current context afterwards.
-  /// @throws Error NoGpu where the libraries are missing.
-  static std::vector<ListedDevice> list();
 
 private:
   struct Handles;

@@ -24,25 +24,6 @@ namespace
 
 thread_local bool isTheGpuThread = false;
 
-struct Choice
-{
-  std::mutex mutex;
-  std::string device;
-};
-
-Choice& choice()
-{
-  // Never destroyed, as the thread that reads it.
-  static Choice& theChoice = *new Choice;
-  return theChoice;
-}
-
-std::string chosenDevice()
-{
-  const std::lock_guard<std::mutex> lock(choice().mutex);
-  return choice().device;
-}
-
 } // namespace
 
 /// Work in the queue. Jobs link themselves, so that queueing one allocates nothing.
@@ -90,14 +71,14 @@ struct GpuThread::State
     return true;
   }
 
-  void work(std::promise<void> started)
+  void work(const std::string& wanted, std::promise<void> started)
   {
     isTheGpuThread = true;
     std::unique_ptr<EglContext> context;
     try
     {
       const bool debug = std::getenv("MEDIAL_GL_DEBUG") != nullptr;
-      context = std::make_unique<EglContext>(debug, chosenDevice());
+      context = std::make_unique<EglContext>(wanted, debug);
       if (debug)
       {
         captureDebugOutput();
@@ -158,10 +139,10 @@ struct GpuThread::State
   }
 };
 
-GpuThread& GpuThread::instance()
+GpuThread& GpuThread::instance(const std::string& wanted)
 {
   // Never destroyed: objects that were made before it, such as global ones, may ask for it later.
-  static GpuThread& thread = *new GpuThread;
+  static GpuThread& thread = *new GpuThread(wanted);
   struct Stopper
   {
     ~Stopper() { thread.state_->stop(); }
@@ -171,16 +152,22 @@ GpuThread& GpuThread::instance()
   {
     thread.state_->refuse();
   }
+  if (!answersTo(thread.device(), wanted))
+  {
+    throw Error(ErrorCode::NoGpu,
+      "this process computes on " + thread.device().renderer + ", so it cannot use the device '" +
+        wanted + "'");
+  }
   return thread;
 }
 
-GpuThread::GpuThread()
+GpuThread::GpuThread(const std::string& wanted)
   : state_(std::make_unique<State>())
 {
   std::promise<void> started;
   std::future<void> ready = started.get_future();
   state_->thread = std::thread(
-    [this, promise = std::move(started)]() mutable { state_->work(std::move(promise)); });
+    [&, promise = std::move(started)]() mutable { state_->work(wanted, std::move(promise)); });
   try
   {
     ready.get();
@@ -296,18 +283,6 @@ bool GpuThread::runIfAlive(const std::function<void()>& work)
 Device queryDevice()
 {
   return gl::GpuThread::instance().device();
-}
-
-std::vector<ListedDevice> listDevices()
-{
-  // Of another thread, so that the caller's context stays.
-  return std::async(std::launch::async, [] { return gl::EglContext::list(); }).get();
-}
-
-void chooseDevice(const std::string& device)
-{
-  const std::lock_guard<std::mutex> lock(gl::choice().mutex);
-  gl::choice().device = device;
 }
 
 std::string deviceDebugLog()

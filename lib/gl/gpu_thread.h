@@ -5,6 +5,7 @@
 #include <functional>
 #include <future>
 #include <memory>
+#include <string>
 #include <utility>
 
 namespace medial::gl
@@ -17,10 +18,11 @@ class GpuThread
 {
 public:
   /// Returns the thread, and starts it on first use.
-  /// @throws Error NoGpu if no context can be made (the next call tries again), and where the
-  /// thread
-  ///   is not alive().
-  static GpuThread& instance();
+  /// @param wanted the number of a device or a part of its name; empty for whatever the thread
+  ///   uses, at first the best.
+  /// @throws Error NoGpu if no context can be made (the next call tries again), if the thread uses
+  ///   another device, and where it is not alive().
+  static GpuThread& instance(const std::string& wanted = {});
 
   /// Whether the caller runs on the GPU thread.
   static bool isThisThread();
@@ -50,7 +52,7 @@ public:
   bool runIfAlive(const std::function<void()>& work);
 
 private:
-  GpuThread();
+  explicit GpuThread(const std::string& wanted);
   struct Job;
   struct State;
   std::unique_ptr<State> state_;

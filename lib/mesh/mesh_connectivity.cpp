@@ -9,7 +9,11 @@
 
 #include <glm/glm.hpp>
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <functional>
+#include <iterator>
 #include <numeric>
 #include <sstream>
 
@@ -276,14 +280,24 @@ MeshConnectivity analyseConnectivity(const TriangleMesh& mesh, const Execution& 
   requireValid(mesh, checkpoint);
   MeshConnectivity connectivity;
   buildEdges(mesh, checkpoint, connectivity);
-  connectivity.edgeTriangles =
-    invert(connectivity.triangleEdges, connectivity.edges.size(), checkpoint);
-  connectivity.pointEdges = invert(connectivity.edges, mesh.points.size(), checkpoint);
-  assignCells(mesh, checkpoint, connectivity);
-  countEdgeKinds(mesh, checkpoint, connectivity);
-  connectivity.components =
-    static_cast<int>(countComponents(mesh.points.size(), connectivity.edges));
-  connectivity.signedVolume = signedVolume(mesh);
+  const std::function<void()> steps[] = {
+    [&]
+    {
+      connectivity.edgeTriangles =
+        invert(connectivity.triangleEdges, connectivity.edges.size(), checkpoint);
+      countEdgeKinds(mesh, checkpoint, connectivity);
+    },
+    [&] { connectivity.pointEdges = invert(connectivity.edges, mesh.points.size(), checkpoint); },
+    [&] { assignCells(mesh, checkpoint, connectivity); },
+    [&]
+    {
+      connectivity.components =
+        static_cast<int>(countComponents(mesh.points.size(), connectivity.edges));
+      connectivity.signedVolume = signedVolume(mesh);
+    },
+  };
+  Run(execution).onThreads([&]
+    { tbb::parallel_for(std::size_t{ 0 }, std::size(steps), [&](std::size_t i) { steps[i](); }); });
   return connectivity;
 }
 

@@ -19,7 +19,7 @@ RunStatistics computeField(const TriangleMesh& mesh, const MeshConnectivity& con
     {
       const Run run(options.execution);
       FieldPipeline pipeline(mesh, connectivity, grid, extent, options, run);
-      pipeline.run(obtainEngine(options.engine, engine), sink);
+      pipeline.run(obtainEngine(options.engine, options.device, engine), sink);
       run.report(1.0, "distance field");
       return pipeline.statistics();
     });

@@ -191,8 +191,9 @@ MedialAxis runPipeline(const TriangleMesh& mesh, const MeshConnectivity& connect
     requireMemory(grid.pointCount(), kPreservationBytes);
     tap.emplace(sink, grid.wholeExtent());
   }
-  std::vector<Crossing> crossings = pipeline.run(obtainEngine(options.field.engine, engine),
-    tap ? *tap : sink, CrossingSelection{ options.angle, axis.side });
+  std::vector<Crossing> crossings =
+    pipeline.run(obtainEngine(options.field.engine, options.field.device, engine),
+      tap ? *tap : sink, CrossingSelection{ options.angle, axis.side });
   run.report(kSelected, "medial axis");
   run.onThreads(
     [&]

@@ -1,35 +1,12 @@
 #include "sign/local_expansion.h"
 
 #include "base/simd.h"
-#include "sign/solid_angle.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 namespace medial
 {
-namespace
-{
-
-constexpr double kPi = 3.14159265358979323846;
-
-/// Returns the matrix m with m * v = cross(a, v).
-glm::dmat3 crossMatrix(const glm::dvec3& a)
-{
-  return { { 0.0, a.z, -a.y }, { -a.z, 0.0, a.x }, { a.y, -a.x, 0.0 } };
-}
-
-/// Returns the sum of (m + 1) x^m over all m > 2, x being the radius over the distance.
-double tail(double radius, double distance)
-{
-  const double gap = distance - radius;
-  return radius * radius * radius * (4.0 * distance - 3.0 * radius) /
-    (distance * distance * gap * gap);
-}
-
-} // namespace
-
 double LocalExpansion::at(const glm::dvec3& point) const
 {
   const glm::dvec3 offset = point - centre;
@@ -96,17 +73,11 @@ Multipole Multipole::ofBoth(const Multipole& a, const Multipole& b)
   return result;
 }
 
-double Multipole::errorAt(double distance, double reach) const
-{
-  return distance > reach ? area * tail(reach, distance) / (4.0 * kPi * distance * distance)
-                          : HUGE_VAL;
-}
-
 MEDIAL_VECTORISED void Multipole::addTo(LocalExpansion& expansion) const
 {
   const glm::dvec3 y = middle - expansion.centre;
   const double square = glm::dot(y, y);
-  const double scale3 = 1.0 / (4.0 * kPi * square * std::sqrt(square));
+  const double scale3 = kPerSphere / (square * std::sqrt(square));
   const double scale5 = 3.0 * scale3 / square;
   const double scale7 = 5.0 * scale5 / square;
   const double along = glm::dot(areaVector, y);
@@ -130,65 +101,44 @@ MEDIAL_VECTORISED void Multipole::addTo(LocalExpansion& expansion) const
     (mixed + glm::transpose(mixed) + glm::dmat3(along)) * scale5;
 }
 
-double distanceToTriangle(const std::array<glm::dvec3, 3>& corners, const glm::dvec3& point)
+TrianglePlanes::TrianglePlanes(const std::array<glm::dvec3, 3>& corners)
 {
   const glm::dvec3 normal =
     glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
-  const double height = glm::dot(normal, point - corners[0]);
-  double outside = 0.0;
-  for (int i = 0; i < 3; ++i)
+  for (int plane = 0; plane < 4; ++plane)
   {
-    const glm::dvec3 outwards = glm::cross(corners[(i + 1) % 3] - corners[i], normal);
-    outside = std::max(outside, glm::dot(outwards, point - corners[i]) / glm::length(outwards));
+    const glm::dvec3& corner = corners[plane % 3];
+    const glm::dvec3 outwards =
+      plane == 3 ? normal : glm::normalize(glm::cross(corners[(plane + 1) % 3] - corner, normal));
+    distances_[plane] = glm::dot(outwards, corner);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      normals_[axis][plane] = outwards[axis];
+    }
   }
-  return std::sqrt(height * height + outside * outside);
 }
 
-double triangleError(double area, double gap, double radius)
+double TrianglePlanes::distanceTo(const glm::dvec3& point) const
+{
+  std::array<double, 4> heights;
+  for (int plane = 0; plane < 4; ++plane)
+  {
+    heights[plane] = normals_[0][plane] * point.x + normals_[1][plane] * point.y +
+      normals_[2][plane] * point.z - distances_[plane];
+  }
+  const double outside = std::max(std::max(heights[0], heights[1]), std::max(heights[2], 0.0));
+  return std::sqrt(heights[3] * heights[3] + outside * outside);
+}
+
+double edgeError(double length, double gap, double radius)
 {
   if (gap <= radius)
   {
     return HUGE_VAL;
   }
-  // The integral of 1 / distance^2 over the triangle, or that of radius^3 / distance^5 over its
-  // plane.
-  const double integral = std::min(area / (gap * gap), 2.0 * kPi / 3.0);
-  return integral * tail(radius, gap) / (4.0 * kPi);
-}
-
-MEDIAL_VECTORISED void LocalExpansion::addTriangle(const std::array<glm::dvec3, 3>& corners,
-  int weight)
-{
-  std::array<glm::dvec3, 3> offsets;
-  std::array<double, 3> lengths;
-  std::array<glm::dvec3, 3> inverses; // offset / length^2
-  for (int i = 0; i < 3; ++i)
-  {
-    offsets[i] = corners[i] - centre;
-    const double square = glm::dot(offsets[i], offsets[i]);
-    lengths[i] = std::sqrt(square);
-    inverses[i] = offsets[i] / square;
-  }
-  value += weight * solidAngle(corners, centre);
-  // The law of Biot and Savart for every edge, and its derivative.
-  const double scale = weight / (4.0 * kPi);
-  for (int i = 0; i < 3; ++i)
-  {
-    const int next = (i + 1) % 3;
-    const glm::dvec3& a = offsets[i];
-    const glm::dvec3& b = offsets[next];
-    const double la = lengths[i];
-    const double lb = lengths[next];
-    const double both = la + lb;
-    const double product = la * lb;
-    const double opening = product + glm::dot(a, b);
-    const double strength = scale * both / (product * opening);
-    const glm::dvec3 normal = glm::cross(a, b);
-    const glm::dvec3 growth = inverses[i] * (1.0 + product / opening - la / both) +
-      inverses[next] * (1.0 + product / opening - lb / both) + (a + b) / opening;
-    gradient += strength * normal;
-    hessian += crossMatrix(b - a) * strength + glm::outerProduct(normal, strength * growth);
-  }
+  // The integral of 1 / distance^4 over the edge, or that over its line.
+  const double integral = std::min(kPerSphere * length / gap, 0.125) / (gap * gap * gap);
+  return integral * radius * radius * radius * gap / (gap - radius);
 }
 
 } // namespace medial

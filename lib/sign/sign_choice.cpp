@@ -121,6 +121,7 @@ void SignChoice::wind(SignMethod requested, const TriangleMesh& mesh,
   if (surface_.holes > 0)
   {
     lids_ = std::make_unique<WindingNumber>(surface_.lids());
+    lids_->joinTriangles();
     report_.ambiguousShare = ambiguousShare(surface_.chain, *lids_, frame_, grid, checkpoint_);
   }
   const bool clear = report_.ambiguousShare <= kMaxAmbiguousShare;

@@ -25,33 +25,10 @@ MEDIAL_VECTORISED void turn(const double* corners, double sense, SolidAngleSums:
     const double x = state.points[0][i];
     const double y = state.points[1][i];
     const double z = state.points[2][i];
-    const double ax = corners[0] - x;
-    const double ay = corners[1] - y;
-    const double az = corners[2] - z;
-    const double bx = corners[3] - x;
-    const double by = corners[4] - y;
-    const double bz = corners[5] - z;
-    const double cx = corners[6] - x;
-    const double cy = corners[7] - y;
-    const double cz = corners[8] - z;
-    const double la = std::sqrt(ax * ax + ay * ay + az * az);
-    const double lb = std::sqrt(bx * bx + by * by + bz * bz);
-    const double lc = std::sqrt(cx * cx + cy * cy + cz * cz);
-    const double volume =
-      ax * (by * cz - bz * cy) + ay * (bz * cx - bx * cz) + az * (bx * cy - by * cx);
-    const double cosines = la * lb * lc + (ax * bx + ay * by + az * bz) * lc +
-      (bx * cx + by * cy + bz * cz) * la + (cx * ax + cy * ay + cz * az) * lb;
-    // In the plane of the triangle the angle is taken as none.
-    const double real = volume == 0.0 ? 1.0 : cosines;
-    const double imaginary = sense * volume;
-    const double before = state.imaginary[i];
-    const double newReal = state.real[i] * real - before * imaginary;
-    const double after = state.real[i] * imaginary + before * real;
-    const double forwards = (imaginary > 0.0) & (before >= 0.0) & (after < 0.0) ? 1.0 : 0.0;
-    const double backwards = (imaginary < 0.0) & (before < 0.0) & (after >= 0.0) ? 1.0 : 0.0;
-    state.turns[i] += forwards - backwards;
-    state.real[i] = newReal;
-    state.imaginary[i] = after;
+    turnBy({ corners[0] - x, corners[1] - y, corners[2] - z },
+      { corners[3] - x, corners[4] - y, corners[5] - z },
+      { corners[6] - x, corners[7] - y, corners[8] - z }, sense, state.real[i], state.imaginary[i],
+      state.turns[i]);
   }
 }
 

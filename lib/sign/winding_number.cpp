@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
+#include <tuple>
 
 namespace medial
 {
@@ -17,8 +19,20 @@ constexpr int kLeafSize = 3;
 constexpr double kOpenAbove = 0.5;
 /// Larger errors are not worth a look.
 constexpr double kMaxError = 0.5;
+/// Continuations are of no use with larger errors, and cost too much for more triangles.
+constexpr double kMaxContinuedError = 0.1;
+constexpr std::size_t kMaxContinued = 100;
 /// Rounding of a sum.
 constexpr double kRounding = 1e-9;
+/// No neighbour.
+constexpr int kNone = -1;
+
+double distanceToEdge(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& point)
+{
+  const glm::dvec3 along = b - a;
+  const double t = std::clamp(glm::dot(point - a, along) / glm::dot(along, along), 0.0, 1.0);
+  return glm::distance(a + t * along, point);
+}
 
 } // namespace
 
@@ -28,6 +42,7 @@ WindingNumber::WindingNumber(const TriangleChain& chain)
   {
     Triangle triangle;
     triangle.corners = chain.cornersOf(weighted);
+    triangle.points = weighted.corners;
     triangle.weight = weighted.weight;
     const auto& [a, b, c] = triangle.corners;
     triangle.area = 0.5 * glm::length(glm::cross(b - a, c - a));
@@ -91,6 +106,49 @@ int WindingNumber::build(int begin, int end)
   return index;
 }
 
+void WindingNumber::joinTriangles()
+{
+  struct Edge
+  {
+    std::array<int, 3> key; ///< the points in order, and how often it runs that way
+    int triangle;
+    int place;
+  };
+  std::vector<Edge> edges;
+  for (std::size_t t = 0; t < triangles_.size(); ++t)
+  {
+    const Triangle& triangle = triangles_[t];
+    for (int i = 0; i < 3; ++i)
+    {
+      const auto [low, high] = std::minmax(triangle.points[i], triangle.points[(i + 1) % 3]);
+      edges.push_back({ { low, high, std::abs(triangle.weight) }, static_cast<int>(t), i });
+    }
+  }
+  std::sort(edges.begin(), edges.end(),
+    [](const Edge& a, const Edge& b)
+    { return std::tie(a.key, a.triangle, a.place) < std::tie(b.key, b.triangle, b.place); });
+  const auto runsUp = [this](const Edge& edge)
+  {
+    const Triangle& triangle = triangles_[edge.triangle];
+    return (triangle.points[edge.place] == edge.key[0]) == (triangle.weight > 0);
+  };
+  for (const Triangle& triangle : triangles_)
+  {
+    planes_.emplace_back(triangle.corners);
+  }
+  neighbours_.assign(triangles_.size(), { kNone, kNone, kNone });
+  for (std::size_t e = 1; e < edges.size(); ++e)
+  {
+    Edge& a = edges[e - 1];
+    Edge& b = edges[e];
+    if (a.key == b.key && runsUp(a) != runsUp(b) && neighbours_[a.triangle][a.place] == kNone)
+    {
+      neighbours_[a.triangle][a.place] = b.triangle;
+      neighbours_[b.triangle][b.place] = a.triangle;
+    }
+  }
+}
+
 WindingNumber::View WindingNumber::everything() const
 {
   View view;
@@ -103,11 +161,18 @@ WindingNumber::View WindingNumber::everything() const
   return view;
 }
 
+double WindingNumber::distanceTo(int triangle, const glm::dvec3& point) const
+{
+  return planes_.empty() ? TrianglePlanes(triangles_[triangle].corners).distanceTo(point)
+                         : planes_[triangle].distanceTo(point);
+}
+
 double WindingNumber::errorOf(int item, const LocalExpansion& far, double tolerance) const
 {
   if (item < 0)
   {
-    const Triangle& triangle = triangles_[-1 - item];
+    const int t = -1 - item;
+    const Triangle& triangle = triangles_[t];
     const double weight = std::abs(triangle.weight);
     const double distance = glm::distance(triangle.middle, far.centre);
     // The gap is somewhere between the first two.
@@ -117,9 +182,9 @@ double WindingNumber::errorOf(int item, const LocalExpansion& far, double tolera
     }
     const double error =
       weight * triangleError(triangle.area, distance - triangle.radius, far.radius);
-    return error <= tolerance ? error
-                              : weight *
-        triangleError(triangle.area, distanceToTriangle(triangle.corners, far.centre), far.radius);
+    return error <= tolerance
+      ? error
+      : weight * triangleError(triangle.area, this->distanceTo(t, far.centre), far.radius);
   }
   const Group& group = groups_[item];
   return group.multipole.errorAt(glm::distance(group.multipole.middle, far.centre),
@@ -131,11 +196,12 @@ bool WindingNumber::isOpened(int item, double radius, bool closely) const
   return item >= 0 && (closely || groups_[item].radius > kOpenAbove * radius);
 }
 
-void WindingNumber::add(int item, LocalExpansion& far) const
+void WindingNumber::add(int item, LocalExpansion& far, ExpansionSum& triangles) const
 {
   if (item < 0)
   {
-    far.addTriangle(triangles_[-1 - item].corners, triangles_[-1 - item].weight);
+    const Triangle& triangle = triangles_[-1 - item];
+    triangles.addTriangle(triangle.corners, triangle.weight);
   }
   else
   {
@@ -148,6 +214,7 @@ WindingNumber::View WindingNumber::look(const View& outer, const glm::dvec3& cen
 {
   View view;
   view.far = outer.far.movedTo(centre, radius);
+  ExpansionSum triangles(centre);
   constexpr std::size_t kUsual = 64;
   view.near.reserve(kUsual);
   std::vector<int> rest;
@@ -157,12 +224,12 @@ WindingNumber::View WindingNumber::look(const View& outer, const glm::dvec3& cen
   {
     const int item = rest.back();
     rest.pop_back();
-    const double error = tolerance > 0.0 && (item >= 0 || !closely)
+    const double error = tolerance > 0.0 && (item >= 0 || radius > 0.0)
       ? this->errorOf(item, view.far, view.nearError < kMaxError ? kMaxError : tolerance)
       : HUGE_VAL;
     if (error <= tolerance)
     {
-      this->add(item, view.far);
+      this->add(item, view.far, triangles);
       view.far.error += error;
     }
     else if (!this->isOpened(item, radius, closely))
@@ -183,6 +250,7 @@ WindingNumber::View WindingNumber::look(const View& outer, const glm::dvec3& cen
       rest.push_back(item + 1);
     }
   }
+  triangles.addTo(view.far);
   return view;
 }
 
@@ -206,11 +274,73 @@ Interval WindingNumber::bounds(const View& view) const
   }
   LocalExpansion all = view.far;
   all.error += view.nearError;
+  ExpansionSum triangles(all.centre);
   for (const int item : view.near)
   {
-    this->add(item, all);
+    this->add(item, all, triangles);
   }
+  triangles.addTo(all);
   return all.bounds();
+}
+
+double WindingNumber::addBorder(const View& view, ExpansionSum& sum) const
+{
+  double error = 0.0;
+  for (const int item : view.near)
+  {
+    const int t = -1 - item;
+    const Triangle& triangle = triangles_[t];
+    for (int i = 0; i < 3 && error <= kMaxContinuedError; ++i)
+    {
+      const int neighbour = neighbours_[t][i];
+      // Triangles are near in descending order.
+      if (neighbour != kNone &&
+        std::binary_search(view.near.begin(), view.near.end(), -1 - neighbour, std::greater<>()))
+      {
+        continue;
+      }
+      const glm::dvec3& from = triangle.corners[i];
+      const glm::dvec3& to = triangle.corners[(i + 1) % 3];
+      error += std::abs(triangle.weight) *
+        edgeError(glm::distance(from, to), distanceToEdge(from, to, view.far.centre),
+          view.far.radius);
+      sum.addEdge(from, to, triangle.weight);
+    }
+  }
+  return error;
+}
+
+std::optional<Continuation> WindingNumber::continued(const View& view) const
+{
+  const bool tried = !neighbours_.empty() && view.near.size() <= kMaxContinued &&
+    std::all_of(view.near.begin(), view.near.end(), [](int item) { return item < 0; });
+  if (!tried)
+  {
+    return {};
+  }
+  LocalExpansion smooth = view.far;
+  ExpansionSum sum(smooth.centre);
+  smooth.error += this->addBorder(view, sum);
+  if (smooth.error > kMaxContinuedError)
+  {
+    return {};
+  }
+  for (const int item : view.near)
+  {
+    sum.addValue(triangles_[-1 - item].corners, triangles_[-1 - item].weight);
+  }
+  sum.addTo(smooth);
+  Continuation continuation(smooth);
+  for (const int item : view.near)
+  {
+    const Triangle& triangle = triangles_[-1 - item];
+    if (this->distanceTo(-1 - item, smooth.centre) <= smooth.radius &&
+      !continuation.addStep(triangle.corners, triangle.weight))
+    {
+      return {};
+    }
+  }
+  return continuation;
 }
 
 SolidAngleSums::Values WindingNumber::at(const View& view,

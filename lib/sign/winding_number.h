@@ -1,12 +1,15 @@
 #pragma once
 
 #include "sign/closed_surface.h"
+#include "sign/continuation.h"
+#include "sign/expansion_sum.h"
 #include "sign/local_expansion.h"
 #include "sign/solid_angle.h"
 
 #include <glm/glm.hpp>
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace medial
@@ -20,6 +23,9 @@ class WindingNumber
 {
 public:
   explicit WindingNumber(const TriangleChain& chain);
+
+  /// Finds the triangles that share edges, without which no view is continued.
+  void joinTriangles();
 
   /// What is known in a ball: a quadratic function for what is far, and the rest.
   struct View
@@ -40,6 +46,9 @@ public:
 
   /// Bounds the values in the ball of a view; by infinity if anything is too near.
   Interval bounds(const View& view) const;
+  /// Continues the values in the ball of a view through its near triangles; nothing if their border
+  /// is too near, groups are near, or the triangles are not joined.
+  std::optional<Continuation> continued(const View& view) const;
   /// Returns the values at points of the ball of a close view, to +- its far.error.
   SolidAngleSums::Values at(const View& view, const SolidAngleSums::Points& points) const;
 
@@ -54,6 +63,7 @@ private:
   struct Triangle
   {
     std::array<glm::dvec3, 3> corners;
+    std::array<int, 3> points; ///< the corners' numbers
     int weight;
     glm::dvec3 middle;
     double radius; ///< around the middle
@@ -70,15 +80,22 @@ private:
   };
 
   int build(int begin, int end);
+  /// Adds the border of near triangles to a sum; returns its error, or a large one if it is large.
+  double addBorder(const View& view, ExpansionSum& sum) const;
+  /// Returns a lower bound of the distance to a triangle.
+  double distanceTo(int triangle, const glm::dvec3& point) const;
   View look(const View& outer, const glm::dvec3& centre, double radius, double tolerance,
     bool closely) const;
   /// Returns the error of an item as far; if it is above the tolerance maybe infinity.
   double errorOf(int item, const LocalExpansion& far, double tolerance) const;
   bool isOpened(int item, double radius, bool closely) const;
-  void add(int item, LocalExpansion& far) const;
+  void add(int item, LocalExpansion& far, ExpansionSum& triangles) const;
 
   std::vector<Triangle> triangles_; ///< in the order of the groups
   std::vector<Group> groups_;
+  std::vector<TrianglePlanes> planes_; ///< per triangle, if they are joined
+  /// Per triangle: those beyond its edges, which count as often; -1 for none.
+  std::vector<std::array<int, 3>> neighbours_;
 };
 
 } // namespace medial

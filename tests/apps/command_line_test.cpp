@@ -60,11 +60,11 @@ TEST_F(CommandLine, HelpNamesEveryOption)
   const Outcome help = runMedialAxis({ "--help" });
   EXPECT_EQ(help.exitCode, 0);
   EXPECT_EQ(help.err, "");
-  for (const char* option :
-    { "-o,--output", "--curves", "--field", "--thickness", "--thickness-image", "--image",
-      "--resolution", "--spacing", "--padding", "--angle", "--lambda", "--min-radius", "--side",
-      "--representation", "--max-spheres", "--topology", "--sign", "--threads", "--memory",
-      "--report", "--require-gpu", "-q,--quiet", "--version", "--help" })
+  for (const char* option : { "-o,--output", "--curves", "--field", "--thickness",
+         "--thickness-image", "--image", "--resolution", "--spacing", "--padding", "--angle",
+         "--lambda", "--min-radius", "--side", "--representation", "--max-spheres", "--topology",
+         "--sign", "--threads", "--memory", "--report", "--device", "--list-devices",
+         "--require-gpu", "-q,--quiet", "--version", "--help" })
   {
     EXPECT_TRUE(contains(help.out, option)) << option;
   }
@@ -87,6 +87,13 @@ TEST_F(CommandLine, HelpStatesTheDefaultsOfTheFilter)
   EXPECT_TRUE(contains(help, "0 for no limit; " + defaultOf(filter->GetMaximumNumberOfSpheres())));
   EXPECT_TRUE(contains(help, "0 for all cores; " + defaultOf(filter->GetNumberOfThreads())));
   EXPECT_TRUE(contains(help, "0 chooses one; " + defaultOf(filter->GetMemoryLimit())));
+}
+
+TEST_F(CommandLine, ListsDevicesWithoutAMesh)
+{
+  const Outcome list = runMedialAxis({ "--list-devices" });
+  EXPECT_EQ(list.exitCode, 0) << list.err;
+  EXPECT_EQ(list.out.rfind("0  ", 0), 0U) << list.out;
 }
 
 TEST_F(CommandLine, VersionIsOneLine)

@@ -28,7 +28,8 @@ TEST_F(CommandOutput, ReportHasExactlyTheDocumentedKeys)
     (std::set<std::string>{ "path", "triangles", "vertices", "closed", "manifold", "components",
       "skipped_degenerate" }));
   EXPECT_EQ(keysOf(result["grid"]), (std::set<std::string>{ "dimensions", "spacing", "origin" }));
-  EXPECT_EQ(keysOf(result["device"]), (std::set<std::string>{ "renderer", "version", "software" }));
+  EXPECT_EQ(keysOf(result["device"]),
+    (std::set<std::string>{ "number", "origin", "renderer", "version", "software" }));
   EXPECT_EQ(keysOf(result["seconds"]),
     (std::set<std::string>{ "read", "sites", "sign", "cull", "polygons", "draw", "resolve",
       "medial", "write", "total" }));

@@ -72,6 +72,7 @@ TYPED_TEST(FilterContract, DefaultsAreThoseOfTheLibrary)
   EXPECT_EQ(options.engine, medial::Engine::Auto);
   EXPECT_EQ(filter->GetNumberOfThreads(), options.execution.threads);
   EXPECT_EQ(static_cast<std::size_t>(filter->GetMemoryLimit()), options.memoryMiB);
+  EXPECT_EQ(filter->GetDevice(), options.device);
   EXPECT_EQ(filter->GetRequireHardware() != 0, options.requireHardware);
 }
 

@@ -101,6 +101,18 @@ TYPED_TEST(FilterContract, MissingInputIsAnErrorOfThePipeline)
   EXPECT_GE(log.pipelineErrors, 1);
 }
 
+TYPED_TEST(FilterContract, DeviceThatIsNotThereIsRefused)
+{
+  auto filter = this->make(boxPolyData());
+  filter->SetEngineToRasteriser();
+  filter->SetDevice("Voodoo");
+  EventLog log(filter);
+  EXPECT_FALSE(update(filter));
+  EXPECT_EQ(filter->GetErrorCode(), vtkMeshFieldAlgorithm::NoGpuError);
+  filter->SetDevice("0");
+  EXPECT_TRUE(update(filter));
+}
+
 TYPED_TEST(FilterContract, RequireHardwareRefusesASoftwareRenderer)
 {
   auto filter = this->make(boxPolyData());

@@ -41,7 +41,7 @@ class Header:
         self.manual = plain(text[:text.index("#ifndef")])
         self.parameters = {}
         for block in re.findall(r"///@\{\n\s*/\*\*(.*?)\*/(.*?)///@\}", text, re.DOTALL):
-            for setter in re.findall(r"vtkSet(?:Vector3)?Macro\((\w+),", block[1]):
+            for setter in re.findall(r"vtkSet(?:Vector3|StdStringFromChar)?Macro\((\w+)[,)]", block[1]):
                 self.parameters[setter] = plain(block[0])
 
 
@@ -59,7 +59,7 @@ def properties(proxy):
 def stated_default(manual):
     """The default that a manual gives, as the text of an XML attribute."""
     value = re.search(r"default is (\([^)]*\)|[^ :]+?)(?:\.$|\. |:| for)", manual + " ")[1]
-    words = {"on": "1", "off": "0"}
+    words = {"on": "1", "off": "0", "empty": ""}
     return words.get(value, value.strip("()").replace(",", ""))
 
 

@@ -3,7 +3,7 @@
 import warnings
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any, Optional
+from typing import Any, Optional, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -118,8 +118,8 @@ def medial_axis(
     resolution: Optional[int] = None, spacing: Optional[Lengths] = None,
     origin: Optional[Sequence[float]] = None, dimensions: Optional[Sequence[int]] = None,
     padding: Optional[float] = None, sign: Sign = "auto", arrays: Collection[FieldArray] = (),
-    threads: int = 0, memory: int = 0, engine: Engine = "auto", require_gpu: bool = False,
-    progress: Optional[Progress] = None,
+    threads: int = 0, memory: int = 0, engine: Engine = "auto",
+    device: Union[str, int] = "", require_gpu: bool = False, progress: Optional[Progress] = None,
 ) -> MedialAxis:
     """The medial axis of a mesh, simplified by separation angle.
 
@@ -143,8 +143,8 @@ def medial_axis(
         needs "surface" or "faces", and 10 bytes for each grid point.
     field: whether MedialAxis.field is the distance field, from the same run.
     resolution, spacing, origin, dimensions, padding, sign, arrays, threads, memory, engine,
-        require_gpu, progress: as for distance_field(); arrays are those of the field, which they
-        need.
+        device, require_gpu, progress: as for distance_field(); arrays are those of the field, which
+        they need.
 
     Raises what distance_field() raises. Warns (UserWarning) where the axis is empty, and where it
     is that of both sides though side is "interior" or "exterior".
@@ -169,7 +169,7 @@ def medial_axis(
     assign_grid(algorithm, resolution=resolution, spacing=spacing, origin=origin,
                 dimensions=dimensions, padding=padding)
     assign_run(algorithm, sign=sign, threads=threads, memory=memory, engine=engine,
-               require_gpu=require_gpu)
+               device=device, require_gpu=require_gpu)
     assign_arrays(algorithm, arrays)
     update(algorithm, progress)
     for note in _notes(algorithm, side):

@@ -2,7 +2,7 @@
 
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
-from typing import Any, Optional
+from typing import Any, Optional, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -78,8 +78,8 @@ def distance_field(
     resolution: Optional[int] = None, spacing: Optional[Lengths] = None,
     origin: Optional[Sequence[float]] = None, dimensions: Optional[Sequence[int]] = None,
     padding: Optional[float] = None, sign: Sign = "auto", arrays: Collection[FieldArray] = (),
-    threads: int = 0, memory: int = 0, engine: Engine = "auto", require_gpu: bool = False,
-    progress: Optional[Progress] = None,
+    threads: int = 0, memory: int = 0, engine: Engine = "auto",
+    device: Union[str, int] = "", require_gpu: bool = False, progress: Optional[Progress] = None,
 ) -> DistanceField:
     """The exact distance from the points of a regular grid to a mesh.
 
@@ -111,6 +111,9 @@ def distance_field(
     engine: what finds the closest sites: "processor" (CPU, without OpenGL), "device" (compute
         shaders of OpenGL), "rasteriser" (OpenGL) or "auto": the device on graphics hardware that
         works, otherwise the processor. The distances do not depend on it.
+    device: what an engine that uses OpenGL computes on: its number, or a part of its name, as
+        `medial-axis --list-devices` tells; by default the first GPU, else a software renderer. A
+        process has one device, that of its first such engine.
     require_gpu: whether to fail unless there is OpenGL 4.5 on a GPU.
     progress: called with the share of the work that is done, in [0, 1], and its name. An exception
         that it raises stops the work and is raised here.
@@ -132,7 +135,7 @@ def distance_field(
     assign_grid(field, resolution=resolution, spacing=spacing, origin=origin,
                 dimensions=dimensions, padding=padding)
     assign_run(field, sign=sign, threads=threads, memory=memory, engine=engine,
-               require_gpu=require_gpu)
+               device=device, require_gpu=require_gpu)
     assign_arrays(field, arrays)
     update(field, progress)
     return field_of(field.GetOutput())

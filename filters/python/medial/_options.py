@@ -149,13 +149,13 @@ def assign_grid(algorithm: vtkMeshFieldAlgorithm, *, resolution: Optional[int],
 
 
 def assign_run(algorithm: vtkMeshFieldAlgorithm, *, sign: Sign, threads: int, memory: int,
-               engine: Engine, require_gpu: bool) -> None:
+               engine: Engine, device: Union[str, int], require_gpu: bool) -> None:
     """How the field is computed, see distance_field()."""
     assign_numbers(algorithm, threads=threads, memory=memory)
     if 0 < memory < _MIN_MEMORY:
         raise InvalidInputError(f"memory {memory} is outside [{_MIN_MEMORY}, 2147483647] and not 0")
     assign(algorithm, SignMethod=choice("sign", sign, SIGNS),
-           Engine=choice("engine", engine, ENGINES), RequireHardware=bool(require_gpu))
+           Engine=choice("engine", engine, ENGINES), Device=str(device), RequireHardware=bool(require_gpu))
 
 
 def assign_arrays(algorithm: vtkMeshFieldAlgorithm, arrays: Collection[str]) -> None:

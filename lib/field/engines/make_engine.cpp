@@ -5,7 +5,7 @@
 #include "field/engines/processor/processor_engine.h"
 #include "field/engines/rasteriser/rasteriser_engine.h"
 #include "gl/egl_context.h"
-#include "medial/device.h"
+#include "gl/gpu_thread.h"
 #include "medial/error.h"
 
 namespace medial
@@ -13,48 +13,54 @@ namespace medial
 namespace
 {
 
-/// Whether OpenGL runs on graphics hardware.
-bool hasHardware()
+/// Whether OpenGL runs on graphics hardware, or fails there.
+/// @throws Error NoGpu if there is no such device.
+bool hasHardware(const std::string& device)
 {
+  if (!device.empty())
+  {
+    return !gl::GpuThread::instance(device).device().software;
+  }
   try
   {
-    return gl::mayHaveHardware() && !queryDevice().software;
+    return gl::mayHaveHardware() && !gl::GpuThread::instance().device().software;
   }
   catch (const Error&)
   {
-    return false;
+    return true;
   }
 }
 
 /// Returns Auto only where there is a choice.
-Engine resolved(Engine wanted)
+Engine resolved(Engine wanted, const std::string& device)
 {
-  return wanted == Engine::Auto && !hasHardware() ? Engine::Processor : wanted;
+  return wanted == Engine::Auto && !hasHardware(device) ? Engine::Processor : wanted;
 }
 
 } // namespace
 
-std::unique_ptr<FieldEngine> makeEngine(Engine wanted)
+std::unique_ptr<FieldEngine> makeEngine(Engine wanted, const std::string& device)
 {
-  switch (resolved(wanted))
+  switch (resolved(wanted, device))
   {
     case Engine::Auto:
-      return std::make_unique<FallbackEngine>([] { return std::make_unique<DeviceEngine>(); });
+      return std::make_unique<FallbackEngine>([=] { return std::make_unique<DeviceEngine>(device); });
     case Engine::Rasteriser:
-      return std::make_unique<RasteriserEngine>();
+      return std::make_unique<RasteriserEngine>(device);
     case Engine::Device:
-      return std::make_unique<DeviceEngine>();
+      return std::make_unique<DeviceEngine>(device);
     case Engine::Processor:
       break;
   }
   return std::make_unique<ProcessorEngine>();
 }
 
-FieldEngine& obtainEngine(Engine wanted, std::unique_ptr<FieldEngine>& kept)
+FieldEngine& obtainEngine(Engine wanted, const std::string& device,
+  std::unique_ptr<FieldEngine>& kept)
 {
-  if (!kept || !kept->serves(resolved(wanted)))
+  if (!kept || !kept->serves(resolved(wanted, device)))
   {
-    kept = makeEngine(wanted);
+    kept = makeEngine(wanted, device);
   }
   return *kept;
 }

@@ -9,31 +9,34 @@
 namespace medial
 {
 
-/// The OpenGL implementation that the library computes on.
+/// An OpenGL implementation that the library can compute on.
 struct Device
 {
+  int number = 0;        ///< as in DeviceList
+  std::string origin;    ///< a file under /dev where it is known, or how EGL offers it
   std::string renderer;  ///< GL_RENDERER
   std::string version;   ///< GL_VERSION
   bool software = false; ///< a software renderer such as Mesa's llvmpipe
 };
 
-/// A device that EGL lists.
+/// A device, and why the library cannot use it.
 struct ListedDevice
 {
-  std::string name;             ///< of its file, or of the platform
-  std::optional<Device> device; ///< its OpenGL implementation, if it has one that can be used
-  std::string refusal;          ///< why it cannot be used; empty if it can
+  Device device;       ///< without renderer and version if it is refused
+  std::string refusal; ///< empty if the library can use it
 };
 
-/// Lists all devices, in the order in which they are tried. The first hardware is used, otherwise
-/// the first software renderer.
-/// @throws Error NoGpu where libEGL or libOpenGL cannot be loaded.
-MEDIAL_EXPORT std::vector<ListedDevice> listDevices();
+/// What there is to compute on.
+struct DeviceList
+{
+  std::vector<ListedDevice> devices; ///< in the order of their numbers, from 0
+  std::vector<std::string> notes;    ///< sentences about hardware that EGL does not offer
+};
 
-/// Chooses the device of this process. Has no effect once it is in use.
-/// @param device its number in listDevices(), or a part of its renderer's name; empty for any. If
-///   there is no such device, its first use throws NoGpu.
-MEDIAL_EXPORT void chooseDevice(const std::string& device);
+/// Tries all EGL devices, on a thread of its own. One piece of hardware may be listed twice, as a
+/// device and by Mesa's surfaceless platform.
+/// @throws Error NoGpu if EGL or OpenGL is not installed.
+MEDIAL_EXPORT DeviceList listDevices();
 
 /// Starts the library's GPU thread if necessary, and describes the device that it uses.
 /// @throws Error NoGpu if there is no EGL, or if it offers no OpenGL 4.5 core context.

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace medial
@@ -27,6 +28,9 @@ struct DistanceFieldOptions
 {
   SignMethod sign = SignMethod::Auto; ///< how to tell inside from outside
   Engine engine = Engine::Auto;       ///< what finds the closest sites
+  /// What an engine that uses OpenGL computes on: a device's number, or a part of its name, as in
+  /// DeviceList; empty for the best. A process has one device, that of its first such engine.
+  std::string device;
   /// Memory in MiB that the slabs in progress should not exceed, on the host together with the
   /// candidates of blocks, and on the device; 0 lets the library choose. Sites, the candidates of
   /// tiles and the caller's arrays come on top. A slab has at least one slice. It changes no byte

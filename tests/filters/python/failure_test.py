@@ -218,6 +218,19 @@ class Processes(unittest.TestCase):
             """, __EGL_VENDOR_LIBRARY_FILENAMES=os.devnull)
         self.assertRegex(output, r"\Ano GPU: .*EGL.*\nno GPU: .*EGL.*\n0.0\n\Z")
 
+    def test_device_that_is_not_there(self):
+        output = self.run_script("""
+            import medial, shapes
+            for device in ("Voodoo", 99, 0):
+                try:
+                    medial.distance_field(*shapes.box(), resolution=9, engine="rasteriser",
+                                          device=device)
+                    print("computed")
+                except medial.NoGpuError as error:
+                    print(error)
+            """)
+        self.assertRegex(output, r"\A.*'Voodoo'.*\n.*'99'.*\ncomputed\n\Z")
+
     def test_software_renderer_where_hardware_is_required(self):
         output = self.run_script("""
             import medial, shapes

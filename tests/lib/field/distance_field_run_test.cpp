@@ -196,6 +196,18 @@ TEST(DistanceFieldRun, WritesOnlyTheArraysThatAreWanted)
   EXPECT_EQ(cells, all.closestCell);
 }
 
+/// Some 48 now: those of 2 x 2 x 2 points, not those under the shadow of a tile. Without the third
+/// edge at vertices they are 68.
+TEST(DistanceFieldRun, EvaluatesFewSitesWhereTrianglesAreAsLargeAsVoxels)
+{
+  const TriangleMesh fine = test::torus(3.0, 1.0, 250, 100);
+  DistanceFieldOptions options;
+  options.sign = SignMethod::None;
+  const RunStatistics statistics =
+    computeDistanceField(fine, makeGrid(fine.bounds(), 128), options).statistics;
+  EXPECT_LE(statistics.fragmentsPerVoxel(), 55.0);
+}
+
 class DistanceFieldEngines : public testing::TestWithParam<Engine>
 {
 };

@@ -1,7 +1,9 @@
 #include "gl/egl_context.h"
+#include "medial/error.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <memory>
 #include <thread>
 
@@ -26,7 +28,7 @@ TEST(EglContext, GivesWayToAnotherInTheSameThread)
 {
   EglContext first;
   {
-    EglContext second(true);
+    EglContext second({}, true);
     EXPECT_TRUE(second.isCurrent());
     EXPECT_FALSE(first.isCurrent());
     EXPECT_EQ(second.device().renderer, first.device().renderer);
@@ -42,6 +44,59 @@ TEST(EglContext, IsCurrentInOneThreadOnly)
   std::thread([&] { currentElsewhere = context.isCurrent(); }).join();
   EXPECT_FALSE(currentElsewhere);
   EXPECT_TRUE(context.isCurrent());
+}
+
+TEST(EglContext, OffersEachDeviceByItsNumberAndByAPartOfItsName)
+{
+  const std::vector<ListedDevice> listed = openableDevices();
+  ASSERT_FALSE(listed.empty());
+  for (const ListedDevice& one : listed)
+  {
+    if (!one.refusal.empty())
+    {
+      EXPECT_THROW(EglContext(std::to_string(one.device.number)), Error) << one.refusal;
+      continue;
+    }
+    const EglContext byNumber(std::to_string(one.device.number));
+    EXPECT_EQ(byNumber.device().number, one.device.number);
+    EXPECT_EQ(byNumber.device().origin, one.device.origin);
+    EXPECT_EQ(byNumber.device().renderer, one.device.renderer);
+    const EglContext byName(one.device.renderer.substr(1, 4));
+    EXPECT_TRUE(answersTo(byName.device(), one.device.renderer.substr(1, 4)));
+  }
+}
+
+TEST(EglContext, RefusesADeviceThatIsNotThere)
+{
+  for (const char* wanted : { "99", "Voodoo" })
+  {
+    try
+    {
+      const EglContext context(wanted);
+      FAIL() << context.device().renderer;
+    }
+    catch (const Error& error)
+    {
+      EXPECT_EQ(error.code(), ErrorCode::NoGpu);
+      EXPECT_NE(std::string(error.what()).find(wanted), std::string::npos) << error.what();
+    }
+  }
+}
+
+TEST(AnswersTo, ComparesNumbersAndPartsOfNames)
+{
+  Device device;
+  device.number = 1;
+  device.origin = "/dev/dri/renderD129";
+  device.renderer = "NVIDIA H100 80GB";
+  for (const char* word : { "", "1", "nvidia", "H100", "renderd129" })
+  {
+    EXPECT_TRUE(answersTo(device, word)) << word;
+  }
+  for (const char* word : { "0", "11", "100", "llvmpipe" })
+  {
+    EXPECT_FALSE(answersTo(device, word)) << word;
+  }
 }
 
 } // namespace

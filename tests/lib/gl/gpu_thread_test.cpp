@@ -56,6 +56,13 @@ TEST(GpuThread, DescribesItsDevice)
   EXPECT_FALSE(device.version.empty());
 }
 
+TEST(GpuThread, HasOneDevice)
+{
+  const Device device = gl::GpuThread::instance().device();
+  EXPECT_EQ(&gl::GpuThread::instance(device.renderer), &gl::GpuThread::instance());
+  EXPECT_THROW(gl::GpuThread::instance("Voodoo"), Error);
+}
+
 TEST(GpuThread, RunsJobsInOrderOnOneThread)
 {
   std::vector<int> order;

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <random>
 #include <utility>
 #include <vector>
@@ -124,6 +125,65 @@ TEST(WindingNumber, BoundsHoldInBalls)
   }
 }
 
+TEST(WindingNumber, ContinuesThroughLids)
+{
+  // A wavy loop twice, once with weight 2, and its lids.
+  TriangleChain chain;
+  std::vector<RimEdge> rim;
+  constexpr int kEdges = 40;
+  for (int loop = 0; loop < 2; ++loop)
+  {
+    for (int i = 0; i < kEdges; ++i)
+    {
+      const double angle = 6.283185307179586 * i / kEdges;
+      chain.points.emplace_back(10.0 * std::cos(angle), 10.0 * std::sin(angle),
+        0.7 * std::sin(3.0 * angle) + 3.0 * loop);
+      rim.push_back({ loop * kEdges + i, loop * kEdges + (i + 1) % kEdges, 1 + loop });
+    }
+  }
+  chain.triangles = lidsOf(rim);
+  WindingNumber winding(chain);
+  winding.joinTriangles();
+  std::mt19937 random(5);
+  int certain = 0;
+  int behind = 0;
+  for (int ball = 0; ball < 400; ++ball)
+  {
+    const double radius = ball % 2 == 0 ? 0.5 : 2.0;
+    const glm::dvec3 centre = randomPoint(random, 1.0) * glm::dvec3(7.0, 7.0, 4.0);
+    const WindingNumber::View view =
+      winding.lookClosely(winding.everything(), centre, radius, 1e-3);
+    const std::optional<Continuation> continuation = winding.continued(view);
+    if (!continuation)
+    {
+      continue;
+    }
+    Continuation::Points points;
+    std::array<glm::dvec3, Continuation::kPoints> positions;
+    for (int i = 0; i < Continuation::kPoints; ++i)
+    {
+      positions[i] = centre + radius * glm::normalize(randomPoint(random, 1.0));
+      points.x[i] = positions[i].x;
+      points.y[i] = positions[i].y;
+      points.z[i] = positions[i].z;
+    }
+    Continuation::Integers result;
+    continuation->round(points, 1e-9, result);
+    const double middle = std::floor(sumOf(chain, centre) + 0.5);
+    for (int i = 0; i < Continuation::kPoints; ++i)
+    {
+      if (result.certain[i] != 0.0)
+      {
+        ASSERT_EQ(result.values[i], std::floor(sumOf(chain, positions[i]) + 0.5));
+        ++certain;
+        behind += result.values[i] != middle ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(certain, 10000);
+  EXPECT_GT(behind, 500);
+}
+
 TEST(WindingNumber, SumsEightPointsAsOne)
 {
   const TriangleChain chain = chainOf(randomSoup(300, 5));
@@ -159,7 +219,9 @@ TEST(LocalExpansion, HasTheDerivativesOfATriangle)
   const std::array<glm::dvec3, 3> corners{ glm::dvec3(0.0), { 1.0, 0.2, 0.0 }, { 0.3, 0.9, 0.4 } };
   LocalExpansion expansion;
   expansion.centre = { 0.2, 0.1, 0.8 };
-  expansion.addTriangle(corners, 2);
+  ExpansionSum sum(expansion.centre);
+  sum.addTriangle(corners, 2);
+  sum.addTo(expansion);
   constexpr double kStep = 1e-3;
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -185,8 +247,10 @@ TEST(LocalExpansion, OfAGroupIsThatOfItsTriangles)
     together.centre = distance * glm::normalize(glm::dvec3(0.3, -0.5, 0.8));
     LocalExpansion apart = together;
     group.addTo(together);
-    apart.addTriangle(chain.cornersOf(chain.triangles[0]), 1);
-    apart.addTriangle(chain.cornersOf(chain.triangles[1]), -2);
+    ExpansionSum sum(apart.centre);
+    sum.addTriangle(chain.cornersOf(chain.triangles[0]), 1);
+    sum.addTriangle(chain.cornersOf(chain.triangles[1]), -2);
+    sum.addTo(apart);
     const double fifth = std::pow(distance, -5.0);
     EXPECT_NEAR(together.value, apart.value, 20.0 * fifth);
     EXPECT_NEAR(glm::distance(together.gradient, apart.gradient), 0.0, 60.0 * fifth);

@@ -20,8 +20,8 @@ constexpr std::int64_t kBufferBytes = 16;
 
 } // namespace
 
-DeviceEngine::DeviceEngine()
-  : thread_(gl::GpuThread::instance())
+DeviceEngine::DeviceEngine(const std::string& device)
+  : thread_(gl::GpuThread::instance(device))
 {
 }
 

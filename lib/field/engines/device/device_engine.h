@@ -5,6 +5,7 @@
 #include "gl/gpu_thread.h"
 
 #include <memory>
+#include <string>
 
 namespace medial
 {
@@ -13,8 +14,9 @@ namespace medial
 class DeviceEngine : public FieldEngine
 {
 public:
+  /// @param device as DistanceFieldOptions::device.
   /// @throws Error NoGpu without OpenGL.
-  DeviceEngine();
+  explicit DeviceEngine(const std::string& device = {});
 
   Engine kind() const override { return Engine::Device; }
   std::optional<Device> device() const override { return thread_.device(); }

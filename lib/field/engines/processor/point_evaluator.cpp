@@ -3,6 +3,9 @@
 #include "culling/extent_parts.h"
 #include "sites/closest_point.h"
 
+#include <algorithm>
+#include <limits>
+
 namespace medial
 {
 namespace
@@ -11,6 +14,45 @@ namespace
 /// Number of grid points along an edge of a brick. Smaller ones spend more on finding their groups
 /// than they save.
 constexpr int kBrickSize = 4;
+
+/// Returns the part of a triangle that is nearest to a position, as the number of its bit in
+/// SitePart.
+MEDIAL_VECTORISED int nearestPart(const SiteGroup& group, int lane, const glm::dvec3& x)
+{
+  constexpr int kFirstEdge = 1;
+  constexpr int kCorners[3][2] = { { 4, 5 }, { 5, 6 }, { 4, 6 } };
+  const ElementPosition position(group, group.toGroup(x));
+  if (position.offFace[lane] <= 0.0f)
+  {
+    return 0;
+  }
+  int part = 0;
+  float least = std::numeric_limits<float>::infinity();
+  for (int edge = 0; edge < 3; ++edge)
+  {
+    const float before = position.before[edge][lane];
+    const float beyond = position.beyond[edge][lane];
+    const float past = std::max(std::max(before, beyond), 0.0f);
+    const float outside = position.outside[edge][lane];
+    const float squared = past * past + outside * outside;
+    if (squared < least)
+    {
+      least = squared;
+      part =
+        before > 0.0f ? kCorners[edge][0] : (beyond > 0.0f ? kCorners[edge][1] : kFirstEdge + edge);
+    }
+  }
+  return part;
+}
+
+/// Returns the site that is nearest in an element.
+int nearestSite(const GroupTree& tree, const NearestElement& nearest, const glm::dvec3& x)
+{
+  const SiteGroup& group = tree.groups()[nearest.group];
+  return group.withoutFace[nearest.lane] == 0.0f
+    ? siteOf(tree.sites(), group, nearest.lane, nearestPart(group, nearest.lane, x))
+    : closestPoint(tree.sites(), group.elements[nearest.lane], x).site;
+}
 
 } // namespace
 
@@ -35,11 +77,9 @@ std::int64_t PointEvaluator::evaluateBrick(const Extent& brick, const Extent& ti
         start.tryGroup(tree_.groups(), nearest.group, x);
         nearest = groups.nearest(tree_.groups(), x, start);
         groupsTried += nearest.tried;
-        const int element = tree_.groups()[nearest.group].elements[nearest.lane];
-        const SitePoint closest = closestPoint(tree_.sites(), element, x);
         const int index = TileField::index(i - tile.min[0], j - tile.min[1], k - tile.min[2]);
-        field.squared[index] = static_cast<float>(glm::dot(closest.point - x, closest.point - x));
-        field.site[index] = closest.site;
+        field.squared[index] = nearest.squared;
+        field.site[index] = nearestSite(tree_, nearest, x);
       }
     }
   }

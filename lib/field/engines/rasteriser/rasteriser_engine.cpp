@@ -18,8 +18,8 @@ constexpr std::size_t kBytesPerPoint = 112;
 
 } // namespace
 
-RasteriserEngine::RasteriserEngine()
-  : thread_(gl::GpuThread::instance())
+RasteriserEngine::RasteriserEngine(const std::string& device)
+  : thread_(gl::GpuThread::instance(device))
 {
 }
 

@@ -5,6 +5,7 @@
 #include "gl/gpu_thread.h"
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace medial
@@ -16,8 +17,9 @@ class RasteriserEngine : public FieldEngine
 {
 public:
   /// Starts the GPU thread if necessary.
+  /// @param device as DistanceFieldOptions::device.
   /// @throws Error NoGpu.
-  RasteriserEngine();
+  explicit RasteriserEngine(const std::string& device);
 
   Engine kind() const override { return Engine::Rasteriser; }
   std::optional<Device> device() const override { return thread_.device(); }

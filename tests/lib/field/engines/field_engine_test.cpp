@@ -169,10 +169,10 @@ TEST_P(FieldEngines, AreKeptUntilAnotherIsWanted)
 {
   const Engine other = GetParam() == Engine::Processor ? Engine::Rasteriser : Engine::Processor;
   std::unique_ptr<FieldEngine> kept;
-  const FieldEngine* first = &obtainEngine(GetParam(), kept);
+  const FieldEngine* first = &obtainEngine(GetParam(), {}, kept);
   EXPECT_EQ(first->kind(), GetParam());
-  EXPECT_EQ(&obtainEngine(GetParam(), kept), first);
-  EXPECT_EQ(obtainEngine(other, kept).kind(), other);
+  EXPECT_EQ(&obtainEngine(GetParam(), {}, kept), first);
+  EXPECT_EQ(obtainEngine(other, {}, kept).kind(), other);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, FieldEngines,
@@ -183,7 +183,7 @@ TEST(MakeEngine, OfAutoIsTheProcessor)
   EXPECT_EQ(makeEngine(Engine::Auto)->kind(), Engine::Processor);
   std::unique_ptr<FieldEngine> kept = makeEngine(Engine::Processor);
   const FieldEngine* first = kept.get();
-  EXPECT_EQ(&obtainEngine(Engine::Auto, kept), first);
+  EXPECT_EQ(&obtainEngine(Engine::Auto, {}, kept), first);
 }
 
 TEST(RequireRoomForAxis, RefusesMoreThanMemoryHolds)
