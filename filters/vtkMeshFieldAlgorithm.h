@@ -63,9 +63,9 @@
  * next Update() executes again.
  *
  * @par OpenGL:
- * Only ENGINE_DEVICE, ENGINE_RASTERISER and RequireHardware need OpenGL. It then works on a thread and in a
- * context of its own: an OpenGL context that is current in the calling thread stays so, with its
- * state. Observers are called in the calling thread.
+ * Only ENGINE_DEVICE, ENGINE_RASTERISER and RequireHardware need OpenGL. It then works on a thread
+ * and in a context of its own: an OpenGL context that is current in the calling thread stays so,
+ * with its state. Observers are called in the calling thread.
  *
  * @par Parallel pipelines:
  * Whatever piece is requested, the filter asks for its whole input, since every grid point depends
