@@ -37,7 +37,6 @@ struct Options
   Topology topology = Topology::Selected;
   SignMethod signMethod = SignMethod::Auto;
   Engine engine = Engine::Auto;
-  std::string device; ///< number or part of the name; empty for the best
   int threads = 0;
   int memoryMiB = 0;
   DeviceOptions device;

@@ -44,7 +44,8 @@ std::unique_ptr<FieldEngine> makeEngine(Engine wanted, const std::string& device
   switch (resolved(wanted, device))
   {
     case Engine::Auto:
-      return std::make_unique<FallbackEngine>([=] { return std::make_unique<DeviceEngine>(device); });
+      return std::make_unique<FallbackEngine>(
+        [=] { return std::make_unique<DeviceEngine>(device); });
     case Engine::Rasteriser:
       return std::make_unique<RasteriserEngine>(device);
     case Engine::Device:
