@@ -114,11 +114,12 @@ endmacro()
 
 set(about "Medial computes medial axes of triangle meshes, simplified by separation angle,
 exact distance fields on regular grids, and wall thickness. It computes on the
-processor, or with OpenGL where that is asked for.\n")
+GPU by OpenGL where there is one, and otherwise on the processor.\n")
 medial_package(runtime ${library_package} libs "medial axes and distance fields of meshes - libraries"
   "${about}\nThis package holds the library, and the VTK filters as one of their own.")
-# OpenGL, for the rasteriser and for pictures.
-set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS "libegl1, libgl1-mesa-dri")
+# OpenGL, loaded when it is first used: the dispatch libraries, and Mesa's drivers for those who have no other.
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_DEPENDS "libegl1, libopengl0 | libgl1")
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS "libegl-mesa0, libgl1-mesa-dri")
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA "${debian_sources}/triggers")
 
 medial_package(development libmedial-dev libdevel "medial axes and distance fields of meshes - development"

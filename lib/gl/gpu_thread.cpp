@@ -6,7 +6,6 @@
 #include "medial/error.h"
 
 #include <condition_variable>
-#include <cstdlib>
 #include <exception>
 #include <mutex>
 #include <thread>
@@ -77,11 +76,11 @@ struct GpuThread::State
     std::unique_ptr<EglContext> context;
     try
     {
-      const bool debug = std::getenv("MEDIAL_GL_DEBUG") != nullptr;
+      const bool debug = wantsDebugOutput();
       context = std::make_unique<EglContext>(wanted, debug);
       if (debug)
       {
-        captureDebugOutput();
+        captureDebugOutput(context->device());
       }
     }
     catch (...)

@@ -44,7 +44,8 @@ MEDIAL_EXPORT Device queryDevice();
 
 /// Returns what the driver has reported through OpenGL's debug output since the process began: one
 /// message per line, without notifications and performance hints. Messages are only collected if
-/// the environment variable MEDIAL_GL_DEBUG was set when the GPU thread started. For tests.
+/// the environment variable MEDIAL_GL_DEBUG was set when the GPU thread started. For tests. If
+/// MEDIAL_GL_LOG was set, the file that it names has all messages, performance hints too.
 MEDIAL_EXPORT std::string deviceDebugLog();
 
 } // namespace medial

@@ -4,6 +4,7 @@
 #include "medial/error.h"
 #include "support/files.h"
 
+#include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -204,6 +205,47 @@ TEST(NoGpuDeathTest, WithoutAnyOpenGlLibraryTheErrorSaysSo)
   setenv("LD_LIBRARY_PATH", folder.path().c_str(), 1);
   EXPECT_EXIT(std::exit(exitCodeWithoutEgl()), testing::ExitedWithCode(0), "");
   unsetenv("LD_LIBRARY_PATH");
+}
+
+TEST(GlLogDeathTest, HasWhatTheDriverSays)
+{
+  testing::GTEST_FLAG(death_test_style) = "threadsafe";
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "driver.log").string();
+  const auto speak = [&]
+  {
+    setenv("MEDIAL_GL_LOG", file.c_str(), 1);
+    gl::GpuThread::instance().run(
+      []
+      {
+        glDebugMessageInsert(GL_DEBUG_SOURCE_APPLICATION, GL_DEBUG_TYPE_PERFORMANCE, 1,
+          GL_DEBUG_SEVERITY_LOW, -1, "that was slow");
+      });
+    const std::string text = readFile(file);
+    const bool said = text.rfind(queryDevice().renderer, 0) == 0 &&
+      text.find("\nperformance: that was slow\n") != std::string::npos;
+    std::exit(said && deviceDebugLog().empty() ? 0 : 1);
+  };
+  EXPECT_EXIT(speak(), testing::ExitedWithCode(0), "");
+}
+
+TEST(GlLogDeathTest, ThatCannotBeWrittenIsAnError)
+{
+  testing::GTEST_FLAG(death_test_style) = "threadsafe";
+  const auto fail = []
+  {
+    setenv("MEDIAL_GL_LOG", "/no folder/driver.log", 1);
+    try
+    {
+      queryDevice();
+    }
+    catch (const Error& error)
+    {
+      std::exit(error.code() == ErrorCode::CannotWrite ? 0 : 1);
+    }
+    std::exit(2);
+  };
+  EXPECT_EXIT(fail(), testing::ExitedWithCode(0), "");
 }
 
 TEST(ShaderSource, HoldsEveryFileOfTheShadersFolder)
