@@ -22,7 +22,8 @@ namespace
 
 bool isSoftware(const std::string& renderer)
 {
-  for (const char* name : { "llvmpipe", "softpipe", "swrast", "SWR", "SwiftShader" })
+  for (const char* name :
+    { "llvmpipe", "softpipe", "swrast", "SWR", "SwiftShader", "Basic Render" })
   {
     if (renderer.find(name) != std::string::npos)
     {

@@ -74,7 +74,7 @@ Buffer createStorageBuffer(GLsizeiptr bytes, const void* data)
   {
     throw Error(ErrorCode::GpuLimit,
       "a buffer of " + std::to_string(bytes) + " bytes exceeds the driver's limit of " +
-        std::to_string(limit) + "; the mesh is too large for it");
+        std::to_string(limit));
   }
   Buffer buffer = createBuffer();
   glNamedBufferStorage(buffer.id(), std::max(bytes, kMinBytes), nullptr, GL_DYNAMIC_STORAGE_BIT);
@@ -139,7 +139,8 @@ Framebuffer createFramebuffer(std::initializer_list<GLuint> colours, GLuint dept
 void checkGl(const char* what)
 {
   const GLenum error = glGetError();
-  if (glGetGraphicsResetStatus() != GL_NO_ERROR || faultHappens(Fault::ContextLost))
+  if (error == GL_CONTEXT_LOST || glGetGraphicsResetStatus() != GL_NO_ERROR ||
+    faultHappens(Fault::ContextLost))
   {
     throw Error(ErrorCode::NoGpu, std::string("the device was reset while ") + what);
   }

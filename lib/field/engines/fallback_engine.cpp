@@ -9,23 +9,18 @@ namespace medial
 namespace
 {
 
+/// Whether a device that has failed so may do another job.
+bool isOfTheJob(const Error& error)
+{
+  return error.code() == ErrorCode::GpuLimit ||
+    error.code() == ErrorCode::InvalidInput; // too far from the mesh for single precision
+}
+
 /// Whether the processor may do what a device could not.
 bool isOfTheDevice(const Error& error)
 {
-  switch (error.code())
-  {
-    case ErrorCode::NoGpu:
-    case ErrorCode::ShaderBuild:
-    case ErrorCode::GpuLimit:
-    case ErrorCode::OutOfMemory:
-    case ErrorCode::InvalidInput: // too far from the mesh for single precision
-      return true;
-    case ErrorCode::CannotRead:
-    case ErrorCode::CannotWrite:
-    case ErrorCode::Cancelled:
-      break;
-  }
-  return false;
+  return isOfTheJob(error) || error.code() == ErrorCode::NoGpu ||
+    error.code() == ErrorCode::ShaderBuild || error.code() == ErrorCode::OutOfMemory;
 }
 
 std::string firstLine(const std::string& text)
@@ -44,13 +39,13 @@ FallbackEngine::FallbackEngine(const Make& make)
   }
   catch (const Error& error)
   {
-    this->giveUp(error.what());
+    this->note(error);
   }
 }
 
-void FallbackEngine::giveUp(const std::string& why)
+void FallbackEngine::note(const Error& error)
 {
-  first_.reset();
+  const std::string why = error.what();
   failure_ = "the engine device failed (" + firstLine(why) + "), so the processor did the work";
 }
 
@@ -76,11 +71,15 @@ auto FallbackEngine::attempt(const FieldJob& job, FieldSink& sink, const Work& w
     }
     catch (const Error& error)
     {
-      if (!isOfTheDevice(error))
+      if (resumed.failed() || !isOfTheDevice(error))
       {
         throw;
       }
-      this->giveUp(error.what());
+      this->note(error);
+      if (!isOfTheJob(error))
+      {
+        first_.reset();
+      }
     }
   }
   job.statistics.engine = second_->kind();

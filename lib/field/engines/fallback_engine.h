@@ -1,6 +1,7 @@
 #pragma once
 
 #include "field/field_engine.h"
+#include "medial/error.h"
 
 #include <functional>
 #include <memory>
@@ -11,7 +12,7 @@ namespace medial
 
 /// The engine `auto` where there is graphics hardware: the device, and the processor as soon as the
 /// device fails. What the device has stored by then stays, the processor goes on, and a note in the
-/// statistics says why.
+/// statistics says why. A job that is too much for the device leaves it the next one.
 class FallbackEngine : public FieldEngine
 {
 public:
@@ -31,11 +32,11 @@ public:
 private:
   template <typename Work>
   auto attempt(const FieldJob& job, FieldSink& sink, const Work& work);
-  void giveUp(const std::string& why);
+  void note(const Error& error);
 
-  std::unique_ptr<FieldEngine> first_; ///< null once it has failed
+  std::unique_ptr<FieldEngine> first_; ///< null once it has failed for good
   std::unique_ptr<FieldEngine> second_;
-  std::string failure_;
+  std::string failure_; ///< the last one
 };
 
 } // namespace medial

@@ -59,7 +59,8 @@ std::unique_ptr<FieldEngine> makeEngine(Engine wanted, const std::string& device
 FieldEngine& obtainEngine(Engine wanted, const std::string& device,
   std::unique_ptr<FieldEngine>& kept)
 {
-  if (!kept || !kept->serves(resolved(wanted, device)))
+  // Where it may serve anyway, nobody looks for hardware again.
+  if (!kept || !(kept->serves(wanted) || kept->serves(resolved(wanted, device))))
   {
     kept = makeEngine(wanted, device);
   }

@@ -34,7 +34,9 @@ ResumedSink::ResumedSink(const Extent& extent, FieldSink& sink)
 
 void ResumedSink::open(const Extent& slab)
 {
+  failed_ = true; // unless it returns
   openArrays_ = sink_.slabArrays(slab);
+  failed_ = false;
   open_ = slab;
 }
 
@@ -70,7 +72,9 @@ void ResumedSink::stored(const Extent& slab)
       const Extent full = *open_;
       open_.reset();
       next_ = slice + 1;
+      failed_ = true; // unless it returns
       sink_.stored(full);
+      failed_ = false;
     }
     else
     {

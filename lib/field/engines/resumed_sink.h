@@ -22,6 +22,9 @@ public:
   void stored(const Extent& slab) override;
   std::size_t bytesPerPoint() const override { return sink_.bytesPerPoint(); }
 
+  /// Whether the sink behind it has thrown, so that no engine can go on.
+  bool failed() const { return failed_; }
+
 private:
   /// Arrays of a slab that begins before the slices which the sink still needs.
   struct Scratch
@@ -44,6 +47,7 @@ private:
   bool passing_ = false;       ///< whether the engine writes to them
   FieldArrays scratchArrays_;
   Scratch scratch_;
+  bool failed_ = false;
 };
 
 } // namespace medial

@@ -17,6 +17,8 @@ namespace
 constexpr std::size_t kBytesPerPoint = 64;
 /// Bytes per grid point of the largest buffer: a distance and a vector.
 constexpr std::int64_t kBufferBytes = 16;
+/// Of a slab, so that its counters do not overflow.
+constexpr std::int64_t kMaxPoints = std::int64_t{ 1 } << 24;
 
 } // namespace
 
@@ -43,16 +45,25 @@ std::vector<Crossing> DeviceEngine::compute(const FieldJob& job, const CrossingS
   const DeviceCounts before = field_ ? field_->object().counts() : DeviceCounts();
   Field& field = this->obtainField(job);
   DeviceRun run(job, thread_, field, sink, before);
-  return run.compute(slabsOf(job.extent, this->chooseSlices(job, sink)), selection);
+  try
+  {
+    return run.compute(slabsOf(job.extent, this->chooseSlices(job, sink)), selection);
+  }
+  catch (...)
+  {
+    field_.reset(); // whatever was too much must not stay
+    throw;
+  }
 }
 
 int DeviceEngine::chooseSlices(const FieldJob& job, const FieldSink& sink) const
 {
   std::int64_t limit = 0;
   thread_.run([&] { limit = gl::storageBufferLimit(); });
-  const std::int64_t slice = kBufferBytes * job.extent.size(0) * job.extent.size(1);
+  const std::int64_t slice = std::int64_t{ job.extent.size(0) } * job.extent.size(1);
   int slices = slabSlices(job.extent, kBytesPerPoint + sink.bytesPerPoint(), job.memoryMiB);
-  while (slices > 1 && slice * (slices + 1) > limit)
+  const std::int64_t points = std::min(limit / kBufferBytes, kMaxPoints);
+  while (slices > 1 && slice * (slices + 1) > points)
   {
     slices /= 2;
   }

@@ -145,7 +145,8 @@ void DeviceMesh::uploadPoints(const TriangleMesh& mesh, const LocalCoordinates& 
   const double longest = std::max({ size.x, size.y, size.z });
   const double quantum = longest > 0.0 ? longest / kCells : 1.0;
   const bool fixedPoint = quantum <= kMaxQuantum || longest == 0.0;
-  flatHeight_ = fixedPoint ? 4.0 * quantum : kRounding * (bounds.farthest + 1.0);
+  flatHeight_ =
+    fixedPoint ? 4.0 * quantum : std::min(kRounding * (bounds.farthest + 1.0), kMinHeight);
   if (longest == 0.0)
   {
     flatHeight_ = 0.0;

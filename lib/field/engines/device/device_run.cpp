@@ -41,6 +41,7 @@ std::vector<Crossing> DeviceRun::compute(const std::vector<Extent>& slabs,
   FieldArrays arrays = sink_.slabArrays(slabs[0]);
   WantedValues wanted = wantedBy(arrays);
   wanted.distances = wanted.distances || check_.isDue();
+  this->prepareHost();
   timed(job_.statistics.seconds.sites,
     [&] { field_.run([&](DeviceField& field) { field.move(job_, wanted, selection); }); });
   for (std::size_t i = 0; i < slabs.size(); ++i)
@@ -77,6 +78,16 @@ std::vector<Crossing> DeviceRun::compute(const std::vector<Extent>& slabs,
   check_.passed();
   this->addCounts();
   return crossings;
+}
+
+/// The host's part takes its own time, and none of the GPU thread's.
+void DeviceRun::prepareHost() const
+{
+  job_.host.signNormals();
+  if (check_.isDue())
+  {
+    job_.host.query();
+  }
 }
 
 void DeviceRun::start(const std::vector<Extent>& slabs, std::size_t number,

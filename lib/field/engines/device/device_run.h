@@ -31,6 +31,7 @@ public:
     const CrossingSelection* selection);
 
 private:
+  void prepareHost() const;
   void start(const std::vector<Extent>& slabs, std::size_t number, const Checkpoint& checkpoint);
   /// Waits for a slab, and computes it again where something had too little room.
   void finish(const std::vector<Extent>& slabs, std::size_t number, const Checkpoint& checkpoint);

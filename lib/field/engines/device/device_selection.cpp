@@ -87,8 +87,8 @@ void DeviceSelection::mark(const FieldJob& job, const CrossingSelection& selecti
   kernel.set("side", sideOnDevice(job, selection.side));
   const std::int64_t slice = std::int64_t{ slab.size(0) } * slab.size(1);
   kernels_.startItems(kernel,
-    { &mesh_.connectivity(), &mesh_.points(), &mesh_.faces(), &values_.sites(), values_.normals(),
-      &marks_, &rowCounts_ },
+    { &mesh_.connectivity(), &mesh_.points(), &mesh_.faces(), &values_.sites(),
+      &values_.boundNormals(), &marks_, &rowCounts_ },
     slab.pointCount() + slice);
 }
 

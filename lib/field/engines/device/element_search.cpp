@@ -138,6 +138,7 @@ void ElementSearch::evaluate(const GridFrame& frame, const Extent& slab, int lay
     const std::int32_t first = 0;
     glClearNamedBufferData(winners_.id(), GL_R32I, GL_RED_INTEGER, GL_INT, &first);
   }
+  glFlush(); // so that the driver sees steps, not one long job
   gl::checkGl("evaluating");
 }
 

@@ -22,7 +22,7 @@ public:
   /// Whether there is anything to check.
   bool isDue() const { return share_ > 0.0; }
 
-  /// Checks the distances of a slab.
+  /// Checks the distances of a slab, before it is stored.
   /// @throws Error NoGpu if one is wrong.
   void check(const Extent& slab, const ResolvedSlab& values);
   /// To be called when the whole field is right.
@@ -34,6 +34,7 @@ private:
   const FieldJob& job_;
   std::string device_;
   double share_ = 0.0; ///< of the grid points that are checked
+  bool isFirst_ = true;
   std::uint64_t state_ = 0x9e3779b97f4a7c15ull;
 };
 

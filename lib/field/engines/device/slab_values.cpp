@@ -44,9 +44,10 @@ void SlabValues::resolve(const GridFrame& frame, const Extent& slab)
   kernel.set("hasNormals", hasNormals_ ? 1 : 0);
   kernel.set("wantsVectors", wantsVectors_ ? 1 : 0);
   kernels_.startItems(kernel,
-    { &mesh_.connectivity(), &mesh_.points(), &mesh_.faces(), &mesh_.order(), this->normals(),
+    { &mesh_.connectivity(), &mesh_.points(), &mesh_.faces(), &mesh_.order(), &this->boundNormals(),
       &search_.winners(), &values_, &sites_ },
     points);
+  glFlush();
   gl::checkGl("resolving distances");
 }
 

@@ -37,6 +37,8 @@ public:
   const gl::Buffer& sites() const { return sites_; }
   /// Pseudonormals of all sites; null unless they give the sign.
   const gl::Buffer* normals() const { return hasNormals_ ? &normals_ : nullptr; }
+  /// What kernels bind that may read them: a block of a kernel must have some buffer.
+  const gl::Buffer& boundNormals() const { return hasNormals_ ? normals_ : mesh_.points(); }
 
 private:
   const DeviceMesh& mesh_;

@@ -54,13 +54,18 @@ void main()
   ivec3 strides = ivec3(1, slabSize.x, slabSize.x * slabSize.y);
   ivec3 ends = ivec3(slabSize.xy, slots);
   int site = sites[i];
+  if (site < 0)
+  {
+    return; // its tile had too little room, so the slab will be computed again
+  }
   bool isKnown = false;
   bool inside = false;
   dvec3 x;
   dvec3 near;
   for (int axis = 0; axis < 3; ++axis)
   {
-    if (at[axis] + 1 >= ends[axis] || sites[i + strides[axis]] == site)
+    int other = at[axis] + 1 < ends[axis] ? sites[i + strides[axis]] : -1;
+    if (other < 0 || other == site)
     {
       continue;
     }
@@ -75,7 +80,6 @@ void main()
         atomicOr(marks[firstWord(row, kInside) + (at.x >> 5)], 1u << (at.x & 31));
       }
     }
-    int other = sites[i + strides[axis]];
     dvec3 edge = dvec3(0.0LF);
     edge[axis] = exactSpacing[axis];
     dvec3 far = closestOnSite(other, x + edge).point - (x + edge);

@@ -78,13 +78,14 @@ void main()
   for (uint item = me; item < items; item += 64u)
   {
     int node = nodeOf(item);
-    if (node >= 0 && meets(loadDisc(firstNode + node), box, radius, reach))
+    if (node >= 0 && item >= kBits)
+    {
+      atomicAdd(total, 1u); // room for all of them, since a second test need not be rounded as the first
+    }
+    else if (node >= 0 && meets(loadDisc(firstNode + node), box, radius, reach))
     {
       atomicAdd(total, 1u);
-      if (item < kBits)
-      {
-        atomicOr(passed[item >> 5], 1u << (item & 31u));
-      }
+      atomicOr(passed[item >> 5], 1u << (item & 31u));
     }
   }
   barrier();
@@ -92,16 +93,10 @@ void main()
   {
     begin = atomicAdd(listLength, total);
     atomicAdd(tests, items);
-    bool fits = begin + total <= uint(room);
-    ivec3 boxes = ivec3(gl_NumWorkGroups);
-    ranges[boxesAt + (at.z * boxes.y + at.y) * boxes.x + at.x] = uvec2(begin, fits ? total : 0u);
   }
   barrier();
-  if (begin + total > uint(room))
-  {
-    return;
-  }
-  for (uint item = me; item < items; item += 64u)
+  bool fits = total <= uint(room) && begin <= uint(room) - total;
+  for (uint item = me; fits && item < items; item += 64u)
   {
     bool isLeft = item < kBits ? (passed[item >> 5] >> (item & 31u) & 1u) != 0u : false;
     int node = nodeOf(item);
@@ -113,5 +108,11 @@ void main()
     {
       lists[begin + atomicAdd(stored, 1u)] = uint(node);
     }
+  }
+  barrier();
+  if (me == 0u)
+  {
+    ivec3 boxes = ivec3(gl_NumWorkGroups);
+    ranges[boxesAt + (at.z * boxes.y + at.y) * boxes.x + at.x] = uvec2(begin, stored);
   }
 }

@@ -169,6 +169,53 @@ TEST(DeviceEngine, ThatCannotBeMadeLeadsToTheProcessor)
     "the engine device failed (no device), so the processor did the work");
 }
 
+TEST(DeviceEngine, LeavesAJobThatIsTooMuchToTheProcessorAndTakesTheNext)
+{
+  FallbackEngine engine(makeDevice);
+  Grid far = tallGrid();
+  far.origin = { 1e5, 0.0, 0.0 };
+  const Computed tooFar = computedBy(engine, ring(), far);
+  EXPECT_EQ(tooFar.field.statistics.engine, Engine::Processor);
+  EXPECT_NE(tooFar.field.statistics.note, "");
+  const Computed near = computedBy(engine, ring(), tallGrid());
+  EXPECT_EQ(near.field.statistics.engine, Engine::Device);
+  EXPECT_EQ(near.field.statistics.note, "");
+}
+
+TEST(DeviceEngine, DoesNotTakeAnErrorOfTheSinkForItsOwn)
+{
+  struct FullSink : CollectingSink
+  {
+    using CollectingSink::CollectingSink;
+    void stored(const Extent& slab) override
+    {
+      CollectingSink::stored(slab);
+      ++calls;
+      throw Error(ErrorCode::OutOfMemory, "the sink is full");
+    }
+    int calls = 0;
+  };
+  const MeshConnectivity connectivity = analyseConnectivity(ring());
+  const Extent extent = tallGrid().wholeExtent();
+  const DistanceFieldOptions options;
+  const TriangleMesh mesh = ring();
+  FieldPipeline pipeline(mesh, connectivity, tallGrid(), extent, options,
+    medial::Run(options.execution));
+  FallbackEngine engine(makeDevice);
+  FullSink sink(extent, 8);
+  try
+  {
+    pipeline.run(engine, sink);
+    FAIL() << "no error";
+  }
+  catch (const Error& error)
+  {
+    EXPECT_STREQ(error.what(), "the sink is full");
+  }
+  EXPECT_EQ(sink.calls, 1);
+  EXPECT_EQ(engine.kind(), Engine::Device);
+}
+
 TEST(DeviceEngine, RefusesWhatDoesNotFitAStorageBuffer)
 {
   struct Limited
@@ -188,7 +235,8 @@ TEST(DeviceEngine, RefusesWhatDoesNotFitAStorageBuffer)
   catch (const Error& error)
   {
     EXPECT_EQ(error.code(), ErrorCode::GpuLimit);
-    EXPECT_NE(std::string(error.what()).find("the driver's limit of 1048576"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("the driver's limit of 1048576"), std::string::npos)
+      << error.what();
   }
   // Slabs become thinner, where this helps.
   DeviceEngine another;
