@@ -49,11 +49,17 @@ struct Opened
   bool exists() const { return context != EGL_NO_CONTEXT; }
   void destroy()
   {
-    if (this->exists())
+    if (!this->exists())
     {
-      eglDestroyContext(display, context);
-      context = EGL_NO_CONTEXT;
+      return;
     }
+    // While a context is current it stays, and what stays when the thread ends is lost.
+    if (eglGetCurrentContext() == context)
+    {
+      eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    }
+    eglDestroyContext(display, context);
+    context = EGL_NO_CONTEXT;
   }
 };
 
@@ -189,7 +195,6 @@ std::vector<ListedDevice> openableDevices()
     if (opened.exists())
     {
       listed.device = currentDevice(number, offered.origin);
-      eglMakeCurrent(opened.display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
       opened.destroy();
     }
     found.push_back(listed);
@@ -230,6 +235,7 @@ EglContext::EglContext(const std::string& wanted, bool debug)
   }
   if (!handles_->exists())
   {
+    eglReleaseThread();
     throwNoDevice(wanted);
   }
   this->makeCurrent();

@@ -294,7 +294,12 @@ TEST(DeviceEngine, LeaksNothingOverManyFrames)
   compute(50);
   const double before = residentMiB();
   compute(250);
-  EXPECT_LT(residentMiB() - before, 4.0);
+#ifdef __SANITIZE_ADDRESS__
+  constexpr double kAllowed = 512.0; // it keeps freed memory for a while
+#else
+  constexpr double kAllowed = 4.0;
+#endif
+  EXPECT_LT(residentMiB() - before, kAllowed);
 }
 
 TEST(DeviceEngine, PassesItsOwnCheck)
