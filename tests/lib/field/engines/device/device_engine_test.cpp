@@ -98,9 +98,9 @@ struct FaultCase
   ErrorCode code;
 };
 
-void PrintTo(const FaultCase& fault, std::ostream* out)
+std::ostream& operator<<(std::ostream& out, const FaultCase& fault)
 {
-  *out << fault.name;
+  return out << fault.name;
 }
 
 class DeviceFault : public testing::TestWithParam<FaultCase>
