@@ -23,6 +23,7 @@
 #include "medial/memory.h"
 #include "medial/mesh_connectivity.h"
 #include "medial/mesh_io.h"
+#include "medial/proximity.h"
 #include "medial/reconstruction.h"
 #include "medial/representation.h"
 #include "medial/run_statistics.h"

@@ -1,0 +1,151 @@
+#pragma once
+
+#include "medial/execution.h"
+#include "medial/export.h"
+#include "medial/triangle_mesh.h"
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <vector>
+
+namespace medial
+{
+
+/// How proximity is computed.
+struct ProximityOptions
+{
+  /// Whether to compute the depths of a pair that collides: Proximity::depth, and for every point
+  /// inside Proximity::pointDepths.
+  bool depths = true;
+  /// Whether to bound the translational depth of a pair that collides.
+  bool translationalDepth = true;
+  /// Largest number of contacts of a manifold, >= 1; 0 computes no contacts. Contacts need depths.
+  int maxContacts = 4;
+  /// How far Proximity::depth may be below the true maximum, as a fraction of it; in (0, 1).
+  double depthTolerance = 1e-3;
+  Execution execution; ///< threads, progress and cancelling
+};
+
+/// A place of one mesh inside, or on, the other.
+struct ProximityContact
+{
+  Point3 point{};          ///< on the surface that is inside the other mesh, world units
+  Point3 normal{};         ///< unit vector from A to B: moving B along it separates them here
+  double depth = 0.0;      ///< world units, >= 0; 0 where the surfaces only touch
+  int manifold = 0;        ///< contacts of one connected overlap share a number, from 0
+  std::int64_t cellA = -1; ///< input cell of A
+  std::int64_t cellB = -1; ///< input cell of B
+};
+
+/// A point of one mesh inside the other.
+struct PointDepth
+{
+  int point = -1;     ///< id in TriangleMesh::points
+  double depth = 0.0; ///< distance to the surface of the other mesh, world units
+};
+
+/// What is known of an interval.
+struct DepthBounds
+{
+  double lower = 0.0;                                     ///< the value is this or more
+  double upper = std::numeric_limits<double>::infinity(); ///< it is this or less
+};
+
+/// How two meshes, A and B, lie to each other.
+///
+/// The solid of a closed mesh is where its winding number is 1 or more; its triangles are oriented
+/// first, as for the sign of a distance field. An open mesh has a solid where its generalised
+/// winding number tells: points where it is between 1/4 and 3/4 are neither inside nor outside.
+/// Segments and points have no solid.
+struct Proximity
+{
+  int meshA = 0; ///< index of A, below that of B
+  int meshB = 0; ///< index of B
+
+  /// Least distance of the surfaces, world units; 0 if and only if they intersect. One mesh inside
+  /// the other has a separation above 0.
+  double separation = 0.0;
+  Point3 witnessA{};       ///< closest point of A; if they intersect a common point
+  Point3 witnessB{};       ///< closest point of B
+  std::int64_t cellA = -1; ///< input cell of witnessA
+  std::int64_t cellB = -1; ///< input cell of witnessB
+
+  /// Whether the surfaces intersect, touching included: exact, whatever the rounding.
+  bool intersect = false;
+  /// Whether the surfaces intersect, or one solid contains a part of the other mesh.
+  bool collide = false;
+  /// Whether the winding number of an open mesh leaves open what is inside it: depths are NaN then.
+  bool insideUndefined = false;
+
+  /// Penetration depth as in section 6 of the paper: the largest distance of a surface point of one
+  /// mesh inside the other to the other's surface. 0 if they do not collide, NaN if
+  /// insideUndefined. It is the depth of a point of the surface, and by the fraction
+  /// depthTolerance at most below the largest.
+  double depth = 0.0;
+  Point3 deepestPoint{}; ///< where depth is; meaningless where that is 0 or NaN
+
+  /// Length of the shortest translation that separates the solids: certified bounds. The lower one
+  /// is the sum of the radii of a ball in A and a ball in B with the same centre; the upper one the
+  /// length of separatingTranslation. For two convex meshes both are the length itself, up to
+  /// rounding. [0, 0] if they do not collide.
+  DepthBounds translationalDepth;
+  /// Moving A by it separates the pair: this was verified.
+  Point3 separatingTranslation{};
+
+  std::vector<PointDepth> depthsOfA;      ///< points of A inside B, by ascending id
+  std::vector<PointDepth> depthsOfB;      ///< points of B inside A, by ascending id
+  std::vector<ProximityContact> contacts; ///< by manifold, the deepest first
+
+  double seconds = 0.0; ///< wall-clock time of this pair
+};
+
+/// Computes how meshes that move or deform lie to each other, frame after frame. Nothing has to be
+/// prepared: meshes may have any topology, holes and degenerate triangles. Between frames the
+/// solver keeps connectivity, trees of boxes, which it refits, and the last witnesses; in the
+/// steady state it allocates nothing.
+///
+/// Results do not depend on the number of threads or on earlier frames but for rounding; swapping
+/// two meshes swaps the answer to the last bit.
+///
+/// A solver must not be used by two threads at once.
+class MEDIAL_EXPORT ProximitySolver
+{
+public:
+  /// Takes over the meshes in their first frame.
+  /// @param meshes two or more.
+  /// @throws Error InvalidInput for fewer than two meshes, an empty one, or as
+  ///   analyseConnectivity(), naming the mesh by its index.
+  explicit ProximitySolver(std::vector<TriangleMesh> meshes);
+  ~ProximitySolver();                                           ///< releases what it keeps
+  ProximitySolver(ProximitySolver&& other) noexcept;            ///< leaves `other` without meshes
+  ProximitySolver& operator=(ProximitySolver&& other) noexcept; ///< leaves `other` without meshes
+
+  int meshCount() const;                 ///< number of meshes
+  const TriangleMesh& mesh(int i) const; ///< a mesh at its current positions
+
+  /// Moves the points of a mesh.
+  /// @param mesh index of the mesh.
+  /// @param points as many as the mesh has, in the same order; world units.
+  /// @throws Error InvalidInput if the index or the number is wrong, or a coordinate is not finite
+  ///   or beyond kMaxCoordinate; the mesh is then unchanged.
+  void setPoints(int mesh, const std::vector<Point3>& points);
+
+  /// Computes all pairs.
+  /// @return one entry for every pair, ordered by meshA and then by meshB; valid until the next
+  ///   call.
+  /// @throws Error InvalidInput for options outside their ranges; Cancelled; OutOfMemory.
+  const std::vector<Proximity>& compute(const ProximityOptions& options = {});
+
+private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// Computes how two meshes lie to each other. For many frames use ProximitySolver.
+/// @throws Error as ProximitySolver.
+MEDIAL_EXPORT Proximity computeProximity(const TriangleMesh& a, const TriangleMesh& b,
+  const ProximityOptions& options = {});
+
+} // namespace medial

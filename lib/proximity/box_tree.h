@@ -1,0 +1,65 @@
+#pragma once
+
+#include "proximity/box.h"
+
+#include <glm/glm.hpp>
+
+#include <vector>
+
+namespace medial
+{
+
+/// A binary tree of boxes over elements that move: it is built once and refitted for every frame.
+/// Elements lie in the order of the leaves, each in a slot of its own.
+class BoxTree
+{
+public:
+  /// A leaf has the elements in slots first .. first + count - 1. An inner node has count 0; its
+  /// first child follows it.
+  struct Node
+  {
+    Box box;
+    int second = 0; ///< the other child of an inner node
+    int first = 0;
+    int count = 0;
+
+    bool leaf() const { return count > 0; }
+  };
+
+  /// @param corners per element: its points, repeated for segments and points.
+  void build(const std::vector<glm::dvec3>& points, const std::vector<glm::ivec3>& corners);
+  /// Fits the boxes to moved points. Uses the threads of the current arena.
+  /// @param corners as for build().
+  void refit(const std::vector<glm::dvec3>& points);
+
+  const std::vector<Node>& nodes() const { return nodes_; }
+  const Box& box() const { return nodes_.front().box; }
+  /// The element of every slot.
+  const std::vector<int>& elements() const { return elements_; }
+  /// Whether the boxes have grown so much since they were built that a new tree is worth it.
+  bool worn() const;
+
+private:
+  struct Range
+  {
+    int begin;
+    int end;
+  };
+
+  int split(const std::vector<Box>& boxes, int begin, int end);
+  /// Lists the points of every leaf and the parts that are refitted side by side.
+  void prepareRefit(const std::vector<glm::ivec3>& corners);
+  void addParts(int node, int end, int largest);
+  void refitNode(int node, const std::vector<glm::dvec3>& points);
+  double cost() const;
+
+  std::vector<Node> nodes_;
+  std::vector<int> elements_;
+  std::vector<int> leafPoints_;  ///< points of the leaves, each once in a leaf
+  std::vector<int> leafOffsets_; ///< per node and the end: its part of leafPoints_
+  std::vector<Range> parts_;     ///< nodes of subtrees
+  std::vector<int> top_;         ///< the nodes above them, lower ones last
+  double builtCost_ = 0.0;
+};
+
+} // namespace medial

@@ -1,0 +1,85 @@
+#include "proximity/intersections.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <tuple>
+
+namespace medial
+{
+namespace
+{
+
+constexpr std::size_t kParts = 24;
+
+void findInLeaves(const MovingMesh& a, const MovingMesh& b, const NodePair& pair, bool all,
+  std::vector<SlotPair>& found)
+{
+  const BoxTree::Node& nodeA = a.tree().nodes()[pair.a];
+  const BoxTree::Node& nodeB = b.tree().nodes()[pair.b];
+  for (int i = nodeA.first; i < nodeA.first + nodeA.count; ++i)
+  {
+    const Box boxA = a.boxOf(i);
+    if (!boxA.overlaps(nodeB.box))
+    {
+      continue;
+    }
+    for (int k = nodeB.first; k < nodeB.first + nodeB.count; ++k)
+    {
+      if (boxA.overlaps(b.boxOf(k)) && intersect(a.element(i), b.element(k)))
+      {
+        found.push_back({ i, k });
+        if (!all)
+        {
+          return;
+        }
+      }
+    }
+  }
+}
+
+void search(const MovingMesh& a, const MovingMesh& b, const NodePair& start, bool all,
+  std::vector<SlotPair>& found)
+{
+  constexpr double kEnd = -1.0;
+  walkPairs(
+    a.tree(), b.tree(), start, [&] { return all || found.empty() ? 0.0 : kEnd; },
+    [&](const NodePair& pair) { findInLeaves(a, b, pair, all, found); });
+}
+
+} // namespace
+
+void Intersections::find(const MovingMesh& a, const MovingMesh& b, bool all)
+{
+  pairs_.clear();
+  if (!all)
+  {
+    if (last_.a >= 0 && intersect(a.element(a.slotOf(last_.a)), b.element(b.slotOf(last_.b))))
+    {
+      pairs_.push_back({ a.slotOf(last_.a), b.slotOf(last_.b) });
+      return;
+    }
+    search(a, b, { 0, 0, a.tree().box().squaredDistance(b.tree().box()) }, all, pairs_);
+  }
+  else
+  {
+    parts_.split(a.tree(), b.tree(), 0.0, kParts);
+    found_.resize(std::max(found_.size(), parts_.pairs().size()));
+    tbb::parallel_for(std::size_t{ 0 }, parts_.pairs().size(),
+      [&](std::size_t i)
+      {
+        found_[i].clear();
+        search(a, b, parts_.pairs()[i], all, found_[i]);
+      });
+    for (std::size_t i = 0; i < parts_.pairs().size(); ++i)
+    {
+      pairs_.insert(pairs_.end(), found_[i].begin(), found_[i].end());
+    }
+    std::sort(pairs_.begin(), pairs_.end(),
+      [](const SlotPair& p, const SlotPair& q) { return std::tie(p.a, p.b) < std::tie(q.a, q.b); });
+  }
+  last_ = pairs_.empty() ? SlotPair{ -1, -1 }
+                         : SlotPair{ a.elementIn(pairs_[0].a), b.elementIn(pairs_[0].b) };
+}
+
+} // namespace medial

@@ -1,0 +1,120 @@
+#include "proximity/moving_mesh.h"
+
+#include "base/disjoint_sets.h"
+
+namespace medial
+{
+
+MovingMesh::MovingMesh(TriangleMesh mesh)
+  : mesh_(std::move(mesh))
+  , connectivity_(analyseConnectivity(mesh_))
+  , orientation_(orientSurface(mesh_, connectivity_))
+  , closed_(orientation_.rim.empty() && !mesh_.triangles.empty())
+{
+  for (const auto& [a, b, c] : mesh_.triangles)
+  {
+    elementCorners_.emplace_back(a, b, c);
+  }
+  for (const auto& [a, b] : mesh_.segments)
+  {
+    elementCorners_.emplace_back(a, b, b);
+  }
+  for (const int point : mesh_.vertices)
+  {
+    elementCorners_.emplace_back(point);
+  }
+  this->findComponents();
+  this->setPoints(mesh_.points);
+  this->build();
+}
+
+void MovingMesh::setPoints(const std::vector<Point3>& points)
+{
+  if (&points != &mesh_.points)
+  {
+    mesh_.points = points;
+  }
+  points_.resize(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    points_[i] = { points[i][0], points[i][1], points[i][2] };
+  }
+}
+
+void MovingMesh::refit()
+{
+  tree_.refit(points_);
+  if (tree_.worn())
+  {
+    this->build();
+  }
+}
+
+void MovingMesh::build()
+{
+  tree_.build(points_, elementCorners_);
+  corners_.resize(elementCorners_.size());
+  weights_.resize(elementCorners_.size());
+  slots_.resize(elementCorners_.size());
+  pointSlots_.offsets.assign(points_.size() + 1, 0);
+  for (int slot = 0; slot < this->size(); ++slot)
+  {
+    const int element = this->elementIn(slot);
+    corners_[slot] = elementCorners_[element];
+    weights_[slot] = this->isTriangle(slot) ? orientation_.weights[element] : std::int8_t{ 0 };
+    slots_[element] = slot;
+    for (int i = 0; i < 3; ++i)
+    {
+      ++pointSlots_.offsets[corners_[slot][i] + 1];
+    }
+  }
+  for (std::size_t i = 0; i < points_.size(); ++i)
+  {
+    pointSlots_.offsets[i + 1] += pointSlots_.offsets[i];
+  }
+  pointSlots_.values.resize(pointSlots_.offsets.back());
+  std::vector<int> next(pointSlots_.offsets.begin(), pointSlots_.offsets.end() - 1);
+  for (int slot = 0; slot < this->size(); ++slot)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      pointSlots_.values[next[corners_[slot][i]]++] = slot;
+    }
+  }
+}
+
+void MovingMesh::findComponents()
+{
+  DisjointSets sets(mesh_.points.size());
+  for (const glm::ivec3& corners : elementCorners_)
+  {
+    sets.join(corners[0], corners[1]);
+    sets.join(corners[0], corners[2]);
+  }
+  components_.resize(mesh_.points.size());
+  for (std::size_t i = 0; i < components_.size(); ++i)
+  {
+    const auto first = static_cast<std::size_t>(sets.find(static_cast<std::int64_t>(i)));
+    if (first == i)
+    {
+      components_[i] = static_cast<int>(componentPoints_.size());
+      componentPoints_.push_back(static_cast<int>(i));
+      continue;
+    }
+    components_[i] = components_[first]; // the lowest point of a set comes first
+  }
+}
+
+std::int64_t MovingMesh::cellOf(int slot) const
+{
+  std::size_t element = this->elementIn(slot);
+  if (element < mesh_.triangles.size())
+  {
+    return mesh_.triangleCells[element];
+  }
+  element -= mesh_.triangles.size();
+  return element < mesh_.segments.size() ? mesh_.segmentCells[element]
+                                         : mesh_.vertexCells[element - mesh_.segments.size()];
+}
+
+} // namespace medial

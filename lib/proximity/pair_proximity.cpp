@@ -1,0 +1,154 @@
+#include "proximity/pair_proximity.h"
+
+#include "proximity/element_distance.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace medial
+{
+namespace
+{
+
+Point3 toPoint(const glm::dvec3& x)
+{
+  return { x.x, x.y, x.z };
+}
+
+/// Returns a point of both of two elements that intersect.
+glm::dvec3 commonPoint(const Element& a, const Element& b)
+{
+  for (const auto& [edges, triangle] : { std::pair(&a, &b), std::pair(&b, &a) })
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      glm::dvec3 at;
+      if (crossing(edges->corners[i], edges->corners[(i + 1) % 3], *triangle, at))
+      {
+        return at;
+      }
+    }
+  }
+  return closestPoints(a, b).a; // they touch with their edges or are in one plane
+}
+
+void listSlots(const std::vector<SlotPair>& pairs, int SlotPair::*slot, std::vector<int>& slots)
+{
+  slots.clear();
+  for (const SlotPair& pair : pairs)
+  {
+    slots.push_back(pair.*slot);
+  }
+  std::sort(slots.begin(), slots.end());
+  slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
+}
+
+const DeepPlace& deeper(const DeepPlace& p, const DeepPlace& q)
+{
+  return q.depth > p.depth ? q : p;
+}
+
+void listDepths(const Penetration& penetration, std::vector<PointDepth>& depths)
+{
+  depths.clear();
+  const auto& points = penetration.enclosed().points();
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    depths.push_back({ points[i].point, penetration.depthOf(i) });
+  }
+  std::sort(depths.begin(), depths.end(),
+    [](const PointDepth& p, const PointDepth& q) { return p.point < q.point; });
+}
+
+} // namespace
+
+PairProximity::PairProximity(const MovingMesh& a, const MovingMesh& b, const SolidQuery& solidA,
+  const SolidQuery& solidB)
+  : a_(a)
+  , b_(b)
+  , aInB_(a, b, solidB)
+  , bInA_(b, a, solidA)
+{
+}
+
+void PairProximity::compute(const ProximityOptions& options, Proximity& result)
+{
+  result.depth = 0.0;
+  result.translationalDepth = { 0.0, 0.0 };
+  result.separatingTranslation = {};
+  result.depthsOfA.clear();
+  result.depthsOfB.clear();
+  result.contacts.clear();
+  intersections_.find(a_, b_, options.depths);
+  result.intersect = !intersections_.pairs().empty();
+  result.intersect ? this->meet(result) : this->separate(result);
+  listSlots(intersections_.pairs(), &SlotPair::a, cutA_);
+  listSlots(intersections_.pairs(), &SlotPair::b, cutB_);
+  if (result.intersect && !options.depths)
+  {
+    result.collide = true;
+    result.insideUndefined = false;
+    return;
+  }
+  this->penetrate(options, result);
+}
+
+void PairProximity::separate(Proximity& result)
+{
+  const ClosestElements& closest = separation_.find(a_, b_);
+  result.separation = std::sqrt(closest.points.squared);
+  result.witnessA = toPoint(closest.points.a);
+  result.witnessB = toPoint(closest.points.b);
+  result.cellA = a_.cellOf(a_.slotOf(closest.elementA));
+  result.cellB = b_.cellOf(b_.slotOf(closest.elementB));
+}
+
+void PairProximity::meet(Proximity& result)
+{
+  const SlotPair& pair = intersections_.pairs().front();
+  const glm::dvec3 common = commonPoint(a_.element(pair.a), b_.element(pair.b));
+  result.separation = 0.0;
+  result.witnessA = toPoint(common);
+  result.witnessB = result.witnessA;
+  result.cellA = a_.cellOf(pair.a);
+  result.cellB = b_.cellOf(pair.b);
+}
+
+void PairProximity::penetrate(const ProximityOptions& options, Proximity& result)
+{
+  const std::pair<Penetration*, const std::vector<int>*> ways[] = { { &aInB_, &cutA_ },
+    { &bInA_, &cutB_ } };
+  const auto both = [&](const auto& work)
+  { tbb::parallel_for(0, 2, [&](int i) { work(i, *ways[i].first, *ways[i].second); }); };
+  both([](int, Penetration& way, const std::vector<int>& cut) { way.find(cut); });
+  result.insideUndefined = aInB_.enclosed().anyUndefined() || bInA_.enclosed().anyUndefined();
+  result.collide =
+    result.intersect || !aInB_.enclosed().points().empty() || !bInA_.enclosed().points().empty();
+  if (!result.collide || !options.depths)
+  {
+    return;
+  }
+  if (result.insideUndefined)
+  {
+    result.depth = std::numeric_limits<double>::quiet_NaN();
+    return;
+  }
+  constexpr double kAbsolute = 1e-5;
+  const double absolute =
+    kAbsolute * std::min(glm::length(a_.tree().box().size()), glm::length(b_.tree().box().size()));
+  DeepPlace deepest = deeper(aInB_.deepestPoint(), bInA_.deepestPoint());
+  DeepPlace found[2];
+  both([&](int i, Penetration& way, const std::vector<int>& cut)
+    { found[i] = way.deepest(cut, deepest, options.depthTolerance, absolute); });
+  deepest = deeper(found[0], found[1]);
+  result.depth = deepest.depth;
+  result.deepestPoint = toPoint(deepest.point);
+  listDepths(aInB_, result.depthsOfA);
+  listDepths(bInA_, result.depthsOfB);
+}
+
+} // namespace medial

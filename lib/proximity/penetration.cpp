@@ -1,0 +1,174 @@
+#include "proximity/penetration.h"
+
+#include "proximity/element_distance.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace medial
+{
+namespace
+{
+
+/// Points whose searches follow each other, each from what the one before it found.
+constexpr std::size_t kBlock = 128;
+/// Where surfaces only touch, every place may be as deep as any other.
+constexpr int kMaxRefinements = 4000;
+
+double limitOf(double depth, double relative, double absolute)
+{
+  return std::max(depth * (1.0 + relative), depth + absolute);
+}
+
+} // namespace
+
+void Penetration::find(const std::vector<int>& cut)
+{
+  enclosed_.find(mesh_, solid_, other_.tree().box(), cut);
+  const auto& points = enclosed_.points();
+  closest_.resize(points.size());
+  tbb::parallel_for(std::size_t{ 0 }, (points.size() + kBlock - 1) / kBlock,
+    [&](std::size_t block)
+    {
+      const std::size_t begin = block * kBlock;
+      const std::size_t end = std::min(points.size(), begin + kBlock);
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const int from = points[i].from;
+        const int hint = from >= static_cast<int>(begin) ? closest_[from].slot : -1;
+        closest_[i] = closestElement(other_, mesh_.points()[points[i].point], hint);
+      }
+    });
+}
+
+double Penetration::depthOf(std::size_t enclosed) const
+{
+  return std::sqrt(closest_[enclosed].squared);
+}
+
+DeepPlace Penetration::deepestPoint() const
+{
+  DeepPlace best;
+  for (std::size_t i = 0; i < closest_.size(); ++i)
+  {
+    const double depth = this->depthOf(i);
+    if (depth > best.depth)
+    {
+      const int point = enclosed_.points()[i].point;
+      best = { depth, mesh_.points()[point], closest_[i].point, *mesh_.pointSlots().begin(point),
+        closest_[i].slot };
+    }
+  }
+  return best;
+}
+
+DeepPlace Penetration::deepest(const std::vector<int>& cut, const DeepPlace& known, double relative,
+  double absolute)
+{
+  DeepPlace best = known;
+  pieces_.clear();
+  const double limit = limitOf(best.depth, relative, absolute);
+  for (const int slot : cut)
+  {
+    this->addPiece(this->wholeTriangle(slot), limit);
+  }
+  for (const EnclosedPoints::Enclosed& enclosed : enclosed_.points())
+  {
+    const IncidenceLists& slots = mesh_.pointSlots();
+    for (const int* slot = slots.begin(enclosed.point); slot != slots.end(enclosed.point); ++slot)
+    {
+      // A triangle of three points inside comes up three times.
+      if (!enclosed_.isCut(*slot) && mesh_.corners(*slot)[0] == enclosed.point)
+      {
+        this->addPiece(this->wholeTriangle(*slot), limit);
+      }
+    }
+  }
+  for (int i = 0; i < kMaxRefinements && !pieces_.empty(); ++i)
+  {
+    const auto less = [](const Piece& p, const Piece& q) { return p.max < q.max; };
+    std::pop_heap(pieces_.begin(), pieces_.end(), less);
+    const Piece piece = pieces_.back();
+    pieces_.pop_back();
+    if (piece.max <= limitOf(best.depth, relative, absolute))
+    {
+      break;
+    }
+    this->refine(piece, best, relative, absolute);
+  }
+  return best;
+}
+
+Penetration::Piece Penetration::wholeTriangle(int slot) const
+{
+  Piece piece{ mesh_.element(slot).corners, 0.0, slot, -1 };
+  double longest = 0.0;
+  double max = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 3; ++i)
+  {
+    const glm::dvec3& corner = piece.corners[i];
+    const double reach = std::max(glm::distance(corner, piece.corners[(i + 1) % 3]),
+      glm::distance(corner, piece.corners[(i + 2) % 3]));
+    longest = std::max(longest, reach);
+    const int point = mesh_.corners(slot)[i];
+    if (enclosed_.isInside(point))
+    {
+      const int index = enclosed_.indexOf(point);
+      const double bound = this->depthOf(index) + reach;
+      piece.hint = bound < max ? closest_[index].slot : piece.hint;
+      max = std::min(max, bound);
+    }
+  }
+  // A place inside a cut triangle is no farther from the other surface than from the cut.
+  piece.max = enclosed_.isCut(slot) ? std::min(max, longest) : max;
+  return piece;
+}
+
+void Penetration::addPiece(const Piece& piece, double limit)
+{
+  if (piece.max > limit)
+  {
+    pieces_.push_back(piece);
+    std::push_heap(pieces_.begin(), pieces_.end(),
+      [](const Piece& p, const Piece& q) { return p.max < q.max; });
+  }
+}
+
+void Penetration::refine(const Piece& piece, DeepPlace& best, double relative, double absolute)
+{
+  const auto& [a, b, c] = piece.corners;
+  const glm::dvec3 middle = (a + b + c) / 3.0;
+  const ClosestElement closest = closestElement(other_, middle, piece.hint);
+  const double depth = std::sqrt(closest.squared);
+  const bool inside = !enclosed_.isCut(piece.slot) || solid_.placeOf(middle) == Place::Inside;
+  if (inside && depth > best.depth)
+  {
+    best = { depth, middle, closest.point, piece.slot, closest.slot };
+  }
+  // The distance to a convex element is largest at a corner; along a line to a place beyond the
+  // surface the depth begins where the line comes in.
+  double toElement = 0.0;
+  double radius = 0.0;
+  for (const glm::dvec3& corner : piece.corners)
+  {
+    toElement = std::max(toElement,
+      glm::distance(corner, closestPoint(other_.element(closest.slot), corner)));
+    radius = std::max(radius, glm::distance(corner, middle));
+  }
+  const double max = std::min({ piece.max, toElement, inside ? depth + radius : radius - depth });
+  const double limit = limitOf(best.depth, relative, absolute);
+  const glm::dvec3 ab = 0.5 * (a + b);
+  const glm::dvec3 bc = 0.5 * (b + c);
+  const glm::dvec3 ca = 0.5 * (c + a);
+  for (const auto& corners : { std::array{ a, ab, ca }, std::array{ ab, b, bc },
+         std::array{ ca, bc, c }, std::array{ ab, bc, ca } })
+  {
+    this->addPiece({ corners, max, piece.slot, closest.slot }, limit);
+  }
+}
+
+} // namespace medial

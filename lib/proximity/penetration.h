@@ -1,0 +1,78 @@
+#pragma once
+
+#include "proximity/closest_element.h"
+#include "proximity/enclosed_points.h"
+#include "proximity/moving_mesh.h"
+#include "proximity/solid_query.h"
+
+#include <glm/glm.hpp>
+
+#include <vector>
+
+namespace medial
+{
+
+/// A place of a surface inside another solid.
+struct DeepPlace
+{
+  double depth = 0.0; ///< distance to the other surface
+  glm::dvec3 point{ 0.0 };
+  glm::dvec3 closest{ 0.0 }; ///< on the other surface
+  int slot = -1;             ///< of the surface's element
+  int otherSlot = -1;
+};
+
+/// How deep the surface of one mesh is inside the solid of another (section 6 of the paper: the
+/// distance field of the other at the surface's points, and its maximum).
+class Penetration
+{
+public:
+  Penetration(const MovingMesh& mesh, const MovingMesh& other, const SolidQuery& solid)
+    : mesh_(mesh)
+    , other_(other)
+    , solid_(solid)
+  {
+  }
+
+  /// Finds the points inside and their depths. Uses the threads of the current arena.
+  /// @param cut slots of the elements that intersect the other mesh, ascending.
+  void find(const std::vector<int>& cut);
+
+  /// Returns the deepest of the points.
+  DeepPlace deepestPoint() const;
+  const EnclosedPoints& enclosed() const { return enclosed_; }
+  /// Per enclosed point: what of the other surface is closest.
+  const std::vector<ClosestElement>& closest() const { return closest_; }
+  double depthOf(std::size_t enclosed) const;
+
+  /// Returns the deepest place of the surface, up to a tolerance, or a known one if that is deeper.
+  /// @param cut as for find().
+  /// @param relative, absolute how far the depth may be below the largest.
+  DeepPlace deepest(const std::vector<int>& cut, const DeepPlace& known, double relative,
+    double absolute);
+
+private:
+  /// A part of a triangle.
+  struct Piece
+  {
+    std::array<glm::dvec3, 3> corners;
+    double max; ///< no place of it is deeper
+    int slot;
+    int hint; ///< slot of an element of the other mesh that may be near
+  };
+
+  /// Bounds the depths of a triangle by those of its corners that are inside.
+  Piece wholeTriangle(int slot) const;
+  void addPiece(const Piece& piece, double limit);
+  /// Looks at the middle of a piece, and adds its four parts if they may be deeper.
+  void refine(const Piece& piece, DeepPlace& best, double relative, double absolute);
+
+  const MovingMesh& mesh_;
+  const MovingMesh& other_;
+  const SolidQuery& solid_;
+  EnclosedPoints enclosed_;
+  std::vector<ClosestElement> closest_;
+  std::vector<Piece> pieces_; ///< a heap, the largest bound first
+};
+
+} // namespace medial

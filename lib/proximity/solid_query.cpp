@@ -1,0 +1,99 @@
+#include "proximity/solid_query.h"
+
+#include "sign/closed_surface.h"
+#include "sign/line_crossing.h"
+
+#include <array>
+
+namespace medial
+{
+namespace
+{
+
+/// The part of a box's shadow along x that lies before a position.
+bool meetsLineBefore(const Box& box, const glm::dvec3& x)
+{
+  return box.min.x <= x.x && box.min.y <= x.y && x.y <= box.max.y && box.min.z <= x.z &&
+    x.z <= box.max.z;
+}
+
+} // namespace
+
+SolidQuery::OpenSolid::OpenSolid(const MovingMesh& mesh)
+  : local(LocalCoordinates::around(mesh.mesh().bounds(), 0.0))
+  , winding(chainOf(mesh.mesh(), mesh.orientation(), local))
+{
+}
+
+void SolidQuery::update()
+{
+  if (!mesh_.closed() && !mesh_.mesh().triangles.empty())
+  {
+    open_ = std::make_unique<OpenSolid>(mesh_);
+  }
+}
+
+Place SolidQuery::placeOf(const glm::dvec3& x) const
+{
+  if (mesh_.closed())
+  {
+    return mesh_.tree().box().contains(x) && this->windingNumber(x) > 0 ? Place::Inside
+                                                                        : Place::Outside;
+  }
+  if (open_ == nullptr)
+  {
+    return Place::Outside;
+  }
+  constexpr double kLow = 0.25;
+  constexpr double kHigh = 0.75;
+  constexpr double kTolerance = 1e-3;
+  const Interval value = open_->winding.bounds(open_->local.toLocal({ x.x, x.y, x.z }), kTolerance);
+  const double middle = 0.5 * (value.low + value.high);
+  return middle < kLow ? Place::Outside : (middle > kHigh ? Place::Inside : Place::Undefined);
+}
+
+int SolidQuery::windingNumber(const glm::dvec3& x) const
+{
+  const auto& nodes = mesh_.tree().nodes();
+  std::array<int, 64> stack;
+  int count = 0;
+  stack[count++] = 0;
+  int sum = 0;
+  while (count > 0)
+  {
+    const int node = stack[--count];
+    if (!meetsLineBefore(nodes[node].box, x))
+    {
+      continue;
+    }
+    if (nodes[node].leaf())
+    {
+      sum += this->crossingsBefore(nodes[node], x);
+      continue;
+    }
+    stack[count++] = nodes[node].second;
+    stack[count++] = node + 1;
+  }
+  return sum;
+}
+
+int SolidQuery::crossingsBefore(const BoxTree::Node& leaf, const glm::dvec3& x) const
+{
+  int sum = 0;
+  for (int slot = leaf.first; slot < leaf.first + leaf.count; ++slot)
+  {
+    const int weight = mesh_.weight(slot);
+    if (weight == 0)
+    {
+      continue;
+    }
+    if (const auto segment = cutAt(mesh_.element(slot).corners, x.z))
+    {
+      const auto crossing = crossLine(*segment, x.y);
+      sum += crossing && crossing->x < x.x ? crossing->direction * weight : 0;
+    }
+  }
+  return sum;
+}
+
+} // namespace medial
