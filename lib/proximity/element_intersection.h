@@ -1,0 +1,31 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <array>
+
+namespace medial
+{
+
+/// A closed triangle, or a closed segment or a point where corners are equal. Three collinear
+/// corners are the longest segment between them. Coordinates must be in the range of exact_sign.h.
+struct Element
+{
+  std::array<glm::dvec3, 3> corners;
+};
+
+/// Returns whether two elements share a point, be it a single one. Exact: the same for both orders
+/// of the elements and for any order of their corners.
+bool intersect(const Element& a, const Element& b);
+
+/// Finds the one point in which a closed segment meets the plane of a triangle, where it lies in
+/// the closed triangle; false if there is none or if the whole segment lies in the plane. The
+/// answer is exact, and the same for both directions of the segment and any order of the triangle's
+/// corners.
+/// @param triangle with an area; nothing crosses other elements.
+/// @param[out] at set if the answer is true, rounded: off by a few units in the last place of the
+///   largest coordinate, within the box around the segment, and bit-equal for both directions.
+bool crossing(const glm::dvec3& from, const glm::dvec3& to, const Element& triangle,
+  glm::dvec3& at);
+
+} // namespace medial
