@@ -359,11 +359,15 @@ TEST(SegmentCrossing, EndsInThePlaneAreMetExactly)
 {
   const Element triangle{ { { { 0.1, 0.2, 0.3 }, { 4.0, 0.2, 0.3 }, { 0.1, 4.0, 0.3 } } } };
   const glm::dvec3 end(0.7, 0.9, 0.3);
-  glm::dvec3 at;
-  ASSERT_TRUE(crossing(end, { 0.13, 0.57, 7.1 }, triangle, at));
-  EXPECT_EQ(at, end);
-  ASSERT_TRUE(crossing(end, { 1.13, 1.57, -7.1 }, triangle, at));
-  EXPECT_EQ(at, end);
+  std::mt19937 random(10);
+  std::uniform_real_distribution<double> coordinate(-9.0, 9.0);
+  for (int i = 0; i < 1000; ++i)
+  {
+    const glm::dvec3 other(coordinate(random), coordinate(random), coordinate(random));
+    glm::dvec3 at;
+    ASSERT_TRUE(crossing(end, other, triangle, at));
+    ASSERT_EQ(at, end);
+  }
 }
 
 } // namespace

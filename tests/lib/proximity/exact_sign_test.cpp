@@ -5,11 +5,11 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
 #include <random>
+#include <utility>
 
 namespace medial::test
 {
@@ -78,23 +78,40 @@ TEST(ExactSign, OfPointsOfALattice)
   EXPECT_GT(coplanar, 5000);
 }
 
+Points scaled(Points points, const glm::dvec3& factors)
+{
+  for (glm::dvec3& point : points)
+  {
+    point *= factors;
+  }
+  return points;
+}
+
+/// Points of a lattice that is rounded to multiples of 2^kRoundedExponent.
+Points rounded(Points points)
+{
+  for (glm::dvec3& point : points)
+  {
+    point = 0.1 * point + 1e6;
+  }
+  return points;
+}
+
+constexpr int kRoundedExponent = -33;
+
 TEST(ExactSign, OfPointsOfALatticeThatAreRounded)
 {
   std::mt19937 random(2);
-  int rounded = 0;
+  int changed = 0;
   for (int i = 0; i < 100000; ++i)
   {
-    Points points = latticePoints(random, 5);
-    const bool flat = exactSideOf(points, 0) == 0;
-    for (glm::dvec3& point : points)
-    {
-      point = 0.1 * point + 1e6; // multiples of 2^-33
-    }
-    const int expected = exactSideOf(points, -33);
-    rounded += flat && expected != 0 ? 1 : 0;
+    const Points lattice = latticePoints(random, 5);
+    const Points points = rounded(lattice);
+    const int expected = exactSideOf(points, kRoundedExponent);
+    changed += exactSideOf(lattice, 0) == 0 && expected != 0 ? 1 : 0;
     ASSERT_NO_FATAL_FAILURE(expectSign(expected, points));
   }
-  EXPECT_GT(rounded, 1000); // what the lattice has in a plane is not in one any more
+  EXPECT_GT(changed, 1000); // what the lattice has in a plane is not in one any more
 }
 
 TEST(ExactSign, OfPointsOfALatticeWithEdgesOfAnyLength)
@@ -103,15 +120,10 @@ TEST(ExactSign, OfPointsOfALatticeWithEdgesOfAnyLength)
   std::uniform_int_distribution<int> exponent(-59, 59);
   for (int i = 0; i < 100000; ++i)
   {
-    Points points = latticePoints(random, 9);
-    const int expected = exactSideOf(points, 0);
-    const glm::dvec3 scale(std::ldexp(1.0, exponent(random)), std::ldexp(1.0, exponent(random)),
+    const Points points = latticePoints(random, 9);
+    const glm::dvec3 factors(std::ldexp(1.0, exponent(random)), std::ldexp(1.0, exponent(random)),
       std::ldexp(1.0, exponent(random)));
-    for (glm::dvec3& point : points)
-    {
-      point *= scale;
-    }
-    ASSERT_NO_FATAL_FAILURE(expectSign(expected, points));
+    ASSERT_NO_FATAL_FAILURE(expectSign(exactSideOf(points, 0), scaled(points, factors)));
   }
 }
 
@@ -131,19 +143,12 @@ TEST(ExactSign, OfDifferencesThatNeedTwoDoubles)
 TEST(ExactSign, AtTheEndsOfTheRangeOfCoordinates)
 {
   std::mt19937 random(4);
-  for (int i = 0; i < 2000; ++i)
+  for (int i = 0; i < 10000; ++i)
   {
-    const Points points = latticePoints(random, 5);
-    const int expected = exactSideOf(points, 0);
-    for (const double scale : { std::ldexp(1.0, -232), std::ldexp(1.0, 329) })
-    {
-      Points scaled = points;
-      for (glm::dvec3& point : scaled)
-      {
-        point *= scale;
-      }
-      ASSERT_NO_FATAL_FAILURE(expectSign(expected, scaled));
-    }
+    const Points points = rounded(latticePoints(random, 5));
+    const int expected = exactSideOf(points, kRoundedExponent);
+    ASSERT_NO_FATAL_FAILURE(expectSign(expected, scaled(points, glm::dvec3(0x1p-250))));
+    ASSERT_NO_FATAL_FAILURE(expectSign(expected, scaled(points, glm::dvec3(0x1p312))));
   }
 }
 
@@ -176,12 +181,16 @@ TEST(ExactSign, OfNearlyCollinearPoints)
 
 TEST(ExactSign, OfNearlyCoplanarPoints)
 {
+  const Points wall{ { { 12.0, 12.0, 1.0 }, { 24.0, 24.0, -7.0 }, { 24.0, 24.0, 5.0 }, {} } };
   forEachNearDiagonal(
-    [](const glm::dvec2& point, int expected)
+    [&](const glm::dvec2& point, int expected)
     {
-      const glm::dvec3 a(12.0, 12.0, 1.0), b(24.0, 24.0, 5.0), c(24.0, 24.0, -7.0);
-      ASSERT_EQ(orientation(a, b, c, { point, 0.5 }),
-        expected * orientation(a, b, c, { 0.0, 1.0, 0.0 }));
+      Points points = wall;
+      points[3] = { point, 0.5 };
+      for (const double factor : { 1.0, 0x1p-231, 0x1p327 }) // to the ends of the range
+      {
+        ASSERT_NO_FATAL_FAILURE(expectSign(expected, scaled(points, glm::dvec3(factor))));
+      }
     });
 }
 
