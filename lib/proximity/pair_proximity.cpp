@@ -152,8 +152,8 @@ void PairProximity::penetrate(const ProximityOptions& options, Proximity& result
   listDepths(bInA_, result.depthsOfB);
   if (options.maxContacts > 0)
   {
-    contacts_.find(intersections_.pairs(), aInB_, bInA_, deepest, deepest.depth == found[0].depth,
-      options.maxContacts, result.contacts);
+    contacts_.find(intersections_.pairs(), aInB_, bInA_, deepest, options.maxContacts,
+      result.contacts);
   }
 }
 
