@@ -74,7 +74,7 @@ TEST(TranslationalDepth, OfAPegInAnLIsItsWayOut)
   const TriangleMesh peg = translated(box({ 0.3, 0.3, 0.3 }), { 0.25, 0.25, 0.0 });
   const Proximity result = computeProximity(l, peg);
   ASSERT_TRUE(result.collide);
-  EXPECT_NEAR(result.translationalDepth.upper, 0.05, 1e-6);
+  EXPECT_NEAR(result.translationalDepth.upper, 0.05 * std::sqrt(2.0), 1e-6);
   EXPECT_GE(result.translationalDepth.lower, 0.02);
   expectSeparating(l, peg, result);
 }
