@@ -12,32 +12,43 @@ namespace medial
 namespace
 {
 
-/// Returns how far a box moves along a direction before it has passed another; negative if it never
-/// meets it.
-double passing(const Box& a, const Box& b, const glm::dvec3& direction)
+/// A direction, and how far boxes move along it before they have passed others.
+class Movement
 {
-  double begin = 0.0;
-  double end = std::numeric_limits<double>::infinity();
-  for (int axis = 0; axis < 3; ++axis)
+public:
+  explicit Movement(const glm::dvec3& direction)
+    : direction_(direction)
+    , inverse_(1.0 / direction)
   {
-    const double x = b.min[axis] - a.max[axis];
-    const double y = b.max[axis] - a.min[axis];
-    if (direction[axis] == 0.0)
-    {
-      if (x > 0.0 || y < 0.0)
-      {
-        return -1.0;
-      }
-      continue;
-    }
-    const double first = x / direction[axis];
-    const double last = y / direction[axis];
-    begin = std::max(begin, std::min(first, last));
-    end = std::min(end, std::max(first, last));
   }
-  constexpr double kRoundedUp = 1.0 + 1e-12;
-  return begin <= end * kRoundedUp ? end * kRoundedUp : -1.0;
-}
+
+  /// Returns how far a box moves before it has passed another; negative if it never meets it.
+  double passing(const Box& a, const Box& b) const
+  {
+    double begin = 0.0;
+    double end = std::numeric_limits<double>::infinity();
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double low = b.min[axis] - a.max[axis];
+      const double high = b.max[axis] - a.min[axis];
+      if (direction_[axis] == 0.0)
+      {
+        end = low > 0.0 || high < 0.0 ? -1.0 : end;
+        continue;
+      }
+      const double x = low * inverse_[axis];
+      const double y = high * inverse_[axis];
+      begin = larger(begin, smaller(x, y));
+      end = smaller(end, larger(x, y));
+    }
+    constexpr double kRoundedUp = 1.0 + 1e-12;
+    return begin <= end * kRoundedUp ? end * kRoundedUp : -1.0;
+  }
+
+private:
+  glm::dvec3 direction_;
+  glm::dvec3 inverse_;
+};
 
 class Search
 {
@@ -46,6 +57,7 @@ public:
     : a_(a)
     , b_(b)
     , direction_(direction)
+    , movement_(direction)
     , limit_(limit)
   {
   }
@@ -62,7 +74,7 @@ public:
     const auto& nodesB = b_.tree().nodes();
     std::array<Pending, 4 * 64> stack;
     int count = 0;
-    stack[count++] = { 0, 0, passing(a_.tree().box(), b_.tree().box(), direction_) };
+    stack[count++] = { 0, 0, movement_.passing(a_.tree().box(), b_.tree().box()) };
     while (count > 0 && last_.distance <= limit_)
     {
       const Pending pair = stack[--count];
@@ -80,7 +92,7 @@ public:
       const int first = count;
       for (const NodePair& child : PairChildren(a_.tree(), b_.tree(), { pair.a, pair.b, 0.0 }))
       {
-        const double end = passing(nodesA[child.a].box, nodesB[child.b].box, direction_);
+        const double end = movement_.passing(nodesA[child.a].box, nodesB[child.b].box);
         if (end > last_.distance)
         {
           stack[count++] = { child.a, child.b, end };
@@ -101,7 +113,7 @@ private:
       const Element elementA = a_.element(i);
       for (int k = nodeB.first; k < nodeB.first + nodeB.count; ++k)
       {
-        if (passing(boxA, b_.boxOf(k), direction_) > last_.distance)
+        if (movement_.passing(boxA, b_.boxOf(k)) > last_.distance)
         {
           this->tryElements(elementA, b_.element(k));
         }
@@ -186,6 +198,7 @@ private:
   const MovingMesh& a_;
   const MovingMesh& b_;
   glm::dvec3 direction_;
+  Movement movement_;
   double limit_;
   LastContact last_;
 };
