@@ -115,7 +115,11 @@ void checkTranslation(const TriangleMesh& a, const TriangleMesh& b, const Proxim
   errors.checkedBounds = 1;
   const double truth = convex ? convexTranslationalDepth(a, b) : sampledWidth(a, b);
   errors.lowerAbove = std::max({ 0.0, lower - truth, lower - upper }) / kDiagonal;
-  errors.upperBelow = convex ? std::max(0.0, truth - upper) / kDiagonal : 0.0;
+  if (convex)
+  {
+    errors.upperBelow = std::max(0.0, truth - upper) / kDiagonal;
+    errors.width = (upper - lower) / kDiagonal;
+  }
   const Point3 translation = scaledBy(1.0 + 1e-6, found.separatingTranslation);
   const TriangleMesh apart = snapped(translated(a, translation));
   const bool collides = surfacesIntersect(apart, b) || isAnyInside(apart, SolidOracle(b)) ||
@@ -259,6 +263,7 @@ void ProximityErrors::add(const ProximityErrors& other)
   keepMax(depthAbove, other.depthAbove);
   keepMax(lowerAbove, other.lowerAbove);
   keepMax(upperBelow, other.upperBelow);
+  keepMax(width, other.width);
 }
 
 std::string ProximityErrors::describe() const
@@ -269,7 +274,8 @@ std::string ProximityErrors::describe() const
        << wrongPoints << " points inside; errors: separation " << separation << ", witnesses "
        << witnesses << ", point depths " << pointDepths << ", depth below " << depthBelow
        << ", above " << depthAbove << "; " << checkedBounds << " translational depths, lower above "
-       << lowerAbove << ", upper below " << upperBelow << ", not separated " << notSeparated;
+       << lowerAbove << ", upper below " << upperBelow << ", width " << width << ", not separated "
+       << notSeparated;
   return text.str();
 }
 
@@ -312,6 +318,7 @@ void expectRight(const ProximityErrors& errors)
   EXPECT_LE(errors.depthAbove, 1e-9);
   EXPECT_LE(errors.lowerAbove, 1e-9);
   EXPECT_LE(errors.upperBelow, 1e-9);
+  EXPECT_LE(errors.width, 1e-8);
   EXPECT_EQ(errors.notSeparated, 0);
 }
 

@@ -3,6 +3,7 @@
 #include "medial/proximity.h"
 #include "medial/triangle_mesh.h"
 
+#include <array>
 #include <cstdint>
 #include <random>
 #include <string>
@@ -67,6 +68,7 @@ struct ProximityErrors
   int checkedBounds = 0;   ///< of the translational depth
   double lowerAbove = 0.0; ///< how far the lower bound is above the oracle's
   double upperBelow = 0.0; ///< how far the upper bound is below the oracle's; of convex pairs only
+  double width = 0.0;      ///< between the bounds; of convex pairs only
   int notSeparated = 0;    ///< by the translation, stretched by 1e-6
 
   void add(const ProximityErrors& other);

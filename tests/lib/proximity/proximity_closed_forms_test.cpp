@@ -151,6 +151,18 @@ TEST(ProximityClosedForms, OfCrossingSlabs)
     0.1, kRounding);
 }
 
+/// However thin they are, and however small the part of their faces that is inside.
+TEST(ProximityClosedForms, DISABLED_OfThinCrossingSlabs)
+{
+  for (const double half : { 1e-2, 1e-3, 1e-4, 1e-6 })
+  {
+    SCOPED_TRACE(half);
+    const TriangleMesh slab = box({ 2.0, 2.0, half });
+    expectIntersecting(computeProximity(slab, turned(slab, 0, kPi / 2.0)), half, kRounding);
+    expectIntersecting(computeProximity(slab, box({ 0.5, 0.7 * half, 0.5 })), half, kRounding);
+  }
+}
+
 TEST(ProximityClosedForms, OfParallelPlates)
 {
   const TriangleMesh slab = box({ 1.0, 1.0, 0.125 });
@@ -200,8 +212,8 @@ TEST(ProximityClosedForms, OfTheTranslationThatSeparatesBoxes)
     {
       depth = std::min(depth, 2.0 - std::abs(x));
     }
-    EXPECT_NEAR(found.translationalDepth.lower, depth, kRounding);
-    EXPECT_NEAR(found.translationalDepth.upper, depth, kRounding);
+    EXPECT_NEAR(found.translationalDepth.lower, depth, 1e-8);
+    EXPECT_NEAR(found.translationalDepth.upper, depth, 1e-8);
   }
 }
 

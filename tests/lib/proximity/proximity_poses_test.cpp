@@ -13,9 +13,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
 #include <iostream>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,39 +36,41 @@ struct MeshPair
   TriangleMesh b;
   double reach;
   bool convex = false;
+  double sizeOfB = 1.0; ///< its diagonal, as a part of that of A
   int poses = 40;
 };
 
 std::vector<Named<MeshPair>> generatedPairs()
 {
-  return {
-    { "Convex",
-      []
-      {
-        return MeshPair{ ellipsoid(1.0, 0.7, 0.5, 2), subdivided(box({ 1.0, 0.6, 0.3 }), 1), 2.0,
-          true };
-      } },
-    { "Balls",
+  const auto named = [](const char* name, const std::function<MeshPair()>& make) {
+    return Named<MeshPair>{ name, make };
+  };
+  return { named("Convex",
+             []
+             {
+               return MeshPair{ ellipsoid(1.0, 0.7, 0.5, 2), subdivided(box({ 1.0, 0.6, 0.3 }), 1),
+                 2.0, true };
+             }),
+    named("ConvexInConvex",
       [] {
-        return MeshPair{ icosphere(1.0, 2), icosphere(1.0, 1), 2.0, true };
-      } },
-    { "Parts",
+        return MeshPair{ icosphere(1.0, 2), regularTetrahedron(1.0), 1.1, true, 0.4 };
+      }),
+    named("Parts",
       [] {
         return MeshPair{ lPrism(1.0, 0.5), blocks({ "###", "#.#", "#.." }, 0.4), 1.8 };
-      } },
-    { "WedgeInRing",
+      }),
+    named("WedgeInRing",
       [] {
-        return MeshPair{ wedge(300.0, 1.0, 1.0), torus(1.0, 0.3, 24, 12), 1.6 };
-      } },
-    { "Organic",
+        return MeshPair{ torus(1.0, 0.3, 24, 12), wedge(300.0, 1.0, 1.0), 1.6, false, 0.7 };
+      }),
+    named("Organic",
       [] {
-        return MeshPair{ roughSphere(1.0, 2, 0.3), roughSphere(1.0, 2, 0.15), 2.1 };
-      } },
-    { "Hollow",
+        return MeshPair{ roughSphere(1.0, 2, 0.3), roughSphere(1.0, 2, 0.15), 1.5, false, 0.5 };
+      }),
+    named("InHollow",
       [] {
-        return MeshPair{ shell(0.7, 1.0, 2), scaled(regularTetrahedron(1.0), 1.0), 1.9 };
-      } },
-  };
+        return MeshPair{ shell(0.7, 1.0, 2), lPrism(1.0, 0.5), 1.0, false, 0.3 };
+      }) };
 }
 
 struct ModelPair
@@ -81,14 +87,14 @@ std::vector<Named<MeshPair>> modelPairs()
   std::vector<Named<MeshPair>> pairs;
   for (const ModelPair& pair : { ModelPair{ "BunnyAndGargoyle", "paper/derived/bunny_1500.off",
                                    "paper/derived/gargoyle_11000.off", 1.4 },
-         ModelPair{ "JointAndGears", "cad/joint_446.off", "cad/gears_7comp_19k.stl", 1.2 } })
+         ModelPair{ "JointAndGears", "cad/joint_446.off", "cad/gears_7comp_19k.stl", 2.2 } })
   {
     const auto a = modelPath(pair.a);
     const auto b = modelPath(pair.b);
     if (a && b)
     {
       pairs.push_back({ pair.name, [=] {
-                         return MeshPair{ loadMesh(*a), loadMesh(*b), pair.reach, false, 4 };
+                         return MeshPair{ loadMesh(*a), loadMesh(*b), pair.reach, false, 1.0, 6 };
                        } });
     }
   }
@@ -110,9 +116,11 @@ protected:
     , motions_(static_cast<std::uint32_t>(GetParam().name.size()))
   {
     pair_.a = normalised(pair_.a);
-    pair_.b = normalised(pair_.b);
+    pair_.b = scaled(normalised(pair_.b), pair_.sizeOfB);
   }
 
+  /// For what is compared without the oracle.
+  int fewPoses() const { return std::max(2, pair_.poses / 4); }
   TriangleMesh nextA() { return snapped(moved(pair_.a, motions_.motion(pair_.reach))); }
   TriangleMesh nextB() { return snapped(moved(pair_.b, motions_.rotation())); }
 
@@ -128,23 +136,23 @@ TEST_P(ProximityOfPoses, IsThatOfTheOracle)
   {
     const TriangleMesh a = this->nextA();
     const TriangleMesh b = this->nextB();
-    const ProximityChecks checks{ pair_.convex, i % 8 == 0 ? 5 : 0 };
+    const ProximityChecks checks{ pair_.convex, i % 10 == 0 ? 5 : 0 };
     const ProximityErrors ofPose = errorsOf(a, b, computeProximity(a, b), checks);
     SCOPED_TRACE(i);
     expectRight(ofPose);
     errors.add(ofPose);
   }
   std::cout << errors.describe() << '\n';
-  EXPECT_GT(errors.intersecting, count / 5);
-  EXPECT_LT(errors.intersecting, count * 4 / 5);
+  EXPECT_GT(errors.intersecting, count / 6);
+  EXPECT_LT(errors.intersecting, count * 5 / 6);
 }
 
 /// Poses of the oracle's resolution, 2^-38, from touching.
 TEST_P(ProximityOfPoses, IsThatOfTheOracleWhereSurfacesNearlyTouch)
 {
-  const int count = std::max(8, pair_.poses / 4);
-  for (int i = 0; i < count;)
+  for (int i = 0; i < 2 * this->fewPoses(); ++i)
   {
+    SCOPED_TRACE(i);
     const TriangleMesh a = this->nextA();
     const TriangleMesh b = this->nextB();
     const Proximity apart = computeProximity(a, b);
@@ -152,8 +160,6 @@ TEST_P(ProximityOfPoses, IsThatOfTheOracleWhereSurfacesNearlyTouch)
     {
       continue;
     }
-    ++i;
-    SCOPED_TRACE(i);
     const double factor = 1.0 + (i % 5 - 2) * 1e-12;
     Point3 step;
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -171,7 +177,7 @@ TEST_P(ProximityOfPoses, IsThatOfTheOracleWhereSurfacesNearlyTouch)
 
 TEST_P(ProximityOfPoses, IsMirroredIfTheMeshesAreSwapped)
 {
-  for (int i = 0; i < std::max(4, pair_.poses / 4); ++i)
+  for (int i = 0; i < this->fewPoses(); ++i)
   {
     SCOPED_TRACE(i);
     const TriangleMesh a = this->nextA();
@@ -186,7 +192,7 @@ TEST_P(ProximityOfPoses, IsTheSameForAnyNumberOfThreads)
   one.execution.threads = 1;
   ProximityOptions two;
   two.execution.threads = 2;
-  for (int i = 0; i < std::max(4, pair_.poses / 4); ++i)
+  for (int i = 0; i < this->fewPoses(); ++i)
   {
     SCOPED_TRACE(i);
     const TriangleMesh a = this->nextA();
@@ -195,44 +201,53 @@ TEST_P(ProximityOfPoses, IsTheSameForAnyNumberOfThreads)
   }
 }
 
-/// Scalars agree up to rounding; depths that are searched for only up to their tolerance.
-void expectEqualUpToRounding(const Proximity& a, const Proximity& b, double tolerance)
+void expectNear(const std::vector<PointDepth>& a, const std::vector<PointDepth>& b,
+  double tolerance)
+{
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    EXPECT_EQ(a[i].point, b[i].point);
+    EXPECT_NEAR(a[i].depth, b[i].depth, tolerance);
+  }
+}
+
+/// The depth is searched for up to its tolerance, and bounds of meshes that are not convex have
+/// room between them.
+void expectNear(const Proximity& a, const Proximity& b, double tolerance, bool convex)
 {
   EXPECT_EQ(a.intersect, b.intersect);
   EXPECT_EQ(a.collide, b.collide);
   EXPECT_EQ(a.insideUndefined, b.insideUndefined);
   EXPECT_NEAR(a.separation, b.separation, tolerance);
-  EXPECT_NEAR(a.depth, b.depth, tolerance + 1e-3 * std::max(a.depth, b.depth));
-  EXPECT_NEAR(a.translationalDepth.lower, b.translationalDepth.lower, tolerance);
-  EXPECT_NEAR(a.translationalDepth.upper, b.translationalDepth.upper, tolerance);
-  for (const auto depths : { &Proximity::depthsOfA, &Proximity::depthsOfB })
-  {
-    ASSERT_EQ((a.*depths).size(), (b.*depths).size());
-    for (std::size_t i = 0; i < (a.*depths).size(); ++i)
-    {
-      EXPECT_EQ((a.*depths)[i].point, (b.*depths)[i].point);
-      EXPECT_NEAR((a.*depths)[i].depth, (b.*depths)[i].depth, tolerance);
-    }
-  }
+  EXPECT_NEAR(a.depth, b.depth,
+    tolerance + ProximityOptions().depthTolerance * std::max(a.depth, b.depth));
+  expectNear(a.depthsOfA, b.depthsOfA, tolerance);
+  expectNear(a.depthsOfB, b.depthsOfB, tolerance);
+  const double room = convex ? tolerance : 0.05;
+  EXPECT_NEAR(a.translationalDepth.lower, b.translationalDepth.lower, room);
+  EXPECT_NEAR(a.translationalDepth.upper, b.translationalDepth.upper, room);
+  EXPECT_LE(a.translationalDepth.lower, b.translationalDepth.upper);
+  EXPECT_LE(b.translationalDepth.lower, a.translationalDepth.upper);
 }
 
 TEST_P(ProximityOfPoses, StaysInACommonRigidMotion)
 {
-  for (int i = 0; i < std::max(4, pair_.poses / 4); ++i)
+  for (int i = 0; i < this->fewPoses(); ++i)
   {
     SCOPED_TRACE(i);
     const TriangleMesh a = this->nextA();
     const TriangleMesh b = this->nextB();
-    RigidMotion motion = motions_.motion(10.0);
-    expectEqualUpToRounding(computeProximity(a, b),
-      computeProximity(moved(a, motion), moved(b, motion)), 1e-6);
+    const RigidMotion motion = motions_.motion(10.0);
+    expectNear(computeProximity(a, b), computeProximity(moved(a, motion), moved(b, motion)), 1e-6,
+      pair_.convex);
   }
 }
 
 TEST_P(ProximityOfPoses, OfFramesIsThatOfFreshSolvers)
 {
   ProximitySolver solver({ this->nextA(), this->nextB() });
-  for (int i = 0; i < std::max(6, pair_.poses / 4); ++i)
+  for (int i = 0; i < this->fewPoses(); ++i)
   {
     SCOPED_TRACE(i);
     const TriangleMesh a = i % 3 == 2 ? solver.mesh(0) : this->nextA();
@@ -240,8 +255,96 @@ TEST_P(ProximityOfPoses, OfFramesIsThatOfFreshSolvers)
     solver.setPoints(0, a.points);
     solver.setPoints(1, b.points);
     const Proximity& found = solver.compute().front();
-    expectEqualUpToRounding(found, computeProximity(a, b), 1e-12);
+    expectNear(found, computeProximity(a, b), 1e-12, pair_.convex);
   }
+}
+
+/// A ball without its top.
+TriangleMesh openBall()
+{
+  TriangleMesh mesh = icosphere(1.0, 2);
+  const auto isTop = [&](const std::array<int, 3>& t)
+  { return std::all_of(t.begin(), t.end(), [&](int id) { return mesh.points[id][2] > 0.6; }); };
+  std::vector<std::array<int, 3>> triangles;
+  std::remove_copy_if(mesh.triangles.begin(), mesh.triangles.end(), std::back_inserter(triangles),
+    isTop);
+  return makeMesh(mesh.points, triangles);
+}
+
+/// What winding numbers say of the points of a mesh and an open one.
+struct OpenInside
+{
+  std::vector<int> inside;
+  bool undefined = false;
+  bool unclear = false; ///< a winding number is near a limit
+};
+
+OpenInside pointsInside(const TriangleMesh& mesh, const TriangleMesh& open)
+{
+  const Bounds bounds = open.bounds();
+  OpenInside result;
+  for (std::size_t i = 0; i < mesh.points.size(); ++i)
+  {
+    const Point3& p = mesh.points[i];
+    bool near = true;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      near = near && bounds.min[axis] <= p[axis] && p[axis] <= bounds.max[axis];
+    }
+    const double number = near ? windingNumber(open, p) : 0.0;
+    constexpr double kMargin = 2e-3;
+    result.unclear =
+      result.unclear || std::abs(number - 0.25) < kMargin || std::abs(number - 0.75) < kMargin;
+    result.undefined = result.undefined || (number > 0.25 && number < 0.75);
+    if (number >= 0.75)
+    {
+      result.inside.push_back(static_cast<int>(i));
+    }
+  }
+  return result;
+}
+
+std::vector<int> idsOf(const std::vector<PointDepth>& depths)
+{
+  std::vector<int> ids;
+  for (const PointDepth& depth : depths)
+  {
+    ids.push_back(depth.point);
+  }
+  return ids;
+}
+
+TEST(ProximityOfOpenMeshes, DISABLED_IsWhatWindingNumbersSay)
+{
+  const TriangleMesh open = normalised(openBall());
+  const TriangleMesh closed = scaled(normalised(ellipsoid(1.0, 0.3, 0.3, 2)), 0.6);
+  RandomMotions motions(5);
+  int undefined = 0;
+  int contained = 0;
+  for (int i = 0; i < 100; ++i)
+  {
+    SCOPED_TRACE(i);
+    const TriangleMesh a = snapped(moved(closed, motions.motion(1.0)));
+    const TriangleMesh b = snapped(moved(open, motions.rotation()));
+    const OpenInside expected = pointsInside(a, b);
+    const Proximity found = computeProximity(a, b);
+    EXPECT_EQ(found.intersect, surfacesIntersect(a, b));
+    if (expected.unclear)
+    {
+      continue;
+    }
+    EXPECT_EQ(found.insideUndefined, expected.undefined);
+    EXPECT_EQ(std::isnan(found.depth), expected.undefined);
+    undefined += expected.undefined ? 1 : 0;
+    if (!expected.undefined)
+    {
+      EXPECT_EQ(found.collide, found.intersect || !expected.inside.empty());
+      EXPECT_EQ(idsOf(found.depthsOfA), expected.inside);
+      contained += found.collide && !found.intersect ? 1 : 0;
+    }
+  }
+  EXPECT_GT(undefined, 10);
+  EXPECT_GT(contained, 2);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, ProximityOfPoses, testing::ValuesIn(generatedPairs()),
