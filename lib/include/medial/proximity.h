@@ -52,8 +52,8 @@ struct PointDepth
 /// What is known of an interval.
 struct DepthBounds
 {
-  double lower = 0.0;                                     ///< the value is this or more
-  double upper = std::numeric_limits<double>::infinity(); ///< it is this or less
+  double lower = 0.0; ///< the value is this or more
+  double upper = 0.0; ///< it is this or less
 };
 
 /// How two meshes, A and B, lie to each other.
