@@ -89,43 +89,50 @@ double depthAt(const Point3& point, const SolidOracle& a, const SolidOracle& b)
   return std::max(inA, inB);
 }
 
-/// The least width along some directions, all of which separate.
-double sampledWidth(const TriangleMesh& a, const TriangleMesh& b)
+/// Whether closed meshes intersect or one has points inside the other.
+bool overlap(const TriangleMesh& a, const TriangleMesh& b)
 {
-  RandomMotions motions(7);
-  double least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < 200; ++i)
+  return surfacesIntersect(a, b) || isAnyInside(a, SolidOracle(b)) ||
+    isAnyInside(b, SolidOracle(a));
+}
+
+/// Whether a translation of a length and any of some directions, of which `first` is one,
+/// separates.
+bool doesAnySeparate(const TriangleMesh& a, const TriangleMesh& b, double size, const Point3& first)
+{
+  const RigidMotion directions = RandomMotions(7).rotation();
+  for (const Point3& direction :
+    { first, directions.rows[0], directions.rows[1], directions.rows[2] })
   {
-    for (const Point3& direction : motions.rotation().rows)
+    if (!overlap(snapped(translated(a, scaledBy(size / length(direction), direction))), b))
     {
-      least = std::min(least, widthAlong(a, b, direction));
+      return true;
     }
   }
-  return least;
+  return false;
 }
 
 void checkTranslation(const TriangleMesh& a, const TriangleMesh& b, const Proximity& found,
   bool convex, ProximityErrors& errors)
 {
   const auto& [lower, upper] = found.translationalDepth;
-  if (!(upper > 0.0))
-  {
-    return;
-  }
+  const Point3& translation = found.separatingTranslation;
   errors.checkedBounds = 1;
-  const double truth = convex ? convexTranslationalDepth(a, b) : sampledWidth(a, b);
-  errors.lowerAbove = std::max({ 0.0, lower - truth, lower - upper }) / kDiagonal;
+  constexpr double kLittle = 1e-6;
+  const bool isAsLong = std::abs(length(translation) - upper) <= 1e-12 * kDiagonal;
+  const bool separates =
+    isAsLong && !overlap(snapped(translated(a, scaledBy(1.0 + kLittle, translation))), b);
+  errors.notSeparated = separates ? 0 : 1;
+  errors.lowerAbove = std::max(0.0, lower - upper) / kDiagonal;
   if (convex)
   {
+    const double truth = convexTranslationalDepth(a, b);
+    errors.lowerAbove = std::max(0.0, lower - truth) / kDiagonal;
     errors.upperBelow = std::max(0.0, truth - upper) / kDiagonal;
     errors.width = (upper - lower) / kDiagonal;
+    return;
   }
-  const Point3 translation = scaledBy(1.0 + 1e-6, found.separatingTranslation);
-  const TriangleMesh apart = snapped(translated(a, translation));
-  const bool collides = surfacesIntersect(apart, b) || isAnyInside(apart, SolidOracle(b)) ||
-    isAnyInside(b, SolidOracle(apart));
-  const bool isAsLong = std::abs(length(found.separatingTranslation) - upper) <= 1e-12 * kDiagonal;
-  errors.notSeparated = collides || !isAsLong ? 1 : 0;
+  errors.tooHighLower = doesAnySeparate(a, b, (1.0 - kLittle) * lower, translation) ? 1 : 0;
 }
 
 void checkDepths(const TriangleMesh& a, const TriangleMesh& b, const Proximity& found,
@@ -216,7 +223,7 @@ Proximity mirrored(Proximity proximity)
 
 void expectSame(const Proximity& a, const Proximity& b)
 {
-  EXPECT_EQ(a.separation, b.separation);
+  EXPECT_TRUE(haveEqualBits(a.separation, b.separation)) << a.separation << ' ' << b.separation;
   EXPECT_EQ(a.witnessA, b.witnessA);
   EXPECT_EQ(a.witnessB, b.witnessB);
   EXPECT_EQ(a.cellA, b.cellA);
@@ -254,6 +261,7 @@ void ProximityErrors::add(const ProximityErrors& other)
   wrongCollide += other.wrongCollide;
   wrongPoints += other.wrongPoints;
   checkedBounds += other.checkedBounds;
+  tooHighLower += other.tooHighLower;
   notSeparated += other.notSeparated;
   const auto keepMax = [](double& mine, double theirs) { mine = std::max(mine, theirs); };
   keepMax(separation, other.separation);
@@ -285,8 +293,7 @@ ProximityErrors errorsOf(const TriangleMesh& a, const TriangleMesh& b, const Pro
   ProximityErrors errors;
   errors.poses = 1;
   const bool intersecting = surfacesIntersect(a, b);
-  const bool contained =
-    !intersecting && (isAnyInside(a, SolidOracle(b)) || isAnyInside(b, SolidOracle(a)));
+  const bool contained = !intersecting && overlap(a, b);
   errors.intersecting = intersecting ? 1 : 0;
   errors.contained = contained ? 1 : 0;
   errors.wrongIntersect = found.intersect != intersecting ? 1 : 0;
@@ -319,6 +326,7 @@ void expectRight(const ProximityErrors& errors)
   EXPECT_LE(errors.lowerAbove, 1e-9);
   EXPECT_LE(errors.upperBelow, 1e-9);
   EXPECT_LE(errors.width, 1e-8);
+  EXPECT_EQ(errors.tooHighLower, 0);
   EXPECT_EQ(errors.notSeparated, 0);
 }
 

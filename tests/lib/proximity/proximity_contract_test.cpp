@@ -52,7 +52,7 @@ TEST(ProximityContract, RefusesMeshesThatItCannotUse)
   EXPECT_NE(refusal([&] { computeProximity({}, cube); }).find("0"), std::string::npos);
 }
 
-TEST(ProximityContract, DISABLED_NamesTheMeshThatItCannotUse)
+TEST(ProximityContract, NamesTheMeshThatItCannotUse)
 {
   const TriangleMesh cube = cubeAt(0.0);
   TriangleMesh wrong = cube;
@@ -60,7 +60,7 @@ TEST(ProximityContract, DISABLED_NamesTheMeshThatItCannotUse)
   EXPECT_NE(refusal([&] { computeProximity(cube, wrong); }).find("mesh 1"), std::string::npos);
 }
 
-TEST(ProximityContract, DISABLED_RefusesMeshesWithCoordinatesThatAreNotFinite)
+TEST(ProximityContract, RefusesMeshesWithCoordinatesThatAreNotFinite)
 {
   const TriangleMesh cube = cubeAt(0.0);
   for (const double bad : { kNan, std::numeric_limits<double>::infinity(), 1e19 })
@@ -134,7 +134,7 @@ TEST(ProximityContract, ComputesNoMoreThanIsAskedFor)
   EXPECT_TRUE(least.intersect);
   EXPECT_TRUE(least.collide);
   EXPECT_EQ(least.separation, 0.0);
-  EXPECT_EQ(least.depth, 0.0);
+  EXPECT_TRUE(std::isnan(least.depth));
   EXPECT_TRUE(least.depthsOfA.empty());
   EXPECT_TRUE(least.depthsOfB.empty());
 }

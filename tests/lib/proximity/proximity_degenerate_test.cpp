@@ -258,7 +258,7 @@ TEST(ProximityDegenerate, AnOpenMeshHoldsWhatItsWindingNumberSays)
 }
 
 /// At the opening the winding number is about a half.
-TEST(ProximityDegenerate, DISABLED_AnOpenMeshLeavesOpenWhatIsInsideAtItsOpening)
+TEST(ProximityDegenerate, AnOpenMeshLeavesOpenWhatIsInsideAtItsOpening)
 {
   const TriangleMesh tub = openBox({ 1.0, 1.0, 2.0 });
   const TriangleMesh ball = translated(icosphere(0.1, 1), { 0.0, 0.0, 1.85 });
@@ -275,7 +275,7 @@ TEST(ProximityDegenerate, DISABLED_AnOpenMeshLeavesOpenWhatIsInsideAtItsOpening)
 
 /// A bar that reaches through the opening without touching: its ends are inside and outside,
 /// whichever of them has the lower ids.
-TEST(ProximityDegenerate, DISABLED_ABarThroughAnOpeningIsInsideWithOneEnd)
+TEST(ProximityDegenerate, ABarThroughAnOpeningIsInsideWithOneEnd)
 {
   const TriangleMesh tub = openBox({ 1.0, 1.0, 2.0 });
   const TriangleMesh bar = subdivided(box({ 0.2, 0.2, 3.0 }), 3);
@@ -316,7 +316,7 @@ Point3 nextToFace(const TriangleMesh& mesh, std::mt19937& random)
 }
 
 /// A spike whose tip is about 1e-17 from a slanted face, and the rest outside.
-TEST(ProximityDegenerate, DISABLED_ACornerHardlyOutsideAFaceDoesNotCollide)
+TEST(ProximityDegenerate, ACornerHardlyOutsideAFaceDoesNotCollide)
 {
   std::mt19937 random(1);
   RandomMotions motions(2);

@@ -314,7 +314,7 @@ std::vector<int> idsOf(const std::vector<PointDepth>& depths)
   return ids;
 }
 
-TEST(ProximityOfOpenMeshes, DISABLED_IsWhatWindingNumbersSay)
+TEST(ProximityOfOpenMeshes, IsWhatWindingNumbersSay)
 {
   const TriangleMesh open = normalised(openBall());
   const TriangleMesh closed = scaled(normalised(ellipsoid(1.0, 0.3, 0.3, 2)), 0.6);
