@@ -98,6 +98,16 @@ void ContactManifolds::joinEnclosed(const MovingMesh& mesh, const Penetration& p
   }
 }
 
+int ContactManifolds::ofSlot(const DeepPlace& place) const
+{
+  if (place.mesh == nullptr)
+  {
+    return -1;
+  }
+  return place.mesh == a_ ? this->manifoldOf(place.slot, *a_, slotsA_, firstA_, *aInB_)
+                          : this->manifoldOf(place.slot, *b_, slotsB_, firstB_, *bInA_);
+}
+
 int ContactManifolds::manifoldOf(int slot, const MovingMesh& mesh,
   const std::vector<FirstPair>& slots, std::size_t first, const Penetration& penetration) const
 {

@@ -22,9 +22,8 @@ public:
   int ofPair(std::size_t pair) const { return manifolds_[pair]; }
   int ofEnclosedA(std::size_t enclosed) const { return manifolds_[firstA_ + enclosed]; }
   int ofEnclosedB(std::size_t enclosed) const { return manifolds_[firstB_ + enclosed]; }
-  /// The manifold of an element of A, or of B, that is cut or all inside; -1 for others.
-  int ofSlotA(int slot) const { return manifoldOf(slot, *a_, slotsA_, firstA_, *aInB_); }
-  int ofSlotB(int slot) const { return manifoldOf(slot, *b_, slotsB_, firstB_, *bInA_); }
+  /// The manifold of a place whose element is cut or inside; -1 for others.
+  int ofSlot(const DeepPlace& place) const;
 
 private:
   /// An element of one mesh with a point of an element that it intersects.

@@ -102,11 +102,11 @@ bool isBesides(const ContactPlace& place, const glm::dvec3& normal, double max)
 } // namespace
 
 void Contacts::find(const std::vector<SlotPair>& pairs, const Penetration& aInB,
-  const Penetration& bInA, const DeepPlace& deepest, bool deepestIsOfA, int maxContacts,
+  const Penetration& bInA, const DeepPlace& deepest, int maxContacts,
   std::vector<ProximityContact>& contacts)
 {
   split_.find(a_, b_, pairs, aInB, bInA);
-  this->collect(pairs, aInB, bInA, deepest, deepestIsOfA);
+  this->collect(pairs, aInB, bInA, deepest);
   int number = 0;
   for (Manifold& manifold : manifolds_)
   {
@@ -121,7 +121,7 @@ void Contacts::find(const std::vector<SlotPair>& pairs, const Penetration& aInB,
 }
 
 void Contacts::collect(const std::vector<SlotPair>& pairs, const Penetration& aInB,
-  const Penetration& bInA, const DeepPlace& deepest, bool deepestIsOfA)
+  const Penetration& bInA, const DeepPlace& deepest)
 {
   manifolds_.resize(split_.count());
   for (Manifold& manifold : manifolds_)
@@ -135,34 +135,25 @@ void Contacts::collect(const std::vector<SlotPair>& pairs, const Penetration& aI
     manifold.pairs.push_back(pairs[i]);
     this->addCrossings(pairs[i], manifold);
   }
-  this->addEnclosed(aInB, true);
-  this->addEnclosed(bInA, false);
-  // It may lie in the middle of a face.
-  const int manifold = deepest.slot < 0
-    ? -1
-    : (deepestIsOfA ? split_.ofSlotA(deepest.slot) : split_.ofSlotB(deepest.slot));
+  for (std::size_t i = 0; i < aInB.closest().size(); ++i)
+  {
+    this->addPlace(aInB.placeOf(i), split_.ofEnclosedA(i));
+  }
+  for (std::size_t i = 0; i < bInA.closest().size(); ++i)
+  {
+    this->addPlace(bInA.placeOf(i), split_.ofEnclosedB(i));
+  }
+  // The deepest place may lie in the middle of a face.
+  const int manifold = split_.ofSlot(deepest);
   if (manifold >= 0)
   {
-    this->addPlace(deepest, deepestIsOfA, manifold);
+    this->addPlace(deepest, manifold);
   }
 }
 
-void Contacts::addEnclosed(const Penetration& penetration, bool ofA)
+void Contacts::addPlace(const DeepPlace& found, int manifold)
 {
-  const auto& points = penetration.enclosed().points();
-  const MovingMesh& mesh = ofA ? a_ : b_;
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    const int point = points[i].point;
-    const ClosestElement& closest = penetration.closest()[i];
-    this->addPlace({ penetration.depthOf(i), mesh.points()[point], closest.point,
-                     *mesh.pointSlots().begin(point), closest.slot },
-      ofA, ofA ? split_.ofEnclosedA(i) : split_.ofEnclosedB(i));
-  }
-}
-
-void Contacts::addPlace(const DeepPlace& found, bool ofA, int manifold)
-{
+  const bool ofA = found.mesh == &a_;
   ContactPlace place;
   place.point = found.point;
   place.depth = found.depth;

@@ -29,11 +29,10 @@ public:
   {
   }
 
-  /// @param deepest the deepest place, and whether it is one of A.
+  /// @param deepest the deepest place of either surface.
   /// @param maxContacts of a manifold, >= 1.
   void find(const std::vector<SlotPair>& pairs, const Penetration& aInB, const Penetration& bInA,
-    const DeepPlace& deepest, bool deepestIsOfA, int maxContacts,
-    std::vector<ProximityContact>& contacts);
+    const DeepPlace& deepest, int maxContacts, std::vector<ProximityContact>& contacts);
 
 private:
   /// A connected overlap.
@@ -45,9 +44,8 @@ private:
   };
 
   void collect(const std::vector<SlotPair>& pairs, const Penetration& aInB, const Penetration& bInA,
-    const DeepPlace& deepest, bool deepestIsOfA);
-  void addEnclosed(const Penetration& penetration, bool ofA);
-  void addPlace(const DeepPlace& found, bool ofA, int manifold);
+    const DeepPlace& deepest);
+  void addPlace(const DeepPlace& found, int manifold);
   void addCrossings(const SlotPair& pair, Manifold& manifold) const;
   void reduce(Manifold& manifold, int maxContacts) const;
   /// Drops crossings where the overlap has no depth.
