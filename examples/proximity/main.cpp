@@ -28,9 +28,9 @@ namespace
 
 namespace fs = std::filesystem;
 
-constexpr double kSeconds = 2.0;   ///< of the whole scene
+constexpr double kFrameSeconds = 1.0 / 30;
 constexpr double kSpeed = 0.6;     ///< of each body, lengths of a body in a second
-constexpr double kGap = 0.2;       ///< between the bodies at the start
+constexpr double kGap = 0.21;      ///< between the bodies at the start
 constexpr double kStiffness = 800; ///< of the push on a point inside, for a unit of depth
 constexpr int kSteps = 4;          ///< in a frame
 
@@ -192,7 +192,7 @@ void simulate(std::vector<SoftBody> bodies, int frames, const fs::path& folder)
     pushOut(proximity.depthsOfB, proximity.contacts, 1.0, bodies[1]);
     for (SoftBody& body : bodies)
     {
-      body.step(kSeconds / frames / kSteps);
+      body.step(kFrameSeconds / kSteps);
     }
   }
 }
