@@ -104,7 +104,18 @@ void PairProximity::compute(const ProximityOptions& options, Proximity& result)
 {
   intersections_.find(a_, b_, options.depths);
   result.intersect = !intersections_.pairs().empty();
-  result.intersect ? this->meet(result) : this->separate(result);
+  if (result.intersect)
+  {
+    this->meet(result);
+  }
+  else if (options.separation)
+  {
+    this->separate(result);
+  }
+  else
+  {
+    result.separation = std::numeric_limits<double>::quiet_NaN();
+  }
   listSlots(intersections_.pairs(), &SlotPair::a, cutA_);
   listSlots(intersections_.pairs(), &SlotPair::b, cutB_);
   result.collide = result.intersect;

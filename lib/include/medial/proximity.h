@@ -16,6 +16,9 @@ namespace medial
 /// How proximity is computed.
 struct ProximityOptions
 {
+  /// Whether to compute the separation of a pair that does not intersect; otherwise it is NaN, and
+  /// there are no witnesses.
+  bool separation = true;
   /// Whether to compute the depths of a pair that collides: Proximity::depth, and for every point
   /// inside Proximity::pointDepths.
   bool depths = true;
