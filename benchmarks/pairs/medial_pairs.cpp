@@ -14,6 +14,7 @@ ProximityOptions optionsFor(PairQuestion question)
   ProximityOptions options;
   if (question == PairQuestion::Collision)
   {
+    options.separation = false;
     options.depths = false;
     options.translationalDepth = false;
     options.maxContacts = 0;
