@@ -113,7 +113,7 @@ bool doesAnySeparate(const TriangleMesh& a, const TriangleMesh& b, double size, 
 }
 
 void checkTranslation(const TriangleMesh& a, const TriangleMesh& b, const Proximity& found,
-  bool convex, ProximityErrors& errors)
+  const ProximityChecks& checks, ProximityErrors& errors)
 {
   const auto& [lower, upper] = found.translationalDepth;
   const Point3& translation = found.separatingTranslation;
@@ -124,7 +124,7 @@ void checkTranslation(const TriangleMesh& a, const TriangleMesh& b, const Proxim
     isAsLong && !overlap(snapped(translated(a, scaledBy(1.0 + kLittle, translation))), b);
   errors.notSeparated = separates ? 0 : 1;
   errors.lowerAbove = std::max(0.0, lower - upper) / kDiagonal;
-  if (convex)
+  if (checks.convex)
   {
     const double truth = convexTranslationalDepth(a, b);
     errors.lowerAbove = std::max(0.0, lower - truth) / kDiagonal;
@@ -132,7 +132,10 @@ void checkTranslation(const TriangleMesh& a, const TriangleMesh& b, const Proxim
     errors.width = (upper - lower) / kDiagonal;
     return;
   }
-  errors.tooHighLower = doesAnySeparate(a, b, (1.0 - kLittle) * lower, translation) ? 1 : 0;
+  if (checks.sampled && doesAnySeparate(a, b, (1.0 - kLittle) * lower, translation))
+  {
+    errors.tooHighLower = 1;
+  }
 }
 
 void checkDepths(const TriangleMesh& a, const TriangleMesh& b, const Proximity& found,
@@ -147,10 +150,11 @@ void checkDepths(const TriangleMesh& a, const TriangleMesh& b, const Proximity& 
     const double excess = found.depth - depthAt(found.deepestPoint, solidA, solidB);
     errors.depthAbove = std::max(0.0, excess) / kDiagonal;
   }
-  if (checks.depthSamples > 0)
+  if (checks.sampled)
   {
-    const double sampled = std::max(solidB.sampledDepthOf(a, checks.depthSamples),
-      solidA.sampledDepthOf(b, checks.depthSamples));
+    constexpr int kPerSide = 5;
+    const double sampled =
+      std::max(solidB.sampledDepthOf(a, kPerSide), solidA.sampledDepthOf(b, kPerSide));
     errors.depthBelow = sampled > found.depth ? (sampled - found.depth) / sampled : 0.0;
   }
 }
@@ -308,7 +312,7 @@ ProximityErrors errorsOf(const TriangleMesh& a, const TriangleMesh& b, const Pro
   checkDepths(a, b, found, checks, errors);
   if (found.collide)
   {
-    checkTranslation(a, b, found, checks.convex, errors);
+    checkTranslation(a, b, found, checks, errors);
   }
   return errors;
 }

@@ -80,7 +80,7 @@ struct ProximityErrors
 struct ProximityChecks
 {
   bool convex = false;
-  int depthSamples = 0; ///< per side of a triangle
+  bool sampled = false; ///< whether to look for deeper places and for shorter translations
 };
 
 /// Checks an answer of default options for two closed meshes from snapped() that face outwards and

@@ -221,6 +221,30 @@ TEST(ProximityDegenerate, SegmentsAndPointsHaveNoSolidButMayBeInside)
   EXPECT_FALSE(computeProximity(point({ 1, 2, 3 }), point({ 1, 2, 3.5 })).collide);
 }
 
+TEST(ProximityDegenerate, SegmentsAndPointsInASolidAreAsDeepAsTheirPlaces)
+{
+  const TriangleMesh cells = normalised(scatteredSegmentsAndVertices(30, 1.0));
+  RandomMotions motions(9);
+  for (int i = 0; i < 20; ++i)
+  {
+    SCOPED_TRACE(i);
+    const TriangleMesh a = snapped(moved(cells, motions.motion(1.0)));
+    const TriangleMesh b = snapped(moved(normalised(roughSphere(1.0, 2, 0.3)), motions.rotation()));
+    const std::vector<PointDepth> expected = SolidOracle(b).depthsOf(a);
+    const Proximity found = computeProximity(a, b);
+    EXPECT_EQ(found.collide, found.intersect || !expected.empty());
+    EXPECT_TRUE(found.depthsOfB.empty());
+    ASSERT_EQ(found.depthsOfA.size(), expected.size());
+    for (std::size_t k = 0; k < expected.size(); ++k)
+    {
+      EXPECT_EQ(found.depthsOfA[k].point, expected[k].point);
+      EXPECT_NEAR(found.depthsOfA[k].depth, expected[k].depth, 1e-12);
+      EXPECT_GE(found.depth, expected[k].depth - 1e-12);
+    }
+    expectSame(mirrored(computeProximity(b, a)), found);
+  }
+}
+
 TEST(ProximityDegenerate, SegmentsOfTheSamePointsAreMirrored)
 {
   const std::vector<Point3> points{ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0.5 }, { 1, 1, 0.5 },
