@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <sstream>
 #include <utility>
 
@@ -27,11 +26,10 @@ Point3 scaledBy(double factor, const Point3& p)
   return { factor * p[0], factor * p[1], factor * p[2] };
 }
 
-/// Equal bits; NaN equals NaN.
-template <typename T>
-bool haveEqualBits(const T& a, const T& b)
+/// Zero of either sign is the same, and so is any NaN.
+bool areSame(double a, double b)
 {
-  return std::memcmp(&a, &b, sizeof(T)) == 0;
+  return a == b || (std::isnan(a) && std::isnan(b));
 }
 
 void expectSameContact(const ProximityContact& a, const ProximityContact& b)
@@ -227,7 +225,7 @@ Proximity mirrored(Proximity proximity)
 
 void expectSame(const Proximity& a, const Proximity& b)
 {
-  EXPECT_TRUE(haveEqualBits(a.separation, b.separation)) << a.separation << ' ' << b.separation;
+  EXPECT_TRUE(areSame(a.separation, b.separation)) << a.separation << ' ' << b.separation;
   EXPECT_EQ(a.witnessA, b.witnessA);
   EXPECT_EQ(a.witnessB, b.witnessB);
   EXPECT_EQ(a.cellA, b.cellA);
@@ -235,7 +233,7 @@ void expectSame(const Proximity& a, const Proximity& b)
   EXPECT_EQ(a.intersect, b.intersect);
   EXPECT_EQ(a.collide, b.collide);
   EXPECT_EQ(a.insideUndefined, b.insideUndefined);
-  EXPECT_TRUE(haveEqualBits(a.depth, b.depth)) << a.depth << ' ' << b.depth;
+  EXPECT_TRUE(areSame(a.depth, b.depth)) << a.depth << ' ' << b.depth;
   if (a.depth > 0.0)
   {
     EXPECT_EQ(a.deepestPoint, b.deepestPoint);

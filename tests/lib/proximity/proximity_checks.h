@@ -48,7 +48,7 @@ TriangleMesh normalised(TriangleMesh mesh);
 /// The answer for B and A.
 Proximity mirrored(Proximity proximity);
 
-/// Expects equal bits, but for the time that it took.
+/// Expects equal answers to the last bit, but for the time that they took.
 void expectSame(const Proximity& a, const Proximity& b);
 
 /// How answers for poses of a pair differ from the oracle. Lengths are parts of a mesh's diagonal.

@@ -3,6 +3,7 @@
 
 #include "lib/proximity/proximity_checks.h"
 #include "medial/error.h"
+#include "support/files.h"
 #include "support/resident_memory.h"
 #include "support/shapes.h"
 #include "support/transforms.h"
@@ -39,6 +40,13 @@ std::string refusal(const Call& call)
   return "";
 }
 
+/// Whether a call ends in an error that names something.
+template <typename Call>
+bool isRefused(const Call& call, const std::string& name)
+{
+  return contains(refusal(call), name);
+}
+
 TriangleMesh cubeAt(double x)
 {
   return translated(box({ 0.5, 0.5, 0.5 }), { x, 0.1, 0.2 });
@@ -47,9 +55,9 @@ TriangleMesh cubeAt(double x)
 TEST(ProximityContract, RefusesMeshesThatItCannotUse)
 {
   const TriangleMesh cube = cubeAt(0.0);
-  EXPECT_NE(refusal([&] { ProximitySolver solver({ cube }); }).find("1"), std::string::npos);
-  EXPECT_NE(refusal([&] { ProximitySolver solver({ cube, {} }); }).find("1"), std::string::npos);
-  EXPECT_NE(refusal([&] { computeProximity({}, cube); }).find("0"), std::string::npos);
+  EXPECT_TRUE(isRefused([&] { ProximitySolver solver({ cube }); }, "1"));
+  EXPECT_TRUE(isRefused([&] { ProximitySolver solver({ cube, {} }); }, "1"));
+  EXPECT_TRUE(isRefused([&] { computeProximity({}, cube); }, "0"));
 }
 
 TEST(ProximityContract, NamesTheMeshThatItCannotUse)
@@ -57,7 +65,7 @@ TEST(ProximityContract, NamesTheMeshThatItCannotUse)
   const TriangleMesh cube = cubeAt(0.0);
   TriangleMesh wrong = cube;
   wrong.triangles[3][1] = 99;
-  EXPECT_NE(refusal([&] { computeProximity(cube, wrong); }).find("mesh 1"), std::string::npos);
+  EXPECT_TRUE(isRefused([&] { computeProximity(cube, wrong); }, "mesh 1"));
 }
 
 TEST(ProximityContract, RefusesMeshesWithCoordinatesThatAreNotFinite)
@@ -67,7 +75,7 @@ TEST(ProximityContract, RefusesMeshesWithCoordinatesThatAreNotFinite)
   {
     TriangleMesh wrong = cube;
     wrong.points[4][2] = bad;
-    EXPECT_NE(refusal([&] { computeProximity(cube, wrong); }).find("mesh 1"), std::string::npos);
+    EXPECT_TRUE(isRefused([&] { computeProximity(cube, wrong); }, "mesh 1"));
   }
 }
 
@@ -99,7 +107,7 @@ TEST(ProximityContract, RefusesOptionsOutsideTheirRanges)
   { computeProximity(cubeAt(0.0), cubeAt(0.5), options); };
   ProximityOptions options;
   options.maxContacts = -1;
-  EXPECT_NE(refusal([&] { compute(options); }).find("-1"), std::string::npos);
+  EXPECT_TRUE(isRefused([&] { compute(options); }, "-1"));
   options.maxContacts = 0;
   compute(options);
   for (const double tolerance : { 0.0, -1e-3, 1.0, 2.0, kNan })
