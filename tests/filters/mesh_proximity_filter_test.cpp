@@ -506,8 +506,7 @@ TEST(MeshProximityFilter, ThreadsDoNotChangeTheResult)
   EXPECT_EQ(pointOf(single->GetOutput(), 0), pointOf(filter->GetOutput(), 0));
 }
 
-// Enabled once the library computes contacts.
-TEST(MeshProximityFilter, DISABLED_ABoxOnAPlateHasFourContacts)
+TEST(MeshProximityFilter, ABoxOnAPlateHasFourContacts)
 {
   auto filter = makeSunkenBox();
   filter->Update();
@@ -533,8 +532,7 @@ TEST(MeshProximityFilter, DISABLED_ABoxOnAPlateHasFourContacts)
   }
 }
 
-// Enabled once the library computes contacts.
-TEST(MeshProximityFilter, DISABLED_ContactsAreAsManyAsAskedFor)
+TEST(MeshProximityFilter, ContactsAreAsManyAsAskedFor)
 {
   auto filter = makeSunkenBox();
   for (const int count : { 1, 0 })
