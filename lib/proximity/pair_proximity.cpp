@@ -73,6 +73,7 @@ PairProximity::PairProximity(const MovingMesh& a, const MovingMesh& b, const Sol
   , aInB_(a, b, solidB)
   , bInA_(b, a, solidA)
   , contacts_(a, b, solidA, solidB)
+  , translationalDepth_(a, b, solidA, solidB)
 {
 }
 
@@ -155,6 +156,35 @@ void PairProximity::penetrate(const ProximityOptions& options, Proximity& result
     contacts_.find(intersections_.pairs(), aInB_, bInA_, deepest, options.maxContacts,
       result.contacts);
   }
+  if (options.translationalDepth)
+  {
+    this->boundTranslation(deepest, result);
+  }
+}
+
+void PairProximity::boundTranslation(const DeepPlace& deepest, Proximity& result)
+{
+  // A moves against the normals of contacts; and out of where it is deepest.
+  directions_.clear();
+  const auto add = [&](const glm::dvec3& direction)
+  {
+    const double length = glm::length(direction);
+    if (length > 0.0)
+    {
+      directions_.push_back(direction / length);
+    }
+  };
+  const glm::dvec3 out = deepest.closest - deepest.point;
+  add(deepest.mesh == &a_ ? out : -out);
+  glm::dvec3 sum(0.0);
+  for (const ProximityContact& contact : result.contacts)
+  {
+    sum -= contact.depth * glm::dvec3(contact.normal[0], contact.normal[1], contact.normal[2]);
+  }
+  add(sum);
+  glm::dvec3 translation;
+  result.translationalDepth = translationalDepth_.find(deepest, directions_, translation);
+  result.separatingTranslation = toPoint(translation);
 }
 
 } // namespace medial

@@ -7,6 +7,7 @@
 #include "proximity/penetration.h"
 #include "proximity/separation.h"
 #include "proximity/solid_query.h"
+#include "proximity/translational_depth.h"
 
 #include <vector>
 
@@ -27,6 +28,7 @@ private:
   void separate(Proximity& result);
   void meet(Proximity& result);
   void penetrate(const ProximityOptions& options, Proximity& result);
+  void boundTranslation(const DeepPlace& deepest, Proximity& result);
 
   const MovingMesh& a_;
   const MovingMesh& b_;
@@ -35,6 +37,8 @@ private:
   Penetration aInB_;
   Penetration bInA_;
   Contacts contacts_;
+  TranslationalDepth translationalDepth_;
+  std::vector<glm::dvec3> directions_;
   std::vector<int> cutA_;
   std::vector<int> cutB_;
 };

@@ -85,24 +85,8 @@ struct Body
   bool moved = true;
 };
 
-} // namespace
-
-struct ProximitySolver::State
-{
-  /// The same pair in either order.
-  struct Pair
-  {
-    std::array<std::unique_ptr<PairProximity>, 2> computed;
-  };
-
-  void refit(const Run& run);
-
-  std::vector<std::unique_ptr<Body>> bodies;
-  std::vector<Pair> pairs;
-  std::vector<Proximity> results;
-};
-
-void ProximitySolver::State::refit(const Run& run)
+/// Brings what depends on positions up to date.
+void refit(const std::vector<std::unique_ptr<Body>>& bodies, const Run& run)
 {
   run.onThreads(
     [&]
@@ -120,6 +104,21 @@ void ProximitySolver::State::refit(const Run& run)
         });
     });
 }
+
+} // namespace
+
+struct ProximitySolver::State
+{
+  /// The same pair in either order.
+  struct Pair
+  {
+    std::array<std::unique_ptr<PairProximity>, 2> computed;
+  };
+
+  std::vector<std::unique_ptr<Body>> bodies;
+  std::vector<Pair> pairs;
+  std::vector<Proximity> results;
+};
 
 ProximitySolver::ProximitySolver(std::vector<TriangleMesh> meshes)
   : state_(std::make_unique<State>())
@@ -191,7 +190,7 @@ const std::vector<Proximity>& ProximitySolver::compute(const ProximityOptions& o
 {
   requireValid(options);
   const Run run(options.execution);
-  state_->refit(run);
+  refit(state_->bodies, run);
   for (std::size_t i = 0; i < state_->pairs.size(); ++i)
   {
     run.report(static_cast<double>(i) / static_cast<double>(state_->pairs.size()), "proximity");
