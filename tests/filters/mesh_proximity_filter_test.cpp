@@ -543,8 +543,7 @@ TEST(MeshProximityFilter, ContactsAreAsManyAsAskedFor)
   }
 }
 
-// Enabled once the library bounds the translational depth.
-TEST(MeshProximityFilter, DISABLED_BoxesAreSeparatedByTheShortestTranslation)
+TEST(MeshProximityFilter, BoxesAreSeparatedByTheShortestTranslation)
 {
   auto filter = makeSunkenBox();
   filter->Update();

@@ -105,7 +105,6 @@ class Together(unittest.TestCase):
         self.assertEqual(len(sunken_cube(max_contacts=1).contacts.points), 1)
         self.assertEqual(len(sunken_cube(max_contacts=0).contacts.points), 0)
 
-    @unittest.skip("the library does not bound the translational depth yet")
     def test_translational_depth(self):
         found = sunken_cube()
         np.testing.assert_allclose(found.translational_depth, 0.1, atol=1e-6)
