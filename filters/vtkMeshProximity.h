@@ -46,7 +46,8 @@
  * @par Frames:
  * While the cells and the number of points of both inputs stay the same, as in a time series, and
  * while only transforms change, the filter keeps what it has built and only moves points. Results
- * do not depend on earlier executions but for rounding.
+ * depend on earlier executions in their last bits only, but for the bounds of the translational
+ * depth, which may be wider or narrower.
  *
  * @par Errors:
  * An input without cells, a coordinate that is not finite, before or after a transform, a transform
@@ -134,7 +135,8 @@ public:
   ///@{
   /**
    * How far PenetrationDepth may be below the true maximum, as a fraction of it, in the open
-   * interval (0, 1). Larger values take less time. Default is 0.001.
+   * interval (0, 1). Larger values take less time. What is below 1e-5 of
+   * the diagonal of the smaller mesh is not told apart. Default is 0.001.
    */
   vtkSetMacro(DepthTolerance, double);
   vtkGetMacro(DepthTolerance, double);

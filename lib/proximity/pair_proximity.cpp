@@ -19,6 +19,13 @@ Point3 toPoint(const glm::dvec3& x)
   return { x.x, x.y, x.z };
 }
 
+/// Depths that are not known.
+void leaveOpen(Proximity& result)
+{
+  result.depth = std::numeric_limits<double>::quiet_NaN();
+  result.translationalDepth.upper = std::numeric_limits<double>::infinity();
+}
+
 /// Returns a point of both of two elements that intersect.
 glm::dvec3 commonPoint(const Element& a, const Element& b)
 {
@@ -52,6 +59,22 @@ const DeepPlace& deeper(const DeepPlace& p, const DeepPlace& q)
   return q.depth > p.depth ? q : p;
 }
 
+/// Lists the crossings of either mesh's elements, by ascending slots.
+void listCrossings(const Intersections& intersections, int SlotPair::*slot,
+  std::vector<CutPlace>& places)
+{
+  places.clear();
+  for (std::size_t i = 0; i < intersections.pairs().size(); ++i)
+  {
+    for (const glm::dvec3& point : intersections.crossings()[i])
+    {
+      places.push_back({ intersections.pairs()[i].*slot, point });
+    }
+  }
+  std::stable_sort(places.begin(), places.end(),
+    [](const CutPlace& p, const CutPlace& q) { return p.slot < q.slot; });
+}
+
 void listDepths(const Penetration& penetration, std::vector<PointDepth>& depths)
 {
   depths.clear();
@@ -79,30 +102,39 @@ PairProximity::PairProximity(const MovingMesh& a, const MovingMesh& b, const Sol
 
 void PairProximity::compute(const ProximityOptions& options, Proximity& result)
 {
-  result.depth = 0.0;
-  result.translationalDepth = { 0.0, 0.0 };
-  result.separatingTranslation = {};
-  result.depthsOfA.clear();
-  result.depthsOfB.clear();
-  result.contacts.clear();
   intersections_.find(a_, b_, options.depths);
   result.intersect = !intersections_.pairs().empty();
-  result.intersect ? this->meet(result) : this->separate(result);
+  if (result.intersect)
+  {
+    this->meet(result);
+  }
+  else if (options.separation)
+  {
+    this->separate(result);
+  }
+  else
+  {
+    result.separation = std::numeric_limits<double>::quiet_NaN();
+  }
   listSlots(intersections_.pairs(), &SlotPair::a, cutA_);
   listSlots(intersections_.pairs(), &SlotPair::b, cutB_);
-  if (result.intersect && !options.depths)
+  result.collide = result.intersect;
+  if (!result.intersect || options.depths)
   {
-    result.collide = true;
-    result.insideUndefined = false;
-    return;
+    this->penetrate(options, result);
   }
-  this->penetrate(options, result);
+  else
+  {
+    leaveOpen(result);
+  }
 }
 
 void PairProximity::separate(Proximity& result)
 {
   const ClosestElements& closest = separation_.find(a_, b_);
-  result.separation = std::sqrt(closest.points.squared);
+  // Squares of tiny distances are 0.
+  result.separation =
+    std::max(std::sqrt(closest.points.squared), std::numeric_limits<double>::min());
   result.witnessA = toPoint(closest.points.a);
   result.witnessB = toPoint(closest.points.b);
   result.cellA = a_.cellOf(a_.slotOf(closest.elementA));
@@ -113,7 +145,6 @@ void PairProximity::meet(Proximity& result)
 {
   const SlotPair& pair = intersections_.pairs().front();
   const glm::dvec3 common = commonPoint(a_.element(pair.a), b_.element(pair.b));
-  result.separation = 0.0;
   result.witnessA = toPoint(common);
   result.witnessB = result.witnessA;
   result.cellA = a_.cellOf(pair.a);
@@ -130,61 +161,68 @@ void PairProximity::penetrate(const ProximityOptions& options, Proximity& result
   result.insideUndefined = aInB_.enclosed().anyUndefined() || bInA_.enclosed().anyUndefined();
   result.collide =
     result.intersect || !aInB_.enclosed().points().empty() || !bInA_.enclosed().points().empty();
-  if (!result.collide || !options.depths)
+  if (!result.collide && !result.insideUndefined)
   {
     return;
   }
-  if (result.insideUndefined)
+  leaveOpen(result);
+  if (result.insideUndefined || !options.depths)
   {
-    result.depth = std::numeric_limits<double>::quiet_NaN();
     return;
   }
   constexpr double kAbsolute = 1e-5;
   const double absolute =
     kAbsolute * std::min(glm::length(a_.tree().box().size()), glm::length(b_.tree().box().size()));
+  listCrossings(intersections_, &SlotPair::a, crossings_[0]);
+  listCrossings(intersections_, &SlotPair::b, crossings_[1]);
   DeepPlace deepest = deeper(aInB_.deepestPoint(), bInA_.deepestPoint());
   DeepPlace found[2];
   both([&](int i, Penetration& way, const std::vector<int>& cut)
-    { found[i] = way.deepest(cut, deepest, options.depthTolerance, absolute); });
+    { found[i] = way.deepest(cut, crossings_[i], deepest, options.depthTolerance, absolute); });
   deepest = deeper(found[0], found[1]);
   result.depth = deepest.depth;
   result.deepestPoint = toPoint(deepest.point);
   listDepths(aInB_, result.depthsOfA);
   listDepths(bInA_, result.depthsOfB);
-  if (options.maxContacts > 0)
-  {
-    contacts_.find(intersections_.pairs(), aInB_, bInA_, deepest, options.maxContacts,
-      result.contacts);
-  }
-  if (options.translationalDepth)
-  {
-    this->boundTranslation(deepest, result);
-  }
+  this->listDirections(deepest);
+  tbb::parallel_for(0, 2,
+    [&](int task)
+    {
+      if (task == 0 && options.maxContacts > 0)
+      {
+        contacts_.find(intersections_, aInB_, bInA_, deepest, options.maxContacts, result.contacts);
+      }
+      if (task == 1 && options.translationalDepth)
+      {
+        glm::dvec3 translation;
+        result.translationalDepth = translationalDepth_.find(deepest, directions_, translation);
+        result.separatingTranslation = toPoint(translation);
+      }
+    });
 }
 
-void PairProximity::boundTranslation(const DeepPlace& deepest, Proximity& result)
+void PairProximity::listDirections(const DeepPlace& deepest)
 {
-  // A moves against the normals of contacts; and out of where it is deepest.
   directions_.clear();
-  const auto add = [&](const glm::dvec3& direction)
+  // Of A, out of B: what is inside A moves the other way.
+  const auto wayOut = [&](const DeepPlace& place)
+  { return place.mesh == &a_ ? place.closest - place.point : place.point - place.closest; };
+  glm::dvec3 sum(0.0);
+  for (const Penetration* way : { &aInB_, &bInA_ })
+  {
+    for (std::size_t i = 0; i < way->closest().size(); ++i)
+    {
+      sum += wayOut(way->placeOf(i));
+    }
+  }
+  for (const glm::dvec3& direction : { wayOut(deepest), sum })
   {
     const double length = glm::length(direction);
     if (length > 0.0)
     {
       directions_.push_back(direction / length);
     }
-  };
-  const glm::dvec3 out = deepest.closest - deepest.point;
-  add(deepest.mesh == &a_ ? out : -out);
-  glm::dvec3 sum(0.0);
-  for (const ProximityContact& contact : result.contacts)
-  {
-    sum -= contact.depth * glm::dvec3(contact.normal[0], contact.normal[1], contact.normal[2]);
   }
-  add(sum);
-  glm::dvec3 translation;
-  result.translationalDepth = translationalDepth_.find(deepest, directions_, translation);
-  result.separatingTranslation = toPoint(translation);
 }
 
 } // namespace medial

@@ -22,13 +22,15 @@ public:
     const SolidQuery& solidB);
 
   /// Uses the threads of the current arena.
+  /// @param result that of meshes that are not known to collide.
   void compute(const ProximityOptions& options, Proximity& result);
 
 private:
   void separate(Proximity& result);
   void meet(Proximity& result);
   void penetrate(const ProximityOptions& options, Proximity& result);
-  void boundTranslation(const DeepPlace& deepest, Proximity& result);
+  /// Lists directions along which A may leave B.
+  void listDirections(const DeepPlace& deepest);
 
   const MovingMesh& a_;
   const MovingMesh& b_;
@@ -41,6 +43,7 @@ private:
   std::vector<glm::dvec3> directions_;
   std::vector<int> cutA_;
   std::vector<int> cutB_;
+  std::vector<CutPlace> crossings_[2]; ///< on A and on B
 };
 
 } // namespace medial

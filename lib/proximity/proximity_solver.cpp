@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -27,11 +28,35 @@ void requireValid(const ProximityOptions& options)
     throw Error(ErrorCode::InvalidInput,
       "maximum number of contacts " + std::to_string(options.maxContacts) + " is negative");
   }
+  if (!(options.maxSeparation >= 0.0))
+  {
+    throw Error(ErrorCode::InvalidInput,
+      "maximum separation " + std::to_string(options.maxSeparation) + " is not 0 or more");
+  }
   if (!(options.depthTolerance > 0.0 && options.depthTolerance < 1.0))
   {
     throw Error(ErrorCode::InvalidInput,
       "depth tolerance " + std::to_string(options.depthTolerance) + " is not in (0, 1)");
   }
+}
+
+void clear(Proximity& result)
+{
+  const int a = result.meshA;
+  const int b = result.meshB;
+  // Lists keep their memory.
+  std::vector<PointDepth> depthsOfA = std::move(result.depthsOfA);
+  std::vector<PointDepth> depthsOfB = std::move(result.depthsOfB);
+  std::vector<ProximityContact> contacts = std::move(result.contacts);
+  result = {};
+  result.meshA = a;
+  result.meshB = b;
+  depthsOfA.clear();
+  depthsOfB.clear();
+  contacts.clear();
+  result.depthsOfA = std::move(depthsOfA);
+  result.depthsOfB = std::move(depthsOfB);
+  result.contacts = std::move(contacts);
 }
 
 /// Whether a mesh is computed as the first of two. This depends on nothing but the meshes, so the
@@ -134,7 +159,18 @@ ProximitySolver::ProximitySolver(std::vector<TriangleMesh> meshes)
     {
       throw Error(ErrorCode::InvalidInput, "mesh " + std::to_string(i) + " is empty");
     }
-    state_->bodies.push_back(std::make_unique<Body>(std::move(meshes[i])));
+    try
+    {
+      for (std::size_t point = 0; point < meshes[i].points.size(); ++point)
+      {
+        requireUsable(point, meshes[i].points[point]);
+      }
+      state_->bodies.push_back(std::make_unique<Body>(std::move(meshes[i])));
+    }
+    catch (const Error& error)
+    {
+      throw Error(error.code(), "mesh " + std::to_string(i) + ": " + error.what());
+    }
   }
   const int count = this->meshCount();
   for (int a = 0; a < count; ++a)
@@ -195,10 +231,16 @@ const std::vector<Proximity>& ProximitySolver::compute(const ProximityOptions& o
   {
     run.report(static_cast<double>(i) / static_cast<double>(state_->pairs.size()), "proximity");
     Proximity& result = state_->results[i];
-    result.seconds = 0.0;
+    clear(result);
     const Stopwatch stopwatch(result.seconds);
     const Body* first = state_->bodies[result.meshA].get();
     const Body* second = state_->bodies[result.meshB].get();
+    const Box& box = first->mesh.tree().box();
+    if (std::sqrt(box.squaredDistance(second->mesh.tree().box())) > options.maxSeparation)
+    {
+      result.separation = std::numeric_limits<double>::infinity();
+      continue;
+    }
     const bool swapped = comesFirst(second->mesh.mesh(), first->mesh.mesh());
     if (swapped)
     {

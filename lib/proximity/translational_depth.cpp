@@ -23,10 +23,10 @@ constexpr double kApart = 1e-11;
 constexpr double kCertain = 1e-9;
 /// Turns towards the normal of the last contact.
 constexpr int kMaxTurns = 4;
-/// Bounds as near as this to each other are good enough.
+/// Bounds as near to each other as this are good enough.
 constexpr double kClose = 0.99;
 /// Positions that may be looked at for the largest balls.
-constexpr int kMaxCentres = 160;
+constexpr int kMaxCentres = 96;
 
 double sizeOf(const MovingMesh& a, const MovingMesh& b)
 {
@@ -35,55 +35,66 @@ double sizeOf(const MovingMesh& a, const MovingMesh& b)
 
 } // namespace
 
-DepthBounds TranslationalDepth::find(const DeepPlace& deepest,
-  const std::vector<glm::dvec3>& directions, glm::dvec3& translation)
+TranslationalDepth::Exit TranslationalDepth::findExit(const std::vector<glm::dvec3>& directions,
+  double& hullLower) const
 {
-  const double size = sizeOf(a_, b_);
   const HullDepth hulls = hullDepth(a_, b_);
   Exit best = this->boxExit();
-  const bool convex = isConvex(a_) && isConvex(b_);
   if (hulls.upper < best.length && hulls.direction != glm::dvec3(0.0))
   {
     best = { hulls.direction, hulls.upper, glm::dvec3(0.0) };
   }
-  double lower = 0.0;
-  if (convex)
-  {
-    lower = hulls.lower - kCertain * size;
-  }
-  else
+  const bool convex = isConvex(a_) && isConvex(b_);
+  hullLower = convex ? hulls.lower : 0.0;
+  if (!convex)
   {
     this->tryDirection(best.direction, best);
     for (const glm::dvec3& direction : directions)
     {
       this->tryDirection(direction, best);
     }
-    for (int i = 0; i < kMaxTurns && best.normal != glm::dvec3(0.0); ++i)
-    {
-      const glm::dvec3 last = best.normal;
-      this->tryDirection(last, best);
-      if (best.normal == last)
-      {
-        this->tryDirection(glm::normalize(best.direction + last), best);
-        break;
-      }
-    }
-    lower = this->commonBalls(deepest, kClose * best.length) - kApart * size;
+    this->turn(best);
   }
-  double length = best.length;
+  return best;
+}
+
+void TranslationalDepth::turn(Exit& best) const
+{
+  for (int i = 0; i < kMaxTurns && best.normal != glm::dvec3(0.0); ++i)
+  {
+    const glm::dvec3 last = best.normal;
+    this->tryDirection(last, best);
+    if (best.normal == last)
+    {
+      this->tryDirection(glm::normalize(best.direction + last), best);
+      return;
+    }
+  }
+}
+
+DepthBounds TranslationalDepth::find(const DeepPlace& deepest,
+  const std::vector<glm::dvec3>& directions, glm::dvec3& translation)
+{
+  double hullLower = 0.0;
+  const Exit found = this->findExit(directions, hullLower);
+  const double balls = this->commonBalls(deepest, kClose * found.length);
+  const double size = sizeOf(a_, b_);
+  Exit exit = found;
+  double length = exit.length;
   for (double margin = kApart;; margin *= 8.0)
   {
-    length = best.length + margin * size;
-    translation = length * best.direction;
+    length = exit.length + margin * size;
+    translation = length * exit.direction;
     if (this->separates(translation))
     {
       break;
     }
     if (margin > 1.0)
     {
-      best = this->boxExit();
+      exit = this->boxExit();
     }
   }
+  const double lower = std::max(balls, hullLower) - kCertain * size;
   return { std::clamp(lower, 0.0, length), length };
 }
 

@@ -50,9 +50,13 @@ private:
     double max; ///< no sum of radii in it is larger
   };
 
+  /// @param[out] hullLower the lower bound for two convex meshes; 0 for others.
+  Exit findExit(const std::vector<glm::dvec3>& directions, double& hullLower) const;
   /// The shortest way out of the bounding boxes.
   Exit boxExit() const;
   void tryDirection(const glm::dvec3& direction, Exit& best) const;
+  /// Turns the direction towards the normal of the last contact, as long as that is shorter.
+  void turn(Exit& best) const;
   /// Returns a sum of radii of balls with a common centre.
   /// @param enough where the search ends.
   double commonBalls(const DeepPlace& deepest, double enough);
