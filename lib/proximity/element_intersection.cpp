@@ -132,9 +132,10 @@ struct Hull
 };
 
 /// Whether an edge of one hull has all of the other strictly on a side where that one has nothing.
+/// Nothing is strictly on a side of a point's only edge.
 bool edgesSeparate(const Hull& a, const Hull& b, int axis)
 {
-  for (int i = 0; a.count > 1 && i < a.count; ++i)
+  for (int i = 0; i < a.count; ++i)
   {
     const glm::dvec2 from = projected(a.points[i], axis);
     const glm::dvec2 to = projected(a.points[(i + 1) % a.count], axis);

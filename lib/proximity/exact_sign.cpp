@@ -175,6 +175,11 @@ Expansion<192> exactDeterminant(const glm::dvec3& a, const glm::dvec3& b, const 
 
 int orientation(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d)
 {
+  // Meshes that touch often share vertices.
+  if (a == d || b == d || c == d || a == b || a == c || b == c)
+  {
+    return 0;
+  }
   return exactDeterminant(a, b, c, d).sign();
 }
 

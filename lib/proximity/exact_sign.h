@@ -2,6 +2,8 @@
 
 #include <glm/glm.hpp>
 
+#include <cmath>
+
 // Exact signs of determinants of points (Shewchuk 1997). Double precision with a bound of its error
 // decides nearly all of them; sums of several doubles decide the rest. Coordinates must be 0 or
 // from 1e-70 to 1e100 in magnitude: beyond that, products of three could underflow or overflow.
@@ -28,6 +30,19 @@ constexpr double kHalfUlp = 0x1p-53;
 constexpr double kSpaceBound = 10.0 * kHalfUlp;
 constexpr double kPlaneBound = 5.0 * kHalfUlp;
 
+/// Returns the sign of a value whose error has a bound, and 0 where it could be another. Without a
+/// branch, since processors cannot predict which sign it is.
+inline int certainSign(double value, double bound)
+{
+  return static_cast<int>(value > bound) - static_cast<int>(value < -bound);
+}
+
+/// As glm::abs(), which branches.
+inline glm::dvec3 magnitudes(const glm::dvec3& v)
+{
+  return { std::abs(v.x), std::abs(v.y), std::abs(v.z) };
+}
+
 /// The plane through three points, kept for the sides of several others. If the points are
 /// collinear, all others lie in it.
 class SidesOfPlane
@@ -43,7 +58,7 @@ public:
     const glm::dvec3 first(u.y * v.z, u.z * v.x, u.x * v.y);
     const glm::dvec3 second(u.z * v.y, u.x * v.z, u.y * v.x);
     normal_ = first - second;
-    bound_ = kSpaceBound * (glm::abs(first) + glm::abs(second));
+    bound_ = kSpaceBound * (magnitudes(first) + magnitudes(second));
   }
 
   /// Returns the side of d as orientation(a, b, c, d).
@@ -51,16 +66,12 @@ public:
   {
     const glm::dvec3 offset = d - a_;
     const double height = glm::dot(normal_, offset);
-    const double bound = glm::dot(bound_, glm::abs(offset));
-    if (height > bound)
+    const double bound = glm::dot(bound_, magnitudes(offset));
+    if (const int side = certainSign(-height, bound))
     {
-      return -1;
+      return side;
     }
-    if (height < -bound)
-    {
-      return 1;
-    }
-    // Without underflow every product is 0 then.
+    // Without a bound every product is 0.
     return bound == 0.0 ? 0 : exact::orientation(a_, b_, c_, d);
   }
 
@@ -91,14 +102,10 @@ inline int orientation(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec
   const double first = u.x * v.y;
   const double second = u.y * v.x;
   const double determinant = first - second;
-  const double bound = kPlaneBound * (glm::abs(first) + glm::abs(second));
-  if (determinant > bound)
+  const double bound = kPlaneBound * (std::abs(first) + std::abs(second));
+  if (const int sign = certainSign(determinant, bound))
   {
-    return 1;
-  }
-  if (determinant < -bound)
-  {
-    return -1;
+    return sign;
   }
   return bound == 0.0 ? 0 : exact::orientation(a, b, c);
 }

@@ -72,6 +72,7 @@ PairProximity::PairProximity(const MovingMesh& a, const MovingMesh& b, const Sol
   , b_(b)
   , aInB_(a, b, solidB)
   , bInA_(b, a, solidA)
+  , contacts_(a, b, solidA, solidB)
 {
 }
 
@@ -149,6 +150,11 @@ void PairProximity::penetrate(const ProximityOptions& options, Proximity& result
   result.deepestPoint = toPoint(deepest.point);
   listDepths(aInB_, result.depthsOfA);
   listDepths(bInA_, result.depthsOfB);
+  if (options.maxContacts > 0)
+  {
+    contacts_.find(intersections_.pairs(), aInB_, bInA_, deepest, options.maxContacts,
+      result.contacts);
+  }
 }
 
 } // namespace medial

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "medial/proximity.h"
+#include "proximity/contacts.h"
 #include "proximity/intersections.h"
 #include "proximity/moving_mesh.h"
 #include "proximity/penetration.h"
@@ -33,6 +34,7 @@ private:
   Separation separation_;
   Penetration aInB_;
   Penetration bInA_;
+  Contacts contacts_;
   std::vector<int> cutA_;
   std::vector<int> cutB_;
 };

@@ -50,20 +50,20 @@ double Penetration::depthOf(std::size_t enclosed) const
   return std::sqrt(closest_[enclosed].squared);
 }
 
+DeepPlace Penetration::placeOf(std::size_t enclosed) const
+{
+  const int point = enclosed_.points()[enclosed].point;
+  const ClosestElement& closest = closest_[enclosed];
+  return { &mesh_, this->depthOf(enclosed), mesh_.points()[point], closest.point,
+    *mesh_.pointSlots().begin(point), closest.slot };
+}
+
 DeepPlace Penetration::deepestPoint() const
 {
-  DeepPlace best;
-  for (std::size_t i = 0; i < closest_.size(); ++i)
-  {
-    const double depth = this->depthOf(i);
-    if (depth > best.depth)
-    {
-      const int point = enclosed_.points()[i].point;
-      best = { depth, mesh_.points()[point], closest_[i].point, *mesh_.pointSlots().begin(point),
-        closest_[i].slot };
-    }
-  }
-  return best;
+  const auto deepest = std::max_element(closest_.begin(), closest_.end(),
+    [](const ClosestElement& p, const ClosestElement& q) { return p.squared < q.squared; });
+  return deepest == closest_.end() ? DeepPlace{}
+                                   : this->placeOf(std::distance(closest_.begin(), deepest));
 }
 
 DeepPlace Penetration::deepest(const std::vector<int>& cut, const DeepPlace& known, double relative,
@@ -147,7 +147,7 @@ void Penetration::refine(const Piece& piece, DeepPlace& best, double relative, d
   const bool inside = !enclosed_.isCut(piece.slot) || solid_.placeOf(middle) == Place::Inside;
   if (inside && depth > best.depth)
   {
-    best = { depth, middle, closest.point, piece.slot, closest.slot };
+    best = { &mesh_, depth, middle, closest.point, piece.slot, closest.slot };
   }
   // The distance to a convex element is largest at a corner; along a line to a place beyond the
   // surface the depth begins where the line comes in.

@@ -15,11 +15,12 @@ namespace medial
 /// A place of a surface inside another solid.
 struct DeepPlace
 {
-  double depth = 0.0; ///< distance to the other surface
+  const MovingMesh* mesh = nullptr; ///< whose surface it is
+  double depth = 0.0;               ///< distance to the other surface
   glm::dvec3 point{ 0.0 };
   glm::dvec3 closest{ 0.0 }; ///< on the other surface
   int slot = -1;             ///< of the surface's element
-  int otherSlot = -1;
+  int otherSlot = -1;        ///< of the other surface's
 };
 
 /// How deep the surface of one mesh is inside the solid of another (section 6 of the paper: the
@@ -44,6 +45,7 @@ public:
   /// Per enclosed point: what of the other surface is closest.
   const std::vector<ClosestElement>& closest() const { return closest_; }
   double depthOf(std::size_t enclosed) const;
+  DeepPlace placeOf(std::size_t enclosed) const;
 
   /// Returns the deepest place of the surface, up to a tolerance, or a known one if that is deeper.
   /// @param cut as for find().

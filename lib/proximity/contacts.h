@@ -1,0 +1,71 @@
+#pragma once
+
+#include "medial/proximity.h"
+#include "proximity/contact_manifolds.h"
+#include "proximity/contact_reduction.h"
+#include "proximity/intersections.h"
+#include "proximity/penetration.h"
+#include "proximity/solid_query.h"
+
+#include <vector>
+
+namespace medial
+{
+
+/// Finds the contacts of two meshes that collide.
+///
+/// Places of contact are the points of one mesh inside the other, with the direction to the closest
+/// point (the gradient of the paper's distance field) as normal, and the crossings of edges with
+/// faces. Seen along the manifold's normal only the corners of their convex hull matter.
+class Contacts
+{
+public:
+  Contacts(const MovingMesh& a, const MovingMesh& b, const SolidQuery& solidA,
+    const SolidQuery& solidB)
+    : a_(a)
+    , b_(b)
+    , solidA_(solidA)
+    , solidB_(solidB)
+  {
+  }
+
+  /// @param deepest the deepest place of either surface.
+  /// @param maxContacts of a manifold, >= 1.
+  void find(const std::vector<SlotPair>& pairs, const Penetration& aInB, const Penetration& bInA,
+    const DeepPlace& deepest, int maxContacts, std::vector<ProximityContact>& contacts);
+
+private:
+  /// A connected overlap.
+  struct Manifold
+  {
+    std::vector<ContactPlace> places;
+    std::vector<SlotPair> pairs;
+    glm::dvec3 normal{ 0.0 };
+  };
+
+  void collect(const std::vector<SlotPair>& pairs, const Penetration& aInB, const Penetration& bInA,
+    const DeepPlace& deepest);
+  void addPlace(const DeepPlace& found, int manifold);
+  void addCrossings(const SlotPair& pair, Manifold& manifold) const;
+  void reduce(Manifold& manifold, int maxContacts) const;
+  /// Drops crossings where the overlap has no depth.
+  /// @param max the largest depth of the manifold's places, > 0.
+  void weighCrossings(Manifold& manifold, double extent, double max) const;
+  /// Returns the normal of a manifold. Where the surfaces only touch, places lose theirs.
+  glm::dvec3 findNormal(Manifold& manifold) const;
+  glm::dvec3 touchingNormal(const std::vector<SlotPair>& pairs) const;
+  /// Adds what a pair of elements says about that: where they lie in one plane, where a corner lies
+  /// in a face, where edges cross, and otherwise.
+  void addTouch(const SlotPair& pair, glm::dvec3 (&sums)[4]) const;
+  /// How thick the overlap of both solids is along a line.
+  double thicknessAt(const glm::dvec3& x, const glm::dvec3& normal) const;
+
+  const MovingMesh& a_;
+  const MovingMesh& b_;
+  const SolidQuery& solidA_;
+  const SolidQuery& solidB_;
+  ContactManifolds split_;
+  std::vector<Manifold> manifolds_;
+};
+
+} // namespace medial
