@@ -39,8 +39,12 @@ std::string figuresOf(const Proximity& pair)
   {
     text += translationOf(pair.translationalDepth);
   }
-  const std::size_t contacts = pair.contacts.size();
-  return text + ", " + std::to_string(contacts) + (contacts == 1 ? " contact" : " contacts");
+  if (!pair.contacts.empty())
+  {
+    const std::size_t count = pair.contacts.size();
+    text += ", " + std::to_string(count) + (count == 1 ? " contact" : " contacts");
+  }
+  return text;
 }
 
 // Those that collide first, the deepest before the others; then the nearest.
@@ -84,8 +88,7 @@ std::vector<std::string> caption(const ProximityResults& results, std::size_t fr
   std::vector<std::string> lines;
   if (results.frames.size() > 1)
   {
-    lines.push_back(
-      "frame " + std::to_string(frame) + " of " + std::to_string(results.frames.size()));
+    lines.push_back("frame " + std::to_string(frame));
   }
   const std::vector<const Proximity*> pairs = byImportance(results.frames[frame].pairs);
   const bool all = pairs.size() <= kMaxLines + 1;

@@ -6,6 +6,25 @@
 
 namespace medial::app
 {
+namespace
+{
+
+// The closest point of A in the form of a contact.
+ProximityContact witnessOf(const Proximity& pair)
+{
+  ProximityContact witness;
+  witness.point = pair.witnessA;
+  witness.manifold = -1;
+  witness.cellA = pair.cellA;
+  witness.cellB = pair.cellB;
+  for (std::size_t axis = 0; axis < 3 && pair.separation > 0.0; ++axis)
+  {
+    witness.normal[axis] = (pair.witnessB[axis] - pair.witnessA[axis]) / pair.separation;
+  }
+  return witness;
+}
+
+} // namespace
 
 ContactData::ContactData()
 {
@@ -20,6 +39,7 @@ ContactData::ContactData()
     array->SetName(name);
     data_->GetPointData()->AddArray(array);
   };
+  add(kinds_, "Kind");
   add(normals_, "Normal");
   add(depths_, "Depth");
   add(manifolds_, "Manifold");
@@ -30,18 +50,19 @@ ContactData::ContactData()
   add(frames_, "Frame");
 }
 
-vtkIdType ContactData::addPoint(const Proximity& pair, const ProximityContact& contact,
+vtkIdType ContactData::addPoint(Kind kind, const Proximity& pair, const ProximityContact& place,
   std::size_t frame)
 {
-  normals_->InsertNextTuple(contact.normal.data());
-  depths_->InsertNextValue(contact.depth);
-  manifolds_->InsertNextValue(contact.manifold);
+  kinds_->InsertNextValue(kind);
+  normals_->InsertNextTuple(place.normal.data());
+  depths_->InsertNextValue(place.depth);
+  manifolds_->InsertNextValue(place.manifold);
   bodiesA_->InsertNextValue(pair.meshA);
   bodiesB_->InsertNextValue(pair.meshB);
-  cellsA_->InsertNextValue(contact.cellA);
-  cellsB_->InsertNextValue(contact.cellB);
+  cellsA_->InsertNextValue(place.cellA);
+  cellsB_->InsertNextValue(place.cellB);
   frames_->InsertNextValue(static_cast<int>(frame));
-  return data_->GetPoints()->InsertNextPoint(contact.point.data());
+  return data_->GetPoints()->InsertNextPoint(place.point.data());
 }
 
 void ContactData::addContacts(const std::vector<Proximity>& pairs, std::size_t frame)
@@ -50,8 +71,7 @@ void ContactData::addContacts(const std::vector<Proximity>& pairs, std::size_t f
   {
     for (const ProximityContact& contact : pair.contacts)
     {
-      const vtkIdType point = this->addPoint(pair, contact, frame);
-      data_->GetVerts()->InsertNextCell(1, &point);
+      data_->GetVerts()->InsertNextCell({ this->addPoint(Contact, pair, contact, frame) });
     }
   }
 }
@@ -60,24 +80,15 @@ void ContactData::addWitnesses(const std::vector<Proximity>& pairs, std::size_t 
 {
   for (const Proximity& pair : pairs)
   {
+    ProximityContact witness = witnessOf(pair);
+    const vtkIdType a = this->addPoint(ClosestPoint, pair, witness, frame);
     if (pair.intersect)
     {
+      data_->GetVerts()->InsertNextCell({ a });
       continue;
     }
-    ProximityContact end;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      end.normal[axis] = (pair.witnessB[axis] - pair.witnessA[axis]) / pair.separation;
-    }
-    end.depth = -pair.separation;
-    end.manifold = -1;
-    end.cellA = pair.cellA;
-    end.cellB = pair.cellB;
-    end.point = pair.witnessA;
-    const vtkIdType first = this->addPoint(pair, end, frame);
-    end.point = pair.witnessB;
-    const vtkIdType ends[2] = { first, this->addPoint(pair, end, frame) };
-    data_->GetLines()->InsertNextCell(2, ends);
+    witness.point = pair.witnessB;
+    data_->GetLines()->InsertNextCell({ a, this->addPoint(ClosestPoint, pair, witness, frame) });
   }
 }
 

@@ -7,6 +7,7 @@
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <cstdint>
 #include <vector>
@@ -15,8 +16,9 @@ namespace medial::app
 {
 
 /// Contacts and closest points as a data set: contacts are vertices, closest points the ends of
-/// lines. Point arrays: Normal, Depth, Manifold, BodyA, BodyB, CellA, CellB and Frame. At closest
-/// points Normal is the direction from A to B, Depth minus the separation, and Manifold -1.
+/// lines, or a vertex where surfaces intersect. Point arrays: Kind (0 closest point, 1 contact),
+/// Normal, Depth, Manifold, BodyA, BodyB, CellA, CellB and Frame. At closest points Normal is the
+/// direction from A to B, 0 where they intersect; Depth is 0, and Manifold -1.
 class ContactData
 {
 public:
@@ -24,16 +26,24 @@ public:
 
   /// Adds a vertex for each contact.
   void addContacts(const std::vector<Proximity>& pairs, std::size_t frame);
-  /// Adds a line for each pair whose surfaces do not intersect, from A to B.
+  /// Adds for each pair a line from A to B, or the common point of surfaces that intersect.
   void addWitnesses(const std::vector<Proximity>& pairs, std::size_t frame);
 
   /// The data set; holds what was added so far.
   vtkPolyData* polyData() { return data_; }
 
 private:
-  vtkIdType addPoint(const Proximity& pair, const ProximityContact& contact, std::size_t frame);
+  enum Kind : unsigned char
+  {
+    ClosestPoint = 0,
+    Contact = 1
+  };
+
+  vtkIdType addPoint(Kind kind, const Proximity& pair, const ProximityContact& place,
+    std::size_t frame);
 
   vtkNew<vtkPolyData> data_;
+  vtkNew<vtkUnsignedCharArray> kinds_;
   vtkNew<vtkDoubleArray> normals_;
   vtkNew<vtkDoubleArray> depths_;
   vtkNew<vtkIntArray> manifolds_;

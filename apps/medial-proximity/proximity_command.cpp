@@ -89,16 +89,14 @@ void addMotionOptions(CLI::App& app, ProximityTexts& texts, ProximityCommand& co
 void addComputeOptions(CLI::App& app, ProximityTexts& texts, ProximityOptions& options)
 {
   const std::string group = "Computation";
-  CLI::Option* most = app
-                        .add_option("--max-contacts", options.maxContacts,
-                          "largest number of contacts where meshes overlap, for each connected "
-                          "overlap, in [1, 2147483647]; default 4")
-                        ->option_text("K")
-                        ->check(within<int>("[1, 2147483647]", [](int k) { return k >= 1; }))
-                        ->group(group);
-  app.add_flag("--no-contacts", texts.noContacts, "compute no contacts")
-    ->excludes(most)
+  app
+    .add_option("--max-contacts", options.maxContacts,
+      "largest number of contacts where meshes overlap, for each connected "
+      "overlap, in [1, 2147483647]; default 4")
+    ->option_text("K")
+    ->check(within<int>("[1, 2147483647]", [](int k) { return k >= 1; }))
     ->group(group);
+  app.add_flag("--no-contacts", texts.noContacts, "compute no contacts")->group(group);
   app.add_flag("--no-depths", texts.noDepths, "compute no depths, and so no contacts")
     ->group(group);
   app
@@ -204,8 +202,7 @@ void convertOutputs(const ProximityTexts& texts, ProximityCommand& command)
 std::optional<ProximityCommand> parseProximityCommand(int argc, char** argv)
 {
   CLI::App app{
-    "Computes how meshes that move or deform lie to each other: separation, collision, depth and "
-    "contacts.\n"
+    "Computes how meshes that move or deform lie to each other: separation, depth, contacts.\n"
   };
   setUpCommandLine(app, "medial-proximity", kFooter);
 

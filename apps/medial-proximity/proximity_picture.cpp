@@ -16,7 +16,9 @@
 #include <vtkTextProperty.h>
 #include <vtkTubeFilter.h>
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 #include <string>
 
 namespace medial::app
@@ -31,7 +33,7 @@ constexpr std::array<Colour, 6> kBodyColours = { { { 0.00, 0.36, 0.67 }, { 0.90,
   { 0.00, 0.58, 0.43 }, { 0.74, 0.42, 0.62 }, { 0.30, 0.66, 0.87 }, { 0.55, 0.50, 0.10 } } };
 constexpr Colour kContactColour = { 0.78, 0.05, 0.10 };
 constexpr Colour kWitnessColour = { 0.10, 0.11, 0.13 };
-constexpr double kOpacity = 0.35;
+constexpr double kOpacity = 0.22;
 
 // As shares of half the height of the picture.
 constexpr double kArrowLength = 0.16;
@@ -46,6 +48,19 @@ constexpr double kTextMargin = 0.02;
 const Colour& colourOf(std::size_t body)
 {
   return kBodyColours[body % kBodyColours.size()];
+}
+
+void paint(const SurfaceActors& surface, const Colour& colour)
+{
+  vtkProperty* faces = surface.faces->GetProperty();
+  faces->SetColor(colour[0], colour[1], colour[2]);
+  faces->SetOpacity(kOpacity);
+  faces->SetAmbient(0.4);
+  faces->SetDiffuse(0.6);
+  vtkProperty* edges = surface.edges->GetProperty();
+  edges->SetColor(colour[0], colour[1], colour[2]);
+  edges->SetOpacity(0.9);
+  edges->SetLineWidth(2.0F);
 }
 
 vtkSmartPointer<vtkActor> makeSolid(vtkAlgorithm* source, const Colour& colour)
@@ -117,6 +132,15 @@ vtkSmartPointer<vtkProp> makeText(const std::string& text, double height, const 
   return actor;
 }
 
+// The pairs that have two closest points to show.
+std::vector<Proximity> apart(const std::vector<Proximity>& pairs)
+{
+  std::vector<Proximity> result;
+  std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(result),
+    [](const Proximity& pair) { return !pair.intersect; });
+  return result;
+}
+
 double shareOf(const std::vector<std::string>& lines)
 {
   return static_cast<double>(lines.size()) * kLineShare + 2.0 * kTextMargin;
@@ -141,9 +165,7 @@ void ProximityPicture::addBodies()
     surface->ShallowCopy(results_.bodies[i].sequence.surface);
     surfaces_.push_back(surface);
     const SurfaceActors actors = makeSurface(surface);
-    const Colour& colour = colourOf(i);
-    actors.faces->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
-    actors.faces->GetProperty()->SetOpacity(kOpacity);
+    paint(actors, colourOf(i));
     scene_.add(actors.faces);
     scene_.add(actors.edges);
   }
@@ -209,7 +231,7 @@ void ProximityPicture::addContacts(std::size_t frame)
 void ProximityPicture::addWitnesses(std::size_t frame)
 {
   ContactData witnesses;
-  witnesses.addWitnesses(results_.frames[frame].pairs, frame);
+  witnesses.addWitnesses(apart(results_.frames[frame].pairs), frame);
   if (witnesses.polyData()->GetNumberOfPoints() > 0)
   {
     this->add(makeDots(witnesses.polyData(), kContactRadius * scale_, kWitnessColour));

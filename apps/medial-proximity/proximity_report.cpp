@@ -99,8 +99,7 @@ void printTable(const ProximityCommand& command, const ProximityResults& results
       body.sequence.mesh.triangles.size(), body.sequence.mesh.points.size(),
       body.closed ? "closed" : "not closed");
   }
-  std::printf("\n%5s %4s %4s %12s %8s %12s %12s %12s %9s %9s\n", "", "", "", "", "", "",
-    "translation", "translation", "", "");
+  std::printf("\n%63s %12s\n", "translation", "translation");
   std::printf("%5s %4s %4s %12s %8s %12s %12s %12s %9s %9s\n", "frame", "a", "b", "separation",
     "collide", "depth", "at least", "at most", "contacts", "ms");
   for (std::size_t frame = 0; frame < results.frames.size(); ++frame)
