@@ -59,7 +59,7 @@ void paint(const SurfaceActors& surface, const Colour& colour)
   faces->SetDiffuse(0.6);
   vtkProperty* edges = surface.edges->GetProperty();
   edges->SetColor(colour[0], colour[1], colour[2]);
-  edges->SetOpacity(0.9);
+  edges->SetOpacity(0.6);
   edges->SetLineWidth(2.0F);
 }
 
