@@ -1,6 +1,7 @@
 #include "captions.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace medial::app
@@ -30,12 +31,12 @@ std::string figuresOf(const Proximity& pair)
   {
     return "separation " + shown(pair.separation);
   }
-  if (pair.insideUndefined)
+  std::string text = "collide";
+  if (std::isfinite(pair.depth))
   {
-    return "collide, depth unknown";
+    text = "depth " + shown(pair.depth);
   }
-  std::string text = "depth " + shown(pair.depth);
-  if (pair.translationalDepth.upper > 0.0)
+  if (std::isfinite(pair.translationalDepth.upper))
   {
     text += translationOf(pair.translationalDepth);
   }
@@ -47,7 +48,7 @@ std::string figuresOf(const Proximity& pair)
   return text;
 }
 
-// Those that collide first, the deepest before the others; then the nearest.
+// Those that collide first, the deepest before the others; then the nearest. NaN counts as 0.
 std::vector<const Proximity*> byImportance(const std::vector<Proximity>& pairs)
 {
   std::vector<const Proximity*> sorted;

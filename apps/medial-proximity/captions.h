@@ -12,7 +12,7 @@ namespace medial::app
 /// The numbers and names of the meshes, and how many there are beyond those.
 std::vector<std::string> legend(const std::vector<Body>& bodies);
 
-/// The figures of a frame; as many lines for every frame.
+/// The figures of a frame.
 std::vector<std::string> caption(const ProximityResults& results, std::size_t frame);
 
 } // namespace medial::app

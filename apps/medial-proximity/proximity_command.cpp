@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cmath>
 #include <string>
 
 namespace medial::app
@@ -102,6 +103,12 @@ void addComputeOptions(CLI::App& app, ProximityTexts& texts, ProximityOptions& o
   app
     .add_flag("--no-translation", texts.noTranslation,
       "compute no bounds of the translation that separates")
+    ->group(group);
+  app
+    .add_option("--max-separation", options.maxSeparation,
+      "leave out pairs whose boxes are farther apart, in world units, >= 0; default none")
+    ->option_text("D")
+    ->check(within<double>("[0, infinity)", [](double d) { return std::isfinite(d) && d >= 0.0; }))
     ->group(group);
   app
     .add_option("--depth-tolerance", options.depthTolerance,

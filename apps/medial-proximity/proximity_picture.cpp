@@ -206,7 +206,10 @@ void ProximityPicture::aim(std::size_t frames)
   forEachSurface([&](vtkPolyData* surface) { addSeenPoints(surface, scene_.camera(), seen); });
   Margins margins;
   margins.top = shareOf(legend(results_.bodies));
-  margins.bottom = shareOf(caption(results_, 0));
+  for (std::size_t frame = 0; frame < frames; ++frame)
+  {
+    margins.bottom = std::max(margins.bottom, shareOf(caption(results_, frame)));
+  }
   scene_.fit(seen, margins);
   scale_ = scene_.camera()->GetParallelScale();
 }

@@ -16,7 +16,7 @@ namespace
 
 using Json = nlohmann::ordered_json;
 
-// NaN becomes null.
+// NaN and infinity become null.
 Json describe(const ProximityContact& contact)
 {
   return { { "point", contact.point }, { "normal", contact.normal }, { "depth", contact.depth },
@@ -25,21 +25,13 @@ Json describe(const ProximityContact& contact)
 
 Json describeDepths(const ProximityOptions& options, const Proximity& pair)
 {
-  Json json{ { "depth", nullptr }, { "deepest_point", nullptr }, { "translational_depth", nullptr },
-    { "separating_translation", nullptr } };
-  if (options.depths)
-  {
-    json["depth"] = pair.depth;
-    json["deepest_point"] = pair.depth > 0.0 ? Json(pair.deepestPoint) : Json();
-  }
-  if (options.translationalDepth)
-  {
-    const DepthBounds& bounds = pair.translationalDepth;
-    json["translational_depth"] = { bounds.lower, bounds.upper };
-    json["separating_translation"] =
-      std::isfinite(bounds.upper) ? Json(pair.separatingTranslation) : Json();
-  }
-  return json;
+  const DepthBounds& bounds = pair.translationalDepth;
+  const bool separable = std::isfinite(bounds.upper);
+  return { { "depth", pair.depth },
+    { "deepest_point", pair.depth > 0.0 ? Json(pair.deepestPoint) : Json() },
+    { "translational_depth",
+      options.translationalDepth ? Json({ bounds.lower, bounds.upper }) : Json() },
+    { "separating_translation", separable ? Json(pair.separatingTranslation) : Json() } };
 }
 
 Json describe(const ProximityOptions& options, const Proximity& pair)
@@ -80,12 +72,10 @@ const char* collisionOf(const Proximity& pair)
 void printRow(const ProximityOptions& options, std::size_t frame, const Proximity& pair)
 {
   const DepthBounds& bounds = pair.translationalDepth;
-  const bool translation = options.translationalDepth;
   std::printf("%5zu %4d %4d %12s %8s %12s %12s %12s %9zu %9.3f\n", frame, pair.meshA, pair.meshB,
-    shown(pair.separation).c_str(), collisionOf(pair),
-    options.depths ? shown(pair.depth).c_str() : "-",
-    translation ? shown(bounds.lower).c_str() : "-",
-    translation ? shown(bounds.upper).c_str() : "-", pair.contacts.size(), 1000.0 * pair.seconds);
+    shown(pair.separation).c_str(), collisionOf(pair), shown(pair.depth).c_str(),
+    options.translationalDepth ? shown(bounds.lower).c_str() : "-", shown(bounds.upper).c_str(),
+    pair.contacts.size(), 1000.0 * pair.seconds);
 }
 
 } // namespace

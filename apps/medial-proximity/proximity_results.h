@@ -12,8 +12,9 @@ namespace medial::app
 /// What was computed of one frame.
 struct FrameResult
 {
-  std::vector<Proximity> pairs; ///< without depthsOfA and depthsOfB
-  double seconds = 0.0;         ///< wall-clock time of all pairs
+  /// Those that are not farther apart than --max-separation, without depthsOfA and depthsOfB.
+  std::vector<Proximity> pairs;
+  double seconds = 0.0; ///< wall-clock time of all pairs
 };
 
 /// What a run computes, and what it computes it from.

@@ -7,6 +7,8 @@
 #include "proximity_results.h"
 #include "timer.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace medial::app
@@ -71,7 +73,11 @@ FrameResult computeFrame(const ProximityOptions& options, ProximitySolver& solve
       result.pairs = solver.compute(options);
       result.seconds = timer.seconds();
     });
-  for (Proximity& pair : result.pairs)
+  std::vector<Proximity>& pairs = result.pairs;
+  pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
+                [](const Proximity& pair) { return std::isinf(pair.separation); }),
+    pairs.end());
+  for (Proximity& pair : pairs)
   {
     pair.depthsOfA = {};
     pair.depthsOfB = {};

@@ -7,42 +7,50 @@
 namespace medial
 {
 
+/// As std::max(), which branches; this becomes one instruction.
+inline double larger(double x, double y)
+{
+  return x > y ? x : y;
+}
+
+inline double smaller(double x, double y)
+{
+  return x < y ? x : y;
+}
+
 /// An axis-aligned box, world units.
 struct Box
 {
   glm::dvec3 min{ std::numeric_limits<double>::infinity() };
   glm::dvec3 max{ -std::numeric_limits<double>::infinity() };
 
-  void add(const glm::dvec3& point)
+  void add(const glm::dvec3& low, const glm::dvec3& high)
   {
-    min = glm::min(min, point);
-    max = glm::max(max, point);
+    min = { smaller(min.x, low.x), smaller(min.y, low.y), smaller(min.z, low.z) };
+    max = { larger(max.x, high.x), larger(max.y, high.y), larger(max.z, high.z) };
   }
-  void add(const Box& other)
-  {
-    min = glm::min(min, other.min);
-    max = glm::max(max, other.max);
-  }
+  void add(const glm::dvec3& point) { this->add(point, point); }
+  void add(const Box& other) { this->add(other.min, other.max); }
 
   glm::dvec3 size() const { return max - min; }
   bool overlaps(const Box& other) const
   {
-    return glm::all(glm::lessThanEqual(min, other.max)) &&
-      glm::all(glm::lessThanEqual(other.min, max));
+    return min.x <= other.max.x && other.min.x <= max.x && min.y <= other.max.y &&
+      other.min.y <= max.y && min.z <= other.max.z && other.min.z <= max.z;
   }
-  bool contains(const glm::dvec3& point) const
-  {
-    return glm::all(glm::lessThanEqual(min, point)) && glm::all(glm::lessThanEqual(point, max));
-  }
+  bool contains(const glm::dvec3& point) const { return this->overlaps({ point, point }); }
   double squaredDistance(const Box& other) const
   {
-    const glm::dvec3 gap = glm::max(glm::max(other.min - max, min - other.max), glm::dvec3(0.0));
-    return glm::dot(gap, gap);
+    const auto gap = [&](int axis)
+    { return larger(larger(other.min[axis] - max[axis], min[axis] - other.max[axis]), 0.0); };
+    const double x = gap(0);
+    const double y = gap(1);
+    const double z = gap(2);
+    return x * x + y * y + z * z;
   }
   double squaredDistance(const glm::dvec3& point) const
   {
-    const glm::dvec3 gap = glm::max(glm::max(min - point, point - max), glm::dvec3(0.0));
-    return glm::dot(gap, gap);
+    return this->squaredDistance(Box{ point, point });
   }
 };
 

@@ -13,7 +13,8 @@ namespace
 /// Boxes may be farther away than elements in them by rounding.
 constexpr double kRoundedUp = 1.0 + 1e-12;
 
-void tryElement(const MovingMesh& mesh, int slot, const glm::dvec3& x, ClosestElement& best)
+MEDIAL_INLINE void tryElement(const MovingMesh& mesh, int slot, const glm::dvec3& x,
+  ClosestElement& best)
 {
   const glm::dvec3 point = closestPoint(mesh.element(slot), x);
   const double squared = glm::dot(point - x, point - x);
@@ -24,9 +25,7 @@ void tryElement(const MovingMesh& mesh, int slot, const glm::dvec3& x, ClosestEl
   }
 }
 
-} // namespace
-
-ClosestElement closestElement(const MovingMesh& mesh, const glm::dvec3& x, int hint)
+MEDIAL_VECTORISED ClosestElement search(const MovingMesh& mesh, const glm::dvec3& x, int hint)
 {
   struct Pending
   {
@@ -71,6 +70,13 @@ ClosestElement closestElement(const MovingMesh& mesh, const glm::dvec3& x, int h
     stack[count++] = near;
   }
   return best;
+}
+
+} // namespace
+
+ClosestElement closestElement(const MovingMesh& mesh, const glm::dvec3& x, int hint)
+{
+  return search(mesh, x, hint);
 }
 
 } // namespace medial

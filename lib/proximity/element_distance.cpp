@@ -7,10 +7,6 @@ namespace medial
 namespace
 {
 
-/// Triangles whose height is a smaller part of their longest edge are taken for their edges: their
-/// normal is lost in rounding, and the edges are as near.
-constexpr double kMinHeight = 1e-10;
-
 /// The plane of a triangle, and the planes through its edges.
 struct TrianglePlanes
 {
@@ -89,21 +85,6 @@ void tryCorners(const TrianglePlanes& triangle, const Element& other, bool swapp
   }
 }
 
-/// For triangles without area.
-glm::dvec3 closestOnEdges(const Element& element, const glm::dvec3& x)
-{
-  ClosePoints found;
-  for (int i = 0; i < 3; ++i)
-  {
-    const glm::dvec3& p = element.corners[i];
-    const glm::dvec3 u = element.corners[(i + 1) % 3] - p;
-    const double squared = glm::dot(u, u);
-    const double s = squared > 0.0 ? std::clamp(glm::dot(x - p, u) / squared, 0.0, 1.0) : 0.0;
-    tryPoints(p + s * u, x, found);
-  }
-  return found.a;
-}
-
 } // namespace
 
 ClosePoints closestPoints(const Element& a, const Element& b)
@@ -132,55 +113,18 @@ ClosePoints closestPoints(const Element& a, const Element& b)
   return found;
 }
 
-// By the signs of the barycentric coordinates (Ericson, Real-Time Collision Detection,
-// 2004, 5.1.5).
-glm::dvec3 closestPoint(const Element& element, const glm::dvec3& x)
+glm::dvec3 closestOnEdges(const Element& element, const glm::dvec3& x)
 {
-  const auto& [a, b, c] = element.corners;
-  const glm::dvec3 ab = b - a;
-  const glm::dvec3 ac = c - a;
-  const double abA = glm::dot(ab, x - a);
-  const double acA = glm::dot(ac, x - a);
-  if (abA <= 0.0 && acA <= 0.0)
+  ClosePoints found;
+  for (int i = 0; i < 3; ++i)
   {
-    return a;
+    const glm::dvec3& p = element.corners[i];
+    const glm::dvec3 u = element.corners[(i + 1) % 3] - p;
+    const double squared = glm::dot(u, u);
+    const double s = squared > 0.0 ? std::clamp(glm::dot(x - p, u) / squared, 0.0, 1.0) : 0.0;
+    tryPoints(p + s * u, x, found);
   }
-  const double abB = glm::dot(ab, x - b);
-  const double acB = glm::dot(ac, x - b);
-  if (abB >= 0.0 && acB <= abB)
-  {
-    return b;
-  }
-  const double abC = glm::dot(ab, x - c);
-  const double acC = glm::dot(ac, x - c);
-  if (acC >= 0.0 && abC <= acC)
-  {
-    return c;
-  }
-  const double ofC = abA * acB - abB * acA;
-  if (ofC <= 0.0 && abA >= 0.0 && abB <= 0.0)
-  {
-    return a + abA / (abA - abB) * ab;
-  }
-  const double ofB = abC * acA - abA * acC;
-  if (ofB <= 0.0 && acA >= 0.0 && acC <= 0.0)
-  {
-    return a + acA / (acA - acC) * ac;
-  }
-  const double ofA = abB * acC - abC * acB;
-  const double toC = acB - abB;
-  const double toB = abC - acC;
-  if (ofA <= 0.0 && toC >= 0.0 && toB >= 0.0)
-  {
-    return b + toC / (toC + toB) * (c - b);
-  }
-  const double sum = ofA + ofB + ofC;
-  constexpr double kSliver = kMinHeight * kMinHeight;
-  if (sum <= kSliver * glm::dot(ab, ab) * glm::dot(ac, ac))
-  {
-    return closestOnEdges(element, x);
-  }
-  return a + ofB / sum * ab + ofC / sum * ac;
+  return found.a;
 }
 
 } // namespace medial

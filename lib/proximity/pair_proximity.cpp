@@ -19,6 +19,13 @@ Point3 toPoint(const glm::dvec3& x)
   return { x.x, x.y, x.z };
 }
 
+/// Depths that are not known.
+void leaveOpen(Proximity& result)
+{
+  result.depth = std::numeric_limits<double>::quiet_NaN();
+  result.translationalDepth.upper = std::numeric_limits<double>::infinity();
+}
+
 /// Returns a point of both of two elements that intersect.
 glm::dvec3 commonPoint(const Element& a, const Element& b)
 {
@@ -73,29 +80,26 @@ PairProximity::PairProximity(const MovingMesh& a, const MovingMesh& b, const Sol
   , aInB_(a, b, solidB)
   , bInA_(b, a, solidA)
   , contacts_(a, b, solidA, solidB)
+  , translationalDepth_(a, b, solidA, solidB)
 {
 }
 
 void PairProximity::compute(const ProximityOptions& options, Proximity& result)
 {
-  result.depth = 0.0;
-  result.translationalDepth = { 0.0, 0.0 };
-  result.separatingTranslation = {};
-  result.depthsOfA.clear();
-  result.depthsOfB.clear();
-  result.contacts.clear();
   intersections_.find(a_, b_, options.depths);
   result.intersect = !intersections_.pairs().empty();
   result.intersect ? this->meet(result) : this->separate(result);
   listSlots(intersections_.pairs(), &SlotPair::a, cutA_);
   listSlots(intersections_.pairs(), &SlotPair::b, cutB_);
-  if (result.intersect && !options.depths)
+  result.collide = result.intersect;
+  if (!result.intersect || options.depths)
   {
-    result.collide = true;
-    result.insideUndefined = false;
-    return;
+    this->penetrate(options, result);
   }
-  this->penetrate(options, result);
+  else
+  {
+    leaveOpen(result);
+  }
 }
 
 void PairProximity::separate(Proximity& result)
@@ -112,7 +116,6 @@ void PairProximity::meet(Proximity& result)
 {
   const SlotPair& pair = intersections_.pairs().front();
   const glm::dvec3 common = commonPoint(a_.element(pair.a), b_.element(pair.b));
-  result.separation = 0.0;
   result.witnessA = toPoint(common);
   result.witnessB = result.witnessA;
   result.cellA = a_.cellOf(pair.a);
@@ -129,13 +132,13 @@ void PairProximity::penetrate(const ProximityOptions& options, Proximity& result
   result.insideUndefined = aInB_.enclosed().anyUndefined() || bInA_.enclosed().anyUndefined();
   result.collide =
     result.intersect || !aInB_.enclosed().points().empty() || !bInA_.enclosed().points().empty();
-  if (!result.collide || !options.depths)
+  if (!result.collide)
   {
     return;
   }
-  if (result.insideUndefined)
+  leaveOpen(result);
+  if (result.insideUndefined || !options.depths)
   {
-    result.depth = std::numeric_limits<double>::quiet_NaN();
     return;
   }
   constexpr double kAbsolute = 1e-5;
@@ -150,10 +153,45 @@ void PairProximity::penetrate(const ProximityOptions& options, Proximity& result
   result.deepestPoint = toPoint(deepest.point);
   listDepths(aInB_, result.depthsOfA);
   listDepths(bInA_, result.depthsOfB);
-  if (options.maxContacts > 0)
+  this->listDirections(deepest);
+  tbb::parallel_for(0, 2,
+    [&](int task)
+    {
+      if (task == 0 && options.maxContacts > 0)
+      {
+        contacts_.find(intersections_.pairs(), aInB_, bInA_, deepest, options.maxContacts,
+          result.contacts);
+      }
+      if (task == 1 && options.translationalDepth)
+      {
+        glm::dvec3 translation;
+        result.translationalDepth = translationalDepth_.find(deepest, directions_, translation);
+        result.separatingTranslation = toPoint(translation);
+      }
+    });
+}
+
+void PairProximity::listDirections(const DeepPlace& deepest)
+{
+  directions_.clear();
+  // Of A, out of B: what is inside A moves the other way.
+  const auto wayOut = [&](const DeepPlace& place)
+  { return place.mesh == &a_ ? place.closest - place.point : place.point - place.closest; };
+  glm::dvec3 sum(0.0);
+  for (const Penetration* way : { &aInB_, &bInA_ })
   {
-    contacts_.find(intersections_.pairs(), aInB_, bInA_, deepest, options.maxContacts,
-      result.contacts);
+    for (std::size_t i = 0; i < way->closest().size(); ++i)
+    {
+      sum += wayOut(way->placeOf(i));
+    }
+  }
+  for (const glm::dvec3& direction : { wayOut(deepest), sum })
+  {
+    const double length = glm::length(direction);
+    if (length > 0.0)
+    {
+      directions_.push_back(direction / length);
+    }
   }
 }
 

@@ -7,6 +7,7 @@
 #include "proximity/penetration.h"
 #include "proximity/separation.h"
 #include "proximity/solid_query.h"
+#include "proximity/translational_depth.h"
 
 #include <vector>
 
@@ -21,12 +22,15 @@ public:
     const SolidQuery& solidB);
 
   /// Uses the threads of the current arena.
+  /// @param result that of meshes that are not known to collide.
   void compute(const ProximityOptions& options, Proximity& result);
 
 private:
   void separate(Proximity& result);
   void meet(Proximity& result);
   void penetrate(const ProximityOptions& options, Proximity& result);
+  /// Lists directions along which A may leave B.
+  void listDirections(const DeepPlace& deepest);
 
   const MovingMesh& a_;
   const MovingMesh& b_;
@@ -35,6 +39,8 @@ private:
   Penetration aInB_;
   Penetration bInA_;
   Contacts contacts_;
+  TranslationalDepth translationalDepth_;
+  std::vector<glm::dvec3> directions_;
   std::vector<int> cutA_;
   std::vector<int> cutB_;
 };

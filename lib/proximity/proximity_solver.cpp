@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -27,11 +28,35 @@ void requireValid(const ProximityOptions& options)
     throw Error(ErrorCode::InvalidInput,
       "maximum number of contacts " + std::to_string(options.maxContacts) + " is negative");
   }
+  if (!(options.maxSeparation >= 0.0))
+  {
+    throw Error(ErrorCode::InvalidInput,
+      "maximum separation " + std::to_string(options.maxSeparation) + " is not 0 or more");
+  }
   if (!(options.depthTolerance > 0.0 && options.depthTolerance < 1.0))
   {
     throw Error(ErrorCode::InvalidInput,
       "depth tolerance " + std::to_string(options.depthTolerance) + " is not in (0, 1)");
   }
+}
+
+void clear(Proximity& result)
+{
+  const int a = result.meshA;
+  const int b = result.meshB;
+  // Lists keep their memory.
+  std::vector<PointDepth> depthsOfA = std::move(result.depthsOfA);
+  std::vector<PointDepth> depthsOfB = std::move(result.depthsOfB);
+  std::vector<ProximityContact> contacts = std::move(result.contacts);
+  result = {};
+  result.meshA = a;
+  result.meshB = b;
+  depthsOfA.clear();
+  depthsOfB.clear();
+  contacts.clear();
+  result.depthsOfA = std::move(depthsOfA);
+  result.depthsOfB = std::move(depthsOfB);
+  result.contacts = std::move(contacts);
 }
 
 /// Whether a mesh is computed as the first of two. This depends on nothing but the meshes, so the
@@ -85,24 +110,8 @@ struct Body
   bool moved = true;
 };
 
-} // namespace
-
-struct ProximitySolver::State
-{
-  /// The same pair in either order.
-  struct Pair
-  {
-    std::array<std::unique_ptr<PairProximity>, 2> computed;
-  };
-
-  void refit(const Run& run);
-
-  std::vector<std::unique_ptr<Body>> bodies;
-  std::vector<Pair> pairs;
-  std::vector<Proximity> results;
-};
-
-void ProximitySolver::State::refit(const Run& run)
+/// Brings what depends on positions up to date.
+void refit(const std::vector<std::unique_ptr<Body>>& bodies, const Run& run)
 {
   run.onThreads(
     [&]
@@ -120,6 +129,21 @@ void ProximitySolver::State::refit(const Run& run)
         });
     });
 }
+
+} // namespace
+
+struct ProximitySolver::State
+{
+  /// The same pair in either order.
+  struct Pair
+  {
+    std::array<std::unique_ptr<PairProximity>, 2> computed;
+  };
+
+  std::vector<std::unique_ptr<Body>> bodies;
+  std::vector<Pair> pairs;
+  std::vector<Proximity> results;
+};
 
 ProximitySolver::ProximitySolver(std::vector<TriangleMesh> meshes)
   : state_(std::make_unique<State>())
@@ -191,15 +215,21 @@ const std::vector<Proximity>& ProximitySolver::compute(const ProximityOptions& o
 {
   requireValid(options);
   const Run run(options.execution);
-  state_->refit(run);
+  refit(state_->bodies, run);
   for (std::size_t i = 0; i < state_->pairs.size(); ++i)
   {
     run.report(static_cast<double>(i) / static_cast<double>(state_->pairs.size()), "proximity");
     Proximity& result = state_->results[i];
-    result.seconds = 0.0;
+    clear(result);
     const Stopwatch stopwatch(result.seconds);
     const Body* first = state_->bodies[result.meshA].get();
     const Body* second = state_->bodies[result.meshB].get();
+    const Box& box = first->mesh.tree().box();
+    if (std::sqrt(box.squaredDistance(second->mesh.tree().box())) > options.maxSeparation)
+    {
+      result.separation = std::numeric_limits<double>::infinity();
+      continue;
+    }
     const bool swapped = comesFirst(second->mesh.mesh(), first->mesh.mesh());
     if (swapped)
     {

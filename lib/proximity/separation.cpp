@@ -86,10 +86,13 @@ const ClosestElements& Separation::find(const MovingMesh& a, const MovingMesh& b
 {
   ClosestElements best = first(a, b, last_);
   parts_.split(a.tree(), b.tree(), best.points.squared * kRoundedUp, kParts);
-  search(a, b, parts_.pairs().front(), best);
+  if (!parts_.pairs().empty()) // boxes may seem farther apart than what is in them
+  {
+    search(a, b, parts_.pairs().front(), best);
+  }
   // All parts start with the same bound, so that what one of them finds does not depend on others.
-  found_.assign(parts_.pairs().size(), best);
-  tbb::parallel_for(std::size_t{ 1 }, std::max<std::size_t>(1, found_.size()),
+  found_.assign(std::max<std::size_t>(1, parts_.pairs().size()), best);
+  tbb::parallel_for(std::size_t{ 1 }, found_.size(),
     [&](std::size_t i) { search(a, b, parts_.pairs()[i], found_[i]); });
   last_ = *std::min_element(found_.begin(), found_.end(), isBetter);
   return last_;

@@ -68,7 +68,9 @@ TEST_F(ProximityCommand, CubesThatOverlap)
   EXPECT_EQ(found["collide"], true);
   EXPECT_NEAR(found["depth"], 0.25, 1e-3 * 0.25);
   EXPECT_NEAR(found["deepest_point"][0], 0.75, 1e-3);
-  EXPECT_EQ(found["translational_depth"].size(), 2U);
+  EXPECT_NEAR(found["translational_depth"][0], 0.25, 1e-9);
+  EXPECT_NEAR(found["translational_depth"][1], 0.25, 1e-9);
+  EXPECT_NEAR(found["separating_translation"][0], -0.25, 1e-9);
   ASSERT_EQ(found["contacts"].size(), 4U);
   for (const Json& contact : found["contacts"])
   {
@@ -149,6 +151,16 @@ TEST_F(ProximityCommand, EveryPairOfSeveralMeshes)
   EXPECT_EQ(pairs[2]["a"], 1);
   EXPECT_EQ(pairs[2]["b"], 2);
   EXPECT_DOUBLE_EQ(pairs[2]["separation"], std::hypot(0.5, 3.5));
+}
+
+TEST_F(ProximityCommand, PairsFartherApartAreLeftOut)
+{
+  EXPECT_EQ(json(cubes(2.0, { "--max-separation", "0.4" }))["frames"][0]["pairs"], Json::array());
+  EXPECT_DOUBLE_EQ(pair(2.0, { "--max-separation", "0.6" })["separation"], 0.5);
+  run(2.0,
+    { "-q", "--max-separation", "0.4", "--image", folder.file("a.png"), "--contacts",
+      folder.file("c.vtp") });
+  EXPECT_EQ(readVtp(folder.file("c.vtp"))->GetNumberOfPoints(), 0);
 }
 
 TEST_F(ProximityCommand, MatrixInAFile)
@@ -240,9 +252,10 @@ TEST_F(ProximityCommand, HelpNamesEveryOption)
   const Outcome help = runMedialProximity({ "--help" });
   EXPECT_EQ(help.exitCode, 0);
   EXPECT_EQ(help.err, "");
-  for (const char* text : { "MESH", "--json", "--contacts", "--image", "--animation", "--sequence",
-         "--transform", "--max-contacts", "--no-contacts", "--no-depths", "--no-translation",
-         "--depth-tolerance", "--threads", "-q,--quiet", "--version", "Exit codes" })
+  for (const char* text :
+    { "MESH", "--json", "--contacts", "--image", "--animation", "--sequence", "--transform",
+      "--max-contacts", "--no-contacts", "--no-depths", "--no-translation", "--max-separation",
+      "--depth-tolerance", "--threads", "-q,--quiet", "--version", "Exit codes" })
   {
     EXPECT_TRUE(contains(help.out, text)) << text;
   }

@@ -46,6 +46,8 @@ TEST_F(ProximityFailure, OptionsOutsideTheirRange)
     { "--depth-tolerance", "0", "0 is outside (0, 1)" },
     { "--depth-tolerance", "1", "1 is outside (0, 1)" },
     { "--depth-tolerance", "nan", "nan is outside (0, 1)" },
+    { "--max-separation", "-1", "-1 is outside [0, infinity)" },
+    { "--max-separation", "inf", "inf is outside [0, infinity)" },
     { "--threads", "-1", "-1 is outside [0, 1024]" },
   };
   for (const auto& one : cases)

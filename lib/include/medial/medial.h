@@ -16,6 +16,7 @@
 #include "medial/error.h"
 #include "medial/execution.h"
 #include "medial/export.h"
+#include "medial/field_proximity.h"
 #include "medial/grid.h"
 #include "medial/medial_axis.h"
 #include "medial/medial_model.h"

@@ -25,6 +25,9 @@ struct ProximityOptions
   int maxContacts = 4;
   /// How far Proximity::depth may be below the true maximum, as a fraction of it; in (0, 1).
   double depthTolerance = 1e-3;
+  /// Pairs whose boxes are farther apart than this are left out, world units, >= 0: their
+  /// separation is infinite, and nothing else of them is known.
+  double maxSeparation = std::numeric_limits<double>::infinity();
   Execution execution; ///< threads, progress and cancelling
 };
 
@@ -49,8 +52,8 @@ struct PointDepth
 /// What is known of an interval.
 struct DepthBounds
 {
-  double lower = 0.0;                                     ///< the value is this or more
-  double upper = std::numeric_limits<double>::infinity(); ///< it is this or less
+  double lower = 0.0; ///< the value is this or more
+  double upper = 0.0; ///< it is this or less
 };
 
 /// How two meshes, A and B, lie to each other.
@@ -65,7 +68,7 @@ struct Proximity
   int meshB = 0; ///< index of B
 
   /// Least distance of the surfaces, world units; 0 if and only if they intersect. One mesh inside
-  /// the other has a separation above 0.
+  /// the other has a separation above 0. Infinity beyond ProximityOptions::maxSeparation.
   double separation = 0.0;
   Point3 witnessA{};       ///< closest point of A; if they intersect a common point
   Point3 witnessB{};       ///< closest point of B
@@ -81,15 +84,16 @@ struct Proximity
 
   /// Penetration depth as in section 6 of the paper: the largest distance of a surface point of one
   /// mesh inside the other to the other's surface. 0 if they do not collide, NaN if
-  /// insideUndefined. It is the depth of a point of the surface, and by the fraction
-  /// depthTolerance at most below the largest.
+  /// insideUndefined or if depths were not asked for. It is the depth of a point of the surface,
+  /// and by the fraction depthTolerance at most below the largest.
   double depth = 0.0;
   Point3 deepestPoint{}; ///< where depth is; meaningless where that is 0 or NaN
 
   /// Length of the shortest translation that separates the solids: certified bounds. The lower one
   /// is the sum of the radii of a ball in A and a ball in B with the same centre; the upper one the
   /// length of separatingTranslation. For two convex meshes both are the length itself, up to
-  /// rounding. [0, 0] if they do not collide.
+  /// rounding. [0, 0] if they do not collide, [0, infinity] if it was not asked for or is
+  /// undefined.
   DepthBounds translationalDepth;
   /// Moving A by it separates the pair: this was verified.
   Point3 separatingTranslation{};
@@ -101,13 +105,14 @@ struct Proximity
   double seconds = 0.0; ///< wall-clock time of this pair
 };
 
-/// Computes how meshes that move or deform lie to each other, frame after frame. Nothing has to be
-/// prepared: meshes may have any topology, holes and degenerate triangles. Between frames the
-/// solver keeps connectivity, trees of boxes, which it refits, and the last witnesses; in the
-/// steady state it allocates nothing.
+/// Computes how meshes that move or deform lie to each other, frame after frame: the second
+/// application of the paper (Sud, Govindaraju, Gayle, Manocha, I3D 2006, section 6), by exact
+/// queries; FieldProximitySolver has the paper's own way. Nothing has to be prepared: meshes may
+/// have any topology, holes and degenerate triangles. Between frames the solver keeps connectivity
+/// and orientation, buffers, trees of boxes, which it refits, and the last witnesses.
 ///
-/// Results do not depend on the number of threads or on earlier frames but for rounding; swapping
-/// two meshes swaps the answer to the last bit.
+/// Results do not depend on the number of threads, and on earlier frames only in the last bits.
+/// Swapping two meshes swaps the answer to the last bit.
 ///
 /// A solver must not be used by two threads at once.
 class MEDIAL_EXPORT ProximitySolver

@@ -1,0 +1,208 @@
+#include "medial/field_proximity.h"
+
+#include "base/longest_axis.h"
+#include "base/stopwatch.h"
+#include "medial/error.h"
+#include "medial/medial_solver.h"
+#include "proximity/box.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+namespace medial
+{
+namespace
+{
+
+glm::dvec3 toVector(const Point3& x)
+{
+  return { x[0], x[1], x[2] };
+}
+
+Box boxOf(const TriangleMesh& mesh)
+{
+  const Bounds bounds = mesh.bounds();
+  return { toVector(bounds.min), toVector(bounds.max) };
+}
+
+/// Returns a distance that the surfaces are not farther apart than: that of the points of A from
+/// one of B, and so on to and fro.
+double maxSeparation(const TriangleMesh& a, const TriangleMesh& b)
+{
+  double squared = std::numeric_limits<double>::infinity();
+  const TriangleMesh* meshes[] = { &a, &b };
+  glm::dvec3 from = toVector(b.points.front());
+  for (int i = 0;; i = 1 - i)
+  {
+    const double before = squared;
+    glm::dvec3 nearest = from;
+    for (const Point3& point : meshes[i]->points)
+    {
+      const glm::dvec3 gap = toVector(point) - from;
+      if (glm::dot(gap, gap) < squared)
+      {
+        squared = glm::dot(gap, gap);
+        nearest = toVector(point);
+      }
+    }
+    if (squared == before)
+    {
+      return std::sqrt(squared);
+    }
+    from = nearest;
+  }
+}
+
+/// Returns where the meshes overlap, or where their closest points are.
+Box regionOf(const TriangleMesh& a, const TriangleMesh& b)
+{
+  const Box boxA = boxOf(a);
+  const Box boxB = boxOf(b);
+  const double reach = boxA.overlaps(boxB) ? 0.0 : maxSeparation(a, b);
+  Box region;
+  region.min = glm::max(boxA.min, boxB.min) - reach;
+  region.max = glm::min(boxA.max, boxB.max) + reach;
+  return region;
+}
+
+/// Returns a grid of cubic cells over a region, with at least two points along every axis.
+Grid gridOver(const Box& region, int resolution)
+{
+  const glm::dvec3 size = region.size();
+  const double longest = size[longestAxis(size)];
+  // Boxes that touch at a point have some size, too.
+  const double spacing =
+    longest > 0.0 ? longest / (resolution - 1) : 1e-6 * std::max(1e-6, glm::length(region.max));
+  Grid grid;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    grid.dimensions[axis] =
+      std::clamp(static_cast<int>(std::ceil(size[axis] / spacing - 1e-9)) + 1, 2, kMaxDimension);
+    grid.spacing[axis] = spacing;
+    const double overhang = (grid.dimensions[axis] - 1) * spacing - size[axis];
+    grid.origin[axis] = region.min[axis] - 0.5 * overhang;
+  }
+  return grid;
+}
+
+/// Two meshes and their distances on a grid.
+class FieldPair
+{
+public:
+  FieldPair(TriangleMesh a, TriangleMesh b)
+    : solvers_{ MedialSolver(std::move(a)), MedialSolver(std::move(b)) }
+  {
+  }
+
+  MedialSolver& solver(int mesh) { return solvers_[mesh]; }
+  void computeFields(const Grid& grid, const FieldProximityOptions& options);
+  void compare(const Grid& grid, FieldProximity& result) const;
+
+private:
+  MedialSolver solvers_[2];
+  std::vector<float> distances_[2];
+};
+
+void FieldPair::computeFields(const Grid& grid, const FieldProximityOptions& options)
+{
+  for (int i = 0; i < 2; ++i)
+  {
+    distances_[i].resize(static_cast<std::size_t>(grid.pointCount()));
+    FieldArrays arrays;
+    arrays.distance = distances_[i].data();
+    DistanceFieldOptions fieldOptions;
+    fieldOptions.engine = options.engine;
+    fieldOptions.execution = options.execution;
+    solvers_[i].computeField(grid, grid.wholeExtent(), arrays, fieldOptions);
+  }
+}
+
+void FieldPair::compare(const Grid& grid, FieldProximity& result) const
+{
+  const double nearSurface = 0.5 * std::sqrt(3.0) * grid.spacing[0];
+  double separation = std::numeric_limits<double>::infinity();
+  std::int64_t inBoth = 0;
+  std::size_t deepest = 0;
+  for (std::size_t i = 0; i < distances_[0].size(); ++i)
+  {
+    const double a = distances_[0][i];
+    const double b = distances_[1][i];
+    if (a < 0.0 && b < 0.0)
+    {
+      ++inBoth;
+      result.commonDepth = std::max(result.commonDepth, -a - b);
+    }
+    else if (a >= 0.0 && b >= 0.0)
+    {
+      separation = std::min(separation, a + b);
+    }
+    const double depth =
+      std::max(std::abs(a) <= nearSurface ? -b : 0.0, std::abs(b) <= nearSurface ? -a : 0.0);
+    if (depth > result.depth)
+    {
+      result.depth = depth;
+      deepest = i;
+    }
+  }
+  const glm::dvec3 spacing = toVector(grid.spacing);
+  result.overlapVolume = static_cast<double>(inBoth) * spacing.x * spacing.y * spacing.z;
+  result.collide = inBoth > 0;
+  result.depth = result.collide ? result.depth : 0.0;
+  result.separation = result.collide ? 0.0 : separation;
+  const auto width = static_cast<std::size_t>(grid.dimensions[0]);
+  const auto height = static_cast<std::size_t>(grid.dimensions[1]);
+  result.deepestPoint = grid.point(static_cast<int>(deepest % width),
+    static_cast<int>(deepest / width % height), static_cast<int>(deepest / width / height));
+}
+
+} // namespace
+
+struct FieldProximitySolver::State
+{
+  FieldPair pair;
+};
+
+FieldProximitySolver::FieldProximitySolver(TriangleMesh a, TriangleMesh b)
+{
+  if (a.empty() || b.empty())
+  {
+    throw Error(ErrorCode::InvalidInput, a.empty() ? "mesh 0 is empty" : "mesh 1 is empty");
+  }
+  state_ = std::make_unique<State>(State{ FieldPair(std::move(a), std::move(b)) });
+}
+
+FieldProximitySolver::~FieldProximitySolver() = default;
+FieldProximitySolver::FieldProximitySolver(FieldProximitySolver&& other) noexcept = default;
+FieldProximitySolver& FieldProximitySolver::operator=(
+  FieldProximitySolver&& other) noexcept = default;
+
+void FieldProximitySolver::setPoints(int mesh, std::vector<Point3> points)
+{
+  if (mesh != 0 && mesh != 1)
+  {
+    throw Error(ErrorCode::InvalidInput, "there is no mesh " + std::to_string(mesh) + " of 2");
+  }
+  state_->pair.solver(mesh).setPoints(std::move(points));
+}
+
+FieldProximity FieldProximitySolver::compute(const FieldProximityOptions& options)
+{
+  if (options.resolution < 2 || options.resolution > kMaxDimension)
+  {
+    throw Error(ErrorCode::InvalidInput,
+      "resolution " + std::to_string(options.resolution) + " is not in [2, " +
+        std::to_string(kMaxDimension) + "]");
+  }
+  FieldProximity result;
+  const Stopwatch stopwatch(result.seconds);
+  result.grid = gridOver(regionOf(state_->pair.solver(0).mesh(), state_->pair.solver(1).mesh()),
+    options.resolution);
+  state_->pair.computeFields(result.grid, options);
+  state_->pair.compare(result.grid, result);
+  return result;
+}
+
+} // namespace medial

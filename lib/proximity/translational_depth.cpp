@@ -1,0 +1,260 @@
+#include "proximity/translational_depth.h"
+
+#include "base/longest_axis.h"
+#include "proximity/closest_element.h"
+#include "proximity/last_contact.h"
+#include "proximity/minkowski_depth.h"
+#include "proximity/pair_walk.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace medial
+{
+namespace
+{
+
+/// By how much a translation is lengthened so that the surfaces do not touch, as a share of the
+/// size of the meshes.
+constexpr double kApart = 1e-11;
+/// Lower bounds are lowered by this share of the size against rounding and what isConvex() allows.
+constexpr double kCertain = 1e-9;
+/// Turns towards the normal of the last contact.
+constexpr int kMaxTurns = 4;
+/// Bounds as near to each other as this are good enough.
+constexpr double kClose = 0.99;
+/// Positions that may be looked at for the largest balls.
+constexpr int kMaxCentres = 96;
+
+double sizeOf(const MovingMesh& a, const MovingMesh& b)
+{
+  return glm::length(a.tree().box().size()) + glm::length(b.tree().box().size());
+}
+
+} // namespace
+
+TranslationalDepth::Exit TranslationalDepth::findExit(const std::vector<glm::dvec3>& directions,
+  double& hullLower) const
+{
+  const HullDepth hulls = hullDepth(a_, b_);
+  Exit best = this->boxExit();
+  if (hulls.upper < best.length && hulls.direction != glm::dvec3(0.0))
+  {
+    best = { hulls.direction, hulls.upper, glm::dvec3(0.0) };
+  }
+  const bool convex = isConvex(a_) && isConvex(b_);
+  hullLower = convex ? hulls.lower : 0.0;
+  if (!convex)
+  {
+    this->tryDirection(best.direction, best);
+    for (const glm::dvec3& direction : directions)
+    {
+      this->tryDirection(direction, best);
+    }
+    this->turn(best);
+  }
+  return best;
+}
+
+void TranslationalDepth::turn(Exit& best) const
+{
+  for (int i = 0; i < kMaxTurns && best.normal != glm::dvec3(0.0); ++i)
+  {
+    const glm::dvec3 last = best.normal;
+    this->tryDirection(last, best);
+    if (best.normal == last)
+    {
+      this->tryDirection(glm::normalize(best.direction + last), best);
+      return;
+    }
+  }
+}
+
+DepthBounds TranslationalDepth::find(const DeepPlace& deepest,
+  const std::vector<glm::dvec3>& directions, glm::dvec3& translation)
+{
+  double hullLower = 0.0;
+  const Exit found = this->findExit(directions, hullLower);
+  const double balls = this->commonBalls(deepest, kClose * found.length);
+  const double size = sizeOf(a_, b_);
+  Exit exit = found;
+  double length = exit.length;
+  for (double margin = kApart;; margin *= 8.0)
+  {
+    length = exit.length + margin * size;
+    translation = length * exit.direction;
+    if (this->separates(translation))
+    {
+      break;
+    }
+    if (margin > 1.0)
+    {
+      exit = this->boxExit();
+    }
+  }
+  const double lower = std::max(balls, hullLower) - kCertain * size;
+  return { std::clamp(lower, 0.0, length), length };
+}
+
+TranslationalDepth::Exit TranslationalDepth::boxExit() const
+{
+  const Box& boxA = a_.tree().box();
+  const Box& boxB = b_.tree().box();
+  Exit best;
+  best.length = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (const double sense : { 1.0, -1.0 })
+    {
+      const double length =
+        sense > 0.0 ? boxB.max[axis] - boxA.min[axis] : boxA.max[axis] - boxB.min[axis];
+      if (length < best.length)
+      {
+        best.length = length;
+        best.direction = glm::dvec3(0.0);
+        best.direction[axis] = sense;
+      }
+    }
+  }
+  return best;
+}
+
+void TranslationalDepth::tryDirection(const glm::dvec3& direction, Exit& best) const
+{
+  const LastContact last = lastContact(a_, b_, direction, best.length);
+  if (last.distance < best.length ||
+    (last.distance == best.length && best.normal == glm::dvec3(0.0)))
+  {
+    best = { direction, last.distance, last.normal };
+  }
+}
+
+double TranslationalDepth::sumOfDepths(const glm::dvec3& x, bool& inBoth) const
+{
+  const bool inA = solidA_.placeOf(x) == Place::Inside;
+  const bool inB = solidB_.placeOf(x) == Place::Inside;
+  inBoth = inA && inB;
+  const double toA = std::sqrt(closestElement(a_, x).squared);
+  const double toB = std::sqrt(closestElement(b_, x).squared);
+  return (inA ? toA : -toA) + (inB ? toB : -toB);
+}
+
+double TranslationalDepth::commonBalls(const DeepPlace& deepest, double enough)
+{
+  // A place of one surface has a ball of radius 0 in its own solid.
+  double best = deepest.depth;
+  Box common;
+  common.min = glm::max(a_.tree().box().min, b_.tree().box().min);
+  common.max = glm::min(a_.tree().box().max, b_.tree().box().max);
+  const auto less = [](const Part& p, const Part& q) { return p.max < q.max; };
+  parts_.clear();
+  parts_.push_back({ common, std::numeric_limits<double>::infinity() });
+  for (int looked = 0; looked < kMaxCentres && !parts_.empty() && best < enough;)
+  {
+    std::pop_heap(parts_.begin(), parts_.end(), less);
+    const Part part = parts_.back();
+    parts_.pop_back();
+    if (part.max <= best)
+    {
+      break;
+    }
+    // Halves along the longest side, so that flat overlaps have cubes, too.
+    const glm::dvec3 size = part.box.size();
+    const int axis = longestAxis(size);
+    for (const double shift : { 0.0, 0.5 })
+    {
+      Box half = part.box;
+      half.min[axis] += shift * size[axis];
+      half.max[axis] = half.min[axis] + 0.5 * size[axis];
+      bool inBoth = false;
+      const double sum = this->sumOfDepths(0.5 * (half.min + half.max), inBoth);
+      best = inBoth ? std::max(best, sum) : best;
+      // Either distance falls by no more than one goes.
+      const double max = std::min(part.max, sum + glm::length(half.size()));
+      if (max > best)
+      {
+        parts_.push_back({ half, max });
+        std::push_heap(parts_.begin(), parts_.end(), less);
+      }
+      ++looked;
+    }
+  }
+  return best;
+}
+
+bool TranslationalDepth::separates(const glm::dvec3& translation) const
+{
+  if (this->surfacesMeet(translation))
+  {
+    return false;
+  }
+  const auto noneInside =
+    [](const MovingMesh& mesh, const SolidQuery& solid, const glm::dvec3& offset)
+  {
+    return std::none_of(mesh.componentPoints().begin(), mesh.componentPoints().end(),
+      [&](int point) { return solid.placeOf(mesh.points()[point] + offset) == Place::Inside; });
+  };
+  return noneInside(a_, solidB_, translation) && noneInside(b_, solidA_, -translation);
+}
+
+bool TranslationalDepth::surfacesMeet(const glm::dvec3& translation) const
+{
+  const auto& nodesA = a_.tree().nodes();
+  const auto& nodesB = b_.tree().nodes();
+  const auto overlap = [&](int a, int b)
+  {
+    const Box moved{ nodesA[a].box.min + translation, nodesA[a].box.max + translation };
+    return moved.overlaps(nodesB[b].box);
+  };
+  std::array<NodePair, 4 * 64> stack;
+  int count = 0;
+  stack[count++] = {};
+  while (count > 0)
+  {
+    const NodePair pair = stack[--count];
+    if (!overlap(pair.a, pair.b))
+    {
+      continue;
+    }
+    if (areLeaves(a_.tree(), b_.tree(), pair))
+    {
+      if (this->leavesMeet(nodesA[pair.a], nodesB[pair.b], translation))
+      {
+        return true;
+      }
+      continue;
+    }
+    for (const NodePair& child : PairChildren(a_.tree(), b_.tree(), pair))
+    {
+      stack[count++] = child;
+    }
+  }
+  return false;
+}
+
+bool TranslationalDepth::leavesMeet(const BoxTree::Node& nodeA, const BoxTree::Node& nodeB,
+  const glm::dvec3& translation) const
+{
+  for (int i = nodeA.first; i < nodeA.first + nodeA.count; ++i)
+  {
+    Element moved = a_.element(i);
+    Box box;
+    for (glm::dvec3& corner : moved.corners)
+    {
+      corner += translation;
+      box.add(corner);
+    }
+    for (int k = nodeB.first; k < nodeB.first + nodeB.count; ++k)
+    {
+      if (box.overlaps(b_.boxOf(k)) && intersect(moved, b_.element(k)))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+} // namespace medial

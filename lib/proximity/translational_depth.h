@@ -1,0 +1,77 @@
+#pragma once
+
+#include "medial/proximity.h"
+#include "proximity/moving_mesh.h"
+#include "proximity/penetration.h"
+#include "proximity/solid_query.h"
+
+#include <glm/glm.hpp>
+
+#include <vector>
+
+namespace medial
+{
+
+/// Bounds the length of the shortest translation that separates two solids that collide.
+///
+/// From below: a ball inside A and a ball inside B with the same centre have to come apart, so the
+/// sum of their radii is a bound; for convex meshes the Minkowski difference gives the length
+/// itself. From above: translations along which the last contact is known, improved by turning them
+/// towards the normal there, as Je et al. (PolyDepth, 2012) do.
+class TranslationalDepth
+{
+public:
+  TranslationalDepth(const MovingMesh& a, const MovingMesh& b, const SolidQuery& solidA,
+    const SolidQuery& solidB)
+    : a_(a)
+    , b_(b)
+    , solidA_(solidA)
+    , solidB_(solidB)
+  {
+  }
+
+  /// @param directions along which A may leave B, unit vectors.
+  /// @param[out] translation of A that was verified to separate the solids.
+  DepthBounds find(const DeepPlace& deepest, const std::vector<glm::dvec3>& directions,
+    glm::dvec3& translation);
+
+private:
+  /// A translation of A.
+  struct Exit
+  {
+    glm::dvec3 direction{ 0.0 };
+    double length = 0.0;
+    glm::dvec3 normal{ 0.0 }; ///< of the surfaces where they touch last
+  };
+  /// A box in which the balls' common centre may be.
+  struct Part
+  {
+    Box box;
+    double max; ///< no sum of radii in it is larger
+  };
+
+  /// @param[out] hullLower the lower bound for two convex meshes; 0 for others.
+  Exit findExit(const std::vector<glm::dvec3>& directions, double& hullLower) const;
+  /// The shortest way out of the bounding boxes.
+  Exit boxExit() const;
+  void tryDirection(const glm::dvec3& direction, Exit& best) const;
+  /// Turns the direction towards the normal of the last contact, as long as that is shorter.
+  void turn(Exit& best) const;
+  /// Returns a sum of radii of balls with a common centre.
+  /// @param enough where the search ends.
+  double commonBalls(const DeepPlace& deepest, double enough);
+  /// The sum of the signed distances, positive inside; and whether x is inside both.
+  double sumOfDepths(const glm::dvec3& x, bool& inBoth) const;
+  bool separates(const glm::dvec3& translation) const;
+  bool surfacesMeet(const glm::dvec3& translation) const;
+  bool leavesMeet(const BoxTree::Node& nodeA, const BoxTree::Node& nodeB,
+    const glm::dvec3& translation) const;
+
+  const MovingMesh& a_;
+  const MovingMesh& b_;
+  const SolidQuery& solidA_;
+  const SolidQuery& solidB_;
+  std::vector<Part> parts_; ///< a heap
+};
+
+} // namespace medial
