@@ -68,9 +68,9 @@ TEST_F(ProximityCommand, CubesThatOverlap)
   EXPECT_EQ(found["collide"], true);
   EXPECT_NEAR(found["depth"], 0.25, 1e-3 * 0.25);
   EXPECT_NEAR(found["deepest_point"][0], 0.75, 1e-3);
-  EXPECT_NEAR(found["translational_depth"][0], 0.25, 1e-9);
-  EXPECT_NEAR(found["translational_depth"][1], 0.25, 1e-9);
-  EXPECT_NEAR(found["separating_translation"][0], -0.25, 1e-9);
+  EXPECT_NEAR(found["translational_depth"][0], 0.25, 1e-7);
+  EXPECT_NEAR(found["translational_depth"][1], 0.25, 1e-7);
+  EXPECT_NEAR(found["separating_translation"][0], -0.25, 1e-7);
   ASSERT_EQ(found["contacts"].size(), 4U);
   for (const Json& contact : found["contacts"])
   {
