@@ -101,12 +101,12 @@ bool isBesides(const ContactPlace& place, const glm::dvec3& normal, double max)
 
 } // namespace
 
-void Contacts::find(const std::vector<SlotPair>& pairs, const Penetration& aInB,
+void Contacts::find(const Intersections& intersections, const Penetration& aInB,
   const Penetration& bInA, const DeepPlace& deepest, int maxContacts,
   std::vector<ProximityContact>& contacts)
 {
-  split_.find(a_, b_, pairs, aInB, bInA);
-  this->collect(pairs, aInB, bInA, deepest);
+  split_.find(a_, b_, intersections.pairs(), aInB, bInA);
+  this->collect(intersections, aInB, bInA, deepest);
   int number = 0;
   for (Manifold& manifold : manifolds_)
   {
@@ -120,9 +120,10 @@ void Contacts::find(const std::vector<SlotPair>& pairs, const Penetration& aInB,
   }
 }
 
-void Contacts::collect(const std::vector<SlotPair>& pairs, const Penetration& aInB,
+void Contacts::collect(const Intersections& intersections, const Penetration& aInB,
   const Penetration& bInA, const DeepPlace& deepest)
 {
+  const std::vector<SlotPair>& pairs = intersections.pairs();
   manifolds_.resize(split_.count());
   for (Manifold& manifold : manifolds_)
   {
@@ -133,7 +134,15 @@ void Contacts::collect(const std::vector<SlotPair>& pairs, const Penetration& aI
   {
     Manifold& manifold = manifolds_[split_.ofPair(i)];
     manifold.pairs.push_back(pairs[i]);
-    this->addCrossings(pairs[i], manifold);
+    for (const glm::dvec3& point : intersections.crossings()[i])
+    {
+      ContactPlace place;
+      place.point = point;
+      place.isCrossing = true;
+      place.slotA = pairs[i].a;
+      place.slotB = pairs[i].b;
+      manifold.places.push_back(place);
+    }
   }
   for (std::size_t i = 0; i < aInB.closest().size(); ++i)
   {
@@ -162,26 +171,6 @@ void Contacts::addPlace(const DeepPlace& found, int manifold)
   const glm::dvec3 out = normalised(found.closest - found.point);
   place.normal = ofA ? -out : out;
   manifolds_[manifold].places.push_back(place);
-}
-
-void Contacts::addCrossings(const SlotPair& pair, Manifold& manifold) const
-{
-  const Element a = a_.element(pair.a);
-  const Element b = b_.element(pair.b);
-  ContactPlace place;
-  place.isCrossing = true;
-  place.slotA = pair.a;
-  place.slotB = pair.b;
-  for (const auto& [edges, triangle] : { std::pair(&a, &b), std::pair(&b, &a) })
-  {
-    for (int i = 0; i < 3; ++i)
-    {
-      if (crossing(edges->corners[i], edges->corners[(i + 1) % 3], *triangle, place.point))
-      {
-        manifold.places.push_back(place);
-      }
-    }
-  }
 }
 
 void Contacts::reduce(Manifold& manifold, int maxContacts) const

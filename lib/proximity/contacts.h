@@ -31,7 +31,7 @@ public:
 
   /// @param deepest the deepest place of either surface.
   /// @param maxContacts of a manifold, >= 1.
-  void find(const std::vector<SlotPair>& pairs, const Penetration& aInB, const Penetration& bInA,
+  void find(const Intersections& intersections, const Penetration& aInB, const Penetration& bInA,
     const DeepPlace& deepest, int maxContacts, std::vector<ProximityContact>& contacts);
 
 private:
@@ -43,10 +43,9 @@ private:
     glm::dvec3 normal{ 0.0 };
   };
 
-  void collect(const std::vector<SlotPair>& pairs, const Penetration& aInB, const Penetration& bInA,
+  void collect(const Intersections& intersections, const Penetration& aInB, const Penetration& bInA,
     const DeepPlace& deepest);
   void addPlace(const DeepPlace& found, int manifold);
-  void addCrossings(const SlotPair& pair, Manifold& manifold) const;
   void reduce(Manifold& manifold, int maxContacts) const;
   /// Drops crossings where the overlap has no depth.
   /// @param max the largest depth of the manifold's places, > 0.

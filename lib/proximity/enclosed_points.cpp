@@ -24,6 +24,16 @@ void EnclosedPoints::find(const MovingMesh& mesh, const SolidQuery& solid, const
   const std::vector<int>& cut)
 {
   this->begin(mesh, cut);
+  spreads_ = !solid.open();
+  if (!spreads_)
+  {
+    // Points on either side of a hole may be inside and outside without a cut between them.
+    for (std::size_t i = 0; i < mesh.points().size(); ++i)
+    {
+      this->ask(mesh, solid, solidBox, static_cast<int>(i));
+    }
+    return;
+  }
   for (const int slot : cut)
   {
     for (int i = 0; i < 3; ++i)
@@ -68,7 +78,7 @@ void EnclosedPoints::spread(const MovingMesh& mesh, const Box& solidBox, int poi
   };
   pending_.clear();
   mark(point, -1);
-  while (!pending_.empty())
+  while (spreads_ && !pending_.empty())
   {
     const int next = pending_.back();
     pending_.pop_back();

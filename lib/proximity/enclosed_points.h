@@ -46,6 +46,7 @@ private:
   std::vector<int> componentAt_; ///< per component: when an element of it was cut
   std::vector<Enclosed> points_;
   std::vector<int> pending_;
+  bool spreads_ = true; ///< whether one answer is that of its neighbours
   bool undefined_ = false;
 };
 

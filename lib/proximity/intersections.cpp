@@ -1,9 +1,11 @@
 #include "proximity/intersections.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 namespace medial
 {
@@ -47,7 +49,37 @@ void search(const MovingMesh& a, const MovingMesh& b, const NodePair& start, boo
     [&](const NodePair& pair) { findInLeaves(a, b, pair, all, found); });
 }
 
+PairCrossings crossingsOf(const Element& a, const Element& b)
+{
+  PairCrossings found;
+  for (const auto& [edges, triangle] : { std::pair(&a, &b), std::pair(&b, &a) })
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      found.count += crossing(edges->corners[i], edges->corners[(i + 1) % 3], *triangle,
+                       found.points[found.count])
+        ? 1
+        : 0;
+    }
+  }
+  return found;
+}
+
 } // namespace
+
+void Intersections::findCrossings(const MovingMesh& a, const MovingMesh& b)
+{
+  constexpr std::size_t kTogether = 16;
+  crossings_.resize(pairs_.size());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pairs_.size(), kTogether),
+    [&](const tbb::blocked_range<std::size_t>& range)
+    {
+      for (std::size_t i = range.begin(); i != range.end(); ++i)
+      {
+        crossings_[i] = crossingsOf(a.element(pairs_[i].a), b.element(pairs_[i].b));
+      }
+    });
+}
 
 void Intersections::find(const MovingMesh& a, const MovingMesh& b, bool all)
 {
@@ -77,6 +109,7 @@ void Intersections::find(const MovingMesh& a, const MovingMesh& b, bool all)
     }
     std::sort(pairs_.begin(), pairs_.end(),
       [](const SlotPair& p, const SlotPair& q) { return std::tie(p.a, p.b) < std::tie(q.a, q.b); });
+    this->findCrossings(a, b);
   }
   last_ = pairs_.empty() ? SlotPair{ -1, -1 }
                          : SlotPair{ a.elementIn(pairs_[0].a), b.elementIn(pairs_[0].b) };

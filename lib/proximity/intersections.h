@@ -3,6 +3,9 @@
 #include "proximity/moving_mesh.h"
 #include "proximity/pair_walk.h"
 
+#include <glm/glm.hpp>
+
+#include <array>
 #include <vector>
 
 namespace medial
@@ -15,6 +18,16 @@ struct SlotPair
   int b;
 };
 
+/// Where the edges of two elements pass through the other.
+struct PairCrossings
+{
+  std::array<glm::dvec3, 6> points;
+  int count = 0;
+
+  const glm::dvec3* begin() const { return points.data(); }
+  const glm::dvec3* end() const { return points.data() + count; }
+};
+
 /// Finds the elements of two meshes that intersect, exactly. Uses the threads of the current arena.
 class Intersections
 {
@@ -24,9 +37,14 @@ public:
 
   /// Ascending by a and then b.
   const std::vector<SlotPair>& pairs() const { return pairs_; }
+  /// Of every pair, if all were wanted.
+  const std::vector<PairCrossings>& crossings() const { return crossings_; }
 
 private:
+  void findCrossings(const MovingMesh& a, const MovingMesh& b);
+
   std::vector<SlotPair> pairs_;
+  std::vector<PairCrossings> crossings_;
   WalkParts parts_;
   std::vector<std::vector<SlotPair>> found_; ///< per part
   /// An intersection of the last frame, by elements.

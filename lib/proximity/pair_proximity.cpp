@@ -59,6 +59,22 @@ const DeepPlace& deeper(const DeepPlace& p, const DeepPlace& q)
   return q.depth > p.depth ? q : p;
 }
 
+/// Lists the crossings of either mesh's elements, by ascending slots.
+void listCrossings(const Intersections& intersections, int SlotPair::*slot,
+  std::vector<CutPlace>& places)
+{
+  places.clear();
+  for (std::size_t i = 0; i < intersections.pairs().size(); ++i)
+  {
+    for (const glm::dvec3& point : intersections.crossings()[i])
+    {
+      places.push_back({ intersections.pairs()[i].*slot, point });
+    }
+  }
+  std::stable_sort(places.begin(), places.end(),
+    [](const CutPlace& p, const CutPlace& q) { return p.slot < q.slot; });
+}
+
 void listDepths(const Penetration& penetration, std::vector<PointDepth>& depths)
 {
   depths.clear();
@@ -88,7 +104,18 @@ void PairProximity::compute(const ProximityOptions& options, Proximity& result)
 {
   intersections_.find(a_, b_, options.depths);
   result.intersect = !intersections_.pairs().empty();
-  result.intersect ? this->meet(result) : this->separate(result);
+  if (result.intersect)
+  {
+    this->meet(result);
+  }
+  else if (options.separation)
+  {
+    this->separate(result);
+  }
+  else
+  {
+    result.separation = std::numeric_limits<double>::quiet_NaN();
+  }
   listSlots(intersections_.pairs(), &SlotPair::a, cutA_);
   listSlots(intersections_.pairs(), &SlotPair::b, cutB_);
   result.collide = result.intersect;
@@ -105,7 +132,9 @@ void PairProximity::compute(const ProximityOptions& options, Proximity& result)
 void PairProximity::separate(Proximity& result)
 {
   const ClosestElements& closest = separation_.find(a_, b_);
-  result.separation = std::sqrt(closest.points.squared);
+  // Squares of tiny distances are 0.
+  result.separation =
+    std::max(std::sqrt(closest.points.squared), std::numeric_limits<double>::min());
   result.witnessA = toPoint(closest.points.a);
   result.witnessB = toPoint(closest.points.b);
   result.cellA = a_.cellOf(a_.slotOf(closest.elementA));
@@ -132,7 +161,7 @@ void PairProximity::penetrate(const ProximityOptions& options, Proximity& result
   result.insideUndefined = aInB_.enclosed().anyUndefined() || bInA_.enclosed().anyUndefined();
   result.collide =
     result.intersect || !aInB_.enclosed().points().empty() || !bInA_.enclosed().points().empty();
-  if (!result.collide)
+  if (!result.collide && !result.insideUndefined)
   {
     return;
   }
@@ -144,10 +173,12 @@ void PairProximity::penetrate(const ProximityOptions& options, Proximity& result
   constexpr double kAbsolute = 1e-5;
   const double absolute =
     kAbsolute * std::min(glm::length(a_.tree().box().size()), glm::length(b_.tree().box().size()));
+  listCrossings(intersections_, &SlotPair::a, crossings_[0]);
+  listCrossings(intersections_, &SlotPair::b, crossings_[1]);
   DeepPlace deepest = deeper(aInB_.deepestPoint(), bInA_.deepestPoint());
   DeepPlace found[2];
   both([&](int i, Penetration& way, const std::vector<int>& cut)
-    { found[i] = way.deepest(cut, deepest, options.depthTolerance, absolute); });
+    { found[i] = way.deepest(cut, crossings_[i], deepest, options.depthTolerance, absolute); });
   deepest = deeper(found[0], found[1]);
   result.depth = deepest.depth;
   result.deepestPoint = toPoint(deepest.point);
@@ -159,8 +190,7 @@ void PairProximity::penetrate(const ProximityOptions& options, Proximity& result
     {
       if (task == 0 && options.maxContacts > 0)
       {
-        contacts_.find(intersections_.pairs(), aInB_, bInA_, deepest, options.maxContacts,
-          result.contacts);
+        contacts_.find(intersections_, aInB_, bInA_, deepest, options.maxContacts, result.contacts);
       }
       if (task == 1 && options.translationalDepth)
       {

@@ -43,6 +43,7 @@ private:
   std::vector<glm::dvec3> directions_;
   std::vector<int> cutA_;
   std::vector<int> cutB_;
+  std::vector<CutPlace> crossings_[2]; ///< on A and on B
 };
 
 } // namespace medial

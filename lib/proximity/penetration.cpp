@@ -17,7 +17,9 @@ namespace
 /// Points whose searches follow each other, each from what the one before it found.
 constexpr std::size_t kBlock = 128;
 /// Where surfaces only touch, every place may be as deep as any other.
-constexpr int kMaxRefinements = 4000;
+constexpr int kMaxRefinements = 2500;
+/// Pairs of crossings of a triangle between which the depth is tried first.
+constexpr int kMaxSeeds = 12;
 
 double limitOf(double depth, double relative, double absolute)
 {
@@ -66,10 +68,11 @@ DeepPlace Penetration::deepestPoint() const
                                    : this->placeOf(std::distance(closest_.begin(), deepest));
 }
 
-DeepPlace Penetration::deepest(const std::vector<int>& cut, const DeepPlace& known, double relative,
-  double absolute)
+DeepPlace Penetration::deepest(const std::vector<int>& cut, const std::vector<CutPlace>& crossings,
+  const DeepPlace& known, double relative, double absolute)
 {
   DeepPlace best = known;
+  this->trySeeds(crossings, best);
   pieces_.clear();
   const double limit = limitOf(best.depth, relative, absolute);
   for (const int slot : cut)
@@ -103,6 +106,40 @@ DeepPlace Penetration::deepest(const std::vector<int>& cut, const DeepPlace& kno
   return best;
 }
 
+void Penetration::trySeeds(const std::vector<CutPlace>& crossings, DeepPlace& best) const
+{
+  const std::size_t count = crossings.size();
+  for (std::size_t begin = 0; begin < count;)
+  {
+    const int slot = crossings[begin].slot;
+    std::size_t end = begin;
+    while (end < count && crossings[end].slot == slot)
+    {
+      ++end;
+    }
+    int tried = 0;
+    for (std::size_t apart = 1; apart < end - begin && tried < kMaxSeeds; ++apart)
+    {
+      for (std::size_t i = begin; i + apart < end && tried < kMaxSeeds; ++i, ++tried)
+      {
+        this->tryPlace(0.5 * (crossings[i].point + crossings[i + apart].point), slot, best);
+      }
+    }
+    begin = end;
+  }
+}
+
+void Penetration::tryPlace(const glm::dvec3& x, int slot, DeepPlace& best) const
+{
+  const int hint = best.mesh == &mesh_ ? best.otherSlot : -1;
+  const ClosestElement closest = closestElement(other_, x, hint);
+  const double depth = std::sqrt(closest.squared);
+  if (depth > best.depth && solid_.placeOf(x) == Place::Inside)
+  {
+    best = { &mesh_, depth, x, closest.point, slot, closest.slot };
+  }
+}
+
 Penetration::Piece Penetration::wholeTriangle(int slot) const
 {
   Piece piece{ mesh_.element(slot).corners, 0.0, slot, -1 };
@@ -130,7 +167,13 @@ Penetration::Piece Penetration::wholeTriangle(int slot) const
 
 void Penetration::addPiece(const Piece& piece, double limit)
 {
-  if (piece.max > limit)
+  Box box;
+  for (const glm::dvec3& corner : piece.corners)
+  {
+    box.add(corner);
+  }
+  // No solid is outside the box of its surface.
+  if (piece.max > limit && box.overlaps(other_.tree().box()))
   {
     pieces_.push_back(piece);
     std::push_heap(pieces_.begin(), pieces_.end(),

@@ -23,6 +23,13 @@ struct DeepPlace
   int otherSlot = -1;        ///< of the other surface's
 };
 
+/// A place where a triangle is cut.
+struct CutPlace
+{
+  int slot;
+  glm::dvec3 point;
+};
+
 /// How deep the surface of one mesh is inside the solid of another (section 6 of the paper: the
 /// distance field of the other at the surface's points, and its maximum).
 class Penetration
@@ -49,9 +56,11 @@ public:
 
   /// Returns the deepest place of the surface, up to a tolerance, or a known one if that is deeper.
   /// @param cut as for find().
+  /// @param crossings where these elements are cut, by ascending slots: between two of them a
+  ///   triangle is deep, however thin the overlap.
   /// @param relative, absolute how far the depth may be below the largest.
-  DeepPlace deepest(const std::vector<int>& cut, const DeepPlace& known, double relative,
-    double absolute);
+  DeepPlace deepest(const std::vector<int>& cut, const std::vector<CutPlace>& crossings,
+    const DeepPlace& known, double relative, double absolute);
 
 private:
   /// A part of a triangle.
@@ -63,6 +72,8 @@ private:
     int hint; ///< slot of an element of the other mesh that may be near
   };
 
+  void trySeeds(const std::vector<CutPlace>& crossings, DeepPlace& best) const;
+  void tryPlace(const glm::dvec3& x, int slot, DeepPlace& best) const;
   /// Bounds the depths of a triangle by those of its corners that are inside.
   Piece wholeTriangle(int slot) const;
   void addPiece(const Piece& piece, double limit);

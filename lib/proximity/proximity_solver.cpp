@@ -159,7 +159,18 @@ ProximitySolver::ProximitySolver(std::vector<TriangleMesh> meshes)
     {
       throw Error(ErrorCode::InvalidInput, "mesh " + std::to_string(i) + " is empty");
     }
-    state_->bodies.push_back(std::make_unique<Body>(std::move(meshes[i])));
+    try
+    {
+      for (std::size_t point = 0; point < meshes[i].points.size(); ++point)
+      {
+        requireUsable(point, meshes[i].points[point]);
+      }
+      state_->bodies.push_back(std::make_unique<Body>(std::move(meshes[i])));
+    }
+    catch (const Error& error)
+    {
+      throw Error(error.code(), "mesh " + std::to_string(i) + ": " + error.what());
+    }
   }
   const int count = this->meshCount();
   for (int a = 0; a < count; ++a)

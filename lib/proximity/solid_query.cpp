@@ -1,9 +1,11 @@
 #include "proximity/solid_query.h"
 
+#include "proximity/exact_sign.h"
 #include "sign/closed_surface.h"
 #include "sign/line_crossing.h"
 
 #include <array>
+#include <optional>
 
 namespace medial
 {
@@ -87,10 +89,14 @@ int SolidQuery::crossingsBefore(const BoxTree::Node& leaf, const glm::dvec3& x) 
     {
       continue;
     }
-    if (const auto segment = cutAt(mesh_.element(slot).corners, x.z))
+    const std::array<glm::dvec3, 3> corners = mesh_.element(slot).corners;
+    const auto segment = cutAt(corners, x.z);
+    const auto crossing = segment ? crossLine(*segment, x.y) : std::nullopt;
+    // The line has come through where it comes in if x is behind the triangle, and where it goes
+    // out if x is before it. That is exact: no point hardly outside counts as inside.
+    if (crossing && orientation(corners[0], corners[1], corners[2], x) == crossing->direction)
     {
-      const auto crossing = crossLine(*segment, x.y);
-      sum += crossing && crossing->x < x.x ? crossing->direction * weight : 0;
+      sum += crossing->direction * weight;
     }
   }
   return sum;

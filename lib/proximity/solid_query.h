@@ -29,6 +29,8 @@ public:
 
   /// Must be called when the points of the mesh have moved.
   void update();
+  /// Whether the surface has holes.
+  bool open() const { return open_ != nullptr; }
   /// Several threads may ask at once.
   Place placeOf(const glm::dvec3& x) const;
 

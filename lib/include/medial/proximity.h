@@ -16,6 +16,9 @@ namespace medial
 /// How proximity is computed.
 struct ProximityOptions
 {
+  /// Whether to compute the separation of a pair that does not intersect; otherwise it is NaN, and
+  /// there are no witnesses.
+  bool separation = true;
   /// Whether to compute the depths of a pair that collides: Proximity::depth, and for every point
   /// inside Proximity::pointDepths.
   bool depths = true;
@@ -85,21 +88,25 @@ struct Proximity
   /// Penetration depth as in section 6 of the paper: the largest distance of a surface point of one
   /// mesh inside the other to the other's surface. 0 if they do not collide, NaN if
   /// insideUndefined or if depths were not asked for. It is the depth of a point of the surface,
-  /// and by the fraction depthTolerance at most below the largest.
+  /// and below the largest by the fraction depthTolerance at most, or by 1e-5 of the smaller mesh's
+  /// diagonal if that is more. Where large flat faces overlap the search may end before that is
+  /// certain.
   double depth = 0.0;
   Point3 deepestPoint{}; ///< where depth is; meaningless where that is 0 or NaN
 
   /// Length of the shortest translation that separates the solids: certified bounds. The lower one
   /// is the sum of the radii of a ball in A and a ball in B with the same centre; the upper one the
-  /// length of separatingTranslation. For two convex meshes both are the length itself, up to
-  /// rounding. [0, 0] if they do not collide, [0, infinity] if it was not asked for or is
+  /// length of separatingTranslation. For two convex meshes both are the length itself, up to 1e-8
+  /// of the diagonal; for others it also depends on the position how near they are to each other.
+  /// [0, 0] if they do not collide, [0, infinity] if it was not asked for or is
   /// undefined.
   DepthBounds translationalDepth;
   /// Moving A by it separates the pair: this was verified.
   Point3 separatingTranslation{};
 
-  std::vector<PointDepth> depthsOfA;      ///< points of A inside B, by ascending id
-  std::vector<PointDepth> depthsOfB;      ///< points of B inside A, by ascending id
+  /// Points of A inside B, by ascending id. Those on the surface of B may be among them.
+  std::vector<PointDepth> depthsOfA;
+  std::vector<PointDepth> depthsOfB;      ///< points of B inside A, likewise
   std::vector<ProximityContact> contacts; ///< by manifold, the deepest first
 
   double seconds = 0.0; ///< wall-clock time of this pair
@@ -111,7 +118,8 @@ struct Proximity
 /// have any topology, holes and degenerate triangles. Between frames the solver keeps connectivity
 /// and orientation, buffers, trees of boxes, which it refits, and the last witnesses.
 ///
-/// Results do not depend on the number of threads, and on earlier frames only in the last bits.
+/// Results do not depend on the number of threads, and on earlier frames only in the last bits; the
+/// bounds of translational depths more than that, since they depend on how elements are grouped.
 /// Swapping two meshes swaps the answer to the last bit.
 ///
 /// A solver must not be used by two threads at once.
@@ -120,8 +128,9 @@ class MEDIAL_EXPORT ProximitySolver
 public:
   /// Takes over the meshes in their first frame.
   /// @param meshes two or more.
-  /// @throws Error InvalidInput for fewer than two meshes, an empty one, or as
-  ///   analyseConnectivity(), naming the mesh by its index.
+  /// @throws Error InvalidInput for fewer than two meshes, an empty one, a coordinate
+  ///   that is not finite or beyond kMaxCoordinate, or as analyseConnectivity(), naming the mesh by
+  ///   its index.
   explicit ProximitySolver(std::vector<TriangleMesh> meshes);
   ~ProximitySolver();                                           ///< releases what it keeps
   ProximitySolver(ProximitySolver&& other) noexcept;            ///< leaves `other` without meshes
