@@ -29,7 +29,7 @@ std::string figuresOf(const Proximity& pair)
 {
   if (!pair.collide)
   {
-    return "separation " + shown(pair.separation);
+    return hasWitnesses(pair) ? "separation " + shown(pair.separation) : "no collision";
   }
   std::string text = "collide";
   if (std::isfinite(pair.depth))
@@ -57,7 +57,10 @@ std::vector<const Proximity*> byImportance(const std::vector<Proximity>& pairs)
     sorted.push_back(&pair);
   }
   const auto rank = [](const Proximity* pair)
-  { return pair->collide ? -1.0 - (pair->depth > 0.0 ? pair->depth : 0.0) : pair->separation; };
+  {
+    const double depth = pair->depth > 0.0 ? pair->depth : 0.0;
+    return pair->collide ? -1.0 - depth : hasWitnesses(*pair) ? pair->separation : 0.0;
+  };
   std::stable_sort(sorted.begin(), sorted.end(),
     [&](const Proximity* a, const Proximity* b) { return rank(a) < rank(b); });
   return sorted;

@@ -1,5 +1,7 @@
 #include "contact_data.h"
 
+#include "proximity_results.h"
+
 #include <vtkCellArray.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -80,6 +82,10 @@ void ContactData::addWitnesses(const std::vector<Proximity>& pairs, std::size_t 
 {
   for (const Proximity& pair : pairs)
   {
+    if (!hasWitnesses(pair))
+    {
+      continue;
+    }
     ProximityContact witness = witnessOf(pair);
     const vtkIdType a = this->addPoint(ClosestPoint, pair, witness, frame);
     if (pair.intersect)

@@ -26,7 +26,8 @@ public:
 
   /// Adds a vertex for each contact.
   void addContacts(const std::vector<Proximity>& pairs, std::size_t frame);
-  /// Adds for each pair a line from A to B, or the common point of surfaces that intersect.
+  /// Adds for each pair that has closest points a line from A to B, or the common point of surfaces
+  /// that intersect.
   void addWitnesses(const std::vector<Proximity>& pairs, std::size_t frame);
 
   /// The data set; holds what was added so far.

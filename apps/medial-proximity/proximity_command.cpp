@@ -35,6 +35,7 @@ struct ProximityTexts
   std::vector<std::string> inputs;
   std::vector<std::string> transforms;
   std::string json, contacts, image, animation;
+  bool noSeparation = false;
   bool noContacts = false;
   bool noDepths = false;
   bool noTranslation = false;
@@ -96,6 +97,10 @@ void addComputeOptions(CLI::App& app, ProximityTexts& texts, ProximityOptions& o
       "overlap, in [1, 2147483647]; default 4")
     ->option_text("K")
     ->check(within<int>("[1, 2147483647]", [](int k) { return k >= 1; }))
+    ->group(group);
+  app
+    .add_flag("--no-separation", texts.noSeparation,
+      "compute no separation and no closest points of meshes that do not intersect")
     ->group(group);
   app.add_flag("--no-contacts", texts.noContacts, "compute no contacts")->group(group);
   app.add_flag("--no-depths", texts.noDepths, "compute no depths, and so no contacts")
@@ -228,6 +233,7 @@ std::optional<ProximityCommand> parseProximityCommand(int argc, char** argv)
   }
   convertInputs(texts, command);
   convertOutputs(texts, command);
+  command.options.separation = !texts.noSeparation;
   command.options.depths = !texts.noDepths;
   command.options.translationalDepth = !texts.noTranslation;
   if (texts.noContacts || texts.noDepths)

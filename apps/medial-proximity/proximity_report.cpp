@@ -36,10 +36,13 @@ Json describeDepths(const ProximityOptions& options, const Proximity& pair)
 
 Json describe(const ProximityOptions& options, const Proximity& pair)
 {
+  const bool known = hasWitnesses(pair);
   Json json{ { "a", pair.meshA }, { "b", pair.meshB }, { "separation", pair.separation },
-    { "witness_a", pair.witnessA }, { "witness_b", pair.witnessB }, { "cell_a", pair.cellA },
-    { "cell_b", pair.cellB }, { "intersect", pair.intersect }, { "collide", pair.collide },
-    { "inside_undefined", pair.insideUndefined } };
+    { "witness_a", known ? Json(pair.witnessA) : Json() },
+    { "witness_b", known ? Json(pair.witnessB) : Json() },
+    { "cell_a", known ? Json(pair.cellA) : Json() },
+    { "cell_b", known ? Json(pair.cellB) : Json() }, { "intersect", pair.intersect },
+    { "collide", pair.collide }, { "inside_undefined", pair.insideUndefined } };
   json.update(describeDepths(options, pair));
   json["contacts"] = Json::array();
   for (const ProximityContact& contact : pair.contacts)

@@ -4,10 +4,18 @@
 
 #include "medial/proximity.h"
 
+#include <cmath>
 #include <vector>
 
 namespace medial::app
 {
+
+/// Whether the closest points of a pair are known: they are not for pairs that do not intersect
+/// with --no-separation.
+inline bool hasWitnesses(const Proximity& pair)
+{
+  return !std::isnan(pair.separation);
+}
 
 /// What was computed of one frame.
 struct FrameResult

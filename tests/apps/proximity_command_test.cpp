@@ -105,16 +105,30 @@ TEST_F(ProximityCommand, WhatIsSwitchedOffIsNull)
   EXPECT_EQ(pair(1.25, { "--max-contacts", "1" })["contacts"].size(), 1U);
 }
 
+TEST_F(ProximityCommand, CollisionsAlone)
+{
+  const std::vector<std::string> alone{ "--no-separation", "--no-depths", "--no-translation" };
+  const Json apart = pair(2.0, alone);
+  EXPECT_EQ(apart["collide"], false);
+  for (const char* key : { "separation", "witness_a", "witness_b", "cell_a", "cell_b" })
+  {
+    EXPECT_TRUE(apart[key].is_null()) << key;
+  }
+  EXPECT_EQ(pair(1.25, alone)["collide"], true);
+  EXPECT_EQ(pair(0.25, alone)["collide"], true);
+  EXPECT_TRUE(contains(run(2.0, alone).out, "    0    0    1            -       no"));
+}
+
+// Two open squares, whose winding number between them is about one half; the cube goes through one.
 TEST_F(ProximityCommand, DepthIsNullWhereAnOpenMeshLeavesItOpen)
 {
-  writeFile(small, offText(plates(1.0, 0.5)));
   writeFile(large, offText(plates(1.0, 1.0)));
-  const Json found = pair(0.5);
-  if (found["inside_undefined"].get<bool>())
-  {
-    EXPECT_TRUE(found["depth"].is_null());
-  }
+  const Json found = pair(0.9);
   EXPECT_EQ(found["intersect"], true);
+  EXPECT_EQ(found["inside_undefined"], true);
+  EXPECT_TRUE(found["depth"].is_null());
+  EXPECT_TRUE(found["separating_translation"].is_null());
+  EXPECT_EQ(found["contacts"], Json::array());
 }
 
 TEST_F(ProximityCommand, JsonHasExactlyTheDocumentedKeys)
@@ -252,10 +266,10 @@ TEST_F(ProximityCommand, HelpNamesEveryOption)
   const Outcome help = runMedialProximity({ "--help" });
   EXPECT_EQ(help.exitCode, 0);
   EXPECT_EQ(help.err, "");
-  for (const char* text :
-    { "MESH", "--json", "--contacts", "--image", "--animation", "--sequence", "--transform",
-      "--max-contacts", "--no-contacts", "--no-depths", "--no-translation", "--max-separation",
-      "--depth-tolerance", "--threads", "-q,--quiet", "--version", "Exit codes" })
+  for (const char* text : { "MESH", "--json", "--contacts", "--image", "--animation", "--sequence",
+         "--transform", "--max-contacts", "--no-separation", "--no-contacts", "--no-depths",
+         "--no-translation", "--max-separation", "--depth-tolerance", "--threads", "-q,--quiet",
+         "--version", "Exit codes" })
   {
     EXPECT_TRUE(contains(help.out, text)) << text;
   }
