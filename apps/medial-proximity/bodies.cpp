@@ -135,7 +135,7 @@ std::vector<Point3> Body::points(std::size_t frame) const
 
 vtkSmartPointer<vtkPoints> Body::seenPoints(std::size_t frame) const
 {
-  const vtkSmartPointer<vtkPoints> seen = ofFrame(sequence.frames, frame).seen;
+  vtkSmartPointer<vtkPoints> seen = ofFrame(sequence.frames, frame).seen;
   if (transforms.empty())
   {
     return seen;
