@@ -42,6 +42,7 @@ struct Row
   std::string mesh;
   std::string note; ///< what the reader must know of the mesh
   std::int64_t triangles = 0;
+  bool hasGrid = true; ///< false where no field was computed
   Grid grid;
   int rounds = 1; ///< slow methods skip some of them
   std::vector<MethodRun> runs;

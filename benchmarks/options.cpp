@@ -1,6 +1,7 @@
 #include "options.h"
 
 #include "methods/registry.h"
+#include "pairs/pair_registry.h"
 #include "suites/suite.h"
 
 #include <CLI/CLI.hpp>
@@ -22,12 +23,19 @@ std::vector<std::string> suiteNames()
   return names;
 }
 
+std::vector<std::string> allMethodIds()
+{
+  std::vector<std::string> ids = knownMethodIds();
+  ids.insert(ids.end(), knownPairMethodIds().begin(), knownPairMethodIds().end());
+  return ids;
+}
+
 void addOptions(CLI::App& app, Options& options, std::string& models)
 {
   app.add_option("--suite", options.suites, "what to compare; several may follow (default: peers)")
     ->check(CLI::IsMember(suiteNames()));
   app.add_option("--methods", options.methods, "only these methods")
-    ->check(CLI::IsMember(knownMethodIds()));
+    ->check(CLI::IsMember(allMethodIds()));
   app.add_option("--meshes", options.meshes, "only these meshes, by their names in the tables");
   app.add_option("--files", options.files, "meshes that the suite models measures besides its own")
     ->check(CLI::ExistingFile);
@@ -81,7 +89,7 @@ std::optional<Options> parseOptions(int argc, char** argv, int& exitCode)
 {
   Options options;
   std::string models;
-  CLI::App app("Compares Medial's distance fields with those of other methods.");
+  CLI::App app("Compares Medial with other methods.");
   addOptions(app, options, models);
   try
   {

@@ -1,14 +1,12 @@
 #include "methods/field_method.h"
 #include "methods/grid_blocks.h"
+#include "methods/vtk_mesh.h"
 
 #include "base/stopwatch.h"
 
 #include <tbb/task_arena.h>
 #include <tbb/task_group.h>
-#include <vtkCellArray.h>
 #include <vtkImplicitPolyDataDistance.h>
-#include <vtkNew.h>
-#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 #include <vtkVersion.h>
@@ -25,25 +23,6 @@ namespace
 
 /// One row of grid points in so many is evaluated.
 constexpr int kRowsPerSample = 64;
-
-vtkSmartPointer<vtkPolyData> makePolyData(const TriangleMesh& mesh)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (const Point3& p : mesh.points)
-  {
-    points->InsertNextPoint(p.data());
-  }
-  vtkNew<vtkCellArray> triangles;
-  for (const auto& t : mesh.triangles)
-  {
-    triangles->InsertNextCell({ t[0], t[1], t[2] });
-  }
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(points);
-  data->SetPolys(triangles);
-  return data;
-}
 
 using Row = std::array<int, 2>; ///< j, k
 

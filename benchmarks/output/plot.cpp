@@ -144,7 +144,11 @@ void draw(const CurvePlot& plot, const fs::path& folder)
       y.add(p[3]);
     }
   }
-  commands << logarithmicAxis("x", x.min, x.most) << logarithmicAxis("y", y.min, y.most);
+  if (plot.logarithmicX)
+  {
+    commands << logarithmicAxis("x", x.min, x.most);
+  }
+  commands << logarithmicAxis("y", y.min, y.most);
   for (std::size_t i = 0; i < plot.ticks.size(); ++i)
   {
     commands << (i == 0 ? "set xtics (" : ", ") << plot.ticks[i]

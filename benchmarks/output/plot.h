@@ -20,6 +20,7 @@ struct CurvePlot
 
   std::string name; ///< stem of the files
   std::string title, xLabel, yLabel;
+  bool logarithmicX = true;
   std::vector<double> ticks; ///< along x; empty for gnuplot's own
   std::vector<Curve> curves;
 };

@@ -81,11 +81,13 @@ json toJson(const MethodRun& run)
 json toJson(const Row& row)
 {
   json object = { { "mesh", row.mesh }, { "note", row.note }, { "triangles", row.triangles },
-    { "output_bytes", row.outputBytes() },
-    { "grid",
-      { { "dimensions", row.grid.dimensions }, { "spacing", row.grid.spacing },
-        { "origin", row.grid.origin } } },
     { "methods", json::array() } };
+  if (row.hasGrid)
+  {
+    object["output_bytes"] = row.outputBytes();
+    object["grid"] = { { "dimensions", row.grid.dimensions }, { "spacing", row.grid.spacing },
+      { "origin", row.grid.origin } };
+  }
   for (const MethodRun& run : row.runs)
   {
     object["methods"].push_back(toJson(run));
@@ -101,11 +103,15 @@ constexpr char kFieldsHow[] =
 std::string markdown(const SuiteReport& report, const Machine& machine)
 {
   std::ostringstream text;
-  text << "# " << report.title << "\n\n"
-       << machine.renderer << (machine.version.empty() ? "" : ", OpenGL ") << machine.version
-       << ", " << machine.cores << " cores" << (machine.processor.empty() ? "" : " (")
-       << machine.processor << (machine.processor.empty() ? "" : ")") << ", " << machine.date
-       << ". Median of " << report.rounds << (report.rounds == 1 ? " round" : " rounds")
+  text << "# " << report.title << "\n\n";
+  if (report.usesRenderer)
+  {
+    text << machine.renderer << (machine.version.empty() ? "" : ", OpenGL ") << machine.version
+         << ", ";
+  }
+  text << machine.cores << " cores" << (machine.processor.empty() ? "" : " (") << machine.processor
+       << (machine.processor.empty() ? "" : ")") << ", " << machine.date << ". Median of "
+       << report.rounds << (report.rounds == 1 ? " round" : " rounds")
        << " in which all methods take turns, slow ones in fewer; ratios are medians of the rounds' "
           "ratios. "
        << (report.how.empty() ? kFieldsHow : report.how) << "\n\n";

@@ -17,10 +17,11 @@ namespace medial::benchmark
 /// The results of a suite.
 struct SuiteReport
 {
-  std::string name;  ///< stem of the files
-  std::string title; ///< one line
-  int rounds = 1;    ///< in which the methods took turns
-  std::string how;   ///< what was timed; empty for whole distance fields
+  std::string name;         ///< stem of the files
+  std::string title;        ///< one line
+  bool usesRenderer = true; ///< whether the page names it
+  int rounds = 1;           ///< in which the methods took turns
+  std::string how;          ///< what was timed; empty for whole distance fields
   std::vector<std::string> notes;
   std::vector<Row> rows;
   std::vector<Target> targets;

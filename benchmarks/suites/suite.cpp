@@ -105,17 +105,26 @@ std::optional<Row> SuiteContext::measure(const MeshRequest& request, const MakeG
   return this->measure(request, makeGrid, methodIds, this->measurement());
 }
 
-void SuiteContext::noteAbsent(const std::vector<std::string>& methodIds, SuiteReport& report)
+void SuiteContext::noteAbsent(const std::vector<std::string>& wanted,
+  const std::vector<std::string>& built, SuiteReport& report)
 {
-  const auto& available = availableMethods();
-  for (const std::string& id : methodIds)
+  for (const std::string& id : wanted)
   {
-    if (std::none_of(available.begin(), available.end(),
-          [&](const MethodEntry& entry) { return entry.id == id; }))
+    if (std::find(built.begin(), built.end(), id) == built.end())
     {
       report.notes.push_back("Not part of this build: " + id + ".");
     }
   }
+}
+
+void SuiteContext::noteAbsent(const std::vector<std::string>& methodIds, SuiteReport& report)
+{
+  std::vector<std::string> built;
+  for (const MethodEntry& entry : availableMethods())
+  {
+    built.push_back(entry.id);
+  }
+  noteAbsent(methodIds, built, report);
 }
 
 SuiteContext::MakeGrid gridOfResolution(int resolution)
@@ -233,7 +242,7 @@ const std::vector<SuiteEntry>& suites()
 {
   static const std::vector<SuiteEntry> entries = { { "peers", runPeers }, { "table1", runTable1 },
     { "figure5", runFigure5 }, { "triangles", runTriangles }, { "models", runModels },
-    { "figure6", runFigure6 }, { "frames", runFrames } };
+    { "figure6", runFigure6 }, { "frames", runFrames }, { "proximity", runProximity } };
   return entries;
 }
 

@@ -48,6 +48,9 @@ public:
 
   /// Appends a note on the methods of these ids that this build lacks.
   static void noteAbsent(const std::vector<std::string>& methodIds, SuiteReport& report);
+  /// The same where other ids are those that are built.
+  static void noteAbsent(const std::vector<std::string>& wanted,
+    const std::vector<std::string>& built, SuiteReport& report);
 
 private:
   std::vector<MethodEntry> choose(const std::vector<std::string>& methodIds) const;
@@ -108,5 +111,6 @@ void runModels(const SuiteContext& context);
 void runFigure6(const SuiteContext& context);
 /// A deforming mesh: what frames share against a fresh computation of each.
 void runFrames(const SuiteContext& context);
+void runProximity(const SuiteContext& context);
 
 } // namespace medial::benchmark

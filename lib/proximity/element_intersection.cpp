@@ -262,9 +262,18 @@ bool crossing(const glm::dvec3& from, const glm::dvec3& to, const Element& trian
   {
     return false;
   }
-  // Rounded, these have the exact signs, so that ends in the plane are met exactly.
-  const double heightOfLow = std::abs(exact::determinant(a, b, c, low));
-  const double heightOfHigh = std::abs(exact::determinant(a, b, c, high));
+  const glm::dvec3 normal = glm::cross(b - a, c - a);
+  double heightOfLow = std::abs(glm::dot(normal, low - a));
+  double heightOfHigh = std::abs(glm::dot(normal, high - a));
+  constexpr double kUnreliable = 1e-8;
+  const double unreliable = kUnreliable * glm::length(normal) *
+    (glm::distance(low, high) + glm::distance(low, a) + glm::distance(a, b));
+  if (std::min(heightOfLow, heightOfHigh) < unreliable)
+  {
+    // Rounded, these have the exact signs, so that ends in the plane are met exactly.
+    heightOfLow = std::abs(exact::determinant(a, b, c, low));
+    heightOfHigh = std::abs(exact::determinant(a, b, c, high));
+  }
   const double t = heightOfLow / (heightOfLow + heightOfHigh);
   at = glm::clamp(glm::mix(low, high, t), glm::min(low, high), glm::max(low, high));
   return true;

@@ -23,8 +23,9 @@ bool intersect(const Element& a, const Element& b);
 /// answer is exact, and the same for both directions of the segment and any order of the triangle's
 /// corners.
 /// @param triangle with an area; nothing crosses other elements.
-/// @param[out] at set if the answer is true, rounded: off by a few units in the last place of the
-///   largest coordinate, within the box around the segment, and bit-equal for both directions.
+/// @param[out] at set if the answer is true, rounded: off by 1e-8 of the segment's length at most
+///   and mostly by a few units in the last place, within the box around the segment, and bit-equal
+///   for both directions.
 bool crossing(const glm::dvec3& from, const glm::dvec3& to, const Element& triangle,
   glm::dvec3& at);
 

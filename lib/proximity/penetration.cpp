@@ -108,6 +108,8 @@ DeepPlace Penetration::deepest(const std::vector<int>& cut, const std::vector<Cu
 
 void Penetration::trySeeds(const std::vector<CutPlace>& crossings, DeepPlace& best) const
 {
+  // Of triangles much larger than the depth only: the middles of others are as good.
+  constexpr double kLarge = 3.0;
   const std::size_t count = crossings.size();
   for (std::size_t begin = 0; begin < count;)
   {
@@ -117,7 +119,7 @@ void Penetration::trySeeds(const std::vector<CutPlace>& crossings, DeepPlace& be
     {
       ++end;
     }
-    int tried = 0;
+    int tried = this->wholeTriangle(slot).max > kLarge * best.depth ? 0 : kMaxSeeds;
     for (std::size_t apart = 1; apart < end - begin && tried < kMaxSeeds; ++apart)
     {
       for (std::size_t i = begin; i + apart < end && tried < kMaxSeeds; ++i, ++tried)

@@ -9,6 +9,7 @@
 #include "output/table.h"
 #include "output/target.h"
 #include "output/temporary_folder.h"
+#include "pairs/pair_race.h"
 #include "statistics.h"
 
 #include "support/brute_force.h"
@@ -147,6 +148,42 @@ TEST(BenchmarkFrames, BothWaysAgree)
     EXPECT_GT(race.solver.medianSeconds(), 0.0);
     EXPECT_EQ(race.fresh.ratios.size(), 2U);
   }
+}
+
+TEST(BenchmarkPairs, ComeFromAGapUntilTheirBoxesOverlap)
+{
+  const TriangleMesh mesh = bumpyTorus(300);
+  const MovingPair pair = deformingPair("tori", mesh, 4);
+  ASSERT_EQ(pair.pointsA.size(), 4U);
+  ASSERT_EQ(pair.pointsB.size(), 4U);
+  EXPECT_NE(pair.pointsA[0], pair.pointsA[1]);
+  for (std::size_t frame = 0; frame < 4; ++frame)
+  {
+    TriangleMesh a = pair.a;
+    TriangleMesh b = pair.b;
+    a.points = pair.pointsA[frame];
+    b.points = pair.pointsB[frame];
+    const Bounds boundsA = a.bounds();
+    const Bounds boundsB = b.bounds();
+    const double halves = 0.5 * (boundsA.max[0] - boundsA.min[0] + boundsB.max[0] - boundsB.min[0]);
+    EXPECT_NEAR((boundsA.max[0] - boundsB.min[0]) / halves,
+      -0.15 + 0.15 * static_cast<double>(frame), 1e-9);
+    EXPECT_NEAR(boundsA.min[1] + boundsA.max[1], boundsB.min[1] + boundsB.max[1], 1e-9);
+  }
+}
+
+TEST(BenchmarkPairs, DifferencesOfAnswers)
+{
+  PairRun truth;
+  truth.answers = { { false, 0.5, 0.0, 0.0, 0 }, { true, 0.0, 0.1, 0.2, 4 } };
+  PairRun run;
+  run.answers = { { true, 0.25, {}, 0.5, {} }, { true, 0.0, {}, 0.1, {} } };
+  const PairDifference difference = compareAnswers(run, truth);
+  EXPECT_TRUE(difference.hasCollisions);
+  EXPECT_EQ(difference.wrongCollisions, 1);
+  EXPECT_EQ(difference.separation, 0.25);
+  EXPECT_FALSE(difference.hasPointDepth);
+  EXPECT_EQ(difference.depthRatio, 0.5);
 }
 
 /// All exact methods that this build has.

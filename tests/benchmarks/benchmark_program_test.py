@@ -15,7 +15,9 @@ from pathlib import Path
 PROGRAM = sys.argv[1]
 RASTERISER_SUITES = ["peers", "table1", "figure5", "figure6"]
 FIELD_SUITES = [*RASTERISER_SUITES, "triangles", "models"]
-SUITES = [*FIELD_SUITES, "frames"]
+SUITES = [*FIELD_SUITES, "frames", "proximity"]
+FIRST_METHODS = {"frames": ["solver"],
+                 "proximity": ["medial-depths", "medial-all", "medial-collision"]}
 EXACT = {"medial": 1e-2, "medial-raster": 1e-2, "embree": 1e-2, "cgal": 1e-2, "vtk": 1e-2}  # voxels
 
 
@@ -80,8 +82,7 @@ class BenchmarkProgram(unittest.TestCase):
         for suite in SUITES:
             report = self.report(suite)
             for row in report["rows"]:
-                self.assertEqual(row["methods"][0]["id"],
-                                 "medial" if suite in FIELD_SUITES else "solver")
+                self.assertIn(row["methods"][0]["id"], FIRST_METHODS.get(suite, ["medial"]))
                 for method in row["methods"]:
                     with self.subTest(suite=suite, mesh=row["mesh"], method=method["id"]):
                         self.assertNotIn("failure", method)
@@ -150,6 +151,21 @@ class BenchmarkProgram(unittest.TestCase):
                             self.assertGreater(accuracy["checked_points"], 0)
                             self.assertLess(accuracy["greatest_voxels"], EXACT[method["id"]])
                             self.assertEqual(accuracy.get("wrong_triangle_share", 0), 0)
+
+    def test_methods_agree_how_pairs_lie(self):
+        rows = self.report("proximity")["rows"]
+        self.assertEqual(len(rows), 4 * 3)
+        for row in rows:
+            for method in row["methods"]:
+                with self.subTest(pair=row["mesh"], method=method["id"]):
+                    figures = method["figures"]
+                    self.assertEqual(figures.get("wrong_collisions", 0), 0)
+                    self.assertLess(figures.get("separation_difference", 0), 1e-12)
+                    self.assertLess(figures.get("point_depth_difference", 0), 1e-12)
+                    self.assertTrue(math.isfinite(figures["apart"]))
+                    self.assertTrue(math.isfinite(figures["colliding"]))
+        self.assertNotIn(self.report("proximity")["machine"]["renderer"],
+                         (self.folder / "proximity.md").read_text())
 
     @unittest.skipUnless(shutil.which("gnuplot"), "gnuplot is not installed")
     def test_plots_named_by_the_tables_exist(self):
