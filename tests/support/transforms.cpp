@@ -1,6 +1,7 @@
 #include "support/transforms.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <utility>
@@ -93,6 +94,20 @@ TriangleMesh scaled(TriangleMesh mesh, double factor)
   return transformed(std::move(mesh),
     [=](const Point3& p) -> Point3 {
       return { factor * p[0], factor * p[1], factor * p[2] };
+    });
+}
+
+TriangleMesh turned(TriangleMesh mesh, int axis, double angle)
+{
+  const int u = (axis + 1) % 3;
+  const int v = (axis + 2) % 3;
+  return transformed(std::move(mesh),
+    [=](Point3 p)
+    {
+      const double x = p[u];
+      p[u] = std::cos(angle) * x - std::sin(angle) * p[v];
+      p[v] = std::sin(angle) * x + std::cos(angle) * p[v];
+      return p;
     });
 }
 

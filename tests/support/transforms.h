@@ -25,6 +25,9 @@ TriangleMesh translated(TriangleMesh mesh, const Point3& offset);
 /// @param factor > 0.
 TriangleMesh scaled(TriangleMesh mesh, double factor);
 
+/// Turned about coordinate axis 0, 1 or 2 by an angle in radians, anticlockwise seen from its tip.
+TriangleMesh turned(TriangleMesh mesh, int axis, double angle);
+
 /// A quarter turn about coordinate axis 0, 1 or 2, anticlockwise seen from its tip; exact.
 TriangleMesh rotated90(TriangleMesh mesh, int axis);
 

@@ -20,23 +20,10 @@ using medial::TriangleMesh;
 using medial::test::box;
 using medial::test::subdivided;
 using medial::test::translated;
+using medial::test::turned;
 
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kDegree = kPi / 180.0;
-
-/// Turns about the axis 0, 1 or 2.
-TriangleMesh turned(TriangleMesh mesh, int axis, double angle)
-{
-  for (Point3& p : mesh.points)
-  {
-    double& u = p[(axis + 1) % 3];
-    double& v = p[(axis + 2) % 3];
-    const double x = u;
-    u = std::cos(angle) * x - std::sin(angle) * v;
-    v = std::sin(angle) * x + std::cos(angle) * v;
-  }
-  return mesh;
-}
 
 double lowest(const TriangleMesh& mesh)
 {

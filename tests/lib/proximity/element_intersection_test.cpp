@@ -1,7 +1,7 @@
 // Whether elements share a point, against separating axes in integers.
 #include "proximity/element_intersection.h"
 
-#include "lib/proximity/integers.h"
+#include "lib/proximity/integer_elements.h"
 
 #include <gtest/gtest.h>
 
@@ -18,75 +18,10 @@ namespace medial::test
 namespace
 {
 
-/// An element in integers.
-using Corners = std::array<IntegerVector, 3>;
-
 Corners cornersOf(const Element& element, int exponent)
 {
   return { multiples(element.corners[0], exponent), multiples(element.corners[1], exponent),
     multiples(element.corners[2], exponent) };
-}
-
-/// The least and the greatest product of the corners with an axis.
-std::pair<Integer, Integer> extentAlong(const IntegerVector& axis, const Corners& corners)
-{
-  return std::minmax({ dot(axis, corners[0]), dot(axis, corners[1]), dot(axis, corners[2]) });
-}
-
-/// The corners as seen from a point, which makes their coordinates small.
-Corners seenFrom(const IntegerVector& origin, const Corners& corners)
-{
-  return { difference(corners[0], origin), difference(corners[1], origin),
-    difference(corners[2], origin) };
-}
-
-bool separates(const IntegerVector& axis, const Corners& a, const Corners& b)
-{
-  const auto [lowA, highA] = extentAlong(axis, a);
-  const auto [lowB, highB] = extentAlong(axis, b);
-  return highA < lowB || highB < lowA;
-}
-
-/// The edges of both elements, and a vector between them.
-std::vector<IntegerVector> directionsOf(const Corners& a, const Corners& b)
-{
-  std::vector<IntegerVector> directions{ difference(b[0], a[0]) };
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    directions.push_back(difference(a[(i + 1) % 3], a[i]));
-    directions.push_back(difference(b[(i + 1) % 3], b[i]));
-  }
-  return directions;
-}
-
-/// Convex hulls of corners are apart if their Minkowski difference does not hold the origin: a
-/// facet of it is between. Its normal is a product of two edges; of an edge and the normal of the
-/// plane in which all edges lie; or, where they lie on a line, of the line and a plane through it
-/// and the origin, or along the line.
-bool areApart(const Corners& a, const Corners& b)
-{
-  const std::vector<IntegerVector> directions = directionsOf(a, b);
-  std::vector<IntegerVector> axes = directions;
-  for (std::size_t i = 0; i < directions.size(); ++i)
-  {
-    for (std::size_t j = i + 1; j < directions.size(); ++j)
-    {
-      axes.push_back(cross(directions[i], directions[j]));
-    }
-  }
-  const Corners nearA = seenFrom(a[0], a);
-  const Corners nearB = seenFrom(a[0], b);
-  const auto isBetween = [&](const IntegerVector& axis) { return separates(axis, nearA, nearB); };
-  if (std::any_of(axes.begin(), axes.end(), isBetween))
-  {
-    return true;
-  }
-  return std::any_of(axes.begin() + static_cast<std::ptrdiff_t>(directions.size()), axes.end(),
-    [&](const IntegerVector& normal)
-    {
-      return std::any_of(directions.begin(), directions.end(),
-        [&](const IntegerVector& direction) { return isBetween(cross(normal, direction)); });
-    });
 }
 
 Element reversed(const Element& element)

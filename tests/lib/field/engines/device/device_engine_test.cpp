@@ -14,20 +14,18 @@
 #include "medial/medial_solver.h"
 #include "support/collecting_sink.h"
 #include "support/field_checks.h"
+#include "support/resident_memory.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <memory>
 #include <numeric>
 #include <string>
 #include <thread>
 #include <vector>
-
-#include <unistd.h>
 
 namespace medial::test
 {
@@ -265,16 +263,6 @@ TEST(DeviceEngine, MovesFewBytes)
   EXPECT_LE(second.bytesUploaded, 12 * vertices + 4096);
   EXPECT_LE(second.bytesReadBack, 8 * grid.pointCount() + 65536);
   EXPECT_EQ(second.dispatches, first.dispatches);
-}
-
-/// Resident memory of this process, MiB.
-double residentMiB()
-{
-  std::ifstream file("/proc/self/statm");
-  double total = 0.0;
-  double resident = 0.0;
-  file >> total >> resident;
-  return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / (1 << 20);
 }
 
 TEST(DeviceEngine, LeaksNothingOverManyFrames)
