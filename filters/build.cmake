@@ -1,7 +1,8 @@
 # Builds the VTK module in this folder as Medial::Filters and, if wanted, wraps it for Python. Included,
 # not added: VTK adds this folder itself. Without COMPONENTS, find_package(VTK) looks for everything that
 # VTK was ever built with.
-set(MEDIAL_VTK_COMPONENTS CommonCore CommonDataModel CommonExecutionModel CommonMisc FiltersCore)
+set(MEDIAL_VTK_COMPONENTS CommonCore CommonDataModel CommonExecutionModel CommonMath CommonMisc
+  CommonTransforms FiltersCore FiltersGeneral)
 set(wrapping)
 if(MEDIAL_BUILD_PYTHON)
   set(wrapping Python WrappingPythonCore)

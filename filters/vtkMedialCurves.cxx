@@ -146,8 +146,11 @@ vtkMedialCurves::vtkMedialCurves() = default;
 vtkMedialCurves::~vtkMedialCurves() = default;
 
 //------------------------------------------------------------------------------
-void vtkMedialCurves::Execute(vtkPolyData* input, vtkPolyData* output)
+void vtkMedialCurves::Execute(const std::vector<vtkPolyData*>& inputs,
+  const std::vector<vtkPolyData*>& outputs)
 {
+  vtkPolyData* input = inputs[0];
+  vtkPolyData* output = outputs[0];
   vtkProgressBridge progress(this);
   progress.ReportOrStop(0.0, "edges");
   const medial::AxisEdges edges = EdgesOf(input);

@@ -77,7 +77,8 @@ protected:
   vtkMedialCurves();
   ~vtkMedialCurves() override;
 
-  void Execute(vtkPolyData* input, vtkPolyData* output) override;
+  void Execute(const std::vector<vtkPolyData*>& inputs,
+    const std::vector<vtkPolyData*>& outputs) override;
 
   vtkTypeBool Rims = true;
   vtkTypeBool Seams = true;

@@ -214,3 +214,9 @@ void vtkProgressBridge::ReportOrStop(double fraction, const char* phase)
     throw medial::Error(medial::ErrorCode::Cancelled, "cancelled");
   }
 }
+
+//------------------------------------------------------------------------------
+void vtkProgressPart::report(double fraction, const char* phase)
+{
+  this->Bridge.report(this->From + fraction * (this->To - this->From), phase);
+}

@@ -80,4 +80,26 @@ private:
   vtkAlgorithm* Algorithm;
 };
 
+/**
+ * Progress of the library as a part of the execution, from one share of the work to another.
+ */
+class vtkProgressPart : public medial::Progress
+{
+public:
+  vtkProgressPart(vtkProgressBridge& bridge, double from, double to)
+    : Bridge(bridge)
+    , From(from)
+    , To(to)
+  {
+  }
+
+  void report(double fraction, const char* phase) override;
+  bool cancelled() override { return this->Bridge.cancelled(); }
+
+private:
+  vtkProgressBridge& Bridge;
+  double From;
+  double To;
+};
+
 #endif

@@ -9,6 +9,30 @@
 
 #include "medial/error.h"
 
+#include <algorithm>
+#include <string>
+
+namespace
+{
+
+//------------------------------------------------------------------------------
+std::vector<vtkPolyData*> InputsOf(vtkInformationVector** inputVector, int ports)
+{
+  std::vector<vtkPolyData*> inputs;
+  for (int port = 0; port < ports; ++port)
+  {
+    inputs.push_back(vtkPolyData::GetData(inputVector[port]));
+    if (!inputs.back())
+    {
+      throw medial::Error(medial::ErrorCode::InvalidInput,
+        "the input of port " + std::to_string(port) + " is not a vtkPolyData");
+    }
+  }
+  return inputs;
+}
+
+} // namespace
+
 //------------------------------------------------------------------------------
 vtkMedialPolyDataAlgorithm::vtkMedialPolyDataAlgorithm() = default;
 
@@ -19,7 +43,10 @@ vtkMedialPolyDataAlgorithm::~vtkMedialPolyDataAlgorithm() = default;
 int vtkMedialPolyDataAlgorithm::RequestInformation(vtkInformation*, vtkInformationVector**,
   vtkInformationVector* outputVector)
 {
-  outputVector->GetInformationObject(0)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+  {
+    outputVector->GetInformationObject(port)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+  }
   return 1;
 }
 
@@ -27,15 +54,19 @@ int vtkMedialPolyDataAlgorithm::RequestInformation(vtkInformation*, vtkInformati
 int vtkMedialPolyDataAlgorithm::RequestUpdateExtent(vtkInformation*,
   vtkInformationVector** inputVector, vtkInformationVector*)
 {
-  vtkRequestWhole(inputVector[0]->GetInformationObject(0));
+  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
+  {
+    vtkRequestWhole(inputVector[port]->GetInformationObject(0));
+  }
   return 1;
 }
 
 //------------------------------------------------------------------------------
-int vtkMedialPolyDataAlgorithm::RequestData(vtkInformation*, vtkInformationVector** inputVector,
-  vtkInformationVector* outputVector)
+int vtkMedialPolyDataAlgorithm::RequestData(vtkInformation* request,
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkInformation* outInfo = outputVector->GetInformationObject(0);
+  const int port = std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
+  vtkInformation* outInfo = outputVector->GetInformationObject(port);
   // Assigned, since SetErrorCode() would modify the filter while it executes.
   this->ErrorCode = vtkErrorCode::NoError;
   if (outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0)
@@ -45,12 +76,12 @@ int vtkMedialPolyDataAlgorithm::RequestData(vtkInformation*, vtkInformationVecto
   const bool done = vtkRunGuarded(this, this->ErrorCode,
     [&]
     {
-      vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
-      if (!input)
+      std::vector<vtkPolyData*> outputs;
+      for (int i = 0; i < this->GetNumberOfOutputPorts(); ++i)
       {
-        throw medial::Error(medial::ErrorCode::InvalidInput, "the input is not a vtkPolyData");
+        outputs.push_back(vtkPolyData::GetData(outputVector, i));
       }
-      this->Execute(input, vtkPolyData::GetData(outInfo));
+      this->Execute(InputsOf(inputVector, this->GetNumberOfInputPorts()), outputs);
     });
   return done ? 1 : vtkEndWithoutOutput(this, outputVector);
 }

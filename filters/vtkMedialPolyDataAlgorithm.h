@@ -1,10 +1,9 @@
 /**
  * @class   vtkMedialPolyDataAlgorithm
- * @brief   superclass of the filters that make a vtkPolyData of a vtkPolyData, without a distance
- * field
+ * @brief   superclass of the filters that make vtkPolyData of vtkPolyData, without a distance field
  *
- * vtkMedialPolyDataAlgorithm executes vtkMedialThickness, vtkMedialReconstruction and
- * vtkMedialCurves: their errors, abort and parallel pipelines are the same.
+ * vtkMedialPolyDataAlgorithm executes vtkMedialThickness, vtkMedialReconstruction, vtkMedialCurves
+ * and vtkMeshProximity: their errors, abort and parallel pipelines are the same.
  *
  * @par Errors:
  * A parameter outside its range and input that cannot be used are reported by one vtkErrorMacro
@@ -18,11 +17,12 @@
  * filter, and the next Update() executes again.
  *
  * @par Parallel pipelines:
- * The output is not split: piece 0 is all of it, every other piece is empty. Whatever piece is
- * requested, the filter asks for its whole input.
+ * No output is split: piece 0 is all of it, every other piece is empty. Whatever piece is
+ * requested, the filter asks for the whole of its inputs.
  *
  * @sa
- * vtkMedialThickness vtkMedialReconstruction vtkMedialCurves vtkMeshFieldAlgorithm
+ * vtkMedialThickness vtkMedialReconstruction vtkMedialCurves vtkMeshProximity
+ * vtkMeshFieldAlgorithm
  */
 
 #ifndef vtkMedialPolyDataAlgorithm_h
@@ -30,6 +30,8 @@
 
 #include "vtkMedialFiltersModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
+
+#include <vector> // For the data of all ports
 
 class VTKMEDIALFILTERS_EXPORT vtkMedialPolyDataAlgorithm : public vtkPolyDataAlgorithm
 {
@@ -51,10 +53,12 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   /**
-   * Fills the empty output. What it throws becomes an error or, where it is medial::Error
-   * Cancelled, the end of an execution that was aborted.
+   * Fills the empty outputs, one for each output port, from the inputs, one for each input port.
+   * What it throws becomes an error or, where it is medial::Error Cancelled, the end of an
+   * execution that was aborted.
    */
-  virtual void Execute(vtkPolyData* input, vtkPolyData* output) = 0;
+  virtual void Execute(const std::vector<vtkPolyData*>& inputs,
+    const std::vector<vtkPolyData*>& outputs) = 0;
 
 private:
   vtkMedialPolyDataAlgorithm(const vtkMedialPolyDataAlgorithm&) = delete;

@@ -30,26 +30,6 @@ constexpr double FieldShare = 0.9;
 constexpr int BytesPerGridPoint = 2 * sizeof(float) + 1;
 
 //------------------------------------------------------------------------------
-/// Progress of the field as a part of the execution.
-class FieldProgress : public medial::Progress
-{
-public:
-  explicit FieldProgress(vtkProgressBridge& bridge)
-    : Bridge(bridge)
-  {
-  }
-
-  void report(double fraction, const char* phase) override
-  {
-    this->Bridge.report(FieldShare * fraction, phase);
-  }
-  bool cancelled() override { return this->Bridge.cancelled(); }
-
-private:
-  vtkProgressBridge& Bridge;
-};
-
-//------------------------------------------------------------------------------
 // The contour filter makes points in single precision, which suffices only near the origin.
 void MoveTo(const medial::Point3& origin, vtkPolyData* surface)
 {
@@ -97,17 +77,18 @@ vtkMedialReconstruction::vtkMedialReconstruction() = default;
 vtkMedialReconstruction::~vtkMedialReconstruction() = default;
 
 //------------------------------------------------------------------------------
-void vtkMedialReconstruction::Execute(vtkPolyData* input, vtkPolyData* output)
+void vtkMedialReconstruction::Execute(const std::vector<vtkPolyData*>& inputs,
+  const std::vector<vtkPolyData*>& outputs)
 {
   vtkProgressBridge bridge(this);
-  FieldProgress progress(bridge);
-  const medial::MedialModel model = vtkMedialModelConversion::ToMedialModel(input);
+  vtkProgressPart progress(bridge, 0.0, FieldShare);
+  const medial::MedialModel model = vtkMedialModelConversion::ToMedialModel(inputs[0]);
   const medial::Grid grid = medial::makeGrid(medial::modelBounds(model), this->Resolution);
   medial::requireMemory(grid.pointCount(), BytesPerGridPoint);
   const std::vector<float> field =
     medial::computeReconstruction(model, grid, { this->Interpolate != 0, { 0, &progress } });
   bridge.ReportOrStop(FieldShare, "contour");
-  Contour(grid, field, output);
+  Contour(grid, field, outputs[0]);
 }
 
 //------------------------------------------------------------------------------

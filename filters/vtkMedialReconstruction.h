@@ -70,7 +70,8 @@ protected:
   vtkMedialReconstruction();
   ~vtkMedialReconstruction() override;
 
-  void Execute(vtkPolyData* input, vtkPolyData* output) override;
+  void Execute(const std::vector<vtkPolyData*>& inputs,
+    const std::vector<vtkPolyData*>& outputs) override;
 
   int Resolution = 128;
   vtkTypeBool Interpolate = true;

@@ -23,8 +23,11 @@ const char* vtkMedialThickness::GetSideAsString()
 }
 
 //------------------------------------------------------------------------------
-void vtkMedialThickness::Execute(vtkPolyData* input, vtkPolyData* output)
+void vtkMedialThickness::Execute(const std::vector<vtkPolyData*>& inputs,
+  const std::vector<vtkPolyData*>& outputs)
 {
+  vtkPolyData* input = inputs[0];
+  vtkPolyData* output = outputs[0];
   vtkProgressBridge progress(this);
   medial::ThicknessOptions options;
   options.angle = this->Angle;

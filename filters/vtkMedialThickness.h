@@ -88,7 +88,8 @@ protected:
   vtkMedialThickness();
   ~vtkMedialThickness() override;
 
-  void Execute(vtkPolyData* input, vtkPolyData* output) override;
+  void Execute(const std::vector<vtkPolyData*>& inputs,
+    const std::vector<vtkPolyData*>& outputs) override;
 
   double Angle = 60.0;
   int Side = INTERIOR;

@@ -121,4 +121,28 @@ void checkExtension(const char* option, const std::filesystem::path& path,
       "', allowed:" + list);
 }
 
+void checkNotTheInput(const char* option, const std::filesystem::path& path,
+  const std::filesystem::path& input)
+{
+  std::error_code ignored;
+  if (!path.empty() && std::filesystem::equivalent(input, path, ignored))
+  {
+    throw Failure(ExitCode::Usage,
+      std::string(option) + " " + path.string() + " is the input file itself");
+  }
+}
+
+void checkDistinct(const char* option, const std::filesystem::path& path, const char* other,
+  const std::filesystem::path& otherPath)
+{
+  std::error_code ignored;
+  if (!path.empty() &&
+    std::filesystem::weakly_canonical(path, ignored) ==
+      std::filesystem::weakly_canonical(otherPath, ignored))
+  {
+    throw Failure(ExitCode::Usage,
+      std::string(option) + " and " + other + " name the same file, " + path.string());
+  }
+}
+
 } // namespace medial::app

@@ -1,5 +1,5 @@
-# Bash completion for medial-axis, medial-measure and medial-viewer. It offers the options of --help, and
-# files with the extensions that an option accepts.
+# Bash completion for medial-axis, medial-measure, medial-proximity and medial-viewer. It offers the options
+# of --help, and files with the extensions that an option accepts.
 
 # _medial_files WORD EXTENSION...: prints the files that begin with WORD and have one of the extensions, and
 # folders.
@@ -25,6 +25,8 @@ _medial_values()
     --engine) compgen -W "auto device rasteriser processor" -- "$2" ;;
     -o | --output) _medial_files "$2" vtp ply obj ma ;;
     --curves | --thickness) _medial_files "$2" vtp ;;
+    --contacts) _medial_files "$2" vtp pvd ;;
+    --animation) compgen -d -- "$2" ;;
     --field) _medial_files "$2" vti pvti ;;
     --image | --thickness-image | --screenshot) _medial_files "$2" png ;;
     --html) _medial_files "$2" html ;;
@@ -60,4 +62,4 @@ _medial()
   fi
 }
 
-complete -o filenames -F _medial medial-axis medial-measure medial-viewer
+complete -o filenames -F _medial medial-axis medial-measure medial-proximity medial-viewer

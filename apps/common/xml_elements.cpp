@@ -203,4 +203,30 @@ std::vector<XmlElement> scanXml(std::string_view content, std::string_view last)
   return XmlScanner(content, last).scan();
 }
 
+std::string escapedXml(const std::string& text)
+{
+  std::string result;
+  for (const char character : text)
+  {
+    switch (character)
+    {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        result += character;
+    }
+  }
+  return result;
+}
+
 } // namespace medial::app

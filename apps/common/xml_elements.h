@@ -28,4 +28,7 @@ struct XmlElement
 /// @throws Error InvalidInput, without the name of the file.
 std::vector<XmlElement> scanXml(std::string_view content, std::string_view last);
 
+/// A text as it stands in an attribute of XML.
+std::string escapedXml(const std::string& text);
+
 } // namespace medial::app

@@ -20,7 +20,6 @@ namespace
 
 constexpr double kMargin = 1.06;
 
-// The visible points: those of cells, or all points of a mesh without cells.
 std::vector<std::array<double, 3>> seenPoints(vtkPolyData* mesh)
 {
   std::vector<bool> seen(mesh->GetNumberOfPoints(), mesh->GetNumberOfCells() == 0);
@@ -46,13 +45,23 @@ std::vector<std::array<double, 3>> seenPoints(vtkPolyData* mesh)
 
 } // namespace
 
-void aimCamera(vtkCamera* camera, vtkPolyData* surface)
+void addSeenPoints(vtkPolyData* mesh, vtkBoundingBox& bounds)
 {
-  vtkBoundingBox bounds;
-  for (const std::array<double, 3>& point : seenPoints(surface))
+  for (const std::array<double, 3>& point : seenPoints(mesh))
   {
     bounds.AddPoint(point[0], point[1], point[2]);
   }
+}
+
+void aimCamera(vtkCamera* camera, vtkPolyData* surface)
+{
+  vtkBoundingBox bounds;
+  addSeenPoints(surface, bounds);
+  aimCamera(camera, bounds);
+}
+
+void aimCamera(vtkCamera* camera, const vtkBoundingBox& bounds)
+{
   const std::array<double, 3> size = { bounds.GetLength(0), bounds.GetLength(1),
     bounds.GetLength(2) };
   const bool zUp = size[1] < std::min(size[0], size[2]);
@@ -66,40 +75,53 @@ void aimCamera(vtkCamera* camera, vtkPolyData* surface)
   camera->ParallelProjectionOn();
 }
 
-void fitView(vtkRenderer* renderer, std::initializer_list<vtkPolyData*> meshes, double aspect,
-  double barShare)
+void addSeenPoints(vtkPolyData* mesh, vtkCamera* camera, vtkBoundingBox& bounds)
+{
+  vtkMatrix4x4* view = camera->GetViewTransformMatrix();
+  for (const std::array<double, 3>& position : seenPoints(mesh))
+  {
+    double point[4] = { position[0], position[1], position[2], 1.0 };
+    view->MultiplyPoint(point, point);
+    bounds.AddPoint(point);
+  }
+}
+
+void fitView(vtkRenderer* renderer, const vtkBoundingBox& bounds, double aspect,
+  const Margins& margins)
 {
   vtkCamera* camera = renderer->GetActiveCamera();
-  vtkMatrix4x4* view = camera->GetViewTransformMatrix();
-  vtkBoundingBox seen;
-  for (vtkPolyData* mesh : meshes)
-  {
-    for (const std::array<double, 3>& position : seenPoints(mesh))
-    {
-      double point[4] = { position[0], position[1], position[2], 1.0 };
-      view->MultiplyPoint(point, point);
-      seen.AddPoint(point);
-    }
-  }
-  const double halfHeight =
-    std::max(seen.GetLength(1), seen.GetLength(0) / (aspect * (1.0 - barShare))) * 0.5;
+  const double halfHeight = std::max(bounds.GetLength(1) / (1.0 - margins.top - margins.bottom),
+                              bounds.GetLength(0) / (aspect * (1.0 - margins.right))) *
+    0.5;
   const double scale = halfHeight > 0.0 ? halfHeight * kMargin : 1.0;
 
-  // From the camera's coordinates to those of the world, with room for the bar on the right.
+  // From the camera's coordinates to those of the world, with room at the edges.
   double centre[4] = { 0.0, 0.0, 0.0, 1.0 };
-  seen.GetCenter(centre);
-  centre[0] += scale * aspect * barShare;
+  bounds.GetCenter(centre);
+  centre[0] += scale * aspect * margins.right;
+  centre[1] += scale * (margins.top - margins.bottom);
   vtkNew<vtkMatrix4x4> toWorld;
-  vtkMatrix4x4::Invert(view, toWorld);
+  vtkMatrix4x4::Invert(camera->GetViewTransformMatrix(), toWorld);
   toWorld->MultiplyPoint(centre, centre);
   double direction[3];
   camera->GetDirectionOfProjection(direction);
-  const double distance = 2.0 * seen.GetMaxLength() + scale;
+  const double distance = 2.0 * bounds.GetMaxLength() + scale;
   camera->SetFocalPoint(centre);
   camera->SetPosition(centre[0] - distance * direction[0], centre[1] - distance * direction[1],
     centre[2] - distance * direction[2]);
   camera->SetParallelScale(scale);
   renderer->ResetCameraClippingRange();
+}
+
+void fitView(vtkRenderer* renderer, std::initializer_list<vtkPolyData*> meshes, double aspect,
+  double barShare)
+{
+  vtkBoundingBox seen;
+  for (vtkPolyData* mesh : meshes)
+  {
+    addSeenPoints(mesh, renderer->GetActiveCamera(), seen);
+  }
+  fitView(renderer, seen, aspect, { barShare });
 }
 
 } // namespace medial::app

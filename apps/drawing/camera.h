@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vtkBoundingBox.h>
+
 #include <initializer_list>
 
 class vtkCamera;
@@ -9,9 +11,32 @@ class vtkRenderer;
 namespace medial::app
 {
 
+/// What is left free at the edges of a picture, as shares of its width and height, in [0, 1).
+struct Margins
+{
+  double right = 0.0;
+  double top = 0.0;
+  double bottom = 0.0;
+};
+
+/// Adds the visible points of a mesh: those of cells, or all points of a mesh without cells.
+void addSeenPoints(vtkPolyData* mesh, vtkBoundingBox& bounds);
+
+///@{
 /// Looks in parallel projection along the thinnest axis of the mesh, so that its widest side is in
 /// front, from a quarter to the right and from above. Up is y, or z where the mesh is flat along y.
 void aimCamera(vtkCamera* camera, vtkPolyData* surface);
+void aimCamera(vtkCamera* camera, const vtkBoundingBox& bounds);
+///@}
+
+/// Adds the visible points of a mesh in the camera's coordinates.
+void addSeenPoints(vtkPolyData* mesh, vtkCamera* camera, vtkBoundingBox& bounds);
+
+/// Moves and scales the view until the bounds fit.
+/// @param bounds in the camera's coordinates.
+/// @param aspect width of the picture over its height.
+void fitView(vtkRenderer* renderer, const vtkBoundingBox& bounds, double aspect,
+  const Margins& margins);
 
 /// Moves and scales the view until every point of a cell fits, on the left of a scalar bar.
 /// @param aspect width of the picture over its height.

@@ -1,5 +1,7 @@
 #include "field_layout.h"
 
+#include "xml_elements.h"
+
 #include <algorithm>
 #include <charconv>
 
@@ -50,32 +52,6 @@ std::string imageAttributes(const Grid& grid, const Extent& whole)
 {
   return " WholeExtent=\"" + extentText(whole) + "\" Origin=\"" + pointText(grid.origin) +
     "\" Spacing=\"" + pointText(grid.spacing) + "\" Direction=\"1 0 0 0 1 0 0 0 1\"";
-}
-
-std::string escaped(const std::string& text)
-{
-  std::string result;
-  for (const char character : text)
-  {
-    switch (character)
-    {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += character;
-    }
-  }
-  return result;
 }
 
 } // namespace
@@ -166,8 +142,8 @@ std::string fieldIndex(const Grid& grid, const std::vector<Extent>& pieces,
   text += "    </PPointData>\n";
   for (std::size_t i = 0; i < pieces.size(); ++i)
   {
-    text += "    <Piece Extent=\"" + extentText(pieces[i]) + "\" Source=\"" + escaped(sources[i]) +
-      "\"/>\n";
+    text += "    <Piece Extent=\"" + extentText(pieces[i]) + "\" Source=\"" +
+      escapedXml(sources[i]) + "\"/>\n";
   }
   return text + "  </PImageData>\n</VTKFile>\n";
 }

@@ -9,34 +9,6 @@
 
 namespace medial::app
 {
-namespace
-{
-
-void checkNotTheInput(const char* option, const std::filesystem::path& path, const Options& options)
-{
-  std::error_code ignored;
-  if (!path.empty() && std::filesystem::equivalent(options.input, path, ignored))
-  {
-    throw Failure(ExitCode::Usage,
-      std::string(option) + " " + path.string() + " is the input file itself");
-  }
-}
-
-// One of two outputs with the same name would replace the other.
-void checkDistinct(const char* option, const std::filesystem::path& path, const char* other,
-  const std::filesystem::path& otherPath)
-{
-  std::error_code ignored;
-  if (!path.empty() &&
-    std::filesystem::weakly_canonical(path, ignored) ==
-      std::filesystem::weakly_canonical(otherPath, ignored))
-  {
-    throw Failure(ExitCode::Usage,
-      std::string(option) + " and " + other + " name the same file, " + path.string());
-  }
-}
-
-} // namespace
 
 void convertTexts(const OptionTexts& texts, bool spacingGiven, Options& options)
 {
@@ -94,9 +66,9 @@ void checkFiles(const Options& options)
   checkExtension("--image", options.image, { ".png" });
   checkExtension("--html", options.html, { ".html" });
   checkExtension("--report", options.report, { ".json" });
-  checkNotTheInput("--output", options.output, options);
-  checkNotTheInput("--curves", options.curves, options);
-  checkNotTheInput("--thickness", options.thickness, options);
+  checkNotTheInput("--output", options.output, options.input);
+  checkNotTheInput("--curves", options.curves, options.input);
+  checkNotTheInput("--thickness", options.thickness, options.input);
   checkDistinct("--output", options.output, "--curves", options.curves);
   checkDistinct("--output", options.output, "--thickness", options.thickness);
   checkDistinct("--curves", options.curves, "--thickness", options.thickness);

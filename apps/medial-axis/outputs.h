@@ -2,11 +2,10 @@
 
 #include "field_output.h"
 #include "options.h"
-#include "output_file.h"
+#include "output_files.h"
 
 #include <filesystem>
 #include <functional>
-#include <list>
 #include <optional>
 
 namespace medial::app
@@ -27,12 +26,13 @@ public:
   /// Wall-clock seconds that writing the field took.
   double fieldSeconds() const { return field_ ? field_->seconds() : 0.0; }
 
-  /// Calls `write` to create one of the files under a temporary name; does nothing for an empty
-  /// path.
+  /// As OutputFiles::write().
   /// @param path as the options have it.
-  /// @throws Failure of `write`, naming the file if it could not be written, and Interrupted.
   void write(const std::filesystem::path& path,
-    const std::function<void(const std::filesystem::path& file)>& write);
+    const std::function<void(const std::filesystem::path& file)>& write)
+  {
+    files_.write(path, write);
+  }
 
   /// Gives all files their names.
   /// @throws Failure NoSpace or Interrupted.
@@ -40,7 +40,7 @@ public:
 
 private:
   std::optional<FieldOutput> field_;
-  std::list<OutputFile> files_;
+  OutputFiles files_;
 };
 
 } // namespace medial::app

@@ -29,7 +29,6 @@ public:
   /// @param corners per element: its points, repeated for segments and points.
   void build(const std::vector<glm::dvec3>& points, const std::vector<glm::ivec3>& corners);
   /// Fits the boxes to moved points. Uses the threads of the current arena.
-  /// @param corners as for build().
   void refit(const std::vector<glm::dvec3>& points);
 
   const std::vector<Node>& nodes() const { return nodes_; }

@@ -1,5 +1,6 @@
 #include "proximity/contacts.h"
 
+#include "proximity/element_distance.h"
 #include "proximity/exact_sign.h"
 #include "proximity/line_hit.h"
 
@@ -151,6 +152,19 @@ void Contacts::collect(const Intersections& intersections, const Penetration& aI
   for (std::size_t i = 0; i < bInA.closest().size(); ++i)
   {
     this->addPlace(bInA.placeOf(i), split_.ofEnclosedB(i));
+  }
+  for (Manifold& manifold : manifolds_)
+  {
+    // Elements that touch with their edges, or that lie in one plane.
+    if (manifold.places.empty())
+    {
+      const SlotPair& pair = manifold.pairs.front();
+      ContactPlace place;
+      place.point = closestPoints(a_.element(pair.a), b_.element(pair.b)).a;
+      place.slotA = pair.a;
+      place.slotB = pair.b;
+      manifold.places.push_back(place);
+    }
   }
   // The deepest place may lie in the middle of a face.
   const int manifold = split_.ofSlot(deepest);

@@ -54,12 +54,12 @@ MEDIAL_INLINE glm::dvec3 closestPoint(const Element& element, const glm::dvec3& 
     return c;
   }
   const double ofC = abA * acB - abB * acA;
-  if (ofC <= 0.0 && abA >= 0.0 && abB <= 0.0)
+  if (ofC <= 0.0 && abA >= 0.0 && abB <= 0.0 && abA > abB)
   {
     return a + abA / (abA - abB) * ab;
   }
   const double ofB = abC * acA - abA * acC;
-  if (ofB <= 0.0 && acA >= 0.0 && acC <= 0.0)
+  if (ofB <= 0.0 && acA >= 0.0 && acC <= 0.0 && acA > acC)
   {
     return a + acA / (acA - acC) * ac;
   }

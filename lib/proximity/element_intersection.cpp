@@ -265,8 +265,8 @@ bool crossing(const glm::dvec3& from, const glm::dvec3& to, const Element& trian
   const glm::dvec3 normal = glm::cross(b - a, c - a);
   double heightOfLow = std::abs(glm::dot(normal, low - a));
   double heightOfHigh = std::abs(glm::dot(normal, high - a));
-  constexpr double kUnreliable = 1e-8;
-  const double unreliable = kUnreliable * glm::length(normal) *
+  constexpr double kUnreliable = 1e-7;
+  const double unreliable = kUnreliable * glm::distance(a, b) * glm::distance(a, c) *
     (glm::distance(low, high) + glm::distance(low, a) + glm::distance(a, b));
   if (std::min(heightOfLow, heightOfHigh) < unreliable)
   {

@@ -28,9 +28,9 @@ void EnclosedPoints::find(const MovingMesh& mesh, const SolidQuery& solid, const
   if (!spreads_)
   {
     // Points on either side of a hole may be inside and outside without a cut between them.
-    for (std::size_t i = 0; i < mesh.points().size(); ++i)
+    for (const int point : mesh.usedPoints())
     {
-      this->ask(mesh, solid, solidBox, static_cast<int>(i));
+      this->ask(mesh, solid, solidBox, point);
     }
     return;
   }

@@ -22,6 +22,14 @@ glm::dvec3 toVector(const Point3& x)
   return { x[0], x[1], x[2] };
 }
 
+void requireUsable(const std::vector<Point3>& points)
+{
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    medial::requireUsable(i, points[i]);
+  }
+}
+
 Box boxOf(const TriangleMesh& mesh)
 {
   const Bounds bounds = mesh.bounds();
@@ -56,12 +64,11 @@ double maxSeparation(const TriangleMesh& a, const TriangleMesh& b)
   }
 }
 
-/// Returns where the meshes overlap, or where their closest points are.
-Box regionOf(const TriangleMesh& a, const TriangleMesh& b)
+/// Returns the box of what is within a distance of both meshes' boxes.
+Box regionOf(const TriangleMesh& a, const TriangleMesh& b, double reach)
 {
   const Box boxA = boxOf(a);
   const Box boxB = boxOf(b);
-  const double reach = boxA.overlaps(boxB) ? 0.0 : maxSeparation(a, b);
   Box region;
   region.min = glm::max(boxA.min, boxB.min) - reach;
   region.max = glm::min(boxA.max, boxB.max) + reach;
@@ -171,6 +178,8 @@ FieldProximitySolver::FieldProximitySolver(TriangleMesh a, TriangleMesh b)
   {
     throw Error(ErrorCode::InvalidInput, a.empty() ? "mesh 0 is empty" : "mesh 1 is empty");
   }
+  requireUsable(a.points);
+  requireUsable(b.points);
   state_ = std::make_unique<State>(State{ FieldPair(std::move(a), std::move(b)) });
 }
 
@@ -198,10 +207,22 @@ FieldProximity FieldProximitySolver::compute(const FieldProximityOptions& option
   }
   FieldProximity result;
   const Stopwatch stopwatch(result.seconds);
-  result.grid = gridOver(regionOf(state_->pair.solver(0).mesh(), state_->pair.solver(1).mesh()),
-    options.resolution);
-  state_->pair.computeFields(result.grid, options);
-  state_->pair.compare(result.grid, result);
+  const TriangleMesh& a = state_->pair.solver(0).mesh();
+  const TriangleMesh& b = state_->pair.solver(1).mesh();
+  const auto computeWithin = [&](double reach)
+  {
+    result.grid = gridOver(regionOf(a, b, reach), options.resolution);
+    state_->pair.computeFields(result.grid, options);
+    state_->pair.compare(result.grid, result);
+  };
+  if (boxOf(a).overlaps(boxOf(b)))
+  {
+    computeWithin(0.0);
+  }
+  if (!result.collide)
+  {
+    computeWithin(maxSeparation(a, b)); // where the closest points must be
+  }
   return result;
 }
 

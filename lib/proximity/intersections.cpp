@@ -4,7 +4,6 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <tuple>
 #include <utility>
 
 namespace medial
@@ -49,6 +48,8 @@ void search(const MovingMesh& a, const MovingMesh& b, const NodePair& start, boo
     [&](const NodePair& pair) { findInLeaves(a, b, pair, all, found); });
 }
 
+} // namespace
+
 PairCrossings crossingsOf(const Element& a, const Element& b)
 {
   PairCrossings found;
@@ -64,8 +65,6 @@ PairCrossings crossingsOf(const Element& a, const Element& b)
   }
   return found;
 }
-
-} // namespace
 
 void Intersections::findCrossings(const MovingMesh& a, const MovingMesh& b)
 {
@@ -107,8 +106,11 @@ void Intersections::find(const MovingMesh& a, const MovingMesh& b, bool all)
     {
       pairs_.insert(pairs_.end(), found_[i].begin(), found_[i].end());
     }
+    // By elements: slots depend on how the trees were built.
+    const auto elements = [&](const SlotPair& pair)
+    { return std::pair(a.elementIn(pair.a), b.elementIn(pair.b)); };
     std::sort(pairs_.begin(), pairs_.end(),
-      [](const SlotPair& p, const SlotPair& q) { return std::tie(p.a, p.b) < std::tie(q.a, q.b); });
+      [&](const SlotPair& p, const SlotPair& q) { return elements(p) < elements(q); });
     this->findCrossings(a, b);
   }
   last_ = pairs_.empty() ? SlotPair{ -1, -1 }

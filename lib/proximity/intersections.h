@@ -28,6 +28,9 @@ struct PairCrossings
   const glm::dvec3* end() const { return points.data() + count; }
 };
 
+/// Returns where the edges of two elements cross the other.
+PairCrossings crossingsOf(const Element& a, const Element& b);
+
 /// Finds the elements of two meshes that intersect, exactly. Uses the threads of the current arena.
 class Intersections
 {
@@ -35,7 +38,7 @@ public:
   /// @param all whether to find all; otherwise one is enough.
   void find(const MovingMesh& a, const MovingMesh& b, bool all);
 
-  /// Ascending by a and then b.
+  /// By ascending elements of A and then of B.
   const std::vector<SlotPair>& pairs() const { return pairs_; }
   /// Of every pair, if all were wanted.
   const std::vector<PairCrossings>& crossings() const { return crossings_; }

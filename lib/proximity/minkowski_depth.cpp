@@ -84,7 +84,7 @@ public:
   {
   }
 
-  HullDepth depth()
+  HullDepth translation()
   {
     if (!this->begin())
     {
@@ -240,23 +240,28 @@ private:
   std::vector<std::pair<int, int>> edges_;
 };
 
-} // namespace
-
-HullDepth hullDepth(const MovingMesh& a, const MovingMesh& b)
+/// The plane of a triangle, as it counts for the solid.
+struct FacePlane
 {
-  return Polytope(a, b).depth();
-}
-
-bool isConvex(const MovingMesh& mesh)
-{
-  if (!mesh.closed() || mesh.componentPoints().size() != 1)
+  FacePlane(const MovingMesh& mesh, int slot)
+    : point(mesh.element(slot).corners[0])
   {
-    return false;
+    const auto& [a, b, c] = mesh.element(slot).corners;
+    const glm::dvec3 across = glm::cross(b - a, c - a) * static_cast<double>(mesh.weight(slot));
+    const double length = glm::length(across);
+    normal = length > 0.0 ? across / length : glm::dvec3(0.0);
   }
-  constexpr double kFlat = 1e-9;
-  const double tolerance = kFlat * glm::length(mesh.tree().box().size());
+
+  double height(const glm::dvec3& x) const { return glm::dot(normal, x - point); }
+
+  glm::dvec3 point;
+  glm::dvec3 normal;
+};
+
+/// Whether no neighbour of a triangle is above its plane, roughly: that is quick, and no proof.
+bool looksConvex(const MovingMesh& mesh, double tolerance)
+{
   const MeshConnectivity& connectivity = mesh.connectivity();
-  const auto& triangles = mesh.mesh().triangles;
   for (int edge = 0; edge < connectivity.edgeTriangles.rows(); ++edge)
   {
     if (connectivity.edgeTriangles.size(edge) != 2)
@@ -264,16 +269,39 @@ bool isConvex(const MovingMesh& mesh)
       return false;
     }
     const int* const sides = connectivity.edgeTriangles.begin(edge);
-    const auto& [a, b, c] = mesh.element(mesh.slotOf(sides[0])).corners;
-    const glm::dvec3 normal =
-      glm::cross(b - a, c - a) * static_cast<double>(mesh.weight(mesh.slotOf(sides[0])));
-    const double length = glm::length(normal);
-    for (const int corner : triangles[sides[1]])
+    const FacePlane plane(mesh, mesh.slotOf(sides[0]));
+    for (const int corner : mesh.mesh().triangles[sides[1]])
     {
-      if (glm::dot(normal, mesh.points()[corner] - a) > tolerance * length)
+      if (plane.height(mesh.points()[corner]) > tolerance)
       {
         return false;
       }
+    }
+  }
+  return true;
+}
+
+} // namespace
+
+HullDepth hullDepth(const MovingMesh& a, const MovingMesh& b)
+{
+  return Polytope(a, b).translation();
+}
+
+bool isConvex(const MovingMesh& mesh)
+{
+  constexpr double kFlat = 2e-10;
+  const double tolerance = kFlat * glm::length(mesh.tree().box().size());
+  if (!mesh.closed() || mesh.componentPoints().size() != 1 || !looksConvex(mesh, tolerance))
+  {
+    return false;
+  }
+  for (int slot = 0; slot < mesh.size(); ++slot)
+  {
+    const FacePlane plane(mesh, slot);
+    if (plane.height(farthestPoint(mesh, plane.normal)) > tolerance)
+    {
+      return false;
     }
   }
   return true;

@@ -20,7 +20,8 @@ struct HullDepth
 /// nearest to its border (van den Bergen 2001). The bounds meet up to rounding.
 HullDepth hullDepth(const MovingMesh& a, const MovingMesh& b);
 
-/// Whether a mesh is the surface of a convex solid, up to a billionth of its size.
+/// Whether a mesh is the surface of a convex solid: no point is above the plane of a triangle by
+/// more than 2e-10 of its size.
 bool isConvex(const MovingMesh& mesh);
 
 } // namespace medial

@@ -2,6 +2,9 @@
 
 #include "base/disjoint_sets.h"
 
+#include <cmath>
+#include <cstddef>
+
 namespace medial
 {
 
@@ -37,7 +40,12 @@ void MovingMesh::setPoints(const std::vector<Point3>& points)
   points_.resize(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    points_[i] = { points[i][0], points[i][1], points[i][2] };
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      // Products of smaller numbers are lost, and with them exact signs.
+      constexpr double kMin = 1e-70;
+      points_[i][axis] = std::abs(points[i][axis]) < kMin ? 0.0 : points[i][axis];
+    }
   }
 }
 
@@ -74,11 +82,11 @@ void MovingMesh::build()
   }
   pointSlots_.values.resize(pointSlots_.offsets.back());
   std::vector<int> next(pointSlots_.offsets.begin(), pointSlots_.offsets.end() - 1);
-  for (int slot = 0; slot < this->size(); ++slot)
+  for (std::size_t element = 0; element < elementCorners_.size(); ++element)
   {
     for (int i = 0; i < 3; ++i)
     {
-      pointSlots_.values[next[corners_[slot][i]]++] = slot;
+      pointSlots_.values[next[elementCorners_[element][i]]++] = slots_[element];
     }
   }
 }
@@ -86,22 +94,28 @@ void MovingMesh::build()
 void MovingMesh::findComponents()
 {
   DisjointSets sets(mesh_.points.size());
+  components_.assign(mesh_.points.size(), -1);
+  std::vector<char> used(mesh_.points.size(), 0);
   for (const glm::ivec3& corners : elementCorners_)
   {
     sets.join(corners[0], corners[1]);
     sets.join(corners[0], corners[2]);
+    used[corners[0]] = used[corners[1]] = used[corners[2]] = 1;
   }
-  components_.resize(mesh_.points.size());
-  for (std::size_t i = 0; i < components_.size(); ++i)
+  for (int i = 0; i < static_cast<int>(used.size()); ++i)
   {
-    const auto first = static_cast<std::size_t>(sets.find(static_cast<std::int64_t>(i)));
+    if (used[i] == 0)
+    {
+      continue;
+    }
+    usedPoints_.push_back(i);
+    const auto first = static_cast<int>(sets.find(i)); // the lowest point of the set
     if (first == i)
     {
       components_[i] = static_cast<int>(componentPoints_.size());
-      componentPoints_.push_back(static_cast<int>(i));
-      continue;
+      componentPoints_.push_back(i);
     }
-    components_[i] = components_[first]; // the lowest point of a set comes first
+    components_[i] = components_[first];
   }
 }
 

@@ -62,9 +62,11 @@ public:
   int weight(int slot) const { return weights_[slot]; }
   std::int64_t cellOf(int slot) const;
 
-  /// Slots of the elements at every point.
+  /// Slots of the elements at every point, by ascending elements.
   const IncidenceLists& pointSlots() const { return pointSlots_; }
-  /// Per point: the connected part of the mesh, from 0.
+  /// The points of elements.
+  const std::vector<int>& usedPoints() const { return usedPoints_; }
+  /// Per point: the connected part of the mesh, from 0; -1 for points of no element.
   const std::vector<int>& components() const { return components_; }
   /// Per component: one of its points.
   const std::vector<int>& componentPoints() const { return componentPoints_; }
@@ -86,6 +88,7 @@ private:
   IncidenceLists pointSlots_;
   std::vector<int> components_;
   std::vector<int> componentPoints_;
+  std::vector<int> usedPoints_;
 };
 
 } // namespace medial

@@ -26,37 +26,23 @@ void leaveOpen(Proximity& result)
   result.translationalDepth.upper = std::numeric_limits<double>::infinity();
 }
 
-/// Returns a point of both of two elements that intersect.
-glm::dvec3 commonPoint(const Element& a, const Element& b)
+const DeepPlace& deeper(const DeepPlace& p, const DeepPlace& q)
 {
-  for (const auto& [edges, triangle] : { std::pair(&a, &b), std::pair(&b, &a) })
-  {
-    for (int i = 0; i < 3; ++i)
-    {
-      glm::dvec3 at;
-      if (crossing(edges->corners[i], edges->corners[(i + 1) % 3], *triangle, at))
-      {
-        return at;
-      }
-    }
-  }
-  return closestPoints(a, b).a; // they touch with their edges or are in one plane
+  return q.depth > p.depth ? q : p;
 }
 
-void listSlots(const std::vector<SlotPair>& pairs, int SlotPair::*slot, std::vector<int>& slots)
+/// Lists the slots of either mesh, by ascending elements.
+void listSlots(const MovingMesh& mesh, const std::vector<SlotPair>& pairs, int SlotPair::*slot,
+  std::vector<int>& slots)
 {
   slots.clear();
   for (const SlotPair& pair : pairs)
   {
     slots.push_back(pair.*slot);
   }
-  std::sort(slots.begin(), slots.end());
+  std::sort(slots.begin(), slots.end(),
+    [&](int p, int q) { return mesh.elementIn(p) < mesh.elementIn(q); });
   slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
-}
-
-const DeepPlace& deeper(const DeepPlace& p, const DeepPlace& q)
-{
-  return q.depth > p.depth ? q : p;
 }
 
 /// Lists the crossings of either mesh's elements, by ascending slots.
@@ -102,6 +88,7 @@ PairProximity::PairProximity(const MovingMesh& a, const MovingMesh& b, const Sol
 
 void PairProximity::compute(const ProximityOptions& options, Proximity& result)
 {
+  const bool near = a_.tree().box().overlaps(b_.tree().box());
   intersections_.find(a_, b_, options.depths);
   result.intersect = !intersections_.pairs().empty();
   if (result.intersect)
@@ -116,16 +103,16 @@ void PairProximity::compute(const ProximityOptions& options, Proximity& result)
   {
     result.separation = std::numeric_limits<double>::quiet_NaN();
   }
-  listSlots(intersections_.pairs(), &SlotPair::a, cutA_);
-  listSlots(intersections_.pairs(), &SlotPair::b, cutB_);
+  listSlots(a_, intersections_.pairs(), &SlotPair::a, cutA_);
+  listSlots(b_, intersections_.pairs(), &SlotPair::b, cutB_);
   result.collide = result.intersect;
-  if (!result.intersect || options.depths)
-  {
-    this->penetrate(options, result);
-  }
-  else
+  if (result.intersect && !options.depths)
   {
     leaveOpen(result);
+  }
+  else if (near) // nothing is inside the other otherwise
+  {
+    this->penetrate(options, result);
   }
 }
 
@@ -144,7 +131,11 @@ void PairProximity::separate(Proximity& result)
 void PairProximity::meet(Proximity& result)
 {
   const SlotPair& pair = intersections_.pairs().front();
-  const glm::dvec3 common = commonPoint(a_.element(pair.a), b_.element(pair.b));
+  const Element a = a_.element(pair.a);
+  const Element b = b_.element(pair.b);
+  const PairCrossings crossings = crossingsOf(a, b);
+  // Where there are none, they touch with their edges or lie in one plane.
+  const glm::dvec3 common = crossings.count > 0 ? crossings.points[0] : closestPoints(a, b).a;
   result.witnessA = toPoint(common);
   result.witnessB = result.witnessA;
   result.cellA = a_.cellOf(pair.a);
@@ -157,7 +148,7 @@ void PairProximity::penetrate(const ProximityOptions& options, Proximity& result
     { &bInA_, &cutB_ } };
   const auto both = [&](const auto& work)
   { tbb::parallel_for(0, 2, [&](int i) { work(i, *ways[i].first, *ways[i].second); }); };
-  both([](int, Penetration& way, const std::vector<int>& cut) { way.find(cut); });
+  both([&](int, Penetration& way, const std::vector<int>& cut) { way.find(cut, options.depths); });
   result.insideUndefined = aInB_.enclosed().anyUndefined() || bInA_.enclosed().anyUndefined();
   result.collide =
     result.intersect || !aInB_.enclosed().points().empty() || !bInA_.enclosed().points().empty();

@@ -2,7 +2,6 @@
 
 #include "proximity/element_distance.h"
 
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -28,9 +27,14 @@ double limitOf(double depth, double relative, double absolute)
 
 } // namespace
 
-void Penetration::find(const std::vector<int>& cut)
+void Penetration::find(const std::vector<int>& cut, bool depths)
 {
   enclosed_.find(mesh_, solid_, other_.tree().box(), cut);
+  closest_.clear();
+  if (!depths)
+  {
+    return;
+  }
   const auto& points = enclosed_.points();
   closest_.resize(points.size());
   tbb::parallel_for(std::size_t{ 0 }, (points.size() + kBlock - 1) / kBlock,
@@ -84,8 +88,8 @@ DeepPlace Penetration::deepest(const std::vector<int>& cut, const std::vector<Cu
     const IncidenceLists& slots = mesh_.pointSlots();
     for (const int* slot = slots.begin(enclosed.point); slot != slots.end(enclosed.point); ++slot)
     {
-      // A triangle of three points inside comes up three times.
-      if (!enclosed_.isCut(*slot) && mesh_.corners(*slot)[0] == enclosed.point)
+      // A triangle comes up with every point that is inside.
+      if (!enclosed_.isCut(*slot) && this->firstInside(*slot) == enclosed.point)
       {
         this->addPiece(this->wholeTriangle(*slot), limit);
       }
@@ -142,6 +146,14 @@ void Penetration::tryPlace(const glm::dvec3& x, int slot, DeepPlace& best) const
   }
 }
 
+int Penetration::firstInside(int slot) const
+{
+  const glm::ivec3& corners = mesh_.corners(slot);
+  return enclosed_.isInside(corners[0])
+    ? corners[0]
+    : (enclosed_.isInside(corners[1]) ? corners[1] : corners[2]);
+}
+
 Penetration::Piece Penetration::wholeTriangle(int slot) const
 {
   Piece piece{ mesh_.element(slot).corners, 0.0, slot, -1 };
@@ -189,7 +201,7 @@ void Penetration::refine(const Piece& piece, DeepPlace& best, double relative, d
   const glm::dvec3 middle = (a + b + c) / 3.0;
   const ClosestElement closest = closestElement(other_, middle, piece.hint);
   const double depth = std::sqrt(closest.squared);
-  const bool inside = !enclosed_.isCut(piece.slot) || solid_.placeOf(middle) == Place::Inside;
+  const bool inside = !this->isMixed(piece.slot) || solid_.placeOf(middle) == Place::Inside;
   if (inside && depth > best.depth)
   {
     best = { &mesh_, depth, middle, closest.point, piece.slot, closest.slot };
@@ -204,7 +216,9 @@ void Penetration::refine(const Piece& piece, DeepPlace& best, double relative, d
       glm::distance(corner, closestPoint(other_.element(closest.slot), corner)));
     radius = std::max(radius, glm::distance(corner, middle));
   }
-  const double max = std::min({ piece.max, toElement, inside ? depth + radius : radius - depth });
+  // Through a hole a line comes in without passing the surface.
+  const bool beyond = !inside && !solid_.open();
+  const double max = std::min({ piece.max, toElement, beyond ? radius - depth : depth + radius });
   const double limit = limitOf(best.depth, relative, absolute);
   const glm::dvec3 ab = 0.5 * (a + b);
   const glm::dvec3 bc = 0.5 * (b + c);

@@ -44,7 +44,8 @@ public:
 
   /// Finds the points inside and their depths. Uses the threads of the current arena.
   /// @param cut slots of the elements that intersect the other mesh, ascending.
-  void find(const std::vector<int>& cut);
+  /// @param depths whether to find the depths.
+  void find(const std::vector<int>& cut, bool depths);
 
   /// Returns the deepest of the points.
   DeepPlace deepestPoint() const;
@@ -72,6 +73,10 @@ private:
     int hint; ///< slot of an element of the other mesh that may be near
   };
 
+  /// Whether a triangle may be partly inside. Next to a hole it need not be cut for that.
+  bool isMixed(int slot) const { return solid_.open() || enclosed_.isCut(slot); }
+  /// The first corner of a triangle that is inside.
+  int firstInside(int slot) const;
   void trySeeds(const std::vector<CutPlace>& crossings, DeepPlace& best) const;
   void tryPlace(const glm::dvec3& x, int slot, DeepPlace& best) const;
   /// Bounds the depths of a triangle by those of its corners that are inside.

@@ -72,7 +72,8 @@ bool comesFirst(const TriangleMesh& a, const TriangleMesh& b)
   {
     return sizes(a) < sizes(b);
   }
-  return std::tie(a.points, a.triangles) < std::tie(b.points, b.triangles);
+  return std::tie(a.points, a.triangles, a.segments, a.vertices) <
+    std::tie(b.points, b.triangles, b.segments, b.vertices);
 }
 
 void negate(Point3& vector)

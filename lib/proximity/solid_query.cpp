@@ -2,10 +2,8 @@
 
 #include "proximity/exact_sign.h"
 #include "sign/closed_surface.h"
-#include "sign/line_crossing.h"
 
 #include <array>
-#include <optional>
 
 namespace medial
 {
@@ -17,6 +15,31 @@ bool meetsLineBefore(const Box& box, const glm::dvec3& x)
 {
   return box.min.x <= x.x && box.min.y <= x.y && x.y <= box.max.y && box.min.z <= x.z &&
     x.z <= box.max.z;
+}
+
+/// Returns whether the line along x through a position passes through a triangle that faces
+/// outwards: 1 into the solid, -1 out of it, 0 not at all. Exact; a line through an edge or a
+/// corner counts as one that is moved a little, so that it passes through one of the neighbours.
+int directionThrough(const std::array<glm::dvec3, 3>& corners, const glm::dvec3& x)
+{
+  const auto shadow = [](const glm::dvec3& p) { return glm::dvec2(p.y, p.z); };
+  int up = 0; // on which side of x edges are that run upwards, or downwards
+  int down = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    const glm::dvec3& p = corners[i];
+    const glm::dvec3& q = corners[(i + 1) % 3];
+    const bool rises = p.z < x.z;
+    if (rises == (q.z < x.z))
+    {
+      continue;
+    }
+    // The same order for both triangles at an edge.
+    const int side = rises ? orientation(shadow(p), shadow(q), shadow(x))
+                           : orientation(shadow(q), shadow(p), shadow(x));
+    (rises ? up : down) = side > 0 ? 1 : -1;
+  }
+  return up == down ? 0 : -up;
 }
 
 } // namespace
@@ -90,13 +113,12 @@ int SolidQuery::crossingsBefore(const BoxTree::Node& leaf, const glm::dvec3& x) 
       continue;
     }
     const std::array<glm::dvec3, 3> corners = mesh_.element(slot).corners;
-    const auto segment = cutAt(corners, x.z);
-    const auto crossing = segment ? crossLine(*segment, x.y) : std::nullopt;
+    const int direction = directionThrough(corners, x);
     // The line has come through where it comes in if x is behind the triangle, and where it goes
-    // out if x is before it. That is exact: no point hardly outside counts as inside.
-    if (crossing && orientation(corners[0], corners[1], corners[2], x) == crossing->direction)
+    // out if x is before it.
+    if (direction != 0 && orientation(corners[0], corners[1], corners[2], x) == direction)
     {
-      sum += crossing->direction * weight;
+      sum += direction * weight;
     }
   }
   return sum;

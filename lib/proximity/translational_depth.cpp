@@ -19,6 +19,8 @@ namespace
 /// By how much a translation is lengthened so that the surfaces do not touch, as a share of the
 /// size of the meshes.
 constexpr double kApart = 1e-11;
+/// No exit is lengthened by more than this share of the size.
+constexpr double kTooFar = 1e-3;
 /// Lower bounds are lowered by this share of the size against rounding and what isConvex() allows.
 constexpr double kCertain = 1e-9;
 /// Turns towards the normal of the last contact.
@@ -28,9 +30,18 @@ constexpr double kClose = 0.99;
 /// Positions that may be looked at for the largest balls.
 constexpr int kMaxCentres = 96;
 
+/// The size of both meshes, or what coordinates are rounded to where they are points; never 0.
 double sizeOf(const MovingMesh& a, const MovingMesh& b)
 {
-  return glm::length(a.tree().box().size()) + glm::length(b.tree().box().size());
+  constexpr double kRounding = 1e-4;
+  double size = std::numeric_limits<double>::min();
+  for (const MovingMesh* mesh : { &a, &b })
+  {
+    const Box& box = mesh->tree().box();
+    const glm::dvec3 farthest = glm::max(glm::abs(box.min), glm::abs(box.max));
+    size += glm::length(box.size()) + kRounding * glm::length(farthest);
+  }
+  return size;
 }
 
 } // namespace
@@ -77,25 +88,34 @@ DepthBounds TranslationalDepth::find(const DeepPlace& deepest,
 {
   double hullLower = 0.0;
   const Exit found = this->findExit(directions, hullLower);
-  const double balls = this->commonBalls(deepest, kClose * found.length);
   const double size = sizeOf(a_, b_);
-  Exit exit = found;
-  double length = exit.length;
-  for (double margin = kApart;; margin *= 8.0)
+  double lower = hullLower;
+  // Points leave an open solid through its holes, so no ball holds them.
+  if (hullLower == 0.0 && !solidA_.open() && !solidB_.open())
+  {
+    lower = this->commonBalls(deepest, kClose * found.length);
+  }
+  double upper = 0.0;
+  if (!this->lengthen(found, size, upper, translation))
+  {
+    this->lengthen(this->boxExit(), size, upper, translation);
+  }
+  return { std::max(0.0, lower - kCertain * size), upper };
+}
+
+bool TranslationalDepth::lengthen(const Exit& exit, double size, double& length,
+  glm::dvec3& translation) const
+{
+  for (double margin = kApart; margin < kTooFar; margin *= 8.0)
   {
     length = exit.length + margin * size;
     translation = length * exit.direction;
     if (this->separates(translation))
     {
-      break;
-    }
-    if (margin > 1.0)
-    {
-      exit = this->boxExit();
+      return true;
     }
   }
-  const double lower = std::max(balls, hullLower) - kCertain * size;
-  return { std::clamp(lower, 0.0, length), length };
+  return false;
 }
 
 TranslationalDepth::Exit TranslationalDepth::boxExit() const
@@ -193,8 +213,10 @@ bool TranslationalDepth::separates(const glm::dvec3& translation) const
   const auto noneInside =
     [](const MovingMesh& mesh, const SolidQuery& solid, const glm::dvec3& offset)
   {
-    return std::none_of(mesh.componentPoints().begin(), mesh.componentPoints().end(),
-      [&](int point) { return solid.placeOf(mesh.points()[point] + offset) == Place::Inside; });
+    const auto outside = [&](int point)
+    { return solid.placeOf(mesh.points()[point] + offset) == Place::Outside; };
+    const auto& points = solid.open() ? mesh.usedPoints() : mesh.componentPoints();
+    return std::all_of(points.begin(), points.end(), outside);
   };
   return noneInside(a_, solidB_, translation) && noneInside(b_, solidA_, -translation);
 }

@@ -52,6 +52,8 @@ private:
 
   /// @param[out] hullLower the lower bound for two convex meshes; 0 for others.
   Exit findExit(const std::vector<glm::dvec3>& directions, double& hullLower) const;
+  /// Lengthens an exit until the exact tests find that it separates; false if it does not.
+  bool lengthen(const Exit& exit, double size, double& length, glm::dvec3& translation) const;
   /// The shortest way out of the bounding boxes.
   Exit boxExit() const;
   void tryDirection(const glm::dvec3& direction, Exit& best) const;

@@ -49,7 +49,7 @@ class Completion(unittest.TestCase):
         return sorted(line for line in run.stdout.splitlines() if line)
 
     def test_options_are_those_of_help(self):
-        for program in ("medial-axis", "medial-measure", "medial-viewer"):
+        for program in ("medial-axis", "medial-measure", "medial-proximity", "medial-viewer"):
             with self.subTest(program=program):
                 stated = re.findall(r"^  (?:(-\w),)?(--[a-z-]+)", help_of(program), re.MULTILINE)
                 self.assertEqual(self.offers(program, "-"),
@@ -82,6 +82,10 @@ class Completion(unittest.TestCase):
         self.assertEqual(self.offers("medial-measure", "axis.m"), ["axis.ma"])
         self.assertEqual(self.offers("medial-viewer", "part.stl", "--screenshot", "pi"),
                          ["picture.png"])
+        self.assertEqual(self.offers("medial-proximity", "part.stl", ""),
+                         ["axis.vtp", "my part.obj", "part.STL", "part.stl", "parts"])
+        self.assertEqual(self.offers("medial-proximity", "--contacts", "axis"), ["axis.vtp"])
+        self.assertEqual(self.offers("medial-proximity", "--animation", "pa"), ["parts"])
 
     def test_numbers_are_not_guessed(self):
         self.assertEqual(self.offers("medial-axis", "part.stl", "--angle", ""), [])

@@ -37,6 +37,8 @@ struct RunOptions
 
 Outcome runMedialAxis(const std::vector<std::string>& arguments, const RunOptions& options = {});
 Outcome runMedialMeasure(const std::vector<std::string>& arguments, const RunOptions& options = {});
+Outcome runMedialProximity(const std::vector<std::string>& arguments,
+  const RunOptions& options = {});
 Outcome runMedialViewer(const std::vector<std::string>& arguments, const RunOptions& options = {});
 
 } // namespace medial::test

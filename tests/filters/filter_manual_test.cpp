@@ -9,6 +9,7 @@
 #include <vtkMedialReconstruction.h>
 #include <vtkMedialThickness.h>
 #include <vtkMeshDistanceField.h>
+#include <vtkMeshProximity.h>
 #include <vtkNew.h>
 
 #include <filesystem>
@@ -204,6 +205,9 @@ TEST(FilterManual, OutputsHaveNoArraysThatTheManualsDoNotName)
   vtkNew<vtkMedialReconstruction> surface;
   surface->SetInputConnection(axis->GetOutputPort());
   surface->SetResolution(12);
+  vtkNew<vtkMeshProximity> proximity;
+  proximity->SetInputData(0, boxPolyData());
+  proximity->SetInputData(1, boxPolyData({ 2.0, 0.5, 0.5 }));
   const std::string grid = headerOf("vtkMeshFieldAlgorithm");
   const auto expectNamed = [&](vtkAlgorithm* filter, int port, const std::string& manual)
   {
@@ -225,6 +229,10 @@ TEST(FilterManual, OutputsHaveNoArraysThatTheManualsDoNotName)
   expectNamed(thickness, 0, headerOf("vtkMedialThickness"));
   expectNamed(curves, 0, headerOf("vtkMedialCurves") + ofAxis + grid); // with those of the axis
   expectNamed(surface, 0, headerOf("vtkMedialReconstruction"));
+  for (const int port : { 0, 1, 2 })
+  {
+    expectNamed(proximity, port, headerOf("vtkMeshProximity"));
+  }
 }
 
 TEST(FilterManual, ReconstructionParametersAreExplainedAndPrinted)
@@ -235,6 +243,16 @@ TEST(FilterManual, ReconstructionParametersAreExplainedAndPrinted)
 TEST(FilterManual, MedialThicknessParametersAreExplainedAndPrinted)
 {
   expectManual("vtkMedialThickness", 3, printed<vtkMedialThickness>());
+}
+
+TEST(FilterManual, MeshProximityParametersAreExplainedAndPrinted)
+{
+  const std::string print = printed<vtkMeshProximity>();
+  expectManual("vtkMeshProximity", 5, print);
+  for (const char* name : { "TransformA: ", "TransformB: " })
+  {
+    EXPECT_NE(print.find(name), std::string::npos) << name;
+  }
 }
 
 // Nothing is printed as a parameter that no header explains.

@@ -41,7 +41,9 @@ class Header:
         self.manual = plain(text[:text.index("#ifndef")])
         self.parameters = {}
         for block in re.findall(r"///@\{\n\s*/\*\*(.*?)\*/(.*?)///@\}", text, re.DOTALL):
-            for setter in re.findall(r"vtkSet(?:Vector3|StdStringFromChar)?Macro\((\w+)[,)]", block[1]):
+            macros = r"vtkSet(?:Vector3|StdStringFromChar)?Macro\((\w+)[,)]"
+            objects = r"virtual void Set(\w+)\(vtk\w+\*"
+            for setter in re.findall(macros, block[1]) + re.findall(objects, block[1]):
                 self.parameters[setter] = plain(block[0])
 
 
@@ -53,7 +55,7 @@ def proxies():
 def properties(proxy):
     """Properties that are parameters of the filter, by name."""
     return {element.get("name"): element for element in proxy
-            if element.tag.endswith("VectorProperty") and element.get("information_only") != "1"}
+            if element.tag.endswith(("VectorProperty", "ProxyProperty")) and element.get("information_only") != "1"}
 
 
 def stated_default(manual):
@@ -69,11 +71,11 @@ def default_of(element):
 
 
 class Properties(unittest.TestCase):
-    def test_all_five_filters_are_in_the_menu(self):
+    def test_all_six_filters_are_in_the_menu(self):
         classes = {proxy.get("class") for proxy, _ in proxies()
                    if proxy.find("Hints/ShowInMenu[@category='Medial']") is not None}
         self.assertEqual(classes, {"vtkMeshDistanceField", "vtkMedialAxis", "vtkMedialThickness",
-                                   "vtkMedialReconstruction", "vtkMedialCurves"})
+                                   "vtkMedialReconstruction", "vtkMedialCurves", "vtkMeshProximity"})
 
     def test_every_parameter_is_a_property(self):
         for proxy, header in proxies():

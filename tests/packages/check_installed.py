@@ -38,7 +38,7 @@ def check_programs(folder: Path, version: str) -> None:
     axis, mesh, figures = (str(folder / name) for name in ("axis.ply", "box.off", "figures.json"))
     picture, page = folder / "picture.png", folder / "page.html"
     write_off(Path(mesh), *make_box())
-    for program in ("medial-axis", "medial-measure", "medial-viewer"):
+    for program in ("medial-axis", "medial-measure", "medial-proximity", "medial-viewer"):
         assert run(program, "--version").strip() == f"{program} {version}"
     run("medial-axis", mesh, "--resolution", "64", "--output", axis, "--image", str(picture),
         "--html", str(page))
@@ -50,6 +50,11 @@ def check_programs(folder: Path, version: str) -> None:
     assert found["radius_error"]["max"] < 1e-3 and found["centres_inside"] == 1.0, found
     assert found["two_sided"]["hausdorff"] < 1.5, found  # of the diagonal, in %
     assert picture.read_bytes().startswith(b"\x89PNG")
+    pairs = str(folder / "pairs.json")
+    run("medial-proximity", mesh, mesh, "--transform", "1=1,0,0,9,0,1,0,0,0,0,1,0", "--json", pairs)
+    with open(pairs, encoding="utf-8") as file:
+        pair = json.load(file)["frames"][0]["pairs"][0]
+    assert abs(pair["separation"] - (9.0 - 2.0 * HALF_SIDES[0])) < 1e-12 and not pair["collide"], pair
     assert "vtk.js" in page.read_text(encoding="utf-8")
     viewer = subprocess.run(("medial-viewer", mesh), check=False, stderr=subprocess.PIPE, text=True)
     assert viewer.returncode == 4 and "no display" in viewer.stderr, viewer

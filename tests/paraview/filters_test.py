@@ -64,6 +64,34 @@ class Values(unittest.TestCase):
         self.assertLess(worst, 0.1)
         numpy.testing.assert_allclose(surface.GetBounds()[1::2], HALF_SIDES, atol=0.03)
 
+    def test_proximity_of_two_boxes(self):
+        pair = MeshProximity(Input=box(), InputB=box())
+        pair.TransformB.Translate = [3, 0, 0]
+        self.assertAlmostEqual(figure(pair, "Separation"), 1.0)
+        ends = points(output(pair))
+        numpy.testing.assert_allclose(ends[:, 0], [1, 2])
+        pair.TransformA.Rotate = [0, 0, 90]
+        self.assertAlmostEqual(figure(pair, "Separation"), 3 - 1 - 0.7)
+        pair.TransformA.Rotate = [0, 0, 0]
+        pair.TransformB.Translate = [1.75, 0.2, 0.1]
+        self.assertEqual((figure(pair, "Collide"), figure(pair, "Intersect")), (1, 1))
+        self.assertAlmostEqual(figure(pair, "PenetrationDepth"), 0.25, delta=1e-3)
+        moved = output(pair, 2)
+        numpy.testing.assert_allclose(points(moved)[:, 0].min(), 0.75)
+        self.assertAlmostEqual(values(moved, "PenetrationDepth").max(), 0.1, places=5)
+
+    def test_contacts_of_a_box_on_another(self):
+        pair = MeshProximity(Input=box(), InputB=box())
+        pair.TransformB.Scale = [0.5, 0.5, 0.5]
+        pair.TransformB.Translate = [0, 0, 0.55]
+        data = output(pair)
+        contacts = values(data, "Kind") == 1
+        self.assertEqual(contacts.sum(), 4)
+        numpy.testing.assert_allclose(values(data, "Depth")[contacts], 0.05, atol=1e-6)
+        numpy.testing.assert_allclose(values(data, "Normal")[contacts], [[0, 0, 1]] * 4, atol=0.02)
+        pair.MaximumNumberOfContacts = 1
+        self.assertEqual((values(output(pair), "Kind") == 1).sum(), 1)
+
     def test_curves_of_a_box_have_the_kinds_asked_for(self):
         axis = MedialAxis(Input=box(), Resolution=48)
         kinds = {"Rims": 1, "Seams": 2}
@@ -137,6 +165,8 @@ class Properties(unittest.TestCase):
                 self.assertEqual(data.GetNumberOfBlocks(), 2)
                 for block in range(2):
                     self.assertGreater(data.GetBlock(block).GetNumberOfPoints(), 0)
+        for inputs in ({"Input": blocks, "InputB": box()}, {"Input": box(), "InputB": blocks}):
+            self.assertEqual(output(MeshProximity(**inputs)).GetNumberOfBlocks(), 2)
 
     def test_outputs_are_coloured_by_what_they_are_for(self):
         view = CreateView("RenderView")
@@ -146,6 +176,15 @@ class Properties(unittest.TestCase):
         self.assertEqual(default_colouring(field, view), "Distance")
         self.assertEqual(GetDisplayProperties(field, view).Representation, "Slice")
         self.assertEqual(default_colouring(MedialThickness(Input=bunny()), view), "Thickness")
+        pair = MeshProximity(Input=bunny(), InputB=box())
+        colourings = [default_colouring(OutputPort(pair, port), view) for port in range(3)]
+        self.assertEqual(colourings, ["Kind", "PenetrationDepth", "PenetrationDepth"])
+
+    def test_boxes_of_transforms_are_around_what_they_move(self):
+        pair = MeshProximity(Input=box(), InputB=Sphere())
+        around = [transform.SMProxy.GetProperty("DummyInput").GetProxy(0).GetXMLName()
+                  for transform in (pair.TransformA, pair.TransformB)]
+        self.assertEqual(around, ["CubeSource", "SphereSource"])
 
     def test_what_was_used_is_known(self):
         field = MeshDistanceField(Input=box(), Resolution=16)
@@ -168,7 +207,7 @@ class Executions(unittest.TestCase):
         axis = MedialAxis(Input=bunny(), Resolution=64)
         return [axis, MeshDistanceField(Input=bunny(), Resolution=100),
                 MedialThickness(Input=bunny()), MedialReconstruction(Input=axis, Resolution=48),
-                MedialCurves(Input=axis)]
+                MedialCurves(Input=axis), MeshProximity(Input=bunny(), InputB=box())]
 
     def test_progress(self):
         for proxy in self.filters():

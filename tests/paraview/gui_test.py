@@ -30,10 +30,23 @@ def choose(menu, item):
     return f'<pqevent object="pqClientMainWindow/{menu}" command="activate" arguments="{item}"/>'
 
 
+def in_dialogue(widget, command, arguments=""):
+    """An event of the dialogue that asks for the inputs of a filter with several."""
+    return (f'<pqevent object="pqClientMainWindow/SelectInputDialog/{widget}" command="{command}" '
+            f'arguments="{arguments}"/>')
+
+
+# The first source of the pipeline becomes the second input, as it is the first already.
+SECOND_INPUT = "\n".join([in_dialogue("buttonFrame/InputB", "set_boolean", "true"),
+                          in_dialogue("pipelineView", "currentChanged", "/0|0/0|0"),
+                          in_dialogue("buttonBox/1QPushButton0", "activate")])
+
+
 def add_filter(name):
     """What a user does: Filters > Medial > name, Apply."""
+    inputs = [SECOND_INPUT] if name == "MeshProximity" else []
     return "\n".join([choose("menubar", "menuFilters"), choose("menubar/menuFilters", "Medial"),
-                      choose("menubar/menuFilters/Medial", name), APPLY])
+                      choose("menubar/menuFilters/Medial", name), *inputs, APPLY])
 
 
 def shows_axis(path):
@@ -68,6 +81,11 @@ class Window(unittest.TestCase):
         self.assertIn("Success =  true", text)
         self.assertEqual((code, text.count("ERR|")), (0, 0), text)
         code, text = self.play("MedialThickness", "MeshDistanceField")
+        self.assertEqual((code, text.count("ERR|")), (0, 0), text)
+
+    def test_a_filter_of_two_inputs(self):
+        code, text = self.play("MeshProximity")
+        self.assertIn("Success =  true", text)
         self.assertEqual((code, text.count("ERR|")), (0, 0), text)
 
     def test_a_filter_that_is_not_in_the_menu(self):

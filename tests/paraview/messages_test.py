@@ -47,6 +47,8 @@ class Messages(unittest.TestCase):
             with self.subTest(filter=filter.__name__):
                 self.expect("the mesh has no cells", filter,
                             {"Input": ExtractSurface(Input=outside)}, Input=box())
+        self.expect("mesh B: the mesh has no cells", MeshProximity,
+                    {"Input": box(), "InputB": ExtractSurface(Input=outside)}, InputB=box())
 
     def test_parameters_outside_their_range(self):
         self.expect("resolution 1 is outside [2, 8192]", MedialAxis,
@@ -58,6 +60,22 @@ class Messages(unittest.TestCase):
                     {"Input": box(), "Resolution": 16, "MinimumLambda": -1}, MinimumLambda=0)
         self.expect("separation angle 180.000000 is outside (0, 180) degrees", MedialThickness,
                     {"Input": box(), "Angle": 180}, Angle=60)
+
+        pair = {"Input": box(), "InputB": box()}
+        self.expect("depth tolerance 1.000000 is not in (0, 1)", MeshProximity,
+                    {**pair, "DepthTolerance": 1}, DepthTolerance=0.01)
+        self.expect("maximum number of contacts -1 is negative", MeshProximity,
+                    {**pair, "MaximumNumberOfContacts": -1}, MaximumNumberOfContacts=0)
+
+    def test_a_scale_of_zero(self):
+        with messages() as shown:
+            pair = MeshProximity(Input=box(), InputB=box())
+            pair.TransformB.Scale = [1, 1, 0]
+            pair.UpdatePipeline()
+            self.assertIn("mesh B: the determinant 0 of the transform is not finite", shown())
+        pair.TransformB.Scale = [1, 1, 1]
+        pair.UpdatePipeline()
+        self.assertGreater(pair.GetDataInformation().GetNumberOfPoints(), 0)
 
     def test_combinations_that_cannot_be(self):
         self.expect("the representation must be surface or faces", MedialAxis,

@@ -79,6 +79,11 @@ class Pictures(unittest.TestCase):
         surface = MedialReconstruction(Input=self.axis, Resolution=64)
         self.expect("medial_reconstruction", (surface, 1.0))
 
+    def test_mesh_proximity(self):
+        pair = MeshProximity(Input=self.mesh, InputB=self.mesh)
+        pair.TransformB.Translate = [0.7, 0.1, -0.2]
+        self.expect("mesh_proximity", (OutputPort(pair, 1), 0.2), (OutputPort(pair, 2), 1.0))
+
     def test_pictures_differ_from_each_other(self):
         field, axis = (os.path.join(BASELINES, f"{name}.png")
                        for name in ("distance_field", "medial_axis"))

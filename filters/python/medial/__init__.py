@@ -1,12 +1,12 @@
-"""Distance fields, medial axes and wall thickness of meshes.
+"""Distance fields, medial axes, wall thickness and proximity of meshes.
 
 Functions take and return numpy arrays:
 
     axis = medial.medial_axis(vertices, faces, resolution=128, angle=60)
     axis.points, axis.radius, axis.faces
 
-distance_field(), medial_axis(), thickness(), reconstruction() and curves() are each documented by
-help(), as in help(medial.medial_axis). All lengths are in world units, those of the vertices, and
+distance_field(), medial_axis(), thickness(), reconstruction(), curves() and proximity() are each
+documented by help(), as in help(medial.medial_axis). All lengths are in world units, those of the vertices, and
 all angles in degrees. They raise medial.Error, or a subclass of it, with the cause.
 
 The same is available as VTK filters, for pipelines:
@@ -23,6 +23,7 @@ from ._axis import MedialAxis, medial_axis
 from ._errors import Error, InvalidInputError, NoGpuError, OutOfMemoryError
 from ._field import DistanceField, distance_field
 from ._mesh import Surface
+from ._proximity import Contacts, Proximity, proximity
 from ._shape import Curve, curves, reconstruction, thickness
 from ._update import update
 from .vtkMedialFilters import (
@@ -33,9 +34,11 @@ from .vtkMedialFilters import (
     vtkMedialThickness,
     vtkMeshDistanceField,
     vtkMeshFieldAlgorithm,
+    vtkMeshProximity,
 )
 
 __all__ = [
+    "Contacts",
     "Curve",
     "DistanceField",
     "Error",
@@ -43,10 +46,12 @@ __all__ = [
     "MedialAxis",
     "NoGpuError",
     "OutOfMemoryError",
+    "Proximity",
     "Surface",
     "curves",
     "distance_field",
     "medial_axis",
+    "proximity",
     "reconstruction",
     "thickness",
     "update",
@@ -57,4 +62,5 @@ __all__ = [
     "vtkMedialThickness",
     "vtkMeshDistanceField",
     "vtkMeshFieldAlgorithm",
+    "vtkMeshProximity",
 ]

@@ -54,6 +54,7 @@ _INTEGERS: dict[str, tuple[str, int, int]] = {
     "resolution": ("Resolution", 2, 8192),
     "dimensions": ("Dimensions", 1, 8192),
     "max_spheres": ("MaximumNumberOfSpheres", 0, 2147483647),
+    "max_contacts": ("MaximumNumberOfContacts", 0, 2147483647),
     "threads": ("NumberOfThreads", 0, 1024),
     "memory": ("MemoryLimit", 0, 2147483647),  # but not 1 to 63
 }
@@ -65,6 +66,7 @@ _REALS: dict[str, tuple[str, str]] = {
     "angle": ("Angle", "(0, 180)"),
     "min_lambda": ("MinimumLambda", "[0, inf)"),
     "min_radius": ("MinimumRadius", "[0, inf)"),
+    "depth_tolerance": ("DepthTolerance", "(0, 1)"),
 }
 
 _TRIPLES = ("spacing", "origin", "dimensions")

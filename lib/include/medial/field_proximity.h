@@ -25,13 +25,15 @@ struct FieldProximityOptions
 /// How two meshes, A and B, lie to each other, as their distance fields tell.
 struct FieldProximity
 {
-  /// Where the fields were computed: the common part of the meshes' boxes or, if they are apart,
-  /// where the closest points must be.
+  /// Where the fields were computed: the common part of the meshes' boxes or, if they do not
+  /// collide there, where the closest points must be.
   Grid grid;
   /// Least sum of the two distances at a grid point outside of both, world units: by a diagonal of
-  /// the spacing at most above the separation. 0 if they collide.
+  /// the spacing at most above the separation. 0 if they collide; infinity if no grid point is
+  /// outside of both.
   double separation = 0.0;
-  /// Whether a grid point is inside both: overlaps that are thinner than the spacing are missed.
+  /// Whether a grid point is inside both: overlaps that are thinner than the spacing are missed,
+  /// and so are surfaces without an inside.
   bool collide = false;
   /// The largest distance to one surface, inside, of a grid point within half a diagonal of the
   /// spacing of the other: by this much off the penetration depth. 0 if they do not collide.
@@ -55,9 +57,11 @@ public:
   /// Takes over two meshes in their first frame.
   /// @throws Error InvalidInput for an empty mesh, or as analyseConnectivity().
   FieldProximitySolver(TriangleMesh a, TriangleMesh b);
-  ~FieldProximitySolver();                                     ///< releases what it keeps
-  FieldProximitySolver(FieldProximitySolver&& other) noexcept; ///< leaves `other` empty
-  FieldProximitySolver& operator=(FieldProximitySolver&& other) noexcept; ///< leaves `other` empty
+  ~FieldProximitySolver(); ///< releases what it keeps
+  FieldProximitySolver(
+    FieldProximitySolver&& other) noexcept; ///< `other` may then only be destroyed or assigned to
+  FieldProximitySolver& operator=(
+    FieldProximitySolver&& other) noexcept; ///< `other` may then only be destroyed or assigned to
 
   /// Moves the points of a mesh.
   /// @param mesh 0 for A, 1 for B.

@@ -19,8 +19,7 @@ struct ProximityOptions
   /// Whether to compute the separation of a pair that does not intersect; otherwise it is NaN, and
   /// there are no witnesses.
   bool separation = true;
-  /// Whether to compute the depths of a pair that collides: Proximity::depth, and for every point
-  /// inside Proximity::pointDepths.
+  /// Whether to compute the depths of a pair that collides: Proximity::depth, depthsOfA, depthsOfB.
   bool depths = true;
   /// Whether to bound the translational depth of a pair that collides.
   bool translationalDepth = true;
@@ -29,7 +28,7 @@ struct ProximityOptions
   /// How far Proximity::depth may be below the true maximum, as a fraction of it; in (0, 1).
   double depthTolerance = 1e-3;
   /// Pairs whose boxes are farther apart than this are left out, world units, >= 0: their
-  /// separation is infinite, and nothing else of them is known.
+  /// separation is infinite, they do not collide, and nothing else of them is known.
   double maxSeparation = std::numeric_limits<double>::infinity();
   Execution execution; ///< threads, progress and cancelling
 };
@@ -73,7 +72,7 @@ struct Proximity
   /// Least distance of the surfaces, world units; 0 if and only if they intersect. One mesh inside
   /// the other has a separation above 0. Infinity beyond ProximityOptions::maxSeparation.
   double separation = 0.0;
-  Point3 witnessA{};       ///< closest point of A; if they intersect a common point
+  Point3 witnessA{};       ///< closest point of A; if they intersect some common point
   Point3 witnessB{};       ///< closest point of B
   std::int64_t cellA = -1; ///< input cell of witnessA
   std::int64_t cellB = -1; ///< input cell of witnessB
@@ -95,7 +94,8 @@ struct Proximity
   Point3 deepestPoint{}; ///< where depth is; meaningless where that is 0 or NaN
 
   /// Length of the shortest translation that separates the solids: certified bounds. The lower one
-  /// is the sum of the radii of a ball in A and a ball in B with the same centre; the upper one the
+  /// is the sum of the radii of a ball in A and a ball in B with the same centre, and 0 if either
+  /// mesh is open; the upper one is the
   /// length of separatingTranslation. For two convex meshes both are the length itself, up to 1e-8
   /// of the diagonal; for others it also depends on the position how near they are to each other.
   /// [0, 0] if they do not collide, [0, infinity] if it was not asked for or is
@@ -116,11 +116,12 @@ struct Proximity
 /// application of the paper (Sud, Govindaraju, Gayle, Manocha, I3D 2006, section 6), by exact
 /// queries; FieldProximitySolver has the paper's own way. Nothing has to be prepared: meshes may
 /// have any topology, holes and degenerate triangles. Between frames the solver keeps connectivity
-/// and orientation, buffers, trees of boxes, which it refits, and the last witnesses.
+/// and orientation as they are in the first frame, buffers, trees of boxes, which it refits, and
+/// the last witnesses.
 ///
 /// Results do not depend on the number of threads, and on earlier frames only in the last bits; the
 /// bounds of translational depths more than that, since they depend on how elements are grouped.
-/// Swapping two meshes swaps the answer to the last bit.
+/// Swapping two meshes swaps the answer to the last bit, unless they are equal.
 ///
 /// A solver must not be used by two threads at once.
 class MEDIAL_EXPORT ProximitySolver
@@ -132,9 +133,11 @@ public:
   ///   that is not finite or beyond kMaxCoordinate, or as analyseConnectivity(), naming the mesh by
   ///   its index.
   explicit ProximitySolver(std::vector<TriangleMesh> meshes);
-  ~ProximitySolver();                                           ///< releases what it keeps
-  ProximitySolver(ProximitySolver&& other) noexcept;            ///< leaves `other` without meshes
-  ProximitySolver& operator=(ProximitySolver&& other) noexcept; ///< leaves `other` without meshes
+  ~ProximitySolver(); ///< releases what it keeps
+  ProximitySolver(
+    ProximitySolver&& other) noexcept; ///< `other` may then only be destroyed or assigned to
+  ProximitySolver& operator=(
+    ProximitySolver&& other) noexcept; ///< `other` may then only be destroyed or assigned to
 
   int meshCount() const;                 ///< number of meshes
   const TriangleMesh& mesh(int i) const; ///< a mesh at its current positions

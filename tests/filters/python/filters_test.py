@@ -33,7 +33,8 @@ class FiltersTest(unittest.TestCase):
         self.assertEqual({name for name in medial.__all__ if name.startswith("vtk")},
                          {"vtkMedialAxis", "vtkMedialCurves", "vtkMedialReconstruction",
                           "vtkMedialPolyDataAlgorithm", "vtkMedialThickness",
-                          "vtkMeshDistanceField", "vtkMeshFieldAlgorithm"})
+                          "vtkMeshDistanceField", "vtkMeshFieldAlgorithm",
+                          "vtkMeshProximity"})
         from medial.vtkMedialFilters import vtkMedialAxis
         self.assertIs(medial.vtkMedialAxis, vtkMedialAxis)
         self.assertTrue(issubclass(medial.vtkMedialAxis, vtkObject))

@@ -19,7 +19,7 @@ import medial
 
 SOURCES = Path(sys.argv[1])
 FUNCTIONS = (medial.distance_field, medial.medial_axis, medial.thickness,
-             medial.reconstruction, medial.curves, medial.update)
+             medial.reconstruction, medial.curves, medial.proximity, medial.update)
 # The options of medial-axis, by the parameters that are the same.
 OPTIONS = {
     medial.distance_field: ("resolution", "spacing", "padding", "memory"),
@@ -85,7 +85,8 @@ class Wording(unittest.TestCase):
                     self.assertRegex(function.__doc__, rf"\n +([\w,\s]+, )?\s*{name}\b[\w,\s]*: ")
 
     def test_attributes_are_documented(self):
-        for class_ in (medial.DistanceField, medial.MedialAxis, medial.Surface, medial.Curve):
+        for class_ in (medial.DistanceField, medial.MedialAxis, medial.Surface, medial.Curve,
+                       medial.Proximity, medial.Contacts):
             source = inspect.getsource(class_)
             for name in class_.__annotations__:
                 with self.subTest(class_=class_.__name__, attribute=name):

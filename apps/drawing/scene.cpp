@@ -1,6 +1,6 @@
 #include "scene.h"
 
-#include "camera.h"
+#include "egl_render_window.h"
 #include "failure.h"
 #include "medial/error.h"
 #include "png_file.h"
@@ -23,6 +23,7 @@ constexpr int kFontSize = 28;
 } // namespace
 
 Scene::Scene()
+  : window_(vtkSmartPointer<EglRenderWindow>::New())
 {
   try
   {
@@ -51,6 +52,17 @@ void Scene::draw(std::initializer_list<vtkPolyData*> shown, const std::filesyste
 {
   aimCamera(renderer_->GetActiveCamera(), *shown.begin());
   fitView(renderer_, shown, kAspect, kBarShare);
+  this->write(file);
+}
+
+void Scene::fit(const vtkBoundingBox& bounds, const Margins& margins)
+{
+  fitView(renderer_, bounds, kAspect, margins);
+}
+
+void Scene::write(const std::filesystem::path& file)
+{
+  renderer_->ResetCameraClippingRange();
   window_->Render();
   writePng(window_, file);
 }

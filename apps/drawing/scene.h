@@ -1,0 +1,58 @@
+#pragma once
+
+#include "camera.h"
+#include "colours.h"
+
+#include <vtkNew.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+
+#include <filesystem>
+#include <initializer_list>
+
+class vtkPolyData;
+
+namespace medial::app
+{
+
+class EglRenderWindow;
+
+/// What the programs' pictures have in common: 1600 x 1200 pixels on white, a view that fits, and
+/// maybe a scalar bar on the right. Needs no display.
+class Scene
+{
+public:
+  /// @throws Failure NoGpu if there is no OpenGL.
+  Scene();
+
+  void add(vtkProp* prop) { renderer_->AddViewProp(prop); }
+  void remove(vtkProp* prop) { renderer_->RemoveViewProp(prop); }
+
+  /// @param nameOfNone label for places without a value; null if all have one.
+  void addScalarBar(vtkColorTransferFunction* colours, const char* title,
+    const char* nameOfNone = nullptr);
+
+  /// The camera, for what fit() needs.
+  vtkCamera* camera() { return renderer_->GetActiveCamera(); }
+
+  /// Moves and scales the view until the bounds fit.
+  /// @param bounds in the camera's coordinates.
+  void fit(const vtkBoundingBox& bounds, const Margins& margins);
+
+  /// Writes a PNG file of the scene as the camera sees it.
+  /// @throws Failure NoSpace if the file cannot be written completely. The message does not name
+  ///   it.
+  void write(const std::filesystem::path& file);
+
+  /// Writes a PNG file of the scene with a scalar bar.
+  /// @param shown what must fit into it; the first one decides where to look from.
+  /// @throws Failure NoSpace if the file cannot be written completely. The message does not name
+  ///   it.
+  void draw(std::initializer_list<vtkPolyData*> shown, const std::filesystem::path& file);
+
+private:
+  vtkSmartPointer<EglRenderWindow> window_;
+  vtkNew<vtkRenderer> renderer_;
+};
+
+} // namespace medial::app

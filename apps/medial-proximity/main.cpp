@@ -1,0 +1,15 @@
+#include "program_main.h"
+#include "proximity_command.h"
+#include "proximity_run.h"
+
+int main(int argc, char** argv)
+{
+  return medial::app::runProgram("medial-proximity",
+    [&]
+    {
+      if (const auto command = medial::app::parseProximityCommand(argc, argv))
+      {
+        medial::app::runProximity(*command);
+      }
+    });
+}
