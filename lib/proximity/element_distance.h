@@ -66,7 +66,7 @@ MEDIAL_INLINE glm::dvec3 closestPoint(const Element& element, const glm::dvec3& 
   const double ofA = abB * acC - abC * acB;
   const double toC = acB - abB;
   const double toB = abC - acC;
-  if (ofA <= 0.0 && toC >= 0.0 && toB >= 0.0)
+  if (ofA <= 0.0 && toC >= 0.0 && toB >= 0.0 && toC + toB > 0.0)
   {
     return b + toC / (toC + toB) * (c - b);
   }

@@ -36,9 +36,12 @@ struct ProximityOptions
 /// A place of one mesh inside, or on, the other.
 struct ProximityContact
 {
-  Point3 point{};          ///< on the surface that is inside the other mesh, world units
-  Point3 normal{};         ///< unit vector from A to B: moving B along it separates them here
-  double depth = 0.0;      ///< world units, >= 0; 0 where the surfaces only touch
+  Point3 point{};  ///< on the surface that is inside the other mesh, world units
+  Point3 normal{}; ///< unit vector from A to B: moving B along it separates them here
+  /// World units, >= 0; 0 where the surfaces only touch. Of a point inside: its distance to the
+  /// other surface. Of a corner of the overlap, where an edge crosses a face: how thick the overlap
+  /// is along the normal, which may be more than Proximity::depth.
+  double depth = 0.0;
   int manifold = 0;        ///< contacts of one connected overlap share a number, from 0
   std::int64_t cellA = -1; ///< input cell of A
   std::int64_t cellB = -1; ///< input cell of B
@@ -58,7 +61,7 @@ struct DepthBounds
   double upper = 0.0; ///< it is this or less
 };
 
-/// How two meshes, A and B, lie to each other.
+/// How two meshes, A and B, lie to each other. Coordinates below 1e-70 count as 0.
 ///
 /// The solid of a closed mesh is where its winding number is 1 or more; its triangles are oriented
 /// first, as for the sign of a distance field. An open mesh has a solid where its generalised
