@@ -70,12 +70,8 @@ float slackNear(double reach, double farthest)
 
 DeviceMesh::DeviceMesh(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
   Kernels& kernels)
-  : faceCount_(static_cast<int>(mesh.triangles.size()))
-  , edgeCount_(static_cast<int>(connectivity.edges.size()))
-  , vertexCount_(static_cast<int>(mesh.points.size()))
-  , incidenceCount_(static_cast<int>(connectivity.edgeTriangles.values.size()))
+  : connectivity_(mesh, connectivity, kernels)
 {
-  this->uploadConnectivity(mesh, connectivity, kernels);
   const std::vector<std::int32_t> order = orderElements(mesh, connectivity);
   slotCount_ = static_cast<int>(order.size());
   levels_ = levelsOver(slotCount_ / kGroupSize);
@@ -85,41 +81,12 @@ DeviceMesh::DeviceMesh(const TriangleMesh& mesh, const MeshConnectivity& connect
   this->allocate();
 }
 
-void DeviceMesh::uploadConnectivity(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
-  Kernels& kernels)
-{
-  std::int64_t offset = 0;
-  const auto section = [&](const auto& values)
-  {
-    const auto bytes = static_cast<std::int64_t>(values.size() * sizeof(values[0]));
-    if (connectivity_)
-    {
-      kernels.upload(connectivity_, offset, bytes, values.data());
-    }
-    offset += bytes;
-  };
-  const auto all = [&]
-  {
-    offset = 0;
-    section(mesh.triangles);
-    section(connectivity.triangleEdges);
-    section(connectivity.edges);
-    section(connectivity.edgeTriangles.offsets);
-    section(connectivity.edgeTriangles.values);
-    section(connectivity.pointEdges.offsets);
-    section(connectivity.pointEdges.values);
-  };
-  all();
-  obtainBuffer(connectivity_, offset);
-  all();
-}
-
 void DeviceMesh::allocate()
 {
-  obtainBuffer(points_, vertexCount_ * kPointBytes);
-  obtainBuffer(faces_, faceCount_ * kFaceBytes);
-  obtainBuffer(edges_, edgeCount_ * kEdgeBytes);
-  obtainBuffer(vertices_, vertexCount_ * kVertexBytes);
+  obtainBuffer(points_, connectivity_.vertexCount() * kPointBytes);
+  obtainBuffer(faces_, connectivity_.faceCount() * kFaceBytes);
+  obtainBuffer(edges_, connectivity_.edgeCount() * kEdgeBytes);
+  obtainBuffer(vertices_, connectivity_.vertexCount() * kVertexBytes);
   obtainBuffer(elements_, slotCount_ * kElementBytes);
   obtainBuffer(discs_, (levels_.back().first + levels_.back().count) * kDiscBytes);
 }
@@ -172,19 +139,12 @@ void DeviceMesh::uploadPoints(const TriangleMesh& mesh, const LocalCoordinates& 
   obtainBuffer(positions_, bytes);
   kernels.upload(positions_, 0, bytes, packed_.data());
   const gl::ShaderProgram& kernel = gl::cachedProgram("points.comp");
-  kernel.set("count", 3 * vertexCount_);
+  kernel.set("count", 3 * connectivity_.vertexCount());
   kernel.set("fixedPoint", fixedPoint ? 1 : 0);
   kernel.set("low", bounds.low);
   kernel.set("quantum", quantum);
-  kernels.startItems(kernel, { &positions_, &points_ }, std::int64_t{ 3 } * vertexCount_);
-}
-
-void DeviceMesh::describe(const gl::ShaderProgram& kernel) const
-{
-  kernel.set("faceCount", faceCount_);
-  kernel.set("edgeCount", edgeCount_);
-  kernel.set("vertexCount", vertexCount_);
-  kernel.set("incidenceCount", incidenceCount_);
+  kernels.startItems(kernel, { &positions_, &points_ },
+    std::int64_t{ 3 } * connectivity_.vertexCount());
 }
 
 void DeviceMesh::buildSites(Kernels& kernels) const
@@ -193,19 +153,22 @@ void DeviceMesh::buildSites(Kernels& kernels) const
   this->describe(faces);
   faces.set("flatHeight", flatHeight_);
   faces.set("minHeight", kMinHeight);
-  kernels.startItems(faces, { &connectivity_, &points_, &faces_ }, faceCount_);
+  kernels.startItems(faces, { &connectivity_.buffer(), &points_, &faces_ },
+    connectivity_.faceCount());
   const gl::ShaderProgram& edges = gl::cachedProgram("edges.comp");
   this->describe(edges);
-  kernels.startItems(edges, { &connectivity_, &points_, &faces_, &edges_ }, edgeCount_);
+  kernels.startItems(edges, { &connectivity_.buffer(), &points_, &faces_, &edges_ },
+    connectivity_.edgeCount());
   const gl::ShaderProgram& vertices = gl::cachedProgram("vertices.comp");
   this->describe(vertices);
-  kernels.startItems(vertices, { &connectivity_, &points_, nullptr, &edges_, &vertices_ },
-    vertexCount_);
+  kernels.startItems(vertices, { &connectivity_.buffer(), &points_, nullptr, &edges_, &vertices_ },
+    connectivity_.vertexCount());
   const gl::ShaderProgram& elements = gl::cachedProgram("elements.comp");
   this->describe(elements);
   elements.set("slotCount", slotCount_);
   kernels.startItems(elements,
-    { &connectivity_, &points_, &faces_, &edges_, &vertices_, &order_, &elements_ }, slotCount_);
+    { &connectivity_.buffer(), &points_, &faces_, &edges_, &vertices_, &order_, &elements_ },
+    slotCount_);
 }
 
 void DeviceMesh::buildTree(Kernels& kernels) const
@@ -215,7 +178,8 @@ void DeviceMesh::buildTree(Kernels& kernels) const
   groups.set("groupCount", levels_[0].count);
   groups.set("slack", slack_);
   kernels.startItems(groups,
-    { &connectivity_, &points_, &faces_, &edges_, &vertices_, &order_, &discs_ }, levels_[0].count);
+    { &connectivity_.buffer(), &points_, &faces_, &edges_, &vertices_, &order_, &discs_ },
+    levels_[0].count);
   const gl::ShaderProgram& nodes = gl::cachedProgram("node_discs.comp");
   nodes.set("slack", slack_);
   for (std::size_t level = 1; level < levels_.size(); ++level)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "field/engines/device/connectivity_buffer.h"
 #include "field/engines/device/kernels.h"
 #include "medial/mesh_connectivity.h"
 #include "medial/triangle_mesh.h"
@@ -34,9 +35,9 @@ public:
     Kernels& kernels);
 
   /// Sets the uniforms of mesh.glsl.
-  void describe(const gl::ShaderProgram& kernel) const;
+  void describe(const gl::ShaderProgram& kernel) const { connectivity_.describe(kernel); }
 
-  const gl::Buffer& connectivity() const { return connectivity_; }
+  const gl::Buffer& connectivity() const { return connectivity_.buffer(); }
   const gl::Buffer& points() const { return points_; }
   const gl::Buffer& faces() const { return faces_; }
   const gl::Buffer& order() const { return order_; }
@@ -48,21 +49,19 @@ public:
   float slack() const { return slack_; }
 
 private:
-  void uploadConnectivity(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
-    Kernels& kernels);
   void allocate();
   void uploadPoints(const TriangleMesh& mesh, const LocalCoordinates& local, double reach,
     Kernels& kernels);
   void buildSites(Kernels& kernels) const;
   void buildTree(Kernels& kernels) const;
 
-  int faceCount_, edgeCount_, vertexCount_, incidenceCount_, slotCount_;
+  ConnectivityBuffer connectivity_;
+  int slotCount_;
   std::vector<TreeLevel> levels_;
   float slack_ = 0.0f;
   double flatHeight_ = 0.0;
   std::vector<std::uint32_t> packed_; ///< positions, kept from frame to frame
-  gl::Buffer connectivity_, order_, positions_, points_, faces_, edges_, vertices_, elements_,
-    discs_;
+  gl::Buffer order_, positions_, points_, faces_, edges_, vertices_, elements_, discs_;
 };
 
 } // namespace medial

@@ -13,7 +13,7 @@ namespace
 {
 
 /// Bytes per grid point of a slab: textures, a ring of two pixel buffers, the textures of the
-/// selection, and polygons.
+/// selection, and rectangles.
 constexpr std::size_t kBytesPerPoint = 112;
 
 } // namespace
@@ -57,17 +57,14 @@ AtlasLayout RasteriserEngine::chooseAtlas(const FieldJob& job, const FieldSink& 
 RasteriserEngine::Renderer& RasteriserEngine::obtainRenderer(const FieldJob& job,
   const AtlasLayout& atlas)
 {
-  if (renderer_ && renderer_->object().atlas() == atlas)
-  {
-    renderer_->run([&](SlabRenderer& renderer)
-      { renderer.move(job.host.sites(), job.host.normals(), job.frame, job.sign); });
-  }
-  else
+  if (!renderer_ || !(renderer_->object().atlas() == atlas))
   {
     renderer_.reset();
-    renderer_ =
-      std::make_unique<Renderer>(job.host.sites(), job.host.normals(), job.frame, atlas, job.sign);
+    renderer_ = std::make_unique<Renderer>(job.mesh, job.connectivity, atlas);
   }
+  const SiteSet& sites = job.host.sites();
+  const std::vector<glm::vec4>& normals = job.host.signNormals();
+  renderer_->run([&](SlabRenderer& renderer) { renderer.move(sites, normals, job.frame); });
   return *renderer_;
 }
 

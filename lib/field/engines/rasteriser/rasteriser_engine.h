@@ -11,8 +11,8 @@
 namespace medial
 {
 
-/// The method of the paper: the host clips polygons that bound Voronoi regions, and OpenGL draws
-/// them with its depth test.
+/// The method of the paper: OpenGL clips polygons that bound Voronoi regions, and draws them with
+/// its depth test.
 class RasteriserEngine : public FieldEngine
 {
 public:
