@@ -1,8 +1,7 @@
 #pragma once
 
+#include "base/borrowed_arena.h"
 #include "medial/execution.h"
-
-#include <tbb/task_arena.h>
 
 namespace medial
 {
@@ -30,8 +29,8 @@ public:
   template <typename Work>
   auto onThreads(const Work& work) const
   {
-    tbb::task_arena arena(threads_);
-    return arena.execute(work);
+    const BorrowedArena arena(threads_);
+    return arena->execute(work);
   }
 
 private:

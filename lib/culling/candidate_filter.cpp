@@ -101,7 +101,7 @@ CandidateFilter::CandidateFilter(const SiteSet& sites, const MeshConnectivity& c
   , bounds_(sites, connectivity)
   , facePlanes_(sites.faceCount())
   , edgeLines_(sites.edgeCount())
-  , tree_(sites, connectivity, roundingNear(sites, frame.reach()))
+  , tree_(sites, connectivity, roundingNear(frame.reach(), sites))
 {
 }
 

@@ -255,18 +255,23 @@ std::vector<Discs> packed(std::vector<Disc>& discs, float slack)
 
 } // namespace
 
-float roundingNear(const SiteSet& sites, double reach)
+float roundingNear(double reach, double farthest)
 {
-  double farthest = 0.0;
-  for (const glm::dvec3& point : sites.points())
-  {
-    farthest = std::max(farthest, glm::dot(point, point));
-  }
   // Enough for the grid points of most grids; those of very large or flat ones are farther out.
   constexpr float kMin = 1e-3f;
   constexpr float kRounding = 16.0f * std::numeric_limits<float>::epsilon();
   return std::max(kMin, kRounding * static_cast<float>(reach)) +
-    kRounding * static_cast<float>(std::sqrt(farthest));
+    kRounding * static_cast<float>(farthest);
+}
+
+float roundingNear(double reach, const SiteSet& sites)
+{
+  double squared = 0.0;
+  for (const glm::dvec3& point : sites.points())
+  {
+    squared = std::max(squared, glm::dot(point, point));
+  }
+  return roundingNear(reach, std::sqrt(squared));
 }
 
 GroupTree::GroupTree(const SiteSet& sites, const MeshConnectivity& connectivity, float slack)

@@ -16,7 +16,9 @@ namespace medial
 
 /// Returns a bound of the rounding of single precision near a mesh, local units.
 /// @param reach how far from the local origin positions are, local units.
-float roundingNear(const SiteSet& sites, double reach);
+/// @param farthest how far from it the points of the mesh are, local units.
+float roundingNear(double reach, double farthest);
+float roundingNear(double reach, const SiteSet& sites);
 
 /// A linear tree over the elements of a mesh. Its leaves are the groups: elements are sorted so
 /// that any 2^k of them, from a multiple of 2^k on, are close together, and eight in a row make a

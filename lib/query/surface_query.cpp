@@ -24,7 +24,7 @@ SurfaceQuery::SurfaceQuery(const LocalCoordinates& local, const TriangleMesh& me
   : local_(local)
   , sites_(mesh, connectivity, local)
   , normals_(pseudonormals(sites_, false))
-  , tree_(sites_, connectivity, roundingNear(sites_, 0.0))
+  , tree_(sites_, connectivity, roundingNear(0.0, sites_))
   , query_(tree_)
 {
 }

@@ -7,15 +7,6 @@
 
 namespace medial
 {
-namespace
-{
-
-/// Triangles lower than this (local units) have no face site. Their edges take its place, which
-/// moves closest points by at most half of this.
-constexpr double kMinHeight = 1e-4;
-
-} // namespace
-
 SiteSet::SiteSet(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
   const LocalCoordinates& local)
 {

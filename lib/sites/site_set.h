@@ -25,6 +25,10 @@ enum class SiteKind : std::uint8_t
 class SiteSet
 {
 public:
+  /// Triangles lower than this (local units) have no face site. Their edges take its place, which
+  /// moves closest points by at most half of this.
+  static constexpr double kMinHeight = 1e-4;
+
   SiteSet(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
     const LocalCoordinates& local);
 

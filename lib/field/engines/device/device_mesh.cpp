@@ -1,5 +1,6 @@
 #include "field/engines/device/device_mesh.h"
 
+#include "culling/group_tree.h"
 #include "field/engines/device/element_order.h"
 
 #include <algorithm>
@@ -19,9 +20,6 @@ constexpr std::int64_t kEdgeBytes = 4 * sizeof(std::int32_t);
 constexpr std::int64_t kVertexBytes = 2 * sizeof(std::int32_t);
 constexpr std::int64_t kElementBytes = 9 * 4 * sizeof(std::uint32_t);
 constexpr std::int64_t kDiscBytes = 3 * 4 * sizeof(float);
-
-/// As that of SiteSet: lower triangles are no sites.
-constexpr double kMinHeight = 1e-4;
 
 std::vector<TreeLevel> levelsOver(int groups)
 {
@@ -55,15 +53,6 @@ PointBounds boundsOf(const TriangleMesh& mesh, const LocalCoordinates& local)
   }
   bounds.farthest = std::sqrt(squared);
   return bounds;
-}
-
-/// Bounds the rounding of single precision, as roundingNear() does.
-float slackNear(double reach, double farthest)
-{
-  constexpr float kMin = 1e-3f;
-  constexpr float kRounding = 16.0f * std::numeric_limits<float>::epsilon();
-  return std::max(kMin, kRounding * static_cast<float>(reach)) +
-    kRounding * static_cast<float>(farthest);
 }
 
 } // namespace
@@ -107,13 +96,13 @@ void DeviceMesh::uploadPoints(const TriangleMesh& mesh, const LocalCoordinates& 
   constexpr double kMaxQuantum = 1e-6;
   constexpr double kRounding = 1e-12;
   const PointBounds bounds = boundsOf(mesh, local);
-  slack_ = slackNear(reach, bounds.farthest);
+  slack_ = roundingNear(reach, bounds.farthest);
   const glm::dvec3 size = bounds.high - bounds.low;
   const double longest = std::max({ size.x, size.y, size.z });
   const double quantum = longest > 0.0 ? longest / kCells : 1.0;
   const bool fixedPoint = quantum <= kMaxQuantum || longest == 0.0;
   flatHeight_ =
-    fixedPoint ? 4.0 * quantum : std::min(kRounding * (bounds.farthest + 1.0), kMinHeight);
+    fixedPoint ? 4.0 * quantum : std::min(kRounding * (bounds.farthest + 1.0), SiteSet::kMinHeight);
   if (longest == 0.0)
   {
     flatHeight_ = 0.0;
@@ -152,7 +141,7 @@ void DeviceMesh::buildSites(Kernels& kernels) const
   const gl::ShaderProgram& faces = gl::cachedProgram("faces.comp");
   this->describe(faces);
   faces.set("flatHeight", flatHeight_);
-  faces.set("minHeight", kMinHeight);
+  faces.set("minHeight", SiteSet::kMinHeight);
   kernels.startItems(faces, { &connectivity_.buffer(), &points_, &faces_ },
     connectivity_.faceCount());
   const gl::ShaderProgram& edges = gl::cachedProgram("edges.comp");

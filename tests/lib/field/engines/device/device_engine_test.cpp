@@ -297,7 +297,7 @@ TEST(DeviceEngine, LeaksNothingOverManyFrames)
 #ifdef __SANITIZE_ADDRESS__
   constexpr double kAllowed = 512.0; // it keeps freed memory for a while
 #else
-  constexpr double kAllowed = 16.0; // the heap moves by some 5
+  constexpr double kAllowed = 4.0;
 #endif
   EXPECT_LT(residentMiB() - before, kAllowed);
 }
