@@ -44,10 +44,10 @@ std::vector<Crossing> DeviceEngine::compute(const FieldJob& job, const CrossingS
   requireNear(job);
   const DeviceCounts before = field_ ? field_->object().counts() : DeviceCounts();
   Field& field = this->obtainField(job);
-  DeviceRun run(job, thread_, field, sink, before);
+  DeviceRun run(job, thread_.device(), field, sink, before);
   try
   {
-    return run.compute(slabsOf(job.extent, this->chooseSlices(job, sink)), selection);
+    return run.compute(slabsOf(job.extent, chooseSlices(job, field, sink)), selection);
   }
   catch (...)
   {
@@ -56,10 +56,10 @@ std::vector<Crossing> DeviceEngine::compute(const FieldJob& job, const CrossingS
   }
 }
 
-int DeviceEngine::chooseSlices(const FieldJob& job, const FieldSink& sink) const
+int DeviceEngine::chooseSlices(const FieldJob& job, Field& field, const FieldSink& sink)
 {
   std::int64_t limit = 0;
-  thread_.run([&] { limit = gl::storageBufferLimit(); });
+  field.run([&](DeviceField& /*field*/) { limit = gl::storageBufferLimit(); });
   const std::int64_t slice = std::int64_t{ job.extent.size(0) } * job.extent.size(1);
   int slices = slabSlices(job.extent, kBytesPerPoint + sink.bytesPerPoint(), job.memoryMiB);
   const std::int64_t points = std::min(limit / kBufferBytes, kMaxPoints);

@@ -31,7 +31,7 @@ private:
   std::vector<Crossing> compute(const FieldJob& job, const CrossingSelection* selection,
     FieldSink& sink);
   Field& obtainField(const FieldJob& job);
-  int chooseSlices(const FieldJob& job, const FieldSink& sink) const;
+  static int chooseSlices(const FieldJob& job, Field& field, const FieldSink& sink);
 
   gl::GpuThread& thread_;
   std::unique_ptr<Field> field_; ///< of the mesh that the engine serves

@@ -21,14 +21,13 @@ WantedValues wantedBy(const FieldArrays& arrays)
 
 } // namespace
 
-DeviceRun::DeviceRun(const FieldJob& job, gl::GpuThread& thread, Field& field, FieldSink& sink,
+DeviceRun::DeviceRun(const FieldJob& job, const Device& device, Field& field, FieldSink& sink,
   const DeviceCounts& before)
   : job_(job)
-  , thread_(thread)
   , field_(field)
   , sink_(sink)
   , writer_(job)
-  , check_(job, thread.device())
+  , check_(job, device)
   , before_(before)
 {
 }
@@ -96,7 +95,7 @@ void DeviceRun::start(const std::vector<Extent>& slabs, std::size_t number,
   for (const auto& step : field_.object().steps(job_, slabs, static_cast<int>(number)))
   {
     checkpoint();
-    thread_.run(step);
+    field_.run([&step](DeviceField& /*field*/) { step(); });
   }
 }
 

@@ -22,7 +22,7 @@ public:
   using Field = gl::OnGpuThread<DeviceField>;
 
   /// @param before what the device had done before the job.
-  DeviceRun(const FieldJob& job, gl::GpuThread& thread, Field& field, FieldSink& sink,
+  DeviceRun(const FieldJob& job, const Device& device, Field& field, FieldSink& sink,
     const DeviceCounts& before);
 
   /// Computes slabs. To be called once.
@@ -39,7 +39,6 @@ private:
   void addCounts();
 
   const FieldJob& job_;
-  gl::GpuThread& thread_;
   Field& field_;
   FieldSink& sink_;
   FieldWriter writer_;

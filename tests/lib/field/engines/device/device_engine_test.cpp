@@ -128,9 +128,12 @@ TEST_P(DeviceFault, LeadsToTheProcessorWithANote)
   EXPECT_EQ(expected.field.statistics.engine, Engine::Device);
   EXPECT_EQ(expected.field.statistics.note, "");
   expectSameField(computed, expected);
-  // From now on without a try, and without another word.
+  // From now on without a try, except after a reset, which leaves a device as good as new.
+  const bool renewed = GetParam().fault == gl::Fault::ContextLost;
   const Computed again = computedBy(engine, ring(), tallGrid());
-  EXPECT_EQ(again.field.statistics.engine, Engine::Processor);
+  EXPECT_EQ(again.field.statistics.engine, renewed ? Engine::Device : Engine::Processor);
+  EXPECT_EQ(again.field.statistics.note.empty(), renewed);
+  EXPECT_EQ(again.field.statistics.device.has_value(), renewed);
   expectSameField(again, expected);
 }
 
@@ -158,6 +161,59 @@ INSTANTIATE_TEST_SUITE_P(All, DeviceFault,
     FaultCase{ "resetBetweenSlabs", gl::Fault::ContextLost, 75, ErrorCode::NoGpu },
     FaultCase{ "wrongResult", gl::Fault::WrongResult, 1, ErrorCode::NoGpu }),
   [](const auto& test) { return std::string(test.param.name); });
+
+/// A device that is reset.
+class DeviceReset : public testing::Test
+{
+protected:
+  static constexpr int kAmidstTheField = 40;
+  void TearDown() override { gl::injectFault(gl::Fault::None); }
+
+  /// Computes a field, during which the device is reset.
+  static Computed computedDuringReset(FieldEngine& engine)
+  {
+    gl::injectFault(gl::Fault::ContextLost, kAmidstTheField);
+    Computed computed = computedBy(engine, ring(), tallGrid());
+    EXPECT_NE(computed.field.statistics.note.find("the device was reset"), std::string::npos);
+    return computed;
+  }
+};
+
+TEST_F(DeviceReset, LeadsToTheProcessorIfThereIsNoContextAfterIt)
+{
+  FallbackEngine engine(makeDevice);
+  computedDuringReset(engine);
+  gl::injectFault(gl::Fault::ContextRefused);
+  const Computed refused = computedBy(engine, ring(), tallGrid());
+  EXPECT_EQ(refused.field.statistics.engine, Engine::Processor);
+  EXPECT_EQ(refused.field.statistics.note,
+    "the engine device failed (no context can be made), so the processor did the work");
+  const Computed last = computedBy(engine, ring(), tallGrid());
+  EXPECT_EQ(last.field.statistics.engine, Engine::Processor);
+  EXPECT_EQ(last.field.statistics.note, refused.field.statistics.note);
+  FallbackEngine another(makeDevice); // the thread tries again where someone asks for it
+  EXPECT_EQ(computedBy(another, ring(), tallGrid()).field.statistics.engine, Engine::Device);
+}
+
+TEST_F(DeviceReset, IsForgivenOnce)
+{
+  FallbackEngine engine(makeDevice);
+  computedDuringReset(engine);
+  EXPECT_EQ(computedBy(engine, ring(), tallGrid()).field.statistics.engine, Engine::Device);
+  computedDuringReset(engine);
+  EXPECT_EQ(computedBy(engine, ring(), tallGrid()).field.statistics.engine, Engine::Processor);
+}
+
+TEST_F(DeviceReset, LosesWhatOtherEnginesHadOnTheDevice)
+{
+  DeviceEngine bystander;
+  const Computed before = computedBy(bystander, ring(), tallGrid());
+  FallbackEngine engine(makeDevice);
+  computedDuringReset(engine);
+  EXPECT_EQ(computedBy(engine, ring(), tallGrid()).field.statistics.engine, Engine::Device);
+  EXPECT_THROW(computedBy(bystander, ring(), tallGrid()), gl::ContextLost);
+  expectSameField(computedBy(bystander, ring(), tallGrid()), before);
+}
 
 TEST(DeviceEngine, ThatCannotBeMadeLeadsToTheProcessor)
 {
