@@ -16,6 +16,7 @@
 #include "support/field_checks.h"
 #include "support/shapes.h"
 
+#include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -333,6 +334,50 @@ double residentMiB()
   return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / (1 << 20);
 }
 
+/// What the GPU thread's context has.
+struct DeviceObjects
+{
+  int buffers = 0, textures = 0, queries = 0, programs = 0;
+  std::int64_t bytes = 0; ///< of the buffers
+};
+
+bool operator==(const DeviceObjects& a, const DeviceObjects& b)
+{
+  return a.buffers == b.buffers && a.textures == b.textures && a.queries == b.queries &&
+    a.programs == b.programs && a.bytes == b.bytes;
+}
+
+std::ostream& operator<<(std::ostream& out, const DeviceObjects& objects)
+{
+  return out << objects.buffers << " buffers of " << objects.bytes << " bytes, " << objects.textures
+             << " textures, " << objects.queries << " queries, " << objects.programs << " programs";
+}
+
+/// Asks for every name, since drivers give them out in order.
+DeviceObjects deviceObjects()
+{
+  constexpr GLuint kNames = 20000;
+  DeviceObjects found;
+  gl::GpuThread::instance().run(
+    [&]
+    {
+      for (GLuint name = 1; name <= kNames; ++name)
+      {
+        found.textures += glIsTexture(name);
+        found.queries += glIsQuery(name);
+        found.programs += glIsProgram(name);
+        if (glIsBuffer(name))
+        {
+          GLint64 bytes = 0;
+          glGetNamedBufferParameteri64v(name, GL_BUFFER_SIZE, &bytes);
+          ++found.buffers;
+          found.bytes += bytes;
+        }
+      }
+    });
+  return found;
+}
+
 TEST(DeviceEngine, LeaksNothingOverManyFrames)
 {
   const TriangleMesh mesh = box({ 1.0, 0.7, 0.4 });
@@ -344,10 +389,15 @@ TEST(DeviceEngine, LeaksNothingOverManyFrames)
   {
     for (int i = 0; i < frames; ++i)
     {
+      solver.setPoints(scaled(mesh, i % 2 == 0 ? 1.0 : 0.9).points);
       EXPECT_GT(solver.computeAxis(grid, options).points.size(), 0u);
     }
   };
-  compute(50);
+  compute(3);
+  const DeviceObjects early = deviceObjects();
+  EXPECT_GT(early.buffers, 10);
+  EXPECT_GT(early.bytes, 10000);
+  compute(47);
   const double before = residentMiB();
   compute(250);
 #ifdef __SANITIZE_ADDRESS__
@@ -356,6 +406,20 @@ TEST(DeviceEngine, LeaksNothingOverManyFrames)
   constexpr double kAllowed = 4.0;
 #endif
   EXPECT_LT(residentMiB() - before, kAllowed);
+  EXPECT_EQ(deviceObjects(), early);
+}
+
+TEST(DeviceEngine, LeavesNothingOnTheDevice)
+{
+  const auto compute = []
+  {
+    DeviceEngine engine;
+    EXPECT_GT(computedBy(engine, ring(), tallGrid()).crossings.size(), 100u);
+  };
+  compute();
+  const DeviceObjects before = deviceObjects();
+  compute();
+  EXPECT_EQ(deviceObjects(), before);
 }
 
 TEST(DeviceEngine, PassesItsOwnCheck)
@@ -386,7 +450,8 @@ TEST(DeviceEngine, MakesRoomForLongLists)
   EXPECT_LT(solver.computeField(grid, grid.wholeExtent(), arrays, options).dispatches, first);
 }
 
-TEST(DeviceEngine, ServesThreadsAtOnce)
+/// Each has a mesh, an engine and a grid of its own; the GPU thread takes turns with them.
+TEST(DeviceEngine, ServesEightThreadsAtOnce)
 {
   std::vector<std::thread> threads;
   for (int i = 0; i < 8; ++i)
@@ -394,11 +459,21 @@ TEST(DeviceEngine, ServesThreadsAtOnce)
     threads.emplace_back(
       [i]
       {
-        const TriangleMesh mesh = box({ 1.0, 0.3 + 0.1 * i, 0.7 });
+        const TriangleMesh mesh =
+          i % 2 == 0 ? box({ 1.0, 0.3 + 0.1 * i, 0.7 }) : torus(1.0, 0.2 + 0.05 * i, 12 + i, 8);
+        const Grid grid = makeGrid(mesh.bounds(), 12 + 2 * i, 0.2);
         DistanceFieldOptions options;
+        options.engine = Engine::Processor;
+        const DistanceField expected = computeDistanceField(mesh, grid, options);
         options.engine = Engine::Device;
-        const Grid grid = makeGrid(mesh.bounds(), 12, 0.2);
-        expectExact(mesh, computeDistanceField(mesh, grid, options), allVoxels(grid));
+        for (int frame = 0; frame < 3; ++frame)
+        {
+          const DistanceField field = computeDistanceField(mesh, grid, options);
+          EXPECT_EQ(field.statistics.engine, Engine::Device);
+          const FieldDifference found = difference(mesh, field, expected);
+          EXPECT_LE(found.distance, 1e-4) << "thread " << i;
+          EXPECT_EQ(found.untiedSites, 0u) << "thread " << i;
+        }
       });
   }
   for (std::thread& thread : threads)
