@@ -42,7 +42,11 @@ std::vector<Crossing> DeviceRun::compute(const std::vector<Extent>& slabs,
   wanted.distances = wanted.distances || check_.isDue();
   this->prepareHost();
   timed(job_.statistics.seconds.sites,
-    [&] { field_.run([&](DeviceField& field) { field.move(job_, wanted, selection); }); });
+    [&]
+    {
+      field_.object().prepare(job_);
+      field_.run([&](DeviceField& field) { field.move(job_, wanted, selection); });
+    });
   for (std::size_t i = 0; i < slabs.size(); ++i)
   {
     const double done = static_cast<double>(i) * share;
@@ -58,14 +62,17 @@ std::vector<Crossing> DeviceRun::compute(const std::vector<Extent>& slabs,
         this->finish(slabs, i, checkpoint);
         if (selection != nullptr)
         {
-          field_.run(
-            [&](DeviceField& field) { field.takeCrossings(job_, static_cast<int>(i), crossings); });
+          field_.run([&](DeviceField& field) { field.readCrossings(static_cast<int>(i)); });
         }
         if (i + 1 < slabs.size())
         {
           this->start(slabs, i + 1, checkpoint);
         }
       });
+    if (selection != nullptr)
+    {
+      field_.object().takeCrossings(job_, crossings);
+    }
     if (i > 0)
     {
       arrays = sink_.slabArrays(slabs[i]);
