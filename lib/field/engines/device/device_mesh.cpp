@@ -20,6 +20,8 @@ constexpr std::int64_t kEdgeBytes = 4 * sizeof(std::int32_t);
 constexpr std::int64_t kVertexBytes = 2 * sizeof(std::int32_t);
 constexpr std::int64_t kElementBytes = 9 * 4 * sizeof(std::uint32_t);
 constexpr std::int64_t kDiscBytes = 3 * 4 * sizeof(float);
+/// Slots that groups of elements of different sizes may leave empty, more than there can be.
+constexpr std::int64_t kPadding = 512;
 
 std::vector<TreeLevel> levelsOver(int groups)
 {
@@ -56,6 +58,28 @@ PointBounds boundsOf(const TriangleMesh& mesh, const LocalCoordinates& local)
 }
 
 } // namespace
+
+std::int64_t DeviceMesh::largestBuffer(const TriangleMesh& mesh,
+  const MeshConnectivity& connectivity)
+{
+  constexpr std::int64_t kNormalBytes = 4 * sizeof(float);
+  const auto count = [](const auto& values) { return static_cast<std::int64_t>(values.size()); };
+  const std::int64_t faces = count(mesh.triangles);
+  const std::int64_t edges = count(connectivity.edges);
+  const std::int64_t vertices = count(mesh.points);
+  const std::int64_t elements = faces + count(mesh.segments) + count(mesh.vertices) + kPadding;
+  const std::int64_t numbers = 6 * faces + 2 * edges + count(connectivity.edgeTriangles.offsets) +
+    count(connectivity.edgeTriangles.values) + count(connectivity.pointEdges.offsets) +
+    count(connectivity.pointEdges.values);
+  return std::max({ elements * kElementBytes, numbers * std::int64_t{ sizeof(std::int32_t) },
+    (faces + edges + vertices) * kNormalBytes });
+}
+
+int DeviceMesh::elementsWithin(std::int64_t limit)
+{
+  constexpr std::int64_t kMost = std::numeric_limits<int>::max();
+  return static_cast<int>(std::clamp(limit / kElementBytes - kPadding, std::int64_t{ 1 }, kMost));
+}
 
 DeviceMesh::DeviceMesh(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
   Kernels& kernels)

@@ -24,6 +24,11 @@ struct TreeLevel
 class DeviceMesh
 {
 public:
+  /// Bytes of the largest buffer that a mesh takes, with those of its pseudonormals.
+  static std::int64_t largestBuffer(const TriangleMesh& mesh, const MeshConnectivity& connectivity);
+  /// Number of elements whose buffers a limit allows, whatever their connectivity.
+  static int elementsWithin(std::int64_t limit);
+
   /// @throws Error GpuLimit or OutOfMemory.
   DeviceMesh(const TriangleMesh& mesh, const MeshConnectivity& connectivity, Kernels& kernels);
 

@@ -5,6 +5,7 @@
 #include "field/array_sink.h"
 #include "field/engines/device/element_order.h"
 #include "field/engines/fallback_engine.h"
+#include "field/engines/processor/processor_engine.h"
 #include "field/field_pipeline.h"
 #include "gl/fault.h"
 #include "gl/gpu_thread.h"
@@ -273,20 +274,25 @@ TEST(DeviceEngine, DoesNotTakeAnErrorOfTheSinkForItsOwn)
   EXPECT_EQ(engine.kind(), Engine::Device);
 }
 
+/// Lowers the limit of storage buffers.
+struct StorageLimit
+{
+  explicit StorageLimit(std::int64_t bytes) { gl::limitStorageBuffers(bytes); }
+  ~StorageLimit() { gl::limitStorageBuffers(0); }
+  StorageLimit(const StorageLimit&) = delete;
+  StorageLimit& operator=(const StorageLimit&) = delete;
+};
+
+constexpr std::int64_t kMiB = 1 << 20;
+
 TEST(DeviceEngine, RefusesWhatDoesNotFitAStorageBuffer)
 {
-  struct Limited
-  {
-    Limited() { gl::limitStorageBuffers(1 << 20); }
-    ~Limited() { gl::limitStorageBuffers(0); }
-  };
-  const TriangleMesh large = icosphere(1.0, 6);
-  const Grid grid = makeGrid(large.bounds(), 12, 0.1);
-  const Limited limited;
+  const Grid wide{ { -1.5, -1.5, 0.0 }, { 0.005, 0.005, 0.005 }, { 600, 600, 1 } };
+  const StorageLimit limit(kMiB);
   DeviceEngine engine;
   try
   {
-    computedBy(engine, large, grid);
+    computedBy(engine, ring(), wide);
     FAIL() << "no error";
   }
   catch (const Error& error)
@@ -296,9 +302,142 @@ TEST(DeviceEngine, RefusesWhatDoesNotFitAStorageBuffer)
       << error.what();
   }
   // Slabs become thinner, where this helps.
-  DeviceEngine another;
-  const Computed computed = computedBy(another, ring(), tallGrid());
-  EXPECT_EQ(computed.field.statistics.engine, Engine::Device);
+  EXPECT_EQ(computedBy(engine, ring(), tallGrid()).field.statistics.engine, Engine::Device);
+}
+
+/// Triangles, segments and points, more than fit the limit below.
+TriangleMesh largeMixture()
+{
+  TriangleMesh mesh = appended(randomSoup(4000, 5),
+    makeMesh({ { 0.1, 0.2, 0.9 }, { -0.9, 0.2, 0.9 }, { 0.5, 0.5, 0.5 } }, {}, { { 0, 1 } },
+      { 2 }));
+  return appended(mesh, torus(1.0, 0.3, 40, 20));
+}
+
+TEST(DeviceEngine, SplitsMeshesLargerThanAStorageBuffer)
+{
+  struct Case
+  {
+    const char* name;
+    TriangleMesh mesh;
+    std::int64_t limit;
+    int resolution;
+  };
+  const Case cases[] = { { "sphere", icosphere(1.0, 6), kMiB, 14 },
+    { "ring", torus(1.0, 0.35, 80, 40), kMiB / 4, 40 },
+    { "mixture", largeMixture(), kMiB / 4, 24 } };
+  for (const Case& one : cases)
+  {
+    SCOPED_TRACE(one.name);
+    const Grid grid = makeGrid(one.mesh.bounds(), one.resolution, 0.2);
+    ProcessorEngine processor;
+    const Computed expected = computedBy(processor, one.mesh, grid);
+    const StorageLimit limit(one.limit);
+    ASSERT_GT(DeviceMesh::largestBuffer(one.mesh, analyseConnectivity(one.mesh)), one.limit);
+    DeviceEngine engine;
+    const Computed split = computedBy(engine, one.mesh, grid, true);
+    EXPECT_EQ(split.field.statistics.engine, Engine::Device);
+    EXPECT_GT(split.field.statistics.dispatches, 0);
+    const FieldDifference found = difference(one.mesh, split.field, expected.field);
+    EXPECT_LE(found.distance, 1e-4);
+    EXPECT_EQ(found.untiedSites, 0u);
+    EXPECT_NEAR(static_cast<double>(split.crossings.size()),
+      static_cast<double>(expected.crossings.size()),
+      0.002 * static_cast<double>(expected.crossings.size()));
+    // The same bytes in the next frame, which moves positions only.
+    const Computed again = computedBy(engine, one.mesh, grid);
+    EXPECT_EQ(again.field.distance, split.field.distance);
+    EXPECT_EQ(again.field.closestSite, split.field.closestSite);
+    EXPECT_LT(again.field.statistics.bytesUploaded, split.field.statistics.bytesUploaded / 2);
+  }
+}
+
+TEST(DeviceEngine, SplitsMeshesInMotionWithAllArraysAndSigns)
+{
+  const TriangleMesh mesh = torus(1.0, 0.35, 60, 30);
+  const StorageLimit limit(kMiB / 4);
+  MedialSolver solver(mesh);
+  for (const SignMethod sign : { SignMethod::Winding, SignMethod::Pseudonormal, SignMethod::None })
+  {
+    DistanceFieldOptions options;
+    options.sign = sign;
+    options.engine = Engine::Device;
+    for (const double factor : { 1.0, 0.8 })
+    {
+      const TriangleMesh moved = scaled(mesh, factor);
+      const Grid grid = makeGrid(moved.bounds(), 24, 0.2);
+      expectExact(moved, computeDistanceField(moved, grid, options), allVoxels(grid));
+      DistanceField field;
+      field.grid = grid;
+      field.distance.resize(grid.pointCount());
+      field.closestSite.resize(grid.pointCount());
+      FieldArrays arrays;
+      arrays.distance = field.distance.data();
+      arrays.closestSite = field.closestSite.data();
+      solver.setPoints(moved.points);
+      solver.computeField(grid, grid.wholeExtent(), arrays, options);
+      DistanceFieldOptions byProcessor = options;
+      byProcessor.engine = Engine::Processor;
+      const FieldDifference found =
+        difference(moved, field, computeDistanceField(moved, grid, byProcessor));
+      EXPECT_LE(found.distance, 1e-4);
+      EXPECT_EQ(found.untiedSites, 0u);
+    }
+  }
+}
+
+TEST(MeshParts, HaveEveryElementOnceAndTheNamesOfTheWholeMesh)
+{
+  const TriangleMesh mesh = largeMixture();
+  const MeshConnectivity connectivity = analyseConnectivity(mesh);
+  const auto firstEdge = static_cast<std::int32_t>(mesh.triangles.size());
+  const auto firstVertex = firstEdge + static_cast<std::int32_t>(connectivity.edges.size());
+  std::vector<int> found(firstVertex + mesh.points.size());
+  const std::vector<MeshPart> parts = splitMesh(mesh, connectivity, 700);
+  EXPECT_GT(parts.size(), 5u);
+  for (const MeshPart& part : parts)
+  {
+    const std::size_t faces = part.mesh.triangles.size();
+    const std::size_t edges = part.connectivity.edges.size();
+    EXPECT_LE(faces + part.mesh.segments.size() + part.mesh.vertices.size(), 700u);
+    ASSERT_EQ(part.sites.size(), faces + edges + part.points.size());
+    for (std::size_t i = 0; i < part.sites.size(); ++i)
+    {
+      const std::int32_t site = part.sites[i];
+      ++found[site];
+      std::vector<int> corners;
+      std::vector<int> expected;
+      if (i < faces)
+      {
+        const auto& [a, b, c] = part.mesh.triangles[i];
+        const auto& [p, q, r] = mesh.triangles[site];
+        corners = { a, b, c };
+        expected = { p, q, r };
+      }
+      else if (i < faces + edges)
+      {
+        const auto& [a, b] = part.connectivity.edges[i - faces];
+        const auto& [p, q] = connectivity.edges[site - firstEdge];
+        corners = { a, b };
+        expected = { p, q };
+      }
+      else
+      {
+        corners = { static_cast<int>(i - faces - edges) };
+        expected = { site - firstVertex };
+      }
+      for (int& corner : corners)
+      {
+        corner = part.points[corner];
+      }
+      EXPECT_TRUE(std::is_permutation(corners.begin(), corners.end(), expected.begin()));
+    }
+  }
+  for (std::int32_t site = 0; site < static_cast<std::int32_t>(found.size()); ++site)
+  {
+    EXPECT_GE(found[site], 1) << site;
+    EXPECT_TRUE(site >= firstEdge || found[site] == 1) << site;
+  }
 }
 
 TEST(DeviceEngine, MovesFewBytes)
