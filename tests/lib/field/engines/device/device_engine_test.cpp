@@ -352,6 +352,22 @@ TEST(DeviceEngine, SplitsMeshesLargerThanAStorageBuffer)
   }
 }
 
+TEST_F(DeviceReset, AmidstAMeshInPartsLeadsToTheProcessor)
+{
+  const TriangleMesh mesh = torus(1.0, 0.35, 80, 40);
+  FallbackEngine engine(makeDevice);
+  const StorageLimit limit(kMiB / 4);
+  gl::injectFault(gl::Fault::ContextLost, 200);
+  const Computed computed = computedBy(engine, mesh, tallGrid());
+  EXPECT_EQ(computed.field.statistics.engine, Engine::Processor);
+  EXPECT_NE(computed.field.statistics.note, "");
+  const Computed again = computedBy(engine, mesh, tallGrid());
+  EXPECT_EQ(again.field.statistics.engine, Engine::Device);
+  const FieldDifference found = difference(mesh, computed.field, again.field);
+  EXPECT_LE(found.distance, 1e-4);
+  EXPECT_EQ(found.untiedSites, 0u);
+}
+
 TEST(DeviceEngine, SplitsMeshesInMotionWithAllArraysAndSigns)
 {
   const TriangleMesh mesh = torus(1.0, 0.35, 60, 30);
@@ -386,13 +402,29 @@ TEST(DeviceEngine, SplitsMeshesInMotionWithAllArraysAndSigns)
   }
 }
 
+/// The points of a site.
+std::vector<int> cornersOf(std::size_t site, const TriangleMesh& mesh,
+  const MeshConnectivity& connectivity)
+{
+  const std::size_t faces = mesh.triangles.size();
+  if (site < faces)
+  {
+    return { mesh.triangles[site].begin(), mesh.triangles[site].end() };
+  }
+  if (site - faces < connectivity.edges.size())
+  {
+    const auto& edge = connectivity.edges[site - faces];
+    return { edge.begin(), edge.end() };
+  }
+  return { static_cast<int>(site - faces - connectivity.edges.size()) };
+}
+
 TEST(MeshParts, HaveEveryElementOnceAndTheNamesOfTheWholeMesh)
 {
   const TriangleMesh mesh = largeMixture();
   const MeshConnectivity connectivity = analyseConnectivity(mesh);
   const auto firstEdge = static_cast<std::int32_t>(mesh.triangles.size());
-  const auto firstVertex = firstEdge + static_cast<std::int32_t>(connectivity.edges.size());
-  std::vector<int> found(firstVertex + mesh.points.size());
+  std::vector<int> found(firstEdge + connectivity.edges.size() + mesh.points.size());
   const std::vector<MeshPart> parts = splitMesh(mesh, connectivity, 700);
   EXPECT_GT(parts.size(), 5u);
   for (const MeshPart& part : parts)
@@ -405,27 +437,9 @@ TEST(MeshParts, HaveEveryElementOnceAndTheNamesOfTheWholeMesh)
     {
       const std::int32_t site = part.sites[i];
       ++found[site];
-      std::vector<int> corners;
-      std::vector<int> expected;
-      if (i < faces)
-      {
-        const auto& [a, b, c] = part.mesh.triangles[i];
-        const auto& [p, q, r] = mesh.triangles[site];
-        corners = { a, b, c };
-        expected = { p, q, r };
-      }
-      else if (i < faces + edges)
-      {
-        const auto& [a, b] = part.connectivity.edges[i - faces];
-        const auto& [p, q] = connectivity.edges[site - firstEdge];
-        corners = { a, b };
-        expected = { p, q };
-      }
-      else
-      {
-        corners = { static_cast<int>(i - faces - edges) };
-        expected = { site - firstVertex };
-      }
+      std::vector<int> corners = cornersOf(i, part.mesh, part.connectivity);
+      const std::vector<int> expected = cornersOf(site, mesh, connectivity);
+      ASSERT_EQ(corners.size(), expected.size());
       for (int& corner : corners)
       {
         corner = part.points[corner];
