@@ -11,8 +11,8 @@ namespace medial::gl
 {
 
 /// Owns one OpenGL name. Move-only; empty if the name is 0. Created and destroyed on the GPU thread
-/// only; where that thread is not alive(), or has another context, a name has gone with its context,
-/// and there is nothing to delete.
+/// only; where that thread is not alive(), or has another context, a name has gone with its
+/// context, and there is nothing to delete.
 template <auto Delete, typename Name = GLuint>
 class GlObject
 {

@@ -68,9 +68,9 @@ private:
   std::unique_ptr<State> state_;
 };
 
-/// Keeps the context of the GPU thread while it lives, even if that is lost and replaced: others may
-/// still read its mapped buffers. GPU thread only; elsewhere it may be destroyed where that thread is
-/// not alive().
+/// Keeps the context of the GPU thread while it lives, even if that is lost and replaced: others
+/// may still read its mapped buffers. GPU thread only; elsewhere it may be destroyed where that
+/// thread is not alive().
 class ContextUse
 {
 public:
@@ -88,8 +88,8 @@ private:
 };
 
 /// Holds a T that lives on the GPU thread: it is constructed, used through `run` and destroyed
-/// there, in one context. Once that thread is not alive(), T is destroyed by the caller: its memory,
-/// that is, since its names of OpenGL went with their context.
+/// there, in one context. Once that thread is not alive(), T is destroyed by the caller: its
+/// memory, that is, since its names of OpenGL went with their context.
 template <typename T>
 class OnGpuThread
 {
