@@ -57,7 +57,7 @@ struct RunStatistics
   std::int64_t dispatches = 0;    ///< compute shaders that it has started
   SignReport sign;                ///< how the sign was found
   Engine engine = Engine::Auto;   ///< the engine used, never Auto
-  /// Why the engine is not the one that Auto had chosen; one line, empty if it is.
+  /// Why Engine::Auto left the work of a device to the processor; one line, empty if it did not.
   std::string note;
   /// The OpenGL implementation that the engine used. The processor uses none; if hardware was
   /// required, this is then the hardware that was found.

@@ -20,6 +20,8 @@ constexpr std::int64_t kEdgeBytes = 4 * sizeof(std::int32_t);
 constexpr std::int64_t kVertexBytes = 2 * sizeof(std::int32_t);
 constexpr std::int64_t kElementBytes = 9 * 4 * sizeof(std::uint32_t);
 constexpr std::int64_t kDiscBytes = 3 * 4 * sizeof(float);
+/// Slots that groups of elements of different sizes may leave empty, more than there can be.
+constexpr std::int64_t kPadding = 512;
 
 std::vector<TreeLevel> levelsOver(int groups)
 {
@@ -57,6 +59,28 @@ PointBounds boundsOf(const TriangleMesh& mesh, const LocalCoordinates& local)
 
 } // namespace
 
+std::int64_t DeviceMesh::largestBuffer(const TriangleMesh& mesh,
+  const MeshConnectivity& connectivity)
+{
+  constexpr std::int64_t kNormalBytes = 4 * sizeof(float);
+  const auto count = [](const auto& values) { return static_cast<std::int64_t>(values.size()); };
+  const std::int64_t faces = count(mesh.triangles);
+  const std::int64_t edges = count(connectivity.edges);
+  const std::int64_t vertices = count(mesh.points);
+  const std::int64_t elements = faces + count(mesh.segments) + count(mesh.vertices) + kPadding;
+  const std::int64_t numbers = 6 * faces + 2 * edges + count(connectivity.edgeTriangles.offsets) +
+    count(connectivity.edgeTriangles.values) + count(connectivity.pointEdges.offsets) +
+    count(connectivity.pointEdges.values);
+  return std::max({ elements * kElementBytes, numbers * std::int64_t{ sizeof(std::int32_t) },
+    (faces + edges + vertices) * kNormalBytes });
+}
+
+int DeviceMesh::elementsWithin(std::int64_t limit)
+{
+  constexpr std::int64_t kMost = std::numeric_limits<int>::max();
+  return static_cast<int>(std::clamp(limit / kElementBytes - kPadding, std::int64_t{ 1 }, kMost));
+}
+
 DeviceMesh::DeviceMesh(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
   Kernels& kernels)
   : connectivity_(mesh, connectivity, kernels)
@@ -80,17 +104,15 @@ void DeviceMesh::allocate()
   obtainBuffer(discs_, (levels_.back().first + levels_.back().count) * kDiscBytes);
 }
 
-void DeviceMesh::move(const TriangleMesh& mesh, const LocalCoordinates& local, double reach,
-  Kernels& kernels)
+void DeviceMesh::move(Kernels& kernels)
 {
-  this->uploadPoints(mesh, local, reach, kernels);
+  this->uploadPoints(kernels);
   this->buildSites(kernels);
   this->buildTree(kernels);
   gl::checkGl("building sites");
 }
 
-void DeviceMesh::uploadPoints(const TriangleMesh& mesh, const LocalCoordinates& local, double reach,
-  Kernels& kernels)
+void DeviceMesh::pack(const TriangleMesh& mesh, const LocalCoordinates& local, double reach)
 {
   constexpr double kCells = std::numeric_limits<std::uint32_t>::max();
   constexpr double kMaxQuantum = 1e-6;
@@ -99,10 +121,11 @@ void DeviceMesh::uploadPoints(const TriangleMesh& mesh, const LocalCoordinates& 
   slack_ = roundingNear(reach, bounds.farthest);
   const glm::dvec3 size = bounds.high - bounds.low;
   const double longest = std::max({ size.x, size.y, size.z });
-  const double quantum = longest > 0.0 ? longest / kCells : 1.0;
-  const bool fixedPoint = quantum <= kMaxQuantum || longest == 0.0;
-  flatHeight_ =
-    fixedPoint ? 4.0 * quantum : std::min(kRounding * (bounds.farthest + 1.0), SiteSet::kMinHeight);
+  low_ = bounds.low;
+  quantum_ = longest > 0.0 ? longest / kCells : 1.0;
+  fixedPoint_ = quantum_ <= kMaxQuantum || longest == 0.0;
+  flatHeight_ = fixedPoint_ ? 4.0 * quantum_
+                            : std::min(kRounding * (bounds.farthest + 1.0), SiteSet::kMinHeight);
   if (longest == 0.0)
   {
     flatHeight_ = 0.0;
@@ -113,10 +136,10 @@ void DeviceMesh::uploadPoints(const TriangleMesh& mesh, const LocalCoordinates& 
     const glm::dvec3 x = local.toLocal(point);
     for (int axis = 0; axis < 3; ++axis)
     {
-      if (fixedPoint)
+      if (fixedPoint_)
       {
-        packed_.push_back(static_cast<std::uint32_t>(
-          std::min((x[axis] - bounds.low[axis]) / quantum + 0.5, kCells)));
+        packed_.push_back(
+          static_cast<std::uint32_t>(std::min((x[axis] - low_[axis]) / quantum_ + 0.5, kCells)));
         continue;
       }
       std::uint32_t halves[2];
@@ -124,14 +147,18 @@ void DeviceMesh::uploadPoints(const TriangleMesh& mesh, const LocalCoordinates& 
       packed_.insert(packed_.end(), halves, halves + 2);
     }
   }
+}
+
+void DeviceMesh::uploadPoints(Kernels& kernels)
+{
   const auto bytes = static_cast<std::int64_t>(packed_.size() * sizeof(std::uint32_t));
   obtainBuffer(positions_, bytes);
   kernels.upload(positions_, 0, bytes, packed_.data());
   const gl::ShaderProgram& kernel = gl::cachedProgram("points.comp");
   kernel.set("count", 3 * connectivity_.vertexCount());
-  kernel.set("fixedPoint", fixedPoint ? 1 : 0);
-  kernel.set("low", bounds.low);
-  kernel.set("quantum", quantum);
+  kernel.set("fixedPoint", fixedPoint_ ? 1 : 0);
+  kernel.set("low", low_);
+  kernel.set("quantum", quantum_);
   kernels.startItems(kernel, { &positions_, &points_ },
     std::int64_t{ 3 } * connectivity_.vertexCount());
 }
