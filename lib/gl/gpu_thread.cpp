@@ -153,6 +153,15 @@ struct GpuThread::State
     }
   }
 
+  /// Where a lost context could not be replaced there is none, and OpenGL must not be called.
+  void requireContext() const
+  {
+    if (contexts.count(number) == 0)
+    {
+      throw ContextLost("the device was reset");
+    }
+  }
+
   void dropIfUnused(int context)
   {
     const auto found = contexts.find(context);
@@ -235,7 +244,7 @@ void GpuThread::replaceLostContext()
 {
   if (state_->lost)
   {
-    this->run([this] { state_->replaceLostContext(); });
+    this->runIfAlive([this] { state_->replaceLostContext(); });
   }
 }
 
@@ -277,13 +286,9 @@ void GpuThread::loseContext()
 ContextUse::ContextUse()
   : number_(GpuThread::contextNumber())
 {
-  auto& contexts = GpuThread::State::here->contexts;
-  const auto found = contexts.find(number_);
-  if (found == contexts.end())
-  {
-    throw ContextLost("the device was reset");
-  }
-  ++found->second.users;
+  GpuThread::State& state = *GpuThread::State::here;
+  state.requireContext();
+  ++state.contexts.at(number_).users;
 }
 
 ContextUse::~ContextUse()
@@ -331,7 +336,12 @@ std::future<void> GpuThread::submit(std::function<void()> work)
     }
   };
   auto job = std::make_unique<Submitted>();
-  job->task = std::packaged_task<void()>(std::move(work));
+  job->task = std::packaged_task<void()>(
+    [state = state_.get(), work = std::move(work)]
+    {
+      state->requireContext();
+      work();
+    });
   std::future<void> done = job->task.get_future();
   if (!state_->enqueue(*job))
   {
@@ -343,7 +353,12 @@ std::future<void> GpuThread::submit(std::function<void()> work)
 
 void GpuThread::run(const std::function<void()>& work)
 {
-  if (!this->runIfAlive(work))
+  const auto inContext = [&]
+  {
+    state_->requireContext();
+    work();
+  };
+  if (!this->runIfAlive(inContext))
   {
     state_->refuse();
   }

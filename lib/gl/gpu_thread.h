@@ -47,12 +47,14 @@ public:
   const Device& device() const;
 
   /// Queues a job. Jobs run one at a time in the order of submission; their exceptions end up in
-  /// the future.
+  /// the future, and ContextLost where a lost context could not be replaced.
   /// @throws Error NoGpu if the thread is not alive().
   std::future<void> submit(std::function<void()> work);
 
   /// Runs a job and waits for it. Must not be called from a job.
-  /// @throws Error NoGpu if the thread is not alive(), and the job's exceptions.
+  /// @throws Error NoGpu if the thread is not alive(), ContextLost where a lost context could not
+  /// be
+  ///   replaced, and the job's exceptions.
   void run(const std::function<void()>& work);
 
   /// As run(), but returns false where the thread is not alive(). Allocates nothing, so destructors

@@ -237,13 +237,14 @@ TEST(GpuThread, TriesAgainWhereALostContextCannotBeReplaced)
 }
 
 /// As instances do that were made before, which ask for no new context by themselves.
-TEST(GpuThread, HasNoObjectsWithoutAContext)
+TEST(GpuThread, RunsNothingWithoutAContext)
 {
   gl::GpuThread& thread = gl::GpuThread::instance();
   loseContext();
   gl::injectFault(gl::Fault::ContextRefused);
   EXPECT_THROW(gl::GpuThread::instance(), Error);
-  thread.run([] { EXPECT_THROW(gl::ContextUse{}, gl::ContextLost); });
+  EXPECT_THROW(thread.run([] { FAIL() << "ran"; }), gl::ContextLost);
+  EXPECT_THROW(thread.submit([] { FAIL() << "ran"; }).get(), gl::ContextLost);
   EXPECT_GT(contextNumber(), 0);
 }
 
