@@ -27,8 +27,8 @@ void RasteriserEngine::run(const FieldJob& job, FieldSink& sink)
 {
   requireNear(job);
   const AtlasLayout atlas = this->chooseAtlas(job, sink);
-  RasteriserRun run(job, this->obtainRenderer(job, atlas), sink);
-  run.compute(nullptr);
+  this->drawOn(atlas, job,
+    [&](Renderer& renderer) { RasteriserRun(job, renderer, sink).compute(nullptr); });
 }
 
 std::vector<Crossing> RasteriserEngine::select(const FieldJob& job, const CrossingSelection& wanted,
@@ -37,15 +37,30 @@ std::vector<Crossing> RasteriserEngine::select(const FieldJob& job, const Crossi
   requireNear(job);
   const AtlasLayout atlas = this->chooseAtlas(job, sink);
   gl::OnGpuThread<RasteriserSelection> selection(wanted, job.frame, job.inside);
-  RasteriserRun run(job, this->obtainRenderer(job, atlas), sink);
-  run.compute(&selection.object());
+  this->drawOn(atlas, job,
+    [&](Renderer& renderer) { RasteriserRun(job, renderer, sink).compute(&selection.object()); });
   return selection.object().takeCrossings();
+}
+
+template <typename Draw>
+void RasteriserEngine::drawOn(const AtlasLayout& atlas, const FieldJob& job, const Draw& draw)
+{
+  try
+  {
+    draw(this->obtainRenderer(job, atlas));
+  }
+  catch (...)
+  {
+    renderer_.reset(); // its context may be lost
+    throw;
+  }
 }
 
 AtlasLayout RasteriserEngine::chooseAtlas(const FieldJob& job, const FieldSink& sink) const
 {
   GLint limit = 0;
-  thread_.run([&] { glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit); });
+  // With a new context, if the last one was lost.
+  gl::GpuThread::instance().run([&] { glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit); });
   int slices = slabSlices(job.extent, kBytesPerPoint + sink.bytesPerPoint(), job.memoryMiB);
   while (slices > 1 && !AtlasLayout::fits(job.extent, slices, limit))
   {

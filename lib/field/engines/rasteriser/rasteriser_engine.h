@@ -31,6 +31,9 @@ public:
 private:
   using Renderer = gl::OnGpuThread<SlabRenderer>;
 
+  /// Calls draw(renderer).
+  template <typename Draw>
+  void drawOn(const AtlasLayout& atlas, const FieldJob& job, const Draw& draw);
   AtlasLayout chooseAtlas(const FieldJob& job, const FieldSink& sink) const;
   Renderer& obtainRenderer(const FieldJob& job, const AtlasLayout& atlas);
 

@@ -6,6 +6,7 @@
 #include "field/engines/device/element_order.h"
 #include "field/engines/fallback_engine.h"
 #include "field/engines/processor/processor_engine.h"
+#include "field/engines/rasteriser/rasteriser_engine.h"
 #include "field/field_pipeline.h"
 #include "gl/fault.h"
 #include "gl/gpu_thread.h"
@@ -209,6 +210,17 @@ TEST_F(DeviceReset, IsForgivenOnce)
 TEST_F(DeviceReset, LosesWhatOtherEnginesHadOnTheDevice)
 {
   DeviceEngine bystander;
+  const Computed before = computedBy(bystander, ring(), tallGrid());
+  FallbackEngine engine(makeDevice);
+  computedDuringReset(engine);
+  EXPECT_EQ(computedBy(engine, ring(), tallGrid()).field.statistics.engine, Engine::Device);
+  EXPECT_THROW(computedBy(bystander, ring(), tallGrid()), gl::ContextLost);
+  expectSameField(computedBy(bystander, ring(), tallGrid()), before);
+}
+
+TEST_F(DeviceReset, LosesWhatTheRasteriserHadOnTheDeviceOnce)
+{
+  RasteriserEngine bystander({});
   const Computed before = computedBy(bystander, ring(), tallGrid());
   FallbackEngine engine(makeDevice);
   computedDuringReset(engine);
