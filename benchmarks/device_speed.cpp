@@ -88,6 +88,37 @@ struct Arrays
   }
 };
 
+/// CPU time of this thread so far, seconds.
+double threadSeconds()
+{
+  timespec time = {};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+/// The host's own work for a frame of the device: CPU time of the calling thread alone, since all
+/// calls of OpenGL are on another.
+double hostSeconds(const TriangleMesh& mesh, const Grid& grid, int frames,
+  const FieldArrays& wanted)
+{
+  MedialSolver solver(mesh);
+  DistanceFieldOptions options;
+  options.engine = Engine::Device;
+  options.sign = SignMethod::None;
+  options.execution.threads = 1; // no others help
+  const double size = mesh.bounds().diagonal();
+  std::vector<double> seconds;
+  for (int frame = 0; frame < kWarmUp + frames; ++frame)
+  {
+    solver.setPoints(moved(mesh, size, frame));
+    const double start = threadSeconds();
+    solver.computeField(grid, grid.wholeExtent(), wanted, options);
+    seconds.push_back(threadSeconds() - start);
+  }
+  seconds.erase(seconds.begin(), seconds.begin() + kWarmUp);
+  return median(seconds);
+}
+
 /// Computes frames by an engine.
 Json framesBy(Engine engine, const TriangleMesh& mesh, const Grid& grid, int frames, Arrays& arrays)
 {
@@ -157,6 +188,11 @@ Json caseOf(const std::string& name, int resolution, int frames)
       std::abs(static_cast<double>(first.distance[i]) - static_cast<double>(second.distance[i])));
   }
   json["max_difference_voxels"] = difference / grid.spacing[0];
+  FieldArrays wanted;
+  json["host_seconds"]["resident"] = hostSeconds(mesh, grid, frames, wanted);
+  wanted.distance = second.distance.data();
+  wanted.closestSite = second.site.data();
+  json["host_seconds"]["distance_and_site"] = hostSeconds(mesh, grid, frames, wanted);
   return json;
 }
 

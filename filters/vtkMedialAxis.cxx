@@ -180,6 +180,7 @@ void vtkMedialAxis::Execute(vtkPolyData* input, vtkInformationVector* outputVect
   {
     record(image);
   }
+  vtkWarnOnce(this, axis.statistics.note);
 }
 
 //------------------------------------------------------------------------------

@@ -11,8 +11,12 @@
 
 #include "medial/error.h"
 
+#include <algorithm>
+#include <cctype>
 #include <exception>
+#include <mutex>
 #include <new>
+#include <set>
 #include <sstream>
 
 // From this version on executives keep filters downstream from using the output of an aborted
@@ -82,6 +86,26 @@ bool vtkRunGuarded(vtkAlgorithm* algorithm, unsigned long& errorCode,
     fail(vtkMeshFieldAlgorithm::InternalError, error.what());
   }
   return errorCode == vtkErrorCode::NoError;
+}
+
+//------------------------------------------------------------------------------
+void vtkWarnOnce(vtkAlgorithm* algorithm, const std::string& note)
+{
+  static std::mutex mutex;
+  static std::set<std::string> known;
+  std::string cause = note;
+  cause.erase(std::remove_if(cause.begin(), cause.end(),
+                [](unsigned char c) { return std::isdigit(c) != 0; }),
+    cause.end());
+  const auto isNew = [&]
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    return known.insert(cause).second;
+  };
+  if (!note.empty() && isNew())
+  {
+    vtkWarningWithObjectMacro(algorithm, << note);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -10,6 +10,7 @@
 #include "medial/side.h"
 
 #include <functional>
+#include <string>
 
 class vtkAlgorithm;
 class vtkInformation;
@@ -22,6 +23,12 @@ class vtkInformationVector;
  */
 bool vtkRunGuarded(vtkAlgorithm* algorithm, unsigned long& errorCode,
   const std::function<void()>& work);
+
+/**
+ * Warns of what a run says, once a process for each cause (numbers in it do not count). Nothing for
+ * an empty note.
+ */
+void vtkWarnOnce(vtkAlgorithm* algorithm, const std::string& note);
 
 /**
  * Ends an execution that failed or was stopped: the outputs are empty, and made again on the next

@@ -70,6 +70,7 @@ int vtkMeshDistanceField::RequestData(vtkInformation*, vtkInformationVector** in
       const medial::RunStatistics statistics = medial::computeDistanceField(this->Internals->Mesh,
         this->Internals->Connectivity, grid, extent, arrays, options);
       this->Internals->Record(grid, statistics, output);
+      vtkWarnOnce(this, statistics.note);
     });
   return done ? 1 : vtkEndWithoutOutput(this, outputVector);
 }

@@ -26,6 +26,8 @@
  * Every output that is not empty tells how it was made, in field data arrays of one tuple each:
  * - SignMethod and Engine (strings): what was used, as GetSignMethodAsString() and
  *   GetEngineAsString() call it; never Auto.
+ * - EngineNote (string): why ENGINE_AUTO left the work of a device to the processor; missing where
+ *   it did not.
  * - SignReason (string): why this sign method, such as the number of holes closed in thought.
  * - GridOrigin and GridSpacing (double x 3, world units) and GridDimensions (int x 3): the whole
  *   grid, also where only part of it was computed.
@@ -55,6 +57,10 @@
  * outputs that are marked as aborted, so that no other message follows). No filter downstream runs
  * then. Parameters are checked when the filter executes; no value is clamped. Images larger than
  * the memory that is left are refused before anything is computed.
+ *
+ * @par Warnings:
+ * Where ENGINE_AUTO leaves the work of a device that failed to the processor, a vtkWarningMacro
+ * says why: once a process for each cause.
  *
  * @par Abort:
  * SetAbortExecute(1) from a ProgressEvent observer stops the execution soon: within a fraction of a
@@ -276,8 +282,9 @@ public:
   ///@{
   /**
    * What an engine that uses OpenGL computes on: a device's number, or a part of its name, as
-   * medial-axis --list-devices tells; empty for the first GPU, else a software renderer. A
-   * process has one device, that of its first such engine. Default is empty.
+   * medial-axis --list-devices tells; empty for the first GPU, else a software renderer. Where
+   * there is no such device, or it fails, ENGINE_AUTO leaves the work to the processor, with a
+   * warning. A process has one device, that of its first such engine. Default is empty.
    */
   vtkSetStdStringFromCharMacro(Device);
   vtkGetCharFromStdStringMacro(Device);

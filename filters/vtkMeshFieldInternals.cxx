@@ -246,6 +246,10 @@ void vtkMeshFieldAlgorithm::vtkInternals::Record(const medial::Grid& grid,
   figures.AddText("SignMethod", NameOf(statistics.sign.method));
   figures.AddText("SignReason", statistics.sign.reason);
   figures.AddText("Engine", NameOf(statistics.engine));
+  if (!statistics.note.empty())
+  {
+    figures.AddText("EngineNote", statistics.note);
+  }
   figures.AddPoint("GridOrigin", grid.origin);
   figures.AddPoint("GridSpacing", grid.spacing);
   figures.AddCounts("GridDimensions", grid.dimensions);

@@ -86,7 +86,8 @@ void addDeviceOptions(CLI::App& app, DeviceOptions& options, const std::string& 
   app
     .add_option("--device", options.name,
       "what OpenGL computes on: a number, or a part of a name, of those that medial-axis lists; "
-      "default: the first GPU, else a software renderer")
+      "default: the first GPU, else a software renderer; where it is missing or fails, the engine "
+      "auto takes the processor, with a note")
     ->option_text("DEVICE")
     ->group(group);
   app.add_flag("--require-gpu", options.require, "fail unless there is OpenGL 4.5 on a GPU")

@@ -109,12 +109,16 @@ std::string whatIsMissing(const Options& options)
   return text.str();
 }
 
+void printEngineNote(const RunStatistics& statistics)
+{
+  if (!statistics.note.empty())
+  {
+    std::fprintf(stderr, "medial-axis: note: %s\n", statistics.note.c_str());
+  }
+}
+
 void printNotes(const Options& options, const Result& result)
 {
-  if (!result.statistics.note.empty())
-  {
-    std::fprintf(stderr, "medial-axis: note: %s\n", result.statistics.note.c_str());
-  }
   if (result.axis.side != options.side)
   {
     std::fprintf(stderr,
@@ -188,6 +192,7 @@ void printCoverage(const Options& options, const AxisCoverage& coverage)
 void printSummary(const Options& options, const Result& result, const OutputNotes& notes,
   const AppSeconds& seconds)
 {
+  printEngineNote(result.statistics);
   if (options.wantsAxis())
   {
     printNotes(options, result);

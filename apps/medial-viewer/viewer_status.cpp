@@ -58,6 +58,10 @@ std::string describe(const ViewerStatus& status, const AxisSource& source)
   {
     lines += "compute: " + source.statistics().device->renderer + "\n";
   }
+  if (!source.statistics().note.empty())
+  {
+    lines += wrapped(source.statistics().note) + "\n";
+  }
   lines += "window: " + status.device + "\n";
   return lines + (status.note.empty() ? "keys: h" : wrapped(status.note));
 }

@@ -1,6 +1,6 @@
 #include "methods/havoc_functions.h"
 
-#include "field/engines/rasteriser/slice_polygon.h"
+#include "methods/slice_polygon.h"
 
 #include <algorithm>
 #include <cmath>

@@ -70,12 +70,12 @@ HavocRenderer::HavocRenderer(const GridFrame& frame, const glm::ivec2& sliceSize
   const glm::vec2 offset(start - glm::dvec2(frame.first) * perPoint / glm::dvec2(frame.step));
   faceProgram_.set("scale", static_cast<float>(perPoint.x), static_cast<float>(perPoint.y));
   faceProgram_.set("offset", static_cast<float>(start.x), static_cast<float>(start.y));
-  for (const HavocProgram* program : { &pointProgram_, &segmentProgram_ })
+  for (const TextProgram* program : { &pointProgram_, &segmentProgram_ })
   {
     program->set("scale", perUnit.x, perUnit.y);
     program->set("offset", offset.x, offset.y);
   }
-  for (const HavocProgram* program : { &faceProgram_, &pointProgram_, &segmentProgram_ })
+  for (const TextProgram* program : { &faceProgram_, &pointProgram_, &segmentProgram_ })
   {
     program->set("depthPerUnit", depthPerUnit);
   }

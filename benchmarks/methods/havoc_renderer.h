@@ -2,7 +2,7 @@
 
 #include "methods/baseline_slices.h"
 #include "methods/havoc_functions.h"
-#include "methods/havoc_program.h"
+#include "methods/text_program.h"
 
 #include <map>
 #include <vector>
@@ -42,7 +42,7 @@ private:
   void drawInstances(const gl::VertexArray& format, const Template& shape, GLsizei count);
 
   SliceTarget target_;
-  HavocProgram faceProgram_, pointProgram_, segmentProgram_;
+  TextProgram faceProgram_, pointProgram_, segmentProgram_;
   gl::VertexArray faceFormat_, pointFormat_, segmentFormat_;
   gl::Buffer faceVertices_, faceIndices_, instances_;
   std::map<PointFineness, Template> pointTemplates_;

@@ -1,6 +1,6 @@
 #include "methods/published_polygons.h"
 
-#include "field/engines/rasteriser/slice_polygon.h"
+#include "methods/slice_polygon.h"
 
 #include <tbb/parallel_for.h>
 

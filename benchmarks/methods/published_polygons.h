@@ -3,12 +3,32 @@
 #include "methods/published_bounds.h"
 
 #include "field/engines/rasteriser/atlas_layout.h"
-#include "field/engines/rasteriser/polygon_builder.h"
+#include "sites/grid_frame.h"
 
+#include <glm/glm.hpp>
+
+#include <cstdint>
 #include <vector>
 
 namespace medial::benchmark
 {
+
+/// A corner of a polygon.
+struct PolygonVertex
+{
+  glm::vec2 position; ///< atlas pixels; pixel centres are grid points
+  glm::vec3 distance; ///< vector to the site, affine in the position; local units
+  std::int32_t site;
+};
+
+/// Triangulated polygons of consecutive sites.
+struct PolygonChunk
+{
+  std::vector<PolygonVertex> vertices;
+  std::vector<std::uint32_t> indices; ///< into this chunk's vertices, three a triangle
+  std::int64_t polygons = 0;
+  double area = 0.0; ///< in grid points
+};
 
 /// Consecutive slices that are drawn together, from slot 1 of the atlas on.
 struct SliceBatch

@@ -1,6 +1,6 @@
 #include "methods/published_renderer.h"
 
-#include "gl/shader_program.h"
+#include "methods/published_shaders.h"
 
 #include <cstddef>
 
@@ -20,11 +20,13 @@ void upload(const gl::Buffer& buffer, const std::vector<T>& values)
 
 PublishedRenderer::PublishedRenderer(const AtlasLayout& atlas, float depthPerUnit)
   : target_(atlas)
-  , depthPerUnit_(depthPerUnit)
+  , program_(kPublishedVertex, kPublishedFragment)
   , vertices_(gl::createBuffer())
   , indices_(gl::createBuffer())
   , format_(gl::createVertexArray())
 {
+  program_.set("atlasSize", static_cast<float>(atlas.size().x), static_cast<float>(atlas.size().y));
+  program_.set("depthScale", depthPerUnit);
   const GLuint format = format_.id();
   glVertexArrayVertexBuffer(format, 0, vertices_.id(), 0, sizeof(PolygonVertex));
   glVertexArrayElementBuffer(format, indices_.id());
@@ -40,12 +42,7 @@ PublishedRenderer::PublishedRenderer(const AtlasLayout& atlas, float depthPerUni
 
 void PublishedRenderer::draw(const std::vector<PolygonChunk>& chunks)
 {
-  // The library's own shaders: interpolation of the vector and its norm are what the paper does.
-  const gl::ShaderProgram& program =
-    gl::cachedProgram("distance_field.vert", "distance_field.frag");
-  program.set("atlasSize", glm::vec2(target_.atlas().size()));
-  program.set("depthScale", depthPerUnit_);
-  program.use();
+  program_.use();
   target_.begin();
   glBindVertexArray(format_.id());
   for (const PolygonChunk& chunk : chunks)

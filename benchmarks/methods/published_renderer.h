@@ -1,8 +1,8 @@
 #pragma once
 
 #include "methods/baseline_slices.h"
-
-#include "field/engines/rasteriser/polygon_builder.h"
+#include "methods/published_polygons.h"
+#include "methods/text_program.h"
 
 #include <vector>
 
@@ -21,7 +21,7 @@ public:
 
 private:
   SliceTarget target_;
-  float depthPerUnit_;
+  TextProgram program_;
   gl::Buffer vertices_, indices_;
   gl::VertexArray format_;
 };

@@ -1,6 +1,6 @@
 // The extension module medial._execution: executes a filter with Python's global lock released, and
-// passes on what happens meanwhile: error events as texts, Ctrl-C and exceptions of the progress
-// function as exceptions, after aborting the filter.
+// passes on what happens meanwhile: error and warning events as texts, Ctrl-C and exceptions of the
+// progress function as exceptions, after aborting the filter.
 #include "vtkPython.h" // must come first
 
 #include "vtkAlgorithm.h"
@@ -62,7 +62,8 @@ private:
 };
 
 //------------------------------------------------------------------------------
-/// The text of vtkErrorMacro without the place in the sources and the object's address.
+/// The text of vtkErrorMacro or vtkWarningMacro without the place in the sources and the object's
+/// address.
 std::string WithoutPlace(const std::string& text)
 {
   const std::size_t line = text.find('\n');
@@ -95,6 +96,11 @@ public:
       auto& messages = algorithm ? this->Messages : this->ExecutiveMessages;
       messages.push_back(WithoutPlace(data ? static_cast<const char*>(data) : "unknown error"));
     }
+    else if (event == vtkCommand::WarningEvent)
+    {
+      this->Warnings.push_back(
+        WithoutPlace(data ? static_cast<const char*>(data) : "unknown warning"));
+    }
     else if (algorithm && !this->Raised())
     {
       this->OnProgress(algorithm);
@@ -106,6 +112,8 @@ public:
   {
     return this->Messages.empty() ? this->ExecutiveMessages : this->Messages;
   }
+
+  const std::vector<std::string>& GetWarnings() const { return this->Warnings; }
 
   bool Raised() const { return this->Type != nullptr; }
 
@@ -159,6 +167,7 @@ private:
   PyObject* Traceback = nullptr;
   std::vector<std::string> Messages;
   std::vector<std::string> ExecutiveMessages;
+  std::vector<std::string> Warnings;
 };
 
 //------------------------------------------------------------------------------
@@ -196,6 +205,7 @@ private:
     }
     this->HasPythonAlgorithm = this->HasPythonAlgorithm || algorithm->IsA("vtkPythonAlgorithm");
     this->Observe(algorithm, vtkCommand::ErrorEvent);
+    this->Observe(algorithm, vtkCommand::WarningEvent);
     this->Observe(algorithm, vtkCommand::ProgressEvent);
     this->Observe(algorithm->GetExecutive(), vtkCommand::ErrorEvent);
     for (int port = 0; port < algorithm->GetNumberOfInputPorts(); ++port)
@@ -272,12 +282,15 @@ PyObject* Update(PyObject*, PyObject* arguments)
     receiver->Raise();
     return nullptr;
   }
-  return ToList(receiver->GetMessages());
+  // "N" takes over the lists; it fails, and releases them, where one of them is null.
+  return Py_BuildValue("NN", ToList(receiver->GetMessages()), ToList(receiver->GetWarnings()));
 }
 
-PyMethodDef Methods[] = { { "update", Update, METH_VARARGS,
-                            "update(algorithm, progress=None) -> list of error messages" },
-  { nullptr, nullptr, 0, nullptr } };
+PyMethodDef Methods[] = {
+  { "update", Update, METH_VARARGS,
+    "update(algorithm, progress=None) -> lists of error messages and of warnings" },
+  { nullptr, nullptr, 0, nullptr }
+};
 
 PyModuleDef Module = { PyModuleDef_HEAD_INIT, "_execution",
   "Executes filters with Python's global lock released.", -1, Methods, nullptr, nullptr, nullptr,

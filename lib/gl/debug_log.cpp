@@ -67,7 +67,10 @@ void GLAPIENTRY append(GLenum, GLenum type, GLuint, GLenum severity, GLsizei len
 void openFile(const char* path, const Device& device)
 {
   std::ofstream& file = theLog().file;
-  file.open(path);
+  if (!file.is_open())
+  {
+    file.open(path);
+  }
   file << device.renderer << ", OpenGL " << device.version << ", from " << device.origin
        << std::endl;
   if (!file)

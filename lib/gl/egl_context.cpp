@@ -243,9 +243,12 @@ EglContext::EglContext(const std::string& wanted, bool debug)
 
 EglContext::~EglContext()
 {
-  this->release();
+  const bool current = this->isCurrent();
   handles_->destroy();
-  eglReleaseThread();
+  if (current)
+  {
+    eglReleaseThread();
+  }
 }
 
 void EglContext::makeCurrent()

@@ -33,8 +33,8 @@ public:
   /// @param debug whether to make a debug context.
   /// @throws Error NoGpu with the reason.
   explicit EglContext(const std::string& wanted = {}, bool debug = false);
-  /// To be called on the thread that used the context last. The display stays initialised, since
-  /// others may use it.
+  /// To be called on the thread that used the context last; another context that is current there
+  /// stays so. The display stays initialised, since others may use it.
   ~EglContext();
   EglContext(const EglContext&) = delete;
   EglContext& operator=(const EglContext&) = delete;

@@ -10,6 +10,7 @@ enum class Fault
 {
   None,
   ShaderRefused,     ///< a shader does not compile
+  ContextRefused,    ///< the GPU thread gets no context
   AllocationRefused, ///< a buffer does not fit
   NeverReady,        ///< a fence never signals
   ContextLost,       ///< the device was reset

@@ -1,5 +1,6 @@
 #include "gl/gl_objects.h"
 
+#include "gl/context_lost.h"
 #include "gl/fault.h"
 #include "medial/error.h"
 
@@ -45,6 +46,11 @@ void deleteProgram(GLuint id)
   glDeleteProgram(id);
 }
 
+void deleteFence(GLsync id)
+{
+  glDeleteSync(id);
+}
+
 Buffer createBuffer()
 {
   GLuint id = 0;
@@ -64,6 +70,11 @@ Query createTimestamp()
   GLuint id = 0;
   glCreateQueries(GL_TIMESTAMP, 1, &id);
   return Query(id);
+}
+
+Fence createFence()
+{
+  return Fence(glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0));
 }
 
 Buffer createStorageBuffer(GLsizeiptr bytes, const void* data)
@@ -142,7 +153,8 @@ void checkGl(const char* what)
   if (error == GL_CONTEXT_LOST || glGetGraphicsResetStatus() != GL_NO_ERROR ||
     faultHappens(Fault::ContextLost))
   {
-    throw Error(ErrorCode::NoGpu, std::string("the device was reset while ") + what);
+    GpuThread::loseContext();
+    throw ContextLost(std::string("the device was reset while ") + what);
   }
   if (error == GL_NO_ERROR)
   {

@@ -11,41 +11,45 @@ namespace medial::gl
 {
 
 /// Owns one OpenGL name. Move-only; empty if the name is 0. Created and destroyed on the GPU thread
-/// only; where that thread is not alive(), a name has gone with its context, and there is nothing
-/// to delete.
-template <void (*Delete)(GLuint)>
+/// only; where that thread is not alive(), or has another context, a name has gone with its
+/// context, and there is nothing to delete.
+template <auto Delete, typename Name = GLuint>
 class GlObject
 {
 public:
   GlObject() = default;
-  explicit GlObject(GLuint id)
+  explicit GlObject(Name id)
     : id_(id)
+    , context_(GpuThread::contextNumber())
   {
   }
   GlObject(GlObject&& other) noexcept
-    : id_(std::exchange(other.id_, 0))
+    : id_(std::exchange(other.id_, Name()))
+    , context_(other.context_)
   {
   }
   GlObject& operator=(GlObject&& other) noexcept
   {
     std::swap(id_, other.id_);
+    std::swap(context_, other.context_);
     return *this;
   }
   GlObject(const GlObject&) = delete;
   GlObject& operator=(const GlObject&) = delete;
   ~GlObject()
   {
-    if (id_ != 0 && GpuThread::isThisThread())
+    if (*this && GpuThread::isThisThread() && context_ == GpuThread::contextNumber())
     {
       Delete(id_);
     }
   }
 
-  GLuint id() const { return id_; }
-  explicit operator bool() const { return id_ != 0; }
+  Name id() const { return id_; }
+  explicit operator bool() const { return id_ != Name(); }
 
 private:
-  GLuint id_ = 0;
+  Name id_ = Name();
+  int context_ = 0;
 };
 
 void deleteBuffer(GLuint id);
@@ -55,6 +59,7 @@ void deleteVertexArray(GLuint id);
 void deleteShader(GLuint id);
 void deleteQuery(GLuint id);
 void deleteProgram(GLuint id);
+void deleteFence(GLsync id);
 
 using Buffer = GlObject<deleteBuffer>;
 using Texture = GlObject<deleteTexture>;
@@ -63,6 +68,7 @@ using VertexArray = GlObject<deleteVertexArray>;
 using Query = GlObject<deleteQuery>;
 using Shader = GlObject<deleteShader>;
 using Program = GlObject<deleteProgram>;
+using Fence = GlObject<deleteFence, GLsync>;
 
 /// Binds a buffer to a target, and nothing once it goes out of scope.
 class BufferBinding
@@ -84,6 +90,8 @@ private:
 Buffer createBuffer();
 VertexArray createVertexArray();
 Query createTimestamp();
+/// Signals once the device has done all commands so far.
+Fence createFence();
 
 /// Creates a buffer of immutable size; `data` may be null. For a size of 0 the buffer has a few
 /// bytes, so that it can be bound.
@@ -99,8 +107,8 @@ Texture createTexture2D(GLenum internalFormat, int width, int height);
 /// @throws Error GpuLimit if the driver refuses the combination.
 Framebuffer createFramebuffer(std::initializer_list<GLuint> colours, GLuint depth = 0);
 
-/// Turns a pending GL_OUT_OF_MEMORY into Error OutOfMemory, a device that was reset into NoGpu and
-/// any other GL error into GpuLimit.
+/// Turns a pending GL_OUT_OF_MEMORY into Error OutOfMemory, a device that was reset into
+/// ContextLost and any other GL error into GpuLimit.
 void checkGl(const char* what);
 
 } // namespace medial::gl

@@ -2,11 +2,14 @@
 
 #include "gl/debug_log.h"
 #include "gl/egl_context.h"
+#include "gl/fault.h"
 #include "gl/shader_program.h"
 #include "medial/error.h"
 
+#include <atomic>
 #include <condition_variable>
 #include <exception>
+#include <map>
 #include <mutex>
 #include <thread>
 
@@ -21,7 +24,21 @@ namespace gl
 namespace
 {
 
-thread_local bool isTheGpuThread = false;
+/// Makes a context and makes it current.
+std::unique_ptr<EglContext> makeContext(const std::string& wanted)
+{
+  if (faultHappens(Fault::ContextRefused))
+  {
+    throw Error(ErrorCode::NoGpu, "no context can be made");
+  }
+  const bool debug = wantsDebugOutput();
+  auto context = std::make_unique<EglContext>(wanted, debug);
+  if (debug)
+  {
+    captureDebugOutput(context->device());
+  }
+  return context;
+}
 
 } // namespace
 
@@ -37,7 +54,21 @@ struct GpuThread::Job
 
 struct GpuThread::State
 {
+  /// A context, and how many objects were made in it. It is kept for them.
+  struct Context
+  {
+    std::unique_ptr<EglContext> egl;
+    int users = 0;
+  };
+
+  static thread_local State* here; ///< on the GPU thread
   Device device;
+  std::atomic<bool> lost{ false };
+  ///@{
+  /// GPU thread only.
+  std::map<int, Context> contexts; ///< by their numbers
+  int number = 0;                  ///< of the current one, if there is one
+  ///@}
   std::mutex mutex;
   std::condition_variable wake;
   std::condition_variable finished; ///< a job that someone waits for
@@ -72,26 +103,72 @@ struct GpuThread::State
 
   void work(const std::string& wanted, std::promise<void> started)
   {
-    isTheGpuThread = true;
-    std::unique_ptr<EglContext> context;
+    here = this;
     try
     {
-      const bool debug = wantsDebugOutput();
-      context = std::make_unique<EglContext>(wanted, debug);
-      if (debug)
-      {
-        captureDebugOutput(context->device());
-      }
+      contexts[++number].egl = makeContext(wanted);
     }
     catch (...)
     {
       started.set_exception(std::current_exception());
       return;
     }
-    this->device = context->device();
+    this->device = contexts[number].egl->device();
     started.set_value();
     this->runJobs();
     releaseProgramCache();
+    contexts.clear();
+  }
+
+  /// Replaces a lost context. Whether that succeeds or not, objects in it are not used any more.
+  void replaceLostContext()
+  {
+    if (!lost)
+    {
+      return; // another caller was earlier
+    }
+    releaseProgramCache();
+    const int old = number++;
+    std::unique_ptr<EglContext> egl;
+    std::exception_ptr failure;
+    try
+    {
+      egl = makeContext(std::to_string(device.number));
+      if (egl->device().renderer != device.renderer)
+      {
+        throw Error(ErrorCode::NoGpu, device.renderer + " was lost");
+      }
+      contexts[number].egl = std::move(egl);
+      lost = false;
+    }
+    catch (...)
+    {
+      failure = std::current_exception();
+    }
+    egl.reset();
+    this->dropIfUnused(old);
+    if (failure)
+    {
+      std::rethrow_exception(failure);
+    }
+  }
+
+  /// Where a lost context could not be replaced there is none, and OpenGL must not be called.
+  void requireContext() const
+  {
+    if (contexts.count(number) == 0)
+    {
+      throw ContextLost("the device was reset");
+    }
+  }
+
+  void dropIfUnused(int context)
+  {
+    const auto found = contexts.find(context);
+    if (context != number && found != contexts.end() && found->second.users == 0)
+    {
+      contexts.erase(found);
+    }
   }
 
   void runJobs()
@@ -138,6 +215,8 @@ struct GpuThread::State
   }
 };
 
+thread_local GpuThread::State* GpuThread::State::here = nullptr;
+
 GpuThread& GpuThread::instance(const std::string& wanted)
 {
   // Never destroyed: objects that were made before it, such as global ones, may ask for it later.
@@ -157,7 +236,16 @@ GpuThread& GpuThread::instance(const std::string& wanted)
       "this process computes on " + thread.device().renderer + ", so it cannot use the device '" +
         wanted + "'");
   }
+  thread.replaceLostContext();
   return thread;
+}
+
+void GpuThread::replaceLostContext()
+{
+  if (state_->lost)
+  {
+    this->runIfAlive([this] { state_->replaceLostContext(); });
+  }
 }
 
 GpuThread::GpuThread(const std::string& wanted)
@@ -182,7 +270,42 @@ GpuThread::~GpuThread() = default;
 
 bool GpuThread::isThisThread()
 {
-  return isTheGpuThread;
+  return State::here != nullptr;
+}
+
+int GpuThread::contextNumber()
+{
+  return State::here != nullptr ? State::here->number : 0;
+}
+
+void GpuThread::loseContext()
+{
+  State::here->lost = true;
+}
+
+ContextUse::ContextUse()
+  : number_(GpuThread::contextNumber())
+{
+  GpuThread::State& state = *GpuThread::State::here;
+  state.requireContext();
+  ++state.contexts.at(number_).users;
+}
+
+ContextUse::~ContextUse()
+{
+  if (GpuThread::State* state = GpuThread::State::here)
+  {
+    --state->contexts.at(number_).users;
+    state->dropIfUnused(number_);
+  }
+}
+
+void ContextUse::require() const
+{
+  if (number_ != GpuThread::contextNumber())
+  {
+    throw ContextLost("the device was reset while another field was computed");
+  }
 }
 
 bool GpuThread::alive() const
@@ -213,7 +336,12 @@ std::future<void> GpuThread::submit(std::function<void()> work)
     }
   };
   auto job = std::make_unique<Submitted>();
-  job->task = std::packaged_task<void()>(std::move(work));
+  job->task = std::packaged_task<void()>(
+    [state = state_.get(), work = std::move(work)]
+    {
+      state->requireContext();
+      work();
+    });
   std::future<void> done = job->task.get_future();
   if (!state_->enqueue(*job))
   {
@@ -225,7 +353,12 @@ std::future<void> GpuThread::submit(std::function<void()> work)
 
 void GpuThread::run(const std::function<void()>& work)
 {
-  if (!this->runIfAlive(work))
+  const auto inContext = [&]
+  {
+    state_->requireContext();
+    work();
+  };
+  if (!this->runIfAlive(inContext))
   {
     state_->refuse();
   }

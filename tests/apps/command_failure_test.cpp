@@ -7,7 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
+#include <tuple>
 
 namespace medial::test
 {
@@ -215,7 +217,7 @@ TEST_F(CommandFailure, NoEgl)
 TEST_F(CommandFailure, DeviceThatIsNotThere)
 {
   const std::string axis = folder.file("axis.ma");
-  for (const std::string engine : { "device", "rasteriser", "auto" })
+  for (const std::string engine : { "device", "rasteriser" })
   {
     const Outcome outcome = runMedialAxis(
       { input, "--resolution", "8", "--engine", engine, "--device", "Voodoo", "-o", axis });
@@ -223,6 +225,34 @@ TEST_F(CommandFailure, DeviceThatIsNotThere)
     EXPECT_TRUE(contains(outcome.err, "'Voodoo'")) << outcome.err;
     EXPECT_FALSE(std::filesystem::exists(axis));
   }
+}
+
+/// The engine auto leaves what the device should have done to the processor, with one note.
+TEST_F(CommandFailure, DeviceThatIsNotThereLeavesTheWorkToTheProcessor)
+{
+  RunOptions withoutEgl;
+  withoutEgl.environment = { { "__EGL_VENDOR_LIBRARY_FILENAMES", folder.file("none.json") } };
+  const std::vector<std::tuple<std::string, RunOptions, std::string>> cases{
+    { "Voodoo", {}, "'Voodoo'" }, { "0", withoutEgl, "'0'" }
+  };
+  for (const auto& [device, options, words] : cases)
+  {
+    for (const std::string output : { "axis.ma", "field.vti" })
+    {
+      const Outcome outcome =
+        runMedialAxis({ input, "--resolution", "8", "--device", device,
+                        output == "axis.ma" ? "-o" : "--field", folder.file(output) },
+          options);
+      EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+      EXPECT_EQ(outcome.err.rfind("medial-axis: note: the engine device failed (", 0), 0u)
+        << outcome.err;
+      EXPECT_TRUE(contains(outcome.err, words)) << outcome.err;
+      EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+      EXPECT_TRUE(contains(outcome.out, "engine    processor")) << outcome.out;
+      EXPECT_FALSE(readFile(folder.file(output)).empty());
+    }
+  }
+  EXPECT_EQ(runMedialAxis({ input, "--device", "Voodoo", "--require-gpu" }).exitCode, kNoGpu);
 }
 
 TEST_F(CommandFailure, WithoutEglNoDeviceIsListed)

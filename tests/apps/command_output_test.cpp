@@ -14,6 +14,7 @@
 #include <cstring>
 #include <set>
 #include <sstream>
+#include <thread>
 
 #include <sys/stat.h>
 
@@ -203,6 +204,28 @@ TEST_F(CommandOutput, WithoutOutputOptionsTheAxisGoesToTheCurrentFolder)
   EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
   EXPECT_EQ(folder.list(), (std::vector<std::string>{ "box.obj", "box_medial.vtp" }));
   EXPECT_TRUE(contains(outcome.out, "box_medial.vtp: medial axis"));
+}
+
+TEST_F(CommandOutput, TwoProcessesComputeOnTheDeviceAtOnce)
+{
+  const auto compute = [this](const std::string& name)
+  {
+    const Outcome outcome = run({ "--engine", "device", "--threads", "8", "-o",
+      folder.file(name + ".vtp"), "--field", folder.file(name + ".vti") });
+    EXPECT_TRUE(contains(outcome.out, "engine    device on ")) << outcome.out;
+    EXPECT_EQ(outcome.err, "");
+  };
+  compute("alone");
+  std::thread other([&] { compute("first"); });
+  compute("second");
+  other.join();
+  for (const std::string type : { ".vtp", ".vti" })
+  {
+    const std::string expected = readFile(folder.file("alone" + type));
+    EXPECT_GT(expected.size(), 1000U);
+    EXPECT_TRUE(readFile(folder.file("first" + type)) == expected);
+    EXPECT_TRUE(readFile(folder.file("second" + type)) == expected);
+  }
 }
 
 TEST_F(CommandOutput, ReplacesFilesWithTheirModeAndThroughLinks)

@@ -13,6 +13,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace medial::test
@@ -164,6 +165,16 @@ TEST_F(ViewerWindow, StatusNamesEngineAndRate)
   EXPECT_NE(status.find("window: "), std::string::npos) << status;
   EXPECT_NE(status.find("frames per second"), std::string::npos) << status;
   EXPECT_EQ(status.find("\n0.0 frames per second"), std::string::npos) << status;
+}
+
+TEST_F(ViewerWindow, StatusSaysWhyTheDeviceDidNotDoTheWork)
+{
+  options.device.name = "Voodoo";
+  std::string status = open().status();
+  std::replace(status.begin(), status.end(), '\n', ' ');
+  EXPECT_NE(status.find("by the processor "), std::string::npos) << status;
+  EXPECT_NE(status.find("the engine device failed (no device"), std::string::npos) << status;
+  EXPECT_NE(status.find("so the processor did the work window: "), std::string::npos) << status;
 }
 
 // The window's GLX context is current in this thread while the library draws with OpenGL too.

@@ -113,6 +113,32 @@ TYPED_TEST(FilterContract, DeviceThatIsNotThereIsRefused)
   EXPECT_TRUE(update(filter));
 }
 
+TYPED_TEST(FilterContract, DeviceThatIsNotThereLeavesTheWorkToTheProcessorWithAWarning)
+{
+  auto filter = this->make(boxPolyData());
+  const std::string device = std::string("Voodoo of ") + filter->GetClassName();
+  filter->SetDevice(device.c_str());
+  EventLog log(filter);
+  EXPECT_TRUE(update(filter));
+  EXPECT_EQ(textFigure(filter->GetOutput(), "Engine"), "Processor");
+  const std::string note = textFigure(filter->GetOutput(), "EngineNote");
+  EXPECT_EQ(note.rfind("the engine device failed (", 0), 0u) << note;
+  ASSERT_EQ(log.warnings.size(), 1u);
+  EXPECT_NE(log.warnings[0].find(note), std::string::npos) << log.warnings[0];
+  EXPECT_NE(note.find(device), std::string::npos) << note;
+  // Once a process and cause, whatever the numbers.
+  filter->SetResolution(15);
+  EXPECT_TRUE(update(filter));
+  auto another = this->make(boxPolyData());
+  another->SetDevice((device + "99").c_str());
+  EventLog anotherLog(another);
+  EXPECT_TRUE(update(another));
+  EXPECT_EQ(log.warnings.size() + anotherLog.warnings.size(), 1u);
+  another->SetDevice("");
+  EXPECT_TRUE(update(another));
+  EXPECT_EQ(textFigure(another->GetOutput(), "EngineNote"), "");
+}
+
 TYPED_TEST(FilterContract, RequireHardwareRefusesASoftwareRenderer)
 {
   auto filter = this->make(boxPolyData());

@@ -25,8 +25,8 @@ namespace medial::test
 EventLog::EventLog(vtkAlgorithm* algorithm)
   : algorithm_(algorithm)
 {
-  for (const unsigned long event :
-    { vtkCommand::StartEvent, vtkCommand::ErrorEvent, vtkCommand::ProgressEvent })
+  for (const unsigned long event : { vtkCommand::StartEvent, vtkCommand::ErrorEvent,
+         vtkCommand::WarningEvent, vtkCommand::ProgressEvent })
   {
     tags_.push_back(algorithm->AddObserver(event, this, &EventLog::onAlgorithm));
   }
@@ -52,6 +52,10 @@ void EventLog::onAlgorithm(vtkObject*, unsigned long event, void* data)
   else if (event == vtkCommand::ErrorEvent)
   {
     errors.emplace_back(static_cast<const char*>(data));
+  }
+  else if (event == vtkCommand::WarningEvent)
+  {
+    warnings.emplace_back(static_cast<const char*>(data));
   }
   else
   {

@@ -17,7 +17,8 @@
 namespace medial::test
 {
 
-/// Records events of an algorithm and of its executive, and keeps their errors off the terminal.
+/// Records events of an algorithm and of its executive, and keeps their errors and warnings off the
+/// terminal.
 class EventLog
 {
 public:
@@ -26,12 +27,13 @@ public:
   EventLog(const EventLog&) = delete;
   EventLog& operator=(const EventLog&) = delete;
 
-  int executions = 0;              ///< StartEvents
-  std::vector<std::string> errors; ///< messages of the algorithm's own ErrorEvents
-  int pipelineErrors = 0;          ///< ErrorEvents of its executive
-  std::vector<double> progress;    ///< what GetProgress() was at each ProgressEvent
-  std::vector<std::string> phases; ///< GetProgressText() at each ProgressEvent
-  int abortAtProgress = -1;        ///< sets AbortExecute at the ProgressEvent of this index
+  int executions = 0;                ///< StartEvents
+  std::vector<std::string> errors;   ///< messages of the algorithm's own ErrorEvents
+  std::vector<std::string> warnings; ///< those of its WarningEvents
+  int pipelineErrors = 0;            ///< ErrorEvents of its executive
+  std::vector<double> progress;      ///< what GetProgress() was at each ProgressEvent
+  std::vector<std::string> phases;   ///< GetProgressText() at each ProgressEvent
+  int abortAtProgress = -1;          ///< sets AbortExecute at the ProgressEvent of this index
 
 private:
   void onAlgorithm(vtkObject* caller, unsigned long event, void* data);

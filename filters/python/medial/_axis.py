@@ -17,7 +17,7 @@ from ._mesh import to_polydata
 from ._options import (REPRESENTATIONS, SIDES, TOPOLOGIES, Engine, FieldArray, Lengths,
                        Representation, Side, Sign, Topology, assign, assign_arrays, assign_grid,
                        assign_numbers, assign_run, choice, word)
-from ._update import Progress, update
+from ._update import Progress, run
 from .vtkMedialFilters import vtkMedialAxis
 
 # Attributes of MedialAxis, and the point data arrays of vtkMedialAxis with their components.
@@ -146,8 +146,8 @@ def medial_axis(
         device, require_gpu, progress: as for distance_field(); arrays are those of the field, which
         they need.
 
-    Raises what distance_field() raises. Warns (UserWarning) where the axis is empty, and where it
-    is that of both sides though side is "interior" or "exterior".
+    Raises what distance_field() raises, and warns as it does. Warns (UserWarning) also where the
+    axis is empty, and where it is that of both sides though side is "interior" or "exterior".
 
     >>> corners = [[x, y, z] for x in (0, 4) for y in (0, 4) for z in (0, 1)]
     >>> quads = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
@@ -171,7 +171,7 @@ def medial_axis(
     assign_run(algorithm, sign=sign, threads=threads, memory=memory, engine=engine,
                device=device, require_gpu=require_gpu)
     assign_arrays(algorithm, arrays)
-    update(algorithm, progress)
+    run(algorithm, progress)
     for note in _notes(algorithm, side):
         warnings.warn(note, stacklevel=2)
     return _axis_of(algorithm)

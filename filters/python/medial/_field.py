@@ -12,7 +12,7 @@ from ._arrays import add_point_data, figure, point_data
 from ._mesh import to_polydata
 from ._options import (ARRAYS, Engine, FieldArray, Lengths, Sign, assign_arrays, assign_grid,
                        assign_run)
-from ._update import Progress, update
+from ._update import Progress, run
 from .vtkMedialFilters import vtkMeshDistanceField
 
 
@@ -112,15 +112,17 @@ def distance_field(
         shaders of OpenGL), "rasteriser" (OpenGL) or "auto": the device on graphics hardware that
         works, otherwise the processor. The distances do not depend on it.
     device: what an engine that uses OpenGL computes on: its number, or a part of its name, as
-        `medial-axis --list-devices` tells; by default the first GPU, else a software renderer. A
-        process has one device, that of its first such engine.
+        `medial-axis --list-devices` tells; by default the first GPU, else a software renderer.
+        Where there is no such device, or it fails, "auto" leaves the work to the processor, with a
+        warning. A process has one device, that of its first such engine.
     require_gpu: whether to fail unless there is OpenGL 4.5 on a GPU.
     progress: called with the share of the work that is done, in [0, 1], and its name. An exception
         that it raises stops the work and is raised here.
 
     Raises InvalidInputError, a ValueError, where the mesh, a value or two of them are unusable,
-    NoGpuError, OutOfMemoryError, TypeError, or KeyboardInterrupt after Ctrl-C. Other Python threads
-    run meanwhile; they must not change the arrays.
+    NoGpuError, OutOfMemoryError, TypeError, or KeyboardInterrupt after Ctrl-C. Warns (UserWarning)
+    where the engine "auto" leaves the work of a device that failed to the processor, once a process
+    for each cause. Other Python threads run meanwhile; they must not change the arrays.
 
     >>> cube = [[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)]
     >>> quads = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
@@ -137,7 +139,7 @@ def distance_field(
     assign_run(field, sign=sign, threads=threads, memory=memory, engine=engine,
                device=device, require_gpu=require_gpu)
     assign_arrays(field, arrays)
-    update(field, progress)
+    run(field, progress)
     return field_of(field.GetOutput())
 
 

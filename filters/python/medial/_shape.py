@@ -12,7 +12,7 @@ from ._axis import MedialAxis
 from ._errors import InvalidInputError
 from ._mesh import Surface, to_polydata
 from ._options import SIDES, Side, assign, assign_numbers, choice
-from ._update import Progress, update
+from ._update import Progress, run
 from .vtkMedialFilters import vtkMedialCurves, vtkMedialReconstruction, vtkMedialThickness
 
 Axis = Union[MedialAxis, vtkPolyData]
@@ -49,7 +49,7 @@ def thickness(vertices: Any, faces: Any = None, *, angle: float = 60.0, side: Si
     algorithm.SetInputData(to_polydata(vertices, faces))
     assign_numbers(algorithm, angle=angle, threads=threads)
     assign(algorithm, Side=choice("side", side, SIDES))
-    update(algorithm, progress)
+    run(algorithm, progress)
     return point_data(algorithm.GetOutput(), "Thickness")
 
 
@@ -71,7 +71,7 @@ def reconstruction(axis: Axis, *, resolution: int = 128, interpolate: bool = Tru
     algorithm.SetInputData(_polydata_of(axis))
     assign_numbers(algorithm, resolution=resolution)
     assign(algorithm, Interpolate=bool(interpolate))
-    update(algorithm, progress)
+    run(algorithm, progress)
     output = algorithm.GetOutput()
     return Surface(point_coordinates(output), cells_of_size(output.GetPolys(), 3))
 
@@ -111,7 +111,7 @@ def curves(axis: Axis, *, rims: bool = True, seams: bool = True, other: bool = T
     algorithm = vtkMedialCurves()
     algorithm.SetInputData(mesh)
     assign(algorithm, Rims=bool(rims), Seams=bool(seams), Curves=bool(other))
-    update(algorithm, progress)
+    run(algorithm, progress)
     output = algorithm.GetOutput()
     if output.GetNumberOfLines() == 0:
         return []

@@ -1,5 +1,6 @@
 """Executing filters."""
 
+import warnings
 from collections.abc import Callable
 from typing import Any, Optional
 
@@ -20,8 +21,16 @@ def update(algorithm: Any, progress: Optional[Progress] = None) -> None:
         being done. An exception that it raises stops the filter and is raised here.
 
     Raises Error or a subclass with the messages of all filters that failed, KeyboardInterrupt after
-    Ctrl-C (in the main thread), and TypeError where algorithm is no vtkAlgorithm.
+    Ctrl-C (in the main thread), and TypeError where algorithm is no vtkAlgorithm. Warns
+    (UserWarning) with the warnings of the filters.
     """
-    messages = execute(algorithm, progress)
+    run(algorithm, progress)
+
+
+def run(algorithm: Any, progress: Optional[Progress]) -> None:
+    """As update(), for functions of this package: warnings name the line that called them."""
+    messages, notes = execute(algorithm, progress)
+    for note in notes:
+        warnings.warn(note, stacklevel=3)
     if messages:
         raise error_class(algorithm.GetErrorCode())("; ".join(messages))

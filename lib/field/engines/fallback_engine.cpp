@@ -2,7 +2,10 @@
 
 #include "field/engines/processor/processor_engine.h"
 #include "field/engines/resumed_sink.h"
+#include "gl/context_lost.h"
 #include "medial/error.h"
+
+#include <utility>
 
 namespace medial
 {
@@ -23,6 +26,11 @@ bool isOfTheDevice(const Error& error)
     error.code() == ErrorCode::ShaderBuild || error.code() == ErrorCode::OutOfMemory;
 }
 
+bool isReset(const Error& error)
+{
+  return dynamic_cast<const gl::ContextLost*>(&error) != nullptr;
+}
+
 std::string firstLine(const std::string& text)
 {
   return text.substr(0, text.find('\n'));
@@ -30,16 +38,37 @@ std::string firstLine(const std::string& text)
 
 } // namespace
 
-FallbackEngine::FallbackEngine(const Make& make)
-  : second_(std::make_unique<ProcessorEngine>())
+FallbackEngine::FallbackEngine(Make make)
+  : make_(std::move(make))
+  , second_(std::make_unique<ProcessorEngine>())
+{
+  this->makeFirst();
+}
+
+void FallbackEngine::makeFirst()
 {
   try
   {
-    first_ = make();
+    first_ = make_();
   }
   catch (const Error& error)
   {
     this->note(error);
+  }
+}
+
+/// After a reset, which leaves a device as good as new.
+void FallbackEngine::renewFirst(RunStatistics& statistics)
+{
+  if (!std::exchange(renews_, false))
+  {
+    return;
+  }
+  this->makeFirst();
+  if (first_)
+  {
+    statistics.engine = first_->kind();
+    statistics.device = first_->device();
   }
 }
 
@@ -63,6 +92,7 @@ template <typename Work>
 auto FallbackEngine::attempt(const FieldJob& job, FieldSink& sink, const Work& work)
 {
   ResumedSink resumed(job.extent, sink);
+  this->renewFirst(job.statistics);
   if (first_)
   {
     try
@@ -79,6 +109,7 @@ auto FallbackEngine::attempt(const FieldJob& job, FieldSink& sink, const Work& w
       if (!isOfTheJob(error))
       {
         first_.reset();
+        renews_ = isReset(error) && resets_++ == 0;
       }
     }
   }

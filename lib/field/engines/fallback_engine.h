@@ -12,14 +12,15 @@ namespace medial
 
 /// The engine `auto` where there is graphics hardware: the device, and the processor as soon as the
 /// device fails. What the device has stored by then stays, the processor goes on, and a note in the
-/// statistics says why. A job that is too much for the device leaves it the next one.
+/// statistics says why. A job that is too much for the device leaves it the next one, and so does a
+/// reset of the device, once.
 class FallbackEngine : public FieldEngine
 {
 public:
   using Make = std::function<std::unique_ptr<FieldEngine>()>;
 
   /// @param make makes the engine to begin with. It may throw, which counts as a failure.
-  explicit FallbackEngine(const Make& make);
+  explicit FallbackEngine(Make make);
 
   Engine kind() const override;
   bool serves(Engine wanted) const override { return wanted == Engine::Auto; }
@@ -32,9 +33,14 @@ public:
 private:
   template <typename Work>
   auto attempt(const FieldJob& job, FieldSink& sink, const Work& work);
+  void makeFirst();
+  void renewFirst(RunStatistics& statistics);
   void note(const Error& error);
 
-  std::unique_ptr<FieldEngine> first_; ///< null once it has failed for good
+  Make make_;
+  std::unique_ptr<FieldEngine> first_; ///< null once it has failed
+  bool renews_ = false;                ///< whether the next job makes it again
+  int resets_ = 0;
   std::unique_ptr<FieldEngine> second_;
   std::string failure_; ///< the last one
 };

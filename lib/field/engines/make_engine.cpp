@@ -13,17 +13,17 @@ namespace medial
 namespace
 {
 
-/// Whether OpenGL runs on graphics hardware, or fails there.
-/// @throws Error NoGpu if there is no such device.
+/// Whether OpenGL runs on graphics hardware, or fails where there may be some or where a device was
+/// asked for: FallbackEngine then says why.
 bool hasHardware(const std::string& device)
 {
-  if (!device.empty())
+  if (device.empty() && !gl::mayHaveHardware())
   {
-    return !gl::GpuThread::instance(device).device().software;
+    return false;
   }
   try
   {
-    return gl::mayHaveHardware() && !gl::GpuThread::instance().device().software;
+    return !gl::GpuThread::instance(device).device().software;
   }
   catch (const Error&)
   {

@@ -12,7 +12,7 @@ namespace medial
 /// Makes an engine.
 ///
 /// Auto is the device on graphics hardware, and the processor where there is none or where the
-/// device fails.
+/// device fails, or one that was asked for is missing: the statistics then have a note.
 /// @param device as DistanceFieldOptions::device; the processor needs none.
 /// @throws Error NoGpu for the rasteriser and the device without OpenGL.
 std::unique_ptr<FieldEngine> makeEngine(Engine wanted, const std::string& device = {});

@@ -29,7 +29,9 @@ struct DistanceFieldOptions
   SignMethod sign = SignMethod::Auto; ///< how to tell inside from outside
   Engine engine = Engine::Auto;       ///< what finds the closest sites
   /// What an engine that uses OpenGL computes on: a device's number, or a part of its name, as in
-  /// DeviceList; empty for the best. A process has one device, that of its first such engine.
+  /// DeviceList; empty for the best. Where it is missing or fails, Engine::Auto takes the
+  /// processor, and RunStatistics::note says why. A process has one device, that of its first such
+  /// engine.
   std::string device;
   /// Memory in MiB that the slabs in progress should not exceed, on the host together with the
   /// candidates of blocks, and on the device; 0 lets the library choose. Sites, the candidates of

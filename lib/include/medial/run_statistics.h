@@ -20,7 +20,7 @@ struct RunStatistics
     double sites = 0;    ///< building sites and their half-spaces
     double sign = 0;     ///< finding out which grid points are inside, by winding numbers
     double cull = 0;     ///< finding the candidates of every tile
-    double polygons = 0; ///< clipping the polygons that bound Voronoi regions
+    double polygons = 0; ///< gathering the rectangles that the rasteriser has clipped
     double draw = 0;     ///< upload and rasterisation, or evaluation by the processor
     double resolve = 0;  ///< exact distances from the closest sites, and read-back
     double medial = 0;   ///< neighbour directions, selection, and building the axis
@@ -46,9 +46,10 @@ struct RunStatistics
   std::int64_t groupTests = 0;
   std::int64_t siteTests = 0;      ///< pairs of a site and a tile that culling tested
   std::int64_t candidatePairs = 0; ///< pairs of a candidate (a site, or a triangle) and its tile
-  std::int64_t polygons = 0;       ///< polygons drawn; 0 with the processor
-  /// Area of the drawn polygons in grid points, before the depth test; with the processor the
-  /// number of pairs of a grid point and a site that it evaluated, idle lanes included.
+  std::int64_t polygons = 0; ///< polygons that the rasteriser has clipped and drawn; 0 with others
+  /// Pairs of a grid point and a site that were evaluated, idle lanes included: with the rasteriser
+  /// what the driver counts as invocations of a fragment shader (llvmpipe: blocks of 4 x 4 points),
+  /// 0 where it does not count.
   std::int64_t fragments = 0;
   std::int64_t samples = 0;       ///< grid points computed
   std::int64_t bytesUploaded = 0; ///< bytes that the engine `device` has sent to its device
@@ -56,7 +57,7 @@ struct RunStatistics
   std::int64_t dispatches = 0;    ///< compute shaders that it has started
   SignReport sign;                ///< how the sign was found
   Engine engine = Engine::Auto;   ///< the engine used, never Auto
-  /// Why the engine is not the one that Auto had chosen; one line, empty if it is.
+  /// Why Engine::Auto left the work of a device to the processor; one line, empty if it did not.
   std::string note;
   /// The OpenGL implementation that the engine used. The processor uses none; if hardware was
   /// required, this is then the hardware that was found.

@@ -231,6 +231,28 @@ class Processes(unittest.TestCase):
             """)
         self.assertRegex(output, r"\A.*'Voodoo'.*\n.*'99'.*\ncomputed\n\Z")
 
+    def test_device_that_auto_leaves_to_the_processor(self):
+        output = self.run_script("""
+            import medial, shapes, sys, warnings
+            from vtkmodules.vtkFiltersSources import vtkCubeSource
+            cube = vtkCubeSource()
+            with warnings.catch_warnings(record=True) as caught:
+                warnings.simplefilter("always")
+                for function in (medial.distance_field, medial.medial_axis):
+                    assert function(*shapes.box(), resolution=9, device="Voodoo").engine == "processor"
+                pipeline = medial.vtkMedialAxis()
+                pipeline.SetInputConnection(cube.GetOutputPort())
+                pipeline.SetResolution(9)
+                for device in ("Voodoo", "Banshee", "Banshee"):
+                    pipeline.SetDevice(device)
+                    medial.update(pipeline)
+                    pipeline.Modified()
+            for warning in caught:
+                print(warning.category.__name__, warning.filename, warning.message)
+            """)
+        line = "UserWarning <string> the engine device failed \\(.*'{}'.*\\), so the processor.*\n"
+        self.assertRegex(output, r"\A" + line.format("Voodoo") + line.format("Banshee") + r"\Z")
+
     def test_software_renderer_where_hardware_is_required(self):
         output = self.run_script("""
             import medial, shapes

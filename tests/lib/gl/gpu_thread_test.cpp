@@ -1,3 +1,5 @@
+#include "gl/fault.h"
+#include "gl/gl_objects.h"
 #include "gl/gpu_thread.h"
 #include "gl/shader_source.h"
 #include "medial/device.h"
@@ -171,6 +173,79 @@ TEST(GpuThread, TakesJobsFromManyThreads)
     thread.join();
   }
   EXPECT_EQ(sum, 400);
+}
+
+namespace
+{
+
+/// A buffer in the context of the moment.
+struct OneBuffer
+{
+  gl::Buffer buffer = gl::createBuffer();
+};
+
+void loseContext()
+{
+  gl::GpuThread::instance().run([] { gl::GpuThread::loseContext(); });
+}
+
+int contextNumber()
+{
+  int number = 0;
+  gl::GpuThread::instance().run([&] { number = gl::GpuThread::contextNumber(); });
+  return number;
+}
+
+} // namespace
+
+TEST(GpuThread, ReplacesALostContext)
+{
+  const int before = contextNumber();
+  EXPECT_EQ(contextNumber(), before);
+  EXPECT_EQ(gl::GpuThread::contextNumber(), 0); // of another thread
+  const Device device = queryDevice();
+  loseContext();
+  EXPECT_EQ(contextNumber(), before + 1);
+  EXPECT_EQ(queryDevice().renderer, device.renderer);
+  gl::GpuThread::instance().run([] { gl::checkGl("looking"); });
+}
+
+TEST(GpuThread, KeepsObjectsOfALostContextFromTheNewOne)
+{
+  auto old = std::make_unique<gl::OnGpuThread<OneBuffer>>();
+  loseContext();
+  gl::OnGpuThread<OneBuffer> fresh;
+  const GLuint name = fresh.object().buffer.id();
+  EXPECT_EQ(name, old->object().buffer.id()) << "contexts count alike";
+  EXPECT_THROW(old->run([](OneBuffer& /*object*/) { FAIL() << "ran"; }), gl::ContextLost);
+  EXPECT_THROW(old->submit([](OneBuffer& /*object*/) {}).get(), gl::ContextLost);
+  old.reset();
+  GLboolean isThere = GL_FALSE;
+  fresh.run([&](OneBuffer& /*object*/) { isThere = glIsBuffer(name); });
+  EXPECT_TRUE(isThere);
+}
+
+TEST(GpuThread, TriesAgainWhereALostContextCannotBeReplaced)
+{
+  gl::OnGpuThread<OneBuffer> old;
+  loseContext();
+  gl::injectFault(gl::Fault::ContextRefused);
+  EXPECT_THROW(gl::GpuThread::instance(), Error);
+  EXPECT_THROW(old.run([](OneBuffer& /*object*/) {}), gl::ContextLost);
+  gl::OnGpuThread<OneBuffer> fresh;
+  fresh.run([](OneBuffer& object) { EXPECT_TRUE(glIsBuffer(object.buffer.id())); });
+}
+
+/// As instances do that were made before, which ask for no new context by themselves.
+TEST(GpuThread, RunsNothingWithoutAContext)
+{
+  gl::GpuThread& thread = gl::GpuThread::instance();
+  loseContext();
+  gl::injectFault(gl::Fault::ContextRefused);
+  EXPECT_THROW(gl::GpuThread::instance(), Error);
+  EXPECT_THROW(thread.run([] { FAIL() << "ran"; }), gl::ContextLost);
+  EXPECT_THROW(thread.submit([] { FAIL() << "ran"; }).get(), gl::ContextLost);
+  EXPECT_GT(contextNumber(), 0);
 }
 
 TEST(NoGpuDeathTest, WithoutAnyEglDriverTheErrorSaysSo)

@@ -43,26 +43,30 @@ std::vector<Crossing> DeviceEngine::compute(const FieldJob& job, const CrossingS
 {
   requireNear(job);
   const DeviceCounts before = field_ ? field_->object().counts() : DeviceCounts();
-  Field& field = this->obtainField(job);
-  DeviceRun run(job, thread_, field, sink, before);
   try
   {
-    return run.compute(slabsOf(job.extent, this->chooseSlices(job, sink)), selection);
+    this->obtainField(job);
+    const std::vector<Extent> slabs = slabsOf(job.extent, this->chooseSlices(job, sink));
+    if (split_)
+    {
+      return split_->compute(job, thread_.device(), slabs, selection, sink);
+    }
+    return DeviceRun(job, thread_.device(), *field_, sink, before).compute(slabs, selection);
   }
   catch (...)
   {
     field_.reset(); // whatever was too much must not stay
+    split_.reset();
     throw;
   }
 }
 
 int DeviceEngine::chooseSlices(const FieldJob& job, const FieldSink& sink) const
 {
-  std::int64_t limit = 0;
-  thread_.run([&] { limit = gl::storageBufferLimit(); });
+  const std::size_t parts = split_ ? split_->partCount() : 1;
   const std::int64_t slice = std::int64_t{ job.extent.size(0) } * job.extent.size(1);
-  int slices = slabSlices(job.extent, kBytesPerPoint + sink.bytesPerPoint(), job.memoryMiB);
-  const std::int64_t points = std::min(limit / kBufferBytes, kMaxPoints);
+  int slices = slabSlices(job.extent, parts * kBytesPerPoint + sink.bytesPerPoint(), job.memoryMiB);
+  const std::int64_t points = std::min(bufferLimit_ / kBufferBytes, kMaxPoints);
   while (slices > 1 && slice * (slices + 1) > points)
   {
     slices /= 2;
@@ -70,13 +74,25 @@ int DeviceEngine::chooseSlices(const FieldJob& job, const FieldSink& sink) const
   return slices;
 }
 
-DeviceEngine::Field& DeviceEngine::obtainField(const FieldJob& job)
+void DeviceEngine::obtainField(const FieldJob& job)
 {
-  if (!field_)
+  struct Limit
   {
-    field_ = std::make_unique<Field>(job.mesh, job.connectivity);
+    std::int64_t bytes = gl::storageBufferLimit();
+  };
+  if (field_ || split_)
+  {
+    return;
   }
-  return *field_;
+  bufferLimit_ = gl::OnGpuThread<Limit>().object().bytes;
+  if (DeviceMesh::largestBuffer(job.mesh, job.connectivity) > bufferLimit_)
+  {
+    split_ = std::make_unique<SplitField>(job.mesh, job.connectivity, bufferLimit_);
+  }
+  else
+  {
+    field_ = std::make_unique<DeviceSlabs::Field>(job.mesh, job.connectivity);
+  }
 }
 
 } // namespace medial

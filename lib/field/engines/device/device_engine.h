@@ -1,6 +1,7 @@
 #pragma once
 
 #include "field/engines/device/device_field.h"
+#include "field/engines/device/split_field.h"
 #include "field/field_engine.h"
 #include "gl/gpu_thread.h"
 
@@ -10,7 +11,8 @@
 namespace medial
 {
 
-/// Finds closest sites by compute shaders. The host uploads positions and copies results.
+/// Finds closest sites by compute shaders. The host uploads positions and copies results; where a
+/// mesh is larger than a storage buffer may be, it also puts those of the mesh's parts together.
 class DeviceEngine : public FieldEngine
 {
 public:
@@ -26,15 +28,18 @@ public:
     FieldSink& sink) override;
 
 private:
-  using Field = gl::OnGpuThread<DeviceField>;
-
   std::vector<Crossing> compute(const FieldJob& job, const CrossingSelection* selection,
     FieldSink& sink);
-  Field& obtainField(const FieldJob& job);
+  void obtainField(const FieldJob& job);
   int chooseSlices(const FieldJob& job, const FieldSink& sink) const;
 
   gl::GpuThread& thread_;
-  std::unique_ptr<Field> field_; ///< of the mesh that the engine serves
+  ///@{
+  /// Of the mesh that the engine serves: one of them, or none before the first job.
+  std::unique_ptr<DeviceSlabs::Field> field_;
+  std::unique_ptr<SplitField> split_;
+  ///@}
+  std::int64_t bufferLimit_ = 0; ///< bytes
 };
 
 } // namespace medial

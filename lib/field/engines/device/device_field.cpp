@@ -11,6 +11,11 @@ DeviceField::DeviceField(const TriangleMesh& mesh, const MeshConnectivity& conne
 {
 }
 
+void DeviceField::prepare(const FieldJob& job)
+{
+  mesh_.pack(job.mesh, job.frame, job.frame.reach());
+}
+
 void DeviceField::move(const FieldJob& job, const WantedValues& wanted,
   const CrossingSelection* selection)
 {
@@ -19,7 +24,7 @@ void DeviceField::move(const FieldJob& job, const WantedValues& wanted,
     clock.reset();
   }
   clocks_[0].begin(&RunStatistics::DeviceSeconds::sites);
-  mesh_.move(job.mesh, job.frame, job.frame.reach(), kernels_);
+  mesh_.move(kernels_);
   values_.setNormals(job.host.signNormals());
   clocks_[0].begin(nullptr);
   values_.setVectors(wanted.vectors);
@@ -81,9 +86,14 @@ bool DeviceField::grow(int number)
   return search_.grow(counters) || (selection_ != nullptr && selecting_.grow(counters.crossings));
 }
 
-void DeviceField::takeCrossings(const FieldJob& job, int number, std::vector<Crossing>& crossings)
+void DeviceField::readCrossings(int number)
 {
-  selecting_.take(job, *selection_, this->slab(number).counters().crossings, crossings);
+  selecting_.read(this->slab(number).counters().crossings);
+}
+
+void DeviceField::takeCrossings(const FieldJob& job, std::vector<Crossing>& crossings) const
+{
+  selecting_.take(job, *selection_, crossings);
 }
 
 } // namespace medial

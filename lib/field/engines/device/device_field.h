@@ -17,14 +17,17 @@ namespace medial
 {
 
 /// The field of a mesh on the device, frame after frame and slab after slab. Lives on the GPU
-/// thread.
+/// thread; what needs no OpenGL says so, and is for the caller's thread while none of its jobs
+/// runs.
 class DeviceField
 {
 public:
   /// @throws Error GpuLimit or OutOfMemory.
   DeviceField(const TriangleMesh& mesh, const MeshConnectivity& connectivity);
 
-  /// Takes over the positions of a job over the same mesh.
+  /// The host's part of move(). Needs no OpenGL.
+  void prepare(const FieldJob& job);
+  /// Takes over the positions of a job over the same mesh, after prepare().
   /// @param selection of crossings; null if none are wanted. Must outlive the job.
   void move(const FieldJob& job, const WantedValues& wanted, const CrossingSelection* selection);
 
@@ -40,8 +43,10 @@ public:
   /// @return whether there was too little.
   bool grow(int number);
 
-  /// Appends the crossings of a slab that is here; to be called before the next one starts.
-  void takeCrossings(const FieldJob& job, int number, std::vector<Crossing>& crossings);
+  /// Reads the crossings of a slab that is here; to be called before the next one starts.
+  void readCrossings(int number);
+  /// Appends those that were read last. Needs no OpenGL.
+  void takeCrossings(const FieldJob& job, std::vector<Crossing>& crossings) const;
 
   /// Of a slab that is here; valid until the next but one starts.
   const MappedSlab& slab(int number) const { return ring_[number % ring_.size()]; }

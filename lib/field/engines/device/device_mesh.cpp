@@ -20,6 +20,8 @@ constexpr std::int64_t kEdgeBytes = 4 * sizeof(std::int32_t);
 constexpr std::int64_t kVertexBytes = 2 * sizeof(std::int32_t);
 constexpr std::int64_t kElementBytes = 9 * 4 * sizeof(std::uint32_t);
 constexpr std::int64_t kDiscBytes = 3 * 4 * sizeof(float);
+/// Slots that groups of elements of different sizes may leave empty, more than there can be.
+constexpr std::int64_t kPadding = 512;
 
 std::vector<TreeLevel> levelsOver(int groups)
 {
@@ -57,14 +59,32 @@ PointBounds boundsOf(const TriangleMesh& mesh, const LocalCoordinates& local)
 
 } // namespace
 
+std::int64_t DeviceMesh::largestBuffer(const TriangleMesh& mesh,
+  const MeshConnectivity& connectivity)
+{
+  constexpr std::int64_t kNormalBytes = 4 * sizeof(float);
+  const auto count = [](const auto& values) { return static_cast<std::int64_t>(values.size()); };
+  const std::int64_t faces = count(mesh.triangles);
+  const std::int64_t edges = count(connectivity.edges);
+  const std::int64_t vertices = count(mesh.points);
+  const std::int64_t elements = faces + count(mesh.segments) + count(mesh.vertices) + kPadding;
+  const std::int64_t numbers = 6 * faces + 2 * edges + count(connectivity.edgeTriangles.offsets) +
+    count(connectivity.edgeTriangles.values) + count(connectivity.pointEdges.offsets) +
+    count(connectivity.pointEdges.values);
+  return std::max({ elements * kElementBytes, numbers * std::int64_t{ sizeof(std::int32_t) },
+    (faces + edges + vertices) * kNormalBytes });
+}
+
+int DeviceMesh::elementsWithin(std::int64_t limit)
+{
+  constexpr std::int64_t kMost = std::numeric_limits<int>::max();
+  return static_cast<int>(std::clamp(limit / kElementBytes - kPadding, std::int64_t{ 1 }, kMost));
+}
+
 DeviceMesh::DeviceMesh(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
   Kernels& kernels)
-  : faceCount_(static_cast<int>(mesh.triangles.size()))
-  , edgeCount_(static_cast<int>(connectivity.edges.size()))
-  , vertexCount_(static_cast<int>(mesh.points.size()))
-  , incidenceCount_(static_cast<int>(connectivity.edgeTriangles.values.size()))
+  : connectivity_(mesh, connectivity, kernels)
 {
-  this->uploadConnectivity(mesh, connectivity, kernels);
   const std::vector<std::int32_t> order = orderElements(mesh, connectivity);
   slotCount_ = static_cast<int>(order.size());
   levels_ = levelsOver(slotCount_ / kGroupSize);
@@ -74,56 +94,25 @@ DeviceMesh::DeviceMesh(const TriangleMesh& mesh, const MeshConnectivity& connect
   this->allocate();
 }
 
-void DeviceMesh::uploadConnectivity(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
-  Kernels& kernels)
-{
-  std::int64_t offset = 0;
-  const auto section = [&](const auto& values)
-  {
-    const auto bytes = static_cast<std::int64_t>(values.size() * sizeof(values[0]));
-    if (connectivity_)
-    {
-      kernels.upload(connectivity_, offset, bytes, values.data());
-    }
-    offset += bytes;
-  };
-  const auto all = [&]
-  {
-    offset = 0;
-    section(mesh.triangles);
-    section(connectivity.triangleEdges);
-    section(connectivity.edges);
-    section(connectivity.edgeTriangles.offsets);
-    section(connectivity.edgeTriangles.values);
-    section(connectivity.pointEdges.offsets);
-    section(connectivity.pointEdges.values);
-  };
-  all();
-  obtainBuffer(connectivity_, offset);
-  all();
-}
-
 void DeviceMesh::allocate()
 {
-  obtainBuffer(points_, vertexCount_ * kPointBytes);
-  obtainBuffer(faces_, faceCount_ * kFaceBytes);
-  obtainBuffer(edges_, edgeCount_ * kEdgeBytes);
-  obtainBuffer(vertices_, vertexCount_ * kVertexBytes);
+  obtainBuffer(points_, connectivity_.vertexCount() * kPointBytes);
+  obtainBuffer(faces_, connectivity_.faceCount() * kFaceBytes);
+  obtainBuffer(edges_, connectivity_.edgeCount() * kEdgeBytes);
+  obtainBuffer(vertices_, connectivity_.vertexCount() * kVertexBytes);
   obtainBuffer(elements_, slotCount_ * kElementBytes);
   obtainBuffer(discs_, (levels_.back().first + levels_.back().count) * kDiscBytes);
 }
 
-void DeviceMesh::move(const TriangleMesh& mesh, const LocalCoordinates& local, double reach,
-  Kernels& kernels)
+void DeviceMesh::move(Kernels& kernels)
 {
-  this->uploadPoints(mesh, local, reach, kernels);
+  this->uploadPoints(kernels);
   this->buildSites(kernels);
   this->buildTree(kernels);
   gl::checkGl("building sites");
 }
 
-void DeviceMesh::uploadPoints(const TriangleMesh& mesh, const LocalCoordinates& local, double reach,
-  Kernels& kernels)
+void DeviceMesh::pack(const TriangleMesh& mesh, const LocalCoordinates& local, double reach)
 {
   constexpr double kCells = std::numeric_limits<std::uint32_t>::max();
   constexpr double kMaxQuantum = 1e-6;
@@ -132,10 +121,11 @@ void DeviceMesh::uploadPoints(const TriangleMesh& mesh, const LocalCoordinates& 
   slack_ = roundingNear(reach, bounds.farthest);
   const glm::dvec3 size = bounds.high - bounds.low;
   const double longest = std::max({ size.x, size.y, size.z });
-  const double quantum = longest > 0.0 ? longest / kCells : 1.0;
-  const bool fixedPoint = quantum <= kMaxQuantum || longest == 0.0;
-  flatHeight_ =
-    fixedPoint ? 4.0 * quantum : std::min(kRounding * (bounds.farthest + 1.0), SiteSet::kMinHeight);
+  low_ = bounds.low;
+  quantum_ = longest > 0.0 ? longest / kCells : 1.0;
+  fixedPoint_ = quantum_ <= kMaxQuantum || longest == 0.0;
+  flatHeight_ = fixedPoint_ ? 4.0 * quantum_
+                            : std::min(kRounding * (bounds.farthest + 1.0), SiteSet::kMinHeight);
   if (longest == 0.0)
   {
     flatHeight_ = 0.0;
@@ -146,10 +136,10 @@ void DeviceMesh::uploadPoints(const TriangleMesh& mesh, const LocalCoordinates& 
     const glm::dvec3 x = local.toLocal(point);
     for (int axis = 0; axis < 3; ++axis)
     {
-      if (fixedPoint)
+      if (fixedPoint_)
       {
-        packed_.push_back(static_cast<std::uint32_t>(
-          std::min((x[axis] - bounds.low[axis]) / quantum + 0.5, kCells)));
+        packed_.push_back(
+          static_cast<std::uint32_t>(std::min((x[axis] - low_[axis]) / quantum_ + 0.5, kCells)));
         continue;
       }
       std::uint32_t halves[2];
@@ -157,23 +147,20 @@ void DeviceMesh::uploadPoints(const TriangleMesh& mesh, const LocalCoordinates& 
       packed_.insert(packed_.end(), halves, halves + 2);
     }
   }
+}
+
+void DeviceMesh::uploadPoints(Kernels& kernels)
+{
   const auto bytes = static_cast<std::int64_t>(packed_.size() * sizeof(std::uint32_t));
   obtainBuffer(positions_, bytes);
   kernels.upload(positions_, 0, bytes, packed_.data());
   const gl::ShaderProgram& kernel = gl::cachedProgram("points.comp");
-  kernel.set("count", 3 * vertexCount_);
-  kernel.set("fixedPoint", fixedPoint ? 1 : 0);
-  kernel.set("low", bounds.low);
-  kernel.set("quantum", quantum);
-  kernels.startItems(kernel, { &positions_, &points_ }, std::int64_t{ 3 } * vertexCount_);
-}
-
-void DeviceMesh::describe(const gl::ShaderProgram& kernel) const
-{
-  kernel.set("faceCount", faceCount_);
-  kernel.set("edgeCount", edgeCount_);
-  kernel.set("vertexCount", vertexCount_);
-  kernel.set("incidenceCount", incidenceCount_);
+  kernel.set("count", 3 * connectivity_.vertexCount());
+  kernel.set("fixedPoint", fixedPoint_ ? 1 : 0);
+  kernel.set("low", low_);
+  kernel.set("quantum", quantum_);
+  kernels.startItems(kernel, { &positions_, &points_ },
+    std::int64_t{ 3 } * connectivity_.vertexCount());
 }
 
 void DeviceMesh::buildSites(Kernels& kernels) const
@@ -182,19 +169,22 @@ void DeviceMesh::buildSites(Kernels& kernels) const
   this->describe(faces);
   faces.set("flatHeight", flatHeight_);
   faces.set("minHeight", SiteSet::kMinHeight);
-  kernels.startItems(faces, { &connectivity_, &points_, &faces_ }, faceCount_);
+  kernels.startItems(faces, { &connectivity_.buffer(), &points_, &faces_ },
+    connectivity_.faceCount());
   const gl::ShaderProgram& edges = gl::cachedProgram("edges.comp");
   this->describe(edges);
-  kernels.startItems(edges, { &connectivity_, &points_, &faces_, &edges_ }, edgeCount_);
+  kernels.startItems(edges, { &connectivity_.buffer(), &points_, &faces_, &edges_ },
+    connectivity_.edgeCount());
   const gl::ShaderProgram& vertices = gl::cachedProgram("vertices.comp");
   this->describe(vertices);
-  kernels.startItems(vertices, { &connectivity_, &points_, nullptr, &edges_, &vertices_ },
-    vertexCount_);
+  kernels.startItems(vertices, { &connectivity_.buffer(), &points_, nullptr, &edges_, &vertices_ },
+    connectivity_.vertexCount());
   const gl::ShaderProgram& elements = gl::cachedProgram("elements.comp");
   this->describe(elements);
   elements.set("slotCount", slotCount_);
   kernels.startItems(elements,
-    { &connectivity_, &points_, &faces_, &edges_, &vertices_, &order_, &elements_ }, slotCount_);
+    { &connectivity_.buffer(), &points_, &faces_, &edges_, &vertices_, &order_, &elements_ },
+    slotCount_);
 }
 
 void DeviceMesh::buildTree(Kernels& kernels) const
@@ -204,7 +194,8 @@ void DeviceMesh::buildTree(Kernels& kernels) const
   groups.set("groupCount", levels_[0].count);
   groups.set("slack", slack_);
   kernels.startItems(groups,
-    { &connectivity_, &points_, &faces_, &edges_, &vertices_, &order_, &discs_ }, levels_[0].count);
+    { &connectivity_.buffer(), &points_, &faces_, &edges_, &vertices_, &order_, &discs_ },
+    levels_[0].count);
   const gl::ShaderProgram& nodes = gl::cachedProgram("node_discs.comp");
   nodes.set("slack", slack_);
   for (std::size_t level = 1; level < levels_.size(); ++level)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "field/engines/device/connectivity_buffer.h"
 #include "field/engines/device/kernels.h"
 #include "medial/mesh_connectivity.h"
 #include "medial/triangle_mesh.h"
@@ -20,23 +21,30 @@ struct TreeLevel
 
 /// A mesh on the device: its sites, its elements in groups of eight, and a tree of discs over them.
 /// The connectivity is uploaded once; what depends on positions is made on the device. GPU thread
-/// only.
+/// only, but for pack().
 class DeviceMesh
 {
 public:
+  /// Bytes of the largest buffer that a mesh takes, with those of its pseudonormals.
+  static std::int64_t largestBuffer(const TriangleMesh& mesh, const MeshConnectivity& connectivity);
+  /// Number of elements whose buffers a limit allows, whatever their connectivity.
+  static int elementsWithin(std::int64_t limit);
+
   /// @throws Error GpuLimit or OutOfMemory.
   DeviceMesh(const TriangleMesh& mesh, const MeshConnectivity& connectivity, Kernels& kernels);
 
-  /// Takes over positions.
+  /// Packs positions for the next move(). Needs no OpenGL: for the caller's thread, while no job of
+  /// this mesh runs.
   /// @param mesh of the same connectivity.
   /// @param reach how far from the local origin grid points are, local units.
-  void move(const TriangleMesh& mesh, const LocalCoordinates& local, double reach,
-    Kernels& kernels);
+  void pack(const TriangleMesh& mesh, const LocalCoordinates& local, double reach);
+  /// Takes over the positions that are packed.
+  void move(Kernels& kernels);
 
   /// Sets the uniforms of mesh.glsl.
-  void describe(const gl::ShaderProgram& kernel) const;
+  void describe(const gl::ShaderProgram& kernel) const { connectivity_.describe(kernel); }
 
-  const gl::Buffer& connectivity() const { return connectivity_; }
+  const gl::Buffer& connectivity() const { return connectivity_.buffer(); }
   const gl::Buffer& points() const { return points_; }
   const gl::Buffer& faces() const { return faces_; }
   const gl::Buffer& order() const { return order_; }
@@ -48,21 +56,25 @@ public:
   float slack() const { return slack_; }
 
 private:
-  void uploadConnectivity(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
-    Kernels& kernels);
   void allocate();
-  void uploadPoints(const TriangleMesh& mesh, const LocalCoordinates& local, double reach,
-    Kernels& kernels);
+  void uploadPoints(Kernels& kernels);
   void buildSites(Kernels& kernels) const;
   void buildTree(Kernels& kernels) const;
 
-  int faceCount_, edgeCount_, vertexCount_, incidenceCount_, slotCount_;
+  ConnectivityBuffer connectivity_;
+  int slotCount_;
   std::vector<TreeLevel> levels_;
   float slack_ = 0.0f;
   double flatHeight_ = 0.0;
-  std::vector<std::uint32_t> packed_; ///< positions, kept from frame to frame
-  gl::Buffer connectivity_, order_, positions_, points_, faces_, edges_, vertices_, elements_,
-    discs_;
+  ///@{
+  /// Positions: fixed-point numbers of a quantum from the lowest coordinates on, or halves of
+  /// double-precision ones.
+  std::vector<std::uint32_t> packed_;
+  bool fixedPoint_ = false;
+  glm::dvec3 low_{ 0.0 };
+  double quantum_ = 1.0;
+  ///@}
+  gl::Buffer order_, positions_, points_, faces_, edges_, vertices_, elements_, discs_;
 };
 
 } // namespace medial

@@ -1,13 +1,8 @@
 #include "field/engines/device/device_run.h"
 
 #include "base/stopwatch.h"
-#include "medial/error.h"
-
-#include <string>
 
 namespace medial
-{
-namespace
 {
 
 WantedValues wantedBy(const FieldArrays& arrays)
@@ -19,16 +14,13 @@ WantedValues wantedBy(const FieldArrays& arrays)
   return wanted;
 }
 
-} // namespace
-
-DeviceRun::DeviceRun(const FieldJob& job, gl::GpuThread& thread, Field& field, FieldSink& sink,
-  const DeviceCounts& before)
+DeviceRun::DeviceRun(const FieldJob& job, const Device& device, DeviceSlabs::Field& field,
+  FieldSink& sink, const DeviceCounts& before)
   : job_(job)
-  , thread_(thread)
   , field_(field)
   , sink_(sink)
   , writer_(job)
-  , check_(job, thread.device())
+  , check_(job, device)
   , before_(before)
 {
 }
@@ -42,8 +34,8 @@ std::vector<Crossing> DeviceRun::compute(const std::vector<Extent>& slabs,
   WantedValues wanted = wantedBy(arrays);
   wanted.distances = wanted.distances || check_.isDue();
   this->prepareHost();
-  timed(job_.statistics.seconds.sites,
-    [&] { field_.run([&](DeviceField& field) { field.move(job_, wanted, selection); }); });
+  DeviceSlabs device(job_, field_, slabs, before_);
+  device.move(wanted, selection);
   for (std::size_t i = 0; i < slabs.size(); ++i)
   {
     const double done = static_cast<double>(i) * share;
@@ -54,29 +46,32 @@ std::vector<Crossing> DeviceRun::compute(const std::vector<Extent>& slabs,
       {
         if (i == 0)
         {
-          this->start(slabs, i, checkpoint);
+          device.start(i, checkpoint);
         }
-        this->finish(slabs, i, checkpoint);
+        device.finish(i, checkpoint);
         if (selection != nullptr)
         {
-          field_.run(
-            [&](DeviceField& field) { field.takeCrossings(job_, static_cast<int>(i), crossings); });
+          field_.run([&](DeviceField& field) { field.readCrossings(static_cast<int>(i)); });
         }
         if (i + 1 < slabs.size())
         {
-          this->start(slabs, i + 1, checkpoint);
+          device.start(i + 1, checkpoint);
         }
       });
+    if (selection != nullptr)
+    {
+      field_.object().takeCrossings(job_, crossings);
+    }
     if (i > 0)
     {
       arrays = sink_.slabArrays(slabs[i]);
     }
     writer_.begin(slabs[i], arrays);
-    timed(job_.statistics.seconds.resolve, [&] { this->store(slabs[i], i); });
+    timed(job_.statistics.seconds.resolve, [&] { this->store(slabs[i], device.take(i)); });
     sink_.stored(slabs[i]);
   }
   check_.passed();
-  this->addCounts();
+  device.addCounts();
   return crossings;
 }
 
@@ -90,61 +85,10 @@ void DeviceRun::prepareHost() const
   }
 }
 
-void DeviceRun::start(const std::vector<Extent>& slabs, std::size_t number,
-  const Checkpoint& checkpoint)
+void DeviceRun::store(const Extent& slab, const ResolvedSlab& values)
 {
-  for (const auto& step : field_.object().steps(job_, slabs, static_cast<int>(number)))
-  {
-    checkpoint();
-    thread_.run(step);
-  }
-}
-
-void DeviceRun::finish(const std::vector<Extent>& slabs, std::size_t number,
-  const Checkpoint& checkpoint)
-{
-  constexpr std::uint64_t kWait = 10'000'000; // nanoseconds
-  const int id = static_cast<int>(number);
-  for (bool grown = true; grown;)
-  {
-    bool isHere = false;
-    while (!isHere)
-    {
-      field_.run([&](DeviceField& field)
-        { isHere = field.isHere(id, kWait, job_.statistics.deviceSeconds); });
-      checkpoint();
-    }
-    grown = field_.object().grow(id);
-    if (grown)
-    {
-      this->start(slabs, number, checkpoint);
-    }
-  }
-}
-
-void DeviceRun::store(const Extent& slab, std::size_t number)
-{
-  const MappedSlab& mapped = field_.object().slab(static_cast<int>(number));
-  const SearchCounters& counters = mapped.counters();
-  if (counters.withoutSite > 0)
-  {
-    throw Error(ErrorCode::NoGpu,
-      "the device found no closest site for " + std::to_string(counters.withoutSite) + " of " +
-        std::to_string(slab.pointCount()) + " grid points");
-  }
-  job_.statistics.groupTests += counters.tests;
-  job_.statistics.candidatePairs += counters.pairs;
-  job_.statistics.fragments += counters.evaluations;
-  check_.check(slab, mapped.values());
-  job_.run.onThreads([&] { writer_.store(mapped.values()); });
-}
-
-void DeviceRun::addCounts()
-{
-  const DeviceCounts& now = field_.object().counts();
-  job_.statistics.bytesUploaded += now.bytesUploaded - before_.bytesUploaded;
-  job_.statistics.bytesReadBack += now.bytesReadBack - before_.bytesReadBack;
-  job_.statistics.dispatches += now.dispatches - before_.dispatches;
+  check_.check(slab, values);
+  job_.run.onThreads([&] { writer_.store(values); });
 }
 
 } // namespace medial

@@ -1,28 +1,26 @@
 #pragma once
 
-#include "base/checkpoint.h"
-#include "field/engines/device/device_field.h"
+#include "field/engines/device/device_slabs.h"
 #include "field/engines/device/self_check.h"
 #include "field/field_job.h"
 #include "field/field_writer.h"
-#include "gl/gpu_thread.h"
 #include "medial/distance_field.h"
 
-#include <functional>
 #include <vector>
 
 namespace medial
 {
+
+/// The values that arrays need.
+WantedValues wantedBy(const FieldArrays& arrays);
 
 /// One job of the engine `device`. While the device works on a slab, the host stores the one
 /// before.
 class DeviceRun
 {
 public:
-  using Field = gl::OnGpuThread<DeviceField>;
-
   /// @param before what the device had done before the job.
-  DeviceRun(const FieldJob& job, gl::GpuThread& thread, Field& field, FieldSink& sink,
+  DeviceRun(const FieldJob& job, const Device& device, DeviceSlabs::Field& field, FieldSink& sink,
     const DeviceCounts& before);
 
   /// Computes slabs. To be called once.
@@ -32,15 +30,10 @@ public:
 
 private:
   void prepareHost() const;
-  void start(const std::vector<Extent>& slabs, std::size_t number, const Checkpoint& checkpoint);
-  /// Waits for a slab, and computes it again where something had too little room.
-  void finish(const std::vector<Extent>& slabs, std::size_t number, const Checkpoint& checkpoint);
-  void store(const Extent& slab, std::size_t number);
-  void addCounts();
+  void store(const Extent& slab, const ResolvedSlab& values);
 
   const FieldJob& job_;
-  gl::GpuThread& thread_;
-  Field& field_;
+  DeviceSlabs::Field& field_;
   FieldSink& sink_;
   FieldWriter writer_;
   SelfCheck check_;

@@ -99,8 +99,7 @@ bool DeviceSelection::grow(std::uint32_t crossings)
   return isShort;
 }
 
-void DeviceSelection::take(const FieldJob& job, const CrossingSelection& selection,
-  std::uint32_t count, std::vector<Crossing>& crossings)
+void DeviceSelection::read(std::uint32_t count)
 {
   packed_.resize(count);
   if (count > 0)
@@ -110,6 +109,11 @@ void DeviceSelection::take(const FieldJob& job, const CrossingSelection& selecti
     kernels_.counts().bytesReadBack += bytes;
     gl::checkGl("reading crossings back");
   }
+}
+
+void DeviceSelection::take(const FieldJob& job, const CrossingSelection& selection,
+  std::vector<Crossing>& crossings) const
+{
   for (const auto& [xy, z, siteA, siteB] : packed_)
   {
     Crossing crossing{ glm::ivec3(xy & 0xffffu, xy >> 16, z & 0xffffu),

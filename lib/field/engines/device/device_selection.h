@@ -13,7 +13,7 @@
 namespace medial
 {
 
-/// Selects crossings where the field lies, slab by slab. GPU thread only.
+/// Selects crossings where the field lies, slab by slab. GPU thread only, but for take().
 class DeviceSelection
 {
 public:
@@ -30,10 +30,13 @@ public:
   /// @return whether there was too little.
   bool grow(std::uint32_t crossings);
 
-  /// Appends the crossings of a slab that lie on the wanted side.
+  /// Reads the crossings of a slab back.
   /// @param count of the slab.
-  void take(const FieldJob& job, const CrossingSelection& selection, std::uint32_t count,
-    std::vector<Crossing>& crossings);
+  void read(std::uint32_t count);
+  /// Appends those that were read last and lie on the wanted side. Needs no OpenGL: for the
+  /// caller's thread.
+  void take(const FieldJob& job, const CrossingSelection& selection,
+    std::vector<Crossing>& crossings) const;
 
 private:
   /// As list_crossings.comp has it.

@@ -13,20 +13,6 @@ constexpr std::chrono::seconds kPatience{ 60 };
 
 } // namespace
 
-MappedSlab::~MappedSlab()
-{
-  this->dropFence();
-}
-
-void MappedSlab::dropFence()
-{
-  if (fence_ != nullptr && gl::GpuThread::isThisThread())
-  {
-    glDeleteSync(fence_);
-  }
-  fence_ = nullptr;
-}
-
 template <typename T>
 void MappedSlab::obtain(Mapped<T>& mapped, std::int64_t bytes)
 {
@@ -73,8 +59,7 @@ void MappedSlab::fetch(const SlabValues& values, const gl::Buffer& counters, con
     copy(values.sites(), 4 * slice, sites_, 4 * points_);
   }
   glMemoryBarrier(GL_CLIENT_MAPPED_BUFFER_BARRIER_BIT);
-  this->dropFence();
-  fence_ = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+  fence_ = gl::createFence();
   started_ = Clock::now();
   glFlush();
   gl::checkGl("reading a slab back");
@@ -82,7 +67,7 @@ void MappedSlab::fetch(const SlabValues& values, const gl::Buffer& counters, con
 
 bool MappedSlab::isHere(std::uint64_t nanoseconds)
 {
-  const GLenum state = glClientWaitSync(fence_, GL_SYNC_FLUSH_COMMANDS_BIT, nanoseconds);
+  const GLenum state = glClientWaitSync(fence_.id(), GL_SYNC_FLUSH_COMMANDS_BIT, nanoseconds);
   gl::checkGl("waiting for a slab");
   const bool hangs = gl::faultHappens(gl::Fault::NeverReady);
   if (!hangs && (state == GL_ALREADY_SIGNALED || state == GL_CONDITION_SATISFIED))

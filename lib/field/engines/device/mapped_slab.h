@@ -26,11 +26,6 @@ struct WantedValues
 class MappedSlab
 {
 public:
-  ~MappedSlab();
-  MappedSlab() = default;
-  MappedSlab(const MappedSlab&) = delete;
-  MappedSlab& operator=(const MappedSlab&) = delete;
-
   /// Starts copying; isHere() tells when it is done.
   /// @throws Error GpuLimit or OutOfMemory.
   void fetch(const SlabValues& values, const gl::Buffer& counters, const Extent& slab,
@@ -57,7 +52,6 @@ private:
 
   template <typename T>
   static void obtain(Mapped<T>& mapped, std::int64_t bytes);
-  void dropFence();
 
   WantedValues wanted_;
   std::int64_t points_ = 0;
@@ -65,7 +59,7 @@ private:
   Mapped<float> distances_;
   Mapped<float> vectors_;
   Mapped<std::int32_t> sites_;
-  GLsync fence_ = nullptr;
+  gl::Fence fence_;
   Clock::time_point started_; ///< when the fence was set
 };
 

@@ -236,6 +236,8 @@ std::vector<Crossing> ProcessorEngine::select(const FieldJob& job, const Crossin
 {
   Evaluation evaluation = makeEvaluation(job);
   ProcessorSelection selection(wanted, job.frame, job.extent, job.sign != FieldSign::None);
+  const auto displacement = [&](int site, const glm::dvec3& x)
+  { return evaluation.sites().displacement(site, x); };
   SlabField field;
   const int slices =
     slabSlices(job.extent, kSelectionBytesPerPoint + sink.bytesPerPoint(), job.memoryMiB);
@@ -250,7 +252,7 @@ std::vector<Crossing> ProcessorEngine::select(const FieldJob& job, const Crossin
     {
       job.run.report(done, "distance field");
       const Stopwatch watch(job.statistics.seconds.medial);
-      job.run.onThreads([&] { selection.process(field, evaluation.sites()); });
+      job.run.onThreads([&] { selection.process(field, displacement); });
     });
   return selection.takeCrossings();
 }

@@ -52,7 +52,7 @@ ProcessorSelection::ProcessorSelection(const CrossingSelection& selection, const
 {
 }
 
-void ProcessorSelection::process(const SlabField& slab, const TileEvaluator& evaluator)
+void ProcessorSelection::process(const SlabField& slab, const Displacement& displacement)
 {
   std::vector<std::vector<Crossing>> found(slab.slots());
   tbb::parallel_for(0, slab.slots(),
@@ -61,7 +61,7 @@ void ProcessorSelection::process(const SlabField& slab, const TileEvaluator& eva
       std::vector<Change> changes;
       for (int row = 0; row < slab.extent().size(1); ++row)
       {
-        this->selectRow(slab, evaluator, slot, row, changes, found[slot]);
+        this->selectRow(slab, displacement, slot, row, changes, found[slot]);
       }
     });
   for (const std::vector<Crossing>& slice : found)
@@ -77,8 +77,8 @@ bool ProcessorSelection::waits(const Extent& slab) const
   return slab.max[2] < extent_.max[2] && (slab.max[2] + 1 - extent_.min[2]) % kMaxSlices != 0;
 }
 
-void ProcessorSelection::selectRow(const SlabField& slab, const TileEvaluator& evaluator, int slot,
-  int row, std::vector<Change>& changes, std::vector<Crossing>& found) const
+void ProcessorSelection::selectRow(const SlabField& slab, const Displacement& displacement,
+  int slot, int row, std::vector<Change>& changes, std::vector<Crossing>& found) const
 {
   if (slot == 0 && !slab.carried())
   {
@@ -112,20 +112,20 @@ void ProcessorSelection::selectRow(const SlabField& slab, const TileEvaluator& e
     const bool sameSide = isInside == (signed_ && endSides[axis][i] < 0.0f);
     const bool wanted = side_ == Side::Both || isInside == (side_ == Side::Interior);
     const Crossing crossing{ first + glm::ivec3(i, 0, 0), axis, sites[i], ends[axis][i], isInside };
-    if (sameSide && wanted && this->crossed(evaluator, crossing))
+    if (sameSide && wanted && this->crossed(displacement, crossing))
     {
       found.push_back(crossing);
     }
   }
 }
 
-bool ProcessorSelection::crossed(const TileEvaluator& evaluator, const Crossing& crossing) const
+bool ProcessorSelection::crossed(const Displacement& displacement, const Crossing& crossing) const
 {
   const glm::dvec3 x = frame_.sample(glm::dvec3(crossing.voxel));
   glm::dvec3 edge(0.0);
   edge[crossing.axis] = frame_.step[crossing.axis];
-  const glm::dvec3 near = evaluator.displacement(crossing.siteA, x);
-  const glm::dvec3 far = evaluator.displacement(crossing.siteB, x + edge);
+  const glm::dvec3 near = displacement(crossing.siteA, x);
+  const glm::dvec3 far = displacement(crossing.siteB, x + edge);
   const double lengths = std::sqrt(glm::dot(near, near) * glm::dot(far, far));
   // If the closest points are nearer to each other than the grid points, both see the same reflex
   // edge or the same patch, not two sides.

@@ -2,9 +2,9 @@
 
 #include "field/crossing.h"
 #include "field/engines/processor/slab_field.h"
-#include "field/engines/processor/tile_evaluator.h"
 #include "sites/grid_frame.h"
 
+#include <functional>
 #include <vector>
 
 namespace medial
@@ -21,11 +21,14 @@ public:
   ProcessorSelection(const CrossingSelection& selection, const GridFrame& frame,
     const Extent& extent, bool signedField);
 
+  /// Returns the vector from a point to the closest point of a site, local units.
+  using Displacement = std::function<glm::dvec3(int site, const glm::dvec3& x)>;
+
   /// Selects the crossings of a slab; slabs come in ascending z. The order of crossings does not
-  /// depend on the slabs. Uses the threads of the current
-  /// arena.
+  /// depend on the slabs. Uses the threads of the current arena.
+  /// @param displacement of the closest site of x.
   /// @throws Error as requireRoomForAxis().
-  void process(const SlabField& slab, const TileEvaluator& evaluator);
+  void process(const SlabField& slab, const Displacement& displacement);
 
   /// All crossings so far, in the order of the slabs.
   std::vector<Crossing> takeCrossings() { return std::move(crossings_); }
@@ -44,9 +47,9 @@ private:
   /// come together. Those along x and y do not wait where even the thickest slabs end.
   bool waits(const Extent& slab) const;
   /// @param changes working memory.
-  void selectRow(const SlabField& slab, const TileEvaluator& evaluator, int slot, int row,
+  void selectRow(const SlabField& slab, const Displacement& displacement, int slot, int row,
     std::vector<Change>& changes, std::vector<Crossing>& found) const;
-  bool crossed(const TileEvaluator& evaluator, const Crossing& crossing) const;
+  bool crossed(const Displacement& displacement, const Crossing& crossing) const;
 
   double cosineLimit_;
   Side side_;

@@ -21,6 +21,13 @@ void SlabField::begin(const Extent& slab)
   sides_.resize(slice * this->slots());
 }
 
+void SlabField::store(const std::int32_t* sites, const float* sides)
+{
+  const std::size_t points = sites_.size() - this->index(1, 0);
+  std::copy_n(sites, points, sites_.begin() + this->index(1, 0));
+  std::copy_n(sides, points, sides_.begin() + this->index(1, 0));
+}
+
 void SlabField::store(const Extent& tile, const TileField& field)
 {
   const SliceRange slices = SliceRange::common(tile, extent_);

@@ -20,6 +20,10 @@ public:
   /// Stores the slab's part of a tile. Several threads may call it at once for different tiles.
   void store(const Extent& tile, const TileField& field);
 
+  /// Stores the whole slab, slice by slice, x fastest.
+  /// @param sides negative inside.
+  void store(const std::int32_t* sites, const float* sides);
+
   const Extent& extent() const { return extent_; }
   /// Whether slot 0 holds the slice below extent().min[2].
   bool carried() const { return carried_; }

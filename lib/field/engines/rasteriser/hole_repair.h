@@ -10,9 +10,9 @@ namespace medial
 
 /// Fills grid points of a resolved slab that no polygon covered, by exact queries. The bounds of
 /// Voronoi regions overlap, so there should be none; this makes sure of it. GPU thread only.
-/// @param normals pseudonormals of all sites.
+/// @param normals as SlabRenderer::move() takes them.
 /// @param query covers the grid points of the slab.
 void repairHoles(SlabRenderer& renderer, const std::vector<glm::vec4>& normals,
-  const GridFrame& frame, const SiteQuery& query, FieldSign sign, const Extent& slab);
+  const GridFrame& frame, const SiteQuery& query, const Extent& slab);
 
 } // namespace medial

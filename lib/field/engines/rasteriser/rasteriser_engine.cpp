@@ -13,7 +13,7 @@ namespace
 {
 
 /// Bytes per grid point of a slab: textures, a ring of two pixel buffers, the textures of the
-/// selection, and polygons.
+/// selection, and rectangles.
 constexpr std::size_t kBytesPerPoint = 112;
 
 } // namespace
@@ -27,8 +27,8 @@ void RasteriserEngine::run(const FieldJob& job, FieldSink& sink)
 {
   requireNear(job);
   const AtlasLayout atlas = this->chooseAtlas(job, sink);
-  RasteriserRun run(job, this->obtainRenderer(job, atlas), sink);
-  run.compute(nullptr);
+  this->drawOn(atlas, job,
+    [&](Renderer& renderer) { RasteriserRun(job, renderer, sink).compute(nullptr); });
 }
 
 std::vector<Crossing> RasteriserEngine::select(const FieldJob& job, const CrossingSelection& wanted,
@@ -37,15 +37,30 @@ std::vector<Crossing> RasteriserEngine::select(const FieldJob& job, const Crossi
   requireNear(job);
   const AtlasLayout atlas = this->chooseAtlas(job, sink);
   gl::OnGpuThread<RasteriserSelection> selection(wanted, job.frame, job.inside);
-  RasteriserRun run(job, this->obtainRenderer(job, atlas), sink);
-  run.compute(&selection.object());
+  this->drawOn(atlas, job,
+    [&](Renderer& renderer) { RasteriserRun(job, renderer, sink).compute(&selection.object()); });
   return selection.object().takeCrossings();
+}
+
+template <typename Draw>
+void RasteriserEngine::drawOn(const AtlasLayout& atlas, const FieldJob& job, const Draw& draw)
+{
+  try
+  {
+    draw(this->obtainRenderer(job, atlas));
+  }
+  catch (...)
+  {
+    renderer_.reset(); // its context may be lost
+    throw;
+  }
 }
 
 AtlasLayout RasteriserEngine::chooseAtlas(const FieldJob& job, const FieldSink& sink) const
 {
   GLint limit = 0;
-  thread_.run([&] { glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit); });
+  // With a new context, if the last one was lost.
+  gl::GpuThread::instance().run([&] { glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit); });
   int slices = slabSlices(job.extent, kBytesPerPoint + sink.bytesPerPoint(), job.memoryMiB);
   while (slices > 1 && !AtlasLayout::fits(job.extent, slices, limit))
   {
@@ -57,17 +72,14 @@ AtlasLayout RasteriserEngine::chooseAtlas(const FieldJob& job, const FieldSink& 
 RasteriserEngine::Renderer& RasteriserEngine::obtainRenderer(const FieldJob& job,
   const AtlasLayout& atlas)
 {
-  if (renderer_ && renderer_->object().atlas() == atlas)
-  {
-    renderer_->run([&](SlabRenderer& renderer)
-      { renderer.move(job.host.sites(), job.host.normals(), job.frame, job.sign); });
-  }
-  else
+  if (!renderer_ || !(renderer_->object().atlas() == atlas))
   {
     renderer_.reset();
-    renderer_ =
-      std::make_unique<Renderer>(job.host.sites(), job.host.normals(), job.frame, atlas, job.sign);
+    renderer_ = std::make_unique<Renderer>(job.mesh, job.connectivity, atlas);
   }
+  const SiteSet& sites = job.host.sites();
+  const std::vector<glm::vec4>& normals = job.host.signNormals();
+  renderer_->run([&](SlabRenderer& renderer) { renderer.move(sites, normals, job.frame); });
   return *renderer_;
 }
 

@@ -11,8 +11,8 @@
 namespace medial
 {
 
-/// The method of the paper: the host clips polygons that bound Voronoi regions, and OpenGL draws
-/// them with its depth test.
+/// The method of the paper: OpenGL clips polygons that bound Voronoi regions, and draws them with
+/// its depth test.
 class RasteriserEngine : public FieldEngine
 {
 public:
@@ -31,6 +31,9 @@ public:
 private:
   using Renderer = gl::OnGpuThread<SlabRenderer>;
 
+  /// Calls draw(renderer).
+  template <typename Draw>
+  void drawOn(const AtlasLayout& atlas, const FieldJob& job, const Draw& draw);
   AtlasLayout chooseAtlas(const FieldJob& job, const FieldSink& sink) const;
   Renderer& obtainRenderer(const FieldJob& job, const AtlasLayout& atlas);
 

@@ -53,6 +53,7 @@ void RasteriserRun::compute(RasteriserSelection* selection)
   job_.statistics.seconds.draw += gpuSeconds_.draw;
   job_.statistics.seconds.resolve += gpuSeconds_.resolve;
   job_.statistics.seconds.medial += gpuSeconds_.medial;
+  job_.statistics.fragments += fragments_;
 }
 
 void RasteriserRun::allocateReadbacks(int slices)
@@ -74,43 +75,37 @@ void RasteriserRun::prepare(const Extent& extent, double done, double share, Sla
 {
   job_.run.report(done, "distance field");
   slab.extent = extent;
-  this->cull(slab, done);
-  this->clip(slab);
+  slab.rectangles = this->gather(this->cull(extent, done), extent);
   job_.run.report(done + 0.5 * share, "distance field");
 }
 
-void RasteriserRun::cull(Slab& slab, double done)
+std::vector<CandidateTiles> RasteriserRun::cull(const Extent& extent, double done)
 {
   const Checkpoint checkpoint(job_.run, done, "distance field");
   const Stopwatch watch(job_.statistics.seconds.cull);
   CullingCounts counts;
-  slab.tiles =
-    job_.run.onThreads([&] { return hierarchy_.listTiles(slab.extent, counts, &checkpoint); });
+  std::vector<CandidateTiles> tiles =
+    job_.run.onThreads([&] { return hierarchy_.listTiles(extent, counts, &checkpoint); });
   job_.statistics.groupTests += counts.groupTests;
   job_.statistics.siteTests += counts.siteTests;
-  for (const CandidateTiles& tiles : slab.tiles)
+  for (const CandidateTiles& some : tiles)
   {
-    job_.statistics.candidatePairs += static_cast<std::int64_t>(tiles.candidates.size());
+    job_.statistics.candidatePairs += static_cast<std::int64_t>(some.candidates.size());
   }
+  return tiles;
 }
 
-void RasteriserRun::clip(Slab& slab)
+std::vector<SiteRectangle> RasteriserRun::gather(const std::vector<CandidateTiles>& tiles,
+  const Extent& extent)
 {
-  RunStatistics& statistics = job_.statistics;
-  const Stopwatch watch(statistics.seconds.polygons);
-  slab.chunks = job_.run.onThreads(
-    [&]
-    {
-      return buildPolygons(job_.host.sites(), job_.host.filter().bounds(), job_.frame, slab.tiles,
-        slab.extent, atlas_);
-    });
-  double area = 0.0;
-  for (const PolygonChunk& chunk : slab.chunks)
+  const Stopwatch watch(job_.statistics.seconds.polygons);
+  std::vector<SiteRectangle> rectangles =
+    job_.run.onThreads([&] { return siteRectangles(tiles, extent, job_.host.sites().size()); });
+  for (const SiteRectangle& rectangle : rectangles)
   {
-    statistics.polygons += chunk.polygons;
-    area += chunk.area;
+    job_.statistics.polygons += rectangle.high.z - rectangle.low.z + 1;
   }
-  statistics.fragments += static_cast<std::int64_t>(area);
+  return rectangles;
 }
 
 /// Runs on the GPU thread.
@@ -120,7 +115,8 @@ void RasteriserRun::render(SlabRenderer& renderer, Slab& slab, RasteriserSelecti
   {
     renderer.carryLastSlice(slab.previousSlices);
   }
-  timed(gpuSeconds_.draw, [&] { renderer.draw(slab.chunks); });
+  timed(gpuSeconds_.draw, [&] { renderer.draw(slab.rectangles, slab.extent); });
+  fragments_ += renderer.fragments();
   timed(gpuSeconds_.resolve,
     [&]
     {
@@ -143,7 +139,7 @@ void RasteriserRun::render(SlabRenderer& renderer, Slab& slab, RasteriserSelecti
 
 void RasteriserRun::repair(SlabRenderer& renderer, const Slab& slab) const
 {
-  repairHoles(renderer, job_.host.normals(), job_.frame, job_.host.query(), job_.sign, slab.extent);
+  repairHoles(renderer, job_.host.signNormals(), job_.frame, job_.host.query(), slab.extent);
 }
 
 void RasteriserRun::finishRendering()

@@ -2,8 +2,8 @@
 
 #include "base/checkpoint.h"
 #include "culling/candidate_tiles.h"
-#include "field/engines/rasteriser/polygon_builder.h"
 #include "field/engines/rasteriser/rasteriser_selection.h"
+#include "field/engines/rasteriser/site_rectangles.h"
 #include "field/engines/rasteriser/slab_readback.h"
 #include "field/engines/rasteriser/slab_renderer.h"
 #include "field/field_job.h"
@@ -19,8 +19,8 @@
 namespace medial
 {
 
-/// One job of the rasteriser. While the GPU works on a slab, the processor culls and clips the next
-/// one and stores the previous one.
+/// One job of the rasteriser. While the GPU works on a slab, the processor culls the next one
+/// and stores the previous one.
 class RasteriserRun
 {
 public:
@@ -44,16 +44,15 @@ private:
   {
     Extent extent;
     int previousSlices = 0; ///< of the slab below; 0 for the first
-    std::vector<CandidateTiles> tiles;
-    std::vector<PolygonChunk> chunks;
+    std::vector<SiteRectangle> rectangles;
     std::unique_ptr<Readback> readback; ///< null if no array is wanted
   };
 
   void allocateReadbacks(int slices);
   void prepare(const Extent& extent, double done, double share, Slab& slab);
-  void clip(Slab& slab);
   void render(SlabRenderer& renderer, Slab& slab, RasteriserSelection* selection);
-  void cull(Slab& slab, double done);
+  std::vector<CandidateTiles> cull(const Extent& extent, double done);
+  std::vector<SiteRectangle> gather(const std::vector<CandidateTiles>& tiles, const Extent& extent);
   void repair(SlabRenderer& renderer, const Slab& slab) const;
   void finishRendering();
   void store(const Slab& slab);
@@ -68,6 +67,7 @@ private:
   std::array<Slab, 2> ring_;
   std::future<void> rendering_;
   RunStatistics::Seconds gpuSeconds_; ///< time spent on the GPU thread
+  std::int64_t fragments_ = 0;        ///< counted there
 };
 
 } // namespace medial

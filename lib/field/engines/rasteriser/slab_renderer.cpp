@@ -2,82 +2,14 @@
 
 #include "field/engines/rasteriser/atlas_texture.h"
 #include "gl/shader_program.h"
-#include "medial/error.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <limits>
-#include <string>
 
 namespace medial
 {
 namespace
 {
-
-enum StorageBinding : GLuint
-{
-  kPointsBinding,
-  kFacesBinding,
-  kFaceEdgesBinding,
-  kEdgesBinding,
-  kLinesBinding,
-  kNormalsBinding,
-  kHolesBinding
-};
-
-template <typename T>
-gl::Buffer uploaded(const std::vector<T>& values)
-{
-  return gl::createStorageBuffer(static_cast<GLsizeiptr>(values.size() * sizeof(T)), values.data());
-}
-
-/// Overwrites a buffer of the same size, or makes a new one.
-template <typename T>
-void upload(const std::vector<T>& values, gl::Buffer& buffer)
-{
-  if (!buffer)
-  {
-    buffer = uploaded(values);
-    return;
-  }
-  glNamedBufferSubData(buffer.id(), 0, static_cast<GLsizeiptr>(values.size() * sizeof(T)),
-    values.data());
-}
-
-std::vector<glm::ivec4> padded(const std::vector<glm::ivec3>& values)
-{
-  std::vector<glm::ivec4> result;
-  result.reserve(values.size());
-  for (const glm::ivec3& value : values)
-  {
-    result.emplace_back(value, 0);
-  }
-  return result;
-}
-
-/// Layout of Line in resolve.frag.
-struct EdgeLine
-{
-  glm::vec4 foot;
-  glm::vec4 direction;
-};
-
-std::vector<EdgeLine> edgeLines(const SiteSet& sites)
-{
-  std::vector<EdgeLine> lines;
-  lines.reserve(sites.edges().size());
-  for (const glm::ivec2& ends : sites.edges())
-  {
-    const glm::dvec3& p = sites.points()[ends[0]];
-    const glm::dvec3& q = sites.points()[ends[1]];
-    const glm::dvec3 direction = glm::normalize(q - p);
-    const double start = glm::dot(p, direction);
-    lines.push_back({ { glm::vec3(p - start * direction), static_cast<float>(start) },
-      { glm::vec3(direction), static_cast<float>(glm::dot(q, direction)) } });
-  }
-  return lines;
-}
 
 /// Returns a power of two, which rounds nothing, that brings every distance on the grid below 1.
 float depthScale(const SiteSet& sites, const GridFrame& frame)
@@ -93,22 +25,18 @@ float depthScale(const SiteSet& sites, const GridFrame& frame)
 
 } // namespace
 
-SlabRenderer::SlabRenderer(const SiteSet& sites, const std::vector<glm::vec4>& normals,
-  const GridFrame& frame, const AtlasLayout& atlas, FieldSign sign)
+SlabRenderer::SlabRenderer(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
+  const AtlasLayout& atlas)
   : atlas_(atlas)
-  , frame_(frame)
-  , sign_(sign)
-  , firstEdge_(sites.firstEdge())
-  , firstVertex_(sites.firstVertex())
-  , depthScale_(depthScale(sites, frame))
+  , buffers_(mesh, connectivity, kernels_)
+  , holes_(gl::createBuffer())
+  , noVertices_(gl::createVertexArray())
 {
-  this->uploadConnectivity(sites);
-  this->uploadPositions(sites, normals);
+  glNamedBufferData(holes_.id(), sizeof(std::uint32_t), nullptr, GL_DYNAMIC_READ);
   const glm::ivec2 size = atlas.size();
   displacements_ = gl::createTexture2D(GL_RGBA32F, size.x, size.y);
   sites_ = gl::createTexture2D(GL_R32I, size.x, size.y);
   resolveTarget_ = gl::createFramebuffer({ displacements_.id(), sites_.id() });
-  noVertices_ = gl::createVertexArray();
 }
 
 void SlabRenderer::createDrawTarget()
@@ -117,56 +45,16 @@ void SlabRenderer::createDrawTarget()
   winners_ = gl::createTexture2D(GL_R32I, size.x, size.y);
   depth_ = gl::createTexture2D(GL_DEPTH_COMPONENT32F, size.x, size.y);
   drawTarget_ = gl::createFramebuffer({ winners_.id() }, depth_.id());
-  this->bindVertexFormat();
+  polygons_.emplace();
 }
 
 void SlabRenderer::move(const SiteSet& sites, const std::vector<glm::vec4>& normals,
-  const GridFrame& frame, FieldSign sign)
+  const GridFrame& frame)
 {
   frame_ = frame;
-  sign_ = sign;
+  hasNormals_ = !normals.empty();
   depthScale_ = depthScale(sites, frame);
-  this->uploadPositions(sites, normals);
-}
-
-void SlabRenderer::uploadConnectivity(const SiteSet& sites)
-{
-  faces_ = uploaded(padded(sites.faces()));
-  faceEdges_ = uploaded(padded(sites.faceEdges()));
-  edges_ = uploaded(sites.edges());
-  holes_ = gl::createBuffer();
-  glNamedBufferData(holes_.id(), sizeof(std::uint32_t), nullptr, GL_DYNAMIC_READ);
-}
-
-void SlabRenderer::uploadPositions(const SiteSet& sites, const std::vector<glm::vec4>& normals)
-{
-  std::vector<glm::vec4> points;
-  points.reserve(sites.points().size());
-  for (const glm::dvec3& point : sites.points())
-  {
-    points.emplace_back(glm::vec3(point), 0.0f);
-  }
-  upload(points, points_);
-  upload(edgeLines(sites), lines_);
-  upload(normals, normals_);
-}
-
-void SlabRenderer::bindVertexFormat()
-{
-  vertices_ = gl::createBuffer();
-  indices_ = gl::createBuffer();
-  polygonFormat_ = gl::createVertexArray();
-  const GLuint format = polygonFormat_.id();
-  glVertexArrayVertexBuffer(format, 0, vertices_.id(), 0, sizeof(PolygonVertex));
-  glVertexArrayElementBuffer(format, indices_.id());
-  glVertexArrayAttribFormat(format, 0, 2, GL_FLOAT, GL_FALSE, offsetof(PolygonVertex, position));
-  glVertexArrayAttribFormat(format, 1, 3, GL_FLOAT, GL_FALSE, offsetof(PolygonVertex, distance));
-  glVertexArrayAttribIFormat(format, 2, 1, GL_INT, offsetof(PolygonVertex, site));
-  for (GLuint attribute = 0; attribute < 3; ++attribute)
-  {
-    glVertexArrayAttribBinding(format, attribute, 0);
-    glEnableVertexArrayAttrib(format, attribute);
-  }
+  buffers_.move(sites, normals, kernels_);
 }
 
 void SlabRenderer::carryLastSlice(int previousSlices)
@@ -179,64 +67,12 @@ void SlabRenderer::carryLastSlice(int previousSlices)
   }
 }
 
-void SlabRenderer::uploadPolygons(const std::vector<PolygonChunk>& chunks)
-{
-  drawCounts_.clear();
-  drawBases_.clear();
-  drawOffsets_.clear();
-  std::size_t vertexCount = 0;
-  std::size_t indexCount = 0;
-  for (const PolygonChunk& chunk : chunks)
-  {
-    drawCounts_.push_back(static_cast<GLsizei>(chunk.indices.size()));
-    drawBases_.push_back(static_cast<GLint>(vertexCount));
-    drawOffsets_.push_back(reinterpret_cast<const void*>(indexCount * sizeof(std::uint32_t)));
-    vertexCount += chunk.vertices.size();
-    indexCount += chunk.indices.size();
-  }
-  constexpr std::size_t kMaxVertices = std::numeric_limits<GLint>::max();
-  if (vertexCount > kMaxVertices)
-  {
-    throw Error(ErrorCode::GpuLimit,
-      "the polygons of a slab have " + std::to_string(vertexCount) + " corners, more than " +
-        std::to_string(kMaxVertices) + "; allow less memory for slabs");
-  }
-  const auto allocate = [](const gl::Buffer& buffer, std::size_t bytes)
-  {
-    glNamedBufferData(buffer.id(), static_cast<GLsizeiptr>(std::max<std::size_t>(bytes, 16)),
-      nullptr, GL_STREAM_DRAW);
-  };
-  allocate(vertices_, vertexCount * sizeof(PolygonVertex));
-  allocate(indices_, indexCount * sizeof(std::uint32_t));
-  gl::checkGl("allocating polygon buffers");
-  for (std::size_t i = 0; i < chunks.size(); ++i)
-  {
-    const PolygonChunk& chunk = chunks[i];
-    if (chunk.indices.empty())
-    {
-      continue;
-    }
-    glNamedBufferSubData(vertices_.id(),
-      static_cast<GLintptr>(static_cast<std::size_t>(drawBases_[i]) * sizeof(PolygonVertex)),
-      static_cast<GLsizeiptr>(chunk.vertices.size() * sizeof(PolygonVertex)),
-      chunk.vertices.data());
-    glNamedBufferSubData(indices_.id(), reinterpret_cast<GLintptr>(drawOffsets_[i]),
-      static_cast<GLsizeiptr>(chunk.indices.size() * sizeof(std::uint32_t)), chunk.indices.data());
-  }
-}
-
-void SlabRenderer::draw(const std::vector<PolygonChunk>& chunks)
+void SlabRenderer::draw(const std::vector<SiteRectangle>& rectangles, const Extent& slab)
 {
   if (!drawTarget_)
   {
     this->createDrawTarget();
   }
-  this->uploadPolygons(chunks);
-  const gl::ShaderProgram& program =
-    gl::cachedProgram("distance_field.vert", "distance_field.frag");
-  program.set("atlasSize", glm::vec2(atlas_.size()));
-  program.set("depthScale", depthScale_);
-  program.use();
   constexpr GLint kNoSite[4] = { -1, -1, -1, -1 };
   constexpr GLfloat kFar = 1.0f;
   glBindFramebuffer(GL_FRAMEBUFFER, drawTarget_.id());
@@ -246,9 +82,7 @@ void SlabRenderer::draw(const std::vector<PolygonChunk>& chunks)
   glDepthFunc(GL_LESS);
   glClearBufferiv(GL_COLOR, 0, kNoSite);
   glClearBufferfv(GL_DEPTH, 0, &kFar);
-  glBindVertexArray(polygonFormat_.id());
-  glMultiDrawElementsBaseVertex(GL_TRIANGLES, drawCounts_.data(), GL_UNSIGNED_INT,
-    drawOffsets_.data(), static_cast<GLsizei>(drawCounts_.size()), drawBases_.data());
+  polygons_->draw(rectangles, buffers_, *frame_, slab, atlas_, depthScale_, kernels_);
   glDisable(GL_DEPTH_TEST);
   gl::checkGl("drawing polygons");
   // Wait here, so that each phase is charged with its own time.
@@ -263,18 +97,17 @@ std::uint32_t SlabRenderer::resolve(const Extent& slab)
   program.set("columns", atlas_.columns);
   program.set("firstSlot", 1);
   program.set("endSlot", 1 + slab.size(2));
-  program.set("origin", glm::vec3(frame_.sample({ slab.min[0], slab.min[1], slab.min[2] - 1 })));
-  program.set("spacing", glm::vec3(frame_.step));
-  program.set("firstEdge", firstEdge_);
-  program.set("firstVertex", firstVertex_);
-  program.set("signedField", hasPseudonormals(sign_) ? 1 : 0);
-  program.set("orientation", sign_ == FieldSign::Inward ? -1.0f : 1.0f);
+  program.set("exactFirst", frame_->sample({ slab.min[0], slab.min[1], slab.min[2] - 1 }));
+  program.set("exactSpacing", frame_->step);
+  program.set("hasNormals", hasNormals_ ? 1 : 0);
+  buffers_.describe(program);
   program.use();
-  const GLuint buffers[] = { points_.id(), faces_.id(), faceEdges_.id(), edges_.id(), lines_.id(),
-    normals_.id(), holes_.id() };
-  for (GLuint binding = kPointsBinding; binding <= kHolesBinding; ++binding)
+  const gl::Buffer* buffers[] = { &buffers_.connectivity(), &buffers_.points(), &buffers_.faces(),
+    &buffers_.normals(), &holes_ };
+  GLuint binding = 0;
+  for (const gl::Buffer* buffer : buffers)
   {
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffers[binding]);
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding++, buffer->id());
   }
   std::uint32_t holes = 0;
   glNamedBufferSubData(holes_.id(), 0, sizeof(holes), &holes);

@@ -1,14 +1,15 @@
 #pragma once
 
 #include "field/engines/rasteriser/atlas_layout.h"
-#include "field/engines/rasteriser/polygon_builder.h"
-#include "field/field_sign.h"
+#include "field/engines/rasteriser/polygon_drawing.h"
+#include "field/engines/rasteriser/site_buffers.h"
 #include "gl/gl_objects.h"
 #include "sites/site_set.h"
 
 #include <glm/glm.hpp>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace medial
@@ -19,19 +20,21 @@ namespace medial
 class SlabRenderer
 {
 public:
-  /// @param normals pseudonormals(), reversed if the surface faces inwards.
-  SlabRenderer(const SiteSet& sites, const std::vector<glm::vec4>& normals, const GridFrame& frame,
-    const AtlasLayout& atlas, FieldSign sign);
+  /// @throws Error GpuLimit or OutOfMemory.
+  SlabRenderer(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
+    const AtlasLayout& atlas);
 
-  /// Moves the mesh to other positions; only these are uploaded.
-  void move(const SiteSet& sites, const std::vector<glm::vec4>& normals, const GridFrame& frame,
-    FieldSign sign);
+  /// Moves the mesh to positions; only these are uploaded. To be called before anything is drawn.
+  /// @param normals as SiteBuffers::move() takes them.
+  void move(const SiteSet& sites, const std::vector<glm::vec4>& normals, const GridFrame& frame);
 
   /// Keeps the last slice of the previous slab in slot 0. To be called before draw().
   void carryLastSlice(int previousSlices);
 
-  /// Finds the closest sites of slots [1, slices] of the atlas.
-  void draw(const std::vector<PolygonChunk>& chunks);
+  /// Finds the closest sites of a slab.
+  /// @param rectangles sites ascending on each slice, so that ties go to the lowest id.
+  /// @param slab its slice slab.min[2] goes to slot 1 of the atlas.
+  void draw(const std::vector<SiteRectangle>& rectangles, const Extent& slab);
 
   /// Computes exact distances from the closest sites. Returns the number of grid points that no
   /// polygon covered.
@@ -46,32 +49,26 @@ public:
   void write(const glm::ivec2& point, int slot, const glm::vec4& displacement, std::int32_t site);
 
   const AtlasLayout& atlas() const { return atlas_; }
+  /// As PolygonDrawing::fragments().
+  std::int64_t fragments() const { return polygons_ ? polygons_->fragments() : 0; }
   /// RGBA32F atlas: vector to the closest point and signed distance, local units.
   GLuint displacements() const { return displacements_.id(); }
   /// R32I atlas of the resolved site ids.
   GLuint sites() const { return sites_.id(); }
 
 private:
-  void uploadConnectivity(const SiteSet& sites);
-  void uploadPositions(const SiteSet& sites, const std::vector<glm::vec4>& normals);
-  void uploadPolygons(const std::vector<PolygonChunk>& chunks);
   void createDrawTarget();
-  void bindVertexFormat();
 
   AtlasLayout atlas_;
-  GridFrame frame_;
-  FieldSign sign_;
-  int firstEdge_;
-  int firstVertex_;
-  float depthScale_;
+  Kernels kernels_;
+  SiteBuffers buffers_;
+  std::optional<GridFrame> frame_; ///< of the positions
+  bool hasNormals_ = false;
+  float depthScale_ = 0.0f;
+  std::optional<PolygonDrawing> polygons_;
 
-  gl::Buffer points_, faces_, faceEdges_, edges_, lines_, normals_, holes_;
-  gl::Buffer vertices_, indices_;
-  gl::VertexArray polygonFormat_, noVertices_;
-  std::vector<GLsizei> drawCounts_;
-  std::vector<GLint> drawBases_;
-  std::vector<const void*> drawOffsets_;
-
+  gl::Buffer holes_;
+  gl::VertexArray noVertices_;
   gl::Texture winners_, depth_, displacements_, sites_;
   gl::Framebuffer drawTarget_, resolveTarget_;
 };

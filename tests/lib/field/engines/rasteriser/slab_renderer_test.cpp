@@ -85,14 +85,14 @@ TEST_F(SlabOfTorus, HolesAreFilledExactly)
   const SiteQuery query(filter_.tree());
   const auto count = static_cast<std::size_t>(slab_.pointCount());
   std::vector<glm::vec4> filled(count);
-  gl::OnGpuThread<SlabRenderer> renderer(sites_, normals, frame_,
-    AtlasLayout::make(slab_, 64, 4096), FieldSign::Outward);
+  gl::OnGpuThread<SlabRenderer> renderer(mesh_, connectivity_, AtlasLayout::make(slab_, 64, 4096));
   renderer.run(
     [&](SlabRenderer& r)
     {
-      r.draw({}); // no polygon at all: every grid point is a hole
+      r.move(sites_, normals, frame_);
+      r.draw({}, slab_); // no polygon at all: every grid point is a hole
       EXPECT_EQ(r.resolve(slab_), count);
-      repairHoles(r, normals, frame_, query, FieldSign::Outward, slab_);
+      repairHoles(r, normals, frame_, query, slab_);
       r.readDisplacements(slab_.size(2), filled.data());
     });
   const DistanceField truth = computeDistanceField(mesh_, grid_);
@@ -113,9 +113,8 @@ TEST_F(SlabOfTorusDeathTest, AFailedReadBackLeavesNoPixelBufferBound)
   testing::GTEST_FLAG(death_test_style) = "threadsafe";
   const auto readBack = [&]
   {
-    const auto normals = pseudonormals(sites_, false);
     const AtlasLayout atlas = AtlasLayout::make(slab_, 64, 4096);
-    gl::OnGpuThread<SlabRenderer> renderer(sites_, normals, frame_, atlas, FieldSign::Outward);
+    gl::OnGpuThread<SlabRenderer> renderer(mesh_, connectivity_, atlas);
     gl::OnGpuThread<SlabReadback> tooSmall(atlas, 1, true, true);
     GLint bound = -1;
     bool refused = false;

@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace medial
+namespace medial::benchmark
 {
 
 /// The affine function a i + b j + c over the grid points (i, j) of a slice.
@@ -57,4 +57,4 @@ private:
   int size_ = 0;
 };
 
-} // namespace medial
+} // namespace medial::benchmark

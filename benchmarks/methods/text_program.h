@@ -9,11 +9,11 @@ namespace medial::benchmark
 
 /// A program from shader texts; gl::ShaderProgram knows only the library's own. For use on the GPU
 /// thread.
-class HavocProgram
+class TextProgram
 {
 public:
   /// @throws Error ShaderBuild with the driver's log.
-  HavocProgram(const std::string& vertexText, const std::string& fragmentText);
+  TextProgram(const std::string& vertexText, const std::string& fragmentText);
 
   void use() const;
   void set(const char* uniform, float value) const;

@@ -1,10 +1,10 @@
-#include "field/engines/rasteriser/slice_polygon.h"
+#include "methods/slice_polygon.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace medial
+namespace medial::benchmark
 {
 namespace
 {
@@ -151,4 +151,4 @@ double SlicePolygon::area() const
   return 0.5 * std::abs(twice);
 }
 
-} // namespace medial
+} // namespace medial::benchmark

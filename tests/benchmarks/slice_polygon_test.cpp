@@ -1,4 +1,4 @@
-#include "field/engines/rasteriser/slice_polygon.h"
+#include "methods/slice_polygon.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace medial
+namespace medial::benchmark
 {
 namespace
 {
@@ -131,4 +131,4 @@ TEST(SlicePolygon, BetweenGridPointsItCoversNone)
 }
 
 } // namespace
-} // namespace medial
+} // namespace medial::benchmark

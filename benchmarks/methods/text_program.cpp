@@ -1,4 +1,4 @@
-#include "methods/havoc_program.h"
+#include "methods/text_program.h"
 
 #include "medial/error.h"
 
@@ -20,7 +20,7 @@ gl::Shader compiled(GLenum stage, const std::string& text)
 
 } // namespace
 
-HavocProgram::HavocProgram(const std::string& vertexText, const std::string& fragmentText)
+TextProgram::TextProgram(const std::string& vertexText, const std::string& fragmentText)
   : program_(glCreateProgram())
 {
   const gl::Shader vertex = compiled(GL_VERTEX_SHADER, vertexText);
@@ -46,17 +46,17 @@ HavocProgram::HavocProgram(const std::string& vertexText, const std::string& fra
   }
 }
 
-void HavocProgram::use() const
+void TextProgram::use() const
 {
   glUseProgram(program_.id());
 }
 
-void HavocProgram::set(const char* uniform, float value) const
+void TextProgram::set(const char* uniform, float value) const
 {
   glProgramUniform1f(program_.id(), glGetUniformLocation(program_.id(), uniform), value);
 }
 
-void HavocProgram::set(const char* uniform, float x, float y) const
+void TextProgram::set(const char* uniform, float x, float y) const
 {
   glProgramUniform2f(program_.id(), glGetUniformLocation(program_.id(), uniform), x, y);
 }
