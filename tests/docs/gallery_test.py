@@ -42,7 +42,7 @@ class Gallery(unittest.TestCase):
         self.assertEqual(len(commands), len(pictures))
         for name, command in commands:
             with self.subTest(picture=name):
-                self.assertRegex(command, rf"^    medial-axis .*-image {name}$")
+                self.assertRegex(command, rf"^    medial-(axis|proximity) .*-image {name}$")
 
     def test_pictures_are_small(self):
         pictures = sorted((SOURCES / "docs/images/gallery").glob("*.png"))
