@@ -1,8 +1,8 @@
 #include "thinning/preserved_axis.h"
 
 #include "thinning/sheet_faces.h"
-#include "thinning/solid_core.h"
 #include "thinning/solid_bodies.h"
+#include "thinning/solid_core.h"
 #include "thinning/thinning.h"
 #include "thinning/voxel_solid.h"
 

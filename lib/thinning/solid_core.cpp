@@ -217,8 +217,8 @@ public:
   {
     for (const Crossing& crossing : crossings)
     {
-      const std::ptrdiff_t voxel = crossing.voxel.x + stride_[1] * crossing.voxel.y +
-        stride_[2] * crossing.voxel.z;
+      const std::ptrdiff_t voxel =
+        crossing.voxel.x + stride_[1] * crossing.voxel.y + stride_[2] * crossing.voxel.z;
       this->addAscent(voxel);
       this->addAscent(voxel + stride_[crossing.axis]);
     }
@@ -351,8 +351,8 @@ private:
     for (int around = 0; around < kAround; ++around)
     {
       const std::ptrdiff_t there = voxel + steps_[around];
-      const bool isPresent = voxels_[there] >= kStuck ||
-        (voxels_[there] != kOutside && this->placeOf(there) > now);
+      const bool isPresent =
+        voxels_[there] >= kStuck || (voxels_[there] != kOutside && this->placeOf(there) > now);
       present |= isPresent && around != kCentre ? 1u << around : 0u;
     }
     return present;

@@ -127,8 +127,8 @@ private:
   {
     const std::size_t count = vertices_.size();
     std::vector<Origin> origins(count);
-    tbb::parallel_for(
-      std::size_t{ 0 }, count, [&](std::size_t i) { origins[i] = this->originOf(vertices_[i]); });
+    tbb::parallel_for(std::size_t{ 0 }, count,
+      [&](std::size_t i) { origins[i] = this->originOf(vertices_[i]); });
     std::vector<CubeCell> needed;
     for (const Origin& origin : origins)
     {
@@ -137,8 +137,8 @@ private:
     }
     samples_.add(context_, complex_, std::move(needed));
     std::vector<AroundCorner<int>> around(count);
-    tbb::parallel_for(
-      std::size_t{ 0 }, count, [&](std::size_t i) { around[i] = this->samplesOf(origins[i]); });
+    tbb::parallel_for(std::size_t{ 0 }, count,
+      [&](std::size_t i) { around[i] = this->samplesOf(origins[i]); });
     for (std::size_t i = 0; i < count; ++i)
     {
       if (around[i].count == 0)
@@ -282,7 +282,7 @@ private:
   AxisSamples& samples_;
   std::vector<CubeCell> vertices_; ///< ascending
   CellRows rows_;
-  DualMesh mesh_;                  ///< cells and samples of the vertices
+  DualMesh mesh_; ///< cells and samples of the vertices
   std::vector<char> onSheet_;
 };
 

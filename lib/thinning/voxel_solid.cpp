@@ -63,8 +63,8 @@ private:
     const glm::ivec3 size = solid_.size();
     const std::size_t rowCount = static_cast<std::size_t>(size.y) * size.z;
     std::vector<std::vector<Run>> found(rowCount);
-    tbb::parallel_for(
-      std::size_t{ 0 }, rowCount, [&](std::size_t row) { found[row] = this->runsOf(row); });
+    tbb::parallel_for(std::size_t{ 0 }, rowCount,
+      [&](std::size_t row) { found[row] = this->runsOf(row); });
     for (const std::vector<Run>& row : found)
     {
       runs_.insert(runs_.end(), row.begin(), row.end());
