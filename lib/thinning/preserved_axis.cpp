@@ -135,7 +135,7 @@ PreservedAxis preserveTopology(const ThinningInput& input, const AxisGeometry& g
       setVoxels(voxels, solid);
       add(topologyOf(solid), axis.solid);
       selection = selectionWithin(solid, crossings, bisectors);
-      reduceToCore(depth, size, selection.crossings, voxels);
+      reduceToCore(depth, size, selection.crossings, geometry.checkpoint, voxels);
       setVoxels(voxels, solid);
     }
     AxisSamples samples(solid, selection.crossings, selection.bisectors);

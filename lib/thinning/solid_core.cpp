@@ -200,8 +200,10 @@ private:
 class Core
 {
 public:
-  Core(const DepthField& depth, const glm::ivec3& size, VoxelMask& voxels)
+  Core(const DepthField& depth, const glm::ivec3& size, const Checkpoint& checkpoint,
+    VoxelMask& voxels)
     : depth_(depth)
+    , checkpoint_(checkpoint)
     , size_(size)
     , stride_{ 1, size.x, static_cast<std::ptrdiff_t>(size.x) * size.y }
     , voxels_(voxels)
@@ -236,6 +238,7 @@ public:
         layers.load(range.begin());
         for (int z = range.begin(); z < range.end(); ++z)
         {
+          checkpoint_();
           layers.load(z + 1);
           for (int y = 1; y < size_.y - 1; ++y)
           {
@@ -263,8 +266,9 @@ public:
   void close()
   {
     Place now = { 0.0f, 0 };
-    while (!open_.empty())
+    for (std::size_t looked = 0; !open_.empty(); ++looked)
     {
+      checkpoint_(looked);
       const Place place = open_.top();
       const std::ptrdiff_t voxel = place.second;
       open_.pop();
@@ -408,6 +412,7 @@ private:
   }
 
   const DepthField& depth_;
+  const Checkpoint& checkpoint_;
   glm::ivec3 size_;
   std::array<std::ptrdiff_t, 3> stride_;
   std::array<std::ptrdiff_t, kAround> steps_{};
@@ -419,9 +424,9 @@ private:
 } // namespace
 
 void reduceToCore(const DepthField& depth, const glm::ivec3& size,
-  const std::vector<Crossing>& crossings, VoxelMask& voxels)
+  const std::vector<Crossing>& crossings, const Checkpoint& checkpoint, VoxelMask& voxels)
 {
-  Core core(depth, size, voxels);
+  Core core(depth, size, checkpoint, voxels);
   core.addUndecided();
   core.addEnds(crossings);
   core.close();

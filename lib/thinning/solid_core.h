@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/checkpoint.h"
 #include "field/crossing.h"
 #include "thinning/voxel_solid.h"
 
@@ -24,7 +25,8 @@ namespace medial
 /// of threads.
 /// @param voxels of the solid; only those of the core stay.
 /// @param crossings grid edges whose ends belong to the core where they belong to the solid.
+/// @param checkpoint called now and then.
 void reduceToCore(const DepthField& depth, const glm::ivec3& size,
-  const std::vector<Crossing>& crossings, VoxelMask& voxels);
+  const std::vector<Crossing>& crossings, const Checkpoint& checkpoint, VoxelMask& voxels);
 
 } // namespace medial

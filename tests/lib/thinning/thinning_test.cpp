@@ -49,7 +49,7 @@ public:
   {
     const glm::ivec3 size(this->dim(0), this->dim(1), this->dim(2));
     VoxelMask voxels = voxelsOf(depth_, size);
-    reduceToCore(depth_, size, crossings, voxels);
+    reduceToCore(depth_, size, crossings, checkpoint_, voxels);
     return voxels;
   }
   CubicalComplex closed(const VoxelMask& voxels) const
