@@ -19,6 +19,9 @@
 namespace medial::app
 {
 
+/// A note tells the user if the axis leaves out this share of the surface or more.
+constexpr double kNoticeableShare = 0.01;
+
 /// What a run computes, and what it computes it from.
 struct Result
 {
@@ -27,10 +30,10 @@ struct Result
   Grid grid;
   SignMethod sign = SignMethod::None; ///< never Auto
   RunStatistics statistics;
-  MedialAxis axis;                      ///< empty where it is not wanted
-  CellTopology axisTopology;            ///< where a report is wanted
-  std::optional<AxisCoverage> coverage; ///< of an interior axis, where report or summary has it
-  std::optional<Thickness> thickness;   ///< of the mesh's points, where it is wanted
+  MedialAxis axis;                               ///< empty where it is not wanted
+  CellTopology axisTopology;                     ///< where a report is wanted
+  std::optional<AxisCoverage> coverage;          ///< of an interior axis, for report or summary
+  std::optional<Thickness> thickness;            ///< of the mesh's points, where it is wanted
   vtkSmartPointer<vtkPolyData> thicknessPicture; ///< pictureOfThickness(), where it is wanted
 };
 

@@ -12,9 +12,6 @@ namespace medial::app
 namespace
 {
 
-/// A note tells the user if the axis leaves out this share of the surface or more.
-constexpr double kNoticeableShare = 0.01;
-
 void printMesh(const Options& options, const Result& result)
 {
   const auto components = static_cast<long long>(result.connectivity.components);

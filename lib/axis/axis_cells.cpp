@@ -3,6 +3,7 @@
 #include "axis/edge_table.h"
 #include "base/disjoint_sets.h"
 
+#include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
@@ -28,7 +29,20 @@ constexpr double kAcross = 0.75;
 constexpr double kMinArea = 1e-6;
 
 using Id = std::int64_t;
-using Corners = std::vector<Id>;
+
+/// Up to four points in cyclic order.
+class Corners
+{
+public:
+  std::size_t size() const { return count_; }
+  Id operator[](std::size_t i) const { return ids_[i]; }
+  void push_back(Id id) { ids_[count_++] = id; }
+  void pop_back() { --count_; }
+
+private:
+  std::array<Id, 4> ids_{};
+  std::size_t count_ = 0;
+};
 
 /// Sets of points that become one. The lowest point that was not moved represents its set, or the
 /// lowest of all.
@@ -40,6 +54,7 @@ public:
     , sets_(points.points.size())
     , own_(points.points.size())
     , large_(points.points.size(), 0)
+    , joined_(points.points.size(), 0)
   {
     std::iota(own_.begin(), own_.end(), Id{ 0 });
   }
@@ -58,7 +73,12 @@ public:
     sets_.join(p, q);
     own_[sets_.find(p)] = first ? p : q;
     large_[first ? p : q] = 1;
+    joined_[p] = 1;
+    joined_[q] = 1;
   }
+
+  /// Whether a point is in a set with others.
+  bool isJoined(Id point) const { return joined_[point] != 0; }
 
   /// Whether the point that represents a set has others in it.
   bool standsForOthers(Id point) const { return large_[point] != 0; }
@@ -68,6 +88,7 @@ private:
   DisjointSets sets_;
   std::vector<Id> own_; ///< by the lowest point of the set
   std::vector<std::uint8_t> large_;
+  std::vector<std::uint8_t> joined_;
 };
 
 /// @param order the points to compare.
@@ -102,19 +123,49 @@ std::vector<Id> movedPoints(const BisectorPoints& points)
   return moved;
 }
 
+bool isShort(const BisectorPoints& points, Id p, Id q)
+{
+  const double limit = (points.moved[p] | points.moved[q]) != 0 ? kShortOfMoved : kShort;
+  return glm::distance(points.points[p].position, points.points[q].position) < limit;
+}
+
+/// Tells which quads have short edges as long as none of their corners are joined.
+std::vector<std::uint8_t> quadsWithShortEdges(const BisectorPoints& points,
+  const std::vector<std::array<Id, 4>>& quads)
+{
+  std::vector<std::uint8_t> found(quads.size());
+  tbb::parallel_for(std::size_t{ 0 }, quads.size(),
+    [&](std::size_t i)
+    {
+      const auto& quad = quads[i];
+      for (std::size_t corner = 0; corner < quad.size(); ++corner)
+      {
+        found[i] |= isShort(points, quad[corner], quad[(corner + 1) % 4]) ? 1 : 0;
+      }
+    });
+  return found;
+}
+
 /// Joins the ends of short edges. Returns whether there were any.
+/// @param withShortEdges of the quads: quadsWithShortEdges().
 bool joinShortEdges(const BisectorPoints& points, const std::vector<std::array<Id, 4>>& quads,
-  Contraction& contraction)
+  const std::vector<std::uint8_t>& withShortEdges, Contraction& contraction)
 {
   bool any = false;
-  for (const auto& quad : quads)
+  for (std::size_t i = 0; i < quads.size(); ++i)
   {
-    for (int i = 0; i < 4; ++i)
+    const auto& quad = quads[i];
+    if (withShortEdges[i] == 0 &&
+      std::none_of(quad.begin(), quad.end(),
+        [&](Id corner) { return contraction.isJoined(corner); }))
     {
-      const Id p = contraction.find(quad[i]);
-      const Id q = contraction.find(quad[(i + 1) % 4]);
-      const double limit = (points.moved[p] | points.moved[q]) != 0 ? kShortOfMoved : kShort;
-      if (p != q && glm::distance(points.points[p].position, points.points[q].position) < limit)
+      continue;
+    }
+    for (std::size_t corner = 0; corner < quad.size(); ++corner)
+    {
+      const Id p = contraction.find(quad[corner]);
+      const Id q = contraction.find(quad[(corner + 1) % 4]);
+      if (p != q && isShort(points, p, q))
       {
         contraction.join(p, q);
         any = true;
@@ -188,12 +239,12 @@ Corners contracted(const std::array<Id, 4>& quad, Contraction& contraction)
   for (const Id corner : quad)
   {
     const Id point = contraction.find(corner);
-    if (corners.empty() || corners.back() != point)
+    if (corners.size() == 0 || corners[corners.size() - 1] != point)
     {
       corners.push_back(point);
     }
   }
-  if (corners.size() > 1 && corners.front() == corners.back())
+  if (corners.size() > 1 && corners[0] == corners[corners.size() - 1])
   {
     corners.pop_back();
   }
@@ -216,23 +267,41 @@ double longestEdge(const BisectorPoints& points, const Corners& corners)
 void joinNarrowStrips(const BisectorPoints& points, const std::vector<std::array<Id, 4>>& quads,
   Contraction& contraction)
 {
+  std::vector<Corners> polygons;
   std::vector<Corners> narrow;
-  std::vector<EdgeTable::Edge> edges;
+  std::vector<std::uint8_t> inNarrow(points.points.size(), 0);
+  polygons.reserve(quads.size());
   for (const auto& quad : quads)
   {
-    Corners corners = contracted(quad, contraction);
+    const Corners corners = contracted(quad, contraction);
     if (corners.size() >= 3)
     {
-      addEdges(corners, edges);
+      polygons.push_back(corners);
       if (area(points, corners) < kNarrow * longestEdge(points, corners))
       {
-        narrow.push_back(std::move(corners));
+        narrow.push_back(corners);
+        for (std::size_t i = 0; i < corners.size(); ++i)
+        {
+          inNarrow[corners[i]] = 1;
+        }
       }
     }
   }
   if (narrow.empty())
   {
     return;
+  }
+  std::vector<EdgeTable::Edge> edges; // only those that are asked for
+  for (const Corners& corners : polygons)
+  {
+    for (std::size_t i = 0; i < corners.size(); ++i)
+    {
+      const EdgeTable::Edge edge{ corners[i], corners[(i + 1) % corners.size()] };
+      if (inNarrow[edge[0]] != 0 && inNarrow[edge[1]] != 0)
+      {
+        edges.push_back(edge);
+      }
+    }
   }
   const EdgeTable table(edges, points.points.size());
   const auto isRim = [&](Id p, Id q) { return table.count({ p, q }) == 1; };
@@ -354,10 +423,11 @@ void buildCells(const std::vector<std::array<std::int64_t, 4>>& quads, BisectorP
 {
   Contraction contraction(points);
   joinEqualPoints(points, movedPoints(points), contraction);
-  joinShortEdges(points, quads, contraction);
+  const std::vector<std::uint8_t> withShortEdges = quadsWithShortEdges(points, quads);
+  joinShortEdges(points, quads, withShortEdges, contraction);
   joinNarrowStrips(points, quads, contraction);
   // The point of a set replaces others, so new edges may be short.
-  while (joinShortEdges(points, quads, contraction))
+  while (joinShortEdges(points, quads, withShortEdges, contraction))
   {
   }
   for (const auto& quad : quads)

@@ -38,8 +38,9 @@ std::vector<BisectorPoint> vertexPairs(const AxisGeometry& geometry, const DualM
     const int known = bisectors.points[mesh.incident[mesh.offsets[vertices[i]]]].a.site;
     questions[i] = { positions[i], closestPoint(geometry.sites, known, positions[i]) };
   }
-  return closestPairs(geometry, mesh, bisectors, vertices, std::move(questions),
-    EqualAngles::LowestSite, tolerance);
+  geometry.query.closest(questions);
+  return closestPairs(geometry, mesh, bisectors, vertices, questions, EqualAngles::LowestSite,
+    tolerance);
 }
 
 /// Returns where the bisectors of the cell of a vertex meet, without those that were moved out of

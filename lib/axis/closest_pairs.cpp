@@ -64,14 +64,13 @@ glm::dvec3 meanCrossing(const DualMesh& mesh, const BisectorPoints& bisectors, s
 
 std::vector<BisectorPoint> closestPairs(const AxisGeometry& geometry, const DualMesh& mesh,
   const BisectorPoints& bisectors, const std::vector<std::size_t>& vertices,
-  std::vector<SiteQuery::Question> questions, EqualAngles equalAngles, double tolerance)
+  const std::vector<SiteQuery::Question>& answers, EqualAngles equalAngles, double tolerance)
 {
-  geometry.query.closest(questions);
-  std::vector<BisectorPoint> result(questions.size());
+  std::vector<BisectorPoint> result(answers.size());
   std::vector<int> sites;
-  for (std::size_t i = 0; i < questions.size(); ++i)
+  for (std::size_t i = 0; i < answers.size(); ++i)
   {
-    const auto& [x, closest] = questions[i];
+    const auto& [x, closest] = answers[i];
     sitesOf(mesh, bisectors, vertices[i], sites);
     if (equalAngles == EqualAngles::LowestSite)
     {

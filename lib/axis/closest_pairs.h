@@ -25,15 +25,13 @@ enum class EqualAngles
 };
 
 /// Finds the closest pairs of vertices: the closest point and, from the sites whose bisectors gave
-/// the vertex, the point seen at the largest angle from it. Many vertices near each other are
-/// cheaper together.
+/// the vertex, the point seen at the largest angle from it.
 ///
-/// @param questions one for each vertex: its position, which is inside the grid, and what is known
-///   of its closest point.
+/// @param answers one for each vertex: its position and the closest point.
 /// @param tolerance how much farther than the closest point the other one may be, frame units.
 std::vector<BisectorPoint> closestPairs(const AxisGeometry& geometry, const DualMesh& mesh,
   const BisectorPoints& bisectors, const std::vector<std::size_t>& vertices,
-  std::vector<SiteQuery::Question> questions, EqualAngles equalAngles,
+  const std::vector<SiteQuery::Question>& answers, EqualAngles equalAngles,
   double tolerance = std::numeric_limits<double>::infinity());
 
 } // namespace medial

@@ -20,12 +20,6 @@ public:
 
   std::int64_t size() const { return static_cast<std::int64_t>(parent_.size()); }
 
-  std::int64_t add()
-  {
-    parent_.push_back(this->size());
-    return parent_.back();
-  }
-
   /// Returns the lowest member of an element's set.
   std::int64_t find(std::int64_t element)
   {

@@ -8,6 +8,7 @@
 #include "measure/surface_samples.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -21,16 +22,25 @@ constexpr const char* kPhase = "coverage";
 
 using Samples = std::vector<glm::dvec3>;
 
-/// Returns the samples that are not within reach of the balls, or of cones and wedges as well.
-Samples uncovered(const Samples& samples, const MedialModel& model, bool interpolate, double reach,
-  const Run& run)
+/// Every so many balls are tried one after the other: few of them cover most of a surface, and
+/// their tree is built fast.
+constexpr std::array<std::size_t, 3> kSteps{ 16, 4, 1 };
+
+/// Returns the balls of a model from the first one on, `step` apart.
+MedialModel ballsOf(const MedialModel& model, std::size_t step)
 {
-  if (model.centres.empty() || samples.empty())
+  MedialModel balls;
+  for (std::size_t i = 0; i < model.centres.size(); i += step)
   {
-    return samples;
+    balls.centres.push_back(model.centres[i]);
+    balls.radii.push_back(model.radii[i]);
   }
-  run.report(0.0, kPhase);
-  const BallUnion solid(model, interpolate);
+  return balls;
+}
+
+/// Returns the samples that are not within reach of a union.
+Samples uncovered(const Samples& samples, const BallUnion& solid, double reach, const Run& run)
+{
   const std::vector<double> bare = sampleValues(run.part(0.2, 1.0), samples.size(), kPhase,
     [&](std::size_t i) { return solid.covers(samples[i], -reach) ? 0.0 : 1.0; });
   Samples left;
@@ -44,15 +54,36 @@ Samples uncovered(const Samples& samples, const MedialModel& model, bool interpo
   return left;
 }
 
+/// Balls a voxel apart cover nearly everything, and there are half as many of them as wedges. So
+/// some balls come first, then all of them, then wedges, as long as more than a negligible part is
+/// left.
 double uncoveredShare(const Samples& samples, const MedialModel& model, double reach,
-  const Run& run)
+  double negligible, const Run& run)
 {
-  // Balls a voxel apart cover nearly everything, and there are half as many of them as wedges.
-  const Samples besideBalls = uncovered(samples, model, false, reach, run.part(0.0, 0.5));
-  const Samples left = uncovered(besideBalls, model, true, reach, run.part(0.5, 1.0));
+  const double count = std::max<double>(1.0, static_cast<double>(samples.size()));
+  Samples left = samples;
+  const auto stillMatters = [&]
+  {
+    return !model.centres.empty() && !left.empty() &&
+      static_cast<double>(left.size()) >= negligible * count;
+  };
+  run.report(0.0, kPhase);
+  double done = 0.0;
+  for (const std::size_t step : kSteps)
+  {
+    if (stillMatters())
+    {
+      left =
+        uncovered(left, BallUnion(ballsOf(model, step), false), reach, run.part(done, done + 0.2));
+    }
+    done += 0.2;
+  }
+  if (stillMatters())
+  {
+    left = uncovered(left, BallUnion(model, true), reach, run.part(done, 1.0));
+  }
   run.report(1.0, kPhase);
-  return static_cast<double>(left.size()) /
-    std::max<double>(1.0, static_cast<double>(samples.size()));
+  return static_cast<double>(left.size()) / count;
 }
 
 } // namespace
@@ -67,6 +98,11 @@ AxisCoverage measureCoverage(const TriangleMesh& mesh, const MedialModel& model,
     throw Error(ErrorCode::InvalidInput,
       "reach " + std::to_string(reach) + " is outside [0, infinity)");
   }
+  if (!(options.negligible >= 0.0 && options.negligible <= 1.0))
+  {
+    throw Error(ErrorCode::InvalidInput,
+      "negligible share " + std::to_string(options.negligible) + " is outside [0, 1]");
+  }
   AxisCoverage coverage;
   coverage.reach = reach;
   timed(coverage.seconds,
@@ -78,8 +114,8 @@ AxisCoverage measureCoverage(const TriangleMesh& mesh, const MedialModel& model,
         samples = surfaceSamples(mesh, options.samples);
       }
       coverage.samples = static_cast<std::int64_t>(samples.size());
-      coverage.uncoveredShare =
-        run.onThreads([&] { return uncoveredShare(samples, model, reach, run); });
+      coverage.uncoveredShare = run.onThreads(
+        [&] { return uncoveredShare(samples, model, reach, options.negligible, run); });
     });
   return coverage;
 }

@@ -2,7 +2,9 @@
 
 #include "sites/closest_point.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
 
 #include <algorithm>
 #include <tuple>
@@ -12,25 +14,36 @@ namespace medial
 namespace
 {
 
-/// The bisector point of a grid edge; its middle where its ends have the same closest site.
-BisectorPoint pointOn(const SampleContext& context, const CubicalComplex& complex, CubeCell face)
+/// Sets the bisector points of grid edges; the middle where the ends of one have the same closest
+/// site.
+void setPointsOn(const SampleContext& context, const CubicalComplex& complex, const CubeCell* faces,
+  std::size_t count, BisectorPoint* points)
 {
-  const Crossing edge = dualEdge(complex, face);
-  const std::size_t far = CubicalComplex::index(face);
-  const int siteA = context.closestSites[far - static_cast<std::size_t>(complex.stride(edge.axis))];
-  const int siteB = context.closestSites[far];
-  SiteSegment segment = segmentOf(context.geometry.frame, edge);
-  if (siteA != siteB)
+  std::vector<SiteSegment> segments;
+  std::vector<std::size_t> which;
+  for (std::size_t i = 0; i < count; ++i)
   {
-    segment.fromSite = siteA;
-    segment.toSite = siteB;
-    return bisectorPoints(context.geometry, { segment }).front();
+    const Crossing edge = dualEdge(complex, faces[i]);
+    const std::size_t far = CubicalComplex::index(faces[i]);
+    const auto step = static_cast<std::size_t>(complex.stride(edge.axis));
+    SiteSegment segment = segmentOf(context.geometry.frame, edge);
+    segment.fromSite = context.closestSites[far - step];
+    segment.toSite = context.closestSites[far];
+    if (segment.fromSite != segment.toSite)
+    {
+      segments.push_back(segment);
+      which.push_back(i);
+      continue;
+    }
+    points[i].position = 0.5 * (segment.from + segment.to);
+    points[i].a = closestPoint(context.geometry.sites, segment.fromSite, points[i].position);
+    points[i].b = points[i].a;
   }
-  BisectorPoint middle;
-  middle.position = 0.5 * (segment.from + segment.to);
-  middle.a = closestPoint(context.geometry.sites, siteA, middle.position);
-  middle.b = middle.a;
-  return middle;
+  const std::vector<BisectorPoint> found = bisectorPoints(context.geometry, segments);
+  for (std::size_t k = 0; k < which.size(); ++k)
+  {
+    points[which[k]] = found[k];
+  }
 }
 
 /// Centre of the ball that touches the surface at the closest point of x and in another place.
@@ -82,7 +95,9 @@ Crossing dualEdge(const CubicalComplex& complex, CubeCell face)
 AxisSamples::AxisSamples(const CubicalComplex& complex, const std::vector<Crossing>& crossings,
   const BisectorPoints& bisectors)
   : samples_(bisectors)
+  , rows_(complex)
 {
+  byFace_.reserve(crossings.size());
   for (std::size_t i = 0; i < crossings.size(); ++i)
   {
     byFace_.push_back({ dualFace(complex, crossings[i]), static_cast<int>(i) });
@@ -92,15 +107,16 @@ AxisSamples::AxisSamples(const CubicalComplex& complex, const std::vector<Crossi
 
 void AxisSamples::sort()
 {
-  std::sort(byFace_.begin(), byFace_.end(),
+  tbb::parallel_sort(byFace_.begin(), byFace_.end(),
     [](const Entry& a, const Entry& b)
     { return std::tie(a.face, a.sample) < std::tie(b.face, b.sample); });
+  rows_.set(byFace_, faceOf);
 }
 
 void AxisSamples::add(const SampleContext& context, const CubicalComplex& complex,
   std::vector<CubeCell> faces)
 {
-  std::sort(faces.begin(), faces.end());
+  tbb::parallel_sort(faces.begin(), faces.end());
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
   faces.erase(std::remove_if(faces.begin(), faces.end(),
                 [this](CubeCell face) { return this->find(face) != kNone; }),
@@ -108,8 +124,13 @@ void AxisSamples::add(const SampleContext& context, const CubicalComplex& comple
   const std::size_t first = samples_.points.size();
   samples_.points.resize(first + faces.size());
   samples_.moved.resize(first + faces.size(), 0);
-  tbb::parallel_for(std::size_t{ 0 }, faces.size(),
-    [&](std::size_t i) { samples_.points[first + i] = pointOn(context, complex, faces[i]); });
+  constexpr std::size_t kTogether = 128;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, faces.size(), kTogether),
+    [&](const tbb::blocked_range<std::size_t>& range)
+    {
+      setPointsOn(context, complex, faces.data() + range.begin(), range.size(),
+        samples_.points.data() + first + range.begin());
+    });
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
     byFace_.push_back({ faces[i], static_cast<int>(first + i) });
@@ -129,9 +150,8 @@ int AxisSamples::addPoint(const SampleContext& context, const CubicalComplex& co
 
 int AxisSamples::find(CubeCell face) const
 {
-  const auto found = std::lower_bound(byFace_.begin(), byFace_.end(), face,
-    [](const Entry& entry, CubeCell wanted) { return entry.face < wanted; });
-  return found != byFace_.end() && found->face == face ? found->sample : kNone;
+  const std::size_t entry = rows_.find(face, byFace_, faceOf);
+  return entry < byFace_.size() && byFace_[entry].face == face ? byFace_[entry].sample : kNone;
 }
 
 } // namespace medial

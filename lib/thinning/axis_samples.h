@@ -51,11 +51,13 @@ private:
     CubeCell face;
     int sample;
   };
+  static CubeCell faceOf(const Entry& entry) { return entry.face; }
 
   void sort();
 
   BisectorPoints samples_;
   std::vector<Entry> byFace_; ///< ascending
+  CellRows rows_;
 };
 
 /// The face dual to a crossing, and the crossing without sites of a face.

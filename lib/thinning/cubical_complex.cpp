@@ -1,5 +1,9 @@
 #include "thinning/cubical_complex.h"
 
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
 namespace medial
 {
 namespace
@@ -57,6 +61,31 @@ glm::dvec3 CubicalComplex::centre(CubeCell cell) const
     centre[axis] -= (kSpans[kind(cell)] >> axis & 1) != 0 ? 0.0 : 0.5;
   }
   return centre;
+}
+
+std::vector<CubeCell> cellsOf(const CubicalComplex& complex, int kind)
+{
+  constexpr std::size_t kTogether = std::size_t{ 1 } << 16;
+  const std::size_t parts = (complex.positions() + kTogether - 1) / kTogether;
+  std::vector<std::vector<CubeCell>> found(parts);
+  tbb::parallel_for(std::size_t{ 0 }, parts,
+    [&](std::size_t part)
+    {
+      const std::size_t end = std::min(complex.positions(), (part + 1) * kTogether);
+      for (std::size_t position = part * kTogether; position < end; ++position)
+      {
+        if ((complex.bits(position) >> kind & 1) != 0)
+        {
+          found[part].push_back(8 * static_cast<CubeCell>(position) + kind);
+        }
+      }
+    });
+  std::vector<CubeCell> cells;
+  for (const std::vector<CubeCell>& each : found)
+  {
+    cells.insert(cells.end(), each.begin(), each.end());
+  }
+  return cells;
 }
 
 } // namespace medial

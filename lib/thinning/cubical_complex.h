@@ -2,6 +2,7 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -69,7 +70,9 @@ public:
 
   /// The cells at a position: bit k for kind k.
   std::uint8_t bits(std::size_t position) const { return bits_[position]; }
-  void setBits(std::size_t position, std::uint8_t bits) { bits_[position] = bits; }
+  /// The same for the positions from one on.
+  const std::uint8_t* bitsFrom(std::size_t position) const { return bits_.data() + position; }
+  std::uint8_t* bitsFrom(std::size_t position) { return bits_.data() + position; }
 
   const CubeCellSteps& faces(int kind) const { return faces_[kind]; }
   const CubeCellSteps& cofaces(int kind) const { return cofaces_[kind]; }
@@ -113,6 +116,51 @@ private:
   std::array<CubeCellSteps, kCubeCellKinds> faces_;
   std::array<CubeCellSteps, kCubeCellKinds> cofaces_;
   std::vector<std::uint8_t> bits_;
+};
+
+/// Returns the cells of a kind, ascending.
+std::vector<CubeCell> cellsOf(const CubicalComplex& complex, int kind);
+
+/// Where the cells of each row of positions along x begin in a list, so that one is found fast.
+class CellRows
+{
+public:
+  explicit CellRows(const CubicalComplex& complex)
+    : length_(static_cast<std::size_t>(complex.size().x))
+    , begins_(static_cast<std::size_t>(complex.size().y) * complex.size().z + 1)
+  {
+  }
+
+  /// @param cellOf returns the cell of an item of the list, ascending.
+  template <typename Item, typename CellOf>
+  void set(const std::vector<Item>& items, const CellOf& cellOf)
+  {
+    std::size_t item = 0;
+    for (std::size_t row = 0; row < begins_.size(); ++row)
+    {
+      while (item < items.size() && CubicalComplex::index(cellOf(items[item])) / length_ < row)
+      {
+        ++item;
+      }
+      begins_[row] = item;
+    }
+  }
+
+  /// Returns the index of the first item in the row of a cell whose cell is not before it; the end
+  /// of the row if there is none.
+  template <typename Item, typename CellOf>
+  std::size_t find(CubeCell cell, const std::vector<Item>& items, const CellOf& cellOf) const
+  {
+    const std::size_t row = CubicalComplex::index(cell) / length_;
+    const auto at = [&](std::size_t i) { return items.begin() + static_cast<std::ptrdiff_t>(i); };
+    const auto found = std::lower_bound(at(begins_[row]), at(begins_[row + 1]), cell,
+      [&](const Item& item, CubeCell wanted) { return cellOf(item) < wanted; });
+    return static_cast<std::size_t>(found - items.begin());
+  }
+
+private:
+  std::size_t length_;
+  std::vector<std::size_t> begins_;
 };
 
 } // namespace medial

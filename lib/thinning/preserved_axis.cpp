@@ -2,6 +2,7 @@
 
 #include "thinning/sheet_faces.h"
 #include "thinning/solid_bodies.h"
+#include "thinning/solid_core.h"
 #include "thinning/thinning.h"
 #include "thinning/voxel_solid.h"
 
@@ -127,9 +128,16 @@ PreservedAxis preserveTopology(const ThinningInput& input, const AxisGeometry& g
   PreservedAxis axis;
   const auto addSolid = [&](const DepthField& depth)
   {
-    CubicalComplex solid = voxelSolid(depth, size);
-    add(topologyOf(solid), axis.solid);
-    const Selection selection = selectionWithin(solid, crossings, bisectors);
+    CubicalComplex solid(size);
+    Selection selection;
+    {
+      VoxelMask voxels = voxelsOf(depth, size);
+      setVoxels(voxels, solid);
+      add(topologyOf(solid), axis.solid);
+      selection = selectionWithin(solid, crossings, bisectors);
+      reduceToCore(depth, size, selection.crossings, geometry.checkpoint, voxels);
+      setVoxels(voxels, solid);
+    }
     AxisSamples samples(solid, selection.crossings, selection.bisectors);
     thin(solid, depth, geometry, input.closestSites, selection, samples);
     append(

@@ -32,8 +32,9 @@ struct ThinningInput
   Representation representation;
 };
 
-/// Thins the voxels of each side asked for to an axis of the same topology (Thinning). The anchors
-/// are the faces dual to the selected crossings, except those that form no sheet.
+/// Thins the voxels of each side asked for to an axis of the same topology: those of the core of
+/// the solid (reduceToCore(), Thinning). The anchors are the faces dual to the selected crossings,
+/// except those that form no sheet.
 ///
 /// Needs 10 bytes per grid point, including the field, and memory for the front of the fire.
 /// @param crossings the selected ones, with their bisector points.

@@ -3,12 +3,16 @@
 #include "axis/axis_points.h"
 #include "axis/closest_pairs.h"
 #include "axis/dual_mesh.h"
+#include "sites/closest_point.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <iterator>
+#include <limits>
 #include <utility>
 
 namespace medial
@@ -37,13 +41,30 @@ std::array<CubeCell, 12> facesAround(const CubicalComplex& complex, CubeCell ver
   return faces;
 }
 
+/// Up to as many values as there are faces around a corner.
+template <typename T>
+struct AroundCorner
+{
+  std::array<T, 12> values;
+  int count = 0;
+
+  void add(T value) { values[count++] = value; }
+  const T* begin() const { return values.data(); }
+  const T* end() const { return values.data() + count; }
+};
+
 /// The origin of the point of a corner.
 struct Origin
 {
-  std::vector<CubeCell> faces;
+  AroundCorner<CubeCell> faces;
   bool onSheet = false; ///< whether selected faces are left
   bool widestOnly = false;
 };
+
+CubeCell itself(CubeCell vertex)
+{
+  return vertex;
+}
 
 class CellBuilder
 {
@@ -54,15 +75,10 @@ public:
     , depth_(depth)
     , context_(context)
     , samples_(samples)
+    , vertices_(cellsOf(complex, kVertexKind))
+    , rows_(complex)
   {
-    const auto positions = static_cast<CubeCell>(complex.positions());
-    for (CubeCell vertex = 0; vertex < 8 * positions; vertex += 8)
-    {
-      if (complex.has(vertex))
-      {
-        vertices_.push_back(vertex);
-      }
-    }
+    rows_.set(vertices_, itself);
   }
 
   ThinnedAxis build(Representation representation)
@@ -104,26 +120,32 @@ private:
 
   std::int64_t point(CubeCell vertex) const
   {
-    return std::lower_bound(vertices_.begin(), vertices_.end(), vertex) - vertices_.begin();
+    return static_cast<std::int64_t>(rows_.find(vertex, vertices_, itself));
   }
 
   void findSamples()
   {
-    std::vector<Origin> origins(vertices_.size());
-    tbb::parallel_for(std::size_t{ 0 }, vertices_.size(),
+    const std::size_t count = vertices_.size();
+    std::vector<Origin> origins(count);
+    tbb::parallel_for(std::size_t{ 0 }, count,
       [&](std::size_t i) { origins[i] = this->originOf(vertices_[i]); });
     std::vector<CubeCell> needed;
     for (const Origin& origin : origins)
     {
-      needed.insert(needed.end(), origin.faces.begin(), origin.faces.end());
+      std::copy_if(origin.faces.begin(), origin.faces.end(), std::back_inserter(needed),
+        [&](CubeCell face) { return samples_.find(face) == AxisSamples::kNone; });
     }
     samples_.add(context_, complex_, std::move(needed));
-    for (std::size_t i = 0; i < vertices_.size(); ++i)
+    std::vector<AroundCorner<int>> around(count);
+    tbb::parallel_for(std::size_t{ 0 }, count,
+      [&](std::size_t i) { around[i] = this->samplesOf(origins[i]); });
+    for (std::size_t i = 0; i < count; ++i)
     {
-      for (const int sample : this->samplesOf(vertices_[i], origins[i]))
+      if (around[i].count == 0)
       {
-        mesh_.incident.push_back(static_cast<std::size_t>(sample));
+        around[i].add(samples_.addPoint(context_, complex_, this->deepestVoxel(vertices_[i])));
       }
+      mesh_.incident.insert(mesh_.incident.end(), around[i].begin(), around[i].end());
       mesh_.cells.push_back(complex_.position(vertices_[i]) - 1);
       mesh_.offsets.push_back(mesh_.incident.size());
       onSheet_.push_back(origins[i].onSheet ? 1 : 0);
@@ -149,7 +171,7 @@ private:
   void settle(std::size_t begin, std::size_t end, std::vector<BisectorPoint>& points) const
   {
     std::vector<std::size_t> moved;
-    std::vector<SiteQuery::Question> questions;
+    std::vector<SiteQuery::Question> answers;
     for (std::size_t i = begin; i != end; ++i)
     {
       const glm::dvec3 x = this->clamped(i,
@@ -157,15 +179,23 @@ private:
       if (x != points[i].position)
       {
         moved.push_back(i);
-        questions.push_back({ x, {} }); // nothing is known, so that no site wins a tie for that
+        answers.push_back({ x, this->closestTo(x, points[i].a.site) });
       }
     }
     const std::vector<BisectorPoint> found = closestPairs(context_.geometry, mesh_,
-      samples_.points(), moved, std::move(questions), EqualAngles::FirstBisector);
+      samples_.points(), moved, answers, EqualAngles::FirstBisector);
     for (std::size_t k = 0; k < moved.size(); ++k)
     {
       points[moved[k]] = found[k];
     }
+  }
+
+  /// Returns the closest point. The known site only bounds the search: it wins no tie.
+  SitePoint closestTo(const glm::dvec3& x, int known) const
+  {
+    const double distance = glm::distance(x, closestPoint(context_.geometry.sites, known, x).point);
+    return context_.geometry.query.closestWithin(x,
+      std::nextafter(distance, std::numeric_limits<double>::infinity()));
   }
 
   Origin originOf(CubeCell vertex) const
@@ -181,43 +211,41 @@ private:
       const bool selected = samples_.find(face) != AxisSamples::kNone;
       if (there && selected)
       {
-        both.faces.push_back(face);
+        both.faces.add(face);
       }
       if (there || selected)
       {
-        either.faces.push_back(face);
+        either.faces.add(face);
       }
       Crossing edge = dualEdge(complex_, face);
       const bool begins = inSolid(depth_, complex_, edge.voxel);
       ++edge.voxel[edge.axis];
       if (begins && inSolid(depth_, complex_, edge.voxel))
       {
-        wide.faces.push_back(face);
+        wide.faces.add(face);
       }
     }
-    return !both.faces.empty() ? both : (!either.faces.empty() ? either : wide);
+    return both.faces.count > 0 ? both : (either.faces.count > 0 ? either : wide);
   }
 
-  std::vector<int> samplesOf(CubeCell vertex, const Origin& origin)
+  AroundCorner<int> samplesOf(const Origin& origin) const
   {
-    std::vector<int> around;
-    std::vector<double> angles;
+    AroundCorner<int> around;
+    std::array<double, 12> angles{};
     for (const CubeCell face : origin.faces)
     {
-      around.push_back(samples_.find(face));
-      angles.push_back(origin.widestOnly ? samples_.point(around.back()).separationAngle() : 0.0);
+      const int sample = samples_.find(face);
+      angles[around.count] = origin.widestOnly ? samples_.point(sample).separationAngle() : 0.0;
+      around.add(sample);
     }
-    if (around.empty())
-    {
-      return { samples_.addPoint(context_, complex_, this->deepestVoxel(vertex)) };
-    }
-    const double limit = kWideShare * *std::max_element(angles.begin(), angles.end());
-    std::vector<int> wide;
-    for (std::size_t i = 0; i < around.size(); ++i)
+    const double limit =
+      kWideShare * *std::max_element(angles.begin(), angles.begin() + std::max(1, around.count));
+    AroundCorner<int> wide;
+    for (int i = 0; i < around.count; ++i)
     {
       if (angles[i] >= limit)
       {
-        wide.push_back(around[i]);
+        wide.add(around.values[i]);
       }
     }
     return wide;
@@ -253,7 +281,8 @@ private:
   const SampleContext& context_;
   AxisSamples& samples_;
   std::vector<CubeCell> vertices_; ///< ascending
-  DualMesh mesh_;                  ///< cells and samples of the vertices
+  CellRows rows_;
+  DualMesh mesh_; ///< cells and samples of the vertices
   std::vector<char> onSheet_;
 };
 

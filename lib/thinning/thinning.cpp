@@ -36,11 +36,9 @@ void Thinning::anchor(CubeCell face, float angle)
 
 void Thinning::burn()
 {
-  const auto positions = static_cast<CubeCell>(complex_.positions());
-  for (CubeCell position = 0; position < positions; ++position)
+  for (const CubeCell voxel : cellsOf(complex_, kVoxelKind))
   {
-    const CubeCell voxel = 8 * position + kVoxelKind;
-    if (complex_.has(voxel) && this->hasFreeFace(voxel))
+    if (this->hasFreeFace(voxel))
     {
       this->raise(voxel);
     }

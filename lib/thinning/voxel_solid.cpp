@@ -1,11 +1,14 @@
 #include "thinning/voxel_solid.h"
 
 #include "base/disjoint_sets.h"
+#include "base/simd.h"
 
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <array>
+#include <cstring>
 #include <functional>
 #include <vector>
 
@@ -31,11 +34,11 @@ public:
     : solid_(solid)
   {
     const glm::ivec3 size = solid.size();
+    this->findRuns();
     for (int z = 0; z < size.z; ++z)
     {
       for (int y = 0; y < size.y; ++y)
       {
-        this->addRow(y, z);
         this->join(y, z, y - 1, z, false);
         this->join(y, z, y, z - 1, false);
         this->join(y, z, y - 1, z - 1, true);
@@ -55,23 +58,39 @@ public:
   }
 
 private:
-  void addRow(int y, int z)
+  void findRuns()
   {
-    const std::size_t start = CubicalComplex::index(solid_.cell({ 0, y, z }, 0));
-    for (int x = 0; x < solid_.size().x; ++x)
+    const glm::ivec3 size = solid_.size();
+    const std::size_t rowCount = static_cast<std::size_t>(size.y) * size.z;
+    std::vector<std::vector<Run>> found(rowCount);
+    tbb::parallel_for(std::size_t{ 0 }, rowCount,
+      [&](std::size_t row) { found[row] = this->runsOf(row); });
+    for (const std::vector<Run>& row : found)
+    {
+      runs_.insert(runs_.end(), row.begin(), row.end());
+      rows_.push_back(runs_.size());
+    }
+    sets_ = DisjointSets(runs_.size());
+  }
+
+  std::vector<Run> runsOf(std::size_t row) const
+  {
+    const int length = solid_.size().x;
+    const std::size_t start = row * static_cast<std::size_t>(length);
+    std::vector<Run> runs;
+    for (int x = 0; x < length; ++x)
     {
       const bool inside = (solid_.bits(start + x) >> kVoxelKind & 1) != 0;
-      if (x > 0 && runs_.back().inside == inside)
+      if (x > 0 && runs.back().inside == inside)
       {
-        runs_.back().last = x;
+        runs.back().last = x;
       }
       else
       {
-        runs_.push_back({ x, x, inside });
-        sets_.add();
+        runs.push_back({ x, x, inside });
       }
     }
-    rows_.push_back(runs_.size());
+    return runs;
   }
 
   void join(int y, int z, int otherY, int otherZ, bool diagonal)
@@ -114,58 +133,95 @@ private:
 };
 
 /// Sum over dimensions of (-1)^dimension times the number of cells.
+/// @param cells of the positions.
+MEDIAL_VECTORISED std::int64_t eulerCharacteristic(const std::uint8_t* cells, std::size_t count)
+{
+  constexpr std::uint64_t kOdd = 0x8e8e8e8e8e8e8e8e; // edges and voxels
+  std::int64_t sum = 0;
+  for (std::size_t i = 0; i < count; i += sizeof(kOdd))
+  {
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, cells + i, std::min(sizeof(bits), count - i));
+    sum += __builtin_popcountll(bits & ~kOdd) - __builtin_popcountll(bits & kOdd);
+  }
+  return sum;
+}
+
 std::int64_t eulerCharacteristic(const CubicalComplex& complex)
 {
-  constexpr unsigned kOdd = 0x8e; // edges and voxels
   return tbb::parallel_reduce(
-    tbb::blocked_range<std::size_t>(0, complex.positions()), std::int64_t{ 0 },
+    tbb::blocked_range<std::size_t>(0, complex.positions(), std::size_t{ 1 } << 16),
+    std::int64_t{ 0 },
     [&](const tbb::blocked_range<std::size_t>& range, std::int64_t sum)
-    {
-      for (std::size_t p = range.begin(); p < range.end(); ++p)
-      {
-        const unsigned bits = complex.bits(p);
-        sum += __builtin_popcount(bits & ~kOdd) - __builtin_popcount(bits & kOdd);
-      }
-      return sum;
-    },
+    { return sum + eulerCharacteristic(complex.bitsFrom(range.begin()), range.size()); },
     std::plus<>());
 }
 
-/// Cells at a position by the voxels that touch it: a cell is there where one of its voxels is.
-std::uint8_t cellsAt(const DepthField& depth, const CubicalComplex& complex, const glm::ivec3& p)
+/// Rows of voxels along x, that of a row of cells first, then those below it by y, by z, by both.
+using RowsBelow = std::array<const std::uint8_t*, 4>;
+
+/// Sets the cells of a row by the voxels that touch them: a cell is there where one of its voxels
+/// is. The first position has no voxel below it.
+MEDIAL_VECTORISED void setRow(const RowsBelow& rows, int count, std::uint8_t* cells)
 {
   // Indexed by the axes along which the voxel lies below: a cell that extends along one of them
   // does not touch it.
-  constexpr std::array<unsigned, 8> kTouching{ 0xff, 0x1d, 0x2b, 0x09, 0x47, 0x05, 0x03, 0x01 };
-  unsigned bits = 0;
-  for (unsigned corner = 0; corner < 8; ++corner)
+  constexpr std::array<std::uint8_t, 8> kTouching{ 0xff, 0x1d, 0x2b, 0x09, 0x47, 0x05, 0x03, 0x01 };
+  cells[0] = 0;
+  for (int x = 1; x < count; ++x)
   {
-    const glm::ivec3 voxel = p - glm::ivec3(corner & 1, corner >> 1 & 1, corner >> 2);
-    if (inSolid(depth, complex, voxel))
+    unsigned bits = 0;
+    for (std::size_t row = 0; row < rows.size(); ++row)
     {
-      bits |= kTouching[corner];
+      bits |= (0u - rows[row][x]) & kTouching[2 * row];
+      bits |= (0u - rows[row][x - 1]) & kTouching[2 * row + 1];
     }
+    cells[x] = static_cast<std::uint8_t>(bits);
   }
-  return static_cast<std::uint8_t>(bits);
 }
 
 } // namespace
 
-CubicalComplex voxelSolid(const DepthField& depth, const glm::ivec3& size)
+VoxelMask voxelsOf(const DepthField& depth, const glm::ivec3& size)
 {
-  CubicalComplex complex(size);
+  const std::size_t layer = static_cast<std::size_t>(size.x) * size.y;
+  VoxelMask voxels(layer * static_cast<std::size_t>(size.z), 0);
+  tbb::parallel_for(1, std::max(1, size.z - 1),
+    [&](int z)
+    {
+      for (int y = 1; y < size.y - 1; ++y)
+      {
+        const std::size_t row = layer * z + static_cast<std::size_t>(y) * size.x;
+        for (int x = 1; x < size.x - 1; ++x)
+        {
+          voxels[row + x] = depth.wanted(row + x) ? 1 : 0;
+        }
+      }
+    });
+  return voxels;
+}
+
+void setVoxels(const VoxelMask& voxels, CubicalComplex& complex)
+{
+  const glm::ivec3 size = complex.size();
   tbb::parallel_for(1, std::max(1, size.z),
     [&](int z)
     {
       for (int y = 1; y < size.y; ++y)
       {
-        for (int x = 1; x < size.x; ++x)
-        {
-          const glm::ivec3 p(x, y, z);
-          complex.setBits(CubicalComplex::index(complex.cell(p, 0)), cellsAt(depth, complex, p));
-        }
+        const std::size_t row = CubicalComplex::index(complex.cell({ 0, y, z }, 0));
+        const std::uint8_t* const here = voxels.data() + row;
+        const std::ptrdiff_t layer = complex.stride(2);
+        setRow({ here, here - size.x, here - layer, here - layer - size.x }, size.x,
+          complex.bitsFrom(row));
       }
     });
+}
+
+CubicalComplex voxelSolid(const DepthField& depth, const glm::ivec3& size)
+{
+  CubicalComplex complex(size);
+  setVoxels(voxelsOf(depth, size), complex);
   return complex;
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace medial
 {
@@ -44,9 +45,10 @@ public:
   /// the side.
   float at(std::size_t point) const
   {
-    const float distance = scale_ * std::abs(distance_[point]);
-    return this->wanted(point) ? distance : -distance;
+    return this->wanted(point) ? this->distance(point) : -this->distance(point);
   }
+  /// Returns the distance to the surface in local units, whatever the side.
+  float distance(std::size_t point) const { return scale_ * std::abs(distance_[point]); }
 
 private:
   const float* distance_;
@@ -57,9 +59,18 @@ private:
   int colour_ = 0;
 };
 
-/// Makes the closed voxels around the grid points of a side, with all their faces, edges and
-/// corners. Points on the border of the grid are left out, so that every corner lies in a grid
-/// cell.
+/// Which grid points have a voxel in a solid: 1 or 0 for each, x fastest.
+using VoxelMask = std::vector<std::uint8_t>;
+
+/// Returns the voxels of a side. Points on the border of the grid are left out, so that every
+/// corner of a voxel lies in a grid cell.
+VoxelMask voxelsOf(const DepthField& depth, const glm::ivec3& size);
+
+/// Replaces the cells of a complex of the same size by closed voxels, with all their faces, edges
+/// and corners.
+void setVoxels(const VoxelMask& voxels, CubicalComplex& complex);
+
+/// Makes the closed voxels of a side.
 CubicalComplex voxelSolid(const DepthField& depth, const glm::ivec3& size);
 
 /// Whether the voxel around a grid point belongs to that solid.

@@ -14,7 +14,8 @@ namespace medial
 struct AxisCoverage
 {
   /// Share of the surface's area, in [0, 1], that lies farther than `reach` from the union of the
-  /// axis's balls, cones and wedges. Surface inside the union counts as covered.
+  /// axis's balls, cones and wedges. Surface inside the union counts as covered. A share below the
+  /// negligible one is an upper bound.
   double uncoveredShare = 0.0;
   double reach = 0.0;       ///< the distance asked for, world units
   std::int64_t samples = 0; ///< number of samples on the surface
@@ -29,6 +30,9 @@ struct CoverageOptions
 {
   /// Number of samples on the surface, in [1000, 100000000].
   std::int64_t samples = kDefaultCoverageSamples;
+  /// Share below which an upper bound will do, in [0, 1]. Such a bound is found much faster than
+  /// the share itself.
+  double negligible = 0.0;
   Execution execution; ///< threads, progress and cancelling
 };
 
@@ -40,8 +44,8 @@ struct CoverageOptions
 ///   cover.
 /// @param reach world units, >= 0. One voxel's diagonal suits an axis computed on a grid: its
 ///   sheets can end that far from the parts of the surface that they lead to.
-/// @throws Error InvalidInput for a negative reach, a number of samples or threads outside its
-///   range, and as checkMedialModel(); Cancelled.
+/// @throws Error InvalidInput for a negative reach, a number of samples or threads or a negligible
+///   share outside its range, and as checkMedialModel(); Cancelled.
 MEDIAL_EXPORT AxisCoverage measureCoverage(const TriangleMesh& mesh, const MedialModel& model,
   double reach, const CoverageOptions& options = {});
 

@@ -93,7 +93,7 @@ public:
   {
     reports_ += std::string(phase) == "medial axis" && fraction < 1.0 ? 1 : 0;
   }
-  bool cancelled() override { return reports_ >= 4; }
+  bool cancelled() override { return reports_ >= 3; }
 
 private:
   int reports_ = 0;
@@ -106,7 +106,7 @@ TEST(Checkpoint, ThinningCanBeCancelled)
   medial::MedialAxisOptions options;
   options.topology = medial::Topology::Preserve;
   options.field.execution.progress = &progress;
-  EXPECT_THROW(medial::computeMedialAxis(mesh, medial::makeGrid(mesh.bounds(), 128), options),
+  EXPECT_THROW(medial::computeMedialAxis(mesh, medial::makeGrid(mesh.bounds(), 256), options),
     medial::Error);
 }
 

@@ -50,6 +50,34 @@ TEST(AxisCoverage, TheAxisOfACapsuleLeavesNothing)
   EXPECT_NEAR(uncovered(mesh, model), (1.0 - beside) / (1.0 + 0.5), 0.002);
 }
 
+TEST(AxisCoverage, ANegligibleShareIsBounded)
+{
+  MedialModel model;
+  for (int i = 0; i <= 200; ++i)
+  {
+    model.centres.push_back({ 0, 0, -1 + 0.01 * i });
+    model.radii.push_back(0.5);
+  }
+  model.centres.push_back({ 0, 0, 0 });
+  model.radii.push_back(0.1);
+  const TriangleMesh mesh = uvCapsule(0.5, 1.0, 128);
+  CoverageOptions options;
+  const auto share = [&] { return measureCoverage(mesh, model, 1e-3, options).uncoveredShare; };
+  const double exact = share();
+  for (const double negligible : { 0.001, 0.01, 0.1, 0.9, 1.0 })
+  {
+    options.negligible = negligible;
+    const double bound = share();
+    EXPECT_GE(bound, exact);
+    EXPECT_TRUE(bound == exact || bound < negligible) << bound;
+  }
+  for (const double wrong : { -0.1, 1.1, std::numeric_limits<double>::quiet_NaN() })
+  {
+    options.negligible = wrong;
+    EXPECT_THROW(share(), Error);
+  }
+}
+
 TEST(AxisCoverage, DefaultIsTheSameHoweverItIsMade)
 {
   const TriangleMesh mesh = icosphere(1.0, 2);

@@ -1,6 +1,7 @@
 #include "thinning/thinning.h"
 
 #include "thinning/sheet_faces.h"
+#include "thinning/solid_core.h"
 
 #include "support/shapes.h"
 #include "support/voxel_topology.h"
@@ -42,6 +43,20 @@ public:
   CubicalComplex solid() const
   {
     return voxelSolid(depth_, { this->dim(0), this->dim(1), this->dim(2) });
+  }
+  /// The voxels of the core of the solid.
+  VoxelMask core(const std::vector<Crossing>& crossings = {}) const
+  {
+    const glm::ivec3 size(this->dim(0), this->dim(1), this->dim(2));
+    VoxelMask voxels = voxelsOf(depth_, size);
+    reduceToCore(depth_, size, crossings, checkpoint_, voxels);
+    return voxels;
+  }
+  CubicalComplex closed(const VoxelMask& voxels) const
+  {
+    CubicalComplex complex({ this->dim(0), this->dim(1), this->dim(2) });
+    setVoxels(voxels, complex);
+    return complex;
   }
   CellTopology expected() const
   {
@@ -169,6 +184,74 @@ TEST(VoxelSolid, HasTheTopologyThatCountingFinds)
     expectClosed(solid);
     EXPECT_EQ(topologyOf(solid), voxels.expected()) << "round " << round;
   }
+}
+
+TEST(SolidCore, HasTheTopologyOfRandomVoxels)
+{
+  std::mt19937 random(3);
+  for (int round = 0; round < 120; ++round)
+  {
+    Voxels voxels({ 10, 9, 11 });
+    // Many voxels have equal depths in every second round.
+    const unsigned depths = round % 2 == 0 ? 100 : 3;
+    for (std::size_t i = 0; i < voxels.size(); ++i)
+    {
+      const float depth = 0.1f + static_cast<float>(random() % depths) * 0.05f;
+      voxels.set(i, random() % 60 < static_cast<unsigned>(round) / 2 ? depth : -depth);
+    }
+    std::vector<Crossing> crossings;
+    for (int i = 0; i < round % 5; ++i)
+    {
+      const glm::ivec3 voxel(random() % 8 + 1, random() % 7 + 1, random() % 9 + 1);
+      crossings.push_back({ voxel, static_cast<int>(random() % 3), -1, -1, true });
+    }
+    const VoxelMask core = voxels.core(crossings);
+    const CubicalComplex complex = voxels.closed(core);
+    const CubicalComplex solid = voxels.solid();
+    EXPECT_EQ(topologyOf(complex), voxels.expected()) << "round " << round;
+    for (std::size_t i = 0; i < voxels.size(); ++i)
+    {
+      EXPECT_EQ(complex.bits(i) & ~solid.bits(i), 0) << "round " << round;
+    }
+    for (const Crossing& crossing : crossings)
+    {
+      const CubeCell end = solid.cell(crossing.voxel, kVoxelKind);
+      EXPECT_EQ(complex.has(end), solid.has(end)) << "round " << round;
+      const CubeCell other = end + 8 * solid.stride(crossing.axis);
+      EXPECT_EQ(complex.has(other), solid.has(other)) << "round " << round;
+    }
+  }
+}
+
+TEST(SolidCore, OfABallIsSmall)
+{
+  Voxels voxels({ 21, 21, 21 });
+  for (int z = 0; z < 21; ++z)
+  {
+    for (int y = 0; y < 21; ++y)
+    {
+      for (int x = 0; x < 21; ++x)
+      {
+        const glm::dvec3 offset(x - 10.2, y - 9.9, z - 10.1);
+        voxels.set(x, y, z, static_cast<float>(8.3 - glm::length(offset)));
+      }
+    }
+  }
+  const VoxelMask core = voxels.core();
+  // Besides the deepest voxel, single ones where the ball is outermost and their ways there.
+  EXPECT_LT(std::count(core.begin(), core.end(), 1), 80);
+  EXPECT_EQ(core[(10 * 21 + 10) * 21 + 10], 1);
+}
+
+TEST(SolidCore, HasWiresThatAreOneVoxelThick)
+{
+  Voxels voxels({ 12, 5, 5 });
+  for (int x = 2; x < 10; ++x)
+  {
+    voxels.set(x, 2, 2, 0.4f + 0.01f * static_cast<float>(x));
+  }
+  const VoxelMask core = voxels.core();
+  EXPECT_EQ(std::count(core.begin(), core.end(), 1), 8);
 }
 
 TEST(Thinning, KeepsTheTopologyOfRandomVoxelsWhateverIsAnchored)

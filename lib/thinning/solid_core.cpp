@@ -1,0 +1,443 @@
+#include "thinning/solid_core.h"
+
+#include "base/simd.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <queue>
+#include <utility>
+
+namespace medial
+{
+namespace
+{
+
+/// Values of the mask while the core is sought.
+constexpr std::uint8_t kOutside = 0;
+constexpr std::uint8_t kInSolid = 1;
+constexpr std::uint8_t kOpen = 2;   ///< in the solid, and to be looked at
+constexpr std::uint8_t kStuck = 3;  ///< in the core, as long as it is not simple
+constexpr std::uint8_t kWanted = 4; ///< in the core for good
+
+/// The 27 voxels around one, itself included, x fastest.
+constexpr int kAround = 27;
+constexpr int kCentre = 13;
+
+glm::ivec3 offsetOf(int around)
+{
+  return { around % 3 - 1, around / 3 % 3 - 1, around / 9 - 1 };
+}
+
+/// Cells of the surface of a voxel, as bits: corners in the lowest byte, by x, y, z; then a byte
+/// for the edges along each axis, by their lower corners; then the faces.
+using SurfaceCells = std::uint64_t;
+
+constexpr int kFirstEdges = 8;
+constexpr int kFirstFaces = 32;
+
+/// Returns the cells that a voxel shares with the one at an offset from it.
+SurfaceCells sharedCells(const glm::ivec3& offset)
+{
+  SurfaceCells cells = 0;
+  const auto touches = [&](int corner, int axis)
+  { return offset[axis] == 0 || (offset[axis] > 0) == ((corner >> axis & 1) != 0); };
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const std::array<bool, 3> touched{ touches(corner, 0), touches(corner, 1), touches(corner, 2) };
+    cells |= touched[0] && touched[1] && touched[2] ? SurfaceCells{ 1 } << corner : 0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const bool low = (corner >> axis & 1) == 0;
+      if (low && offset[axis] == 0 && touched[(axis + 1) % 3] && touched[(axis + 2) % 3])
+      {
+        cells |= SurfaceCells{ 1 } << (kFirstEdges + 8 * axis + corner);
+      }
+    }
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (offset[axis] != 0 && offset[(axis + 1) % 3] == 0 && offset[(axis + 2) % 3] == 0)
+    {
+      cells |= SurfaceCells{ 1 } << (kFirstFaces + 2 * axis + (offset[axis] > 0 ? 1 : 0));
+    }
+  }
+  return cells;
+}
+
+/// The cells shared with any of some voxels around, looked up by nine of them at a time.
+class SharedCells
+{
+public:
+  SharedCells()
+  {
+    for (std::size_t layer = 0; layer < layers_.size(); ++layer)
+    {
+      for (std::size_t voxels = 0; voxels < layers_[layer].size(); ++voxels)
+      {
+        for (int i = 0; i < 9; ++i)
+        {
+          const int around = 9 * static_cast<int>(layer) + i;
+          layers_[layer][voxels] |=
+            (voxels >> i & 1) != 0 && around != kCentre ? sharedCells(offsetOf(around)) : 0;
+        }
+      }
+    }
+  }
+
+  /// @param voxels bits of the voxels around.
+  MEDIAL_INLINE SurfaceCells with(std::uint32_t voxels) const
+  {
+    return layers_[0][voxels & 511] | layers_[1][voxels >> 9 & 511] | layers_[2][voxels >> 18];
+  }
+
+private:
+  std::array<std::array<SurfaceCells, 512>, 3> layers_{};
+};
+
+const SharedCells& sharedCells()
+{
+  static const SharedCells cells;
+  return cells;
+}
+
+/// Returns the corners that are connected by edges with the given ones.
+MEDIAL_INLINE unsigned connectedCorners(SurfaceCells cells, unsigned corners)
+{
+  const auto alongX = static_cast<unsigned>(cells >> kFirstEdges & 0xff);
+  const auto alongY = static_cast<unsigned>(cells >> (kFirstEdges + 8) & 0xff);
+  const auto alongZ = static_cast<unsigned>(cells >> (kFirstEdges + 16) & 0xff);
+  unsigned before = 0;
+  while (corners != before)
+  {
+    before = corners;
+    corners |= (corners & alongX) << 1 | (corners >> 1 & alongX);
+    corners |= (corners & alongY) << 2 | (corners >> 2 & alongY);
+    corners |= (corners & alongZ) << 4 | (corners >> 4 & alongZ);
+  }
+  return corners;
+}
+
+/// Whether cells of a voxel's surface, with all their faces, are in one piece and without holes.
+MEDIAL_INLINE bool contractible(SurfaceCells cells)
+{
+  constexpr SurfaceCells kEdges = 0xffffff00;
+  const int eulerCharacteristic =
+    __builtin_popcountll(cells & ~kEdges) - __builtin_popcountll(cells & kEdges);
+  const auto corners = static_cast<unsigned>(cells & 0xff);
+  return eulerCharacteristic == 1 && connectedCorners(cells, corners & (0u - corners)) == corners;
+}
+
+/// Adds a bit to each voxel of a row for which the voxel at some offset comes later.
+/// @param onEqual whether that one does if both have the same depth.
+MEDIAL_VECTORISED void addLater(const float* depth, const float* other, bool onEqual, int count,
+  std::uint32_t bit, std::uint32_t* later)
+{
+  if (onEqual)
+  {
+    for (int x = 0; x < count; ++x)
+    {
+      later[x] |= other[x] >= depth[x] ? bit : 0u;
+    }
+    return;
+  }
+  for (int x = 0; x < count; ++x)
+  {
+    later[x] |= other[x] > depth[x] ? bit : 0u;
+  }
+}
+
+/// Tells which voxels of a row collapse onto what they share with later ones.
+MEDIAL_VECTORISED void findSimple(const SharedCells& shared, const std::uint32_t* later, int count,
+  std::uint8_t* simple)
+{
+  for (int x = 0; x < count; ++x)
+  {
+    simple[x] = contractible(shared.with(later[x])) ? 1 : 0;
+  }
+}
+
+/// The depths of a layer of voxels and of the layers below and above; negative outside the solid.
+class DepthLayers
+{
+public:
+  DepthLayers(const DepthField& depth, const glm::ivec3& size, const VoxelMask& voxels)
+    : depth_(depth)
+    , size_(size)
+    , voxels_(voxels)
+  {
+    for (std::vector<float>& layer : layers_)
+    {
+      layer.resize(static_cast<std::size_t>(size.x) * size.y);
+    }
+  }
+
+  void load(int z)
+  {
+    std::vector<float>& layer = layers_[z % 3];
+    const std::size_t first = layer.size() * static_cast<std::size_t>(z);
+    for (std::size_t i = 0; i < layer.size(); ++i)
+    {
+      layer[i] = voxels_[first + i] != kOutside ? depth_.distance(first + i) : -1.0f;
+    }
+  }
+
+  const float* row(int y, int z) const
+  {
+    return layers_[z % 3].data() + static_cast<std::size_t>(y) * size_.x;
+  }
+
+private:
+  const DepthField& depth_;
+  glm::ivec3 size_;
+  const VoxelMask& voxels_;
+  std::array<std::vector<float>, 3> layers_;
+};
+
+class Core
+{
+public:
+  Core(const DepthField& depth, const glm::ivec3& size, const Checkpoint& checkpoint,
+    VoxelMask& voxels)
+    : depth_(depth)
+    , checkpoint_(checkpoint)
+    , size_(size)
+    , stride_{ 1, size.x, static_cast<std::ptrdiff_t>(size.x) * size.y }
+    , voxels_(voxels)
+  {
+    for (int around = 0; around < kAround; ++around)
+    {
+      const glm::ivec3 offset = offsetOf(around);
+      steps_[around] = offset.x + stride_[1] * offset.y + stride_[2] * offset.z;
+    }
+  }
+
+  void addEnds(const std::vector<Crossing>& crossings)
+  {
+    for (const Crossing& crossing : crossings)
+    {
+      const std::ptrdiff_t voxel =
+        crossing.voxel.x + stride_[1] * crossing.voxel.y + stride_[2] * crossing.voxel.z;
+      this->addAscent(voxel);
+      this->addAscent(voxel + stride_[crossing.axis]);
+    }
+  }
+
+  void addUndecided()
+  {
+    std::vector<std::vector<std::ptrdiff_t>> undecided(static_cast<std::size_t>(size_.z));
+    constexpr int kTogether = 8;
+    tbb::parallel_for(tbb::blocked_range<int>(1, std::max(1, size_.z - 1), kTogether),
+      [&](const tbb::blocked_range<int>& range)
+      {
+        DepthLayers layers(depth_, size_, voxels_);
+        layers.load(range.begin() - 1);
+        layers.load(range.begin());
+        for (int z = range.begin(); z < range.end(); ++z)
+        {
+          checkpoint_();
+          layers.load(z + 1);
+          for (int y = 1; y < size_.y - 1; ++y)
+          {
+            this->findUndecided(layers, y, z, undecided[z]);
+          }
+        }
+      });
+    for (const std::vector<std::ptrdiff_t>& layer : undecided)
+    {
+      for (const std::ptrdiff_t voxel : layer)
+      {
+        if (this->isThin(voxel))
+        {
+          this->addAscent(voxel);
+        }
+        else if (voxels_[voxel] == kInSolid)
+        {
+          this->open(voxel);
+        }
+      }
+    }
+  }
+
+  /// Lets the voxels go that can, beginning with the open ones.
+  void close()
+  {
+    Place now = { 0.0f, 0 };
+    for (std::size_t looked = 0; !open_.empty(); ++looked)
+    {
+      checkpoint_(looked);
+      const Place place = open_.top();
+      const std::ptrdiff_t voxel = place.second;
+      open_.pop();
+      now = std::max(now, place);
+      if (voxels_[voxel] != kOpen && voxels_[voxel] != kStuck)
+      {
+        continue;
+      }
+      if (contractible(sharedCells().with(this->presentAround(voxel, now))))
+      {
+        voxels_[voxel] = kInSolid;
+        this->reopenAround(voxel);
+      }
+      else if (voxels_[voxel] == kOpen)
+      {
+        this->keep(voxel, kStuck);
+      }
+    }
+  }
+
+private:
+  using Place = std::pair<float, std::ptrdiff_t>; ///< in the order: depth and index
+
+  Place placeOf(std::ptrdiff_t voxel) const
+  {
+    return { depth_.distance(static_cast<std::size_t>(voxel)), voxel };
+  }
+
+  /// Adds a voxel and the way from there to the deepest voxels, over the deepest ones around each.
+  void addAscent(std::ptrdiff_t voxel)
+  {
+    while (voxels_[voxel] != kOutside && voxels_[voxel] != kWanted)
+    {
+      this->keep(voxel, kWanted);
+      Place deepest = this->placeOf(voxel);
+      for (const std::ptrdiff_t step : steps_)
+      {
+        if (voxels_[voxel + step] != kOutside)
+        {
+          deepest = std::max(deepest, this->placeOf(voxel + step));
+        }
+      }
+      voxel = deepest.second;
+    }
+  }
+
+  void open(std::ptrdiff_t voxel)
+  {
+    voxels_[voxel] = kOpen;
+    open_.push(this->placeOf(voxel));
+  }
+
+  /// Makes a voxel stay, and looks at the later ones around it.
+  void keep(std::ptrdiff_t voxel, std::uint8_t how)
+  {
+    voxels_[voxel] = how;
+    const Place place = this->placeOf(voxel);
+    for (const std::ptrdiff_t step : steps_)
+    {
+      if (voxels_[voxel + step] == kInSolid && this->placeOf(voxel + step) > place)
+      {
+        this->open(voxel + step);
+      }
+    }
+  }
+
+  /// Looks again at voxels around one that has gone.
+  void reopenAround(std::ptrdiff_t voxel)
+  {
+    for (const std::ptrdiff_t step : steps_)
+    {
+      if (voxels_[voxel + step] == kStuck)
+      {
+        open_.push(this->placeOf(voxel + step));
+      }
+    }
+  }
+
+  /// Returns the voxels around one that are still there, as bits.
+  /// @param now all voxels up to this place have gone, or stay.
+  std::uint32_t presentAround(std::ptrdiff_t voxel, const Place& now) const
+  {
+    std::uint32_t present = 0;
+    for (int around = 0; around < kAround; ++around)
+    {
+      const std::ptrdiff_t there = voxel + steps_[around];
+      const bool isPresent =
+        voxels_[there] >= kStuck || (voxels_[there] != kOutside && this->placeOf(there) > now);
+      present |= isPresent && around != kCentre ? 1u << around : 0u;
+    }
+    return present;
+  }
+
+  void findUndecided(const DepthLayers& layers, int y, int z,
+    std::vector<std::ptrdiff_t>& undecided) const
+  {
+    const float* const depth = layers.row(y, z);
+    int first = 1;
+    int last = size_.x - 2;
+    while (first <= last && depth[first] < 0.0f)
+    {
+      ++first;
+    }
+    while (first <= last && depth[last] < 0.0f)
+    {
+      --last;
+    }
+    const int count = last - first + 1;
+    if (count <= 0)
+    {
+      return;
+    }
+    std::vector<std::uint32_t> later(static_cast<std::size_t>(count), 0);
+    for (int around = 0; around < kAround; ++around)
+    {
+      const glm::ivec3 offset = offsetOf(around);
+      if (around != kCentre)
+      {
+        addLater(depth + first, layers.row(y + offset.y, z + offset.z) + first + offset.x,
+          around > kCentre, count, 1u << around, later.data());
+      }
+    }
+    std::vector<std::uint8_t> simple(static_cast<std::size_t>(count));
+    findSimple(sharedCells(), later.data(), count, simple.data());
+    const std::ptrdiff_t row = stride_[1] * y + stride_[2] * z;
+    for (int x = first; x <= last; ++x)
+    {
+      if (depth[x] >= 0.0f && (simple[x - first] == 0 || this->isThin(row + x)))
+      {
+        undecided.push_back(row + x);
+      }
+    }
+  }
+
+  /// Whether a voxel has neighbours outside the solid on opposite sides.
+  bool isThin(std::ptrdiff_t voxel) const
+  {
+    return std::any_of(stride_.begin(), stride_.end(),
+      [&](std::ptrdiff_t step)
+      { return voxels_[voxel - step] == kOutside && voxels_[voxel + step] == kOutside; });
+  }
+
+  const DepthField& depth_;
+  const Checkpoint& checkpoint_;
+  glm::ivec3 size_;
+  std::array<std::ptrdiff_t, 3> stride_;
+  std::array<std::ptrdiff_t, kAround> steps_{};
+  VoxelMask& voxels_;
+  /// Voxels to look at, in their order; some of them twice.
+  std::priority_queue<Place, std::vector<Place>, std::greater<>> open_;
+};
+
+} // namespace
+
+void reduceToCore(const DepthField& depth, const glm::ivec3& size,
+  const std::vector<Crossing>& crossings, const Checkpoint& checkpoint, VoxelMask& voxels)
+{
+  Core core(depth, size, checkpoint, voxels);
+  core.addUndecided();
+  core.addEnds(crossings);
+  core.close();
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, voxels.size(), std::size_t{ 1 } << 16),
+    [&](const tbb::blocked_range<std::size_t>& range)
+    {
+      for (std::size_t i = range.begin(); i < range.end(); ++i)
+      {
+        voxels[i] = voxels[i] >= kStuck ? 1 : 0;
+      }
+    });
+}
+
+} // namespace medial
