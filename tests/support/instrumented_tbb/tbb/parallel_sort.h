@@ -11,4 +11,10 @@ void parallel_sort(Iterator begin, Iterator end)
   std::sort(begin, end);
 }
 
+template <typename Iterator, typename Compare>
+void parallel_sort(Iterator begin, Iterator end, const Compare& compare)
+{
+  std::sort(begin, end, compare);
+}
+
 } // namespace tbb
