@@ -36,8 +36,8 @@ class Corners
 public:
   std::size_t size() const { return count_; }
   Id operator[](std::size_t i) const { return ids_[i]; }
-  void push_back(Id id) { ids_[count_++] = id; }
-  void pop_back() { --count_; }
+  void add(Id id) { ids_[count_++] = id; }
+  void removeLast() { --count_; }
 
 private:
   std::array<Id, 4> ids_{};
@@ -241,12 +241,12 @@ Corners contracted(const std::array<Id, 4>& quad, Contraction& contraction)
     const Id point = contraction.find(corner);
     if (corners.size() == 0 || corners[corners.size() - 1] != point)
     {
-      corners.push_back(point);
+      corners.add(point);
     }
   }
   if (corners.size() > 1 && corners[0] == corners[corners.size() - 1])
   {
-    corners.pop_back();
+    corners.removeLast();
   }
   return corners;
 }

@@ -59,7 +59,9 @@ bool inOnePlane(const Element& a, const Element& b)
 /// Whether a corner of one triangle lies in the middle of another.
 bool cornerInside(const Element& corners, const Element& triangle)
 {
-  const auto& [a, b, c] = triangle.corners;
+  const glm::dvec3& a = triangle.corners[0];
+  const glm::dvec3& b = triangle.corners[1];
+  const glm::dvec3& c = triangle.corners[2];
   const glm::dvec3 normal = glm::cross(b - a, c - a);
   return std::any_of(corners.corners.begin(), corners.corners.end(),
     [&](const glm::dvec3& x)
