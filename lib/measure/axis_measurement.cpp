@@ -1,5 +1,6 @@
 #include "medial/axis_measurement.h"
 
+#include "base/vectors.h"
 #include "medial/error.h"
 
 #include "balls/ball_union.h"
@@ -25,11 +26,6 @@ constexpr double kTolerance = 1e-9;
 constexpr double kRounding = 1e-14;
 /// Of LocalCoordinates::around().
 constexpr double kMargin = 0.05;
-
-glm::dvec3 toVector(const Point3& point)
-{
-  return { point[0], point[1], point[2] };
-}
 
 double largestCoordinate(const Bounds& bounds)
 {

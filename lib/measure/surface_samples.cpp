@@ -1,5 +1,6 @@
 #include "measure/surface_samples.h"
 
+#include "base/vectors.h"
 #include "measure/low_discrepancy.h"
 
 #include <cmath>
@@ -8,11 +9,6 @@ namespace medial
 {
 namespace
 {
-
-glm::dvec3 toVector(const Point3& point)
-{
-  return { point[0], point[1], point[2] };
-}
 
 struct Corners
 {

@@ -1,6 +1,7 @@
 #include "medial/triangle_mesh.h"
 
 #include "base/id_limits.h"
+#include "base/vectors.h"
 #include "medial/error.h"
 #include "mesh/polygon_triangulation.h"
 
@@ -19,11 +20,6 @@ namespace
 
 /// Height over longest side below which the direction of a normal is rounding noise.
 constexpr double kMinRelativeHeight = 1e-12;
-
-glm::dvec3 toVector(const Point3& p)
-{
-  return { p[0], p[1], p[2] };
-}
 
 /// Finds points by the bits of their coordinates: a hash table with linear probing.
 class PointWelder

@@ -21,6 +21,9 @@ inline double smaller(double x, double y)
 /// An axis-aligned box, world units.
 struct Box
 {
+  /// Boxes may be farther apart than what is in them by rounding: bounds times this are safe.
+  static constexpr double kRoundedUp = 1.0 + 1e-12;
+
   glm::dvec3 min{ std::numeric_limits<double>::infinity() };
   glm::dvec3 max{ -std::numeric_limits<double>::infinity() };
 

@@ -4,6 +4,7 @@
 
 #include <glm/glm.hpp>
 
+#include <array>
 #include <vector>
 
 namespace medial
@@ -32,6 +33,30 @@ public:
   void refit(const std::vector<glm::dvec3>& points);
 
   const std::vector<Node>& nodes() const { return nodes_; }
+  /// Calls visit(leaf) for the leaves whose boxes, with all those above them, pass a test.
+  template <typename Passes, typename Visit>
+  void visitLeaves(const Passes& passes, const Visit& visit) const
+  {
+    std::array<int, 64> stack; // every level adds one, and halves 2^31 elements
+    int count = 0;
+    stack[count++] = 0;
+    while (count > 0)
+    {
+      const int node = stack[--count];
+      if (!passes(nodes_[node].box))
+      {
+        continue;
+      }
+      if (nodes_[node].leaf())
+      {
+        visit(nodes_[node]);
+        continue;
+      }
+      stack[count++] = nodes_[node].second;
+      stack[count++] = node + 1;
+    }
+  }
+
   const Box& box() const { return nodes_.front().box; }
   /// The element of every slot.
   const std::vector<int>& elements() const { return elements_; }

@@ -10,9 +10,6 @@ namespace medial
 namespace
 {
 
-/// Boxes may be farther away than elements in them by rounding.
-constexpr double kRoundedUp = 1.0 + 1e-12;
-
 MEDIAL_INLINE void tryElement(const MovingMesh& mesh, int slot, const glm::dvec3& x,
   ClosestElement& best)
 {
@@ -44,7 +41,7 @@ MEDIAL_VECTORISED ClosestElement search(const MovingMesh& mesh, const glm::dvec3
   while (count > 0)
   {
     const Pending next = stack[--count];
-    if (next.squared > best.squared * kRoundedUp)
+    if (next.squared > best.squared * Box::kRoundedUp)
     {
       continue;
     }
@@ -53,7 +50,7 @@ MEDIAL_VECTORISED ClosestElement search(const MovingMesh& mesh, const glm::dvec3
     {
       for (int slot = node.first; slot < node.first + node.count; ++slot)
       {
-        if (mesh.boxOf(slot).squaredDistance(x) <= best.squared * kRoundedUp)
+        if (mesh.boxOf(slot).squaredDistance(x) <= best.squared * Box::kRoundedUp)
         {
           tryElement(mesh, slot, x, best);
         }

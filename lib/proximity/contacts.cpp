@@ -1,5 +1,6 @@
 #include "proximity/contacts.h"
 
+#include "base/vectors.h"
 #include "proximity/element_distance.h"
 #include "proximity/exact_sign.h"
 #include "proximity/line_hit.h"
@@ -23,11 +24,6 @@ constexpr double kMerged = 1e-6;
 constexpr double kInwards = 1e-7;
 /// Crossings where the overlap is thinner than this share of its depth are none of its corners.
 constexpr double kShallow = 0.01;
-
-Point3 toPoint(const glm::dvec3& x)
-{
-  return { x.x, x.y, x.z };
-}
 
 glm::dvec3 normalised(const glm::dvec3& vector)
 {

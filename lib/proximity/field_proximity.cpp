@@ -2,6 +2,7 @@
 
 #include "base/longest_axis.h"
 #include "base/stopwatch.h"
+#include "base/vectors.h"
 #include "medial/error.h"
 #include "medial/medial_solver.h"
 #include "proximity/box.h"
@@ -16,11 +17,6 @@ namespace medial
 {
 namespace
 {
-
-glm::dvec3 toVector(const Point3& x)
-{
-  return { x[0], x[1], x[2] };
-}
 
 void requireUsable(const std::vector<Point3>& points)
 {

@@ -41,8 +41,7 @@ public:
       begin = larger(begin, smaller(x, y));
       end = smaller(end, larger(x, y));
     }
-    constexpr double kRoundedUp = 1.0 + 1e-12;
-    return begin <= end * kRoundedUp ? end * kRoundedUp : -1.0;
+    return begin <= end * Box::kRoundedUp ? end * Box::kRoundedUp : -1.0;
   }
 
 private:

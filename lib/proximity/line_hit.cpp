@@ -1,7 +1,6 @@
 #include "proximity/line_hit.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 
 namespace medial
@@ -46,30 +45,16 @@ double hit(const Element& triangle, const glm::dvec3& from, const glm::dvec3& di
 
 double firstHit(const MovingMesh& mesh, const glm::dvec3& from, const glm::dvec3& direction)
 {
-  const auto& nodes = mesh.tree().nodes();
   const glm::dvec3 inverse = 1.0 / direction;
   double nearest = std::numeric_limits<double>::infinity();
-  std::array<int, 64> stack;
-  int count = 0;
-  stack[count++] = 0;
-  while (count > 0)
-  {
-    const int node = stack[--count];
-    if (!meets(nodes[node].box, from, inverse, nearest))
+  mesh.tree().visitLeaves([&](const Box& box) { return meets(box, from, inverse, nearest); },
+    [&](const BoxTree::Node& leaf)
     {
-      continue;
-    }
-    if (nodes[node].leaf())
-    {
-      for (int slot = nodes[node].first; slot < nodes[node].first + nodes[node].count; ++slot)
+      for (int slot = leaf.first; slot < leaf.first + leaf.count; ++slot)
       {
         nearest = std::min(nearest, hit(mesh.element(slot), from, direction));
       }
-      continue;
-    }
-    stack[count++] = nodes[node].second;
-    stack[count++] = node + 1;
-  }
+    });
   return nearest;
 }
 

@@ -1,5 +1,6 @@
 #include "proximity/pair_proximity.h"
 
+#include "base/vectors.h"
 #include "proximity/element_distance.h"
 
 #include <tbb/parallel_for.h>
@@ -13,11 +14,6 @@ namespace medial
 {
 namespace
 {
-
-Point3 toPoint(const glm::dvec3& x)
-{
-  return { x.x, x.y, x.z };
-}
 
 /// Depths that are not known.
 void leaveOpen(Proximity& result)

@@ -11,9 +11,6 @@ namespace
 {
 
 constexpr std::size_t kParts = 24;
-/// Boxes may be farther apart than elements in them by rounding.
-constexpr double kRoundedUp = 1.0 + 1e-12;
-
 bool isBetter(const ClosestElements& x, const ClosestElements& y)
 {
   return std::tie(x.points.squared, x.elementA, x.elementB) <
@@ -39,13 +36,13 @@ void tryLeaves(const MovingMesh& a, const MovingMesh& b, const NodePair& pair,
   for (int i = nodeA.first; i < nodeA.first + nodeA.count; ++i)
   {
     const Box boxA = a.boxOf(i);
-    if (boxA.squaredDistance(nodeB.box) > best.points.squared * kRoundedUp)
+    if (boxA.squaredDistance(nodeB.box) > best.points.squared * Box::kRoundedUp)
     {
       continue;
     }
     for (int k = nodeB.first; k < nodeB.first + nodeB.count; ++k)
     {
-      if (boxA.squaredDistance(b.boxOf(k)) <= best.points.squared * kRoundedUp)
+      if (boxA.squaredDistance(b.boxOf(k)) <= best.points.squared * Box::kRoundedUp)
       {
         tryElements(a, i, b, k, best);
       }
@@ -56,7 +53,7 @@ void tryLeaves(const MovingMesh& a, const MovingMesh& b, const NodePair& pair,
 void search(const MovingMesh& a, const MovingMesh& b, const NodePair& start, ClosestElements& best)
 {
   walkPairs(
-    a.tree(), b.tree(), start, [&] { return best.points.squared * kRoundedUp; },
+    a.tree(), b.tree(), start, [&] { return best.points.squared * Box::kRoundedUp; },
     [&](const NodePair& pair) { tryLeaves(a, b, pair, best); });
 }
 
@@ -85,7 +82,7 @@ ClosestElements Separation::first(const MovingMesh& a, const MovingMesh& b,
 const ClosestElements& Separation::find(const MovingMesh& a, const MovingMesh& b)
 {
   ClosestElements best = first(a, b, last_);
-  parts_.split(a.tree(), b.tree(), best.points.squared * kRoundedUp, kParts);
+  parts_.split(a.tree(), b.tree(), best.points.squared * Box::kRoundedUp, kParts);
   if (!parts_.pairs().empty()) // boxes may seem farther apart than what is in them
   {
     search(a, b, parts_.pairs().front(), best);

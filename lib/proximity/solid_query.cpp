@@ -79,26 +79,9 @@ Place SolidQuery::placeOf(const glm::dvec3& x) const
 
 int SolidQuery::windingNumber(const glm::dvec3& x) const
 {
-  const auto& nodes = mesh_.tree().nodes();
-  std::array<int, 64> stack;
-  int count = 0;
-  stack[count++] = 0;
   int sum = 0;
-  while (count > 0)
-  {
-    const int node = stack[--count];
-    if (!meetsLineBefore(nodes[node].box, x))
-    {
-      continue;
-    }
-    if (nodes[node].leaf())
-    {
-      sum += this->crossingsBefore(nodes[node], x);
-      continue;
-    }
-    stack[count++] = nodes[node].second;
-    stack[count++] = node + 1;
-  }
+  mesh_.tree().visitLeaves([&](const Box& box) { return meetsLineBefore(box, x); },
+    [&](const BoxTree::Node& leaf) { sum += this->crossingsBefore(leaf, x); });
   return sum;
 }
 

@@ -17,4 +17,11 @@ inline double residentMiB()
   return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / (1 << 20);
 }
 
+/// By how much it may grow over many frames of the same work, MiB.
+#ifdef __SANITIZE_ADDRESS__
+constexpr double kAllowedGrowth = 512.0; // it keeps freed memory for a while
+#else
+constexpr double kAllowedGrowth = 4.0;
+#endif
+
 } // namespace medial::test

@@ -553,12 +553,7 @@ TEST(DeviceEngine, LeaksNothingOverManyFrames)
   compute(47);
   const double before = residentMiB();
   compute(250);
-#ifdef __SANITIZE_ADDRESS__
-  constexpr double kAllowed = 512.0; // it keeps freed memory for a while
-#else
-  constexpr double kAllowed = 4.0;
-#endif
-  EXPECT_LT(residentMiB() - before, kAllowed);
+  EXPECT_LT(residentMiB() - before, kAllowedGrowth);
   EXPECT_EQ(deviceObjects(), early);
 }
 
