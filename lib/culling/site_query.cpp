@@ -41,7 +41,7 @@ SitePoint SiteQuery::search(const glm::dvec3& x, SitePoint closest, double dista
     {
       const SitePoint candidate = closestPoint(sites, group.elements[__builtin_ctz(left)], x);
       const double found = glm::distance(candidate.point, x);
-      if (found < distance)
+      if (found < distance || (found == distance && candidate.site < closest.site))
       {
         distance = found;
         closest = candidate;

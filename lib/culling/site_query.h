@@ -10,8 +10,8 @@
 namespace medial
 {
 
-/// Finds exact closest surface points, in double precision, at any position. Several threads may
-/// query it at once.
+/// Finds exact closest surface points, in double precision, at any position; of several at the same
+/// distance that of the lowest site. Several threads may query it at once.
 class SiteQuery
 {
 public:

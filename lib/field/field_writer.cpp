@@ -26,11 +26,8 @@ void storePoint(const Point3& point, float* target)
 } // namespace
 
 FieldWriter::FieldWriter(const FieldJob& job)
-  : mesh_(job.mesh)
-  , connectivity_(job.connectivity)
-  , host_(job.host)
-  , firstEdge_(static_cast<std::int32_t>(job.mesh.triangles.size()))
-  , firstVertex_(firstEdge_ + static_cast<std::int32_t>(job.connectivity.edges.size()))
+  : host_(job.host)
+  , cells_(job.mesh, job.connectivity)
   , frame_(job.frame)
   , signed_(job.sign != FieldSign::None)
   , inside_(job.inside)
@@ -161,36 +158,16 @@ void FieldWriter::storeIds(std::int64_t target, int count, const std::int32_t* c
   {
     for (int i = 0; i < count; ++i)
     {
-      arrays_.closestFeature[target + i] = static_cast<std::uint8_t>(this->featureOf(closest[i]));
+      arrays_.closestFeature[target + i] = static_cast<std::uint8_t>(cells_.featureOf(closest[i]));
     }
   }
   if (arrays_.closestCell)
   {
     for (int i = 0; i < count; ++i)
     {
-      arrays_.closestCell[target + i] = this->cellOf(closest[i]);
+      arrays_.closestCell[target + i] = cells_.cellOf(closest[i]);
     }
   }
-}
-
-Feature FieldWriter::featureOf(std::int32_t site) const
-{
-  return site < firstEdge_ ? Feature::Face
-                           : (site < firstVertex_ ? Feature::Edge : Feature::Vertex);
-}
-
-std::int64_t FieldWriter::cellOf(std::int32_t site) const
-{
-  switch (this->featureOf(site))
-  {
-    case Feature::Face:
-      return mesh_.triangleCells[site];
-    case Feature::Edge:
-      return connectivity_.edgeCells[site - firstEdge_];
-    case Feature::Vertex:
-      break;
-  }
-  return connectivity_.pointCells[site - firstVertex_];
 }
 
 } // namespace medial

@@ -4,6 +4,7 @@
 #include "field/tile_field.h"
 #include "medial/distance_field.h"
 #include "sites/grid_frame.h"
+#include "sites/site_cells.h"
 
 #include <glm/glm.hpp>
 
@@ -52,14 +53,9 @@ private:
   void storeClosestPoints(std::int64_t target, const glm::ivec3& first, int count,
     const std::int32_t* closest) const;
   void storeIds(std::int64_t target, int count, const std::int32_t* closest) const;
-  Feature featureOf(std::int32_t site) const;
-  std::int64_t cellOf(std::int32_t site) const;
 
-  const TriangleMesh& mesh_;
-  const MeshConnectivity& connectivity_;
   const HostSites& host_;
-  std::int32_t firstEdge_;   ///< first edge site
-  std::int32_t firstVertex_; ///< first vertex site
+  SiteCells cells_;
   GridFrame frame_;
   bool signed_;
   const InsideRows* inside_; ///< null if the engine finds the sides

@@ -2,7 +2,7 @@
 
 #include "base/vectors.h"
 #include "proximity/element_distance.h"
-#include "proximity/exact_sign.h"
+#include "base/exact_sign.h"
 #include "proximity/line_hit.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "proximity/element_intersection.h"
 
-#include "proximity/exact_sign.h"
+#include "base/exact_sign.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include "base/vectors.h"
 #include "medial/error.h"
 #include "medial/medial_solver.h"
-#include "proximity/box.h"
+#include "base/box.h"
 
 #include <algorithm>
 #include <cmath>

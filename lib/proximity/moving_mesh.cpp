@@ -1,6 +1,8 @@
 #include "proximity/moving_mesh.h"
 
 #include "base/disjoint_sets.h"
+#include "base/exact_sign.h"
+#include "base/vectors.h"
 
 #include <cmath>
 #include <cstddef>
@@ -40,12 +42,7 @@ void MovingMesh::setPoints(const std::vector<Point3>& points)
   points_.resize(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      // Products of smaller numbers are lost, and with them exact signs.
-      constexpr double kMin = 1e-70;
-      points_[i][axis] = std::abs(points[i][axis]) < kMin ? 0.0 : points[i][axis];
-    }
+    points_[i] = withoutTinyCoordinates(toVector(points[i]));
   }
 }
 

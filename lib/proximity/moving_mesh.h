@@ -2,7 +2,7 @@
 
 #include "medial/mesh_connectivity.h"
 #include "medial/triangle_mesh.h"
-#include "proximity/box_tree.h"
+#include "base/box_tree.h"
 #include "proximity/element_intersection.h"
 #include "sign/surface_orientation.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "proximity/box_tree.h"
+#include "base/box_tree.h"
 
 #include <algorithm>
 #include <array>

@@ -3,20 +3,24 @@
 #include "sign/closed_surface.h"
 #include "sign/surface_orientation.h"
 
+#include <utility>
+
 namespace medial
 {
 
 InsideQuery::InsideQuery(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
   const LocalCoordinates& local)
-  : InsideQuery(mesh, orientSurface(mesh, connectivity), local)
 {
-}
-
-InsideQuery::InsideQuery(const TriangleMesh& mesh, const SurfaceOrientation& orientation,
-  const LocalCoordinates& local)
-  : winding_(chainOf(mesh, orientation, local))
-  , closed_(orientation.rim.empty() && !mesh.triangles.empty())
-{
+  const SurfaceOrientation orientation = orientSurface(mesh, connectivity);
+  TriangleChain surface = chainOf(mesh, orientation, local);
+  if (orientation.rim.empty() && !surface.triangles.empty())
+  {
+    closed_ = std::make_unique<const LineWinding>(std::move(surface));
+  }
+  else
+  {
+    open_ = std::make_unique<const WindingNumber>(surface);
+  }
 }
 
 } // namespace medial

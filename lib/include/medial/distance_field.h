@@ -1,5 +1,6 @@
 #pragma once
 
+#include "medial/closest_feature.h"
 #include "medial/engine.h"
 #include "medial/execution.h"
 #include "medial/grid.h"
@@ -14,14 +15,6 @@
 
 namespace medial
 {
-
-/// Kind of the closest site, as stored in the ClosestFeature array.
-enum class Feature : std::uint8_t
-{
-  Vertex = 0,
-  Edge = 1,
-  Face = 2
-};
 
 /// How a distance field is computed.
 struct DistanceFieldOptions

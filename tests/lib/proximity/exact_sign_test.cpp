@@ -1,5 +1,5 @@
 // Signs of determinants against integers, where double precision alone would fail.
-#include "proximity/exact_sign.h"
+#include "base/exact_sign.h"
 
 #include "lib/proximity/integers.h"
 

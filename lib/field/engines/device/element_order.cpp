@@ -1,5 +1,7 @@
 #include "field/engines/device/element_order.h"
 
+#include "base/hilbert_curve.h"
+
 #include <glm/glm.hpp>
 
 #include <tbb/parallel_for.h>
@@ -111,62 +113,7 @@ private:
   const MeshConnectivity& connectivity_;
 };
 
-constexpr int kBits = 20; ///< of a coordinate in Hilbert's curve
-
-/// Returns the place on Hilbert's curve of a cell (Skilling 2004).
-std::uint64_t hilbertCode(std::array<std::uint32_t, 3> x)
-{
-  constexpr std::uint32_t kTop = 1u << (kBits - 1);
-  for (std::uint32_t q = kTop; q > 1; q >>= 1)
-  {
-    const std::uint32_t p = q - 1;
-    for (std::uint32_t& coordinate : x)
-    {
-      if ((coordinate & q) != 0)
-      {
-        x[0] ^= p;
-      }
-      else
-      {
-        const std::uint32_t t = (x[0] ^ coordinate) & p;
-        x[0] ^= t;
-        coordinate ^= t;
-      }
-    }
-  }
-  x[1] ^= x[0];
-  x[2] ^= x[1];
-  std::uint32_t t = 0;
-  for (std::uint32_t q = kTop; q > 1; q >>= 1)
-  {
-    t ^= (x[2] & q) != 0 ? q - 1 : 0;
-  }
-  std::uint64_t code = 0;
-  for (int bit = kBits - 1; bit >= 0; --bit)
-  {
-    for (const std::uint32_t coordinate : x)
-    {
-      code = code << 1 | (((coordinate ^ t) >> bit) & 1u);
-    }
-  }
-  return code;
-}
-
-/// Maps a cube around all elements to the cells of Hilbert's curve.
-struct CurveCells
-{
-  glm::dvec3 low;
-  double scale;
-
-  std::uint64_t codeOf(const glm::dvec3& x) const
-  {
-    const glm::dvec3 cell = glm::clamp((x - low) * scale, 0.0, std::exp2(kBits) - 1.0);
-    return hilbertCode({ static_cast<std::uint32_t>(cell.x), static_cast<std::uint32_t>(cell.y),
-      static_cast<std::uint32_t>(cell.z) });
-  }
-};
-
-CurveCells cellsAround(const std::vector<ElementBox>& boxes)
+HilbertCurve curveAround(const std::vector<ElementBox>& boxes)
 {
   glm::dvec3 low(std::numeric_limits<double>::max());
   glm::dvec3 high(std::numeric_limits<double>::lowest());
@@ -175,9 +122,7 @@ CurveCells cellsAround(const std::vector<ElementBox>& boxes)
     low = glm::min(low, box.middle());
     high = glm::max(high, box.middle());
   }
-  const glm::dvec3 size = high - low;
-  const double longest = std::max({ size.x, size.y, size.z });
-  return { low, longest > 0.0 ? std::exp2(kBits) / longest : 0.0 };
+  return { low, high };
 }
 
 double medianRadius(const std::vector<ElementBox>& boxes)
@@ -207,12 +152,12 @@ std::vector<std::int32_t> orderElements(const TriangleMesh& mesh,
   tbb::parallel_for(std::size_t{ 0 }, elements.size(),
     [&](std::size_t i) { boxes[i] = boxOf(elements[i]); });
   const double median = medianRadius(boxes);
-  const CurveCells cells = cellsAround(boxes);
+  const HilbertCurve curve = curveAround(boxes);
   std::vector<Place> places(elements.size());
   tbb::parallel_for(std::size_t{ 0 }, elements.size(),
     [&](std::size_t i)
     {
-      places[i] = { sizeOf(boxes[i].radius(), median), cells.codeOf(boxes[i].middle()),
+      places[i] = { sizeOf(boxes[i].radius(), median), curve.placeOf(boxes[i].middle()),
         elements[i] };
     });
   tbb::parallel_sort(places.begin(), places.end());

@@ -18,7 +18,7 @@ inline double smaller(double x, double y)
   return x < y ? x : y;
 }
 
-/// An axis-aligned box, world units.
+/// An axis-aligned box.
 struct Box
 {
   /// Boxes may be farther apart than what is in them by rounding: bounds times this are safe.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "proximity/box.h"
+#include "base/box.h"
 
 #include <glm/glm.hpp>
 

@@ -1,4 +1,4 @@
-#include "proximity/box_tree.h"
+#include "base/box_tree.h"
 
 #include "base/longest_axis.h"
 

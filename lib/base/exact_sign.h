@@ -24,6 +24,16 @@ double determinant(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c
 
 } // namespace exact
 
+/// Returns a position that exact signs can be had for: products of three smaller coordinates would
+/// be lost.
+inline glm::dvec3 withoutTinyCoordinates(const glm::dvec3& x)
+{
+  constexpr double kMin = 1e-70;
+  const auto kept = [](double coordinate)
+  { return std::abs(coordinate) < kMin ? 0.0 : coordinate; };
+  return { kept(x.x), kept(x.y), kept(x.z) };
+}
+
 /// The bounds count the roundings that a product of differences goes through, eight in space and
 /// four in the plane, and leave one or more for the bound itself. Fused operations only save some.
 constexpr double kHalfUlp = 0x1p-53;

@@ -1,4 +1,4 @@
-#include "proximity/exact_sign.h"
+#include "base/exact_sign.h"
 
 #include <array>
 #include <cmath>

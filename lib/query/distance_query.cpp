@@ -1,0 +1,49 @@
+#include "query/distance_query.h"
+
+#include "base/checkpoint.h"
+#include "medial/error.h"
+
+#include <utility>
+
+namespace medial
+{
+namespace
+{
+
+/// Of LocalCoordinates::around().
+constexpr double kMargin = 0.05;
+
+TriangleMesh requireCells(TriangleMesh mesh)
+{
+  if (mesh.empty())
+  {
+    throw Error(ErrorCode::InvalidInput, "the mesh has no cells");
+  }
+  return mesh;
+}
+
+} // namespace
+
+DistanceQuery::DistanceQuery(TriangleMesh mesh, SignMethod sign, const Run& run,
+  const Execution& execution)
+  : mesh_(requireCells(std::move(mesh)))
+  , connectivity_(analyseConnectivity(mesh_, execution))
+  , local_(LocalCoordinates::around(mesh_.bounds(), kMargin))
+  , sites_(mesh_, connectivity_, local_)
+  , tree_(sites_, connectivity_, roundingNear(0.0, sites_))
+  , query_(tree_)
+  , cells_(mesh_, connectivity_)
+  , side_(sign, mesh_, connectivity_, local_, sites_, Checkpoint(run, 0.0, "distances"))
+{
+}
+
+const SitePoint& DistanceQuery::Search::closest(const glm::dvec3& x)
+{
+  x_ = x;
+  const SitePoint start =
+    closest_.site >= 0 ? closestPoint(query_.sites_, closest_.site, x) : SitePoint{};
+  closest_ = query_.query_.closest(x, start);
+  return closest_;
+}
+
+} // namespace medial

@@ -1,0 +1,71 @@
+#pragma once
+
+#include "base/run.h"
+#include "culling/group_tree.h"
+#include "culling/site_query.h"
+#include "medial/mesh_connectivity.h"
+#include "medial/sign_method.h"
+#include "medial/triangle_mesh.h"
+#include "query/point_side.h"
+#include "sites/closest_point.h"
+#include "sites/local_coordinates.h"
+#include "sites/site_cells.h"
+#include "sites/site_set.h"
+
+#include <glm/glm.hpp>
+
+namespace medial
+{
+
+/// A mesh that is ready for the signed distances of any points. Several threads may query it at
+/// once.
+class DistanceQuery
+{
+public:
+  /// @param mesh taken over.
+  /// @throws Error InvalidInput for a mesh without cells, and for a sign that it does not allow.
+  DistanceQuery(TriangleMesh mesh, SignMethod sign, const Run& run, const Execution& execution);
+  DistanceQuery(const DistanceQuery&) = delete;
+  DistanceQuery& operator=(const DistanceQuery&) = delete;
+
+  const TriangleMesh& mesh() const { return mesh_; }
+  const MeshConnectivity& connectivity() const { return connectivity_; }
+  const SignReport& sign() const { return side_.report(); }
+  const LocalCoordinates& local() const { return local_; }
+  const SiteSet& sites() const { return sites_; }
+  const SiteCells& cells() const { return cells_; }
+
+  /// A search along points that follow each other closely: what is known of one helps with the
+  /// next. The answers do not depend on it.
+  class Search
+  {
+  public:
+    explicit Search(const DistanceQuery& query)
+      : query_(query)
+    {
+    }
+
+    /// Returns the closest surface point, local coordinates.
+    const SitePoint& closest(const glm::dvec3& x);
+    /// Whether the position that was asked for last is inside.
+    bool inside() { return query_.side_.contains(x_, closest_, known_); }
+
+  private:
+    const DistanceQuery& query_;
+    glm::dvec3 x_{ 0.0 };
+    SitePoint closest_;
+    PointSide::Known known_;
+  };
+
+private:
+  TriangleMesh mesh_;
+  MeshConnectivity connectivity_;
+  LocalCoordinates local_;
+  SiteSet sites_;
+  GroupTree tree_;
+  SiteQuery query_;
+  SiteCells cells_;
+  PointSide side_;
+};
+
+} // namespace medial
