@@ -71,6 +71,10 @@ std::string readContent(const fs::path& path)
       {
         refuseFile(path, "cannot be read");
       }
+      if (content.empty())
+      {
+        refuseFile(path, "the file is empty");
+      }
     });
   return content;
 }

@@ -7,14 +7,45 @@
 
 #include "medial/mesh_io.h"
 
+#include <string>
 #include <utility>
 
 namespace medial::app
 {
-bool isSurfaceFile(const std::filesystem::path& path)
+namespace
+{
+
+/// Reads the formats that the library does not.
+Surface readVtkSurface(const std::filesystem::path& path)
+{
+  return Surface(extensionOf(path) == ".stl" ? readStl(path) : readVtp(path));
+}
+
+bool isVtkFile(const std::filesystem::path& path)
 {
   const std::string extension = extensionOf(path);
-  return extension == ".stl" || extension == ".vtp" || isMeshFile(path);
+  return extension == ".stl" || extension == ".vtp";
+}
+
+/// @param read medial::readMesh() or medial::readPoints().
+Surface readByLibrary(const std::filesystem::path& path,
+  MeshInput (*read)(const std::filesystem::path&))
+{
+  MeshInput mesh;
+  withFailures([&] { mesh = read(path); });
+  return Surface(std::move(mesh));
+}
+
+[[noreturn]] void refuseExtension(const std::filesystem::path& path, const char* allowed)
+{
+  refuseFile(path, "unknown extension '" + extensionOf(path) + "', allowed: " + allowed);
+}
+
+} // namespace
+
+bool isSurfaceFile(const std::filesystem::path& path)
+{
+  return isVtkFile(path) || isMeshFile(path);
 }
 
 Surface readSurface(const std::filesystem::path& path)
@@ -22,21 +53,37 @@ Surface readSurface(const std::filesystem::path& path)
   requireRegularFile(path);
   if (!isSurfaceFile(path))
   {
-    refuseFile(path,
-      "unknown extension '" + extensionOf(path) + "', allowed: .stl .obj .ply .off .vtp .vtk");
+    refuseExtension(path, ".stl .obj .ply .off .vtp .vtk");
   }
   if (isMeshFile(path))
   {
-    MeshInput mesh;
-    withFailures([&] { mesh = readMesh(path); });
-    return Surface(std::move(mesh));
+    return readByLibrary(path, readMesh);
   }
-  vtkSmartPointer<vtkPolyData> mesh = extensionOf(path) == ".stl" ? readStl(path) : readVtp(path);
-  if (mesh->GetNumberOfCells() == 0)
+  Surface surface = readVtkSurface(path);
+  if (surface.polyData()->GetNumberOfCells() == 0)
   {
     refuseFile(path, "holds no faces, lines or vertices");
   }
-  return Surface(std::move(mesh));
+  return surface;
+}
+
+Surface readPointSet(const std::filesystem::path& path)
+{
+  requireRegularFile(path);
+  if (!isVtkFile(path) && !isPointFile(path))
+  {
+    refuseExtension(path, ".stl .obj .ply .off .vtp .vtk .xyz .txt .csv");
+  }
+  if (isPointFile(path))
+  {
+    return readByLibrary(path, readPoints);
+  }
+  Surface surface = readVtkSurface(path);
+  if (surface.polyData()->GetNumberOfPoints() == 0)
+  {
+    refuseFile(path, "holds no points");
+  }
+  return surface;
 }
 
 } // namespace medial::app

@@ -21,6 +21,8 @@ MeshInput parseObj(const std::string& content);
 MeshInput parsePly(const std::string& content, PlyAttributes* attributes = nullptr);
 MeshInput parseOff(const std::string& content);
 MeshInput parseLegacyVtk(const std::string& content);
+/// Lines of numbers, of which three are coordinates. There are no cells.
+MeshInput parseXyz(const std::string& content);
 ///@}
 
 } // namespace medial

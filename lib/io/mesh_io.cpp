@@ -15,9 +15,11 @@ namespace
 
 using Parse = MeshInput (*)(const std::string& content);
 
-const std::map<std::string, Parse>& parsers()
+using Parsers = std::map<std::string, Parse>;
+
+const Parsers& meshParsers()
 {
-  static const std::map<std::string, Parse> kParsers = {
+  static const Parsers kParsers = {
     { ".obj", parseObj },
     { ".ply", [](const std::string& content) { return parsePly(content); } },
     { ".off", parseOff },
@@ -26,16 +28,33 @@ const std::map<std::string, Parse>& parsers()
   return kParsers;
 }
 
-Parse parserFor(const fs::path& path)
+const Parsers& pointParsers()
 {
-  const std::string extension = extensionOf(path);
-  const auto found = parsers().find(extension);
-  if (found == parsers().end())
+  static const Parsers kParsers = []
+  {
+    Parsers parsers = meshParsers();
+    parsers.insert({ { ".xyz", parseXyz }, { ".txt", parseXyz }, { ".csv", parseXyz } });
+    return parsers;
+  }();
+  return kParsers;
+}
+
+/// @param allowed extensions, for the message.
+MeshInput parse(const Parsers& parsers, const std::string& allowed, const fs::path& file)
+{
+  const std::string extension = extensionOf(file);
+  const auto found = parsers.find(extension);
+  if (found == parsers.end())
   {
     throw Error(ErrorCode::CannotRead,
-      "unknown extension '" + extension + "', allowed: .obj .ply .off .vtk");
+      "unknown extension '" + extension + "', allowed: " + allowed);
   }
-  return found->second;
+  const std::string content = readContent(file);
+  if (content.empty())
+  {
+    refuse("the file is empty");
+  }
+  return found->second(content);
 }
 
 bool hasCells(const MeshInput& mesh)
@@ -50,7 +69,7 @@ MeshInput readMesh(const fs::path& path)
   return readFile(path,
     [](const fs::path& file)
     {
-      MeshInput mesh = parserFor(file)(readContent(file));
+      MeshInput mesh = parse(meshParsers(), ".obj .ply .off .vtk", file);
       if (!hasCells(mesh))
       {
         refuse("holds no faces, lines or vertices");
@@ -59,9 +78,28 @@ MeshInput readMesh(const fs::path& path)
     });
 }
 
+MeshInput readPoints(const fs::path& path)
+{
+  return readFile(path,
+    [](const fs::path& file)
+    {
+      MeshInput points = parse(pointParsers(), ".obj .ply .off .vtk .xyz .txt .csv", file);
+      if (points.points.empty())
+      {
+        refuse("holds no points");
+      }
+      return points;
+    });
+}
+
 bool isMeshFile(const fs::path& path)
 {
-  return parsers().count(extensionOf(path)) > 0;
+  return meshParsers().count(extensionOf(path)) > 0;
+}
+
+bool isPointFile(const fs::path& path)
+{
+  return pointParsers().count(extensionOf(path)) > 0;
 }
 
 } // namespace medial

@@ -184,6 +184,23 @@ void keepAttributes(const Item& item, PlyAttributes& attributes)
   }
 }
 
+/// Adds triangle strips; -1 ends one.
+void addStrips(const std::vector<std::int64_t>& indices, SoupBuilder& soup)
+{
+  std::vector<std::int64_t> strip;
+  for (const std::int64_t index : indices)
+  {
+    if (index != -1)
+    {
+      strip.push_back(index);
+      continue;
+    }
+    soup.addStrip(strip);
+    strip.clear();
+  }
+  soup.addStrip(strip);
+}
+
 void addItem(const Element& element, const Item& item, SoupBuilder& soup)
 {
   if (element.name == "vertex")
@@ -193,6 +210,10 @@ void addItem(const Element& element, const Item& item, SoupBuilder& soup)
   else if (element.name == "face")
   {
     soup.addFace(item.indices);
+  }
+  else if (element.name == "tristrips")
+  {
+    addStrips(item.indices, soup);
   }
   else if (element.name == "edge")
   {

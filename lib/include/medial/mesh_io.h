@@ -20,7 +20,19 @@ namespace medial
 ///   line and value if they are known.
 MEDIAL_EXPORT MeshInput readMesh(const std::filesystem::path& path);
 
+/// Reads points, and the cells between them if the file has any: what readMesh() reads, but cells
+/// are not needed, or text with the extension .xyz, .txt or .csv. Its lines hold numbers between
+/// blanks, commas or semicolons. Coordinates are the first three, or the columns that the first
+/// line calls x, y and z, or Points:0, Points:1 and Points:2. Lines that begin with # or // are
+/// comments.
+///
+/// @return points in the order of the file; cells as for readMesh().
+/// @throws Error as readMesh(), and InvalidInput for a file without points.
+MEDIAL_EXPORT MeshInput readPoints(const std::filesystem::path& path);
+
 /// Whether readMesh() knows the extension of a file, in upper or lower case.
 MEDIAL_EXPORT bool isMeshFile(const std::filesystem::path& path);
+/// Whether readPoints() does.
+MEDIAL_EXPORT bool isPointFile(const std::filesystem::path& path);
 
 } // namespace medial

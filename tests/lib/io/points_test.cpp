@@ -1,0 +1,95 @@
+// Points from text and from mesh files with and without cells.
+#include "medial/mesh_io.h"
+
+#include "medial/error.h"
+
+#include "support/files.h"
+#include "support/refusal.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace medial::test
+{
+namespace
+{
+
+std::vector<Point3> pointsOf(const std::string& name, const std::string& content)
+{
+  const TemporaryFolder folder;
+  writeFile(folder.file(name), content);
+  return readPoints(folder.file(name)).points;
+}
+
+std::string refusal(const std::string& name, const std::string& content)
+{
+  return refusalOf<Error>(
+    name, content, [](const std::string& file) { readPoints(file); },
+    [](const Error& error) { EXPECT_EQ(error.code(), ErrorCode::InvalidInput); });
+}
+
+const std::vector<Point3> kTwo{ { 1.0, -2.5, 3e-4 }, { 4.0, 5.0, 6.0 } };
+
+} // namespace
+
+TEST(Points, AreReadFromTextInTheUsualForms)
+{
+  EXPECT_EQ(pointsOf("a.xyz", "1 -2.5 3e-4\n4 5 6\n"), kTwo);
+  EXPECT_EQ(pointsOf("a.xyz", "# scan\n\n  1\t-2.5  3e-4 0.5 0.5\r\n// more\n4 5 6 7 8"), kTwo);
+  EXPECT_EQ(pointsOf("a.txt", "1;-2.5;3e-4\n4; 5; 6\n"), kTwo);
+  EXPECT_EQ(pointsOf("a.csv", "1,-2.5,3e-4\n4 , 5 , +6\n"), kTwo);
+  EXPECT_EQ(pointsOf("A.CSV", "a,b,c\n1,-2.5,3e-4\n4,5,6\n"), kTwo);
+}
+
+TEST(Points, AreInTheColumnsThatTheHeaderNames)
+{
+  EXPECT_EQ(pointsOf("a.csv", "id,z,Y,X\n7,3e-4,-2.5,1\n8,6,5,4\n"), kTwo);
+  EXPECT_EQ(pointsOf("a.csv", "\"Radius\",\"Points:0\",\"Points:1\",\"Points:2\"\n9,1,-2.5,3e-4\n"
+                              ",4,5,6\n"),
+    kTwo);
+}
+
+TEST(Points, AreReadFromMeshFilesWithoutCells)
+{
+  EXPECT_EQ(pointsOf("a.obj", "v 1 -2.5 3e-4\nv 4 5 6\n"), kTwo);
+  EXPECT_EQ(pointsOf("a.off", "OFF\n2 0 0\n1 -2.5 3e-4\n4 5 6\n"), kTwo);
+  EXPECT_EQ(pointsOf("a.ply", "ply\nformat ascii 1.0\nelement vertex 2\nproperty double x\n"
+                              "property double y\nproperty double z\nend_header\n"
+                              "1 -2.5 3e-4\n4 5 6\n"),
+    kTwo);
+}
+
+TEST(Points, KeepTheCellsOfAMesh)
+{
+  const TemporaryFolder folder;
+  writeFile(folder.file("a.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 9 9 9\nf 1 2 3\n");
+  const MeshInput mesh = readPoints(folder.file("a.obj"));
+  EXPECT_EQ(mesh.points.size(), 4U);
+  EXPECT_EQ(mesh.polygons.size(), 1);
+}
+
+TEST(Points, AreRefusedWithTheLineAndTheValue)
+{
+  EXPECT_EQ(refusal("a.xyz", "1 2 3\n4 five 6\n"), "a.xyz: line 2: 'five' is not a coordinate");
+  EXPECT_EQ(refusal("a.csv", "1,2,3\n4,,6\n"), "a.csv: line 2: '' is not a coordinate");
+  EXPECT_EQ(refusal("a.csv", "x,y,q\n1,2,z\n"), "a.csv: line 2: 'z' is not a coordinate");
+  EXPECT_EQ(refusal("a.xyz", "1 2 3\n\n4 5\n"), "a.xyz: line 3: has 2 of 3 columns");
+  EXPECT_EQ(refusal("a.csv", "z,a,y,x\n1,2,3\n"), "a.csv: line 2: has 3 of 4 columns");
+  EXPECT_EQ(refusal("a.xyz", "# nothing\n"), "a.xyz: holds no points");
+  EXPECT_EQ(refusal("a.csv", "x,y,z\n"), "a.csv: holds no points");
+  EXPECT_EQ(refusal("a.obj", "# no v\n"), "a.obj: holds no points");
+  EXPECT_EQ(refusal("a.xyz", ""), "a.xyz: the file is empty");
+}
+
+TEST(Points, FilesAreKnownByTheirExtension)
+{
+  EXPECT_TRUE(isPointFile("a.XYZ"));
+  EXPECT_TRUE(isPointFile("a.csv"));
+  EXPECT_TRUE(isPointFile("a.ply"));
+  EXPECT_FALSE(isPointFile("a.doc"));
+  EXPECT_FALSE(isMeshFile("a.xyz"));
+}
+
+} // namespace medial::test
