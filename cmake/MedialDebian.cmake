@@ -130,8 +130,9 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS libvtk9-dev)
 medial_package(tools medial-tools graphics "medial axes and distance fields of meshes - programs"
   "${about}\nThis package holds the commands medial-axis, which computes them from files
 of meshes, medial-viewer, which shows them in a window, medial-measure, which
-measures how well an axis describes a mesh, and medial-proximity, which
-computes how meshes that move or deform lie to each other.")
+measures how well an axis describes a mesh, medial-proximity, which
+computes how meshes that move or deform lie to each other, and
+medial-distance, which computes how far points are from a mesh.")
 
 # The extension modules are those of one version of Python.
 math(EXPR next_python "${Python3_VERSION_MINOR} + 1")

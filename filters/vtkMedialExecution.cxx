@@ -6,6 +6,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMedialAxis.h"
+#include "vtkMeshFieldAlgorithm.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkVersionMacros.h"
 
@@ -197,6 +198,60 @@ int vtkFromSide(medial::Side side)
       break;
   }
   return vtkMedialAxis::BOTH;
+}
+
+//------------------------------------------------------------------------------
+medial::SignMethod vtkToSignMethod(int method)
+{
+  switch (method)
+  {
+    case vtkMeshFieldAlgorithm::SIGN_AUTO:
+      return medial::SignMethod::Auto;
+    case vtkMeshFieldAlgorithm::SIGN_NONE:
+      return medial::SignMethod::None;
+    case vtkMeshFieldAlgorithm::SIGN_PSEUDONORMAL:
+      return medial::SignMethod::Pseudonormal;
+    case vtkMeshFieldAlgorithm::SIGN_WINDING:
+      return medial::SignMethod::Winding;
+    default:
+      vtkThrowBadParameter("SignMethod", method,
+        "one of 0 (auto), 1 (none), 2 (pseudonormal), 3 (winding)");
+  }
+}
+
+//------------------------------------------------------------------------------
+const char* vtkSignMethodAsString(int method)
+{
+  switch (method)
+  {
+    case vtkMeshFieldAlgorithm::SIGN_AUTO:
+      return "Auto";
+    case vtkMeshFieldAlgorithm::SIGN_NONE:
+      return "None";
+    case vtkMeshFieldAlgorithm::SIGN_PSEUDONORMAL:
+      return "Pseudonormal";
+    case vtkMeshFieldAlgorithm::SIGN_WINDING:
+      return "Winding";
+    default:
+      return "Unknown";
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkFromSignMethod(medial::SignMethod method)
+{
+  switch (method)
+  {
+    case medial::SignMethod::None:
+      return vtkMeshFieldAlgorithm::SIGN_NONE;
+    case medial::SignMethod::Pseudonormal:
+      return vtkMeshFieldAlgorithm::SIGN_PSEUDONORMAL;
+    case medial::SignMethod::Winding:
+      return vtkMeshFieldAlgorithm::SIGN_WINDING;
+    case medial::SignMethod::Auto:
+      break;
+  }
+  return vtkMeshFieldAlgorithm::SIGN_AUTO;
 }
 
 //------------------------------------------------------------------------------

@@ -8,6 +8,7 @@
 
 #include "medial/execution.h"
 #include "medial/side.h"
+#include "medial/sign_method.h"
 
 #include <functional>
 #include <string>
@@ -55,6 +56,15 @@ medial::Execution vtkToExecution(int numberOfThreads, medial::Progress& progress
 medial::Side vtkToSide(int side);
 const char* vtkSideAsString(int side);
 int vtkFromSide(medial::Side side);
+///@}
+
+///@{
+/**
+ * The same for the parameter SignMethod, one of SignMethods.
+ */
+medial::SignMethod vtkToSignMethod(int method);
+const char* vtkSignMethodAsString(int method);
+int vtkFromSignMethod(medial::SignMethod method);
 ///@}
 
 /**

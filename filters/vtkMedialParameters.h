@@ -38,6 +38,35 @@
     BOTH = 2                                                                                       \
   }
 
+/// SignMethod: how inside is told from outside, one of SignMethods.
+#define vtkMedialSignMethodMacro()                                                                 \
+  vtkSetMacro(SignMethod, int);                                                                    \
+  vtkGetMacro(SignMethod, int);                                                                    \
+  void SetSignMethodToAuto()                                                                       \
+  {                                                                                                \
+    this->SetSignMethod(SIGN_AUTO);                                                                \
+  }                                                                                                \
+  void SetSignMethodToNone()                                                                       \
+  {                                                                                                \
+    this->SetSignMethod(SIGN_NONE);                                                                \
+  }                                                                                                \
+  void SetSignMethodToPseudonormal()                                                               \
+  {                                                                                                \
+    this->SetSignMethod(SIGN_PSEUDONORMAL);                                                        \
+  }                                                                                                \
+  void SetSignMethodToWinding()                                                                    \
+  {                                                                                                \
+    this->SetSignMethod(SIGN_WINDING);                                                             \
+  }                                                                                                \
+  const char* GetSignMethodAsString();                                                             \
+  enum SignMethods                                                                                 \
+  {                                                                                                \
+    SIGN_AUTO = 0,                                                                                 \
+    SIGN_NONE = 1,                                                                                 \
+    SIGN_PSEUDONORMAL = 2,                                                                         \
+    SIGN_WINDING = 3                                                                               \
+  }
+
 /// NumberOfThreads: how many CPU threads to use; 0 for all cores.
 #define vtkMedialThreadsMacro()                                                                    \
   vtkSetMacro(NumberOfThreads, int);                                                               \

@@ -74,13 +74,13 @@ std::size_t BytesPerPoint(const vtkMeshConversion::ArraySelection& selection)
 
 //------------------------------------------------------------------------------
 template <typename ArrayType>
-ArrayType* AddArray(vtkImageData* image, const char* name, int components)
+ArrayType* AddArray(vtkDataSet* data, const char* name, int components)
 {
   vtkNew<ArrayType> array;
   array->SetName(name);
   array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(image->GetNumberOfPoints());
-  image->GetPointData()->AddArray(array);
+  array->SetNumberOfTuples(data->GetNumberOfPoints());
+  data->GetPointData()->AddArray(array);
   return array;
 }
 
@@ -107,6 +107,16 @@ void AddVectors(vtkPolyData* output, const char* name,
     array->SetTypedTuple(static_cast<vtkIdType>(i), values[i].data());
   }
   output->GetPointData()->AddArray(array);
+}
+
+//------------------------------------------------------------------------------
+void AddVectors(const std::vector<medial::Point3>& values, const char* name, vtkDataSet* output)
+{
+  double* target = AddArray<vtkDoubleArray>(output, name, 3)->GetPointer(0);
+  for (const medial::Point3& value : values)
+  {
+    target = std::copy(value.begin(), value.end(), target);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -234,6 +244,21 @@ void vtkMeshConversion::AddThickness(const medial::Thickness& thickness,
   }
   AddValues(surface, "Thickness", values);
   surface->GetPointData()->SetActiveScalars("Thickness");
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshConversion::AddDistances(const medial::PointDistances& distances, vtkDataSet* output)
+{
+  std::copy(distances.distance.begin(), distances.distance.end(),
+    AddArray<vtkDoubleArray>(output, "Distance", 1)->GetPointer(0));
+  output->GetPointData()->SetActiveScalars("Distance");
+  AddVectors(distances.closestPoint, "ClosestPoint", output);
+  std::copy(distances.closestCell.begin(), distances.closestCell.end(),
+    AddArray<vtkIdTypeArray>(output, "ClosestCell", 1)->GetPointer(0));
+  std::transform(distances.closestFeature.begin(), distances.closestFeature.end(),
+    AddArray<vtkUnsignedCharArray>(output, "ClosestFeature", 1)->GetPointer(0),
+    [](medial::Feature feature) { return static_cast<unsigned char>(feature); });
+  AddVectors(distances.direction, "Direction", output);
 }
 
 //------------------------------------------------------------------------------

@@ -7,9 +7,11 @@
 #define vtkMeshConversion_h
 
 #include "medial/compute_medial_axis.h"
+#include "medial/point_distance.h"
 #include "medial/thickness.h"
 #include "medial/triangle_mesh.h"
 
+class vtkDataSet;
 class vtkImageData;
 class vtkPolyData;
 
@@ -51,6 +53,12 @@ void ToPolyData(const medial::MedialAxis& axis, vtkPolyData* output);
  */
 void AddThickness(const medial::Thickness& thickness, const medial::TriangleMesh& mesh,
   vtkPolyData* surface);
+
+/**
+ * Attaches what is known of the points of a data set: the point data arrays Distance (the active
+ * scalars), ClosestPoint, ClosestCell, ClosestFeature and Direction.
+ */
+void AddDistances(const medial::PointDistances& distances, vtkDataSet* output);
 
 ///@{
 /**

@@ -18,7 +18,6 @@ namespace
 {
 
 const char* const GridModeNames[] = { "Resolution", "Spacing", "Explicit" };
-const char* const SignMethodNames[] = { "Auto", "None", "Pseudonormal", "Winding" };
 const char* const EngineNames[] = { "Auto", "Rasteriser", "Processor", "Device" };
 
 //------------------------------------------------------------------------------
@@ -158,7 +157,7 @@ const char* vtkMeshFieldAlgorithm::GetGridModeAsString()
 //------------------------------------------------------------------------------
 const char* vtkMeshFieldAlgorithm::GetSignMethodAsString()
 {
-  return NameOf(SignMethodNames, this->SignMethod);
+  return vtkSignMethodAsString(this->SignMethod);
 }
 
 //------------------------------------------------------------------------------

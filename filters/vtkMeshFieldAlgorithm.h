@@ -140,17 +140,6 @@ public:
   };
 
   /**
-   * How inside is told from outside.
-   */
-  enum SignMethods
-  {
-    SIGN_AUTO = 0,
-    SIGN_NONE = 1,
-    SIGN_PSEUDONORMAL = 2,
-    SIGN_WINDING = 3
-  };
-
-  /**
    * What finds the closest sites.
    */
   enum Engines
@@ -234,13 +223,7 @@ public:
    * or touch; an error where the mesh is open or not consistently oriented. Default is SIGN_AUTO.
    * The field data array SignMethod tells what was chosen.
    */
-  vtkSetMacro(SignMethod, int);
-  vtkGetMacro(SignMethod, int);
-  void SetSignMethodToAuto() { this->SetSignMethod(SIGN_AUTO); }
-  void SetSignMethodToNone() { this->SetSignMethod(SIGN_NONE); }
-  void SetSignMethodToPseudonormal() { this->SetSignMethod(SIGN_PSEUDONORMAL); }
-  void SetSignMethodToWinding() { this->SetSignMethod(SIGN_WINDING); }
-  const char* GetSignMethodAsString();
+  vtkMedialSignMethodMacro();
   ///@}
 
   ///@{

@@ -20,25 +20,6 @@ namespace
 constexpr int MinMemoryLimit = 64;
 
 //------------------------------------------------------------------------------
-medial::SignMethod ToSignMethod(int method)
-{
-  switch (method)
-  {
-    case vtkMeshFieldAlgorithm::SIGN_AUTO:
-      return medial::SignMethod::Auto;
-    case vtkMeshFieldAlgorithm::SIGN_NONE:
-      return medial::SignMethod::None;
-    case vtkMeshFieldAlgorithm::SIGN_PSEUDONORMAL:
-      return medial::SignMethod::Pseudonormal;
-    case vtkMeshFieldAlgorithm::SIGN_WINDING:
-      return medial::SignMethod::Winding;
-    default:
-      vtkThrowBadParameter("SignMethod", method,
-        "one of 0 (auto), 1 (none), 2 (pseudonormal), 3 (winding)");
-  }
-}
-
-//------------------------------------------------------------------------------
 medial::Engine ToEngine(int engine)
 {
   switch (engine)
@@ -55,23 +36,6 @@ medial::Engine ToEngine(int engine)
       vtkThrowBadParameter("Engine", engine,
         "one of 0 (auto), 1 (rasteriser), 2 (processor), 3 (device)");
   }
-}
-
-//------------------------------------------------------------------------------
-const char* NameOf(medial::SignMethod method)
-{
-  switch (method)
-  {
-    case medial::SignMethod::Auto:
-      return "Auto";
-    case medial::SignMethod::None:
-      return "None";
-    case medial::SignMethod::Pseudonormal:
-      return "Pseudonormal";
-    case medial::SignMethod::Winding:
-      return "Winding";
-  }
-  return "Unknown";
 }
 
 //------------------------------------------------------------------------------
@@ -218,7 +182,7 @@ medial::DistanceFieldOptions vtkMeshFieldAlgorithm::vtkInternals::MakeOptions(
     vtkThrowBadParameter("MemoryLimit", self->MemoryLimit, "0 or >= 64 (MiB)");
   }
   medial::DistanceFieldOptions options;
-  options.sign = ToSignMethod(self->SignMethod);
+  options.sign = vtkToSignMethod(self->SignMethod);
   options.engine = ToEngine(self->Engine);
   options.device = self->Device;
   options.execution = vtkToExecution(self->NumberOfThreads, progress);
@@ -243,7 +207,7 @@ void vtkMeshFieldAlgorithm::vtkInternals::Record(const medial::Grid& grid,
   const medial::RunStatistics& statistics, vtkDataObject* output)
 {
   vtkMedialFigures figures(output);
-  figures.AddText("SignMethod", NameOf(statistics.sign.method));
+  figures.AddText("SignMethod", vtkSignMethodAsString(vtkFromSignMethod(statistics.sign.method)));
   figures.AddText("SignReason", statistics.sign.reason);
   figures.AddText("Engine", NameOf(statistics.engine));
   if (!statistics.note.empty())

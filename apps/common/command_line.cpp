@@ -48,6 +48,18 @@ bool parseCommandLine(CLI::App& app, int argc, char** argv)
   }
 }
 
+void addSignOption(CLI::App& app, std::string& word, const std::string& group)
+{
+  app
+    .add_option("--sign", word,
+      "how inside is told from outside: winding (winding numbers, for any mesh of triangles), "
+      "pseudonormal (closed, consistently oriented meshes only), none, or auto (winding, or none "
+      "where the mesh leaves the inside open); default auto")
+    ->option_text("METHOD")
+    ->check(oneOf(signNames()))
+    ->group(group);
+}
+
 void addSideOption(CLI::App& app, std::string& word, const std::string& group)
 {
   app

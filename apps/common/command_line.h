@@ -22,6 +22,7 @@ bool parseCommandLine(CLI::App& app, int argc, char** argv);
 
 ///@{
 /// Options of several programs. option_names.h turns the words that the user types into values.
+void addSignOption(CLI::App& app, std::string& word, const std::string& group);
 void addSideOption(CLI::App& app, std::string& word, const std::string& group);
 void addEngineOption(CLI::App& app, std::string& word, const std::string& group);
 void addThreadsOption(CLI::App& app, int& threads, const std::string& group);

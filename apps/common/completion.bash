@@ -1,5 +1,5 @@
-# Bash completion for medial-axis, medial-measure, medial-proximity and medial-viewer. It offers the options
-# of --help, and files with the extensions that an option accepts.
+# Bash completion for medial-axis, medial-distance, medial-measure, medial-proximity and medial-viewer. It
+# offers the options of --help, and files with the extensions that an option accepts.
 
 # _medial_files WORD EXTENSION...: prints the files that begin with WORD and have one of the extensions, and
 # folders.
@@ -23,7 +23,13 @@ _medial_values()
     --topology) compgen -W "selected preserve" -- "$2" ;;
     --sign) compgen -W "auto none pseudonormal winding" -- "$2" ;;
     --engine) compgen -W "auto device rasteriser processor" -- "$2" ;;
-    -o | --output) _medial_files "$2" vtp ply obj ma ;;
+    -o | --output)
+      if [[ ${COMP_WORDS[0]} == *medial-distance ]]; then
+        _medial_files "$2" vtp csv
+      else
+        _medial_files "$2" vtp ply obj ma
+      fi
+      ;;
     --curves | --thickness) _medial_files "$2" vtp ;;
     --contacts) _medial_files "$2" vtp pvd ;;
     --animation) compgen -d -- "$2" ;;
@@ -57,9 +63,11 @@ _medial()
     mapfile -t COMPREPLY < <(compgen -W "$(grep -oE -- '(^  |,)--?[a-z-]+' <<<"$help" | tr -d ' ,')" -- "$word")
   elif [[ $program == *medial-measure ]]; then
     mapfile -t COMPREPLY < <(_medial_files "$word" vtp ply obj ma stl off vtk)
+  elif [[ $program == *medial-distance ]]; then
+    mapfile -t COMPREPLY < <(_medial_files "$word" stl obj ply off vtp vtk xyz txt csv)
   else
     mapfile -t COMPREPLY < <(_medial_files "$word" stl obj ply off vtp vtk)
   fi
 }
 
-complete -o filenames -F _medial medial-axis medial-measure medial-proximity medial-viewer
+complete -o filenames -F _medial medial-axis medial-distance medial-measure medial-proximity medial-viewer

@@ -18,8 +18,8 @@ namespace medial::app
 /// @throws Failure BadInput naming the file and what is wrong.
 Surface readSurface(const std::filesystem::path& path);
 
-/// Reads points, and the cells between them if the file has any: what readSurface() reads, but cells
-/// are not needed, or lines of numbers in .xyz, .txt or .csv, as medial::readPoints() does.
+/// Reads points, and the cells between them if the file has any: what readSurface() reads, but
+/// cells are not needed, or lines of numbers in .xyz, .txt or .csv, as medial::readPoints() does.
 /// @throws Failure BadInput, also for a file without points.
 Surface readPointSet(const std::filesystem::path& path);
 

@@ -153,14 +153,7 @@ void addAxisOptions(CLI::App& app, OptionTexts& texts, Options& options)
     ->option_text("KIND")
     ->check(oneOf(topologyNames()))
     ->group(group);
-  app
-    .add_option("--sign", texts.sign,
-      "how inside is told from outside: winding (winding numbers, for any mesh of triangles), "
-      "pseudonormal (closed, consistently oriented meshes only), none, or auto (winding, or none "
-      "where the mesh leaves the inside open); default auto")
-    ->option_text("METHOD")
-    ->check(oneOf(signNames()))
-    ->group(group);
+  addSignOption(app, texts.sign, group);
 }
 
 void addRunOptions(CLI::App& app, OptionTexts& texts, Options& options)

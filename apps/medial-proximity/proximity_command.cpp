@@ -2,6 +2,7 @@
 
 #include "command_line.h"
 #include "failure.h"
+#include "standard_output.h"
 #include "validators.h"
 
 #include "medial/error.h"

@@ -12,9 +12,6 @@
 namespace medial::app
 {
 
-/// Where --json goes to standard output.
-inline const std::filesystem::path kStandardOutput = "-";
-
 /// How one of the meshes is moved: the same in all frames, or by a file.
 struct Motion
 {

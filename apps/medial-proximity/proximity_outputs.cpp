@@ -5,6 +5,7 @@
 #include "input_file.h"
 #include "proximity_picture.h"
 #include "proximity_report.h"
+#include "standard_output.h"
 #include "vtp_writer.h"
 #include "xml_elements.h"
 

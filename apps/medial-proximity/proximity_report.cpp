@@ -1,13 +1,9 @@
 #include "proximity_report.h"
 
-#include "failure.h"
-
 #include <nlohmann/json.hpp>
 
-#include <cerrno>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 
 namespace medial::app
 {
@@ -101,17 +97,6 @@ void printTable(const ProximityCommand& command, const ProximityResults& results
     {
       printRow(command.options, frame, pair);
     }
-  }
-}
-
-void printJson(const ProximityCommand& command, const ProximityResults& results)
-{
-  const std::string text = makeJson(command, results);
-  errno = 0;
-  if (std::fputs(text.c_str(), stdout) < 0 || std::fflush(stdout) != 0)
-  {
-    throw Failure(ExitCode::NoSpace,
-      std::string("standard output: cannot be written: ") + std::strerror(errno));
   }
 }
 

@@ -11,10 +11,6 @@ namespace medial::app
 /// Prints a table on standard output: a row for each pair in each frame.
 void printTable(const ProximityCommand& command, const ProximityResults& results);
 
-/// Prints the text of makeJson() on standard output.
-/// @throws Failure NoSpace.
-void printJson(const ProximityCommand& command, const ProximityResults& results);
-
 /// @return JSON text with the keys meshes [{path, triangles, vertices, closed, frames}], frames and
 ///   seconds {read, compute}. A frame is {frame, pairs, seconds}. A pair is {a, b, separation,
 ///   witness_a, witness_b, cell_a, cell_b, intersect, collide, inside_undefined, depth,

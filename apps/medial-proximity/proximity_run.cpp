@@ -5,6 +5,7 @@
 #include "proximity_outputs.h"
 #include "proximity_report.h"
 #include "proximity_results.h"
+#include "standard_output.h"
 #include "timer.h"
 
 #include <algorithm>
@@ -119,7 +120,7 @@ void runProximity(const ProximityCommand& command)
   bar.clear();
   if (command.json == kStandardOutput)
   {
-    printJson(command, results);
+    printText(makeJson(command, results));
   }
   else if (!command.quiet)
   {

@@ -55,8 +55,7 @@ Columns columnsNamed(const std::vector<std::string_view>& names)
     const std::array<std::string, 3> wanted{ std::string(1, static_cast<char>('x' + axis)),
       "points:" + number, "points_" + number };
     const auto found = std::find_if(names.begin(), names.end(),
-      [&](std::string_view name)
-      {
+      [&](std::string_view name) {
         return std::find(wanted.begin(), wanted.end(), lowerCase(std::string(name))) !=
           wanted.end();
       });

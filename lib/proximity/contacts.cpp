@@ -1,8 +1,8 @@
 #include "proximity/contacts.h"
 
+#include "base/exact_sign.h"
 #include "base/vectors.h"
 #include "proximity/element_distance.h"
-#include "base/exact_sign.h"
 #include "proximity/line_hit.h"
 
 #include <algorithm>

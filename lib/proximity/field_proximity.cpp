@@ -1,11 +1,11 @@
 #include "medial/field_proximity.h"
 
+#include "base/box.h"
 #include "base/longest_axis.h"
 #include "base/stopwatch.h"
 #include "base/vectors.h"
 #include "medial/error.h"
 #include "medial/medial_solver.h"
-#include "base/box.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "base/box_tree.h"
 #include "medial/mesh_connectivity.h"
 #include "medial/triangle_mesh.h"
-#include "base/box_tree.h"
 #include "proximity/element_intersection.h"
 #include "sign/surface_orientation.h"
 

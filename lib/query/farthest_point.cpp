@@ -70,8 +70,8 @@ double boundOf(const SiteSet& sites, const std::array<Corner, 3>& corners)
     {
       way = std::max(way, glm::distance(from.x, to.x));
     }
-    bound = std::min(
-      { bound, distanceFrom(sites, from.closest.site, corners), from.distance() + way });
+    bound =
+      std::min({ bound, distanceFrom(sites, from.closest.site, corners), from.distance() + way });
   }
   return bound;
 }
@@ -91,7 +91,7 @@ public:
   FarthestPoint run(const Checkpoint& checkpoint)
   {
     std::make_heap(pieces_.begin(), pieces_.end());
-    for (int step = 0; step < kMaxSteps && this->bound() > this->enough(); ++step)
+    for (int step = 0; step<kMaxSteps&& this->bound()> this->enough(); ++step)
     {
       checkpoint(static_cast<std::size_t>(step));
       std::pop_heap(pieces_.begin(), pieces_.end());
@@ -139,8 +139,7 @@ private:
     double bound = boundOf(query_.sites(), corners);
     if (bound > this->enough())
     {
-      const SitePoint& closest =
-        search.closest((corners[0].x + corners[1].x + corners[2].x) / 3.0);
+      const SitePoint& closest = search.closest((corners[0].x + corners[1].x + corners[2].x) / 3.0);
       bound = std::min(bound, distanceFrom(query_.sites(), closest.site, corners));
     }
     return { corners, bound };

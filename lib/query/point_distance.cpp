@@ -13,6 +13,8 @@
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <new>
 #include <string>
 #include <utility>
@@ -39,7 +41,9 @@ std::vector<std::size_t> orderOf(const std::vector<glm::dvec3>& points)
   const HilbertCurve curve(low, high);
   std::vector<std::pair<std::uint64_t, std::size_t>> places(points.size());
   tbb::parallel_for(std::size_t{ 0 }, points.size(),
-    [&](std::size_t i) { places[i] = { curve.placeOf(points[i]), i }; });
+    [&](std::size_t i) {
+      places[i] = { curve.placeOf(points[i]), i };
+    });
   tbb::parallel_sort(places.begin(), places.end());
   std::vector<std::size_t> order(points.size());
   std::transform(places.begin(), places.end(), order.begin(),
@@ -67,6 +71,14 @@ void resize(std::size_t count, PointDistances& result)
   result.direction.resize(count);
 }
 
+/// Returns the world coordinates of a surface point; of a vertex those of the mesh, to the last
+/// bit.
+Point3 worldPoint(const DistanceQuery& query, const SitePoint& closest)
+{
+  const int vertex = closest.site - query.sites().firstVertex();
+  return vertex >= 0 ? query.mesh().points[vertex] : query.local().toWorld(closest.point);
+}
+
 void store(const DistanceQuery& query, std::size_t i, const glm::dvec3& x, const SitePoint& closest,
   bool inside, PointDistances& result)
 {
@@ -74,7 +86,7 @@ void store(const DistanceQuery& query, std::size_t i, const glm::dvec3& x, const
   const double distance = glm::length(vector);
   const bool negative = inside && distance > 0.0;
   result.distance[i] = (negative ? -distance : distance) * query.local().unit;
-  result.closestPoint[i] = query.local().toWorld(closest.point);
+  result.closestPoint[i] = worldPoint(query, closest);
   result.closestCell[i] = query.cells().cellOf(closest.site);
   result.closestFeature[i] = query.cells().featureOf(closest.site);
   result.direction[i] = toPoint(distance > 0.0 ? vector / distance : glm::dvec3(0.0));
@@ -116,6 +128,30 @@ auto onThreads(const Run& run, const std::string& what, const Work& work)
 }
 
 } // namespace
+
+DistanceSummary summarise(const PointDistances& distances)
+{
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<double>& values = distances.distance;
+  if (values.empty())
+  {
+    return { kNone, kNone, kNone, kNone };
+  }
+  DistanceSummary summary;
+  const auto [min, max] = std::minmax_element(values.begin(), values.end());
+  summary.min = *min;
+  summary.max = *max;
+  const double count = static_cast<double>(values.size());
+  // By the largest, so that no square is too large.
+  const double scale = std::max({ std::abs(*min), std::abs(*max), 1e-300 });
+  for (const double value : values)
+  {
+    summary.mean += std::abs(value) / count;
+    summary.rms += value / scale * (value / scale) / count;
+  }
+  summary.rms = scale * std::sqrt(summary.rms);
+  return summary;
+}
 
 struct PointDistance::State
 {

@@ -49,7 +49,8 @@ class Completion(unittest.TestCase):
         return sorted(line for line in run.stdout.splitlines() if line)
 
     def test_options_are_those_of_help(self):
-        for program in ("medial-axis", "medial-measure", "medial-proximity", "medial-viewer"):
+        for program in ("medial-axis", "medial-distance", "medial-measure", "medial-proximity",
+                        "medial-viewer"):
             with self.subTest(program=program):
                 stated = re.findall(r"^  (?:(-\w),)?(--[a-z-]+)", help_of(program), re.MULTILINE)
                 self.assertEqual(self.offers(program, "-"),

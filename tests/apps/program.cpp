@@ -139,6 +139,11 @@ Outcome runMedialMeasure(const std::vector<std::string>& arguments, const RunOpt
   return run(MEDIAL_MEASURE_PROGRAM, arguments, options);
 }
 
+Outcome runMedialDistance(const std::vector<std::string>& arguments, const RunOptions& options)
+{
+  return run(MEDIAL_DISTANCE_PROGRAM, arguments, options);
+}
+
 Outcome runMedialProximity(const std::vector<std::string>& arguments, const RunOptions& options)
 {
   return run(MEDIAL_PROXIMITY_PROGRAM, arguments, options);

@@ -36,6 +36,8 @@ struct RunOptions
 };
 
 Outcome runMedialAxis(const std::vector<std::string>& arguments, const RunOptions& options = {});
+Outcome runMedialDistance(const std::vector<std::string>& arguments,
+  const RunOptions& options = {});
 Outcome runMedialMeasure(const std::vector<std::string>& arguments, const RunOptions& options = {});
 Outcome runMedialProximity(const std::vector<std::string>& arguments,
   const RunOptions& options = {});

@@ -1,6 +1,7 @@
 """Files that the documents name exist, tutorials agree with the programs' --help, README is short.
 
 usage: documents_test.py SOURCES MEDIAL-AXIS MEDIAL-MEASURE MEDIAL-PROXIMITY MEDIAL-VIEWER
+    MEDIAL-DISTANCE
 """
 
 import re
@@ -11,7 +12,8 @@ from pathlib import Path
 
 SOURCES = Path(sys.argv[1])
 # The tutorials with tables of options, by the programs that have them.
-TUTORIALS = dict(zip(sys.argv[2:6], ("COMMAND-LINE.md", "MEASURING.md", "PROXIMITY.md", "VIEWER.md")))
+TUTORIALS = dict(zip(sys.argv[2:7], ("COMMAND-LINE.md", "MEASURING.md", "PROXIMITY.md", "VIEWER.md",
+                                   "DISTANCES.md")))
 README_WORDS = 900
 DOCUMENTS = [SOURCES / "README.md", SOURCES / "CONTRIBUTING.md", SOURCES / "examples/README.md",
              *sorted((SOURCES / "docs").glob("**/*.md"))]

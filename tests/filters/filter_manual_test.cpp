@@ -9,6 +9,7 @@
 #include <vtkMedialReconstruction.h>
 #include <vtkMedialThickness.h>
 #include <vtkMeshDistanceField.h>
+#include <vtkMeshPointDistance.h>
 #include <vtkMeshProximity.h>
 #include <vtkNew.h>
 
@@ -208,6 +209,9 @@ TEST(FilterManual, OutputsHaveNoArraysThatTheManualsDoNotName)
   vtkNew<vtkMeshProximity> proximity;
   proximity->SetInputData(0, boxPolyData());
   proximity->SetInputData(1, boxPolyData({ 2.0, 0.5, 0.5 }));
+  vtkNew<vtkMeshPointDistance> distance;
+  distance->SetInputDataObject(boxPolyData());
+  distance->SetSurfaceData(boxPolyData());
   const std::string grid = headerOf("vtkMeshFieldAlgorithm");
   const auto expectNamed = [&](vtkAlgorithm* filter, int port, const std::string& manual)
   {
@@ -229,6 +233,7 @@ TEST(FilterManual, OutputsHaveNoArraysThatTheManualsDoNotName)
   expectNamed(thickness, 0, headerOf("vtkMedialThickness"));
   expectNamed(curves, 0, headerOf("vtkMedialCurves") + ofAxis + grid); // with those of the axis
   expectNamed(surface, 0, headerOf("vtkMedialReconstruction"));
+  expectNamed(distance, 0, headerOf("vtkMeshPointDistance"));
   for (const int port : { 0, 1, 2 })
   {
     expectNamed(proximity, port, headerOf("vtkMeshProximity"));
@@ -243,6 +248,11 @@ TEST(FilterManual, ReconstructionParametersAreExplainedAndPrinted)
 TEST(FilterManual, MedialThicknessParametersAreExplainedAndPrinted)
 {
   expectManual("vtkMedialThickness", 3, printed<vtkMedialThickness>());
+}
+
+TEST(FilterManual, MeshPointDistanceParametersAreExplainedAndPrinted)
+{
+  expectManual("vtkMeshPointDistance", 2, printed<vtkMeshPointDistance>());
 }
 
 TEST(FilterManual, MeshProximityParametersAreExplainedAndPrinted)

@@ -71,11 +71,12 @@ def default_of(element):
 
 
 class Properties(unittest.TestCase):
-    def test_all_six_filters_are_in_the_menu(self):
+    def test_all_filters_are_in_the_menu(self):
         classes = {proxy.get("class") for proxy, _ in proxies()
                    if proxy.find("Hints/ShowInMenu[@category='Medial']") is not None}
         self.assertEqual(classes, {"vtkMeshDistanceField", "vtkMedialAxis", "vtkMedialThickness",
-                                   "vtkMedialReconstruction", "vtkMedialCurves", "vtkMeshProximity"})
+                                   "vtkMedialReconstruction", "vtkMedialCurves", "vtkMeshProximity",
+                                   "vtkMeshPointDistance"})
 
     def test_every_parameter_is_a_property(self):
         for proxy, header in proxies():

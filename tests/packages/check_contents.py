@@ -12,7 +12,7 @@ from pathlib import Path
 
 SERIES = "0.1"  # versions whose binary interface is the same
 LIBRARY = f"libmedial{SERIES}"
-PROGRAMS = ("medial-axis", "medial-measure", "medial-proximity", "medial-viewer")
+PROGRAMS = ("medial-axis", "medial-distance", "medial-measure", "medial-proximity", "medial-viewer")
 DOCUMENTS = ("copyright", "changelog.gz", "changelog.Debian.gz")
 
 # What each package must depend on, without versions. Those of libraries are found by dpkg-shlibdeps.

@@ -38,7 +38,8 @@ def check_programs(folder: Path, version: str) -> None:
     axis, mesh, figures = (str(folder / name) for name in ("axis.ply", "box.off", "figures.json"))
     picture, page = folder / "picture.png", folder / "page.html"
     write_off(Path(mesh), *make_box())
-    for program in ("medial-axis", "medial-measure", "medial-proximity", "medial-viewer"):
+    for program in ("medial-axis", "medial-distance", "medial-measure", "medial-proximity",
+                    "medial-viewer"):
         assert run(program, "--version").strip() == f"{program} {version}"
     run("medial-axis", mesh, "--resolution", "64", "--output", axis, "--image", str(picture),
         "--html", str(page))
@@ -55,6 +56,8 @@ def check_programs(folder: Path, version: str) -> None:
     with open(pairs, encoding="utf-8") as file:
         pair = json.load(file)["frames"][0]["pairs"][0]
     assert abs(pair["separation"] - (9.0 - 2.0 * HALF_SIDES[0])) < 1e-12 and not pair["collide"], pair
+    summary = json.loads(run("medial-distance", mesh, mesh, "--json", "-"))
+    assert summary["hausdorff"]["distance"] < 1e-12, summary
     assert "vtk.js" in page.read_text(encoding="utf-8")
     viewer = subprocess.run(("medial-viewer", mesh), check=False, stderr=subprocess.PIPE, text=True)
     assert viewer.returncode == 4 and "no display" in viewer.stderr, viewer

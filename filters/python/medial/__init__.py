@@ -1,13 +1,14 @@
-"""Distance fields, medial axes, wall thickness and proximity of meshes.
+"""Distance fields, medial axes, wall thickness and proximity of meshes, and distances from them.
 
 Functions take and return numpy arrays:
 
     axis = medial.medial_axis(vertices, faces, resolution=128, angle=60)
     axis.points, axis.radius, axis.faces
 
-distance_field(), medial_axis(), thickness(), reconstruction(), curves() and proximity() are each
-documented by help(), as in help(medial.medial_axis). All lengths are in world units, those of the vertices, and
-all angles in degrees. They raise medial.Error, or a subclass of it, with the cause.
+distance_field(), medial_axis(), thickness(), reconstruction(), curves(), distance() and proximity()
+are each documented by help(), as in help(medial.medial_axis). All lengths are in world units, those
+of the vertices, and all angles in degrees. They raise medial.Error, or a subclass of it, with the
+cause.
 
 The same is available as VTK filters, for pipelines:
 
@@ -20,6 +21,7 @@ Update() prints messages, reacts to Ctrl-C, and lets other threads run.
 """
 
 from ._axis import MedialAxis, medial_axis
+from ._distance import PointDistances, distance
 from ._errors import Error, InvalidInputError, NoGpuError, OutOfMemoryError
 from ._field import DistanceField, distance_field
 from ._mesh import Surface
@@ -34,6 +36,7 @@ from .vtkMedialFilters import (
     vtkMedialThickness,
     vtkMeshDistanceField,
     vtkMeshFieldAlgorithm,
+    vtkMeshPointDistance,
     vtkMeshProximity,
 )
 
@@ -46,9 +49,11 @@ __all__ = [
     "MedialAxis",
     "NoGpuError",
     "OutOfMemoryError",
+    "PointDistances",
     "Proximity",
     "Surface",
     "curves",
+    "distance",
     "distance_field",
     "medial_axis",
     "proximity",
@@ -62,5 +67,6 @@ __all__ = [
     "vtkMedialThickness",
     "vtkMeshDistanceField",
     "vtkMeshFieldAlgorithm",
+    "vtkMeshPointDistance",
     "vtkMeshProximity",
 ]

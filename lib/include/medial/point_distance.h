@@ -28,6 +28,18 @@ struct PointDistances
   std::vector<Point3> direction;
 };
 
+/// The distances of many points in short. Without points all are NaN.
+struct DistanceSummary
+{
+  double min = 0.0;  ///< smallest distance, with its sign, world units
+  double max = 0.0;  ///< largest distance, with its sign, world units
+  double mean = 0.0; ///< mean of the magnitudes, world units
+  double rms = 0.0;  ///< root of the mean square, world units
+};
+
+/// Sums distances up, in the order of the points.
+MEDIAL_EXPORT DistanceSummary summarise(const PointDistances& distances);
+
 /// The point of a surface that is farthest from a mesh.
 struct FarthestPoint
 {

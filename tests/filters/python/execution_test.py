@@ -148,11 +148,12 @@ class Progress(unittest.TestCase):
         axis = medial.medial_axis(*shapes.ball(3), resolution=33)
         gridded = (medial.distance_field, medial.medial_axis)
         for function in (*gridded, medial.thickness, medial.reconstruction, medial.curves,
-                         medial.proximity):
+                         medial.proximity, medial.distance):
             reports = []
             parameters = {"resolution": 65} if function in gridded else {}
             subject = shapes.ball(3) if function in (*gridded, medial.thickness) else (axis,)
             subject = (*shapes.ball(3), *shapes.ball(3)) if function == medial.proximity else subject
+            subject = (*shapes.ball(3), [[0, 0, 0]]) if function == medial.distance else subject
             function(*subject, **parameters,
                      progress=lambda fraction, phase: reports.append((fraction, phase)))
             fractions = [fraction for fraction, _ in reports]

@@ -34,7 +34,7 @@ class FiltersTest(unittest.TestCase):
                          {"vtkMedialAxis", "vtkMedialCurves", "vtkMedialReconstruction",
                           "vtkMedialPolyDataAlgorithm", "vtkMedialThickness",
                           "vtkMeshDistanceField", "vtkMeshFieldAlgorithm",
-                          "vtkMeshProximity"})
+                          "vtkMeshPointDistance", "vtkMeshProximity"})
         from medial.vtkMedialFilters import vtkMedialAxis
         self.assertIs(medial.vtkMedialAxis, vtkMedialAxis)
         self.assertTrue(issubclass(medial.vtkMedialAxis, vtkObject))

@@ -19,7 +19,8 @@ import medial
 
 SOURCES = Path(sys.argv[1])
 FUNCTIONS = (medial.distance_field, medial.medial_axis, medial.thickness,
-             medial.reconstruction, medial.curves, medial.proximity, medial.update)
+             medial.reconstruction, medial.curves, medial.distance, medial.proximity,
+             medial.update)
 # The options of medial-axis, by the parameters that are the same.
 OPTIONS = {
     medial.distance_field: ("resolution", "spacing", "padding", "memory"),

@@ -266,12 +266,13 @@ TEST(MeshIo, NamesTheFileThatDoesNotFitIntoMemory)
 // As Cyberware's scans and those of Stanford come; -1 ends a strip.
 TEST(MeshIo, PlyMayHoldTriangleStrips)
 {
-  const MeshInput mesh = readText("a.ply", "ply\nformat ascii 1.0\nelement vertex 5\n"
-                                           "property float x\nproperty float y\nproperty float z\n"
-                                           "element tristrips 1\n"
-                                           "property list int int vertex_indices\nend_header\n"
-                                           "0 0 0\n1 0 0\n0 1 0\n1 1 0\n2 2 2\n"
-                                           "8 0 1 2 3 -1 2 3 4\n");
+  const MeshInput mesh = readText("a.ply",
+    "ply\nformat ascii 1.0\nelement vertex 5\n"
+    "property float x\nproperty float y\nproperty float z\n"
+    "element tristrips 1\n"
+    "property list int int vertex_indices\nend_header\n"
+    "0 0 0\n1 0 0\n0 1 0\n1 1 0\n2 2 2\n"
+    "8 0 1 2 3 -1 2 3 4\n");
   ASSERT_EQ(mesh.strips.size(), 2);
   EXPECT_EQ(mesh.strips.connectivity, (Ids{ 0, 1, 2, 3, 2, 3, 4 }));
   EXPECT_EQ(buildTriangleMesh(mesh).triangles.size(), 3U);

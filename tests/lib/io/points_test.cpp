@@ -46,8 +46,9 @@ TEST(Points, AreReadFromTextInTheUsualForms)
 TEST(Points, AreInTheColumnsThatTheHeaderNames)
 {
   EXPECT_EQ(pointsOf("a.csv", "id,z,Y,X\n7,3e-4,-2.5,1\n8,6,5,4\n"), kTwo);
-  EXPECT_EQ(pointsOf("a.csv", "\"Radius\",\"Points:0\",\"Points:1\",\"Points:2\"\n9,1,-2.5,3e-4\n"
-                              ",4,5,6\n"),
+  EXPECT_EQ(pointsOf("a.csv",
+              "\"Radius\",\"Points:0\",\"Points:1\",\"Points:2\"\n9,1,-2.5,3e-4\n"
+              ",4,5,6\n"),
     kTwo);
 }
 
@@ -55,9 +56,10 @@ TEST(Points, AreReadFromMeshFilesWithoutCells)
 {
   EXPECT_EQ(pointsOf("a.obj", "v 1 -2.5 3e-4\nv 4 5 6\n"), kTwo);
   EXPECT_EQ(pointsOf("a.off", "OFF\n2 0 0\n1 -2.5 3e-4\n4 5 6\n"), kTwo);
-  EXPECT_EQ(pointsOf("a.ply", "ply\nformat ascii 1.0\nelement vertex 2\nproperty double x\n"
-                              "property double y\nproperty double z\nend_header\n"
-                              "1 -2.5 3e-4\n4 5 6\n"),
+  EXPECT_EQ(pointsOf("a.ply",
+              "ply\nformat ascii 1.0\nelement vertex 2\nproperty double x\n"
+              "property double y\nproperty double z\nend_header\n"
+              "1 -2.5 3e-4\n4 5 6\n"),
     kTwo);
 }
 

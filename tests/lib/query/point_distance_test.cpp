@@ -59,7 +59,7 @@ void expectInside(const TriangleMesh& mesh, const TriangleMesh& outwards, SignMe
   const PointDistances found = query.compute(points);
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    ASSERT_EQ(found.distance[i] < 0.0, windingNumber(outwards, points[i]) > 0.5) << i;
+    ASSERT_EQ(found.distance[i]<0.0, windingNumber(outwards, points[i])> 0.5) << i;
   }
 }
 
@@ -105,8 +105,8 @@ TEST(PointDistance, IsExactFarAwayAndAtAnySize)
 TEST(PointDistance, DescribesTheClosestPlaceOfABox)
 {
   const PointDistances found = PointDistance(box({ 2.0, 1.0, 1.0 }))
-                                 .compute({ { 0.1, 0.2, 3.0 }, { 0.5, 2.0, 2.0 },
-                                   { 3.0, 2.0, 2.0 }, { 0.1, 0.2, 0.5 }, { 0.1, 0.2, 1.0 } });
+                                 .compute({ { 0.1, 0.2, 3.0 }, { 0.5, 2.0, 2.0 }, { 3.0, 2.0, 2.0 },
+                                   { 0.1, 0.2, 0.5 }, { 0.1, 0.2, 1.0 } });
   const std::vector<double> distances{ 2.0, std::sqrt(2.0), std::sqrt(3.0), -0.5, 0.0 };
   for (std::size_t i = 0; i < distances.size(); ++i)
   {
@@ -132,7 +132,8 @@ TEST(PointDistance, SignIsThatOfTheWindingNumber)
   expectInside(openSphere(), openSphere(), SignMethod::Auto);
 }
 
-// Lines along x through these points pass through corners and edges of the box, and along its faces.
+// Lines along x through these points pass through corners and edges of the box, and along its
+// faces.
 TEST(PointDistance, SignHoldsWhereLinesMeetCornersEdgesAndFaces)
 {
   const TriangleMesh mesh = subdivided(box({ 1.0, 1.0, 1.0 }), 2);
@@ -243,8 +244,8 @@ TEST(FarthestPoint, IsFoundInsideATriangle)
 {
   // Three points, and the triangle between them: its circumcentre is farthest.
   const std::vector<Point3> corners{ { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 } };
-  const FarthestPoint found =
-    PointDistance(makeMesh(corners, {}, {}, { 0, 1, 2 })).farthest(makeMesh(corners, { { 0, 1, 2 } }));
+  const FarthestPoint found = PointDistance(makeMesh(corners, {}, {}, { 0, 1, 2 }))
+                                .farthest(makeMesh(corners, { { 0, 1, 2 } }));
   EXPECT_NEAR(found.distance, std::sqrt(0.5), 1e-3);
   EXPECT_LE(found.distance, std::sqrt(0.5));
   EXPECT_GE(found.bound, std::sqrt(0.5));

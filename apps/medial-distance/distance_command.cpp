@@ -1,0 +1,96 @@
+#include "distance_command.h"
+
+#include "command_line.h"
+#include "option_names.h"
+#include "standard_output.h"
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+
+namespace medial::app
+{
+namespace
+{
+
+const char* const kFooter =
+  "Distances are exact for the mesh as it is, in double precision and without a grid; negative\n"
+  "inside, unless the mesh leaves open what is inside. If POINTS has faces, lines or vertices, it\n"
+  "is compared as a surface, too: the Hausdorff distance is the largest distance of any point of\n"
+  "either surface, not only of their vertices, from the other; the figures are right to 0.1 %.\n"
+  "Lengths are world units. Existing files are replaced, but only once the new ones are complete.\n"
+  "\n"
+  "Exit codes: 0 done; 2 usage; 3 bad input; 5 out of memory or disk, or an output that cannot be\n"
+  "written; 70 a fault of the program; 130 interrupted.";
+
+struct DistanceTexts
+{
+  std::string mesh, points, output, json;
+  std::string sign = "auto";
+};
+
+void addOptions(CLI::App& app, DistanceTexts& texts, DistanceCommand& command)
+{
+  const std::string group = "Options";
+  app
+    .add_option("-o,--output", texts.output,
+      "the points with their distances: .vtp (with the faces and arrays that POINTS has) or .csv, a "
+      "line for each point with x, y, z, distance, closest point, cell, feature and direction")
+    ->option_text("FILE")
+    ->group(group);
+  app
+    .add_option("--json", texts.json,
+      "machine-readable summary: the figures of the table; - for standard output, instead of the "
+      "table")
+    ->option_text("FILE.json")
+    ->group(group);
+  addSignOption(app, texts.sign, group);
+  addThreadsOption(app, command.threads, group);
+  addQuietOption(app, command.quiet, group);
+}
+
+void checkOutputs(const DistanceCommand& command)
+{
+  checkExtension("--output", command.output, { ".vtp", ".csv" });
+  if (command.json != kStandardOutput)
+  {
+    checkExtension("--json", command.json, { ".json" });
+  }
+  checkNotTheInput("--output", command.output, command.mesh);
+  checkNotTheInput("--output", command.output, command.points);
+}
+
+} // namespace
+
+std::optional<DistanceCommand> parseDistanceCommand(int argc, char** argv)
+{
+  CLI::App app{ "Computes exact signed distances of points from a mesh, or of one mesh from "
+                "another.\n" };
+  setUpCommandLine(app, "medial-distance", kFooter);
+
+  DistanceTexts texts;
+  DistanceCommand command;
+  app.add_option("MESH", texts.mesh, "mesh: .stl, .obj, .ply, .off, .vtp or .vtk")
+    ->required()
+    ->option_text(" ");
+  app
+    .add_option("POINTS", texts.points,
+      "points, or another mesh: .stl, .obj, .ply, .off, .vtp, .vtk, or lines of numbers in .xyz, "
+      ".txt or .csv")
+    ->required()
+    ->option_text(" ");
+  addOptions(app, texts, command);
+  if (!parseCommandLine(app, argc, argv))
+  {
+    return std::nullopt;
+  }
+  command.mesh = texts.mesh;
+  command.points = texts.points;
+  command.output = texts.output;
+  command.json = texts.json;
+  command.sign = signNames().at(texts.sign);
+  checkOutputs(command);
+  return command;
+}
+
+} // namespace medial::app

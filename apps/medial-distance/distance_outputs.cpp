@@ -1,0 +1,113 @@
+#include "distance_outputs.h"
+
+#include "distance_report.h"
+#include "file_writer.h"
+#include "input_file.h"
+#include "standard_output.h"
+#include "vtp_writer.h"
+
+#include <vtkMeshConversion.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+
+#include <array>
+#include <charconv>
+#include <ostream>
+#include <string>
+
+namespace medial::app
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+
+/// Appends numbers in the shortest spelling that is read back without loss.
+class CsvLine
+{
+public:
+  template <typename Number>
+  CsvLine& operator<<(Number number)
+  {
+    std::array<char, 32> text;
+    const auto [end, error] = std::to_chars(text.begin(), text.end(), number);
+    text_.append(text_.empty() ? "" : ",").append(text.begin(), end);
+    return *this;
+  }
+  CsvLine& operator<<(const Point3& point) { return *this << point[0] << point[1] << point[2]; }
+
+  /// Ends the line and returns it.
+  const std::string& end()
+  {
+    text_ += '\n';
+    return text_;
+  }
+
+private:
+  std::string text_;
+};
+
+void writeCsv(const DistanceResults& results, std::ostream& stream)
+{
+  stream << "x,y,z,distance,closest_x,closest_y,closest_z,cell,feature,direction_x,direction_y,"
+            "direction_z\n";
+  const PointDistances& found = results.distances;
+  for (std::size_t i = 0; i < results.points.size(); ++i)
+  {
+    CsvLine line;
+    line << results.points[i] << found.distance[i] << found.closestPoint[i] << found.closestCell[i]
+         << static_cast<int>(found.closestFeature[i]) << found.direction[i];
+    stream << line.end();
+  }
+}
+
+void writePoints(DistanceResults& results, const fs::path& file)
+{
+  vtkNew<vtkPolyData> data;
+  data->ShallowCopy(results.pointSet.polyData());
+  if (data->GetNumberOfCells() == 0)
+  {
+    // Points that no cell shows are invisible.
+    vtkNew<vtkCellArray> vertices;
+    for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+    {
+      vertices->InsertNextCell(1, &i);
+    }
+    data->SetVerts(vertices);
+  }
+  vtkMeshConversion::AddDistances(results.distances, data);
+  writeVtp(data, file);
+}
+
+} // namespace
+
+DistanceOutputs::DistanceOutputs(const DistanceCommand& command)
+  : command_(command)
+{
+  files_.add(command.output);
+  if (command.json != kStandardOutput)
+  {
+    files_.add(command.json);
+  }
+}
+
+void DistanceOutputs::write(DistanceResults& results)
+{
+  files_.write(command_.output,
+    [&](const fs::path& file)
+    {
+      if (extensionOf(command_.output) == ".csv")
+      {
+        writeFile(file, [&](std::ostream& stream) { writeCsv(results, stream); });
+      }
+      else
+      {
+        writePoints(results, file);
+      }
+    });
+  files_.write(command_.json,
+    [&](const fs::path& file) { writeFile(file, makeJson(command_, results)); });
+  files_.commit();
+}
+
+} // namespace medial::app

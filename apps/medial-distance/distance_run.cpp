@@ -1,0 +1,121 @@
+#include "distance_run.h"
+
+#include "distance_outputs.h"
+#include "distance_report.h"
+#include "distance_results.h"
+#include "interrupt.h"
+#include "library_calls.h"
+#include "standard_output.h"
+#include "surface_reader.h"
+#include "timer.h"
+
+#include <utility>
+
+namespace medial::app
+{
+namespace
+{
+
+bool hasCells(const MeshInput& mesh)
+{
+  return mesh.polygons.size() + mesh.lines.size() + mesh.verts.size() + mesh.strips.size() > 0;
+}
+
+/// Shows the progress of a step as a part of all.
+class StepWatch : public Watch
+{
+public:
+  StepWatch(ProgressBar& bar, double from, double to, const char* phase)
+    : Watch(bar)
+    , from_(from)
+    , to_(to)
+    , phase_(phase)
+  {
+  }
+
+  void report(double fraction, const char* /*phase*/) override
+  {
+    Watch::report(from_ + fraction * (to_ - from_), phase_);
+  }
+
+private:
+  double from_;
+  double to_;
+  const char* phase_;
+};
+
+SurfaceComparison compare(const DistanceCommand& command, const PointDistance& mesh,
+  const MeshInput& points, ProgressBar& bar)
+{
+  SurfaceComparison comparison;
+  TriangleMesh other;
+  withFailures(command.points, [&] { other = buildTriangleMesh(points); });
+  StepWatch there(bar, 0.6, 0.8, "comparing surfaces");
+  withFailures(command.points,
+    [&] { comparison.ofPoints = mesh.farthest(other, 1e-3, { command.threads, &there }); });
+  StepWatch back(bar, 0.8, 1.0, "comparing surfaces");
+  withFailures(command.points,
+    [&]
+    {
+      const PointDistance toPoints(std::move(other), SignMethod::None, { command.threads, &back });
+      comparison.ofMesh = toPoints.farthest(mesh.mesh(), 1e-3, { command.threads, &back });
+    });
+  return comparison;
+}
+
+void compute(const DistanceCommand& command, TriangleMesh surface, const MeshInput& points,
+  ProgressBar& bar, DistanceResults& results)
+{
+  const Timer timer;
+  results.triangles = surface.triangles.size();
+  results.vertices = surface.points.size();
+  withFailures(command.mesh,
+    [&]
+    {
+      StepWatch preparing(bar, 0.0, 0.2, "preparing");
+      const PointDistance mesh(std::move(surface), command.sign, { command.threads, &preparing });
+      results.sign = mesh.sign();
+      StepWatch computing(bar, 0.2, 0.6, "distances");
+      withFailures(command.points,
+        [&] { results.distances = mesh.compute(results.points, { command.threads, &computing }); });
+      if (hasCells(points))
+      {
+        results.comparison = compare(command, mesh, points, bar);
+      }
+    });
+  results.computeSeconds = timer.seconds();
+}
+
+} // namespace
+
+void runDistance(const DistanceCommand& command)
+{
+  DistanceOutputs outputs(command); // what cannot be written is refused before anything is read
+  ProgressBar bar(command.quiet);
+  bar.show(0.0, "reading");
+  const Timer reading;
+  DistanceResults results;
+  TriangleMesh surface;
+  {
+    const Surface mesh = readSurface(command.mesh);
+    withFailures(command.mesh, [&] { surface = mesh.toTriangleMesh(); });
+  }
+  results.pointSet = readPointSet(command.points);
+  const MeshInput points = results.pointSet.toMeshInput();
+  results.points = points.points;
+  results.readSeconds = reading.seconds();
+  throwIfInterrupted();
+  compute(command, std::move(surface), points, bar, results);
+  outputs.write(results);
+  bar.clear();
+  if (command.json == kStandardOutput)
+  {
+    printText(makeJson(command, results));
+  }
+  else if (!command.quiet)
+  {
+    printTable(command, results);
+  }
+}
+
+} // namespace medial::app
