@@ -80,6 +80,14 @@ class Values(unittest.TestCase):
         numpy.testing.assert_allclose(points(moved)[:, 0].min(), 0.75)
         self.assertAlmostEqual(values(moved, "PenetrationDepth").max(), 0.1, places=5)
 
+    def test_distances_of_points_from_a_box(self):
+        source = Wavelet(WholeExtent=[-3, 3, -3, 3, -3, 3])
+        distance = MeshPointDistance(Input=source, Surface=box())
+        image = output(distance)
+        numpy.testing.assert_allclose(values(image, "Distance"), box_distance(grid_points(image)),
+                                      atol=1e-6)
+        self.assertEqual(figure(distance, "SignMethod"), "Winding")
+
     def test_contacts_of_a_box_on_another(self):
         pair = MeshProximity(Input=box(), InputB=box())
         pair.TransformB.Scale = [0.5, 0.5, 0.5]
@@ -176,6 +184,8 @@ class Properties(unittest.TestCase):
         self.assertEqual(default_colouring(field, view), "Distance")
         self.assertEqual(GetDisplayProperties(field, view).Representation, "Slice")
         self.assertEqual(default_colouring(MedialThickness(Input=bunny()), view), "Thickness")
+        distance = MeshPointDistance(Input=bunny(), Surface=box())
+        self.assertEqual(default_colouring(distance, view), "Distance")
         pair = MeshProximity(Input=bunny(), InputB=box())
         colourings = [default_colouring(OutputPort(pair, port), view) for port in range(3)]
         self.assertEqual(colourings, ["Kind", "PenetrationDepth", "PenetrationDepth"])
@@ -207,7 +217,8 @@ class Executions(unittest.TestCase):
         axis = MedialAxis(Input=bunny(), Resolution=64)
         return [axis, MeshDistanceField(Input=bunny(), Resolution=100),
                 MedialThickness(Input=bunny()), MedialReconstruction(Input=axis, Resolution=48),
-                MedialCurves(Input=axis), MeshProximity(Input=bunny(), InputB=box())]
+                MedialCurves(Input=axis), MeshProximity(Input=bunny(), InputB=box()),
+                MeshPointDistance(Input=bunny(), Surface=box())]
 
     def test_progress(self):
         for proxy in self.filters():
