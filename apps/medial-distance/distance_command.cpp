@@ -34,7 +34,8 @@ void addOptions(CLI::App& app, DistanceTexts& texts, DistanceCommand& command)
   const std::string group = "Options";
   app
     .add_option("-o,--output", texts.output,
-      "the points with their distances: .vtp (with the faces and arrays that POINTS has) or .csv, a "
+      "the points with their distances: .vtp (with the faces and arrays that POINTS has) or .csv, "
+      "a "
       "line for each point with x, y, z, distance, closest point, cell, feature and direction")
     ->option_text("FILE")
     ->group(group);

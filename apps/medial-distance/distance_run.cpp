@@ -52,7 +52,9 @@ SurfaceComparison compare(const DistanceCommand& command, const PointDistance& m
   withFailures(command.points, [&] { other = buildTriangleMesh(points); });
   StepWatch there(bar, 0.6, 0.8, "comparing surfaces");
   withFailures(command.points,
-    [&] { comparison.ofPoints = mesh.farthest(other, 1e-3, { command.threads, &there }); });
+    [&] {
+      comparison.ofPoints = mesh.farthest(other, 1e-3, { command.threads, &there });
+    });
   StepWatch back(bar, 0.8, 1.0, "comparing surfaces");
   withFailures(command.points,
     [&]
@@ -77,7 +79,9 @@ void compute(const DistanceCommand& command, TriangleMesh surface, const MeshInp
       results.sign = mesh.sign();
       StepWatch computing(bar, 0.2, 0.6, "distances");
       withFailures(command.points,
-        [&] { results.distances = mesh.compute(results.points, { command.threads, &computing }); });
+        [&] {
+          results.distances = mesh.compute(results.points, { command.threads, &computing });
+        });
       if (hasCells(points))
       {
         results.comparison = compare(command, mesh, points, bar);
