@@ -73,7 +73,8 @@ TEST_F(CommandFailure, UnknownExtension)
 TEST_F(CommandFailure, EmptyMesh)
 {
   const TriangleMesh nothing;
-  expectBadInput("empty.obj", "", "holds no faces");
+  expectBadInput("empty.obj", "", "the file is empty");
+  expectBadInput("cells.obj", objText(nothing) + "# none\n", "holds no faces");
   expectBadInput("empty.off", offText(nothing), "holds no faces");
   expectBadInput("empty.ply", plyText(nothing), "holds no faces");
   expectBadInput("empty.stl", stlBinary(nothing), "0 triangles");
