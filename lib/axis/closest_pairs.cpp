@@ -31,6 +31,28 @@ SitePoint oppositePoint(const SiteSet& sites, const std::vector<int>& candidates
   return opposite;
 }
 
+/// Sites whose distances differ by less, in local units (voxels), are equally near.
+constexpr double kEquallyNear = 1e-9;
+
+/// Returns the closest pair at x. Where several sites are equally near, as on a seam, the closest
+/// point may be that of any of them; then the pair with the largest angle counts.
+BisectorPoint widestPair(const SiteSet& sites, const std::vector<int>& candidates,
+  const glm::dvec3& x, const SitePoint& closest, double tolerance)
+{
+  BisectorPoint widest{ x, closest, oppositePoint(sites, candidates, x, closest, tolerance) };
+  const double nearest = glm::distance(x, closest.point) + kEquallyNear;
+  for (const int site : candidates)
+  {
+    const SitePoint other = closestPoint(sites, site, x);
+    if (other.site != closest.site && glm::distance(x, other.point) <= nearest)
+    {
+      const BisectorPoint pair{ x, other, oppositePoint(sites, candidates, x, other, tolerance) };
+      widest = pair.separationAngle() > widest.separationAngle() ? pair : widest;
+    }
+  }
+  return widest;
+}
+
 /// Replaces `sites` by the sites whose bisectors gave a vertex, each once, in the order of the
 /// bisectors.
 void sitesOf(const DualMesh& mesh, const BisectorPoints& bisectors, std::size_t vertex,
@@ -76,7 +98,7 @@ std::vector<BisectorPoint> closestPairs(const AxisGeometry& geometry, const Dual
     {
       std::sort(sites.begin(), sites.end());
     }
-    result[i] = { x, closest, oppositePoint(geometry.sites, sites, x, closest, tolerance) };
+    result[i] = widestPair(geometry.sites, sites, x, closest, tolerance);
   }
   return result;
 }
