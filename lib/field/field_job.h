@@ -2,12 +2,12 @@
 
 #include "base/run.h"
 #include "field/field_sign.h"
+#include "field/host_inside.h"
 #include "field/host_sites.h"
 #include "medial/grid.h"
 #include "medial/mesh_connectivity.h"
 #include "medial/run_statistics.h"
 #include "medial/triangle_mesh.h"
-#include "sign/inside_rows.h"
 #include "sites/grid_frame.h"
 
 #include <cstddef>
@@ -22,13 +22,16 @@ struct FieldJob
   const MeshConnectivity& connectivity;
   const HostSites& host;
   FieldSign sign;
-  const InsideRows* inside; ///< grid points that are inside, if `sign` is Rows; otherwise null
+  const HostInside* inside; ///< grid points that are inside, if `sign` is Rows; otherwise null
   GridFrame frame;
   Extent extent;             ///< the part of the grid to compute
   std::size_t memoryMiB;     ///< as DistanceFieldOptions::memoryMiB
   bool verify;               ///< as DistanceFieldOptions::verify
   Run run;                   ///< progress of this job
   RunStatistics& statistics; ///< engines add their seconds and counts
+
+  /// The rows of `inside` in host memory; null if there are none.
+  const InsideRows* insideRows() const { return inside != nullptr ? &inside->rows() : nullptr; }
 };
 
 } // namespace medial

@@ -66,7 +66,8 @@ Device requiredHardware(const std::string& wanted)
 } // namespace
 
 FieldPipeline::FieldPipeline(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
-  const Grid& grid, const Extent& extent, const DistanceFieldOptions& options, const Run& run)
+  const Grid& grid, const Extent& extent, const DistanceFieldOptions& options,
+  SurfaceOrienter& orienter, const Run& run)
   : mesh_(mesh)
   , connectivity_(connectivity)
   , extent_(extent)
@@ -85,8 +86,8 @@ FieldPipeline::FieldPipeline(const TriangleMesh& mesh, const MeshConnectivity& c
     [&]
     {
       const Checkpoint checkpoint(run_, 0.0, "distance field");
-      run_.onThreads(
-        [&] { sign_.emplace(options.sign, mesh, connectivity, grid, frame_, checkpoint); });
+      run_.onThreads([&]
+        { sign_.emplace(options.sign, mesh, connectivity, grid, frame_, orienter, checkpoint); });
     });
   statistics_.sign = sign_->report();
 }
@@ -111,8 +112,11 @@ FieldJob FieldPipeline::prepare(const FieldEngine& engine)
   }
   host_.emplace(mesh_, connectivity_, frame_, fieldSign(this->sign(), connectivity_), run_,
     statistics_);
-  timed(statistics_.seconds.sign,
-    [&] { run_.onThreads([&] { inside_ = sign_->insideRows(extent_); }); });
+  inside_.reset();
+  if (this->sign() == SignMethod::Winding)
+  {
+    inside_.emplace(*sign_, extent_, run_, statistics_);
+  }
   statistics_.sites = static_cast<std::int64_t>(
     mesh_.triangles.size() + connectivity_.edges.size() + mesh_.points.size());
   statistics_.samples = extent_.pointCount();

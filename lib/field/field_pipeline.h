@@ -3,6 +3,7 @@
 #include "base/run.h"
 #include "field/crossing.h"
 #include "field/field_engine.h"
+#include "field/host_inside.h"
 #include "field/host_sites.h"
 #include "medial/distance_field.h"
 #include "sign/sign_choice.h"
@@ -21,10 +22,12 @@ class FieldPipeline
 public:
   /// Checks everything that can be checked before the work starts.
   /// @param mesh, connectivity must outlive this.
+  /// @param orienter of the mesh, whose points may have been elsewhere.
   /// @param run replaces options.execution.
   /// @throws Error as computeDistanceField.
   FieldPipeline(const TriangleMesh& mesh, const MeshConnectivity& connectivity, const Grid& grid,
-    const Extent& extent, const DistanceFieldOptions& options, const Run& run);
+    const Extent& extent, const DistanceFieldOptions& options, SurfaceOrienter& orienter,
+    const Run& run);
 
   /// The method used, never Auto.
   SignMethod sign() const { return sign_->report().method; }
@@ -56,8 +59,8 @@ private:
   Run run_;
   GridFrame frame_;
   std::optional<SignChoice> sign_;
-  std::optional<InsideRows> inside_;
   RunStatistics statistics_;
+  std::optional<HostInside> inside_;
   std::optional<HostSites> host_;
 };
 

@@ -25,12 +25,12 @@ void storePoint(const Point3& point, float* target)
 
 } // namespace
 
-FieldWriter::FieldWriter(const FieldJob& job)
+FieldWriter::FieldWriter(const FieldJob& job, const InsideRows* inside)
   : host_(job.host)
   , cells_(job.mesh, job.connectivity)
   , frame_(job.frame)
   , signed_(job.sign != FieldSign::None)
-  , inside_(job.inside)
+  , inside_(inside)
 {
 }
 

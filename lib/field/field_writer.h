@@ -26,7 +26,7 @@ struct StridedValues
 /// A slab that a device has resolved, in local units, slice by slice, x fastest.
 struct ResolvedSlab
 {
-  StridedValues distances;             ///< signed unless the job knows which points are inside
+  StridedValues distances;             ///< signed unless the writer knows which points are inside
   StridedValues vectors;               ///< to the closest points
   const std::int32_t* sites = nullptr; ///< closest ones; null if no array needs them
 };
@@ -35,7 +35,8 @@ struct ResolvedSlab
 class FieldWriter
 {
 public:
-  explicit FieldWriter(const FieldJob& job);
+  /// @param inside gives distances their sign; null if they have it.
+  FieldWriter(const FieldJob& job, const InsideRows* inside);
 
   /// Sets the slab and the arrays of the next values.
   void begin(const Extent& slab, const FieldArrays& arrays);
@@ -58,7 +59,7 @@ private:
   SiteCells cells_;
   GridFrame frame_;
   bool signed_;
-  const InsideRows* inside_; ///< null if the engine finds the sides
+  const InsideRows* inside_;
   Extent slab_;
   FieldArrays arrays_;
 };

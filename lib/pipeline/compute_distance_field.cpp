@@ -12,14 +12,14 @@ namespace medial
 
 RunStatistics computeField(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
   const Grid& grid, const Extent& extent, FieldSink& sink, const DistanceFieldOptions& options,
-  std::unique_ptr<FieldEngine>& engine)
+  MeshState& state)
 {
   return withMemoryErrors(extent.pointCount(),
     [&]
     {
       const Run run(options.execution);
-      FieldPipeline pipeline(mesh, connectivity, grid, extent, options, run);
-      pipeline.run(obtainEngine(options.engine, options.device, engine), sink);
+      FieldPipeline pipeline(mesh, connectivity, grid, extent, options, state.orienter, run);
+      pipeline.run(obtainEngine(options.engine, options.device, state.engine), sink);
       run.report(1.0, "distance field");
       return pipeline.statistics();
     });
@@ -28,8 +28,8 @@ RunStatistics computeField(const TriangleMesh& mesh, const MeshConnectivity& con
 RunStatistics computeDistanceField(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
   const Grid& grid, const Extent& extent, FieldSink& sink, const DistanceFieldOptions& options)
 {
-  std::unique_ptr<FieldEngine> engine;
-  return computeField(mesh, connectivity, grid, extent, sink, options, engine);
+  MeshState state;
+  return computeField(mesh, connectivity, grid, extent, sink, options, state);
 }
 
 RunStatistics computeDistanceField(const TriangleMesh& mesh, const MeshConnectivity& connectivity,

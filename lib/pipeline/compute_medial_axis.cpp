@@ -176,12 +176,11 @@ void buildAxis(const MedialAxisOptions& options, const FieldPipeline& pipeline, 
 }
 
 MedialAxis runPipeline(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
-  const Grid& grid, const MedialAxisOptions& options, FieldSink& sink,
-  std::unique_ptr<FieldEngine>& engine)
+  const Grid& grid, const MedialAxisOptions& options, FieldSink& sink, MeshState& state)
 {
   const Run run(options.field.execution);
   FieldPipeline pipeline(mesh, connectivity, grid, grid.wholeExtent(), options.field,
-    run.part(0.0, kSelected));
+    state.orienter, run.part(0.0, kSelected));
   MedialAxis axis;
   axis.sign = pipeline.sign();
   axis.side = axis.sign == SignMethod::None ? Side::Both : options.side;
@@ -192,7 +191,7 @@ MedialAxis runPipeline(const TriangleMesh& mesh, const MeshConnectivity& connect
     tap.emplace(sink, grid.wholeExtent());
   }
   std::vector<Crossing> crossings =
-    pipeline.run(obtainEngine(options.field.engine, options.field.device, engine),
+    pipeline.run(obtainEngine(options.field.engine, options.field.device, state.engine),
       tap ? *tap : sink, CrossingSelection{ options.angle, axis.side });
   run.report(kSelected, "medial axis");
   run.onThreads(
@@ -214,19 +213,18 @@ MedialAxis runPipeline(const TriangleMesh& mesh, const MeshConnectivity& connect
 } // namespace
 
 MedialAxis computeAxis(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
-  const Grid& grid, const MedialAxisOptions& options, FieldSink& sink,
-  std::unique_ptr<FieldEngine>& engine)
+  const Grid& grid, const MedialAxisOptions& options, FieldSink& sink, MeshState& state)
 {
   checkOptions(options);
   return withMemoryErrors(grid.pointCount(),
-    [&] { return runPipeline(mesh, connectivity, grid, options, sink, engine); });
+    [&] { return runPipeline(mesh, connectivity, grid, options, sink, state); });
 }
 
 MedialAxis computeMedialAxis(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
   const Grid& grid, const MedialAxisOptions& options, FieldSink& sink)
 {
-  std::unique_ptr<FieldEngine> engine;
-  return computeAxis(mesh, connectivity, grid, options, sink, engine);
+  MeshState state;
+  return computeAxis(mesh, connectivity, grid, options, sink, state);
 }
 
 MedialAxis computeMedialAxis(const TriangleMesh& mesh, const MeshConnectivity& connectivity,

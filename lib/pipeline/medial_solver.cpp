@@ -1,7 +1,6 @@
 #include "medial/medial_solver.h"
 
 #include "field/array_sink.h"
-#include "field/field_engine.h"
 #include "medial/error.h"
 #include "pipeline/frame.h"
 
@@ -15,7 +14,7 @@ struct MedialSolver::State
 {
   TriangleMesh mesh;
   MeshConnectivity connectivity;
-  std::unique_ptr<FieldEngine> engine; ///< of the last frame; null before the first
+  MeshState kept;
 };
 
 MedialSolver::MedialSolver(TriangleMesh mesh)
@@ -59,7 +58,7 @@ RunStatistics MedialSolver::computeField(const Grid& grid, const Extent& extent,
   const DistanceFieldOptions& options)
 {
   return medial::computeField(state_->mesh, state_->connectivity, grid, extent, sink, options,
-    state_->engine);
+    state_->kept);
 }
 
 RunStatistics MedialSolver::computeField(const Grid& grid, const Extent& extent,
@@ -73,8 +72,7 @@ MedialAxis MedialSolver::computeAxis(const Grid& grid, const MedialAxisOptions& 
   const FieldArrays& arrays)
 {
   ArraySink sink(grid.wholeExtent(), arrays);
-  return medial::computeAxis(state_->mesh, state_->connectivity, grid, options, sink,
-    state_->engine);
+  return medial::computeAxis(state_->mesh, state_->connectivity, grid, options, sink, state_->kept);
 }
 
 } // namespace medial

@@ -17,7 +17,9 @@ SignReport choose(SignMethod requested, const TriangleMesh& mesh,
   const MeshConnectivity& connectivity, const Checkpoint& checkpoint)
 {
   const Grid grid = makeGrid(mesh.bounds(), kRuleResolution);
-  return SignChoice(requested, mesh, connectivity, grid, GridFrame(grid), checkpoint).report();
+  SurfaceOrienter orienter;
+  return SignChoice(requested, mesh, connectivity, grid, GridFrame(grid), orienter, checkpoint)
+    .report();
 }
 
 } // namespace

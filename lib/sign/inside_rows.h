@@ -24,6 +24,24 @@ public:
   /// @param first grid point of a row, of which `count` points are written.
   void write(const glm::ivec3& first, int count, float* sides) const;
 
+  /// Calls visit(point, change) for every grid point of some slices at which a row enters (1) or
+  /// leaves (-1) the solid.
+  template <typename Visit>
+  void visitChanges(int firstSlice, int lastSlice, const Visit& visit) const
+  {
+    for (int k = firstSlice; k <= lastSlice; ++k)
+    {
+      for (int j = extent_.min[1]; j <= extent_.max[1]; ++j)
+      {
+        const Row row = this->row(j, k);
+        for (const int* change = row.begin; change != row.end; ++change)
+        {
+          visit(glm::ivec3(*change, j, k), (change - row.begin) % 2 == 0 ? 1 : -1);
+        }
+      }
+    }
+  }
+
 private:
   struct Slice
   {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 
 namespace medial
 {
@@ -117,28 +118,29 @@ int directionAlong(const TriangleMesh& mesh, const MeshConnectivity& connectivit
   return mesh.triangles[triangle][corner] == connectivity.edges[edge][0] ? 1 : -1;
 }
 
-Patches findPatches(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
+Patches findPatches(const TriangleMesh& mesh, const MeshConnectivity& connectivity)
+{
+  return PatchFinder(mesh, connectivity).take();
+}
+
+std::vector<bool> runningBackwards(const Patches& patches, const TriangleMesh& mesh,
   const std::vector<glm::dvec3>& points)
 {
-  Patches patches = PatchFinder(mesh, connectivity).take();
+  std::vector<bool> backwards;
   for (const std::vector<int>& members : patches.triangles)
   {
+    const bool alike =
+      std::all_of(members.begin(), members.end(), [&](int t) { return patches.senses[t] > 0; });
     double majority = 0.0;
-    for (const int t : members)
+    for (std::size_t i = 0; !alike && i < members.size(); ++i)
     {
-      const auto& [a, b, c] = mesh.triangles[t];
-      majority +=
-        patches.senses[t] * glm::length(glm::cross(points[b] - points[a], points[c] - points[a]));
+      const auto& [a, b, c] = mesh.triangles[members[i]];
+      majority += patches.senses[members[i]] *
+        glm::length(glm::cross(points[b] - points[a], points[c] - points[a]));
     }
-    if (majority < 0.0)
-    {
-      for (const int t : members)
-      {
-        patches.senses[t] = static_cast<std::int8_t>(-patches.senses[t]);
-      }
-    }
+    backwards.push_back(majority < 0.0);
   }
-  return patches;
+  return backwards;
 }
 
 } // namespace medial

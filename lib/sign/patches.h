@@ -21,10 +21,13 @@ struct Patches
 };
 
 /// Splits a mesh into patches. Triangles with the corners of an earlier one are left out. A patch
-/// has the direction of most of its area. One that cannot have a direction, such as a Moebius
-/// strip, has rims on both sides of a cut.
+/// has the direction of its first triangle. One that cannot have a direction, such as a Moebius
+/// strip, has rims on both sides of a cut. Positions do not matter.
+Patches findPatches(const TriangleMesh& mesh, const MeshConnectivity& connectivity);
+
+/// Returns the patches against whose directions most of their area runs.
 /// @param points of the mesh, relative to its middle.
-Patches findPatches(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
+std::vector<bool> runningBackwards(const Patches& patches, const TriangleMesh& mesh,
   const std::vector<glm::dvec3>& points);
 
 /// Returns 1 if a triangle runs along an edge in the direction in which the edge is stored, or -1.

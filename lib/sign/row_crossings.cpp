@@ -75,10 +75,7 @@ private:
       const IndexRange slices = this->slicesOf(corners);
       for (int k = std::max(first, slices.first); k <= std::min(last, slices.last); ++k)
       {
-        if (const auto segment = cutAt(corners, frame_.first.z + k * frame_.step.z))
-        {
-          this->addRows(*segment, triangle.weight, slices_[k - extent_.min[2]]);
-        }
+        addCrossings(corners, triangle.weight, frame_, extent_, k, slices_[k - extent_.min[2]]);
       }
     }
     for (int k = first; k <= last; ++k)
@@ -86,25 +83,6 @@ private:
       sortCrossings(slices_[k - extent_.min[2]]);
     }
     blocks_[block] = {};
-  }
-
-  void addRows(const SliceSegment& segment, int weight, SliceCrossings& crossings) const
-  {
-    const auto [low, high] = std::minmax(segment.from.y, segment.to.y);
-    const IndexRange rows =
-      planesBetween(low, high, frame_.first.y, frame_.step.y, extent_.min[1], extent_.max[1]);
-    for (int j = rows.first; j <= rows.last; ++j)
-    {
-      if (const auto crossing = crossLine(segment, frame_.first.y + j * frame_.step.y))
-      {
-        const double index = (crossing->x - frame_.first.x) / frame_.step.x;
-        if (index < extent_.max[0])
-        {
-          const double beyond = std::max<double>(extent_.min[0], std::floor(index) + 1.0);
-          crossings.push_back({ j, static_cast<int>(beyond), crossing->direction * weight });
-        }
-      }
-    }
   }
 
   const TriangleChain& surface_;
@@ -115,6 +93,31 @@ private:
 };
 
 } // namespace
+
+void addCrossings(const std::array<glm::dvec3, 3>& corners, int weight, const GridFrame& frame,
+  const Extent& extent, int slice, SliceCrossings& crossings)
+{
+  const auto segment = cutAt(corners, frame.first.z + slice * frame.step.z);
+  if (!segment)
+  {
+    return;
+  }
+  const auto [low, high] = std::minmax(segment->from.y, segment->to.y);
+  const IndexRange rows =
+    planesBetween(low, high, frame.first.y, frame.step.y, extent.min[1], extent.max[1]);
+  for (int j = rows.first; j <= rows.last; ++j)
+  {
+    if (const auto crossing = crossLine(*segment, frame.first.y + j * frame.step.y))
+    {
+      const double index = (crossing->x - frame.first.x) / frame.step.x;
+      if (index < extent.max[0])
+      {
+        const double beyond = std::max<double>(extent.min[0], std::floor(index) + 1.0);
+        crossings.push_back({ j, static_cast<int>(beyond), crossing->direction * weight });
+      }
+    }
+  }
+}
 
 void sortCrossings(SliceCrossings& crossings)
 {

@@ -4,6 +4,7 @@
 #include "sign/closed_surface.h"
 #include "sites/grid_frame.h"
 
+#include <array>
 #include <vector>
 
 namespace medial
@@ -27,6 +28,12 @@ using SliceCrossings = std::vector<RowCrossing>;
 /// arena.
 std::vector<SliceCrossings> rowCrossings(const TriangleChain& surface, const GridFrame& frame,
   const Extent& extent);
+
+/// Appends the changes where the rows of a slice pass through one triangle, as rowCrossings()
+/// finds them.
+/// @param extent the rows and points that count.
+void addCrossings(const std::array<glm::dvec3, 3>& corners, int weight, const GridFrame& frame,
+  const Extent& extent, int slice, SliceCrossings& crossings);
 
 /// Sorts the changes of a slice.
 void sortCrossings(SliceCrossings& crossings);

@@ -68,7 +68,7 @@ std::string windingReason(const SignReport& report)
 
 SignChoice::SignChoice(SignMethod requested, const TriangleMesh& mesh,
   const MeshConnectivity& connectivity, const Grid& grid, const GridFrame& frame,
-  const Checkpoint& checkpoint)
+  SurfaceOrienter& orienter, const Checkpoint& checkpoint)
   : frame_(frame)
   , checkpoint_(checkpoint)
 {
@@ -89,13 +89,13 @@ SignChoice::SignChoice(SignMethod requested, const TriangleMesh& mesh,
         throw Error(ErrorCode::InvalidInput,
           "sign method winding needs triangles; this mesh has none; use auto or none");
       }
-      this->wind(requested, mesh, connectivity, grid);
+      this->wind(requested, mesh, orienter.orient(mesh, connectivity), grid);
       break;
     case SignMethod::Auto:
       report_.reason = "the mesh has no triangles";
       if (!mesh.triangles.empty())
       {
-        this->wind(requested, mesh, connectivity, grid);
+        this->wind(requested, mesh, orienter.orient(mesh, connectivity), grid);
       }
       break;
     case SignMethod::None:
@@ -104,9 +104,8 @@ SignChoice::SignChoice(SignMethod requested, const TriangleMesh& mesh,
 }
 
 void SignChoice::wind(SignMethod requested, const TriangleMesh& mesh,
-  const MeshConnectivity& connectivity, const Grid& grid)
+  const SurfaceOrientation& orientation, const Grid& grid)
 {
-  const SurfaceOrientation orientation = orientSurface(mesh, connectivity);
   report_.rimEdges = static_cast<std::int64_t>(orientation.rim.size());
   if (requested == SignMethod::Auto && isTorn(report_.rimEdges, mesh.triangles.size()))
   {
@@ -131,6 +130,7 @@ void SignChoice::wind(SignMethod requested, const TriangleMesh& mesh,
   if (report_.method == SignMethod::Winding)
   {
     directions_ = orientation.directions;
+    weights_ = orientation.weights;
   }
 }
 

@@ -24,10 +24,12 @@ class SignChoice
 {
 public:
   /// Chooses the method. Uses the threads of the current arena.
+  /// @param orienter of the mesh, whose points may have been elsewhere.
   /// @throws Error InvalidInput for Pseudonormal if the mesh is open or not consistently oriented,
   ///   and for Winding if it has no triangles; Cancelled.
   SignChoice(SignMethod requested, const TriangleMesh& mesh, const MeshConnectivity& connectivity,
-    const Grid& grid, const GridFrame& frame, const Checkpoint& checkpoint);
+    const Grid& grid, const GridFrame& frame, SurfaceOrienter& orienter,
+    const Checkpoint& checkpoint);
 
   const SignReport& report() const { return report_; }
   /// Per triangle 1 if it faces outwards as it is, or -1. Empty without a sign.
@@ -35,8 +37,17 @@ public:
   /// Returns the points of an extent that are inside; nothing unless the method is Winding.
   std::optional<InsideRows> insideRows(const Extent& extent) const;
 
+  ///@{
+  /// What insideRows() finds the points by if the method is Winding: the closed surface, how the
+  /// triangles of the mesh count there (SurfaceOrientation::weights), and where grid points are
+  /// taken to be.
+  const ClosedSurface& surface() const { return surface_; }
+  const std::vector<std::int8_t>& weights() const { return weights_; }
+  const GridFrame& frame() const { return frame_; }
+  ///@}
+
 private:
-  void wind(SignMethod requested, const TriangleMesh& mesh, const MeshConnectivity& connectivity,
+  void wind(SignMethod requested, const TriangleMesh& mesh, const SurfaceOrientation& orientation,
     const Grid& grid);
 
   GridFrame frame_; ///< shifted by a little
@@ -44,6 +55,7 @@ private:
   SignReport report_;
   ClosedSurface surface_;
   std::vector<std::int8_t> directions_;
+  std::vector<std::int8_t> weights_;
   std::unique_ptr<WindingNumber> lids_; ///< null if there are none
 };
 

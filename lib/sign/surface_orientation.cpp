@@ -61,75 +61,124 @@ struct CountedTriangle
 struct PatchSolid
 {
   std::vector<RimEdge> rim;
+  std::vector<WeightedTriangle> lids;
   double volume = 0.0; ///< within the patch and its lids; negative if it faces inwards
   bool solid = false;  ///< whether it encloses a volume up to small holes
   bool turned = false;
 };
 
-class Orientation
+} // namespace
+
+/// A mesh whose points are those of the last call.
+class SurfaceOrienter::Surface
 {
 public:
-  Orientation(const TriangleMesh& mesh, const MeshConnectivity& connectivity)
-    : mesh_(mesh)
-    , connectivity_(connectivity)
-    , points_(pointsAroundMiddle(mesh))
-    , patches_(findPatches(mesh, connectivity, points_))
-    , solids_(patches_.triangles.size())
+  Surface(const TriangleMesh& mesh, const MeshConnectivity& connectivity)
+    : patches_(findPatches(mesh, connectivity))
   {
-    this->findRims();
+  }
+
+  const SurfaceOrientation& orient(const TriangleMesh& mesh, const MeshConnectivity& connectivity)
+  {
+    mesh_ = &mesh;
+    connectivity_ = &connectivity;
+    points_ = pointsAroundMiddle(mesh);
+    const bool same = this->directPatches();
+    const std::vector<bool> before = this->turnedPatches();
     for (std::size_t patch = 0; patch < solids_.size(); ++patch)
     {
       this->measure(static_cast<int>(patch));
     }
     this->turnSolids(this->containers());
+    if (!same || this->turnedPatches() != before)
+    {
+      result_ = this->result();
+    }
+    return result_;
+  }
+
+private:
+  /// Gives every patch the direction of most of its area.
+  /// @return whether all of them had it before.
+  bool directPatches()
+  {
+    std::vector<bool> backwards = runningBackwards(patches_, *mesh_, points_);
+    if (backwards_ == backwards)
+    {
+      return true;
+    }
+    senses_ = patches_.senses;
+    for (std::size_t patch = 0; patch < backwards.size(); ++patch)
+    {
+      for (const int t : patches_.triangles[patch])
+      {
+        senses_[t] = static_cast<std::int8_t>(backwards[patch] ? -senses_[t] : senses_[t]);
+      }
+    }
+    backwards_ = std::move(backwards);
+    solids_.assign(patches_.triangles.size(), {});
+    this->findRims();
+    for (PatchSolid& solid : solids_)
+    {
+      solid.lids = lidsOf(solid.rim);
+    }
+    return false;
+  }
+
+  std::vector<bool> turnedPatches() const
+  {
+    std::vector<bool> turned(solids_.size());
+    std::transform(solids_.begin(), solids_.end(), turned.begin(),
+      [](const PatchSolid& solid) { return solid.turned; });
+    return turned;
   }
 
   SurfaceOrientation result() const
   {
     SurfaceOrientation result;
-    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
+    for (std::size_t t = 0; t < mesh_->triangles.size(); ++t)
     {
       const int original = patches_.originals[t];
       const bool isCopy = original != static_cast<int>(t);
       const int turn = solids_[patches_.ofTriangle[original]].turned ? -1 : 1;
-      const int direction =
-        turn * patches_.senses[original] * (isCopy ? this->alike(t, original) : 1);
+      const int direction = turn * senses_[original] * (isCopy ? this->alike(t, original) : 1);
       result.directions.push_back(static_cast<std::int8_t>(direction));
       result.weights.push_back(static_cast<std::int8_t>(isCopy ? 0 : direction));
       result.copies += isCopy ? 1 : 0;
       result.turned += !isCopy && direction < 0 ? 1 : 0;
     }
-    for (int edge = 0; edge < connectivity_.edgeTriangles.rows(); ++edge)
+    for (int edge = 0; edge < connectivity_->edgeTriangles.rows(); ++edge)
     {
       int net = 0;
-      std::for_each(connectivity_.edgeTriangles.begin(edge), connectivity_.edgeTriangles.end(edge),
-        [&](int t) { net += result.weights[t] * directionAlong(mesh_, connectivity_, t, edge); });
-      addRimEdge(connectivity_, edge, net, result.rim);
+      std::for_each(connectivity_->edgeTriangles.begin(edge),
+        connectivity_->edgeTriangles.end(edge),
+        [&](int t) { net += result.weights[t] * directionAlong(*mesh_, *connectivity_, t, edge); });
+      addRimEdge(*connectivity_, edge, net, result.rim);
     }
     return result;
   }
 
-private:
   /// Returns 1 if two triangles with the same corners face the same way, otherwise -1.
   int alike(std::size_t a, int b) const
   {
-    const int edge = connectivity_.triangleEdges[b][0];
-    return directionAlong(mesh_, connectivity_, static_cast<int>(a), edge) *
-      directionAlong(mesh_, connectivity_, b, edge);
+    const int edge = connectivity_->triangleEdges[b][0];
+    return directionAlong(*mesh_, *connectivity_, static_cast<int>(a), edge) *
+      directionAlong(*mesh_, *connectivity_, b, edge);
   }
 
   /// Finds the rim of every patch, whatever other patches do there.
   void findRims()
   {
     std::vector<std::pair<int, int>> nets; // patch and direction
-    for (int edge = 0; edge < connectivity_.edgeTriangles.rows(); ++edge)
+    for (int edge = 0; edge < connectivity_->edgeTriangles.rows(); ++edge)
     {
       nets.clear();
-      std::for_each(connectivity_.edgeTriangles.begin(edge), connectivity_.edgeTriangles.end(edge),
+      std::for_each(connectivity_->edgeTriangles.begin(edge),
+        connectivity_->edgeTriangles.end(edge),
         [&](int t)
         {
           nets.emplace_back(patches_.ofTriangle[t],
-            patches_.senses[t] * directionAlong(mesh_, connectivity_, t, edge));
+            senses_[t] * directionAlong(*mesh_, *connectivity_, t, edge));
         });
       std::sort(nets.begin(), nets.end());
       for (auto first = nets.begin(); first != nets.end();)
@@ -142,7 +191,7 @@ private:
         }
         if (patch >= 0)
         {
-          addRimEdge(connectivity_, edge, net, solids_[patch].rim);
+          addRimEdge(*connectivity_, edge, net, solids_[patch].rim);
         }
       }
     }
@@ -154,10 +203,10 @@ private:
   {
     for (const int t : patches_.triangles[patch])
     {
-      const auto& [a, b, c] = mesh_.triangles[t];
-      visit(CountedTriangle{ { points_[a], points_[b], points_[c] }, patches_.senses[t] }, false);
+      const auto& [a, b, c] = mesh_->triangles[t];
+      visit(CountedTriangle{ { points_[a], points_[b], points_[c] }, senses_[t] }, false);
     }
-    for (const WeightedTriangle& lid : lidsOf(solids_[patch].rim))
+    for (const WeightedTriangle& lid : solids_[patch].lids)
     {
       const auto& [a, b, c] = lid.corners;
       visit(CountedTriangle{ { points_[a], points_[b], points_[c] }, lid.weight }, true);
@@ -167,7 +216,9 @@ private:
   void measure(int patch)
   {
     PatchSolid& solid = solids_[patch];
-    const glm::dvec3 origin = points_[mesh_.triangles[patches_.triangles[patch].front()][0]];
+    solid.volume = 0.0;
+    solid.turned = false;
+    const glm::dvec3 origin = points_[mesh_->triangles[patches_.triangles[patch].front()][0]];
     double area = 0.0;
     double lidArea = 0.0;
     this->visitTriangles(patch,
@@ -244,7 +295,7 @@ private:
     const std::size_t count = std::min(kProbes, members.size());
     for (std::size_t i = 0; i < count; ++i)
     {
-      const auto& [a, b, c] = mesh_.triangles[members[(2 * i + 1) * members.size() / (2 * count)]];
+      const auto& [a, b, c] = mesh_->triangles[members[(2 * i + 1) * members.size() / (2 * count)]];
       probes.push_back((points_[a] + points_[b] + points_[c]) / 3.0);
       patchOfProbe.push_back(patch);
     }
@@ -267,18 +318,32 @@ private:
     }
   }
 
-  const TriangleMesh& mesh_;
-  const MeshConnectivity& connectivity_;
+  const TriangleMesh* mesh_ = nullptr;
+  const MeshConnectivity* connectivity_ = nullptr;
   Points points_;
   Patches patches_;
+  std::optional<std::vector<bool>> backwards_; ///< patches against their direction as found
+  std::vector<std::int8_t> senses_;            ///< as Patches::senses, for the patches' directions
   std::vector<PatchSolid> solids_;
+  SurfaceOrientation result_;
 };
 
-} // namespace
+SurfaceOrienter::SurfaceOrienter() = default;
+SurfaceOrienter::~SurfaceOrienter() = default;
+
+const SurfaceOrientation& SurfaceOrienter::orient(const TriangleMesh& mesh,
+  const MeshConnectivity& connectivity)
+{
+  if (!surface_)
+  {
+    surface_ = std::make_unique<Surface>(mesh, connectivity);
+  }
+  return surface_->orient(mesh, connectivity);
+}
 
 SurfaceOrientation orientSurface(const TriangleMesh& mesh, const MeshConnectivity& connectivity)
 {
-  return Orientation(mesh, connectivity).result();
+  return SurfaceOrienter().orient(mesh, connectivity);
 }
 
 std::optional<OrientedMesh> turned(const TriangleMesh& mesh, const MeshConnectivity& connectivity,

@@ -5,6 +5,7 @@
 #include "sign/rim.h"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -30,6 +31,25 @@ struct SurfaceOrientation
 /// - together with the smallest one that contains them, otherwise: a patch that faces the other way
 ///   than its container is a cavity.
 SurfaceOrientation orientSurface(const TriangleMesh& mesh, const MeshConnectivity& connectivity);
+
+/// Does the work of orientSurface() for one mesh whose points move. What follows from the
+/// connectivity alone is found once, and so is the result where no patch turns.
+class SurfaceOrienter
+{
+public:
+  SurfaceOrienter();
+  ~SurfaceOrienter();
+  SurfaceOrienter(const SurfaceOrienter&) = delete;
+  SurfaceOrienter& operator=(const SurfaceOrienter&) = delete;
+
+  /// Returns what orientSurface() returns; valid until the next call.
+  /// @param mesh, connectivity those of the first call, but for positions.
+  const SurfaceOrientation& orient(const TriangleMesh& mesh, const MeshConnectivity& connectivity);
+
+private:
+  class Surface;
+  std::unique_ptr<Surface> surface_; ///< null before the first call
+};
 
 /// A mesh whose triangles face the way they count.
 struct OrientedMesh

@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <set>
 #include <utility>
 
 using namespace medial;
@@ -88,4 +90,51 @@ TEST(SurfaceOrientation, FindsRims)
 TEST(SurfaceOrientation, LeavesOpenSheetsAsTheyAre)
 {
   EXPECT_EQ(oriented(plates(1.0, 1.0)).turned, 0);
+}
+
+/// In some positions parts are inside out, one is within another or most of the area runs the other
+/// way.
+TEST(SurfaceOrienter, FindsInEveryPositionWhatAFreshOneFinds)
+{
+  TriangleMesh mixed = icosphere(0.8, 1);
+  for (std::size_t t = 0; t < mixed.triangles.size(); t += 2)
+  {
+    std::swap(mixed.triangles[t][0], mixed.triangles[t][1]);
+  }
+  mixed.triangles.pop_back();
+  mixed.triangleCells.pop_back();
+  const TriangleMesh mesh =
+    appended(appended(box({ 3.0, 3.0, 3.0 }), translated(mixed, { 9.0, 0.0, 0.0 })),
+      translated(plates(1.0, 1.0), { 0.0, 9.0, 0.0 }));
+  const MeshConnectivity connectivity = analyseConnectivity(mesh);
+  SurfaceOrienter orienter;
+  std::set<std::int64_t> turned;
+  for (int frame = 0; frame < 24; ++frame)
+  {
+    TriangleMesh moved = mesh;
+    for (Point3& point : moved.points)
+    {
+      const bool inBox =
+        std::max({ std::abs(point[0]), std::abs(point[1]), std::abs(point[2]) }) <= 3.0;
+      point[0] = inBox ? (frame % 4 == 1 ? -point[0] : point[0]) : point[0] - (frame % 3) * 4.5;
+      point[2] *= frame % 5 == 2 ? -1.0 : 1.0;
+      // Widens what is at one side.
+      point[1] += frame % 2 == 0 ? 0.0 : std::max(0.0, point[0] - 4.5 + frame % 3 * 4.5) * point[1];
+    }
+    const SurfaceOrientation& found = orienter.orient(moved, connectivity);
+    const SurfaceOrientation fresh = orientSurface(moved, connectivity);
+    EXPECT_EQ(found.weights, fresh.weights) << frame;
+    EXPECT_EQ(found.directions, fresh.directions) << frame;
+    EXPECT_EQ(found.copies, fresh.copies);
+    EXPECT_EQ(found.turned, fresh.turned);
+    ASSERT_EQ(found.rim.size(), fresh.rim.size());
+    for (std::size_t i = 0; i < found.rim.size(); ++i)
+    {
+      EXPECT_EQ(found.rim[i].from, fresh.rim[i].from);
+      EXPECT_EQ(found.rim[i].to, fresh.rim[i].to);
+      EXPECT_EQ(found.rim[i].weight, fresh.rim[i].weight);
+    }
+    turned.insert(found.turned);
+  }
+  EXPECT_GE(turned.size(), 3u);
 }

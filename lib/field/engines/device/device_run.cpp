@@ -19,7 +19,7 @@ DeviceRun::DeviceRun(const FieldJob& job, const Device& device, DeviceSlabs::Fie
   : job_(job)
   , field_(field)
   , sink_(sink)
-  , writer_(job)
+  , writer_(job, job.insideRows())
   , check_(job, device)
   , before_(before)
 {

@@ -119,7 +119,7 @@ void DeviceSelection::take(const FieldJob& job, const CrossingSelection& selecti
     Crossing crossing{ glm::ivec3(xy & 0xffffu, xy >> 16, z & 0xffffu),
       static_cast<int>(z >> 16 & 3u), static_cast<std::int32_t>(siteA),
       static_cast<std::int32_t>(siteB), z >> 31 != 0 };
-    if (job.inside == nullptr || isWanted(*job.inside, selection.side, crossing))
+    if (job.inside == nullptr || isWanted(*job.insideRows(), selection.side, crossing))
     {
       crossings.push_back(crossing);
     }

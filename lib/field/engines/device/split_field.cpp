@@ -192,7 +192,8 @@ private:
   /// Returns values of a slab that are negative inside.
   const float* sidesOf(const Extent& slab, const ResolvedSlab& values)
   {
-    if (job_.inside == nullptr)
+    const InsideRows* inside = job_.insideRows();
+    if (inside == nullptr)
     {
       return values.distances.values;
     }
@@ -202,7 +203,7 @@ private:
     {
       for (int y = slab.min[1]; y <= slab.max[1]; ++y, row += slab.size(0))
       {
-        job_.inside->write({ slab.min[0], y, z }, slab.size(0), row);
+        inside->write({ slab.min[0], y, z }, slab.size(0), row);
       }
     }
     return sides_.data();
@@ -230,7 +231,7 @@ SplitField::SplitField(const TriangleMesh& mesh, const MeshConnectivity& connect
 std::vector<Crossing> SplitField::compute(const FieldJob& job, const Device& device,
   const std::vector<Extent>& slabs, const CrossingSelection* selection, FieldSink& sink)
 {
-  FieldWriter writer(job);
+  FieldWriter writer(job, job.insideRows());
   SelfCheck check(job, device);
   std::optional<HostSelection> crossings;
   if (selection != nullptr)

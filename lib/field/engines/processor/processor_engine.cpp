@@ -63,7 +63,8 @@ public:
     , bricks_(job.host.filter().tree(), job.frame, job.host.filter().slack())
     , points_(job.host.filter().tree(), job.frame)
     , exact_(job.host.query(), job.frame)
-    , writer_(job)
+    , inside_(job.insideRows())
+    , writer_(job, inside_)
   {
   }
 
@@ -159,9 +160,9 @@ private:
     {
       sites_.setSides(tile, slices, values);
     }
-    if (job_.inside != nullptr)
+    if (inside_ != nullptr)
     {
-      setSides(*job_.inside, tile, values);
+      setSides(*inside_, tile, values);
     }
   }
 
@@ -171,11 +172,13 @@ private:
   BrickEvaluator bricks_;
   PointEvaluator points_;
   ExactPoints exact_;
+  const InsideRows* inside_;
   FieldWriter writer_;
 };
 
 Evaluation makeEvaluation(const FieldJob& job)
 {
+  job.insideRows(); // in time of their own
   const Stopwatch watch(job.statistics.seconds.sites);
   return job.run.onThreads([&] { return Evaluation(job); });
 }

@@ -36,7 +36,7 @@ std::vector<Crossing> RasteriserEngine::select(const FieldJob& job, const Crossi
 {
   requireNear(job);
   const AtlasLayout atlas = this->chooseAtlas(job, sink);
-  gl::OnGpuThread<RasteriserSelection> selection(wanted, job.frame, job.inside);
+  gl::OnGpuThread<RasteriserSelection> selection(wanted, job.frame, job.insideRows());
   this->drawOn(atlas, job,
     [&](Renderer& renderer) { RasteriserRun(job, renderer, sink).compute(&selection.object()); });
   return selection.object().takeCrossings();

@@ -17,7 +17,7 @@ RasteriserRun::RasteriserRun(const FieldJob& job, Renderer& renderer, FieldSink&
   , renderer_(renderer)
   , sink_(sink)
   , atlas_(renderer.object().atlas())
-  , writer_(job)
+  , writer_(job, job.insideRows())
 {
 }
 

@@ -85,7 +85,8 @@ protected:
     const MeshConnectivity connectivity = analyseConnectivity(mesh);
     DistanceFieldOptions options;
     options.memoryMiB = memoryMiB;
-    FieldPipeline pipeline(mesh, connectivity, grid_, grid_.wholeExtent(), options,
+    SurfaceOrienter orienter;
+    FieldPipeline pipeline(mesh, connectivity, grid_, grid_.wholeExtent(), options, orienter,
       medial::Run(options.execution));
     Selected selected;
     selected.distance.resize(grid_.pointCount());

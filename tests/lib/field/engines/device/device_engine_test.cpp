@@ -62,7 +62,9 @@ Computed computedBy(FieldEngine& engine, const TriangleMesh& mesh, const Grid& g
   options.memoryMiB = 1;
   options.verify = verify;
   const Extent extent = grid.wholeExtent();
-  FieldPipeline pipeline(mesh, connectivity, grid, extent, options, Run(options.execution));
+  SurfaceOrienter orienter;
+  FieldPipeline pipeline(mesh, connectivity, grid, extent, options, orienter,
+    Run(options.execution));
   const std::size_t bytes = (std::size_t{ 1 } << 20) / (33 * 33 * 8);
   CollectingSink sink(extent, bytes);
   Computed computed;
@@ -267,7 +269,8 @@ TEST(DeviceEngine, DoesNotTakeAnErrorOfTheSinkForItsOwn)
   const Extent extent = tallGrid().wholeExtent();
   const DistanceFieldOptions options;
   const TriangleMesh mesh = ring();
-  FieldPipeline pipeline(mesh, connectivity, tallGrid(), extent, options,
+  SurfaceOrienter orienter;
+  FieldPipeline pipeline(mesh, connectivity, tallGrid(), extent, options, orienter,
     medial::Run(options.execution));
   FallbackEngine engine(makeDevice);
   FullSink sink(extent, 8);
