@@ -25,7 +25,7 @@ public:
   void write(const glm::ivec3& first, int count, float* sides) const;
 
   /// Calls visit(point, change) for every grid point of some slices at which a row enters (1) or
-  /// leaves (-1) the solid.
+  /// leaves (-1) the solid; rows that begin inside enter at their first point.
   template <typename Visit>
   void visitChanges(int firstSlice, int lastSlice, const Visit& visit) const
   {
@@ -34,7 +34,8 @@ public:
       for (int j = extent_.min[1]; j <= extent_.max[1]; ++j)
       {
         const Row row = this->row(j, k);
-        for (const int* change = row.begin; change != row.end; ++change)
+        for (const int* change = row.begin; change != row.end && *change <= extent_.max[0];
+             ++change)
         {
           visit(glm::ivec3(*change, j, k), (change - row.begin) % 2 == 0 ? 1 : -1);
         }

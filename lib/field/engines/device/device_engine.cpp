@@ -12,9 +12,9 @@ namespace medial
 namespace
 {
 
-/// Bytes per grid point of a slab: winners, values and sites on the device, and two slabs on their
-/// way to the host.
-constexpr std::size_t kBytesPerPoint = 64;
+/// Bytes per grid point of a slab: winners, values, sites and sides on the device, and two slabs on
+/// their way to the host.
+constexpr std::size_t kBytesPerPoint = 68;
 /// Bytes per grid point of the largest buffer: a distance and a vector.
 constexpr std::int64_t kBufferBytes = 16;
 /// Of a slab, so that its counters do not overflow.

@@ -6,7 +6,8 @@ namespace medial
 DeviceField::DeviceField(const TriangleMesh& mesh, const MeshConnectivity& connectivity)
   : mesh_(mesh, connectivity, kernels_)
   , search_(mesh_, kernels_)
-  , values_(mesh_, search_, kernels_)
+  , inside_(mesh_, kernels_)
+  , values_(mesh_, search_, inside_, kernels_)
   , selecting_(mesh_, values_, kernels_)
 {
 }
@@ -14,6 +15,7 @@ DeviceField::DeviceField(const TriangleMesh& mesh, const MeshConnectivity& conne
 void DeviceField::prepare(const FieldJob& job)
 {
   mesh_.pack(job.mesh, job.frame, job.frame.reach());
+  inside_.prepare(job);
 }
 
 void DeviceField::move(const FieldJob& job, const WantedValues& wanted,
@@ -31,6 +33,11 @@ void DeviceField::move(const FieldJob& job, const WantedValues& wanted,
   wanted_ = wanted;
   selection_ = selection;
   carried_ = 0;
+}
+
+void DeviceField::cutRows(const FieldJob& job, const Extent& slab)
+{
+  inside_.cut(job, slab);
 }
 
 std::vector<std::function<void()>> DeviceField::steps(const FieldJob& job,
@@ -89,11 +96,6 @@ bool DeviceField::grow(int number)
 void DeviceField::readCrossings(int number)
 {
   selecting_.read(this->slab(number).counters().crossings);
-}
-
-void DeviceField::takeCrossings(const FieldJob& job, std::vector<Crossing>& crossings) const
-{
-  selecting_.take(job, *selection_, crossings);
 }
 
 } // namespace medial

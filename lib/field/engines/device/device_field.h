@@ -4,6 +4,7 @@
 #include "field/engines/device/device_mesh.h"
 #include "field/engines/device/device_selection.h"
 #include "field/engines/device/element_search.h"
+#include "field/engines/device/inside_bits.h"
 #include "field/engines/device/kernels.h"
 #include "field/engines/device/mapped_slab.h"
 #include "field/engines/device/slab_values.h"
@@ -31,6 +32,15 @@ public:
   /// @param selection of crossings; null if none are wanted. Must outlive the job.
   void move(const FieldJob& job, const WantedValues& wanted, const CrossingSelection* selection);
 
+  ///@{
+  /// Which grid points of a slab are inside, as InsideBits finds them; to be known before steps().
+  void cutRows(const FieldJob& job, const Extent& slab);
+  bool areRowsCut(std::uint64_t nanoseconds) { return inside_.isCut(nanoseconds); }
+  /// The host's part. Needs no OpenGL.
+  void decideRows(const FieldJob& job, const Extent& slab) { inside_.decide(job, slab); }
+  void windRows(const Extent& slab) { inside_.wind(slab); }
+  ///@}
+
   /// Returns what there is to do for a slab, in steps of limited time, for the GPU thread.
   /// @param slabs of the job, in ascending z.
   std::vector<std::function<void()>> steps(const FieldJob& job, const std::vector<Extent>& slabs,
@@ -46,7 +56,7 @@ public:
   /// Reads the crossings of a slab that is here; to be called before the next one starts.
   void readCrossings(int number);
   /// Appends those that were read last. Needs no OpenGL.
-  void takeCrossings(const FieldJob& job, std::vector<Crossing>& crossings) const;
+  void takeCrossings(std::vector<Crossing>& crossings) const { selecting_.take(crossings); }
 
   /// Of a slab that is here; valid until the next but one starts.
   const MappedSlab& slab(int number) const { return ring_[number % ring_.size()]; }
@@ -57,6 +67,7 @@ private:
   Kernels kernels_;
   DeviceMesh mesh_;
   ElementSearch search_;
+  InsideBits inside_;
   SlabValues values_;
   DeviceSelection selecting_;
   WantedValues wanted_;

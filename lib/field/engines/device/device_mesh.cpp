@@ -118,7 +118,8 @@ void DeviceMesh::pack(const TriangleMesh& mesh, const LocalCoordinates& local, d
   constexpr double kMaxQuantum = 1e-6;
   constexpr double kRounding = 1e-12;
   const PointBounds bounds = boundsOf(mesh, local);
-  slack_ = roundingNear(reach, bounds.farthest);
+  reach_ = bounds.farthest;
+  slack_ = roundingNear(reach, reach_);
   const glm::dvec3 size = bounds.high - bounds.low;
   const double longest = std::max({ size.x, size.y, size.z });
   low_ = bounds.low;

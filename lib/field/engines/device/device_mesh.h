@@ -54,6 +54,10 @@ public:
   const std::vector<TreeLevel>& levels() const { return levels_; }
   /// Bound of the rounding of single precision near the mesh and the grid, local units.
   float slack() const { return slack_; }
+  /// Bound of the difference of a coordinate from that of the host, local units.
+  double positionError() const { return fixedPoint_ ? 0.51 * quantum_ : 0.0; }
+  /// How far from the local origin points are, local units.
+  double reach() const { return reach_; }
 
 private:
   void allocate();
@@ -65,6 +69,7 @@ private:
   int slotCount_;
   std::vector<TreeLevel> levels_;
   float slack_ = 0.0f;
+  double reach_ = 0.0;
   double flatHeight_ = 0.0;
   ///@{
   /// Positions: fixed-point numbers of a quantum from the lowest coordinates on, or halves of

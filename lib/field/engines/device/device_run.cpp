@@ -19,7 +19,7 @@ DeviceRun::DeviceRun(const FieldJob& job, const Device& device, DeviceSlabs::Fie
   : job_(job)
   , field_(field)
   , sink_(sink)
-  , writer_(job, job.insideRows())
+  , writer_(job, nullptr)
   , check_(job, device)
   , before_(before)
 {
@@ -60,7 +60,7 @@ std::vector<Crossing> DeviceRun::compute(const std::vector<Extent>& slabs,
       });
     if (selection != nullptr)
     {
-      field_.object().takeCrossings(job_, crossings);
+      field_.object().takeCrossings(crossings);
     }
     if (i > 0)
     {

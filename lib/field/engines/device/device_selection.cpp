@@ -11,12 +11,6 @@ namespace
 constexpr std::int64_t kFirstRoom = 1 << 16;
 constexpr std::int64_t kCrossingBytes = 16;
 
-void clear(const gl::Buffer& buffer)
-{
-  const std::uint32_t none = 0;
-  glClearNamedBufferData(buffer.id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &none);
-}
-
 void setSlab(const gl::ShaderProgram& kernel, const Extent& slab)
 {
   kernel.set("slabMin", glm::ivec3(slab.min[0], slab.min[1], slab.min[2]));
@@ -24,20 +18,10 @@ void setSlab(const gl::ShaderProgram& kernel, const Extent& slab)
   kernel.set("slots", 1 + slab.size(2));
 }
 
-/// Returns -1 for the interior, 1 for the exterior, 0 where the host tells the sides apart.
-int sideOnDevice(const FieldJob& job, Side side)
+/// Returns -1 for the interior, 1 for the exterior, 0 for both.
+int numberOf(Side side)
 {
-  return job.inside != nullptr || side == Side::Both ? 0 : (side == Side::Interior ? -1 : 1);
-}
-
-/// Whether a crossing is on the wanted side; finds out whether it is inside.
-bool isWanted(const InsideRows& inside, Side side, Crossing& crossing)
-{
-  glm::ivec3 end = crossing.voxel;
-  ++end[crossing.axis];
-  crossing.inside = inside.contains(crossing.voxel);
-  return crossing.inside == inside.contains(end) &&
-    (side == Side::Both || crossing.inside == (side == Side::Interior));
+  return side == Side::Both ? 0 : (side == Side::Interior ? -1 : 1);
 }
 
 } // namespace
@@ -58,8 +42,8 @@ void DeviceSelection::select(const FieldJob& job, const CrossingSelection& selec
   obtainBuffer(rowCounts_, 4 * rows);
   room_ = std::max(room_, kFirstRoom);
   obtainBuffer(list_, kCrossingBytes * room_);
-  clear(marks_);
-  clear(rowCounts_);
+  clearBuffer(marks_);
+  clearBuffer(rowCounts_);
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
   this->mark(job, selection, slab);
   const gl::ShaderProgram& number = gl::cachedProgram("number_rows.comp");
@@ -83,12 +67,12 @@ void DeviceSelection::mark(const FieldJob& job, const CrossingSelection& selecti
   kernel.set("carried", slab.min[2] > job.extent.min[2] ? 1 : 0);
   kernel.set("isLast", slab.max[2] == job.extent.max[2] ? 1 : 0);
   kernel.set("cosineLimit", std::cos(glm::radians(selection.angle)));
-  kernel.set("hasNormals", values_.normals() != nullptr ? 1 : 0);
-  kernel.set("side", sideOnDevice(job, selection.side));
+  kernel.set("sidesBy", values_.sidesBy());
+  kernel.set("side", numberOf(selection.side));
   const std::int64_t slice = std::int64_t{ slab.size(0) } * slab.size(1);
   kernels_.startItems(kernel,
-    { &mesh_.connectivity(), &mesh_.points(), &mesh_.faces(), &values_.sites(),
-      &values_.boundNormals(), &marks_, &rowCounts_ },
+    { &mesh_.connectivity(), &mesh_.points(), &mesh_.faces(), &values_.sites(), &values_.sides(),
+      &marks_, &rowCounts_ },
     slab.pointCount() + slice);
 }
 
@@ -111,18 +95,13 @@ void DeviceSelection::read(std::uint32_t count)
   }
 }
 
-void DeviceSelection::take(const FieldJob& job, const CrossingSelection& selection,
-  std::vector<Crossing>& crossings) const
+void DeviceSelection::take(std::vector<Crossing>& crossings) const
 {
   for (const auto& [xy, z, siteA, siteB] : packed_)
   {
-    Crossing crossing{ glm::ivec3(xy & 0xffffu, xy >> 16, z & 0xffffu),
-      static_cast<int>(z >> 16 & 3u), static_cast<std::int32_t>(siteA),
-      static_cast<std::int32_t>(siteB), z >> 31 != 0 };
-    if (job.inside == nullptr || isWanted(*job.insideRows(), selection.side, crossing))
-    {
-      crossings.push_back(crossing);
-    }
+    crossings.push_back(
+      { glm::ivec3(xy & 0xffffu, xy >> 16, z & 0xffffu), static_cast<int>(z >> 16 & 3u),
+        static_cast<std::int32_t>(siteA), static_cast<std::int32_t>(siteB), z >> 31 != 0 });
   }
   requireRoomForAxis(crossings.size());
 }

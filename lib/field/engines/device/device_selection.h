@@ -33,10 +33,8 @@ public:
   /// Reads the crossings of a slab back.
   /// @param count of the slab.
   void read(std::uint32_t count);
-  /// Appends those that were read last and lie on the wanted side. Needs no OpenGL: for the
-  /// caller's thread.
-  void take(const FieldJob& job, const CrossingSelection& selection,
-    std::vector<Crossing>& crossings) const;
+  /// Appends those that were read last. Needs no OpenGL: for the caller's thread.
+  void take(std::vector<Crossing>& crossings) const;
 
 private:
   /// As list_crossings.comp has it.

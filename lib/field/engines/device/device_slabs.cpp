@@ -7,6 +7,12 @@
 
 namespace medial
 {
+namespace
+{
+
+constexpr std::uint64_t kWait = 10'000'000; ///< before asking again, nanoseconds
+
+} // namespace
 
 DeviceSlabs::DeviceSlabs(const FieldJob& job, Field& field, const std::vector<Extent>& slabs,
   const DeviceCounts& before)
@@ -29,6 +35,10 @@ void DeviceSlabs::move(const WantedValues& wanted, const CrossingSelection* sele
 
 void DeviceSlabs::start(std::size_t number, const Checkpoint& checkpoint)
 {
+  if (job_.inside != nullptr)
+  {
+    this->windRows(slabs_[number], checkpoint);
+  }
   for (const auto& step : field_.object().steps(job_, slabs_, static_cast<int>(number)))
   {
     checkpoint();
@@ -36,9 +46,21 @@ void DeviceSlabs::start(std::size_t number, const Checkpoint& checkpoint)
   }
 }
 
+void DeviceSlabs::windRows(const Extent& slab, const Checkpoint& checkpoint)
+{
+  checkpoint();
+  field_.run([&](DeviceField& field) { field.cutRows(job_, slab); });
+  for (bool cut = false; !cut;)
+  {
+    checkpoint();
+    field_.run([&](DeviceField& field) { cut = field.areRowsCut(kWait); });
+  }
+  field_.object().decideRows(job_, slab);
+  field_.run([&](DeviceField& field) { field.windRows(slab); });
+}
+
 void DeviceSlabs::finish(std::size_t number, const Checkpoint& checkpoint)
 {
-  constexpr std::uint64_t kWait = 10'000'000; // nanoseconds
   const int id = static_cast<int>(number);
   for (bool grown = true; grown;)
   {

@@ -36,6 +36,8 @@ public:
   void addCounts();
 
 private:
+  void windRows(const Extent& slab, const Checkpoint& checkpoint);
+
   const FieldJob& job_;
   Field& field_;
   const std::vector<Extent>& slabs_;

@@ -30,7 +30,12 @@ void Kernels::start(const gl::ShaderProgram& kernel, StorageBuffers buffers,
 void Kernels::startItems(const gl::ShaderProgram& kernel, StorageBuffers buffers,
   std::int64_t items)
 {
-  const std::int64_t groups = (items + kItemsOfGroup - 1) / kItemsOfGroup;
+  this->startGroups(kernel, buffers, (items + kItemsOfGroup - 1) / kItemsOfGroup);
+}
+
+void Kernels::startGroups(const gl::ShaderProgram& kernel, StorageBuffers buffers,
+  std::int64_t groups)
+{
   if (groups > 0)
   {
     const std::int64_t rows = (groups + kMaxGroups - 1) / kMaxGroups;
@@ -63,6 +68,12 @@ bool obtainBuffer(gl::Buffer& buffer, std::int64_t bytes)
   buffer = gl::Buffer();
   buffer = gl::createStorageBuffer(static_cast<GLsizeiptr>(bytes), nullptr);
   return true;
+}
+
+void clearBuffer(const gl::Buffer& buffer)
+{
+  const std::uint32_t none = 0;
+  glClearNamedBufferData(buffer.id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &none);
 }
 
 } // namespace medial

@@ -29,6 +29,8 @@ class Kernels
 public:
   /// Starts so many work groups along x, y and z.
   void start(const gl::ShaderProgram& kernel, StorageBuffers buffers, const glm::ivec3& groups);
+  /// Starts so many work groups, along x and then y.
+  void startGroups(const gl::ShaderProgram& kernel, StorageBuffers buffers, std::int64_t groups);
   /// Starts a work group for every 64 items; see numbering.glsl.
   void startItems(const gl::ShaderProgram& kernel, StorageBuffers buffers, std::int64_t items);
 
@@ -46,5 +48,8 @@ private:
 /// @return whether there is a new one.
 /// @throws Error GpuLimit or OutOfMemory.
 bool obtainBuffer(gl::Buffer& buffer, std::int64_t bytes);
+
+/// Fills a buffer with zeros; a barrier for what reads it is up to the caller.
+void clearBuffer(const gl::Buffer& buffer);
 
 } // namespace medial

@@ -1,18 +1,7 @@
 #include "field/engines/device/mapped_slab.h"
 
-#include "gl/fault.h"
-#include "medial/error.h"
-
 namespace medial
 {
-namespace
-{
-
-/// Longer than any slab takes; a driver that hangs never finishes.
-constexpr std::chrono::seconds kPatience{ 60 };
-
-} // namespace
-
 template <typename T>
 void MappedSlab::obtain(Mapped<T>& mapped, std::int64_t bytes)
 {
@@ -59,26 +48,8 @@ void MappedSlab::fetch(const SlabValues& values, const gl::Buffer& counters, con
     copy(values.sites(), 4 * slice, sites_, 4 * points_);
   }
   glMemoryBarrier(GL_CLIENT_MAPPED_BUFFER_BARRIER_BIT);
-  fence_ = gl::createFence();
-  started_ = Clock::now();
-  glFlush();
+  fence_.set();
   gl::checkGl("reading a slab back");
-}
-
-bool MappedSlab::isHere(std::uint64_t nanoseconds)
-{
-  const GLenum state = glClientWaitSync(fence_.id(), GL_SYNC_FLUSH_COMMANDS_BIT, nanoseconds);
-  gl::checkGl("waiting for a slab");
-  const bool hangs = gl::faultHappens(gl::Fault::NeverReady);
-  if (!hangs && (state == GL_ALREADY_SIGNALED || state == GL_CONDITION_SATISFIED))
-  {
-    return true;
-  }
-  if (hangs || state == GL_WAIT_FAILED || Clock::now() - started_ > kPatience)
-  {
-    throw Error(ErrorCode::NoGpu, "the device does not finish its work");
-  }
-  return false;
 }
 
 ResolvedSlab MappedSlab::values() const

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "field/engines/device/awaited_fence.h"
 #include "field/engines/device/element_search.h"
 #include "field/engines/device/kernels.h"
 #include "field/engines/device/slab_values.h"
@@ -7,7 +8,6 @@
 #include "gl/gl_objects.h"
 #include "medial/grid.h"
 
-#include <chrono>
 #include <cstdint>
 
 namespace medial
@@ -33,15 +33,13 @@ public:
 
   /// Waits for the values, for a while.
   /// @throws Error NoGpu if the device was reset or does not finish.
-  bool isHere(std::uint64_t nanoseconds);
+  bool isHere(std::uint64_t nanoseconds) { return fence_.isReached(nanoseconds); }
 
   /// Available once the values are here.
   const SearchCounters& counters() const { return *counters_.values; }
   ResolvedSlab values() const;
 
 private:
-  using Clock = std::chrono::steady_clock;
-
   template <typename T>
   struct Mapped
   {
@@ -59,8 +57,7 @@ private:
   Mapped<float> distances_;
   Mapped<float> vectors_;
   Mapped<std::int32_t> sites_;
-  gl::Fence fence_;
-  Clock::time_point started_; ///< when the fence was set
+  AwaitedFence fence_;
 };
 
 } // namespace medial

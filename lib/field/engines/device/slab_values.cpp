@@ -3,9 +3,11 @@
 namespace medial
 {
 
-SlabValues::SlabValues(const DeviceMesh& mesh, const ElementSearch& search, Kernels& kernels)
+SlabValues::SlabValues(const DeviceMesh& mesh, const ElementSearch& search,
+  const InsideBits& inside, Kernels& kernels)
   : mesh_(mesh)
   , search_(search)
+  , inside_(inside)
   , kernels_(kernels)
 {
 }
@@ -19,6 +21,22 @@ void SlabValues::setNormals(const std::vector<glm::vec4>& normals)
     obtainBuffer(normals_, bytes);
     kernels_.upload(normals_, 0, bytes, normals.data());
   }
+}
+
+int SlabValues::sidesBy() const
+{
+  constexpr int kByNormals = 1;
+  constexpr int kByBits = 2;
+  return inside_.bits() != nullptr ? kByBits : (hasNormals_ ? kByNormals : 0);
+}
+
+const gl::Buffer& SlabValues::sides() const
+{
+  if (inside_.bits() != nullptr)
+  {
+    return *inside_.bits();
+  }
+  return hasNormals_ ? normals_ : mesh_.points(); // a block of a kernel must have some buffer
 }
 
 void SlabValues::carryLastSlice(const Extent& slab)
@@ -41,10 +59,10 @@ void SlabValues::resolve(const GridFrame& frame, const Extent& slab)
   kernel.set("exactSpacing", frame.step);
   kernel.set("slabMin", glm::ivec3(slab.min[0], slab.min[1], slab.min[2]));
   kernel.set("slabSize", glm::ivec3(slab.size(0), slab.size(1), slab.size(2)));
-  kernel.set("hasNormals", hasNormals_ ? 1 : 0);
+  kernel.set("sidesBy", this->sidesBy());
   kernel.set("wantsVectors", wantsVectors_ ? 1 : 0);
   kernels_.startItems(kernel,
-    { &mesh_.connectivity(), &mesh_.points(), &mesh_.faces(), &mesh_.order(), &this->boundNormals(),
+    { &mesh_.connectivity(), &mesh_.points(), &mesh_.faces(), &mesh_.order(), &this->sides(),
       &search_.winners(), &values_, &sites_ },
     points);
   glFlush();

@@ -2,6 +2,7 @@
 
 #include "field/engines/device/device_mesh.h"
 #include "field/engines/device/element_search.h"
+#include "field/engines/device/inside_bits.h"
 #include "field/engines/device/kernels.h"
 #include "medial/grid.h"
 #include "sites/grid_frame.h"
@@ -18,8 +19,9 @@ namespace medial
 class SlabValues
 {
 public:
-  /// @param mesh, search, kernels must outlive this.
-  SlabValues(const DeviceMesh& mesh, const ElementSearch& search, Kernels& kernels);
+  /// @param mesh, search, inside, kernels must outlive this.
+  SlabValues(const DeviceMesh& mesh, const ElementSearch& search, const InsideBits& inside,
+    Kernels& kernels);
 
   /// Whether vectors to the closest points are wanted, besides distances.
   void setVectors(bool wanted) { wantsVectors_ = wanted; }
@@ -35,14 +37,16 @@ public:
   const gl::Buffer& values() const { return values_; }
   /// Closest sites, after those of the slice below.
   const gl::Buffer& sites() const { return sites_; }
-  /// Pseudonormals of all sites; null unless they give the sign.
-  const gl::Buffer* normals() const { return hasNormals_ ? &normals_ : nullptr; }
-  /// What kernels bind that may read them: a block of a kernel must have some buffer.
-  const gl::Buffer& boundNormals() const { return hasNormals_ ? normals_ : mesh_.points(); }
+  ///@{
+  /// What sides.glsl tells the sides of grid points by.
+  int sidesBy() const;
+  const gl::Buffer& sides() const;
+  ///@}
 
 private:
   const DeviceMesh& mesh_;
   const ElementSearch& search_;
+  const InsideBits& inside_;
   Kernels& kernels_;
   bool wantsVectors_ = false;
   bool hasNormals_ = false;

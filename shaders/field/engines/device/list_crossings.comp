@@ -5,6 +5,7 @@
 // out  list  x: x + y 2^16; y: z + axis 2^16, and 2^31 if it is inside; z, w: sites at both ends
 #include "numbering.glsl"
 #include "rows.glsl"
+#include "marks.glsl"
 
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer Sites { int sites[]; };

@@ -3,17 +3,18 @@
 // neighbours the simplified medial axis crosses. Those of a slab's last slice wait for the slice above.
 //
 // in   sites      closest sites of the slice below the slab, then of the slab
-// out  marks      bits of grid points; see rows.glsl
+// out  marks      bits of grid points; see marks.glsl
 //      rowCounts  number of bits in every row
 #include "numbering.glsl"
 #include "mesh.glsl"
 #include "faces.glsl"
 #include "closest_point.glsl"
 #include "rows.glsl"
+#include "marks.glsl"
+#include "sides.glsl"
 
 layout(local_size_x = 64) in;
 layout(std430, binding = 3) readonly buffer Sites { int sites[]; };
-layout(std430, binding = 4) readonly buffer Normals { vec4 normals[]; }; // pseudonormals of all sites
 layout(std430, binding = 5) buffer Marks { uint marks[]; };
 layout(std430, binding = 6) buffer RowCounts { uint rowCounts[]; };
 
@@ -23,13 +24,7 @@ uniform ivec3 slabMin;
 uniform bool carried;       // whether there is a slice below
 uniform bool isLast;        // whether there is no slice above
 uniform double cosineLimit; // cosine of the minimum separation angle
-uniform bool hasNormals;    // whether they give sides
 uniform int side;           // -1: interior, 1: exterior, 0: both
-
-bool isInside(int site, dvec3 v)
-{
-  return hasNormals && dot(normals[site].xyz, vec3(v)) > 0.0;
-}
 
 // near: from a point to its closest point; far: from its neighbour, `edge` away, to that of another site
 bool isCrossed(dvec3 near, dvec3 far, dvec3 edge)
@@ -73,7 +68,7 @@ void main()
     {
       x = exactFirst + dvec3(slabMin + at - ivec3(0, 0, 1)) * exactSpacing;
       near = closestOnSite(site, x).point - x;
-      inside = isInside(site, near);
+      inside = isInside(site, near, row, at.x);
       isKnown = true;
       if (inside)
       {
@@ -83,7 +78,9 @@ void main()
     dvec3 edge = dvec3(0.0LF);
     edge[axis] = exactSpacing[axis];
     dvec3 far = closestOnSite(other, x + edge).point - (x + edge);
-    bool isWanted = inside == isInside(other, far) && (side == 0 || inside == (side < 0));
+    int otherRow = row + ivec3(0, 1, slabSize.y)[axis];
+    int otherX = at.x + (axis == 0 ? 1 : 0);
+    bool isWanted = inside == isInside(other, far, otherRow, otherX) && (side == 0 || inside == (side < 0));
     if (isWanted && isCrossed(near, far, edge))
     {
       atomicOr(marks[firstWord(row, axis) + (at.x >> 5)], 1u << (at.x & 31));

@@ -2,17 +2,18 @@
 // The exact distance and closest site of every grid point, from the element that is nearest to it.
 //
 // in   winners   slots of elements
-// out  values    distances, local units, negative inside if there are normals; then, if they are wanted, vectors
-//                to the closest points, by threes
+// out  values    distances, local units, negative inside; then, if they are wanted, vectors to the closest points,
+//                by threes
 //      sites     closest sites, after one slice of room
 #include "numbering.glsl"
 #include "mesh.glsl"
 #include "faces.glsl"
 #include "closest_point.glsl"
+#include "rows.glsl"
+#include "sides.glsl"
 
 layout(local_size_x = 64) in;
 layout(std430, binding = 3) readonly buffer Order { int order[]; };
-layout(std430, binding = 4) readonly buffer Normals { vec4 normals[]; }; // pseudonormals of all sites
 layout(std430, binding = 5) readonly buffer Winners { int winners[]; };
 layout(std430, binding = 6) writeonly buffer Values { float values[]; };
 layout(std430, binding = 7) writeonly buffer Sites { int sites[]; };
@@ -20,8 +21,6 @@ layout(std430, binding = 7) writeonly buffer Sites { int sites[]; };
 uniform dvec3 exactFirst; // grid point (0,0,0)
 uniform dvec3 exactSpacing;
 uniform ivec3 slabMin;
-uniform ivec3 slabSize;
-uniform bool hasNormals;
 uniform bool wantsVectors;
 
 void main()
@@ -44,7 +43,7 @@ void main()
   }
   dvec3 v = closest.point - x;
   float away = float(length(v));
-  if (hasNormals && closest.site >= 0 && dot(normals[closest.site].xyz, vec3(v)) > 0.0)
+  if (closest.site >= 0 && isInside(closest.site, v, slabSize.y + row, at.x))
   {
     away = -away;
   }
