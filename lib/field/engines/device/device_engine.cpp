@@ -49,7 +49,7 @@ std::vector<Crossing> DeviceEngine::compute(const FieldJob& job, const CrossingS
     const std::vector<Extent> slabs = slabsOf(job.extent, this->chooseSlices(job, sink));
     if (split_)
     {
-      return split_->compute(job, thread_.device(), slabs, selection, sink);
+      return split_->compute(job, thread_.device(), slabs, this->maxPoints(), selection, sink);
     }
     return DeviceRun(job, thread_.device(), *field_, sink, before).compute(slabs, selection);
   }
@@ -66,12 +66,16 @@ int DeviceEngine::chooseSlices(const FieldJob& job, const FieldSink& sink) const
   const std::size_t parts = split_ ? split_->partCount() : 1;
   const std::int64_t slice = std::int64_t{ job.extent.size(0) } * job.extent.size(1);
   int slices = slabSlices(job.extent, parts * kBytesPerPoint + sink.bytesPerPoint(), job.memoryMiB);
-  const std::int64_t points = std::min(bufferLimit_ / kBufferBytes, kMaxPoints);
-  while (slices > 1 && slice * (slices + 1) > points)
+  while (slices > 1 && slice * (slices + 1) > this->maxPoints())
   {
     slices /= 2;
   }
   return slices;
+}
+
+std::int64_t DeviceEngine::maxPoints() const
+{
+  return std::min(bufferLimit_ / kBufferBytes, kMaxPoints);
 }
 
 void DeviceEngine::obtainField(const FieldJob& job)
@@ -80,17 +84,21 @@ void DeviceEngine::obtainField(const FieldJob& job)
   {
     std::int64_t bytes = gl::storageBufferLimit();
   };
-  if (field_ || split_)
+  if (!field_ && !split_)
   {
-    return;
+    bufferLimit_ = gl::OnGpuThread<Limit>().object().bytes;
   }
-  bufferLimit_ = gl::OnGpuThread<Limit>().object().bytes;
-  if (DeviceMesh::largestBuffer(job.mesh, job.connectivity) > bufferLimit_)
+  const std::int64_t slice = std::int64_t{ job.extent.size(0) } * job.extent.size(1);
+  const bool isLarge = slice > this->maxPoints() ||
+    DeviceMesh::largestBuffer(job.mesh, job.connectivity) > bufferLimit_;
+  if (isLarge && !split_)
   {
+    field_.reset();
     split_ = std::make_unique<SplitField>(job.mesh, job.connectivity, bufferLimit_);
   }
-  else
+  if (!isLarge && !field_)
   {
+    split_.reset();
     field_ = std::make_unique<DeviceSlabs::Field>(job.mesh, job.connectivity);
   }
 }

@@ -12,7 +12,7 @@ namespace medial
 {
 
 /// Finds closest sites by compute shaders. The host uploads positions and copies results; where a
-/// mesh is larger than a storage buffer may be, it also puts those of the mesh's parts together.
+/// mesh or a slice is larger than a storage buffer may be, it also puts those of parts together.
 class DeviceEngine : public FieldEngine
 {
 public:
@@ -32,10 +32,13 @@ private:
     FieldSink& sink);
   void obtainField(const FieldJob& job);
   int chooseSlices(const FieldJob& job, const FieldSink& sink) const;
+  /// Number of grid points of the largest slab.
+  std::int64_t maxPoints() const;
 
   gl::GpuThread& thread_;
   ///@{
-  /// Of the mesh that the engine serves: one of them, or none before the first job.
+  /// Of the mesh that the engine serves: one of them, or none before the first job. In parts if the
+  /// mesh or a slice of the last grid is larger than a storage buffer.
   std::unique_ptr<DeviceSlabs::Field> field_;
   std::unique_ptr<SplitField> split_;
   ///@}

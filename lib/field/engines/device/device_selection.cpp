@@ -40,7 +40,7 @@ void DeviceSelection::select(const FieldJob& job, const CrossingSelection& selec
   const std::int64_t rows = std::int64_t{ 1 + slab.size(2) } * slab.size(1);
   obtainBuffer(marks_, 4 * kPlanes * rows * ((slab.size(0) + 31) / 32));
   obtainBuffer(rowCounts_, 4 * rows);
-  room_ = std::max(room_, kFirstRoom);
+  room_ = std::max(room_, std::min(kFirstRoom, slab.pointCount()));
   obtainBuffer(list_, kCrossingBytes * room_);
   clearBuffer(marks_);
   clearBuffer(rowCounts_);

@@ -9,7 +9,7 @@ namespace
 {
 
 /// Where there are more doubts, the host does it all.
-constexpr std::uint32_t kDoubts = 1 << 14;
+constexpr std::uint32_t kDoubts = 1 << 12;
 constexpr std::int64_t kFirstDoubt = sizeof(std::uint32_t);
 
 int slotsOf(const Extent& slab)

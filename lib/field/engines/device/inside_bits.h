@@ -58,9 +58,9 @@ private:
   bool hasLids_ = false;
   bool byHost_ = false; ///< whether the host finds all changes of the slab
   std::vector<std::int32_t> weights_;
-  bool isUploaded_ = false;            ///< the weights
-  std::vector<Doubt> doubts_;          ///< of the slab
-  std::vector<glm::ivec2> found_;      ///< place and change, by the host
+  bool isUploaded_ = false;       ///< the weights
+  std::vector<Doubt> doubts_;     ///< of the slab
+  std::vector<glm::ivec2> found_; ///< place and change, by the host
   gl::Buffer weightBuffer_, doubtBuffer_, foundBuffer_, changes_, bits_;
   AwaitedFence fence_;
 };

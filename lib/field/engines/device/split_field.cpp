@@ -3,6 +3,7 @@
 #include "base/stopwatch.h"
 #include "field/engines/device/device_run.h"
 #include "field/engines/processor/processor_selection.h"
+#include "medial/error.h"
 #include "sites/closest_point.h"
 
 #include <glm/gtc/type_ptr.hpp>
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
 
 namespace medial
 {
@@ -54,15 +56,17 @@ public:
     sites_.assign(points, -1);
   }
 
+  /// @param first, count grid points of the slab whose values these are.
   /// @param names sites of the whole mesh, by those of the part.
-  void add(const ResolvedSlab& values, const std::vector<std::int32_t>& names)
+  void add(const ResolvedSlab& values, std::int64_t first, std::int64_t count,
+    const std::vector<std::int32_t>& names)
   {
-    tbb::parallel_for(std::size_t{ 0 }, sites_.size(),
-      [&](std::size_t i)
+    tbb::parallel_for(std::int64_t{ 0 }, count,
+      [&](std::int64_t at)
       {
-        const auto at = static_cast<std::int64_t>(i);
+        const auto i = static_cast<std::size_t>(first + at);
         const float distance = *values.distances.at(at);
-        const std::int32_t site = names[values.sites[i]];
+        const std::int32_t site = names[values.sites[at]];
         if (sites_[i] >= 0 &&
           (distance > distances_[i] || (distance == distances_[i] && site > sites_[i])))
         {
@@ -102,23 +106,65 @@ private:
   std::vector<std::int32_t> sites_;
 };
 
+/// Slabs, each in bands.
+struct Bands
+{
+  std::vector<Extent> extents;
+  std::vector<std::size_t> firsts; ///< of every slab, and the end
+
+  /// @throws Error GpuLimit if a row has too many points.
+  Bands(const std::vector<Extent>& slabs, std::int64_t maxPoints)
+  {
+    for (const Extent& slab : slabs)
+    {
+      firsts.push_back(extents.size());
+      const int rows = rowsOfBand(slab, maxPoints);
+      for (int row = slab.min[1]; row <= slab.max[1]; row += rows)
+      {
+        extents.push_back(slab);
+        extents.back().min[1] = row;
+        extents.back().max[1] = std::min(row + rows - 1, slab.max[1]);
+      }
+    }
+    firsts.push_back(extents.size());
+  }
+
+private:
+  static int rowsOfBand(const Extent& slab, std::int64_t maxPoints)
+  {
+    if (slab.pointCount() <= maxPoints)
+    {
+      return slab.size(1);
+    }
+    if (slab.size(0) > maxPoints)
+    {
+      throw Error(ErrorCode::GpuLimit,
+        "rows of " + std::to_string(slab.size(0)) + " grid points exceed the " +
+          std::to_string(maxPoints) + " that fit the driver's limit for buffers");
+    }
+    return static_cast<int>(maxPoints / slab.size(0));
+  }
+};
+
 /// The slabs of a job, of all parts of its mesh.
 class PartSlabs
 {
 public:
   /// Takes over the job's positions.
   PartSlabs(const FieldJob& job, std::vector<SplitField::Part>& parts,
-    const std::vector<Extent>& slabs, const WantedValues& wanted)
+    const std::vector<Extent>& slabs, std::int64_t maxPoints, const WantedValues& wanted)
     : job_(job)
     , parts_(parts)
     , slabs_(slabs)
+    , bands_(slabs, maxPoints)
   {
     for (SplitField::Part& part : parts)
     {
       std::vector<Point3>& points = part.mesh.mesh.points;
       std::transform(part.mesh.points.begin(), part.mesh.points.end(), points.begin(),
         [&](int point) { return job.mesh.points[point]; });
-      jobs_.push_back(std::make_unique<PartJob>(job, part.mesh, *part.field, slabs, part.counted));
+      jobs_.push_back(
+        std::make_unique<PartJob>(job, part.mesh, *part.field, bands_.extents, part.counted));
       jobs_.back()->slabs.move(wanted, nullptr);
     }
   }
@@ -129,15 +175,10 @@ public:
     nearest.begin(slabs_[number]);
     for (std::size_t i = 0; i < jobs_.size(); ++i)
     {
-      DeviceSlabs& slabs = jobs_[i]->slabs;
-      timed(job_.statistics.seconds.draw,
-        [&]
-        {
-          slabs.start(number, checkpoint);
-          slabs.finish(number, checkpoint);
-        });
-      const ResolvedSlab values = slabs.take(number);
-      job_.run.onThreads([&] { nearest.add(values, parts_[i].mesh.sites); });
+      for (std::size_t band = bands_.firsts[number]; band < bands_.firsts[number + 1]; ++band)
+      {
+        this->compute(i, number, band, checkpoint, nearest);
+      }
     }
     const std::vector<glm::vec4>& normals = job_.host.signNormals();
     if (!normals.empty())
@@ -157,9 +198,28 @@ public:
   }
 
 private:
+  void compute(std::size_t part, std::size_t number, std::size_t band, const Checkpoint& checkpoint,
+    NearestValues& nearest)
+  {
+    DeviceSlabs& slabs = jobs_[part]->slabs;
+    timed(job_.statistics.seconds.draw,
+      [&]
+      {
+        slabs.start(band, checkpoint);
+        slabs.finish(band, checkpoint);
+      });
+    const ResolvedSlab values = slabs.take(band);
+    const Extent& extent = bands_.extents[band];
+    const std::int64_t first =
+      std::int64_t{ extent.min[1] - slabs_[number].min[1] } * extent.size(0);
+    job_.run.onThreads(
+      [&] { nearest.add(values, first, extent.pointCount(), parts_[part].mesh.sites); });
+  }
+
   const FieldJob& job_;
   std::vector<SplitField::Part>& parts_;
   const std::vector<Extent>& slabs_;
+  Bands bands_;
   std::vector<std::unique_ptr<PartJob>> jobs_;
 };
 
@@ -229,7 +289,8 @@ SplitField::SplitField(const TriangleMesh& mesh, const MeshConnectivity& connect
 }
 
 std::vector<Crossing> SplitField::compute(const FieldJob& job, const Device& device,
-  const std::vector<Extent>& slabs, const CrossingSelection* selection, FieldSink& sink)
+  const std::vector<Extent>& slabs, std::int64_t maxPoints, const CrossingSelection* selection,
+  FieldSink& sink)
 {
   FieldWriter writer(job, job.insideRows());
   SelfCheck check(job, device);
@@ -240,7 +301,7 @@ std::vector<Crossing> SplitField::compute(const FieldJob& job, const Device& dev
   }
   FieldArrays arrays = sink.slabArrays(slabs[0]);
   NearestValues nearest(arrays.closestPoint != nullptr || !job.host.signNormals().empty());
-  PartSlabs parts(job, parts_, slabs, nearest.wanted());
+  PartSlabs parts(job, parts_, slabs, maxPoints, nearest.wanted());
   for (std::size_t i = 0; i < slabs.size(); ++i)
   {
     const double done = static_cast<double>(i) / static_cast<double>(slabs.size());

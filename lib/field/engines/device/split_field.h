@@ -13,9 +13,10 @@
 namespace medial
 {
 
-/// The field of a mesh that is larger than a storage buffer may be: of its parts, which have
-/// everything on the device but take turns. The host keeps the nearest site of each grid point, of
-/// equally near ones the lowest, and selects crossings.
+/// The field of a mesh, or on a grid, that is larger than a storage buffer may be. Parts of the
+/// mesh, which have everything on the device, take turns, and so do bands: some rows of a slice.
+/// The host keeps the nearest site of each grid point, of equally near ones the lowest, and selects
+/// crossings.
 class SplitField
 {
 public:
@@ -34,10 +35,12 @@ public:
   int partCount() const { return static_cast<int>(parts_.size()); }
 
   /// Computes a job over the same mesh.
+  /// @param maxPoints of a band. Slabs that have more must have one slice.
   /// @param selection of crossings; null if none are wanted.
   /// @param device what to blame for a wrong field.
   std::vector<Crossing> compute(const FieldJob& job, const Device& device,
-    const std::vector<Extent>& slabs, const CrossingSelection* selection, FieldSink& sink);
+    const std::vector<Extent>& slabs, std::int64_t maxPoints, const CrossingSelection* selection,
+    FieldSink& sink);
 
 private:
   std::vector<Part> parts_;
