@@ -18,6 +18,7 @@ std::atomic<std::int64_t> lowerLimit{ 0 };
 
 void injectFault(Fault fault, int opportunities)
 {
+  injected = Fault::None; // so that the last one does not happen once its opportunities are reset
   opportunitiesLeft = opportunities;
   injected = fault;
 }
