@@ -1,6 +1,7 @@
 #include "gl/fault.h"
 #include "gl/gl_objects.h"
 #include "gl/gpu_thread.h"
+#include "gl/shader_program.h"
 #include "gl/shader_source.h"
 #include "medial/device.h"
 #include "medial/error.h"
@@ -14,6 +15,7 @@
 #include <filesystem>
 #include <fstream>
 #include <future>
+#include <iostream>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -342,6 +344,37 @@ TEST(ShaderSource, HoldsEveryFileOfTheShadersFolder)
     files += isWhole ? 1 : 0;
   }
   EXPECT_EQ(files, gl::kEmbeddedShaderCount);
+}
+
+/// Mesa keeps what it has compiled, and warns about a shader the first time only.
+TEST(ShaderDeathTest, EveryOneIsCompiledWithoutAWarning)
+{
+  testing::GTEST_FLAG(death_test_style) = "threadsafe";
+  const auto compileAll = []
+  {
+    setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
+    gl::GpuThread::instance().run(
+      []
+      {
+        for (std::size_t i = 0; i < gl::kEmbeddedShaderCount; ++i)
+        {
+          const std::string name = gl::kEmbeddedShaders[i].name;
+          const std::string kind = name.substr(name.find('.'));
+          if (kind == ".comp")
+          {
+            gl::ShaderProgram{ name };
+          }
+          else if (kind == ".frag")
+          {
+            gl::ShaderProgram(name == "polygons.frag" ? "polygons.vert" : "atlas_pass.vert", name);
+          }
+        }
+      });
+    const std::string log = deviceDebugLog();
+    std::cerr << log;
+    return log.empty();
+  };
+  EXPECT_EXIT(std::exit(compileAll() ? 0 : 1), testing::ExitedWithCode(0), "");
 }
 
 TEST(ShaderSource, OfAnUnknownNameIsAnError)

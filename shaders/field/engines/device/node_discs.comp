@@ -30,8 +30,8 @@ void main()
   dvec3 n = size > 0.0LF ? area / size : dvec3(0.0LF, 0.0LF, 1.0LF);
   double lowest = 0.0LF;
   double highest = 0.0LF;
-  dvec3 low;
-  dvec3 high;
+  dvec3 low = dvec3(0.0LF);
+  dvec3 high = dvec3(0.0LF);
   float cone = 0.0;
   for (int i = begin; i < end; ++i)
   {

@@ -27,7 +27,7 @@ shared uint total;
 shared uint begin;
 shared uint stored;
 
-uvec2 range;
+uvec2 range = uvec2(0u);
 
 // Returns the node of an item of the list, or -1.
 int nodeOf(uint item)
