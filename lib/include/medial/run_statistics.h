@@ -20,7 +20,7 @@ struct RunStatistics
     double sites = 0;    ///< building sites and their half-spaces
     double sign = 0;     ///< finding out which grid points are inside, by winding numbers
     double cull = 0;     ///< finding the candidates of every tile
-    double polygons = 0; ///< gathering the rectangles that the rasteriser has clipped
+    double polygons = 0; ///< gathering the rectangles that the rasteriser clips
     double draw = 0;     ///< upload and rasterisation, or evaluation by the processor
     double resolve = 0;  ///< exact distances from the closest sites, and read-back
     double medial = 0;   ///< neighbour directions, selection, and building the axis
@@ -44,7 +44,8 @@ struct RunStatistics
   std::int64_t sites = 0;      ///< faces, edges and vertices of the mesh
   /// Pairs that culling tested: a disc around eight triangles or more with a tile or several.
   std::int64_t groupTests = 0;
-  std::int64_t siteTests = 0;      ///< pairs of a site and a tile that culling tested
+  /// Pairs of a site and a tile that culling on the processor tested; 0 with others.
+  std::int64_t siteTests = 0;
   std::int64_t candidatePairs = 0; ///< pairs of a candidate (a site, or a triangle) and its tile
   std::int64_t polygons = 0; ///< polygons that the rasteriser has clipped and drawn; 0 with others
   /// Pairs of a grid point and a site that were evaluated, idle lanes included: with the rasteriser

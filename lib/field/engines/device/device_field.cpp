@@ -90,12 +90,12 @@ bool DeviceField::isHere(int number, std::uint64_t nanoseconds,
 bool DeviceField::grow(int number)
 {
   const SearchCounters& counters = this->slab(number).counters();
-  return search_.grow(counters) || (selection_ != nullptr && selecting_.grow(counters.crossings));
+  return search_.grow(counters) || (selection_ != nullptr && selecting_.grow(counters.listed));
 }
 
 void DeviceField::readCrossings(int number)
 {
-  selecting_.read(this->slab(number).counters().crossings);
+  selecting_.read(this->slab(number).counters().listed);
 }
 
 } // namespace medial

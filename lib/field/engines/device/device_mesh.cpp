@@ -94,6 +94,11 @@ DeviceMesh::DeviceMesh(const TriangleMesh& mesh, const MeshConnectivity& connect
   this->allocate();
 }
 
+int DeviceMesh::siteCount() const
+{
+  return connectivity_.faceCount() + connectivity_.edgeCount() + connectivity_.vertexCount();
+}
+
 void DeviceMesh::allocate()
 {
   obtainBuffer(points_, connectivity_.vertexCount() * kPointBytes);

@@ -49,6 +49,10 @@ public:
   const gl::Buffer& faces() const { return faces_; }
   const gl::Buffer& order() const { return order_; }
   const gl::Buffer& elements() const { return elements_; }
+  /// Number of slots in groups.
+  int slotCount() const { return slotCount_; }
+  /// Number of sites.
+  int siteCount() const;
   const gl::Buffer& discs() const { return discs_; }
   /// The groups, then the levels above up to a single node.
   const std::vector<TreeLevel>& levels() const { return levels_; }

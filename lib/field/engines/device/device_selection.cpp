@@ -46,8 +46,8 @@ void DeviceSelection::select(const FieldJob& job, const CrossingSelection& selec
   clearBuffer(rowCounts_);
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
   this->mark(job, selection, slab);
-  const gl::ShaderProgram& number = gl::cachedProgram("number_rows.comp");
-  setSlab(number, slab);
+  const gl::ShaderProgram& number = gl::cachedProgram("number_shares.comp");
+  number.set("count", static_cast<int>(rows));
   kernels_.start(number, { &rowCounts_, nullptr, nullptr, nullptr, &counters }, glm::ivec3(1));
   const gl::ShaderProgram& list = gl::cachedProgram("list_crossings.comp");
   setSlab(list, slab);

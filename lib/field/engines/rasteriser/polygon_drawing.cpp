@@ -1,7 +1,5 @@
 #include "field/engines/rasteriser/polygon_drawing.h"
 
-#include "culling/candidate_tiles.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,8 +21,8 @@ struct Instance
 constexpr GLuint kAttributes = sizeof(Instance) / sizeof(glm::vec4);
 constexpr int kClipDistances = 8;
 /// Rectangles that are drawn at once, so that their instances take 12 MiB.
-constexpr std::size_t kRectanglesPerDraw = 65536;
-constexpr int kMaxSlices = CandidateHierarchy::kTileSize; ///< of a rectangle
+constexpr int kRectanglesPerDraw = 65536;
+constexpr int kMaxSlices = 8; ///< of a rectangle
 constexpr int kIndicesPerSlice = 6;
 
 /// The error of single precision, in local units.
@@ -117,13 +115,12 @@ void PolygonDrawing::bindVertexFormat()
   }
 }
 
-void PolygonDrawing::draw(const std::vector<SiteRectangle>& rectangles, const SiteBuffers& sites,
-  const GridFrame& frame, const Extent& slab, const AtlasLayout& atlas, float depthScale,
-  Kernels& kernels)
+void PolygonDrawing::draw(RectangleSource& source, const DeviceMesh& mesh, const GridFrame& frame,
+  const Extent& slab, const AtlasLayout& atlas, float depthScale, Kernels& kernels)
 {
   static_assert(sizeof(SiteRectangle) == 7 * sizeof(int), "rectangles.comp reads them by sevens");
   const gl::ShaderProgram& cutting = gl::cachedProgram("rectangles.comp");
-  sites.describe(cutting);
+  mesh.describe(cutting);
   cutting.set("slabMin", glm::ivec3(slab.min[0], slab.min[1], slab.min[2]));
   cutting.set("exactFirst", frame.first);
   cutting.set("exactSpacing", frame.step);
@@ -140,15 +137,11 @@ void PolygonDrawing::draw(const std::vector<SiteRectangle>& rectangles, const Si
   {
     glBeginQuery(GL_FRAGMENT_SHADER_INVOCATIONS, fragmentQuery_.id());
   }
-  for (std::size_t begin = 0; begin < rectangles.size(); begin += kRectanglesPerDraw)
+  while (const GLsizei count = source.next(rectangles_, kRectanglesPerDraw))
   {
-    const auto count =
-      static_cast<GLsizei>(std::min(kRectanglesPerDraw, rectangles.size() - begin));
-    kernels.upload(rectangles_, 0, count * static_cast<std::int64_t>(sizeof(SiteRectangle)),
-      &rectangles[begin]);
     cutting.set("count", count);
     kernels.startItems(cutting,
-      { &sites.connectivity(), &sites.points(), &sites.faces(), &rectangles_, &instances_ }, count);
+      { &mesh.connectivity(), &mesh.points(), &mesh.faces(), &rectangles_, &instances_ }, count);
     glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT);
     drawing.use();
     glBindVertexArray(format_.id());

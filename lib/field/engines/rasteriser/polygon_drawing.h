@@ -1,12 +1,12 @@
 #pragma once
 
+#include "field/engines/device/device_mesh.h"
+#include "field/engines/device/kernels.h"
 #include "field/engines/rasteriser/atlas_layout.h"
-#include "field/engines/rasteriser/site_buffers.h"
-#include "field/engines/rasteriser/site_rectangles.h"
+#include "field/engines/rasteriser/rectangle_source.h"
 #include "sites/grid_frame.h"
 
 #include <cstdint>
-#include <vector>
 
 namespace medial
 {
@@ -24,9 +24,8 @@ public:
   /// @param depthScale brings every distance on the grid below 1.
   /// @param slab its slice slab.min[2] is in slot 1 of the atlas.
   /// @throws Error GpuLimit or OutOfMemory.
-  void draw(const std::vector<SiteRectangle>& rectangles, const SiteBuffers& sites,
-    const GridFrame& frame, const Extent& slab, const AtlasLayout& atlas, float depthScale,
-    Kernels& kernels);
+  void draw(RectangleSource& source, const DeviceMesh& mesh, const GridFrame& frame,
+    const Extent& slab, const AtlasLayout& atlas, float depthScale, Kernels& kernels);
 
   /// How many fragments the last draw() made, as the driver counts them; 0 where it does not.
   std::int64_t fragments() const { return fragments_; }

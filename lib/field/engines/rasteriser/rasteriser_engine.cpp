@@ -1,5 +1,6 @@
 #include "field/engines/rasteriser/rasteriser_engine.h"
 
+#include "base/stopwatch.h"
 #include "field/engines/rasteriser/rasteriser_run.h"
 #include "field/engines/rasteriser/rasteriser_selection.h"
 #include "field/reach.h"
@@ -77,9 +78,11 @@ RasteriserEngine::Renderer& RasteriserEngine::obtainRenderer(const FieldJob& job
     renderer_.reset();
     renderer_ = std::make_unique<Renderer>(job.mesh, job.connectivity, atlas);
   }
-  const SiteSet& sites = job.host.sites();
   const std::vector<glm::vec4>& normals = job.host.signNormals();
-  renderer_->run([&](SlabRenderer& renderer) { renderer.move(sites, normals, job.frame); });
+  timed(job.statistics.seconds.sites,
+    [&] {
+      renderer_->run([&](SlabRenderer& renderer) { renderer.move(job.mesh, normals, job.frame); });
+    });
   return *renderer_;
 }
 

@@ -13,7 +13,6 @@ namespace medial
 
 RasteriserRun::RasteriserRun(const FieldJob& job, Renderer& renderer, FieldSink& sink)
   : job_(job)
-  , hierarchy_(job.host.filter(), job.frame, job.extent)
   , renderer_(renderer)
   , sink_(sink)
   , atlas_(renderer.object().atlas())
@@ -39,7 +38,8 @@ void RasteriserRun::compute(RasteriserSelection* selection)
   {
     Slab& slab = ring_[i % 2];
     slab.previousSlices = i > 0 ? extents[i - 1].size(2) : 0;
-    this->prepare(extents[i], static_cast<double>(i) * share, share, slab);
+    slab.extent = extents[i];
+    job_.run.report(static_cast<double>(i) * share, "distance field");
     this->finishRendering();
     rendering_ = renderer_.submit([this, &slab, selection](SlabRenderer& renderer)
       { this->render(renderer, slab, selection); });
@@ -50,10 +50,15 @@ void RasteriserRun::compute(RasteriserSelection* selection)
   }
   this->finishRendering();
   this->store(ring_[(extents.size() - 1) % 2]);
-  job_.statistics.seconds.draw += gpuSeconds_.draw;
+  job_.statistics.seconds.cull += gpuSeconds_.cull;
+  job_.statistics.seconds.polygons += counts_.seconds;
+  job_.statistics.seconds.draw += gpuSeconds_.draw - counts_.seconds;
   job_.statistics.seconds.resolve += gpuSeconds_.resolve;
   job_.statistics.seconds.medial += gpuSeconds_.medial;
   job_.statistics.fragments += fragments_;
+  job_.statistics.groupTests += counts_.tests;
+  job_.statistics.candidatePairs += counts_.pairs;
+  job_.statistics.polygons += counts_.polygons;
 }
 
 void RasteriserRun::allocateReadbacks(int slices)
@@ -71,43 +76,6 @@ void RasteriserRun::allocateReadbacks(int slices)
   }
 }
 
-void RasteriserRun::prepare(const Extent& extent, double done, double share, Slab& slab)
-{
-  job_.run.report(done, "distance field");
-  slab.extent = extent;
-  slab.rectangles = this->gather(this->cull(extent, done), extent);
-  job_.run.report(done + 0.5 * share, "distance field");
-}
-
-std::vector<CandidateTiles> RasteriserRun::cull(const Extent& extent, double done)
-{
-  const Checkpoint checkpoint(job_.run, done, "distance field");
-  const Stopwatch watch(job_.statistics.seconds.cull);
-  CullingCounts counts;
-  std::vector<CandidateTiles> tiles =
-    job_.run.onThreads([&] { return hierarchy_.listTiles(extent, counts, &checkpoint); });
-  job_.statistics.groupTests += counts.groupTests;
-  job_.statistics.siteTests += counts.siteTests;
-  for (const CandidateTiles& some : tiles)
-  {
-    job_.statistics.candidatePairs += static_cast<std::int64_t>(some.candidates.size());
-  }
-  return tiles;
-}
-
-std::vector<SiteRectangle> RasteriserRun::gather(const std::vector<CandidateTiles>& tiles,
-  const Extent& extent)
-{
-  const Stopwatch watch(job_.statistics.seconds.polygons);
-  std::vector<SiteRectangle> rectangles =
-    job_.run.onThreads([&] { return siteRectangles(tiles, extent, job_.host.sites().size()); });
-  for (const SiteRectangle& rectangle : rectangles)
-  {
-    job_.statistics.polygons += rectangle.high.z - rectangle.low.z + 1;
-  }
-  return rectangles;
-}
-
 /// Runs on the GPU thread.
 void RasteriserRun::render(SlabRenderer& renderer, Slab& slab, RasteriserSelection* selection)
 {
@@ -115,8 +83,10 @@ void RasteriserRun::render(SlabRenderer& renderer, Slab& slab, RasteriserSelecti
   {
     renderer.carryLastSlice(slab.previousSlices);
   }
-  timed(gpuSeconds_.draw, [&] { renderer.draw(slab.rectangles, slab.extent); });
+  timed(gpuSeconds_.cull, [&] { renderer.cull(slab.extent); });
+  timed(gpuSeconds_.draw, [&] { renderer.draw(renderer.rectangles(), slab.extent); });
   fragments_ += renderer.fragments();
+  counts_ += renderer.rectangles().counts();
   timed(gpuSeconds_.resolve,
     [&]
     {

@@ -1,9 +1,7 @@
 #pragma once
 
 #include "base/checkpoint.h"
-#include "culling/candidate_tiles.h"
 #include "field/engines/rasteriser/rasteriser_selection.h"
-#include "field/engines/rasteriser/site_rectangles.h"
 #include "field/engines/rasteriser/slab_readback.h"
 #include "field/engines/rasteriser/slab_renderer.h"
 #include "field/field_job.h"
@@ -19,8 +17,7 @@
 namespace medial
 {
 
-/// One job of the rasteriser. While the GPU works on a slab, the processor culls the next one
-/// and stores the previous one.
+/// One job of the rasteriser. While the GPU works on a slab, the processor stores the previous one.
 class RasteriserRun
 {
 public:
@@ -43,22 +40,17 @@ private:
   struct Slab
   {
     Extent extent;
-    int previousSlices = 0; ///< of the slab below; 0 for the first
-    std::vector<SiteRectangle> rectangles;
+    int previousSlices = 0;             ///< of the slab below; 0 for the first
     std::unique_ptr<Readback> readback; ///< null if no array is wanted
   };
 
   void allocateReadbacks(int slices);
-  void prepare(const Extent& extent, double done, double share, Slab& slab);
   void render(SlabRenderer& renderer, Slab& slab, RasteriserSelection* selection);
-  std::vector<CandidateTiles> cull(const Extent& extent, double done);
-  std::vector<SiteRectangle> gather(const std::vector<CandidateTiles>& tiles, const Extent& extent);
   void repair(SlabRenderer& renderer, const Slab& slab) const;
   void finishRendering();
   void store(const Slab& slab);
 
   const FieldJob& job_;
-  CandidateHierarchy hierarchy_;
   Renderer& renderer_;
   FieldSink& sink_;
   AtlasLayout atlas_;
@@ -68,6 +60,7 @@ private:
   std::future<void> rendering_;
   RunStatistics::Seconds gpuSeconds_; ///< time spent on the GPU thread
   std::int64_t fragments_ = 0;        ///< counted there
+  SiteRectangles::Counts counts_;     ///< counted there
 };
 
 } // namespace medial

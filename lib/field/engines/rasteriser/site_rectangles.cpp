@@ -1,120 +1,158 @@
 #include "field/engines/rasteriser/site_rectangles.h"
 
-#include <tbb/parallel_for.h>
+#include "base/stopwatch.h"
 
 #include <algorithm>
-#include <cstdint>
+#include <array>
 #include <limits>
-#include <set>
 
 namespace medial
 {
 namespace
 {
 
-constexpr int kLongestSide = 64;
-
-struct Reach
-{
-  std::int16_t lowX = std::numeric_limits<std::int16_t>::max();
-  std::int16_t lowY = std::numeric_limits<std::int16_t>::max();
-  std::int16_t highX = -1;
-  std::int16_t highY = -1;
-
-  /// Coordinates are relative to the slab and fit their type: see kMaxDimension.
-  void include(const Extent& tile, const Extent& slab)
-  {
-    lowX = std::min(lowX, static_cast<std::int16_t>(tile.min[0] - slab.min[0]));
-    lowY = std::min(lowY, static_cast<std::int16_t>(tile.min[1] - slab.min[1]));
-    highX = std::max(highX, static_cast<std::int16_t>(tile.max[0] - slab.min[0]));
-    highY = std::max(highY, static_cast<std::int16_t>(tile.max[1] - slab.min[1]));
-  }
-};
-
-/// Adds a rectangle in parts that are short enough to interpolate over.
-void addRectangles(int site, const glm::ivec3& low, const glm::ivec3& high,
-  std::vector<SiteRectangle>& rectangles)
-{
-  for (int y = low.y; y <= high.y; y += kLongestSide)
-  {
-    for (int x = low.x; x <= high.x; x += kLongestSide)
-    {
-      rectangles.push_back({ site, { x, y, low.z },
-        { std::min(x + kLongestSide - 1, high.x), std::min(y + kLongestSide - 1, high.y),
-          high.z } });
-    }
-  }
-}
-
-std::vector<SiteRectangle> layerRectangles(const std::vector<CandidateTiles>& blocks,
-  const Extent& slab, int siteCount, int firstSlice)
-{
-  std::vector<Reach> reaches(siteCount);
-  int lastSlice = firstSlice;
-  for (const CandidateTiles& block : blocks)
-  {
-    for (std::size_t t = 0; t < block.tiles.size(); ++t)
-    {
-      const Extent& tile = block.tiles[t];
-      if (tile.min[2] != firstSlice)
-      {
-        continue;
-      }
-      lastSlice = tile.max[2];
-      for (std::size_t i = block.offsets[t]; i < block.offsets[t + 1]; ++i)
-      {
-        reaches[block.candidates[i]].include(tile, slab);
-      }
-    }
-  }
-  std::vector<SiteRectangle> rectangles;
-  for (int site = 0; site < siteCount; ++site)
-  {
-    const Reach& reach = reaches[site];
-    if (reach.highX >= 0)
-    {
-      addRectangles(site,
-        { slab.min[0] + reach.lowX, slab.min[1] + reach.lowY, std::max(firstSlice, slab.min[2]) },
-        { slab.min[0] + reach.highX, slab.min[1] + reach.highY, std::min(lastSlice, slab.max[2]) },
-        rectangles);
-    }
-  }
-  return rectangles;
-}
-
-/// Returns the first slices of the layers of tiles that a slab cuts, in ascending order.
-std::vector<int> layersIn(const Extent& slab, const std::vector<CandidateTiles>& blocks)
-{
-  std::set<int> firstSlices;
-  for (const CandidateTiles& block : blocks)
-  {
-    for (const Extent& tile : block.tiles)
-    {
-      if (tile.min[2] <= slab.max[2] && tile.max[2] >= slab.min[2])
-      {
-        firstSlices.insert(tile.min[2]);
-      }
-    }
-  }
-  return { firstSlices.begin(), firstSlices.end() };
-}
+constexpr int kTileSize = 8;
 
 } // namespace
 
-std::vector<SiteRectangle> siteRectangles(const std::vector<CandidateTiles>& tiles,
-  const Extent& slab, int siteCount)
+SiteRectangles::Counts& SiteRectangles::Counts::operator+=(const Counts& other)
 {
-  const std::vector<int> firstSlices = layersIn(slab, tiles);
-  std::vector<std::vector<SiteRectangle>> perLayer(firstSlices.size());
-  tbb::parallel_for(std::size_t{ 0 }, firstSlices.size(),
-    [&](std::size_t layer)
-    { perLayer[layer] = layerRectangles(tiles, slab, siteCount, firstSlices[layer]); });
-  std::vector<SiteRectangle> all;
-  for (const auto& rectangles : perLayer)
+  tests += other.tests;
+  pairs += other.pairs;
+  polygons += other.polygons;
+  seconds += other.seconds;
+  return *this;
+}
+
+SiteRectangles::SiteRectangles(const DeviceMesh& mesh, Kernels& kernels)
+  : mesh_(mesh)
+  , kernels_(kernels)
+  , lists_(mesh, kernels)
+{
+}
+
+void SiteRectangles::move()
+{
+  constexpr std::int64_t kSlotBytes = 8 * sizeof(std::int32_t);
+  constexpr std::int64_t kReachBytes = 4 * sizeof(std::int32_t);
+  obtainBuffer(partSites_, mesh_.slotCount() * kSlotBytes);
+  obtainBuffer(reaches_, mesh_.siteCount() * kReachBytes);
+  obtainBuffer(firsts_, mesh_.siteCount() * std::int64_t{ sizeof(std::uint32_t) });
+  const gl::ShaderProgram& kernel = gl::cachedProgram("part_sites.comp");
+  mesh_.describe(kernel);
+  kernel.set("slotCount", mesh_.slotCount());
+  kernels_.startItems(kernel,
+    { &mesh_.connectivity(), &mesh_.points(), &mesh_.faces(), &mesh_.order(), &partSites_ },
+    mesh_.slotCount());
+}
+
+void SiteRectangles::begin(const GridFrame& frame, const Extent& slab)
+{
+  frame_ = frame;
+  slab_ = slab;
+  layer_ = -1;
+  total_ = 0;
+  listed_ = 0;
+  counts_ = {};
+  this->cull();
+}
+
+void SiteRectangles::cull()
+{
+  SearchCounters counters{};
+  do
   {
-    all.insert(all.end(), rectangles.begin(), rectangles.end());
+    lists_.begin(slab_);
+    for (std::size_t level = 0; level < TileLists::kLevels; ++level)
+    {
+      lists_.refine(*frame_, slab_, level);
+    }
+    counters = this->readCounters();
+    counts_.tests += counters.tests;
+  } while (lists_.grow(counters));
+}
+
+SearchCounters SiteRectangles::readCounters() const
+{
+  SearchCounters counters{};
+  glGetNamedBufferSubData(lists_.counters().id(), 0, sizeof(counters), &counters);
+  kernels_.counts().bytesReadBack += sizeof(counters);
+  gl::checkGl("reading counters back");
+  return counters;
+}
+
+int SiteRectangles::next(const gl::Buffer& rectangles, int room)
+{
+  return timed(counts_.seconds, [&] { return this->list(rectangles, room); });
+}
+
+int SiteRectangles::list(const gl::Buffer& rectangles, int room)
+{
+  while (listed_ == total_)
+  {
+    if (!this->openLayer())
+    {
+      return 0;
+    }
   }
-  return all;
+  const int count = std::min(room, total_ - listed_);
+  const gl::ShaderProgram& kernel = gl::cachedProgram("list_rectangles.comp");
+  const int firstSlice = slab_.min[2] + layer_ * kTileSize;
+  kernel.set("siteCount", mesh_.siteCount());
+  kernel.set("slabMin", glm::ivec3(slab_.min[0], slab_.min[1], slab_.min[2]));
+  kernel.set("slices", glm::ivec2(firstSlice, firstSlice + this->slicesOfLayer() - 1));
+  kernel.set("begin", listed_);
+  kernel.set("end", listed_ + count);
+  kernels_.startItems(kernel, { &reaches_, &firsts_, &rectangles }, mesh_.siteCount());
+  listed_ += count;
+  counts_.polygons += std::int64_t{ count } * this->slicesOfLayer();
+  return count;
+}
+
+int SiteRectangles::slicesOfLayer() const
+{
+  return std::min(kTileSize, slab_.size(2) - layer_ * kTileSize);
+}
+
+/// Goes on with the next layer of tiles.
+/// @return whether there is one.
+bool SiteRectangles::openLayer()
+{
+  if (++layer_ >= lists_.tiles().z)
+  {
+    return false;
+  }
+  this->gather();
+  const gl::ShaderProgram& count = gl::cachedProgram("count_rectangles.comp");
+  count.set("siteCount", mesh_.siteCount());
+  kernels_.startItems(count, { &reaches_, &firsts_ }, mesh_.siteCount());
+  const gl::ShaderProgram& number = gl::cachedProgram("number_shares.comp");
+  number.set("count", mesh_.siteCount());
+  kernels_.start(number, { &firsts_, nullptr, nullptr, nullptr, &lists_.counters() },
+    glm::ivec3(1));
+  const SearchCounters counters = this->readCounters();
+  counts_.pairs = counters.pairs;
+  total_ = static_cast<int>(counters.listed);
+  listed_ = 0;
+  return true;
+}
+
+void SiteRectangles::gather()
+{
+  constexpr std::int32_t kMost = std::numeric_limits<std::int32_t>::max();
+  constexpr std::array<std::int32_t, 4> kNowhere = { kMost, kMost, -1, -1 };
+  glClearNamedBufferData(reaches_.id(), GL_RGBA32I, GL_RGBA_INTEGER, GL_INT, kNowhere.data());
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+  const gl::ShaderProgram& kernel = gl::cachedProgram("gather_reaches.comp");
+  lists_.setGrid(kernel, *frame_, slab_);
+  kernel.set("tiles", lists_.tiles());
+  kernel.set("tilesAt", lists_.firstTile());
+  kernel.set("layer", layer_);
+  kernels_.start(kernel,
+    { &mesh_.elements(), &mesh_.discs(), &lists_.ranges(), &lists_.lists(), &lists_.counters(),
+      &partSites_, &reaches_ },
+    { lists_.tiles().x, lists_.tiles().y, 1 });
+  gl::checkGl("gathering tiles");
 }
 
 } // namespace medial

@@ -12,14 +12,9 @@ namespace
 {
 
 /// Returns a power of two, which rounds nothing, that brings every distance on the grid below 1.
-float depthScale(const SiteSet& sites, const GridFrame& frame)
+float depthScale(const DeviceMesh& mesh, const GridFrame& frame)
 {
-  double reach = 0.0;
-  for (const glm::dvec3& point : sites.points())
-  {
-    reach = std::max(reach, glm::length(point));
-  }
-  const double longest = 2.0 * (reach + glm::length(frame.first)) + 1.0;
+  const double longest = 2.0 * (mesh.reach() + glm::length(frame.first)) + 1.0;
   return static_cast<float>(std::exp2(-std::ceil(std::log2(longest)) - 1.0));
 }
 
@@ -28,7 +23,8 @@ float depthScale(const SiteSet& sites, const GridFrame& frame)
 SlabRenderer::SlabRenderer(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
   const AtlasLayout& atlas)
   : atlas_(atlas)
-  , buffers_(mesh, connectivity, kernels_)
+  , mesh_(mesh, connectivity, kernels_)
+  , rectangles_(mesh_, kernels_)
   , holes_(gl::createBuffer())
   , noVertices_(gl::createVertexArray())
 {
@@ -48,13 +44,18 @@ void SlabRenderer::createDrawTarget()
   polygons_.emplace();
 }
 
-void SlabRenderer::move(const SiteSet& sites, const std::vector<glm::vec4>& normals,
+void SlabRenderer::move(const TriangleMesh& mesh, const std::vector<glm::vec4>& normals,
   const GridFrame& frame)
 {
   frame_ = frame;
   hasNormals_ = !normals.empty();
-  depthScale_ = depthScale(sites, frame);
-  buffers_.move(sites, normals, kernels_);
+  mesh_.pack(mesh, frame, frame.reach());
+  mesh_.move(kernels_);
+  rectangles_.move();
+  depthScale_ = depthScale(mesh_, frame);
+  const auto bytes = static_cast<std::int64_t>(normals.size() * sizeof(glm::vec4));
+  obtainBuffer(normals_, bytes);
+  kernels_.upload(normals_, 0, bytes, normals.data());
 }
 
 void SlabRenderer::carryLastSlice(int previousSlices)
@@ -67,7 +68,7 @@ void SlabRenderer::carryLastSlice(int previousSlices)
   }
 }
 
-void SlabRenderer::draw(const std::vector<SiteRectangle>& rectangles, const Extent& slab)
+void SlabRenderer::draw(RectangleSource& source, const Extent& slab)
 {
   if (!drawTarget_)
   {
@@ -82,7 +83,7 @@ void SlabRenderer::draw(const std::vector<SiteRectangle>& rectangles, const Exte
   glDepthFunc(GL_LESS);
   glClearBufferiv(GL_COLOR, 0, kNoSite);
   glClearBufferfv(GL_DEPTH, 0, &kFar);
-  polygons_->draw(rectangles, buffers_, *frame_, slab, atlas_, depthScale_, kernels_);
+  polygons_->draw(source, mesh_, *frame_, slab, atlas_, depthScale_, kernels_);
   glDisable(GL_DEPTH_TEST);
   gl::checkGl("drawing polygons");
   // Wait here, so that each phase is charged with its own time.
@@ -100,10 +101,10 @@ std::uint32_t SlabRenderer::resolve(const Extent& slab)
   program.set("exactFirst", frame_->sample({ slab.min[0], slab.min[1], slab.min[2] - 1 }));
   program.set("exactSpacing", frame_->step);
   program.set("hasNormals", hasNormals_ ? 1 : 0);
-  buffers_.describe(program);
+  mesh_.describe(program);
   program.use();
-  const gl::Buffer* buffers[] = { &buffers_.connectivity(), &buffers_.points(), &buffers_.faces(),
-    &buffers_.normals(), &holes_ };
+  const gl::Buffer* buffers[] = { &mesh_.connectivity(), &mesh_.points(), &mesh_.faces(), &normals_,
+    &holes_ };
   GLuint binding = 0;
   for (const gl::Buffer* buffer : buffers)
   {

@@ -2,9 +2,9 @@
 
 #include "field/engines/rasteriser/atlas_layout.h"
 #include "field/engines/rasteriser/polygon_drawing.h"
-#include "field/engines/rasteriser/site_buffers.h"
+#include "field/engines/rasteriser/site_rectangles.h"
 #include "gl/gl_objects.h"
-#include "sites/site_set.h"
+#include "sites/grid_frame.h"
 
 #include <glm/glm.hpp>
 
@@ -25,16 +25,23 @@ public:
     const AtlasLayout& atlas);
 
   /// Moves the mesh to positions; only these are uploaded. To be called before anything is drawn.
-  /// @param normals as SiteBuffers::move() takes them.
-  void move(const SiteSet& sites, const std::vector<glm::vec4>& normals, const GridFrame& frame);
+  /// @param mesh of the same connectivity.
+  /// @param normals pseudonormals() of all sites, reversed if the surface faces inwards; empty if
+  ///   they do not give the sign.
+  void move(const TriangleMesh& mesh, const std::vector<glm::vec4>& normals,
+    const GridFrame& frame);
 
   /// Keeps the last slice of the previous slab in slot 0. To be called before draw().
   void carryLastSlice(int previousSlices);
 
+  /// Culls for a slab; rectangles() lists what is left.
+  void cull(const Extent& slab) { rectangles_.begin(*frame_, slab); }
+  SiteRectangles& rectangles() { return rectangles_; }
+
   /// Finds the closest sites of a slab.
-  /// @param rectangles sites ascending on each slice, so that ties go to the lowest id.
+  /// @param source lists sites ascending on each slice, so that ties go to the lowest id.
   /// @param slab its slice slab.min[2] goes to slot 1 of the atlas.
-  void draw(const std::vector<SiteRectangle>& rectangles, const Extent& slab);
+  void draw(RectangleSource& source, const Extent& slab);
 
   /// Computes exact distances from the closest sites. Returns the number of grid points that no
   /// polygon covered.
@@ -61,13 +68,14 @@ private:
 
   AtlasLayout atlas_;
   Kernels kernels_;
-  SiteBuffers buffers_;
+  DeviceMesh mesh_;
+  SiteRectangles rectangles_;
   std::optional<GridFrame> frame_; ///< of the positions
   bool hasNormals_ = false;
   float depthScale_ = 0.0f;
   std::optional<PolygonDrawing> polygons_;
 
-  gl::Buffer holes_;
+  gl::Buffer normals_, holes_;
   gl::VertexArray noVertices_;
   gl::Texture winners_, depth_, displacements_, sites_;
   gl::Framebuffer drawTarget_, resolveTarget_;

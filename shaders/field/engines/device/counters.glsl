@@ -7,5 +7,5 @@ layout(std430, binding = 4) buffer Counters
   uint pairs;       // pairs of an element and a brick that were left
   uint evaluations; // pairs of an element and a grid point
   uint withoutSite; // grid points for which no element was left
-  uint crossings;
+  uint listed;      // crossings of a slab, or rectangles of a layer
 };

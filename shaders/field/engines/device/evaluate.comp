@@ -8,6 +8,7 @@
 layout(local_size_x = 64) in;
 #include "elements.glsl"
 #include "reach.glsl"
+#include "near_elements.glsl"
 #include "counters.glsl"
 layout(std430, binding = 2) readonly buffer Ranges { uvec2 ranges[]; };
 layout(std430, binding = 3) readonly buffer Lists { uint lists[]; };
@@ -26,71 +27,9 @@ shared uint cubes[512];     // for which cubes of the brick each of them is, as 
 shared uint survivorTotal;
 shared vec4 cubeBalls[8]; // around the cubes of 2 x 2 x 2 grid points; w: radius, negative if there is none
 shared float cubeReach[8];
-shared uint writers[9]; // of nearPoints
 shared uint evaluated;
 shared uint left;
 shared uint missing;
-
-Place placeAt(Element e, vec3 x)
-{
-  return placeOf(e, inPlane(e, x, vec3(0.0)));
-}
-
-// Returns the point of an element nearest to a position in its plane.
-vec3 nearestPointOf(Element e, Place place, vec3 p)
-{
-  vec2 q = p.xy;
-  if (place.offFace > 0.0)
-  {
-    vec3 past = max(max(place.before, place.beyond), vec3(0.0));
-    vec3 squared = past * past + place.outside * place.outside;
-    vec3 t = clamp(vec3(p.x, dot(p.xy, e.directions.xy), dot(p.xy, e.directions.zw)), e.starts, e.ends);
-    if (squared.x <= squared.y && squared.x <= squared.z)
-    {
-      q = vec2(t.x, e.offsets.x);
-    }
-    else if (squared.y <= squared.z)
-    {
-      q = t.y * e.directions.xy - e.offsets.y * vec2(e.directions.y, -e.directions.x);
-    }
-    else
-    {
-      q = t.z * e.directions.zw - e.offsets.z * vec2(-e.directions.w, e.directions.z);
-    }
-  }
-  return e.origin + (q.x * e.along + q.y * e.across);
-}
-
-// Sets nearPoints[i] to the point nearest to a position of an element of a group; eight invocations do it together.
-void searchGroup(int i, vec3 x, bool takesPart)
-{
-  float squared = kFar;
-  vec3 point;
-  if (takesPart)
-  {
-    Element e = loadElement(8 * nearestNodes[i] + int(gl_LocalInvocationIndex & 7u));
-    if (exists(e))
-    {
-      vec3 p = inPlane(e, x, vec3(0.0));
-      Place place = placeOf(e, p);
-      squared = place.squared;
-      point = nearestPointOf(e, place, p);
-      atomicMin(nearestSquared[i], floatBitsToUint(squared));
-    }
-  }
-  barrier();
-  // Of several at the same distance one alone may write: a mixture of their points is none of the surface.
-  if (takesPart && squared < kFar && floatBitsToUint(squared) == nearestSquared[i])
-  {
-    atomicMin(writers[i], gl_LocalInvocationIndex);
-  }
-  barrier();
-  if (takesPart && writers[i] == gl_LocalInvocationIndex)
-  {
-    nearPoints[i] = point;
-  }
-  barrier();
-}
 
 // For which cubes an element can hold closest points, as bits.
 uint cubesOf(Element e, int slot)
@@ -140,16 +79,7 @@ void main()
     survivorTotal = 0u;
   }
   endSearch();
-  if (me < 9u)
-  {
-    nearestSquared[me] = floatBitsToUint(kFar);
-    writers[me] = 64u;
-    nearPoints[me] = loadDisc(nearestNodes[me]).surfacePoint;
-  }
-  barrier();
-  int corner = int(me) >> 3;
-  searchGroup(corner, box.centre + cornerSigns(corner) * box.halfSize, true);
-  searchGroup(kCentre, box.centre, me < 8u);
+  searchElements(box);
   setCornerLimits(box);
   float radius = length(box.halfSize);
   float reach = squaredReach(box.centre, radius);

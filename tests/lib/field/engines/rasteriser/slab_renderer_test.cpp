@@ -1,6 +1,6 @@
-#include "culling/candidate_tiles.h"
+#include "culling/candidate_filter.h"
 #include "field/engines/rasteriser/hole_repair.h"
-#include "field/engines/rasteriser/site_rectangles.h"
+#include "field/engines/rasteriser/rectangle_source.h"
 #include "field/engines/rasteriser/slab_readback.h"
 #include "field/engines/rasteriser/slab_renderer.h"
 #include "gl/gpu_thread.h"
@@ -14,6 +14,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <map>
+#include <utility>
 #include <vector>
 
 namespace medial::test
@@ -47,6 +49,12 @@ TEST(AtlasLayout, SlicesThatDoNotFitAreRefused)
   EXPECT_THROW(AtlasLayout::make(extentOf(600, 600, 10), 4, 1200), Error);
 }
 
+class NoRectangles : public RectangleSource
+{
+public:
+  int next(const gl::Buffer& /*rectangles*/, int /*room*/) override { return 0; }
+};
+
 /// A torus on a small grid, with everything that must precede drawing.
 class SlabOfTorus : public testing::Test
 {
@@ -58,24 +66,56 @@ protected:
   SiteSet sites_{ mesh_, connectivity_, frame_ };
   Extent slab_ = grid_.wholeExtent();
   CandidateFilter filter_{ sites_, connectivity_, frame_ };
-  CandidateHierarchy hierarchy_{ filter_, frame_, slab_ };
 };
 
-TEST_F(SlabOfTorus, RectanglesCoverTheirTilesInAscendingOrder)
+/// Whether a site is nearest at a grid point, is for brute force to say.
+TEST_F(SlabOfTorus, RectanglesHoldEveryClosestSiteInAscendingOrder)
 {
-  CullingCounts counts;
-  const auto tiles = hierarchy_.listTiles(slab_, counts);
-  const auto rectangles = siteRectangles(tiles, slab_, sites_.size());
-  for (std::size_t i = 1; i < rectangles.size(); ++i)
+  const AtlasLayout atlas = AtlasLayout::make(slab_, 64, 4096);
+  gl::OnGpuThread<SlabRenderer> renderer(mesh_, connectivity_, atlas);
+  constexpr int kRoom = 100; // so that layers come in several parts
+  std::vector<SiteRectangle> rectangles;
+  renderer.run(
+    [&](SlabRenderer& r)
+    {
+      r.move(mesh_, {}, frame_);
+      r.cull(slab_);
+      const gl::Buffer buffer = gl::createStorageBuffer(kRoom * sizeof(SiteRectangle), nullptr);
+      while (const int count = r.rectangles().next(buffer, kRoom))
+      {
+        const std::size_t before = rectangles.size();
+        rectangles.resize(before + count);
+        glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+        glGetNamedBufferSubData(buffer.id(), 0,
+          static_cast<GLsizeiptr>(count * sizeof(SiteRectangle)), &rectangles[before]);
+      }
+    });
+  ASSERT_GT(rectangles.size(), 2u * kRoom);
+  std::map<std::pair<int, int>, std::vector<SiteRectangle>> ofSites; // by layer of tiles and site
+  for (std::size_t i = 0; i < rectangles.size(); ++i)
   {
-    const auto& a = rectangles[i - 1];
-    const auto& b = rectangles[i];
+    const SiteRectangle& b = rectangles[i];
+    const SiteRectangle& a = rectangles[i > 0 ? i - 1 : 0];
     EXPECT_TRUE(a.low.z < b.low.z || (a.low.z == b.low.z && a.site <= b.site));
+    EXPECT_LT(b.high.x - b.low.x, 64);
+    EXPECT_LT(b.high.y - b.low.y, 64);
+    EXPECT_EQ(b.low.z % 8, 0);
+    EXPECT_EQ(b.high.z, std::min(b.low.z + 7, slab_.max[2]));
+    ofSites[{ b.low.z / 8, b.site }].push_back(b);
   }
-  for (const SiteRectangle& rectangle : rectangles)
+  const SiteQuery query(filter_.tree());
+  for (int i = 0; i < 2000; ++i)
   {
-    EXPECT_LT(rectangle.high.x - rectangle.low.x, 64);
-    EXPECT_LT(rectangle.high.y - rectangle.low.y, 64);
+    const glm::ivec3 point(i * 37 % slab_.size(0), i * 53 % slab_.size(1), i * 11 % slab_.size(2));
+    const int site = query.closest(frame_.sample(glm::dvec3(point))).site;
+    const std::vector<SiteRectangle>& found = ofSites[{ point.z / 8, site }];
+    EXPECT_TRUE(std::any_of(found.begin(), found.end(),
+      [&](const SiteRectangle& r)
+      {
+        return glm::all(glm::lessThanEqual(r.low, point)) &&
+          glm::all(glm::lessThanEqual(point, r.high));
+      }))
+      << site << " at " << point.x << ' ' << point.y << ' ' << point.z;
   }
 }
 
@@ -89,8 +129,9 @@ TEST_F(SlabOfTorus, HolesAreFilledExactly)
   renderer.run(
     [&](SlabRenderer& r)
     {
-      r.move(sites_, normals, frame_);
-      r.draw({}, slab_); // no polygon at all: every grid point is a hole
+      r.move(mesh_, normals, frame_);
+      NoRectangles none; // and no polygon: every grid point is a hole
+      r.draw(none, slab_);
       EXPECT_EQ(r.resolve(slab_), count);
       repairHoles(r, normals, frame_, query, slab_);
       r.readDisplacements(slab_.size(2), filled.data());
