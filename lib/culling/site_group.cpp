@@ -242,9 +242,12 @@ void setSharing(SiteGroup& group, int lane, const SiteSet& sites, const SharedSi
     }
   }
   group.owned[lane] = owned;
-  // Without length, an edge has no direction that bounds anything.
+  // Without length, an edge has no direction that bounds anything. Where faces have no area,
+  // rounding decides which site is closest, so that no region is sure.
+  const bool sure = std::none_of(vertices.begin(), vertices.end(),
+    [&](int vertex) { return shared.degenerate[vertex] != 0; });
   const bool isEdge = sites.kind(site) == SiteKind::Edge;
-  const bool bounded = group.lengths[0][lane] > 0.0f && group.lengths[1][lane] > 0.0f &&
+  const bool bounded = sure && group.lengths[0][lane] > 0.0f && group.lengths[1][lane] > 0.0f &&
     (isEdge || group.lengths[2][lane] > 0.0f);
   group.unbounded[lane] = bounded ? 0 : owned;
 }
@@ -316,14 +319,17 @@ SharedSites::SharedSites(const SiteSet& sites, const MeshConnectivity& connectiv
   , vertexOwners(sites.vertexCount())
   , edgeFaces(sites.edgeCount(), glm::ivec2(kNone))
   , open(sites.vertexCount(), 0)
+  , degenerate(sites.vertexCount(), 0)
   , pointEdges(connectivity.pointEdges)
 {
   std::vector<char> closed(sites.edgeCount());
+  std::vector<char> allActive(sites.edgeCount());
   tbb::parallel_for(0, sites.edgeCount(),
     [&](int edge)
     {
       int owner = sites.firstEdge() + edge;
       int active = 0;
+      allActive[edge] = sites.active(owner) ? 1 : 0;
       int direction = 0; // how many more faces run along the edge than against it
       for (const int* face = connectivity.edgeTriangles.begin(edge);
            face != connectivity.edgeTriangles.end(edge); ++face)
@@ -331,6 +337,7 @@ SharedSites::SharedSites(const SiteSet& sites, const MeshConnectivity& connectiv
         owner = std::min(owner, *face);
         if (!sites.active(*face))
         {
+          allActive[edge] = 0;
           continue;
         }
         if (active < 2)
@@ -351,6 +358,7 @@ SharedSites::SharedSites(const SiteSet& sites, const MeshConnectivity& connectiv
       {
         owner = std::min(owner, edgeOwners[*edge]);
         open[vertex] |= closed[*edge] == 0 ? 1 : 0;
+        degenerate[vertex] |= allActive[*edge] == 0 ? 1 : 0;
       }
       vertexOwners[vertex] = owner;
     });
