@@ -147,7 +147,7 @@ BisectorPoints placeVertices(const AxisGeometry& geometry, const DualMesh& mesh,
   BisectorPoints result;
   result.points.resize(mesh.cells.size());
   result.moved.resize(mesh.cells.size());
-  constexpr std::size_t kTogether = 512;
+  constexpr std::size_t kTogether = 4096; // enough slices for compact blocks of queries
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mesh.cells.size(), kTogether),
     [&](const tbb::blocked_range<std::size_t>& range)
     {

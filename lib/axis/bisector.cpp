@@ -286,7 +286,7 @@ BisectorPoints crossingPoints(const AxisGeometry& geometry, bool exactAngle,
   result.points.resize(crossings.size());
   result.moved.resize(crossings.size());
   const double minRadius = std::max(geometry.radius, kMinRadius);
-  constexpr std::size_t kTogether = 512; // several in most of their tiles
+  constexpr std::size_t kTogether = 4096; // enough slices for compact blocks of queries
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, crossings.size(), kTogether),
     [&](const tbb::blocked_range<std::size_t>& range)
     {

@@ -208,7 +208,7 @@ void step(const AxisGeometry& geometry, std::vector<Walker>& walkers, BisectorPo
 void extendRims(const AxisGeometry& geometry, const DualMesh& mesh, BisectorPoints& points)
 {
   const std::vector<std::size_t> rim = rimVertices(geometry, mesh, points);
-  constexpr std::size_t kTogether = 512;
+  constexpr std::size_t kTogether = 4096; // enough slices for compact blocks of queries
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rim.size(), kTogether),
     [&](const tbb::blocked_range<std::size_t>& range)
     {

@@ -33,14 +33,17 @@ SharedSites::SharedSites(const SiteSet& sites, const MeshConnectivity& connectiv
   , vertexOwners(sites.vertexCount())
   , edgeFaces(sites.edgeCount(), glm::ivec2(kNone))
   , open(sites.vertexCount(), 0)
+  , degenerate(sites.vertexCount(), 0)
   , pointEdges(connectivity.pointEdges)
 {
   std::vector<char> closed(sites.edgeCount());
+  std::vector<char> allActive(sites.edgeCount());
   tbb::parallel_for(0, sites.edgeCount(),
     [&](int edge)
     {
       int owner = sites.firstEdge() + edge;
       int active = 0;
+      allActive[edge] = sites.active(owner) ? 1 : 0;
       int direction = 0; // how many more faces run along the edge than against it
       for (const int* face = connectivity.edgeTriangles.begin(edge);
            face != connectivity.edgeTriangles.end(edge); ++face)
@@ -48,6 +51,7 @@ SharedSites::SharedSites(const SiteSet& sites, const MeshConnectivity& connectiv
         owner = std::min(owner, *face);
         if (!sites.active(*face))
         {
+          allActive[edge] = 0;
           continue;
         }
         if (active < 2)
@@ -68,6 +72,7 @@ SharedSites::SharedSites(const SiteSet& sites, const MeshConnectivity& connectiv
       {
         owner = std::min(owner, edgeOwners[*edge]);
         open[vertex] |= closed[*edge] == 0 ? 1 : 0;
+        degenerate[vertex] |= allActive[*edge] == 0 ? 1 : 0;
       }
       vertexOwners[vertex] = owner;
     });

@@ -22,6 +22,7 @@ struct SharedSites
   std::vector<glm::ivec2> edgeFaces; ///< the first two active faces of every edge, or kNone
   std::vector<char>
     open; ///< of every vertex: whether an edge there has not two active faces, one each way
+  std::vector<char> degenerate; ///< of every vertex: whether a face or an edge there is not active
   const IncidenceLists& pointEdges; ///< of the connectivity
 
   /// @param connectivity must outlive this.

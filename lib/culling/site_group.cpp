@@ -239,9 +239,12 @@ void setSharing(SiteGroup& group, int lane, const SiteSet& sites, const SharedSi
     }
   }
   group.owned[lane] = owned;
-  // Without length, an edge has no direction that bounds anything.
+  // Without length, an edge has no direction that bounds anything. Where faces have no area,
+  // rounding decides which site is closest, so that no region is sure.
+  const bool sure = std::none_of(vertices.begin(), vertices.end(),
+    [&](int vertex) { return shared.degenerate[vertex] != 0; });
   const bool isEdge = sites.kind(site) == SiteKind::Edge;
-  const bool bounded = group.lengths[0][lane] > 0.0f && group.lengths[1][lane] > 0.0f &&
+  const bool bounded = sure && group.lengths[0][lane] > 0.0f && group.lengths[1][lane] > 0.0f &&
     (isEdge || group.lengths[2][lane] > 0.0f);
   group.unbounded[lane] = bounded ? 0 : owned;
 }

@@ -1,6 +1,8 @@
 #include "culling/site_query.h"
 
+#include "culling/block_query.h"
 #include "culling/nearest_element.h"
+#include "culling/nearest_site.h"
 
 #include <algorithm>
 
@@ -11,17 +13,20 @@ namespace
 
 constexpr unsigned kAllLanes = (1u << SiteGroup::kSize) - 1u;
 
-/// Returns the squared distance in single precision within which elements may be nearer.
+/// Squares of coordinates farther out do not fit single precision.
+constexpr double kMaxReach = 1e18;
+
+/// Returns the squared distance in single precision within which discs may hold nearer elements.
 float limitAt(double distance, float slack)
 {
   const float reach = static_cast<float>(distance) + 2.0f * slack;
   return std::min(reach * reach * kRoundedUp, std::numeric_limits<float>::max());
 }
 
-/// Returns the elements of a group within a squared distance, as bits.
-MEDIAL_VECTORISED unsigned elementsWithin(const SiteGroup& group, const glm::dvec3& x, float limit)
+/// Returns a distance in single precision, rounded up.
+float roundedUp(double distance)
 {
-  return bits(ElementPosition(group, group.toGroup(x)).squared <= limit);
+  return static_cast<float>(distance) * (1.0f + std::numeric_limits<float>::epsilon());
 }
 
 } // namespace
@@ -31,42 +36,35 @@ SiteQuery::SiteQuery(const GroupTree& tree)
 {
 }
 
-SitePoint SiteQuery::search(const glm::dvec3& x, SitePoint closest, double distance) const
+SitePoint SiteQuery::search(const glm::dvec3& x, double bound, double limit) const
 {
-  const SiteSet& sites = tree_.sites();
-  float limit = limitAt(distance, tree_.slack());
-  const auto tryElements = [&](const SiteGroup& group, unsigned lanes)
-  {
-    for (unsigned left = lanes; left != 0; left &= left - 1)
-    {
-      const SitePoint candidate = closestPoint(sites, group.elements[__builtin_ctz(left)], x);
-      const double found = glm::distance(candidate.point, x);
-      if (found < distance || (found == distance && candidate.site < closest.site))
-      {
-        distance = found;
-        closest = candidate;
-        limit = limitAt(distance, tree_.slack());
-      }
-    }
-  };
-  // Squares of coordinates farther out do not fit single precision.
-  constexpr double kMaxReach = 1e18;
-  if (!(glm::length(x) <= kMaxReach))
+  NearestSite nearest(tree_.sites(), x, limit);
+  const auto reach = [&] { return std::min(bound, nearest.distance()); };
+  SiteGroup::IntLanes parts;
+  if (!inReach(x))
   {
     for (const SiteGroup& group : tree_.groups())
     {
-      tryElements(group, kAllLanes);
+      nearest.offer(group, kAllLanes, group.owned);
     }
-    return closest;
+    return nearest.closest();
   }
+  const glm::vec3 rounded(x);
   tree_.visitNear(
-    glm::vec3(x), [&] { return limit; },
+    rounded, [&] { return limitAt(reach(), tree_.slack()); },
     [&](int id)
     {
       const SiteGroup& group = tree_.groups()[id];
-      tryElements(group, elementsWithin(group, x, limit));
+      const unsigned lanes =
+        sitesNear(group, group.toGroup(x), roundedUp(reach()), tree_.slack(), parts);
+      nearest.offer(group, lanes, parts);
     });
-  return closest;
+  return nearest.closest();
+}
+
+bool SiteQuery::inReach(const glm::dvec3& x)
+{
+  return glm::length(x) <= kMaxReach;
 }
 
 SitePoint SiteQuery::closest(const glm::dvec3& x, const SitePoint& known) const
@@ -74,20 +72,19 @@ SitePoint SiteQuery::closest(const glm::dvec3& x, const SitePoint& known) const
   const SitePoint start = known.site >= 0
     ? known
     : closestPoint(tree_.sites(), tree_.groups().front().elements.front(), x);
-  return this->search(x, start, glm::distance(x, start.point));
+  constexpr double kAnywhere = std::numeric_limits<double>::infinity();
+  const SitePoint found = this->search(x, glm::distance(x, start.point), kAnywhere);
+  return found.site >= 0 ? found : start;
 }
 
 SitePoint SiteQuery::closestWithin(const glm::dvec3& x, double limit) const
 {
-  return this->search(x, {}, limit);
+  return this->search(x, limit, limit);
 }
 
 void SiteQuery::closest(std::vector<Question>& questions) const
 {
-  for (Question& question : questions)
-  {
-    question.closest = this->closest(question.x, question.closest);
-  }
+  BlockQuery(*this, tree_).answer(questions);
 }
 
 } // namespace medial

@@ -21,7 +21,7 @@ public:
   /// Returns the closest surface point.
   /// @param x local coordinates.
   /// @param known start of the search: the closest point of some site to x. The nearer it is, the
-  ///   faster the search. It is returned if no other point is nearer. A site of -1 means none.
+  ///   faster the search; the answer does not depend on it. A site of -1 means none.
   SitePoint closest(const glm::dvec3& x, const SitePoint& known = {}) const;
 
   /// Returns the closest surface point; its site is -1 if there is none within the limit, or if x
@@ -35,11 +35,17 @@ public:
     glm::dvec3 x;
     SitePoint closest;
   };
-  /// The same for many positions.
+  /// The same for many positions, much faster if they lie close together.
   void closest(std::vector<Question>& questions) const;
 
+  /// Whether a position is a number near enough for single precision. Others are compared with all
+  /// elements.
+  static bool inReach(const glm::dvec3& x);
+
 private:
-  SitePoint search(const glm::dvec3& x, SitePoint closest, double distance) const;
+  /// @param bound some surface point is no farther away.
+  /// @param limit surface points at this distance or beyond do not count.
+  SitePoint search(const glm::dvec3& x, double bound, double limit) const;
 
   const GroupTree& tree_;
 };

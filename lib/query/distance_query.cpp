@@ -39,7 +39,6 @@ DistanceQuery::DistanceQuery(TriangleMesh mesh, SignMethod sign, const Run& run,
 
 const SitePoint& DistanceQuery::Search::closest(const glm::dvec3& x)
 {
-  x_ = x;
   const SitePoint start =
     closest_.site >= 0 ? closestPoint(query_.sites_, closest_.site, x) : SitePoint{};
   closest_ = query_.query_.closest(x, start);

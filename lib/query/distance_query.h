@@ -34,9 +34,12 @@ public:
   const LocalCoordinates& local() const { return local_; }
   const SiteSet& sites() const { return sites_; }
   const SiteCells& cells() const { return cells_; }
+  /// Closest surface points, local coordinates.
+  const SiteQuery& query() const { return query_; }
+  const PointSide& side() const { return side_; }
 
-  /// A search along points that follow each other closely: what is known of one helps with the
-  /// next. The answers do not depend on it.
+  /// A search for points that become known one after the other: what is known of one helps with
+  /// the next. The answers do not depend on it.
   class Search
   {
   public:
@@ -47,14 +50,10 @@ public:
 
     /// Returns the closest surface point, local coordinates.
     const SitePoint& closest(const glm::dvec3& x);
-    /// Whether the position that was asked for last is inside.
-    bool inside() { return query_.side_.contains(x_, closest_, known_); }
 
   private:
     const DistanceQuery& query_;
-    glm::dvec3 x_{ 0.0 };
     SitePoint closest_;
-    PointSide::Known known_;
   };
 
 private:

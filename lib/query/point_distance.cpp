@@ -25,7 +25,7 @@ namespace
 {
 
 constexpr const char* kPhase = "distances";
-/// Points that one thread computes one after the other, along a curve.
+/// Points that one thread computes together, along a curve.
 constexpr std::size_t kTogether = 512;
 
 /// Returns the indices of points so that neighbours are close together.
@@ -103,12 +103,17 @@ void computeDistances(const DistanceQuery& query, const std::vector<Point3>& poi
     [&](const tbb::blocked_range<std::size_t>& range)
     {
       checkpoint();
-      DistanceQuery::Search search(query);
+      std::vector<SiteQuery::Question> questions;
       for (std::size_t k = range.begin(); k != range.end(); ++k)
       {
-        const std::size_t i = order[k];
-        const SitePoint closest = search.closest(positions[i]);
-        store(query, i, positions[i], closest, search.inside(), result);
+        questions.push_back({ positions[order[k]], {} });
+      }
+      query.query().closest(questions);
+      PointSide::Known known;
+      for (std::size_t k = range.begin(); k != range.end(); ++k)
+      {
+        const auto& [x, closest] = questions[k - range.begin()];
+        store(query, order[k], x, closest, query.side().contains(x, closest, known), result);
       }
     });
 }

@@ -125,6 +125,46 @@ TEST_P(GroupTreeOf, AnswersQueriesExactly)
   }
 }
 
+/// Positions of all distances from each other, known points or none, and in any order: the answer
+/// is that of each question alone.
+TEST_P(GroupTreeOf, AnswersManyQuestionsAsOne)
+{
+  const SiteQuery query(tree_);
+  const std::vector<glm::dvec3> spread = positions();
+  std::vector<SiteQuery::Question> questions;
+  for (std::size_t i = 0; i < spread.size(); ++i)
+  {
+    // Around some of them, clusters of different sizes; some on the surface, where many sites tie.
+    const glm::dvec3& centre = spread[i / 50 * 50];
+    const double size = std::pow(10.0, static_cast<double>(i / 50 % 8) - 6.0);
+    const bool onSurface = i % 7 == 0;
+    const glm::dvec3 x = centre + size * (spread[i] - centre);
+    const glm::dvec3 on = query.closest(x).point;
+    questions.push_back({ onSurface ? on : x, {} });
+    if (i % 3 == 0)
+    {
+      questions.back().closest =
+        closestPoint(sites_, static_cast<int>(i) % sites_.size(), questions.back().x);
+    }
+  }
+  questions.push_back({ glm::dvec3(1e30, 0.0, 0.0), {} });
+  std::vector<SiteQuery::Question> answers = questions;
+  query.closest(answers);
+  std::vector<SiteQuery::Question> backwards(questions.rbegin(), questions.rend());
+  query.closest(backwards);
+  for (std::size_t i = 0; i < questions.size(); ++i)
+  {
+    const SitePoint alone = query.closest(questions[i].x);
+    EXPECT_EQ(answers[i].closest.site, alone.site);
+    EXPECT_EQ(answers[i].closest.point, alone.point);
+    const SiteQuery::Question& back = backwards[questions.size() - 1 - i];
+    EXPECT_EQ(back.closest.site, alone.site);
+    EXPECT_EQ(back.closest.point, alone.point);
+    const double truth = exactDistance(sites_, questions[i].x);
+    EXPECT_NEAR(glm::distance(alone.point, questions[i].x), truth, 1e-12 * (1.0 + truth));
+  }
+}
+
 /// Every group that holds the closest point of some position in a box is found.
 TEST_P(GroupTreeOf, CollectsTheGroupsOfBoxes)
 {
