@@ -5,6 +5,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -42,13 +43,28 @@ void Penetration::find(const std::vector<int>& cut, bool depths)
     {
       const std::size_t begin = block * kBlock;
       const std::size_t end = std::min(points.size(), begin + kBlock);
-      for (std::size_t i = begin; i < end; ++i)
+      for (std::size_t i = begin; i < end; i += kDoubleLanes)
       {
-        const int from = points[i].from;
-        const int hint = from >= static_cast<int>(begin) ? closest_[from].slot : -1;
-        closest_[i] = closestElement(other_, mesh_.points()[points[i].point], hint);
+        this->findClosest(i, std::min(end, i + kDoubleLanes), begin);
       }
     });
+}
+
+void Penetration::findClosest(std::size_t begin, std::size_t end, std::size_t known)
+{
+  const auto position = [&](std::size_t i) { return mesh_.points()[enclosed_.points()[i].point]; };
+  // The first point has nothing to start from.
+  const int before =
+    begin > known ? closest_[begin - 1].slot : closestElement(other_, position(begin)).slot;
+  std::array<glm::dvec3, kDoubleLanes> positions{};
+  for (std::size_t i = begin; i < end; ++i)
+  {
+    const int from = enclosed_.points()[i].from;
+    const bool isKnown = from >= static_cast<int>(known) && from < static_cast<int>(begin);
+    closest_[i].slot = isKnown ? closest_[from].slot : before;
+    positions[i - begin] = position(i);
+  }
+  closestElements(other_, positions.data(), static_cast<int>(end - begin), &closest_[begin]);
 }
 
 double Penetration::depthOf(std::size_t enclosed) const

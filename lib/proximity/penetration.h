@@ -73,6 +73,9 @@ private:
     int hint; ///< slot of an element of the other mesh that may be near
   };
 
+  /// Finds what is closest to some of the enclosed points.
+  /// @param known the first point of those before `begin` whose closest elements are known.
+  void findClosest(std::size_t begin, std::size_t end, std::size_t known);
   /// Whether a triangle may be partly inside. Next to a hole it need not be cut for that.
   bool isMixed(int slot) const { return solid_.open() || enclosed_.isCut(slot); }
   /// The first corner of a triangle that is inside.
