@@ -151,14 +151,41 @@ void TranslationalDepth::tryDirection(const glm::dvec3& direction, Exit& best) c
   }
 }
 
-double TranslationalDepth::sumOfDepths(const glm::dvec3& x, bool& inBoth) const
+TranslationalDepth::Halves TranslationalDepth::halve(const Part& part) const
 {
-  const bool inA = solidA_.placeOf(x) == Place::Inside;
-  const bool inB = solidB_.placeOf(x) == Place::Inside;
-  inBoth = inA && inB;
-  const double toA = std::sqrt(closestElement(a_, x).squared);
-  const double toB = std::sqrt(closestElement(b_, x).squared);
-  return (inA ? toA : -toA) + (inB ? toB : -toB);
+  // Along the longest side, so that flat overlaps have cubes, too.
+  const glm::dvec3 size = part.box.size();
+  const int axis = longestAxis(size);
+  Halves halves{ { part, part }, {}, {} };
+  std::array<glm::dvec3, 2> centres;
+  std::array<ClosestElement, 2> closestA;
+  std::array<ClosestElement, 2> closestB;
+  for (int i = 0; i < 2; ++i)
+  {
+    Box& half = halves.parts[i].box;
+    half.min[axis] += 0.5 * i * size[axis];
+    half.max[axis] = half.min[axis] + 0.5 * size[axis];
+    centres[i] = 0.5 * (half.min + half.max);
+    closestA[i].slot = part.nearA;
+    closestB[i].slot = part.nearB;
+  }
+  closestElements(a_, centres.data(), 2, closestA.data());
+  closestElements(b_, centres.data(), 2, closestB.data());
+  for (int i = 0; i < 2; ++i)
+  {
+    const bool inA = solidA_.placeOf(centres[i]) == Place::Inside;
+    const bool inB = solidB_.placeOf(centres[i]) == Place::Inside;
+    const double toA = std::sqrt(closestA[i].squared);
+    const double toB = std::sqrt(closestB[i].squared);
+    halves.sums[i] = (inA ? toA : -toA) + (inB ? toB : -toB);
+    halves.inBoth[i] = inA && inB;
+    Part& half = halves.parts[i];
+    // Either distance falls by no more than one goes.
+    half.max = std::min(part.max, halves.sums[i] + glm::length(half.box.size()));
+    half.nearA = closestA[i].slot;
+    half.nearB = closestB[i].slot;
+  }
+  return halves;
 }
 
 double TranslationalDepth::commonBalls(const DeepPlace& deepest, double enough)
@@ -180,22 +207,13 @@ double TranslationalDepth::commonBalls(const DeepPlace& deepest, double enough)
     {
       break;
     }
-    // Halves along the longest side, so that flat overlaps have cubes, too.
-    const glm::dvec3 size = part.box.size();
-    const int axis = longestAxis(size);
-    for (const double shift : { 0.0, 0.5 })
+    const Halves halves = this->halve(part);
+    for (int i = 0; i < 2; ++i)
     {
-      Box half = part.box;
-      half.min[axis] += shift * size[axis];
-      half.max[axis] = half.min[axis] + 0.5 * size[axis];
-      bool inBoth = false;
-      const double sum = this->sumOfDepths(0.5 * (half.min + half.max), inBoth);
-      best = inBoth ? std::max(best, sum) : best;
-      // Either distance falls by no more than one goes.
-      const double max = std::min(part.max, sum + glm::length(half.size()));
-      if (max > best)
+      best = halves.inBoth[i] ? std::max(best, halves.sums[i]) : best;
+      if (halves.parts[i].max > best)
       {
-        parts_.push_back({ half, max });
+        parts_.push_back(halves.parts[i]);
         std::push_heap(parts_.begin(), parts_.end(), less);
       }
       ++looked;

@@ -7,6 +7,7 @@
 
 #include <glm/glm.hpp>
 
+#include <array>
 #include <vector>
 
 namespace medial
@@ -47,7 +48,16 @@ private:
   struct Part
   {
     Box box;
-    double max; ///< no sum of radii in it is larger
+    double max;    ///< no sum of radii in it is larger
+    int nearA = -1; ///< slots of elements that are near its centre, as hints
+    int nearB = -1;
+  };
+  /// The halves of a part; their bounds are set.
+  struct Halves
+  {
+    std::array<Part, 2> parts;
+    std::array<double, 2> sums; ///< of the signed distances of their centres, positive inside
+    std::array<bool, 2> inBoth; ///< whether their centres are inside both solids
   };
 
   /// @param[out] hullLower the lower bound for two convex meshes; 0 for others.
@@ -62,8 +72,7 @@ private:
   /// Returns a sum of radii of balls with a common centre.
   /// @param enough where the search ends.
   double commonBalls(const DeepPlace& deepest, double enough);
-  /// The sum of the signed distances, positive inside; and whether x is inside both.
-  double sumOfDepths(const glm::dvec3& x, bool& inBoth) const;
+  Halves halve(const Part& part) const;
   bool separates(const glm::dvec3& translation) const;
   bool surfacesMeet(const glm::dvec3& translation) const;
   bool leavesMeet(const BoxTree::Node& nodeA, const BoxTree::Node& nodeB,
