@@ -94,6 +94,7 @@ DeepPlace Penetration::deepest(const std::vector<int>& cut, const std::vector<Cu
   DeepPlace best = known;
   this->trySeeds(crossings, best);
   pieces_.clear();
+  middles_.clear();
   const double limit = limitOf(best.depth, relative, absolute);
   for (const int slot : cut)
   {
@@ -213,9 +214,9 @@ void Penetration::addPiece(const Piece& piece, double limit)
 
 void Penetration::refine(const Piece& piece, DeepPlace& best, double relative, double absolute)
 {
-  const auto& [a, b, c] = piece.corners;
-  const glm::dvec3 middle = (a + b + c) / 3.0;
-  const ClosestElement closest = closestElement(other_, middle, piece.hint);
+  const glm::dvec3 middle = piece.centre();
+  const ClosestElement closest =
+    piece.middle >= 0 ? middles_[piece.middle] : closestElement(other_, middle, piece.hint);
   const double depth = std::sqrt(closest.squared);
   const bool inside = !this->isMixed(piece.slot) || solid_.placeOf(middle) == Place::Inside;
   if (inside && depth > best.depth)
@@ -235,15 +236,33 @@ void Penetration::refine(const Piece& piece, DeepPlace& best, double relative, d
   // Through a hole a line comes in without passing the surface.
   const bool beyond = !inside && !solid_.open();
   const double max = std::min({ piece.max, toElement, beyond ? radius - depth : depth + radius });
-  const double limit = limitOf(best.depth, relative, absolute);
+  this->addParts(piece, max, closest.slot, limitOf(best.depth, relative, absolute));
+}
+
+void Penetration::addParts(const Piece& piece, double max, int hint, double limit)
+{
+  if (max <= limit)
+  {
+    return;
+  }
+  const auto& [a, b, c] = piece.corners;
   const glm::dvec3 ab = 0.5 * (a + b);
   const glm::dvec3 bc = 0.5 * (b + c);
   const glm::dvec3 ca = 0.5 * (c + a);
-  for (const auto& corners : { std::array{ a, ab, ca }, std::array{ ab, b, bc },
-         std::array{ ca, bc, c }, std::array{ ab, bc, ca } })
+  const std::array<std::array<glm::dvec3, 3>, 4> parts = { { { a, ab, ca }, { ab, b, bc },
+    { ca, bc, c }, { ab, bc, ca } } };
+  // Most parts come up, and their middles are searched for at once.
+  const int first = static_cast<int>(middles_.size());
+  std::array<glm::dvec3, 4> centres;
+  for (int i = 0; i < 4; ++i)
   {
-    this->addPiece({ corners, max, piece.slot, closest.slot }, limit);
+    const Piece part{ parts[i], max, piece.slot, hint, first + i };
+    centres[i] = part.centre();
+    middles_.emplace_back();
+    middles_.back().slot = hint;
+    this->addPiece(part, limit);
   }
+  closestElements(other_, centres.data(), 4, &middles_[first]);
 }
 
 } // namespace medial

@@ -70,7 +70,10 @@ private:
     std::array<glm::dvec3, 3> corners;
     double max; ///< no place of it is deeper
     int slot;
-    int hint; ///< slot of an element of the other mesh that may be near
+    int hint;        ///< slot of an element of the other mesh that may be near
+    int middle = -1; ///< index in middles_; -1 if that is not known
+
+    glm::dvec3 centre() const { return (corners[0] + corners[1] + corners[2]) / 3.0; }
   };
 
   /// Finds what is closest to some of the enclosed points.
@@ -85,6 +88,9 @@ private:
   /// Bounds the depths of a triangle by those of its corners that are inside.
   Piece wholeTriangle(int slot) const;
   void addPiece(const Piece& piece, double limit);
+  /// Adds the four parts of a piece.
+  /// @param max no place of them is deeper.
+  void addParts(const Piece& piece, double max, int hint, double limit);
   /// Looks at the middle of a piece, and adds its four parts if they may be deeper.
   void refine(const Piece& piece, DeepPlace& best, double relative, double absolute);
 
@@ -93,7 +99,8 @@ private:
   const SolidQuery& solid_;
   EnclosedPoints enclosed_;
   std::vector<ClosestElement> closest_;
-  std::vector<Piece> pieces_; ///< a heap, the largest bound first
+  std::vector<Piece> pieces_;           ///< a heap, the largest bound first
+  std::vector<ClosestElement> middles_; ///< what is closest to the middles of parts of pieces
 };
 
 } // namespace medial

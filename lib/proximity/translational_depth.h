@@ -48,7 +48,7 @@ private:
   struct Part
   {
     Box box;
-    double max;    ///< no sum of radii in it is larger
+    double max;     ///< no sum of radii in it is larger
     int nearA = -1; ///< slots of elements that are near its centre, as hints
     int nearB = -1;
   };
