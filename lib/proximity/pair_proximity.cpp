@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 namespace medial
@@ -48,13 +49,15 @@ void listCrossings(const Intersections& intersections, int SlotPair::*slot,
   places.clear();
   for (std::size_t i = 0; i < intersections.pairs().size(); ++i)
   {
+    int k = 0;
     for (const glm::dvec3& point : intersections.crossings()[i])
     {
-      places.push_back({ intersections.pairs()[i].*slot, point });
+      places.push_back({ intersections.pairs()[i].*slot, static_cast<int>(i), k++, point });
     }
   }
-  std::stable_sort(places.begin(), places.end(),
-    [](const CutPlace& p, const CutPlace& q) { return p.slot < q.slot; });
+  std::sort(places.begin(), places.end(),
+    [](const CutPlace& p, const CutPlace& q)
+    { return std::tie(p.slot, p.pair, p.crossing) < std::tie(q.slot, q.pair, q.crossing); });
 }
 
 void listDepths(const Penetration& penetration, std::vector<PointDepth>& depths)

@@ -27,6 +27,8 @@ struct DeepPlace
 struct CutPlace
 {
   int slot;
+  int pair;     ///< of elements that intersect, by number
+  int crossing; ///< of this pair, by number
   glm::dvec3 point;
 };
 

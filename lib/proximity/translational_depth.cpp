@@ -3,7 +3,6 @@
 #include "base/longest_axis.h"
 #include "proximity/closest_element.h"
 #include "proximity/last_contact.h"
-#include "proximity/minkowski_depth.h"
 #include "proximity/pair_walk.h"
 
 #include <algorithm>
@@ -47,9 +46,9 @@ double sizeOf(const MovingMesh& a, const MovingMesh& b)
 } // namespace
 
 TranslationalDepth::Exit TranslationalDepth::findExit(const std::vector<glm::dvec3>& directions,
-  double& hullLower) const
+  double& hullLower)
 {
-  const HullDepth hulls = hullDepth(a_, b_);
+  const HullDepth hulls = minkowski_.find();
   Exit best = this->boxExit();
   if (hulls.upper < best.length && hulls.direction != glm::dvec3(0.0))
   {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "medial/proximity.h"
+#include "proximity/minkowski_depth.h"
 #include "proximity/moving_mesh.h"
 #include "proximity/penetration.h"
 #include "proximity/solid_query.h"
@@ -28,6 +29,7 @@ public:
     , b_(b)
     , solidA_(solidA)
     , solidB_(solidB)
+    , minkowski_(a, b)
   {
   }
 
@@ -61,7 +63,7 @@ private:
   };
 
   /// @param[out] hullLower the lower bound for two convex meshes; 0 for others.
-  Exit findExit(const std::vector<glm::dvec3>& directions, double& hullLower) const;
+  Exit findExit(const std::vector<glm::dvec3>& directions, double& hullLower);
   /// Lengthens an exit until the exact tests find that it separates; false if it does not.
   bool lengthen(const Exit& exit, double size, double& length, glm::dvec3& translation) const;
   /// The shortest way out of the bounding boxes.
@@ -82,6 +84,7 @@ private:
   const MovingMesh& b_;
   const SolidQuery& solidA_;
   const SolidQuery& solidB_;
+  MinkowskiDepth minkowski_;
   std::vector<Part> parts_; ///< a heap
 };
 
