@@ -26,6 +26,8 @@ constexpr double kCertain = 1e-9;
 constexpr int kMaxTurns = 4;
 /// Bounds as near to each other as this are good enough.
 constexpr double kClose = 0.99;
+/// Rounding of distances, as a share.
+constexpr double kDistanceRounding = 1e-9;
 /// Positions that may be looked at for the largest balls.
 constexpr int kMaxCentres = 96;
 
@@ -150,41 +152,45 @@ void TranslationalDepth::tryDirection(const glm::dvec3& direction, Exit& best) c
   }
 }
 
-TranslationalDepth::Halves TranslationalDepth::halve(const Part& part) const
+std::array<TranslationalDepth::Part, 2> TranslationalDepth::halve(const Part& part) const
 {
   // Along the longest side, so that flat overlaps have cubes, too.
   const glm::dvec3 size = part.box.size();
   const int axis = longestAxis(size);
-  Halves halves{ { part, part }, {}, {} };
-  std::array<glm::dvec3, 2> centres;
-  std::array<ClosestElement, 2> closestA;
-  std::array<ClosestElement, 2> closestB;
+  std::array<Part, 2> halves{ part, part };
   for (int i = 0; i < 2; ++i)
   {
-    Box& half = halves.parts[i].box;
+    Box& half = halves[i].box;
     half.min[axis] += 0.5 * i * size[axis];
     half.max[axis] = half.min[axis] + 0.5 * size[axis];
-    centres[i] = 0.5 * (half.min + half.max);
-    closestA[i].slot = part.nearA;
-    closestB[i].slot = part.nearB;
   }
-  closestElements(a_, centres.data(), 2, closestA.data());
-  closestElements(b_, centres.data(), 2, closestB.data());
-  for (int i = 0; i < 2; ++i)
+  const double moved = 0.25 * size[axis];
+  findNearness(a_, solidA_, halves, moved, &Part::toA);
+  findNearness(b_, solidB_, halves, moved, &Part::toB);
+  for (Part& half : halves)
   {
-    const bool inA = solidA_.placeOf(centres[i]) == Place::Inside;
-    const bool inB = solidB_.placeOf(centres[i]) == Place::Inside;
-    const double toA = std::sqrt(closestA[i].squared);
-    const double toB = std::sqrt(closestB[i].squared);
-    halves.sums[i] = (inA ? toA : -toA) + (inB ? toB : -toB);
-    halves.inBoth[i] = inA && inB;
-    Part& half = halves.parts[i];
-    // Either distance falls by no more than one goes.
-    half.max = std::min(part.max, halves.sums[i] + glm::length(half.box.size()));
-    half.nearA = closestA[i].slot;
-    half.nearB = closestB[i].slot;
+    // Either depth grows by no more than one goes.
+    half.max = std::min(part.max, half.sumOfDepths() + glm::length(half.box.size()));
   }
   return halves;
+}
+
+void TranslationalDepth::findNearness(const MovingMesh& mesh, const SolidQuery& solid,
+  std::array<Part, 2>& halves, double moved, Nearness Part::*nearness)
+{
+  const Nearness before = halves[0].*nearness;
+  const std::array<glm::dvec3, 2> centres = { halves[0].centre(), halves[1].centre() };
+  std::array<ClosestElement, 2> closest;
+  closest[0].slot = closest[1].slot = before.slot;
+  closestElements(mesh, centres.data(), 2, closest.data());
+  // Nearer to the last centre than to the surface, they are on its side.
+  const bool sameSide = moved < (1.0 - kDistanceRounding) * std::abs(before.depth);
+  for (int i = 0; i < 2; ++i)
+  {
+    const bool inside = sameSide ? before.depth > 0.0 : solid.placeOf(centres[i]) == Place::Inside;
+    const double distance = std::sqrt(closest[i].squared);
+    halves[i].*nearness = { inside ? distance : -distance, closest[i].slot };
+  }
 }
 
 double TranslationalDepth::commonBalls(const DeepPlace& deepest, double enough)
@@ -196,7 +202,7 @@ double TranslationalDepth::commonBalls(const DeepPlace& deepest, double enough)
   common.max = glm::min(a_.tree().box().max, b_.tree().box().max);
   const auto less = [](const Part& p, const Part& q) { return p.max < q.max; };
   parts_.clear();
-  parts_.push_back({ common, std::numeric_limits<double>::infinity() });
+  parts_.push_back({ common, std::numeric_limits<double>::infinity(), {}, {} });
   for (int looked = 0; looked < kMaxCentres && !parts_.empty() && best < enough;)
   {
     std::pop_heap(parts_.begin(), parts_.end(), less);
@@ -206,13 +212,13 @@ double TranslationalDepth::commonBalls(const DeepPlace& deepest, double enough)
     {
       break;
     }
-    const Halves halves = this->halve(part);
-    for (int i = 0; i < 2; ++i)
+    for (const Part& half : this->halve(part))
     {
-      best = halves.inBoth[i] ? std::max(best, halves.sums[i]) : best;
-      if (halves.parts[i].max > best)
+      const bool inBoth = half.toA.depth > 0.0 && half.toB.depth > 0.0;
+      best = inBoth ? std::max(best, half.sumOfDepths()) : best;
+      if (half.max > best)
       {
-        parts_.push_back(halves.parts[i]);
+        parts_.push_back(half);
         std::push_heap(parts_.begin(), parts_.end(), less);
       }
       ++looked;

@@ -46,20 +46,22 @@ private:
     double length = 0.0;
     glm::dvec3 normal{ 0.0 }; ///< of the surfaces where they touch last
   };
+  /// A position and one of the surfaces.
+  struct Nearness
+  {
+    double depth = 0.0; ///< distance, negative outside
+    int slot = -1;      ///< of the closest element
+  };
   /// A box in which the balls' common centre may be.
   struct Part
   {
     Box box;
-    double max;     ///< no sum of radii in it is larger
-    int nearA = -1; ///< slots of elements that are near its centre, as hints
-    int nearB = -1;
-  };
-  /// The halves of a part; their bounds are set.
-  struct Halves
-  {
-    std::array<Part, 2> parts;
-    std::array<double, 2> sums; ///< of the signed distances of their centres, positive inside
-    std::array<bool, 2> inBoth; ///< whether their centres are inside both solids
+    double max;   ///< no sum of radii in it is larger
+    Nearness toA; ///< of the centre of the box; 0 if that is not known
+    Nearness toB;
+
+    glm::dvec3 centre() const { return 0.5 * (box.min + box.max); }
+    double sumOfDepths() const { return toA.depth + toB.depth; }
   };
 
   /// @param[out] hullLower the lower bound for two convex meshes; 0 for others.
@@ -74,7 +76,10 @@ private:
   /// Returns a sum of radii of balls with a common centre.
   /// @param enough where the search ends.
   double commonBalls(const DeepPlace& deepest, double enough);
-  Halves halve(const Part& part) const;
+  std::array<Part, 2> halve(const Part& part) const;
+  /// Finds how near the halves of a part are to a mesh.
+  static void findNearness(const MovingMesh& mesh, const SolidQuery& solid,
+    std::array<Part, 2>& halves, double moved, Nearness Part::*nearness);
   bool separates(const glm::dvec3& translation) const;
   bool surfacesMeet(const glm::dvec3& translation) const;
   bool leavesMeet(const BoxTree::Node& nodeA, const BoxTree::Node& nodeB,
