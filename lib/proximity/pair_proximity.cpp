@@ -20,6 +20,7 @@ namespace
 void leaveOpen(Proximity& result)
 {
   result.depth = std::numeric_limits<double>::quiet_NaN();
+  result.depthAtMost = result.depth;
   result.translationalDepth.upper = std::numeric_limits<double>::infinity();
 }
 
@@ -171,6 +172,7 @@ void PairProximity::penetrate(const ProximityOptions& options, Proximity& result
     { found[i] = way.deepest(cut, crossings_[i], deepest, options.depthTolerance, absolute); });
   deepest = deeper(found[0], found[1]);
   result.depth = deepest.depth;
+  result.depthAtMost = std::max(aInB_.deepestAtMost(), bInA_.deepestAtMost());
   result.deepestPoint = toPoint(deepest.point);
   listDepths(aInB_, result.depthsOfA);
   listDepths(bInA_, result.depthsOfB);

@@ -16,8 +16,9 @@ namespace
 
 /// Points whose searches follow each other, each from what the one before it found.
 constexpr std::size_t kBlock = 128;
-/// Where surfaces only touch, every place may be as deep as any other.
-constexpr int kMaxRefinements = 2500;
+/// Where surfaces only touch, every place may be as deep as any other, and no bound tells. Parts of
+/// machines with thousands of faces need up to 29,000.
+constexpr int kMaxRefinements = 50000;
 /// Pairs of crossings of a triangle between which the depth is tried first.
 constexpr int kMaxSeeds = 12;
 
@@ -123,6 +124,11 @@ DeepPlace Penetration::deepest(const std::vector<int>& cut, const std::vector<Cu
       break;
     }
     this->refine(piece, best, relative, absolute);
+  }
+  atMost_ = limitOf(best.depth, relative, absolute);
+  if (!pieces_.empty())
+  {
+    atMost_ = std::max(atMost_, pieces_.front().max);
   }
   return best;
 }

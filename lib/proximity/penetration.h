@@ -64,6 +64,8 @@ public:
   /// @param relative, absolute how far the depth may be below the largest.
   DeepPlace deepest(const std::vector<int>& cut, const std::vector<CutPlace>& crossings,
     const DeepPlace& known, double relative, double absolute);
+  /// After deepest(): no place of the surface is deeper.
+  double deepestAtMost() const { return atMost_; }
 
 private:
   /// A part of a triangle.
@@ -101,6 +103,7 @@ private:
   const SolidQuery& solid_;
   EnclosedPoints enclosed_;
   std::vector<ClosestElement> closest_;
+  double atMost_ = 0.0;
   std::vector<Piece> pieces_;           ///< a heap, the largest bound first
   std::vector<ClosestElement> middles_; ///< what is closest to the middles of parts of pieces
 };

@@ -111,6 +111,8 @@ TEST(MeshProximityFilter, DefaultsAreThoseOfTheLibrary)
 {
   vtkNew<vtkMeshProximity> filter;
   const medial::ProximityOptions options;
+  EXPECT_EQ(filter->GetSeparation() != 0, options.separation);
+  EXPECT_EQ(filter->GetMaximumSeparation(), VTK_DOUBLE_MAX); // ParaView knows no infinity
   EXPECT_EQ(filter->GetDepths() != 0, options.depths);
   EXPECT_EQ(filter->GetTranslationalDepth() != 0, options.translationalDepth);
   EXPECT_EQ(filter->GetMaximumNumberOfContacts(), options.maxContacts);
@@ -231,12 +233,35 @@ TEST(MeshProximityFilter, DepthsThatAreNotWantedAreNotThere)
   vtkPolyData* output = filter->GetOutput();
   EXPECT_EQ(figure(output, "Collide"), 1.0);
   EXPECT_TRUE(contactsOf(output).empty());
-  for (const char* name :
-    { "PenetrationDepth", "DeepestPoint", "TranslationalDepth", "SeparatingTranslation" })
+  for (const char* name : { "PenetrationDepth", "PenetrationDepthAtMost", "DeepestPoint",
+         "TranslationalDepth", "SeparatingTranslation" })
   {
     EXPECT_FALSE(output->GetFieldData()->HasArray(name)) << name;
   }
   EXPECT_FALSE(filter->GetMovedA()->GetPointData()->HasArray("PenetrationDepth"));
+}
+
+TEST(MeshProximityFilter, WithoutSeparationThereAreNoWitnesses)
+{
+  auto filter = makeCubes(3.5);
+  filter->SeparationOff();
+  filter->Update();
+  EXPECT_TRUE(std::isnan(figure(filter->GetOutput(), "Separation")));
+  EXPECT_EQ(figure(filter->GetOutput(), "Collide"), 0.0);
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
+}
+
+TEST(MeshProximityFilter, MeshesBeyondTheMaximumSeparationAreNotCompared)
+{
+  auto filter = makeCubes(3.5);
+  filter->SetMaximumSeparation(1.4);
+  filter->Update();
+  EXPECT_TRUE(std::isinf(figure(filter->GetOutput(), "Separation")));
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
+  filter->SetMaximumSeparation(1.5);
+  filter->Update();
+  EXPECT_EQ(figure(filter->GetOutput(), "Separation"), 1.5);
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 1);
 }
 
 TEST(MeshProximityFilter, TransformsMoveBothMeshes)
@@ -409,6 +434,8 @@ TEST(MeshProximityFilter, RefusesParametersOutsideTheirRange)
   expectError([](F f) { f->SetDepthTolerance(0.0); }, repair, "0.000000 is not in (0, 1)");
   expectError([](F f) { f->SetDepthTolerance(1.0); }, repair, "1.000000 is not in (0, 1)");
   expectError([=](F f) { f->SetDepthTolerance(nan); }, repair, "nan is not in (0, 1)");
+  expectError([](F f) { f->SetMaximumSeparation(-1.0); }, [](F f) { f->SetMaximumSeparation(0.0); },
+    "maximum separation -1.000000 is not 0 or more");
   expectError([](F f) { f->SetNumberOfThreads(-1); }, [](F f) { f->SetNumberOfThreads(1); },
     "NumberOfThreads -1");
 }
