@@ -133,7 +133,8 @@ void PairProximity::meet(Proximity& result)
   const SlotPair& pair = intersections_.pairs().front();
   const Element a = a_.element(pair.a);
   const Element b = b_.element(pair.b);
-  const PairCrossings crossings = crossingsOf(a, b);
+  const PairCrossings crossings =
+    intersections_.crossings().empty() ? crossingsOf(a, b) : intersections_.crossings().front();
   // Where there are none, they touch with their edges or lie in one plane.
   const glm::dvec3 common = crossings.count > 0 ? crossings.points[0] : closestPoints(a, b).a;
   result.witnessA = toPoint(common);

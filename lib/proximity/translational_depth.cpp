@@ -2,8 +2,8 @@
 
 #include "base/longest_axis.h"
 #include "proximity/closest_element.h"
+#include "proximity/intersections.h"
 #include "proximity/last_contact.h"
-#include "proximity/pair_walk.h"
 
 #include <algorithm>
 #include <array>
@@ -229,7 +229,7 @@ double TranslationalDepth::commonBalls(const DeepPlace& deepest, double enough)
 
 bool TranslationalDepth::separates(const glm::dvec3& translation) const
 {
-  if (this->surfacesMeet(translation))
+  if (intersect(a_, translation, b_))
   {
     return false;
   }
@@ -242,64 +242,6 @@ bool TranslationalDepth::separates(const glm::dvec3& translation) const
     return std::all_of(points.begin(), points.end(), outside);
   };
   return noneInside(a_, solidB_, translation) && noneInside(b_, solidA_, -translation);
-}
-
-bool TranslationalDepth::surfacesMeet(const glm::dvec3& translation) const
-{
-  const auto& nodesA = a_.tree().nodes();
-  const auto& nodesB = b_.tree().nodes();
-  const auto overlap = [&](int a, int b)
-  {
-    const Box moved{ nodesA[a].box.min + translation, nodesA[a].box.max + translation };
-    return moved.overlaps(nodesB[b].box);
-  };
-  std::array<NodePair, 4 * 64> stack;
-  int count = 0;
-  stack[count++] = {};
-  while (count > 0)
-  {
-    const NodePair pair = stack[--count];
-    if (!overlap(pair.a, pair.b))
-    {
-      continue;
-    }
-    if (areLeaves(a_.tree(), b_.tree(), pair))
-    {
-      if (this->leavesMeet(nodesA[pair.a], nodesB[pair.b], translation))
-      {
-        return true;
-      }
-      continue;
-    }
-    for (const NodePair& child : PairChildren(a_.tree(), b_.tree(), pair))
-    {
-      stack[count++] = child;
-    }
-  }
-  return false;
-}
-
-bool TranslationalDepth::leavesMeet(const BoxTree::Node& nodeA, const BoxTree::Node& nodeB,
-  const glm::dvec3& translation) const
-{
-  for (int i = nodeA.first; i < nodeA.first + nodeA.count; ++i)
-  {
-    Element moved = a_.element(i);
-    Box box;
-    for (glm::dvec3& corner : moved.corners)
-    {
-      corner += translation;
-      box.add(corner);
-    }
-    for (int k = nodeB.first; k < nodeB.first + nodeB.count; ++k)
-    {
-      if (box.overlaps(b_.boxOf(k)) && intersect(moved, b_.element(k)))
-      {
-        return true;
-      }
-    }
-  }
-  return false;
 }
 
 } // namespace medial

@@ -81,9 +81,6 @@ private:
   static void findNearness(const MovingMesh& mesh, const SolidQuery& solid,
     std::array<Part, 2>& halves, double moved, Nearness Part::*nearness);
   bool separates(const glm::dvec3& translation) const;
-  bool surfacesMeet(const glm::dvec3& translation) const;
-  bool leavesMeet(const BoxTree::Node& nodeA, const BoxTree::Node& nodeB,
-    const glm::dvec3& translation) const;
 
   const MovingMesh& a_;
   const MovingMesh& b_;
