@@ -23,10 +23,7 @@ constexpr int kBaselineFrames = 3;
 class FieldPairs final : public PairMethod
 {
 public:
-  explicit FieldPairs(int resolution)
-  {
-    options_.resolution = resolution;
-  }
+  explicit FieldPairs(int resolution) { options_.resolution = resolution; }
 
   std::string name() const override
   {
@@ -127,11 +124,11 @@ Table raceFields(const MovingPair& pair, int rounds, bool quick)
     const PairDifference difference = compareAnswers(run, runs.front());
     double baseline = 0.0;
     const double ratio = baselineRatio(pair, seconds, resolutions[i], baseline);
-    table.rows.push_back({ std::to_string(resolutions[i]),
-      milliseconds(medianWhere(seconds, runs.front(), false)),
-      milliseconds(medianWhere(seconds, runs.front(), true)), milliseconds(median(seconds)),
-      milliseconds(baseline), number(ratio), std::to_string(difference.wrongCollisions),
-      number(difference.depthRatio, 2) });
+    table.rows.push_back(
+      { std::to_string(resolutions[i]), milliseconds(medianWhere(seconds, runs.front(), false)),
+        milliseconds(medianWhere(seconds, runs.front(), true)), milliseconds(median(seconds)),
+        milliseconds(baseline), number(ratio), std::to_string(difference.wrongCollisions),
+        number(difference.depthRatio, 2) });
   }
   return table;
 }
