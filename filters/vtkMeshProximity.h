@@ -119,8 +119,8 @@ public:
   ///@{
   /**
    * Meshes whose bounding boxes are farther apart than this are not compared: the figure Separation
-   * is infinite, they do not collide, and there are no witnesses. World units, >= 0. Default is
-   * VTK_DOUBLE_MAX, so that all are compared.
+   * is infinite, they do not collide, and there are no witnesses. World units, >= 0.
+   * Default is 1e+299: all are compared.
    */
   vtkSetMacro(MaximumSeparation, double);
   vtkGetMacro(MaximumSeparation, double);

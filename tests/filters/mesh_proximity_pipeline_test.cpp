@@ -141,7 +141,7 @@ TEST(MeshProximityPipeline, RefusesParametersOutsideTheirRange)
   expectError([](F f) { f->SetDepthTolerance(0.0); }, repair, "0.000000 is not in (0, 1)");
   expectError([](F f) { f->SetDepthTolerance(1.0); }, repair, "1.000000 is not in (0, 1)");
   expectError([=](F f) { f->SetDepthTolerance(nan); }, repair, "nan is not in (0, 1)");
-  expectError([](F f) { f->SetMaximumSeparation(-1.0); }, [](F f) { f->SetMaximumSeparation(0.0); },
+  expectError([](F f) { f->SetMaximumSeparation(-1.0); }, [](F f) { f->SetMaximumSeparation(2.0); },
     "maximum separation -1.000000 is not 0 or more");
   expectError([](F f) { f->SetNumberOfThreads(-1); }, [](F f) { f->SetNumberOfThreads(1); },
     "NumberOfThreads -1");
