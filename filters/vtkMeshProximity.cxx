@@ -68,6 +68,8 @@ void vtkMeshProximity::Execute(const std::vector<vtkPolyData*>& inputs,
   vtkProgressBridge bridge(this);
   vtkProgressPart progress(bridge, ConversionShare, 1.0);
   medial::ProximityOptions options;
+  options.separation = this->Separation != 0;
+  options.maxSeparation = this->MaximumSeparation;
   options.depths = this->Depths != 0;
   options.translationalDepth = this->TranslationalDepth != 0;
   options.maxContacts = this->MaximumNumberOfContacts;
@@ -95,6 +97,8 @@ void vtkMeshProximity::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "TransformA: " << this->TransformA << "\n";
   os << indent << "TransformB: " << this->TransformB << "\n";
+  os << indent << "Separation: " << (this->Separation ? "On" : "Off") << "\n";
+  os << indent << "MaximumSeparation: " << this->MaximumSeparation << "\n";
   os << indent << "Depths: " << (this->Depths ? "On" : "Off") << "\n";
   os << indent << "TranslationalDepth: " << (this->TranslationalDepth ? "On" : "Off") << "\n";
   os << indent << "MaximumNumberOfContacts: " << this->MaximumNumberOfContacts << "\n";

@@ -15,7 +15,8 @@
  *
  * @par Output port 0:
  * The witnesses and the contacts, points in double precision. Where the meshes are apart a line
- * joins the closest point of A with that of B; where they intersect a vertex is a common point.
+ * joins the closest point of A with that of B, unless Separation is off or they are beyond
+ * MaximumSeparation; where they intersect a vertex is a common point.
  * Each contact is a vertex. Point data arrays: Kind (unsigned char, the active scalars: 0 for a
  * witness, 1 for a contact); Normal (float64 x 3, the active vectors, the unit vector from A to B:
  * moving B along it separates them there; 0 at a common point); Depth (float64, how deep a contact
@@ -32,16 +33,18 @@
  *
  * @par Field data:
  * Output port 0 has field data arrays of one tuple. Separation (double) is the least distance of
- * the surfaces in world units, 0 if and only if they intersect. Collide, Intersect and
+ * the surfaces in world units, 0 if and only if they intersect, infinite beyond MaximumSeparation
+ * and NaN where it was not wanted. Collide, Intersect and
  * InsideUndefined (unsigned char, 0 or 1) tell whether the surfaces intersect or one solid contains
  * a part of the other mesh, whether the surfaces intersect, which is exact, and whether an open
  * mesh leaves open what is inside it. With Depths there are PenetrationDepth (double), the largest
  * distance of a surface point of one mesh inside the other to the other's surface, 0 if they do not
- * collide and NaN if inside is undefined, and DeepestPoint (double x 3), where that is, NaN if
- * there is no such point. With TranslationalDepth there are TranslationalDepth (double x 2), a
- * lower and an upper bound on the length of the shortest translation that separates the solids, and
- * SeparatingTranslation (double x 3), which separates them if A moves by it. Seconds (double) is
- * the time that it took, without conversions.
+ * collide and NaN if inside is undefined, PenetrationDepthAtMost (double), above which no such
+ * distance is, and DeepestPoint (double x 3), where the largest is, NaN if there is no such point.
+ * With TranslationalDepth there are TranslationalDepth (double x 2), a lower and an upper bound on
+ * the length of the shortest translation that separates the solids, and SeparatingTranslation
+ * (double x 3), which separates them if A moves by it. Seconds (double) is the wall-clock time that
+ * it took, without conversions.
  *
  * @par Frames:
  * While the cells and the number of points of both inputs stay the same, as in a time series, and
@@ -104,9 +107,29 @@ public:
 
   ///@{
   /**
-   * Whether to compute how deep the meshes are inside each other: PenetrationDepth, and the
-   * contacts, which need it. Separation, Intersect and Collide are always computed.
+   * Whether to compute the least distance of meshes that do not intersect, and the witnesses.
+   * Without it the figure Separation is NaN there. Intersect and Collide are always computed.
    * Default is on.
+   */
+  vtkSetMacro(Separation, vtkTypeBool);
+  vtkGetMacro(Separation, vtkTypeBool);
+  vtkBooleanMacro(Separation, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Meshes whose bounding boxes are farther apart than this are not compared: the figure Separation
+   * is infinite, they do not collide, and there are no witnesses. World units, >= 0.
+   * Default is 1e+299: all are compared.
+   */
+  vtkSetMacro(MaximumSeparation, double);
+  vtkGetMacro(MaximumSeparation, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether to compute how deep the meshes are inside each other: PenetrationDepth, and the
+   * contacts, which need it. Default is on.
    */
   vtkSetMacro(Depths, vtkTypeBool);
   vtkGetMacro(Depths, vtkTypeBool);
@@ -172,6 +195,8 @@ protected:
 
   vtkLinearTransform* TransformA = nullptr;
   vtkLinearTransform* TransformB = nullptr;
+  vtkTypeBool Separation = true;
+  double MaximumSeparation = VTK_DOUBLE_MAX;
   vtkTypeBool Depths = true;
   vtkTypeBool TranslationalDepth = true;
   int MaximumNumberOfContacts = 4;

@@ -110,13 +110,13 @@ void vtkProximityConversion::ToPolyData(const medial::Proximity& proximity, vtkP
   MarkedPoints points(proximity);
   vtkNew<vtkCellArray> verts;
   vtkNew<vtkCellArray> lines;
-  const vtkIdType a = points.Add(WITNESS, ToWitness(proximity, proximity.witnessA));
   if (proximity.intersect)
   {
-    verts->InsertNextCell({ a });
+    verts->InsertNextCell({ points.Add(WITNESS, ToWitness(proximity, proximity.witnessA)) });
   }
-  else
+  else if (std::isfinite(proximity.separation))
   {
+    const vtkIdType a = points.Add(WITNESS, ToWitness(proximity, proximity.witnessA));
     const vtkIdType b = points.Add(WITNESS, ToWitness(proximity, proximity.witnessB));
     lines->InsertNextCell({ a, b });
   }
@@ -141,6 +141,7 @@ void vtkProximityConversion::AddFigures(const medial::Proximity& proximity,
   if (options.depths)
   {
     figures.AddNumber("PenetrationDepth", proximity.depth);
+    figures.AddNumber("PenetrationDepthAtMost", proximity.depthAtMost);
     const bool inside = proximity.depth > 0.0;
     figures.AddPoint("DeepestPoint",
       inside ? proximity.deepestPoint : medial::Point3{ NaN, NaN, NaN });

@@ -66,7 +66,7 @@ void addOutputOptions(CLI::App& app, ProximityTexts& texts)
   app
     .add_option("--animation", texts.animation,
       "this picture of every frame, in files frame_0000.png and so on; the folder is made if there "
-      "is none")
+      "is none, and in it the last pictures of a longer animation are deleted")
     ->option_text("FOLDER")
     ->group(group);
 }

@@ -144,6 +144,19 @@ void ProximityOutputs::commit()
   {
     folder_->commit();
   }
+  if (!command_.animation.empty())
+  {
+    this->removeSurplusPictures();
+  }
+}
+
+void ProximityOutputs::removeSurplusPictures() const
+{
+  std::error_code ignored;
+  for (std::size_t frame = pictures_.size();
+       fs::remove(command_.animation / pictureName(frame), ignored); ++frame)
+  {
+  }
 }
 
 } // namespace medial::app

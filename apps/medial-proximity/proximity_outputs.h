@@ -37,6 +37,8 @@ public:
 private:
   void writeContacts(const ProximityResults& results);
   void draw(const ProximityResults& results, ProgressBar& bar);
+  /// Deletes the last pictures of a longer animation that was in the folder.
+  void removeSurplusPictures() const;
 
   const ProximityCommand& command_;
   std::optional<OutputFolder> folder_; // of the animation; outlives the files in it

@@ -23,7 +23,7 @@ Json describeDepths(const ProximityOptions& options, const Proximity& pair)
 {
   const DepthBounds& bounds = pair.translationalDepth;
   const bool separable = std::isfinite(bounds.upper);
-  return { { "depth", pair.depth },
+  return { { "depth", pair.depth }, { "depth_at_most", pair.depthAtMost },
     { "deepest_point", pair.depth > 0.0 ? Json(pair.deepestPoint) : Json() },
     { "translational_depth",
       options.translationalDepth ? Json({ bounds.lower, bounds.upper }) : Json() },

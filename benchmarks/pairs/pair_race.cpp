@@ -97,6 +97,19 @@ std::vector<PairRun> racePairs(const MovingPair& pair, const std::vector<PairMet
   return runs;
 }
 
+double medianWhere(const std::vector<double>& seconds, const PairRun& truth, bool colliding)
+{
+  std::vector<double> chosen;
+  for (std::size_t frame = 0; frame < seconds.size(); ++frame)
+  {
+    if (*truth.answers[frame].collide == colliding)
+    {
+      chosen.push_back(seconds[frame]);
+    }
+  }
+  return median(chosen);
+}
+
 PairDifference compareAnswers(const PairRun& run, const PairRun& truth)
 {
   PairDifference difference;

@@ -27,6 +27,9 @@ struct PairRun
 std::vector<PairRun> racePairs(const MovingPair& pair, const std::vector<PairMethodEntry>& methods,
   int rounds);
 
+/// Median over the frames where the meshes collide as `truth` has it, or do not.
+double medianWhere(const std::vector<double>& seconds, const PairRun& truth, bool colliding);
+
 /// How the answers of a run differ from those of another.
 struct PairDifference
 {

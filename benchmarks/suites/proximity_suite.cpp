@@ -1,6 +1,7 @@
 #include "suites/suite.h"
 
 #include "animation.h"
+#include "pairs/field_pairs.h"
 #include "pairs/pair_race.h"
 #include "statistics.h"
 
@@ -104,20 +105,6 @@ bool answers(const PairRun& run, PairQuestion question)
 const PairRun& runOf(const std::vector<PairRun>& runs, const std::string& id)
 {
   return *std::find_if(runs.begin(), runs.end(), [&](const PairRun& run) { return run.id == id; });
-}
-
-/// Median over the frames where the meshes collide, or do not.
-double medianWhere(const std::vector<double>& seconds, const PairRun& truth, bool colliding)
-{
-  std::vector<double> chosen;
-  for (std::size_t frame = 0; frame < seconds.size(); ++frame)
-  {
-    if (*truth.answers[frame].collide == colliding)
-    {
-      chosen.push_back(seconds[frame]);
-    }
-  }
-  return median(chosen);
 }
 
 double medianRatio(const std::vector<double>& seconds, const std::vector<double>& ours)
@@ -385,14 +372,21 @@ public:
     if (input.pair.name == kFigure4Pair)
     {
       report_.curves = { figure4(runs) };
+      fields_ = raceFields(input.pair, report_.rounds, context_.options().quick);
     }
-    report_.tables.back() = lostTable(report_.rows);
+    report_.tables[questions().size()] = lostTable(report_.rows);
+    if (!fields_.rows.empty())
+    {
+      report_.tables.resize(questions().size() + 1);
+      report_.tables.push_back(fields_);
+    }
     context_.publish(report_);
   }
 
 private:
   const SuiteContext& context_;
   std::vector<PairMethodEntry> methods_;
+  Table fields_; ///< of the paper's way
   SuiteReport report_;
 };
 

@@ -35,6 +35,10 @@ struct Box
   void add(const glm::dvec3& point) { this->add(point, point); }
   void add(const Box& other) { this->add(other.min, other.max); }
 
+  Box moved(const glm::dvec3& translation) const
+  {
+    return { min + translation, max + translation };
+  }
   glm::dvec3 size() const { return max - min; }
   bool overlaps(const Box& other) const
   {

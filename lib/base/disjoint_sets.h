@@ -12,9 +12,12 @@ namespace medial
 class DisjointSets
 {
 public:
-  explicit DisjointSets(std::size_t count = 0)
-    : parent_(count)
+  explicit DisjointSets(std::size_t count = 0) { this->reset(count); }
+
+  /// Every element becomes a set of its own; memory is kept.
+  void reset(std::size_t count)
   {
+    parent_.resize(count);
     std::iota(parent_.begin(), parent_.end(), std::int64_t{ 0 });
   }
 

@@ -8,17 +8,20 @@
 #  include <emmintrin.h>
 #endif
 
-// Vectors of eight lanes, by the extension that GCC and Clang share. The compiler splits them for
-// processors without AVX2.
+// Vectors of eight floats or four doubles, by the extension that GCC and Clang share. The compiler
+// splits them for processors without AVX2.
 namespace medial
 {
 
 // Without AVX the compiler aligns them to 16 bytes only: what keeps them in memory is alignas(32).
 using Float8 = float __attribute__((vector_size(32)));
+using Double4 = double __attribute__((vector_size(32)));
+using Long4 = std::int64_t __attribute__((vector_size(32))); ///< result of comparing Double4
 using Int8 =
   int __attribute__((vector_size(32))); ///< result of a comparison: -1 where true, 0 where false
 
 constexpr int kLanes = 8;
+constexpr int kDoubleLanes = 4; ///< more are compared one by one
 
 /// Keeps vectors in registers: functions marked so are inlined, and the caller decides for which
 /// processor they are compiled.
@@ -38,6 +41,11 @@ MEDIAL_INLINE Float8 splat(float value)
   return Float8{} + value;
 }
 
+MEDIAL_INLINE Double4 splat(double value)
+{
+  return Double4{} + value;
+}
+
 MEDIAL_INLINE Float8 ramp()
 {
   return Float8{ 0, 1, 2, 3, 4, 5, 6, 7 };
@@ -49,6 +57,16 @@ MEDIAL_INLINE Float8 min(Float8 a, Float8 b)
 }
 
 MEDIAL_INLINE Float8 max(Float8 a, Float8 b)
+{
+  return a > b ? a : b;
+}
+
+MEDIAL_INLINE Double4 min(Double4 a, Double4 b)
+{
+  return a < b ? a : b;
+}
+
+MEDIAL_INLINE Double4 max(Double4 a, Double4 b)
 {
   return a > b ? a : b;
 }
@@ -93,10 +111,20 @@ MEDIAL_INLINE unsigned bits(Int8 mask)
   return static_cast<unsigned>(_mm_movemask_epi8(_mm_packs_epi16(words, __m128i{})));
 #else
   constexpr Int8 kWeights = { 1, 2, 4, 8, 16, 32, 64, 128 };
-  using Long4 = long long __attribute__((vector_size(32)));
   const Long4 parts = (Long4)(mask & kWeights);
   const long long sum = (parts[0] | parts[1]) | (parts[2] | parts[3]);
   return static_cast<unsigned>(sum) | static_cast<unsigned>(sum >> 32);
+#endif
+}
+
+MEDIAL_INLINE unsigned bits(Long4 mask)
+{
+#ifdef __SSE2__
+  __m128d halves[2];
+  std::memcpy(halves, &mask, sizeof(halves));
+  return static_cast<unsigned>(_mm_movemask_pd(halves[0]) | _mm_movemask_pd(halves[1]) << 2);
+#else
+  return static_cast<unsigned>((mask[0] & 1) | (mask[1] & 2) | (mask[2] & 4) | (mask[3] & 8));
 #endif
 }
 

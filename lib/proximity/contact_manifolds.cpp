@@ -16,7 +16,7 @@ void ContactManifolds::find(const MovingMesh& a, const MovingMesh& b,
   firstA_ = pairs.size();
   firstB_ = firstA_ + aInB.enclosed().points().size();
   const std::size_t all = firstB_ + bInA.enclosed().points().size();
-  sets_ = DisjointSets(all);
+  sets_.reset(all);
   this->joinPairs(b, pairs, &SlotPair::a, &SlotPair::b);
   this->joinPairs(a, pairs, &SlotPair::b, &SlotPair::a);
   const auto listFirst = [&](int SlotPair::*slot, std::vector<FirstPair>& slots)

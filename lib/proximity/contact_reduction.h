@@ -31,12 +31,34 @@ private:
   glm::dvec3 v_;
 };
 
-/// Keeps the places that are corners of the convex hull of all, seen along the normal; of those at
-/// one position the deepest.
-/// @param tolerance positions nearer to each other, or to an edge of the hull, count as one.
-void keepHull(const ContactPlane& plane, double tolerance, std::vector<ContactPlace>& places);
+/// Chooses some of many places. Keeps its memory from call to call.
+class ContactReduction
+{
+public:
+  /// Keeps the places that are corners of the convex hull of all, seen along the normal; of those
+  /// at one position the deepest.
+  /// @param tolerance positions nearer to each other, or to an edge of the hull, count as one.
+  void keepHull(const ContactPlane& plane, double tolerance, std::vector<ContactPlace>& places);
+  /// Keeps `count` places at most: the deepest, and then always the one farthest from those before.
+  void keepSpread(const ContactPlane& plane, int count, std::vector<ContactPlace>& places);
 
-/// Keeps `count` places at most: the deepest, and then always the one farthest from those before.
-void keepSpread(const ContactPlane& plane, int count, std::vector<ContactPlace>& places);
+private:
+  struct Projected
+  {
+    glm::dvec2 x;
+    int place;
+  };
+
+  /// Removes all but the best place of each position from points_.
+  void mergeEqual(const std::vector<ContactPlace>& places, double tolerance);
+  /// One half of the hull (Andrew's monotone chain), from the first point to the last.
+  template <typename Iterator>
+  void addChain(Iterator begin, Iterator end, double tolerance);
+
+  std::vector<Projected> points_;
+  std::vector<Projected> hull_;
+  std::vector<ContactPlace> kept_;
+  std::vector<double> squared_;
+};
 
 } // namespace medial

@@ -107,8 +107,9 @@ void Contacts::find(const Intersections& intersections, const Penetration& aInB,
   split_.find(a_, b_, intersections.pairs(), aInB, bInA);
   this->collect(intersections, aInB, bInA, deepest);
   int number = 0;
-  for (Manifold& manifold : manifolds_)
+  for (int i = 0; i < split_.count(); ++i)
   {
+    Manifold& manifold = manifolds_[i];
     this->reduce(manifold, maxContacts);
     for (const ContactPlace& place : manifold.places)
     {
@@ -123,7 +124,7 @@ void Contacts::collect(const Intersections& intersections, const Penetration& aI
   const Penetration& bInA, const DeepPlace& deepest)
 {
   const std::vector<SlotPair>& pairs = intersections.pairs();
-  manifolds_.resize(split_.count());
+  manifolds_.resize(std::max<std::size_t>(manifolds_.size(), split_.count()));
   for (Manifold& manifold : manifolds_)
   {
     manifold.places.clear();
@@ -151,8 +152,9 @@ void Contacts::collect(const Intersections& intersections, const Penetration& aI
   {
     this->addPlace(bInA.placeOf(i), split_.ofEnclosedB(i));
   }
-  for (Manifold& manifold : manifolds_)
+  for (int i = 0; i < split_.count(); ++i)
   {
+    Manifold& manifold = manifolds_[i];
     // Elements that touch with their edges, or that lie in one plane.
     if (manifold.places.empty())
     {
@@ -185,7 +187,7 @@ void Contacts::addPlace(const DeepPlace& found, int manifold)
   manifolds_[manifold].places.push_back(place);
 }
 
-void Contacts::reduce(Manifold& manifold, int maxContacts) const
+void Contacts::reduce(Manifold& manifold, int maxContacts)
 {
   manifold.normal = this->findNormal(manifold);
   std::vector<ContactPlace>& places = manifold.places;
@@ -210,22 +212,22 @@ void Contacts::reduce(Manifold& manifold, int maxContacts) const
   }
   const ContactPlace deepest = *std::max_element(places.begin(), places.end(),
     [](const ContactPlace& p, const ContactPlace& q) { return p.depth < q.depth; });
-  std::vector<ContactPlace> known;
-  std::copy_if(places.begin(), places.end(), std::back_inserter(known),
+  known_.clear();
+  std::copy_if(places.begin(), places.end(), std::back_inserter(known_),
     [](const ContactPlace& place) { return !place.isCrossing; });
-  keepHull(plane, kMerged * extent, places);
+  reduction_.keepHull(plane, kMerged * extent, places);
   if (max > 0.0)
   {
     this->weighCrossings(manifold, extent, max);
   }
-  places.insert(places.end(), known.begin(), known.end());
-  keepHull(plane, kMerged * extent, places);
+  places.insert(places.end(), known_.begin(), known_.end());
+  reduction_.keepHull(plane, kMerged * extent, places);
   constexpr double kDeeper = 1.0 + 1e-3;
   if (deepest.depth > kDeeper * maxDepth(places))
   {
     places.push_back(deepest);
   }
-  keepSpread(plane, maxContacts, places);
+  reduction_.keepSpread(plane, maxContacts, places);
   for (ContactPlace& place : places)
   {
     place.normal = place.normal == glm::dvec3(0.0) ? manifold.normal : place.normal;

@@ -46,7 +46,7 @@ private:
   void collect(const Intersections& intersections, const Penetration& aInB, const Penetration& bInA,
     const DeepPlace& deepest);
   void addPlace(const DeepPlace& found, int manifold);
-  void reduce(Manifold& manifold, int maxContacts) const;
+  void reduce(Manifold& manifold, int maxContacts);
   /// Drops crossings where the overlap has no depth.
   /// @param max the largest depth of the manifold's places, > 0.
   void weighCrossings(Manifold& manifold, double extent, double max) const;
@@ -64,7 +64,9 @@ private:
   const SolidQuery& solidA_;
   const SolidQuery& solidB_;
   ContactManifolds split_;
-  std::vector<Manifold> manifolds_;
+  std::vector<Manifold> manifolds_; ///< more than there are: they keep their memory
+  ContactReduction reduction_;
+  std::vector<ContactPlace> known_; ///< places of a manifold whose depth is known
 };
 
 } // namespace medial

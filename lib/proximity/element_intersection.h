@@ -12,6 +12,11 @@ namespace medial
 struct Element
 {
   std::array<glm::dvec3, 3> corners;
+
+  Element moved(const glm::dvec3& translation) const
+  {
+    return { { corners[0] + translation, corners[1] + translation, corners[2] + translation } };
+  }
 };
 
 /// Returns whether two elements share a point, be it a single one. Exact: the same for both orders

@@ -9,6 +9,7 @@ void EnclosedPoints::begin(const MovingMesh& mesh, const std::vector<int>& cut)
   cutAt_.resize(mesh.size(), 0);
   seenAt_.resize(mesh.points().size(), 0);
   insideAt_.resize(mesh.points().size(), 0);
+  rimAt_.resize(mesh.points().size(), 0);
   indices_.resize(mesh.points().size());
   componentAt_.resize(mesh.componentPoints().size(), 0);
   points_.clear();
@@ -17,6 +18,10 @@ void EnclosedPoints::begin(const MovingMesh& mesh, const std::vector<int>& cut)
   {
     cutAt_[slot] = frame_;
     componentAt_[mesh.components()[mesh.corners(slot)[0]]] = frame_;
+    for (int i = 0; i < 3; ++i)
+    {
+      rimAt_[mesh.corners(slot)[i]] = frame_;
+    }
   }
 }
 
@@ -60,10 +65,10 @@ void EnclosedPoints::ask(const MovingMesh& mesh, const SolidQuery& solid, const 
   }
   const Place place = solid.placeOf(mesh.points()[point]);
   undefined_ = undefined_ || place == Place::Undefined;
-  this->spread(mesh, solidBox, point, place == Place::Inside);
+  this->spread(mesh, point, place == Place::Inside);
 }
 
-void EnclosedPoints::spread(const MovingMesh& mesh, const Box& solidBox, int point, bool inside)
+void EnclosedPoints::spread(const MovingMesh& mesh, int point, bool inside)
 {
   const auto mark = [&](int reached, int from)
   {
@@ -92,8 +97,8 @@ void EnclosedPoints::spread(const MovingMesh& mesh, const Box& solidBox, int poi
       for (int i = 0; i < 3; ++i)
       {
         const int reached = mesh.corners(*slot)[i];
-        // Points outside its box need no answer.
-        if (seenAt_[reached] != frame_ && (inside || solidBox.contains(mesh.points()[reached])))
+        // Of the points outside only those that are asked for need an answer.
+        if (seenAt_[reached] != frame_ && (inside || rimAt_[reached] == frame_))
         {
           mark(reached, inside ? indices_[next] : -1);
         }

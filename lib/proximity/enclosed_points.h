@@ -35,13 +35,14 @@ public:
 private:
   void begin(const MovingMesh& mesh, const std::vector<int>& cut);
   void ask(const MovingMesh& mesh, const SolidQuery& solid, const Box& solidBox, int point);
-  void spread(const MovingMesh& mesh, const Box& solidBox, int point, bool inside);
+  void spread(const MovingMesh& mesh, int point, bool inside);
 
   // Marks are numbers of frames, so that nothing has to be cleared.
   int frame_ = 0;
   std::vector<int> cutAt_;       ///< per slot
   std::vector<int> seenAt_;      ///< per point
   std::vector<int> insideAt_;    ///< per point
+  std::vector<int> rimAt_;       ///< per point: when an element of it was cut
   std::vector<int> indices_;     ///< per point
   std::vector<int> componentAt_; ///< per component: when an element of it was cut
   std::vector<Enclosed> points_;

@@ -14,20 +14,20 @@ namespace
 constexpr std::size_t kParts = 24;
 
 void findInLeaves(const MovingMesh& a, const MovingMesh& b, const NodePair& pair, bool all,
-  std::vector<SlotPair>& found)
+  const glm::dvec3& moved, std::vector<SlotPair>& found)
 {
   const BoxTree::Node& nodeA = a.tree().nodes()[pair.a];
   const BoxTree::Node& nodeB = b.tree().nodes()[pair.b];
   for (int i = nodeA.first; i < nodeA.first + nodeA.count; ++i)
   {
-    const Box boxA = a.boxOf(i);
+    const Box boxA = a.boxOf(i).moved(moved);
     if (!boxA.overlaps(nodeB.box))
     {
       continue;
     }
     for (int k = nodeB.first; k < nodeB.first + nodeB.count; ++k)
     {
-      if (boxA.overlaps(b.boxOf(k)) && intersect(a.element(i), b.element(k)))
+      if (boxA.overlaps(b.boxOf(k)) && intersect(a.element(i).moved(moved), b.element(k)))
       {
         found.push_back({ i, k });
         if (!all)
@@ -40,12 +40,17 @@ void findInLeaves(const MovingMesh& a, const MovingMesh& b, const NodePair& pair
 }
 
 void search(const MovingMesh& a, const MovingMesh& b, const NodePair& start, bool all,
-  std::vector<SlotPair>& found)
+  std::vector<SlotPair>& found, const glm::dvec3& moved = glm::dvec3(0.0))
 {
   constexpr double kEnd = -1.0;
   walkPairs(
     a.tree(), b.tree(), start, [&] { return all || found.empty() ? 0.0 : kEnd; },
-    [&](const NodePair& pair) { findInLeaves(a, b, pair, all, found); });
+    [&](const NodePair& pair) { findInLeaves(a, b, pair, all, moved, found); }, moved);
+}
+
+NodePair roots(const MovingMesh& a, const MovingMesh& b, const glm::dvec3& moved = glm::dvec3(0.0))
+{
+  return { 0, 0, a.tree().box().moved(moved).squaredDistance(b.tree().box()) };
 }
 
 } // namespace
@@ -66,6 +71,13 @@ PairCrossings crossingsOf(const Element& a, const Element& b)
   return found;
 }
 
+bool intersect(const MovingMesh& a, const glm::dvec3& translation, const MovingMesh& b)
+{
+  std::vector<SlotPair> found;
+  search(a, b, roots(a, b, translation), false, found, translation);
+  return !found.empty();
+}
+
 void Intersections::findCrossings(const MovingMesh& a, const MovingMesh& b)
 {
   constexpr std::size_t kTogether = 16;
@@ -83,6 +95,7 @@ void Intersections::findCrossings(const MovingMesh& a, const MovingMesh& b)
 void Intersections::find(const MovingMesh& a, const MovingMesh& b, bool all)
 {
   pairs_.clear();
+  crossings_.clear();
   if (!all)
   {
     if (last_.a >= 0 && intersect(a.element(a.slotOf(last_.a)), b.element(b.slotOf(last_.b))))
@@ -90,7 +103,7 @@ void Intersections::find(const MovingMesh& a, const MovingMesh& b, bool all)
       pairs_.push_back({ a.slotOf(last_.a), b.slotOf(last_.b) });
       return;
     }
-    search(a, b, { 0, 0, a.tree().box().squaredDistance(b.tree().box()) }, all, pairs_);
+    search(a, b, roots(a, b), all, pairs_);
   }
   else
   {

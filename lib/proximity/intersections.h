@@ -31,6 +31,9 @@ struct PairCrossings
 /// Returns where the edges of two elements cross the other.
 PairCrossings crossingsOf(const Element& a, const Element& b);
 
+/// Whether two meshes intersect after a translation of A, exactly for the rounded points.
+bool intersect(const MovingMesh& a, const glm::dvec3& translation, const MovingMesh& b);
+
 /// Finds the elements of two meshes that intersect, exactly. Uses the threads of the current arena.
 class Intersections
 {
@@ -40,7 +43,7 @@ public:
 
   /// By ascending elements of A and then of B.
   const std::vector<SlotPair>& pairs() const { return pairs_; }
-  /// Of every pair, if all were wanted.
+  /// Of every pair, if all were wanted; else none.
   const std::vector<PairCrossings>& crossings() const { return crossings_; }
 
 private:

@@ -72,174 +72,6 @@ glm::dvec3 farthestPoint(const MovingMesh& mesh, const glm::dvec3& direction)
   return farthest;
 }
 
-/// A polytope inside the Minkowski difference.
-class Polytope
-{
-public:
-  Polytope(const MovingMesh& a, const MovingMesh& b)
-    : a_(a)
-    , b_(b)
-    , tolerance_(
-        kRounding * (glm::length(a.tree().box().size()) + glm::length(b.tree().box().size())))
-  {
-  }
-
-  HullDepth translation()
-  {
-    if (!this->begin())
-    {
-      return best_; // flat: it has no inside
-    }
-    for (int i = 0; i < kMaxExpansions; ++i)
-    {
-      const Face nearest = *std::min_element(faces_.begin(), faces_.end(),
-        [](const Face& p, const Face& q) { return p.distance < q.distance; });
-      best_.lower = std::max(best_.lower, std::min(nearest.distance, best_.upper));
-      const glm::dvec3 next = this->support(nearest.normal);
-      if (glm::dot(next, nearest.normal) - nearest.distance <= tolerance_ || !this->expand(next))
-      {
-        break;
-      }
-    }
-    return best_;
-  }
-
-private:
-  struct Face
-  {
-    std::array<int, 3> corners;
-    glm::dvec3 normal;
-    double distance; ///< of its plane from the origin, along the normal
-  };
-
-  /// Every direction gives a translation that separates the hulls.
-  glm::dvec3 support(const glm::dvec3& direction)
-  {
-    const glm::dvec3 point = farthestPoint(b_, direction) - farthestPoint(a_, -direction);
-    const double along = std::max(0.0, glm::dot(point, direction));
-    if (best_.direction == glm::dvec3(0.0) || along < best_.upper)
-    {
-      best_.upper = along;
-      best_.direction = direction;
-    }
-    return point;
-  }
-
-  bool begin()
-  {
-    const glm::dvec3 x(1.0, 0.0, 0.0);
-    points_ = { this->support(x), this->support(-x) };
-    const glm::dvec3 along = points_[0] - points_[1];
-    if (glm::length(along) <= tolerance_)
-    {
-      return false;
-    }
-    const glm::dvec3 axis =
-      std::abs(along.y) < std::abs(along.z) ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(0.0, 0.0, 1.0);
-    const glm::dvec3 across = glm::normalize(glm::cross(along, axis));
-    const glm::dvec3 third = glm::normalize(glm::cross(along, across));
-    if (!this->addFarthest({ across, -across, third, -third },
-          [&](const glm::dvec3& point)
-          { return glm::length(glm::cross(point - points_[0], glm::normalize(along))); }))
-    {
-      return false;
-    }
-    const glm::dvec3 normal = glm::normalize(glm::cross(along, points_[2] - points_[0]));
-    if (!this->addFarthest({ normal, -normal },
-          [&](const glm::dvec3& point) { return std::abs(glm::dot(point - points_[0], normal)); }))
-    {
-      return false;
-    }
-    for (const std::array<int, 3>& corners : { std::array{ 0, 1, 2 }, std::array{ 0, 1, 3 },
-           std::array{ 0, 2, 3 }, std::array{ 1, 2, 3 } })
-    {
-      const int other = 6 - corners[0] - corners[1] - corners[2];
-      Face face = this->faceOf(corners);
-      if (glm::dot(face.normal, points_[other]) > face.distance)
-      {
-        face = this->faceOf({ corners[0], corners[2], corners[1] });
-      }
-      faces_.push_back(face);
-    }
-    return true;
-  }
-
-  template <typename Height>
-  bool addFarthest(std::initializer_list<glm::dvec3> directions, const Height& height)
-  {
-    double max = tolerance_;
-    glm::dvec3 farthest(0.0);
-    for (const glm::dvec3& direction : directions)
-    {
-      const glm::dvec3 point = this->support(direction);
-      if (height(point) > max)
-      {
-        max = height(point);
-        farthest = point;
-      }
-    }
-    points_.push_back(farthest);
-    return max > tolerance_;
-  }
-
-  Face faceOf(const std::array<int, 3>& corners) const
-  {
-    const glm::dvec3& p = points_[corners[0]];
-    const glm::dvec3 normal = glm::cross(points_[corners[1]] - p, points_[corners[2]] - p);
-    const double length = glm::length(normal);
-    const glm::dvec3 unit = length > 0.0 ? normal / length : glm::dvec3(0.0);
-    return { corners, unit, glm::dot(unit, p) };
-  }
-
-  /// Replaces the faces that see a new corner; false if there are none or the new ones are flat.
-  bool expand(const glm::dvec3& corner)
-  {
-    edges_.clear();
-    const auto visible = std::partition(faces_.begin(), faces_.end(),
-      [&](const Face& face)
-      { return glm::dot(face.normal, corner) - face.distance <= 0.5 * tolerance_; });
-    for (auto face = visible; face != faces_.end(); ++face)
-    {
-      for (int i = 0; i < 3; ++i)
-      {
-        const std::pair<int, int> edge{ face->corners[i], face->corners[(i + 1) % 3] };
-        const auto twin =
-          std::find(edges_.begin(), edges_.end(), std::pair(edge.second, edge.first));
-        if (twin != edges_.end())
-        {
-          edges_.erase(twin);
-          continue;
-        }
-        edges_.push_back(edge);
-      }
-    }
-    if (visible == faces_.end())
-    {
-      return false;
-    }
-    faces_.erase(visible, faces_.end());
-    const int added = static_cast<int>(points_.size());
-    points_.push_back(corner);
-    for (const auto& [from, to] : edges_)
-    {
-      faces_.push_back(this->faceOf({ from, to, added }));
-      if (faces_.back().normal == glm::dvec3(0.0))
-      {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  const MovingMesh& a_;
-  const MovingMesh& b_;
-  double tolerance_;
-  HullDepth best_;
-  std::vector<glm::dvec3> points_;
-  std::vector<Face> faces_;
-  std::vector<std::pair<int, int>> edges_;
-};
-
 /// The plane of a triangle, as it counts for the solid.
 struct FacePlane
 {
@@ -283,9 +115,144 @@ bool looksConvex(const MovingMesh& mesh, double tolerance)
 
 } // namespace
 
-HullDepth hullDepth(const MovingMesh& a, const MovingMesh& b)
+glm::dvec3 MinkowskiDepth::support(const glm::dvec3& direction)
 {
-  return Polytope(a, b).translation();
+  const glm::dvec3 point = farthestPoint(b_, direction) - farthestPoint(a_, -direction);
+  const double along = std::max(0.0, glm::dot(point, direction));
+  if (best_.direction == glm::dvec3(0.0) || along < best_.upper)
+  {
+    best_.upper = along;
+    best_.direction = direction;
+  }
+  return point;
+}
+
+MinkowskiDepth::Face MinkowskiDepth::faceOf(const std::array<int, 3>& corners) const
+{
+  const glm::dvec3& p = points_[corners[0]];
+  const glm::dvec3 normal = glm::cross(points_[corners[1]] - p, points_[corners[2]] - p);
+  const double length = glm::length(normal);
+  const glm::dvec3 unit = length > 0.0 ? normal / length : glm::dvec3(0.0);
+  return { corners, unit, glm::dot(unit, p) };
+}
+
+template <typename Height>
+bool MinkowskiDepth::addFarthest(std::initializer_list<glm::dvec3> directions, const Height& height)
+{
+  double max = tolerance_;
+  glm::dvec3 farthest(0.0);
+  for (const glm::dvec3& direction : directions)
+  {
+    const glm::dvec3 point = this->support(direction);
+    if (height(point) > max)
+    {
+      max = height(point);
+      farthest = point;
+    }
+  }
+  points_.push_back(farthest);
+  return max > tolerance_;
+}
+
+bool MinkowskiDepth::begin()
+{
+  const glm::dvec3 x(1.0, 0.0, 0.0);
+  points_ = { this->support(x), this->support(-x) };
+  const glm::dvec3 along = points_[0] - points_[1];
+  if (glm::length(along) <= tolerance_)
+  {
+    return false;
+  }
+  const glm::dvec3 axis =
+    std::abs(along.y) < std::abs(along.z) ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(0.0, 0.0, 1.0);
+  const glm::dvec3 across = glm::normalize(glm::cross(along, axis));
+  const glm::dvec3 third = glm::normalize(glm::cross(along, across));
+  if (!this->addFarthest({ across, -across, third, -third },
+        [&](const glm::dvec3& point)
+        { return glm::length(glm::cross(point - points_[0], glm::normalize(along))); }))
+  {
+    return false;
+  }
+  const glm::dvec3 normal = glm::normalize(glm::cross(along, points_[2] - points_[0]));
+  if (!this->addFarthest({ normal, -normal },
+        [&](const glm::dvec3& point) { return std::abs(glm::dot(point - points_[0], normal)); }))
+  {
+    return false;
+  }
+  for (const std::array<int, 3>& corners :
+    { std::array{ 0, 1, 2 }, std::array{ 0, 1, 3 }, std::array{ 0, 2, 3 }, std::array{ 1, 2, 3 } })
+  {
+    const int other = 6 - corners[0] - corners[1] - corners[2];
+    Face face = this->faceOf(corners);
+    if (glm::dot(face.normal, points_[other]) > face.distance)
+    {
+      face = this->faceOf({ corners[0], corners[2], corners[1] });
+    }
+    faces_.push_back(face);
+  }
+  return true;
+}
+
+bool MinkowskiDepth::expand(const glm::dvec3& corner)
+{
+  edges_.clear();
+  const auto visible = std::partition(faces_.begin(), faces_.end(),
+    [&](const Face& face)
+    { return glm::dot(face.normal, corner) - face.distance <= 0.5 * tolerance_; });
+  for (auto face = visible; face != faces_.end(); ++face)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      const std::pair<int, int> edge{ face->corners[i], face->corners[(i + 1) % 3] };
+      const auto twin = std::find(edges_.begin(), edges_.end(), std::pair(edge.second, edge.first));
+      if (twin != edges_.end())
+      {
+        edges_.erase(twin);
+        continue;
+      }
+      edges_.push_back(edge);
+    }
+  }
+  if (visible == faces_.end())
+  {
+    return false;
+  }
+  faces_.erase(visible, faces_.end());
+  const int added = static_cast<int>(points_.size());
+  points_.push_back(corner);
+  for (const auto& [from, to] : edges_)
+  {
+    faces_.push_back(this->faceOf({ from, to, added }));
+    if (faces_.back().normal == glm::dvec3(0.0))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+HullDepth MinkowskiDepth::find()
+{
+  tolerance_ =
+    kRounding * (glm::length(a_.tree().box().size()) + glm::length(b_.tree().box().size()));
+  best_ = {};
+  faces_.clear();
+  if (!this->begin())
+  {
+    return best_; // flat: it has no inside
+  }
+  for (int i = 0; i < kMaxExpansions; ++i)
+  {
+    const Face nearest = *std::min_element(faces_.begin(), faces_.end(),
+      [](const Face& p, const Face& q) { return p.distance < q.distance; });
+    best_.lower = std::max(best_.lower, std::min(nearest.distance, best_.upper));
+    const glm::dvec3 next = this->support(nearest.normal);
+    if (glm::dot(next, nearest.normal) - nearest.distance <= tolerance_ || !this->expand(next))
+    {
+      break;
+    }
+  }
+  return best_;
 }
 
 bool isConvex(const MovingMesh& mesh)

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 namespace medial
@@ -19,6 +20,7 @@ namespace
 void leaveOpen(Proximity& result)
 {
   result.depth = std::numeric_limits<double>::quiet_NaN();
+  result.depthAtMost = result.depth;
   result.translationalDepth.upper = std::numeric_limits<double>::infinity();
 }
 
@@ -48,13 +50,15 @@ void listCrossings(const Intersections& intersections, int SlotPair::*slot,
   places.clear();
   for (std::size_t i = 0; i < intersections.pairs().size(); ++i)
   {
+    int k = 0;
     for (const glm::dvec3& point : intersections.crossings()[i])
     {
-      places.push_back({ intersections.pairs()[i].*slot, point });
+      places.push_back({ intersections.pairs()[i].*slot, static_cast<int>(i), k++, point });
     }
   }
-  std::stable_sort(places.begin(), places.end(),
-    [](const CutPlace& p, const CutPlace& q) { return p.slot < q.slot; });
+  std::sort(places.begin(), places.end(),
+    [](const CutPlace& p, const CutPlace& q)
+    { return std::tie(p.slot, p.pair, p.crossing) < std::tie(q.slot, q.pair, q.crossing); });
 }
 
 void listDepths(const Penetration& penetration, std::vector<PointDepth>& depths)
@@ -129,7 +133,8 @@ void PairProximity::meet(Proximity& result)
   const SlotPair& pair = intersections_.pairs().front();
   const Element a = a_.element(pair.a);
   const Element b = b_.element(pair.b);
-  const PairCrossings crossings = crossingsOf(a, b);
+  const PairCrossings crossings =
+    intersections_.crossings().empty() ? crossingsOf(a, b) : intersections_.crossings().front();
   // Where there are none, they touch with their edges or lie in one plane.
   const glm::dvec3 common = crossings.count > 0 ? crossings.points[0] : closestPoints(a, b).a;
   result.witnessA = toPoint(common);
@@ -168,6 +173,7 @@ void PairProximity::penetrate(const ProximityOptions& options, Proximity& result
     { found[i] = way.deepest(cut, crossings_[i], deepest, options.depthTolerance, absolute); });
   deepest = deeper(found[0], found[1]);
   result.depth = deepest.depth;
+  result.depthAtMost = std::max(aInB_.deepestAtMost(), bInA_.deepestAtMost());
   result.deepestPoint = toPoint(deepest.point);
   listDepths(aInB_, result.depthsOfA);
   listDepths(bInA_, result.depthsOfB);

@@ -22,7 +22,9 @@ struct NodePair
 class PairChildren
 {
 public:
-  PairChildren(const BoxTree& a, const BoxTree& b, const NodePair& pair)
+  /// @param moved translation of A.
+  PairChildren(const BoxTree& a, const BoxTree& b, const NodePair& pair,
+    const glm::dvec3& moved = glm::dvec3(0.0))
   {
     const BoxTree::Node& nodeA = a.nodes()[pair.a];
     const BoxTree::Node& nodeB = b.nodes()[pair.b];
@@ -30,10 +32,10 @@ public:
     const int inB[] = { nodeB.leaf() ? pair.b : pair.b + 1, nodeB.second };
     for (int i = 0; i < (nodeA.leaf() ? 1 : 2); ++i)
     {
+      const Box boxA = a.nodes()[inA[i]].box.moved(moved);
       for (int k = 0; k < (nodeB.leaf() ? 1 : 2); ++k)
       {
-        pairs_[count_++] = { inA[i], inB[k],
-          a.nodes()[inA[i]].box.squaredDistance(b.nodes()[inB[k]].box) };
+        pairs_[count_++] = { inA[i], inB[k], boxA.squaredDistance(b.nodes()[inB[k]].box) };
       }
     }
   }
@@ -67,9 +69,10 @@ inline bool areLeaves(const BoxTree& a, const BoxTree& b, const NodePair& pair)
 /// limit, near ones first.
 /// @param limit returns the squared distance, which may fall meanwhile; a negative one ends the
 ///   walk.
+/// @param moved translation of A.
 template <typename Limit, typename Visit>
 void walkPairs(const BoxTree& a, const BoxTree& b, const NodePair& start, const Limit& limit,
-  const Visit& visit)
+  const Visit& visit, const glm::dvec3& moved = glm::dvec3(0.0))
 {
   // Every level of either tree adds three pairs at most, and a level halves 2^31 elements.
   std::array<NodePair, 4 * 64> stack;
@@ -87,7 +90,7 @@ void walkPairs(const BoxTree& a, const BoxTree& b, const NodePair& start, const 
       visit(pair);
       continue;
     }
-    PairChildren children(a, b, pair);
+    PairChildren children(a, b, pair, moved);
     children.sort();
     for (const NodePair& child : children)
     {

@@ -5,6 +5,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -15,8 +16,9 @@ namespace
 
 /// Points whose searches follow each other, each from what the one before it found.
 constexpr std::size_t kBlock = 128;
-/// Where surfaces only touch, every place may be as deep as any other.
-constexpr int kMaxRefinements = 2500;
+/// Where surfaces only touch, every place may be as deep as any other, and no bound tells. Parts of
+/// machines with thousands of faces need up to 29,000.
+constexpr int kMaxRefinements = 50000;
 /// Pairs of crossings of a triangle between which the depth is tried first.
 constexpr int kMaxSeeds = 12;
 
@@ -42,13 +44,28 @@ void Penetration::find(const std::vector<int>& cut, bool depths)
     {
       const std::size_t begin = block * kBlock;
       const std::size_t end = std::min(points.size(), begin + kBlock);
-      for (std::size_t i = begin; i < end; ++i)
+      for (std::size_t i = begin; i < end; i += kDoubleLanes)
       {
-        const int from = points[i].from;
-        const int hint = from >= static_cast<int>(begin) ? closest_[from].slot : -1;
-        closest_[i] = closestElement(other_, mesh_.points()[points[i].point], hint);
+        this->findClosest(i, std::min(end, i + kDoubleLanes), begin);
       }
     });
+}
+
+void Penetration::findClosest(std::size_t begin, std::size_t end, std::size_t known)
+{
+  const auto position = [&](std::size_t i) { return mesh_.points()[enclosed_.points()[i].point]; };
+  // The first point has nothing to start from.
+  const int before =
+    begin > known ? closest_[begin - 1].slot : closestElement(other_, position(begin)).slot;
+  std::array<glm::dvec3, kDoubleLanes> positions{};
+  for (std::size_t i = begin; i < end; ++i)
+  {
+    const int from = enclosed_.points()[i].from;
+    const bool isKnown = from >= static_cast<int>(known) && from < static_cast<int>(begin);
+    closest_[i].slot = isKnown ? closest_[from].slot : before;
+    positions[i - begin] = position(i);
+  }
+  closestElements(other_, positions.data(), static_cast<int>(end - begin), &closest_[begin]);
 }
 
 double Penetration::depthOf(std::size_t enclosed) const
@@ -78,6 +95,7 @@ DeepPlace Penetration::deepest(const std::vector<int>& cut, const std::vector<Cu
   DeepPlace best = known;
   this->trySeeds(crossings, best);
   pieces_.clear();
+  middles_.clear();
   const double limit = limitOf(best.depth, relative, absolute);
   for (const int slot : cut)
   {
@@ -106,6 +124,11 @@ DeepPlace Penetration::deepest(const std::vector<int>& cut, const std::vector<Cu
       break;
     }
     this->refine(piece, best, relative, absolute);
+  }
+  atMost_ = limitOf(best.depth, relative, absolute);
+  if (!pieces_.empty())
+  {
+    atMost_ = std::max(atMost_, pieces_.front().max);
   }
   return best;
 }
@@ -197,9 +220,9 @@ void Penetration::addPiece(const Piece& piece, double limit)
 
 void Penetration::refine(const Piece& piece, DeepPlace& best, double relative, double absolute)
 {
-  const auto& [a, b, c] = piece.corners;
-  const glm::dvec3 middle = (a + b + c) / 3.0;
-  const ClosestElement closest = closestElement(other_, middle, piece.hint);
+  const glm::dvec3 middle = piece.centre();
+  const ClosestElement closest =
+    piece.middle >= 0 ? middles_[piece.middle] : closestElement(other_, middle, piece.hint);
   const double depth = std::sqrt(closest.squared);
   const bool inside = !this->isMixed(piece.slot) || solid_.placeOf(middle) == Place::Inside;
   if (inside && depth > best.depth)
@@ -219,15 +242,33 @@ void Penetration::refine(const Piece& piece, DeepPlace& best, double relative, d
   // Through a hole a line comes in without passing the surface.
   const bool beyond = !inside && !solid_.open();
   const double max = std::min({ piece.max, toElement, beyond ? radius - depth : depth + radius });
-  const double limit = limitOf(best.depth, relative, absolute);
+  this->addParts(piece, max, closest.slot, limitOf(best.depth, relative, absolute));
+}
+
+void Penetration::addParts(const Piece& piece, double max, int hint, double limit)
+{
+  if (max <= limit)
+  {
+    return;
+  }
+  const auto& [a, b, c] = piece.corners;
   const glm::dvec3 ab = 0.5 * (a + b);
   const glm::dvec3 bc = 0.5 * (b + c);
   const glm::dvec3 ca = 0.5 * (c + a);
-  for (const auto& corners : { std::array{ a, ab, ca }, std::array{ ab, b, bc },
-         std::array{ ca, bc, c }, std::array{ ab, bc, ca } })
+  const std::array<std::array<glm::dvec3, 3>, 4> parts = { { { a, ab, ca }, { ab, b, bc },
+    { ca, bc, c }, { ab, bc, ca } } };
+  // Most parts come up, and their middles are searched for at once.
+  const int first = static_cast<int>(middles_.size());
+  std::array<glm::dvec3, 4> centres;
+  for (int i = 0; i < 4; ++i)
   {
-    this->addPiece({ corners, max, piece.slot, closest.slot }, limit);
+    const Piece part{ parts[i], max, piece.slot, hint, first + i };
+    centres[i] = part.centre();
+    middles_.emplace_back();
+    middles_.back().slot = hint;
+    this->addPiece(part, limit);
   }
+  closestElements(other_, centres.data(), 4, &middles_[first]);
 }
 
 } // namespace medial

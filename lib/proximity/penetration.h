@@ -27,6 +27,8 @@ struct DeepPlace
 struct CutPlace
 {
   int slot;
+  int pair;     ///< of elements that intersect, by number
+  int crossing; ///< of this pair, by number
   glm::dvec3 point;
 };
 
@@ -62,6 +64,8 @@ public:
   /// @param relative, absolute how far the depth may be below the largest.
   DeepPlace deepest(const std::vector<int>& cut, const std::vector<CutPlace>& crossings,
     const DeepPlace& known, double relative, double absolute);
+  /// After deepest(): no place of the surface is deeper.
+  double deepestAtMost() const { return atMost_; }
 
 private:
   /// A part of a triangle.
@@ -70,9 +74,15 @@ private:
     std::array<glm::dvec3, 3> corners;
     double max; ///< no place of it is deeper
     int slot;
-    int hint; ///< slot of an element of the other mesh that may be near
+    int hint;        ///< slot of an element of the other mesh that may be near
+    int middle = -1; ///< index in middles_; -1 if that is not known
+
+    glm::dvec3 centre() const { return (corners[0] + corners[1] + corners[2]) / 3.0; }
   };
 
+  /// Finds what is closest to some of the enclosed points.
+  /// @param known the first point of those before `begin` whose closest elements are known.
+  void findClosest(std::size_t begin, std::size_t end, std::size_t known);
   /// Whether a triangle may be partly inside. Next to a hole it need not be cut for that.
   bool isMixed(int slot) const { return solid_.open() || enclosed_.isCut(slot); }
   /// The first corner of a triangle that is inside.
@@ -82,6 +92,9 @@ private:
   /// Bounds the depths of a triangle by those of its corners that are inside.
   Piece wholeTriangle(int slot) const;
   void addPiece(const Piece& piece, double limit);
+  /// Adds the four parts of a piece.
+  /// @param max no place of them is deeper.
+  void addParts(const Piece& piece, double max, int hint, double limit);
   /// Looks at the middle of a piece, and adds its four parts if they may be deeper.
   void refine(const Piece& piece, DeepPlace& best, double relative, double absolute);
 
@@ -90,7 +103,9 @@ private:
   const SolidQuery& solid_;
   EnclosedPoints enclosed_;
   std::vector<ClosestElement> closest_;
-  std::vector<Piece> pieces_; ///< a heap, the largest bound first
+  double atMost_ = 0.0;
+  std::vector<Piece> pieces_;           ///< a heap, the largest bound first
+  std::vector<ClosestElement> middles_; ///< what is closest to the middles of parts of pieces
 };
 
 } // namespace medial

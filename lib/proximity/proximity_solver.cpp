@@ -109,6 +109,7 @@ struct Body
   MovingMesh mesh;
   SolidQuery solid;
   bool moved = true;
+  double refitSeconds = 0.0; ///< in this frame
 };
 
 /// Brings what depends on positions up to date.
@@ -121,8 +122,10 @@ void refit(const std::vector<std::unique_ptr<Body>>& bodies, const Run& run)
         [&](std::size_t i)
         {
           Body& body = *bodies[i];
+          body.refitSeconds = 0.0;
           if (body.moved)
           {
+            const Stopwatch stopwatch(body.refitSeconds);
             body.mesh.refit();
             body.solid.update();
             body.moved = false;
@@ -236,6 +239,7 @@ const std::vector<Proximity>& ProximitySolver::compute(const ProximityOptions& o
     const Stopwatch stopwatch(result.seconds);
     const Body* first = state_->bodies[result.meshA].get();
     const Body* second = state_->bodies[result.meshB].get();
+    result.seconds = std::max(first->refitSeconds, second->refitSeconds); // side by side
     const Box& box = first->mesh.tree().box();
     if (std::sqrt(box.squaredDistance(second->mesh.tree().box())) > options.maxSeparation)
     {

@@ -53,7 +53,7 @@ int SolidQuery::crossingsBefore(const BoxTree::Node& leaf, const glm::dvec3& x) 
   for (int slot = leaf.first; slot < leaf.first + leaf.count; ++slot)
   {
     const int weight = mesh_.weight(slot);
-    if (weight != 0)
+    if (weight != 0 && meetsLineBefore(mesh_.boxOf(slot), x))
     {
       sum += weight * crossingBefore(mesh_.element(slot).corners, x);
     }

@@ -2,9 +2,8 @@
 
 #include "base/longest_axis.h"
 #include "proximity/closest_element.h"
+#include "proximity/intersections.h"
 #include "proximity/last_contact.h"
-#include "proximity/minkowski_depth.h"
-#include "proximity/pair_walk.h"
 
 #include <algorithm>
 #include <array>
@@ -27,6 +26,8 @@ constexpr double kCertain = 1e-9;
 constexpr int kMaxTurns = 4;
 /// Bounds as near to each other as this are good enough.
 constexpr double kClose = 0.99;
+/// Rounding of distances, as a share.
+constexpr double kDistanceRounding = 1e-9;
 /// Positions that may be looked at for the largest balls.
 constexpr int kMaxCentres = 96;
 
@@ -47,9 +48,9 @@ double sizeOf(const MovingMesh& a, const MovingMesh& b)
 } // namespace
 
 TranslationalDepth::Exit TranslationalDepth::findExit(const std::vector<glm::dvec3>& directions,
-  double& hullLower) const
+  double& hullLower)
 {
-  const HullDepth hulls = hullDepth(a_, b_);
+  const HullDepth hulls = minkowski_.find();
   Exit best = this->boxExit();
   if (hulls.upper < best.length && hulls.direction != glm::dvec3(0.0))
   {
@@ -151,14 +152,45 @@ void TranslationalDepth::tryDirection(const glm::dvec3& direction, Exit& best) c
   }
 }
 
-double TranslationalDepth::sumOfDepths(const glm::dvec3& x, bool& inBoth) const
+std::array<TranslationalDepth::Part, 2> TranslationalDepth::halve(const Part& part) const
 {
-  const bool inA = solidA_.placeOf(x) == Place::Inside;
-  const bool inB = solidB_.placeOf(x) == Place::Inside;
-  inBoth = inA && inB;
-  const double toA = std::sqrt(closestElement(a_, x).squared);
-  const double toB = std::sqrt(closestElement(b_, x).squared);
-  return (inA ? toA : -toA) + (inB ? toB : -toB);
+  // Along the longest side, so that flat overlaps have cubes, too.
+  const glm::dvec3 size = part.box.size();
+  const int axis = longestAxis(size);
+  std::array<Part, 2> halves{ part, part };
+  for (int i = 0; i < 2; ++i)
+  {
+    Box& half = halves[i].box;
+    half.min[axis] += 0.5 * i * size[axis];
+    half.max[axis] = half.min[axis] + 0.5 * size[axis];
+  }
+  const double moved = 0.25 * size[axis];
+  findNearness(a_, solidA_, halves, moved, &Part::toA);
+  findNearness(b_, solidB_, halves, moved, &Part::toB);
+  for (Part& half : halves)
+  {
+    // Either depth grows by no more than one goes.
+    half.max = std::min(part.max, half.sumOfDepths() + glm::length(half.box.size()));
+  }
+  return halves;
+}
+
+void TranslationalDepth::findNearness(const MovingMesh& mesh, const SolidQuery& solid,
+  std::array<Part, 2>& halves, double moved, Nearness Part::*nearness)
+{
+  const Nearness before = halves[0].*nearness;
+  const std::array<glm::dvec3, 2> centres = { halves[0].centre(), halves[1].centre() };
+  std::array<ClosestElement, 2> closest;
+  closest[0].slot = closest[1].slot = before.slot;
+  closestElements(mesh, centres.data(), 2, closest.data());
+  // Nearer to the last centre than to the surface, they are on its side.
+  const bool sameSide = moved < (1.0 - kDistanceRounding) * std::abs(before.depth);
+  for (int i = 0; i < 2; ++i)
+  {
+    const bool inside = sameSide ? before.depth > 0.0 : solid.placeOf(centres[i]) == Place::Inside;
+    const double distance = std::sqrt(closest[i].squared);
+    halves[i].*nearness = { inside ? distance : -distance, closest[i].slot };
+  }
 }
 
 double TranslationalDepth::commonBalls(const DeepPlace& deepest, double enough)
@@ -170,7 +202,7 @@ double TranslationalDepth::commonBalls(const DeepPlace& deepest, double enough)
   common.max = glm::min(a_.tree().box().max, b_.tree().box().max);
   const auto less = [](const Part& p, const Part& q) { return p.max < q.max; };
   parts_.clear();
-  parts_.push_back({ common, std::numeric_limits<double>::infinity() });
+  parts_.push_back({ common, std::numeric_limits<double>::infinity(), {}, {} });
   for (int looked = 0; looked < kMaxCentres && !parts_.empty() && best < enough;)
   {
     std::pop_heap(parts_.begin(), parts_.end(), less);
@@ -180,22 +212,13 @@ double TranslationalDepth::commonBalls(const DeepPlace& deepest, double enough)
     {
       break;
     }
-    // Halves along the longest side, so that flat overlaps have cubes, too.
-    const glm::dvec3 size = part.box.size();
-    const int axis = longestAxis(size);
-    for (const double shift : { 0.0, 0.5 })
+    for (const Part& half : this->halve(part))
     {
-      Box half = part.box;
-      half.min[axis] += shift * size[axis];
-      half.max[axis] = half.min[axis] + 0.5 * size[axis];
-      bool inBoth = false;
-      const double sum = this->sumOfDepths(0.5 * (half.min + half.max), inBoth);
-      best = inBoth ? std::max(best, sum) : best;
-      // Either distance falls by no more than one goes.
-      const double max = std::min(part.max, sum + glm::length(half.size()));
-      if (max > best)
+      const bool inBoth = half.toA.depth > 0.0 && half.toB.depth > 0.0;
+      best = inBoth ? std::max(best, half.sumOfDepths()) : best;
+      if (half.max > best)
       {
-        parts_.push_back({ half, max });
+        parts_.push_back(half);
         std::push_heap(parts_.begin(), parts_.end(), less);
       }
       ++looked;
@@ -206,7 +229,7 @@ double TranslationalDepth::commonBalls(const DeepPlace& deepest, double enough)
 
 bool TranslationalDepth::separates(const glm::dvec3& translation) const
 {
-  if (this->surfacesMeet(translation))
+  if (intersect(a_, translation, b_))
   {
     return false;
   }
@@ -219,64 +242,6 @@ bool TranslationalDepth::separates(const glm::dvec3& translation) const
     return std::all_of(points.begin(), points.end(), outside);
   };
   return noneInside(a_, solidB_, translation) && noneInside(b_, solidA_, -translation);
-}
-
-bool TranslationalDepth::surfacesMeet(const glm::dvec3& translation) const
-{
-  const auto& nodesA = a_.tree().nodes();
-  const auto& nodesB = b_.tree().nodes();
-  const auto overlap = [&](int a, int b)
-  {
-    const Box moved{ nodesA[a].box.min + translation, nodesA[a].box.max + translation };
-    return moved.overlaps(nodesB[b].box);
-  };
-  std::array<NodePair, 4 * 64> stack;
-  int count = 0;
-  stack[count++] = {};
-  while (count > 0)
-  {
-    const NodePair pair = stack[--count];
-    if (!overlap(pair.a, pair.b))
-    {
-      continue;
-    }
-    if (areLeaves(a_.tree(), b_.tree(), pair))
-    {
-      if (this->leavesMeet(nodesA[pair.a], nodesB[pair.b], translation))
-      {
-        return true;
-      }
-      continue;
-    }
-    for (const NodePair& child : PairChildren(a_.tree(), b_.tree(), pair))
-    {
-      stack[count++] = child;
-    }
-  }
-  return false;
-}
-
-bool TranslationalDepth::leavesMeet(const BoxTree::Node& nodeA, const BoxTree::Node& nodeB,
-  const glm::dvec3& translation) const
-{
-  for (int i = nodeA.first; i < nodeA.first + nodeA.count; ++i)
-  {
-    Element moved = a_.element(i);
-    Box box;
-    for (glm::dvec3& corner : moved.corners)
-    {
-      corner += translation;
-      box.add(corner);
-    }
-    for (int k = nodeB.first; k < nodeB.first + nodeB.count; ++k)
-    {
-      if (box.overlaps(b_.boxOf(k)) && intersect(moved, b_.element(k)))
-      {
-        return true;
-      }
-    }
-  }
-  return false;
 }
 
 } // namespace medial

@@ -67,6 +67,8 @@ TEST_F(ProximityCommand, CubesThatOverlap)
   EXPECT_EQ(found["intersect"], true);
   EXPECT_EQ(found["collide"], true);
   EXPECT_NEAR(found["depth"], 0.25, 1e-3 * 0.25);
+  EXPECT_GE(found["depth_at_most"], 0.25);
+  EXPECT_LE(found["depth_at_most"], 0.2503);
   EXPECT_NEAR(found["deepest_point"][0], 0.75, 1e-3);
   EXPECT_NEAR(found["translational_depth"][0], 0.25, 1e-7);
   EXPECT_NEAR(found["translational_depth"][1], 0.25, 1e-7);
@@ -96,7 +98,7 @@ TEST_F(ProximityCommand, WhatIsSwitchedOffIsNull)
   const Json found = pair(1.25, { "--no-depths", "--no-translation" });
   EXPECT_EQ(found["collide"], true);
   for (const char* key :
-    { "depth", "deepest_point", "translational_depth", "separating_translation" })
+    { "depth", "depth_at_most", "deepest_point", "translational_depth", "separating_translation" })
   {
     EXPECT_TRUE(found[key].is_null()) << key;
   }
@@ -145,8 +147,8 @@ TEST_F(ProximityCommand, JsonHasExactlyTheDocumentedKeys)
   const Json& found = frame["pairs"][0];
   EXPECT_EQ(keysOf(found),
     (std::set<std::string>{ "a", "b", "separation", "witness_a", "witness_b", "cell_a", "cell_b",
-      "intersect", "collide", "inside_undefined", "depth", "deepest_point", "translational_depth",
-      "separating_translation", "contacts", "seconds" }));
+      "intersect", "collide", "inside_undefined", "depth", "depth_at_most", "deepest_point",
+      "translational_depth", "separating_translation", "contacts", "seconds" }));
   EXPECT_EQ(keysOf(found["contacts"][0]),
     (std::set<std::string>{ "point", "normal", "depth", "manifold", "cell_a", "cell_b" }));
   EXPECT_EQ(result["meshes"][0]["path"], large);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <iterator>
 #include <limits>
 #include <set>
@@ -125,6 +126,23 @@ TEST_F(ProximitySequence, PictureOfEveryFrame)
   EXPECT_EQ(contents.size(), static_cast<std::size_t>(kFrames));
   const std::filesystem::directory_iterator files(pictures);
   EXPECT_EQ(std::distance(begin(files), end(files)), kFrames);
+}
+
+TEST_F(ProximitySequence, PicturesOfALongerAnimationAreDeleted)
+{
+  const std::filesystem::path pictures = folder.file("pictures");
+  std::filesystem::create_directory(pictures);
+  for (const char* name : { "frame_0000.png", "frame_0004.png", "frame_0005.png", "other.png" })
+  {
+    std::ofstream(pictures / name) << "old";
+  }
+  const Outcome outcome =
+    runMedialProximity({ "-q", "--sequence", large, frames, "--animation", pictures.string() });
+  EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+  EXPECT_NE(readFile(pictures / "frame_0000.png"), "old");
+  EXPECT_FALSE(std::filesystem::exists(pictures / "frame_0004.png"));
+  EXPECT_FALSE(std::filesystem::exists(pictures / "frame_0005.png"));
+  EXPECT_TRUE(std::filesystem::exists(pictures / "other.png"));
 }
 
 TEST_F(ProximitySequence, ContactsOfEveryFrame)

@@ -258,7 +258,7 @@ TEST(FilterManual, MeshPointDistanceParametersAreExplainedAndPrinted)
 TEST(FilterManual, MeshProximityParametersAreExplainedAndPrinted)
 {
   const std::string print = printed<vtkMeshProximity>();
-  expectManual("vtkMeshProximity", 5, print);
+  expectManual("vtkMeshProximity", 7, print);
   for (const char* name : { "TransformA: ", "TransformB: " })
   {
     EXPECT_NE(print.find(name), std::string::npos) << name;

@@ -1,4 +1,4 @@
-#include "filter_support.h"
+#include "proximity_pairs.h"
 
 #include "medial/proximity.h"
 
@@ -8,53 +8,23 @@
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
-#include <vtkMeshProximity.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyDataNormals.h>
-#include <vtkSphereSource.h>
-#include <vtkTransform.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <limits>
-#include <set>
-#include <string>
 
 namespace
 {
 
 using namespace medial::test;
 
-vtkSmartPointer<vtkMeshProximity> make(vtkPolyData* a, vtkPolyData* b)
-{
-  auto filter = vtkSmartPointer<vtkMeshProximity>::New();
-  filter->SetInputData(0, a);
-  filter->SetInputData(1, b);
-  return filter;
-}
-
-vtkSmartPointer<vtkTransform> translation(double x, double y, double z)
-{
-  auto transform = vtkSmartPointer<vtkTransform>::New();
-  transform->Translate(x, y, z);
-  return transform;
-}
-
-/// Two cubes of side 2 about the origin, the second moved by `shift` along x.
-vtkSmartPointer<vtkMeshProximity> makeCubes(double shift)
-{
-  auto filter = make(boxPolyData({ 1, 1, 1 }), boxPolyData({ 1, 1, 1 }));
-  filter->SetTransformB(translation(shift, 0, 0));
-  return filter;
-}
-
 /// A box of side 1 sunk 0.1 into the middle of the upper face of a plate.
 vtkSmartPointer<vtkMeshProximity> makeSunkenBox()
 {
-  auto filter = make(boxPolyData({ 2.0, 2.0, 0.5 }), boxPolyData({ 0.5, 0.5, 0.5 }));
+  auto filter = proximityOf(boxPolyData({ 2.0, 2.0, 0.5 }), boxPolyData({ 0.5, 0.5, 0.5 }));
   filter->SetTransformB(translation(0.0, 0.0, 0.9));
   return filter;
 }
@@ -71,24 +41,6 @@ void expectPoint(const std::vector<double>& x, const medial::Point3& expected)
   {
     EXPECT_NEAR(x[axis], expected[axis], 1e-9);
   }
-}
-
-void move(vtkPolyData* mesh, const std::function<medial::Point3(const medial::Point3&)>& to)
-{
-  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
-  {
-    mesh->GetPoints()->SetPoint(i, to(pointOf(mesh, i)).data());
-  }
-  mesh->GetPoints()->Modified();
-}
-
-void expectError(const std::function<void(vtkMeshProximity*)>& spoil,
-  const std::function<void(vtkMeshProximity*)>& repair, const std::string& words)
-{
-  auto filter = makeCubes(3.0);
-  expectErrorAndRecovery(
-    filter, [&] { spoil(filter); }, [&] { repair(filter); }, words);
-  EXPECT_NEAR(figure(filter->GetOutput(), "Separation"), 1.0, 1e-12) << words;
 }
 
 /// The points of the output that are contacts.
@@ -111,6 +63,8 @@ TEST(MeshProximityFilter, DefaultsAreThoseOfTheLibrary)
 {
   vtkNew<vtkMeshProximity> filter;
   const medial::ProximityOptions options;
+  EXPECT_EQ(filter->GetSeparation() != 0, options.separation);
+  EXPECT_EQ(filter->GetMaximumSeparation(), VTK_DOUBLE_MAX); // ParaView knows no infinity
   EXPECT_EQ(filter->GetDepths() != 0, options.depths);
   EXPECT_EQ(filter->GetTranslationalDepth() != 0, options.translationalDepth);
   EXPECT_EQ(filter->GetMaximumNumberOfContacts(), options.maxContacts);
@@ -174,7 +128,7 @@ TEST(MeshProximityFilter, AVertexIsACommonPointOfMeshesThatIntersect)
 
 TEST(MeshProximityFilter, AMeshInsideTheOtherCollidesAndIsApart)
 {
-  auto filter = make(boxPolyData({ 1, 1, 1 }), boxPolyData({ 0.1, 0.1, 0.1 }));
+  auto filter = proximityOf(boxPolyData({ 1, 1, 1 }), boxPolyData({ 0.1, 0.1, 0.1 }));
   filter->Update();
   vtkPolyData* output = filter->GetOutput();
   EXPECT_NEAR(figure(output, "Separation"), 0.9, 1e-12);
@@ -197,7 +151,7 @@ TEST(MeshProximityFilter, MovedMeshesHaveTheDepthsOfTheirPoints)
   own->SetNumberOfValues(8);
   own->Fill(3.0);
   input->GetPointData()->AddArray(own);
-  auto filter = make(boxPolyData({ 2.0, 2.0, 0.5 }), input);
+  auto filter = proximityOf(boxPolyData({ 2.0, 2.0, 0.5 }), input);
   vtkNew<vtkTransform> transform;
   transform->Translate(0.0, 0.0, 0.9);
   transform->Scale(0.5, 0.5, 0.5);
@@ -231,12 +185,35 @@ TEST(MeshProximityFilter, DepthsThatAreNotWantedAreNotThere)
   vtkPolyData* output = filter->GetOutput();
   EXPECT_EQ(figure(output, "Collide"), 1.0);
   EXPECT_TRUE(contactsOf(output).empty());
-  for (const char* name :
-    { "PenetrationDepth", "DeepestPoint", "TranslationalDepth", "SeparatingTranslation" })
+  for (const char* name : { "PenetrationDepth", "PenetrationDepthAtMost", "DeepestPoint",
+         "TranslationalDepth", "SeparatingTranslation" })
   {
     EXPECT_FALSE(output->GetFieldData()->HasArray(name)) << name;
   }
   EXPECT_FALSE(filter->GetMovedA()->GetPointData()->HasArray("PenetrationDepth"));
+}
+
+TEST(MeshProximityFilter, WithoutSeparationThereAreNoWitnesses)
+{
+  auto filter = makeCubes(3.5);
+  filter->SeparationOff();
+  filter->Update();
+  EXPECT_TRUE(std::isnan(figure(filter->GetOutput(), "Separation")));
+  EXPECT_EQ(figure(filter->GetOutput(), "Collide"), 0.0);
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
+}
+
+TEST(MeshProximityFilter, MeshesBeyondTheMaximumSeparationAreNotCompared)
+{
+  auto filter = makeCubes(3.5);
+  filter->SetMaximumSeparation(1.4);
+  filter->Update();
+  EXPECT_TRUE(std::isinf(figure(filter->GetOutput(), "Separation")));
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
+  filter->SetMaximumSeparation(1.5);
+  filter->Update();
+  EXPECT_EQ(figure(filter->GetOutput(), "Separation"), 1.5);
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 1);
 }
 
 TEST(MeshProximityFilter, TransformsMoveBothMeshes)
@@ -270,7 +247,7 @@ TEST(MeshProximityFilter, FarFromTheOriginItIsTheSame)
 
 TEST(MeshProximityFilter, OpenMeshesThatLeaveInsideOpenHaveNoDepth)
 {
-  auto filter = make(boxPolyData({ 0.5, 0.5, 0.5 }), squarePolyData());
+  auto filter = proximityOf(boxPolyData({ 0.5, 0.5, 0.5 }), squarePolyData());
   filter->SetTransformA(translation(0.0, 0.0, 0.1));
   filter->Update();
   EXPECT_EQ(figure(filter->GetOutput(), "Intersect"), 1.0);
@@ -283,7 +260,7 @@ TEST(MeshProximityFilter, OpenMeshesThatLeaveInsideOpenHaveNoDepth)
 
 TEST(MeshProximityFilter, CellsOfAllKindsAreCompared)
 {
-  auto filter = make(mixedPolyData(), boxPolyData({ 0.5, 0.5, 0.5 }));
+  auto filter = proximityOf(mixedPolyData(), boxPolyData({ 0.5, 0.5, 0.5 }));
   const medial::Point3 places[] = { { 4, 2, 2 }, { -4, 1, 1 }, { 0.5, 0.5, -4 }, { 1, -4, 1 } };
   for (vtkIdType cell = 0; cell < 4; ++cell)
   {
@@ -300,210 +277,10 @@ TEST(MeshProximityFilter, PointsOfNoCellHaveNoDepth)
 {
   auto box = boxPolyData({ 0.1, 0.1, 0.1 });
   box->GetPoints()->InsertNextPoint(0.0, 0.0, 0.0);
-  auto filter = make(box, boxPolyData({ 1, 1, 1 }));
+  auto filter = proximityOf(box, boxPolyData({ 1, 1, 1 }));
   filter->Update();
   EXPECT_NEAR(valueOf(filter->GetMovedA(), "PenetrationDepth", 0), 0.9, 1e-12);
   EXPECT_TRUE(std::isnan(valueOf(filter->GetMovedA(), "PenetrationDepth", 8)));
-}
-
-TEST(MeshProximityFilter, FramesOfOneMeshAreThoseOfANewFilter)
-{
-  auto deforming = lumpPolyData();
-  auto filter = make(deforming, boxPolyData({ 1, 1, 1 }));
-  for (int frame = 0; frame < 6; ++frame)
-  {
-    move(deforming,
-      [&](const medial::Point3& x) {
-        return medial::Point3{ x[0] + 0.5, x[1] * 1.02, x[2] };
-      });
-    filter->Update();
-    vtkNew<vtkPolyData> frozen;
-    frozen->DeepCopy(deforming);
-    auto fresh = make(frozen, boxPolyData({ 1, 1, 1 }));
-    fresh->Update();
-    EXPECT_NEAR(figure(filter->GetOutput(), "Separation"), figure(fresh->GetOutput(), "Separation"),
-      1e-12);
-    EXPECT_EQ(figure(filter->GetOutput(), "Collide"), figure(fresh->GetOutput(), "Collide"));
-    const double depth = figure(fresh->GetOutput(), "PenetrationDepth");
-    EXPECT_NEAR(figure(filter->GetOutput(), "PenetrationDepth"), depth, 2e-3 * depth);
-  }
-}
-
-// Two sheets over points of their own are welded where they lie on each other.
-TEST(MeshProximityFilter, PointsThatComeApartAreNoLongerWelded)
-{
-  auto mesh = squarePolyData();
-  for (const double x : { -1.0, 1.0 })
-  {
-    mesh->GetPoints()->InsertNextPoint(x, -1.0, 0.0);
-  }
-  mesh->GetPoints()->InsertNextPoint(0.0, -1.0, 1.0);
-  mesh->GetPolys()->InsertNextCell({ 4, 5, 6 });
-  auto filter = make(mesh, boxPolyData({ 0.5, 0.5, 0.5 }));
-  filter->SetTransformB(translation(0.0, -6.0, 0.0));
-  filter->Update();
-  EXPECT_NEAR(figure(filter->GetOutput(), "Separation"), 4.5, 1e-12);
-  mesh->GetPoints()->SetPoint(4, -1.0, -3.0, 0.0);
-  mesh->GetPoints()->SetPoint(5, 1.0, -3.0, 0.0);
-  mesh->GetPoints()->Modified();
-  filter->Update();
-  EXPECT_NEAR(figure(filter->GetOutput(), "Separation"), 2.5, 1e-12);
-  EXPECT_EQ(valueOf(filter->GetOutput(), "CellA", 0), 1.0);
-  filter->SetTransformB(translation(0.0, 0.0, 5.0));
-  filter->Update();
-  EXPECT_NEAR(figure(filter->GetOutput(), "Separation"), std::hypot(3.5, 0.5), 1e-12);
-}
-
-TEST(MeshProximityFilter, MeshesAreReplaced)
-{
-  auto filter = makeCubes(3.0);
-  filter->Update();
-  for (int i = 1; i < 6; ++i)
-  {
-    // The old mesh dies; the new one may well live at its address.
-    filter->SetInputData(0, boxPolyData({ 1.0 + 0.1 * i, 0.8, 0.6 }));
-    filter->Update();
-    EXPECT_NEAR(figure(filter->GetOutput(), "Separation"), 1.0 - 0.1 * i, 1e-12);
-  }
-  filter->SetInputData(1, lumpPolyData());
-  filter->Update();
-  EXPECT_EQ(filter->GetMovedB()->GetNumberOfPoints(), lumpPolyData()->GetNumberOfPoints());
-  EXPECT_EQ(filter->GetErrorCode(), 0u);
-}
-
-TEST(MeshProximityFilter, ExecutesWhenSomethingChangedAndDoesNotModifyItself)
-{
-  vtkNew<vtkSphereSource> sphere;
-  auto box = boxPolyData({ 1, 1, 1 });
-  vtkNew<vtkMeshProximity> filter;
-  filter->SetInputConnection(0, sphere->GetOutputPort());
-  filter->SetInputData(1, box);
-  auto transform = translation(3.0, 0.0, 0.0);
-  filter->SetTransformB(transform);
-  EventLog log(filter);
-  filter->Update();
-  const vtkMTimeType time = filter->GetMTime();
-  filter->Update();
-  EXPECT_EQ(log.executions, 1);
-  EXPECT_EQ(filter->GetMTime(), time);
-  transform->Translate(1.0, 0.0, 0.0);
-  filter->Update();
-  EXPECT_EQ(log.executions, 2);
-  EXPECT_NEAR(figure(filter->GetOutput(), "Separation"), 2.5, 2e-2);
-  sphere->SetRadius(1.0);
-  filter->Update();
-  EXPECT_EQ(log.executions, 3);
-  EXPECT_NEAR(figure(filter->GetOutput(), "Separation"), 2.0, 1e-1);
-  filter->Update(1);
-  filter->Update(2);
-  EXPECT_EQ(log.executions, 3);
-}
-
-TEST(MeshProximityFilter, RefusesParametersOutsideTheirRange)
-{
-  using F = vtkMeshProximity*;
-  expectError([](F f) { f->SetMaximumNumberOfContacts(-1); },
-    [](F f) { f->SetMaximumNumberOfContacts(0); }, "contacts -1 is negative");
-  const auto repair = [](F f) { f->SetDepthTolerance(0.5); };
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  expectError([](F f) { f->SetDepthTolerance(0.0); }, repair, "0.000000 is not in (0, 1)");
-  expectError([](F f) { f->SetDepthTolerance(1.0); }, repair, "1.000000 is not in (0, 1)");
-  expectError([=](F f) { f->SetDepthTolerance(nan); }, repair, "nan is not in (0, 1)");
-  expectError([](F f) { f->SetNumberOfThreads(-1); }, [](F f) { f->SetNumberOfThreads(1); },
-    "NumberOfThreads -1");
-}
-
-TEST(MeshProximityFilter, RefusesUnusableInput)
-{
-  for (const int port : { 0, 1 })
-  {
-    const std::string name = port == 0 ? "mesh A: " : "mesh B: ";
-    const auto repair = [port](vtkMeshProximity* f) {
-      f->SetInputData(port, boxPolyData({ 1.0, 1.0, 1.0 }));
-    };
-    const auto with = [port](const std::function<void(vtkPolyData*)>& spoil)
-    { return [=](vtkMeshProximity* f) { f->SetInputData(port, spoiledBox(spoil)); }; };
-    expectError(with([](vtkPolyData* box) { box->Initialize(); }), repair,
-      name + "the mesh has no cells");
-    expectError(with([](vtkPolyData* box) { box->GetPoints()->SetPoint(3, HUGE_VAL, 0.0, 0.0); }),
-      repair, name + "point 3");
-  }
-}
-
-TEST(MeshProximityFilter, RefusesTransformsThatCannotBeUndone)
-{
-  using F = vtkMeshProximity*;
-  vtkNew<vtkTransform> flat;
-  flat->Scale(1.0, 0.0, 1.0);
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  vtkNew<vtkTransform> undefined;
-  undefined->Scale(nan, 1.0, 1.0);
-  const auto far = translation(HUGE_VAL, 0.0, 0.0);
-  expectError([&](F f) { f->SetTransformA(flat); }, [](F f) { f->SetTransformA(nullptr); },
-    "mesh A: the determinant 0 of the transform");
-  const auto repair = [](F f) { f->SetTransformB(translation(3, 0, 0)); };
-  expectError([&](F f) { f->SetTransformB(undefined); }, repair,
-    "mesh B: the determinant nan of the transform");
-  expectError([&](F f) { f->SetTransformB(far); }, repair, "mesh B: ");
-}
-
-TEST(MeshProximityFilter, AMissingInputIsAnErrorOfThePipeline)
-{
-  vtkNew<vtkMeshProximity> filter;
-  filter->SetInputData(0, boxPolyData());
-  EventLog log(filter);
-  EXPECT_FALSE(update(filter));
-  EXPECT_EQ(log.executions, 0);
-  EXPECT_GE(log.pipelineErrors, 1);
-}
-
-TEST(MeshProximityFilter, AnErrorLeavesNoOutputAtAll)
-{
-  auto filter = makeCubes(1.5);
-  filter->Update();
-  filter->SetDepthTolerance(2.0);
-  expectInvalidInput(filter, "2.000000");
-  EXPECT_EQ(filter->GetMovedA()->GetNumberOfPoints(), 0);
-  EXPECT_EQ(filter->GetMovedB()->GetNumberOfPoints(), 0);
-}
-
-TEST(MeshProximityFilter, ReportsProgress)
-{
-  auto filter = make(lumpPolyData(), boxPolyData());
-  EventLog log(filter);
-  filter->Update();
-  expectProgressToTheEnd(log);
-  EXPECT_EQ(std::set<double>(log.progress.begin(), log.progress.end()).size(), 3u);
-}
-
-TEST(MeshProximityFilter, AbortLeavesNothingAndTheNextUpdateExecutesAgain)
-{
-  for (const std::size_t event : { 1, 2 })
-  {
-    expectAbortLeavesNothing(make(lumpPolyData(), boxPolyData()), event);
-  }
-}
-
-TEST(MeshProximityFilter, PieceZeroIsAllOfIt)
-{
-  auto filter = makeCubes(1.5);
-  filter->UpdatePiece(1, 3, 0);
-  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
-  filter->UpdatePiece(0, 3, 0);
-  EXPECT_GE(filter->GetOutput()->GetNumberOfPoints(), 1);
-  EXPECT_EQ(filter->GetMovedB()->GetNumberOfPoints(), 8);
-}
-
-TEST(MeshProximityFilter, ThreadsDoNotChangeTheResult)
-{
-  auto filter = make(lumpPolyData(), boxPolyData());
-  filter->Update();
-  auto single = make(lumpPolyData(), boxPolyData());
-  single->SetNumberOfThreads(1);
-  single->Update();
-  EXPECT_EQ(figure(single->GetOutput(), "PenetrationDepth"),
-    figure(filter->GetOutput(), "PenetrationDepth"));
-  EXPECT_EQ(pointOf(single->GetOutput(), 0), pointOf(filter->GetOutput(), 0));
 }
 
 TEST(MeshProximityFilter, ABoxOnAPlateHasFourContacts)

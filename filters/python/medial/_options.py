@@ -67,6 +67,7 @@ _REALS: dict[str, tuple[str, str]] = {
     "min_lambda": ("MinimumLambda", "[0, inf)"),
     "min_radius": ("MinimumRadius", "[0, inf)"),
     "depth_tolerance": ("DepthTolerance", "(0, 1)"),
+    "max_separation": ("MaximumSeparation", "[0, inf]"),
 }
 
 _TRIPLES = ("spacing", "origin", "dimensions")

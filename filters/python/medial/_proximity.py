@@ -41,15 +41,17 @@ class Proximity:
     """How two meshes, A and B, lie to each other. All lengths are in world units."""
 
     separation: float
-    """Least distance of the surfaces; 0 if and only if they intersect."""
-    witness_a: NDArray[np.float64]
-    """(3,) the closest point of A; where they intersect a common point. World coordinates."""
-    witness_b: NDArray[np.float64]
-    """(3,) the closest point of B; where they intersect a common point. World coordinates."""
+    """Least distance of the surfaces; 0 if and only if they intersect, infinite beyond
+    max_separation, NaN if not wanted."""
+    witness_a: Optional[NDArray[np.float64]]
+    """(3,) the closest point of A; where they intersect a common point. World coordinates. None
+    where the separation was not computed."""
+    witness_b: Optional[NDArray[np.float64]]
+    """(3,) the closest point of B, likewise."""
     cell_a: int
-    """Index of the face of A that has its witness; cell id of a vtkPolyData."""
+    """Index of the face of A that has its witness; cell id of a vtkPolyData. -1 for none."""
     cell_b: int
-    """Index of the face of B that has its witness; cell id of a vtkPolyData."""
+    """Index of the face of B that has its witness; cell id of a vtkPolyData. -1 for none."""
     intersect: bool
     """Whether the surfaces intersect, touching included."""
     collide: bool
@@ -59,8 +61,10 @@ class Proximity:
     depth: Optional[float]
     """Penetration depth: largest distance of a surface point of one mesh inside the other to the
     other's surface; 0 if they do not collide, NaN if inside is undefined, None if not wanted."""
+    depth_at_most: Optional[float]
+    """No surface point of one mesh inside the other is deeper; as depth else."""
     deepest_point: Optional[NDArray[np.float64]]
-    """(3,) where that is, world coordinates; NaN if there is no such point."""
+    """(3,) where depth is, world coordinates; NaN if there is no such point."""
     depths_a: Optional[NDArray[np.float64]]
     """(n,) for each vertex of A its distance to the surface of B if it is inside, else 0; NaN where
     inside is undefined and at vertices of no face."""
@@ -74,7 +78,7 @@ class Proximity:
     separating_translation: Optional[NDArray[np.float64]]
     """(3,) a translation of A that separates them, as long as the upper bound."""
     seconds: float
-    """The time that it took, without conversions."""
+    """The wall-clock time that it took, without conversions."""
 
     def __repr__(self) -> str:
         state = "collide" if self.collide else "do not collide"
@@ -84,9 +88,10 @@ class Proximity:
 
 def proximity(
     vertices_a: Any, faces_a: Any, vertices_b: Any, faces_b: Any = None, *,
-    transform_a: Any = None, transform_b: Any = None, depths: bool = True,
-    translational_depth: bool = True, max_contacts: int = 4, depth_tolerance: float = 1e-3,
-    threads: int = 0, progress: Optional[Progress] = None,
+    transform_a: Any = None, transform_b: Any = None, separation: bool = True,
+    max_separation: float = np.inf, depths: bool = True, translational_depth: bool = True,
+    max_contacts: int = 4, depth_tolerance: float = 1e-3, threads: int = 0,
+    progress: Optional[Progress] = None,
 ) -> Proximity:
     """How two meshes lie to each other: separation, collision, contacts and penetration depth.
 
@@ -98,6 +103,8 @@ def proximity(
     vertices_b, faces_b: mesh B, in the same way.
     transform_a, transform_b: (4, 4) matrices by which the meshes are moved first, with the last row
         (0, 0, 0, 1) and a determinant that is not 0.
+    separation: whether to compute the separation of meshes that do not intersect, and witnesses.
+    max_separation: meshes whose bounding boxes are farther apart are not compared; >= 0.
     depths: whether to compute how deep the meshes are inside each other, and contacts.
     translational_depth: whether to bound the length of the shortest translation that separates
         them.
@@ -120,9 +127,10 @@ def proximity(
     for port, mesh in enumerate((to_polydata(vertices_a, faces_a),
                                  to_polydata(vertices_b, faces_b))):
         algorithm.SetInputData(port, mesh)
-    assign_numbers(algorithm, max_contacts=max_contacts, depth_tolerance=depth_tolerance,
-                   threads=threads)
-    assign(algorithm, Depths=bool(depths), TranslationalDepth=bool(translational_depth),
+    assign_numbers(algorithm, max_separation=max_separation, max_contacts=max_contacts,
+                   depth_tolerance=depth_tolerance, threads=threads)
+    assign(algorithm, Separation=bool(separation), Depths=bool(depths),
+           TranslationalDepth=bool(translational_depth),
            TransformA=_transform("transform_a", transform_a),
            TransformB=_transform("transform_b", transform_b))
     update(algorithm, progress)
@@ -166,14 +174,15 @@ def _proximity_of(algorithm: vtkMeshProximity) -> Proximity:
     depths_a, depths_b = of_points
     return Proximity(
         separation=figure(output, "Separation"),
-        witness_a=points[witnesses[0]],
-        witness_b=points[witnesses[-1]],
-        cell_a=int(cells[0][0]),
-        cell_b=int(cells[1][0]),
+        witness_a=points[witnesses[0]] if len(witnesses) else None,
+        witness_b=points[witnesses[-1]] if len(witnesses) else None,
+        cell_a=int(cells[0][witnesses[0]]) if len(witnesses) else -1,
+        cell_b=int(cells[1][witnesses[0]]) if len(witnesses) else -1,
         intersect=bool(figure(output, "Intersect")),
         collide=bool(figure(output, "Collide")),
         inside_undefined=bool(figure(output, "InsideUndefined")),
         depth=figure(output, "PenetrationDepth"),
+        depth_at_most=figure(output, "PenetrationDepthAtMost"),
         deepest_point=_tuple(output, "DeepestPoint"),
         depths_a=depths_a,
         depths_b=depths_b,

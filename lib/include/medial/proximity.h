@@ -92,8 +92,11 @@ struct Proximity
   /// insideUndefined or if depths were not asked for. It is the depth of a point of the surface,
   /// and below the largest by the fraction depthTolerance at most, or by 1e-5 of the smaller mesh's
   /// diagonal if that is more. Where large flat faces overlap the search may end before that is
-  /// certain.
+  /// certain: depthAtMost tells.
   double depth = 0.0;
+  /// No surface point of one mesh inside the other is deeper, up to rounding; world units. As depth
+  /// 0 if they do not collide, or NaN.
+  double depthAtMost = 0.0;
   Point3 deepestPoint{}; ///< where depth is; meaningless where that is 0 or NaN
 
   /// Length of the shortest translation that separates the solids: certified bounds. The lower one
@@ -112,7 +115,9 @@ struct Proximity
   std::vector<PointDepth> depthsOfB;      ///< points of B inside A, likewise
   std::vector<ProximityContact> contacts; ///< by manifold, the deepest first
 
-  double seconds = 0.0; ///< wall-clock time of this pair
+  /// Wall-clock time of this pair. That of fitting trees to the two meshes that have moved is part
+  /// of it, and so it counts for every pair that a mesh is in.
+  double seconds = 0.0;
 };
 
 /// Computes how meshes that move or deform lie to each other, frame after frame: the second

@@ -64,12 +64,27 @@ class Apart(unittest.TestCase):
             self.assertEqual(found.separation, 2.0)
 
 
+    def test_without_separation(self):
+        found = cubes(3, separation=False)
+        self.assertTrue(np.isnan(found.separation))
+        self.assertEqual((found.witness_a, found.witness_b), (None, None))
+        self.assertEqual((found.cell_a, found.cell_b, found.collide), (-1, -1, False))
+
+    def test_beyond_the_largest_separation(self):
+        found = cubes(3, max_separation=1.5)
+        self.assertEqual(found.separation, np.inf)
+        self.assertIsNone(found.witness_a)
+        self.assertEqual(cubes(3, max_separation=2).separation, 2.0)
+
+
 class Together(unittest.TestCase):
     def test_overlap(self):
         found = cubes(0.75)
         self.assertEqual((found.separation, found.intersect, found.collide), (0.0, True, True))
         np.testing.assert_array_equal(found.witness_a, found.witness_b)
         self.assertAlmostEqual(found.depth, 0.25, delta=1e-3)
+        self.assertGreaterEqual(found.depth_at_most, 0.25)
+        self.assertLess(found.depth_at_most, 0.2503)
         self.assertEqual(found.deepest_point.shape, (3,))
         self.assertIn("the meshes collide", repr(found))
 
@@ -89,7 +104,7 @@ class Together(unittest.TestCase):
     def test_only_what_is_wanted(self):
         found = cubes(0.75, depths=False, translational_depth=False)
         self.assertTrue(found.collide)
-        for name in ("depth", "deepest_point", "depths_a", "depths_b", "translational_depth",
+        for name in ("depth", "depth_at_most", "deepest_point", "depths_a", "depths_b", "translational_depth",
                      "separating_translation"):
             self.assertIsNone(getattr(found, name), name)
         self.assertEqual(found.contacts.points.shape, (0, 3))
@@ -133,6 +148,7 @@ class Refusals(unittest.TestCase):
     def test_parameters(self):
         self.expect(r"max_contacts -1 is outside \[0, 2147483647\]", max_contacts=-1)
         self.expect("depth tolerance 1.0+ is not in", depth_tolerance=1)
+        self.expect("maximum separation -1.0+ is not 0 or more", max_separation=-1)
         self.expect("threads -1", threads=-1)
         self.expect(r"depth_tolerance '1' is not a number in \(0, 1\)", error=TypeError,
                     depth_tolerance="1")

@@ -157,6 +157,8 @@ void checkDepths(const TriangleMesh& a, const TriangleMesh& b, const Proximity& 
     const double allowed = 1e-5 * std::min(a.bounds().diagonal(), b.bounds().diagonal());
     const double missing = sampled - found.depth - allowed;
     errors.depthBelow = missing > 0.0 ? missing / sampled : 0.0;
+    const double beyond = sampled - found.depthAtMost;
+    errors.depthBeyond = beyond > 0.0 ? beyond / sampled : 0.0;
   }
 }
 
@@ -237,6 +239,7 @@ void expectSame(const Proximity& a, const Proximity& b)
   EXPECT_EQ(a.collide, b.collide);
   EXPECT_EQ(a.insideUndefined, b.insideUndefined);
   EXPECT_TRUE(areSame(a.depth, b.depth)) << a.depth << ' ' << b.depth;
+  EXPECT_TRUE(areSame(a.depthAtMost, b.depthAtMost)) << a.depthAtMost << ' ' << b.depthAtMost;
   if (a.depth > 0.0)
   {
     EXPECT_EQ(a.deepestPoint, b.deepestPoint);
@@ -273,6 +276,7 @@ void ProximityErrors::add(const ProximityErrors& other)
   keepMax(witnesses, other.witnesses);
   keepMax(pointDepths, other.pointDepths);
   keepMax(depthBelow, other.depthBelow);
+  keepMax(depthBeyond, other.depthBeyond);
   keepMax(depthAbove, other.depthAbove);
   keepMax(lowerAbove, other.lowerAbove);
   keepMax(upperBelow, other.upperBelow);
@@ -327,6 +331,7 @@ void expectRight(const ProximityErrors& errors)
   EXPECT_LE(errors.witnesses, 1e-9);
   EXPECT_LE(errors.pointDepths, 1e-9);
   EXPECT_LE(errors.depthBelow, ProximityOptions().depthTolerance);
+  EXPECT_LE(errors.depthBeyond, 1e-9);
   EXPECT_LE(errors.depthAbove, 1e-9);
   EXPECT_LE(errors.lowerAbove, 1e-9);
   EXPECT_LE(errors.upperBelow, 1e-9);

@@ -63,14 +63,15 @@ struct ProximityErrors
   double separation = 0.0;
   double witnesses = 0.0; ///< how far they are from the surfaces, or not at the separation
   double pointDepths = 0.0;
-  double depthBelow = 0.0; ///< part of a sampled depth that is missing
-  double depthAbove = 0.0; ///< what is more than the depth at the deepest point
-  int checkedBounds = 0;   ///< of the translational depth
-  double lowerAbove = 0.0; ///< how far the lower bound is above the oracle's, or the upper one
-  double upperBelow = 0.0; ///< how far the upper bound is below the oracle's; of convex pairs only
-  double width = 0.0;      ///< between the bounds; of convex pairs only
-  int tooHighLower = 0;    ///< a shorter translation separates; of pairs that are not convex only
-  int notSeparated = 0;    ///< by the translation, stretched by 1e-6
+  double depthBelow = 0.0;  ///< part of a sampled depth that is missing
+  double depthBeyond = 0.0; ///< part of a sampled depth that is above what the depth is at most
+  double depthAbove = 0.0;  ///< what is more than the depth at the deepest point
+  int checkedBounds = 0;    ///< of the translational depth
+  double lowerAbove = 0.0;  ///< how far the lower bound is above the oracle's, or the upper one
+  double upperBelow = 0.0;  ///< how far the upper bound is below the oracle's; of convex pairs only
+  double width = 0.0;       ///< between the bounds; of convex pairs only
+  int tooHighLower = 0;     ///< a shorter translation separates; of pairs that are not convex only
+  int notSeparated = 0;     ///< by the translation, stretched by 1e-6
 
   void add(const ProximityErrors& other);
   std::string describe() const;

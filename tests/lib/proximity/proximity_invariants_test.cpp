@@ -86,8 +86,8 @@ protected:
 
 Proximity scaledProximity(Proximity found, double factor)
 {
-  for (double* value : { &found.separation, &found.depth, &found.translationalDepth.lower,
-         &found.translationalDepth.upper })
+  for (double* value : { &found.separation, &found.depth, &found.depthAtMost,
+         &found.translationalDepth.lower, &found.translationalDepth.upper })
   {
     *value *= factor;
   }
