@@ -1,12 +1,9 @@
+#include "methods/cgal_tree.h"
 #include "methods/field_method.h"
 #include "methods/grid_blocks.h"
 
 #include "base/stopwatch.h"
 
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
-#include <CGAL/Simple_cartesian.h>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
@@ -17,24 +14,7 @@ namespace medial::benchmark
 namespace
 {
 
-using Kernel = CGAL::Simple_cartesian<double>;
-using Triangles = std::vector<Kernel::Triangle_3>;
-using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
-using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
-
-Triangles makeTriangles(const TriangleMesh& mesh)
-{
-  const auto point = [&](int id)
-  { return Kernel::Point_3(mesh.points[id][0], mesh.points[id][1], mesh.points[id][2]); };
-  Triangles triangles;
-  triangles.reserve(mesh.triangles.size());
-  for (const auto& t : mesh.triangles)
-  {
-    const Kernel::Triangle_3 triangle(point(t[0]), point(t[1]), point(t[2]));
-    triangles.push_back(triangle);
-  }
-  return triangles;
-}
+using namespace cgal;
 
 class CgalMethod final : public FieldMethod
 {

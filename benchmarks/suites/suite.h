@@ -111,6 +111,9 @@ void runModels(const SuiteContext& context);
 void runFigure6(const SuiteContext& context);
 /// A deforming mesh: what frames share against a fresh computation of each.
 void runFrames(const SuiteContext& context);
+/// How two deforming meshes lie to each other.
 void runProximity(const SuiteContext& context);
+/// Distances of a million points.
+void runPoints(const SuiteContext& context);
 
 } // namespace medial::benchmark
