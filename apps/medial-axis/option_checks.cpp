@@ -3,6 +3,7 @@
 #include "command_line.h"
 #include "failure.h"
 #include "option_names.h"
+#include "standard_output.h"
 #include "web_files.h"
 
 #include <string>
@@ -65,7 +66,10 @@ void checkFiles(const Options& options)
   checkExtension("--thickness-image", options.thicknessImage, { ".png" });
   checkExtension("--image", options.image, { ".png" });
   checkExtension("--html", options.html, { ".html" });
-  checkExtension("--report", options.report, { ".json" });
+  if (options.report != kStandardOutput)
+  {
+    checkExtension("--report", options.report, { ".json" });
+  }
   checkNotTheInput("--output", options.output, options.input);
   checkNotTheInput("--curves", options.curves, options.input);
   checkNotTheInput("--thickness", options.thickness, options.input);

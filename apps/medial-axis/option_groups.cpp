@@ -73,8 +73,8 @@ void addOutputOptions(CLI::App& app, OptionTexts& texts)
     ->group(group);
   app
     .add_option("--report", texts.report,
-      "machine-readable result: mesh, grid, device, seconds of each phase, counts, topology, "
-      "coverage")
+      "machine-readable result: mesh, parameters, grid, device, seconds of each phase, counts, "
+      "topology, coverage; - for standard output, instead of the summary")
     ->option_text("FILE.json")
     ->group(group);
 }

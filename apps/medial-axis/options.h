@@ -32,6 +32,7 @@ struct Options
   Length lambda;
   Length minRadius;
   Side side = Side::Interior;
+  bool sideGiven = false; ///< whether the command line has --side
   Representation representation = Representation::Surface;
   int maxSpheres = 0; ///< 0: no limit
   Topology topology = Topology::Selected;
@@ -44,6 +45,9 @@ struct Options
 
   /// Whether the thickness of the surface is to be computed.
   bool wantsThickness() const { return !thickness.empty() || !thicknessImage.empty(); }
+
+  /// Whether the distance field is needed.
+  bool wantsField() const { return !field.empty() || this->wantsAxis(); }
 
   /// Whether the medial axis is to be computed: for an output, or for the figures of a report that
   /// is asked for alone.
