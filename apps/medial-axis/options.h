@@ -1,6 +1,7 @@
 #pragma once
 
 #include "device_options.h"
+#include "field_layout.h"
 #include "length.h"
 
 #include "medial/compute_medial_axis.h"
@@ -17,9 +18,10 @@ namespace medial::app
 struct Options
 {
   std::filesystem::path input;
-  std::filesystem::path output;         ///< .vtp, .ply, .obj or .ma
-  std::filesystem::path curves;         ///< .vtp
-  std::filesystem::path field;          ///< .vti or .pvti
+  std::filesystem::path output; ///< .vtp, .ply, .obj or .ma
+  std::filesystem::path curves; ///< .vtp
+  std::filesystem::path field;  ///< .vti or .pvti
+  FieldSelection fieldArrays = kAllFieldArrays;
   std::filesystem::path thickness;      ///< .vtp
   std::filesystem::path thicknessImage; ///< .png
   std::filesystem::path image;          ///< .png

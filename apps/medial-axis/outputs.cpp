@@ -9,7 +9,7 @@ Outputs::Outputs(const Options& options)
 {
   if (!options.field.empty())
   {
-    field_.emplace(options.field);
+    field_.emplace(options.field, options.fieldArrays);
   }
   for (const auto* path : { &options.output, &options.curves, &options.image, &options.html,
          &options.thickness, &options.thicknessImage })
