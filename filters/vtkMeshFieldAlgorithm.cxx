@@ -14,6 +14,8 @@
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <exception>
+
 namespace
 {
 
@@ -57,6 +59,7 @@ vtkTypeBool vtkMeshFieldAlgorithm::ProcessRequest(vtkInformation* request,
   }
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()))
   {
+    this->Internals->Refusal = nullptr;
     return this->RequestInformation(request, inputVector, outputVector);
   }
   if (request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_EXTENT()))
@@ -65,7 +68,8 @@ vtkTypeBool vtkMeshFieldAlgorithm::ProcessRequest(vtkInformation* request,
   }
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()))
   {
-    return this->RequestData(request, inputVector, outputVector);
+    return this->Internals->Refusal ? this->RefuseData(outputVector)
+                                    : this->RequestData(request, inputVector, outputVector);
   }
   return this->Superclass::ProcessRequest(request, inputVector, outputVector);
 }
@@ -95,29 +99,43 @@ int vtkMeshFieldAlgorithm::RequestUpdateExtent(vtkInformation*, vtkInformationVe
 int vtkMeshFieldAlgorithm::RequestImageInformation(vtkInformationVector** inputVector,
   vtkInformationVector* outputVector, int port)
 {
+  vtkInformation* outInfo = outputVector->GetInformationObject(port);
+  const auto announce = [outInfo](const medial::Grid& grid)
+  {
+    int wholeExtent[6];
+    vtkMeshConversion::ToVTKExtent(grid.wholeExtent(), wholeExtent);
+    outInfo->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), wholeExtent, 6);
+    outInfo->Set(vtkDataObject::ORIGIN(), grid.origin.data(), 3);
+    outInfo->Set(vtkDataObject::SPACING(), grid.spacing.data(), 3);
+    vtkDataObject::SetActiveAttributeInfo(outInfo, vtkDataObject::FIELD_ASSOCIATION_POINTS,
+      vtkDataSetAttributes::SCALARS, "Distance", VTK_FLOAT, 1, -1);
+  };
   const bool done = this->Internals->Try(
     [&]
     {
-      vtkPolyData* input = nullptr;
-      if (this->GridMode != EXPLICIT)
+      try
       {
-        input = this->UpdateWholeInput(inputVector);
-        if (!input)
+        vtkPolyData* input = nullptr;
+        if (this->GridMode != EXPLICIT)
         {
-          return;
+          input = this->UpdateWholeInput(inputVector);
+          if (!input)
+          {
+            return;
+          }
         }
+        announce(this->Internals->MakeGrid(input));
       }
-      const medial::Grid grid = this->Internals->MakeGrid(input);
-      int wholeExtent[6];
-      vtkMeshConversion::ToVTKExtent(grid.wholeExtent(), wholeExtent);
-
-      vtkInformation* outInfo = outputVector->GetInformationObject(port);
-      outInfo->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), wholeExtent, 6);
-      outInfo->Set(vtkDataObject::ORIGIN(), grid.origin.data(), 3);
-      outInfo->Set(vtkDataObject::SPACING(), grid.spacing.data(), 3);
-      vtkDataObject::SetActiveAttributeInfo(outInfo, vtkDataObject::FIELD_ASSOCIATION_POINTS,
-        vtkDataSetAttributes::SCALARS, "Distance", VTK_FLOAT, 1, -1);
+      catch (...)
+      {
+        this->Internals->Refusal = std::current_exception();
+        throw;
+      }
     });
+  if (!done)
+  {
+    announce({ { 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 }, { 1, 1, 1 } });
+  }
   for (int i = 0; !done && i < outputVector->GetNumberOfInformationObjects(); ++i)
   {
     if (vtkDataObject* output = vtkDataObject::GetData(outputVector, i))
@@ -126,6 +144,16 @@ int vtkMeshFieldAlgorithm::RequestImageInformation(vtkInformationVector** inputV
     }
   }
   return done ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+// VTK does not ask again for information that was refused: the next update takes it as given, and
+// filters downstream read the extent without a check. So a refusal announces an image of a point,
+// and is repeated where the data are asked for.
+int vtkMeshFieldAlgorithm::RefuseData(vtkInformationVector* outputVector)
+{
+  this->Internals->Try([&] { std::rethrow_exception(this->Internals->Refusal); });
+  return vtkEndWithoutOutput(this, outputVector);
 }
 
 //------------------------------------------------------------------------------

@@ -371,6 +371,7 @@ protected:
 
 private:
   vtkPolyData* UpdateWholeInput(vtkInformationVector** inputVector);
+  int RefuseData(vtkInformationVector* outputVector);
 
   vtkMeshFieldAlgorithm(const vtkMeshFieldAlgorithm&) = delete;
   void operator=(const vtkMeshFieldAlgorithm&) = delete;

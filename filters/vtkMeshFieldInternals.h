@@ -13,6 +13,7 @@
 #include "medial/compute_medial_axis.h"
 #include "medial/execution.h"
 
+#include <exception>
 #include <functional>
 
 class vtkMeshFieldAlgorithm::vtkInternals
@@ -66,7 +67,8 @@ public:
   void Record(const medial::Grid& grid, const medial::RunStatistics& statistics,
     vtkDataObject* output);
 
-  bool InputIsBlock = false; // of composite input that the pipeline goes through
+  bool InputIsBlock = false;  // of composite input that the pipeline goes through
+  std::exception_ptr Refusal; // why RequestImageInformation() failed last; null if it did not
   medial::TriangleMesh Mesh;
   medial::MeshConnectivity Connectivity;
 

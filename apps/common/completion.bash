@@ -30,6 +30,7 @@ _medial_values()
         _medial_files "$2" vtp ply obj ma
       fi
       ;;
+    --field-arrays) compgen -W "distance closest_point closest_cell closest_feature closest_site" -- "$2" ;;
     --curves | --thickness) _medial_files "$2" vtp ;;
     --contacts) _medial_files "$2" vtp pvd ;;
     --animation) compgen -d -- "$2" ;;

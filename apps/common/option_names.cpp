@@ -58,6 +58,11 @@ std::string nameOf(Side side)
   return nameIn(sideNames(), side);
 }
 
+std::string nameOf(Representation representation)
+{
+  return nameIn(representationNames(), representation);
+}
+
 std::string nameOf(SignMethod method)
 {
   return nameIn(signNames(), method);

@@ -21,6 +21,7 @@ const Names<Engine>& engineNames();
 ///@{
 /// The word for a value.
 std::string nameOf(Side side);
+std::string nameOf(Representation representation);
 std::string nameOf(SignMethod method);
 std::string nameOf(Engine engine);
 std::string nameOf(Topology topology);

@@ -1,7 +1,11 @@
 #pragma once
 
+#include <vtkActor2D.h>
 #include <vtkScalarBarActor.h>
 #include <vtkSmartPointer.h>
+#include <vtkTextActor.h>
+
+#include <vector>
 
 class vtkScalarsToColors;
 
@@ -11,10 +15,28 @@ namespace medial::app
 /// Share of a picture's width that a scalar bar takes, on its right.
 constexpr double kBarShare = 0.16;
 
-/// A scalar bar for the right margin of a picture on white.
+/// Numbers for a scale from 0 to a maximum: both ends, and between them the multiples of 1, 2, 2.5
+/// or 5 times a power of ten that have room, in ascending order.
+/// @param max if it is not positive and finite, 0 is the only number.
+std::vector<double> scaleTicks(double max);
+
+/// A scalar bar for the right margin of a picture on white. setTicks() gives it numbers.
 /// @param fontSize of the title and numbers, in pixels.
-/// @param nameOfNone label for places without a value; null if all have one.
 vtkSmartPointer<vtkScalarBarActor> makeScalarBar(vtkScalarsToColors* colours, const char* title,
-  int fontSize, const char* nameOfNone = nullptr);
+  int fontSize);
+
+/// Writes scaleTicks() along a scalar bar.
+/// @param max of the bar's colours.
+void setTicks(vtkScalarBarActor* bar, double max);
+
+/// What stands below a scalar bar for places without a value.
+struct NoneKey
+{
+  vtkSmartPointer<vtkActor2D> swatch;
+  vtkSmartPointer<vtkTextActor> name; ///< beside the swatch
+};
+
+/// @param colour of the swatch: red, green and blue in [0, 1].
+NoneKey makeNoneKey(const double colour[3], const char* name, int fontSize);
 
 } // namespace medial::app

@@ -45,7 +45,17 @@ Scene::Scene()
 void Scene::addScalarBar(vtkColorTransferFunction* colours, const char* title,
   const char* nameOfNone)
 {
-  add(makeScalarBar(colours, title, kFontSize, nameOfNone));
+  const auto bar = makeScalarBar(colours, title, kFontSize);
+  setTicks(bar, colours->GetRange()[1]);
+  this->add(bar);
+  if (nameOfNone != nullptr)
+  {
+    double colour[3];
+    colours->GetNanColor(colour);
+    const NoneKey key = makeNoneKey(colour, nameOfNone, kFontSize);
+    this->add(key.swatch);
+    this->add(key.name);
+  }
 }
 
 void Scene::draw(std::initializer_list<vtkPolyData*> shown, const std::filesystem::path& file)

@@ -3,6 +3,7 @@
 #include "interrupt.h"
 #include "library_calls.h"
 #include "surface_thickness.h"
+#include "timer.h"
 
 #include "medial/compute_distance_field.h"
 
@@ -69,6 +70,7 @@ void computeAxis(const Options& options, const MedialAxisOptions& axisOptions, F
     : computeMedialAxis(result.mesh, result.connectivity, result.grid, axisOptions);
   result.statistics = result.axis.statistics;
   result.sign = result.axis.sign;
+  const Timer measuring;
   if (!options.report.empty())
   {
     result.axisTopology = topologyOf(result.axis);
@@ -77,6 +79,7 @@ void computeAxis(const Options& options, const MedialAxisOptions& axisOptions, F
   {
     result.coverage = coverageOf(result, options, axisOptions.field);
   }
+  result.measureSeconds = measuring.seconds();
 }
 
 } // namespace

@@ -35,6 +35,7 @@ struct Result
   std::optional<AxisCoverage> coverage;          ///< of an interior axis, for report or summary
   std::optional<Thickness> thickness;            ///< of the mesh's points, where it is wanted
   vtkSmartPointer<vtkPolyData> thicknessPicture; ///< pictureOfThickness(), where it is wanted
+  double measureSeconds = 0.0;                   ///< that topology and coverage took
 };
 
 /// The mesh as the filters see it, and its grid.

@@ -56,8 +56,9 @@ std::string imageAttributes(const Grid& grid, const Extent& whole)
 
 } // namespace
 
-FieldLayout::FieldLayout(const Grid& grid, const Extent& extent)
+FieldLayout::FieldLayout(const Grid& grid, const Extent& extent, const FieldSelection& selection)
   : extent_(extent)
+  , selection_(selection)
   , header_(this->makeHeader(grid))
 {
 }
@@ -75,6 +76,10 @@ std::string FieldLayout::makeHeader(const Grid& grid) const
     "\">\n      <PointData Scalars=\"Distance\">\n";
   for (std::size_t array = 0; array < kFieldArrays.size(); ++array)
   {
+    if (!this->has(array))
+    {
+      continue;
+    }
     text += std::string("        <DataArray ") + kFieldArrays[array].attributes +
       " format=\"appended\" offset=\"" + std::to_string(this->appendedOffset(array)) + "\"/>\n";
   }
@@ -85,6 +90,10 @@ std::string FieldLayout::makeHeader(const Grid& grid) const
 
 std::uint64_t FieldLayout::sliceSize(std::size_t array) const
 {
+  if (!this->has(array))
+  {
+    return 0;
+  }
   return static_cast<std::uint64_t>(extent_.size(0)) * static_cast<std::uint64_t>(extent_.size(1)) *
     kFieldArrays[array].bytesPerPoint;
 }
@@ -99,7 +108,7 @@ std::uint64_t FieldLayout::appendedOffset(std::size_t array) const
   std::uint64_t offset = 0;
   for (std::size_t before = 0; before < array; ++before)
   {
-    offset += kLengthSize + this->arraySize(before);
+    offset += this->has(before) ? kLengthSize + this->arraySize(before) : 0;
   }
   return offset;
 }
@@ -131,13 +140,15 @@ std::vector<Extent> fieldPieces(const Grid& grid)
 }
 
 std::string fieldIndex(const Grid& grid, const std::vector<Extent>& pieces,
-  const std::vector<std::string>& sources)
+  const std::vector<std::string>& sources, const FieldSelection& selection)
 {
   std::string text = fileElement("PImageData") + "  <PImageData GhostLevel=\"0\"" +
     imageAttributes(grid, grid.wholeExtent()) + ">\n    <PPointData Scalars=\"Distance\">\n";
-  for (const FieldArrayFormat& array : kFieldArrays)
+  for (std::size_t array = 0; array < kFieldArrays.size(); ++array)
   {
-    text += std::string("      <PDataArray ") + array.attributes + "/>\n";
+    text += selection[array]
+      ? std::string("      <PDataArray ") + kFieldArrays[array].attributes + "/>\n"
+      : std::string();
   }
   text += "    </PPointData>\n";
   for (std::size_t i = 0; i < pieces.size(); ++i)

@@ -14,18 +14,23 @@ namespace medial::app
 /// A point data array of a distance field, as vtkMeshDistanceField makes it.
 struct FieldArrayFormat
 {
+  const char* word;       ///< on the command line
   const char* attributes; ///< of its element in VTK's XML files
   std::size_t bytesPerPoint;
 };
 
 /// In the order in which files hold them.
 constexpr std::array<FieldArrayFormat, 5> kFieldArrays = { {
-  { "type=\"Float32\" Name=\"Distance\"", 4 },
-  { "type=\"Float32\" Name=\"ClosestPoint\" NumberOfComponents=\"3\"", 12 },
-  { "type=\"Int64\" IdType=\"1\" Name=\"ClosestCell\"", 8 },
-  { "type=\"UInt8\" Name=\"ClosestFeature\"", 1 },
-  { "type=\"Int32\" Name=\"ClosestSite\"", 4 },
+  { "distance", "type=\"Float32\" Name=\"Distance\"", 4 },
+  { "closest_point", "type=\"Float32\" Name=\"ClosestPoint\" NumberOfComponents=\"3\"", 12 },
+  { "closest_cell", "type=\"Int64\" IdType=\"1\" Name=\"ClosestCell\"", 8 },
+  { "closest_feature", "type=\"UInt8\" Name=\"ClosestFeature\"", 1 },
+  { "closest_site", "type=\"Int32\" Name=\"ClosestSite\"", 4 },
 } };
+
+/// Which of kFieldArrays a file has; always the first.
+using FieldSelection = std::array<bool, kFieldArrays.size()>;
+constexpr FieldSelection kAllFieldArrays = { true, true, true, true, true };
 
 /// The layout of a .vti file of a distance field: a header, then each array as its length (8 bytes)
 /// and its values, x fastest, as they are in memory, then a footer. Offsets and sizes in bytes.
@@ -33,12 +38,15 @@ class FieldLayout
 {
 public:
   /// @param extent the part of the grid that the file holds.
-  FieldLayout(const Grid& grid, const Extent& extent);
+  FieldLayout(const Grid& grid, const Extent& extent,
+    const FieldSelection& selection = kAllFieldArrays);
 
   const Extent& extent() const { return extent_; }
   const std::string& header() const { return header_; }
   static const std::string& footer();
 
+  /// Whether the file has an array. Those that it does not have take no space.
+  bool has(std::size_t array) const { return selection_[array]; }
   std::uint64_t sliceSize(std::size_t array) const;
   std::uint64_t arraySize(std::size_t array) const;
   /// Offset of an array's length.
@@ -53,6 +61,7 @@ private:
   std::string makeHeader(const Grid& grid) const;
 
   Extent extent_;
+  FieldSelection selection_;
   std::string header_;
 };
 
@@ -62,6 +71,6 @@ std::vector<Extent> fieldPieces(const Grid& grid);
 /// The text of a .pvti file.
 /// @param sources file names of the pieces, relative to the index.
 std::string fieldIndex(const Grid& grid, const std::vector<Extent>& pieces,
-  const std::vector<std::string>& sources);
+  const std::vector<std::string>& sources, const FieldSelection& selection);
 
 } // namespace medial::app

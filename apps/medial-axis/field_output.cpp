@@ -15,8 +15,9 @@ namespace fs = std::filesystem;
 namespace medial::app
 {
 
-FieldOutput::FieldOutput(const fs::path& path)
+FieldOutput::FieldOutput(const fs::path& path, const FieldSelection& selection)
   : path_(path)
+  , selection_(selection)
 {
   const OutputFile check(path);
 }
@@ -39,13 +40,13 @@ void FieldOutput::begin(const Grid& grid)
     const std::vector<Extent> extents = fieldPieces(grid);
     for (const Extent& extent : extents)
     {
-      pieces_.emplace_back(this->piecePath(pieces_.size()), FieldLayout(grid, extent));
+      pieces_.emplace_back(this->piecePath(pieces_.size()), FieldLayout(grid, extent, selection_));
     }
     this->writeIndex(grid, extents);
   }
   else
   {
-    pieces_.emplace_back(path_, FieldLayout(grid, grid.wholeExtent()));
+    pieces_.emplace_back(path_, FieldLayout(grid, grid.wholeExtent(), selection_));
   }
   this->checkSpace();
   for (Piece& piece : pieces_)
@@ -63,7 +64,8 @@ void FieldOutput::writeIndex(const Grid& grid, const std::vector<Extent>& extent
     sources.push_back(piece.file.path().filename().string());
   }
   index_.emplace(path_);
-  namingFile(path_, [&] { writeFile(index_->open(), fieldIndex(grid, extents, sources)); });
+  namingFile(path_,
+    [&] { writeFile(index_->open(), fieldIndex(grid, extents, sources, selection_)); });
 }
 
 // A full disk is better found now than after hours of computing.
@@ -93,8 +95,11 @@ void FieldOutput::writeFrame(Piece& piece)
   data.write(layout.header().data(), layout.header().size(), 0);
   for (std::size_t array = 0; array < kFieldArrays.size(); ++array)
   {
-    const std::uint64_t size = layout.arraySize(array);
-    data.write(&size, sizeof(size), layout.lengthOffset(array));
+    if (layout.has(array))
+    {
+      const std::uint64_t size = layout.arraySize(array);
+      data.write(&size, sizeof(size), layout.lengthOffset(array));
+    }
   }
   data.write(FieldLayout::footer().data(), FieldLayout::footer().size(), layout.footerOffset());
 }
@@ -108,7 +113,10 @@ FieldArrays FieldOutput::slabArrays(const Extent& slab)
     {
       const auto bytes = static_cast<std::size_t>(capacity_) * kFieldArrays[array].bytesPerPoint;
       values_[array].reset(); // so that there are never two
-      values_[array].reset(new char[bytes]);
+      if (selection_[array])
+      {
+        values_[array].reset(new char[bytes]);
+      }
     }
   }
   FieldArrays arrays; // in the order of kFieldArrays
@@ -143,6 +151,10 @@ void FieldOutput::writeSlab(Piece& piece, const Extent& slab)
   for (std::size_t array = 0; array < kFieldArrays.size(); ++array)
   {
     throwIfInterrupted();
+    if (!layout.has(array))
+    {
+      continue;
+    }
     const std::uint64_t slice = layout.sliceSize(array);
     piece.data->write(values_[array].get() +
         slice * static_cast<std::uint64_t>(first - slab.min[2]),
@@ -153,9 +165,9 @@ void FieldOutput::writeSlab(Piece& piece, const Extent& slab)
 std::size_t FieldOutput::bytesPerPoint() const
 {
   std::size_t bytes = 0;
-  for (const FieldArrayFormat& array : kFieldArrays)
+  for (std::size_t array = 0; array < kFieldArrays.size(); ++array)
   {
-    bytes += array.bytesPerPoint;
+    bytes += selection_[array] ? kFieldArrays[array].bytesPerPoint : 0;
   }
   return bytes;
 }

@@ -25,7 +25,8 @@ class FieldOutput : public FieldSink
 public:
   /// Checks that a file can be created there; leaves nothing behind.
   /// @throws Failure NoSpace.
-  explicit FieldOutput(const std::filesystem::path& path);
+  explicit FieldOutput(const std::filesystem::path& path,
+    const FieldSelection& selection = kAllFieldArrays);
 
   /// Creates the files, complete but for their values.
   /// @throws Failure NoSpace, also if the disk has too little space for them.
@@ -68,6 +69,7 @@ private:
   void writeIndex(const Grid& grid, const std::vector<Extent>& extents);
 
   std::filesystem::path path_;
+  FieldSelection selection_;
   std::optional<OutputFile> index_;
   std::list<Piece> pieces_;
   std::array<std::unique_ptr<char[]>, kFieldArrays.size()> values_; // of a slab

@@ -3,12 +3,38 @@
 #include "command_line.h"
 #include "failure.h"
 #include "option_names.h"
+#include "standard_output.h"
 #include "web_files.h"
 
+#include <algorithm>
+#include <sstream>
 #include <string>
 
 namespace medial::app
 {
+namespace
+{
+
+FieldSelection parseFieldArrays(const std::string& list)
+{
+  FieldSelection selection{ true }; // the distance
+  std::istringstream words(list + ",");
+  for (std::string word; std::getline(words, word, ',');)
+  {
+    const auto* array = std::find_if(kFieldArrays.begin(), kFieldArrays.end(),
+      [&word](const FieldArrayFormat& format) { return word == format.word; });
+    if (array == kFieldArrays.end())
+    {
+      throw Failure(ExitCode::Usage,
+        "--field-arrays: '" + word +
+          "' is none of distance, closest_point, closest_cell, closest_feature, closest_site");
+    }
+    selection[static_cast<std::size_t>(array - kFieldArrays.begin())] = true;
+  }
+  return selection;
+}
+
+} // namespace
 
 void convertTexts(const OptionTexts& texts, bool spacingGiven, Options& options)
 {
@@ -39,6 +65,10 @@ void convertTexts(const OptionTexts& texts, bool spacingGiven, Options& options)
   options.output = texts.output;
   options.curves = texts.curves;
   options.field = texts.field;
+  if (!texts.fieldArrays.empty())
+  {
+    options.fieldArrays = parseFieldArrays(texts.fieldArrays);
+  }
   options.thickness = texts.thickness;
   options.thicknessImage = texts.thicknessImage;
   options.image = texts.image;
@@ -65,7 +95,10 @@ void checkFiles(const Options& options)
   checkExtension("--thickness-image", options.thicknessImage, { ".png" });
   checkExtension("--image", options.image, { ".png" });
   checkExtension("--html", options.html, { ".html" });
-  checkExtension("--report", options.report, { ".json" });
+  if (options.report != kStandardOutput)
+  {
+    checkExtension("--report", options.report, { ".json" });
+  }
   checkNotTheInput("--output", options.output, options.input);
   checkNotTheInput("--curves", options.curves, options.input);
   checkNotTheInput("--thickness", options.thickness, options.input);

@@ -42,10 +42,18 @@ void addOutputOptions(CLI::App& app, OptionTexts& texts)
     ->group(group);
   app
     .add_option("--field", texts.field,
-      "distance field with all its arrays: .vti, one file, or .pvti, pieces of 64 slices "
+      "distance field: .vti, one file, or .pvti, pieces of 64 slices "
       "named <FILE's name>_0.vti and so on; written while it is computed, so it may be larger "
       "than memory")
     ->option_text("FILE")
+    ->group(group);
+  app
+    .add_option("--field-arrays", texts.fieldArrays,
+      "what the file of --field has beside the distance: closest_point, closest_cell, "
+      "closest_feature and closest_site, with commas between them, or distance for it alone; "
+      "29 bytes for each grid point with all of them, 4 with the distance alone; default all")
+    ->option_text("LIST")
+    ->needs("--field")
     ->group(group);
   app
     .add_option("--thickness", texts.thickness,
@@ -73,8 +81,8 @@ void addOutputOptions(CLI::App& app, OptionTexts& texts)
     ->group(group);
   app
     .add_option("--report", texts.report,
-      "machine-readable result: mesh, grid, device, seconds of each phase, counts, topology, "
-      "coverage")
+      "machine-readable result: mesh, parameters, grid, device, seconds of each phase, counts, "
+      "topology, coverage; - for standard output, instead of the summary")
     ->option_text("FILE.json")
     ->group(group);
 }

@@ -13,6 +13,7 @@ namespace medial::app
 struct OptionTexts
 {
   std::string input, output, curves, field, thickness, thicknessImage, image, html, report;
+  std::string fieldArrays;
   std::string lambda = "0";
   std::string minRadius = "0";
   std::string side = "interior";

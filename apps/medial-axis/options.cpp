@@ -41,6 +41,7 @@ std::optional<Options> parseOptions(int argc, char** argv)
   {
     return std::nullopt;
   }
+  options.sideGiven = app.count("--side") > 0;
   convertTexts(texts, app.count("--spacing") > 0, options);
   checkFiles(options);
   return options;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "device_options.h"
+#include "field_layout.h"
 #include "length.h"
 
 #include "medial/compute_medial_axis.h"
@@ -17,9 +18,10 @@ namespace medial::app
 struct Options
 {
   std::filesystem::path input;
-  std::filesystem::path output;         ///< .vtp, .ply, .obj or .ma
-  std::filesystem::path curves;         ///< .vtp
-  std::filesystem::path field;          ///< .vti or .pvti
+  std::filesystem::path output; ///< .vtp, .ply, .obj or .ma
+  std::filesystem::path curves; ///< .vtp
+  std::filesystem::path field;  ///< .vti or .pvti
+  FieldSelection fieldArrays = kAllFieldArrays;
   std::filesystem::path thickness;      ///< .vtp
   std::filesystem::path thicknessImage; ///< .png
   std::filesystem::path image;          ///< .png
@@ -32,6 +34,7 @@ struct Options
   Length lambda;
   Length minRadius;
   Side side = Side::Interior;
+  bool sideGiven = false; ///< whether the command line has --side
   Representation representation = Representation::Surface;
   int maxSpheres = 0; ///< 0: no limit
   Topology topology = Topology::Selected;
@@ -44,6 +47,9 @@ struct Options
 
   /// Whether the thickness of the surface is to be computed.
   bool wantsThickness() const { return !thickness.empty() || !thicknessImage.empty(); }
+
+  /// Whether the distance field is needed.
+  bool wantsField() const { return !field.empty() || this->wantsAxis(); }
 
   /// Whether the medial axis is to be computed: for an output, or for the figures of a report that
   /// is asked for alone.

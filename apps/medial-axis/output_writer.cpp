@@ -5,6 +5,7 @@
 #include "picture.h"
 #include "surface_thickness.h"
 #include "thickness_picture.h"
+#include "timer.h"
 #include "vtk_messages.h"
 #include "vtp_writer.h"
 
@@ -77,16 +78,20 @@ OutputNotes writeOutputs(const Options& options, Surface& surface, const Result&
   outputs.write(options.output,
     [&](const auto& file) { writeAxisFile(result.axis, axis, options, file); });
   outputs.write(options.curves, [&](const auto& file) { notes.curves = writeCurves(axis, file); });
+  const Timer axisPicture;
   outputs.write(options.image,
     [&](const auto& file) { drawPicture(surface.polyData(), axis, file); });
+  notes.pictureSeconds = axisPicture.seconds();
   outputs.write(options.html,
     [&](const auto& file)
     { notes.page = writeHtml(result.mesh, axis, options.input.filename().string(), file); });
   outputs.write(options.thickness,
     [&](const auto& file)
     { writeVtp(withThickness(surface.polyData(), result.mesh, *result.thickness), file); });
+  const Timer thicknessPicture;
   outputs.write(options.thicknessImage,
     [&](const auto& file) { drawThickness(result.thicknessPicture, surface.polyData(), file); });
+  notes.pictureSeconds += thicknessPicture.seconds();
   return notes;
 }
 

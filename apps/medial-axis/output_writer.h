@@ -16,6 +16,7 @@ struct OutputNotes
 {
   long long curves = 0;          ///< polylines of --curves
   std::vector<std::string> page; ///< what --html has simplified
+  double pictureSeconds = 0.0;   ///< that pictures took to draw and write
 };
 
 /// Writes all files that the options ask for, except the report.

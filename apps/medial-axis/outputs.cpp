@@ -1,5 +1,7 @@
 #include "outputs.h"
 
+#include "standard_output.h"
+
 namespace medial::app
 {
 
@@ -7,12 +9,16 @@ Outputs::Outputs(const Options& options)
 {
   if (!options.field.empty())
   {
-    field_.emplace(options.field);
+    field_.emplace(options.field, options.fieldArrays);
   }
   for (const auto* path : { &options.output, &options.curves, &options.image, &options.html,
-         &options.thickness, &options.thicknessImage, &options.report })
+         &options.thickness, &options.thicknessImage })
   {
     files_.add(*path);
+  }
+  if (options.report != kStandardOutput)
+  {
+    files_.add(options.report);
   }
 }
 

@@ -3,9 +3,12 @@
 #include "file_writer.h"
 #include "option_names.h"
 
+#include "medial/version.h"
+
 #include <nlohmann/json.hpp>
 
 #include <optional>
+#include <utility>
 
 #include <sys/resource.h>
 
@@ -47,9 +50,11 @@ Json describeDevice(const std::optional<Device>& device)
 
 Json describeSeconds(const RunStatistics::Seconds& run, const AppSeconds& app)
 {
-  return { { "read", app.read }, { "sites", run.sites }, { "sign", run.sign }, { "cull", run.cull },
-    { "polygons", run.polygons }, { "draw", run.draw }, { "resolve", run.resolve },
-    { "medial", run.medial }, { "write", app.write }, { "total", app.total } };
+  return { { "read", app.read }, { "prepare", app.prepare }, { "sites", run.sites },
+    { "sign", run.sign }, { "cull", run.cull }, { "polygons", run.polygons }, { "draw", run.draw },
+    { "resolve", run.resolve }, { "medial", run.medial }, { "measure", app.measure },
+    { "thickness", app.thickness }, { "pictures", app.pictures }, { "write", app.write },
+    { "total", app.total } };
 }
 
 Json describeSeconds(const RunStatistics::DeviceSeconds& device)
@@ -57,6 +62,18 @@ Json describeSeconds(const RunStatistics::DeviceSeconds& device)
   return { { "sites", device.sites }, { "cull", device.cull }, { "evaluate", device.evaluate },
     { "resolve", device.resolve }, { "select", device.select }, { "copy", device.copy },
     { "total", device.total() } };
+}
+
+// Lengths in world units, as the library took them.
+Json describeParameters(const Result& result, const Options& options)
+{
+  const double diagonal = result.mesh.bounds().diagonal();
+  return { { "angle", options.angle }, { "lambda", options.lambda.inUnits(diagonal) },
+    { "min_radius", options.minRadius.inUnits(diagonal) }, { "side", nameOf(options.side) },
+    { "representation", nameOf(options.representation) }, { "max_spheres", options.maxSpheres },
+    { "topology", nameOf(options.topology) }, { "sign", nameOf(options.signMethod) },
+    { "engine", nameOf(options.engine) }, { "padding", options.padding },
+    { "threads", options.threads } };
 }
 
 Json describeSign(const SignReport& sign)
@@ -126,9 +143,16 @@ Json describeCoverage(const std::optional<AxisCoverage>& coverage)
 
 std::string makeReport(const Result& result, const Options& options, const AppSeconds& seconds)
 {
+  // Thickness alone needs no grid, and so no sign and no engine.
+  const bool field = options.wantsField();
+  const auto ofField = [field](Json value) { return field ? std::move(value) : Json(nullptr); };
+  const auto ofAxis = [&options](Json value)
+  { return options.wantsAxis() ? std::move(value) : Json(nullptr); };
   Json report;
+  report["version"] = MEDIAL_VERSION;
+  report["parameters"] = describeParameters(result, options);
   report["input"] = describeInput(result, options.input);
-  report["grid"] = describeGrid(result.grid);
+  report["grid"] = ofField(describeGrid(result.grid));
   report["device"] = describeDevice(result.statistics.device);
   report["seconds"] = describeSeconds(result.statistics.seconds, seconds);
   report["device_seconds"] = describeSeconds(result.statistics.deviceSeconds);
@@ -138,14 +162,15 @@ std::string makeReport(const Result& result, const Options& options, const AppSe
   report["counts"] = describeCounts(result.statistics, result.axis);
   report["simplification"] = describeSimplification(result.axis.simplification);
   report["fragments_per_voxel"] = result.statistics.fragmentsPerVoxel();
-  report["engine"] = nameOf(result.statistics.engine);
-  report["sign_method"] = nameOf(result.sign);
-  report["sign"] = describeSign(result.statistics.sign);
+  report["engine"] = ofField(nameOf(result.statistics.engine));
+  report["sign_method"] = ofField(nameOf(result.sign));
+  report["sign"] = ofField(describeSign(result.statistics.sign));
+  report["side"] = ofAxis(nameOf(result.axis.side));
   if (result.thickness)
   {
     report["thickness"] = describeThickness(*result.thickness, options);
   }
-  report["topology"] = describeTopology(result, options.topology);
+  report["topology"] = ofAxis(describeTopology(result, options.topology));
   report["coverage"] = describeCoverage(result.coverage);
   report["peak_memory_mib"] = peakMemoryMiB();
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -13,25 +13,16 @@ namespace medial::app
 struct AppSeconds
 {
   double read = 0.0;
-  double write = 0.0;
+  double prepare = 0.0;   ///< welding points, and who shares them with whom
+  double measure = 0.0;   ///< topology and coverage of the axis
+  double thickness = 0.0; ///< with the values of its picture
+  double pictures = 0.0;  ///< drawing and writing them
+  double write = 0.0;     ///< all other files
   double total = 0.0;
 };
 
-/// The figures of a run; where something was not computed they are 0 or empty.
-/// @return JSON text with the keys input {path, triangles, vertices, closed, manifold, components,
-///   skipped_degenerate}, grid {dimensions, spacing, origin}, device {renderer, version, software},
-///   seconds {read, sites, cull, polygons, draw, resolve, medial, write, total}, counts {sites,
-///   polygons, fragments, group_tests, site_tests, candidate_pairs, medial_points, medial_cells},
-///   bytes_uploaded, bytes_read_back, dispatches and device_seconds {sites, cull, evaluate,
-///   resolve, select, copy, total} of the engine device, fragments_per_voxel, simplification
-///   {input_points, input_components, components, joined, forced, dropped, seconds} (as in
-///   SimplificationStatistics, 0 without --max-spheres), engine, sign_method, topology {mode, solid
-///   (null unless preserved), axis: each {components, euler_characteristic, genus, cavities}},
-///   coverage (null unless the axis is that of the interior) {uncovered_share: the share of the
-///   surface's area that is farther than reach, the diagonal of a voxel, from the union of the
-///   axis's balls, cones and wedges; reach, samples, seconds} and peak_memory_mib; where thickness
-///   was computed also thickness {side, angle, min, median, max, share_without, seconds}, whose
-///   numbers are null where no point has a thickness. Lengths are in world units.
+/// The figures of a run as JSON text. Its keys are listed in docs/COMMAND-LINE.md, and a test
+/// compares; what was not computed is null, or 0 for a count. Lengths are in world units.
 std::string makeReport(const Result& result, const Options& options, const AppSeconds& seconds);
 
 /// @throws Failure NoSpace if the file cannot be written completely. The message does not name it.

@@ -6,6 +6,7 @@
 #include "outputs.h"
 #include "progress_bar.h"
 #include "report.h"
+#include "standard_output.h"
 #include "summary.h"
 #include "surface_reader.h"
 #include "timer.h"
@@ -34,25 +35,36 @@ void run(const Options& options)
   seconds.read = total.seconds();
   throwIfInterrupted();
 
+  const Timer preparing;
   Result result = prepare(surface, options, bar);
+  seconds.prepare = preparing.seconds();
   compute(options, outputs.field(), bar, result);
+  seconds.measure = result.measureSeconds;
+  const Timer thickness;
   computeThickness(options, surface, bar, result);
+  seconds.thickness = thickness.seconds();
 
   const Timer writing;
-  const auto stop = [&]
-  {
-    seconds.write = writing.seconds() + outputs.fieldSeconds();
-    seconds.total = total.seconds();
-  };
   bar.show(1.0, "writing");
   const OutputNotes notes = writeOutputs(options, surface, result, outputs);
+  seconds.pictures = notes.pictureSeconds;
+  const auto stop = [&]
+  {
+    seconds.write = writing.seconds() - seconds.pictures + outputs.fieldSeconds();
+    seconds.total = total.seconds();
+  };
   stop();
   outputs.write(options.report,
     [&](const auto& file) { writeReport(makeReport(result, options, seconds), file); });
   outputs.commit();
   stop();
   bar.clear();
-  if (!options.quiet)
+  printNotes(options, result, notes);
+  if (options.report == kStandardOutput)
+  {
+    printText(makeReport(result, options, seconds));
+  }
+  else if (!options.quiet)
   {
     printSummary(options, result, notes, seconds);
   }

@@ -60,10 +60,11 @@ void printThickness(const Options& options, const Thickness& thickness)
 
 void printSeconds(const RunStatistics::Seconds& run, const AppSeconds& app)
 {
-  std::printf("seconds   read %.2f, sites %.2f, sign %.2f, cull %.2f, polygons %.2f, draw %.2f, "
-              "resolve %.2f, medial %.2f, write %.2f, total %.2f\n",
-    app.read, run.sites, run.sign, run.cull, run.polygons, run.draw, run.resolve, run.medial,
-    app.write, app.total);
+  std::printf("seconds   read %.2f, prepare %.2f, sites %.2f, sign %.2f, cull %.2f, polygons %.2f, "
+              "draw %.2f, resolve %.2f, medial %.2f, measure %.2f, thickness %.2f, pictures %.2f, "
+              "write %.2f, total %.2f\n",
+    app.read, app.prepare, run.sites, run.sign, run.cull, run.polygons, run.draw, run.resolve,
+    run.medial, app.measure, app.thickness, app.pictures, app.write, app.total);
 }
 
 void printFile(const std::filesystem::path& path, const std::string& content)
@@ -114,14 +115,23 @@ void printEngineNote(const RunStatistics& statistics)
   }
 }
 
-void printNotes(const Options& options, const Result& result)
+void printSideNote(const Options& options, const Result& result)
 {
-  if (result.axis.side != options.side)
+  const SignReport& sign = result.statistics.sign;
+  if (result.axis.side == options.side)
   {
-    std::fprintf(stderr,
-      "medial-axis: note: %s: the distance is unsigned (%s), so the axis is that of both sides\n",
-      options.input.c_str(), result.statistics.sign.reason.c_str());
+    return;
   }
+  const bool closable = options.signMethod == SignMethod::Auto && sign.holes > 0;
+  std::fprintf(stderr,
+    "medial-axis: note: %s: the distance is unsigned (%s), so the axis is that of both sides%s\n",
+    options.input.c_str(), sign.reason.c_str(),
+    closable ? "; --sign winding tells them apart as if the holes were closed" : "");
+}
+
+void printAxisNotes(const Options& options, const Result& result)
+{
+  printSideNote(options, result);
   const SignReport& sign = result.statistics.sign;
   if (sign.method == SignMethod::Winding && sign.holes > 0)
   {
@@ -144,7 +154,7 @@ void printPageNotes(const Options& options, const OutputNotes& notes)
   }
 }
 
-void printSimplification(const Options& options, const MedialAxis& axis)
+void printSimplificationNote(const Options& options, const MedialAxis& axis)
 {
   const SimplificationStatistics& done = axis.simplification;
   const auto components = static_cast<long long>(done.components);
@@ -164,12 +174,17 @@ void printSimplification(const Options& options, const MedialAxis& axis)
       "topology needs\n",
       options.input.c_str(), options.maxSpheres);
   }
+}
+
+void printSimplification(const MedialAxis& axis)
+{
+  const SimplificationStatistics& done = axis.simplification;
   if (done.inputPoints > 0)
   {
     std::printf("simplified %lld points in %lld component%s to %lld in %lld, %.2f s\n",
       static_cast<long long>(done.inputPoints), static_cast<long long>(done.inputComponents),
-      done.inputComponents == 1 ? "" : "s", static_cast<long long>(axis.points.size()), components,
-      done.seconds);
+      done.inputComponents == 1 ? "" : "s", static_cast<long long>(axis.points.size()),
+      static_cast<long long>(done.components), done.seconds);
   }
 }
 
@@ -186,21 +201,35 @@ void printCoverage(const Options& options, const AxisCoverage& coverage)
 
 } // namespace
 
-void printSummary(const Options& options, const Result& result, const OutputNotes& notes,
-  const AppSeconds& seconds)
+void printNotes(const Options& options, const Result& result, const OutputNotes& notes)
 {
+  if (options.quiet)
+  {
+    // A result that is not what was asked for is no matter of taste.
+    if (options.sideGiven && options.wantsAxis())
+    {
+      printSideNote(options, result);
+    }
+    return;
+  }
   printEngineNote(result.statistics);
   if (options.wantsAxis())
   {
-    printNotes(options, result);
+    printAxisNotes(options, result);
   }
   if (result.coverage)
   {
     printCoverage(options, *result.coverage);
   }
   printPageNotes(options, notes);
+  printSimplificationNote(options, result.axis);
+}
+
+void printSummary(const Options& options, const Result& result, const OutputNotes& notes,
+  const AppSeconds& seconds)
+{
   printMesh(options, result);
-  if (options.wantsAxis() || !options.field.empty())
+  if (options.wantsField())
   {
     printGrid(result);
     printEngine(result.statistics);
@@ -210,7 +239,7 @@ void printSummary(const Options& options, const Result& result, const OutputNote
     printThickness(options, *result.thickness);
   }
   printSeconds(result.statistics.seconds, seconds);
-  printSimplification(options, result.axis);
+  printSimplification(result.axis);
   printOutputs(options, result.axis, notes);
 }
 

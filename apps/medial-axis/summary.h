@@ -8,8 +8,12 @@
 namespace medial::app
 {
 
+/// Prints on standard error what the user should know about the result. If the options
+/// ask for quiet, only that the axis is not that of the side that was asked for.
+void printNotes(const Options& options, const Result& result, const OutputNotes& notes);
+
 /// Prints on standard output what was read, computed and written, how long that took and on which
-/// renderer. Notes go to standard error.
+/// renderer.
 void printSummary(const Options& options, const Result& result, const OutputNotes& notes,
   const AppSeconds& seconds);
 

@@ -84,6 +84,7 @@ void ViewerScene::colourAxis(ColourBy colour, double max)
 {
   const Colouring colouring = colouringOf(colour);
   setColours(colours_, max);
+  setTicks(bar_, max);
   axis_->GetMapper()->SelectColorArray(colouring.array);
   bar_->SetTitle(colouring.title);
 }

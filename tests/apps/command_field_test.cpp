@@ -16,7 +16,9 @@
 #include <vtkXMLPImageDataReader.h>
 
 #include <cmath>
+#include <cstdint>
 #include <cstring>
+#include <filesystem>
 #include <functional>
 
 namespace medial::test
@@ -249,6 +251,35 @@ TEST_F(CommandField, ReplacesOlderFiles)
   EXPECT_EQ(readField(folder.file("f.pvti"))->GetDimensions()[2], 80);
   EXPECT_EQ(folder.list(),
     (std::vector<std::string>{ "f.pvti", "f_0.vti", "f_1.vti", "mesh.obj" }));
+}
+
+TEST_F(CommandField, ArraysThatAreNotWantedTakeNoSpace)
+{
+  const auto size = [&](const std::string& name)
+  { return static_cast<std::int64_t>(std::filesystem::file_size(folder.file(name))); };
+  const std::string all = folder.file("all.vti");
+  run({ "--resolution", "40", "--field", all });
+  run({ "--resolution", "40", "--field", folder.file("one.vti"), "--field-arrays", "distance" });
+  run({ "--resolution", "40", "--field", folder.file("two.vti"), "--field-arrays",
+    "closest_site,closest_point", "-o", folder.file("axis.vtp") });
+  run({ "--resolution", "40", "--field", folder.file("one.pvti"), "--field-arrays", "distance" });
+  const Image full = readField(all);
+  const std::int64_t points = full->GetNumberOfPoints();
+  // Headers differ by what they say of the arrays.
+  EXPECT_NEAR(static_cast<double>(size("all.vti") - size("one.vti")), 25.0 * points, 1000.0);
+  EXPECT_NEAR(static_cast<double>(size("all.vti") - size("two.vti")), 9.0 * points, 1000.0);
+  for (const char* name : { "one.vti", "one.pvti" })
+  {
+    const Image one = readField(folder.file(name));
+    EXPECT_EQ(one->GetPointData()->GetNumberOfArrays(), 1) << name;
+    expectSameArray(one->GetPointData()->GetArray(0), full->GetPointData()->GetArray("Distance"));
+  }
+  const Image two = readField(folder.file("two.vti"));
+  EXPECT_EQ(two->GetPointData()->GetNumberOfArrays(), 3);
+  for (const char* name : { "Distance", "ClosestPoint", "ClosestSite" })
+  {
+    expectSameArray(two->GetPointData()->GetArray(name), full->GetPointData()->GetArray(name));
+  }
 }
 
 } // namespace

@@ -3,8 +3,11 @@
 
 #include "support/transforms.h"
 
+#include "medial/version.h"
+
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <set>
 
 namespace medial::test
@@ -16,9 +19,10 @@ TEST_F(CommandOutput, ReportHasExactlyTheDocumentedKeys)
 {
   const Json result = report({});
   EXPECT_EQ(keysOf(result),
-    (std::set<std::string>{ "input", "grid", "device", "seconds", "counts", "fragments_per_voxel",
-      "device_seconds", "bytes_uploaded", "bytes_read_back", "dispatches", "simplification",
-      "engine", "sign", "sign_method", "topology", "coverage", "peak_memory_mib" }));
+    (std::set<std::string>{ "version", "parameters", "side", "input", "grid", "device", "seconds",
+      "counts", "fragments_per_voxel", "device_seconds", "bytes_uploaded", "bytes_read_back",
+      "dispatches", "simplification", "engine", "sign", "sign_method", "topology", "coverage",
+      "peak_memory_mib" }));
   EXPECT_EQ(keysOf(result["coverage"]),
     (std::set<std::string>{ "uncovered_share", "reach", "samples", "seconds" }));
   EXPECT_EQ(keysOf(result["simplification"]),
@@ -31,11 +35,74 @@ TEST_F(CommandOutput, ReportHasExactlyTheDocumentedKeys)
   EXPECT_EQ(keysOf(result["device"]),
     (std::set<std::string>{ "number", "origin", "renderer", "version", "software" }));
   EXPECT_EQ(keysOf(result["seconds"]),
-    (std::set<std::string>{ "read", "sites", "sign", "cull", "polygons", "draw", "resolve",
-      "medial", "write", "total" }));
+    (std::set<std::string>{ "read", "prepare", "sites", "sign", "cull", "polygons", "draw",
+      "resolve", "medial", "measure", "thickness", "pictures", "write", "total" }));
   EXPECT_EQ(keysOf(result["counts"]),
     (std::set<std::string>{ "sites", "polygons", "fragments", "group_tests", "site_tests",
       "candidate_pairs", "medial_points", "medial_cells" }));
+}
+
+TEST_F(CommandOutput, ReportHasVersionAndParameters)
+{
+  const Json result = report({ "--angle", "75", "--lambda", "2%", "--side", "exterior" });
+  EXPECT_EQ(result["version"], MEDIAL_VERSION);
+  EXPECT_EQ(result["parameters"]["angle"], 75.0);
+  const double diagonal = 2.0 * std::sqrt(1.0 + 0.49 + 0.16);
+  EXPECT_NEAR(result["parameters"]["lambda"].get<double>(), 0.02 * diagonal, 1e-6);
+  EXPECT_EQ(result["parameters"]["side"], "exterior");
+  EXPECT_EQ(result["side"], "exterior");
+}
+
+// Without a grid there is neither a sign nor an engine to report.
+TEST_F(CommandOutput, ReportOfThicknessAloneHasNoFigureOfAField)
+{
+  const Json result = report({ "--thickness", folder.file("thickness.vtp") });
+  for (const char* key : { "grid", "sign", "sign_method", "side", "engine", "topology" })
+  {
+    EXPECT_TRUE(result[key].is_null()) << key << ": " << result[key];
+  }
+  EXPECT_EQ(result["thickness"]["side"], "interior");
+  EXPECT_GT(result["seconds"]["thickness"].get<double>(), 0.0);
+}
+
+// A cup without its bottom: the box of the other tests without its first side.
+TEST_F(CommandOutput, SaysThatASideIsNotThereEvenWhenQuiet)
+{
+  TriangleMesh cup = box({ 1.0, 0.7, 0.4 });
+  cup.triangles.erase(cup.triangles.begin(), cup.triangles.begin() + 2);
+  writeFile(input, objText(cup));
+  const std::string file = folder.file("axis.vtp");
+  const Outcome asked = run({ "-q", "-o", file, "--side", "interior" });
+  EXPECT_TRUE(contains(asked.err, "axis is that of both sides; --sign winding")) << asked.err;
+  EXPECT_EQ(run({ "-q", "-o", file }).err, "");
+  EXPECT_EQ(run({ "-q", "-o", file, "--side", "both" }).err, "");
+  EXPECT_EQ(run({ "-q", "-o", file, "--side", "interior", "--sign", "winding" }).err, "");
+  EXPECT_EQ(report({ "--sign", "winding" })["side"], "interior");
+}
+
+TEST_F(CommandOutput, ReportGoesToStandardOutputAlone)
+{
+  const Outcome outcome = run({ "--report", "-", "-o", folder.file("axis.vtp") });
+  EXPECT_EQ(nlohmann::json::parse(outcome.out)["version"], MEDIAL_VERSION);
+  EXPECT_FALSE(std::filesystem::exists("-"));
+  const Outcome quiet = run({ "-q", "--report", "-", "-o", folder.file("axis.vtp") });
+  EXPECT_EQ(nlohmann::json::parse(quiet.out)["parameters"]["angle"], 60.0);
+}
+
+// Whoever asks where the time went finds it.
+TEST_F(CommandOutput, PhasesAddUpToTheTotal)
+{
+  const Json seconds = report({ "-o", folder.file("axis.vtp"), "--thickness",
+    folder.file("thickness.vtp"), "--thickness-image", folder.file("thickness.png"), "--image",
+    folder.file("axis.png"), "--max-spheres", "20" })["seconds"];
+  double sum = 0.0;
+  for (const auto& item : seconds.items())
+  {
+    sum += item.key() == "total" ? 0.0 : item.value().get<double>();
+  }
+  EXPECT_GT(sum, 0.8 * seconds["total"].get<double>()) << seconds;
+  EXPECT_GT(seconds["pictures"].get<double>(), 0.0);
+  EXPECT_GT(seconds["measure"].get<double>(), 0.0);
 }
 
 TEST_F(CommandOutput, ReportsTheTopology)

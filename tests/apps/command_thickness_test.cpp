@@ -1,5 +1,6 @@
 // What the program does for --thickness and --thickness-image.
 #include "command_run.h"
+#include "scalar_bar.h"
 
 #include "support/models.h"
 #include "support/shapes.h"
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <vector>
 
 namespace medial::test
 {
@@ -173,6 +175,48 @@ TEST_F(CommandThickness, PictureIsGreyWhereThereIsNone)
   run({ "--side", "exterior", "--thickness-image", folder.file("t.png") });
   const auto grey = [](const auto& rgb) { return spread(rgb) < 3.0 && rgb[0] < 250.0; };
   EXPECT_GT(shareOf(folder.file("t.png"), grey), 0.2);
+}
+
+TEST(ScaleTicks, AreRoundBetweenTheEnds)
+{
+  EXPECT_EQ(app::scaleTicks(21.05), (std::vector<double>{ 0.0, 5.0, 10.0, 15.0, 21.05 }));
+  EXPECT_EQ(app::scaleTicks(0.25), (std::vector<double>{ 0.0, 0.05, 0.1, 0.05 * 3, 0.2, 0.25 }));
+  EXPECT_EQ(app::scaleTicks(0.0), std::vector<double>{ 0.0 });
+  for (const double max : { 1e-7, 0.31, 1.0, 1.99, 9.999, 12.4, 12345.0, 3e9 })
+  {
+    const std::vector<double> ticks = app::scaleTicks(max);
+    EXPECT_GE(ticks.size(), 4U) << max;
+    EXPECT_LE(ticks.size(), 6U) << max;
+    EXPECT_EQ(ticks.back(), max);
+    const double step = ticks[1] / std::pow(10.0, std::floor(std::log10(ticks[1]) + 1e-9));
+    EXPECT_TRUE(std::fabs(step - 1.0) < 1e-9 || std::fabs(step - 2.0) < 1e-9 ||
+      std::fabs(step - 2.5) < 1e-9 || std::fabs(step - 5.0) < 1e-9)
+      << ticks[1];
+  }
+}
+
+// Dark pixels of the word stand beside the swatch, and none in it.
+TEST_F(CommandThickness, PictureNamesNoneBesideItsSwatch)
+{
+  run({ "--side", "exterior", "--thickness-image", folder.file("t.png") });
+  const auto picture = readPng(folder.file("t.png"));
+  const auto count = [&](double left, double right, auto wanted)
+  {
+    int found = 0;
+    for (int y = static_cast<int>(0.14 * 1200) + 1; y < static_cast<int>(0.17 * 1200) - 1; ++y)
+    {
+      for (int x = static_cast<int>(left * 1600) + 1; x < static_cast<int>(right * 1600) - 1; ++x)
+      {
+        const double value = picture->GetScalarComponentAsDouble(x, y, 0, 0);
+        found += wanted(value) ? 1 : 0;
+      }
+    }
+    return found;
+  };
+  const auto dark = [](double value) { return value < 120.0; };
+  EXPECT_EQ(count(0.844, 0.872, dark), 0);
+  EXPECT_GT(count(0.844, 0.872, [](double value) { return value < 220.0; }), 1000);
+  EXPECT_GT(count(0.88, 0.97, dark), 50);
 }
 
 TEST_F(CommandThickness, OfARealMeshHasAValueAtEveryPoint)

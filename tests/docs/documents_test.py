@@ -4,9 +4,11 @@ usage: documents_test.py SOURCES MEDIAL-AXIS MEDIAL-MEASURE MEDIAL-PROXIMITY MED
     MEDIAL-DISTANCE
 """
 
+import json
 import re
 import subprocess
 import sys
+import tempfile
 import unittest
 from pathlib import Path
 
@@ -53,12 +55,25 @@ def exists(path):
     return path.exists() or any(path.parent.glob(path.name + ".*"))
 
 
-def table_of_options(tutorial):
-    """From its heading to the next; other sections name options of other programs."""
+def section_of(tutorial, heading):
+    """From the heading to the next."""
     text = (SOURCES / "docs" / tutorial).read_text()
-    start = text.index("## All options\n")
+    start = text.index(f"## {heading}\n")
     end = text.find("\n## ", start)
     return text[start:end if end >= 0 else len(text)]
+
+
+def table_of_options(tutorial):
+    """Other sections name options of other programs."""
+    return section_of(tutorial, "All options")
+
+
+def keys_within(value):
+    """All keys of objects in a JSON value."""
+    if isinstance(value, dict):
+        for key, nested in value.items():
+            yield key
+            yield from keys_within(nested)
 
 
 def rows_of_options(tutorial):
@@ -115,6 +130,22 @@ class Documents(unittest.TestCase):
             for option, meaning in rows_of_options(tutorial):
                 with self.subTest(program=program, option=option):
                     self.assertIn(meaning.replace("`", ""), help_text)
+
+    def test_every_key_of_a_report_is_documented(self):
+        rows = dict(re.findall(r"^\| ((?:`\w+`(?:, )?)+) \| (.*) \|$",
+                               section_of("COMMAND-LINE.md", "The report"), re.MULTILINE))
+        documented = {key: meaning for keys, meaning in rows.items()
+                      for key in re.findall(r"`(\w+)`", keys)}
+        with tempfile.TemporaryDirectory() as folder:
+            report = json.loads(subprocess.run(
+                [sys.argv[2], SOURCES / "tests/examples/box.stl", "--resolution", "24", "--topology",
+                 "preserve", "--thickness", f"{folder}/thickness.vtp", "-o", f"{folder}/axis.vtp",
+                 "--report", "-"], capture_output=True, text=True, check=True).stdout)
+        self.assertEqual(set(report), set(documented))
+        for key, value in report.items():
+            for nested in keys_within(value):
+                with self.subTest(key=key, nested=nested):
+                    self.assertIn(f"`{nested}`", documented[key])
 
     def test_every_design_page_is_linked_from_the_architecture(self):
         linked = set(named_files((SOURCES / "docs/ARCHITECTURE.md").read_text()))

@@ -309,6 +309,42 @@ TEST(DistanceFieldExtent, DownstreamFilterGetsWhatItAsksFor)
   EXPECT_GT(contour->GetOutput()->GetNumberOfCells(), 100);
 }
 
+// VTK asks only once for information, and its filters read the extent without a check.
+TEST(DistanceFieldExtent, RefusalIsRepeatedToADownstreamFilter)
+{
+  vtkNew<vtkMeshDistanceField> field;
+  field->SetInputData(lumpPolyData());
+  field->SetResolution(1);
+  vtkNew<vtkContourFilter> contour;
+  contour->SetInputConnection(field->GetOutputPort());
+  contour->SetValue(0, 0.0);
+  for (int update = 0; update < 3; ++update)
+  {
+    EventLog log(field);
+    contour->Update();
+    ASSERT_FALSE(log.errors.empty()) << update;
+    EXPECT_NE(log.errors[0].find("resolution 1 is outside"), std::string::npos) << log.errors[0];
+    EXPECT_EQ(field->GetErrorCode(), vtkMeshFieldAlgorithm::InvalidInputError);
+    EXPECT_EQ(field->GetOutput()->GetNumberOfPoints(), 0);
+  }
+  field->SetResolution(24);
+  contour->Update();
+  EXPECT_GT(contour->GetOutput()->GetNumberOfCells(), 100);
+}
+
+TEST(DistanceFieldExtent, EmptyBlockIsRefused)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, vtkNew<vtkPolyData>());
+  vtkNew<vtkMeshDistanceField> field;
+  field->SetInputDataObject(blocks);
+  EventLog log(field);
+  field->Update();
+  ASSERT_FALSE(log.errors.empty());
+  EXPECT_NE(log.errors[0].find("the mesh has no cells"), std::string::npos) << log.errors[0];
+  EXPECT_EQ(field->GetErrorCode(), vtkMeshFieldAlgorithm::InvalidInputError);
+}
+
 TEST(DistanceFieldExtent, CompositeInputGivesOneGridABlock)
 {
   vtkNew<vtkMultiBlockDataSet> blocks;

@@ -5,8 +5,8 @@ Functions take and return numpy arrays:
     axis = medial.medial_axis(vertices, faces, resolution=128, angle=60)
     axis.points, axis.radius, axis.faces
 
-distance_field(), medial_axis(), thickness(), reconstruction(), curves(), distance() and proximity()
-are each documented by help(), as in help(medial.medial_axis). All lengths are in world units, those
+distance_field(), medial_axis(), thickness(), reconstruction(), curves(), distance(), proximity()
+and read_mesh() are each documented by help(), as in help(medial.medial_axis). All lengths are in world units, those
 of the vertices, and all angles in degrees. They raise medial.Error, or a subclass of it, with the
 cause.
 
@@ -24,7 +24,8 @@ from ._axis import MedialAxis, medial_axis
 from ._distance import PointDistances, distance
 from ._errors import Error, InvalidInputError, NoGpuError, OutOfMemoryError
 from ._field import DistanceField, distance_field
-from ._mesh import Surface
+from ._mesh import Surface, read_mesh
+from ._mesh_file import VERSION as __version__
 from ._proximity import Contacts, Proximity, proximity
 from ._shape import Curve, curves, reconstruction, thickness
 from ._update import update
@@ -57,6 +58,7 @@ __all__ = [
     "distance_field",
     "medial_axis",
     "proximity",
+    "read_mesh",
     "reconstruction",
     "thickness",
     "update",

@@ -13,7 +13,7 @@ from ._arrays import (add_point_data, cells_of_size, figure, float_rows, index_r
                       point_coordinates, point_data, rows_to_cells, to_points)
 from ._errors import InvalidInputError
 from ._field import DistanceField, field_of
-from ._mesh import to_polydata
+from ._mesh import length, to_polydata
 from ._options import (REPRESENTATIONS, SIDES, TOPOLOGIES, Engine, FieldArray, Lengths,
                        Representation, Side, Sign, Topology, assign, assign_arrays, assign_grid,
                        assign_numbers, assign_run, choice, word)
@@ -112,7 +112,7 @@ class MedialAxis:
 
 def medial_axis(
     vertices: Any, faces: Any = None, *,
-    angle: float = 60.0, min_lambda: float = 0.0, min_radius: float = 0.0,
+    angle: float = 60.0, min_lambda: Union[float, str] = 0.0, min_radius: Union[float, str] = 0.0,
     side: Optional[Side] = None, representation: Representation = "surface",
     max_spheres: int = 0, topology: Topology = "selected", field: bool = False,
     resolution: Optional[int] = None, spacing: Optional[Lengths] = None,
@@ -129,10 +129,10 @@ def medial_axis(
     vertices, faces: the mesh, as for distance_field().
     angle: minimum separation angle theta between the directions to the two closest points, in
         degrees, in (0, 180); smaller values keep more of the axis and more noise.
-    min_lambda: minimum lambda, half the distance between the two closest points, in world units,
-        >= 0; removes the sheets that noise of this size causes, and those of walls thinner than
+    min_lambda: minimum lambda, half the distance between the two closest points, in world units
+        or as "L%" of the diagonal of the mesh's bounds, >= 0; removes the sheets that noise of this size causes, and those of walls thinner than
         twice this.
-    min_radius: minimum radius of the medial balls, in world units, >= 0.
+    min_radius: minimum radius of the medial balls, in world units or as "R%" of the diagonal, >= 0.
     side: which side of the surface: "interior", "exterior" or "both"; default interior. An open
         mesh has no sides: its axis is that of both, and so says MedialAxis.side.
     representation: "surface" (dual mesh), "faces" (voxel faces) or "points".
@@ -160,9 +160,10 @@ def medial_axis(
     if len(arrays) > 0 and not field:
         raise InvalidInputError(f"arrays {arrays!r} belong to the field: they need field=True")
     algorithm = vtkMedialAxis()
-    algorithm.SetInputData(to_polydata(vertices, faces))
-    assign_numbers(algorithm, angle=angle, min_lambda=min_lambda, min_radius=min_radius,
-                   max_spheres=max_spheres)
+    mesh = to_polydata(vertices, faces)
+    algorithm.SetInputData(mesh)
+    assign_numbers(algorithm, angle=angle, min_lambda=length("min_lambda", min_lambda, mesh),
+                   min_radius=length("min_radius", min_radius, mesh), max_spheres=max_spheres)
     assign(algorithm, Side=choice("side", "interior" if side is None else side, SIDES),
            Representation=choice("representation", representation, REPRESENTATIONS),
            Topology=choice("topology", topology, TOPOLOGIES), GenerateDistanceField=bool(field))

@@ -1,6 +1,8 @@
 """Meshes as they come in and go out."""
 
-from typing import Any, NamedTuple
+import math
+from os import PathLike
+from typing import Any, NamedTuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -8,6 +10,7 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 from ._arrays import float_rows, index_rows, rows_to_cells, to_cells, to_points
 from ._errors import InvalidInputError
+from ._mesh_file import read
 
 _WHOLE_MESH = "pass a mesh of pyvista or VTK itself, in place of vertices and faces"
 
@@ -23,6 +26,42 @@ class Surface(NamedTuple):
     def to_vtk(self) -> vtkPolyData:
         """As VTK's mesh, which shares the memory of the vertices."""
         return to_polydata(self.vertices, self.faces)
+
+
+def read_mesh(path: Union[str, PathLike[str]]) -> Surface:
+    """Reads a mesh from a file: .obj, .ply, .off or .vtk (VTK's legacy format).
+
+    A file that was cut short, or contradicts itself, is refused; it is never read in part. Points
+    at the same place become one, polygons become triangles, and points and lines between them are
+    left out. VTK's readers read other formats, such as .stl and .vtp.
+
+    path: name of the file.
+
+    Raises InvalidInputError where the file cannot be read, or has no faces.
+    """
+    try:
+        points, triangles = read(path)
+    except ValueError as error:
+        raise InvalidInputError(str(error)) from None
+    surface = Surface(np.frombuffer(points).reshape(-1, 3).copy(),
+                      np.frombuffer(triangles, np.int32).reshape(-1, 3).astype(np.int64))
+    if len(surface.faces) == 0:
+        raise InvalidInputError(f"{path}: the mesh has no faces")
+    return surface
+
+
+def length(name: str, value: Any, mesh: vtkPolyData) -> Any:
+    """A length as a function takes it: a number, or text such as "2%", of the diagonal of the bounds
+    of the mesh's cells. The number is left to the caller to check."""
+    if not isinstance(value, str) or not value.endswith("%"):
+        return value
+    try:
+        share = float(value[:-1])
+    except ValueError:
+        raise InvalidInputError(f"{name} {value!r} is no length, such as 0.5 or '2%'") from None
+    bounds = [0.0] * 6
+    mesh.GetCellsBounds(bounds)
+    return 0.01 * share * math.dist(bounds[0::2], bounds[1::2])
 
 
 def to_polydata(vertices: Any, faces: Any = None) -> vtkPolyData:
@@ -53,7 +92,7 @@ def _parts_of(mesh: Any) -> tuple[Any, Any]:
         raise TypeError(
             f"a mesh is given as vertices and faces, as a vtkPolyData, or as an object with the "
             f"attributes vertices and faces, not as {type(mesh).__name__} alone; files are read by "
-            f"VTK's readers, such as vtkSTLReader") from None
+            f"read_mesh() and VTK's readers, such as vtkSTLReader") from None
 
 
 def _set_faces(mesh: vtkPolyData, faces: Any, points: int) -> None:

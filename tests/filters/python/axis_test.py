@@ -78,6 +78,20 @@ class Parameters(unittest.TestCase):
     def test_angle(self):
         self.assertLess(len(box_axis(angle=100).points), len(box_axis(angle=60).points))
 
+    def test_lambda_and_radius_in_per_cent_of_the_diagonal(self):
+        vertices, faces = shapes.box()
+        diagonal = float(np.linalg.norm(np.ptp(vertices, axis=0)))
+        stray = np.vstack([vertices, [[50.0, 0.0, 0.0]]])  # of no face, so outside the bounds
+        for name in ("min_lambda", "min_radius"):
+            share = medial.medial_axis(stray, faces, resolution=33, **{name: "10%"})
+            units = medial.medial_axis(vertices, faces, resolution=33, **{name: 0.1 * diagonal})
+            every = medial.medial_axis(vertices, faces, resolution=33)
+            np.testing.assert_array_equal(share.points, units.points)
+            self.assertLess(len(share.points), len(every.points))
+            for wrong in ("x%", "%", "-1%"):
+                with self.assertRaises(medial.InvalidInputError):
+                    medial.medial_axis(vertices, faces, **{name: wrong})
+
     def test_least_radius_and_lambda(self):
         self.assertLess(box_axis().radius.min(), 0.2)
         self.assertGreaterEqual(box_axis(min_radius=0.3).radius.min(), 0.3 - 1e-6)

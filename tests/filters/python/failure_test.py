@@ -12,6 +12,7 @@ import medial
 import numpy as np
 import shapes
 from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkContourFilter
 from vtkmodules.vtkIOGeometry import vtkSTLReader
 
 VERTICES, QUADS = shapes.box()
@@ -60,6 +61,17 @@ class Meshes(unittest.TestCase):
             algorithm.SetInputConnection(reader.GetOutputPort())
             with self.assertRaisesRegex(medial.Error, "absent.stl"):
                 medial.update(algorithm)
+
+    def test_pipeline_behind_a_filter_that_fails_again(self):
+        reader = vtkSTLReader()
+        reader.SetFileName("absent.stl")
+        field = medial.vtkMeshDistanceField()
+        field.SetInputConnection(reader.GetOutputPort())
+        contour = vtkContourFilter()
+        contour.SetInputConnection(field.GetOutputPort())
+        for _ in range(3):
+            with self.assertRaisesRegex(medial.Error, "the mesh has no cells"):
+                medial.update(contour)
 
 
 class Parameters(unittest.TestCase):

@@ -1,6 +1,8 @@
 """The filters from Python, together with VTK's own package."""
 
 import math
+import pathlib
+import tempfile
 import unittest
 
 import medial
@@ -219,6 +221,27 @@ class FiltersTest(unittest.TestCase):
 
     def test_prints(self):
         self.assertIn("Angle: 60", str(medial.vtkMedialAxis()))
+
+
+class Files(unittest.TestCase):
+    def test_version_is_that_of_the_library(self):
+        self.assertRegex(medial.__version__, r"\A\d+\.\d+\.\d+\Z")
+
+    def test_mesh_is_read_exactly_or_refused(self):
+        text = "OFF\n4 2 0\n0 0 0\n1 0 0\n1 0.1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n"
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder, "two.off")
+            path.write_text(text)
+            surface = medial.read_mesh(path)
+            self.assertEqual(surface.vertices.tolist(),
+                             [[0, 0, 0], [1, 0, 0], [1, 0.1, 0], [0, 1, 0]])
+            self.assertEqual(surface.faces.tolist(), [[0, 1, 2], [0, 2, 3]])
+            path.write_text(text[:-4])
+            with self.assertRaisesRegex(medial.InvalidInputError, "two.off"):
+                medial.read_mesh(str(path))
+        for absent in ("absent.off", "absent.step"):
+            with self.assertRaisesRegex(medial.InvalidInputError, absent):
+                medial.read_mesh(absent)
 
 
 if __name__ == "__main__":

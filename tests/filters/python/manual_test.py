@@ -10,6 +10,7 @@ import inspect
 import os
 import pkgutil
 import re
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -20,7 +21,7 @@ import medial
 SOURCES = Path(sys.argv[1])
 FUNCTIONS = (medial.distance_field, medial.medial_axis, medial.thickness,
              medial.reconstruction, medial.curves, medial.distance, medial.proximity,
-             medial.update)
+             medial.read_mesh, medial.update)
 # The options of medial-axis, by the parameters that are the same.
 OPTIONS = {
     medial.distance_field: ("resolution", "spacing", "padding", "memory"),
@@ -75,6 +76,24 @@ class Examples(unittest.TestCase):
         self.assertGreater(len(test.examples), 20)
         with scratch_folder():
             self.assertEqual(doctest.DocTestRunner().run(test).failed, 0)
+
+
+    def test_of_several_processes(self):
+        text = (SOURCES / "docs/PYTHON.md").read_text()
+        code = re.search(r"^```python\n(import multiprocessing\n.*?)^```$", text,
+                         re.MULTILINE | re.DOTALL)[1]
+        with scratch_folder():
+            Path("batch.py").write_text(code)
+            for name, size in (("a", 1), ("b", 2)):
+                corners = [f"{x} {y} {z}" for x in (0, size) for y in (0, size) for z in (0, size)]
+                Path(f"{name}.off").write_text("\n".join([
+                    "OFF", "8 6 0", *corners, "4 0 1 3 2", "4 4 6 7 5", "4 0 4 5 1", "4 2 3 7 6",
+                    "4 0 2 6 4", "4 1 5 7 3"]))
+            done = subprocess.run([sys.executable, "batch.py"], capture_output=True, text=True,
+                                  timeout=300, check=True)
+        radii = dict(line.split() for line in done.stdout.splitlines())
+        self.assertAlmostEqual(float(radii["a.off"]), 0.5, places=3)
+        self.assertAlmostEqual(float(radii["b.off"]), 1.0, places=3)
 
 
 class Wording(unittest.TestCase):
