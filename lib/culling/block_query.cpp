@@ -264,7 +264,8 @@ void BlockQuery::answerFromPacks(const Block& block, const BoxReach& reach)
     {
       if (anyWithin(&squared_[i * kLanes], limit))
       {
-        nearest.offer(packs_[i], sitesNear(packs_[i], x, distance, tree_.slack(), parts), parts);
+        nearest.offer(packs_[i],
+          NearestSite::sitesNear(packs_[i], x, distance, tree_.slack(), parts), parts);
       }
     }
     question.closest = nearest.closest();

@@ -6,8 +6,8 @@
 namespace medial
 {
 
-MEDIAL_VECTORISED unsigned sitesNear(const SiteGroup& group, const glm::vec3& x, float distance,
-  float slack, SiteGroup::IntLanes& parts)
+MEDIAL_VECTORISED unsigned NearestSite::sitesNear(const SiteGroup& group, const glm::vec3& x,
+  float distance, float slack, SiteGroup::IntLanes& parts)
 {
   const float rounding = roundingFrom(x, group.extent);
   const float reach = distance + rounding;

@@ -21,15 +21,6 @@ MEDIAL_INLINE float roundingFrom(const glm::vec3& offset, float extent)
   return kRounding * (glm::length(offset) + extent);
 }
 
-/// Finds the sites of a group that can be closest to a position.
-/// @param x relative to the group's origin.
-/// @param distance sites farther away do not count.
-/// @param slack by how much their Voronoi regions are widened, besides the rounding.
-/// @param parts set to the sites, as bits of SitePart, for the elements of the result.
-/// @return the elements that own such sites, as bits.
-unsigned sitesNear(const SiteGroup& group, const glm::vec3& x, float distance, float slack,
-  SiteGroup::IntLanes& parts);
-
 /// The closest of the surface points that have been offered, in double precision; of several at
 /// the same distance that of the lowest site.
 class NearestSite
@@ -38,6 +29,15 @@ public:
   /// @param limit points at this distance from x or beyond do not count.
   NearestSite(const SiteSet& sites, const glm::dvec3& x,
     double limit = std::numeric_limits<double>::infinity());
+
+  /// Finds the sites of a group that can be closest to a position.
+  /// @param x relative to the group's origin.
+  /// @param distance sites farther away do not count.
+  /// @param slack by how much their Voronoi regions are widened, besides the rounding.
+  /// @param parts set to the sites, as bits of SitePart, for the elements of the result.
+  /// @return the elements that own such sites, as bits.
+  static unsigned sitesNear(const SiteGroup& group, const glm::vec3& x, float distance, float slack,
+    SiteGroup::IntLanes& parts);
 
   /// Offers sites of a group, as sitesNear() finds them.
   void offer(const SiteGroup& group, unsigned lanes, const SiteGroup::IntLanes& parts);

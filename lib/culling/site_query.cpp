@@ -56,7 +56,7 @@ SitePoint SiteQuery::search(const glm::dvec3& x, double bound, double limit) con
     {
       const SiteGroup& group = tree_.groups()[id];
       const unsigned lanes =
-        sitesNear(group, group.toGroup(x), roundedUp(reach()), tree_.slack(), parts);
+        NearestSite::sitesNear(group, group.toGroup(x), roundedUp(reach()), tree_.slack(), parts);
       nearest.offer(group, lanes, parts);
     });
   return nearest.closest();
