@@ -136,8 +136,13 @@ void ContactReduction::keepSpread(const ContactPlane& plane, int count,
     std::swap(squared_[next], squared_[farthest]);
   }
   places.resize(wanted);
-  std::stable_sort(places.begin(), places.end(),
-    [](const ContactPlace& p, const ContactPlace& q) { return p.depth > q.depth; });
+  // Equal ones stay in their order. std::stable_sort() would allocate.
+  for (auto next = places.begin(); next != places.end(); ++next)
+  {
+    std::rotate(std::upper_bound(places.begin(), next, *next,
+                  [](const ContactPlace& p, const ContactPlace& q) { return p.depth > q.depth; }),
+      next, next + 1);
+  }
 }
 
 } // namespace medial
