@@ -1,7 +1,7 @@
 #include "axis/axis_cells.h"
 
+#include "axis/contraction.h"
 #include "axis/edge_table.h"
-#include "base/disjoint_sets.h"
 
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
@@ -17,10 +17,6 @@ namespace medial
 namespace
 {
 
-/// Edges shorter than this (voxels) are contracted.
-constexpr double kShort = 0.1;
-/// The same for edges that end at a moved point.
-constexpr double kShortOfMoved = 0.3;
 /// Polygons narrower than this (voxels) between two rims are curves: their inner edges up to
 /// kAcross are contracted.
 constexpr double kNarrow = 0.3;
@@ -28,7 +24,7 @@ constexpr double kAcross = 0.75;
 /// Cells below this area (square voxels) become lines.
 constexpr double kMinArea = 1e-6;
 
-using Id = std::int64_t;
+using Id = Contraction::Id;
 
 /// Up to four points in cyclic order.
 class Corners
@@ -44,71 +40,6 @@ private:
   std::size_t count_ = 0;
 };
 
-/// Sets of points that become one. The lowest point that was not moved represents its set, or the
-/// lowest of all.
-class Contraction
-{
-public:
-  explicit Contraction(const BisectorPoints& points)
-    : points_(points)
-    , sets_(points.points.size())
-    , own_(points.points.size())
-    , large_(points.points.size(), 0)
-    , joined_(points.points.size(), 0)
-  {
-    std::iota(own_.begin(), own_.end(), Id{ 0 });
-  }
-
-  Id find(Id point) { return own_[sets_.find(point)]; }
-
-  void join(Id p, Id q)
-  {
-    p = this->find(p);
-    q = this->find(q);
-    if (p == q)
-    {
-      return;
-    }
-    const bool first = std::tuple(points_.moved[p], p) < std::tuple(points_.moved[q], q);
-    sets_.join(p, q);
-    own_[sets_.find(p)] = first ? p : q;
-    large_[first ? p : q] = 1;
-    joined_[p] = 1;
-    joined_[q] = 1;
-  }
-
-  /// Whether a point is in a set with others.
-  bool isJoined(Id point) const { return joined_[point] != 0; }
-
-  /// Whether the point that represents a set has others in it.
-  bool standsForOthers(Id point) const { return large_[point] != 0; }
-
-private:
-  const BisectorPoints& points_;
-  DisjointSets sets_;
-  std::vector<Id> own_; ///< by the lowest point of the set
-  std::vector<std::uint8_t> large_;
-  std::vector<std::uint8_t> joined_;
-};
-
-/// @param order the points to compare.
-void joinEqualPoints(const BisectorPoints& points, std::vector<Id> order, Contraction& contraction)
-{
-  const auto key = [&](Id p)
-  {
-    const glm::dvec3& x = points.points[p].position;
-    return std::tuple(x.x, x.y, x.z, p);
-  };
-  std::sort(order.begin(), order.end(), [&](Id p, Id q) { return key(p) < key(q); });
-  for (std::size_t i = 1; i < order.size(); ++i)
-  {
-    if (points.points[order[i]].position == points.points[order[i - 1]].position)
-    {
-      contraction.join(order[i], order[i - 1]);
-    }
-  }
-}
-
 /// Returns the moved points, as several of them may be at one crossing.
 std::vector<Id> movedPoints(const BisectorPoints& points)
 {
@@ -121,58 +52,6 @@ std::vector<Id> movedPoints(const BisectorPoints& points)
     }
   }
   return moved;
-}
-
-bool isShort(const BisectorPoints& points, Id p, Id q)
-{
-  const double limit = (points.moved[p] | points.moved[q]) != 0 ? kShortOfMoved : kShort;
-  return glm::distance(points.points[p].position, points.points[q].position) < limit;
-}
-
-/// Tells which quads have short edges as long as none of their corners are joined.
-std::vector<std::uint8_t> quadsWithShortEdges(const BisectorPoints& points,
-  const std::vector<std::array<Id, 4>>& quads)
-{
-  std::vector<std::uint8_t> found(quads.size());
-  tbb::parallel_for(std::size_t{ 0 }, quads.size(),
-    [&](std::size_t i)
-    {
-      const auto& quad = quads[i];
-      for (std::size_t corner = 0; corner < quad.size(); ++corner)
-      {
-        found[i] |= isShort(points, quad[corner], quad[(corner + 1) % 4]) ? 1 : 0;
-      }
-    });
-  return found;
-}
-
-/// Joins the ends of short edges. Returns whether there were any.
-/// @param withShortEdges of the quads: quadsWithShortEdges().
-bool joinShortEdges(const BisectorPoints& points, const std::vector<std::array<Id, 4>>& quads,
-  const std::vector<std::uint8_t>& withShortEdges, Contraction& contraction)
-{
-  bool any = false;
-  for (std::size_t i = 0; i < quads.size(); ++i)
-  {
-    const auto& quad = quads[i];
-    if (withShortEdges[i] == 0 &&
-      std::none_of(quad.begin(), quad.end(),
-        [&](Id corner) { return contraction.isJoined(corner); }))
-    {
-      continue;
-    }
-    for (std::size_t corner = 0; corner < quad.size(); ++corner)
-    {
-      const Id p = contraction.find(quad[corner]);
-      const Id q = contraction.find(quad[(corner + 1) % 4]);
-      if (p != q && isShort(points, p, q))
-      {
-        contraction.join(p, q);
-        any = true;
-      }
-    }
-  }
-  return any;
 }
 
 /// Joins the ends of edges for which `wanted` holds.

@@ -2,6 +2,7 @@
 
 #include "axis/closest_pairs.h"
 #include "axis/plane_fit.h"
+#include "axis/sheet_selection.h"
 #include "sites/closest_point.h"
 
 #include <tbb/blocked_range.h>
@@ -21,9 +22,7 @@ namespace
 /// How far outside its cell a vertex may lie, in grid steps.
 constexpr double kOutside = 0.1;
 
-/// How much farther away than the closest point the other one may be, in grid steps: first for a
-/// vertex that the bisectors place, then for the centre of a cell.
-constexpr double kOffBisector = 0.3;
+/// How much farther away than the closest point the other one may be for the centre of a cell.
 constexpr double kAnywhere = std::numeric_limits<double>::infinity();
 
 /// Finds the closest pairs of vertices at given positions. A site of the vertex's first bisector
@@ -84,6 +83,18 @@ bool allMoved(const DualMesh& mesh, const BisectorPoints& bisectors, std::size_t
     [&](std::size_t crossing) { return bisectors.moved[crossing] != 0; });
 }
 
+/// Returns the angle that a vertex must have: if facets of a smooth surface were the reason why a
+/// crossing of its cell was selected, the angle of a band.
+double minAngle(const AxisGeometry& geometry, const DualMesh& mesh, const BisectorPoints& bisectors,
+  std::size_t vertex)
+{
+  const bool faceted = std::any_of(mesh.incident.begin() + mesh.offsets[vertex],
+    mesh.incident.begin() + mesh.offsets[vertex + 1],
+    [&](std::size_t crossing)
+    { return bisectors.points[crossing].separationAngle() < geometry.angle; });
+  return faceted ? bandAngle(geometry.angle) : geometry.angle;
+}
+
 /// Places the vertices of a surface in [begin, end).
 void placeOnSurface(const AxisGeometry& geometry, const DualMesh& mesh,
   const BisectorPoints& bisectors, std::size_t begin, std::size_t end, BisectorPoints& result)
@@ -109,7 +120,8 @@ void placeOnSurface(const AxisGeometry& geometry, const DualMesh& mesh,
   for (std::size_t i = 0; i < vertices.size(); ++i)
   {
     result.points[vertices[i]] = points[i];
-    if (points[i].separationAngle() < geometry.angle)
+    if (points[i].separationAngle() < geometry.angle &&
+      points[i].separationAngle() < minAngle(geometry, mesh, bisectors, vertices[i]))
     {
       narrow.push_back(vertices[i]);
       narrowPoints.push_back(points[i]);

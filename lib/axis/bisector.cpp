@@ -14,12 +14,6 @@ namespace medial
 namespace
 {
 
-/// Medial balls smaller than this (voxels) belong to the surface itself.
-constexpr double kMinRadius = 1e-3;
-/// Two sites up to this much (voxels) farther away than the closest one count if the closest ones
-/// have too small a separation angle: all facets of a round surface have bisectors of their own,
-/// which part at its centre.
-constexpr double kFacets = 0.1;
 /// Maximum number of sites that are looked for between the two.
 constexpr int kMaxRounds = 8;
 
@@ -53,8 +47,8 @@ void findFor(const std::vector<Item>& items, const Wanted& wanted, const Find& f
 
 /// Returns the point at equal distance from both sites if another site is nearer by no more than
 /// the sag of facets.
-std::optional<BisectorPoint> withinFacets(const AxisGeometry& geometry, BisectorPoint point,
-  const SitePoint& closest)
+std::optional<BisectorPoint> withinFacets(BisectorPoint point, const SitePoint& closest,
+  double minAngle)
 {
   if (glm::distance(closest.point, point.position) < point.radius() - kFacets)
   {
@@ -66,34 +60,7 @@ std::optional<BisectorPoint> withinFacets(const AxisGeometry& geometry, Bisector
   {
     point.b = other;
   }
-  return wideEnough(geometry, point) ? std::optional(point) : std::nullopt;
-}
-
-/// Finds the points at equal distance from both sites, even if others are nearer by up to the sag
-/// of facets. Nothing if another site is nearer than that, or if the separation angle is too small.
-Found facetedPoints(const AxisGeometry& geometry, const std::vector<SiteSegment>& segments)
-{
-  Found points(segments.size());
-  std::vector<SiteQuery::Question> questions;
-  for (std::size_t i = 0; i < segments.size(); ++i)
-  {
-    const BisectorPoint point = SiteChange(geometry.sites, segments[i]).point();
-    if (wideEnough(geometry, point))
-    {
-      points[i] = point;
-      questions.push_back({ point.position, point.a });
-    }
-  }
-  geometry.query.closest(questions);
-  auto question = questions.begin();
-  for (std::optional<BisectorPoint>& point : points)
-  {
-    if (point)
-    {
-      point = withinFacets(geometry, *point, (question++)->closest);
-    }
-  }
-  return points;
+  return point.separationAngle() >= minAngle ? std::optional(point) : std::nullopt;
 }
 
 /// Returns the same point with one of the sites of the segment as the second closest.
@@ -121,7 +88,8 @@ Found axisBetween(const AxisGeometry& geometry, const std::vector<SiteSegment>& 
   Found found(exact.begin(), exact.end());
   const auto tooNarrow = [&](std::size_t i) { return !wideEnough(geometry, exact[i]); };
   findFor(
-    segments, tooNarrow, [&](const auto& some) { return facetedPoints(geometry, some); }, found);
+    segments, tooNarrow,
+    [&](const auto& some) { return facetedPoints(geometry, some, geometry.angle); }, found);
   for (std::size_t i = 0; i < segments.size(); ++i)
   {
     if (!found[i])
@@ -141,33 +109,21 @@ SiteSegment alongNormal(const AxisGeometry& geometry, const BisectorPoint& x)
   return { x.position, x.a.site, x.position + reach * away, -1 };
 }
 
-/// The fate of a bisector point; the values are those of BisectorPoints::moved.
-enum Fate : std::uint8_t
+/// Replaces sites near the ends of segments by the closest ones.
+void findSites(const AxisGeometry& geometry, std::vector<SiteSegment>& segments)
 {
-  kKept,
-  kMoved,
-  kRemoved
-};
-
-/// Gives the points of segments the minimum separation angle where possible.
-void limitAngles(const AxisGeometry& geometry, const std::vector<SiteSegment>& segments,
-  std::vector<BisectorPoint>& points, std::uint8_t* fates)
-{
-  Found found(points.begin(), points.end());
-  const auto tooNarrow = [&](std::size_t i) { return !wideEnough(geometry, points[i]); };
-  findFor(
-    segments, tooNarrow, [&](const auto& some) { return facetedPoints(geometry, some); }, found);
-  for (std::size_t i = 0; i < points.size(); ++i)
+  std::vector<SiteQuery::Question> questions;
+  for (const SiteSegment& segment : segments)
   {
-    fates[i] = found[i] ? kKept : kMoved;
+    questions.push_back(
+      { segment.from, closestPoint(geometry.sites, segment.fromSite, segment.from) });
+    questions.push_back({ segment.to, closestPoint(geometry.sites, segment.toSite, segment.to) });
   }
-  findFor(
-    points, [&](std::size_t i) { return fates[i] == kMoved; },
-    [&](const auto& some) { return axisAlongNormals(geometry, some); }, found);
-  for (std::size_t i = 0; i < points.size(); ++i)
+  geometry.query.closest(questions);
+  for (std::size_t i = 0; i < segments.size(); ++i)
   {
-    fates[i] = found[i] ? fates[i] : static_cast<std::uint8_t>(kRemoved);
-    points[i] = found[i].value_or(points[i]);
+    segments[i].fromSite = questions[2 * i].closest.site;
+    segments[i].toSite = questions[2 * i + 1].closest.site;
   }
 }
 
@@ -177,7 +133,7 @@ void removeMarked(std::vector<Crossing>& crossings, BisectorPoints& points)
   std::size_t kept = 0;
   for (std::size_t i = 0; i < crossings.size(); ++i)
   {
-    if (points.moved[i] != kRemoved)
+    if (points.moved[i] == 0)
     {
       crossings[kept] = crossings[i];
       points.points[kept] = points.points[i];
@@ -237,6 +193,48 @@ std::vector<BisectorPoint> bisectorPoints(const AxisGeometry& geometry,
   return points;
 }
 
+Found facetedPoints(const AxisGeometry& geometry, const std::vector<SiteSegment>& segments,
+  double minAngle)
+{
+  Found points(segments.size());
+  std::vector<SiteQuery::Question> questions;
+  for (std::size_t i = 0; i < segments.size(); ++i)
+  {
+    const BisectorPoint point = SiteChange(geometry.sites, segments[i]).point();
+    if (point.separationAngle() >= minAngle)
+    {
+      points[i] = point;
+      questions.push_back({ point.position, point.a });
+    }
+  }
+  geometry.query.closest(questions);
+  auto question = questions.begin();
+  for (std::optional<BisectorPoint>& point : points)
+  {
+    if (point)
+    {
+      point = withinFacets(*point, (question++)->closest, minAngle);
+    }
+  }
+  return points;
+}
+
+Found bisectorsOn(const AxisGeometry& geometry, std::vector<SiteSegment> segments)
+{
+  findSites(geometry, segments);
+  const std::vector<BisectorPoint> points = bisectorPoints(geometry, segments);
+  Found found(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    if (segments[i].fromSite != segments[i].toSite && geometry.insideGrid(segments[i].from) &&
+      geometry.insideGrid(segments[i].to))
+    {
+      found[i] = points[i];
+    }
+  }
+  return found;
+}
+
 Found axisAlongNormals(const AxisGeometry& geometry, const std::vector<BisectorPoint>& points)
 {
   Found found(points.size());
@@ -279,8 +277,7 @@ Found axisAlongNormals(const AxisGeometry& geometry, const std::vector<BisectorP
   return found;
 }
 
-BisectorPoints crossingPoints(const AxisGeometry& geometry, bool exactAngle,
-  std::vector<Crossing>& crossings)
+BisectorPoints crossingPoints(const AxisGeometry& geometry, std::vector<Crossing>& crossings)
 {
   BisectorPoints result;
   result.points.resize(crossings.size());
@@ -295,19 +292,11 @@ BisectorPoints crossingPoints(const AxisGeometry& geometry, bool exactAngle,
       std::transform(crossings.begin() + range.begin(), crossings.begin() + range.end(),
         segments.begin(),
         [&](const Crossing& crossing) { return segmentOf(geometry.frame, crossing); });
-      std::vector<BisectorPoint> points = bisectorPoints(geometry, segments);
-      std::uint8_t* fates = &result.moved[range.begin()];
-      if (exactAngle)
-      {
-        limitAngles(geometry, segments, points, fates);
-      }
+      const std::vector<BisectorPoint> points = bisectorPoints(geometry, segments);
       for (std::size_t i = 0; i < points.size(); ++i)
       {
         const bool large = points[i].radius() >= minRadius && points[i].lambda() >= geometry.lambda;
-        if (!large)
-        {
-          fates[i] = kRemoved;
-        }
+        result.moved[range.begin() + i] = large ? 0 : 1;
         result.points[range.begin() + i] = points[i];
       }
     });

@@ -39,6 +39,13 @@ std::vector<BisectorPoint> bisectorPoints(const AxisGeometry& geometry,
 std::vector<std::optional<BisectorPoint>> axisAlongNormals(const AxisGeometry& geometry,
   const std::vector<BisectorPoint>& points);
 
+/// Sites up to this much (voxels) farther away than the closest one count if the closest ones have
+/// too small a separation angle: all facets of a round surface have bisectors of their own, which
+/// part at its centre.
+constexpr double kFacets = 0.1;
+/// Medial balls smaller than this (voxels) belong to the surface itself.
+constexpr double kMinRadius = 1e-3;
+
 /// A point for each of a list of crossings.
 struct BisectorPoints
 {
@@ -48,13 +55,20 @@ struct BisectorPoints
   std::vector<std::uint8_t> moved;
 };
 
+/// Finds the points at equal distance from both sites of each segment, even if others are nearer by
+/// up to kFacets. Nothing if another site is nearer than that, or if the separation angle
+/// is below `minAngle`, radians.
+std::vector<std::optional<BisectorPoint>> facetedPoints(const AxisGeometry& geometry,
+  const std::vector<SiteSegment>& segments, double minAngle);
+
+/// Finds bisector points on segments with sites near their ends. Nothing if both ends turn out to
+/// have the same closest site, or if one is outside the grid.
+std::vector<std::optional<BisectorPoint>> bisectorsOn(const AxisGeometry& geometry,
+  std::vector<SiteSegment> segments);
+
 /// Finds the bisector point of every crossed grid edge. Removes crossings below the limits of
 /// lambda and radius, and those on the surface itself, where an edge grazes it and the field is
 /// unsigned.
-/// @param exactAngle whether to limit the separation angle as well, by axisAlongNormals() or
-///   removal. Where facets approximate a round surface, so that neighbouring facets are closest,
-///   `b` may be a tenth of a grid step farther away than `a` to have that angle.
-BisectorPoints crossingPoints(const AxisGeometry& geometry, bool exactAngle,
-  std::vector<Crossing>& crossings);
+BisectorPoints crossingPoints(const AxisGeometry& geometry, std::vector<Crossing>& crossings);
 
 } // namespace medial

@@ -10,27 +10,6 @@ namespace medial
 namespace
 {
 
-/// Of the sites' points at most `tolerance` farther than the closest one, that which is seen under
-/// the largest angle from it.
-SitePoint oppositePoint(const SiteSet& sites, const std::vector<int>& candidates,
-  const glm::dvec3& x, const SitePoint& closest, double tolerance)
-{
-  const double farthest = glm::distance(x, closest.point) + tolerance;
-  double widest = -1.0;
-  SitePoint opposite = closest;
-  for (const int site : candidates)
-  {
-    const SitePoint candidate = closestPoint(sites, site, x);
-    const double angle = separationAngle(x, closest.point, candidate.point);
-    if (angle > widest && glm::distance(x, candidate.point) <= farthest)
-    {
-      widest = angle;
-      opposite = candidate;
-    }
-  }
-  return opposite;
-}
-
 /// Sites whose distances differ by less, in local units (voxels), are equally near.
 constexpr double kEquallyNear = 1e-9;
 
@@ -73,6 +52,25 @@ void sitesOf(const DualMesh& mesh, const BisectorPoints& bisectors, std::size_t 
 }
 
 } // namespace
+
+SitePoint oppositePoint(const SiteSet& sites, const std::vector<int>& candidates,
+  const glm::dvec3& x, const SitePoint& closest, double tolerance)
+{
+  const double farthest = glm::distance(x, closest.point) + tolerance;
+  double widest = -1.0;
+  SitePoint opposite = closest;
+  for (const int site : candidates)
+  {
+    const SitePoint candidate = closestPoint(sites, site, x);
+    const double angle = separationAngle(x, closest.point, candidate.point);
+    if (angle > widest && glm::distance(x, candidate.point) <= farthest)
+    {
+      widest = angle;
+      opposite = candidate;
+    }
+  }
+  return opposite;
+}
 
 glm::dvec3 meanCrossing(const DualMesh& mesh, const BisectorPoints& bisectors, std::size_t vertex)
 {

@@ -17,6 +17,15 @@ namespace medial
 /// Returns the mean of the bisector points of a vertex.
 glm::dvec3 meanCrossing(const DualMesh& mesh, const BisectorPoints& bisectors, std::size_t vertex);
 
+/// How much farther away than the closest point the other one may be, in grid steps, for a vertex
+/// that lies near bisectors.
+constexpr double kOffBisector = 0.3;
+
+/// Of the sites' points at most `tolerance` farther from x than the closest one, returns that which
+/// is seen under the largest angle from it; the closest one if there is none.
+SitePoint oppositePoint(const SiteSet& sites, const std::vector<int>& candidates,
+  const glm::dvec3& x, const SitePoint& closest, double tolerance);
+
 /// Which of a vertex's sites counts where several are seen at the same angle.
 enum class EqualAngles
 {

@@ -1,11 +1,10 @@
 #include "axis/crease_rims.h"
 
-#include "axis/edge_table.h"
-
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 
 namespace medial
@@ -22,38 +21,19 @@ constexpr double kLeft = 0.05;
 /// Enough for separation angles up to 150 degrees.
 constexpr int kMaxSteps = 8;
 
-/// Returns the rim vertices with small balls between different closest points.
-std::vector<std::size_t> rimVertices(const AxisGeometry& geometry, const DualMesh& mesh,
-  const BisectorPoints& points)
+/// Returns the vertices with small balls between different closest points.
+std::vector<std::size_t> nearCreases(const AxisGeometry& geometry,
+  const std::vector<std::size_t>& vertices, const BisectorPoints& points)
 {
-  std::vector<EdgeTable::Edge> edges;
-  edges.reserve(4 * mesh.quads.size());
-  for (const auto& quad : mesh.quads)
-  {
-    addEdges(quad, edges);
-  }
-  std::vector<std::uint8_t> onRim(mesh.cells.size(), 0);
-  EdgeTable(edges, mesh.cells.size())
-    .forEach(
-      [&](const EdgeTable::Edge& edge, std::size_t count)
-      {
-        if (count == 1)
-        {
-          onRim[edge[0]] = 1;
-          onRim[edge[1]] = 1;
-        }
-      });
-  std::vector<std::size_t> rim;
-  for (std::size_t v = 0; v < onRim.size(); ++v)
-  {
-    const BisectorPoint& point = points.points[v];
-    if (onRim[v] != 0 && point.radius() < kNearCrease && point.lambda() > 0.0 &&
-      geometry.insideGrid(point.position))
+  std::vector<std::size_t> near;
+  std::copy_if(vertices.begin(), vertices.end(), std::back_inserter(near),
+    [&](std::size_t v)
     {
-      rim.push_back(v);
-    }
-  }
-  return rim;
+      const BisectorPoint& point = points.points[v];
+      return point.radius() < kNearCrease && point.lambda() > 0.0 &&
+        geometry.insideGrid(point.position);
+    });
+  return near;
 }
 
 /// Returns the smallest radius that the last ball of a point may have.
@@ -94,24 +74,6 @@ std::optional<SiteSegment> acrossNearerToCrease(const AxisGeometry& geometry,
   return across(point, x, 0.7 * target);
 }
 
-/// Replaces sites near the ends of segments by the closest ones.
-void findSites(const AxisGeometry& geometry, std::vector<SiteSegment>& segments)
-{
-  std::vector<SiteQuery::Question> questions;
-  for (const SiteSegment& segment : segments)
-  {
-    questions.push_back(
-      { segment.from, closestPoint(geometry.sites, segment.fromSite, segment.from) });
-    questions.push_back({ segment.to, closestPoint(geometry.sites, segment.toSite, segment.to) });
-  }
-  geometry.query.closest(questions);
-  for (std::size_t i = 0; i < segments.size(); ++i)
-  {
-    segments[i].fromSite = questions[2 * i].closest.site;
-    segments[i].toSite = questions[2 * i + 1].closest.site;
-  }
-}
-
 bool overlap(const BisectorPoint& one, const BisectorPoint& other)
 {
   return glm::distance(one.position, other.position) < one.radius() + other.radius();
@@ -126,25 +88,6 @@ bool continues(const AxisGeometry& geometry, const BisectorPoint& point, const B
   return radius > 0.5 * kLeft && radius < point.radius() && overlap(point, next) &&
     radius >= geometry.radius - kRounding && next.lambda() >= geometry.lambda - kRounding &&
     next.separationAngle() >= geometry.angle;
-}
-
-/// Finds bisector points on segments with sites near their ends. Nothing if both ends turn out to
-/// have the same closest site, or if one is outside the grid.
-std::vector<std::optional<BisectorPoint>> bisectorsOn(const AxisGeometry& geometry,
-  std::vector<SiteSegment> segments)
-{
-  findSites(geometry, segments);
-  const std::vector<BisectorPoint> points = bisectorPoints(geometry, segments);
-  std::vector<std::optional<BisectorPoint>> found(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    if (segments[i].fromSite != segments[i].toSite && geometry.insideGrid(segments[i].from) &&
-      geometry.insideGrid(segments[i].to))
-    {
-      found[i] = points[i];
-    }
-  }
-  return found;
 }
 
 /// A vertex on its way to a crease.
@@ -205,18 +148,18 @@ void step(const AxisGeometry& geometry, std::vector<Walker>& walkers, BisectorPo
 
 } // namespace
 
-void extendRims(const AxisGeometry& geometry, const DualMesh& mesh, BisectorPoints& points)
+void extendRims(const AxisGeometry& geometry, const std::vector<std::size_t>& vertices,
+  BisectorPoints& points)
 {
-  const std::vector<std::size_t> rim = rimVertices(geometry, mesh, points);
+  const std::vector<std::size_t> rim = nearCreases(geometry, vertices, points);
   constexpr std::size_t kTogether = 4096; // enough slices for compact blocks of queries
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rim.size(), kTogether),
     [&](const tbb::blocked_range<std::size_t>& range)
     {
       geometry.checkpoint();
-      const std::vector<std::size_t> vertices(rim.begin() +
-          static_cast<std::ptrdiff_t>(range.begin()),
+      const std::vector<std::size_t> some(rim.begin() + static_cast<std::ptrdiff_t>(range.begin()),
         rim.begin() + static_cast<std::ptrdiff_t>(range.end()));
-      std::vector<Walker> walkers = start(geometry, vertices, points);
+      std::vector<Walker> walkers = start(geometry, some, points);
       for (int i = 0; i < kMaxSteps && !walkers.empty(); ++i)
       {
         step(geometry, walkers, points);

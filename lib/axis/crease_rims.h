@@ -1,7 +1,9 @@
 #pragma once
 
 #include "axis/bisector.h"
-#include "axis/dual_mesh.h"
+
+#include <cstddef>
+#include <vector>
 
 namespace medial
 {
@@ -10,7 +12,9 @@ namespace medial
 /// stop about a grid step before, since only grid edges with both ends on one side of the surface
 /// cross a sheet. The last balls have a radius of a twentieth of a grid step, or the minimum radius
 /// or lambda.
-/// @param points vertices of `mesh`; those that move keep the minimum separation angle.
-void extendRims(const AxisGeometry& geometry, const DualMesh& mesh, BisectorPoints& points);
+/// @param vertices those on rims, unless they have reached a border.
+/// @param points vertices of a dual mesh; those that move keep the minimum separation angle.
+void extendRims(const AxisGeometry& geometry, const std::vector<std::size_t>& vertices,
+  BisectorPoints& points);
 
 } // namespace medial

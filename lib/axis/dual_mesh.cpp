@@ -85,7 +85,7 @@ DualMesh dualMesh(const std::vector<Crossing>& crossings, const Extent& extent)
   tbb::parallel_sort(corners.begin(), corners.end());
   DualMesh mesh;
   mesh.incident.reserve(corners.size());
-  std::vector<std::array<std::int64_t, 4>> quads(crossings.size());
+  mesh.corners.resize(crossings.size());
   for (std::size_t i = 0; i < corners.size(); ++i)
   {
     const std::uint64_t crossing = corners[i].corner / 4;
@@ -97,16 +97,89 @@ DualMesh dualMesh(const std::vector<Crossing>& crossings, const Extent& extent)
     }
     mesh.incident.push_back(crossing);
     mesh.offsets.back() = mesh.incident.size();
-    quads[crossing][corner] = static_cast<std::int64_t>(mesh.cells.size()) - 1;
+    mesh.corners[crossing][corner] = static_cast<std::int64_t>(mesh.cells.size()) - 1;
   }
-  for (const auto& quad : quads)
+  return mesh;
+}
+
+DualSubmesh submesh(const DualMesh& mesh, const std::vector<std::uint8_t>& kept)
+{
+  std::vector<std::size_t> target(kept.size());
+  std::size_t count = 0;
+  for (std::size_t c = 0; c < kept.size(); ++c)
+  {
+    target[c] = count;
+    count += kept[c] != 0 ? 1 : 0;
+  }
+  DualSubmesh part;
+  part.mesh.incident.reserve(4 * count);
+  part.mesh.corners.reserve(count);
+  std::vector<std::int64_t> vertices(mesh.cells.size());
+  for (std::size_t v = 0; v < mesh.cells.size(); ++v)
+  {
+    for (std::size_t i = mesh.offsets[v]; i < mesh.offsets[v + 1]; ++i)
+    {
+      if (kept[mesh.incident[i]] != 0)
+      {
+        part.mesh.incident.push_back(target[mesh.incident[i]]);
+      }
+    }
+    vertices[v] = static_cast<std::int64_t>(part.origins.size());
+    if (part.mesh.incident.size() > part.mesh.offsets.back())
+    {
+      part.mesh.offsets.push_back(part.mesh.incident.size());
+      part.mesh.cells.push_back(mesh.cells[v]);
+      part.origins.push_back(v);
+    }
+  }
+  for (std::size_t c = 0; c < kept.size(); ++c)
+  {
+    if (kept[c] != 0)
+    {
+      part.mesh.corners.push_back(mesh.corners[c]);
+      for (std::int64_t& corner : part.mesh.corners.back())
+      {
+        corner = vertices[corner];
+      }
+    }
+  }
+  return part;
+}
+
+std::vector<std::array<std::int64_t, 4>> quadsWithin(const DualMesh& mesh, const Extent& extent)
+{
+  std::vector<std::array<std::int64_t, 4>> quads;
+  quads.reserve(mesh.corners.size());
+  for (const auto& quad : mesh.corners)
   {
     if (insideGrid(mesh.cells[quad[0]], extent) && insideGrid(mesh.cells[quad[2]], extent))
     {
-      mesh.quads.push_back(quad);
+      quads.push_back(quad);
     }
   }
-  return mesh;
+  return quads;
+}
+
+std::vector<EdgeTable::Edge> rimEdges(const std::vector<std::array<std::int64_t, 4>>& quads,
+  std::size_t vertexCount)
+{
+  std::vector<EdgeTable::Edge> edges;
+  edges.reserve(4 * quads.size());
+  for (const auto& quad : quads)
+  {
+    addEdges(quad, edges);
+  }
+  std::vector<EdgeTable::Edge> rims;
+  EdgeTable(edges, vertexCount)
+    .forEach(
+      [&](const EdgeTable::Edge& edge, std::size_t count)
+      {
+        if (count == 1)
+        {
+          rims.push_back(edge);
+        }
+      });
+  return rims;
 }
 
 } // namespace medial

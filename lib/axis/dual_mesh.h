@@ -1,5 +1,6 @@
 #pragma once
 
+#include "axis/edge_table.h"
 #include "field/crossing.h"
 #include "medial/grid.h"
 
@@ -14,7 +15,7 @@ namespace medial
 {
 
 /// The mesh dual to the grid: a vertex in every grid cell with a crossed edge, and a quad around
-/// every crossed edge inside the grid. The two sides of the surface have separate vertices, so a
+/// every crossed edge. The two sides of the surface have separate vertices, so a
 /// grid cell that a thin wall cuts does not join them.
 struct DualMesh
 {
@@ -23,9 +24,28 @@ struct DualMesh
   /// Crossings incident[offsets[v]] to incident[offsets[v+1]-1] lie on edges of its grid cell.
   std::vector<std::size_t> offsets{ 0 };
   std::vector<std::size_t> incident;
-  std::vector<std::array<std::int64_t, 4>> quads;
+  /// The vertices around each crossing, in cyclic order.
+  std::vector<std::array<std::int64_t, 4>> corners;
 };
 
 DualMesh dualMesh(const std::vector<Crossing>& crossings, const Extent& extent);
+
+/// A part of a dual mesh.
+struct DualSubmesh
+{
+  DualMesh mesh;
+  std::vector<std::size_t> origins; ///< of its vertices: those of the whole mesh
+};
+
+/// Returns the dual mesh of some of the crossings.
+/// @param kept for each crossing not 0 if it stays; those that stay are numbered anew, in order.
+DualSubmesh submesh(const DualMesh& mesh, const std::vector<std::uint8_t>& kept);
+
+/// Returns the quads around the crossings inside the grid.
+std::vector<std::array<std::int64_t, 4>> quadsWithin(const DualMesh& mesh, const Extent& extent);
+
+/// Returns the edges of one quad only: the rims.
+std::vector<EdgeTable::Edge> rimEdges(const std::vector<std::array<std::int64_t, 4>>& quads,
+  std::size_t vertexCount);
 
 } // namespace medial

@@ -33,6 +33,12 @@ SiteChange::SiteChange(const SiteSet& sites, const SiteSegment& segment)
   this->solve();
 }
 
+bool SiteChange::found() const
+{
+  const double toB = glm::distance(point_.position, point_.b.point);
+  return std::abs(toB - point_.radius()) < kSameDistance;
+}
+
 bool SiteChange::settledBy(const SitePoint& closest) const
 {
   return glm::distance(closest.point, point_.position) > point_.radius() - kSameDistance;

@@ -18,6 +18,8 @@ public:
   /// Returns the point at equal distance from both sites, after the last narrow().
   const BisectorPoint& point() const { return point_; }
 
+  /// Whether point() is at equal distance: not if one site is nearer at both ends.
+  bool found() const;
   /// Whether a closest surface point is so near that it can be that of siteA or siteB.
   bool settledBy(const SitePoint& closest) const;
   /// Narrows the segment to the change from or to a third site that is nearer at point(), whichever

@@ -2,6 +2,7 @@
 
 #include "base/id_limits.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace medial
@@ -148,27 +149,46 @@ bool BallUnion::covers(const glm::dvec3& x, double depth) const
 
 double BallUnion::distanceToSurface(const glm::dvec3& x, double tolerance) const
 {
+  // In a narrow crease the moves zigzag between its walls and hardly advance; elsewhere they may go
+  // round in a circle. Straight lines leave every bounded solid: the better of two goes on, one of
+  // them where the moves drift to. kPeriod moves are several rounds of 2, 3 or 4 walls.
   constexpr int kMaxMoves = 64;
+  constexpr int kPeriod = 12;
   HullDistance nearest = this->nearest(x);
   if (nearest.distance >= 0.0)
   {
     return nearest.distance;
   }
   glm::dvec3 y = x;
+  glm::dvec3 earlier = x;
   for (int move = 0; move < kMaxMoves && nearest.distance < -tolerance; ++move)
   {
+    earlier = move == kMaxMoves - kPeriod ? y : earlier;
     y -= nearest.distance * outward(nearest.ball, y);
     nearest = this->nearest(y);
   }
-  // If the moves go round in a circle, go straight on: that leaves every bounded solid.
+  if (nearest.distance >= -tolerance)
+  {
+    return glm::distance(x, y);
+  }
+  const glm::dvec3 end = this->wayOut(y, outward(nearest.ball, y), tolerance);
+  const double distance = glm::distance(x, end);
+  const double drift = glm::distance(earlier, y);
+  return drift > tolerance
+    ? std::min(distance, glm::distance(x, this->wayOut(y, (y - earlier) / drift, tolerance)))
+    : distance;
+}
+
+glm::dvec3 BallUnion::wayOut(glm::dvec3 y, const glm::dvec3& direction, double tolerance) const
+{
   constexpr int kMaxSteps = 100000;
-  const glm::dvec3 direction = outward(nearest.ball, y);
+  HullDistance nearest = this->nearest(y);
   for (int step = 0; step < kMaxSteps && nearest.distance < -tolerance; ++step)
   {
     y -= nearest.distance * direction;
     nearest = this->nearest(y);
   }
-  return glm::distance(x, y);
+  return y;
 }
 
 } // namespace medial

@@ -47,6 +47,8 @@ public:
 
 private:
   HullDistance distanceTo(std::uint32_t primitive, const glm::dvec3& x, double limit) const;
+  /// Returns where a straight line from y inside the union leaves it.
+  glm::dvec3 wayOut(glm::dvec3 y, const glm::dvec3& direction, double tolerance) const;
 
   std::vector<Ball> balls_;
   std::vector<std::array<std::int32_t, 3>> primitives_;

@@ -25,7 +25,7 @@ struct Crossing
 /// 2003), and have closest points no nearer to each other than the ends are.
 struct CrossingSelection
 {
-  double angle; ///< minimum separation angle, degrees
+  double angle; ///< minimum angle between the directions at the ends, degrees
   Side side;    ///< Both if the field has no sign
 };
 

@@ -3,8 +3,10 @@
 #include "axis/axis_cells.h"
 #include "axis/axis_points.h"
 #include "axis/bisector.h"
+#include "axis/border_rims.h"
 #include "axis/crease_rims.h"
 #include "axis/dual_mesh.h"
+#include "axis/sheet_selection.h"
 #include "base/checkpoint.h"
 #include "base/memory_guard.h"
 #include "base/run.h"
@@ -70,31 +72,43 @@ void setPoints(const BisectorPoints& points, const GridFrame& frame, MedialAxis&
     });
 }
 
+/// Makes the points and cells of a surface.
+BisectorPoints representSurface(const AxisGeometry& geometry, std::vector<Crossing>& crossings,
+  MedialAxis& axis)
+{
+  const SheetSelection selection = selectSheets(geometry, crossings);
+  const DualMesh& mesh = selection.part.mesh;
+  geometry.checkpoint();
+  BisectorPoints points = surfacePoints(geometry, mesh, selection.bisectors);
+  const auto quads = quadsWithin(mesh, geometry.extent);
+  const std::vector<EdgeTable::Edge> rims = rimEdges(quads, points.points.size());
+  const std::vector<std::size_t> elsewhere = moveToBorders(geometry, selection, rims, points);
+  extendRims(geometry, elsewhere, points);
+  geometry.checkpoint();
+  buildCells(quads, points, axis);
+  return points;
+}
+
 /// Makes the points and cells of the chosen representation.
 BisectorPoints represent(Representation representation, const AxisGeometry& geometry,
   std::vector<Crossing>& crossings, MedialAxis& axis)
 {
-  const bool exactAngle = representation != Representation::Faces;
-  BisectorPoints bisectors = crossingPoints(geometry, exactAngle, crossings);
-  if (representation == Representation::Points)
-  {
-    buildVertices(bisectors, axis);
-    return bisectors;
-  }
-  const DualMesh mesh = dualMesh(crossings, geometry.extent);
-  geometry.checkpoint();
-  BisectorPoints points;
   if (representation == Representation::Surface)
   {
-    points = surfacePoints(geometry, mesh, bisectors);
-    extendRims(geometry, mesh, points);
+    return representSurface(geometry, crossings, axis);
   }
-  else
+  if (representation == Representation::Points)
   {
-    points = cellCentres(geometry, mesh, bisectors);
+    BisectorPoints points = selectPoints(geometry, crossings);
+    buildVertices(points, axis);
+    return points;
   }
+  const BisectorPoints bisectors = crossingPoints(geometry, crossings);
+  const DualMesh mesh = dualMesh(crossings, geometry.extent);
   geometry.checkpoint();
-  buildCells(mesh.quads, points, axis);
+  BisectorPoints points = cellCentres(geometry, mesh, bisectors);
+  geometry.checkpoint();
+  buildCells(quadsWithin(mesh, geometry.extent), points, axis);
   return points;
 }
 
@@ -104,7 +118,7 @@ BisectorPoints preserve(Representation representation, const AxisGeometry& geome
   const FieldTap& field, const std::vector<std::int8_t>& directions,
   std::vector<Crossing>& crossings, MedialAxis& axis)
 {
-  const BisectorPoints bisectors = crossingPoints(geometry, true, crossings);
+  const BisectorPoints bisectors = selectSheets(geometry, crossings).bisectors;
   PreservedAxis preserved = preserveTopology(
     { field.distances().data(), field.sites().data(), directions, axis.side, representation },
     geometry, crossings, bisectors);
@@ -146,6 +160,14 @@ void checkOptions(const MedialAxisOptions& options)
       "maximum number of spheres " + std::to_string(options.maxSpheres) +
         " for an axis of points, which has no cells to simplify; allowed: surface or faces");
   }
+}
+
+/// Returns the angle by which grid edges are selected, degrees.
+double selectionAngle(const MedialAxisOptions& options)
+{
+  const bool byDirections =
+    options.representation == Representation::Faces && options.topology == Topology::Selected;
+  return byDirections ? options.angle : bandAngle(options.angle);
 }
 
 void simplify(const MedialAxisOptions& options, const Run& run, RunStatistics& statistics,
@@ -192,7 +214,7 @@ MedialAxis runPipeline(const TriangleMesh& mesh, const MeshConnectivity& connect
   }
   std::vector<Crossing> crossings =
     pipeline.run(obtainEngine(options.field.engine, options.field.device, state.engine),
-      tap ? *tap : sink, CrossingSelection{ options.angle, axis.side });
+      tap ? *tap : sink, CrossingSelection{ selectionAngle(options), axis.side });
   run.report(kSelected, "medial axis");
   run.onThreads(
     [&]

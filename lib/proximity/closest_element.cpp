@@ -120,7 +120,8 @@ public:
     const Double4 x = max(max(box.min.x - x_, x_ - box.max.x), Double4{});
     const Double4 y = max(max(box.min.y - y_, y_ - box.max.y), Double4{});
     const Double4 z = max(max(box.min.z - z_, z_ - box.max.z), Double4{});
-    return bits(x * x + y * y + z * z <= limit_) != 0;
+    const Long4 within = x * x + y * y + z * z <= limit_; // Clang takes another type
+    return bits(within) != 0;
   }
 
   MEDIAL_INLINE void visit(const BoxTree::Node& leaf)
@@ -131,7 +132,8 @@ public:
       {
         continue;
       }
-      unsigned lanes = bits(this->squaredTo(mesh_.element(slot)) <= limit_);
+      const Long4 within = this->squaredTo(mesh_.element(slot)) <= limit_;
+      unsigned lanes = bits(within);
       for (int lane = 0; lanes != 0; ++lane, lanes >>= 1)
       {
         if ((lanes & 1u) != 0)

@@ -5,6 +5,8 @@
 #include "support/transforms.h"
 
 #include <vtkDoubleArray.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
 #include <vtkXMLPolyDataReader.h>
 
 #include <cmath>

@@ -25,9 +25,11 @@ enum class Topology
 struct MedialAxisOptions
 {
   /// Minimum separation angle theta between the directions to the two closest points, in degrees,
-  /// in (0, 180). Smaller values keep more of the axis and more noise. Grid edges are selected by
-  /// the directions at their ends (Foskey et al. 2003). Faces show all selected edges; every point
-  /// of a surface or point set has at least this angle itself.
+  /// in (0, 180). Smaller values keep more of the axis and more noise. Faces show the grid edges
+  /// that are selected by the directions at their ends (Foskey et al. 2003). Every point of a point
+  /// set has at least this angle itself, and so has every point of a surface between flat walls.
+  /// Where facets approximate a round wall, a sheet is selected, and ends, by the angle of its
+  /// neighbourhood; single points of it may have less, down to 0.8 theta.
   double angle = kDefaultAngle;
   /// Minimum MedialAxis::lambda, world units, >= 0: half the distance between the closest pair.
   /// Removes what noise of that size causes. Walls thinner than twice this value lose their axis.
@@ -59,12 +61,13 @@ struct MedialAxisOptions
 ///
 /// Points of Representation::Points lie on the bisector of their two sites, those of a surface
 /// where such bisectors meet (by a quadratic error function), and those of faces at the corners of
-/// voxels. Sheets of a surface that end in a sharp convex edge extend to balls with a radius of a
-/// twentieth of a grid step, or to the minimum lambda and radius (not if the topology is
+/// voxels. Sheets of a surface end in smooth lines where the angle, lambda or the radius reaches
+/// its limit, and those that end in a sharp convex edge extend to balls with a radius of a
+/// twentieth of a grid step, or to the minimum lambda and radius (neither if the topology is
 /// preserved). All radii are exact. closestPointB can be farther away than the radius: by 0.1 grid
 /// step where facets approximate a round surface, by 0.3 where a vertex of a surface lies off the
-/// bisector, and by a step at corners of faces. Surfaces and faces need a grid of at least two
-/// slices along every axis.
+/// bisector or on a border, and by a step at corners of faces. Surfaces and faces need a grid of at
+/// least two slices along every axis.
 ///
 /// @param arrays receive the distance field of the whole grid as well; all null if it is not
 ///   wanted.

@@ -1,0 +1,338 @@
+#include "axis/border_rims.h"
+
+#include "axis/border_finder.h"
+#include "axis/closest_pairs.h"
+#include "axis/site_change.h"
+#include "sites/closest_point.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace medial
+{
+namespace
+{
+
+using Walker = BorderWalker;
+
+/// Where facets keep some vertices off the line, the others follow in further rounds.
+constexpr int kRounds = 3;
+/// Vertices that are this near to their place, in voxels, stay.
+constexpr double kNear = 0.15;
+
+/// Whether a point continues the sheet of a fit on the same side of the surface as another.
+bool continues(const SheetFit& fit, const BisectorPoint& point, const BisectorPoint& before)
+{
+  static const double limit = std::cos(2.0 * glm::radians(SheetFitter::kMaxTurn));
+  const double radius = point.radius();
+  if (radius < kMinRadius ||
+    glm::distance(point.position, before.position) >= radius + before.radius())
+  {
+    return false;
+  }
+  const glm::dvec3 a = (point.a.point - point.position) / radius;
+  const glm::dvec3 b = glm::normalize(point.b.point - point.position);
+  const bool same = glm::dot(a, fit.towardsA) >= limit && glm::dot(b, fit.towardsB) >= limit;
+  const bool swapped = glm::dot(b, fit.towardsA) >= limit && glm::dot(a, fit.towardsB) >= limit;
+  return same || swapped;
+}
+
+/// The polylines of rims: for each vertex its two neighbours, where it has just two.
+using Neighbours = std::vector<std::array<int, 2>>;
+constexpr int kNone = -1;
+constexpr int kJunction = -2;
+
+/// Returns the vertices of rims, ascending.
+std::vector<Walker> walkersOn(const std::vector<EdgeTable::Edge>& rims)
+{
+  std::vector<std::int64_t> vertices;
+  for (const EdgeTable::Edge& edge : rims)
+  {
+    vertices.insert(vertices.end(), edge.begin(), edge.end());
+  }
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  std::vector<Walker> walkers(vertices.size());
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+  {
+    walkers[i].vertex = static_cast<std::size_t>(vertices[i]);
+  }
+  return walkers;
+}
+
+Neighbours neighboursOf(const std::vector<Walker>& walkers,
+  const std::vector<EdgeTable::Edge>& rims)
+{
+  const auto find = [&](std::int64_t vertex)
+  {
+    const auto at = std::lower_bound(walkers.begin(), walkers.end(), vertex,
+      [](const Walker& w, std::int64_t v) { return static_cast<std::int64_t>(w.vertex) < v; });
+    return static_cast<int>(at - walkers.begin());
+  };
+  Neighbours neighbours(walkers.size(), { kNone, kNone });
+  const auto addTo = [&](int walker, int other)
+  {
+    std::array<int, 2>& both = neighbours[walker];
+    both[0] == kNone ? both[0] = other : (both[1] = both[1] == kNone ? other : kJunction);
+  };
+  for (const EdgeTable::Edge& edge : rims)
+  {
+    const int p = find(edge[0]);
+    const int q = find(edge[1]);
+    addTo(p, q);
+    addTo(q, p);
+  }
+  return neighbours;
+}
+
+/// Smooths polylines without shrinking them (Taubin, "A signal processing approach to fair surface
+/// design", 1995). Wavelengths of less than five voxels are damped.
+void smooth(const std::vector<Walker>& walkers, const Neighbours& neighbours,
+  std::vector<glm::dvec3>& places)
+{
+  constexpr int kPasses = 10;
+  constexpr double kShrink = 0.5;
+  constexpr double kGrow = -0.53;
+  std::vector<glm::dvec3> before;
+  for (int pass = 0; pass < 2 * kPasses; ++pass)
+  {
+    const double share = pass % 2 == 0 ? kShrink : kGrow;
+    before = places;
+    for (std::size_t i = 0; i < walkers.size(); ++i)
+    {
+      const auto [p, q] = neighbours[i];
+      if (walkers[i].movable && !walkers[i].exact && p >= 0 && q >= 0)
+      {
+        const glm::dvec3 way = share * (0.5 * (before[p] + before[q]) - before[i]);
+        places[i] += way - glm::dot(way, walkers[i].fit.normal) * walkers[i].fit.normal;
+      }
+    }
+  }
+}
+
+/// Puts rim vertices onto the bisector.
+class Settler
+{
+public:
+  Settler(const AxisGeometry& geometry, BisectorPoints& points)
+    : geometry_(geometry)
+    , points_(points)
+  {
+  }
+
+  /// Puts the `moving` ones of all vertices onto the bisector at their places, and marks those that
+  /// have found it.
+  void settle(const std::vector<Walker>& all, const std::vector<std::size_t>& moving,
+    const std::vector<glm::dvec3>& allPlaces, std::vector<std::uint8_t>& settled) const
+  {
+    std::vector<const Walker*> walkers;
+    std::vector<glm::dvec3> places;
+    std::vector<SiteSegment> segments;
+    for (const std::size_t i : moving)
+    {
+      walkers.push_back(&all[i]);
+      places.push_back(allPlaces[i]);
+      segments.push_back(this->across(all[i], allPlaces[i]));
+    }
+    std::vector<BisectorPoint> found = this->bisectors(segments);
+    this->widen(walkers, kFacets, found);
+    this->putBeside(walkers, places, found);
+    this->widen(walkers, kOffBisector, found);
+    for (std::size_t i = 0; i < walkers.size(); ++i)
+    {
+      const std::size_t v = walkers[i]->vertex;
+      if (this->onSheet(*walkers[i], found[i]))
+      {
+        settled[moving[i]] = 1;
+        points_.points[v] = found[i];
+        points_.moved[v] = 0;
+      }
+    }
+  }
+
+private:
+  /// Returns the segment across a sheet with the nearest sites of either side.
+  SiteSegment across(const Walker& walker, const glm::dvec3& x) const
+  {
+    const BisectorPoint& sample = walker.sample;
+    const glm::dvec3 half = 0.5 * std::min(0.7 * sample.radius(), 1.0) * walker.fit.normal;
+    SiteSegment segment{ x - half, sample.a.site, x + half, sample.b.site };
+    double toA = std::numeric_limits<double>::infinity();
+    double toB = toA;
+    for (const int site : walker.sites)
+    {
+      const glm::dvec3 way = closestPoint(geometry_.sites, site, x).point - x;
+      const double distance = glm::length(way);
+      const bool sideB = glm::dot(way, walker.fit.normal) > 0.0;
+      double& least = sideB ? toB : toA;
+      if (distance < least)
+      {
+        least = distance;
+        (sideB ? segment.toSite : segment.fromSite) = site;
+      }
+    }
+    return segment;
+  }
+
+  /// Finds the bisector points of segments whose sites are good guesses.
+  std::vector<BisectorPoint> bisectors(const std::vector<SiteSegment>& segments) const
+  {
+    std::vector<SiteChange> changes;
+    std::vector<SiteQuery::Question> questions;
+    for (const SiteSegment& segment : segments)
+    {
+      changes.emplace_back(geometry_.sites, segment);
+      questions.push_back({ changes.back().point().position, changes.back().point().a });
+    }
+    geometry_.query.closest(questions);
+    std::vector<BisectorPoint> found(segments.size());
+    std::vector<std::size_t> open;
+    std::vector<SiteSegment> openSegments;
+    for (std::size_t i = 0; i < segments.size(); ++i)
+    {
+      found[i] = { questions[i].x, questions[i].closest, questions[i].closest };
+      if (changes[i].settledBy(questions[i].closest) && changes[i].found())
+      {
+        found[i] = changes[i].point();
+      }
+      else
+      {
+        open.push_back(i);
+        openSegments.push_back(segments[i]);
+      }
+    }
+    const auto others = bisectorsOn(geometry_, openSegments);
+    for (std::size_t k = 0; k < open.size(); ++k)
+    {
+      found[open[k]] = others[k].value_or(found[open[k]]);
+    }
+    return found;
+  }
+
+  bool onSheet(const Walker& walker, const BisectorPoint& point) const
+  {
+    return point.separationAngle() >= bandAngle(geometry_.angle) &&
+      continues(walker.fit, point, points_.points[walker.vertex]);
+  }
+
+  /// Where neighbouring facets are closest, replaces one of them by the other side of the sheet.
+  void widen(const std::vector<const Walker*>& walkers, double tolerance,
+    std::vector<BisectorPoint>& found) const
+  {
+    for (std::size_t i = 0; i < walkers.size(); ++i)
+    {
+      BisectorPoint wide = found[i];
+      if (wide.separationAngle() < geometry_.angle)
+      {
+        wide.b =
+          oppositePoint(geometry_.sites, walkers[i]->sites, wide.position, wide.a, tolerance);
+        found[i] = this->onSheet(*walkers[i], wide) ? wide : found[i];
+      }
+    }
+  }
+
+  /// Where facets have no wide bisector, puts vertices on the fitted sheet beside it.
+  void putBeside(const std::vector<const Walker*>& walkers, const std::vector<glm::dvec3>& places,
+    std::vector<BisectorPoint>& found) const
+  {
+    std::vector<std::size_t> lost;
+    std::vector<SiteQuery::Question> questions;
+    for (std::size_t i = 0; i < walkers.size(); ++i)
+    {
+      if (!this->onSheet(*walkers[i], found[i]))
+      {
+        lost.push_back(i);
+        questions.push_back(
+          { places[i], closestPoint(geometry_.sites, walkers[i]->sample.a.site, places[i]) });
+      }
+    }
+    geometry_.query.closest(questions);
+    for (std::size_t k = 0; k < lost.size(); ++k)
+    {
+      const SitePoint& closest = questions[k].closest;
+      found[lost[k]] = { places[lost[k]], closest, closest };
+    }
+  }
+
+  const AxisGeometry& geometry_;
+  BisectorPoints& points_;
+};
+
+constexpr std::size_t kTogether = 256;
+
+void findBorders(const AxisGeometry& geometry, const SheetSelection& selection,
+  const BisectorPoints& points, std::vector<Walker>& walkers)
+{
+  tbb::enumerable_thread_specific<BorderFinder> finders(
+    [&] { return BorderFinder(geometry, selection, points); });
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, walkers.size(), kTogether),
+    [&](const tbb::blocked_range<std::size_t>& range)
+    {
+      geometry.checkpoint();
+      finders.local().find(walkers.data() + range.begin(), walkers.data() + range.end());
+    });
+}
+
+/// Puts those vertices onto the bisector that are not near their places yet. Replaces the places by
+/// the positions that they have then.
+void settle(const AxisGeometry& geometry, const std::vector<Walker>& walkers,
+  BisectorPoints& points, std::vector<glm::dvec3>& places, std::vector<std::uint8_t>& settled)
+{
+  const Settler settler(geometry, points);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, walkers.size(), kTogether),
+    [&](const tbb::blocked_range<std::size_t>& range)
+    {
+      geometry.checkpoint();
+      std::vector<std::size_t> moving;
+      for (std::size_t i = range.begin(); i != range.end(); ++i)
+      {
+        const glm::dvec3& now = points.points[walkers[i].vertex].position;
+        const bool near = settled[i] != 0 && glm::distance(places[i], now) < kNear;
+        if (walkers[i].movable && !near && geometry.insideGrid(places[i]))
+        {
+          moving.push_back(i);
+        }
+      }
+      settler.settle(walkers, moving, places, settled);
+      for (std::size_t i = range.begin(); i != range.end(); ++i)
+      {
+        places[i] = points.points[walkers[i].vertex].position;
+      }
+    });
+}
+
+} // namespace
+
+std::vector<std::size_t> moveToBorders(const AxisGeometry& geometry,
+  const SheetSelection& selection, const std::vector<EdgeTable::Edge>& rims, BisectorPoints& points)
+{
+  std::vector<Walker> walkers = walkersOn(rims);
+  findBorders(geometry, selection, points, walkers);
+  const Neighbours neighbours = neighboursOf(walkers, rims);
+  std::vector<glm::dvec3> places(walkers.size());
+  std::transform(walkers.begin(), walkers.end(), places.begin(),
+    [](const Walker& walker) { return walker.place; });
+  std::vector<std::uint8_t> settled(walkers.size(), 0);
+  for (int round = 0; round < kRounds; ++round)
+  {
+    smooth(walkers, neighbours, places);
+    settle(geometry, walkers, points, places, settled);
+  }
+  std::vector<std::size_t> elsewhere;
+  for (std::size_t i = 0; i < walkers.size(); ++i)
+  {
+    if (settled[i] == 0)
+    {
+      elsewhere.push_back(walkers[i].vertex);
+    }
+  }
+  return elsewhere;
+}
+
+} // namespace medial

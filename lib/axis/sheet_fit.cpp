@@ -1,0 +1,224 @@
+#include "axis/sheet_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace medial
+{
+namespace
+{
+
+/// Samples farther away than this, in grid steps, have no weight.
+constexpr double kReach = 3.0;
+/// Samples within a strip of about this width (voxels) tell nothing about the change across it.
+constexpr double kMinSpread = 0.3;
+
+/// The two directions along a sheet.
+struct Tangents
+{
+  glm::dvec3 u;
+  glm::dvec3 v;
+};
+
+Tangents tangentsOf(const glm::dvec3& normal)
+{
+  const glm::dvec3 size = glm::abs(normal);
+  glm::dvec3 helper(0.0);
+  helper[size.x <= size.y && size.x <= size.z ? 0 : (size.y <= size.z ? 1 : 2)] = 1.0;
+  const glm::dvec3 u = glm::normalize(glm::cross(normal, helper));
+  return { u, glm::cross(normal, u) };
+}
+
+/// Solves (uu uv; uv vv) x = b, by least squares where the samples lie on a line.
+glm::dvec2 solved(const glm::dvec3& squares, const glm::dvec2& b)
+{
+  const double uu = squares.x;
+  const double uv = squares.y;
+  const double vv = squares.z;
+  const double mean = 0.5 * (uu + vv);
+  const double spread = std::hypot(0.5 * (uu - vv), uv);
+  if (mean - spread > kMinSpread * kMinSpread)
+  {
+    return glm::dvec2(b.x * vv - b.y * uv, b.y * uu - b.x * uv) / (uu * vv - uv * uv);
+  }
+  const double large = mean + spread;
+  if (large <= kMinSpread * kMinSpread)
+  {
+    return glm::dvec2(0.0);
+  }
+  // The eigenvector of the larger eigenvalue.
+  const glm::dvec2 along =
+    glm::normalize(uu >= vv ? glm::dvec2(large - vv, uv) : glm::dvec2(uv, large - uu));
+  return glm::dot(along, b) / large * along;
+}
+
+/// Whether directions to two closest pairs belong to one sheet; swaps the second pair if it is in
+/// the other order.
+bool matched(const glm::dvec3& a, const glm::dvec3& b, glm::dvec3& otherA, glm::dvec3& otherB,
+  double limit)
+{
+  if (glm::dot(a, otherA) + glm::dot(b, otherB) < glm::dot(a, otherB) + glm::dot(b, otherA))
+  {
+    std::swap(otherA, otherB);
+  }
+  return glm::dot(a, otherA) >= limit && glm::dot(b, otherB) >= limit;
+}
+
+} // namespace
+
+SheetFitter::SheetFitter(const GridFrame& frame, double angle, const SheetSamples& samples)
+  : frame_(frame)
+  , cosAngle_(std::cos(angle))
+  , samples_(samples)
+  , visited_(samples.points.size(), 0)
+{
+}
+
+SheetFitter::Node SheetFitter::nodeOf(std::size_t crossing, const glm::dvec3& x) const
+{
+  const BisectorPoint& point = samples_.points[crossing];
+  Node node;
+  node.crossing = crossing;
+  node.position = point.position - x;
+  node.radius = point.radius();
+  node.towardsA = (point.a.point - point.position) / node.radius;
+  node.towardsB = glm::normalize(point.b.point - point.position);
+  const glm::dvec3 steps = node.position / frame_.step;
+  const double share = glm::dot(steps, steps) / (kReach * kReach);
+  const bool counts = share < 1.0 && samples_.kinds[crossing] == SampleKind::Exact;
+  node.weight = counts ? (1.0 - share) * (1.0 - share) : 0.0;
+  return node;
+}
+
+bool SheetFitter::sameSheet(std::size_t p, std::size_t q) const
+{
+  const Node one = this->nodeOf(p, glm::dvec3(0.0));
+  Node other = this->nodeOf(q, glm::dvec3(0.0));
+  return matched(one.towardsA, one.towardsB, other.towardsA, other.towardsB,
+    std::cos(2.0 * glm::radians(kMaxTurn)));
+}
+
+void SheetFitter::reach(const Node& from, std::size_t crossing, const glm::dvec3& x)
+{
+  if (visited_[crossing] == fit_)
+  {
+    return;
+  }
+  static const double kLimit = std::cos(glm::radians(kMaxTurn));
+  Node node = this->nodeOf(crossing, x);
+  if (node.weight == 0.0)
+  {
+    visited_[crossing] = fit_;
+    return;
+  }
+  if (matched(from.towardsA, from.towardsB, node.towardsA, node.towardsB, kLimit))
+  {
+    visited_[crossing] = fit_;
+    nodes_.push_back(node);
+  }
+}
+
+void SheetFitter::gather(const glm::dvec3& x, std::size_t crossing)
+{
+  const DualMesh& mesh = samples_.mesh;
+  ++fit_;
+  nodes_.clear();
+  visited_[crossing] = fit_;
+  nodes_.push_back(this->nodeOf(crossing, x));
+  for (std::size_t k = 0; k < nodes_.size(); ++k)
+  {
+    const Node from = nodes_[k];
+    for (const std::int64_t corner : mesh.corners[from.crossing])
+    {
+      for (std::size_t i = mesh.offsets[corner]; i < mesh.offsets[corner + 1]; ++i)
+      {
+        this->reach(from, mesh.incident[i], x);
+      }
+    }
+  }
+}
+
+std::vector<int> SheetFitter::sites() const
+{
+  std::vector<int> sites;
+  for (const Node& node : nodes_)
+  {
+    const BisectorPoint& point = samples_.points[node.crossing];
+    sites.insert(sites.end(), { point.a.site, point.b.site });
+  }
+  std::sort(sites.begin(), sites.end());
+  sites.erase(std::unique(sites.begin(), sites.end()), sites.end());
+  return sites;
+}
+
+SheetFit SheetFitter::around(const glm::dvec3& x, std::size_t crossing)
+{
+  this->gather(x, crossing);
+  SheetFit fit;
+  if (this->average(fit))
+  {
+    this->fitLines(fit);
+  }
+  return fit;
+}
+
+/// Sets the means over the nodes. Returns whether there are any.
+bool SheetFitter::average(SheetFit& fit) const
+{
+  double weight = 0.0;
+  for (const Node& node : nodes_)
+  {
+    fit.samples += node.weight > 0.0 ? 1 : 0;
+    weight += node.weight;
+    fit.centroid += node.weight * node.position;
+    fit.towardsA += node.weight * node.towardsA;
+    fit.towardsB += node.weight * node.towardsB;
+  }
+  const glm::dvec3 across = fit.towardsB - fit.towardsA;
+  if (weight == 0.0 || glm::length(across) == 0.0)
+  {
+    fit.samples = 0;
+    return false;
+  }
+  fit.weight = weight;
+  fit.centroid /= weight;
+  fit.towardsA = glm::normalize(fit.towardsA);
+  fit.towardsB = glm::normalize(fit.towardsB);
+  fit.normal = glm::normalize(across);
+  return true;
+}
+
+/// Sets the linear functions, whose means are known.
+void SheetFitter::fitLines(SheetFit& fit) const
+{
+  const Tangents tangents = tangentsOf(fit.normal);
+  glm::dvec3 squares(0.0); // uu, uv, vv
+  glm::dvec4 values(0.0);  // cosine, excess, radius, lambda
+  glm::dvec4 withU(0.0);
+  glm::dvec4 withV(0.0);
+  for (const Node& node : nodes_)
+  {
+    const double w = node.weight / fit.weight;
+    const double u = glm::dot(node.position - fit.centroid, tangents.u);
+    const double v = glm::dot(node.position - fit.centroid, tangents.v);
+    const double excess =
+      node.radius * node.radius * (glm::dot(node.towardsA, node.towardsB) - cosAngle_);
+    const glm::dvec4 value(0.5 * glm::length(node.towardsA + node.towardsB), excess, node.radius,
+      0.5 * node.radius * glm::length(node.towardsB - node.towardsA));
+    squares += w * glm::dvec3(u * u, u * v, v * v);
+    values += w * value;
+    withU += w * u * value;
+    withV += w * v * value;
+  }
+  const glm::dvec2 x(-glm::dot(fit.centroid, tangents.u), -glm::dot(fit.centroid, tangents.v));
+  SheetFit::Linear* const functions[] = { &fit.cosine, &fit.excess, &fit.radius, &fit.lambda };
+  for (int i = 0; i < 4; ++i)
+  {
+    const glm::dvec2 slope = solved(squares, { withU[i], withV[i] });
+    functions[i]->value = values[i] + glm::dot(slope, x);
+    functions[i]->gradient = slope.x * tangents.u + slope.y * tangents.v;
+  }
+}
+
+} // namespace medial

@@ -1,0 +1,407 @@
+#include "axis/sheet_selection.h"
+
+#include "axis/site_change.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace medial
+{
+namespace
+{
+
+/// Width of the band beyond selected crossings, in grid cells.
+constexpr int kBand = 2;
+/// Points whose angle differs by more than this from the limit are not questioned: facets of a
+/// smooth surface turn by less. Degrees.
+constexpr double kMaxDoubt = 15.0;
+/// Angles that differ by less, radians, are equal.
+constexpr double kSameAngle = 1e-6;
+
+/// What is known of a crossing.
+enum Standing : std::uint8_t
+{
+  kNarrow, ///< on no sheet, or far from all that is selected
+  kBeyond, ///< within the band angle; of interest if it is near what is selected
+  kInBand,
+  kWide ///< selected by the directions at its ends
+};
+
+using Found = std::vector<std::optional<BisectorPoint>>;
+
+/// Calls work(begin, end) for ranges of indices below `count`, on all threads.
+template <typename Work>
+void inBlocks(const AxisGeometry& geometry, std::size_t count, const Work& work)
+{
+  constexpr std::size_t kTogether = 512; // several in most of their tiles
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kTogether),
+    [&](const tbb::blocked_range<std::size_t>& range)
+    {
+      geometry.checkpoint();
+      work(range.begin(), range.end());
+    });
+}
+
+class Selector
+{
+public:
+  /// @param band angle from which on a point belongs to a sheet, radians.
+  Selector(const AxisGeometry& geometry, double band, const std::vector<Crossing>& crossings)
+    : geometry_(geometry)
+    , crossings_(crossings)
+    , band_(band)
+    , standing_(crossings.size())
+    , kept_(crossings.size(), 0)
+  {
+    samples_.points.resize(crossings.size());
+    samples_.kinds.resize(crossings.size(), SampleKind::None);
+    moved_.resize(crossings.size(), 0);
+    inBlocks(geometry, crossings.size(),
+      [&](std::size_t begin, std::size_t end)
+      {
+        for (std::size_t c = begin; c != end; ++c)
+        {
+          standing_[c] = this->standingOf(segmentOf(geometry_.frame, crossings_[c]));
+        }
+      });
+  }
+
+  SheetSelection sheets()
+  {
+    samples_.mesh = dualMesh(crossings_, geometry_.extent);
+    this->markBand();
+    inBlocks(geometry_, crossings_.size(),
+      [&](std::size_t begin, std::size_t end) { this->sample(begin, end); });
+    this->decide();
+    this->markKept();
+    inBlocks(geometry_, crossings_.size(),
+      [&](std::size_t begin, std::size_t end) { this->settle(begin, end); });
+    SheetSelection selection;
+    selection.part = submesh(samples_.mesh, kept_);
+    selection.bisectors = this->selected();
+    selection.samples = std::move(samples_);
+    selection.kept = kept_;
+    return selection;
+  }
+
+  BisectorPoints points()
+  {
+    inBlocks(geometry_, crossings_.size(),
+      [&](std::size_t begin, std::size_t end)
+      {
+        this->sample(begin, end);
+        this->decideAlone(begin, end);
+        this->settle(begin, end);
+        for (std::size_t c = begin; c != end; ++c)
+        {
+          kept_[c] = kept_[c] != 0 && this->within(samples_.points[c]) ? 1 : 0;
+        }
+      });
+    return this->selected();
+  }
+
+  const std::vector<std::uint8_t>& kept() const { return kept_; }
+
+private:
+  bool isWide(const SiteSegment& segment) const
+  {
+    const glm::dvec3 near =
+      closestPoint(geometry_.sites, segment.fromSite, segment.from).point - segment.from;
+    const glm::dvec3 far =
+      closestPoint(geometry_.sites, segment.toSite, segment.to).point - segment.to;
+    return glm::dot(near, far) <=
+      std::cos(geometry_.angle) * std::sqrt(glm::dot(near, near) * glm::dot(far, far));
+  }
+
+  Standing standingOf(const SiteSegment& segment) const
+  {
+    if (this->isWide(segment))
+    {
+      return kWide;
+    }
+    const double angle = SiteChange(geometry_.sites, segment).point().separationAngle();
+    return angle >= geometry_.angle ? kInBand : (angle >= band_ ? kBeyond : kNarrow);
+  }
+
+  /// Finds the crossings near those that may be selected.
+  void markBand()
+  {
+    const DualMesh& mesh = samples_.mesh;
+    std::vector<std::uint8_t> reached(mesh.cells.size(), 0);
+    std::vector<std::size_t> front;
+    std::vector<std::size_t> left;
+    for (std::size_t c = 0; c < standing_.size(); ++c)
+    {
+      if (standing_[c] != kNarrow)
+      {
+        (standing_[c] == kBeyond ? left : front).push_back(c);
+      }
+    }
+    for (int ring = 0; ring < kBand && !left.empty(); ++ring)
+    {
+      for (const std::size_t c : front)
+      {
+        for (const std::int64_t corner : mesh.corners[c])
+        {
+          reached[corner] = 1;
+        }
+      }
+      front.clear();
+      std::size_t count = 0;
+      for (const std::size_t c : left)
+      {
+        const auto& quad = mesh.corners[c];
+        const bool near = std::any_of(quad.begin(), quad.end(),
+          [&](std::int64_t corner) { return reached[corner] != 0; });
+        standing_[c] = near ? kInBand : kBeyond;
+        near ? front.push_back(c) : static_cast<void>(left[count++] = c);
+      }
+      left.resize(count);
+    }
+  }
+
+  /// Finds the samples in [begin, end).
+  void sample(std::size_t begin, std::size_t end)
+  {
+    std::vector<std::size_t> which;
+    std::vector<SiteSegment> segments;
+    for (std::size_t c = begin; c != end; ++c)
+    {
+      if (standing_[c] == kWide || standing_[c] == kInBand)
+      {
+        which.push_back(c);
+        segments.push_back(segmentOf(geometry_.frame, crossings_[c]));
+      }
+    }
+    const std::vector<BisectorPoint> exact = bisectorPoints(geometry_, segments);
+    std::vector<std::size_t> narrow;
+    std::vector<SiteSegment> narrowSegments;
+    for (std::size_t i = 0; i < which.size(); ++i)
+    {
+      this->setSample(which[i], SampleKind::Exact, exact[i]);
+      if (standing_[which[i]] == kWide && exact[i].separationAngle() < geometry_.angle)
+      {
+        narrow.push_back(which[i]);
+        narrowSegments.push_back(segments[i]);
+      }
+    }
+    const Found faceted = facetedPoints(geometry_, narrowSegments, band_);
+    for (std::size_t i = 0; i < narrow.size(); ++i)
+    {
+      const std::size_t c = narrow[i];
+      if (faceted[i] &&
+        faceted[i]->separationAngle() > samples_.points[c].separationAngle() + kSameAngle)
+      {
+        this->setSample(c, SampleKind::Faceted, *faceted[i]);
+      }
+    }
+  }
+
+  void setSample(std::size_t c, SampleKind kind, const BisectorPoint& point)
+  {
+    samples_.points[c] = point;
+    const bool onSheet = point.radius() >= kMinRadius && point.separationAngle() >= band_;
+    samples_.kinds[c] = onSheet ? kind : SampleKind::None;
+  }
+
+  bool within(const BisectorPoint& point) const
+  {
+    return point.separationAngle() >= geometry_.angle && point.radius() >= geometry_.radius &&
+      point.lambda() >= geometry_.lambda;
+  }
+
+  bool within(const SheetFit& fit) const
+  {
+    return fit.excess.value <= 0.0 && fit.radius.value >= geometry_.radius &&
+      fit.lambda.value >= geometry_.lambda;
+  }
+
+  /// Decides which samples are within the limits themselves.
+  void decideAlone(std::size_t begin, std::size_t end)
+  {
+    for (std::size_t c = begin; c != end; ++c)
+    {
+      kept_[c] = samples_.kinds[c] != SampleKind::None && this->within(samples_.points[c]) ? 1 : 0;
+    }
+  }
+
+  /// Decides which samples are within the limits.
+  void decide()
+  {
+    this->decideAlone(0, crossings_.size());
+    const std::vector<std::size_t> doubtful = this->doubtfulSamples();
+    tbb::enumerable_thread_specific<SheetFitter> fitters(
+      [&] { return SheetFitter(geometry_.frame, geometry_.angle, samples_); });
+    inBlocks(geometry_, doubtful.size(),
+      [&](std::size_t begin, std::size_t end)
+      {
+        SheetFitter& fitter = fitters.local();
+        for (std::size_t i = begin; i != end; ++i)
+        {
+          const std::size_t c = doubtful[i];
+          const SheetFit fit = fitter.around(samples_.points[c].position, c);
+          if (fit.samples >= SheetFit::kMinSamples)
+          {
+            kept_[c] = this->within(fit) ? 1 : 0;
+          }
+        }
+      });
+  }
+
+  /// Returns the samples that facets may have put on the wrong side of the border: those with
+  /// neighbours on the other side, and those that are not exact.
+  std::vector<std::size_t> doubtfulSamples() const
+  {
+    constexpr std::uint8_t kInside = 1;
+    constexpr std::uint8_t kOutside = 2;
+    const DualMesh& mesh = samples_.mesh;
+    std::vector<std::uint8_t> around(mesh.cells.size(), 0); // each vertex
+    for (std::size_t c = 0; c < crossings_.size(); ++c)
+    {
+      for (const std::int64_t corner : mesh.corners[c])
+      {
+        if (samples_.kinds[c] != SampleKind::None)
+        {
+          around[corner] |= kept_[c] != 0 ? kInside : kOutside;
+        }
+      }
+    }
+    std::vector<std::size_t> doubtful;
+    for (std::size_t c = 0; c < crossings_.size(); ++c)
+    {
+      const auto& quad = mesh.corners[c];
+      const bool mixed = std::any_of(quad.begin(), quad.end(),
+        [&](std::int64_t corner) { return around[corner] == (kInside | kOutside); });
+      const bool near =
+        std::abs(samples_.points[c].separationAngle() - geometry_.angle) < glm::radians(kMaxDoubt);
+      if (samples_.kinds[c] == SampleKind::Faceted ||
+        (samples_.kinds[c] == SampleKind::Exact && mixed && near))
+      {
+        doubtful.push_back(c);
+      }
+    }
+    return doubtful;
+  }
+
+  /// Finds the curves near wide crossings that are on no sheet.
+  void settle(std::size_t begin, std::size_t end)
+  {
+    std::vector<std::size_t> wide;
+    std::vector<BisectorPoint> points;
+    for (std::size_t c = begin; c != end; ++c)
+    {
+      if (standing_[c] == kWide && kept_[c] == 0 && !this->continuesSheet(c))
+      {
+        wide.push_back(c);
+        points.push_back(samples_.points[c]);
+      }
+    }
+    const Found onCurves = axisAlongNormals(geometry_, points);
+    for (std::size_t i = 0; i < wide.size(); ++i)
+    {
+      if (onCurves[i] && this->within(*onCurves[i]))
+      {
+        const std::size_t c = wide[i];
+        samples_.points[c] = *onCurves[i];
+        samples_.kinds[c] = SampleKind::None;
+        kept_[c] = 1;
+        moved_[c] = 1;
+      }
+    }
+  }
+
+  /// Whether a selected sheet goes on here, beyond its border.
+  bool continuesSheet(std::size_t c) const
+  {
+    if (samples_.points[c].separationAngle() < band_)
+    {
+      return false;
+    }
+    if (nearKept_.empty())
+    {
+      return true;
+    }
+    const auto& quad = samples_.mesh.corners[c];
+    return std::any_of(quad.begin(), quad.end(),
+      [&](std::int64_t corner) { return nearKept_[corner] != 0; });
+  }
+
+  void markKept()
+  {
+    nearKept_.resize(samples_.mesh.cells.size(), 0);
+    for (std::size_t c = 0; c < kept_.size(); ++c)
+    {
+      for (const std::int64_t corner : samples_.mesh.corners[c])
+      {
+        nearKept_[corner] |= kept_[c];
+      }
+    }
+  }
+
+  BisectorPoints selected() const
+  {
+    BisectorPoints bisectors;
+    for (std::size_t c = 0; c < kept_.size(); ++c)
+    {
+      if (kept_[c] != 0)
+      {
+        bisectors.points.push_back(samples_.points[c]);
+        bisectors.moved.push_back(moved_[c]);
+      }
+    }
+    return bisectors;
+  }
+
+  const AxisGeometry& geometry_;
+  const std::vector<Crossing>& crossings_;
+  double band_;
+  SheetSamples samples_;
+  std::vector<std::uint8_t> standing_;
+  std::vector<std::uint8_t> kept_;
+  std::vector<std::uint8_t> moved_;
+  std::vector<std::uint8_t> nearKept_; ///< for each vertex not 0 if a crossing there is kept
+};
+
+void removeUnmarked(const std::vector<std::uint8_t>& kept, std::vector<Crossing>& crossings)
+{
+  std::size_t count = 0;
+  for (std::size_t c = 0; c < crossings.size(); ++c)
+  {
+    if (kept[c] != 0)
+    {
+      crossings[count++] = crossings[c];
+    }
+  }
+  crossings.resize(count);
+}
+
+} // namespace
+
+double bandAngle(double angle)
+{
+  constexpr double kShare = 0.8;
+  return kShare * angle;
+}
+
+SheetSelection selectSheets(const AxisGeometry& geometry, std::vector<Crossing>& crossings)
+{
+  Selector selector(geometry, bandAngle(geometry.angle), crossings);
+  SheetSelection selection = selector.sheets();
+  removeUnmarked(selector.kept(), crossings);
+  return selection;
+}
+
+BisectorPoints selectPoints(const AxisGeometry& geometry, std::vector<Crossing>& crossings)
+{
+  Selector selector(geometry, geometry.angle, crossings);
+  BisectorPoints points = selector.points();
+  removeUnmarked(selector.kept(), crossings);
+  return points;
+}
+
+} // namespace medial
