@@ -51,20 +51,20 @@ double minAngle(const MedialAxis& axis)
 /// An ellipsoid with half axes 1, 0.8 and 0.45, whose axis is part of an ellipse in z = 0.
 struct Ellipsoid
 {
-  static constexpr double c = 0.45;
-  static constexpr double a2 = 1.0 - c * c; ///< squared half axes of the whole axis
-  static constexpr double b2 = 0.64 - c * c;
+  static constexpr double kC = 0.45;
+  static constexpr double kA2 = 1.0 - kC * kC; ///< squared half axes of the whole axis
+  static constexpr double kB2 = 0.64 - kC * kC;
 
-  static TriangleMesh mesh(int subdivisions) { return ellipsoid(1.0, 0.8, c, subdivisions); }
+  static TriangleMesh mesh(int subdivisions) { return ellipsoid(1.0, 0.8, kC, subdivisions); }
 
   /// Half axes of the part with a separation angle of at least `angle`. There the radius r = c
-  /// sqrt(1 - x^2 / a2 - y^2 / b2) grows by at most cos(angle / 2).
+  /// sqrt(1 - x^2 / kA2 - y^2 / kB2) grows by at most cos(angle / 2).
   static std::array<double, 2> border(double angle)
   {
-    const double ratio = c / std::cos(0.5 * angle * kPi / 180.0);
+    const double ratio = kC / std::cos(0.5 * angle * kPi / 180.0);
     const auto half = [&](double square)
     { return std::sqrt(1.0 / (ratio * ratio / (square * square) + 1.0 / square)); };
-    return { half(a2), half(b2) };
+    return { half(kA2), half(kB2) };
   }
 
   /// Distance of a point from the border, to first order.
