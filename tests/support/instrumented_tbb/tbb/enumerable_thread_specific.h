@@ -2,6 +2,7 @@
 
 #include "stand_in.h"
 
+#include <functional>
 #include <map>
 
 namespace tbb
@@ -14,13 +15,26 @@ public:
   using const_iterator = typename std::list<T>::const_iterator;
   using iterator = typename std::list<T>::iterator;
 
+  enumerable_thread_specific()
+    : make_([this]() -> T& { return values_.emplace_back(); })
+  {
+  }
+  /// @param make returns the value of a thread that has none yet.
+  template <typename Make>
+  explicit enumerable_thread_specific(const Make& make)
+    : make_([this, make]() -> T& { return values_.emplace_back(make()); })
+  {
+  }
+  enumerable_thread_specific(const enumerable_thread_specific&) = delete;
+  enumerable_thread_specific& operator=(const enumerable_thread_specific&) = delete;
+
   T& local()
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     T*& mine = places_[std::this_thread::get_id()];
     if (mine == nullptr)
     {
-      mine = &values_.emplace_back();
+      mine = &make_();
     }
     return *mine;
   }
@@ -31,6 +45,7 @@ public:
   const_iterator end() const { return values_.end(); }
 
 private:
+  std::function<T&()> make_;
   std::mutex mutex_;
   std::list<T> values_;
   std::map<std::thread::id, T*> places_;
