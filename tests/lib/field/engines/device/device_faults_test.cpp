@@ -108,6 +108,17 @@ protected:
     EXPECT_NE(computed.field.statistics.note.find("the device was reset"), std::string::npos);
     return computed;
   }
+
+  /// Expects that an engine loses what it had on the device when another one resets it, and once.
+  static void expectLostOnce(FieldEngine& bystander)
+  {
+    const Computed before = computedBy(bystander, ring(), tallGrid());
+    FallbackEngine engine(makeDevice);
+    computedDuringReset(engine);
+    EXPECT_EQ(computedBy(engine, ring(), tallGrid()).field.statistics.engine, Engine::Device);
+    EXPECT_THROW(computedBy(bystander, ring(), tallGrid()), gl::ContextLost);
+    expectSameField(computedBy(bystander, ring(), tallGrid()), before);
+  }
 };
 
 TEST_F(DeviceReset, LeadsToTheProcessorIfThereIsNoContextAfterIt)
@@ -138,23 +149,13 @@ TEST_F(DeviceReset, IsForgivenOnce)
 TEST_F(DeviceReset, LosesWhatOtherEnginesHadOnTheDevice)
 {
   DeviceEngine bystander;
-  const Computed before = computedBy(bystander, ring(), tallGrid());
-  FallbackEngine engine(makeDevice);
-  computedDuringReset(engine);
-  EXPECT_EQ(computedBy(engine, ring(), tallGrid()).field.statistics.engine, Engine::Device);
-  EXPECT_THROW(computedBy(bystander, ring(), tallGrid()), gl::ContextLost);
-  expectSameField(computedBy(bystander, ring(), tallGrid()), before);
+  expectLostOnce(bystander);
 }
 
 TEST_F(DeviceReset, LosesWhatTheRasteriserHadOnTheDeviceOnce)
 {
   RasteriserEngine bystander({});
-  const Computed before = computedBy(bystander, ring(), tallGrid());
-  FallbackEngine engine(makeDevice);
-  computedDuringReset(engine);
-  EXPECT_EQ(computedBy(engine, ring(), tallGrid()).field.statistics.engine, Engine::Device);
-  EXPECT_THROW(computedBy(bystander, ring(), tallGrid()), gl::ContextLost);
-  expectSameField(computedBy(bystander, ring(), tallGrid()), before);
+  expectLostOnce(bystander);
 }
 
 TEST(DeviceEngine, ThatCannotBeMadeLeadsToTheProcessor)
