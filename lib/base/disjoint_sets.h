@@ -12,13 +12,17 @@ namespace medial
 class DisjointSets
 {
 public:
-  explicit DisjointSets(std::size_t count = 0) { this->reset(count); }
+  explicit DisjointSets(std::size_t count = 0)
+    : parent_(count)
+  {
+    this->separate();
+  }
 
   /// Every element becomes a set of its own; memory is kept.
   void reset(std::size_t count)
   {
     parent_.resize(count);
-    std::iota(parent_.begin(), parent_.end(), std::int64_t{ 0 });
+    this->separate();
   }
 
   std::int64_t size() const { return static_cast<std::int64_t>(parent_.size()); }
@@ -44,6 +48,8 @@ public:
   }
 
 private:
+  void separate() { std::iota(parent_.begin(), parent_.end(), std::int64_t{ 0 }); }
+
   std::vector<std::int64_t> parent_;
 };
 
