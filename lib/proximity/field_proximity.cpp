@@ -6,8 +6,10 @@
 #include "base/vectors.h"
 #include "medial/error.h"
 #include "medial/medial_solver.h"
+#include "proximity/decisive_extent.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -91,7 +93,10 @@ Grid gridOver(const Box& region, int resolution)
   return grid;
 }
 
-/// Two meshes and their distances on a grid.
+/// Grids with fewer points along their longest side are computed as a whole.
+constexpr int kMinResolutionOfParts = 192;
+
+/// Two meshes and their distances where they can be decisive.
 class FieldPair
 {
 public:
@@ -101,29 +106,62 @@ public:
   }
 
   MedialSolver& solver(int mesh) { return solvers_[mesh]; }
-  void computeFields(const Grid& grid, const FieldProximityOptions& options);
-  void compare(const Grid& grid, FieldProximity& result) const;
+
+  /// Compares the fields on a grid. Where signs are sure to change at the surfaces only, the field
+  /// of a coarser grid says first which part of the grid it takes.
+  /// @param separation whether it is wanted, too, if the meshes do not collide there.
+  void compare(const FieldProximityOptions& options, bool separation, FieldProximity& result);
 
 private:
+  /// Whether the sign of a mesh's distances changes at its surface only.
+  static bool hasSureSign(const MedialSolver& solver)
+  {
+    const TriangleMesh& mesh = solver.mesh();
+    return mesh.triangles.empty() || solver.connectivity().closed();
+  }
+
+  void computeFields(const Grid& grid, const Extent& extent, const FieldProximityOptions& options);
+  void compareOn(const Grid& grid, const Extent& extent, FieldProximity& result) const;
+
   MedialSolver solvers_[2];
-  std::vector<float> distances_[2];
+  std::array<std::vector<float>, 2> distances_;
 };
 
-void FieldPair::computeFields(const Grid& grid, const FieldProximityOptions& options)
+void FieldPair::compare(const FieldProximityOptions& options, bool separation,
+  FieldProximity& result)
+{
+  const Grid& grid = result.grid;
+  Extent extent = grid.wholeExtent();
+  if (options.resolution >= kMinResolutionOfParts && hasSureSign(solvers_[0]) &&
+    hasSureSign(solvers_[1]))
+  {
+    const Grid coarse = coarseGrid(grid);
+    this->computeFields(coarse, coarse.wholeExtent(), options);
+    extent = decisiveExtent(grid, distances_, separation);
+  }
+  if (!extent.empty())
+  {
+    this->computeFields(grid, extent, options);
+    this->compareOn(grid, extent, result);
+  }
+}
+
+void FieldPair::computeFields(const Grid& grid, const Extent& extent,
+  const FieldProximityOptions& options)
 {
   for (int i = 0; i < 2; ++i)
   {
-    distances_[i].resize(static_cast<std::size_t>(grid.pointCount()));
+    distances_[i].resize(static_cast<std::size_t>(extent.pointCount()));
     FieldArrays arrays;
     arrays.distance = distances_[i].data();
     DistanceFieldOptions fieldOptions;
     fieldOptions.engine = options.engine;
     fieldOptions.execution = options.execution;
-    solvers_[i].computeField(grid, grid.wholeExtent(), arrays, fieldOptions);
+    solvers_[i].computeField(grid, extent, arrays, fieldOptions);
   }
 }
 
-void FieldPair::compare(const Grid& grid, FieldProximity& result) const
+void FieldPair::compareOn(const Grid& grid, const Extent& extent, FieldProximity& result) const
 {
   const double nearSurface = 0.5 * std::sqrt(3.0) * grid.spacing[0];
   double separation = std::numeric_limits<double>::infinity();
@@ -155,10 +193,11 @@ void FieldPair::compare(const Grid& grid, FieldProximity& result) const
   result.collide = inBoth > 0;
   result.depth = result.collide ? result.depth : 0.0;
   result.separation = result.collide ? 0.0 : separation;
-  const auto width = static_cast<std::size_t>(grid.dimensions[0]);
-  const auto height = static_cast<std::size_t>(grid.dimensions[1]);
-  result.deepestPoint = grid.point(static_cast<int>(deepest % width),
-    static_cast<int>(deepest / width % height), static_cast<int>(deepest / width / height));
+  const auto width = static_cast<std::size_t>(extent.size(0));
+  const auto height = static_cast<std::size_t>(extent.size(1));
+  result.deepestPoint = grid.point(extent.min[0] + static_cast<int>(deepest % width),
+    extent.min[1] + static_cast<int>(deepest / width % height),
+    extent.min[2] + static_cast<int>(deepest / width / height));
 }
 
 } // namespace
@@ -205,19 +244,18 @@ FieldProximity FieldProximitySolver::compute(const FieldProximityOptions& option
   const Stopwatch stopwatch(result.seconds);
   const TriangleMesh& a = state_->pair.solver(0).mesh();
   const TriangleMesh& b = state_->pair.solver(1).mesh();
-  const auto computeWithin = [&](double reach)
+  const auto computeWithin = [&](double reach, bool separation)
   {
     result.grid = gridOver(regionOf(a, b, reach), options.resolution);
-    state_->pair.computeFields(result.grid, options);
-    state_->pair.compare(result.grid, result);
+    state_->pair.compare(options, separation, result);
   };
   if (boxOf(a).overlaps(boxOf(b)))
   {
-    computeWithin(0.0);
+    computeWithin(0.0, false);
   }
   if (!result.collide)
   {
-    computeWithin(maxSeparation(a, b)); // where the closest points must be
+    computeWithin(maxSeparation(a, b), true); // where the closest points must be
   }
   return result;
 }

@@ -25,8 +25,9 @@ struct FieldProximityOptions
 /// How two meshes, A and B, lie to each other, as their distance fields tell.
 struct FieldProximity
 {
-  /// Where the fields were computed: the common part of the meshes' boxes or, if they do not
-  /// collide there, where the closest points must be.
+  /// The grid of the fields: over the common part of the meshes' boxes or, if they do not collide
+  /// there, where the closest points must be. Of fine grids only that part is computed that can
+  /// decide, which the fields at every eighth point tell; the result is that of the whole.
   Grid grid;
   /// Least sum of the two distances at a grid point outside of both, world units: by a diagonal of
   /// the spacing at most above the separation. 0 if they collide; infinity if no grid point is

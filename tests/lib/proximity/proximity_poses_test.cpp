@@ -321,7 +321,8 @@ TEST(ProximityOfOpenMeshes, IsWhatWindingNumbersSay)
   RandomMotions motions(5);
   int undefined = 0;
   int contained = 0;
-  for (int i = 0; i < 100; ++i)
+  const int count = poseCount(100);
+  for (int i = 0; i < count; ++i)
   {
     SCOPED_TRACE(i);
     const TriangleMesh a = snapped(moved(closed, motions.motion(1.0)));
