@@ -218,7 +218,8 @@ public:
    * does not depend on it. SIGN_WINDING: generalised winding numbers, for any mesh of triangles,
    * also with holes, and with parts that overlap, touch or face different ways. SIGN_AUTO:
    * SIGN_WINDING, but SIGN_NONE where the mesh leaves open what is inside. That is where it has no
-   * triangles, or its winding number is between 1/4 and 3/4 at more than 1 % of the grid.
+   * triangles, or its winding number is between 1/4 and 3/4 at more than 1 % of the grid and its
+   * holes are more than an eighth of the surface that closes them.
    * SIGN_NONE: unsigned. SIGN_PSEUDONORMAL: angle-weighted pseudonormals, wrong where parts overlap
    * or touch; an error where the mesh is open or not consistently oriented. Default is SIGN_AUTO.
    * The field data array SignMethod tells what was chosen.

@@ -79,8 +79,8 @@ Json describeParameters(const Result& result, const Options& options)
 Json describeSign(const SignReport& sign)
 {
   return { { "reason", sign.reason }, { "rim_edges", sign.rimEdges }, { "holes", sign.holes },
-    { "ambiguous_share", sign.ambiguousShare }, { "copies", sign.copies },
-    { "turned", sign.turned } };
+    { "ambiguous_share", sign.ambiguousShare }, { "lid_share", sign.lidShare },
+    { "copies", sign.copies }, { "turned", sign.turned } };
 }
 
 Json describeCounts(const RunStatistics& statistics, const MedialAxis& axis)

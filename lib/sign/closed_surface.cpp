@@ -1,5 +1,7 @@
 #include "sign/closed_surface.h"
 
+#include <cstdlib>
+
 namespace medial
 {
 
@@ -7,6 +9,20 @@ TriangleChain ClosedSurface::lids() const
 {
   const auto first = chain.triangles.begin() + static_cast<std::ptrdiff_t>(firstLid);
   return { chain.points, { first, chain.triangles.end() } };
+}
+
+double ClosedSurface::lidShare() const
+{
+  double all = 0.0;
+  double lids = 0.0;
+  for (std::size_t i = 0; i < chain.triangles.size(); ++i)
+  {
+    const auto [a, b, c] = chain.cornersOf(chain.triangles[i]);
+    const double area = std::abs(chain.triangles[i].weight) * glm::length(glm::cross(b - a, c - a));
+    all += area;
+    lids += i < firstLid ? 0.0 : area;
+  }
+  return all > 0.0 ? lids / all : 0.0;
 }
 
 TriangleChain chainOf(const TriangleMesh& mesh, const SurfaceOrientation& orientation,

@@ -37,6 +37,10 @@ struct ClosedSurface
 
   /// Returns the triangles of the lids.
   TriangleChain lids() const;
+
+  /// Returns the area of the lids over that of all triangles, lids included; each as often as it
+  /// counts.
+  double lidShare() const;
 };
 
 /// Returns the triangles of a surface, as they count.

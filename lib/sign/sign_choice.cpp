@@ -14,8 +14,11 @@ namespace medial
 namespace
 {
 
-/// Auto gives up the sign if the winding number is ambiguous at a larger share of the grid.
+/// Auto gives up the sign if the winding number is ambiguous at a larger share of the grid and the
+/// lids are a larger share of the closed surface: a vessel that is cut at its ends is a solid, a
+/// hemisphere or a box without a side is not.
 constexpr double kMaxAmbiguousShare = 0.01;
+constexpr double kMaxLidShare = 0.125;
 /// A soup of single triangles has no inside: Auto closes at most this many edges of holes for each
 /// triangle, but few in any case.
 constexpr std::int64_t kFewRimEdges = 1000;
@@ -56,7 +59,9 @@ std::string windingReason(const SignReport& report)
   {
     std::ostringstream text;
     text << std::setprecision(3) << "the mesh leaves open what is inside: its winding number is "
-         << "between 1/4 and 3/4 at " << 100.0 * report.ambiguousShare << " % of the grid";
+         << "between 1/4 and 3/4 at " << 100.0 * report.ambiguousShare
+         << " % of the grid, and lids of its holes would be " << 100.0 * report.lidShare
+         << " % of the surface";
     return text.str();
   }
   return report.holes == 0 ? "the mesh is closed"
@@ -122,8 +127,10 @@ void SignChoice::wind(SignMethod requested, const TriangleMesh& mesh,
     lids_ = std::make_unique<WindingNumber>(surface_.lids());
     lids_->joinTriangles();
     report_.ambiguousShare = ambiguousShare(surface_.chain, *lids_, frame_, grid, checkpoint_);
+    report_.lidShare = surface_.lidShare();
   }
-  const bool clear = report_.ambiguousShare <= kMaxAmbiguousShare;
+  const bool clear =
+    report_.ambiguousShare <= kMaxAmbiguousShare || report_.lidShare <= kMaxLidShare;
   report_.method =
     clear || requested == SignMethod::Winding ? SignMethod::Winding : SignMethod::None;
   report_.reason = windingReason(report_);

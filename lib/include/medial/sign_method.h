@@ -9,9 +9,10 @@ namespace medial
 /// How to tell inside from outside. Negative is inside; the magnitude never depends on the method.
 enum class SignMethod
 {
-  /// Winding, unless the mesh leaves open what is inside: None, if it has no triangles, if its
-  /// winding number is between 1/4 and 3/4 at more than 1 % of the grid points, or if its holes
-  /// have more than 1,000 edges and more than half as many as there are triangles.
+  /// Winding, unless the mesh leaves open what is inside: None, if it has no triangles; if its
+  /// winding number is between 1/4 and 3/4 at more than 1 % of the grid points, and lids of its
+  /// holes would be more than an eighth of the surface that they close; or if its holes have more
+  /// than 1,000 edges and more than half as many as there are triangles.
   Auto,
   /// Unsigned distance.
   None,
@@ -34,6 +35,7 @@ struct SignReport
   std::int64_t copies = 0;              ///< Winding: triangles left out as copies of others
   std::int64_t turned = 0;              ///< Winding: triangles turned round
   double ambiguousShare = 0.0; ///< Auto, Winding: share of the grid with winding number 1/4 to 3/4
+  double lidShare = 0.0; ///< Auto, Winding: area of the holes' lids over that of all, lids included
 };
 
 } // namespace medial
