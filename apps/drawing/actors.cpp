@@ -1,6 +1,7 @@
 #include "actors.h"
 
 #include <vtkAlgorithmOutput.h>
+#include <vtkAppendPolyData.h>
 #include <vtkCleanPolyData.h>
 #include <vtkFeatureEdges.h>
 #include <vtkNew.h>
@@ -43,7 +44,7 @@ vtkSmartPointer<vtkActor> makeFaces(vtkAlgorithmOutput* mesh)
   actor->SetMapper(mapper);
   vtkProperty* look = actor->GetProperty();
   look->SetColor(0.62, 0.66, 0.72);
-  look->SetOpacity(0.2);
+  look->SetOpacity(0.14);
   look->SetSpecular(0.3);
   look->SetSpecularPower(30.0);
   return actor;
@@ -62,7 +63,7 @@ vtkSmartPointer<vtkActor> makeSharpEdges(vtkAlgorithmOutput* mesh)
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   actor->GetProperty()->SetColor(0.35, 0.38, 0.42);
-  actor->GetProperty()->SetOpacity(0.5);
+  actor->GetProperty()->SetOpacity(0.4);
   actor->GetProperty()->LightingOff();
   return actor;
 }
@@ -78,8 +79,18 @@ SurfaceActors makeSurface(vtkPolyData* surface)
 vtkSmartPointer<vtkActor> makeAxis(vtkPolyData* axis, vtkScalarsToColors* colours,
   const char* array)
 {
+  vtkNew<vtkFeatureEdges> rims;
+  rims->SetInputData(axis);
+  rims->BoundaryEdgesOn();
+  rims->FeatureEdgesOff();
+  rims->NonManifoldEdgesOff();
+  rims->ManifoldEdgesOff();
+  rims->ColoringOff();
+  vtkNew<vtkAppendPolyData> both;
+  both->AddInputData(axis);
+  both->AddInputConnection(rims->GetOutputPort());
   vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(axis);
+  mapper->SetInputConnection(both->GetOutputPort());
   mapper->SetLookupTable(colours);
   mapper->SetScalarModeToUsePointFieldData();
   mapper->SelectColorArray(array);

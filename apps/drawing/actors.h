@@ -20,7 +20,8 @@ struct SurfaceActors
 
 SurfaceActors makeSurface(vtkPolyData* surface);
 
-/// A medial axis coloured by one of its point arrays.
+/// A medial axis coloured by one of its point arrays. Rims of sheets are lines as well, so that no
+/// sheet vanishes that is narrow or seen from its edge.
 vtkSmartPointer<vtkActor> makeAxis(vtkPolyData* axis, vtkScalarsToColors* colours,
   const char* array);
 

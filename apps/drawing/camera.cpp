@@ -19,6 +19,7 @@ namespace
 {
 
 constexpr double kMargin = 1.06;
+constexpr double kFlat = 0.2; // the thinnest side over the next
 
 std::vector<std::array<double, 3>> seenPoints(vtkPolyData* mesh)
 {
@@ -42,6 +43,28 @@ std::vector<std::array<double, 3>> seenPoints(vtkPolyData* mesh)
   }
   return points;
 }
+
+/// The axes of the box around a mesh, the thinnest first.
+class AxesBySize
+{
+public:
+  explicit AxesBySize(vtkPolyData* mesh)
+  {
+    for (const std::array<double, 3>& point : seenPoints(mesh))
+    {
+      bounds_.AddPoint(point[0], point[1], point[2]);
+    }
+    std::sort(axes_.begin(), axes_.end(),
+      [this](int a, int b) { return bounds_.GetLength(a) < bounds_.GetLength(b); });
+  }
+
+  int axis(std::size_t rank) const { return axes_[rank]; }
+  double size(std::size_t rank) const { return bounds_.GetLength(axes_[rank]); }
+
+private:
+  vtkBoundingBox bounds_;
+  std::array<int, 3> axes_ = { 0, 1, 2 };
+};
 
 } // namespace
 
@@ -71,6 +94,29 @@ void aimCamera(vtkCamera* camera, const vtkBoundingBox& bounds)
   camera->SetViewUp(0.0, zUp ? 0.0 : 1.0, zUp ? 1.0 : 0.0);
   camera->Azimuth(25.0);
   camera->Elevation(18.0);
+  camera->OrthogonalizeViewUp();
+  camera->ParallelProjectionOn();
+}
+
+bool isFlat(vtkPolyData* surface)
+{
+  const AxesBySize axes(surface);
+  return axes.size(0) < kFlat * axes.size(1);
+}
+
+void aimCameraAtEdge(vtkCamera* camera, vtkPolyData* surface)
+{
+  constexpr double kElevation = 12.0;
+  const AxesBySize axes(surface);
+  camera->SetFocalPoint(0.0, 0.0, 0.0);
+  // In front is what aimCamera() has below: y and z are looked along against their direction.
+  std::array<double, 3> position{};
+  position[axes.axis(1)] = axes.axis(1) == 0 ? 1.0 : -1.0;
+  std::array<double, 3> up{};
+  up[axes.axis(0)] = axes.axis(0) == 1 ? -1.0 : 1.0;
+  camera->SetPosition(position.data());
+  camera->SetViewUp(up.data());
+  camera->Elevation(kElevation);
   camera->OrthogonalizeViewUp();
   camera->ParallelProjectionOn();
 }
@@ -114,14 +160,14 @@ void fitView(vtkRenderer* renderer, const vtkBoundingBox& bounds, double aspect,
 }
 
 void fitView(vtkRenderer* renderer, std::initializer_list<vtkPolyData*> meshes, double aspect,
-  double barShare)
+  const Margins& margins)
 {
   vtkBoundingBox seen;
   for (vtkPolyData* mesh : meshes)
   {
     addSeenPoints(mesh, renderer->GetActiveCamera(), seen);
   }
-  fitView(renderer, seen, aspect, { barShare });
+  fitView(renderer, seen, aspect, margins);
 }
 
 } // namespace medial::app

@@ -29,6 +29,13 @@ void aimCamera(vtkCamera* camera, vtkPolyData* surface);
 void aimCamera(vtkCamera* camera, const vtkBoundingBox& bounds);
 ///@}
 
+/// Whether a mesh is so flat that the view along its thinnest axis hides much of its shape.
+bool isFlat(vtkPolyData* surface);
+
+/// Looks at a flat mesh in parallel projection along its shorter long axis, with the side up that
+/// aimCamera() has in front, and from above.
+void aimCameraAtEdge(vtkCamera* camera, vtkPolyData* surface);
+
 /// Adds the visible points of a mesh in the camera's coordinates.
 void addSeenPoints(vtkPolyData* mesh, vtkCamera* camera, vtkBoundingBox& bounds);
 
@@ -38,10 +45,9 @@ void addSeenPoints(vtkPolyData* mesh, vtkCamera* camera, vtkBoundingBox& bounds)
 void fitView(vtkRenderer* renderer, const vtkBoundingBox& bounds, double aspect,
   const Margins& margins);
 
-/// Moves and scales the view until every point of a cell fits, on the left of a scalar bar.
+/// Moves and scales the view until every point of a cell fits.
 /// @param aspect width of the picture over its height.
-/// @param barShare share of the width that the bar takes, in [0, 1).
 void fitView(vtkRenderer* renderer, std::initializer_list<vtkPolyData*> meshes, double aspect,
-  double barShare);
+  const Margins& margins);
 
 } // namespace medial::app

@@ -1,12 +1,15 @@
 #include "scene.h"
 
+#include "caption.h"
 #include "egl_render_window.h"
 #include "failure.h"
 #include "medial/error.h"
 #include "png_file.h"
 #include "scalar_bar.h"
 
+#include <vtkActor.h>
 #include <vtkPolyData.h>
+#include <vtkPropCollection.h>
 
 #include <string>
 
@@ -19,6 +22,16 @@ constexpr int kWidth = 1600;
 constexpr int kHeight = 1200;
 constexpr double kAspect = static_cast<double>(kWidth) / kHeight;
 constexpr int kFontSize = 28;
+constexpr double kStripShare = 0.24; ///< of the picture's height, for the view of an edge
+constexpr Colour kCaptionColour = { 0.15, 0.17, 0.2 };
+
+void setUp(vtkRenderer* renderer)
+{
+  renderer->SetBackground(1.0, 1.0, 1.0);
+  renderer->SetUseDepthPeeling(true);
+  renderer->SetMaximumNumberOfPeels(8);
+  renderer->SetUseFXAA(true);
+}
 
 } // namespace
 
@@ -35,10 +48,7 @@ Scene::Scene()
   }
   window_->SetSize(kWidth, kHeight);
   window_->SetAlphaBitPlanes(1);
-  renderer_->SetBackground(1.0, 1.0, 1.0);
-  renderer_->SetUseDepthPeeling(true);
-  renderer_->SetMaximumNumberOfPeels(8);
-  renderer_->SetUseFXAA(true);
+  setUp(renderer_);
   window_->AddRenderer(renderer_);
 }
 
@@ -58,10 +68,49 @@ void Scene::addScalarBar(vtkColorTransferFunction* colours, const char* title,
   }
 }
 
+void Scene::addCaption(const std::vector<std::string>& lines)
+{
+  for (const std::string& line : lines)
+  {
+    ++captionLines_;
+    const double height = 1.0 - kTextMargin - static_cast<double>(captionLines_) * kLineShare;
+    this->add(makeLine(line, height, kCaptionColour));
+  }
+}
+
+void Scene::addEdgeView(std::initializer_list<vtkPolyData*> shown)
+{
+  vtkNew<vtkRenderer> strip;
+  setUp(strip);
+  vtkPropCollection* props = renderer_->GetViewProps();
+  props->InitTraversal();
+  while (vtkProp* prop = props->GetNextProp())
+  {
+    if (vtkActor::SafeDownCast(prop) != nullptr)
+    {
+      strip->AddViewProp(prop);
+    }
+  }
+  strip->SetViewport(0.0, 0.0, 1.0, kStripShare);
+  renderer_->SetViewport(0.0, kStripShare, 1.0, 1.0);
+  window_->AddRenderer(strip);
+  aimCameraAtEdge(strip->GetActiveCamera(), *shown.begin());
+  fitView(strip, shown, kAspect / kStripShare, { kBarShare });
+}
+
 void Scene::draw(std::initializer_list<vtkPolyData*> shown, const std::filesystem::path& file)
 {
+  double aspect = kAspect;
+  if (isFlat(*shown.begin()))
+  {
+    this->addEdgeView(shown);
+    aspect /= 1.0 - kStripShare;
+  }
+  Margins margins;
+  margins.right = kBarShare;
+  margins.top = captionLines_ > 0 ? shareOfLines(captionLines_) : 0.0;
   aimCamera(renderer_->GetActiveCamera(), *shown.begin());
-  fitView(renderer_, shown, kAspect, kBarShare);
+  fitView(renderer_, shown, aspect, margins);
   this->write(file);
 }
 

@@ -9,6 +9,8 @@
 
 #include <filesystem>
 #include <initializer_list>
+#include <string>
+#include <vector>
 
 class vtkPolyData;
 
@@ -44,15 +46,23 @@ public:
   ///   it.
   void write(const std::filesystem::path& file);
 
-  /// Writes a PNG file of the scene with a scalar bar.
+  /// Adds lines of text at the upper left.
+  void addCaption(const std::vector<std::string>& lines);
+
+  /// Writes a PNG file of the scene with a scalar bar. What is flat is also seen from its edge, in
+  /// a strip below the other view.
   /// @param shown what must fit into it; the first one decides where to look from.
   /// @throws Failure NoSpace if the file cannot be written completely. The message does not name
   ///   it.
   void draw(std::initializer_list<vtkPolyData*> shown, const std::filesystem::path& file);
 
 private:
+  /// Shows what is there in a strip at the bottom, too, seen from its edge.
+  void addEdgeView(std::initializer_list<vtkPolyData*> shown);
+
   vtkSmartPointer<EglRenderWindow> window_;
   vtkNew<vtkRenderer> renderer_;
+  std::size_t captionLines_ = 0;
 };
 
 } // namespace medial::app

@@ -197,8 +197,8 @@ std::vector<std::string> fitMeshes(HtmlMesh& surface, HtmlMesh& axis, std::size_
   return how;
 }
 
-std::string makeHtmlData(const HtmlMesh& surface, const HtmlMesh& axis, const std::string& title,
-  const std::vector<std::string>& simplifications)
+std::string makeHtmlData(const HtmlMesh& surface, const HtmlMesh& axis,
+  const std::vector<std::string>& caption, const std::vector<std::string>& simplifications)
 {
   Json notes = Json::array();
   for (const std::string& how : simplifications)
@@ -208,7 +208,8 @@ std::string makeHtmlData(const HtmlMesh& surface, const HtmlMesh& axis, const st
   const std::array<Steps, 3> frame = frameOf(surface, axis);
   notes.push_back(roundingNote(frame));
   notes.push_back("Made by medial-axis " MEDIAL_VERSION "; drawn by vtk.js.");
-  const Json data = { { "title", title },
+  const std::vector<std::string> settings(caption.begin() + 1, caption.end());
+  const Json data = { { "title", caption.front() }, { "settings", settings },
     { "frame",
       { { "origin", { frame[0].origin, frame[1].origin, frame[2].origin } },
         { "step", { frame[0].step, frame[1].step, frame[2].step } } } },

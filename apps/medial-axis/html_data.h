@@ -18,9 +18,11 @@ std::vector<std::string> fitMeshes(HtmlMesh& surface, HtmlMesh& axis, std::size_
 /// The data of a page as JSON without "<", so that nothing in it ends an HTML element. docs/WEB.md
 /// has the format.
 /// @param surface, axis may be empty; the axis as sortByAngle() leaves it.
-/// @param title what the page calls the mesh; bytes that are not UTF-8 are replaced.
+/// @param caption what the page calls the mesh, and lines below it; at least one. Bytes that are
+/// not
+///   UTF-8 are replaced.
 /// @param simplifications of fitMeshes(), for the reader of the page.
-std::string makeHtmlData(const HtmlMesh& surface, const HtmlMesh& axis, const std::string& title,
-  const std::vector<std::string>& simplifications);
+std::string makeHtmlData(const HtmlMesh& surface, const HtmlMesh& axis,
+  const std::vector<std::string>& caption, const std::vector<std::string>& simplifications);
 
 } // namespace medial::app

@@ -60,8 +60,8 @@ std::string filled(std::string_view text,
 
 } // namespace
 
-HtmlPage makeHtml(const TriangleMesh& surface, vtkPolyData* axis, const std::string& title,
-  std::string_view vtkJs, std::size_t limit)
+HtmlPage makeHtml(const TriangleMesh& surface, vtkPolyData* axis,
+  const std::vector<std::string>& caption, std::string_view vtkJs, std::size_t limit)
 {
   constexpr std::size_t kFrame = 50'000; // page, scripts and what describes the data
   const std::size_t fixed = vtkJs.size() + kFrame;
@@ -72,7 +72,7 @@ HtmlPage makeHtml(const TriangleMesh& surface, vtkPolyData* axis, const std::str
 
   const auto file = [](const char* name)
   { return [name] { return escapedScript(webFile(name)); }; };
-  const auto data = [&] { return makeHtmlData(surfaceMesh, axisMesh, title, simplifications); };
+  const auto data = [&] { return makeHtmlData(surfaceMesh, axisMesh, caption, simplifications); };
   return { filled(webFile("page.html"),
              { { "style", [] { return std::string(webFile("style.css")); } },
                { "decode", file("decode.js") }, { "scene", file("scene.js") },
@@ -82,9 +82,9 @@ HtmlPage makeHtml(const TriangleMesh& surface, vtkPolyData* axis, const std::str
 }
 
 std::vector<std::string> writeHtml(const TriangleMesh& surface, vtkPolyData* axis,
-  const std::string& title, const std::filesystem::path& file)
+  const std::vector<std::string>& caption, const std::filesystem::path& file)
 {
-  HtmlPage page = makeHtml(surface, axis, title, webFile("vtk.js"));
+  HtmlPage page = makeHtml(surface, axis, caption, webFile("vtk.js"));
   writeFile(file, page.html);
   return std::move(page.simplifications);
 }

@@ -3,6 +3,7 @@
 #include "file_writer.h"
 #include "html_page.h"
 #include "picture.h"
+#include "picture_caption.h"
 #include "surface_thickness.h"
 #include "thickness_picture.h"
 #include "timer.h"
@@ -80,17 +81,20 @@ OutputNotes writeOutputs(const Options& options, Surface& surface, const Result&
   outputs.write(options.curves, [&](const auto& file) { notes.curves = writeCurves(axis, file); });
   const Timer axisPicture;
   outputs.write(options.image,
-    [&](const auto& file) { drawPicture(surface.polyData(), axis, file); });
+    [&](const auto& file)
+    { drawPicture(surface.polyData(), axis, axisCaption(options, result), file); });
   notes.pictureSeconds = axisPicture.seconds();
   outputs.write(options.html,
     [&](const auto& file)
-    { notes.page = writeHtml(result.mesh, axis, options.input.filename().string(), file); });
+    { notes.page = writeHtml(result.mesh, axis, axisCaption(options, result), file); });
   outputs.write(options.thickness,
     [&](const auto& file)
     { writeVtp(withThickness(surface.polyData(), result.mesh, *result.thickness), file); });
   const Timer thicknessPicture;
   outputs.write(options.thicknessImage,
-    [&](const auto& file) { drawThickness(result.thicknessPicture, surface.polyData(), file); });
+    [&](const auto& file) {
+      drawThickness(result.thicknessPicture, surface.polyData(), thicknessCaption(options), file);
+    });
   notes.pictureSeconds += thicknessPicture.seconds();
   return notes;
 }

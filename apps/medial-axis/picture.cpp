@@ -9,7 +9,9 @@
 
 namespace medial::app
 {
-void drawPicture(vtkPolyData* surface, vtkPolyData* axis, const std::filesystem::path& file)
+
+void drawPicture(vtkPolyData* surface, vtkPolyData* axis, const std::vector<std::string>& caption,
+  const std::filesystem::path& file)
 {
   const VtkMessages messages;
   Scene scene;
@@ -18,7 +20,8 @@ void drawPicture(vtkPolyData* surface, vtkPolyData* axis, const std::filesystem:
   scene.add(drawn.faces);
   scene.add(drawn.edges);
   scene.add(makeAxis(axis, colours, "Radius"));
-  scene.addScalarBar(colours, "Radius");
+  scene.addScalarBar(colours, "Radius\n(world units)");
+  scene.addCaption(caption);
   scene.draw({ surface, axis }, file);
 }
 

@@ -54,7 +54,8 @@ void addSurface(Scene& scene, vtkPolyData* surface, vtkColorTransferFunction* co
 
 } // namespace
 
-void drawThickness(vtkPolyData* coloured, vtkPolyData* surface, const std::filesystem::path& file)
+void drawThickness(vtkPolyData* coloured, vtkPolyData* surface,
+  const std::vector<std::string>& caption, const std::filesystem::path& file)
 {
   const VtkMessages messages;
   const Values values(coloured->GetPointData()->GetArray("Thickness"));
@@ -64,6 +65,7 @@ void drawThickness(vtkPolyData* coloured, vtkPolyData* surface, const std::files
   addSurface(scene, coloured, colours);
   scene.add(makeSurface(surface).edges);
   scene.addScalarBar(colours, "Thickness\n(world units)", values.someMissing ? "none" : nullptr);
+  scene.addCaption(caption);
   scene.draw({ surface }, file);
 }
 

@@ -1,18 +1,22 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 class vtkPolyData;
 
 namespace medial::app
 {
 
-/// Draws a surface coloured by its Thickness, from 0 to its maximum, grey where there is
-/// none, with a scalar bar in world units, as a PNG file of 1600 x 1200 pixels. Needs no display.
+/// Draws a surface coloured by its Thickness, from 0 to its maximum, grey where there is none, with
+/// a caption and a scalar bar in world units, as a PNG file of 1600 x 1200 pixels. Needs no
+/// display.
 /// @param coloured has the array, and enough points to show how it varies.
 /// @param surface of the same shape, whose sharp edges are drawn.
 /// @throws Failure NoGpu if there is no OpenGL, NoSpace if the file cannot be written completely.
 ///   The message does not name it.
-void drawThickness(vtkPolyData* coloured, vtkPolyData* surface, const std::filesystem::path& file);
+void drawThickness(vtkPolyData* coloured, vtkPolyData* surface,
+  const std::vector<std::string>& caption, const std::filesystem::path& file);
 
 } // namespace medial::app

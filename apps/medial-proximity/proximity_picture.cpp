@@ -1,6 +1,7 @@
 #include "proximity_picture.h"
 
 #include "actors.h"
+#include "caption.h"
 #include "captions.h"
 #include "contact_data.h"
 #include "vtk_messages.h"
@@ -12,8 +13,6 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkSphereSource.h>
-#include <vtkTextActor.h>
-#include <vtkTextProperty.h>
 #include <vtkTubeFilter.h>
 
 #include <algorithm>
@@ -26,8 +25,6 @@ namespace medial::app
 namespace
 {
 
-using Colour = std::array<double, 3>;
-
 // Of the meshes, one after the other; told apart by people who see fewer colours, too.
 constexpr std::array<Colour, 6> kBodyColours = { { { 0.00, 0.36, 0.67 }, { 0.90, 0.52, 0.00 },
   { 0.00, 0.58, 0.43 }, { 0.74, 0.42, 0.62 }, { 0.30, 0.66, 0.87 }, { 0.55, 0.50, 0.10 } } };
@@ -39,11 +36,6 @@ constexpr double kOpacity = 0.22;
 constexpr double kArrowLength = 0.16;
 constexpr double kContactRadius = 0.016;
 constexpr double kWitnessRadius = 0.0055;
-
-// In pixels; a line of text is a share of the height of the picture.
-constexpr int kFontSize = 30;
-constexpr double kLineShare = 0.036;
-constexpr double kTextMargin = 0.02;
 
 const Colour& colourOf(std::size_t body)
 {
@@ -119,19 +111,6 @@ vtkSmartPointer<vtkActor> makeTubes(vtkPolyData* lines, double radius)
   return makeSolid(tubes, kWitnessColour);
 }
 
-// @param height of its lower edge, as a share of that of the picture.
-vtkSmartPointer<vtkProp> makeText(const std::string& text, double height, const Colour& colour)
-{
-  auto actor = vtkSmartPointer<vtkTextActor>::New();
-  actor->SetInput(text.c_str());
-  actor->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
-  actor->SetPosition(kTextMargin, height);
-  vtkTextProperty* look = actor->GetTextProperty();
-  look->SetColor(colour[0], colour[1], colour[2]);
-  look->SetFontSize(kFontSize);
-  return actor;
-}
-
 // The pairs that have two closest points to show.
 std::vector<Proximity> apart(const std::vector<Proximity>& pairs)
 {
@@ -139,11 +118,6 @@ std::vector<Proximity> apart(const std::vector<Proximity>& pairs)
   std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(result),
     [](const Proximity& pair) { return !pair.intersect; });
   return result;
-}
-
-double shareOf(const std::vector<std::string>& lines)
-{
-  return static_cast<double>(lines.size()) * kLineShare + 2.0 * kTextMargin;
 }
 
 } // namespace
@@ -173,7 +147,7 @@ void ProximityPicture::addBodies()
   {
     const double height = 1.0 - kTextMargin - static_cast<double>(i + 1) * kLineShare;
     scene_.add(
-      makeText(names[i], height, i < results_.bodies.size() ? colourOf(i) : kWitnessColour));
+      makeLine(names[i], height, i < results_.bodies.size() ? colourOf(i) : kWitnessColour));
   }
 }
 
@@ -205,10 +179,10 @@ void ProximityPicture::aim(std::size_t frames)
   vtkBoundingBox seen;
   forEachSurface([&](vtkPolyData* surface) { addSeenPoints(surface, scene_.camera(), seen); });
   Margins margins;
-  margins.top = shareOf(legend(results_.bodies));
+  margins.top = shareOfLines(legend(results_.bodies).size());
   for (std::size_t frame = 0; frame < frames; ++frame)
   {
-    margins.bottom = std::max(margins.bottom, shareOf(caption(results_, frame)));
+    margins.bottom = std::max(margins.bottom, shareOfLines(caption(results_, frame).size()));
   }
   scene_.fit(seen, margins);
   scale_ = scene_.camera()->GetParallelScale();
@@ -248,7 +222,7 @@ void ProximityPicture::addCaption(std::size_t frame)
   for (std::size_t i = 0; i < lines.size(); ++i)
   {
     const double height = kTextMargin + static_cast<double>(lines.size() - 1 - i) * kLineShare;
-    this->add(makeText(lines[i], height, kWitnessColour));
+    this->add(makeLine(lines[i], height, kWitnessColour));
   }
 }
 

@@ -1,5 +1,6 @@
 #include "viewer_scene.h"
 
+#include "caption.h"
 #include "colours.h"
 #include "scalar_bar.h"
 
@@ -8,9 +9,6 @@
 #include <vtkPolyData.h>
 #include <vtkRenderer.h>
 #include <vtkTextProperty.h>
-#include <vtk_utf8.h>
-
-#include <iterator>
 
 namespace medial::app
 {
@@ -32,11 +30,11 @@ Colouring colouringOf(ColourBy colour)
     case ColourBy::Angle:
       return { "SeparationAngle", "Angle\n(degrees)" };
     case ColourBy::Thickness:
-      return { "Thickness", "Thickness" };
+      return { "Thickness", "Thickness\n(world units)" };
     case ColourBy::Radius:
       break;
   }
-  return { "Radius", "Radius" };
+  return { "Radius", "Radius\n(world units)" };
 }
 
 void layOut(vtkTextActor* actor, double x, double y)
@@ -65,6 +63,7 @@ ViewerScene::ViewerScene(vtkRenderer* renderer, vtkPolyData* surface, vtkPolyDat
   , bar_(makeScalarBar(colours_, "Radius", kFontSize))
 {
   renderer->SetBackground(1.0, 1.0, 1.0);
+  renderer->SetUseFXAA(true);
   layOut(status_, 0.015, 0.985);
   layOut(help_, 0.015, 0.8);
   help_->GetTextProperty()->SetFontFamilyToCourier();
@@ -89,12 +88,9 @@ void ViewerScene::colourAxis(ColourBy colour, double max)
   bar_->SetTitle(colouring.title);
 }
 
-// A text that is not UTF-8, as names of files may be, would not be drawn at all.
 void ViewerScene::setStatus(const std::string& text)
 {
-  std::string valid;
-  utf8::replace_invalid(text.begin(), text.end(), std::back_inserter(valid), U'?');
-  status_->SetInput(valid.c_str());
+  status_->SetInput(drawableText(text).c_str());
 }
 
 void ViewerScene::toggleSurface()

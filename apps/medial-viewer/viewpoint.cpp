@@ -38,7 +38,7 @@ void lookAt(vtkRenderer* renderer, const Sequence& sequence)
     sequence.frames.size() > 1 ? cornersOf(sequence.bounds) : sequence.surface;
   aimCamera(camera, shown);
   const int* size = renderer->GetRenderWindow()->GetSize();
-  fitView(renderer, { shown }, static_cast<double>(size[0]) / size[1], kBarShare);
+  fitView(renderer, { shown }, static_cast<double>(size[0]) / size[1], { kBarShare });
   camera->Zoom(kRoom);
   renderer->ResetCameraClippingRange();
 }

@@ -163,7 +163,8 @@ class HtmlPage : public ::testing::Test
 {
 protected:
   TriangleMesh surface = box({ 1.0, 0.7, 6.0 });
-  std::string page = makeHtml(surface, sheet(10), "box.obj", kBundle).html;
+  std::string page =
+    makeHtml(surface, sheet(10), { "box.obj", "angle 60", "grid 4 x 5 x 6" }, kBundle).html;
   Json data = dataOf(page);
 };
 
@@ -248,16 +249,22 @@ TEST_F(HtmlPage, TrianglesCoverTheSheetThoseOfWideAnglesFirst)
 TEST_F(HtmlPage, NoTextEndsAScript)
 {
   const std::string title = "</script><b>\"\\ & <!-- \xC3\xA9 \xFF";
-  const std::string hostile = makeHtml(surface, sheet(2), title, "a = '</SCRIPT><!--';").html;
+  const std::string hostile = makeHtml(surface, sheet(2), { title }, "a = '</SCRIPT><!--';").html;
   EXPECT_EQ(occurrences(hostile, "</script"), 3);
   EXPECT_EQ(occurrences(hostile, "<!--"), 1); // the page's own
   EXPECT_NE(hostile.find(R"(a = '<\/SCRIPT><\!--';)"), std::string::npos);
   EXPECT_EQ(dataOf(hostile)["title"], "</script><b>\"\\ & <!-- \xC3\xA9 \xEF\xBF\xBD");
 }
 
+TEST_F(HtmlPage, SaysHowTheAxisWasComputed)
+{
+  EXPECT_EQ(data["title"], "box.obj");
+  EXPECT_EQ(data["settings"], Json({ "angle 60", "grid 4 x 5 x 6" }));
+}
+
 TEST_F(HtmlPage, AnEmptyAxisIsNone)
 {
-  const Json empty = dataOf(makeHtml(surface, emptyAxis(), "box", kBundle).html);
+  const Json empty = dataOf(makeHtml(surface, emptyAxis(), { "box" }, kBundle).html);
   EXPECT_EQ(empty["axis"]["points"], "");
   EXPECT_EQ(empty["axis"]["triangles"], "");
   EXPECT_EQ(empty["axis"]["arrays"][1]["values"], "");
@@ -277,10 +284,10 @@ TEST(HtmlPageLimit, CoarserMeshesKeepItAndThePageSaysSo)
   const TriangleMesh sphere = icosphere(1.0, 6); // 81,920 triangles
   const auto axis = sheet(300);                  // 180,000
   constexpr std::size_t kLimit = 1'000'000;
-  const app::HtmlPage whole = makeHtml(sphere, axis, "sphere", kBundle);
+  const app::HtmlPage whole = makeHtml(sphere, axis, { "sphere" }, kBundle);
   EXPECT_GT(whole.html.size(), 2 * kLimit);
   EXPECT_EQ(whole.simplifications, std::vector<std::string>());
-  const app::HtmlPage page = makeHtml(sphere, axis, "sphere", kBundle, kLimit);
+  const app::HtmlPage page = makeHtml(sphere, axis, { "sphere" }, kBundle, kLimit);
   EXPECT_LT(page.html.size(), kLimit);
   EXPECT_GT(page.html.size(), kLimit / 3);
   const Json data = dataOf(page.html);

@@ -190,6 +190,7 @@ class Browser(unittest.TestCase):
 
     def test_title_and_notes(self):
         self.assertEqual(text_of(self.default_dom, "title"), self.mesh.name)
+        self.assertRegex(text_of(self.default_dom, "settings"), r"^medial axis, interior, angle .*, grid \d+ x \d+ x \d+$")
         self.assertIn("rounded", items_of(self.default_dom, "notes")[0])
         self.assertNotIn("simplified", self.default_dom.partition("</section>")[0])
 

@@ -54,6 +54,7 @@ function showLegend(array, labels, colours) {
 function fillPanel(page, scene) {
   document.title = `Medial axis of ${page.title}`;
   element("title").textContent = page.title;
+  element("settings").textContent = page.settings.join(", ");
   element("notes").replaceChildren(...listItems(page.notes));
   element("about").open = page.simplified;
   element("colour").replaceChildren(...scene.axisMesh.arrays.map((array) => {
@@ -89,7 +90,7 @@ function makeAppliers(page, scene) {
 function setInitialValues(page, scene) {
   const angles = scene.axisMesh.arrays.find(({ name }) => name === "SeparationAngle");
   element("angle").min = Math.floor(angles.origin);
-  const initial = { angle: element("angle").min, opacity: 0.2, colour: "Radius" };
+  const initial = { angle: element("angle").min, opacity: 0.15, colour: "Radius" };
   const settings = settingsOf(location.hash);
   for (const id of Object.keys(initial)) {
     const given = Object.hasOwn(settings, id)

@@ -1,0 +1,66 @@
+#include "picture_caption.h"
+
+#include "caption.h"
+#include "option_names.h"
+
+#include <iomanip>
+#include <sstream>
+
+namespace medial::app
+{
+namespace
+{
+
+std::string asText(double value)
+{
+  std::ostringstream text;
+  text << std::setprecision(4) << value;
+  return text.str();
+}
+
+std::string asText(const Length& length)
+{
+  return asText(length.value) + (length.percent ? " %" : "");
+}
+
+std::string sideAndAngle(const std::string& what, const Options& options)
+{
+  return what + ", " + nameOf(options.side) + ", angle " + asText(options.angle) + "\xc2\xb0";
+}
+
+} // namespace
+
+std::vector<std::string> axisCaption(const Options& options, const Result& result)
+{
+  std::string selection = sideAndAngle("medial axis", options);
+  if (options.lambda.value > 0.0)
+  {
+    selection += ", lambda " + asText(options.lambda);
+  }
+  if (options.minRadius.value > 0.0)
+  {
+    selection += ", radius at least " + asText(options.minRadius);
+  }
+  const auto& [x, y, z] = result.grid.dimensions;
+  std::string way =
+    "grid " + std::to_string(x) + " x " + std::to_string(y) + " x " + std::to_string(z);
+  if (options.topology != Topology::Selected)
+  {
+    way += ", topology " + nameOf(options.topology);
+  }
+  if (options.maxSpheres > 0)
+  {
+    way += ", at most " + std::to_string(options.maxSpheres) + " spheres";
+  }
+  const std::string name = options.input.filename().string();
+  const std::string both = selection + ", " + way;
+  return both.size() <= kMaxCharacters ? std::vector<std::string>{ name, both }
+                                       : std::vector<std::string>{ name, selection, way };
+}
+
+std::vector<std::string> thicknessCaption(const Options& options)
+{
+  return { options.input.filename().string(), sideAndAngle("thickness", options) };
+}
+
+} // namespace medial::app

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "computation.h"
+#include "options.h"
+
+#include <string>
+#include <vector>
+
+// What pictures and pages say at the top: what is drawn, and how it was computed.
+namespace medial::app
+{
+
+/// Name of the mesh's file; what is selected; grid, topology and limit of spheres.
+std::vector<std::string> axisCaption(const Options& options, const Result& result);
+
+/// Name of the mesh's file; side and angle of the thickness.
+std::vector<std::string> thicknessCaption(const Options& options);
+
+} // namespace medial::app

@@ -1,0 +1,171 @@
+// Captions of pictures, and the view of a flat part from its edge.
+#include "command_output.h"
+
+#include "caption.h"
+#include "picture_caption.h"
+
+#include <vtkImageData.h>
+
+namespace medial::test
+{
+namespace
+{
+
+constexpr int kWidth = 1600;
+constexpr int kHeight = 1200;
+constexpr int kBarLeft = 1300; // of the scalar bar, and a little less
+
+double darkest(vtkImageData* picture, int x, int y)
+{
+  double value = 255.0;
+  for (int channel = 0; channel < 3; ++channel)
+  {
+    value = std::min(value, picture->GetScalarComponentAsDouble(x, y, 0, channel));
+  }
+  return value;
+}
+
+// Pixels in some rows, counted from the bottom, that are dark in every channel.
+int inkIn(vtkImageData* picture, int firstRow, int lastRow)
+{
+  int count = 0;
+  for (int y = firstRow; y <= lastRow; ++y)
+  {
+    for (int x = 0; x < kBarLeft; ++x)
+    {
+      double brightest = 0.0;
+      for (int channel = 0; channel < 3; ++channel)
+      {
+        brightest = std::max(brightest, picture->GetScalarComponentAsDouble(x, y, 0, channel));
+      }
+      count += brightest < 100.0 ? 1 : 0;
+    }
+  }
+  return count;
+}
+
+bool isWhite(vtkImageData* picture, int row)
+{
+  for (int x = 0; x < kBarLeft; ++x)
+  {
+    if (darkest(picture, x, row) < 255.0)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+int firstRowOfCaption(std::size_t lines)
+{
+  return static_cast<int>(kHeight * (1.0 - app::shareOfLines(lines))) + 1;
+}
+
+app::Options someOptions()
+{
+  app::Options options;
+  options.input = "parts/bracket.stl";
+  options.angle = 75.5;
+  return options;
+}
+
+app::Result resultOn(std::array<int, 3> dimensions)
+{
+  app::Result result;
+  result.grid.dimensions = dimensions;
+  return result;
+}
+
+TEST(PictureCaption, HasFileSideAngleAndGrid)
+{
+  EXPECT_EQ(app::axisCaption(someOptions(), resultOn({ 256, 31, 7 })),
+    (std::vector<std::string>{ "bracket.stl",
+      "medial axis, interior, angle 75.5\xc2\xb0, grid 256 x 31 x 7" }));
+  EXPECT_EQ(app::thicknessCaption(someOptions()),
+    (std::vector<std::string>{ "bracket.stl", "thickness, interior, angle 75.5\xc2\xb0" }));
+}
+
+TEST(PictureCaption, HasWhatElseWasAskedFor)
+{
+  app::Options options = someOptions();
+  options.lambda = { 2.0, true };
+  options.minRadius = { 0.125, false };
+  options.side = Side::Both;
+  options.topology = Topology::Preserve;
+  options.maxSpheres = 40;
+  EXPECT_EQ(app::axisCaption(options, resultOn({ 1, 2, 3 })),
+    (std::vector<std::string>{ "bracket.stl",
+      "medial axis, both, angle 75.5\xc2\xb0, lambda 2 %, radius at least 0.125",
+      "grid 1 x 2 x 3, topology preserve, at most 40 spheres" }));
+}
+
+TEST(PictureCaption, KeepsTheEndOfWhatIsTooLong)
+{
+  const std::string name =
+    std::string(60, 'a') + "\xc3\xa9" + std::string(app::kMaxCharacters - 1, 'b');
+  const auto line = app::makeLine(name, 0.5, {});
+  EXPECT_EQ(line->GetInput(), "..." + std::string(app::kMaxCharacters - 1, 'b'));
+}
+
+TEST_F(CommandOutput, PictureHasACaption)
+{
+  std::filesystem::copy_file(folder.file("box.obj"), folder.file("b\xf6x.obj"));
+  run({ "--image", folder.file("named.png") });
+  const Outcome outcome = runMedialAxis(
+    { folder.file("b\xf6x.obj"), "--resolution", "32", "--image", folder.file("unnamed.png") });
+  ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+  for (const char* name : { "named.png", "unnamed.png" })
+  {
+    const auto picture = readPng(folder.file(name));
+    const int below = firstRowOfCaption(2);
+    const int between = static_cast<int>(kHeight * (1.0 - app::kTextMargin - app::kLineShare));
+    EXPECT_GT(inkIn(picture, between, kHeight - 1), 300) << name; // the file
+    EXPECT_GT(inkIn(picture, below, between), 1000) << name;      // how it was computed
+    EXPECT_EQ(inkIn(picture, below - 4, below), 0) << name;
+  }
+}
+
+class PictureOfAPlate : public CommandRun
+{
+protected:
+  PictureOfAPlate()
+    : CommandRun(box({ 1.0, 0.6, 0.05 }))
+  {
+  }
+};
+
+// 24 % of the picture's height; above them a margin.
+TEST_F(PictureOfAPlate, ShowsItsEdgeAsWell)
+{
+  constexpr int kStrip = 288;
+  run({ "--resolution", "48", "--image", folder.file("plate.png") });
+  const auto picture = readPng(folder.file("plate.png"));
+  int first = kWidth;
+  int last = 0;
+  int height = 0;
+  for (int y = 0; y < kStrip; ++y)
+  {
+    for (int x = 0; x < kBarLeft; ++x)
+    {
+      if (darkest(picture, x, y) < 250.0)
+      {
+        first = std::min(first, x);
+        last = std::max(last, x);
+      }
+    }
+    height += isWhite(picture, y) ? 0 : 1;
+  }
+  EXPECT_GT(last - first, 900);          // as wide as there is room
+  EXPECT_LT(height, (last - first) / 4); // seen from its edge, a little from above
+  EXPECT_TRUE(isWhite(picture, kStrip - 1));
+  EXPECT_TRUE(isWhite(picture, kStrip));
+  int above = 0;
+  for (int y = kStrip; y < firstRowOfCaption(2); ++y)
+  {
+    above += isWhite(picture, y) ? 0 : 1;
+  }
+  EXPECT_GT(above, 450); // the view of its face
+}
+
+} // namespace
+} // namespace medial::test
