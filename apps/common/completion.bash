@@ -34,7 +34,7 @@ _medial_values()
     --curves | --thickness) _medial_files "$2" vtp ;;
     --contacts) _medial_files "$2" vtp pvd ;;
     --animation) compgen -d -- "$2" ;;
-    --field) _medial_files "$2" vti pvti ;;
+    --field) _medial_files "$2" vti pvti nrrd mha nii.gz ;;
     --image | --thickness-image | --screenshot) _medial_files "$2" png ;;
     --html) _medial_files "$2" html ;;
     --colour) compgen -W "radius angle thickness" -- "$2" ;;
@@ -66,6 +66,8 @@ _medial()
     mapfile -t COMPREPLY < <(_medial_files "$word" vtp ply obj ma stl off vtk)
   elif [[ $program == *medial-distance ]]; then
     mapfile -t COMPREPLY < <(_medial_files "$word" stl obj ply off vtp vtk xyz txt csv)
+  elif [[ $program == *medial-axis ]]; then
+    mapfile -t COMPREPLY < <(_medial_files "$word" stl obj ply off vtp vtk nrrd mha mhd nii nii.gz vti)
   else
     mapfile -t COMPREPLY < <(_medial_files "$word" stl obj ply off vtp vtk)
   fi

@@ -18,6 +18,10 @@ namespace medial::app
 std::string extensionOf(const fs::path& path)
 {
   std::string extension = path.extension().string();
+  if (extension == ".gz" || extension == ".GZ")
+  {
+    extension = path.stem().extension().string() + extension;
+  }
   std::transform(extension.begin(), extension.end(), extension.begin(),
     [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return extension;

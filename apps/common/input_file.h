@@ -6,7 +6,7 @@
 namespace medial::app
 {
 
-/// The extension in lower case, with its dot.
+/// The extension in lower case, with its dot; in front of .gz, the one before as well.
 std::string extensionOf(const std::filesystem::path& path);
 
 /// Reports what is wrong with an input file.

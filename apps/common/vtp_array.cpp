@@ -175,10 +175,32 @@ void decompress(const Compressor& with, std::string_view block, std::size_t size
 } // namespace
 
 // Meshes compress to a tenth, where much is equal to a hundredth.
-VtpArrays::VtpArrays(VtpEncoding encoding, std::size_t fileSize)
+VtpEncoding encodingOf(const std::vector<XmlElement>& elements)
+{
+  const XmlElement& root = elements.front();
+  VtpEncoding encoding;
+  encoding.bigEndian = root.attribute("byte_order", "") == "BigEndian";
+  encoding.headerWord = root.attribute("header_type", "") == "UInt64" ? 8 : 4;
+  encoding.compressor = root.attribute("compressor", "");
+  const XmlElement& last = elements.back();
+  if (last.name == "AppendedData")
+  {
+    encoding.appendedBase64 = last.attribute("encoding", "") == "base64";
+    const std::size_t mark = last.text.find('_');
+    const std::size_t end = last.text.rfind("</AppendedData");
+    if (mark >= end || end == std::string_view::npos)
+    {
+      refuseContent("ends early: the element AppendedData has no end");
+    }
+    encoding.appended = last.text.substr(mark + 1, end - mark - 1);
+  }
+  return encoding;
+}
+
+VtpArrays::VtpArrays(VtpEncoding encoding, std::size_t fileSize, std::size_t ratio)
   : encoding_(std::move(encoding))
   , unread_(fileSize)
-  , expandable_((std::size_t{ 64 } << 20) + 64 * fileSize)
+  , expandable_((std::size_t{ 64 } << 20) + ratio * fileSize)
 {
 }
 

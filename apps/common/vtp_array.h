@@ -24,9 +24,14 @@ struct VtpEncoding
   bool appendedBase64 = false;
 };
 
+/// The encoding that the root of a file states, and where its appended data begin.
+/// @param elements of the file, as scanXml() makes them; its texts point into the same content.
+/// @throws Error InvalidInput, without the name of the file.
+VtpEncoding encodingOf(const std::vector<XmlElement>& elements);
+
 /// Reads the arrays of a file. What a header asks for is compared with the bytes that are there
 /// before memory is allocated, and no byte is read for two arrays: what all arrays take together is
-/// limited, too. Decompressed they are at most 64 MiB and 64 times as large as the file.
+/// limited, too. Decompressed they are at most 64 MiB and `ratio` times as large as the file.
 ///
 /// Errors are InvalidInput, without the name of the file.
 class VtpArrays
@@ -34,7 +39,7 @@ class VtpArrays
 public:
   /// @param encoding its texts must outlive this object.
   /// @param fileSize in bytes.
-  VtpArrays(VtpEncoding encoding, std::size_t fileSize);
+  VtpArrays(VtpEncoding encoding, std::size_t fileSize, std::size_t ratio = 64);
 
   /// Reads the numbers of an element DataArray.
   /// @param tuples how many it must have.

@@ -86,28 +86,6 @@ void checkCells(const std::string& kind, const std::vector<std::int64_t>& ends,
   }
 }
 
-VtpEncoding encodingOf(const std::vector<XmlElement>& elements)
-{
-  const XmlElement& root = elements.front();
-  VtpEncoding encoding;
-  encoding.bigEndian = root.attribute("byte_order", "") == "BigEndian";
-  encoding.headerWord = root.attribute("header_type", "") == "UInt64" ? 8 : 4;
-  encoding.compressor = root.attribute("compressor", "");
-  const XmlElement& last = elements.back();
-  if (last.name == "AppendedData")
-  {
-    encoding.appendedBase64 = last.attribute("encoding", "") == "base64";
-    const std::size_t mark = last.text.find('_');
-    const std::size_t end = last.text.rfind("</AppendedData");
-    if (mark >= end || end == std::string_view::npos)
-    {
-      refuseContent("ends early: the element AppendedData has no end");
-    }
-    encoding.appended = last.text.substr(mark + 1, end - mark - 1);
-  }
-  return encoding;
-}
-
 class VtpParser
 {
 public:
@@ -142,14 +120,7 @@ public:
 private:
   const XmlElement* childOf(const XmlElement& parent, const char* name) const
   {
-    for (const std::size_t child : parent.children)
-    {
-      if (elements_[child].name == name)
-      {
-        return &elements_[child];
-      }
-    }
-    return nullptr;
+    return app::childOf(elements_, parent, name);
   }
 
   // Every piece has data of its own around its points and cells, whatever their number.

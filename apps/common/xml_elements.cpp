@@ -203,6 +203,19 @@ std::vector<XmlElement> scanXml(std::string_view content, std::string_view last)
   return XmlScanner(content, last).scan();
 }
 
+const XmlElement* childOf(const std::vector<XmlElement>& elements, const XmlElement& parent,
+  const std::string& name)
+{
+  for (const std::size_t child : parent.children)
+  {
+    if (elements[child].name == name)
+    {
+      return &elements[child];
+    }
+  }
+  return nullptr;
+}
+
 std::string escapedXml(const std::string& text)
 {
   std::string result;

@@ -28,6 +28,10 @@ struct XmlElement
 /// @throws Error InvalidInput, without the name of the file.
 std::vector<XmlElement> scanXml(std::string_view content, std::string_view last);
 
+/// The first child of an element with a name; null if it has none.
+const XmlElement* childOf(const std::vector<XmlElement>& elements, const XmlElement& parent,
+  const std::string& name);
+
 /// A text as it stands in an attribute of XML.
 std::string escapedXml(const std::string& text);
 

@@ -1,16 +1,17 @@
 #include "field_layout.h"
 
+#include "input_file.h"
+#include "number_text.h"
+#include "volume_header.h"
 #include "xml_elements.h"
 
 #include <algorithm>
-#include <charconv>
 
 namespace medial::app
 {
 namespace
 {
 
-constexpr std::uint64_t kLengthSize = sizeof(std::uint64_t);
 constexpr int kPieceSlices = 64;
 
 #if __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
@@ -18,18 +19,6 @@ constexpr char kByteOrder[] = "LittleEndian";
 #else
 constexpr char kByteOrder[] = "BigEndian";
 #endif
-
-// The shortest text that reads back without loss, in every locale.
-std::string numberText(double number)
-{
-  char text[32];
-  return { text, std::to_chars(text, text + sizeof(text), number).ptr };
-}
-
-std::string pointText(const Point3& point)
-{
-  return numberText(point[0]) + ' ' + numberText(point[1]) + ' ' + numberText(point[2]);
-}
 
 std::string extentText(const Extent& extent)
 {
@@ -56,17 +45,28 @@ std::string imageAttributes(const Grid& grid, const Extent& whole)
 
 } // namespace
 
-FieldLayout::FieldLayout(const Grid& grid, const Extent& extent, const FieldSelection& selection)
+FieldFormat fieldFormatOf(const std::filesystem::path& path)
+{
+  const std::string extension = extensionOf(path);
+  return extension == ".nrrd" ? FieldFormat::Nrrd
+    : extension == ".mha"     ? FieldFormat::MetaImage
+    : extension == ".nii.gz"  ? FieldFormat::Nifti
+                              : FieldFormat::Vti;
+}
+
+FieldLayout::FieldLayout(const Grid& grid, const Extent& extent, const FieldSelection& selection,
+  FieldFormat format)
   : extent_(extent)
   , selection_(selection)
-  , header_(this->makeHeader(grid))
+  , format_(format)
+  , header_(format == FieldFormat::Vti ? this->makeHeader(grid) : volumeHeader(grid, format))
+  , footer_(format == FieldFormat::Vti ? "\n  </AppendedData>\n</VTKFile>\n" : "")
 {
 }
 
-const std::string& FieldLayout::footer()
+std::uint64_t FieldLayout::lengthSize() const
 {
-  static const std::string kFooter = "\n  </AppendedData>\n</VTKFile>\n";
-  return kFooter;
+  return format_ == FieldFormat::Vti ? sizeof(std::uint64_t) : 0;
 }
 
 std::string FieldLayout::makeHeader(const Grid& grid) const
@@ -108,7 +108,7 @@ std::uint64_t FieldLayout::appendedOffset(std::size_t array) const
   std::uint64_t offset = 0;
   for (std::size_t before = 0; before < array; ++before)
   {
-    offset += this->has(before) ? kLengthSize + this->arraySize(before) : 0;
+    offset += this->has(before) ? this->lengthSize() + this->arraySize(before) : 0;
   }
   return offset;
 }
@@ -120,7 +120,7 @@ std::uint64_t FieldLayout::lengthOffset(std::size_t array) const
 
 std::uint64_t FieldLayout::sliceOffset(std::size_t array, int z) const
 {
-  return this->lengthOffset(array) + kLengthSize +
+  return this->lengthOffset(array) + this->lengthSize() +
     this->sliceSize(array) * static_cast<std::uint64_t>(z - extent_.min[2]);
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -28,33 +29,49 @@ constexpr std::array<FieldArrayFormat, 5> kFieldArrays = { {
   { "closest_site", "type=\"Int32\" Name=\"ClosestSite\"", 4 },
 } };
 
+/// The formats of files with a field. All but Vti hold the distance alone.
+enum class FieldFormat
+{
+  Vti,
+  Nrrd,
+  MetaImage,
+  Nifti ///< compressed by gzip
+};
+
+/// The format of a file by its extension: Vti unless that is .nrrd, .mha or .nii.gz.
+FieldFormat fieldFormatOf(const std::filesystem::path& path);
+
 /// Which of kFieldArrays a file has; always the first.
 using FieldSelection = std::array<bool, kFieldArrays.size()>;
 constexpr FieldSelection kAllFieldArrays = { true, true, true, true, true };
 
-/// The layout of a .vti file of a distance field: a header, then each array as its length (8 bytes)
-/// and its values, x fastest, as they are in memory, then a footer. Offsets and sizes in bytes.
+/// The layout of a file of a distance field: a header, then each array as its length (8 bytes, only
+/// in Vti) and its values, x fastest, as they are in memory, then a footer. Offsets and sizes in
+/// bytes, before compression.
 class FieldLayout
 {
 public:
   /// @param extent the part of the grid that the file holds.
   FieldLayout(const Grid& grid, const Extent& extent,
-    const FieldSelection& selection = kAllFieldArrays);
+    const FieldSelection& selection = kAllFieldArrays, FieldFormat format = FieldFormat::Vti);
 
+  FieldFormat format() const { return format_; }
   const Extent& extent() const { return extent_; }
   const std::string& header() const { return header_; }
-  static const std::string& footer();
+  const std::string& footer() const { return footer_; }
 
   /// Whether the file has an array. Those that it does not have take no space.
   bool has(std::size_t array) const { return selection_[array]; }
   std::uint64_t sliceSize(std::size_t array) const;
   std::uint64_t arraySize(std::size_t array) const;
+  /// Bytes of an array's length.
+  std::uint64_t lengthSize() const;
   /// Offset of an array's length.
   std::uint64_t lengthOffset(std::size_t array) const;
   /// Offset of an array's values on slice z of the grid.
   std::uint64_t sliceOffset(std::size_t array, int z) const;
   std::uint64_t footerOffset() const { return this->lengthOffset(kFieldArrays.size()); }
-  std::uint64_t fileSize() const { return this->footerOffset() + footer().size(); }
+  std::uint64_t fileSize() const { return this->footerOffset() + footer_.size(); }
 
 private:
   std::uint64_t appendedOffset(std::size_t array) const;
@@ -62,7 +79,9 @@ private:
 
   Extent extent_;
   FieldSelection selection_;
+  FieldFormat format_;
   std::string header_;
+  std::string footer_;
 };
 
 /// Cuts a grid into boxes of 64 slices; neighbours share a slice, as VTK's images of pieces do.

@@ -2,6 +2,7 @@
 
 #include "failure.h"
 #include "file_writer.h"
+#include "gzip_file.h"
 #include "input_file.h"
 #include "interrupt.h"
 #include "timer.h"
@@ -46,7 +47,8 @@ void FieldOutput::begin(const Grid& grid)
   }
   else
   {
-    pieces_.emplace_back(path_, FieldLayout(grid, grid.wholeExtent(), selection_));
+    pieces_.emplace_back(path_,
+      FieldLayout(grid, grid.wholeExtent(), selection_, fieldFormatOf(path_)));
   }
   this->checkSpace();
   for (Piece& piece : pieces_)
@@ -74,7 +76,7 @@ void FieldOutput::checkSpace() const
   std::uint64_t needed = 0;
   for (const Piece& piece : pieces_)
   {
-    needed += piece.layout.fileSize();
+    needed += piece.layout.format() == FieldFormat::Nifti ? 0 : piece.layout.fileSize();
   }
   std::error_code error;
   const fs::space_info space = fs::space(fs::absolute(path_, error).parent_path(), error);
@@ -91,17 +93,28 @@ void FieldOutput::checkSpace() const
 void FieldOutput::writeFrame(Piece& piece)
 {
   const FieldLayout& layout = piece.layout;
-  PositionedFile& data = piece.data.emplace(piece.file.open());
+  if (layout.format() == FieldFormat::Nifti)
+  {
+    piece.data = std::make_unique<GzipFile>(piece.file.open());
+  }
+  else
+  {
+    piece.data = std::make_unique<PositionedFile>(piece.file.open());
+  }
+  ValueFile& data = *piece.data;
   data.write(layout.header().data(), layout.header().size(), 0);
   for (std::size_t array = 0; array < kFieldArrays.size(); ++array)
   {
     if (layout.has(array))
     {
       const std::uint64_t size = layout.arraySize(array);
-      data.write(&size, sizeof(size), layout.lengthOffset(array));
+      data.write(&size, layout.lengthSize(), layout.lengthOffset(array));
     }
   }
-  data.write(FieldLayout::footer().data(), FieldLayout::footer().size(), layout.footerOffset());
+  if (!layout.footer().empty())
+  {
+    data.write(layout.footer().data(), layout.footer().size(), layout.footerOffset());
+  }
 }
 
 FieldArrays FieldOutput::slabArrays(const Extent& slab)

@@ -16,7 +16,8 @@ namespace medial::app
 {
 
 /// A distance field on its way to disk, slab by slab: memory holds one slab, whatever the size of
-/// the grid. FILE.vti is one file. FILE.pvti is an index of FILE_0.vti, FILE_1.vti and so on,
+/// the grid. FILE.vti is one file, as FILE.nrrd, FILE.mha and FILE.nii.gz are, which hold the
+/// distance alone. FILE.pvti is an index of FILE_0.vti, FILE_1.vti and so on,
 /// pieces of 64 slices. All of them appear with commit(), or none.
 ///
 /// Use: begin(), a computation with this as its sink, finish(), commit().
@@ -58,7 +59,7 @@ private:
 
     OutputFile file;
     FieldLayout layout;
-    std::optional<PositionedFile> data;
+    std::unique_ptr<ValueFile> data;
   };
 
   bool hasIndex() const;

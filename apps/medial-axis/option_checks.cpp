@@ -2,7 +2,9 @@
 
 #include "command_line.h"
 #include "failure.h"
+#include "input_file.h"
 #include "option_names.h"
+#include "scan_reader.h"
 #include "standard_output.h"
 #include "web_files.h"
 
@@ -30,6 +32,49 @@ FieldSelection parseFieldArrays(const std::string& list)
           "' is none of distance, closest_point, closest_cell, closest_feature, closest_site");
     }
     selection[static_cast<std::size_t>(array - kFieldArrays.begin())] = true;
+  }
+  return selection;
+}
+
+// A scan needs to be told which surface is wanted; a mesh is one.
+void checkScan(const Options& options)
+{
+  const std::string input = options.input.string();
+  if (isScanFile(options.input))
+  {
+    if (!options.scan.isovalue && !options.scan.label)
+    {
+      throw Failure(ExitCode::Usage,
+        input + " is an image: --isovalue V or --label N says which surface of it is wanted");
+    }
+    return;
+  }
+  const char* given = options.scan.isovalue ? "--isovalue"
+    : options.scan.label                    ? "--label"
+    : options.scan.smoothing                ? "--scan-smoothing"
+                                            : nullptr;
+  if (given != nullptr)
+  {
+    throw Failure(ExitCode::Usage,
+      std::string(given) + " needs an image (.nrrd .mha .mhd .nii .nii.gz .vti), which " + input +
+        " is not");
+  }
+}
+
+// Volumes hold the distance alone.
+FieldSelection fieldArraysOf(const std::filesystem::path& field, const std::string& list)
+{
+  const bool isVolume = fieldFormatOf(field) != FieldFormat::Vti;
+  if (list.empty())
+  {
+    return isVolume ? FieldSelection{ true } : kAllFieldArrays;
+  }
+  const FieldSelection selection = parseFieldArrays(list);
+  if (isVolume && selection != FieldSelection{ true })
+  {
+    throw Failure(ExitCode::Usage,
+      "--field-arrays " + list + ": " + field.string() +
+        " holds the distance alone; .vti and .pvti hold the others as well");
   }
   return selection;
 }
@@ -65,10 +110,7 @@ void convertTexts(const OptionTexts& texts, bool spacingGiven, Options& options)
   options.output = texts.output;
   options.curves = texts.curves;
   options.field = texts.field;
-  if (!texts.fieldArrays.empty())
-  {
-    options.fieldArrays = parseFieldArrays(texts.fieldArrays);
-  }
+  options.fieldArrays = fieldArraysOf(options.field, texts.fieldArrays);
   options.thickness = texts.thickness;
   options.thicknessImage = texts.thicknessImage;
   options.image = texts.image;
@@ -82,7 +124,9 @@ void convertTexts(const OptionTexts& texts, bool spacingGiven, Options& options)
     options.image.empty() && options.html.empty() && options.report.empty() &&
     !options.wantsThickness())
   {
-    options.output = options.input.stem().string() + "_medial.vtp";
+    const std::string name = options.input.filename().string();
+    options.output =
+      name.substr(0, name.size() - extensionOf(options.input).size()) + "_medial.vtp";
   }
 }
 
@@ -90,7 +134,8 @@ void checkFiles(const Options& options)
 {
   checkExtension("--output", options.output, { ".vtp", ".ply", ".obj", ".ma" });
   checkExtension("--curves", options.curves, { ".vtp" });
-  checkExtension("--field", options.field, { ".vti", ".pvti" });
+  checkScan(options);
+  checkExtension("--field", options.field, { ".vti", ".pvti", ".nrrd", ".mha", ".nii.gz" });
   checkExtension("--thickness", options.thickness, { ".vtp" });
   checkExtension("--thickness-image", options.thicknessImage, { ".png" });
   checkExtension("--image", options.image, { ".png" });
@@ -100,6 +145,7 @@ void checkFiles(const Options& options)
     checkExtension("--report", options.report, { ".json" });
   }
   checkNotTheInput("--output", options.output, options.input);
+  checkNotTheInput("--field", options.field, options.input);
   checkNotTheInput("--curves", options.curves, options.input);
   checkNotTheInput("--thickness", options.thickness, options.input);
   checkDistinct("--output", options.output, "--curves", options.curves);

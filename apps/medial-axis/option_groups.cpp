@@ -15,6 +15,7 @@ namespace
 {
 
 constexpr int kMaxResolution = 8192;
+constexpr int kMaxScanSmoothing = 1000;
 constexpr int kMinMemoryMiB = 64;
 constexpr double kMaxPadding = 10.0;
 
@@ -43,8 +44,8 @@ void addOutputOptions(CLI::App& app, OptionTexts& texts)
   app
     .add_option("--field", texts.field,
       "distance field: .vti, one file, or .pvti, pieces of 64 slices "
-      "named <FILE's name>_0.vti and so on; written while it is computed, so it may be larger "
-      "than memory")
+      "named <FILE's name>_0.vti and so on; the distance alone as .nrrd, .mha or .nii.gz; written "
+      "while it is computed, so it may be larger than memory")
     ->option_text("FILE")
     ->group(group);
   app
@@ -70,7 +71,8 @@ void addOutputOptions(CLI::App& app, OptionTexts& texts)
     ->group(group);
   app
     .add_option("--image", texts.image,
-      "picture of the axis in the translucent surface; needs no display")
+      "picture of the axis in the translucent surface, with file, settings and scale; what is less "
+      "than a fifth as thick as wide is seen from its edge as well; needs no display")
     ->option_text("FILE.png")
     ->group(group);
   app
@@ -84,6 +86,32 @@ void addOutputOptions(CLI::App& app, OptionTexts& texts)
       "machine-readable result: mesh, parameters, grid, device, seconds of each phase, counts, "
       "topology, coverage; - for standard output, instead of the summary")
     ->option_text("FILE.json")
+    ->group(group);
+}
+
+void addScanOptions(CLI::App& app, Options& options)
+{
+  const std::string group = "Scan";
+  CLI::Option* isovalue =
+    app
+      .add_option("--isovalue", options.scan.isovalue,
+        "the surface where a grey image has this value; outside is what most of the image's border "
+        "is")
+      ->option_text("V")
+      ->check(within<double>("(-infinity, infinity)", [](double v) { return std::isfinite(v); }))
+      ->group(group);
+  app
+    .add_option("--label", options.scan.label,
+      "the boundary of the voxels of a label image that have this value")
+    ->option_text("N")
+    ->excludes(isovalue)
+    ->group(group);
+  app
+    .add_option("--scan-smoothing", options.scan.smoothing,
+      "iterations of the windowed sinc filter that smooths the surface of a scan, in [0, 1000]; "
+      "default 20 for labels, 0 for isovalues")
+    ->option_text("N")
+    ->check(within<int>("[0, 1000]", [](int n) { return n >= 0 && n <= kMaxScanSmoothing; }))
     ->group(group);
 }
 

@@ -12,8 +12,9 @@ namespace
 {
 
 const char* const kFooter =
-  "Input formats: .stl .obj .ply .off .vtp .vtk. Without any output the medial axis goes to\n"
-  "<INPUT's name>_medial.vtp in the current folder. Existing files are replaced, but only once\n"
+  "Input formats: .stl .obj .ply .off .vtp .vtk; scans: .nrrd .mha .mhd .nii .nii.gz .vti.\n"
+  "Without any output the medial axis goes to <INPUT's name>_medial.vtp in the current folder. "
+  "Existing files are replaced, but only once\n"
   "the new ones are complete. --field, --thickness and --thickness-image compute no medial axis\n"
   "unless another output needs one.\n"
   "\n"
@@ -30,10 +31,14 @@ std::optional<Options> parseOptions(int argc, char** argv)
 
   OptionTexts texts;
   Options options;
-  app.add_option("INPUT", texts.input, "mesh: .stl, .obj, .ply, .off, .vtp or .vtk")
+  app
+    .add_option("INPUT", texts.input,
+      "mesh: .stl, .obj, .ply, .off, .vtp or .vtk; scan, with --isovalue or --label: .nrrd, .mha, "
+      ".mhd, .nii, .nii.gz or .vti")
     ->required()
     ->option_text(" ");
   addOutputOptions(app, texts);
+  addScanOptions(app, options);
   addGridOptions(app, texts, options);
   addAxisOptions(app, texts, options);
   addRunOptions(app, texts, options);

@@ -3,6 +3,7 @@
 #include "device_options.h"
 #include "field_layout.h"
 #include "length.h"
+#include "scan_surface.h"
 
 #include "medial/compute_medial_axis.h"
 #include "medial/thickness.h"
@@ -17,7 +18,8 @@ namespace medial::app
 /// that are not wanted.
 struct Options
 {
-  std::filesystem::path input;
+  std::filesystem::path input;  ///< a mesh, or a scan
+  ScanSurface scan;             ///< what of a scan
   std::filesystem::path output; ///< .vtp, .ply, .obj or .ma
   std::filesystem::path curves; ///< .vtp
   std::filesystem::path field;  ///< .vti or .pvti

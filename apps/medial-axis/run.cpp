@@ -6,6 +6,8 @@
 #include "outputs.h"
 #include "progress_bar.h"
 #include "report.h"
+#include "scan_reader.h"
+#include "scan_surface.h"
 #include "standard_output.h"
 #include "summary.h"
 #include "surface_reader.h"
@@ -17,6 +19,20 @@
 
 namespace medial::app
 {
+
+namespace
+{
+
+Surface readInput(const Options& options)
+{
+  if (isScanFile(options.input))
+  {
+    return Surface(extractSurface(readScan(options.input), options.scan, options.input));
+  }
+  return readSurface(options.input);
+}
+
+} // namespace
 
 void run(const Options& options)
 {
@@ -31,7 +47,7 @@ void run(const Options& options)
   }
 
   bar.show(0.0, "reading");
-  Surface surface = readSurface(options.input);
+  Surface surface = readInput(options);
   seconds.read = total.seconds();
   throwIfInterrupted();
 

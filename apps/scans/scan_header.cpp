@@ -1,0 +1,47 @@
+#include "scan_header.h"
+
+#include "input_file.h"
+
+#include <cmath>
+
+namespace medial::app
+{
+
+ScanFrame makeFrame(const std::array<double, 3>& origin,
+  const std::array<std::array<double, 3>, 3>& steps)
+{
+  ScanFrame frame{};
+  for (std::size_t row = 0; row < 3; ++row)
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      frame[row][axis] = steps[axis][row];
+    }
+    frame[row][3] = origin[row];
+  }
+  const auto& [x, y, z] = steps;
+  const double volume = x[0] * (y[1] * z[2] - y[2] * z[1]) - x[1] * (y[0] * z[2] - y[2] * z[0]) +
+    x[2] * (y[0] * z[1] - y[1] * z[0]);
+  if (!std::isfinite(volume) || volume == 0.0 || !std::isfinite(origin[0] + origin[1] + origin[2]))
+  {
+    refuseContent("its axes span no volume, or it is infinitely far away");
+  }
+  return frame;
+}
+
+std::size_t ScanHeader::voxels() const
+{
+  constexpr double kMost = 1e12;
+  double count = 1.0;
+  for (const std::int64_t size : dimensions)
+  {
+    count *= static_cast<double>(size);
+  }
+  if (!(count >= 1.0 && count <= kMost))
+  {
+    refuseContent("has no voxels, or more than memory can have");
+  }
+  return static_cast<std::size_t>(count);
+}
+
+} // namespace medial::app
