@@ -12,6 +12,7 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstring>
 #include <string>
@@ -151,7 +152,7 @@ Scan parseNifti(const std::string& content, bool compressed)
   return makeScan(header, inflateBytes(content, header.offset + bytesOf(header)));
 }
 
-// A header whose values may be in another file, next to it.
+// A header whose values may be in another file, in its folder or below.
 Scan parseWithFile(const fs::path& path, const std::string& content,
   ScanHeader (*parse)(std::string_view))
 {
@@ -160,11 +161,17 @@ Scan parseWithFile(const fs::path& path, const std::string& content,
   {
     return makeScan(header, content);
   }
-  const fs::path file = path.parent_path() / header.file;
-  const std::string values = readContent(file);
-  Scan scan;
-  withFailures(file, [&] { scan = makeScan(header, values); });
-  return scan;
+  const fs::path name = header.file;
+  const bool leavesFolder =
+    name.is_absolute() || std::find(name.begin(), name.end(), "..") != name.end();
+  std::error_code error;
+  const fs::path file = path.parent_path() / name;
+  if (leavesFolder || !fs::is_regular_file(file, error))
+  {
+    refuseContent("its values are in '" + header.file +
+      (leavesFolder ? "', which is outside of its folder" : "', which is no file"));
+  }
+  return makeScan(header, readContent(file));
 }
 
 } // namespace

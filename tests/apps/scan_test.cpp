@@ -282,7 +282,10 @@ TEST(ScanReader, RefusesDamagedMetaImages)
   EXPECT_EQ(refusal("a.mha", "abc\n"), "a.mha: is no MetaImage: 'abc' is not KEY = VALUE");
   EXPECT_EQ(refusal("a.mha", metaImageFile(ball(), false, "LIST")),
     "a.mha: its values are in several files, which is not supported");
-  EXPECT_TRUE(contains(refusal("a.mhd", metaImageFile(ball(), false, "absent.raw")), "absent.raw"));
+  EXPECT_EQ(refusal("a.mhd", metaImageFile(ball(), false, "absent.raw")),
+    "a.mhd: its values are in 'absent.raw', which is no file");
+  EXPECT_EQ(refusal("a.mhd", metaImageFile(ball(), false, "../a.raw")),
+    "a.mhd: its values are in '../a.raw', which is outside of its folder");
   EXPECT_EQ(
     refusal("a.mha", metaImageFile(ball(), false, "LOCAL", { "MET_SHORT", "MET_SHORT_ARRAY" })),
     "a.mha: its ElementType is 'MET_SHORT_ARRAY', which is no type of one number");

@@ -7,13 +7,15 @@ The files are part of the project; this script is how they were made. Needs
 VTK's Python package, for VTP files.
 """
 
+import gzip
 import struct
 import sys
+import zlib
 from pathlib import Path
 
-from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkFloatArray, vtkIntArray, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkFloatArray, vtkIntArray, vtkPoints, vtkShortArray
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
+from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLPolyDataWriter
 
 POINTS = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
 FACES = [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)]
@@ -321,7 +323,79 @@ def defects_seeds():
         yield f"mesh-{number:02}", bytes(values)
 
 
-SEEDS = {"stl": stl_seeds, "obj": obj_seeds, "ply": ply_seeds, "off": off_seeds, "vtp": vtp_seeds, "vtk": vtk_seeds,
+VOXELS = struct.pack("<27h", *(1 if i == 13 else 0 for i in range(27)))
+
+
+def nrrd_seeds():
+    head = ("NRRD0004\n# c\ntype: short\ndimension: 3\nspace: left-posterior-superior\nsizes: 3 3 3\n"
+            "space directions: (1,0,0) (0,2,0) (0,0,1)\nkinds: domain domain domain\nendian: little\n"
+            "encoding: raw\nspace origin: (0,0,0)\nkey:=value\n\n")
+    text = " ".join(str(1 if i == 13 else 0) for i in range(27)).encode()
+    yield "raw", head.encode() + VOXELS
+    yield "big", head.replace("little", "big").encode() + VOXELS
+    yield "gzip", head.replace("raw", "gzip").encode() + gzip.compress(VOXELS, mtime=0)
+    yield "text", head.replace("raw", "ascii").encode() + text
+    yield "spacings", head.replace("space directions: (1,0,0) (0,2,0) (0,0,1)", "spacings: 1 2 nan").encode() + VOXELS
+    yield "axis", head.replace("dimension: 3", "dimension: 4").replace("sizes: ", "sizes: 1 ").replace(
+        "directions: ", "directions: none ").encode() + VOXELS
+    yield "cut", head.encode() + VOXELS[:20]
+    yield "beside", head.replace("kinds", "data file: other.raw\nbyte skip: -1\nkinds").encode()
+    yield "huge", head.replace("3 3 3", "3000 3000 3000").encode() + VOXELS
+
+
+def mha_seeds():
+    head = ("ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\n"
+            "CompressedData = False\nTransformMatrix = 1 0 0 0 1 0 0 0 1\nOffset = 0 0 0\n"
+            "ElementSpacing = 1 2 1\nDimSize = 3 3 3\nElementType = MET_SHORT\nElementDataFile = LOCAL\n")
+    yield "raw", head.encode() + VOXELS
+    yield "zlib", head.replace("Data = False", "Data = True").encode() + zlib.compress(VOXELS)
+    yield "text", head.replace("BinaryData = True", "BinaryData = False").encode() + b"0 " * 13 + b"1" + b" 0" * 13
+    yield "four", head.replace("NDims = 3", "NDims = 4").replace("3 3 3", "3 3 3 1").encode() + VOXELS
+    yield "channels", head.replace("ElementType", "ElementNumberOfChannels = 2\nElementType").encode() + VOXELS
+    yield "list", head.replace("LOCAL", "LIST").encode()
+    yield "beside", head.replace("LOCAL", "other.raw").replace("ElementType", "HeaderSize = -1\nElementType").encode()
+
+
+def nii_seeds():
+    head = bytearray(352)
+    struct.pack_into("<i", head, 0, 348)
+    struct.pack_into("<8h", head, 40, 3, 3, 3, 3, 1, 1, 1, 1)
+    struct.pack_into("<2h", head, 70, 4, 16)
+    struct.pack_into("<8f", head, 76, 1, 1, 2, 1, 1, 1, 1, 1)
+    struct.pack_into("<3f", head, 108, 352, 1, 0)
+    head[344:348] = b"n+1\0"
+    yield "plain", bytes(head) + VOXELS
+    struct.pack_into("<h", head, 252, 1)
+    yield "qform", bytes(head) + VOXELS
+    struct.pack_into("<h", head, 254, 1)
+    struct.pack_into("<12f", head, 280, 1, 0, 0, 5, 0, 2, 0, 5, 0, 0, 1, 5)
+    yield "sform", bytes(head) + VOXELS
+    struct.pack_into("<2f", head, 112, 0.5, 1)
+    yield "scaled", bytes(head) + VOXELS
+    struct.pack_into("<8h", head, 40, 4, 3, 3, 3, 2, 1, 1, 1)
+    yield "moments", bytes(head) + VOXELS
+
+
+def vti_seeds():
+    image = vtkImageData()
+    image.SetDimensions(3, 3, 3)
+    values = vtkShortArray()
+    values.SetName("Labels")
+    for i in range(27):
+        values.InsertNextValue(1 if i == 13 else 0)
+    image.GetPointData().SetScalars(values)
+    writer = vtkXMLImageDataWriter()
+    writer.SetInputData(image)
+    writer.WriteToOutputStringOn()
+    for mode in range(3):
+        writer.SetDataMode(mode)
+        writer.Write()
+        yield f"mode-{mode}", writer.GetOutputString()
+    yield "extent", writer.GetOutputString().replace('WholeExtent="0 2', 'WholeExtent="0 2000000')
+
+
+SEEDS = {"nrrd": nrrd_seeds, "mha": mha_seeds, "nii": nii_seeds, "vti": vti_seeds,
+         "stl": stl_seeds, "obj": obj_seeds, "ply": ply_seeds, "off": off_seeds, "vtp": vtp_seeds, "vtk": vtk_seeds,
          "ma": ma_seeds, "axis-obj": axis_obj_seeds, "axis-ply": axis_ply_seeds, "axis-vtp": axis_vtp_seeds,
          "defects": defects_seeds}
 
