@@ -3,14 +3,13 @@
 #include "axis/closest_pairs.h"
 #include "axis/plane_fit.h"
 #include "axis/sheet_selection.h"
-#include "sites/closest_point.h"
+#include "axis/tile_order.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -24,23 +23,6 @@ constexpr double kOutside = 0.1;
 
 /// How much farther away than the closest point the other one may be for the centre of a cell.
 constexpr double kAnywhere = std::numeric_limits<double>::infinity();
-
-/// Finds the closest pairs of vertices at given positions. A site of the vertex's first bisector
-/// bounds the search.
-std::vector<BisectorPoint> vertexPairs(const AxisGeometry& geometry, const DualMesh& mesh,
-  const BisectorPoints& bisectors, const std::vector<std::size_t>& vertices,
-  const std::vector<glm::dvec3>& positions, double tolerance)
-{
-  std::vector<SiteQuery::Question> questions(vertices.size());
-  for (std::size_t i = 0; i < vertices.size(); ++i)
-  {
-    const int known = bisectors.points[mesh.incident[mesh.offsets[vertices[i]]]].a.site;
-    questions[i] = { positions[i], closestPoint(geometry.sites, known, positions[i]) };
-  }
-  geometry.query.closest(questions);
-  return closestPairs(geometry, mesh, bisectors, vertices, questions, EqualAngles::LowestSite,
-    tolerance);
-}
 
 /// Returns where the bisectors of the cell of a vertex meet, without those that were moved out of
 /// it.
@@ -95,15 +77,17 @@ double minAngle(const AxisGeometry& geometry, const DualMesh& mesh, const Bisect
   return faceted ? bandAngle(geometry.angle) : geometry.angle;
 }
 
-/// Places the vertices of a surface in [begin, end).
+/// Places vertices of a surface.
 void placeOnSurface(const AxisGeometry& geometry, const DualMesh& mesh,
-  const BisectorPoints& bisectors, std::size_t begin, std::size_t end, BisectorPoints& result)
+  const BisectorPoints& bisectors, const std::uint32_t* begin, const std::uint32_t* end,
+  BisectorPoints& result)
 {
   PlaneFit fit;
   std::vector<std::size_t> vertices;
   std::vector<glm::dvec3> positions;
-  for (std::size_t v = begin; v != end; ++v)
+  for (const std::uint32_t* at = begin; at != end; ++at)
   {
+    const std::size_t v = *at;
     if (allMoved(mesh, bisectors, v))
     {
       result.points[v] = nearestCrossing(mesh, bisectors, v, meanCrossing(mesh, bisectors, v));
@@ -114,7 +98,7 @@ void placeOnSurface(const AxisGeometry& geometry, const DualMesh& mesh,
     positions.push_back(fitted(geometry, mesh, bisectors, v, fit));
   }
   const std::vector<BisectorPoint> points =
-    vertexPairs(geometry, mesh, bisectors, vertices, positions, kOffBisector);
+    closestPairs(geometry, mesh, bisectors, vertices, positions, kOffBisector);
   std::vector<std::size_t> narrow;
   std::vector<BisectorPoint> narrowPoints;
   for (std::size_t i = 0; i < vertices.size(); ++i)
@@ -137,19 +121,21 @@ void placeOnSurface(const AxisGeometry& geometry, const DualMesh& mesh,
   }
 }
 
-/// Places the vertices in [begin, end) at the centres of their cells.
+/// Places vertices at the centres of their cells.
 void placeInCentres(const AxisGeometry& geometry, const DualMesh& mesh,
-  const BisectorPoints& bisectors, std::size_t begin, std::size_t end, BisectorPoints& result)
+  const BisectorPoints& bisectors, const std::uint32_t* begin, const std::uint32_t* end,
+  BisectorPoints& result)
 {
-  std::vector<std::size_t> vertices(end - begin);
-  std::iota(vertices.begin(), vertices.end(), begin);
+  const std::vector<std::size_t> vertices(begin, end);
   std::vector<glm::dvec3> positions(vertices.size());
   std::transform(vertices.begin(), vertices.end(), positions.begin(),
     [&](std::size_t v) { return geometry.frame.sample(glm::dvec3(mesh.cells[v]) + 0.5); });
   const std::vector<BisectorPoint> points =
-    vertexPairs(geometry, mesh, bisectors, vertices, positions, kAnywhere);
-  std::copy(points.begin(), points.end(),
-    result.points.begin() + static_cast<std::ptrdiff_t>(begin));
+    closestPairs(geometry, mesh, bisectors, vertices, positions, kAnywhere);
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+  {
+    result.points[vertices[i]] = points[i];
+  }
 }
 
 template <typename Place>
@@ -159,12 +145,15 @@ BisectorPoints placeVertices(const AxisGeometry& geometry, const DualMesh& mesh,
   BisectorPoints result;
   result.points.resize(mesh.cells.size());
   result.moved.resize(mesh.cells.size());
-  constexpr std::size_t kTogether = 4096; // enough slices for compact blocks of queries
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mesh.cells.size(), kTogether),
+  const std::vector<std::uint32_t> order = tileOrder(geometry.extent, mesh.cells.size(),
+    [&](std::size_t vertex) { return mesh.cells[vertex]; });
+  constexpr std::size_t kTogether = 512; // several in most of their tiles
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, order.size(), kTogether),
     [&](const tbb::blocked_range<std::size_t>& range)
     {
       geometry.checkpoint();
-      place(geometry, mesh, bisectors, range.begin(), range.end(), result);
+      place(geometry, mesh, bisectors, order.data() + range.begin(), order.data() + range.end(),
+        result);
     });
   return result;
 }

@@ -127,6 +127,16 @@ void findSites(const AxisGeometry& geometry, std::vector<SiteSegment>& segments)
   }
 }
 
+/// Asks for the closest point at a bisector point.
+SiteQuery::Question questionAt(const BisectorPoint& point)
+{
+  const double toA = glm::distance(point.position, point.a.point);
+  const double toB = glm::distance(point.position, point.b.point);
+  const bool aFirst = toA < toB || (toA == toB && point.a.site <= point.b.site);
+  return aFirst ? SiteQuery::Question{ point.position, point.a, point.b.site }
+                : SiteQuery::Question{ point.position, point.b, point.a.site };
+}
+
 /// Drops marked crossings and their points.
 void removeMarked(std::vector<Crossing>& crossings, BisectorPoints& points)
 {
@@ -173,7 +183,7 @@ std::vector<BisectorPoint> bisectorPoints(const AxisGeometry& geometry,
     questions.clear();
     for (const std::size_t i : open)
     {
-      questions.push_back({ changes[i].point().position, changes[i].point().a });
+      questions.push_back(questionAt(changes[i].point()));
     }
     geometry.query.closest(questions);
     std::size_t left = 0;
@@ -204,7 +214,7 @@ Found facetedPoints(const AxisGeometry& geometry, const std::vector<SiteSegment>
     if (point.separationAngle() >= minAngle)
     {
       points[i] = point;
-      questions.push_back({ point.position, point.a });
+      questions.push_back(questionAt(point));
     }
   }
   geometry.query.closest(questions);

@@ -1,6 +1,7 @@
 #include "axis/sheet_selection.h"
 
 #include "axis/site_change.h"
+#include "axis/tile_order.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
@@ -57,6 +58,8 @@ public:
     , band_(band)
     , standing_(crossings.size())
     , kept_(crossings.size(), 0)
+    , order_(tileOrder(geometry.extent, crossings.size(),
+        [&](std::size_t c) { return crossings[c].voxel; }))
   {
     samples_.points.resize(crossings.size());
     samples_.kinds.resize(crossings.size(), SampleKind::None);
@@ -74,9 +77,13 @@ public:
   SheetSelection sheets()
   {
     samples_.mesh = dualMesh(crossings_, geometry_.extent);
-    this->markBand();
-    inBlocks(geometry_, crossings_.size(),
-      [&](std::size_t begin, std::size_t end) { this->sample(begin, end); });
+    {
+      this->markBand();
+    }
+    {
+      inBlocks(geometry_, crossings_.size(),
+        [&](std::size_t begin, std::size_t end) { this->sample(begin, end); });
+    }
     this->decide();
     this->markKept();
     inBlocks(geometry_, crossings_.size(),
@@ -97,8 +104,9 @@ public:
         this->sample(begin, end);
         this->decideAlone(begin, end);
         this->settle(begin, end);
-        for (std::size_t c = begin; c != end; ++c)
+        for (std::size_t k = begin; k != end; ++k)
         {
+          const std::size_t c = order_[k];
           kept_[c] = kept_[c] != 0 && this->within(samples_.points[c]) ? 1 : 0;
         }
       });
@@ -165,13 +173,14 @@ private:
     }
   }
 
-  /// Finds the samples in [begin, end).
+  /// Finds the samples in [begin, end) of the order.
   void sample(std::size_t begin, std::size_t end)
   {
     std::vector<std::size_t> which;
     std::vector<SiteSegment> segments;
-    for (std::size_t c = begin; c != end; ++c)
+    for (std::size_t k = begin; k != end; ++k)
     {
+      const std::size_t c = order_[k];
       if (standing_[c] == kWide || standing_[c] == kInBand)
       {
         which.push_back(c);
@@ -221,11 +230,12 @@ private:
       fit.lambda.value >= geometry_.lambda;
   }
 
-  /// Decides which samples are within the limits themselves.
+  /// Decides which samples in [begin, end) of the order are within the limits themselves.
   void decideAlone(std::size_t begin, std::size_t end)
   {
-    for (std::size_t c = begin; c != end; ++c)
+    for (std::size_t k = begin; k != end; ++k)
     {
+      const std::size_t c = order_[k];
       kept_[c] = samples_.kinds[c] != SampleKind::None && this->within(samples_.points[c]) ? 1 : 0;
     }
   }
@@ -293,8 +303,9 @@ private:
   {
     std::vector<std::size_t> wide;
     std::vector<BisectorPoint> points;
-    for (std::size_t c = begin; c != end; ++c)
+    for (std::size_t k = begin; k != end; ++k)
     {
+      const std::size_t c = order_[k];
       if (standing_[c] == kWide && kept_[c] == 0 && !this->continuesSheet(c))
       {
         wide.push_back(c);
@@ -363,6 +374,8 @@ private:
   SheetSamples samples_;
   std::vector<std::uint8_t> standing_;
   std::vector<std::uint8_t> kept_;
+  std::vector<std::uint32_t>
+    order_; ///< of the crossings, so that those in a row are close together
   std::vector<std::uint8_t> moved_;
   std::vector<std::uint8_t> nearKept_; ///< for each vertex not 0 if a crossing there is kept
 };
