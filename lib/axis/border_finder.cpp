@@ -96,7 +96,7 @@ void BorderFinder::find(BorderWalker* begin, BorderWalker* end)
 }
 
 /// Returns a selected crossing on that sheet at a vertex which has most of them.
-std::optional<BorderFinder::AtVertex> BorderFinder::crossingAt(std::size_t vertex) const
+std::optional<BorderFinder::AtVertex> BorderFinder::crossingAt(std::size_t vertex)
 {
   const DualMesh& mesh = selection_.samples.mesh;
   std::vector<std::size_t> crossings;

@@ -1,49 +1,14 @@
 #include "axis/dual_mesh.h"
 
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_sort.h>
+
+#include <algorithm>
+#include <numeric>
 
 namespace medial
 {
 namespace
 {
-
-/// A corner of the quad around a crossing, and its vertex, given by a cell and a side of the
-/// surface.
-struct CornerKey
-{
-  std::uint64_t vertex;
-  std::uint64_t corner; ///< four times the crossing, plus the corner's number
-
-  bool operator<(const CornerKey& other) const
-  {
-    return vertex != other.vertex ? vertex < other.vertex : corner < other.corner;
-  }
-};
-
-/// Numbers cells by z, y, x, including those half outside the grid.
-class CellNumbers
-{
-public:
-  explicit CellNumbers(const Extent& extent)
-    : first_(extent.min[0] - 1, extent.min[1] - 1, extent.min[2] - 1)
-    , width_(extent.size(0) + 1)
-    , height_(extent.size(1) + 1)
-  {
-  }
-
-  std::uint64_t number(const glm::ivec3& cell, bool inside) const
-  {
-    const glm::ivec3 offset = cell - first_;
-    return 2 * ((static_cast<std::uint64_t>(offset.z) * height_ + offset.y) * width_ + offset.x) +
-      (inside ? 1 : 0);
-  }
-
-private:
-  glm::ivec3 first_;
-  std::uint64_t width_;
-  std::uint64_t height_;
-};
 
 /// Returns the cells around a crossed edge, in cyclic order.
 std::array<glm::ivec3, 4> cellsAround(const Crossing& crossing)
@@ -67,39 +32,121 @@ bool insideGrid(const glm::ivec3& cell, const Extent& extent)
   return true;
 }
 
+/// The corners of the quads around crossings, by rows of cells along x.
+class CornerRows
+{
+public:
+  CornerRows(const std::vector<Crossing>& crossings, const Extent& extent)
+    : crossings_(crossings)
+    , first_(extent.min[0] - 1, extent.min[1] - 1, extent.min[2] - 1)
+    , height_(extent.size(1) + 1)
+    , begins_(static_cast<std::size_t>(height_) * (extent.size(2) + 1) + 1, 0)
+    , vertices_(begins_.size(), 0)
+    , corners_(4 * crossings.size())
+  {
+    this->fill();
+    this->sort();
+  }
+
+  DualMesh mesh() const
+  {
+    DualMesh mesh;
+    mesh.cells.resize(vertices_.back());
+    mesh.offsets.resize(vertices_.back() + 1);
+    mesh.incident.resize(corners_.size());
+    mesh.corners.resize(crossings_.size());
+    tbb::parallel_for(std::size_t{ 0 }, begins_.size() - 1,
+      [&](std::size_t row) { this->addVertices(row, mesh); });
+    return mesh;
+  }
+
+private:
+  // A corner is given by its cell along x, its side of the surface, four times its crossing, and
+  // its number: so those of a vertex are together, in the order of the crossings.
+  static constexpr int kCornerBits = 32;
+
+  std::size_t rowOf(const glm::ivec3& cell) const
+  {
+    return static_cast<std::size_t>(cell.z - first_.z) * height_ + (cell.y - first_.y);
+  }
+
+  void fill()
+  {
+    for (const Crossing& crossing : crossings_)
+    {
+      for (const glm::ivec3& cell : cellsAround(crossing))
+      {
+        ++begins_[this->rowOf(cell) + 1];
+      }
+    }
+    std::partial_sum(begins_.begin(), begins_.end(), begins_.begin());
+    std::vector<std::size_t> next(begins_.begin(), begins_.end() - 1);
+    for (std::size_t c = 0; c < crossings_.size(); ++c)
+    {
+      const std::array<glm::ivec3, 4> cells = cellsAround(crossings_[c]);
+      for (std::size_t i = 0; i < 4; ++i)
+      {
+        const auto vertex =
+          static_cast<std::uint64_t>(2 * (cells[i].x - first_.x)) + (crossings_[c].inside ? 1 : 0);
+        corners_[next[this->rowOf(cells[i])]++] = vertex << kCornerBits | (4 * c + i);
+      }
+    }
+  }
+
+  /// Sorts every row, and counts the vertices before it.
+  void sort()
+  {
+    tbb::parallel_for(std::size_t{ 0 }, begins_.size() - 1,
+      [&](std::size_t row)
+      {
+        const std::size_t begin = begins_[row];
+        const std::size_t end = begins_[row + 1];
+        std::sort(corners_.begin() + static_cast<std::ptrdiff_t>(begin),
+          corners_.begin() + static_cast<std::ptrdiff_t>(end));
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          vertices_[row + 1] += this->startsVertex(row, i) ? 1 : 0;
+        }
+      });
+    std::partial_sum(vertices_.begin(), vertices_.end(), vertices_.begin());
+  }
+
+  bool startsVertex(std::size_t row, std::size_t i) const
+  {
+    return i == begins_[row] || corners_[i] >> kCornerBits != corners_[i - 1] >> kCornerBits;
+  }
+
+  void addVertices(std::size_t row, DualMesh& mesh) const
+  {
+    std::size_t next = vertices_[row];
+    for (std::size_t i = begins_[row]; i < begins_[row + 1]; ++i)
+    {
+      if (this->startsVertex(row, i))
+      {
+        const glm::ivec3 offset(static_cast<int>(corners_[i] >> kCornerBits) / 2,
+          static_cast<int>(row % height_), static_cast<int>(row / height_));
+        mesh.cells[next++] = first_ + offset;
+      }
+      const std::uint64_t corner = corners_[i] & ((std::uint64_t{ 1 } << kCornerBits) - 1);
+      mesh.incident[i] = corner / 4;
+      mesh.corners[corner / 4][corner % 4] = static_cast<std::int64_t>(next) - 1;
+      mesh.offsets[next] = i + 1;
+    }
+  }
+
+  const std::vector<Crossing>& crossings_;
+  glm::ivec3 first_;
+  int height_;
+  std::vector<std::size_t> begins_;    ///< of the rows in corners_
+  std::vector<std::size_t> vertices_;  ///< for each row the number of vertices before it
+  std::vector<std::uint64_t> corners_; ///< row by row
+};
+
 } // namespace
 
 DualMesh dualMesh(const std::vector<Crossing>& crossings, const Extent& extent)
 {
-  const CellNumbers numbers(extent);
-  std::vector<CornerKey> corners(4 * crossings.size());
-  tbb::parallel_for(std::size_t{ 0 }, crossings.size(),
-    [&](std::size_t c)
-    {
-      const std::array<glm::ivec3, 4> cells = cellsAround(crossings[c]);
-      for (std::size_t i = 0; i < 4; ++i)
-      {
-        corners[4 * c + i] = { numbers.number(cells[i], crossings[c].inside), 4 * c + i };
-      }
-    });
-  tbb::parallel_sort(corners.begin(), corners.end());
-  DualMesh mesh;
-  mesh.incident.reserve(corners.size());
-  mesh.corners.resize(crossings.size());
-  for (std::size_t i = 0; i < corners.size(); ++i)
-  {
-    const std::uint64_t crossing = corners[i].corner / 4;
-    const std::uint64_t corner = corners[i].corner % 4;
-    if (i == 0 || corners[i].vertex != corners[i - 1].vertex)
-    {
-      mesh.cells.push_back(cellsAround(crossings[crossing])[corner]);
-      mesh.offsets.push_back(mesh.incident.size());
-    }
-    mesh.incident.push_back(crossing);
-    mesh.offsets.back() = mesh.incident.size();
-    mesh.corners[crossing][corner] = static_cast<std::int64_t>(mesh.cells.size()) - 1;
-  }
-  return mesh;
+  return CornerRows(crossings, extent).mesh();
 }
 
 DualSubmesh submesh(const DualMesh& mesh, const std::vector<std::uint8_t>& kept)
