@@ -101,10 +101,11 @@ void placeOnSurface(const AxisGeometry& geometry, const DualMesh& mesh,
     closestPairs(geometry, mesh, bisectors, vertices, positions, kOffBisector);
   std::vector<std::size_t> narrow;
   std::vector<BisectorPoint> narrowPoints;
+  const AngleLimit limit(geometry.angle);
   for (std::size_t i = 0; i < vertices.size(); ++i)
   {
     result.points[vertices[i]] = points[i];
-    if (points[i].separationAngle() < geometry.angle &&
+    if (!points[i].reaches(limit) &&
       points[i].separationAngle() < minAngle(geometry, mesh, bisectors, vertices[i]))
     {
       narrow.push_back(vertices[i]);

@@ -79,10 +79,10 @@ BorderFinder::BorderFinder(const AxisGeometry& geometry, const SheetSelection& s
 {
 }
 
-void BorderFinder::find(BorderWalker* begin, BorderWalker* end)
+void BorderFinder::find(const std::vector<BorderWalker*>& walkers)
 {
   std::vector<BorderWalker*> lost;
-  for (BorderWalker* walker = begin; walker != end; ++walker)
+  for (BorderWalker* walker : walkers)
   {
     this->fit(*walker);
     walker->movable = walker->atBorder ||

@@ -37,7 +37,7 @@ public:
     const BisectorPoints& points);
 
   /// Fills walkers, whose vertices are given.
-  void find(BorderWalker* begin, BorderWalker* end);
+  void find(const std::vector<BorderWalker*>& walkers);
 
 private:
   /// A crossing at a vertex.

@@ -56,6 +56,8 @@ public:
     : geometry_(geometry)
     , crossings_(crossings)
     , band_(band)
+    , angleLimit_(geometry.angle)
+    , bandLimit_(band)
     , standing_(crossings.size())
     , kept_(crossings.size(), 0)
     , order_(tileOrder(geometry.extent, crossings.size(),
@@ -132,8 +134,8 @@ private:
     {
       return kWide;
     }
-    const double angle = SiteChange(geometry_.sites, segment).point().separationAngle();
-    return angle >= geometry_.angle ? kInBand : (angle >= band_ ? kBeyond : kNarrow);
+    const BisectorPoint point = SiteChange(geometry_.sites, segment).point();
+    return point.reaches(angleLimit_) ? kInBand : (point.reaches(bandLimit_) ? kBeyond : kNarrow);
   }
 
   /// Finds the crossings near those that may be selected.
@@ -193,7 +195,7 @@ private:
     for (std::size_t i = 0; i < which.size(); ++i)
     {
       this->setSample(which[i], SampleKind::Exact, exact[i]);
-      if (standing_[which[i]] == kWide && exact[i].separationAngle() < geometry_.angle)
+      if (standing_[which[i]] == kWide && !exact[i].reaches(angleLimit_))
       {
         narrow.push_back(which[i]);
         narrowSegments.push_back(segments[i]);
@@ -214,13 +216,13 @@ private:
   void setSample(std::size_t c, SampleKind kind, const BisectorPoint& point)
   {
     samples_.points[c] = point;
-    const bool onSheet = point.radius() >= kMinRadius && point.separationAngle() >= band_;
+    const bool onSheet = point.radius() >= kMinRadius && point.reaches(bandLimit_);
     samples_.kinds[c] = onSheet ? kind : SampleKind::None;
   }
 
   bool within(const BisectorPoint& point) const
   {
-    return point.separationAngle() >= geometry_.angle && point.radius() >= geometry_.radius &&
+    return point.reaches(angleLimit_) && point.radius() >= geometry_.radius &&
       point.lambda() >= geometry_.lambda;
   }
 
@@ -282,15 +284,21 @@ private:
       }
     }
     std::vector<std::size_t> doubtful;
-    for (std::size_t c = 0; c < crossings_.size(); ++c)
+    const auto isMixed = [&](std::size_t c)
     {
       const auto& quad = mesh.corners[c];
-      const bool mixed = std::any_of(quad.begin(), quad.end(),
+      return std::any_of(quad.begin(), quad.end(),
         [&](std::int64_t corner) { return around[corner] == (kInside | kOutside); });
-      const bool near =
-        std::abs(samples_.points[c].separationAngle() - geometry_.angle) < glm::radians(kMaxDoubt);
+    };
+    const auto isNear = [&](std::size_t c)
+    {
+      return std::abs(samples_.points[c].separationAngle() - geometry_.angle) <
+        glm::radians(kMaxDoubt);
+    };
+    for (const std::uint32_t c : order_)
+    {
       if (samples_.kinds[c] == SampleKind::Faceted ||
-        (samples_.kinds[c] == SampleKind::Exact && mixed && near))
+        (samples_.kinds[c] == SampleKind::Exact && isMixed(c) && isNear(c)))
       {
         doubtful.push_back(c);
       }
@@ -329,7 +337,7 @@ private:
   /// Whether a selected sheet goes on here, beyond its border.
   bool continuesSheet(std::size_t c) const
   {
-    if (samples_.points[c].separationAngle() < band_)
+    if (!samples_.points[c].reaches(bandLimit_))
     {
       return false;
     }
@@ -371,6 +379,8 @@ private:
   const AxisGeometry& geometry_;
   const std::vector<Crossing>& crossings_;
   double band_;
+  AngleLimit angleLimit_; ///< the minimum
+  AngleLimit bandLimit_;
   SheetSamples samples_;
   std::vector<std::uint8_t> standing_;
   std::vector<std::uint8_t> kept_;

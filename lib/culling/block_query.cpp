@@ -14,9 +14,9 @@ namespace
 {
 
 /// Number of questions for which groups are collected from the tree at once.
-constexpr std::ptrdiff_t kCollected = 128;
+constexpr std::ptrdiff_t kCollected = 256;
 /// Number of questions in a block.
-constexpr std::ptrdiff_t kTogether = 16;
+constexpr std::ptrdiff_t kTogether = 32;
 /// From questions without a known point, one of this many is answered by a search. The others start
 /// from its site.
 constexpr int kBetween = 16;

@@ -11,19 +11,23 @@ namespace
 
 static_assert(TileField::kRow == kLanes);
 
-/// Returns which of up to eight values are negative, as bits.
-std::uint8_t negative(const float* values, int count)
+/// Sets bits where values are negative, eight to a byte.
+/// @param count number of values; bits beyond it are 0.
+MEDIAL_VECTORISED void setNegative(const float* values, int count, std::uint8_t* target)
 {
-  if (count >= kLanes)
+  for (; count >= kLanes; count -= kLanes, values += kLanes)
   {
-    return static_cast<std::uint8_t>(bits(loaded(values) < 0.0f));
+    *target++ = static_cast<std::uint8_t>(bits(loaded(values) < 0.0f));
   }
-  unsigned found = 0;
+  unsigned last = 0;
   for (int i = 0; i < count; ++i)
   {
-    found |= values[i] < 0.0f ? 1u << i : 0u;
+    last |= values[i] < 0.0f ? 1u << i : 0u;
   }
-  return static_cast<std::uint8_t>(found);
+  if (count > 0)
+  {
+    *target = static_cast<std::uint8_t>(last);
+  }
 }
 
 } // namespace
@@ -53,11 +57,7 @@ void SlabField::store(const std::int32_t* sites, const float* sides)
   {
     for (int row = 0; row < extent_.size(1); ++row, sides += width)
     {
-      std::uint8_t* target = &inside_[this->insideIndex(slot, row)];
-      for (int i = 0; i < width; i += kLanes)
-      {
-        *target++ = negative(sides + i, width - i);
-      }
+      setNegative(sides, width, &inside_[this->insideIndex(slot, row)]);
     }
   }
 }
@@ -65,6 +65,8 @@ void SlabField::store(const std::int32_t* sites, const float* sides)
 void SlabField::store(const Extent& tile, const TileField& field)
 {
   const SliceRange slices = SliceRange::common(tile, extent_);
+  std::uint8_t inside[TileField::kPoints / kLanes];
+  setNegative(field.side, TileField::kPoints, inside);
   for (int k = slices.begin; k < slices.end; ++k)
   {
     for (int j = 0; j < tile.size(1); ++j)
@@ -75,8 +77,7 @@ void SlabField::store(const Extent& tile, const TileField& field)
       const int source = TileField::index(0, j, k);
       std::copy_n(field.site + source, tile.size(0),
         sites_.begin() + this->index(slot, row) + first);
-      inside_[this->insideIndex(slot, row) + first / TileField::kRow] =
-        negative(field.side + source, tile.size(0));
+      inside_[this->insideIndex(slot, row) + first / TileField::kRow] = inside[source / kLanes];
     }
   }
 }
