@@ -1,5 +1,6 @@
 #include "axis/dual_mesh.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -9,6 +10,9 @@ namespace medial
 {
 namespace
 {
+
+/// Number of vertices or crossings that a thread takes at once.
+constexpr std::size_t kTogether = 4096;
 
 /// Returns the cells around a crossed edge, in cyclic order.
 std::array<glm::ivec3, 4> cellsAround(const Crossing& crossing)
@@ -151,45 +155,72 @@ DualMesh dualMesh(const std::vector<Crossing>& crossings, const Extent& extent)
 
 DualSubmesh submesh(const DualMesh& mesh, const std::vector<std::uint8_t>& kept)
 {
-  std::vector<std::size_t> target(kept.size());
-  std::size_t count = 0;
+  std::vector<std::size_t> target(kept.size() + 1);
   for (std::size_t c = 0; c < kept.size(); ++c)
   {
-    target[c] = count;
-    count += kept[c] != 0 ? 1 : 0;
+    target[c + 1] = target[c] + (kept[c] != 0 ? 1 : 0);
   }
-  DualSubmesh part;
-  part.mesh.incident.reserve(4 * count);
-  part.mesh.corners.reserve(count);
-  std::vector<std::int64_t> vertices(mesh.cells.size());
+  // For each vertex how many vertices and crossings come before it.
+  std::vector<std::size_t> vertices(mesh.cells.size() + 1);
+  std::vector<std::size_t> incident(mesh.cells.size() + 1);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mesh.cells.size(), kTogether),
+    [&](const tbb::blocked_range<std::size_t>& range)
+    {
+      for (std::size_t v = range.begin(); v != range.end(); ++v)
+      {
+        const auto count =
+          std::count_if(mesh.incident.begin() + static_cast<std::ptrdiff_t>(mesh.offsets[v]),
+            mesh.incident.begin() + static_cast<std::ptrdiff_t>(mesh.offsets[v + 1]),
+            [&](std::size_t crossing) { return kept[crossing] != 0; });
+        incident[v + 1] = static_cast<std::size_t>(count);
+      }
+    });
   for (std::size_t v = 0; v < mesh.cells.size(); ++v)
   {
-    for (std::size_t i = mesh.offsets[v]; i < mesh.offsets[v + 1]; ++i)
-    {
-      if (kept[mesh.incident[i]] != 0)
-      {
-        part.mesh.incident.push_back(target[mesh.incident[i]]);
-      }
-    }
-    vertices[v] = static_cast<std::int64_t>(part.origins.size());
-    if (part.mesh.incident.size() > part.mesh.offsets.back())
-    {
-      part.mesh.offsets.push_back(part.mesh.incident.size());
-      part.mesh.cells.push_back(mesh.cells[v]);
-      part.origins.push_back(v);
-    }
+    vertices[v + 1] = vertices[v] + (incident[v + 1] != 0 ? 1 : 0);
+    incident[v + 1] += incident[v];
   }
-  for (std::size_t c = 0; c < kept.size(); ++c)
-  {
-    if (kept[c] != 0)
+  DualSubmesh part;
+  part.mesh.incident.resize(incident.back());
+  part.mesh.corners.resize(target.back());
+  part.mesh.offsets.resize(vertices.back() + 1);
+  part.mesh.cells.resize(vertices.back());
+  part.origins.resize(vertices.back());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mesh.cells.size(), kTogether),
+    [&](const tbb::blocked_range<std::size_t>& range)
     {
-      part.mesh.corners.push_back(mesh.corners[c]);
-      for (std::int64_t& corner : part.mesh.corners.back())
+      for (std::size_t v = range.begin(); v != range.end(); ++v)
       {
-        corner = vertices[corner];
+        if (vertices[v] == vertices[v + 1])
+        {
+          continue;
+        }
+        std::size_t next = incident[v];
+        for (std::size_t i = mesh.offsets[v]; i < mesh.offsets[v + 1]; ++i)
+        {
+          const std::size_t crossing = mesh.incident[i];
+          if (kept[crossing] != 0)
+          {
+            part.mesh.incident[next++] = target[crossing];
+          }
+        }
+        part.mesh.offsets[vertices[v + 1]] = next;
+        part.mesh.cells[vertices[v]] = mesh.cells[v];
+        part.origins[vertices[v]] = v;
       }
-    }
-  }
+    });
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, kept.size(), kTogether),
+    [&](const tbb::blocked_range<std::size_t>& range)
+    {
+      for (std::size_t c = range.begin(); c != range.end(); ++c)
+      {
+        for (std::size_t i = 0; kept[c] != 0 && i < 4; ++i)
+        {
+          part.mesh.corners[target[c]][i] =
+            static_cast<std::int64_t>(vertices[static_cast<std::size_t>(mesh.corners[c][i])]);
+        }
+      }
+    });
   return part;
 }
 
@@ -207,25 +238,39 @@ std::vector<std::array<std::int64_t, 4>> quadsWithin(const DualMesh& mesh, const
   return quads;
 }
 
-std::vector<EdgeTable::Edge> rimEdges(const std::vector<std::array<std::int64_t, 4>>& quads,
-  std::size_t vertexCount)
+std::vector<EdgeTable::Edge> rimEdges(const DualMesh& mesh,
+  const std::vector<std::array<std::int64_t, 4>>& quads)
 {
-  std::vector<EdgeTable::Edge> edges;
-  edges.reserve(4 * quads.size());
+  // Edges join neighbouring cells. The cell with the lower number comes first along their axis, and
+  // of its neighbours those along x, y, z follow each other.
+  struct FromCell
+  {
+    std::array<std::uint8_t, 3> quads{}; ///< at the edges along x, y, z
+    std::array<std::int32_t, 3> ends;
+  };
+  std::vector<FromCell> edges(mesh.cells.size());
   for (const auto& quad : quads)
   {
-    addEdges(quad, edges);
+    for (std::size_t i = 0; i < quad.size(); ++i)
+    {
+      const auto [low, high] = std::minmax(quad[i], quad[(i + 1) % quad.size()]);
+      const glm::ivec3 along = mesh.cells[high] - mesh.cells[low];
+      const int axis = along.x != 0 ? 0 : along.y != 0 ? 1 : 2;
+      ++edges[low].quads[axis];
+      edges[low].ends[axis] = static_cast<std::int32_t>(high);
+    }
   }
   std::vector<EdgeTable::Edge> rims;
-  EdgeTable(edges, vertexCount)
-    .forEach(
-      [&](const EdgeTable::Edge& edge, std::size_t count)
+  for (std::size_t low = 0; low < edges.size(); ++low)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      if (edges[low].quads[axis] == 1)
       {
-        if (count == 1)
-        {
-          rims.push_back(edge);
-        }
-      });
+        rims.push_back({ static_cast<std::int64_t>(low), edges[low].ends[axis] });
+      }
+    }
+  }
   return rims;
 }
 

@@ -365,6 +365,10 @@ private:
   BisectorPoints selected() const
   {
     BisectorPoints bisectors;
+    const auto count = static_cast<std::size_t>(
+      std::count_if(kept_.begin(), kept_.end(), [](std::uint8_t kept) { return kept != 0; }));
+    bisectors.points.reserve(count);
+    bisectors.moved.reserve(count);
     for (std::size_t c = 0; c < kept_.size(); ++c)
     {
       if (kept_[c] != 0)
