@@ -92,14 +92,15 @@ const SheetFitter::Directions& SheetFitter::directionsOf(std::size_t crossing)
   return directions;
 }
 
-SheetFitter::Node SheetFitter::nodeOf(std::size_t crossing, const glm::dvec3& x)
+double SheetFitter::weightOf(std::size_t crossing, const glm::dvec3& position) const
 {
-  Node node{ this->directionsOf(crossing), crossing, samples_.points[crossing].position - x, 0.0 };
-  const glm::dvec3 steps = node.position / frame_.step;
+  if (samples_.kinds[crossing] != SampleKind::Exact)
+  {
+    return 0.0;
+  }
+  const glm::dvec3 steps = position / frame_.step;
   const double share = glm::dot(steps, steps) / (kReach * kReach);
-  const bool counts = share < 1.0 && samples_.kinds[crossing] == SampleKind::Exact;
-  node.weight = counts ? (1.0 - share) * (1.0 - share) : 0.0;
-  return node;
+  return share < 1.0 ? (1.0 - share) * (1.0 - share) : 0.0;
 }
 
 bool SheetFitter::sameSheet(std::size_t p, std::size_t q)
@@ -110,23 +111,25 @@ bool SheetFitter::sameSheet(std::size_t p, std::size_t q)
     std::cos(2.0 * glm::radians(kMaxTurn)));
 }
 
-bool SheetFitter::reach(const Node& from, std::size_t crossing, const glm::dvec3& x)
+bool SheetFitter::reach(const Directions& from, std::size_t crossing, const glm::dvec3& x)
 {
   if (visited_[crossing] == fit_)
   {
     return true;
   }
   static const double kLimit = std::cos(glm::radians(kMaxTurn));
-  Node node = this->nodeOf(crossing, x);
-  if (node.weight == 0.0)
+  const glm::dvec3 position = samples_.positions[crossing] - x;
+  const double weight = this->weightOf(crossing, position);
+  if (weight == 0.0)
   {
     visited_[crossing] = fit_;
     return true;
   }
-  if (matched(from.towardsA, from.towardsB, node.towardsA, node.towardsB, kLimit))
+  Directions directions = this->directionsOf(crossing);
+  if (matched(from.towardsA, from.towardsB, directions.towardsA, directions.towardsB, kLimit))
   {
     visited_[crossing] = fit_;
-    nodes_.push_back(node);
+    nodes_.push_back({ directions, crossing, position, weight });
     return true;
   }
   return false;
@@ -138,11 +141,13 @@ void SheetFitter::gather(const glm::dvec3& x, std::size_t crossing)
   ++fit_;
   nodes_.clear();
   visited_[crossing] = fit_;
-  nodes_.push_back(this->nodeOf(crossing, x));
+  const glm::dvec3 position = samples_.positions[crossing] - x;
+  nodes_.push_back(
+    { this->directionsOf(crossing), crossing, position, this->weightOf(crossing, position) });
   for (std::size_t k = 0; k < nodes_.size(); ++k)
   {
-    const Node from = nodes_[k];
-    for (const std::int64_t corner : mesh.corners[from.crossing])
+    const Directions from = nodes_[k];
+    for (const std::int64_t corner : mesh.corners[nodes_[k].crossing])
     {
       if (done_[corner] == fit_)
       {
@@ -164,7 +169,15 @@ std::vector<int> SheetFitter::sites() const
   for (const Node& node : nodes_)
   {
     const BisectorPoint& point = samples_.points[node.crossing];
-    sites.insert(sites.end(), { point.a.site, point.b.site });
+    for (const int site : { point.a.site, point.b.site })
+    {
+      // Neighbours have mostly the same.
+      if (std::find(sites.end() - std::min<std::ptrdiff_t>(sites.end() - sites.begin(), 4),
+            sites.end(), site) == sites.end())
+      {
+        sites.push_back(site);
+      }
+    }
   }
   std::sort(sites.begin(), sites.end());
   sites.erase(std::unique(sites.begin(), sites.end()), sites.end());

@@ -29,6 +29,7 @@ struct SheetSamples
 {
   DualMesh mesh;                     ///< of all crossings
   std::vector<BisectorPoint> points; ///< for each crossing
+  std::vector<glm::dvec3> positions; ///< of the points, once more, close together
   std::vector<SampleKind> kinds;     ///< for each crossing
 };
 
@@ -99,13 +100,14 @@ private:
 
   /// Computes them once for each crossing.
   const Directions& directionsOf(std::size_t crossing);
-  Node nodeOf(std::size_t crossing, const glm::dvec3& x);
+  /// @param position of the sample of a crossing, relative to the place of the fit.
+  double weightOf(std::size_t crossing, const glm::dvec3& position) const;
   void gather(const glm::dvec3& x, std::size_t crossing);
   bool average(SheetFit& fit) const;
   void fitLines(SheetFit& fit) const;
   /// Adds the sample of a crossing if it is on the sheet of a node. Returns whether it is clear,
   /// from any node, that it is or never counts.
-  bool reach(const Node& from, std::size_t crossing, const glm::dvec3& x);
+  bool reach(const Directions& from, std::size_t crossing, const glm::dvec3& x);
 
   const GridFrame& frame_;
   double cosAngle_;

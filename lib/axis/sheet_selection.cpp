@@ -64,6 +64,7 @@ public:
         [&](std::size_t c) { return crossings[c].voxel; }))
   {
     samples_.points.resize(crossings.size());
+    samples_.positions.resize(crossings.size());
     samples_.kinds.resize(crossings.size(), SampleKind::None);
     moved_.resize(crossings.size(), 0);
     inBlocks(geometry, crossings.size(),
@@ -216,6 +217,7 @@ private:
   void setSample(std::size_t c, SampleKind kind, const BisectorPoint& point)
   {
     samples_.points[c] = point;
+    samples_.positions[c] = point.position;
     const bool onSheet = point.radius() >= kMinRadius && point.reaches(bandLimit_);
     samples_.kinds[c] = onSheet ? kind : SampleKind::None;
   }
@@ -327,6 +329,7 @@ private:
       {
         const std::size_t c = wide[i];
         samples_.points[c] = *onCurves[i];
+        samples_.positions[c] = onCurves[i]->position;
         samples_.kinds[c] = SampleKind::None;
         kept_[c] = 1;
         moved_[c] = 1;
