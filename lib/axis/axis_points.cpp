@@ -24,10 +24,25 @@ constexpr double kOutside = 0.1;
 /// How much farther away than the closest point the other one may be for the centre of a cell.
 constexpr double kAnywhere = std::numeric_limits<double>::infinity();
 
+/// The bisector at a crossing, as PlaneFit takes it.
+struct BisectorPlane
+{
+  glm::dvec3 normal;
+  double weight;
+};
+
+BisectorPlane planeAt(const BisectorPoint& point)
+{
+  const double sine = point.lambda() / point.radius();
+  return { point.normal(), sine * sine };
+}
+
 /// Returns where the bisectors of the cell of a vertex meet, without those that were moved out of
 /// it.
+/// @param planes of all crossings.
 glm::dvec3 fitted(const AxisGeometry& geometry, const DualMesh& mesh,
-  const BisectorPoints& bisectors, std::size_t vertex, PlaneFit& fit)
+  const BisectorPoints& bisectors, const std::vector<BisectorPlane>& planes, std::size_t vertex,
+  PlaneFit& fit)
 {
   fit.clear();
   for (std::size_t i = mesh.offsets[vertex]; i < mesh.offsets[vertex + 1]; ++i)
@@ -35,9 +50,8 @@ glm::dvec3 fitted(const AxisGeometry& geometry, const DualMesh& mesh,
     const std::size_t crossing = mesh.incident[i];
     if (bisectors.moved[crossing] == 0)
     {
-      const BisectorPoint& point = bisectors.points[crossing];
-      const double sine = point.lambda() / point.radius();
-      fit.add(point.position, point.normal(), sine * sine);
+      fit.add(bisectors.points[crossing].position, planes[crossing].normal,
+        planes[crossing].weight);
     }
   }
   const glm::dvec3 centre = geometry.frame.sample(glm::dvec3(mesh.cells[vertex]) + 0.5);
@@ -79,8 +93,8 @@ double minAngle(const AxisGeometry& geometry, const DualMesh& mesh, const Bisect
 
 /// Places vertices of a surface.
 void placeOnSurface(const AxisGeometry& geometry, const DualMesh& mesh,
-  const BisectorPoints& bisectors, const std::uint32_t* begin, const std::uint32_t* end,
-  BisectorPoints& result)
+  const BisectorPoints& bisectors, const std::vector<BisectorPlane>& planes,
+  const std::uint32_t* begin, const std::uint32_t* end, BisectorPoints& result)
 {
   PlaneFit fit;
   std::vector<std::size_t> vertices;
@@ -95,7 +109,7 @@ void placeOnSurface(const AxisGeometry& geometry, const DualMesh& mesh,
       continue;
     }
     vertices.push_back(v);
-    positions.push_back(fitted(geometry, mesh, bisectors, v, fit));
+    positions.push_back(fitted(geometry, mesh, bisectors, planes, v, fit));
   }
   const std::vector<BisectorPoint> points =
     closestPairs(geometry, mesh, bisectors, vertices, positions, kOffBisector);
@@ -139,9 +153,10 @@ void placeInCentres(const AxisGeometry& geometry, const DualMesh& mesh,
   }
 }
 
+/// Places all vertices.
+/// @param place called with some of them, close together.
 template <typename Place>
-BisectorPoints placeVertices(const AxisGeometry& geometry, const DualMesh& mesh,
-  const BisectorPoints& bisectors, const Place& place)
+BisectorPoints placeVertices(const AxisGeometry& geometry, const DualMesh& mesh, const Place& place)
 {
   BisectorPoints result;
   result.points.resize(mesh.cells.size());
@@ -153,8 +168,7 @@ BisectorPoints placeVertices(const AxisGeometry& geometry, const DualMesh& mesh,
     [&](const tbb::blocked_range<std::size_t>& range)
     {
       geometry.checkpoint();
-      place(geometry, mesh, bisectors, order.data() + range.begin(), order.data() + range.end(),
-        result);
+      place(order.data() + range.begin(), order.data() + range.end(), result);
     });
   return result;
 }
@@ -164,13 +178,20 @@ BisectorPoints placeVertices(const AxisGeometry& geometry, const DualMesh& mesh,
 BisectorPoints surfacePoints(const AxisGeometry& geometry, const DualMesh& mesh,
   const BisectorPoints& bisectors)
 {
-  return placeVertices(geometry, mesh, bisectors, placeOnSurface);
+  std::vector<BisectorPlane> planes(bisectors.points.size());
+  tbb::parallel_for(std::size_t{ 0 }, planes.size(),
+    [&](std::size_t crossing) { planes[crossing] = planeAt(bisectors.points[crossing]); });
+  return placeVertices(geometry, mesh,
+    [&](const std::uint32_t* begin, const std::uint32_t* end, BisectorPoints& result)
+    { placeOnSurface(geometry, mesh, bisectors, planes, begin, end, result); });
 }
 
 BisectorPoints cellCentres(const AxisGeometry& geometry, const DualMesh& mesh,
   const BisectorPoints& bisectors)
 {
-  return placeVertices(geometry, mesh, bisectors, placeInCentres);
+  return placeVertices(geometry, mesh,
+    [&](const std::uint32_t* begin, const std::uint32_t* end, BisectorPoints& result)
+    { placeInCentres(geometry, mesh, bisectors, begin, end, result); });
 }
 
 } // namespace medial

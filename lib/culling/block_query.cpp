@@ -38,6 +38,26 @@ FrameBox boxAround(const SiteQuery::Question* const* begin, const SiteQuery::Que
   return box;
 }
 
+float sizeOf(const FrameBox& box)
+{
+  return box.half.x + box.half.y + box.half.z;
+}
+
+/// Orders questions so that both halves are compact. Mostly they are as they come.
+void halve(SiteQuery::Question** begin, SiteQuery::Question** middle, SiteQuery::Question** end)
+{
+  constexpr float kCompact = 1.7f;
+  const FrameBox box = boxAround(begin, end);
+  if (sizeOf(boxAround(begin, middle)) + sizeOf(boxAround(middle, end)) <= kCompact * sizeOf(box))
+  {
+    return;
+  }
+  const int axis = longestAxis(glm::dvec3(box.half));
+  std::nth_element(begin, middle, end,
+    [axis](const SiteQuery::Question* a, const SiteQuery::Question* b)
+    { return a->x[axis] < b->x[axis]; });
+}
+
 /// Finds the groups whose discs may hold an element nearer to a position than all others, and the
 /// squared distances of their elements.
 /// @param known some point is no farther away than this.
@@ -68,8 +88,7 @@ MEDIAL_VECTORISED int groupsNear(const GroupList& list, const SiteGroup* groups,
       near[count] = id;
       store(candidate, squared + count * kLanes);
       ++count;
-      const float bound = std::max(distance - roundingFrom(offset, group.extent), 0.0f);
-      if (bits(candidate < bound * bound) != 0)
+      if (bits(candidate < distance * distance) != 0)
       {
         float least = candidate[0];
         for (int lane = 1; lane < kLanes; ++lane)
@@ -83,9 +102,17 @@ MEDIAL_VECTORISED int groupsNear(const GroupList& list, const SiteGroup* groups,
   return count;
 }
 
-MEDIAL_VECTORISED bool anyWithin(const float* squared, float limit)
+/// Keeps the groups that have elements within a squared distance. Returns their number.
+MEDIAL_VECTORISED int keepWithin(float limit, int count, int* groups, const float* squared)
 {
-  return bits(loaded(squared) <= limit) != 0;
+  int kept = 0;
+  for (int i = 0; i < count; ++i)
+  {
+    const int group = groups[i];
+    groups[kept] = group;
+    kept += bits(loaded(squared + i * kLanes) <= limit) != 0 ? 1 : 0;
+  }
+  return kept;
 }
 
 } // namespace
@@ -147,10 +174,8 @@ void BlockQuery::answer(const Block& block, const GroupList* near)
   }
   if (block.size() > kTogether)
   {
-    const int axis = longestAxis(glm::dvec3(boxAround(block.begin, block.end).half));
     Question** const middle = block.begin + block.size() / 2;
-    std::nth_element(block.begin, middle, block.end,
-      [axis](const Question* a, const Question* b) { return a->x[axis] < b->x[axis]; });
+    halve(block.begin, middle, block.end);
     this->answer({ block.begin, middle }, near);
     this->answer({ middle, block.end }, near);
     return;
@@ -202,18 +227,17 @@ void BlockQuery::answerFrom(const GroupList& groups, Question& question)
   constexpr float kUp = 1.0f + std::numeric_limits<float>::epsilon();
   const float known = static_cast<float>(glm::distance(question.x, question.closest.point)) * kUp;
   float distance = known;
-  const int count = groupsNear(groups, tree_.groups().data(), question.x, known, tree_.slack(),
+  int count = groupsNear(groups, tree_.groups().data(), question.x, known, tree_.slack(),
     near_.groups.data(), near_.squared.data(), distance);
+  // Distances in single precision are off by less.
+  const float reach = distance + 4.0f * tree_.slack();
+  count = keepWithin(reach * reach * kRoundedUp, count, near_.groups.data(), near_.squared.data());
   SiteGroup::IntLanes parts;
   for (int i = 0; i < count; ++i)
   {
     const SiteGroup& group = tree_.groups()[near_.groups[i]];
     const glm::vec3 x = group.toGroup(question.x);
-    const float reach = distance + roundingFrom(x, group.extent);
-    if (anyWithin(&near_.squared[i * kLanes], reach * reach))
-    {
-      nearest.offer(group, NearestSite::sitesNear(group, x, distance, tree_.slack(), parts), parts);
-    }
+    nearest.offer(group, NearestSite::sitesNear(group, x, distance, tree_.slack(), parts), parts);
   }
   question.closest = nearest.closest();
 }
