@@ -30,6 +30,13 @@ using Id = Contraction::Id;
 class Corners
 {
 public:
+  Corners() = default;
+  explicit Corners(const std::array<Id, 4>& quad)
+    : ids_(quad)
+    , count_(quad.size())
+  {
+  }
+
   std::size_t size() const { return count_; }
   Id operator[](std::size_t i) const { return ids_[i]; }
   void add(Id id) { ids_[count_++] = id; }
@@ -87,6 +94,52 @@ void addLine(Id p, Id q, MedialAxis& axis)
   axis.lines.push_back({ std::min(p, q), std::max(p, q) });
 }
 
+double longestEdge(const BisectorPoints& points, const Corners& corners)
+{
+  double longest = 0.0;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+  {
+    longest = std::max(longest,
+      glm::distance(points.points[corners[i]].position,
+        points.points[corners[(i + 1) % corners.size()]].position));
+  }
+  return longest;
+}
+
+bool isNarrow(const BisectorPoints& points, const Corners& corners)
+{
+  return area(points, corners) < kNarrow * longestEdge(points, corners);
+}
+
+/// What is known of a quad as long as none of its corners are joined.
+enum QuadShape : std::uint8_t
+{
+  kNarrowQuad = 1,
+  kFlatQuad = 2 ///< without area
+};
+
+std::vector<std::uint8_t> shapesOf(const BisectorPoints& points,
+  const std::vector<std::array<Id, 4>>& quads)
+{
+  std::vector<std::uint8_t> shapes(quads.size());
+  tbb::parallel_for(std::size_t{ 0 }, quads.size(),
+    [&](std::size_t i)
+    {
+      const Corners corners(quads[i]);
+      const double size = area(points, corners);
+      shapes[i] = (size < kNarrow * longestEdge(points, corners) ? kNarrowQuad : 0) |
+        (size < kMinArea ? kFlatQuad : 0);
+    });
+  return shapes;
+}
+
+/// Whether a quad has four different corners, none of them joined.
+bool isWhole(const std::array<Id, 4>& quad, const Contraction& contraction)
+{
+  return std::none_of(quad.begin(), quad.end(),
+    [&](Id corner) { return contraction.isJoined(corner); });
+}
+
 /// @param corners in cyclic order, neighbours distinct.
 void addCell(const BisectorPoints& points, const Corners& corners, MedialAxis& axis)
 {
@@ -130,39 +183,26 @@ Corners contracted(const std::array<Id, 4>& quad, Contraction& contraction)
   return corners;
 }
 
-double longestEdge(const BisectorPoints& points, const Corners& corners)
-{
-  double longest = 0.0;
-  for (std::size_t i = 0; i < corners.size(); ++i)
-  {
-    longest = std::max(longest,
-      glm::distance(points.points[corners[i]].position,
-        points.points[corners[(i + 1) % corners.size()]].position));
-  }
-  return longest;
-}
-
 /// Turns strips of polygons that are too narrow for sheets into curves.
 void joinNarrowStrips(const BisectorPoints& points, const std::vector<std::array<Id, 4>>& quads,
-  Contraction& contraction)
+  const std::vector<std::uint8_t>& shapes, Contraction& contraction)
 {
-  std::vector<Corners> polygons;
   std::vector<Corners> narrow;
   std::vector<std::uint8_t> inNarrow(points.points.size(), 0);
-  polygons.reserve(quads.size());
-  for (const auto& quad : quads)
+  for (std::size_t q = 0; q < quads.size(); ++q)
   {
-    const Corners corners = contracted(quad, contraction);
-    if (corners.size() >= 3)
+    const bool whole = isWhole(quads[q], contraction);
+    if (whole && (shapes[q] & kNarrowQuad) == 0)
     {
-      polygons.push_back(corners);
-      if (area(points, corners) < kNarrow * longestEdge(points, corners))
+      continue;
+    }
+    const Corners corners = contracted(quads[q], contraction);
+    if (corners.size() >= 3 && (whole || isNarrow(points, corners)))
+    {
+      narrow.push_back(corners);
+      for (std::size_t i = 0; i < corners.size(); ++i)
       {
-        narrow.push_back(corners);
-        for (std::size_t i = 0; i < corners.size(); ++i)
-        {
-          inNarrow[corners[i]] = 1;
-        }
+        inNarrow[corners[i]] = 1;
       }
     }
   }
@@ -171,9 +211,10 @@ void joinNarrowStrips(const BisectorPoints& points, const std::vector<std::array
     return;
   }
   std::vector<EdgeTable::Edge> edges; // only those that are asked for
-  for (const Corners& corners : polygons)
+  for (const auto& quad : quads)
   {
-    for (std::size_t i = 0; i < corners.size(); ++i)
+    const Corners corners = contracted(quad, contraction);
+    for (std::size_t i = 0; corners.size() >= 3 && i < corners.size(); ++i)
     {
       const EdgeTable::Edge edge{ corners[i], corners[(i + 1) % corners.size()] };
       if (inNarrow[edge[0]] != 0 && inNarrow[edge[1]] != 0)
@@ -281,18 +322,23 @@ void compactPoints(BisectorPoints& points, MedialAxis& axis)
 {
   std::vector<Id> target(points.points.size(), -1);
   forEachCorner(axis, [&](Id corner) { target[corner] = 0; });
-  BisectorPoints used;
+  std::size_t used = 0;
   for (std::size_t p = 0; p < points.points.size(); ++p)
   {
     if (target[p] == 0)
     {
-      target[p] = static_cast<Id>(used.points.size());
-      used.points.push_back(points.points[p]);
-      used.moved.push_back(points.moved[p]);
+      target[p] = static_cast<Id>(used);
+      points.points[used] = points.points[p];
+      points.moved[used] = points.moved[p];
+      ++used;
     }
   }
-  forEachCorner(axis, [&](Id& corner) { corner = target[corner]; });
-  points = std::move(used);
+  points.points.resize(used);
+  points.moved.resize(used);
+  if (used < target.size())
+  {
+    forEachCorner(axis, [&](Id& corner) { corner = target[corner]; });
+  }
 }
 
 } // namespace
@@ -304,14 +350,23 @@ void buildCells(const std::vector<std::array<std::int64_t, 4>>& quads, BisectorP
   joinEqualPoints(points, movedPoints(points), contraction);
   const std::vector<std::uint8_t> withShortEdges = quadsWithShortEdges(points, quads);
   joinShortEdges(points, quads, withShortEdges, contraction);
-  joinNarrowStrips(points, quads, contraction);
+  const std::vector<std::uint8_t> shapes = shapesOf(points, quads);
+  joinNarrowStrips(points, quads, shapes, contraction);
   // The point of a set replaces others, so new edges may be short.
   while (joinShortEdges(points, quads, withShortEdges, contraction))
   {
   }
-  for (const auto& quad : quads)
+  axis.quads.reserve(quads.size());
+  for (std::size_t q = 0; q < quads.size(); ++q)
   {
-    addCell(points, contracted(quad, contraction), axis);
+    if (isWhole(quads[q], contraction) && (shapes[q] & kFlatQuad) == 0)
+    {
+      axis.quads.push_back(quads[q]);
+    }
+    else
+    {
+      addCell(points, contracted(quads[q], contraction), axis);
+    }
   }
   removeDuplicates(contraction, axis.quads);
   removeDuplicates(contraction, axis.triangles);

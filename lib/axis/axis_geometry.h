@@ -5,6 +5,9 @@
 #include "sites/grid_frame.h"
 #include "sites/site_set.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace medial
 {
 
@@ -32,6 +35,18 @@ struct AxisGeometry
       }
     }
     return true;
+  }
+
+  /// Returns the grid cell at x, or the nearest one.
+  glm::ivec3 cellAt(const glm::dvec3& x) const
+  {
+    glm::ivec3 cell;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double index = std::floor((x[axis] - frame.first[axis]) / frame.step[axis]);
+      cell[axis] = static_cast<int>(std::clamp<double>(index, extent.min[axis], extent.max[axis]));
+    }
+    return cell;
   }
 };
 

@@ -3,14 +3,13 @@
 #include "axis/closest_pairs.h"
 #include "axis/plane_fit.h"
 #include "axis/sheet_selection.h"
-#include "sites/closest_point.h"
+#include "axis/tile_order.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -25,27 +24,25 @@ constexpr double kOutside = 0.1;
 /// How much farther away than the closest point the other one may be for the centre of a cell.
 constexpr double kAnywhere = std::numeric_limits<double>::infinity();
 
-/// Finds the closest pairs of vertices at given positions. A site of the vertex's first bisector
-/// bounds the search.
-std::vector<BisectorPoint> vertexPairs(const AxisGeometry& geometry, const DualMesh& mesh,
-  const BisectorPoints& bisectors, const std::vector<std::size_t>& vertices,
-  const std::vector<glm::dvec3>& positions, double tolerance)
+/// The bisector at a crossing, as PlaneFit takes it.
+struct BisectorPlane
 {
-  std::vector<SiteQuery::Question> questions(vertices.size());
-  for (std::size_t i = 0; i < vertices.size(); ++i)
-  {
-    const int known = bisectors.points[mesh.incident[mesh.offsets[vertices[i]]]].a.site;
-    questions[i] = { positions[i], closestPoint(geometry.sites, known, positions[i]) };
-  }
-  geometry.query.closest(questions);
-  return closestPairs(geometry, mesh, bisectors, vertices, questions, EqualAngles::LowestSite,
-    tolerance);
+  glm::dvec3 normal;
+  double weight;
+};
+
+BisectorPlane planeAt(const BisectorPoint& point)
+{
+  const double sine = point.lambda() / point.radius();
+  return { point.normal(), sine * sine };
 }
 
 /// Returns where the bisectors of the cell of a vertex meet, without those that were moved out of
 /// it.
+/// @param planes of all crossings.
 glm::dvec3 fitted(const AxisGeometry& geometry, const DualMesh& mesh,
-  const BisectorPoints& bisectors, std::size_t vertex, PlaneFit& fit)
+  const BisectorPoints& bisectors, const std::vector<BisectorPlane>& planes, std::size_t vertex,
+  PlaneFit& fit)
 {
   fit.clear();
   for (std::size_t i = mesh.offsets[vertex]; i < mesh.offsets[vertex + 1]; ++i)
@@ -53,9 +50,8 @@ glm::dvec3 fitted(const AxisGeometry& geometry, const DualMesh& mesh,
     const std::size_t crossing = mesh.incident[i];
     if (bisectors.moved[crossing] == 0)
     {
-      const BisectorPoint& point = bisectors.points[crossing];
-      const double sine = point.lambda() / point.radius();
-      fit.add(point.position, point.normal(), sine * sine);
+      fit.add(bisectors.points[crossing].position, planes[crossing].normal,
+        planes[crossing].weight);
     }
   }
   const glm::dvec3 centre = geometry.frame.sample(glm::dvec3(mesh.cells[vertex]) + 0.5);
@@ -95,15 +91,17 @@ double minAngle(const AxisGeometry& geometry, const DualMesh& mesh, const Bisect
   return faceted ? bandAngle(geometry.angle) : geometry.angle;
 }
 
-/// Places the vertices of a surface in [begin, end).
+/// Places vertices of a surface.
 void placeOnSurface(const AxisGeometry& geometry, const DualMesh& mesh,
-  const BisectorPoints& bisectors, std::size_t begin, std::size_t end, BisectorPoints& result)
+  const BisectorPoints& bisectors, const std::vector<BisectorPlane>& planes,
+  const std::uint32_t* begin, const std::uint32_t* end, BisectorPoints& result)
 {
   PlaneFit fit;
   std::vector<std::size_t> vertices;
   std::vector<glm::dvec3> positions;
-  for (std::size_t v = begin; v != end; ++v)
+  for (const std::uint32_t* at = begin; at != end; ++at)
   {
+    const std::size_t v = *at;
     if (allMoved(mesh, bisectors, v))
     {
       result.points[v] = nearestCrossing(mesh, bisectors, v, meanCrossing(mesh, bisectors, v));
@@ -111,16 +109,17 @@ void placeOnSurface(const AxisGeometry& geometry, const DualMesh& mesh,
       continue;
     }
     vertices.push_back(v);
-    positions.push_back(fitted(geometry, mesh, bisectors, v, fit));
+    positions.push_back(fitted(geometry, mesh, bisectors, planes, v, fit));
   }
   const std::vector<BisectorPoint> points =
-    vertexPairs(geometry, mesh, bisectors, vertices, positions, kOffBisector);
+    closestPairs(geometry, mesh, bisectors, vertices, positions, kOffBisector);
   std::vector<std::size_t> narrow;
   std::vector<BisectorPoint> narrowPoints;
+  const AngleLimit limit(geometry.angle);
   for (std::size_t i = 0; i < vertices.size(); ++i)
   {
     result.points[vertices[i]] = points[i];
-    if (points[i].separationAngle() < geometry.angle &&
+    if (!points[i].reaches(limit) &&
       points[i].separationAngle() < minAngle(geometry, mesh, bisectors, vertices[i]))
     {
       narrow.push_back(vertices[i]);
@@ -137,34 +136,39 @@ void placeOnSurface(const AxisGeometry& geometry, const DualMesh& mesh,
   }
 }
 
-/// Places the vertices in [begin, end) at the centres of their cells.
+/// Places vertices at the centres of their cells.
 void placeInCentres(const AxisGeometry& geometry, const DualMesh& mesh,
-  const BisectorPoints& bisectors, std::size_t begin, std::size_t end, BisectorPoints& result)
+  const BisectorPoints& bisectors, const std::uint32_t* begin, const std::uint32_t* end,
+  BisectorPoints& result)
 {
-  std::vector<std::size_t> vertices(end - begin);
-  std::iota(vertices.begin(), vertices.end(), begin);
+  const std::vector<std::size_t> vertices(begin, end);
   std::vector<glm::dvec3> positions(vertices.size());
   std::transform(vertices.begin(), vertices.end(), positions.begin(),
     [&](std::size_t v) { return geometry.frame.sample(glm::dvec3(mesh.cells[v]) + 0.5); });
   const std::vector<BisectorPoint> points =
-    vertexPairs(geometry, mesh, bisectors, vertices, positions, kAnywhere);
-  std::copy(points.begin(), points.end(),
-    result.points.begin() + static_cast<std::ptrdiff_t>(begin));
+    closestPairs(geometry, mesh, bisectors, vertices, positions, kAnywhere);
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+  {
+    result.points[vertices[i]] = points[i];
+  }
 }
 
+/// Places all vertices.
+/// @param place called with some of them, close together.
 template <typename Place>
-BisectorPoints placeVertices(const AxisGeometry& geometry, const DualMesh& mesh,
-  const BisectorPoints& bisectors, const Place& place)
+BisectorPoints placeVertices(const AxisGeometry& geometry, const DualMesh& mesh, const Place& place)
 {
   BisectorPoints result;
   result.points.resize(mesh.cells.size());
   result.moved.resize(mesh.cells.size());
-  constexpr std::size_t kTogether = 4096; // enough slices for compact blocks of queries
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mesh.cells.size(), kTogether),
+  const std::vector<std::uint32_t> order = tileOrder(geometry.extent, mesh.cells.size(),
+    [&](std::size_t vertex) { return mesh.cells[vertex]; });
+  constexpr std::size_t kTogether = 512; // several in most of their tiles
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, order.size(), kTogether),
     [&](const tbb::blocked_range<std::size_t>& range)
     {
       geometry.checkpoint();
-      place(geometry, mesh, bisectors, range.begin(), range.end(), result);
+      place(order.data() + range.begin(), order.data() + range.end(), result);
     });
   return result;
 }
@@ -174,13 +178,20 @@ BisectorPoints placeVertices(const AxisGeometry& geometry, const DualMesh& mesh,
 BisectorPoints surfacePoints(const AxisGeometry& geometry, const DualMesh& mesh,
   const BisectorPoints& bisectors)
 {
-  return placeVertices(geometry, mesh, bisectors, placeOnSurface);
+  std::vector<BisectorPlane> planes(bisectors.points.size());
+  tbb::parallel_for(std::size_t{ 0 }, planes.size(),
+    [&](std::size_t crossing) { planes[crossing] = planeAt(bisectors.points[crossing]); });
+  return placeVertices(geometry, mesh,
+    [&](const std::uint32_t* begin, const std::uint32_t* end, BisectorPoints& result)
+    { placeOnSurface(geometry, mesh, bisectors, planes, begin, end, result); });
 }
 
 BisectorPoints cellCentres(const AxisGeometry& geometry, const DualMesh& mesh,
   const BisectorPoints& bisectors)
 {
-  return placeVertices(geometry, mesh, bisectors, placeInCentres);
+  return placeVertices(geometry, mesh,
+    [&](const std::uint32_t* begin, const std::uint32_t* end, BisectorPoints& result)
+    { placeInCentres(geometry, mesh, bisectors, begin, end, result); });
 }
 
 } // namespace medial

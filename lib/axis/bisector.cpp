@@ -1,6 +1,7 @@
 #include "axis/bisector.h"
 
 #include "axis/site_change.h"
+#include "axis/tile_order.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -127,6 +128,16 @@ void findSites(const AxisGeometry& geometry, std::vector<SiteSegment>& segments)
   }
 }
 
+/// Asks for the closest point at a bisector point.
+SiteQuery::Question questionAt(const BisectorPoint& point)
+{
+  const double toA = glm::distance(point.position, point.a.point);
+  const double toB = glm::distance(point.position, point.b.point);
+  const bool aFirst = toA < toB || (toA == toB && point.a.site <= point.b.site);
+  return aFirst ? SiteQuery::Question{ point.position, point.a, point.b.site }
+                : SiteQuery::Question{ point.position, point.b, point.a.site };
+}
+
 /// Drops marked crossings and their points.
 void removeMarked(std::vector<Crossing>& crossings, BisectorPoints& points)
 {
@@ -173,7 +184,7 @@ std::vector<BisectorPoint> bisectorPoints(const AxisGeometry& geometry,
     questions.clear();
     for (const std::size_t i : open)
     {
-      questions.push_back({ changes[i].point().position, changes[i].point().a });
+      questions.push_back(questionAt(changes[i].point()));
     }
     geometry.query.closest(questions);
     std::size_t left = 0;
@@ -204,7 +215,7 @@ Found facetedPoints(const AxisGeometry& geometry, const std::vector<SiteSegment>
     if (point.separationAngle() >= minAngle)
     {
       points[i] = point;
-      questions.push_back({ point.position, point.a });
+      questions.push_back(questionAt(point));
     }
   }
   geometry.query.closest(questions);
@@ -283,21 +294,25 @@ BisectorPoints crossingPoints(const AxisGeometry& geometry, std::vector<Crossing
   result.points.resize(crossings.size());
   result.moved.resize(crossings.size());
   const double minRadius = std::max(geometry.radius, kMinRadius);
-  constexpr std::size_t kTogether = 4096; // enough slices for compact blocks of queries
+  const std::vector<std::uint32_t> order =
+    tileOrder(geometry.extent, crossings.size(), [&](std::size_t c) { return crossings[c].voxel; });
+  constexpr std::size_t kTogether = 512; // several in most of their tiles
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, crossings.size(), kTogether),
     [&](const tbb::blocked_range<std::size_t>& range)
     {
       geometry.checkpoint();
       std::vector<SiteSegment> segments(range.size());
-      std::transform(crossings.begin() + range.begin(), crossings.begin() + range.end(),
-        segments.begin(),
-        [&](const Crossing& crossing) { return segmentOf(geometry.frame, crossing); });
+      for (std::size_t i = 0; i < segments.size(); ++i)
+      {
+        segments[i] = segmentOf(geometry.frame, crossings[order[range.begin() + i]]);
+      }
       const std::vector<BisectorPoint> points = bisectorPoints(geometry, segments);
       for (std::size_t i = 0; i < points.size(); ++i)
       {
         const bool large = points[i].radius() >= minRadius && points[i].lambda() >= geometry.lambda;
-        result.moved[range.begin() + i] = large ? 0 : 1;
-        result.points[range.begin() + i] = points[i];
+        const std::size_t c = order[range.begin() + i];
+        result.moved[c] = large ? 0 : 1;
+        result.points[c] = points[i];
       }
     });
   removeMarked(crossings, result);

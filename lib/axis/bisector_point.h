@@ -23,6 +23,11 @@ struct BisectorPoint
   double lambda() const { return 0.5 * glm::distance(a.point, b.point); }
   /// Radians.
   double separationAngle() const { return medial::separationAngle(position, a.point, b.point); }
+  /// Whether the separation angle is as large as a limit.
+  bool reaches(const AngleLimit& limit) const
+  {
+    return limit.isReached(position, a.point, b.point);
+  }
   /// Unit normal of the bisector; zero if both closest points are the same.
   glm::dvec3 normal() const
   {

@@ -79,10 +79,10 @@ BorderFinder::BorderFinder(const AxisGeometry& geometry, const SheetSelection& s
 {
 }
 
-void BorderFinder::find(BorderWalker* begin, BorderWalker* end)
+void BorderFinder::find(const std::vector<BorderWalker*>& walkers)
 {
   std::vector<BorderWalker*> lost;
-  for (BorderWalker* walker = begin; walker != end; ++walker)
+  for (BorderWalker* walker : walkers)
   {
     this->fit(*walker);
     walker->movable = walker->atBorder ||
@@ -96,7 +96,7 @@ void BorderFinder::find(BorderWalker* begin, BorderWalker* end)
 }
 
 /// Returns a selected crossing on that sheet at a vertex which has most of them.
-std::optional<BorderFinder::AtVertex> BorderFinder::crossingAt(std::size_t vertex) const
+std::optional<BorderFinder::AtVertex> BorderFinder::crossingAt(std::size_t vertex)
 {
   const DualMesh& mesh = selection_.samples.mesh;
   std::vector<std::size_t> crossings;

@@ -37,7 +37,7 @@ public:
     const BisectorPoints& points);
 
   /// Fills walkers, whose vertices are given.
-  void find(BorderWalker* begin, BorderWalker* end);
+  void find(const std::vector<BorderWalker*>& walkers);
 
 private:
   /// A crossing at a vertex.
@@ -47,7 +47,7 @@ private:
     bool alone; ///< whether all crossings of the vertex are on the same sheet
   };
 
-  std::optional<AtVertex> crossingAt(std::size_t vertex) const;
+  std::optional<AtVertex> crossingAt(std::size_t vertex);
   void fit(BorderWalker& walker);
   void findSeams(const std::vector<BorderWalker*>& walkers) const;
   void moveToSeam(const SiteQuery::Question& beyond, BorderWalker& walker) const;

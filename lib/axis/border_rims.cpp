@@ -3,6 +3,7 @@
 #include "axis/border_finder.h"
 #include "axis/closest_pairs.h"
 #include "axis/site_change.h"
+#include "axis/tile_order.h"
 #include "sites/closest_point.h"
 
 #include <tbb/blocked_range.h>
@@ -266,8 +267,10 @@ private:
 
 constexpr std::size_t kTogether = 256;
 
+/// @param order of the walkers, so that those in a row are close together.
 void findBorders(const AxisGeometry& geometry, const SheetSelection& selection,
-  const BisectorPoints& points, std::vector<Walker>& walkers)
+  const BisectorPoints& points, const std::vector<std::uint32_t>& order,
+  std::vector<Walker>& walkers)
 {
   tbb::enumerable_thread_specific<BorderFinder> finders(
     [&] { return BorderFinder(geometry, selection, points); });
@@ -275,14 +278,20 @@ void findBorders(const AxisGeometry& geometry, const SheetSelection& selection,
     [&](const tbb::blocked_range<std::size_t>& range)
     {
       geometry.checkpoint();
-      finders.local().find(walkers.data() + range.begin(), walkers.data() + range.end());
+      std::vector<Walker*> some;
+      for (std::size_t k = range.begin(); k != range.end(); ++k)
+      {
+        some.push_back(&walkers[order[k]]);
+      }
+      finders.local().find(some);
     });
 }
 
 /// Puts those vertices onto the bisector that are not near their places yet. Replaces the places by
 /// the positions that they have then.
 void settle(const AxisGeometry& geometry, const std::vector<Walker>& walkers,
-  BisectorPoints& points, std::vector<glm::dvec3>& places, std::vector<std::uint8_t>& settled)
+  const std::vector<std::uint32_t>& order, BisectorPoints& points, std::vector<glm::dvec3>& places,
+  std::vector<std::uint8_t>& settled)
 {
   const Settler settler(geometry, points);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, walkers.size(), kTogether),
@@ -290,8 +299,9 @@ void settle(const AxisGeometry& geometry, const std::vector<Walker>& walkers,
     {
       geometry.checkpoint();
       std::vector<std::size_t> moving;
-      for (std::size_t i = range.begin(); i != range.end(); ++i)
+      for (std::size_t k = range.begin(); k != range.end(); ++k)
       {
+        const std::size_t i = order[k];
         const glm::dvec3& now = points.points[walkers[i].vertex].position;
         const bool near = settled[i] != 0 && glm::distance(places[i], now) < kNear;
         if (walkers[i].movable && !near && geometry.insideGrid(places[i]))
@@ -300,8 +310,9 @@ void settle(const AxisGeometry& geometry, const std::vector<Walker>& walkers,
         }
       }
       settler.settle(walkers, moving, places, settled);
-      for (std::size_t i = range.begin(); i != range.end(); ++i)
+      for (std::size_t k = range.begin(); k != range.end(); ++k)
       {
+        const std::size_t i = order[k];
         places[i] = points.points[walkers[i].vertex].position;
       }
     });
@@ -313,7 +324,9 @@ std::vector<std::size_t> moveToBorders(const AxisGeometry& geometry,
   const SheetSelection& selection, const std::vector<EdgeTable::Edge>& rims, BisectorPoints& points)
 {
   std::vector<Walker> walkers = walkersOn(rims);
-  findBorders(geometry, selection, points, walkers);
+  const std::vector<std::uint32_t> order = tileOrder(geometry.extent, walkers.size(),
+    [&](std::size_t i) { return selection.part.mesh.cells[walkers[i].vertex]; });
+  findBorders(geometry, selection, points, order, walkers);
   const Neighbours neighbours = neighboursOf(walkers, rims);
   std::vector<glm::dvec3> places(walkers.size());
   std::transform(walkers.begin(), walkers.end(), places.begin(),
@@ -322,7 +335,7 @@ std::vector<std::size_t> moveToBorders(const AxisGeometry& geometry,
   for (int round = 0; round < kRounds; ++round)
   {
     smooth(walkers, neighbours, places);
-    settle(geometry, walkers, points, places, settled);
+    settle(geometry, walkers, order, points, places, settled);
   }
   std::vector<std::size_t> elsewhere;
   for (std::size_t i = 0; i < walkers.size(); ++i)

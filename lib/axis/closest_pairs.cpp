@@ -4,6 +4,8 @@
 #include "sites/closest_point.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace medial
 {
@@ -13,29 +15,84 @@ namespace
 /// Sites whose distances differ by less, in local units (voxels), are equally near.
 constexpr double kEquallyNear = 1e-9;
 
+/// A site that may have one of the closest points of x.
+struct Candidate
+{
+  SitePoint point;
+  double distance; ///< from x
+};
+
+Candidate candidateOf(const SiteSet& sites, int site, const glm::dvec3& x)
+{
+  const SitePoint point = closestPoint(sites, site, x);
+  return { point, glm::distance(x, point.point) };
+}
+
+/// Candidates side by side.
+struct Candidates
+{
+  const Candidate* first;
+  const Candidate* last;
+
+  const Candidate* begin() const { return first; }
+  const Candidate* end() const { return last; }
+};
+
+/// Whether the separation angle of one point and p is larger than that of the same point and q. It
+/// is as if both were computed, but this is hardly ever necessary.
+bool isWider(const glm::dvec3& x, const Candidate& one, const Candidate& p, const Candidate& q)
+{
+  const glm::dvec3 u = one.point.point - x;
+  const double towardsP = glm::dot(u, p.point.point - x) * q.distance;
+  const double towardsQ = glm::dot(u, q.point.point - x) * p.distance;
+  constexpr double kDoubt = 1e-9; // of the cosine
+  if (std::abs(towardsP - towardsQ) > kDoubt * one.distance * p.distance * q.distance)
+  {
+    return towardsP < towardsQ;
+  }
+  return separationAngle(x, one.point.point, p.point.point) >
+    separationAngle(x, one.point.point, q.point.point);
+}
+
+/// As oppositePoint().
+Candidate opposite(const Candidates& candidates, const glm::dvec3& x, const Candidate& closest,
+  double tolerance)
+{
+  const double farthest = closest.distance + tolerance;
+  const Candidate* widest = nullptr;
+  for (const Candidate& candidate : candidates)
+  {
+    if (candidate.distance <= farthest &&
+      (widest == nullptr || isWider(x, closest, candidate, *widest)))
+    {
+      widest = &candidate;
+    }
+  }
+  return widest != nullptr ? *widest : closest;
+}
+
 /// Returns the closest pair at x. Where several sites are equally near, as on a seam, the closest
 /// point may be that of any of them; then the pair with the largest angle counts.
-BisectorPoint widestPair(const SiteSet& sites, const std::vector<int>& candidates,
-  const glm::dvec3& x, const SitePoint& closest, double tolerance)
+BisectorPoint widestPair(const Candidates& candidates, const glm::dvec3& x,
+  const SitePoint& closestPoint, double tolerance)
 {
-  BisectorPoint widest{ x, closest, oppositePoint(sites, candidates, x, closest, tolerance) };
-  const double nearest = glm::distance(x, closest.point) + kEquallyNear;
-  for (const int site : candidates)
+  const Candidate closest{ closestPoint, glm::distance(x, closestPoint.point) };
+  BisectorPoint widest{ x, closestPoint, opposite(candidates, x, closest, tolerance).point };
+  for (const Candidate& other : candidates)
   {
-    const SitePoint other = closestPoint(sites, site, x);
-    if (other.site != closest.site && glm::distance(x, other.point) <= nearest)
+    if (other.point.site != closestPoint.site && other.distance <= closest.distance + kEquallyNear)
     {
-      const BisectorPoint pair{ x, other, oppositePoint(sites, candidates, x, other, tolerance) };
+      const BisectorPoint pair{ x, other.point, opposite(candidates, x, other, tolerance).point };
       widest = pair.separationAngle() > widest.separationAngle() ? pair : widest;
     }
   }
   return widest;
 }
 
-/// Replaces `sites` by the sites whose bisectors gave a vertex, each once, in the order of the
-/// bisectors.
+/// Replaces `sites` by the sites whose bisectors gave a vertex, each once: ascending, or in the
+/// order of the bisectors.
 void sitesOf(const DualMesh& mesh, const BisectorPoints& bisectors, std::size_t vertex,
-  std::vector<int>& sites)
+  EqualAngles equalAngles, std::vector<int>& sites)
 {
   sites.clear();
   for (std::size_t i = mesh.offsets[vertex]; i < mesh.offsets[vertex + 1]; ++i)
@@ -49,6 +106,10 @@ void sitesOf(const DualMesh& mesh, const BisectorPoints& bisectors, std::size_t 
       }
     }
   }
+  if (equalAngles == EqualAngles::LowestSite)
+  {
+    std::sort(sites.begin(), sites.end());
+  }
 }
 
 } // namespace
@@ -56,20 +117,15 @@ void sitesOf(const DualMesh& mesh, const BisectorPoints& bisectors, std::size_t 
 SitePoint oppositePoint(const SiteSet& sites, const std::vector<int>& candidates,
   const glm::dvec3& x, const SitePoint& closest, double tolerance)
 {
-  const double farthest = glm::distance(x, closest.point) + tolerance;
-  double widest = -1.0;
-  SitePoint opposite = closest;
+  std::vector<Candidate> points;
+  points.reserve(candidates.size());
   for (const int site : candidates)
   {
-    const SitePoint candidate = closestPoint(sites, site, x);
-    const double angle = separationAngle(x, closest.point, candidate.point);
-    if (angle > widest && glm::distance(x, candidate.point) <= farthest)
-    {
-      widest = angle;
-      opposite = candidate;
-    }
+    points.push_back(candidateOf(sites, site, x));
   }
-  return opposite;
+  return opposite({ points.data(), points.data() + points.size() }, x,
+    { closest, glm::distance(x, closest.point) }, tolerance)
+    .point;
 }
 
 glm::dvec3 meanCrossing(const DualMesh& mesh, const BisectorPoints& bisectors, std::size_t vertex)
@@ -88,15 +144,65 @@ std::vector<BisectorPoint> closestPairs(const AxisGeometry& geometry, const Dual
 {
   std::vector<BisectorPoint> result(answers.size());
   std::vector<int> sites;
+  std::vector<Candidate> candidates;
   for (std::size_t i = 0; i < answers.size(); ++i)
   {
-    const auto& [x, closest] = answers[i];
-    sitesOf(mesh, bisectors, vertices[i], sites);
-    if (equalAngles == EqualAngles::LowestSite)
+    const glm::dvec3& x = answers[i].x;
+    sitesOf(mesh, bisectors, vertices[i], equalAngles, sites);
+    candidates.clear();
+    for (const int site : sites)
     {
-      std::sort(sites.begin(), sites.end());
+      candidates.push_back(candidateOf(geometry.sites, site, x));
     }
-    result[i] = widestPair(geometry.sites, sites, x, closest, tolerance);
+    result[i] = widestPair({ candidates.data(), candidates.data() + candidates.size() }, x,
+      answers[i].closest, tolerance);
+  }
+  return result;
+}
+
+std::vector<BisectorPoint> closestPairs(const AxisGeometry& geometry, const DualMesh& mesh,
+  const BisectorPoints& bisectors, const std::vector<std::size_t>& vertices,
+  const std::vector<glm::dvec3>& positions, double tolerance)
+{
+  std::vector<int> sites;
+  std::vector<Candidate> candidates; // of all vertices
+  std::vector<std::size_t> ends(vertices.size());
+  std::vector<SiteQuery::Question> questions(vertices.size());
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+  {
+    sitesOf(mesh, bisectors, vertices[i], EqualAngles::LowestSite, sites);
+    double nearest = std::numeric_limits<double>::infinity();
+    double second = nearest;
+    SiteQuery::Question question{ positions[i], {} };
+    for (const int site : sites)
+    {
+      const Candidate candidate = candidateOf(geometry.sites, site, positions[i]);
+      candidates.push_back(candidate);
+      if (candidate.distance < nearest ||
+        (candidate.distance == nearest && candidate.point.site < question.closest.site))
+      {
+        second = nearest;
+        question.other = question.closest.site;
+        nearest = candidate.distance;
+        question.closest = candidate.point;
+      }
+      else if (candidate.distance < second)
+      {
+        second = candidate.distance;
+        question.other = candidate.point.site;
+      }
+    }
+    ends[i] = candidates.size();
+    questions[i] = question;
+  }
+  geometry.query.closest(questions);
+  std::vector<BisectorPoint> result(vertices.size());
+  const Candidate* first = candidates.data();
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+  {
+    const Candidate* const last = candidates.data() + ends[i];
+    result[i] = widestPair({ first, last }, positions[i], questions[i].closest, tolerance);
+    first = last;
   }
   return result;
 }

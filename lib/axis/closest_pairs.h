@@ -43,4 +43,10 @@ std::vector<BisectorPoint> closestPairs(const AxisGeometry& geometry, const Dual
   const std::vector<SiteQuery::Question>& answers, EqualAngles equalAngles,
   double tolerance = std::numeric_limits<double>::infinity());
 
+/// The same for vertices at given positions, whose closest points it asks for. Of several sites at
+/// the same angle the lowest counts.
+std::vector<BisectorPoint> closestPairs(const AxisGeometry& geometry, const DualMesh& mesh,
+  const BisectorPoints& bisectors, const std::vector<std::size_t>& vertices,
+  const std::vector<glm::dvec3>& positions, double tolerance);
+
 } // namespace medial

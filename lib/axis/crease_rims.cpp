@@ -1,5 +1,7 @@
 #include "axis/crease_rims.h"
 
+#include "axis/tile_order.h"
+
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
@@ -152,13 +154,18 @@ void extendRims(const AxisGeometry& geometry, const std::vector<std::size_t>& ve
   BisectorPoints& points)
 {
   const std::vector<std::size_t> rim = nearCreases(geometry, vertices, points);
-  constexpr std::size_t kTogether = 4096; // enough slices for compact blocks of queries
+  const std::vector<std::uint32_t> order = tileOrder(geometry.extent, rim.size(),
+    [&](std::size_t i) { return geometry.cellAt(points.points[rim[i]].position); });
+  constexpr std::size_t kTogether = 512; // several in most of their tiles
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rim.size(), kTogether),
     [&](const tbb::blocked_range<std::size_t>& range)
     {
       geometry.checkpoint();
-      const std::vector<std::size_t> some(rim.begin() + static_cast<std::ptrdiff_t>(range.begin()),
-        rim.begin() + static_cast<std::ptrdiff_t>(range.end()));
+      std::vector<std::size_t> some;
+      for (std::size_t k = range.begin(); k != range.end(); ++k)
+      {
+        some.push_back(rim[order[k]]);
+      }
       std::vector<Walker> walkers = start(geometry, some, points);
       for (int i = 0; i < kMaxSteps && !walkers.empty(); ++i)
       {

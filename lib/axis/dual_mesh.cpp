@@ -1,49 +1,18 @@
 #include "axis/dual_mesh.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_sort.h>
+
+#include <algorithm>
+#include <numeric>
 
 namespace medial
 {
 namespace
 {
 
-/// A corner of the quad around a crossing, and its vertex, given by a cell and a side of the
-/// surface.
-struct CornerKey
-{
-  std::uint64_t vertex;
-  std::uint64_t corner; ///< four times the crossing, plus the corner's number
-
-  bool operator<(const CornerKey& other) const
-  {
-    return vertex != other.vertex ? vertex < other.vertex : corner < other.corner;
-  }
-};
-
-/// Numbers cells by z, y, x, including those half outside the grid.
-class CellNumbers
-{
-public:
-  explicit CellNumbers(const Extent& extent)
-    : first_(extent.min[0] - 1, extent.min[1] - 1, extent.min[2] - 1)
-    , width_(extent.size(0) + 1)
-    , height_(extent.size(1) + 1)
-  {
-  }
-
-  std::uint64_t number(const glm::ivec3& cell, bool inside) const
-  {
-    const glm::ivec3 offset = cell - first_;
-    return 2 * ((static_cast<std::uint64_t>(offset.z) * height_ + offset.y) * width_ + offset.x) +
-      (inside ? 1 : 0);
-  }
-
-private:
-  glm::ivec3 first_;
-  std::uint64_t width_;
-  std::uint64_t height_;
-};
+/// Number of vertices or crossings that a thread takes at once.
+constexpr std::size_t kTogether = 4096;
 
 /// Returns the cells around a crossed edge, in cyclic order.
 std::array<glm::ivec3, 4> cellsAround(const Crossing& crossing)
@@ -67,82 +36,191 @@ bool insideGrid(const glm::ivec3& cell, const Extent& extent)
   return true;
 }
 
+/// The corners of the quads around crossings, by rows of cells along x.
+class CornerRows
+{
+public:
+  CornerRows(const std::vector<Crossing>& crossings, const Extent& extent)
+    : crossings_(crossings)
+    , first_(extent.min[0] - 1, extent.min[1] - 1, extent.min[2] - 1)
+    , height_(extent.size(1) + 1)
+    , begins_(static_cast<std::size_t>(height_) * (extent.size(2) + 1) + 1, 0)
+    , vertices_(begins_.size(), 0)
+    , corners_(4 * crossings.size())
+  {
+    this->fill();
+    this->sort();
+  }
+
+  DualMesh mesh() const
+  {
+    DualMesh mesh;
+    mesh.cells.resize(vertices_.back());
+    mesh.offsets.resize(vertices_.back() + 1);
+    mesh.incident.resize(corners_.size());
+    mesh.corners.resize(crossings_.size());
+    tbb::parallel_for(std::size_t{ 0 }, begins_.size() - 1,
+      [&](std::size_t row) { this->addVertices(row, mesh); });
+    return mesh;
+  }
+
+private:
+  // A corner is given by its cell along x, its side of the surface, four times its crossing, and
+  // its number: so those of a vertex are together, in the order of the crossings.
+  static constexpr int kCornerBits = 32;
+
+  std::size_t rowOf(const glm::ivec3& cell) const
+  {
+    return static_cast<std::size_t>(cell.z - first_.z) * height_ + (cell.y - first_.y);
+  }
+
+  void fill()
+  {
+    for (const Crossing& crossing : crossings_)
+    {
+      for (const glm::ivec3& cell : cellsAround(crossing))
+      {
+        ++begins_[this->rowOf(cell) + 1];
+      }
+    }
+    std::partial_sum(begins_.begin(), begins_.end(), begins_.begin());
+    std::vector<std::size_t> next(begins_.begin(), begins_.end() - 1);
+    for (std::size_t c = 0; c < crossings_.size(); ++c)
+    {
+      const std::array<glm::ivec3, 4> cells = cellsAround(crossings_[c]);
+      for (std::size_t i = 0; i < 4; ++i)
+      {
+        const auto vertex =
+          static_cast<std::uint64_t>(2 * (cells[i].x - first_.x)) + (crossings_[c].inside ? 1 : 0);
+        corners_[next[this->rowOf(cells[i])]++] = vertex << kCornerBits | (4 * c + i);
+      }
+    }
+  }
+
+  /// Sorts every row, and counts the vertices before it.
+  void sort()
+  {
+    tbb::parallel_for(std::size_t{ 0 }, begins_.size() - 1,
+      [&](std::size_t row)
+      {
+        const std::size_t begin = begins_[row];
+        const std::size_t end = begins_[row + 1];
+        std::sort(corners_.begin() + static_cast<std::ptrdiff_t>(begin),
+          corners_.begin() + static_cast<std::ptrdiff_t>(end));
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          vertices_[row + 1] += this->startsVertex(row, i) ? 1 : 0;
+        }
+      });
+    std::partial_sum(vertices_.begin(), vertices_.end(), vertices_.begin());
+  }
+
+  bool startsVertex(std::size_t row, std::size_t i) const
+  {
+    return i == begins_[row] || corners_[i] >> kCornerBits != corners_[i - 1] >> kCornerBits;
+  }
+
+  void addVertices(std::size_t row, DualMesh& mesh) const
+  {
+    std::size_t next = vertices_[row];
+    for (std::size_t i = begins_[row]; i < begins_[row + 1]; ++i)
+    {
+      if (this->startsVertex(row, i))
+      {
+        const glm::ivec3 offset(static_cast<int>(corners_[i] >> kCornerBits) / 2,
+          static_cast<int>(row % height_), static_cast<int>(row / height_));
+        mesh.cells[next++] = first_ + offset;
+      }
+      const std::uint64_t corner = corners_[i] & ((std::uint64_t{ 1 } << kCornerBits) - 1);
+      mesh.incident[i] = corner / 4;
+      mesh.corners[corner / 4][corner % 4] = static_cast<std::int64_t>(next) - 1;
+      mesh.offsets[next] = i + 1;
+    }
+  }
+
+  const std::vector<Crossing>& crossings_;
+  glm::ivec3 first_;
+  int height_;
+  std::vector<std::size_t> begins_;    ///< of the rows in corners_
+  std::vector<std::size_t> vertices_;  ///< for each row the number of vertices before it
+  std::vector<std::uint64_t> corners_; ///< row by row
+};
+
 } // namespace
 
 DualMesh dualMesh(const std::vector<Crossing>& crossings, const Extent& extent)
 {
-  const CellNumbers numbers(extent);
-  std::vector<CornerKey> corners(4 * crossings.size());
-  tbb::parallel_for(std::size_t{ 0 }, crossings.size(),
-    [&](std::size_t c)
-    {
-      const std::array<glm::ivec3, 4> cells = cellsAround(crossings[c]);
-      for (std::size_t i = 0; i < 4; ++i)
-      {
-        corners[4 * c + i] = { numbers.number(cells[i], crossings[c].inside), 4 * c + i };
-      }
-    });
-  tbb::parallel_sort(corners.begin(), corners.end());
-  DualMesh mesh;
-  mesh.incident.reserve(corners.size());
-  mesh.corners.resize(crossings.size());
-  for (std::size_t i = 0; i < corners.size(); ++i)
-  {
-    const std::uint64_t crossing = corners[i].corner / 4;
-    const std::uint64_t corner = corners[i].corner % 4;
-    if (i == 0 || corners[i].vertex != corners[i - 1].vertex)
-    {
-      mesh.cells.push_back(cellsAround(crossings[crossing])[corner]);
-      mesh.offsets.push_back(mesh.incident.size());
-    }
-    mesh.incident.push_back(crossing);
-    mesh.offsets.back() = mesh.incident.size();
-    mesh.corners[crossing][corner] = static_cast<std::int64_t>(mesh.cells.size()) - 1;
-  }
-  return mesh;
+  return CornerRows(crossings, extent).mesh();
 }
 
 DualSubmesh submesh(const DualMesh& mesh, const std::vector<std::uint8_t>& kept)
 {
-  std::vector<std::size_t> target(kept.size());
-  std::size_t count = 0;
+  std::vector<std::size_t> target(kept.size() + 1);
   for (std::size_t c = 0; c < kept.size(); ++c)
   {
-    target[c] = count;
-    count += kept[c] != 0 ? 1 : 0;
+    target[c + 1] = target[c] + (kept[c] != 0 ? 1 : 0);
   }
-  DualSubmesh part;
-  part.mesh.incident.reserve(4 * count);
-  part.mesh.corners.reserve(count);
-  std::vector<std::int64_t> vertices(mesh.cells.size());
+  // For each vertex how many vertices and crossings come before it.
+  std::vector<std::size_t> vertices(mesh.cells.size() + 1);
+  std::vector<std::size_t> incident(mesh.cells.size() + 1);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mesh.cells.size(), kTogether),
+    [&](const tbb::blocked_range<std::size_t>& range)
+    {
+      for (std::size_t v = range.begin(); v != range.end(); ++v)
+      {
+        const auto count =
+          std::count_if(mesh.incident.begin() + static_cast<std::ptrdiff_t>(mesh.offsets[v]),
+            mesh.incident.begin() + static_cast<std::ptrdiff_t>(mesh.offsets[v + 1]),
+            [&](std::size_t crossing) { return kept[crossing] != 0; });
+        incident[v + 1] = static_cast<std::size_t>(count);
+      }
+    });
   for (std::size_t v = 0; v < mesh.cells.size(); ++v)
   {
-    for (std::size_t i = mesh.offsets[v]; i < mesh.offsets[v + 1]; ++i)
-    {
-      if (kept[mesh.incident[i]] != 0)
-      {
-        part.mesh.incident.push_back(target[mesh.incident[i]]);
-      }
-    }
-    vertices[v] = static_cast<std::int64_t>(part.origins.size());
-    if (part.mesh.incident.size() > part.mesh.offsets.back())
-    {
-      part.mesh.offsets.push_back(part.mesh.incident.size());
-      part.mesh.cells.push_back(mesh.cells[v]);
-      part.origins.push_back(v);
-    }
+    vertices[v + 1] = vertices[v] + (incident[v + 1] != 0 ? 1 : 0);
+    incident[v + 1] += incident[v];
   }
-  for (std::size_t c = 0; c < kept.size(); ++c)
-  {
-    if (kept[c] != 0)
+  DualSubmesh part;
+  part.mesh.incident.resize(incident.back());
+  part.mesh.corners.resize(target.back());
+  part.mesh.offsets.resize(vertices.back() + 1);
+  part.mesh.cells.resize(vertices.back());
+  part.origins.resize(vertices.back());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mesh.cells.size(), kTogether),
+    [&](const tbb::blocked_range<std::size_t>& range)
     {
-      part.mesh.corners.push_back(mesh.corners[c]);
-      for (std::int64_t& corner : part.mesh.corners.back())
+      for (std::size_t v = range.begin(); v != range.end(); ++v)
       {
-        corner = vertices[corner];
+        if (vertices[v] == vertices[v + 1])
+        {
+          continue;
+        }
+        std::size_t next = incident[v];
+        for (std::size_t i = mesh.offsets[v]; i < mesh.offsets[v + 1]; ++i)
+        {
+          const std::size_t crossing = mesh.incident[i];
+          if (kept[crossing] != 0)
+          {
+            part.mesh.incident[next++] = target[crossing];
+          }
+        }
+        part.mesh.offsets[vertices[v + 1]] = next;
+        part.mesh.cells[vertices[v]] = mesh.cells[v];
+        part.origins[vertices[v]] = v;
       }
-    }
-  }
+    });
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, kept.size(), kTogether),
+    [&](const tbb::blocked_range<std::size_t>& range)
+    {
+      for (std::size_t c = range.begin(); c != range.end(); ++c)
+      {
+        for (std::size_t i = 0; kept[c] != 0 && i < 4; ++i)
+        {
+          part.mesh.corners[target[c]][i] =
+            static_cast<std::int64_t>(vertices[static_cast<std::size_t>(mesh.corners[c][i])]);
+        }
+      }
+    });
   return part;
 }
 
@@ -160,25 +238,39 @@ std::vector<std::array<std::int64_t, 4>> quadsWithin(const DualMesh& mesh, const
   return quads;
 }
 
-std::vector<EdgeTable::Edge> rimEdges(const std::vector<std::array<std::int64_t, 4>>& quads,
-  std::size_t vertexCount)
+std::vector<EdgeTable::Edge> rimEdges(const DualMesh& mesh,
+  const std::vector<std::array<std::int64_t, 4>>& quads)
 {
-  std::vector<EdgeTable::Edge> edges;
-  edges.reserve(4 * quads.size());
+  // Edges join neighbouring cells. The cell with the lower number comes first along their axis, and
+  // of its neighbours those along x, y, z follow each other.
+  struct FromCell
+  {
+    std::array<std::uint8_t, 3> quads{}; ///< at the edges along x, y, z
+    std::array<std::int32_t, 3> ends;
+  };
+  std::vector<FromCell> edges(mesh.cells.size());
   for (const auto& quad : quads)
   {
-    addEdges(quad, edges);
+    for (std::size_t i = 0; i < quad.size(); ++i)
+    {
+      const auto [low, high] = std::minmax(quad[i], quad[(i + 1) % quad.size()]);
+      const glm::ivec3 along = mesh.cells[high] - mesh.cells[low];
+      const int axis = along.x != 0 ? 0 : along.y != 0 ? 1 : 2;
+      ++edges[low].quads[axis];
+      edges[low].ends[axis] = static_cast<std::int32_t>(high);
+    }
   }
   std::vector<EdgeTable::Edge> rims;
-  EdgeTable(edges, vertexCount)
-    .forEach(
-      [&](const EdgeTable::Edge& edge, std::size_t count)
+  for (std::size_t low = 0; low < edges.size(); ++low)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      if (edges[low].quads[axis] == 1)
       {
-        if (count == 1)
-        {
-          rims.push_back(edge);
-        }
-      });
+        rims.push_back({ static_cast<std::int64_t>(low), edges[low].ends[axis] });
+      }
+    }
+  }
   return rims;
 }
 

@@ -44,8 +44,9 @@ DualSubmesh submesh(const DualMesh& mesh, const std::vector<std::uint8_t>& kept)
 /// Returns the quads around the crossings inside the grid.
 std::vector<std::array<std::int64_t, 4>> quadsWithin(const DualMesh& mesh, const Extent& extent);
 
-/// Returns the edges of one quad only: the rims.
-std::vector<EdgeTable::Edge> rimEdges(const std::vector<std::array<std::int64_t, 4>>& quads,
-  std::size_t vertexCount);
+/// Returns the edges of one quad only, the rims: in ascending order, the lower end first.
+/// @param quads of the mesh.
+std::vector<EdgeTable::Edge> rimEdges(const DualMesh& mesh,
+  const std::vector<std::array<std::int64_t, 4>>& quads);
 
 } // namespace medial

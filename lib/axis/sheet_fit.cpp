@@ -71,52 +71,68 @@ SheetFitter::SheetFitter(const GridFrame& frame, double angle, const SheetSample
   : frame_(frame)
   , cosAngle_(std::cos(angle))
   , samples_(samples)
+  , directions_(new Directions[samples.points.size()])
+  , known_(samples.points.size(), 0)
   , visited_(samples.points.size(), 0)
+  , done_(samples.mesh.cells.size(), 0)
 {
 }
 
-SheetFitter::Node SheetFitter::nodeOf(std::size_t crossing, const glm::dvec3& x) const
+const SheetFitter::Directions& SheetFitter::directionsOf(std::size_t crossing)
 {
-  const BisectorPoint& point = samples_.points[crossing];
-  Node node;
-  node.crossing = crossing;
-  node.position = point.position - x;
-  node.radius = point.radius();
-  node.towardsA = (point.a.point - point.position) / node.radius;
-  node.towardsB = glm::normalize(point.b.point - point.position);
-  const glm::dvec3 steps = node.position / frame_.step;
+  Directions& directions = directions_[crossing];
+  if (known_[crossing] == 0)
+  {
+    known_[crossing] = 1;
+    const BisectorPoint& point = samples_.points[crossing];
+    directions.radius = point.radius();
+    directions.towardsA = (point.a.point - point.position) / directions.radius;
+    directions.towardsB = glm::normalize(point.b.point - point.position);
+  }
+  return directions;
+}
+
+double SheetFitter::weightOf(std::size_t crossing, const glm::dvec3& position) const
+{
+  if (samples_.kinds[crossing] != SampleKind::Exact)
+  {
+    return 0.0;
+  }
+  const glm::dvec3 steps = position / frame_.step;
   const double share = glm::dot(steps, steps) / (kReach * kReach);
-  const bool counts = share < 1.0 && samples_.kinds[crossing] == SampleKind::Exact;
-  node.weight = counts ? (1.0 - share) * (1.0 - share) : 0.0;
-  return node;
+  return share < 1.0 ? (1.0 - share) * (1.0 - share) : 0.0;
 }
 
-bool SheetFitter::sameSheet(std::size_t p, std::size_t q) const
+bool SheetFitter::sameSheet(std::size_t p, std::size_t q)
 {
-  const Node one = this->nodeOf(p, glm::dvec3(0.0));
-  Node other = this->nodeOf(q, glm::dvec3(0.0));
+  const Directions one = this->directionsOf(p);
+  Directions other = this->directionsOf(q);
   return matched(one.towardsA, one.towardsB, other.towardsA, other.towardsB,
     std::cos(2.0 * glm::radians(kMaxTurn)));
 }
 
-void SheetFitter::reach(const Node& from, std::size_t crossing, const glm::dvec3& x)
+bool SheetFitter::reach(const Directions& from, std::size_t crossing, const glm::dvec3& x)
 {
   if (visited_[crossing] == fit_)
   {
-    return;
+    return true;
   }
   static const double kLimit = std::cos(glm::radians(kMaxTurn));
-  Node node = this->nodeOf(crossing, x);
-  if (node.weight == 0.0)
+  const glm::dvec3 position = samples_.positions[crossing] - x;
+  const double weight = this->weightOf(crossing, position);
+  if (weight == 0.0)
   {
     visited_[crossing] = fit_;
-    return;
+    return true;
   }
-  if (matched(from.towardsA, from.towardsB, node.towardsA, node.towardsB, kLimit))
+  Directions directions = this->directionsOf(crossing);
+  if (matched(from.towardsA, from.towardsB, directions.towardsA, directions.towardsB, kLimit))
   {
     visited_[crossing] = fit_;
-    nodes_.push_back(node);
+    nodes_.push_back({ directions, crossing, position, weight });
+    return true;
   }
+  return false;
 }
 
 void SheetFitter::gather(const glm::dvec3& x, std::size_t crossing)
@@ -125,16 +141,24 @@ void SheetFitter::gather(const glm::dvec3& x, std::size_t crossing)
   ++fit_;
   nodes_.clear();
   visited_[crossing] = fit_;
-  nodes_.push_back(this->nodeOf(crossing, x));
+  const glm::dvec3 position = samples_.positions[crossing] - x;
+  nodes_.push_back(
+    { this->directionsOf(crossing), crossing, position, this->weightOf(crossing, position) });
   for (std::size_t k = 0; k < nodes_.size(); ++k)
   {
-    const Node from = nodes_[k];
-    for (const std::int64_t corner : mesh.corners[from.crossing])
+    const Directions from = nodes_[k];
+    for (const std::int64_t corner : mesh.corners[nodes_[k].crossing])
     {
+      if (done_[corner] == fit_)
+      {
+        continue;
+      }
+      bool done = true;
       for (std::size_t i = mesh.offsets[corner]; i < mesh.offsets[corner + 1]; ++i)
       {
-        this->reach(from, mesh.incident[i], x);
+        done &= this->reach(from, mesh.incident[i], x);
       }
+      done_[corner] = done ? fit_ : done_[corner];
     }
   }
 }
@@ -145,7 +169,15 @@ std::vector<int> SheetFitter::sites() const
   for (const Node& node : nodes_)
   {
     const BisectorPoint& point = samples_.points[node.crossing];
-    sites.insert(sites.end(), { point.a.site, point.b.site });
+    for (const int site : { point.a.site, point.b.site })
+    {
+      // Neighbours have mostly the same.
+      if (std::find(sites.end() - std::min<std::ptrdiff_t>(sites.end() - sites.begin(), 4),
+            sites.end(), site) == sites.end())
+      {
+        sites.push_back(site);
+      }
+    }
   }
   std::sort(sites.begin(), sites.end());
   sites.erase(std::unique(sites.begin(), sites.end()), sites.end());

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace medial
@@ -28,6 +29,7 @@ struct SheetSamples
 {
   DualMesh mesh;                     ///< of all crossings
   std::vector<BisectorPoint> points; ///< for each crossing
+  std::vector<glm::dvec3> positions; ///< of the points, once more, close together
   std::vector<SampleKind> kinds;     ///< for each crossing
 };
 
@@ -79,29 +81,41 @@ public:
   /// Returns the sites of the samples of the last fit, ascending.
   std::vector<int> sites() const;
   /// Whether two crossings lie on one sheet, as far as their directions tell.
-  bool sameSheet(std::size_t p, std::size_t q) const;
+  bool sameSheet(std::size_t p, std::size_t q);
 
 private:
-  struct Node
+  /// Where a sample sees its closest pair.
+  struct Directions
   {
-    std::size_t crossing;
-    glm::dvec3 position; ///< relative to x
     glm::dvec3 towardsA;
     glm::dvec3 towardsB;
     double radius;
+  };
+  struct Node : Directions
+  {
+    std::size_t crossing;
+    glm::dvec3 position; ///< relative to x
     double weight;
   };
 
-  Node nodeOf(std::size_t crossing, const glm::dvec3& x) const;
+  /// Computes them once for each crossing.
+  const Directions& directionsOf(std::size_t crossing);
+  /// @param position of the sample of a crossing, relative to the place of the fit.
+  double weightOf(std::size_t crossing, const glm::dvec3& position) const;
   void gather(const glm::dvec3& x, std::size_t crossing);
   bool average(SheetFit& fit) const;
   void fitLines(SheetFit& fit) const;
-  void reach(const Node& from, std::size_t crossing, const glm::dvec3& x);
+  /// Adds the sample of a crossing if it is on the sheet of a node. Returns whether it is clear,
+  /// from any node, that it is or never counts.
+  bool reach(const Directions& from, std::size_t crossing, const glm::dvec3& x);
 
   const GridFrame& frame_;
   double cosAngle_;
   const SheetSamples& samples_;
-  std::vector<std::uint32_t> visited_; ///< for each crossing the last fit that has it
+  std::unique_ptr<Directions[]> directions_; ///< for each crossing, if known
+  std::vector<std::uint8_t> known_;          ///< for each crossing not 0 if its directions are
+  std::vector<std::uint32_t> visited_;       ///< for each crossing the last fit that has it
+  std::vector<std::uint32_t> done_; ///< for each vertex the last fit that has all around it
   std::uint32_t fit_ = 0;
   std::vector<Node> nodes_;
 };

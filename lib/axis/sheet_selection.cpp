@@ -1,6 +1,7 @@
 #include "axis/sheet_selection.h"
 
 #include "axis/site_change.h"
+#include "axis/tile_order.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
@@ -55,10 +56,15 @@ public:
     : geometry_(geometry)
     , crossings_(crossings)
     , band_(band)
+    , angleLimit_(geometry.angle)
+    , bandLimit_(band)
     , standing_(crossings.size())
     , kept_(crossings.size(), 0)
+    , order_(tileOrder(geometry.extent, crossings.size(),
+        [&](std::size_t c) { return crossings[c].voxel; }))
   {
     samples_.points.resize(crossings.size());
+    samples_.positions.resize(crossings.size());
     samples_.kinds.resize(crossings.size(), SampleKind::None);
     moved_.resize(crossings.size(), 0);
     inBlocks(geometry, crossings.size(),
@@ -74,9 +80,13 @@ public:
   SheetSelection sheets()
   {
     samples_.mesh = dualMesh(crossings_, geometry_.extent);
-    this->markBand();
-    inBlocks(geometry_, crossings_.size(),
-      [&](std::size_t begin, std::size_t end) { this->sample(begin, end); });
+    {
+      this->markBand();
+    }
+    {
+      inBlocks(geometry_, crossings_.size(),
+        [&](std::size_t begin, std::size_t end) { this->sample(begin, end); });
+    }
     this->decide();
     this->markKept();
     inBlocks(geometry_, crossings_.size(),
@@ -97,8 +107,9 @@ public:
         this->sample(begin, end);
         this->decideAlone(begin, end);
         this->settle(begin, end);
-        for (std::size_t c = begin; c != end; ++c)
+        for (std::size_t k = begin; k != end; ++k)
         {
+          const std::size_t c = order_[k];
           kept_[c] = kept_[c] != 0 && this->within(samples_.points[c]) ? 1 : 0;
         }
       });
@@ -124,8 +135,8 @@ private:
     {
       return kWide;
     }
-    const double angle = SiteChange(geometry_.sites, segment).point().separationAngle();
-    return angle >= geometry_.angle ? kInBand : (angle >= band_ ? kBeyond : kNarrow);
+    const BisectorPoint point = SiteChange(geometry_.sites, segment).point();
+    return point.reaches(angleLimit_) ? kInBand : (point.reaches(bandLimit_) ? kBeyond : kNarrow);
   }
 
   /// Finds the crossings near those that may be selected.
@@ -165,13 +176,14 @@ private:
     }
   }
 
-  /// Finds the samples in [begin, end).
+  /// Finds the samples in [begin, end) of the order.
   void sample(std::size_t begin, std::size_t end)
   {
     std::vector<std::size_t> which;
     std::vector<SiteSegment> segments;
-    for (std::size_t c = begin; c != end; ++c)
+    for (std::size_t k = begin; k != end; ++k)
     {
+      const std::size_t c = order_[k];
       if (standing_[c] == kWide || standing_[c] == kInBand)
       {
         which.push_back(c);
@@ -184,7 +196,7 @@ private:
     for (std::size_t i = 0; i < which.size(); ++i)
     {
       this->setSample(which[i], SampleKind::Exact, exact[i]);
-      if (standing_[which[i]] == kWide && exact[i].separationAngle() < geometry_.angle)
+      if (standing_[which[i]] == kWide && !exact[i].reaches(angleLimit_))
       {
         narrow.push_back(which[i]);
         narrowSegments.push_back(segments[i]);
@@ -205,13 +217,14 @@ private:
   void setSample(std::size_t c, SampleKind kind, const BisectorPoint& point)
   {
     samples_.points[c] = point;
-    const bool onSheet = point.radius() >= kMinRadius && point.separationAngle() >= band_;
+    samples_.positions[c] = point.position;
+    const bool onSheet = point.radius() >= kMinRadius && point.reaches(bandLimit_);
     samples_.kinds[c] = onSheet ? kind : SampleKind::None;
   }
 
   bool within(const BisectorPoint& point) const
   {
-    return point.separationAngle() >= geometry_.angle && point.radius() >= geometry_.radius &&
+    return point.reaches(angleLimit_) && point.radius() >= geometry_.radius &&
       point.lambda() >= geometry_.lambda;
   }
 
@@ -221,11 +234,12 @@ private:
       fit.lambda.value >= geometry_.lambda;
   }
 
-  /// Decides which samples are within the limits themselves.
+  /// Decides which samples in [begin, end) of the order are within the limits themselves.
   void decideAlone(std::size_t begin, std::size_t end)
   {
-    for (std::size_t c = begin; c != end; ++c)
+    for (std::size_t k = begin; k != end; ++k)
     {
+      const std::size_t c = order_[k];
       kept_[c] = samples_.kinds[c] != SampleKind::None && this->within(samples_.points[c]) ? 1 : 0;
     }
   }
@@ -272,15 +286,21 @@ private:
       }
     }
     std::vector<std::size_t> doubtful;
-    for (std::size_t c = 0; c < crossings_.size(); ++c)
+    const auto isMixed = [&](std::size_t c)
     {
       const auto& quad = mesh.corners[c];
-      const bool mixed = std::any_of(quad.begin(), quad.end(),
+      return std::any_of(quad.begin(), quad.end(),
         [&](std::int64_t corner) { return around[corner] == (kInside | kOutside); });
-      const bool near =
-        std::abs(samples_.points[c].separationAngle() - geometry_.angle) < glm::radians(kMaxDoubt);
+    };
+    const auto isNear = [&](std::size_t c)
+    {
+      return std::abs(samples_.points[c].separationAngle() - geometry_.angle) <
+        glm::radians(kMaxDoubt);
+    };
+    for (const std::uint32_t c : order_)
+    {
       if (samples_.kinds[c] == SampleKind::Faceted ||
-        (samples_.kinds[c] == SampleKind::Exact && mixed && near))
+        (samples_.kinds[c] == SampleKind::Exact && isMixed(c) && isNear(c)))
       {
         doubtful.push_back(c);
       }
@@ -293,8 +313,9 @@ private:
   {
     std::vector<std::size_t> wide;
     std::vector<BisectorPoint> points;
-    for (std::size_t c = begin; c != end; ++c)
+    for (std::size_t k = begin; k != end; ++k)
     {
+      const std::size_t c = order_[k];
       if (standing_[c] == kWide && kept_[c] == 0 && !this->continuesSheet(c))
       {
         wide.push_back(c);
@@ -308,6 +329,7 @@ private:
       {
         const std::size_t c = wide[i];
         samples_.points[c] = *onCurves[i];
+        samples_.positions[c] = onCurves[i]->position;
         samples_.kinds[c] = SampleKind::None;
         kept_[c] = 1;
         moved_[c] = 1;
@@ -318,7 +340,7 @@ private:
   /// Whether a selected sheet goes on here, beyond its border.
   bool continuesSheet(std::size_t c) const
   {
-    if (samples_.points[c].separationAngle() < band_)
+    if (!samples_.points[c].reaches(bandLimit_))
     {
       return false;
     }
@@ -346,6 +368,10 @@ private:
   BisectorPoints selected() const
   {
     BisectorPoints bisectors;
+    const auto count = static_cast<std::size_t>(
+      std::count_if(kept_.begin(), kept_.end(), [](std::uint8_t kept) { return kept != 0; }));
+    bisectors.points.reserve(count);
+    bisectors.moved.reserve(count);
     for (std::size_t c = 0; c < kept_.size(); ++c)
     {
       if (kept_[c] != 0)
@@ -360,9 +386,13 @@ private:
   const AxisGeometry& geometry_;
   const std::vector<Crossing>& crossings_;
   double band_;
+  AngleLimit angleLimit_; ///< the minimum
+  AngleLimit bandLimit_;
   SheetSamples samples_;
   std::vector<std::uint8_t> standing_;
   std::vector<std::uint8_t> kept_;
+  std::vector<std::uint32_t>
+    order_; ///< of the crossings, so that those in a row are close together
   std::vector<std::uint8_t> moved_;
   std::vector<std::uint8_t> nearKept_; ///< for each vertex not 0 if a crossing there is kept
 };

@@ -5,7 +5,6 @@
 #include "culling/nearest_site.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -14,18 +13,15 @@ namespace medial
 namespace
 {
 
-/// Number of questions in a block. With fewer, finding the elements costs more than it saves.
+/// Number of questions for which groups are collected from the tree at once.
+constexpr std::ptrdiff_t kCollected = 256;
+/// Number of questions in a block.
 constexpr std::ptrdiff_t kTogether = 32;
 /// From questions without a known point, one of this many is answered by a search. The others start
 /// from its site.
 constexpr int kBetween = 16;
 /// With more groups than this near a block, a search for each question is faster.
 constexpr int kManyGroups = 256;
-
-int packCount(int elements)
-{
-  return (elements + kLanes - 1) / kLanes;
-}
 
 FrameBox boxAround(const SiteQuery::Question* const* begin, const SiteQuery::Question* const* end)
 {
@@ -42,74 +38,81 @@ FrameBox boxAround(const SiteQuery::Question* const* begin, const SiteQuery::Que
   return box;
 }
 
-/// Of the known points of questions, those nearest to the centre and to the corners of a box.
-struct alignas(32) KnownPoints
+float sizeOf(const FrameBox& box)
 {
-  float squared = std::numeric_limits<float>::infinity(); ///< of the least distance to the centre
-  std::array<int, FrameBox::kCorners> nearest{};          ///< question for every corner
-};
+  return box.half.x + box.half.y + box.half.z;
+}
 
-MEDIAL_VECTORISED void findKnown(const SiteQuery::Question* const* questions, int count,
-  const FrameBox& box, KnownPoints& known)
+/// Orders questions so that both halves are compact. Mostly they are as they come.
+void halve(SiteQuery::Question** begin, SiteQuery::Question** middle, SiteQuery::Question** end)
 {
-  std::array<Float8, 3> corners;
-  constexpr Float8 kSigns[3] = { { -1, 1, -1, 1, -1, 1, -1, 1 }, { -1, -1, 1, 1, -1, -1, 1, 1 },
-    { -1, -1, -1, -1, 1, 1, 1, 1 } };
-  for (int axis = 0; axis < 3; ++axis)
+  constexpr float kCompact = 1.7f;
+  const FrameBox box = boxAround(begin, end);
+  if (sizeOf(boxAround(begin, middle)) + sizeOf(boxAround(middle, end)) <= kCompact * sizeOf(box))
   {
-    corners[axis] = kSigns[axis] * box.half[axis];
+    return;
   }
-  Float8 least = splat(std::numeric_limits<float>::infinity());
-  Int8 nearest{};
-  for (int i = 0; i < count; ++i)
+  const int axis = longestAxis(glm::dvec3(box.half));
+  std::nth_element(begin, middle, end,
+    [axis](const SiteQuery::Question* a, const SiteQuery::Question* b)
+    { return a->x[axis] < b->x[axis]; });
+}
+
+/// Finds the groups whose discs may hold an element nearer to a position than all others, and the
+/// squared distances of their elements.
+/// @param known some point is no farther away than this.
+/// @param near room for all groups; set to those found, in the order of the list.
+/// @param squared room for kLanes for each; set to the squared distances of their elements.
+/// @param distance set to a bound of the least distance, no larger than `known`.
+/// @return number of groups found.
+MEDIAL_VECTORISED int groupsNear(const GroupList& list, const SiteGroup* groups,
+  const glm::dvec3& x, float known, float slack, int* near, float* squared, float& distance)
+{
+  const glm::vec3 rounded(x);
+  int count = 0;
+  distance = known;
+  for (std::size_t pack = 0; pack < list.discs().size(); ++pack)
   {
-    const glm::vec3 offset(glm::dvec3(box.centre) - questions[i]->closest.point);
-    Float8 squared{};
-    for (int axis = 0; axis < 3; ++axis)
+    const Discs& discs = list.discs()[pack];
+    const DiscPosition position(discs, rounded);
+    const float reach = distance + 2.0f * slack;
+    const float limit = std::min(reach * reach * kRoundedUp, std::numeric_limits<float>::max());
+    const Int8 met =
+      (position.squaredDistance(discs) <= limit) & position.meetsRegions(discs, 0.0f);
+    for (unsigned left = bits(met); left != 0; left &= left - 1)
     {
-      const Float8 along = corners[axis] + offset[axis];
-      squared += along * along;
+      const int id = list.groups()[pack * kLanes + __builtin_ctz(left)];
+      const SiteGroup& group = groups[id];
+      const glm::vec3 offset = group.toGroup(x);
+      const Float8 candidate = ElementPosition(group, offset).squared;
+      near[count] = id;
+      store(candidate, squared + count * kLanes);
+      ++count;
+      if (bits(candidate < distance * distance) != 0)
+      {
+        float least = candidate[0];
+        for (int lane = 1; lane < kLanes; ++lane)
+        {
+          least = std::min(least, candidate[lane]);
+        }
+        distance = std::min(distance, std::sqrt(least) + roundingFrom(offset, group.extent));
+      }
     }
-    const Int8 nearer = squared < least;
-    least = nearer ? squared : least;
-    nearest = nearer ? Int8{} + i : nearest;
-    known.squared = std::min(known.squared, glm::dot(offset, offset));
   }
-  std::memcpy(known.nearest.data(), &nearest, sizeof(nearest));
+  return count;
 }
 
-/// Returns the elements of a group that own sites which can be closest in a box, as bits.
-MEDIAL_VECTORISED unsigned ownersNear(const SiteGroup& group, const BoxReach& reach, float slack)
+/// Keeps the groups that have elements within a squared distance. Returns their number.
+MEDIAL_VECTORISED int keepWithin(float limit, int count, int* groups, const float* squared)
 {
-  const glm::vec3 offset = group.toGroup(glm::dvec3(reach.box().centre));
-  const ElementPosition centre(group, offset);
-  const Int8 parts = partsNear(group, AllElements(), centre,
-    reach.radius() + slack + roundingFrom(offset, group.extent));
-  return bits((parts != 0) & (centre.squared <= reach.squared()));
-}
-
-/// Finds the squared distances of a position from packed elements, and returns the least distance.
-MEDIAL_VECTORISED float nearestOf(const SiteGroup* packs, int count, const glm::vec3& x,
-  float* squared)
-{
-  Float8 least = splat(std::numeric_limits<float>::infinity());
+  int kept = 0;
   for (int i = 0; i < count; ++i)
   {
-    const Float8 candidate = ElementPosition(packs[i], x).squared;
-    store(candidate, squared + i * kLanes);
-    least = min(least, candidate);
+    const int group = groups[i];
+    groups[kept] = group;
+    kept += bits(loaded(squared + i * kLanes) <= limit) != 0 ? 1 : 0;
   }
-  float nearest = least[0];
-  for (int lane = 1; lane < kLanes; ++lane)
-  {
-    nearest = std::min(nearest, least[lane]);
-  }
-  return std::sqrt(nearest);
-}
-
-MEDIAL_VECTORISED bool anyWithin(const float* squared, float limit)
-{
-  return bits(loaded(squared) <= limit) != 0;
+  return kept;
 }
 
 } // namespace
@@ -137,7 +140,7 @@ void BlockQuery::answer(std::vector<Question>& questions)
   if (!order_.empty())
   {
     this->prepare();
-    this->answer({ order_.data(), order_.data() + order_.size() });
+    this->answer({ order_.data(), order_.data() + order_.size() }, nullptr);
   }
 }
 
@@ -162,27 +165,31 @@ void BlockQuery::prepare()
   }
 }
 
-void BlockQuery::answer(const Block& block)
+void BlockQuery::answer(const Block& block, const GroupList* near)
 {
+  if (near == nullptr && block.size() <= kCollected)
+  {
+    tree_.collect(reachOf(block, tree_.slack()), collected_);
+    near = &collected_;
+  }
   if (block.size() > kTogether)
   {
-    const int axis = longestAxis(glm::dvec3(boxAround(block.begin, block.end).half));
     Question** const middle = block.begin + block.size() / 2;
-    std::nth_element(block.begin, middle, block.end,
-      [axis](const Question* a, const Question* b) { return a->x[axis] < b->x[axis]; });
-    this->answer({ block.begin, middle });
-    this->answer({ middle, block.end });
+    halve(block.begin, middle, block.end);
+    this->answer({ block.begin, middle }, near);
+    this->answer({ middle, block.end }, near);
     return;
   }
-  const BoxReach reach = this->reachOf(block);
-  tree_.collect(reach, groups_);
+  near->refine(reachOf(block, tree_.slack()), groups_);
   if (groups_.size() > kManyGroups)
   {
     this->searchEach(block);
     return;
   }
-  this->pack(reach);
-  this->answerFromPacks(block, reach);
+  for (Question** question = block.begin; question != block.end; ++question)
+  {
+    this->answerFrom(groups_, **question);
+  }
 }
 
 void BlockQuery::searchEach(const Block& block) const
@@ -193,83 +200,46 @@ void BlockQuery::searchEach(const Block& block) const
   }
 }
 
-BoxReach BlockQuery::reachOf(const Block& block) const
+BoxReach BlockQuery::reachOf(const Block& block, float slack)
 {
   const FrameBox box = boxAround(block.begin, block.end);
-  KnownPoints known;
-  findKnown(block.begin, static_cast<int>(block.size()), box, known);
-  NearestElement nearest;
-  nearest.squared = known.squared;
-  BoxReach reach(box, nearest, tree_.slack());
-  std::sort(known.nearest.begin(), known.nearest.end());
-  const auto end = std::unique(known.nearest.begin(), known.nearest.end());
-  std::for_each(known.nearest.begin(), end,
-    [&](int i) { reach.add(glm::vec3(block.begin[i]->closest.point)); });
-  return reach;
-}
-
-void BlockQuery::pack(const BoxReach& reach)
-{
-  packed_ = 0;
-  extent_ = 0.0f;
-  for (const int id : groups_.groups())
-  {
-    const SiteGroup& group = tree_.groups()[id];
-    unsigned left = ownersNear(group, reach, tree_.slack());
-    if (left == 0)
-    {
-      continue;
-    }
-    const glm::vec3 shift(group.origin - glm::dvec3(reach.box().centre));
-    extent_ = std::max(extent_, glm::length(shift) + group.extent);
-    for (; left != 0; left &= left - 1, ++packed_)
-    {
-      packs_.resize(std::max<std::size_t>(packs_.size(), packCount(packed_ + 1)));
-      SiteGroup& pack = packs_[packed_ / kLanes];
-      const int lane = packed_ % kLanes;
-      pack.copy(lane, group, __builtin_ctz(left));
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        pack.start[axis][lane] += shift[axis];
-      }
-    }
-  }
-  for (int lane = packed_ % kLanes; lane != 0 && lane < kLanes; ++lane)
-  {
-    SiteGroup& last = packs_[packed_ / kLanes];
-    last.copy(lane, last, lane - 1);
-    last.owned[lane] = 0;
-  }
-  for (int i = 0; i < packCount(packed_); ++i)
-  {
-    packs_[i].extent = extent_;
-  }
-  squared_.resize(std::max(squared_.size(), packs_.size() * kLanes));
-}
-
-void BlockQuery::answerFromPacks(const Block& block, const BoxReach& reach)
-{
-  const int count = packCount(packed_);
-  const glm::dvec3 centre(reach.box().centre);
-  SiteGroup::IntLanes parts;
+  double farthest = 0.0;
   for (Question** at = block.begin; at != block.end; ++at)
   {
-    Question& question = **at;
-    const glm::vec3 x(question.x - centre);
-    const float rounding = roundingFrom(x, extent_);
-    const float distance = nearestOf(packs_.data(), count, x, squared_.data()) + rounding;
-    const float limit = (distance + rounding) * (distance + rounding);
-    NearestSite nearest(tree_.sites(), question.x);
-    for (int i = 0; i < count; ++i)
-    {
-      if (anyWithin(&squared_[i * kLanes], limit))
-      {
-        nearest.offer(packs_[i],
-          NearestSite::sitesNear(packs_[i], x, distance, tree_.slack(), parts), parts);
-      }
-    }
-    question.closest = nearest.closest();
+    const Question& question = **at;
+    farthest = std::max(farthest,
+      glm::distance(question.x, question.closest.point) +
+        glm::distance(question.x, glm::dvec3(box.centre)));
   }
+  return BoxReach(box, static_cast<float>(farthest) + 2.0f * slack);
+}
+
+void BlockQuery::answerFrom(const GroupList& groups, Question& question)
+{
+  const std::size_t room = static_cast<std::size_t>(groups.size());
+  near_.groups.resize(std::max(near_.groups.size(), room));
+  near_.squared.resize(std::max(near_.squared.size(), room * kLanes));
+  // Sites that others stand for are no answer.
+  const bool counts = tree_.sites().active(question.closest.site);
+  NearestSite nearest = counts
+    ? NearestSite(tree_.sites(), question.x, question.closest, question.other)
+    : NearestSite(tree_.sites(), question.x);
+  constexpr float kUp = 1.0f + std::numeric_limits<float>::epsilon();
+  const float known = static_cast<float>(glm::distance(question.x, question.closest.point)) * kUp;
+  float distance = known;
+  int count = groupsNear(groups, tree_.groups().data(), question.x, known, tree_.slack(),
+    near_.groups.data(), near_.squared.data(), distance);
+  // Distances in single precision are off by less.
+  const float reach = distance + 4.0f * tree_.slack();
+  count = keepWithin(reach * reach * kRoundedUp, count, near_.groups.data(), near_.squared.data());
+  SiteGroup::IntLanes parts;
+  for (int i = 0; i < count; ++i)
+  {
+    const SiteGroup& group = tree_.groups()[near_.groups[i]];
+    const glm::vec3 x = group.toGroup(question.x);
+    nearest.offer(group, NearestSite::sitesNear(group, x, distance, tree_.slack(), parts), parts);
+  }
+  question.closest = nearest.closest();
 }
 
 } // namespace medial

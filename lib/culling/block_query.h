@@ -10,7 +10,7 @@
 namespace medial
 {
 
-/// Finds exact closest points of many positions, block by block: the elements near a block of
+/// Finds exact closest points of many positions, block by block: the groups near a block of
 /// neighbouring positions are found once, and each position chooses from these. Memory of one
 /// thread.
 class BlockQuery
@@ -34,23 +34,27 @@ private:
     std::ptrdiff_t size() const { return end - begin; }
   };
 
+  /// The groups near a position, with the squared distances of their elements.
+  struct Near
+  {
+    std::vector<int> groups;
+    std::vector<float> squared; ///< kLanes for each group
+  };
+
   /// Gives every question a known point.
   void prepare();
-  void answer(const Block& block);
+  /// @param near groups for all of the block; null if none have been collected.
+  void answer(const Block& block, const GroupList* near);
   void searchEach(const Block& block) const;
-  BoxReach reachOf(const Block& block) const;
-  /// Copies the elements of the block's groups that can be closest to some position in it.
-  void pack(const BoxReach& reach);
-  void answerFromPacks(const Block& block, const BoxReach& reach);
+  static BoxReach reachOf(const Block& block, float slack);
+  void answerFrom(const GroupList& groups, Question& question);
 
   const SiteQuery& query_;
   const GroupTree& tree_;
   std::vector<Question*> order_;
-  GroupList groups_;             ///< near the block
-  std::vector<SiteGroup> packs_; ///< elements near the block, relative to its centre
-  int packed_ = 0;               ///< number of elements in them
-  float extent_ = 0.0f;          ///< largest distance of their corners from the centre
-  std::vector<float> squared_;   ///< distances of one position from the packed elements
+  GroupList collected_; ///< near some blocks
+  GroupList groups_;    ///< near a block
+  Near near_;
 };
 
 } // namespace medial

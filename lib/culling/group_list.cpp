@@ -39,11 +39,15 @@ MEDIAL_VECTORISED void NearestElement::tryGroup(const std::vector<SiteGroup>& gr
 }
 
 BoxReach::BoxReach(const FrameBox& box, const NearestElement& nearest, float slack)
+  : BoxReach(box, std::sqrt(nearest.squared) + 2.0f * (glm::length(box.half) + slack))
+{
+}
+
+BoxReach::BoxReach(const FrameBox& box, float distance)
   : box_(box)
   , radius_(glm::length(box.half))
+  , squared_(distance * distance * kRoundedUp)
 {
-  const float reach = std::sqrt(nearest.squared) + 2.0f * (radius_ + slack);
-  squared_ = reach * reach * kRoundedUp;
 }
 
 void BoxReach::add(const glm::vec3& point)
@@ -61,7 +65,7 @@ MEDIAL_VECTORISED unsigned BoxReach::meets(const Discs& discs) const
   const DiscPosition centre(discs, box_.centre);
   unsigned met =
     bits((centre.squaredDistance(discs) <= squared_) & centre.meetsRegions(discs, radius_));
-  for (unsigned left = met; left != 0; left &= left - 1)
+  for (unsigned left = pointCount_ > 0 ? met : 0; left != 0; left &= left - 1)
   {
     const int lane = __builtin_ctz(left);
     if (isDominated(discs, lane, box_, points_.data(), pointCount_))

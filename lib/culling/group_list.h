@@ -49,6 +49,8 @@ public:
   /// @param nearest of all elements, from the box's centre.
   /// @param slack bound of the rounding of single precision there.
   BoxReach(const FrameBox& box, const NearestElement& nearest, float slack);
+  /// @param distance from the centre within which all closest points lie.
+  BoxReach(const FrameBox& box, float distance);
 
   const FrameBox& box() const { return box_; }
   /// Radius of the ball around the box.
@@ -79,6 +81,8 @@ public:
   void clear();
   int size() const { return static_cast<int>(groups_.size()); }
   const std::vector<int>& groups() const { return groups_; }
+  /// The discs of groups(), eight by eight.
+  const std::vector<Discs>& discs() const { return discs_; }
 
   void add(int group, const Discs& discs, int lane);
 

@@ -29,8 +29,23 @@ NearestSite::NearestSite(const SiteSet& sites, const glm::dvec3& x, double limit
 {
 }
 
+NearestSite::NearestSite(const SiteSet& sites, const glm::dvec3& x, const SitePoint& known,
+  int other)
+  : sites_(sites)
+  , x_(x)
+  , closest_(known)
+  , distance_(glm::distance(known.point, x))
+  , known_(known.site)
+  , other_(other)
+{
+}
+
 void NearestSite::offer(int site)
 {
+  if (site == known_ || site == other_)
+  {
+    return;
+  }
   const SitePoint candidate = closestPoint(sites_, site, x_);
   const double found = glm::distance(candidate.point, x_);
   if (found < distance_ || (found == distance_ && candidate.site < closest_.site))

@@ -29,6 +29,9 @@ public:
   /// @param limit points at this distance from x or beyond do not count.
   NearestSite(const SiteSet& sites, const glm::dvec3& x,
     double limit = std::numeric_limits<double>::infinity());
+  /// @param known of a site that counts from the start.
+  /// @param other site that is no nearer, nor as near and lower; -1 for none.
+  NearestSite(const SiteSet& sites, const glm::dvec3& x, const SitePoint& known, int other);
 
   /// Finds the sites of a group that can be closest to a position.
   /// @param x relative to the group's origin.
@@ -54,6 +57,8 @@ private:
   glm::dvec3 x_;
   SitePoint closest_;
   double distance_;
+  int known_ = -1;
+  int other_ = -1;
 };
 
 } // namespace medial

@@ -34,6 +34,8 @@ public:
   {
     glm::dvec3 x;
     SitePoint closest;
+    /// A site that need not be tried: it is no nearer than the known point, nor as near and lower.
+    int other = -1;
   };
   /// The same for many positions, much faster if they lie close together.
   void closest(std::vector<Question>& questions) const;

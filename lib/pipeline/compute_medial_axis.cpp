@@ -81,7 +81,7 @@ BisectorPoints representSurface(const AxisGeometry& geometry, std::vector<Crossi
   geometry.checkpoint();
   BisectorPoints points = surfacePoints(geometry, mesh, selection.bisectors);
   const auto quads = quadsWithin(mesh, geometry.extent);
-  const std::vector<EdgeTable::Edge> rims = rimEdges(quads, points.points.size());
+  const std::vector<EdgeTable::Edge> rims = rimEdges(mesh, quads);
   const std::vector<std::size_t> elsewhere = moveToBorders(geometry, selection, rims, points);
   extendRims(geometry, elsewhere, points);
   geometry.checkpoint();

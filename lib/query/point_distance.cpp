@@ -112,7 +112,7 @@ void computeDistances(const DistanceQuery& query, const std::vector<Point3>& poi
       PointSide::Known known;
       for (std::size_t k = range.begin(); k != range.end(); ++k)
       {
-        const auto& [x, closest] = questions[k - range.begin()];
+        const auto& [x, closest, other] = questions[k - range.begin()];
         store(query, order[k], x, closest, query.side().contains(x, closest, known), result);
       }
     });

@@ -165,6 +165,34 @@ TEST_P(GroupTreeOf, AnswersManyQuestionsAsOne)
   }
 }
 
+/// A site that is no nearer than the known point need not be tried, whether that point is the
+/// closest or not.
+TEST_P(GroupTreeOf, AnswersWithoutTryingAFartherSite)
+{
+  const SiteQuery query(tree_);
+  std::vector<SiteQuery::Question> questions;
+  for (const glm::dvec3& x : positions())
+  {
+    const int first = static_cast<int>(questions.size()) % sites_.size();
+    const int second = (7 * first + 3) % sites_.size();
+    const SitePoint one = closestPoint(sites_, first, x);
+    const SitePoint other = closestPoint(sites_, second, x);
+    const bool oneFirst = glm::distance(one.point, x) < glm::distance(other.point, x);
+    questions.push_back({ x, oneFirst ? one : other, oneFirst ? other.site : one.site });
+    if (glm::distance(one.point, x) == glm::distance(other.point, x))
+    {
+      questions.back().other = -1;
+    }
+  }
+  query.closest(questions);
+  for (const SiteQuery::Question& question : questions)
+  {
+    const SitePoint alone = query.closest(question.x);
+    EXPECT_EQ(question.closest.site, alone.site);
+    EXPECT_EQ(question.closest.point, alone.point);
+  }
+}
+
 /// Every group that holds the closest point of some position in a box is found.
 TEST_P(GroupTreeOf, CollectsTheGroupsOfBoxes)
 {

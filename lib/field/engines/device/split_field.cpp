@@ -229,7 +229,7 @@ class HostSelection
 public:
   HostSelection(const FieldJob& job, const CrossingSelection& selection)
     : job_(job)
-    , selection_(selection, job.frame, job.extent, job.sign != FieldSign::None)
+    , selection_(selection, job.frame, job.extent, job.sign != FieldSign::None, nullptr)
   {
   }
 

@@ -24,7 +24,7 @@ namespace
 {
 
 /// Bytes per grid point of a slab when crossings are selected: site and side.
-constexpr std::size_t kSelectionBytesPerPoint = 8;
+constexpr std::size_t kSelectionBytesPerPoint = 5;
 
 /// The current tile of a thread, its memory, and its counts so far.
 struct Work
@@ -238,7 +238,13 @@ std::vector<Crossing> ProcessorEngine::select(const FieldJob& job, const Crossin
   FieldSink& sink)
 {
   Evaluation evaluation = makeEvaluation(job);
-  ProcessorSelection selection(wanted, job.frame, job.extent, job.sign != FieldSign::None);
+  const CrossingFilter filter = timed(job.statistics.seconds.medial,
+    [&]
+    {
+      return job.run.onThreads([&]
+        { return CrossingFilter(wanted, job.host.sites(), job.frame, job.host.filter().slack()); });
+    });
+  ProcessorSelection selection(wanted, job.frame, job.extent, job.sign != FieldSign::None, &filter);
   const auto displacement = [&](int site, const glm::dvec3& x)
   { return evaluation.sites().displacement(site, x); };
   SlabField field;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "field/crossing.h"
+#include "field/engines/processor/crossing_filter.h"
 #include "field/engines/processor/slab_field.h"
 #include "sites/grid_frame.h"
 
@@ -18,8 +19,9 @@ class ProcessorSelection
 public:
   /// @param extent of all slabs.
   /// @param signedField whether the field has a sign, and so sides.
+  /// @param filter for the displacements that process() gets, or null; must outlive this.
   ProcessorSelection(const CrossingSelection& selection, const GridFrame& frame,
-    const Extent& extent, bool signedField);
+    const Extent& extent, bool signedField, const CrossingFilter* filter);
 
   /// Returns the vector from a point to the closest point of a site, local units.
   using Displacement = std::function<glm::dvec3(int site, const glm::dvec3& x)>;
@@ -41,14 +43,25 @@ private:
     int axis;
   };
 
-  static void findChanges(const std::int32_t* sites, const std::int32_t* ends, int count, int axis,
-    std::vector<Change>& changes);
+  /// Memory of a thread.
+  struct Workspace
+  {
+    std::vector<std::uint8_t> wanted; ///< bits of a row: which grid edges are on the wanted side
+    std::vector<Change> changes;
+  };
+
+  static void findChanges(const std::int32_t* sites, const std::int32_t* ends,
+    const std::uint8_t* wanted, int count, int axis, std::vector<Change>& changes);
+  /// Tells which of up to eight grid edges have both ends on the wanted side, as bits.
+  /// @param inside, endInside which of their ends are inside.
+  unsigned wantedEdges(unsigned inside, unsigned endInside) const;
   /// Whether the crossings of a slab's last slice wait for the slice above, so that all of them
   /// come together. Those along x and y do not wait where even the thickest slabs end.
   bool waits(const Extent& slab) const;
-  /// @param changes working memory.
   void selectRow(const SlabField& slab, const Displacement& displacement, int slot, int row,
-    std::vector<Change>& changes, std::vector<Crossing>& found) const;
+    Workspace& workspace, std::vector<Crossing>& found) const;
+  /// Drops edges that are not crossed, where single precision tells.
+  void filter(const SlabField& slab, int slot, int row, std::vector<Change>& changes) const;
   bool crossed(const Displacement& displacement, const Crossing& crossing) const;
 
   double cosineLimit_;
@@ -56,6 +69,7 @@ private:
   GridFrame frame_;
   Extent extent_;
   bool signed_;
+  const CrossingFilter* filter_;
   bool waited_ = false; ///< whether those of the slice below the next slab do
   std::vector<Crossing> crossings_;
 };

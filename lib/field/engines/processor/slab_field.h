@@ -21,7 +21,7 @@ public:
   void store(const Extent& tile, const TileField& field);
 
   /// Stores the whole slab, slice by slice, x fastest.
-  /// @param sides negative inside.
+  /// @param sides negative inside; only the sign counts.
   void store(const std::int32_t* sites, const float* sides);
 
   const Extent& extent() const { return extent_; }
@@ -32,20 +32,29 @@ public:
 
   /// Returns the closest sites of a row of grid points along x.
   const std::int32_t* sites(int slot, int row) const { return &sites_[this->index(slot, row)]; }
-  /// Returns values that are negative inside; only the sign counts.
-  const float* sides(int slot, int row) const { return &sides_[this->index(slot, row)]; }
+  /// Returns which grid points of a row along x are inside, as bits, the lowest first. One more
+  /// byte follows the row.
+  const std::uint8_t* inside(int slot, int row) const
+  {
+    return &inside_[this->insideIndex(slot, row)];
+  }
 
 private:
   std::size_t index(int slot, int row) const
   {
     return (static_cast<std::size_t>(slot) * extent_.size(1) + row) * extent_.size(0);
   }
+  std::size_t insideIndex(int slot, int row) const
+  {
+    const int bytes = (extent_.size(0) + TileField::kRow - 1) / TileField::kRow + 1;
+    return (static_cast<std::size_t>(slot) * extent_.size(1) + row) * bytes;
+  }
 
   Extent extent_;
   bool begun_ = false;
   bool carried_ = false;
-  std::vector<std::int32_t> sites_; ///< slot by slot, x fastest
-  std::vector<float> sides_;
+  std::vector<std::int32_t> sites_;  ///< slot by slot, x fastest
+  std::vector<std::uint8_t> inside_; ///< a byte for each TileField::kRow of a row
 };
 
 } // namespace medial

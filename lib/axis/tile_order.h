@@ -1,0 +1,46 @@
+#pragma once
+
+#include "medial/grid.h"
+
+#include <glm/glm.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+namespace medial
+{
+
+/// Returns the numbers 0 .. count - 1 in the order of tiles of grid cells, so that those in a row
+/// are close together in all directions: exact queries answer such points together.
+/// @param cellOf returns the grid cell, or the grid point, of a number.
+template <typename CellOf>
+std::vector<std::uint32_t> tileOrder(const Extent& extent, std::size_t count, const CellOf& cellOf)
+{
+  constexpr int kTile = 8;
+  const glm::ivec3 first(extent.min[0] - 1, extent.min[1] - 1, extent.min[2] - 1);
+  const auto tilesAlong = [&](int axis)
+  { return static_cast<std::size_t>((extent.size(axis) + 1) / kTile + 1); };
+  const std::size_t width = tilesAlong(0);
+  const std::size_t height = tilesAlong(1);
+  const auto tileOf = [&](std::size_t i)
+  {
+    const glm::ivec3 tile = (glm::ivec3(cellOf(i)) - first) / kTile;
+    return (tile.z * height + tile.y) * width + tile.x;
+  };
+  std::vector<std::uint32_t> ends(width * height * tilesAlong(2) + 1, 0);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    ++ends[tileOf(i) + 1];
+  }
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  std::vector<std::uint32_t> order(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    order[ends[tileOf(i)]++] = static_cast<std::uint32_t>(i);
+  }
+  return order;
+}
+
+} // namespace medial
