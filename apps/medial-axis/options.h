@@ -5,6 +5,7 @@
 #include "length.h"
 
 #include "medial/compute_medial_axis.h"
+#include "medial/skeleton.h"
 #include "medial/thickness.h"
 
 #include <filesystem>
@@ -18,9 +19,11 @@ namespace medial::app
 struct Options
 {
   std::filesystem::path input;
-  std::filesystem::path output; ///< .vtp, .ply, .obj or .ma
-  std::filesystem::path curves; ///< .vtp
-  std::filesystem::path field;  ///< .vti or .pvti
+  std::filesystem::path output;        ///< .vtp, .ply, .obj or .ma
+  std::filesystem::path curves;        ///< .vtp
+  std::filesystem::path skeleton;      ///< .vtp
+  std::filesystem::path skeletonTable; ///< .csv
+  std::filesystem::path field;         ///< .vti or .pvti
   FieldSelection fieldArrays = kAllFieldArrays;
   std::filesystem::path thickness;      ///< .vtp
   std::filesystem::path thicknessImage; ///< .png
@@ -36,8 +39,10 @@ struct Options
   Side side = Side::Interior;
   bool sideGiven = false; ///< whether the command line has --side
   Representation representation = Representation::Surface;
-  int maxSpheres = 0; ///< 0: no limit
-  Topology topology = Topology::Selected;
+  int maxSpheres = 0;                     ///< 0: no limit
+  Topology topology = Topology::Selected; ///< Preserve wherever a skeleton is wanted
+  double minBranch = kDefaultMinBranch;
+  bool smooth = true; ///< the skeleton
   SignMethod signMethod = SignMethod::Auto;
   Engine engine = Engine::Auto;
   int threads = 0;
@@ -48,6 +53,9 @@ struct Options
   /// Whether the thickness of the surface is to be computed.
   bool wantsThickness() const { return !thickness.empty() || !thicknessImage.empty(); }
 
+  /// Whether the skeleton is to be computed.
+  bool wantsSkeleton() const { return !skeleton.empty() || !skeletonTable.empty(); }
+
   /// Whether the distance field is needed.
   bool wantsField() const { return !field.empty() || this->wantsAxis(); }
 
@@ -56,7 +64,7 @@ struct Options
   bool wantsAxis() const
   {
     return !output.empty() || !curves.empty() || !image.empty() || !html.empty() ||
-      (field.empty() && !wantsThickness());
+      this->wantsSkeleton() || (field.empty() && !wantsThickness());
   }
 };
 
@@ -70,6 +78,7 @@ std::optional<Options> parseOptions(int argc, char** argv);
 /// @param diagonal of the mesh's bounds, world units.
 MedialAxisOptions libraryOptions(const Options& options, double diagonal);
 ThicknessOptions thicknessOptions(const Options& options);
+SkeletonOptions skeletonOptions(const Options& options);
 ///@}
 
 } // namespace medial::app

@@ -55,7 +55,7 @@ struct SkeletonBranch
 
 /// A network of curves within a solid. Branches that meet share a point. All arrays of points have
 /// one element for each.
-struct Skeleton
+struct MEDIAL_EXPORT Skeleton
 {
   std::vector<Point3> points;    ///< world coordinates
   std::vector<double> radius;    ///< distance to the surface, exact, world units
