@@ -13,8 +13,14 @@ namespace
 {
 
 /// Where a branch is taken to run straight, in radii of the junction from it.
-constexpr double kBegin = 1.25;
-constexpr double kEnd = 2.5;
+struct Reach
+{
+  double begin;
+  double end;
+};
+constexpr Reach kFar{ 1.25, 2.5 };
+/// Where branches bend, lines of the first cross elsewhere.
+constexpr Reach kNear{ 0.75, 1.75 };
 /// Weight of the junction's old place against that of a line.
 constexpr double kInertia = 0.05;
 /// Branches whose directions differ by more than 150 degrees are one curve.
@@ -66,12 +72,16 @@ public:
     for (std::size_t j = 0; j < places.size(); ++j)
     {
       const double radius = probe_.radius(places[j]);
-      arms[j] = this->armsAt(static_cast<int>(j), radius);
-      const glm::dvec3 moved = this->crossing(arms[j], places[j]);
-      if (glm::distance(moved, places[j]) <= radius && probe_.radius(moved) > 0.5 * radius &&
-        probe_.inside(moved))
+      for (const Reach reach : { kFar, kNear })
       {
-        places[j] = moved;
+        arms[j] = this->armsAt(static_cast<int>(j), radius, reach);
+        const glm::dvec3 moved = this->crossing(arms[j], places[j]);
+        if (glm::distance(moved, places[j]) <= radius && probe_.radius(moved) > 0.5 * radius &&
+          probe_.inside(moved))
+        {
+          places[j] = moved;
+          break;
+        }
       }
     }
     network_.junctions = places;
@@ -85,7 +95,7 @@ public:
   }
 
 private:
-  std::vector<Arm> armsAt(int junction, double radius) const
+  std::vector<Arm> armsAt(int junction, double radius, const Reach& reach) const
   {
     std::vector<Arm> arms;
     for (std::size_t b = 0; b < network_.branches.size(); ++b)
@@ -94,14 +104,14 @@ private:
       {
         if (network_.branches[b].junctions[end] == junction)
         {
-          arms.push_back(this->armOf(b, end == 1, radius));
+          arms.push_back(this->armOf(b, end == 1, radius, reach));
         }
       }
     }
     return arms;
   }
 
-  Arm armOf(std::size_t b, bool reversed, double radius) const
+  Arm armOf(std::size_t b, bool reversed, double radius, const Reach& reach) const
   {
     const NetworkBranch& branch = network_.branches[b];
     Curve curve = branch.curve;
@@ -113,8 +123,8 @@ private:
     const bool both =
       branch.junctions[0] != NetworkBranch::kFree && branch.junctions[1] != NetworkBranch::kFree;
     const double usable = lengths.back() * (both ? 0.5 : 1.0);
-    const double begin = std::min(kBegin * radius, 0.6 * usable);
-    const double end = std::min(kEnd * radius, usable);
+    const double begin = std::min(reach.begin * radius, 0.6 * usable);
+    const double end = std::min(reach.end * radius, usable);
     // The line nearest to the points in between.
     constexpr int kSamples = 16;
     glm::dvec3 mean(0.0);

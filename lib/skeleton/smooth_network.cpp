@@ -47,12 +47,20 @@ public:
     }
   }
 
-  /// Moves the points of a curve to the middle of the cross-sections.
-  void centre(Curve& curve) const
+  /// Moves the points of a curve to the middle of the cross-sections, or to where these are widest.
+  void centre(Curve& curve, bool widest) const
   {
+    constexpr double kMaxMove = 0.5;
+    constexpr double kMaxCorrection = 0.05;
     const std::vector<CurvePoint> fitted = smoothed(curve, this->reaches(curve));
     tbb::parallel_for(std::size_t{ 0 }, fitted.size(),
-      [&](std::size_t i) { curve.points[i] = probe_.middle(curve.points[i], fitted[i].tangent); });
+      [&](std::size_t i)
+      {
+        glm::dvec3& x = curve.points[i];
+        const glm::dvec3& tangent = fitted[i].tangent;
+        x = widest ? probe_.middle(probe_.widest(x, tangent), tangent, kMaxCorrection)
+                   : probe_.middle(x, tangent, kMaxMove);
+      });
   }
 
   /// Moves free ends to the ends of the branch.
@@ -216,7 +224,7 @@ void smooth(GeometricNetwork& network, const SolidProbe& probe, double step, dou
       {
         for (int pass = 0; pass < kPasses; ++pass)
         {
-          smoother.centre(curve);
+          smoother.centre(curve, !first);
           smoother.smoothOnce(curve);
           curve = resampled(curve, step);
         }
