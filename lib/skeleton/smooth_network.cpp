@@ -50,16 +50,13 @@ public:
   /// Moves the points of a curve to the middle of the cross-sections, or to where these are widest.
   void centre(Curve& curve, bool widest) const
   {
-    constexpr double kMaxMove = 0.5;
-    constexpr double kMaxCorrection = 0.05;
     const std::vector<CurvePoint> fitted = smoothed(curve, this->reaches(curve));
     tbb::parallel_for(std::size_t{ 0 }, fitted.size(),
       [&](std::size_t i)
       {
         glm::dvec3& x = curve.points[i];
         const glm::dvec3& tangent = fitted[i].tangent;
-        x = widest ? probe_.middle(probe_.widest(x, tangent), tangent, kMaxCorrection)
-                   : probe_.middle(x, tangent, kMaxMove);
+        x = widest ? probe_.widest(x, tangent) : probe_.middle(x, tangent);
       });
   }
 
@@ -84,11 +81,14 @@ private:
   /// Within a sheet the radius does not tell where a branch ends.
   void finishLast(Curve& curve, bool anew) const
   {
-    const double radius = probe_.radius(curve.points.back());
-    if (curve.widths.back() > kTubeWidth * radius)
+    const std::size_t tube = this->tubePoints(curve);
+    if (tube == 0)
     {
       return;
     }
+    curve.points.resize(tube);
+    curve.widths.resize(tube);
+    const double radius = probe_.radius(curve.points.back());
     this->cutBack(curve, kCutSteps * step_ + (anew ? kCutOfRadius * radius : 0.0));
     const glm::dvec3 last = curve.points.back();
     const double reach = kEndOfRadius * radius + kEndSteps * step_;
@@ -98,6 +98,22 @@ private:
     curve.points.push_back(at(end));
     curve.widths.push_back(curve.widths.back());
     curve = resampled(curve, step_);
+  }
+
+  /// Returns how many points of a curve are left without the end where it leaves a tube for a
+  /// sheet, or 0 if there is no tube within the last width.
+  std::size_t tubePoints(const Curve& curve) const
+  {
+    double length = 0.0;
+    for (std::size_t i = curve.points.size(); i-- > 1 && length <= curve.widths.back();)
+    {
+      if (curve.widths[i] <= kTubeWidth * probe_.radius(curve.points[i]))
+      {
+        return i + 1;
+      }
+      length += glm::distance(curve.points[i], curve.points[i - 1]);
+    }
+    return 0;
   }
 
   /// Shortens a curve by a length, but by no more than half.

@@ -15,11 +15,12 @@ namespace
 constexpr double kReach = 0.5;
 /// Keeps the centre where it is as long as nothing tells where it should be.
 constexpr double kInertia = 0.02;
+/// A centre moves by at most this part of the radius.
+constexpr double kMaxMove = 0.5;
 
 /// Returns the centre of the circle or ball with the smallest algebraic error (Kasa 1976).
 template <int N, std::size_t Count>
-Eigen::Matrix<double, N, 1> centreOf(const std::array<Eigen::Matrix<double, N, 1>, Count>& samples,
-  double maxMove)
+Eigen::Matrix<double, N, 1> centreOf(const std::array<Eigen::Matrix<double, N, 1>, Count>& samples)
 {
   Eigen::Matrix<double, N + 1, N + 1> normal = Eigen::Matrix<double, N + 1, N + 1>::Zero();
   Eigen::Matrix<double, N + 1, 1> right = Eigen::Matrix<double, N + 1, 1>::Zero();
@@ -33,7 +34,7 @@ Eigen::Matrix<double, N, 1> centreOf(const std::array<Eigen::Matrix<double, N, 1
   normal.diagonal().template head<N>().array() += kInertia * static_cast<double>(Count);
   Eigen::Matrix<double, N, 1> centre = normal.ldlt().solve(right).template head<N>();
   const double length = centre.norm();
-  return length > maxMove ? (centre * (maxMove / length)).eval() : centre;
+  return length > kMaxMove ? (centre * (kMaxMove / length)).eval() : centre;
 }
 
 /// Two unit vectors normal to a third.
@@ -88,7 +89,7 @@ glm::dvec3 SolidProbe::widest(const glm::dvec3& x, const glm::dvec3& tangent) co
   // in the middle.
   constexpr double kFirstStep = 0.2;
   constexpr double kShorter = 0.75;
-  constexpr int kSteps = 14;
+  constexpr int kSteps = 24;
   glm::dvec3 place = x;
   double step = kFirstStep * this->radius(x);
   for (int i = 0; i < kSteps; ++i)
@@ -105,7 +106,7 @@ glm::dvec3 SolidProbe::widest(const glm::dvec3& x, const glm::dvec3& tangent) co
   return place;
 }
 
-glm::dvec3 SolidProbe::middle(const glm::dvec3& x, const glm::dvec3& tangent, double maxMove) const
+glm::dvec3 SolidProbe::middle(const glm::dvec3& x, const glm::dvec3& tangent) const
 {
   constexpr std::size_t kDirections = 8;
   const double radius = this->radius(x);
@@ -122,7 +123,7 @@ glm::dvec3 SolidProbe::middle(const glm::dvec3& x, const glm::dvec3& tangent, do
     const glm::dvec3 seen = (query_.query().closest(x + offset).point - x) / radius;
     samples[k] = { glm::dot(seen, u), glm::dot(seen, v) };
   }
-  const Eigen::Vector2d centre = centreOf<2>(samples, maxMove);
+  const Eigen::Vector2d centre = centreOf<2>(samples);
   return x + radius * (centre.x() * u + centre.y() * v);
 }
 
@@ -141,7 +142,7 @@ glm::dvec3 SolidProbe::middle(const glm::dvec3& x) const
     const glm::dvec3 seen = (query_.query().closest(x + offset).point - x) / radius;
     samples[k] = { seen.x, seen.y, seen.z };
   }
-  const Eigen::Vector3d centre = centreOf<3>(samples, 0.5);
+  const Eigen::Vector3d centre = centreOf<3>(samples);
   return x + radius * glm::dvec3(centre.x(), centre.y(), centre.z());
 }
 

@@ -25,8 +25,7 @@ public:
   /// Returns the middle of the solid's cross-section near a point: the centre of the circle nearest
   /// to what is the closest of the surface to points around it.
   /// @param tangent unit vector normal to the cross-section.
-  /// @param maxMove how far from the point it is at most, as a part of the radius.
-  glm::dvec3 middle(const glm::dvec3& x, const glm::dvec3& tangent, double maxMove) const;
+  glm::dvec3 middle(const glm::dvec3& x, const glm::dvec3& tangent) const;
   /// Returns the place near a point where the radius is largest in its cross-section.
   /// @param tangent unit vector normal to the cross-section.
   glm::dvec3 widest(const glm::dvec3& x, const glm::dvec3& tangent) const;

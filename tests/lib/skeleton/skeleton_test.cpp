@@ -242,7 +242,8 @@ INSTANTIATE_TEST_SUITE_P(Solids, SkeletonOfSolid, testing::ValuesIn(cases()), kN
 TEST(Skeleton, RunsStraightThroughTheMiddleOfAStraightTube)
 {
   constexpr int kResolution = 96;
-  for (const TriangleMesh& tube : { uvCapsule(0.3, 2.0, 64), cylinder(0.3, 4.0, 64) })
+  for (const TriangleMesh& tube :
+    { uvCapsule(0.3, 2.0, 64), cylinder(0.3, 4.0, 64), box({ 0.3, 0.3, 2.0 }) })
   {
     const TriangleMesh mesh = askew(tube);
     const double step = makeGrid(mesh.bounds(), kResolution).spacing[0];
