@@ -4,6 +4,7 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
+#include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
@@ -153,6 +154,58 @@ void SetCells(const medial::MedialAxis& axis, vtkPolyData* output)
   output->SetPolys(polys);
 }
 
+//------------------------------------------------------------------------------
+// Sets cells and their arrays. VTK counts vertices before lines, so a branch's id is an array.
+void SetBranches(const medial::Skeleton& skeleton, vtkPolyData* output)
+{
+  vtkNew<vtkCellArray> verts;
+  vtkNew<vtkCellArray> lines;
+  vtkNew<vtkIntArray> ids;
+  ids->SetName("BranchId");
+  vtkNew<vtkUnsignedCharArray> kinds;
+  kinds->SetName("Kind");
+  const char* const names[] = { "Length", "MeanRadius", "MinRadius", "MaxRadius" };
+  std::array<vtkSmartPointer<vtkDoubleArray>, 4> values;
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    values[i] = vtkSmartPointer<vtkDoubleArray>::New();
+    values[i]->SetName(names[i]);
+  }
+  for (const bool single : { true, false })
+  {
+    for (std::size_t b = 0; b < skeleton.branches.size(); ++b)
+    {
+      const medial::SkeletonBranch& branch = skeleton.branches[b];
+      if ((branch.points.size() == 1) != single)
+      {
+        continue;
+      }
+      vtkCellArray* cells = single ? verts : lines;
+      cells->InsertNextCell(static_cast<int>(branch.points.size()));
+      for (const std::int64_t point : branch.points)
+      {
+        cells->InsertCellPoint(point);
+      }
+      ids->InsertNextValue(static_cast<int>(b));
+      kinds->InsertNextValue(static_cast<unsigned char>(branch.kind));
+      const double measured[] = { branch.length, branch.meanRadius, branch.minRadius,
+        branch.maxRadius };
+      for (std::size_t i = 0; i < values.size(); ++i)
+      {
+        values[i]->InsertNextValue(measured[i]);
+      }
+    }
+  }
+  output->SetVerts(verts);
+  output->SetLines(lines);
+  output->GetCellData()->AddArray(ids);
+  output->GetCellData()->AddArray(kinds);
+  for (const auto& array : values)
+  {
+    output->GetCellData()->AddArray(array);
+  }
+}
+
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -229,6 +282,28 @@ void vtkMeshConversion::ToPolyData(const medial::MedialAxis& axis, vtkPolyData* 
     output->GetPointData()->AddArray(features);
   }
   output->GetPointData()->SetActiveScalars("Radius");
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshConversion::ToPolyData(const medial::Skeleton& skeleton, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(skeleton.points.size()));
+  for (std::size_t i = 0; i < skeleton.points.size(); ++i)
+  {
+    points->SetPoint(static_cast<vtkIdType>(i), skeleton.points[i].data());
+  }
+  output->SetPoints(points);
+  std::copy(skeleton.radius.begin(), skeleton.radius.end(),
+    AddArray<vtkDoubleArray>(output, "Radius", 1)->GetPointer(0));
+  std::copy(skeleton.arcLength.begin(), skeleton.arcLength.end(),
+    AddArray<vtkDoubleArray>(output, "ArcLength", 1)->GetPointer(0));
+  std::copy(skeleton.degree.begin(), skeleton.degree.end(),
+    AddArray<vtkIntArray>(output, "Degree", 1)->GetPointer(0));
+  AddVectors(skeleton.tangent, "Tangent", output);
+  output->GetPointData()->SetActiveScalars("Radius");
+  SetBranches(skeleton, output);
 }
 
 //------------------------------------------------------------------------------

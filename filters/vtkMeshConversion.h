@@ -8,6 +8,7 @@
 
 #include "medial/compute_medial_axis.h"
 #include "medial/point_distance.h"
+#include "medial/skeleton.h"
 #include "medial/thickness.h"
 #include "medial/triangle_mesh.h"
 
@@ -46,6 +47,12 @@ medial::FieldArrays AllocateField(vtkImageData* output, const medial::Grid& grid
  * precision, with point data arrays.
  */
 void ToPolyData(const medial::MedialAxis& axis, vtkPolyData* output);
+
+/**
+ * Fills an empty output with a skeleton: polylines, and vertices for points on their own, with
+ * arrays of points and cells.
+ */
+void ToPolyData(const medial::Skeleton& skeleton, vtkPolyData* output);
 
 /**
  * Attaches the point data array Thickness (float32, the active scalars) to the surface that mesh

@@ -31,7 +31,8 @@ _medial_values()
       fi
       ;;
     --field-arrays) compgen -W "distance closest_point closest_cell closest_feature closest_site" -- "$2" ;;
-    --curves | --thickness) _medial_files "$2" vtp ;;
+    --curves | --skeleton | --thickness) _medial_files "$2" vtp ;;
+    --skeleton-table) _medial_files "$2" csv ;;
     --contacts) _medial_files "$2" vtp pvd ;;
     --animation) compgen -d -- "$2" ;;
     --field) _medial_files "$2" vti pvti nrrd mha nii.gz ;;

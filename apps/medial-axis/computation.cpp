@@ -126,6 +126,20 @@ void compute(const Options& options, FieldOutput* field, ProgressBar& bar, Resul
   }
 }
 
+void computeSkeleton(const Options& options, ProgressBar& bar, Result& result)
+{
+  if (!options.wantsSkeleton())
+  {
+    return;
+  }
+  Watch watch(bar);
+  SkeletonOptions wanted = skeletonOptions(options);
+  wanted.execution.progress = &watch;
+  withFailures(options.input,
+    [&] { result.skeleton = medial::computeSkeleton(result.axis, result.mesh, wanted); });
+  throwIfInterrupted();
+}
+
 void computeThickness(const Options& options, Surface& surface, ProgressBar& bar, Result& result)
 {
   Watch watch(bar);

@@ -8,6 +8,7 @@
 #include "medial/axis_coverage.h"
 #include "medial/compute_medial_axis.h"
 #include "medial/mesh_connectivity.h"
+#include "medial/skeleton.h"
 #include "medial/thickness.h"
 #include "medial/triangle_mesh.h"
 
@@ -34,6 +35,7 @@ struct Result
   CellTopology axisTopology;                     ///< where a report is wanted
   std::optional<AxisCoverage> coverage;          ///< of an interior axis, for report or summary
   std::optional<Thickness> thickness;            ///< of the mesh's points, where it is wanted
+  std::optional<Skeleton> skeleton;              ///< where it is wanted
   vtkSmartPointer<vtkPolyData> thicknessPicture; ///< pictureOfThickness(), where it is wanted
   double measureSeconds = 0.0;                   ///< that topology and coverage took
 };
@@ -47,6 +49,10 @@ Result prepare(const Surface& surface, const Options& options, ProgressBar& bar)
 /// @param field null if it is not wanted.
 /// @throws Failure.
 void compute(const Options& options, FieldOutput* field, ProgressBar& bar, Result& result);
+
+/// Computes the skeleton from the axis, if an option asks for it.
+/// @throws Failure.
+void computeSkeleton(const Options& options, ProgressBar& bar, Result& result);
 
 /// Computes the thickness, as far as options ask for it.
 /// @param surface the one that the mesh of the result was made from.

@@ -109,6 +109,8 @@ void convertTexts(const OptionTexts& texts, bool spacingGiven, Options& options)
   options.input = texts.input;
   options.output = texts.output;
   options.curves = texts.curves;
+  options.skeleton = texts.skeleton;
+  options.skeletonTable = texts.skeletonTable;
   options.field = texts.field;
   options.fieldArrays = fieldArraysOf(options.field, texts.fieldArrays);
   options.thickness = texts.thickness;
@@ -122,7 +124,7 @@ void convertTexts(const OptionTexts& texts, bool spacingGiven, Options& options)
   }
   if (options.output.empty() && options.curves.empty() && options.field.empty() &&
     options.image.empty() && options.html.empty() && options.report.empty() &&
-    !options.wantsThickness())
+    !options.wantsThickness() && !options.wantsSkeleton())
   {
     const std::string name = options.input.filename().string();
     options.output =
@@ -130,10 +132,43 @@ void convertTexts(const OptionTexts& texts, bool spacingGiven, Options& options)
   }
 }
 
+void convertSkeleton(const OptionTexts& texts, bool topologyGiven, Options& options)
+{
+  if (!options.wantsSkeleton())
+  {
+    return;
+  }
+  const auto refuse = [](const std::string& what) { throw Failure(ExitCode::Usage, what); };
+  if (topologyGiven && options.topology != Topology::Preserve)
+  {
+    refuse("--skeleton needs --topology preserve, not " + texts.topology);
+  }
+  if (options.side != Side::Interior)
+  {
+    refuse("--skeleton needs --side interior, not " + texts.side);
+  }
+  if (options.representation != Representation::Surface)
+  {
+    refuse("--skeleton needs --representation surface, not " + texts.representation);
+  }
+  if (options.maxSpheres > 0)
+  {
+    refuse("--skeleton needs the whole axis: --max-spheres " + std::to_string(options.maxSpheres) +
+      " leaves balls out");
+  }
+  if (options.signMethod == SignMethod::None)
+  {
+    refuse("--skeleton needs to know inside from outside, which --sign none does not tell");
+  }
+  options.topology = Topology::Preserve;
+}
+
 void checkFiles(const Options& options)
 {
   checkExtension("--output", options.output, { ".vtp", ".ply", ".obj", ".ma" });
   checkExtension("--curves", options.curves, { ".vtp" });
+  checkExtension("--skeleton", options.skeleton, { ".vtp" });
+  checkExtension("--skeleton-table", options.skeletonTable, { ".csv" });
   checkScan(options);
   checkExtension("--field", options.field, { ".vti", ".pvti", ".nrrd", ".mha", ".nii.gz" });
   checkExtension("--thickness", options.thickness, { ".vtp" });
@@ -147,10 +182,14 @@ void checkFiles(const Options& options)
   checkNotTheInput("--output", options.output, options.input);
   checkNotTheInput("--field", options.field, options.input);
   checkNotTheInput("--curves", options.curves, options.input);
+  checkNotTheInput("--skeleton", options.skeleton, options.input);
   checkNotTheInput("--thickness", options.thickness, options.input);
   checkDistinct("--output", options.output, "--curves", options.curves);
   checkDistinct("--output", options.output, "--thickness", options.thickness);
   checkDistinct("--curves", options.curves, "--thickness", options.thickness);
+  checkDistinct("--output", options.output, "--skeleton", options.skeleton);
+  checkDistinct("--curves", options.curves, "--skeleton", options.skeleton);
+  checkDistinct("--skeleton", options.skeleton, "--thickness", options.thickness);
   checkDistinct("--image", options.image, "--thickness-image", options.thicknessImage);
   if (!options.html.empty() && webFile("vtk.js").empty())
   {

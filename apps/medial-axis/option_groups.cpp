@@ -42,6 +42,18 @@ void addOutputOptions(CLI::App& app, OptionTexts& texts)
     ->option_text("FILE.vtp")
     ->group(group);
   app
+    .add_option("--skeleton", texts.skeleton,
+      "network of curves within the solid: a polyline for every branch, with the points' Radius, "
+      "ArcLength, Degree and Tangent and the branches' Length, Kind and radii; with --topology "
+      "preserve, on the inside")
+    ->option_text("FILE.vtp")
+    ->group(group);
+  app
+    .add_option("--skeleton-table", texts.skeletonTable,
+      "one line for every branch of the skeleton: kind, length, radii and both ends")
+    ->option_text("FILE.csv")
+    ->group(group);
+  app
     .add_option("--field", texts.field,
       "distance field: .vti, one file, or .pvti, pieces of 64 slices "
       "named <FILE's name>_0.vti and so on; the distance alone as .nrrd, .mha or .nii.gz; written "
@@ -190,6 +202,23 @@ void addAxisOptions(CLI::App& app, OptionTexts& texts, Options& options)
     ->check(oneOf(topologyNames()))
     ->group(group);
   addSignOption(app, texts.sign, group);
+}
+
+void addSkeletonOptions(CLI::App& app, Options& options)
+{
+  const std::string group = "Skeleton";
+  app
+    .add_option("--min-branch", options.minBranch,
+      "minimum length of a branch with a free end, times the radius where it leaves the others, "
+      ">= 0; loops stay; default 1")
+    ->option_text("X")
+    ->check(within<double>("[0, infinity)", [](double x) { return std::isfinite(x) && x >= 0.0; }))
+    ->group(group);
+  app
+    .add_flag_callback(
+      "--no-smooth", [&options] { options.smooth = false; },
+      "leave the branches on points of the axis, where they zigzag by a voxel")
+    ->group(group);
 }
 
 void addRunOptions(CLI::App& app, OptionTexts& texts, Options& options)

@@ -12,7 +12,8 @@ namespace medial::app
 /// What the user typed, before it becomes values of Options.
 struct OptionTexts
 {
-  std::string input, output, curves, field, thickness, thicknessImage, image, html, report;
+  std::string input, output, curves, skeleton, skeletonTable, field, thickness, thicknessImage,
+    image, html, report;
   std::string fieldArrays;
   std::string lambda = "0";
   std::string minRadius = "0";
@@ -32,6 +33,7 @@ void addOutputOptions(CLI::App& app, OptionTexts& texts);
 void addScanOptions(CLI::App& app, Options& options);
 void addGridOptions(CLI::App& app, OptionTexts& texts, Options& options);
 void addAxisOptions(CLI::App& app, OptionTexts& texts, Options& options);
+void addSkeletonOptions(CLI::App& app, Options& options);
 void addRunOptions(CLI::App& app, OptionTexts& texts, Options& options);
 ///@}
 

@@ -41,6 +41,7 @@ std::optional<Options> parseOptions(int argc, char** argv)
   addScanOptions(app, options);
   addGridOptions(app, texts, options);
   addAxisOptions(app, texts, options);
+  addSkeletonOptions(app, options);
   addRunOptions(app, texts, options);
   if (!parseCommandLine(app, argc, argv))
   {
@@ -48,6 +49,7 @@ std::optional<Options> parseOptions(int argc, char** argv)
   }
   options.sideGiven = app.count("--side") > 0;
   convertTexts(texts, app.count("--spacing") > 0, options);
+  convertSkeleton(texts, app.count("--topology") > 0, options);
   checkFiles(options);
   return options;
 }
@@ -77,6 +79,15 @@ ThicknessOptions thicknessOptions(const Options& options)
   ThicknessOptions result;
   result.angle = options.angle;
   result.side = options.side;
+  result.execution.threads = options.threads;
+  return result;
+}
+
+SkeletonOptions skeletonOptions(const Options& options)
+{
+  SkeletonOptions result;
+  result.minBranch = options.minBranch;
+  result.smooth = options.smooth;
   result.execution.threads = options.threads;
   return result;
 }

@@ -6,6 +6,7 @@
 #include "scan_surface.h"
 
 #include "medial/compute_medial_axis.h"
+#include "medial/skeleton.h"
 #include "medial/thickness.h"
 
 #include <filesystem>
@@ -18,11 +19,13 @@ namespace medial::app
 /// that are not wanted.
 struct Options
 {
-  std::filesystem::path input;  ///< a mesh, or a scan
-  ScanSurface scan;             ///< what of a scan
-  std::filesystem::path output; ///< .vtp, .ply, .obj or .ma
-  std::filesystem::path curves; ///< .vtp
-  std::filesystem::path field;  ///< .vti or .pvti
+  std::filesystem::path input;         ///< a mesh, or a scan
+  ScanSurface scan;                    ///< what of a scan
+  std::filesystem::path output;        ///< .vtp, .ply, .obj or .ma
+  std::filesystem::path curves;        ///< .vtp
+  std::filesystem::path skeleton;      ///< .vtp
+  std::filesystem::path skeletonTable; ///< .csv
+  std::filesystem::path field;         ///< .vti, .pvti, .nrrd, .mha or .nii.gz
   FieldSelection fieldArrays = kAllFieldArrays;
   std::filesystem::path thickness;      ///< .vtp
   std::filesystem::path thicknessImage; ///< .png
@@ -38,8 +41,10 @@ struct Options
   Side side = Side::Interior;
   bool sideGiven = false; ///< whether the command line has --side
   Representation representation = Representation::Surface;
-  int maxSpheres = 0; ///< 0: no limit
-  Topology topology = Topology::Selected;
+  int maxSpheres = 0;                     ///< 0: no limit
+  Topology topology = Topology::Selected; ///< Preserve wherever a skeleton is wanted
+  double minBranch = kDefaultMinBranch;
+  bool smooth = true; ///< the skeleton
   SignMethod signMethod = SignMethod::Auto;
   Engine engine = Engine::Auto;
   int threads = 0;
@@ -50,6 +55,9 @@ struct Options
   /// Whether the thickness of the surface is to be computed.
   bool wantsThickness() const { return !thickness.empty() || !thicknessImage.empty(); }
 
+  /// Whether the skeleton is to be computed.
+  bool wantsSkeleton() const { return !skeleton.empty() || !skeletonTable.empty(); }
+
   /// Whether the distance field is needed.
   bool wantsField() const { return !field.empty() || this->wantsAxis(); }
 
@@ -58,7 +66,7 @@ struct Options
   bool wantsAxis() const
   {
     return !output.empty() || !curves.empty() || !image.empty() || !html.empty() ||
-      (field.empty() && !wantsThickness());
+      this->wantsSkeleton() || (field.empty() && !wantsThickness());
   }
 };
 
@@ -72,6 +80,7 @@ std::optional<Options> parseOptions(int argc, char** argv);
 /// @param diagonal of the mesh's bounds, world units.
 MedialAxisOptions libraryOptions(const Options& options, double diagonal);
 ThicknessOptions thicknessOptions(const Options& options);
+SkeletonOptions skeletonOptions(const Options& options);
 ///@}
 
 } // namespace medial::app

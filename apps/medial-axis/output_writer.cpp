@@ -4,6 +4,7 @@
 #include "html_page.h"
 #include "picture.h"
 #include "picture_caption.h"
+#include "skeleton_table.h"
 #include "surface_thickness.h"
 #include "thickness_picture.h"
 #include "timer.h"
@@ -69,6 +70,13 @@ long long writeCurves(vtkPolyData* axis, const std::filesystem::path& file)
   return curves->GetOutput()->GetNumberOfLines();
 }
 
+void writeSkeleton(const Skeleton& skeleton, const std::filesystem::path& file)
+{
+  vtkNew<vtkPolyData> polyData;
+  vtkMeshConversion::ToPolyData(skeleton, polyData);
+  writeVtp(polyData, file);
+}
+
 } // namespace
 
 OutputNotes writeOutputs(const Options& options, Surface& surface, const Result& result,
@@ -79,6 +87,11 @@ OutputNotes writeOutputs(const Options& options, Surface& surface, const Result&
   outputs.write(options.output,
     [&](const auto& file) { writeAxisFile(result.axis, axis, options, file); });
   outputs.write(options.curves, [&](const auto& file) { notes.curves = writeCurves(axis, file); });
+  outputs.write(options.skeleton, [&](const auto& file) { writeSkeleton(*result.skeleton, file); });
+  outputs.write(options.skeletonTable,
+    [&](const auto& file) {
+      writeFile(file, [&](std::ostream& stream) { writeSkeletonTable(*result.skeleton, stream); });
+    });
   const Timer axisPicture;
   outputs.write(options.image,
     [&](const auto& file)

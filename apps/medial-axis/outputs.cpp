@@ -11,8 +11,9 @@ Outputs::Outputs(const Options& options)
   {
     field_.emplace(options.field, options.fieldArrays);
   }
-  for (const auto* path : { &options.output, &options.curves, &options.image, &options.html,
-         &options.thickness, &options.thicknessImage })
+  for (const auto* path :
+    { &options.output, &options.curves, &options.skeleton, &options.skeletonTable, &options.image,
+      &options.html, &options.thickness, &options.thicknessImage })
   {
     files_.add(*path);
   }

@@ -53,8 +53,8 @@ Json describeSeconds(const RunStatistics::Seconds& run, const AppSeconds& app)
   return { { "read", app.read }, { "prepare", app.prepare }, { "sites", run.sites },
     { "sign", run.sign }, { "cull", run.cull }, { "polygons", run.polygons }, { "draw", run.draw },
     { "resolve", run.resolve }, { "medial", run.medial }, { "measure", app.measure },
-    { "thickness", app.thickness }, { "pictures", app.pictures }, { "write", app.write },
-    { "total", app.total } };
+    { "skeleton", app.skeleton }, { "thickness", app.thickness }, { "pictures", app.pictures },
+    { "write", app.write }, { "total", app.total } };
 }
 
 Json describeSeconds(const RunStatistics::DeviceSeconds& device)
@@ -71,7 +71,8 @@ Json describeParameters(const Result& result, const Options& options)
   return { { "angle", options.angle }, { "lambda", options.lambda.inUnits(diagonal) },
     { "min_radius", options.minRadius.inUnits(diagonal) }, { "side", nameOf(options.side) },
     { "representation", nameOf(options.representation) }, { "max_spheres", options.maxSpheres },
-    { "topology", nameOf(options.topology) }, { "sign", nameOf(options.signMethod) },
+    { "topology", nameOf(options.topology) }, { "min_branch", options.minBranch },
+    { "smooth", options.smooth }, { "sign", nameOf(options.signMethod) },
     { "engine", nameOf(options.engine) }, { "padding", options.padding },
     { "threads", options.threads } };
 }
@@ -113,6 +114,23 @@ Json describe(const CellTopology& topology)
   return { { "components", topology.components },
     { "euler_characteristic", topology.eulerCharacteristic }, { "genus", topology.genus },
     { "cavities", topology.cavities } };
+}
+
+Json describeSkeleton(const Skeleton& skeleton)
+{
+  double length = 0.0;
+  for (const SkeletonBranch& branch : skeleton.branches)
+  {
+    length += branch.length;
+  }
+  const CellTopology topology = topologyOf(skeleton);
+  return { { "points", skeleton.points.size() }, { "branches", skeleton.branches.size() },
+    { "end_junction", skeleton.count(BranchKind::EndJunction) },
+    { "junction_junction", skeleton.count(BranchKind::JunctionJunction) },
+    { "closed", skeleton.count(BranchKind::Closed) },
+    { "isolated", skeleton.count(BranchKind::Isolated) }, { "junctions", skeleton.junctions() },
+    { "components", topology.components }, { "loops", topology.genus }, { "length", length },
+    { "opened_cavities", skeleton.openedCavities }, { "seconds", skeleton.seconds } };
 }
 
 Json describeTopology(const Result& result, Topology mode)
@@ -169,6 +187,10 @@ std::string makeReport(const Result& result, const Options& options, const AppSe
   if (result.thickness)
   {
     report["thickness"] = describeThickness(*result.thickness, options);
+  }
+  if (result.skeleton)
+  {
+    report["skeleton"] = describeSkeleton(*result.skeleton);
   }
   report["topology"] = ofAxis(describeTopology(result, options.topology));
   report["coverage"] = describeCoverage(result.coverage);

@@ -13,8 +13,9 @@ namespace medial::app
 struct AppSeconds
 {
   double read = 0.0;
-  double prepare = 0.0;   ///< welding points, and who shares them with whom
-  double measure = 0.0;   ///< topology and coverage of the axis
+  double prepare = 0.0; ///< welding points, and who shares them with whom
+  double measure = 0.0; ///< topology and coverage of the axis
+  double skeleton = 0.0;
   double thickness = 0.0; ///< with the values of its picture
   double pictures = 0.0;  ///< drawing and writing them
   double write = 0.0;     ///< all other files

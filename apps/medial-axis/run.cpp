@@ -56,6 +56,9 @@ void run(const Options& options)
   seconds.prepare = preparing.seconds();
   compute(options, outputs.field(), bar, result);
   seconds.measure = result.measureSeconds;
+  const Timer skeleton;
+  computeSkeleton(options, bar, result);
+  seconds.skeleton = skeleton.seconds();
   const Timer thickness;
   computeThickness(options, surface, bar, result);
   seconds.thickness = thickness.seconds();

@@ -58,13 +58,35 @@ void printThickness(const Options& options, const Thickness& thickness)
     100.0 * thickness.shareWithout(), thickness.seconds);
 }
 
+std::string counted(std::int64_t count, const std::string& one, const std::string& many)
+{
+  return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+void printSkeleton(const Skeleton& skeleton)
+{
+  const CellTopology topology = topologyOf(skeleton);
+  double length = 0.0;
+  for (const SkeletonBranch& branch : skeleton.branches)
+  {
+    length += branch.length;
+  }
+  const auto branches = static_cast<std::int64_t>(skeleton.branches.size());
+  std::printf("skeleton  %s, %s, %s, %s, length %.4g, in %.2f s\n",
+    counted(branches, "branch", "branches").c_str(),
+    counted(skeleton.junctions(), "junction", "junctions").c_str(),
+    counted(topology.genus, "loop", "loops").c_str(),
+    counted(topology.components, "component", "components").c_str(), length, skeleton.seconds);
+}
+
 void printSeconds(const RunStatistics::Seconds& run, const AppSeconds& app)
 {
   std::printf("seconds   read %.2f, prepare %.2f, sites %.2f, sign %.2f, cull %.2f, polygons %.2f, "
-              "draw %.2f, resolve %.2f, medial %.2f, measure %.2f, thickness %.2f, pictures %.2f, "
+              "draw %.2f, resolve %.2f, medial %.2f, measure %.2f, skeleton %.2f, thickness %.2f, "
+              "pictures %.2f, "
               "write %.2f, total %.2f\n",
     app.read, app.prepare, run.sites, run.sign, run.cull, run.polygons, run.draw, run.resolve,
-    run.medial, app.measure, app.thickness, app.pictures, app.write, app.total);
+    run.medial, app.measure, app.skeleton, app.thickness, app.pictures, app.write, app.total);
 }
 
 void printFile(const std::filesystem::path& path, const std::string& content)
@@ -81,6 +103,8 @@ void printOutputs(const Options& options, const MedialAxis& axis, const OutputNo
     "medial axis, " + std::to_string(axis.points.size()) + " points, " +
       std::to_string(axis.cellCount()) + " cells");
   printFile(options.curves, "curves of the axis, " + std::to_string(notes.curves) + " polylines");
+  printFile(options.skeleton, "skeleton");
+  printFile(options.skeletonTable, "table of the skeleton's branches");
   printFile(options.field, "distance field");
   printFile(options.thickness, "surface with thickness");
   printFile(options.thicknessImage, "picture of thickness");
@@ -188,6 +212,16 @@ void printSimplification(const MedialAxis& axis)
   }
 }
 
+void printSkeletonNote(const Options& options, const Skeleton& skeleton)
+{
+  if (skeleton.openedCavities > 0)
+  {
+    std::fprintf(stderr, "medial-axis: note: %s: curves cannot enclose cavities: %s been opened\n",
+      options.input.c_str(),
+      counted(skeleton.openedCavities, "sheet around one has", "sheets around them have").c_str());
+  }
+}
+
 void printCoverage(const Options& options, const AxisCoverage& coverage)
 {
   if (coverage.uncoveredShare >= kNoticeableShare)
@@ -221,6 +255,10 @@ void printNotes(const Options& options, const Result& result, const OutputNotes&
   {
     printCoverage(options, *result.coverage);
   }
+  if (result.skeleton)
+  {
+    printSkeletonNote(options, *result.skeleton);
+  }
   printPageNotes(options, notes);
   printSimplificationNote(options, result.axis);
 }
@@ -237,6 +275,10 @@ void printSummary(const Options& options, const Result& result, const OutputNote
   if (result.thickness)
   {
     printThickness(options, *result.thickness);
+  }
+  if (result.skeleton)
+  {
+    printSkeleton(*result.skeleton);
   }
   printSeconds(result.statistics.seconds, seconds);
   printSimplification(result.axis);

@@ -1,5 +1,6 @@
 #include "distance_outputs.h"
 
+#include "csv_line.h"
 #include "distance_report.h"
 #include "file_writer.h"
 #include "input_file.h"
@@ -10,8 +11,6 @@
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 
-#include <array>
-#include <charconv>
 #include <ostream>
 #include <string>
 
@@ -21,31 +20,6 @@ namespace
 {
 
 namespace fs = std::filesystem;
-
-/// Appends numbers in the shortest spelling that is read back without loss.
-class CsvLine
-{
-public:
-  template <typename Number>
-  CsvLine& operator<<(Number number)
-  {
-    std::array<char, 32> text;
-    const auto [end, error] = std::to_chars(text.begin(), text.end(), number);
-    text_.append(text_.empty() ? "" : ",").append(text.begin(), end);
-    return *this;
-  }
-  CsvLine& operator<<(const Point3& point) { return *this << point[0] << point[1] << point[2]; }
-
-  /// Ends the line and returns it.
-  const std::string& end()
-  {
-    text_ += '\n';
-    return text_;
-  }
-
-private:
-  std::string text_;
-};
 
 void writeCsv(const DistanceResults& results, std::ostream& stream)
 {

@@ -36,7 +36,7 @@ TEST_F(CommandOutput, ReportHasExactlyTheDocumentedKeys)
     (std::set<std::string>{ "number", "origin", "renderer", "version", "software" }));
   EXPECT_EQ(keysOf(result["seconds"]),
     (std::set<std::string>{ "read", "prepare", "sites", "sign", "cull", "polygons", "draw",
-      "resolve", "medial", "measure", "thickness", "pictures", "write", "total" }));
+      "resolve", "medial", "measure", "skeleton", "thickness", "pictures", "write", "total" }));
   EXPECT_EQ(keysOf(result["counts"]),
     (std::set<std::string>{ "sites", "polygons", "fragments", "group_tests", "site_tests",
       "candidate_pairs", "medial_points", "medial_cells" }));

@@ -140,6 +140,7 @@ class Documents(unittest.TestCase):
             report = json.loads(subprocess.run(
                 [sys.argv[2], SOURCES / "tests/examples/box.stl", "--resolution", "24", "--topology",
                  "preserve", "--thickness", f"{folder}/thickness.vtp", "-o", f"{folder}/axis.vtp",
+                 "--skeleton-table", f"{folder}/skeleton.csv",
                  "--report", "-"], capture_output=True, text=True, check=True).stdout)
         self.assertEqual(set(report), set(documented))
         for key, value in report.items():

@@ -7,6 +7,7 @@
 #include <vtkMedialAxis.h>
 #include <vtkMedialCurves.h>
 #include <vtkMedialReconstruction.h>
+#include <vtkMedialSkeleton.h>
 #include <vtkMedialThickness.h>
 #include <vtkMeshDistanceField.h>
 #include <vtkMeshPointDistance.h>
@@ -206,6 +207,9 @@ TEST(FilterManual, OutputsHaveNoArraysThatTheManualsDoNotName)
   vtkNew<vtkMedialReconstruction> surface;
   surface->SetInputConnection(axis->GetOutputPort());
   surface->SetResolution(12);
+  vtkNew<vtkMedialSkeleton> skeleton;
+  skeleton->SetInputData(boxPolyData());
+  skeleton->SetResolution(24);
   vtkNew<vtkMeshProximity> proximity;
   proximity->SetInputData(0, boxPolyData());
   proximity->SetInputData(1, boxPolyData({ 2.0, 0.5, 0.5 }));
@@ -233,6 +237,7 @@ TEST(FilterManual, OutputsHaveNoArraysThatTheManualsDoNotName)
   expectNamed(thickness, 0, headerOf("vtkMedialThickness"));
   expectNamed(curves, 0, headerOf("vtkMedialCurves") + ofAxis + grid); // with those of the axis
   expectNamed(surface, 0, headerOf("vtkMedialReconstruction"));
+  expectNamed(skeleton, 0, headerOf("vtkMedialSkeleton") + grid);
   expectNamed(distance, 0, headerOf("vtkMeshPointDistance"));
   for (const int port : { 0, 1, 2 })
   {
@@ -248,6 +253,11 @@ TEST(FilterManual, ReconstructionParametersAreExplainedAndPrinted)
 TEST(FilterManual, MedialThicknessParametersAreExplainedAndPrinted)
 {
   expectManual("vtkMedialThickness", 3, printed<vtkMedialThickness>());
+}
+
+TEST(FilterManual, MedialSkeletonParametersAreExplainedAndPrinted)
+{
+  expectManual("vtkMedialSkeleton", 4, printed<vtkMedialSkeleton>());
 }
 
 TEST(FilterManual, MeshPointDistanceParametersAreExplainedAndPrinted)

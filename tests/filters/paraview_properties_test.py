@@ -75,7 +75,7 @@ class Properties(unittest.TestCase):
         classes = {proxy.get("class") for proxy, _ in proxies()
                    if proxy.find("Hints/ShowInMenu[@category='Medial']") is not None}
         self.assertEqual(classes, {"vtkMeshDistanceField", "vtkMedialAxis", "vtkMedialThickness",
-                                   "vtkMedialReconstruction", "vtkMedialCurves", "vtkMeshProximity",
+                                   "vtkMedialReconstruction", "vtkMedialCurves", "vtkMedialSkeleton", "vtkMeshProximity",
                                    "vtkMeshPointDistance"})
 
     def test_every_parameter_is_a_property(self):

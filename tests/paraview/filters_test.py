@@ -57,6 +57,11 @@ class Values(unittest.TestCase):
         self.assertAlmostEqual(figure(filter, "MedianThickness"), 3.0, delta=0.03)
         self.assertEqual(figure(filter, "ShareWithout"), 0.0)
 
+    def test_skeleton_of_a_beam(self):
+        lines = output(MedialSkeleton(Input=Box(XLength=4, YLength=0.5, ZLength=0.5), Resolution=64))
+        self.assertEqual(lines.GetNumberOfCells(), 1)
+        numpy.testing.assert_allclose(points(lines)[:, 1:], 0, atol=0.01)
+
     def test_reconstruction_of_a_box(self):
         axis = MedialAxis(Input=box(), Resolution=100, Angle=40)
         surface = output(MedialReconstruction(Input=axis, Resolution=64))
@@ -218,7 +223,8 @@ class Executions(unittest.TestCase):
         return [axis, MeshDistanceField(Input=bunny(), Resolution=100),
                 MedialThickness(Input=bunny()), MedialReconstruction(Input=axis, Resolution=48),
                 MedialCurves(Input=axis), MeshProximity(Input=bunny(), InputB=box()),
-                MeshPointDistance(Input=bunny(), Surface=box())]
+                MeshPointDistance(Input=bunny(), Surface=box()),
+                MedialSkeleton(Input=bunny(), Resolution=64)]
 
     def test_progress(self):
         for proxy in self.filters():

@@ -5,8 +5,8 @@ Functions take and return numpy arrays:
     axis = medial.medial_axis(vertices, faces, resolution=128, angle=60)
     axis.points, axis.radius, axis.faces
 
-distance_field(), medial_axis(), thickness(), reconstruction(), curves(), distance(), proximity()
-and read_mesh() are each documented by help(), as in help(medial.medial_axis). All lengths are in world units, those
+distance_field(), medial_axis(), skeleton(), thickness(), reconstruction(), curves(), distance(),
+proximity() and read_mesh() are each documented by help(), as in help(medial.medial_axis). All lengths are in world units, those
 of the vertices, and all angles in degrees. They raise medial.Error, or a subclass of it, with the
 cause.
 
@@ -28,12 +28,14 @@ from ._mesh import Surface, read_mesh
 from ._mesh_file import VERSION as __version__
 from ._proximity import Contacts, Proximity, proximity
 from ._shape import Curve, curves, reconstruction, thickness
+from ._skeleton import Branch, Skeleton, skeleton
 from ._update import update
 from .vtkMedialFilters import (
     vtkMedialAxis,
     vtkMedialCurves,
     vtkMedialPolyDataAlgorithm,
     vtkMedialReconstruction,
+    vtkMedialSkeleton,
     vtkMedialThickness,
     vtkMeshDistanceField,
     vtkMeshFieldAlgorithm,
@@ -42,6 +44,7 @@ from .vtkMedialFilters import (
 )
 
 __all__ = [
+    "Branch",
     "Contacts",
     "Curve",
     "DistanceField",
@@ -52,6 +55,7 @@ __all__ = [
     "OutOfMemoryError",
     "PointDistances",
     "Proximity",
+    "Skeleton",
     "Surface",
     "curves",
     "distance",
@@ -60,12 +64,14 @@ __all__ = [
     "proximity",
     "read_mesh",
     "reconstruction",
+    "skeleton",
     "thickness",
     "update",
     "vtkMedialAxis",
     "vtkMedialCurves",
     "vtkMedialPolyDataAlgorithm",
     "vtkMedialReconstruction",
+    "vtkMedialSkeleton",
     "vtkMedialThickness",
     "vtkMeshDistanceField",
     "vtkMeshFieldAlgorithm",

@@ -66,6 +66,7 @@ _REALS: dict[str, tuple[str, str]] = {
     "angle": ("Angle", "(0, 180)"),
     "min_lambda": ("MinimumLambda", "[0, inf)"),
     "min_radius": ("MinimumRadius", "[0, inf)"),
+    "min_branch": ("MinimumBranch", "[0, inf)"),
     "depth_tolerance": ("DepthTolerance", "(0, 1)"),
     "max_separation": ("MaximumSeparation", "[0, inf]"),
 }

@@ -33,6 +33,7 @@
 #include "medial/side.h"
 #include "medial/sign_method.h"
 #include "medial/simplification.h"
+#include "medial/skeleton.h"
 #include "medial/thickness.h"
 #include "medial/triangle_mesh.h"
 #include "medial/version.h"

@@ -21,7 +21,8 @@ SMALL = {"resolution": 9}
 
 class Meshes(unittest.TestCase):
     def assert_refused(self, message, *mesh, error=ValueError):
-        for function in (medial.distance_field, medial.medial_axis, medial.thickness):
+        for function in (medial.distance_field, medial.medial_axis, medial.skeleton,
+                         medial.thickness):
             with self.assertRaisesRegex(error, message):
                 function(*mesh)
 
@@ -139,6 +140,7 @@ class Parameters(unittest.TestCase):
                 (medial.medial_axis, "angle", r"\(0, 180\)"),
                 (medial.medial_axis, "min_lambda", r"\[0, inf\)"),
                 (medial.medial_axis, "min_radius", r"\[0, inf\)"),
+                (medial.skeleton, "min_branch", r"\[0, inf\)"),
                 (medial.thickness, "angle", r"\(0, 180\)")):
             self.assert_refused(f"^{name} '30' is not a number in {allowed}$", function=function,
                                 error=TypeError, **{name: "30"})

@@ -34,7 +34,7 @@ class FiltersTest(unittest.TestCase):
     def test_package_holds_the_filters(self):
         self.assertEqual({name for name in medial.__all__ if name.startswith("vtk")},
                          {"vtkMedialAxis", "vtkMedialCurves", "vtkMedialReconstruction",
-                          "vtkMedialPolyDataAlgorithm", "vtkMedialThickness",
+                          "vtkMedialPolyDataAlgorithm", "vtkMedialSkeleton", "vtkMedialThickness",
                           "vtkMeshDistanceField", "vtkMeshFieldAlgorithm",
                           "vtkMeshPointDistance", "vtkMeshProximity"})
         from medial.vtkMedialFilters import vtkMedialAxis

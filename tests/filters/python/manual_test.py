@@ -20,12 +20,13 @@ import medial
 
 SOURCES = Path(sys.argv[1])
 FUNCTIONS = (medial.distance_field, medial.medial_axis, medial.thickness,
-             medial.reconstruction, medial.curves, medial.distance, medial.proximity,
+             medial.reconstruction, medial.curves, medial.skeleton, medial.distance, medial.proximity,
              medial.read_mesh, medial.update)
 # The options of medial-axis, by the parameters that are the same.
 OPTIONS = {
     medial.distance_field: ("resolution", "spacing", "padding", "memory"),
     medial.medial_axis: ("angle", "lambda", "min-radius", "side", "max-spheres", "topology"),
+    medial.skeleton: ("min-branch",),
 }
 
 
@@ -106,7 +107,7 @@ class Wording(unittest.TestCase):
 
     def test_attributes_are_documented(self):
         for class_ in (medial.DistanceField, medial.MedialAxis, medial.Surface, medial.Curve,
-                       medial.Proximity, medial.Contacts):
+                       medial.Proximity, medial.Contacts, medial.Skeleton, medial.Branch):
             source = inspect.getsource(class_)
             for name in class_.__annotations__:
                 with self.subTest(class_=class_.__name__, attribute=name):

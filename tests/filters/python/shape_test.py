@@ -1,4 +1,4 @@
-"""Checks medial.thickness(), reconstruction() and curves() on shapes with known answers."""
+"""Checks medial.thickness(), skeleton(), reconstruction() and curves() on shapes with known answers."""
 
 import dataclasses
 import unittest
@@ -6,6 +6,36 @@ import unittest
 import medial
 import numpy as np
 import shapes
+
+
+class Skeleton(unittest.TestCase):
+    def test_of_a_beam_is_its_middle_line(self):
+        half = np.array([2.0, 0.25, 0.25])
+        vertices, quads = shapes.box(half)
+        network = medial.skeleton(vertices, quads, resolution=64)
+        self.assertEqual(len(network.branches), 1)
+        branch = network.branches[0]
+        self.assertEqual(branch.kind, "isolated")
+        self.assertAlmostEqual(branch.length, 3.5, delta=0.035)
+        line = network.points[branch.indices]
+        self.assertEqual(line.shape, network.points.shape)
+        np.testing.assert_allclose(line[:, 1:], 0.0, atol=0.01)
+        np.testing.assert_allclose(network.radius, 0.25, atol=0.01)
+        np.testing.assert_allclose(network.arc_length.max(), branch.length)
+        np.testing.assert_array_equal(np.sort(network.degree)[:3], [1, 1, 2])
+        np.testing.assert_allclose(np.abs(network.tangent[:, 0]), 1.0, atol=1e-3)
+        self.assertLessEqual(branch.min_radius, branch.mean_radius)
+        self.assertLessEqual(branch.mean_radius, branch.max_radius)
+
+    def test_of_a_ball_is_a_point(self):
+        network = medial.skeleton(*shapes.ball(3), resolution=32)
+        self.assertEqual([len(branch.indices) for branch in network.branches], [1])
+        np.testing.assert_array_equal(network.degree, [0])
+
+    def test_without_an_inside_is_refused(self):
+        vertices, quads = shapes.box()
+        with self.assertRaisesRegex(medial.InvalidInputError, "inside from outside"):
+            medial.skeleton(vertices, quads[:1], resolution=16)
 
 
 class Thickness(unittest.TestCase):

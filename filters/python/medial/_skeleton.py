@@ -1,0 +1,121 @@
+"""Skeletons: networks of curves within solids."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, Literal, NamedTuple, Optional, Union
+
+import numpy as np
+from numpy.typing import NDArray
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+from ._arrays import point_coordinates, point_data, ragged_rows
+from ._mesh import length, to_polydata
+from ._options import (Engine, Lengths, Sign, assign, assign_grid, assign_numbers, assign_run)
+from ._update import Progress, run
+from .vtkMedialFilters import vtkMedialSkeleton
+
+BranchKind = Literal["end-junction", "junction-junction", "closed", "isolated"]
+_KINDS: tuple[BranchKind, ...] = ("end-junction", "junction-junction", "closed", "isolated")
+
+
+class Branch(NamedTuple):
+    """A curve of a skeleton, from junction to junction or free end."""
+
+    kind: BranchKind
+    """"end-junction", "junction-junction", "closed" (a loop), or "isolated": with two free ends, or
+    a single point."""
+    indices: NDArray[np.int64]
+    """(k,) indices of points, from a junction if there is one; the last of a loop is the first."""
+    length: float
+    """In world units."""
+    mean_radius: float
+    """Mean along the branch, in world units."""
+    min_radius: float
+    """Smallest radius of its points, in world units."""
+    max_radius: float
+    """Largest radius of its points, in world units."""
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Skeleton:
+    """A network of curves within a solid. Points and their attributes share VTK's memory."""
+
+    points: NDArray[np.float64]
+    """(n, 3) world coordinates; branches that meet share a point."""
+    radius: NDArray[np.float64]
+    """(n,) exact distances to the mesh, in world units."""
+    arc_length: NDArray[np.float64]
+    """(n,) lengths from the start of the branch, in world units; 0 at junctions."""
+    degree: NDArray[np.int32]
+    """(n,) 1 at a free end, 2 within a branch, 3 and more at a junction, 0 for a single point."""
+    tangent: NDArray[np.float64]
+    """(n, 3) unit vectors along the branch; zero at junctions."""
+    branches: list[Branch]
+    """The longest first."""
+
+    def __repr__(self) -> str:
+        junctions = int((self.degree > 2).sum())
+        return (f"<Skeleton of {len(self.points)} points, {len(self.branches)} branches, "
+                f"{junctions} junctions>")
+
+
+def skeleton(
+    vertices: Any, faces: Any = None, *, min_branch: float = 1.0, smooth: bool = True,
+    angle: float = 60.0, min_lambda: Union[float, str] = 0.0,
+    resolution: Optional[int] = None, spacing: Optional[Lengths] = None,
+    origin: Optional[Sequence[float]] = None, dimensions: Optional[Sequence[int]] = None,
+    padding: Optional[float] = None, sign: Sign = "auto", threads: int = 0, memory: int = 0,
+    engine: Engine = "auto", device: Union[str, int] = "", require_gpu: bool = False,
+    progress: Optional[Progress] = None,
+) -> Skeleton:
+    """The network of curves within a solid: centrelines, without seeds.
+
+    One branch for every limb, with the components and loops of the solid at the resolution of the
+    grid. Branches run through the middle; their radii are exact.
+
+    vertices, faces: the mesh, as for distance_field(). It needs an inside: large holes must be
+        closed.
+    min_branch: minimum length of a branch with a free end, times the radius where it leaves the
+        others, >= 0; loops stay.
+    smooth: whether branches are smooth curves; otherwise they run from point to point of the axis,
+        and zigzag by a voxel.
+    angle, min_lambda: of the axis whose curves these are, as for medial_axis().
+    resolution, spacing, origin, dimensions, padding, sign, threads, memory, engine, device,
+        require_gpu, progress: as for distance_field().
+
+    Raises what distance_field() raises, and InvalidInputError for a mesh without an inside.
+
+    >>> corners = [[x, y, z] for x in (0, 8) for y in (0, 1) for z in (0, 1)]
+    >>> quads = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
+    >>> beam = skeleton(corners, quads, resolution=128)
+    >>> [(branch.kind, round(branch.length, 1)) for branch in beam.branches]
+    [('isolated', 7.0)]
+    """
+    algorithm = vtkMedialSkeleton()
+    mesh = to_polydata(vertices, faces)
+    algorithm.SetInputData(mesh)
+    assign_numbers(algorithm, angle=angle, min_lambda=length("min_lambda", min_lambda, mesh),
+                   min_branch=min_branch)
+    assign(algorithm, Smooth=bool(smooth))
+    assign_grid(algorithm, resolution=resolution, spacing=spacing, origin=origin,
+                dimensions=dimensions, padding=padding)
+    assign_run(algorithm, sign=sign, threads=threads, memory=memory, engine=engine,
+               device=device, require_gpu=require_gpu)
+    run(algorithm, progress)
+    output = algorithm.GetOutput()
+    return Skeleton(
+        points=point_coordinates(output), radius=point_data(output, "Radius"),
+        arc_length=point_data(output, "ArcLength"), degree=point_data(output, "Degree"),
+        tangent=point_data(output, "Tangent"), branches=_branches_of(output))
+
+
+def _branches_of(output: Any) -> list[Branch]:
+    """The cells of the filter's output, by their ids."""
+    rows = [row for cells in (output.GetVerts(), output.GetLines())
+            if cells.GetNumberOfCells() > 0 for row in ragged_rows(cells)]
+    data = output.GetCellData()
+    ids, kinds, *figures = (vtk_to_numpy(data.GetArray(name)) for name in (
+        "BranchId", "Kind", "Length", "MeanRadius", "MinRadius", "MaxRadius"))
+    return [Branch(_KINDS[kinds[cell]], rows[cell].astype(np.int64),
+                   *(float(values[cell]) for values in figures))
+            for cell in np.argsort(ids)]

@@ -1,0 +1,265 @@
+#include "skeleton/sheet_fire.h"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+#include <tuple>
+
+namespace medial
+{
+namespace
+{
+
+/// The fire's way counts as straight while the sheet turns by less than this, 30 degrees.
+constexpr double kStraightCosine = 0.866;
+
+/// Where a fire comes from: it is `time` old there.
+struct Source
+{
+  glm::dvec3 origin{ 0.0 };
+  glm::dvec3 normal{ 0.0 }; ///< of the sheet there
+  double time = 0.0;
+
+  double arrival(const glm::dvec3& x) const { return time + glm::distance(x, origin); }
+};
+
+/// A polygon with three or four corners.
+struct Face
+{
+  std::array<int, 4> edges{};
+  int count = 0;
+  bool burned = false;
+  glm::dvec3 centre{ 0.0 };
+  glm::dvec3 normal{ 0.0 };
+};
+
+struct Edge
+{
+  std::array<std::int64_t, 2> ends{};
+  int faces = 0;     ///< at first
+  int left = 0;      ///< faces that have not burned
+  int firstFace = 0; ///< in the list of faces by edge
+  bool gone = false; ///< burned together with a face
+  double time = 0.0; ///< when the last face has burned so far
+  Source source;     ///< of the fire in the face that has burned last
+};
+
+class SheetFire
+{
+public:
+  SheetFire(const MedialAxis& axis, const std::vector<glm::dvec3>& positions,
+    const std::vector<double>& radii, const Checkpoint& checkpoint)
+    : positions_(positions)
+    , radii_(radii)
+    , checkpoint_(checkpoint)
+  {
+    result_.widths = radii;
+    this->addFaces(axis);
+    for (const auto& line : axis.lines)
+    {
+      result_.edges.push_back({ { std::min(line[0], line[1]), std::max(line[0], line[1]) },
+        0.5 * (radii[line[0]] + radii[line[1]]) });
+    }
+  }
+
+  BurnedSheets burn()
+  {
+    for (std::size_t e = 0; e < edges_.size(); ++e)
+    {
+      Edge& edge = edges_[e];
+      if (edge.left == 1)
+      {
+        edge.source = { this->middle(edge), faces_[this->faceLeft(edge)].normal,
+          0.5 * (radii_[edge.ends[0]] + radii_[edge.ends[1]]) };
+        this->raise(static_cast<int>(e));
+      }
+    }
+    do
+    {
+      this->drain();
+    } while (this->open());
+    for (const Edge& edge : edges_)
+    {
+      if (!edge.gone)
+      {
+        result_.edges.push_back({ edge.ends, edge.time });
+      }
+    }
+    std::sort(result_.edges.begin(), result_.edges.end(),
+      [](const NetworkEdge& a, const NetworkEdge& b) { return a.ends < b.ends; });
+    return std::move(result_);
+  }
+
+private:
+  using Event = std::tuple<double, int, int>; ///< arrival, face, edge that it comes through
+
+  void addFaces(const MedialAxis& axis)
+  {
+    struct Side
+    {
+      std::array<std::int64_t, 2> ends;
+      int face;
+      int corner;
+    };
+    std::vector<Side> sides;
+    const auto add = [&](const auto& corners)
+    {
+      Face face;
+      face.count = static_cast<int>(corners.size());
+      glm::dvec3 area(0.0);
+      for (int i = 0; i < face.count; ++i)
+      {
+        const std::int64_t a = corners[i];
+        const std::int64_t b = corners[(i + 1) % face.count];
+        sides.push_back({ { std::min(a, b), std::max(a, b) }, static_cast<int>(faces_.size()), i });
+        face.centre += positions_[a] / static_cast<double>(face.count);
+        area += glm::cross(positions_[a] - positions_[corners[0]],
+          positions_[b] - positions_[corners[0]]);
+      }
+      const double size = glm::length(area);
+      face.normal = size > 0.0 ? area / size : area;
+      faces_.push_back(face);
+      for (const std::int64_t corner : corners)
+      {
+        faceCorners_.push_back(corner);
+      }
+      cornerOffsets_.push_back(faceCorners_.size());
+    };
+    std::for_each(axis.quads.begin(), axis.quads.end(), add);
+    std::for_each(axis.triangles.begin(), axis.triangles.end(), add);
+    std::sort(sides.begin(), sides.end(),
+      [](const Side& a, const Side& b)
+      { return a.ends != b.ends ? a.ends < b.ends : a.face < b.face; });
+    for (std::size_t i = 0; i < sides.size(); ++i)
+    {
+      if (i == 0 || sides[i].ends != sides[i - 1].ends)
+      {
+        Edge edge;
+        edge.ends = sides[i].ends;
+        edge.firstFace = static_cast<int>(i);
+        edges_.push_back(edge);
+      }
+      ++edges_.back().faces;
+      ++edges_.back().left;
+      facesOfEdges_.push_back(sides[i].face);
+      faces_[sides[i].face].edges[sides[i].corner] = static_cast<int>(edges_.size()) - 1;
+    }
+  }
+
+  glm::dvec3 middle(const Edge& edge) const
+  {
+    return 0.5 * (positions_[edge.ends[0]] + positions_[edge.ends[1]]);
+  }
+
+  int faceLeft(const Edge& edge) const
+  {
+    const auto begin = facesOfEdges_.begin() + edge.firstFace;
+    return *std::find_if(begin, begin + edge.faces, [this](int f) { return !faces_[f].burned; });
+  }
+
+  /// Lets the fire into the only face that is left at an edge.
+  void raise(int e)
+  {
+    const Edge& edge = edges_[e];
+    const int face = this->faceLeft(edge);
+    queue_.emplace(edge.source.arrival(faces_[face].centre), face, e);
+  }
+
+  void drain()
+  {
+    for (std::size_t events = 0; !queue_.empty(); ++events)
+    {
+      checkpoint_(events);
+      const auto [time, face, edge] = queue_.top();
+      queue_.pop();
+      if (!faces_[face].burned && !edges_[edge].gone)
+      {
+        edges_[edge].gone = true;
+        this->burnFace(face, edges_[edge].source);
+      }
+    }
+  }
+
+  void burnFace(int f, const Source& source)
+  {
+    Face& face = faces_[f];
+    face.burned = true;
+    const double time = source.arrival(face.centre);
+    // On a curved sheet the fire's way is made of several straight lines.
+    const bool straight = std::abs(glm::dot(source.normal, face.normal)) >= kStraightCosine;
+    const Source onward = straight ? source : Source{ face.centre, face.normal, time };
+    for (std::size_t c = cornerOffsets_[f]; c < cornerOffsets_[f + 1]; ++c)
+    {
+      double& width = result_.widths[faceCorners_[c]];
+      width = std::max(width, time);
+    }
+    for (int i = 0; i < face.count; ++i)
+    {
+      Edge& edge = edges_[face.edges[i]];
+      --edge.left;
+      if (edge.gone)
+      {
+        continue;
+      }
+      const glm::dvec3 x = this->middle(edge);
+      edge.time = std::max(edge.time, onward.arrival(x));
+      if (edge.left == 1)
+      {
+        edge.source =
+          edge.faces == 2 ? onward : Source{ x, faces_[this->faceLeft(edge)].normal, edge.time };
+        this->raise(face.edges[i]);
+      }
+    }
+  }
+
+  /// Burns the face of smallest radius if any is left. Returns whether there was one.
+  bool open()
+  {
+    int best = -1;
+    double bestRadius = 0.0;
+    for (std::size_t f = 0; f < faces_.size(); ++f)
+    {
+      if (faces_[f].burned)
+      {
+        continue;
+      }
+      double radius = 0.0;
+      for (std::size_t c = cornerOffsets_[f]; c < cornerOffsets_[f + 1]; ++c)
+      {
+        radius += radii_[faceCorners_[c]] / faces_[f].count;
+      }
+      if (best < 0 || radius < bestRadius)
+      {
+        best = static_cast<int>(f);
+        bestRadius = radius;
+      }
+    }
+    if (best >= 0)
+    {
+      ++result_.opened;
+      this->burnFace(best, { faces_[best].centre, faces_[best].normal, bestRadius });
+    }
+    return best >= 0;
+  }
+
+  const std::vector<glm::dvec3>& positions_;
+  const std::vector<double>& radii_;
+  const Checkpoint& checkpoint_;
+  std::vector<Face> faces_;
+  std::vector<std::int64_t> faceCorners_;
+  std::vector<std::size_t> cornerOffsets_{ 0 };
+  std::vector<Edge> edges_;
+  std::vector<int> facesOfEdges_;
+  std::priority_queue<Event, std::vector<Event>, std::greater<>> queue_;
+  BurnedSheets result_;
+};
+
+} // namespace
+
+BurnedSheets burnSheets(const MedialAxis& axis, const std::vector<glm::dvec3>& positions,
+  const std::vector<double>& radii, const Checkpoint& checkpoint)
+{
+  return SheetFire(axis, positions, radii, checkpoint).burn();
+}
+
+} // namespace medial

@@ -1,0 +1,267 @@
+#include "skeleton/smooth_network.h"
+
+#include "skeleton/junctions.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace medial
+{
+namespace
+{
+
+/// Reach of smoothing, in steps and as a part of radius and width.
+constexpr double kMinReach = 6.0;
+constexpr double kReachOfRadius = 0.75;
+constexpr double kReachOfWidth = 0.5;
+constexpr int kMaxReach = 100;
+/// How often a curve is moved to the middle and made smooth, before its ends are found and after.
+constexpr int kPasses = 2;
+/// How far a free end is looked for, in radii and steps.
+constexpr double kEndOfRadius = 2.5;
+constexpr double kEndSteps = 6.0;
+/// How much of a free end is made anew, in radii and steps: a fire leaves curves on the sheets
+/// there.
+constexpr double kCutOfRadius = 0.5;
+constexpr double kCutSteps = 2.0;
+
+class CurveSmoother
+{
+public:
+  CurveSmoother(const SolidProbe& probe, double step)
+    : probe_(probe)
+    , step_(step)
+  {
+  }
+
+  /// Makes a curve of points at equal distances smooth.
+  void smoothOnce(Curve& curve) const
+  {
+    const std::vector<CurvePoint> fitted = smoothed(curve, this->reaches(curve));
+    for (std::size_t i = 0; i < fitted.size(); ++i)
+    {
+      curve.points[i] = fitted[i].position;
+    }
+  }
+
+  /// Moves the points of a curve to the middle of the cross-sections, or to where these are widest.
+  void centre(Curve& curve, bool widest) const
+  {
+    const std::vector<CurvePoint> fitted = smoothed(curve, this->reaches(curve));
+    tbb::parallel_for(std::size_t{ 0 }, fitted.size(),
+      [&](std::size_t i)
+      {
+        glm::dvec3& x = curve.points[i];
+        const glm::dvec3& tangent = fitted[i].tangent;
+        x = widest ? probe_.widest(x, tangent) : probe_.middle(x, tangent);
+      });
+  }
+
+  /// Moves free ends to the ends of the branch.
+  /// @param anew whether the curve next to them is not yet what it should be.
+  void finish(NetworkBranch& branch, bool anew) const
+  {
+    if (branch.curve.closed || branch.junctions[1] != NetworkBranch::kFree)
+    {
+      return;
+    }
+    this->finishLast(branch.curve, anew);
+    if (branch.junctions[0] == NetworkBranch::kFree)
+    {
+      reverse(branch.curve);
+      this->finishLast(branch.curve, anew);
+      reverse(branch.curve);
+    }
+  }
+
+private:
+  /// Within a sheet the radius does not tell where a branch ends.
+  void finishLast(Curve& curve, bool anew) const
+  {
+    const std::size_t tube = this->tubePoints(curve);
+    if (tube == 0)
+    {
+      return;
+    }
+    curve.points.resize(tube);
+    curve.widths.resize(tube);
+    const double radius = probe_.radius(curve.points.back());
+    this->cutBack(curve, kCutSteps * step_ + (anew ? kCutOfRadius * radius : 0.0));
+    const glm::dvec3 last = curve.points.back();
+    const double reach = kEndOfRadius * radius + kEndSteps * step_;
+    const glm::dvec3 direction = this->endDirection(curve, std::max(kMinReach * step_, radius));
+    const auto at = [&](double s) { return last + s * direction; };
+    const double end = probe_.end(at, 0.0, probe_.wayOut(last, direction, reach), 0.5 * step_);
+    curve.points.push_back(at(end));
+    curve.widths.push_back(curve.widths.back());
+    curve = resampled(curve, step_);
+  }
+
+  /// Returns how many points of a curve are left without the end where it leaves a tube for a
+  /// sheet, or 0 if there is no tube within the last width.
+  std::size_t tubePoints(const Curve& curve) const
+  {
+    double length = 0.0;
+    for (std::size_t i = curve.points.size(); i-- > 1 && length <= curve.widths.back();)
+    {
+      if (curve.widths[i] <= kTubeWidth * probe_.radius(curve.points[i]))
+      {
+        return i + 1;
+      }
+      length += glm::distance(curve.points[i], curve.points[i - 1]);
+    }
+    return 0;
+  }
+
+  /// Shortens a curve by a length, but by no more than half.
+  void cutBack(Curve& curve, double length) const
+  {
+    const std::vector<double> lengths = arcLengths(curve);
+    const double left = lengths.back() - std::min(length, 0.5 * lengths.back());
+    while (curve.points.size() > 2 && lengths[curve.points.size() - 1] > left)
+    {
+      curve.points.pop_back();
+      curve.widths.pop_back();
+    }
+  }
+
+  /// Returns the direction in which a curve ends, a unit vector: that of the line nearest to the
+  /// points of its end.
+  glm::dvec3 endDirection(const Curve& curve, double length) const
+  {
+    const int count = static_cast<int>(curve.points.size());
+    const int used = std::clamp(static_cast<int>(length / step_), 2, count);
+    glm::dvec3 slope(0.0);
+    for (int i = 0; i < used; ++i)
+    {
+      slope += (0.5 * (used - 1) - i) * curve.points[count - 1 - i];
+    }
+    return glm::normalize(slope);
+  }
+
+  std::vector<int> reaches(const Curve& curve) const
+  {
+    std::vector<int> result(curve.points.size());
+    tbb::parallel_for(std::size_t{ 0 }, result.size(),
+      [&](std::size_t i)
+      {
+        const double reach = std::max(kReachOfRadius * probe_.radius(curve.points[i]),
+                               kReachOfWidth * curve.widths[i]) /
+          step_;
+        result[i] = std::min(kMaxReach, static_cast<int>(std::lround(std::max(kMinReach, reach))));
+      });
+    return result;
+  }
+
+  const SolidProbe& probe_;
+  double step_;
+};
+
+} // namespace
+
+GeometricNetwork networkOf(const std::vector<CurvePath>& paths,
+  const std::vector<glm::dvec3>& positions, const std::vector<double>& widths)
+{
+  std::map<std::int64_t, int> ends;
+  for (const auto& path : paths)
+  {
+    if (path.size() > 1)
+    {
+      ++ends[path.front()];
+      ++ends[path.back()];
+    }
+  }
+  GeometricNetwork network;
+  std::map<std::int64_t, int> junctions;
+  for (const auto& [point, count] : ends)
+  {
+    if (count > 2)
+    {
+      junctions[point] = static_cast<int>(network.junctions.size());
+      network.junctions.push_back(positions[point]);
+    }
+  }
+  for (const auto& path : paths)
+  {
+    NetworkBranch branch;
+    for (const std::int64_t point : path)
+    {
+      branch.curve.points.push_back(positions[point]);
+      branch.curve.widths.push_back(widths[point]);
+    }
+    const auto junction = [&](std::int64_t point)
+    {
+      const auto found = junctions.find(point);
+      return found == junctions.end() ? NetworkBranch::kFree : found->second;
+    };
+    if (path.size() > 1)
+    {
+      branch.junctions = { junction(path.front()), junction(path.back()) };
+      branch.curve.closed =
+        path.front() == path.back() && branch.junctions[0] == NetworkBranch::kFree;
+      if (branch.curve.closed)
+      {
+        branch.curve.points.pop_back();
+        branch.curve.widths.pop_back();
+      }
+    }
+    if (branch.junctions[0] == NetworkBranch::kFree && branch.junctions[1] != NetworkBranch::kFree)
+    {
+      std::swap(branch.junctions[0], branch.junctions[1]);
+      reverse(branch.curve);
+    }
+    network.branches.push_back(std::move(branch));
+  }
+  return network;
+}
+
+void smooth(GeometricNetwork& network, const SolidProbe& probe, double step, double minBranch,
+  const Checkpoint& checkpoint)
+{
+  joinJunctions(network, probe, minBranch);
+  const CurveSmoother smoother(probe, step);
+  tbb::parallel_for(std::size_t{ 0 }, network.branches.size(),
+    [&](std::size_t b)
+    {
+      checkpoint();
+      NetworkBranch& branch = network.branches[b];
+      Curve& curve = branch.curve;
+      if (curve.points.size() < 2)
+      {
+        curve.points.front() = probe.middle(probe.middle(curve.points.front()));
+        return;
+      }
+      curve = resampled(curve, step);
+      smoother.smoothOnce(curve);
+      for (const bool first : { true, false })
+      {
+        for (int pass = 0; pass < kPasses; ++pass)
+        {
+          smoother.centre(curve, !first);
+          smoother.smoothOnce(curve);
+          curve = resampled(curve, step);
+        }
+        smoother.finish(branch, first);
+      }
+    });
+  // Lines may cross nearer to each other than branches of the axis meet.
+  do
+  {
+    placeJunctions(network, probe, step);
+  } while (joinJunctions(network, probe, minBranch));
+  for (NetworkBranch& branch : network.branches)
+  {
+    if (branch.curve.points.size() > 1)
+    {
+      const bool loop =
+        branch.junctions[0] == branch.junctions[1] && branch.junctions[0] != NetworkBranch::kFree;
+      const double length = arcLengths(branch.curve).back();
+      branch.curve = resampled(branch.curve, loop ? std::min(step, length / 3.0) : step);
+    }
+  }
+}
+
+} // namespace medial

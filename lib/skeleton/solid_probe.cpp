@@ -1,0 +1,149 @@
+#include "skeleton/solid_probe.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace medial
+{
+namespace
+{
+
+/// How far away from a point its surroundings are asked for, as a part of its radius.
+constexpr double kReach = 0.5;
+/// Keeps the centre where it is as long as nothing tells where it should be.
+constexpr double kInertia = 0.02;
+/// A centre moves by at most this part of the radius.
+constexpr double kMaxMove = 0.5;
+
+/// Returns the centre of the circle or ball with the smallest algebraic error (Kasa 1976).
+template <int N, std::size_t Count>
+Eigen::Matrix<double, N, 1> centreOf(const std::array<Eigen::Matrix<double, N, 1>, Count>& samples)
+{
+  Eigen::Matrix<double, N + 1, N + 1> normal = Eigen::Matrix<double, N + 1, N + 1>::Zero();
+  Eigen::Matrix<double, N + 1, 1> right = Eigen::Matrix<double, N + 1, 1>::Zero();
+  for (const auto& sample : samples)
+  {
+    Eigen::Matrix<double, N + 1, 1> row;
+    row << 2.0 * sample, 1.0;
+    normal += row * row.transpose();
+    right += sample.squaredNorm() * row;
+  }
+  normal.diagonal().template head<N>().array() += kInertia * static_cast<double>(Count);
+  Eigen::Matrix<double, N, 1> centre = normal.ldlt().solve(right).template head<N>();
+  const double length = centre.norm();
+  return length > kMaxMove ? (centre * (kMaxMove / length)).eval() : centre;
+}
+
+/// Two unit vectors normal to a third.
+std::array<glm::dvec3, 2> normalsTo(const glm::dvec3& direction)
+{
+  const glm::dvec3 size = glm::abs(direction);
+  const glm::dvec3 other = size.x <= size.y && size.x <= size.z
+    ? glm::dvec3(1.0, 0.0, 0.0)
+    : (size.y <= size.z ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(0.0, 0.0, 1.0));
+  const glm::dvec3 u = glm::normalize(glm::cross(direction, other));
+  return { u, glm::cross(direction, u) };
+}
+
+} // namespace
+
+double SolidProbe::radius(const glm::dvec3& x) const
+{
+  return glm::distance(query_.query().closest(x).point, x);
+}
+
+bool SolidProbe::inside(const glm::dvec3& x) const
+{
+  PointSide::Known known;
+  return query_.side().contains(x, query_.query().closest(x), known);
+}
+
+double SolidProbe::wayOut(const glm::dvec3& from, const glm::dvec3& direction, double high) const
+{
+  constexpr int kParts = 8;
+  double in = 0.0;
+  for (int i = 1; i <= kParts; ++i)
+  {
+    double out = high * i / kParts;
+    if (this->inside(from + out * direction))
+    {
+      in = out;
+      continue;
+    }
+    for (int k = 0; k < kHalvings; ++k)
+    {
+      const double middle = 0.5 * (in + out);
+      (this->inside(from + middle * direction) ? in : out) = middle;
+    }
+    return in;
+  }
+  return high;
+}
+
+glm::dvec3 SolidProbe::widest(const glm::dvec3& x, const glm::dvec3& tangent) const
+{
+  // Away from the closest point of the surface, by ever shorter steps: between two walls they end
+  // in the middle.
+  constexpr double kFirstStep = 0.2;
+  constexpr double kShorter = 0.75;
+  constexpr int kSteps = 24;
+  glm::dvec3 place = x;
+  double step = kFirstStep * this->radius(x);
+  for (int i = 0; i < kSteps; ++i)
+  {
+    glm::dvec3 away = place - query_.query().closest(place).point;
+    away -= glm::dot(away, tangent) * tangent;
+    const double length = glm::length(away);
+    if (length > 0.0)
+    {
+      place += away * (step / length);
+    }
+    step *= kShorter;
+  }
+  return place;
+}
+
+glm::dvec3 SolidProbe::middle(const glm::dvec3& x, const glm::dvec3& tangent) const
+{
+  constexpr std::size_t kDirections = 8;
+  const double radius = this->radius(x);
+  if (!(radius > 0.0) || tangent == glm::dvec3(0.0))
+  {
+    return x;
+  }
+  const auto [u, v] = normalsTo(tangent);
+  std::array<Eigen::Vector2d, kDirections> samples;
+  for (std::size_t k = 0; k < kDirections; ++k)
+  {
+    const double angle = glm::radians(360.0) * static_cast<double>(k) / kDirections;
+    const glm::dvec3 offset = kReach * radius * (std::cos(angle) * u + std::sin(angle) * v);
+    const glm::dvec3 seen = (query_.query().closest(x + offset).point - x) / radius;
+    samples[k] = { glm::dot(seen, u), glm::dot(seen, v) };
+  }
+  const Eigen::Vector2d centre = centreOf<2>(samples);
+  return x + radius * (centre.x() * u + centre.y() * v);
+}
+
+glm::dvec3 SolidProbe::middle(const glm::dvec3& x) const
+{
+  const double radius = this->radius(x);
+  if (!(radius > 0.0))
+  {
+    return x;
+  }
+  std::array<Eigen::Vector3d, 6> samples;
+  for (int k = 0; k < 6; ++k)
+  {
+    glm::dvec3 offset(0.0);
+    offset[k / 2] = k % 2 == 0 ? kReach * radius : -kReach * radius;
+    const glm::dvec3 seen = (query_.query().closest(x + offset).point - x) / radius;
+    samples[k] = { seen.x, seen.y, seen.z };
+  }
+  const Eigen::Vector3d centre = centreOf<3>(samples);
+  return x + radius * glm::dvec3(centre.x(), centre.y(), centre.z());
+}
+
+} // namespace medial

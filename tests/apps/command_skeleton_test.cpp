@@ -1,0 +1,196 @@
+// What medial-axis --skeleton and --skeleton-table write, and what they refuse.
+#include "command_run.h"
+
+#include "support/shapes.h"
+#include "support/tubes.h"
+
+#include <vtkCell.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace medial::test
+{
+namespace
+{
+
+constexpr double kRadius = 0.25;
+
+class CommandSkeleton : public CommandRun
+{
+protected:
+  /// A T of tubes whose arms have the lengths 1.5, 1.2 and 1.
+  CommandSkeleton()
+    : CommandRun(unionOf({ { {}, { 1.5, 0.0, 0.0 }, kRadius }, { {}, { -1.2, 0.0, 0.0 }, kRadius },
+                           { {}, { 0.0, 1.0, 0.0 }, kRadius } },
+                   0.08),
+        "tee.obj")
+  {
+  }
+
+  std::string refusal(std::vector<std::string> arguments, int exitCode) const
+  {
+    arguments.insert(arguments.begin(), input);
+    const Outcome outcome = runMedialAxis(arguments);
+    EXPECT_EQ(outcome.exitCode, exitCode) << outcome.err;
+    EXPECT_EQ(folder.list(), std::vector<std::string>{ "tee.obj" });
+    return outcome.err;
+  }
+};
+
+std::vector<std::vector<std::string>> readTable(const std::string& path)
+{
+  std::istringstream text(readFile(path));
+  std::vector<std::vector<std::string>> rows;
+  for (std::string line; std::getline(text, line);)
+  {
+    std::istringstream words(line);
+    rows.emplace_back();
+    for (std::string word; std::getline(words, word, ',');)
+    {
+      rows.back().push_back(word);
+    }
+  }
+  return rows;
+}
+
+TEST_F(CommandSkeleton, WritesBranchesThatShareTheirJunction)
+{
+  const Outcome outcome = run({ "--resolution", "72", "--skeleton", folder.file("s.vtp") });
+  EXPECT_EQ(folder.list(), (std::vector<std::string>{ "s.vtp", "tee.obj" }));
+  EXPECT_TRUE(
+    contains(outcome.out, "skeleton  3 branches, 1 junction, 0 loops, 1 component, length 3."))
+    << outcome.out;
+  EXPECT_TRUE(contains(outcome.out, "s.vtp: skeleton"));
+  const auto skeleton = readVtp(folder.file("s.vtp"));
+  ASSERT_EQ(skeleton->GetNumberOfLines(), 3);
+  EXPECT_EQ(skeleton->GetNumberOfCells(), 3);
+  vtkPointData* points = skeleton->GetPointData();
+  vtkCellData* cells = skeleton->GetCellData();
+  for (const char* name : { "Radius", "ArcLength", "Degree", "Tangent" })
+  {
+    ASSERT_NE(points->GetArray(name), nullptr) << name;
+  }
+  const std::vector<double> lengths{ 1.5, 1.2, 1.0 };
+  const vtkIdType junction = skeleton->GetCell(0)->GetPointId(0);
+  EXPECT_EQ(points->GetArray("Degree")->GetTuple1(junction), 3.0);
+  for (vtkIdType branch = 0; branch < 3; ++branch)
+  {
+    EXPECT_EQ(skeleton->GetCell(branch)->GetPointId(0), junction);
+    EXPECT_EQ(cells->GetArray("BranchId")->GetTuple1(branch), branch);
+    EXPECT_EQ(cells->GetArray("Kind")->GetTuple1(branch), 0.0);
+    EXPECT_NEAR(cells->GetArray("Length")->GetTuple1(branch), lengths[branch], 0.02);
+    EXPECT_NEAR(cells->GetArray("MeanRadius")->GetTuple1(branch), kRadius, 0.02 * kRadius + 0.005);
+    const vtkIdType end =
+      skeleton->GetCell(branch)->GetPointId(skeleton->GetCell(branch)->GetNumberOfPoints() - 1);
+    EXPECT_EQ(points->GetArray("Degree")->GetTuple1(end), 1.0);
+    EXPECT_EQ(points->GetArray("ArcLength")->GetTuple1(end),
+      cells->GetArray("Length")->GetTuple1(branch));
+  }
+}
+
+TEST_F(CommandSkeleton, WritesATableWithTheSameFigures)
+{
+  run({ "--resolution", "72", "--skeleton", folder.file("s.vtp"), "--skeleton-table",
+    folder.file("s.csv"), "--report", folder.file("r.json") });
+  const auto skeleton = readVtp(folder.file("s.vtp"));
+  const auto rows = readTable(folder.file("s.csv"));
+  ASSERT_EQ(rows.size(), 4u);
+  EXPECT_EQ(rows[0],
+    (std::vector<std::string>{ "branch", "kind", "length", "mean_radius", "min_radius",
+      "max_radius", "start_x", "start_y", "start_z", "end_x", "end_y", "end_z" }));
+  const std::vector<const char*> arrays{ "Length", "MeanRadius", "MinRadius", "MaxRadius" };
+  for (vtkIdType branch = 0; branch < 3; ++branch)
+  {
+    const auto& row = rows[branch + 1];
+    EXPECT_EQ(row[0], std::to_string(branch));
+    EXPECT_EQ(row[1], "end-junction");
+    for (std::size_t i = 0; i < arrays.size(); ++i)
+    {
+      EXPECT_EQ(std::stod(row[2 + i]),
+        skeleton->GetCellData()->GetArray(arrays[i])->GetTuple1(branch));
+    }
+    vtkCell* cell = skeleton->GetCell(branch);
+    double end[3];
+    skeleton->GetPoint(cell->GetPointId(cell->GetNumberOfPoints() - 1), end);
+    EXPECT_EQ(std::stod(row[9]), end[0]);
+    EXPECT_EQ(std::stod(row[10]), end[1]);
+    EXPECT_EQ(std::stod(row[11]), end[2]);
+  }
+  const Json report = Json::parse(readFile(folder.file("r.json")));
+  EXPECT_EQ(keysOf(report["skeleton"]),
+    (std::set<std::string>{ "points", "branches", "end_junction", "junction_junction", "closed",
+      "isolated", "junctions", "components", "loops", "length", "opened_cavities", "seconds" }));
+  EXPECT_EQ(report["skeleton"]["branches"], 3);
+  EXPECT_EQ(report["skeleton"]["end_junction"], 3);
+  EXPECT_EQ(report["skeleton"]["loops"], 0);
+  EXPECT_EQ(report["parameters"]["topology"], "preserve");
+  EXPECT_EQ(report["parameters"]["min_branch"], 1.0);
+  EXPECT_EQ(report["parameters"]["smooth"], true);
+}
+
+TEST_F(CommandSkeleton, OptionsChangeIt)
+{
+  const auto branches = [&](std::vector<std::string> arguments)
+  {
+    arguments.insert(arguments.end(),
+      { "--resolution", "72", "--skeleton-table", folder.file("s.csv"), "-q" });
+    run(arguments);
+    return readTable(folder.file("s.csv"));
+  };
+  EXPECT_EQ(branches({ "--min-branch", "4.5" }).size(), 2u); // 1 / 0.25 is less
+  const auto smooth = branches({});
+  const auto rough = branches({ "--no-smooth" });
+  ASSERT_EQ(rough.size(), 4u);
+  EXPECT_GT(std::stod(rough[1][2]), std::stod(smooth[1][2]));
+}
+
+TEST_F(CommandSkeleton, RefusesWhatDoesNotGoWithIt)
+{
+  const std::string file = folder.file("s.vtp");
+  EXPECT_TRUE(contains(refusal({ "--skeleton", folder.file("s.ply") }, kUsage),
+    "s.ply: unknown extension '.ply', allowed: .vtp"));
+  EXPECT_TRUE(contains(refusal({ "--skeleton-table", folder.file("s.txt") }, kUsage),
+    "s.txt: unknown extension '.txt', allowed: .csv"));
+  const std::vector<std::vector<std::string>> wrong{ { "--topology", "selected" },
+    { "--side", "exterior" }, { "--side", "both" }, { "--representation", "faces" },
+    { "--max-spheres", "20" }, { "--sign", "none" } };
+  for (std::vector<std::string> arguments : wrong)
+  {
+    SCOPED_TRACE(arguments[0]);
+    arguments.insert(arguments.end(), { "--skeleton", file });
+    const std::string message = refusal(arguments, kUsage);
+    EXPECT_TRUE(contains(message, "--skeleton needs ")) << message;
+    EXPECT_TRUE(contains(message, arguments[1])) << message;
+  }
+  EXPECT_TRUE(contains(refusal({ "--skeleton", file, "--min-branch", "-1" }, kUsage),
+    "--min-branch: -1 is outside [0, infinity)"));
+  EXPECT_TRUE(contains(refusal({ "--skeleton", file, "-o", file }, kUsage),
+    "--output and --skeleton name the same"));
+}
+
+TEST_F(CommandSkeleton, RefusesMeshesWithoutAnInside)
+{
+  writeFile(input, objText(plates(0.5, 1.0)));
+  const std::string message =
+    refusal({ "--resolution", "24", "--skeleton", folder.file("s.vtp") }, kBadInput);
+  EXPECT_TRUE(contains(message, "tee.obj: a skeleton needs to know inside from outside"))
+    << message;
+}
+
+TEST_F(CommandSkeleton, TellsOfCavitiesThatItOpens)
+{
+  writeFile(input, objText(shell(0.6, 1.0, 2)));
+  const Outcome outcome = run({ "--resolution", "32", "--skeleton", folder.file("s.vtp") });
+  EXPECT_TRUE(contains(outcome.err, "curves cannot enclose cavities: 1 sheet around one has"))
+    << outcome.err;
+  EXPECT_EQ(readVtp(folder.file("s.vtp"))->GetNumberOfCells(), 1);
+}
+
+} // namespace
+} // namespace medial::test

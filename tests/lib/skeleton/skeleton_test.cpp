@@ -1,0 +1,520 @@
+#include "medial/compute_medial_axis.h"
+#include "medial/error.h"
+#include "medial/simplification.h"
+#include "medial/skeleton.h"
+
+#include "support/mesh_search.h"
+#include "support/named.h"
+#include "support/shapes.h"
+#include "support/tubes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <ostream>
+#include <string>
+#include <vector>
+
+using namespace medial;
+using namespace medial::test;
+
+namespace
+{
+
+const double kPi = std::acos(-1.0);
+
+double distance(const Point3& a, const Point3& b)
+{
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+/// Degrees.
+double angleBetween(const Point3& a, const Point3& b)
+{
+  const double cosine =
+    (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) / (distance(a, Point3{}) * distance(b, Point3{}));
+  return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180.0 / kPi;
+}
+
+Point3 difference(const Point3& a, const Point3& b)
+{
+  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
+}
+
+/// Turned away from the directions of the grid.
+TriangleMesh askew(const TriangleMesh& mesh)
+{
+  return turned(turned(mesh, 0, 0.4), 1, 0.7);
+}
+
+MedialAxis axisOf(const TriangleMesh& mesh, int resolution, double angle = kDefaultAngle)
+{
+  MedialAxisOptions options;
+  options.topology = Topology::Preserve;
+  options.angle = angle;
+  return computeMedialAxis(mesh, makeGrid(mesh.bounds(), resolution), options);
+}
+
+Skeleton skeletonOf(const TriangleMesh& mesh, int resolution, double minBranch = kDefaultMinBranch)
+{
+  SkeletonOptions options;
+  options.minBranch = minBranch;
+  return computeSkeleton(axisOf(mesh, resolution), mesh, options);
+}
+
+std::vector<Point3> placesOf(const Skeleton& skeleton, const SkeletonBranch& branch)
+{
+  std::vector<Point3> places;
+  for (const std::int64_t point : branch.points)
+  {
+    places.push_back(skeleton.points[point]);
+  }
+  return places;
+}
+
+/// Sum of the angles between consecutive parts, degrees.
+double turning(const std::vector<Point3>& line)
+{
+  double sum = 0.0;
+  for (std::size_t i = 2; i < line.size(); ++i)
+  {
+    sum += angleBetween(difference(line[i - 1], line[i - 2]), difference(line[i], line[i - 1]));
+  }
+  return sum;
+}
+
+/// Tubes from the origin in directions of the plane, degrees.
+std::vector<Tube> star(const std::vector<double>& directions, double length, double radius)
+{
+  std::vector<Tube> tubes;
+  for (const double direction : directions)
+  {
+    const double a = direction * kPi / 180.0;
+    tubes.push_back({ Point3{}, { length * std::cos(a), length * std::sin(a), 0.0 }, radius });
+  }
+  return tubes;
+}
+
+/// A ring with spokes.
+std::vector<Tube> wheel(int spokes, double ring, double radius)
+{
+  constexpr int kParts = 60;
+  std::vector<Tube> tubes;
+  const auto rim = [ring](double turn) {
+    return Point3{ ring * std::cos(2.0 * kPi * turn), ring * std::sin(2.0 * kPi * turn), 0.0 };
+  };
+  for (int i = 0; i < kParts; ++i)
+  {
+    tubes.push_back({ rim(1.0 * i / kParts), rim((i + 1.0) / kParts), radius });
+  }
+  for (int i = 0; i < spokes; ++i)
+  {
+    tubes.push_back({ Point3{}, rim((i + 0.1) / spokes), radius });
+  }
+  return tubes;
+}
+
+/// A solid whose network is known.
+struct SolidCase
+{
+  TriangleMesh mesh;
+  std::vector<std::size_t> branches; ///< of each kind
+  std::int64_t junctions;
+  double length; ///< of the first branch; NaN if it is not known
+  double radius; ///< mean of the first branch; NaN if it is not known
+};
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+std::vector<Named<SolidCase>> cases()
+{
+  const auto one = [](BranchKind kind)
+  {
+    std::vector<std::size_t> counts(4, 0);
+    counts[static_cast<std::size_t>(kind)] = 1;
+    return counts;
+  };
+  return {
+    { "capsule",
+      [=] {
+        return SolidCase{ askew(uvCapsule(0.3, 2.0, 64)), one(BranchKind::Isolated), 0, 4.0, 0.3 };
+      } },
+    { "cylinder",
+      [=] {
+        return SolidCase{ askew(cylinder(0.3, 4.0, 64)), one(BranchKind::Isolated), 0, 3.4, 0.3 };
+      } },
+    { "squareBeam",
+      [=] {
+        return SolidCase{ askew(box({ 2.0, 0.25, 0.25 })), one(BranchKind::Isolated), 0, 3.5,
+          0.25 };
+      } },
+    { "openTube",
+      [=] {
+        return SolidCase{ askew(openTube(0.3, 4.0, 64)), one(BranchKind::Isolated), 0, 4.0, 0.3 };
+      } },
+    { "torus",
+      [=]
+      {
+        return SolidCase{ turned(torus(1.0, 0.2, 128, 64), 0, 0.4), one(BranchKind::Closed), 0,
+          2.0 * kPi, 0.2 };
+      } },
+    { "Y",
+      []
+      {
+        return SolidCase{ askew(unionOf(star({ 90, 210, 330 }, 1.5, 0.2), 0.05)), { 3, 0, 0, 0 }, 1,
+          1.5, kUnknown };
+      } },
+    { "T",
+      []
+      {
+        return SolidCase{ askew(unionOf(star({ 0, 180, 270 }, 1.5, 0.2), 0.05)), { 3, 0, 0, 0 }, 1,
+          1.5, kUnknown };
+      } },
+    { "X",
+      []
+      {
+        return SolidCase{ askew(unionOf(star({ 0, 90, 180, 270 }, 1.5, 0.2), 0.05)), { 4, 0, 0, 0 },
+          1, 1.5, kUnknown };
+      } },
+    { "obliqueX",
+      []
+      {
+        return SolidCase{ askew(unionOf(star({ 0, 60, 180, 240 }, 1.5, 0.2), 0.05)), { 4, 0, 0, 0 },
+          1, 1.5, kUnknown };
+      } },
+    { "wheel",
+      []
+      {
+        return SolidCase{ askew(unionOf(wheel(5, 1.5, 0.15), 0.06)), { 0, 10, 0, 0 }, 6,
+          1.5 * 0.4 * kPi, kUnknown };
+      } },
+    { "plate",
+      [=]
+      {
+        return SolidCase{ askew(box({ 2.0, 0.7, 0.1 })), one(BranchKind::Isolated), 0, kUnknown,
+          0.1 };
+      } },
+    { "cube",
+      [=] {
+        return SolidCase{ askew(box({ 1.0, 1.0, 1.0 })), one(BranchKind::Isolated), 0, 0.0, 1.0 };
+      } },
+    { "ball",
+      [=] {
+        return SolidCase{ icosphere(1.0, 4), one(BranchKind::Isolated), 0, 0.0, 1.0 };
+      } }
+  };
+}
+
+class SkeletonOfSolid : public testing::TestWithParam<Named<SolidCase>>
+{
+};
+
+} // namespace
+
+TEST_P(SkeletonOfSolid, HasItsBranchesJunctionsAndLengths)
+{
+  const SolidCase input = GetParam().make();
+  for (const int resolution : { 96, 128 })
+  {
+    SCOPED_TRACE(resolution);
+    const Skeleton skeleton = skeletonOf(input.mesh, resolution);
+    for (std::size_t kind = 0; kind < 4; ++kind)
+    {
+      EXPECT_EQ(skeleton.count(static_cast<BranchKind>(kind)), input.branches[kind]) << kind;
+    }
+    EXPECT_EQ(skeleton.junctions(), input.junctions);
+    const SkeletonBranch& first = skeleton.branches.front();
+    if (!std::isnan(input.length))
+    {
+      EXPECT_NEAR(first.length, input.length, 0.01 * input.length);
+    }
+    if (!std::isnan(input.radius))
+    {
+      EXPECT_NEAR(first.meanRadius, input.radius, 0.01 * input.radius);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Solids, SkeletonOfSolid, testing::ValuesIn(cases()), kNameOfParameter);
+
+TEST(Skeleton, RunsStraightThroughTheMiddleOfAStraightTube)
+{
+  constexpr int kResolution = 96;
+  for (const TriangleMesh& tube :
+    { uvCapsule(0.3, 2.0, 64), cylinder(0.3, 4.0, 64), box({ 0.3, 0.3, 2.0 }) })
+  {
+    const TriangleMesh mesh = askew(tube);
+    const double step = makeGrid(mesh.bounds(), kResolution).spacing[0];
+    const Skeleton skeleton = skeletonOf(mesh, kResolution);
+    ASSERT_EQ(skeleton.branches.size(), 1u);
+    const std::vector<Point3> line = placesOf(skeleton, skeleton.branches.front());
+    EXPECT_LT(turning(line), 10.0);
+    const TriangleMesh axis =
+      askew(makeMesh({ { 0.0, 0.0, -2.0 }, { 0.0, 0.0, 2.0 } }, {}, { { 0, 1 } }));
+    for (const Point3& point : line)
+    {
+      EXPECT_LT(distance(closestOnMesh(axis, point).point, point), 0.1 * step);
+    }
+  }
+}
+
+TEST(Skeleton, JunctionsLieWhereTheTubesCross)
+{
+  const std::vector<std::vector<double>> stars{ { 90, 210, 330 }, { 0, 180, 270 },
+    { 0, 90, 180, 270 }, { 0, 60, 180, 240 } };
+  for (const std::vector<double>& directions : stars)
+  {
+    SCOPED_TRACE(directions[1]);
+    const Skeleton skeleton =
+      skeletonOf(turned(unionOf(star(directions, 1.5, 0.2), 0.05), 2, 0.3), 96);
+    ASSERT_EQ(skeleton.branches.size(), directions.size());
+    ASSERT_EQ(skeleton.junctions(), 1);
+    std::vector<double> found;
+    for (const SkeletonBranch& branch : skeleton.branches)
+    {
+      const Point3& junction = skeleton.points[branch.points.front()];
+      EXPECT_LT(distance(junction, Point3{}), 0.2 * 0.2);
+      const Point3 along = difference(skeleton.points[branch.points.back()], junction);
+      found.push_back(
+        std::fmod(std::atan2(along[1], along[0]) * 180.0 / kPi - 0.3 * 180.0 / kPi + 720.0 + 1.0,
+          360.0) -
+        1.0);
+    }
+    std::sort(found.begin(), found.end());
+    for (std::size_t i = 0; i < found.size(); ++i)
+    {
+      EXPECT_NEAR(found[i], directions[i], 2.0);
+    }
+  }
+}
+
+TEST(Skeleton, HasTheComponentsAndLoopsOfTheAxis)
+{
+  const std::vector<TriangleMesh> meshes{
+    blocks({ "#######", "#.#.#.#", "#######", "#.#.#.#", "#######" }, 0.2),
+    blocks({ "#####", "#.#.#", "#####" }, 0.5),
+    appended(icosphere(1.0, 3), translated(torus(1.0, 0.3, 32, 16), { 3.0, 0.2, 0.1 })),
+    shell(0.6, 1.0, 3), askew(lPrism(1.0, 0.3)), ellipsoid(1.0, 0.8, 0.45, 3),
+    uvCapsule(0.3, 1.2, 12)
+  };
+  for (const TriangleMesh& mesh : meshes)
+  {
+    for (const double angle : { 20.0, 60.0, 120.0, 170.0 })
+    {
+      const MedialAxis axis = axisOf(mesh, 56, angle);
+      const CellTopology truth = topologyOf(axis);
+      for (const bool smooth : { true, false })
+      {
+        for (const double minBranch : { 0.0, 1.0, 1000.0 })
+        {
+          SCOPED_TRACE(std::to_string(angle) + " " + std::to_string(minBranch));
+          SkeletonOptions options;
+          options.smooth = smooth;
+          options.minBranch = minBranch;
+          const Skeleton skeleton = computeSkeleton(axis, mesh, options);
+          const CellTopology found = topologyOf(skeleton);
+          EXPECT_EQ(found.components, truth.components);
+          EXPECT_EQ(found.genus, truth.genus);
+          EXPECT_EQ(skeleton.openedCavities, truth.cavities);
+        }
+      }
+    }
+  }
+}
+
+TEST(Skeleton, OpensLoopsThatOnlyVoxelsClose)
+{
+  // Between two of these tubes the gap is so narrow that voxels touch across it.
+  const TriangleMesh mesh = turned(unionOf(star({ 0, 60, 180, 240 }, 1.5, 0.2), 0.05), 2, 0.3);
+  const MedialAxis axis = axisOf(mesh, 96);
+  ASSERT_GT(axis.solid->genus, 0);
+  EXPECT_EQ(topologyOf(computeSkeleton(axis, mesh)).genus, 0);
+}
+
+TEST(Skeleton, ArraysFitTogether)
+{
+  const TriangleMesh mesh = askew(unionOf(wheel(3, 1.5, 0.2), 0.1));
+  const MeshSearch search(mesh);
+  const Skeleton skeleton = skeletonOf(mesh, 64);
+  const std::size_t count = skeleton.points.size();
+  ASSERT_EQ(skeleton.radius.size(), count);
+  ASSERT_EQ(skeleton.arcLength.size(), count);
+  ASSERT_EQ(skeleton.degree.size(), count);
+  ASSERT_EQ(skeleton.tangent.size(), count);
+  std::vector<int> degree(count, 0);
+  double last = std::numeric_limits<double>::infinity();
+  for (const SkeletonBranch& branch : skeleton.branches)
+  {
+    EXPECT_LE(branch.length, last);
+    last = branch.length;
+    double length = 0.0;
+    for (std::size_t i = 0; i < branch.points.size(); ++i)
+    {
+      const std::int64_t point = branch.points[i];
+      EXPECT_NEAR(skeleton.radius[point], search.closest(skeleton.points[point]).distance, 1e-9);
+      if (i > 0)
+      {
+        length += distance(skeleton.points[point], skeleton.points[branch.points[i - 1]]);
+        ++degree[point];
+        ++degree[branch.points[i - 1]];
+      }
+      if (skeleton.degree[point] > 2)
+      {
+        EXPECT_EQ(skeleton.arcLength[point], 0.0);
+        EXPECT_EQ(skeleton.tangent[point], Point3{});
+        EXPECT_TRUE(i == 0 || i + 1 == branch.points.size());
+        continue;
+      }
+      EXPECT_NEAR(skeleton.arcLength[point], length, 1e-9);
+      EXPECT_NEAR(distance(skeleton.tangent[point], Point3{}), 1.0, 1e-9);
+      EXPECT_GE(skeleton.radius[point], branch.minRadius);
+      EXPECT_LE(skeleton.radius[point], branch.maxRadius);
+      const Point3& before = skeleton.points[branch.points[i - 1]];
+      EXPECT_LT(angleBetween(difference(skeleton.points[point], before), skeleton.tangent[point]),
+        20.0);
+    }
+    EXPECT_NEAR(branch.length, length, 1e-9);
+    EXPECT_GE(branch.meanRadius, branch.minRadius);
+    EXPECT_LE(branch.meanRadius, branch.maxRadius);
+  }
+  EXPECT_EQ(degree, skeleton.degree);
+}
+
+TEST(Skeleton, KeepsStubsThatRiseByMoreThanTheirRadius)
+{
+  const auto withStub = [](double rise)
+  {
+    return unionOf({ { { -1.5, 0.0, 0.0 }, { 1.5, 0.0, 0.0 }, 0.3 },
+                     { { 0.1, 0.0, 0.0 }, { 0.1, 0.3 + rise - 0.12, 0.0 }, 0.12 } },
+      0.05);
+  };
+  EXPECT_EQ(skeletonOf(withStub(0.3), 160).branches.size(), 3u);
+  EXPECT_EQ(skeletonOf(withStub(0.05), 160).branches.size(), 1u);
+}
+
+TEST(Skeleton, PrunesShortBranchesButNoLoops)
+{
+  const TriangleMesh mesh = unionOf(
+    { { { -1.5, 0.0, 0.0 }, { 1.5, 0.0, 0.0 }, 0.2 }, { {}, { 0.0, 0.8, 0.0 }, 0.2 } }, 0.05);
+  EXPECT_EQ(skeletonOf(mesh, 96, 3.0).branches.size(), 3u);
+  EXPECT_EQ(skeletonOf(mesh, 96, 5.0).branches.size(), 1u); // 0.8 / 0.2 is less
+  const Skeleton ring = skeletonOf(torus(1.0, 0.3, 64, 32), 64, 1000.0);
+  ASSERT_EQ(ring.branches.size(), 1u);
+  EXPECT_EQ(ring.branches.front().kind, BranchKind::Closed);
+}
+
+TEST(Skeleton, TurningScalingAndRefiningChangeLittle)
+{
+  const TriangleMesh mesh = unionOf(star({ 90, 210, 330 }, 1.5, 0.2), 0.05);
+  const Skeleton truth = skeletonOf(mesh, 96);
+  const auto expectSame = [&](const Skeleton& other, double scale)
+  {
+    ASSERT_EQ(other.branches.size(), truth.branches.size());
+    for (std::size_t b = 0; b < truth.branches.size(); ++b)
+    {
+      const SkeletonBranch& branch = truth.branches[b];
+      EXPECT_NEAR(other.branches[b].length, scale * branch.length, 0.01 * scale * branch.length);
+      EXPECT_NEAR(other.branches[b].meanRadius, scale * branch.meanRadius,
+        0.01 * scale * branch.meanRadius);
+    }
+  };
+  expectSame(skeletonOf(askew(mesh), 96), 1.0);
+  expectSame(skeletonOf(translated(scaled(mesh, 1e4), { 1e5, -3e5, 2e5 }), 96), 1e4);
+  expectSame(skeletonOf(scaled(mesh, 1e-5), 96), 1e-5);
+  expectSame(skeletonOf(subdivided(mesh, 1), 96), 1.0);
+}
+
+TEST(Skeleton, WithoutSmoothingItsPointsAreThoseOfTheAxis)
+{
+  const TriangleMesh mesh = askew(unionOf(star({ 90, 210, 330 }, 1.5, 0.2), 0.1));
+  const MedialAxis axis = axisOf(mesh, 64);
+  SkeletonOptions options;
+  options.smooth = false;
+  const Skeleton skeleton = computeSkeleton(axis, mesh, options);
+  EXPECT_EQ(skeleton.branches.size(), 3u);
+  for (const Point3& point : skeleton.points)
+  {
+    const double nearest = distance(*std::min_element(axis.points.begin(), axis.points.end(),
+                                      [&](const Point3& a, const Point3& b)
+                                      { return distance(a, point) < distance(b, point); }),
+      point);
+    EXPECT_LT(nearest, 1e-9);
+  }
+}
+
+TEST(Skeleton, DoesNotDependOnTheNumberOfThreads)
+{
+  const TriangleMesh mesh = askew(unionOf(wheel(5, 1.5, 0.15), 0.1));
+  const MedialAxis axis = axisOf(mesh, 64);
+  SkeletonOptions options;
+  options.execution.threads = 1;
+  const Skeleton one = computeSkeleton(axis, mesh, options);
+  options.execution.threads = 0;
+  const Skeleton all = computeSkeleton(axis, mesh, options);
+  EXPECT_EQ(one.points, all.points);
+  EXPECT_EQ(one.radius, all.radius);
+}
+
+TEST(Skeleton, RefusesWhatHasNone)
+{
+  const TriangleMesh mesh = icosphere(1.0, 2);
+  const MedialAxis axis = axisOf(mesh, 24);
+  const auto refusal = [&](const MedialAxis& input, double minBranch = 1.0)
+  {
+    SkeletonOptions options;
+    options.minBranch = minBranch;
+    try
+    {
+      computeSkeleton(input, mesh, options);
+    }
+    catch (const Error& error)
+    {
+      EXPECT_EQ(error.code(), ErrorCode::InvalidInput);
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(refusal(axis, -0.5), "minimum branch length -0.500000 is outside [0, infinity)");
+  EXPECT_NE(refusal(axis, std::nan("")), "");
+  EXPECT_NE(refusal(axis, std::numeric_limits<double>::infinity()), "");
+  MedialAxis other = axis;
+  other.side = Side::Exterior;
+  EXPECT_NE(refusal(other).find("interior"), std::string::npos);
+  other = axis;
+  other.sign = SignMethod::None;
+  EXPECT_NE(refusal(other).find("unsigned"), std::string::npos);
+  other = axis;
+  other.solid.reset();
+  EXPECT_NE(refusal(other).find("topology"), std::string::npos);
+  other = simplifyAxis(axis, { 10, {} });
+  EXPECT_NE(refusal(other).find("simplified"), std::string::npos);
+  other = axis;
+  other.vertices.clear();
+  other.lines.clear();
+  other.quads.clear();
+  EXPECT_NE(refusal(other).find("no grid point is inside"), std::string::npos);
+}
+
+TEST(Skeleton, CanBeCancelled)
+{
+  struct Stop final : Progress
+  {
+    void report(double, const char*) override {}
+    bool cancelled() override { return true; }
+  } stop;
+  const TriangleMesh mesh = icosphere(1.0, 2);
+  const MedialAxis axis = axisOf(mesh, 24);
+  SkeletonOptions options;
+  options.execution.progress = &stop;
+  try
+  {
+    computeSkeleton(axis, mesh, options);
+    ADD_FAILURE() << "it ran to its end";
+  }
+  catch (const Error& error)
+  {
+    EXPECT_EQ(error.code(), ErrorCode::Cancelled);
+  }
+}
