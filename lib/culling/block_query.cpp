@@ -2,7 +2,6 @@
 
 #include "base/longest_axis.h"
 #include "culling/nearest_element.h"
-#include "culling/nearest_site.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,6 +21,13 @@ constexpr std::ptrdiff_t kTogether = 32;
 constexpr int kBetween = 16;
 /// With more groups than this near a block, a search for each question is faster.
 constexpr int kManyGroups = 256;
+/// With at most this many, the elements near the block are copied side by side.
+constexpr int kFewGroups = 80;
+
+int packCount(int elements)
+{
+  return (elements + kLanes - 1) / kLanes;
+}
 
 FrameBox boxAround(const SiteQuery::Question* const* begin, const SiteQuery::Question* const* end)
 {
@@ -115,6 +121,40 @@ MEDIAL_VECTORISED int keepWithin(float limit, int count, int* groups, const floa
   return kept;
 }
 
+/// Returns the elements of a group that own sites which can be closest in a box, as bits.
+MEDIAL_VECTORISED unsigned ownersNear(const SiteGroup& group, const BoxReach& reach, float slack)
+{
+  const glm::vec3 offset = group.toGroup(glm::dvec3(reach.box().centre));
+  const ElementPosition centre(group, offset);
+  const Int8 parts = partsNear(group, AllElements(), centre,
+    reach.radius() + slack + roundingFrom(offset, group.extent));
+  return bits((parts != 0) & (centre.squared <= reach.squared()));
+}
+
+/// Finds the squared distances of a position from packed elements, and returns the least distance.
+MEDIAL_VECTORISED float nearestOf(const SiteGroup* packs, int count, const glm::vec3& x,
+  float* squared)
+{
+  Float8 least = splat(std::numeric_limits<float>::infinity());
+  for (int i = 0; i < count; ++i)
+  {
+    const Float8 candidate = ElementPosition(packs[i], x).squared;
+    store(candidate, squared + i * kLanes);
+    least = min(least, candidate);
+  }
+  float nearest = least[0];
+  for (int lane = 1; lane < kLanes; ++lane)
+  {
+    nearest = std::min(nearest, least[lane]);
+  }
+  return std::sqrt(nearest);
+}
+
+MEDIAL_VECTORISED bool anyWithin(const float* squared, float limit)
+{
+  return bits(loaded(squared) <= limit) != 0;
+}
+
 } // namespace
 
 BlockQuery::BlockQuery(const SiteQuery& query, const GroupTree& tree)
@@ -180,10 +220,17 @@ void BlockQuery::answer(const Block& block, const GroupList* near)
     this->answer({ middle, block.end }, near);
     return;
   }
-  near->refine(reachOf(block, tree_.slack()), groups_);
+  const BoxReach reach = reachOf(block, tree_.slack());
+  near->refine(reach, groups_);
   if (groups_.size() > kManyGroups)
   {
     this->searchEach(block);
+    return;
+  }
+  if (groups_.size() <= kFewGroups)
+  {
+    this->pack(reach);
+    this->answerFromPacks(block, reach);
     return;
   }
   for (Question** question = block.begin; question != block.end; ++question)
@@ -214,16 +261,20 @@ BoxReach BlockQuery::reachOf(const Block& block, float slack)
   return BoxReach(box, static_cast<float>(farthest) + 2.0f * slack);
 }
 
+NearestSite BlockQuery::startOf(const Question& question) const
+{
+  // Sites that others stand for are no answer.
+  return tree_.sites().active(question.closest.site)
+    ? NearestSite(tree_.sites(), question.x, question.closest, question.other)
+    : NearestSite(tree_.sites(), question.x);
+}
+
 void BlockQuery::answerFrom(const GroupList& groups, Question& question)
 {
   const std::size_t room = static_cast<std::size_t>(groups.size());
   near_.groups.resize(std::max(near_.groups.size(), room));
   near_.squared.resize(std::max(near_.squared.size(), room * kLanes));
-  // Sites that others stand for are no answer.
-  const bool counts = tree_.sites().active(question.closest.site);
-  NearestSite nearest = counts
-    ? NearestSite(tree_.sites(), question.x, question.closest, question.other)
-    : NearestSite(tree_.sites(), question.x);
+  NearestSite nearest = this->startOf(question);
   constexpr float kUp = 1.0f + std::numeric_limits<float>::epsilon();
   const float known = static_cast<float>(glm::distance(question.x, question.closest.point)) * kUp;
   float distance = known;
@@ -240,6 +291,70 @@ void BlockQuery::answerFrom(const GroupList& groups, Question& question)
     nearest.offer(group, NearestSite::sitesNear(group, x, distance, tree_.slack(), parts), parts);
   }
   question.closest = nearest.closest();
+}
+
+void BlockQuery::pack(const BoxReach& reach)
+{
+  packed_ = 0;
+  extent_ = 0.0f;
+  for (const int id : groups_.groups())
+  {
+    const SiteGroup& group = tree_.groups()[id];
+    unsigned left = ownersNear(group, reach, tree_.slack());
+    if (left == 0)
+    {
+      continue;
+    }
+    const glm::vec3 shift(group.origin - glm::dvec3(reach.box().centre));
+    extent_ = std::max(extent_, glm::length(shift) + group.extent);
+    for (; left != 0; left &= left - 1, ++packed_)
+    {
+      packs_.resize(std::max<std::size_t>(packs_.size(), packCount(packed_ + 1)));
+      SiteGroup& pack = packs_[packed_ / kLanes];
+      const int lane = packed_ % kLanes;
+      pack.copy(lane, group, __builtin_ctz(left));
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        pack.start[axis][lane] += shift[axis];
+      }
+    }
+  }
+  for (int lane = packed_ % kLanes; lane != 0 && lane < kLanes; ++lane)
+  {
+    SiteGroup& last = packs_[packed_ / kLanes];
+    last.copy(lane, last, lane - 1);
+    last.owned[lane] = 0;
+  }
+  for (int i = 0; i < packCount(packed_); ++i)
+  {
+    packs_[i].extent = extent_;
+  }
+  squared_.resize(std::max(squared_.size(), packs_.size() * kLanes));
+}
+
+void BlockQuery::answerFromPacks(const Block& block, const BoxReach& reach)
+{
+  const int count = packCount(packed_);
+  const glm::dvec3 centre(reach.box().centre);
+  SiteGroup::IntLanes parts;
+  for (Question** at = block.begin; at != block.end; ++at)
+  {
+    Question& question = **at;
+    const glm::vec3 x(question.x - centre);
+    const float rounding = roundingFrom(x, extent_);
+    const float distance = nearestOf(packs_.data(), count, x, squared_.data()) + rounding;
+    const float limit = (distance + rounding) * (distance + rounding);
+    NearestSite nearest = this->startOf(question);
+    for (int i = 0; i < count; ++i)
+    {
+      if (anyWithin(&squared_[i * kLanes], limit))
+      {
+        nearest.offer(packs_[i],
+          NearestSite::sitesNear(packs_[i], x, distance, tree_.slack(), parts), parts);
+      }
+    }
+    question.closest = nearest.closest();
+  }
 }
 
 } // namespace medial

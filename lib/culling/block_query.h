@@ -2,6 +2,7 @@
 
 #include "culling/group_list.h"
 #include "culling/group_tree.h"
+#include "culling/nearest_site.h"
 #include "culling/site_query.h"
 
 #include <cstddef>
@@ -47,7 +48,12 @@ private:
   void answer(const Block& block, const GroupList* near);
   void searchEach(const Block& block) const;
   static BoxReach reachOf(const Block& block, float slack);
+  /// Returns what is known of the closest site before any other is tried.
+  NearestSite startOf(const Question& question) const;
   void answerFrom(const GroupList& groups, Question& question);
+  /// Copies the elements of the block's groups that can be closest to some position in it.
+  void pack(const BoxReach& reach);
+  void answerFromPacks(const Block& block, const BoxReach& reach);
 
   const SiteQuery& query_;
   const GroupTree& tree_;
@@ -55,6 +61,10 @@ private:
   GroupList collected_; ///< near some blocks
   GroupList groups_;    ///< near a block
   Near near_;
+  std::vector<SiteGroup> packs_; ///< elements near the block, relative to its centre
+  int packed_ = 0;               ///< number of elements in them
+  float extent_ = 0.0f;          ///< largest distance of their corners from the centre
+  std::vector<float> squared_;   ///< distances of one position from the packed elements
 };
 
 } // namespace medial
