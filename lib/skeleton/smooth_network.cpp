@@ -1,6 +1,7 @@
 #include "skeleton/smooth_network.h"
 
 #include "skeleton/junctions.h"
+#include "skeleton/short_branches.h"
 
 #include <tbb/parallel_for.h>
 
@@ -148,9 +149,9 @@ private:
     tbb::parallel_for(std::size_t{ 0 }, result.size(),
       [&](std::size_t i)
       {
-        const double reach = std::max(kReachOfRadius * probe_.radius(curve.points[i]),
-                               kReachOfWidth * curve.widths[i]) /
-          step_;
+        const double width = curve.widths.empty() ? 0.0 : curve.widths[i];
+        const double reach =
+          std::max(kReachOfRadius * probe_.radius(curve.points[i]), kReachOfWidth * width) / step_;
         result[i] = std::min(kMaxReach, static_cast<int>(std::lround(std::max(kMinReach, reach))));
       });
     return result;
@@ -247,11 +248,22 @@ void smooth(GeometricNetwork& network, const SolidProbe& probe, double step, dou
         smoother.finish(branch, first);
       }
     });
-  // Lines may cross nearer to each other than branches of the axis meet.
-  do
+  // Lines may cross nearer to each other than branches of the axis meet, and farther outside.
+  for (bool changed = true; changed;)
   {
+    checkpoint();
     placeJunctions(network, probe, step);
-  } while (joinJunctions(network, probe, minBranch));
+    changed = joinJunctions(network, probe, minBranch);
+    const ShortBranches shortOnes = removeShortBranches(network, probe, minBranch);
+    for (const std::size_t b : shortOnes.merged)
+    {
+      Curve& curve = network.branches[b].curve;
+      curve = resampled(curve, step);
+      smoother.centre(curve, true);
+      smoother.smoothOnce(curve);
+    }
+    changed = changed || shortOnes.removed;
+  }
   for (NetworkBranch& branch : network.branches)
   {
     if (branch.curve.points.size() > 1)

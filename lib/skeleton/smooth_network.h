@@ -36,7 +36,7 @@ GeometricNetwork networkOf(const std::vector<CurvePath>& paths,
 
 /// Makes the curves smooth and moves them into the middle of the solid: junctions nearer
 /// than `minBranch` radii become one, free ends move to where the radius begins to fall, and
-/// junctions to where the lines of their branches cross.
+/// junctions to where the lines of their branches cross. Branches that are too short then go.
 /// @param step wanted distance of points.
 void smooth(GeometricNetwork& network, const SolidProbe& probe, double step, double minBranch,
   const Checkpoint& checkpoint);

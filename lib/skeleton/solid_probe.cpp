@@ -90,11 +90,12 @@ glm::dvec3 SolidProbe::widest(const glm::dvec3& x, const glm::dvec3& tangent) co
   constexpr double kFirstStep = 0.2;
   constexpr double kShorter = 0.75;
   constexpr int kSteps = 24;
+  DistanceQuery::Search search(query_);
   glm::dvec3 place = x;
-  double step = kFirstStep * this->radius(x);
+  double step = kFirstStep * glm::distance(search.closest(x).point, x);
   for (int i = 0; i < kSteps; ++i)
   {
-    glm::dvec3 away = place - query_.query().closest(place).point;
+    glm::dvec3 away = place - search.closest(place).point;
     away -= glm::dot(away, tangent) * tangent;
     const double length = glm::length(away);
     if (length > 0.0)
@@ -109,7 +110,8 @@ glm::dvec3 SolidProbe::widest(const glm::dvec3& x, const glm::dvec3& tangent) co
 glm::dvec3 SolidProbe::middle(const glm::dvec3& x, const glm::dvec3& tangent) const
 {
   constexpr std::size_t kDirections = 8;
-  const double radius = this->radius(x);
+  DistanceQuery::Search search(query_);
+  const double radius = glm::distance(search.closest(x).point, x);
   if (!(radius > 0.0) || tangent == glm::dvec3(0.0))
   {
     return x;
@@ -120,7 +122,7 @@ glm::dvec3 SolidProbe::middle(const glm::dvec3& x, const glm::dvec3& tangent) co
   {
     const double angle = glm::radians(360.0) * static_cast<double>(k) / kDirections;
     const glm::dvec3 offset = kReach * radius * (std::cos(angle) * u + std::sin(angle) * v);
-    const glm::dvec3 seen = (query_.query().closest(x + offset).point - x) / radius;
+    const glm::dvec3 seen = (search.closest(x + offset).point - x) / radius;
     samples[k] = { glm::dot(seen, u), glm::dot(seen, v) };
   }
   const Eigen::Vector2d centre = centreOf<2>(samples);

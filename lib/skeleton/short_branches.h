@@ -1,0 +1,24 @@
+#pragma once
+
+#include "skeleton/smooth_network.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace medial
+{
+
+/// What removeShortBranches() did.
+struct ShortBranches
+{
+  bool removed = false;
+  std::vector<std::size_t> merged; ///< branches made of two that a removed one had kept apart
+};
+
+/// Removes branches with a free end that are shorter than `minBranch` times the radius at their
+/// junction, or reach out of the ball there by less than `minBranch` times the radius of their end;
+/// at each junction only the worst. Where two branches are left at a junction, they become one.
+ShortBranches removeShortBranches(GeometricNetwork& network, const SolidProbe& probe,
+  double minBranch);
+
+} // namespace medial
