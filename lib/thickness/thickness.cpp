@@ -29,6 +29,11 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kFirstShare = 0.05;
 /// Next position on a ray, in multiples of the thickness at the previous point.
 constexpr double kGuess = 1.0;
+/// Surfaces that bend by less, degrees, count as one tessellated surface: what is seen from a ball
+/// under a smaller angle to the start may be nearer than the start.
+constexpr double kMaxBend = kDefaultAngle;
+/// What is seen under a larger angle may be nearer by this share only.
+constexpr double kTouching = 0.95;
 /// Margin for LocalCoordinates::around().
 constexpr double kMargin = 0.0;
 /// Number of points in a row that one thread handles. It is fixed, so that the result is, too.
@@ -56,6 +61,7 @@ public:
     , surface_(mesh, connectivity, kMargin)
     , sites_(surface_.sites())
     , ball_(surface_, angle, mesh.bounds().diagonal() / surface_.local().unit)
+    , bend_(surface_, kMaxBend, mesh.bounds().diagonal() / surface_.local().unit)
   {
     for (int vertex = 0; vertex < sites_.vertexCount(); ++vertex)
     {
@@ -105,9 +111,31 @@ private:
       return 0.0;
     }
     const std::optional<double> radius =
-      ball_.radius({ sites_.points()[vertex], inward_[vertex] }, kFirstShare * shortestEdge(vertex),
+      this->radius({ sites_.points()[vertex], inward_[vertex] }, kFirstShare * shortestEdge(vertex),
         guess, [&](int site) { return this->touches(site, vertex); });
     return radius ? 2.0 * *radius * surface_.local().unit : kNone;
+  }
+
+  /// A ball that is not far enough from a wall to touch the start, and sees this wall under less
+  /// than the angle, does not count. Neighbouring facets are no such wall.
+  template <typename Touches>
+  std::optional<double> radius(const TouchingBall::Ray& ray, double first, double guess,
+    const Touches& touches) const
+  {
+    std::optional<TouchingBall::Ball> bent;
+    if (angle_ > kMaxBend)
+    {
+      bent = bend_.find(ray, first, guess, touches);
+      if (!bent)
+      {
+        return std::nullopt;
+      }
+    }
+    const std::optional<TouchingBall::Ball> ball =
+      ball_.find(ray, first, bent && bent->position > 0.0 ? bent->position : guess, touches);
+    const bool excluded =
+      ball && bent && ball->closeness < kTouching * std::min(ball->startCloseness, bent->closeness);
+    return ball && !excluded ? std::optional(ball->radius) : std::nullopt;
   }
 
   double shortestEdge(int vertex) const
@@ -148,6 +176,7 @@ private:
   SurfaceQuery surface_;
   const SiteSet& sites_;
   TouchingBall ball_;
+  TouchingBall bend_;              ///< for kMaxBend
   std::vector<glm::dvec3> inward_; ///< of unit length, or zero
   std::vector<char> sharp_;
   bool exterior_ = false;

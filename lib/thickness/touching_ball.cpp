@@ -77,6 +77,11 @@ bool TouchingBall::isStart(const Sample& sample) const
   return sample.distance >= (1.0 - kSameDistance) * sample.t;
 }
 
+TouchingBall::Ball TouchingBall::ballOf(const Ray& ray, const Sample& sample)
+{
+  return { sample.distance, sample.t, ray.start + sample.point, sample.distance / sample.t };
+}
+
 TouchingBall::Sample TouchingBall::look(const Ray& ray, double t) const
 {
   // The start itself is on the surface, up to rounding.
@@ -99,10 +104,14 @@ static double meeting(const Interval& interval)
 {
   const auto& [low, high] = interval;
   const double t = 0.5 * (high.square - low.square) / (high.height - low.height);
-  // Rounding may place the meeting just above the interval, where an earlier look hit the centre.
+  // Rounding may place the meeting just outside the interval, where an earlier look hit the centre.
   if (t > high.t && t <= high.t * (1.0 + kSamePosition))
   {
     return high.t;
+  }
+  if (t < low.t && t >= low.t * (1.0 - kSamePosition))
+  {
+    return low.t;
   }
   // If they are parallel up to rounding, the tangents are one, and any position will do.
   return t >= low.t && t <= high.t ? t : 0.5 * (low.t + high.t);
@@ -157,9 +166,9 @@ bool TouchingBall::staysNarrow(const Ray& ray, const Interval& interval) const
   return true;
 }
 
-/// Looks inside an interval. Returns the radius if that settles the search; otherwise adds the
+/// Looks inside an interval. Returns the ball if that settles the search; otherwise adds the
 /// remaining parts of the interval, the lowest last.
-std::optional<double> TouchingBall::split(const Ray& ray, const Interval& interval,
+std::optional<TouchingBall::Ball> TouchingBall::split(const Ray& ray, const Interval& interval,
   std::vector<Interval>& pending) const
 {
   const auto& [low, high] = interval;
@@ -184,8 +193,11 @@ std::optional<double> TouchingBall::split(const Ray& ray, const Interval& interv
   if (!nearer)
   {
     // No other points are closest inside the interval.
-    const bool wide = high.wide || this->isWide(t, high, distance);
-    return wide ? std::optional(distance) : std::nullopt;
+    if (high.wide || this->isWide(t, high, distance))
+    {
+      return Ball{ distance, t, ray.start + high.point, distance / t };
+    }
+    return std::nullopt;
   }
   if (nearer->wide)
   {
@@ -199,18 +211,19 @@ std::optional<double> TouchingBall::split(const Ray& ray, const Interval& interv
   return std::nullopt;
 }
 
-std::optional<double> TouchingBall::search(const Ray& ray, const Sample& low, double guess) const
+std::optional<TouchingBall::Ball> TouchingBall::search(const Ray& ray, const Sample& low,
+  double guess) const
 {
   if (guess <= low.t || guess >= reach_)
   {
     return this->firstWide(ray, low, this->look(ray, reach_));
   }
   const Sample middle = this->look(ray, guess);
-  const std::optional<double> radius = this->firstWide(ray, low, middle);
-  return radius || middle.wide ? radius : this->firstWide(ray, middle, this->look(ray, reach_));
+  const std::optional<Ball> ball = this->firstWide(ray, low, middle);
+  return ball || middle.wide ? ball : this->firstWide(ray, middle, this->look(ray, reach_));
 }
 
-std::optional<double> TouchingBall::firstWide(const Ray& ray, const Sample& low,
+std::optional<TouchingBall::Ball> TouchingBall::firstWide(const Ray& ray, const Sample& low,
   const Sample& high) const
 {
   std::vector<Interval> pending{ { low, high } };
@@ -221,7 +234,7 @@ std::optional<double> TouchingBall::firstWide(const Ray& ray, const Sample& low,
     const bool point = interval.high.t - interval.low.t <= kSamePosition * interval.high.t;
     if (point && interval.high.wide)
     {
-      return interval.high.distance;
+      return ballOf(ray, interval.high);
     }
     const bool narrow =
       !interval.high.wide && (point || count > kMaxProofs || this->staysNarrow(ray, interval));
@@ -229,15 +242,15 @@ std::optional<double> TouchingBall::firstWide(const Ray& ray, const Sample& low,
     {
       continue;
     }
-    if (const std::optional<double> radius = this->split(ray, interval, pending))
+    if (const std::optional<Ball> ball = this->split(ray, interval, pending))
     {
-      return radius;
+      return ball;
     }
   }
   // This happens only if rounding hides the end: then the nearest known wide place counts.
   return pending.empty() || !pending.front().high.wide
     ? std::nullopt
-    : std::optional(pending.front().high.distance);
+    : std::optional(ballOf(ray, pending.front().high));
 }
 
 } // namespace medial

@@ -72,35 +72,8 @@ std::vector<Place> placesAt(const MeshSearch& search, const Point3& start, const
   return places;
 }
 
-} // namespace
-
-std::vector<Point3> pointNormals(const TriangleMesh& mesh)
-{
-  std::vector<Point3> normals(mesh.points.size(), Point3{});
-  for (const auto& triangle : mesh.triangles)
-  {
-    for (int corner = 0; corner < 3; ++corner)
-    {
-      const Point3& p = mesh.points[triangle[corner]];
-      const Point3 u = minus(mesh.points[triangle[(corner + 1) % 3]], p);
-      const Point3 v = minus(mesh.points[triangle[(corner + 2) % 3]], p);
-      const Point3 normal = cross(u, v);
-      const double area = length(normal);
-      for (int axis = 0; axis < 3 && area > 0.0; ++axis)
-      {
-        normals[triangle[corner]][axis] += normal[axis] / area * angleBetween(u, v);
-      }
-    }
-  }
-  for (Point3& normal : normals)
-  {
-    const double size = length(normal);
-    scale(normal, size > 1e-9 ? 1.0 / size : 0.0);
-  }
-  return normals;
-}
-
-double thicknessByBruteForce(const MeshSearch& search, const Point3& start, const Point3& direction,
+/// Follows the ray to the first place where `angle` is seen; its position is 0 if there is none.
+Place firstWide(const MeshSearch& search, const Point3& start, const Point3& direction,
   double angle, double firstStep)
 {
   constexpr double kGrowth = 1.01;
@@ -136,9 +109,54 @@ double thicknessByBruteForce(const MeshSearch& search, const Point3& start, cons
       places = placesAt(search, start, direction, positions, angle);
       wide = std::find_if(places.begin(), places.end() - 1, isWide);
     }
-    return 2.0 * wide->distance;
+    return *wide;
   }
-  return std::numeric_limits<double>::quiet_NaN();
+  return { 0.0, 0.0, false };
+}
+
+} // namespace
+
+std::vector<Point3> pointNormals(const TriangleMesh& mesh)
+{
+  std::vector<Point3> normals(mesh.points.size(), Point3{});
+  for (const auto& triangle : mesh.triangles)
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      const Point3& p = mesh.points[triangle[corner]];
+      const Point3 u = minus(mesh.points[triangle[(corner + 1) % 3]], p);
+      const Point3 v = minus(mesh.points[triangle[(corner + 2) % 3]], p);
+      const Point3 normal = cross(u, v);
+      const double area = length(normal);
+      for (int axis = 0; axis < 3 && area > 0.0; ++axis)
+      {
+        normals[triangle[corner]][axis] += normal[axis] / area * angleBetween(u, v);
+      }
+    }
+  }
+  for (Point3& normal : normals)
+  {
+    const double size = length(normal);
+    scale(normal, size > 1e-9 ? 1.0 / size : 0.0);
+  }
+  return normals;
+}
+
+double thicknessByBruteForce(const MeshSearch& search, const Point3& start, const Point3& direction,
+  double angle, double firstStep)
+{
+  constexpr double kBend = 60.0;
+  constexpr double kTouching = 0.95;
+  const Place ball = firstWide(search, start, direction, angle, firstStep);
+  bool found = ball.wide;
+  if (found && angle > kBend)
+  {
+    const Place bent = firstWide(search, start, direction, kBend, firstStep);
+    const Place begin = placesAt(search, start, direction, { firstStep }, angle).front();
+    found = ball.distance / ball.position >=
+      kTouching * std::min(begin.distance / begin.position, bent.distance / bent.position);
+  }
+  return found ? 2.0 * ball.distance : std::numeric_limits<double>::quiet_NaN();
 }
 
 } // namespace medial::test

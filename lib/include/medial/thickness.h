@@ -58,7 +58,10 @@ struct Thickness
 /// - Edges and tips that bend by less are ignored: their points see the opposite wall.
 /// - NaN where there is no such ball: at exteriors of convex parts, where an open mesh has no
 ///   opposite surface, and at points without a normal (of no triangle, or where the normals cancel
-///   out).
+///   out). Also where theta excludes the ball that touches: within half its height of the edges of
+///   a plate, balls touch two sides at 90 degrees, so above 90 there is none. Only surfaces that
+///   are seen under less than theta and less than 60 degrees, as on a tessellated curve, may be
+///   nearer to the ball's centre than the point; others by 5 % at most.
 ///
 /// On a tessellated curved surface the error falls with the square of the facets' size, as that of
 /// the tessellation does; a little more slowly where the axis is a point. A ball is the slowest
