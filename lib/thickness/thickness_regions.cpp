@@ -1,7 +1,9 @@
 #include "medial/thickness_regions.h"
 
+#include "base/checkpoint.h"
 #include "base/disjoint_sets.h"
 #include "medial/error.h"
+#include "sign/sign_choice.h"
 
 #include <glm/glm.hpp>
 
@@ -153,6 +155,32 @@ void checkThicknessLimits(const ThicknessLimits& limits)
       "minimum thickness " + textOf(*limits.min) + " is not below maximum thickness " +
         textOf(*limits.max));
   }
+}
+
+void requireInside(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
+  const Execution& execution)
+{
+  if (connectivity.closed())
+  {
+    return;
+  }
+  constexpr int kResolution = 32;
+  const Run run(execution);
+  const Checkpoint checkpoint(run, 0.0, "thickness");
+  run.onThreads(
+    [&]
+    {
+      const Grid grid = makeGrid(mesh.bounds(), kResolution);
+      SurfaceOrienter orienter;
+      const SignChoice sign(SignMethod::Auto, mesh, connectivity, grid, GridFrame(grid), orienter,
+        checkpoint);
+      if (sign.report().method == SignMethod::None)
+      {
+        throw Error(ErrorCode::InvalidInput,
+          "limits of the thickness of one side need a mesh with an inside; " +
+            sign.report().reason);
+      }
+    });
 }
 
 std::vector<ThicknessRegion> findThicknessRegions(const TriangleMesh& mesh,

@@ -33,6 +33,7 @@
 #include "medial/side.h"
 #include "medial/sign_method.h"
 #include "medial/simplification.h"
+#include "medial/subdivision.h"
 #include "medial/thickness.h"
 #include "medial/thickness_regions.h"
 #include "medial/triangle_mesh.h"

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "medial/execution.h"
 #include "medial/export.h"
 #include "medial/grid.h"
 #include "medial/mesh_connectivity.h"
@@ -35,6 +36,13 @@ struct ThicknessRegion
 /// @throws Error InvalidInput for a limit outside (0, infinity), a minimum that is not below the
 ///   maximum, and no limit at all.
 MEDIAL_EXPORT void checkThicknessLimits(const ThicknessLimits& limits);
+
+/// Checks that a mesh has an inside, closed or with holes that SignMethod::Auto closes, as it
+/// decides on a grid of 32 points. Thickness of one side of any other mesh says nothing about a
+/// solid.
+/// @throws Error InvalidInput if not, with the reason; Cancelled.
+MEDIAL_EXPORT void requireInside(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
+  const Execution& execution = {});
 
 /// Finds where a solid is too thin or too thick. A triangle is beyond a limit if the thickness at
 /// its centre is, by more than a millionth of the limit; triangles that share an edge are one

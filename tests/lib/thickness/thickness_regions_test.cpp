@@ -247,3 +247,13 @@ TEST(ThicknessRegions, RefusesWhatIsOutsideItsRange)
   EXPECT_THROW(findThicknessRegions(mesh, connectivity, computeThickness(mesh), { 0.1, {} }),
     Error);
 }
+
+TEST(ThicknessRegions, OneSideOfAnOpenMeshIsNoSolid)
+{
+  const auto require = [](const TriangleMesh& mesh)
+  { requireInside(mesh, analyseConnectivity(mesh)); };
+  EXPECT_NO_THROW(require(box({ 1.0, 1.0, 1.0 })));
+  EXPECT_NO_THROW(require(openTube(0.1, 4.0, 32))); // a vessel
+  EXPECT_THROW(require(plates(0.1, 1.0)), Error);
+  EXPECT_THROW(require(makeMesh({ { 0, 0, 0 }, { 1, 0, 0 } }, {}, { { 0, 1 } })), Error);
+}
