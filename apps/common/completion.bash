@@ -31,12 +31,13 @@ _medial_values()
       fi
       ;;
     --field-arrays) compgen -W "distance closest_point closest_cell closest_feature closest_site" -- "$2" ;;
-    --curves | --thickness) _medial_files "$2" vtp ;;
+    --curves | --thickness | --thin-regions) _medial_files "$2" vtp ;;
     --contacts) _medial_files "$2" vtp pvd ;;
     --animation) compgen -d -- "$2" ;;
     --field) _medial_files "$2" vti pvti nrrd mha nii.gz ;;
     --image | --thickness-image | --screenshot) _medial_files "$2" png ;;
     --html) _medial_files "$2" html ;;
+    --thickness-method) compgen -W "ball ray wall" -- "$2" ;;
     --colour) compgen -W "radius angle thickness" -- "$2" ;;
     --report | --json) _medial_files "$2" json ;;
   esac

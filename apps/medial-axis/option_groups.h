@@ -12,8 +12,10 @@ namespace medial::app
 /// What the user typed, before it becomes values of Options.
 struct OptionTexts
 {
-  std::string input, output, curves, field, thickness, thicknessImage, image, html, report;
+  std::string input, output, curves, field, thickness, thicknessImage, thinRegions, image, html,
+    report;
   std::string fieldArrays;
+  std::string thicknessMethod, minThickness, maxThickness, maxEdge;
   std::string lambda = "0";
   std::string minRadius = "0";
   std::string side = "interior";
@@ -32,6 +34,7 @@ void addOutputOptions(CLI::App& app, OptionTexts& texts);
 void addScanOptions(CLI::App& app, Options& options);
 void addGridOptions(CLI::App& app, OptionTexts& texts, Options& options);
 void addAxisOptions(CLI::App& app, OptionTexts& texts, Options& options);
+void addThicknessOptions(CLI::App& app, OptionTexts& texts);
 void addRunOptions(CLI::App& app, OptionTexts& texts, Options& options);
 ///@}
 

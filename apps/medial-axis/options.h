@@ -7,6 +7,7 @@
 
 #include "medial/compute_medial_axis.h"
 #include "medial/thickness.h"
+#include "medial/thickness_regions.h"
 
 #include <filesystem>
 #include <optional>
@@ -26,6 +27,7 @@ struct Options
   FieldSelection fieldArrays = kAllFieldArrays;
   std::filesystem::path thickness;      ///< .vtp
   std::filesystem::path thicknessImage; ///< .png
+  std::filesystem::path thinRegions;    ///< .vtp
   std::filesystem::path image;          ///< .png
   std::filesystem::path html;           ///< .html
   std::filesystem::path report;         ///< .json
@@ -33,6 +35,10 @@ struct Options
   std::optional<double> spacing; ///< instead of resolution
   double padding = kDefaultPadding;
   double angle = kDefaultAngle;
+  std::optional<ThicknessMethod> thicknessMethod;
+  std::optional<Length> minThickness;
+  std::optional<Length> maxThickness;
+  std::optional<Length> maxEdge; ///< of the surface whose thickness is computed; 0: as it is
   Length lambda;
   Length minRadius;
   Side side = Side::Interior;
@@ -47,8 +53,14 @@ struct Options
   DeviceOptions device;
   bool quiet = false;
 
+  /// Whether thickness must be within limits.
+  bool hasThicknessLimits() const { return minThickness || maxThickness; }
+
   /// Whether the thickness of the surface is to be computed.
-  bool wantsThickness() const { return !thickness.empty() || !thicknessImage.empty(); }
+  bool wantsThickness() const
+  {
+    return !thickness.empty() || !thicknessImage.empty() || this->hasThicknessLimits();
+  }
 
   /// Whether the distance field is needed.
   bool wantsField() const { return !field.empty() || this->wantsAxis(); }
@@ -72,6 +84,7 @@ std::optional<Options> parseOptions(int argc, char** argv);
 /// @param diagonal of the mesh's bounds, world units.
 MedialAxisOptions libraryOptions(const Options& options, double diagonal);
 ThicknessOptions thicknessOptions(const Options& options);
+ThicknessLimits thicknessLimits(const Options& options, double diagonal);
 ///@}
 
 } // namespace medial::app

@@ -12,7 +12,7 @@ Outputs::Outputs(const Options& options)
     field_.emplace(options.field, options.fieldArrays);
   }
   for (const auto* path : { &options.output, &options.curves, &options.image, &options.html,
-         &options.thickness, &options.thicknessImage })
+         &options.thickness, &options.thicknessImage, &options.thinRegions })
   {
     files_.add(*path);
   }

@@ -47,7 +47,7 @@ SideThickness::SideThickness(const TriangleMesh& mesh, const MeshConnectivity& c
   , ball_(surface_, angle_, diagonal_)
   , bend_(surface_, kMaxBend, diagonal_)
 {
-  if (method_ == ThicknessMethod::Ray)
+  if (method_ == ThicknessMethod::Ray || angle_ > kMaxBend)
   {
     opposite_.emplace(sites_, diagonal_);
   }
@@ -144,27 +144,34 @@ SideThickness::Value SideThickness::ballAt(const TouchingBall::Ray& ray, double 
   return { thickness * unit, atEdge };
 }
 
-/// A ball that is not far enough from a wall to touch the start, and sees this wall under less than
-/// the angle, does not count. Neighbouring facets are no such wall.
+/// A ball on the other side of the surface opposite does not touch the start, nor does one that is
+/// not far enough from a wall to touch the start, and sees this wall under less than the angle,
+/// does not count. Neighbouring facets are no such wall.
 template <typename Touches>
 std::optional<TouchingBall::Ball> SideThickness::touchingBall(const TouchingBall::Ray& ray,
   double first, double guess, const Touches& touches) const
 {
-  std::optional<TouchingBall::Ball> bent;
-  if (angle_ > kMaxBend)
+  if (angle_ <= kMaxBend)
   {
-    bent = bend_.find(ray, first, guess, touches);
-    if (!bent)
-    {
-      return std::nullopt;
-    }
+    return ball_.find(ray, first, guess, touches);
   }
-  const std::optional<TouchingBall::Ball> ball =
-    ball_.find(ray, first, bent && bent->position > 0.0 ? bent->position : guess, touches);
+  const std::optional<TouchingBall::Ball> bent = bend_.find(ray, first, guess, touches);
+  if (!bent)
+  {
+    return std::nullopt;
+  }
   const double touching = method_ == ThicknessMethod::Wall ? kTouchingWall : kTouching;
-  const bool excluded =
-    ball && bent && ball->closeness < touching * std::min(ball->startCloseness, bent->closeness);
-  return excluded ? std::nullopt : ball;
+  if (bent->position > 0.0)
+  {
+    TouchingBall::Ray close = ray;
+    close.minCloseness = touching * std::min(bent->startCloseness, bent->closeness);
+    const auto exit = opposite_->find(HalfLine(ray.start, ray.direction), sign_,
+      [&](int face) { return touches(face); });
+    const double end = exit ? exit->distance : ball_.reach();
+    return end > bent->position ? ball_.findBehind(close, *bent, end) : std::nullopt;
+  }
+  const std::optional<TouchingBall::Ball> ball = ball_.find(ray, first, guess, touches);
+  return ball && ball->closeness >= touching * ball->startCloseness ? ball : std::nullopt;
 }
 
 template <typename Skips>

@@ -68,7 +68,7 @@ private:
   std::vector<char> sharp_;        ///< per point
   std::vector<char> bent_;         ///< per point, of bends that are no tessellation
   std::optional<ConvexEdges> edges_;
-  std::optional<OppositeSurface> opposite_; ///< of rays only
+  std::optional<OppositeSurface> opposite_; ///< of rays, and for large angles
 };
 
 } // namespace medial

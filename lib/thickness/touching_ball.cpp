@@ -49,9 +49,9 @@ double TouchingBall::minStart() const
   return kMinStart * diagonal_;
 }
 
-bool TouchingBall::isWide(double t, const Sample& sample, double distance) const
+bool TouchingBall::isWide(const Ray& ray, double t, const Sample& sample, double distance) const
 {
-  return t - sample.height <= cosine_ * distance;
+  return t - sample.height <= cosine_ * distance && distance >= ray.minCloseness * t;
 }
 
 bool TouchingBall::isCertainlyWide(double t, double height, double distance) const
@@ -68,7 +68,7 @@ TouchingBall::Sample TouchingBall::sampleOf(const Ray& ray, double t, const Site
   sample.height = glm::dot(sample.point, ray.direction);
   sample.square = glm::dot(sample.point, sample.point);
   sample.distance = distanceAt(ray.direction, t, sample.point);
-  sample.wide = this->isWide(t, sample, sample.distance);
+  sample.wide = this->isWide(ray, t, sample, sample.distance);
   return sample;
 }
 
@@ -166,6 +166,26 @@ bool TouchingBall::staysNarrow(const Ray& ray, const Interval& interval) const
   return true;
 }
 
+/// The distance is at most that from the closest point of either end, x being p at t:
+///   |p - x(t)|^2 = square - 2 t height + t^2.
+/// It is less than closeness * t between two roots. If those of the ends overlap, it is everywhere.
+bool TouchingBall::isFar(const Ray& ray, const Interval& interval)
+{
+  const auto& [low, high] = interval;
+  const double share = 1.0 - ray.minCloseness * ray.minCloseness;
+  if (ray.minCloseness <= 0.0 || share <= 0.0 || low.distance >= ray.minCloseness * low.t ||
+    high.distance >= ray.minCloseness * high.t)
+  {
+    return false;
+  }
+  const auto root = [share](const Sample& end, double sign)
+  {
+    const double discriminant = end.height * end.height - share * end.square;
+    return (end.height + sign * std::sqrt(std::max(discriminant, 0.0))) / share;
+  };
+  return root(low, 1.0) >= root(high, -1.0);
+}
+
 /// Looks inside an interval. Returns the ball if that settles the search; otherwise adds the
 /// remaining parts of the interval, the lowest last.
 std::optional<TouchingBall::Ball> TouchingBall::split(const Ray& ray, const Interval& interval,
@@ -193,7 +213,7 @@ std::optional<TouchingBall::Ball> TouchingBall::split(const Ray& ray, const Inte
   if (!nearer)
   {
     // No other points are closest inside the interval.
-    if (high.wide || this->isWide(t, high, distance))
+    if (high.wide || this->isWide(ray, t, high, distance))
     {
       return Ball{ distance, t, ray.start + high.point, distance / t };
     }
@@ -223,6 +243,25 @@ std::optional<TouchingBall::Ball> TouchingBall::search(const Ray& ray, const Sam
   return ball || middle.wide ? ball : this->firstWide(ray, middle, this->look(ray, reach_));
 }
 
+std::optional<TouchingBall::Ball> TouchingBall::findBehind(const Ray& ray, const Ball& narrower,
+  double end) const
+{
+  const double height = glm::dot(narrower.opposite - ray.start, ray.direction);
+  if (narrower.position - height <= cosine_ * narrower.radius &&
+    narrower.closeness >= ray.minCloseness)
+  {
+    return narrower;
+  }
+  const Sample low = this->look(ray, narrower.position);
+  std::optional<Ball> ball =
+    low.wide ? std::optional(ballOf(ray, low)) : this->firstWide(ray, low, this->look(ray, end));
+  if (ball)
+  {
+    ball->startCloseness = narrower.startCloseness;
+  }
+  return ball;
+}
+
 std::optional<TouchingBall::Ball> TouchingBall::firstWide(const Ray& ray, const Sample& low,
   const Sample& high) const
 {
@@ -236,8 +275,8 @@ std::optional<TouchingBall::Ball> TouchingBall::firstWide(const Ray& ray, const 
     {
       return ballOf(ray, interval.high);
     }
-    const bool narrow =
-      !interval.high.wide && (point || count > kMaxProofs || this->staysNarrow(ray, interval));
+    const bool narrow = isFar(ray, interval) ||
+      (!interval.high.wide && (point || count > kMaxProofs || this->staysNarrow(ray, interval)));
     if (narrow)
     {
       continue;

@@ -34,8 +34,9 @@ public:
 
   struct Ray
   {
-    glm::dvec3 start;     ///< on the surface
-    glm::dvec3 direction; ///< of unit length
+    glm::dvec3 start;          ///< on the surface
+    glm::dvec3 direction;      ///< of unit length
+    double minCloseness = 0.0; ///< balls with less do not count
   };
 
   struct Ball
@@ -60,6 +61,10 @@ public:
   template <typename Touches>
   std::optional<Ball> find(const Ray& ray, double first, double guess,
     const Touches& touches) const;
+
+  /// Finds the ball where that of a smaller angle is known: nothing is wide before it.
+  /// @param end position where to stop, beyond that of the ball.
+  std::optional<Ball> findBehind(const Ray& ray, const Ball& narrower, double end) const;
 
   /// Rays end at this distance from their start.
   double reach() const { return reach_; }
@@ -90,7 +95,9 @@ private:
   Sample look(const Ray& ray, double t) const;
   std::optional<Sample> lookNearer(const Ray& ray, double t, double distance) const;
   Sample sampleOf(const Ray& ray, double t, const SitePoint& found) const;
-  bool isWide(double t, const Sample& sample, double distance) const;
+  bool isWide(const Ray& ray, double t, const Sample& sample, double distance) const;
+  /// Whether no ball between two positions can be close enough to the start.
+  static bool isFar(const Ray& ray, const Interval& interval);
   bool isCertainlyWide(double t, double height, double distance) const;
   std::optional<Ball> search(const Ray& ray, const Sample& low, double guess) const;
   bool staysNarrow(const Ray& ray, const Interval& interval) const;

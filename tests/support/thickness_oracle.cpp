@@ -72,9 +72,10 @@ std::vector<Place> placesAt(const MeshSearch& search, const Point3& start, const
   return places;
 }
 
-/// Follows the ray to the first place where `angle` is seen; its position is 0 if there is none.
+/// Follows the ray to the first place where `angle` is seen and whose distance is at least a share
+/// of the way so far; its position is 0 if there is none.
 Place firstWide(const MeshSearch& search, const Point3& start, const Point3& direction,
-  double angle, double firstStep)
+  double angle, double firstStep, double minCloseness)
 {
   constexpr double kGrowth = 1.01;
   constexpr int kSteps = 64;      // checked together
@@ -92,11 +93,20 @@ Place firstWide(const MeshSearch& search, const Point3& start, const Point3& dir
     }
     std::vector<Place> places = placesAt(search, start, direction, positions, angle);
     auto wide = std::find_if(places.begin(), places.end(), isWide);
+    // A ball that must be close to the start is on this side of the first surface.
+    const auto crossing = std::find_if(places.begin(), places.end(),
+      [&](const Place& place)
+      { return minCloseness > 0.0 && place.distance < (kGrowth - 1.0) * place.position; });
+    if (crossing < wide)
+    {
+      break;
+    }
     if (wide == places.end())
     {
       low = positions.back();
       continue;
     }
+    const double after = wide->position;
     for (int round = 0; round < kRefinements; ++round)
     {
       low = wide != places.begin() ? (wide - 1)->position : low;
@@ -109,7 +119,12 @@ Place firstWide(const MeshSearch& search, const Point3& start, const Point3& dir
       places = placesAt(search, start, direction, positions, angle);
       wide = std::find_if(places.begin(), places.end() - 1, isWide);
     }
-    return *wide;
+    if (wide->distance >= minCloseness * wide->position)
+    {
+      return *wide;
+    }
+    low = after;
+    next = kGrowth * after;
   }
   return { 0.0, 0.0, false };
 }
@@ -147,16 +162,16 @@ double thicknessByBruteForce(const MeshSearch& search, const Point3& start, cons
 {
   constexpr double kBend = 60.0;
   constexpr double kTouching = 0.95;
-  const Place ball = firstWide(search, start, direction, angle, firstStep);
-  bool found = ball.wide;
-  if (found && angle > kBend)
+  double minCloseness = 0.0;
+  if (angle > kBend)
   {
-    const Place bent = firstWide(search, start, direction, kBend, firstStep);
+    const Place bent = firstWide(search, start, direction, kBend, firstStep, 0.0);
     const Place begin = placesAt(search, start, direction, { firstStep }, angle).front();
-    found = ball.distance / ball.position >=
-      kTouching * std::min(begin.distance / begin.position, bent.distance / bent.position);
+    minCloseness = kTouching *
+      std::min(begin.distance / begin.position, bent.wide ? bent.distance / bent.position : 1.0);
   }
-  return found ? 2.0 * ball.distance : std::numeric_limits<double>::quiet_NaN();
+  const Place ball = firstWide(search, start, direction, angle, firstStep, minCloseness);
+  return ball.wide ? 2.0 * ball.distance : std::numeric_limits<double>::quiet_NaN();
 }
 
 } // namespace medial::test
