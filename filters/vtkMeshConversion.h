@@ -9,8 +9,12 @@
 #include "medial/compute_medial_axis.h"
 #include "medial/point_distance.h"
 #include "medial/skeleton.h"
+#include "medial/subdivision.h"
 #include "medial/thickness.h"
+#include "medial/thickness_regions.h"
 #include "medial/triangle_mesh.h"
+
+#include <vector>
 
 class vtkDataSet;
 class vtkImageData;
@@ -56,10 +60,25 @@ void ToPolyData(const medial::Skeleton& skeleton, vtkPolyData* output);
 
 /**
  * Attaches the point data array Thickness (float32, the active scalars) to the surface that mesh
- * was made from; NaN at points of no cell.
+ * was made from, or, if divided, that Subdivide() made of mesh; NaN at points of no cell. Where
+ * triangles have values, cells get an array of the same name: the least of their triangles, NaN for
+ * lines and vertices.
  */
 void AddThickness(const medial::Thickness& thickness, const medial::TriangleMesh& mesh,
-  vtkPolyData* surface);
+  vtkPolyData* surface, bool divided = false);
+
+/**
+ * Fills an empty output with the divided mesh of a surface, whose data arrays are passed on:
+ * interpolated at new points, copied to the triangles of a cell.
+ */
+void Subdivide(vtkPolyData* input, const medial::Subdivision& fine, vtkPolyData* output);
+
+/**
+ * Fills an empty output with the triangles of regions, with the point data array Thickness and the
+ * cell data arrays Region (the number of the region, from 1), Thickness and InputCell.
+ */
+void ToPolyData(const std::vector<medial::ThicknessRegion>& regions,
+  const medial::TriangleMesh& mesh, const medial::Thickness& thickness, vtkPolyData* output);
 
 /**
  * Attaches what is known of the points of a data set: the point data arrays Distance (the active

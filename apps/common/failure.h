@@ -10,11 +10,12 @@ namespace medial::app
 enum class ExitCode
 {
   Done = 0,
-  Usage = 2,    ///< an option is unknown, misplaced or out of its range
-  BadInput = 3, ///< the mesh cannot be read or used
-  NoGpu = 4,    ///< no usable OpenGL, or a software renderer with --require-gpu
-  NoSpace = 5,  ///< out of memory, or an output cannot be written
-  Fault = 70,   ///< the program itself is to blame: an exception that nobody expected
+  BeyondLimits = 1, ///< everything was done, but a check that the user asked for failed
+  Usage = 2,        ///< an option is unknown, misplaced or out of its range
+  BadInput = 3,     ///< the mesh cannot be read or used
+  NoGpu = 4,        ///< no usable OpenGL, or a software renderer with --require-gpu
+  NoSpace = 5,      ///< out of memory, or an output cannot be written
+  Fault = 70,       ///< the program itself is to blame: an exception that nobody expected
   Interrupted = 130
 };
 

@@ -53,6 +53,18 @@ const Names<Engine>& engineNames()
   return kNames;
 }
 
+const Names<ThicknessMethod>& thicknessMethodNames()
+{
+  static const Names<ThicknessMethod> kNames = { { "ball", ThicknessMethod::Ball },
+    { "ray", ThicknessMethod::Ray }, { "wall", ThicknessMethod::Wall } };
+  return kNames;
+}
+
+std::string nameOf(ThicknessMethod method)
+{
+  return nameIn(thicknessMethodNames(), method);
+}
+
 std::string nameOf(Side side)
 {
   return nameIn(sideNames(), side);

@@ -3,6 +3,7 @@
 #include "validators.h"
 
 #include "medial/compute_medial_axis.h"
+#include "medial/thickness.h"
 
 #include <string>
 
@@ -16,6 +17,7 @@ const Names<Representation>& representationNames();
 const Names<Topology>& topologyNames();
 const Names<SignMethod>& signNames();
 const Names<Engine>& engineNames();
+const Names<ThicknessMethod>& thicknessMethodNames();
 ///@}
 
 ///@{
@@ -25,6 +27,7 @@ std::string nameOf(Representation representation);
 std::string nameOf(SignMethod method);
 std::string nameOf(Engine engine);
 std::string nameOf(Topology topology);
+std::string nameOf(ThicknessMethod method);
 ///@}
 
 } // namespace medial::app

@@ -1,13 +1,16 @@
 #include "computation.h"
 
+#include "failure.h"
 #include "interrupt.h"
 #include "library_calls.h"
 #include "surface_thickness.h"
 #include "timer.h"
 
 #include "medial/compute_distance_field.h"
+#include "medial/error.h"
 
 #include <cmath>
+#include <string>
 
 namespace medial::app
 {
@@ -82,6 +85,42 @@ void computeAxis(const Options& options, const MedialAxisOptions& axisOptions, F
   result.measureSeconds = measuring.seconds();
 }
 
+void requireLimits(const ThicknessLimits& limits)
+{
+  try
+  {
+    checkThicknessLimits(limits);
+  }
+  catch (const Error& error)
+  {
+    throw Failure(ExitCode::Usage,
+      std::string("--min-thickness, --max-thickness: ") + error.what());
+  }
+}
+
+void measureThickness(const Options& options, const ThicknessOptions& wanted,
+  const ThicknessLimits& limits, Result& result)
+{
+  // Limits are to be kept inside large faces as well.
+  constexpr Length kMaxEdge{ 2.0, true };
+  const Length maxEdge =
+    options.maxEdge.value_or(options.hasThicknessLimits() ? kMaxEdge : Length{});
+  MeshConnectivity fineConnectivity;
+  if (maxEdge.value > 0.0)
+  {
+    const double diagonal = result.mesh.bounds().diagonal();
+    result.fineMesh = subdivide(result.mesh, maxEdge.inUnits(diagonal), wanted.execution);
+    fineConnectivity = analyseConnectivity(result.fineMesh->mesh, wanted.execution);
+  }
+  const MeshConnectivity& connectivity = result.fineMesh ? fineConnectivity : result.connectivity;
+  result.thickness = computeThickness(result.thicknessMesh(), connectivity, wanted);
+  if (options.hasThicknessLimits())
+  {
+    result.regions =
+      findThicknessRegions(result.thicknessMesh(), connectivity, *result.thickness, limits);
+  }
+}
+
 } // namespace
 
 Result prepare(const Surface& surface, const Options& options, ProgressBar& bar)
@@ -142,19 +181,35 @@ void computeSkeleton(const Options& options, ProgressBar& bar, Result& result)
 
 void computeThickness(const Options& options, Surface& surface, ProgressBar& bar, Result& result)
 {
+  if (!options.wantsThickness())
+  {
+    return;
+  }
   Watch watch(bar);
   ThicknessOptions wanted = thicknessOptions(options);
   wanted.execution.progress = &watch;
+  const double diagonal = result.mesh.bounds().diagonal();
+  const ThicknessLimits limits = thicknessLimits(options, diagonal);
+  if (options.hasThicknessLimits())
+  {
+    requireLimits(limits);
+  }
   withFailures(options.input,
     [&]
     {
-      if (options.wantsThickness())
+      if (options.hasThicknessLimits() && options.side != Side::Both)
       {
-        result.thickness = computeThickness(result.mesh, result.connectivity, wanted);
+        requireInside(result.mesh, result.connectivity, wanted.execution);
+      }
+      measureThickness(options, wanted, limits, result);
+      if (!options.thickness.empty() || !options.thicknessImage.empty())
+      {
+        result.thicknessSurface = withThickness(surface.polyData(), result);
       }
       if (!options.thicknessImage.empty())
       {
-        result.thicknessPicture = pictureOfThickness(surface.polyData(), wanted);
+        result.thicknessPicture = result.fineMesh ? result.thicknessSurface
+                                                  : pictureOfThickness(surface.polyData(), wanted);
       }
     });
   throwIfInterrupted();

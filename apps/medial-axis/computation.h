@@ -9,13 +9,16 @@
 #include "medial/compute_medial_axis.h"
 #include "medial/mesh_connectivity.h"
 #include "medial/skeleton.h"
+#include "medial/subdivision.h"
 #include "medial/thickness.h"
+#include "medial/thickness_regions.h"
 #include "medial/triangle_mesh.h"
 
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
 #include <optional>
+#include <vector>
 
 namespace medial::app
 {
@@ -34,10 +37,16 @@ struct Result
   MedialAxis axis;                               ///< empty where it is not wanted
   CellTopology axisTopology;                     ///< where a report is wanted
   std::optional<AxisCoverage> coverage;          ///< of an interior axis, for report or summary
-  std::optional<Thickness> thickness;            ///< of the mesh's points, where it is wanted
+  std::optional<Subdivision> fineMesh;           ///< with --max-edge, for thickness
+  std::optional<Thickness> thickness;            ///< of fineMesh or mesh, where it is wanted
+  std::vector<ThicknessRegion> regions;          ///< beyond the limits of thickness
+  vtkSmartPointer<vtkPolyData> thicknessSurface; ///< with the values, where it is wanted
+  vtkSmartPointer<vtkPolyData> thicknessPicture; ///< the same with enough points for a picture
   std::optional<Skeleton> skeleton;              ///< where it is wanted
-  vtkSmartPointer<vtkPolyData> thicknessPicture; ///< pictureOfThickness(), where it is wanted
   double measureSeconds = 0.0;                   ///< that topology and coverage took
+
+  /// The mesh that thickness is of.
+  const TriangleMesh& thicknessMesh() const { return fineMesh ? fineMesh->mesh : mesh; }
 };
 
 /// The mesh as the filters see it, and its grid.
@@ -56,7 +65,7 @@ void computeSkeleton(const Options& options, ProgressBar& bar, Result& result);
 
 /// Computes the thickness, as far as options ask for it.
 /// @param surface the one that the mesh of the result was made from.
-/// @throws Failure.
+/// @throws Failure; Usage for limits that contradict each other.
 void computeThickness(const Options& options, Surface& surface, ProgressBar& bar, Result& result);
 
 } // namespace medial::app

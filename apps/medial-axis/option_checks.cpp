@@ -79,6 +79,37 @@ FieldSelection fieldArraysOf(const std::filesystem::path& field, const std::stri
   return selection;
 }
 
+std::optional<Length> lengthOf(const std::string& text)
+{
+  return text.empty() ? std::nullopt : parseLength(text);
+}
+
+void convertThickness(const OptionTexts& texts, Options& options)
+{
+  options.thickness = texts.thickness;
+  options.thicknessImage = texts.thicknessImage;
+  options.thinRegions = texts.thinRegions;
+  if (!texts.thicknessMethod.empty())
+  {
+    options.thicknessMethod = thicknessMethodNames().at(texts.thicknessMethod);
+  }
+  options.minThickness = lengthOf(texts.minThickness);
+  options.maxThickness = lengthOf(texts.maxThickness);
+  options.maxEdge = lengthOf(texts.maxEdge);
+  const auto needs = [](const char* option, const std::string& value, bool given, const char* what)
+  {
+    if (!value.empty() && !given)
+    {
+      throw Failure(ExitCode::Usage, std::string(option) + " " + value + " needs " + what);
+    }
+  };
+  const char* const kAny = "--thickness, --thickness-image, --min-thickness or --max-thickness";
+  needs("--thickness-method", texts.thicknessMethod, options.wantsThickness(), kAny);
+  needs("--max-edge", texts.maxEdge, options.wantsThickness(), kAny);
+  needs("--thin-regions", texts.thinRegions, options.hasThicknessLimits(),
+    "--min-thickness or --max-thickness");
+}
+
 } // namespace
 
 void convertTexts(const OptionTexts& texts, bool spacingGiven, Options& options)
@@ -113,8 +144,7 @@ void convertTexts(const OptionTexts& texts, bool spacingGiven, Options& options)
   options.skeletonTable = texts.skeletonTable;
   options.field = texts.field;
   options.fieldArrays = fieldArraysOf(options.field, texts.fieldArrays);
-  options.thickness = texts.thickness;
-  options.thicknessImage = texts.thicknessImage;
+  convertThickness(texts, options);
   options.image = texts.image;
   options.html = texts.html;
   options.report = texts.report;
@@ -173,6 +203,7 @@ void checkFiles(const Options& options)
   checkExtension("--field", options.field, { ".vti", ".pvti", ".nrrd", ".mha", ".nii.gz" });
   checkExtension("--thickness", options.thickness, { ".vtp" });
   checkExtension("--thickness-image", options.thicknessImage, { ".png" });
+  checkExtension("--thin-regions", options.thinRegions, { ".vtp" });
   checkExtension("--image", options.image, { ".png" });
   checkExtension("--html", options.html, { ".html" });
   if (options.report != kStandardOutput)
@@ -184,12 +215,16 @@ void checkFiles(const Options& options)
   checkNotTheInput("--curves", options.curves, options.input);
   checkNotTheInput("--skeleton", options.skeleton, options.input);
   checkNotTheInput("--thickness", options.thickness, options.input);
+  checkNotTheInput("--thin-regions", options.thinRegions, options.input);
   checkDistinct("--output", options.output, "--curves", options.curves);
   checkDistinct("--output", options.output, "--thickness", options.thickness);
   checkDistinct("--curves", options.curves, "--thickness", options.thickness);
   checkDistinct("--output", options.output, "--skeleton", options.skeleton);
   checkDistinct("--curves", options.curves, "--skeleton", options.skeleton);
   checkDistinct("--skeleton", options.skeleton, "--thickness", options.thickness);
+  checkDistinct("--output", options.output, "--thin-regions", options.thinRegions);
+  checkDistinct("--curves", options.curves, "--thin-regions", options.thinRegions);
+  checkDistinct("--thickness", options.thickness, "--thin-regions", options.thinRegions);
   checkDistinct("--image", options.image, "--thickness-image", options.thicknessImage);
   if (!options.html.empty() && webFile("vtk.js").empty())
   {

@@ -70,9 +70,9 @@ void addOutputOptions(CLI::App& app, OptionTexts& texts)
     ->group(group);
   app
     .add_option("--thickness", texts.thickness,
-      "input surface with the point array Thickness: twice the radius of the medial ball that "
-      "touches the point, in world units, float32; NaN where there is no ball, 0 on convex edges "
-      "that bend by theta or more; uses --angle and --side, but no grid: it is exact")
+      "input surface with the point array Thickness and the cell array of the same name, in world "
+      "units, float32; NaN where there is none; see --thickness-method; uses --angle and --side, "
+      "but no grid: it is exact")
     ->option_text("FILE.vtp")
     ->group(group);
   app
@@ -80,6 +80,12 @@ void addOutputOptions(CLI::App& app, OptionTexts& texts)
       "picture of the surface coloured by thickness in world units, grey where there is none; "
       "large triangles get values inside as well")
     ->option_text("FILE.png")
+    ->group(group);
+  app
+    .add_option("--thin-regions", texts.thinRegions,
+      "triangles whose thickness is beyond --min-thickness or --max-thickness, with the cell "
+      "arrays Region (as numbered in the table), Thickness and InputCell")
+    ->option_text("FILE.vtp")
     ->group(group);
   app
     .add_option("--image", texts.image,
@@ -218,6 +224,52 @@ void addSkeletonOptions(CLI::App& app, Options& options)
     .add_flag_callback(
       "--no-smooth", [&options] { options.smooth = false; },
       "leave the branches on points of the axis, where they zigzag by a voxel")
+    ->group(group);
+}
+
+void addThicknessOptions(CLI::App& app, OptionTexts& texts)
+{
+  const std::string group = "Thickness";
+  const auto positive = []
+  {
+    return CLI::Validator(
+      [](std::string& word)
+      {
+        const auto found = parseLength(word);
+        return found && found->value > 0.0 ? std::string()
+                                           : word + " is no length > 0, such as 0.5 or 2%";
+      },
+      "");
+  };
+  app
+    .add_option("--thickness-method", texts.thicknessMethod,
+      "ball: twice the radius of the medial ball that touches the place, 0 on convex edges that "
+      "bend by theta or more; ray: the distance along the inward normal to the opposite surface; "
+      "wall: the diameter of the ball that touches the opposite wall, whose angle is at least 120, "
+      "near edges that of the nearest place with one; default ball, with limits wall")
+    ->option_text("METHOD")
+    ->check(oneOf(thicknessMethodNames()))
+    ->group(group);
+  app
+    .add_option("--min-thickness", texts.minThickness,
+      "lists the regions that are thinner, in world units or as L% of the diagonal of the mesh's "
+      "bounds, > 0; the exit code is 1 if there is one; convex edges and corners do not count")
+    ->option_text("L[%]")
+    ->check(positive())
+    ->group(group);
+  app
+    .add_option("--max-thickness", texts.maxThickness,
+      "the same for regions that are thicker; above --min-thickness")
+    ->option_text("L[%]")
+    ->check(positive())
+    ->group(group);
+  app
+    .add_option("--max-edge", texts.maxEdge,
+      "divides triangles for thickness until no edge is longer, in world units or as L% of the "
+      "diagonal, >= 0, 0 for not at all: thin regions smaller than that may be missed; default "
+      "0, with limits 2%")
+    ->option_text("L[%]")
+    ->check(length())
     ->group(group);
 }
 

@@ -13,8 +13,9 @@ namespace medial::app
 struct OptionTexts
 {
   std::string input, output, curves, skeleton, skeletonTable, field, thickness, thicknessImage,
-    image, html, report;
+    thinRegions, image, html, report;
   std::string fieldArrays;
+  std::string thicknessMethod, minThickness, maxThickness, maxEdge;
   std::string lambda = "0";
   std::string minRadius = "0";
   std::string side = "interior";
@@ -34,6 +35,7 @@ void addScanOptions(CLI::App& app, Options& options);
 void addGridOptions(CLI::App& app, OptionTexts& texts, Options& options);
 void addAxisOptions(CLI::App& app, OptionTexts& texts, Options& options);
 void addSkeletonOptions(CLI::App& app, Options& options);
+void addThicknessOptions(CLI::App& app, OptionTexts& texts);
 void addRunOptions(CLI::App& app, OptionTexts& texts, Options& options);
 ///@}
 

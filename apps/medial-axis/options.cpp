@@ -15,12 +15,12 @@ const char* const kFooter =
   "Input formats: .stl .obj .ply .off .vtp .vtk; scans: .nrrd .mha .mhd .nii .nii.gz .vti.\n"
   "Without any output the medial axis goes to <INPUT's name>_medial.vtp in the current folder. "
   "Existing files are replaced, but only once\n"
-  "the new ones are complete. --field, --thickness and --thickness-image compute no medial axis\n"
-  "unless another output needs one.\n"
+  "the new ones are complete. --field, --thickness, --thickness-image and limits of thickness\n"
+  "compute no medial axis unless another output needs one.\n"
   "\n"
-  "Exit codes: 0 done; 2 usage; 3 bad input; 4 no usable OpenGL where it is needed; 5 out of\n"
-  "memory or disk, or an output that cannot be written; 70 a fault of the program; 130\n"
-  "interrupted.";
+  "Exit codes: 0 done; 1 done, but the thickness is beyond its limits; 2 usage; 3 bad input; 4 no\n"
+  "usable OpenGL where it is needed; 5 out of memory or disk, or an output that cannot be\n"
+  "written; 70 a fault of the program; 130 interrupted.";
 
 } // namespace
 
@@ -42,6 +42,7 @@ std::optional<Options> parseOptions(int argc, char** argv)
   addGridOptions(app, texts, options);
   addAxisOptions(app, texts, options);
   addSkeletonOptions(app, options);
+  addThicknessOptions(app, texts);
   addRunOptions(app, texts, options);
   if (!parseCommandLine(app, argc, argv))
   {
@@ -74,11 +75,28 @@ MedialAxisOptions libraryOptions(const Options& options, double diagonal)
   return result;
 }
 
+ThicknessLimits thicknessLimits(const Options& options, double diagonal)
+{
+  ThicknessLimits limits;
+  if (options.minThickness)
+  {
+    limits.min = options.minThickness->inUnits(diagonal);
+  }
+  if (options.maxThickness)
+  {
+    limits.max = options.maxThickness->inUnits(diagonal);
+  }
+  return limits;
+}
+
 ThicknessOptions thicknessOptions(const Options& options)
 {
   ThicknessOptions result;
   result.angle = options.angle;
   result.side = options.side;
+  result.method = options.thicknessMethod.value_or(
+    options.hasThicknessLimits() ? ThicknessMethod::Wall : ThicknessMethod::Ball);
+  result.cells = true;
   result.execution.threads = options.threads;
   return result;
 }

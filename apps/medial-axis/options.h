@@ -8,6 +8,7 @@
 #include "medial/compute_medial_axis.h"
 #include "medial/skeleton.h"
 #include "medial/thickness.h"
+#include "medial/thickness_regions.h"
 
 #include <filesystem>
 #include <optional>
@@ -29,6 +30,7 @@ struct Options
   FieldSelection fieldArrays = kAllFieldArrays;
   std::filesystem::path thickness;      ///< .vtp
   std::filesystem::path thicknessImage; ///< .png
+  std::filesystem::path thinRegions;    ///< .vtp
   std::filesystem::path image;          ///< .png
   std::filesystem::path html;           ///< .html
   std::filesystem::path report;         ///< .json
@@ -36,6 +38,10 @@ struct Options
   std::optional<double> spacing; ///< instead of resolution
   double padding = kDefaultPadding;
   double angle = kDefaultAngle;
+  std::optional<ThicknessMethod> thicknessMethod;
+  std::optional<Length> minThickness;
+  std::optional<Length> maxThickness;
+  std::optional<Length> maxEdge; ///< of the surface whose thickness is computed; 0: as it is
   Length lambda;
   Length minRadius;
   Side side = Side::Interior;
@@ -52,8 +58,14 @@ struct Options
   DeviceOptions device;
   bool quiet = false;
 
+  /// Whether thickness must be within limits.
+  bool hasThicknessLimits() const { return minThickness || maxThickness; }
+
   /// Whether the thickness of the surface is to be computed.
-  bool wantsThickness() const { return !thickness.empty() || !thicknessImage.empty(); }
+  bool wantsThickness() const
+  {
+    return !thickness.empty() || !thicknessImage.empty() || this->hasThicknessLimits();
+  }
 
   /// Whether the skeleton is to be computed.
   bool wantsSkeleton() const { return !skeleton.empty() || !skeletonTable.empty(); }
@@ -81,6 +93,7 @@ std::optional<Options> parseOptions(int argc, char** argv);
 MedialAxisOptions libraryOptions(const Options& options, double diagonal);
 ThicknessOptions thicknessOptions(const Options& options);
 SkeletonOptions skeletonOptions(const Options& options);
+ThicknessLimits thicknessLimits(const Options& options, double diagonal);
 ///@}
 
 } // namespace medial::app

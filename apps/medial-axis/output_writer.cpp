@@ -101,8 +101,8 @@ OutputNotes writeOutputs(const Options& options, Surface& surface, const Result&
     [&](const auto& file)
     { notes.page = writeHtml(result.mesh, axis, axisCaption(options, result), file); });
   outputs.write(options.thickness,
-    [&](const auto& file)
-    { writeVtp(withThickness(surface.polyData(), result.mesh, *result.thickness), file); });
+    [&](const auto& file) { writeVtp(result.thicknessSurface, file); });
+  outputs.write(options.thinRegions, [&](const auto& file) { writeVtp(regionsOf(result), file); });
   const Timer thicknessPicture;
   outputs.write(options.thicknessImage,
     [&](const auto& file) {

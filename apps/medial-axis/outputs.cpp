@@ -13,7 +13,7 @@ Outputs::Outputs(const Options& options)
   }
   for (const auto* path :
     { &options.output, &options.curves, &options.skeleton, &options.skeletonTable, &options.image,
-      &options.html, &options.thickness, &options.thicknessImage })
+      &options.html, &options.thickness, &options.thicknessImage, &options.thinRegions })
   {
     files_.add(*path);
   }

@@ -60,7 +60,8 @@ std::vector<std::string> axisCaption(const Options& options, const Result& resul
 
 std::vector<std::string> thicknessCaption(const Options& options)
 {
-  return { options.input.filename().string(), sideAndAngle("thickness", options) };
+  return { options.input.filename().string(),
+    sideAndAngle("thickness (" + nameOf(thicknessOptions(options).method) + ")", options) };
 }
 
 } // namespace medial::app

@@ -101,12 +101,31 @@ Json describeSimplification(const SimplificationStatistics& simplification)
     { "seconds", simplification.seconds } };
 }
 
-// NaN becomes null.
-Json describeThickness(const Thickness& thickness, const Options& options)
+Json describeRegions(const std::vector<ThicknessRegion>& regions)
 {
-  return { { "side", nameOf(options.side) }, { "angle", options.angle }, { "min", thickness.min },
-    { "median", thickness.median }, { "max", thickness.max },
-    { "share_without", thickness.shareWithout() }, { "seconds", thickness.seconds } };
+  Json list = Json::array();
+  for (const ThicknessRegion& region : regions)
+  {
+    list.push_back({ { "kind", region.thin ? "thin" : "thick" }, { "area", region.area },
+      { "value", region.value }, { "place", region.place }, { "cells", region.cells } });
+  }
+  return list;
+}
+
+// NaN becomes null.
+Json describeThickness(const Result& result, const Options& options)
+{
+  const Thickness& thickness = *result.thickness;
+  const ThicknessLimits limits = thicknessLimits(options, result.mesh.bounds().diagonal());
+  const auto limit = [](const std::optional<double>& value)
+  { return value ? Json(*value) : Json(nullptr); };
+  return { { "method", nameOf(thicknessOptions(options).method) }, { "side", nameOf(options.side) },
+    { "angle", options.angle }, { "min", thickness.min }, { "median", thickness.median },
+    { "max", thickness.max }, { "share_without", thickness.shareWithout() },
+    { "triangles", result.thicknessMesh().triangles.size() }, { "min_limit", limit(limits.min) },
+    { "max_limit", limit(limits.max) },
+    { "regions", options.hasThicknessLimits() ? describeRegions(result.regions) : Json(nullptr) },
+    { "seconds", thickness.seconds } };
 }
 
 Json describe(const CellTopology& topology)
@@ -186,7 +205,7 @@ std::string makeReport(const Result& result, const Options& options, const AppSe
   report["side"] = ofAxis(nameOf(result.axis.side));
   if (result.thickness)
   {
-    report["thickness"] = describeThickness(*result.thickness, options);
+    report["thickness"] = describeThickness(result, options);
   }
   if (result.skeleton)
   {

@@ -5,6 +5,7 @@
 #include "output_writer.h"
 #include "outputs.h"
 #include "progress_bar.h"
+#include "region_table.h"
 #include "report.h"
 #include "scan_reader.h"
 #include "scan_surface.h"
@@ -87,6 +88,7 @@ void run(const Options& options)
   {
     printSummary(options, result, notes, seconds);
   }
+  requireNoRegions(options, result);
 }
 
 } // namespace medial::app

@@ -1,6 +1,7 @@
 #include "summary.h"
 
 #include "option_names.h"
+#include "region_table.h"
 
 #include <cmath>
 #include <cstdio>
@@ -44,17 +45,24 @@ void printEngine(const RunStatistics& statistics)
   std::printf("\n");
 }
 
+std::string thicknessName(const Options& options)
+{
+  const ThicknessMethod method = thicknessOptions(options).method;
+  return nameOf(options.side) +
+    (method == ThicknessMethod::Ball ? std::string() : " (" + nameOf(method) + ")");
+}
+
 void printThickness(const Options& options, const Thickness& thickness)
 {
   if (std::isnan(thickness.median))
   {
-    std::printf("thickness %s: none at any point, in %.2f s\n", nameOf(options.side).c_str(),
+    std::printf("thickness %s: none at any point, in %.2f s\n", thicknessName(options).c_str(),
       thickness.seconds);
     return;
   }
   std::printf("thickness %s: min %.4g, median %.4g, max %.4g, none at %.3g %% of the points, "
               "in %.2f s\n",
-    nameOf(options.side).c_str(), thickness.min, thickness.median, thickness.max,
+    thicknessName(options).c_str(), thickness.min, thickness.median, thickness.max,
     100.0 * thickness.shareWithout(), thickness.seconds);
 }
 
@@ -108,6 +116,7 @@ void printOutputs(const Options& options, const MedialAxis& axis, const OutputNo
   printFile(options.field, "distance field");
   printFile(options.thickness, "surface with thickness");
   printFile(options.thicknessImage, "picture of thickness");
+  printFile(options.thinRegions, "regions beyond the limits of thickness");
   printFile(options.image, "picture of axis and surface");
   printFile(options.html, "page with axis and surface");
   printFile(options.report, "report of the run");
@@ -279,6 +288,10 @@ void printSummary(const Options& options, const Result& result, const OutputNote
   if (result.skeleton)
   {
     printSkeleton(*result.skeleton);
+  }
+  if (options.hasThicknessLimits())
+  {
+    std::printf("%s", regionTable(result.regions).c_str());
   }
   printSeconds(result.statistics.seconds, seconds);
   printSimplification(result.axis);

@@ -35,13 +35,20 @@ vtkSmartPointer<vtkPolyData> divided(vtkPolyData* surface)
 
 } // namespace
 
-vtkSmartPointer<vtkPolyData> withThickness(vtkPolyData* surface, const TriangleMesh& mesh,
-  const Thickness& thickness)
+vtkSmartPointer<vtkPolyData> withThickness(vtkPolyData* surface, const Result& result)
 {
-  auto result = vtkSmartPointer<vtkPolyData>::New();
-  result->ShallowCopy(surface);
-  vtkMeshConversion::AddThickness(thickness, mesh, result);
-  return result;
+  auto output = vtkSmartPointer<vtkPolyData>::New();
+  if (result.fineMesh)
+  {
+    vtkMeshConversion::Subdivide(surface, *result.fineMesh, output);
+    vtkMeshConversion::AddThickness(*result.thickness, result.fineMesh->mesh, output, true);
+  }
+  else
+  {
+    output->ShallowCopy(surface);
+    vtkMeshConversion::AddThickness(*result.thickness, result.mesh, output, false);
+  }
+  return output;
 }
 
 vtkSmartPointer<vtkPolyData> pictureOfThickness(vtkPolyData* surface,
@@ -49,7 +56,17 @@ vtkSmartPointer<vtkPolyData> pictureOfThickness(vtkPolyData* surface,
 {
   const vtkSmartPointer<vtkPolyData> fine = divided(surface);
   const TriangleMesh mesh = buildTriangleMesh(vtkMeshConversion::ToMeshInput(fine));
-  return withThickness(fine, mesh, computeThickness(mesh, options));
+  ThicknessOptions ofPoints = options;
+  ofPoints.cells = false;
+  vtkMeshConversion::AddThickness(computeThickness(mesh, ofPoints), mesh, fine, false);
+  return fine;
+}
+
+vtkSmartPointer<vtkPolyData> regionsOf(const Result& result)
+{
+  auto output = vtkSmartPointer<vtkPolyData>::New();
+  vtkMeshConversion::ToPolyData(result.regions, result.thicknessMesh(), *result.thickness, output);
+  return output;
 }
 
 } // namespace medial::app

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "medial/thickness.h"
+#include "computation.h"
 
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
@@ -8,15 +8,18 @@
 namespace medial::app
 {
 
-/// A surface with the point data array Thickness.
-/// @param thickness of the points of `mesh`, which was made from `surface`.
-vtkSmartPointer<vtkPolyData> withThickness(vtkPolyData* surface, const TriangleMesh& mesh,
-  const Thickness& thickness);
+/// A surface with the point and cell data array Thickness, divided as the result's mesh is.
+/// @param result of `surface`, with its thickness.
+vtkSmartPointer<vtkPolyData> withThickness(vtkPolyData* surface, const Result& result);
 
 /// The surface of a picture: triangles with Thickness, the large ones divided until they show how
 /// it varies inside, since a CAD mesh has points on its edges only. The shape is the same.
 /// @throws Error as computeThickness().
 vtkSmartPointer<vtkPolyData> pictureOfThickness(vtkPolyData* surface,
   const ThicknessOptions& options);
+
+/// The triangles of all regions.
+/// @param result with its thickness.
+vtkSmartPointer<vtkPolyData> regionsOf(const Result& result);
 
 } // namespace medial::app

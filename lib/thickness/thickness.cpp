@@ -1,12 +1,13 @@
 #include "medial/thickness.h"
 
+#include "base/checkpoint.h"
 #include "base/run.h"
 #include "base/separation_angle.h"
 #include "base/stopwatch.h"
 #include "medial/error.h"
-#include "query/surface_query.h"
-#include "thickness/sharp_points.h"
-#include "thickness/touching_ball.h"
+#include "thickness/place_values.h"
+#include "thickness/side_thickness.h"
+#include "thickness/wall_extension.h"
 
 #include <tbb/parallel_for.h>
 
@@ -17,6 +18,7 @@
 #include <new>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace medial
 {
@@ -25,13 +27,7 @@ namespace
 
 constexpr const char* kPhase = "thickness";
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-/// First position on a ray: this share of the shortest edge that meets at its start.
-constexpr double kFirstShare = 0.05;
-/// Next position on a ray, in multiples of the thickness at the previous point.
-constexpr double kGuess = 1.0;
-/// Margin for LocalCoordinates::around().
-constexpr double kMargin = 0.0;
-/// Number of points in a row that one thread handles. It is fixed, so that the result is, too.
+/// Number of places in a row that one thread handles. It is fixed, so that the result is, too.
 constexpr std::size_t kRow = 64;
 /// Minimum number of such rows between two reports of progress, and maximum number of reports.
 constexpr std::size_t kMinRows = 8;
@@ -46,117 +42,24 @@ void checkOptions(const TriangleMesh& mesh, const ThicknessOptions& options)
   checkSeparationAngle(options.angle);
 }
 
-/// Computes the thickness of all points on one side.
-class SideThickness
+/// Measures all places of one kind.
+/// @param at of a place and a guess.
+template <typename At>
+PlaceValues measurePlaces(std::size_t count, const Run& run, const At& at)
 {
-public:
-  SideThickness(const TriangleMesh& mesh, const MeshConnectivity& connectivity, double angle)
-    : connectivity_(connectivity)
-    , angle_(angle)
-    , surface_(mesh, connectivity, kMargin)
-    , sites_(surface_.sites())
-    , ball_(surface_, angle, mesh.bounds().diagonal() / surface_.local().unit)
+  PlaceValues places(count);
+  // The result at one place is the guess for the next, since their balls are often alike.
+  const auto evaluate = [&](std::size_t first, std::size_t end)
   {
-    for (int vertex = 0; vertex < sites_.vertexCount(); ++vertex)
+    double guess = 0.0;
+    for (std::size_t place = first; place < end; ++place)
     {
-      const glm::dvec3 normal = surface_.normal(sites_.firstVertex() + vertex);
-      const double length = glm::length(normal);
-      inward_.push_back(length > 0.0 ? -normal / length : glm::dvec3(0.0));
+      const SideThickness::Value value = at(static_cast<int>(place), guess);
+      places.values[place] = static_cast<float>(value.thickness);
+      places.atEdge[place] = value.atEdge ? 1 : 0;
+      guess = value.thickness > 0.0 ? value.thickness : guess;
     }
-  }
-
-  /// Turns the rays to one side.
-  void face(Side side)
-  {
-    if ((side == Side::Exterior) != exterior_)
-    {
-      exterior_ = !exterior_;
-      for (glm::dvec3& direction : inward_)
-      {
-        direction = -direction;
-      }
-    }
-    const double sign = exterior_ ? -1.0 : 1.0;
-    sharp_ = sharpPoints(sites_, connectivity_, inward_, sign, angle_);
-  }
-
-  /// Computes the values of points [first, end), world units; NaN if there is no ball. The result
-  /// at one point is the guess for the next, since their balls are often alike.
-  void evaluate(std::size_t first, std::size_t end, std::vector<float>& values) const
-  {
-    double guess = ball_.reach();
-    for (std::size_t point = first; point < end; ++point)
-    {
-      const double value = this->at(static_cast<int>(point), guess);
-      values[point] = static_cast<float>(std::fmin(values[point], value));
-      guess = value > 0.0 ? kGuess * value / surface_.local().unit : guess;
-    }
-  }
-
-private:
-  double at(int vertex, double guess) const
-  {
-    if (inward_[vertex] == glm::dvec3(0.0))
-    {
-      return kNone;
-    }
-    if (sharp_[vertex])
-    {
-      return 0.0;
-    }
-    const std::optional<double> radius =
-      ball_.radius({ sites_.points()[vertex], inward_[vertex] }, kFirstShare * shortestEdge(vertex),
-        guess, [&](int site) { return this->touches(site, vertex); });
-    return radius ? 2.0 * *radius * surface_.local().unit : kNone;
-  }
-
-  double shortestEdge(int vertex) const
-  {
-    double shortest = std::numeric_limits<double>::max();
-    const int* end = connectivity_.pointEdges.end(vertex);
-    for (const int* edge = connectivity_.pointEdges.begin(vertex); edge != end; ++edge)
-    {
-      const glm::ivec2& ends = sites_.edges()[*edge];
-      shortest =
-        std::min(shortest, glm::distance(sites_.points()[ends[0]], sites_.points()[ends[1]]));
-    }
-    return shortest;
-  }
-
-  bool touches(int site, int vertex) const
-  {
-    switch (sites_.kind(site))
-    {
-      case SiteKind::Face:
-      {
-        const glm::ivec3& corners = sites_.faces()[site];
-        return corners[0] == vertex || corners[1] == vertex || corners[2] == vertex;
-      }
-      case SiteKind::Edge:
-      {
-        const glm::ivec2& ends = sites_.edges()[site - sites_.firstEdge()];
-        return ends[0] == vertex || ends[1] == vertex;
-      }
-      case SiteKind::Vertex:
-        break;
-    }
-    return site - sites_.firstVertex() == vertex;
-  }
-
-  const MeshConnectivity& connectivity_;
-  double angle_;
-  SurfaceQuery surface_;
-  const SiteSet& sites_;
-  TouchingBall ball_;
-  std::vector<glm::dvec3> inward_; ///< of unit length, or zero
-  std::vector<char> sharp_;
-  bool exterior_ = false;
-};
-
-/// Measures all points on one side.
-void measureSide(const SideThickness& thickness, const Run& run, std::vector<float>& values)
-{
-  const std::size_t count = values.size();
+  };
   const std::size_t rows = std::max(kMinRows, count / kRow / kMaxReports + 1);
   for (std::size_t first = 0; first < count; first += rows * kRow)
   {
@@ -168,28 +71,70 @@ void measureSide(const SideThickness& thickness, const Run& run, std::vector<flo
           [&](std::size_t row)
           {
             const std::size_t start = first + row * kRow;
-            thickness.evaluate(start, std::min(start + kRow, count), values);
+            evaluate(start, std::min(start + kRow, count));
           });
       });
   }
+  return places;
 }
 
-void compute(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
-  const ThicknessOptions& options, const Run& run, std::vector<float>& values)
+/// Keeps the smaller values of two sides.
+void takeSmaller(const PlaceValues& side, PlaceValues& all)
 {
+  for (std::size_t place = 0; place < side.values.size(); ++place)
+  {
+    if (std::isnan(all.values[place]) || side.values[place] < all.values[place])
+    {
+      all.values[place] = side.values[place];
+      all.atEdge[place] = side.atEdge[place];
+    }
+  }
+}
+
+struct AllValues
+{
+  PlaceValues points;
+  PlaceValues triangles;
+};
+
+void measureSide(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
+  const ThicknessOptions& options, const SideThickness& thickness, const Run& run, AllValues& all)
+{
+  const bool walls = options.method == ThicknessMethod::Wall;
+  const bool triangles = options.cells || walls;
+  PlaceValues points = measurePlaces(mesh.points.size(), run.part(0.0, triangles ? 1.0 / 3.0 : 1.0),
+    [&](int point, double guess) { return thickness.atPoint(point, guess); });
+  PlaceValues centres =
+    measurePlaces(triangles ? mesh.triangles.size() : 0, run.part(1.0 / 3.0, walls ? 0.95 : 1.0),
+      [&](int triangle, double guess) { return thickness.atTriangle(triangle, guess); });
+  if (walls)
+  {
+    extendWalls(mesh, connectivity, Checkpoint(run, 0.95, kPhase), points, centres);
+  }
+  takeSmaller(points, all.points);
+  takeSmaller(centres, all.triangles);
+}
+
+AllValues compute(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
+  const ThicknessOptions& options, const Run& run)
+{
+  const bool triangles = options.cells || options.method == ThicknessMethod::Wall;
+  AllValues all{ PlaceValues(mesh.points.size()),
+    PlaceValues(triangles ? mesh.triangles.size() : 0) };
   std::optional<SideThickness> thickness;
-  run.onThreads([&] { thickness.emplace(mesh, connectivity, options.angle); });
+  run.onThreads([&] { thickness.emplace(mesh, connectivity, options); });
   const bool both = options.side == Side::Both;
   if (options.side != Side::Exterior)
   {
-    thickness->face(Side::Interior);
-    measureSide(*thickness, run.part(0.0, both ? 0.5 : 1.0), values);
+    run.onThreads([&] { thickness->face(Side::Interior); });
+    measureSide(mesh, connectivity, options, *thickness, run.part(0.0, both ? 0.5 : 1.0), all);
   }
   if (options.side != Side::Interior)
   {
-    thickness->face(Side::Exterior);
-    measureSide(*thickness, run.part(both ? 0.5 : 0.0, 1.0), values);
+    run.onThreads([&] { thickness->face(Side::Exterior); });
+    measureSide(mesh, connectivity, options, *thickness, run.part(both ? 0.5 : 0.0, 1.0), all);
   }
+  return all;
 }
 
 void summarise(Thickness& thickness)
@@ -220,8 +165,14 @@ Thickness computeThickness(const TriangleMesh& mesh, const MeshConnectivity& con
   {
     const Stopwatch watch(thickness.seconds);
     run.report(0.0, kPhase);
-    thickness.values.assign(mesh.points.size(), static_cast<float>(kNone));
-    compute(mesh, connectivity, options, run, thickness.values);
+    AllValues all = compute(mesh, connectivity, options, run);
+    thickness.values = std::move(all.points.values);
+    if (options.cells)
+    {
+      thickness.atEdge = std::move(all.points.atEdge);
+      thickness.triangleValues = std::move(all.triangles.values);
+      thickness.triangleAtEdge = std::move(all.triangles.atEdge);
+    }
     summarise(thickness);
   }
   catch (const std::bad_alloc&)

@@ -49,9 +49,9 @@ double TouchingBall::minStart() const
   return kMinStart * diagonal_;
 }
 
-bool TouchingBall::isWide(double t, const Sample& sample, double distance) const
+bool TouchingBall::isWide(const Ray& ray, double t, const Sample& sample, double distance) const
 {
-  return t - sample.height <= cosine_ * distance;
+  return t - sample.height <= cosine_ * distance && distance >= ray.minCloseness * t;
 }
 
 bool TouchingBall::isCertainlyWide(double t, double height, double distance) const
@@ -68,13 +68,18 @@ TouchingBall::Sample TouchingBall::sampleOf(const Ray& ray, double t, const Site
   sample.height = glm::dot(sample.point, ray.direction);
   sample.square = glm::dot(sample.point, sample.point);
   sample.distance = distanceAt(ray.direction, t, sample.point);
-  sample.wide = this->isWide(t, sample, sample.distance);
+  sample.wide = this->isWide(ray, t, sample, sample.distance);
   return sample;
 }
 
 bool TouchingBall::isStart(const Sample& sample) const
 {
   return sample.distance >= (1.0 - kSameDistance) * sample.t;
+}
+
+TouchingBall::Ball TouchingBall::ballOf(const Ray& ray, const Sample& sample)
+{
+  return { sample.distance, sample.t, ray.start + sample.point, sample.distance / sample.t };
 }
 
 TouchingBall::Sample TouchingBall::look(const Ray& ray, double t) const
@@ -99,10 +104,14 @@ static double meeting(const Interval& interval)
 {
   const auto& [low, high] = interval;
   const double t = 0.5 * (high.square - low.square) / (high.height - low.height);
-  // Rounding may place the meeting just above the interval, where an earlier look hit the centre.
+  // Rounding may place the meeting just outside the interval, where an earlier look hit the centre.
   if (t > high.t && t <= high.t * (1.0 + kSamePosition))
   {
     return high.t;
+  }
+  if (t < low.t && t >= low.t * (1.0 - kSamePosition))
+  {
+    return low.t;
   }
   // If they are parallel up to rounding, the tangents are one, and any position will do.
   return t >= low.t && t <= high.t ? t : 0.5 * (low.t + high.t);
@@ -157,9 +166,29 @@ bool TouchingBall::staysNarrow(const Ray& ray, const Interval& interval) const
   return true;
 }
 
-/// Looks inside an interval. Returns the radius if that settles the search; otherwise adds the
+/// The distance is at most that from the closest point of either end, x being p at t:
+///   |p - x(t)|^2 = square - 2 t height + t^2.
+/// It is less than closeness * t between two roots. If those of the ends overlap, it is everywhere.
+bool TouchingBall::isFar(const Ray& ray, const Interval& interval)
+{
+  const auto& [low, high] = interval;
+  const double share = 1.0 - ray.minCloseness * ray.minCloseness;
+  if (ray.minCloseness <= 0.0 || share <= 0.0 || low.distance >= ray.minCloseness * low.t ||
+    high.distance >= ray.minCloseness * high.t)
+  {
+    return false;
+  }
+  const auto root = [share](const Sample& end, double sign)
+  {
+    const double discriminant = end.height * end.height - share * end.square;
+    return (end.height + sign * std::sqrt(std::max(discriminant, 0.0))) / share;
+  };
+  return root(low, 1.0) >= root(high, -1.0);
+}
+
+/// Looks inside an interval. Returns the ball if that settles the search; otherwise adds the
 /// remaining parts of the interval, the lowest last.
-std::optional<double> TouchingBall::split(const Ray& ray, const Interval& interval,
+std::optional<TouchingBall::Ball> TouchingBall::split(const Ray& ray, const Interval& interval,
   std::vector<Interval>& pending) const
 {
   const auto& [low, high] = interval;
@@ -184,8 +213,11 @@ std::optional<double> TouchingBall::split(const Ray& ray, const Interval& interv
   if (!nearer)
   {
     // No other points are closest inside the interval.
-    const bool wide = high.wide || this->isWide(t, high, distance);
-    return wide ? std::optional(distance) : std::nullopt;
+    if (high.wide || this->isWide(ray, t, high, distance))
+    {
+      return Ball{ distance, t, ray.start + high.point, distance / t };
+    }
+    return std::nullopt;
   }
   if (nearer->wide)
   {
@@ -199,18 +231,38 @@ std::optional<double> TouchingBall::split(const Ray& ray, const Interval& interv
   return std::nullopt;
 }
 
-std::optional<double> TouchingBall::search(const Ray& ray, const Sample& low, double guess) const
+std::optional<TouchingBall::Ball> TouchingBall::search(const Ray& ray, const Sample& low,
+  double guess) const
 {
   if (guess <= low.t || guess >= reach_)
   {
     return this->firstWide(ray, low, this->look(ray, reach_));
   }
   const Sample middle = this->look(ray, guess);
-  const std::optional<double> radius = this->firstWide(ray, low, middle);
-  return radius || middle.wide ? radius : this->firstWide(ray, middle, this->look(ray, reach_));
+  const std::optional<Ball> ball = this->firstWide(ray, low, middle);
+  return ball || middle.wide ? ball : this->firstWide(ray, middle, this->look(ray, reach_));
 }
 
-std::optional<double> TouchingBall::firstWide(const Ray& ray, const Sample& low,
+std::optional<TouchingBall::Ball> TouchingBall::findBehind(const Ray& ray, const Ball& narrower,
+  double end) const
+{
+  const double height = glm::dot(narrower.opposite - ray.start, ray.direction);
+  if (narrower.position - height <= cosine_ * narrower.radius &&
+    narrower.closeness >= ray.minCloseness)
+  {
+    return narrower;
+  }
+  const Sample low = this->look(ray, narrower.position);
+  std::optional<Ball> ball =
+    low.wide ? std::optional(ballOf(ray, low)) : this->firstWide(ray, low, this->look(ray, end));
+  if (ball)
+  {
+    ball->startCloseness = narrower.startCloseness;
+  }
+  return ball;
+}
+
+std::optional<TouchingBall::Ball> TouchingBall::firstWide(const Ray& ray, const Sample& low,
   const Sample& high) const
 {
   std::vector<Interval> pending{ { low, high } };
@@ -221,23 +273,23 @@ std::optional<double> TouchingBall::firstWide(const Ray& ray, const Sample& low,
     const bool point = interval.high.t - interval.low.t <= kSamePosition * interval.high.t;
     if (point && interval.high.wide)
     {
-      return interval.high.distance;
+      return ballOf(ray, interval.high);
     }
-    const bool narrow =
-      !interval.high.wide && (point || count > kMaxProofs || this->staysNarrow(ray, interval));
+    const bool narrow = isFar(ray, interval) ||
+      (!interval.high.wide && (point || count > kMaxProofs || this->staysNarrow(ray, interval)));
     if (narrow)
     {
       continue;
     }
-    if (const std::optional<double> radius = this->split(ray, interval, pending))
+    if (const std::optional<Ball> ball = this->split(ray, interval, pending))
     {
-      return radius;
+      return ball;
     }
   }
   // This happens only if rounding hides the end: then the nearest known wide place counts.
   return pending.empty() || !pending.front().high.wide
     ? std::nullopt
-    : std::optional(pending.front().high.distance);
+    : std::optional(ballOf(ray, pending.front().high));
 }
 
 } // namespace medial

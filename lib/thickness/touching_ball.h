@@ -34,20 +34,37 @@ public:
 
   struct Ray
   {
-    glm::dvec3 start;     ///< on the surface
-    glm::dvec3 direction; ///< of unit length
+    glm::dvec3 start;          ///< on the surface
+    glm::dvec3 direction;      ///< of unit length
+    double minCloseness = 0.0; ///< balls with less do not count
   };
 
-  /// Finds the radius of the ball.
+  struct Ball
+  {
+    double radius = 0.0;
+    double position = 0.0;      ///< of its centre on the ray; 0 for a ball of radius 0
+    glm::dvec3 opposite{ 0.0 }; ///< where it touches the surface, or the start
+    /// The radius as a share of the way of the centre: 1 for a ball that touches the start, less
+    /// where another surface is nearer to the centre.
+    double closeness = 1.0;
+    /// The same right at the start: below 1 on convex edges and tips.
+    double startCloseness = 1.0;
+  };
+
+  /// Finds the ball.
   /// @param first where to look first, local units, > 0: a fraction of the size of the cells that
   ///   meet at the start, since within that size the surface is a cone of facets.
   /// @param touches whether a site is among those that meet at the start. If such a site is seen at
   ///   a wide angle at once, the radius is 0.
   /// @param guess where to look next; it changes the time but not the result.
-  /// @return radius in local units; nothing if there is no such ball.
+  /// @return local units; nothing if there is no such ball.
   template <typename Touches>
-  std::optional<double> radius(const Ray& ray, double first, double guess,
+  std::optional<Ball> find(const Ray& ray, double first, double guess,
     const Touches& touches) const;
+
+  /// Finds the ball where that of a smaller angle is known: nothing is wide before it.
+  /// @param end position where to stop, beyond that of the ball.
+  std::optional<Ball> findBehind(const Ray& ray, const Ball& narrower, double end) const;
 
   /// Rays end at this distance from their start.
   double reach() const { return reach_; }
@@ -74,15 +91,18 @@ private:
   double minStart() const;
   /// Whether the start itself is the closest point.
   bool isStart(const Sample& sample) const;
+  static Ball ballOf(const Ray& ray, const Sample& sample);
   Sample look(const Ray& ray, double t) const;
   std::optional<Sample> lookNearer(const Ray& ray, double t, double distance) const;
   Sample sampleOf(const Ray& ray, double t, const SitePoint& found) const;
-  bool isWide(double t, const Sample& sample, double distance) const;
+  bool isWide(const Ray& ray, double t, const Sample& sample, double distance) const;
+  /// Whether no ball between two positions can be close enough to the start.
+  static bool isFar(const Ray& ray, const Interval& interval);
   bool isCertainlyWide(double t, double height, double distance) const;
-  std::optional<double> search(const Ray& ray, const Sample& low, double guess) const;
+  std::optional<Ball> search(const Ray& ray, const Sample& low, double guess) const;
   bool staysNarrow(const Ray& ray, const Interval& interval) const;
-  std::optional<double> firstWide(const Ray& ray, const Sample& low, const Sample& high) const;
-  std::optional<double> split(const Ray& ray, const Interval& interval,
+  std::optional<Ball> firstWide(const Ray& ray, const Sample& low, const Sample& high) const;
+  std::optional<Ball> split(const Ray& ray, const Interval& interval,
     std::vector<Interval>& pending) const;
 
   const SurfaceQuery& surface_;
@@ -93,7 +113,7 @@ private:
 };
 
 template <typename Touches>
-std::optional<double> TouchingBall::radius(const Ray& ray, double first, double guess,
+std::optional<TouchingBall::Ball> TouchingBall::find(const Ray& ray, double first, double guess,
   const Touches& touches) const
 {
   constexpr double kDescent = 1.0 / 64.0;
@@ -104,16 +124,21 @@ std::optional<double> TouchingBall::radius(const Ray& ray, double first, double 
   {
     if (low.t < this->minStart())
     {
-      return low.distance;
+      return ballOf(ray, low);
     }
     high = low;
     low = this->look(ray, kDescent * low.t);
   }
   if (low.wide)
   {
-    return 0.0;
+    return Ball{ 0.0, 0.0, ray.start };
   }
-  return this->search(ray, low, high.t > 0.0 ? high.t : guess);
+  std::optional<Ball> ball = this->search(ray, low, high.t > 0.0 ? high.t : guess);
+  if (ball)
+  {
+    ball->startCloseness = low.distance / low.t;
+  }
+  return ball;
 }
 
 } // namespace medial

@@ -179,6 +179,7 @@ TEST(MedialThicknessFilter, SideAndAngleArePassedOn)
   filter->SetAngle(120.0);
   filter->Update();
   EXPECT_GT(figure(filter->GetOutput(), "MinThickness"), 0.0);
+  EXPECT_GT(figure(filter->GetOutput(), "ShareWithout"), 0.0); // beside the edges
 }
 
 TEST(MedialThicknessFilter, ExecutesWhenSomethingChangedAndDoesNotModifyItself)

@@ -72,6 +72,63 @@ std::vector<Place> placesAt(const MeshSearch& search, const Point3& start, const
   return places;
 }
 
+/// Follows the ray to the first place where `angle` is seen and whose distance is at least a share
+/// of the way so far; its position is 0 if there is none.
+Place firstWide(const MeshSearch& search, const Point3& start, const Point3& direction,
+  double angle, double firstStep, double minCloseness)
+{
+  constexpr double kGrowth = 1.01;
+  constexpr int kSteps = 64;      // checked together
+  constexpr int kRefinements = 7; // of a step, into as many parts each
+  const double end = search.mesh().bounds().diagonal() / std::sin(std::min(angle, 90.0) * kDegree);
+  const auto isWide = [](const Place& place) { return place.wide; };
+  double low = 0.0;
+  double next = firstStep;
+  while (low < end)
+  {
+    std::vector<double> positions;
+    for (int i = 0; i < kSteps; ++i, next *= kGrowth)
+    {
+      positions.push_back(next);
+    }
+    std::vector<Place> places = placesAt(search, start, direction, positions, angle);
+    auto wide = std::find_if(places.begin(), places.end(), isWide);
+    // A ball that must be close to the start is on this side of the first surface.
+    const auto crossing = std::find_if(places.begin(), places.end(),
+      [&](const Place& place)
+      { return minCloseness > 0.0 && place.distance < (kGrowth - 1.0) * place.position; });
+    if (crossing < wide)
+    {
+      break;
+    }
+    if (wide == places.end())
+    {
+      low = positions.back();
+      continue;
+    }
+    const double after = wide->position;
+    for (int round = 0; round < kRefinements; ++round)
+    {
+      low = wide != places.begin() ? (wide - 1)->position : low;
+      const double high = wide->position;
+      positions.clear();
+      for (int i = 1; i <= kSteps; ++i)
+      {
+        positions.push_back(low + (high - low) * i / kSteps);
+      }
+      places = placesAt(search, start, direction, positions, angle);
+      wide = std::find_if(places.begin(), places.end() - 1, isWide);
+    }
+    if (wide->distance >= minCloseness * wide->position)
+    {
+      return *wide;
+    }
+    low = after;
+    next = kGrowth * after;
+  }
+  return { 0.0, 0.0, false };
+}
+
 } // namespace
 
 std::vector<Point3> pointNormals(const TriangleMesh& mesh)
@@ -103,42 +160,18 @@ std::vector<Point3> pointNormals(const TriangleMesh& mesh)
 double thicknessByBruteForce(const MeshSearch& search, const Point3& start, const Point3& direction,
   double angle, double firstStep)
 {
-  constexpr double kGrowth = 1.01;
-  constexpr int kSteps = 64;      // checked together
-  constexpr int kRefinements = 7; // of a step, into as many parts each
-  const double end = search.mesh().bounds().diagonal() / std::sin(std::min(angle, 90.0) * kDegree);
-  const auto isWide = [](const Place& place) { return place.wide; };
-  double low = 0.0;
-  double next = firstStep;
-  while (low < end)
+  constexpr double kBend = 60.0;
+  constexpr double kTouching = 0.95;
+  double minCloseness = 0.0;
+  if (angle > kBend)
   {
-    std::vector<double> positions;
-    for (int i = 0; i < kSteps; ++i, next *= kGrowth)
-    {
-      positions.push_back(next);
-    }
-    std::vector<Place> places = placesAt(search, start, direction, positions, angle);
-    auto wide = std::find_if(places.begin(), places.end(), isWide);
-    if (wide == places.end())
-    {
-      low = positions.back();
-      continue;
-    }
-    for (int round = 0; round < kRefinements; ++round)
-    {
-      low = wide != places.begin() ? (wide - 1)->position : low;
-      const double high = wide->position;
-      positions.clear();
-      for (int i = 1; i <= kSteps; ++i)
-      {
-        positions.push_back(low + (high - low) * i / kSteps);
-      }
-      places = placesAt(search, start, direction, positions, angle);
-      wide = std::find_if(places.begin(), places.end() - 1, isWide);
-    }
-    return 2.0 * wide->distance;
+    const Place bent = firstWide(search, start, direction, kBend, firstStep, 0.0);
+    const Place begin = placesAt(search, start, direction, { firstStep }, angle).front();
+    minCloseness = kTouching *
+      std::min(begin.distance / begin.position, bent.wide ? bent.distance / bent.position : 1.0);
   }
-  return std::numeric_limits<double>::quiet_NaN();
+  const Place ball = firstWide(search, start, direction, angle, firstStep, minCloseness);
+  return ball.wide ? 2.0 * ball.distance : std::numeric_limits<double>::quiet_NaN();
 }
 
 } // namespace medial::test

@@ -34,6 +34,8 @@
 #include "medial/sign_method.h"
 #include "medial/simplification.h"
 #include "medial/skeleton.h"
+#include "medial/subdivision.h"
 #include "medial/thickness.h"
+#include "medial/thickness_regions.h"
 #include "medial/triangle_mesh.h"
 #include "medial/version.h"

@@ -177,6 +177,68 @@ TEST(Thickness, ForWideAnglesIsThatOfTheMiddleSheet)
   }
 }
 
+// Within half the height of an edge balls touch two sides at 90 degrees and nothing opposite.
+TEST(Thickness, OfWhatThetaExcludesThereIsNone)
+{
+  const Point3 halfSides{ 2.0, 1.0, 0.5 };
+  const TriangleMesh mesh = subdivided(box(halfSides), 5);
+  for (const double angle : { 30.0, 60.0, 85.0, 95.0, 120.0, 150.0, 175.0 })
+  {
+    for (const TriangleMesh& turned : { mesh, tilted(mesh) })
+    {
+      const Thickness thickness = thicknessOf(turned, Side::Interior, angle);
+      int strip = 0;
+      int middle = 0;
+      for (std::size_t i = 0; i < mesh.points.size(); ++i)
+      {
+        const Point3& x = mesh.points[i];
+        const double truth = boxThickness(halfSides, x);
+        const bool onFace = std::abs(x[2]) > 0.499 && truth > 0.0;
+        const bool excluded = angle > 90.0 && truth < 0.95;
+        strip += onFace && truth < 0.95 ? 1 : 0;
+        middle += onFace && truth > 0.999 ? 1 : 0;
+        if (onFace && excluded)
+        {
+          ASSERT_TRUE(std::isnan(thickness.values[i])) << angle << " at gap " << 0.5 * truth;
+        }
+        else if (onFace && (angle < 90.0 || truth > 0.999))
+        {
+          ASSERT_NEAR(thickness.values[i], truth, kRounding) << angle;
+        }
+      }
+      EXPECT_GE(strip, 100);
+      EXPECT_GE(middle, 100);
+    }
+  }
+}
+
+// An edge that bends by less than theta is passed over: the opposite side counts.
+TEST(Thickness, OnEdgesThatBendByLessIsThatOpposite)
+{
+  const TriangleMesh mesh = subdivided(box({ 2.0, 1.0, 0.5 }), 2);
+  const Thickness thickness = thicknessOf(mesh, Side::Interior, 120.0);
+  for (std::size_t i = 0; i < mesh.points.size(); ++i)
+  {
+    const Point3& x = mesh.points[i];
+    if (std::abs(x[2]) > 0.499 && std::abs(x[1]) > 0.999)
+    {
+      ASSERT_NEAR(thickness.values[i], 1.0, kRounding);
+    }
+  }
+}
+
+// The excluded strip of a curved surface is as wide as that of a flat one, however it is divided.
+TEST(Thickness, OfCurvedSurfacesIsKeptAtWideAngles)
+{
+  for (const double angle : { 60.0, 120.0, 150.0 })
+  {
+    const TriangleMesh ball = icosphere(1.0, 3);
+    const Thickness thickness = thicknessOf(ball, Side::Interior, angle);
+    EXPECT_EQ(thickness.without, 0) << angle;
+    EXPECT_NEAR(thickness.min, 2.0, 0.03) << angle;
+  }
+}
+
 TEST(Thickness, OfAShellIsTheDifferenceOfTheRadii)
 {
   const double coarse = worst(shell(0.6, 1.0, 3), 0.4);

@@ -59,9 +59,9 @@ TEST(TouchingBall, GuessMayBeTheResult)
     for (const double guess : { truth, std::nextafter(truth, 0.0), std::nextafter(truth, HUGE_VAL),
            truth * (1.0 - 1e-15), truth * (1.0 + 1e-15), 0.7 * truth, 1.3 * truth })
     {
-      const auto radius = ball.radius(ray, kFirst * truth, guess, [](int) { return false; });
-      ASSERT_TRUE(radius);
-      ASSERT_NEAR(*radius, truth, 1e-9 * truth) << "from " << from << " towards " << towards;
+      const auto found = ball.find(ray, kFirst * truth, guess, [](int) { return false; });
+      ASSERT_TRUE(found);
+      ASSERT_NEAR(found->radius, truth, 1e-9 * truth) << "from " << from << " towards " << towards;
     }
   }
 }

@@ -1,4 +1,4 @@
-#include "thickness/sharp_points.h"
+#include "thickness/sharp_features.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,8 +43,8 @@ bool isSharpEdge(const SiteSet& sites, int edge, int first, int second, double s
   return sign * glm::dot(across, normal) < 0.0 && angleBetween(normal, other) >= angle;
 }
 
-void markSharpEdges(const SiteSet& sites, const MeshConnectivity& connectivity, double sign,
-  double angle, std::vector<char>& sharp)
+void findSharpEdges(const SiteSet& sites, const MeshConnectivity& connectivity, double sign,
+  double angle, SharpFeatures& sharp)
 {
   for (int edge = 0; edge < sites.edgeCount(); ++edge)
   {
@@ -52,8 +52,9 @@ void markSharpEdges(const SiteSet& sites, const MeshConnectivity& connectivity, 
     if (connectivity.edgeTriangles.size(edge) == 2 &&
       isSharpEdge(sites, edge, faces[0], faces[1], sign, angle))
     {
-      sharp[sites.edges()[edge][0]] = 1;
-      sharp[sites.edges()[edge][1]] = 1;
+      sharp.edges.push_back(edge);
+      sharp.points[sites.edges()[edge][0]] = 1;
+      sharp.points[sites.edges()[edge][1]] = 1;
     }
   }
 }
@@ -126,17 +127,18 @@ private:
 
 } // namespace
 
-std::vector<char> sharpPoints(const SiteSet& sites, const MeshConnectivity& connectivity,
+SharpFeatures sharpFeatures(const SiteSet& sites, const MeshConnectivity& connectivity,
   const std::vector<glm::dvec3>& inward, double sign, double angle)
 {
-  std::vector<char> sharp(inward.size(), 0);
-  markSharpEdges(sites, connectivity, sign, glm::radians(angle), sharp);
+  SharpFeatures sharp;
+  sharp.points.assign(inward.size(), 0);
+  findSharpEdges(sites, connectivity, sign, glm::radians(angle), sharp);
   const FacesBelow below(sites, inward);
-  for (std::size_t point = 0; point < sharp.size(); ++point)
+  for (std::size_t point = 0; point < inward.size(); ++point)
   {
     if (below.widest(static_cast<int>(point)) >= glm::radians(angle))
     {
-      sharp[point] = 1;
+      sharp.points[point] = 1;
     }
   }
   return sharp;

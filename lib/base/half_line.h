@@ -1,0 +1,40 @@
+#pragma once
+
+#include "base/box.h"
+
+#include <glm/glm.hpp>
+
+namespace medial
+{
+
+/// What lies from a position in one direction.
+class HalfLine
+{
+public:
+  /// @param direction unit vector.
+  HalfLine(const glm::dvec3& from, const glm::dvec3& direction)
+    : from_(from)
+    , direction_(direction)
+    , inverse_(1.0 / direction)
+  {
+  }
+
+  const glm::dvec3& from() const { return from_; }
+  const glm::dvec3& direction() const { return direction_; }
+
+  /// Whether it meets a box before a distance.
+  bool meets(const Box& box, double distance) const;
+
+  /// Returns the distance to a triangle; infinity if it does not meet it or runs in its plane.
+  /// @param margin how far outside it may pass, as a share of the triangle. Without one a line
+  ///   through an edge may slip through, by rounding.
+  double distanceTo(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
+    double margin = 0.0) const;
+
+private:
+  glm::dvec3 from_;
+  glm::dvec3 direction_;
+  glm::dvec3 inverse_;
+};
+
+} // namespace medial

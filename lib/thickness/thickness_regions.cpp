@@ -1,0 +1,228 @@
+#include "medial/thickness_regions.h"
+
+#include "base/checkpoint.h"
+#include "base/disjoint_sets.h"
+#include "medial/error.h"
+#include "sign/sign_choice.h"
+
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <sstream>
+#include <string>
+
+namespace medial
+{
+namespace
+{
+
+/// Values are single precision: this share beyond a limit is rounding.
+constexpr double kRounding = 1e-6;
+
+enum class Beyond : char
+{
+  Nothing,
+  Min,
+  Max
+};
+
+std::string textOf(double value)
+{
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+Beyond beyondOf(float value, bool atEdge, const ThicknessLimits& limits)
+{
+  const auto thickness = static_cast<double>(value);
+  if (std::isnan(thickness) || atEdge)
+  {
+    return Beyond::Nothing;
+  }
+  if (limits.min && thickness < *limits.min * (1.0 - kRounding))
+  {
+    return Beyond::Min;
+  }
+  return limits.max && thickness > *limits.max * (1.0 + kRounding) ? Beyond::Max : Beyond::Nothing;
+}
+
+glm::dvec3 positionOf(const TriangleMesh& mesh, int point)
+{
+  const Point3& x = mesh.points[point];
+  return { x[0], x[1], x[2] };
+}
+
+/// Collects the triangles of one region.
+class Collector
+{
+public:
+  Collector(const TriangleMesh& mesh, const Thickness& thickness, bool thin)
+    : mesh_(mesh)
+    , thickness_(thickness)
+  {
+    region_.thin = thin;
+  }
+
+  void add(int triangle)
+  {
+    const std::array<int, 3>& corners = mesh_.triangles[triangle];
+    const glm::dvec3 a = positionOf(mesh_, corners[0]);
+    const glm::dvec3 b = positionOf(mesh_, corners[1]);
+    const glm::dvec3 c = positionOf(mesh_, corners[2]);
+    region_.area += 0.5 * glm::length(glm::cross(b - a, c - a));
+    this->consider(thickness_.triangleValues[triangle], (a + b + c) / 3.0);
+    for (const int corner : corners)
+    {
+      if (!std::isnan(thickness_.values[corner]) && !thickness_.atEdge[corner])
+      {
+        this->consider(thickness_.values[corner], positionOf(mesh_, corner));
+      }
+    }
+    region_.triangles.push_back(triangle);
+    region_.cells.push_back(mesh_.triangleCells[triangle]);
+  }
+
+  ThicknessRegion finish()
+  {
+    std::sort(region_.cells.begin(), region_.cells.end());
+    region_.cells.erase(std::unique(region_.cells.begin(), region_.cells.end()),
+      region_.cells.end());
+    return std::move(region_);
+  }
+
+private:
+  void consider(float found, const glm::dvec3& place)
+  {
+    const auto value = static_cast<double>(found);
+    const bool better = region_.thin ? value < region_.value : value > region_.value;
+    if (first_ || better)
+    {
+      region_.value = value;
+      region_.place = { place.x, place.y, place.z };
+      first_ = false;
+    }
+  }
+
+  const TriangleMesh& mesh_;
+  const Thickness& thickness_;
+  ThicknessRegion region_;
+  bool first_ = true;
+};
+
+void joinNeighbours(const MeshConnectivity& connectivity, const std::vector<Beyond>& beyond,
+  DisjointSets& sets)
+{
+  const IncidenceLists& edges = connectivity.edgeTriangles;
+  for (int edge = 0; edge < edges.rows(); ++edge)
+  {
+    for (const int* a = edges.begin(edge); a != edges.end(edge); ++a)
+    {
+      for (const int* b = a + 1; b != edges.end(edge); ++b)
+      {
+        if (beyond[*a] != Beyond::Nothing && beyond[*a] == beyond[*b])
+        {
+          sets.join(*a, *b);
+        }
+      }
+    }
+  }
+}
+
+} // namespace
+
+void checkThicknessLimits(const ThicknessLimits& limits)
+{
+  const auto check = [](const std::optional<double>& limit, const char* name)
+  {
+    if (limit && !(*limit > 0.0 && std::isfinite(*limit)))
+    {
+      throw Error(ErrorCode::InvalidInput,
+        std::string(name) + " thickness " + textOf(*limit) + " is outside (0, infinity)");
+    }
+  };
+  check(limits.min, "minimum");
+  check(limits.max, "maximum");
+  if (!limits.min && !limits.max)
+  {
+    throw Error(ErrorCode::InvalidInput, "there is neither a minimum nor a maximum thickness");
+  }
+  if (limits.min && limits.max && *limits.min >= *limits.max)
+  {
+    throw Error(ErrorCode::InvalidInput,
+      "minimum thickness " + textOf(*limits.min) + " is not below maximum thickness " +
+        textOf(*limits.max));
+  }
+}
+
+void requireInside(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
+  const Execution& execution)
+{
+  if (connectivity.closed())
+  {
+    return;
+  }
+  constexpr int kResolution = 32;
+  const Run run(execution);
+  const Checkpoint checkpoint(run, 0.0, "thickness");
+  run.onThreads(
+    [&]
+    {
+      const Grid grid = makeGrid(mesh.bounds(), kResolution);
+      SurfaceOrienter orienter;
+      const SignChoice sign(SignMethod::Auto, mesh, connectivity, grid, GridFrame(grid), orienter,
+        checkpoint);
+      if (sign.report().method == SignMethod::None)
+      {
+        throw Error(ErrorCode::InvalidInput,
+          "limits of the thickness of one side need a mesh with an inside; " +
+            sign.report().reason);
+      }
+    });
+}
+
+std::vector<ThicknessRegion> findThicknessRegions(const TriangleMesh& mesh,
+  const MeshConnectivity& connectivity, const Thickness& thickness, const ThicknessLimits& limits)
+{
+  checkThicknessLimits(limits);
+  const std::size_t triangles = mesh.triangles.size();
+  if (thickness.triangleValues.size() != triangles ||
+    thickness.triangleAtEdge.size() != triangles || thickness.values.size() != mesh.points.size() ||
+    thickness.atEdge.size() != mesh.points.size())
+  {
+    throw Error(ErrorCode::InvalidInput,
+      "thickness has values of " + std::to_string(thickness.triangleValues.size()) +
+        " triangles, the mesh has " + std::to_string(triangles) +
+        "; ThicknessOptions::cells must be on");
+  }
+  std::vector<Beyond> beyond(triangles);
+  for (std::size_t i = 0; i < triangles; ++i)
+  {
+    beyond[i] = beyondOf(thickness.triangleValues[i], thickness.triangleAtEdge[i] != 0, limits);
+  }
+  DisjointSets sets(triangles);
+  joinNeighbours(connectivity, beyond, sets);
+  std::map<std::int64_t, Collector> collectors;
+  for (std::size_t i = 0; i < triangles; ++i)
+  {
+    if (beyond[i] != Beyond::Nothing)
+    {
+      const auto id = static_cast<std::int64_t>(i);
+      collectors.try_emplace(sets.find(id), mesh, thickness, beyond[i] == Beyond::Min)
+        .first->second.add(static_cast<int>(i));
+    }
+  }
+  std::vector<ThicknessRegion> regions;
+  for (auto& [id, collector] : collectors)
+  {
+    regions.push_back(collector.finish());
+  }
+  std::stable_sort(regions.begin(), regions.end(),
+    [](const ThicknessRegion& a, const ThicknessRegion& b)
+    { return a.thin != b.thin ? a.thin : (a.thin ? a.value < b.value : a.value > b.value); });
+  return regions;
+}
+
+} // namespace medial

@@ -1,0 +1,259 @@
+// Where solids with known walls are too thin or too thick.
+#include "medial/thickness_regions.h"
+
+#include "medial/error.h"
+
+#include "support/medial_truth.h"
+#include "support/shapes.h"
+#include "support/thickness_shapes.h"
+#include "support/transforms.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <vector>
+
+using namespace medial;
+using namespace medial::test;
+
+namespace
+{
+
+constexpr std::array<ThicknessMethod, 3> kMethods{ ThicknessMethod::Ball, ThicknessMethod::Ray,
+  ThicknessMethod::Wall };
+
+using Regions = std::vector<ThicknessRegion>;
+
+/// A mesh whose thickness is known.
+struct Measured
+{
+  explicit Measured(const TriangleMesh& surface, ThicknessMethod method = ThicknessMethod::Wall)
+    : mesh(surface)
+    , connectivity(analyseConnectivity(surface))
+  {
+    ThicknessOptions options;
+    options.method = method;
+    options.cells = true;
+    thickness = computeThickness(mesh, connectivity, options);
+  }
+
+  Regions beyond(const ThicknessLimits& limits) const
+  {
+    return findThicknessRegions(mesh, connectivity, thickness, limits);
+  }
+  Regions thin(double min) const { return this->beyond({ min, std::nullopt }); }
+
+  TriangleMesh mesh;
+  MeshConnectivity connectivity;
+  Thickness thickness;
+};
+
+std::string textOf(const Regions& regions)
+{
+  std::ostringstream text;
+  for (const ThicknessRegion& region : regions)
+  {
+    text << (region.thin ? "thin " : "thick ") << region.value << " at " << region.place[0] << " "
+         << region.place[1] << " " << region.place[2] << ", area " << region.area << ", "
+         << region.triangles.size() << " triangles\n";
+  }
+  return text.str();
+}
+
+void expectNone(const Regions& regions, const std::string& what)
+{
+  EXPECT_TRUE(regions.empty()) << what << "\n" << textOf(regions);
+}
+
+/// A rib 1 wide and 4 high on a base 3 high and 9 wide, 8 long.
+TriangleMesh ribOnBase()
+{
+  const std::string rib = "....#....";
+  const std::string base = "#########";
+  return subdivided(blocks({ rib, rib, rib, rib, base, base, base }, 4.0), 2);
+}
+
+void expectError(const ThicknessLimits& limits, const std::string& words)
+{
+  try
+  {
+    checkThicknessLimits(limits);
+    FAIL() << "no error about " << words;
+  }
+  catch (const Error& error)
+  {
+    EXPECT_EQ(error.code(), ErrorCode::InvalidInput);
+    EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+  }
+}
+
+} // namespace
+
+// A box is as thin as you like at its edges, whatever thickness is, but not thin.
+TEST(ThicknessRegions, EdgesOfABoxDoNotCount)
+{
+  const TriangleMesh mesh = subdivided(box({ 2.0, 1.0, 0.5 }), 4);
+  for (const ThicknessMethod method : kMethods)
+  {
+    for (const TriangleMesh& turned : { mesh, tilted(mesh) })
+    {
+      const Measured measured(turned, method);
+      for (const double min : { 0.01, 0.3, 0.9 })
+      {
+        expectNone(measured.thin(min), std::to_string(min));
+      }
+    }
+  }
+}
+
+TEST(ThicknessRegions, EdgeOfAWedgeDoesNotCount)
+{
+  for (const double angle : { 20.0, 30.0, 60.0, 90.0, 110.0 })
+  {
+    const TriangleMesh mesh = subdivided(wedge(angle, 2.0, 1.0), 4);
+    for (const ThicknessMethod method : kMethods)
+    {
+      const Measured measured(mesh, method);
+      for (const double min : { 0.01, 0.1, 0.2 })
+      {
+        expectNone(measured.thin(min),
+          std::to_string(angle) + " " + std::to_string(min) + " " +
+            std::to_string(static_cast<int>(method)));
+      }
+    }
+  }
+}
+
+// A blade of 8 degrees is a wall.
+TEST(ThicknessRegions, BladesCount)
+{
+  const TriangleMesh mesh = subdivided(wedge(8.0, 2.0, 1.0), 4);
+  for (const ThicknessMethod method : kMethods)
+  {
+    const Regions found = Measured(mesh, method).thin(0.05);
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_LT(found[0].value, 0.02);
+  }
+}
+
+TEST(ThicknessRegions, TipsDoNotCount)
+{
+  const TriangleMesh mesh = subdivided(regularTetrahedron(1.0), 4);
+  for (const ThicknessMethod method : kMethods)
+  {
+    EXPECT_TRUE(Measured(mesh, method).thin(0.05).empty());
+  }
+}
+
+TEST(ThicknessRegions, AChamferDoesNotCount)
+{
+  const double c = 0.05;
+  const TriangleMesh mesh = subdivided(
+    prism({ { -1, -0.5 }, { 1, -0.5 }, { 1, 0.5 - c }, { 1 - c, 0.5 }, { -1, 0.5 } }, 2.0), 4);
+  for (const ThicknessMethod method : kMethods)
+  {
+    expectNone(Measured(mesh, method).thin(0.4), std::to_string(static_cast<int>(method)));
+  }
+}
+
+TEST(ThicknessRegions, ARibIsOneRegionWithItsAreaAndWidth)
+{
+  const TriangleMesh mesh = ribOnBase();
+  const Regions found = Measured(mesh).thin(2.0);
+  ASSERT_EQ(found.size(), 1U) << textOf(found);
+  EXPECT_TRUE(found[0].thin);
+  EXPECT_NEAR(found[0].value, 1.0, 1e-6);
+  // Two sides of 4 x 8, the top of 1 x 8, the ends of 4 x 1; at the root the base begins to count.
+  EXPECT_NEAR(found[0].area, 2 * 32.0 + 8.0 + 2 * 4.0, 4.0);
+  EXPECT_FALSE(found[0].triangles.empty());
+  EXPECT_TRUE(std::is_sorted(found[0].cells.begin(), found[0].cells.end()));
+  EXPECT_TRUE(Measured(mesh).thin(0.99).empty());
+  // Balls and rays leave out the edges of the rib only.
+  for (const ThicknessMethod method : { ThicknessMethod::Ball, ThicknessMethod::Ray })
+  {
+    const Regions sides = Measured(mesh, method).thin(2.0);
+    ASSERT_GE(sides.size(), 1U);
+    EXPECT_LE(sides.size(), 2U);
+    double area = 0.0;
+    for (const ThicknessRegion& side : sides)
+    {
+      EXPECT_NEAR(side.value, 1.0, 1e-6);
+      area += side.area;
+    }
+    EXPECT_NEAR(area, 64.0, 16.0);
+  }
+}
+
+// A plate all of which is too thin, edges and narrow sides included.
+TEST(ThicknessRegions, AThinPlateIsOneRegion)
+{
+  const Point3 half{ 1.0, 0.8, 0.05 };
+  const TriangleMesh mesh = subdivided(box(half), 4);
+  const Regions found = Measured(mesh).thin(0.2);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_NEAR(found[0].area, 8.0 * (0.8 + 0.05 + 0.04), 1e-6);
+  EXPECT_NEAR(found[0].value, 0.1, 1e-7);
+  EXPECT_EQ(found[0].cells.size(), mesh.triangles.size());
+}
+
+TEST(ThicknessRegions, APlaceIsWhereTheValueIs)
+{
+  // A gap between plates that is narrowest at x = -1.
+  TriangleMesh mesh = subdivided(plates(0.4, 1.0), 3);
+  for (Point3& x : mesh.points)
+  {
+    x[2] *= 1.0 + 0.05 * x[0];
+  }
+  const Regions found = Measured(mesh, ThicknessMethod::Ball).beyond({ 0.39, 0.41 });
+  ASSERT_EQ(found.size(), 4U); // two sides each
+  EXPECT_TRUE(found[0].thin);
+  EXPECT_TRUE(found[1].thin);
+  EXPECT_FALSE(found[2].thin);
+  EXPECT_NEAR(found[0].value, 0.38, 0.001);
+  EXPECT_NEAR(found[0].place[0], -1.0, 1e-9);
+  EXPECT_NEAR(found[2].value, 0.42, 0.001);
+  EXPECT_NEAR(found[2].place[0], 1.0, 1e-9);
+}
+
+TEST(ThicknessRegions, AThickBlockIsFound)
+{
+  const Regions found = Measured(ribOnBase()).beyond({ std::nullopt, 2.0 });
+  ASSERT_GE(found.size(), 1U);
+  EXPECT_FALSE(found[0].thin);
+  EXPECT_NEAR(found[0].value, 3.0, 0.2);
+}
+
+TEST(ThicknessRegions, LimitsAtTheValueAreKept)
+{
+  const TriangleMesh mesh = subdivided(plates(0.1, 1.0), 2);
+  EXPECT_TRUE(Measured(mesh, ThicknessMethod::Ball).beyond({ 0.1, 0.1000001 }).empty());
+  EXPECT_TRUE(Measured(mesh, ThicknessMethod::Ray).beyond({ std::nullopt, 0.1 }).empty());
+}
+
+TEST(ThicknessRegions, RefusesWhatIsOutsideItsRange)
+{
+  expectError({ 2.0, 1.0 }, "minimum thickness 2 is not below maximum thickness 1");
+  expectError({ 1.0, 1.0 }, "not below");
+  expectError({ 0.0, {} }, "minimum thickness 0 is outside (0, infinity)");
+  expectError({ {}, -1.0 }, "maximum thickness -1");
+  expectError({ std::nan(""), {} }, "outside");
+  expectError({}, "neither");
+  const TriangleMesh mesh = box({ 1.0, 1.0, 1.0 });
+  const MeshConnectivity connectivity = analyseConnectivity(mesh);
+  EXPECT_THROW(findThicknessRegions(mesh, connectivity, computeThickness(mesh), { 0.1, {} }),
+    Error);
+}
+
+TEST(ThicknessRegions, OneSideOfAnOpenMeshIsNoSolid)
+{
+  const auto require = [](const TriangleMesh& mesh)
+  { requireInside(mesh, analyseConnectivity(mesh)); };
+  EXPECT_NO_THROW(require(box({ 1.0, 1.0, 1.0 })));
+  EXPECT_NO_THROW(require(openTube(0.1, 4.0, 32))); // a vessel
+  EXPECT_THROW(require(plates(0.1, 1.0)), Error);
+  EXPECT_THROW(require(makeMesh({ { 0, 0, 0 }, { 1, 0, 0 } }, {}, { { 0, 1 } })), Error);
+}
