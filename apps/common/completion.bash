@@ -31,7 +31,7 @@ _medial_values()
       fi
       ;;
     --field-arrays) compgen -W "distance closest_point closest_cell closest_feature closest_site" -- "$2" ;;
-    --curves | --skeleton | --thickness) _medial_files "$2" vtp ;;
+    --curves | --skeleton | --thickness | --thin-regions) _medial_files "$2" vtp ;;
     --skeleton-table) _medial_files "$2" csv ;;
     --contacts) _medial_files "$2" vtp pvd ;;
     --animation) compgen -d -- "$2" ;;
