@@ -28,6 +28,7 @@ struct Options
   std::filesystem::path skeletonTable; ///< .csv
   std::filesystem::path field;         ///< .vti, .pvti, .nrrd, .mha or .nii.gz
   FieldSelection fieldArrays = kAllFieldArrays;
+  std::optional<double> band;           ///< of a .vdb field, in grid points
   std::filesystem::path thickness;      ///< .vtp
   std::filesystem::path thicknessImage; ///< .png
   std::filesystem::path thinRegions;    ///< .vtp

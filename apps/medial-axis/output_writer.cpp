@@ -105,8 +105,11 @@ OutputNotes writeOutputs(const Options& options, Surface& surface, const Result&
   outputs.write(options.thinRegions, [&](const auto& file) { writeVtp(regionsOf(result), file); });
   const Timer thicknessPicture;
   outputs.write(options.thicknessImage,
-    [&](const auto& file) {
-      drawThickness(result.thicknessPicture, surface.polyData(), thicknessCaption(options), file);
+    [&](const auto& file)
+    {
+      const auto regions = result.regions.empty() ? nullptr : regionsOf(result);
+      drawThickness(result.thicknessPicture, surface.polyData(), regions, thicknessCaption(options),
+        file);
     });
   notes.pictureSeconds += thicknessPicture.seconds();
   return notes;

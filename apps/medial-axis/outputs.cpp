@@ -9,7 +9,7 @@ Outputs::Outputs(const Options& options)
 {
   if (!options.field.empty())
   {
-    field_.emplace(options.field, options.fieldArrays);
+    field_.emplace(options.field, options.fieldArrays, options.band.value_or(kDefaultBand));
   }
   for (const auto* path :
     { &options.output, &options.curves, &options.skeleton, &options.skeletonTable, &options.image,

@@ -60,8 +60,19 @@ std::vector<std::string> axisCaption(const Options& options, const Result& resul
 
 std::vector<std::string> thicknessCaption(const Options& options)
 {
-  return { options.input.filename().string(),
-    sideAndAngle("thickness (" + nameOf(thicknessOptions(options).method) + ")", options) };
+  const ThicknessMethod method = thicknessOptions(options).method;
+  const std::string what = "thickness by " + nameOf(method);
+  std::string settings = method == ThicknessMethod::Ball ? sideAndAngle(what, options)
+                                                         : what + ", " + nameOf(options.side);
+  if (options.minThickness)
+  {
+    settings += ", at least " + asText(*options.minThickness);
+  }
+  if (options.maxThickness)
+  {
+    settings += ", at most " + asText(*options.maxThickness);
+  }
+  return { options.input.filename().string(), settings };
 }
 
 } // namespace medial::app

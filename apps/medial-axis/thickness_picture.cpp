@@ -6,6 +6,7 @@
 
 #include <vtkActor.h>
 #include <vtkDataArray.h>
+#include <vtkFeatureEdges.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
@@ -52,9 +53,31 @@ void addSurface(Scene& scene, vtkPolyData* surface, vtkColorTransferFunction* co
   scene.add(actor);
 }
 
+// Thick lines in front of the surface, where one region or its triangles end.
+vtkSmartPointer<vtkActor> makeBorders(vtkPolyData* regions)
+{
+  vtkNew<vtkFeatureEdges> borders;
+  borders->SetInputData(regions);
+  borders->BoundaryEdgesOn();
+  borders->FeatureEdgesOff();
+  borders->NonManifoldEdgesOff();
+  borders->ManifoldEdgesOff();
+  borders->ColoringOff();
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(borders->GetOutputPort());
+  mapper->ScalarVisibilityOff();
+  mapper->SetRelativeCoincidentTopologyLineOffsetParameters(-4.0, -4.0);
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(0.85, 0.1, 0.1);
+  actor->GetProperty()->SetLineWidth(5.0);
+  actor->GetProperty()->LightingOff();
+  return actor;
+}
+
 } // namespace
 
-void drawThickness(vtkPolyData* coloured, vtkPolyData* surface,
+void drawThickness(vtkPolyData* coloured, vtkPolyData* surface, vtkPolyData* regions,
   const std::vector<std::string>& caption, const std::filesystem::path& file)
 {
   const VtkMessages messages;
@@ -64,6 +87,10 @@ void drawThickness(vtkPolyData* coloured, vtkPolyData* surface,
   colours->SetNanColor(0.72, 0.72, 0.72);
   addSurface(scene, coloured, colours);
   scene.add(makeSurface(surface).edges);
+  if (regions != nullptr)
+  {
+    scene.add(makeBorders(regions));
+  }
   scene.addScalarBar(colours, "Thickness\n(world units)", values.someMissing ? "none" : nullptr);
   scene.addCaption(caption);
   scene.draw({ surface }, file);

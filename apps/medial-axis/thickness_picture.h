@@ -14,9 +14,11 @@ namespace medial::app
 /// display.
 /// @param coloured has the array, and enough points to show how it varies.
 /// @param surface of the same shape, whose sharp edges are drawn.
+/// @param regions triangles beyond the limits, whose borders are drawn in red; null if there are
+/// none.
 /// @throws Failure NoGpu if there is no OpenGL, NoSpace if the file cannot be written completely.
 ///   The message does not name it.
-void drawThickness(vtkPolyData* coloured, vtkPolyData* surface,
+void drawThickness(vtkPolyData* coloured, vtkPolyData* surface, vtkPolyData* regions,
   const std::vector<std::string>& caption, const std::filesystem::path& file);
 
 } // namespace medial::app
