@@ -3,6 +3,7 @@
 
 #include "support/shapes.h"
 #include "support/thickness_shapes.h"
+#include "support/tubes.h"
 #include "support/transforms.h"
 
 #include <vtkCellData.h>

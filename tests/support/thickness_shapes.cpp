@@ -41,21 +41,6 @@ TriangleMesh tube(double inner, double outer, double height, int n)
   return makeMesh(points, triangles);
 }
 
-TriangleMesh openTube(double radius, double height, int n)
-{
-  const TriangleMesh closed = cylinder(radius, height, n);
-  std::vector<std::array<int, 3>> walls;
-  for (const auto& corners : closed.triangles)
-  {
-    const auto z = [&](int i) { return closed.points[corners[i]][2]; };
-    if (z(0) != z(1) || z(1) != z(2))
-    {
-      walls.push_back(corners);
-    }
-  }
-  return makeMesh(closed.points, walls);
-}
-
 TriangleMesh prism(const std::vector<std::array<double, 2>>& corners, double halfHeight)
 {
   const int n = static_cast<int>(corners.size());

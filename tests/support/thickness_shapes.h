@@ -13,9 +13,6 @@ namespace medial::test
 /// sides and 16 rings of triangles along each wall.
 TriangleMesh tube(double inner, double outer, double height, int n);
 
-/// Wall of a cylinder about the z axis without caps, |z| <= height / 2, with n sides.
-TriangleMesh openTube(double radius, double height, int n);
-
 /// Prism over |z| <= halfHeight of a convex polygon, whose corners run counterclockwise.
 TriangleMesh prism(const std::vector<std::array<double, 2>>& corners, double halfHeight);
 

@@ -9,6 +9,7 @@
 #include "support/named.h"
 #include "support/shapes.h"
 #include "support/transforms.h"
+#include "support/tubes.h"
 
 #include "sign/surface_orientation.h"
 
@@ -457,33 +458,17 @@ TEST(WindingSign, ReportSaysWhatWasMended)
   EXPECT_GT(fieldOf(plates(0.5, 1.0), {}, 16).statistics.sign.ambiguousShare, 0.01);
 }
 
-/// The sides of a cylinder about the z axis, without its ends.
-TriangleMesh openTube(double radius, double height)
-{
-  const TriangleMesh closed = cylinder(radius, height, 32);
-  std::vector<std::size_t> ends;
-  for (std::size_t t = 0; t < closed.triangles.size(); ++t)
-  {
-    const auto& [a, b, c] = closed.triangles[t];
-    if (closed.points[a][2] == closed.points[b][2] && closed.points[b][2] == closed.points[c][2])
-    {
-      ends.push_back(t);
-    }
-  }
-  return withoutTriangles(closed, ends);
-}
-
 // As for vessels that are cut at their ends.
 TEST(WindingSign, IsAutomaticForTubesThatAreLongerThanWide)
 {
-  const DistanceField tube = fieldOf(openTube(1.0, 8.0), {}, 32);
+  const DistanceField tube = fieldOf(openTube(1.0, 8.0, 32), {}, 32);
   EXPECT_EQ(tube.sign, SignMethod::Winding);
   EXPECT_GT(tube.statistics.sign.ambiguousShare, 0.01);
   EXPECT_NEAR(tube.statistics.sign.lidShare, 1.0 / 9.0, 0.002);
   EXPECT_GT(std::count_if(tube.distance.begin(), tube.distance.end(),
               [](float distance) { return distance < 0.0F; }),
     0);
-  EXPECT_EQ(fieldOf(openTube(1.0, 4.0), {}, 32).sign, SignMethod::None);
+  EXPECT_EQ(fieldOf(openTube(1.0, 4.0, 32), {}, 32).sign, SignMethod::None);
   EXPECT_EQ(fieldOf(hemisphere(), {}, 32).sign, SignMethod::None);
 }
 

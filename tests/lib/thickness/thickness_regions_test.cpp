@@ -6,6 +6,7 @@
 #include "support/medial_truth.h"
 #include "support/shapes.h"
 #include "support/thickness_shapes.h"
+#include "support/tubes.h"
 #include "support/transforms.h"
 
 #include <gtest/gtest.h>
