@@ -82,7 +82,9 @@ void addOutputOptions(CLI::App& app, OptionTexts& texts)
     ->group(group);
   app
     .add_option("--image", texts.image,
-      "picture of the axis in the translucent surface; needs no display")
+      "picture of the axis, or with --skeleton of the skeleton, in the translucent surface; needs "
+      "no "
+      "display")
     ->option_text("FILE.png")
     ->group(group);
   app

@@ -13,4 +13,7 @@ namespace medial::app
 ///   The message does not name it.
 void drawPicture(vtkPolyData* surface, vtkPolyData* axis, const std::filesystem::path& file);
 
+/// Draws a skeleton in the same way.
+void drawSkeleton(vtkPolyData* surface, vtkPolyData* skeleton, const std::filesystem::path& file);
+
 } // namespace medial::app
