@@ -2,14 +2,18 @@
 
 #include <vtkAlgorithmOutput.h>
 #include <vtkAppendPolyData.h>
+#include <vtkCellArray.h>
 #include <vtkCleanPolyData.h>
+#include <vtkDataArray.h>
 #include <vtkFeatureEdges.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkPolyDataNormals.h>
 #include <vtkProperty.h>
 #include <vtkScalarsToColors.h>
+#include <vtkTubeFilter.h>
 
 namespace medial::app
 {
@@ -68,12 +72,59 @@ vtkSmartPointer<vtkActor> makeSharpEdges(vtkAlgorithmOutput* mesh)
   return actor;
 }
 
+/// The points of a skeleton where no branch goes on.
+vtkSmartPointer<vtkPolyData> endsOf(vtkPolyData* skeleton)
+{
+  vtkDataArray* degrees = skeleton->GetPointData()->GetArray("Degree");
+  vtkNew<vtkCellArray> vertices;
+  for (vtkIdType i = 0; i < skeleton->GetNumberOfPoints(); ++i)
+  {
+    if (degrees->GetTuple1(i) != 2.0)
+    {
+      vertices->InsertNextCell(1, &i);
+    }
+  }
+  auto ends = vtkSmartPointer<vtkPolyData>::New();
+  ends->SetPoints(skeleton->GetPoints());
+  ends->SetVerts(vertices);
+  return ends;
+}
+
 } // namespace
 
 SurfaceActors makeSurface(vtkPolyData* surface)
 {
   const auto mesh = weld(surface);
   return { makeFaces(mesh->GetOutputPort()), makeSharpEdges(mesh->GetOutputPort()) };
+}
+
+SkeletonActors makeSkeleton(vtkPolyData* skeleton, vtkScalarsToColors* colours)
+{
+  constexpr double kTubeRadius = 0.004; // of the diagonal
+  vtkNew<vtkTubeFilter> tubes;
+  tubes->SetInputData(skeleton);
+  tubes->SetRadius(kTubeRadius * skeleton->GetLength());
+  tubes->SetNumberOfSides(12);
+  tubes->CappingOn();
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(tubes->GetOutputPort());
+  mapper->SetLookupTable(colours);
+  mapper->SetScalarModeToUsePointFieldData();
+  mapper->SelectColorArray("Radius");
+  mapper->InterpolateScalarsBeforeMappingOn();
+  SkeletonActors actors{ vtkSmartPointer<vtkActor>::New(), vtkSmartPointer<vtkActor>::New() };
+  actors.branches->SetMapper(mapper);
+  actors.branches->GetProperty()->SetAmbient(0.35);
+  actors.branches->GetProperty()->SetDiffuse(0.75);
+  vtkNew<vtkPolyDataMapper> dots;
+  dots->SetInputData(endsOf(skeleton));
+  dots->ScalarVisibilityOff();
+  actors.ends->SetMapper(dots);
+  vtkProperty* look = actors.ends->GetProperty();
+  look->SetColor(0.1, 0.1, 0.1);
+  look->SetPointSize(14.0F);
+  look->RenderPointsAsSpheresOn();
+  return actors;
 }
 
 vtkSmartPointer<vtkActor> makeAxis(vtkPolyData* axis, vtkScalarsToColors* colours,

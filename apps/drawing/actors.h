@@ -20,6 +20,15 @@ struct SurfaceActors
 
 SurfaceActors makeSurface(vtkPolyData* surface);
 
+/// A skeleton as tubes coloured by radius, and its ends and junctions as dots.
+struct SkeletonActors
+{
+  vtkSmartPointer<vtkActor> branches;
+  vtkSmartPointer<vtkActor> ends;
+};
+
+SkeletonActors makeSkeleton(vtkPolyData* skeleton, vtkScalarsToColors* colours);
+
 /// A medial axis coloured by one of its point arrays. Rims of sheets are lines as well, so that no
 /// sheet vanishes that is narrow or seen from its edge.
 vtkSmartPointer<vtkActor> makeAxis(vtkPolyData* axis, vtkScalarsToColors* colours,

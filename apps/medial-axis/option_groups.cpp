@@ -98,8 +98,9 @@ void addOutputOptions(CLI::App& app, OptionTexts& texts, Options& options)
     ->group(group);
   app
     .add_option("--image", texts.image,
-      "picture of the axis in the translucent surface, with file, settings and scale; what is less "
-      "than a fifth as thick as wide is seen from its edge as well; needs no display")
+      "picture of the axis, or with --skeleton of the skeleton, in the translucent surface, with "
+      "file, settings and scale; what is less than a fifth as thick as wide is seen from its edge "
+      "as well; needs no display")
     ->option_text("FILE.png")
     ->group(group);
   app

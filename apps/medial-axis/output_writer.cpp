@@ -20,6 +20,7 @@
 #include <vtkNew.h>
 
 #include <new>
+#include <optional>
 #include <stdexcept>
 
 namespace medial::app
@@ -70,11 +71,16 @@ long long writeCurves(vtkPolyData* axis, const std::filesystem::path& file)
   return curves->GetOutput()->GetNumberOfLines();
 }
 
-void writeSkeleton(const Skeleton& skeleton, const std::filesystem::path& file)
+// The skeleton for VTK; null if there is none.
+vtkSmartPointer<vtkPolyData> skeletonForVtk(const std::optional<Skeleton>& skeleton)
 {
-  vtkNew<vtkPolyData> polyData;
-  vtkMeshConversion::ToPolyData(skeleton, polyData);
-  writeVtp(polyData, file);
+  if (!skeleton)
+  {
+    return nullptr;
+  }
+  auto polyData = vtkSmartPointer<vtkPolyData>::New();
+  vtkMeshConversion::ToPolyData(*skeleton, polyData);
+  return polyData;
 }
 
 } // namespace
@@ -87,7 +93,8 @@ OutputNotes writeOutputs(const Options& options, Surface& surface, const Result&
   outputs.write(options.output,
     [&](const auto& file) { writeAxisFile(result.axis, axis, options, file); });
   outputs.write(options.curves, [&](const auto& file) { notes.curves = writeCurves(axis, file); });
-  outputs.write(options.skeleton, [&](const auto& file) { writeSkeleton(*result.skeleton, file); });
+  const vtkSmartPointer<vtkPolyData> skeleton = skeletonForVtk(result.skeleton);
+  outputs.write(options.skeleton, [&](const auto& file) { writeVtp(skeleton, file); });
   outputs.write(options.skeletonTable,
     [&](const auto& file) {
       writeFile(file, [&](std::ostream& stream) { writeSkeletonTable(*result.skeleton, stream); });
@@ -95,7 +102,16 @@ OutputNotes writeOutputs(const Options& options, Surface& surface, const Result&
   const Timer axisPicture;
   outputs.write(options.image,
     [&](const auto& file)
-    { drawPicture(surface.polyData(), axis, axisCaption(options, result), file); });
+    {
+      if (skeleton != nullptr)
+      {
+        drawSkeleton(surface.polyData(), skeleton, axisCaption(options, result), file);
+      }
+      else
+      {
+        drawPicture(surface.polyData(), axis, axisCaption(options, result), file);
+      }
+    });
   notes.pictureSeconds = axisPicture.seconds();
   outputs.write(options.html,
     [&](const auto& file)

@@ -25,4 +25,21 @@ void drawPicture(vtkPolyData* surface, vtkPolyData* axis, const std::vector<std:
   scene.draw({ surface, axis }, file);
 }
 
+void drawSkeleton(vtkPolyData* surface, vtkPolyData* skeleton,
+  const std::vector<std::string>& caption, const std::filesystem::path& file)
+{
+  const VtkMessages messages;
+  Scene scene;
+  const auto colours = makeColours(maxRadius(skeleton));
+  const SurfaceActors drawn = makeSurface(surface);
+  const SkeletonActors network = makeSkeleton(skeleton, colours);
+  scene.add(drawn.faces);
+  scene.add(drawn.edges);
+  scene.add(network.branches);
+  scene.add(network.ends);
+  scene.addScalarBar(colours, "Radius\n(world units)");
+  scene.addCaption(caption);
+  scene.draw({ surface, skeleton }, file);
+}
+
 } // namespace medial::app

@@ -16,4 +16,8 @@ namespace medial::app
 void drawPicture(vtkPolyData* surface, vtkPolyData* axis, const std::vector<std::string>& caption,
   const std::filesystem::path& file);
 
+/// Draws a skeleton in the same way.
+void drawSkeleton(vtkPolyData* surface, vtkPolyData* skeleton,
+  const std::vector<std::string>& caption, const std::filesystem::path& file);
+
 } // namespace medial::app

@@ -32,7 +32,8 @@ std::string sideAndAngle(const std::string& what, const Options& options)
 
 std::vector<std::string> axisCaption(const Options& options, const Result& result)
 {
-  std::string selection = sideAndAngle("medial axis", options);
+  std::string selection =
+    sideAndAngle(options.wantsSkeleton() ? "skeleton" : "medial axis", options);
   if (options.lambda.value > 0.0)
   {
     selection += ", lambda " + asText(options.lambda);

@@ -117,7 +117,8 @@ void printOutputs(const Options& options, const MedialAxis& axis, const OutputNo
   printFile(options.thickness, "surface with thickness");
   printFile(options.thicknessImage, "picture of thickness");
   printFile(options.thinRegions, "regions beyond the limits of thickness");
-  printFile(options.image, "picture of axis and surface");
+  printFile(options.image,
+    options.wantsSkeleton() ? "picture of skeleton and surface" : "picture of axis and surface");
   printFile(options.html, "page with axis and surface");
   printFile(options.report, "report of the run");
 }

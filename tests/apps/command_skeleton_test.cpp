@@ -7,11 +7,14 @@
 #include <vtkCell.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkImageData.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 
+#include <algorithm>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace medial::test
@@ -132,6 +135,36 @@ TEST_F(CommandSkeleton, WritesATableWithTheSameFigures)
   EXPECT_EQ(report["parameters"]["topology"], "preserve");
   EXPECT_EQ(report["parameters"]["min_branch"], 1.0);
   EXPECT_EQ(report["parameters"]["smooth"], true);
+}
+
+TEST_F(CommandSkeleton, IsDrawnInPictures)
+{
+  const auto inks = [&](std::vector<std::string> arguments)
+  {
+    arguments.insert(arguments.end(),
+      { "--resolution", "48", "--image", folder.file("p.png"), "--topology", "preserve" });
+    const Outcome outcome = run(arguments);
+    const auto picture = readPng(folder.file("p.png"));
+    int dark = 0;
+    for (int y = 0; y < picture->GetDimensions()[1]; ++y)
+    {
+      for (int x = 0; x < picture->GetDimensions()[0] * 3 / 4; ++x) // without the scalar bar
+      {
+        double brightest = 0.0;
+        for (int c = 0; c < 3; ++c)
+        {
+          brightest = std::max(brightest, picture->GetScalarComponentAsDouble(x, y, 0, c));
+        }
+        dark += brightest < 60.0 ? 1 : 0;
+      }
+    }
+    return std::make_pair(dark, outcome.out);
+  };
+  const auto [withoutDots, axis] = inks({ "-o", folder.file("a.vtp") });
+  const auto [withDots, skeleton] = inks({ "--skeleton", folder.file("s.vtp") });
+  EXPECT_TRUE(contains(axis, "p.png: picture of axis and surface"));
+  EXPECT_TRUE(contains(skeleton, "p.png: picture of skeleton and surface"));
+  EXPECT_GT(withDots, withoutDots + 4 * 50); // three ends and a junction
 }
 
 TEST_F(CommandSkeleton, OptionsChangeIt)
