@@ -60,8 +60,10 @@ std::vector<std::string> axisCaption(const Options& options, const Result& resul
 
 std::vector<std::string> thicknessCaption(const Options& options)
 {
-  return { options.input.filename().string(),
-    sideAndAngle("thickness (" + nameOf(thicknessOptions(options).method) + ")", options) };
+  const ThicknessMethod method = thicknessOptions(options).method;
+  const std::string what =
+    method == ThicknessMethod::Ball ? "thickness" : "thickness by " + nameOf(method);
+  return { options.input.filename().string(), sideAndAngle(what, options) };
 }
 
 } // namespace medial::app

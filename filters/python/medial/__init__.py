@@ -27,7 +27,14 @@ from ._field import DistanceField, distance_field
 from ._mesh import Surface, read_mesh
 from ._mesh_file import VERSION as __version__
 from ._proximity import Contacts, Proximity, proximity
-from ._shape import Curve, curves, reconstruction, thickness
+from ._shape import (
+    Curve,
+    ThicknessRegion,
+    curves,
+    reconstruction,
+    thickness,
+    thickness_regions,
+)
 from ._update import update
 from .vtkMedialFilters import (
     vtkMedialAxis,
@@ -53,6 +60,7 @@ __all__ = [
     "PointDistances",
     "Proximity",
     "Surface",
+    "ThicknessRegion",
     "curves",
     "distance",
     "distance_field",
@@ -61,6 +69,7 @@ __all__ = [
     "read_mesh",
     "reconstruction",
     "thickness",
+    "thickness_regions",
     "update",
     "vtkMedialAxis",
     "vtkMedialCurves",
