@@ -1,9 +1,12 @@
 /**
  * @class   vtkMedialThickness
- * @brief   wall thickness of a surface at its points, by touching medial balls
+ * @brief   wall thickness of a surface, by touching medial balls, by rays or of walls
  *
  * vtkMedialThickness gives every point of a surface twice the radius of the medial ball that
- * touches it: how thick the solid is there or, for the exterior, how wide the gap is. From each
+ * touches it: how thick the solid is there or, for the exterior, how wide the gap is. Method
+ * chooses rays or walls instead. It also finds the regions where a solid is too thin or too thick.
+ *
+ * From each
  * point it follows the ray against the angle-weighted normal to the first place where the
  * directions to its closest surface point and to the start form an angle of Angle or more; the
  * radius is the distance there. This is exact for the mesh as it is, in double precision, and needs
@@ -14,7 +17,23 @@
  * scalars). It is 0 where a sheet of the medial axis runs into the surface: on edges that are
  * convex seen from the wanted side and bend by Angle or more, and on tips as sharp as that. It is
  * NaN where there is no such ball: outside of convex parts, where nothing is opposite an open
- * surface, and at points without a normal, such as those that belong to no triangle.
+ * surface, and at points without a normal, such as those that belong to no triangle. Above 90
+ * degrees it is NaN beside the edges of a box, where balls touch two sides at 90 degrees only.
+ *
+ * With CellValues, or a minimum or maximum, there is a cell data array Thickness as well: at the
+ * centre of a triangle, the least of those of a larger cell's triangles, NaN for lines and
+ * vertices. With MaximumEdgeLength the output is the surface divided into smaller triangles, with
+ * the cell data array InputCell.
+ *
+ * @par Regions:
+ * With MinimumThickness or MaximumThickness the cell data array Region (int) is the number of the
+ * region beyond the limits that a cell belongs to, from 1, or 0. Triangles that share an edge are
+ * one region. Places that are thin only because two sides meet at a convex edge or tip nearby do
+ * not count: those whose two planes meet at more than 60 degrees, or at 15 or more where such an
+ * edge is. Field data arrays have one tuple for each region, the thinnest first, then the thickest:
+ * RegionThin (1, or 0 if it is too thick), RegionValue (its least or largest thickness),
+ * RegionPlace (where that is), and RegionArea. Limits on one side of an open surface are an error,
+ * unless its holes are small beside it.
  *
  * @par Field data:
  * The output has field data arrays of one tuple (double): MinThickness, MedianThickness and
@@ -29,9 +48,8 @@
  * inwards is turned inside out first.
  *
  * @par Parameter tuning:
- * Values are at points only. The points of a coarse CAD mesh lie on sharp edges, where they are 0:
- * put vtkAdaptiveSubdivisionFilter (or vtkLinearSubdivisionFilter) in front to see values in
- * between.
+ * The points of a coarse CAD mesh lie on sharp edges, where values are 0: set MaximumEdgeLength to
+ * see values in between.
  *
  * vtkMedialPolyDataAlgorithm documents errors, abort and parallel pipelines.
  *
@@ -76,6 +94,68 @@ public:
   vtkMedialSideMacro();
   ///@}
 
+  /**
+   * What thickness is.
+   */
+  enum Methods
+  {
+    BALL = 0,
+    RAY = 1,
+    WALL = 2
+  };
+
+  ///@{
+  /**
+   * What thickness is: BALL, twice the radius of the medial ball that touches the place, which
+   * falls to 0 at convex edges, RAY, the distance along the inward normal to the opposite surface,
+   * or WALL, the diameter of the ball that touches the opposite wall, with an angle of at least 120
+   * degrees, and near edges that of the nearest place with one. Default is BALL.
+   */
+  vtkSetMacro(Method, int);
+  vtkGetMacro(Method, int);
+  void SetMethodToBall() { this->SetMethod(BALL); }
+  void SetMethodToRay() { this->SetMethod(RAY); }
+  void SetMethodToWall() { this->SetMethod(WALL); }
+  const char* GetMethodAsString();
+  ///@}
+
+  ///@{
+  /**
+   * Whether cells have values too, at the centres of their triangles. It takes about three times as
+   * long. Default is off.
+   */
+  vtkSetMacro(CellValues, bool);
+  vtkGetMacro(CellValues, bool);
+  vtkBooleanMacro(CellValues, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Triangles are divided until no edge is longer than this, in world units, >= 0; 0 leaves the
+   * surface as it is. Regions smaller than that may be missed. Default is 0.
+   */
+  vtkSetMacro(MaximumEdgeLength, double);
+  vtkGetMacro(MaximumEdgeLength, double);
+  ///@}
+
+  ///@{
+  /**
+   * Regions that are thinner than this are found, in world units, >= 0; 0 sets no such limit. WALL
+   * is the method for it, since the others are small near edges. Default is 0.
+   */
+  vtkSetMacro(MinimumThickness, double);
+  vtkGetMacro(MinimumThickness, double);
+  ///@}
+
+  ///@{
+  /**
+   * Regions that are thicker than this are found, in world units, >= 0, above MinimumThickness; 0
+   * sets no such limit. Default is 0.
+   */
+  vtkSetMacro(MaximumThickness, double);
+  vtkGetMacro(MaximumThickness, double);
+  ///@}
+
   ///@{
   /**
    * Number of CPU threads to use, >= 0; 0 uses all cores. The result does not depend on it.
@@ -93,6 +173,11 @@ protected:
 
   double Angle = 60.0;
   int Side = INTERIOR;
+  int Method = BALL;
+  bool CellValues = false;
+  double MaximumEdgeLength = 0.0;
+  double MinimumThickness = 0.0;
+  double MaximumThickness = 0.0;
   int NumberOfThreads = 0;
 
 private:

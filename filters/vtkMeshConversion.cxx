@@ -7,6 +7,7 @@
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
@@ -343,6 +344,50 @@ void vtkMeshConversion::AddThickness(const medial::Thickness& thickness,
 }
 
 //------------------------------------------------------------------------------
+void vtkMeshConversion::AddRegions(const std::vector<medial::ThicknessRegion>& regions,
+  const medial::TriangleMesh& mesh, vtkPolyData* surface, bool divided)
+{
+  vtkNew<vtkIntArray> numbers;
+  numbers->SetName("Region");
+  numbers->SetNumberOfValues(surface->GetNumberOfCells());
+  numbers->FillValue(0);
+  const auto first = static_cast<std::int64_t>(mesh.vertices.size() + mesh.segments.size());
+  const auto named = [](auto& array, const char* name, int components)
+  {
+    array->SetName(name);
+    array->SetNumberOfComponents(components);
+  };
+  vtkNew<vtkUnsignedCharArray> thin;
+  named(thin, "RegionThin", 1);
+  vtkNew<vtkDoubleArray> value;
+  named(value, "RegionValue", 1);
+  vtkNew<vtkDoubleArray> place;
+  named(place, "RegionPlace", 3);
+  vtkNew<vtkDoubleArray> area;
+  named(area, "RegionArea", 1);
+  for (std::size_t i = regions.size(); i-- > 0;) // of several regions in a cell the first stays
+  {
+    for (const int triangle : regions[i].triangles)
+    {
+      numbers->SetValue(divided ? first + triangle : mesh.triangleCells[triangle],
+        static_cast<int>(i) + 1);
+    }
+  }
+  for (const medial::ThicknessRegion& region : regions)
+  {
+    thin->InsertNextValue(region.thin ? 1 : 0);
+    value->InsertNextValue(region.value);
+    place->InsertNextTuple(region.place.data());
+    area->InsertNextValue(region.area);
+  }
+  surface->GetCellData()->AddArray(numbers);
+  for (vtkDataArray* array : std::initializer_list<vtkDataArray*>{ thin, value, place, area })
+  {
+    surface->GetFieldData()->AddArray(array);
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkMeshConversion::Subdivide(vtkPolyData* input, const medial::Subdivision& fine,
   vtkPolyData* output)
 {
@@ -395,6 +440,16 @@ void vtkMeshConversion::Subdivide(vtkPolyData* input, const medial::Subdivision&
   output->SetVerts(insert(vertices, mesh.vertexCells));
   output->SetLines(insert(mesh.segments, mesh.segmentCells));
   output->SetPolys(insert(mesh.triangles, mesh.triangleCells));
+  vtkNew<vtkIdTypeArray> inputCells;
+  inputCells->SetName("InputCell");
+  for (const auto* ids : { &mesh.vertexCells, &mesh.segmentCells, &mesh.triangleCells })
+  {
+    for (const std::int64_t id : *ids)
+    {
+      inputCells->InsertNextValue(id);
+    }
+  }
+  cellData->AddArray(inputCells);
 }
 
 //------------------------------------------------------------------------------

@@ -69,9 +69,18 @@ void AddThickness(const medial::Thickness& thickness, const medial::TriangleMesh
 
 /**
  * Fills an empty output with the divided mesh of a surface, whose data arrays are passed on:
- * interpolated at new points, copied to the triangles of a cell.
+ * interpolated at new points, copied to the triangles of a cell. The cell data array InputCell has
+ * the cell that a cell is from.
  */
 void Subdivide(vtkPolyData* input, const medial::Subdivision& fine, vtkPolyData* output);
+
+/**
+ * Attaches the regions of a mesh to a surface with its thickness, as AddThickness(): the cell data
+ * array Region and the field data arrays RegionThin, RegionValue,
+ * RegionPlace and RegionArea.
+ */
+void AddRegions(const std::vector<medial::ThicknessRegion>& regions,
+  const medial::TriangleMesh& mesh, vtkPolyData* surface, bool divided);
 
 /**
  * Fills an empty output with the triangles of regions, with the point data array Thickness and the

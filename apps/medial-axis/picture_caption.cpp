@@ -62,7 +62,8 @@ std::vector<std::string> axisCaption(const Options& options, const Result& resul
 std::vector<std::string> thicknessCaption(const Options& options)
 {
   const ThicknessMethod method = thicknessOptions(options).method;
-  const std::string what = "thickness by " + nameOf(method);
+  const std::string what =
+    method == ThicknessMethod::Ball ? "thickness" : "thickness by " + nameOf(method);
   std::string settings = method == ThicknessMethod::Ball ? sideAndAngle(what, options)
                                                          : what + ", " + nameOf(options.side);
   if (options.minThickness)

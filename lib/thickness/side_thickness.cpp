@@ -19,9 +19,9 @@ constexpr double kGuess = 1.0;
 constexpr double kMaxBend = kDefaultAngle;
 /// What is seen under a larger angle may be nearer by this share only.
 constexpr double kTouching = 0.95;
-/// The same for walls, whose values do not suffer from it: up to a third of the thickness from the
-/// edges of a plate the wall opposite is told apart.
-constexpr double kTouchingWall = 0.5;
+/// The same for walls, whose values do not suffer from it: a bar that is as wide as thick touches a
+/// ball between opposite sides in the very middle of a side only.
+constexpr double kTouchingWall = 0.8;
 /// Margin for LocalCoordinates::around().
 constexpr double kMargin = 0.0;
 /// Rays of an edge start this share of the way from it to the middle of each of its faces.

@@ -82,7 +82,7 @@ TEST(PictureCaption, HasFileSideAngleAndGrid)
     (std::vector<std::string>{ "bracket.stl",
       "medial axis, interior, angle 75.5\xc2\xb0, grid 256 x 31 x 7" }));
   EXPECT_EQ(app::thicknessCaption(someOptions()),
-    (std::vector<std::string>{ "bracket.stl", "thickness by ball, interior, angle 75.5\xc2\xb0" }));
+    (std::vector<std::string>{ "bracket.stl", "thickness, interior, angle 75.5\xc2\xb0" }));
 }
 
 TEST(PictureCaption, HasWhatElseWasAskedFor)

@@ -202,6 +202,8 @@ TEST(FilterManual, OutputsHaveNoArraysThatTheManualsDoNotName)
   axis->GenerateDistanceFieldOn();
   vtkNew<vtkMedialThickness> thickness;
   thickness->SetInputData(boxPolyData());
+  thickness->SetMaximumEdgeLength(0.5);
+  thickness->SetMinimumThickness(0.1);
   vtkNew<vtkMedialCurves> curves;
   curves->SetInputConnection(axis->GetOutputPort());
   vtkNew<vtkMedialReconstruction> surface;
@@ -252,7 +254,7 @@ TEST(FilterManual, ReconstructionParametersAreExplainedAndPrinted)
 
 TEST(FilterManual, MedialThicknessParametersAreExplainedAndPrinted)
 {
-  expectManual("vtkMedialThickness", 3, printed<vtkMedialThickness>());
+  expectManual("vtkMedialThickness", 8, printed<vtkMedialThickness>());
 }
 
 TEST(FilterManual, MedialSkeletonParametersAreExplainedAndPrinted)

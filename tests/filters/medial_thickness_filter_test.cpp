@@ -5,7 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkCubeSource.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 #include <vtkLinearSubdivisionFilter.h>
 #include <vtkMedialThickness.h>
@@ -198,6 +201,117 @@ TEST(MedialThicknessFilter, ExecutesWhenSomethingChangedAndDoesNotModifyItself)
   EXPECT_EQ(log.executions, 2);
   EXPECT_NEAR(figure(filter->GetOutput(), "MedianThickness"), 10.0 * small, 1e-3);
   EXPECT_EQ(filter->GetMTime(), time);
+}
+
+TEST(MedialThicknessFilter, MethodsAreThoseOfTheLibrary)
+{
+  auto filter = make(fineBox());
+  filter->SetMethodToRay();
+  filter->Update();
+  EXPECT_NEAR(figure(filter->GetOutput(), "MinThickness"), 1.2, 1e-5);
+  EXPECT_NEAR(figure(filter->GetOutput(), "MaxThickness"), 2.0, 1e-5);
+  filter->SetMethodToWall();
+  filter->Update();
+  EXPECT_NEAR(figure(filter->GetOutput(), "MinThickness"), 1.2, 1e-5);
+  EXPECT_STREQ(filter->GetMethodAsString(), "Wall");
+  EXPECT_EQ(filter->GetOutput()->GetCellData()->GetArray("Thickness"), nullptr);
+}
+
+TEST(MedialThicknessFilter, CellsHaveValues)
+{
+  auto filter = make(boxPolyData());
+  filter->SetMethodToWall();
+  filter->CellValuesOn();
+  filter->Update();
+  vtkDataArray* values = filter->GetOutput()->GetCellData()->GetArray("Thickness");
+  ASSERT_NE(values, nullptr);
+  EXPECT_EQ(values->GetNumberOfTuples(), filter->GetOutput()->GetNumberOfCells());
+  EXPECT_NEAR(values->GetRange()[0], 1.2, 1e-5);
+}
+
+// Data arrays of the input are passed on to the divided surface.
+TEST(MedialThicknessFilter, DividesLargeTriangles)
+{
+  auto box = boxPolyData();
+  vtkNew<vtkDoubleArray> heights;
+  heights->SetName("Height");
+  for (vtkIdType i = 0; i < box->GetNumberOfPoints(); ++i)
+  {
+    heights->InsertNextValue(box->GetPoint(i)[2]);
+  }
+  box->GetPointData()->AddArray(heights);
+  vtkNew<vtkDoubleArray> numbers;
+  numbers->SetName("Number");
+  for (vtkIdType i = 0; i < box->GetNumberOfCells(); ++i)
+  {
+    numbers->InsertNextValue(static_cast<double>(i));
+  }
+  box->GetCellData()->AddArray(numbers);
+  auto filter = make(box);
+  filter->SetMaximumEdgeLength(0.2);
+  filter->Update();
+  vtkPolyData* output = filter->GetOutput();
+  expectBoxThickness(output);
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    ASSERT_NEAR(valueOf(output, "Height", i), output->GetPoint(i)[2], 1e-12);
+  }
+  vtkDataArray* cells = output->GetCellData()->GetArray("InputCell");
+  vtkDataArray* copies = output->GetCellData()->GetArray("Number");
+  ASSERT_EQ(cells->GetNumberOfTuples(), output->GetNumberOfCells());
+  ASSERT_EQ(copies->GetNumberOfTuples(), output->GetNumberOfCells());
+  for (vtkIdType i = 0; i < output->GetNumberOfCells(); ++i)
+  {
+    ASSERT_EQ(cells->GetTuple1(i), copies->GetTuple1(i));
+  }
+}
+
+TEST(MedialThicknessFilter, FindsRegionsBeyondLimits)
+{
+  auto filter = make(boxPolyData());
+  filter->SetMethodToWall();
+  filter->SetMaximumEdgeLength(0.2);
+  filter->SetMinimumThickness(1.3);
+  filter->Update();
+  vtkPolyData* output = filter->GetOutput();
+  EXPECT_EQ(output->GetCellData()->GetArray("Region")->GetRange()[0], 1.0);
+  EXPECT_EQ(figure(output, "RegionThin"), 1.0);
+  EXPECT_NEAR(figure(output, "RegionValue"), 1.2, 1e-5);
+  EXPECT_NEAR(figure(output, "RegionArea"), 8.0 * (0.8 + 0.6 + 0.48), 1e-5);
+  filter->SetMinimumThickness(1.1);
+  filter->Update();
+  EXPECT_EQ(output->GetCellData()->GetArray("Region")->GetRange()[1], 0.0);
+  EXPECT_EQ(output->GetFieldData()->GetArray("RegionValue")->GetNumberOfTuples(), 0);
+}
+
+TEST(MedialThicknessFilter, RefusesLimitsThatContradictEachOther)
+{
+  using F = vtkMedialThickness*;
+  const auto repair = [](F f)
+  {
+    f->SetMethodToBall();
+    f->SetMinimumThickness(0.0);
+    f->SetMaximumThickness(0.0);
+    f->SetMaximumEdgeLength(0.0);
+  };
+  expectError(
+    [](F f)
+    {
+      f->SetMinimumThickness(2.0);
+      f->SetMaximumThickness(1.0);
+    },
+    repair, "minimum thickness 2 is not below maximum thickness 1");
+  expectError([](F f) { f->SetMinimumThickness(-1.0); }, repair, "minimum thickness -1");
+  expectError([](F f) { f->SetMaximumEdgeLength(-1.0); }, repair, "maximum edge length -1");
+  expectError([](F f) { f->SetMethod(3); }, repair, "thickness method 3");
+  auto open = boxPolyData();
+  open->GetPolys()->Initialize();
+  open->GetPolys()->InsertNextCell({ 0, 1, 3 });
+  auto filter = make(open);
+  filter->SetMinimumThickness(1.0);
+  EventLog log(filter);
+  filter->Update();
+  EXPECT_NE(filter->GetErrorCode(), 0U);
 }
 
 TEST(MedialThicknessFilter, RefusesParametersOutsideTheirRange)

@@ -27,7 +27,14 @@ from ._field import DistanceField, distance_field
 from ._mesh import Surface, read_mesh
 from ._mesh_file import VERSION as __version__
 from ._proximity import Contacts, Proximity, proximity
-from ._shape import Curve, curves, reconstruction, thickness
+from ._shape import (
+    Curve,
+    ThicknessRegion,
+    curves,
+    reconstruction,
+    thickness,
+    thickness_regions,
+)
 from ._skeleton import Branch, Skeleton, skeleton
 from ._update import update
 from .vtkMedialFilters import (
@@ -57,6 +64,7 @@ __all__ = [
     "Proximity",
     "Skeleton",
     "Surface",
+    "ThicknessRegion",
     "curves",
     "distance",
     "distance_field",
@@ -66,6 +74,7 @@ __all__ = [
     "reconstruction",
     "skeleton",
     "thickness",
+    "thickness_regions",
     "update",
     "vtkMedialAxis",
     "vtkMedialCurves",

@@ -5,13 +5,14 @@ from operator import index
 from typing import Any, Literal, Optional, Union
 
 from ._errors import InvalidInputError
-from .vtkMedialFilters import vtkMedialAxis, vtkMeshFieldAlgorithm
+from .vtkMedialFilters import vtkMedialAxis, vtkMedialThickness, vtkMeshFieldAlgorithm
 
 Side = Literal["interior", "exterior", "both"]
 Sign = Literal["auto", "none", "pseudonormal", "winding"]
 Engine = Literal["auto", "device", "rasteriser", "processor"]
 Representation = Literal["surface", "faces", "points"]
 Topology = Literal["selected", "preserve"]
+ThicknessMethod = Literal["ball", "ray", "wall"]
 FieldArray = Literal["closest_point", "closest_cell", "closest_feature", "closest_site"]
 Lengths = Union[float, Sequence[float]]
 """One length for all three axes, or one for each."""
@@ -42,6 +43,11 @@ TOPOLOGIES: dict[str, int] = {
     "selected": vtkMedialAxis.SELECTED,
     "preserve": vtkMedialAxis.PRESERVE,
 }
+THICKNESS_METHODS: dict[str, int] = {
+    "ball": vtkMedialThickness.BALL,
+    "ray": vtkMedialThickness.RAY,
+    "wall": vtkMedialThickness.WALL,
+}
 ARRAYS: dict[str, str] = {
     "closest_point": "ClosestPoint",
     "closest_cell": "ClosestCell",
@@ -68,6 +74,9 @@ _REALS: dict[str, tuple[str, str]] = {
     "min_radius": ("MinimumRadius", "[0, inf)"),
     "min_branch": ("MinimumBranch", "[0, inf)"),
     "depth_tolerance": ("DepthTolerance", "(0, 1)"),
+    "max_edge": ("MaximumEdgeLength", "[0, inf)"),
+    "min_thickness": ("MinimumThickness", "[0, inf)"),
+    "max_thickness": ("MaximumThickness", "[0, inf)"),
     "max_separation": ("MaximumSeparation", "[0, inf]"),
 }
 

@@ -11,7 +11,8 @@ from ._arrays import add_point_data, cells_of_size, point_coordinates, point_dat
 from ._axis import MedialAxis
 from ._errors import InvalidInputError
 from ._mesh import Surface, to_polydata
-from ._options import SIDES, Side, assign, assign_numbers, choice
+from ._options import (SIDES, THICKNESS_METHODS, Side, ThicknessMethod, assign, assign_numbers,
+                       choice)
 from ._update import Progress, run
 from .vtkMedialFilters import vtkMedialCurves, vtkMedialReconstruction, vtkMedialThickness
 
@@ -23,22 +24,30 @@ _KINDS: dict[int, CurveKind] = {1: "rim", 2: "seam", 4: "curve"}
 _POINT_INDEX = "MedialPointIndex"
 
 
-def thickness(vertices: Any, faces: Any = None, *, angle: float = 60.0, side: Side = "interior",
+def thickness(vertices: Any, faces: Any = None, *, method: ThicknessMethod = "ball",
+              angle: float = 60.0, side: Side = "interior", at_faces: bool = False,
               threads: int = 0, progress: Optional[Progress] = None) -> NDArray[np.float32]:
     """Wall thickness at the vertices of a mesh, exact and without a grid.
 
     vertices, faces: the mesh, as for distance_field(). Inside is behind the faces, also of an open
         mesh.
+    method: "ball", twice the radius of the medial ball that touches the place, 0 on convex edges;
+        "ray", the distance along the inward normal to the opposite surface; "wall", the diameter of
+        the ball that touches the opposite wall, whose angle is at least 120, near edges that of the
+        nearest place with one.
     angle: minimum separation angle of the balls that count, in degrees, in (0, 180): places whose
         two closest points are seen under less, as between the facets of a curved surface, are
         passed over.
     side: "interior", how thick the solid is, "exterior", how wide the gap is (clearance), or
         "both", the smaller of the two.
+    at_faces: whether to return the values at the faces, not the vertices: those at the centres of
+        their triangles, the least of a face with several.
     threads: number of CPU threads to use, in [0, 1024]; 0 for all cores.
     progress: as for distance_field().
 
     Returns the (n,) diameters of the largest medial balls that touch the vertices, in world units;
-    0 on convex edges that bend by angle or more, NaN where there is no ball. Raises what
+    0 on convex edges that bend by angle or more, NaN where there is no ball; or what method and
+    at_faces say instead. Raises what
     distance_field() raises, but needs no OpenGL.
 
     >>> vertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, -0.5], [0, 1, -0.5], [1, 0, -0.5]]
@@ -48,9 +57,86 @@ def thickness(vertices: Any, faces: Any = None, *, angle: float = 60.0, side: Si
     algorithm = vtkMedialThickness()
     algorithm.SetInputData(to_polydata(vertices, faces))
     assign_numbers(algorithm, angle=angle, threads=threads)
-    assign(algorithm, Side=choice("side", side, SIDES))
+    assign(algorithm, Side=choice("side", side, SIDES), CellValues=bool(at_faces),
+           Method=choice("method", method, THICKNESS_METHODS))
     run(algorithm, progress)
-    return point_data(algorithm.GetOutput(), "Thickness")
+    output = algorithm.GetOutput()
+    if at_faces:
+        values: NDArray[np.float32] = vtk_to_numpy(output.GetCellData().GetArray("Thickness"))
+        return values
+    return point_data(output, "Thickness")
+
+
+class ThicknessRegion(NamedTuple):
+    """Neighbouring places whose thickness is beyond the same limit."""
+
+    thin: bool
+    """Whether it is too thin; otherwise it is too thick."""
+
+    value: float
+    """The least thickness of a thin region, the largest of a thick one, in world units."""
+
+    place: NDArray[np.float64]
+    """(3,): where that is."""
+
+    area: float
+    """Area of the region, world units squared."""
+
+    faces: NDArray[np.int64]
+    """Ids of the faces that the region has a part of, ascending."""
+
+
+def thickness_regions(vertices: Any, faces: Any = None, *, min_thickness: float = 0.0,
+                      max_thickness: float = 0.0, max_edge: Optional[float] = None,
+                      method: ThicknessMethod = "wall", angle: float = 60.0,
+                      side: Side = "interior", threads: int = 0,
+                      progress: Optional[Progress] = None) -> list[ThicknessRegion]:
+    """Where a solid is too thin or too thick. Convex edges and corners do not count.
+
+    vertices, faces: the mesh, as for distance_field(). It needs an inside, unless side is "both".
+    min_thickness: regions that are thinner are found, in world units; 0 for no such limit.
+    max_thickness: the same for regions that are thicker, above min_thickness; 0 for no such limit.
+    max_edge: triangles are divided until no edge is longer, in world units; smaller regions may be
+        missed. 0 for not at all, None for 2 % of the diagonal of the mesh's bounds.
+    method, angle, side: as for thickness().
+    threads: number of CPU threads to use, in [0, 1024]; 0 for all cores.
+    progress: as for distance_field().
+
+    Returns the thin regions, the thinnest first, then the thick ones, the thickest first. Raises
+    InvalidInputError for limits that contradict each other, and what thickness() raises.
+
+    >>> vertices = [[x, y, z] for z in (0, 0.5) for y in (0, 3) for x in (0, 4)]
+    >>> faces = [[2, 3, 1, 0], [4, 5, 7, 6], [0, 1, 5, 4], [1, 3, 7, 5], [3, 2, 6, 7], [2, 0, 4, 6]]
+    >>> region, = thickness_regions(vertices, faces, min_thickness=1)
+    >>> round(region.value, 6), round(region.area, 3), region.faces
+    (0.5, 31.0, array([0, 1, 2, 3, 4, 5]))
+    """
+    algorithm = vtkMedialThickness()
+    mesh = to_polydata(vertices, faces)
+    algorithm.SetInputData(mesh)
+    if max_edge is None:
+        max_edge = 0.02 * mesh.GetLength()
+    assign_numbers(algorithm, angle=angle, threads=threads, max_edge=max_edge,
+                   min_thickness=min_thickness, max_thickness=max_thickness)
+    assign(algorithm, Side=choice("side", side, SIDES),
+           Method=choice("method", method, THICKNESS_METHODS))
+    if algorithm.GetMinimumThickness() == 0 == algorithm.GetMaximumThickness():
+        raise InvalidInputError("there is neither a minimum nor a maximum thickness")
+    run(algorithm, progress)
+    return _regions_of(algorithm.GetOutput())
+
+
+def _regions_of(output: vtkPolyData) -> list[ThicknessRegion]:
+    cells = output.GetCellData()
+    numbers = vtk_to_numpy(cells.GetArray("Region"))
+    divided = cells.GetArray("InputCell")
+    ids = vtk_to_numpy(divided) if divided else np.arange(len(numbers))
+    thin, value, place, area = (
+        vtk_to_numpy(output.GetFieldData().GetArray("Region" + name))
+        for name in ("Thin", "Value", "Place", "Area"))
+    return [ThicknessRegion(bool(thin[i]), float(value[i]), place[i].copy(), float(area[i]),
+                            np.unique(ids[numbers == i + 1]))
+            for i in range(len(value))]
 
 
 def reconstruction(axis: Axis, *, resolution: int = 128, interpolate: bool = True,

@@ -104,7 +104,7 @@ struct Thickness
 /// Segments and points stop no ray.
 ///
 /// ThicknessMethod::Wall takes the ball for theta of 120 degrees or more. Other surfaces may be
-/// nearer to its centre than the place, down to half the distance; the value is then the way
+/// nearer to its centre than the place, down to 0.8 times the distance; the value is then the way
 /// through the centre to the wall. Places without such a ball, and those on edges that are convex
 /// and bend by 60 degrees or more, take the value of the nearest place with one, along the edges of
 /// the mesh, where distances count in multiples of the value. NaN in pieces of the mesh without any

@@ -19,7 +19,7 @@ from pathlib import Path
 import medial
 
 SOURCES = Path(sys.argv[1])
-FUNCTIONS = (medial.distance_field, medial.medial_axis, medial.thickness,
+FUNCTIONS = (medial.distance_field, medial.medial_axis, medial.thickness, medial.thickness_regions,
              medial.reconstruction, medial.curves, medial.skeleton, medial.distance, medial.proximity,
              medial.read_mesh, medial.update)
 # The options of medial-axis, by the parameters that are the same.
@@ -107,7 +107,8 @@ class Wording(unittest.TestCase):
 
     def test_attributes_are_documented(self):
         for class_ in (medial.DistanceField, medial.MedialAxis, medial.Surface, medial.Curve,
-                       medial.Proximity, medial.Contacts, medial.Skeleton, medial.Branch):
+                       medial.Proximity, medial.Contacts, medial.Skeleton, medial.Branch,
+                       medial.ThicknessRegion):
             source = inspect.getsource(class_)
             for name in class_.__annotations__:
                 with self.subTest(class_=class_.__name__, attribute=name):

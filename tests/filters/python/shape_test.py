@@ -71,6 +71,39 @@ class Thickness(unittest.TestCase):
         self.assertGreater(medial.thickness(vertices, quads, angle=120).min(), 0.0)
 
 
+    def test_methods_at_faces(self):
+        vertices, quads = shapes.box(np.array([2.0, 1.0, 0.5]))
+        np.testing.assert_allclose(
+            medial.thickness(vertices, quads, method="wall", at_faces=True), 1.0, rtol=1e-5)
+        rays = medial.thickness(vertices, quads, method="ray", at_faces=True)
+        np.testing.assert_allclose(sorted(rays), [1, 1, 2, 2, 4, 4], rtol=1e-5)
+        with self.assertRaisesRegex(medial.InvalidInputError, "rod"):
+            medial.thickness(vertices, quads, method="rod")
+
+    def test_regions(self):
+        vertices, quads = shapes.box(np.array([2.0, 1.0, 0.5]))
+        self.assertEqual(medial.thickness_regions(vertices, quads, min_thickness=0.9), [])
+        thin, = medial.thickness_regions(vertices, quads, min_thickness=1.1, max_edge=0.2)
+        self.assertTrue(thin.thin)
+        self.assertAlmostEqual(thin.value, 1.0, places=5)
+        self.assertAlmostEqual(thin.area, 28.0, places=5)
+        self.assertEqual(thin.place.shape, (3,))
+        np.testing.assert_array_equal(thin.faces, np.arange(6))
+        thick, = medial.thickness_regions(vertices, quads, max_thickness=0.5, max_edge=0)
+        self.assertFalse(thick.thin)
+
+    def test_limits_that_contradict_each_other(self):
+        for limits, words in (({"min_thickness": 2, "max_thickness": 1}, "is not below"),
+                              ({}, "neither"), ({"min_thickness": -1}, "minimum thickness -1")):
+            with self.assertRaisesRegex(medial.InvalidInputError, words):
+                medial.thickness_regions(*shapes.box(), **limits)
+
+    def test_limits_on_one_side_of_an_open_mesh(self):
+        vertices, quads = shapes.box()
+        with self.assertRaisesRegex(medial.InvalidInputError, "need a mesh with an inside"):
+            medial.thickness_regions(vertices, quads[:3], min_thickness=1)
+
+
 class Reconstruction(unittest.TestCase):
     def setUp(self):
         self.axis = medial.medial_axis(*shapes.box(), resolution=33, angle=30)
