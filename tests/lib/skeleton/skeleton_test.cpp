@@ -333,6 +333,21 @@ TEST(Skeleton, OpensLoopsThatOnlyVoxelsClose)
   EXPECT_EQ(topologyOf(computeSkeleton(axis, mesh)).genus, 0);
 }
 
+TEST(Skeleton, TakesNoDetours)
+{
+  // The arms of this axis are joined through a curve to the surface and back.
+  const TriangleMesh mesh =
+    turned(turned(turned(askew(unionOf(star({ 0, 180, 270 }, 1.5, 0.2), 0.05)), 0, 0.74), 1, 2.26),
+      2, 1.42);
+  const Skeleton skeleton = skeletonOf(mesh, 128);
+  ASSERT_EQ(skeleton.branches.size(), 3u);
+  for (const SkeletonBranch& branch : skeleton.branches)
+  {
+    EXPECT_NEAR(branch.length, 1.5, 0.015);
+    EXPECT_GT(branch.minRadius, 0.19);
+  }
+}
+
 TEST(Skeleton, ArraysFitTogether)
 {
   const TriangleMesh mesh = askew(unionOf(wheel(3, 1.5, 0.2), 0.1));
