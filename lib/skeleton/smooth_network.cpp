@@ -314,7 +314,9 @@ GeometricNetwork networkOf(const std::vector<CurvePath>& paths,
 void smooth(GeometricNetwork& network, const SolidProbe& probe, double step, double minBranch,
   const Checkpoint& checkpoint)
 {
-  joinJunctions(network, probe, minBranch);
+  while (joinJunctions(network, probe, minBranch))
+  {
+  }
   const CurveSmoother smoother(probe, step);
   const std::vector<char> trees = treeBranches(network);
   tbb::parallel_for(std::size_t{ 0 }, network.branches.size(),

@@ -318,6 +318,13 @@ TEST(Skeleton, HasTheComponentsAndLoopsOfTheAxis)
           EXPECT_EQ(found.components, truth.components);
           EXPECT_EQ(found.genus, truth.genus);
           EXPECT_EQ(skeleton.openedCavities, truth.cavities);
+          for (std::size_t p = 0; smooth && p < skeleton.points.size(); ++p)
+          {
+            if (skeleton.degree[p] > 2)
+            {
+              EXPECT_GT(windingNumber(mesh, skeleton.points[p]), 0.5);
+            }
+          }
         }
       }
     }
