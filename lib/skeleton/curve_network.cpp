@@ -14,8 +14,8 @@ namespace
 constexpr double kSlope = 0.5;
 /// The length over which that must hold: in steps, as a part of the radius, and as a part of what
 /// the width exceeds it by, since the grid shows in the way that a fire takes over a sheet.
-constexpr double kMinRun = 4.0;
-constexpr double kMinRunOfRadius = 0.25;
+constexpr double kMinRun = 6.0;
+constexpr double kMinRunOfRadius = 0.5;
 constexpr double kMinRunOfSheet = 0.75;
 /// Points on either side over which a path is averaged before it is measured.
 constexpr int kSmoothed = 4;

@@ -254,19 +254,31 @@ bool joinJunctions(GeometricNetwork& network, const SolidProbe& probe, double mi
     {
       continue;
     }
-    const double length = arcLengths(branch.curve).back();
-    if (length < minBranch * std::min(radii[first], radii[last]))
+    // Where junctions have been joined, the branch is shorter than the way.
+    const double length = std::max(arcLengths(branch.curve).back(),
+      glm::distance(network.junctions[first], network.junctions[last]));
+    if (length < std::min(minBranch, 1.0) * std::min(radii[first], radii[last]))
     {
       byLength.emplace_back(length, b);
     }
   }
   std::sort(byLength.begin(), byLength.end());
   DisjointSets sets(network.junctions.size());
+  std::vector<char> joined(network.junctions.size(), 0);
   std::vector<char> gone(network.branches.size(), 0);
   for (const auto& [length, b] : byLength)
   {
+    // Not one after the other along a row of junctions, which would end far away.
     const auto [first, last] = network.branches[b].junctions;
-    gone[b] = sets.join(first, last) ? 1 : 0;
+    const glm::dvec3 middle = 0.5 * (network.junctions[first] + network.junctions[last]);
+    if (joined[first] == 0 && joined[last] == 0 &&
+      probe.radius(middle) > 0.5 * std::min(radii[first], radii[last]))
+    {
+      sets.join(first, last);
+      joined[first] = 1;
+      joined[last] = 1;
+      gone[b] = 1;
+    }
   }
   std::vector<int> numbers(network.junctions.size());
   std::vector<glm::dvec3> places;
@@ -302,9 +314,8 @@ bool joinJunctions(GeometricNetwork& network, const SolidProbe& probe, double mi
     }
   }
   network.junctions = std::move(places);
-  const bool joined = branches.size() < network.branches.size();
   network.branches = std::move(branches);
-  return joined;
+  return !byLength.empty() && std::find(gone.begin(), gone.end(), char{ 1 }) != gone.end();
 }
 
 void placeJunctions(GeometricNetwork& network, const SolidProbe& probe, double step)

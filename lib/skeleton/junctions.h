@@ -6,7 +6,7 @@ namespace medial
 {
 
 /// Makes one junction of two that a branch joins which is shorter than `minBranch` times the
-/// smaller of their radii. Returns whether there were any.
+/// smaller of their radii, and shorter than that radius. Returns whether there were any.
 bool joinJunctions(GeometricNetwork& network, const SolidProbe& probe, double minBranch);
 
 /// Moves junctions to where the lines cross that their branches follow outside the balls of the

@@ -116,6 +116,7 @@ ShortBranches removeShortBranches(GeometricNetwork& network, const SolidProbe& p
   double minBranch)
 {
   ShortBranches result;
+  std::vector<std::size_t> changed;
   const std::vector<std::vector<End>> ends = endsAt(network);
   for (std::size_t j = 0; j < ends.size(); ++j)
   {
@@ -139,6 +140,7 @@ ShortBranches removeShortBranches(GeometricNetwork& network, const SolidProbe& p
     {
       network.branches[shortest] = {};
       result.removed = true;
+      changed.push_back(j);
     }
   }
   if (!result.removed)
@@ -146,7 +148,7 @@ ShortBranches removeShortBranches(GeometricNetwork& network, const SolidProbe& p
     return result;
   }
   std::vector<char> marked(network.branches.size(), 0);
-  for (std::size_t j = 0; j < network.junctions.size(); ++j)
+  for (const std::size_t j : changed)
   {
     // Merging changes which ends are where.
     const std::vector<End> left = endsAt(network)[j];

@@ -48,6 +48,44 @@ public:
     }
   }
 
+  /// Replaces detours of a curve to the surface and back by a straight line: in places a thinned
+  /// axis leaves sheets joined through nothing else.
+  void straighten(Curve& curve) const
+  {
+    constexpr double kMaxDetour = 4.0; // in radii
+    constexpr double kNarrow = 0.6;
+    const std::vector<double> lengths = arcLengths(curve);
+    std::vector<double> radii(curve.points.size());
+    tbb::parallel_for(std::size_t{ 0 }, radii.size(),
+      [&](std::size_t i) { radii[i] = probe_.radius(curve.points[i]); });
+    std::vector<std::size_t> kept;
+    for (std::size_t i = 0; i < radii.size(); ++i)
+    {
+      kept.push_back(i);
+      std::size_t onward = i;
+      double narrowest = radii[i];
+      for (std::size_t j = i + 1;
+           j < radii.size() && lengths[j] - lengths[i] <= kMaxDetour * radii[i]; ++j)
+      {
+        const double chord = glm::distance(curve.points[i], curve.points[j]);
+        if (narrowest < kNarrow * std::min(radii[i], radii[j]) &&
+          chord < std::max(radii[i], radii[j]) && lengths[j] - lengths[i] > 2.0 * chord)
+        {
+          onward = j - 1;
+        }
+        narrowest = std::min(narrowest, radii[j]);
+      }
+      i = onward;
+    }
+    Curve straight;
+    for (const std::size_t i : kept)
+    {
+      straight.points.push_back(curve.points[i]);
+      straight.widths.push_back(curve.widths[i]);
+    }
+    curve = resampled(straight, step_);
+  }
+
   /// Moves the points of a curve to the middle of the cross-sections, or to where these are widest.
   void centre(Curve& curve, bool widest) const
   {
@@ -163,6 +201,60 @@ private:
 
 } // namespace
 
+namespace
+{
+
+/// Marks branches that are part of no loop and lead to none at one end.
+std::vector<char> treeBranches(const GeometricNetwork& network)
+{
+  const std::size_t count = network.branches.size();
+  std::vector<char> marked(count, 0);
+  std::vector<std::vector<std::size_t>> inner(network.junctions.size());
+  for (std::size_t b = 0; b < count; ++b)
+  {
+    const auto [first, last] = network.branches[b].junctions;
+    if (first == NetworkBranch::kFree || last == NetworkBranch::kFree)
+    {
+      marked[b] = network.branches[b].curve.closed ? 0 : 1;
+      continue;
+    }
+    inner[first].push_back(b);
+    inner[last].push_back(b);
+  }
+  std::vector<int> left;
+  std::vector<std::size_t> outermost;
+  for (std::size_t j = 0; j < inner.size(); ++j)
+  {
+    left.push_back(static_cast<int>(inner[j].size()));
+    if (left[j] == 1)
+    {
+      outermost.push_back(j);
+    }
+  }
+  while (!outermost.empty())
+  {
+    const std::size_t junction = outermost.back();
+    outermost.pop_back();
+    for (const std::size_t b : inner[junction])
+    {
+      if (marked[b] == 0)
+      {
+        marked[b] = 1;
+        const auto [first, last] = network.branches[b].junctions;
+        const auto other =
+          static_cast<std::size_t>(static_cast<int>(junction) == first ? last : first);
+        if (--left[other] == 1)
+        {
+          outermost.push_back(other);
+        }
+      }
+    }
+  }
+  return marked;
+}
+
+} // namespace
+
 GeometricNetwork networkOf(const std::vector<CurvePath>& paths,
   const std::vector<glm::dvec3>& positions, const std::vector<double>& widths)
 {
@@ -222,8 +314,11 @@ GeometricNetwork networkOf(const std::vector<CurvePath>& paths,
 void smooth(GeometricNetwork& network, const SolidProbe& probe, double step, double minBranch,
   const Checkpoint& checkpoint)
 {
-  joinJunctions(network, probe, minBranch);
+  while (joinJunctions(network, probe, minBranch))
+  {
+  }
   const CurveSmoother smoother(probe, step);
+  const std::vector<char> trees = treeBranches(network);
   tbb::parallel_for(std::size_t{ 0 }, network.branches.size(),
     [&](std::size_t b)
     {
@@ -236,6 +331,10 @@ void smooth(GeometricNetwork& network, const SolidProbe& probe, double step, dou
         return;
       }
       curve = resampled(curve, step);
+      if (trees[b] != 0)
+      {
+        smoother.straighten(curve);
+      }
       smoother.smoothOnce(curve);
       for (const bool first : { true, false })
       {

@@ -318,6 +318,13 @@ TEST(Skeleton, HasTheComponentsAndLoopsOfTheAxis)
           EXPECT_EQ(found.components, truth.components);
           EXPECT_EQ(found.genus, truth.genus);
           EXPECT_EQ(skeleton.openedCavities, truth.cavities);
+          for (std::size_t p = 0; smooth && p < skeleton.points.size(); ++p)
+          {
+            if (skeleton.degree[p] > 2)
+            {
+              EXPECT_GT(windingNumber(mesh, skeleton.points[p]), 0.5);
+            }
+          }
         }
       }
     }
@@ -331,6 +338,21 @@ TEST(Skeleton, OpensLoopsThatOnlyVoxelsClose)
   const MedialAxis axis = axisOf(mesh, 96);
   ASSERT_GT(axis.solid->genus, 0);
   EXPECT_EQ(topologyOf(computeSkeleton(axis, mesh)).genus, 0);
+}
+
+TEST(Skeleton, TakesNoDetours)
+{
+  // The arms of this axis are joined through a curve to the surface and back.
+  const TriangleMesh mesh =
+    turned(turned(turned(askew(unionOf(star({ 0, 180, 270 }, 1.5, 0.2), 0.05)), 0, 0.74), 1, 2.26),
+      2, 1.42);
+  const Skeleton skeleton = skeletonOf(mesh, 128);
+  ASSERT_EQ(skeleton.branches.size(), 3u);
+  for (const SkeletonBranch& branch : skeleton.branches)
+  {
+    EXPECT_NEAR(branch.length, 1.5, 0.015);
+    EXPECT_GT(branch.minRadius, 0.19);
+  }
 }
 
 TEST(Skeleton, ArraysFitTogether)
