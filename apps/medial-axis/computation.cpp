@@ -8,7 +8,9 @@
 
 #include "medial/compute_distance_field.h"
 #include "medial/error.h"
+#include "medial/point_distance.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -65,6 +67,36 @@ AxisCoverage coverageOf(const Result& result, const Options& options,
   return measure(kDefaultCoverageSamples, 0.0);
 }
 
+/// Thickness along rays at the middles of the cells nearest to places.
+std::vector<double> thicknessAt(const std::vector<UncoveredPlace>& places, const Result& result,
+  const Execution& execution)
+{
+  ThicknessOptions options;
+  options.method = ThicknessMethod::Ray;
+  options.cells = true;
+  options.execution = execution;
+  const Thickness thickness = computeThickness(result.mesh, result.connectivity, options);
+  std::vector<Point3> points;
+  for (const UncoveredPlace& place : places)
+  {
+    points.push_back(place.point);
+  }
+  const PointDistance nearest(result.mesh, SignMethod::None, execution);
+  const std::vector<std::int64_t> cells = nearest.compute(points, execution).closestCell;
+  std::vector<double> values(places.size(), std::nan(""));
+  for (std::size_t i = 0; i < result.mesh.triangles.size(); ++i)
+  {
+    for (std::size_t place = 0; place < places.size(); ++place)
+    {
+      if (result.mesh.triangleCells[i] == cells[place])
+      {
+        values[place] = std::fmin(values[place], static_cast<double>(thickness.triangleValues[i]));
+      }
+    }
+  }
+  return values;
+}
+
 void computeAxis(const Options& options, const MedialAxisOptions& axisOptions, FieldSink* field,
   Result& result)
 {
@@ -81,6 +113,11 @@ void computeAxis(const Options& options, const MedialAxisOptions& axisOptions, F
   if (result.axis.side == Side::Interior && (!options.report.empty() || !options.quiet))
   {
     result.coverage = coverageOf(result, options, axisOptions.field);
+    if (result.coverage->uncoveredShare >= kNoticeableShare && !result.coverage->places.empty())
+    {
+      result.placeThickness =
+        thicknessAt(result.coverage->places, result, { options.threads, nullptr });
+    }
   }
   result.measureSeconds = measuring.seconds();
 }
@@ -122,6 +159,26 @@ void measureThickness(const Options& options, const ThicknessOptions& wanted,
 }
 
 } // namespace
+
+std::optional<double> Result::catchingSpacing(const Options& options) const
+{
+  const double diagonal = mesh.bounds().diagonal();
+  const double minRadius =
+    std::max(options.lambda.inUnits(diagonal), options.minRadius.inUnits(diagonal));
+  // Four grid points, the corners of a square, lie inside a rod of 2 sqrt(2) times their spacing.
+  constexpr double kSpacings = 3.0;
+  std::optional<double> spacing;
+  for (const double wall : placeThickness)
+  {
+    const double wanted = wall / kSpacings;
+    if (0.5 * wall > minRadius && options.maxSpheres == 0 &&
+      wanted < std::max({ grid.spacing[0], grid.spacing[1], grid.spacing[2] }))
+    {
+      spacing = std::min(wanted, spacing.value_or(wanted));
+    }
+  }
+  return spacing;
+}
 
 Result prepare(const Surface& surface, const Options& options, ProgressBar& bar)
 {

@@ -34,9 +34,11 @@ struct Result
   Grid grid;
   SignMethod sign = SignMethod::None; ///< never Auto
   RunStatistics statistics;
-  MedialAxis axis;                               ///< empty where it is not wanted
-  CellTopology axisTopology;                     ///< where a report is wanted
-  std::optional<AxisCoverage> coverage;          ///< of an interior axis, for report or summary
+  MedialAxis axis;                      ///< empty where it is not wanted
+  CellTopology axisTopology;            ///< where a report is wanted
+  std::optional<AxisCoverage> coverage; ///< of an interior axis, for report or summary
+  /// How thick the solid is at the coverage's places, world units, NaN where nothing is opposite.
+  std::vector<double> placeThickness;
   std::optional<Subdivision> fineMesh;           ///< with --max-edge, for thickness
   std::optional<Thickness> thickness;            ///< of fineMesh or mesh, where it is wanted
   std::vector<ThicknessRegion> regions;          ///< beyond the limits of thickness
@@ -44,6 +46,10 @@ struct Result
   vtkSmartPointer<vtkPolyData> thicknessPicture; ///< the same with enough points for a picture
   std::optional<Skeleton> skeleton;              ///< where it is wanted
   double measureSeconds = 0.0;                   ///< that topology and coverage took
+
+  /// The grid's spacing that catches the walls that its own misses at these places; nothing if it
+  /// is fine enough for them, or if the options leave them out at any spacing.
+  std::optional<double> catchingSpacing(const Options& options) const;
 
   /// The mesh that thickness is of.
   const TriangleMesh& thicknessMesh() const { return fineMesh ? fineMesh->mesh : mesh; }

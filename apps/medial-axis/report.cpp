@@ -166,13 +166,21 @@ double peakMemoryMiB()
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
-Json describeCoverage(const std::optional<AxisCoverage>& coverage)
+Json describeCoverage(const Result& result, const Options& options)
 {
+  const std::optional<AxisCoverage>& coverage = result.coverage;
   if (!coverage)
   {
     return nullptr;
   }
-  return { { "uncovered_share", coverage->uncoveredShare }, { "reach", coverage->reach },
+  Json places = Json::array();
+  for (const UncoveredPlace& place : coverage->places)
+  {
+    places.push_back({ { "point", place.point }, { "share", place.share } });
+  }
+  const std::optional<double> spacing = result.catchingSpacing(options);
+  return { { "places", places }, { "spacing", spacing ? Json(*spacing) : Json(nullptr) },
+    { "uncovered_share", coverage->uncoveredShare }, { "reach", coverage->reach },
     { "samples", coverage->samples }, { "seconds", coverage->seconds } };
 }
 
@@ -212,7 +220,7 @@ std::string makeReport(const Result& result, const Options& options, const AppSe
     report["skeleton"] = describeSkeleton(*result.skeleton);
   }
   report["topology"] = ofAxis(describeTopology(result, options.topology));
-  report["coverage"] = describeCoverage(result.coverage);
+  report["coverage"] = describeCoverage(result, options);
   report["peak_memory_mib"] = peakMemoryMiB();
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

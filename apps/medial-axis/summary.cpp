@@ -232,14 +232,34 @@ void printSkeletonNote(const Options& options, const Skeleton& skeleton)
   }
 }
 
-void printCoverage(const Options& options, const AxisCoverage& coverage)
+// Where parts are left out, and which spacing would catch them.
+std::string placesOf(const Options& options, const Result& result)
 {
+  std::ostringstream text;
+  const char* separator = ", near ";
+  for (const UncoveredPlace& place : result.coverage->places)
+  {
+    const auto& [x, y, z] = place.point;
+    text << separator << "(" << x << ", " << y << ", " << z << ")";
+    separator = ", ";
+  }
+  if (const std::optional<double> spacing = result.catchingSpacing(options))
+  {
+    text << "; --spacing " << *spacing << " would catch the walls there";
+  }
+  return text.str();
+}
+
+void printCoverage(const Options& options, const Result& result)
+{
+  const AxisCoverage& coverage = *result.coverage;
   if (coverage.uncoveredShare >= kNoticeableShare)
   {
     std::fprintf(stderr,
       "medial-axis: note: %s: %.3g %% of the surface is farther than a voxel's diagonal, %.4g, "
-      "from what the axis describes: the grid, the selection or --max-spheres leaves parts out\n",
-      options.input.c_str(), 100.0 * coverage.uncoveredShare, coverage.reach);
+      "from what the axis describes: the grid, the selection or --max-spheres leaves parts out%s\n",
+      options.input.c_str(), 100.0 * coverage.uncoveredShare, coverage.reach,
+      placesOf(options, result).c_str());
   }
 }
 
@@ -263,7 +283,7 @@ void printNotes(const Options& options, const Result& result, const OutputNotes&
   }
   if (result.coverage)
   {
-    printCoverage(options, *result.coverage);
+    printCoverage(options, result);
   }
   if (result.skeleton)
   {

@@ -6,6 +6,7 @@
 #include "base/stopwatch.h"
 #include "measure/sample_values.h"
 #include "measure/surface_samples.h"
+#include "measure/uncovered_places.h"
 
 #include <algorithm>
 #include <array>
@@ -57,7 +58,8 @@ Samples uncovered(const Samples& samples, const BallUnion& solid, double reach, 
 /// Balls a voxel apart cover nearly everything, and there are half as many of them as wedges. So
 /// some balls come first, then all of them, then wedges, as long as more than a negligible part is
 /// left.
-double uncoveredShare(const Samples& samples, const MedialModel& model, double reach,
+/// Returns the samples that are left.
+Samples uncoveredBy(const Samples& samples, const MedialModel& model, double reach,
   double negligible, const Run& run)
 {
   const double count = std::max<double>(1.0, static_cast<double>(samples.size()));
@@ -83,7 +85,7 @@ double uncoveredShare(const Samples& samples, const MedialModel& model, double r
     left = uncovered(left, BallUnion(model, true), reach, run.part(done, 1.0));
   }
   run.report(1.0, kPhase);
-  return static_cast<double>(left.size()) / count;
+  return left;
 }
 
 } // namespace
@@ -114,8 +116,15 @@ AxisCoverage measureCoverage(const TriangleMesh& mesh, const MedialModel& model,
         samples = surfaceSamples(mesh, options.samples);
       }
       coverage.samples = static_cast<std::int64_t>(samples.size());
-      coverage.uncoveredShare = run.onThreads(
-        [&] { return uncoveredShare(samples, model, reach, options.negligible, run); });
+      const Samples left =
+        run.onThreads([&] { return uncoveredBy(samples, model, reach, options.negligible, run); });
+      const double count = std::max<double>(1.0, static_cast<double>(samples.size()));
+      coverage.uncoveredShare = static_cast<double>(left.size()) / count;
+      const bool bound = static_cast<double>(left.size()) < options.negligible * count;
+      if (!bound && !left.empty())
+      {
+        coverage.places = uncoveredPlaces(left, 2.0 * std::sqrt(surfaceArea(mesh) / count), count);
+      }
     });
   return coverage;
 }

@@ -61,9 +61,10 @@ TEST_F(CommandLine, HelpNamesEveryOption)
   EXPECT_EQ(help.exitCode, 0);
   EXPECT_EQ(help.err, "");
   for (const char* option : { "-o,--output", "--curves", "--field", "--thickness",
-         "--thickness-image", "--image", "--resolution", "--spacing", "--padding", "--angle",
-         "--lambda", "--min-radius", "--side", "--representation", "--max-spheres", "--topology",
-         "--sign", "--threads", "--memory", "--report", "--device", "--list-devices",
+         "--thickness-image", "--thin-regions", "--thickness-method", "--min-thickness",
+         "--max-thickness", "--max-edge", "--image", "--resolution", "--spacing", "--padding",
+         "--angle", "--lambda", "--min-radius", "--side", "--representation", "--max-spheres",
+         "--topology", "--sign", "--threads", "--memory", "--report", "--device", "--list-devices",
          "--require-gpu", "-q,--quiet", "--version", "--help" })
   {
     EXPECT_TRUE(contains(help.out, option)) << option;
@@ -74,7 +75,7 @@ TEST_F(CommandLine, HelpNamesEveryOption)
     EXPECT_LE(line.size(), 100U) << line;
   }
   EXPECT_TRUE(contains(help.out,
-    "Exit codes: 0 done; 2 usage; 3 bad input; 4 no usable OpenGL where it is needed;"));
+    "Exit codes: 0 done; 1 done, but the thickness is beyond its limits; 2 usage; 3 bad input;"));
 }
 
 TEST_F(CommandLine, HelpStatesTheDefaultsOfTheFilter)

@@ -24,7 +24,8 @@ TEST_F(CommandOutput, ReportHasExactlyTheDocumentedKeys)
       "dispatches", "simplification", "engine", "sign", "sign_method", "topology", "coverage",
       "peak_memory_mib" }));
   EXPECT_EQ(keysOf(result["coverage"]),
-    (std::set<std::string>{ "uncovered_share", "reach", "samples", "seconds" }));
+    (std::set<std::string>{ "places", "spacing", "uncovered_share", "reach", "samples",
+      "seconds" }));
   EXPECT_EQ(keysOf(result["simplification"]),
     (std::set<std::string>{ "input_points", "input_components", "components", "joined", "forced",
       "dropped", "seconds" }));

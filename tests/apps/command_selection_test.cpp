@@ -95,10 +95,17 @@ TEST_F(CommandSelection, PinsThatAreLostAreReported)
   EXPECT_NEAR(share, shape.pinShare, 0.001);
   EXPECT_TRUE(contains(notes, input + ": 20 % of the surface is farther than a voxel's diagonal"))
     << notes;
+  EXPECT_TRUE(contains(notes, ", near (")) << notes;
+  const std::size_t hint = notes.find("; --spacing ");
+  ASSERT_NE(hint, std::string::npos) << notes;
+  const std::string spacing = notes.substr(hint + 12, notes.find(' ', hint + 12) - hint - 12);
+  EXPECT_EQ(coverage({ "--spacing", spacing })["uncovered_share"], 0.0) << spacing;
+  EXPECT_EQ(notes, "");
   // Thinner than lambda at any spacing.
   EXPECT_NEAR(
     coverage({ "--spacing", "0.03", "--lambda", "0.05" })["uncovered_share"].get<double>(),
     shape.pinShare, 0.001);
+  EXPECT_FALSE(contains(notes, "; --spacing")) << notes;
   EXPECT_EQ(coverage({ "--spacing", "0.025" })["uncovered_share"], 0.0);
   EXPECT_EQ(notes, "");
 }

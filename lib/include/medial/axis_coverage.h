@@ -6,9 +6,17 @@
 #include "medial/triangle_mesh.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace medial
 {
+
+/// A connected part of the samples that an axis leaves out.
+struct UncoveredPlace
+{
+  Point3 point{};     ///< the sample in its middle
+  double share = 0.0; ///< of the surface's area, in [0, 1]
+};
 
 /// How much of a surface a medial axis accounts for.
 struct AxisCoverage
@@ -17,6 +25,9 @@ struct AxisCoverage
   /// axis's balls, cones and wedges. Surface inside the union counts as covered. A share below the
   /// negligible one is an upper bound.
   double uncoveredShare = 0.0;
+  /// The largest parts of it, at most five, the largest first. Samples closer than twice their
+  /// mean spacing belong together. Empty where only a bound was found.
+  std::vector<UncoveredPlace> places;
   double reach = 0.0;       ///< the distance asked for, world units
   std::int64_t samples = 0; ///< number of samples on the surface
   double seconds = 0.0;     ///< wall-clock time

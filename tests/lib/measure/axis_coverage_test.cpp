@@ -50,6 +50,20 @@ TEST(AxisCoverage, TheAxisOfACapsuleLeavesNothing)
   EXPECT_NEAR(uncovered(mesh, model), (1.0 - beside) / (1.0 + 0.5), 0.002);
 }
 
+// Two caps of a capsule, the lower one smaller, stick out of a cone between its balls.
+TEST(AxisCoverage, PlacesAreWhereItIsLeftOut)
+{
+  MedialModel model;
+  model.centres = { { 0, 0, 0.2 } };
+  model.radii = { 0.5 };
+  const AxisCoverage coverage = measureCoverage(uvCapsule(0.5, 1.0, 128), model, 0.03);
+  ASSERT_EQ(coverage.places.size(), 2U);
+  EXPECT_LT(coverage.places[0].point[2], -0.2);
+  EXPECT_GT(coverage.places[1].point[2], 0.5);
+  EXPECT_GT(coverage.places[0].share, coverage.places[1].share);
+  EXPECT_NEAR(coverage.places[0].share + coverage.places[1].share, coverage.uncoveredShare, 1e-12);
+}
+
 TEST(AxisCoverage, ANegligibleShareIsBounded)
 {
   MedialModel model;
