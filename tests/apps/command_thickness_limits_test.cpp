@@ -3,8 +3,8 @@
 
 #include "support/shapes.h"
 #include "support/thickness_shapes.h"
-#include "support/tubes.h"
 #include "support/transforms.h"
+#include "support/tubes.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>

@@ -6,8 +6,8 @@
 #include "support/medial_truth.h"
 #include "support/shapes.h"
 #include "support/thickness_shapes.h"
-#include "support/tubes.h"
 #include "support/transforms.h"
+#include "support/tubes.h"
 
 #include <gtest/gtest.h>
 
