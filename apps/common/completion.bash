@@ -34,7 +34,7 @@ _medial_values()
     --curves | --thickness) _medial_files "$2" vtp ;;
     --contacts) _medial_files "$2" vtp pvd ;;
     --animation) compgen -d -- "$2" ;;
-    --field) _medial_files "$2" vti pvti nrrd mha nii.gz ;;
+    --field | --local-thickness) _medial_files "$2" vti pvti nrrd mha nii.gz ;;
     --image | --thickness-image | --screenshot) _medial_files "$2" png ;;
     --html) _medial_files "$2" html ;;
     --colour) compgen -W "radius angle thickness" -- "$2" ;;

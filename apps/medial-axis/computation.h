@@ -7,6 +7,7 @@
 
 #include "medial/axis_coverage.h"
 #include "medial/compute_medial_axis.h"
+#include "medial/local_thickness.h"
 #include "medial/mesh_connectivity.h"
 #include "medial/thickness.h"
 #include "medial/triangle_mesh.h"
@@ -35,7 +36,8 @@ struct Result
   std::optional<AxisCoverage> coverage;          ///< of an interior axis, for report or summary
   std::optional<Thickness> thickness;            ///< of the mesh's points, where it is wanted
   vtkSmartPointer<vtkPolyData> thicknessPicture; ///< pictureOfThickness(), where it is wanted
-  double measureSeconds = 0.0;                   ///< that topology and coverage took
+  std::optional<LocalThicknessStatistics> localThickness; ///< where it is wanted
+  double measureSeconds = 0.0;                            ///< that topology and coverage took
 };
 
 /// The mesh as the filters see it, and its grid.
@@ -47,6 +49,12 @@ Result prepare(const Surface& surface, const Options& options, ProgressBar& bar)
 /// @param field null if it is not wanted.
 /// @throws Failure.
 void compute(const Options& options, FieldOutput* field, ProgressBar& bar, Result& result);
+
+/// Computes local thickness, which goes to disk meanwhile. Does nothing if it is not wanted.
+/// @param image null if it is not wanted.
+/// @throws Failure.
+void computeLocalThickness(const Options& options, FieldOutput* image, ProgressBar& bar,
+  Result& result);
 
 /// Computes the thickness, as far as options ask for it.
 /// @param surface the one that the mesh of the result was made from.

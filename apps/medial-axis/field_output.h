@@ -25,9 +25,10 @@ class FieldOutput : public FieldSink
 {
 public:
   /// Checks that a file can be created there; leaves nothing behind.
+  /// @param scalars name of the first array; static storage.
   /// @throws Failure NoSpace.
   explicit FieldOutput(const std::filesystem::path& path,
-    const FieldSelection& selection = kAllFieldArrays);
+    const FieldSelection& selection = kAllFieldArrays, const char* scalars = kDistanceName);
 
   /// Creates the files, complete but for their values.
   /// @throws Failure NoSpace, also if the disk has too little space for them.
@@ -71,6 +72,7 @@ private:
 
   std::filesystem::path path_;
   FieldSelection selection_;
+  const char* scalars_;
   std::optional<OutputFile> index_;
   std::list<Piece> pieces_;
   std::array<std::unique_ptr<char[]>, kFieldArrays.size()> values_; // of a slab

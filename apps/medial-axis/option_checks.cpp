@@ -111,6 +111,7 @@ void convertTexts(const OptionTexts& texts, bool spacingGiven, Options& options)
   options.curves = texts.curves;
   options.field = texts.field;
   options.fieldArrays = fieldArraysOf(options.field, texts.fieldArrays);
+  options.localThickness = texts.localThickness;
   options.thickness = texts.thickness;
   options.thicknessImage = texts.thicknessImage;
   options.image = texts.image;
@@ -121,8 +122,8 @@ void convertTexts(const OptionTexts& texts, bool spacingGiven, Options& options)
     options.spacing = texts.spacing;
   }
   if (options.output.empty() && options.curves.empty() && options.field.empty() &&
-    options.image.empty() && options.html.empty() && options.report.empty() &&
-    !options.wantsThickness())
+    options.localThickness.empty() && options.image.empty() && options.html.empty() &&
+    options.report.empty() && !options.wantsThickness())
   {
     const std::string name = options.input.filename().string();
     options.output =
@@ -136,6 +137,8 @@ void checkFiles(const Options& options)
   checkExtension("--curves", options.curves, { ".vtp" });
   checkScan(options);
   checkExtension("--field", options.field, { ".vti", ".pvti", ".nrrd", ".mha", ".nii.gz" });
+  checkExtension("--local-thickness", options.localThickness,
+    { ".vti", ".pvti", ".nrrd", ".mha", ".nii.gz" });
   checkExtension("--thickness", options.thickness, { ".vtp" });
   checkExtension("--thickness-image", options.thicknessImage, { ".png" });
   checkExtension("--image", options.image, { ".png" });
@@ -146,8 +149,10 @@ void checkFiles(const Options& options)
   }
   checkNotTheInput("--output", options.output, options.input);
   checkNotTheInput("--field", options.field, options.input);
+  checkNotTheInput("--local-thickness", options.localThickness, options.input);
   checkNotTheInput("--curves", options.curves, options.input);
   checkNotTheInput("--thickness", options.thickness, options.input);
+  checkDistinct("--field", options.field, "--local-thickness", options.localThickness);
   checkDistinct("--output", options.output, "--curves", options.curves);
   checkDistinct("--output", options.output, "--thickness", options.thickness);
   checkDistinct("--curves", options.curves, "--thickness", options.thickness);

@@ -12,7 +12,8 @@ namespace medial::app
 /// What the user typed, before it becomes values of Options.
 struct OptionTexts
 {
-  std::string input, output, curves, field, thickness, thicknessImage, image, html, report;
+  std::string input, output, curves, field, localThickness, thickness, thicknessImage, image, html,
+    report;
   std::string fieldArrays;
   std::string lambda = "0";
   std::string minRadius = "0";

@@ -15,12 +15,26 @@ const char* const kFooter =
   "Input formats: .stl .obj .ply .off .vtp .vtk; scans: .nrrd .mha .mhd .nii .nii.gz .vti.\n"
   "Without any output the medial axis goes to <INPUT's name>_medial.vtp in the current folder. "
   "Existing files are replaced, but only once\n"
-  "the new ones are complete. --field, --thickness and --thickness-image compute no medial axis\n"
-  "unless another output needs one.\n"
+  "the new ones are complete. --field, --local-thickness, --thickness and --thickness-image write "
+  "no\n"
+  "medial axis unless another output needs one.\n"
   "\n"
   "Exit codes: 0 done; 2 usage; 3 bad input; 4 no usable OpenGL where it is needed; 5 out of\n"
   "memory or disk, or an output that cannot be written; 70 a fault of the program; 130\n"
   "interrupted.";
+
+DistanceFieldOptions fieldOptions(const Options& options)
+{
+  DistanceFieldOptions result;
+  result.sign = options.signMethod;
+  result.engine = options.engine;
+  result.device = options.device.name;
+  result.execution.threads = options.threads;
+  result.memoryMiB = static_cast<std::size_t>(options.memoryMiB);
+  result.requireHardware = options.device.require;
+  result.verify = options.device.verify;
+  return result;
+}
 
 } // namespace
 
@@ -62,13 +76,7 @@ MedialAxisOptions libraryOptions(const Options& options, double diagonal)
   result.representation = options.representation;
   result.maxSpheres = options.maxSpheres;
   result.topology = options.topology;
-  result.field.sign = options.signMethod;
-  result.field.engine = options.engine;
-  result.field.device = options.device.name;
-  result.field.execution.threads = options.threads;
-  result.field.memoryMiB = static_cast<std::size_t>(options.memoryMiB);
-  result.field.requireHardware = options.device.require;
-  result.field.verify = options.device.verify;
+  result.field = fieldOptions(options);
   return result;
 }
 
@@ -78,6 +86,14 @@ ThicknessOptions thicknessOptions(const Options& options)
   result.angle = options.angle;
   result.side = options.side;
   result.execution.threads = options.threads;
+  return result;
+}
+
+LocalThicknessOptions localThicknessOptions(const Options& options)
+{
+  LocalThicknessOptions result;
+  result.side = options.side;
+  result.field = fieldOptions(options);
   return result;
 }
 

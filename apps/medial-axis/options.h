@@ -6,6 +6,7 @@
 #include "scan_surface.h"
 
 #include "medial/compute_medial_axis.h"
+#include "medial/local_thickness.h"
 #include "medial/thickness.h"
 
 #include <filesystem>
@@ -24,6 +25,7 @@ struct Options
   std::filesystem::path curves; ///< .vtp
   std::filesystem::path field;  ///< .vti or .pvti
   FieldSelection fieldArrays = kAllFieldArrays;
+  std::filesystem::path localThickness; ///< as field
   std::filesystem::path thickness;      ///< .vtp
   std::filesystem::path thicknessImage; ///< .png
   std::filesystem::path image;          ///< .png
@@ -50,15 +52,15 @@ struct Options
   /// Whether the thickness of the surface is to be computed.
   bool wantsThickness() const { return !thickness.empty() || !thicknessImage.empty(); }
 
-  /// Whether the distance field is needed.
-  bool wantsField() const { return !field.empty() || this->wantsAxis(); }
+  /// Whether a grid is needed.
+  bool wantsGrid() const { return !field.empty() || !localThickness.empty() || this->wantsAxis(); }
 
   /// Whether the medial axis is to be computed: for an output, or for the figures of a report that
   /// is asked for alone.
   bool wantsAxis() const
   {
     return !output.empty() || !curves.empty() || !image.empty() || !html.empty() ||
-      (field.empty() && !wantsThickness());
+      (field.empty() && localThickness.empty() && !wantsThickness());
   }
 };
 
@@ -72,6 +74,7 @@ std::optional<Options> parseOptions(int argc, char** argv);
 /// @param diagonal of the mesh's bounds, world units.
 MedialAxisOptions libraryOptions(const Options& options, double diagonal);
 ThicknessOptions thicknessOptions(const Options& options);
+LocalThicknessOptions localThicknessOptions(const Options& options);
 ///@}
 
 } // namespace medial::app

@@ -11,6 +11,10 @@ Outputs::Outputs(const Options& options)
   {
     field_.emplace(options.field, options.fieldArrays);
   }
+  if (!options.localThickness.empty())
+  {
+    localThickness_.emplace(options.localThickness, FieldSelection{ true }, kLocalThicknessName);
+  }
   for (const auto* path : { &options.output, &options.curves, &options.image, &options.html,
          &options.thickness, &options.thicknessImage })
   {
@@ -25,9 +29,12 @@ Outputs::Outputs(const Options& options)
 void Outputs::commit()
 {
   files_.commit();
-  if (field_)
+  for (std::optional<FieldOutput>* field : { &field_, &localThickness_ })
   {
-    field_->commit();
+    if (*field)
+    {
+      (*field)->commit();
+    }
   }
 }
 

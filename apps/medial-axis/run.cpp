@@ -57,6 +57,7 @@ void run(const Options& options)
   compute(options, outputs.field(), bar, result);
   seconds.measure = result.measureSeconds;
   const Timer thickness;
+  computeLocalThickness(options, outputs.localThickness(), bar, result);
   computeThickness(options, surface, bar, result);
   seconds.thickness = thickness.seconds();
 

@@ -58,6 +58,16 @@ void printThickness(const Options& options, const Thickness& thickness)
     100.0 * thickness.shareWithout(), thickness.seconds);
 }
 
+void printLocalThickness(const char* name, const std::optional<LocalThicknessSummary>& summary)
+{
+  if (summary)
+  {
+    std::printf("local     %s: mean %.4g, standard deviation %.4g, max %.4g at %lld points\n", name,
+      summary->mean, summary->standardDeviation, summary->max,
+      static_cast<long long>(summary->points));
+  }
+}
+
 void printSeconds(const RunStatistics::Seconds& run, const AppSeconds& app)
 {
   std::printf("seconds   read %.2f, prepare %.2f, sites %.2f, sign %.2f, cull %.2f, polygons %.2f, "
@@ -82,6 +92,7 @@ void printOutputs(const Options& options, const MedialAxis& axis, const OutputNo
       std::to_string(axis.cellCount()) + " cells");
   printFile(options.curves, "curves of the axis, " + std::to_string(notes.curves) + " polylines");
   printFile(options.field, "distance field");
+  printFile(options.localThickness, "local thickness");
   printFile(options.thickness, "surface with thickness");
   printFile(options.thicknessImage, "picture of thickness");
   printFile(options.image, "picture of axis and surface");
@@ -229,7 +240,7 @@ void printSummary(const Options& options, const Result& result, const OutputNote
   const AppSeconds& seconds)
 {
   printMesh(options, result);
-  if (options.wantsField())
+  if (options.wantsGrid())
   {
     printGrid(result);
     printEngine(result.statistics);
@@ -237,6 +248,11 @@ void printSummary(const Options& options, const Result& result, const OutputNote
   if (result.thickness)
   {
     printThickness(options, *result.thickness);
+  }
+  if (result.localThickness)
+  {
+    printLocalThickness("thickness", result.localThickness->thickness);
+    printLocalThickness("separation", result.localThickness->separation);
   }
   printSeconds(result.statistics.seconds, seconds);
   printSimplification(result.axis);
