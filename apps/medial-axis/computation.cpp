@@ -236,6 +236,32 @@ void computeSkeleton(const Options& options, ProgressBar& bar, Result& result)
   throwIfInterrupted();
 }
 
+void computeLocalThickness(const Options& options, FieldOutput* image, ProgressBar& bar,
+  Result& result)
+{
+  if (image == nullptr)
+  {
+    return;
+  }
+  image->begin(result.grid);
+  Watch watch(bar);
+  LocalThicknessOptions wanted = localThicknessOptions(options);
+  wanted.field.execution.progress = &watch;
+  withFailures(options.input,
+    [&]
+    {
+      result.localThickness =
+        computeLocalThickness(result.mesh, result.connectivity, result.grid, *image, wanted);
+    });
+  if (!options.wantsAxis() && options.field.empty())
+  {
+    result.statistics = result.localThickness->field;
+    result.sign = result.statistics.sign.method;
+  }
+  throwIfInterrupted();
+  image->finish();
+}
+
 void computeThickness(const Options& options, Surface& surface, ProgressBar& bar, Result& result)
 {
   if (!options.wantsThickness())

@@ -7,6 +7,7 @@
 
 #include "medial/axis_coverage.h"
 #include "medial/compute_medial_axis.h"
+#include "medial/local_thickness.h"
 #include "medial/mesh_connectivity.h"
 #include "medial/skeleton.h"
 #include "medial/subdivision.h"
@@ -45,7 +46,8 @@ struct Result
   vtkSmartPointer<vtkPolyData> thicknessSurface; ///< with the values, where it is wanted
   vtkSmartPointer<vtkPolyData> thicknessPicture; ///< the same with enough points for a picture
   std::optional<Skeleton> skeleton;              ///< where it is wanted
-  double measureSeconds = 0.0;                   ///< that topology and coverage took
+  std::optional<LocalThicknessStatistics> localThickness; ///< where it is wanted
+  double measureSeconds = 0.0;                            ///< that topology and coverage took
 
   /// The grid's spacing that catches the walls that its own misses at these places; nothing if it
   /// is fine enough for them, or if the options leave them out at any spacing.
@@ -68,6 +70,12 @@ void compute(const Options& options, FieldOutput* field, ProgressBar& bar, Resul
 /// Computes the skeleton from the axis, if an option asks for it.
 /// @throws Failure.
 void computeSkeleton(const Options& options, ProgressBar& bar, Result& result);
+
+/// Computes local thickness, which goes to disk meanwhile. Does nothing if it is not wanted.
+/// @param image null if it is not wanted.
+/// @throws Failure.
+void computeLocalThickness(const Options& options, FieldOutput* image, ProgressBar& bar,
+  Result& result);
 
 /// Computes the thickness, as far as options ask for it.
 /// @param surface the one that the mesh of the result was made from.

@@ -43,6 +43,12 @@ std::string imageAttributes(const Grid& grid, const Extent& whole)
     "\" Spacing=\"" + pointText(grid.spacing) + "\" Direction=\"1 0 0 0 1 0 0 0 1\"";
 }
 
+std::string attributesOf(std::size_t array, const char* scalars)
+{
+  const std::string attributes = kFieldArrays[array].attributes;
+  return array == 0 ? attributes + " Name=\"" + scalars + "\"" : attributes;
+}
+
 } // namespace
 
 FieldFormat fieldFormatOf(const std::filesystem::path& path)
@@ -56,11 +62,12 @@ FieldFormat fieldFormatOf(const std::filesystem::path& path)
 }
 
 FieldLayout::FieldLayout(const Grid& grid, const Extent& extent, const FieldSelection& selection,
-  FieldFormat format)
+  FieldFormat format, const char* scalars)
   : extent_(extent)
   , selection_(selection)
   , format_(format)
-  , header_(format == FieldFormat::Vti ? this->makeHeader(grid) : volumeHeader(grid, format))
+  , header_(
+      format == FieldFormat::Vti ? this->makeHeader(grid, scalars) : volumeHeader(grid, format))
   , footer_(format == FieldFormat::Vti ? "\n  </AppendedData>\n</VTKFile>\n" : "")
 {
 }
@@ -70,18 +77,18 @@ std::uint64_t FieldLayout::lengthSize() const
   return format_ == FieldFormat::Vti ? sizeof(std::uint64_t) : 0;
 }
 
-std::string FieldLayout::makeHeader(const Grid& grid) const
+std::string FieldLayout::makeHeader(const Grid& grid, const char* scalars) const
 {
   std::string text = fileElement("ImageData") + "  <ImageData" + imageAttributes(grid, extent_) +
-    ">\n    <Piece Extent=\"" + extentText(extent_) +
-    "\">\n      <PointData Scalars=\"Distance\">\n";
+    ">\n    <Piece Extent=\"" + extentText(extent_) + "\">\n      <PointData Scalars=\"" + scalars +
+    "\">\n";
   for (std::size_t array = 0; array < kFieldArrays.size(); ++array)
   {
     if (!this->has(array))
     {
       continue;
     }
-    text += std::string("        <DataArray ") + kFieldArrays[array].attributes +
+    text += "        <DataArray " + attributesOf(array, scalars) +
       " format=\"appended\" offset=\"" + std::to_string(this->appendedOffset(array)) + "\"/>\n";
   }
   return text +
@@ -141,15 +148,14 @@ std::vector<Extent> fieldPieces(const Grid& grid)
 }
 
 std::string fieldIndex(const Grid& grid, const std::vector<Extent>& pieces,
-  const std::vector<std::string>& sources, const FieldSelection& selection)
+  const std::vector<std::string>& sources, const FieldSelection& selection, const char* scalars)
 {
   std::string text = fileElement("PImageData") + "  <PImageData GhostLevel=\"0\"" +
-    imageAttributes(grid, grid.wholeExtent()) + ">\n    <PPointData Scalars=\"Distance\">\n";
+    imageAttributes(grid, grid.wholeExtent()) + ">\n    <PPointData Scalars=\"" + scalars + "\">\n";
   for (std::size_t array = 0; array < kFieldArrays.size(); ++array)
   {
-    text += selection[array]
-      ? std::string("      <PDataArray ") + kFieldArrays[array].attributes + "/>\n"
-      : std::string();
+    text += selection[array] ? "      <PDataArray " + attributesOf(array, scalars) + "/>\n"
+                             : std::string();
   }
   text += "    </PPointData>\n";
   for (std::size_t i = 0; i < pieces.size(); ++i)

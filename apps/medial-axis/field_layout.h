@@ -22,7 +22,7 @@ struct FieldArrayFormat
 
 /// In the order in which files hold them.
 constexpr std::array<FieldArrayFormat, 5> kFieldArrays = { {
-  { "distance", "type=\"Float32\" Name=\"Distance\"", 4 },
+  { "distance", "type=\"Float32\"", 4 }, // its name depends on what the file is for
   { "closest_point", "type=\"Float32\" Name=\"ClosestPoint\" NumberOfComponents=\"3\"", 12 },
   { "closest_cell", "type=\"Int64\" IdType=\"1\" Name=\"ClosestCell\"", 8 },
   { "closest_feature", "type=\"UInt8\" Name=\"ClosestFeature\"", 1 },
@@ -46,6 +46,10 @@ FieldFormat fieldFormatOf(const std::filesystem::path& path);
 using FieldSelection = std::array<bool, kFieldArrays.size()>;
 constexpr FieldSelection kAllFieldArrays = { true, true, true, true, true };
 
+/// The name of the first array.
+constexpr char kDistanceName[] = "Distance";
+constexpr char kLocalThicknessName[] = "LocalThickness";
+
 /// The layout of a file of a distance field: a header, then each array as its length (8 bytes, only
 /// in Vti) and its values, x fastest, as they are in memory, then a footer. Offsets and sizes in
 /// bytes, before compression.
@@ -53,8 +57,10 @@ class FieldLayout
 {
 public:
   /// @param extent the part of the grid that the file holds.
+  /// @param scalars name of the first array, in Vti.
   FieldLayout(const Grid& grid, const Extent& extent,
-    const FieldSelection& selection = kAllFieldArrays, FieldFormat format = FieldFormat::Vti);
+    const FieldSelection& selection = kAllFieldArrays, FieldFormat format = FieldFormat::Vti,
+    const char* scalars = kDistanceName);
 
   FieldFormat format() const { return format_; }
   const Extent& extent() const { return extent_; }
@@ -76,7 +82,7 @@ public:
 
 private:
   std::uint64_t appendedOffset(std::size_t array) const;
-  std::string makeHeader(const Grid& grid) const;
+  std::string makeHeader(const Grid& grid, const char* scalars) const;
 
   Extent extent_;
   FieldSelection selection_;
@@ -90,7 +96,8 @@ std::vector<Extent> fieldPieces(const Grid& grid);
 
 /// The text of a .pvti file.
 /// @param sources file names of the pieces, relative to the index.
+/// @param scalars name of the first array.
 std::string fieldIndex(const Grid& grid, const std::vector<Extent>& pieces,
-  const std::vector<std::string>& sources, const FieldSelection& selection);
+  const std::vector<std::string>& sources, const FieldSelection& selection, const char* scalars);
 
 } // namespace medial::app

@@ -17,9 +17,11 @@ namespace fs = std::filesystem;
 namespace medial::app
 {
 
-FieldOutput::FieldOutput(const fs::path& path, const FieldSelection& selection, double band)
+FieldOutput::FieldOutput(const fs::path& path, const FieldSelection& selection, const char* scalars,
+  double band)
   : path_(path)
   , selection_(selection)
+  , scalars_(scalars)
   , band_(band)
 {
   const OutputFile check(path);
@@ -43,14 +45,15 @@ void FieldOutput::begin(const Grid& grid)
     const std::vector<Extent> extents = fieldPieces(grid);
     for (const Extent& extent : extents)
     {
-      pieces_.emplace_back(this->piecePath(pieces_.size()), FieldLayout(grid, extent, selection_));
+      pieces_.emplace_back(this->piecePath(pieces_.size()),
+        FieldLayout(grid, extent, selection_, FieldFormat::Vti, scalars_));
     }
     this->writeIndex(grid, extents);
   }
   else
   {
     pieces_.emplace_back(path_,
-      FieldLayout(grid, grid.wholeExtent(), selection_, fieldFormatOf(path_)));
+      FieldLayout(grid, grid.wholeExtent(), selection_, fieldFormatOf(path_), scalars_));
   }
   this->checkSpace();
   for (Piece& piece : pieces_)
@@ -69,7 +72,7 @@ void FieldOutput::writeIndex(const Grid& grid, const std::vector<Extent>& extent
   }
   index_.emplace(path_);
   namingFile(path_,
-    [&] { writeFile(index_->open(), fieldIndex(grid, extents, sources, selection_)); });
+    [&] { writeFile(index_->open(), fieldIndex(grid, extents, sources, selection_, scalars_)); });
 }
 
 // A full disk is better found now than after hours of computing.

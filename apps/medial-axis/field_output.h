@@ -28,10 +28,12 @@ class FieldOutput : public FieldSink
 {
 public:
   /// Checks that a file can be created there; leaves nothing behind.
+  /// @param scalars name of the first array; static storage.
   /// @param band of .vdb files: see makeVdbFile().
   /// @throws Failure NoSpace.
   explicit FieldOutput(const std::filesystem::path& path,
-    const FieldSelection& selection = kAllFieldArrays, double band = kDefaultBand);
+    const FieldSelection& selection = kAllFieldArrays, const char* scalars = kDistanceName,
+    double band = kDefaultBand);
 
   /// Creates the files, complete but for their values.
   /// @throws Failure NoSpace, also if the disk has too little space for them.
@@ -75,6 +77,7 @@ private:
 
   std::filesystem::path path_;
   FieldSelection selection_;
+  const char* scalars_;
   double band_;
   std::optional<OutputFile> index_;
   std::list<Piece> pieces_;

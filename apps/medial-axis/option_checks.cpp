@@ -160,6 +160,7 @@ void convertTexts(const OptionTexts& texts, bool spacingGiven, Options& options)
   options.skeletonTable = texts.skeletonTable;
   options.field = texts.field;
   options.fieldArrays = fieldArraysOf(options.field, texts.fieldArrays);
+  options.localThickness = texts.localThickness;
   convertThickness(texts, options);
   options.image = texts.image;
   options.html = texts.html;
@@ -169,8 +170,8 @@ void convertTexts(const OptionTexts& texts, bool spacingGiven, Options& options)
     options.spacing = texts.spacing;
   }
   if (options.output.empty() && options.curves.empty() && options.field.empty() &&
-    options.image.empty() && options.html.empty() && options.report.empty() &&
-    !options.wantsThickness() && !options.wantsSkeleton())
+    options.localThickness.empty() && options.image.empty() && options.html.empty() &&
+    options.report.empty() && !options.wantsThickness() && !options.wantsSkeleton())
   {
     const std::string name = options.input.filename().string();
     options.output =
@@ -218,6 +219,8 @@ void checkFiles(const Options& options)
   checkScan(options);
   checkExtension("--field", options.field, { ".vti", ".pvti", ".nrrd", ".mha", ".nii.gz", ".vdb" });
   checkVdb(options);
+  checkExtension("--local-thickness", options.localThickness,
+    { ".vti", ".pvti", ".nrrd", ".mha", ".nii.gz" });
   checkExtension("--thickness", options.thickness, { ".vtp" });
   checkExtension("--thickness-image", options.thicknessImage, { ".png" });
   checkExtension("--thin-regions", options.thinRegions, { ".vtp" });
@@ -229,10 +232,12 @@ void checkFiles(const Options& options)
   }
   checkNotTheInput("--output", options.output, options.input);
   checkNotTheInput("--field", options.field, options.input);
+  checkNotTheInput("--local-thickness", options.localThickness, options.input);
   checkNotTheInput("--curves", options.curves, options.input);
   checkNotTheInput("--skeleton", options.skeleton, options.input);
   checkNotTheInput("--thickness", options.thickness, options.input);
   checkNotTheInput("--thin-regions", options.thinRegions, options.input);
+  checkDistinct("--field", options.field, "--local-thickness", options.localThickness);
   checkDistinct("--output", options.output, "--curves", options.curves);
   checkDistinct("--output", options.output, "--thickness", options.thickness);
   checkDistinct("--curves", options.curves, "--thickness", options.thickness);

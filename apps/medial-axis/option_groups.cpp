@@ -78,6 +78,13 @@ void addOutputOptions(CLI::App& app, OptionTexts& texts, Options& options)
     ->needs("--field")
     ->group(group);
   app
+    .add_option("--local-thickness", texts.localThickness,
+      "image with the diameter of the largest ball inside the solid that contains each grid point, "
+      "in world units, 0 outside; with --side exterior the separation, 0 inside; with both, the "
+      "separation as a negative number; formats as --field, written while it is computed")
+    ->option_text("FILE")
+    ->group(group);
+  app
     .add_option("--thickness", texts.thickness,
       "input surface with the point array Thickness and the cell array of the same name, in world "
       "units, float32; NaN where there is none; see --thickness-method; uses --angle and --side, "

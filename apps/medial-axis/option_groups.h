@@ -12,8 +12,8 @@ namespace medial::app
 /// What the user typed, before it becomes values of Options.
 struct OptionTexts
 {
-  std::string input, output, curves, skeleton, skeletonTable, field, thickness, thicknessImage,
-    thinRegions, image, html, report;
+  std::string input, output, curves, skeleton, skeletonTable, field, localThickness, thickness,
+    thicknessImage, thinRegions, image, html, report;
   std::string fieldArrays;
   std::string thicknessMethod, minThickness, maxThickness, maxEdge;
   std::string lambda = "0";

@@ -14,13 +14,25 @@ namespace
 const char* const kFooter =
   "Input formats: .stl .obj .ply .off .vtp .vtk; scans: .nrrd .mha .mhd .nii .nii.gz .vti.\n"
   "Without any output the medial axis goes to <INPUT's name>_medial.vtp in the current folder.\n"
-  "Existing files are replaced, but only once the new ones are complete. --field, --thickness,\n"
-  "--thickness-image and limits of thickness compute no medial axis unless another output needs\n"
-  "one.\n"
+  "Existing files are replaced, but only once the new ones are complete. --field, thickness of\n"
+  "any kind and its limits write no medial axis unless another output needs one.\n"
   "\n"
   "Exit codes: 0 done; 1 done, but the thickness is beyond its limits; 2 usage; 3 bad input; 4 no\n"
   "usable OpenGL where it is needed; 5 out of memory or disk, or an output that cannot be\n"
   "written; 70 a fault of the program; 130 interrupted.";
+
+DistanceFieldOptions fieldOptions(const Options& options)
+{
+  DistanceFieldOptions result;
+  result.sign = options.signMethod;
+  result.engine = options.engine;
+  result.device = options.device.name;
+  result.execution.threads = options.threads;
+  result.memoryMiB = static_cast<std::size_t>(options.memoryMiB);
+  result.requireHardware = options.device.require;
+  result.verify = options.device.verify;
+  return result;
+}
 
 } // namespace
 
@@ -65,13 +77,7 @@ MedialAxisOptions libraryOptions(const Options& options, double diagonal)
   result.representation = options.representation;
   result.maxSpheres = options.maxSpheres;
   result.topology = options.topology;
-  result.field.sign = options.signMethod;
-  result.field.engine = options.engine;
-  result.field.device = options.device.name;
-  result.field.execution.threads = options.threads;
-  result.field.memoryMiB = static_cast<std::size_t>(options.memoryMiB);
-  result.field.requireHardware = options.device.require;
-  result.field.verify = options.device.verify;
+  result.field = fieldOptions(options);
   return result;
 }
 
@@ -107,6 +113,14 @@ SkeletonOptions skeletonOptions(const Options& options)
   result.minBranch = options.minBranch;
   result.smooth = options.smooth;
   result.execution.threads = options.threads;
+  return result;
+}
+
+LocalThicknessOptions localThicknessOptions(const Options& options)
+{
+  LocalThicknessOptions result;
+  result.side = options.side;
+  result.field = fieldOptions(options);
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include "scan_surface.h"
 
 #include "medial/compute_medial_axis.h"
+#include "medial/local_thickness.h"
 #include "medial/skeleton.h"
 #include "medial/thickness.h"
 #include "medial/thickness_regions.h"
@@ -29,6 +30,7 @@ struct Options
   std::filesystem::path field;         ///< .vti, .pvti, .nrrd, .mha or .nii.gz
   FieldSelection fieldArrays = kAllFieldArrays;
   std::optional<double> band;           ///< of a .vdb field, in grid points
+  std::filesystem::path localThickness; ///< as field
   std::filesystem::path thickness;      ///< .vtp
   std::filesystem::path thicknessImage; ///< .png
   std::filesystem::path thinRegions;    ///< .vtp
@@ -71,15 +73,15 @@ struct Options
   /// Whether the skeleton is to be computed.
   bool wantsSkeleton() const { return !skeleton.empty() || !skeletonTable.empty(); }
 
-  /// Whether the distance field is needed.
-  bool wantsField() const { return !field.empty() || this->wantsAxis(); }
+  /// Whether a grid is needed.
+  bool wantsGrid() const { return !field.empty() || !localThickness.empty() || this->wantsAxis(); }
 
   /// Whether the medial axis is to be computed: for an output, or for the figures of a report that
   /// is asked for alone.
   bool wantsAxis() const
   {
     return !output.empty() || !curves.empty() || !image.empty() || !html.empty() ||
-      this->wantsSkeleton() || (field.empty() && !wantsThickness());
+      this->wantsSkeleton() || (field.empty() && localThickness.empty() && !wantsThickness());
   }
 };
 
@@ -95,6 +97,7 @@ MedialAxisOptions libraryOptions(const Options& options, double diagonal);
 ThicknessOptions thicknessOptions(const Options& options);
 SkeletonOptions skeletonOptions(const Options& options);
 ThicknessLimits thicknessLimits(const Options& options, double diagonal);
+LocalThicknessOptions localThicknessOptions(const Options& options);
 ///@}
 
 } // namespace medial::app

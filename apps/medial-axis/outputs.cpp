@@ -9,7 +9,12 @@ Outputs::Outputs(const Options& options)
 {
   if (!options.field.empty())
   {
-    field_.emplace(options.field, options.fieldArrays, options.band.value_or(kDefaultBand));
+    field_.emplace(options.field, options.fieldArrays, kDistanceName,
+      options.band.value_or(kDefaultBand));
+  }
+  if (!options.localThickness.empty())
+  {
+    localThickness_.emplace(options.localThickness, FieldSelection{ true }, kLocalThicknessName);
   }
   for (const auto* path :
     { &options.output, &options.curves, &options.skeleton, &options.skeletonTable, &options.image,
@@ -26,9 +31,12 @@ Outputs::Outputs(const Options& options)
 void Outputs::commit()
 {
   files_.commit();
-  if (field_)
+  for (std::optional<FieldOutput>* field : { &field_, &localThickness_ })
   {
-    field_->commit();
+    if (*field)
+    {
+      (*field)->commit();
+    }
   }
 }
 

@@ -23,8 +23,15 @@ public:
   /// Where the distance field goes while it is computed; null if it is not wanted.
   FieldOutput* field() { return field_ ? &*field_ : nullptr; }
 
-  /// Wall-clock seconds that writing the field took.
-  double fieldSeconds() const { return field_ ? field_->seconds() : 0.0; }
+  /// Where local thickness goes while it is computed; null if it is not wanted.
+  FieldOutput* localThickness() { return localThickness_ ? &*localThickness_ : nullptr; }
+
+  /// Wall-clock seconds that writing them took.
+  double fieldSeconds() const
+  {
+    return (field_ ? field_->seconds() : 0.0) +
+      (localThickness_ ? localThickness_->seconds() : 0.0);
+  }
 
   /// As OutputFiles::write().
   /// @param path as the options have it.
@@ -40,6 +47,7 @@ public:
 
 private:
   std::optional<FieldOutput> field_;
+  std::optional<FieldOutput> localThickness_;
   OutputFiles files_;
 };
 

@@ -128,6 +128,24 @@ Json describeThickness(const Result& result, const Options& options)
     { "seconds", thickness.seconds } };
 }
 
+Json describe(const std::optional<LocalThicknessSummary>& summary)
+{
+  if (!summary)
+  {
+    return nullptr;
+  }
+  return { { "points", summary->points }, { "min", summary->min }, { "mean", summary->mean },
+    { "standard_deviation", summary->standardDeviation }, { "max", summary->max },
+    { "histogram", summary->histogram }, { "histogram_end", summary->end } };
+}
+
+Json describeLocalThickness(const LocalThicknessStatistics& statistics)
+{
+  return { { "thickness", describe(statistics.thickness) },
+    { "separation", describe(statistics.separation) }, { "balls", statistics.balls },
+    { "seconds", statistics.seconds } };
+}
+
 Json describe(const CellTopology& topology)
 {
   return { { "components", topology.components },
@@ -189,7 +207,7 @@ Json describeCoverage(const Result& result, const Options& options)
 std::string makeReport(const Result& result, const Options& options, const AppSeconds& seconds)
 {
   // Thickness alone needs no grid, and so no sign and no engine.
-  const bool field = options.wantsField();
+  const bool field = options.wantsGrid();
   const auto ofField = [field](Json value) { return field ? std::move(value) : Json(nullptr); };
   const auto ofAxis = [&options](Json value)
   { return options.wantsAxis() ? std::move(value) : Json(nullptr); };
@@ -218,6 +236,10 @@ std::string makeReport(const Result& result, const Options& options, const AppSe
   if (result.skeleton)
   {
     report["skeleton"] = describeSkeleton(*result.skeleton);
+  }
+  if (result.localThickness)
+  {
+    report["local_thickness"] = describeLocalThickness(*result.localThickness);
   }
   report["topology"] = ofAxis(describeTopology(result, options.topology));
   report["coverage"] = describeCoverage(result, options);

@@ -61,6 +61,7 @@ void run(const Options& options)
   computeSkeleton(options, bar, result);
   seconds.skeleton = skeleton.seconds();
   const Timer thickness;
+  computeLocalThickness(options, outputs.localThickness(), bar, result);
   computeThickness(options, surface, bar, result);
   seconds.thickness = thickness.seconds();
 

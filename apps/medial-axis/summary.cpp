@@ -87,6 +87,16 @@ void printSkeleton(const Skeleton& skeleton)
     counted(topology.components, "component", "components").c_str(), length, skeleton.seconds);
 }
 
+void printLocalThickness(const char* name, const std::optional<LocalThicknessSummary>& summary)
+{
+  if (summary)
+  {
+    std::printf("local     %s: mean %.4g, standard deviation %.4g, max %.4g at %lld points\n", name,
+      summary->mean, summary->standardDeviation, summary->max,
+      static_cast<long long>(summary->points));
+  }
+}
+
 void printSeconds(const RunStatistics::Seconds& run, const AppSeconds& app)
 {
   std::printf("seconds   read %.2f, prepare %.2f, sites %.2f, sign %.2f, cull %.2f, polygons %.2f, "
@@ -114,6 +124,7 @@ void printOutputs(const Options& options, const MedialAxis& axis, const OutputNo
   printFile(options.skeleton, "skeleton");
   printFile(options.skeletonTable, "table of the skeleton's branches");
   printFile(options.field, "distance field");
+  printFile(options.localThickness, "local thickness");
   printFile(options.thickness, "surface with thickness");
   printFile(options.thicknessImage, "picture of thickness");
   printFile(options.thinRegions, "regions beyond the limits of thickness");
@@ -297,7 +308,7 @@ void printSummary(const Options& options, const Result& result, const OutputNote
   const AppSeconds& seconds)
 {
   printMesh(options, result);
-  if (options.wantsField())
+  if (options.wantsGrid())
   {
     printGrid(result);
     printEngine(result.statistics);
@@ -313,6 +324,11 @@ void printSummary(const Options& options, const Result& result, const OutputNote
   if (options.hasThicknessLimits())
   {
     std::printf("%s", regionTable(result.regions).c_str());
+  }
+  if (result.localThickness)
+  {
+    printLocalThickness("thickness", result.localThickness->thickness);
+    printLocalThickness("separation", result.localThickness->separation);
   }
   printSeconds(result.statistics.seconds, seconds);
   printSimplification(result.axis);

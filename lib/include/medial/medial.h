@@ -19,6 +19,7 @@
 #include "medial/export.h"
 #include "medial/field_proximity.h"
 #include "medial/grid.h"
+#include "medial/local_thickness.h"
 #include "medial/medial_axis.h"
 #include "medial/medial_model.h"
 #include "medial/medial_solver.h"

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "balls/bounding_tree.h"
+#include "medial/grid.h"
+#include "medial/medial_axis.h"
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace medial
+{
+
+/// Inscribed balls whose centres fill edges, with a radius that is linear along each of them. All
+/// lengths are in units of the grid's finest spacing; the origin is grid point (0,0,0).
+class BallFamilies
+{
+public:
+  using Edge = std::array<std::uint32_t, 2>;
+
+  explicit BallFamilies(const Grid& grid);
+
+  /// Adds the edges of the cells of an axis, and a diagonal of every quad.
+  void add(const MedialAxis& axis);
+  /// Adds a ball; returns its id.
+  std::uint32_t add(const glm::vec3& centre, float radius);
+  /// Joins two balls by a family.
+  void join(std::uint32_t first, std::uint32_t second) { edges_.push_back({ first, second }); }
+  /// To be called once, after the last addition. Uses the threads of the current arena.
+  void finish();
+
+  double unit() const { return unit_; }
+  const glm::vec3& step() const { return step_; } ///< between neighbouring grid points
+  std::size_t size() const { return balls_.size(); }
+  float maxRadius() const { return maxRadius_; }
+  /// Centre and radius.
+  const glm::vec4& ball(std::uint32_t id) const { return balls_[id]; }
+
+  /// The items of the tree: the edges from one ball to balls with larger ids.
+  struct Item
+  {
+    std::uint32_t first; ///< of edges()
+    std::uint32_t end;
+  };
+  const std::vector<Item>& items() const { return items_; }
+  ItemBounds boundsOf(const Item& item) const;
+  const std::vector<Edge>& edges() const { return edges_; }
+  const BoundingTree& tree() const { return *tree_; }
+
+private:
+  double unit_;
+  glm::dvec3 origin_;
+  glm::vec3 step_;
+  float maxRadius_ = 0.0f;
+  std::vector<glm::vec4> balls_;
+  std::vector<Edge> edges_;
+  std::vector<Item> items_;
+  std::unique_ptr<BoundingTree> tree_;
+};
+
+} // namespace medial

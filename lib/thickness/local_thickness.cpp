@@ -1,0 +1,269 @@
+#include "medial/local_thickness.h"
+
+#include "base/checkpoint.h"
+#include "base/memory_guard.h"
+#include "base/run.h"
+#include "base/stopwatch.h"
+#include "field/array_sink.h"
+#include "field/slabs.h"
+#include "medial/compute_distance_field.h"
+#include "medial/compute_medial_axis.h"
+#include "medial/error.h"
+#include "thickness/ball_families.h"
+#include "thickness/depth_sink.h"
+#include "thickness/slab_thickness.h"
+#include "thickness/thickness_tile.h"
+
+#include <algorithm>
+#include <memory>
+#include <string>
+
+namespace medial
+{
+namespace
+{
+
+constexpr const char* kPhase = "local thickness";
+/// Separation angle of the balls, degrees. Balls with smaller angles stick out of others by less
+/// than 2.5 % of their radius: 1 - cos(kBallAngle / 2).
+constexpr double kBallAngle = 25.0;
+constexpr int kMaxBins = 65536;
+/// Slices of a grid in memory between two reports of progress.
+constexpr int kSlices = 64;
+/// Share of the work that is done once the balls are there.
+constexpr double kBallsDone = 0.5;
+
+/// Passes the progress of another operation on as a part of this one.
+class PartProgress : public Progress
+{
+public:
+  explicit PartProgress(const Run& part)
+    : part_(part)
+  {
+  }
+
+  void report(double fraction, const char* phase) override { part_.report(fraction, phase); }
+
+private:
+  Run part_;
+};
+
+/// Replaces distances on their way to another sink.
+class ThicknessSink : public FieldSink
+{
+public:
+  ThicknessSink(FieldSink& sink, SlabThickness& thickness, const Run& run, double& seconds)
+    : sink_(sink)
+    , thickness_(thickness)
+    , run_(run)
+    , seconds_(seconds)
+  {
+  }
+
+  FieldArrays slabArrays(const Extent& slab) override
+  {
+    arrays_ = sink_.slabArrays(slab);
+    return arrays_;
+  }
+
+  void stored(const Extent& slab) override
+  {
+    {
+      const Stopwatch watch(seconds_);
+      const Checkpoint checkpoint(run_, 0.0, kPhase);
+      run_.onThreads([&] { thickness_.replace(slab, arrays_.distance, checkpoint); });
+    }
+    sink_.stored(slab);
+  }
+
+  std::size_t bytesPerPoint() const override { return sink_.bytesPerPoint(); }
+
+private:
+  FieldSink& sink_;
+  SlabThickness& thickness_;
+  Run run_;
+  double& seconds_;
+  FieldArrays arrays_;
+};
+
+void checkOptions(const LocalThicknessOptions& options)
+{
+  if (options.bins < 1 || options.bins > kMaxBins)
+  {
+    throw Error(ErrorCode::InvalidInput,
+      "number of bins " + std::to_string(options.bins) + " is outside [1, " +
+        std::to_string(kMaxBins) + "]");
+  }
+}
+
+/// The parts of the work that do not depend on where the values go.
+class LocalThicknessRun
+{
+public:
+  LocalThicknessRun(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
+    const Grid& grid, const LocalThicknessOptions& options)
+    : mesh_(mesh)
+    , connectivity_(connectivity)
+    , grid_(grid)
+    , options_(options)
+    , run_(options.field.execution)
+  {
+  }
+
+  /// @param last receives the field of the last of these passes.
+  void makeBalls(FieldSink* last)
+  {
+    const bool both = options_.side == Side::Both;
+    if (options_.side != Side::Exterior)
+    {
+      this->makeBalls(Side::Interior, run_.part(0.0, both ? 0.5 * kBallsDone : kBallsDone),
+        both ? nullptr : last, interior_);
+    }
+    if (options_.side != Side::Interior)
+    {
+      this->makeBalls(Side::Exterior, run_.part(both ? 0.5 * kBallsDone : 0.0, kBallsDone), last,
+        exterior_);
+    }
+  }
+
+  SlabThickness thickness() const
+  {
+    return { grid_, interior_.of(), exterior_.of(), options_.bins };
+  }
+
+  const Run& run() const { return run_; }
+  LocalThicknessStatistics& statistics() { return statistics_; }
+  DistanceFieldOptions fieldOptions(Progress& progress) const
+  {
+    DistanceFieldOptions field = options_.field;
+    field.execution.progress = &progress;
+    return field;
+  }
+
+  LocalThicknessStatistics finished(const SlabThickness& thickness)
+  {
+    statistics_.thickness = thickness.interior();
+    statistics_.separation = thickness.exterior();
+    for (const Balls* balls : { &interior_, &exterior_ })
+    {
+      statistics_.balls += balls->families ? static_cast<std::int64_t>(balls->families->size()) : 0;
+    }
+    run_.report(1.0, kPhase);
+    return statistics_;
+  }
+
+private:
+  struct Balls
+  {
+    std::unique_ptr<BallFamilies> families;
+    float end = 0.0f;
+
+    SlabThickness::SideBalls of() const { return { families.get(), end }; }
+  };
+
+  void makeBalls(Side side, const Run& part, FieldSink* sink, Balls& balls)
+  {
+    PartProgress progress(part);
+    MedialAxisOptions options;
+    options.angle = kBallAngle;
+    options.side = side;
+    options.field = this->fieldOptions(progress);
+    DepthSink depths(grid_, side, sink);
+    balls.families = std::make_unique<BallFamilies>(grid_);
+    {
+      const MedialAxis axis = computeMedialAxis(mesh_, connectivity_, grid_, options, depths);
+      statistics_.field = axis.statistics;
+      if (axis.sign == SignMethod::None)
+      {
+        throw Error(ErrorCode::InvalidInput,
+          "local thickness needs an inside and an outside, but the field has no sign: " +
+            axis.statistics.sign.reason);
+      }
+      balls.families->add(axis);
+    }
+    const Stopwatch watch(statistics_.seconds);
+    depths.addBorder(*balls.families);
+    run_.onThreads([&] { balls.families->finish(); });
+    const double unit = balls.families->unit();
+    const float deepest = std::max(static_cast<float>(static_cast<double>(depths.max()) / unit),
+      balls.families->maxRadius());
+    balls.end = roundedRadius(deepest) * static_cast<float>(2.0 * unit);
+  }
+
+  const TriangleMesh& mesh_;
+  const MeshConnectivity& connectivity_;
+  const Grid& grid_;
+  const LocalThicknessOptions& options_;
+  Run run_;
+  Balls interior_;
+  Balls exterior_;
+  LocalThicknessStatistics statistics_;
+};
+
+} // namespace
+
+LocalThicknessStatistics computeLocalThickness(const TriangleMesh& mesh,
+  const MeshConnectivity& connectivity, const Grid& grid, float* values,
+  const LocalThicknessOptions& options)
+{
+  checkOptions(options);
+  return withMemoryErrors(grid.pointCount(),
+    [&]
+    {
+      LocalThicknessRun work(mesh, connectivity, grid, options);
+      FieldArrays arrays;
+      arrays.distance = values;
+      ArraySink sink(grid.wholeExtent(), arrays);
+      work.makeBalls(&sink);
+      SlabThickness thickness = work.thickness();
+      {
+        const Stopwatch watch(work.statistics().seconds);
+        const std::int64_t slice =
+          static_cast<std::int64_t>(grid.dimensions[0]) * grid.dimensions[1];
+        for (const Extent& slab : slabsOf(grid.wholeExtent(), kSlices))
+        {
+          const double done = static_cast<double>(slab.min[2]) / grid.dimensions[2];
+          const Checkpoint checkpoint(work.run(), kBallsDone + (1.0 - kBallsDone) * done, kPhase);
+          work.run().onThreads(
+            [&] { thickness.replace(slab, values + slab.min[2] * slice, checkpoint); });
+        }
+      }
+      return work.finished(thickness);
+    });
+}
+
+LocalThicknessStatistics computeLocalThickness(const TriangleMesh& mesh,
+  const MeshConnectivity& connectivity, const Grid& grid, FieldSink& sink,
+  const LocalThicknessOptions& options)
+{
+  checkOptions(options);
+  return withMemoryErrors(grid.pointCount(),
+    [&]
+    {
+      LocalThicknessRun work(mesh, connectivity, grid, options);
+      work.makeBalls(nullptr);
+      SlabThickness thickness = work.thickness();
+      const Run part = work.run().part(kBallsDone, 1.0);
+      PartProgress progress(part);
+      ThicknessSink replacing(sink, thickness, part, work.statistics().seconds);
+      computeDistanceField(mesh, connectivity, grid, grid.wholeExtent(), replacing,
+        work.fieldOptions(progress));
+      return work.finished(thickness);
+    });
+}
+
+LocalThickness computeLocalThickness(const TriangleMesh& mesh, const Grid& grid,
+  const LocalThicknessOptions& options)
+{
+  const MeshConnectivity connectivity = analyseConnectivity(mesh, options.field.execution);
+  validateGrid(grid);
+  LocalThickness thickness;
+  thickness.grid = grid;
+  withMemoryErrors(grid.pointCount(),
+    [&] { thickness.values.resize(static_cast<std::size_t>(grid.pointCount())); });
+  thickness.statistics =
+    computeLocalThickness(mesh, connectivity, grid, thickness.values.data(), options);
+  return thickness;
+}
+
+} // namespace medial

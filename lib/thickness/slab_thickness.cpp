@@ -1,0 +1,220 @@
+#include "thickness/slab_thickness.h"
+
+#include "thickness/thickness_tile.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace medial
+{
+namespace
+{
+
+constexpr int kRow = ThicknessTile::kRow;
+
+/// Calls visit(point of the tile, point of the slab) for the points of a tile.
+/// @param tile part of a cube of kRow points, which begins at a multiple of kRow on every axis.
+template <typename Visit>
+void forPoints(const Extent& tile, const Extent& slab, const Visit& visit)
+{
+  for (int k = tile.min[2]; k <= tile.max[2]; ++k)
+  {
+    for (int j = tile.min[1]; j <= tile.max[1]; ++j)
+    {
+      const std::int64_t row =
+        (static_cast<std::int64_t>(k - slab.min[2]) * slab.size(1) + (j - slab.min[1])) *
+          slab.size(0) -
+        slab.min[0];
+      for (int i = tile.min[0]; i <= tile.max[0]; ++i)
+      {
+        visit(ThicknessTile::index(i % kRow, j % kRow, k % kRow), row + i);
+      }
+    }
+  }
+}
+
+} // namespace
+
+void SlabThickness::Sums::add(float value, double binsPerUnit)
+{
+  min = points == 0 ? value : std::min(min, value);
+  max = std::max(max, value);
+  ++points;
+  const auto number = static_cast<double>(value);
+  sum += number;
+  squares += number * number;
+  const auto last = static_cast<std::ptrdiff_t>(histogram.size()) - 1;
+  ++histogram[std::min(static_cast<std::ptrdiff_t>(number * binsPerUnit), last)];
+}
+
+void SlabThickness::Sums::add(const Sums& other)
+{
+  if (other.points > 0)
+  {
+    min = points == 0 ? other.min : std::min(min, other.min);
+    max = std::max(max, other.max);
+    points += other.points;
+    sum += other.sum;
+    squares += other.squares;
+  }
+  for (std::size_t bin = 0; bin < histogram.size(); ++bin)
+  {
+    histogram[bin] += other.histogram[bin];
+  }
+}
+
+SlabThickness::SlabThickness(const Grid& grid, const SideBalls& interior, const SideBalls& exterior,
+  int bins)
+  : grid_(grid)
+  , interior_(interior)
+  , exterior_(exterior)
+  , bins_(bins)
+{
+  sums_.interior.histogram.resize(bins);
+  sums_.exterior.histogram.resize(bins);
+}
+
+void SlabThickness::replace(const Extent& slab, float* values, const Checkpoint& checkpoint)
+{
+  const auto tilesAlong = [&](int axis)
+  { return slab.max[axis] / kRow - slab.min[axis] / kRow + 1; };
+  const int across = tilesAlong(0);
+  const int rows = tilesAlong(1);
+  tbb::parallel_for(0, across * rows * tilesAlong(2),
+    [&](int number)
+    {
+      checkpoint();
+      const std::array<int, 3> place{ number % across, number / across % rows,
+        number / across / rows };
+      Extent tile;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const int first = (slab.min[axis] / kRow + place[axis]) * kRow;
+        tile.min[axis] = std::max(first, slab.min[axis]);
+        tile.max[axis] = std::min(first + kRow - 1, slab.max[axis]);
+      }
+      this->replaceTile(tile, slab, values);
+    });
+  const std::int64_t slice = static_cast<std::int64_t>(slab.size(0)) * slab.size(1);
+  std::vector<SliceSums> sums(slab.size(2));
+  tbb::parallel_for(0, slab.size(2),
+    [&](int k) { sums[k] = this->sumsOf(values + k * slice, slice); });
+  for (const SliceSums& part : sums)
+  {
+    sums_.interior.add(part.interior);
+    sums_.exterior.add(part.exterior);
+  }
+}
+
+void SlabThickness::replaceTile(const Extent& tile, const Extent& slab, float* values) const
+{
+  float distances[ThicknessTile::kPoints];
+  forPoints(tile, slab,
+    [&](int point, std::int64_t place)
+    {
+      distances[point] = values[place];
+      values[place] = 0.0f;
+    });
+  if (interior_.families != nullptr)
+  {
+    this->replaceSide(tile, slab, *interior_.families, -1.0f, distances, values);
+  }
+  if (exterior_.families != nullptr)
+  {
+    this->replaceSide(tile, slab, *exterior_.families, 1.0f, distances, values);
+  }
+}
+
+/// @param sign of the distances on this side.
+void SlabThickness::replaceSide(const Extent& tile, const Extent& slab,
+  const BallFamilies& families, float sign, const float* distances, float* values) const
+{
+  const glm::vec3 first = glm::vec3(tile.min[0] / kRow, tile.min[1] / kRow, tile.min[2] / kRow) *
+    static_cast<float>(kRow) * families.step();
+  ThicknessTile radii(families, first);
+  const auto perUnit = static_cast<float>(1.0 / families.unit());
+  bool any = false;
+  forPoints(tile, slab,
+    [&](int point, std::int64_t)
+    {
+      if (sign * distances[point] > 0.0f)
+      {
+        radii.set(point, roundedRadius(sign * distances[point] * perUnit));
+        any = true;
+      }
+    });
+  if (!any)
+  {
+    return;
+  }
+  radii.raise();
+  const auto diameter = static_cast<float>(-2.0 * static_cast<double>(sign) * families.unit());
+  forPoints(tile, slab,
+    [&](int point, std::int64_t place)
+    {
+      if (sign * distances[point] > 0.0f)
+      {
+        values[place] = radii.radius(point) * diameter;
+      }
+    });
+}
+
+SlabThickness::SliceSums SlabThickness::sumsOf(const float* values, std::int64_t count) const
+{
+  SliceSums sums;
+  sums.interior.histogram.resize(bins_);
+  sums.exterior.histogram.resize(bins_);
+  const auto binsPerUnit = [&](const SideBalls& side)
+  { return side.end > 0.0f ? bins_ / static_cast<double>(side.end) : 0.0; };
+  const double inside = binsPerUnit(interior_);
+  const double outside = binsPerUnit(exterior_);
+  for (std::int64_t i = 0; i < count; ++i)
+  {
+    if (values[i] > 0.0f)
+    {
+      sums.interior.add(values[i], inside);
+    }
+    else if (values[i] < 0.0f)
+    {
+      sums.exterior.add(-values[i], outside);
+    }
+  }
+  return sums;
+}
+
+std::optional<LocalThicknessSummary> SlabThickness::interior() const
+{
+  return this->summary(interior_, sums_.interior);
+}
+
+std::optional<LocalThicknessSummary> SlabThickness::exterior() const
+{
+  return this->summary(exterior_, sums_.exterior);
+}
+
+std::optional<LocalThicknessSummary> SlabThickness::summary(const SideBalls& side,
+  const Sums& sums) const
+{
+  if (side.families == nullptr)
+  {
+    return std::nullopt;
+  }
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  LocalThicknessSummary summary{ sums.points, kNone, kNone, kNone, kNone, sums.histogram,
+    static_cast<double>(side.end) };
+  if (sums.points > 0)
+  {
+    const auto count = static_cast<double>(sums.points);
+    summary.min = static_cast<double>(sums.min);
+    summary.max = static_cast<double>(sums.max);
+    summary.mean = sums.sum / count;
+    summary.standardDeviation =
+      std::sqrt(std::max(sums.squares / count - summary.mean * summary.mean, 0.0));
+  }
+  return summary;
+}
+
+} // namespace medial

@@ -1,0 +1,186 @@
+#include "thickness/thickness_tile.h"
+
+#include "base/simd.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace medial
+{
+namespace
+{
+
+/// Adding and subtracting this leaves multiples of 1/512, for numbers below 8,192.
+constexpr float kRounding = 1.5f * (1 << 23) / 512.0f;
+/// Points this far outside of a ball, in units of the finest spacing, count as inside: what
+/// rounding may add.
+constexpr float kMargin = 1e-3f;
+constexpr float kUnwanted = std::numeric_limits<float>::infinity();
+
+/// A family of balls, relative to a tile: centres a + u d and radii r + u s for u in [0, 1], s >=
+/// 0.
+struct Family
+{
+  glm::vec3 a;
+  glm::vec3 d;
+  float r;
+  float s;
+
+  Family(const glm::vec4& first, const glm::vec4& second, const glm::vec3& origin)
+  {
+    const bool inOrder = first.w <= second.w;
+    const glm::vec4& low = inOrder ? first : second;
+    const glm::vec4& high = inOrder ? second : first;
+    a = glm::vec3(low) - origin;
+    d = glm::vec3(high) - glm::vec3(low);
+    r = low.w;
+    s = high.w - low.w;
+  }
+};
+
+/// Raises the radii of a row of points to the largest ball of a family that contains each.
+/// @param x, y, z positions, y and z those of the whole row.
+MEDIAL_INLINE Float8 raised(Float8 radius, const Family& family, Float8 x, float y, float z)
+{
+  const float r = family.r + kMargin;
+  const Float8 qx = x - family.a.x;
+  const float qy = y - family.a.y;
+  const float qz = z - family.a.z;
+  const Float8 squared = qx * qx + (qy * qy + qz * qz);
+  // The ball at u contains the point where a u^2 - 2 b u + c <= 0.
+  const float a = glm::dot(family.d, family.d) - family.s * family.s;
+  const Float8 b = qx * family.d.x + (qy * family.d.y + qz * family.d.z + r * family.s);
+  const Float8 c = squared - r * r;
+  const Float8 discriminant = b * b - a * c;
+  const Float8 u = (b + squareRoot(max(discriminant, Float8{}))) / a;
+  const Float8 last = splat(family.r + family.s);
+  const Int8 within = (discriminant >= 0.0f) & (u >= 0.0f) & (u <= 1.0f);
+  const Float8 inner = within ? family.r + u * family.s : Float8{};
+  const Float8 largest = (a - 2.0f * b + c <= 0.0f) ? last : inner;
+  return max(radius, (largest + kRounding) - kRounding);
+}
+
+MEDIAL_VECTORISED std::uint64_t raiseRows(const Family& family, const glm::vec3& step,
+  std::uint64_t rows, float* radii)
+{
+  std::uint64_t changed = 0;
+  const Float8 x = ramp() * step.x;
+  for (std::uint64_t left = rows; left != 0; left &= left - 1)
+  {
+    const int row = __builtin_ctzll(left);
+    float* const radius = radii + row * kLanes;
+    const Float8 before = loaded(radius);
+    const Float8 after = raised(before, family, x, static_cast<float>(row % 8) * step.y,
+      static_cast<float>(row / 8) * step.z);
+    if (bits(after > before) != 0)
+    {
+      store(after, radius);
+      changed |= std::uint64_t{ 1 } << row;
+    }
+  }
+  return changed;
+}
+
+/// @param low, high of the centres, relative to the tile.
+MEDIAL_VECTORISED std::uint64_t rowsWithin(const glm::vec3& low, const glm::vec3& high,
+  const glm::vec3& step, float reach, const float* rowMin)
+{
+  const float gapX = std::max(std::max(low.x - 7.0f * step.x, -high.x), 0.0f);
+  const float free = (reach + kMargin) * (reach + kMargin) - gapX * gapX;
+  if (free < 0.0f)
+  {
+    return 0;
+  }
+  const Float8 y = ramp() * step.y;
+  const Float8 gapY = max(max(low.y - y, y - high.y), Float8{});
+  const Float8 freeZ = free - gapY * gapY;
+  std::uint64_t rows = 0;
+  for (int k = 0; k < kLanes; ++k)
+  {
+    const float z = static_cast<float>(k) * step.z;
+    const float gapZ = std::max(std::max(low.z - z, z - high.z), 0.0f);
+    const Int8 reached = (loaded(rowMin + k * kLanes) < reach) & (freeZ >= gapZ * gapZ);
+    rows |= static_cast<std::uint64_t>(bits(reached)) << (8 * k);
+  }
+  return rows;
+}
+
+} // namespace
+
+float roundedRadius(float radius)
+{
+  const volatile float shifted = radius + kRounding;
+  return shifted - kRounding;
+}
+
+ThicknessTile::ThicknessTile(const BallFamilies& families, const glm::vec3& first)
+  : families_(families)
+  , first_(first)
+{
+  std::fill_n(radius_, kPoints, kUnwanted);
+}
+
+void ThicknessTile::updateRow(int row)
+{
+  const float* const radius = radius_ + row * kRow;
+  rowMin_[row] = *std::min_element(radius, radius + kRow);
+}
+
+void ThicknessTile::updateLimit()
+{
+  limit_ = -static_cast<double>(*std::min_element(rowMin_, rowMin_ + kRows));
+}
+
+ThicknessTile::RowMask ThicknessTile::rowsReached(const ItemBounds& bounds) const
+{
+  return rowsWithin(glm::vec3(bounds.min) - first_, glm::vec3(bounds.max) - first_,
+    families_.step(), roundedRadius(static_cast<float>(bounds.reach)), rowMin_);
+}
+
+void ThicknessTile::raiseBy(const BallFamilies::Item& item, RowMask rows)
+{
+  RowMask changed = 0;
+  for (std::uint32_t e = item.first; e < item.end; ++e)
+  {
+    const BallFamilies::Edge& edge = families_.edges()[e];
+    const Family family(families_.ball(edge[0]), families_.ball(edge[1]), first_);
+    changed |= raiseRows(family, families_.step(), rows, radius_);
+  }
+  for (RowMask left = changed; left != 0; left &= left - 1)
+  {
+    this->updateRow(__builtin_ctzll(left));
+  }
+  if (changed != 0)
+  {
+    this->updateLimit();
+  }
+}
+
+void ThicknessTile::raise()
+{
+  for (int row = 0; row < kRows; ++row)
+  {
+    this->updateRow(row);
+  }
+  this->updateLimit();
+  const BoundingTree& tree = families_.tree();
+  const auto minimum = [&](std::uint32_t node)
+  {
+    const ItemBounds& bounds = tree.bounds(node);
+    return this->rowsReached(bounds) != 0
+      ? -static_cast<double>(roundedRadius(static_cast<float>(bounds.reach)))
+      : 0.0;
+  };
+  tree.searchNodes(minimum, limit_,
+    [&](std::uint32_t i)
+    {
+      const BallFamilies::Item& item = families_.items()[i];
+      if (const RowMask rows = this->rowsReached(families_.boundsOf(item)))
+      {
+        this->raiseBy(item, rows);
+      }
+    });
+}
+
+} // namespace medial

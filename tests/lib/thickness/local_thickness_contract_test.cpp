@@ -1,0 +1,208 @@
+// What holds for local thickness whatever the solid.
+#include "medial/local_thickness.h"
+
+#include "medial/error.h"
+
+#include "support/collecting_sink.h"
+#include "support/shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+using namespace medial;
+using namespace medial::test;
+
+namespace
+{
+
+TriangleMesh lattice()
+{
+  return blocks({ "####", "#..#", "####" }, 0.5);
+}
+
+Grid gridOf(const TriangleMesh& mesh)
+{
+  return makeGrid(mesh.bounds(), 40, 0.1);
+}
+
+LocalThickness computed(Side side, int threads = 0)
+{
+  LocalThicknessOptions options;
+  options.side = side;
+  options.field.execution.threads = threads;
+  const TriangleMesh mesh = lattice();
+  return computeLocalThickness(mesh, gridOf(mesh), options);
+}
+
+/// A sink as callers of the library write it: it wants the values alone.
+class ValueSink : public FieldSink
+{
+public:
+  FieldArrays slabArrays(const Extent& slab) override
+  {
+    slab_.assign(static_cast<std::size_t>(slab.pointCount()), -1.0f);
+    FieldArrays arrays;
+    arrays.distance = slab_.data();
+    ++slabs;
+    return arrays;
+  }
+  void stored(const Extent&) override { values.insert(values.end(), slab_.begin(), slab_.end()); }
+  std::size_t bytesPerPoint() const override { return 100000; } // so that slabs are thin
+
+  std::vector<float> values;
+  int slabs = 0;
+
+private:
+  std::vector<float> slab_;
+};
+
+class Listener : public Progress
+{
+public:
+  void report(double fraction, const char*) override { fractions.push_back(fraction); }
+  bool cancelled() override { return fractions.size() >= cancelAt; }
+
+  std::vector<double> fractions;
+  std::size_t cancelAt = std::numeric_limits<std::size_t>::max();
+};
+
+void expectError(const std::function<void()>& work, ErrorCode code, const std::string& words)
+{
+  try
+  {
+    work();
+    FAIL() << "no error about " << words;
+  }
+  catch (const Error& error)
+  {
+    EXPECT_EQ(error.code(), code);
+    EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+  }
+}
+
+} // namespace
+
+TEST(LocalThicknessContract, SameBytesForAnyNumberOfThreads)
+{
+  EXPECT_EQ(computed(Side::Both, 1).values, computed(Side::Both, 2).values);
+}
+
+TEST(LocalThicknessContract, SameBytesSlabBySlab)
+{
+  const TriangleMesh mesh = lattice();
+  const Grid grid = gridOf(mesh);
+  LocalThicknessOptions options;
+  options.side = Side::Both;
+  options.field.memoryMiB = 1;
+  ValueSink sink;
+  const LocalThicknessStatistics statistics =
+    computeLocalThickness(mesh, analyseConnectivity(mesh), grid, sink, options);
+  EXPECT_GT(sink.slabs, 8); // thinner than tiles
+  const LocalThickness whole = computed(Side::Both);
+  EXPECT_EQ(sink.values, whole.values);
+  EXPECT_EQ(statistics.thickness->mean, whole.statistics.thickness->mean);
+  EXPECT_EQ(statistics.separation->histogram, whole.statistics.separation->histogram);
+}
+
+TEST(LocalThicknessContract, BothIsThicknessInsideAndMinusSeparationOutside)
+{
+  const LocalThickness both = computed(Side::Both);
+  const LocalThickness inside = computed(Side::Interior);
+  const LocalThickness outside = computed(Side::Exterior);
+  EXPECT_FALSE(inside.statistics.separation);
+  EXPECT_FALSE(outside.statistics.thickness);
+  for (std::size_t i = 0; i < both.values.size(); ++i)
+  {
+    EXPECT_GE(inside.values[i], 0.0f);
+    EXPECT_LE(outside.values[i], 0.0f);
+    ASSERT_EQ(both.values[i], inside.values[i] + outside.values[i]);
+  }
+}
+
+TEST(LocalThicknessContract, SummaryDescribesTheValues)
+{
+  const LocalThickness thickness = computed(Side::Interior);
+  const LocalThicknessSummary& summary = *thickness.statistics.thickness;
+  std::vector<double> values;
+  for (const float value : thickness.values)
+  {
+    if (value > 0.0f)
+    {
+      values.push_back(static_cast<double>(value));
+    }
+  }
+  const auto count = static_cast<double>(values.size());
+  double mean = 0.0;
+  for (const double value : values)
+  {
+    mean += value / count;
+  }
+  double variance = 0.0;
+  std::vector<std::int64_t> histogram(64);
+  for (const double value : values)
+  {
+    variance += (value - mean) * (value - mean) / count;
+    ++histogram[std::min<std::size_t>(static_cast<std::size_t>(value / summary.end * 64), 63)];
+  }
+  EXPECT_EQ(summary.points, static_cast<std::int64_t>(values.size()));
+  EXPECT_NEAR(summary.mean, mean, 1e-9);
+  EXPECT_NEAR(summary.standardDeviation, std::sqrt(variance), 1e-7);
+  EXPECT_EQ(summary.min, *std::min_element(values.begin(), values.end()));
+  EXPECT_EQ(summary.max, *std::max_element(values.begin(), values.end()));
+  EXPECT_GE(summary.end, summary.max);
+  EXPECT_EQ(summary.histogram, histogram);
+}
+
+TEST(LocalThicknessContract, WhatLiesOutsideTheGridHoldsNoBalls)
+{
+  const TriangleMesh mesh = box({ 1.0, 1.0, 1.0 });
+  Grid grid;
+  grid.origin = { -0.5, -0.5, 0.0 }; // the upper half, from the middle
+  grid.spacing = { 0.1, 0.1, 0.1 };
+  grid.dimensions = { 11, 11, 4 };
+  const LocalThickness thickness = computeLocalThickness(mesh, grid);
+  for (const float value : thickness.values)
+  {
+    EXPECT_NEAR(value, 2.0f, 0.01f); // around the middle, which is on the border of the grid
+  }
+}
+
+TEST(LocalThicknessContract, NeedsASign)
+{
+  const TriangleMesh open = plates(0.5, 1.0);
+  expectError([&] { computeLocalThickness(open, makeGrid(open.bounds(), 16, 0.1)); },
+    ErrorCode::InvalidInput, "local thickness needs an inside");
+}
+
+TEST(LocalThicknessContract, RefusesAnEmptyHistogram)
+{
+  const TriangleMesh mesh = lattice();
+  LocalThicknessOptions options;
+  options.bins = 0;
+  expectError([&] { computeLocalThickness(mesh, gridOf(mesh), options); }, ErrorCode::InvalidInput,
+    "number of bins 0 is outside [1, 65536]");
+}
+
+TEST(LocalThicknessContract, ReportsProgressAndCanBeCancelled)
+{
+  const TriangleMesh mesh = lattice();
+  Listener listener;
+  LocalThicknessOptions options;
+  options.field.execution.progress = &listener;
+  computeLocalThickness(mesh, gridOf(mesh), options);
+  ASSERT_GT(listener.fractions.size(), 3u);
+  EXPECT_TRUE(std::is_sorted(listener.fractions.begin(), listener.fractions.end()));
+  EXPECT_EQ(listener.fractions.back(), 1.0);
+  Listener cancelling;
+  cancelling.cancelAt = listener.fractions.size() - 1;
+  options.field.execution.progress = &cancelling;
+  expectError([&] { computeLocalThickness(mesh, gridOf(mesh), options); }, ErrorCode::Cancelled,
+    "cancelled");
+}

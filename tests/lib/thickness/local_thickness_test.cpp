@@ -1,0 +1,232 @@
+// Local thickness of solids whose balls are known, and of others by branch and bound.
+#include "medial/local_thickness.h"
+
+#include "support/brute_force.h"
+#include "support/local_thickness_oracle.h"
+#include "support/named.h"
+#include "support/shapes.h"
+#include "support/transforms.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <random>
+#include <vector>
+
+using namespace medial;
+using namespace medial::test;
+
+namespace
+{
+
+/// Voxels. It is meant to hold everywhere; where sheets of the axis meet or end, the nearest ball
+/// of the axis is up to a voxel away from the best one.
+constexpr double kTolerance = 0.1;
+constexpr double kLargestError = 1.2;
+constexpr double kShareBeyond = 0.1;
+/// By how much balls may contain or miss a point in the truth, voxels.
+constexpr double kSlack = 0.02;
+constexpr double kSearchTolerance = 0.1;
+
+LocalThicknessOptions optionsFor(Side side)
+{
+  LocalThicknessOptions options;
+  options.side = side;
+  return options;
+}
+
+Point3 pointOf(const Grid& grid, std::size_t id)
+{
+  const auto x = static_cast<std::size_t>(grid.dimensions[0]);
+  const auto y = static_cast<std::size_t>(grid.dimensions[1]);
+  return grid.point(static_cast<int>(id % x), static_cast<int>(id / x % y),
+    static_cast<int>(id / x / y));
+}
+
+Bounds boundsOf(const Grid& grid)
+{
+  return { grid.origin,
+    grid.point(grid.dimensions[0] - 1, grid.dimensions[1] - 1, grid.dimensions[2] - 1) };
+}
+
+bool within(const Bounds& bounds, const Point3& p)
+{
+  bool inside = true;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    inside = inside && p[axis] > bounds.min[axis] && p[axis] < bounds.max[axis];
+  }
+  return inside;
+}
+
+std::vector<std::size_t> randomPointsWithValue(const LocalThickness& thickness, const Bounds& part,
+  std::size_t count)
+{
+  std::vector<std::size_t> ids;
+  for (std::size_t i = 0; i < thickness.values.size(); ++i)
+  {
+    if (thickness.values[i] != 0.0f && within(part, pointOf(thickness.grid, i)))
+    {
+      ids.push_back(i);
+    }
+  }
+  std::mt19937 random(5);
+  std::shuffle(ids.begin(), ids.end(), random);
+  ids.resize(std::min(ids.size(), count));
+  return ids;
+}
+
+/// @param part the points that are looked at.
+void expectTruth(const TriangleMesh& mesh, Side side, int resolution, const Bounds& part)
+{
+  const Grid grid = makeGrid(mesh.bounds(), resolution, 0.05);
+  const double voxel = grid.spacing[0];
+  const LocalThickness thickness = computeLocalThickness(mesh, grid, optionsFor(side));
+  const std::vector<std::size_t> ids = randomPointsWithValue(thickness, part, 40);
+  ASSERT_EQ(ids.size(), 40u);
+  const MeshSearch search(mesh);
+  std::vector<DiameterBounds> truth(ids.size());
+  parallelFor(ids.size(),
+    [&](std::size_t i)
+    {
+      truth[i] = largestBallAround(search, boundsOf(grid), pointOf(grid, ids[i]), kSlack * voxel,
+        kSearchTolerance * voxel);
+    });
+  std::size_t low = 0;
+  for (std::size_t i = 0; i < ids.size(); ++i)
+  {
+    const double value = std::fabs(static_cast<double>(thickness.values[ids[i]]));
+    EXPECT_LE((value - truth[i].max) / voxel, kTolerance) << "point " << ids[i];
+    EXPECT_LE((truth[i].min - value) / voxel, kLargestError) << "point " << ids[i];
+    low += (truth[i].min - value) / voxel > kTolerance ? 1 : 0;
+  }
+  EXPECT_LE(static_cast<double>(low) / static_cast<double>(ids.size()), kShareBeyond);
+}
+
+/// Calls check(point, value) for all grid points with a value.
+template <typename Check>
+void forValues(const LocalThickness& thickness, const Check& check)
+{
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < thickness.values.size(); ++i)
+  {
+    if (thickness.values[i] != 0.0f)
+    {
+      check(pointOf(thickness.grid, i), static_cast<double>(thickness.values[i]));
+      ++count;
+    }
+  }
+  EXPECT_GT(count, 100u);
+}
+
+class LocalThicknessOf : public testing::TestWithParam<Named<TriangleMesh>>
+{
+};
+
+/// Three rods across three others.
+TriangleMesh lattice()
+{
+  return blocks({ "#####", "#.#.#", "#####", "#.#.#", "#####" }, 0.5);
+}
+
+} // namespace
+
+TEST_P(LocalThicknessOf, IsTheLargestBallAroundEveryPoint)
+{
+  const TriangleMesh mesh = GetParam().make();
+  expectTruth(mesh, Side::Interior, 26, mesh.bounds());
+}
+
+INSTANTIATE_TEST_SUITE_P(Solids, LocalThicknessOf,
+  testing::Values(Named<TriangleMesh>{ "Box",
+                    [] {
+                      return box({ 1.0, 0.7, 0.4 });
+                    } },
+    Named<TriangleMesh>{ "TurnedBox",
+      [] {
+        return turned(turned(box({ 1.0, 0.7, 0.4 }), 2, 37.0), 0, 16.0);
+      } },
+    Named<TriangleMesh>{ "LatticeOfRods", lattice }),
+  kNameOfParameter);
+
+TEST(LocalThickness, OfABentBoxIsTheLargestBallAroundEveryPoint)
+{
+  const TriangleMesh mesh = lPrism(1.0, 0.5);
+  expectTruth(mesh, Side::Interior, 25, mesh.bounds());
+}
+
+TEST(LocalThickness, SeparationIsTheLargestBallInAHollow)
+{
+  const TriangleMesh hollow = box({ 0.8, 0.6, 0.4 });
+  const TriangleMesh mesh = appended(box({ 1.0, 0.8, 0.7 }), flipOrientation(hollow));
+  expectTruth(mesh, Side::Exterior, 24, hollow.bounds());
+}
+
+TEST(LocalThickness, OfABallIsItsDiameter)
+{
+  const TriangleMesh mesh = icosphere(1.0, 4);
+  const LocalThickness thickness = computeLocalThickness(mesh, makeGrid(mesh.bounds(), 40, 0.05));
+  std::size_t points = 0;
+  forValues(thickness,
+    [&](const Point3& p, double value)
+    {
+      if (std::hypot(p[0], p[1], p[2]) < 0.97) // within all balls around the middle
+      {
+        EXPECT_NEAR(value, 2.0, 0.015);
+        ++points;
+      }
+    });
+  EXPECT_GT(points, 15000u);
+}
+
+TEST(LocalThickness, OfAPlateIsItsThicknessAwayFromTheRim)
+{
+  const TriangleMesh mesh = box({ 1.0, 1.0, 0.15 });
+  const Grid grid = makeGrid(mesh.bounds(), 64, 0.05);
+  const LocalThickness thickness = computeLocalThickness(mesh, grid);
+  forValues(thickness,
+    [&](const Point3& p, double value)
+    {
+      if (std::max(std::fabs(p[0]), std::fabs(p[1])) < 0.85)
+      {
+        EXPECT_NEAR(value, 0.3, grid.spacing[0] / 128) << p[0] << ' ' << p[1] << ' ' << p[2];
+      }
+    });
+}
+
+TEST(LocalThickness, OfAShellIsItsWallAndSeparationItsHollow)
+{
+  const TriangleMesh mesh = shell(0.7, 1.0, 5);
+  const Grid grid = makeGrid(mesh.bounds(), 56, 0.05);
+  LocalThickness thickness = computeLocalThickness(mesh, grid, optionsFor(Side::Both));
+  forValues(thickness,
+    [&](const Point3& p, double value)
+    {
+      const double r = std::hypot(p[0], p[1], p[2]);
+      if (r > 0.72 && r < 0.98)
+      {
+        EXPECT_NEAR(value, 0.3, 0.1 * grid.spacing[0]);
+      }
+      else if (r < 0.68)
+      {
+        EXPECT_NEAR(value, -1.4, 0.1 * grid.spacing[0]);
+      }
+    });
+}
+
+TEST(LocalThickness, OfAPlateOnAGridOfUnevenSpacing)
+{
+  const TriangleMesh mesh = box({ 1.0, 1.0, 0.15 });
+  const Grid grid = makeGridWithSpacing(mesh.bounds(), { 0.05, 0.1, 0.03 }, 0.05);
+  const LocalThickness thickness = computeLocalThickness(mesh, grid);
+  forValues(thickness,
+    [&](const Point3& p, double value)
+    {
+      if (std::max(std::fabs(p[0]), std::fabs(p[1])) < 0.8)
+      {
+        EXPECT_NEAR(value, 0.3, 0.1 * 0.03) << p[0] << ' ' << p[1] << ' ' << p[2];
+      }
+    });
+}
