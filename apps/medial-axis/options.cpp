@@ -13,11 +13,10 @@ namespace
 
 const char* const kFooter =
   "Input formats: .stl .obj .ply .off .vtp .vtk; scans: .nrrd .mha .mhd .nii .nii.gz .vti.\n"
-  "Without any output the medial axis goes to <INPUT's name>_medial.vtp in the current folder. "
-  "Existing files are replaced, but only once\n"
-  "the new ones are complete. --field, --local-thickness, --thickness and --thickness-image write "
-  "no\n"
-  "medial axis unless another output needs one.\n"
+  "Without any output the medial axis goes to <INPUT's name>_medial.vtp in the current folder.\n"
+  "Existing files are replaced, but only once the new ones are complete. --field,\n"
+  "--local-thickness, --thickness and --thickness-image write no medial axis unless another\n"
+  "output needs one.\n"
   "\n"
   "Exit codes: 0 done; 2 usage; 3 bad input; 4 no usable OpenGL where it is needed; 5 out of\n"
   "memory or disk, or an output that cannot be written; 70 a fault of the program; 130\n"

@@ -60,10 +60,10 @@ TEST_F(CommandLine, HelpNamesEveryOption)
   const Outcome help = runMedialAxis({ "--help" });
   EXPECT_EQ(help.exitCode, 0);
   EXPECT_EQ(help.err, "");
-  for (const char* option : { "-o,--output", "--curves", "--field", "--thickness",
-         "--thickness-image", "--image", "--resolution", "--spacing", "--padding", "--angle",
-         "--lambda", "--min-radius", "--side", "--representation", "--max-spheres", "--topology",
-         "--sign", "--threads", "--memory", "--report", "--device", "--list-devices",
+  for (const char* option : { "-o,--output", "--curves", "--field", "--local-thickness",
+         "--thickness", "--thickness-image", "--image", "--resolution", "--spacing", "--padding",
+         "--angle", "--lambda", "--min-radius", "--side", "--representation", "--max-spheres",
+         "--topology", "--sign", "--threads", "--memory", "--report", "--device", "--list-devices",
          "--require-gpu", "-q,--quiet", "--version", "--help" })
   {
     EXPECT_TRUE(contains(help.out, option)) << option;
