@@ -14,8 +14,9 @@ namespace
 const char* const kFooter =
   "Input formats: .stl .obj .ply .off .vtp .vtk; scans: .nrrd .mha .mhd .nii .nii.gz .vti.\n"
   "Without any output the medial axis goes to <INPUT's name>_medial.vtp in the current folder.\n"
-  "Existing files are replaced, but only once the new ones are complete. --field, thickness of\n"
-  "any kind and its limits write no medial axis unless another output needs one.\n"
+  "Existing files are replaced, but only once the new ones are complete. --field,\n"
+  "--local-thickness, --thickness, --thickness-image and limits of thickness write no medial\n"
+  "axis unless another output needs one.\n"
   "\n"
   "Exit codes: 0 done; 1 done, but the thickness is beyond its limits; 2 usage; 3 bad input; 4 no\n"
   "usable OpenGL where it is needed; 5 out of memory or disk, or an output that cannot be\n"

@@ -4,14 +4,16 @@
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 namespace medial
 {
-BallFamilies::BallFamilies(const Grid& grid)
+BallFamilies::BallFamilies(const Grid& grid, double angle)
   : unit_(*std::min_element(grid.spacing.begin(), grid.spacing.end()))
   , origin_(grid.origin[0], grid.origin[1], grid.origin[2])
   , step_(glm::dvec3(grid.spacing[0], grid.spacing[1], grid.spacing[2]) / unit_)
+  , stretch_(static_cast<float>(1.0 / std::cos(0.5 * angle)))
 {
 }
 

@@ -22,7 +22,8 @@ class BallFamilies
 public:
   using Edge = std::array<std::uint32_t, 2>;
 
-  explicit BallFamilies(const Grid& grid);
+  /// @param angle separation angle of the balls, radians.
+  BallFamilies(const Grid& grid, double angle);
 
   /// Adds the edges of the cells of an axis, and a diagonal of every quad.
   void add(const MedialAxis& axis);
@@ -37,6 +38,8 @@ public:
   const glm::vec3& step() const { return step_; } ///< between neighbouring grid points
   std::size_t size() const { return balls_.size(); }
   float maxRadius() const { return maxRadius_; }
+  /// Balls with smaller separation angles lie within those of the families times this.
+  float stretch() const { return stretch_; }
   /// Centre and radius.
   const glm::vec4& ball(std::uint32_t id) const { return balls_[id]; }
 
@@ -55,6 +58,7 @@ private:
   double unit_;
   glm::dvec3 origin_;
   glm::vec3 step_;
+  float stretch_;
   float maxRadius_ = 0.0f;
   std::vector<glm::vec4> balls_;
   std::vector<Edge> edges_;

@@ -169,7 +169,7 @@ private:
     options.side = side;
     options.field = this->fieldOptions(progress);
     DepthSink depths(grid_, side, sink);
-    balls.families = std::make_unique<BallFamilies>(grid_);
+    balls.families = std::make_unique<BallFamilies>(grid_, glm::radians(kBallAngle));
     {
       const MedialAxis axis = computeMedialAxis(mesh_, connectivity_, grid_, options, depths);
       statistics_.field = axis.statistics;

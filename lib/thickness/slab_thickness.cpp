@@ -36,6 +36,40 @@ void forPoints(const Extent& tile, const Extent& slab, const Visit& visit)
   }
 }
 
+/// Balls with smaller separation angles than those of the families stick out of them. Points there
+/// are in none, near the surface, and get the ball that they stick out of.
+/// @param own radii of the balls around the points; 0 where none is wanted.
+void raiseGaps(const BallFamilies& families, const glm::vec3& first, const float* own,
+  ThicknessTile& radii)
+{
+  const float stretch = families.stretch();
+  ThicknessTile gaps(families, first);
+  bool any = false;
+  for (int point = 0; point < ThicknessTile::kPoints; ++point)
+  {
+    if (own[point] > 0.0f && radii.radius(point) == own[point])
+    {
+      gaps.set(point, own[point]);
+      any = true;
+    }
+  }
+  if (!any)
+  {
+    return;
+  }
+  gaps.raise(stretch);
+  for (int point = 0; point < ThicknessTile::kPoints; ++point)
+  {
+    // Elsewhere a point in no larger ball is the centre of the largest one.
+    const float radius = gaps.radius(point);
+    if (own[point] > 0.0f && radii.radius(point) == own[point] &&
+      own[point] <= 2.0f * (stretch - 1.0f) * radius)
+    {
+      radii.set(point, radius);
+    }
+  }
+}
+
 } // namespace
 
 void SlabThickness::Sums::add(float value, double binsPerUnit)
@@ -136,13 +170,15 @@ void SlabThickness::replaceSide(const Extent& tile, const Extent& slab,
     static_cast<float>(kRow) * families.step();
   ThicknessTile radii(families, first);
   const auto perUnit = static_cast<float>(1.0 / families.unit());
+  float own[ThicknessTile::kPoints] = {};
   bool any = false;
   forPoints(tile, slab,
     [&](int point, std::int64_t)
     {
       if (sign * distances[point] > 0.0f)
       {
-        radii.set(point, roundedRadius(sign * distances[point] * perUnit));
+        own[point] = roundedRadius(sign * distances[point] * perUnit);
+        radii.set(point, own[point]);
         any = true;
       }
     });
@@ -151,6 +187,7 @@ void SlabThickness::replaceSide(const Extent& tile, const Extent& slab,
     return;
   }
   radii.raise();
+  raiseGaps(families, first, own, radii);
   const auto diameter = static_cast<float>(-2.0 * static_cast<double>(sign) * families.unit());
   forPoints(tile, slab,
     [&](int point, std::int64_t place)

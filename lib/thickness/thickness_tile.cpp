@@ -27,21 +27,23 @@ struct Family
   float r;
   float s;
 
-  Family(const glm::vec4& first, const glm::vec4& second, const glm::vec3& origin)
+  Family(const glm::vec4& first, const glm::vec4& second, const glm::vec3& origin, float stretch)
   {
     const bool inOrder = first.w <= second.w;
     const glm::vec4& low = inOrder ? first : second;
     const glm::vec4& high = inOrder ? second : first;
     a = glm::vec3(low) - origin;
     d = glm::vec3(high) - glm::vec3(low);
-    r = low.w;
-    s = high.w - low.w;
+    r = low.w * stretch;
+    s = (high.w - low.w) * stretch;
   }
 };
 
 /// Raises the radii of a row of points to the largest ball of a family that contains each.
 /// @param x, y, z positions, y and z those of the whole row.
-MEDIAL_INLINE Float8 raised(Float8 radius, const Family& family, Float8 x, float y, float z)
+/// @param shrink factor from the radii of the family to those that count.
+MEDIAL_INLINE Float8 raised(Float8 radius, const Family& family, Float8 x, float y, float z,
+  float shrink)
 {
   const float r = family.r + kMargin;
   const Float8 qx = x - family.a.x;
@@ -54,15 +56,15 @@ MEDIAL_INLINE Float8 raised(Float8 radius, const Family& family, Float8 x, float
   const Float8 c = squared - r * r;
   const Float8 discriminant = b * b - a * c;
   const Float8 u = (b + squareRoot(max(discriminant, Float8{}))) / a;
-  const Float8 last = splat(family.r + family.s);
+  const Float8 last = splat((family.r + family.s) * shrink);
   const Int8 within = (discriminant >= 0.0f) & (u >= 0.0f) & (u <= 1.0f);
-  const Float8 inner = within ? family.r + u * family.s : Float8{};
+  const Float8 inner = within ? (family.r + u * family.s) * shrink : Float8{};
   const Float8 largest = (a - 2.0f * b + c <= 0.0f) ? last : inner;
   return max(radius, (largest + kRounding) - kRounding);
 }
 
 MEDIAL_VECTORISED std::uint64_t raiseRows(const Family& family, const glm::vec3& step,
-  std::uint64_t rows, float* radii)
+  std::uint64_t rows, float shrink, float* radii)
 {
   std::uint64_t changed = 0;
   const Float8 x = ramp() * step.x;
@@ -72,7 +74,7 @@ MEDIAL_VECTORISED std::uint64_t raiseRows(const Family& family, const glm::vec3&
     float* const radius = radii + row * kLanes;
     const Float8 before = loaded(radius);
     const Float8 after = raised(before, family, x, static_cast<float>(row % 8) * step.y,
-      static_cast<float>(row / 8) * step.z);
+      static_cast<float>(row / 8) * step.z, shrink);
     if (bits(after > before) != 0)
     {
       store(after, radius);
@@ -84,10 +86,11 @@ MEDIAL_VECTORISED std::uint64_t raiseRows(const Family& family, const glm::vec3&
 
 /// @param low, high of the centres, relative to the tile.
 MEDIAL_VECTORISED std::uint64_t rowsWithin(const glm::vec3& low, const glm::vec3& high,
-  const glm::vec3& step, float reach, const float* rowMin)
+  const glm::vec3& step, float radius, float stretch, const float* rowMin)
 {
   const float gapX = std::max(std::max(low.x - 7.0f * step.x, -high.x), 0.0f);
-  const float free = (reach + kMargin) * (reach + kMargin) - gapX * gapX;
+  const float reach = radius * stretch + kMargin;
+  const float free = reach * reach - gapX * gapX;
   if (free < 0.0f)
   {
     return 0;
@@ -100,7 +103,7 @@ MEDIAL_VECTORISED std::uint64_t rowsWithin(const glm::vec3& low, const glm::vec3
   {
     const float z = static_cast<float>(k) * step.z;
     const float gapZ = std::max(std::max(low.z - z, z - high.z), 0.0f);
-    const Int8 reached = (loaded(rowMin + k * kLanes) < reach) & (freeZ >= gapZ * gapZ);
+    const Int8 reached = (loaded(rowMin + k * kLanes) < radius) & (freeZ >= gapZ * gapZ);
     rows |= static_cast<std::uint64_t>(bits(reached)) << (8 * k);
   }
   return rows;
@@ -135,7 +138,7 @@ void ThicknessTile::updateLimit()
 ThicknessTile::RowMask ThicknessTile::rowsReached(const ItemBounds& bounds) const
 {
   return rowsWithin(glm::vec3(bounds.min) - first_, glm::vec3(bounds.max) - first_,
-    families_.step(), roundedRadius(static_cast<float>(bounds.reach)), rowMin_);
+    families_.step(), roundedRadius(static_cast<float>(bounds.reach)), stretch_, rowMin_);
 }
 
 void ThicknessTile::raiseBy(const BallFamilies::Item& item, RowMask rows)
@@ -144,8 +147,8 @@ void ThicknessTile::raiseBy(const BallFamilies::Item& item, RowMask rows)
   for (std::uint32_t e = item.first; e < item.end; ++e)
   {
     const BallFamilies::Edge& edge = families_.edges()[e];
-    const Family family(families_.ball(edge[0]), families_.ball(edge[1]), first_);
-    changed |= raiseRows(family, families_.step(), rows, radius_);
+    const Family family(families_.ball(edge[0]), families_.ball(edge[1]), first_, stretch_);
+    changed |= raiseRows(family, families_.step(), rows, 1.0f / stretch_, radius_);
   }
   for (RowMask left = changed; left != 0; left &= left - 1)
   {
@@ -157,8 +160,9 @@ void ThicknessTile::raiseBy(const BallFamilies::Item& item, RowMask rows)
   }
 }
 
-void ThicknessTile::raise()
+void ThicknessTile::raise(float stretch)
 {
+  stretch_ = stretch;
   for (int row = 0; row < kRows; ++row)
   {
     this->updateRow(row);

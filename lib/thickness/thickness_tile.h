@@ -31,7 +31,8 @@ public:
   float radius(int index) const { return radius_[index]; }
 
   /// Raises the radii to those of the largest balls of the families.
-  void raise();
+  /// @param stretch balls contain a point if they do when they are larger by this factor, >= 1.
+  void raise(float stretch = 1.0f);
 
 private:
   using RowMask = std::uint64_t; ///< bit 8 k + j for the row (j, k)
@@ -46,7 +47,8 @@ private:
   glm::vec3 first_;
   alignas(32) float radius_[kPoints];
   alignas(32) float rowMin_[kRows]; ///< smallest radius in a row
-  double limit_ = 0.0;              ///< negative of the smallest radius of all
+  float stretch_ = 1.0f;
+  double limit_ = 0.0; ///< negative of the smallest radius of all
 };
 
 } // namespace medial

@@ -60,12 +60,14 @@ TEST_F(CommandLine, HelpNamesEveryOption)
   const Outcome help = runMedialAxis({ "--help" });
   EXPECT_EQ(help.exitCode, 0);
   EXPECT_EQ(help.err, "");
-  for (const char* option : { "-o,--output", "--curves", "--field", "--thickness",
-         "--thickness-image", "--thin-regions", "--thickness-method", "--min-thickness",
-         "--max-thickness", "--max-edge", "--image", "--resolution", "--spacing", "--padding",
-         "--angle", "--lambda", "--min-radius", "--side", "--representation", "--max-spheres",
-         "--topology", "--sign", "--threads", "--memory", "--report", "--device", "--list-devices",
-         "--require-gpu", "-q,--quiet", "--version", "--help" })
+  for (const char* option :
+    { "-o,--output", "--curves", "--field", "--local-thickness", "--band", "--isovalue", "--label",
+      "--scan-smoothing", "--skeleton", "--skeleton-table", "--min-branch", "--no-smooth",
+      "--thickness", "--thickness-image", "--thin-regions", "--thickness-method", "--min-thickness",
+      "--max-thickness", "--max-edge", "--image", "--resolution", "--spacing", "--padding",
+      "--angle", "--lambda", "--min-radius", "--side", "--representation", "--max-spheres",
+      "--topology", "--sign", "--threads", "--memory", "--report", "--device", "--list-devices",
+      "--require-gpu", "-q,--quiet", "--version", "--help" })
   {
     EXPECT_TRUE(contains(help.out, option)) << option;
   }

@@ -139,8 +139,8 @@ class Documents(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             report = json.loads(subprocess.run(
                 [sys.argv[2], SOURCES / "tests/examples/box.stl", "--resolution", "24", "--topology",
-                 "preserve", "--thickness", f"{folder}/thickness.vtp", "-o", f"{folder}/axis.vtp",
-                 "--skeleton-table", f"{folder}/skeleton.csv",
+                 "preserve", "--thickness", f"{folder}/thickness.vtp", "--local-thickness",
+                 f"{folder}/local.vti", "--skeleton-table", f"{folder}/skeleton.csv", "-o", f"{folder}/axis.vtp",
                  "--report", "-"], capture_output=True, text=True, check=True).stdout)
         self.assertEqual(set(report), set(documented))
         for key, value in report.items():
