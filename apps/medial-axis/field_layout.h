@@ -35,11 +35,10 @@ enum class FieldFormat
   Vti,
   Nrrd,
   MetaImage,
-  Nifti, ///< compressed by gzip
-  Vdb    ///< what is near the surface
+  Nifti ///< compressed by gzip
 };
 
-/// The format of a file by its extension: Vti unless that is .nrrd, .mha, .nii.gz or .vdb.
+/// The format of a file by its extension: Vti unless that is .nrrd, .mha or .nii.gz.
 FieldFormat fieldFormatOf(const std::filesystem::path& path);
 
 /// Which of kFieldArrays a file has; always the first.

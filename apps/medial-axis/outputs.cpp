@@ -9,8 +9,7 @@ Outputs::Outputs(const Options& options)
 {
   if (!options.field.empty())
   {
-    field_.emplace(options.field, options.fieldArrays, kDistanceName,
-      options.band.value_or(kDefaultBand));
+    field_.emplace(options.field, options.fieldArrays);
   }
   if (!options.localThickness.empty())
   {

@@ -107,7 +107,6 @@ std::string volumeHeader(const Grid& grid, FieldFormat format)
       return metaImageHeader(grid);
     case FieldFormat::Nifti:
       return NiftiHeader(grid).bytes();
-    case FieldFormat::Vdb:
     case FieldFormat::Vti:
       break;
   }

@@ -3,7 +3,6 @@
 #include "scan_files.h"
 
 #include "scan_reader.h"
-#include "vdb_file.h"
 
 #include "support/shapes.h"
 
@@ -111,17 +110,6 @@ TEST_F(ScanCommand, FieldsGoToVolumes)
         EXPECT_NEAR(fields[k].frame[row][axis], first.frame[row][axis], 1e-6) << k; // NIfTI: floats
       }
     }
-  }
-}
-
-TEST_F(ScanCommand, BandsAreOfVdbFiles)
-{
-  expectRefusal({ "box.obj", "--field", "f.mha", "--band", "4" }, 2,
-    "--band needs --field FILE.vdb");
-  expectRefusal({ "box.obj", "--field", "f.vdb", "--band", "0" }, 2, "0 is outside [1, 1000]");
-  if (!app::hasOpenVdb())
-  {
-    expectRefusal({ "box.obj", "--field", "f.vdb" }, 2, "this build is without OpenVDB");
   }
 }
 
