@@ -86,7 +86,7 @@ void BallFamilies::finish()
 {
   tbb::parallel_for(std::size_t{ 0 }, edges_.size(),
     [&](std::size_t e) { std::sort(edges_[e].begin(), edges_[e].end()); });
-  tbb::parallel_sort(edges_);
+  tbb::parallel_sort(edges_.begin(), edges_.end());
   edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
   for (std::uint32_t e = 0; e < edges_.size(); ++e)
   {
