@@ -27,6 +27,12 @@ T parsed(const std::string& word, const std::string& key)
   return value;
 }
 
+[[noreturn]] void refuseWord(const std::string& key, const std::string& word, const char* quote,
+  const char* why)
+{
+  refuseContent("'" + key + "' has " + quote + word + quote + ", which " + why);
+}
+
 } // namespace
 
 std::string_view trimmed(std::string_view text)
@@ -87,7 +93,7 @@ std::vector<double> numbersOf(const HeaderFields& fields, const std::string& key
     numbers.push_back(parsed<double>(word, key));
     if (!std::isfinite(numbers.back()))
     {
-      refuseContent("'" + key + "' has '" + word + "', which is not finite");
+      refuseWord(key, word, "'", "is not finite");
     }
   }
   return numbers;
@@ -101,7 +107,7 @@ std::vector<std::int64_t> countsOf(const HeaderFields& fields, const std::string
     counts.push_back(parsed<std::int64_t>(word, key));
     if (counts.back() < 1 || counts.back() > std::numeric_limits<std::int32_t>::max())
     {
-      refuseContent("'" + key + "' has " + word + ", which is no size of an axis");
+      refuseWord(key, word, "", "is no size of an axis");
     }
   }
   return counts;

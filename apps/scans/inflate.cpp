@@ -12,8 +12,7 @@ namespace medial::app
 namespace
 {
 
-constexpr std::size_t kLargestRatio = 1100; // of bytes by zlib's method: less than 1,033
-constexpr int kAnyHeader = 15 + 32;         // zlib's or gzip's
+constexpr int kAnyHeader = 15 + 32; // zlib's or gzip's
 
 class InflateStream
 {

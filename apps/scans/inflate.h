@@ -7,6 +7,9 @@
 namespace medial::app
 {
 
+/// Bytes that zlib's method makes of one, at most: less than 1,033.
+constexpr std::size_t kLargestRatio = 1100;
+
 /// The first `count` bytes of what zlib or gzip has compressed.
 /// @throws Error InvalidInput if there are fewer, or the text is damaged. A count that so few bytes
 ///   cannot hold is refused before memory is allocated.

@@ -129,13 +129,8 @@ ScanHeader parseNiftiHeader(std::string_view content)
     refuseContent("is no NIfTI file with header and values in one (version 1)");
   }
   const NiftiBytes bytes(content, size != kSize);
-#if __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
-  constexpr bool kBigEndian = false;
-#else
-  constexpr bool kBigEndian = true;
-#endif
   ScanHeader header;
-  header.bigEndian = kBigEndian != (size != kSize);
+  header.bigEndian = kIsBigEndian != (size != kSize);
   const int axes = bytes.int16(40);
   if (axes < 3 || axes > 7)
   {

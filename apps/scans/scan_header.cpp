@@ -19,14 +19,20 @@ ScanFrame makeFrame(const std::array<double, 3>& origin,
     }
     frame[row][3] = origin[row];
   }
-  const auto& [x, y, z] = steps;
-  const double volume = x[0] * (y[1] * z[2] - y[2] * z[1]) - x[1] * (y[0] * z[2] - y[2] * z[0]) +
-    x[2] * (y[0] * z[1] - y[1] * z[0]);
+  const double volume = voxelVolume(frame);
   if (!std::isfinite(volume) || volume == 0.0 || !std::isfinite(origin[0] + origin[1] + origin[2]))
   {
     refuseContent("its axes span no volume, or it is infinitely far away");
   }
   return frame;
+}
+
+double voxelVolume(const ScanFrame& frame)
+{
+  const ScanFrame& m = frame;
+  return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+    m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+    m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
 }
 
 std::size_t ScanHeader::voxels() const

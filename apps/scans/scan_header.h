@@ -9,6 +9,13 @@
 namespace medial::app
 {
 
+/// Whether this machine keeps the most significant byte of a number first.
+#if __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
+constexpr bool kIsBigEndian = false;
+#else
+constexpr bool kIsBigEndian = true;
+#endif
+
 /// How a file keeps the values of an image.
 enum class ScanEncoding
 {
@@ -23,6 +30,9 @@ using ScanFrame = std::array<std::array<double, 4>, 3>;
 /// A frame from the origin of an image and the steps along its axes, in world units.
 ScanFrame makeFrame(const std::array<double, 3>& origin,
   const std::array<std::array<double, 3>, 3>& steps);
+
+/// Volume of a voxel, world units; negative where the axes are mirrored.
+double voxelVolume(const ScanFrame& frame);
 
 /// What the header of an image of one value a voxel says.
 struct ScanHeader

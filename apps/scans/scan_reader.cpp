@@ -52,12 +52,7 @@ vtkSmartPointer<vtkDataArray> fromBytes(const ScanHeader& header, std::string_vi
 {
   vtkSmartPointer<vtkDataArray> array = makeArray(header);
   std::memcpy(array->GetVoidPointer(0), bytes.data(), bytesOf(header));
-#if __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
-  const bool swapped = header.bigEndian;
-#else
-  const bool swapped = !header.bigEndian;
-#endif
-  if (swapped)
+  if (header.bigEndian != kIsBigEndian)
   {
     vtkByteSwap::SwapVoidRange(array->GetVoidPointer(0), header.voxels(),
       static_cast<std::size_t>(array->GetDataTypeSize()));

@@ -154,14 +154,6 @@ vtkSmartPointer<vtkPolyData> smoothed(vtkPolyData* surface, int iterations)
   return filter->GetOutput();
 }
 
-bool isMirrored(const ScanFrame& m)
-{
-  return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
-    m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
-    m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]) <
-    0.0;
-}
-
 vtkSmartPointer<vtkPolyData> inPhysicalSpace(vtkPolyData* surface, const ScanFrame& frame)
 {
   vtkPoints* voxels = surface->GetPoints();
@@ -187,7 +179,7 @@ vtkSmartPointer<vtkPolyData> inPhysicalSpace(vtkPolyData* surface, const ScanFra
   auto moved = vtkSmartPointer<vtkPolyData>::New();
   moved->SetPoints(points);
   moved->SetPolys(surface->GetPolys());
-  if (!isMirrored(frame))
+  if (voxelVolume(frame) > 0.0)
   {
     return moved;
   }

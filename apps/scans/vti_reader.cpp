@@ -1,6 +1,7 @@
 #include "vti_reader.h"
 
 #include "header_text.h"
+#include "inflate.h"
 #include "input_file.h"
 #include "vtp_array.h"
 #include "xml_elements.h"
@@ -16,8 +17,6 @@ namespace medial::app
 {
 namespace
 {
-
-constexpr std::size_t kLargestRatio = 1100; // of compressed values: labels are nearly all alike
 
 std::vector<double> numbersOf(const XmlElement& element, const std::string& key,
   const std::string& otherwise)
