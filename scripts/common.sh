@@ -3,6 +3,10 @@
 # say TEXT: a line on the terminal.
 say() { printf '%s\n' "$*"; }
 
+# For AddressSanitizer. Debian 12's takes thread-local memory at some addresses for that of an old glibc, and
+# its search for leaks then reads where nothing is (google/sanitizers issue 1322).
+sanitizer_options=intercept_tls_get_addr=0
+
 # quietly LOG COMMAND...: the command's output goes to the file LOG; when it fails, so does this
 # function, after showing the end of LOG.
 quietly()
