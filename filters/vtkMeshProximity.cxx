@@ -80,7 +80,10 @@ void vtkMeshProximity::Execute(const std::vector<vtkPolyData*>& inputs,
   this->Internals->Move(0, inputs[0], this->TransformA, outputs[1]);
   this->Internals->Move(1, inputs[1], this->TransformB, outputs[2]);
   const medial::Proximity& proximity = this->Internals->Compute(options);
-  vtkProximityConversion::ToPolyData(proximity, outputs[0]);
+  vtkProximityConversion::PointSet points;
+  points.AddWitnesses(proximity);
+  points.AddContacts(proximity);
+  points.ShareWith(outputs[0]);
   vtkProximityConversion::AddFigures(proximity, options, outputs[0]);
   if (options.depths)
   {

@@ -1,15 +1,8 @@
 #include "vtkProximityConversion.h"
 
-#include "vtkCellArray.h"
-#include "vtkDoubleArray.h"
-#include "vtkIdTypeArray.h"
-#include "vtkIntArray.h"
 #include "vtkMedialFigures.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,70 +13,6 @@ namespace
 {
 
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-
-enum Kinds : unsigned char
-{
-  WITNESS = 0,
-  CONTACT = 1
-};
-
-//------------------------------------------------------------------------------
-/// The points of the output and their arrays, as they grow.
-class MarkedPoints
-{
-public:
-  explicit MarkedPoints(const medial::Proximity& proximity)
-    : Proximity(proximity)
-  {
-    this->Points->SetDataTypeToDouble();
-    this->Normal->SetNumberOfComponents(3);
-  }
-
-  vtkIdType Add(Kinds kind, const medial::ProximityContact& place)
-  {
-    this->Kind->InsertNextValue(kind);
-    this->Normal->InsertNextTypedTuple(place.normal.data());
-    this->Depth->InsertNextValue(place.depth);
-    this->Manifold->InsertNextValue(place.manifold);
-    this->BodyA->InsertNextValue(this->Proximity.meshA);
-    this->BodyB->InsertNextValue(this->Proximity.meshB);
-    this->CellA->InsertNextValue(place.cellA);
-    this->CellB->InsertNextValue(place.cellB);
-    return this->Points->InsertNextPoint(place.point.data());
-  }
-
-  void MoveTo(vtkPolyData* output)
-  {
-    output->SetPoints(this->Points);
-    const auto attach = [output](const char* name, vtkDataArray* array)
-    {
-      array->SetName(name);
-      output->GetPointData()->AddArray(array);
-    };
-    attach("Kind", this->Kind);
-    attach("Normal", this->Normal);
-    attach("Depth", this->Depth);
-    attach("Manifold", this->Manifold);
-    attach("BodyA", this->BodyA);
-    attach("BodyB", this->BodyB);
-    attach("CellA", this->CellA);
-    attach("CellB", this->CellB);
-    output->GetPointData()->SetActiveScalars("Kind");
-    output->GetPointData()->SetActiveVectors("Normal");
-  }
-
-private:
-  const medial::Proximity& Proximity;
-  vtkNew<vtkPoints> Points;
-  vtkNew<vtkUnsignedCharArray> Kind;
-  vtkNew<vtkDoubleArray> Normal;
-  vtkNew<vtkDoubleArray> Depth;
-  vtkNew<vtkIntArray> Manifold;
-  vtkNew<vtkIntArray> BodyA;
-  vtkNew<vtkIntArray> BodyB;
-  vtkNew<vtkIdTypeArray> CellA;
-  vtkNew<vtkIdTypeArray> CellB;
-};
 
 //------------------------------------------------------------------------------
 /// A witness in the form of a contact.
@@ -105,28 +34,72 @@ medial::ProximityContact ToWitness(const medial::Proximity& proximity, const med
 } // namespace
 
 //------------------------------------------------------------------------------
-void vtkProximityConversion::ToPolyData(const medial::Proximity& proximity, vtkPolyData* output)
+vtkProximityConversion::PointSet::PointSet()
 {
-  MarkedPoints points(proximity);
-  vtkNew<vtkCellArray> verts;
-  vtkNew<vtkCellArray> lines;
-  if (proximity.intersect)
+  this->Points->SetDataTypeToDouble();
+  this->Normal->SetNumberOfComponents(3);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkProximityConversion::PointSet::Add(Kinds kind, const medial::Proximity& pair,
+  const medial::ProximityContact& place)
+{
+  this->Kind->InsertNextValue(kind);
+  this->Normal->InsertNextTypedTuple(place.normal.data());
+  this->Depth->InsertNextValue(place.depth);
+  this->Manifold->InsertNextValue(place.manifold);
+  this->BodyA->InsertNextValue(pair.meshA);
+  this->BodyB->InsertNextValue(pair.meshB);
+  this->CellA->InsertNextValue(place.cellA);
+  this->CellB->InsertNextValue(place.cellB);
+  return this->Points->InsertNextPoint(place.point.data());
+}
+
+//------------------------------------------------------------------------------
+void vtkProximityConversion::PointSet::AddWitnesses(const medial::Proximity& pair)
+{
+  if (pair.intersect)
   {
-    verts->InsertNextCell({ points.Add(WITNESS, ToWitness(proximity, proximity.witnessA)) });
+    this->Verts->InsertNextCell({ this->Add(WITNESS, pair, ToWitness(pair, pair.witnessA)) });
   }
-  else if (std::isfinite(proximity.separation))
+  else if (std::isfinite(pair.separation))
   {
-    const vtkIdType a = points.Add(WITNESS, ToWitness(proximity, proximity.witnessA));
-    const vtkIdType b = points.Add(WITNESS, ToWitness(proximity, proximity.witnessB));
-    lines->InsertNextCell({ a, b });
+    const vtkIdType a = this->Add(WITNESS, pair, ToWitness(pair, pair.witnessA));
+    const vtkIdType b = this->Add(WITNESS, pair, ToWitness(pair, pair.witnessB));
+    this->Lines->InsertNextCell({ a, b });
   }
-  for (const medial::ProximityContact& contact : proximity.contacts)
+}
+
+//------------------------------------------------------------------------------
+void vtkProximityConversion::PointSet::AddContacts(const medial::Proximity& pair)
+{
+  for (const medial::ProximityContact& contact : pair.contacts)
   {
-    verts->InsertNextCell({ points.Add(CONTACT, contact) });
+    this->Verts->InsertNextCell({ this->Add(CONTACT, pair, contact) });
   }
-  points.MoveTo(output);
-  output->SetVerts(verts);
-  output->SetLines(lines);
+}
+
+//------------------------------------------------------------------------------
+void vtkProximityConversion::PointSet::ShareWith(vtkPolyData* output)
+{
+  output->SetPoints(this->Points);
+  output->SetVerts(this->Verts);
+  output->SetLines(this->Lines);
+  const auto attach = [output](const char* name, vtkDataArray* array)
+  {
+    array->SetName(name);
+    output->GetPointData()->AddArray(array);
+  };
+  attach("Kind", this->Kind);
+  attach("Normal", this->Normal);
+  attach("Depth", this->Depth);
+  attach("Manifold", this->Manifold);
+  attach("BodyA", this->BodyA);
+  attach("BodyB", this->BodyB);
+  attach("CellA", this->CellA);
+  attach("CellB", this->CellB);
+  output->GetPointData()->SetActiveScalars("Kind");
+  output->GetPointData()->SetActiveVectors("Normal");
 }
 
 //------------------------------------------------------------------------------
