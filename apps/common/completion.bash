@@ -35,7 +35,8 @@ _medial_values()
     --skeleton-table) _medial_files "$2" csv ;;
     --contacts) _medial_files "$2" vtp pvd ;;
     --animation) compgen -d -- "$2" ;;
-    --field | --local-thickness) _medial_files "$2" vti pvti nrrd mha nii.gz ;;
+    --field) _medial_files "$2" vti pvti nrrd mha nii.gz vdb ;;
+    --local-thickness) _medial_files "$2" vti pvti nrrd mha nii.gz ;;
     --image | --thickness-image | --screenshot) _medial_files "$2" png ;;
     --html) _medial_files "$2" html ;;
     --thickness-method) compgen -W "ball ray wall" -- "$2" ;;

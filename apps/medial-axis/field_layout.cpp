@@ -57,6 +57,7 @@ FieldFormat fieldFormatOf(const std::filesystem::path& path)
   return extension == ".nrrd" ? FieldFormat::Nrrd
     : extension == ".mha"     ? FieldFormat::MetaImage
     : extension == ".nii.gz"  ? FieldFormat::Nifti
+    : extension == ".vdb"     ? FieldFormat::Vdb
                               : FieldFormat::Vti;
 }
 

@@ -35,10 +35,11 @@ enum class FieldFormat
   Vti,
   Nrrd,
   MetaImage,
-  Nifti ///< compressed by gzip
+  Nifti, ///< compressed by gzip
+  Vdb    ///< what is near the surface
 };
 
-/// The format of a file by its extension: Vti unless that is .nrrd, .mha or .nii.gz.
+/// The format of a file by its extension: Vti unless that is .nrrd, .mha, .nii.gz or .vdb.
 FieldFormat fieldFormatOf(const std::filesystem::path& path);
 
 /// Which of kFieldArrays a file has; always the first.

@@ -6,6 +6,7 @@
 #include "input_file.h"
 #include "interrupt.h"
 #include "timer.h"
+#include "vdb_file.h"
 
 #include <algorithm>
 #include <string>
@@ -16,10 +17,12 @@ namespace fs = std::filesystem;
 namespace medial::app
 {
 
-FieldOutput::FieldOutput(const fs::path& path, const FieldSelection& selection, const char* scalars)
+FieldOutput::FieldOutput(const fs::path& path, const FieldSelection& selection, const char* scalars,
+  double band)
   : path_(path)
   , selection_(selection)
   , scalars_(scalars)
+  , band_(band)
 {
   const OutputFile check(path);
 }
@@ -55,7 +58,7 @@ void FieldOutput::begin(const Grid& grid)
   this->checkSpace();
   for (Piece& piece : pieces_)
   {
-    namingFile(piece.file.path(), [&] { this->writeFrame(piece); });
+    namingFile(piece.file.path(), [&] { this->writeFrame(piece, grid); });
   }
   seconds_ += timer.seconds();
 }
@@ -78,7 +81,9 @@ void FieldOutput::checkSpace() const
   std::uint64_t needed = 0;
   for (const Piece& piece : pieces_)
   {
-    needed += piece.layout.format() == FieldFormat::Nifti ? 0 : piece.layout.fileSize();
+    const FieldFormat format = piece.layout.format();
+    const bool isSmaller = format == FieldFormat::Nifti || format == FieldFormat::Vdb;
+    needed += isSmaller ? 0 : piece.layout.fileSize();
   }
   std::error_code error;
   const fs::space_info space = fs::space(fs::absolute(path_, error).parent_path(), error);
@@ -92,19 +97,26 @@ void FieldOutput::checkSpace() const
 }
 
 // Writes everything but the values.
-void FieldOutput::writeFrame(Piece& piece)
+void FieldOutput::writeFrame(Piece& piece, const Grid& grid)
 {
   const FieldLayout& layout = piece.layout;
   if (layout.format() == FieldFormat::Nifti)
   {
     piece.data = std::make_unique<GzipFile>(piece.file.open());
   }
+  else if (layout.format() == FieldFormat::Vdb)
+  {
+    piece.data = makeVdbFile(piece.file.open(), grid, band_);
+  }
   else
   {
     piece.data = std::make_unique<PositionedFile>(piece.file.open());
   }
   ValueFile& data = *piece.data;
-  data.write(layout.header().data(), layout.header().size(), 0);
+  if (!layout.header().empty())
+  {
+    data.write(layout.header().data(), layout.header().size(), 0);
+  }
   for (std::size_t array = 0; array < kFieldArrays.size(); ++array)
   {
     if (layout.has(array))

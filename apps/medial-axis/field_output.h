@@ -15,9 +15,12 @@
 namespace medial::app
 {
 
+/// Half the width of the band in .vdb files, in grid points.
+constexpr double kDefaultBand = 3.0;
+
 /// A distance field on its way to disk, slab by slab: memory holds one slab, whatever the size of
-/// the grid. FILE.vti is one file, as FILE.nrrd, FILE.mha and FILE.nii.gz are, which hold the
-/// distance alone. FILE.pvti is an index of FILE_0.vti, FILE_1.vti and so on, pieces of 64
+/// the grid. FILE.vti is one file, as FILE.nrrd, FILE.mha, FILE.nii.gz and FILE.vdb are, which hold
+/// the distance alone. FILE.pvti is an index of FILE_0.vti, FILE_1.vti and so on, pieces of 64
 /// slices. All of them appear with commit(), or none.
 ///
 /// Use: begin(), a computation with this as its sink, finish(), commit().
@@ -26,9 +29,11 @@ class FieldOutput : public FieldSink
 public:
   /// Checks that a file can be created there; leaves nothing behind.
   /// @param scalars name of the first array; static storage.
+  /// @param band of .vdb files: see makeVdbFile().
   /// @throws Failure NoSpace.
   explicit FieldOutput(const std::filesystem::path& path,
-    const FieldSelection& selection = kAllFieldArrays, const char* scalars = kDistanceName);
+    const FieldSelection& selection = kAllFieldArrays, const char* scalars = kDistanceName,
+    double band = kDefaultBand);
 
   /// Creates the files, complete but for their values.
   /// @throws Failure NoSpace, also if the disk has too little space for them.
@@ -66,13 +71,14 @@ private:
   bool hasIndex() const;
   std::filesystem::path piecePath(std::size_t number) const;
   void checkSpace() const;
-  void writeFrame(Piece& piece);
+  void writeFrame(Piece& piece, const Grid& grid);
   void writeSlab(Piece& piece, const Extent& slab);
   void writeIndex(const Grid& grid, const std::vector<Extent>& extents);
 
   std::filesystem::path path_;
   FieldSelection selection_;
   const char* scalars_;
+  double band_;
   std::optional<OutputFile> index_;
   std::list<Piece> pieces_;
   std::array<std::unique_ptr<char[]>, kFieldArrays.size()> values_; // of a slab

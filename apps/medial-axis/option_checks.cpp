@@ -6,6 +6,7 @@
 #include "option_names.h"
 #include "scan_reader.h"
 #include "standard_output.h"
+#include "vdb_file.h"
 #include "web_files.h"
 
 #include <algorithm>
@@ -58,6 +59,19 @@ void checkScan(const Options& options)
     throw Failure(ExitCode::Usage,
       std::string(given) + " needs an image (.nrrd .mha .mhd .nii .nii.gz .vti), which " + input +
         " is not");
+  }
+}
+
+void checkVdb(const Options& options)
+{
+  const bool isVdb = fieldFormatOf(options.field) == FieldFormat::Vdb;
+  if (isVdb)
+  {
+    loadVdb(options.field);
+  }
+  if (options.band && !isVdb)
+  {
+    throw Failure(ExitCode::Usage, "--band needs --field FILE.vdb");
   }
 }
 
@@ -201,7 +215,8 @@ void checkFiles(const Options& options)
   checkExtension("--skeleton", options.skeleton, { ".vtp" });
   checkExtension("--skeleton-table", options.skeletonTable, { ".csv" });
   checkScan(options);
-  checkExtension("--field", options.field, { ".vti", ".pvti", ".nrrd", ".mha", ".nii.gz" });
+  checkExtension("--field", options.field, { ".vti", ".pvti", ".nrrd", ".mha", ".nii.gz", ".vdb" });
+  checkVdb(options);
   checkExtension("--local-thickness", options.localThickness,
     { ".vti", ".pvti", ".nrrd", ".mha", ".nii.gz" });
   checkExtension("--thickness", options.thickness, { ".vtp" });

@@ -15,6 +15,7 @@ namespace
 {
 
 constexpr int kMaxResolution = 8192;
+constexpr double kMaxBand = 1000.0;
 constexpr int kMaxScanSmoothing = 1000;
 constexpr int kMinMemoryMiB = 64;
 constexpr double kMaxPadding = 10.0;
@@ -28,7 +29,7 @@ CLI::Validator length()
 
 } // namespace
 
-void addOutputOptions(CLI::App& app, OptionTexts& texts)
+void addOutputOptions(CLI::App& app, OptionTexts& texts, Options& options)
 {
   const std::string group = "Outputs";
   app.add_option("-o,--output", texts.output, "medial axis: .vtp, .ply, .obj or .ma")
@@ -56,7 +57,8 @@ void addOutputOptions(CLI::App& app, OptionTexts& texts)
   app
     .add_option("--field", texts.field,
       "distance field: .vti, one file, or .pvti, pieces of 64 slices "
-      "named <FILE's name>_0.vti and so on; the distance alone as .nrrd, .mha or .nii.gz; written "
+      "named <FILE's name>_0.vti and so on; the distance alone as .nrrd, .mha or .nii.gz, and "
+      "what is near the surface as .vdb; written "
       "while it is computed, so it may be larger than memory")
     ->option_text("FILE")
     ->group(group);
@@ -66,6 +68,13 @@ void addOutputOptions(CLI::App& app, OptionTexts& texts)
       "closest_feature and closest_site, with commas between them, or distance for it alone; "
       "29 bytes for each grid point with all of them, 4 with the distance alone; default all")
     ->option_text("LIST")
+    ->needs("--field")
+    ->group(group);
+  app
+    .add_option("--band", options.band,
+      "half the width of what a .vdb field keeps, in grid points, in [1, 1000]; default 3")
+    ->option_text("W")
+    ->check(within<double>("[1, 1000]", [](double w) { return w >= 1.0 && w <= kMaxBand; }))
     ->needs("--field")
     ->group(group);
   app

@@ -50,7 +50,7 @@ std::optional<Options> parseOptions(int argc, char** argv)
       ".mhd, .nii, .nii.gz or .vti")
     ->required()
     ->option_text(" ");
-  addOutputOptions(app, texts);
+  addOutputOptions(app, texts, options);
   addScanOptions(app, options);
   addGridOptions(app, texts, options);
   addAxisOptions(app, texts, options);

@@ -29,6 +29,7 @@ struct Options
   std::filesystem::path skeletonTable; ///< .csv
   std::filesystem::path field;         ///< .vti, .pvti, .nrrd, .mha or .nii.gz
   FieldSelection fieldArrays = kAllFieldArrays;
+  std::optional<double> band;           ///< of a .vdb field, in grid points
   std::filesystem::path localThickness; ///< as field
   std::filesystem::path thickness;      ///< .vtp
   std::filesystem::path thicknessImage; ///< .png

@@ -9,7 +9,8 @@ Outputs::Outputs(const Options& options)
 {
   if (!options.field.empty())
   {
-    field_.emplace(options.field, options.fieldArrays);
+    field_.emplace(options.field, options.fieldArrays, kDistanceName,
+      options.band.value_or(kDefaultBand));
   }
   if (!options.localThickness.empty())
   {

@@ -107,6 +107,7 @@ std::string volumeHeader(const Grid& grid, FieldFormat format)
       return metaImageHeader(grid);
     case FieldFormat::Nifti:
       return NiftiHeader(grid).bytes();
+    case FieldFormat::Vdb:
     case FieldFormat::Vti:
       break;
   }

@@ -61,7 +61,7 @@ TEST_F(CommandLine, HelpNamesEveryOption)
   EXPECT_EQ(help.exitCode, 0);
   EXPECT_EQ(help.err, "");
   for (const char* option :
-    { "-o,--output", "--curves", "--field", "--local-thickness", "--isovalue", "--label",
+    { "-o,--output", "--curves", "--field", "--local-thickness", "--band", "--isovalue", "--label",
       "--scan-smoothing", "--skeleton", "--skeleton-table", "--min-branch", "--no-smooth",
       "--thickness", "--thickness-image", "--thin-regions", "--thickness-method", "--min-thickness",
       "--max-thickness", "--max-edge", "--image", "--resolution", "--spacing", "--padding",

@@ -113,6 +113,16 @@ TEST_F(ScanCommand, FieldsGoToVolumes)
   }
 }
 
+TEST_F(ScanCommand, BandsAreOfVdbFiles)
+{
+  expectRefusal({ "box.obj", "--field", "f.mha", "--band", "4" }, 2,
+    "--band needs --field FILE.vdb");
+  expectRefusal({ "box.obj", "--field", "f.vdb", "--band", "0" }, 2, "0 is outside [1, 1000]");
+#ifndef MEDIAL_VDB
+  expectRefusal({ "box.obj", "--field", "f.vdb" }, 2, "f.vdb: this build is without OpenVDB");
+#endif
+}
+
 // A signed distance is a grey image with the solid below 0.
 TEST_F(ScanCommand, TheSurfaceOfAFieldIsTheMesh)
 {
