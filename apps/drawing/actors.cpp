@@ -127,19 +127,24 @@ SkeletonActors makeSkeleton(vtkPolyData* skeleton, vtkScalarsToColors* colours)
   return actors;
 }
 
+vtkSmartPointer<vtkAlgorithm> makeBorderLines(vtkPolyData* faces)
+{
+  auto borders = vtkSmartPointer<vtkFeatureEdges>::New();
+  borders->SetInputData(faces);
+  borders->BoundaryEdgesOn();
+  borders->FeatureEdgesOff();
+  borders->NonManifoldEdgesOff();
+  borders->ManifoldEdgesOff();
+  borders->ColoringOff();
+  return borders;
+}
+
 vtkSmartPointer<vtkActor> makeAxis(vtkPolyData* axis, vtkScalarsToColors* colours,
   const char* array)
 {
-  vtkNew<vtkFeatureEdges> rims;
-  rims->SetInputData(axis);
-  rims->BoundaryEdgesOn();
-  rims->FeatureEdgesOff();
-  rims->NonManifoldEdgesOff();
-  rims->ManifoldEdgesOff();
-  rims->ColoringOff();
   vtkNew<vtkAppendPolyData> both;
   both->AddInputData(axis);
-  both->AddInputConnection(rims->GetOutputPort());
+  both->AddInputConnection(makeBorderLines(axis)->GetOutputPort());
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputConnection(both->GetOutputPort());
   mapper->SetLookupTable(colours);

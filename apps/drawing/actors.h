@@ -1,6 +1,7 @@
 #pragma once
 
 #include <vtkActor.h>
+#include <vtkAlgorithm.h>
 #include <vtkSmartPointer.h>
 
 class vtkPolyData;
@@ -28,6 +29,9 @@ struct SkeletonActors
 };
 
 SkeletonActors makeSkeleton(vtkPolyData* skeleton, vtkScalarsToColors* colours);
+
+/// The edges that belong to one face only, as lines.
+vtkSmartPointer<vtkAlgorithm> makeBorderLines(vtkPolyData* faces);
 
 /// A medial axis coloured by one of its point arrays. Rims of sheets are lines as well, so that no
 /// sheet vanishes that is narrow or seen from its edge.

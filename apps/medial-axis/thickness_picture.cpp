@@ -6,7 +6,6 @@
 
 #include <vtkActor.h>
 #include <vtkDataArray.h>
-#include <vtkFeatureEdges.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
@@ -56,15 +55,8 @@ void addSurface(Scene& scene, vtkPolyData* surface, vtkColorTransferFunction* co
 // Thick lines in front of the surface, where one region or its triangles end.
 vtkSmartPointer<vtkActor> makeBorders(vtkPolyData* regions)
 {
-  vtkNew<vtkFeatureEdges> borders;
-  borders->SetInputData(regions);
-  borders->BoundaryEdgesOn();
-  borders->FeatureEdgesOff();
-  borders->NonManifoldEdgesOff();
-  borders->ManifoldEdgesOff();
-  borders->ColoringOff();
   vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(borders->GetOutputPort());
+  mapper->SetInputConnection(makeBorderLines(regions)->GetOutputPort());
   mapper->ScalarVisibilityOff();
   mapper->SetRelativeCoincidentTopologyLineOffsetParameters(-4.0, -4.0);
   auto actor = vtkSmartPointer<vtkActor>::New();

@@ -20,7 +20,8 @@ MakeVdbFile* makeFile = nullptr;
 void loadVdb(const std::filesystem::path& file)
 {
   void* const module = dlopen("libmedial-vdb.so", RTLD_NOW | RTLD_LOCAL);
-  makeFile = module != nullptr ? reinterpret_cast<MakeVdbFile*>(dlsym(module, "makeVdbFile")) : nullptr;
+  makeFile =
+    module != nullptr ? reinterpret_cast<MakeVdbFile*>(dlsym(module, "makeVdbFile")) : nullptr;
   if (makeFile == nullptr)
   {
     throw Failure(ExitCode::Usage,
