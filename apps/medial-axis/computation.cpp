@@ -58,7 +58,7 @@ AxisCoverage coverageOf(const Result& result, const Options& options,
   if (options.report.empty())
   {
     constexpr std::int64_t kFewSamples = 4000;
-    const AxisCoverage bound = measure(kFewSamples, 0.5 * kNoticeableShare);
+    AxisCoverage bound = measure(kFewSamples, 0.5 * kNoticeableShare);
     if (bound.uncoveredShare < 0.5 * kNoticeableShare)
     {
       return bound;

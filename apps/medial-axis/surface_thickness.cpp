@@ -54,7 +54,7 @@ vtkSmartPointer<vtkPolyData> withThickness(vtkPolyData* surface, const Result& r
 vtkSmartPointer<vtkPolyData> pictureOfThickness(vtkPolyData* surface,
   const ThicknessOptions& options)
 {
-  const vtkSmartPointer<vtkPolyData> fine = divided(surface);
+  vtkSmartPointer<vtkPolyData> fine = divided(surface);
   const TriangleMesh mesh = buildTriangleMesh(vtkMeshConversion::ToMeshInput(fine));
   ThicknessOptions ofPoints = options;
   ofPoints.cells = false;
