@@ -1,5 +1,6 @@
 #pragma once
 
+#include "axis/side_check.h"
 #include "base/checkpoint.h"
 #include "culling/site_query.h"
 #include "sites/grid_frame.h"
@@ -22,6 +23,15 @@ struct AxisGeometry
   double lambda;                ///< minimum BisectorPoint::lambda()
   double radius;                ///< minimum radius
   const Checkpoint& checkpoint; ///< for loops over points
+  /// Null without a sign, when points may be anywhere.
+  const SideCheck* side = nullptr;
+
+  /// Whether a point is on another side of the surface than one that it was found from.
+  /// @param reach see SideCheck.
+  bool isAcross(const glm::dvec3& known, double reach, const BisectorPoint& point) const
+  {
+    return side != nullptr && side->isAcross(known, reach, point);
+  }
 
   /// Whether queries at x are exact.
   bool insideGrid(const glm::dvec3& x) const

@@ -118,6 +118,14 @@ void placeOnSurface(const AxisGeometry& geometry, const DualMesh& mesh,
   const AngleLimit limit(geometry.angle);
   for (std::size_t i = 0; i < vertices.size(); ++i)
   {
+    const BisectorPoint& crossing =
+      nearestCrossing(mesh, bisectors, vertices[i], points[i].position);
+    if (geometry.isAcross(crossing.position, crossing.radius(), points[i]))
+    {
+      result.points[vertices[i]] = crossing;
+      result.moved[vertices[i]] = 1;
+      continue;
+    }
     result.points[vertices[i]] = points[i];
     if (!points[i].reaches(limit) &&
       points[i].separationAngle() < minAngle(geometry, mesh, bisectors, vertices[i]))

@@ -167,6 +167,14 @@ SiteSegment segmentOf(const GridFrame& frame, const Crossing& crossing)
   return { from, crossing.siteA, to, crossing.siteB };
 }
 
+bool isBeyondSurface(const AxisGeometry& geometry, const SiteSegment& segment,
+  const BisectorPoint& point)
+{
+  const bool nearFrom =
+    glm::distance(segment.from, point.position) < glm::distance(segment.to, point.position);
+  return geometry.isAcross(nearFrom ? segment.from : segment.to, 0.0, point);
+}
+
 std::vector<BisectorPoint> bisectorPoints(const AxisGeometry& geometry,
   const std::vector<SiteSegment>& segments)
 {
@@ -283,7 +291,11 @@ Found axisAlongNormals(const AxisGeometry& geometry, const std::vector<BisectorP
   const Found between = axisBetween(geometry, segments);
   for (std::size_t k = 0; k < count; ++k)
   {
-    found[which[k]] = between[k];
+    const BisectorPoint& point = points[which[k]];
+    if (between[k] && !geometry.isAcross(point.position, point.radius(), *between[k]))
+    {
+      found[which[k]] = between[k];
+    }
   }
   return found;
 }
@@ -309,9 +321,11 @@ BisectorPoints crossingPoints(const AxisGeometry& geometry, std::vector<Crossing
       const std::vector<BisectorPoint> points = bisectorPoints(geometry, segments);
       for (std::size_t i = 0; i < points.size(); ++i)
       {
-        const bool large = points[i].radius() >= minRadius && points[i].lambda() >= geometry.lambda;
+        const bool stays = points[i].radius() >= minRadius &&
+          points[i].lambda() >= geometry.lambda &&
+          !isBeyondSurface(geometry, segments[i], points[i]);
         const std::size_t c = order[range.begin() + i];
-        result.moved[c] = large ? 0 : 1;
+        result.moved[c] = stays ? 0 : 1;
         result.points[c] = points[i];
       }
     });

@@ -26,6 +26,10 @@ struct SiteSegment
 /// Returns the grid edge of a crossing.
 SiteSegment segmentOf(const GridFrame& frame, const Crossing& crossing);
 
+/// Whether a point that was found on a segment is on another side of the surface than its ends.
+bool isBeyondSurface(const AxisGeometry& geometry, const SiteSegment& segment,
+  const BisectorPoint& point);
+
 /// For each segment, finds the point at equal distance from the closest sites of its two ends.
 ///
 /// If a third site is nearer there than these two, the segment is narrowed to the change from or to
@@ -33,9 +37,9 @@ SiteSegment segmentOf(const GridFrame& frame, const Crossing& crossing);
 std::vector<BisectorPoint> bisectorPoints(const AxisGeometry& geometry,
   const std::vector<SiteSegment>& segments);
 
-/// Follows the normal of each point's closest point to the next bisector with the minimum
-/// separation angle, at most h/(2 sin(theta/2)) + h/2 away: the error of selection by neighbouring
-/// grid points is no larger.
+/// Follows the normal of each point's closest point to the next bisector on the same side of the
+/// surface with the minimum separation angle, at most h/(2 sin(theta/2)) + h/2 away: the error of
+/// selection by neighbouring grid points is no larger.
 std::vector<std::optional<BisectorPoint>> axisAlongNormals(const AxisGeometry& geometry,
   const std::vector<BisectorPoint>& points);
 
@@ -67,8 +71,8 @@ std::vector<std::optional<BisectorPoint>> bisectorsOn(const AxisGeometry& geomet
   std::vector<SiteSegment> segments);
 
 /// Finds the bisector point of every crossed grid edge. Removes crossings below the limits of
-/// lambda and radius, and those on the surface itself, where an edge grazes it and the field is
-/// unsigned.
+/// lambda and radius, those on the surface itself, where an edge grazes it and the field is
+/// unsigned, and those beyond the surface.
 BisectorPoints crossingPoints(const AxisGeometry& geometry, std::vector<Crossing>& crossings);
 
 } // namespace medial

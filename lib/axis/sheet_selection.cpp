@@ -195,6 +195,11 @@ private:
     std::vector<SiteSegment> narrowSegments;
     for (std::size_t i = 0; i < which.size(); ++i)
     {
+      if (isBeyondSurface(geometry_, segments[i], exact[i]))
+      {
+        standing_[which[i]] = kNarrow;
+        continue;
+      }
       this->setSample(which[i], SampleKind::Exact, exact[i]);
       if (standing_[which[i]] == kWide && !exact[i].reaches(angleLimit_))
       {
@@ -206,7 +211,7 @@ private:
     for (std::size_t i = 0; i < narrow.size(); ++i)
     {
       const std::size_t c = narrow[i];
-      if (faceted[i] &&
+      if (faceted[i] && !isBeyondSurface(geometry_, narrowSegments[i], *faceted[i]) &&
         faceted[i]->separationAngle() > samples_.points[c].separationAngle() + kSameAngle)
       {
         this->setSample(c, SampleKind::Faceted, *faceted[i]);

@@ -182,14 +182,15 @@ void simplify(const MedialAxisOptions& options, const Run& run, RunStatistics& s
 
 /// Builds points, cells and features of the axis from the crossings.
 /// @param tap the field, if the topology is to be preserved.
+/// @param side null without a sign.
 void buildAxis(const MedialAxisOptions& options, const FieldPipeline& pipeline, const Grid& grid,
-  const FieldTap* tap, const Checkpoint& checkpoint, std::vector<Crossing>& crossings,
-  MedialAxis& axis)
+  const FieldTap* tap, const SideCheck* side, const Checkpoint& checkpoint,
+  std::vector<Crossing>& crossings, MedialAxis& axis)
 {
   const GridFrame& frame = pipeline.frame();
   const AxisGeometry geometry{ pipeline.sites(), pipeline.query(), frame, grid.wholeExtent(),
     glm::radians(options.angle), options.lambda / frame.unit, options.radius / frame.unit,
-    checkpoint };
+    checkpoint, side };
   const BisectorPoints points = tap != nullptr
     ? preserve(options.representation, geometry, *tap, pipeline.directions(), crossings, axis)
     : represent(options.representation, geometry, crossings, axis);
@@ -221,7 +222,9 @@ MedialAxis runPipeline(const TriangleMesh& mesh, const MeshConnectivity& connect
     {
       const Stopwatch watch(pipeline.statistics().seconds.medial);
       const Checkpoint checkpoint(run, kSelected, "medial axis");
-      buildAxis(options, pipeline, grid, tap ? &*tap : nullptr, checkpoint, crossings, axis);
+      const SideCheck side(mesh, connectivity, pipeline.frame());
+      buildAxis(options, pipeline, grid, tap ? &*tap : nullptr,
+        axis.sign == SignMethod::None ? nullptr : &side, checkpoint, crossings, axis);
     });
   if (options.maxSpheres > 0)
   {

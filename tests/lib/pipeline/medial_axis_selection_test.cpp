@@ -1,9 +1,11 @@
 #include "medial/compute_medial_axis.h"
 #include "medial/error.h"
+#include "medial/point_distance.h"
 
 #include "support/medial_checks.h"
 #include "support/medial_truth.h"
 #include "support/shapes.h"
+#include "support/transforms.h"
 
 #include <gtest/gtest.h>
 
@@ -321,6 +323,30 @@ TEST(MedialAxisSelection, ACapsuleIsLinesAlongItsMiddle)
     for (const std::int64_t p : line)
     {
       EXPECT_LE(std::hypot(axis.points[p][0], axis.points[p][1]), 0.3 * 0.0431);
+    }
+  }
+}
+
+/// Between two grid points in a shell that bends within a voxel lies a part of the hollow.
+TEST(MedialAxisSelection, BallsInsideLieInsideWhereTheWallIsAsThinAsAVoxel)
+{
+  for (const double wall : { 0.08, 0.16, 0.3 })
+  {
+    const TriangleMesh mesh = shell(0.7, 0.7 + wall, 3);
+    const PointDistance distance(mesh);
+    for (const double spacing : { 0.17, 0.21, 0.29, 0.37 })
+    {
+      for (const Representation representation :
+        { Representation::Surface, Representation::Points })
+      {
+        SCOPED_TRACE(testing::Message() << wall << ' ' << spacing);
+        const MedialAxis axis = compute(mesh, spacing, 20.0, Side::Interior, representation);
+        const std::vector<double> distances = distance.compute(axis.points).distance;
+        for (std::size_t p = 0; p < distances.size(); ++p)
+        {
+          EXPECT_NEAR(distances[p], -axis.radius[p], 1e-5) << p;
+        }
+      }
     }
   }
 }

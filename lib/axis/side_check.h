@@ -1,0 +1,45 @@
+#pragma once
+
+#include "axis/bisector_point.h"
+#include "medial/mesh_connectivity.h"
+#include "medial/triangle_mesh.h"
+#include "sign/inside_query.h"
+#include "sites/local_coordinates.h"
+
+#include <glm/glm.hpp>
+
+#include <memory>
+#include <mutex>
+
+namespace medial
+{
+
+/// Tells whether a bisector point is on the side of the surface that it was looked for on. Between
+/// two grid points inside a solid there may be a gap, narrower than the grid is fine, and the bisector
+/// of its walls.
+///
+/// Most answers follow from balls, which no surface enters. The others need an exact query, which is
+/// built when it is first needed. Several threads may ask at once.
+class SideCheck
+{
+public:
+  /// All arguments must outlive this.
+  /// @param local coordinates of the points.
+  SideCheck(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
+    const LocalCoordinates& local);
+
+  /// @param known a point on the right side.
+  /// @param reach no surface is nearer to it than this; 0 if that is not known.
+  bool isAcross(const glm::dvec3& known, double reach, const BisectorPoint& point) const;
+
+private:
+  const InsideQuery& inside() const;
+
+  const TriangleMesh& mesh_;
+  const MeshConnectivity& connectivity_;
+  const LocalCoordinates& local_;
+  mutable std::once_flag once_;
+  mutable std::unique_ptr<const InsideQuery> inside_;
+};
+
+} // namespace medial
