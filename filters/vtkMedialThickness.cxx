@@ -122,8 +122,8 @@ void vtkMedialThickness::Execute(const std::vector<vtkPolyData*>& inputs,
   vtkMeshConversion::AddThickness(thickness, mesh, output, divided);
   if (limited)
   {
-    vtkMeshConversion::AddRegions(
-      medial::findThicknessRegions(mesh, connectivity, thickness, limits), mesh, output, divided);
+    vtkMeshConversion::AddRegions(medial::findThicknessRegions(mesh, thickness, limits), mesh,
+      output, divided);
   }
   vtkMedialFigures figures(output);
   figures.AddNumber("MinThickness", thickness.min);

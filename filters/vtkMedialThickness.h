@@ -27,7 +27,7 @@
  *
  * @par Regions:
  * With MinimumThickness or MaximumThickness the cell data array Region (int) is the number of the
- * region beyond the limits that a cell belongs to, from 1, or 0. Triangles that share an edge are
+ * region beyond the limits that a cell belongs to, from 1, or 0. Triangles that share a point are
  * one region. Places that are thin only because two sides meet at a convex edge or tip nearby do
  * not count: those whose two planes meet at more than 60 degrees, or at 15 or more where such an
  * edge is. Field data arrays have one tuple for each region, the thinnest first, then the thickest:

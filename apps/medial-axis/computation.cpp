@@ -110,7 +110,8 @@ void computeAxis(const Options& options, const MedialAxisOptions& axisOptions, F
   {
     result.axisTopology = topologyOf(result.axis);
   }
-  if (result.axis.side == Side::Interior && (!options.report.empty() || !options.quiet))
+  const bool isWanted = !options.report.empty() || (!options.quiet && options.showsAxis());
+  if (result.axis.side == Side::Interior && isWanted)
   {
     result.coverage = coverageOf(result, options, axisOptions.field);
     if (result.coverage->uncoveredShare >= kNoticeableShare && !result.coverage->places.empty())
@@ -153,8 +154,7 @@ void measureThickness(const Options& options, const ThicknessOptions& wanted,
   result.thickness = computeThickness(result.thicknessMesh(), connectivity, wanted);
   if (options.hasThicknessLimits())
   {
-    result.regions =
-      findThicknessRegions(result.thicknessMesh(), connectivity, *result.thickness, limits);
+    result.regions = findThicknessRegions(result.thicknessMesh(), *result.thickness, limits);
   }
 }
 

@@ -94,7 +94,7 @@ void addOutputOptions(CLI::App& app, OptionTexts& texts, Options& options)
   app
     .add_option("--thickness-image", texts.thicknessImage,
       "picture of the surface coloured by thickness in world units, grey where there is none; "
-      "large triangles get values inside as well")
+      "large triangles get values inside as well; regions beyond limits are red and numbered")
     ->option_text("FILE.png")
     ->group(group);
   app

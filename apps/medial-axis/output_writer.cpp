@@ -4,6 +4,7 @@
 #include "html_page.h"
 #include "picture.h"
 #include "picture_caption.h"
+#include "region_table.h"
 #include "skeleton_table.h"
 #include "surface_thickness.h"
 #include "thickness_picture.h"
@@ -19,6 +20,7 @@
 #include <vtkMeshFieldAlgorithm.h>
 #include <vtkNew.h>
 
+#include <algorithm>
 #include <new>
 #include <optional>
 #include <stdexcept>
@@ -83,6 +85,20 @@ vtkSmartPointer<vtkPolyData> skeletonForVtk(const std::optional<Skeleton>& skele
   return polyData;
 }
 
+PictureRegions pictureRegions(const Result& result)
+{
+  PictureRegions regions;
+  if (!result.regions.empty())
+  {
+    regions.triangles = regionsOf(result);
+  }
+  for (std::size_t i = 0; i < std::min(kListedRegions, result.regions.size()); ++i)
+  {
+    regions.places.push_back(result.regions[i].place);
+  }
+  return regions;
+}
+
 } // namespace
 
 OutputNotes writeOutputs(const Options& options, Surface& surface, const Result& result,
@@ -123,9 +139,8 @@ OutputNotes writeOutputs(const Options& options, Surface& surface, const Result&
   outputs.write(options.thicknessImage,
     [&](const auto& file)
     {
-      const auto regions = result.regions.empty() ? nullptr : regionsOf(result);
-      drawThickness(result.thicknessPicture, surface.polyData(), regions, thicknessCaption(options),
-        file);
+      drawThickness(result.thicknessPicture, surface.polyData(), pictureRegions(result),
+        thicknessCaption(options, result), file);
     });
   notes.pictureSeconds += thicknessPicture.seconds();
   return notes;

@@ -2,6 +2,7 @@
 
 #include "caption.h"
 #include "option_names.h"
+#include "region_table.h"
 
 #include <iomanip>
 #include <sstream>
@@ -59,22 +60,23 @@ std::vector<std::string> axisCaption(const Options& options, const Result& resul
                                        : std::vector<std::string>{ name, selection, way };
 }
 
-std::vector<std::string> thicknessCaption(const Options& options)
+std::vector<std::string> thicknessCaption(const Options& options, const Result& result)
 {
   const ThicknessMethod method = thicknessOptions(options).method;
   const std::string what =
     method == ThicknessMethod::Ball ? "thickness" : "thickness by " + nameOf(method);
-  std::string settings = method == ThicknessMethod::Ball ? sideAndAngle(what, options)
-                                                         : what + ", " + nameOf(options.side);
-  if (options.minThickness)
+  const std::string settings = method == ThicknessMethod::Ball ? sideAndAngle(what, options)
+                                                               : what + ", " + nameOf(options.side);
+  std::vector<std::string> lines{ options.input.filename().string(), settings };
+  if (!result.regions.empty())
   {
-    settings += ", at least " + asText(*options.minThickness);
+    lines.push_back("red: " + regionSummary(options, result));
   }
-  if (options.maxThickness)
+  else if (options.hasThicknessLimits())
   {
-    settings += ", at most " + asText(*options.maxThickness);
+    lines.push_back("limits kept everywhere");
   }
-  return { options.input.filename().string(), settings };
+  return lines;
 }
 
 } // namespace medial::app

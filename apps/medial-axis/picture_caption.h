@@ -13,7 +13,8 @@ namespace medial::app
 /// Name of the mesh's file; what is selected; grid, topology and limit of spheres.
 std::vector<std::string> axisCaption(const Options& options, const Result& result);
 
-/// Name of the mesh's file; method, side and limits of the thickness, and the angle of balls.
-std::vector<std::string> thicknessCaption(const Options& options);
+/// Name of the mesh's file; method and side of the thickness, and the angle of balls; what is
+/// beyond the limits.
+std::vector<std::string> thicknessCaption(const Options& options, const Result& result);
 
 } // namespace medial::app

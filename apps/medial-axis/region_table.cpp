@@ -11,8 +11,6 @@ namespace medial::app
 namespace
 {
 
-constexpr std::size_t kMaxRows = 20;
-
 std::string rowOf(std::size_t number, const ThicknessRegion& region)
 {
   char row[160];
@@ -30,7 +28,7 @@ std::string headings()
   return row;
 }
 
-// "2 regions are thinner than 1, the worst 0.4"; empty if there are none.
+// Of one limit; empty if there are none.
 std::string summaryOf(const std::vector<ThicknessRegion>& regions, bool thin,
   const std::optional<double>& limit)
 {
@@ -56,28 +54,41 @@ std::string regionTable(const std::vector<ThicknessRegion>& regions)
     return "limits    kept everywhere; convex edges and corners do not count\n";
   }
   std::string text = headings();
-  for (std::size_t i = 0; i < std::min(kMaxRows, regions.size()); ++i)
+  for (std::size_t i = 0; i < std::min(kListedRegions, regions.size()); ++i)
   {
     text += rowOf(i + 1, regions[i]);
   }
-  if (regions.size() > kMaxRows)
+  if (regions.size() > kListedRegions)
   {
-    text += "          and " + std::to_string(regions.size() - kMaxRows) +
+    text += "          and " + std::to_string(regions.size() - kListedRegions) +
       " more: --report and --thin-regions have all\n";
   }
   return text;
 }
 
-void requireNoRegions(const Options& options, const Result& result)
+std::string regionSummary(const Options& options, const Result& result)
 {
   const ThicknessLimits limits = thicknessLimits(options, result.mesh.bounds().diagonal());
   const std::string thin = summaryOf(result.regions, true, limits.min);
   const std::string thick = summaryOf(result.regions, false, limits.max);
-  const std::string both = thin + (thin.empty() || thick.empty() ? "" : "; ") + thick;
-  if (!both.empty())
+  return thin + (thin.empty() || thick.empty() ? "" : "; ") + thick;
+}
+
+void requireNoRegions(const Options& options, const Result& result)
+{
+  std::string regions = regionSummary(options, result);
+  if (regions.empty())
   {
-    throw Failure(ExitCode::BeyondLimits, options.input.string() + ": " + both);
+    return;
   }
+  const double diagonal = result.mesh.bounds().diagonal();
+  if (options.minThickness && options.minThickness->inUnits(diagonal) > diagonal)
+  {
+    std::ostringstream size;
+    size << diagonal;
+    regions += "; the diagonal of the mesh is only " + size.str() + ": is the limit in its units?";
+  }
+  throw Failure(ExitCode::BeyondLimits, options.input.string() + ": " + regions);
 }
 
 } // namespace medial::app

@@ -3,14 +3,22 @@
 #include "computation.h"
 #include "options.h"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
 namespace medial::app
 {
 
-/// The regions beyond the limits of thickness as lines of text, the first 20 of them.
+/// As many regions are listed and numbered in pictures.
+constexpr std::size_t kListedRegions = 20;
+
+/// The first kListedRegions regions beyond the limits of thickness as lines of text.
 std::string regionTable(const std::vector<ThicknessRegion>& regions);
+
+/// How many regions are beyond which limit, and the worst value, as "2 regions are thinner than 1,
+/// the worst 0.4"; empty if there are none.
+std::string regionSummary(const Options& options, const Result& result);
 
 /// Ends a run whose thickness is beyond its limits.
 /// @throws Failure BeyondLimits, with the number of regions and the worst value.

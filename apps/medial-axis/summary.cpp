@@ -292,7 +292,7 @@ void printNotes(const Options& options, const Result& result, const OutputNotes&
   {
     printAxisNotes(options, result);
   }
-  if (result.coverage)
+  if (result.coverage && options.showsAxis())
   {
     printCoverage(options, result);
   }

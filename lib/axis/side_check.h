@@ -15,11 +15,11 @@ namespace medial
 {
 
 /// Tells whether a bisector point is on the side of the surface that it was looked for on. Between
-/// two grid points inside a solid there may be a gap, narrower than the grid is fine, and the bisector
-/// of its walls.
+/// two grid points inside a solid there may be a gap, narrower than the grid is fine, and the
+/// bisector of its walls.
 ///
-/// Most answers follow from balls, which no surface enters. The others need an exact query, which is
-/// built when it is first needed. Several threads may ask at once.
+/// Most answers follow from balls, which no surface enters. The others need an exact query, which
+/// is built when it is first needed. Several threads may ask at once.
 class SideCheck
 {
 public:

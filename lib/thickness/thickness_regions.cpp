@@ -112,21 +112,26 @@ private:
   bool first_ = true;
 };
 
-void joinNeighbours(const MeshConnectivity& connectivity, const std::vector<Beyond>& beyond,
-  DisjointSets& sets)
+/// Joins triangles that share a point and are beyond the same limit.
+void joinNeighbours(const TriangleMesh& mesh, const std::vector<Beyond>& beyond, DisjointSets& sets)
 {
-  const IncidenceLists& edges = connectivity.edgeTriangles;
-  for (int edge = 0; edge < edges.rows(); ++edge)
+  constexpr int kNone = -1;
+  std::vector<int> thin(mesh.points.size(), kNone); // of each point one triangle
+  std::vector<int> thick(mesh.points.size(), kNone);
+  for (std::size_t i = 0; i < beyond.size(); ++i)
   {
-    for (const int* a = edges.begin(edge); a != edges.end(edge); ++a)
+    if (beyond[i] == Beyond::Nothing)
     {
-      for (const int* b = a + 1; b != edges.end(edge); ++b)
+      continue;
+    }
+    std::vector<int>& triangleAt = beyond[i] == Beyond::Min ? thin : thick;
+    for (const int corner : mesh.triangles[i])
+    {
+      if (triangleAt[corner] != kNone)
       {
-        if (beyond[*a] != Beyond::Nothing && beyond[*a] == beyond[*b])
-        {
-          sets.join(*a, *b);
-        }
+        sets.join(triangleAt[corner], static_cast<std::int64_t>(i));
       }
+      triangleAt[corner] = static_cast<int>(i);
     }
   }
 }
@@ -184,7 +189,7 @@ void requireInside(const TriangleMesh& mesh, const MeshConnectivity& connectivit
 }
 
 std::vector<ThicknessRegion> findThicknessRegions(const TriangleMesh& mesh,
-  const MeshConnectivity& connectivity, const Thickness& thickness, const ThicknessLimits& limits)
+  const Thickness& thickness, const ThicknessLimits& limits)
 {
   checkThicknessLimits(limits);
   const std::size_t triangles = mesh.triangles.size();
@@ -203,7 +208,7 @@ std::vector<ThicknessRegion> findThicknessRegions(const TriangleMesh& mesh,
     beyond[i] = beyondOf(thickness.triangleValues[i], thickness.triangleAtEdge[i] != 0, limits);
   }
   DisjointSets sets(triangles);
-  joinNeighbours(connectivity, beyond, sets);
+  joinNeighbours(mesh, beyond, sets);
   std::map<std::int64_t, Collector> collectors;
   for (std::size_t i = 0; i < triangles; ++i)
   {

@@ -81,7 +81,7 @@ TEST(PictureCaption, HasFileSideAngleAndGrid)
   EXPECT_EQ(app::axisCaption(someOptions(), resultOn({ 256, 31, 7 })),
     (std::vector<std::string>{ "bracket.stl",
       "medial axis, interior, angle 75.5\xc2\xb0, grid 256 x 31 x 7" }));
-  EXPECT_EQ(app::thicknessCaption(someOptions()),
+  EXPECT_EQ(app::thicknessCaption(someOptions(), {}),
     (std::vector<std::string>{ "bracket.stl", "thickness, interior, angle 75.5\xc2\xb0" }));
 }
 

@@ -45,7 +45,7 @@ MEDIAL_EXPORT void requireInside(const TriangleMesh& mesh, const MeshConnectivit
   const Execution& execution = {});
 
 /// Finds where a solid is too thin or too thick. A triangle is beyond a limit if the thickness at
-/// its centre is, by more than a millionth of the limit; triangles that share an edge are one
+/// its centre is, by more than a millionth of the limit; triangles that share a point are one
 /// region. So a place is found if it holds centres of triangles: subdivide() a mesh whose triangles
 /// are larger than what is looked for. Places that are thin because of a convex edge or tip
 /// (Thickness::atEdge), where every solid is, do not count.
@@ -55,6 +55,6 @@ MEDIAL_EXPORT void requireInside(const TriangleMesh& mesh, const MeshConnectivit
 /// @throws Error InvalidInput as checkThicknessLimits(), and for values of another number of points
 ///   or triangles than the mesh has.
 MEDIAL_EXPORT std::vector<ThicknessRegion> findThicknessRegions(const TriangleMesh& mesh,
-  const MeshConnectivity& connectivity, const Thickness& thickness, const ThicknessLimits& limits);
+  const Thickness& thickness, const ThicknessLimits& limits);
 
 } // namespace medial

@@ -44,7 +44,7 @@ struct Measured
 
   Regions beyond(const ThicknessLimits& limits) const
   {
-    return findThicknessRegions(mesh, connectivity, thickness, limits);
+    return findThicknessRegions(mesh, thickness, limits);
   }
   Regions thin(double min) const { return this->beyond({ min, std::nullopt }); }
 
@@ -235,6 +235,26 @@ TEST(ThicknessRegions, LimitsAtTheValueAreKept)
   EXPECT_TRUE(Measured(mesh, ThicknessMethod::Ray).beyond({ std::nullopt, 0.1 }).empty());
 }
 
+TEST(ThicknessRegions, TrianglesThatShareAPointAreOneRegion)
+{
+  const TriangleMesh fan = makeMesh({ { 0, 0, 0 }, { 1, -1, 0 }, { 1, 1, 0 }, { -1, 1, 0 },
+                                      { -1, -1, 0 }, { 5, 0, 0 }, { 6, 0, 0 }, { 5, 1, 0 } },
+    { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 3, 4 }, { 0, 4, 1 }, { 5, 6, 7 } });
+  Thickness thickness;
+  thickness.values.assign(fan.points.size(), 2.0F);
+  thickness.atEdge.assign(fan.points.size(), 0);
+  thickness.triangleValues = { 0.5F, 2.0F, 0.4F, 2.0F, 0.3F };
+  thickness.triangleAtEdge.assign(5, 0);
+  const Regions regions = findThicknessRegions(fan, thickness, { 1.0, std::nullopt });
+  ASSERT_EQ(regions.size(), 2U);
+  EXPECT_EQ(regions[0].triangles, (std::vector<int>{ 4 }));
+  EXPECT_EQ(regions[1].triangles, (std::vector<int>{ 0, 2 }));
+  EXPECT_NEAR(regions[1].value, 0.4, 1e-6);
+  // Too thin and too thick places are different regions even there.
+  thickness.triangleValues[2] = 9.0F;
+  EXPECT_EQ(findThicknessRegions(fan, thickness, { 1.0, 5.0 }).size(), 3U);
+}
+
 TEST(ThicknessRegions, RefusesWhatIsOutsideItsRange)
 {
   expectError({ 2.0, 1.0 }, "minimum thickness 2 is not below maximum thickness 1");
@@ -245,8 +265,7 @@ TEST(ThicknessRegions, RefusesWhatIsOutsideItsRange)
   expectError({}, "neither");
   const TriangleMesh mesh = box({ 1.0, 1.0, 1.0 });
   const MeshConnectivity connectivity = analyseConnectivity(mesh);
-  EXPECT_THROW(findThicknessRegions(mesh, connectivity, computeThickness(mesh), { 0.1, {} }),
-    Error);
+  EXPECT_THROW(findThicknessRegions(mesh, computeThickness(mesh), { 0.1, {} }), Error);
 }
 
 TEST(ThicknessRegions, OneSideOfAnOpenMeshIsNoSolid)
