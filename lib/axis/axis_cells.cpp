@@ -213,6 +213,11 @@ void joinNarrowStrips(const BisectorPoints& points, const std::vector<std::array
   std::vector<EdgeTable::Edge> edges; // only those that are asked for
   for (const auto& quad : quads)
   {
+    if (isWhole(quad, contraction) &&
+      std::none_of(quad.begin(), quad.end(), [&](Id corner) { return inNarrow[corner] != 0; }))
+    {
+      continue;
+    }
     const Corners corners = contracted(quad, contraction);
     for (std::size_t i = 0; corners.size() >= 3 && i < corners.size(); ++i)
     {

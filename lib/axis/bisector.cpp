@@ -254,6 +254,68 @@ Found bisectorsOn(const AxisGeometry& geometry, std::vector<SiteSegment> segment
   return found;
 }
 
+std::vector<BisectorPoint> guessedBisectors(const AxisGeometry& geometry,
+  const std::vector<SiteSegment>& segments, std::vector<std::size_t>& open)
+{
+  std::vector<SiteChange> changes;
+  changes.reserve(segments.size());
+  std::vector<SiteQuery::Question> questions;
+  questions.reserve(segments.size());
+  for (const SiteSegment& segment : segments)
+  {
+    changes.emplace_back(geometry.sites, segment);
+    questions.push_back(questionAt(changes.back().point()));
+  }
+  geometry.query.closest(questions);
+  std::vector<BisectorPoint> points(segments.size());
+  open.clear();
+  for (std::size_t i = 0; i < segments.size(); ++i)
+  {
+    if (changes[i].found() && changes[i].settledBy(questions[i].closest))
+    {
+      points[i] = changes[i].point();
+    }
+    else
+    {
+      points[i] = { questions[i].x, questions[i].closest, questions[i].closest };
+      open.push_back(i);
+    }
+  }
+  return points;
+}
+
+Found bisectorsNear(const AxisGeometry& geometry, const std::vector<SiteSegment>& segments)
+{
+  Found found(segments.size());
+  std::vector<SiteSegment> inside;
+  std::vector<std::size_t> which;
+  for (std::size_t i = 0; i < segments.size(); ++i)
+  {
+    if (geometry.insideGrid(segments[i].from) && geometry.insideGrid(segments[i].to))
+    {
+      inside.push_back(segments[i]);
+      which.push_back(i);
+    }
+  }
+  std::vector<std::size_t> open;
+  const std::vector<BisectorPoint> guessed = guessedBisectors(geometry, inside, open);
+  std::vector<SiteSegment> others;
+  for (std::size_t k = 0; k < inside.size(); ++k)
+  {
+    found[which[k]] = guessed[k];
+  }
+  for (const std::size_t k : open)
+  {
+    others.push_back(inside[k]);
+  }
+  const Found foundForOthers = bisectorsOn(geometry, others);
+  for (std::size_t k = 0; k < open.size(); ++k)
+  {
+    found[which[open[k]]] = foundForOthers[k];
+  }
+  return found;
+}
+
 Found axisAlongNormals(const AxisGeometry& geometry, const std::vector<BisectorPoint>& points)
 {
   Found found(points.size());

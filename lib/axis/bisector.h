@@ -70,6 +70,18 @@ std::vector<std::optional<BisectorPoint>> facetedPoints(const AxisGeometry& geom
 std::vector<std::optional<BisectorPoint>> bisectorsOn(const AxisGeometry& geometry,
   std::vector<SiteSegment> segments);
 
+/// Finds the bisector points of the sites of segments, which are mostly the closest ones: one query
+/// for each instead of three.
+/// @param open set to the numbers of those where other sites are nearer: there the closest point
+///   counts twice.
+std::vector<BisectorPoint> guessedBisectors(const AxisGeometry& geometry,
+  const std::vector<SiteSegment>& segments, std::vector<std::size_t>& open);
+
+/// Finds the guessed bisector points of segments inside the grid, and those on the others as
+/// bisectorsOn() does.
+std::vector<std::optional<BisectorPoint>> bisectorsNear(const AxisGeometry& geometry,
+  const std::vector<SiteSegment>& segments);
+
 /// Finds the bisector point of every crossed grid edge. Removes crossings below the limits of
 /// lambda and radius, those on the surface itself, where an edge grazes it and the field is
 /// unsigned, and those beyond the surface.

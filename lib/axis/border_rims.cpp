@@ -2,7 +2,6 @@
 
 #include "axis/border_finder.h"
 #include "axis/closest_pairs.h"
-#include "axis/site_change.h"
 #include "axis/tile_order.h"
 #include "sites/closest_point.h"
 
@@ -184,29 +183,12 @@ private:
   /// Finds the bisector points of segments whose sites are good guesses.
   std::vector<BisectorPoint> bisectors(const std::vector<SiteSegment>& segments) const
   {
-    std::vector<SiteChange> changes;
-    std::vector<SiteQuery::Question> questions;
-    for (const SiteSegment& segment : segments)
-    {
-      changes.emplace_back(geometry_.sites, segment);
-      questions.push_back({ changes.back().point().position, changes.back().point().a });
-    }
-    geometry_.query.closest(questions);
-    std::vector<BisectorPoint> found(segments.size());
     std::vector<std::size_t> open;
+    std::vector<BisectorPoint> found = guessedBisectors(geometry_, segments, open);
     std::vector<SiteSegment> openSegments;
-    for (std::size_t i = 0; i < segments.size(); ++i)
+    for (const std::size_t i : open)
     {
-      found[i] = { questions[i].x, questions[i].closest, questions[i].closest };
-      if (changes[i].settledBy(questions[i].closest) && changes[i].found())
-      {
-        found[i] = changes[i].point();
-      }
-      else
-      {
-        open.push_back(i);
-        openSegments.push_back(segments[i]);
-      }
+      openSegments.push_back(segments[i]);
     }
     const auto others = bisectorsOn(geometry_, openSegments);
     for (std::size_t k = 0; k < open.size(); ++k)

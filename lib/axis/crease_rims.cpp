@@ -110,7 +110,7 @@ std::vector<Walker> start(const AxisGeometry& geometry, const std::vector<std::s
     const BisectorPoint& point = points.points[v];
     segments.push_back(across(point, point.position, 0.7 * point.radius()));
   }
-  const std::vector<std::optional<BisectorPoint>> found = bisectorsOn(geometry, segments);
+  const std::vector<std::optional<BisectorPoint>> found = bisectorsNear(geometry, segments);
   std::vector<Walker> walkers;
   for (std::size_t i = 0; i < vertices.size(); ++i)
   {
@@ -136,7 +136,7 @@ void step(const AxisGeometry& geometry, std::vector<Walker>& walkers, BisectorPo
       segments.push_back(*segment);
     }
   }
-  const std::vector<std::optional<BisectorPoint>> found = bisectorsOn(geometry, segments);
+  const std::vector<std::optional<BisectorPoint>> found = bisectorsNear(geometry, segments);
   walkers.clear();
   for (std::size_t i = 0; i < tried.size(); ++i)
   {

@@ -36,12 +36,76 @@ bool insideGrid(const glm::ivec3& cell, const Extent& extent)
   return true;
 }
 
+/// The crossings by the rows along x of their grid points. They mostly come so, but engines may
+/// leave some of a row for later.
+class CrossingRows
+{
+public:
+  CrossingRows(const std::vector<Crossing>& crossings, const Extent& extent)
+    : crossings_(crossings)
+    , min_(extent.min[1], extent.min[2])
+    , size_(extent.size(1), extent.size(2))
+    , ends_(static_cast<std::size_t>(size_.x) * size_.y + 1, 0)
+    , order_(crossings.size())
+  {
+    for (const Crossing& crossing : crossings)
+    {
+      ++ends_[this->rowOf(crossing.voxel) + 1];
+    }
+    std::partial_sum(ends_.begin(), ends_.end(), ends_.begin());
+    for (std::size_t c = 0; c < crossings.size(); ++c)
+    {
+      order_[ends_[this->rowOf(crossings[c].voxel)]++] = static_cast<std::uint32_t>(c);
+    }
+  }
+
+  /// Calls visit(corner, crossing, cell) for every corner of a quad in a row of cells.
+  template <typename Visit>
+  void forEachCorner(int y, int z, const Visit& visit) const
+  {
+    for (const glm::ivec2& row :
+      { glm::ivec2(y, z), glm::ivec2(y + 1, z), glm::ivec2(y, z + 1), glm::ivec2(y + 1, z + 1) })
+    {
+      const glm::ivec2 at = row - min_;
+      if (at.x < 0 || at.y < 0 || at.x >= size_.x || at.y >= size_.y)
+      {
+        continue;
+      }
+      const std::size_t r = static_cast<std::size_t>(at.y) * size_.x + at.x;
+      for (std::uint32_t k = r > 0 ? ends_[r - 1] : 0; k < ends_[r]; ++k)
+      {
+        const Crossing& crossing = crossings_[order_[k]];
+        const std::array<glm::ivec3, 4> cells = cellsAround(crossing);
+        for (std::size_t i = 0; i < 4; ++i)
+        {
+          if (cells[i].y == y && cells[i].z == z)
+          {
+            visit(4 * static_cast<std::uint64_t>(order_[k]) + i, crossing, cells[i]);
+          }
+        }
+      }
+    }
+  }
+
+private:
+  std::size_t rowOf(const glm::ivec3& voxel) const
+  {
+    return static_cast<std::size_t>(voxel.z - min_.y) * size_.x + (voxel.y - min_.x);
+  }
+
+  const std::vector<Crossing>& crossings_;
+  glm::ivec2 min_;                   ///< y, z
+  glm::ivec2 size_;                  ///< likewise
+  std::vector<std::uint32_t> ends_;  ///< of the rows in order_
+  std::vector<std::uint32_t> order_; ///< row by row
+};
+
 /// The corners of the quads around crossings, by rows of cells along x.
 class CornerRows
 {
 public:
   CornerRows(const std::vector<Crossing>& crossings, const Extent& extent)
-    : crossings_(crossings)
+    : crossings_(crossings, extent)
     , first_(extent.min[0] - 1, extent.min[1] - 1, extent.min[2] - 1)
     , height_(extent.size(1) + 1)
     , begins_(static_cast<std::size_t>(height_) * (extent.size(2) + 1) + 1, 0)
@@ -58,9 +122,8 @@ public:
     mesh.cells.resize(vertices_.back());
     mesh.offsets.resize(vertices_.back() + 1);
     mesh.incident.resize(corners_.size());
-    mesh.corners.resize(crossings_.size());
-    tbb::parallel_for(std::size_t{ 0 }, begins_.size() - 1,
-      [&](std::size_t row) { this->addVertices(row, mesh); });
+    mesh.corners.resize(corners_.size() / 4);
+    this->inRows([&](std::size_t row) { this->addVertices(row, mesh); });
     return mesh;
   }
 
@@ -69,38 +132,55 @@ private:
   // its number: so those of a vertex are together, in the order of the crossings.
   static constexpr int kCornerBits = 32;
 
-  std::size_t rowOf(const glm::ivec3& cell) const
+  /// Calls visit(row) for every row of cells, on all threads.
+  template <typename Visit>
+  void inRows(const Visit& visit) const
   {
-    return static_cast<std::size_t>(cell.z - first_.z) * height_ + (cell.y - first_.y);
+    constexpr std::size_t kRows = 64; // many are empty
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, begins_.size() - 1, kRows),
+      [&](const tbb::blocked_range<std::size_t>& range)
+      {
+        for (std::size_t row = range.begin(); row != range.end(); ++row)
+        {
+          visit(row);
+        }
+      });
+  }
+
+  template <typename Visit>
+  void forEachCorner(std::size_t row, const Visit& visit) const
+  {
+    const auto r = static_cast<int>(row);
+    crossings_.forEachCorner(first_.y + r % height_, first_.z + r / height_, visit);
   }
 
   void fill()
   {
-    for (const Crossing& crossing : crossings_)
-    {
-      for (const glm::ivec3& cell : cellsAround(crossing))
+    this->inRows(
+      [&](std::size_t row)
       {
-        ++begins_[this->rowOf(cell) + 1];
-      }
-    }
+        this->forEachCorner(row,
+          [&](std::uint64_t, const Crossing&, const glm::ivec3&) { ++begins_[row + 1]; });
+      });
     std::partial_sum(begins_.begin(), begins_.end(), begins_.begin());
-    std::vector<std::size_t> next(begins_.begin(), begins_.end() - 1);
-    for (std::size_t c = 0; c < crossings_.size(); ++c)
-    {
-      const std::array<glm::ivec3, 4> cells = cellsAround(crossings_[c]);
-      for (std::size_t i = 0; i < 4; ++i)
+    this->inRows(
+      [&](std::size_t row)
       {
-        const auto vertex =
-          static_cast<std::uint64_t>(2 * (cells[i].x - first_.x)) + (crossings_[c].inside ? 1 : 0);
-        corners_[next[this->rowOf(cells[i])]++] = vertex << kCornerBits | (4 * c + i);
-      }
-    }
+        std::size_t next = begins_[row];
+        this->forEachCorner(row,
+          [&](std::uint64_t corner, const Crossing& crossing, const glm::ivec3& cell)
+          {
+            const auto vertex =
+              static_cast<std::uint64_t>(2 * (cell.x - first_.x)) + (crossing.inside ? 1 : 0);
+            corners_[next++] = vertex << kCornerBits | corner;
+          });
+      });
   }
 
   /// Sorts every row, and counts the vertices before it.
   void sort()
   {
-    tbb::parallel_for(std::size_t{ 0 }, begins_.size() - 1,
+    this->inRows(
       [&](std::size_t row)
       {
         const std::size_t begin = begins_[row];
@@ -132,13 +212,13 @@ private:
         mesh.cells[next++] = first_ + offset;
       }
       const std::uint64_t corner = corners_[i] & ((std::uint64_t{ 1 } << kCornerBits) - 1);
-      mesh.incident[i] = corner / 4;
-      mesh.corners[corner / 4][corner % 4] = static_cast<std::int64_t>(next) - 1;
+      mesh.incident[i] = static_cast<std::uint32_t>(corner / 4);
+      mesh.corners[corner / 4][corner % 4] = static_cast<std::uint32_t>(next - 1);
       mesh.offsets[next] = i + 1;
     }
   }
 
-  const std::vector<Crossing>& crossings_;
+  CrossingRows crossings_;
   glm::ivec3 first_;
   int height_;
   std::vector<std::size_t> begins_;    ///< of the rows in corners_
@@ -155,13 +235,13 @@ DualMesh dualMesh(const std::vector<Crossing>& crossings, const Extent& extent)
 
 DualSubmesh submesh(const DualMesh& mesh, const std::vector<std::uint8_t>& kept)
 {
-  std::vector<std::size_t> target(kept.size() + 1);
+  std::vector<std::uint32_t> target(kept.size() + 1);
   for (std::size_t c = 0; c < kept.size(); ++c)
   {
     target[c + 1] = target[c] + (kept[c] != 0 ? 1 : 0);
   }
   // For each vertex how many vertices and crossings come before it.
-  std::vector<std::size_t> vertices(mesh.cells.size() + 1);
+  std::vector<std::uint32_t> vertices(mesh.cells.size() + 1);
   std::vector<std::size_t> incident(mesh.cells.size() + 1);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mesh.cells.size(), kTogether),
     [&](const tbb::blocked_range<std::size_t>& range)
@@ -216,8 +296,7 @@ DualSubmesh submesh(const DualMesh& mesh, const std::vector<std::uint8_t>& kept)
       {
         for (std::size_t i = 0; kept[c] != 0 && i < 4; ++i)
         {
-          part.mesh.corners[target[c]][i] =
-            static_cast<std::int64_t>(vertices[static_cast<std::size_t>(mesh.corners[c][i])]);
+          part.mesh.corners[target[c]][i] = vertices[mesh.corners[c][i]];
         }
       }
     });
@@ -232,7 +311,7 @@ std::vector<std::array<std::int64_t, 4>> quadsWithin(const DualMesh& mesh, const
   {
     if (insideGrid(mesh.cells[quad[0]], extent) && insideGrid(mesh.cells[quad[2]], extent))
     {
-      quads.push_back(quad);
+      quads.push_back({ quad[0], quad[1], quad[2], quad[3] });
     }
   }
   return quads;

@@ -23,9 +23,9 @@ struct DualMesh
   std::vector<glm::ivec3> cells;
   /// Crossings incident[offsets[v]] to incident[offsets[v+1]-1] lie on edges of its grid cell.
   std::vector<std::size_t> offsets{ 0 };
-  std::vector<std::size_t> incident;
+  std::vector<std::uint32_t> incident;
   /// The vertices around each crossing, in cyclic order.
-  std::vector<std::array<std::int64_t, 4>> corners;
+  std::vector<std::array<std::uint32_t, 4>> corners;
 };
 
 DualMesh dualMesh(const std::vector<Crossing>& crossings, const Extent& extent);

@@ -1,5 +1,7 @@
 #include "axis/edge_table.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 
 namespace medial
@@ -23,11 +25,12 @@ EdgeTable::EdgeTable(const std::vector<Edge>& edges, std::size_t pointCount)
   {
     high_[--offsets_[std::min(edge[0], edge[1])]] = std::max(edge[0], edge[1]);
   }
-  for (std::size_t low = 0; low < pointCount; ++low)
-  {
-    std::sort(high_.begin() + static_cast<std::ptrdiff_t>(offsets_[low]),
-      high_.begin() + static_cast<std::ptrdiff_t>(offsets_[low + 1]));
-  }
+  tbb::parallel_for(std::size_t{ 0 }, pointCount,
+    [&](std::size_t low)
+    {
+      std::sort(high_.begin() + static_cast<std::ptrdiff_t>(offsets_[low]),
+        high_.begin() + static_cast<std::ptrdiff_t>(offsets_[low + 1]));
+    });
 }
 
 std::size_t EdgeTable::count(const Edge& edge) const

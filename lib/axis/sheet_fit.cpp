@@ -53,22 +53,30 @@ glm::dvec2 solved(const glm::dvec3& squares, const glm::dvec2& b)
   return glm::dot(along, b) / large * along;
 }
 
-/// Whether directions to two closest pairs belong to one sheet; swaps the second pair if it is in
-/// the other order.
-bool matched(const glm::dvec3& a, const glm::dvec3& b, glm::dvec3& otherA, glm::dvec3& otherB,
-  double limit)
+/// How the directions to two closest pairs belong to one sheet.
+enum class Match
 {
-  if (glm::dot(a, otherA) + glm::dot(b, otherB) < glm::dot(a, otherB) + glm::dot(b, otherA))
+  None,
+  Same,
+  Swapped ///< the second pair is in the other order
+};
+
+Match matchOf(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& otherA,
+  const glm::dvec3& otherB, double limit)
+{
+  const double same[2] = { glm::dot(a, otherA), glm::dot(b, otherB) };
+  const double swapped[2] = { glm::dot(a, otherB), glm::dot(b, otherA) };
+  if (same[0] + same[1] < swapped[0] + swapped[1])
   {
-    std::swap(otherA, otherB);
+    return swapped[0] >= limit && swapped[1] >= limit ? Match::Swapped : Match::None;
   }
-  return glm::dot(a, otherA) >= limit && glm::dot(b, otherB) >= limit;
+  return same[0] >= limit && same[1] >= limit ? Match::Same : Match::None;
 }
 
 } // namespace
 
 SheetFitter::SheetFitter(const GridFrame& frame, double angle, const SheetSamples& samples)
-  : frame_(frame)
+  : perStep_(1.0 / frame.step)
   , cosAngle_(std::cos(angle))
   , samples_(samples)
   , directions_(new Directions[samples.points.size()])
@@ -98,41 +106,64 @@ double SheetFitter::weightOf(std::size_t crossing, const glm::dvec3& position) c
   {
     return 0.0;
   }
-  const glm::dvec3 steps = position / frame_.step;
-  const double share = glm::dot(steps, steps) / (kReach * kReach);
-  return share < 1.0 ? (1.0 - share) * (1.0 - share) : 0.0;
+  const glm::dvec3 steps = perStep_ * position;
+  const double squared = glm::dot(steps, steps);
+  if (squared >= kReach * kReach)
+  {
+    return 0.0;
+  }
+  const double rest = 1.0 - squared / (kReach * kReach);
+  return rest * rest;
 }
 
 bool SheetFitter::sameSheet(std::size_t p, std::size_t q)
 {
-  const Directions one = this->directionsOf(p);
-  Directions other = this->directionsOf(q);
-  return matched(one.towardsA, one.towardsB, other.towardsA, other.towardsB,
-    std::cos(2.0 * glm::radians(kMaxTurn)));
+  static const double kLimit = std::cos(2.0 * glm::radians(kMaxTurn));
+  const Directions& one = this->directionsOf(p);
+  const Directions& other = this->directionsOf(q);
+  return matchOf(one.towardsA, one.towardsB, other.towardsA, other.towardsB, kLimit) != Match::None;
 }
 
-bool SheetFitter::reach(const Directions& from, std::size_t crossing, const glm::dvec3& x)
+/// Adds the samples around a vertex that are on the sheet of a node. Returns whether it is clear of
+/// all of them, from any node, that they are or never count.
+bool SheetFitter::reach(const Directions& from, std::uint32_t vertex, const glm::dvec3& x)
 {
-  if (visited_[crossing] == fit_)
-  {
-    return true;
-  }
   static const double kLimit = std::cos(glm::radians(kMaxTurn));
-  const glm::dvec3 position = samples_.positions[crossing] - x;
-  const double weight = this->weightOf(crossing, position);
-  if (weight == 0.0)
+  const DualMesh& mesh = samples_.mesh;
+  std::uint32_t* const visited = visited_.data();
+  const std::uint32_t fit = fit_;
+  bool done = true;
+  const std::uint32_t* const end = mesh.incident.data() + mesh.offsets[vertex + 1];
+  for (const std::uint32_t* at = mesh.incident.data() + mesh.offsets[vertex]; at != end; ++at)
   {
-    visited_[crossing] = fit_;
-    return true;
-  }
-  Directions directions = this->directionsOf(crossing);
-  if (matched(from.towardsA, from.towardsB, directions.towardsA, directions.towardsB, kLimit))
-  {
-    visited_[crossing] = fit_;
+    const std::uint32_t crossing = *at;
+    if (visited[crossing] == fit)
+    {
+      continue;
+    }
+    const glm::dvec3 position = samples_.positions[crossing] - x;
+    const double weight = this->weightOf(crossing, position);
+    if (weight == 0.0)
+    {
+      visited[crossing] = fit;
+      continue;
+    }
+    const Directions& directions = this->directionsOf(crossing);
+    const Match match =
+      matchOf(from.towardsA, from.towardsB, directions.towardsA, directions.towardsB, kLimit);
+    if (match == Match::None)
+    {
+      done = false;
+      continue;
+    }
+    visited[crossing] = fit;
     nodes_.push_back({ directions, crossing, position, weight });
-    return true;
+    if (match == Match::Swapped)
+    {
+      std::swap(nodes_.back().towardsA, nodes_.back().towardsB);
+    }
   }
-  return false;
+  return done;
 }
 
 void SheetFitter::gather(const glm::dvec3& x, std::size_t crossing)
@@ -147,18 +178,12 @@ void SheetFitter::gather(const glm::dvec3& x, std::size_t crossing)
   for (std::size_t k = 0; k < nodes_.size(); ++k)
   {
     const Directions from = nodes_[k];
-    for (const std::int64_t corner : mesh.corners[nodes_[k].crossing])
+    for (const std::uint32_t vertex : mesh.corners[nodes_[k].crossing])
     {
-      if (done_[corner] == fit_)
+      if (done_[vertex] != fit_ && this->reach(from, vertex, x))
       {
-        continue;
+        done_[vertex] = fit_;
       }
-      bool done = true;
-      for (std::size_t i = mesh.offsets[corner]; i < mesh.offsets[corner + 1]; ++i)
-      {
-        done &= this->reach(from, mesh.incident[i], x);
-      }
-      done_[corner] = done ? fit_ : done_[corner];
     }
   }
 }

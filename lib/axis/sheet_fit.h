@@ -105,11 +105,9 @@ private:
   void gather(const glm::dvec3& x, std::size_t crossing);
   bool average(SheetFit& fit) const;
   void fitLines(SheetFit& fit) const;
-  /// Adds the sample of a crossing if it is on the sheet of a node. Returns whether it is clear,
-  /// from any node, that it is or never counts.
-  bool reach(const Directions& from, std::size_t crossing, const glm::dvec3& x);
+  bool reach(const Directions& from, std::uint32_t vertex, const glm::dvec3& x);
 
-  const GridFrame& frame_;
+  glm::dvec3 perStep_;
   double cosAngle_;
   const SheetSamples& samples_;
   std::unique_ptr<Directions[]> directions_; ///< for each crossing, if known

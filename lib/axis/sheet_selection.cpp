@@ -80,13 +80,9 @@ public:
   SheetSelection sheets()
   {
     samples_.mesh = dualMesh(crossings_, geometry_.extent);
-    {
-      this->markBand();
-    }
-    {
-      inBlocks(geometry_, crossings_.size(),
-        [&](std::size_t begin, std::size_t end) { this->sample(begin, end); });
-    }
+    this->markBand();
+    inBlocks(geometry_, crossings_.size(),
+      [&](std::size_t begin, std::size_t end) { this->sample(begin, end); });
     this->decide();
     this->markKept();
     inBlocks(geometry_, crossings_.size(),
@@ -157,7 +153,7 @@ private:
     {
       for (const std::size_t c : front)
       {
-        for (const std::int64_t corner : mesh.corners[c])
+        for (const std::uint32_t corner : mesh.corners[c])
         {
           reached[corner] = 1;
         }
@@ -168,7 +164,7 @@ private:
       {
         const auto& quad = mesh.corners[c];
         const bool near = std::any_of(quad.begin(), quad.end(),
-          [&](std::int64_t corner) { return reached[corner] != 0; });
+          [&](std::uint32_t corner) { return reached[corner] != 0; });
         standing_[c] = near ? kInBand : kBeyond;
         near ? front.push_back(c) : static_cast<void>(left[count++] = c);
       }
@@ -282,7 +278,7 @@ private:
     std::vector<std::uint8_t> around(mesh.cells.size(), 0); // each vertex
     for (std::size_t c = 0; c < crossings_.size(); ++c)
     {
-      for (const std::int64_t corner : mesh.corners[c])
+      for (const std::uint32_t corner : mesh.corners[c])
       {
         if (samples_.kinds[c] != SampleKind::None)
         {
@@ -295,7 +291,7 @@ private:
     {
       const auto& quad = mesh.corners[c];
       return std::any_of(quad.begin(), quad.end(),
-        [&](std::int64_t corner) { return around[corner] == (kInside | kOutside); });
+        [&](std::uint32_t corner) { return around[corner] == (kInside | kOutside); });
     };
     const auto isNear = [&](std::size_t c)
     {
@@ -355,7 +351,7 @@ private:
     }
     const auto& quad = samples_.mesh.corners[c];
     return std::any_of(quad.begin(), quad.end(),
-      [&](std::int64_t corner) { return nearKept_[corner] != 0; });
+      [&](std::uint32_t corner) { return nearKept_[corner] != 0; });
   }
 
   void markKept()
@@ -363,7 +359,7 @@ private:
     nearKept_.resize(samples_.mesh.cells.size(), 0);
     for (std::size_t c = 0; c < kept_.size(); ++c)
     {
-      for (const std::int64_t corner : samples_.mesh.corners[c])
+      for (const std::uint32_t corner : samples_.mesh.corners[c])
       {
         nearKept_[corner] |= kept_[c];
       }

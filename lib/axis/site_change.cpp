@@ -29,6 +29,8 @@ SiteChange::SiteChange(const SiteSet& sites, const SiteSegment& segment)
   , along_(segment.to - segment.from)
   , siteA_(segment.fromSite)
   , siteB_(segment.toSite)
+  , low_(this->evaluate(0.0))
+  , high_(this->evaluate(1.0))
 {
   this->solve();
 }
@@ -50,13 +52,15 @@ void SiteChange::narrow(const SitePoint& third)
   if (separationAngle(x, point_.a.point, third.point) >=
     separationAngle(x, third.point, point_.b.point))
   {
-    high_ = root_;
     siteB_ = third.site;
+    high_ = this->endAt(root_, point_.a, third);
+    low_ = this->endAt(low_.t, low_.a, closestPoint(*sites_, siteB_, this->at(low_.t)));
   }
   else
   {
-    low_ = root_;
     siteA_ = third.site;
+    low_ = this->endAt(root_, third, point_.b);
+    high_ = this->endAt(high_.t, closestPoint(*sites_, siteA_, this->at(high_.t)), high_.b);
   }
   this->solve();
 }
@@ -67,39 +71,42 @@ void SiteChange::solve()
 {
   constexpr int kMaxIterations = 60;
   constexpr double kTolerance = 1e-9;
-  End low = this->evaluate(low_);
-  End high = this->evaluate(high_);
+  End low = low_;
+  End high = high_;
   // If the sites are at equal distance at an end, up to rounding, that end is the root.
-  if (low.value >= 0.0 || high.value <= 0.0)
+  End root = low.value >= 0.0 ? low : high;
+  if (low.value < 0.0 && high.value > 0.0)
   {
-    root_ = low.value >= 0.0 ? low_ : high_;
-    this->evaluate(root_);
-    return;
-  }
-  double part = rootOfQuadratic(low.value, low.gradient * (high.t - low.t), high.value);
-  for (int i = 0; i < kMaxIterations && high.t - low.t > kTolerance; ++i)
-  {
-    const double length = high.t - low.t;
-    root_ = low.t + part * length;
-    const End middle = this->evaluate(root_);
-    if (std::abs(middle.value) < kTolerance)
+    double part = rootOfQuadratic(low.value, low.gradient * (high.t - low.t), high.value);
+    for (int i = 0; i < kMaxIterations && high.t - low.t > kTolerance; ++i)
     {
-      break;
+      const double length = high.t - low.t;
+      root = this->evaluate(low.t + part * length);
+      if (std::abs(root.value) < kTolerance)
+      {
+        break;
+      }
+      (root.value < 0.0 ? low : high) = root;
+      const bool halved = high.t - low.t <= 0.5 * length;
+      part = halved ? rootOfQuadratic(low.value, low.gradient * (high.t - low.t), high.value) : 0.5;
     }
-    (middle.value < 0.0 ? low : high) = middle;
-    const bool halved = high.t - low.t <= 0.5 * length;
-    part = halved ? rootOfQuadratic(low.value, low.gradient * (high.t - low.t), high.value) : 0.5;
   }
+  root_ = root.t;
+  point_ = { this->at(root.t), root.a, root.b };
 }
 
-SiteChange::End SiteChange::evaluate(double t)
+SiteChange::End SiteChange::evaluate(double t) const
 {
-  point_.position = start_ + t * along_;
-  point_.a = closestPoint(*sites_, siteA_, point_.position);
-  point_.b = closestPoint(*sites_, siteB_, point_.position);
-  const glm::dvec3 a = point_.a.point - point_.position;
-  const glm::dvec3 b = point_.b.point - point_.position;
-  return { t, glm::dot(a, a) - glm::dot(b, b), 2.0 * glm::dot(along_, b - a) };
+  const glm::dvec3 x = this->at(t);
+  return this->endAt(t, closestPoint(*sites_, siteA_, x), closestPoint(*sites_, siteB_, x));
+}
+
+SiteChange::End SiteChange::endAt(double t, const SitePoint& a, const SitePoint& b) const
+{
+  const glm::dvec3 x = this->at(t);
+  const glm::dvec3 toA = a.point - x;
+  const glm::dvec3 toB = b.point - x;
+  return { t, a, b, glm::dot(toA, toA) - glm::dot(toB, toB), 2.0 * glm::dot(along_, toB - toA) };
 }
 
 } // namespace medial

@@ -27,23 +27,29 @@ public:
   void narrow(const SitePoint& third);
 
 private:
+  /// An end of the part, with both closest points.
   struct End
   {
     double t;
-    double value;    ///< difference of the squared distances from siteA and siteB
+    SitePoint a;
+    SitePoint b;
+    double value;    ///< difference of the squared distances from a and b
     double gradient; ///< its derivative
   };
 
   void solve();
-  End evaluate(double t);
+  glm::dvec3 at(double t) const { return start_ + t * along_; }
+  /// @param a, b closest points of the two sites.
+  End endAt(double t, const SitePoint& a, const SitePoint& b) const;
+  End evaluate(double t) const;
 
   const SiteSet* sites_;
   glm::dvec3 start_;
   glm::dvec3 along_;
   int siteA_;
   int siteB_;
-  double low_ = 0.0;
-  double high_ = 1.0;
+  End low_;
+  End high_;
   double root_ = 0.5;
   BisectorPoint point_;
 };

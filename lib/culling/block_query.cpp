@@ -64,6 +64,13 @@ void halve(SiteQuery::Question** begin, SiteQuery::Question** middle, SiteQuery:
     { return a->x[axis] < b->x[axis]; });
 }
 
+/// Returns the distance of the known point, rounded up.
+float distanceOf(const SiteQuery::Question& question)
+{
+  constexpr float kUp = 1.0f + std::numeric_limits<float>::epsilon();
+  return static_cast<float>(glm::distance(question.x, question.closest.point)) * kUp;
+}
+
 /// Finds the groups whose discs may hold an element nearer to a position than all others, and the
 /// squared distances of their elements.
 /// @param known some point is no farther away than this.
@@ -131,31 +138,50 @@ MEDIAL_VECTORISED unsigned ownersNear(const SiteGroup& group, const BoxReach& re
   return bits((parts != 0) & (centre.squared <= reach.squared()));
 }
 
-/// Finds the squared distances of a position from packed elements, and returns the least distance.
-MEDIAL_VECTORISED float nearestOf(const SiteGroup* packs, int count, const glm::vec3& x,
-  float* squared)
+MEDIAL_INLINE float leastOf(Float8 values)
 {
-  Float8 least = splat(std::numeric_limits<float>::infinity());
-  for (int i = 0; i < count; ++i)
-  {
-    const Float8 candidate = ElementPosition(packs[i], x).squared;
-    store(candidate, squared + i * kLanes);
-    least = min(least, candidate);
-  }
-  float nearest = least[0];
+  float least = values[0];
   for (int lane = 1; lane < kLanes; ++lane)
   {
-    nearest = std::min(nearest, least[lane]);
+    least = std::min(least, values[lane]);
   }
-  return std::sqrt(nearest);
-}
-
-MEDIAL_VECTORISED bool anyWithin(const float* squared, float limit)
-{
-  return bits(loaded(squared) <= limit) != 0;
+  return least;
 }
 
 } // namespace
+
+/// Finds the packs with elements as near to a position as a known point, and which of their sites
+/// can be closest.
+/// @param extent of the packs.
+/// @param distance of the known point, rounded up.
+/// @param slack by how much Voronoi regions are widened, besides the rounding.
+/// @param near room for all packs; set to those found.
+/// @return number of packs found.
+MEDIAL_VECTORISED int BlockQuery::packsNear(const SiteGroup* packs, int count, float extent,
+  const glm::vec3& x, float distance, float slack, NearPack* near)
+{
+  const float rounding = roundingFrom(x, extent);
+  float reach = distance + rounding;
+  float limit = std::min(reach * reach, std::numeric_limits<float>::max());
+  int found = 0;
+  for (int i = 0; i < count; ++i)
+  {
+    const ElementPosition position(packs[i], x);
+    const Int8 within = position.squared <= limit;
+    if (bits(within) == 0)
+    {
+      continue;
+    }
+    const Int8 sites = partsNear(packs[i], AllElements(), position, slack + rounding) & within;
+    near[found].pack = i;
+    near[found].lanes = bits(sites != 0);
+    std::memcpy(near[found].parts.data(), &sites, sizeof(sites));
+    found += near[found].lanes != 0 ? 1 : 0;
+    reach = std::min(reach, std::sqrt(leastOf(position.squared)) + 2.0f * rounding);
+    limit = std::min(limit, reach * reach);
+  }
+  return found;
+}
 
 BlockQuery::BlockQuery(const SiteQuery& query, const GroupTree& tree)
   : query_(query)
@@ -221,18 +247,20 @@ void BlockQuery::answer(const Block& block, const GroupList* near)
     return;
   }
   const BoxReach reach = reachOf(block, tree_.slack());
-  near->refine(reach, groups_);
-  if (groups_.size() > kManyGroups)
+  near->find(reach, found_);
+  const auto count = static_cast<int>(found_.size());
+  if (count > kManyGroups)
   {
     this->searchEach(block);
     return;
   }
-  if (groups_.size() <= kFewGroups)
+  if (count <= kFewGroups)
   {
-    this->pack(reach);
+    this->pack(*near, reach);
     this->answerFromPacks(block, reach);
     return;
   }
+  groups_.assign(*near, found_);
   for (Question** question = block.begin; question != block.end; ++question)
   {
     this->answerFrom(groups_, **question);
@@ -275,8 +303,7 @@ void BlockQuery::answerFrom(const GroupList& groups, Question& question)
   near_.groups.resize(std::max(near_.groups.size(), room));
   near_.squared.resize(std::max(near_.squared.size(), room * kLanes));
   NearestSite nearest = this->startOf(question);
-  constexpr float kUp = 1.0f + std::numeric_limits<float>::epsilon();
-  const float known = static_cast<float>(glm::distance(question.x, question.closest.point)) * kUp;
+  const float known = distanceOf(question);
   float distance = known;
   int count = groupsNear(groups, tree_.groups().data(), question.x, known, tree_.slack(),
     near_.groups.data(), near_.squared.data(), distance);
@@ -293,13 +320,13 @@ void BlockQuery::answerFrom(const GroupList& groups, Question& question)
   question.closest = nearest.closest();
 }
 
-void BlockQuery::pack(const BoxReach& reach)
+void BlockQuery::pack(const GroupList& list, const BoxReach& reach)
 {
   packed_ = 0;
   extent_ = 0.0f;
-  for (const int id : groups_.groups())
+  for (const int place : found_)
   {
-    const SiteGroup& group = tree_.groups()[id];
+    const SiteGroup& group = tree_.groups()[list.groups()[place]];
     unsigned left = ownersNear(group, reach, tree_.slack());
     if (left == 0)
     {
@@ -325,33 +352,24 @@ void BlockQuery::pack(const BoxReach& reach)
     last.copy(lane, last, lane - 1);
     last.owned[lane] = 0;
   }
-  for (int i = 0; i < packCount(packed_); ++i)
-  {
-    packs_[i].extent = extent_;
-  }
-  squared_.resize(std::max(squared_.size(), packs_.size() * kLanes));
+  nearPacks_.resize(packs_.size());
 }
 
 void BlockQuery::answerFromPacks(const Block& block, const BoxReach& reach)
 {
   const int count = packCount(packed_);
   const glm::dvec3 centre(reach.box().centre);
-  SiteGroup::IntLanes parts;
   for (Question** at = block.begin; at != block.end; ++at)
   {
     Question& question = **at;
     const glm::vec3 x(question.x - centre);
-    const float rounding = roundingFrom(x, extent_);
-    const float distance = nearestOf(packs_.data(), count, x, squared_.data()) + rounding;
-    const float limit = (distance + rounding) * (distance + rounding);
     NearestSite nearest = this->startOf(question);
-    for (int i = 0; i < count; ++i)
+    const int found = packsNear(packs_.data(), count, extent_, x, distanceOf(question),
+      tree_.slack(), nearPacks_.data());
+    for (int i = 0; i < found; ++i)
     {
-      if (anyWithin(&squared_[i * kLanes], limit))
-      {
-        nearest.offer(packs_[i],
-          NearestSite::sitesNear(packs_[i], x, distance, tree_.slack(), parts), parts);
-      }
+      const NearPack& near = nearPacks_[i];
+      nearest.offer(packs_[near.pack], near.lanes, near.parts);
     }
     question.closest = nearest.closest();
   }

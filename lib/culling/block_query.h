@@ -42,6 +42,14 @@ private:
     std::vector<float> squared; ///< kLanes for each group
   };
 
+  /// A pack with elements that may be closest to a position.
+  struct NearPack
+  {
+    int pack;
+    unsigned lanes;            ///< of these elements, as bits
+    SiteGroup::IntLanes parts; ///< their sites that may be, as bits of SitePart
+  };
+
   /// Gives every question a known point.
   void prepare();
   /// @param near groups for all of the block; null if none have been collected.
@@ -51,20 +59,24 @@ private:
   /// Returns what is known of the closest site before any other is tried.
   NearestSite startOf(const Question& question) const;
   void answerFrom(const GroupList& groups, Question& question);
-  /// Copies the elements of the block's groups that can be closest to some position in it.
-  void pack(const BoxReach& reach);
+  /// Copies the elements of the groups found in a list that can be closest to some position in the
+  /// block.
+  void pack(const GroupList& list, const BoxReach& reach);
   void answerFromPacks(const Block& block, const BoxReach& reach);
+  static int packsNear(const SiteGroup* packs, int count, float extent, const glm::vec3& x,
+    float distance, float slack, NearPack* near);
 
   const SiteQuery& query_;
   const GroupTree& tree_;
   std::vector<Question*> order_;
-  GroupList collected_; ///< near some blocks
-  GroupList groups_;    ///< near a block
+  GroupList collected_;    ///< near some blocks
+  std::vector<int> found_; ///< places of those near a block
+  GroupList groups_;       ///< where these are many
   Near near_;
   std::vector<SiteGroup> packs_; ///< elements near the block, relative to its centre
   int packed_ = 0;               ///< number of elements in them
   float extent_ = 0.0f;          ///< largest distance of their corners from the centre
-  std::vector<float> squared_;   ///< distances of one position from the packed elements
+  std::vector<NearPack> nearPacks_;
 };
 
 } // namespace medial

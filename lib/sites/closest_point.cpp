@@ -35,17 +35,21 @@ SitePoint closestOnFace(const SiteSet& sites, int face, const glm::dvec3& x)
 {
   const glm::ivec3& corners = sites.faces()[face];
   const glm::dvec3& normal = sites.faceNormal(face);
-  bool inside = sites.active(face);
-  for (int i = 0; i < 3 && inside; ++i)
+  // Of a point beside the face, the closest is on an edge that has it outside.
+  bool outside[3] = { true, true, true };
+  if (sites.active(face))
   {
-    const glm::dvec3& a = sites.points()[corners[i]];
-    const glm::dvec3& b = sites.points()[corners[(i + 1) % 3]];
-    inside = glm::dot(glm::cross(b - a, normal), x - a) < 0.0;
-  }
-  if (inside)
-  {
-    const glm::dvec3& a = sites.points()[corners[0]];
-    return { face, x - glm::dot(x - a, normal) * normal };
+    for (int i = 0; i < 3; ++i)
+    {
+      const glm::dvec3& a = sites.points()[corners[i]];
+      const glm::dvec3& b = sites.points()[corners[(i + 1) % 3]];
+      outside[i] = !(glm::dot(glm::cross(b - a, normal), x - a) < 0.0);
+    }
+    if (!outside[0] && !outside[1] && !outside[2])
+    {
+      const glm::dvec3& a = sites.points()[corners[0]];
+      return { face, x - glm::dot(x - a, normal) * normal };
+    }
   }
   // The other two edges of a face without area cover the longest.
   const int covered = normal == glm::dvec3(0.0) ? sites.longestEdge(face) : -1;
@@ -53,9 +57,13 @@ SitePoint closestOnFace(const SiteSet& sites, int face, const glm::dvec3& x)
   double min = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 3; ++i)
   {
+    if (!outside[i] || i == covered)
+    {
+      continue;
+    }
     const SitePoint other = closestOnEdge(sites, sites.faceEdges()[face][i], x);
     const double squared = squaredDistance(other.point, x);
-    if (squared < min && i != covered)
+    if (squared < min)
     {
       min = squared;
       best = other;
