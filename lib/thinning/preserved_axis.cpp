@@ -1,5 +1,6 @@
 #include "thinning/preserved_axis.h"
 
+#include "thinning/rim_finish.h"
 #include "thinning/sheet_faces.h"
 #include "thinning/solid_bodies.h"
 #include "thinning/solid_core.h"
@@ -20,6 +21,7 @@ struct Selection
 {
   std::vector<Crossing> crossings;
   BisectorPoints bisectors;
+  std::vector<std::size_t> indices; ///< among all that are selected
 };
 
 /// Returns those between two voxels of a solid.
@@ -35,6 +37,7 @@ Selection selectionWithin(const CubicalComplex& solid, const std::vector<Crossin
       selection.crossings.push_back(crossings[i]);
       selection.bisectors.points.push_back(bisectors.points[i]);
       selection.bisectors.moved.push_back(bisectors.moved[i]);
+      selection.indices.push_back(i);
     }
   }
   return selection;
@@ -122,7 +125,7 @@ std::vector<Side> sidesOf(bool hasSign, Side side)
 } // namespace
 
 PreservedAxis preserveTopology(const ThinningInput& input, const AxisGeometry& geometry,
-  const std::vector<Crossing>& crossings, const BisectorPoints& bisectors)
+  const std::vector<Crossing>& crossings, const SheetSelection& sheets)
 {
   const glm::ivec3 size(geometry.extent.size(0), geometry.extent.size(1), geometry.extent.size(2));
   PreservedAxis axis;
@@ -134,15 +137,19 @@ PreservedAxis preserveTopology(const ThinningInput& input, const AxisGeometry& g
       VoxelMask voxels = voxelsOf(depth, size);
       setVoxels(voxels, solid);
       add(topologyOf(solid), axis.solid);
-      selection = selectionWithin(solid, crossings, bisectors);
+      selection = selectionWithin(solid, crossings, sheets.bisectors);
       reduceToCore(depth, size, selection.crossings, geometry.checkpoint, voxels);
       setVoxels(voxels, solid);
     }
     AxisSamples samples(solid, selection.crossings, selection.bisectors);
     thin(solid, depth, geometry, input.closestSites, selection, samples);
-    append(
-      thinnedAxis(solid, depth, { geometry, input.closestSites }, input.representation, samples),
-      axis.cells);
+    ThinnedAxis cells =
+      thinnedAxis(solid, depth, { geometry, input.closestSites }, input.representation, samples);
+    if (input.representation == Representation::Surface)
+    {
+      finishRims(geometry, sheets, selection.indices, cells);
+    }
+    append(cells, axis.cells);
   };
   for (const Side side : sidesOf(!input.directions.empty(), input.side))
   {

@@ -85,8 +85,9 @@ public:
   {
     ThinnedAxis cells;
     this->addCells(cells);
-    this->findSamples();
+    this->findSamples(cells);
     this->placePoints(representation, cells.points);
+    cells.gridCells = mesh_.cells;
     return cells;
   }
 
@@ -123,7 +124,7 @@ private:
     return static_cast<std::int64_t>(rows_.find(vertex, vertices_, itself));
   }
 
-  void findSamples()
+  void findSamples(ThinnedAxis& cells)
   {
     const std::size_t count = vertices_.size();
     std::vector<Origin> origins(count);
@@ -148,7 +149,9 @@ private:
       mesh_.incident.insert(mesh_.incident.end(), around[i].begin(), around[i].end());
       mesh_.cells.push_back(complex_.position(vertices_[i]) - 1);
       mesh_.offsets.push_back(mesh_.incident.size());
-      onSheet_.push_back(origins[i].onSheet ? 1 : 0);
+      const bool onSheet = origins[i].onSheet;
+      onSheet_.push_back(onSheet ? 1 : 0);
+      cells.selected.push_back(onSheet ? around[i].values[0] : AxisSamples::kNone);
     }
   }
 
