@@ -1,5 +1,6 @@
 #include "thinning/preserved_axis.h"
 
+#include "thinning/curve_finish.h"
 #include "thinning/rim_finish.h"
 #include "thinning/sheet_faces.h"
 #include "thinning/solid_bodies.h"
@@ -45,7 +46,8 @@ Selection selectionWithin(const CubicalComplex& solid, const std::vector<Crossin
 
 /// Returns the faces dual to crossings whose grid edge itself crosses a sheet. Fins around a curve
 /// do not count, since their bisector point is elsewhere.
-std::vector<CubeCell> sheetFaces(const CubicalComplex& solid, const Selection& selection)
+std::vector<CubeCell> sheetFaces(const CubicalComplex& solid, const Selection& selection,
+  const AxisSamples& samples)
 {
   std::vector<CubeCell> faces;
   for (std::size_t i = 0; i < selection.crossings.size(); ++i)
@@ -57,7 +59,7 @@ std::vector<CubeCell> sheetFaces(const CubicalComplex& solid, const Selection& s
   }
   // Crossings come in the order of slabs, whose thickness must have no influence.
   std::sort(faces.begin(), faces.end());
-  return splitSheets(solid.size(), faces).sheets;
+  return splitSheets(solid.size(), faces, samples).sheets;
 }
 
 /// Thins a solid. The rules for curves apply to strips: selected ones, and those that sheets were
@@ -68,7 +70,7 @@ void thin(CubicalComplex& solid, const DepthField& depth, const AxisGeometry& ge
   const CurveProbe probe(geometry.sites, geometry.frame, closestSites, depth, geometry.angle);
   Thinning thinning(solid, depth, probe, geometry.frame.step,
     { geometry.angle, geometry.lambda, geometry.radius }, geometry.checkpoint);
-  const std::vector<CubeCell> anchored = sheetFaces(solid, selection);
+  const std::vector<CubeCell> anchored = sheetFaces(solid, selection, samples);
   for (const CubeCell face : anchored)
   {
     thinning.anchor(face, static_cast<float>(samples.point(samples.find(face)).separationAngle()));
@@ -77,7 +79,7 @@ void thin(CubicalComplex& solid, const DepthField& depth, const AxisGeometry& ge
   std::vector<CubeCell> left;
   std::copy_if(anchored.begin(), anchored.end(), std::back_inserter(left),
     [&](CubeCell face) { return solid.has(face); });
-  thinning.release(splitSheets(solid, left).strips);
+  thinning.release(splitSheets(solid, left, samples).strips);
 }
 
 void append(const ThinnedAxis& part, ThinnedAxis& whole)
@@ -148,6 +150,7 @@ PreservedAxis preserveTopology(const ThinningInput& input, const AxisGeometry& g
     if (input.representation == Representation::Surface)
     {
       finishRims(geometry, sheets, selection.indices, cells);
+      finishCurves(geometry, cells);
     }
     append(cells, axis.cells);
   };

@@ -23,24 +23,6 @@ namespace
 /// Samples count if their separation angle is at least this share of the widest around a point.
 constexpr double kWideShare = 0.5;
 
-/// The faces around a corner: those dual to the edges of its grid cell.
-std::array<CubeCell, 12> facesAround(const CubicalComplex& complex, CubeCell vertex)
-{
-  std::array<CubeCell, 12> faces{};
-  int count = 0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const CubeCell u = 8 * complex.stride((axis + 1) % 3);
-    const CubeCell v = 8 * complex.stride((axis + 2) % 3);
-    const CubeCell face = vertex + kFaceKind + axis;
-    for (const CubeCell step : { CubeCell{ 0 }, u, v, u + v })
-    {
-      faces[count++] = face - step;
-    }
-  }
-  return faces;
-}
-
 /// Up to as many values as there are faces around a corner.
 template <typename T>
 struct AroundCorner

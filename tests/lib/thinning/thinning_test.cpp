@@ -397,6 +397,29 @@ TEST(CurveChains, ArriveAtUnitSpeed)
   }
 }
 
+namespace
+{
+
+/// Samples of faces in their middles, or all on the line through the first along x.
+AxisSamples samplesOf(const CubicalComplex& complex, const std::vector<CubeCell>& faces,
+  bool onLine)
+{
+  std::vector<Crossing> crossings;
+  BisectorPoints bisectors;
+  for (const CubeCell face : faces)
+  {
+    crossings.push_back(dualEdge(complex, face));
+    const glm::dvec3 first = complex.centre(faces.front());
+    const glm::dvec3 centre = complex.centre(face);
+    bisectors.points.push_back(
+      { onLine ? glm::dvec3(centre.x, first.y, first.z) : centre, {}, {} });
+    bisectors.moved.push_back(0);
+  }
+  return { complex, crossings, bisectors };
+}
+
+} // namespace
+
 TEST(SheetFaces, AreThoseWithACornerInside)
 {
   const glm::ivec3 size(12, 12, 12);
@@ -414,7 +437,21 @@ TEST(SheetFaces, AreThoseWithACornerInside)
   {
     faces.push_back(complex.cell({ 2 + i, 8, 5 }, kFaceKind + 2));
   }
-  const SheetSplit split = splitSheets(size, faces);
+  const SheetSplit split = splitSheets(size, faces, samplesOf(complex, faces, false));
   EXPECT_EQ(split.sheets, std::vector<CubeCell>(faces.begin(), faces.begin() + sheet));
   EXPECT_EQ(split.strips, std::vector<CubeCell>(faces.begin() + sheet, faces.end()));
+}
+
+/// A curve along a grid edge has faces all around it.
+TEST(SheetFaces, AreNotThoseAroundACurve)
+{
+  const glm::ivec3 size(12, 12, 12);
+  const CubicalComplex complex(size);
+  std::vector<CubeCell> faces;
+  for (int i = 0; i < 10; ++i)
+  {
+    faces.push_back(complex.cell({ 2 + i / 2, 2 + i % 2, 5 }, kFaceKind + 2));
+  }
+  EXPECT_TRUE(splitSheets(size, faces, samplesOf(complex, faces, false)).strips.empty());
+  EXPECT_EQ(splitSheets(size, faces, samplesOf(complex, faces, true)).strips, faces);
 }
