@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <utility>
 
 namespace medial
 {
@@ -76,6 +78,38 @@ bool isInSheet(const CubicalComplex& complex, const AxisSamples& samples, CubeCe
   return false;
 }
 
+/// Adds faces that are joined to sheets through edges, directly or through others.
+/// @param inSheet for each face not 0 if it is part of a sheet.
+void addJoined(const CubicalComplex& complex, const std::vector<CubeCell>& faces,
+  std::vector<std::uint8_t>& inSheet)
+{
+  std::vector<std::pair<CubeCell, std::size_t>> others;
+  std::vector<CubeCell> front;
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    inSheet[i] != 0 ? front.push_back(faces[i]) : others.push_back({ faces[i], i });
+  }
+  std::sort(others.begin(), others.end());
+  for (std::size_t k = 0; k < front.size() && !others.empty(); ++k)
+  {
+    const CubeCell face = front[k];
+    for (const CubeCell toEdge : complex.faces(CubicalComplex::kind(face)))
+    {
+      const CubeCell edge = face + toEdge;
+      for (const CubeCell toFace : complex.cofaces(CubicalComplex::kind(edge)))
+      {
+        const std::pair<CubeCell, std::size_t> wanted{ edge + toFace, 0 };
+        const auto found = std::lower_bound(others.begin(), others.end(), wanted);
+        if (found != others.end() && found->first == wanted.first && inSheet[found->second] == 0)
+        {
+          inSheet[found->second] = 1;
+          front.push_back(found->first);
+        }
+      }
+    }
+  }
+}
+
 } // namespace
 
 SheetSplit splitSheets(const CubicalComplex& complex, const std::vector<CubeCell>& faces,
@@ -84,6 +118,7 @@ SheetSplit splitSheets(const CubicalComplex& complex, const std::vector<CubeCell
   std::vector<std::uint8_t> inSheet(faces.size());
   tbb::parallel_for(std::size_t{ 0 }, faces.size(),
     [&](std::size_t i) { inSheet[i] = isInSheet(complex, samples, faces[i]) ? 1 : 0; });
+  addJoined(complex, faces, inSheet);
   SheetSplit split;
   for (std::size_t i = 0; i < faces.size(); ++i)
   {

@@ -455,3 +455,22 @@ TEST(SheetFaces, AreNotThoseAroundACurve)
   EXPECT_TRUE(splitSheets(size, faces, samplesOf(complex, faces, false)).strips.empty());
   EXPECT_EQ(splitSheets(size, faces, samplesOf(complex, faces, true)).strips, faces);
 }
+
+/// What a sheet goes on in belongs to it, even if it is one face wide.
+TEST(SheetFaces, AreThoseThatASheetGoesOnIn)
+{
+  const glm::ivec3 size(16, 12, 12);
+  const CubicalComplex complex(size);
+  std::vector<CubeCell> faces;
+  for (int i = 0; i < 6; ++i)
+  {
+    faces.push_back(complex.cell({ 2 + i / 2, 2 + i % 2, 5 }, kFaceKind + 2));
+  }
+  for (int i = 5; i < 12; ++i)
+  {
+    faces.push_back(complex.cell({ i, 3, 5 }, kFaceKind + 2));
+  }
+  EXPECT_TRUE(splitSheets(size, faces, samplesOf(complex, faces, false)).strips.empty());
+  const std::vector<CubeCell> alone(faces.begin() + 6, faces.end());
+  EXPECT_TRUE(splitSheets(size, alone, samplesOf(complex, alone, false)).sheets.empty());
+}
