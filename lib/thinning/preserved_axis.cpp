@@ -23,15 +23,22 @@ struct Selection
   std::vector<Crossing> crossings;
   BisectorPoints bisectors;
   std::vector<std::size_t> indices; ///< among all that are selected
+  std::vector<std::uint8_t> exact;  ///< not 0 if no site is nearer than the pair
 };
 
 /// Returns those between two voxels of a solid.
 Selection selectionWithin(const CubicalComplex& solid, const std::vector<Crossing>& crossings,
-  const BisectorPoints& bisectors)
+  const SheetSelection& sheets)
 {
+  const BisectorPoints& bisectors = sheets.bisectors;
   Selection selection;
-  for (std::size_t i = 0; i < crossings.size(); ++i)
+  std::size_t sample = 0;
+  for (std::size_t i = 0; i < crossings.size(); ++i, ++sample)
   {
+    while (sheets.kept[sample] == 0)
+    {
+      ++sample;
+    }
     const CubeCell face = dualFace(solid, crossings[i]);
     if (solid.has(face) && solid.cofaceCount(face) == 2)
     {
@@ -39,6 +46,7 @@ Selection selectionWithin(const CubicalComplex& solid, const std::vector<Crossin
       selection.bisectors.points.push_back(bisectors.points[i]);
       selection.bisectors.moved.push_back(bisectors.moved[i]);
       selection.indices.push_back(i);
+      selection.exact.push_back(sheets.samples.kinds[sample] == SampleKind::Exact ? 1 : 0);
     }
   }
   return selection;
@@ -59,7 +67,7 @@ std::vector<CubeCell> sheetFaces(const CubicalComplex& solid, const Selection& s
   }
   // Crossings come in the order of slabs, whose thickness must have no influence.
   std::sort(faces.begin(), faces.end());
-  return splitSheets(solid.size(), faces, samples).sheets;
+  return splitSheets(solid.size(), faces, samples, selection.exact).sheets;
 }
 
 /// Thins a solid. The rules for curves apply to strips: selected ones, and those that sheets were
@@ -79,7 +87,7 @@ void thin(CubicalComplex& solid, const DepthField& depth, const AxisGeometry& ge
   std::vector<CubeCell> left;
   std::copy_if(anchored.begin(), anchored.end(), std::back_inserter(left),
     [&](CubeCell face) { return solid.has(face); });
-  thinning.release(splitSheets(solid, left, samples).strips);
+  thinning.release(splitSheets(solid, left, samples, selection.exact).strips);
 }
 
 void append(const ThinnedAxis& part, ThinnedAxis& whole)
@@ -139,7 +147,7 @@ PreservedAxis preserveTopology(const ThinningInput& input, const AxisGeometry& g
       VoxelMask voxels = voxelsOf(depth, size);
       setVoxels(voxels, solid);
       add(topologyOf(solid), axis.solid);
-      selection = selectionWithin(solid, crossings, sheets.bisectors);
+      selection = selectionWithin(solid, crossings, sheets);
       reduceToCore(depth, size, selection.crossings, geometry.checkpoint, voxels);
       setVoxels(voxels, solid);
     }

@@ -78,16 +78,24 @@ bool isInSheet(const CubicalComplex& complex, const AxisSamples& samples, CubeCe
   return false;
 }
 
-/// Adds faces that are joined to sheets through edges, directly or through others.
+/// Adds exact faces that are joined to sheets through edges, directly or through others.
 /// @param inSheet for each face not 0 if it is part of a sheet.
 void addJoined(const CubicalComplex& complex, const std::vector<CubeCell>& faces,
+  const AxisSamples& samples, const std::vector<std::uint8_t>& exact,
   std::vector<std::uint8_t>& inSheet)
 {
   std::vector<std::pair<CubeCell, std::size_t>> others;
   std::vector<CubeCell> front;
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
-    inSheet[i] != 0 ? front.push_back(faces[i]) : others.push_back({ faces[i], i });
+    if (inSheet[i] != 0)
+    {
+      front.push_back(faces[i]);
+    }
+    else if (exact[static_cast<std::size_t>(samples.find(faces[i]))] != 0)
+    {
+      others.push_back({ faces[i], i });
+    }
   }
   std::sort(others.begin(), others.end());
   for (std::size_t k = 0; k < front.size() && !others.empty(); ++k)
@@ -113,12 +121,12 @@ void addJoined(const CubicalComplex& complex, const std::vector<CubeCell>& faces
 } // namespace
 
 SheetSplit splitSheets(const CubicalComplex& complex, const std::vector<CubeCell>& faces,
-  const AxisSamples& samples)
+  const AxisSamples& samples, const std::vector<std::uint8_t>& exact)
 {
   std::vector<std::uint8_t> inSheet(faces.size());
   tbb::parallel_for(std::size_t{ 0 }, faces.size(),
     [&](std::size_t i) { inSheet[i] = isInSheet(complex, samples, faces[i]) ? 1 : 0; });
-  addJoined(complex, faces, inSheet);
+  addJoined(complex, faces, samples, exact, inSheet);
   SheetSplit split;
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
@@ -128,7 +136,7 @@ SheetSplit splitSheets(const CubicalComplex& complex, const std::vector<CubeCell
 }
 
 SheetSplit splitSheets(const glm::ivec3& size, const std::vector<CubeCell>& faces,
-  const AxisSamples& samples)
+  const AxisSamples& samples, const std::vector<std::uint8_t>& exact)
 {
   CubicalComplex complex(size);
   for (const CubeCell face : faces)
@@ -144,7 +152,7 @@ SheetSplit splitSheets(const glm::ivec3& size, const std::vector<CubeCell>& face
       }
     }
   }
-  return splitSheets(complex, faces, samples);
+  return splitSheets(complex, faces, samples, exact);
 }
 
 } // namespace medial

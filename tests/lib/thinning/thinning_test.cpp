@@ -400,6 +400,8 @@ TEST(CurveChains, ArriveAtUnitSpeed)
 namespace
 {
 
+const std::vector<std::uint8_t> kExact(20, 1);
+
 /// Samples of faces in their middles, or all on the line through the first along x.
 AxisSamples samplesOf(const CubicalComplex& complex, const std::vector<CubeCell>& faces,
   bool onLine)
@@ -437,7 +439,7 @@ TEST(SheetFaces, AreThoseWithACornerInside)
   {
     faces.push_back(complex.cell({ 2 + i, 8, 5 }, kFaceKind + 2));
   }
-  const SheetSplit split = splitSheets(size, faces, samplesOf(complex, faces, false));
+  const SheetSplit split = splitSheets(size, faces, samplesOf(complex, faces, false), kExact);
   EXPECT_EQ(split.sheets, std::vector<CubeCell>(faces.begin(), faces.begin() + sheet));
   EXPECT_EQ(split.strips, std::vector<CubeCell>(faces.begin() + sheet, faces.end()));
 }
@@ -452,8 +454,8 @@ TEST(SheetFaces, AreNotThoseAroundACurve)
   {
     faces.push_back(complex.cell({ 2 + i / 2, 2 + i % 2, 5 }, kFaceKind + 2));
   }
-  EXPECT_TRUE(splitSheets(size, faces, samplesOf(complex, faces, false)).strips.empty());
-  EXPECT_EQ(splitSheets(size, faces, samplesOf(complex, faces, true)).strips, faces);
+  EXPECT_TRUE(splitSheets(size, faces, samplesOf(complex, faces, false), kExact).strips.empty());
+  EXPECT_EQ(splitSheets(size, faces, samplesOf(complex, faces, true), kExact).strips, faces);
 }
 
 /// What a sheet goes on in belongs to it, even if it is one face wide.
@@ -470,7 +472,11 @@ TEST(SheetFaces, AreThoseThatASheetGoesOnIn)
   {
     faces.push_back(complex.cell({ i, 3, 5 }, kFaceKind + 2));
   }
-  EXPECT_TRUE(splitSheets(size, faces, samplesOf(complex, faces, false)).strips.empty());
+  EXPECT_TRUE(splitSheets(size, faces, samplesOf(complex, faces, false), kExact).strips.empty());
+  EXPECT_EQ(
+    splitSheets(size, faces, samplesOf(complex, faces, false), std::vector<std::uint8_t>(20, 0))
+      .strips.size(),
+    7u);
   const std::vector<CubeCell> alone(faces.begin() + 6, faces.end());
-  EXPECT_TRUE(splitSheets(size, alone, samplesOf(complex, alone, false)).sheets.empty());
+  EXPECT_TRUE(splitSheets(size, alone, samplesOf(complex, alone, false), kExact).sheets.empty());
 }
