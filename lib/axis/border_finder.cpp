@@ -71,10 +71,11 @@ Border nearestBorder(const AxisGeometry& geometry, const SheetFit& fit)
 } // namespace
 
 BorderFinder::BorderFinder(const AxisGeometry& geometry, const SheetSelection& selection,
-  const BisectorPoints& points)
+  const BisectorPoints& points, const std::vector<std::size_t>& origins)
   : geometry_(geometry)
   , selection_(selection)
   , points_(points)
+  , origins_(origins)
   , fitter_(geometry.frame, geometry.angle, selection.samples)
 {
 }
@@ -95,12 +96,12 @@ void BorderFinder::find(const std::vector<BorderWalker*>& walkers)
   this->findSeams(lost);
 }
 
-/// Returns a selected crossing on that sheet at a vertex which has most of them.
-std::optional<BorderFinder::AtVertex> BorderFinder::crossingAt(std::size_t vertex)
+/// Returns a selected crossing on that sheet at a vertex of the samples which has most of them.
+std::optional<BorderFinder::AtVertex> BorderFinder::crossingAt(std::size_t origin)
 {
   const DualMesh& mesh = selection_.samples.mesh;
   std::vector<std::size_t> crossings;
-  for (std::size_t i = mesh.offsets[vertex]; i < mesh.offsets[vertex + 1]; ++i)
+  for (std::size_t i = mesh.offsets[origin]; i < mesh.offsets[origin + 1]; ++i)
   {
     const std::size_t crossing = mesh.incident[i];
     if (selection_.samples.kinds[crossing] != SampleKind::None && selection_.kept[crossing] != 0)
@@ -127,7 +128,7 @@ void BorderFinder::fit(BorderWalker& walker)
 {
   const BisectorPoint& point = points_.points[walker.vertex];
   walker.place = point.position;
-  const auto start = this->crossingAt(selection_.part.origins[walker.vertex]);
+  const auto start = this->crossingAt(origins_[walker.vertex]);
   if (!start || !geometry_.insideGrid(point.position))
   {
     return;

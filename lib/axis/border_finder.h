@@ -32,9 +32,10 @@ struct BorderWalker
 class BorderFinder
 {
 public:
-  /// @param points of the vertices of the selection's mesh.
+  /// @param points of vertices.
+  /// @param origins of the same vertices: those of the samples' mesh. All must outlive this.
   BorderFinder(const AxisGeometry& geometry, const SheetSelection& selection,
-    const BisectorPoints& points);
+    const BisectorPoints& points, const std::vector<std::size_t>& origins);
 
   /// Fills walkers, whose vertices are given.
   void find(const std::vector<BorderWalker*>& walkers);
@@ -47,7 +48,7 @@ private:
     bool alone; ///< whether all crossings of the vertex are on the same sheet
   };
 
-  std::optional<AtVertex> crossingAt(std::size_t vertex);
+  std::optional<AtVertex> crossingAt(std::size_t origin);
   void fit(BorderWalker& walker);
   void findSeams(const std::vector<BorderWalker*>& walkers) const;
   void moveToSeam(const SiteQuery::Question& beyond, BorderWalker& walker) const;
@@ -55,6 +56,7 @@ private:
   const AxisGeometry& geometry_;
   const SheetSelection& selection_;
   const BisectorPoints& points_;
+  const std::vector<std::size_t>& origins_;
   SheetFitter fitter_;
 };
 

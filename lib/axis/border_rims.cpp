@@ -251,11 +251,11 @@ constexpr std::size_t kTogether = 256;
 
 /// @param order of the walkers, so that those in a row are close together.
 void findBorders(const AxisGeometry& geometry, const SheetSelection& selection,
-  const BisectorPoints& points, const std::vector<std::uint32_t>& order,
-  std::vector<Walker>& walkers)
+  const BisectorPoints& points, const std::vector<std::size_t>& origins,
+  const std::vector<std::uint32_t>& order, std::vector<Walker>& walkers)
 {
   tbb::enumerable_thread_specific<BorderFinder> finders(
-    [&] { return BorderFinder(geometry, selection, points); });
+    [&] { return BorderFinder(geometry, selection, points, origins); });
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, walkers.size(), kTogether),
     [&](const tbb::blocked_range<std::size_t>& range)
     {
@@ -303,12 +303,13 @@ void settle(const AxisGeometry& geometry, const std::vector<Walker>& walkers,
 } // namespace
 
 std::vector<std::size_t> moveToBorders(const AxisGeometry& geometry,
-  const SheetSelection& selection, const std::vector<EdgeTable::Edge>& rims, BisectorPoints& points)
+  const SheetSelection& selection, const std::vector<EdgeTable::Edge>& rims,
+  const std::vector<std::size_t>& origins, BisectorPoints& points)
 {
   std::vector<Walker> walkers = walkersOn(rims);
   const std::vector<std::uint32_t> order = tileOrder(geometry.extent, walkers.size(),
-    [&](std::size_t i) { return selection.part.mesh.cells[walkers[i].vertex]; });
-  findBorders(geometry, selection, points, order, walkers);
+    [&](std::size_t i) { return selection.samples.mesh.cells[origins[walkers[i].vertex]]; });
+  findBorders(geometry, selection, points, origins, order, walkers);
   const Neighbours neighbours = neighboursOf(walkers, rims);
   std::vector<glm::dvec3> places(walkers.size());
   std::transform(walkers.begin(), walkers.end(), places.begin(),

@@ -18,11 +18,12 @@ namespace medial
 /// A rim is about a grid cell away from its border at most. Its vertices go to the nearest place
 /// where a SheetFit reaches the limit, or where another site is nearer. The line that they form is
 /// smoothed, since facets make it jagged, and put onto the bisector.
-/// @param rims the edges of one quad only.
-/// @param points vertices of the selection's mesh.
+/// @param rims edges of one quad only.
+/// @param origins for each vertex that of the samples' mesh.
+/// @param points of the vertices.
 /// @return the vertices of rims that have no border.
 std::vector<std::size_t> moveToBorders(const AxisGeometry& geometry,
   const SheetSelection& selection, const std::vector<EdgeTable::Edge>& rims,
-  BisectorPoints& points);
+  const std::vector<std::size_t>& origins, BisectorPoints& points);
 
 } // namespace medial

@@ -317,7 +317,7 @@ std::vector<std::array<std::int64_t, 4>> quadsWithin(const DualMesh& mesh, const
   return quads;
 }
 
-std::vector<EdgeTable::Edge> rimEdges(const DualMesh& mesh,
+std::vector<EdgeTable::Edge> rimEdges(const std::vector<glm::ivec3>& cells,
   const std::vector<std::array<std::int64_t, 4>>& quads)
 {
   // Edges join neighbouring cells. The cell with the lower number comes first along their axis, and
@@ -327,13 +327,13 @@ std::vector<EdgeTable::Edge> rimEdges(const DualMesh& mesh,
     std::array<std::uint8_t, 3> quads{}; ///< at the edges along x, y, z
     std::array<std::int32_t, 3> ends;
   };
-  std::vector<FromCell> edges(mesh.cells.size());
+  std::vector<FromCell> edges(cells.size());
   for (const auto& quad : quads)
   {
     for (std::size_t i = 0; i < quad.size(); ++i)
     {
       const auto [low, high] = std::minmax(quad[i], quad[(i + 1) % quad.size()]);
-      const glm::ivec3 along = mesh.cells[high] - mesh.cells[low];
+      const glm::ivec3 along = cells[high] - cells[low];
       const int axis = along.x != 0 ? 0 : along.y != 0 ? 1 : 2;
       ++edges[low].quads[axis];
       edges[low].ends[axis] = static_cast<std::int32_t>(high);

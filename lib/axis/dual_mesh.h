@@ -45,8 +45,8 @@ DualSubmesh submesh(const DualMesh& mesh, const std::vector<std::uint8_t>& kept)
 std::vector<std::array<std::int64_t, 4>> quadsWithin(const DualMesh& mesh, const Extent& extent);
 
 /// Returns the edges of one quad only, the rims: in ascending order, the lower end first.
-/// @param quads of the mesh.
-std::vector<EdgeTable::Edge> rimEdges(const DualMesh& mesh,
+/// @param cells the grid cell of each vertex.
+std::vector<EdgeTable::Edge> rimEdges(const std::vector<glm::ivec3>& cells,
   const std::vector<std::array<std::int64_t, 4>>& quads);
 
 } // namespace medial

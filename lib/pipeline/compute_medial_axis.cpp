@@ -81,8 +81,9 @@ BisectorPoints representSurface(const AxisGeometry& geometry, std::vector<Crossi
   geometry.checkpoint();
   BisectorPoints points = surfacePoints(geometry, mesh, selection.bisectors);
   const auto quads = quadsWithin(mesh, geometry.extent);
-  const std::vector<EdgeTable::Edge> rims = rimEdges(mesh, quads);
-  const std::vector<std::size_t> elsewhere = moveToBorders(geometry, selection, rims, points);
+  const std::vector<EdgeTable::Edge> rims = rimEdges(mesh.cells, quads);
+  const std::vector<std::size_t> elsewhere =
+    moveToBorders(geometry, selection, rims, selection.part.origins, points);
   extendRims(geometry, elsewhere, points);
   geometry.checkpoint();
   buildCells(quads, points, axis);
@@ -118,10 +119,10 @@ BisectorPoints preserve(Representation representation, const AxisGeometry& geome
   const FieldTap& field, const std::vector<std::int8_t>& directions,
   std::vector<Crossing>& crossings, MedialAxis& axis)
 {
-  const BisectorPoints bisectors = selectSheets(geometry, crossings).bisectors;
+  const SheetSelection selection = selectSheets(geometry, crossings);
   PreservedAxis preserved = preserveTopology(
     { field.distances().data(), field.sites().data(), directions, axis.side, representation },
-    geometry, crossings, bisectors);
+    geometry, crossings, selection);
   axis.solid = preserved.solid;
   axis.quads = std::move(preserved.cells.quads);
   axis.lines = std::move(preserved.cells.lines);

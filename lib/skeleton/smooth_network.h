@@ -1,8 +1,8 @@
 #pragma once
 
+#include "axis/smooth_curve.h"
 #include "base/checkpoint.h"
 #include "skeleton/curve_graph.h"
-#include "skeleton/smooth_curve.h"
 #include "skeleton/solid_probe.h"
 
 #include <glm/glm.hpp>

@@ -1,5 +1,7 @@
 #include "skeleton/solid_probe.h"
 
+#include "axis/widest_place.h"
+
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -85,26 +87,9 @@ double SolidProbe::wayOut(const glm::dvec3& from, const glm::dvec3& direction, d
 
 glm::dvec3 SolidProbe::widest(const glm::dvec3& x, const glm::dvec3& tangent) const
 {
-  // Away from the closest point of the surface, by ever shorter steps: between two walls they end
-  // in the middle.
-  constexpr double kFirstStep = 0.2;
-  constexpr double kShorter = 0.75;
-  constexpr int kSteps = 24;
   DistanceQuery::Search search(query_);
-  glm::dvec3 place = x;
-  double step = kFirstStep * glm::distance(search.closest(x).point, x);
-  for (int i = 0; i < kSteps; ++i)
-  {
-    glm::dvec3 away = place - search.closest(place).point;
-    away -= glm::dot(away, tangent) * tangent;
-    const double length = glm::length(away);
-    if (length > 0.0)
-    {
-      place += away * (step / length);
-    }
-    step *= kShorter;
-  }
-  return place;
+  return widestPlace(x, tangent,
+    [&](const glm::dvec3& place) { return search.closest(place).point; });
 }
 
 glm::dvec3 SolidProbe::middle(const glm::dvec3& x, const glm::dvec3& tangent) const

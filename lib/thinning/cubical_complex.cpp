@@ -63,6 +63,23 @@ glm::dvec3 CubicalComplex::centre(CubeCell cell) const
   return centre;
 }
 
+std::array<CubeCell, 12> facesAround(const CubicalComplex& complex, CubeCell vertex)
+{
+  std::array<CubeCell, 12> faces{};
+  int count = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const CubeCell u = 8 * complex.stride((axis + 1) % 3);
+    const CubeCell v = 8 * complex.stride((axis + 2) % 3);
+    const CubeCell face = vertex + kFaceKind + axis;
+    for (const CubeCell step : { CubeCell{ 0 }, u, v, u + v })
+    {
+      faces[count++] = face - step;
+    }
+  }
+  return faces;
+}
+
 std::vector<CubeCell> cellsOf(const CubicalComplex& complex, int kind)
 {
   constexpr std::size_t kTogether = std::size_t{ 1 } << 16;

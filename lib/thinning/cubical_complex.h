@@ -121,6 +121,10 @@ private:
 /// Returns the cells of a kind, ascending.
 std::vector<CubeCell> cellsOf(const CubicalComplex& complex, int kind);
 
+/// Returns the faces around a vertex, whether they are there or not: those dual to the edges of its
+/// grid cell.
+std::array<CubeCell, 12> facesAround(const CubicalComplex& complex, CubeCell vertex);
+
 /// Where the cells of each row of positions along x begin in a list, so that one is found fast.
 class CellRows
 {

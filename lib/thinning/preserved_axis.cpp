@@ -1,5 +1,7 @@
 #include "thinning/preserved_axis.h"
 
+#include "thinning/curve_finish.h"
+#include "thinning/rim_finish.h"
 #include "thinning/sheet_faces.h"
 #include "thinning/solid_bodies.h"
 #include "thinning/solid_core.h"
@@ -20,21 +22,31 @@ struct Selection
 {
   std::vector<Crossing> crossings;
   BisectorPoints bisectors;
+  std::vector<std::size_t> indices; ///< among all that are selected
+  std::vector<std::uint8_t> exact;  ///< not 0 if no site is nearer than the pair
 };
 
 /// Returns those between two voxels of a solid.
 Selection selectionWithin(const CubicalComplex& solid, const std::vector<Crossing>& crossings,
-  const BisectorPoints& bisectors)
+  const SheetSelection& sheets)
 {
+  const BisectorPoints& bisectors = sheets.bisectors;
   Selection selection;
-  for (std::size_t i = 0; i < crossings.size(); ++i)
+  std::size_t sample = 0;
+  for (std::size_t i = 0; i < crossings.size(); ++i, ++sample)
   {
+    while (sheets.kept[sample] == 0)
+    {
+      ++sample;
+    }
     const CubeCell face = dualFace(solid, crossings[i]);
     if (solid.has(face) && solid.cofaceCount(face) == 2)
     {
       selection.crossings.push_back(crossings[i]);
       selection.bisectors.points.push_back(bisectors.points[i]);
       selection.bisectors.moved.push_back(bisectors.moved[i]);
+      selection.indices.push_back(i);
+      selection.exact.push_back(sheets.samples.kinds[sample] == SampleKind::Exact ? 1 : 0);
     }
   }
   return selection;
@@ -42,7 +54,8 @@ Selection selectionWithin(const CubicalComplex& solid, const std::vector<Crossin
 
 /// Returns the faces dual to crossings whose grid edge itself crosses a sheet. Fins around a curve
 /// do not count, since their bisector point is elsewhere.
-std::vector<CubeCell> sheetFaces(const CubicalComplex& solid, const Selection& selection)
+std::vector<CubeCell> sheetFaces(const CubicalComplex& solid, const Selection& selection,
+  const AxisSamples& samples)
 {
   std::vector<CubeCell> faces;
   for (std::size_t i = 0; i < selection.crossings.size(); ++i)
@@ -54,7 +67,7 @@ std::vector<CubeCell> sheetFaces(const CubicalComplex& solid, const Selection& s
   }
   // Crossings come in the order of slabs, whose thickness must have no influence.
   std::sort(faces.begin(), faces.end());
-  return splitSheets(solid.size(), faces).sheets;
+  return splitSheets(solid.size(), faces, samples, selection.exact).sheets;
 }
 
 /// Thins a solid. The rules for curves apply to strips: selected ones, and those that sheets were
@@ -65,7 +78,7 @@ void thin(CubicalComplex& solid, const DepthField& depth, const AxisGeometry& ge
   const CurveProbe probe(geometry.sites, geometry.frame, closestSites, depth, geometry.angle);
   Thinning thinning(solid, depth, probe, geometry.frame.step,
     { geometry.angle, geometry.lambda, geometry.radius }, geometry.checkpoint);
-  const std::vector<CubeCell> anchored = sheetFaces(solid, selection);
+  const std::vector<CubeCell> anchored = sheetFaces(solid, selection, samples);
   for (const CubeCell face : anchored)
   {
     thinning.anchor(face, static_cast<float>(samples.point(samples.find(face)).separationAngle()));
@@ -74,7 +87,7 @@ void thin(CubicalComplex& solid, const DepthField& depth, const AxisGeometry& ge
   std::vector<CubeCell> left;
   std::copy_if(anchored.begin(), anchored.end(), std::back_inserter(left),
     [&](CubeCell face) { return solid.has(face); });
-  thinning.release(splitSheets(solid, left).strips);
+  thinning.release(splitSheets(solid, left, samples, selection.exact).strips);
 }
 
 void append(const ThinnedAxis& part, ThinnedAxis& whole)
@@ -122,7 +135,7 @@ std::vector<Side> sidesOf(bool hasSign, Side side)
 } // namespace
 
 PreservedAxis preserveTopology(const ThinningInput& input, const AxisGeometry& geometry,
-  const std::vector<Crossing>& crossings, const BisectorPoints& bisectors)
+  const std::vector<Crossing>& crossings, const SheetSelection& sheets)
 {
   const glm::ivec3 size(geometry.extent.size(0), geometry.extent.size(1), geometry.extent.size(2));
   PreservedAxis axis;
@@ -134,15 +147,20 @@ PreservedAxis preserveTopology(const ThinningInput& input, const AxisGeometry& g
       VoxelMask voxels = voxelsOf(depth, size);
       setVoxels(voxels, solid);
       add(topologyOf(solid), axis.solid);
-      selection = selectionWithin(solid, crossings, bisectors);
+      selection = selectionWithin(solid, crossings, sheets);
       reduceToCore(depth, size, selection.crossings, geometry.checkpoint, voxels);
       setVoxels(voxels, solid);
     }
     AxisSamples samples(solid, selection.crossings, selection.bisectors);
     thin(solid, depth, geometry, input.closestSites, selection, samples);
-    append(
-      thinnedAxis(solid, depth, { geometry, input.closestSites }, input.representation, samples),
-      axis.cells);
+    ThinnedAxis cells =
+      thinnedAxis(solid, depth, { geometry, input.closestSites }, input.representation, samples);
+    if (input.representation == Representation::Surface)
+    {
+      finishRims(geometry, sheets, selection.indices, cells);
+      finishCurves(geometry, cells);
+    }
+    append(cells, axis.cells);
   };
   for (const Side side : sidesOf(!input.directions.empty(), input.side))
   {

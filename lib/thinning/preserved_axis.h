@@ -1,7 +1,7 @@
 #pragma once
 
 #include "axis/axis_geometry.h"
-#include "axis/bisector.h"
+#include "axis/sheet_selection.h"
 #include "field/crossing.h"
 #include "medial/cell_topology.h"
 #include "medial/representation.h"
@@ -37,8 +37,10 @@ struct ThinningInput
 /// except those that form no sheet.
 ///
 /// Needs 10 bytes per grid point, including the field, and memory for the front of the fire.
-/// @param crossings the selected ones, with their bisector points.
+/// Surfaces get the finish of selected ones: finishRims().
+///
+/// @param crossings the selected ones.
 PreservedAxis preserveTopology(const ThinningInput& input, const AxisGeometry& geometry,
-  const std::vector<Crossing>& crossings, const BisectorPoints& bisectors);
+  const std::vector<Crossing>& crossings, const SheetSelection& sheets);
 
 } // namespace medial

@@ -1,5 +1,13 @@
 #include "thinning/sheet_faces.h"
 
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
 namespace medial
 {
 namespace
@@ -18,14 +26,50 @@ bool isInside(const CubicalComplex& complex, CubeCell vertex)
   return true;
 }
 
-bool isInSheet(const CubicalComplex& complex, CubeCell face)
+/// Samples that all lie nearer to a line than this, in voxels, tell of a curve.
+constexpr double kMinWidth = 0.25;
+
+/// Whether the samples of the faces around a vertex do not lie on a line.
+bool isWide(const CubicalComplex& complex, const AxisSamples& samples, CubeCell vertex)
+{
+  std::array<glm::dvec3, 12> points;
+  std::size_t count = 0;
+  for (const CubeCell face : facesAround(complex, vertex))
+  {
+    const int sample = complex.has(face) ? samples.find(face) : AxisSamples::kNone;
+    if (sample != AxisSamples::kNone)
+    {
+      points[count++] = samples.point(sample).position;
+    }
+  }
+  glm::dvec3 along(0.0);
+  std::size_t start = 0;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      const glm::dvec3 way = points[i] - points[j];
+      if (glm::dot(way, way) > glm::dot(along, along))
+      {
+        along = way;
+        start = j;
+      }
+    }
+  }
+  const double length = glm::length(along);
+  return std::any_of(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(count),
+    [&](const glm::dvec3& point)
+    { return glm::length(glm::cross(point - points[start], along)) > kMinWidth * length; });
+}
+
+bool isInSheet(const CubicalComplex& complex, const AxisSamples& samples, CubeCell face)
 {
   for (const CubeCell step : complex.faces(CubicalComplex::kind(face)))
   {
     const CubeCell edge = face + step;
     for (const CubeCell end : complex.faces(CubicalComplex::kind(edge)))
     {
-      if (isInside(complex, edge + end))
+      if (isInside(complex, edge + end) && isWide(complex, samples, edge + end))
       {
         return true;
       }
@@ -34,19 +78,65 @@ bool isInSheet(const CubicalComplex& complex, CubeCell face)
   return false;
 }
 
+/// Adds exact faces that are joined to sheets through edges, directly or through others.
+/// @param inSheet for each face not 0 if it is part of a sheet.
+void addJoined(const CubicalComplex& complex, const std::vector<CubeCell>& faces,
+  const AxisSamples& samples, const std::vector<std::uint8_t>& exact,
+  std::vector<std::uint8_t>& inSheet)
+{
+  std::vector<std::pair<CubeCell, std::size_t>> others;
+  std::vector<CubeCell> front;
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    if (inSheet[i] != 0)
+    {
+      front.push_back(faces[i]);
+    }
+    else if (exact[static_cast<std::size_t>(samples.find(faces[i]))] != 0)
+    {
+      others.push_back({ faces[i], i });
+    }
+  }
+  std::sort(others.begin(), others.end());
+  for (std::size_t k = 0; k < front.size() && !others.empty(); ++k)
+  {
+    const CubeCell face = front[k];
+    for (const CubeCell toEdge : complex.faces(CubicalComplex::kind(face)))
+    {
+      const CubeCell edge = face + toEdge;
+      for (const CubeCell toFace : complex.cofaces(CubicalComplex::kind(edge)))
+      {
+        const std::pair<CubeCell, std::size_t> wanted{ edge + toFace, 0 };
+        const auto found = std::lower_bound(others.begin(), others.end(), wanted);
+        if (found != others.end() && found->first == wanted.first && inSheet[found->second] == 0)
+        {
+          inSheet[found->second] = 1;
+          front.push_back(found->first);
+        }
+      }
+    }
+  }
+}
+
 } // namespace
 
-SheetSplit splitSheets(const CubicalComplex& complex, const std::vector<CubeCell>& faces)
+SheetSplit splitSheets(const CubicalComplex& complex, const std::vector<CubeCell>& faces,
+  const AxisSamples& samples, const std::vector<std::uint8_t>& exact)
 {
+  std::vector<std::uint8_t> inSheet(faces.size());
+  tbb::parallel_for(std::size_t{ 0 }, faces.size(),
+    [&](std::size_t i) { inSheet[i] = isInSheet(complex, samples, faces[i]) ? 1 : 0; });
+  addJoined(complex, faces, samples, exact, inSheet);
   SheetSplit split;
-  for (const CubeCell face : faces)
+  for (std::size_t i = 0; i < faces.size(); ++i)
   {
-    (isInSheet(complex, face) ? split.sheets : split.strips).push_back(face);
+    (inSheet[i] != 0 ? split.sheets : split.strips).push_back(faces[i]);
   }
   return split;
 }
 
-SheetSplit splitSheets(const glm::ivec3& size, const std::vector<CubeCell>& faces)
+SheetSplit splitSheets(const glm::ivec3& size, const std::vector<CubeCell>& faces,
+  const AxisSamples& samples, const std::vector<std::uint8_t>& exact)
 {
   CubicalComplex complex(size);
   for (const CubeCell face : faces)
@@ -62,7 +152,7 @@ SheetSplit splitSheets(const glm::ivec3& size, const std::vector<CubeCell>& face
       }
     }
   }
-  return splitSheets(complex, faces);
+  return splitSheets(complex, faces, samples, exact);
 }
 
 } // namespace medial

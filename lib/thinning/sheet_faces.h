@@ -1,24 +1,34 @@
 #pragma once
 
+#include "thinning/axis_samples.h"
 #include "thinning/cubical_complex.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace medial
 {
 
 /// Faces of a complex, split into sheets and strips. A face is part of a sheet if one of its
-/// corners is an inner point: no face ends at an edge of that corner. The others are single faces
-/// or strips one face wide, and stand for curves and points.
+/// corners is an inner point: no face ends at an edge of that corner, and the samples of the faces
+/// around it do not lie on a line; or if such a sheet goes on
+/// in it, through edges, and its bisector is exact. The others
+/// are single faces, strips one face wide, and faces around grid edges that a curve runs along;
+/// they stand for curves and points.
 struct SheetSplit
 {
   std::vector<CubeCell> sheets;
   std::vector<CubeCell> strips;
 };
 
-SheetSplit splitSheets(const CubicalComplex& complex, const std::vector<CubeCell>& faces);
+/// @param samples of all the faces to split.
+/// @param exact for each sample not 0 if no site is nearer than its pair: between facets of a thin
+///   part the others lie in all directions.
+SheetSplit splitSheets(const CubicalComplex& complex, const std::vector<CubeCell>& faces,
+  const AxisSamples& samples, const std::vector<std::uint8_t>& exact);
 
 /// The same, in the complex that the faces form on their own.
-SheetSplit splitSheets(const glm::ivec3& size, const std::vector<CubeCell>& faces);
+SheetSplit splitSheets(const glm::ivec3& size, const std::vector<CubeCell>& faces,
+  const AxisSamples& samples, const std::vector<std::uint8_t>& exact);
 
 } // namespace medial

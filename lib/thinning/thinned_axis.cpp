@@ -23,24 +23,6 @@ namespace
 /// Samples count if their separation angle is at least this share of the widest around a point.
 constexpr double kWideShare = 0.5;
 
-/// The faces around a corner: those dual to the edges of its grid cell.
-std::array<CubeCell, 12> facesAround(const CubicalComplex& complex, CubeCell vertex)
-{
-  std::array<CubeCell, 12> faces{};
-  int count = 0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const CubeCell u = 8 * complex.stride((axis + 1) % 3);
-    const CubeCell v = 8 * complex.stride((axis + 2) % 3);
-    const CubeCell face = vertex + kFaceKind + axis;
-    for (const CubeCell step : { CubeCell{ 0 }, u, v, u + v })
-    {
-      faces[count++] = face - step;
-    }
-  }
-  return faces;
-}
-
 /// Up to as many values as there are faces around a corner.
 template <typename T>
 struct AroundCorner
@@ -85,8 +67,9 @@ public:
   {
     ThinnedAxis cells;
     this->addCells(cells);
-    this->findSamples();
+    this->findSamples(cells);
     this->placePoints(representation, cells.points);
+    cells.gridCells = mesh_.cells;
     return cells;
   }
 
@@ -123,7 +106,7 @@ private:
     return static_cast<std::int64_t>(rows_.find(vertex, vertices_, itself));
   }
 
-  void findSamples()
+  void findSamples(ThinnedAxis& cells)
   {
     const std::size_t count = vertices_.size();
     std::vector<Origin> origins(count);
@@ -148,7 +131,9 @@ private:
       mesh_.incident.insert(mesh_.incident.end(), around[i].begin(), around[i].end());
       mesh_.cells.push_back(complex_.position(vertices_[i]) - 1);
       mesh_.offsets.push_back(mesh_.incident.size());
-      onSheet_.push_back(origins[i].onSheet ? 1 : 0);
+      const bool onSheet = origins[i].onSheet;
+      onSheet_.push_back(onSheet ? 1 : 0);
+      cells.selected.push_back(onSheet ? around[i].values[0] : AxisSamples::kNone);
     }
   }
 

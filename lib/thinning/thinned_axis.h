@@ -16,7 +16,10 @@ namespace medial
 /// Cells of a dual mesh.
 struct ThinnedAxis
 {
-  BisectorPoints points; ///< distinct
+  BisectorPoints points;             ///< distinct
+  std::vector<glm::ivec3> gridCells; ///< of the points, from the first grid point on
+  /// For each point a selected sample of a face around it, or AxisSamples::kNone.
+  std::vector<int> selected;
   std::vector<std::array<std::int64_t, 4>> quads;
   std::vector<std::array<std::int64_t, 2>> lines;
   std::vector<std::int64_t> vertices;

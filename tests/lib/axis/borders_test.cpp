@@ -4,6 +4,7 @@
 
 #include "support/axes.h"
 #include "support/border_roughness.h"
+#include "support/bordered_shapes.h"
 #include "support/medial_checks.h"
 #include "support/medial_truth.h"
 #include "support/model_formats.h"
@@ -46,56 +47,6 @@ double minimum(const std::vector<float>& values)
 double minAngle(const MedialAxis& axis)
 {
   return minimum(axis.separationAngle);
-}
-
-/// An ellipsoid with half axes 1, 0.8 and 0.45, whose axis is part of an ellipse in z = 0.
-struct Ellipsoid
-{
-  static constexpr double kC = 0.45;
-  static constexpr double kA2 = 1.0 - kC * kC; ///< squared half axes of the whole axis
-  static constexpr double kB2 = 0.64 - kC * kC;
-
-  static TriangleMesh mesh(int subdivisions) { return ellipsoid(1.0, 0.8, kC, subdivisions); }
-
-  /// Half axes of the part with a separation angle of at least `angle`. There the radius r = c
-  /// sqrt(1 - x^2 / kA2 - y^2 / kB2) grows by at most cos(angle / 2).
-  static std::array<double, 2> border(double angle)
-  {
-    const double ratio = kC / std::cos(0.5 * angle * kPi / 180.0);
-    const auto half = [&](double square)
-    { return std::sqrt(1.0 / (ratio * ratio / (square * square) + 1.0 / square)); };
-    return { half(kA2), half(kB2) };
-  }
-
-  /// Distance of a point from the border, to first order.
-  static double offBorder(const Point3& p, const std::array<double, 2>& half)
-  {
-    const double x = p[0] / (half[0] * half[0]);
-    const double y = p[1] / (half[1] * half[1]);
-    return std::abs(x * p[0] + y * p[1] - 1.0) / (2.0 * std::hypot(x, y));
-  }
-};
-
-/// All points within `radius` of a rectangle |x| <= halfLength, |y| <= halfWidth in z = 0, which is
-/// its axis.
-TriangleMesh roundedPlate(double halfLength, double halfWidth, double radius, int subdivisions)
-{
-  const TriangleMesh ball = icosphere(radius, subdivisions);
-  std::vector<Point3> points;
-  for (Point3 p : ball.points)
-  {
-    p = tilted(p);
-    p[0] += p[0] > 0.0 ? halfLength : -halfLength;
-    p[1] += p[1] > 0.0 ? halfWidth : -halfWidth;
-    points.push_back(p);
-  }
-  return makeMesh(points, ball.triangles);
-}
-
-/// Area of the axis of a box with half axes a >= b >= c.
-double boxAxisArea(double a, double b, double c)
-{
-  return 4.0 * (a - c) * (b - c) + 4.0 * std::sqrt(2.0) * (2.0 * a * c + 2.0 * b * c - c * c);
 }
 
 double relativeError(const MedialAxis& axis, double area)

@@ -397,6 +397,31 @@ TEST(CurveChains, ArriveAtUnitSpeed)
   }
 }
 
+namespace
+{
+
+const std::vector<std::uint8_t> kExact(20, 1);
+
+/// Samples of faces in their middles, or all on the line through the first along x.
+AxisSamples samplesOf(const CubicalComplex& complex, const std::vector<CubeCell>& faces,
+  bool onLine)
+{
+  std::vector<Crossing> crossings;
+  BisectorPoints bisectors;
+  for (const CubeCell face : faces)
+  {
+    crossings.push_back(dualEdge(complex, face));
+    const glm::dvec3 first = complex.centre(faces.front());
+    const glm::dvec3 centre = complex.centre(face);
+    bisectors.points.push_back(
+      { onLine ? glm::dvec3(centre.x, first.y, first.z) : centre, {}, {} });
+    bisectors.moved.push_back(0);
+  }
+  return { complex, crossings, bisectors };
+}
+
+} // namespace
+
 TEST(SheetFaces, AreThoseWithACornerInside)
 {
   const glm::ivec3 size(12, 12, 12);
@@ -414,7 +439,44 @@ TEST(SheetFaces, AreThoseWithACornerInside)
   {
     faces.push_back(complex.cell({ 2 + i, 8, 5 }, kFaceKind + 2));
   }
-  const SheetSplit split = splitSheets(size, faces);
+  const SheetSplit split = splitSheets(size, faces, samplesOf(complex, faces, false), kExact);
   EXPECT_EQ(split.sheets, std::vector<CubeCell>(faces.begin(), faces.begin() + sheet));
   EXPECT_EQ(split.strips, std::vector<CubeCell>(faces.begin() + sheet, faces.end()));
+}
+
+/// A curve along a grid edge has faces all around it.
+TEST(SheetFaces, AreNotThoseAroundACurve)
+{
+  const glm::ivec3 size(12, 12, 12);
+  const CubicalComplex complex(size);
+  std::vector<CubeCell> faces;
+  for (int i = 0; i < 10; ++i)
+  {
+    faces.push_back(complex.cell({ 2 + i / 2, 2 + i % 2, 5 }, kFaceKind + 2));
+  }
+  EXPECT_TRUE(splitSheets(size, faces, samplesOf(complex, faces, false), kExact).strips.empty());
+  EXPECT_EQ(splitSheets(size, faces, samplesOf(complex, faces, true), kExact).strips, faces);
+}
+
+/// What a sheet goes on in belongs to it, even if it is one face wide.
+TEST(SheetFaces, AreThoseThatASheetGoesOnIn)
+{
+  const glm::ivec3 size(16, 12, 12);
+  const CubicalComplex complex(size);
+  std::vector<CubeCell> faces;
+  for (int i = 0; i < 6; ++i)
+  {
+    faces.push_back(complex.cell({ 2 + i / 2, 2 + i % 2, 5 }, kFaceKind + 2));
+  }
+  for (int i = 5; i < 12; ++i)
+  {
+    faces.push_back(complex.cell({ i, 3, 5 }, kFaceKind + 2));
+  }
+  EXPECT_TRUE(splitSheets(size, faces, samplesOf(complex, faces, false), kExact).strips.empty());
+  EXPECT_EQ(
+    splitSheets(size, faces, samplesOf(complex, faces, false), std::vector<std::uint8_t>(20, 0))
+      .strips.size(),
+    7u);
+  const std::vector<CubeCell> alone(faces.begin() + 6, faces.end());
+  EXPECT_TRUE(splitSheets(size, alone, samplesOf(complex, alone, false), kExact).sheets.empty());
 }

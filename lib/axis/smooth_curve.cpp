@@ -1,4 +1,4 @@
-#include "skeleton/smooth_curve.h"
+#include "axis/smooth_curve.h"
 
 #include <algorithm>
 #include <cmath>

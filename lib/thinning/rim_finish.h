@@ -1,0 +1,23 @@
+#pragma once
+
+#include "axis/axis_geometry.h"
+#include "axis/sheet_selection.h"
+#include "thinning/thinned_axis.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace medial
+{
+
+/// Gives the rims of a thinned axis the finish of a selected one: they move to the borders of what
+/// is selected (moveToBorders()) and to sharp convex edges (extendRims()). Rims where no face is
+/// selected stay where the fire has stopped.
+///
+/// Only points move, so the topology stays. Those that would leave a cell without area or length
+/// go back to their places.
+/// @param selected for each sample of the solid its index in the selection.
+void finishRims(const AxisGeometry& geometry, const SheetSelection& sheets,
+  const std::vector<std::size_t>& selected, ThinnedAxis& axis);
+
+} // namespace medial
