@@ -353,7 +353,7 @@ void smooth(GeometricNetwork& network, const SolidProbe& probe, double step, dou
     checkpoint();
     placeJunctions(network, probe, step);
     changed = joinJunctions(network, probe, minBranch);
-    const ShortBranches shortOnes = removeShortBranches(network, probe, minBranch);
+    const ShortBranches shortOnes = removeShortBranches(network, probe, minBranch, checkpoint);
     for (const std::size_t b : shortOnes.merged)
     {
       Curve& curve = network.branches[b].curve;

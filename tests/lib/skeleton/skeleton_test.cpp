@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <ostream>
 #include <string>
@@ -414,6 +415,43 @@ TEST(Skeleton, KeepsStubsThatRiseByMoreThanTheirRadius)
   };
   EXPECT_EQ(skeletonOf(withStub(0.3), 160).branches.size(), 3u);
   EXPECT_EQ(skeletonOf(withStub(0.05), 160).branches.size(), 1u);
+}
+
+TEST(Skeleton, RidgesAndBumpsHaveNoBranches)
+{
+  // Balls of the tube cover most of them, however far from its middle their sheets lead.
+  const auto ring = [](const std::function<double(double, double)>& radius)
+  {
+    constexpr int kAround = 160;
+    constexpr int kAcross = 64;
+    TriangleMesh mesh = torus(1.0, 0.3, kAround, kAcross);
+    for (Point3& point : mesh.points)
+    {
+      const double around = std::atan2(point[1], point[0]);
+      const double out = std::hypot(point[0], point[1]) - 1.0;
+      const double across = std::atan2(point[2], out);
+      const double r = radius(around, across);
+      const double x = 1.0 + r * std::cos(across);
+      point = { x * std::cos(around), x * std::sin(around), r * std::sin(across) };
+    }
+    return mesh;
+  };
+  const auto ridges = [](double x) { return std::pow(std::abs(std::cos(x)), 8.0); };
+  for (const TriangleMesh& mesh :
+    { ring([&](double s, double t) { return 0.25 + 0.07 * ridges(3.0 * t + 3.0 * s); }),
+      ring([&](double s, double t)
+        { return 0.25 + 0.05 * std::max(ridges(2.5 * t + 4.0 * s), ridges(2.5 * t - 4.0 * s)); }),
+      ring(
+        [](double s, double t) { return 0.3 + 0.04 * std::sin(5.0 * t) * std::sin(17.0 * s); }) })
+  {
+    for (const double angle : { 45.0, 60.0, 90.0 })
+    {
+      SCOPED_TRACE(angle);
+      const Skeleton skeleton = computeSkeleton(axisOf(mesh, 96, angle), mesh);
+      ASSERT_EQ(skeleton.branches.size(), 1u);
+      EXPECT_EQ(skeleton.branches.front().kind, BranchKind::Closed);
+    }
+  }
 }
 
 TEST(Skeleton, PrunesShortBranchesButNoLoops)
