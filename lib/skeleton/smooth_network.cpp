@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace medial
@@ -54,7 +55,10 @@ public:
   {
     constexpr double kMaxDetour = 4.0; // in radii
     constexpr double kNarrow = 0.6;
+    constexpr double kMaxOfLoop = 0.25; // of a closed curve, so that its loop stays
     const std::vector<double> lengths = arcLengths(curve);
+    const double longest =
+      curve.closed ? kMaxOfLoop * lengths.back() : std::numeric_limits<double>::infinity();
     std::vector<double> radii(curve.points.size());
     tbb::parallel_for(std::size_t{ 0 }, radii.size(),
       [&](std::size_t i) { radii[i] = probe_.radius(curve.points[i]); });
@@ -65,7 +69,8 @@ public:
       std::size_t onward = i;
       double narrowest = radii[i];
       for (std::size_t j = i + 1;
-           j < radii.size() && lengths[j] - lengths[i] <= kMaxDetour * radii[i]; ++j)
+           j < radii.size() && lengths[j] - lengths[i] <= std::min(longest, kMaxDetour * radii[i]);
+           ++j)
       {
         const double chord = glm::distance(curve.points[i], curve.points[j]);
         if (narrowest < kNarrow * std::min(radii[i], radii[j]) &&
@@ -83,6 +88,7 @@ public:
       straight.points.push_back(curve.points[i]);
       straight.widths.push_back(curve.widths[i]);
     }
+    straight.closed = curve.closed;
     curve = resampled(straight, step_);
   }
 
@@ -331,7 +337,7 @@ void smooth(GeometricNetwork& network, const SolidProbe& probe, double step, dou
         return;
       }
       curve = resampled(curve, step);
-      if (trees[b] != 0)
+      if (trees[b] != 0 || curve.closed)
       {
         smoother.straighten(curve);
       }

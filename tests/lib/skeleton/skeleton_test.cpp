@@ -4,6 +4,8 @@
 #include "medial/skeleton.h"
 
 #include "support/mesh_search.h"
+#include "support/model_formats.h"
+#include "support/models.h"
 #include "support/named.h"
 #include "support/shapes.h"
 #include "support/tubes.h"
@@ -341,6 +343,24 @@ TEST(Skeleton, OpensLoopsThatOnlyVoxelsClose)
   EXPECT_EQ(topologyOf(computeSkeleton(axis, mesh)).genus, 0);
 }
 
+TEST(Skeleton, LoopsStayWhereTheAxisMakesADetour)
+{
+  // A thinned axis of this tube with ridges leaves the solid for some voxels, and comes back.
+  const auto path = modelPath("multi/knot2_2comp_11.5k.off");
+  if (!path)
+  {
+    GTEST_SKIP() << "without the model";
+  }
+  const TriangleMesh mesh = loadMesh(*path);
+  for (const double angle : { 60.0, 75.0, 90.0 })
+  {
+    SCOPED_TRACE(angle);
+    const Skeleton skeleton = computeSkeleton(axisOf(mesh, 256, angle), mesh);
+    EXPECT_EQ(skeleton.branches.size(), 2u);
+    EXPECT_EQ(skeleton.count(BranchKind::Closed), 2);
+  }
+}
+
 TEST(Skeleton, TakesNoDetours)
 {
   // The arms of this axis are joined through a curve to the surface and back.
@@ -444,12 +464,13 @@ TEST(Skeleton, RidgesAndBumpsHaveNoBranches)
       ring(
         [](double s, double t) { return 0.3 + 0.04 * std::sin(5.0 * t) * std::sin(17.0 * s); }) })
   {
-    for (const double angle : { 45.0, 60.0, 90.0 })
+    for (const double angle : { 45.0, 60.0, 75.0, 90.0 })
     {
       SCOPED_TRACE(angle);
       const Skeleton skeleton = computeSkeleton(axisOf(mesh, 96, angle), mesh);
       ASSERT_EQ(skeleton.branches.size(), 1u);
       EXPECT_EQ(skeleton.branches.front().kind, BranchKind::Closed);
+      EXPECT_NEAR(skeleton.branches.front().length, 2.0 * kPi, 0.05 * 2.0 * kPi);
     }
   }
 }
