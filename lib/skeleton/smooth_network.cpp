@@ -56,6 +56,10 @@ public:
     constexpr double kMaxDetour = 4.0; // in radii
     constexpr double kNarrow = 0.6;
     constexpr double kMaxOfLoop = 0.25; // of a closed curve, so that its loop stays
+    if (curve.closed)
+    {
+      this->beginWidest(curve);
+    }
     const std::vector<double> lengths = arcLengths(curve);
     const double longest =
       curve.closed ? kMaxOfLoop * lengths.back() : std::numeric_limits<double>::infinity();
@@ -123,6 +127,17 @@ public:
   }
 
 private:
+  /// Lets a closed curve begin in the widest place, where it makes no detour.
+  void beginWidest(Curve& curve) const
+  {
+    std::vector<double> radii(curve.points.size());
+    tbb::parallel_for(std::size_t{ 0 }, radii.size(),
+      [&](std::size_t i) { radii[i] = probe_.radius(curve.points[i]); });
+    const auto widest = std::max_element(radii.begin(), radii.end()) - radii.begin();
+    std::rotate(curve.points.begin(), curve.points.begin() + widest, curve.points.end());
+    std::rotate(curve.widths.begin(), curve.widths.begin() + widest, curve.widths.end());
+  }
+
   /// Within a sheet the radius does not tell where a branch ends.
   void finishLast(Curve& curve, bool anew) const
   {
