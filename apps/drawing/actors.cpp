@@ -72,7 +72,14 @@ vtkSmartPointer<vtkActor> makeSharpEdges(vtkAlgorithmOutput* mesh)
   return actor;
 }
 
-/// The points of a skeleton where no branch goes on.
+} // namespace
+
+SurfaceActors makeSurface(vtkPolyData* surface)
+{
+  const auto mesh = weld(surface);
+  return { makeFaces(mesh->GetOutputPort()), makeSharpEdges(mesh->GetOutputPort()) };
+}
+
 vtkSmartPointer<vtkPolyData> endsOf(vtkPolyData* skeleton)
 {
   vtkDataArray* degrees = skeleton->GetPointData()->GetArray("Degree");
@@ -90,24 +97,22 @@ vtkSmartPointer<vtkPolyData> endsOf(vtkPolyData* skeleton)
   return ends;
 }
 
-} // namespace
-
-SurfaceActors makeSurface(vtkPolyData* surface)
-{
-  const auto mesh = weld(surface);
-  return { makeFaces(mesh->GetOutputPort()), makeSharpEdges(mesh->GetOutputPort()) };
-}
-
-SkeletonActors makeSkeleton(vtkPolyData* skeleton, vtkScalarsToColors* colours)
+vtkSmartPointer<vtkPolyData> tubesOf(vtkPolyData* skeleton, int sides)
 {
   constexpr double kTubeRadius = 0.004; // of the diagonal
   vtkNew<vtkTubeFilter> tubes;
   tubes->SetInputData(skeleton);
   tubes->SetRadius(kTubeRadius * skeleton->GetLength());
-  tubes->SetNumberOfSides(12);
+  tubes->SetNumberOfSides(sides);
   tubes->CappingOn();
+  tubes->Update();
+  return tubes->GetOutput();
+}
+
+SkeletonActors makeSkeleton(vtkPolyData* skeleton, vtkScalarsToColors* colours)
+{
   vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(tubes->GetOutputPort());
+  mapper->SetInputData(tubesOf(skeleton, 12));
   mapper->SetLookupTable(colours);
   mapper->SetScalarModeToUsePointFieldData();
   mapper->SelectColorArray("Radius");

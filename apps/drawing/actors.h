@@ -33,6 +33,11 @@ SkeletonActors makeSkeleton(vtkPolyData* skeleton, vtkScalarsToColors* colours);
 /// The edges that belong to one face only, as lines.
 vtkSmartPointer<vtkAlgorithm> makeBorderLines(vtkPolyData* faces);
 
+/// The branches of a skeleton as tubes, with its point arrays.
+vtkSmartPointer<vtkPolyData> tubesOf(vtkPolyData* skeleton, int sides);
+/// The points of a skeleton where no branch goes on, as vertices among all of its points.
+vtkSmartPointer<vtkPolyData> endsOf(vtkPolyData* skeleton);
+
 /// A medial axis coloured by one of its point arrays. Rims of sheets are lines as well, so that no
 /// sheet vanishes that is narrow or seen from its edge.
 vtkSmartPointer<vtkActor> makeAxis(vtkPolyData* axis, vtkScalarsToColors* colours,

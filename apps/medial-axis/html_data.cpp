@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <initializer_list>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -56,7 +57,7 @@ std::string base64(const std::vector<T>& values)
   return text;
 }
 
-std::array<Steps, 3> frameOf(const HtmlMesh& surface, const HtmlMesh& axis)
+std::array<Steps, 3> frameOf(std::initializer_list<const HtmlMesh*> meshes)
 {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   std::array<Steps, 3> frame{ Steps(0, 0), Steps(0, 0), Steps(0, 0) };
@@ -64,7 +65,7 @@ std::array<Steps, 3> frameOf(const HtmlMesh& surface, const HtmlMesh& axis)
   {
     double low = kInfinity;
     double high = -kInfinity;
-    for (const HtmlMesh* mesh : { &surface, &axis })
+    for (const HtmlMesh* mesh : meshes)
     {
       for (const Point3& point : mesh->points)
       {
@@ -187,17 +188,20 @@ std::string withoutAngleBrackets(const std::string& json)
 
 } // namespace
 
-std::vector<std::string> fitMeshes(HtmlMesh& surface, HtmlMesh& axis, std::size_t limit)
+std::vector<std::string> fitMeshes(HtmlMesh& surface, HtmlMesh& axis, HtmlMesh& skeleton,
+  std::size_t limit)
 {
   std::vector<std::string> how;
   // Base64 takes four characters for three bytes.
-  const std::size_t bytes = limit / 4 * 3;
+  const std::size_t all = limit / 4 * 3;
+  fit(skeleton, "skeleton", all / 4, how);
+  const std::size_t bytes = all - skeleton.bytes();
   fit(surface, "surface", std::max(bytes / 3, bytes - std::min(bytes, axis.bytes())), how);
   fit(axis, "medial axis", bytes - std::min(bytes, surface.bytes()), how);
   return how;
 }
 
-std::string makeHtmlData(const HtmlMesh& surface, const HtmlMesh& axis,
+std::string makeHtmlData(const HtmlMesh& surface, const HtmlMesh& axis, const HtmlMesh& skeleton,
   const std::vector<std::string>& caption, const std::vector<std::string>& simplifications)
 {
   Json notes = Json::array();
@@ -205,17 +209,21 @@ std::string makeHtmlData(const HtmlMesh& surface, const HtmlMesh& axis,
   {
     notes.push_back("To keep this file small " + how + ".");
   }
-  const std::array<Steps, 3> frame = frameOf(surface, axis);
+  const std::array<Steps, 3> frame = frameOf({ &surface, &axis, &skeleton });
   notes.push_back(roundingNote(frame));
   notes.push_back("Made by medial-axis " MEDIAL_VERSION "; drawn by vtk.js.");
   const std::vector<std::string> settings(caption.begin() + 1, caption.end());
-  const Json data = { { "title", caption.front() }, { "settings", settings },
+  Json data = { { "title", caption.front() }, { "settings", settings },
     { "frame",
       { { "origin", { frame[0].origin, frame[1].origin, frame[2].origin } },
         { "step", { frame[0].step, frame[1].step, frame[2].step } } } },
     { "colours", describeColours() }, { "notes", notes },
     { "simplified", !simplifications.empty() }, { "surface", describe(surface, frame) },
     { "axis", describe(axis, frame) } };
+  if (!skeleton.points.empty())
+  {
+    data["skeleton"] = describe(skeleton, frame);
+  }
   return withoutAngleBrackets(data.dump(-1, ' ', true, Json::error_handler_t::replace));
 }
 

@@ -1,10 +1,16 @@
 #include "html_mesh.h"
 
+#include "actors.h"
+
+#include <vtkAppendPolyData.h>
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkCleanPolyData.h>
 #include <vtkDataArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 #include <vtkTriangleFilter.h>
 
 #include <algorithm>
@@ -59,6 +65,29 @@ HtmlArray arrayOf(vtkPolyData* axis, const char* name, const char* label, const 
     array.values.push_back(static_cast<float>(values->GetTuple1(i)));
   }
   return array;
+}
+
+// Polygons, strips, polylines and poly-vertices come apart.
+vtkSmartPointer<vtkPolyData> simpleCells(vtkPolyData* mesh)
+{
+  vtkNew<vtkTriangleFilter> triangulate;
+  triangulate->SetInputData(mesh);
+  triangulate->Update();
+  return triangulate->GetOutput();
+}
+
+HtmlMesh withCells(vtkPolyData* simple)
+{
+  HtmlMesh mesh;
+  mesh.points.resize(simple->GetNumberOfPoints());
+  for (std::size_t i = 0; i < mesh.points.size(); ++i)
+  {
+    simple->GetPoint(static_cast<vtkIdType>(i), mesh.points[i].data());
+  }
+  appendCells(simple->GetPolys(), mesh.triangles);
+  appendCells(simple->GetLines(), mesh.lines);
+  appendCells(simple->GetVerts(), mesh.vertices);
+  return mesh;
 }
 
 template <std::size_t N>
@@ -219,23 +248,36 @@ HtmlMesh htmlMesh(const TriangleMesh& mesh)
 
 HtmlMesh htmlMesh(vtkPolyData* axis)
 {
-  vtkNew<vtkTriangleFilter> triangulate; // polylines and poly-vertices come apart as well
-  triangulate->SetInputData(axis);
-  triangulate->Update();
-  vtkPolyData* simple = triangulate->GetOutput();
-
-  HtmlMesh mesh;
-  mesh.points.resize(simple->GetNumberOfPoints());
-  for (std::size_t i = 0; i < mesh.points.size(); ++i)
-  {
-    simple->GetPoint(static_cast<vtkIdType>(i), mesh.points[i].data());
-  }
+  const vtkSmartPointer<vtkPolyData> simple = simpleCells(axis);
+  HtmlMesh mesh = withCells(simple);
   mesh.arrays = { arrayOf(simple, "Radius", "Radius", "world units"),
     arrayOf(simple, "SeparationAngle", "Separation angle", "degrees"),
     arrayOf(simple, "Lambda", "Lambda", "world units") };
-  appendCells(simple->GetPolys(), mesh.triangles);
-  appendCells(simple->GetLines(), mesh.lines);
-  appendCells(simple->GetVerts(), mesh.vertices);
+  return mesh;
+}
+
+HtmlMesh htmlSkeleton(vtkPolyData* skeleton)
+{
+  if (skeleton == nullptr)
+  {
+    return {};
+  }
+  constexpr int kSides = 8;
+  vtkNew<vtkAppendPolyData> both;
+  both->AddInputData(tubesOf(skeleton, kSides));
+  vtkNew<vtkPolyData> ends; // with the arrays that the tubes have
+  ends->ShallowCopy(skeleton);
+  ends->SetLines(nullptr);
+  ends->SetVerts(endsOf(skeleton)->GetVerts());
+  ends->GetCellData()->Initialize();
+  vtkNew<vtkCleanPolyData> used;
+  used->SetInputData(ends);
+  used->PointMergingOff();
+  both->AddInputConnection(used->GetOutputPort());
+  both->Update();
+  const vtkSmartPointer<vtkPolyData> simple = simpleCells(both->GetOutput());
+  HtmlMesh mesh = withCells(simple);
+  mesh.arrays = { arrayOf(simple, "Radius", "Radius", "world units") };
   return mesh;
 }
 

@@ -45,6 +45,10 @@ HtmlMesh htmlMesh(const TriangleMesh& mesh);
 /// @param axis as vtkMedialAxis makes it.
 HtmlMesh htmlMesh(vtkPolyData* axis);
 
+/// The branches as tubes, and where they end or meet as vertices; none for null.
+/// @param skeleton as vtkMedialSkeleton makes it.
+HtmlMesh htmlSkeleton(vtkPolyData* skeleton);
+
 /// Puts the cells of each kind in descending order of the smallest separation angle of their
 /// corners, so that the cells above any angle come first.
 /// @param mesh of an axis.

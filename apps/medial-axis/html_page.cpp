@@ -60,19 +60,22 @@ std::string filled(std::string_view text,
 
 } // namespace
 
-HtmlPage makeHtml(const TriangleMesh& surface, vtkPolyData* axis,
+HtmlPage makeHtml(const TriangleMesh& surface, vtkPolyData* axis, vtkPolyData* skeleton,
   const std::vector<std::string>& caption, std::string_view vtkJs, std::size_t limit)
 {
   constexpr std::size_t kFrame = 50'000; // page, scripts and what describes the data
   const std::size_t fixed = vtkJs.size() + kFrame;
   HtmlMesh surfaceMesh = htmlMesh(surface);
   HtmlMesh axisMesh = htmlMesh(axis);
-  const auto simplifications = fitMeshes(surfaceMesh, axisMesh, limit - std::min(limit, fixed));
+  HtmlMesh skeletonMesh = htmlSkeleton(skeleton);
+  const auto simplifications =
+    fitMeshes(surfaceMesh, axisMesh, skeletonMesh, limit - std::min(limit, fixed));
   sortByAngle(axisMesh);
 
   const auto file = [](const char* name)
   { return [name] { return escapedScript(webFile(name)); }; };
-  const auto data = [&] { return makeHtmlData(surfaceMesh, axisMesh, caption, simplifications); };
+  const auto data = [&]
+  { return makeHtmlData(surfaceMesh, axisMesh, skeletonMesh, caption, simplifications); };
   return { filled(webFile("page.html"),
              { { "style", [] { return std::string(webFile("style.css")); } },
                { "decode", file("decode.js") }, { "scene", file("scene.js") },
@@ -82,9 +85,9 @@ HtmlPage makeHtml(const TriangleMesh& surface, vtkPolyData* axis,
 }
 
 std::vector<std::string> writeHtml(const TriangleMesh& surface, vtkPolyData* axis,
-  const std::vector<std::string>& caption, const std::filesystem::path& file)
+  vtkPolyData* skeleton, const std::vector<std::string>& caption, const std::filesystem::path& file)
 {
-  HtmlPage page = makeHtml(surface, axis, caption, webFile("vtk.js"));
+  HtmlPage page = makeHtml(surface, axis, skeleton, caption, webFile("vtk.js"));
   writeFile(file, page.html);
   return std::move(page.simplifications);
 }

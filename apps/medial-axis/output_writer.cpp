@@ -131,7 +131,7 @@ OutputNotes writeOutputs(const Options& options, Surface& surface, const Result&
   notes.pictureSeconds = axisPicture.seconds();
   outputs.write(options.html,
     [&](const auto& file)
-    { notes.page = writeHtml(result.mesh, axis, axisCaption(options, result), file); });
+    { notes.page = writeHtml(result.mesh, axis, skeleton, axisCaption(options, result), file); });
   outputs.write(options.thickness,
     [&](const auto& file) { writeVtp(result.thicknessSurface, file); });
   outputs.write(options.thinRegions, [&](const auto& file) { writeVtp(regionsOf(result), file); });

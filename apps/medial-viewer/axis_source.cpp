@@ -3,6 +3,8 @@
 #include "library_calls.h"
 #include "timer.h"
 
+#include "medial/skeleton.h"
+
 #include <vtkDataObject.h>
 #include <vtkFloatArray.h>
 #include <vtkGeometryFilter.h>
@@ -88,6 +90,26 @@ void AxisSource::compute(const Frame& frame, int resolution, double angle)
   seconds_ = seconds;
   resolution_ = resolution;
   options_ = options;
+}
+
+void AxisSource::computeSkeleton(const Frame& frame)
+{
+  MedialAxisOptions options = options_;
+  options.angle = kDefaultAngle;
+  options.side = Side::Interior;
+  options.topology = Topology::Preserve;
+  vtkNew<vtkPolyData> skeleton;
+  withFailures(input_,
+    [&]
+    {
+      solver_.setPoints(frame.points);
+      const MedialAxis axis = solver_.computeAxis(makeGrid(bounds_, resolution_), options);
+      SkeletonOptions ofBranches;
+      ofBranches.execution = options.field.execution;
+      vtkMeshConversion::ToPolyData(medial::computeSkeleton(axis, solver_.mesh(), ofBranches),
+        skeleton);
+    });
+  skeleton_->ShallowCopy(skeleton);
 }
 
 void selectByAngle(vtkPolyData* axis, double angle, vtkPolyData* selected)

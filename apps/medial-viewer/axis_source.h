@@ -25,6 +25,14 @@ public:
   /// @throws Failure; the results below then stay as they were.
   void compute(const Frame& frame, int resolution, double angle);
 
+  /// Computes the skeleton of a frame at the resolution of the last compute(), from an axis of its
+  /// own with the default angle.
+  /// @throws Failure, BadInput where the mesh has no inside; skeleton() then stays as it was.
+  void computeSkeleton(const Frame& frame);
+
+  /// As vtkMedialSkeleton makes it; empty before computeSkeleton().
+  vtkPolyData* skeleton() { return skeleton_; }
+
   /// The axis with separation angles from angle() on, as vtkMedialAxis makes it, with the point
   /// array Thickness.
   vtkPolyData* axis() { return axis_; }
@@ -45,6 +53,7 @@ private:
   Bounds bounds_;
   std::filesystem::path input_;
   vtkNew<vtkPolyData> axis_;
+  vtkNew<vtkPolyData> skeleton_;
   vtkNew<vtkImageData> field_;
   int resolution_ = 0;
   RunStatistics statistics_;

@@ -196,6 +196,10 @@ void Viewer::compute(std::size_t frame, int resolution)
   maxRadius_ = std::fmax(maxRadius_, maxRadius(source_.axis()));
   const double scale = maxRadius_ > 0.0 ? maxRadius_ : sequence_.bounds.diagonal();
   slice_.setField(source_.field(), scale);
+  if (scene_.showsSkeleton())
+  {
+    showSkeleton();
+  }
   colour();
   select();
   window_.renderer->ResetCameraClippingRange();

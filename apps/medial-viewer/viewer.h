@@ -51,6 +51,7 @@ public:
   vtkRenderWindowInteractor* interactor() { return window_.interactor; }
   vtkRenderWindow* window() { return window_.window; }
   vtkPolyData* shownAxis() { return selected_; }
+  bool showsSkeleton() const { return scene_.showsSkeleton(); } ///< that of source()
   AxisSource& source() { return source_; }
   FieldSlice& slice() { return slice_; }
   Slider& angle() { return angle_; }
@@ -76,6 +77,8 @@ private:
   void select();
   void colour();
   void nextColour();
+  void toggleSkeleton();
+  void showSkeleton();
   void turnSlice(int axis);
   void savePicture();
   std::string statusText() const;

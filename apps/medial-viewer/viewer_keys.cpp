@@ -25,6 +25,7 @@ void Viewer::addKeys()
   keyboard_.add("c", "colour by radius, angle or thickness", [this] { nextColour(); });
   keyboard_.add("s", "show or hide the surface", [this] { scene_.toggleSurface(); });
   keyboard_.add("a", "show or hide the axis", [this] { scene_.toggleAxis(); });
+  keyboard_.add("k", "show the skeleton instead of the axis", [this] { toggleSkeleton(); });
   keyboard_.add("d", "show or hide the slice of the distance field",
     [this] { slice_.setVisible(!slice_.visible()); });
   keyboard_.add("x", "slice across x", [this] { turnSlice(0); });
@@ -50,6 +51,42 @@ void Viewer::nextColour()
     : options_.colour == ColourBy::Angle                ? ColourBy::Thickness
                                                         : ColourBy::Radius;
   colour();
+}
+
+void Viewer::toggleSkeleton()
+{
+  if (scene_.showsSkeleton())
+  {
+    scene_.setSkeleton(nullptr);
+  }
+  else
+  {
+    note_ = "computing the skeleton; Escape cancels";
+    window_.window->Render();
+    note_.clear();
+    showSkeleton();
+  }
+  scene_.setAxisVisible(!scene_.showsSkeleton());
+}
+
+// Where a mesh has no inside it has no skeleton, and the window says so.
+void Viewer::showSkeleton()
+{
+  try
+  {
+    source_.computeSkeleton(sequence_.frames[frame_]);
+    scene_.setSkeleton(source_.skeleton());
+  }
+  catch (const Failure& failure)
+  {
+    if (failure.exitCode() != ExitCode::BadInput)
+    {
+      throw;
+    }
+    note_ = failure.what();
+    scene_.setSkeleton(nullptr);
+    scene_.setAxisVisible(true);
+  }
 }
 
 void Viewer::turnSlice(int axis)

@@ -7,6 +7,7 @@
 #include <vtkCoordinate.h>
 #include <vtkMapper.h>
 #include <vtkPolyData.h>
+#include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkTextProperty.h>
 
@@ -58,7 +59,8 @@ void toggle(vtkProp* prop)
 } // namespace
 
 ViewerScene::ViewerScene(vtkRenderer* renderer, vtkPolyData* surface, vtkPolyData* axis)
-  : surface_(makeSurface(surface))
+  : renderer_(renderer)
+  , surface_(makeSurface(surface))
   , axis_(makeAxis(axis, colours_, "Radius"))
   , bar_(makeScalarBar(colours_, "Radius", kFontSize))
 {
@@ -86,6 +88,39 @@ void ViewerScene::colourAxis(ColourBy colour, double max)
   setTicks(bar_, max);
   axis_->GetMapper()->SelectColorArray(colouring.array);
   bar_->SetTitle(colouring.title);
+  colour_ = colour;
+  colourSkeleton();
+}
+
+// It has a radius, and neither angle nor thickness.
+void ViewerScene::colourSkeleton()
+{
+  if (showsSkeleton())
+  {
+    skeleton_.branches->GetMapper()->SetScalarVisibility(colour_ == ColourBy::Radius ? 1 : 0);
+    skeleton_.branches->GetProperty()->SetColor(0.15, 0.17, 0.2);
+  }
+}
+
+void ViewerScene::setSkeleton(vtkPolyData* skeleton)
+{
+  for (const auto& actor : { skeleton_.branches, skeleton_.ends })
+  {
+    if (actor != nullptr)
+    {
+      renderer_->RemoveViewProp(actor);
+    }
+  }
+  skeleton_ = skeleton != nullptr ? makeSkeleton(skeleton, colours_) : SkeletonActors{};
+  for (const auto& actor : { skeleton_.branches, skeleton_.ends })
+  {
+    if (actor != nullptr)
+    {
+      actor->PickableOff();
+      renderer_->AddViewProp(actor);
+    }
+  }
+  colourSkeleton();
 }
 
 void ViewerScene::setStatus(const std::string& text)

@@ -28,8 +28,13 @@ public:
   /// @param max values of this and more share the last colour.
   void colourAxis(ColourBy colour, double max);
 
+  /// Draws a skeleton from now on; nothing for null.
+  void setSkeleton(vtkPolyData* skeleton);
+  bool showsSkeleton() const { return skeleton_.branches != nullptr; }
+
   void toggleSurface();
   void toggleAxis();
+  void setAxisVisible(bool visible) { axis_->SetVisibility(visible ? 1 : 0); }
   void toggleHelp();
 
   void setHelp(const std::string& text) { help_->SetInput(text.c_str()); }
@@ -38,9 +43,14 @@ public:
   std::string status() { return status_->GetInput(); }
 
 private:
-  vtkNew<vtkColorTransferFunction> colours_; // of axis_ and bar_
+  void colourSkeleton();
+
+  vtkRenderer* renderer_;
+  vtkNew<vtkColorTransferFunction> colours_; // of axis_, skeleton_ and bar_
+  ColourBy colour_ = ColourBy::Radius;
   SurfaceActors surface_;
   vtkSmartPointer<vtkActor> axis_;
+  SkeletonActors skeleton_; // null without one
   vtkSmartPointer<vtkScalarBarActor> bar_;
   vtkNew<vtkTextActor> status_;
   vtkNew<vtkTextActor> help_;

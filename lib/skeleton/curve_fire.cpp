@@ -4,8 +4,12 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <queue>
+#include <set>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 namespace medial
 {
@@ -148,6 +152,70 @@ bool leavesSolid(const NetworkEdge& edge, const NetworkInput& input)
   return false;
 }
 
+/// Points around one end of an edge, along other edges, up to some radii away from it.
+std::vector<std::int64_t> around(const CurveGraph& graph, const NetworkInput& input, int without,
+  std::int64_t start)
+{
+  constexpr double kReach = 4.0; // in radii
+  using Event = std::pair<double, std::int64_t>;
+  std::priority_queue<Event, std::vector<Event>, std::greater<>> queue;
+  std::set<std::int64_t> reached;
+  double widest = 0.0;
+  for (queue.emplace(0.0, start); !queue.empty();)
+  {
+    const auto [length, point] = queue.top();
+    queue.pop();
+    widest = std::max(widest, input.radii[point]);
+    if (length > kReach * std::max(widest, input.step))
+    {
+      break;
+    }
+    if (!reached.insert(point).second)
+    {
+      continue;
+    }
+    graph.find(point,
+      [&, length = length, point = point](int e)
+      {
+        const std::int64_t next = graph.otherEnd(e, point);
+        if (e != without && reached.count(next) == 0)
+        {
+          queue.emplace(length + glm::distance(input.positions[point], input.positions[next]),
+            next);
+        }
+        return false;
+      });
+  }
+  return { reached.begin(), reached.end() };
+}
+
+/// Whether an edge outside the solid leads back to where it comes from, and belongs to a loop that
+/// is longer than this detour.
+bool isDetour(const CurveGraph& graph, const NetworkInput& input, int e)
+{
+  const auto& ends = graph.edge(e).ends;
+  const std::vector<std::int64_t> before = around(graph, input, e, ends[0]);
+  const std::vector<std::int64_t> after = around(graph, input, e, ends[1]);
+  std::vector<std::int64_t> both;
+  std::set_intersection(before.begin(), before.end(), after.begin(), after.end(),
+    std::back_inserter(both));
+  if (!both.empty())
+  {
+    return false;
+  }
+  // A ball in the solid that holds a point of either side joins them.
+  return std::any_of(before.begin(), before.end(),
+    [&](std::int64_t a)
+    {
+      return std::any_of(after.begin(), after.end(),
+        [&](std::int64_t b)
+        {
+          return glm::distance(input.positions[a], input.positions[b]) <
+            std::max(input.radii[a], input.radii[b]);
+        });
+    });
+}
+
 } // namespace
 
 void burnCurves(CurveGraph& graph, const NetworkInput& input, const Checkpoint& checkpoint)
@@ -181,7 +249,7 @@ void openLoops(CurveGraph& graph, const NetworkInput& input)
   }
   for (const int e : outside)
   {
-    if (!join(e))
+    if (!join(e) && !isDetour(graph, input, e))
     {
       graph.remove(e);
     }

@@ -1,5 +1,7 @@
 #include "skeleton/short_branches.h"
 
+#include "skeleton/branch_balls.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -7,16 +9,6 @@ namespace medial
 {
 namespace
 {
-
-/// Length and rise of a branch in the radii that they are compared with, whichever is less.
-double ratioOf(const NetworkBranch& branch, double junctionRadius, const SolidProbe& probe)
-{
-  const double length = arcLengths(branch.curve).back();
-  const double endRadius = probe.radius(branch.curve.points.back());
-  const double rise = length + endRadius - junctionRadius;
-  // An end on the surface has no radius.
-  return std::min(length / junctionRadius, rise <= 0.0 ? 0.0 : rise / endRadius);
-}
 
 /// A branch's end at a junction.
 struct End
@@ -49,6 +41,10 @@ void merge(GeometricNetwork& network, const End& first, const End& second)
   if (first.branch == second.branch)
   {
     branch.curve.points.pop_back();
+    if (!branch.curve.widths.empty())
+    {
+      branch.curve.widths.pop_back();
+    }
     branch.curve.closed = true;
     branch.junctions = { NetworkBranch::kFree, NetworkBranch::kFree };
     return;
@@ -66,6 +62,15 @@ void merge(GeometricNetwork& network, const End& first, const End& second)
   }
   branch.curve.points.insert(branch.curve.points.end(), other.curve.points.begin() + 1,
     other.curve.points.end());
+  if (branch.curve.widths.empty() || other.curve.widths.empty())
+  {
+    branch.curve.widths.clear();
+  }
+  else
+  {
+    branch.curve.widths.insert(branch.curve.widths.end(), other.curve.widths.begin() + 1,
+      other.curve.widths.end());
+  }
   branch.junctions[1] = other.junctions[1];
   other = {};
   if (branch.junctions[0] == NetworkBranch::kFree && branch.junctions[1] != NetworkBranch::kFree)
@@ -110,63 +115,137 @@ void compact(GeometricNetwork& network, std::vector<char>& marked)
   marked.resize(kept);
 }
 
-} // namespace
-
-ShortBranches removeShortBranches(GeometricNetwork& network, const SolidProbe& probe,
-  double minBranch)
+class Removal
 {
-  ShortBranches result;
-  std::vector<std::size_t> changed;
-  const std::vector<std::vector<End>> ends = endsAt(network);
-  for (std::size_t j = 0; j < ends.size(); ++j)
+public:
+  Removal(GeometricNetwork& network, const SolidProbe& probe, double minBranch)
+    : network_(network)
+    , probe_(probe)
+    , minBranch_(minBranch)
+    , balls_(probe)
+    , ratios_(network.branches.size())
+    , marked_(network.branches.size(), 0)
   {
-    const double radius = probe.radius(network.junctions[j]);
-    double worst = minBranch;
-    std::size_t shortest = network.branches.size();
-    for (const End& end : ends[j])
+  }
+
+  ShortBranches run(const Checkpoint& checkpoint)
+  {
+    for (std::size_t b = 0; b < network_.branches.size(); ++b)
     {
-      const NetworkBranch& branch = network.branches[end.branch];
-      if (branch.junctions[1] == NetworkBranch::kFree)
+      balls_.set(b, network_.branches[b].curve);
+    }
+    ShortBranches result;
+    for (std::size_t b = this->worst(checkpoint); b < ratios_.size(); b = this->worst(checkpoint))
+    {
+      this->remove(b);
+      result.removed = true;
+    }
+    if (result.removed)
+    {
+      compact(network_, marked_);
+      for (std::size_t b = 0; b < marked_.size(); ++b)
       {
-        const double ratio = ratioOf(branch, radius, probe);
-        if (ratio < worst)
+        if (marked_[b] != 0)
         {
-          worst = ratio;
-          shortest = end.branch;
+          result.merged.push_back(b);
         }
       }
     }
-    if (shortest < network.branches.size())
-    {
-      network.branches[shortest] = {};
-      result.removed = true;
-      changed.push_back(j);
-    }
-  }
-  if (!result.removed)
-  {
     return result;
   }
-  std::vector<char> marked(network.branches.size(), 0);
-  for (const std::size_t j : changed)
+
+private:
+  /// Length and rise of a branch in the radii that they are compared with, whichever is less.
+  struct Ratio
   {
-    // Merging changes which ends are where.
-    const std::vector<End> left = endsAt(network)[j];
+    bool known = false;
+    double value = 0.0;
+    std::vector<std::size_t> neighbours; ///< branches that it depends on
+  };
+
+  Ratio ratioOf(const NetworkBranch& branch, std::size_t b) const
+  {
+    BranchRise rise = balls_.rise(b);
+    const double length = arcLengths(branch.curve).back();
+    const double ofLength = length / probe_.radius(network_.junctions[branch.junctions[0]]);
+    const double ofRise = rise.radius > 0.0 ? rise.length / rise.radius : 0.0;
+    return { true, std::min(ofLength, ofRise), std::move(rise.neighbours) };
+  }
+
+  /// Returns the branch that is too short by the most, or the number of branches.
+  std::size_t worst(const Checkpoint& checkpoint)
+  {
+    std::size_t result = ratios_.size();
+    double least = minBranch_;
+    for (std::size_t b = 0; b < ratios_.size(); ++b)
+    {
+      const NetworkBranch& branch = network_.branches[b];
+      if (branch.junctions[0] == NetworkBranch::kFree ||
+        branch.junctions[1] != NetworkBranch::kFree)
+      {
+        continue;
+      }
+      checkpoint();
+      if (!ratios_[b].known)
+      {
+        ratios_[b] = this->ratioOf(branch, b);
+      }
+      if (ratios_[b].value < least)
+      {
+        least = ratios_[b].value;
+        result = b;
+      }
+    }
+    return result;
+  }
+
+  void remove(std::size_t b)
+  {
+    const int junction = network_.branches[b].junctions[0];
+    this->forget(b);
+    network_.branches[b] = {};
+    balls_.set(b, {});
+    const std::vector<End> left = endsAt(network_)[junction];
     if (left.size() == 2)
     {
-      marked[left[0].branch] = 1;
-      merge(network, left[0], left[1]);
+      const auto [first, second] = std::pair(left[0].branch, left[1].branch);
+      merge(network_, left[0], left[1]);
+      marked_[first] = 1;
+      for (const std::size_t changed : { first, second })
+      {
+        this->forget(changed);
+        balls_.set(changed, network_.branches[changed].curve);
+      }
     }
   }
-  compact(network, marked);
-  for (std::size_t b = 0; b < marked.size(); ++b)
+
+  /// Forgets what depends on a branch.
+  void forget(std::size_t b)
   {
-    if (marked[b] != 0)
+    ratios_[b] = {};
+    for (Ratio& ratio : ratios_)
     {
-      result.merged.push_back(b);
+      if (std::binary_search(ratio.neighbours.begin(), ratio.neighbours.end(), b))
+      {
+        ratio = {};
+      }
     }
   }
-  return result;
+
+  GeometricNetwork& network_;
+  const SolidProbe& probe_;
+  double minBranch_;
+  BranchBalls balls_;
+  std::vector<Ratio> ratios_;
+  std::vector<char> marked_; ///< branches made of two
+};
+
+} // namespace
+
+ShortBranches removeShortBranches(GeometricNetwork& network, const SolidProbe& probe,
+  double minBranch, const Checkpoint& checkpoint)
+{
+  return Removal(network, probe, minBranch).run(checkpoint);
 }
 
 } // namespace medial

@@ -16,9 +16,10 @@ struct ShortBranches
 };
 
 /// Removes branches with a free end that are shorter than `minBranch` times the radius at their
-/// junction, or reach out of the ball there by less than `minBranch` times the radius of their end;
-/// at each junction only the worst. Where two branches are left at a junction, they become one.
+/// junction, or reach out of the balls of all others by less than `minBranch` times their own
+/// radius there; one after the other, the worst first. Where two branches are left at a junction,
+/// they become one.
 ShortBranches removeShortBranches(GeometricNetwork& network, const SolidProbe& probe,
-  double minBranch);
+  double minBranch, const Checkpoint& checkpoint);
 
 } // namespace medial

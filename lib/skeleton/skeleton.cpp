@@ -9,6 +9,7 @@
 #include "query/distance_query.h"
 #include "skeleton/curve_network.h"
 #include "skeleton/sheet_fire.h"
+#include "skeleton/short_branches.h"
 #include "skeleton/smooth_network.h"
 
 #include <tbb/parallel_for.h>
@@ -219,6 +220,7 @@ Skeleton build(const MedialAxis& axis, const TriangleMesh& mesh, const SkeletonO
   const std::vector<CurvePath> paths = curveNetwork(burned.edges, axis.vertices,
     { positions, radii, burned.widths, probe, step, options.minBranch }, checkpoint);
   GeometricNetwork network = networkOf(paths, positions, burned.widths);
+  removeShortBranches(network, probe, options.minBranch, checkpoint);
   if (options.smooth)
   {
     smooth(network, probe, step, options.minBranch, checkpoint);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace medial
@@ -54,7 +55,14 @@ public:
   {
     constexpr double kMaxDetour = 4.0; // in radii
     constexpr double kNarrow = 0.6;
+    constexpr double kMaxOfLoop = 0.25; // of a closed curve, so that its loop stays
+    if (curve.closed)
+    {
+      this->beginWidest(curve);
+    }
     const std::vector<double> lengths = arcLengths(curve);
+    const double longest =
+      curve.closed ? kMaxOfLoop * lengths.back() : std::numeric_limits<double>::infinity();
     std::vector<double> radii(curve.points.size());
     tbb::parallel_for(std::size_t{ 0 }, radii.size(),
       [&](std::size_t i) { radii[i] = probe_.radius(curve.points[i]); });
@@ -65,7 +73,8 @@ public:
       std::size_t onward = i;
       double narrowest = radii[i];
       for (std::size_t j = i + 1;
-           j < radii.size() && lengths[j] - lengths[i] <= kMaxDetour * radii[i]; ++j)
+           j < radii.size() && lengths[j] - lengths[i] <= std::min(longest, kMaxDetour * radii[i]);
+           ++j)
       {
         const double chord = glm::distance(curve.points[i], curve.points[j]);
         if (narrowest < kNarrow * std::min(radii[i], radii[j]) &&
@@ -83,6 +92,7 @@ public:
       straight.points.push_back(curve.points[i]);
       straight.widths.push_back(curve.widths[i]);
     }
+    straight.closed = curve.closed;
     curve = resampled(straight, step_);
   }
 
@@ -117,6 +127,17 @@ public:
   }
 
 private:
+  /// Lets a closed curve begin in the widest place, where it makes no detour.
+  void beginWidest(Curve& curve) const
+  {
+    std::vector<double> radii(curve.points.size());
+    tbb::parallel_for(std::size_t{ 0 }, radii.size(),
+      [&](std::size_t i) { radii[i] = probe_.radius(curve.points[i]); });
+    const auto widest = std::max_element(radii.begin(), radii.end()) - radii.begin();
+    std::rotate(curve.points.begin(), curve.points.begin() + widest, curve.points.end());
+    std::rotate(curve.widths.begin(), curve.widths.begin() + widest, curve.widths.end());
+  }
+
   /// Within a sheet the radius does not tell where a branch ends.
   void finishLast(Curve& curve, bool anew) const
   {
@@ -331,7 +352,7 @@ void smooth(GeometricNetwork& network, const SolidProbe& probe, double step, dou
         return;
       }
       curve = resampled(curve, step);
-      if (trees[b] != 0)
+      if (trees[b] != 0 || curve.closed)
       {
         smoother.straighten(curve);
       }
@@ -353,7 +374,7 @@ void smooth(GeometricNetwork& network, const SolidProbe& probe, double step, dou
     checkpoint();
     placeJunctions(network, probe, step);
     changed = joinJunctions(network, probe, minBranch);
-    const ShortBranches shortOnes = removeShortBranches(network, probe, minBranch);
+    const ShortBranches shortOnes = removeShortBranches(network, probe, minBranch, checkpoint);
     for (const std::size_t b : shortOnes.merged)
     {
       Curve& curve = network.branches[b].curve;

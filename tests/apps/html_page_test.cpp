@@ -6,7 +6,9 @@
 
 #include <vtkBase64Utilities.h>
 #include <vtkCellArray.h>
+#include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
+#include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -164,7 +166,8 @@ class HtmlPage : public ::testing::Test
 protected:
   TriangleMesh surface = box({ 1.0, 0.7, 6.0 });
   std::string page =
-    makeHtml(surface, sheet(10), { "box.obj", "angle 60", "grid 4 x 5 x 6" }, kBundle).html;
+    makeHtml(surface, sheet(10), nullptr, { "box.obj", "angle 60", "grid 4 x 5 x 6" }, kBundle)
+      .html;
   Json data = dataOf(page);
 };
 
@@ -249,7 +252,8 @@ TEST_F(HtmlPage, TrianglesCoverTheSheetThoseOfWideAnglesFirst)
 TEST_F(HtmlPage, NoTextEndsAScript)
 {
   const std::string title = "</script><b>\"\\ & <!-- \xC3\xA9 \xFF";
-  const std::string hostile = makeHtml(surface, sheet(2), { title }, "a = '</SCRIPT><!--';").html;
+  const std::string hostile =
+    makeHtml(surface, sheet(2), nullptr, { title }, "a = '</SCRIPT><!--';").html;
   EXPECT_EQ(occurrences(hostile, "</script"), 3);
   EXPECT_EQ(occurrences(hostile, "<!--"), 1); // the page's own
   EXPECT_NE(hostile.find(R"(a = '<\/SCRIPT><\!--';)"), std::string::npos);
@@ -264,11 +268,48 @@ TEST_F(HtmlPage, SaysHowTheAxisWasComputed)
 
 TEST_F(HtmlPage, AnEmptyAxisIsNone)
 {
-  const Json empty = dataOf(makeHtml(surface, emptyAxis(), { "box" }, kBundle).html);
+  const Json empty = dataOf(makeHtml(surface, emptyAxis(), nullptr, { "box" }, kBundle).html);
   EXPECT_EQ(empty["axis"]["points"], "");
   EXPECT_EQ(empty["axis"]["triangles"], "");
   EXPECT_EQ(empty["axis"]["arrays"][1]["values"], "");
   EXPECT_EQ(pointsOf(empty, "surface").size(), 8U);
+}
+
+TEST_F(HtmlPage, HoldsTheSkeletonIfThereIsOne)
+{
+  EXPECT_FALSE(data.contains("skeleton"));
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkDoubleArray> radius;
+  vtkNew<vtkIntArray> degree;
+  radius->SetName("Radius");
+  degree->SetName("Degree");
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell(11);
+  for (int i = 0; i <= 10; ++i)
+  {
+    lines->InsertCellPoint(points->InsertNextPoint(0.1 * i, 0.2, 3.0));
+    radius->InsertNextValue(1.0 + 0.1 * i);
+    degree->InsertNextValue(i % 10 == 0 ? 1 : 2);
+  }
+  vtkNew<vtkPolyData> line;
+  line->SetPoints(points);
+  line->SetLines(lines);
+  line->GetPointData()->AddArray(radius);
+  line->GetPointData()->AddArray(degree);
+  const Json with = dataOf(makeHtml(surface, sheet(2), line, { "box" }, kBundle).html);
+  const auto places = pointsOf(with, "skeleton");
+  const auto radii = valuesOf(with["skeleton"]["arrays"][0]);
+  ASSERT_EQ(radii.size(), places.size());
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    EXPECT_LT(std::hypot(places[i][1] - 0.2, places[i][2] - 3.0), 0.01);
+    EXPECT_NEAR(radii[i], 1.0 + places[i][0], 1e-3);
+  }
+  EXPECT_GT(decoded<std::uint32_t>(with["skeleton"]["triangles"]).size(), 100U);
+  const auto ends = decoded<std::uint32_t>(with["skeleton"]["vertices"]);
+  ASSERT_EQ(ends.size(), 2U);
+  EXPECT_NEAR(std::abs(places.at(ends[1])[0] - places.at(ends[0])[0]), 1.0, 1e-3);
 }
 
 TEST_F(HtmlPage, SaysHowFarItRounds)
@@ -284,10 +325,10 @@ TEST(HtmlPageLimit, CoarserMeshesKeepItAndThePageSaysSo)
   const TriangleMesh sphere = icosphere(1.0, 6); // 81,920 triangles
   const auto axis = sheet(300);                  // 180,000
   constexpr std::size_t kLimit = 1'000'000;
-  const app::HtmlPage whole = makeHtml(sphere, axis, { "sphere" }, kBundle);
+  const app::HtmlPage whole = makeHtml(sphere, axis, nullptr, { "sphere" }, kBundle);
   EXPECT_GT(whole.html.size(), 2 * kLimit);
   EXPECT_EQ(whole.simplifications, std::vector<std::string>());
-  const app::HtmlPage page = makeHtml(sphere, axis, { "sphere" }, kBundle, kLimit);
+  const app::HtmlPage page = makeHtml(sphere, axis, nullptr, { "sphere" }, kBundle, kLimit);
   EXPECT_LT(page.html.size(), kLimit);
   EXPECT_GT(page.html.size(), kLimit / 3);
   const Json data = dataOf(page.html);

@@ -142,6 +142,54 @@ TEST_F(ViewerWindow, KeyCyclesTheColours)
   EXPECT_LT(difference(radius, picture()), 0.001);
 }
 
+// Of a beam it is its middle line.
+TEST_F(ViewerWindow, KeyShowsTheSkeletonInPlaceOfTheAxis)
+{
+  writeFile(options.inputs[0].string(), objText(box({ 1.0, 0.25, 0.25 })));
+  Viewer& v = open();
+  EXPECT_FALSE(v.showsSkeleton());
+  const auto axis = picture();
+  press("k");
+  ASSERT_TRUE(v.showsSkeleton());
+  EXPECT_EQ(v.source().skeleton()->GetNumberOfLines(), 1);
+  double bounds[6];
+  v.source().skeleton()->GetBounds(bounds);
+  EXPECT_NEAR(bounds[1] - bounds[0], 1.5, 0.1);
+  EXPECT_NEAR(bounds[3], 0.0, 0.02);
+  const auto skeleton = picture();
+  EXPECT_GT(difference(axis, skeleton), 0.01);
+  press("a");
+  EXPECT_GT(difference(skeleton, picture()), 0.01);
+  press("a");
+  EXPECT_LT(difference(skeleton, picture()), 0.001);
+  press("k");
+  EXPECT_FALSE(v.showsSkeleton());
+  EXPECT_LT(difference(axis, picture()), 0.001);
+}
+
+TEST_F(ViewerWindow, TheSkeletonIsThatOfTheFrame)
+{
+  writeFrames(3);
+  Viewer& v = open();
+  press("k");
+  const double before = v.source().skeleton()->GetPointData()->GetArray("Radius")->GetRange()[1];
+  EXPECT_NEAR(before, 0.4, 0.01);
+  press("n");
+  EXPECT_NEAR(v.source().skeleton()->GetPointData()->GetArray("Radius")->GetRange()[1], 0.5, 0.01);
+  EXPECT_EQ(v.computations(), 2);
+}
+
+TEST_F(ViewerWindow, AMeshWithoutAnInsideHasNoSkeleton)
+{
+  writeFile(options.inputs[0].string(), "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
+  Viewer& v = open();
+  const auto axis = picture();
+  press("k");
+  EXPECT_FALSE(v.showsSkeleton());
+  EXPECT_NE(v.status().find("skeleton"), std::string::npos) << v.status();
+  EXPECT_LT(difference(axis, picture()), 0.001);
+}
+
 TEST_F(ViewerWindow, KeyShowsTheKeys)
 {
   open();

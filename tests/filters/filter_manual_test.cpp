@@ -6,6 +6,7 @@
 #include <vtkFieldData.h>
 #include <vtkMedialAxis.h>
 #include <vtkMedialCurves.h>
+#include <vtkMedialLocalThickness.h>
 #include <vtkMedialReconstruction.h>
 #include <vtkMedialSkeleton.h>
 #include <vtkMedialThickness.h>
@@ -212,6 +213,10 @@ TEST(FilterManual, OutputsHaveNoArraysThatTheManualsDoNotName)
   vtkNew<vtkMedialSkeleton> skeleton;
   skeleton->SetInputData(boxPolyData());
   skeleton->SetResolution(24);
+  vtkNew<vtkMedialLocalThickness> local;
+  local->SetInputData(boxPolyData());
+  local->SetResolution(16);
+  local->SetSideToBoth();
   vtkNew<vtkMeshProximity> proximity;
   proximity->SetInputData(0, boxPolyData());
   proximity->SetInputData(1, boxPolyData({ 2.0, 0.5, 0.5 }));
@@ -240,6 +245,7 @@ TEST(FilterManual, OutputsHaveNoArraysThatTheManualsDoNotName)
   expectNamed(curves, 0, headerOf("vtkMedialCurves") + ofAxis + grid); // with those of the axis
   expectNamed(surface, 0, headerOf("vtkMedialReconstruction"));
   expectNamed(skeleton, 0, headerOf("vtkMedialSkeleton") + grid);
+  expectNamed(local, 0, headerOf("vtkMedialLocalThickness") + grid);
   expectNamed(distance, 0, headerOf("vtkMeshPointDistance"));
   for (const int port : { 0, 1, 2 })
   {
@@ -255,6 +261,11 @@ TEST(FilterManual, ReconstructionParametersAreExplainedAndPrinted)
 TEST(FilterManual, MedialThicknessParametersAreExplainedAndPrinted)
 {
   expectManual("vtkMedialThickness", 8, printed<vtkMedialThickness>());
+}
+
+TEST(FilterManual, MedialLocalThicknessParametersAreExplainedAndPrinted)
+{
+  expectManual("vtkMedialLocalThickness", 2, printed<vtkMedialLocalThickness>());
 }
 
 TEST(FilterManual, MedialSkeletonParametersAreExplainedAndPrinted)

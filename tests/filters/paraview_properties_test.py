@@ -76,6 +76,7 @@ class Properties(unittest.TestCase):
                    if proxy.find("Hints/ShowInMenu[@category='Medial']") is not None}
         self.assertEqual(classes, {"vtkMeshDistanceField", "vtkMedialAxis", "vtkMedialThickness",
                                    "vtkMedialReconstruction", "vtkMedialCurves", "vtkMedialSkeleton", "vtkMeshProximity",
+                                   "vtkMedialLocalThickness",
                                    "vtkMeshPointDistance"})
 
     def test_every_parameter_is_a_property(self):

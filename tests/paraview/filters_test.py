@@ -62,6 +62,10 @@ class Values(unittest.TestCase):
         self.assertEqual(lines.GetNumberOfCells(), 1)
         numpy.testing.assert_allclose(points(lines)[:, 1:], 0, atol=0.01)
 
+    def test_local_thickness_of_a_beam(self):
+        image = output(MedialLocalThickness(Input=Box(XLength=4, YLength=4, ZLength=1), Resolution=48))
+        self.assertAlmostEqual(values(image, "LocalThickness").max(), 1.0, delta=0.05)
+
     def test_reconstruction_of_a_box(self):
         axis = MedialAxis(Input=box(), Resolution=100, Angle=40)
         surface = output(MedialReconstruction(Input=axis, Resolution=64))
@@ -224,7 +228,8 @@ class Executions(unittest.TestCase):
                 MedialThickness(Input=bunny()), MedialReconstruction(Input=axis, Resolution=48),
                 MedialCurves(Input=axis), MeshProximity(Input=bunny(), InputB=box()),
                 MeshPointDistance(Input=bunny(), Surface=box()),
-                MedialSkeleton(Input=bunny(), Resolution=64)]
+                MedialSkeleton(Input=bunny(), Resolution=64),
+                MedialLocalThickness(Input=bunny(), Resolution=64)]
 
     def test_progress(self):
         for proxy in self.filters():

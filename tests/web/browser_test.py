@@ -326,6 +326,26 @@ class Browser(unittest.TestCase):
         self.assertEqual(text_of(dom, "count"), "the axis is empty")
         self.assertTrue(is_hidden(dom, "legend"))
 
+    def test_skeleton(self):
+        """The middle line of a beam, which covers less of the picture than the axis around it."""
+        mesh = self.folder / "beam.obj"
+        write_boxes(mesh, [((0, 0, 0), (4, 1, 1))])
+        page, _, _ = self.write_page(mesh, "--resolution", "64", "--skeleton",
+                                     self.folder / "beam.vtp")
+        dom = self.open("--dump-dom", page=page)
+        self.assertFalse(is_hidden(dom, "show"))
+        counts = {choice: coloured(self.picture(f"skeleton-{choice}", f"#show={choice}", page=page)[VIEW]).sum()
+                  for choice in ("skeleton", "axis", "both")}
+        self.assertGreater(counts["skeleton"], 300)
+        self.assertGreater(counts["axis"], 3 * counts["skeleton"])
+        self.assertGreaterEqual(counts["both"], counts["axis"])
+        shown = self.picture("skeleton-default", page=page)[VIEW]
+        self.assertEqual(coloured(shown).sum(), counts["skeleton"])
+        key = "window.dispatchEvent(new KeyboardEvent('keydown', {key: 'k'}));"
+        after = self.picture("skeleton-key", script=key, page=page)[VIEW]
+        self.assertEqual(coloured(after).sum(), counts["axis"])
+        self.assertTrue(is_hidden(self.default_dom, "show"))
+
     def test_simplified_axis_of_one_radius(self):
         """The middle of a plate as fine as the grid: more than a page can have."""
         mesh = self.folder / "plate.obj"

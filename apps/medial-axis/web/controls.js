@@ -57,6 +57,8 @@ function fillPanel(page, scene) {
   element("settings").textContent = page.settings.join(", ");
   element("notes").replaceChildren(...listItems(page.notes));
   element("about").open = page.simplified;
+  element("show").hidden = !scene.hasSkeleton;
+  element("show-label").hidden = !scene.hasSkeleton;
   element("colour").replaceChildren(...scene.axisMesh.arrays.map((array) => {
     const option = document.createElement("option");
     option.value = array.name;
@@ -74,6 +76,9 @@ function makeAppliers(page, scene) {
       element("angle-value").textContent = `${angle}\u00b0`;
       element("count").textContent = describeCount(scene.setAngle(angle), scene.axisMesh);
     },
+    show() {
+      scene.show(element("show").value);
+    },
     opacity() {
       scene.setOpacity(Number(element("opacity").value));
     },
@@ -90,21 +95,29 @@ function makeAppliers(page, scene) {
 function setInitialValues(page, scene) {
   const angles = scene.axisMesh.arrays.find(({ name }) => name === "SeparationAngle");
   element("angle").min = Math.floor(angles.origin);
-  const initial = { angle: element("angle").min, opacity: 0.15, colour: "Radius" };
+  const initial = { angle: element("angle").min, opacity: 0.15, colour: "Radius",
+    show: scene.hasSkeleton ? "skeleton" : "axis" };
   const settings = settingsOf(location.hash);
   for (const id of Object.keys(initial)) {
     const given = Object.hasOwn(settings, id)
-      && (id === "colour" || Number.isFinite(Number(settings[id])));
+      && (element(id).matches("select") || Number.isFinite(Number(settings[id])));
     element(id).value = (given ? settings : initial)[id];
   }
-  if (element("colour").selectedIndex < 0) {
-    element("colour").value = initial.colour;
+  for (const id of ["colour", "show"]) {
+    if (element(id).selectedIndex < 0 || (id === "show" && !scene.hasSkeleton)) {
+      element(id).value = initial[id];
+    }
   }
 }
 
 function change(id, value) {
   element(id).value = value;
   element(id).dispatchEvent(new Event("input"));
+}
+
+function next(id) {
+  const list = element(id);
+  change(id, list.options[(list.selectedIndex + 1) % list.options.length].value);
 }
 
 // Whether the key moves a slider or the list that has the focus.
@@ -125,9 +138,11 @@ function listenToKeys() {
       opacity = now || opacity;
       change("opacity", now > 0 ? 0 : opacity);
     },
-    c: () => {
-      const list = element("colour");
-      change("colour", list.options[(list.selectedIndex + 1) % list.options.length].value);
+    c: () => next("colour"),
+    k: () => {
+      if (!element("show").hidden) {
+        next("show");
+      }
     },
     r: () => element("reset").click(),
     h: () => { element("help").open = !element("help").open; },

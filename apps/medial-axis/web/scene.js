@@ -45,6 +45,16 @@ function makeAxis(mesh) {
   return actor;
 }
 
+// Which of axis and skeleton each choice shows.
+const SHOWN = { skeleton: [false, true], axis: [true, false], both: [true, true] };
+
+function makeSkeleton(mesh) {
+  const actor = makeAxis(mesh);
+  actor.getProperty().setPointSize(8);
+  actor.getProperty().setColor(0.15, 0.17, 0.2);
+  return actor;
+}
+
 // Looks along the thinnest side of the bounds, from a quarter to the right and from above. Up is y,
 // or z where the mesh is flat along y.
 function aimCamera(renderer, bounds) {
@@ -71,7 +81,11 @@ function makeScene(container, page) {
   const axisMesh = decodeMesh(page.axis, page.frame);
   const surface = makeSurface(surfaceMesh);
   const axis = makeAxis(axisMesh);
+  const skeleton = page.skeleton && makeSkeleton(decodeMesh(page.skeleton, page.frame));
   renderer.addActor(axis);
+  if (skeleton) {
+    renderer.addActor(skeleton);
+  }
   renderer.addActor(surface);
   const data = axis.getMapper().getInputData();
   const bounds = surfaceMesh.points.length > 0 ? surface.getBounds() : axis.getBounds();
@@ -79,7 +93,14 @@ function makeScene(container, page) {
 
   return {
     axisMesh,
+    hasSkeleton: Boolean(skeleton),
     draw,
+    show(choice) {
+      axis.setVisibility(SHOWN[choice][0]);
+      if (skeleton) {
+        skeleton.setVisibility(SHOWN[choice][1]);
+      }
+    },
     resetView() {
       aimCamera(renderer, bounds);
       renderer.resetCameraClippingRange();
@@ -114,6 +135,13 @@ function makeScene(container, page) {
       mapper.setLookupTable(map);
       mapper.setUseLookupTableScalarRange(true);
       mapper.setColorByArrayName(array.name);
+      if (skeleton) { // it has a radius only
+        const ofSkeleton = skeleton.getMapper();
+        ofSkeleton.setScalarVisibility(array.name === "Radius");
+        ofSkeleton.setLookupTable(map);
+        ofSkeleton.setUseLookupTableScalarRange(true);
+        ofSkeleton.setColorByArrayName("Radius");
+      }
     },
   };
 }

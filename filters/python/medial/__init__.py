@@ -5,10 +5,10 @@ Functions take and return numpy arrays:
     axis = medial.medial_axis(vertices, faces, resolution=128, angle=60)
     axis.points, axis.radius, axis.faces
 
-distance_field(), medial_axis(), skeleton(), thickness(), reconstruction(), curves(), distance(),
-proximity() and read_mesh() are each documented by help(), as in help(medial.medial_axis). All lengths are in world units, those
-of the vertices, and all angles in degrees. They raise medial.Error, or a subclass of it, with the
-cause.
+distance_field(), medial_axis(), skeleton(), thickness(), local_thickness(), reconstruction(), curves(),
+distance(), proximity() and read_mesh() are each documented by help(), as in help(medial.medial_axis).
+All lengths are in world units, those of the vertices, and all angles in degrees. They raise
+medial.Error, or a subclass of it, with the cause.
 
 The same is available as VTK filters, for pipelines:
 
@@ -24,6 +24,7 @@ from ._axis import MedialAxis, medial_axis
 from ._distance import PointDistances, distance
 from ._errors import Error, InvalidInputError, NoGpuError, OutOfMemoryError
 from ._field import DistanceField, distance_field
+from ._local_thickness import Distribution, LocalThickness, local_thickness
 from ._mesh import Surface, read_mesh
 from ._mesh_file import VERSION as __version__
 from ._proximity import Contacts, Proximity, proximity
@@ -40,6 +41,7 @@ from ._update import update
 from .vtkMedialFilters import (
     vtkMedialAxis,
     vtkMedialCurves,
+    vtkMedialLocalThickness,
     vtkMedialPolyDataAlgorithm,
     vtkMedialReconstruction,
     vtkMedialSkeleton,
@@ -55,8 +57,10 @@ __all__ = [
     "Contacts",
     "Curve",
     "DistanceField",
+    "Distribution",
     "Error",
     "InvalidInputError",
+    "LocalThickness",
     "MedialAxis",
     "NoGpuError",
     "OutOfMemoryError",
@@ -68,6 +72,7 @@ __all__ = [
     "curves",
     "distance",
     "distance_field",
+    "local_thickness",
     "medial_axis",
     "proximity",
     "read_mesh",
@@ -78,6 +83,7 @@ __all__ = [
     "update",
     "vtkMedialAxis",
     "vtkMedialCurves",
+    "vtkMedialLocalThickness",
     "vtkMedialPolyDataAlgorithm",
     "vtkMedialReconstruction",
     "vtkMedialSkeleton",

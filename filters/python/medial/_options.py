@@ -60,6 +60,7 @@ _INTEGERS: dict[str, tuple[str, int, int]] = {
     "resolution": ("Resolution", 2, 8192),
     "dimensions": ("Dimensions", 1, 8192),
     "max_spheres": ("MaximumNumberOfSpheres", 0, 2147483647),
+    "bins": ("NumberOfBins", 1, 65536),
     "max_contacts": ("MaximumNumberOfContacts", 0, 2147483647),
     "threads": ("NumberOfThreads", 0, 1024),
     "memory": ("MemoryLimit", 0, 2147483647),  # but not 1 to 63

@@ -146,7 +146,8 @@ class Threads(unittest.TestCase):
 class Progress(unittest.TestCase):
     def test_fractions_grow_and_phases_have_names(self):
         axis = medial.medial_axis(*shapes.ball(3), resolution=33)
-        gridded = (medial.distance_field, medial.medial_axis, medial.skeleton)
+        gridded = (medial.distance_field, medial.medial_axis, medial.skeleton,
+                   medial.local_thickness)
         for function in (*gridded, medial.thickness, medial.reconstruction, medial.curves,
                          medial.proximity, medial.distance):
             reports = []

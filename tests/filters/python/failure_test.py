@@ -22,7 +22,7 @@ SMALL = {"resolution": 9}
 class Meshes(unittest.TestCase):
     def assert_refused(self, message, *mesh, error=ValueError):
         for function in (medial.distance_field, medial.medial_axis, medial.skeleton,
-                         medial.thickness):
+                         medial.thickness, medial.local_thickness):
             with self.assertRaisesRegex(error, message):
                 function(*mesh)
 

@@ -20,7 +20,7 @@ import medial
 
 SOURCES = Path(sys.argv[1])
 FUNCTIONS = (medial.distance_field, medial.medial_axis, medial.thickness, medial.thickness_regions,
-             medial.reconstruction, medial.curves, medial.skeleton, medial.distance, medial.proximity,
+             medial.reconstruction, medial.curves, medial.skeleton, medial.local_thickness, medial.distance, medial.proximity,
              medial.read_mesh, medial.update)
 # The options of medial-axis, by the parameters that are the same.
 OPTIONS = {
@@ -107,7 +107,7 @@ class Wording(unittest.TestCase):
 
     def test_attributes_are_documented(self):
         for class_ in (medial.DistanceField, medial.MedialAxis, medial.Surface, medial.Curve,
-                       medial.Proximity, medial.Contacts, medial.Skeleton, medial.Branch,
+                       medial.Proximity, medial.Contacts, medial.LocalThickness, medial.Distribution, medial.Skeleton, medial.Branch,
                        medial.ThicknessRegion):
             source = inspect.getsource(class_)
             for name in class_.__annotations__:

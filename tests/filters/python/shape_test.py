@@ -1,4 +1,4 @@
-"""Checks medial.thickness(), skeleton(), reconstruction() and curves() on shapes with known answers."""
+"""Checks medial.thickness(), skeleton(), local_thickness(), reconstruction() and curves() on shapes with known answers."""
 
 import dataclasses
 import unittest
@@ -36,6 +36,44 @@ class Skeleton(unittest.TestCase):
         vertices, quads = shapes.box()
         with self.assertRaisesRegex(medial.InvalidInputError, "inside from outside"):
             medial.skeleton(vertices, quads[:1], resolution=16)
+
+
+class LocalThickness(unittest.TestCase):
+    def test_of_a_plate_is_its_height(self):
+        half = np.array([2.0, 2.0, 0.5])
+        plate = medial.local_thickness(*shapes.box(half), resolution=48, bins=10)
+        self.assertEqual((plate.values.dtype, plate.values.ndim), (np.float32, 3))
+        x, y, z = (first + step * np.arange(count) for first, step, count
+                   in zip(plate.origin, plate.spacing, plate.values.shape))
+        places = np.stack(np.meshgrid(x, y, z, indexing="ij"), axis=-1)
+        inside = (np.abs(places) < half).all(axis=-1)
+        np.testing.assert_array_equal(plate.values > 0, inside)
+        middle = inside & (np.abs(places[..., :2]) < 1.4).all(axis=-1)
+        np.testing.assert_allclose(plate.values[middle], 1.0, atol=0.01)
+        thickness = plate.thickness
+        self.assertIsNone(plate.separation)
+        self.assertEqual(thickness.points, inside.sum())
+        self.assertAlmostEqual(thickness.mean, plate.values[inside].mean(), places=5)
+        self.assertAlmostEqual(thickness.standard_deviation, plate.values[inside].std(), places=5)
+        self.assertAlmostEqual(thickness.max, plate.values.max(), places=5)
+        self.assertEqual((len(thickness.histogram), len(thickness.edges)), (10, 11))
+        self.assertEqual(thickness.histogram.sum(), thickness.points)
+        counts, _ = np.histogram(plate.values[inside], thickness.edges)
+        self.assertLessEqual(np.abs(counts - thickness.histogram).sum(), 0.01 * thickness.points)
+
+    def test_both_sides(self):
+        ball = medial.local_thickness(*shapes.ball(3), side="both", resolution=32)
+        self.assertLess(ball.values.min(), 0.0)
+        self.assertAlmostEqual(ball.thickness.max, 2.0, delta=0.05)
+        self.assertEqual(ball.thickness.points + ball.separation.points, ball.values.size)
+
+    def test_refusals(self):
+        vertices, quads = shapes.box()
+        with self.assertRaisesRegex(medial.InvalidInputError, "inside"):
+            medial.local_thickness(vertices, quads[:1], resolution=16)
+        for bins in (0, 65537):
+            with self.assertRaisesRegex(medial.InvalidInputError, rf"bins {bins} is outside \[1, 65536\]"):
+                medial.local_thickness(vertices, quads, bins=bins)
 
 
 class Thickness(unittest.TestCase):

@@ -4,6 +4,8 @@
 #include "medial/skeleton.h"
 
 #include "support/mesh_search.h"
+#include "support/model_formats.h"
+#include "support/models.h"
 #include "support/named.h"
 #include "support/shapes.h"
 #include "support/tubes.h"
@@ -12,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <ostream>
 #include <string>
@@ -340,6 +343,27 @@ TEST(Skeleton, OpensLoopsThatOnlyVoxelsClose)
   EXPECT_EQ(topologyOf(computeSkeleton(axis, mesh)).genus, 0);
 }
 
+TEST(Skeleton, LoopsStayWhereTheAxisMakesADetour)
+{
+  // A thinned axis of this tube with ridges leaves the solid for some voxels, and comes back.
+  const auto path = modelPath("multi/knot2_2comp_11.5k.off");
+  if (!path)
+  {
+    GTEST_SKIP() << "without the model";
+  }
+  const TriangleMesh mesh = loadMesh(*path);
+  double length = kUnknown; // whatever the angle is
+  for (const double angle : { 60.0, 75.0, 90.0 })
+  {
+    SCOPED_TRACE(angle);
+    const Skeleton skeleton = computeSkeleton(axisOf(mesh, 256, angle), mesh);
+    EXPECT_EQ(skeleton.branches.size(), 2u);
+    ASSERT_EQ(skeleton.count(BranchKind::Closed), 2);
+    length = std::isnan(length) ? skeleton.branches.front().length : length;
+    EXPECT_NEAR(skeleton.branches.front().length, length, 0.02 * length);
+  }
+}
+
 TEST(Skeleton, TakesNoDetours)
 {
   // The arms of this axis are joined through a curve to the surface and back.
@@ -414,6 +438,44 @@ TEST(Skeleton, KeepsStubsThatRiseByMoreThanTheirRadius)
   };
   EXPECT_EQ(skeletonOf(withStub(0.3), 160).branches.size(), 3u);
   EXPECT_EQ(skeletonOf(withStub(0.05), 160).branches.size(), 1u);
+}
+
+TEST(Skeleton, RidgesAndBumpsHaveNoBranches)
+{
+  // Balls of the tube cover most of them, however far from its middle their sheets lead.
+  const auto ring = [](const std::function<double(double, double)>& radius)
+  {
+    constexpr int kAround = 160;
+    constexpr int kAcross = 64;
+    TriangleMesh mesh = torus(1.0, 0.3, kAround, kAcross);
+    for (Point3& point : mesh.points)
+    {
+      const double around = std::atan2(point[1], point[0]);
+      const double out = std::hypot(point[0], point[1]) - 1.0;
+      const double across = std::atan2(point[2], out);
+      const double r = radius(around, across);
+      const double x = 1.0 + r * std::cos(across);
+      point = { x * std::cos(around), x * std::sin(around), r * std::sin(across) };
+    }
+    return mesh;
+  };
+  const auto ridges = [](double x) { return std::pow(std::abs(std::cos(x)), 8.0); };
+  for (const TriangleMesh& mesh :
+    { ring([&](double s, double t) { return 0.25 + 0.07 * ridges(3.0 * t + 3.0 * s); }),
+      ring([&](double s, double t)
+        { return 0.25 + 0.05 * std::max(ridges(2.5 * t + 4.0 * s), ridges(2.5 * t - 4.0 * s)); }),
+      ring(
+        [](double s, double t) { return 0.3 + 0.04 * std::sin(5.0 * t) * std::sin(17.0 * s); }) })
+  {
+    for (const double angle : { 45.0, 60.0, 75.0, 90.0 })
+    {
+      SCOPED_TRACE(angle);
+      const Skeleton skeleton = computeSkeleton(axisOf(mesh, 96, angle), mesh);
+      ASSERT_EQ(skeleton.branches.size(), 1u);
+      EXPECT_EQ(skeleton.branches.front().kind, BranchKind::Closed);
+      EXPECT_NEAR(skeleton.branches.front().length, 2.0 * kPi, 0.05 * 2.0 * kPi);
+    }
+  }
 }
 
 TEST(Skeleton, PrunesShortBranchesButNoLoops)

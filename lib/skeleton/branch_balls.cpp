@@ -1,0 +1,101 @@
+#include "skeleton/branch_balls.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace medial
+{
+namespace
+{
+
+/// Balls are this part of their radius apart. Their union is smaller by 0.2 % than that of all.
+constexpr double kSpacing = 0.125;
+constexpr std::size_t kGroup = 16;
+
+} // namespace
+
+void BranchBalls::set(std::size_t branch, const Curve& curve)
+{
+  branches_.resize(std::max(branches_.size(), branch + 1));
+  BallsOfBranch result;
+  std::vector<double> radii(curve.points.size());
+  tbb::parallel_for(std::size_t{ 0 }, radii.size(),
+    [&](std::size_t i) { radii[i] = probe_.radius(curve.points[i]); });
+  for (std::size_t i = 0; i < radii.size(); ++i)
+  {
+    const Ball ball{ curve.points[i], radii[i] };
+    if (result.balls.empty() || i + 1 == radii.size() ||
+      glm::distance(result.balls.back().centre, ball.centre) >=
+        kSpacing * std::min(result.balls.back().radius, ball.radius))
+    {
+      result.balls.push_back(ball);
+    }
+  }
+  for (std::size_t begin = 0; begin < result.balls.size(); begin += kGroup)
+  {
+    const std::size_t end = std::min(begin + kGroup, result.balls.size());
+    Group group{ { result.balls[(begin + end) / 2].centre, 0.0 }, begin, end };
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      group.around.radius = std::max(group.around.radius,
+        glm::distance(group.around.centre, result.balls[i].centre) + result.balls[i].radius);
+    }
+    result.groups.push_back(group);
+  }
+  branches_[branch] = std::move(result);
+}
+
+BranchBalls::Outside BranchBalls::outside(const glm::dvec3& x, std::size_t except) const
+{
+  Outside result{ std::numeric_limits<double>::infinity(), except };
+  for (std::size_t b = 0; b < branches_.size(); ++b)
+  {
+    if (b == except)
+    {
+      continue;
+    }
+    for (const Group& group : branches_[b].groups)
+    {
+      if (glm::distance(x, group.around.centre) - group.around.radius >= result.distance)
+      {
+        continue;
+      }
+      for (std::size_t i = group.begin; i < group.end; ++i)
+      {
+        const Ball& ball = branches_[b].balls[i];
+        const double distance = glm::distance(x, ball.centre) - ball.radius;
+        if (distance < result.distance)
+        {
+          result = { distance, b };
+        }
+      }
+    }
+  }
+  return result;
+}
+
+BranchRise BranchBalls::rise(std::size_t branch) const
+{
+  const std::vector<Ball>& balls = branches_[branch].balls;
+  std::vector<Outside> outsides(balls.size());
+  tbb::parallel_for(std::size_t{ 1 }, std::max<std::size_t>(1, balls.size()),
+    [&](std::size_t i) { outsides[i] = this->outside(balls[i].centre, branch); });
+  BranchRise result;
+  for (std::size_t i = 1; i < balls.size(); ++i)
+  {
+    result.length = std::max(result.length, outsides[i].distance + balls[i].radius);
+    if (outsides[i].distance > 0.0)
+    {
+      result.radius = std::max(result.radius, balls[i].radius);
+    }
+    result.neighbours.push_back(outsides[i].branch);
+  }
+  std::sort(result.neighbours.begin(), result.neighbours.end());
+  result.neighbours.erase(std::unique(result.neighbours.begin(), result.neighbours.end()),
+    result.neighbours.end());
+  return result;
+}
+
+} // namespace medial

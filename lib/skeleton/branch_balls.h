@@ -1,0 +1,70 @@
+#pragma once
+
+#include "skeleton/smooth_curve.h"
+#include "skeleton/solid_probe.h"
+
+#include <glm/glm.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace medial
+{
+
+/// How far a branch reaches out of the balls of all others.
+struct BranchRise
+{
+  double length = 0.0; ///< of the largest part of a ball's radius and its way out of the others
+  double radius = 0.0; ///< of the largest ball with its centre outside the others; 0 if none is
+  std::vector<std::size_t> neighbours; ///< branches that this depends on, ascending
+};
+
+/// The largest balls in a solid around the points of branches, in local units. A branch is known by
+/// a number.
+class BranchBalls
+{
+public:
+  explicit BranchBalls(const SolidProbe& probe)
+    : probe_(probe)
+  {
+  }
+
+  /// Takes the balls of a branch in place of those that it had; none for a curve without points.
+  void set(std::size_t branch, const Curve& curve);
+
+  /// Returns how far a branch reaches out of the others.
+  /// @param branch of which the first point belongs to others too.
+  BranchRise rise(std::size_t branch) const;
+
+private:
+  struct Ball
+  {
+    glm::dvec3 centre;
+    double radius;
+  };
+  /// Some neighbouring balls of a branch and a ball that contains them.
+  struct Group
+  {
+    Ball around;
+    std::size_t begin;
+    std::size_t end;
+  };
+  struct BallsOfBranch
+  {
+    std::vector<Ball> balls;
+    std::vector<Group> groups;
+  };
+  /// Where a point is outside of the balls of all branches but one.
+  struct Outside
+  {
+    double distance; ///< to the nearest ball, negative inside
+    std::size_t branch;
+  };
+
+  Outside outside(const glm::dvec3& x, std::size_t except) const;
+
+  const SolidProbe& probe_;
+  std::vector<BallsOfBranch> branches_;
+};
+
+} // namespace medial
