@@ -19,27 +19,28 @@ constexpr int kFewGroups = 100;
 
 bool cuts(const Extent& slab, const Extent& part)
 {
-  return part.max[2] >= slab.min[2] && part.min[2] <= slab.max[2];
+  return !commonPart(slab, part).empty();
 }
 
 } // namespace
 
 CandidateHierarchy::CandidateHierarchy(const CandidateFilter& filter, const GridFrame& frame,
-  const Extent& extent)
+  const Extent& whole, const Extent& extent)
   : filter_(filter)
   , frame_(frame)
+  , whole_(whole)
   , extent_(extent)
 {
 }
 
 std::vector<Extent> CandidateHierarchy::setsOf(const Extent& slab) const
 {
-  Extent layers = extent_;
-  layers.min[2] = slab.min[2] - (slab.min[2] - extent_.min[2]) % kSetSize;
-  const int last = (slab.max[2] - extent_.min[2]) / kSetSize;
-  layers.max[2] = std::min(extent_.min[2] + (last + 1) * kSetSize - 1, extent_.max[2]);
+  Extent part = extent_;
+  part.min[2] = slab.min[2];
+  part.max[2] = slab.max[2];
   std::vector<Extent> sets;
-  visitParts(layers, kSetSize, [&](const Extent& set) { sets.push_back(set); });
+  visitParts(wholeParts(part, kSetSize, whole_), kSetSize,
+    [&](const Extent& set) { sets.push_back(set); });
   return sets;
 }
 
