@@ -52,7 +52,7 @@ CullingCounts CandidateHierarchy::visitTiles(const Extent& slab, const Visitor& 
     [&](std::size_t i)
     {
       Workspace& workspace = workspaces.local();
-      const BoxReach reach = this->collectGroups(sets[i], kFewGroups, workspace);
+      const BoxReach reach = this->collectGroups(sets[i], workspace);
       if (workspace.shared.size() <= kFewGroups)
       {
         this->visitSites(sets[i], reach, slab, workspace, visitor);
@@ -102,31 +102,24 @@ std::vector<CandidateTiles> CandidateHierarchy::listTiles(const Extent& slab, Cu
         list.candidates.insert(list.candidates.end(), sites.begin(), sites.end());
         list.offsets.push_back(list.candidates.size());
       };
-      const BoxReach reach = this->collectGroups(sets[i], kFewGroups, workspace);
+      const BoxReach reach = this->collectGroups(sets[i], workspace);
       this->visitSites(sets[i], reach, slab, workspace, { add, nullptr });
     });
   counts = sumOf(workspaces);
   return lists;
 }
 
-BoxReach CandidateHierarchy::collectGroups(const Extent& set, int enough,
-  Workspace& workspace) const
+BoxReach CandidateHierarchy::collectGroups(const Extent& set, Workspace& workspace) const
 {
   const GroupTree& tree = filter_.tree();
   const FrameBox hull = hullOf(set, frame_);
   const NearestElement nearest = tree.nearest(glm::dvec3(hull.centre));
   BoxReach reach(hull, nearest, tree.slack());
+  addCorners(
+    tree, nearest,
+    [&](const glm::dvec3& x, const NearestElement& start) { return tree.nearest(x, start); },
+    reach);
   workspace.counts.groupTests += tree.collect(reach, workspace.shared);
-  if (workspace.shared.size() > enough)
-  {
-    addCorners(
-      tree, nearest,
-      [&](const glm::dvec3& x, const NearestElement& start) { return tree.nearest(x, start); },
-      reach);
-    std::swap(workspace.shared, workspace.own);
-    workspace.counts.groupTests += workspace.own.size();
-    workspace.own.refine(reach, workspace.shared);
-  }
   return reach;
 }
 

@@ -84,8 +84,8 @@ private:
 
   static CullingCounts sumOf(const Workspaces& workspaces);
   std::vector<Extent> setsOf(const Extent& slab) const;
-  /// Finds the groups of a set of tiles, and fewer where there are more than enough.
-  BoxReach collectGroups(const Extent& set, int enough, Workspace& workspace) const;
+  /// Finds the groups of a set of tiles.
+  BoxReach collectGroups(const Extent& set, Workspace& workspace) const;
   void visitSites(const Extent& set, const BoxReach& reach, const Extent& slab,
     Workspace& workspace, const Visitor& visitor) const;
   void visitGroups(const Extent& tile, Workspace& workspace, const Visitor& visitor) const;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <tuple>
 
 namespace medial
 {
@@ -269,7 +270,7 @@ RankLists<int> SharedTree::ranksOf(const std::vector<Search>& searches) const
   RankLists<int> result(static_cast<std::size_t>(ranks_));
   for (std::size_t search = 0; search < searches.size(); ++search)
   {
-    const BoxReach reach(searches[search].box, searches[search].distance);
+    const BoxReach reach = searches[search].reach();
     for (std::size_t pack = 0; pack < packs.size(); ++pack)
     {
       for (unsigned met = reach.meets(packs[pack]); met != 0; met &= met - 1)
@@ -286,6 +287,39 @@ RankLists<int> SharedTree::ranksOf(const std::vector<Search>& searches) const
   return result;
 }
 
+BoxReach SharedTree::Search::reach() const
+{
+  BoxReach reach(box, distance);
+  for (int i = 0; i < pointCount; ++i)
+  {
+    reach.add(points[i]);
+  }
+  return reach;
+}
+
+SharedTree::Nearest SharedTree::nearestTo(const FrameBox& box) const
+{
+  Nearest result{};
+  NearestElement start;
+  for (std::size_t i = 0; i < result.squared.size(); ++i)
+  {
+    const glm::dvec3 x = glm::dvec3(box.centre) +
+      (i > 0 ? glm::dvec3(box.corner(static_cast<int>(i) - 1)) : glm::dvec3(0.0));
+    NearestElement found;
+    if (i > 0)
+    {
+      found.tryGroup(tree_->groups(), start.group, x);
+    }
+    found = tree_->nearest(x, found);
+    start = found;
+    const int element = tree_->groups()[found.group].elements[found.lane];
+    result.squared[i] = found.squared;
+    result.face[i] = part_->faces()[element].face;
+    result.point[i] = glm::vec3(closestPoint(tree_->sites(), element, x).point);
+  }
+  return result;
+}
+
 void SharedTree::sharpen(Communicator& communicator, std::vector<Search>& searches) const
 {
   const RankLists<int> asked = this->ranksOf(searches);
@@ -298,27 +332,42 @@ void SharedTree::sharpen(Communicator& communicator, std::vector<Search>& search
     }
   }
   boxes = exchanged(communicator, boxes);
-  RankLists<float> distances(asked.size());
+  RankLists<Nearest> answers(asked.size());
   for (std::size_t rank = 0; rank < asked.size(); ++rank)
   {
     for (const FrameBox& box : boxes[rank])
     {
-      distances[rank].push_back(tree_->nearest(glm::dvec3(box.centre)).squared);
+      answers[rank].push_back(this->nearestTo(box));
     }
   }
-  distances = exchanged(communicator, distances);
-  std::vector<float> nearest(searches.size(), std::numeric_limits<float>::infinity());
+  answers = exchanged(communicator, answers);
+  Nearest none{};
+  none.squared.fill(std::numeric_limits<float>::infinity());
+  std::vector<Nearest> nearest(searches.size(), none);
   for (std::size_t rank = 0; rank < asked.size(); ++rank)
   {
     for (std::size_t i = 0; i < asked[rank].size(); ++i)
     {
-      float& value = nearest[asked[rank][i]];
-      value = std::min(value, distances[rank][i]);
+      Nearest& best = nearest[asked[rank][i]];
+      const Nearest& found = answers[rank][i];
+      for (std::size_t k = 0; k < best.squared.size(); ++k)
+      {
+        // Of elements at the same distance the lowest, as in one process.
+        if (std::tie(found.squared[k], found.face[k]) < std::tie(best.squared[k], best.face[k]))
+        {
+          best.squared[k] = found.squared[k];
+          best.face[k] = found.face[k];
+          best.point[k] = found.point[k];
+        }
+      }
     }
   }
   for (std::size_t i = 0; i < searches.size(); ++i)
   {
-    searches[i].distance = reachWithin(std::sqrt(nearest[i]), searches[i].box, slack_);
+    Search& search = searches[i];
+    search.distance = reachWithin(std::sqrt(nearest[i].squared[0]), search.box, slack_);
+    search.pointCount = FrameBox::kCorners;
+    std::copy_n(nearest[i].point.begin() + 1, FrameBox::kCorners, search.points.begin());
   }
 }
 
@@ -329,7 +378,7 @@ void SharedTree::answer(const std::vector<Search>& searches, std::vector<GroupRe
   GroupList list;
   for (const Search& search : searches)
   {
-    tree_->collect(BoxReach(search.box, search.distance), list);
+    tree_->collect(search.reach(), list);
     found.insert(list.groups().begin(), list.groups().end());
   }
   std::vector<int> elements;
@@ -364,7 +413,7 @@ NearSurface SharedTree::near(Communicator& communicator, const std::vector<Frame
   const std::vector<float> bounds = this->bounds(boxes);
   for (std::size_t i = 0; i < boxes.size(); ++i)
   {
-    searches.push_back({ boxes[i], reachWithin(bounds[i], boxes[i], slack_) });
+    searches.push_back({ boxes[i], reachWithin(bounds[i], boxes[i], slack_), 0, {} });
   }
   this->sharpen(communicator, searches);
   const RankLists<int> asked = this->ranksOf(searches);

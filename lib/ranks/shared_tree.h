@@ -8,6 +8,7 @@
 
 #include <glm/glm.hpp>
 
+#include <array>
 #include <memory>
 #include <set>
 #include <vector>
@@ -42,11 +43,22 @@ private:
     NodeDisc disc;
     glm::dvec3 point; ///< some point of the surface there
   };
-  /// A box and how far from its centre closest points can be.
+  /// A box, how far from its centre closest points can be, and some surface points near it.
   struct Search
   {
     FrameBox box;
     float distance;
+    int pointCount;
+    std::array<glm::vec3, FrameBox::kCorners> points;
+
+    BoxReach reach() const;
+  };
+  /// The surface points that are nearest to the centre and the corners of a box.
+  struct Nearest
+  {
+    std::array<float, 1 + FrameBox::kCorners> squared; ///< distances
+    std::array<int, 1 + FrameBox::kCorners> face;      ///< numbers of the elements
+    std::array<glm::vec3, 1 + FrameBox::kCorners> point;
   };
   /// A group, or a pack of discs, of one rank.
   struct GroupRecord
@@ -71,7 +83,9 @@ private:
   std::vector<float> bounds(const std::vector<FrameBox>& boxes) const;
   /// Returns for each rank which searches its blocks may answer.
   RankLists<int> ranksOf(const std::vector<Search>& searches) const;
-  /// Replaces the distances by exact ones.
+  /// Finds the points nearest to a box, of those of this rank.
+  Nearest nearestTo(const FrameBox& box) const;
+  /// Replaces the distances by exact ones, and adds the points nearest to the corners.
   void sharpen(Communicator& communicator, std::vector<Search>& searches) const;
   /// Answers searches by the groups, packs and triangles of this rank.
   void answer(const std::vector<Search>& searches, std::vector<GroupRecord>& groups,
