@@ -18,10 +18,15 @@ namespace
 {
 
 const char* programName = "";
+bool reportsMuted = false;
 
 /// Allocates nothing, since there may be no memory.
 int report(ExitCode code, const char* kind, const char* message)
 {
+  if (reportsMuted)
+  {
+    return static_cast<int>(code);
+  }
   std::fprintf(stderr, "%s: %s", programName, kind);
   for (; *message != 0; ++message)
   {
@@ -91,6 +96,11 @@ int reportException()
 }
 
 } // namespace
+
+void muteReports(bool muted)
+{
+  reportsMuted = muted;
+}
 
 int runProgram(const char* name, const std::function<void()>& work)
 {

@@ -12,4 +12,7 @@ namespace medial::app
 /// @return the exit code.
 int runProgram(const char* name, const std::function<void()>& work);
 
+/// Whether this process prints no failure, since another one prints the same.
+void muteReports(bool muted);
+
 } // namespace medial::app

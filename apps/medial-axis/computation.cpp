@@ -19,16 +19,6 @@ namespace medial::app
 namespace
 {
 
-Grid gridOf(const Bounds& bounds, const Options& options)
-{
-  if (options.spacing)
-  {
-    const double spacing = *options.spacing;
-    return makeGridWithSpacing(bounds, { spacing, spacing, spacing }, options.padding);
-  }
-  return makeGrid(bounds, options.resolution, options.padding);
-}
-
 void computeField(const DistanceFieldOptions& options, FieldSink& field, Result& result)
 {
   result.statistics = computeDistanceField(result.mesh, result.connectivity, result.grid,
@@ -159,6 +149,16 @@ void measureThickness(const Options& options, const ThicknessOptions& wanted,
 }
 
 } // namespace
+
+Grid gridOf(const Bounds& bounds, const Options& options)
+{
+  if (options.spacing)
+  {
+    const double spacing = *options.spacing;
+    return makeGridWithSpacing(bounds, { spacing, spacing, spacing }, options.padding);
+  }
+  return makeGrid(bounds, options.resolution, options.padding);
+}
 
 std::optional<double> Result::catchingSpacing(const Options& options) const
 {

@@ -57,6 +57,10 @@ struct Result
   const TriangleMesh& thicknessMesh() const { return fineMesh ? fineMesh->mesh : mesh; }
 };
 
+/// The grid around a mesh.
+/// @throws Error InvalidInput.
+Grid gridOf(const Bounds& bounds, const Options& options);
+
 /// The mesh as the filters see it, and its grid.
 /// @throws Failure.
 Result prepare(const Surface& surface, const Options& options, ProgressBar& bar);

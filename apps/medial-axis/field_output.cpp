@@ -48,36 +48,18 @@ void FieldOutput::begin(const Grid& grid)
       pieces_.emplace_back(this->piecePath(pieces_.size()),
         FieldLayout(grid, extent, selection_, FieldFormat::Vti, scalars_));
     }
-    this->writeIndex(grid, extents);
+    std::vector<std::string> sources;
+    for (const Piece& piece : pieces_)
+    {
+      sources.push_back(piece.file.path().filename().string());
+    }
+    this->writeIndex(grid, extents, sources);
   }
   else
   {
     pieces_.emplace_back(path_,
       FieldLayout(grid, grid.wholeExtent(), selection_, fieldFormatOf(path_), scalars_));
   }
-  this->checkSpace();
-  for (Piece& piece : pieces_)
-  {
-    namingFile(piece.file.path(), [&] { this->writeFrame(piece, grid); });
-  }
-  seconds_ += timer.seconds();
-}
-
-void FieldOutput::writeIndex(const Grid& grid, const std::vector<Extent>& extents)
-{
-  std::vector<std::string> sources;
-  for (const Piece& piece : pieces_)
-  {
-    sources.push_back(piece.file.path().filename().string());
-  }
-  index_.emplace(path_);
-  namingFile(path_,
-    [&] { writeFile(index_->open(), fieldIndex(grid, extents, sources, selection_, scalars_)); });
-}
-
-// A full disk is better found now than after hours of computing.
-void FieldOutput::checkSpace() const
-{
   std::uint64_t needed = 0;
   for (const Piece& piece : pieces_)
   {
@@ -85,6 +67,60 @@ void FieldOutput::checkSpace() const
     const bool isSmaller = format == FieldFormat::Nifti || format == FieldFormat::Vdb;
     needed += isSmaller ? 0 : piece.layout.fileSize();
   }
+  this->checkSpace(needed);
+  this->writeFrames(grid);
+  seconds_ += timer.seconds();
+}
+
+void FieldOutput::begin(const Grid& grid, const std::vector<Extent>& extents, std::size_t own)
+{
+  const Timer timer;
+  std::vector<std::string> sources;
+  std::vector<Extent> pieces;
+  std::uint64_t needed = 0;
+  for (std::size_t number = 0; number < extents.size(); ++number)
+  {
+    if (extents[number].empty())
+    {
+      continue;
+    }
+    FieldLayout layout(grid, extents[number], selection_, FieldFormat::Vti, scalars_);
+    needed += layout.fileSize();
+    pieces.push_back(extents[number]);
+    sources.push_back(this->piecePath(number).filename().string());
+    if (number == own)
+    {
+      pieces_.emplace_back(this->piecePath(number), std::move(layout));
+    }
+  }
+  if (own == 0)
+  {
+    this->writeIndex(grid, pieces, sources);
+  }
+  this->checkSpace(needed);
+  this->writeFrames(grid);
+  seconds_ += timer.seconds();
+}
+
+void FieldOutput::writeFrames(const Grid& grid)
+{
+  for (Piece& piece : pieces_)
+  {
+    namingFile(piece.file.path(), [&] { this->writeFrame(piece, grid); });
+  }
+}
+
+void FieldOutput::writeIndex(const Grid& grid, const std::vector<Extent>& extents,
+  const std::vector<std::string>& sources)
+{
+  index_.emplace(path_);
+  namingFile(path_,
+    [&] { writeFile(index_->open(), fieldIndex(grid, extents, sources, selection_, scalars_)); });
+}
+
+// A full disk is better found now than after hours of computing.
+void FieldOutput::checkSpace(std::uint64_t needed) const
+{
   std::error_code error;
   const fs::space_info space = fs::space(fs::absolute(path_, error).parent_path(), error);
   if (!error && space.capacity > 0 && space.available < needed)
@@ -216,10 +252,20 @@ void FieldOutput::finish()
 
 void FieldOutput::commit()
 {
+  this->commitPieces();
+  this->commitIndex();
+}
+
+void FieldOutput::commitPieces()
+{
   for (Piece& piece : pieces_)
   {
     piece.file.commit();
   }
+}
+
+void FieldOutput::commitIndex()
+{
   if (index_)
   {
     index_->commit();

@@ -39,6 +39,13 @@ public:
   /// @throws Failure NoSpace, also if the disk has too little space for them.
   void begin(const Grid& grid);
 
+  /// Creates one of several pieces of a .pvti file, which other processes write. The first of them
+  /// writes the index.
+  /// @param extents of all pieces; empty ones have no file.
+  /// @param own number of this process's piece.
+  /// @throws Failure NoSpace, also if the disk has too little space for all.
+  void begin(const Grid& grid, const std::vector<Extent>& extents, std::size_t own);
+
   FieldArrays slabArrays(const Extent& slab) override;
   /// @throws Failure NoSpace or Interrupted.
   void stored(const Extent& slab) override;
@@ -50,6 +57,14 @@ public:
 
   /// @throws Failure NoSpace.
   void commit();
+
+  ///@{
+  /// commit() in two steps, for pieces of several processes: the index appears once all pieces
+  /// have.
+  /// @throws Failure NoSpace.
+  void commitPieces();
+  void commitIndex();
+  ///@}
 
   /// Wall-clock seconds that writing took.
   double seconds() const { return seconds_; }
@@ -70,10 +85,12 @@ private:
 
   bool hasIndex() const;
   std::filesystem::path piecePath(std::size_t number) const;
-  void checkSpace() const;
+  void checkSpace(std::uint64_t needed) const;
   void writeFrame(Piece& piece, const Grid& grid);
   void writeSlab(Piece& piece, const Extent& slab);
-  void writeIndex(const Grid& grid, const std::vector<Extent>& extents);
+  void writeIndex(const Grid& grid, const std::vector<Extent>& extents,
+    const std::vector<std::string>& sources);
+  void writeFrames(const Grid& grid);
 
   std::filesystem::path path_;
   FieldSelection selection_;

@@ -1,12 +1,27 @@
 #include "options.h"
 #include "program_main.h"
+#include "rank_session.h"
 #include "run.h"
+#include "run_on_ranks.h"
 
 int main(int argc, char** argv)
 {
+  using medial::app::RankSession;
   return medial::app::runProgram("medial-axis",
     [&]
     {
+      if (const std::unique_ptr<RankSession> session = RankSession::start(argc, argv))
+      {
+        session->run(
+          [&]
+          {
+            if (const auto options = medial::app::parseOptions(argc, argv))
+            {
+              medial::app::runOnRanks(*options, session->communicator());
+            }
+          });
+        return;
+      }
       if (const auto options = medial::app::parseOptions(argc, argv))
       {
         medial::app::run(*options);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace medial
 {
@@ -97,11 +98,18 @@ MEDIAL_VECTORISED void findParts(const SiteGroup& group, const BoxReach& reach, 
 
 CandidateFilter::CandidateFilter(const SiteSet& sites, const MeshConnectivity& connectivity,
   const GridFrame& frame)
+  : CandidateFilter(sites, connectivity,
+      GroupTree(sites, connectivity, roundingNear(frame.reach(), sites)))
+{
+}
+
+CandidateFilter::CandidateFilter(const SiteSet& sites, const MeshConnectivity& connectivity,
+  GroupTree tree)
   : sites_(sites)
   , bounds_(sites, connectivity)
   , facePlanes_(sites.faceCount())
   , edgeLines_(sites.edgeCount())
-  , tree_(sites, connectivity, roundingNear(frame.reach(), sites))
+  , tree_(std::move(tree))
 {
 }
 

@@ -27,6 +27,8 @@ public:
   /// @param sites, connectivity must outlive this.
   CandidateFilter(const SiteSet& sites, const MeshConnectivity& connectivity,
     const GridFrame& frame);
+  /// @param tree over the sites.
+  CandidateFilter(const SiteSet& sites, const MeshConnectivity& connectivity, GroupTree tree);
 
   /// Half-spaces of all sites that have been listed.
   const SiteBounds& bounds() const { return bounds_; }

@@ -19,27 +19,28 @@ constexpr int kFewGroups = 100;
 
 bool cuts(const Extent& slab, const Extent& part)
 {
-  return part.max[2] >= slab.min[2] && part.min[2] <= slab.max[2];
+  return !commonPart(slab, part).empty();
 }
 
 } // namespace
 
 CandidateHierarchy::CandidateHierarchy(const CandidateFilter& filter, const GridFrame& frame,
-  const Extent& extent)
+  const Extent& whole, const Extent& extent)
   : filter_(filter)
   , frame_(frame)
+  , whole_(whole)
   , extent_(extent)
 {
 }
 
 std::vector<Extent> CandidateHierarchy::setsOf(const Extent& slab) const
 {
-  Extent layers = extent_;
-  layers.min[2] = slab.min[2] - (slab.min[2] - extent_.min[2]) % kSetSize;
-  const int last = (slab.max[2] - extent_.min[2]) / kSetSize;
-  layers.max[2] = std::min(extent_.min[2] + (last + 1) * kSetSize - 1, extent_.max[2]);
+  Extent part = extent_;
+  part.min[2] = slab.min[2];
+  part.max[2] = slab.max[2];
   std::vector<Extent> sets;
-  visitParts(layers, kSetSize, [&](const Extent& set) { sets.push_back(set); });
+  visitParts(wholeParts(part, kSetSize, whole_), kSetSize,
+    [&](const Extent& set) { sets.push_back(set); });
   return sets;
 }
 
@@ -51,7 +52,7 @@ CullingCounts CandidateHierarchy::visitTiles(const Extent& slab, const Visitor& 
     [&](std::size_t i)
     {
       Workspace& workspace = workspaces.local();
-      const BoxReach reach = this->collectGroups(sets[i], kFewGroups, workspace);
+      const BoxReach reach = this->collectGroups(sets[i], workspace);
       if (workspace.shared.size() <= kFewGroups)
       {
         this->visitSites(sets[i], reach, slab, workspace, visitor);
@@ -101,31 +102,24 @@ std::vector<CandidateTiles> CandidateHierarchy::listTiles(const Extent& slab, Cu
         list.candidates.insert(list.candidates.end(), sites.begin(), sites.end());
         list.offsets.push_back(list.candidates.size());
       };
-      const BoxReach reach = this->collectGroups(sets[i], kFewGroups, workspace);
+      const BoxReach reach = this->collectGroups(sets[i], workspace);
       this->visitSites(sets[i], reach, slab, workspace, { add, nullptr });
     });
   counts = sumOf(workspaces);
   return lists;
 }
 
-BoxReach CandidateHierarchy::collectGroups(const Extent& set, int enough,
-  Workspace& workspace) const
+BoxReach CandidateHierarchy::collectGroups(const Extent& set, Workspace& workspace) const
 {
   const GroupTree& tree = filter_.tree();
   const FrameBox hull = hullOf(set, frame_);
   const NearestElement nearest = tree.nearest(glm::dvec3(hull.centre));
   BoxReach reach(hull, nearest, tree.slack());
+  addCorners(
+    tree, nearest,
+    [&](const glm::dvec3& x, const NearestElement& start) { return tree.nearest(x, start); },
+    reach);
   workspace.counts.groupTests += tree.collect(reach, workspace.shared);
-  if (workspace.shared.size() > enough)
-  {
-    addCorners(
-      tree, nearest,
-      [&](const glm::dvec3& x, const NearestElement& start) { return tree.nearest(x, start); },
-      reach);
-    std::swap(workspace.shared, workspace.own);
-    workspace.counts.groupTests += workspace.own.size();
-    workspace.own.refine(reach, workspace.shared);
-  }
   return reach;
 }
 

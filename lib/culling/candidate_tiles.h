@@ -39,8 +39,8 @@ struct CullingCounts
 class CandidateHierarchy
 {
 public:
-  /// Largest number of grid points along an edge of a tile. Tiles start at multiples of it, counted
-  /// from the extent's corner.
+  /// Largest number of grid points along an edge of a tile. Tiles start at multiples of it,
+  /// whatever the extent: what is computed in them is the same for any part of the grid.
   static constexpr int kTileSize = 8;
 
   /// Called from several threads at once.
@@ -54,10 +54,13 @@ public:
   };
 
   /// @param filter over all sites; must outlive this.
+  /// @param whole all of the grid.
   /// @param extent part of the grid to cover.
-  CandidateHierarchy(const CandidateFilter& filter, const GridFrame& frame, const Extent& extent);
+  CandidateHierarchy(const CandidateFilter& filter, const GridFrame& frame, const Extent& whole,
+    const Extent& extent);
 
-  /// Visits the tiles that a slab cuts, whole, on all threads of the current arena.
+  /// Visits the tiles that a slab of the extent cuts, whole: they may leave the extent. Uses all
+  /// threads of the current arena.
   CullingCounts visitTiles(const Extent& slab, const Visitor& visitor) const;
 
   /// Lists the tiles that a slab cuts. Those of one list are neighbours.
@@ -81,14 +84,15 @@ private:
 
   static CullingCounts sumOf(const Workspaces& workspaces);
   std::vector<Extent> setsOf(const Extent& slab) const;
-  /// Finds the groups of a set of tiles, and fewer where there are more than enough.
-  BoxReach collectGroups(const Extent& set, int enough, Workspace& workspace) const;
+  /// Finds the groups of a set of tiles.
+  BoxReach collectGroups(const Extent& set, Workspace& workspace) const;
   void visitSites(const Extent& set, const BoxReach& reach, const Extent& slab,
     Workspace& workspace, const Visitor& visitor) const;
   void visitGroups(const Extent& tile, Workspace& workspace, const Visitor& visitor) const;
 
   const CandidateFilter& filter_;
   GridFrame frame_;
+  Extent whole_;
   Extent extent_;
 };
 

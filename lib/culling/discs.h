@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 
 #include <array>
+#include <limits>
 
 namespace medial
 {
@@ -30,6 +31,8 @@ struct alignas(32) Discs
 
   /// Empties all lanes.
   void clear();
+  /// Empties a lane.
+  void remove(int lane) { radius[lane] = -std::numeric_limits<float>::infinity(); }
   void copy(int to, const Discs& from, int lane);
 };
 

@@ -37,6 +37,33 @@ void visitParts(const Extent& extent, int size, const Visit& visit)
   }
 }
 
+/// Returns the points that two extents share.
+inline Extent commonPart(const Extent& a, const Extent& b)
+{
+  Extent common;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    common.min[axis] = std::max(a.min[axis], b.min[axis]);
+    common.max[axis] = std::min(a.max[axis], b.max[axis]);
+  }
+  return common;
+}
+
+/// Returns the smallest extent around another that ends where parts of a grid do that start at
+/// multiples of a size.
+/// @param whole all of the grid.
+inline Extent wholeParts(const Extent& extent, int size, const Extent& whole)
+{
+  Extent parts;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    parts.min[axis] = extent.min[axis] - (extent.min[axis] - whole.min[axis]) % size;
+    const int last = (extent.max[axis] - whole.min[axis]) / size;
+    parts.max[axis] = std::min(whole.min[axis] + (last + 1) * size - 1, whole.max[axis]);
+  }
+  return parts;
+}
+
 /// Returns the box around the grid points of an extent.
 inline FrameBox hullOf(const Extent& extent, const GridFrame& frame)
 {

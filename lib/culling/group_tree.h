@@ -20,6 +20,25 @@ namespace medial
 float roundingNear(double reach, double farthest);
 float roundingNear(double reach, const SiteSet& sites);
 
+/// Some groups of a tree of elements of about the same size, and the nodes above them.
+struct SparseTree
+{
+  struct Group
+  {
+    int number;                                 ///< in the whole tree
+    int count;                                  ///< of its elements
+    std::array<int, SiteGroup::kSize> elements; ///< sites that name them, ascending
+  };
+  struct Pack
+  {
+    int number; ///< in its level of the whole tree
+    Discs discs;
+  };
+
+  std::vector<Group> groups;             ///< ascending
+  std::vector<std::vector<Pack>> levels; ///< ascending; the first holds the discs of groups
+};
+
 /// A linear tree over the elements of a mesh. Its leaves are the groups: elements are sorted so
 /// that any 2^k of them, from a multiple of 2^k on, are close together, and eight in a row make a
 /// group. Every level above has a disc for every eight nodes of the level below.
@@ -32,6 +51,14 @@ public:
   /// @param slack bound of the rounding of single precision near the grid and the mesh, by which
   ///   discs are widened; local units.
   GroupTree(const SiteSet& sites, const MeshConnectivity& connectivity, float slack);
+
+  /// A part of a larger mesh's tree: some of its groups, with all nodes above them. Where these
+  /// groups suffice, it finds what the whole tree finds, to the last bit.
+  /// @param sites of a mesh that has the groups' elements and all triangles around their points.
+  /// @param slack of the whole tree.
+  /// @param trees by size of their elements.
+  GroupTree(const SiteSet& sites, const MeshConnectivity& connectivity, float slack,
+    const std::vector<SparseTree>& trees);
 
   const SiteSet& sites() const { return sites_; }
   /// Bound of the rounding of single precision near the grid and the mesh, local units.
@@ -59,6 +86,13 @@ private:
   {
     int firstGroup;
     std::vector<std::vector<Discs>> levels; ///< the first holds the discs of groups
+    /// Where the nodes below those of each level are; empty where each has eight.
+    std::vector<std::vector<std::array<int, kLanes>>> children;
+
+    int child(int level, int index, int lane) const
+    {
+      return children.empty() ? index * kLanes + lane : children[level][index][lane];
+    }
   };
   /// A node to look at.
   struct Node
@@ -78,10 +112,11 @@ private:
     Node pop() { return nodes[--count]; }
   };
 
-  /// Pushes the nodes below one whose discs are within a squared distance, the nearest last.
-  static void pushNear(const Discs& discs, const glm::vec3& x, float limit, const Node& parent,
+  /// Pushes the nodes below another whose discs are within a squared distance, the nearest last.
+  static void pushNear(const SizeTree& tree, const glm::vec3& x, float limit, const Node& parent,
     Stack& stack);
 
+  void addSparse(const SparseTree& sparse, const SharedSites& shared);
   void addTree(std::vector<int>& elements, const SharedSites& shared, float slack);
 
   const SiteSet& sites_;
@@ -109,7 +144,7 @@ void GroupTree::visitNear(const glm::vec3& x, const Limit& limit, const Visit& v
         visit(tree.firstGroup + node.index);
         continue;
       }
-      pushNear(tree.levels[node.level][node.index], x, limit(), node, stack);
+      pushNear(tree, x, limit(), node, stack);
     }
   }
 }

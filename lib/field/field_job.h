@@ -24,6 +24,7 @@ struct FieldJob
   FieldSign sign;
   const HostInside* inside; ///< grid points that are inside, if `sign` is Rows; otherwise null
   GridFrame frame;
+  Extent whole;              ///< all of the grid
   Extent extent;             ///< the part of the grid to compute
   std::size_t memoryMiB;     ///< as DistanceFieldOptions::memoryMiB
   bool verify;               ///< as DistanceFieldOptions::verify

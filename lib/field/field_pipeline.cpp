@@ -3,11 +3,10 @@
 #include "base/checkpoint.h"
 #include "base/stopwatch.h"
 #include "field/field_sign.h"
+#include "field/reach.h"
 #include "gl/gpu_thread.h"
 #include "medial/device.h"
 #include "medial/error.h"
-
-#include <sstream>
 
 namespace medial
 {
@@ -25,30 +24,6 @@ void checkInput(const TriangleMesh& mesh, const Grid& grid, const Extent& extent
   {
     throw Error(ErrorCode::InvalidInput, "the extent is empty or leaves the grid");
   }
-}
-
-/// Squares of distances must fit single precision.
-constexpr double kMaxReach = 1e18;
-
-void requireReach(const char* what, double reach)
-{
-  if (!(reach <= kMaxReach))
-  {
-    std::ostringstream message;
-    message << what << " reaches " << reach
-            << " times the finest spacing from the middle of the grid, more than " << kMaxReach;
-    throw Error(ErrorCode::InvalidInput, message.str());
-  }
-}
-
-/// Checks what single precision can hold in local coordinates.
-void checkReach(const TriangleMesh& mesh, const GridFrame& frame)
-{
-  requireReach("the grid", frame.reach());
-  const Bounds bounds = mesh.bounds();
-  const glm::dvec3 low = glm::abs(frame.toLocal(bounds.min));
-  const glm::dvec3 high = glm::abs(frame.toLocal(bounds.max));
-  requireReach("the mesh", glm::length(glm::max(low, high)));
 }
 
 /// Returns the hardware renderer that is required, whatever the engine.
@@ -70,6 +45,7 @@ FieldPipeline::FieldPipeline(const TriangleMesh& mesh, const MeshConnectivity& c
   SurfaceOrienter& orienter, const Run& run)
   : mesh_(mesh)
   , connectivity_(connectivity)
+  , whole_(grid.wholeExtent())
   , extent_(extent)
   , memoryMiB_(options.memoryMiB)
   , verify_(options.verify)
@@ -77,7 +53,7 @@ FieldPipeline::FieldPipeline(const TriangleMesh& mesh, const MeshConnectivity& c
   , frame_(grid)
 {
   checkInput(mesh, grid, extent);
-  checkReach(mesh, frame_);
+  checkReach(mesh.bounds(), frame_);
   if (options.requireHardware)
   {
     statistics_.device = requiredHardware(options.device);
@@ -122,7 +98,8 @@ FieldJob FieldPipeline::prepare(const FieldEngine& engine)
   statistics_.samples = extent_.pointCount();
   run_.report(0.0, "distance field");
   return { mesh_, connectivity_, *host_, fieldSign(this->sign(), connectivity_),
-    inside_ ? &*inside_ : nullptr, frame_, extent_, memoryMiB_, verify_, run_, statistics_ };
+    inside_ ? &*inside_ : nullptr, frame_, whole_, extent_, memoryMiB_, verify_, run_,
+    statistics_ };
 }
 
 } // namespace medial

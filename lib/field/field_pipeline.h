@@ -53,6 +53,7 @@ private:
 
   const TriangleMesh& mesh_;
   const MeshConnectivity& connectivity_;
+  Extent whole_;
   Extent extent_;
   std::size_t memoryMiB_;
   bool verify_;

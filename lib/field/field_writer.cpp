@@ -1,5 +1,6 @@
 #include "field/field_writer.h"
 
+#include "culling/extent_parts.h"
 #include "sites/closest_point.h"
 
 #include <glm/gtc/type_ptr.hpp>
@@ -82,21 +83,20 @@ void FieldWriter::store(const ResolvedSlab& values) const
 
 void FieldWriter::store(const Extent& tile, const TileField& field) const
 {
-  const SliceRange slices = SliceRange::common(tile, slab_);
-  for (int k = slices.begin; k < slices.end; ++k)
+  const Extent part = commonPart(tile, slab_);
+  for (int k = part.min[2]; k <= part.max[2]; ++k)
   {
-    for (int j = 0; j < tile.size(1); ++j)
+    for (int j = part.min[1]; j <= part.max[1]; ++j)
     {
-      const glm::ivec3 first(tile.min[0], tile.min[1] + j, tile.min[2] + k);
+      const glm::ivec3 first(part.min[0], j, k);
       const std::int64_t target =
-        (static_cast<std::int64_t>(first.z - slab_.min[2]) * slab_.size(1) +
-          (first.y - slab_.min[1])) *
+        (static_cast<std::int64_t>(k - slab_.min[2]) * slab_.size(1) + (j - slab_.min[1])) *
           slab_.size(0) +
         (first.x - slab_.min[0]);
-      const int row = TileField::index(0, j, k);
-      this->storeDistances(target, first, tile.size(0), field, row);
-      this->storeClosestPoints(target, first, tile.size(0), field.site + row);
-      this->storeIds(target, tile.size(0), field.site + row);
+      const int row = TileField::index(first.x - tile.min[0], j - tile.min[1], k - tile.min[2]);
+      this->storeDistances(target, first, part.size(0), field, row);
+      this->storeClosestPoints(target, first, part.size(0), field.site + row);
+      this->storeIds(target, part.size(0), field.site + row);
     }
   }
 }
@@ -128,7 +128,11 @@ void FieldWriter::storeDistances(std::int64_t target, const glm::ivec3& first, i
   {
     for (int i = 0; i < count; ++i)
     {
-      set(i, this->exactDistance(first + glm::ivec3(i, 0, 0), field.site[row + i]));
+      // Whatever the points beside it, which may lie in another part of the grid.
+      if (squared[i] > TileField::kFarSquared)
+      {
+        set(i, this->exactDistance(first + glm::ivec3(i, 0, 0), field.site[row + i]));
+      }
     }
   }
 }

@@ -3,17 +3,27 @@
 #include "base/stopwatch.h"
 #include "sites/pseudonormals.h"
 
+#include <utility>
+
 namespace medial
 {
 
 HostSites::HostSites(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
   const GridFrame& frame, FieldSign sign, const Run& run, RunStatistics& statistics)
+  : HostSites(mesh, connectivity, frame, sign, run, statistics, {})
+{
+}
+
+HostSites::HostSites(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
+  const GridFrame& frame, FieldSign sign, const Run& run, RunStatistics& statistics,
+  TreeMaker makeTree)
   : mesh_(mesh)
   , connectivity_(connectivity)
   , frame_(frame)
   , sign_(sign)
   , run_(run)
   , statistics_(statistics)
+  , makeTree_(std::move(makeTree))
 {
 }
 
@@ -33,7 +43,18 @@ const CandidateFilter& HostSites::filter() const
   {
     const SiteSet& sites = this->sites();
     const Stopwatch watch(statistics_.seconds.cull);
-    run_.onThreads([&] { filter_.emplace(sites, connectivity_, frame_); });
+    run_.onThreads(
+      [&]
+      {
+        if (makeTree_)
+        {
+          filter_.emplace(sites, connectivity_, makeTree_(sites));
+        }
+        else
+        {
+          filter_.emplace(sites, connectivity_, frame_);
+        }
+      });
   }
   return *filter_;
 }

@@ -12,6 +12,7 @@
 
 #include <glm/glm.hpp>
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -26,6 +27,12 @@ public:
   /// @param mesh, connectivity, statistics must outlive this; the statistics get the seconds.
   HostSites(const TriangleMesh& mesh, const MeshConnectivity& connectivity, const GridFrame& frame,
     FieldSign sign, const Run& run, RunStatistics& statistics);
+
+  /// Makes the tree of elements from some sites.
+  using TreeMaker = std::function<GroupTree(const SiteSet& sites)>;
+  /// @param makeTree of a part of a larger surface.
+  HostSites(const TriangleMesh& mesh, const MeshConnectivity& connectivity, const GridFrame& frame,
+    FieldSign sign, const Run& run, RunStatistics& statistics, TreeMaker makeTree);
 
   const SiteSet& sites() const;
   const CandidateFilter& filter() const;
@@ -43,6 +50,7 @@ private:
   FieldSign sign_;
   Run run_;
   RunStatistics& statistics_;
+  TreeMaker makeTree_; ///< empty for a whole surface
   std::vector<glm::vec4> none_;
   mutable std::optional<SiteSet> sites_;
   mutable std::optional<CandidateFilter> filter_;

@@ -15,7 +15,29 @@ namespace
 /// precision; beyond this they would be more than 1e-2 off.
 constexpr double kMaxDistance = 32768.0;
 
+/// Squares of distances must fit single precision.
+constexpr double kMaxReach = 1e18;
+
+void requireReach(const char* what, double reach)
+{
+  if (!(reach <= kMaxReach))
+  {
+    std::ostringstream message;
+    message << what << " reaches " << reach
+            << " times the finest spacing from the middle of the grid, more than " << kMaxReach;
+    throw Error(ErrorCode::InvalidInput, message.str());
+  }
+}
+
 } // namespace
+
+void checkReach(const Bounds& bounds, const GridFrame& frame)
+{
+  requireReach("the grid", frame.reach());
+  const glm::dvec3 low = glm::abs(frame.toLocal(bounds.min));
+  const glm::dvec3 high = glm::abs(frame.toLocal(bounds.max));
+  requireReach("the mesh", glm::length(glm::max(low, high)));
+}
 
 void requireNear(const FieldJob& job)
 {

@@ -1,5 +1,7 @@
 #include "sites/site_set.h"
 
+#include "sites/bounding_ball.h"
+
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -7,6 +9,23 @@
 
 namespace medial
 {
+
+glm::vec4 ballAround(std::initializer_list<glm::dvec3> corners)
+{
+  glm::dvec3 sum(0.0);
+  for (const glm::dvec3& corner : corners)
+  {
+    sum += corner;
+  }
+  const glm::dvec3 centre = sum / static_cast<double>(corners.size());
+  double radius = 0.0;
+  for (const glm::dvec3& corner : corners)
+  {
+    radius = std::max(radius, glm::distance(centre, corner));
+  }
+  return { glm::vec3(centre), static_cast<float>(radius) };
+}
+
 SiteSet::SiteSet(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
   const LocalCoordinates& local)
 {
@@ -105,22 +124,6 @@ int SiteSet::coveredEdge(int face) const
   return std::max({ edges[0], edges[1], edges[2] }, shorter);
 }
 
-glm::vec4 SiteSet::ballAround(std::initializer_list<int> corners) const
-{
-  glm::dvec3 sum(0.0);
-  for (const int corner : corners)
-  {
-    sum += points_[corner];
-  }
-  const glm::dvec3 centre = sum / static_cast<double>(corners.size());
-  double radius = 0.0;
-  for (const int corner : corners)
-  {
-    radius = std::max(radius, glm::distance(centre, points_[corner]));
-  }
-  return { glm::vec3(centre), static_cast<float>(radius) };
-}
-
 void SiteSet::buildBalls()
 {
   balls_.resize(this->size());
@@ -130,16 +133,17 @@ void SiteSet::buildBalls()
       switch (this->kind(site))
       {
         case SiteKind::Face:
-          balls_[site] = this->ballAround({ faces_[site][0], faces_[site][1], faces_[site][2] });
+          balls_[site] = ballAround(
+            { points_[faces_[site][0]], points_[faces_[site][1]], points_[faces_[site][2]] });
           return;
         case SiteKind::Edge:
         {
           const glm::ivec2& ends = edges_[site - this->firstEdge()];
-          balls_[site] = this->ballAround({ ends[0], ends[1] });
+          balls_[site] = ballAround({ points_[ends[0]], points_[ends[1]] });
           return;
         }
         case SiteKind::Vertex:
-          balls_[site] = this->ballAround({ site - this->firstVertex() });
+          balls_[site] = ballAround({ points_[site - this->firstVertex()] });
           return;
       }
     });

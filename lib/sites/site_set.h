@@ -7,7 +7,6 @@
 #include <glm/glm.hpp>
 
 #include <cstdint>
-#include <initializer_list>
 #include <vector>
 
 namespace medial
@@ -72,7 +71,6 @@ private:
   /// The edge for which the others of a triangle without area stand: the longest. Of equal ones it
   /// is that with the highest id, so that around a ring of such triangles one edge stays.
   int coveredEdge(int face) const;
-  glm::vec4 ballAround(std::initializer_list<int> corners) const;
   void buildBalls();
 
   std::vector<glm::dvec3> points_;

@@ -28,6 +28,7 @@
 #include "medial/mesh_io.h"
 #include "medial/point_distance.h"
 #include "medial/proximity.h"
+#include "medial/ranks.h"
 #include "medial/reconstruction.h"
 #include "medial/representation.h"
 #include "medial/run_statistics.h"

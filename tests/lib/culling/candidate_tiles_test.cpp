@@ -51,7 +51,7 @@ protected:
   void forEachTile(int slabSlices, Check check) const
   {
     const Extent whole = grid_.wholeExtent();
-    const CandidateHierarchy hierarchy(filter_, frame_, whole);
+    const CandidateHierarchy hierarchy(filter_, frame_, whole, whole);
     CullingCounts counts;
     for (int first = 0; first <= whole.max[2]; first += slabSlices)
     {
@@ -146,7 +146,8 @@ TEST(CandidateTiles, LeaveMostSitesOut)
   const MeshConnectivity connectivity = analyseConnectivity(mesh);
   const SiteSet sites(mesh, connectivity, GridFrame(grid));
   const CandidateFilter filter(sites, connectivity, GridFrame(grid));
-  const CandidateHierarchy hierarchy(filter, GridFrame(grid), grid.wholeExtent());
+  const CandidateHierarchy hierarchy(filter, GridFrame(grid), grid.wholeExtent(),
+    grid.wholeExtent());
   CullingCounts counts;
   std::size_t tiles = 0;
   std::size_t pairs = 0;

@@ -172,6 +172,71 @@ TEST_P(AxisOfGrid, IsTheSameFromTwoHalves)
   expectSameField(mesh, whole, parts);
 }
 
+namespace
+{
+
+/// Expects the processor to compute a part of a grid bit for bit as it does within the whole.
+void expectSameBits(const DistanceField& whole, const TriangleMesh& mesh, const Extent& extent)
+{
+  const auto count = static_cast<std::size_t>(extent.pointCount());
+  std::vector<float> distance(count);
+  std::vector<float> closestPoint(3 * count);
+  std::vector<std::int32_t> site(count);
+  DistanceFieldOptions options;
+  options.engine = Engine::Processor;
+  computeDistanceField(mesh, analyseConnectivity(mesh), whole.grid, extent,
+    FieldArrays{ distance.data(), closestPoint.data(), site.data() }, options);
+  std::size_t differences = 0;
+  std::size_t i = 0;
+  for (int z = extent.min[2]; z <= extent.max[2]; ++z)
+  {
+    for (int y = extent.min[1]; y <= extent.max[1]; ++y)
+    {
+      const std::size_t row =
+        (static_cast<std::size_t>(z) * whole.grid.dimensions[1] + y) * whole.grid.dimensions[0];
+      for (std::size_t at = row + extent.min[0]; at <= row + extent.max[0]; ++at, ++i)
+      {
+        const bool same = distance[i] == whole.distance[at] && site[i] == whole.closestSite[at] &&
+          std::equal(&closestPoint[3 * i], &closestPoint[3 * i] + 3, &whole.closestPoint[3 * at]);
+        differences += same ? 0 : 1;
+      }
+    }
+  }
+  EXPECT_EQ(differences, 0u) << "of " << count << " points from " << extent.min[0] << ", "
+                             << extent.min[1] << ", " << extent.min[2];
+}
+
+/// Extents whose ends are anywhere in tiles.
+void expectSameBitsOfParts(const TriangleMesh& mesh, const Grid& grid)
+{
+  DistanceFieldOptions options;
+  options.engine = Engine::Processor;
+  const DistanceField whole = computeDistanceField(mesh, grid, options);
+  const auto [x, y, z] = grid.wholeExtent().max;
+  for (const Extent& extent :
+    { Extent{ { 0, 0, 0 }, { 12, y, z } }, Extent{ { 12, 0, 0 }, { x, y, z } },
+      Extent{ { 3, 5, 7 }, { 22, 18, z - 1 } }, Extent{ { 8, 8, 8 }, { 15, 15, 15 } },
+      Extent{ { x, y, z }, { x, y, z } }, Extent{ { 5, 11, 0 }, { 5, 11, z } } })
+  {
+    expectSameBits(whole, mesh, extent);
+  }
+}
+
+} // namespace
+
+TEST(DistanceFieldInvariants, HasTheSameBitsInAnyPartOfTheGrid)
+{
+  expectSameBitsOfParts(shape(), cube());
+}
+
+TEST(DistanceFieldInvariants, HasTheSameBitsInAnyPartFarFromTheMesh)
+{
+  // Beyond 4096 spacings distances are found in another way, point by point.
+  Grid grid = cube();
+  grid.origin = { 4075.0 * grid.spacing[0], grid.origin[1], grid.origin[2] };
+  expectSameBitsOfParts(shape(), grid);
+}
+
 INSTANTIATE_TEST_SUITE_P(Axis, AxisOfGrid, testing::Values(0, 1, 2));
 
 TEST_P(ScaleOfMesh, ScalesTheField)

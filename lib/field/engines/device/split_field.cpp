@@ -29,8 +29,8 @@ struct PartJob
   PartJob(const FieldJob& whole, const MeshPart& part, DeviceSlabs::Field& field,
     const std::vector<Extent>& extents, const DeviceCounts& before)
     : host(part.mesh, part.connectivity, whole.frame, FieldSign::None, whole.run, whole.statistics)
-    , job{ part.mesh, part.connectivity, host, FieldSign::None, nullptr, whole.frame, whole.extent,
-      whole.memoryMiB, false, whole.run, whole.statistics }
+    , job{ part.mesh, part.connectivity, host, FieldSign::None, nullptr, whole.frame, whole.whole,
+      whole.extent, whole.memoryMiB, false, whole.run, whole.statistics }
     , slabs(job, field, extents, before)
   {
   }

@@ -3,6 +3,7 @@
 #include "base/checkpoint.h"
 #include "base/stopwatch.h"
 #include "culling/candidate_tiles.h"
+#include "culling/extent_parts.h"
 #include "field/engines/processor/brick_evaluator.h"
 #include "field/engines/processor/exact_points.h"
 #include "field/engines/processor/point_evaluator.h"
@@ -39,14 +40,15 @@ struct Work
 
 using Works = tbb::enumerable_thread_specific<Work>;
 
-void setSides(const InsideRows& inside, const Extent& tile, TileField& field)
+/// Sets the sides of a part of a tile.
+void setSides(const InsideRows& inside, const Extent& part, const Extent& tile, TileField& field)
 {
-  for (int k = 0; k < tile.size(2); ++k)
+  for (int k = part.min[2]; k <= part.max[2]; ++k)
   {
-    for (int j = 0; j < tile.size(1); ++j)
+    for (int j = part.min[1]; j <= part.max[1]; ++j)
     {
-      inside.write({ tile.min[0], tile.min[1] + j, tile.min[2] + k }, tile.size(0),
-        field.side + TileField::index(0, j, k));
+      inside.write({ part.min[0], j, k }, part.size(0),
+        field.side + TileField::index(part.min[0] - tile.min[0], j - tile.min[1], k - tile.min[2]));
     }
   }
 }
@@ -57,7 +59,7 @@ class Evaluation
 public:
   explicit Evaluation(const FieldJob& job)
     : job_(job)
-    , hierarchy_(job.host.filter(), job.frame, job.extent)
+    , hierarchy_(job.host.filter(), job.frame, job.whole, job.extent)
     , sites_(job.host.sites(), job.host.filter().bounds(), job.host.signNormals(), job.frame,
         job.host.filter().slack())
     , bricks_(job.host.filter().tree(), job.frame, job.host.filter().slack())
@@ -162,7 +164,7 @@ private:
     }
     if (inside_ != nullptr)
     {
-      setSides(*inside_, tile, values);
+      setSides(*inside_, commonPart(tile, job_.extent), tile, values);
     }
   }
 

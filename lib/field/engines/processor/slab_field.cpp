@@ -1,6 +1,7 @@
 #include "field/engines/processor/slab_field.h"
 
 #include "base/simd.h"
+#include "culling/extent_parts.h"
 
 #include <algorithm>
 
@@ -64,18 +65,19 @@ void SlabField::store(const std::int32_t* sites, const float* sides)
 
 void SlabField::store(const Extent& tile, const TileField& field)
 {
-  const SliceRange slices = SliceRange::common(tile, extent_);
+  const Extent part = commonPart(tile, extent_);
+  const int skipped = part.min[0] - tile.min[0];
+  const int first = part.min[0] - extent_.min[0];
   std::uint8_t inside[TileField::kPoints / kLanes];
   setNegative(field.side, TileField::kPoints, inside);
-  for (int k = slices.begin; k < slices.end; ++k)
+  for (int k = part.min[2]; k <= part.max[2]; ++k)
   {
-    for (int j = 0; j < tile.size(1); ++j)
+    for (int j = part.min[1]; j <= part.max[1]; ++j)
     {
-      const int slot = 1 + tile.min[2] + k - extent_.min[2];
-      const int row = tile.min[1] + j - extent_.min[1];
-      const int first = tile.min[0] - extent_.min[0];
-      const int source = TileField::index(0, j, k);
-      std::copy_n(field.site + source, tile.size(0),
+      const int slot = 1 + k - extent_.min[2];
+      const int row = j - extent_.min[1];
+      const int source = TileField::index(0, j - tile.min[1], k - tile.min[2]);
+      std::copy_n(field.site + source + skipped, part.size(0),
         sites_.begin() + this->index(slot, row) + first);
       inside_[this->insideIndex(slot, row) + first / TileField::kRow] = inside[source / kLanes];
     }

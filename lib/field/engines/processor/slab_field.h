@@ -17,7 +17,8 @@ class SlabField
 public:
   /// Starts a slab. The last slice of the slab before becomes the slice below.
   void begin(const Extent& slab);
-  /// Stores the slab's part of a tile. Several threads may call it at once for different tiles.
+  /// Stores the slab's part of a tile. Slabs begin where tiles do along x. Several threads may call
+  /// it at once for different tiles.
   void store(const Extent& tile, const TileField& field);
 
   /// Stores the whole slab, slice by slice, x fastest.

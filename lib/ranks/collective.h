@@ -1,0 +1,152 @@
+#pragma once
+
+#include "medial/error.h"
+#include "medial/ranks.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <functional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+// What ranks do together. Every rank calls each of these functions.
+namespace medial
+{
+
+/// A list for each rank, or from each.
+template <typename T>
+using RankLists = std::vector<std::vector<T>>;
+
+/// Sends lists[r] to rank r, and returns what each rank sent here.
+template <typename T>
+RankLists<T> exchanged(Communicator& communicator, const RankLists<T>& lists)
+{
+  static_assert(std::is_trivially_copyable_v<T>);
+  std::vector<Communicator::Message> messages(lists.size());
+  for (std::size_t rank = 0; rank < lists.size(); ++rank)
+  {
+    messages[rank].resize(lists[rank].size() * sizeof(T));
+    if (!lists[rank].empty())
+    {
+      std::memcpy(messages[rank].data(), lists[rank].data(), messages[rank].size());
+    }
+  }
+  messages = communicator.exchange(std::move(messages));
+  RankLists<T> received(messages.size());
+  for (std::size_t rank = 0; rank < messages.size(); ++rank)
+  {
+    received[rank].resize(messages[rank].size() / sizeof(T));
+    if (!received[rank].empty())
+    {
+      std::memcpy(static_cast<void*>(received[rank].data()), messages[rank].data(),
+        messages[rank].size());
+    }
+  }
+  return received;
+}
+
+/// Returns an empty list for each rank.
+template <typename T>
+RankLists<T> listsFor(const Communicator& communicator)
+{
+  return RankLists<T>(static_cast<std::size_t>(communicator.size()));
+}
+
+/// Returns the lists of all ranks, one for each.
+template <typename T>
+RankLists<T> gathered(Communicator& communicator, const std::vector<T>& own)
+{
+  return exchanged(communicator, RankLists<T>(communicator.size(), own));
+}
+
+/// Returns the values of all ranks.
+template <typename T>
+std::vector<T> gathered(Communicator& communicator, const T& own)
+{
+  std::vector<T> values;
+  for (const std::vector<T>& list : gathered(communicator, std::vector<T>{ own }))
+  {
+    values.push_back(list.front());
+  }
+  return values;
+}
+
+/// Combines lists of the same length, value by value, in the order of ranks.
+template <typename T, typename Combine>
+std::vector<T> combined(Communicator& communicator, const std::vector<T>& own,
+  const Combine& combine)
+{
+  // Each rank combines its share of the values for all.
+  const std::size_t ranks = communicator.size();
+  const std::size_t share = (own.size() + ranks - 1) / ranks;
+  RankLists<T> parts = listsFor<T>(communicator);
+  for (std::size_t rank = 0; rank < ranks; ++rank)
+  {
+    const std::size_t begin = std::min(rank * share, own.size());
+    const std::size_t end = std::min(begin + share, own.size());
+    parts[rank].assign(own.begin() + static_cast<std::ptrdiff_t>(begin),
+      own.begin() + static_cast<std::ptrdiff_t>(end));
+  }
+  parts = exchanged(communicator, parts);
+  std::vector<T> sums = parts.front();
+  for (std::size_t rank = 1; rank < ranks; ++rank)
+  {
+    for (std::size_t i = 0; i < sums.size(); ++i)
+    {
+      sums[i] = combine(sums[i], parts[rank][i]);
+    }
+  }
+  std::vector<T> result;
+  for (const std::vector<T>& part : gathered(communicator, sums))
+  {
+    result.insert(result.end(), part.begin(), part.end());
+  }
+  return result;
+}
+
+template <typename T>
+T maximum(Communicator& communicator, const T& own)
+{
+  const std::vector<T> values = gathered(communicator, own);
+  return *std::max_element(values.begin(), values.end());
+}
+
+/// The numbers of a share when those of all ranks are counted one after the other.
+struct RankOffsets
+{
+  std::vector<std::int64_t> first; ///< of each rank, and the end
+
+  RankOffsets() = default;
+  RankOffsets(Communicator& communicator, std::int64_t own)
+    : first{ 0 }
+  {
+    for (const std::int64_t count : gathered(communicator, own))
+    {
+      first.push_back(first.back() + count);
+    }
+  }
+
+  std::int64_t total() const { return first.back(); }
+  /// Returns the rank that has a number.
+  int home(std::int64_t number) const
+  {
+    return static_cast<int>(std::upper_bound(first.begin(), first.end(), number) - first.begin()) -
+      1;
+  }
+};
+
+/// Returns the rank of an item where `count` of them are shared out evenly.
+inline int homeOf(std::int64_t item, std::int64_t count, int ranks)
+{
+  return static_cast<int>(item / ((count + ranks - 1) / ranks));
+}
+
+/// Does work that may fail on some ranks only.
+/// @throws Error on every rank if any has failed, with the message of the first of them, which
+///   names the rank where there are several.
+void agree(Communicator& communicator, const std::function<void()>& work);
+
+} // namespace medial

@@ -1,0 +1,424 @@
+#include "medial/compute_distance_field.h"
+#include "medial/error.h"
+#include "medial/ranks.h"
+
+#include "simulated_ranks.h"
+#include "support/models.h"
+#include "support/shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <map>
+#include <random>
+#include <string>
+#include <vector>
+
+using namespace medial;
+using namespace medial::test;
+
+namespace
+{
+
+/// The arrays of a field of some extent, which it keeps together.
+class KeepingSink : public FieldSink
+{
+public:
+  explicit KeepingSink(const Extent& extent)
+    : extent_(extent)
+  {
+    const auto count = static_cast<std::size_t>(extent.pointCount());
+    field.distance.resize(count);
+    field.closestPoint.resize(3 * count);
+    field.closestSite.resize(count);
+    field.closestFeature.resize(count);
+    field.closestCell.resize(count);
+  }
+
+  FieldArrays slabArrays(const Extent& slab) override
+  {
+    const std::ptrdiff_t first =
+      static_cast<std::ptrdiff_t>(slab.min[2] - extent_.min[2]) * extent_.size(0) * extent_.size(1);
+    return { field.distance.data() + first, field.closestPoint.data() + 3 * first,
+      field.closestSite.data() + first, field.closestFeature.data() + first,
+      field.closestCell.data() + first };
+  }
+  void stored(const Extent& /*slab*/) override {}
+  std::size_t bytesPerPoint() const override { return 0; }
+
+  DistanceField field;
+
+private:
+  Extent extent_;
+};
+
+/// Which rank has a triangle.
+using Distribution = std::function<int(std::size_t triangle)>;
+
+/// Returns the piece of a rank, which knows its numbers in the whole.
+SurfacePiece pieceOf(const TriangleMesh& mesh, int rank, const Distribution& rankOf)
+{
+  SurfacePiece piece;
+  std::map<int, int> points;
+  const auto local = [&](int point)
+  {
+    const auto [found, isNew] = points.insert({ point, static_cast<int>(points.size()) });
+    if (isNew)
+    {
+      piece.mesh.points.push_back(mesh.points[point]);
+      piece.pointOrder.push_back(point);
+    }
+    return found->second;
+  };
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+  {
+    if (rankOf(i) == rank)
+    {
+      const auto& [a, b, c] = mesh.triangles[i];
+      // In an order of their own.
+      const int last = local(c);
+      piece.mesh.triangles.push_back({ local(a), local(b), last });
+      piece.mesh.triangleCells.push_back(static_cast<std::int64_t>(i));
+    }
+  }
+  return piece;
+}
+
+TriangleMesh numbered(TriangleMesh mesh)
+{
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+  {
+    mesh.triangleCells[i] = static_cast<std::int64_t>(i);
+  }
+  return mesh;
+}
+
+/// Number of grid points of an extent whose values differ from those of the whole field.
+std::size_t differences(const DistanceField& whole, const Extent& extent, const DistanceField& part)
+{
+  std::size_t count = 0;
+  std::size_t i = 0;
+  for (int z = extent.min[2]; z <= extent.max[2]; ++z)
+  {
+    for (int y = extent.min[1]; y <= extent.max[1]; ++y)
+    {
+      for (int x = extent.min[0]; x <= extent.max[0]; ++x, ++i)
+      {
+        const std::size_t at = x +
+          static_cast<std::size_t>(whole.grid.dimensions[0]) *
+            (y + static_cast<std::size_t>(whole.grid.dimensions[1]) * z);
+        const bool same = std::memcmp(&part.distance[i], &whole.distance[at], sizeof(float)) == 0 &&
+          std::memcmp(&part.closestPoint[3 * i], &whole.closestPoint[3 * at], 3 * sizeof(float)) ==
+            0 &&
+          part.closestSite[i] == whole.closestSite[at] &&
+          part.closestFeature[i] == whole.closestFeature[at] &&
+          part.closestCell[i] == whole.closestCell[at];
+        count += same ? 0 : 1;
+      }
+    }
+  }
+  return count;
+}
+
+/// What is computed by ranks and compared with one process.
+struct Case
+{
+  TriangleMesh mesh;
+  Grid grid;
+  SignMethod sign = SignMethod::Pseudonormal;
+};
+
+DistanceFieldOptions optionsOf(const Case& of)
+{
+  DistanceFieldOptions options;
+  options.sign = of.sign;
+  options.engine = Engine::Processor;
+  options.execution.threads = 1;
+  return options;
+}
+
+/// Expects the field of ranks to be that of one process, and returns what the ranks have held.
+std::vector<RankCounts> expectSameBits(const Case& of, const DistanceField& whole,
+  const std::vector<Extent>& extents, const Distribution& rankOf)
+{
+  const auto ranks = static_cast<int>(extents.size());
+  std::vector<std::size_t> different(extents.size());
+  std::vector<RankCounts> counts(extents.size());
+  SimulatedRanks(ranks).run(
+    [&](Communicator& communicator)
+    {
+      const int rank = communicator.rank();
+      KeepingSink sink(extents[rank]);
+      computeDistanceField(communicator, pieceOf(of.mesh, rank, rankOf), of.grid, extents[rank],
+        sink, optionsOf(of), &counts[rank]);
+      different[rank] = differences(whole, extents[rank], sink.field);
+    });
+  for (int rank = 0; rank < ranks; ++rank)
+  {
+    EXPECT_EQ(different[rank], 0U) << "rank " << rank << " of " << ranks;
+  }
+  return counts;
+}
+
+Distribution atRandom(int ranks)
+{
+  return [ranks](std::size_t triangle)
+  { return static_cast<int>((triangle * 2654435761U >> 7U) % static_cast<unsigned>(ranks)); };
+}
+
+/// All on the last rank, so that most have none.
+Distribution onTheLast(int ranks)
+{
+  return [ranks](std::size_t) { return ranks - 1; };
+}
+
+Distribution inRows(int ranks, std::size_t triangles)
+{
+  return [=](std::size_t triangle) { return static_cast<int>(triangle * ranks / triangles); };
+}
+
+void expectSameBitsOfAllPartitions(const Case& of)
+{
+  const DistanceField whole = computeDistanceField(of.mesh, of.grid, optionsOf(of));
+  for (const int ranks : { 1, 2, 3, 4, 7, 16 })
+  {
+    const std::vector<Extent> extents = partsOfGrid(of.grid, ranks);
+    expectSameBits(of, whole, extents, atRandom(ranks));
+    expectSameBits(of, whole, extents, inRows(ranks, of.mesh.triangles.size()));
+  }
+  expectSameBits(of, whole, partsOfGrid(of.grid, 3), onTheLast(3));
+}
+
+Grid gridAround(const TriangleMesh& mesh, int resolution)
+{
+  return makeGrid(mesh.bounds(), resolution, 0.083);
+}
+
+/// The message that every rank must fail with.
+std::string refusal(const TriangleMesh& mesh, int ranks, const Distribution& rankOf,
+  SignMethod sign = SignMethod::None)
+{
+  const Grid grid = gridAround(mesh, 20);
+  const std::vector<Extent> extents = partsOfGrid(grid, ranks);
+  std::vector<std::string> messages(extents.size());
+  SimulatedRanks(ranks).run(
+    [&](Communicator& communicator)
+    {
+      const int rank = communicator.rank();
+      KeepingSink sink(extents[rank]);
+      DistanceFieldOptions options;
+      options.sign = sign;
+      try
+      {
+        computeDistanceField(communicator, pieceOf(mesh, rank, rankOf), grid, extents[rank], sink,
+          options);
+      }
+      catch (const Error& error)
+      {
+        messages[rank] = error.what();
+      }
+    });
+  for (const std::string& message : messages)
+  {
+    EXPECT_EQ(message, messages.front());
+  }
+  return messages.front();
+}
+
+} // namespace
+
+TEST(DistributedField, OfATorusHasTheBitsOfOneProcess)
+{
+  const TriangleMesh mesh =
+    numbered(appended(translated(torus(0.8, 0.23, 60, 30), { 0.11, 0.03, -0.21 }),
+      translated(box({ 0.21, 0.33, 0.17 }), { 0.07, -0.05, 0.53 })));
+  expectSameBitsOfAllPartitions({ mesh, gridAround(mesh, 70) });
+}
+
+TEST(DistributedField, OfASymmetricMeshHasTheBitsOfOneProcess)
+{
+  // Many ties: places of elements along every axis, and sites at equal distance.
+  const TriangleMesh mesh = numbered(shell(0.5, 1.0, 3));
+  Grid grid = gridAround(mesh, 41);
+  grid.origin = { -1.1, -1.1, -1.1 };
+  grid.spacing = { 0.055, 0.055, 0.055 };
+  expectSameBitsOfAllPartitions({ mesh, grid });
+}
+
+TEST(DistributedField, OfTrianglesOfAllSizesHasTheBitsOfOneProcess)
+{
+  // Three trees by size, and tiles with hundreds of groups.
+  const TriangleMesh mesh = numbered(appended(box({ 1.5, 1.4, 1.3 }),
+    appended(translated(icosphere(0.2, 4), { 0.6, 0.5, 0.4 }),
+      translated(icosphere(0.03, 4), { -0.6, 0.2, 0.3 }))));
+  expectSameBitsOfAllPartitions({ mesh, gridAround(mesh, 40) });
+}
+
+TEST(DistributedField, OfAnOpenSurfaceHasTheBitsOfOneProcess)
+{
+  const TriangleMesh mesh = numbered(plates(0.3, 0.8));
+  expectSameBitsOfAllPartitions({ mesh, gridAround(mesh, 37), SignMethod::None });
+}
+
+TEST(DistributedField, OfTrianglesWithoutAreaHasTheBitsOfOneProcess)
+{
+  const TriangleMesh mesh = numbered(hair(0.7, 5));
+  expectSameBitsOfAllPartitions({ mesh, gridAround(mesh, 33), SignMethod::None });
+}
+
+TEST(DistributedField, OfAModelHasTheBitsOfOneProcess)
+{
+  const auto path = modelPath("paper/cow.off");
+  const TriangleMesh mesh =
+    path ? buildTriangleMesh(loadModel(*path)) : numbered(torus(0.8, 0.23, 90, 40));
+  const Case of{ mesh, gridAround(mesh, 90), SignMethod::None };
+  const DistanceField whole = computeDistanceField(of.mesh, of.grid, optionsOf(of));
+  expectSameBits(of, whole, partsOfGrid(of.grid, 5), atRandom(5));
+}
+
+TEST(DistributedField, HasTheBitsOfOneProcessInAnyExtents)
+{
+  const TriangleMesh mesh = numbered(torus(0.8, 0.23, 60, 30));
+  const Case of{ mesh, gridAround(mesh, 50) };
+  const DistanceField whole = computeDistanceField(of.mesh, of.grid, optionsOf(of));
+  const auto [x, y, z] = of.grid.wholeExtent().max;
+  // They overlap, have ends within tiles, and one is empty.
+  expectSameBits(of, whole,
+    { { { 0, 0, 0 }, { x, y, 5 } }, { { 3, 2, 1 }, { 19, y, z } }, {},
+      { { 11, 11, 2 }, { x, 17, 9 } } },
+    atRandom(4));
+}
+
+TEST(DistributedField, NoRankHoldsTheWholeSurface)
+{
+  const TriangleMesh mesh = numbered(uvCapsule(0.3, 3.0, 160));
+  const Case of{ mesh, gridAround(mesh, 256) };
+  const DistanceField whole = computeDistanceField(of.mesh, of.grid, optionsOf(of));
+  const auto triangles = static_cast<std::int64_t>(mesh.triangles.size());
+  for (const RankCounts& counts : expectSameBits(of, whole, partsOfGrid(of.grid, 8), atRandom(8)))
+  {
+    EXPECT_LT(counts.ownTriangles, triangles / 6);
+    EXPECT_LT(counts.heldTriangles, 3 * triangles / 5);
+  }
+}
+
+TEST(DistributedField, PiecesInTheOrderOfRanksAreOneMesh)
+{
+  const TriangleMesh first = torus(0.8, 0.23, 30, 12);
+  const TriangleMesh second = translated(box({ 0.21, 0.33, 0.17 }), { 0.07, -0.05, 0.53 });
+  const TriangleMesh mesh = numbered(appended(first, second));
+  const Case of{ mesh, gridAround(mesh, 30) };
+  const DistanceField whole = computeDistanceField(of.mesh, of.grid, optionsOf(of));
+  const std::vector<Extent> extents = partsOfGrid(of.grid, 3);
+  SimulatedRanks(3).run(
+    [&](Communicator& communicator)
+    {
+      const int rank = communicator.rank();
+      TriangleMesh own = rank == 0 ? first : rank == 2 ? second : TriangleMesh{};
+      for (std::size_t i = 0; i < own.points.size(); ++i)
+      {
+        own.pointOfInput.push_back(static_cast<int>(i));
+      }
+      const auto points = static_cast<std::int64_t>(own.points.size());
+      const auto cells = static_cast<std::int64_t>(own.triangles.size());
+      KeepingSink sink(extents[rank]);
+      computeDistanceField(communicator,
+        inRankOrder(communicator, numbered(std::move(own)), points, cells), of.grid, extents[rank],
+        sink, optionsOf(of));
+      EXPECT_EQ(differences(whole, extents[rank], sink.field), 0U) << rank;
+    });
+}
+
+TEST(DistributedField, RefusesWhatNeedsTheWholeOnEveryRank)
+{
+  const TriangleMesh mesh = numbered(icosphere(1.0, 1));
+  EXPECT_EQ(refusal(mesh, 3, atRandom(3), SignMethod::Winding),
+    "rank 0: sign method winding needs the whole surface in one process; a surface in pieces "
+    "allows none and pseudonormal");
+  const TriangleMesh open = numbered(plates(0.3, 0.8));
+  EXPECT_EQ(refusal(open, 2, atRandom(2), SignMethod::Pseudonormal),
+    "sign method pseudonormal needs a closed, consistently oriented mesh; this one has 8 boundary "
+    "edges; use none");
+}
+
+TEST(DistributedField, RefusesSurfacesThatAreNotManifold)
+{
+  // A tetrahedron with a fin at one edge.
+  TriangleMesh mesh = regularTetrahedron(1.0);
+  mesh.points.push_back({ 5.0, 5.0, 5.0 });
+  mesh.triangles.push_back({ 0, 1, static_cast<int>(mesh.points.size()) - 1 });
+  mesh.triangleCells.push_back(0);
+  EXPECT_EQ(refusal(numbered(mesh), 2, atRandom(2)),
+    "a surface in pieces must be an oriented manifold of triangles; this one has 1 edges of three "
+    "triangles or more, 0 misoriented edges, 0 points where sheets touch, 0 line segments and 0 "
+    "points of no triangle: it needs a single process");
+}
+
+TEST(DistributedField, RefusesPointsWhereSheetsTouch)
+{
+  TriangleMesh mesh = regularTetrahedron(1.0);
+  const Point3 tip = mesh.points[0];
+  TriangleMesh other = mesh;
+  for (Point3& point : other.points)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      point[axis] = 2.0 * tip[axis] - point[axis];
+    }
+  }
+  for (auto& triangle : other.triangles)
+  {
+    std::swap(triangle[0], triangle[1]);
+  }
+  const std::string message = refusal(numbered(appended(mesh, other)), 2, atRandom(2));
+  EXPECT_NE(message.find("1 points where sheets touch"), std::string::npos) << message;
+}
+
+TEST(DistributedField, RefusesPiecesThatOverlap)
+{
+  const TriangleMesh mesh = numbered(icosphere(1.0, 1));
+  const Grid grid = gridAround(mesh, 20);
+  std::vector<std::string> messages(2);
+  SimulatedRanks(2).run(
+    [&](Communicator& communicator)
+    {
+      KeepingSink sink(grid.wholeExtent());
+      try
+      {
+        computeDistanceField(communicator, pieceOf(mesh, 0, onTheLast(1)), grid, grid.wholeExtent(),
+          sink, optionsOf({ mesh, grid }));
+      }
+      catch (const Error& error)
+      {
+        messages[communicator.rank()] = error.what();
+      }
+    });
+  EXPECT_EQ(messages[0], "rank 0: the pieces overlap: cell 0 is in those of ranks 0 and 1");
+  EXPECT_EQ(messages[1], messages[0]);
+}
+
+TEST(PartsOfGrid, CoverItOnceAndEndWithTiles)
+{
+  for (const std::array<int, 3>& dimensions : { std::array<int, 3>{ 100, 64, 33 },
+         std::array<int, 3>{ 20, 3, 5 }, std::array<int, 3>{ 1, 1, 1 } })
+  {
+    Grid grid;
+    grid.dimensions = dimensions;
+    for (const int parts : { 1, 2, 3, 4, 7, 16 })
+    {
+      const std::vector<Extent> extents = partsOfGrid(grid, parts);
+      ASSERT_EQ(extents.size(), static_cast<std::size_t>(parts));
+      std::int64_t points = 0;
+      for (const Extent& extent : extents)
+      {
+        points += extent.pointCount();
+        for (int axis = 0; axis < 3 && !extent.empty(); ++axis)
+        {
+          EXPECT_EQ(extent.min[axis] % 16, 0);
+        }
+      }
+      EXPECT_EQ(points, grid.pointCount());
+    }
+  }
+}
