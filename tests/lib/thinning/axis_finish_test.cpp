@@ -1,5 +1,6 @@
 #include "medial/axis_curves.h"
 #include "medial/compute_medial_axis.h"
+#include "thinning/sound_cells.h"
 
 #include "support/axes.h"
 #include "support/border_roughness.h"
@@ -191,6 +192,38 @@ TEST(PreservedCreases, OfABoxAreReached)
     EXPECT_LE(*std::max_element(far.begin(), far.end()), spacing);
     expectTopologyOfSolid(axis);
   }
+}
+
+TEST(PreservedCreases, OfAPrismAreReached)
+{
+  constexpr double kSpacing = 0.04;
+  const MedialAxis axis = preserved(tilted(lPrism(1.0, 0.6)), kSpacing);
+  // Places on convex edges.
+  const std::vector<double> far =
+    distancesToPoints({ tilted(Point3{ -1.0, -1.0, 0.0 }), tilted(Point3{ 1.0, -1.0, 0.1 }),
+                        tilted(Point3{ -0.3, -1.0, 0.6 }), tilted(Point3{ 1.0, 0.0, -0.2 }) },
+      axis.points);
+  EXPECT_LE(*std::max_element(far.begin(), far.end()), kSpacing);
+  expectTopologyOfSolid(axis);
+}
+
+TEST(SoundCells, TakePointsBackThatLeaveNoArea)
+{
+  ThinnedAxis axis;
+  std::vector<BisectorPoint> before(6);
+  for (int i = 0; i < 6; ++i)
+  {
+    before[i].position = { i / 2, i % 2, 0.0 };
+  }
+  axis.quads = { { 0, 2, 3, 1 }, { 2, 4, 5, 3 } };
+  axis.points.points = before;
+  axis.points.points[4].position = { 1.0, 2.0, 0.0 };
+  axis.points.points[5].position = { 1.0, 3.0, 0.0 };
+  axis.points.points[1].position = { 0.0, 0.8, 0.0 };
+  keepCellsSound(before, axis);
+  EXPECT_EQ(axis.points.points[4].position, before[4].position);
+  EXPECT_EQ(axis.points.points[5].position, before[5].position);
+  EXPECT_EQ(axis.points.points[1].position.y, 0.8);
 }
 
 TEST(PreservedCurves, RunStraightThroughStraightTubes)
