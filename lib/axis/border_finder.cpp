@@ -86,8 +86,8 @@ void BorderFinder::find(const std::vector<BorderWalker*>& walkers)
   for (BorderWalker* walker : walkers)
   {
     this->fit(*walker);
-    walker->movable = walker->atBorder ||
-      (walker->onSheet && points_.points[walker->vertex].radius() >= kNearCrease);
+    walker->nearCrease = points_.points[walker->vertex].radius() < kNearCrease;
+    walker->movable = walker->atBorder || (walker->onSheet && !walker->nearCrease);
     if (walker->movable && !walker->atBorder)
     {
       lost.push_back(walker);

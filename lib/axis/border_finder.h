@@ -18,10 +18,11 @@ namespace medial
 struct BorderWalker
 {
   std::size_t vertex = 0;
-  bool onSheet = false;  ///< alone: no other sheet meets it there
-  bool atBorder = false; ///< whether `place` is at a border
-  bool exact = false;    ///< whether facets do not matter to that border
-  bool movable = false;  ///< whether the rim may move: it does not lead to a crease
+  bool onSheet = false;    ///< alone: no other sheet meets it there
+  bool atBorder = false;   ///< whether `place` is at a border
+  bool exact = false;      ///< whether facets do not matter to that border
+  bool movable = false;    ///< whether the rim may move: it does not lead to a crease
+  bool nearCrease = false; ///< whether its ball is as small as near a crease
   SheetFit fit;
   std::vector<int> sites; ///< of the sheet
   BisectorPoint sample;   ///< of the same sheet

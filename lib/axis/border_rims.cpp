@@ -24,7 +24,9 @@ using Walker = BorderWalker;
 /// Where facets keep some vertices off the line, the others follow in further rounds.
 constexpr int kRounds = 3;
 /// Vertices that are this near to their place, in voxels, stay.
-constexpr double kNear = 0.15;
+constexpr double kNear = 0.1;
+/// Vertices that have no sheet of their own follow others that are at most this many away.
+constexpr int kSweeps = 4;
 
 /// Whether a point continues the sheet of a fit on the same side of the surface as another.
 bool continues(const SheetFit& fit, const BisectorPoint& point, const BisectorPoint& before)
@@ -96,22 +98,61 @@ Neighbours neighboursOf(const std::vector<Walker>& walkers,
 void smooth(const std::vector<Walker>& walkers, const Neighbours& neighbours,
   std::vector<glm::dvec3>& places)
 {
-  constexpr int kPasses = 10;
+  constexpr int kPasses = 20;
   constexpr double kShrink = 0.5;
-  constexpr double kGrow = -0.53;
-  std::vector<glm::dvec3> before;
+  constexpr double kGrow = -0.51;
+  std::vector<std::size_t> free;
+  for (std::size_t i = 0; i < walkers.size(); ++i)
+  {
+    const auto [p, q] = neighbours[i];
+    if (walkers[i].movable && !walkers[i].exact && p >= 0 && q >= 0)
+    {
+      free.push_back(i);
+    }
+  }
+  std::vector<glm::dvec3> before = places;
   for (int pass = 0; pass < 2 * kPasses; ++pass)
   {
     const double share = pass % 2 == 0 ? kShrink : kGrow;
-    before = places;
+    for (const std::size_t i : free)
+    {
+      const auto [p, q] = neighbours[i];
+      const glm::dvec3& normal = walkers[i].fit.normal;
+      const glm::dvec3 way = share * (0.5 * (before[p] + before[q]) - before[i]);
+      places[i] = before[i] + way - glm::dot(way, normal) * normal;
+    }
+    std::swap(before, places);
+  }
+  std::swap(before, places);
+}
+
+/// Lends vertices without a border of their own the sheet of a neighbour on the rim, so that they
+/// follow the line: where a sheet ends in fins around a curve, or in single crossings, there are
+/// too few samples for a fit. Rims that lead to a crease are left to it.
+void lendSheets(const BisectorPoints& points, const Neighbours& neighbours,
+  std::vector<Walker>& walkers)
+{
+  const auto lends = [&](int i) { return i >= 0 && walkers[i].movable; };
+  for (int sweep = 0; sweep < kSweeps; ++sweep)
+  {
+    std::vector<std::array<int, 2>> loans; // to whom, from whom
     for (std::size_t i = 0; i < walkers.size(); ++i)
     {
       const auto [p, q] = neighbours[i];
-      if (walkers[i].movable && !walkers[i].exact && p >= 0 && q >= 0)
+      const bool waits = !walkers[i].movable && !walkers[i].nearCrease && p >= 0 && q >= 0;
+      if (waits && (lends(p) || lends(q)))
       {
-        const glm::dvec3 way = share * (0.5 * (before[p] + before[q]) - before[i]);
-        places[i] += way - glm::dot(way, walkers[i].fit.normal) * walkers[i].fit.normal;
+        loans.push_back({ static_cast<int>(i), lends(p) ? p : q });
       }
+    }
+    for (const auto& [to, from] : loans)
+    {
+      const std::size_t vertex = walkers[to].vertex;
+      walkers[to] = walkers[from];
+      walkers[to].vertex = vertex;
+      walkers[to].place = points.points[vertex].position;
+      walkers[to].exact = false;
+      walkers[to].nearCrease = false;
     }
   }
 }
@@ -311,6 +352,7 @@ std::vector<std::size_t> moveToBorders(const AxisGeometry& geometry,
     [&](std::size_t i) { return selection.samples.mesh.cells[origins[walkers[i].vertex]]; });
   findBorders(geometry, selection, points, origins, order, walkers);
   const Neighbours neighbours = neighboursOf(walkers, rims);
+  lendSheets(points, neighbours, walkers);
   std::vector<glm::dvec3> places(walkers.size());
   std::transform(walkers.begin(), walkers.end(), places.begin(),
     [](const Walker& walker) { return walker.place; });

@@ -196,7 +196,7 @@ TEST(Borders, OfRealMeshesAreSmootherThanVoxels)
       const TriangleMesh mesh = loadMesh(*path);
       const Grid grid = makeGrid(mesh.bounds(), 256, 0.05);
       const MedialAxis axis = computeMedialAxis(mesh, grid);
-      EXPECT_LE(bordersOf(axis, grid.spacing[0]).roughness(), 1.12) << file;
+      EXPECT_LE(bordersOf(axis, grid.spacing[0]).roughness(), 1.08) << file;
       EXPECT_GE(minAngle(axis), 0.8 * 60.0) << file;
     }
   }
