@@ -1,17 +1,23 @@
 #include "rank_session.h"
 
 #include "failure.h"
+#include "interrupt.h"
 #include "output_file.h"
 #include "program_main.h"
 
 #include <mpi.h>
+#include <vtkMPICommunicator.h>
 #include <vtkMPIController.h>
 #include <vtkNew.h>
 
 #include <algorithm>
+#include <chrono>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 #include <string>
+#include <thread>
 #include <utility>
 
 namespace medial::app
@@ -37,7 +43,7 @@ bool isOneOfSeveral()
 class ControllerCommunicator : public Communicator
 {
 public:
-  explicit ControllerCommunicator(vtkMultiProcessController* controller)
+  explicit ControllerCommunicator(vtkMPIController* controller)
     : controller_(controller)
   {
   }
@@ -80,29 +86,76 @@ private:
 
   void send(const Message& message, int to) const
   {
-    const auto length = static_cast<vtkIdType>(message.size());
-    controller_->Send(&length, 1, to, kTag);
+    const auto length = static_cast<std::int64_t>(message.size());
+    this->sendPart(reinterpret_cast<const char*>(&length), sizeof(length), to);
     for (std::size_t first = 0; first < message.size(); first += kMaxPart)
     {
-      controller_->Send(message.data() + first,
-        static_cast<vtkIdType>(std::min(kMaxPart, message.size() - first)), to, kTag);
+      this->sendPart(message.data() + first, std::min(kMaxPart, message.size() - first), to);
     }
   }
 
   Message receive(int from) const
   {
-    vtkIdType length = 0;
-    controller_->Receive(&length, 1, from, kTag);
+    std::int64_t length = 0;
+    this->receivePart(reinterpret_cast<char*>(&length), sizeof(length), from);
     Message message(static_cast<std::size_t>(length));
     for (std::size_t first = 0; first < message.size(); first += kMaxPart)
     {
-      controller_->Receive(message.data() + first,
-        static_cast<vtkIdType>(std::min(kMaxPart, message.size() - first)), from, kTag);
+      this->receivePart(message.data() + first, std::min(kMaxPart, message.size() - first), from);
     }
     return message;
   }
 
-  vtkMultiProcessController* controller_;
+  void sendPart(const char* bytes, std::size_t count, int to) const
+  {
+    vtkMPICommunicator::Request request;
+    controller_->NoBlockSend(bytes, static_cast<int>(count), to, kTag, request);
+    waitFor([&] { return request.Test() != 0; });
+  }
+
+  void receivePart(char* bytes, std::size_t count, int from) const
+  {
+    int arrived = 0;
+    int source = 0;
+    waitFor(
+      [&]
+      {
+        controller_->Iprobe(from, kTag, &arrived, &source);
+        return arrived != 0;
+      });
+    controller_->Receive(bytes, static_cast<vtkIdType>(count), from, kTag);
+  }
+
+  /// Waits without taking the time of ranks that compute. Where the program is to stop and nothing
+  /// comes any more, since another rank has died, it ends here.
+  template <typename Done>
+  void waitFor(const Done& done) const
+  {
+    using Clock = std::chrono::steady_clock;
+    constexpr std::chrono::milliseconds kPatience(300); // launchers kill after a second
+    std::chrono::microseconds pause(1);
+    std::optional<Clock::time_point> stopped;
+    while (!done())
+    {
+      if (interrupted() && !stopped)
+      {
+        stopped = Clock::now();
+      }
+      if (stopped && Clock::now() - *stopped > kPatience)
+      {
+        OutputFile::removeTemporaries();
+        if (this->rank() == 0)
+        {
+          std::fprintf(stderr, "medial-axis: rank 0: interrupted\n");
+        }
+        std::_Exit(static_cast<int>(ExitCode::Interrupted));
+      }
+      std::this_thread::sleep_for(pause);
+      pause = std::min(2 * pause, std::chrono::microseconds(500));
+    }
+  }
+
+  vtkMPIController* controller_;
 };
 
 class MpiSession : public RankSession

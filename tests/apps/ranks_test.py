@@ -6,10 +6,12 @@ usage: ranks_test.py MPIRUN MEDIAL-AXIS
 import math
 import os
 import re
+import signal
 import struct
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 from pathlib import Path
 
@@ -35,6 +37,19 @@ def torus(u=40, v=20, turned=False):
     lines += [" ".join(repr(x) for x in point) for point in points]
     lines += [" ".join(map(str, (len(face), *(reversed(face) if turned else face)))) for face in faces]
     return "\n".join(lines) + "\n"
+
+
+def children_of(parent):
+    """The numbers of processes that another one has started."""
+    children = []
+    for path in Path("/proc").glob("[0-9]*/stat"):
+        try:
+            stat = path.read_text()
+        except OSError:  # it has ended meanwhile
+            continue
+        if int(stat.rpartition(")")[2].split()[1]) == parent:
+            children.append(int(path.parent.name))
+    return sorted(children)
 
 
 class Image:
@@ -150,6 +165,21 @@ class Ranks(unittest.TestCase):
         run = self.run_command(MPIRUN, "--oversubscribe", "-np", "1", PROGRAM, *options, "20", ":",
                                "-np", "1", PROGRAM, *options, "21")
         self.expect_failure(run, 2, "^medial-axis: rank 1 has other options than rank 0$")
+
+    def test_a_rank_that_is_killed(self):
+        command = [MPIRUN, "--oversubscribe", "-np", "3", PROGRAM, "torus.off", "--field", "a.pvti", "--sign",
+                   "none", "--resolution", "500", "--threads", "1", "-q"]
+        with subprocess.Popen(command, cwd=self.folder, env=ENVIRONMENT, stderr=subprocess.PIPE) as run:
+            while len(list(self.folder.glob(".a*"))) < 4:  # the pieces and the index
+                self.assertIsNone(run.poll())
+                time.sleep(0.01)
+            os.kill(children_of(run.pid)[1], signal.SIGKILL)
+            run.communicate(timeout=60)
+        self.assertNotEqual(run.returncode, 0)
+        # Of the one that was killed a file without its name may stay; the others leave nothing.
+        left = [name for name in self.files() if name != "torus.off"]
+        self.assertLessEqual(len(left), 1, left)
+        self.assertTrue(all(name.startswith(".") for name in left), left)
 
     def test_the_version_is_printed_once(self):
         run = self.run_ranks(3, "--version")
