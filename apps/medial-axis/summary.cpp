@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <sstream>
 #include <string>
+#include <utility>
 
 namespace medial::app
 {
@@ -99,12 +100,21 @@ void printLocalThickness(const char* name, const std::optional<LocalThicknessSum
 
 void printSeconds(const RunStatistics::Seconds& run, const AppSeconds& app)
 {
-  std::printf("seconds   read %.2f, prepare %.2f, sites %.2f, sign %.2f, cull %.2f, polygons %.2f, "
-              "draw %.2f, resolve %.2f, medial %.2f, measure %.2f, skeleton %.2f, thickness %.2f, "
-              "pictures %.2f, "
-              "write %.2f, total %.2f\n",
-    app.read, app.prepare, run.sites, run.sign, run.cull, run.polygons, run.draw, run.resolve,
-    run.medial, app.measure, app.skeleton, app.thickness, app.pictures, app.write, app.total);
+  const std::pair<const char*, double> phases[] = { { "read", app.read },
+    { "prepare", app.prepare }, { "sites", run.sites }, { "sign", run.sign }, { "cull", run.cull },
+    { "polygons", run.polygons }, { "draw", run.draw }, { "resolve", run.resolve },
+    { "medial", run.medial }, { "measure", app.measure }, { "skeleton", app.skeleton },
+    { "thickness", app.thickness }, { "pictures", app.pictures }, { "write", app.write } };
+  constexpr double kShown = 0.005; // less would be 0.00
+  std::printf("seconds   ");
+  for (const auto& [name, seconds] : phases)
+  {
+    if (seconds >= kShown)
+    {
+      std::printf("%s %.2f, ", name, seconds);
+    }
+  }
+  std::printf("total %.2f\n", app.total);
 }
 
 void printFile(const std::filesystem::path& path, const std::string& content)

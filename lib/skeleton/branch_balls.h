@@ -1,6 +1,6 @@
 #pragma once
 
-#include "skeleton/smooth_curve.h"
+#include "axis/smooth_curve.h"
 #include "skeleton/solid_probe.h"
 
 #include <glm/glm.hpp>

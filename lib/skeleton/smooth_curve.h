@@ -1,3 +1,0 @@
-#pragma once
-
-#include "axis/smooth_curve.h"
