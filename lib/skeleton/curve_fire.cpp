@@ -156,7 +156,7 @@ bool leavesSolid(const NetworkEdge& edge, const NetworkInput& input)
 std::vector<std::int64_t> around(const CurveGraph& graph, const NetworkInput& input, int without,
   std::int64_t start)
 {
-  constexpr double kReach = 4.0; // in radii
+  constexpr double kReach = 6.0; // in radii
   using Event = std::pair<double, std::int64_t>;
   std::priority_queue<Event, std::vector<Event>, std::greater<>> queue;
   std::set<std::int64_t> reached;

