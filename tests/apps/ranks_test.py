@@ -16,6 +16,8 @@ import unittest
 from pathlib import Path
 
 MPIRUN, PROGRAM = (os.path.abspath(path) for path in sys.argv[1:3])
+# mpirun's own words about failures would get into the middle of the program's line.
+LAUNCHER = (MPIRUN, "--quiet", "--oversubscribe")
 # Both are for the tests' containers, where everything runs as root and there are few cores.
 ENVIRONMENT = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
 SINGLE = ("--engine", "processor", "--threads", "1")
@@ -85,7 +87,7 @@ class Ranks(unittest.TestCase):
         (self.folder / "torus.off").write_text(torus())
 
     def run_ranks(self, count, *arguments):
-        return self.run_command(MPIRUN, "--oversubscribe", "-np", str(count), PROGRAM, *arguments)
+        return self.run_command(*LAUNCHER, "-np", str(count), PROGRAM, *arguments)
 
     def run_command(self, *command):
         return subprocess.run(command, cwd=self.folder, env=ENVIRONMENT, text=True, capture_output=True,
@@ -162,12 +164,12 @@ class Ranks(unittest.TestCase):
 
     def test_ranks_with_different_options(self):
         options = ("torus.off", "--field", "a.pvti", "--sign", "none", "--resolution")
-        run = self.run_command(MPIRUN, "--oversubscribe", "-np", "1", PROGRAM, *options, "20", ":",
+        run = self.run_command(*LAUNCHER, "-np", "1", PROGRAM, *options, "20", ":",
                                "-np", "1", PROGRAM, *options, "21")
         self.expect_failure(run, 2, "^medial-axis: rank 1 has other options than rank 0$")
 
     def test_a_rank_that_is_killed(self):
-        command = [MPIRUN, "--oversubscribe", "-np", "3", PROGRAM, "torus.off", "--field", "a.pvti", "--sign",
+        command = [*LAUNCHER, "-np", "3", PROGRAM, "torus.off", "--field", "a.pvti", "--sign",
                    "none", "--resolution", "500", "--threads", "1", "-q"]
         with subprocess.Popen(command, cwd=self.folder, env=ENVIRONMENT, stderr=subprocess.PIPE) as run:
             while len(list(self.folder.glob(".a*"))) < 4:  # the pieces and the index
