@@ -172,7 +172,7 @@ Coordinates parse(const std::string& content)
   const std::string_view start = std::string_view(content).substr(0, kHeader);
   if (start.substr(0, 5) != "solid" || start.find('\0') != std::string_view::npos)
   {
-    refuseContent("not a complete STL file: it is no text that starts with 'solid', and the " +
+    refuseContent("not a complete STL file: it is not text that starts with 'solid', and the " +
       std::to_string(triangles) + " triangles of a binary one would take " +
       std::to_string(expected) + " bytes, not " + std::to_string(content.size()));
   }

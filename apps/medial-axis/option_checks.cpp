@@ -46,7 +46,7 @@ void checkScan(const Options& options)
     if (!options.scan.isovalue && !options.scan.label)
     {
       throw Failure(ExitCode::Usage,
-        input + " is an image: --isovalue V or --label N says which surface of it is wanted");
+        input + " is an image: choose its surface with --isovalue V or --label N");
     }
     return;
   }

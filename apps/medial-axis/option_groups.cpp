@@ -22,8 +22,10 @@ constexpr double kMaxPadding = 10.0;
 
 CLI::Validator length()
 {
-  return CLI::Validator([](std::string& word)
-    { return parseLength(word) ? std::string() : word + " is no length >= 0, such as 0.5 or 2%"; },
+  return CLI::Validator(
+    [](std::string& word) {
+      return parseLength(word) ? std::string() : word + " is not a length >= 0, such as 0.5 or 2%";
+    },
     "");
 }
 
@@ -254,7 +256,7 @@ void addThicknessOptions(CLI::App& app, OptionTexts& texts)
       {
         const auto found = parseLength(word);
         return found && found->value > 0.0 ? std::string()
-                                           : word + " is no length > 0, such as 0.5 or 2%";
+                                           : word + " is not a length > 0, such as 0.5 or 2%";
       },
       "");
   };

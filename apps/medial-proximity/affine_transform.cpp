@@ -34,7 +34,7 @@ double toNumber(const std::string& word)
   const auto [end, error] = std::from_chars(first, last, number);
   if (error != std::errc() || end != last || !std::isfinite(number))
   {
-    refuseContent("'" + word + "' is no finite number");
+    refuseContent("'" + word + "' is not a finite number");
   }
   return number;
 }

@@ -107,7 +107,7 @@ std::vector<std::int64_t> countsOf(const HeaderFields& fields, const std::string
     counts.push_back(parsed<std::int64_t>(word, key));
     if (counts.back() < 1 || counts.back() > std::numeric_limits<std::int32_t>::max())
     {
-      refuseWord(key, word, "", "is no size of an axis");
+      refuseWord(key, word, "", "is not the size of an axis");
     }
   }
   return counts;

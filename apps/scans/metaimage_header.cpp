@@ -24,7 +24,7 @@ int typeOf(const std::string& name)
   const auto found = kTypes.find(name);
   if (found == kTypes.end())
   {
-    refuseContent("its ElementType is '" + name + "', which is no type of one number");
+    refuseContent("its ElementType is '" + name + "', which is not a type of one number");
   }
   return found->second;
 }
@@ -61,7 +61,7 @@ ScanHeader parseMetaImageHeader(std::string_view content)
     if (sign == std::string_view::npos)
     {
       refuseContent(
-        "is no MetaImage: '" + std::string(line.substr(0, 40)) + "' is not KEY = VALUE");
+        "is not a MetaImage: '" + std::string(line.substr(0, 40)) + "' is not KEY = VALUE");
     }
     fields[lowerCase(trimmed(line.substr(0, sign)))] = trimmed(line.substr(sign + 1));
   }

@@ -53,7 +53,8 @@ int typeOf(int code)
   const auto found = kTypes.find(code);
   if (found == kTypes.end())
   {
-    refuseContent("its data type is " + std::to_string(code) + ", which is no type of one number");
+    refuseContent(
+      "its data type is " + std::to_string(code) + ", which is not a type of one number");
   }
   return found->second;
 }
@@ -126,7 +127,7 @@ ScanHeader parseNiftiHeader(std::string_view content)
   constexpr std::int32_t kSize = kNiftiHeaderSize;
   if ((size != kSize && swappedSize != kSize) || content.substr(344, 3) != "n+1")
   {
-    refuseContent("is no NIfTI file with header and values in one (version 1)");
+    refuseContent("is not a NIfTI file with header and values in one (version 1)");
   }
   const NiftiBytes bytes(content, size != kSize);
   ScanHeader header;

@@ -37,7 +37,7 @@ int typeOf(const std::string& name)
   const auto found = kTypes.find(name);
   if (found == kTypes.end())
   {
-    refuseContent("its type is '" + name + "', which is no type of numbers");
+    refuseContent("its type is '" + name + "', which is not a type of numbers");
   }
   return found->second;
 }
@@ -114,7 +114,7 @@ ScanHeader parseNrrdHeader(std::string_view content)
   HeaderLines lines(content);
   if (content.substr(0, 7) != "NRRD000")
   {
-    refuseContent("is no NRRD file: it does not start with NRRD000");
+    refuseContent("is not an NRRD file: it does not start with NRRD000");
   }
   lines.next();
   HeaderFields fields;

@@ -164,7 +164,7 @@ Scan parseWithFile(const fs::path& path, const std::string& content,
   if (leavesFolder || !fs::is_regular_file(file, error))
   {
     refuseContent("its values are in '" + header.file +
-      (leavesFolder ? "', which is outside of its folder" : "', which is no file"));
+      (leavesFolder ? "', which is outside its folder" : "', which is not a file"));
   }
   return makeScan(header, readContent(file));
 }

@@ -104,7 +104,7 @@ Scan parseVti(const std::string& content)
   const auto values = arrays.read(*scalars, static_cast<std::int64_t>(header.voxels()));
   if (values == nullptr || values->GetNumberOfComponents() != 1)
   {
-    refuseContent("the values of its points are no numbers");
+    refuseContent("the values of its points are not numbers");
   }
   auto data = vtkSmartPointer<vtkImageData>::New();
   data->SetDimensions(static_cast<int>(header.dimensions[0]),

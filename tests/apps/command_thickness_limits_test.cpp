@@ -166,8 +166,8 @@ TEST_F(CommandThicknessLimits, ContradictionsAreRefused)
   expectRefused({ "--min-thickness", "2", "--max-thickness", "1", "--thickness", "t.vtp" }, kUsage,
     "minimum thickness 2 is not below maximum thickness 1");
   expectRefused({ "--min-thickness", "50%", "--max-thickness", "1" }, kUsage, "is not below");
-  expectRefused({ "--min-thickness", "0" }, kUsage, "0 is no length > 0");
-  expectRefused({ "--max-thickness", "-1" }, kUsage, "-1 is no length > 0");
+  expectRefused({ "--min-thickness", "0" }, kUsage, "0 is not a length > 0");
+  expectRefused({ "--max-thickness", "-1" }, kUsage, "-1 is not a length > 0");
   expectRefused({ "--thin-regions", "t.vtp" }, kUsage, "--thin-regions t.vtp needs");
   expectRefused({ "--max-edge", "1" }, kUsage, "--max-edge 1 needs");
   expectRefused({ "--thickness-method", "ray" }, kUsage, "--thickness-method ray needs");

@@ -89,9 +89,10 @@ TEST_F(ProximityFailure, MatricesOnTheCommandLine)
   // Rows that are one sum of the others but for rounding.
   EXPECT_TRUE(contains(transformError("1=0.1,0.2,0.3,0,0.7,0.1,0.9,0,0.8,0.3,1.2,0"), "singular"));
   EXPECT_TRUE(contains(transformError("1=1,0,0"), "3 numbers; allowed: 12 (3 x 4) or 16 (4 x 4)"));
-  EXPECT_TRUE(contains(transformError("1=1,0,0,2,0,1,0,0,0,0,1,nan"), "'nan' is no finite number"));
-  EXPECT_TRUE(contains(transformError("1=1,0,0,2,0,1,0,0,0,0,1,1e999"), "'1e999' is no finite"));
-  EXPECT_TRUE(contains(transformError("1=1,0,0,2,0,1,0,0,0,0,1,x"), "'x' is no finite number"));
+  EXPECT_TRUE(
+    contains(transformError("1=1,0,0,2,0,1,0,0,0,0,1,nan"), "'nan' is not a finite number"));
+  EXPECT_TRUE(contains(transformError("1=1,0,0,2,0,1,0,0,0,0,1,1e999"), "'1e999' is not a finite"));
+  EXPECT_TRUE(contains(transformError("1=1,0,0,2,0,1,0,0,0,0,1,x"), "'x' is not a finite number"));
   EXPECT_TRUE(contains(transformError("1=1,0,0,2,0,1,0,0,0,0,1,0,0,0,0,2"),
     "the last row of a 4 x 4 matrix is 0, 0, 0, 2; allowed: 0, 0, 0, 1"));
   EXPECT_TRUE(contains(transformError("2=1,0,0,2,0,1,0,0,0,0,1,0"), "number of a mesh, in [0, 1]"));
@@ -106,7 +107,7 @@ TEST_F(ProximityFailure, MatricesInFiles)
   EXPECT_TRUE(contains(fileError(""), "the file is empty"));
   EXPECT_TRUE(contains(fileError("1 0 0 0\n0 1 0 0\n"), "a matrix has 8 numbers"));
   EXPECT_TRUE(contains(fileError("1 0 0 0\n0 1 0 0\n0 0 0 0\n"), "singular"));
-  EXPECT_TRUE(contains(fileError("1 0 0 0\n0 1 0 0\n0 0 one 0\n"), "'one' is no finite number"));
+  EXPECT_TRUE(contains(fileError("1 0 0 0\n0 1 0 0\n0 0 one 0\n"), "'one' is not a finite number"));
   const std::string row = "1 0 0 2 0 1 0 0 0 0 1 0\n";
   EXPECT_TRUE(contains(fileError(row + row), "has 2 matrices; more than one need --sequence"));
   EXPECT_TRUE(contains(fileError(row + "1 0 0 0\n"), "mixes lines"));

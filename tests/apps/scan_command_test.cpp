@@ -69,7 +69,7 @@ TEST_F(ScanCommand, NamesItsOutputByTheScan)
 TEST_F(ScanCommand, RefusesScansAndMeshesThatDoNotFitTheirOptions)
 {
   expectRefusal({ "ball.nrrd", "-o", "a.vtp" }, 2,
-    "ball.nrrd is an image: --isovalue V or --label N says which surface of it is wanted");
+    "ball.nrrd is an image: choose its surface with --isovalue V or --label N");
   expectRefusal({ "ball.nrrd", "--label", "1", "--isovalue", "1", "-o", "a.vtp" }, 2, "excludes");
   expectRefusal({ "box.obj", "--label", "1", "-o", "a.vtp" }, 2, "--label needs an image");
   expectRefusal({ "box.obj", "--isovalue", "1", "-o", "a.vtp" }, 2, "--isovalue needs an image");

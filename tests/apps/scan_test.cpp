@@ -227,18 +227,19 @@ std::string refusedNrrd(const Replacement& replaced, const std::string& encoding
 
 TEST(ScanReader, RefusesDamagedNrrd)
 {
-  EXPECT_EQ(refusal("a.nrrd", "P5\n"), "a.nrrd: is no NRRD file: it does not start with NRRD000");
+  EXPECT_EQ(refusal("a.nrrd", "P5\n"),
+    "a.nrrd: is not an NRRD file: it does not start with NRRD000");
   EXPECT_EQ(refusal("a.nrrd", ""), "a.nrrd: the file is empty");
   EXPECT_EQ(refusal("a.nrrd", "NRRD0004\ntype: short\n"),
     "a.nrrd: ends early: its header has no end");
   EXPECT_EQ(refusedNrrd({ "dimension: 3", "dimension: 2" }),
     "a.nrrd: 'dimension' is '2', but there are 3 sizes");
   EXPECT_EQ(refusedNrrd({ "type: short", "type: block" }),
-    "a.nrrd: its type is 'block', which is no type of numbers");
+    "a.nrrd: its type is 'block', which is not a type of numbers");
   EXPECT_EQ(refusedNrrd({ "encoding: raw", "encoding: bzip2" }),
     "a.nrrd: its encoding is 'bzip2', allowed: raw, gzip, ascii");
   EXPECT_EQ(refusedNrrd({ "sizes: 30", "sizes: 0" }),
-    "a.nrrd: 'sizes' has 0, which is no size of an axis");
+    "a.nrrd: 'sizes' has 0, which is not the size of an axis");
   EXPECT_EQ(refusedNrrd({ "sizes: 30", "sizes: x" }),
     "a.nrrd: 'sizes' has 'x' in place of a number");
   EXPECT_EQ(refusedNrrd({ "sizes: 30 25 12", "sizes: 30 25 120" }),
@@ -279,16 +280,16 @@ TEST(ScanReader, RefusesSeveralValuesAVoxelAndMoments)
 
 TEST(ScanReader, RefusesDamagedMetaImages)
 {
-  EXPECT_EQ(refusal("a.mha", "abc\n"), "a.mha: is no MetaImage: 'abc' is not KEY = VALUE");
+  EXPECT_EQ(refusal("a.mha", "abc\n"), "a.mha: is not a MetaImage: 'abc' is not KEY = VALUE");
   EXPECT_EQ(refusal("a.mha", metaImageFile(ball(), false, "LIST")),
     "a.mha: its values are in several files, which is not supported");
   EXPECT_EQ(refusal("a.mhd", metaImageFile(ball(), false, "absent.raw")),
-    "a.mhd: its values are in 'absent.raw', which is no file");
+    "a.mhd: its values are in 'absent.raw', which is not a file");
   EXPECT_EQ(refusal("a.mhd", metaImageFile(ball(), false, "../a.raw")),
-    "a.mhd: its values are in '../a.raw', which is outside of its folder");
+    "a.mhd: its values are in '../a.raw', which is outside its folder");
   EXPECT_EQ(
     refusal("a.mha", metaImageFile(ball(), false, "LOCAL", { "MET_SHORT", "MET_SHORT_ARRAY" })),
-    "a.mha: its ElementType is 'MET_SHORT_ARRAY', which is no type of one number");
+    "a.mha: its ElementType is 'MET_SHORT_ARRAY', which is not a type of one number");
   EXPECT_EQ(refusal("a.mha",
               metaImageFile(ball(), false, "LOCAL",
                 { "ElementSpacing = ", "ElementSpacing = 0 0 0\nX = " })),
@@ -301,13 +302,14 @@ TEST(ScanReader, RefusesDamagedMetaImages)
 TEST(ScanReader, RefusesDamagedNifti)
 {
   EXPECT_EQ(refusal("a.nii", "short"),
-    "a.nii: is no NIfTI file with header and values in one (version 1)");
+    "a.nii: is not a NIfTI file with header and values in one (version 1)");
   EXPECT_EQ(refusal("a.nii.gz", "short"), "a.nii.gz: its compressed values are damaged");
   std::string file = niftiFile(ball(), NiftiSpace::Sform);
   EXPECT_EQ(refusal("a.nii", file.substr(0, 4000)),
     "a.nii: ends early: its header promises 18000 bytes, and 3648 are there");
   file[70] = 99;
-  EXPECT_EQ(refusal("a.nii", file), "a.nii: its data type is 99, which is no type of one number");
+  EXPECT_EQ(refusal("a.nii", file),
+    "a.nii: its data type is 99, which is not a type of one number");
 }
 
 TEST(ScanReader, RefusesDamagedVti)

@@ -151,7 +151,7 @@ TEST(SurfaceReader, RefusesWhatIsNoMeshFile)
   for (const char* name : { "a.stl", "a.obj", "a.ply", "a.off", "a.vtp", "a.vtk" })
   {
     EXPECT_NE(refusal(name, ""), "") << name;
-    EXPECT_NE(refusal(name, "this is no mesh\n"), "") << name;
+    EXPECT_NE(refusal(name, "this is not a mesh\n"), "") << name;
     EXPECT_NE(refusal(name, std::string(300, '\0')), "") << name;
   }
 }

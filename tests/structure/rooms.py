@@ -103,7 +103,7 @@ def table_faults(root, rooms):
     faults = [f"the table lacks the header {name}" for name in sorted(public - set(rooms.headers))]
     faults += [f"there is no header {name}" for name in sorted(set(rooms.headers) - public)]
     faults += [f"there is no room lib/{room}" for room in rooms.arrows if not (lib / room).is_dir()]
-    faults += [f"{room} may include {target}, which is no room"
+    faults += [f"{room} may include {target}, which is not a room"
                for room, targets in rooms.arrows.items() for target in targets if target not in rooms.arrows]
     cycle = find_cycle(rooms.arrows)
     if cycle:

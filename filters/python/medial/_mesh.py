@@ -58,7 +58,7 @@ def length(name: str, value: Any, mesh: vtkPolyData) -> Any:
     try:
         share = float(value[:-1])
     except ValueError:
-        raise InvalidInputError(f"{name} {value!r} is no length, such as 0.5 or '2%'") from None
+        raise InvalidInputError(f"{name} {value!r} is not a length, such as 0.5 or '2%'") from None
     bounds = [0.0] * 6
     mesh.GetCellsBounds(bounds)
     return 0.01 * share * math.dist(bounds[0::2], bounds[1::2])

@@ -144,7 +144,7 @@ TEST(MeshIo, RefusesWhatIsNoMeshFile)
   for (const char* name : { "a.obj", "a.ply", "a.off", "a.vtk" })
   {
     EXPECT_NE(refusal(name, ""), "") << name;
-    EXPECT_NE(refusal(name, "this is no mesh\n"), "") << name;
+    EXPECT_NE(refusal(name, "this is not a mesh\n"), "") << name;
     EXPECT_NE(refusal(name, std::string(300, '\0')), "") << name;
   }
 }
