@@ -2,6 +2,7 @@
 
 #include "input_file.h"
 #include "library_calls.h"
+#include "number_text.h"
 #include "vtp_reader.h"
 
 #include "medial/axis_io.h"
@@ -11,7 +12,6 @@
 #include <vtkPointData.h>
 
 #include <cmath>
-#include <sstream>
 #include <string>
 
 namespace fs = std::filesystem;
@@ -20,13 +20,6 @@ namespace medial::app
 {
 namespace
 {
-
-std::string text(double number)
-{
-  std::ostringstream stream;
-  stream << number;
-  return stream.str();
-}
 
 // Rounds to single precision, whatever precision the file has.
 double toRadius(double value)
@@ -45,13 +38,13 @@ void checkBalls(const fs::path& path, vtkPolyData* axis, vtkDataArray* radii)
     {
       if (!std::isfinite(coordinate))
       {
-        refuseFile(path, point + "coordinate " + text(coordinate) + " is not finite");
+        refuseFile(path, point + "coordinate " + asText(coordinate) + " is not finite");
       }
     }
     const double radius = toRadius(radii->GetTuple1(i));
     if (!(radius >= 0.0 && std::isfinite(radius)))
     {
-      refuseFile(path, point + "radius " + text(radius) + " is outside [0, infinity)");
+      refuseFile(path, point + "radius " + asText(radius) + " is outside [0, infinity)");
     }
   }
 }

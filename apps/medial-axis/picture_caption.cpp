@@ -1,32 +1,26 @@
 #include "picture_caption.h"
 
 #include "caption.h"
+#include "number_text.h"
 #include "option_names.h"
 #include "region_table.h"
-
-#include <iomanip>
-#include <sstream>
 
 namespace medial::app
 {
 namespace
 {
 
-std::string asText(double value)
-{
-  std::ostringstream text;
-  text << std::setprecision(4) << value;
-  return text.str();
-}
+constexpr int kDigits = 4;
 
-std::string asText(const Length& length)
+std::string lengthText(const Length& length)
 {
-  return asText(length.value) + (length.percent ? " %" : "");
+  return asText(length.value, kDigits) + (length.percent ? " %" : "");
 }
 
 std::string sideAndAngle(const std::string& what, const Options& options)
 {
-  return what + ", " + nameOf(options.side) + ", angle " + asText(options.angle) + "\xc2\xb0";
+  return what + ", " + nameOf(options.side) + ", angle " + asText(options.angle, kDigits) +
+    "\xc2\xb0";
 }
 
 } // namespace
@@ -37,11 +31,11 @@ std::vector<std::string> axisCaption(const Options& options, const Result& resul
     sideAndAngle(options.wantsSkeleton() ? "skeleton" : "medial axis", options);
   if (options.lambda.value > 0.0)
   {
-    selection += ", lambda " + asText(options.lambda);
+    selection += ", lambda " + lengthText(options.lambda);
   }
   if (options.minRadius.value > 0.0)
   {
-    selection += ", radius at least " + asText(options.minRadius);
+    selection += ", radius at least " + lengthText(options.minRadius);
   }
   const auto& [x, y, z] = result.grid.dimensions;
   std::string way =

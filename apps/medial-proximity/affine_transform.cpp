@@ -2,13 +2,13 @@
 
 #include "input_file.h"
 #include "library_calls.h"
+#include "number_text.h"
 
 #include "medial/error.h"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <sstream>
 
 namespace medial::app
@@ -18,13 +18,6 @@ namespace
 
 // A determinant below this share of the product of the rows' lengths is that of rounding.
 constexpr double kSingular = 1e-14;
-
-std::string shown(double number)
-{
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.6g", number);
-  return text;
-}
 
 double toNumber(const std::string& word)
 {
@@ -48,7 +41,7 @@ void requireRegular(const AffineTransform& transform)
     std::hypot(m[0], m[1], m[2]) * std::hypot(m[4], m[5], m[6]) * std::hypot(m[8], m[9], m[10]);
   if (!(std::abs(determinant) > kSingular * lengths))
   {
-    refuseContent("the matrix is singular: its determinant is " + shown(determinant));
+    refuseContent("the matrix is singular: its determinant is " + asText(determinant));
   }
 }
 
@@ -91,8 +84,8 @@ AffineTransform toTransform(const std::vector<double>& numbers)
   if (numbers.size() == 16 &&
     std::vector(numbers.begin() + 12, numbers.end()) != std::vector<double>{ 0.0, 0.0, 0.0, 1.0 })
   {
-    refuseContent("the last row of a 4 x 4 matrix is " + shown(numbers[12]) + ", " +
-      shown(numbers[13]) + ", " + shown(numbers[14]) + ", " + shown(numbers[15]) +
+    refuseContent("the last row of a 4 x 4 matrix is " + asText(numbers[12]) + ", " +
+      asText(numbers[13]) + ", " + asText(numbers[14]) + ", " + asText(numbers[15]) +
       "; allowed: 0, 0, 0, 1");
   }
   AffineTransform transform;

@@ -1,8 +1,9 @@
 #include "captions.h"
 
+#include "number_text.h"
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace medial::app
 {
@@ -13,9 +14,7 @@ constexpr std::size_t kMaxLines = 6;
 
 std::string shown(double number)
 {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.4g", number);
-  return text;
+  return asText(number, 4);
 }
 
 std::string translationOf(const DepthBounds& bounds)

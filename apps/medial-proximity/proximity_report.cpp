@@ -1,5 +1,7 @@
 #include "proximity_report.h"
 
+#include "number_text.h"
+
 #include <nlohmann/json.hpp>
 
 #include <cmath>
@@ -58,9 +60,7 @@ Json describe(const Body& body)
 
 std::string shown(double number)
 {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.6g", number);
-  return std::isfinite(number) ? text : "-";
+  return std::isfinite(number) ? asText(number) : "-";
 }
 
 const char* collisionOf(const Proximity& pair)

@@ -1,6 +1,7 @@
 #include "scan_surface.h"
 
 #include "input_file.h"
+#include "number_text.h"
 
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
@@ -17,7 +18,6 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <sstream>
 #include <string>
 
 namespace fs = std::filesystem;
@@ -26,14 +26,6 @@ namespace medial::app
 {
 namespace
 {
-
-std::string text(double value)
-{
-  std::ostringstream stream;
-  stream.precision(6);
-  stream << value;
-  return stream.str();
-}
 
 std::array<double, 2> rangeOf(vtkImageData* image)
 {
@@ -60,7 +52,7 @@ std::string labelsOf(vtkImageData* image)
     {
       return list + " and others";
     }
-    list += (list.empty() ? "" : ", ") + text(label);
+    list += (list.empty() ? "" : ", ") + asText(label);
   }
   return list;
 }
@@ -217,15 +209,15 @@ vtkSmartPointer<vtkPolyData> extractSurface(const Scan& scan, const ScanSurface&
     if (!(low < value && value <= high))
     {
       refuseFile(path,
-        "has no surface at the isovalue " + text(value) + ": its values are in [" + text(low) +
-          ", " + text(high) + "]");
+        "has no surface at the isovalue " + asText(value) + ": its values are in [" + asText(low) +
+          ", " + asText(high) + "]");
     }
     const double outside = isBorderBelow(scan.image, value) ? low : high;
     replaceNan(scan.image, outside);
     surface = contour(scan.image, value, outside);
     if (surface->GetNumberOfPolys() == 0)
     {
-      refuseFile(path, "has no surface at the isovalue " + text(value));
+      refuseFile(path, "has no surface at the isovalue " + asText(value));
     }
   }
   if (wanted.iterations() > 0)
