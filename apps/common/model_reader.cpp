@@ -38,13 +38,13 @@ void checkBalls(const fs::path& path, vtkPolyData* axis, vtkDataArray* radii)
     {
       if (!std::isfinite(coordinate))
       {
-        refuseFile(path, point + "coordinate " + asText(coordinate) + " is not finite");
+        refuseFile(path, point + "coordinate " + roundedText(coordinate) + " is not finite");
       }
     }
     const double radius = toRadius(radii->GetTuple1(i));
     if (!(radius >= 0.0 && std::isfinite(radius)))
     {
-      refuseFile(path, point + "radius " + asText(radius) + " is outside [0, infinity)");
+      refuseFile(path, point + "radius " + roundedText(radius) + " is outside [0, infinity)");
     }
   }
 }

@@ -14,12 +14,12 @@ constexpr int kDigits = 4;
 
 std::string lengthText(const Length& length)
 {
-  return asText(length.value, kDigits) + (length.percent ? " %" : "");
+  return roundedText(length.value, kDigits) + (length.percent ? " %" : "");
 }
 
 std::string sideAndAngle(const std::string& what, const Options& options)
 {
-  return what + ", " + nameOf(options.side) + ", angle " + asText(options.angle, kDigits) +
+  return what + ", " + nameOf(options.side) + ", angle " + roundedText(options.angle, kDigits) +
     "\xc2\xb0";
 }
 

@@ -41,7 +41,7 @@ void requireRegular(const AffineTransform& transform)
     std::hypot(m[0], m[1], m[2]) * std::hypot(m[4], m[5], m[6]) * std::hypot(m[8], m[9], m[10]);
   if (!(std::abs(determinant) > kSingular * lengths))
   {
-    refuseContent("the matrix is singular: its determinant is " + asText(determinant));
+    refuseContent("the matrix is singular: its determinant is " + roundedText(determinant));
   }
 }
 
@@ -84,8 +84,8 @@ AffineTransform toTransform(const std::vector<double>& numbers)
   if (numbers.size() == 16 &&
     std::vector(numbers.begin() + 12, numbers.end()) != std::vector<double>{ 0.0, 0.0, 0.0, 1.0 })
   {
-    refuseContent("the last row of a 4 x 4 matrix is " + asText(numbers[12]) + ", " +
-      asText(numbers[13]) + ", " + asText(numbers[14]) + ", " + asText(numbers[15]) +
+    refuseContent("the last row of a 4 x 4 matrix is " + roundedText(numbers[12]) + ", " +
+      roundedText(numbers[13]) + ", " + roundedText(numbers[14]) + ", " + roundedText(numbers[15]) +
       "; allowed: 0, 0, 0, 1");
   }
   AffineTransform transform;

@@ -11,16 +11,12 @@ namespace
 {
 
 constexpr std::size_t kMaxLines = 6;
-
-std::string shown(double number)
-{
-  return asText(number, 4);
-}
+constexpr int kDigits = 4;
 
 std::string translationOf(const DepthBounds& bounds)
 {
-  const std::string lower = shown(bounds.lower);
-  const std::string upper = shown(bounds.upper);
+  const std::string lower = roundedText(bounds.lower, kDigits);
+  const std::string upper = roundedText(bounds.upper, kDigits);
   return ", translation " + (lower == upper ? upper : lower + " to " + upper);
 }
 
@@ -28,12 +24,13 @@ std::string figuresOf(const Proximity& pair)
 {
   if (!pair.collide)
   {
-    return hasWitnesses(pair) ? "separation " + shown(pair.separation) : "no collision";
+    return hasWitnesses(pair) ? "separation " + roundedText(pair.separation, kDigits)
+                              : "no collision";
   }
   std::string text = "collide";
   if (std::isfinite(pair.depth))
   {
-    text = "depth " + shown(pair.depth);
+    text = "depth " + roundedText(pair.depth, kDigits);
   }
   if (std::isfinite(pair.translationalDepth.upper))
   {

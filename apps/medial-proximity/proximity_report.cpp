@@ -60,7 +60,7 @@ Json describe(const Body& body)
 
 std::string shown(double number)
 {
-  return std::isfinite(number) ? asText(number) : "-";
+  return std::isfinite(number) ? roundedText(number) : "-";
 }
 
 const char* collisionOf(const Proximity& pair)

@@ -52,7 +52,7 @@ std::string labelsOf(vtkImageData* image)
     {
       return list + " and others";
     }
-    list += (list.empty() ? "" : ", ") + asText(label);
+    list += (list.empty() ? "" : ", ") + roundedText(label);
   }
   return list;
 }
@@ -209,15 +209,15 @@ vtkSmartPointer<vtkPolyData> extractSurface(const Scan& scan, const ScanSurface&
     if (!(low < value && value <= high))
     {
       refuseFile(path,
-        "has no surface at the isovalue " + asText(value) + ": its values are in [" + asText(low) +
-          ", " + asText(high) + "]");
+        "has no surface at the isovalue " + roundedText(value) + ": its values are in [" +
+          roundedText(low) + ", " + roundedText(high) + "]");
     }
     const double outside = isBorderBelow(scan.image, value) ? low : high;
     replaceNan(scan.image, outside);
     surface = contour(scan.image, value, outside);
     if (surface->GetNumberOfPolys() == 0)
     {
-      refuseFile(path, "has no surface at the isovalue " + asText(value));
+      refuseFile(path, "has no surface at the isovalue " + roundedText(value));
     }
   }
   if (wanted.iterations() > 0)
