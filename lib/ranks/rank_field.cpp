@@ -2,8 +2,10 @@
 
 #include "base/stopwatch.h"
 #include "culling/extent_parts.h"
+#include "field/array_sink.h"
 #include "field/engines/processor/processor_engine.h"
 #include "field/reach.h"
+#include "field/tile_field.h"
 #include "medial/error.h"
 
 #include <algorithm>
@@ -150,6 +152,15 @@ void RankField::compute(const Extent& extent, FieldSink& sink)
 std::vector<Crossing> RankField::select(const Extent& extent, const CrossingSelection& selection,
   FieldSink& sink)
 {
+  // Engines select where tiles begin along x. Elsewhere the field comes first, by itself.
+  Extent selected = extent;
+  selected.min[0] -= extent.min[0] % TileField::kRow;
+  if (selected.min[0] != extent.min[0])
+  {
+    this->compute(extent, sink);
+    ArraySink nothing(selected, {});
+    return ProcessorEngine().select(this->job(selected), selection, nothing);
+  }
   NumberingSink numbering(sink, this->siteNumbers());
   return ProcessorEngine().select(this->job(extent), selection, numbering);
 }

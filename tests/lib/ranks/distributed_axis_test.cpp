@@ -188,3 +188,164 @@ TEST(DistributedAxis, OfBoxesIsThatOfOneProcess)
   grid.spacing[1] *= 1.3;
   expectSameAxisOfAllPartitions({ mesh, grid });
 }
+
+TEST(DistributedAxis, OfBothSidesIsThatOfOneProcess)
+{
+  Case of{ torusAndBox(), {} };
+  of.grid = gridAround(of.mesh, 61);
+  of.side = Side::Both;
+  of.angle = 25.0;
+  expectSameAxisOfAllPartitions(of);
+}
+
+TEST(DistributedAxis, OfASymmetricMeshIsThatOfOneProcess)
+{
+  // A round wall: sheets of facets, curves, and sites at equal distance.
+  const TriangleMesh mesh = numbered(shell(0.5, 1.0, 3));
+  Grid grid = gridAround(mesh, 41);
+  grid.origin = { -1.1, -1.1, -1.1 };
+  grid.spacing = { 0.055, 0.055, 0.055 };
+  expectSameAxisOfAllPartitions({ mesh, grid });
+}
+
+TEST(DistributedAxis, OfAnOpenSurfaceIsThatOfOneProcess)
+{
+  const TriangleMesh mesh = numbered(plates(0.3, 0.8));
+  expectSameAxisOfAllPartitions({ mesh, gridAround(mesh, 50), SignMethod::None });
+}
+
+TEST(DistributedAxis, WithLimitsIsThatOfOneProcess)
+{
+  Case of{ torusAndBox(), {} };
+  of.grid = gridAround(of.mesh, 60);
+  of.lambda = 0.1;
+  of.radius = 0.12;
+  expectSameAxisOfAllPartitions(of);
+}
+
+TEST(DistributedAxis, OfPointsIsThatOfOneProcess)
+{
+  Case of{ torusAndBox(), {} };
+  of.grid = gridAround(of.mesh, 60);
+  of.representation = Representation::Points;
+  expectSameAxisOfAllPartitions(of);
+}
+
+TEST(DistributedAxis, OfFacesIsThatOfOneProcess)
+{
+  Case of{ torusAndBox(), {} };
+  of.grid = gridAround(of.mesh, 60);
+  of.representation = Representation::Faces;
+  expectSameAxisOfAllPartitions(of);
+}
+
+TEST(DistributedAxis, OfThinPartsIsThatOfOneProcess)
+{
+  // Curves, most of whose points become one with others.
+  const TriangleMesh mesh = numbered(uvCapsule(0.05, 1.0, 24));
+  expectSameAxisOfAllPartitions({ mesh, gridAround(mesh, 130) });
+}
+
+TEST(DistributedAxis, OfSlicesOfThickSlabsIsThatOfOneProcess)
+{
+  // More slices than the thickest slab has, where the order of crossings changes.
+  const TriangleMesh mesh = numbered(uvCapsule(0.3, 1.0, 24));
+  Case of{ mesh, gridAround(mesh, 150) };
+  ASSERT_GT(of.grid.dimensions[2], 128);
+  const MedialAxis whole = computeMedialAxis(of.mesh, of.grid, optionsOf(of));
+  expectWhole(whole, axisOfRanks(of, partsOfGrid(of.grid, 5), onTheLast(5)));
+}
+
+TEST(DistributedAxis, IsThatOfOneProcessInAnyExtents)
+{
+  Case of{ torusAndBox(), {} };
+  of.grid = gridAround(of.mesh, 50);
+  const auto [x, y, z] = of.grid.wholeExtent().max;
+  const MedialAxis whole = computeMedialAxis(of.mesh, of.grid, optionsOf(of));
+  // One is a single layer, one is empty.
+  expectWhole(whole,
+    axisOfRanks(of,
+      { { { 0, 0, 0 }, { x, y, 20 } }, { { 0, 0, 21 }, { x, y, 21 } }, {},
+        { { 0, 0, 22 }, { 17, y, z } }, { { 18, 0, 22 }, { x, y, z } } },
+      atRandom(5)));
+}
+
+class DistributedAxisOfModels : public testing::TestWithParam<std::string>
+{
+};
+
+TEST_P(DistributedAxisOfModels, IsThatOfOneProcess)
+{
+  Case of{ numbered(buildTriangleMesh(loadModel(*modelPath(GetParam())))), {} };
+  of.grid = gridAround(of.mesh, 80);
+  for (const double angle : { 60.0, 20.0 })
+  {
+    SCOPED_TRACE(angle);
+    of.angle = angle;
+    const MedialAxis whole = computeMedialAxis(of.mesh, of.grid, optionsOf(of));
+    for (const int ranks : { 3, 8 })
+    {
+      SCOPED_TRACE(std::to_string(ranks) + " ranks");
+      expectWhole(whole, axisOfRanks(of, partsOfGrid(of.grid, ranks), atRandom(ranks)));
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, DistributedAxisOfModels,
+  testing::ValuesIn(
+    []
+    {
+      std::vector<std::string> present;
+      for (const char* name :
+        { "paper/gargoyle_20k.off", "organic/fertility_genus4.off", "cad/fandisk_13k.obj" })
+      {
+        if (modelPath(name))
+        {
+          present.emplace_back(name);
+        }
+      }
+      return present;
+    }()));
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(DistributedAxisOfModels);
+
+TEST(DistributedAxis, RefusesWhatNeedsTheWholeOnEveryRank)
+{
+  Case of{ torusAndBox(), {} };
+  of.grid = gridAround(of.mesh, 20);
+  const auto refusal = [&](const std::vector<Extent>& extents, const MedialAxisOptions& options)
+  {
+    std::vector<std::string> messages(extents.size());
+    SimulatedRanks(static_cast<int>(extents.size()))
+      .run(
+        [&](Communicator& communicator)
+        {
+          NoField sink;
+          try
+          {
+            computeMedialAxis(communicator, pieceOf(of.mesh, communicator.rank(), atRandom(2)),
+              of.grid, extents, sink, options);
+          }
+          catch (const Error& error)
+          {
+            messages[communicator.rank()] = error.what();
+          }
+        });
+    EXPECT_EQ(messages[0], messages[1]);
+    return messages[0];
+  };
+  const std::vector<Extent> halves = partsOfGrid(of.grid, 2);
+  MedialAxisOptions options = optionsOf(of);
+  options.topology = Topology::Preserve;
+  EXPECT_EQ(refusal(halves, options),
+    "rank 0: preserved topology needs the whole axis in one process");
+  options = optionsOf(of);
+  options.maxSpheres = 10;
+  EXPECT_EQ(refusal(halves, options),
+    "rank 0: a maximum number of spheres needs the whole axis in one process");
+  options = optionsOf(of);
+  options.angle = 180.0;
+  EXPECT_NE(refusal(halves, options).find("180"), std::string::npos);
+  EXPECT_EQ(refusal({ halves[0], halves[0] }, optionsOf(of)),
+    "rank 0: the extents of ranks 0 and 1 overlap");
+  EXPECT_NE(refusal({ halves[0], {} }, optionsOf(of)).find("points"), std::string::npos);
+}
