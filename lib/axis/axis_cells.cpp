@@ -246,8 +246,10 @@ void joinNarrowStrips(const BisectorPoints& points, const std::vector<std::array
 
 /// Keeps the first of several cells over the same points. These exist only where points have become
 /// one.
+/// @param origins of the cells; empty if nobody asks.
 template <typename Cell>
-void removeDuplicates(const Contraction& contraction, std::vector<Cell>& cells)
+void removeDuplicates(const Contraction& contraction, std::vector<Cell>& cells,
+  std::vector<std::size_t>& origins)
 {
   std::vector<std::pair<Cell, std::size_t>> keys;
   for (std::size_t i = 0; i < cells.size(); ++i)
@@ -270,10 +272,16 @@ void removeDuplicates(const Contraction& contraction, std::vector<Cell>& cells)
   {
     if (duplicate[i] == 0)
     {
-      cells[kept++] = cells[i];
+      cells[kept] = cells[i];
+      if (!origins.empty())
+      {
+        origins[kept] = origins[i];
+      }
+      ++kept;
     }
   }
   cells.resize(kept);
+  origins.resize(origins.empty() ? 0 : kept);
 }
 
 /// Calls `visit` with a reference to every point id in the cells.
@@ -323,7 +331,7 @@ void removeCovered(std::size_t pointCount, MedialAxis& axis)
   }
 }
 
-void compactPoints(BisectorPoints& points, MedialAxis& axis)
+void compactPoints(BisectorPoints& points, MedialAxis& axis, CellOrigins* origins)
 {
   std::vector<Id> target(points.points.size(), -1);
   forEachCorner(axis, [&](Id corner) { target[corner] = 0; });
@@ -336,6 +344,10 @@ void compactPoints(BisectorPoints& points, MedialAxis& axis)
       points.points[used] = points.points[p];
       points.moved[used] = points.moved[p];
       ++used;
+      if (origins != nullptr)
+      {
+        origins->points.push_back(p);
+      }
     }
   }
   points.points.resize(used);
@@ -346,10 +358,20 @@ void compactPoints(BisectorPoints& points, MedialAxis& axis)
   }
 }
 
+std::vector<Id> representatives(const BisectorPoints& points, Contraction& contraction)
+{
+  std::vector<Id> result(points.points.size());
+  for (std::size_t p = 0; p < result.size(); ++p)
+  {
+    result[p] = contraction.find(static_cast<Id>(p));
+  }
+  return result;
+}
+
 } // namespace
 
 void buildCells(const std::vector<std::array<std::int64_t, 4>>& quads, BisectorPoints& points,
-  MedialAxis& axis)
+  MedialAxis& axis, CellOrigins* origins)
 {
   Contraction contraction(points);
   joinEqualPoints(points, movedPoints(points), contraction);
@@ -372,17 +394,27 @@ void buildCells(const std::vector<std::array<std::int64_t, 4>>& quads, BisectorP
     {
       addCell(points, contracted(quads[q], contraction), axis);
     }
+    if (origins != nullptr)
+    {
+      origins->quads.resize(axis.quads.size(), q);
+      origins->triangles.resize(axis.triangles.size(), q);
+    }
   }
-  removeDuplicates(contraction, axis.quads);
-  removeDuplicates(contraction, axis.triangles);
+  std::vector<std::size_t> none;
+  removeDuplicates(contraction, axis.quads, origins != nullptr ? origins->quads : none);
+  removeDuplicates(contraction, axis.triangles, origins != nullptr ? origins->triangles : none);
   // Flat polygons may have left equal lines, even if all their points are their own.
   std::sort(axis.lines.begin(), axis.lines.end());
   axis.lines.erase(std::unique(axis.lines.begin(), axis.lines.end()), axis.lines.end());
   removeCovered(points.points.size(), axis);
-  compactPoints(points, axis);
+  if (origins != nullptr)
+  {
+    origins->standsFor = representatives(points, contraction);
+  }
+  compactPoints(points, axis, origins);
 }
 
-void buildVertices(BisectorPoints& points, MedialAxis& axis)
+void buildVertices(BisectorPoints& points, MedialAxis& axis, CellOrigins* origins)
 {
   Contraction contraction(points);
   std::vector<Id> all(points.points.size());
@@ -396,7 +428,11 @@ void buildVertices(BisectorPoints& points, MedialAxis& axis)
       axis.vertices.push_back(id);
     }
   }
-  compactPoints(points, axis);
+  if (origins != nullptr)
+  {
+    origins->standsFor = representatives(points, contraction);
+  }
+  compactPoints(points, axis, origins);
 }
 
 } // namespace medial

@@ -18,7 +18,8 @@ struct AxisGeometry
   const SiteSet& sites;
   const SiteQuery& query;
   const GridFrame& frame;
-  Extent extent;
+  Extent extent;                ///< the whole grid
+  Extent part;                  ///< of the grid, where crossings are
   double angle;                 ///< minimum separation angle, radians
   double lambda;                ///< minimum BisectorPoint::lambda()
   double radius;                ///< minimum radius
@@ -47,14 +48,14 @@ struct AxisGeometry
     return true;
   }
 
-  /// Returns the grid cell at x, or the nearest one.
+  /// Returns the grid cell at x, or the nearest one of the part.
   glm::ivec3 cellAt(const glm::dvec3& x) const
   {
     glm::ivec3 cell;
     for (int axis = 0; axis < 3; ++axis)
     {
       const double index = std::floor((x[axis] - frame.first[axis]) / frame.step[axis]);
-      cell[axis] = static_cast<int>(std::clamp<double>(index, extent.min[axis], extent.max[axis]));
+      cell[axis] = static_cast<int>(std::clamp<double>(index, part.min[axis], part.max[axis]));
     }
     return cell;
   }

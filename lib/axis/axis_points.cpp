@@ -169,7 +169,7 @@ BisectorPoints placeVertices(const AxisGeometry& geometry, const DualMesh& mesh,
   BisectorPoints result;
   result.points.resize(mesh.cells.size());
   result.moved.resize(mesh.cells.size());
-  const std::vector<std::uint32_t> order = tileOrder(geometry.extent, mesh.cells.size(),
+  const std::vector<std::uint32_t> order = tileOrder(geometry.part, mesh.cells.size(),
     [&](std::size_t vertex) { return mesh.cells[vertex]; });
   constexpr std::size_t kTogether = 512; // several in most of their tiles
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, order.size(), kTogether),

@@ -369,7 +369,7 @@ BisectorPoints crossingPoints(const AxisGeometry& geometry, std::vector<Crossing
   result.moved.resize(crossings.size());
   const double minRadius = std::max(geometry.radius, kMinRadius);
   const std::vector<std::uint32_t> order =
-    tileOrder(geometry.extent, crossings.size(), [&](std::size_t c) { return crossings[c].voxel; });
+    tileOrder(geometry.part, crossings.size(), [&](std::size_t c) { return crossings[c].voxel; });
   constexpr std::size_t kTogether = 512; // several in most of their tiles
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, crossings.size(), kTogether),
     [&](const tbb::blocked_range<std::size_t>& range)

@@ -1,6 +1,5 @@
 #include "axis/border_rims.h"
 
-#include "axis/border_finder.h"
 #include "axis/closest_pairs.h"
 #include "axis/tile_order.h"
 #include "sites/closest_point.h"
@@ -21,8 +20,6 @@ namespace
 
 using Walker = BorderWalker;
 
-/// Where facets keep some vertices off the line, the others follow in further rounds.
-constexpr int kRounds = 3;
 /// Vertices that are this near to their place, in voxels, stay.
 constexpr double kNear = 0.1;
 /// Vertices that have no sheet of their own follow others that are at most this many away.
@@ -47,8 +44,8 @@ bool continues(const SheetFit& fit, const BisectorPoint& point, const BisectorPo
 
 /// The polylines of rims: for each vertex its two neighbours, where it has just two.
 using Neighbours = std::vector<std::array<int, 2>>;
-constexpr int kNone = -1;
-constexpr int kJunction = -2;
+constexpr int kNone = BorderRims::kNone;
+constexpr int kJunction = BorderRims::kJunction;
 
 /// Returns the vertices of rims, ascending.
 std::vector<Walker> walkersOn(const std::vector<EdgeTable::Edge>& rims)
@@ -91,70 +88,6 @@ Neighbours neighboursOf(const std::vector<Walker>& walkers,
     addTo(q, p);
   }
   return neighbours;
-}
-
-/// Smooths polylines without shrinking them (Taubin, "A signal processing approach to fair surface
-/// design", 1995). Wavelengths of less than five voxels are damped.
-void smooth(const std::vector<Walker>& walkers, const Neighbours& neighbours,
-  std::vector<glm::dvec3>& places)
-{
-  constexpr int kPasses = 20;
-  constexpr double kShrink = 0.5;
-  constexpr double kGrow = -0.51;
-  std::vector<std::size_t> free;
-  for (std::size_t i = 0; i < walkers.size(); ++i)
-  {
-    const auto [p, q] = neighbours[i];
-    if (walkers[i].movable && !walkers[i].exact && p >= 0 && q >= 0)
-    {
-      free.push_back(i);
-    }
-  }
-  std::vector<glm::dvec3> before = places;
-  for (int pass = 0; pass < 2 * kPasses; ++pass)
-  {
-    const double share = pass % 2 == 0 ? kShrink : kGrow;
-    for (const std::size_t i : free)
-    {
-      const auto [p, q] = neighbours[i];
-      const glm::dvec3& normal = walkers[i].fit.normal;
-      const glm::dvec3 way = share * (0.5 * (before[p] + before[q]) - before[i]);
-      places[i] = before[i] + way - glm::dot(way, normal) * normal;
-    }
-    std::swap(before, places);
-  }
-  std::swap(before, places);
-}
-
-/// Lends vertices without a border of their own the sheet of a neighbour on the rim, so that they
-/// follow the line: where a sheet ends in fins around a curve, or in single crossings, there are
-/// too few samples for a fit. Rims that lead to a crease are left to it.
-void lendSheets(const BisectorPoints& points, const Neighbours& neighbours,
-  std::vector<Walker>& walkers)
-{
-  const auto lends = [&](int i) { return i >= 0 && walkers[i].movable; };
-  for (int sweep = 0; sweep < kSweeps; ++sweep)
-  {
-    std::vector<std::array<int, 2>> loans; // to whom, from whom
-    for (std::size_t i = 0; i < walkers.size(); ++i)
-    {
-      const auto [p, q] = neighbours[i];
-      const bool waits = !walkers[i].movable && !walkers[i].nearCrease && p >= 0 && q >= 0;
-      if (waits && (lends(p) || lends(q)))
-      {
-        loans.push_back({ static_cast<int>(i), lends(p) ? p : q });
-      }
-    }
-    for (const auto& [to, from] : loans)
-    {
-      const std::size_t vertex = walkers[to].vertex;
-      walkers[to] = walkers[from];
-      walkers[to].vertex = vertex;
-      walkers[to].place = points.points[vertex].position;
-      walkers[to].exact = false;
-      walkers[to].nearCrease = false;
-    }
-  }
 }
 
 /// Puts rim vertices onto the bisector.
@@ -310,67 +243,154 @@ void findBorders(const AxisGeometry& geometry, const SheetSelection& selection,
     });
 }
 
-/// Puts those vertices onto the bisector that are not near their places yet. Replaces the places by
-/// the positions that they have then.
-void settle(const AxisGeometry& geometry, const std::vector<Walker>& walkers,
-  const std::vector<std::uint32_t>& order, BisectorPoints& points, std::vector<glm::dvec3>& places,
-  std::vector<std::uint8_t>& settled)
+} // namespace
+
+BorderRims::BorderRims(const AxisGeometry& geometry, const SheetSelection& selection,
+  const std::vector<EdgeTable::Edge>& rims, const std::vector<std::size_t>& origins,
+  BisectorPoints& points)
+  : geometry_(geometry)
+  , points_(points)
+  , walkers_(walkersOn(rims))
+  , order_(tileOrder(geometry.part, walkers_.size(), [&](std::size_t i)
+      { return selection.samples.mesh.cells[origins[walkers_[i].vertex]]; }))
+  , neighbours_(neighboursOf(walkers_, rims))
+  , settled_(walkers_.size(), 0)
 {
-  const Settler settler(geometry, points);
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, walkers.size(), kTogether),
+  findBorders(geometry, selection, points, origins, order_, walkers_);
+  this->lendSheets();
+  places_.resize(walkers_.size());
+  std::transform(walkers_.begin(), walkers_.end(), places_.begin(),
+    [](const Walker& walker) { return walker.place; });
+  before_ = places_;
+}
+
+/// Lends vertices without a border of their own the sheet of a neighbour on the rim, so that they
+/// follow the line: where a sheet ends in fins around a curve, or in single crossings, there are
+/// too few samples for a fit. Rims that lead to a crease are left to it.
+void BorderRims::lendSheets()
+{
+  const auto lends = [&](int i) { return i >= 0 && walkers_[i].movable; };
+  for (int sweep = 0; sweep < kSweeps; ++sweep)
+  {
+    std::vector<std::array<int, 2>> loans; // to whom, from whom
+    for (std::size_t i = 0; i < walkers_.size(); ++i)
+    {
+      const auto [p, q] = neighbours_[i];
+      const bool waits = !walkers_[i].movable && !walkers_[i].nearCrease && p >= 0 && q >= 0;
+      if (waits && (lends(p) || lends(q)))
+      {
+        loans.push_back({ static_cast<int>(i), lends(p) ? p : q });
+      }
+    }
+    for (const auto& [to, from] : loans)
+    {
+      const std::size_t vertex = walkers_[to].vertex;
+      walkers_[to] = walkers_[from];
+      walkers_[to].vertex = vertex;
+      walkers_[to].place = points_.points[vertex].position;
+      walkers_[to].exact = false;
+      walkers_[to].nearCrease = false;
+    }
+  }
+}
+
+void BorderRims::setPlace(std::size_t i, const glm::dvec3& place)
+{
+  places_[i] = place;
+  before_[i] = place;
+}
+
+/// Smooths polylines without shrinking them (Taubin, "A signal processing approach to fair surface
+/// design", 1995). Wavelengths of less than five voxels are damped.
+void BorderRims::smooth(int pass)
+{
+  constexpr double kShrink = 0.5;
+  constexpr double kGrow = -0.51;
+  const double share = pass % 2 == 0 ? kShrink : kGrow;
+  if (pass == 0)
+  {
+    this->findFree();
+  }
+  std::swap(before_, places_);
+  for (const std::size_t i : free_)
+  {
+    const auto [p, q] = neighbours_[i];
+    const glm::dvec3& normal = walkers_[i].fit.normal;
+    const glm::dvec3 way = share * (0.5 * (before_[p] + before_[q]) - before_[i]);
+    places_[i] = before_[i] + way - glm::dot(way, normal) * normal;
+  }
+}
+
+void BorderRims::findFree()
+{
+  free_.clear();
+  for (std::size_t i = 0; i < walkers_.size(); ++i)
+  {
+    const auto [p, q] = neighbours_[i];
+    if (walkers_[i].movable && !walkers_[i].exact && p >= 0 && q >= 0)
+    {
+      free_.push_back(i);
+    }
+  }
+}
+
+/// Leaves those vertices alone that are near their places already. Replaces the places by the
+/// positions that the vertices have then.
+void BorderRims::settle()
+{
+  const Settler settler(geometry_, points_);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, walkers_.size(), kTogether),
     [&](const tbb::blocked_range<std::size_t>& range)
     {
-      geometry.checkpoint();
+      geometry_.checkpoint();
       std::vector<std::size_t> moving;
       for (std::size_t k = range.begin(); k != range.end(); ++k)
       {
-        const std::size_t i = order[k];
-        const glm::dvec3& now = points.points[walkers[i].vertex].position;
-        const bool near = settled[i] != 0 && glm::distance(places[i], now) < kNear;
-        if (walkers[i].movable && !near && geometry.insideGrid(places[i]))
+        const std::size_t i = order_[k];
+        const glm::dvec3& now = points_.points[walkers_[i].vertex].position;
+        const bool near = settled_[i] != 0 && glm::distance(places_[i], now) < kNear;
+        if (walkers_[i].movable && !near && geometry_.insideGrid(places_[i]))
         {
           moving.push_back(i);
         }
       }
-      settler.settle(walkers, moving, places, settled);
+      settler.settle(walkers_, moving, places_, settled_);
       for (std::size_t k = range.begin(); k != range.end(); ++k)
       {
-        const std::size_t i = order[k];
-        places[i] = points.points[walkers[i].vertex].position;
+        const std::size_t i = order_[k];
+        this->setPlace(i, points_.points[walkers_[i].vertex].position);
       }
     });
 }
 
-} // namespace
+std::vector<std::size_t> BorderRims::elsewhere() const
+{
+  std::vector<std::size_t> vertices;
+  for (std::size_t i = 0; i < walkers_.size(); ++i)
+  {
+    if (settled_[i] == 0)
+    {
+      vertices.push_back(walkers_[i].vertex);
+    }
+  }
+  return vertices;
+}
 
 std::vector<std::size_t> moveToBorders(const AxisGeometry& geometry,
   const SheetSelection& selection, const std::vector<EdgeTable::Edge>& rims,
   const std::vector<std::size_t>& origins, BisectorPoints& points)
 {
-  std::vector<Walker> walkers = walkersOn(rims);
-  const std::vector<std::uint32_t> order = tileOrder(geometry.extent, walkers.size(),
-    [&](std::size_t i) { return selection.samples.mesh.cells[origins[walkers[i].vertex]]; });
-  findBorders(geometry, selection, points, origins, order, walkers);
-  const Neighbours neighbours = neighboursOf(walkers, rims);
-  lendSheets(points, neighbours, walkers);
-  std::vector<glm::dvec3> places(walkers.size());
-  std::transform(walkers.begin(), walkers.end(), places.begin(),
-    [](const Walker& walker) { return walker.place; });
-  std::vector<std::uint8_t> settled(walkers.size(), 0);
-  for (int round = 0; round < kRounds; ++round)
+  BorderRims border(geometry, selection, rims, origins, points);
+  // Where facets keep some vertices off the line, the others follow in further rounds.
+  for (int round = 0; round < BorderRims::kRounds; ++round)
   {
-    smooth(walkers, neighbours, places);
-    settle(geometry, walkers, order, points, places, settled);
-  }
-  std::vector<std::size_t> elsewhere;
-  for (std::size_t i = 0; i < walkers.size(); ++i)
-  {
-    if (settled[i] == 0)
+    for (int pass = 0; pass < BorderRims::kPasses; ++pass)
     {
-      elsewhere.push_back(walkers[i].vertex);
+      border.smooth(pass);
     }
+    border.settle();
   }
-  return elsewhere;
+  return border.elsewhere();
 }
 
 } // namespace medial

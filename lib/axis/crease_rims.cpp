@@ -154,7 +154,7 @@ void extendRims(const AxisGeometry& geometry, const std::vector<std::size_t>& ve
   BisectorPoints& points)
 {
   const std::vector<std::size_t> rim = nearCreases(geometry, vertices, points);
-  const std::vector<std::uint32_t> order = tileOrder(geometry.extent, rim.size(),
+  const std::vector<std::uint32_t> order = tileOrder(geometry.part, rim.size(),
     [&](std::size_t i) { return geometry.cellAt(points.points[rim[i]].position); });
   constexpr std::size_t kTogether = 512; // several in most of their tiles
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rim.size(), kTogether),

@@ -303,13 +303,19 @@ DualSubmesh submesh(const DualMesh& mesh, const std::vector<std::uint8_t>& kept)
   return part;
 }
 
+bool isWithin(const DualMesh& mesh, const std::array<std::uint32_t, 4>& quad, const Extent& extent)
+{
+  // These two are at opposite corners.
+  return insideGrid(mesh.cells[quad[0]], extent) && insideGrid(mesh.cells[quad[2]], extent);
+}
+
 std::vector<std::array<std::int64_t, 4>> quadsWithin(const DualMesh& mesh, const Extent& extent)
 {
   std::vector<std::array<std::int64_t, 4>> quads;
   quads.reserve(mesh.corners.size());
   for (const auto& quad : mesh.corners)
   {
-    if (insideGrid(mesh.cells[quad[0]], extent) && insideGrid(mesh.cells[quad[2]], extent))
+    if (isWithin(mesh, quad, extent))
     {
       quads.push_back({ quad[0], quad[1], quad[2], quad[3] });
     }

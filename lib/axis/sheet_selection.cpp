@@ -60,7 +60,7 @@ public:
     , bandLimit_(band)
     , standing_(crossings.size())
     , kept_(crossings.size(), 0)
-    , order_(tileOrder(geometry.extent, crossings.size(),
+    , order_(tileOrder(geometry.part, crossings.size(),
         [&](std::size_t c) { return crossings[c].voxel; }))
   {
     samples_.points.resize(crossings.size());
@@ -79,7 +79,7 @@ public:
 
   SheetSelection sheets()
   {
-    samples_.mesh = dualMesh(crossings_, geometry_.extent);
+    samples_.mesh = dualMesh(crossings_, geometry_.part);
     this->markBand();
     inBlocks(geometry_, crossings_.size(),
       [&](std::size_t begin, std::size_t end) { this->sample(begin, end); });

@@ -3,12 +3,11 @@
 #include "axis/bisector_point.h"
 #include "medial/mesh_connectivity.h"
 #include "medial/triangle_mesh.h"
-#include "sign/inside_query.h"
 #include "sites/local_coordinates.h"
 
 #include <glm/glm.hpp>
 
-#include <memory>
+#include <functional>
 #include <mutex>
 
 namespace medial
@@ -23,23 +22,26 @@ namespace medial
 class SideCheck
 {
 public:
+  /// Tells whether a position is inside; local coordinates.
+  using Inside = std::function<bool(const glm::dvec3& x)>;
+
   /// All arguments must outlive this.
   /// @param local coordinates of the points.
   SideCheck(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
     const LocalCoordinates& local);
+  /// @param makeInside called when it is first needed.
+  explicit SideCheck(std::function<Inside()> makeInside);
 
   /// @param known a point on the right side.
   /// @param reach no surface is nearer to it than this; 0 if that is not known.
   bool isAcross(const glm::dvec3& known, double reach, const BisectorPoint& point) const;
 
 private:
-  const InsideQuery& inside() const;
+  const Inside& inside() const;
 
-  const TriangleMesh& mesh_;
-  const MeshConnectivity& connectivity_;
-  const LocalCoordinates& local_;
+  std::function<Inside()> makeInside_;
   mutable std::once_flag once_;
-  mutable std::unique_ptr<const InsideQuery> inside_;
+  mutable Inside inside_;
 };
 
 } // namespace medial

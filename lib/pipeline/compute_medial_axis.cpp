@@ -10,7 +10,6 @@
 #include "base/checkpoint.h"
 #include "base/memory_guard.h"
 #include "base/run.h"
-#include "base/separation_angle.h"
 #include "base/stopwatch.h"
 #include "field/array_sink.h"
 #include "field/engines/make_engine.h"
@@ -19,13 +18,11 @@
 #include "medial/axis_curves.h"
 #include "medial/error.h"
 #include "medial/memory.h"
+#include "pipeline/axis_stages.h"
 #include "pipeline/frame.h"
 #include "simplification/simplify_axis.h"
 #include "thinning/preserved_axis.h"
 
-#include <tbb/parallel_for.h>
-
-#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -40,37 +37,6 @@ namespace
 constexpr std::size_t kPreservationBytes = 10;
 /// Share of the work that is done once the crossings are selected.
 constexpr double kSelected = 0.8;
-
-std::array<float, 3> narrowed(const Point3& point)
-{
-  return { static_cast<float>(point[0]), static_cast<float>(point[1]),
-    static_cast<float>(point[2]) };
-}
-
-/// Sets points and attributes in world units.
-void setPoints(const BisectorPoints& points, const GridFrame& frame, MedialAxis& axis)
-{
-  const std::size_t count = points.points.size();
-  axis.points.resize(count);
-  axis.radius.resize(count);
-  axis.separationAngle.resize(count);
-  axis.lambda.resize(count);
-  axis.closestPointA.resize(count);
-  axis.closestPointB.resize(count);
-  tbb::parallel_for(std::size_t{ 0 }, count,
-    [&](std::size_t p)
-    {
-      const BisectorPoint& point = points.points[p];
-      const double radius = point.radius() * frame.unit;
-      const double angle = point.separationAngle();
-      axis.points[p] = frame.toWorld(point.position);
-      axis.radius[p] = static_cast<float>(radius);
-      axis.separationAngle[p] = static_cast<float>(glm::degrees(angle));
-      axis.lambda[p] = static_cast<float>(radius * std::sin(0.5 * angle));
-      axis.closestPointA[p] = narrowed(frame.toWorld(point.a.point));
-      axis.closestPointB[p] = narrowed(frame.toWorld(point.b.point));
-    });
-}
 
 /// Makes the points and cells of a surface.
 BisectorPoints representSurface(const AxisGeometry& geometry, std::vector<Crossing>& crossings,
@@ -105,7 +71,7 @@ BisectorPoints represent(Representation representation, const AxisGeometry& geom
     return points;
   }
   const BisectorPoints bisectors = crossingPoints(geometry, crossings);
-  const DualMesh mesh = dualMesh(crossings, geometry.extent);
+  const DualMesh mesh = dualMesh(crossings, geometry.part);
   geometry.checkpoint();
   BisectorPoints points = cellCentres(geometry, mesh, bisectors);
   geometry.checkpoint();
@@ -130,47 +96,6 @@ BisectorPoints preserve(Representation representation, const AxisGeometry& geome
   return std::move(preserved.cells.points);
 }
 
-void checkLength(const char* name, double length)
-{
-  if (!(length >= 0.0) || !std::isfinite(length))
-  {
-    throw Error(ErrorCode::InvalidInput,
-      "minimum " + std::string(name) + " " + std::to_string(length) + " is outside [0, infinity)");
-  }
-}
-
-void checkOptions(const MedialAxisOptions& options)
-{
-  checkSeparationAngle(options.angle);
-  checkLength("lambda", options.lambda);
-  checkLength("radius", options.radius);
-  if (options.topology == Topology::Preserve && options.representation == Representation::Points)
-  {
-    throw Error(ErrorCode::InvalidInput,
-      "points have no topology to preserve: the representation must be surface or faces");
-  }
-  if (options.maxSpheres < 0)
-  {
-    throw Error(ErrorCode::InvalidInput,
-      "maximum number of spheres " + std::to_string(options.maxSpheres) +
-        " is negative; allowed: 0 (no limit) or more");
-  }
-  if (options.maxSpheres > 0 && options.representation == Representation::Points)
-  {
-    throw Error(ErrorCode::InvalidInput,
-      "maximum number of spheres " + std::to_string(options.maxSpheres) +
-        " for an axis of points, which has no cells to simplify; allowed: surface or faces");
-  }
-}
-
-/// Returns the angle by which grid edges are selected, degrees.
-double selectionAngle(const MedialAxisOptions& options)
-{
-  const bool byDirections =
-    options.representation == Representation::Faces && options.topology == Topology::Selected;
-  return byDirections ? options.angle : bandAngle(options.angle);
-}
-
 void simplify(const MedialAxisOptions& options, const Run& run, RunStatistics& statistics,
   MedialAxis& axis)
 {
@@ -190,12 +115,12 @@ void buildAxis(const MedialAxisOptions& options, const FieldPipeline& pipeline, 
 {
   const GridFrame& frame = pipeline.frame();
   const AxisGeometry geometry{ pipeline.sites(), pipeline.query(), frame, grid.wholeExtent(),
-    glm::radians(options.angle), options.lambda / frame.unit, options.radius / frame.unit,
+    grid.wholeExtent(), glm::radians(options.angle), options.lambda / frame.unit, options.radius / frame.unit,
     checkpoint, side };
   const BisectorPoints points = tap != nullptr
     ? preserve(options.representation, geometry, *tap, pipeline.directions(), crossings, axis)
     : represent(options.representation, geometry, crossings, axis);
-  setPoints(points, frame, axis);
+  setAxisPoints(points, frame, axis);
   axis.feature = axisFeatures(edgesOf(axis), axis.points.size());
 }
 
@@ -241,7 +166,7 @@ MedialAxis runPipeline(const TriangleMesh& mesh, const MeshConnectivity& connect
 MedialAxis computeAxis(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
   const Grid& grid, const MedialAxisOptions& options, FieldSink& sink, MeshState& state)
 {
-  checkOptions(options);
+  checkAxisOptions(options);
   return withMemoryErrors(grid.pointCount(),
     [&] { return runPipeline(mesh, connectivity, grid, options, sink, state); });
 }

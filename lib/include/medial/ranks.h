@@ -1,8 +1,10 @@
 #pragma once
 
+#include "medial/compute_medial_axis.h"
 #include "medial/distance_field.h"
 #include "medial/export.h"
 #include "medial/grid.h"
+#include "medial/medial_axis.h"
 #include "medial/run_statistics.h"
 #include "medial/triangle_mesh.h"
 
@@ -73,6 +75,43 @@ struct RankCounts
 MEDIAL_EXPORT RunStatistics computeDistanceField(Communicator& communicator,
   const SurfacePiece& piece, const Grid& grid, const Extent& extent, FieldSink& sink,
   const DistanceFieldOptions& options, RankCounts* counts = nullptr);
+
+/// What one rank has of an axis.
+struct AxisPiece
+{
+  /// The cells of this rank, and all points that they use: those on a cut are in several pieces.
+  /// The statistics are those of this rank.
+  MedialAxis axis;
+  std::vector<std::int64_t> globalPointIds; ///< numbers of the points in the axis of one process
+  /// Numbers of the cells in the axis of one process: of the vertices, then of the lines, the quads
+  /// and the triangles.
+  std::vector<std::int64_t> globalCellIds;
+  std::int64_t points = 0; ///< number of points of the whole axis
+  std::int64_t cells = 0;  ///< number of cells of the whole axis
+};
+
+/// Computes the medial axis of a surface that lies in pieces on several ranks, each rank for its own
+/// extent. No rank holds the whole surface, field or axis. Together the pieces have the points and
+/// cells that computeMedialAxis() gives in one process, to the last bit, each cell in one piece,
+/// whatever the extents and the number of ranks. Every rank calls it, with the same grid, extents
+/// and options.
+///
+/// @param extents of all ranks; they cover the grid, each point once. Some may be empty.
+/// @param sink receives the field of touchingExtent() of this rank's.
+/// @param options sign must be None or Pseudonormal, the topology Selected, maxSpheres 0; the engine
+///   is the processor. With a sign, all closed parts of the surface must face the same way:
+///   outwards, but inwards for those of cavities, or all the other way round.
+/// @param counts receives what the rank has held; may be null.
+/// @throws Error on every rank, with the message of the first that failed: as computeMedialAxis()
+///   in one process and as computeDistanceField() on several, and InvalidInput for extents that
+///   overlap or leave a gap.
+MEDIAL_EXPORT AxisPiece computeMedialAxis(Communicator& communicator, const SurfacePiece& piece,
+  const Grid& grid, const std::vector<Extent>& extents, FieldSink& sink,
+  const MedialAxisOptions& options, RankCounts* counts = nullptr);
+
+/// Returns an extent with the layers of points behind it, as far as the grid has them: extents that
+/// lie side by side then share a layer, as VTK's images of pieces do.
+MEDIAL_EXPORT Extent touchingExtent(const Grid& grid, const Extent& extent);
 
 /// Cuts a grid into extents of about the same work, one for each rank: the ends of a cut lie where
 /// the field is computed in one go, so that nothing is computed twice.

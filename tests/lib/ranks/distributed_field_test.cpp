@@ -2,6 +2,7 @@
 #include "medial/error.h"
 #include "medial/ranks.h"
 
+#include "pieces.h"
 #include "simulated_ranks.h"
 #include "support/models.h"
 #include "support/shapes.h"
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <map>
 #include <random>
 #include <string>
 #include <vector>
@@ -52,47 +52,6 @@ public:
 private:
   Extent extent_;
 };
-
-/// Which rank has a triangle.
-using Distribution = std::function<int(std::size_t triangle)>;
-
-/// Returns the piece of a rank, which knows its numbers in the whole.
-SurfacePiece pieceOf(const TriangleMesh& mesh, int rank, const Distribution& rankOf)
-{
-  SurfacePiece piece;
-  std::map<int, int> points;
-  const auto local = [&](int point)
-  {
-    const auto [found, isNew] = points.insert({ point, static_cast<int>(points.size()) });
-    if (isNew)
-    {
-      piece.mesh.points.push_back(mesh.points[point]);
-      piece.pointOrder.push_back(point);
-    }
-    return found->second;
-  };
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-  {
-    if (rankOf(i) == rank)
-    {
-      const auto& [a, b, c] = mesh.triangles[i];
-      // In an order of their own.
-      const int last = local(c);
-      piece.mesh.triangles.push_back({ local(a), local(b), last });
-      piece.mesh.triangleCells.push_back(static_cast<std::int64_t>(i));
-    }
-  }
-  return piece;
-}
-
-TriangleMesh numbered(TriangleMesh mesh)
-{
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-  {
-    mesh.triangleCells[i] = static_cast<std::int64_t>(i);
-  }
-  return mesh;
-}
 
 /// Number of grid points of an extent whose values differ from those of the whole field.
 std::size_t differences(const DistanceField& whole, const Extent& extent, const DistanceField& part)
@@ -161,23 +120,6 @@ std::vector<RankCounts> expectSameBits(const Case& of, const DistanceField& whol
   return counts;
 }
 
-Distribution atRandom(int ranks)
-{
-  return [ranks](std::size_t triangle)
-  { return static_cast<int>((triangle * 2654435761U >> 7U) % static_cast<unsigned>(ranks)); };
-}
-
-/// All on the last rank, so that most have none.
-Distribution onTheLast(int ranks)
-{
-  return [ranks](std::size_t) { return ranks - 1; };
-}
-
-Distribution inRows(int ranks, std::size_t triangles)
-{
-  return [=](std::size_t triangle) { return static_cast<int>(triangle * ranks / triangles); };
-}
-
 void expectSameBitsOfAllPartitions(const Case& of)
 {
   const DistanceField whole = computeDistanceField(of.mesh, of.grid, optionsOf(of));
@@ -188,11 +130,6 @@ void expectSameBitsOfAllPartitions(const Case& of)
     expectSameBits(of, whole, extents, inRows(ranks, of.mesh.triangles.size()));
   }
   expectSameBits(of, whole, partsOfGrid(of.grid, 3), onTheLast(3));
-}
-
-Grid gridAround(const TriangleMesh& mesh, int resolution)
-{
-  return makeGrid(mesh.bounds(), resolution, 0.083);
 }
 
 /// The message that every rank must fail with.

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "axis/axis_cells.h"
+#include "axis/bisector.h"
+#include "medial/medial_axis.h"
+#include "medial/ranks.h"
+#include "ranks/grid_share.h"
+#include "ranks/part_axis.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace medial
+{
+
+/// The cells of a rank's part of an axis, made from all points and quads in it and in a halo.
+class AxisAssembly
+{
+public:
+  /// Every rank calls it. Doubles the halo until ranks agree on what became of each other's points.
+  /// @param own of this rank.
+  /// @param halo to start with, grid cells.
+  AxisAssembly(Communicator& communicator, const GridShare& share, const OwnAxis& own, int halo);
+
+  /// Returns the cells of this rank, with the points that they use: a cell belongs to the owner of
+  /// its first point. Sets cells, features and global ids. Every rank calls it.
+  /// @param points receives those of the piece, local coordinates.
+  AxisPiece piece(Communicator& communicator, const AxisOrder& order, BisectorPoints& points) const;
+
+  /// The halo that sufficed, grid cells.
+  int halo() const { return halo_; }
+
+private:
+  void build(Communicator& communicator, const GridShare& share, const OwnAxis& own);
+  /// Makes cells of what was given.
+  void buildAxis(bool pointsOnly);
+  bool agrees(Communicator& communicator, const GridShare& share) const;
+  bool isOwn(std::int64_t point) const { return own_[origins_.points[point]] != 0; }
+
+  int halo_;
+  std::vector<AxisPoint> given_;  ///< of the part and its halo, ascending
+  std::vector<AxisQuad> quads_;   ///< likewise
+  std::vector<std::uint8_t> own_; ///< for each point that was given not 0 if it is this rank's
+  BisectorPoints points_;         ///< those that are left
+  MedialAxis axis_;
+  CellOrigins origins_;
+};
+
+} // namespace medial

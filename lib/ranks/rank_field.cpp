@@ -1,0 +1,168 @@
+#include "ranks/rank_field.h"
+
+#include "base/stopwatch.h"
+#include "culling/extent_parts.h"
+#include "field/array_sink.h"
+#include "field/engines/processor/processor_engine.h"
+#include "field/reach.h"
+#include "field/tile_field.h"
+#include "medial/error.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace medial
+{
+namespace
+{
+
+/// Grid points along an edge of the boxes that are searched for: those of a set of tiles.
+constexpr int kBoxSize = 16;
+
+/// Gives sites the numbers that they have in the whole surface.
+class NumberingSink : public FieldSink
+{
+public:
+  /// @param numbers of the sites of a part.
+  NumberingSink(FieldSink& sink, std::vector<std::int32_t> numbers)
+    : sink_(sink)
+    , numbers_(std::move(numbers))
+  {
+  }
+
+  FieldArrays slabArrays(const Extent& slab) override
+  {
+    arrays_ = sink_.slabArrays(slab);
+    return arrays_;
+  }
+
+  void stored(const Extent& slab) override
+  {
+    if (arrays_.closestSite != nullptr)
+    {
+      std::transform(arrays_.closestSite, arrays_.closestSite + slab.pointCount(),
+        arrays_.closestSite, [this](std::int32_t site) { return numbers_[site]; });
+    }
+    sink_.stored(slab);
+  }
+
+  std::size_t bytesPerPoint() const override { return sink_.bytesPerPoint(); }
+
+private:
+  FieldSink& sink_;
+  std::vector<std::int32_t> numbers_;
+  FieldArrays arrays_;
+};
+
+FieldSign signOf(const DistributedSurface& surface, SignMethod method)
+{
+  if (method == SignMethod::None)
+  {
+    return FieldSign::None;
+  }
+  if (surface.boundaryEdges() > 0)
+  {
+    throw Error(ErrorCode::InvalidInput,
+      "sign method pseudonormal needs a closed, consistently oriented mesh; this one has " +
+        std::to_string(surface.boundaryEdges()) + " boundary edges; use none");
+  }
+  return surface.signedVolume() < 0.0 ? FieldSign::Inward : FieldSign::Outward;
+}
+
+std::vector<FrameBox> boxesOf(const Grid& grid, const GridFrame& frame, const Extent& extent)
+{
+  std::vector<FrameBox> boxes;
+  if (!extent.empty())
+  {
+    visitParts(wholeParts(extent, kBoxSize, grid.wholeExtent()), kBoxSize,
+      [&](const Extent& box) { boxes.push_back(hullOf(box, frame)); });
+  }
+  return boxes;
+}
+
+} // namespace
+
+void checkFieldOfRanks(const Grid& grid, const Extent& extent, const DistanceFieldOptions& options)
+{
+  validateGrid(grid);
+  if (!extent.empty() && !grid.wholeExtent().contains(extent))
+  {
+    throw Error(ErrorCode::InvalidInput, "the extent leaves the grid");
+  }
+  if (options.sign == SignMethod::Auto || options.sign == SignMethod::Winding)
+  {
+    throw Error(ErrorCode::InvalidInput,
+      std::string("sign method ") + (options.sign == SignMethod::Auto ? "auto" : "winding") +
+        " needs the whole surface in one process; a surface in pieces allows none and "
+        "pseudonormal");
+  }
+  if (options.engine != Engine::Auto && options.engine != Engine::Processor)
+  {
+    throw Error(ErrorCode::InvalidInput,
+      "the field of a surface in pieces needs the engine processor");
+  }
+}
+
+RankCounts countsOf(const RankField& field, const CountingCommunicator& communicator)
+{
+  return { static_cast<std::int64_t>(field.surface().faces().size()),
+    static_cast<std::int64_t>(field.part().faces().size()), communicator.bytesSent() };
+}
+
+RankField::RankField(Communicator& communicator, const SurfacePiece& piece, const Grid& grid,
+  const Extent& searched, const DistanceFieldOptions& options, const Run& run,
+  RunStatistics& statistics)
+  : whole_(grid.wholeExtent())
+  , memoryMiB_(options.memoryMiB)
+  , run_(run)
+  , statistics_(statistics)
+  , surface_(communicator, piece)
+  , frame_(grid)
+{
+  checkReach(surface_.bounds(), frame_);
+  sign_ = signOf(surface_, options.sign);
+  statistics_.engine = Engine::Processor;
+  statistics_.sign.method = options.sign;
+  statistics_.sites =
+    static_cast<std::int64_t>(surface_.faceCount()) + surface_.edgeCount() + surface_.pointCount();
+  {
+    const Stopwatch watch(statistics_.seconds.cull);
+    const SharedTree tree(communicator, surface_, frame_);
+    near_.emplace(tree.near(communicator, boxesOf(grid, frame_, searched)));
+  }
+  host_.emplace(near_->part.mesh(), near_->part.connectivity(), frame_, sign_, run_, statistics_,
+    [this](const SiteSet& sites)
+    { return GroupTree(sites, near_->part.connectivity(), near_->slack, near_->trees); });
+}
+
+FieldJob RankField::job(const Extent& extent)
+{
+  statistics_.samples = extent.pointCount();
+  return { near_->part.mesh(), near_->part.connectivity(), *host_, sign_, nullptr, frame_, whole_,
+    extent, memoryMiB_, false, run_, statistics_ };
+}
+
+void RankField::compute(const Extent& extent, FieldSink& sink)
+{
+  NumberingSink numbering(sink, this->siteNumbers());
+  ProcessorEngine().run(this->job(extent), numbering);
+}
+
+std::vector<Crossing> RankField::select(const Extent& extent, const CrossingSelection& selection,
+  FieldSink& sink)
+{
+  // Engines select where tiles begin along x. Elsewhere the field comes first, by itself.
+  Extent selected = extent;
+  selected.min[0] -= extent.min[0] % TileField::kRow;
+  if (selected.min[0] != extent.min[0])
+  {
+    this->compute(extent, sink);
+    ArraySink nothing(selected, {});
+    return ProcessorEngine().select(this->job(selected), selection, nothing);
+  }
+  NumberingSink numbering(sink, this->siteNumbers());
+  return ProcessorEngine().select(this->job(extent), selection, numbering);
+}
+
+} // namespace medial

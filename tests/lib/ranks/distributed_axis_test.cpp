@@ -1,0 +1,351 @@
+#include "medial/axis_curves.h"
+#include "medial/cell_topology.h"
+#include "medial/compute_medial_axis.h"
+#include "medial/error.h"
+#include "medial/ranks.h"
+
+#include "pieces.h"
+#include "simulated_ranks.h"
+#include "support/models.h"
+#include "support/shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstring>
+#include <map>
+#include <string>
+#include <vector>
+
+using namespace medial;
+using namespace medial::test;
+
+namespace
+{
+
+/// Wants nothing.
+class NoField : public FieldSink
+{
+public:
+  FieldArrays slabArrays(const Extent& /*slab*/) override { return {}; }
+  void stored(const Extent& /*slab*/) override {}
+  std::size_t bytesPerPoint() const override { return 0; }
+};
+
+/// What is computed by ranks and compared with one process.
+struct Case
+{
+  TriangleMesh mesh;
+  Grid grid;
+  SignMethod sign = SignMethod::Pseudonormal;
+  double angle = kDefaultAngle;
+  Representation representation = Representation::Surface;
+  Side side = Side::Interior;
+  double lambda = 0.0;
+  double radius = 0.0;
+};
+
+MedialAxisOptions optionsOf(const Case& of)
+{
+  MedialAxisOptions options;
+  options.angle = of.angle;
+  options.lambda = of.lambda;
+  options.radius = of.radius;
+  options.side = of.side;
+  options.representation = of.representation;
+  options.field.sign = of.sign;
+  options.field.engine = Engine::Processor;
+  options.field.execution.threads = 1;
+  return options;
+}
+
+/// All that is known of a point, to compare bits.
+std::array<double, 13> attributes(const MedialAxis& axis, std::size_t p)
+{
+  std::array<double, 13> all{};
+  for (int i = 0; i < 3; ++i)
+  {
+    all[i] = axis.points[p][i];
+    all[3 + i] = axis.closestPointA[p][i];
+    all[6 + i] = axis.closestPointB[p][i];
+  }
+  all[9] = axis.radius[p];
+  all[10] = axis.separationAngle[p];
+  all[11] = axis.lambda[p];
+  all[12] = static_cast<double>(axis.feature[p]);
+  return all;
+}
+
+using Cells = std::vector<std::vector<std::int64_t>>;
+
+/// Returns all cells in the order of their numbers.
+Cells cellsOf(const MedialAxis& axis)
+{
+  Cells cells;
+  for (const std::int64_t vertex : axis.vertices)
+  {
+    cells.push_back({ vertex });
+  }
+  const auto add = [&](const auto& some)
+  {
+    for (const auto& cell : some)
+    {
+      cells.emplace_back(cell.begin(), cell.end());
+    }
+  };
+  add(axis.lines);
+  add(axis.quads);
+  add(axis.triangles);
+  return cells;
+}
+
+/// Expects pieces to be the axis of one process: each cell once, and points on cuts alike.
+void expectWhole(const MedialAxis& whole, const std::vector<AxisPiece>& pieces)
+{
+  const Cells wholeCells = cellsOf(whole);
+  std::vector<int> seen(wholeCells.size(), 0);
+  std::size_t differentPoints = 0;
+  std::size_t differentCells = 0;
+  for (const AxisPiece& piece : pieces)
+  {
+    ASSERT_EQ(piece.points, static_cast<std::int64_t>(whole.points.size()));
+    ASSERT_EQ(piece.cells, static_cast<std::int64_t>(wholeCells.size()));
+    ASSERT_EQ(piece.globalPointIds.size(), piece.axis.points.size());
+    for (std::size_t p = 0; p < piece.axis.points.size(); ++p)
+    {
+      const auto id = static_cast<std::size_t>(piece.globalPointIds[p]);
+      differentPoints += attributes(piece.axis, p) == attributes(whole, id) ? 0 : 1;
+    }
+    Cells cells = cellsOf(piece.axis);
+    ASSERT_EQ(piece.globalCellIds.size(), cells.size());
+    for (std::size_t c = 0; c < cells.size(); ++c)
+    {
+      for (std::int64_t& corner : cells[c])
+      {
+        corner = piece.globalPointIds[corner];
+      }
+      differentCells += cells[c] == wholeCells[piece.globalCellIds[c]] ? 0 : 1;
+      ++seen[piece.globalCellIds[c]];
+    }
+  }
+  EXPECT_EQ(differentPoints, 0U);
+  EXPECT_EQ(differentCells, 0U);
+  EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), static_cast<std::ptrdiff_t>(seen.size()));
+}
+
+std::vector<AxisPiece> axisOfRanks(const Case& of, const std::vector<Extent>& extents,
+  const Distribution& rankOf, std::vector<RankCounts>* counts = nullptr)
+{
+  const auto ranks = static_cast<int>(extents.size());
+  std::vector<AxisPiece> pieces(extents.size());
+  std::vector<RankCounts> ownCounts(extents.size());
+  SimulatedRanks(ranks).run(
+    [&](Communicator& communicator)
+    {
+      const int rank = communicator.rank();
+      NoField sink;
+      pieces[rank] = computeMedialAxis(communicator, pieceOf(of.mesh, rank, rankOf), of.grid,
+        extents, sink, optionsOf(of), &ownCounts[rank]);
+    });
+  if (counts != nullptr)
+  {
+    *counts = ownCounts;
+  }
+  return pieces;
+}
+
+void expectSameAxisOfAllPartitions(const Case& of)
+{
+  const MedialAxis whole = computeMedialAxis(of.mesh, of.grid, optionsOf(of));
+  ASSERT_GT(whole.cellCount(), 0);
+  for (const int ranks : { 1, 2, 3, 4, 7, 16 })
+  {
+    SCOPED_TRACE(std::to_string(ranks) + " ranks");
+    const std::vector<Extent> extents = partsOfGrid(of.grid, ranks);
+    expectWhole(whole, axisOfRanks(of, extents, atRandom(ranks)));
+  }
+}
+
+TriangleMesh torusAndBox()
+{
+  return numbered(appended(translated(torus(0.8, 0.23, 60, 30), { 0.11, 0.03, -0.21 }),
+    translated(box({ 0.21, 0.33, 0.17 }), { 0.07, -0.05, 0.53 })));
+}
+
+} // namespace
+
+TEST(DistributedAxis, OfATorusAndABoxIsThatOfOneProcess)
+{
+  const TriangleMesh mesh = torusAndBox();
+  expectSameAxisOfAllPartitions({ mesh, gridAround(mesh, 70) });
+}
+
+TEST(DistributedAxis, OfBoxesIsThatOfOneProcess)
+{
+  // Sheets with seams and creases, in a grid that is not even.
+  const TriangleMesh mesh = numbered(box({ 1.5, 1.1, 0.7 }));
+  Grid grid = gridAround(mesh, 90);
+  grid.spacing[1] *= 1.3;
+  expectSameAxisOfAllPartitions({ mesh, grid });
+}
+
+TEST(DistributedAxis, OfBothSidesIsThatOfOneProcess)
+{
+  Case of{ torusAndBox(), {} };
+  of.grid = gridAround(of.mesh, 61);
+  of.side = Side::Both;
+  of.angle = 25.0;
+  expectSameAxisOfAllPartitions(of);
+}
+
+TEST(DistributedAxis, OfASymmetricMeshIsThatOfOneProcess)
+{
+  // A round wall: sheets of facets, curves, and sites at equal distance.
+  const TriangleMesh mesh = numbered(shell(0.5, 1.0, 3));
+  Grid grid = gridAround(mesh, 41);
+  grid.origin = { -1.1, -1.1, -1.1 };
+  grid.spacing = { 0.055, 0.055, 0.055 };
+  expectSameAxisOfAllPartitions({ mesh, grid });
+}
+
+TEST(DistributedAxis, OfAnOpenSurfaceIsThatOfOneProcess)
+{
+  const TriangleMesh mesh = numbered(plates(0.3, 0.8));
+  expectSameAxisOfAllPartitions({ mesh, gridAround(mesh, 50), SignMethod::None });
+}
+
+TEST(DistributedAxis, WithLimitsIsThatOfOneProcess)
+{
+  Case of{ torusAndBox(), {} };
+  of.grid = gridAround(of.mesh, 60);
+  of.lambda = 0.1;
+  of.radius = 0.12;
+  expectSameAxisOfAllPartitions(of);
+}
+
+TEST(DistributedAxis, OfPointsIsThatOfOneProcess)
+{
+  Case of{ torusAndBox(), {} };
+  of.grid = gridAround(of.mesh, 60);
+  of.representation = Representation::Points;
+  expectSameAxisOfAllPartitions(of);
+}
+
+TEST(DistributedAxis, OfFacesIsThatOfOneProcess)
+{
+  Case of{ torusAndBox(), {} };
+  of.grid = gridAround(of.mesh, 60);
+  of.representation = Representation::Faces;
+  expectSameAxisOfAllPartitions(of);
+}
+
+TEST(DistributedAxis, OfThinPartsIsThatOfOneProcess)
+{
+  // Curves, most of whose points become one with others.
+  const TriangleMesh mesh = numbered(uvCapsule(0.05, 1.0, 24));
+  expectSameAxisOfAllPartitions({ mesh, gridAround(mesh, 130) });
+}
+
+TEST(DistributedAxis, OfSlicesOfThickSlabsIsThatOfOneProcess)
+{
+  // More slices than the thickest slab has, where the order of crossings changes.
+  const TriangleMesh mesh = numbered(uvCapsule(0.3, 1.0, 24));
+  Case of{ mesh, gridAround(mesh, 150) };
+  ASSERT_GT(of.grid.dimensions[2], 128);
+  const MedialAxis whole = computeMedialAxis(of.mesh, of.grid, optionsOf(of));
+  expectWhole(whole, axisOfRanks(of, partsOfGrid(of.grid, 5), onTheLast(5)));
+}
+
+TEST(DistributedAxis, IsThatOfOneProcessInAnyExtents)
+{
+  Case of{ torusAndBox(), {} };
+  of.grid = gridAround(of.mesh, 50);
+  const auto [x, y, z] = of.grid.wholeExtent().max;
+  const MedialAxis whole = computeMedialAxis(of.mesh, of.grid, optionsOf(of));
+  // One is a single layer, one is empty.
+  expectWhole(whole,
+    axisOfRanks(of,
+      { { { 0, 0, 0 }, { x, y, 20 } }, { { 0, 0, 21 }, { x, y, 21 } }, {},
+        { { 0, 0, 22 }, { 17, y, z } }, { { 18, 0, 22 }, { x, y, z } } },
+      atRandom(5)));
+}
+
+class DistributedAxisOfModels : public testing::TestWithParam<std::string>
+{
+};
+
+TEST_P(DistributedAxisOfModels, IsThatOfOneProcess)
+{
+  Case of{ numbered(buildTriangleMesh(loadModel(*modelPath(GetParam())))), {} };
+  of.grid = gridAround(of.mesh, 80);
+  for (const double angle : { 60.0, 20.0 })
+  {
+    SCOPED_TRACE(angle);
+    of.angle = angle;
+    const MedialAxis whole = computeMedialAxis(of.mesh, of.grid, optionsOf(of));
+    for (const int ranks : { 3, 8 })
+    {
+      SCOPED_TRACE(std::to_string(ranks) + " ranks");
+      expectWhole(whole, axisOfRanks(of, partsOfGrid(of.grid, ranks), atRandom(ranks)));
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, DistributedAxisOfModels,
+  testing::ValuesIn(
+    []
+    {
+      std::vector<std::string> present;
+      for (const char* name :
+        { "paper/gargoyle_20k.off", "organic/fertility_genus4.off", "cad/fandisk_13k.obj" })
+      {
+        if (modelPath(name))
+        {
+          present.emplace_back(name);
+        }
+      }
+      return present;
+    }()));
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(DistributedAxisOfModels);
+
+TEST(DistributedAxis, RefusesWhatNeedsTheWholeOnEveryRank)
+{
+  Case of{ torusAndBox(), {} };
+  of.grid = gridAround(of.mesh, 20);
+  const auto refusal = [&](const std::vector<Extent>& extents, const MedialAxisOptions& options)
+  {
+    std::vector<std::string> messages(extents.size());
+    SimulatedRanks(static_cast<int>(extents.size()))
+      .run(
+        [&](Communicator& communicator)
+        {
+          NoField sink;
+          try
+          {
+            computeMedialAxis(communicator, pieceOf(of.mesh, communicator.rank(), atRandom(2)),
+              of.grid, extents, sink, options);
+          }
+          catch (const Error& error)
+          {
+            messages[communicator.rank()] = error.what();
+          }
+        });
+    EXPECT_EQ(messages[0], messages[1]);
+    return messages[0];
+  };
+  const std::vector<Extent> halves = partsOfGrid(of.grid, 2);
+  MedialAxisOptions options = optionsOf(of);
+  options.topology = Topology::Preserve;
+  EXPECT_EQ(refusal(halves, options),
+    "rank 0: preserved topology needs the whole axis in one process");
+  options = optionsOf(of);
+  options.maxSpheres = 10;
+  EXPECT_EQ(refusal(halves, options),
+    "rank 0: a maximum number of spheres needs the whole axis in one process");
+  options = optionsOf(of);
+  options.angle = 180.0;
+  EXPECT_NE(refusal(halves, options).find("180"), std::string::npos);
+  EXPECT_EQ(refusal({ halves[0], halves[0] }, optionsOf(of)),
+    "rank 0: the extents of ranks 0 and 1 overlap");
+  EXPECT_NE(refusal({ halves[0], {} }, optionsOf(of)).find("points"), std::string::npos);
+}
