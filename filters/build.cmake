@@ -2,7 +2,7 @@
 # not added: VTK adds this folder itself. Without COMPONENTS, find_package(VTK) looks for everything that
 # VTK was ever built with.
 set(MEDIAL_VTK_COMPONENTS CommonCore CommonDataModel CommonExecutionModel CommonMath CommonMisc
-  CommonTransforms FiltersCore FiltersGeneral)
+  CommonTransforms FiltersCore FiltersGeneral ParallelCore)
 set(wrapping)
 if(MEDIAL_BUILD_PYTHON)
   set(wrapping Python WrappingPythonCore)

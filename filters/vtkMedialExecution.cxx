@@ -7,6 +7,7 @@
 #include "vtkInformationVector.h"
 #include "vtkMedialAxis.h"
 #include "vtkMeshFieldAlgorithm.h"
+#include "vtkNew.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkVersionMacros.h"
 
@@ -257,9 +258,26 @@ int vtkFromSignMethod(medial::SignMethod method)
 //------------------------------------------------------------------------------
 void vtkRequestWhole(vtkInformation* request)
 {
-  request->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
-  request->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+  vtkRequestPiece(request, 0, 1);
+}
+
+//------------------------------------------------------------------------------
+void vtkRequestPiece(vtkInformation* request, int piece, int pieces)
+{
+  request->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), piece);
+  request->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), pieces);
   request->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+}
+
+//------------------------------------------------------------------------------
+bool vtkUpdateInput(vtkAlgorithm* algorithm, int piece, int pieces)
+{
+  int port = 0;
+  vtkAlgorithm* producer = algorithm->GetInputAlgorithm(0, 0, port);
+  vtkNew<vtkInformationVector> requests;
+  requests->SetNumberOfInformationObjects(producer->GetNumberOfOutputPorts());
+  vtkRequestPiece(requests->GetInformationObject(port), piece, pieces);
+  return producer->Update(port, requests) != 0;
 }
 
 //------------------------------------------------------------------------------

@@ -67,10 +67,19 @@ const char* vtkSignMethodAsString(int method);
 int vtkFromSignMethod(medial::SignMethod method);
 ///@}
 
+///@{
 /**
- * Asks for the whole input instead of a piece.
+ * Asks for the whole input, or for one of several pieces without ghosts, whatever is asked of the
+ * filter.
  */
 void vtkRequestWhole(vtkInformation* request);
+void vtkRequestPiece(vtkInformation* request, int piece, int pieces);
+///@}
+
+/**
+ * Brings the first input up to date, as that. Returns whether its producer could.
+ */
+bool vtkUpdateInput(vtkAlgorithm* algorithm, int piece, int pieces);
 
 /**
  * Passes the library's progress on to a VTK algorithm's observers, and their requests to stop back

@@ -3,18 +3,16 @@
 #include "vtkAlgorithm.h"
 #include "vtkCompositeDataPipeline.h"
 #include "vtkDataObject.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMedialExecution.h"
-#include "vtkMeshConversion.h"
 #include "vtkMeshFieldInternals.h"
-#include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <exception>
+#include <optional>
 
 namespace
 {
@@ -99,51 +97,20 @@ int vtkMeshFieldAlgorithm::RequestUpdateExtent(vtkInformation*, vtkInformationVe
 int vtkMeshFieldAlgorithm::RequestImageInformation(vtkInformationVector** inputVector,
   vtkInformationVector* outputVector, int port)
 {
-  vtkInformation* outInfo = outputVector->GetInformationObject(port);
-  const auto announce = [outInfo](const medial::Grid& grid)
-  {
-    int wholeExtent[6];
-    vtkMeshConversion::ToVTKExtent(grid.wholeExtent(), wholeExtent);
-    outInfo->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), wholeExtent, 6);
-    outInfo->Set(vtkDataObject::ORIGIN(), grid.origin.data(), 3);
-    outInfo->Set(vtkDataObject::SPACING(), grid.spacing.data(), 3);
-    vtkDataObject::SetActiveAttributeInfo(outInfo, vtkDataObject::FIELD_ASSOCIATION_POINTS,
-      vtkDataSetAttributes::SCALARS, "Distance", VTK_FLOAT, 1, -1);
-  };
-  const bool done = this->Internals->Try(
-    [&]
+  return this->Internals->AnnounceImage(outputVector, port,
+    [&]() -> std::optional<medial::Grid>
     {
-      try
+      vtkPolyData* input = nullptr;
+      if (this->GridMode != EXPLICIT)
       {
-        vtkPolyData* input = nullptr;
-        if (this->GridMode != EXPLICIT)
+        input = this->UpdateWholeInput(inputVector);
+        if (!input)
         {
-          input = this->UpdateWholeInput(inputVector);
-          if (!input)
-          {
-            return;
-          }
+          return std::nullopt;
         }
-        announce(this->Internals->MakeGrid(input));
       }
-      catch (...)
-      {
-        this->Internals->Refusal = std::current_exception();
-        throw;
-      }
+      return this->Internals->MakeGrid(input);
     });
-  if (!done)
-  {
-    announce({ { 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 }, { 1, 1, 1 } });
-  }
-  for (int i = 0; !done && i < outputVector->GetNumberOfInformationObjects(); ++i)
-  {
-    if (vtkDataObject* output = vtkDataObject::GetData(outputVector, i))
-    {
-      output->Initialize();
-    }
-  }
-  return done ? 1 : 0;
 }
 
 //------------------------------------------------------------------------------
@@ -167,12 +134,7 @@ vtkPolyData* vtkMeshFieldAlgorithm::UpdateWholeInput(vtkInformationVector** inpu
   {
     return input;
   }
-  int producerPort = 0;
-  vtkAlgorithm* producer = this->GetInputAlgorithm(0, 0, producerPort);
-  vtkNew<vtkInformationVector> requests;
-  requests->SetNumberOfInformationObjects(producer->GetNumberOfOutputPorts());
-  vtkRequestWhole(requests->GetInformationObject(producerPort));
-  producer->Update(producerPort, requests);
+  vtkUpdateInput(this, 0, 1);
   return vtkPolyData::GetData(inputVector[0]);
 }
 

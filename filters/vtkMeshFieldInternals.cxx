@@ -1,6 +1,7 @@
 #include "vtkMeshFieldInternals.h"
 
 #include "vtkDataObject.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -138,6 +139,17 @@ void vtkMeshFieldAlgorithm::vtkInternals::UpdateMesh(vtkPolyData* input,
 //------------------------------------------------------------------------------
 medial::Grid vtkMeshFieldAlgorithm::vtkInternals::MakeGrid(vtkPolyData* input)
 {
+  if (this->Self->GridMode == EXPLICIT)
+  {
+    return this->MakeGrid(medial::Bounds{});
+  }
+  this->UpdateMesh(input);
+  return this->MakeGrid(this->Mesh.bounds());
+}
+
+//------------------------------------------------------------------------------
+medial::Grid vtkMeshFieldAlgorithm::vtkInternals::MakeGrid(const medial::Bounds& bounds)
+{
   const vtkMeshFieldAlgorithm* self = this->Self;
   const medial::Point3 spacing = { self->Spacing[0], self->Spacing[1], self->Spacing[2] };
   if (self->GridMode == EXPLICIT)
@@ -147,17 +159,67 @@ medial::Grid vtkMeshFieldAlgorithm::vtkInternals::MakeGrid(vtkPolyData* input)
     medial::validateGrid(grid);
     return grid;
   }
-  this->UpdateMesh(input);
   switch (self->GridMode)
   {
     case RESOLUTION:
-      return medial::makeGrid(this->Mesh.bounds(), self->Resolution, self->Padding);
+      return medial::makeGrid(bounds, self->Resolution, self->Padding);
     case SPACING:
-      return medial::makeGridWithSpacing(this->Mesh.bounds(), spacing, self->Padding);
+      return medial::makeGridWithSpacing(bounds, spacing, self->Padding);
     default:
       vtkThrowBadParameter("GridMode", self->GridMode,
         "one of 0 (resolution), 1 (spacing), 2 (explicit)");
   }
+}
+
+//------------------------------------------------------------------------------
+int vtkMeshFieldAlgorithm::vtkInternals::AnnounceImage(vtkInformationVector* outputVector, int port,
+  const std::function<std::optional<medial::Grid>()>& makeGrid)
+{
+  vtkInformation* outInfo = outputVector->GetInformationObject(port);
+  const auto announce = [outInfo](const medial::Grid& grid)
+  {
+    int wholeExtent[6];
+    vtkMeshConversion::ToVTKExtent(grid.wholeExtent(), wholeExtent);
+    outInfo->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), wholeExtent, 6);
+    outInfo->Set(vtkDataObject::ORIGIN(), grid.origin.data(), 3);
+    outInfo->Set(vtkDataObject::SPACING(), grid.spacing.data(), 3);
+    vtkDataObject::SetActiveAttributeInfo(outInfo, vtkDataObject::FIELD_ASSOCIATION_POINTS,
+      vtkDataSetAttributes::SCALARS, "Distance", VTK_FLOAT, 1, -1);
+  };
+  const bool done = this->Try(
+    [&]
+    {
+      try
+      {
+        if (const std::optional<medial::Grid> grid = makeGrid())
+        {
+          announce(*grid);
+        }
+      }
+      catch (...)
+      {
+        this->Refusal = std::current_exception();
+        throw;
+      }
+    });
+  if (!done)
+  {
+    announce(UnitGrid());
+  }
+  for (int i = 0; !done && i < outputVector->GetNumberOfInformationObjects(); ++i)
+  {
+    if (vtkDataObject* output = vtkDataObject::GetData(outputVector, i))
+    {
+      output->Initialize();
+    }
+  }
+  return done ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+medial::Grid vtkMeshFieldAlgorithm::vtkInternals::UnitGrid()
+{
+  return { { 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 }, { 1, 1, 1 } };
 }
 
 //------------------------------------------------------------------------------
@@ -204,7 +266,7 @@ vtkMeshConversion::ArraySelection vtkMeshFieldAlgorithm::vtkInternals::MakeSelec
 
 //------------------------------------------------------------------------------
 void vtkMeshFieldAlgorithm::vtkInternals::Record(const medial::Grid& grid,
-  const medial::RunStatistics& statistics, vtkDataObject* output)
+  const medial::RunStatistics& statistics, vtkDataObject* output, bool withMesh)
 {
   vtkMedialFigures figures(output);
   figures.AddText("SignMethod", vtkSignMethodAsString(vtkFromSignMethod(statistics.sign.method)));
@@ -217,7 +279,10 @@ void vtkMeshFieldAlgorithm::vtkInternals::Record(const medial::Grid& grid,
   figures.AddPoint("GridOrigin", grid.origin);
   figures.AddPoint("GridSpacing", grid.spacing);
   figures.AddCounts("GridDimensions", grid.dimensions);
-  AddMesh(this->Mesh, this->Connectivity, figures);
+  if (withMesh)
+  {
+    AddMesh(this->Mesh, this->Connectivity, figures);
+  }
   AddWork(statistics, figures);
   AddDevice(statistics.device, figures);
 }

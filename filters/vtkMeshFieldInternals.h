@@ -15,6 +15,7 @@
 
 #include <exception>
 #include <functional>
+#include <optional>
 
 class vtkMeshFieldAlgorithm::vtkInternals
 {
@@ -46,6 +47,24 @@ public:
   medial::Grid MakeGrid(vtkPolyData* input);
 
   /**
+   * The same for a surface with these bounds, which do not matter for an explicit grid.
+   */
+  medial::Grid MakeGrid(const medial::Bounds& bounds);
+
+  /**
+   * Describes an image output on a grid. makeGrid may throw, or return nothing where there is no
+   * grid yet. Returns 0 after reporting an error.
+   */
+  int AnnounceImage(vtkInformationVector* outputVector, int port,
+    const std::function<std::optional<medial::Grid>()>& makeGrid);
+
+  /**
+   * What is announced in place of a grid that is refused: a point, as VTK's filters downstream read
+   * the extent without a check.
+   */
+  static medial::Grid UnitGrid();
+
+  /**
    * The grid that RequestImageInformation() announced, whatever the input has become since.
    */
   static medial::Grid AnnouncedGrid(vtkInformation* outInfo);
@@ -61,11 +80,11 @@ public:
   vtkMeshConversion::ArraySelection MakeSelection();
 
   /**
-   * Adds the field data arrays of the filter's manual to an output, after an execution on the
-   * current mesh.
+   * Adds the field data arrays of the filter's manual to an output; those of the mesh only if it is
+   * that of the execution.
    */
   void Record(const medial::Grid& grid, const medial::RunStatistics& statistics,
-    vtkDataObject* output);
+    vtkDataObject* output, bool withMesh = true);
 
   bool InputIsBlock = false;  // of composite input that the pipeline goes through
   std::exception_ptr Refusal; // why RequestImageInformation() failed last; null if it did not

@@ -174,9 +174,9 @@ TEST(FilterManual, CommonParametersAreExplainedAndPrinted)
   expectManual("vtkMeshFieldAlgorithm", 16, printed<vtkMedialAxis>());
 }
 
-TEST(FilterManual, DistanceFieldHasNoParametersOfItsOwn)
+TEST(FilterManual, DistanceFieldParametersAreExplainedAndPrinted)
 {
-  expectManual("vtkMeshDistanceField", 0, printed<vtkMeshDistanceField>());
+  expectManual("vtkMeshDistanceField", 1, printed<vtkMeshDistanceField>());
 }
 
 TEST(FilterManual, MedialAxisParametersAreExplainedAndPrinted)

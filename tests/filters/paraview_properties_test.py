@@ -130,7 +130,7 @@ class Properties(unittest.TestCase):
                         self.assertIn(sorted(entries), stated)
 
     def test_groups_have_every_property_but_single_ones(self):
-        alone = {"SignMethod", "GenerateDistanceField", "NumberOfThreads"}
+        alone = {"SignMethod", "GenerateDistanceField", "NumberOfThreads", "DistributedInput"}
         for proxy, _ in proxies():
             grouped = {p.get("name") for p in proxy.findall("PropertyGroup/Property")}
             self.assertEqual(set(properties(proxy)) - grouped - alone, set())

@@ -1,0 +1,213 @@
+#include "vtkMedialRanks.h"
+
+#include "vtkMultiProcessController.h"
+
+#include "medial/error.h"
+
+#include <algorithm>
+#include <cstring>
+#include <new>
+#include <sstream>
+#include <utility>
+
+namespace
+{
+
+constexpr int MessageTag = 18064;
+// Messages of MPI have lengths of 32 bits.
+constexpr std::size_t LargestPart = std::size_t{ 1 } << 30;
+
+using Message = medial::Communicator::Message;
+
+//------------------------------------------------------------------------------
+// What a rank says where ranks meet: this, then Text.
+struct Report
+{
+  vtkMedialRanks::Stage Stage;
+  bool Failed;
+  medial::ErrorCode Code;
+  vtkPieceFacts Facts;
+};
+
+//------------------------------------------------------------------------------
+struct FullReport : Report
+{
+  std::string Text; // what failed, or the options
+
+  Message ToMessage() const
+  {
+    const Report& head = *this;
+    Message message(sizeof(head));
+    std::memcpy(message.data(), &head, sizeof(head));
+    message.insert(message.end(), this->Text.begin(), this->Text.end());
+    return message;
+  }
+
+  static FullReport Of(const Message& message)
+  {
+    FullReport report;
+    Report& head = report;
+    std::memcpy(static_cast<void*>(&head), message.data(), sizeof(head));
+    report.Text.assign(message.begin() + sizeof(head), message.end());
+    return report;
+  }
+};
+
+//------------------------------------------------------------------------------
+// Does the work of a rank.
+FullReport Try(vtkMedialRanks::Stage stage, const std::string& options,
+  const std::function<vtkPieceFacts()>& work)
+{
+  FullReport report{ { stage, false, medial::ErrorCode::InvalidInput, {} }, options };
+  const auto fail = [&](medial::ErrorCode code, const char* message)
+  {
+    report.Failed = true;
+    report.Code = code;
+    report.Text = message;
+  };
+  try
+  {
+    report.Facts = work();
+  }
+  catch (const medial::Error& error)
+  {
+    fail(error.code(), error.what());
+  }
+  catch (const std::bad_alloc&)
+  {
+    fail(medial::ErrorCode::OutOfMemory, "not enough memory for the result");
+  }
+  return report;
+}
+
+//------------------------------------------------------------------------------
+[[noreturn]] void ThrowOf(std::size_t rank, std::size_t ranks, medial::ErrorCode code,
+  const std::string& message)
+{
+  throw medial::Error(code, ranks > 1 ? "rank " + std::to_string(rank) + ": " + message : message);
+}
+
+//------------------------------------------------------------------------------
+// Where lines differ; those that only one has do not count, as ranks may be at different stages.
+void RequireSameOptions(const std::vector<FullReport>& reports)
+{
+  for (std::size_t rank = 1; rank < reports.size(); ++rank)
+  {
+    std::istringstream expected(reports.front().Text);
+    std::istringstream found(reports[rank].Text);
+    std::string theirs;
+    std::string here;
+    while (std::getline(expected, theirs) && std::getline(found, here))
+    {
+      if (here != theirs)
+      {
+        ThrowOf(rank, reports.size(), medial::ErrorCode::InvalidInput,
+          here + ", but rank 0 has " + theirs);
+      }
+    }
+  }
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+int vtkMedialRanks::rank() const
+{
+  return this->Controller ? this->Controller->GetLocalProcessId() : 0;
+}
+
+//------------------------------------------------------------------------------
+int vtkMedialRanks::size() const
+{
+  return this->Controller ? this->Controller->GetNumberOfProcesses() : 1;
+}
+
+//------------------------------------------------------------------------------
+// In each round every rank talks to one other, and the lower one sends first: none waits for one
+// that waits for it.
+std::vector<Message> vtkMedialRanks::exchange(std::vector<Message> messages)
+{
+  std::vector<Message> received(messages.size());
+  const int own = this->rank();
+  const int ranks = this->size();
+  for (int round = 0; round < ranks; ++round)
+  {
+    const int other = (round - own + ranks) % ranks;
+    if (other == own)
+    {
+      received[own] = std::move(messages[own]);
+    }
+    else if (own < other)
+    {
+      this->Send(messages[other], other);
+      received[other] = this->Receive(other);
+    }
+    else
+    {
+      received[other] = this->Receive(other);
+      this->Send(messages[other], other);
+    }
+    Message().swap(messages[other]);
+  }
+  return received;
+}
+
+//------------------------------------------------------------------------------
+void vtkMedialRanks::Send(const Message& message, int to)
+{
+  const vtkTypeInt64 length = static_cast<vtkTypeInt64>(message.size());
+  this->Controller->Send(&length, 1, to, MessageTag);
+  for (std::size_t first = 0; first < message.size(); first += LargestPart)
+  {
+    this->Controller->Send(message.data() + first,
+      static_cast<vtkIdType>(std::min(LargestPart, message.size() - first)), to, MessageTag);
+  }
+}
+
+//------------------------------------------------------------------------------
+Message vtkMedialRanks::Receive(int from)
+{
+  vtkTypeInt64 length = 0;
+  this->Controller->Receive(&length, 1, from, MessageTag);
+  Message message(static_cast<std::size_t>(length));
+  for (std::size_t first = 0; first < message.size(); first += LargestPart)
+  {
+    this->Controller->Receive(message.data() + first,
+      static_cast<vtkIdType>(std::min(LargestPart, message.size() - first)), from, MessageTag);
+  }
+  return message;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkPieceFacts> vtkMedialRanks::Meet(Stage stage, const std::string& options,
+  const std::function<vtkPieceFacts()>& work)
+{
+  const Message own = Try(stage, options, work).ToMessage();
+  const auto ranks = static_cast<std::size_t>(this->size());
+  std::vector<FullReport> reports;
+  const auto askedForInformation = [](const FullReport& report)
+  { return report.Stage == Stage::Information; };
+  do
+  {
+    reports.clear();
+    for (const Message& message : this->exchange(std::vector<Message>(ranks, own)))
+    {
+      reports.push_back(FullReport::Of(message));
+    }
+    for (std::size_t rank = 0; rank < ranks; ++rank)
+    {
+      if (reports[rank].Failed)
+      {
+        ThrowOf(rank, ranks, reports[rank].Code, reports[rank].Text);
+      }
+    }
+    RequireSameOptions(reports);
+  } while (stage == Stage::Data &&
+    std::any_of(reports.begin(), reports.end(), askedForInformation));
+  std::vector<vtkPieceFacts> facts;
+  for (const FullReport& report : reports)
+  {
+    facts.push_back(report.Facts);
+  }
+  return facts;
+}

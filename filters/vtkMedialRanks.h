@@ -1,0 +1,74 @@
+/**
+ * The processes of a controller as ranks of the library, and where they meet. Private to the module.
+ */
+
+#ifndef vtkMedialRanks_h
+#define vtkMedialRanks_h
+
+#include "medial/grid.h"
+#include "medial/ranks.h"
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+class vtkMultiProcessController;
+
+/**
+ * What a rank tells the others of its piece of a surface.
+ */
+struct vtkPieceFacts
+{
+  medial::Bounds Bounds{}; // of the points of cells; meaningless where Empty
+  bool Empty = true;
+  bool CellIds = false;               // whether cells have global ids
+  bool PointIds = false;              // whether points have global ids
+  std::int64_t TrianglesOfCell = 0;   // most triangles of a cell
+  std::int64_t LargestCell = -1;      // largest number of a cell
+};
+
+class vtkMedialRanks : public medial::Communicator
+{
+public:
+  /**
+   * controller may be null: a single rank. It must outlive this.
+   */
+  explicit vtkMedialRanks(vtkMultiProcessController* controller)
+    : Controller(controller)
+  {
+  }
+
+  int rank() const override;
+  int size() const override;
+  std::vector<Message> exchange(std::vector<Message> messages) override;
+
+  /**
+   * What ranks meet for.
+   */
+  enum class Stage : char
+  {
+    Information,
+    Data
+  };
+
+  /**
+   * Does work that may fail on some ranks only, and tells the others how it went. Every rank calls
+   * it. Pipelines may ask one rank more often for information than another: who is here for Data
+   * answers those until all are. Returns what the work of each rank returned.
+   *
+   * options has lines of a name and values that must be the same everywhere. Throws medial::Error on
+   * every rank if any has failed or has other options, naming the rank.
+   */
+  std::vector<vtkPieceFacts> Meet(Stage stage, const std::string& options,
+    const std::function<vtkPieceFacts()>& work);
+
+private:
+  void Send(const Message& message, int to);
+  Message Receive(int from);
+
+  vtkMultiProcessController* Controller;
+};
+
+#endif

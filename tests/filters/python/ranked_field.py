@@ -1,0 +1,194 @@
+"""Run by ranks_test.py under mpirun: fields of a surface in pieces, one case after the other.
+
+usage: ranked_field.py FOLDER
+FOLDER/cases.json has the cases; each rank writes what it computed of case C to FOLDER/C.RANK.npz.
+"""
+
+import ctypes
+import ctypes.util
+import json
+import sys
+from pathlib import Path
+
+import medial
+import numpy as np
+from shapes import ball
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
+from vtkmodules.vtkCommonCore import VTK_STRING, vtkPoints
+from vtkmodules.vtkCommonDataModel import (VTK_TRIANGLE, vtkCellArray, vtkMultiBlockDataSet,
+                                           vtkPartitionedDataSet, vtkPartitionedDataSetCollection, vtkPolyData,
+                                           vtkUnstructuredGrid)
+
+ARRAYS = ("Distance", "ClosestPoint", "ClosestCell", "ClosestFeature", "ClosestSite")
+
+
+def surface():
+    """An uneven ball: no two distances are equal by symmetry."""
+    points, triangles = ball(3)
+    x, y, z = points.T
+    points *= (1.0 + 0.3 * np.sin(3 * x + y) * np.cos(2 * z))[:, None]
+    return points, triangles
+
+
+def owners(case, count, ranks):
+    """The rank of every triangle."""
+    if case["pieces"] == "one":
+        return np.full(count, case.get("owner", 0) % ranks)
+    if case["pieces"] == "runs":
+        return np.arange(count) * ranks // count
+    return np.random.default_rng(case.get("seed", 1)).integers(0, max(1, ranks - case.get("empty", 0)), count)
+
+
+def polydata(points, triangles):
+    data = vtkPolyData()
+    places = vtkPoints()
+    places.SetDataTypeToDouble()
+    places.SetData(numpy_to_vtk(np.ascontiguousarray(points), deep=1))
+    cells = vtkCellArray()
+    cells.SetData(3, numpy_to_vtkIdTypeArray(np.ascontiguousarray(triangles, dtype=np.int64).ravel(), deep=1))
+    data.SetPoints(places)
+    data.SetPolys(cells)
+    return data
+
+
+def add_array(attributes, name, values, is_global=False):
+    array = (numpy_to_vtk(values.astype(np.uint8), deep=1) if name == "vtkGhostType"
+             else numpy_to_vtkIdTypeArray(values.astype(np.int64), deep=1))
+    array.SetName(name)
+    (attributes.SetGlobalIds if is_global else attributes.AddArray)(array)
+
+
+def block(case, cells, ghosts):
+    """Some triangles as a data set, with ids and ghosts as the case has them."""
+    points, triangles = surface()
+    chosen = triangles[np.concatenate([cells, ghosts])]
+    used, corners = np.unique(chosen, return_inverse=True)
+    data = polydata(points[used], corners.reshape(-1, 3))
+    if case.get("grid"):
+        grid = vtkUnstructuredGrid()
+        grid.SetPoints(data.GetPoints())
+        grid.SetCells(VTK_TRIANGLE, data.GetPolys())
+        data = grid
+    if "cells" in case.get("ids", ""):
+        add_array(data.GetCellData(), "vtkGlobalCellIds", np.concatenate([cells, ghosts]), "marked" in case["ids"])
+    if "points" in case.get("ids", ""):
+        add_array(data.GetPointData(), "vtkGlobalPointIds", used, "marked" in case["ids"])
+    if case.get("ghosts"):
+        add_array(data.GetCellData(), "vtkGhostType", np.arange(len(chosen)) >= len(cells))
+    return data
+
+
+def piece(case, rank, ranks):
+    """What a rank has of the surface."""
+    points, triangles = surface()
+    owner = owners(case, len(triangles), ranks)
+    cells = np.flatnonzero(owner == rank)
+    ghosts = np.empty(0, dtype=int)
+    if case.get("ghosts"):
+        mine = np.isin(triangles, triangles[cells]).any(axis=1)
+        ghosts = np.flatnonzero(mine & (owner != rank))
+    blocks = case.get("blocks")
+    if not blocks:
+        return block(case, cells, ghosts)
+    half = len(cells) // 2
+    parts = [block(case, cells[:half], ghosts), vtkPolyData(), block(case, cells[half:], ghosts[:0])]
+    composite = {"multiblock": vtkMultiBlockDataSet, "partitioned": vtkPartitionedDataSet,
+                 "collection": vtkPartitionedDataSetCollection}[blocks]()
+    for i, part in enumerate(parts):
+        if blocks == "collection":
+            composite.SetPartition(0, i, part)
+        elif blocks == "partitioned":
+            composite.SetPartition(i, part)
+        else:
+            composite.SetBlock(i, part)
+    return composite
+
+
+def blocks_of(data):
+    """The blocks of a piece that have cells."""
+    if not data.IsA("vtkCompositeDataSet"):
+        return [data] if data.GetNumberOfCells() else []
+    blocks, found = data.NewIterator(), []
+    while not blocks.IsDoneWithTraversal():
+        found.extend(blocks_of(blocks.GetCurrentDataObject()))
+        blocks.GoToNextItem()
+    return found
+
+
+def field_filter(case):
+    field = medial.vtkMeshDistanceField()
+    field.SetSignMethodToPseudonormal()
+    field.SetEngineToProcessor()
+    field.SetNumberOfThreads(1)
+    for name, value in case.get("options", {}).items():
+        getattr(field, "Set" + name)(*value if isinstance(value, list) else (value,))
+    return field
+
+
+def arrays_of(image):
+    data = image.GetPointData()
+    return {name: vtk_to_numpy(data.GetArray(name)) for name in ARRAYS if data.GetArray(name)}
+
+
+def damage(case, data, rank):
+    """What makes the case fail, on one rank."""
+    fault = case.get("fault")
+    if fault is None or case["rank"] != rank:
+        return data
+    if fault == "NaN":
+        data.GetPoints().GetData().SetComponent(0, 1, float("nan"))
+    elif fault == "overlap":
+        return block(case, np.arange(300), np.empty(0, dtype=int))
+    elif fault == "hole":
+        return block(case, np.arange(0), np.empty(0, dtype=int))
+    elif fault == "type":
+        grid = vtkUnstructuredGrid()
+        grid.SetPoints(data.GetPoints())
+        grid.InsertNextCell(10, 4, (0, 1, 2, 3))  # a tetrahedron
+        return grid
+    return data
+
+
+def compute(case, controller, folder, number):
+    rank, ranks = controller.GetLocalProcessId(), controller.GetNumberOfProcesses()
+    own = {**case, "options": {**case.get("options", {}), **case.get("options of ranks", {}).get(str(rank), {})}}
+    field = field_filter(own)
+    messages = []
+
+    def record(_caller, _event, text):
+        messages.append(text)
+
+    record.CallDataType = VTK_STRING
+    field.AddObserver("ErrorEvent", record)
+    field.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)  # VTK 9.1 reports them once more
+    field.SetController(controller)
+    field.DistributedInputOn()
+    field.SetInputDataObject(damage(case, piece(case, rank, ranks), rank))
+    if case.get("asks again") == rank:
+        field.UpdateInformation()
+        field.Modified()
+    results = {}
+    for ghosts in case.get("ghost levels", [0]):
+        field.UpdatePiece(rank, ranks, ghosts)
+        results = arrays_of(field.GetOutput())
+        results["extent"] = np.array(field.GetOutput().GetExtent())
+        results["held"] = np.array([row.GetValue(0) if row else -1 for row in (
+            field.GetOutput().GetFieldData().GetAbstractArray(name)
+            for name in ("OwnTriangles", "HeldTriangles", "BytesSent"))])
+    np.savez(folder / f"{number}.{rank}.npz", messages=messages, error=field.GetErrorCode(), **results)
+
+
+def main():
+    from vtkmodules.vtkParallelMPI import vtkMPIController
+    folder = Path(sys.argv[1])
+    mpi = ctypes.CDLL(ctypes.util.find_library("mpi"), ctypes.RTLD_GLOBAL)  # VTK's Python cannot start it
+    mpi.MPI_Init(None, None)
+    controller = vtkMPIController()
+    controller.Initialize()
+    for number, case in enumerate(json.loads((folder / "cases.json").read_text())):
+        compute(case, controller, folder, number)
+    mpi.MPI_Finalize()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,178 @@
+"""vtkMeshDistanceField on a surface in pieces: the bits of one process, and failures on all ranks.
+
+usage: ranks_test.py MPIRUN
+"""
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import medial
+import numpy as np
+from ranked_field import ARRAYS, arrays_of, blocks_of, field_filter, piece, polydata, surface
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+MPIRUN = os.path.abspath(sys.argv[1])
+SCRIPT = Path(__file__).with_name("ranked_field.py")
+# Both are for the tests' containers, where everything runs as root and there are few cores.
+ENVIRONMENT = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+# A collective that a rank does not enter would wait for ever.
+PATIENCE = 120  # seconds
+
+
+def run(ranks, cases):
+    """What each rank has of each case."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        (folder / "cases.json").write_text(json.dumps(cases))
+        subprocess.run([MPIRUN, "--quiet", "--oversubscribe", "--timeout", str(PATIENCE), "-np", str(ranks),
+                        sys.executable, SCRIPT, folder], env=ENVIRONMENT, check=True, timeout=2 * PATIENCE)
+        return [[dict(np.load(folder / f"{case}.{rank}.npz")) for rank in range(ranks)] for case in range(len(cases))]
+
+
+def whole_surface(case, ranks):
+    """The surface as one process has it, with the numbers of cells."""
+    points, triangles = surface()
+    if case.get("ids"):
+        if "points" not in case["ids"]:  # as the triangles use them
+            first = np.unique(triangles.ravel(), return_index=True)[1]
+            order = np.argsort(first)
+            points, triangles = points[order], np.argsort(order)[triangles]
+        return points, triangles, np.arange(len(triangles))
+    places, corners, numbers, first, last = [], [], [], 0, 0
+    for data in (data for rank in range(ranks) for data in blocks_of(piece(case, rank, ranks))):
+        cells = data.GetPolys() if data.IsA("vtkPolyData") else data.GetCells()
+        cells = vtk_to_numpy(cells.GetConnectivityArray()).reshape(-1, 3)
+        ghosts = data.GetCellData().GetArray("vtkGhostType")
+        own = vtk_to_numpy(ghosts) == 0 if ghosts else np.ones(len(cells), bool)
+        places.append(vtk_to_numpy(data.GetPoints().GetData()))
+        corners.append(cells[own] + first)
+        numbers.append(np.flatnonzero(own) + last)
+        first, last = first + len(places[-1]), last + len(cells)
+    return np.concatenate(places), np.concatenate(corners), np.concatenate(numbers)
+
+
+def arrays_of_one(case, ranks):
+    """The field that one process computes, and its extent."""
+    points, triangles, numbers = whole_surface(case, ranks)
+    field = field_filter(case)
+    field.SetInputData(polydata(points, triangles))
+    field.Update()
+    arrays = arrays_of(field.GetOutput())
+    arrays["ClosestCell"] = numbers[arrays["ClosestCell"]]
+    size = field.GetOutput().GetDimensions()[::-1]
+    return {name: values.reshape(*size, -1) for name, values in arrays.items()}
+
+
+class Ranks(unittest.TestCase):
+    def expect_bits_of_one(self, case, parts):
+        whole = arrays_of_one(case, len(parts))
+        covered = np.zeros(whole["Distance"].shape[:3], bool)
+        for part in parts:
+            self.assertEqual(list(part["messages"]), [])
+            x0, x1, y0, y1, z0, z1 = part["extent"]
+            box = np.s_[z0:z1 + 1, y0:y1 + 1, x0:x1 + 1]
+            covered[box] = True
+            for name in ARRAYS if x0 <= x1 else ():
+                expected = whole[name][box]
+                self.assertEqual(part[name].dtype, expected.dtype)
+                self.assertEqual(part[name].tobytes(), expected.tobytes(), name)
+        self.assertTrue(covered.all())
+
+    def test_fields_are_those_of_one_process(self):
+        cases = [
+            {"pieces": "random", "options": {"Resolution": 40}},
+            {"pieces": "random", "options": {"Resolution": 40}, "ids": "marked cells points", "ghosts": True},
+            {"pieces": "random", "options": {"Resolution": 30}, "ids": "cells points", "grid": True, "ghosts": True},
+            {"pieces": "random", "options": {"Resolution": 30}, "ids": "cells", "seed": 2},
+            {"pieces": "one", "owner": 1, "options": {"Resolution": 25, "SignMethod": 1}},
+            {"pieces": "runs", "options": {"Resolution": 30}, "blocks": "multiblock"},
+            {"pieces": "runs", "options": {"Resolution": 30}, "blocks": "partitioned", "grid": True, "ghosts": True},
+            {"pieces": "random", "options": {"Resolution": 30}, "blocks": "collection", "ids": "cells points"},
+            {"pieces": "random", "empty": 1, "options": {"GridMode": 1, "Spacing": [0.1, 0.07, 0.09]}},
+            {"pieces": "random", "options": {"GridMode": 2, "Origin": [-1.5, -1.4, -1.6], "Spacing": [0.1, 0.1, 0.1],
+                                             "Dimensions": [31, 30, 33]}},
+            {"pieces": "random", "ghost levels": [0, 2, 0], "options": {"Resolution": 30}},
+            {"pieces": "random", "asks again": 1, "options": {"Resolution": 30}},
+            {"pieces": "random", "options": {"Resolution": 3}},
+        ]
+        for ranks in (1, 2, 3, 7):
+            for case, parts in zip(cases, run(ranks, cases)):
+                with self.subTest(ranks=ranks, case=case):
+                    self.expect_bits_of_one(case, parts)
+
+    def test_no_rank_holds_the_surface(self):
+        case = {"pieces": "runs", "options": {"Resolution": 64}}
+        (parts,) = run(4, [case])
+        triangles = len(surface()[1])
+        for part in parts:
+            own, held, sent = part["held"]
+            self.assertLess(own, 0.3 * triangles)
+            self.assertGreaterEqual(held, own)
+            self.assertGreater(sent, 0)
+
+    def test_what_fails_on_one_rank_fails_on_all(self):
+        small = {"Resolution": 20}
+        explicit = {"GridMode": 2, "Dimensions": [9, 9, 9]}
+        failures = [
+            ({"fault": "NaN", "rank": 1, "options": small}, "^rank 1: point 0 .*nan"),
+            ({"fault": "NaN", "rank": 0, "options": explicit}, "^rank 0: point 0 .*nan"),
+            ({"fault": "type", "rank": 2, "options": small}, "rank 2: cell 0 is a vtkTetra, not part of a surface"),
+            ({"fault": "overlap", "rank": 2, "ids": "cells", "options": small}, "the pieces overlap: cell"),
+            ({"fault": "hole", "rank": 0, "options": small}, "sign method pseudonormal needs a closed"),
+            ({"options": small, "options of ranks": {"1": {"Resolution": 21}}},
+             "rank 1: Resolution 21, but rank 0 has Resolution 20"),
+            ({"options": small, "options of ranks": {"2": {"GenerateClosestCell": 0}}},
+             "rank 2: GenerateClosestCell 0, but rank 0 has GenerateClosestCell 1"),
+            ({"options": small, "options of ranks": {"0": explicit}}, "rank 1: GridMode Resolution, but rank 0"),
+            ({"options": explicit, "options of ranks": {"1": {"Dimensions": [9, 0, 9]}}}, "rank 1: .*dimension"),
+            ({"options": small, "options of ranks": {"1": {"MemoryLimit": 1}}}, "rank 1: MemoryLimit 1 is not"),
+            ({"options": {"Resolution": 1}}, "resolution 1 is outside"),
+            ({"options": {**small, "SignMethod": 0}}, "rank 0: sign method auto needs the whole surface"),
+            ({"options": {**small, "Engine": 1}}, "rank 0: .* needs the engine processor"),
+        ]
+        good = {"pieces": "random", "options": small}
+        cases = [{"pieces": "random", **case} for case, _ in failures] + [good]
+        *found, last = run(3, cases)
+        for (case, message), parts in zip(failures, found):
+            with self.subTest(case=case):
+                for part in parts:
+                    (text,) = part["messages"]
+                    self.assertRegex(text.split("): ", 1)[1].strip(), message)
+                    self.assertEqual(part["error"], medial.vtkMeshFieldAlgorithm.InvalidInputError)
+                    self.assertNotIn("Distance", part)
+        self.expect_bits_of_one(good, last)
+
+
+class Alone(unittest.TestCase):
+    """Without MPI a process is the only rank."""
+
+    def test_pieces_of_one_process(self):
+        case = {"options": {"Resolution": 20}, "ids": "cells points"}
+        field = field_filter(case)
+        field.SetController(None)
+        field.DistributedInputOn()
+        field.SetInputData(polydata(*surface()))
+        field.Update()
+        expected = arrays_of_one(case, 1)
+        for name, values in arrays_of(field.GetOutput()).items():
+            self.assertEqual(values.tobytes(), expected[name].tobytes(), name)
+
+    def test_what_the_input_may_be(self):
+        case = {"pieces": "runs", "blocks": "multiblock", "options": {"Resolution": 12}}
+        blocks = piece(case, 0, 1)
+        field = field_filter({**case, "options": {"Resolution": 12, "SignMethod": 1}})
+        field.SetInputDataObject(blocks)
+        for distributed, output in ((0, "vtkMultiBlockDataSet"), (1, "vtkImageData"), (0, "vtkMultiBlockDataSet")):
+            field.SetDistributedInput(distributed)
+            blocks.SetBlock(1, None)  # one without cells has no field of its own
+            field.Update()
+            self.assertEqual(field.GetOutputDataObject(0).GetClassName(), output)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
