@@ -38,8 +38,8 @@ Skeleton skeletonOf(const TriangleMesh& mesh, int resolution)
 {
   MedialAxisOptions options;
   options.topology = Topology::Preserve;
-  return computeSkeleton(
-    computeMedialAxis(mesh, makeGrid(mesh.bounds(), resolution), options), mesh);
+  return computeSkeleton(computeMedialAxis(mesh, makeGrid(mesh.bounds(), resolution), options),
+    mesh);
 }
 
 } // namespace
