@@ -148,6 +148,18 @@ void measureThickness(const Options& options, const ThicknessOptions& wanted,
   }
 }
 
+void chooseResolution(const Options& options, Watch& watch, Result& result)
+{
+  const Bounds bounds = result.mesh.bounds();
+  MedialAxisOptions ofAxis = libraryOptions(options, bounds.diagonal());
+  ofAxis.field.execution.progress = &watch;
+  SkeletonOptions ofSkeleton = skeletonOptions(options);
+  ofSkeleton.execution.progress = &watch;
+  result.chosenResolution =
+    chooseSkeletonResolution(result.mesh, result.connectivity, ofAxis, ofSkeleton, options.padding);
+  result.grid = makeGrid(bounds, result.chosenResolution->resolution, options.padding);
+}
+
 } // namespace
 
 Grid gridOf(const Bounds& bounds, const Options& options)
@@ -157,7 +169,7 @@ Grid gridOf(const Bounds& bounds, const Options& options)
     const double spacing = *options.spacing;
     return makeGridWithSpacing(bounds, { spacing, spacing, spacing }, options.padding);
   }
-  return makeGrid(bounds, options.resolution, options.padding);
+  return makeGrid(bounds, options.resolution.value_or(kDefaultResolution), options.padding);
 }
 
 std::optional<double> Result::catchingSpacing(const Options& options) const
@@ -189,6 +201,11 @@ Result prepare(const Surface& surface, const Options& options, ProgressBar& bar)
     {
       result.mesh = surface.toTriangleMesh();
       result.connectivity = analyseConnectivity(result.mesh, { options.threads, &watch });
+      if (!options.resolution)
+      {
+        chooseResolution(options, watch, result);
+        return;
+      }
       result.grid = gridOf(result.mesh.bounds(), options);
     });
   return result;

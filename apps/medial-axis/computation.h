@@ -10,6 +10,7 @@
 #include "medial/local_thickness.h"
 #include "medial/mesh_connectivity.h"
 #include "medial/skeleton.h"
+#include "medial/skeleton_resolution.h"
 #include "medial/subdivision.h"
 #include "medial/thickness.h"
 #include "medial/thickness_regions.h"
@@ -33,7 +34,8 @@ struct Result
   TriangleMesh mesh;
   MeshConnectivity connectivity;
   Grid grid;
-  SignMethod sign = SignMethod::None; ///< never Auto
+  std::optional<SkeletonResolution> chosenResolution; ///< with --resolution auto
+  SignMethod sign = SignMethod::None;                 ///< never Auto
   RunStatistics statistics;
   MedialAxis axis;                      ///< empty where it is not wanted
   CellTopology axisTopology;            ///< where a report is wanted
@@ -57,11 +59,11 @@ struct Result
   const TriangleMesh& thicknessMesh() const { return fineMesh ? fineMesh->mesh : mesh; }
 };
 
-/// The grid around a mesh.
+/// The grid around a mesh, where the options tell it.
 /// @throws Error InvalidInput.
 Grid gridOf(const Bounds& bounds, const Options& options);
 
-/// The mesh as the filters see it, and its grid.
+/// The mesh as the filters see it, and its grid, which with --resolution auto takes skeletons.
 /// @throws Failure.
 Result prepare(const Surface& surface, const Options& options, ProgressBar& bar);
 

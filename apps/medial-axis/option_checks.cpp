@@ -163,6 +163,16 @@ void convertTexts(const OptionTexts& texts, bool spacingGiven, Options& options)
   options.image = texts.image;
   options.html = texts.html;
   options.report = texts.report;
+  if (texts.resolution == kAutoResolution)
+  {
+    options.resolution = std::nullopt;
+  }
+  else if (!texts.resolution.empty())
+  {
+    int resolution = kDefaultResolution;
+    CLI::detail::lexical_cast(texts.resolution, resolution); // checked by the option
+    options.resolution = resolution;
+  }
   if (spacingGiven)
   {
     options.spacing = texts.spacing;
@@ -181,6 +191,11 @@ void convertSkeleton(const OptionTexts& texts, bool topologyGiven, Options& opti
 {
   if (!options.wantsSkeleton())
   {
+    if (!options.resolution)
+    {
+      throw Failure(ExitCode::Usage,
+        "--resolution auto is what a skeleton needs: it needs --skeleton or --skeleton-table");
+    }
     return;
   }
   const auto refuse = [](const std::string& what) { throw Failure(ExitCode::Usage, what); };

@@ -29,6 +29,18 @@ CLI::Validator length()
     "");
 }
 
+CLI::Validator resolution()
+{
+  return CLI::Validator(
+    [](std::string& word)
+    {
+      return word == kAutoResolution ? std::string()
+                                     : within<int>("[2, 8192] or auto",
+                                         [](int n) { return n >= 2 && n <= kMaxResolution; })(word);
+    },
+    "");
+}
+
 } // namespace
 
 void addOutputOptions(CLI::App& app, OptionTexts& texts, Options& options)
@@ -155,20 +167,21 @@ void addScanOptions(CLI::App& app, Options& options)
 void addGridOptions(CLI::App& app, OptionTexts& texts, Options& options)
 {
   const std::string group = "Grid";
-  CLI::Option* resolution =
+  CLI::Option* byNumber =
     app
-      .add_option("--resolution", options.resolution,
+      .add_option("--resolution", texts.resolution,
         "number of grid points along the longest axis of the padded bounds, in [2, 8192]; "
-        "default 256")
+        "default 256; or auto, in [128, 512], so that four lie in the radius of the skeleton's "
+        "thinnest branch, which skeletons on coarser grids tell")
       ->option_text("N")
-      ->check(within<int>("[2, 8192]", [](int n) { return n >= 2 && n <= kMaxResolution; }))
+      ->check(resolution())
       ->group(group);
   app
     .add_option("--spacing", texts.spacing,
       "distance between neighbouring grid points in world units, > 0; instead of --resolution")
     ->option_text("H")
     ->check(within<double>("(0, infinity)", [](double h) { return std::isfinite(h) && h > 0.0; }))
-    ->excludes(resolution)
+    ->excludes(byNumber)
     ->group(group);
   app
     .add_option("--padding", options.padding,

@@ -9,6 +9,9 @@
 namespace medial::app
 {
 
+/// The word in place of a number for --resolution.
+constexpr const char* kAutoResolution = "auto";
+
 /// What the user typed, before it becomes values of Options.
 struct OptionTexts
 {
@@ -23,6 +26,7 @@ struct OptionTexts
   std::string topology = "selected";
   std::string sign = "auto";
   std::string engine = "auto";
+  std::string resolution;
   double spacing = 0.0;
 };
 

@@ -29,16 +29,16 @@ struct Options
   std::filesystem::path skeletonTable; ///< .csv
   std::filesystem::path field;         ///< .vti, .pvti, .nrrd, .mha or .nii.gz
   FieldSelection fieldArrays = kAllFieldArrays;
-  std::optional<double> band;           ///< of a .vdb field, in grid points
-  std::filesystem::path localThickness; ///< as field
-  std::filesystem::path thickness;      ///< .vtp
-  std::filesystem::path thicknessImage; ///< .png
-  std::filesystem::path thinRegions;    ///< .vtp
-  std::filesystem::path image;          ///< .png
-  std::filesystem::path html;           ///< .html
-  std::filesystem::path report;         ///< .json
-  int resolution = kDefaultResolution;
-  std::optional<double> spacing; ///< instead of resolution
+  std::optional<double> band;                         ///< of a .vdb field, in grid points
+  std::filesystem::path localThickness;               ///< as field
+  std::filesystem::path thickness;                    ///< .vtp
+  std::filesystem::path thicknessImage;               ///< .png
+  std::filesystem::path thinRegions;                  ///< .vtp
+  std::filesystem::path image;                        ///< .png
+  std::filesystem::path html;                         ///< .html
+  std::filesystem::path report;                       ///< .json
+  std::optional<int> resolution = kDefaultResolution; ///< empty: what the skeleton needs
+  std::optional<double> spacing;                      ///< instead of resolution
   double padding = kDefaultPadding;
   double angle = kDefaultAngle;
   std::optional<ThicknessMethod> thicknessMethod;

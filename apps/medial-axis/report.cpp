@@ -167,7 +167,8 @@ Json describeSkeleton(const Skeleton& skeleton)
     { "closed", skeleton.count(BranchKind::Closed) },
     { "isolated", skeleton.count(BranchKind::Isolated) }, { "junctions", skeleton.junctions() },
     { "components", topology.components }, { "loops", topology.genus }, { "length", length },
-    { "opened_cavities", skeleton.openedCavities }, { "seconds", skeleton.seconds } };
+    { "opened_cavities", skeleton.openedCavities }, { "thinnest_radius", thinnestRadius(skeleton) },
+    { "seconds", skeleton.seconds } };
 }
 
 Json describeTopology(const Result& result, Topology mode)

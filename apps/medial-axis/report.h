@@ -13,7 +13,7 @@ namespace medial::app
 struct AppSeconds
 {
   double read = 0.0;
-  double prepare = 0.0; ///< welding points, and who shares them with whom
+  double prepare = 0.0; ///< welding points, who shares them with whom, the resolution
   double measure = 0.0; ///< topology and coverage of the axis
   double skeleton = 0.0;
   double thickness = 0.0; ///< with the values of its picture

@@ -102,8 +102,9 @@ void checkOptions(const Options& options)
 std::string textOf(const Options& options)
 {
   std::string text = options.input.string() + '\n' + options.field.string() + '\n' +
-    std::to_string(options.resolution) + ' ' + std::to_string(options.spacing.value_or(0.0)) + ' ' +
-    std::to_string(options.padding) + ' ' + std::to_string(static_cast<int>(options.signMethod));
+    std::to_string(options.resolution.value_or(0)) + ' ' +
+    std::to_string(options.spacing.value_or(0.0)) + ' ' + std::to_string(options.padding) + ' ' +
+    std::to_string(static_cast<int>(options.signMethod));
   for (const bool wanted : options.fieldArrays)
   {
     text += wanted ? '1' : '0';

@@ -31,8 +31,13 @@ void printMesh(const Options& options, const Result& result)
 void printGrid(const Result& result)
 {
   const Grid& grid = result.grid;
-  std::printf("grid      %d x %d x %d points, spacing %.4g, sign: %s\n", grid.dimensions[0],
+  std::printf("grid      %d x %d x %d points, spacing %.4g, sign: %s", grid.dimensions[0],
     grid.dimensions[1], grid.dimensions[2], grid.spacing[0], nameOf(result.sign).c_str());
+  if (result.chosenResolution && std::isfinite(result.chosenResolution->thinnestRadius))
+  {
+    std::printf(", for branches of radius %.4g", result.chosenResolution->thinnestRadius);
+  }
+  std::printf("\n");
 }
 
 void printEngine(const RunStatistics& statistics)
@@ -243,6 +248,17 @@ void printSimplification(const MedialAxis& axis)
   }
 }
 
+void printResolutionNote(const Options& options, const SkeletonResolution& chosen)
+{
+  if (chosen.needed > chosen.resolution)
+  {
+    std::fprintf(stderr,
+      "medial-axis: note: %s: the thinnest branch has a radius of %.4g, which needs --resolution "
+      "%d; auto takes at most %d\n",
+      options.input.c_str(), chosen.thinnestRadius, chosen.needed, kMaxSkeletonResolution);
+  }
+}
+
 void printSkeletonNote(const Options& options, const Skeleton& skeleton)
 {
   if (skeleton.openedCavities > 0)
@@ -305,6 +321,10 @@ void printNotes(const Options& options, const Result& result, const OutputNotes&
   if (result.coverage && options.showsAxis())
   {
     printCoverage(options, result);
+  }
+  if (result.chosenResolution)
+  {
+    printResolutionNote(options, *result.chosenResolution);
   }
   if (result.skeleton)
   {

@@ -243,7 +243,7 @@ const std::vector<SuiteEntry>& suites()
   static const std::vector<SuiteEntry> entries = { { "peers", runPeers }, { "table1", runTable1 },
     { "figure5", runFigure5 }, { "triangles", runTriangles }, { "models", runModels },
     { "figure6", runFigure6 }, { "frames", runFrames }, { "proximity", runProximity },
-    { "points", runPoints } };
+    { "points", runPoints }, { "skeletons", runSkeletons } };
   return entries;
 }
 

@@ -115,5 +115,7 @@ void runFrames(const SuiteContext& context);
 void runProximity(const SuiteContext& context);
 /// Distances of a million points.
 void runPoints(const SuiteContext& context);
+/// Networks of curves, beside CGAL's mean curvature skeleton.
+void runSkeletons(const SuiteContext& context);
 
 } // namespace medial::benchmark

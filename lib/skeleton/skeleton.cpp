@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <new>
 #include <numeric>
 #include <string>
@@ -259,6 +260,35 @@ CellTopology topologyOf(const Skeleton& skeleton)
   }
   topology.genus = topology.components - topology.eulerCharacteristic;
   return topology;
+}
+
+double thinnestRadius(const Skeleton& skeleton)
+{
+  double thinnest = std::numeric_limits<double>::infinity();
+  for (const SkeletonBranch& branch : skeleton.branches)
+  {
+    const auto inBall = [&](std::int64_t point, std::int64_t junction)
+    {
+      return skeleton.degree[junction] > 2 &&
+        glm::distance(toVector(skeleton.points[point]), toVector(skeleton.points[junction])) <=
+        skeleton.radius[junction];
+    };
+    std::vector<double> radii;
+    for (const std::int64_t point : branch.points)
+    {
+      if (!inBall(point, branch.points.front()) && !inBall(point, branch.points.back()))
+      {
+        radii.push_back(skeleton.radius[point]);
+      }
+    }
+    if (!radii.empty())
+    {
+      const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
+      std::nth_element(radii.begin(), middle, radii.end());
+      thinnest = std::min(thinnest, *middle);
+    }
+  }
+  return thinnest;
 }
 
 Skeleton computeSkeleton(const MedialAxis& axis, const TriangleMesh& mesh,

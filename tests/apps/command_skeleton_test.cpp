@@ -128,7 +128,8 @@ TEST_F(CommandSkeleton, WritesATableWithTheSameFigures)
   const Json report = Json::parse(readFile(folder.file("r.json")));
   EXPECT_EQ(keysOf(report["skeleton"]),
     (std::set<std::string>{ "points", "branches", "end_junction", "junction_junction", "closed",
-      "isolated", "junctions", "components", "loops", "length", "opened_cavities", "seconds" }));
+      "isolated", "junctions", "components", "loops", "length", "opened_cavities",
+      "thinnest_radius", "seconds" }));
   EXPECT_EQ(report["skeleton"]["branches"], 3);
   EXPECT_EQ(report["skeleton"]["end_junction"], 3);
   EXPECT_EQ(report["skeleton"]["loops"], 0);
@@ -183,6 +184,29 @@ TEST_F(CommandSkeleton, OptionsChangeIt)
   EXPECT_GT(std::stod(rough[1][2]), std::stod(smooth[1][2]));
 }
 
+TEST_F(CommandSkeleton, FindsTheResolutionThatThinBranchesNeed)
+{
+  const auto chosen = [&](double radius)
+  {
+    writeFile(input,
+      objText(unionOf({ { { -1.5, 0.0, 0.0 }, { 1.5, 0.0, 0.0 }, 0.3 },
+                        { { 0.2, 0.0, 0.0 }, { 0.2, 0.9, 0.0 }, radius } },
+        0.03)));
+    const Outcome outcome = run({ "--resolution", "auto", "--skeleton-table", folder.file("s.csv"),
+      "--report", folder.file("r.json") });
+    EXPECT_TRUE(contains(outcome.out, ", for branches of radius 0.")) << outcome.out;
+    const auto rows = readTable(folder.file("s.csv"));
+    EXPECT_EQ(rows.size(), 4u);
+    // Of the stub, the shortest; the edges of its mesh make it thinner.
+    EXPECT_NEAR(std::stod(rows.back()[4]), radius, 0.1 * radius);
+    const Json report = Json::parse(readFile(folder.file("r.json")));
+    EXPECT_NEAR(report["skeleton"]["thinnest_radius"].get<double>(), radius, 0.1 * radius);
+    return report["grid"]["dimensions"][0].get<int>();
+  };
+  EXPECT_NEAR(chosen(0.06), 4.0 * 4.0 / 0.06, 25.0);
+  EXPECT_EQ(chosen(0.2), 128);
+}
+
 TEST_F(CommandSkeleton, RefusesWhatDoesNotGoWithIt)
 {
   const std::string file = folder.file("s.vtp");
@@ -203,6 +227,12 @@ TEST_F(CommandSkeleton, RefusesWhatDoesNotGoWithIt)
   }
   EXPECT_TRUE(contains(refusal({ "--skeleton", file, "--min-branch", "-1" }, kUsage),
     "--min-branch: -1 is outside [0, infinity)"));
+  EXPECT_TRUE(contains(refusal({ "--resolution", "auto" }, kUsage),
+    "--resolution auto is what a skeleton needs: it needs --skeleton or --skeleton-table"));
+  EXPECT_TRUE(contains(refusal({ "--skeleton", file, "--resolution", "car" }, kUsage),
+    "--resolution: car is not a whole number; allowed: [2, 8192] or auto"));
+  EXPECT_TRUE(contains(
+    refusal({ "--skeleton", file, "--resolution", "auto", "--spacing", "1" }, kUsage), "excludes"));
   EXPECT_TRUE(contains(refusal({ "--skeleton", file, "-o", file }, kUsage),
     "--output and --skeleton name the same"));
 }

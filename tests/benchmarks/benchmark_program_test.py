@@ -15,7 +15,7 @@ from pathlib import Path
 PROGRAM = sys.argv[1]
 RASTERISER_SUITES = ["peers", "table1", "figure5", "figure6"]
 FIELD_SUITES = [*RASTERISER_SUITES, "triangles", "models"]
-SUITES = [*FIELD_SUITES, "frames", "proximity", "points"]
+SUITES = [*FIELD_SUITES, "frames", "proximity", "points", "skeletons"]
 FIRST_METHODS = {"frames": ["solver"],
                  "proximity": ["medial-depths", "medial-all", "medial-collision"]}
 EXACT = {"medial": 1e-2, "medial-raster": 1e-2, "embree": 1e-2, "cgal": 1e-2, "vtk": 1e-2}  # voxels

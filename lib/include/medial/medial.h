@@ -36,6 +36,7 @@
 #include "medial/sign_method.h"
 #include "medial/simplification.h"
 #include "medial/skeleton.h"
+#include "medial/skeleton_resolution.h"
 #include "medial/subdivision.h"
 #include "medial/thickness.h"
 #include "medial/thickness_regions.h"

@@ -81,6 +81,10 @@ struct MEDIAL_EXPORT Skeleton
 /// axis has the same.
 MEDIAL_EXPORT CellTopology topologyOf(const Skeleton& skeleton);
 
+/// Returns the radius of the thinnest branch, world units: the smallest of the branches' medians
+/// over what lies outside of the balls at their junctions. Infinity if nothing does.
+MEDIAL_EXPORT double thinnestRadius(const Skeleton& skeleton);
+
 /// Finds the network of curves within a medial axis: a centreline of a tube, the middle line of a
 /// plate, one branch for every limb. It needs no seeds.
 ///
