@@ -37,8 +37,9 @@ SideParts::SideParts(const InsideRows& inside, Side side, const Extent& extent, 
 
 void SideParts::markRow(const InsideRows& inside, Side side, int j, int k)
 {
-  std::uint8_t* const row = &marks_[
-    (static_cast<std::size_t>(this->partAt(2, k)) * count_[1] + this->partAt(1, j)) * count_[0]];
+  std::uint8_t* const row =
+    &marks_[(static_cast<std::size_t>(this->partAt(2, k)) * count_[1] + this->partAt(1, j)) *
+      count_[0]];
   inside.visitRuns({ extent_.min[0], j, k }, extent_.size(0),
     [&](int begin, int end, bool isInside)
     {
@@ -63,7 +64,8 @@ bool SideParts::meets(const Extent& parts) const
   {
     for (int y = low[1]; y <= high[1]; ++y)
     {
-      const auto row = marks_.begin() + (static_cast<std::ptrdiff_t>(z) * count_[1] + y) * count_[0];
+      const auto row =
+        marks_.begin() + (static_cast<std::ptrdiff_t>(z) * count_[1] + y) * count_[0];
       if (std::find(row + low[0], row + high[0] + 1, 1) != row + high[0] + 1)
       {
         return true;

@@ -46,8 +46,7 @@ MedialAxis axisOf(const TriangleMesh& mesh, const MedialAxisOptions& options, bo
   return computeMedialAxis(mesh, analyseConnectivity(mesh), grid, options, arrays);
 }
 
-class SideWithoutField
-  : public testing::TestWithParam<std::tuple<Side, Topology, SignMethod>>
+class SideWithoutField : public testing::TestWithParam<std::tuple<Side, Topology, SignMethod>>
 {
 protected:
   MedialAxisOptions options() const
@@ -63,8 +62,8 @@ protected:
 
 TEST_P(SideWithoutField, HasTheSameAxis)
 {
-  for (const TriangleMesh& mesh : { torus(1.0, 0.3, 40, 20), shell(0.6, 1.0, 3), openBall(),
-         lPrism(1.0, 0.5), plates(0.5, 1.0) })
+  for (const TriangleMesh& mesh :
+    { torus(1.0, 0.3, 40, 20), shell(0.6, 1.0, 3), openBall(), lPrism(1.0, 0.5), plates(0.5, 1.0) })
   {
     MedialAxisOptions options = this->options();
     if (options.field.sign == SignMethod::Pseudonormal && !analyseConnectivity(mesh).closed())

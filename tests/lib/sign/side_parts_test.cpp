@@ -63,8 +63,8 @@ TEST(SideParts, AreThoseWithAPointOfTheSideInTheExtent)
   for (std::uint32_t seed = 0; seed < 20; ++seed)
   {
     const InsideRows inside = randomRows(whole, seed);
-    for (const Extent& extent : { whole, Extent{ { -3, 2, 4 }, { 57, 20, 6 } },
-           Extent{ { 0, 5, 17 }, { 30, 11, 17 } } })
+    for (const Extent& extent :
+      { whole, Extent{ { -3, 2, 4 }, { 57, 20, 6 } }, Extent{ { 0, 5, 17 }, { 30, 11, 17 } } })
     {
       for (const Side side : { Side::Interior, Side::Exterior, Side::Both })
       {
