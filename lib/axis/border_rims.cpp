@@ -71,11 +71,13 @@ std::vector<Walker> walkersOn(const std::vector<EdgeTable::Edge>& rims)
 Neighbours neighboursOf(const std::vector<Walker>& walkers,
   const std::vector<EdgeTable::Edge>& rims)
 {
+  std::vector<std::int64_t> vertices(walkers.size()); // close together
+  std::transform(walkers.begin(), walkers.end(), vertices.begin(),
+    [](const Walker& walker) { return static_cast<std::int64_t>(walker.vertex); });
   const auto find = [&](std::int64_t vertex)
   {
-    const auto at = std::lower_bound(walkers.begin(), walkers.end(), vertex,
-      [](const Walker& w, std::int64_t v) { return static_cast<std::int64_t>(w.vertex) < v; });
-    return static_cast<int>(at - walkers.begin());
+    const auto at = std::lower_bound(vertices.begin(), vertices.end(), vertex);
+    return static_cast<int>(at - vertices.begin());
   };
   Neighbours neighbours(walkers.size(), { kNone, kNone });
   const auto addTo = [&](int walker, int other)
@@ -101,26 +103,37 @@ void smooth(const std::vector<Walker>& walkers, const Neighbours& neighbours,
   constexpr int kPasses = 20;
   constexpr double kShrink = 0.5;
   constexpr double kGrow = -0.51;
-  std::vector<std::size_t> free;
+  struct Free
+  {
+    std::size_t walker;
+    std::array<int, 2> neighbours;
+    glm::dvec3 normal;
+  };
+  std::vector<Free> free;
   for (std::size_t i = 0; i < walkers.size(); ++i)
   {
     const auto [p, q] = neighbours[i];
     if (walkers[i].movable && !walkers[i].exact && p >= 0 && q >= 0)
     {
-      free.push_back(i);
+      free.push_back({ i, neighbours[i], walkers[i].fit.normal });
     }
   }
   std::vector<glm::dvec3> before = places;
   for (int pass = 0; pass < 2 * kPasses; ++pass)
   {
     const double share = pass % 2 == 0 ? kShrink : kGrow;
-    for (const std::size_t i : free)
-    {
-      const auto [p, q] = neighbours[i];
-      const glm::dvec3& normal = walkers[i].fit.normal;
-      const glm::dvec3 way = share * (0.5 * (before[p] + before[q]) - before[i]);
-      places[i] = before[i] + way - glm::dot(way, normal) * normal;
-    }
+    constexpr std::size_t kAtOnce = 2048;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, free.size(), kAtOnce),
+      [&](const tbb::blocked_range<std::size_t>& range)
+      {
+        for (std::size_t k = range.begin(); k != range.end(); ++k)
+        {
+          const auto& [i, both, normal] = free[k];
+          const glm::dvec3 middle = 0.5 * (before[both[0]] + before[both[1]]);
+          const glm::dvec3 way = share * (middle - before[i]);
+          places[i] = before[i] + way - glm::dot(way, normal) * normal;
+        }
+      });
     std::swap(before, places);
   }
   std::swap(before, places);
