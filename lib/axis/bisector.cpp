@@ -8,7 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <utility>
 
 namespace medial
 {
@@ -178,37 +178,54 @@ bool isBeyondSurface(const AxisGeometry& geometry, const SiteSegment& segment,
 std::vector<BisectorPoint> bisectorPoints(const AxisGeometry& geometry,
   const std::vector<SiteSegment>& segments)
 {
-  std::vector<SiteChange> changes;
-  changes.reserve(segments.size());
-  for (const SiteSegment& segment : segments)
+  std::vector<BisectorPoint> points(segments.size());
+  std::transform(segments.begin(), segments.end(), points.begin(),
+    [&](const SiteSegment& segment) { return SiteChange(geometry.sites, segment).point(); });
+  return bisectorPoints(geometry, segments, std::move(points));
+}
+
+std::vector<BisectorPoint> bisectorPoints(const AxisGeometry& geometry,
+  const std::vector<SiteSegment>& segments, std::vector<BisectorPoint> points)
+{
+  std::vector<SiteQuery::Question> questions(points.size());
+  std::transform(points.begin(), points.end(), questions.begin(), questionAt);
+  geometry.query.closest(questions);
+  std::vector<std::size_t> open;
+  std::vector<SiteChange> changes; // of the open ones
+  for (std::size_t i = 0; i < points.size(); ++i)
   {
-    changes.emplace_back(geometry.sites, segment);
+    if (!SiteChange::isSettled(points[i], questions[i].closest))
+    {
+      open.push_back(i);
+      changes.emplace_back(geometry.sites, segments[i]).narrow(questions[i].closest);
+    }
   }
-  std::vector<std::size_t> open(segments.size());
-  std::iota(open.begin(), open.end(), std::size_t{ 0 });
-  std::vector<SiteQuery::Question> questions;
-  for (int round = 1; round < kMaxRounds && !open.empty(); ++round)
+  for (int round = 2; round < kMaxRounds && !open.empty(); ++round)
   {
     questions.clear();
-    for (const std::size_t i : open)
+    for (const SiteChange& change : changes)
     {
-      questions.push_back(questionAt(changes[i].point()));
+      questions.push_back(questionAt(change.point()));
     }
     geometry.query.closest(questions);
     std::size_t left = 0;
     for (std::size_t k = 0; k < open.size(); ++k)
     {
-      if (!changes[open[k]].settledBy(questions[k].closest))
+      points[open[k]] = changes[k].point();
+      if (!changes[k].settledBy(questions[k].closest))
       {
-        changes[open[k]].narrow(questions[k].closest);
-        open[left++] = open[k];
+        changes[k].narrow(questions[k].closest);
+        open[left] = open[k];
+        changes[left++] = changes[k];
       }
     }
     open.resize(left);
+    changes.erase(changes.begin() + static_cast<std::ptrdiff_t>(left), changes.end());
   }
-  std::vector<BisectorPoint> points(segments.size());
-  std::transform(changes.begin(), changes.end(), points.begin(),
-    [](const SiteChange& change) { return change.point(); });
+  for (std::size_t k = 0; k < open.size(); ++k)
+  {
+    points[open[k]] = changes[k].point();
+  }
   return points;
 }
 

@@ -68,11 +68,13 @@ std::vector<Walker> walkersOn(const std::vector<EdgeTable::Edge>& rims)
 Neighbours neighboursOf(const std::vector<Walker>& walkers,
   const std::vector<EdgeTable::Edge>& rims)
 {
+  std::vector<std::int64_t> vertices(walkers.size()); // close together
+  std::transform(walkers.begin(), walkers.end(), vertices.begin(),
+    [](const Walker& walker) { return static_cast<std::int64_t>(walker.vertex); });
   const auto find = [&](std::int64_t vertex)
   {
-    const auto at = std::lower_bound(walkers.begin(), walkers.end(), vertex,
-      [](const Walker& w, std::int64_t v) { return static_cast<std::int64_t>(w.vertex) < v; });
-    return static_cast<int>(at - walkers.begin());
+    const auto at = std::lower_bound(vertices.begin(), vertices.end(), vertex);
+    return static_cast<int>(at - vertices.begin());
   };
   Neighbours neighbours(walkers.size(), { kNone, kNone });
   const auto addTo = [&](int walker, int other)
@@ -312,13 +314,18 @@ void BorderRims::smooth(int pass)
     this->findFree();
   }
   std::swap(before_, places_);
-  for (const std::size_t i : free_)
-  {
-    const auto [p, q] = neighbours_[i];
-    const glm::dvec3& normal = walkers_[i].fit.normal;
-    const glm::dvec3 way = share * (0.5 * (before_[p] + before_[q]) - before_[i]);
-    places_[i] = before_[i] + way - glm::dot(way, normal) * normal;
-  }
+  constexpr std::size_t kAtOnce = 2048;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, free_.size(), kAtOnce),
+    [&](const tbb::blocked_range<std::size_t>& range)
+    {
+      for (std::size_t k = range.begin(); k != range.end(); ++k)
+      {
+        const auto& [i, both, normal] = free_[k];
+        const glm::dvec3 middle = 0.5 * (before_[both[0]] + before_[both[1]]);
+        const glm::dvec3 way = share * (middle - before_[i]);
+        places_[i] = before_[i] + way - glm::dot(way, normal) * normal;
+      }
+    });
 }
 
 void BorderRims::findFree()
@@ -329,7 +336,7 @@ void BorderRims::findFree()
     const auto [p, q] = neighbours_[i];
     if (walkers_[i].movable && !walkers_[i].exact && p >= 0 && q >= 0)
     {
-      free_.push_back(i);
+      free_.push_back({ i, neighbours_[i], walkers_[i].fit.normal });
     }
   }
 }

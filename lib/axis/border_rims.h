@@ -53,6 +53,14 @@ public:
   std::vector<std::size_t> elsewhere() const;
 
 private:
+  /// What smoothing reads of a vertex that it moves.
+  struct FreeVertex
+  {
+    std::size_t walker;
+    std::array<int, 2> neighbours;
+    glm::dvec3 normal;
+  };
+
   void lendSheets();
   void findFree();
 
@@ -63,7 +71,7 @@ private:
   std::vector<std::array<int, 2>> neighbours_;
   std::vector<glm::dvec3> places_;
   std::vector<glm::dvec3> before_; ///< the places before the last pass
-  std::vector<std::size_t> free_;  ///< those that smoothing moves
+  std::vector<FreeVertex> free_;   ///< those that smoothing moves
   std::vector<std::uint8_t> settled_;
 };
 

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <map>
+#include <numeric>
 #include <set>
 #include <vector>
 
@@ -16,47 +18,53 @@ namespace
 
 using Edge = std::array<std::int64_t, 2>; ///< ascending
 
-/// An edge of a face.
-struct EdgeUse
+/// Calls visit(a, b, face) for every edge of a face, and for every line with face -1; faces are
+/// numbered quads first.
+template <typename Visit>
+void visitEdges(const MedialAxis& axis, const Visit& visit)
 {
-  Edge edge;
-  std::int64_t face;
-};
+  std::int64_t face = 0;
+  const auto visitFace = [&](const auto& corners)
+  {
+    for (std::size_t i = 0; i < corners.size(); ++i)
+    {
+      const std::int64_t from = corners[i];
+      const std::int64_t to = corners[(i + 1) % corners.size()];
+      visit(std::min(from, to), std::max(from, to), face);
+    }
+    ++face;
+  };
+  std::for_each(axis.quads.begin(), axis.quads.end(), visitFace);
+  std::for_each(axis.triangles.begin(), axis.triangles.end(), visitFace);
+  for (const auto& [from, to] : axis.lines)
+  {
+    visit(std::min(from, to), std::max(from, to), std::int64_t{ -1 });
+  }
+}
 
 /// Faces as lists of edges, and edges as lists of faces.
 class FaceComplex
 {
 public:
   explicit FaceComplex(const MedialAxis& axis)
+    : faceCount_(static_cast<std::int64_t>(axis.quads.size() + axis.triangles.size()))
+    , edgesOf_(faceCount_, { kNone, kNone, kNone, kNone })
   {
-    for (const auto& quad : axis.quads)
+    // Lists of the uses of edges at the lower of their points, and then in order.
+    std::vector<std::size_t> starts(axis.points.size() + 1, 0);
+    visitEdges(axis, [&](std::int64_t a, std::int64_t, std::int64_t) { ++starts[a + 1]; });
+    std::partial_sum(starts.begin(), starts.end(), starts.begin());
+    std::vector<Use> uses(starts.back());
+    std::vector<std::size_t> next(starts.begin(), starts.end() - 1);
+    visitEdges(axis,
+      [&](std::int64_t a, std::int64_t b, std::int64_t face) {
+        uses[next[a]++] = { b, face };
+      });
+    for (std::size_t point = 0; point + 1 < starts.size(); ++point)
     {
-      this->addFace(quad.data(), 4);
-    }
-    for (const auto& triangle : axis.triangles)
-    {
-      this->addFace(triangle.data(), 3);
-    }
-    for (const auto& line : axis.lines)
-    {
-      uses_.push_back({ ordered(line[0], line[1]), -1 });
-    }
-    std::sort(uses_.begin(), uses_.end(),
-      [](const EdgeUse& a, const EdgeUse& b)
-      { return a.edge != b.edge ? a.edge < b.edge : a.face < b.face; });
-    facesEdges_.resize(faceCount_);
-    for (std::size_t i = 0; i < uses_.size(); ++i)
-    {
-      if (i == 0 || uses_[i].edge != uses_[i - 1].edge)
-      {
-        edges_.push_back(uses_[i].edge);
-        edgeFaces_.emplace_back();
-      }
-      if (uses_[i].face >= 0)
-      {
-        edgeFaces_.back().push_back(uses_[i].face);
-        facesEdges_[uses_[i].face].push_back(edges_.size() - 1);
-      }
+      std::sort(uses.begin() + starts[point], uses.begin() + starts[point + 1]);
+      this->addEdges(static_cast<std::int64_t>(point), uses.data() + starts[point],
+        uses.data() + starts[point + 1]);
     }
   }
 
@@ -70,11 +78,13 @@ public:
   {
     this->collapse();
     DisjointSets patches(static_cast<std::size_t>(faceCount_));
-    for (const auto& faces : edgeFaces_)
+    for (std::size_t edge = 0; edge < edges_.size(); ++edge)
     {
-      if (faces.size() == 2)
+      if (left_[edge].count == 2)
       {
-        patches.join(faces[0], faces[1]);
+        // The faces that are left, a and b, have a xor b as their sum.
+        const std::int64_t face = this->firstLeft(edge);
+        patches.join(face, left_[edge].sum ^ face);
       }
     }
     std::int64_t count = 0;
@@ -86,89 +96,150 @@ public:
   }
 
 private:
-  static Edge ordered(std::int64_t a, std::int64_t b) { return { std::min(a, b), std::max(a, b) }; }
+  static constexpr std::int64_t kNone = -1;
 
-  void addFace(const std::int64_t* corners, int count)
+  /// Of an edge by a face.
+  struct Use
   {
-    for (int i = 0; i < count; ++i)
+    std::int64_t end; ///< the higher point of the edge
+    std::int64_t face;
+
+    bool operator<(const Use& other) const
     {
-      uses_.push_back({ ordered(corners[i], corners[(i + 1) % count]), faceCount_ });
+      return end != other.end ? end < other.end : face < other.face;
     }
-    ++faceCount_;
+  };
+
+  /// The faces at an edge that are not gone.
+  struct Left
+  {
+    std::int64_t count = 0;
+    std::int64_t sum = 0; ///< their numbers by exclusive or: that of the face where one is left
+  };
+
+  /// Adds the edges from a point to higher ones.
+  void addEdges(std::int64_t point, const Use* use, const Use* end)
+  {
+    for (std::int64_t last = kNone; use != end; ++use)
+    {
+      if (use->end != last)
+      {
+        last = use->end;
+        edges_.push_back({ point, last });
+        left_.emplace_back();
+        firstFace_.push_back(faces_.size());
+      }
+      if (use->face >= 0)
+      {
+        faces_.push_back(use->face);
+        ++left_.back().count;
+        left_.back().sum ^= use->face;
+        auto& edges = edgesOf_[use->face];
+        *std::find(edges.begin(), edges.end(), kNone) =
+          static_cast<std::int64_t>(edges_.size()) - 1;
+      }
+    }
+  }
+
+  /// Calls visit(face) for the faces at an edge that are left.
+  template <typename Visit>
+  void visitLeft(std::size_t edge, const Visit& visit) const
+  {
+    const std::size_t end = edge + 1 < firstFace_.size() ? firstFace_[edge + 1] : faces_.size();
+    for (std::size_t i = firstFace_[edge]; i < end; ++i)
+    {
+      if (gone_[faces_[i]] == 0)
+      {
+        visit(faces_[i]);
+      }
+    }
+  }
+
+  std::int64_t firstLeft(std::size_t edge) const
+  {
+    return *std::find_if(faces_.begin() + firstFace_[edge], faces_.end(),
+      [&](std::int64_t face) { return gone_[face] == 0; });
   }
 
   /// Removes faces with an edge of their own until there are none.
   void collapse()
   {
     gone_.assign(faceCount_, 0);
-    std::vector<std::size_t> pending(edges_.size());
-    for (std::size_t edge = 0; edge < pending.size(); ++edge)
+    std::vector<std::size_t> pending;
+    for (std::size_t edge = 0; edge < edges_.size(); ++edge)
     {
-      pending[edge] = edge;
-    }
-    while (!pending.empty())
-    {
-      const std::size_t edge = pending.back();
-      pending.pop_back();
-      if (edgeFaces_[edge].size() != 1)
+      pending.push_back(edge);
+      while (!pending.empty())
       {
-        continue;
-      }
-      const std::int64_t face = edgeFaces_[edge].front();
-      gone_[face] = 1;
-      for (const std::size_t other : facesEdges_[face])
-      {
-        auto& faces = edgeFaces_[other];
-        faces.erase(std::find(faces.begin(), faces.end(), face));
-        pending.push_back(other);
+        const Left left = left_[pending.back()];
+        pending.pop_back();
+        if (left.count != 1)
+        {
+          continue;
+        }
+        gone_[left.sum] = 1;
+        for (const std::int64_t other : edgesOf_[left.sum])
+        {
+          if (other != kNone)
+          {
+            --left_[other].count;
+            left_[other].sum ^= left.sum;
+            pending.push_back(other);
+          }
+        }
       }
     }
   }
 
+  /// Returns the patches at an edge that count an odd number of times, ascending.
+  std::vector<std::int64_t> oddPatches(std::size_t edge, DisjointSets& patches) const
+  {
+    std::vector<std::int64_t> odd;
+    this->visitLeft(edge, [&](std::int64_t face) { odd = sumOf(odd, { patches.find(face) }); });
+    return odd;
+  }
+
+  /// Returns what is in one of two sets, but not in both.
+  static std::vector<std::int64_t> sumOf(const std::vector<std::int64_t>& a,
+    const std::vector<std::int64_t>& b)
+  {
+    std::vector<std::int64_t> sum;
+    std::set_symmetric_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(sum));
+    return sum;
+  }
+
   std::int64_t rankOfSeams(DisjointSets& patches) const
   {
-    std::set<std::set<std::int64_t>> conditions;
-    for (const auto& faces : edgeFaces_)
+    std::set<std::vector<std::int64_t>> conditions;
+    for (std::size_t edge = 0; edge < edges_.size(); ++edge)
     {
-      std::set<std::int64_t> odd;
-      for (const std::int64_t face : faces)
+      if (left_[edge].count > 2)
       {
-        toggle(patches.find(face), odd);
+        conditions.insert(this->oddPatches(edge, patches));
       }
-      conditions.insert(odd);
     }
-    std::map<std::int64_t, std::set<std::int64_t>> reduced; // by their lowest patch
-    for (std::set<std::int64_t> condition : conditions)
+    std::map<std::int64_t, std::vector<std::int64_t>> reduced; // by their lowest patch
+    for (std::vector<std::int64_t> condition : conditions)
     {
-      while (!condition.empty() && reduced.count(*condition.begin()) > 0)
+      while (!condition.empty() && reduced.count(condition.front()) > 0)
       {
-        for (const std::int64_t patch : std::set<std::int64_t>(reduced[*condition.begin()]))
-        {
-          toggle(patch, condition);
-        }
+        condition = sumOf(condition, reduced[condition.front()]);
       }
       if (!condition.empty())
       {
-        const std::int64_t lowest = *condition.begin();
+        const std::int64_t lowest = condition.front();
         reduced.emplace(lowest, std::move(condition));
       }
     }
     return static_cast<std::int64_t>(reduced.size());
   }
 
-  static void toggle(std::int64_t patch, std::set<std::int64_t>& set)
-  {
-    if (!set.insert(patch).second)
-    {
-      set.erase(patch);
-    }
-  }
-
-  std::int64_t faceCount_ = 0;
-  std::vector<EdgeUse> uses_;
+  std::int64_t faceCount_;
+  std::vector<std::array<std::int64_t, 4>> edgesOf_; ///< each face; kNone at the end of triangles
   std::vector<Edge> edges_;
-  std::vector<std::vector<std::int64_t>> edgeFaces_;
-  std::vector<std::vector<std::size_t>> facesEdges_;
+  std::vector<Left> left_;             ///< at each edge
+  std::vector<std::size_t> firstFace_; ///< of each edge in `faces_`
+  std::vector<std::int64_t> faces_;
   std::vector<char> gone_;
 };
 

@@ -22,6 +22,11 @@ bool cuts(const Extent& slab, const Extent& part)
   return !commonPart(slab, part).empty();
 }
 
+bool wants(const CandidateHierarchy::Visitor& visitor, const Extent& slab, const Extent& tiles)
+{
+  return cuts(slab, tiles) && (!visitor.wanted || visitor.wanted(tiles));
+}
+
 } // namespace
 
 CandidateHierarchy::CandidateHierarchy(const CandidateFilter& filter, const GridFrame& frame,
@@ -51,6 +56,10 @@ CullingCounts CandidateHierarchy::visitTiles(const Extent& slab, const Visitor& 
   tbb::parallel_for(std::size_t{ 0 }, sets.size(),
     [&](std::size_t i)
     {
+      if (!wants(visitor, slab, sets[i]))
+      {
+        return;
+      }
       Workspace& workspace = workspaces.local();
       const BoxReach reach = this->collectGroups(sets[i], workspace);
       if (workspace.shared.size() <= kFewGroups)
@@ -61,7 +70,7 @@ CullingCounts CandidateHierarchy::visitTiles(const Extent& slab, const Visitor& 
       visitParts(sets[i], kTileSize,
         [&](const Extent& tile)
         {
-          if (cuts(slab, tile))
+          if (wants(visitor, slab, tile))
           {
             this->visitGroups(tile, workspace, visitor);
           }
@@ -131,7 +140,7 @@ void CandidateHierarchy::visitSites(const Extent& set, const BoxReach& reach, co
   visitParts(set, kTileSize,
     [&](const Extent& tile)
     {
-      if (cuts(slab, tile))
+      if (wants(visitor, slab, tile))
       {
         workspace.tiles.push_back(tile);
         workspace.hulls.push_back(hullOf(tile, frame_));

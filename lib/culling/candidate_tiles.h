@@ -51,6 +51,8 @@ public:
     std::function<void(const Extent& tile, const std::vector<int>& sites)> sites;
     /// Tiles with many.
     std::function<void(const Extent& tile, const BoxReach& reach, const GroupList& groups)> groups;
+    /// Whether some of these tiles are wanted; null if all are. Others are not visited.
+    std::function<bool(const Extent& tiles)> wanted = nullptr;
   };
 
   /// @param filter over all sites; must outlive this.
@@ -59,8 +61,8 @@ public:
   CandidateHierarchy(const CandidateFilter& filter, const GridFrame& frame, const Extent& whole,
     const Extent& extent);
 
-  /// Visits the tiles that a slab of the extent cuts, whole: they may leave the extent. Uses all
-  /// threads of the current arena.
+  /// Visits the wanted tiles that a slab of the extent cuts, whole: they may leave the extent. Uses
+  /// all threads of the current arena.
   CullingCounts visitTiles(const Extent& slab, const Visitor& visitor) const;
 
   /// Lists the tiles that a slab cuts. Those of one list are neighbours.

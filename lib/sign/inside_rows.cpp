@@ -50,16 +50,9 @@ bool InsideRows::contains(const glm::ivec3& point) const
 
 void InsideRows::write(const glm::ivec3& first, int count, float* sides) const
 {
-  const Row row = this->row(first.y, first.z);
-  const int* change = std::upper_bound(row.begin, row.end, first.x);
-  float side = (change - row.begin) % 2 != 0 ? -1.0f : 1.0f;
-  for (int i = 0; i < count;)
-  {
-    const int end = change == row.end ? count : std::min(count, *change++ - first.x);
-    std::fill(sides + i, sides + end, side);
-    i = end;
-    side = -side;
-  }
+  this->visitRuns(first, count,
+    [&](int begin, int end, bool inside)
+    { std::fill(sides + begin, sides + end, inside ? -1.0f : 1.0f); });
 }
 
 } // namespace medial

@@ -5,6 +5,7 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <vector>
 
 namespace medial
@@ -23,6 +24,23 @@ public:
   /// Writes -1 for points that are inside and 1 for others.
   /// @param first grid point of a row, of which `count` points are written.
   void write(const glm::ivec3& first, int count, float* sides) const;
+
+  /// Calls visit(begin, end, inside) for the runs of points inside and outside in a part of a row;
+  /// begin and end count from its first point.
+  /// @param first grid point of a row, of which `count` points are visited.
+  template <typename Visit>
+  void visitRuns(const glm::ivec3& first, int count, const Visit& visit) const
+  {
+    const Row row = this->row(first.y, first.z);
+    const int* change = std::upper_bound(row.begin, row.end, first.x);
+    bool inside = (change - row.begin) % 2 != 0;
+    for (int begin = 0; begin < count; inside = !inside)
+    {
+      const int end = change == row.end ? count : std::min(count, *change++ - first.x);
+      visit(begin, end, inside);
+      begin = end;
+    }
+  }
 
   /// Calls visit(point, change) for every grid point of some slices at which a row enters (1) or
   /// leaves (-1) the solid; rows that begin inside enter at their first point.

@@ -52,7 +52,9 @@ struct RunStatistics
   /// what the driver counts as invocations of a fragment shader (llvmpipe: blocks of 4 x 4 points),
   /// 0 where it does not count.
   std::int64_t fragments = 0;
-  std::int64_t samples = 0;       ///< grid points computed
+  /// Grid points of the field. Of the axis of one side, the processor leaves out those of the other
+  /// where nobody wants the field.
+  std::int64_t samples = 0;
   std::int64_t bytesUploaded = 0; ///< bytes that the engine `device` has sent to its device
   std::int64_t bytesReadBack = 0; ///< bytes that came back
   std::int64_t dispatches = 0;    ///< compute shaders that it has started

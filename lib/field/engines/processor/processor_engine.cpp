@@ -12,11 +12,13 @@
 #include "field/engines/processor/tile_evaluator.h"
 #include "field/field_writer.h"
 #include "field/slabs.h"
+#include "sign/side_parts.h"
 
 #include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace medial
@@ -57,8 +59,11 @@ void setSides(const InsideRows& inside, const Extent& part, const Extent& tile, 
 class Evaluation
 {
 public:
-  explicit Evaluation(const FieldJob& job)
+  /// @param side that is looked at: tiles of the other are left out where no array is wanted and
+  ///   it is known beforehand which these are.
+  Evaluation(const FieldJob& job, Side side)
     : job_(job)
+    , side_(side)
     , hierarchy_(job.host.filter(), job.frame, job.whole, job.extent)
     , sites_(job.host.sites(), job.host.filter().bounds(), job.host.signNormals(), job.frame,
         job.host.filter().slack())
@@ -105,8 +110,17 @@ public:
         [&](const SliceRange& slices, Work& work)
         { this->evaluateGroups(tile, reach, groups, slices, work); });
     };
-    const CullingCounts counts =
-      job_.run.onThreads([&] { return hierarchy_.visitTiles(slab, visitor); });
+    const CullingCounts counts = job_.run.onThreads(
+      [&]
+      {
+        std::optional<SideParts> parts;
+        if (side_ != Side::Both && inside_ != nullptr && !arrays.any())
+        {
+          parts.emplace(*inside_, side_, slab, job_.whole, CandidateHierarchy::kTileSize);
+          visitor.wanted = [&](const Extent& tiles) { return parts->meets(tiles); };
+        }
+        return hierarchy_.visitTiles(slab, visitor);
+      });
     job_.statistics.groupTests += counts.groupTests;
     job_.statistics.siteTests += counts.siteTests;
   }
@@ -169,6 +183,7 @@ private:
   }
 
   const FieldJob& job_;
+  Side side_;
   CandidateHierarchy hierarchy_;
   TileEvaluator sites_;
   BrickEvaluator bricks_;
@@ -178,11 +193,11 @@ private:
   FieldWriter writer_;
 };
 
-Evaluation makeEvaluation(const FieldJob& job)
+Evaluation makeEvaluation(const FieldJob& job, Side side)
 {
   job.insideRows(); // in time of their own
   const Stopwatch watch(job.statistics.seconds.sites);
-  return job.run.onThreads([&] { return Evaluation(job); });
+  return job.run.onThreads([&] { return Evaluation(job, side); });
 }
 
 /// Adds the work of all threads. Evaluation and culling alternate; each gets the share of the wall
@@ -229,7 +244,7 @@ void evaluateSlabs(const FieldJob& job, const std::vector<Extent>& slabs, Evalua
 
 void ProcessorEngine::run(const FieldJob& job, FieldSink& sink)
 {
-  Evaluation evaluation = makeEvaluation(job);
+  Evaluation evaluation = makeEvaluation(job, Side::Both);
   const int slices = slabSlices(job.extent, sink.bytesPerPoint(), job.memoryMiB);
   evaluateSlabs(
     job, slabsOf(job.extent, slices), evaluation, sink,
@@ -239,7 +254,7 @@ void ProcessorEngine::run(const FieldJob& job, FieldSink& sink)
 std::vector<Crossing> ProcessorEngine::select(const FieldJob& job, const CrossingSelection& wanted,
   FieldSink& sink)
 {
-  Evaluation evaluation = makeEvaluation(job);
+  Evaluation evaluation = makeEvaluation(job, wanted.side);
   const CrossingFilter filter = timed(job.statistics.seconds.medial,
     [&]
     {
@@ -256,7 +271,7 @@ std::vector<Crossing> ProcessorEngine::select(const FieldJob& job, const Crossin
     job, slabsOf(job.extent, slices), evaluation, sink,
     [&](const Extent& slab)
     {
-      field.begin(slab);
+      field.begin(slab, wanted.side == Side::Exterior);
       return &field;
     },
     [&](double done)

@@ -21,14 +21,15 @@ MEDIAL_INLINE unsigned differences(const std::int32_t* a, const std::int32_t* b)
 
 } // namespace
 
-/// Appends the wanted places where the closest site changes along an axis. `changes` has room for
-/// `count` more.
+/// Appends the wanted places in [begin, count) of a row where the closest site changes along an
+/// axis. `changes` has room for `count` more.
 /// @param wanted bits, eight to a byte.
+/// @param begin where a byte begins.
 MEDIAL_VECTORISED void ProcessorSelection::findChanges(const std::int32_t* sites,
-  const std::int32_t* ends, const std::uint8_t* wanted, int count, int axis,
+  const std::int32_t* ends, const std::uint8_t* wanted, int begin, int count, int axis,
   std::vector<Change>& changes)
 {
-  int i = 0;
+  int i = begin;
   for (; i + kLanes <= count; i += kLanes)
   {
     const unsigned here = wanted[i / kLanes];
@@ -123,20 +124,27 @@ void ProcessorSelection::selectRow(const SlabField& slab, const Displacement& di
     along[2] ? slab.inside(slot + 1, row) : inside };
   const glm::ivec3 first(extent.min[0], extent.min[1] + row, extent.min[2] + slot - 1);
   auto& [wanted, changes] = workspace;
-  wanted.resize((extent.size(0) + kLanes - 1) / kLanes);
+  const int bytes = (extent.size(0) + kLanes - 1) / kLanes;
+  const auto onSide = [&](std::uint8_t here) { return this->wantedEdges(here, here) != 0; };
+  const auto firstByte = static_cast<int>(std::find_if(inside, inside + bytes, onSide) - inside);
+  if (firstByte == bytes)
+  {
+    return;
+  }
+  wanted.resize(bytes);
   changes.clear();
   for (int axis = 0; axis < 3; ++axis)
   {
     if (along[axis])
     {
-      for (std::size_t b = 0; b < wanted.size(); ++b)
+      for (int b = firstByte; b < bytes; ++b)
       {
         const unsigned end = axis > 0 ? endInside[axis][b] : inside[b] >> 1 | inside[b + 1] << 7;
         wanted[b] = static_cast<std::uint8_t>(this->wantedEdges(inside[b], end));
       }
       const int count = axis == 0 ? extent.size(0) - 1 : extent.size(0);
       changes.reserve(changes.size() + count);
-      findChanges(sites, ends[axis], wanted.data(), count, axis, changes);
+      findChanges(sites, ends[axis], wanted.data(), firstByte * kLanes, count, axis, changes);
     }
   }
   if (filter_ != nullptr)

@@ -51,7 +51,7 @@ private:
   };
 
   static void findChanges(const std::int32_t* sites, const std::int32_t* ends,
-    const std::uint8_t* wanted, int count, int axis, std::vector<Change>& changes);
+    const std::uint8_t* wanted, int begin, int count, int axis, std::vector<Change>& changes);
   /// Tells which of up to eight grid edges have both ends on the wanted side, as bits.
   /// @param inside, endInside which of their ends are inside.
   unsigned wantedEdges(unsigned inside, unsigned endInside) const;

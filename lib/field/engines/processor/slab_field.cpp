@@ -33,7 +33,7 @@ MEDIAL_VECTORISED void setNegative(const float* values, int count, std::uint8_t*
 
 } // namespace
 
-void SlabField::begin(const Extent& slab)
+void SlabField::begin(const Extent& slab, bool inside)
 {
   carried_ = begun_;
   if (begun_)
@@ -47,6 +47,8 @@ void SlabField::begin(const Extent& slab)
   extent_ = slab;
   sites_.resize(this->index(this->slots(), 0));
   inside_.resize(this->insideIndex(this->slots(), 0));
+  std::fill(inside_.begin() + this->insideIndex(1, 0), inside_.end(),
+    static_cast<std::uint8_t>(inside ? 0xff : 0));
 }
 
 void SlabField::store(const std::int32_t* sites, const float* sides)

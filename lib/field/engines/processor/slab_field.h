@@ -16,7 +16,8 @@ class SlabField
 {
 public:
   /// Starts a slab. The last slice of the slab before becomes the slice below.
-  void begin(const Extent& slab);
+  /// @param inside whether points count as inside until they are stored.
+  void begin(const Extent& slab, bool inside = false);
   /// Stores the slab's part of a tile. Slabs begin where tiles do along x. Several threads may call
   /// it at once for different tiles.
   void store(const Extent& tile, const TileField& field);
