@@ -76,9 +76,9 @@ public:
 
   ///@{
   /**
-   * Minimum length of a branch with a free end, times the radius where it leaves the others, at
-   * least 0. In a sheet it is not the radius that counts but the way from the rim. Junctions as
-   * near to each other become one. Loops stay. Default is 1.
+   * Minimum length of a branch with a free end, as a multiple of the radius where it leaves the
+   * others, at least 0. In a sheet it is not the radius that counts but the way from the rim.
+   * Junctions as near to each other become one. Loops stay. Default is 1.
    */
   vtkSetMacro(MinimumBranch, double);
   vtkGetMacro(MinimumBranch, double);

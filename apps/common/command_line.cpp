@@ -54,7 +54,7 @@ void addSignOption(CLI::App& app, std::string& word, const std::string& group)
     .add_option("--sign", word,
       "how inside is told from outside: winding (winding numbers, for any mesh of triangles), "
       "pseudonormal (closed, consistently oriented meshes only), none, or auto (winding, or none "
-      "where the mesh leaves the inside open); default auto")
+      "where the mesh does not define an inside); default auto")
     ->option_text("METHOD")
     ->check(oneOf(signNames()))
     ->group(group);
@@ -97,17 +97,17 @@ void addDeviceOptions(CLI::App& app, DeviceOptions& options, const std::string& 
 {
   app
     .add_option("--device", options.name,
-      "what OpenGL computes on: a number, or a part of a name, of those that medial-axis lists; "
-      "default: the first GPU, else a software renderer; where it is missing or fails, the engine "
-      "auto takes the processor, with a note")
+      "what OpenGL computes on: a number or part of a name from the list that medial-axis prints; "
+      "default: the first GPU, else a software renderer; if it is missing or fails, the engine "
+      "auto uses the processor, with a note")
     ->option_text("DEVICE")
     ->group(group);
   app.add_flag("--require-gpu", options.require, "fail unless there is OpenGL 4.5 on a GPU")
     ->group(group);
   app
     .add_flag("--verify", options.verify,
-      "compare what the engine device computes with exact distances at 1000 grid points; on a GPU "
-      "this is done anyway, once")
+      "check the engine device against exact distances at 1000 grid points; on a GPU this is done "
+      "once in any case")
     ->group(group);
 }
 

@@ -78,15 +78,16 @@ void addOutputOptions(CLI::App& app, OptionTexts& texts, Options& options)
     ->group(group);
   app
     .add_option("--field-arrays", texts.fieldArrays,
-      "what the file of --field has beside the distance: closest_point, closest_cell, "
-      "closest_feature and closest_site, with commas between them, or distance for it alone; "
-      "29 bytes for each grid point with all of them, 4 with the distance alone; default all")
+      "what the --field file holds besides the distance: closest_point, closest_cell, "
+      "closest_feature and closest_site, separated by commas, or distance for nothing else; 29 "
+      "bytes per grid point with all of them, 4 with the distance alone; default all")
     ->option_text("LIST")
     ->needs("--field")
     ->group(group);
   app
     .add_option("--band", options.band,
-      "half the width of what a .vdb field keeps, in grid points, in [1, 1000]; default 3")
+      "how far from the surface a .vdb field keeps distances, in grid points, in [1, 1000]; "
+      "default 3")
     ->option_text("W")
     ->check(within<double>("[1, 1000]", [](double w) { return w >= 1.0 && w <= kMaxBand; }))
     ->needs("--field")
@@ -120,8 +121,8 @@ void addOutputOptions(CLI::App& app, OptionTexts& texts, Options& options)
   app
     .add_option("--image", texts.image,
       "picture of the axis, or with --skeleton of the skeleton, in the translucent surface, with "
-      "file, settings and scale; what is less than a fifth as thick as wide is seen from its edge "
-      "as well; needs no display")
+      "file, settings and scale; parts less than a fifth as thick as wide are also shown edge-on; "
+      "needs no display")
     ->option_text("FILE.png")
     ->group(group);
   app
@@ -144,14 +145,14 @@ void addScanOptions(CLI::App& app, Options& options)
   CLI::Option* isovalue =
     app
       .add_option("--isovalue", options.scan.isovalue,
-        "the surface where a grey image has this value; outside is what most of the image's border "
-        "is")
+        "take the surface where a grey image has this value; the outside is what most of the "
+        "image's border belongs to")
       ->option_text("V")
       ->check(within<double>("(-infinity, infinity)", [](double v) { return std::isfinite(v); }))
       ->group(group);
   app
     .add_option("--label", options.scan.label,
-      "the boundary of the voxels of a label image that have this value")
+      "take the boundary of the voxels with this value in a label image")
     ->option_text("N")
     ->excludes(isovalue)
     ->group(group);
@@ -235,7 +236,7 @@ void addAxisOptions(CLI::App& app, OptionTexts& texts, Options& options)
     .add_option("--topology", texts.topology,
       "selected: what theta selects, in as many components as that gives; preserve: with the "
       "components, tunnels and cavities of the solid at this resolution, whatever theta is; needs "
-      "--representation surface or faces, and 10 bytes for each grid point; default selected")
+      "--representation surface or faces, and 10 bytes per grid point; default selected")
     ->option_text("KIND")
     ->check(oneOf(topologyNames()))
     ->group(group);
@@ -247,8 +248,8 @@ void addSkeletonOptions(CLI::App& app, Options& options)
   const std::string group = "Skeleton";
   app
     .add_option("--min-branch", options.minBranch,
-      "minimum length of a branch with a free end, times the radius where it leaves the others, "
-      ">= 0; loops stay; default 1")
+      "minimum length of a branch with a free end, as a multiple of the radius where it leaves the "
+      "others, >= 0; loops stay; default 1")
     ->option_text("X")
     ->check(within<double>("[0, infinity)", [](double x) { return std::isfinite(x) && x >= 0.0; }))
     ->group(group);
@@ -277,29 +278,31 @@ void addThicknessOptions(CLI::App& app, OptionTexts& texts)
     .add_option("--thickness-method", texts.thicknessMethod,
       "ball: twice the radius of the medial ball that touches the place, 0 on convex edges that "
       "bend by theta or more; ray: the distance along the inward normal to the opposite surface; "
-      "wall: the diameter of the ball that touches the opposite wall, whose angle is at least 120, "
-      "near edges that of the nearest place with one; default ball, with limits wall")
+      "wall: the diameter of the ball that also touches the opposite wall, with a separation angle "
+      "of at least 120; near edges, that of the nearest place with such a ball; default ball, or "
+      "wall if there are limits")
     ->option_text("METHOD")
     ->check(oneOf(thicknessMethodNames()))
     ->group(group);
   app
     .add_option("--min-thickness", texts.minThickness,
-      "lists the regions that are thinner, in world units or as L% of the diagonal of the mesh's "
-      "bounds, > 0; the exit code is 1 if there is one; convex edges and corners do not count")
+      "list the regions that are thinner than this, in world units or as L% of the diagonal of the "
+      "mesh's bounds, > 0; the exit code is 1 if there are any; convex edges and corners do not "
+      "count")
     ->option_text("L[%]")
     ->check(positive())
     ->group(group);
   app
     .add_option("--max-thickness", texts.maxThickness,
-      "the same for regions that are thicker; above --min-thickness")
+      "the same for regions that are thicker than this; above --min-thickness")
     ->option_text("L[%]")
     ->check(positive())
     ->group(group);
   app
     .add_option("--max-edge", texts.maxEdge,
-      "divides triangles for thickness until no edge is longer, in world units or as L% of the "
-      "diagonal, >= 0, 0 for not at all: thin regions smaller than that may be missed; default "
-      "0, with limits 2%")
+      "divide triangles, for thickness only, until no edge is longer than this, in world units or "
+      "as L% of the diagonal, >= 0; 0 divides none; smaller thin regions may be missed; default 0, "
+      "or 2% if there are limits")
     ->option_text("L[%]")
     ->check(length())
     ->group(group);
@@ -326,7 +329,7 @@ void addRunOptions(CLI::App& app, OptionTexts& texts, Options& options)
         std::printf("%s", deviceListing(listDevices()).c_str());
         throw CLI::Success();
       },
-      "print what OpenGL can compute on, and what is refused and why, and exit")
+      "list what OpenGL can compute on, and what is refused and why, and exit")
     ->group(group);
   addQuietOption(app, options.quiet, group);
 }

@@ -13,9 +13,9 @@ namespace
 
 const char* const kFooter =
   "Input formats: .stl .obj .ply .off .vtp .vtk; scans: .nrrd .mha .mhd .nii .nii.gz .vti.\n"
-  "Without any output the medial axis goes to <INPUT's name>_medial.vtp in the current folder.\n"
-  "Existing files are replaced, but only once the new ones are complete. --field,\n"
-  "--local-thickness, --thickness, --thickness-image and limits of thickness write no medial\n"
+  "Without an output option the medial axis goes to <INPUT's name>_medial.vtp in the current\n"
+  "folder. Existing files are replaced, but only once the new ones are complete. --field,\n"
+  "--local-thickness, --thickness, --thickness-image and thickness limits write no medial\n"
   "axis unless another output needs one.\n"
   "Started by mpirun, several processes compute the field of --field FILE.pvti together.\n"
   "\n"

@@ -34,7 +34,7 @@ void addOptions(CLI::App& app, MeasureCommand& command, std::string& json)
   app
     .add_option("--samples", command.samples,
       "number of samples on the surface of the mesh, in [1000, 100000000]; the surface of the "
-      "union gets as many per area; default 100000")
+      "union gets as many per unit area; default 100000")
     ->option_text("N")
     ->check(within<std::int64_t>("[1000, 100000000]",
       [](std::int64_t n) { return n >= kMinMeasureSamples && n <= kMaxMeasureSamples; }))

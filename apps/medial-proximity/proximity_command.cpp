@@ -65,8 +65,8 @@ void addOutputOptions(CLI::App& app, ProximityTexts& texts)
     ->group(group);
   app
     .add_option("--animation", texts.animation,
-      "this picture of every frame, in files frame_0000.png and so on; the folder is made if there "
-      "is none, and in it the last pictures of a longer animation are deleted")
+      "the same picture of every frame, in files frame_0000.png and so on; creates the folder if "
+      "needed, and deletes from it what is left of a longer animation")
     ->option_text("FOLDER")
     ->group(group);
 }
@@ -76,14 +76,14 @@ void addMotionOptions(CLI::App& app, ProximityTexts& texts, ProximityCommand& co
   const std::string group = "Motion";
   app
     .add_flag("--sequence", command.sequence,
-      "each MESH is a folder, or a pattern in quotes as 'b_*.obj': its meshes are frames, in the "
-      "order of their names, with the same cells and other positions; a file stands still")
+      "each MESH is a folder, or a quoted pattern such as 'b_*.obj': its meshes are frames, in the "
+      "order of their names, with the same cells in other positions; a single file stands still")
     ->group(group);
   app
     .add_option("--transform", texts.transforms,
-      "transforms mesh number INDEX by a matrix of 12 or 16 numbers, row by row, with commas "
-      "between them; or by a file with such a matrix, or with one in each line, which are frames; "
-      "may be given once for each mesh")
+      "transform mesh number INDEX by a matrix of 12 or 16 numbers, row by row, separated by "
+      "commas; or by a file with one such matrix, or with one per line for each frame; may be "
+      "given once per mesh")
     ->option_text("INDEX=M")
     ->allow_extra_args(false)
     ->group(group);
@@ -101,14 +101,14 @@ void addComputeOptions(CLI::App& app, ProximityTexts& texts, ProximityOptions& o
     ->group(group);
   app
     .add_flag("--no-separation", texts.noSeparation,
-      "compute no separation and no closest points of meshes that do not intersect")
+      "do not compute the separation and closest points of meshes that do not intersect")
     ->group(group);
-  app.add_flag("--no-contacts", texts.noContacts, "compute no contacts")->group(group);
-  app.add_flag("--no-depths", texts.noDepths, "compute no depths, and so no contacts")
+  app.add_flag("--no-contacts", texts.noContacts, "do not compute contacts")->group(group);
+  app.add_flag("--no-depths", texts.noDepths, "do not compute depths, and so no contacts either")
     ->group(group);
   app
     .add_flag("--no-translation", texts.noTranslation,
-      "compute no bounds of the translation that separates")
+      "do not compute bounds on the separating translation")
     ->group(group);
   app
     .add_option("--max-separation", options.maxSeparation,

@@ -130,8 +130,8 @@ def medial_axis(
     angle: minimum separation angle theta between the directions to the two closest points, in
         degrees, in (0, 180); smaller values keep more of the axis and more noise.
     min_lambda: minimum lambda, half the distance between the two closest points, in world units
-        or as "L%" of the diagonal of the mesh's bounds, >= 0; removes the sheets that noise of this size causes, and those of walls thinner than
-        twice this.
+        or as "L%" of the diagonal of the mesh's bounds, >= 0; removes the sheets that noise of this
+        size causes, and those of walls thinner than twice this.
     min_radius: minimum radius of the medial balls, in world units or as "R%" of the diagonal, >= 0.
     side: which side of the surface: "interior", "exterior" or "both"; default interior. An open
         mesh has no sides: its axis is that of both, and so says MedialAxis.side.
@@ -140,7 +140,7 @@ def medial_axis(
         describe the shape best, in [0, 2147483647]; not for "points"; 0 for no limit.
     topology: "selected": what theta selects, in as many components as that gives; "preserve": with
         the components, tunnels and cavities of the solid at this resolution, whatever theta is;
-        needs "surface" or "faces", and 10 bytes for each grid point.
+        needs "surface" or "faces", and 10 bytes per grid point.
     field: whether MedialAxis.field is the distance field, from the same run.
     resolution, spacing, origin, dimensions, padding, sign, arrays, threads, memory, engine,
         device, require_gpu, progress: as for distance_field(); arrays are those of the field, which

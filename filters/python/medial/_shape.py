@@ -33,22 +33,21 @@ def thickness(vertices: Any, faces: Any = None, *, method: ThicknessMethod = "ba
         mesh.
     method: "ball", twice the radius of the medial ball that touches the place, 0 on convex edges;
         "ray", the distance along the inward normal to the opposite surface; "wall", the diameter of
-        the ball that touches the opposite wall, whose angle is at least 120, near edges that of the
-        nearest place with one.
+        the ball that also touches the opposite wall, with a separation angle of at least 120; near
+        edges, that of the nearest place with such a ball.
     angle: minimum separation angle of the balls that count, in degrees, in (0, 180): places whose
         two closest points are seen under less, as between the facets of a curved surface, are
         passed over.
     side: "interior", how thick the solid is, "exterior", how wide the gap is (clearance), or
         "both", the smaller of the two.
     at_faces: whether to return the values at the faces, not the vertices: those at the centres of
-        their triangles, the least of a face with several.
+        their triangles, the least where a face has several.
     threads: number of CPU threads to use, in [0, 1024]; 0 for all cores.
     progress: as for distance_field().
 
     Returns the (n,) diameters of the largest medial balls that touch the vertices, in world units;
     0 on convex edges that bend by angle or more, NaN where there is no ball; or what method and
-    at_faces say instead. Raises what
-    distance_field() raises, but needs no OpenGL.
+    at_faces say instead. Raises what distance_field() raises, but needs no OpenGL.
 
     >>> vertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, -0.5], [0, 1, -0.5], [1, 0, -0.5]]
     >>> thickness(vertices, [[0, 1, 2], [3, 4, 5]])  # two plates that face away from each other
@@ -94,10 +93,11 @@ def thickness_regions(vertices: Any, faces: Any = None, *, min_thickness: float 
     """Where a solid is too thin or too thick. Convex edges and corners do not count.
 
     vertices, faces: the mesh, as for distance_field(). It needs an inside, unless side is "both".
-    min_thickness: regions that are thinner are found, in world units; 0 for no such limit.
-    max_thickness: the same for regions that are thicker, above min_thickness; 0 for no such limit.
-    max_edge: triangles are divided until no edge is longer, in world units; smaller regions may be
-        missed. 0 for not at all, None for 2 % of the diagonal of the mesh's bounds.
+    min_thickness: find regions that are thinner than this, in world units; 0 for no such limit.
+    max_thickness: the same for regions that are thicker than this, above min_thickness; 0 for no
+        such limit.
+    max_edge: divide triangles until no edge is longer than this, in world units; smaller regions
+        may be missed. 0 divides none; None for 2 % of the diagonal of the mesh's bounds.
     method, angle, side: as for thickness().
     threads: number of CPU threads to use, in [0, 1024]; 0 for all cores.
     progress: as for distance_field().

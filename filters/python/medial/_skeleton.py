@@ -75,8 +75,8 @@ def skeleton(
 
     vertices, faces: the mesh, as for distance_field(). It needs an inside: large holes must be
         closed.
-    min_branch: minimum length of a branch with a free end, times the radius where it leaves the
-        others, >= 0; loops stay.
+    min_branch: minimum length of a branch with a free end, as a multiple of the radius where it
+        leaves the others, >= 0; loops stay.
     smooth: whether branches are smooth curves; otherwise they run from point to point of the axis,
         and zigzag by a voxel.
     angle, min_lambda: of the axis whose curves these are, as for medial_axis().
