@@ -42,8 +42,8 @@
  * DeepestPoint (double x 3), where the largest is, NaN if there is no such point. With
  * TranslationalDepth there are TranslationalDepth (double x 2), a lower and an upper bound on the
  * length of the shortest translation that separates the solids, and SeparatingTranslation (double
- * x 3), which separates them if A moves by it. Seconds (double) is the wall-clock time that it took,
- * without conversions.
+ * x 3), which separates them if A moves by it. Seconds (double) is the wall-clock time that it
+ * took, without conversions.
  *
  * @par Frames:
  * While the cells and the number of points of both inputs stay the same, as in a time series, and

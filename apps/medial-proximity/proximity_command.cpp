@@ -215,7 +215,7 @@ void convertOutputs(const ProximityTexts& texts, ProximityCommand& command)
 std::optional<ProximityCommand> parseProximityCommand(int argc, char** argv)
 {
   CLI::App app{
-    "Computes how meshes that move or deform lie to each other: separation, depth, contacts.\n"
+    "Computes the proximity of meshes that move or deform: separation, depth, contacts.\n"
   };
   setUpCommandLine(app, "medial-proximity", kFooter);
 
