@@ -75,7 +75,7 @@ class MedialAxis:
     renderer: str
     """The OpenGL implementation (GL_RENDERER); empty where OpenGL was not used."""
     field: Optional[DistanceField] = None
-    """The distance field, if wanted."""
+    """The distance field, if asked for."""
 
     def __repr__(self) -> str:
         counts = (f"{len(getattr(self, name))} {name}" for name in ("points", *_CELLS))

@@ -30,7 +30,7 @@ struct SignReport
 {
   SignMethod method = SignMethod::None; ///< the method used, never Auto
   std::string reason;                   ///< why this method, in words
-  std::int64_t rimEdges = 0;            ///< Winding: edges of holes, closed in thought
+  std::int64_t rimEdges = 0;            ///< Winding: edges of holes, under imaginary lids
   std::int64_t holes = 0;               ///< Winding: connected pieces of these edges
   std::int64_t copies = 0;              ///< Winding: triangles left out as copies of others
   std::int64_t turned = 0;              ///< Winding: triangles turned round
