@@ -131,7 +131,7 @@ medial_package(tools medial-tools graphics "medial axes and distance fields of m
   "${about}\nThis package holds the commands medial-axis, which computes them from files
 of meshes, medial-viewer, which shows them in a window, medial-measure, which
 measures how well an axis describes a mesh, medial-proximity, which
-computes how meshes that move or deform lie to each other, and
+computes the proximity of meshes that move or deform, and
 medial-distance, which computes how far points are from a mesh.")
 
 # The extension modules are those of one version of Python.

@@ -17,26 +17,25 @@
  * curve, 5 alone). With Representation FACES the angle may be below Angle, since faces are selected
  * by the directions at grid points; otherwise it is below Angle only where Topology keeps a point.
  *
- * With MaximumNumberOfSpheres the axis is made compact: at most so many points, whose balls, with
- * the cones between two of them on a line and the wedges between three on a triangle, approximate
- * the shape (edge contraction by quadrics, after Li and others: Q-MAT, 2015). Radius then is that
- * of the best ball, which may reach a little beyond the surface; SeparationAngle and the closest
- * points are those of the nearest point of the full axis.
+ * With MaximumNumberOfSpheres the axis is made compact: it has at most that many points, whose
+ * balls, with the cones between two of them on a line and the wedges between three on a triangle,
+ * approximate the shape (edge contraction by quadrics, after Li and others: Q-MAT, 2015). Radius is
+ * then that of the best ball, which may reach a little beyond the surface; SeparationAngle and the
+ * closest points are those of the nearest point of the full axis.
  *
  * Output port 1 is the distance field on the same grid, a vtkImageData as vtkMeshDistanceField
  * makes it. It is empty unless GenerateDistanceField is on.
  *
  * vtkMeshFieldAlgorithm documents the parameters of the grid and of the distance field, the input,
  * the field data of both outputs, errors and abort. The field data has one more array here: Side (a
- * string, as GetSideAsString()), the side on which the axis lies: Both where the distance is
- * unsigned.
+ * string, as GetSideAsString()), the side on which the axis lies: Both if the distance is unsigned.
  *
  * @par Parameter tuning:
- * Angle 60 shows the sheets that carry the shape and drops most noise; 90 and more leave the thick
- * parts, 30 and less reach for the convex edges and show the noise of scans. A sheet is found where
- * the voxels are smaller than the features that it separates. Near curves and points of the axis
- * the output is a band of width h / (2 sin(Angle / 2)) for voxels of size h. An axis that is a
- * point, as of a ball, is sure to be found only for Angle <= 70.
+ * Angle 60 shows the sheets that carry the shape and drops most noise; 90 and more leaves only the
+ * thick parts; 30 and less reaches for the convex edges and shows the noise of scans. A sheet is
+ * found if the voxels are smaller than the features that it separates. Near curves and points of
+ * the axis the output is a band of width h / (2 sin(Angle / 2)) for voxels of size h. An axis that
+ * is a single point, as that of a ball, is certain to be found only for Angle <= 70.
  *
  * @par Parallel pipelines:
  * Neither output is split: piece 0 is all of it, every other piece is empty. For a distance field
@@ -116,8 +115,8 @@ public:
   /**
    * The side of the surface on which the axis lies: INTERIOR, where the distance is negative,
    * EXTERIOR, where it is positive, or BOTH. An unsigned distance, as of an open mesh, has no
-   * sides: then the axis is that of BOTH, and the field data array Side says so.
-   * Default is INTERIOR.
+   * sides: the axis is then that of BOTH, and the field data array Side says so. Default is
+   * INTERIOR.
    */
   vtkMedialSideMacro();
   ///@}
@@ -156,7 +155,7 @@ public:
    * components, tunnels and cavities, and so the Euler characteristic and the genus, as the solid
    * at the resolution of the grid. The voxels of the side are thinned from the surface inwards
    * without cutting or piercing, and the sheets that Angle selects stay. Curves join the sheets and
-   * stand for thin round parts, as lines. Each side is thinned by itself; without a sign the side
+   * stand for thin round parts, as lines. Each side is thinned on its own; without a sign, the side
    * is the whole grid. PRESERVE takes 10 bytes per point of the whole grid, and needs
    * Representation SURFACE or FACES. Default is SELECTED.
    */

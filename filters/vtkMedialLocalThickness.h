@@ -3,12 +3,12 @@
  * @brief   local thickness of a solid, or separation of the space around it, as an image
  *
  * vtkMedialLocalThickness computes at every point of a regular grid the diameter of the largest
- * ball inside a solid that contains the point (Hildebrand, Rueegsegger 1997). The same of the space
- * outside is the separation. The centres of the balls are points of the medial axis, not only grid
- * points, and their radii are exact. Values are rounded to 1/256 of the finest spacing.
+ * ball inside a solid that contains the point (Hildebrand, Rueegsegger 1997). The same for the
+ * space outside is the separation. The centres of the balls are points of the medial axis, not only
+ * grid points, and their radii are exact. Values are rounded to 1/256 of the finest spacing.
  *
  * The output is a vtkImageData with the point data array LocalThickness as its active scalars
- * (float32, world units; 0 on a side that is not wanted).
+ * (float32, world units; 0 on a side that was not asked for).
  *
  * vtkMeshFieldAlgorithm documents the parameters of the grid and of the distance field, the input,
  * the field data, errors and abort. The Generate parameters have no effect. The field data has more
@@ -16,7 +16,8 @@
  * components Points (their number), Minimum, Mean, StandardDeviation, Maximum and HistogramEnd,
  * in world units, NaN without points; ThicknessHistogram (vtkIdType) counts them in NumberOfBins
  * equally wide bins from 0 to HistogramEnd. SeparationDistribution and SeparationHistogram are the
- * same of the points outside. Input without an inside, as of a mesh with large holes, is an error.
+ * same of the points outside. Input without an inside, such as a mesh with large holes, is an
+ * error.
  *
  * @par Parameter tuning:
  * Walls thinner than the spacing may be missed; their points then have twice their own distance to
@@ -53,7 +54,7 @@ public:
 
   ///@{
   /**
-   * What is wanted: INTERIOR, the thickness of the solid; EXTERIOR, the separation outside; BOTH,
+   * What to compute: INTERIOR, the thickness of the solid; EXTERIOR, the separation outside; BOTH,
    * the thickness inside and the separation outside as a negative number. Default is INTERIOR.
    */
   vtkMedialSideMacro();

@@ -7,13 +7,13 @@
  *
  * @par Errors:
  * A parameter outside its range and input that cannot be used are reported by one vtkErrorMacro
- * with the value and the allowed range; GetErrorCode() then is one of
+ * with the value and the allowed range; GetErrorCode() is then one of
  * vtkMeshFieldAlgorithm::ErrorCodes, the output is empty and the request ends as it does for
  * vtkMeshFieldAlgorithm. Parameters are checked when the filter executes; no value is clamped.
  *
  * @par Abort:
- * SetAbortExecute(1) from a ProgressEvent observer stops the execution soon. The output is empty
- * then, GetErrorCode() is vtkMeshFieldAlgorithm::CancelledError without an ErrorEvent from the
+ * SetAbortExecute(1) from a ProgressEvent observer stops the execution soon. The output is then
+ * empty, GetErrorCode() is vtkMeshFieldAlgorithm::CancelledError without an ErrorEvent from the
  * filter, and the next Update() executes again.
  *
  * @par Parallel pipelines:

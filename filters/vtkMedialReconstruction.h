@@ -21,7 +21,7 @@
  *
  * @par Errors:
  * Input without points, a missing or unsuitable array Radius, a radius that is negative or not
- * finite, a Resolution outside its range and a grid larger than the memory that is left.
+ * finite, a Resolution outside its range, and a grid larger than the available memory.
  * vtkMedialPolyDataAlgorithm documents how errors are reported, abort and parallel pipelines.
  *
  * @sa

@@ -7,7 +7,8 @@
  * the solid, and burns its sheets from their rims at unit speed (erosion thickness: Yan, Sykes,
  * Chambers, Letscher, Ju, 2016). What burns last are the curves. They have the components and the
  * loops of the solid at the resolution of the grid. A branch ends where the radius begins to fall
- * by half of the length or more: at a flat cap a radius from it, and in an open end at the opening.
+ * by half of the length or more: at a flat cap, one radius away from it; at an open end, at the
+ * opening.
  *
  * The output is a vtkPolyData with points in double precision. Each branch is a polyline; branches
  * that meet share a point. A body that shrinks to a point is a vertex. Point data arrays: Radius,
@@ -22,12 +23,12 @@
  * vtkMeshFieldAlgorithm documents the parameters of the grid and of the distance field, the input,
  * the field data, errors and abort. The Generate parameters have no effect, as there is no image.
  * The field data has four more arrays here: Branches, Junctions, Components and Loops, their
- * numbers. Input without an inside, as of a mesh with large holes, is an error.
+ * numbers. Input without an inside, such as a mesh with large holes, is an error.
  *
  * @par Parameter tuning:
  * The voxels must be smaller than the radius of the thinnest branch. MinimumBranch 1 leaves a
- * smooth tube one branch; more removes more of the short ones. For noisy scans set MinimumLambda to
- * three times the height of the noise.
+ * smooth tube a single branch; larger values remove more short branches. For noisy scans set
+ * MinimumLambda to three times the height of the noise.
  *
  * @par Parallel pipelines:
  * The output is not split: piece 0 is all of it, every other piece is empty.
@@ -59,7 +60,8 @@ public:
   ///@{
   /**
    * Minimum separation angle of the axis in degrees, in the open interval (0, 180). Smaller values
-   * keep more of the sheets that burn, which branches into their corners need. Default is 60.
+   * keep more of the sheets that burn, which is needed for branches into their corners.
+   * Default is 60.
    */
   vtkMedialAngleMacro();
   ///@}
@@ -77,8 +79,8 @@ public:
   ///@{
   /**
    * Minimum length of a branch with a free end, as a multiple of the radius where it leaves the
-   * others, at least 0. In a sheet it is not the radius that counts but the way from the rim.
-   * Junctions as near to each other become one. Loops stay. Default is 1.
+   * others, at least 0. In a sheet, the distance from the rim counts instead of the radius.
+   * Junctions closer together than this become one. Loops stay. Default is 1.
    */
   vtkSetMacro(MinimumBranch, double);
   vtkGetMacro(MinimumBranch, double);

@@ -1,13 +1,12 @@
 /**
  * @class   vtkMedialThickness
- * @brief   wall thickness of a surface, by touching medial balls, by rays or of walls
+ * @brief wall thickness of a surface, by touching medial balls, by rays or between walls
  *
  * vtkMedialThickness gives every point of a surface twice the radius of the medial ball that
  * touches it: how thick the solid is there or, for the exterior, how wide the gap is. Method
  * chooses rays or walls instead. It also finds the regions where a solid is too thin or too thick.
  *
- * From each
- * point it follows the ray against the angle-weighted normal to the first place where the
+ * From each point it follows the ray against the angle-weighted normal to the first place where the
  * directions to its closest surface point and to the start form an angle of Angle or more; the
  * radius is the distance there. This is exact for the mesh as it is, in double precision, and needs
  * neither a grid nor OpenGL. The iteration is that of shrinking balls (Ma, Bae, Choi: 3D Medial
@@ -15,13 +14,13 @@
  *
  * The output is the input with the point data array Thickness (float32, world units, the active
  * scalars). It is 0 where a sheet of the medial axis runs into the surface: on edges that are
- * convex seen from the wanted side and bend by Angle or more, and on tips as sharp as that. It is
- * NaN where there is no such ball: outside of convex parts, where nothing is opposite an open
- * surface, and at points without a normal, such as those that belong to no triangle. Above 90
- * degrees it is NaN beside the edges of a box, where balls touch two sides at 90 degrees only.
+ * convex seen from the chosen side and bend by Angle or more, and on tips as sharp as that. It is
+ * NaN where there is no such ball: outside convex parts, where nothing is opposite an open surface,
+ * and at points without a normal, such as those that belong to no triangle. With an Angle above 90
+ * degrees it is NaN beside the edges of a box, where balls touch two sides at only 90 degrees.
  *
  * With CellValues, or a minimum or maximum, there is a cell data array Thickness as well: at the
- * centre of a triangle, the least of those of a larger cell's triangles, NaN for lines and
+ * centre of a triangle; for a larger cell the least of its triangles' values; NaN for lines and
  * vertices. With MaximumEdgeLength the output is the surface divided into smaller triangles, with
  * the cell data array InputCell.
  *
@@ -29,22 +28,22 @@
  * With MinimumThickness or MaximumThickness the cell data array Region (int) is the number of the
  * region beyond the limits that a cell belongs to, from 1, or 0. Triangles that share a point are
  * one region. Places that are thin only because two sides meet at a convex edge or tip nearby do
- * not count: those whose two planes meet at more than 60 degrees, or at 15 or more where such an
- * edge is. Field data arrays have one tuple for each region, the thinnest first, then the thickest:
+ * not count: those whose two planes meet at more than 60 degrees, or at 15 or more if there is such
+ * an edge. Field data arrays have one tuple for each region, the thinnest first, then the thickest:
  * RegionThin (1, or 0 if it is too thick), RegionValue (its least or largest thickness),
  * RegionPlace (where that is), and RegionArea. Limits on one side of an open surface are an error,
- * unless its holes are small beside it.
+ * unless its holes are small compared with it.
  *
  * @par Field data:
  * The output has field data arrays of one tuple (double): MinThickness, MedianThickness and
  * MaxThickness, in world units, NaN where no point has a thickness, and ShareWithout, the share of
- * the points without one, in [0, 1]. Points that are at the same place count once, points of no
- * cell not at all.
+ * the points without one, in [0, 1]. Points at the same place count once; points of no cell do not
+ * count.
  *
  * @par Input:
  * Any vtkPolyData, as for vtkMedialAxis: polygons, triangle strips, lines and vertices, closed or
- * not. All cells limit the balls; points of polygons and strips have values. Interior is behind the
- * faces, by their own orientation; a closed, consistently oriented surface whose faces point
+ * not. All cells limit the balls; points of polygons and strips have values. The interior is behind
+ * the faces, by their own orientation; a closed, consistently oriented surface whose faces point
  * inwards is turned inside out first.
  *
  * @par Parameter tuning:
@@ -108,8 +107,9 @@ public:
   /**
    * What thickness is: BALL, twice the radius of the medial ball that touches the place, which
    * falls to 0 at convex edges, RAY, the distance along the inward normal to the opposite surface,
-   * or WALL, the diameter of the ball that touches the opposite wall, with an angle of at least 120
-   * degrees, and near edges that of the nearest place with one. Default is BALL.
+   * or WALL, the diameter of the ball that also touches the opposite wall, with a separation angle
+   * of at least 120 degrees, and near edges that of the nearest place with such a ball. Default is
+   * BALL.
    */
   vtkSetMacro(Method, int);
   vtkGetMacro(Method, int);

@@ -29,7 +29,7 @@ namespace vtkMeshConversion
 medial::MeshInput ToMeshInput(vtkPolyData* input);
 
 /**
- * Which point data arrays an image gets beside Distance.
+ * Which point data arrays an image gets besides Distance.
  */
 struct ArraySelection
 {

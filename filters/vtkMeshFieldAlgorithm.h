@@ -7,10 +7,10 @@
  * that describe an execution.
  *
  * @par Input:
- * Any vtkPolyData: triangles, quads, polygons, triangle strips, lines and vertices, mixed as they
- * come. The surface need be neither closed nor manifold nor welded. Points that no cell uses are
- * ignored. Cell ids in the outputs are those of vtkPolyData: vertices, lines, polygons, strips.
- * Cells without points, and strips of fewer than three, are ignored.
+ * Any vtkPolyData: triangles, quads, polygons, triangle strips, lines and vertices, in any mixture.
+ * The surface need be neither closed nor manifold nor welded. Points that no cell uses are ignored.
+ * Cell ids in the outputs are those of vtkPolyData: vertices, lines, polygons, strips. Cells
+ * without points, and strips of fewer than three, are ignored.
  *
  * @par Coordinates:
  * All lengths are in world units, those of the input's points. Image outputs have point data on a
@@ -18,19 +18,20 @@
  *
  * @par Information:
  * Unless GridMode is EXPLICIT the grid of an image output follows from the bounds of the input, so
- * UpdateInformation() updates the input (never the field). For input that changes with time the
- * grid is that of the time at which the information was made; use an explicit grid there. The
- * welded mesh is kept until the input changes: a new extent or parameter reuses it.
+ * UpdateInformation() updates the input (never the field). If the input changes with time, the grid
+ * is that of the time at which the information was made; use an explicit grid then. The welded mesh
+ * is kept until the input changes: a new extent or parameter reuses it.
  *
  * @par Field data:
- * Every output that is not empty tells how it was made, in field data arrays of one tuple each:
+ * Every output that is not empty says how it was made, in field data arrays of one tuple each:
  * - SignMethod and Engine (strings): what was used, as GetSignMethodAsString() and
  *   GetEngineAsString() call it; never Auto.
- * - EngineNote (string): why ENGINE_AUTO left the work of a device to the processor; missing where
- *   it did not.
- * - SignReason (string): why this sign method, such as the number of holes closed in thought.
+ * - EngineNote (string): why ENGINE_AUTO left the work of a device to the processor; missing if it
+ *   did not.
+ * - SignReason (string): why this sign method was used, such as the number of imaginary lids over
+ *   holes.
  * - GridOrigin and GridSpacing (double x 3, world units) and GridDimensions (int x 3): the whole
- *   grid, also where only part of it was computed.
+ *   grid, even if only part of it was computed.
  * - Triangles, Vertices, Components, DegenerateTriangles (vtkIdType): the mesh after points at the
  *   same place were welded and polygons cut into triangles; its connected components and its
  *   triangles without area.
@@ -46,32 +47,32 @@
  *   culling (Cull), clipping polygons (Polygons), drawing or evaluating (Draw), final distances
  *   and read-back (Resolve), and the medial axis (Medial, 0 for vtkMeshDistanceField).
  * - Renderer and RendererVersion (strings: GL_RENDERER, GL_VERSION) and SoftwareRenderer (unsigned
- *   char, 0 or 1): the OpenGL implementation; missing where OpenGL was not used.
+ *   char, 0 or 1): the OpenGL implementation; missing if OpenGL was not used.
  *
  * The field data of the input is passed on, as by other filters of VTK.
  *
  * @par Errors:
  * A parameter outside its range, input that cannot be used, and a failure of the GPU are reported
- * by one vtkErrorMacro with the value and the allowed range; GetErrorCode() then is one of
+ * by one vtkErrorMacro with the value and the allowed range; GetErrorCode() is then one of
  * ErrorCodes, all outputs are empty and the request fails (from VTK 9.2 on it succeeds, with
- * outputs that are marked as aborted, so that no other message follows). No filter downstream runs
- * then. Parameters are checked when the filter executes; no value is clamped. Images larger than
- * the memory that is left are refused before anything is computed.
+ * outputs that are marked as aborted, so that no other message follows). No filter downstream runs.
+ * Parameters are checked when the filter executes; no value is clamped. Images larger than the
+ * available memory are refused before anything is computed.
  *
  * @par Warnings:
- * Where ENGINE_AUTO leaves the work of a device that failed to the processor, a vtkWarningMacro
- * says why: once a process for each cause.
+ * If a device fails and ENGINE_AUTO leaves its work to the processor, a vtkWarningMacro says why,
+ * once per process for each cause.
  *
  * @par Abort:
  * SetAbortExecute(1) from a ProgressEvent observer stops the execution soon: within a fraction of a
- * second, within seconds where the mesh has a million triangles. The outputs are empty then, as
+ * second, or within seconds if the mesh has a million triangles. The outputs are then empty, as
  * after an error, GetErrorCode() is CancelledError without an ErrorEvent from the filter, and the
  * next Update() executes again.
  *
  * @par OpenGL:
- * Only ENGINE_DEVICE, ENGINE_RASTERISER and RequireHardware need OpenGL. It then works on a thread
- * and in a context of its own: an OpenGL context that is current in the calling thread stays so,
- * with its state. Observers are called in the calling thread.
+ * Only ENGINE_DEVICE, ENGINE_RASTERISER and RequireHardware need OpenGL. They use a thread and a
+ * context of their own: an OpenGL context that is current in the calling thread stays current, with
+ * its state. Observers are called in the calling thread.
  *
  * @par Parallel pipelines:
  * Whatever piece is requested, the filter asks for its whole input, since every grid point depends
@@ -152,10 +153,10 @@ public:
 
   ///@{
   /**
-   * How the grid is chosen. RESOLUTION: cubic voxels, as many points along the longest axis as
-   * Resolution says. SPACING: voxels of the size Spacing. Both cover the bounds of the input with a
-   * margin of Padding on every side. EXPLICIT: Origin, Spacing and Dimensions as they are, whatever
-   * the input. Default is RESOLUTION.
+   * How the grid is chosen. RESOLUTION: cubic voxels, with Resolution points along the longest
+   * axis. SPACING: voxels of the size Spacing. Both cover the bounds of the input with a margin of
+   * Padding on every side. EXPLICIT: Origin, Spacing and Dimensions as they are, whatever the
+   * input. Default is RESOLUTION.
    */
   vtkSetMacro(GridMode, int);
   vtkGetMacro(GridMode, int);
@@ -217,12 +218,12 @@ public:
    * How inside, where the distance is negative, is told from outside; the magnitude of the distance
    * does not depend on it. SIGN_WINDING: generalised winding numbers, for any mesh of triangles,
    * also with holes, and with parts that overlap, touch or face different ways. SIGN_AUTO:
-   * SIGN_WINDING, but SIGN_NONE where the mesh leaves open what is inside. That is where it has no
-   * triangles, or its winding number is between 1/4 and 3/4 at more than 1 % of the grid and its
-   * holes are more than an eighth of the surface that closes them.
-   * SIGN_NONE: unsigned. SIGN_PSEUDONORMAL: angle-weighted pseudonormals, wrong where parts overlap
-   * or touch; an error where the mesh is open or not consistently oriented. Default is SIGN_AUTO.
-   * The field data array SignMethod tells what was chosen.
+   * SIGN_WINDING, but SIGN_NONE if the mesh does not define an inside. That is the case if it has
+   * no triangles, or if its winding number is between 1/4 and 3/4 at more than 1 % of the grid and
+   * its holes are more than an eighth of the closed surface. SIGN_NONE: unsigned.
+   * SIGN_PSEUDONORMAL: angle-weighted pseudonormals, wrong where parts overlap or touch; an error
+   * where the mesh is open or not consistently oriented. Default is SIGN_AUTO. The field data array
+   * SignMethod says what was chosen.
    */
   vtkMedialSignMethodMacro();
   ///@}
@@ -232,9 +233,9 @@ public:
    * What finds the closest sites: the result does not depend on it, but the time does.
    * ENGINE_RASTERISER: OpenGL draws bounds of Voronoi regions with the depth test.
    * ENGINE_PROCESSOR: the CPU evaluates the candidates of every tile of the grid, without OpenGL.
-   * ENGINE_DEVICE: compute shaders of OpenGL do the same. ENGINE_AUTO: ENGINE_DEVICE on graphics
-   * hardware that works, ENGINE_PROCESSOR otherwise. Default is ENGINE_AUTO. The field data array
-   * Engine tells what was chosen.
+   * ENGINE_DEVICE: compute shaders of OpenGL do the same. ENGINE_AUTO: ENGINE_DEVICE if there is
+   * graphics hardware that works, ENGINE_PROCESSOR otherwise. Default is ENGINE_AUTO. The field
+   * data array Engine says what was chosen.
    */
   vtkSetMacro(Engine, int);
   vtkGetMacro(Engine, int);
@@ -255,7 +256,7 @@ public:
 
   ///@{
   /**
-   * Upper bound in MiB of the memory for the slabs of slices that are computed at a time, 0 or
+   * Upper bound in MiB on the memory for the slabs of slices that are computed at a time, 0 or
    * >= 64; 0 chooses by the size of the grid. Outputs are not counted. Smaller values make more
    * slabs and take longer; the result does not depend on it. Default is 0.
    */
@@ -266,8 +267,8 @@ public:
   ///@{
   /**
    * What an engine that uses OpenGL computes on: a device's number, or a part of its name, as
-   * medial-axis --list-devices tells; empty for the first GPU, else a software renderer. Where
-   * there is no such device, or it fails, ENGINE_AUTO leaves the work to the processor, with a
+   * medial-axis --list-devices prints them; empty for the first GPU, else a software renderer.
+   * If there is no such device, or it fails, ENGINE_AUTO leaves the work to the processor, with a
    * warning. A process has one device, that of its first such engine. Default is empty.
    */
   vtkSetStdStringFromCharMacro(Device);
@@ -276,7 +277,7 @@ public:
 
   ///@{
   /**
-   * Whether to fail where there is no OpenGL, or only a software renderer such as Mesa's llvmpipe,
+   * Whether to fail if there is no OpenGL, or only a software renderer such as Mesa's llvmpipe,
    * whatever the engine. Default is off: a software renderer gives the same result, but slowly.
    */
   vtkSetMacro(RequireHardware, vtkTypeBool);

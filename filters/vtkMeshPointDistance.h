@@ -2,22 +2,22 @@
  * @class   vtkMeshPointDistance
  * @brief   exact signed distances of the points of any data set from a surface
  *
- * vtkMeshPointDistance gives every point of its first input the distance of the closest point of a
+ * vtkMeshPointDistance gives every point of its first input the distance to the closest point of a
  * surface, its second input, exact in double precision and without a grid: for probes along a path,
  * for the points of a scan, of an unstructured grid or of an image, and for the deviation of one
  * mesh from another.
  *
  * The output is the first input with these point data arrays:
- * - Distance (double, world units, the active scalars): negative inside unless SignMethod or the
- *   surface leaves open what is inside;
+ * - Distance (double, world units, the active scalars): negative inside; unsigned if SignMethod
+ *   says so or the surface does not define an inside;
  * - ClosestPoint (double x 3): the closest point of the surface;
  * - ClosestCell (vtkIdType): the id of a cell of the surface that contains it;
  * - ClosestFeature (unsigned char): what it lies on, 0 for a vertex, 1 for an edge, 2 for a face;
  * - Direction (double x 3): the unit vector from the point to its closest point; zero where the
  *   point is on the surface.
  *
- * Of several closest points at the same distance that of a face comes before that of an edge, and
- * that of an edge before that of a vertex; among equals the first cell's. The result depends
+ * Of several closest points at the same distance, one on a face comes before one on an edge, and
+ * one on an edge before one at a vertex; among equals, that of the first cell. The result depends
  * neither on the number of threads nor on which points are computed together.
  *
  * @par Field data:
@@ -26,9 +26,10 @@
  * RMSDistance, of the magnitudes (double, world units, NaN without points).
  *
  * @par Input:
- * Port 0 takes any vtkDataSet; each block of a composite one is computed by itself. Port 1 takes
+ * Port 0 takes any vtkDataSet; each block of a composite one is computed on its own. Port 1 takes
  * any vtkPolyData, as vtkMeshFieldAlgorithm does: polygons, strips, lines and vertices, closed or
- * not. What is prepared for the surface is kept until it changes, so points may move for little.
+ * not. What is prepared for the surface is kept until it changes, so moving the points costs
+ * little.
  *
  * @par Errors and abort:
  * As for vtkMedialPolyDataAlgorithm. A point whose coordinates are not finite is an error that
@@ -79,7 +80,7 @@ public:
    * How inside, where the distance is negative, is told from outside; the magnitude of the distance
    * does not depend on it. SIGN_WINDING: generalised winding numbers, for any mesh of triangles,
    * also with holes, and with parts that overlap, touch or face different ways. SIGN_AUTO:
-   * SIGN_WINDING, but SIGN_NONE where the mesh leaves open what is inside, by the rules of
+   * SIGN_WINDING, but SIGN_NONE if the mesh does not define an inside, by the rules of
    * vtkMeshFieldAlgorithm. SIGN_NONE: unsigned. SIGN_PSEUDONORMAL: angle-weighted pseudonormals,
    * wrong where parts overlap or touch; an error where the mesh is open or not consistently
    * oriented. Default is SIGN_AUTO.

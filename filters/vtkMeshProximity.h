@@ -1,12 +1,12 @@
 /**
  * @class   vtkMeshProximity
- * @brief   how two meshes, which may move and deform, lie to each other
+ * @brief proximity of two meshes, which may move and deform: separation, collision, depth, contacts
  *
  * vtkMeshProximity computes for the mesh of input port 0, A, and that of input port 1, B, how far
  * they are apart and where, whether they intersect or collide, how deep one is inside the other,
- * where they are in contact, and how far one must move to be separate from the other. All of it is
- * computed on the meshes themselves, in double precision, without a grid or OpenGL. Nothing has to
- * be prepared.
+ * where they are in contact, and how far one must move to be clear of the other. All of it is
+ * computed on the meshes themselves, in double precision, without a grid or OpenGL. The meshes need
+ * no preparation.
  *
  * @par Input:
  * Any two vtkPolyData, as for vtkMedialAxis: polygons, triangle strips, lines and vertices, closed
@@ -20,10 +20,9 @@
  * Each contact is a vertex. Point data arrays: Kind (unsigned char, the active scalars: 0 for a
  * witness, 1 for a contact); Normal (float64 x 3, the active vectors, the unit vector from A to B:
  * moving B along it separates them there; 0 at a common point); Depth (float64, how deep a contact
- * is, in world units,
- * >= 0; 0 for a witness); Manifold (int, contacts of one connected overlap share a number, from 0;
- * -1 for a witness); BodyA and BodyB (int, the input ports of A and of B, 0 and 1); CellA and CellB
- * (vtkIdType, the cells of the inputs; of a line both points have both).
+ * is, in world units, >= 0; 0 for a witness); Manifold (int, contacts of one connected overlap
+ * share a number, from 0; -1 for a witness); BodyA and BodyB (int, the input ports of A and of B, 0
+ * and 1); CellA and CellB (vtkIdType, the cells of the inputs; both points of a line have both).
  *
  * @par Output ports 1 and 2:
  * A and B where their transforms have moved them, with points in double precision where they moved.
@@ -32,24 +31,24 @@
  * is NaN where inside is undefined, and at points of no cell.
  *
  * @par Field data:
- * Output port 0 has field data arrays of one tuple. Separation (double) is the least distance of
- * the surfaces in world units, 0 if and only if they intersect, infinite beyond MaximumSeparation
- * and NaN where it was not wanted. Collide, Intersect and
- * InsideUndefined (unsigned char, 0 or 1) tell whether the surfaces intersect or one solid contains
- * a part of the other mesh, whether the surfaces intersect, which is exact, and whether an open
- * mesh leaves open what is inside it. With Depths there are PenetrationDepth (double), the largest
- * distance of a surface point of one mesh inside the other to the other's surface, 0 if they do not
- * collide and NaN if inside is undefined, PenetrationDepthAtMost (double), above which no such
- * distance is, and DeepestPoint (double x 3), where the largest is, NaN if there is no such point.
- * With TranslationalDepth there are TranslationalDepth (double x 2), a lower and an upper bound on
- * the length of the shortest translation that separates the solids, and SeparatingTranslation
- * (double x 3), which separates them if A moves by it. Seconds (double) is the wall-clock time that
- * it took, without conversions.
+ * Output port 0 has field data arrays of one tuple. Separation (double) is the smallest distance
+ * between the surfaces in world units, 0 if and only if they intersect, infinite beyond
+ * MaximumSeparation and NaN if it was not asked for. Three arrays are unsigned char, 0 or 1:
+ * Intersect, whether the surfaces intersect, which is exact; Collide, whether they intersect or one
+ * solid contains a part of the other mesh; and InsideUndefined, whether an open mesh does not
+ * define its inside. With Depths there are PenetrationDepth (double), the largest distance of a
+ * surface point of one mesh inside the other to the other's surface, 0 if they do not collide and
+ * NaN if inside is undefined; PenetrationDepthAtMost (double), which no such distance exceeds; and
+ * DeepestPoint (double x 3), where the largest is, NaN if there is no such point. With
+ * TranslationalDepth there are TranslationalDepth (double x 2), a lower and an upper bound on the
+ * length of the shortest translation that separates the solids, and SeparatingTranslation (double
+ * x 3), which separates them if A moves by it. Seconds (double) is the wall-clock time that it
+ * took, without conversions.
  *
  * @par Frames:
  * While the cells and the number of points of both inputs stay the same, as in a time series, and
  * while only transforms change, the filter keeps what it has built and only moves points. Results
- * depend on earlier executions in their last bits only, but for the bounds of the translational
+ * depend on earlier executions only in their last bits, except for the bounds of the translational
  * depth, which may be wider or narrower.
  *
  * @par Errors:
@@ -107,8 +106,8 @@ public:
 
   ///@{
   /**
-   * Whether to compute the least distance of meshes that do not intersect, and the witnesses.
-   * Without it the figure Separation is NaN there. Intersect and Collide are always computed.
+   * Whether to compute the smallest distance between meshes that do not intersect, and the
+   * witnesses. Without it, their Separation is NaN. Intersect and Collide are always computed.
    * Default is on.
    */
   vtkSetMacro(Separation, vtkTypeBool);
@@ -158,8 +157,8 @@ public:
   ///@{
   /**
    * How far PenetrationDepth may be below the true maximum, as a fraction of it, in the open
-   * interval (0, 1). Larger values take less time. What is below 1e-5 of
-   * the diagonal of the smaller mesh is not told apart. Default is 0.001.
+   * interval (0, 1). Larger values take less time. Differences below 1e-5 of the diagonal of the
+   * smaller mesh are not resolved. Default is 0.001.
    */
   vtkSetMacro(DepthTolerance, double);
   vtkGetMacro(DepthTolerance, double);

@@ -109,8 +109,8 @@ void readNext(const fs::path& file, const fs::path& first, const MeshInput& expe
   if (!sameCells(input, expected))
   {
     throw Failure(ExitCode::BadInput,
-      file.string() + ": its points or cells are not as many, or not in the order, as in " +
-        first.string() + "; the frames of a sequence differ in positions only");
+      file.string() + ": its points or cells differ in number or order from those of " +
+        first.string() + "; the frames of a sequence differ only in positions");
   }
   // Refuses what is not finite.
   withFailures(file, [&] { include(sequence.bounds, buildTriangleMesh(input).bounds()); });

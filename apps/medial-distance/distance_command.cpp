@@ -15,9 +15,9 @@ namespace
 
 const char* const kFooter =
   "Distances are exact for the mesh as it is, in double precision and without a grid; negative\n"
-  "inside, unless the mesh leaves open what is inside. If POINTS has faces, lines or vertices, it\n"
-  "is compared as a surface, too: the Hausdorff distance is the largest distance of any point of\n"
-  "either surface, not only of their vertices, from the other; the figures are right to 0.1 %.\n"
+  "inside, unless the mesh does not define an inside. If POINTS has faces, lines or vertices, it\n"
+  "is also compared as a surface: the Hausdorff distance is the largest distance of any point of\n"
+  "either surface, not only of their vertices, from the other, right to 0.1 %.\n"
   "Lengths are world units. Existing files are replaced, but only once the new ones are complete.\n"
   "\n"
   "Exit codes: 0 done; 2 usage; 3 bad input; 5 out of memory or disk, or an output that cannot be\n"

@@ -16,7 +16,7 @@ const char* const kFooter =
   "The axis stands for the union of its balls, of the cones between balls joined by a line or\n"
   "the edge of a triangle, and of the wedges between those joined by a triangle; a quad is two\n"
   "triangles. Distances are in % of the diagonal of the mesh's bounds: from the surface of the\n"
-  "mesh to that of the union, back, and between a ball's radius and the distance of its centre\n"
+  "mesh to that of the union and back, and between a ball's radius and the distance of its centre\n"
   "from the mesh. The Hausdorff distance is the larger of the first two maxima, the mean distance\n"
   "the mean of their means. The same files give the same figures, whatever the number of\n"
   "threads.\n\n"

@@ -20,11 +20,11 @@ namespace
 const char* const kFooter =
   "Meshes are numbered from 0, in the order in which they are given; every pair of them is a row\n"
   "of the table. The solid of a closed mesh is what it encloses; an open mesh has a solid where\n"
-  "its generalised winding number tells. The separation is the least distance of two surfaces, 0\n"
-  "where they intersect. The depth is the largest distance of a surface point of one mesh inside\n"
-  "the other to the other's surface. The translation is the shortest that separates two solids:\n"
-  "certified bounds. Lengths are world units. Existing files are replaced, but only once the new\n"
-  "ones are complete.\n"
+  "its generalised winding number tells inside from outside. The separation is the smallest\n"
+  "distance between two surfaces, 0 if they intersect. The depth is the largest distance of a\n"
+  "surface point of one mesh inside the other to the other's surface. The translation is the\n"
+  "length of the shortest that separates two solids, as certified bounds. Lengths are world\n"
+  "units. Existing files are replaced, but only once the new ones are complete.\n"
   "\n"
   "Exit codes: 0 done, whether meshes collide or not; 2 usage; 3 bad input; 4 no usable OpenGL\n"
   "for a picture; 5 out of memory or disk, or an output that cannot be written; 70 a fault of the\n"
@@ -215,7 +215,7 @@ void convertOutputs(const ProximityTexts& texts, ProximityCommand& command)
 std::optional<ProximityCommand> parseProximityCommand(int argc, char** argv)
 {
   CLI::App app{
-    "Computes how meshes that move or deform lie to each other: separation, depth, contacts.\n"
+    "Computes the proximity of meshes that move or deform: separation, depth, contacts.\n"
   };
   setUpCommandLine(app, "medial-proximity", kFooter);
 

@@ -16,7 +16,7 @@ namespace
 
 const char* const kFooter =
   "Several meshes, or a folder with meshes (taken in the order of their names), are the frames\n"
-  "of a deforming mesh: the same cells and other positions. One grid holds them all, so a mesh\n"
+  "of a deforming mesh: the same cells in other positions. One grid holds them all, so a mesh\n"
   "that travels far has few grid points in each frame. Press h in the window for its keys: they\n"
   "play a sequence, change the colours, write pictures. Drag the slice of the distance field with\n"
   "the left button, and turn the rest with it.\n"

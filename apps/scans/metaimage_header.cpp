@@ -101,7 +101,7 @@ ScanHeader parseMetaImageHeader(std::string_view content)
   }
   if (spacing.size() != axes || origin.size() != axes || axesOf.size() != axes * axes)
   {
-    refuseContent("spacing, offset or matrix has not as many numbers as there are axes");
+    refuseContent("spacing, offset or matrix has too few or too many numbers for the axes");
   }
 
   ScanHeader header;

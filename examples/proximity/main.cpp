@@ -1,9 +1,9 @@
 // Two soft bodies approach, touch, sink into each other and part again.
 // usage: soft_bodies FOLDER [FRAMES [MESH]]
 //
-// Writes the meshes of each frame to FOLDER/a/0000.obj, FOLDER/b/0000.obj and so on, and prints how
-// they lie to each other. The bodies are balls, or MESH (.obj, .ply, .off or .vtk) and a copy of
-// it. Pictures:
+// Writes the meshes of each frame to FOLDER/a/0000.obj, FOLDER/b/0000.obj and so on, and prints
+// their proximity. The bodies are balls, or MESH (.obj, .ply, .off or .vtk) and a copy of it.
+// Pictures:
 //   medial-proximity FOLDER/a FOLDER/b --sequence --animation FOLDER/pictures
 #include "soft_body.h"
 

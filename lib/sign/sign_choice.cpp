@@ -58,7 +58,7 @@ std::string windingReason(const SignReport& report)
   if (report.method == SignMethod::None)
   {
     std::ostringstream text;
-    text << std::setprecision(3) << "the mesh leaves open what is inside: its winding number is "
+    text << std::setprecision(3) << "the mesh does not define an inside: its winding number is "
          << "between 1/4 and 3/4 at " << 100.0 * report.ambiguousShare
          << " % of the grid, and lids of its holes would be " << 100.0 * report.lidShare
          << " % of the surface";
@@ -115,7 +115,7 @@ void SignChoice::wind(SignMethod requested, const TriangleMesh& mesh,
   if (requested == SignMethod::Auto && isTorn(report_.rimEdges, mesh.triangles.size()))
   {
     report_.reason =
-      "the mesh leaves open what is inside: its holes have " + count(report_.rimEdges, "edge");
+      "the mesh does not define an inside: its holes have " + count(report_.rimEdges, "edge");
     return;
   }
   surface_ = closeSurface(mesh, orientation, frame_);

@@ -275,7 +275,7 @@ TEST_F(CommandOutput, AnOpenMeshGivesBothSidesAndANote)
   writeFile(input, objText(plates(0.6, 1.0)));
   const Outcome outcome = run({ "-o", folder.file("axis.vtp"), "--report", folder.file("r.json") });
   EXPECT_TRUE(contains(outcome.err,
-    "the mesh leaves open what is inside: its winding number is between 1/4 and 3/4"))
+    "the mesh does not define an inside: its winding number is between 1/4 and 3/4"))
     << outcome.err;
   EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1);
   EXPECT_GT(readVtp(folder.file("axis.vtp"))->GetNumberOfPolys(), 0);

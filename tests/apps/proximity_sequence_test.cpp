@@ -173,7 +173,7 @@ TEST_F(ProximitySequence, CellsThatChange)
   writeFile(fileOf(2), offText(icosphere(0.5, 1)));
   const std::string error = failure(kBadInput, { "--sequence", large, frames });
   EXPECT_TRUE(contains(error, fileOf(2) + ": ")) << error;
-  EXPECT_TRUE(contains(error, "differ in positions only")) << error;
+  EXPECT_TRUE(contains(error, "differ only in positions")) << error;
 }
 
 TEST_F(ProximitySequence, FrameThatIsNotFinite)

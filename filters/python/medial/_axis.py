@@ -75,7 +75,7 @@ class MedialAxis:
     renderer: str
     """The OpenGL implementation (GL_RENDERER); empty where OpenGL was not used."""
     field: Optional[DistanceField] = None
-    """The distance field, if wanted."""
+    """The distance field, if asked for."""
 
     def __repr__(self) -> str:
         counts = (f"{len(getattr(self, name))} {name}" for name in ("points", *_CELLS))
@@ -134,7 +134,7 @@ def medial_axis(
         size causes, and those of walls thinner than twice this.
     min_radius: minimum radius of the medial balls, in world units or as "R%" of the diagonal, >= 0.
     side: which side of the surface: "interior", "exterior" or "both"; default interior. An open
-        mesh has no sides: its axis is that of both, and so says MedialAxis.side.
+        mesh has no sides: its axis is that of both, and MedialAxis.side says so.
     representation: "surface" (dual mesh), "faces" (voxel faces) or "points".
     max_spheres: compact connected axis: at most so many balls, joined by lines and triangles, that
         describe the shape best, in [0, 2147483647]; not for "points"; 0 for no limit.
@@ -146,8 +146,8 @@ def medial_axis(
         device, require_gpu, progress: as for distance_field(); arrays are those of the field, which
         they need.
 
-    Raises what distance_field() raises, and warns as it does. Warns (UserWarning) also where the
-    axis is empty, and where it is that of both sides though side is "interior" or "exterior".
+    Raises what distance_field() raises, and warns as it does. Also warns (UserWarning) if the
+    axis is empty, or if it is that of both sides although side is "interior" or "exterior".
 
     >>> corners = [[x, y, z] for x in (0, 4) for y in (0, 4) for z in (0, 1)]
     >>> quads = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]

@@ -17,7 +17,7 @@ class PointDistances(NamedTuple):
     """What the surface of a mesh is like from each of n points."""
 
     distance: NDArray[np.float64]
-    """(n,) distances of the closest points of the surface, in world units; negative inside, unless
+    """(n,) distances to the closest points of the surface, in world units; negative inside, unless
     sign is "none"."""
     closest_point: NDArray[np.float64]
     """(n, 3) those closest points."""

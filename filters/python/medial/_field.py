@@ -99,30 +99,30 @@ def distance_field(
     padding: margin around the mesh as a fraction of the diagonal of its bounds, in [0, 10];
         default 0.05. Not with an explicit grid.
     sign: how inside, where distances are negative, is told from outside: "winding" (winding
-        numbers, for any mesh of triangles), "auto" ("winding", but "none" where the mesh leaves
-        open what is inside), "none", or "pseudonormal" (an error for meshes that are not closed
+        numbers, for any mesh of triangles), "auto" ("winding", but "none" if the mesh does not
+        define an inside), "none", or "pseudonormal" (an error for meshes that are not closed
         and consistently oriented).
-    arrays: what to return beside the distance: names of attributes of DistanceField, at 12, 8, 1
+    arrays: what to return besides the distance: names of attributes of DistanceField, at 12, 8, 1
         and 4 bytes per grid point for "closest_point", "closest_cell", "closest_feature" and
         "closest_site". The distance takes 4.
     threads: number of CPU threads to use, in [0, 1024]; 0 for all cores.
     memory: upper bound on the memory for slabs, in MiB, >= 64; 0 chooses one. The result is not
         counted.
     engine: what finds the closest sites: "processor" (CPU, without OpenGL), "device" (compute
-        shaders of OpenGL), "rasteriser" (OpenGL) or "auto": the device on graphics hardware that
-        works, otherwise the processor. The distances do not depend on it.
+        shaders of OpenGL), "rasteriser" (OpenGL) or "auto": the device if there is graphics
+        hardware that works, otherwise the processor. The distances do not depend on it.
     device: what an engine that uses OpenGL computes on: its number, or a part of its name, as
-        `medial-axis --list-devices` tells; by default the first GPU, else a software renderer.
-        Where there is no such device, or it fails, "auto" leaves the work to the processor, with a
-        warning. A process has one device, that of its first such engine.
+        `medial-axis --list-devices` prints them; by default the first GPU, else a software
+        renderer. If there is no such device, or it fails, "auto" leaves the work to the processor,
+        with a warning. A process has one device, that of its first such engine.
     require_gpu: whether to fail unless there is OpenGL 4.5 on a GPU.
     progress: called with the share of the work that is done, in [0, 1], and its name. An exception
         that it raises stops the work and is raised here.
 
-    Raises InvalidInputError, a ValueError, where the mesh, a value or two of them are unusable,
+    Raises InvalidInputError, a ValueError, if the mesh, a value or a combination is unusable,
     NoGpuError, OutOfMemoryError, TypeError, or KeyboardInterrupt after Ctrl-C. Warns (UserWarning)
-    where the engine "auto" leaves the work of a device that failed to the processor, once a process
-    for each cause. Other Python threads run meanwhile; they must not change the arrays.
+    if a device fails and the engine "auto" leaves its work to the processor, once per process for
+    each cause. Other Python threads run meanwhile; they must not change the arrays.
 
     >>> cube = [[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)]
     >>> quads = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]

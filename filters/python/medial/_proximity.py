@@ -1,4 +1,4 @@
-"""How two meshes lie to each other."""
+"""Proximity of two meshes."""
 
 from dataclasses import dataclass
 from typing import Any, NamedTuple, Optional
@@ -38,14 +38,14 @@ class Contacts(NamedTuple):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Proximity:
-    """How two meshes, A and B, lie to each other. All lengths are in world units."""
+    """Proximity of two meshes, A and B. All lengths are in world units."""
 
     separation: float
-    """Least distance of the surfaces; 0 if and only if they intersect, infinite beyond
-    max_separation, NaN if not wanted."""
+    """Smallest distance between the surfaces; 0 if and only if they intersect, infinite beyond
+    max_separation, NaN if not asked for."""
     witness_a: Optional[NDArray[np.float64]]
-    """(3,) the closest point of A; where they intersect a common point. World coordinates. None
-    where the separation was not computed."""
+    """(3,) the closest point of A; if they intersect, a common point. World coordinates. None if
+    the separation was not computed."""
     witness_b: Optional[NDArray[np.float64]]
     """(3,) the closest point of B, likewise."""
     cell_a: int
@@ -57,12 +57,12 @@ class Proximity:
     collide: bool
     """Whether they intersect, or one solid contains a part of the other mesh."""
     inside_undefined: bool
-    """Whether an open mesh leaves open what is inside it."""
+    """Whether an open mesh does not define its inside."""
     depth: Optional[float]
     """Penetration depth: largest distance of a surface point of one mesh inside the other to the
-    other's surface; 0 if they do not collide, NaN if inside is undefined, None if not wanted."""
+    other's surface; 0 if they do not collide, NaN if inside is undefined, None if not asked for."""
     depth_at_most: Optional[float]
-    """No surface point of one mesh inside the other is deeper; as depth else."""
+    """No surface point of one mesh inside the other is deeper; otherwise as depth."""
     deepest_point: Optional[NDArray[np.float64]]
     """(3,) where depth is, world coordinates; NaN if there is no such point."""
     depths_a: Optional[NDArray[np.float64]]
@@ -74,7 +74,7 @@ class Proximity:
     """Where they are in contact, the deepest of each overlap first."""
     translational_depth: Optional[tuple[float, float]]
     """Lower and upper bound on the length of the shortest translation that separates the solids; 0
-    if they do not collide, None if not wanted."""
+    if they do not collide, None if not asked for."""
     separating_translation: Optional[NDArray[np.float64]]
     """(3,) a translation of A that separates them, as long as the upper bound."""
     seconds: float
@@ -93,10 +93,10 @@ def proximity(
     max_contacts: int = 4, depth_tolerance: float = 1e-3, threads: int = 0,
     progress: Optional[Progress] = None,
 ) -> Proximity:
-    """How two meshes lie to each other: separation, collision, contacts and penetration depth.
+    """Proximity of two meshes: separation, collision, contacts and penetration depth.
 
-    Exact for the meshes as they are, without a grid. For the frames of meshes that move keep a
-    vtkMeshProximity: it keeps what it has built.
+    Exact for the meshes as they are, without a grid. For frames of moving meshes, keep one
+    vtkMeshProximity: it reuses what it has built.
 
     vertices_a, faces_a: mesh A, as for distance_field(); faces_a is None where vertices_a is a
         whole mesh.
@@ -161,7 +161,7 @@ def _tuple(data: vtkPolyData, name: str) -> Optional[NDArray[np.float64]]:
 
 
 def _proximity_of(algorithm: vtkMeshProximity) -> Proximity:
-    """What a filter that was executed tells."""
+    """The results of a filter that was executed."""
     output = algorithm.GetOutput()
     bounds = _tuple(output, "TranslationalDepth")
     points = point_coordinates(output)

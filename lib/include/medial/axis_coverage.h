@@ -25,8 +25,8 @@ struct AxisCoverage
   /// axis's balls, cones and wedges. Surface inside the union counts as covered. A share below the
   /// negligible one is an upper bound.
   double uncoveredShare = 0.0;
-  /// The largest parts of it, at most five, the largest first. Samples closer than twice their
-  /// mean spacing belong together. Empty where only a bound was found.
+  /// The largest uncovered parts, at most five, the largest first. Samples closer than twice their
+  /// mean spacing belong together. Empty if only a bound was found.
   std::vector<UncoveredPlace> places;
   double reach = 0.0;       ///< the distance asked for, world units
   std::int64_t samples = 0; ///< number of samples on the surface

@@ -45,7 +45,7 @@ MEDIAL_EXPORT MedialAxis readAxis(const std::filesystem::path& path);
 
 /// Writes the points, radii, separation angles, lambda and cells of an axis, as far as the format
 /// can hold them. .ply and .ma files do not list vertices: a point that no cell uses is a vertex.
-/// @param axis has as many radii, separation angles and values of lambda as points.
+/// @param axis has one radius, separation angle and lambda per point.
 /// @param stream opened in binary mode; its state tells whether everything was written.
 MEDIAL_EXPORT void writeAxis(const MedialAxis& axis, AxisFormat format, std::ostream& stream);
 

@@ -22,8 +22,8 @@ constexpr std::int64_t kMaxMeasureSamples = 100000000;
 struct MeasurementOptions
 {
   /// Number of samples on the surface of the mesh, in [1000, 100000000]. The surface of the union
-  /// gets as many per area, but fewer if its bounds are more than four times as large as those of
-  /// the mesh.
+  /// gets as many per unit area, but fewer if its bounds are more than four times as large as those
+  /// of the mesh.
   std::int64_t samples = kDefaultMeasureSamples;
   Execution execution; ///< threads, progress and cancelling
 };

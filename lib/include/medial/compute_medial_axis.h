@@ -25,14 +25,14 @@ enum class Topology
 struct MedialAxisOptions
 {
   /// Minimum separation angle theta between the directions to the two closest points, in degrees,
-  /// in (0, 180). Smaller values keep more of the axis and more noise. Faces show the grid edges
-  /// that are selected by the directions at their ends (Foskey et al. 2003). Every point of a point
-  /// set has at least this angle itself, and so has every point of a surface between flat walls.
-  /// Where facets approximate a round wall, a sheet is selected, and ends, by the angle of its
-  /// neighbourhood; single points of it may have less, down to 0.8 theta.
+  /// in (0, 180). Smaller values keep more of the axis and more noise. With Representation::Faces,
+  /// grid edges are selected by the directions at their ends (Foskey et al. 2003). Every point of a
+  /// point set has at least this angle itself, and so has every point of a surface between flat
+  /// walls. Where facets approximate a round wall, a sheet is selected, and ends, by the angle of
+  /// its neighbourhood; single points of it may have less, down to 0.8 theta.
   double angle = kDefaultAngle;
   /// Minimum MedialAxis::lambda, world units, >= 0: half the distance between the closest pair.
-  /// Removes what noise of that size causes. Walls thinner than twice this value lose their axis.
+  /// Removes what noise of this size causes. Walls thinner than twice this value lose their axis.
   double lambda = 0.0;
   /// Minimum radius of the medial balls, world units, >= 0.
   double radius = 0.0;
@@ -69,8 +69,8 @@ struct MedialAxisOptions
 /// bisector or on a border, and by a step at corners of faces. Surfaces and faces need a grid of at
 /// least two slices along every axis.
 ///
-/// @param arrays receive the distance field of the whole grid as well; all null if it is not
-///   wanted.
+/// @param arrays receive the distance field of the whole grid as well; all null if you do not need
+///   it.
 /// @throws Error InvalidInput for an angle outside (0, 180), a negative lambda, radius or
 ///   maxSpheres, for maxSpheres or Topology::Preserve with Representation::Points, and as
 ///   computeDistanceField.

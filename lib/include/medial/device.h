@@ -26,7 +26,7 @@ struct ListedDevice
   std::string refusal; ///< empty if the library can use it
 };
 
-/// What there is to compute on.
+/// All devices, usable and not.
 struct DeviceList
 {
   std::vector<ListedDevice> devices; ///< in the order of their numbers, from 0
@@ -45,7 +45,7 @@ MEDIAL_EXPORT Device queryDevice();
 /// Returns what the driver has reported through OpenGL's debug output since the process began: one
 /// message per line, without notifications and performance hints. Messages are only collected if
 /// the environment variable MEDIAL_GL_DEBUG was set when the GPU thread started. For tests. If
-/// MEDIAL_GL_LOG was set, the file that it names has all messages, performance hints too.
+/// MEDIAL_GL_LOG was set, the file that it names gets all messages, performance hints included.
 MEDIAL_EXPORT std::string deviceDebugLog();
 
 } // namespace medial

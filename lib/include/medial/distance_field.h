@@ -22,36 +22,35 @@ struct DistanceFieldOptions
   SignMethod sign = SignMethod::Auto; ///< how to tell inside from outside
   Engine engine = Engine::Auto;       ///< what finds the closest sites
   /// What an engine that uses OpenGL computes on: a device's number, or a part of its name, as in
-  /// DeviceList; empty for the best. Where it is missing or fails, Engine::Auto takes the
-  /// processor, and RunStatistics::note says why. A process has one device, that of its first such
-  /// engine.
+  /// DeviceList; empty for the best. If it is missing or fails, Engine::Auto uses the processor,
+  /// and RunStatistics::note says why. A process has one device, that of its first such engine.
   std::string device;
   /// Memory in MiB that the slabs in progress should not exceed, on the host together with the
   /// candidates of blocks, and on the device; 0 lets the library choose. Sites, the candidates of
-  /// tiles and the caller's arrays come on top. A slab has at least one slice. It changes no byte
-  /// of what the processor computes.
+  /// tiles and the caller's arrays are not included. A slab has at least one slice. The limit
+  /// changes no byte of what the processor computes.
   std::size_t memoryMiB = 0;
   /// Fail without OpenGL or with a software renderer, whatever the engine.
   bool requireHardware = false;
-  /// Compare what the engine `device` computes with exact distances at 1,000 random grid points. On
-  /// graphics hardware the first field of a process is compared anyway.
+  /// Check the engine `device` against exact distances at 1,000 random grid points. On graphics
+  /// hardware, the first field of a process is checked in any case.
   bool verify = false;
   Execution execution; ///< threads, progress and cancelling
 };
 
 /// The arrays that receive results. Each has one element (closestPoint: three) per point of the
-/// extent, x fastest. A null pointer means that the array is not wanted.
+/// extent, x fastest. A null pointer means that the array is not needed.
 struct FieldArrays
 {
-  /// World units; negative inside unless unsigned. The nearest number of single precision where it
-  /// is over 4096 times the finest spacing.
+  /// World units; negative inside unless unsigned. Beyond 4096 times the finest spacing, it is the
+  /// exact distance rounded to single precision.
   float* distance = nullptr;
   float* closestPoint = nullptr;          ///< world coordinates, xyz
   std::int32_t* closestSite = nullptr;    ///< in [0, F+E+V): faces, then edges, then vertices
   std::uint8_t* closestFeature = nullptr; ///< a value of Feature
   std::int64_t* closestCell = nullptr;    ///< id of an input cell that contains the closest site
 
-  /// Whether any array is wanted.
+  /// Whether any array is asked for.
   bool any() const
   {
     return distance || closestPoint || closestSite || closestFeature || closestCell;
@@ -65,9 +64,9 @@ public:
   virtual ~FieldSink() = default;
 
   /// Returns the arrays that receive the values of a slab, with one element (closestPoint: three)
-  /// per point of `slab`. The same arrays must be wanted for every slab, and they must stay valid
-  /// until stored(slab). There is one slab at a time. This function, like the other members, is
-  /// called on the thread that runs the computation.
+  /// per point of `slab`. The same arrays must be asked for with every slab, and they must stay
+  /// valid until stored(slab). There is one slab at a time. This function, like the other members,
+  /// is called on the thread that runs the computation.
   virtual FieldArrays slabArrays(const Extent& slab) = 0;
   /// Called when all values of the slab have been written.
   virtual void stored(const Extent& slab) = 0;

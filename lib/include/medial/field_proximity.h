@@ -22,22 +22,23 @@ struct FieldProximityOptions
   Execution execution;          ///< threads, progress and cancelling
 };
 
-/// How two meshes, A and B, lie to each other, as their distance fields tell.
+/// The proximity of two meshes, A and B, by their distance fields.
 struct FieldProximity
 {
   /// The grid of the fields: over the common part of the meshes' boxes or, if they do not collide
-  /// there, where the closest points must be. Of fine grids only that part is computed that can
-  /// decide, which the fields at every eighth point tell; the result is that of the whole.
+  /// there, where the closest points must be. Of a fine grid only the part that can decide is
+  /// computed, found from the fields at every eighth point; the result is that of the whole grid.
   Grid grid;
-  /// Least sum of the two distances at a grid point outside of both, world units: by a diagonal of
-  /// the spacing at most above the separation. 0 if they collide; infinity if no grid point is
-  /// outside of both.
+  /// Smallest sum of the two distances at a grid point outside both, world units: it exceeds the
+  /// separation by at most a diagonal of the spacing. 0 if they collide; infinity if no grid point
+  /// is outside both.
   double separation = 0.0;
-  /// Whether a grid point is inside both: overlaps that are thinner than the spacing are missed,
-  /// and so are surfaces without an inside.
+  /// Whether a grid point is inside both: overlaps thinner than the spacing are missed, and so are
+  /// surfaces without an inside.
   bool collide = false;
-  /// The largest distance to one surface, inside, of a grid point within half a diagonal of the
-  /// spacing of the other: by this much off the penetration depth. 0 if they do not collide.
+  /// The largest distance to one surface of a grid point inside it and within half a diagonal of
+  /// the spacing of the other surface: off the penetration depth by at most that half. 0 if they do
+  /// not collide.
   double depth = 0.0;
   Point3 deepestPoint{}; ///< the grid point where depth is
   /// The largest sum of both distances at a grid point inside both: a lower bound of the
@@ -47,9 +48,9 @@ struct FieldProximity
   double seconds = 0.0;       ///< wall-clock time
 };
 
-/// Computes proximity in the way of the paper (Sud, Govindaraju, Gayle, Manocha, I3D 2006, section
-/// 6): the distance fields of two meshes where these come close, frame after frame. It tells of the
-/// whole overlap, to the resolution of the grid; ProximitySolver is exact, and faster.
+/// Computes proximity as the paper does (Sud, Govindaraju, Gayle, Manocha, I3D 2006, section 6):
+/// from the distance fields of two meshes where these come close, frame after frame. It covers the
+/// whole overlap at the resolution of the grid; ProximitySolver is exact, and faster.
 ///
 /// A solver must not be used by two threads at once.
 class MEDIAL_EXPORT FieldProximitySolver

@@ -72,7 +72,7 @@ struct LocalThickness
 ///
 /// @param values receives one number per grid point, x fastest, as LocalThicknessOptions::side
 ///   says. No other array of the size of the grid is made.
-/// @throws Error InvalidInput where the mesh leaves open what is inside, for bins outside their
+/// @throws Error InvalidInput if the mesh does not define an inside, for bins outside their
 ///   range, and as computeDistanceField; OutOfMemory; Cancelled.
 MEDIAL_EXPORT LocalThicknessStatistics computeLocalThickness(const TriangleMesh& mesh,
   const MeshConnectivity& connectivity, const Grid& grid, float* values,

@@ -14,7 +14,7 @@ namespace medial
 MEDIAL_EXPORT std::uint64_t availableMemory();
 
 /// Checks that `bytes` of memory are available. Without this check the system would grant them, and
-/// kill the process when it uses them.
+/// then kill the process for using them.
 /// @param what subject of the message: "WHAT needs 12 MiB, but only 10 MiB are available".
 /// @throws Error OutOfMemory if `bytes` exceed availableMemory().
 MEDIAL_EXPORT void requireMemory(const std::string& what, std::uint64_t bytes);

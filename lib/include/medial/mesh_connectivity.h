@@ -66,7 +66,7 @@ struct MEDIAL_EXPORT MeshConnectivity
 /// come those of the triangles that it refuses, then the segments'. The numbering depends only on
 /// the order of the mesh's lists. The time is n log n in the size of the mesh, however many
 /// triangles meet at a point.
-/// @param execution its progress stays 0 all the time, so that what comes next can begin there; one
+/// @param execution its progress stays at 0 throughout, so that the next step can begin there; one
 ///   thread is used.
 /// @throws Error InvalidInput for a point id that is out of range or repeated within a triangle or
 ///   segment, for lists of cell ids of the wrong size, and for more than 2147483647 sides, ends of

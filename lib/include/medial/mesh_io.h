@@ -20,8 +20,8 @@ namespace medial
 ///   line and value if they are known.
 MEDIAL_EXPORT MeshInput readMesh(const std::filesystem::path& path);
 
-/// Reads points, and the cells between them if the file has any: what readMesh() reads, but cells
-/// are not needed, or text with the extension .xyz, .txt or .csv. Its lines hold numbers between
+/// Reads points, and the cells between them if the file has any: the formats of readMesh(), without
+/// needing cells, or text with the extension .xyz, .txt or .csv. Its lines hold numbers between
 /// blanks, commas or semicolons. Coordinates are the first three, or the columns that the first
 /// line calls x, y and z, or Points:0, Points:1 and Points:2. Lines that begin with # or // are
 /// comments.

@@ -15,8 +15,8 @@
 namespace medial
 {
 
-/// What the surface is like from each of many points. Every array has one element per point, in the
-/// order of the points.
+/// Where the surface is, seen from each of many points. Every array has one element per point, in
+/// the order of the points.
 struct PointDistances
 {
   /// To the closest point of the surface, world units; negative inside unless unsigned.
@@ -28,7 +28,7 @@ struct PointDistances
   std::vector<Point3> direction;
 };
 
-/// The distances of many points in short. Without points all are NaN.
+/// A summary of many distances. Without points all figures are NaN.
 struct DistanceSummary
 {
   double min = 0.0;  ///< smallest distance, with its sign, world units
@@ -48,17 +48,17 @@ struct FarthestPoint
   double bound = 0.0;    ///< no point of the surface is farther than this
 };
 
-/// Finds the distance of any points from a mesh, exact in double precision, without a grid. The
+/// Finds the distances of any points from a mesh, exact in double precision, without a grid. The
 /// mesh may have any topology, holes and degenerate triangles.
 ///
-/// Triangles lower than 1.2e-8 times the diagonal of the mesh count as their edges, which moves
-/// closest points by at most half of that height.
+/// Triangles whose height is below 1.2e-8 times the diagonal of the mesh count only as their edges,
+/// which moves closest points by at most half of that height.
 class MEDIAL_EXPORT PointDistance
 {
 public:
   /// Prepares a mesh.
   /// @param mesh taken over.
-  /// @param sign how to tell inside from outside; by the rules of a distance field.
+  /// @param sign how to tell inside from outside, by the same rules as for a distance field.
   /// @throws Error InvalidInput for a mesh without cells, and for a sign method that the mesh does
   ///   not allow; OutOfMemory; Cancelled.
   explicit PointDistance(TriangleMesh mesh, SignMethod sign = SignMethod::Auto,
@@ -81,12 +81,12 @@ public:
   PointDistances compute(const std::vector<Point3>& points, const Execution& execution = {}) const;
 
   /// Finds the point of a surface that is farthest from the mesh, wherever it is on a triangle or
-  /// segment: the one-sided Hausdorff distance, by branch and bound. The larger one of both ways is
-  /// the Hausdorff distance of two meshes.
+  /// segment: the one-sided Hausdorff distance, by branch and bound. The larger of both directions
+  /// is the Hausdorff distance of two meshes.
   /// @param surface its cells count, not only its points.
-  /// @param tolerance the search ends where FarthestPoint::bound is this fraction above the
-  ///   distance at most, in (0, 1), or 1e-6 of the diagonal of the surface if that is more; or
-  ///   after a million steps, which takes seconds.
+  /// @param tolerance in (0, 1): the search ends once FarthestPoint::bound is above the distance by
+  ///   at most this fraction, or by 1e-6 of the diagonal of the surface if that is more; or after a
+  ///   million steps, which takes seconds.
   /// @throws Error InvalidInput for a tolerance outside its range, an empty surface, and a
   ///   coordinate that is not finite; OutOfMemory; Cancelled.
   FarthestPoint farthest(const TriangleMesh& surface, double tolerance = 1e-3,

@@ -23,12 +23,12 @@ struct ProximityOptions
   bool depths = true;
   /// Whether to bound the translational depth of a pair that collides.
   bool translationalDepth = true;
-  /// Largest number of contacts of a manifold, >= 1; 0 computes no contacts. Contacts need depths.
+  /// Largest number of contacts of a manifold, >= 1; 0 for no contacts. Contacts need depths.
   int maxContacts = 4;
   /// How far Proximity::depth may be below the true maximum, as a fraction of it; in (0, 1).
   double depthTolerance = 1e-3;
   /// Pairs whose boxes are farther apart than this are left out, world units, >= 0: their
-  /// separation is infinite, they do not collide, and nothing else of them is known.
+  /// separation is infinite, they do not collide, and nothing else about them is known.
   double maxSeparation = std::numeric_limits<double>::infinity();
   Execution execution; ///< threads, progress and cancelling
 };
@@ -38,9 +38,9 @@ struct ProximityContact
 {
   Point3 point{};  ///< on the surface that is inside the other mesh, world units
   Point3 normal{}; ///< unit vector from A to B: moving B along it separates them here
-  /// World units, >= 0; 0 where the surfaces only touch. Of a point inside: its distance to the
-  /// other surface. Of a corner of the overlap, where an edge crosses a face: how thick the overlap
-  /// is along the normal, which may be more than Proximity::depth.
+  /// World units, >= 0; 0 where the surfaces only touch. For a point inside, its distance to the
+  /// other surface. For a corner of the overlap, where an edge crosses a face, how thick the
+  /// overlap is along the normal, which may be more than Proximity::depth.
   double depth = 0.0;
   int manifold = 0;        ///< contacts of one connected overlap share a number, from 0
   std::int64_t cellA = -1; ///< input cell of A
@@ -54,26 +54,27 @@ struct PointDepth
   double depth = 0.0; ///< distance to the surface of the other mesh, world units
 };
 
-/// What is known of an interval.
+/// An interval that contains a value.
 struct DepthBounds
 {
   double lower = 0.0; ///< the value is this or more
   double upper = 0.0; ///< it is this or less
 };
 
-/// How two meshes, A and B, lie to each other. Coordinates below 1e-70 count as 0.
+/// The proximity of two meshes, A and B. Coordinates below 1e-70 count as 0.
 ///
 /// The solid of a closed mesh is where its winding number is 1 or more; its triangles are oriented
 /// first, as for the sign of a distance field. An open mesh has a solid where its generalised
-/// winding number tells: points where it is between 1/4 and 3/4 are neither inside nor outside.
+/// winding number tells inside from outside: points where it is between 1/4 and 3/4 are neither.
 /// Segments and points have no solid.
 struct Proximity
 {
   int meshA = 0; ///< index of A, below that of B
   int meshB = 0; ///< index of B
 
-  /// Least distance of the surfaces, world units; 0 if and only if they intersect. One mesh inside
-  /// the other has a separation above 0. Infinity beyond ProximityOptions::maxSeparation.
+  /// Smallest distance between the surfaces, world units; 0 if and only if they intersect. If one
+  /// mesh is inside the other, the separation is above 0. Infinity beyond
+  /// ProximityOptions::maxSeparation.
   double separation = 0.0;
   Point3 witnessA{};       ///< closest point of A; if they intersect some common point
   Point3 witnessB{};       ///< closest point of B
@@ -84,27 +85,27 @@ struct Proximity
   bool intersect = false;
   /// Whether the surfaces intersect, or one solid contains a part of the other mesh.
   bool collide = false;
-  /// Whether the winding number of an open mesh leaves open what is inside it: depths are NaN then.
+  /// Whether the winding number of an open mesh does not tell what is inside it: depths are then
+  /// NaN.
   bool insideUndefined = false;
 
   /// Penetration depth as in section 6 of the paper: the largest distance of a surface point of one
   /// mesh inside the other to the other's surface. 0 if they do not collide, NaN if
   /// insideUndefined or if depths were not asked for. It is the depth of a point of the surface,
-  /// and below the largest by the fraction depthTolerance at most, or by 1e-5 of the smaller mesh's
-  /// diagonal if that is more. Where large flat faces overlap the search may end before that is
-  /// certain: depthAtMost tells.
+  /// and below the largest by at most the fraction depthTolerance, or 1e-5 of the smaller mesh's
+  /// diagonal if that is more. Where large flat faces overlap, the search may end before that is
+  /// certain; depthAtMost then shows the gap.
   double depth = 0.0;
-  /// No surface point of one mesh inside the other is deeper, up to rounding; world units. As depth
-  /// 0 if they do not collide, or NaN.
+  /// No surface point of one mesh inside the other is deeper, up to rounding; world units. Like
+  /// depth, 0 if they do not collide, or NaN.
   double depthAtMost = 0.0;
   Point3 deepestPoint{}; ///< where depth is; meaningless where that is 0 or NaN
 
   /// Length of the shortest translation that separates the solids: certified bounds. The lower one
   /// is the sum of the radii of a ball in A and a ball in B with the same centre, and 0 if either
-  /// mesh is open; the upper one is the
-  /// length of separatingTranslation. For two convex meshes both are the length itself, up to 1e-8
-  /// of the diagonal; for others it also depends on the position how near they are to each other.
-  /// [0, 0] if they do not collide, [0, infinity] if it was not asked for or is
+  /// mesh is open; the upper one is the length of separatingTranslation. For two convex meshes both
+  /// equal that length, up to 1e-8 of the diagonal; for others the gap between them also depends on
+  /// the position. [0, 0] if they do not collide, [0, infinity] if it was not asked for or is
   /// undefined.
   DepthBounds translationalDepth;
   /// Moving A by it separates the pair: this was verified.
@@ -115,21 +116,21 @@ struct Proximity
   std::vector<PointDepth> depthsOfB;      ///< points of B inside A, likewise
   std::vector<ProximityContact> contacts; ///< by manifold, the deepest first
 
-  /// Wall-clock time of this pair. That of fitting trees to the two meshes that have moved is part
-  /// of it, and so it counts for every pair that a mesh is in.
+  /// Wall-clock time of this pair. It includes refitting the trees of meshes that have moved, which
+  /// counts for every pair that the mesh is in.
   double seconds = 0.0;
 };
 
-/// Computes how meshes that move or deform lie to each other, frame after frame: the second
-/// application of the paper (Sud, Govindaraju, Gayle, Manocha, I3D 2006, section 6), by exact
-/// queries; FieldProximitySolver has the paper's own way. Nothing has to be prepared: meshes may
-/// have any topology, holes and degenerate triangles. Between frames the solver keeps connectivity
-/// and orientation as they are in the first frame, buffers, trees of boxes, which it refits, and
-/// the last witnesses.
+/// Computes the proximity of meshes that move or deform, frame after frame: the second application
+/// of the paper (Sud, Govindaraju, Gayle, Manocha, I3D 2006, section 6), by exact queries;
+/// FieldProximitySolver uses the paper's own method. Meshes need no preparation: they may have any
+/// topology, holes and degenerate triangles. Between frames the solver keeps the connectivity and
+/// orientation of the first frame, buffers, trees of boxes, which it refits, and the last
+/// witnesses.
 ///
-/// Results do not depend on the number of threads, and on earlier frames only in the last bits; the
-/// bounds of translational depths more than that, since they depend on how elements are grouped.
-/// Swapping two meshes swaps the answer to the last bit, unless they are equal.
+/// Results do not depend on the number of threads, and depend on earlier frames only in the last
+/// bits; only the bounds of translational depths may differ more, since they depend on how elements
+/// are grouped. Swapping two meshes swaps the answer to the last bit, unless they are equal.
 ///
 /// A solver must not be used by two threads at once.
 class MEDIAL_EXPORT ProximitySolver
@@ -168,7 +169,7 @@ private:
   std::unique_ptr<State> state_;
 };
 
-/// Computes how two meshes lie to each other. For many frames use ProximitySolver.
+/// Computes the proximity of two meshes. For many frames use ProximitySolver.
 /// @throws Error as ProximitySolver.
 MEDIAL_EXPORT Proximity computeProximity(const TriangleMesh& a, const TriangleMesh& b,
   const ProximityOptions& options = {});

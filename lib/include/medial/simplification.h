@@ -34,7 +34,7 @@ struct SimplificationOptions
 ///    are holes in the axis where the solid has none. They stay too if the topology of the solid
 ///    was preserved (axis.solid). No triangle turns over or loses its area.
 /// 3. If that is not enough, triangles may turn over. Then loops and hollows are closed, the
-///    cheapest first. At last whole components, each one ball by now, are left out, the smallest
+///    cheapest first. Finally whole components, each one ball by now, are left out, the smallest
 ///    ball first. Only in this case does the result have fewer components than the union of balls.
 /// 4. All balls move together, a little, until cones and wedges fit the boundary best (least
 ///    squares, a dozen Gauss-Newton steps). Cells stay as they are.

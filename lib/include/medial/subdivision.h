@@ -23,9 +23,9 @@ struct Subdivision
   std::size_t originalPoints() const { return mesh.points.size() - parents.size(); }
 };
 
-/// Halves the edges of triangles that are longer than a limit, until there are none: a mesh whose
-/// large faces have no points inside gets some. Triangles that share an edge share its middle, so
-/// nothing cracks. The result is the same for every call.
+/// Halves the edges of triangles that are longer than a limit, until there are none: this gives a
+/// mesh points inside its large faces. Triangles that share an edge share its middle, so no cracks
+/// appear. The result is the same for every call.
 /// @param maxEdge world units, in (0, infinity).
 /// @throws Error InvalidInput for a limit outside its range, or one that would make more than
 ///   100,000,000 triangles; Cancelled; OutOfMemory.

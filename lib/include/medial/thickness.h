@@ -19,9 +19,9 @@ enum class ThicknessMethod
   /// Twice the radius of the medial ball that touches the place. It falls to 0 at convex edges.
   Ball,
   /// Distance to the opposite surface, straight into the solid along the normal, as CAD programs
-  /// have it: of a sheet that ends at an edge of 30 degrees it is more than the wall has.
+  /// measure it. Where the walls are not parallel, it is more than the wall has.
   Ray,
-  /// Diameter of the ball that touches the opposite wall: its separation angle is at least 120
+  /// Diameter of the ball that also touches the opposite wall: its separation angle is at least 120
   /// degrees. Where there is no such ball, as near the edges of a plate, the value is that of the
   /// nearest place on the surface that has one.
   Wall
@@ -35,7 +35,7 @@ struct ThicknessOptions
 {
   /// Minimum separation angle theta of the medial balls that count, in degrees, in (0, 180).
   /// Bisectors with smaller angles, such as those between facets of a curved surface, are ignored.
-  /// Walls take 120 instead of less, rays nothing.
+  /// Walls take 120 if it is less; rays ignore it.
   double angle = kDefaultAngle;
   /// Interior: the thickness of the solid. Exterior: the distance to the opposite surface
   /// (clearance). Both: the smaller of the two. The interior is behind the faces, by their own
@@ -43,8 +43,8 @@ struct ThicknessOptions
   Side side = Side::Interior;
   /// What thickness is.
   ThicknessMethod method = ThicknessMethod::Ball;
-  /// Whether triangles have values too, and every value tells whether it is that of a convex edge,
-  /// as findThicknessRegions() needs. Takes about three times as long.
+  /// Whether to compute values for triangles too, and atEdge for all values, as
+  /// findThicknessRegions() needs. Takes about three times as long.
   bool cells = false;
   Execution execution; ///< threads, progress and cancelling
 };
@@ -79,17 +79,17 @@ struct Thickness
 
 /// Computes the thickness at every point of a mesh.
 ///
-/// ThicknessMethod::Ball is twice the radius of the medial ball that
-/// touches the surface there. A ray starts at the point, against its angle-weighted pseudonormal
-/// (for exteriors along it). It ends at its first crossing with a bisector of separation angle
-/// theta: the first place x from which the closest surface point and the ray's start are seen at
-/// theta or more from each other. The radius is the distance to the surface there. This is exact
-/// for the mesh as it is, in double precision; it needs no grid, no medial axis and no OpenGL.
+/// ThicknessMethod::Ball is twice the radius of the medial ball that touches the surface there. A
+/// ray starts at the point, against its angle-weighted pseudonormal (for exteriors along it). It
+/// ends at its first crossing with a bisector of separation angle theta: the first place from which
+/// the closest surface point and the ray's start are seen at least theta apart. The radius is the
+/// distance to the surface there. This is exact for the mesh as it is, in double precision; it
+/// needs no grid, no medial axis and no OpenGL.
 ///
-/// - Where a sheet of the axis ends at the surface the value is 0, as thickness tends to 0 nearby:
-///   on edges that bend by theta or more and are convex seen from the side, and on equally sharp
-///   tips. So the corners of a box have thickness 0; its faces have a thickness only at points
-///   inside them.
+/// - Where a sheet of the axis ends at the surface the value is 0, since thickness tends to 0
+///   nearby: on edges that bend by theta or more and are convex seen from the side, and on equally
+///   sharp tips. So the corners of a box have thickness 0; its faces have a thickness only at
+///   points inside them.
 /// - Edges and tips that bend by less are ignored: their points see the opposite wall.
 /// - NaN where there is no such ball: at exteriors of convex parts, where an open mesh has no
 ///   opposite surface, and at points without a normal (of no triangle, or where the normals cancel

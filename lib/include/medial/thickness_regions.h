@@ -37,18 +37,18 @@ struct ThicknessRegion
 ///   maximum, and no limit at all.
 MEDIAL_EXPORT void checkThicknessLimits(const ThicknessLimits& limits);
 
-/// Checks that a mesh has an inside, closed or with holes that SignMethod::Auto closes, as it
-/// decides on a grid of 32 points. Thickness of one side of any other mesh says nothing about a
-/// solid.
+/// Checks that a mesh has an inside: it is closed, or has holes that SignMethod::Auto closes,
+/// decided on a grid of 32 points. For any other mesh, the thickness of one side says nothing about
+/// a solid.
 /// @throws Error InvalidInput if not, with the reason; Cancelled.
 MEDIAL_EXPORT void requireInside(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
   const Execution& execution = {});
 
 /// Finds where a solid is too thin or too thick. A triangle is beyond a limit if the thickness at
 /// its centre is, by more than a millionth of the limit; triangles that share a point are one
-/// region. So a place is found if it holds centres of triangles: subdivide() a mesh whose triangles
-/// are larger than what is looked for. Places that are thin because of a convex edge or tip
-/// (Thickness::atEdge), where every solid is, do not count.
+/// region. So a place is found only if it holds centres of triangles: subdivide() a mesh whose
+/// triangles are larger than the regions that matter. Places that are thin because of a convex edge
+/// or tip (Thickness::atEdge), where every solid is, do not count.
 ///
 /// @param thickness of the mesh, with values of its cells.
 /// @return thin regions, the thinnest first, then thick ones, the thickest first.

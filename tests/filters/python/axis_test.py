@@ -162,7 +162,7 @@ class Warnings(unittest.TestCase):
     def test_side_that_cannot_be_had(self):
         vertices, quads = shapes.box()
         for side in ("interior", "exterior"):
-            axis = self.assert_warns(f"both sides, not of side '{side}': .* leaves open what is inside",
+            axis = self.assert_warns(f"both sides, not of side '{side}': .* does not define an inside",
                                      vertices, quads[3:], side=side)
             self.assertEqual(axis.side, "both")
         turned = np.concatenate([quads[:1, ::-1], quads[1:]])
