@@ -36,7 +36,9 @@ std::string typeOf(vtkDataArray* array)
 {
   const bool isFloat = array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE;
   const bool isUnsigned = array->GetDataType() == VTK_UNSIGNED_CHAR;
-  return (isFloat ? "Float" : isUnsigned ? "UInt" : "Int") +
+  return (isFloat         ? "Float"
+             : isUnsigned ? "UInt"
+                          : "Int") +
     std::to_string(8 * array->GetDataTypeSize());
 }
 

@@ -38,9 +38,9 @@ std::vector<NumberedPoint> pointsOf(const AxisPiece& piece)
   std::vector<NumberedPoint> points;
   for (std::size_t p = 0; p < axis.points.size(); ++p)
   {
-    points.push_back({ piece.globalPointIds[p], axis.points[p], axis.radius[p],
-      axis.separationAngle[p], axis.lambda[p], axis.closestPointA[p], axis.closestPointB[p],
-      axis.feature[p] });
+    points.push_back(
+      { piece.globalPointIds[p], axis.points[p], axis.radius[p], axis.separationAngle[p],
+        axis.lambda[p], axis.closestPointA[p], axis.closestPointB[p], axis.feature[p] });
   }
   return points;
 }

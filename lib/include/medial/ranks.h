@@ -59,6 +59,7 @@ struct RankCounts
   std::int64_t ownTriangles = 0;  ///< triangles of the surface over the number of ranks, about
   std::int64_t heldTriangles = 0; ///< those that can be closest in the extent, and their neighbours
   std::int64_t bytesSent = 0;     ///< to other ranks
+  std::int64_t exchanges = 0;     ///< calls of Communicator::exchange()
 };
 
 /// Computes the distance field of a surface that lies in pieces on several ranks, each rank for its
