@@ -27,7 +27,7 @@ _medial_values()
       if [[ ${COMP_WORDS[0]} == *medial-distance ]]; then
         _medial_files "$2" vtp csv
       else
-        _medial_files "$2" vtp ply obj ma
+        _medial_files "$2" vtp pvtp ply obj ma
       fi
       ;;
     --field-arrays) compgen -W "distance closest_point closest_cell closest_feature closest_site" -- "$2" ;;

@@ -31,12 +31,6 @@ std::string extentText(const Extent& extent)
   return text;
 }
 
-std::string fileElement(const std::string& type)
-{
-  return "<?xml version=\"1.0\"?>\n<VTKFile type=\"" + type + "\" version=\"1.0\" byte_order=\"" +
-    kByteOrder + "\" header_type=\"UInt64\">\n";
-}
-
 std::string imageAttributes(const Grid& grid, const Extent& whole)
 {
   return " WholeExtent=\"" + extentText(whole) + "\" Origin=\"" + pointText(grid.origin) +
@@ -50,6 +44,12 @@ std::string attributesOf(std::size_t array, const char* scalars)
 }
 
 } // namespace
+
+std::string fileElement(const std::string& type)
+{
+  return "<?xml version=\"1.0\"?>\n<VTKFile type=\"" + type + "\" version=\"1.0\" byte_order=\"" +
+    kByteOrder + "\" header_type=\"UInt64\">\n";
+}
 
 FieldFormat fieldFormatOf(const std::filesystem::path& path)
 {

@@ -94,6 +94,9 @@ private:
 /// Cuts a grid into boxes of 64 slices; neighbours share a slice, as VTK's images of pieces do.
 std::vector<Extent> fieldPieces(const Grid& grid);
 
+/// How an XML file of VTK starts.
+std::string fileElement(const std::string& type);
+
 /// The text of a .pvti file.
 /// @param sources file names of the pieces, relative to the index.
 /// @param scalars name of the first array.

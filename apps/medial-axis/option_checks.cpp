@@ -225,7 +225,7 @@ void convertSkeleton(const OptionTexts& texts, bool topologyGiven, Options& opti
 
 void checkFiles(const Options& options)
 {
-  checkExtension("--output", options.output, { ".vtp", ".ply", ".obj", ".ma" });
+  checkExtension("--output", options.output, { ".vtp", ".pvtp", ".ply", ".obj", ".ma" });
   checkExtension("--curves", options.curves, { ".vtp" });
   checkExtension("--skeleton", options.skeleton, { ".vtp" });
   checkExtension("--skeleton-table", options.skeletonTable, { ".csv" });

@@ -46,7 +46,10 @@ CLI::Validator resolution()
 void addOutputOptions(CLI::App& app, OptionTexts& texts, Options& options)
 {
   const std::string group = "Outputs";
-  app.add_option("-o,--output", texts.output, "medial axis: .vtp, .ply, .obj or .ma")
+  app
+    .add_option("-o,--output", texts.output,
+      "medial axis: .vtp, .ply, .obj or .ma; by several processes also .pvtp, pieces named "
+      "<FILE's name>_0.vtp and so on")
     ->option_text("FILE")
     ->group(group);
   app

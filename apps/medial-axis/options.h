@@ -23,7 +23,7 @@ struct Options
 {
   std::filesystem::path input;         ///< a mesh, or a scan
   ScanSurface scan;                    ///< what of a scan
-  std::filesystem::path output;        ///< .vtp, .ply, .obj or .ma
+  std::filesystem::path output;        ///< .vtp, .pvtp, .ply, .obj or .ma
   std::filesystem::path curves;        ///< .vtp
   std::filesystem::path skeleton;      ///< .vtp
   std::filesystem::path skeletonTable; ///< .csv

@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <new>
 #include <optional>
 #include <string>
 #include <thread>
@@ -188,24 +189,30 @@ public:
       muteReports(communicator_->rank() > 0);
       throw;
     }
+    catch (const std::bad_alloc&)
+    {
+      this->abort(ExitCode::NoSpace, "", "not enough memory");
+    }
     catch (const std::exception& error)
     {
-      this->abort(error.what());
+      this->abort(ExitCode::Fault, kFault, error.what());
     }
     catch (...)
     {
-      this->abort("an exception of an unknown type");
+      this->abort(ExitCode::Fault, kFault, "an exception of an unknown type");
     }
   }
 
 private:
-  [[noreturn]] void abort(const char* message)
+  static constexpr char kFault[] = "a fault of the program: ";
+
+  /// Ends all ranks, with a line.
+  [[noreturn]] void abort(ExitCode code, const char* kind, const char* message)
   {
-    std::fprintf(stderr, "medial-axis: a fault of the program: rank %d: %s\n",
-      communicator_->rank(), message);
+    std::fprintf(stderr, "medial-axis: %srank %d: %s\n", kind, communicator_->rank(), message);
     OutputFile::removeTemporaries();
-    MPI_Abort(MPI_COMM_WORLD, static_cast<int>(ExitCode::Fault));
-    std::_Exit(static_cast<int>(ExitCode::Fault));
+    MPI_Abort(MPI_COMM_WORLD, static_cast<int>(code));
+    std::_Exit(static_cast<int>(code));
   }
 
   vtkNew<vtkMPIController> controller_;

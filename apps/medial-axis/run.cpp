@@ -1,6 +1,8 @@
 #include "run.h"
 
 #include "computation.h"
+#include "failure.h"
+#include "input_file.h"
 #include "interrupt.h"
 #include "output_writer.h"
 #include "outputs.h"
@@ -37,6 +39,12 @@ Surface readInput(const Options& options)
 
 void run(const Options& options)
 {
+  if (extensionOf(options.output) == ".pvtp")
+  {
+    throw Failure(ExitCode::Usage,
+      "--output " + options.output.string() +
+        ": .pvtp is for several processes, started by mpirun; use .vtp for one");
+  }
   const Timer total;
   AppSeconds seconds;
   Outputs outputs(options); // what cannot be written is refused before anything is computed

@@ -1,26 +1,34 @@
 #include "run_on_ranks.h"
 
+#include "axis_pieces.h"
 #include "computation.h"
 #include "failure.h"
 #include "field_output.h"
+#include "file_writer.h"
 #include "input_file.h"
-#include "interrupt.h"
 #include "library_calls.h"
 #include "progress_bar.h"
+#include "rank_agreement.h"
+#include "rank_input.h"
 #include "scan_reader.h"
-#include "surface_reader.h"
 #include "timer.h"
+#include "vtp_writer.h"
 
-#include "medial/error.h"
+#include "medial/axis_io.h"
+
+#include <vtkMeshConversion.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <exception>
 #include <functional>
 #include <iterator>
-#include <map>
+#include <new>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -33,54 +41,21 @@ namespace
 
 using Message = Communicator::Message;
 
-/// Returns what each rank sends to all.
-std::vector<Message> gathered(Communicator& communicator, const Message& own)
-{
-  return communicator.exchange(
-    std::vector<Message>(static_cast<std::size_t>(communicator.size()), own));
-}
-
-/// Does work that may fail on some ranks only.
-/// @throws Failure on every rank if any has failed: that of the first.
-void agree(Communicator& communicator, const std::function<void()>& work)
-{
-  Message failure; // exit code, then message
-  try
-  {
-    withFailures(work);
-    throwIfInterrupted();
-  }
-  catch (const Failure& caught)
-  {
-    failure.push_back(static_cast<char>(caught.exitCode()));
-    const std::string text = caught.what();
-    failure.insert(failure.end(), text.begin(), text.end());
-  }
-  const std::vector<Message> failures = gathered(communicator, failure);
-  for (std::size_t rank = 0; rank < failures.size(); ++rank)
-  {
-    const Message& found = failures[rank];
-    if (!found.empty())
-    {
-      throw Failure(static_cast<ExitCode>(static_cast<unsigned char>(found.front())),
-        "rank " + std::to_string(rank) + ": " + std::string(found.begin() + 1, found.end()));
-    }
-  }
-}
-
-/// Several processes compute the field alone.
+/// Several processes compute the field and the axis alone.
 void checkOptions(const Options& options)
 {
   const auto refuse = [](const std::string& message)
-  { throw Failure(ExitCode::Usage, "several processes compute the field alone: " + message); };
-  if (extensionOf(options.field) != ".pvti")
+  { throw Failure(ExitCode::Usage, "several processes: " + message); };
+  if (!options.field.empty() && extensionOf(options.field) != ".pvti")
   {
     refuse("they need --field FILE.pvti");
   }
   const std::pair<const char*, bool> others[] = { { "--local-thickness",
                                                     !options.localThickness.empty() },
-    { "thickness", options.wantsThickness() }, { "a medial axis", options.wantsAxis() },
-    { "--report", !options.report.empty() }, { "a scan as input", isScanFile(options.input) } };
+    { "thickness", options.wantsThickness() }, { "--curves", !options.curves.empty() },
+    { "--skeleton", options.wantsSkeleton() }, { "--image", !options.image.empty() },
+    { "--html", !options.html.empty() }, { "--report", !options.report.empty() },
+    { "a scan as input", isScanFile(options.input) } };
   for (const auto& [name, wanted] : others)
   {
     if (wanted)
@@ -98,13 +73,28 @@ void checkOptions(const Options& options)
   }
 }
 
+/// What the first process computes alone; null for an axis that all compute.
+const char* reasonForOne(const Options& options)
+{
+  return !options.wantsAxis()                ? nullptr
+    : options.topology == Topology::Preserve ? "--topology preserve"
+    : options.maxSpheres > 0                 ? "--max-spheres"
+                                             : nullptr;
+}
+
 /// What must be the same on every rank.
 std::string textOf(const Options& options)
 {
-  std::string text = options.input.string() + '\n' + options.field.string() + '\n' +
-    std::to_string(options.resolution.value_or(0)) + ' ' +
-    std::to_string(options.spacing.value_or(0.0)) + ' ' + std::to_string(options.padding) + ' ' +
-    std::to_string(static_cast<int>(options.signMethod));
+  std::string text =
+    options.input.string() + '\n' + options.field.string() + '\n' + options.output.string() + '\n';
+  for (const double number : { static_cast<double>(options.resolution.value_or(0)),
+         options.spacing.value_or(0.0), options.padding, options.angle, options.lambda.value,
+         options.minRadius.value, static_cast<double>(options.maxSpheres),
+         static_cast<double>(options.signMethod), static_cast<double>(options.side),
+         static_cast<double>(options.representation), static_cast<double>(options.topology) })
+  {
+    text += std::to_string(number) + ' ';
+  }
   for (const bool wanted : options.fieldArrays)
   {
     text += wanted ? '1' : '0';
@@ -126,212 +116,236 @@ void requireSameOptions(const Options& options, Communicator& communicator)
   }
 }
 
-/// The lists of a piece, one after the other.
-class PieceMessage
+/// Receives a field that nobody wants.
+class NoField : public FieldSink
 {
 public:
-  template <typename T>
-  void put(const std::vector<T>& list)
-  {
-    const std::uint64_t count = list.size();
-    this->append(&count, sizeof(count));
-    this->append(list.data(), count * sizeof(T));
-  }
-
-  template <typename T>
-  void take(std::vector<T>& list)
-  {
-    std::uint64_t count = 0;
-    this->extract(&count, sizeof(count));
-    list.resize(count);
-    this->extract(list.data(), count * sizeof(T));
-  }
-
-  template <typename T>
-  void putOne(const T& value)
-  {
-    this->append(&value, sizeof(value));
-  }
-
-  template <typename T>
-  void takeOne(T& value)
-  {
-    this->extract(&value, sizeof(value));
-  }
-
-  Message bytes;
-
-private:
-  void append(const void* from, std::size_t count)
-  {
-    const auto* const first = static_cast<const char*>(from);
-    bytes.insert(bytes.end(), first, first + count);
-  }
-  void extract(void* to, std::size_t count)
-  {
-    if (count > 0)
-    {
-      std::memcpy(to, bytes.data() + next_, count);
-    }
-    next_ += count;
-  }
-
-  std::size_t next_ = 0;
+  FieldArrays slabArrays(const Extent& /*slab*/) override { return {}; }
+  void stored(const Extent& /*slab*/) override {}
+  std::size_t bytesPerPoint() const override { return 0; }
 };
 
-/// What a rank gets of the mesh.
-struct Share
+/// What all ranks have computed together.
+struct Computed
 {
-  SurfacePiece piece;
-  Bounds bounds; ///< of the whole
+  std::vector<RankCounts> counts;
+  AxisPiece axis;                  ///< of this rank
+  std::vector<std::int64_t> cells; ///< of the axis, on each rank
 };
 
-/// Takes triangles [begin, end) out of a mesh.
-SurfacePiece pieceOf(const TriangleMesh& mesh, std::size_t begin, std::size_t end)
+template <typename T>
+std::vector<T> gatheredValues(Communicator& communicator, const T& own)
 {
-  SurfacePiece piece;
-  std::map<int, int> localOf;
-  const auto local = [&](int point)
+  Message message(sizeof(own));
+  std::memcpy(message.data(), &own, sizeof(own));
+  std::vector<T> values;
+  for (const Message& received : gathered(communicator, message))
   {
-    const auto [found, isNew] =
-      localOf.insert({ point, static_cast<int>(piece.mesh.points.size()) });
-    if (isNew)
-    {
-      piece.mesh.points.push_back(mesh.points[point]);
-      piece.pointOrder.push_back(point);
-    }
-    return found->second;
-  };
-  for (std::size_t i = begin; i < end; ++i)
-  {
-    std::array<int, 3> corners{};
-    std::transform(mesh.triangles[i].begin(), mesh.triangles[i].end(), corners.begin(), local);
-    piece.mesh.triangles.push_back(corners);
-    piece.mesh.triangleCells.push_back(mesh.triangleCells[i]);
+    values.emplace_back();
+    std::memcpy(&values.back(), received.data(), sizeof(own));
   }
-  if (begin == 0)
-  {
-    for (const auto& [a, b] : mesh.segments)
-    {
-      const int first = local(a);
-      piece.mesh.segments.push_back({ first, local(b) });
-    }
-    std::transform(mesh.vertices.begin(), mesh.vertices.end(),
-      std::back_inserter(piece.mesh.vertices), local);
-    piece.mesh.segmentCells = mesh.segmentCells;
-    piece.mesh.vertexCells = mesh.vertexCells;
-  }
+  return values;
+}
+
+/// Makes a whole axis the piece of the first rank.
+AxisPiece onlyPiece(MedialAxis axis)
+{
+  AxisPiece piece;
+  piece.points = static_cast<std::int64_t>(axis.points.size());
+  piece.cells = axis.cellCount();
+  piece.globalPointIds.resize(axis.points.size());
+  piece.globalCellIds.resize(static_cast<std::size_t>(piece.cells));
+  std::iota(piece.globalPointIds.begin(), piece.globalPointIds.end(), std::int64_t{ 0 });
+  std::iota(piece.globalCellIds.begin(), piece.globalCellIds.end(), std::int64_t{ 0 });
+  piece.axis = std::move(axis);
   return piece;
 }
 
-/// Cuts a mesh into messages for all ranks.
-std::vector<Message> sharesOf(const TriangleMesh& mesh, std::size_t ranks)
+/// Computes the whole axis on the first rank.
+AxisPiece axisOfOne(Communicator& communicator, const Share& share, const Grid& grid,
+  const MedialAxisOptions& wanted)
 {
-  const std::size_t triangles = mesh.triangles.size();
-  if (!std::is_sorted(mesh.triangleCells.begin(), mesh.triangleCells.end()))
-  {
-    throw Failure(ExitCode::BadInput, "its triangles are not in the order of cells");
-  }
-  const Bounds bounds = mesh.bounds();
-  std::vector<Message> messages;
-  std::size_t begin = 0;
-  for (std::size_t rank = 1; rank <= ranks; ++rank)
-  {
-    std::size_t end = std::max(begin, triangles * rank / ranks);
-    // The triangles of a cell stay together.
-    while (end > begin && end < triangles && mesh.triangleCells[end] == mesh.triangleCells[end - 1])
-    {
-      ++end;
-    }
-    const SurfacePiece piece = pieceOf(mesh, begin, end);
-    PieceMessage message;
-    message.putOne(bounds);
-    message.put(piece.mesh.points);
-    message.put(piece.pointOrder);
-    message.put(piece.mesh.triangles);
-    message.put(piece.mesh.triangleCells);
-    message.put(piece.mesh.segments);
-    message.put(piece.mesh.segmentCells);
-    message.put(piece.mesh.vertices);
-    message.put(piece.mesh.vertexCells);
-    messages.push_back(std::move(message.bytes));
-    begin = end;
-  }
-  return messages;
-}
-
-/// The first rank reads the mesh, and hands it out.
-Share readShare(const Options& options, Communicator& communicator)
-{
-  std::vector<Message> messages(static_cast<std::size_t>(communicator.size()));
+  AxisPiece piece;
   agree(communicator,
     [&]
     {
       if (communicator.rank() == 0)
       {
-        withFailures(options.input,
-          [&]
-          { messages = sharesOf(readSurface(options.input).toTriangleMesh(), messages.size()); });
+        piece = onlyPiece(computeMedialAxis(share.whole, grid, wanted));
       }
     });
-  PieceMessage message;
-  message.bytes = std::move(communicator.exchange(std::move(messages)).front());
-  Share share;
-  message.takeOne(share.bounds);
-  message.take(share.piece.mesh.points);
-  message.take(share.piece.pointOrder);
-  message.take(share.piece.mesh.triangles);
-  message.take(share.piece.mesh.triangleCells);
-  message.take(share.piece.mesh.segments);
-  message.take(share.piece.mesh.segmentCells);
-  message.take(share.piece.mesh.vertices);
-  message.take(share.piece.mesh.vertexCells);
-  return share;
+  return piece;
 }
 
-/// Parts of a grid, neighbours sharing a layer of points, as VTK's images of pieces do.
-std::vector<Extent> touchingParts(const Grid& grid, int parts)
+/// Lets ranks compute together. A library call fails on all of them alike, but where one rank runs
+/// out of memory while it talks to others, they wait for it: that is not made a Failure.
+void together(const Options& options, const std::function<void()>& work)
 {
-  std::vector<Extent> extents = partsOfGrid(grid, parts);
-  for (Extent& extent : extents)
-  {
-    for (int axis = 0; axis < 3 && !extent.empty(); ++axis)
+  std::exception_ptr lost;
+  withFailures(options.input,
+    [&]
     {
-      extent.max[axis] = std::min(extent.max[axis] + 1, grid.dimensions[axis] - 1);
+      try
+      {
+        work();
+      }
+      catch (const std::bad_alloc&)
+      {
+        lost = std::current_exception();
+      }
+    });
+  if (lost)
+  {
+    std::rethrow_exception(lost);
+  }
+}
+
+/// @param field null if it is not wanted.
+Computed compute(const Options& options, Communicator& communicator, const Share& share,
+  const Grid& grid, const std::vector<Extent>& extents, FieldOutput* field, ProgressBar& bar)
+{
+  Watch watch(bar);
+  MedialAxisOptions wanted = libraryOptions(options, share.bounds.diagonal());
+  wanted.field.engine = Engine::Processor;
+  wanted.field.execution.progress = &watch;
+  const bool alone = reasonForOne(options) != nullptr;
+  Computed result;
+  RankCounts counts;
+  NoField nothing;
+  together(options,
+    [&]
+    {
+      if (options.wantsAxis() && !alone)
+      {
+        result.axis = computeMedialAxis(communicator, share.piece, grid, extents,
+          field != nullptr ? static_cast<FieldSink&>(*field) : nothing, wanted, &counts);
+      }
+      else if (field != nullptr)
+      {
+        computeDistanceField(communicator, share.piece, grid,
+          touchingExtent(grid, extents[communicator.rank()]), *field, wanted.field, &counts);
+      }
+    });
+  if (alone)
+  {
+    result.axis = axisOfOne(communicator, share, grid, wanted);
+  }
+  result.counts = gatheredValues(communicator, counts);
+  result.cells = gatheredValues(communicator, result.axis.axis.cellCount());
+  return result;
+}
+
+/// Writes an axis, in pieces or gathered, under temporary names.
+class RankAxisOutput
+{
+public:
+  explicit RankAxisOutput(const std::filesystem::path& path)
+  {
+    extensionOf(path) == ".pvtp" ? static_cast<void>(pieces_.emplace(path))
+                                 : static_cast<void>(file_.emplace(path));
+  }
+
+  void write(Communicator& communicator, const Options& options, const Computed& computed)
+  {
+    const auto rank = static_cast<std::size_t>(communicator.rank());
+    if (pieces_)
+    {
+      agree(communicator, [&] { pieces_->write(computed.axis, computed.cells, rank); });
+      return;
+    }
+    MedialAxis whole;
+    together(options, [&] { whole = gatherMedialAxis(communicator, computed.axis); });
+    agree(communicator,
+      [&]
+      {
+        if (rank == 0)
+        {
+          namingFile(file_->path(), [&] { writeWhole(whole, file_->path(), file_->open()); });
+        }
+      });
+  }
+
+  void commitPiece()
+  {
+    if (pieces_)
+    {
+      pieces_->commitPiece();
     }
   }
-  return extents;
-}
 
-void printSummary(const Options& options, const Grid& grid, const std::vector<RankCounts>& counts,
+  /// What comes last, on the first rank.
+  void commit(int rank)
+  {
+    if (pieces_)
+    {
+      pieces_->commitIndex();
+    }
+    else if (rank == 0)
+    {
+      file_->commit();
+    }
+  }
+
+private:
+  static void writeWhole(const MedialAxis& axis, const std::filesystem::path& path,
+    const std::filesystem::path& file)
+  {
+    if (const auto format = axisFormatOf(path))
+    {
+      writeFile(file, [&](std::ostream& stream) { writeAxis(axis, *format, stream); });
+      return;
+    }
+    vtkNew<vtkPolyData> data;
+    vtkMeshConversion::ToPolyData(axis, data);
+    writeVtp(data, file);
+  }
+
+  std::optional<AxisPieces> pieces_;
+  std::optional<OutputFile> file_;
+};
+
+void printSummary(const Options& options, const Grid& grid, const Computed& computed,
   double seconds)
 {
   std::int64_t triangles = 0;
   std::int64_t held = 0;
-  for (const RankCounts& count : counts)
+  for (const RankCounts& count : computed.counts)
   {
     triangles += count.ownTriangles;
     held = std::max(held, count.heldTriangles);
   }
-  std::printf("mesh      %lld triangles, at most %lld on a process\n"
-              "grid      %d x %d x %d, on %zu processes\n"
-              "time      %.2f s\n"
-              "field     %s\n",
-    static_cast<long long>(triangles), static_cast<long long>(held), grid.dimensions[0],
-    grid.dimensions[1], grid.dimensions[2], counts.size(), seconds, options.field.c_str());
+  if (triangles > 0)
+  {
+    std::printf("mesh      %lld triangles, at most %lld on a process\n",
+      static_cast<long long>(triangles), static_cast<long long>(held));
+  }
+  std::printf("grid      %d x %d x %d, on %zu processes\n", grid.dimensions[0], grid.dimensions[1],
+    grid.dimensions[2], computed.counts.size());
+  if (options.wantsAxis())
+  {
+    std::printf("axis      %lld points, %lld cells, at most %lld on a process\n",
+      static_cast<long long>(computed.axis.points), static_cast<long long>(computed.axis.cells),
+      static_cast<long long>(*std::max_element(computed.cells.begin(), computed.cells.end())));
+  }
+  std::printf("time      %.2f s\n", seconds);
+  for (const auto& [name, path] :
+    { std::pair("field", options.field), std::pair("output", options.output) })
+  {
+    if (!path.empty())
+    {
+      std::printf("%-9s %s\n", name, path.c_str());
+    }
+  }
 }
 
-std::vector<RankCounts> gatheredCounts(Communicator& communicator, const RankCounts& own)
+void printNotes(const Options& options)
 {
-  Message message(sizeof(own));
-  std::memcpy(message.data(), &own, sizeof(own));
-  std::vector<RankCounts> counts;
-  for (const Message& received : gathered(communicator, message))
+  if (const char* const reason = reasonForOne(options); reason != nullptr && !options.quiet)
   {
-    counts.emplace_back();
-    std::memcpy(&counts.back(), received.data(), sizeof(own));
+    std::fprintf(stderr,
+      "medial-axis: note: %s: %s looks at the whole axis: the first process computed it alone\n",
+      options.input.c_str(), reason);
   }
-  return counts;
 }
 
 } // namespace
@@ -341,38 +355,66 @@ void runOnRanks(const Options& options, Communicator& communicator)
   const Timer total;
   checkOptions(options);
   requireSameOptions(options, communicator);
-  const auto rank = static_cast<std::size_t>(communicator.rank());
+  const int rank = communicator.rank();
   ProgressBar bar(options.quiet || rank > 0);
   std::optional<FieldOutput> field;
-  agree(communicator, [&] { field.emplace(options.field, options.fieldArrays); });
+  std::optional<RankAxisOutput> axis;
+  agree(communicator,
+    [&]
+    {
+      if (!options.field.empty())
+      {
+        field.emplace(options.field, options.fieldArrays);
+      }
+      if (options.wantsAxis())
+      {
+        axis.emplace(options.output);
+      }
+    });
   bar.show(0.0, "reading");
-  const Share share = readShare(options, communicator);
+  const Share share = readShare(options, reasonForOne(options) != nullptr, communicator);
   Grid grid;
   std::vector<Extent> extents;
   agree(communicator,
     [&]
     {
       grid = gridOf(share.bounds, options);
-      extents = touchingParts(grid, communicator.size());
-      field->begin(grid, extents, rank);
+      extents = partsOfGrid(grid, communicator.size());
+      if (field)
+      {
+        std::vector<Extent> touching;
+        std::transform(extents.begin(), extents.end(), std::back_inserter(touching),
+          [&](const Extent& extent) { return touchingExtent(grid, extent); });
+        field->begin(grid, touching, static_cast<std::size_t>(rank));
+      }
     });
-  Watch watch(bar);
-  DistanceFieldOptions wanted = libraryOptions(options, share.bounds.diagonal()).field;
-  wanted.execution.progress = &watch;
-  RankCounts counts;
-  // It fails on every rank alike.
-  withFailures(options.input,
-    [&] {
-      computeDistanceField(communicator, share.piece, grid, extents[rank], *field, wanted, &counts);
+  const Computed computed =
+    compute(options, communicator, share, grid, extents, field ? &*field : nullptr, bar);
+  if (axis)
+  {
+    axis->write(communicator, options, computed);
+  }
+  agree(communicator, [&] { field ? field->finish() : void(); });
+  agree(communicator,
+    [&]
+    {
+      field ? field->commitPieces() : void();
+      axis ? axis->commitPiece() : void();
     });
-  agree(communicator, [&] { field->finish(); });
-  agree(communicator, [&] { field->commitPieces(); });
-  agree(communicator, [&] { field->commitIndex(); });
-  const std::vector<RankCounts> all = gatheredCounts(communicator, counts);
+  agree(communicator,
+    [&]
+    {
+      field ? field->commitIndex() : void();
+      axis ? axis->commit(rank) : void();
+    });
   bar.clear();
+  if (rank == 0)
+  {
+    printNotes(options);
+  }
   if (rank == 0 && !options.quiet)
   {
-    printSummary(options, grid, all, total.seconds());
+    printSummary(options, grid, computed, total.seconds());
   }
 }
 

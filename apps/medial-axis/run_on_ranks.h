@@ -7,10 +7,11 @@
 namespace medial::app
 {
 
-/// Computes the field of a mesh on several processes, each for its part of the grid, into a .pvti
-/// file with a piece for each. The first rank reads the mesh and hands out its triangles. Every
+/// Computes the field and the axis of a mesh on several processes, each for its part of the grid,
+/// into .pvti and .pvtp files of pieces; the first gathers an axis that goes into one file. Every
 /// rank calls it.
-/// @throws Failure on every rank, with the message of the first rank that failed.
+/// @throws Failure on every rank, with the same message; std::bad_alloc on one that has run out of
+///   memory while the others wait for it, so that it must end all.
 void runOnRanks(const Options& options, Communicator& communicator);
 
 } // namespace medial::app

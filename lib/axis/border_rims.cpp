@@ -253,8 +253,8 @@ BorderRims::BorderRims(const AxisGeometry& geometry, const SheetSelection& selec
   : geometry_(geometry)
   , points_(points)
   , walkers_(walkersOn(rims))
-  , order_(tileOrder(geometry.part, walkers_.size(), [&](std::size_t i)
-      { return selection.samples.mesh.cells[origins[walkers_[i].vertex]]; }))
+  , order_(tileOrder(geometry.part, walkers_.size(),
+      [&](std::size_t i) { return selection.samples.mesh.cells[origins[walkers_[i].vertex]]; }))
   , neighbours_(neighboursOf(walkers_, rims))
   , settled_(walkers_.size(), 0)
 {

@@ -115,8 +115,8 @@ void buildAxis(const MedialAxisOptions& options, const FieldPipeline& pipeline, 
 {
   const GridFrame& frame = pipeline.frame();
   const AxisGeometry geometry{ pipeline.sites(), pipeline.query(), frame, grid.wholeExtent(),
-    grid.wholeExtent(), glm::radians(options.angle), options.lambda / frame.unit, options.radius / frame.unit,
-    checkpoint, side };
+    grid.wholeExtent(), glm::radians(options.angle), options.lambda / frame.unit,
+    options.radius / frame.unit, checkpoint, side };
   const BisectorPoints points = tap != nullptr
     ? preserve(options.representation, geometry, *tap, pipeline.directions(), crossings, axis)
     : represent(options.representation, geometry, crossings, axis);

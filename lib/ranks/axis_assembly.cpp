@@ -126,8 +126,7 @@ bool AxisAssembly::agrees(Communicator& communicator, const GridShare& share) co
   for (const StandIn& theirs : share.spread(communicator, own, kCompared, cellOf))
   {
     const std::size_t p = indexOf(given_, theirs.number);
-    alike = alike && p < given_.size() &&
-      given_[origins_.standsFor[p]].number == theirs.standsFor;
+    alike = alike && p < given_.size() && given_[origins_.standsFor[p]].number == theirs.standsFor;
   }
   return maximum(communicator, alike ? 0 : 1) == 0;
 }

@@ -7,7 +7,7 @@
 namespace medial
 {
 
-/// Counts what goes to other ranks.
+/// Counts what goes to other ranks, and how often.
 class CountingCommunicator : public Communicator
 {
 public:
@@ -21,6 +21,7 @@ public:
   int size() const override { return communicator_.size(); }
   std::vector<Message> exchange(std::vector<Message> messages) override
   {
+    ++exchanges_;
     for (std::size_t to = 0; to < messages.size(); ++to)
     {
       bytesSent_ +=
@@ -30,10 +31,12 @@ public:
   }
 
   std::int64_t bytesSent() const { return bytesSent_; }
+  std::int64_t exchanges() const { return exchanges_; }
 
 private:
   Communicator& communicator_;
   std::int64_t bytesSent_ = 0;
+  std::int64_t exchanges_ = 0;
 };
 
 } // namespace medial

@@ -22,7 +22,8 @@ public:
   GlobalNumbers(Communicator& communicator, const std::vector<GlobalKey>& own, std::int64_t span);
 
   /// Returns the numbers of some keys, of any ranks. Every rank calls it.
-  std::vector<std::int64_t> of(Communicator& communicator, const std::vector<GlobalKey>& keys) const;
+  std::vector<std::int64_t> of(Communicator& communicator,
+    const std::vector<GlobalKey>& keys) const;
 
   std::int64_t total() const { return offsets_.total(); }
 

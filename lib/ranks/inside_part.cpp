@@ -46,8 +46,8 @@ InsidePart::InsidePart(Communicator& communicator, const RankField& field, const
   if (!part.empty())
   {
     const FrameBox box = hullOf(part, field.frame());
-    start_ = glm::dvec3(box.centre) +
-      glm::dvec3(box.half) * glm::dvec3(kStart[0], kStart[1], kStart[2]);
+    start_ =
+      glm::dvec3(box.centre) + glm::dvec3(box.half) * glm::dvec3(kStart[0], kStart[1], kStart[2]);
   }
   // Each rank counts for all of them what their lines pass through in its share.
   const std::vector<glm::dvec3> starts = gathered(communicator, start_);

@@ -29,8 +29,8 @@ struct AxisPoint
 /// A quad around a crossing.
 struct AxisQuad
 {
-  std::int64_t number; ///< as AxisOrder
-  glm::ivec3 cell;     ///< whose owner it belongs to
+  std::int64_t number;                 ///< as AxisOrder
+  glm::ivec3 cell;                     ///< whose owner it belongs to
   std::array<std::int64_t, 4> corners; ///< numbers of points
 };
 

@@ -107,7 +107,8 @@ void checkFieldOfRanks(const Grid& grid, const Extent& extent, const DistanceFie
 RankCounts countsOf(const RankField& field, const CountingCommunicator& communicator)
 {
   return { static_cast<std::int64_t>(field.surface().faces().size()),
-    static_cast<std::int64_t>(field.part().faces().size()), communicator.bytesSent() };
+    static_cast<std::int64_t>(field.part().faces().size()), communicator.bytesSent(),
+    communicator.exchanges() };
 }
 
 RankField::RankField(Communicator& communicator, const SurfacePiece& piece, const Grid& grid,

@@ -66,7 +66,8 @@ private:
 /// Returns what a rank has held and sent so far.
 RankCounts countsOf(const RankField& field, const CountingCommunicator& communicator);
 
-/// @throws Error InvalidInput for a grid, an extent or options that a surface in pieces cannot have.
+/// @throws Error InvalidInput for a grid, an extent or options that a surface in pieces cannot
+/// have.
 void checkFieldOfRanks(const Grid& grid, const Extent& extent, const DistanceFieldOptions& options);
 
 } // namespace medial

@@ -161,7 +161,7 @@ TEST_F(CommandLine, RefusesUnknownOutputFormats)
   EXPECT_TRUE(contains(usageError({ "--thickness-image", folder.file("x.jpg") }), "allowed: .png"));
   const Outcome outcome = runMedialAxis({ input, "-o", folder.file("axis.stl") });
   EXPECT_EQ(outcome.exitCode, kUsage);
-  EXPECT_TRUE(contains(outcome.err, "'.stl', allowed: .vtp .ply .obj .ma")) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "'.stl', allowed: .vtp .pvtp .ply .obj .ma")) << outcome.err;
 }
 
 TEST_F(CommandLine, RefusesSignMethodsThatItDoesNotHave)

@@ -1,4 +1,4 @@
-"""medial-axis as several processes: fields with the bits of one process, and failures in one line.
+"""medial-axis as several processes: fields and axes with the bits of one process, and failures in one line.
 
 usage: ranks_test.py MPIRUN MEDIAL-AXIS
 """
@@ -14,6 +14,8 @@ import tempfile
 import time
 import unittest
 from pathlib import Path
+
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPPolyDataReader
 
 MPIRUN, PROGRAM = (os.path.abspath(path) for path in sys.argv[1:3])
 # mpirun's own words about failures would get into the middle of the program's line.
@@ -79,6 +81,30 @@ class Image:
                 at += count
 
 
+def read_axis(path, kind):
+    """An axis from a file. It must be complete."""
+    reader = kind()
+    reader.SetFileName(str(path))
+    reader.Update()
+    if reader.GetErrorCode() != 0:
+        raise OSError(f"{path}: error {reader.GetErrorCode()}")
+    return reader.GetOutput()
+
+
+def points_of(axis):
+    """What is known of each point."""
+    data = axis.GetPointData()
+    names = ("Radius", "SeparationAngle", "Lambda", "ClosestPointA", "ClosestPointB", "AxisFeature")
+    return [(axis.GetPoint(i), *(data.GetArray(name).GetTuple(i) for name in names))
+            for i in range(axis.GetNumberOfPoints())]
+
+
+def cells_of(axis):
+    """The points of each cell."""
+    return [tuple(axis.GetCell(i).GetPointId(k) for k in range(axis.GetCell(i).GetNumberOfPoints()))
+            for i in range(axis.GetNumberOfCells())]
+
+
 class Ranks(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -117,6 +143,33 @@ class Ranks(unittest.TestCase):
         self.assertEqual(len(seen), sum(len(values["ClosestFeature"]) for values in whole.values()))
         return len(pieces)
 
+    def expect_same_axis(self, ranks, *options):
+        """Pieces with all points and cells of one process, by their global ids; each cell once."""
+        one = self.run_command(PROGRAM, "torus.off", "-o", "one.vtp", "-q", *SINGLE, *options)
+        self.assertEqual((one.returncode, one.stderr), (0, ""))
+        whole = read_axis(self.folder / "one.vtp", vtkXMLPolyDataReader)
+        points, cells = points_of(whole), cells_of(whole)
+        self.assertGreater(len(cells), 20)
+        several = self.run_ranks(ranks, "torus.off", "-o", "many.pvtp", *SINGLE, *options)
+        self.assertEqual((several.returncode, several.stderr), (0, ""))
+        self.assertIn(f"axis      {len(points)} points, {len(cells)} cells", several.stdout)
+        axis = read_axis(self.folder / "many.pvtp", vtkXMLPPolyDataReader)
+        ids = axis.GetPointData().GetGlobalIds()
+        self.assertEqual(ids.GetName(), "vtkGlobalPointIds")
+        ids = [ids.GetValue(i) for i in range(axis.GetNumberOfPoints())]
+        self.assertEqual(set(ids), set(range(len(points))))
+        if "points" not in options:  # those on cuts are in several pieces
+            self.assertGreater(len(ids), len(points))
+        for point, number in zip(points_of(axis), ids):
+            self.assertEqual(point, points[number])
+        numbers = axis.GetCellData().GetGlobalIds()
+        self.assertEqual(numbers.GetName(), "vtkGlobalCellIds")
+        numbers = [numbers.GetValue(i) for i in range(axis.GetNumberOfCells())]
+        self.assertEqual(sorted(numbers), list(range(len(cells))))
+        for cell, number in zip(cells_of(axis), numbers):
+            self.assertEqual(tuple(ids[i] for i in cell), cells[number])
+        return len(re.findall("<Piece", (self.folder / "many.pvtp").read_text()))
+
     def expect_failure(self, run, code, text):
         """One line, and no file but the mesh."""
         self.assertEqual(run.returncode, code, run.stderr)
@@ -138,6 +191,49 @@ class Ranks(unittest.TestCase):
         (self.folder / "torus.off").write_text(torus(turned=True))
         self.expect_same_bits(3, "--resolution", "33", "--sign", "pseudonormal")
 
+    def test_three_ranks_write_the_axis_of_one(self):
+        self.assertEqual(self.expect_same_axis(3, "--resolution", "50", "--sign", "pseudonormal"), 3)
+
+    def test_an_axis_of_points_without_a_sign(self):
+        self.assertEqual(self.expect_same_axis(2, "--resolution", "60", "--sign", "none", "--representation", "points",
+                                               "--angle", "50"), 2)
+
+    def test_more_ranks_than_parts_of_the_grid_with_an_axis(self):
+        self.assertLess(self.expect_same_axis(7, "--resolution", "30", "--sign", "pseudonormal"), 7)
+
+    def test_field_and_axis_at_once(self):
+        options = ("--resolution", "40", "--sign", "pseudonormal", "-q")
+        for count, field, axis in ((1, "one.vti", "one.ply"), (3, "many.pvti", "many.ply")):
+            arguments = ("torus.off", "--field", field, "-o", axis, *SINGLE, *options)
+            run = self.run_ranks(count, *arguments) if count > 1 else self.run_command(PROGRAM, *arguments)
+            self.assertEqual((run.returncode, run.stderr), (0, ""))
+        self.assertEqual((self.folder / "many.ply").read_bytes(), (self.folder / "one.ply").read_bytes())
+        whole = {begin: values for begin, _, values in Image(self.folder / "one.vti").rows()}
+        for piece in self.folder.glob("many_*.vti"):
+            for (x, y, z), count, values in Image(piece).rows():
+                for name, part in values.items():
+                    size = BYTES[name]
+                    self.assertEqual(part, whole[0, y, z][name][x * size:(x + count) * size], name)
+
+    def test_what_the_first_rank_computes_alone(self):
+        for options, name in ((("--topology", "preserve"), "--topology preserve"),
+                              (("--max-spheres", "50"), "--max-spheres")):
+            options = ("--resolution", "30", "--sign", "pseudonormal", *SINGLE, *options)
+            one = self.run_command(PROGRAM, "torus.off", "-o", "one.ply", "-q", *options)
+            self.assertEqual((one.returncode, one.stderr), (0, ""))
+            several = self.run_ranks(2, "torus.off", "-o", "many.ply", *options)
+            self.assertEqual(several.returncode, 0)
+            self.assertIn(f"note: torus.off: {name} looks at the whole axis", several.stderr)
+            self.assertEqual((self.folder / "many.ply").read_bytes(), (self.folder / "one.ply").read_bytes())
+
+    def test_pieces_of_an_axis_need_several_processes(self):
+        self.expect_failure(self.run_command(PROGRAM, "torus.off", "-o", "a.pvtp"), 2,
+                            "a.pvtp: .pvtp is for several processes, started by mpirun; use .vtp for one")
+
+    def test_an_axis_in_a_folder_that_does_not_exist(self):
+        run = self.run_ranks(2, "torus.off", "-o", "absent/a.pvtp", "--sign", "none")
+        self.expect_failure(run, 5, "^medial-axis: rank 0: absent/a.pvtp")
+
     def test_a_missing_mesh(self):
         self.expect_failure(self.run_ranks(2, "absent.off", "--field", "a.pvti", "--sign", "none"), 3,
                             "^medial-axis: rank 0: absent.off: no such file$")
@@ -154,9 +250,11 @@ class Ranks(unittest.TestCase):
         self.expect_failure(run, 5, "^medial-axis: rank 0: absent/a.pvti")
 
     def test_what_several_processes_do_not_compute(self):
-        for options, text in (((), "--field FILE.pvti"),
+        for options, text in (((), "--sign pseudonormal"),
                               (("--field", "a.vti"), "--field FILE.pvti"),
-                              (("--field", "a.pvti", "-o", "a.vtp"), "a medial axis needs a single one"),
+                              (("-o", "a.vtp", "--report", "a.json"), "--report needs a single one"),
+                              (("-o", "a.vtp", "--curves", "b.vtp"), "--curves needs a single one"),
+                              (("--skeleton", "a.vtp"), "--skeleton needs a single one"),
                               (("--field", "a.pvti", "--sign", "winding"), "--sign pseudonormal"),
                               (("--field", "a.pvti", "--sign", "none", "--engine", "rasteriser"), "--engine processor"),
                               (("--field", "a.pvti", "--resolution", "1"), "--resolution")):

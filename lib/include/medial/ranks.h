@@ -59,6 +59,7 @@ struct RankCounts
   std::int64_t ownTriangles = 0;  ///< triangles of the surface over the number of ranks, about
   std::int64_t heldTriangles = 0; ///< those that can be closest in the extent, and their neighbours
   std::int64_t bytesSent = 0;     ///< to other ranks
+  std::int64_t exchanges = 0;     ///< calls of Communicator::exchange()
 };
 
 /// Computes the distance field of a surface that lies in pieces on several ranks, each rank for its
@@ -90,15 +91,16 @@ struct AxisPiece
   std::int64_t cells = 0;  ///< number of cells of the whole axis
 };
 
-/// Computes the medial axis of a surface that lies in pieces on several ranks, each rank for its own
-/// extent. No rank holds the whole surface, field or axis. Together the pieces have the points and
-/// cells that computeMedialAxis() gives in one process, to the last bit, each cell in one piece,
-/// whatever the extents and the number of ranks. Every rank calls it, with the same grid, extents
-/// and options.
+/// Computes the medial axis of a surface that lies in pieces on several ranks, each rank for its
+/// own extent. No rank holds the whole surface, field or axis. Together the pieces have the points
+/// and cells that computeMedialAxis() gives in one process, to the last bit, each cell in one
+/// piece, whatever the extents and the number of ranks. Every rank calls it, with the same grid,
+/// extents and options.
 ///
 /// @param extents of all ranks; they cover the grid, each point once. Some may be empty.
 /// @param sink receives the field of touchingExtent() of this rank's.
-/// @param options sign must be None or Pseudonormal, the topology Selected, maxSpheres 0; the engine
+/// @param options sign must be None or Pseudonormal, the topology Selected, maxSpheres 0; the
+/// engine
 ///   is the processor. With a sign, all closed parts of the surface must face the same way:
 ///   outwards, but inwards for those of cavities, or all the other way round.
 /// @param counts receives what the rank has held; may be null.
@@ -108,6 +110,11 @@ struct AxisPiece
 MEDIAL_EXPORT AxisPiece computeMedialAxis(Communicator& communicator, const SurfacePiece& piece,
   const Grid& grid, const std::vector<Extent>& extents, FieldSink& sink,
   const MedialAxisOptions& options, RankCounts* counts = nullptr);
+
+/// Brings the pieces of an axis together on the first rank. Every rank calls it.
+/// @return there the axis of one process, with the statistics of that rank; elsewhere nothing of
+///   it.
+MEDIAL_EXPORT MedialAxis gatherMedialAxis(Communicator& communicator, const AxisPiece& piece);
 
 /// Returns an extent with the layers of points behind it, as far as the grid has them: extents that
 /// lie side by side then share a layer, as VTK's images of pieces do.

@@ -1,0 +1,137 @@
+#include "axis_pieces.h"
+
+#include "field_layout.h"
+#include "file_writer.h"
+#include "vtp_writer.h"
+#include "xml_elements.h"
+
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkIdTypeArray.h>
+#include <vtkMeshConversion.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+
+#include <algorithm>
+#include <string>
+
+namespace medial::app
+{
+namespace
+{
+
+void setGlobalIds(const char* name, const std::vector<std::int64_t>& ids,
+  vtkDataSetAttributes* attributes)
+{
+  vtkNew<vtkIdTypeArray> array;
+  array->SetName(name);
+  array->SetNumberOfValues(static_cast<vtkIdType>(ids.size()));
+  std::copy(ids.begin(), ids.end(), array->GetPointer(0));
+  attributes->SetGlobalIds(array);
+}
+
+/// The type of an array's values as XML files of VTK name it.
+std::string typeOf(vtkDataArray* array)
+{
+  const bool isFloat = array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE;
+  const bool isUnsigned = array->GetDataType() == VTK_UNSIGNED_CHAR;
+  return (isFloat         ? "Float"
+             : isUnsigned ? "UInt"
+                          : "Int") +
+    std::to_string(8 * array->GetDataTypeSize());
+}
+
+std::string elementOf(vtkDataArray* array)
+{
+  return "      <PDataArray type=\"" + typeOf(array) + "\" Name=\"" + array->GetName() +
+    "\" NumberOfComponents=\"" + std::to_string(array->GetNumberOfComponents()) + "\"/>\n";
+}
+
+std::string elementsOf(vtkDataSetAttributes* attributes)
+{
+  std::string text;
+  for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+  {
+    text += elementOf(attributes->GetArray(i));
+  }
+  return text;
+}
+
+/// The text of a .pvtp file.
+/// @param piece one of the pieces; all have the same arrays.
+std::string indexOf(vtkPolyData* piece, const std::vector<std::string>& sources)
+{
+  std::string text = fileElement("PPolyData") +
+    "  <PPolyData GhostLevel=\"0\">\n"
+    "    <PPointData Scalars=\"Radius\" GlobalIds=\"vtkGlobalPointIds\">\n" +
+    elementsOf(piece->GetPointData()) +
+    "    </PPointData>\n    <PCellData GlobalIds=\"vtkGlobalCellIds\">\n" +
+    elementsOf(piece->GetCellData()) +
+    "    </PCellData>\n    <PPoints>\n"
+    "      <PDataArray type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\"/>\n"
+    "    </PPoints>\n";
+  for (const std::string& source : sources)
+  {
+    text += "    <Piece Source=\"" + escapedXml(source) + "\"/>\n";
+  }
+  return text + "  </PPolyData>\n</VTKFile>\n";
+}
+
+} // namespace
+
+AxisPieces::AxisPieces(const std::filesystem::path& path)
+  : path_(path)
+{
+  const OutputFile check(path);
+}
+
+std::filesystem::path AxisPieces::piecePath(std::size_t rank) const
+{
+  return path_.parent_path() / (path_.stem().string() + "_" + std::to_string(rank) + ".vtp");
+}
+
+void AxisPieces::write(const AxisPiece& piece, const std::vector<std::int64_t>& cells,
+  std::size_t rank)
+{
+  vtkNew<vtkPolyData> data;
+  vtkMeshConversion::ToPolyData(piece.axis, data);
+  setGlobalIds("vtkGlobalPointIds", piece.globalPointIds, data->GetPointData());
+  setGlobalIds("vtkGlobalCellIds", piece.globalCellIds, data->GetCellData());
+  if (cells[rank] > 0)
+  {
+    piece_.emplace(this->piecePath(rank));
+    namingFile(piece_->path(), [&] { writeVtp(data, piece_->open()); });
+  }
+  if (rank == 0)
+  {
+    std::vector<std::string> sources;
+    for (std::size_t i = 0; i < cells.size(); ++i)
+    {
+      if (cells[i] > 0)
+      {
+        sources.push_back(this->piecePath(i).filename().string());
+      }
+    }
+    index_.emplace(path_);
+    namingFile(path_, [&] { writeFile(index_->open(), indexOf(data, sources)); });
+  }
+}
+
+void AxisPieces::commitPiece()
+{
+  if (piece_)
+  {
+    piece_->commit();
+  }
+}
+
+void AxisPieces::commitIndex()
+{
+  if (index_)
+  {
+    index_->commit();
+  }
+}
+
+} // namespace medial::app

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "output_file.h"
+
+#include "medial/ranks.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+namespace medial::app
+{
+
+/// An axis in pieces: FILE.pvtp is an index of FILE_0.vtp, FILE_1.vtp and so on, one of each rank
+/// that has cells. All of them appear, or none.
+class AxisPieces
+{
+public:
+  /// Checks that a file can be created there; leaves nothing behind.
+  /// @throws Failure NoSpace.
+  explicit AxisPieces(const std::filesystem::path& path);
+
+  /// Writes the piece of a rank, and, on the first, the index.
+  /// @param cells how many each rank has.
+  /// @throws Failure NoSpace.
+  void write(const AxisPiece& piece, const std::vector<std::int64_t>& cells, std::size_t rank);
+
+  ///@{
+  /// The index appears once all pieces have.
+  /// @throws Failure NoSpace.
+  void commitPiece();
+  void commitIndex();
+  ///@}
+
+private:
+  std::filesystem::path piecePath(std::size_t rank) const;
+
+  std::filesystem::path path_;
+  std::optional<OutputFile> piece_;
+  std::optional<OutputFile> index_;
+};
+
+} // namespace medial::app
