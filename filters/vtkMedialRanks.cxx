@@ -16,6 +16,7 @@ namespace
 constexpr int MessageTag = 18064;
 // Messages of MPI have lengths of 32 bits.
 constexpr std::size_t LargestPart = std::size_t{ 1 } << 30;
+constexpr std::size_t FirstPart = 4096;
 
 using Message = medial::Communicator::Message;
 
@@ -102,7 +103,7 @@ void RequireSameOptions(const std::vector<FullReport>& reports)
       if (here != theirs)
       {
         ThrowOf(rank, reports.size(), medial::ErrorCode::InvalidInput,
-          here + ", but rank 0 has " + theirs);
+          here.append(", but rank 0 has ").append(theirs));
       }
     }
   }
@@ -153,27 +154,39 @@ std::vector<Message> vtkMedialRanks::exchange(std::vector<Message> messages)
 }
 
 //------------------------------------------------------------------------------
+// A message goes in parts: the length and what fits beside it, then the rest. Most are short.
 void vtkMedialRanks::Send(const Message& message, int to)
 {
-  const vtkTypeInt64 length = static_cast<vtkTypeInt64>(message.size());
-  this->Controller->Send(&length, 1, to, MessageTag);
-  for (std::size_t first = 0; first < message.size(); first += LargestPart)
+  const std::uint64_t length = message.size();
+  std::size_t sent = std::min(message.size(), FirstPart);
+  Message first(sizeof(length) + sent);
+  std::memcpy(first.data(), &length, sizeof(length));
+  std::copy_n(message.begin(), sent, first.begin() + sizeof(length));
+  this->Controller->Send(first.data(), static_cast<vtkIdType>(first.size()), to, MessageTag);
+  while (sent < message.size())
   {
-    this->Controller->Send(message.data() + first,
-      static_cast<vtkIdType>(std::min(LargestPart, message.size() - first)), to, MessageTag);
+    const std::size_t part = std::min(LargestPart, message.size() - sent);
+    this->Controller->Send(message.data() + sent, static_cast<vtkIdType>(part), to, MessageTag);
+    sent += part;
   }
 }
 
 //------------------------------------------------------------------------------
 Message vtkMedialRanks::Receive(int from)
 {
-  vtkTypeInt64 length = 0;
-  this->Controller->Receive(&length, 1, from, MessageTag);
-  Message message(static_cast<std::size_t>(length));
-  for (std::size_t first = 0; first < message.size(); first += LargestPart)
+  std::uint64_t length = 0;
+  Message first(sizeof(length) + FirstPart);
+  this->Controller->Receive(first.data(), static_cast<vtkIdType>(first.size()), from, MessageTag);
+  std::memcpy(&length, first.data(), sizeof(length));
+  Message message(length);
+  std::size_t received = std::min(message.size(), FirstPart);
+  std::copy_n(first.begin() + sizeof(length), received, message.begin());
+  while (received < message.size())
   {
-    this->Controller->Receive(message.data() + first,
-      static_cast<vtkIdType>(std::min(LargestPart, message.size() - first)), from, MessageTag);
+    const std::size_t part = std::min(LargestPart, message.size() - received);
+    this->Controller->Receive(message.data() + received, static_cast<vtkIdType>(part), from,
+      MessageTag);
+    received += part;
   }
   return message;
 }
@@ -202,8 +215,8 @@ std::vector<vtkPieceFacts> vtkMedialRanks::Meet(Stage stage, const std::string& 
       }
     }
     RequireSameOptions(reports);
-  } while (stage == Stage::Data &&
-    std::any_of(reports.begin(), reports.end(), askedForInformation));
+  } while (
+    stage == Stage::Data && std::any_of(reports.begin(), reports.end(), askedForInformation));
   std::vector<vtkPieceFacts> facts;
   for (const FullReport& report : reports)
   {

@@ -1,5 +1,6 @@
 /**
- * The processes of a controller as ranks of the library, and where they meet. Private to the module.
+ * The processes of a controller as ranks of the library, and where they meet. Private to the
+ * module.
  */
 
 #ifndef vtkMedialRanks_h
@@ -23,10 +24,10 @@ struct vtkPieceFacts
 {
   medial::Bounds Bounds{}; // of the points of cells; meaningless where Empty
   bool Empty = true;
-  bool CellIds = false;               // whether cells have global ids
-  bool PointIds = false;              // whether points have global ids
-  std::int64_t TrianglesOfCell = 0;   // most triangles of a cell
-  std::int64_t LargestCell = -1;      // largest number of a cell
+  bool CellIds = false;             // whether cells have global ids
+  bool PointIds = false;            // whether points have global ids
+  std::int64_t TrianglesOfCell = 0; // most triangles of a cell
+  std::int64_t LargestCell = -1;    // largest number of a cell
 };
 
 class vtkMedialRanks : public medial::Communicator
@@ -58,8 +59,8 @@ public:
    * it. Pipelines may ask one rank more often for information than another: who is here for Data
    * answers those until all are. Returns what the work of each rank returned.
    *
-   * options has lines of a name and values that must be the same everywhere. Throws medial::Error on
-   * every rank if any has failed or has other options, naming the rank.
+   * options has lines of a name and values that must be the same everywhere. Throws medial::Error
+   * on every rank if any has failed or has other options, naming the rank.
    */
   std::vector<vtkPieceFacts> Meet(Stage stage, const std::string& options,
     const std::function<vtkPieceFacts()>& work);

@@ -24,10 +24,10 @@
  * ever holds it: each computes its extent of the field of the whole, bit for bit what one process
  * computes by ENGINE_PROCESSOR. An input may then also be a vtkUnstructuredGrid of triangles and
  * polygons, or blocks of both kinds, as parallel readers and vtkRedistributeDataSetFilter deliver
- * them; ghost cells are left out, and pieces may be empty. Points at the same place are one, with
- * the same bits of their coordinates. Global ids of cells and points number them in the whole,
- * where all pieces have some: ClosestCell then is such an id. Otherwise cells are numbered one
- * piece after the other.
+ * them; ghost cells are left out, and pieces may be empty. Points whose coordinates have the same
+ * bits are one, and so are triangles with the same corners. Global ids of cells and points number
+ * them in the whole, where all pieces have some: ClosestCell then is such an id. Otherwise cells
+ * are numbered one piece after the other.
  *
  * The surface must be an oriented manifold of triangles, closed or open, SignMethod SIGN_NONE or
  * SIGN_PSEUDONORMAL, and Engine ENGINE_AUTO or ENGINE_PROCESSOR. The field data have no arrays of

@@ -34,13 +34,17 @@ public:
 
   /**
    * Numbers cells and points as in the whole surface: by their global ids where all pieces have
-   * some; otherwise cells one piece after the other, and points by the first numbered cell that uses
-   * them, or one piece after the other. Every rank calls it once. facts are those of all ranks.
+   * some; otherwise cells one piece after the other, and points by the first numbered cell that
+   * uses them, or one piece after the other. Every rank calls it once. facts are those of all
+   * ranks.
    */
   medial::SurfacePiece Numbered(medial::Communicator& communicator,
     const std::vector<vtkPieceFacts>& facts);
 
 private:
+  void DropCopies(medial::Communicator& communicator, const std::vector<vtkPieceFacts>& facts);
+  void Drop(const std::vector<char>& triangles); // those that are marked
+
   medial::TriangleMesh Mesh;          // with cells as in the input, one block after the other
   std::vector<std::int64_t> CellIds;  // global ids of the input's cells; empty without
   std::vector<std::int64_t> PointIds; // of the input's points

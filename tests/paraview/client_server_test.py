@@ -53,7 +53,10 @@ class ClientServer(unittest.TestCase):
         self.assertGreater(one["axis"], 2000)
         self.assertEqual(one["axis after an error"], 0)
         self.assertIn("resolution 1 is outside [2, 8192]", messages)
+        self.assertEqual(one["distance of pieces"], one["distance"])
         two, messages = self.figures(2)
+        self.assertEqual(two["distance of pieces"], one["distance of pieces"])
+        self.assertGreaterEqual(two["points of pieces"], one["points of pieces"])
         self.assertEqual(two["axis"], one["axis"])
         for mine, other in zip(two["distance"], one["distance"]):
             self.assertAlmostEqual(mine, other, places=5)

@@ -16,17 +16,19 @@ ROUNDING = 1e-6  # of single precision; a voxel is 0.03
 ENVIRONMENT = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
 
 
-def run(processes, folder):
+def run(processes, folder, script=SCRIPT, *options):
+    """Runs a script, and returns the folder of what it writes."""
     folder = Path(folder, str(processes))
     folder.mkdir()
-    subprocess.run(["mpirun", "--oversubscribe", "-np", str(processes), "pvbatch", SCRIPT, folder],
-                   env={**os.environ, **ENVIRONMENT}, check=True, timeout=300)
+    # Where a process waits for others for ever, the launcher ends all of them.
+    subprocess.run(["mpirun", "--oversubscribe", "--timeout", "280", "-np", str(processes), "pvbatch", *options, script,
+                    folder], env={**os.environ, **ENVIRONMENT}, check=True, timeout=300)
     return folder
 
 
-def parts(folder):
+def parts(folder, name="field"):
     """Extent and arrays of each process's part."""
-    for path in sorted(folder.glob("field/field_*.vti")):
+    for path in sorted(folder.glob(f"{name}/{name}_*.vti")):
         reader = vtkXMLImageDataReader()
         reader.SetFileName(str(path))
         reader.Update()

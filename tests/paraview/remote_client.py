@@ -21,6 +21,15 @@ result = {"field": field.GetDataInformation().GetNumberOfPoints(),
           "samples of a process": field.FieldData["Samples"].GetRange(),
           "distance": field.PointData["Distance"].GetRange(),
           "axis": axis.GetDataInformation().GetNumberOfPoints()}
+# A reader of its own: the axis asks for the whole surface.
+pieces = RedistributeDataSet(Input=WavefrontOBJReader(FileName="/usr/share/glmark2/models/bunny.obj"))
+apart = MeshDistanceField(Input=pieces, Resolution=48, SignMethod="Pseudonormal", DistributedInput=1)
+Show(Contour(Input=apart, ContourBy="Distance", Isosurfaces=[0.02]), view)
+Render(view)
+result["distance of pieces"] = apart.PointData["Distance"].GetRange()
+apart.Resolution = 40
+Render(view)
+result["points of pieces"] = apart.GetDataInformation().GetNumberOfPoints()
 axis.Resolution = 1
 axis.UpdatePipeline()
 result["axis after an error"] = axis.GetDataInformation().GetNumberOfPoints()

@@ -67,7 +67,7 @@ class Tutorial(unittest.TestCase):
         self.assertRegex(printed, r"computed by the engine \w+")
         self.assertRegex(printed, r"\d\d\d\d cells")
         for output in ("bunny_axis.png", "bunny_axis.pvsm", "bunny_axis.vtp", "bunny_field.pvti",
-                       "bunny_field/bunny_field_1.vti"):
+                       "bunny_field/bunny_field_1.vti", "bunny_pieces.pvti", "bunny_pieces/bunny_pieces_1.vti"):
             self.assertGreater((self.folder / output).stat().st_size, 500, output)
 
 

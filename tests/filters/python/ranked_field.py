@@ -83,6 +83,8 @@ def piece(case, rank, ranks):
     points, triangles = surface()
     owner = owners(case, len(triangles), ranks)
     cells = np.flatnonzero(owner == rank)
+    if case.get("copies"):  # of what others have, without a mark
+        cells = np.concatenate([np.union1d(cells, np.arange(50 * rank, 100 + 70 * rank)), cells[:20]])
     ghosts = np.empty(0, dtype=int)
     if case.get("ghosts"):
         mine = np.isin(triangles, triangles[cells]).any(axis=1)
@@ -137,7 +139,10 @@ def damage(case, data, rank):
         return data
     if fault == "NaN":
         data.GetPoints().GetData().SetComponent(0, 1, float("nan"))
-    elif fault == "overlap":
+    elif fault == "overlap":  # other triangles with the ids of a third of the surface
+        for i in range(data.GetNumberOfCells()):
+            data.GetCellData().GetArray("vtkGlobalCellIds").SetValue(i, i)
+    elif fault == "copies":  # of what others have, instead of its own
         return block(case, np.arange(300), np.empty(0, dtype=int))
     elif fault == "hole":
         return block(case, np.arange(0), np.empty(0, dtype=int))
