@@ -8,7 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <numeric>
 
 namespace medial
 {
@@ -178,54 +178,37 @@ bool isBeyondSurface(const AxisGeometry& geometry, const SiteSegment& segment,
 std::vector<BisectorPoint> bisectorPoints(const AxisGeometry& geometry,
   const std::vector<SiteSegment>& segments)
 {
-  std::vector<BisectorPoint> points(segments.size());
-  std::transform(segments.begin(), segments.end(), points.begin(),
-    [&](const SiteSegment& segment) { return SiteChange(geometry.sites, segment).point(); });
-  return bisectorPoints(geometry, segments, std::move(points));
-}
-
-std::vector<BisectorPoint> bisectorPoints(const AxisGeometry& geometry,
-  const std::vector<SiteSegment>& segments, std::vector<BisectorPoint> points)
-{
-  std::vector<SiteQuery::Question> questions(points.size());
-  std::transform(points.begin(), points.end(), questions.begin(), questionAt);
-  geometry.query.closest(questions);
-  std::vector<std::size_t> open;
-  std::vector<SiteChange> changes; // of the open ones
-  for (std::size_t i = 0; i < points.size(); ++i)
+  std::vector<SiteChange> changes;
+  changes.reserve(segments.size());
+  for (const SiteSegment& segment : segments)
   {
-    if (!SiteChange::isSettled(points[i], questions[i].closest))
-    {
-      open.push_back(i);
-      changes.emplace_back(geometry.sites, segments[i]).narrow(questions[i].closest);
-    }
+    changes.emplace_back(geometry.sites, segment);
   }
-  for (int round = 2; round < kMaxRounds && !open.empty(); ++round)
+  std::vector<std::size_t> open(segments.size());
+  std::iota(open.begin(), open.end(), std::size_t{ 0 });
+  std::vector<SiteQuery::Question> questions;
+  for (int round = 1; round < kMaxRounds && !open.empty(); ++round)
   {
     questions.clear();
-    for (const SiteChange& change : changes)
+    for (const std::size_t i : open)
     {
-      questions.push_back(questionAt(change.point()));
+      questions.push_back(questionAt(changes[i].point()));
     }
     geometry.query.closest(questions);
     std::size_t left = 0;
     for (std::size_t k = 0; k < open.size(); ++k)
     {
-      points[open[k]] = changes[k].point();
-      if (!changes[k].settledBy(questions[k].closest))
+      if (!changes[open[k]].settledBy(questions[k].closest))
       {
-        changes[k].narrow(questions[k].closest);
-        open[left] = open[k];
-        changes[left++] = changes[k];
+        changes[open[k]].narrow(questions[k].closest);
+        open[left++] = open[k];
       }
     }
     open.resize(left);
-    changes.erase(changes.begin() + static_cast<std::ptrdiff_t>(left), changes.end());
   }
-  for (std::size_t k = 0; k < open.size(); ++k)
-  {
-    points[open[k]] = changes[k].point();
-  }
+  std::vector<BisectorPoint> points(segments.size());
+  std::transform(changes.begin(), changes.end(), points.begin(),
+    [](const SiteChange& change) { return change.point(); });
   return points;
 }
 

@@ -37,11 +37,6 @@ bool isBeyondSurface(const AxisGeometry& geometry, const SiteSegment& segment,
 std::vector<BisectorPoint> bisectorPoints(const AxisGeometry& geometry,
   const std::vector<SiteSegment>& segments);
 
-/// The same, given the points at equal distance from the sites of the ends, whatever sites are
-/// nearer there.
-std::vector<BisectorPoint> bisectorPoints(const AxisGeometry& geometry,
-  const std::vector<SiteSegment>& segments, std::vector<BisectorPoint> points);
-
 /// Follows the normal of each point's closest point to the next bisector on the same side of the
 /// surface with the minimum separation angle, at most h/(2 sin(theta/2)) + h/2 away: the error of
 /// selection by neighbouring grid points is no larger.

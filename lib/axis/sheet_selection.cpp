@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <utility>
 
 namespace medial
 {
@@ -57,7 +56,6 @@ public:
     : geometry_(geometry)
     , crossings_(crossings)
     , band_(band)
-    , cosAngle_(std::cos(geometry.angle))
     , angleLimit_(geometry.angle)
     , bandLimit_(band)
     , standing_(crossings.size())
@@ -74,7 +72,7 @@ public:
       {
         for (std::size_t c = begin; c != end; ++c)
         {
-          this->examine(c);
+          standing_[c] = this->standingOf(segmentOf(geometry_.frame, crossings_[c]));
         }
       });
   }
@@ -117,21 +115,24 @@ public:
   const std::vector<std::uint8_t>& kept() const { return kept_; }
 
 private:
-  /// Finds out what is known of a crossing, and the point at equal distance from its two sites.
-  void examine(std::size_t c)
+  bool isWide(const SiteSegment& segment) const
   {
-    const SiteChange change(geometry_.sites, segmentOf(geometry_.frame, crossings_[c]));
-    samples_.points[c] = change.point();
-    standing_[c] = change.turnsBy(cosAngle_) ? kWide : this->standingOf(change.point());
+    const glm::dvec3 near =
+      closestPoint(geometry_.sites, segment.fromSite, segment.from).point - segment.from;
+    const glm::dvec3 far =
+      closestPoint(geometry_.sites, segment.toSite, segment.to).point - segment.to;
+    return glm::dot(near, far) <=
+      std::cos(geometry_.angle) * std::sqrt(glm::dot(near, near) * glm::dot(far, far));
   }
 
-  Standing standingOf(const BisectorPoint& point) const
+  Standing standingOf(const SiteSegment& segment) const
   {
-    if (point.reaches(angleLimit_))
+    if (this->isWide(segment))
     {
-      return kInBand;
+      return kWide;
     }
-    return point.reaches(bandLimit_) ? kBeyond : kNarrow;
+    const BisectorPoint point = SiteChange(geometry_.sites, segment).point();
+    return point.reaches(angleLimit_) ? kInBand : (point.reaches(bandLimit_) ? kBeyond : kNarrow);
   }
 
   /// Finds the crossings near those that may be selected.
@@ -176,19 +177,16 @@ private:
   {
     std::vector<std::size_t> which;
     std::vector<SiteSegment> segments;
-    std::vector<BisectorPoint> guesses;
     for (std::size_t k = begin; k != end; ++k)
     {
       const std::size_t c = order_[k];
       if (standing_[c] == kWide || standing_[c] == kInBand)
       {
         which.push_back(c);
-        guesses.push_back(samples_.points[c]);
         segments.push_back(segmentOf(geometry_.frame, crossings_[c]));
       }
     }
-    const std::vector<BisectorPoint> exact =
-      bisectorPoints(geometry_, segments, std::move(guesses));
+    const std::vector<BisectorPoint> exact = bisectorPoints(geometry_, segments);
     std::vector<std::size_t> narrow;
     std::vector<SiteSegment> narrowSegments;
     for (std::size_t i = 0; i < which.size(); ++i)
@@ -389,7 +387,6 @@ private:
   const AxisGeometry& geometry_;
   const std::vector<Crossing>& crossings_;
   double band_;
-  double cosAngle_;       ///< of the minimum
   AngleLimit angleLimit_; ///< the minimum
   AngleLimit bandLimit_;
   SheetSamples samples_;

@@ -41,16 +41,9 @@ bool SiteChange::found() const
   return std::abs(toB - point_.radius()) < kSameDistance;
 }
 
-bool SiteChange::isSettled(const BisectorPoint& point, const SitePoint& closest)
+bool SiteChange::settledBy(const SitePoint& closest) const
 {
-  return glm::distance(closest.point, point.position) > point.radius() - kSameDistance;
-}
-
-bool SiteChange::turnsBy(double cosine) const
-{
-  const glm::dvec3 near = low_.a.point - this->at(0.0);
-  const glm::dvec3 far = high_.b.point - this->at(1.0);
-  return glm::dot(near, far) <= cosine * std::sqrt(glm::dot(near, near) * glm::dot(far, far));
+  return glm::distance(closest.point, point_.position) > point_.radius() - kSameDistance;
 }
 
 void SiteChange::narrow(const SitePoint& third)

@@ -21,13 +21,7 @@ public:
   /// Whether point() is at equal distance: not if one site is nearer at both ends.
   bool found() const;
   /// Whether a closest surface point is so near that it can be that of siteA or siteB.
-  bool settledBy(const SitePoint& closest) const { return isSettled(point_, closest); }
-  /// The same for a point that such a segment had.
-  static bool isSettled(const BisectorPoint& point, const SitePoint& closest);
-  /// Whether the directions from the ends to the closest points of their sites differ by an angle.
-  /// Of the whole segment, before any narrow().
-  /// @param cosine of the angle.
-  bool turnsBy(double cosine) const;
+  bool settledBy(const SitePoint& closest) const;
   /// Narrows the segment to the change from or to a third site that is nearer at point(), whichever
   /// has the larger separation angle.
   void narrow(const SitePoint& third);

@@ -148,37 +148,82 @@ MEDIAL_INLINE float leastOf(Float8 values)
   return least;
 }
 
+/// Returns the squared distances of a position from eight boxes.
+template <typename Boxes>
+MEDIAL_INLINE Float8 squaredDistances(const Boxes& boxes, const glm::vec3& x)
+{
+  Float8 squared{};
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const Float8 offset = x[axis] - loaded(boxes.centre[axis].data());
+    const Float8 beyond = max(max(offset, -offset) - loaded(boxes.half[axis].data()), Float8{});
+    squared += beyond * beyond;
+  }
+  return squared;
+}
+
 } // namespace
+
+MEDIAL_VECTORISED void BlockQuery::PackBoxes::set(int lane, const SiteGroup& pack)
+{
+  const Float8 ab = loaded(pack.lengths[0].data());
+  const Float8 ac = loaded(pack.lengths[2].data());
+  const Float8 x = ac * loaded(pack.fromA[0].data());
+  const Float8 y = ac * loaded(pack.fromA[1].data());
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const Float8 along = loaded(pack.along[axis].data());
+    const Float8 a = loaded(pack.start[axis].data());
+    const Float8 b = a + ab * along;
+    const Float8 c = a + x * along + y * loaded(pack.across[axis].data());
+    const float low = leastOf(min(a, min(b, c)));
+    const float high = -leastOf(min(-a, min(-b, -c)));
+    centre[axis][lane] = 0.5f * (low + high);
+    half[axis][lane] = 0.5f * (high - low);
+  }
+}
 
 /// Finds the packs with elements as near to a position as a known point, and which of their sites
 /// can be closest.
+/// @param boxes around the packs.
 /// @param extent of the packs.
 /// @param distance of the known point, rounded up.
 /// @param slack by how much Voronoi regions are widened, besides the rounding.
 /// @param near room for all packs; set to those found.
 /// @return number of packs found.
-MEDIAL_VECTORISED int BlockQuery::packsNear(const SiteGroup* packs, int count, float extent,
-  const glm::vec3& x, float distance, float slack, NearPack* near)
+MEDIAL_VECTORISED int BlockQuery::packsNear(const SiteGroup* packs, const PackBoxes* boxes,
+  int count, float extent, const glm::vec3& x, float distance, float slack, NearPack* near)
 {
   const float rounding = roundingFrom(x, extent);
   float reach = distance + rounding;
   float limit = std::min(reach * reach, std::numeric_limits<float>::max());
   int found = 0;
-  for (int i = 0; i < count; ++i)
+  for (int first = 0; first < count; first += kLanes)
   {
-    const ElementPosition position(packs[i], x);
-    const Int8 within = position.squared <= limit;
-    if (bits(within) == 0)
+    // No element of another pack is within reach.
+    const float beyond = reach + rounding;
+    unsigned left = ~bits(squaredDistances(boxes[first / kLanes], x) > beyond * beyond) & 0xffu;
+    for (; left != 0; left &= left - 1)
     {
-      continue;
+      const int i = first + __builtin_ctz(left);
+      if (i >= count)
+      {
+        break;
+      }
+      const ElementPosition position(packs[i], x);
+      const Int8 within = position.squared <= limit;
+      if (bits(within) == 0)
+      {
+        continue;
+      }
+      const Int8 sites = partsNear(packs[i], AllElements(), position, slack + rounding) & within;
+      near[found].pack = i;
+      near[found].lanes = bits(sites != 0);
+      std::memcpy(near[found].parts.data(), &sites, sizeof(sites));
+      found += near[found].lanes != 0 ? 1 : 0;
+      reach = std::min(reach, std::sqrt(leastOf(position.squared)) + 2.0f * rounding);
+      limit = std::min(limit, reach * reach);
     }
-    const Int8 sites = partsNear(packs[i], AllElements(), position, slack + rounding) & within;
-    near[found].pack = i;
-    near[found].lanes = bits(sites != 0);
-    std::memcpy(near[found].parts.data(), &sites, sizeof(sites));
-    found += near[found].lanes != 0 ? 1 : 0;
-    reach = std::min(reach, std::sqrt(leastOf(position.squared)) + 2.0f * rounding);
-    limit = std::min(limit, reach * reach);
   }
   return found;
 }
@@ -353,6 +398,11 @@ void BlockQuery::pack(const GroupList& list, const BoxReach& reach)
     last.owned[lane] = 0;
   }
   nearPacks_.resize(packs_.size());
+  boxes_.resize(packCount(static_cast<int>(packs_.size())));
+  for (int i = 0; i < packCount(packed_); ++i)
+  {
+    boxes_[i / kLanes].set(i % kLanes, packs_[i]);
+  }
 }
 
 void BlockQuery::answerFromPacks(const Block& block, const BoxReach& reach)
@@ -364,8 +414,8 @@ void BlockQuery::answerFromPacks(const Block& block, const BoxReach& reach)
     Question& question = **at;
     const glm::vec3 x(question.x - centre);
     NearestSite nearest = this->startOf(question);
-    const int found = packsNear(packs_.data(), count, extent_, x, distanceOf(question),
-      tree_.slack(), nearPacks_.data());
+    const int found = packsNear(packs_.data(), boxes_.data(), count, extent_, x,
+      distanceOf(question), tree_.slack(), nearPacks_.data());
     for (int i = 0; i < found; ++i)
     {
       const NearPack& near = nearPacks_[i];

@@ -50,6 +50,16 @@ private:
     SiteGroup::IntLanes parts; ///< their sites that may be, as bits of SitePart
   };
 
+  /// Boxes around eight packs, side by side.
+  struct alignas(32) PackBoxes
+  {
+    SiteGroup::Lanes3 centre;
+    SiteGroup::Lanes3 half;
+
+    /// Sets the box around the elements of a pack.
+    void set(int lane, const SiteGroup& pack);
+  };
+
   /// Gives every question a known point.
   void prepare();
   /// @param near groups for all of the block; null if none have been collected.
@@ -63,8 +73,8 @@ private:
   /// block.
   void pack(const GroupList& list, const BoxReach& reach);
   void answerFromPacks(const Block& block, const BoxReach& reach);
-  static int packsNear(const SiteGroup* packs, int count, float extent, const glm::vec3& x,
-    float distance, float slack, NearPack* near);
+  static int packsNear(const SiteGroup* packs, const PackBoxes* boxes, int count, float extent,
+    const glm::vec3& x, float distance, float slack, NearPack* near);
 
   const SiteQuery& query_;
   const GroupTree& tree_;
@@ -74,6 +84,7 @@ private:
   GroupList groups_;       ///< where these are many
   Near near_;
   std::vector<SiteGroup> packs_; ///< elements near the block, relative to its centre
+  std::vector<PackBoxes> boxes_; ///< around them
   int packed_ = 0;               ///< number of elements in them
   float extent_ = 0.0f;          ///< largest distance of their corners from the centre
   std::vector<NearPack> nearPacks_;
