@@ -52,8 +52,8 @@ std::string whole(double value)
 }
 
 /// Lets the methods take turns.
-Row race(
-  const TriangleMesh& mesh, const std::vector<SkeletonMethodEntry>& methods, const Options& options)
+Row race(const TriangleMesh& mesh, const std::vector<SkeletonMethodEntry>& methods,
+  const Options& options)
 {
   Row row;
   row.triangles = static_cast<std::int64_t>(mesh.triangles.size());
@@ -100,7 +100,8 @@ void addRows(const Row& row, Table& table)
 /// CGAL's seconds over those of a method of ours, which should be above 1.
 Target fasterThanCgal(const Row& row, const MethodRun& ours, bool applies)
 {
-  Target target{ row.mesh, "CGAL's seconds over those of " + ours.name, Target::Kind::AtLeast, 1.0 };
+  Target target{ row.mesh, "CGAL's seconds over those of " + ours.name, Target::Kind::AtLeast,
+    1.0 };
   if (const MethodRun* cgal = row.find(kCgalId))
   {
     std::vector<double> ratios;
