@@ -4,7 +4,12 @@
 #include "support/models.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
 
 namespace medial::benchmark
 {
@@ -20,6 +25,34 @@ Point3 torusPoint(double u, double v)
   const double tube = 0.4 * (1.0 + bumps);
   const double fromAxis = 1.0 + tube * std::cos(v);
   return { fromAxis * std::cos(u), fromAxis * std::sin(u), tube * std::sin(v) };
+}
+
+/// Triangles of their own points. The library leaves STL to VTK.
+MeshInput readBinaryStl(const std::string& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  file.seekg(80); // the header
+  std::uint32_t count = 0;
+  file.read(reinterpret_cast<char*>(&count), sizeof count);
+  MeshInput input;
+  for (std::uint32_t t = 0; t < count && file; ++t)
+  {
+    std::array<float, 12> values{}; // normal and corners
+    std::uint16_t attributes = 0;
+    file.read(reinterpret_cast<char*>(values.data()), sizeof values);
+    file.read(reinterpret_cast<char*>(&attributes), sizeof attributes);
+    const auto first = static_cast<std::int64_t>(input.points.size());
+    for (std::size_t i = 3; i < values.size(); i += 3)
+    {
+      input.points.push_back({ values[i], values[i + 1], values[i + 2] });
+    }
+    input.polygons.append({ first, first + 1, first + 2 }, t);
+  }
+  if (!file)
+  {
+    throw std::runtime_error("cannot read " + path);
+  }
+  return input;
 }
 
 } // namespace
@@ -56,7 +89,9 @@ BenchmarkMesh provideMesh(const MeshRequest& request, bool generatedOnly)
   {
     if (const auto path = test::modelPath(request.file))
     {
-      return { request.name, buildTriangleMesh(readMesh(*path)), false };
+      const bool isStl = std::filesystem::path(*path).extension() == ".stl";
+      return { request.name, buildTriangleMesh(isStl ? readBinaryStl(*path) : readMesh(*path)),
+        false };
     }
   }
   return { request.name, bumpyTorus(request.triangles), true };

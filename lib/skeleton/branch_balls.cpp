@@ -13,6 +13,10 @@ namespace
 /// Balls are this part of their radius apart. Their union is smaller by 0.2 % than that of all.
 constexpr double kSpacing = 0.125;
 constexpr std::size_t kGroup = 16;
+/// Balls that tell how wide a branch is have this part of the radius of the largest one at least.
+constexpr double kLarge = 0.1;
+/// Up to this many radii half the width is that of a limb.
+constexpr double kRound = 1.1;
 
 } // namespace
 
@@ -76,6 +80,22 @@ BranchBalls::Outside BranchBalls::outside(const glm::dvec3& x, std::size_t excep
   return result;
 }
 
+double BranchBalls::halfWidth(const std::vector<Ball>& balls, std::size_t ball, double high) const
+{
+  const auto& [centre, radius] = balls[ball];
+  const std::size_t reach = static_cast<std::size_t>(0.5 / kSpacing);
+  const glm::dvec3 along = balls[std::min(ball + reach, balls.size() - 1)].centre -
+    balls[ball - std::min(ball, reach)].centre;
+  const glm::dvec3 across = glm::cross(along, probe_.closest(centre) - centre);
+  const double size = glm::length(across);
+  if (!(size > 0.0) || high <= radius)
+  {
+    return radius;
+  }
+  const glm::dvec3 direction = across / size;
+  return std::min(probe_.wayOut(centre, direction, high), probe_.wayOut(centre, -direction, high));
+}
+
 BranchRise BranchBalls::rise(std::size_t branch) const
 {
   const std::vector<Ball>& balls = branches_[branch].balls;
@@ -88,10 +108,19 @@ BranchRise BranchBalls::rise(std::size_t branch) const
     result.length = std::max(result.length, outsides[i].distance + balls[i].radius);
     if (outsides[i].distance > 0.0)
     {
-      result.radius = std::max(result.radius, balls[i].radius);
+      result.size = std::max(result.size, balls[i].radius);
     }
     result.neighbours.push_back(outsides[i].branch);
   }
+  double aspect = std::numeric_limits<double>::infinity();
+  for (std::size_t i = balls.size(); i-- > 1 && aspect > kRound;)
+  {
+    if (outsides[i].distance > 0.0 && balls[i].radius >= kLarge * result.size)
+    {
+      aspect = std::min(aspect, this->halfWidth(balls, i, 2.0 * result.length) / balls[i].radius);
+    }
+  }
+  result.size *= result.size > 0.0 ? std::max(1.0, aspect) : 1.0;
   std::sort(result.neighbours.begin(), result.neighbours.end());
   result.neighbours.erase(std::unique(result.neighbours.begin(), result.neighbours.end()),
     result.neighbours.end());

@@ -15,7 +15,9 @@ namespace medial
 struct BranchRise
 {
   double length = 0.0; ///< of the largest part of a ball's radius and its way out of the others
-  double radius = 0.0; ///< of the largest ball with its centre outside the others; 0 if none is
+  /// Radius of the largest ball with its centre outside the others, 0 if none is. In a sheet or a
+  /// ridge it is the way to its nearer border, where that is shortest; up to twice `length`.
+  double size = 0.0;
   std::vector<std::size_t> neighbours; ///< branches that this depends on, ascending
 };
 
@@ -61,6 +63,9 @@ private:
     std::size_t branch;
   };
 
+  /// Half the width, at most `high`, of the solid's cross-section around a ball of a branch, in the
+  /// direction in which it is wide.
+  double halfWidth(const std::vector<Ball>& balls, std::size_t ball, double high) const;
   Outside outside(const glm::dvec3& x, std::size_t except) const;
 
   const SolidProbe& probe_;

@@ -168,7 +168,7 @@ private:
     BranchRise rise = balls_.rise(b);
     const double length = arcLengths(branch.curve).back();
     const double ofLength = length / probe_.radius(network_.junctions[branch.junctions[0]]);
-    const double ofRise = rise.radius > 0.0 ? rise.length / rise.radius : 0.0;
+    const double ofRise = rise.size > 0.0 ? rise.length / rise.size : 0.0;
     return { true, std::min(ofLength, ofRise), std::move(rise.neighbours) };
   }
 

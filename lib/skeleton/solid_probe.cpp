@@ -57,6 +57,11 @@ double SolidProbe::radius(const glm::dvec3& x) const
   return glm::distance(query_.query().closest(x).point, x);
 }
 
+glm::dvec3 SolidProbe::closest(const glm::dvec3& x) const
+{
+  return query_.query().closest(x).point;
+}
+
 bool SolidProbe::inside(const glm::dvec3& x) const
 {
   PointSide::Known known;

@@ -22,6 +22,9 @@ public:
   /// Returns the distance to the surface.
   double radius(const glm::dvec3& x) const;
 
+  /// Returns the nearest point of the surface.
+  glm::dvec3 closest(const glm::dvec3& x) const;
+
   /// Returns the middle of the solid's cross-section near a point: the centre of the circle nearest
   /// to what is the closest of the surface to points around it.
   /// @param tangent unit vector normal to the cross-section.
