@@ -9,6 +9,21 @@
 
 namespace medial
 {
+namespace
+{
+
+/// Sorts the ids of simplices and the simplices, and drops repeated ones.
+template <typename Simplex>
+void sortUnique(std::vector<Simplex>& simplices)
+{
+  tbb::parallel_for(std::size_t{ 0 }, simplices.size(),
+    [&](std::size_t s) { std::sort(simplices[s].begin(), simplices[s].end()); });
+  tbb::parallel_sort(simplices.begin(), simplices.end());
+  simplices.erase(std::unique(simplices.begin(), simplices.end()), simplices.end());
+}
+
+} // namespace
+
 BallFamilies::BallFamilies(const Grid& grid, double angle)
   : unit_(*std::min_element(grid.spacing.begin(), grid.spacing.end()))
   , origin_(grid.origin[0], grid.origin[1], grid.origin[2])
@@ -34,45 +49,50 @@ void BallFamilies::add(const MedialAxis& axis)
     this->add(glm::vec3((glm::dvec3(point[0], point[1], point[2]) - origin_) / unit_),
       static_cast<float>(static_cast<double>(axis.radius[p]) / unit_));
   }
-  const auto joinPoints = [&](std::int64_t a, std::int64_t b)
-  { this->join(first + static_cast<std::uint32_t>(a), first + static_cast<std::uint32_t>(b)); };
-  const auto length = [&](std::int64_t a, std::int64_t b)
-  {
-    return glm::distance(glm::vec3(balls_[first + static_cast<std::size_t>(a)]),
-      glm::vec3(balls_[first + static_cast<std::size_t>(b)]));
-  };
-  edges_.reserve(edges_.size() + 5 * axis.quads.size() + 3 * axis.triangles.size() +
+  const auto idOf = [&](std::int64_t point) { return first + static_cast<std::uint32_t>(point); };
+  edges_.reserve(edges_.size() + 6 * axis.quads.size() + 3 * axis.triangles.size() +
     axis.lines.size() + axis.vertices.size());
+  triangles_.reserve(triangles_.size() + 2 * axis.quads.size() + axis.triangles.size());
   for (const auto& quad : axis.quads)
   {
-    for (int corner = 0; corner < 4; ++corner)
-    {
-      joinPoints(quad[corner], quad[(corner + 1) % 4]);
-    }
-    const int diagonal = length(quad[0], quad[2]) <= length(quad[1], quad[3]) ? 0 : 1;
-    joinPoints(quad[diagonal], quad[diagonal + 2]);
+    this->joinQuad({ idOf(quad[0]), idOf(quad[1]), idOf(quad[2]), idOf(quad[3]) });
   }
   for (const auto& triangle : axis.triangles)
   {
-    for (int corner = 0; corner < 3; ++corner)
-    {
-      joinPoints(triangle[corner], triangle[(corner + 1) % 3]);
-    }
+    this->joinTriangle({ idOf(triangle[0]), idOf(triangle[1]), idOf(triangle[2]) });
   }
   for (const auto& line : axis.lines)
   {
-    joinPoints(line[0], line[1]);
+    this->join(idOf(line[0]), idOf(line[1]));
   }
   for (const std::int64_t vertex : axis.vertices)
   {
-    joinPoints(vertex, vertex);
+    this->join(idOf(vertex), idOf(vertex));
   }
+}
+
+void BallFamilies::joinTriangle(const Triangle& triangle)
+{
+  triangles_.push_back(triangle);
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    this->join(triangle[corner], triangle[(corner + 1) % 3]);
+  }
+}
+
+void BallFamilies::joinQuad(const std::array<std::uint32_t, 4>& quad)
+{
+  const int from =
+    this->length(quad[0], quad[2]) <= this->length(quad[1], quad[3]) ? 0 : 1; // of the diagonal
+  this->joinTriangle({ quad[from], quad[from + 1], quad[from + 2] });
+  this->joinTriangle({ quad[from], quad[from + 2], quad[(from + 3) % 4] });
 }
 
 ItemBounds BallFamilies::boundsOf(const Item& item) const
 {
+  // The corners of its triangles are ends of its edges.
   ItemBounds bounds = ItemBounds::nothing();
-  for (std::uint32_t e = item.first; e < item.end; ++e)
+  for (std::uint32_t e = item.edgesBegin; e < item.edgesEnd; ++e)
   {
     for (const std::uint32_t id : edges_[e])
     {
@@ -84,17 +104,22 @@ ItemBounds BallFamilies::boundsOf(const Item& item) const
 
 void BallFamilies::finish()
 {
-  tbb::parallel_for(std::size_t{ 0 }, edges_.size(),
-    [&](std::size_t e) { std::sort(edges_[e].begin(), edges_[e].end()); });
-  tbb::parallel_sort(edges_.begin(), edges_.end());
-  edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
+  sortUnique(edges_);
+  sortUnique(triangles_);
+  std::uint32_t triangle = 0;
   for (std::uint32_t e = 0; e < edges_.size(); ++e)
   {
-    if (e == 0 || edges_[e][0] != edges_[e - 1][0])
+    const std::uint32_t ball = edges_[e][0];
+    if (e == 0 || ball != edges_[e - 1][0])
     {
-      items_.push_back({ e, e });
+      const std::uint32_t begin = triangle;
+      while (triangle < triangles_.size() && triangles_[triangle][0] == ball)
+      {
+        ++triangle;
+      }
+      items_.push_back({ e, e, begin, triangle });
     }
-    items_.back().end = e + 1;
+    items_.back().edgesEnd = e + 1;
   }
   std::vector<ItemBounds> bounds(items_.size());
   tbb::parallel_for(std::size_t{ 0 }, items_.size(),

@@ -15,22 +15,25 @@
 namespace medial
 {
 
-/// Inscribed balls whose centres fill edges, with a radius that is linear along each of them. All
-/// lengths are in units of the grid's finest spacing; the origin is grid point (0,0,0).
+/// Inscribed balls whose centres fill edges and triangles, with a radius that is linear on each of
+/// them. All lengths are in units of the grid's finest spacing; the origin is grid point (0,0,0).
 class BallFamilies
 {
 public:
   using Edge = std::array<std::uint32_t, 2>;
+  using Triangle = std::array<std::uint32_t, 3>;
 
   /// @param angle separation angle of the balls, radians.
   BallFamilies(const Grid& grid, double angle);
 
-  /// Adds the edges of the cells of an axis, and a diagonal of every quad.
+  /// Adds the cells of an axis, quads as two triangles.
   void add(const MedialAxis& axis);
   /// Adds a ball; returns its id.
   std::uint32_t add(const glm::vec3& centre, float radius);
   /// Joins two balls by a family.
   void join(std::uint32_t first, std::uint32_t second) { edges_.push_back({ first, second }); }
+  /// Joins four balls, in cyclic order, by the families of two triangles and their edges.
+  void joinQuad(const std::array<std::uint32_t, 4>& quad);
   /// To be called once, after the last addition. Uses the threads of the current arena.
   void finish();
 
@@ -43,18 +46,27 @@ public:
   /// Centre and radius.
   const glm::vec4& ball(std::uint32_t id) const { return balls_[id]; }
 
-  /// The items of the tree: the edges from one ball to balls with larger ids.
+  /// The items of the tree: the edges and triangles of one ball and balls with larger ids.
   struct Item
   {
-    std::uint32_t first; ///< of edges()
-    std::uint32_t end;
+    std::uint32_t edgesBegin;
+    std::uint32_t edgesEnd;
+    std::uint32_t trianglesBegin;
+    std::uint32_t trianglesEnd;
   };
   const std::vector<Item>& items() const { return items_; }
   ItemBounds boundsOf(const Item& item) const;
   const std::vector<Edge>& edges() const { return edges_; }
+  const std::vector<Triangle>& triangles() const { return triangles_; }
   const BoundingTree& tree() const { return *tree_; }
 
 private:
+  void joinTriangle(const Triangle& triangle);
+  float length(std::uint32_t first, std::uint32_t second) const
+  {
+    return glm::distance(glm::vec3(balls_[first]), glm::vec3(balls_[second]));
+  }
+
   double unit_;
   glm::dvec3 origin_;
   glm::vec3 step_;
@@ -62,6 +74,7 @@ private:
   float maxRadius_ = 0.0f;
   std::vector<glm::vec4> balls_;
   std::vector<Edge> edges_;
+  std::vector<Triangle> triangles_;
   std::vector<Item> items_;
   std::unique_ptr<BoundingTree> tree_;
 };

@@ -16,18 +16,21 @@ constexpr float kRounding = 1.5f * (1 << 23) / 512.0f;
 /// Points this far outside of a ball, in units of the finest spacing, count as inside: what
 /// rounding may add.
 constexpr float kMargin = 1e-3f;
+/// Triangles lower than this, in the same unit, are filled by their edges.
+constexpr float kNarrow = 0.02f;
 constexpr float kUnwanted = std::numeric_limits<float>::infinity();
 
 /// A family of balls, relative to a tile: centres a + u d and radii r + u s for u in [0, 1], s >=
 /// 0.
-struct Family
+struct EdgeFamily
 {
   glm::vec3 a;
   glm::vec3 d;
   float r;
   float s;
 
-  Family(const glm::vec4& first, const glm::vec4& second, const glm::vec3& origin, float stretch)
+  EdgeFamily(const glm::vec4& first, const glm::vec4& second, const glm::vec3& origin,
+    float stretch)
   {
     const bool inOrder = first.w <= second.w;
     const glm::vec4& low = inOrder ? first : second;
@@ -39,10 +42,55 @@ struct Family
   }
 };
 
+/// A family of balls with centres within a triangle, relative to a tile. At x the coordinates of
+/// the foot of x on its plane are u (x - a) and v (x - a), and the radius is r + g (x - a).
+struct TriangleFamily
+{
+  glm::vec3 a;
+  glm::vec3 normal; ///< of unit length
+  glm::vec3 u;
+  glm::vec3 v;
+  glm::vec3 g;
+  float r;
+  float last; ///< the largest radius
+  /// Whether balls within it can contain what those on its edges don't: not if it is narrow, and
+  /// not if each lies in a larger one of the same triangle.
+  bool counts = false;
+
+  TriangleFamily(const glm::vec4& first, const glm::vec4& second, const glm::vec4& third,
+    const glm::vec3& origin, float stretch)
+  {
+    const glm::vec3 d = glm::vec3(second) - glm::vec3(first);
+    const glm::vec3 e = glm::vec3(third) - glm::vec3(first);
+    const float dd = glm::dot(d, d);
+    const float de = glm::dot(d, e);
+    const float ee = glm::dot(e, e);
+    const float squaredArea = dd * ee - de * de;
+    const float longest = std::max(std::max(dd, ee), dd + ee - 2.0f * de);
+    if (squaredArea <= kNarrow * kNarrow * longest)
+    {
+      return;
+    }
+    a = glm::vec3(first) - origin;
+    normal = glm::cross(d, e) / std::sqrt(squaredArea);
+    u = (ee * d - de * e) / squaredArea;
+    v = (dd * e - de * d) / squaredArea;
+    r = first.w * stretch;
+    g = ((second.w - first.w) * u + (third.w - first.w) * v) * stretch;
+    last = std::max(std::max(first.w, second.w), third.w) * stretch;
+    counts = glm::dot(g, g) < 1.0f;
+  }
+};
+
+MEDIAL_INLINE Float8 dotOfRow(Float8 x, float y, float z, const glm::vec3& v)
+{
+  return x * v.x + (y * v.y + z * v.z);
+}
+
 /// Raises the radii of a row of points to the largest ball of a family that contains each.
 /// @param x, y, z positions, y and z those of the whole row.
 /// @param shrink factor from the radii of the family to those that count.
-MEDIAL_INLINE Float8 raised(Float8 radius, const Family& family, Float8 x, float y, float z,
+MEDIAL_INLINE Float8 raised(Float8 radius, const EdgeFamily& family, Float8 x, float y, float z,
   float shrink)
 {
   const float r = family.r + kMargin;
@@ -63,7 +111,34 @@ MEDIAL_INLINE Float8 raised(Float8 radius, const Family& family, Float8 x, float
   return max(radius, (largest + kRounding) - kRounding);
 }
 
-MEDIAL_VECTORISED std::uint64_t raiseRows(const Family& family, const glm::vec3& step,
+/// The same for the balls within a triangle; those on its edges have families of their own.
+MEDIAL_INLINE Float8 raised(Float8 radius, const TriangleFamily& family, Float8 x, float y, float z,
+  float shrink)
+{
+  const Float8 qx = x - family.a.x;
+  const float qy = y - family.a.y;
+  const float qz = z - family.a.z;
+  // From the foot of the point the radius grows fastest along g. The last ball on this line that
+  // contains the point is the largest of the plane.
+  const float squaredSlope = glm::dot(family.g, family.g);
+  const float slope = std::sqrt(squaredSlope);
+  const float perSlope = slope > 0.0f ? 1.0f / slope : 0.0f;
+  const Float8 height = dotOfRow(qx, qy, qz, family.normal);
+  const Float8 foot = dotOfRow(qx, qy, qz, family.g) + (family.r + kMargin);
+  const Float8 discriminant = foot * foot - (1.0f - squaredSlope) * height * height;
+  const Float8 way =
+    (foot * slope + squareRoot(max(discriminant, Float8{}))) / (1.0f - squaredSlope);
+  const Float8 u = dotOfRow(qx, qy, qz, family.u) + way * (glm::dot(family.u, family.g) * perSlope);
+  const Float8 v = dotOfRow(qx, qy, qz, family.v) + way * (glm::dot(family.v, family.g) * perSlope);
+  const Int8 within = (discriminant >= 0.0f) & (u >= 0.0f) & (v >= 0.0f) & (u + v <= 1.0f);
+  const Float8 inner = min((foot - kMargin) + way * slope, splat(family.last)) * shrink;
+  const Float8 largest = within ? inner : Float8{};
+  return max(radius, (largest + kRounding) - kRounding);
+}
+
+/// @return the rows that changed.
+template <typename Family>
+MEDIAL_INLINE std::uint64_t raisedRows(const Family& family, const glm::vec3& step,
   std::uint64_t rows, float shrink, float* radii)
 {
   std::uint64_t changed = 0;
@@ -82,6 +157,18 @@ MEDIAL_VECTORISED std::uint64_t raiseRows(const Family& family, const glm::vec3&
     }
   }
   return changed;
+}
+
+MEDIAL_VECTORISED std::uint64_t raiseRows(const EdgeFamily& family, const glm::vec3& step,
+  std::uint64_t rows, float shrink, float* radii)
+{
+  return raisedRows(family, step, rows, shrink, radii);
+}
+
+MEDIAL_VECTORISED std::uint64_t raiseRows(const TriangleFamily& family, const glm::vec3& step,
+  std::uint64_t rows, float shrink, float* radii)
+{
+  return raisedRows(family, step, rows, shrink, radii);
 }
 
 /// @param low, high of the centres, relative to the tile.
@@ -144,11 +231,21 @@ ThicknessTile::RowMask ThicknessTile::rowsReached(const ItemBounds& bounds) cons
 void ThicknessTile::raiseBy(const BallFamilies::Item& item, RowMask rows)
 {
   RowMask changed = 0;
-  for (std::uint32_t e = item.first; e < item.end; ++e)
+  for (std::uint32_t e = item.edgesBegin; e < item.edgesEnd; ++e)
   {
     const BallFamilies::Edge& edge = families_.edges()[e];
-    const Family family(families_.ball(edge[0]), families_.ball(edge[1]), first_, stretch_);
+    const EdgeFamily family(families_.ball(edge[0]), families_.ball(edge[1]), first_, stretch_);
     changed |= raiseRows(family, families_.step(), rows, 1.0f / stretch_, radius_);
+  }
+  for (std::uint32_t t = item.trianglesBegin; t < item.trianglesEnd; ++t)
+  {
+    const BallFamilies::Triangle& triangle = families_.triangles()[t];
+    const TriangleFamily family(families_.ball(triangle[0]), families_.ball(triangle[1]),
+      families_.ball(triangle[2]), first_, stretch_);
+    if (family.counts)
+    {
+      changed |= raiseRows(family, families_.step(), rows, 1.0f / stretch_, radius_);
+    }
   }
   for (RowMask left = changed; left != 0; left &= left - 1)
   {

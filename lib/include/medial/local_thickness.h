@@ -62,13 +62,13 @@ struct LocalThickness
 /// ball inside the solid that contains the point (Hildebrand, Rueegsegger 1997), in world units.
 ///
 /// The centres of the balls lie anywhere in the box of the grid, not only on its points: they are
-/// points of the medial axis with their exact radii, and between neighbouring ones the radius is
-/// linear. Where the grid cuts a solid, or the space around one, balls have their centres within
-/// the grid, but need not lie in it. Values are rounded to 1/256 of the finest spacing. Balls
-/// with a separation angle below 25 degrees are left out, as those between the facets of a round
-/// surface; points in no other ball get the one next to them if that is within 2.5 % of its radius.
-/// Details that are thinner than the spacing may be missed; their points then have twice their own
-/// distance to the surface, which is a lower bound.
+/// points of the medial axis with their exact radii, and between neighbouring ones, along edges and
+/// within triangles, the radius is linear. Where the grid cuts a solid, or the space around one,
+/// balls have their centres within the grid, but need not lie in it. Values are rounded to 1/256 of
+/// the finest spacing. Balls with a separation angle below 25 degrees are left out, as those
+/// between the facets of a round surface; points in no other ball get the one next to them if that
+/// is within 2.5 % of its radius. Details that are thinner than the spacing may be missed; their
+/// points then have twice their own distance to the surface, which is a lower bound.
 ///
 /// @param values receives one number per grid point, x fastest, as LocalThicknessOptions::side
 ///   says. No other array of the size of the grid is made.
