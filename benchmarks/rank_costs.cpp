@@ -130,17 +130,17 @@ void run(const Settings& settings)
 
 int main(int argc, char** argv)
 {
-  Settings settings;
-  CLI::App app("What the axis of a closed mesh costs on several ranks: the most that one of them "
-               "has, and in brackets over the mean");
-  app.add_option("MESH", settings.mesh, ".off, .obj, .ply or .stl")->required();
-  app.add_option("--resolution", settings.resolution, "grid points along the longest axis");
-  app.add_option("--angle", settings.angle, "minimum separation angle, degrees");
-  app.add_flag("--field", settings.fieldOnly, "the field without an axis");
-  app.add_option("--ranks", settings.ranks, "numbers of ranks")->delimiter(',');
-  CLI11_PARSE(app, argc, argv);
   try
   {
+    Settings settings;
+    CLI::App app("What the axis of a closed mesh costs on several ranks: the most that one of them "
+                 "has, and in brackets over the mean");
+    app.add_option("MESH", settings.mesh, ".off, .obj, .ply or .stl")->required();
+    app.add_option("--resolution", settings.resolution, "grid points along the longest axis");
+    app.add_option("--angle", settings.angle, "minimum separation angle, degrees");
+    app.add_flag("--field", settings.fieldOnly, "the field without an axis");
+    app.add_option("--ranks", settings.ranks, "numbers of ranks")->delimiter(',');
+    CLI11_PARSE(app, argc, argv);
     run(settings);
     return 0;
   }
