@@ -37,6 +37,7 @@ struct Settings
   int resolution = 128;
   double angle = kDefaultAngle;
   std::vector<int> ranks{ 1, 2, 4, 8, 16 };
+  bool fieldOnly = false;
 };
 
 /// What one rank has done.
@@ -62,14 +63,24 @@ std::vector<Costs> costsOf(const Settings& settings, const TriangleMesh& mesh, c
       options.field.sign = SignMethod::Pseudonormal;
       options.field.execution.threads = 1;
       NoField sink;
-      const AxisPiece piece = computeMedialAxis(communicator,
-        test::pieceOf(mesh, rank, test::inRows(ranks, mesh.triangles.size())), grid, extents, sink,
-        options, &costs[rank].counts);
-      const RunStatistics& statistics = piece.axis.statistics;
-      costs[rank].points = extents[rank].pointCount();
-      costs[rank].work =
-        statistics.groupTests + statistics.candidatePairs + statistics.fragments;
-      costs[rank].cells = piece.axis.cellCount();
+      const SurfacePiece surface =
+        test::pieceOf(mesh, rank, test::inRows(ranks, mesh.triangles.size()));
+      Costs& own = costs[rank];
+      RunStatistics statistics;
+      if (settings.fieldOnly)
+      {
+        statistics = computeDistanceField(communicator, surface, grid, extents[rank], sink,
+          options.field, &own.counts);
+      }
+      else
+      {
+        const AxisPiece piece =
+          computeMedialAxis(communicator, surface, grid, extents, sink, options, &own.counts);
+        statistics = piece.axis.statistics;
+        own.cells = piece.axis.cellCount();
+      }
+      own.points = extents[rank].pointCount();
+      own.work = statistics.groupTests + statistics.candidatePairs + statistics.fragments;
     });
   return costs;
 }
@@ -119,16 +130,17 @@ void run(const Settings& settings)
 
 int main(int argc, char** argv)
 {
-  Settings settings;
-  CLI::App app("What the axis of a closed mesh costs on several ranks: the most that one of them "
-               "has, and in brackets over the mean");
-  app.add_option("MESH", settings.mesh, ".off, .obj, .ply or .stl")->required();
-  app.add_option("--resolution", settings.resolution, "grid points along the longest axis");
-  app.add_option("--angle", settings.angle, "minimum separation angle, degrees");
-  app.add_option("--ranks", settings.ranks, "numbers of ranks")->delimiter(',');
-  CLI11_PARSE(app, argc, argv);
   try
   {
+    Settings settings;
+    CLI::App app("What the axis of a closed mesh costs on several ranks: the most that one of them "
+                 "has, and in brackets over the mean");
+    app.add_option("MESH", settings.mesh, ".off, .obj, .ply or .stl")->required();
+    app.add_option("--resolution", settings.resolution, "grid points along the longest axis");
+    app.add_option("--angle", settings.angle, "minimum separation angle, degrees");
+    app.add_flag("--field", settings.fieldOnly, "the field without an axis");
+    app.add_option("--ranks", settings.ranks, "numbers of ranks")->delimiter(',');
+    CLI11_PARSE(app, argc, argv);
     run(settings);
     return 0;
   }

@@ -19,6 +19,7 @@ namespace
 
 const char* programName = "";
 bool reportsMuted = false;
+char processName[32] = ""; ///< of one of several processes
 
 /// Allocates nothing, since there may be no memory.
 int report(ExitCode code, const char* kind, const char* message)
@@ -43,7 +44,7 @@ int reportFault(const char* message)
 
 int reportLackOfMemory()
 {
-  return report(ExitCode::NoSpace, "", "not enough memory");
+  return report(ExitCode::NoSpace, processName, "not enough memory");
 }
 
 /// Whether the system refused to start a thread. TBB throws std::runtime_error then, whose message
@@ -100,6 +101,11 @@ int reportException()
 void muteReports(bool muted)
 {
   reportsMuted = muted;
+}
+
+void nameProcess(int rank)
+{
+  std::snprintf(processName, sizeof(processName), "rank %d: ", rank);
 }
 
 int runProgram(const char* name, const std::function<void()>& work)

@@ -12,6 +12,9 @@ namespace medial::app
 /// @return the exit code.
 int runProgram(const char* name, const std::function<void()>& work);
 
+/// Names one of several processes, for the line that says that it alone has run out of memory.
+void nameProcess(int rank);
+
 /// Whether this process prints no failure, since another one prints the same.
 void muteReports(bool muted);
 

@@ -166,6 +166,7 @@ public:
   {
     controller_->Initialize(&argc, &argv, 0);
     communicator_ = std::make_unique<ControllerCommunicator>(controller_.Get());
+    nameProcess(communicator_->rank());
     if (communicator_->rank() > 0)
     {
       // Answers to --help are the same on all ranks. A failure to open the device loses nothing.

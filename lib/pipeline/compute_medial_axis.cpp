@@ -1,5 +1,6 @@
 #include "medial/compute_medial_axis.h"
 
+#include "axis/axis_attributes.h"
 #include "axis/axis_cells.h"
 #include "axis/axis_points.h"
 #include "axis/bisector.h"
@@ -18,7 +19,7 @@
 #include "medial/axis_curves.h"
 #include "medial/error.h"
 #include "medial/memory.h"
-#include "pipeline/axis_stages.h"
+#include "pipeline/axis_options.h"
 #include "pipeline/frame.h"
 #include "simplification/simplify_axis.h"
 #include "thinning/preserved_axis.h"

@@ -1,7 +1,6 @@
 #include "ranks/axis_assembly.h"
 
 #include "medial/axis_curves.h"
-#include "ranks/global_numbers.h"
 
 #include <algorithm>
 #include <array>
@@ -57,6 +56,49 @@ template <typename Cell>
 std::int64_t firstPoint(const Cell& cell)
 {
   return *std::min_element(cell.begin(), cell.end());
+}
+
+void renamePoints(const std::vector<std::int64_t>& target, MedialAxis& axis)
+{
+  const auto rename = [&](auto& points)
+  {
+    std::transform(points.begin(), points.end(), points.begin(),
+      [&](std::int64_t point) { return target[point]; });
+  };
+  std::for_each(axis.quads.begin(), axis.quads.end(), rename);
+  std::for_each(axis.triangles.begin(), axis.triangles.end(), rename);
+  std::for_each(axis.lines.begin(), axis.lines.end(), rename);
+  rename(axis.vertices);
+}
+
+/// Numbers the cells of all ranks, whose points have their numbers: vertices, lines, quads and
+/// triangles.
+void numberCells(Communicator& communicator, const AxisAssembly::PolygonKeys& polygons,
+  std::int64_t span, AxisPiece& piece)
+{
+  const auto number = [&](const std::vector<GlobalKey>& keys, std::int64_t keySpan)
+  {
+    const GlobalNumbers numbers(communicator, keys, keySpan);
+    for (const std::int64_t id : numbers.of(communicator, keys))
+    {
+      piece.globalCellIds.push_back(piece.cells + id);
+    }
+    piece.cells += numbers.total();
+  };
+  std::vector<GlobalKey> vertices;
+  for (const std::int64_t vertex : piece.axis.vertices)
+  {
+    vertices.push_back({ piece.globalPointIds[vertex], 0 });
+  }
+  std::vector<GlobalKey> lines;
+  for (const auto& [p, q] : piece.axis.lines)
+  {
+    lines.push_back({ piece.globalPointIds[p], piece.globalPointIds[q] });
+  }
+  number(vertices, piece.points);
+  number(lines, piece.points);
+  number(polygons.quads, span);
+  number(polygons.triangles, span);
 }
 
 } // namespace
@@ -135,40 +177,11 @@ AxisPiece AxisAssembly::piece(Communicator& communicator, const AxisOrder& order
   BisectorPoints& points) const
 {
   AxisPiece piece;
-  MedialAxis& axis = piece.axis;
-  std::vector<std::int64_t> target(points_.points.size(), -1);
-  std::vector<GlobalKey> polygons[2];
-  const auto take = [&](const auto& cells, auto& taken, const std::vector<std::size_t>* quads,
-                      std::vector<GlobalKey>* keys)
-  {
-    for (std::size_t i = 0; i < cells.size(); ++i)
-    {
-      if (this->isOwn(firstPoint(cells[i])))
-      {
-        taken.push_back(cells[i]);
-        std::for_each(cells[i].begin(), cells[i].end(),
-          [&](std::int64_t point) { target[point] = 0; });
-        if (quads != nullptr)
-        {
-          keys->push_back({ quads_[(*quads)[i]].number, 0 });
-        }
-      }
-    }
-  };
-  take(axis_.quads, axis.quads, &origins_.quads, &polygons[0]);
-  take(axis_.triangles, axis.triangles, &origins_.triangles, &polygons[1]);
-  take(axis_.lines, axis.lines, nullptr, nullptr);
-  std::vector<std::array<std::int64_t, 1>> vertices;
-  std::vector<std::array<std::int64_t, 1>> ownVertices;
-  for (const std::int64_t vertex : axis_.vertices)
-  {
-    vertices.push_back({ vertex });
-  }
-  take(vertices, ownVertices, nullptr, nullptr);
-
-  const std::vector<AxisFeature> features = axisFeatures(edgesOf(axis_), points_.points.size());
+  PolygonKeys polygons;
+  std::vector<std::int64_t> target = this->takeCells(piece.axis, polygons);
   std::vector<GlobalKey> ownKeys;
   std::vector<GlobalKey> keys;
+  const std::vector<AxisFeature> features = axisFeatures(edgesOf(axis_), points_.points.size());
   points = {};
   for (std::size_t p = 0; p < target.size(); ++p)
   {
@@ -177,60 +190,59 @@ AxisPiece AxisAssembly::piece(Communicator& communicator, const AxisOrder& order
     {
       ownKeys.push_back(key);
     }
-    if (target[p] == 0)
+    if (target[p] >= 0)
     {
       target[p] = static_cast<std::int64_t>(keys.size());
       keys.push_back(key);
       points.points.push_back(points_.points[p]);
       points.moved.push_back(points_.moved[p]);
-      axis.feature.push_back(features[p]);
+      piece.axis.feature.push_back(features[p]);
     }
   }
-  const auto rename = [&](auto& cells)
-  {
-    for (auto& cell : cells)
-    {
-      std::transform(cell.begin(), cell.end(), cell.begin(),
-        [&](std::int64_t point) { return target[point]; });
-    }
-  };
-  rename(axis.quads);
-  rename(axis.triangles);
-  rename(axis.lines);
-  rename(ownVertices);
-  for (const auto& vertex : ownVertices)
-  {
-    axis.vertices.push_back(vertex[0]);
-  }
-  const GlobalNumbers pointNumbers(communicator, ownKeys, order.span());
-  piece.globalPointIds = pointNumbers.of(communicator, keys);
-  std::int64_t cells = 0;
-  const auto number = [&](const std::vector<GlobalKey>& own, std::int64_t span)
-  {
-    const GlobalNumbers numbers(communicator, own, span);
-    for (const std::int64_t id : numbers.of(communicator, own))
-    {
-      piece.globalCellIds.push_back(cells + id);
-    }
-    cells += numbers.total();
-  };
-  std::vector<GlobalKey> cellKeys;
-  for (const std::int64_t vertex : axis.vertices)
-  {
-    cellKeys.push_back({ piece.globalPointIds[vertex], 0 });
-  }
-  number(cellKeys, pointNumbers.total());
-  cellKeys.clear();
-  for (const auto& line : axis.lines)
-  {
-    cellKeys.push_back({ piece.globalPointIds[line[0]], piece.globalPointIds[line[1]] });
-  }
-  number(cellKeys, pointNumbers.total());
-  number(polygons[0], order.span());
-  number(polygons[1], order.span());
-  piece.points = pointNumbers.total();
-  piece.cells = cells;
+  renamePoints(target, piece.axis);
+  const GlobalNumbers numbers(communicator, ownKeys, order.span());
+  piece.globalPointIds = numbers.of(communicator, keys);
+  piece.points = numbers.total();
+  numberCells(communicator, polygons, order.span(), piece);
   return piece;
+}
+
+/// Takes the cells of this rank, with the numbers of their points here.
+/// @return for each point not -1 if it is used.
+std::vector<std::int64_t> AxisAssembly::takeCells(MedialAxis& taken, PolygonKeys& polygons) const
+{
+  std::vector<std::int64_t> used(points_.points.size(), -1);
+  const auto take = [&](const auto& cells, auto& own, const auto& found)
+  {
+    for (std::size_t i = 0; i < cells.size(); ++i)
+    {
+      if (this->isOwn(firstPoint(cells[i])))
+      {
+        own.push_back(cells[i]);
+        std::for_each(cells[i].begin(), cells[i].end(),
+          [&](std::int64_t point) { used[point] = 0; });
+        found(i);
+      }
+    }
+  };
+  take(axis_.quads, taken.quads,
+    [&](std::size_t i) {
+      polygons.quads.push_back({ quads_[origins_.quads[i]].number, 0 });
+    });
+  take(axis_.triangles, taken.triangles,
+    [&](std::size_t i) {
+      polygons.triangles.push_back({ quads_[origins_.triangles[i]].number, 0 });
+    });
+  take(axis_.lines, taken.lines, [](std::size_t) {});
+  for (const std::int64_t vertex : axis_.vertices)
+  {
+    if (this->isOwn(vertex))
+    {
+      taken.vertices.push_back(vertex);
+      used[vertex] = 0;
+    }
+  }
+  return used;
 }
 
 } // namespace medial

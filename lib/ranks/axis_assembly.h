@@ -4,6 +4,7 @@
 #include "axis/bisector.h"
 #include "medial/medial_axis.h"
 #include "medial/ranks.h"
+#include "ranks/global_numbers.h"
 #include "ranks/grid_share.h"
 #include "ranks/part_axis.h"
 
@@ -18,6 +19,13 @@ namespace medial
 class AxisAssembly
 {
 public:
+  /// Numbers of the quads that polygons were.
+  struct PolygonKeys
+  {
+    std::vector<GlobalKey> quads;
+    std::vector<GlobalKey> triangles;
+  };
+
   /// Every rank calls it. Doubles the halo until ranks agree on what became of each other's points.
   /// @param own of this rank.
   /// @param halo to start with, grid cells.
@@ -35,6 +43,7 @@ private:
   void build(Communicator& communicator, const GridShare& share, const OwnAxis& own);
   /// Makes cells of what was given.
   void buildAxis(bool pointsOnly);
+  std::vector<std::int64_t> takeCells(MedialAxis& taken, PolygonKeys& polygons) const;
   bool agrees(Communicator& communicator, const GridShare& share) const;
   bool isOwn(std::int64_t point) const { return own_[origins_.points[point]] != 0; }
 

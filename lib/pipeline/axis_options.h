@@ -1,10 +1,8 @@
 #pragma once
 
-#include "axis/bisector.h"
 #include "medial/compute_medial_axis.h"
-#include "sites/grid_frame.h"
 
-// Steps on the way to an axis, in one process and on several.
+// What options of an axis mean, in one process and on several.
 namespace medial
 {
 
@@ -13,8 +11,5 @@ void checkAxisOptions(const MedialAxisOptions& options);
 
 /// Returns the angle by which grid edges are selected, degrees.
 double selectionAngle(const MedialAxisOptions& options);
-
-/// Sets points and attributes in world units.
-void setAxisPoints(const BisectorPoints& points, const GridFrame& frame, MedialAxis& axis);
 
 } // namespace medial
