@@ -105,8 +105,8 @@ Messages FindCopies(const Messages& sent)
 //------------------------------------------------------------------------------
 // A triangle that two ranks have is within the bounds of both pieces. Some rank is asked about all
 // its copies.
-std::vector<char> vtkFindCopies(medial::Communicator& communicator, const medial::TriangleMesh& mesh,
-  const std::vector<vtkPieceFacts>& facts)
+std::vector<char> vtkFindCopies(medial::Communicator& communicator,
+  const medial::TriangleMesh& mesh, const std::vector<vtkPieceFacts>& facts)
 {
   const auto own = static_cast<std::size_t>(communicator.rank());
   std::vector<char> copies(mesh.triangles.size(), 0);

@@ -17,7 +17,7 @@
  * earlier triangle here, with the same corners in the same orientation. Every rank calls it. facts
  * are those of all ranks.
  */
-std::vector<char> vtkFindCopies(medial::Communicator& communicator, const medial::TriangleMesh& mesh,
-  const std::vector<vtkPieceFacts>& facts);
+std::vector<char> vtkFindCopies(medial::Communicator& communicator,
+  const medial::TriangleMesh& mesh, const std::vector<vtkPieceFacts>& facts);
 
 #endif
