@@ -83,6 +83,7 @@ public:
   vtkBooleanMacro(DistributedInput, vtkTypeBool);
   ///@}
 
+  ///@{
   /**
    * The processes among which the surface is distributed; null is a process on its own. Used when
    * DistributedInput is on. Default is vtkMultiProcessController::GetGlobalController() of the time
@@ -90,6 +91,7 @@ public:
    */
   void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController();
+  ///@}
 
   /**
    * What the input may be follows from DistributedInput.

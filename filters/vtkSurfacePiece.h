@@ -42,7 +42,6 @@ public:
     const std::vector<vtkPieceFacts>& facts);
 
 private:
-  void DropCopies(medial::Communicator& communicator, const std::vector<vtkPieceFacts>& facts);
   void Drop(const std::vector<char>& triangles); // those that are marked
 
   medial::TriangleMesh Mesh;          // with cells as in the input, one block after the other
