@@ -11,6 +11,8 @@ namespace
 
 /// Grid points in the radius of the thinnest branch.
 constexpr double kPointsPerRadius = 4.0;
+/// Grids that must be finer by more than this may show branches that are thinner still.
+constexpr int kFiner = 3;
 
 /// Passes on requests to stop, but no progress, since it is unknown how many grids will follow.
 class Cancelling final : public Progress
@@ -70,7 +72,7 @@ SkeletonResolution chooseSkeletonResolution(const TriangleMesh& mesh,
                                  : std::numeric_limits<double>::infinity();
     result.needed =
       seen ? resolutionFor(result.thinnestRadius, bounds, padding) : kMaxSkeletonResolution;
-    if (seen && result.needed <= 2 * tried)
+    if (seen && result.needed <= kFiner * tried)
     {
       break;
     }
