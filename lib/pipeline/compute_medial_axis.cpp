@@ -3,10 +3,9 @@
 #include "axis/axis_cells.h"
 #include "axis/axis_points.h"
 #include "axis/bisector.h"
-#include "axis/border_rims.h"
-#include "axis/crease_rims.h"
 #include "axis/dual_mesh.h"
 #include "axis/sheet_selection.h"
+#include "axis/surface_axis.h"
 #include "base/checkpoint.h"
 #include "base/memory_guard.h"
 #include "base/run.h"
@@ -22,8 +21,6 @@
 #include "pipeline/frame.h"
 #include "simplification/simplify_axis.h"
 #include "thinning/preserved_axis.h"
-
-#include <tbb/parallel_for.h>
 
 #include <cmath>
 #include <memory>
@@ -41,62 +38,13 @@ constexpr std::size_t kPreservationBytes = 10;
 /// Share of the work that is done once the crossings are selected.
 constexpr double kSelected = 0.8;
 
-std::array<float, 3> narrowed(const Point3& point)
-{
-  return { static_cast<float>(point[0]), static_cast<float>(point[1]),
-    static_cast<float>(point[2]) };
-}
-
-/// Sets points and attributes in world units.
-void setPoints(const BisectorPoints& points, const GridFrame& frame, MedialAxis& axis)
-{
-  const std::size_t count = points.points.size();
-  axis.points.resize(count);
-  axis.radius.resize(count);
-  axis.separationAngle.resize(count);
-  axis.lambda.resize(count);
-  axis.closestPointA.resize(count);
-  axis.closestPointB.resize(count);
-  tbb::parallel_for(std::size_t{ 0 }, count,
-    [&](std::size_t p)
-    {
-      const BisectorPoint& point = points.points[p];
-      const double radius = point.radius() * frame.unit;
-      const double angle = point.separationAngle();
-      axis.points[p] = frame.toWorld(point.position);
-      axis.radius[p] = static_cast<float>(radius);
-      axis.separationAngle[p] = static_cast<float>(glm::degrees(angle));
-      axis.lambda[p] = static_cast<float>(radius * std::sin(0.5 * angle));
-      axis.closestPointA[p] = narrowed(frame.toWorld(point.a.point));
-      axis.closestPointB[p] = narrowed(frame.toWorld(point.b.point));
-    });
-}
-
-/// Makes the points and cells of a surface.
-BisectorPoints representSurface(const AxisGeometry& geometry, std::vector<Crossing>& crossings,
-  MedialAxis& axis)
-{
-  const SheetSelection selection = selectSheets(geometry, crossings);
-  const DualMesh& mesh = selection.part.mesh;
-  geometry.checkpoint();
-  BisectorPoints points = surfacePoints(geometry, mesh, selection.bisectors);
-  const auto quads = quadsWithin(mesh, geometry.extent);
-  const std::vector<EdgeTable::Edge> rims = rimEdges(mesh.cells, quads);
-  const std::vector<std::size_t> elsewhere =
-    moveToBorders(geometry, selection, rims, selection.part.origins, points);
-  extendRims(geometry, elsewhere, points);
-  geometry.checkpoint();
-  buildCells(quads, points, axis);
-  return points;
-}
-
 /// Makes the points and cells of the chosen representation.
 BisectorPoints represent(Representation representation, const AxisGeometry& geometry,
   std::vector<Crossing>& crossings, MedialAxis& axis)
 {
   if (representation == Representation::Surface)
   {
-    return representSurface(geometry, crossings, axis);
+    return surfaceOf(geometry, crossings, axis);
   }
   if (representation == Representation::Points)
   {

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "axis/axis_geometry.h"
+#include "axis/bisector.h"
+#include "field/crossing.h"
+#include "medial/medial_axis.h"
+#include "sites/grid_frame.h"
+
+#include <vector>
+
+namespace medial
+{
+
+/// Makes the cells of an axis with Representation::Surface, and returns its points.
+/// @param crossings selected by bandAngle(); only those that the axis has stay.
+BisectorPoints surfaceOf(const AxisGeometry& geometry, std::vector<Crossing>& crossings,
+  MedialAxis& axis);
+
+/// Sets the points of an axis and their attributes, in world units.
+void setPoints(const BisectorPoints& points, const GridFrame& frame, MedialAxis& axis);
+
+} // namespace medial
