@@ -4,10 +4,9 @@
 #include "axis/axis_cells.h"
 #include "axis/axis_points.h"
 #include "axis/bisector.h"
-#include "axis/border_rims.h"
-#include "axis/crease_rims.h"
 #include "axis/dual_mesh.h"
 #include "axis/sheet_selection.h"
+#include "axis/surface_axis.h"
 #include "base/checkpoint.h"
 #include "base/memory_guard.h"
 #include "base/run.h"
@@ -39,31 +38,13 @@ constexpr std::size_t kPreservationBytes = 10;
 /// Share of the work that is done once the crossings are selected.
 constexpr double kSelected = 0.8;
 
-/// Makes the points and cells of a surface.
-BisectorPoints representSurface(const AxisGeometry& geometry, std::vector<Crossing>& crossings,
-  MedialAxis& axis)
-{
-  const SheetSelection selection = selectSheets(geometry, crossings);
-  const DualMesh& mesh = selection.part.mesh;
-  geometry.checkpoint();
-  BisectorPoints points = surfacePoints(geometry, mesh, selection.bisectors);
-  const auto quads = quadsWithin(mesh, geometry.extent);
-  const std::vector<EdgeTable::Edge> rims = rimEdges(mesh.cells, quads);
-  const std::vector<std::size_t> elsewhere =
-    moveToBorders(geometry, selection, rims, selection.part.origins, points);
-  extendRims(geometry, elsewhere, points);
-  geometry.checkpoint();
-  buildCells(quads, points, axis);
-  return points;
-}
-
 /// Makes the points and cells of the chosen representation.
 BisectorPoints represent(Representation representation, const AxisGeometry& geometry,
   std::vector<Crossing>& crossings, MedialAxis& axis)
 {
   if (representation == Representation::Surface)
   {
-    return representSurface(geometry, crossings, axis);
+    return surfaceOf(geometry, crossings, axis);
   }
   if (representation == Representation::Points)
   {

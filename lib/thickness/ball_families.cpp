@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 
 namespace medial
@@ -41,18 +42,18 @@ std::uint32_t BallFamilies::add(const glm::vec3& centre, float radius)
 
 void BallFamilies::add(const MedialAxis& axis)
 {
-  const auto first = static_cast<std::uint32_t>(balls_.size());
-  balls_.reserve(balls_.size() + axis.points.size());
-  for (std::size_t p = 0; p < axis.points.size(); ++p)
+  constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> ids(axis.points.size(), kNone);
+  const auto idOf = [&](std::int64_t p)
   {
-    const Point3& point = axis.points[p];
-    this->add(glm::vec3((glm::dvec3(point[0], point[1], point[2]) - origin_) / unit_),
-      static_cast<float>(static_cast<double>(axis.radius[p]) / unit_));
-  }
-  const auto idOf = [&](std::int64_t point) { return first + static_cast<std::uint32_t>(point); };
-  edges_.reserve(edges_.size() + 6 * axis.quads.size() + 3 * axis.triangles.size() +
-    axis.lines.size() + axis.vertices.size());
-  triangles_.reserve(triangles_.size() + 2 * axis.quads.size() + axis.triangles.size());
+    if (ids[p] == kNone)
+    {
+      const Point3& point = axis.points[p];
+      ids[p] = this->add(glm::vec3((glm::dvec3(point[0], point[1], point[2]) - origin_) / unit_),
+        static_cast<float>(static_cast<double>(axis.radius[p]) / unit_));
+    }
+    return ids[p];
+  };
   for (const auto& quad : axis.quads)
   {
     this->joinQuad({ idOf(quad[0]), idOf(quad[1]), idOf(quad[2]), idOf(quad[3]) });

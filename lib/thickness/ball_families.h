@@ -26,7 +26,7 @@ public:
   /// @param angle separation angle of the balls, radians.
   BallFamilies(const Grid& grid, double angle);
 
-  /// Adds the cells of an axis, quads as two triangles.
+  /// Adds the cells of an axis, quads as two triangles, and the balls that they need.
   void add(const MedialAxis& axis);
   /// Adds a ball; returns its id.
   std::uint32_t add(const glm::vec3& centre, float radius);

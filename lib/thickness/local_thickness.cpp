@@ -7,8 +7,8 @@
 #include "field/array_sink.h"
 #include "field/slabs.h"
 #include "medial/compute_distance_field.h"
-#include "medial/compute_medial_axis.h"
 #include "medial/error.h"
+#include "pipeline/axis_parts.h"
 #include "thickness/ball_families.h"
 #include "thickness/depth_sink.h"
 #include "thickness/slab_thickness.h"
@@ -32,6 +32,8 @@ constexpr int kMaxBins = 65536;
 constexpr int kSlices = 64;
 /// Share of the work that is done once the balls are there.
 constexpr double kBallsDone = 0.5;
+/// Share of that which is done once the field is there.
+constexpr double kFieldDone = 0.6;
 
 /// Passes the progress of another operation on as a part of this one.
 class PartProgress : public Progress
@@ -110,20 +112,31 @@ public:
   {
   }
 
-  /// @param last receives the field of the last of these passes.
-  void makeBalls(FieldSink* last)
+  /// @param sink receives the field; may be null.
+  void makeBalls(FieldSink* sink)
   {
-    const bool both = options_.side == Side::Both;
+    const Run part = run_.part(0.0, kBallsDone);
+    AxisParts parts(mesh_, connectivity_, grid_, this->axisOptions(), part.part(0.0, kFieldDone));
+    if (parts.sign() == SignMethod::None)
+    {
+      throw Error(ErrorCode::InvalidInput,
+        "local thickness needs an inside and an outside, but the field has no sign: " +
+          parts.statistics().sign.reason);
+    }
+    DepthSink inner(grid_, Side::Interior, sink);
+    DepthSink outer(grid_, Side::Exterior, &inner);
+    parts.computeField(outer);
+    const double middle = options_.side == Side::Both ? 0.5 * (kFieldDone + 1.0) : kFieldDone;
     if (options_.side != Side::Exterior)
     {
-      this->makeBalls(Side::Interior, run_.part(0.0, both ? 0.5 * kBallsDone : kBallsDone),
-        both ? nullptr : last, interior_);
+      const double end = options_.side == Side::Both ? middle : 1.0;
+      this->makeBalls(parts, Side::Interior, inner, part.part(kFieldDone, end), interior_);
     }
     if (options_.side != Side::Interior)
     {
-      this->makeBalls(Side::Exterior, run_.part(both ? 0.5 * kBallsDone : 0.0, kBallsDone), last,
-        exterior_);
+      this->makeBalls(parts, Side::Exterior, outer, part.part(middle, 1.0), exterior_);
     }
+    statistics_.field = parts.statistics();
   }
 
   SlabThickness thickness() const
@@ -161,26 +174,20 @@ private:
     SlabThickness::SideBalls of() const { return { families.get(), end }; }
   };
 
-  void makeBalls(Side side, const Run& part, FieldSink* sink, Balls& balls)
+  AxisPartsOptions axisOptions() const
   {
-    PartProgress progress(part);
-    MedialAxisOptions options;
+    AxisPartsOptions options;
     options.angle = kBallAngle;
-    options.side = side;
-    options.field = this->fieldOptions(progress);
-    DepthSink depths(grid_, side, sink);
+    options.side = options_.side;
+    options.field = options_.field;
+    return options;
+  }
+
+  void makeBalls(AxisParts& parts, Side side, const DepthSink& depths, const Run& part,
+    Balls& balls)
+  {
     balls.families = std::make_unique<BallFamilies>(grid_, glm::radians(kBallAngle));
-    {
-      const MedialAxis axis = computeMedialAxis(mesh_, connectivity_, grid_, options, depths);
-      statistics_.field = axis.statistics;
-      if (axis.sign == SignMethod::None)
-      {
-        throw Error(ErrorCode::InvalidInput,
-          "local thickness needs an inside and an outside, but the field has no sign: " +
-            axis.statistics.sign.reason);
-      }
-      balls.families->add(axis);
-    }
+    parts.forParts(side, part, [&](const MedialAxis& axis) { balls.families->add(axis); });
     const Stopwatch watch(statistics_.seconds);
     depths.addBorder(*balls.families);
     run_.onThreads([&] { balls.families->finish(); });

@@ -51,6 +51,9 @@ struct TriangleFamily
   glm::vec3 u;
   glm::vec3 v;
   glm::vec3 g;
+  glm::vec3 across; ///< perpendicular to g in the plane: of unit length, or 0 if g is
+  float acrossMin;  ///< of x - a along it, for x in the triangle
+  float acrossMax;
   float r;
   float last; ///< the largest radius
   /// Whether balls within it can contain what those on its edges don't: not if it is narrow, and
@@ -78,7 +81,12 @@ struct TriangleFamily
     r = first.w * stretch;
     g = ((second.w - first.w) * u + (third.w - first.w) * v) * stretch;
     last = std::max(std::max(first.w, second.w), third.w) * stretch;
-    counts = glm::dot(g, g) < 1.0f;
+    const float slope = glm::length(g);
+    counts = slope < 1.0f;
+    across = slope > 0.0f ? glm::cross(normal, g) / slope : glm::vec3(0.0f);
+    const auto [low, high] = std::minmax({ 0.0f, glm::dot(across, d), glm::dot(across, e) });
+    acrossMin = low - kMargin;
+    acrossMax = high + kMargin;
   }
 };
 
@@ -136,6 +144,19 @@ MEDIAL_INLINE Float8 raised(Float8 radius, const TriangleFamily& family, Float8 
   return max(radius, (largest + kRounding) - kRounding);
 }
 
+/// Whether a family may raise a point of a row.
+MEDIAL_INLINE bool concerns(const EdgeFamily&, Float8, float, float)
+{
+  return true;
+}
+
+/// The largest ball of the plane is along g from the point.
+MEDIAL_INLINE bool concerns(const TriangleFamily& family, Float8 x, float y, float z)
+{
+  const Float8 across = dotOfRow(x - family.a.x, y - family.a.y, z - family.a.z, family.across);
+  return bits((across >= family.acrossMin) & (across <= family.acrossMax)) != 0;
+}
+
 /// @return the rows that changed.
 template <typename Family>
 MEDIAL_INLINE std::uint64_t raisedRows(const Family& family, const glm::vec3& step,
@@ -146,10 +167,15 @@ MEDIAL_INLINE std::uint64_t raisedRows(const Family& family, const glm::vec3& st
   for (std::uint64_t left = rows; left != 0; left &= left - 1)
   {
     const int row = __builtin_ctzll(left);
+    const float y = static_cast<float>(row % 8) * step.y;
+    const float z = static_cast<float>(row / 8) * step.z;
+    if (!concerns(family, x, y, z))
+    {
+      continue;
+    }
     float* const radius = radii + row * kLanes;
     const Float8 before = loaded(radius);
-    const Float8 after = raised(before, family, x, static_cast<float>(row % 8) * step.y,
-      static_cast<float>(row / 8) * step.z, shrink);
+    const Float8 after = raised(before, family, x, y, z, shrink);
     if (bits(after > before) != 0)
     {
       store(after, radius);

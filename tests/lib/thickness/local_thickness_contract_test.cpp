@@ -181,6 +181,20 @@ TEST(LocalThicknessContract, NeedsASign)
     ErrorCode::InvalidInput, "local thickness needs an inside");
 }
 
+TEST(LocalThicknessContract, RefusesAMeshWithoutASignBeforeItComputesAnything)
+{
+  const TriangleMesh open = plates(0.5, 1.0);
+  Listener listener;
+  LocalThicknessOptions options;
+  options.field.execution.progress = &listener;
+  expectError([&] { computeLocalThickness(open, makeGrid(open.bounds(), 64, 0.1), options); },
+    ErrorCode::InvalidInput, "local thickness needs an inside");
+  for (const double fraction : listener.fractions)
+  {
+    EXPECT_EQ(fraction, 0.0);
+  }
+}
+
 TEST(LocalThicknessContract, RefusesAnEmptyHistogram)
 {
   const TriangleMesh mesh = lattice();

@@ -1,0 +1,30 @@
+#include "axis/surface_axis.h"
+
+#include "axis/axis_cells.h"
+#include "axis/axis_points.h"
+#include "axis/border_rims.h"
+#include "axis/crease_rims.h"
+#include "axis/dual_mesh.h"
+#include "axis/sheet_selection.h"
+
+namespace medial
+{
+
+BisectorPoints surfaceOf(const AxisGeometry& geometry, std::vector<Crossing>& crossings,
+  MedialAxis& axis)
+{
+  const SheetSelection selection = selectSheets(geometry, crossings);
+  const DualMesh& mesh = selection.part.mesh;
+  geometry.checkpoint();
+  BisectorPoints points = surfacePoints(geometry, mesh, selection.bisectors);
+  const auto quads = quadsWithin(mesh, geometry.extent);
+  const std::vector<EdgeTable::Edge> rims = rimEdges(mesh.cells, quads);
+  const std::vector<std::size_t> elsewhere =
+    moveToBorders(geometry, selection, rims, selection.part.origins, points);
+  extendRims(geometry, elsewhere, points);
+  geometry.checkpoint();
+  buildCells(quads, points, axis);
+  return points;
+}
+
+} // namespace medial

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "axis/axis_geometry.h"
+#include "axis/bisector.h"
+#include "field/crossing.h"
+#include "medial/medial_axis.h"
+
+#include <vector>
+
+namespace medial
+{
+
+/// Makes the cells of an axis with Representation::Surface, and returns its points.
+/// @param crossings selected by bandAngle(); only those that the axis has stay.
+BisectorPoints surfaceOf(const AxisGeometry& geometry, std::vector<Crossing>& crossings,
+  MedialAxis& axis);
+
+} // namespace medial

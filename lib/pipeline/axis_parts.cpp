@@ -1,0 +1,135 @@
+#include "pipeline/axis_parts.h"
+
+#include "axis/axis_attributes.h"
+#include "axis/sheet_selection.h"
+#include "axis/surface_axis.h"
+#include "base/checkpoint.h"
+#include "base/separation_angle.h"
+#include "base/stopwatch.h"
+#include "field/engines/make_engine.h"
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+#include <utility>
+
+namespace medial
+{
+namespace
+{
+
+constexpr const char* kPhase = "medial axis";
+/// Slices beyond a part: more than the fits of sheets, the walks of their rims and the smoothing of
+/// their borders reach.
+constexpr int kHalo = 8;
+
+bool inLowerSlice(const Crossing& a, const Crossing& b)
+{
+  return a.voxel.z < b.voxel.z;
+}
+
+/// Drops cells without a point in [low, high] along z.
+template <typename Cell>
+void keepWithin(const MedialAxis& axis, double low, double high, std::vector<Cell>& cells)
+{
+  const auto outside = [&](const Cell& cell)
+  {
+    return std::none_of(cell.begin(), cell.end(),
+      [&](std::int64_t point)
+      { return axis.points[point][2] >= low && axis.points[point][2] <= high; });
+  };
+  cells.erase(std::remove_if(cells.begin(), cells.end(), outside), cells.end());
+}
+
+void keepWithin(const MedialAxis& axis, double low, double high,
+  std::vector<std::int64_t>& vertices)
+{
+  const auto outside = [&](std::int64_t point)
+  { return axis.points[point][2] < low || axis.points[point][2] > high; };
+  vertices.erase(std::remove_if(vertices.begin(), vertices.end(), outside), vertices.end());
+}
+
+} // namespace
+
+AxisParts::AxisParts(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
+  const Grid& grid, const AxisPartsOptions& options, const Run& run)
+  : grid_(grid)
+  , options_(options)
+  , pipeline_(mesh, connectivity, grid, grid.wholeExtent(), options.field, state_.orienter, run)
+{
+  checkSeparationAngle(options.angle);
+  if (this->sign() != SignMethod::None)
+  {
+    side_.emplace(mesh, connectivity, pipeline_.frame());
+  }
+}
+
+void AxisParts::computeField(FieldSink& sink)
+{
+  FieldEngine& engine = obtainEngine(options_.field.engine, options_.field.device, state_.engine);
+  const Side side = this->sign() == SignMethod::None ? Side::Both : options_.side;
+  crossings_ = pipeline_.run(engine, sink, CrossingSelection{ bandAngle(options_.angle), side });
+  if (!std::is_sorted(crossings_.begin(), crossings_.end(), inLowerSlice))
+  {
+    std::stable_sort(crossings_.begin(), crossings_.end(), inLowerSlice);
+  }
+  this->cut();
+}
+
+/// Cuts the grid into parts.
+void AxisParts::cut()
+{
+  bounds_ = { 0 };
+  std::size_t begin = 0;
+  for (std::size_t c = 0; c < crossings_.size(); ++c)
+  {
+    const int slice = crossings_[c].voxel.z;
+    if (c - begin >= options_.crossings && slice - bounds_.back() >= options_.slices &&
+      grid_.dimensions[2] - slice >= options_.slices)
+    {
+      bounds_.push_back(slice);
+      begin = c;
+    }
+  }
+  bounds_.push_back(grid_.dimensions[2]);
+}
+
+MedialAxis AxisParts::part(std::size_t number, Side side, double fraction, const Run& run)
+{
+  const int first = bounds_[number];
+  const int end = bounds_[number + 1];
+  const auto atSlice = [&](int slice)
+  {
+    return std::partition_point(crossings_.begin(), crossings_.end(),
+      [&](const Crossing& crossing) { return crossing.voxel.z < slice; });
+  };
+  std::vector<Crossing> crossings;
+  std::copy_if(atSlice(first - kHalo), atSlice(end + kHalo), std::back_inserter(crossings),
+    [&](const Crossing& crossing)
+    { return side == Side::Both || crossing.inside == (side == Side::Interior); });
+  MedialAxis axis;
+  axis.sign = this->sign();
+  axis.side = side;
+  run.onThreads(
+    [&]
+    {
+      const Stopwatch watch(pipeline_.statistics().seconds.medial);
+      const Checkpoint checkpoint(run, fraction, kPhase);
+      const GridFrame& frame = pipeline_.frame();
+      const AxisGeometry geometry{ pipeline_.sites(), pipeline_.query(), frame, grid_.wholeExtent(),
+        grid_.wholeExtent(), glm::radians(options_.angle), 0.0, 0.0, checkpoint, side_ ? &*side_ : nullptr };
+      setAxisPoints(surfaceOf(geometry, crossings, axis), frame, axis);
+    });
+  const double low = grid_.point(0, 0, first)[2];
+  const double high = grid_.point(0, 0, end)[2];
+  const double everywhere = std::numeric_limits<double>::infinity();
+  const double from = number == 0 ? -everywhere : low;
+  const double to = number + 2 == bounds_.size() ? everywhere : high;
+  keepWithin(axis, from, to, axis.quads);
+  keepWithin(axis, from, to, axis.triangles);
+  keepWithin(axis, from, to, axis.lines);
+  keepWithin(axis, from, to, axis.vertices);
+  return axis;
+}
+
+} // namespace medial
