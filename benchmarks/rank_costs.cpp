@@ -67,8 +67,7 @@ std::vector<Costs> costsOf(const Settings& settings, const TriangleMesh& mesh, c
         options, &costs[rank].counts);
       const RunStatistics& statistics = piece.axis.statistics;
       costs[rank].points = extents[rank].pointCount();
-      costs[rank].work =
-        statistics.groupTests + statistics.candidatePairs + statistics.fragments;
+      costs[rank].work = statistics.groupTests + statistics.candidatePairs + statistics.fragments;
       costs[rank].cells = piece.axis.cellCount();
     });
   return costs;
