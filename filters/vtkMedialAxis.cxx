@@ -5,13 +5,23 @@
 #include "vtkInformationVector.h"
 #include "vtkMedialExecution.h"
 #include "vtkMedialFigures.h"
+#include "vtkMedialRanks.h"
 #include "vtkMeshConversion.h"
 #include "vtkMeshFieldInternals.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkSurfacePiece.h"
+
+#include "medial/error.h"
+#include "medial/ranks.h"
 
 #include <algorithm>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
 
 vtkStandardNewMacro(vtkMedialAxis);
 
@@ -62,6 +72,21 @@ medial::MedialAxisOptions ToOptions(vtkMedialAxis* axis)
   options.maxSpheres = axis->GetMaximumNumberOfSpheres();
   options.topology = ToTopology(axis->GetTopology());
   return options;
+}
+
+//------------------------------------------------------------------------------
+// The parameters of the axis that must be the same on all ranks, a line with a name and a value
+// each.
+std::string DescribeAxis(vtkMedialAxis* axis)
+{
+  std::ostringstream text;
+  text.precision(std::numeric_limits<double>::max_digits10);
+  text << "Angle " << axis->GetAngle() << "\nMinimumLambda " << axis->GetMinimumLambda()
+       << "\nMinimumRadius " << axis->GetMinimumRadius() << "\nSide " << axis->GetSideAsString()
+       << "\nRepresentation " << axis->GetRepresentationAsString() << "\nMaximumNumberOfSpheres "
+       << axis->GetMaximumNumberOfSpheres() << "\nTopology " << axis->GetTopologyAsString()
+       << "\nGenerateDistanceField " << axis->GetGenerateDistanceField() << '\n';
+  return text.str();
 }
 
 } // namespace
@@ -135,7 +160,7 @@ int vtkMedialAxis::RequestInformation(vtkInformation*, vtkInformationVector** in
   vtkInformationVector* outputVector)
 {
   outputVector->GetInformationObject(0)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
-  if (this->GenerateDistanceField)
+  if (this->GenerateDistanceField && !this->DistributedInput)
   {
     return this->RequestImageInformation(inputVector, outputVector, 1);
   }
@@ -184,6 +209,42 @@ void vtkMedialAxis::Execute(vtkPolyData* input, vtkInformationVector* outputVect
 }
 
 //------------------------------------------------------------------------------
+// Each rank makes its part of the axis of all inputs.
+void vtkMedialAxis::ExecutePieces(vtkDataObject* input, vtkInformationVector* outputVector)
+{
+  vtkProgressBridge progress(this);
+  medial::MedialAxisOptions options;
+  vtkSurfacePiece piece;
+  vtkMedialRanks ranks(this->Controller);
+  const std::vector<vtkPieceFacts> facts =
+    ranks.Meet(vtkMedialRanks::Stage::Data, this->Internals->DescribeOptions() + DescribeAxis(this),
+      [&]
+      {
+        if (this->GenerateDistanceField)
+        {
+          throw medial::Error(medial::ErrorCode::InvalidInput,
+            "GenerateDistanceField must be off where DistributedInput is on: vtkMeshDistanceField "
+            "makes the field in pieces");
+        }
+        options = ToOptions(this);
+        options.field = this->Internals->MakeOptions(progress);
+        piece = vtkSurfacePiece(input);
+        return piece.Facts();
+      });
+  const medial::Grid grid = this->Internals->MakeGrid(
+    this->GridMode == EXPLICIT ? medial::Bounds{} : vtkMedialRanks::BoundsOf(facts));
+  medial::NoField field;
+  medial::RankCounts counts;
+  const medial::AxisPiece axis = medial::computeMedialAxis(ranks, piece.Numbered(ranks, facts),
+    grid, medial::partsOfGrid(grid, ranks.size()), field, options, &counts);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+  vtkMeshConversion::ToPolyData(axis, output);
+  this->Internals->Record(grid, axis.axis.statistics, output, false);
+  vtkInternals::RecordCounts(counts, output);
+  vtkMedialFigures(output).AddText("Side", vtkSideAsString(vtkFromSide(axis.axis.side)));
+}
+
+//------------------------------------------------------------------------------
 int vtkMedialAxis::RequestData(vtkInformation* request, vtkInformationVector** inputVector,
   vtkInformationVector* outputVector)
 {
@@ -194,7 +255,11 @@ int vtkMedialAxis::RequestData(vtkInformation* request, vtkInformationVector** i
     [&]
     {
       vtkInternals::Begin(outputVector);
-      if (piece <= 0)
+      if (this->DistributedInput)
+      {
+        this->ExecutePieces(vtkDataObject::GetData(inputVector[0]), outputVector);
+      }
+      else if (piece <= 0)
       {
         this->Execute(vtkPolyData::GetData(inputVector[0]), outputVector);
       }

@@ -41,20 +41,27 @@
  * Neither output is split: piece 0 is all of it, every other piece is empty. For a distance field
  * in pieces use vtkMeshDistanceField.
  *
+ * @par Several processes:
+ * With DistributedInput the axis comes in pieces as well: each rank has the cells of its part of
+ * the grid, whatever piece is asked for. vtkGlobalPointIds and vtkGlobalCellIds are the numbers
+ * that points and cells have in the axis of one process; points on a cut are in several pieces,
+ * cells in one. GenerateDistanceField must be off, Topology SELECTED and MaximumNumberOfSpheres 0,
+ * since the others look at the whole axis. vtkDistributedFieldAlgorithm says what the input may be.
+ *
  * @sa
- * vtkMeshDistanceField vtkMeshFieldAlgorithm
+ * vtkMeshDistanceField vtkMeshFieldAlgorithm vtkDistributedFieldAlgorithm
  */
 
 #ifndef vtkMedialAxis_h
 #define vtkMedialAxis_h
 
+#include "vtkDistributedFieldAlgorithm.h"
 #include "vtkMedialFiltersModule.h" // For export macro
-#include "vtkMeshFieldAlgorithm.h"
 
 class vtkImageData;
 class vtkPolyData;
 
-class VTKMEDIALFILTERS_EXPORT vtkMedialAxis : public vtkMeshFieldAlgorithm
+class VTKMEDIALFILTERS_EXPORT vtkMedialAxis : public vtkDistributedFieldAlgorithm
 {
 public:
   ///@{
@@ -62,7 +69,7 @@ public:
    * Standard methods for instantiation, obtaining type information, and printing.
    */
   static vtkMedialAxis* New();
-  vtkTypeMacro(vtkMedialAxis, vtkMeshFieldAlgorithm);
+  vtkTypeMacro(vtkMedialAxis, vtkDistributedFieldAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
   ///@}
 
@@ -206,6 +213,7 @@ protected:
 
 private:
   void Execute(vtkPolyData* input, vtkInformationVector* outputVector);
+  void ExecutePieces(vtkDataObject* input, vtkInformationVector* outputVector);
 
   vtkMedialAxis(const vtkMedialAxis&) = delete;
   void operator=(const vtkMedialAxis&) = delete;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 #include <new>
 #include <sstream>
 #include <utility>
@@ -223,4 +224,26 @@ std::vector<vtkPieceFacts> vtkMedialRanks::Meet(Stage stage, const std::string& 
     facts.push_back(report.Facts);
   }
   return facts;
+}
+
+//------------------------------------------------------------------------------
+medial::Bounds vtkMedialRanks::BoundsOf(const std::vector<vtkPieceFacts>& pieces)
+{
+  constexpr double far = std::numeric_limits<double>::infinity();
+  medial::Bounds bounds{ { far, far, far }, { -far, -far, -far } };
+  bool empty = true;
+  for (const vtkPieceFacts& piece : pieces)
+  {
+    empty = empty && piece.Empty;
+    for (int axis = 0; axis < 3 && !piece.Empty; ++axis)
+    {
+      bounds.min[axis] = std::min(bounds.min[axis], piece.Bounds.min[axis]);
+      bounds.max[axis] = std::max(bounds.max[axis], piece.Bounds.max[axis]);
+    }
+  }
+  if (empty)
+  {
+    throw medial::Error(medial::ErrorCode::InvalidInput, "the mesh has no cells");
+  }
+  return bounds;
 }

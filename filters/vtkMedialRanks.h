@@ -65,6 +65,11 @@ public:
   std::vector<vtkPieceFacts> Meet(Stage stage, const std::string& options,
     const std::function<vtkPieceFacts()>& work);
 
+  /**
+   * The bounds of all pieces. Throws medial::Error if they are all empty.
+   */
+  static medial::Bounds BoundsOf(const std::vector<vtkPieceFacts>& pieces);
+
 private:
   void Send(const Message& message, int to);
   Message Receive(int from);

@@ -209,6 +209,17 @@ void SetBranches(const medial::Skeleton& skeleton, vtkPolyData* output)
   }
 }
 
+//------------------------------------------------------------------------------
+void SetGlobalIds(const char* name, const std::vector<std::int64_t>& ids,
+  vtkDataSetAttributes* attributes)
+{
+  vtkNew<vtkIdTypeArray> array;
+  array->SetName(name);
+  array->SetNumberOfValues(static_cast<vtkIdType>(ids.size()));
+  std::copy(ids.begin(), ids.end(), array->GetPointer(0));
+  attributes->SetGlobalIds(array);
+}
+
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -285,6 +296,14 @@ void vtkMeshConversion::ToPolyData(const medial::MedialAxis& axis, vtkPolyData* 
     output->GetPointData()->AddArray(features);
   }
   output->GetPointData()->SetActiveScalars("Radius");
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshConversion::ToPolyData(const medial::AxisPiece& piece, vtkPolyData* output)
+{
+  ToPolyData(piece.axis, output);
+  SetGlobalIds("vtkGlobalPointIds", piece.globalPointIds, output->GetPointData());
+  SetGlobalIds("vtkGlobalCellIds", piece.globalCellIds, output->GetCellData());
 }
 
 //------------------------------------------------------------------------------

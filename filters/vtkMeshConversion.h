@@ -8,6 +8,7 @@
 
 #include "medial/compute_medial_axis.h"
 #include "medial/point_distance.h"
+#include "medial/ranks.h"
 #include "medial/skeleton.h"
 #include "medial/subdivision.h"
 #include "medial/thickness.h"
@@ -51,6 +52,11 @@ medial::FieldArrays AllocateField(vtkImageData* output, const medial::Grid& grid
  * precision, with point data arrays.
  */
 void ToPolyData(const medial::MedialAxis& axis, vtkPolyData* output);
+
+/**
+ * The same for what one rank has of an axis, with vtkGlobalPointIds and vtkGlobalCellIds.
+ */
+void ToPolyData(const medial::AxisPiece& piece, vtkPolyData* output);
 
 /**
  * Fills an empty output with a skeleton: polylines, and vertices for points on their own, with

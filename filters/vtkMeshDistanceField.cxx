@@ -5,7 +5,6 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMedialExecution.h"
-#include "vtkMedialFigures.h"
 #include "vtkMedialRanks.h"
 #include "vtkMeshConversion.h"
 #include "vtkMeshFieldInternals.h"
@@ -18,7 +17,6 @@
 #include "medial/compute_distance_field.h"
 #include "medial/error.h"
 
-#include <algorithm>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -62,51 +60,6 @@ private:
 };
 
 //------------------------------------------------------------------------------
-// The bounds of all pieces. Throws if they are empty.
-medial::Bounds BoundsOf(const std::vector<vtkPieceFacts>& pieces)
-{
-  constexpr double far = std::numeric_limits<double>::infinity();
-  medial::Bounds bounds{ { far, far, far }, { -far, -far, -far } };
-  bool empty = true;
-  for (const vtkPieceFacts& piece : pieces)
-  {
-    empty = empty && piece.Empty;
-    for (int axis = 0; axis < 3 && !piece.Empty; ++axis)
-    {
-      bounds.min[axis] = std::min(bounds.min[axis], piece.Bounds.min[axis]);
-      bounds.max[axis] = std::max(bounds.max[axis], piece.Bounds.max[axis]);
-    }
-  }
-  if (empty)
-  {
-    throw medial::Error(medial::ErrorCode::InvalidInput, "the mesh has no cells");
-  }
-  return bounds;
-}
-
-//------------------------------------------------------------------------------
-// What must be the same on all ranks, a line each.
-std::string OptionsOf(vtkMeshDistanceField* filter)
-{
-  std::ostringstream text;
-  text.precision(std::numeric_limits<double>::max_digits10);
-  const auto vector = [&text](const char* name, const auto* values)
-  { text << name << ' ' << values[0] << ' ' << values[1] << ' ' << values[2] << '\n'; };
-  text << "GridMode " << filter->GetGridModeAsString() << "\nResolution " << filter->GetResolution()
-       << '\n';
-  vector("Spacing", filter->GetSpacing());
-  vector("Origin", filter->GetOrigin());
-  vector("Dimensions", filter->GetDimensions());
-  text << "Padding " << filter->GetPadding() << "\nSignMethod " << filter->GetSignMethodAsString()
-       << "\nEngine " << filter->GetEngineAsString() << "\nGenerateClosestPoint "
-       << filter->GetGenerateClosestPoint() << "\nGenerateClosestCell "
-       << filter->GetGenerateClosestCell() << "\nGenerateClosestFeature "
-       << filter->GetGenerateClosestFeature() << "\nGenerateClosestSite "
-       << filter->GetGenerateClosestSite() << '\n';
-  return text.str();
-}
-
-//------------------------------------------------------------------------------
 std::string TextOf(const medial::Grid& grid)
 {
   std::ostringstream text;
@@ -126,7 +79,6 @@ vtkStandardNewMacro(vtkMeshDistanceField);
 
 //------------------------------------------------------------------------------
 vtkMeshDistanceField::vtkMeshDistanceField()
-  : Controller(vtkMultiProcessController::GetGlobalController())
 {
   this->SetNumberOfOutputPorts(1);
 }
@@ -138,46 +90,6 @@ vtkMeshDistanceField::~vtkMeshDistanceField() = default;
 vtkImageData* vtkMeshDistanceField::GetOutput()
 {
   return vtkImageData::SafeDownCast(this->GetOutputDataObject(0));
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshDistanceField::SetController(vtkMultiProcessController* controller)
-{
-  if (controller != this->Controller)
-  {
-    this->Controller = controller;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-vtkMultiProcessController* vtkMeshDistanceField::GetController()
-{
-  return this->Controller;
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshDistanceField::Modified()
-{
-  this->FillInputPortInformation(0, this->GetInputPortInformation(0));
-  this->Superclass::Modified();
-}
-
-//------------------------------------------------------------------------------
-// The pipeline goes through the blocks of input that is not asked for here.
-int vtkMeshDistanceField::FillInputPortInformation(int port, vtkInformation* info)
-{
-  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
-  if (!this->Superclass::FillInputPortInformation(port, info))
-  {
-    return 0;
-  }
-  if (this->DistributedInput)
-  {
-    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
-    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
-  }
-  return 1;
 }
 
 //------------------------------------------------------------------------------
@@ -211,8 +123,8 @@ int vtkMeshDistanceField::RequestInformation(vtkInformation*, vtkInformationVect
         }
       }
       vtkMedialRanks ranks(this->Controller);
-      return this->Internals->MakeGrid(
-        BoundsOf(ranks.Meet(vtkMedialRanks::Stage::Information, OptionsOf(this),
+      return this->Internals->MakeGrid(vtkMedialRanks::BoundsOf(
+        ranks.Meet(vtkMedialRanks::Stage::Information, this->Internals->DescribeOptions(),
           [&]
           {
             if (!vtkUpdateInput(this, ranks.rank(), ranks.size()))
@@ -222,19 +134,6 @@ int vtkMeshDistanceField::RequestInformation(vtkInformation*, vtkInformationVect
             return vtkSurfacePiece(vtkDataObject::GetData(inputVector[0])).Facts();
           })));
     });
-}
-
-//------------------------------------------------------------------------------
-int vtkMeshDistanceField::RequestUpdateExtent(vtkInformation* request,
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  if (!this->DistributedInput)
-  {
-    return this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
-  }
-  const vtkMedialRanks ranks(this->Controller);
-  vtkRequestPiece(inputVector[0]->GetInformationObject(0), ranks.rank(), ranks.size());
-  return 1;
 }
 
 //------------------------------------------------------------------------------
@@ -298,7 +197,7 @@ void vtkMeshDistanceField::ComputeOfPieces(vtkInformationVector** inputVector,
   vtkSurfacePiece piece;
   vtkMedialRanks ranks(this->Controller);
   const std::vector<vtkPieceFacts> facts = ranks.Meet(vtkMedialRanks::Stage::Data,
-    OptionsOf(this) + TextOf(grid),
+    this->Internals->DescribeOptions() + TextOf(grid),
     [&]
     {
       if (this->GridMode == EXPLICIT)
@@ -321,10 +220,7 @@ void vtkMeshDistanceField::ComputeOfPieces(vtkInformationVector** inputVector,
   if (!extent.empty())
   {
     this->Internals->Record(grid, statistics, output, false);
-    vtkMedialFigures figures(output);
-    figures.AddCount("OwnTriangles", counts.ownTriangles);
-    figures.AddCount("HeldTriangles", counts.heldTriangles);
-    figures.AddCount("BytesSent", counts.bytesSent);
+    vtkInternals::RecordCounts(counts, output);
   }
 }
 
@@ -332,6 +228,4 @@ void vtkMeshDistanceField::ComputeOfPieces(vtkInformationVector** inputVector,
 void vtkMeshDistanceField::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "DistributedInput: " << (this->DistributedInput ? "On" : "Off") << "\n";
-  os << indent << "Controller: " << this->Controller.Get() << "\n";
 }

@@ -13,7 +13,10 @@
 
 #include "medial/error.h"
 
+#include <limits>
 #include <optional>
+#include <sstream>
+#include <string>
 
 namespace
 {
@@ -285,4 +288,36 @@ void vtkMeshFieldAlgorithm::vtkInternals::Record(const medial::Grid& grid,
   }
   AddWork(statistics, figures);
   AddDevice(statistics.device, figures);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshFieldAlgorithm::vtkInternals::RecordCounts(const medial::RankCounts& counts,
+  vtkDataObject* output)
+{
+  vtkMedialFigures figures(output);
+  figures.AddCount("OwnTriangles", counts.ownTriangles);
+  figures.AddCount("HeldTriangles", counts.heldTriangles);
+  figures.AddCount("BytesSent", counts.bytesSent);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkMeshFieldAlgorithm::vtkInternals::DescribeOptions()
+{
+  std::ostringstream text;
+  text.precision(std::numeric_limits<double>::max_digits10);
+  const auto vector = [&text](const char* name, const auto* values)
+  { text << name << ' ' << values[0] << ' ' << values[1] << ' ' << values[2] << '\n'; };
+  vtkMeshFieldAlgorithm* filter = this->Self;
+  text << "GridMode " << filter->GetGridModeAsString() << "\nResolution " << filter->GetResolution()
+       << '\n';
+  vector("Spacing", filter->GetSpacing());
+  vector("Origin", filter->GetOrigin());
+  vector("Dimensions", filter->GetDimensions());
+  text << "Padding " << filter->GetPadding() << "\nSignMethod " << filter->GetSignMethodAsString()
+       << "\nEngine " << filter->GetEngineAsString() << "\nGenerateClosestPoint "
+       << filter->GetGenerateClosestPoint() << "\nGenerateClosestCell "
+       << filter->GetGenerateClosestCell() << "\nGenerateClosestFeature "
+       << filter->GetGenerateClosestFeature() << "\nGenerateClosestSite "
+       << filter->GetGenerateClosestSite() << '\n';
+  return text.str();
 }

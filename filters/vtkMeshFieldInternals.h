@@ -12,10 +12,12 @@
 
 #include "medial/compute_medial_axis.h"
 #include "medial/execution.h"
+#include "medial/ranks.h"
 
 #include <exception>
 #include <functional>
 #include <optional>
+#include <string>
 
 class vtkMeshFieldAlgorithm::vtkInternals
 {
@@ -75,6 +77,11 @@ public:
   medial::DistanceFieldOptions MakeOptions(medial::Progress& progress);
 
   /**
+   * The parameters that must be the same on all ranks, a line with a name and values each.
+   */
+  std::string DescribeOptions();
+
+  /**
    * The image arrays that the Generate flags ask for.
    */
   vtkMeshConversion::ArraySelection MakeSelection();
@@ -85,6 +92,11 @@ public:
    */
   void Record(const medial::Grid& grid, const medial::RunStatistics& statistics,
     vtkDataObject* output, bool withMesh = true);
+
+  /**
+   * Adds what a rank has held and sent.
+   */
+  static void RecordCounts(const medial::RankCounts& counts, vtkDataObject* output);
 
   bool InputIsBlock = false;  // of composite input that the pipeline goes through
   std::exception_ptr Refusal; // why RequestImageInformation() failed last; null if it did not

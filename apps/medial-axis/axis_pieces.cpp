@@ -7,29 +7,17 @@
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
-#include <vtkIdTypeArray.h>
 #include <vtkMeshConversion.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 
-#include <algorithm>
 #include <string>
 
 namespace medial::app
 {
 namespace
 {
-
-void setGlobalIds(const char* name, const std::vector<std::int64_t>& ids,
-  vtkDataSetAttributes* attributes)
-{
-  vtkNew<vtkIdTypeArray> array;
-  array->SetName(name);
-  array->SetNumberOfValues(static_cast<vtkIdType>(ids.size()));
-  std::copy(ids.begin(), ids.end(), array->GetPointer(0));
-  attributes->SetGlobalIds(array);
-}
 
 /// The type of an array's values as XML files of VTK name it.
 std::string typeOf(vtkDataArray* array)
@@ -95,9 +83,7 @@ void AxisPieces::write(const AxisPiece& piece, const std::vector<std::int64_t>& 
   std::size_t rank)
 {
   vtkNew<vtkPolyData> data;
-  vtkMeshConversion::ToPolyData(piece.axis, data);
-  setGlobalIds("vtkGlobalPointIds", piece.globalPointIds, data->GetPointData());
-  setGlobalIds("vtkGlobalCellIds", piece.globalCellIds, data->GetCellData());
+  vtkMeshConversion::ToPolyData(piece, data);
   if (cells[rank] > 0)
   {
     piece_.emplace(this->piecePath(rank));

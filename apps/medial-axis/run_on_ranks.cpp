@@ -116,15 +116,6 @@ void requireSameOptions(const Options& options, Communicator& communicator)
   }
 }
 
-/// Receives a field that nobody wants.
-class NoField : public FieldSink
-{
-public:
-  FieldArrays slabArrays(const Extent& /*slab*/) override { return {}; }
-  void stored(const Extent& /*slab*/) override {}
-  std::size_t bytesPerPoint() const override { return 0; }
-};
-
 /// What all ranks have computed together.
 struct Computed
 {

@@ -39,6 +39,7 @@ from ._shape import (
 from ._skeleton import Branch, Skeleton, skeleton
 from ._update import update
 from .vtkMedialFilters import (
+    vtkDistributedFieldAlgorithm,
     vtkMedialAxis,
     vtkMedialCurves,
     vtkMedialLocalThickness,
@@ -81,6 +82,7 @@ __all__ = [
     "thickness",
     "thickness_regions",
     "update",
+    "vtkDistributedFieldAlgorithm",
     "vtkMedialAxis",
     "vtkMedialCurves",
     "vtkMedialLocalThickness",

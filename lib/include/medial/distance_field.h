@@ -75,6 +75,15 @@ public:
   virtual std::size_t bytesPerPoint() const = 0;
 };
 
+/// Receives a field that nobody wants.
+class NoField : public FieldSink
+{
+public:
+  FieldArrays slabArrays(const Extent& /*slab*/) override { return {}; }
+  void stored(const Extent& /*slab*/) override {}
+  std::size_t bytesPerPoint() const override { return 0; }
+};
+
 /// A distance field in memory. Each array has one element (closestPoint: three) per grid point, x
 /// fastest.
 struct DistanceField

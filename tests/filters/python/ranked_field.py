@@ -1,4 +1,4 @@
-"""Run by ranks_test.py under mpirun: fields of a surface in pieces, one case after the other.
+"""Run by ranks_test.py under mpirun: fields and axes of a surface in pieces, one case after the other.
 
 usage: ranked_field.py FOLDER
 FOLDER/cases.json has the cases; each rank writes what it computed of case C to FOLDER/C.RANK.npz.
@@ -118,7 +118,7 @@ def blocks_of(data):
 
 
 def field_filter(case):
-    field = medial.vtkMeshDistanceField()
+    field = medial.vtkMedialAxis() if case.get("axis") else medial.vtkMeshDistanceField()
     field.SetSignMethodToPseudonormal()
     field.SetEngineToProcessor()
     field.SetNumberOfThreads(1)
@@ -127,7 +127,26 @@ def field_filter(case):
     return field
 
 
+def axis_arrays_of(axis):
+    """Points with their attributes, and the points of each cell, as one process numbers them."""
+    points = axis.GetPointData()
+    arrays = {points.GetArrayName(i): vtk_to_numpy(points.GetArray(i)) for i in range(points.GetNumberOfArrays())}
+    arrays["points"] = (vtk_to_numpy(axis.GetPoints().GetData()) if axis.GetNumberOfPoints() else np.empty((0, 3)))
+    numbers = arrays.get("vtkGlobalPointIds", np.arange(axis.GetNumberOfPoints()))
+    cells = np.full((axis.GetNumberOfCells(), 4), -1)
+    for i, cell in enumerate(cells):
+        corners = axis.GetCell(i).GetPointIds()
+        count = corners.GetNumberOfIds()
+        cell[:count] = [numbers[corners.GetId(j)] for j in range(count)]
+    arrays["cells"] = cells
+    if axis.GetCellData().GetGlobalIds():
+        arrays["vtkGlobalCellIds"] = vtk_to_numpy(axis.GetCellData().GetGlobalIds())
+    return arrays
+
+
 def arrays_of(image):
+    if image.IsA("vtkPolyData"):
+        return axis_arrays_of(image)
     data = image.GetPointData()
     return {name: vtk_to_numpy(data.GetArray(name)) for name in ARRAYS if data.GetArray(name)}
 
@@ -176,7 +195,7 @@ def compute(case, controller, folder, number):
     for ghosts in case.get("ghost levels", [0]):
         field.UpdatePiece(rank, ranks, ghosts)
         results = arrays_of(field.GetOutput())
-        results["extent"] = np.array(field.GetOutput().GetExtent())
+        results["extent"] = np.array([] if case.get("axis") else field.GetOutput().GetExtent())
         results["held"] = np.array([row.GetValue(0) if row else -1 for row in (
             field.GetOutput().GetFieldData().GetAbstractArray(name)
             for name in ("OwnTriangles", "HeldTriangles", "BytesSent"))])

@@ -1,4 +1,4 @@
-"""vtkMeshDistanceField on a surface in pieces: the bits of one process, and failures on all ranks.
+"""vtkMeshDistanceField and vtkMedialAxis on surfaces in pieces: the bits of one process, and failures on all ranks.
 
 usage: ranks_test.py MPIRUN
 """
@@ -106,6 +106,41 @@ class Ranks(unittest.TestCase):
                 with self.subTest(ranks=ranks, case=case):
                     self.expect_bits_of_one(case, parts)
 
+    def expect_axis_of_one(self, case, parts):
+        whole = field_filter(case)
+        points, triangles, _ = whole_surface(case, len(parts))
+        whole.SetInputData(polydata(points, triangles))
+        whole.Update()
+        expected = arrays_of(whole.GetOutput())
+        cells = np.zeros(len(expected["cells"]), int)
+        seen = np.zeros(len(expected["points"]), bool)
+        for part in parts:
+            self.assertEqual(list(part["messages"]), [])
+            numbers, own = part["vtkGlobalPointIds"], part["vtkGlobalCellIds"]
+            seen[numbers] = True
+            cells[own] += 1
+            np.testing.assert_array_equal(part["cells"], expected["cells"][own])
+            for name in set(expected) - {"cells"}:
+                self.assertEqual(part[name].tobytes(), expected[name][numbers].tobytes(), name)
+        self.assertGreater(len(cells), 100)
+        self.assertTrue((cells == 1).all())
+        self.assertTrue(seen.all())
+
+    def test_axes_are_those_of_one_process(self):
+        cases = [
+            {"axis": True, "pieces": "random", "options": {"Resolution": 48}},
+            {"axis": True, "pieces": "random", "options": {"Resolution": 40, "Angle": 30, "Representation": 1},
+             "ids": "marked cells points", "ghosts": True},
+            {"axis": True, "pieces": "runs", "options": {"Resolution": 40, "Angle": 20, "Side": 2}, "blocks": "multiblock"},
+            {"axis": True, "pieces": "one", "owner": 1, "options": {"Resolution": 40, "SignMethod": 1}},
+            {"axis": True, "pieces": "random", "empty": 1, "options": {
+                "GridMode": 2, "Origin": [-1.5, -1.4, -1.6], "Spacing": [0.08, 0.08, 0.08], "Dimensions": [39, 38, 41]}},
+        ]
+        for ranks, some in ((1, cases[:1]), (2, cases), (3, cases), (7, cases[:1])):
+            for case, parts in zip(some, run(ranks, some)):
+                with self.subTest(ranks=ranks, case=case):
+                    self.expect_axis_of_one(case, parts)
+
     def test_no_rank_holds_the_surface(self):
         case = {"pieces": "runs", "options": {"Resolution": 64}}
         (parts,) = run(4, [case])
@@ -136,6 +171,15 @@ class Ranks(unittest.TestCase):
             ({"options": {"Resolution": 1}}, "resolution 1 is outside"),
             ({"options": {**small, "SignMethod": 0}}, "rank 0: sign method auto needs the whole surface"),
             ({"options": {**small, "Engine": 1}}, "rank 0: .* needs the engine processor"),
+        ]
+        axis = {"axis": True, "options": small}
+        failures += [
+            ({**axis, "fault": "NaN", "rank": 1}, "^rank 1: point 0 .*nan"),
+            ({**axis, "options of ranks": {"1": {"Angle": 40}}}, "rank 1: Angle 40, but rank 0 has Angle 60"),
+            ({**axis, "options": {**small, "GenerateDistanceField": 1}}, "rank 0: GenerateDistanceField must be off"),
+            ({**axis, "options": {**small, "Topology": 1}}, "rank 0: .*topology"),
+            ({**axis, "options": {**small, "MaximumNumberOfSpheres": 50}}, "rank 0: .*50"),
+            ({**axis, "options": {**small, "Angle": 200}}, "rank 0: .*200"),
         ]
         good = {"pieces": "random", "options": small}
         cases = [{"pieces": "random", **case} for case, _ in failures] + [good]
