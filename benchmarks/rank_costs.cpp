@@ -23,14 +23,6 @@ namespace
 
 using namespace medial;
 
-class NoField : public FieldSink
-{
-public:
-  FieldArrays slabArrays(const Extent& /*slab*/) override { return {}; }
-  void stored(const Extent& /*slab*/) override {}
-  std::size_t bytesPerPoint() const override { return 0; }
-};
-
 struct Settings
 {
   std::string mesh;

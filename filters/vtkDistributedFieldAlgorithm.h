@@ -3,13 +3,13 @@
  * @brief   superclass of the filters that take a surface in pieces on several processes
  *
  * Unless DistributedInput is on, every process (rank) needs the whole surface and works for itself.
- * With DistributedInput the inputs of all ranks together are the surface, and no rank ever holds it:
- * each makes its part of the output that one process makes of the whole by ENGINE_PROCESSOR, bit for
- * bit. An input may then also be a vtkUnstructuredGrid of triangles and polygons, or blocks of both
- * kinds, as parallel readers and vtkRedistributeDataSetFilter deliver them; ghost cells are left
- * out, and pieces may be empty. Points whose coordinates have the same bits are one, and so are
- * triangles with the same corners. Global ids of cells and points number them in the whole, where
- * all pieces have some; otherwise cells are numbered one piece after the other.
+ * With DistributedInput the inputs of all ranks together are the surface, and no rank ever holds
+ * it: each makes its part of the output that one process makes of the whole by ENGINE_PROCESSOR,
+ * bit for bit. An input may then also be a vtkUnstructuredGrid of triangles and polygons, or blocks
+ * of both kinds, as parallel readers and vtkRedistributeDataSetFilter deliver them; ghost cells are
+ * left out, and pieces may be empty. Points whose coordinates have the same bits are one, and so
+ * are triangles with the same corners. Global ids of cells and points number them in the whole,
+ * where all pieces have some; otherwise cells are numbered one piece after the other.
  *
  * The surface must be an oriented manifold of triangles, closed or open, SignMethod SIGN_NONE or
  * SIGN_PSEUDONORMAL, and Engine ENGINE_AUTO or ENGINE_PROCESSOR. The field data have no arrays of

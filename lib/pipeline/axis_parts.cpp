@@ -117,7 +117,8 @@ MedialAxis AxisParts::part(std::size_t number, Side side, double fraction, const
       const Checkpoint checkpoint(run, fraction, kPhase);
       const GridFrame& frame = pipeline_.frame();
       const AxisGeometry geometry{ pipeline_.sites(), pipeline_.query(), frame, grid_.wholeExtent(),
-        grid_.wholeExtent(), glm::radians(options_.angle), 0.0, 0.0, checkpoint, side_ ? &*side_ : nullptr };
+        grid_.wholeExtent(), glm::radians(options_.angle), 0.0, 0.0, checkpoint,
+        side_ ? &*side_ : nullptr };
       setAxisPoints(surfaceOf(geometry, crossings, axis), frame, axis);
     });
   const double low = grid_.point(0, 0, first)[2];

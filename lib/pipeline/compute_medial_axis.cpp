@@ -33,8 +33,8 @@ namespace medial
 namespace
 {
 
-/// Bytes per grid point for preserving topology: field, cells and anchors.
-constexpr std::size_t kPreservationBytes = 10;
+/// Bytes per grid point for preserving topology: field, voxels, cells, sheets and ranks.
+constexpr std::size_t kPreservationBytes = 14;
 /// Share of the work that is done once the crossings are selected.
 constexpr double kSelected = 0.8;
 

@@ -95,7 +95,7 @@ Crossing dualEdge(const CubicalComplex& complex, CubeCell face)
 AxisSamples::AxisSamples(const CubicalComplex& complex, const std::vector<Crossing>& crossings,
   const BisectorPoints& bisectors)
   : samples_(bisectors)
-  , rows_(complex)
+  , ranks_(complex)
 {
   byFace_.reserve(crossings.size());
   for (std::size_t i = 0; i < crossings.size(); ++i)
@@ -110,7 +110,7 @@ void AxisSamples::sort()
   tbb::parallel_sort(byFace_.begin(), byFace_.end(),
     [](const Entry& a, const Entry& b)
     { return std::tie(a.face, a.sample) < std::tie(b.face, b.sample); });
-  rows_.set(byFace_, faceOf);
+  ranks_.set(byFace_, faceOf);
 }
 
 void AxisSamples::add(const SampleContext& context, const CubicalComplex& complex,
@@ -150,8 +150,8 @@ int AxisSamples::addPoint(const SampleContext& context, const CubicalComplex& co
 
 int AxisSamples::find(CubeCell face) const
 {
-  const std::size_t entry = rows_.find(face, byFace_, faceOf);
-  return entry < byFace_.size() && byFace_[entry].face == face ? byFace_[entry].sample : kNone;
+  const std::size_t entry = ranks_.find(face);
+  return entry == CellRanks::kNone ? kNone : byFace_[entry].sample;
 }
 
 } // namespace medial

@@ -57,7 +57,7 @@ private:
 
   BisectorPoints samples_;
   std::vector<Entry> byFace_; ///< ascending
-  CellRows rows_;
+  CellRanks ranks_;
 };
 
 /// The face dual to a crossing, and the crossing without sites of a face.

@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace medial
 {
@@ -46,11 +47,27 @@ CubicalComplex::CubicalComplex(const glm::ivec3& size)
   }
 }
 
+void CubicalComplex::insert(const CubicalComplex& other)
+{
+  std::transform(bits_.begin(), bits_.end(), other.bits_.begin(), bits_.begin(),
+    [](std::uint8_t a, std::uint8_t b) { return static_cast<std::uint8_t>(a | b); });
+}
+
 glm::ivec3 CubicalComplex::position(CubeCell cell) const
 {
-  const auto p = static_cast<std::int64_t>(index(cell));
-  return { static_cast<int>(p % stride_[1]), static_cast<int>(p / stride_[1] % size_.y),
-    static_cast<int>(p / stride_[2]) };
+  const std::size_t p = index(cell);
+  const auto split = [this](auto place)
+  {
+    using Place = decltype(place);
+    const auto row = place / static_cast<Place>(size_.x);
+    const auto z = row / static_cast<Place>(size_.y);
+    return glm::ivec3(static_cast<int>(place - row * static_cast<Place>(size_.x)),
+      static_cast<int>(row - z * static_cast<Place>(size_.y)), static_cast<int>(z));
+  };
+  // Short divisions take a fraction of the time of long ones.
+  return this->positions() <= std::numeric_limits<std::uint32_t>::max()
+    ? split(static_cast<std::uint32_t>(p))
+    : split(p);
 }
 
 glm::dvec3 CubicalComplex::centre(CubeCell cell) const
@@ -78,6 +95,25 @@ std::array<CubeCell, 12> facesAround(const CubicalComplex& complex, CubeCell ver
     }
   }
   return faces;
+}
+
+CubicalComplex closureOf(const glm::ivec3& size, const std::vector<CubeCell>& faces)
+{
+  CubicalComplex complex(size);
+  for (const CubeCell face : faces)
+  {
+    complex.insert(face);
+    for (const CubeCell step : complex.faces(CubicalComplex::kind(face)))
+    {
+      const CubeCell edge = face + step;
+      complex.insert(edge);
+      for (const CubeCell end : complex.faces(CubicalComplex::kind(edge)))
+      {
+        complex.insert(edge + end);
+      }
+    }
+  }
+  return complex;
 }
 
 std::vector<CubeCell> cellsOf(const CubicalComplex& complex, int kind)

@@ -70,15 +70,31 @@ std::vector<CubeCell> sheetFaces(const CubicalComplex& solid, const Selection& s
   return splitSheets(solid.size(), faces, samples, selection.exact).sheets;
 }
 
+/// Takes all voxels out of a solid but those where thinning has to decide something, and leaves its
+/// sheets.
+void reduceToCore(const DepthField& depth, const Selection& selection,
+  const std::vector<CubeCell>& sheets, const Checkpoint& checkpoint, VoxelMask& voxels,
+  CubicalComplex& solid)
+{
+  const CubicalComplex closed = closureOf(solid.size(), sheets);
+  std::vector<Crossing> others;
+  std::copy_if(selection.crossings.begin(), selection.crossings.end(), std::back_inserter(others),
+    [&](const Crossing& crossing) { return !closed.has(dualFace(solid, crossing)); });
+  reduceToCore(depth, closed, others, checkpoint, voxels);
+  setVoxels(voxels, solid);
+  solid.insert(closed);
+}
+
 /// Thins a solid. The rules for curves apply to strips: selected ones, and those that sheets were
 /// reduced to where they enclose voxels.
-void thin(CubicalComplex& solid, const DepthField& depth, const AxisGeometry& geometry,
-  const std::int32_t* closestSites, const Selection& selection, const AxisSamples& samples)
+/// @param anchored the faces of sheets.
+void thin(CubicalComplex& solid, const std::vector<CubeCell>& anchored, const DepthField& depth,
+  const AxisGeometry& geometry, const std::int32_t* closestSites, const Selection& selection,
+  const AxisSamples& samples)
 {
   const CurveProbe probe(geometry.sites, geometry.frame, closestSites, depth, geometry.angle);
   Thinning thinning(solid, depth, probe, geometry.frame.step,
     { geometry.angle, geometry.lambda, geometry.radius }, geometry.checkpoint);
-  const std::vector<CubeCell> anchored = sheetFaces(solid, selection, samples);
   for (const CubeCell face : anchored)
   {
     thinning.anchor(face, static_cast<float>(samples.point(samples.find(face)).separationAngle()));
@@ -142,17 +158,15 @@ PreservedAxis preserveTopology(const ThinningInput& input, const AxisGeometry& g
   const auto addSolid = [&](const DepthField& depth)
   {
     CubicalComplex solid(size);
-    Selection selection;
-    {
-      VoxelMask voxels = voxelsOf(depth, size);
-      setVoxels(voxels, solid);
-      add(topologyOf(solid), axis.solid);
-      selection = selectionWithin(solid, crossings, sheets);
-      reduceToCore(depth, size, selection.crossings, geometry.checkpoint, voxels);
-      setVoxels(voxels, solid);
-    }
+    VoxelMask voxels = voxelsOf(depth, size);
+    setVoxels(voxels, solid);
+    add(topologyOf(solid), axis.solid);
+    const Selection selection = selectionWithin(solid, crossings, sheets);
     AxisSamples samples(solid, selection.crossings, selection.bisectors);
-    thin(solid, depth, geometry, input.closestSites, selection, samples);
+    const std::vector<CubeCell> anchored = sheetFaces(solid, selection, samples);
+    reduceToCore(depth, selection, anchored, geometry.checkpoint, voxels, solid);
+    VoxelMask().swap(voxels);
+    thin(solid, anchored, depth, geometry, input.closestSites, selection, samples);
     ThinnedAxis cells =
       thinnedAxis(solid, depth, { geometry, input.closestSites }, input.representation, samples);
     if (input.representation == Representation::Surface)

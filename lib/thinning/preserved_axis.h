@@ -36,7 +36,7 @@ struct ThinningInput
 /// the solid (reduceToCore(), Thinning). The anchors are the faces dual to the selected crossings,
 /// except those that form no sheet.
 ///
-/// Needs 10 bytes per grid point, including the field, and memory for the front of the fire.
+/// Needs 14 bytes per grid point, including the field, and memory for the front of the fire.
 /// Surfaces get the finish of selected ones: finishRims().
 ///
 /// @param crossings the selected ones.

@@ -62,20 +62,27 @@ bool isWide(const CubicalComplex& complex, const AxisSamples& samples, CubeCell 
     { return glm::length(glm::cross(point - points[start], along)) > kMinWidth * length; });
 }
 
-bool isInSheet(const CubicalComplex& complex, const AxisSamples& samples, CubeCell face)
+/// Returns 1 for the positions whose vertex is an inner point of a sheet, or 0.
+std::vector<std::uint8_t> innerPoints(const CubicalComplex& complex, const AxisSamples& samples)
 {
-  for (const CubeCell step : complex.faces(CubicalComplex::kind(face)))
-  {
-    const CubeCell edge = face + step;
-    for (const CubeCell end : complex.faces(CubicalComplex::kind(edge)))
+  const std::vector<CubeCell> vertices = cellsOf(complex, kVertexKind);
+  std::vector<std::uint8_t> inner(complex.positions(), 0);
+  tbb::parallel_for(std::size_t{ 0 }, vertices.size(),
+    [&](std::size_t i)
     {
-      if (isInside(complex, edge + end) && isWide(complex, samples, edge + end))
-      {
-        return true;
-      }
-    }
-  }
-  return false;
+      inner[CubicalComplex::index(vertices[i])] =
+        isInside(complex, vertices[i]) && isWide(complex, samples, vertices[i]) ? 1 : 0;
+    });
+  return inner;
+}
+
+bool isInSheet(const CubicalComplex& complex, const std::vector<std::uint8_t>& inner, CubeCell face)
+{
+  const int axis = CubicalComplex::kind(face) - kFaceKind;
+  const std::size_t corner = CubicalComplex::index(face);
+  const auto u = static_cast<std::size_t>(complex.stride((axis + 1) % 3));
+  const auto v = static_cast<std::size_t>(complex.stride((axis + 2) % 3));
+  return (inner[corner] | inner[corner + u] | inner[corner + v] | inner[corner + u + v]) != 0;
 }
 
 /// Adds exact faces that are joined to sheets through edges, directly or through others.
@@ -84,7 +91,8 @@ void addJoined(const CubicalComplex& complex, const std::vector<CubeCell>& faces
   const AxisSamples& samples, const std::vector<std::uint8_t>& exact,
   std::vector<std::uint8_t>& inSheet)
 {
-  std::vector<std::pair<CubeCell, std::size_t>> others;
+  using Other = std::pair<CubeCell, std::size_t>;
+  std::vector<Other> others;
   std::vector<CubeCell> front;
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
@@ -98,6 +106,8 @@ void addJoined(const CubicalComplex& complex, const std::vector<CubeCell>& faces
     }
   }
   std::sort(others.begin(), others.end());
+  CellRanks ranks(complex);
+  ranks.set(others, [](const Other& other) { return other.first; });
   for (std::size_t k = 0; k < front.size() && !others.empty(); ++k)
   {
     const CubeCell face = front[k];
@@ -106,12 +116,11 @@ void addJoined(const CubicalComplex& complex, const std::vector<CubeCell>& faces
       const CubeCell edge = face + toEdge;
       for (const CubeCell toFace : complex.cofaces(CubicalComplex::kind(edge)))
       {
-        const std::pair<CubeCell, std::size_t> wanted{ edge + toFace, 0 };
-        const auto found = std::lower_bound(others.begin(), others.end(), wanted);
-        if (found != others.end() && found->first == wanted.first && inSheet[found->second] == 0)
+        const std::size_t rank = ranks.find(edge + toFace);
+        if (rank != CellRanks::kNone && inSheet[others[rank].second] == 0)
         {
-          inSheet[found->second] = 1;
-          front.push_back(found->first);
+          inSheet[others[rank].second] = 1;
+          front.push_back(edge + toFace);
         }
       }
     }
@@ -124,8 +133,11 @@ SheetSplit splitSheets(const CubicalComplex& complex, const std::vector<CubeCell
   const AxisSamples& samples, const std::vector<std::uint8_t>& exact)
 {
   std::vector<std::uint8_t> inSheet(faces.size());
-  tbb::parallel_for(std::size_t{ 0 }, faces.size(),
-    [&](std::size_t i) { inSheet[i] = isInSheet(complex, samples, faces[i]) ? 1 : 0; });
+  {
+    const std::vector<std::uint8_t> inner = innerPoints(complex, samples);
+    tbb::parallel_for(std::size_t{ 0 }, faces.size(),
+      [&](std::size_t i) { inSheet[i] = isInSheet(complex, inner, faces[i]) ? 1 : 0; });
+  }
   addJoined(complex, faces, samples, exact, inSheet);
   SheetSplit split;
   for (std::size_t i = 0; i < faces.size(); ++i)
@@ -138,21 +150,7 @@ SheetSplit splitSheets(const CubicalComplex& complex, const std::vector<CubeCell
 SheetSplit splitSheets(const glm::ivec3& size, const std::vector<CubeCell>& faces,
   const AxisSamples& samples, const std::vector<std::uint8_t>& exact)
 {
-  CubicalComplex complex(size);
-  for (const CubeCell face : faces)
-  {
-    complex.insert(face);
-    for (const CubeCell step : complex.faces(CubicalComplex::kind(face)))
-    {
-      const CubeCell edge = face + step;
-      complex.insert(edge);
-      for (const CubeCell end : complex.faces(CubicalComplex::kind(edge)))
-      {
-        complex.insert(edge + end);
-      }
-    }
-  }
-  return splitSheets(complex, faces, samples, exact);
+  return splitSheets(closureOf(size, faces), faces, samples, exact);
 }
 
 } // namespace medial

@@ -104,6 +104,57 @@ const SharedCells& sharedCells()
   return cells;
 }
 
+/// Cells of a voxel's surface, looked up by those that a complex has at its corners.
+class CellsAtCorners
+{
+public:
+  CellsAtCorners()
+  {
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      for (std::size_t bits = 0; bits < 256; ++bits)
+      {
+        SurfaceCells& cells = cells_[corner][bits];
+        for (int kind = 0; kind < kVoxelKind; ++kind)
+        {
+          cells |= (bits >> kind & 1) != 0 ? cellAt(corner, kind) : 0;
+        }
+      }
+    }
+  }
+
+  /// @param bits of the complex at a corner.
+  SurfaceCells at(int corner, std::uint8_t bits) const { return cells_[corner][bits]; }
+
+private:
+  /// Returns the cell of a kind at a corner; nothing if it is not one of the voxel.
+  static SurfaceCells cellAt(int corner, int kind)
+  {
+    const auto spans = static_cast<int>(CubicalComplex::spans(kind));
+    if ((corner & spans) != 0)
+    {
+      return 0;
+    }
+    switch (CubicalComplex::dimension(kind))
+    {
+      case 0:
+        return SurfaceCells{ 1 } << corner;
+      case 1:
+        return SurfaceCells{ 1 } << (kFirstEdges + 8 * (kind - kEdgeKind) + corner);
+      default:
+        return SurfaceCells{ 1 } << (kFirstFaces + 2 * (kind - kFaceKind) + (corner != 0 ? 1 : 0));
+    }
+  }
+
+  std::array<std::array<SurfaceCells, 256>, 8> cells_{};
+};
+
+const CellsAtCorners& cellsAtCorners()
+{
+  static const CellsAtCorners cells;
+  return cells;
+}
+
 /// Returns the corners that are connected by edges with the given ones.
 MEDIAL_INLINE unsigned connectedCorners(SurfaceCells cells, unsigned corners)
 {
@@ -200,12 +251,13 @@ private:
 class Core
 {
 public:
-  Core(const DepthField& depth, const glm::ivec3& size, const Checkpoint& checkpoint,
+  Core(const DepthField& depth, const CubicalComplex& sheets, const Checkpoint& checkpoint,
     VoxelMask& voxels)
     : depth_(depth)
+    , sheets_(sheets)
     , checkpoint_(checkpoint)
-    , size_(size)
-    , stride_{ 1, size.x, static_cast<std::ptrdiff_t>(size.x) * size.y }
+    , size_(sheets.size())
+    , stride_{ 1, size_.x, static_cast<std::ptrdiff_t>(size_.x) * size_.y }
     , voxels_(voxels)
   {
     for (int around = 0; around < kAround; ++around)
@@ -277,7 +329,8 @@ public:
       {
         continue;
       }
-      if (contractible(sharedCells().with(this->presentAround(voxel, now))))
+      if (contractible(
+            sharedCells().with(this->presentAround(voxel, now)) | this->sheetCells(voxel)))
       {
         voxels_[voxel] = kInSolid;
         this->reopenAround(voxel);
@@ -347,6 +400,22 @@ private:
     }
   }
 
+  /// Returns the cells that a voxel shares with the sheets.
+  SurfaceCells sheetCells(std::ptrdiff_t voxel) const
+  {
+    const std::uint8_t* const bits = sheets_.bitsFrom(static_cast<std::size_t>(voxel));
+    SurfaceCells cells = 0;
+    for (int corner = 0; corner < 8; corner += 2)
+    {
+      const std::uint8_t* const pair =
+        bits + ((corner & 2) != 0 ? stride_[1] : 0) + ((corner & 4) != 0 ? stride_[2] : 0);
+      cells |= (pair[0] | pair[1]) == 0
+        ? 0
+        : cellsAtCorners().at(corner, pair[0]) | cellsAtCorners().at(corner + 1, pair[1]);
+    }
+    return cells;
+  }
+
   /// Returns the voxels around one that are still there, as bits.
   /// @param now all voxels up to this place have gone, or stay.
   std::uint32_t presentAround(std::ptrdiff_t voxel, const Place& now) const
@@ -396,6 +465,11 @@ private:
     const std::ptrdiff_t row = stride_[1] * y + stride_[2] * z;
     for (int x = first; x <= last; ++x)
     {
+      const SurfaceCells onSheets = depth[x] >= 0.0f ? this->sheetCells(row + x) : 0;
+      if (onSheets != 0)
+      {
+        simple[x - first] = contractible(sharedCells().with(later[x - first]) | onSheets) ? 1 : 0;
+      }
       if (depth[x] >= 0.0f && (simple[x - first] == 0 || this->isThin(row + x)))
       {
         undecided.push_back(row + x);
@@ -412,6 +486,7 @@ private:
   }
 
   const DepthField& depth_;
+  const CubicalComplex& sheets_;
   const Checkpoint& checkpoint_;
   glm::ivec3 size_;
   std::array<std::ptrdiff_t, 3> stride_;
@@ -423,10 +498,10 @@ private:
 
 } // namespace
 
-void reduceToCore(const DepthField& depth, const glm::ivec3& size,
+void reduceToCore(const DepthField& depth, const CubicalComplex& sheets,
   const std::vector<Crossing>& crossings, const Checkpoint& checkpoint, VoxelMask& voxels)
 {
-  Core core(depth, size, checkpoint, voxels);
+  Core core(depth, sheets, checkpoint, voxels);
   core.addUndecided();
   core.addEnds(crossings);
   core.close();

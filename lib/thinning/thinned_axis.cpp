@@ -58,9 +58,9 @@ public:
     , context_(context)
     , samples_(samples)
     , vertices_(cellsOf(complex, kVertexKind))
-    , rows_(complex)
+    , ranks_(complex)
   {
-    rows_.set(vertices_, itself);
+    ranks_.set(vertices_, itself);
   }
 
   ThinnedAxis build(Representation representation)
@@ -103,7 +103,7 @@ private:
 
   std::int64_t point(CubeCell vertex) const
   {
-    return static_cast<std::int64_t>(rows_.find(vertex, vertices_, itself));
+    return static_cast<std::int64_t>(ranks_.find(vertex));
   }
 
   void findSamples(ThinnedAxis& cells)
@@ -266,7 +266,7 @@ private:
   const SampleContext& context_;
   AxisSamples& samples_;
   std::vector<CubeCell> vertices_; ///< ascending
-  CellRows rows_;
+  CellRanks ranks_;
   DualMesh mesh_; ///< cells and samples of the vertices
   std::vector<char> onSheet_;
 };

@@ -77,15 +77,6 @@ std::set<Cell> cellsOfWhole(const TriangleMesh& mesh, const Grid& grid, Side sid
   return cells;
 }
 
-/// Ignores the field.
-class NoSink : public FieldSink
-{
-public:
-  FieldArrays slabArrays(const Extent&) override { return {}; }
-  void stored(const Extent&) override {}
-  std::size_t bytesPerPoint() const override { return 4; }
-};
-
 } // namespace
 
 TEST(AxisParts, HaveTheCellsOfTheWholeOnBothSidesButFewAtBorders)
@@ -99,7 +90,7 @@ TEST(AxisParts, HaveTheCellsOfTheWholeOnBothSidesButFewAtBorders)
   options.crossings = 1;
   options.slices = 16;
   AxisParts parts(mesh, connectivity, grid, options, medial::Run(Execution{}));
-  NoSink sink;
+  NoField sink;
   parts.computeField(sink);
   for (const Side side : { Side::Interior, Side::Exterior })
   {
@@ -128,7 +119,7 @@ TEST(AxisParts, OfAFewCrossingsAreOne)
   const MeshConnectivity connectivity = analyseConnectivity(mesh);
   AxisParts parts(mesh, connectivity, makeGrid(mesh.bounds(), 200, 0.1), AxisPartsOptions{},
     medial::Run(Execution{}));
-  NoSink sink;
+  NoField sink;
   parts.computeField(sink);
   int count = 0;
   parts.forParts(Side::Interior, medial::Run(Execution{}), [&](const MedialAxis&) { ++count; });

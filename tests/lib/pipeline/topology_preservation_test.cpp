@@ -376,6 +376,9 @@ std::vector<ModelCase> models()
   for (const ModelCase& model : { ModelCase{ "anchor", "cad/anchor_1k.off", 1, 4 },
          ModelCase{ "fertility", "organic/fertility_genus4.off", 1, 4 },
          ModelCase{ "casting", "cad/casting_10k.off", 1, 9 },
+         ModelCase{ "fandisk", "cad/fandisk_13k.obj", 1, 0 },
+         ModelCase{ "rockerArm", "cad/rocker_arm_20k.obj", 1, 1 },
+         ModelCase{ "doubleTorus", "ma_ref/hexmesh_dtorus.off", 1, 2 },
          ModelCase{ "triceratops", "paper/triceratops.off", 1, 0 },
          ModelCase{ "gears", "cad/gears_7comp_19k.stl", 7, -1 },
          ModelCase{ "knot", "multi/knot2_2comp_11.5k.off", 2, 2 } })

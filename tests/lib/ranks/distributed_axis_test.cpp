@@ -23,15 +23,6 @@ using namespace medial::test;
 namespace
 {
 
-/// Wants nothing.
-class NoField : public FieldSink
-{
-public:
-  FieldArrays slabArrays(const Extent& /*slab*/) override { return {}; }
-  void stored(const Extent& /*slab*/) override {}
-  std::size_t bytesPerPoint() const override { return 0; }
-};
-
 /// What is computed by ranks and compared with one process.
 struct Case
 {

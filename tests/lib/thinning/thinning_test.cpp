@@ -45,11 +45,13 @@ public:
     return voxelSolid(depth_, { this->dim(0), this->dim(1), this->dim(2) });
   }
   /// The voxels of the core of the solid.
-  VoxelMask core(const std::vector<Crossing>& crossings = {}) const
+  /// @param sheets faces that stay.
+  VoxelMask core(const std::vector<Crossing>& crossings = {},
+    const std::vector<CubeCell>& sheets = {}) const
   {
     const glm::ivec3 size(this->dim(0), this->dim(1), this->dim(2));
     VoxelMask voxels = voxelsOf(depth_, size);
-    reduceToCore(depth_, size, crossings, checkpoint_, voxels);
+    reduceToCore(depth_, closureOf(size, sheets), crossings, checkpoint_, voxels);
     return voxels;
   }
   CubicalComplex closed(const VoxelMask& voxels) const
@@ -221,6 +223,60 @@ TEST(SolidCore, HasTheTopologyOfRandomVoxels)
       EXPECT_EQ(complex.has(other), solid.has(other)) << "round " << round;
     }
   }
+}
+
+TEST(SolidCore, WithSheetsHasTheTopologyOfRandomVoxels)
+{
+  std::mt19937 random(4);
+  for (int round = 0; round < 120; ++round)
+  {
+    Voxels voxels({ 10, 9, 11 });
+    for (std::size_t i = 0; i < voxels.size(); ++i)
+    {
+      const float depth = 0.1f + static_cast<float>(random() % 20) * 0.05f;
+      voxels.set(i, random() % 60 < static_cast<unsigned>(round) / 2 ? depth : -depth);
+    }
+    const CubicalComplex solid = voxels.solid();
+    std::vector<CubeCell> sheets;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const std::vector<CubeCell> faces = cellsOf(solid, kFaceKind + axis);
+      std::copy_if(faces.begin(), faces.end(), std::back_inserter(sheets),
+        [&](CubeCell face) {
+          return solid.cofaceCount(face) == 2 && random() % 8 < static_cast<unsigned>(round % 8);
+        });
+    }
+    const VoxelMask core = voxels.core({}, sheets);
+    CubicalComplex complex = voxels.closed(core);
+    complex.insert(closureOf(solid.size(), sheets));
+    expectClosed(complex);
+    voxels.thinning(complex).burn();
+    EXPECT_EQ(topologyOf(asAxis(complex)), voxels.expected()) << "round " << round;
+  }
+}
+
+TEST(SolidCore, HasNoneOfThePlainVoxelsAtASheet)
+{
+  // A plate whose middle is a sheet: what is left is at the rim at most.
+  Voxels voxels({ 16, 16, 10 });
+  std::vector<CubeCell> sheet;
+  const CubicalComplex empty({ 16, 16, 10 });
+  for (int z = 1; z < 9; ++z)
+  {
+    for (int y = 1; y < 15; ++y)
+    {
+      for (int x = 1; x < 15; ++x)
+      {
+        voxels.set(x, y, z, 4.0f - std::abs(static_cast<float>(z) - 4.5f));
+        if (z == 5)
+        {
+          sheet.push_back(empty.cell({ x, y, z }, kFaceKind + 2));
+        }
+      }
+    }
+  }
+  const VoxelMask core = voxels.core({}, sheet);
+  EXPECT_EQ(std::count(core.begin(), core.end(), 1), 0);
 }
 
 TEST(SolidCore, OfABallIsSmall)
