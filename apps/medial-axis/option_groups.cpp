@@ -175,7 +175,8 @@ void addGridOptions(CLI::App& app, OptionTexts& texts, Options& options)
     app
       .add_option("--resolution", texts.resolution,
         "number of grid points along the longest axis of the padded bounds, in [2, 8192]; "
-        "default 256; or auto, in [128, 512], so that four lie in the radius of the skeleton's "
+        "default 256; or auto, 128 to 512 of them, so that four lie in the radius of the "
+        "skeleton's "
         "thinnest branch, which skeletons on coarser grids tell")
       ->option_text("N")
       ->check(resolution())

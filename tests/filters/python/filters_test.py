@@ -33,7 +33,7 @@ def figure(output, name):
 class FiltersTest(unittest.TestCase):
     def test_package_holds_the_filters(self):
         self.assertEqual({name for name in medial.__all__ if name.startswith("vtk")},
-                         {"vtkMedialAxis", "vtkMedialCurves", "vtkMedialLocalThickness", "vtkMedialReconstruction",
+                         {"vtkDistributedFieldAlgorithm", "vtkMedialAxis", "vtkMedialCurves", "vtkMedialLocalThickness", "vtkMedialReconstruction",
                           "vtkMedialPolyDataAlgorithm", "vtkMedialSkeleton", "vtkMedialThickness",
                           "vtkMeshDistanceField", "vtkMeshFieldAlgorithm",
                           "vtkMeshPointDistance", "vtkMeshProximity"})

@@ -178,7 +178,7 @@ class Ranks(unittest.TestCase):
             ({**axis, "options of ranks": {"1": {"Angle": 40}}}, "rank 1: Angle 40, but rank 0 has Angle 60"),
             ({**axis, "options": {**small, "GenerateDistanceField": 1}}, "rank 0: GenerateDistanceField must be off"),
             ({**axis, "options": {**small, "Topology": 1}}, "rank 0: .*topology"),
-            ({**axis, "options": {**small, "MaximumNumberOfSpheres": 50}}, "rank 0: .*50"),
+            ({**axis, "options": {**small, "MaximumNumberOfSpheres": 50}}, "rank 0: .*number of spheres"),
             ({**axis, "options": {**small, "Angle": 200}}, "rank 0: .*200"),
         ]
         good = {"pieces": "random", "options": small}
