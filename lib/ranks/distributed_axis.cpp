@@ -180,23 +180,27 @@ private:
   {
     std::vector<SharedCrossing> shared = share_.spread(communicator_, own, halo,
       [](const SharedCrossing& item) { return item.crossing.voxel; });
-    std::sort(shared.begin(), shared.end(),
-      [](const SharedCrossing& a, const SharedCrossing& b) { return a.number < b.number; });
-    const SitesHere sites(field_->siteNumbers());
-    const Extent part = share_.withHalo(halo);
     std::vector<Crossing> crossings;
-    for (SharedCrossing& item : shared)
-    {
-      Crossing& crossing = item.crossing;
-      glm::ivec3 end = crossing.voxel;
-      ++end[crossing.axis];
-      if (GridShare::isIn(part, end))
+    agree(communicator_,
+      [&]
       {
-        crossing.siteA = sites.find(crossing.siteA);
-        crossing.siteB = sites.find(crossing.siteB);
-        crossings.push_back(crossing);
-      }
-    }
+        std::sort(shared.begin(), shared.end(),
+          [](const SharedCrossing& a, const SharedCrossing& b) { return a.number < b.number; });
+        const SitesHere sites(field_->siteNumbers());
+        const Extent part = share_.withHalo(halo);
+        for (const SharedCrossing& item : shared)
+        {
+          Crossing crossing = item.crossing;
+          glm::ivec3 end = crossing.voxel;
+          ++end[crossing.axis];
+          if (GridShare::isIn(part, end))
+          {
+            crossing.siteA = sites.find(crossing.siteA);
+            crossing.siteB = sites.find(crossing.siteB);
+            crossings.push_back(crossing);
+          }
+        }
+      });
     return crossings;
   }
 
@@ -311,6 +315,12 @@ AxisPiece computeMedialAxis(Communicator& communicator, const SurfacePiece& piec
     {
       checkOptions(options);
       checkFieldOfRanks(grid, {}, options.field);
+      if (extents.size() != static_cast<std::size_t>(communicator.size()))
+      {
+        throw Error(ErrorCode::InvalidInput,
+          std::to_string(extents.size()) + " extents for " + std::to_string(communicator.size()) +
+            " ranks; there must be one for each");
+      }
       share.emplace(grid, extents, communicator.rank());
       run.emplace(options.field.execution);
     });

@@ -7,6 +7,7 @@
 #include "field/reach.h"
 #include "field/tile_field.h"
 #include "medial/error.h"
+#include "ranks/collective.h"
 
 #include <algorithm>
 #include <string>
@@ -132,9 +133,14 @@ RankField::RankField(Communicator& communicator, const SurfacePiece& piece, cons
     const SharedTree tree(communicator, surface_, frame_);
     near_.emplace(tree.near(communicator, boxesOf(grid, frame_, searched)));
   }
-  host_.emplace(near_->part.mesh(), near_->part.connectivity(), frame_, sign_, run_, statistics_,
-    [this](const SiteSet& sites)
-    { return GroupTree(sites, near_->part.connectivity(), near_->slack, near_->trees); });
+  agree(communicator,
+    [&]
+    {
+      host_.emplace(near_->part.mesh(), near_->part.connectivity(), frame_, sign_, run_,
+        statistics_,
+        [this](const SiteSet& sites)
+        { return GroupTree(sites, near_->part.connectivity(), near_->slack, near_->trees); });
+    });
 }
 
 FieldJob RankField::job(const Extent& extent)

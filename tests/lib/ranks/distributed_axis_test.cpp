@@ -328,22 +328,21 @@ TEST(DistributedAxis, RefusesWhatNeedsTheWholeOnEveryRank)
   of.grid = gridAround(of.mesh, 20);
   const auto refusal = [&](const std::vector<Extent>& extents, const MedialAxisOptions& options)
   {
-    std::vector<std::string> messages(extents.size());
-    SimulatedRanks(static_cast<int>(extents.size()))
-      .run(
-        [&](Communicator& communicator)
+    std::vector<std::string> messages(2);
+    SimulatedRanks(2).run(
+      [&](Communicator& communicator)
+      {
+        NoField sink;
+        try
         {
-          NoField sink;
-          try
-          {
-            computeMedialAxis(communicator, pieceOf(of.mesh, communicator.rank(), atRandom(2)),
-              of.grid, extents, sink, options);
-          }
-          catch (const Error& error)
-          {
-            messages[communicator.rank()] = error.what();
-          }
-        });
+          computeMedialAxis(communicator, pieceOf(of.mesh, communicator.rank(), atRandom(2)),
+            of.grid, extents, sink, options);
+        }
+        catch (const Error& error)
+        {
+          messages[communicator.rank()] = error.what();
+        }
+      });
     EXPECT_EQ(messages[0], messages[1]);
     return messages[0];
   };
@@ -362,4 +361,6 @@ TEST(DistributedAxis, RefusesWhatNeedsTheWholeOnEveryRank)
   EXPECT_EQ(refusal({ halves[0], halves[0] }, optionsOf(of)),
     "rank 0: the extents of ranks 0 and 1 overlap");
   EXPECT_NE(refusal({ halves[0], {} }, optionsOf(of)).find("points"), std::string::npos);
+  EXPECT_EQ(refusal({ of.grid.wholeExtent() }, optionsOf(of)),
+    "rank 0: 1 extents for 2 ranks; there must be one for each");
 }
