@@ -296,7 +296,7 @@ SharedElements shareElements(Communicator& communicator, const DistributedSurfac
     firstBlock[size] = blocks;
     blocks += shared.trees.back().blocks();
   }
-  Halving(communicator, shared.trees, elements);
+  const Halving halved(communicator, shared.trees, elements);
   RankLists<SharedElement> moved = listsFor<SharedElement>(communicator);
   std::map<int, int> blockSize;
   for (const BlockedTree& tree : shared.trees)

@@ -1,4 +1,4 @@
-"""Run by redistributed_test.py in pvbatch: the field of a surface that RedistributeDataSet shares out.
+"""Run by redistributed_test.py in pvbatch: field and axis of a surface that RedistributeDataSet shares out.
 
 usage: pvbatch redistributed_field.py FOLDER
 """
@@ -20,6 +20,11 @@ def field_of(source, mode):
     """Cells that are split have ends that differ in their last bits, so the surface is not closed."""
     return MeshDistanceField(Input=source, Resolution=72, Engine="Processor", DistributedInput=int(mode is not None),
                              SignMethod="None" if mode == MODES[2] else "Pseudonormal")
+
+
+def axis_of(source, mode):
+    return MedialAxis(Input=source, Resolution=72, Engine="Processor", DistributedInput=int(mode is not None),
+                      SignMethod="Pseudonormal")
 
 
 def integrals(proxy, name):
@@ -48,6 +53,8 @@ for mode in (None, *MODES):
     field = field_of(source, mode)
     SaveData(os.path.join(folder, f"{name}.pvti"), proxy=field)
     result[name] = figures(field)
+    if mode != MODES[2]:
+        result[name]["axis"] = integrals(axis_of(source, mode), "Area")
     arrays = field.FieldData
     result[name]["held"] = arrays["HeldTriangles"].GetRange() if mode else None
 with open(os.path.join(folder, "result.json"), "w") as file:

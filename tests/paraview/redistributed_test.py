@@ -46,6 +46,14 @@ class Redistributed(unittest.TestCase):
                     for name in ("clip",) if mode == UNSIGNED else ("contour", "clip", "bounds"):
                         numpy.testing.assert_allclose(found[name], expected[name], rtol=1e-5)
 
+    def test_axes_are_as_large_as_that_of_the_whole(self):
+        expected = self.results[1]["whole"]["axis"]
+        self.assertGreater(expected, 0.0)
+        for processes in (1, 2, 3):
+            for mode in MODES[:2]:
+                with self.subTest(processes=processes, mode=mode):
+                    self.assertAlmostEqual(self.results[processes][mode]["axis"], expected, delta=1e-6 * expected)
+
 
 def steps_of(folder):
     """The steps of a loop, from what each process has."""
