@@ -167,8 +167,9 @@ MEDIAL_INLINE std::uint64_t raisedRows(const Family& family, const glm::vec3& st
   for (std::uint64_t left = rows; left != 0; left &= left - 1)
   {
     const int row = __builtin_ctzll(left);
+    const int slice = row / 8;
     const float y = static_cast<float>(row % 8) * step.y;
-    const float z = static_cast<float>(row / 8) * step.z;
+    const float z = static_cast<float>(slice) * step.z;
     if (!concerns(family, x, y, z))
     {
       continue;
