@@ -7,6 +7,7 @@
 #include "support/shapes.h"
 
 #include <vtkDataArray.h>
+#include <vtkPointData.h>
 
 namespace medial::test
 {

@@ -14,6 +14,7 @@
 #include <vtkImageData.h>
 #include <vtkMatrix3x3.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkShortArray.h>
 #include <vtkXMLImageDataWriter.h>
 

@@ -21,6 +21,11 @@ using namespace medial::test;
 namespace
 {
 
+bool sameBits(const void* a, const void* b, std::size_t bytes)
+{
+  return std::memcmp(a, b, bytes) == 0;
+}
+
 /// The arrays of a field of some extent, which it keeps together.
 class KeepingSink : public FieldSink
 {
@@ -67,9 +72,8 @@ std::size_t differences(const DistanceField& whole, const Extent& extent, const 
         const std::size_t at = x +
           static_cast<std::size_t>(whole.grid.dimensions[0]) *
             (y + static_cast<std::size_t>(whole.grid.dimensions[1]) * z);
-        const bool same = std::memcmp(&part.distance[i], &whole.distance[at], sizeof(float)) == 0 &&
-          std::memcmp(&part.closestPoint[3 * i], &whole.closestPoint[3 * at], 3 * sizeof(float)) ==
-            0 &&
+        const bool same = sameBits(&part.distance[i], &whole.distance[at], sizeof(float)) &&
+          sameBits(&part.closestPoint[3 * i], &whole.closestPoint[3 * at], 3 * sizeof(float)) &&
           part.closestSite[i] == whole.closestSite[at] &&
           part.closestFeature[i] == whole.closestFeature[at] &&
           part.closestCell[i] == whole.closestCell[at];
