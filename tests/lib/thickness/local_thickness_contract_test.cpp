@@ -215,7 +215,7 @@ TEST(LocalThicknessContract, ReportsProgressAndCanBeCancelled)
   EXPECT_TRUE(std::is_sorted(listener.fractions.begin(), listener.fractions.end()));
   EXPECT_EQ(listener.fractions.back(), 1.0);
   Listener cancelling;
-  cancelling.cancelAt = listener.fractions.size() - 1;
+  cancelling.cancelAt = 2; // how many reports come depends on time
   options.field.execution.progress = &cancelling;
   expectError([&] { computeLocalThickness(mesh, gridOf(mesh), options); }, ErrorCode::Cancelled,
     "cancelled");
