@@ -18,15 +18,20 @@ std::array<float, 3> narrowed(const Point3& point)
 
 } // namespace
 
-void setAxisPoints(const BisectorPoints& points, const GridFrame& frame, MedialAxis& axis)
+void resizeAxisPoints(std::size_t count, MedialAxis& axis)
 {
-  const std::size_t count = points.points.size();
   axis.points.resize(count);
   axis.radius.resize(count);
   axis.separationAngle.resize(count);
   axis.lambda.resize(count);
   axis.closestPointA.resize(count);
   axis.closestPointB.resize(count);
+}
+
+void setAxisPoints(const BisectorPoints& points, const GridFrame& frame, MedialAxis& axis)
+{
+  const std::size_t count = points.points.size();
+  resizeAxisPoints(count, axis);
   tbb::parallel_for(std::size_t{ 0 }, count,
     [&](std::size_t p)
     {

@@ -1,3 +1,4 @@
+#include "axis/axis_attributes.h"
 #include "medial/ranks.h"
 #include "ranks/collective.h"
 
@@ -65,17 +66,6 @@ std::vector<NumberedCell> cellsOf(const AxisPiece& piece)
   return cells;
 }
 
-void resize(std::size_t count, MedialAxis& axis)
-{
-  axis.points.resize(count);
-  axis.radius.resize(count);
-  axis.separationAngle.resize(count);
-  axis.lambda.resize(count);
-  axis.closestPointA.resize(count);
-  axis.closestPointB.resize(count);
-  axis.feature.resize(count);
-}
-
 void set(const NumberedPoint& point, MedialAxis& axis)
 {
   const std::int64_t p = point.number;
@@ -137,7 +127,8 @@ MedialAxis gatherMedialAxis(Communicator& communicator, const AxisPiece& piece)
   {
     return whole;
   }
-  resize(static_cast<std::size_t>(piece.points), whole);
+  resizeAxisPoints(static_cast<std::size_t>(piece.points), whole);
+  whole.feature.resize(whole.points.size());
   for (const NumberedPoint& point : points)
   {
     set(point, whole);
