@@ -11,10 +11,10 @@
  * are triangles with the same corners. Global ids of cells and points number them in the whole,
  * where all pieces have some; otherwise cells are numbered one piece after the other.
  *
- * The surface must be an oriented manifold of triangles, closed or open, SignMethod SIGN_NONE or
- * SIGN_PSEUDONORMAL, and Engine ENGINE_AUTO or ENGINE_PROCESSOR. The field data have no arrays of
- * the mesh, but OwnTriangles, HeldTriangles and BytesSent (vtkIdType): the triangles of the surface
- * over the number of ranks, about; those that a rank had to hold for its part; what it sent.
+ * The surface must consist of triangles and polygons, and Engine be ENGINE_AUTO or
+ * ENGINE_PROCESSOR. The field data have no arrays of the mesh, but OwnTriangles, HeldTriangles and
+ * BytesSent (vtkIdType): the triangles of the surface over the number of ranks, about; those that a
+ * rank had to hold for its part; what it sent.
  *
  * All ranks must update the filter together, with the same parameters. What fails on one rank fails
  * on all, with a message that names the rank; so do parameters that differ.
@@ -46,7 +46,7 @@ public:
   ///@{
   /**
    * Whether the inputs of all processes together are the surface, instead of each of them. It must
-   * be the same on all. SignMethod then must be SIGN_NONE or SIGN_PSEUDONORMAL. Default is off.
+   * be the same on all. Default is off.
    */
   vtkSetMacro(DistributedInput, vtkTypeBool);
   vtkGetMacro(DistributedInput, vtkTypeBool);

@@ -11,6 +11,7 @@
 #include "rank_agreement.h"
 #include "rank_input.h"
 #include "scan_reader.h"
+#include "summary.h"
 #include "timer.h"
 #include "vtp_writer.h"
 
@@ -62,10 +63,6 @@ void checkOptions(const Options& options)
     {
       refuse(std::string(name) + " needs a single one");
     }
-  }
-  if (options.signMethod != SignMethod::None && options.signMethod != SignMethod::Pseudonormal)
-  {
-    refuse("they need --sign pseudonormal, for a closed mesh, or --sign none");
   }
   if (options.engine != Engine::Auto && options.engine != Engine::Processor)
   {
@@ -329,8 +326,9 @@ void printSummary(const Options& options, const Grid& grid, const Computed& comp
   }
 }
 
-void printNotes(const Options& options)
+void printNotes(const Options& options, const MedialAxis& axis)
 {
+  printSignNotes(options, axis.statistics.sign, axis.side);
   if (const char* const reason = reasonForOne(options); reason != nullptr && !options.quiet)
   {
     std::fprintf(stderr,
@@ -401,7 +399,7 @@ void runOnRanks(const Options& options, Communicator& communicator)
   bar.clear();
   if (rank == 0)
   {
-    printNotes(options);
+    printNotes(options, computed.axis.axis);
   }
   if (rank == 0 && !options.quiet)
   {

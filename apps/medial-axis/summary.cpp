@@ -175,10 +175,9 @@ void printEngineNote(const RunStatistics& statistics)
   }
 }
 
-void printSideNote(const Options& options, const Result& result)
+void printSideNote(const Options& options, const SignReport& sign, Side side)
 {
-  const SignReport& sign = result.statistics.sign;
-  if (result.axis.side == options.side)
+  if (side == options.side)
   {
     return;
   }
@@ -187,22 +186,6 @@ void printSideNote(const Options& options, const Result& result)
     "medial-axis: note: %s: the distance is unsigned (%s), so the axis is that of both sides%s\n",
     options.input.c_str(), sign.reason.c_str(),
     closable ? "; --sign winding tells them apart as if the holes were closed" : "");
-}
-
-void printAxisNotes(const Options& options, const Result& result)
-{
-  printSideNote(options, result);
-  const SignReport& sign = result.statistics.sign;
-  if (sign.method == SignMethod::Winding && sign.holes > 0)
-  {
-    std::fprintf(stderr, "medial-axis: note: %s: %s, to tell inside from outside\n",
-      options.input.c_str(), sign.reason.c_str());
-  }
-  if (result.axis.points.empty())
-  {
-    std::fprintf(stderr, "medial-axis: note: %s: %s\n", options.input.c_str(),
-      whatIsMissing(options).c_str());
-  }
 }
 
 void printPageNotes(const Options& options, const OutputNotes& notes)
@@ -302,21 +285,33 @@ void printCoverage(const Options& options, const Result& result)
 
 } // namespace
 
+void printSignNotes(const Options& options, const SignReport& sign, Side side)
+{
+  // A result that is not what was asked for is no matter of taste.
+  if (options.wantsAxis() && (!options.quiet || options.sideGiven))
+  {
+    printSideNote(options, sign, side);
+  }
+  if (options.wantsAxis() && !options.quiet && sign.method == SignMethod::Winding && sign.holes > 0)
+  {
+    std::fprintf(stderr, "medial-axis: note: %s: %s, to tell inside from outside\n",
+      options.input.c_str(), sign.reason.c_str());
+  }
+}
+
 void printNotes(const Options& options, const Result& result, const OutputNotes& notes)
 {
   if (options.quiet)
   {
-    // A result that is not what was asked for is no matter of taste.
-    if (options.sideGiven && options.wantsAxis())
-    {
-      printSideNote(options, result);
-    }
+    printSignNotes(options, result.statistics.sign, result.axis.side);
     return;
   }
   printEngineNote(result.statistics);
-  if (options.wantsAxis())
+  printSignNotes(options, result.statistics.sign, result.axis.side);
+  if (options.wantsAxis() && result.axis.points.empty())
   {
-    printAxisNotes(options, result);
+    std::fprintf(stderr, "medial-axis: note: %s: %s\n", options.input.c_str(),
+      whatIsMissing(options).c_str());
   }
   if (result.coverage && options.showsAxis())
   {

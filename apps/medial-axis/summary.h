@@ -12,6 +12,9 @@ namespace medial::app
 /// ask for quiet, only that the axis is not that of the side that was asked for.
 void printNotes(const Options& options, const Result& result, const OutputNotes& notes);
 
+/// The same about the sign, for an axis of a side.
+void printSignNotes(const Options& options, const SignReport& sign, Side side);
+
 /// Prints on standard output what was read, computed and written, how long that took and on which
 /// renderer.
 void printSummary(const Options& options, const Result& result, const OutputNotes& notes,

@@ -309,10 +309,6 @@ void BorderRims::smooth(int pass)
   constexpr double kShrink = 0.5;
   constexpr double kGrow = -0.51;
   const double share = pass % 2 == 0 ? kShrink : kGrow;
-  if (pass == 0)
-  {
-    this->findFree();
-  }
   std::swap(before_, places_);
   constexpr std::size_t kAtOnce = 2048;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, free_.size(), kAtOnce),
@@ -328,7 +324,7 @@ void BorderRims::smooth(int pass)
     });
 }
 
-void BorderRims::findFree()
+void BorderRims::beginRound()
 {
   free_.clear();
   for (std::size_t i = 0; i < walkers_.size(); ++i)
@@ -391,6 +387,7 @@ std::vector<std::size_t> moveToBorders(const AxisGeometry& geometry,
   // Where facets keep some vertices off the line, the others follow in further rounds.
   for (int round = 0; round < BorderRims::kRounds; ++round)
   {
+    border.beginRound();
     for (int pass = 0; pass < BorderRims::kPasses; ++pass)
     {
       border.smooth(pass);

@@ -20,7 +20,7 @@ namespace medial
 class BorderRims
 {
 public:
-  /// Rounds of passes of smooth(), each followed by settle().
+  /// Rounds of beginRound(), passes of smooth(), and settle().
   static constexpr int kRounds = 3;
   static constexpr int kPasses = 40;
   /// A neighbour on the rim where there is none, or where there are several.
@@ -44,6 +44,9 @@ public:
   /// Lets a vertex stay where it is, unless setPlace() moves it.
   void hold(std::size_t i) { walkers_[i].movable = false; }
 
+  /// Finds out which vertices smooth() moves. Everything that smoothing needs is there then: it
+  /// cannot fail.
+  void beginRound();
   /// Smooths the lines of rims once.
   /// @param pass in [0, kPasses).
   void smooth(int pass);
@@ -62,7 +65,6 @@ private:
   };
 
   void lendSheets();
-  void findFree();
 
   const AxisGeometry& geometry_;
   BisectorPoints& points_;

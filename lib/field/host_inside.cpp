@@ -7,10 +7,7 @@ namespace medial
 
 HostInside::HostInside(const SignChoice& sign, const Extent& extent, const Run& run,
   RunStatistics& statistics)
-  : sign_(sign)
-  , extent_(extent)
-  , run_(run)
-  , statistics_(statistics)
+  : maker_(Maker{ sign, extent, run, statistics })
 {
 }
 
@@ -18,8 +15,8 @@ const InsideRows& HostInside::rows() const
 {
   if (!rows_)
   {
-    const Stopwatch watch(statistics_.seconds.sign);
-    run_.onThreads([&] { rows_ = sign_.insideRows(extent_); });
+    const Stopwatch watch(maker_->statistics.seconds.sign);
+    maker_->run.onThreads([&] { rows_ = maker_->sign.insideRows(maker_->extent); });
   }
   return *rows_;
 }

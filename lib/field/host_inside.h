@@ -7,6 +7,7 @@
 #include "sign/sign_choice.h"
 
 #include <optional>
+#include <utility>
 
 namespace medial
 {
@@ -22,14 +23,27 @@ public:
   HostInside(const SignChoice& sign, const Extent& extent, const Run& run,
     RunStatistics& statistics);
 
+  /// Has rows that are made already, for engines without a device.
+  explicit HostInside(InsideRows rows)
+    : rows_(std::move(rows))
+  {
+  }
+
   const InsideRows& rows() const;
-  const SignChoice& sign() const { return sign_; }
+  /// What the rows are made by. Only where they were not made already.
+  const SignChoice& sign() const { return maker_->sign; }
 
 private:
-  const SignChoice& sign_;
-  Extent extent_;
-  Run run_;
-  RunStatistics& statistics_;
+  /// What rows are made of.
+  struct Maker
+  {
+    const SignChoice& sign;
+    Extent extent;
+    Run run;
+    RunStatistics& statistics;
+  };
+
+  std::optional<Maker> maker_;
   mutable std::optional<InsideRows> rows_;
 };
 

@@ -139,7 +139,7 @@ IncidenceLists invert(const std::vector<std::array<int, N>>& lists, std::size_t 
   return result;
 }
 
-/// Numbers the edges of the manifold part, then those of other triangles and of segments.
+/// Numbers the edges of triangles and of segments, and counts what is not manifold.
 void buildEdges(const TriangleMesh& mesh, const Checkpoint& checkpoint,
   MeshConnectivity& connectivity)
 {
@@ -150,20 +150,12 @@ void buildEdges(const TriangleMesh& mesh, const Checkpoint& checkpoint,
     edges + static_cast<std::int64_t>(mesh.triangles.size() + mesh.points.size()), "sites");
   EdgeNumbers numbers(list.size(), connectivity.edges);
   ManifoldPart manifold(mesh.points.size(), list.size());
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-  {
-    checkpoint(i);
-    const bool accepted = manifold.add(mesh.triangles[i], list.ofTriangle(i));
-    if (accepted)
-    {
-      numbers.of(list.ofTriangle(i), mesh.triangles[i]);
-    }
-    connectivity.nonManifoldTriangles += accepted ? 0 : 1;
-  }
   connectivity.triangleEdges.reserve(mesh.triangles.size());
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
   {
     checkpoint(i);
+    const bool accepted = manifold.add(mesh.triangles[i], list.ofTriangle(i));
+    connectivity.nonManifoldTriangles += accepted ? 0 : 1;
     connectivity.triangleEdges.push_back(numbers.of(list.ofTriangle(i), mesh.triangles[i]));
   }
   for (std::size_t i = 0; i < mesh.segments.size(); ++i)

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstring>
 #include <functional>
+#include <iterator>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -103,6 +104,55 @@ std::vector<T> combined(Communicator& communicator, const std::vector<T>& own,
   for (const std::vector<T>& part : gathered(communicator, sums))
   {
     result.insert(result.end(), part.begin(), part.end());
+  }
+  return result;
+}
+
+/// Sends each item to the rank that homeOf(item) names, and returns what came here, in the order of
+/// ranks.
+template <typename T, typename HomeOf>
+std::vector<T> delivered(Communicator& communicator, const std::vector<T>& items,
+  const HomeOf& homeOf)
+{
+  RankLists<T> lists = listsFor<T>(communicator);
+  for (const T& item : items)
+  {
+    lists[homeOf(item)].push_back(item);
+  }
+  std::vector<T> received;
+  for (const std::vector<T>& list : exchanged(communicator, lists))
+  {
+    received.insert(received.end(), list.begin(), list.end());
+  }
+  return received;
+}
+
+/// Returns answers to questions, in their order, from the ranks that homeOf(question) names.
+/// @param answer returns there the answer to a question.
+template <typename Question, typename HomeOf, typename AnswerTo>
+auto answered(Communicator& communicator, const std::vector<Question>& questions,
+  const HomeOf& homeOf, const AnswerTo& answerTo)
+{
+  using Answer = decltype(answerTo(questions.front()));
+  RankLists<Question> lists = listsFor<Question>(communicator);
+  for (const Question& question : questions)
+  {
+    lists[homeOf(question)].push_back(question);
+  }
+  lists = exchanged(communicator, lists);
+  RankLists<Answer> answers = listsFor<Answer>(communicator);
+  for (std::size_t rank = 0; rank < lists.size(); ++rank)
+  {
+    std::transform(lists[rank].begin(), lists[rank].end(), std::back_inserter(answers[rank]),
+      answerTo);
+  }
+  answers = exchanged(communicator, answers);
+  std::vector<Answer> result;
+  std::vector<std::size_t> next(answers.size(), 0);
+  for (const Question& question : questions)
+  {
+    const auto home = static_cast<std::size_t>(homeOf(question));
+    result.push_back(answers[home][next[home]++]);
   }
   return result;
 }

@@ -107,7 +107,7 @@ public:
     BisectorPoints points;
     AxisPiece result = assembly.piece(communicator_, order_, points);
     setAxisPoints(points, frame_, result.axis);
-    result.axis.sign = options_.field.sign;
+    result.axis.sign = field_->sharedSign().report().method;
     result.axis.side = side;
     if (counts != nullptr)
     {
@@ -124,8 +124,12 @@ private:
   /// Brings what can be closest in the part and a halo.
   void bring(int halo)
   {
-    field_.emplace(communicator_, piece_, grid_, share_.withHalo(halo), options_.field,
-      run_.part(0.0, kSelected), statistics_);
+    field_.emplace(communicator_, piece_, grid_, share_.withHalo(halo),
+      touchingExtent(grid_, share_.own()), options_.field, run_.part(0.0, kSelected), statistics_);
+    if (this->hasSign())
+    {
+      field_->closeHoles(communicator_);
+    }
   }
 
   /// Does work of this rank on its threads; not where it has no part of the grid. Throws on every
@@ -264,12 +268,13 @@ private:
     }
     for (int round = 0; round < BorderRims::kRounds; ++round)
     {
+      this->locally([&] { rims->beginRound(); });
       for (int pass = 0; pass < BorderRims::kPasses; ++pass)
       {
         exchange.update();
         if (rims != nullptr)
         {
-          rims->smooth(pass);
+          run_.onThreads([&] { rims->smooth(pass); });
         }
       }
       this->locally([&] { rims->settle(); });

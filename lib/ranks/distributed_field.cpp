@@ -23,7 +23,7 @@ RunStatistics computeDistanceField(Communicator& communicator, const SurfacePiec
       checkFieldOfRanks(grid, extent, options);
       run.emplace(options.execution);
     });
-  RankField field(counting, piece, grid, extent, options, *run, statistics);
+  RankField field(counting, piece, grid, extent, extent, options, *run, statistics);
   agree(counting,
     [&]
     {

@@ -1,16 +1,16 @@
 #include "ranks/distributed_surface.h"
 
-#include "base/disjoint_sets.h"
 #include "base/id_limits.h"
 #include "medial/error.h"
 
 #include <glm/glm.hpp>
 
 #include <algorithm>
+#include <functional>
+#include <iterator>
 #include <limits>
-#include <numeric>
 #include <set>
-#include <sstream>
+#include <string>
 #include <tuple>
 
 namespace medial
@@ -147,16 +147,6 @@ std::int64_t largestOf(const std::vector<std::int64_t>& numbers)
   return numbers.empty() ? -1 : *std::max_element(numbers.begin(), numbers.end());
 }
 
-std::string severalCounts(const std::array<std::int64_t, 5>& counts)
-{
-  std::ostringstream text;
-  text << "a surface in pieces must be an oriented manifold of triangles; this one has "
-       << counts[0] << " edges of three triangles or more, " << counts[1] << " misoriented edges, "
-       << counts[2] << " points where sheets touch, " << counts[3] << " line segments and "
-       << counts[4] << " points of no triangle: it needs a single process";
-  return text.str();
-}
-
 } // namespace
 
 DistributedSurface::DistributedSurface(Communicator& communicator, const SurfacePiece& piece)
@@ -165,7 +155,9 @@ DistributedSurface::DistributedSurface(Communicator& communicator, const Surface
   bounds_ = boundsOf(communicator, piece);
   const std::vector<int> numbers = this->numberPoints(communicator, piece);
   this->collectFaces(communicator, piece, numbers);
-  this->connect(communicator, piece, numbers);
+  this->connect(communicator);
+  this->collectRings(communicator);
+  this->requireNothingLoose(communicator, piece, numbers);
   signedVolume_ = this->sumVolume(communicator);
 }
 
@@ -289,82 +281,40 @@ void DistributedSurface::collectFaces(Communicator& communicator, const SurfaceP
   }
 }
 
-void DistributedSurface::connect(Communicator& communicator, const SurfacePiece& piece,
-  const std::vector<int>& numbers)
+void DistributedSurface::connect(Communicator& communicator)
 {
-  RankLists<Side> sides = listsFor<Side>(communicator);
-  const auto add = [&](int a, int b, int face, int corner)
-  {
-    const Side side{ std::min(a, b), std::max(a, b), face, corner, a < b ? 1 : -1 };
-    sides[this->pointHome(side.low)].push_back(side);
-  };
+  RankLists<Side> lists = listsFor<Side>(communicator);
   for (const FaceRecord& face : faces_)
   {
     for (int i = 0; i < 3; ++i)
     {
-      add(face.corners[i], face.corners[(i + 1) % 3], face.face, i);
+      const int a = face.corners[i];
+      const int b = face.corners[(i + 1) % 3];
+      lists[this->pointHome(std::min(a, b))].push_back(
+        { std::min(a, b), std::max(a, b), face.face, i, a < b ? 1 : -1 });
     }
   }
-  // Segments come after all triangles.
-  constexpr int kSegment = std::numeric_limits<int>::max();
-  for (const auto& [a, b] : piece.mesh.segments)
-  {
-    add(numbers[a], numbers[b], kSegment, 0);
-  }
-  RankLists<int> loose = listsFor<int>(communicator);
-  for (const int point : piece.mesh.vertices)
-  {
-    loose[this->pointHome(numbers[point])].push_back(numbers[point]);
-  }
-  sides = exchanged(communicator, sides);
-  loose = exchanged(communicator, loose);
-  const auto order = sortedItems(sides,
+  const RankLists<Side> received = exchanged(communicator, lists);
+  const auto order = sortedItems(received,
     [](const Side& a, const Side& b)
     { return std::tie(a.low, a.high, a.face) < std::tie(b.low, b.high, b.face); });
-  std::array<std::int64_t, 5> counts{}; // as severalCounts()
-  RankLists<std::array<int, 2>> firsts = listsFor<std::array<int, 2>>(communicator);
-  RankLists<int> edges = numbersFor(sides);
-  std::vector<std::pair<int, int>> placeOf; // of each edge in `firsts`
-  for (std::size_t begin = 0; begin < order.size();)
+  std::vector<Side> sides;
+  std::vector<std::array<int, 2>> firsts; // sides of edges
+  RankLists<int> edges = numbersFor(received);
+  for (const auto& [rank, i] : order)
   {
-    const Side& first = sides[order[begin].first][order[begin].second];
-    std::size_t end = begin;
-    int triangles = 0;
-    int direction = 0;
-    for (; end < order.size(); ++end)
+    const Side& side = received[rank][i];
+    if (sides.empty() || !side.joins(sides.back()))
     {
-      const Side& side = sides[order[end].first][order[end].second];
-      if (!side.joins(first))
-      {
-        break;
-      }
-      edges[order[end].first][order[end].second] = static_cast<int>(placeOf.size());
-      triangles += side.face != kSegment ? 1 : 0;
-      direction += side.face != kSegment ? side.forward : 0;
+      firsts.push_back({ side.face, side.corner });
     }
-    counts[0] += triangles > 2 ? 1 : 0;
-    counts[1] += triangles == 2 && direction != 0 ? 1 : 0;
-    counts[3] += triangles == 0 ? static_cast<std::int64_t>(end - begin) : 0;
-    boundaryEdges_ += triangles == 1 ? 1 : 0;
-    if (triangles > 0)
-    {
-      const int home = faceOffsets_.home(first.face);
-      placeOf.emplace_back(home, static_cast<int>(firsts[home].size()));
-      firsts[home].push_back({ first.face, first.corner });
-    }
-    else
-    {
-      placeOf.emplace_back(-1, -1);
-    }
-    begin = end;
+    sides.push_back(side);
+    edges[rank][i] = static_cast<int>(firsts.size()) - 1;
   }
-  const RankLists<int> edgeNumbers = this->numberEdges(communicator, firsts);
+  const std::vector<int> numbers = this->numberEdges(communicator, firsts);
   for (std::vector<int>& list : edges)
   {
-    for (int& edge : list)
-    {
-      edge = placeOf[edge].first < 0 ? -1 : edgeNumbers[placeOf[edge].first][placeOf[edge].second];
-    }
+    std::transform(list.begin(), list.end(), list.begin(), [&](int edge) { return numbers[edge]; });
   }
   edges = exchanged(communicator, edges);
   std::vector<std::size_t> next(edges.size(), 0);
@@ -376,39 +326,89 @@ void DistributedSurface::connect(Communicator& communicator, const SurfacePiece&
       face.edges[i] = edges[home][next[home]++];
     }
   }
-  this->collectRings(communicator);
-  std::int64_t points = 0;
-  for (const auto& list : loose)
+  this->countEdges(communicator, sides);
+}
+
+/// @param sides of this rank's edges, one edge after the other.
+void DistributedSurface::countEdges(Communicator& communicator, const std::vector<Side>& sides)
+{
+  std::vector<std::int64_t> counts(3, 0);
+  for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end)
   {
-    for (const int point : list)
+    int direction = 0;
+    for (; end < sides.size() && sides[end].joins(sides[begin]); ++end)
+    {
+      direction += sides[end].forward;
+    }
+    counts[0] += end - begin == 1 ? 1 : 0;
+    counts[1] += end - begin > 2 ? 1 : 0;
+    counts[2] += end - begin == 2 && direction != 0 ? 1 : 0;
+  }
+  counts = combined(communicator, counts, std::plus<>());
+  edgeCounts_ = { counts[0], counts[1], counts[2] };
+}
+
+void DistributedSurface::requireNothingLoose(Communicator& communicator, const SurfacePiece& piece,
+  const std::vector<int>& numbers) const
+{
+  std::vector<int> vertices;
+  std::transform(piece.mesh.vertices.begin(), piece.mesh.vertices.end(),
+    std::back_inserter(vertices), [&](int point) { return numbers[point]; });
+  const std::vector<char> isLoose = answered(communicator, vertices,
+    [&](int point) { return this->pointHome(point); },
+    [&](int point) -> char
     {
       const auto found =
         std::lower_bound(ringOfPoint_.begin(), ringOfPoint_.end(), std::pair(point, 0));
-      points += found == ringOfPoint_.end() || found->first != point ? 1 : 0;
-    }
-  }
-  counts[4] = points;
-  int previous = -1;
-  for (const auto& [point, triangle] : ringOfPoint_)
+      return found == ringOfPoint_.end() || found->first != point;
+    });
+  std::vector<std::array<int, 2>> segments;
+  for (const auto& [a, b] : piece.mesh.segments)
   {
-    counts[2] += point != previous && !this->isManifoldPoint(point) ? 1 : 0;
-    previous = point;
+    segments.push_back({ std::min(numbers[a], numbers[b]), std::max(numbers[a], numbers[b]) });
   }
-  std::vector<std::int64_t> sums(counts.begin(), counts.end());
-  sums.push_back(boundaryEdges_);
-  sums = combined(communicator, sums, std::plus<>());
-  boundaryEdges_ = sums.back();
-  std::copy_n(sums.begin(), counts.size(), counts.begin());
-  if (std::any_of(counts.begin(), counts.end(), [](std::int64_t count) { return count > 0; }))
+  const std::vector<char> isBare = answered(communicator, segments,
+    [&](const std::array<int, 2>& ends) { return this->pointHome(ends[0]); },
+    [&](const std::array<int, 2>& ends) -> char { return !this->isSide(ends); });
+  std::vector<std::int64_t> counts{ std::count(isBare.begin(), isBare.end(), 1),
+    std::count(isLoose.begin(), isLoose.end(), 1) };
+  counts = combined(communicator, counts, std::plus<>());
+  if (counts[0] + counts[1] > 0)
   {
-    throw Error(ErrorCode::InvalidInput, severalCounts(counts));
+    throw Error(ErrorCode::InvalidInput,
+      "a surface in pieces must consist of triangles; this one has " + std::to_string(counts[0]) +
+        " line segments and " + std::to_string(counts[1]) +
+        " points of no triangle: it needs a single process");
   }
 }
 
-RankLists<int> DistributedSurface::numberEdges(Communicator& communicator,
-  const RankLists<std::array<int, 2>>& firstSides)
+bool DistributedSurface::isSide(const std::array<int, 2>& ends) const
 {
-  const RankLists<std::array<int, 2>> asked = exchanged(communicator, firstSides);
+  const auto has = [&](const FaceRecord& face)
+  { return std::find(face.corners.begin(), face.corners.end(), ends[1]) != face.corners.end(); };
+  for (auto at =
+         std::lower_bound(ringOfPoint_.begin(), ringOfPoint_.end(), std::pair(ends[0], 0));
+       at != ringOfPoint_.end() && at->first == ends[0]; ++at)
+  {
+    if (has(rings_[at->second]))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+std::vector<int> DistributedSurface::numberEdges(Communicator& communicator,
+  const std::vector<std::array<int, 2>>& firstSides)
+{
+  RankLists<std::array<int, 2>> asked = listsFor<std::array<int, 2>>(communicator);
+  std::vector<int> homes;
+  for (const std::array<int, 2>& side : firstSides)
+  {
+    homes.push_back(faceOffsets_.home(side[0]));
+    asked[homes.back()].push_back(side);
+  }
+  asked = exchanged(communicator, asked);
   const auto sorted = sortedItems(asked, std::less<>());
   edgeOffsets_ = RankOffsets(communicator, static_cast<std::int64_t>(sorted.size()));
   agree(communicator,
@@ -423,7 +423,14 @@ RankLists<int> DistributedSurface::numberEdges(Communicator& communicator,
   {
     replies[rank][i] = number++;
   }
-  return exchanged(communicator, replies);
+  replies = exchanged(communicator, replies);
+  std::vector<int> numbers;
+  std::vector<std::size_t> next(replies.size(), 0);
+  for (const int home : homes)
+  {
+    numbers.push_back(replies[home][next[home]++]);
+  }
+  return numbers;
 }
 
 void DistributedSurface::collectRings(Communicator& communicator)
@@ -456,63 +463,6 @@ void DistributedSurface::collectRings(Communicator& communicator)
     }
   }
   std::sort(ringOfPoint_.begin(), ringOfPoint_.end());
-}
-
-bool DistributedSurface::isManifoldPoint(int point) const
-{
-  const auto begin =
-    std::lower_bound(ringOfPoint_.begin(), ringOfPoint_.end(), std::pair(point, 0));
-  std::vector<std::pair<int, int>> spokes; // the other ends of edges at the point, and triangles
-  int triangles = 0;
-  for (auto at = begin; at != ringOfPoint_.end() && at->first == point; ++at, ++triangles)
-  {
-    for (const int corner : rings_[at->second].corners)
-    {
-      if (corner != point)
-      {
-        spokes.emplace_back(corner, triangles);
-      }
-    }
-  }
-  std::sort(spokes.begin(), spokes.end());
-  // Fans: triangles that share edges. In a closed one there are as many edges as triangles.
-  std::vector<int> fan(static_cast<std::size_t>(triangles));
-  std::iota(fan.begin(), fan.end(), 0);
-  const auto rootOf = [&](int i)
-  {
-    while (fan[i] != i)
-    {
-      i = fan[i] = fan[fan[i]];
-    }
-    return i;
-  };
-  for (std::size_t i = 1; i < spokes.size(); ++i)
-  {
-    if (spokes[i].first == spokes[i - 1].first)
-    {
-      fan[rootOf(spokes[i].second)] = rootOf(spokes[i - 1].second);
-    }
-  }
-  std::vector<int> ends(fan.size(), 0); // edges of one triangle, by fan
-  int fans = 0;
-  for (int i = 0; i < triangles; ++i)
-  {
-    fans += rootOf(i) == i ? 1 : 0;
-  }
-  for (std::size_t i = 0; i < spokes.size(); ++i)
-  {
-    const bool shared = (i > 0 && spokes[i - 1].first == spokes[i].first) ||
-      (i + 1 < spokes.size() && spokes[i + 1].first == spokes[i].first);
-    ends[rootOf(spokes[i].second)] += shared ? 0 : 1;
-  }
-  for (int i = 0; i < triangles; ++i)
-  {
-    if (rootOf(i) == i && ends[i] == 0 && fans > 1)
-    {
-      return false;
-    }
-  }
-  return true;
 }
 
 double DistributedSurface::sumVolume(Communicator& communicator) const

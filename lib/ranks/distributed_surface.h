@@ -27,21 +27,31 @@ struct FaceRecord
 class DistributedSurface
 {
 public:
+  /// Edges of the whole surface.
+  struct EdgeCounts
+  {
+    std::int64_t boundary;
+    std::int64_t nonManifold; ///< with three triangles or more
+    std::int64_t misoriented; ///< as MeshConnectivity
+  };
+
   /// Every rank calls it.
-  /// @throws Error InvalidInput, on every rank, for a surface without triangles or that is not
-  ///   manifold, and for segments or points of no triangle.
+  /// @throws Error InvalidInput, on every rank, for a surface without triangles, and for segments or
+  ///   points of no triangle.
   DistributedSurface(Communicator& communicator, const SurfacePiece& piece);
 
   int faceCount() const { return static_cast<int>(faceOffsets_.total()); }
   int edgeCount() const { return static_cast<int>(edgeOffsets_.total()); }
   int pointCount() const { return static_cast<int>(pointOffsets_.total()); }
-  std::int64_t boundaryEdges() const { return boundaryEdges_; }
+  const EdgeCounts& edgeCounts() const { return edgeCounts_; }
   /// As of the whole mesh.
   const Bounds& bounds() const { return bounds_; }
   double signedVolume() const { return signedVolume_; }
 
-  /// The triangles of this rank's share, ascending.
+  /// The triangles of this rank's share: all numbers from the first to the last.
   const std::vector<FaceRecord>& faces() const { return faces_; }
+  /// Returns the rank whose share has a triangle.
+  int homeOfFace(int face) const { return faceOffsets_.home(face); }
 
   /// Returns all triangles around some points. Every rank calls it.
   /// @param points numbers, any.
@@ -63,24 +73,27 @@ private:
   std::vector<int> numberPoints(Communicator& communicator, const SurfacePiece& piece);
   void collectFaces(Communicator& communicator, const SurfacePiece& piece,
     const std::vector<int>& numbers);
-  void connect(Communicator& communicator, const SurfacePiece& piece,
-    const std::vector<int>& numbers);
+  /// Numbers and counts edges.
+  void connect(Communicator& communicator);
+  void countEdges(Communicator& communicator, const std::vector<Side>& sides);
+  void requireNothingLoose(Communicator& communicator, const SurfacePiece& piece,
+    const std::vector<int>& numbers) const;
+  /// Whether two points are those of a side; this rank has the first.
+  bool isSide(const std::array<int, 2>& ends) const;
   /// Numbers the edges whose first sides are named, and returns their numbers.
-  RankLists<int> numberEdges(Communicator& communicator,
-    const RankLists<std::array<int, 2>>& firstSides);
+  std::vector<int> numberEdges(Communicator& communicator,
+    const std::vector<std::array<int, 2>>& firstSides);
   void collectRings(Communicator& communicator);
   int pointHome(int point) const
   {
     return homeOf(point, this->pointCount(), static_cast<int>(pointOffsets_.first.size()) - 1);
   }
-  /// Number of fans of the triangles around one of this rank's points, and whether one is closed.
-  bool isManifoldPoint(int point) const;
   double sumVolume(Communicator& communicator) const;
 
   RankOffsets pointOffsets_;
   RankOffsets faceOffsets_;
   RankOffsets edgeOffsets_;
-  std::int64_t boundaryEdges_ = 0;
+  EdgeCounts edgeCounts_{};
   Bounds bounds_;
   double signedVolume_ = 0.0;
   std::vector<FaceRecord> faces_;

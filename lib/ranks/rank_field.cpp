@@ -56,21 +56,6 @@ private:
   FieldArrays arrays_;
 };
 
-FieldSign signOf(const DistributedSurface& surface, SignMethod method)
-{
-  if (method == SignMethod::None)
-  {
-    return FieldSign::None;
-  }
-  if (surface.boundaryEdges() > 0)
-  {
-    throw Error(ErrorCode::InvalidInput,
-      "sign method pseudonormal needs a closed, consistently oriented mesh; this one has " +
-        std::to_string(surface.boundaryEdges()) + " boundary edges; use none");
-  }
-  return surface.signedVolume() < 0.0 ? FieldSign::Inward : FieldSign::Outward;
-}
-
 std::vector<FrameBox> boxesOf(const Grid& grid, const GridFrame& frame, const Extent& extent)
 {
   std::vector<FrameBox> boxes;
@@ -82,6 +67,13 @@ std::vector<FrameBox> boxesOf(const Grid& grid, const GridFrame& frame, const Ex
   return boxes;
 }
 
+/// Returns an extent from where tiles begin along x: engines select there.
+Extent fromTile(Extent extent)
+{
+  extent.min[0] -= extent.min[0] % TileField::kRow;
+  return extent;
+}
+
 } // namespace
 
 void checkFieldOfRanks(const Grid& grid, const Extent& extent, const DistanceFieldOptions& options)
@@ -90,13 +82,6 @@ void checkFieldOfRanks(const Grid& grid, const Extent& extent, const DistanceFie
   if (!extent.empty() && !grid.wholeExtent().contains(extent))
   {
     throw Error(ErrorCode::InvalidInput, "the extent leaves the grid");
-  }
-  if (options.sign == SignMethod::Auto || options.sign == SignMethod::Winding)
-  {
-    throw Error(ErrorCode::InvalidInput,
-      std::string("sign method ") + (options.sign == SignMethod::Auto ? "auto" : "winding") +
-        " needs the whole surface in one process; a surface in pieces allows none and "
-        "pseudonormal");
   }
   if (options.engine != Engine::Auto && options.engine != Engine::Processor)
   {
@@ -113,21 +98,27 @@ RankCounts countsOf(const RankField& field, const CountingCommunicator& communic
 }
 
 RankField::RankField(Communicator& communicator, const SurfacePiece& piece, const Grid& grid,
-  const Extent& searched, const DistanceFieldOptions& options, const Run& run,
-  RunStatistics& statistics)
+  const Extent& searched, const Extent& computed, const DistanceFieldOptions& options,
+  const Run& run, RunStatistics& statistics)
   : whole_(grid.wholeExtent())
   , memoryMiB_(options.memoryMiB)
   , run_(run)
   , statistics_(statistics)
   , surface_(communicator, piece)
   , frame_(grid)
+  , sign_(timed(statistics.seconds.sign,
+      [&] { return SharedSign(communicator, surface_, options.sign, grid, frame_, run_); }))
 {
   checkReach(surface_.bounds(), frame_);
-  sign_ = signOf(surface_, options.sign);
   statistics_.engine = Engine::Processor;
-  statistics_.sign.method = options.sign;
+  statistics_.sign = sign_.report();
   statistics_.sites =
     static_cast<std::int64_t>(surface_.faceCount()) + surface_.edgeCount() + surface_.pointCount();
+  if (sign_.fieldSign() == FieldSign::Rows)
+  {
+    const Stopwatch watch(statistics_.seconds.sign);
+    inside_.emplace(sign_.insideRows(communicator, fromTile(computed)));
+  }
   {
     const Stopwatch watch(statistics_.seconds.cull);
     const SharedTree tree(communicator, surface_, frame_);
@@ -136,7 +127,7 @@ RankField::RankField(Communicator& communicator, const SurfacePiece& piece, cons
   agree(communicator,
     [&]
     {
-      host_.emplace(near_->part.mesh(), near_->part.connectivity(), frame_, sign_, run_,
+      host_.emplace(near_->part.mesh(), near_->part.connectivity(), frame_, this->sign(), run_,
         statistics_,
         [this](const SiteSet& sites)
         { return GroupTree(sites, near_->part.connectivity(), near_->slack, near_->trees); });
@@ -146,8 +137,8 @@ RankField::RankField(Communicator& communicator, const SurfacePiece& piece, cons
 FieldJob RankField::job(const Extent& extent)
 {
   statistics_.samples = extent.pointCount();
-  return { near_->part.mesh(), near_->part.connectivity(), *host_, sign_, nullptr, frame_, whole_,
-    extent, memoryMiB_, false, run_, statistics_ };
+  return { near_->part.mesh(), near_->part.connectivity(), *host_, this->sign(),
+    inside_ ? &*inside_ : nullptr, frame_, whole_, extent, memoryMiB_, false, run_, statistics_ };
 }
 
 void RankField::compute(const Extent& extent, FieldSink& sink)
@@ -159,9 +150,8 @@ void RankField::compute(const Extent& extent, FieldSink& sink)
 std::vector<Crossing> RankField::select(const Extent& extent, const CrossingSelection& selection,
   FieldSink& sink)
 {
-  // Engines select where tiles begin along x. Elsewhere the field comes first, by itself.
-  Extent selected = extent;
-  selected.min[0] -= extent.min[0] % TileField::kRow;
+  // Where it begins elsewhere the field comes first, by itself.
+  const Extent selected = fromTile(extent);
   if (selected.min[0] != extent.min[0])
   {
     this->compute(extent, sink);

@@ -3,11 +3,13 @@
 #include "base/run.h"
 #include "field/crossing.h"
 #include "field/field_job.h"
+#include "field/host_inside.h"
 #include "field/host_sites.h"
 #include "medial/distance_field.h"
 #include "medial/ranks.h"
 #include "ranks/counting_communicator.h"
 #include "ranks/distributed_surface.h"
+#include "ranks/shared_sign.h"
 #include "ranks/shared_tree.h"
 
 #include <cstdint>
@@ -24,10 +26,11 @@ class RankField
 public:
   /// Every rank calls it.
   /// @param searched where closest places will be asked for; may be empty.
+  /// @param computed where the field will be; may be empty.
   /// @param statistics must outlive this.
   /// @throws Error as computeDistanceField(), on every rank.
   RankField(Communicator& communicator, const SurfacePiece& piece, const Grid& grid,
-    const Extent& searched, const DistanceFieldOptions& options, const Run& run,
+    const Extent& searched, const Extent& computed, const DistanceFieldOptions& options, const Run& run,
     RunStatistics& statistics);
 
   /// Computes the field of an extent within the part. It has the numbers that sites have in the
@@ -40,7 +43,10 @@ public:
 
   const DistributedSurface& surface() const { return surface_; }
   const GridFrame& frame() const { return frame_; }
-  FieldSign sign() const { return sign_; }
+  FieldSign sign() const { return sign_.fieldSign(); }
+  const SharedSign& sharedSign() const { return sign_; }
+  /// Lets sharedSign() have the lids of holes. Every rank calls it.
+  void closeHoles(Communicator& communicator) { sign_.close(communicator); }
   /// Triangles that are here, with their neighbours.
   const SurfacePart& part() const { return near_->part; }
   const SiteSet& sites() const { return host_->sites(); }
@@ -58,7 +64,8 @@ private:
   RunStatistics& statistics_;
   DistributedSurface surface_;
   GridFrame frame_;
-  FieldSign sign_;
+  SharedSign sign_;
+  std::optional<HostInside> inside_; ///< with winding numbers
   std::optional<NearSurface> near_;
   std::optional<HostSites> host_;
 };

@@ -1,7 +1,5 @@
 #include "sign/ambiguity.h"
 
-#include "sign/row_crossings.h"
-
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -17,28 +15,8 @@ namespace
 /// Points along each axis: few where they leave no doubt.
 constexpr int kFewPoints = 8;
 constexpr int kManyPoints = 16;
-constexpr double kNoDoubt = 0.05;
 /// Farther than this from 1/2, winding numbers tell inside from outside.
 constexpr double kAmbiguous = 0.25;
-
-/// Takes every n-th point of a grid, from the middle of the first n on.
-struct Sample
-{
-  GridFrame frame;
-  Extent extent;
-
-  Sample(const GridFrame& whole, const Grid& grid, int maxPoints)
-    : frame(whole)
-  {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const int stride = (grid.dimensions[axis] + maxPoints - 1) / maxPoints;
-      frame.first[axis] += 0.5 * (stride - 1) * whole.step[axis];
-      frame.step[axis] *= stride;
-      extent.max[axis] = std::max(1, grid.dimensions[axis] / stride) - 1;
-    }
-  }
-};
 
 /// Whether the winding number of an open surface is between 1/4 and 3/4.
 /// @param closed winding number of the closed surface.
@@ -61,28 +39,46 @@ bool isAmbiguous(int closed, const WindingNumber& lids, const glm::dvec3& point)
   return false; // on the border
 }
 
-double shareOf(const Sample& sample, const TriangleChain& closed, const WindingNumber& lids,
-  const Checkpoint& checkpoint)
+} // namespace
+
+GridSample::GridSample(const GridFrame& whole, const Grid& grid, int maxPoints)
+  : frame(whole)
 {
-  const std::vector<SliceCrossings> slices = rowCrossings(closed, sample.frame, sample.extent);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int stride = (grid.dimensions[axis] + maxPoints - 1) / maxPoints;
+    frame.first[axis] += 0.5 * (stride - 1) * whole.step[axis];
+    frame.step[axis] *= stride;
+    extent.max[axis] = std::max(1, grid.dimensions[axis] / stride) - 1;
+  }
+}
+
+std::array<GridSample, 2> samplesOf(const GridFrame& frame, const Grid& grid)
+{
+  return { GridSample(frame, grid, kFewPoints), GridSample(frame, grid, kManyPoints) };
+}
+
+double ambiguousShareOf(const GridSample& sample, const std::vector<SliceCrossings>& closed,
+  const WindingNumber& lids, const Checkpoint& checkpoint)
+{
   std::atomic<std::int64_t> ambiguous{ 0 };
   tbb::parallel_for(0, sample.extent.size(2),
     [&](int k)
     {
-      auto next = slices[k].begin();
+      auto next = closed[k].begin();
       for (int j = 0; j < sample.extent.size(1); ++j)
       {
         checkpoint();
         int winding = 0;
         for (int i = 0; i < sample.extent.size(0); ++i)
         {
-          for (; next != slices[k].end() && next->row == j && next->point <= i; ++next)
+          for (; next != closed[k].end() && next->row == j && next->point <= i; ++next)
           {
             winding += next->change;
           }
           ambiguous += isAmbiguous(winding, lids, sample.frame.sample({ i, j, k })) ? 1 : 0;
         }
-        for (; next != slices[k].end() && next->row == j; ++next)
+        for (; next != closed[k].end() && next->row == j; ++next)
         {
         }
       }
@@ -90,14 +86,20 @@ double shareOf(const Sample& sample, const TriangleChain& closed, const WindingN
   return static_cast<double>(ambiguous) / static_cast<double>(sample.extent.pointCount());
 }
 
-} // namespace
-
 double ambiguousShare(const TriangleChain& closed, const WindingNumber& lids,
   const GridFrame& frame, const Grid& grid, const Checkpoint& checkpoint)
 {
-  const double share = shareOf(Sample(frame, grid, kFewPoints), closed, lids, checkpoint);
-  return share > kNoDoubt ? share
-                          : shareOf(Sample(frame, grid, kManyPoints), closed, lids, checkpoint);
+  double share = 0.0;
+  for (const GridSample& sample : samplesOf(frame, grid))
+  {
+    share =
+      ambiguousShareOf(sample, rowCrossings(closed, sample.frame, sample.extent), lids, checkpoint);
+    if (share > kNoDoubt)
+    {
+      break;
+    }
+  }
+  return share;
 }
 
 } // namespace medial

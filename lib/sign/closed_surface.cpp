@@ -5,6 +5,12 @@
 namespace medial
 {
 
+double countedArea(const TriangleChain& chain, const WeightedTriangle& triangle)
+{
+  const auto [a, b, c] = chain.cornersOf(triangle);
+  return std::abs(triangle.weight) * glm::length(glm::cross(b - a, c - a));
+}
+
 TriangleChain ClosedSurface::lids() const
 {
   const auto first = chain.triangles.begin() + static_cast<std::ptrdiff_t>(firstLid);
@@ -17,8 +23,7 @@ double ClosedSurface::lidShare() const
   double lids = 0.0;
   for (std::size_t i = 0; i < chain.triangles.size(); ++i)
   {
-    const auto [a, b, c] = chain.cornersOf(chain.triangles[i]);
-    const double area = std::abs(chain.triangles[i].weight) * glm::length(glm::cross(b - a, c - a));
+    const double area = countedArea(chain, chain.triangles[i]);
     all += area;
     lids += i < firstLid ? 0.0 : area;
   }

@@ -27,6 +27,9 @@ struct TriangleChain
   }
 };
 
+/// Returns the area of a triangle, twice, as often as it counts.
+double countedArea(const TriangleChain& chain, const WeightedTriangle& triangle);
+
 /// An oriented surface and lids for its holes. Together they have no rim, so every point that is on
 /// none of them has a winding number that is an integer.
 struct ClosedSurface

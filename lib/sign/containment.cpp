@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace medial
 {
@@ -70,10 +69,9 @@ private:
 
 Containment::Containment(const std::vector<SolidTriangle>& triangles,
   std::vector<glm::dvec3> points)
-  : around_(points.size())
+  : windings_(points.size())
 {
   const PointRaster raster(points);
-  std::vector<std::map<int, int>> windings(points.size());
   for (const SolidTriangle& triangle : triangles)
   {
     const auto& [a, b, c] = triangle.corners;
@@ -87,19 +85,9 @@ Containment::Containment(const std::vector<SolidTriangle>& triangles,
         const auto crossing = segment ? crossLine(*segment, p.y) : std::nullopt;
         if (crossing && crossing->x < p.x)
         {
-          windings[point][triangle.solid] += crossing->direction * triangle.weight;
+          windings_[point][triangle.solid] += crossing->direction * triangle.weight;
         }
       });
-  }
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    for (const auto& [solid, winding] : windings[i])
-    {
-      if (winding != 0)
-      {
-        around_[i].push_back(solid);
-      }
-    }
   }
 }
 

@@ -3,6 +3,7 @@
 #include <glm/glm.hpp>
 
 #include <array>
+#include <map>
 #include <vector>
 
 namespace medial
@@ -20,14 +21,15 @@ struct SolidTriangle
 class Containment
 {
 public:
-  /// @param triangles closed surfaces of all solids.
+  /// @param triangles closed surfaces of all solids, or some triangles of them.
   Containment(const std::vector<SolidTriangle>& triangles, std::vector<glm::dvec3> points);
 
-  /// Returns the solids around a point, ascending: those whose winding number is not 0.
-  const std::vector<int>& solidsAround(int point) const { return around_[point]; }
+  /// Returns what the triangles of each solid add to a point's winding number: solids whose number
+  /// is not 0 in the end contain it.
+  const std::map<int, int>& windingsAt(int point) const { return windings_[point]; }
 
 private:
-  std::vector<std::vector<int>> around_;
+  std::vector<std::map<int, int>> windings_;
 };
 
 } // namespace medial

@@ -10,17 +10,19 @@ namespace medial
 
 InsideQuery::InsideQuery(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
   const LocalCoordinates& local)
+  : hasTriangles_(!mesh.triangles.empty())
 {
-  const SurfaceOrientation orientation = orientSurface(mesh, connectivity);
-  TriangleChain surface = chainOf(mesh, orientation, local);
-  if (orientation.rim.empty() && !surface.triangles.empty())
+  ClosedSurface surface = closeSurface(mesh, orientSurface(mesh, connectivity), local);
+  if (surface.holes > 0)
   {
-    closed_ = std::make_unique<const LineWinding>(std::move(surface));
+    lids_ = std::make_unique<const WindingNumber>(surface.lids());
   }
-  else
-  {
-    open_ = std::make_unique<const WindingNumber>(surface);
-  }
+  surface_ = std::make_unique<const LineWinding>(std::move(surface.chain));
+}
+
+bool InsideQuery::contains(const glm::dvec3& x) const
+{
+  return isInside([this](const glm::dvec3& at) { return surface_->at(at); }, lids_.get(), x);
 }
 
 } // namespace medial

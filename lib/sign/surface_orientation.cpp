@@ -1,6 +1,7 @@
 #include "sign/surface_orientation.h"
 
 #include "sign/containment.h"
+#include "sign/patch_measure.h"
 #include "sign/patches.h"
 
 #include <algorithm>
@@ -14,13 +15,6 @@ namespace medial
 {
 namespace
 {
-
-/// Lids may take this share of a patch's area if the patch is to count as the surface of a solid.
-constexpr double kMaxLidShare = 0.25;
-/// Solids flatter than this, as volume over area to the power of 3/2, have no inside.
-constexpr double kMinVolumeShare = 1e-9;
-/// Number of places at which a patch is tested for being inside another one.
-constexpr std::size_t kProbes = 5;
 
 using Points = std::vector<glm::dvec3>;
 
@@ -49,13 +43,6 @@ void addRimEdge(const MeshConnectivity& connectivity, int edge, int net, std::ve
     rim.push_back(net > 0 ? RimEdge{ from, to, net } : RimEdge{ to, from, -net });
   }
 }
-
-/// A triangle of a patch, its lids included, as it counts in the patch.
-struct CountedTriangle
-{
-  std::array<glm::dvec3, 3> corners;
-  int weight;
-};
 
 /// What is known of a patch as the surface of a solid.
 struct PatchSolid
@@ -216,22 +203,13 @@ private:
   void measure(int patch)
   {
     PatchSolid& solid = solids_[patch];
-    solid.volume = 0.0;
-    solid.turned = false;
     const glm::dvec3 origin = points_[mesh_->triangles[patches_.triangles[patch].front()][0]];
-    double area = 0.0;
-    double lidArea = 0.0;
+    PatchMeasure sum;
     this->visitTriangles(patch,
-      [&](const CountedTriangle& triangle, bool isLid)
-      {
-        const glm::dvec3 a = triangle.corners[0] - origin;
-        const glm::dvec3 normal =
-          glm::cross(triangle.corners[1] - origin - a, triangle.corners[2] - origin - a);
-        (isLid ? lidArea : area) += 0.5 * glm::length(normal);
-        solid.volume += triangle.weight * glm::dot(a, normal) / 6.0;
-      });
-    solid.solid = lidArea <= kMaxLidShare * area &&
-      std::abs(solid.volume) > kMinVolumeShare * area * std::sqrt(area);
+      [&](const CountedTriangle& triangle, bool isLid) { sum.add(triangle, origin, isLid); });
+    solid.volume = sum.volume;
+    solid.solid = sum.isSolid();
+    solid.turned = false;
   }
 
   /// Returns the smallest solid that contains a patch, or -1, for every patch.
@@ -261,14 +239,14 @@ private:
     std::vector<std::unordered_map<int, std::size_t>> hits(count);
     for (std::size_t i = 0; i < probes.size(); ++i)
     {
-      for (const int solid : containment.solidsAround(static_cast<int>(i)))
+      for (const auto& [solid, winding] : containment.windingsAt(static_cast<int>(i)))
       {
-        ++hits[patchOfProbe[i]][solid];
+        hits[patchOfProbe[i]][solid] += winding != 0 ? 1 : 0;
       }
     }
     for (int patch = 0; patch < count; ++patch)
     {
-      const std::size_t probed = std::min(kProbes, patches_.triangles[patch].size());
+      const std::size_t probed = probesOf(patches_.triangles[patch].size());
       for (const auto& [solid, hit] : hits[patch])
       {
         const int smallest = result[patch];
@@ -292,10 +270,9 @@ private:
   void addProbes(int patch, Points& probes, std::vector<int>& patchOfProbe) const
   {
     const std::vector<int>& members = patches_.triangles[patch];
-    const std::size_t count = std::min(kProbes, members.size());
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < probesOf(members.size()); ++i)
     {
-      const auto& [a, b, c] = mesh_->triangles[members[(2 * i + 1) * members.size() / (2 * count)]];
+      const auto& [a, b, c] = mesh_->triangles[members[probedTriangle(i, members.size())]];
       probes.push_back((points_[a] + points_[b] + points_[c]) / 3.0);
       patchOfProbe.push_back(patch);
     }

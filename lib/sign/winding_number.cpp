@@ -372,18 +372,18 @@ Interval WindingNumber::bounds(const glm::dvec3& point, double tolerance) const
   return { value - error, value + error };
 }
 
-bool WindingNumber::isAboveHalf(const glm::dvec3& point) const
+bool WindingNumber::isBelow(double limit, const glm::dvec3& point) const
 {
   for (const double tolerance : { 1e-2, 1e-3, 1e-4, 1e-5 })
   {
     const Interval value = this->bounds(point, tolerance);
-    if (!value.contains(0.5))
+    if (!value.contains(limit))
     {
-      return value.low > 0.5;
+      return value.high < limit;
     }
   }
   const Interval exact = this->bounds(point, 0.0);
-  return 0.5 * (exact.low + exact.high) > 0.5;
+  return 0.5 * (exact.low + exact.high) < limit;
 }
 
 } // namespace medial

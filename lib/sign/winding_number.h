@@ -55,9 +55,9 @@ public:
   /// Bounds the value at a point.
   /// @param tolerance largest error of a group that counts as far; 0 to sum all triangles.
   Interval bounds(const glm::dvec3& point, double tolerance) const;
-  /// Whether the value at a point is above 1/2. Bounds are refined until they tell; near a half all
-  /// triangles are summed one by one.
-  bool isAboveHalf(const glm::dvec3& point) const;
+  /// Whether the value at a point is below a limit. Bounds are refined until they tell; near the
+  /// limit all triangles are summed one by one.
+  bool isBelow(double limit, const glm::dvec3& point) const;
 
 private:
   struct Triangle

@@ -62,10 +62,9 @@ struct MEDIAL_EXPORT MeshConnectivity
   bool oriented() const { return misorientedEdges == 0; }
 };
 
-/// Analyses the connectivity of a mesh. The edges of its manifold part have the first ids, then
-/// come those of the triangles that it refuses, then the segments'. The numbering depends only on
-/// the order of the mesh's lists. The time is n log n in the size of the mesh, however many
-/// triangles meet at a point.
+/// Analyses the connectivity of a mesh. Edges have their ids in the order in which triangles name
+/// them, then come the segments'. The numbering depends only on the order of the mesh's lists. The
+/// time is n log n in the size of the mesh, however many triangles meet at a point.
 /// @param execution its progress stays at 0 throughout, so that the next step can begin there; one
 ///   thread is used.
 /// @throws Error InvalidInput for a point id that is out of range or repeated within a triangle or

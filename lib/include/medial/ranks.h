@@ -68,11 +68,12 @@ struct RankCounts
 /// number of ranks. Every rank calls it, with the same grid and options.
 ///
 /// @param extent of this rank; may be empty.
-/// @param options sign must be None or Pseudonormal; the engine is the processor.
+/// With signs by winding numbers every rank has the lids of all holes: about as many triangles as the
+/// holes have edges.
+/// @param options the engine is the processor.
 /// @param counts receives what the rank has held; may be null.
 /// @throws Error on every rank, with the message of the first that failed: as
-///   computeDistanceField(), and InvalidInput for a surface with edges of three triangles or more,
-///   with segments or points of no triangle, or with a sign that needs the whole.
+///   computeDistanceField(), and InvalidInput for a surface with segments or points of no triangle.
 MEDIAL_EXPORT RunStatistics computeDistanceField(Communicator& communicator,
   const SurfacePiece& piece, const Grid& grid, const Extent& extent, FieldSink& sink,
   const DistanceFieldOptions& options, RankCounts* counts = nullptr);
@@ -99,10 +100,7 @@ struct AxisPiece
 ///
 /// @param extents of all ranks; they cover the grid, each point once. Some may be empty.
 /// @param sink receives the field of touchingExtent() of this rank's.
-/// @param options sign must be None or Pseudonormal, the topology Selected, maxSpheres 0; the
-/// engine
-///   is the processor. With a sign, all closed parts of the surface must face the same way:
-///   outwards, but inwards for those of cavities, or all the other way round.
+/// @param options the topology must be Selected, maxSpheres 0; the engine is the processor.
 /// @param counts receives what the rank has held; may be null.
 /// @throws Error on every rank, with the message of the first that failed: as computeMedialAxis()
 ///   in one process and as computeDistanceField() on several, and InvalidInput for extents that

@@ -90,6 +90,7 @@ class Ranks(unittest.TestCase):
             {"pieces": "random", "options": {"Resolution": 30}, "ids": "cells points", "grid": True, "ghosts": True},
             {"pieces": "random", "options": {"Resolution": 30}, "ids": "cells", "seed": 2},
             {"pieces": "one", "owner": 1, "options": {"Resolution": 25, "SignMethod": 1}},
+            {"pieces": "random", "options": {"Resolution": 25, "SignMethod": 0}},
             {"pieces": "runs", "options": {"Resolution": 30}, "blocks": "multiblock"},
             {"pieces": "runs", "options": {"Resolution": 30}, "blocks": "partitioned", "grid": True, "ghosts": True},
             {"pieces": "random", "options": {"Resolution": 30}, "blocks": "collection", "ids": "cells points"},
@@ -133,6 +134,7 @@ class Ranks(unittest.TestCase):
              "ids": "marked cells points", "ghosts": True},
             {"axis": True, "pieces": "runs", "options": {"Resolution": 40, "Angle": 20, "Side": 2}, "blocks": "multiblock"},
             {"axis": True, "pieces": "one", "owner": 1, "options": {"Resolution": 40, "SignMethod": 1}},
+            {"axis": True, "pieces": "runs", "options": {"Resolution": 40, "SignMethod": 3}},
             {"axis": True, "pieces": "random", "empty": 1, "options": {
                 "GridMode": 2, "Origin": [-1.5, -1.4, -1.6], "Spacing": [0.08, 0.08, 0.08], "Dimensions": [39, 38, 41]}},
         ]
@@ -169,7 +171,6 @@ class Ranks(unittest.TestCase):
             ({"options": explicit, "options of ranks": {"1": {"Dimensions": [9, 0, 9]}}}, "rank 1: .*dimension"),
             ({"options": small, "options of ranks": {"1": {"MemoryLimit": 1}}}, "rank 1: MemoryLimit 1 is not"),
             ({"options": {"Resolution": 1}}, "resolution 1 is outside"),
-            ({"options": {**small, "SignMethod": 0}}, "rank 0: sign method auto needs the whole surface"),
             ({"options": {**small, "Engine": 1}}, "rank 0: .* needs the engine processor"),
         ]
         axis = {"axis": True, "options": small}

@@ -8,6 +8,7 @@
 #include "simulated_ranks.h"
 #include "support/models.h"
 #include "support/shapes.h"
+#include "support/transforms.h"
 
 #include <gtest/gtest.h>
 
@@ -203,6 +204,38 @@ TEST(DistributedAxis, OfAnOpenSurfaceIsThatOfOneProcess)
 {
   const TriangleMesh mesh = numbered(plates(0.3, 0.8));
   expectSameAxisOfAllPartitions({ mesh, gridAround(mesh, 50), SignMethod::None });
+}
+
+TEST(DistributedAxis, OfDamagedSolidsIsThatOfOneProcess)
+{
+  for (const SignMethod sign : { SignMethod::Winding, SignMethod::Auto, SignMethod::None })
+  {
+    Case of{ damagedSolids(3), {}, sign };
+    of.grid = gridAround(of.mesh, 44);
+    of.side = Side::Both;
+    expectSameAxisOfAllPartitions(of);
+  }
+}
+
+TEST(DistributedAxis, OfSolidsWithLargeHolesIsThatOfOneProcess)
+{
+  // Two thin walls that do not face alike; one is open at an end.
+  TriangleMesh mesh = appended(flipOrientation(box({ 0.8, 0.8, 0.06 })),
+    translated(uvCapsule(0.3, 0.5, 16), { 0.0, 0.0, 1.0 }));
+  mesh.triangles.resize(mesh.triangles.size() - 8);
+  Case of{ numbered(withoutLoosePoints(mesh)), {}, SignMethod::Winding };
+  of.grid = gridAround(of.mesh, 54);
+  expectSameAxisOfAllPartitions(of);
+}
+
+TEST(DistributedAxis, OfPartsThatFaceDifferentWaysIsThatOfOneProcess)
+{
+  Case of{ numbered(appended(flipOrientation(icosphere(0.5, 2)),
+             translated(box({ 0.21, 0.33, 0.17 }), { 0.9, -0.05, 0.13 }))),
+    {} };
+  of.grid = gridAround(of.mesh, 50);
+  of.side = Side::Both;
+  expectSameAxisOfAllPartitions(of);
 }
 
 TEST(DistributedAxis, WithLimitsIsThatOfOneProcess)

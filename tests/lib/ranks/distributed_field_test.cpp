@@ -13,6 +13,7 @@
 #include <cstring>
 #include <random>
 #include <string>
+#include <tuple>
 #include <vector>
 
 using namespace medial;
@@ -101,6 +102,13 @@ DistanceFieldOptions optionsOf(const Case& of)
   return options;
 }
 
+bool sameReports(const SignReport& a, const SignReport& b)
+{
+  return std::tie(a.method, a.reason, a.rimEdges, a.holes, a.copies, a.turned, a.ambiguousShare,
+           a.lidShare) == std::tie(b.method, b.reason, b.rimEdges, b.holes, b.copies, b.turned,
+                            b.ambiguousShare, b.lidShare);
+}
+
 /// Expects the field of ranks to be that of one process, and returns what the ranks have held.
 std::vector<RankCounts> expectSameBits(const Case& of, const DistanceField& whole,
   const std::vector<Extent>& extents, const Distribution& rankOf)
@@ -113,9 +121,10 @@ std::vector<RankCounts> expectSameBits(const Case& of, const DistanceField& whol
     {
       const int rank = communicator.rank();
       KeepingSink sink(extents[rank]);
-      computeDistanceField(communicator, pieceOf(of.mesh, rank, rankOf), of.grid, extents[rank],
-        sink, optionsOf(of), &counts[rank]);
+      const RunStatistics statistics = computeDistanceField(communicator,
+        pieceOf(of.mesh, rank, rankOf), of.grid, extents[rank], sink, optionsOf(of), &counts[rank]);
       different[rank] = differences(whole, extents[rank], sink.field);
+      EXPECT_TRUE(sameReports(statistics.sign, whole.statistics.sign)) << statistics.sign.reason;
     });
   for (int rank = 0; rank < ranks; ++rank)
   {
@@ -271,49 +280,88 @@ TEST(DistributedField, PiecesInTheOrderOfRanksAreOneMesh)
     });
 }
 
-TEST(DistributedField, RefusesWhatNeedsTheWholeOnEveryRank)
+TEST(DistributedField, OfDamagedSolidsHasTheBitsOfOneProcess)
 {
-  const TriangleMesh mesh = numbered(icosphere(1.0, 1));
-  EXPECT_EQ(refusal(mesh, 3, atRandom(3), SignMethod::Winding),
-    "rank 0: sign method winding needs the whole surface in one process; a surface in pieces "
-    "allows none and pseudonormal");
-  const TriangleMesh open = numbered(plates(0.3, 0.8));
-  EXPECT_EQ(refusal(open, 2, atRandom(2), SignMethod::Pseudonormal),
-    "sign method pseudonormal needs a closed, consistently oriented mesh; this one has 8 boundary "
-    "edges; use none");
-}
-
-TEST(DistributedField, RefusesSurfacesThatAreNotManifold)
-{
-  // A tetrahedron with a fin at one edge.
-  TriangleMesh mesh = regularTetrahedron(1.0);
-  mesh.points.push_back({ 5.0, 5.0, 5.0 });
-  mesh.triangles.push_back({ 0, 1, static_cast<int>(mesh.points.size()) - 1 });
-  mesh.triangleCells.push_back(0);
-  EXPECT_EQ(refusal(numbered(mesh), 2, atRandom(2)),
-    "a surface in pieces must be an oriented manifold of triangles; this one has 1 edges of three "
-    "triangles or more, 0 misoriented edges, 0 points where sheets touch, 0 line segments and 0 "
-    "points of no triangle: it needs a single process");
-}
-
-TEST(DistributedField, RefusesPointsWhereSheetsTouch)
-{
-  TriangleMesh mesh = regularTetrahedron(1.0);
-  const Point3 tip = mesh.points[0];
-  TriangleMesh other = mesh;
-  for (Point3& point : other.points)
+  for (const SignMethod sign : { SignMethod::Winding, SignMethod::Auto, SignMethod::None })
   {
-    for (int axis = 0; axis < 3; ++axis)
+    for (const unsigned seed : { 1U, 2U })
     {
-      point[axis] = 2.0 * tip[axis] - point[axis];
+      const TriangleMesh mesh = damagedSolids(seed);
+      expectSameBitsOfAllPartitions({ mesh, gridAround(mesh, 50), sign });
     }
   }
-  for (auto& triangle : other.triangles)
+}
+
+TEST(DistributedField, OfLargeHolesHasTheBitsOfOneProcess)
+{
+  // Lids across the whole grid, and grid points on them.
+  TriangleMesh mesh = torus(1.0, 0.4, 40, 20);
+  mesh.triangles.resize(mesh.triangles.size() * 2 / 3);
+  mesh.triangleCells.resize(mesh.triangles.size());
+  mesh = appended(mesh, translated(box({ 0.2, 0.2, 0.2 }), { 0.0, 0.0, 0.1 }));
+  mesh.triangles.resize(mesh.triangles.size() - 2);
+  mesh = numbered(withoutLoosePoints(mesh));
+  for (const SignMethod sign : { SignMethod::Winding, SignMethod::Auto })
   {
-    std::swap(triangle[0], triangle[1]);
+    expectSameBitsOfAllPartitions({ mesh, gridAround(mesh, 48), sign });
   }
-  const std::string message = refusal(numbered(appended(mesh, other)), 2, atRandom(2));
-  EXPECT_NE(message.find("1 points where sheets touch"), std::string::npos) << message;
+}
+
+TEST(DistributedField, OfSoupsHasTheBitsOfOneProcess)
+{
+  const TriangleMesh soup = numbered(randomSoup(300, 7));
+  expectSameBitsOfAllPartitions({ soup, gridAround(soup, 24), SignMethod::Winding });
+  const TriangleMesh torn = numbered(randomSoup(500, 8));
+  const Case of{ torn, gridAround(torn, 20), SignMethod::Auto };
+  ASSERT_EQ(computeDistanceField(of.mesh, of.grid, optionsOf(of)).sign, SignMethod::None);
+  expectSameBitsOfAllPartitions(of);
+}
+
+TEST(DistributedField, OfStripsWithATwistHasTheBitsOfOneProcess)
+{
+  const TriangleMesh mesh = moebiusStrips();
+  expectSameBitsOfAllPartitions({ mesh, gridAround(mesh, 40), SignMethod::Winding });
+}
+
+TEST(DistributedField, RefusesPseudonormalsOfAnOpenSurfaceOnEveryRank)
+{
+  const TriangleMesh open = numbered(plates(0.3, 0.8));
+  EXPECT_EQ(refusal(open, 2, atRandom(2), SignMethod::Pseudonormal),
+    "sign method pseudonormal needs a closed, consistently oriented mesh; this one has 8 boundary, "
+    "0 non-manifold and 0 misoriented edges; use auto, winding or none");
+}
+
+TEST(DistributedField, RefusesSegments)
+{
+  TriangleMesh mesh = numbered(regularTetrahedron(1.0));
+  mesh.segments = { { 0, 1 } };
+  mesh.segmentCells = { 4 };
+  const Grid grid = gridAround(mesh, 20);
+  SimulatedRanks(1).run(
+    [&](Communicator& communicator)
+    {
+      SurfacePiece piece{ mesh, { 0, 1, 2, 3 } };
+      KeepingSink sink(grid.wholeExtent());
+      const DistanceFieldOptions options = optionsOf({ mesh, grid });
+      // One along an edge of a triangle adds nothing.
+      computeDistanceField(communicator, piece, grid, grid.wholeExtent(), sink, options);
+      piece.mesh.points.push_back({ 0.1, 0.2, 0.3 });
+      piece.pointOrder.push_back(4);
+      piece.mesh.segments = { { 0, 4 } };
+      piece.mesh.vertices = { 4 };
+      piece.mesh.vertexCells = { 5 };
+      try
+      {
+        computeDistanceField(communicator, piece, grid, grid.wholeExtent(), sink, options);
+        FAIL();
+      }
+      catch (const Error& error)
+      {
+        EXPECT_STREQ(error.what(),
+          "a surface in pieces must consist of triangles; this one has 1 line segments and 1 "
+          "points of no triangle: it needs a single process");
+      }
+    });
 }
 
 TEST(DistributedField, RefusesPiecesThatOverlap)

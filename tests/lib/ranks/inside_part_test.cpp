@@ -19,7 +19,8 @@ namespace
 {
 
 /// Number of positions in the ranks' parts where they disagree with one process.
-int differences(const TriangleMesh& mesh, int ranks)
+int differences(const TriangleMesh& mesh, int ranks,
+  SignMethod sign = SignMethod::Pseudonormal)
 {
   const Grid grid = gridAround(mesh, 50);
   const std::vector<Extent> extents = partsOfGrid(grid, ranks);
@@ -31,11 +32,12 @@ int differences(const TriangleMesh& mesh, int ranks)
     {
       const int rank = communicator.rank();
       DistanceFieldOptions options;
-      options.sign = SignMethod::Pseudonormal;
+      options.sign = sign;
       RunStatistics statistics;
       const Extent& extent = extents[rank];
-      RankField field(communicator, pieceOf(mesh, rank, atRandom(ranks)), grid, extent, options,
-        Run(Execution{ 1, nullptr }), statistics);
+      RankField field(communicator, pieceOf(mesh, rank, atRandom(ranks)), grid, extent, extent,
+        options, Run(Execution{ 1, nullptr }), statistics);
+      field.closeHoles(communicator);
       InsidePart part(communicator, field, extent);
       if (extent.empty())
       {
@@ -84,6 +86,18 @@ TEST(InsidePart, OfASurfaceInsideOutIsThatOfTheSolid)
     std::swap(triangle[1], triangle[2]);
   }
   EXPECT_EQ(differences(numbered(mesh), 4), 0);
+}
+
+TEST(InsidePart, OfASurfaceWithHolesIsThatOfTheWhole)
+{
+  TriangleMesh half = icosphere(1.0, 3);
+  half.triangles.resize(half.triangles.size() / 2);
+  for (const int ranks : { 1, 3, 8 })
+  {
+    EXPECT_EQ(differences(numbered(withoutLoosePoints(half)), ranks, SignMethod::Winding), 0);
+    EXPECT_EQ(differences(damagedSolids(9), ranks, SignMethod::Winding), 0);
+    EXPECT_EQ(differences(moebiusStrips(), ranks, SignMethod::Winding), 0);
+  }
 }
 
 TEST(InsidePart, CountsSolidsThatOverlap)

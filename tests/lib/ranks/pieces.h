@@ -23,6 +23,15 @@ Distribution atRandom(int ranks);
 Distribution onTheLast(int ranks);
 Distribution inRows(int ranks, std::size_t triangles);
 
+/// Drops the points that no triangle has.
+TriangleMesh withoutLoosePoints(const TriangleMesh& mesh);
+
+/// Solids in and beside each other, with triangles that are missing, turned round and there twice,
+/// and with edges of more than two triangles.
+TriangleMesh damagedSolids(unsigned seed);
+/// Strips of rectangles with a twist.
+TriangleMesh moebiusStrips();
+
 Grid gridAround(const TriangleMesh& mesh, int resolution);
 
 } // namespace medial::test
