@@ -354,8 +354,8 @@ void DistributedSurface::requireNothingLoose(Communicator& communicator, const S
   std::vector<int> vertices;
   std::transform(piece.mesh.vertices.begin(), piece.mesh.vertices.end(),
     std::back_inserter(vertices), [&](int point) { return numbers[point]; });
-  const std::vector<char> isLoose = answered(communicator, vertices,
-    [&](int point) { return this->pointHome(point); },
+  const std::vector<char> isLoose = answered(
+    communicator, vertices, [&](int point) { return this->pointHome(point); },
     [&](int point) -> char
     {
       const auto found =
@@ -367,7 +367,8 @@ void DistributedSurface::requireNothingLoose(Communicator& communicator, const S
   {
     segments.push_back({ std::min(numbers[a], numbers[b]), std::max(numbers[a], numbers[b]) });
   }
-  const std::vector<char> isBare = answered(communicator, segments,
+  const std::vector<char> isBare = answered(
+    communicator, segments,
     [&](const std::array<int, 2>& ends) { return this->pointHome(ends[0]); },
     [&](const std::array<int, 2>& ends) -> char { return !this->isSide(ends); });
   std::vector<std::int64_t> counts{ std::count(isBare.begin(), isBare.end(), 1),
@@ -386,8 +387,7 @@ bool DistributedSurface::isSide(const std::array<int, 2>& ends) const
 {
   const auto has = [&](const FaceRecord& face)
   { return std::find(face.corners.begin(), face.corners.end(), ends[1]) != face.corners.end(); };
-  for (auto at =
-         std::lower_bound(ringOfPoint_.begin(), ringOfPoint_.end(), std::pair(ends[0], 0));
+  for (auto at = std::lower_bound(ringOfPoint_.begin(), ringOfPoint_.end(), std::pair(ends[0], 0));
        at != ringOfPoint_.end() && at->first == ends[0]; ++at)
   {
     if (has(rings_[at->second]))

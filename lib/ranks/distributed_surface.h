@@ -36,7 +36,8 @@ public:
   };
 
   /// Every rank calls it.
-  /// @throws Error InvalidInput, on every rank, for a surface without triangles, and for segments or
+  /// @throws Error InvalidInput, on every rank, for a surface without triangles, and for segments
+  /// or
   ///   points of no triangle.
   DistributedSurface(Communicator& communicator, const SurfacePiece& piece);
 

@@ -40,7 +40,7 @@ private:
   const RankField& field_;
   glm::dvec3 start_;
   int atStart_ = 0;
-  std::vector<std::int8_t> weights_; ///< how the triangles here count
+  std::vector<std::int8_t> weights_;                        ///< how the triangles here count
   std::array<std::unique_ptr<const LineWinding>, 3> along_; ///< lines along x, y, z
 };
 

@@ -30,8 +30,8 @@ public:
   /// @param statistics must outlive this.
   /// @throws Error as computeDistanceField(), on every rank.
   RankField(Communicator& communicator, const SurfacePiece& piece, const Grid& grid,
-    const Extent& searched, const Extent& computed, const DistanceFieldOptions& options, const Run& run,
-    RunStatistics& statistics);
+    const Extent& searched, const Extent& computed, const DistanceFieldOptions& options,
+    const Run& run, RunStatistics& statistics);
 
   /// Computes the field of an extent within the part. It has the numbers that sites have in the
   /// whole surface.

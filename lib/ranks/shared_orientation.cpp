@@ -135,14 +135,13 @@ SharedOrientation::SharedOrientation(Communicator& communicator, const Distribut
   std::sort(members_.begin(), members_.end());
   this->collectPatches(communicator);
   this->sumUp(communicator);
-  this->turn(communicator,
-    [](const Patch& patch) { return !patch.alike && patch.majority < 0.0; });
+  this->turn(communicator, [](const Patch& patch) { return !patch.alike && patch.majority < 0.0; });
   this->closePatches(communicator);
   this->findContainers(communicator);
   this->turnSolids(communicator);
   rim_ = this->rimOf(communicator, true);
-  const std::vector<std::int64_t> own{ copies,
-    std::count(weights_.begin(), weights_.end(), -1), static_cast<std::int64_t>(rim_.size()) };
+  const std::vector<std::int64_t> own{ copies, std::count(weights_.begin(), weights_.end(), -1),
+    static_cast<std::int64_t>(rim_.size()) };
   const std::vector<std::int64_t> sums = combined(communicator, own, std::plus<>());
   std::copy(sums.begin(), sums.end(), counts_.begin());
 }
@@ -291,12 +290,10 @@ std::vector<SharedRimEdge> SharedOrientation::rimOf(Communicator& communicator, 
   const std::vector<CountedSide> nets = netsOf(delivered(communicator, own,
     [&](const CountedSide& side)
     { return homeOf(side.edge, surface_.edgeCount(), communicator.size()); }));
-  const std::vector<SidePlace> places = answered(communicator, nets,
-    [&](const CountedSide& side) { return surface_.homeOfFace(side.face); },
+  const std::vector<SidePlace> places = answered(
+    communicator, nets, [&](const CountedSide& side) { return surface_.homeOfFace(side.face); },
     [&](const CountedSide& side)
-    {
-      return placeOf(surface_.faces()[side.face - surface_.faces().front().face], side.corner);
-    });
+    { return placeOf(surface_.faces()[side.face - surface_.faces().front().face], side.corner); });
   std::vector<SharedRimEdge> rim;
   for (std::size_t i = 0; i < nets.size(); ++i)
   {
@@ -306,8 +303,8 @@ std::vector<SharedRimEdge> SharedOrientation::rimOf(Communicator& communicator, 
       std::swap(ends[0], ends[1]);
       std::swap(points[0], points[1]);
     }
-    rim.push_back({ nets[i].patch, nets[i].edge,
-      { ends[0], ends[1], std::abs(nets[i].forward) }, points });
+    rim.push_back(
+      { nets[i].patch, nets[i].edge, { ends[0], ends[1], std::abs(nets[i].forward) }, points });
   }
   return rim;
 }
@@ -365,8 +362,8 @@ std::vector<SharedOrientation::Probe> SharedOrientation::ownProbes(Communicator&
       asked.push_back({ (*at)[0], number, member });
     }
   }
-  const std::vector<glm::dvec3> places = answered(communicator, asked,
-    [](const Place& place) { return place.rank; },
+  const std::vector<glm::dvec3> places = answered(
+    communicator, asked, [](const Place& place) { return place.rank; },
     [&](const Place& place)
     {
       const auto first =
@@ -390,7 +387,9 @@ std::vector<SolidTriangle> SharedOrientation::solidTriangles() const
   for (const int solid : solids_)
   {
     this->forMembers(solid,
-      [&](std::size_t i) { triangles.push_back({ this->cornersOf(i), solid, weights_[i] }); });
+      [&](std::size_t i) {
+        triangles.push_back({ this->cornersOf(i), solid, weights_[i] });
+      });
   }
   for (const auto& [number, patch] : decided_)
   {
@@ -471,8 +470,8 @@ void SharedOrientation::chooseContainers(Communicator& communicator,
   std::vector<int> solids;
   std::transform(pairs.begin(), pairs.end(), std::back_inserter(solids),
     [](const auto& pair) { return pair.second; });
-  const std::vector<double> volumes = answered(communicator, solids,
-    [&](int solid) { return this->homeOfPatch(solid); },
+  const std::vector<double> volumes = answered(
+    communicator, solids, [&](int solid) { return this->homeOfPatch(solid); },
     [&](int solid) { return std::abs(decided_[solid].measure.volume); });
   std::map<int, Size> smallest;
   for (std::size_t i = 0; i < pairs.size(); ++i)
@@ -514,9 +513,11 @@ void SharedOrientation::turnSolids(Communicator& communicator)
         containers.push_back(patch.container);
       }
     }
-    const std::vector<Above> above = answered(communicator, containers,
-      [&](int solid) { return this->homeOfPatch(solid); },
-      [&](int solid) { return Above{ decided_[solid].container, decided_[solid].turned }; });
+    const std::vector<Above> above = answered(
+      communicator, containers, [&](int solid) { return this->homeOfPatch(solid); },
+      [&](int solid) {
+        return Above{ decided_[solid].container, decided_[solid].turned };
+      });
     for (std::size_t i = 0; i < inner.size(); ++i)
     {
       decided_[inner[i]].container = above[i].container;
@@ -540,7 +541,8 @@ std::vector<SharedRimEdge> SharedOrientation::wholeRim(Communicator& communicato
 std::vector<std::int8_t> SharedOrientation::weightsOf(Communicator& communicator,
   const std::vector<int>& faces) const
 {
-  return answered(communicator, faces, [&](int face) { return surface_.homeOfFace(face); },
+  return answered(
+    communicator, faces, [&](int face) { return surface_.homeOfFace(face); },
     [&](int face) { return weights_[face - surface_.faces().front().face]; });
 }
 

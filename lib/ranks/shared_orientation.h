@@ -37,7 +37,8 @@ public:
   /// @param surface must outlive this.
   SharedOrientation(Communicator& communicator, const DistributedSurface& surface);
 
-  /// For each of the rank's triangles 1 as it is, -1 turned round, 0 for the copy of an earlier one.
+  /// For each of the rank's triangles 1 as it is, -1 turned round, 0 for the copy of an earlier
+  /// one.
   const std::vector<std::int8_t>& weights() const { return weights_; }
 
   ///@{

@@ -268,8 +268,8 @@ void SharedPatches::followRoots(Communicator& communicator)
         asked.push_back(parents_[i].face);
       }
     }
-    const std::vector<Root> above = answered(communicator, asked,
-      [&](int face) { return surface_.homeOfFace(face); },
+    const std::vector<Root> above = answered(
+      communicator, asked, [&](int face) { return surface_.homeOfFace(face); },
       [&](int face) { return parents_[this->indexOf(face)]; });
     bool here = false;
     for (std::size_t k = 0; k < hanging.size(); ++k)
@@ -289,8 +289,8 @@ void SharedPatches::renameRoots(Communicator& communicator)
     [](int root) { return root >= 0; });
   std::sort(asked.begin(), asked.end());
   asked.erase(std::unique(asked.begin(), asked.end()), asked.end());
-  const std::vector<Root> found = answered(communicator, asked,
-    [&](int face) { return surface_.homeOfFace(face); },
+  const std::vector<Root> found = answered(
+    communicator, asked, [&](int face) { return surface_.homeOfFace(face); },
     [&](int face) { return parents_[this->indexOf(face)]; });
   for (std::size_t i = 0; i < roots_.size(); ++i)
   {
@@ -358,8 +358,8 @@ void SharedPatches::walkTwisted(Communicator& communicator)
     }
   }
   std::map<int, std::map<int, Step>> patches;
-  for (const Step& step : delivered(communicator, own,
-         [&](const Step& step) { return surface_.homeOfFace(step.patch); }))
+  for (const Step& step :
+    delivered(communicator, own, [&](const Step& step) { return surface_.homeOfFace(step.patch); }))
   {
     patches[step.patch][step.face] = step;
   }

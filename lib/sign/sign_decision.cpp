@@ -49,8 +49,8 @@ GridFrame besideGrid(GridFrame frame)
 
 std::string requestedReason(SignMethod requested)
 {
-  return std::string("sign method ") +
-    (requested == SignMethod::None ? "none" : "pseudonormal") + " was asked for";
+  return std::string("sign method ") + (requested == SignMethod::None ? "none" : "pseudonormal") +
+    " was asked for";
 }
 
 Error noPseudonormals(std::int64_t boundary, std::int64_t nonManifold, std::int64_t misoriented)
@@ -75,8 +75,7 @@ std::string tornReason(std::int64_t rimEdges)
 
 void decideWinding(SignMethod requested, SignReport& report)
 {
-  const bool clear =
-    report.ambiguousShare <= kMaxAmbiguousShare || report.lidShare <= kMaxLidShare;
+  const bool clear = report.ambiguousShare <= kMaxAmbiguousShare || report.lidShare <= kMaxLidShare;
   report.method =
     clear || requested == SignMethod::Winding ? SignMethod::Winding : SignMethod::None;
   report.reason = windingReason(report);

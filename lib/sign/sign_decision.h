@@ -12,8 +12,8 @@
 namespace medial
 {
 
-/// Winding numbers are asked for so far beside a point, local units: symmetric meshes have faces and
-/// lids exactly through grid points, where rounding would decide, and not always alike.
+/// Winding numbers are asked for so far beside a point, local units: symmetric meshes have faces
+/// and lids exactly through grid points, where rounding would decide, and not always alike.
 inline const glm::dvec3 kBeside(1.1e-6, 1.7e-6, 2.3e-6);
 
 /// Returns a grid whose points are beside those of another.

@@ -105,8 +105,9 @@ DistanceFieldOptions optionsOf(const Case& of)
 bool sameReports(const SignReport& a, const SignReport& b)
 {
   return std::tie(a.method, a.reason, a.rimEdges, a.holes, a.copies, a.turned, a.ambiguousShare,
-           a.lidShare) == std::tie(b.method, b.reason, b.rimEdges, b.holes, b.copies, b.turned,
-                            b.ambiguousShare, b.lidShare);
+           a.lidShare) ==
+    std::tie(b.method, b.reason, b.rimEdges, b.holes, b.copies, b.turned, b.ambiguousShare,
+      b.lidShare);
 }
 
 /// Expects the field of ranks to be that of one process, and returns what the ranks have held.

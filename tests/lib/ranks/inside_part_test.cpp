@@ -19,8 +19,7 @@ namespace
 {
 
 /// Number of positions in the ranks' parts where they disagree with one process.
-int differences(const TriangleMesh& mesh, int ranks,
-  SignMethod sign = SignMethod::Pseudonormal)
+int differences(const TriangleMesh& mesh, int ranks, SignMethod sign = SignMethod::Pseudonormal)
 {
   const Grid grid = gridAround(mesh, 50);
   const std::vector<Extent> extents = partsOfGrid(grid, ranks);

@@ -93,12 +93,12 @@ TriangleMesh withoutLoosePoints(const TriangleMesh& mesh)
 
 TriangleMesh damagedSolids(unsigned seed)
 {
-  const TriangleMesh sound = appended(
-    appended(appended(box({ 1.5, 1.1, 0.9 }), flipOrientation(icosphere(0.6, 2))),
-      appended(translated(torus(0.25, 0.08, 12, 8), { 0.1, 0.0, 0.0 }),
-        translated(icosphere(0.3, 1), { 1.1, 0.6, 0.3 }))),
-    appended(translated(regularTetrahedron(0.3), { -1.0, 0.2, 0.1 }),
-      translated(box({ 0.2, 0.2, 0.2 }), { 1.7, 0.0, 0.0 })));
+  const TriangleMesh sound =
+    appended(appended(appended(box({ 1.5, 1.1, 0.9 }), flipOrientation(icosphere(0.6, 2))),
+               appended(translated(torus(0.25, 0.08, 12, 8), { 0.1, 0.0, 0.0 }),
+                 translated(icosphere(0.3, 1), { 1.1, 0.6, 0.3 }))),
+      appended(translated(regularTetrahedron(0.3), { -1.0, 0.2, 0.1 }),
+        translated(box({ 0.2, 0.2, 0.2 }), { 1.7, 0.0, 0.0 })));
   TriangleMesh mesh;
   mesh.points = sound.points;
   std::mt19937 random(seed);
