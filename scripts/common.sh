@@ -22,22 +22,29 @@ quietly()
   fi
 }
 
+# configure PRESET FOLDER [OPTION...]: configures the preset; ccache is called for the compiler if it is there.
+configure()
+{
+  local preset=$1 folder=$2
+  shift 2
+  if command -v ccache >/dev/null; then
+    set -- "$@" -DCMAKE_CXX_COMPILER_LAUNCHER=ccache
+  fi
+  say "Configuring $folder (preset $preset)"
+  quietly "$folder/configure.log" cmake --preset "$preset" "$@"
+}
+
 # build PRESET FOLDER [TARGET...]: configures the preset if that was not done yet, and builds. ccache shares
 # what one folder has compiled with other folders that have the same flags.
 build()
 {
   local preset=$1 folder=$2
   shift 2
-  local launcher=()
-  if command -v ccache >/dev/null; then
-    launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
-    export CCACHE_BASEDIR=${CCACHE_BASEDIR:-$PWD}
-    export CCACHE_NOHASHDIR=true # debug information names another folder then
-    export CCACHE_SLOPPINESS=${CCACHE_SLOPPINESS:-pch_defines,time_macros} # for precompiled headers
-  fi
+  export CCACHE_BASEDIR=${CCACHE_BASEDIR:-$PWD}
+  export CCACHE_NOHASHDIR=true # debug information names another folder then
+  export CCACHE_SLOPPINESS=${CCACHE_SLOPPINESS:-pch_defines,time_macros} # for precompiled headers
   if [[ ! -e $folder/build.ninja ]]; then
-    say "Configuring $folder (preset $preset)"
-    quietly "$folder/configure.log" cmake --preset "$preset" "${launcher[@]}"
+    configure "$preset" "$folder"
   fi
   say "Building ${*:-everything} in $folder"
   quietly "$folder/build.log" cmake --build "$folder" --parallel "$(nproc)" ${1:+--target "$@"}
