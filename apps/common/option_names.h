@@ -1,14 +1,17 @@
 #pragma once
 
-#include "validators.h"
-
 #include "medial/compute_medial_axis.h"
 #include "medial/thickness.h"
 
+#include <map>
 #include <string>
 
 namespace medial::app
 {
+
+/// The words that an option takes, with their values.
+template <typename T>
+using Names = std::map<std::string, T>;
 
 ///@{
 /// The words that an option accepts, with the values that they stand for.

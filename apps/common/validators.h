@@ -10,15 +10,11 @@
 namespace medial::app
 {
 
-/// The words that an option takes, with their values.
-template <typename T>
-using Names = std::map<std::string, T>;
-
 /// Accepts the words only; the message lists them.
 CLI::Validator oneOf(const std::vector<std::string>& words);
 
 template <typename T>
-CLI::Validator oneOf(const Names<T>& names)
+CLI::Validator oneOf(const std::map<std::string, T>& names)
 {
   std::vector<std::string> words;
   for (const auto& name : names)
