@@ -92,57 +92,104 @@ double minAngle(const AxisGeometry& geometry, const DualMesh& mesh, const Bisect
 }
 
 /// Places vertices of a surface.
-void placeOnSurface(const AxisGeometry& geometry, const DualMesh& mesh,
-  const BisectorPoints& bisectors, const std::vector<BisectorPlane>& planes,
-  const std::uint32_t* begin, const std::uint32_t* end, BisectorPoints& result)
+class SurfacePlacer
 {
-  PlaneFit fit;
-  std::vector<std::size_t> vertices;
-  std::vector<glm::dvec3> positions;
-  for (const std::uint32_t* at = begin; at != end; ++at)
+public:
+  SurfacePlacer(const AxisGeometry& geometry, const DualMesh& mesh, const BisectorPoints& bisectors,
+    const CellPoints& known)
+    : geometry_(geometry)
+    , mesh_(mesh)
+    , bisectors_(bisectors)
+    , known_(known)
+    , planes_(bisectors.points.size())
   {
-    const std::size_t v = *at;
-    if (allMoved(mesh, bisectors, v))
+    tbb::parallel_for(std::size_t{ 0 }, planes_.size(),
+      [&](std::size_t crossing) { planes_[crossing] = planeAt(bisectors_.points[crossing]); });
+  }
+
+  void place(const std::uint32_t* begin, const std::uint32_t* end, BisectorPoints& result) const
+  {
+    std::vector<std::size_t> narrow;
+    this->placeInCells(begin, end, narrow, result);
+    std::vector<BisectorPoint> narrowPoints;
+    for (const std::size_t v : narrow)
     {
-      result.points[v] = nearestCrossing(mesh, bisectors, v, meanCrossing(mesh, bisectors, v));
+      narrowPoints.push_back(result.points[v]);
+    }
+    const std::vector<std::optional<BisectorPoint>> others =
+      axisAlongNormals(geometry_, narrowPoints);
+    for (std::size_t i = 0; i < narrow.size(); ++i)
+    {
+      const std::size_t v = narrow[i];
+      result.points[v] =
+        others[i] ? *others[i] : nearestCrossing(mesh_, bisectors_, v, narrowPoints[i].position);
       result.moved[v] = 1;
-      continue;
     }
-    vertices.push_back(v);
-    positions.push_back(fitted(geometry, mesh, bisectors, planes, v, fit));
   }
-  const std::vector<BisectorPoint> points =
-    closestPairs(geometry, mesh, bisectors, vertices, positions, kOffBisector);
-  std::vector<std::size_t> narrow;
-  std::vector<BisectorPoint> narrowPoints;
-  const AngleLimit limit(geometry.angle);
-  for (std::size_t i = 0; i < vertices.size(); ++i)
+
+private:
+  /// @param narrow set to the vertices whose separation angle is too small.
+  void placeInCells(const std::uint32_t* begin, const std::uint32_t* end,
+    std::vector<std::size_t>& narrow, BisectorPoints& result) const
   {
-    const BisectorPoint& crossing =
-      nearestCrossing(mesh, bisectors, vertices[i], points[i].position);
-    if (geometry.isAcross(crossing.position, crossing.radius(), points[i]))
+    PlaneFit fit;
+    std::vector<std::size_t> vertices;
+    std::vector<glm::dvec3> positions;
+    for (const std::uint32_t* at = begin; at != end; ++at)
     {
-      result.points[vertices[i]] = crossing;
-      result.moved[vertices[i]] = 1;
-      continue;
+      const std::size_t v = *at;
+      if (allMoved(mesh_, bisectors_, v))
+      {
+        result.points[v] =
+          nearestCrossing(mesh_, bisectors_, v, meanCrossing(mesh_, bisectors_, v));
+        result.moved[v] = 1;
+      }
+      else if (!known_.found.empty() && known_.found[v] != 0)
+      {
+        this->keep(v, known_.points[v], narrow, result);
+      }
+      else
+      {
+        vertices.push_back(v);
+        positions.push_back(fitted(geometry_, mesh_, bisectors_, planes_, v, fit));
+      }
     }
-    result.points[vertices[i]] = points[i];
-    if (!points[i].reaches(limit) &&
-      points[i].separationAngle() < minAngle(geometry, mesh, bisectors, vertices[i]))
+    const std::vector<BisectorPoint> points =
+      closestPairs(geometry_, mesh_, bisectors_, vertices, positions, kOffBisector);
+    for (std::size_t i = 0; i < vertices.size(); ++i)
     {
-      narrow.push_back(vertices[i]);
-      narrowPoints.push_back(points[i]);
+      const BisectorPoint& crossing =
+        nearestCrossing(mesh_, bisectors_, vertices[i], points[i].position);
+      if (geometry_.isAcross(crossing.position, crossing.radius(), points[i]))
+      {
+        result.points[vertices[i]] = crossing;
+        result.moved[vertices[i]] = 1;
+      }
+      else
+      {
+        this->keep(vertices[i], points[i], narrow, result);
+      }
     }
   }
-  const std::vector<std::optional<BisectorPoint>> others = axisAlongNormals(geometry, narrowPoints);
-  for (std::size_t i = 0; i < narrow.size(); ++i)
+
+  void keep(std::size_t v, const BisectorPoint& point, std::vector<std::size_t>& narrow,
+    BisectorPoints& result) const
   {
-    const std::size_t v = narrow[i];
-    result.points[v] =
-      others[i] ? *others[i] : nearestCrossing(mesh, bisectors, v, narrowPoints[i].position);
-    result.moved[v] = 1;
+    result.points[v] = point;
+    if (!point.reaches(limit_) &&
+      point.separationAngle() < minAngle(geometry_, mesh_, bisectors_, v))
+    {
+      narrow.push_back(v);
+    }
   }
-}
+
+  const AxisGeometry& geometry_;
+  const DualMesh& mesh_;
+  const BisectorPoints& bisectors_;
+  const CellPoints& known_;
+  std::vector<BisectorPlane> planes_; ///< of all crossings
+  AngleLimit limit_{ geometry_.angle };
+};
 
 /// Places vertices at the centres of their cells.
 void placeInCentres(const AxisGeometry& geometry, const DualMesh& mesh,
@@ -184,14 +231,12 @@ BisectorPoints placeVertices(const AxisGeometry& geometry, const DualMesh& mesh,
 } // namespace
 
 BisectorPoints surfacePoints(const AxisGeometry& geometry, const DualMesh& mesh,
-  const BisectorPoints& bisectors)
+  const BisectorPoints& bisectors, const CellPoints& known)
 {
-  std::vector<BisectorPlane> planes(bisectors.points.size());
-  tbb::parallel_for(std::size_t{ 0 }, planes.size(),
-    [&](std::size_t crossing) { planes[crossing] = planeAt(bisectors.points[crossing]); });
+  const SurfacePlacer placer(geometry, mesh, bisectors, known);
   return placeVertices(geometry, mesh,
     [&](const std::uint32_t* begin, const std::uint32_t* end, BisectorPoints& result)
-    { placeOnSurface(geometry, mesh, bisectors, planes, begin, end, result); });
+    { placer.place(begin, end, result); });
 }
 
 BisectorPoints cellCentres(const AxisGeometry& geometry, const DualMesh& mesh,

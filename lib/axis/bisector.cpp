@@ -128,16 +128,6 @@ void findSites(const AxisGeometry& geometry, std::vector<SiteSegment>& segments)
   }
 }
 
-/// Asks for the closest point at a bisector point.
-SiteQuery::Question questionAt(const BisectorPoint& point)
-{
-  const double toA = glm::distance(point.position, point.a.point);
-  const double toB = glm::distance(point.position, point.b.point);
-  const bool aFirst = toA < toB || (toA == toB && point.a.site <= point.b.site);
-  return aFirst ? SiteQuery::Question{ point.position, point.a, point.b.site }
-                : SiteQuery::Question{ point.position, point.b, point.a.site };
-}
-
 /// Drops marked crossings and their points.
 void removeMarked(std::vector<Crossing>& crossings, BisectorPoints& points)
 {
@@ -158,6 +148,15 @@ void removeMarked(std::vector<Crossing>& crossings, BisectorPoints& points)
 }
 
 } // namespace
+
+SiteQuery::Question questionAt(const BisectorPoint& point)
+{
+  const double toA = glm::distance(point.position, point.a.point);
+  const double toB = glm::distance(point.position, point.b.point);
+  const bool aFirst = toA < toB || (toA == toB && point.a.site <= point.b.site);
+  return aFirst ? SiteQuery::Question{ point.position, point.a, point.b.site }
+                : SiteQuery::Question{ point.position, point.b, point.a.site };
+}
 
 SiteSegment segmentOf(const GridFrame& frame, const Crossing& crossing)
 {

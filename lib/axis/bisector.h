@@ -50,6 +50,12 @@ constexpr double kFacets = 0.1;
 /// Medial balls smaller than this (voxels) belong to the surface itself.
 constexpr double kMinRadius = 1e-3;
 
+/// A third site counts as nearer from this difference on (voxels).
+constexpr double kSameDistance = 1e-6;
+
+/// Asks for the closest point at a bisector point.
+SiteQuery::Question questionAt(const BisectorPoint& point);
+
 /// A point for each of a list of crossings.
 struct BisectorPoints
 {

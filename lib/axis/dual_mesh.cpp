@@ -36,6 +36,37 @@ bool insideGrid(const glm::ivec3& cell, const Extent& extent)
   return true;
 }
 
+/// The corners of quads around crossings that lie in one row of cells, by where the row of the
+/// crossings is relative to it: at (0, 0), (1, 0), (0, 1) or (1, 1).
+class RowCorners
+{
+public:
+  struct Corner
+  {
+    int number; ///< as in cellsAround()
+    int x;      ///< of its cell, relative to the crossing
+  };
+
+  RowCorners()
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const std::array<glm::ivec3, 4> cells = cellsAround({ glm::ivec3(0), axis, -1, -1, false });
+      for (int i = 0; i < 4; ++i)
+      {
+        std::vector<Corner>& corners = corners_[axis][-cells[i].y - 2 * cells[i].z];
+        corners.push_back({ i, cells[i].x });
+      }
+    }
+  }
+
+  /// @param row y + 2 z of the row.
+  const std::vector<Corner>& of(int axis, int row) const { return corners_[axis][row]; }
+
+private:
+  std::array<std::array<std::vector<Corner>, 4>, 3> corners_;
+};
+
 /// The crossings by the rows along x of their grid points. They mostly come so, but engines may
 /// leave some of a row for later.
 class CrossingRows
@@ -59,14 +90,14 @@ public:
     }
   }
 
-  /// Calls visit(corner, crossing, cell) for every corner of a quad in a row of cells.
+  /// Calls visit(corner, crossing, x) for every corner of a quad in a row of cells, with the cell's
+  /// place along x.
   template <typename Visit>
   void forEachCorner(int y, int z, const Visit& visit) const
   {
-    for (const glm::ivec2& row :
-      { glm::ivec2(y, z), glm::ivec2(y + 1, z), glm::ivec2(y, z + 1), glm::ivec2(y + 1, z + 1) })
+    for (int row = 0; row < 4; ++row)
     {
-      const glm::ivec2 at = row - min_;
+      const glm::ivec2 at = glm::ivec2(y + row % 2, z + row / 2) - min_;
       if (at.x < 0 || at.y < 0 || at.x >= size_.x || at.y >= size_.y)
       {
         continue;
@@ -75,13 +106,10 @@ public:
       for (std::uint32_t k = r > 0 ? ends_[r - 1] : 0; k < ends_[r]; ++k)
       {
         const Crossing& crossing = crossings_[order_[k]];
-        const std::array<glm::ivec3, 4> cells = cellsAround(crossing);
-        for (std::size_t i = 0; i < 4; ++i)
+        for (const RowCorners::Corner& corner : corners_.of(crossing.axis, row))
         {
-          if (cells[i].y == y && cells[i].z == z)
-          {
-            visit(4 * static_cast<std::uint64_t>(order_[k]) + i, crossing, cells[i]);
-          }
+          visit(4 * static_cast<std::uint64_t>(order_[k]) + corner.number, crossing,
+            crossing.voxel.x + corner.x);
         }
       }
     }
@@ -94,6 +122,7 @@ private:
   }
 
   const std::vector<Crossing>& crossings_;
+  RowCorners corners_;
   glm::ivec2 min_;                   ///< y, z
   glm::ivec2 size_;                  ///< likewise
   std::vector<std::uint32_t> ends_;  ///< of the rows in order_
@@ -157,10 +186,8 @@ private:
   void fill()
   {
     this->inRows(
-      [&](std::size_t row)
-      {
-        this->forEachCorner(row,
-          [&](std::uint64_t, const Crossing&, const glm::ivec3&) { ++begins_[row + 1]; });
+      [&](std::size_t row) {
+        this->forEachCorner(row, [&](std::uint64_t, const Crossing&, int) { ++begins_[row + 1]; });
       });
     std::partial_sum(begins_.begin(), begins_.end(), begins_.begin());
     this->inRows(
@@ -168,10 +195,10 @@ private:
       {
         std::size_t next = begins_[row];
         this->forEachCorner(row,
-          [&](std::uint64_t corner, const Crossing& crossing, const glm::ivec3& cell)
+          [&](std::uint64_t corner, const Crossing& crossing, int x)
           {
             const auto vertex =
-              static_cast<std::uint64_t>(2 * (cell.x - first_.x)) + (crossing.inside ? 1 : 0);
+              static_cast<std::uint64_t>(2 * (x - first_.x)) + (crossing.inside ? 1 : 0);
             corners_[next++] = vertex << kCornerBits | corner;
           });
       });

@@ -1,5 +1,7 @@
 #include "axis/sheet_fit.h"
 
+#include "axis/sheet_match.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -51,26 +53,6 @@ glm::dvec2 solved(const glm::dvec3& squares, const glm::dvec2& b)
   const glm::dvec2 along =
     glm::normalize(uu >= vv ? glm::dvec2(large - vv, uv) : glm::dvec2(uv, large - uu));
   return glm::dot(along, b) / large * along;
-}
-
-/// How the directions to two closest pairs belong to one sheet.
-enum class Match
-{
-  None,
-  Same,
-  Swapped ///< the second pair is in the other order
-};
-
-Match matchOf(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& otherA,
-  const glm::dvec3& otherB, double limit)
-{
-  const double same[2] = { glm::dot(a, otherA), glm::dot(b, otherB) };
-  const double swapped[2] = { glm::dot(a, otherB), glm::dot(b, otherA) };
-  if (same[0] + same[1] < swapped[0] + swapped[1])
-  {
-    return swapped[0] >= limit && swapped[1] >= limit ? Match::Swapped : Match::None;
-  }
-  return same[0] >= limit && same[1] >= limit ? Match::Same : Match::None;
 }
 
 } // namespace

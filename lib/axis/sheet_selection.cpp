@@ -21,6 +21,11 @@ constexpr int kBand = 2;
 /// Points whose angle differs by more than this from the limit are not questioned: facets of a
 /// smooth surface turn by less. Degrees.
 constexpr double kMaxDoubt = 15.0;
+/// Radius and lambda are as far above their limits where no border is near, voxels.
+constexpr double kMargin = 1.0;
+/// The cell of a crossing with the same grid point, among the corners in the dual mesh: the one of
+/// its four cells that it gets its sample from.
+constexpr std::size_t kOwnCell = 2;
 /// Angles that differ by less, radians, are equal.
 constexpr double kSameAngle = 1e-6;
 
@@ -58,6 +63,7 @@ public:
     , band_(band)
     , angleLimit_(geometry.angle)
     , bandLimit_(band)
+    , clearLimit_(std::min(geometry.angle + glm::radians(kMaxDoubt), glm::radians(180.0)))
     , standing_(crossings.size())
     , kept_(crossings.size(), 0)
     , order_(tileOrder(geometry.part, crossings.size(),
@@ -67,20 +73,25 @@ public:
     samples_.positions.resize(crossings.size());
     samples_.kinds.resize(crossings.size(), SampleKind::None);
     moved_.resize(crossings.size(), 0);
+    sampled_.resize(crossings.size(), 0);
     inBlocks(geometry, crossings.size(),
       [&](std::size_t begin, std::size_t end)
       {
         for (std::size_t c = begin; c != end; ++c)
         {
-          standing_[c] = this->standingOf(segmentOf(geometry_.frame, crossings_[c]));
+          standing_[c] = this->standingOf(c);
         }
       });
   }
 
-  SheetSelection sheets()
+  SheetSelection sheets(SampleAt place)
   {
     samples_.mesh = dualMesh(crossings_, geometry_.part);
     this->markBand();
+    if (place == SampleAt::Cells)
+    {
+      this->sampleSmoothCells();
+    }
     inBlocks(geometry_, crossings_.size(),
       [&](std::size_t begin, std::size_t end) { this->sample(begin, end); });
     this->decide();
@@ -90,6 +101,7 @@ public:
     SheetSelection selection;
     selection.part = submesh(samples_.mesh, kept_);
     selection.bisectors = this->selected();
+    selection.cells = this->cellsOf(selection.part);
     selection.samples = std::move(samples_);
     selection.kept = kept_;
     return selection;
@@ -115,23 +127,35 @@ public:
   const std::vector<std::uint8_t>& kept() const { return kept_; }
 
 private:
-  bool isWide(const SiteSegment& segment) const
+  /// Guesses where the sheet of a crossing is, as if the closest points at the ends of its grid
+  /// edge were those on the sheet too. Returns whether they are seen at the minimum angle from
+  /// there.
+  bool isWide(const SiteSegment& segment, BisectorPoint& guess) const
   {
-    const glm::dvec3 near =
-      closestPoint(geometry_.sites, segment.fromSite, segment.from).point - segment.from;
-    const glm::dvec3 far =
-      closestPoint(geometry_.sites, segment.toSite, segment.to).point - segment.to;
+    guess.a = closestPoint(geometry_.sites, segment.fromSite, segment.from);
+    guess.b = closestPoint(geometry_.sites, segment.toSite, segment.to);
+    const glm::dvec3 near = guess.a.point - segment.from;
+    const glm::dvec3 far = guess.b.point - segment.to;
+    const glm::dvec3 along = segment.to - segment.from;
+    const glm::dvec3 farFromStart = guess.b.point - segment.from;
+    const double middle = 0.5 * (glm::dot(farFromStart, farFromStart) - glm::dot(near, near)) /
+      glm::dot(along, farFromStart - near);
+    guess.a.site = segment.fromSite;
+    guess.b.site = segment.toSite;
+    guess.position = segment.from + (middle > 0.0 ? std::min(middle, 1.0) : 0.0) * along;
     return glm::dot(near, far) <=
       std::cos(geometry_.angle) * std::sqrt(glm::dot(near, near) * glm::dot(far, far));
   }
 
-  Standing standingOf(const SiteSegment& segment) const
+  Standing standingOf(std::size_t c)
   {
-    if (this->isWide(segment))
+    const SiteSegment segment = segmentOf(geometry_.frame, crossings_[c]);
+    if (this->isWide(segment, samples_.points[c]))
     {
       return kWide;
     }
     const BisectorPoint point = SiteChange(geometry_.sites, segment).point();
+    samples_.points[c] = point;
     return point.reaches(angleLimit_) ? kInBand : (point.reaches(bandLimit_) ? kBeyond : kNarrow);
   }
 
@@ -172,7 +196,76 @@ private:
     }
   }
 
-  /// Finds the samples in [begin, end) of the order.
+  bool isWanted(std::size_t c) const { return standing_[c] == kWide || standing_[c] == kInBand; }
+
+  /// Samples the crossings between smooth cells that no fit at a border reaches.
+  void sampleSmoothCells()
+  {
+    cells_ = SmoothCells(geometry_, crossings_, samples_.mesh, samples_.points)
+               .find(this->farFromBorders());
+    inBlocks(geometry_, crossings_.size(),
+      [&](std::size_t begin, std::size_t end)
+      {
+        for (std::size_t c = begin; c != end; ++c)
+        {
+          const auto& corners = samples_.mesh.corners[c];
+          if (std::all_of(corners.begin(), corners.end(),
+                [&](std::uint32_t corner) { return cells_.found[corner] != 0; }))
+          {
+            this->setSample(c, SampleKind::Exact, cells_.points[corners[kOwnCell]]);
+            sampled_[c] = 1;
+          }
+        }
+      });
+  }
+
+  /// Whether a crossing is on a sheet that has no border here.
+  bool isClear(std::size_t c) const
+  {
+    const BisectorPoint& guess = samples_.points[c];
+    return standing_[c] == kWide && guess.reaches(clearLimit_) &&
+      guess.radius() >= geometry_.radius + kMargin && guess.lambda() >= geometry_.lambda + kMargin;
+  }
+
+  /// Marks the crossings that are kFar cells or more from all that are not clear.
+  std::vector<std::uint8_t> farFromBorders() const
+  {
+    const DualMesh& mesh = samples_.mesh;
+    std::vector<std::uint8_t> far(crossings_.size());
+    std::vector<std::size_t> front;
+    for (std::size_t c = 0; c < far.size(); ++c)
+    {
+      far[c] = this->isClear(c) ? 1 : 0;
+      if (far[c] == 0)
+      {
+        front.push_back(c);
+      }
+    }
+    std::vector<std::uint8_t> reached(mesh.cells.size(), 0);
+    std::vector<std::size_t> next;
+    for (int ring = 0; ring < SmoothCells::kFar; ++ring, front.swap(next), next.clear())
+    {
+      for (const std::size_t c : front)
+      {
+        for (const std::uint32_t corner : mesh.corners[c])
+        {
+          for (std::size_t i = mesh.offsets[corner];
+               reached[corner] == 0 && i < mesh.offsets[corner + 1]; ++i)
+          {
+            if (far[mesh.incident[i]] != 0)
+            {
+              far[mesh.incident[i]] = 0;
+              next.push_back(mesh.incident[i]);
+            }
+          }
+          reached[corner] = 1;
+        }
+      }
+    }
+    return far;
+  }
+
+  /// Finds the samples in [begin, end) of the order that cells have not given.
   void sample(std::size_t begin, std::size_t end)
   {
     std::vector<std::size_t> which;
@@ -180,7 +273,7 @@ private:
     for (std::size_t k = begin; k != end; ++k)
     {
       const std::size_t c = order_[k];
-      if (standing_[c] == kWide || standing_[c] == kInBand)
+      if (this->isWanted(c) && sampled_[c] == 0)
       {
         which.push_back(c);
         segments.push_back(segmentOf(geometry_.frame, crossings_[c]));
@@ -366,6 +459,20 @@ private:
     }
   }
 
+  CellPoints cellsOf(const DualSubmesh& part) const
+  {
+    CellPoints cells;
+    if (!cells_.found.empty())
+    {
+      for (const std::size_t origin : part.origins)
+      {
+        cells.points.push_back(cells_.points[origin]);
+        cells.found.push_back(cells_.found[origin]);
+      }
+    }
+    return cells;
+  }
+
   BisectorPoints selected() const
   {
     BisectorPoints bisectors;
@@ -389,7 +496,10 @@ private:
   double band_;
   AngleLimit angleLimit_; ///< the minimum
   AngleLimit bandLimit_;
+  AngleLimit clearLimit_; ///< facets cannot have put a point with this angle beyond a border
   SheetSamples samples_;
+  CellPoints cells_;
+  std::vector<std::uint8_t> sampled_; ///< for each crossing not 0 if its sample is that of a cell
   std::vector<std::uint8_t> standing_;
   std::vector<std::uint8_t> kept_;
   std::vector<std::uint32_t>
@@ -419,10 +529,11 @@ double bandAngle(double angle)
   return kShare * angle;
 }
 
-SheetSelection selectSheets(const AxisGeometry& geometry, std::vector<Crossing>& crossings)
+SheetSelection selectSheets(const AxisGeometry& geometry, std::vector<Crossing>& crossings,
+  SampleAt place)
 {
   Selector selector(geometry, bandAngle(geometry.angle), crossings);
-  SheetSelection selection = selector.sheets();
+  SheetSelection selection = selector.sheets(place);
   removeUnmarked(selector.kept(), crossings);
   return selection;
 }

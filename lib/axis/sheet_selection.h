@@ -4,6 +4,7 @@
 #include "axis/bisector.h"
 #include "axis/dual_mesh.h"
 #include "axis/sheet_fit.h"
+#include "axis/smooth_cells.h"
 #include "field/crossing.h"
 
 #include <vector>
@@ -24,6 +25,14 @@ struct SheetSelection
   DualSubmesh part;         ///< their dual mesh, a part of that of the samples
   SheetSamples samples;
   std::vector<std::uint8_t> kept; ///< for each sample not 0 if it is selected
+  CellPoints cells;               ///< points of vertices of the part; may be empty
+};
+
+/// Where the samples of sheets lie.
+enum class SampleAt
+{
+  Crossings, ///< each on its grid edge
+  Cells      ///< in the smooth cells around it, which costs less
 };
 
 /// Selects the crossings of sheets and curves.
@@ -33,7 +42,8 @@ struct SheetSelection
 /// the bisector jump, and the border would be as jagged. Elsewhere they are its own.
 /// Crossings near a curve, which are wide at the grid points only, are moved onto it.
 /// @param crossings selected by bandAngle(); only the selected ones stay.
-SheetSelection selectSheets(const AxisGeometry& geometry, std::vector<Crossing>& crossings);
+SheetSelection selectSheets(const AxisGeometry& geometry, std::vector<Crossing>& crossings,
+  SampleAt place = SampleAt::Cells);
 
 /// The same for points without a mesh: all of them have the minimum angle themselves.
 BisectorPoints selectPoints(const AxisGeometry& geometry, std::vector<Crossing>& crossings);

@@ -8,9 +8,6 @@ namespace medial
 namespace
 {
 
-/// A third site counts as nearer from this difference on, in local units (voxels).
-constexpr double kSameDistance = 1e-6;
-
 /// Returns the root of the quadratic on [0, 1] with f(0) = atZero < 0, f'(0) = slope and f(1) =
 /// atOne > 0.
 double rootOfQuadratic(double atZero, double slope, double atOne)

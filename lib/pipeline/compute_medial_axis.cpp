@@ -67,7 +67,7 @@ BisectorPoints preserve(Representation representation, const AxisGeometry& geome
   const FieldTap& field, const std::vector<std::int8_t>& directions,
   std::vector<Crossing>& crossings, MedialAxis& axis)
 {
-  const SheetSelection selection = selectSheets(geometry, crossings);
+  const SheetSelection selection = selectSheets(geometry, crossings, SampleAt::Crossings);
   PreservedAxis preserved = preserveTopology(
     { field.distances().data(), field.sites().data(), directions, axis.side, representation },
     geometry, crossings, selection);

@@ -3,6 +3,7 @@
 #include "axis/axis_points.h"
 #include "axis/crease_rims.h"
 #include "axis/dual_mesh.h"
+#include "axis/smooth_cells.h"
 
 #include <algorithm>
 #include <cmath>
@@ -61,7 +62,7 @@ void PartAxis::makePoints(Representation representation)
     case Representation::Surface:
     {
       selection_ = std::make_unique<const SheetSelection>(selectSheets(geometry_, crossings_));
-      points_ = surfacePoints(geometry_, this->mesh(), selection_->bisectors);
+      points_ = surfacePoints(geometry_, this->mesh(), selection_->bisectors, selection_->cells);
       const auto quads = quadsWithin(this->mesh(), geometry_.extent);
       rims_ = std::make_unique<BorderRims>(geometry_, *selection_,
         rimEdges(this->mesh().cells, quads), selection_->part.origins, points_);
@@ -128,12 +129,14 @@ int crossingHalo(const GridFrame& frame, double angle)
 {
   // A vertex of a rim may borrow a fit from four vertices away; a fit goes through samples three
   // steps around a point, which may have moved; whether a sample is there depends on another fit,
-  // on its neighbours, and on crossings two cells away.
+  // on its neighbours, and on crossings two cells away; where it lies depends on how far it is from
+  // borders, and on the crossings of cells there.
   constexpr int kLoan = 4;
   constexpr int kFit = 4;
   constexpr int kBand = 3;
   constexpr int kNeighbours = 2;
-  return kLoan + 2 * kFit + kBand + kNeighbours + farthestMove(frame, angle);
+  constexpr int kFromBorders = SmoothCells::kFar + 2;
+  return kLoan + 2 * kFit + kBand + kNeighbours + kFromBorders + farthestMove(frame, angle);
 }
 
 int contractionHalo(const GridFrame& frame, double angle)
