@@ -6,7 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
+#include <limits>
 
 namespace medial
 {
@@ -91,24 +91,25 @@ void addJoined(const CubicalComplex& complex, const std::vector<CubeCell>& faces
   const AxisSamples& samples, const std::vector<std::uint8_t>& exact,
   std::vector<std::uint8_t>& inSheet)
 {
-  using Other = std::pair<CubeCell, std::size_t>;
-  std::vector<Other> others;
+  constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+  std::vector<std::size_t> others(exact.size(), kNone); // faces by their samples
+  std::size_t left = 0;
   std::vector<CubeCell> front;
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
     if (inSheet[i] != 0)
     {
       front.push_back(faces[i]);
+      continue;
     }
-    else if (exact[static_cast<std::size_t>(samples.find(faces[i]))] != 0)
+    const auto sample = static_cast<std::size_t>(samples.find(faces[i]));
+    if (exact[sample] != 0)
     {
-      others.push_back({ faces[i], i });
+      others[sample] = i;
+      ++left;
     }
   }
-  std::sort(others.begin(), others.end());
-  CellRanks ranks(complex);
-  ranks.set(others, [](const Other& other) { return other.first; });
-  for (std::size_t k = 0; k < front.size() && !others.empty(); ++k)
+  for (std::size_t k = 0; k < front.size() && left > 0; ++k)
   {
     const CubeCell face = front[k];
     for (const CubeCell toEdge : complex.faces(CubicalComplex::kind(face)))
@@ -116,10 +117,13 @@ void addJoined(const CubicalComplex& complex, const std::vector<CubeCell>& faces
       const CubeCell edge = face + toEdge;
       for (const CubeCell toFace : complex.cofaces(CubicalComplex::kind(edge)))
       {
-        const std::size_t rank = ranks.find(edge + toFace);
-        if (rank != CellRanks::kNone && inSheet[others[rank].second] == 0)
+        const int sample = samples.find(edge + toFace);
+        const std::size_t other =
+          sample == AxisSamples::kNone ? kNone : others[static_cast<std::size_t>(sample)];
+        if (other != kNone && inSheet[other] == 0)
         {
-          inSheet[others[rank].second] = 1;
+          inSheet[other] = 1;
+          --left;
           front.push_back(edge + toFace);
         }
       }
