@@ -1,9 +1,12 @@
 #include "thinning/sheet_faces.h"
 
+#include "axis/sheet_fit.h"
+
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -131,6 +134,58 @@ void addJoined(const CubicalComplex& complex, const std::vector<CubeCell>& faces
   }
 }
 
+/// Directions from a point to its closest pair.
+struct Directions
+{
+  glm::dvec3 towardsA;
+  glm::dvec3 towardsB;
+};
+
+Directions directionsOf(const BisectorPoint& point)
+{
+  return { glm::normalize(point.a.point - point.position),
+    glm::normalize(point.b.point - point.position) };
+}
+
+/// Whether two faces that share a corner are on one sheet, as far as their directions tell.
+bool alike(const Directions& one, const Directions& other)
+{
+  static const double limit = std::cos(2.0 * glm::radians(SheetFitter::kMaxTurn));
+  const auto near = [](const glm::dvec3& a, const glm::dvec3& b)
+  { return glm::dot(a, b) >= limit; };
+  return (near(one.towardsA, other.towardsA) && near(one.towardsB, other.towardsB)) ||
+    (near(one.towardsA, other.towardsB) && near(one.towardsB, other.towardsA));
+}
+
+/// Whether a face is a small piece of a sheet: its bisector is exact, and all faces at its corners
+/// are on the same sheet. Around a curve they lie in all directions.
+bool isPiece(const CubicalComplex& complex, const AxisSamples& samples,
+  const std::vector<std::uint8_t>& exact, CubeCell face)
+{
+  const int sample = samples.find(face);
+  if (exact[static_cast<std::size_t>(sample)] == 0)
+  {
+    return false;
+  }
+  const Directions here = directionsOf(samples.point(sample));
+  const int axis = CubicalComplex::kind(face) - kFaceKind;
+  const CubeCell corner = face - CubicalComplex::kind(face);
+  const CubeCell u = 8 * complex.stride((axis + 1) % 3);
+  const CubeCell v = 8 * complex.stride((axis + 2) % 3);
+  for (const CubeCell vertex : { corner, corner + u, corner + v, corner + u + v })
+  {
+    for (const CubeCell other : facesAround(complex, vertex))
+    {
+      const int there = complex.has(other) ? samples.find(other) : AxisSamples::kNone;
+      if (there != AxisSamples::kNone && !alike(here, directionsOf(samples.point(there))))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
 } // namespace
 
 SheetSplit splitSheets(const CubicalComplex& complex, const std::vector<CubeCell>& faces,
@@ -143,6 +198,9 @@ SheetSplit splitSheets(const CubicalComplex& complex, const std::vector<CubeCell
       [&](std::size_t i) { inSheet[i] = isInSheet(complex, inner, faces[i]) ? 1 : 0; });
   }
   addJoined(complex, faces, samples, exact, inSheet);
+  tbb::parallel_for(std::size_t{ 0 }, faces.size(),
+    [&](std::size_t i)
+    { inSheet[i] = inSheet[i] != 0 || isPiece(complex, samples, exact, faces[i]) ? 1 : 0; });
   SheetSplit split;
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
