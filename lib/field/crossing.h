@@ -10,6 +10,8 @@
 namespace medial
 {
 
+class FieldTap;
+
 /// A grid edge that the medial axis crosses. It leads from `voxel` to its neighbour along `axis`.
 struct Crossing
 {
@@ -25,8 +27,9 @@ struct Crossing
 /// 2003), and have closest points no nearer to each other than the ends are.
 struct CrossingSelection
 {
-  double angle; ///< minimum angle between the directions at the ends, degrees
-  Side side;    ///< Both if the field has no sign
+  double angle;                  ///< minimum angle between the directions at the ends, degrees
+  Side side;                     ///< Both if the field has no sign
+  const FieldTap* tap = nullptr; ///< the sink, if it keeps the field for the axis
 };
 
 /// Gives up an axis that does not fit into memory, at the first slab that shows it. Engines call it

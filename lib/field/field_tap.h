@@ -1,6 +1,7 @@
 #pragma once
 
 #include "medial/distance_field.h"
+#include "medial/side.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -15,10 +16,16 @@ namespace medial
 class FieldTap : public FieldSink
 {
 public:
-  FieldTap(FieldSink& sink, const Extent& extent)
+  /// Values are kept at points that are at most so many steps away, along each axis, from one of
+  /// the side. Engines may leave out others.
+  static constexpr int kMargin = 1;
+
+  /// @param side whose values are kept.
+  FieldTap(FieldSink& sink, const Extent& extent, Side side)
     : sink_(sink)
     , extent_(extent)
-    , distances_(static_cast<std::size_t>(extent.pointCount()))
+    , distances_(static_cast<std::size_t>(extent.pointCount()),
+        side == Side::Exterior ? -1.0f : 0.0f)
     , sites_(distances_.size())
   {
   }
@@ -53,6 +60,10 @@ public:
 
   std::size_t bytesPerPoint() const override { return sink_.bytesPerPoint(); }
 
+  /// Whether the other sink wants no array, so that the values of the side are enough.
+  bool sideOnly() const { return !theirs_.any(); }
+
+  /// Signed as those of the sink; where points are left out, they are on the other side.
   const std::vector<float>& distances() const { return distances_; }
   const std::vector<std::int32_t>& sites() const { return sites_; }
 

@@ -119,11 +119,11 @@ MedialAxis runPipeline(const TriangleMesh& mesh, const MeshConnectivity& connect
   if (options.topology == Topology::Preserve)
   {
     requireMemory(grid.pointCount(), kPreservationBytes);
-    tap.emplace(sink, grid.wholeExtent());
+    tap.emplace(sink, grid.wholeExtent(), axis.side);
   }
-  std::vector<Crossing> crossings =
-    pipeline.run(obtainEngine(options.field.engine, options.field.device, state.engine),
-      tap ? *tap : sink, CrossingSelection{ selectionAngle(options), axis.side });
+  std::vector<Crossing> crossings = pipeline.run(
+    obtainEngine(options.field.engine, options.field.device, state.engine), tap ? *tap : sink,
+    CrossingSelection{ selectionAngle(options), axis.side, tap ? &*tap : nullptr });
   run.report(kSelected, "medial axis");
   run.onThreads(
     [&]

@@ -119,17 +119,26 @@ CubicalComplex closureOf(const glm::ivec3& size, const std::vector<CubeCell>& fa
 std::vector<CubeCell> cellsOf(const CubicalComplex& complex, int kind)
 {
   constexpr std::size_t kTogether = std::size_t{ 1 } << 16;
+  const EightCells ofKind = EightCells::filled(static_cast<std::uint8_t>(1u << kind));
   const std::size_t parts = (complex.positions() + kTogether - 1) / kTogether;
   std::vector<std::vector<CubeCell>> found(parts);
   tbb::parallel_for(std::size_t{ 0 }, parts,
     [&](std::size_t part)
     {
       const std::size_t end = std::min(complex.positions(), (part + 1) * kTogether);
-      for (std::size_t position = part * kTogether; position < end; ++position)
+      for (std::size_t first = part * kTogether; first < end; first += EightCells::kCount)
       {
-        if ((complex.bits(position) >> kind & 1) != 0)
+        const std::size_t count = std::min(EightCells::kCount, end - first);
+        if ((EightCells::load(complex.bitsFrom(first), count).word & ofKind.word) == 0)
         {
-          found[part].push_back(8 * static_cast<CubeCell>(position) + kind);
+          continue;
+        }
+        for (std::size_t position = first; position < first + count; ++position)
+        {
+          if ((complex.bits(position) >> kind & 1) != 0)
+          {
+            found[part].push_back(8 * static_cast<CubeCell>(position) + kind);
+          }
         }
       }
     });

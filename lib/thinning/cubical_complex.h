@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 namespace medial
@@ -120,6 +121,27 @@ private:
   std::vector<std::uint8_t> bits_;
 };
 
+/// The cells at eight positions in a row, to be looked at together.
+struct EightCells
+{
+  static constexpr std::size_t kCount = 8;
+
+  std::uint64_t word = 0;
+
+  /// @param count of them that are there; the others are empty.
+  static EightCells load(const std::uint8_t* bits, std::size_t count = kCount)
+  {
+    EightCells cells;
+    std::memcpy(&cells.word, bits, count);
+    return cells;
+  }
+  /// The same cells at all of them.
+  static constexpr EightCells filled(std::uint8_t bits)
+  {
+    return { std::uint64_t{ 0x0101010101010101 } * bits };
+  }
+};
+
 /// Returns the cells of a kind, ascending.
 std::vector<CubeCell> cellsOf(const CubicalComplex& complex, int kind);
 
@@ -157,7 +179,7 @@ public:
     for (std::size_t i = 0; i < cells_.size(); ++i)
     {
       before_[i] = count;
-      count += static_cast<std::uint32_t>(__builtin_popcountll(cells_[i]));
+      count += cells_[i] == 0 ? 0 : static_cast<std::uint32_t>(__builtin_popcountll(cells_[i]));
     }
   }
 

@@ -1,12 +1,15 @@
 #include "thinning/sheet_faces.h"
 
+#include "axis/sheet_fit.h"
+
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
+#include <limits>
 
 namespace medial
 {
@@ -91,24 +94,25 @@ void addJoined(const CubicalComplex& complex, const std::vector<CubeCell>& faces
   const AxisSamples& samples, const std::vector<std::uint8_t>& exact,
   std::vector<std::uint8_t>& inSheet)
 {
-  using Other = std::pair<CubeCell, std::size_t>;
-  std::vector<Other> others;
+  constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+  std::vector<std::size_t> others(exact.size(), kNone); // faces by their samples
+  std::size_t left = 0;
   std::vector<CubeCell> front;
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
     if (inSheet[i] != 0)
     {
       front.push_back(faces[i]);
+      continue;
     }
-    else if (exact[static_cast<std::size_t>(samples.find(faces[i]))] != 0)
+    const auto sample = static_cast<std::size_t>(samples.find(faces[i]));
+    if (exact[sample] != 0)
     {
-      others.push_back({ faces[i], i });
+      others[sample] = i;
+      ++left;
     }
   }
-  std::sort(others.begin(), others.end());
-  CellRanks ranks(complex);
-  ranks.set(others, [](const Other& other) { return other.first; });
-  for (std::size_t k = 0; k < front.size() && !others.empty(); ++k)
+  for (std::size_t k = 0; k < front.size() && left > 0; ++k)
   {
     const CubeCell face = front[k];
     for (const CubeCell toEdge : complex.faces(CubicalComplex::kind(face)))
@@ -116,15 +120,70 @@ void addJoined(const CubicalComplex& complex, const std::vector<CubeCell>& faces
       const CubeCell edge = face + toEdge;
       for (const CubeCell toFace : complex.cofaces(CubicalComplex::kind(edge)))
       {
-        const std::size_t rank = ranks.find(edge + toFace);
-        if (rank != CellRanks::kNone && inSheet[others[rank].second] == 0)
+        const int sample = samples.find(edge + toFace);
+        const std::size_t other =
+          sample == AxisSamples::kNone ? kNone : others[static_cast<std::size_t>(sample)];
+        if (other != kNone && inSheet[other] == 0)
         {
-          inSheet[others[rank].second] = 1;
+          inSheet[other] = 1;
+          --left;
           front.push_back(edge + toFace);
         }
       }
     }
   }
+}
+
+/// Directions from a point to its closest pair.
+struct Directions
+{
+  glm::dvec3 towardsA;
+  glm::dvec3 towardsB;
+};
+
+Directions directionsOf(const BisectorPoint& point)
+{
+  return { glm::normalize(point.a.point - point.position),
+    glm::normalize(point.b.point - point.position) };
+}
+
+/// Whether two faces that share a corner are on one sheet, as far as their directions tell.
+bool alike(const Directions& one, const Directions& other)
+{
+  static const double limit = std::cos(2.0 * glm::radians(SheetFitter::kMaxTurn));
+  const auto near = [](const glm::dvec3& a, const glm::dvec3& b)
+  { return glm::dot(a, b) >= limit; };
+  return (near(one.towardsA, other.towardsA) && near(one.towardsB, other.towardsB)) ||
+    (near(one.towardsA, other.towardsB) && near(one.towardsB, other.towardsA));
+}
+
+/// Whether a face is a small piece of a sheet: its bisector is exact, and all faces at its corners
+/// are on the same sheet. Around a curve they lie in all directions.
+bool isPiece(const CubicalComplex& complex, const AxisSamples& samples,
+  const std::vector<std::uint8_t>& exact, CubeCell face)
+{
+  const int sample = samples.find(face);
+  if (exact[static_cast<std::size_t>(sample)] == 0)
+  {
+    return false;
+  }
+  const Directions here = directionsOf(samples.point(sample));
+  const int axis = CubicalComplex::kind(face) - kFaceKind;
+  const CubeCell corner = face - CubicalComplex::kind(face);
+  const CubeCell u = 8 * complex.stride((axis + 1) % 3);
+  const CubeCell v = 8 * complex.stride((axis + 2) % 3);
+  for (const CubeCell vertex : { corner, corner + u, corner + v, corner + u + v })
+  {
+    for (const CubeCell other : facesAround(complex, vertex))
+    {
+      const int there = complex.has(other) ? samples.find(other) : AxisSamples::kNone;
+      if (there != AxisSamples::kNone && !alike(here, directionsOf(samples.point(there))))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
 }
 
 } // namespace
@@ -139,6 +198,9 @@ SheetSplit splitSheets(const CubicalComplex& complex, const std::vector<CubeCell
       [&](std::size_t i) { inSheet[i] = isInSheet(complex, inner, faces[i]) ? 1 : 0; });
   }
   addJoined(complex, faces, samples, exact, inSheet);
+  tbb::parallel_for(std::size_t{ 0 }, faces.size(),
+    [&](std::size_t i)
+    { inSheet[i] = inSheet[i] != 0 || isPiece(complex, samples, exact, faces[i]) ? 1 : 0; });
   SheetSplit split;
   for (std::size_t i = 0; i < faces.size(); ++i)
   {

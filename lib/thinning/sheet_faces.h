@@ -11,10 +11,9 @@ namespace medial
 
 /// Faces of a complex, split into sheets and strips. A face is part of a sheet if one of its
 /// corners is an inner point: no face ends at an edge of that corner, and the samples of the faces
-/// around it do not lie on a line; or if such a sheet goes on
-/// in it, through edges, and its bisector is exact. The others
-/// are single faces, strips one face wide, and faces around grid edges that a curve runs along;
-/// they stand for curves and points.
+/// around it do not lie on a line; or if its bisector is exact and such a sheet goes on in it,
+/// through edges, or all faces at its corners are on the same sheet, as in small pieces near the
+/// minimum angle. The others are faces around curves and points, and stand for these.
 struct SheetSplit
 {
   std::vector<CubeCell> sheets;

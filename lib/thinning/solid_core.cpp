@@ -230,10 +230,7 @@ public:
   {
     std::vector<float>& layer = layers_[z % 3];
     const std::size_t first = layer.size() * static_cast<std::size_t>(z);
-    for (std::size_t i = 0; i < layer.size(); ++i)
-    {
-      layer[i] = voxels_[first + i] != kOutside ? depth_.distance(first + i) : -1.0f;
-    }
+    depth_.readMarked(first, layer.size(), voxels_.data() + first, layer.data());
   }
 
   const float* row(int y, int z) const
@@ -508,9 +505,11 @@ void reduceToCore(const DepthField& depth, const CubicalComplex& sheets,
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, voxels.size(), std::size_t{ 1 } << 16),
     [&](const tbb::blocked_range<std::size_t>& range)
     {
+      // Through a pointer of its own, so that the compiler sees that it stays.
+      std::uint8_t* const all = voxels.data();
       for (std::size_t i = range.begin(); i < range.end(); ++i)
       {
-        voxels[i] = voxels[i] >= kStuck ? 1 : 0;
+        all[i] = all[i] >= kStuck ? 1 : 0;
       }
     });
 }

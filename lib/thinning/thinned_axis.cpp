@@ -3,6 +3,7 @@
 #include "axis/axis_points.h"
 #include "axis/closest_pairs.h"
 #include "axis/dual_mesh.h"
+#include "axis/tile_order.h"
 #include "sites/closest_point.h"
 
 #include <tbb/blocked_range.h>
@@ -10,9 +11,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <cstdint>
 #include <iterator>
-#include <limits>
 #include <utility>
 
 namespace medial
@@ -145,42 +145,40 @@ private:
       return;
     }
     points = surfacePoints(context_.geometry, mesh_, samples_.points());
-    constexpr std::size_t kTogether = 512;
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, vertices_.size(), kTogether),
+    const std::vector<std::uint32_t> order = tileOrder(context_.geometry.part, vertices_.size(),
+      [&](std::size_t i) { return mesh_.cells[i]; });
+    constexpr std::size_t kTogether = 512; // several in most of their tiles
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, order.size(), kTogether),
       [&](const tbb::blocked_range<std::size_t>& range)
-      { this->settle(range.begin(), range.end(), points.points); });
+      { this->settle(order.data() + range.begin(), range.size(), points.points); });
   }
 
-  /// Moves points of surfacePoints() in [begin, end) into their grid cells, and to the mean of
-  /// their samples where these form no sheet.
-  void settle(std::size_t begin, std::size_t end, std::vector<BisectorPoint>& points) const
+  /// Moves points of surfacePoints() into their grid cells, and to the mean of their samples where
+  /// these form no sheet.
+  /// @param which points.
+  void settle(const std::uint32_t* which, std::size_t count,
+    std::vector<BisectorPoint>& points) const
   {
     std::vector<std::size_t> moved;
     std::vector<SiteQuery::Question> answers;
-    for (std::size_t i = begin; i != end; ++i)
+    for (std::size_t k = 0; k < count; ++k)
     {
+      const std::size_t i = which[k];
       const glm::dvec3 x = this->clamped(i,
         onSheet_[i] != 0 ? points[i].position : meanCrossing(mesh_, samples_.points(), i));
       if (x != points[i].position)
       {
         moved.push_back(i);
-        answers.push_back({ x, this->closestTo(x, points[i].a.site) });
+        answers.push_back({ x, closestPoint(context_.geometry.sites, points[i].a.site, x) });
       }
     }
+    context_.geometry.query.closest(answers);
     const std::vector<BisectorPoint> found = closestPairs(context_.geometry, mesh_,
       samples_.points(), moved, answers, EqualAngles::FirstBisector);
     for (std::size_t k = 0; k < moved.size(); ++k)
     {
       points[moved[k]] = found[k];
     }
-  }
-
-  /// Returns the closest point. The known site only bounds the search: it wins no tie.
-  SitePoint closestTo(const glm::dvec3& x, int known) const
-  {
-    const double distance = glm::distance(x, closestPoint(context_.geometry.sites, known, x).point);
-    return context_.geometry.query.closestWithin(x,
-      std::nextafter(distance, std::numeric_limits<double>::infinity()));
   }
 
   Origin originOf(CubeCell vertex) const

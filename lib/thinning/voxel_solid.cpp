@@ -78,19 +78,38 @@ private:
     const int length = solid_.size().x;
     const std::size_t start = row * static_cast<std::size_t>(length);
     std::vector<Run> runs;
-    for (int x = 0; x < length; ++x)
+    for (int x = 0; x < length;)
     {
-      const bool inside = (solid_.bits(start + x) >> kVoxelKind & 1) != 0;
-      if (x > 0 && runs.back().inside == inside)
-      {
-        runs.back().last = x;
-      }
-      else
-      {
-        runs.push_back({ x, x, inside });
-      }
+      const int first = x;
+      const bool inside = this->isInside(start + x);
+      x = this->endOfRun(start, x, inside);
+      runs.push_back({ first, x - 1, inside });
     }
     return runs;
+  }
+
+  bool isInside(std::size_t position) const
+  {
+    return (solid_.bits(position) >> kVoxelKind & 1) != 0;
+  }
+
+  /// Returns the end of the run in which a voxel of a row lies.
+  int endOfRun(std::size_t start, int x, bool inside) const
+  {
+    constexpr EightCells kVoxels = EightCells::filled(1u << kVoxelKind);
+    constexpr int kCount = static_cast<int>(EightCells::kCount);
+    const int length = solid_.size().x;
+    const std::uint64_t same = inside ? kVoxels.word : 0;
+    while (x + kCount <= length &&
+      (EightCells::load(solid_.bitsFrom(start + x)).word & kVoxels.word) == same)
+    {
+      x += kCount;
+    }
+    while (x < length && this->isInside(start + x) == inside)
+    {
+      ++x;
+    }
+    return x;
   }
 
   void join(int y, int z, int otherY, int otherZ, bool diagonal)
@@ -160,27 +179,88 @@ std::int64_t eulerCharacteristic(const CubicalComplex& complex)
 /// Rows of voxels along x, that of a row of cells first, then those below it by y, by z, by both.
 using RowsBelow = std::array<const std::uint8_t*, 4>;
 
-/// Sets the cells of a row by the voxels that touch them: a cell is there where one of its voxels
-/// is. The first position has no voxel below it.
-MEDIAL_VECTORISED void setRow(const RowsBelow& rows, int count, std::uint8_t* cells)
+/// Returns the cells at positions from x on that some voxels touch: a cell is there where one of
+/// its voxels is.
+/// @tparam Word of as many bytes as there are positions.
+template <typename Word>
+MEDIAL_INLINE Word cellsAt(const RowsBelow& rows, int x)
 {
   // Indexed by the axes along which the voxel lies below: a cell that extends along one of them
   // does not touch it.
-  constexpr std::array<std::uint8_t, 8> kTouching{ 0xff, 0x1d, 0x2b, 0x09, 0x47, 0x05, 0x03, 0x01 };
-  cells[0] = 0;
-  for (int x = 1; x < count; ++x)
+  constexpr std::array<Word, 8> kTouching{ 0xff, 0x1d, 0x2b, 0x09, 0x47, 0x05, 0x03, 0x01 };
+  Word cells = 0;
+  for (std::size_t row = 0; row < rows.size(); ++row)
   {
-    unsigned bits = 0;
-    for (std::size_t row = 0; row < rows.size(); ++row)
-    {
-      bits |= (0u - rows[row][x]) & kTouching[2 * row];
-      bits |= (0u - rows[row][x - 1]) & kTouching[2 * row + 1];
-    }
-    cells[x] = static_cast<std::uint8_t>(bits);
+    Word here = 0;
+    Word before = 0;
+    std::memcpy(&here, rows[row] + x, sizeof(Word));
+    std::memcpy(&before, rows[row] + x - 1, sizeof(Word));
+    // Voxels are 1 or 0, so that no byte overflows into the next.
+    cells = static_cast<Word>(cells | here * kTouching[2 * row] | before * kTouching[2 * row + 1]);
+  }
+  return cells;
+}
+
+/// Sets the cells of a row. The first position has no voxel below it.
+void setRow(const RowsBelow& rows, int count, std::uint8_t* cells)
+{
+  constexpr int kTogether = sizeof(std::uint64_t);
+  cells[0] = 0;
+  int x = 1;
+  for (; x + kTogether <= count; x += kTogether)
+  {
+    const auto together = cellsAt<std::uint64_t>(rows, x);
+    std::memcpy(cells + x, &together, sizeof(together));
+  }
+  for (; x < count; ++x)
+  {
+    cells[x] = cellsAt<std::uint8_t>(rows, x);
+  }
+}
+
+/// Marks the points of a row that are inside, or those that are not.
+MEDIAL_VECTORISED void markSide(const float* distance, bool inside, int count, std::uint8_t* marks)
+{
+  const std::uint8_t other = inside ? 0 : 1;
+  for (int i = 0; i < count; ++i)
+  {
+    marks[i] = static_cast<std::uint8_t>((distance[i] < 0.0f ? 1 : 0) ^ other);
+  }
+}
+
+MEDIAL_VECTORISED void scaleMarked(const float* distance, float scale, std::size_t count,
+  const std::uint8_t* marks, float* depths)
+{
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const float depth = scale * std::abs(distance[i]);
+    depths[i] = marks[i] != 0 ? depth : -1.0f;
   }
 }
 
 } // namespace
+
+void DepthField::markWanted(std::size_t first, int count, std::uint8_t* marks) const
+{
+  if (side_ == Side::Both)
+  {
+    std::fill_n(marks, count, std::uint8_t{ 1 });
+  }
+  else
+  {
+    markSide(distance_ + first, side_ == Side::Interior, count, marks);
+  }
+  for (int i = 0; i < count && siteColours_ != nullptr; ++i)
+  {
+    marks[i] = marks[i] != 0 && siteColours_[closestSites_[first + i]] == colour_ ? 1 : 0;
+  }
+}
+
+void DepthField::readMarked(std::size_t first, std::size_t count, const std::uint8_t* marks,
+  float* depths) const
+{
+  scaleMarked(distance_ + first, scale_, count, marks, depths);
+}
 
 VoxelMask voxelsOf(const DepthField& depth, const glm::ivec3& size)
 {
@@ -191,11 +271,8 @@ VoxelMask voxelsOf(const DepthField& depth, const glm::ivec3& size)
     {
       for (int y = 1; y < size.y - 1; ++y)
       {
-        const std::size_t row = layer * z + static_cast<std::size_t>(y) * size.x;
-        for (int x = 1; x < size.x - 1; ++x)
-        {
-          voxels[row + x] = depth.wanted(row + x) ? 1 : 0;
-        }
+        const std::size_t first = layer * z + static_cast<std::size_t>(y) * size.x + 1;
+        depth.markWanted(first, std::max(0, size.x - 2), voxels.data() + first);
       }
     });
   return voxels;

@@ -41,6 +41,8 @@ public:
     return (side_ == Side::Both || (distance_[point] < 0.0f) == (side_ == Side::Interior)) &&
       (siteColours_ == nullptr || siteColours_[closestSites_[point]] == colour_);
   }
+  /// Marks those of a row of grid points that belong to the side by 1, others by 0.
+  void markWanted(std::size_t first, int count, std::uint8_t* marks) const;
   /// Returns the distance to the surface in local units; negative if the point does not belong to
   /// the side.
   float at(std::size_t point) const
@@ -49,6 +51,9 @@ public:
   }
   /// Returns the distance to the surface in local units, whatever the side.
   float distance(std::size_t point) const { return scale_ * std::abs(distance_[point]); }
+  /// Sets the depths of a row of grid points: those distances where marks are not 0, -1 elsewhere.
+  void readMarked(std::size_t first, std::size_t count, const std::uint8_t* marks,
+    float* depths) const;
 
 private:
   const float* distance_;

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 using namespace medial;
@@ -34,6 +35,17 @@ InsideRows randomRows(const Extent& extent, std::uint32_t seed)
   return { extent, slices };
 }
 
+/// The points within a margin of a part, as far as the grid goes.
+Extent grown(Extent part, int margin, const Extent& whole)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    part.min[axis] = std::max(part.min[axis] - margin, whole.min[axis]);
+    part.max[axis] = std::min(part.max[axis] + margin, whole.max[axis]);
+  }
+  return part;
+}
+
 bool hasPoints(const InsideRows& inside, Side side, const Extent& part)
 {
   for (int k = part.min[2]; k <= part.max[2]; ++k)
@@ -54,12 +66,27 @@ bool hasPoints(const InsideRows& inside, Side side, const Extent& part)
 
 } // namespace
 
-TEST(SideParts, AreThoseWithAPointOfTheSideInTheExtent)
+TEST(SideParts, AreThoseWithAPointOfTheSideInTheExtentOrNextToIt)
 {
   constexpr int kSize = 4;
   const Extent whole{ { -3, 2, 1 }, { 57, 20, 17 } };
   int with = 0;
   int without = 0;
+  const auto compare = [&](const InsideRows& inside, Side side, const Extent& extent, int margin)
+  {
+    const SideParts parts(inside, side, extent, whole, kSize, margin);
+    for (const int size : { kSize, 2 * kSize })
+    {
+      visitParts(wholeParts(extent, size, whole), size,
+        [&](const Extent& part)
+        {
+          const bool expected =
+            hasPoints(inside, side, grown(commonPart(part, extent), margin, whole));
+          EXPECT_EQ(parts.meets(part), expected);
+          ++(expected ? with : without);
+        });
+    }
+  };
   for (std::uint32_t seed = 0; seed < 20; ++seed)
   {
     const InsideRows inside = randomRows(whole, seed);
@@ -68,16 +95,9 @@ TEST(SideParts, AreThoseWithAPointOfTheSideInTheExtent)
     {
       for (const Side side : { Side::Interior, Side::Exterior, Side::Both })
       {
-        const SideParts parts(inside, side, extent, whole, kSize);
-        for (const int size : { kSize, 2 * kSize })
+        for (const int margin : { 0, 1, 3 })
         {
-          visitParts(wholeParts(extent, size, whole), size,
-            [&](const Extent& part)
-            {
-              const bool expected = hasPoints(inside, side, commonPart(part, extent));
-              EXPECT_EQ(parts.meets(part), expected);
-              ++(expected ? with : without);
-            });
+          compare(inside, side, extent, margin);
         }
       }
     }

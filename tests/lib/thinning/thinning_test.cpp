@@ -458,9 +458,16 @@ namespace
 
 const std::vector<std::uint8_t> kExact(20, 1);
 
+/// How the closest pairs of faces normal to z lie.
+enum class Pairs
+{
+  Parallel,
+  Turning ///< those of every other face along y
+};
+
 /// Samples of faces in their middles, or all on the line through the first along x.
 AxisSamples samplesOf(const CubicalComplex& complex, const std::vector<CubeCell>& faces,
-  bool onLine)
+  bool onLine, Pairs pairs = Pairs::Turning)
 {
   std::vector<Crossing> crossings;
   BisectorPoints bisectors;
@@ -469,8 +476,14 @@ AxisSamples samplesOf(const CubicalComplex& complex, const std::vector<CubeCell>
     crossings.push_back(dualEdge(complex, face));
     const glm::dvec3 first = complex.centre(faces.front());
     const glm::dvec3 centre = complex.centre(face);
-    bisectors.points.push_back(
-      { onLine ? glm::dvec3(centre.x, first.y, first.z) : centre, {}, {} });
+    const glm::dvec3 place = onLine ? glm::dvec3(centre.x, first.y, first.z) : centre;
+    const bool turned = pairs == Pairs::Turning && crossings.size() % 2 == 0;
+    const glm::dvec3 towards = turned ? glm::dvec3(0.0, 3.0, 0.0) : glm::dvec3(0.0, 0.0, 3.0);
+    BisectorPoint point;
+    point.position = place;
+    point.a.point = place + towards;
+    point.b.point = place - towards;
+    bisectors.points.push_back(point);
     bisectors.moved.push_back(0);
   }
   return { complex, crossings, bisectors };
@@ -512,6 +525,22 @@ TEST(SheetFaces, AreNotThoseAroundACurve)
   }
   EXPECT_TRUE(splitSheets(size, faces, samplesOf(complex, faces, false), kExact).strips.empty());
   EXPECT_EQ(splitSheets(size, faces, samplesOf(complex, faces, true), kExact).strips, faces);
+}
+
+/// A strip one face wide is a sheet, too, if all its faces separate the same parts of the surface.
+TEST(SheetFaces, AreThoseOfSmallPieces)
+{
+  const glm::ivec3 size(12, 12, 12);
+  const CubicalComplex complex(size);
+  std::vector<CubeCell> faces;
+  for (int i = 0; i < 4; ++i)
+  {
+    faces.push_back(complex.cell({ 2 + i, 5, 5 }, kFaceKind + 2));
+  }
+  const AxisSamples parallel = samplesOf(complex, faces, false, Pairs::Parallel);
+  EXPECT_EQ(splitSheets(size, faces, parallel, kExact).sheets, faces);
+  EXPECT_EQ(splitSheets(size, faces, parallel, std::vector<std::uint8_t>(20, 0)).strips, faces);
+  EXPECT_EQ(splitSheets(size, faces, samplesOf(complex, faces, false), kExact).strips, faces);
 }
 
 /// What a sheet goes on in belongs to it, even if it is one face wide.

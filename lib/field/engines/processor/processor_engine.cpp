@@ -10,6 +10,7 @@
 #include "field/engines/processor/processor_selection.h"
 #include "field/engines/processor/slab_field.h"
 #include "field/engines/processor/tile_evaluator.h"
+#include "field/field_tap.h"
 #include "field/field_writer.h"
 #include "field/slabs.h"
 #include "sign/side_parts.h"
@@ -59,11 +60,13 @@ void setSides(const InsideRows& inside, const Extent& part, const Extent& tile, 
 class Evaluation
 {
 public:
-  /// @param side that is looked at: tiles of the other are left out where no array is wanted and
-  ///   it is known beforehand which these are.
-  Evaluation(const FieldJob& job, Side side)
+  /// @param side that is looked at: tiles of the other are left out where no array is wanted but
+  ///   for the axis, and it is known beforehand which these are.
+  /// @param tap the sink, if it keeps the field for the axis; else null.
+  Evaluation(const FieldJob& job, Side side, const FieldTap* tap)
     : job_(job)
     , side_(side)
+    , tap_(tap)
     , hierarchy_(job.host.filter(), job.frame, job.whole, job.extent)
     , sites_(job.host.sites(), job.host.filter().bounds(), job.host.signNormals(), job.frame,
         job.host.filter().slack())
@@ -114,9 +117,11 @@ public:
       [&]
       {
         std::optional<SideParts> parts;
-        if (side_ != Side::Both && inside_ != nullptr && !arrays.any())
+        const bool sideOnly = tap_ != nullptr ? tap_->sideOnly() : !arrays.any();
+        if (side_ != Side::Both && inside_ != nullptr && sideOnly)
         {
-          parts.emplace(*inside_, side_, slab, job_.whole, CandidateHierarchy::kTileSize);
+          parts.emplace(*inside_, side_, slab, job_.whole, CandidateHierarchy::kTileSize,
+            tap_ != nullptr ? FieldTap::kMargin : 0);
           visitor.wanted = [&](const Extent& tiles) { return parts->meets(tiles); };
         }
         return hierarchy_.visitTiles(slab, visitor);
@@ -184,6 +189,7 @@ private:
 
   const FieldJob& job_;
   Side side_;
+  const FieldTap* tap_;
   CandidateHierarchy hierarchy_;
   TileEvaluator sites_;
   BrickEvaluator bricks_;
@@ -193,11 +199,11 @@ private:
   FieldWriter writer_;
 };
 
-Evaluation makeEvaluation(const FieldJob& job, Side side)
+Evaluation makeEvaluation(const FieldJob& job, Side side, const FieldTap* tap = nullptr)
 {
   job.insideRows(); // in time of their own
   const Stopwatch watch(job.statistics.seconds.sites);
-  return job.run.onThreads([&] { return Evaluation(job, side); });
+  return job.run.onThreads([&] { return Evaluation(job, side, tap); });
 }
 
 /// Adds the work of all threads. Evaluation and culling alternate; each gets the share of the wall
@@ -254,7 +260,7 @@ void ProcessorEngine::run(const FieldJob& job, FieldSink& sink)
 std::vector<Crossing> ProcessorEngine::select(const FieldJob& job, const CrossingSelection& wanted,
   FieldSink& sink)
 {
-  Evaluation evaluation = makeEvaluation(job, wanted.side);
+  Evaluation evaluation = makeEvaluation(job, wanted.side, wanted.tap);
   const CrossingFilter filter = timed(job.statistics.seconds.medial,
     [&]
     {
