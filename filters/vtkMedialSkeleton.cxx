@@ -11,6 +11,12 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include "medial/skeleton.h"
+#include "medial/skeleton_resolution.h"
+
+#include <optional>
+#include <sstream>
+#include <string>
+#include <utility>
 
 vtkStandardNewMacro(vtkMedialSkeleton);
 
@@ -19,6 +25,20 @@ namespace
 
 // Share of the work that is done once there is an axis.
 constexpr double AxisShare = 0.8;
+
+// Returns what to say if a resolution is not enough; empty if it is.
+std::string NoteOn(const medial::SkeletonResolution& chosen)
+{
+  if (chosen.needed <= chosen.resolution)
+  {
+    return std::string();
+  }
+  std::ostringstream text;
+  text << "the thinnest branch has a radius of " << chosen.thinnestRadius
+       << ", which needs a resolution of " << chosen.needed
+       << "; AutomaticResolution takes at most " << medial::kMaxSkeletonResolution;
+  return text.str();
+}
 
 } // namespace
 
@@ -68,11 +88,22 @@ void vtkMedialSkeleton::Execute(vtkPolyData* input, vtkPolyData* output)
   ofBranches.smooth = this->Smooth != 0;
   ofBranches.execution = vtkToExecution(this->NumberOfThreads, ofSkeleton);
   this->Internals->UpdateMesh(input, options.field.execution);
-  const medial::Grid grid = this->Internals->MakeGrid(input);
+  const medial::TriangleMesh& mesh = this->Internals->Mesh;
+  const medial::MeshConnectivity& connectivity = this->Internals->Connectivity;
+  std::optional<medial::SkeletonResolution> chosen;
+  if (this->AutomaticResolution && this->GridMode == RESOLUTION)
+  {
+    chosen =
+      medial::chooseSkeletonResolution(mesh, connectivity, options, ofBranches, this->Padding);
+  }
+  const medial::Grid grid = chosen
+    ? medial::makeGrid(mesh.bounds(), chosen->resolution, this->Padding)
+    : this->Internals->MakeGrid(input);
+  const bool done = chosen && chosen->skeleton;
   const medial::MedialAxis axis =
-    medial::computeMedialAxis(this->Internals->Mesh, this->Internals->Connectivity, grid, options);
+    done ? std::move(*chosen->axis) : medial::computeMedialAxis(mesh, connectivity, grid, options);
   const medial::Skeleton skeleton =
-    medial::computeSkeleton(axis, this->Internals->Mesh, ofBranches);
+    done ? std::move(*chosen->skeleton) : medial::computeSkeleton(axis, mesh, ofBranches);
   vtkMeshConversion::ToPolyData(skeleton, output);
   this->Internals->Record(grid, axis.statistics, output);
   const medial::CellTopology topology = medial::topologyOf(skeleton);
@@ -82,6 +113,10 @@ void vtkMedialSkeleton::Execute(vtkPolyData* input, vtkPolyData* output)
   figures.AddCount("Components", topology.components);
   figures.AddCount("Loops", topology.genus);
   vtkWarnOnce(this, axis.statistics.note);
+  if (chosen)
+  {
+    vtkWarnOnce(this, NoteOn(*chosen));
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -106,6 +141,7 @@ int vtkMedialSkeleton::RequestData(vtkInformation*, vtkInformationVector** input
 void vtkMedialSkeleton::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "AutomaticResolution: " << (this->AutomaticResolution ? "On" : "Off") << "\n";
   os << indent << "Angle: " << this->Angle << "\n";
   os << indent << "MinimumLambda: " << this->MinimumLambda << "\n";
   os << indent << "MinimumBranch: " << this->MinimumBranch << "\n";

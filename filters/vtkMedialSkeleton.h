@@ -26,7 +26,8 @@
  * numbers. Input without an inside, such as a mesh with large holes, is an error.
  *
  * @par Parameter tuning:
- * The voxels must be smaller than the radius of the thinnest branch. MinimumBranch 1 leaves a
+ * The voxels must be smaller than the radius of the thinnest branch; AutomaticResolution sees to
+ * that. MinimumBranch 1 leaves a
  * smooth tube a single branch; larger values remove more short branches. For noisy scans set
  * MinimumLambda to three times the height of the noise.
  *
@@ -78,6 +79,18 @@ public:
 
   ///@{
   /**
+   * Whether the thinnest branch decides on the number of grid points along the longest axis of the
+   * padded bounds instead of Resolution: 128 to 512 of them, so that four lie in its radius. The
+   * filter makes skeletons on coarser grids first to find it. If it needs more than 512, a
+   * vtkWarningMacro says so, once per process. Used when GridMode is RESOLUTION. Default is off.
+   */
+  vtkSetMacro(AutomaticResolution, vtkTypeBool);
+  vtkGetMacro(AutomaticResolution, vtkTypeBool);
+  vtkBooleanMacro(AutomaticResolution, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
    * Minimum length of a branch with a free end, as a multiple of the radius where it leaves the
    * others, at least 0. In a sheet, the distance from the rim counts instead of the radius.
    * Junctions closer together than this become one. Loops stay. Default is 1.
@@ -109,6 +122,7 @@ protected:
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
+  vtkTypeBool AutomaticResolution = false;
   double Angle = 60.0;
   double MinimumLambda = 0.0;
   double MinimumBranch = 1.0;

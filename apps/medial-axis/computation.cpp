@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace medial::app
 {
@@ -90,9 +91,19 @@ std::vector<double> thicknessAt(const std::vector<UncoveredPlace>& places, const
 void computeAxis(const Options& options, const MedialAxisOptions& axisOptions, FieldSink* field,
   Result& result)
 {
-  result.axis = field != nullptr
-    ? computeMedialAxis(result.mesh, result.connectivity, result.grid, axisOptions, *field)
-    : computeMedialAxis(result.mesh, result.connectivity, result.grid, axisOptions);
+  if (field != nullptr)
+  {
+    result.axis =
+      computeMedialAxis(result.mesh, result.connectivity, result.grid, axisOptions, *field);
+  }
+  else if (result.chosenResolution && result.chosenResolution->axis)
+  {
+    result.axis = std::move(*result.chosenResolution->axis);
+  }
+  else
+  {
+    result.axis = computeMedialAxis(result.mesh, result.connectivity, result.grid, axisOptions);
+  }
   result.statistics = result.axis.statistics;
   result.sign = result.axis.sign;
   const Timer measuring;
@@ -243,6 +254,11 @@ void computeSkeleton(const Options& options, ProgressBar& bar, Result& result)
 {
   if (!options.wantsSkeleton())
   {
+    return;
+  }
+  if (result.chosenResolution && result.chosenResolution->skeleton)
+  {
+    result.skeleton = std::move(*result.chosenResolution->skeleton);
     return;
   }
   Watch watch(bar);

@@ -4,6 +4,8 @@
 #include "medial/skeleton.h"
 #include "medial/skeleton_resolution.h"
 
+#include <utility>
+
 namespace medial::benchmark
 {
 namespace
@@ -25,12 +27,19 @@ public:
   Network compute(const TriangleMesh& mesh) override
   {
     const MeshConnectivity connectivity = analyseConnectivity(mesh);
-    const int resolution =
-      resolution_ ? *resolution_ : chooseSkeletonResolution(mesh, connectivity).resolution;
+    SkeletonResolution chosen;
+    if (!resolution_)
+    {
+      chosen = chooseSkeletonResolution(mesh, connectivity);
+    }
+    const int resolution = resolution_.value_or(chosen.resolution);
     MedialAxisOptions options;
     options.topology = Topology::Preserve;
-    const Skeleton skeleton = computeSkeleton(
-      computeMedialAxis(mesh, connectivity, makeGrid(mesh.bounds(), resolution), options), mesh);
+    const Skeleton skeleton = chosen.skeleton
+      ? std::move(*chosen.skeleton)
+      : computeSkeleton(
+          computeMedialAxis(mesh, connectivity, makeGrid(mesh.bounds(), resolution), options),
+          mesh);
     const CellTopology topology = topologyOf(skeleton);
     Network network{ static_cast<std::int64_t>(skeleton.branches.size()), topology.genus,
       topology.components, 0.0, resolution };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace medial
 {
@@ -66,13 +67,22 @@ SkeletonResolution chooseSkeletonResolution(const TriangleMesh& mesh,
   for (int tried = kMinSkeletonResolution; tried < kMaxSkeletonResolution; tried *= 2)
   {
     const Grid grid = makeGrid(bounds, tried, padding);
-    const MedialAxis axis = computeMedialAxis(mesh, connectivity, grid, ofAxis);
-    const bool seen = axis.cellCount() > 0 || axis.sign == SignMethod::None;
-    result.thinnestRadius = seen ? thinnestRadius(computeSkeleton(axis, mesh, ofSkeleton))
-                                 : std::numeric_limits<double>::infinity();
-    result.needed =
-      seen ? resolutionFor(result.thinnestRadius, bounds, padding) : kMaxSkeletonResolution;
-    if (seen && result.needed <= kFiner * tried)
+    MedialAxis axis = computeMedialAxis(mesh, connectivity, grid, ofAxis);
+    if (axis.cellCount() == 0 && axis.sign != SignMethod::None)
+    {
+      result.thinnestRadius = std::numeric_limits<double>::infinity();
+      result.needed = kMaxSkeletonResolution;
+      continue;
+    }
+    Skeleton skeleton = computeSkeleton(axis, mesh, ofSkeleton);
+    result.thinnestRadius = thinnestRadius(skeleton);
+    result.needed = resolutionFor(result.thinnestRadius, bounds, padding);
+    if (std::max(result.needed, kMinSkeletonResolution) == tried)
+    {
+      result.skeleton = std::move(skeleton);
+      result.axis = std::move(axis);
+    }
+    if (result.needed <= kFiner * tried)
     {
       break;
     }

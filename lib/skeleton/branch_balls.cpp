@@ -53,7 +53,7 @@ void BranchBalls::set(std::size_t branch, const Curve& curve)
 
 BranchBalls::Outside BranchBalls::outside(const glm::dvec3& x, std::size_t except) const
 {
-  Outside result{ std::numeric_limits<double>::infinity(), except };
+  Outside result{ std::numeric_limits<double>::infinity(), except, x };
   for (std::size_t b = 0; b < branches_.size(); ++b)
   {
     if (b == except)
@@ -72,7 +72,7 @@ BranchBalls::Outside BranchBalls::outside(const glm::dvec3& x, std::size_t excep
         const double distance = glm::distance(x, ball.centre) - ball.radius;
         if (distance < result.distance)
         {
-          result = { distance, b };
+          result = { distance, b, ball.centre };
         }
       }
     }
@@ -80,20 +80,17 @@ BranchBalls::Outside BranchBalls::outside(const glm::dvec3& x, std::size_t excep
   return result;
 }
 
-double BranchBalls::halfWidth(const std::vector<Ball>& balls, std::size_t ball, double high) const
+double BranchBalls::halfWidth(const Ball& ball, const glm::dvec3& rise, double high) const
 {
-  const auto& [centre, radius] = balls[ball];
-  const std::size_t reach = static_cast<std::size_t>(0.5 / kSpacing);
-  const glm::dvec3 along = balls[std::min(ball + reach, balls.size() - 1)].centre -
-    balls[ball - std::min(ball, reach)].centre;
-  const glm::dvec3 across = glm::cross(along, probe_.closest(centre) - centre);
+  const glm::dvec3 across = glm::cross(rise, probe_.closest(ball.centre) - ball.centre);
   const double size = glm::length(across);
-  if (!(size > 0.0) || high <= radius)
+  if (!(size > 0.0) || high <= ball.radius)
   {
-    return radius;
+    return ball.radius;
   }
   const glm::dvec3 direction = across / size;
-  return std::min(probe_.wayOut(centre, direction, high), probe_.wayOut(centre, -direction, high));
+  return std::min(probe_.wayOut(ball.centre, direction, high),
+    probe_.wayOut(ball.centre, -direction, high));
 }
 
 BranchRise BranchBalls::rise(std::size_t branch) const
@@ -117,7 +114,9 @@ BranchRise BranchBalls::rise(std::size_t branch) const
   {
     if (outsides[i].distance > 0.0 && balls[i].radius >= kLarge * result.size)
     {
-      aspect = std::min(aspect, this->halfWidth(balls, i, 2.0 * result.length) / balls[i].radius);
+      const glm::dvec3 up = balls[i].centre - outsides[i].centre;
+      aspect =
+        std::min(aspect, this->halfWidth(balls[i], up, 2.0 * result.length) / balls[i].radius);
     }
   }
   result.size *= result.size > 0.0 ? std::max(1.0, aspect) : 1.0;

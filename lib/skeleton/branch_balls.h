@@ -61,11 +61,12 @@ private:
   {
     double distance; ///< to the nearest ball, negative inside
     std::size_t branch;
+    glm::dvec3 centre; ///< of that ball
   };
 
-  /// Half the width, at most `high`, of the solid's cross-section around a ball of a branch, in the
-  /// direction in which it is wide.
-  double halfWidth(const std::vector<Ball>& balls, std::size_t ball, double high) const;
+  /// Half the width, at most `high`, of what rises to a ball, in the direction in which it is wide.
+  /// @param rise its direction, which is not that of the branch where this runs along a ridge.
+  double halfWidth(const Ball& ball, const glm::dvec3& rise, double high) const;
   Outside outside(const glm::dvec3& x, std::size_t except) const;
 
   const SolidProbe& probe_;

@@ -118,9 +118,10 @@ void compact(GeometricNetwork& network, std::vector<char>& marked)
 class Removal
 {
 public:
-  Removal(GeometricNetwork& network, const SolidProbe& probe, double minBranch)
+  Removal(GeometricNetwork& network, const SolidProbe& probe, double step, double minBranch)
     : network_(network)
     , probe_(probe)
+    , step_(step)
     , minBranch_(minBranch)
     , balls_(probe)
     , ratios_(network.branches.size())
@@ -168,7 +169,7 @@ private:
     BranchRise rise = balls_.rise(b);
     const double length = arcLengths(branch.curve).back();
     const double ofLength = length / probe_.radius(network_.junctions[branch.junctions[0]]);
-    const double ofRise = rise.size > 0.0 ? rise.length / rise.size : 0.0;
+    const double ofRise = rise.size > 0.0 ? rise.length / std::max(rise.size, step_) : 0.0;
     return { true, std::min(ofLength, ofRise), std::move(rise.neighbours) };
   }
 
@@ -234,6 +235,7 @@ private:
 
   GeometricNetwork& network_;
   const SolidProbe& probe_;
+  double step_;
   double minBranch_;
   BranchBalls balls_;
   std::vector<Ratio> ratios_;
@@ -242,10 +244,10 @@ private:
 
 } // namespace
 
-ShortBranches removeShortBranches(GeometricNetwork& network, const SolidProbe& probe,
+ShortBranches removeShortBranches(GeometricNetwork& network, const SolidProbe& probe, double step,
   double minBranch, const Checkpoint& checkpoint)
 {
-  return Removal(network, probe, minBranch).run(checkpoint);
+  return Removal(network, probe, step, minBranch).run(checkpoint);
 }
 
 } // namespace medial

@@ -19,7 +19,9 @@ struct ShortBranches
 /// junction, or reach out of the balls of all others by less than `minBranch` times their own
 /// radius there; one after the other, the worst first. Where two branches are left at a junction,
 /// they become one.
-ShortBranches removeShortBranches(GeometricNetwork& network, const SolidProbe& probe,
+/// @param step distance of points. A radius below it counts as that much, since the grid of the
+/// axis does not show what is thinner.
+ShortBranches removeShortBranches(GeometricNetwork& network, const SolidProbe& probe, double step,
   double minBranch, const Checkpoint& checkpoint);
 
 } // namespace medial

@@ -221,7 +221,7 @@ Skeleton build(const MedialAxis& axis, const TriangleMesh& mesh, const SkeletonO
   const std::vector<CurvePath> paths = curveNetwork(burned.edges, axis.vertices,
     { positions, radii, burned.widths, probe, step, options.minBranch }, checkpoint);
   GeometricNetwork network = networkOf(paths, positions, burned.widths);
-  removeShortBranches(network, probe, options.minBranch, checkpoint);
+  removeShortBranches(network, probe, step, options.minBranch, checkpoint);
   if (options.smooth)
   {
     smooth(network, probe, step, options.minBranch, checkpoint);

@@ -22,9 +22,15 @@ constexpr double kReachOfWidth = 0.5;
 constexpr int kMaxReach = 100;
 /// How often a curve is moved to the middle and made smooth, before its ends are found and after.
 constexpr int kPasses = 2;
+/// A branch ends where the radius falls by this part of the length.
+constexpr double kFall = 0.5;
 /// How far a free end is looked for, in radii and steps.
 constexpr double kEndOfRadius = 2.5;
 constexpr double kEndSteps = 6.0;
+/// The length over which the radius must fall by less than half of it where a branch ends: in
+/// steps, and as a part of the radius.
+constexpr double kEndRun = 6.0;
+constexpr double kEndRunOfRadius = 0.5;
 /// How much of a free end is made anew, in radii and steps: a fire leaves curves on the sheets
 /// there.
 constexpr double kCutOfRadius = 0.5;
@@ -49,12 +55,13 @@ public:
     }
   }
 
-  /// Replaces detours of a curve to the surface and back by a straight line: in places a thinned
-  /// axis leaves sheets joined through nothing else.
+  /// Replaces detours that a curve makes within a ball of the solid by a straight line. A thinned
+  /// axis leads curves to the surface and back where nothing else joins its sheets, and around
+  /// their rims in blocks.
   void straighten(Curve& curve) const
   {
-    constexpr double kMaxDetour = 4.0; // in radii
-    constexpr double kNarrow = 0.6;
+    constexpr double kMaxDetour = 4.0;  // in radii
+    constexpr double kWay = 2.0;        // a detour is longer than the straight line by this factor
     constexpr double kMaxOfLoop = 0.25; // of a closed curve, so that its loop stays
     if (curve.closed)
     {
@@ -71,18 +78,15 @@ public:
     {
       kept.push_back(i);
       std::size_t onward = i;
-      double narrowest = radii[i];
       for (std::size_t j = i + 1;
            j < radii.size() && lengths[j] - lengths[i] <= std::min(longest, kMaxDetour * radii[i]);
            ++j)
       {
         const double chord = glm::distance(curve.points[i], curve.points[j]);
-        if (narrowest < kNarrow * std::min(radii[i], radii[j]) &&
-          chord < std::max(radii[i], radii[j]) && lengths[j] - lengths[i] > 2.0 * chord)
+        if (chord < std::max(radii[i], radii[j]) && lengths[j] - lengths[i] > kWay * chord)
         {
           onward = j - 1;
         }
-        narrowest = std::min(narrowest, radii[j]);
       }
       i = onward;
     }
@@ -94,6 +98,24 @@ public:
     }
     straight.closed = curve.closed;
     curve = resampled(straight, step_);
+  }
+
+  /// Moves the only point of a branch to the middle of the solid around it, and on as long as the
+  /// radius grows there.
+  void climb(glm::dvec3& x) const
+  {
+    constexpr int kMaxMoves = 32;
+    constexpr double kGrowth = 1.01;
+    x = probe_.middle(probe_.middle(x));
+    for (int i = 0; i < kMaxMoves; ++i)
+    {
+      const glm::dvec3 next = probe_.middle(x);
+      if (probe_.radius(next) < kGrowth * probe_.radius(x))
+      {
+        break;
+      }
+      x = next;
+    }
   }
 
   /// Moves the points of a curve to the middle of the cross-sections, or to where these are widest.
@@ -117,10 +139,12 @@ public:
     {
       return;
     }
+    this->cutFallingEnd(branch.curve);
     this->finishLast(branch.curve, anew);
     if (branch.junctions[0] == NetworkBranch::kFree)
     {
       reverse(branch.curve);
+      this->cutFallingEnd(branch.curve);
       this->finishLast(branch.curve, anew);
       reverse(branch.curve);
     }
@@ -136,6 +160,32 @@ private:
     const auto widest = std::max_element(radii.begin(), radii.end()) - radii.begin();
     std::rotate(curve.points.begin(), curve.points.begin() + widest, curve.points.end());
     std::rotate(curve.widths.begin(), curve.widths.begin() + widest, curve.widths.end());
+  }
+
+  /// Takes away the end of a curve where the radius falls by half of the length or more: it runs on
+  /// a sheet to the surface.
+  void cutFallingEnd(Curve& curve) const
+  {
+    const std::vector<double> lengths = arcLengths(curve);
+    std::size_t end = curve.points.size() - 1;
+    double radiusAtEnd = probe_.radius(curve.points[end]);
+    for (std::size_t i = end; i-- > 0;)
+    {
+      const double way = lengths[end] - lengths[i];
+      const double radius = probe_.radius(curve.points[i]);
+      if (radius - radiusAtEnd > kFall * way)
+      {
+        end = i;
+        radiusAtEnd = radius;
+      }
+      else if (way >= std::max(kEndRun * step_, kEndRunOfRadius * radiusAtEnd))
+      {
+        break;
+      }
+    }
+    end = std::max<std::size_t>(end, 1);
+    curve.points.resize(end + 1);
+    curve.widths.resize(end + 1);
   }
 
   /// Within a sheet the radius does not tell where a branch ends.
@@ -348,21 +398,26 @@ void smooth(GeometricNetwork& network, const SolidProbe& probe, double step, dou
       Curve& curve = branch.curve;
       if (curve.points.size() < 2)
       {
-        curve.points.front() = probe.middle(probe.middle(curve.points.front()));
+        smoother.climb(curve.points.front());
         return;
       }
       curve = resampled(curve, step);
-      if (trees[b] != 0 || curve.closed)
+      // Moving to the middle makes detours narrower, and so their ways longer than the chord.
+      const auto smoothOnce = [&, straight = trees[b] != 0 || curve.closed]
       {
-        smoother.straighten(curve);
-      }
-      smoother.smoothOnce(curve);
+        if (straight)
+        {
+          smoother.straighten(curve);
+        }
+        smoother.smoothOnce(curve);
+      };
+      smoothOnce();
       for (const bool first : { true, false })
       {
         for (int pass = 0; pass < kPasses; ++pass)
         {
           smoother.centre(curve, !first);
-          smoother.smoothOnce(curve);
+          smoothOnce();
           curve = resampled(curve, step);
         }
         smoother.finish(branch, first);
@@ -374,7 +429,8 @@ void smooth(GeometricNetwork& network, const SolidProbe& probe, double step, dou
     checkpoint();
     placeJunctions(network, probe, step);
     changed = joinJunctions(network, probe, minBranch);
-    const ShortBranches shortOnes = removeShortBranches(network, probe, minBranch, checkpoint);
+    const ShortBranches shortOnes =
+      removeShortBranches(network, probe, step, minBranch, checkpoint);
     for (const std::size_t b : shortOnes.merged)
     {
       Curve& curve = network.branches[b].curve;

@@ -271,7 +271,7 @@ TEST(FilterManual, MedialLocalThicknessParametersAreExplainedAndPrinted)
 
 TEST(FilterManual, MedialSkeletonParametersAreExplainedAndPrinted)
 {
-  expectManual("vtkMedialSkeleton", 4, printed<vtkMedialSkeleton>());
+  expectManual("vtkMedialSkeleton", 5, printed<vtkMedialSkeleton>());
 }
 
 TEST(FilterManual, MeshPointDistanceParametersAreExplainedAndPrinted)

@@ -2,6 +2,7 @@
 
 #include "medial/compute_medial_axis.h"
 #include "medial/skeleton.h"
+#include "medial/skeleton_resolution.h"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +10,7 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkFieldData.h>
 #include <vtkMedialSkeleton.h>
 #include <vtkMeshFieldAlgorithm.h>
 #include <vtkNew.h>
@@ -17,6 +19,7 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
 
 namespace
 {
@@ -46,6 +49,7 @@ TEST(MedialSkeletonFilter, DefaultsAreThoseOfTheLibrary)
   EXPECT_EQ(filter->GetSmooth() != 0, options.smooth);
   EXPECT_EQ(filter->GetAngle(), medial::MedialAxisOptions{}.angle);
   EXPECT_EQ(filter->GetMinimumLambda(), 0.0);
+  EXPECT_EQ(filter->GetAutomaticResolution(), 0);
 }
 
 TEST(MedialSkeletonFilter, ABeamHasOneBranch)
@@ -81,6 +85,40 @@ TEST(MedialSkeletonFilter, ACubeShrinksToAVertex)
   EXPECT_EQ(filter->GetOutput()->GetNumberOfVerts(), 1);
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 1);
   EXPECT_EQ(valueOf(filter->GetOutput(), "Degree", 0), 0.0);
+}
+
+TEST(MedialSkeletonFilter, TheThinnestBranchChoosesTheResolution)
+{
+  const auto pointsAlong = [](vtkMedialSkeleton* filter)
+  {
+    EXPECT_TRUE(update(filter));
+    return filter->GetOutput()->GetFieldData()->GetArray("GridDimensions")->GetTuple(0)[0];
+  };
+  auto filter = make(boxPolyData({ 2.0, 0.04, 0.04 }));
+  filter->AutomaticResolutionOn();
+  const double chosen = pointsAlong(filter);
+  EXPECT_GT(chosen, medial::kMinSkeletonResolution);
+  EXPECT_LT(chosen, medial::kMaxSkeletonResolution);
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 1);
+  filter->SetInputData(beam());
+  EXPECT_EQ(pointsAlong(filter), medial::kMinSkeletonResolution);
+  filter->SetGridModeToSpacing();
+  filter->SetSpacing(0.1, 0.1, 0.1);
+  EXPECT_LT(pointsAlong(filter), 64); // as the spacing says
+  filter->AutomaticResolutionOff();
+  filter->SetGridModeToResolution();
+  EXPECT_EQ(pointsAlong(filter), 64);
+}
+
+TEST(MedialSkeletonFilter, WarnsWhereTheChosenResolutionIsNotEnough)
+{
+  auto filter = make(boxPolyData({ 2.0, 0.012, 0.012 }));
+  filter->AutomaticResolutionOn();
+  const EventLog log(filter);
+  ASSERT_TRUE(update(filter));
+  ASSERT_EQ(log.warnings.size(), 1u);
+  EXPECT_NE(log.warnings.front().find("AutomaticResolution takes at most 512"), std::string::npos)
+    << log.warnings.front();
 }
 
 TEST(MedialSkeletonFilter, RefusesBadParametersAndMeshesWithoutAnInside)

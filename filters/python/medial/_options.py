@@ -5,7 +5,8 @@ from operator import index
 from typing import Any, Literal, Optional, Union
 
 from ._errors import InvalidInputError
-from .vtkMedialFilters import vtkMedialAxis, vtkMedialThickness, vtkMeshFieldAlgorithm
+from .vtkMedialFilters import (vtkMedialAxis, vtkMedialSkeleton, vtkMedialThickness,
+                               vtkMeshFieldAlgorithm)
 
 Side = Literal["interior", "exterior", "both"]
 Sign = Literal["auto", "none", "pseudonormal", "winding"]
@@ -139,10 +140,10 @@ def _real(name: str, value: Any) -> float:
         raise InvalidInputError(f"{name} {value!r} is outside {allowed}") from None
 
 
-def assign_grid(algorithm: vtkMeshFieldAlgorithm, *, resolution: Optional[int],
+def assign_grid(algorithm: vtkMeshFieldAlgorithm, *, resolution: Union[int, str, None],
                 spacing: Optional[Lengths], origin: Optional[Sequence[float]],
                 dimensions: Optional[Sequence[int]], padding: Optional[float]) -> None:
-    """The grid, see distance_field()."""
+    """The grid, see distance_field() and skeleton()."""
     given = {name: value for name, value in (
         ("resolution", resolution), ("padding", padding), ("spacing", spacing), ("origin", origin),
         ("dimensions", dimensions)) if value is not None}
@@ -153,6 +154,9 @@ def assign_grid(algorithm: vtkMeshFieldAlgorithm, *, resolution: Optional[int],
         if one in given and other in given:
             raise InvalidInputError(
                 f"{one} {given[one]!r} and {other} {given[other]!r} exclude each other")
+    if given.get("resolution") == "auto" and isinstance(algorithm, vtkMedialSkeleton):
+        del given["resolution"]
+        assign(algorithm, AutomaticResolution=True)
     assign_numbers(algorithm, **{
         name: value if name in ("resolution", "padding") else _triple(name, value)
         for name, value in given.items()})

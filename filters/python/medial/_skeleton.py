@@ -62,7 +62,7 @@ class Skeleton:
 def skeleton(
     vertices: Any, faces: Any = None, *, min_branch: float = 1.0, smooth: bool = True,
     angle: float = 60.0, min_lambda: Union[float, str] = 0.0,
-    resolution: Optional[int] = None, spacing: Optional[Lengths] = None,
+    resolution: Union[int, Literal["auto"], None] = None, spacing: Optional[Lengths] = None,
     origin: Optional[Sequence[float]] = None, dimensions: Optional[Sequence[int]] = None,
     padding: Optional[float] = None, sign: Sign = "auto", threads: int = 0, memory: int = 0,
     engine: Engine = "auto", device: Union[str, int] = "", require_gpu: bool = False,
@@ -80,8 +80,11 @@ def skeleton(
     smooth: whether branches are smooth curves; otherwise they run from point to point of the axis,
         and zigzag by a voxel.
     angle, min_lambda: of the axis whose curves these are, as for medial_axis().
-    resolution, spacing, origin, dimensions, padding, sign, threads, memory, engine, device,
-        require_gpu, progress: as for distance_field().
+    resolution: number of grid points along the longest axis of the padded bounds, in [2, 8192];
+        default 256; or "auto", 128 to 512 of them, so that four lie in the radius of the thinnest
+        branch, which skeletons on coarser grids tell. A UserWarning says if it needs more.
+    spacing, origin, dimensions, padding, sign, threads, memory, engine, device, require_gpu,
+        progress: as for distance_field().
 
     Raises what distance_field() raises, and InvalidInputError for a mesh without an inside.
 

@@ -24,7 +24,8 @@ struct SkeletonOptions
   /// own radius there; >= 0. In a sheet the way from the rim counts in place of the radius at the
   /// junction, and in a sheet or a ridge the way to its nearer border in place of its own. With 1,
   /// what rises from a tube by more than its own radius has a branch, and ridges and bumps have
-  /// none. Junctions as near to each other become one. Loops stay whatever their length is.
+  /// none. A radius below the distance of grid points counts as that much. Junctions as near to
+  /// each other become one. Loops stay whatever their length is.
   double minBranch = kDefaultMinBranch;
   /// Whether branches run as smooth curves through the middle of the solid, which moves points by
   /// about a voxel, and more next to junctions. Without it they run from point to point of the

@@ -6,6 +6,8 @@
 #include "medial/skeleton.h"
 #include "medial/triangle_mesh.h"
 
+#include <optional>
+
 namespace medial
 {
 
@@ -24,6 +26,9 @@ struct SkeletonResolution
   int needed = 2;
   /// Radius of the thinnest branch that was found, world units; infinity if there is none.
   double thinnestRadius = 0.0;
+  /// The skeleton at `resolution`, if it was made to find out that this is enough.
+  std::optional<Skeleton> skeleton;
+  std::optional<MedialAxis> axis; ///< the one of `skeleton`
 };
 
 /// Returns the smallest resolution at which grid points are closer together than a quarter of the

@@ -32,6 +32,21 @@ class Skeleton(unittest.TestCase):
         self.assertEqual([len(branch.indices) for branch in network.branches], [1])
         np.testing.assert_array_equal(network.degree, [0])
 
+    def test_its_thinnest_branch_chooses_the_resolution(self):
+        def points_in_radius(**parameters):
+            network = medial.skeleton(vertices, quads, **parameters)
+            steps = np.linalg.norm(np.diff(network.points[network.branches[0].indices], axis=0), axis=1)
+            return network.radius.mean() / steps.mean()
+
+        vertices, quads = shapes.box(np.array([2.0, 0.04, 0.04]))
+        self.assertLess(points_in_radius(resolution=128), 3)
+        self.assertGreater(points_in_radius(resolution="auto"), 3.5)
+        with self.assertRaisesRegex(medial.InvalidInputError, "'auto' and spacing 0.1 exclude"):
+            medial.skeleton(vertices, quads, resolution="auto", spacing=0.1)
+        for function in (medial.medial_axis, medial.local_thickness):
+            with self.assertRaisesRegex(TypeError, "resolution 'auto' is not an integer"):
+                function(vertices, quads, resolution="auto")
+
     def test_without_an_inside_is_refused(self):
         vertices, quads = shapes.box()
         with self.assertRaisesRegex(medial.InvalidInputError, "inside from outside"):

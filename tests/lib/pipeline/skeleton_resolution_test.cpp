@@ -50,6 +50,10 @@ TEST(SkeletonResolution, IsCoarseForThickTubes)
   EXPECT_EQ(chosen.resolution, kMinSkeletonResolution);
   EXPECT_LT(chosen.needed, kMinSkeletonResolution);
   EXPECT_NEAR(chosen.thinnestRadius, 0.3, 0.003);
+  ASSERT_TRUE(chosen.skeleton);
+  ASSERT_TRUE(chosen.axis);
+  EXPECT_EQ(chosen.skeleton->points, skeletonOf(tube(false), chosen.resolution).points);
+  EXPECT_EQ(computeSkeleton(*chosen.axis, tube(false)).points, chosen.skeleton->points);
 }
 
 TEST(SkeletonResolution, IsFineEnoughForThinBranches)
@@ -58,6 +62,7 @@ TEST(SkeletonResolution, IsFineEnoughForThinBranches)
   const SkeletonResolution chosen = choose(mesh);
   EXPECT_NEAR(chosen.thinnestRadius, kThin, kFacets);
   EXPECT_EQ(chosen.resolution, chosen.needed);
+  EXPECT_FALSE(chosen.skeleton); // none was made at this resolution
   EXPECT_LT(makeGrid(mesh.bounds(), chosen.resolution).spacing[0], 0.25 * kThin);
   const Skeleton skeleton = skeletonOf(mesh, chosen.resolution);
   EXPECT_EQ(skeleton.branches.size(), 3u);

@@ -15,6 +15,7 @@ namespace
 {
 
 constexpr double kRadius = 0.3;
+constexpr double kStep = 0.02;
 
 /// A tube about the x axis, |x| <= 1, with a sharp ridge along its whole length.
 /// @param crest height of its edge above the axis.
@@ -44,33 +45,39 @@ TriangleMesh tubeWithRidge(double crest, double foot)
   return makeMesh(points, triangles);
 }
 
-/// Whether removeShortBranches() leaves a branch from the middle of a tube about the x axis to a
-/// height.
-bool keepsBranch(const TriangleMesh& mesh, double height)
+/// Whether removeShortBranches() leaves a branch from the middle of a tube about the x axis.
+/// @param way places that it leads to from there.
+bool keepsBranch(const TriangleMesh& mesh, const std::vector<Point3>& way)
 {
   const Run run{ Execution{} };
   const Checkpoint checkpoint(run, 0.0, "skeleton");
   const DistanceQuery query(mesh, SignMethod::Winding, run, {});
   const SolidProbe probe(query);
-  const auto line = [&](const Point3& from, const Point3& to)
+  const auto line = [&](const std::vector<Point3>& places)
   {
     constexpr int kParts = 100;
     Curve curve;
-    for (int i = 0; i <= kParts; ++i)
+    Point3 from{};
+    for (const Point3& to : places)
     {
-      curve.points.push_back(glm::mix(query.local().toLocal(from), query.local().toLocal(to),
-        static_cast<double>(i) / kParts));
-      curve.widths.push_back(probe.radius(curve.points.back()));
+      for (int i = curve.points.empty() ? 0 : 1; i <= kParts; ++i)
+      {
+        curve.points.push_back(glm::mix(query.local().toLocal(from), query.local().toLocal(to),
+          static_cast<double>(i) / kParts));
+        curve.widths.push_back(probe.radius(curve.points.back()));
+      }
+      from = to;
     }
     return curve;
   };
   GeometricNetwork network;
   network.junctions.push_back(query.local().toLocal({ 0.0, 0.0, 0.0 }));
-  for (const Point3& end : { Point3{ -0.7, 0.0, 0.0 }, { 0.7, 0.0, 0.0 }, { 0.0, height, 0.0 } })
+  for (const std::vector<Point3>& branch :
+    { std::vector<Point3>{ { -0.7, 0.0, 0.0 } }, { { 0.7, 0.0, 0.0 } }, way })
   {
-    network.branches.push_back({ line({ 0.0, 0.0, 0.0 }, end), { 0, NetworkBranch::kFree } });
+    network.branches.push_back({ line(branch), { 0, NetworkBranch::kFree } });
   }
-  removeShortBranches(network, probe, 1.0, checkpoint);
+  removeShortBranches(network, probe, kStep / query.local().unit, 1.0, checkpoint);
   return network.branches.size() == 3;
 }
 
@@ -79,7 +86,16 @@ bool keepsBranch(const TriangleMesh& mesh, double height)
 TEST(ShortBranches, GoInRidgesThatAreLongerThanHigh)
 {
   // At its foot the ridge is half as thick as it is high.
-  EXPECT_FALSE(keepsBranch(tubeWithRidge(0.5, 0.2), 0.48));
+  const TriangleMesh mesh = tubeWithRidge(0.5, 0.2);
+  EXPECT_FALSE(keepsBranch(mesh, { { 0.0, 0.48, 0.0 } }));
+  EXPECT_FALSE(keepsBranch(mesh, { { 0.5, 0.48, 0.0 } })); // slowly up, along the ridge
+}
+
+TEST(ShortBranches, GoWhereOnlyTheirEndsReachOutOfTheTube)
+{
+  // The radius is 0 there, and nothing is small against it.
+  const TriangleMesh mesh = unionOf({ { { -0.7, 0.0, 0.0 }, { 0.7, 0.0, 0.0 }, kRadius } }, 0.03);
+  EXPECT_FALSE(keepsBranch(mesh, { { 0.2, 0.05, 0.0 }, { 0.5, 0.996 * kRadius, 0.0 } }));
 }
 
 TEST(ShortBranches, StayInStubsAndSpikes)
@@ -87,7 +103,7 @@ TEST(ShortBranches, StayInStubsAndSpikes)
   EXPECT_TRUE(keepsBranch(
     unionOf({ { { -0.7, 0.0, 0.0 }, { 0.7, 0.0, 0.0 }, kRadius }, { {}, { 0.0, 0.4, 0.0 }, 0.06 } },
       0.03),
-    0.4));
+    { { 0.0, 0.4, 0.0 } }));
 }
 
 } // namespace medial::test
