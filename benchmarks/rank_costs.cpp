@@ -30,6 +30,7 @@ struct Settings
   double angle = kDefaultAngle;
   std::vector<int> ranks{ 1, 2, 4, 8, 16 };
   bool fieldOnly = false;
+  bool equalParts = false;
 };
 
 /// What one rank has done.
@@ -44,8 +45,7 @@ struct Costs
 std::vector<Costs> costsOf(const Settings& settings, const TriangleMesh& mesh, const Grid& grid,
   int ranks)
 {
-  const std::vector<Extent> extents = partsOfGrid(grid, ranks);
-  std::vector<Costs> costs(extents.size());
+  std::vector<Costs> costs(static_cast<std::size_t>(ranks));
   test::SimulatedRanks(ranks).run(
     [&](Communicator& communicator)
     {
@@ -57,6 +57,9 @@ std::vector<Costs> costsOf(const Settings& settings, const TriangleMesh& mesh, c
       NoField sink;
       const SurfacePiece surface =
         test::pieceOf(mesh, rank, test::inRows(ranks, mesh.triangles.size()));
+      const std::vector<Extent> extents = settings.equalParts
+        ? partsOfGrid(grid, ranks)
+        : partsByWork(communicator, surface, grid, options.field);
       Costs& own = costs[rank];
       RunStatistics statistics;
       if (settings.fieldOnly)
@@ -131,6 +134,7 @@ int main(int argc, char** argv)
     app.add_option("--resolution", settings.resolution, "grid points along the longest axis");
     app.add_option("--angle", settings.angle, "minimum separation angle, degrees");
     app.add_flag("--field", settings.fieldOnly, "the field without an axis");
+    app.add_flag("--equal", settings.equalParts, "parts with equal numbers of grid points");
     app.add_option("--ranks", settings.ranks, "numbers of ranks")->delimiter(',');
     CLI11_PARSE(app, argc, argv);
     run(settings);

@@ -188,6 +188,23 @@ void together(const Options& options, const std::function<void()>& work)
   }
 }
 
+/// Returns the parts of the grid that ranks compute.
+std::vector<Extent> extentsOf(const Options& options, Communicator& communicator,
+  const Share& share, const Grid& grid)
+{
+  std::vector<Extent> extents;
+  together(options,
+    [&]
+    {
+      DistanceFieldOptions wanted = libraryOptions(options, share.bounds.diagonal()).field;
+      wanted.engine = Engine::Processor;
+      extents = reasonForOne(options) == nullptr
+        ? partsByWork(communicator, share.piece, grid, wanted)
+        : partsOfGrid(grid, communicator.size());
+    });
+  return extents;
+}
+
 /// @param field null if it is not wanted.
 Computed compute(const Options& options, Communicator& communicator, const Share& share,
   const Grid& grid, const std::vector<Extent>& extents, FieldOutput* field, ProgressBar& bar)
@@ -363,12 +380,11 @@ void runOnRanks(const Options& options, Communicator& communicator)
   bar.show(0.0, "reading");
   const Share share = readShare(options, reasonForOne(options) != nullptr, communicator);
   Grid grid;
-  std::vector<Extent> extents;
+  agree(communicator, [&] { grid = gridOf(share.bounds, options); });
+  const std::vector<Extent> extents = extentsOf(options, communicator, share, grid);
   agree(communicator,
     [&]
     {
-      grid = gridOf(share.bounds, options);
-      extents = partsOfGrid(grid, communicator.size());
       if (field)
       {
         std::vector<Extent> touching;

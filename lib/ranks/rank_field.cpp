@@ -147,6 +147,19 @@ void RankField::compute(const Extent& extent, FieldSink& sink)
   ProcessorEngine().run(this->job(extent), numbering);
 }
 
+std::int64_t RankField::tryWork(const Extent& extent)
+{
+  std::vector<float> distances(static_cast<std::size_t>(extent.pointCount()));
+  FieldArrays arrays;
+  arrays.distance = distances.data();
+  ArraySink sink(extent, arrays);
+  const auto work = [this]
+  { return statistics_.groupTests + statistics_.candidatePairs + statistics_.fragments; };
+  const std::int64_t before = work();
+  ProcessorEngine().run(this->job(extent), sink);
+  return work() - before;
+}
+
 std::vector<Crossing> RankField::select(const Extent& extent, const CrossingSelection& selection,
   FieldSink& sink)
 {

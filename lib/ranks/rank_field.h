@@ -36,8 +36,11 @@ public:
   /// Computes the field of an extent within the part. It has the numbers that sites have in the
   /// whole surface.
   void compute(const Extent& extent, FieldSink& sink);
-  /// The same, and selects crossings, which have the sites of the part. There may be more of them,
-  /// up to eight grid points before the extent.
+  /// Computes the field of an extent within the part, and returns the work that it took: numbers of
+  /// tests, pairs and evaluations.
+  std::int64_t tryWork(const Extent& extent);
+  /// As compute(), and selects crossings, which have the sites of the part. There may be more of
+  /// them, up to eight grid points before the extent.
   std::vector<Crossing> select(const Extent& extent, const CrossingSelection& selection,
     FieldSink& sink);
 

@@ -124,4 +124,12 @@ MEDIAL_EXPORT Extent touchingExtent(const Grid& grid, const Extent& extent);
 /// empty.
 MEDIAL_EXPORT std::vector<Extent> partsOfGrid(const Grid& grid, int parts);
 
+/// Cuts a grid into extents that take about the same work, one for each rank. Each rank computes
+/// the field in a sample of tiles: an eighth of them, fewer where the grid is large. No result
+/// depends on how a grid is cut. Every rank calls it.
+/// @return the same on every rank. Where the grid is too small, some are empty.
+/// @throws Error as computeDistanceField(), on every rank.
+MEDIAL_EXPORT std::vector<Extent> partsByWork(Communicator& communicator, const SurfacePiece& piece,
+  const Grid& grid, const DistanceFieldOptions& options);
+
 } // namespace medial

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <numeric>
 #include <random>
 #include <string>
 #include <tuple>
@@ -386,6 +387,76 @@ TEST(DistributedField, RefusesPiecesThatOverlap)
     });
   EXPECT_EQ(messages[0], "rank 0: the pieces overlap: cell 0 is in those of ranks 0 and 1");
   EXPECT_EQ(messages[1], messages[0]);
+}
+
+TEST(PartsByWork, TakeAboutTheSame)
+{
+  // All triangles are in a corner, where equal parts would leave one rank most of the work.
+  const TriangleMesh mesh =
+    numbered(appended(box({ 1.5, 1.4, 1.3 }), translated(icosphere(0.2, 5), { 0.9, 0.8, 0.7 })));
+  const Case of{ mesh, gridAround(mesh, 130) };
+  const DistanceField whole = computeDistanceField(of.mesh, of.grid, optionsOf(of));
+  constexpr int kRanks = 6;
+  const auto busiest = [&](const std::vector<Extent>& extents)
+  {
+    std::vector<double> work(kRanks);
+    SimulatedRanks(kRanks).run(
+      [&](Communicator& communicator)
+      {
+        const int rank = communicator.rank();
+        NoField sink;
+        const RunStatistics statistics = computeDistanceField(communicator,
+          pieceOf(of.mesh, rank, atRandom(kRanks)), of.grid, extents[rank], sink, optionsOf(of));
+        work[rank] = static_cast<double>(
+          statistics.groupTests + statistics.candidatePairs + statistics.fragments);
+      });
+    return kRanks * *std::max_element(work.begin(), work.end()) /
+      std::accumulate(work.begin(), work.end(), 0.0);
+  };
+  std::vector<std::vector<Extent>> extents(kRanks);
+  SimulatedRanks(kRanks).run(
+    [&](Communicator& communicator)
+    {
+      const int rank = communicator.rank();
+      extents[rank] =
+        partsByWork(communicator, pieceOf(of.mesh, rank, atRandom(kRanks)), of.grid, optionsOf(of));
+    });
+  for (const std::vector<Extent>& parts : extents)
+  {
+    ASSERT_EQ(parts.size(), static_cast<std::size_t>(kRanks));
+    for (int rank = 0; rank < kRanks; ++rank)
+    {
+      EXPECT_EQ(parts[rank].min, extents[0][rank].min);
+      EXPECT_EQ(parts[rank].max, extents[0][rank].max);
+    }
+  }
+  // The grid has 17 tiles along an edge: there is little choice where to cut.
+  EXPECT_LT(busiest(extents[0]), 0.75 * busiest(partsOfGrid(of.grid, kRanks)));
+  expectSameBits(of, whole, extents[0], atRandom(kRanks));
+}
+
+TEST(PartsByWork, MayBeEmpty)
+{
+  const TriangleMesh mesh = numbered(icosphere(1.0, 1));
+  const Case of{ mesh, gridAround(mesh, 12) };
+  std::vector<Extent> extents;
+  SimulatedRanks(16).run(
+    [&](Communicator& communicator)
+    {
+      const std::vector<Extent> parts = partsByWork(communicator,
+        pieceOf(of.mesh, communicator.rank(), atRandom(16)), of.grid, optionsOf(of));
+      if (communicator.rank() == 0)
+      {
+        extents = parts;
+      }
+    });
+  expectSameBits(of, computeDistanceField(of.mesh, of.grid, optionsOf(of)), extents, atRandom(16));
+  std::int64_t points = 0;
+  for (const Extent& extent : extents)
+  {
+    points += extent.empty() ? 0 : extent.pointCount();
+  }
+  EXPECT_EQ(points, of.grid.pointCount());
 }
 
 TEST(PartsOfGrid, CoverItOnceAndEndWithTiles)
