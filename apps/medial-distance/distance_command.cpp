@@ -20,12 +20,13 @@ const char* const kFooter =
   "either surface, not only of their vertices, from the other, right to 0.1 %.\n"
   "Lengths are world units. Existing files are replaced, but only once the new ones are complete.\n"
   "\n"
-  "Exit codes: 0 done; 2 usage; 3 bad input; 5 out of memory or disk, or an output that cannot be\n"
-  "written; 70 a fault of the program; 130 interrupted.";
+  "Exit codes: 0 done; 2 usage; 3 bad input; 4 no OpenGL for --image; 5 out of memory or disk, or "
+  "an\n"
+  "output that cannot be written; 70 a fault of the program; 130 interrupted.";
 
 struct DistanceTexts
 {
-  std::string mesh, points, output, json;
+  std::string mesh, points, output, image, json;
   std::string sign = "auto";
 };
 
@@ -38,6 +39,13 @@ void addOptions(CLI::App& app, DistanceTexts& texts, DistanceCommand& command)
       "a "
       "line for each point with x, y, z, distance, closest point, cell, feature and direction")
     ->option_text("FILE")
+    ->group(group);
+  app
+    .add_option("--image", texts.image,
+      "picture of the points, or of their faces, coloured by their distance without its sign; "
+      "needs "
+      "no display")
+    ->option_text("FILE.png")
     ->group(group);
   app
     .add_option("--json", texts.json,
@@ -53,6 +61,7 @@ void addOptions(CLI::App& app, DistanceTexts& texts, DistanceCommand& command)
 void checkOutputs(const DistanceCommand& command)
 {
   checkExtension("--output", command.output, { ".vtp", ".csv" });
+  checkExtension("--image", command.image, { ".png" });
   if (command.json != kStandardOutput)
   {
     checkExtension("--json", command.json, { ".json" });
@@ -88,6 +97,7 @@ std::optional<DistanceCommand> parseDistanceCommand(int argc, char** argv)
   command.mesh = texts.mesh;
   command.points = texts.points;
   command.output = texts.output;
+  command.image = texts.image;
   command.json = texts.json;
   command.sign = signNames().at(texts.sign);
   checkOutputs(command);

@@ -14,6 +14,7 @@ struct DistanceCommand
   std::filesystem::path mesh;   ///< what readSurface() reads
   std::filesystem::path points; ///< what readPointSet() reads
   std::filesystem::path output; ///< .vtp or .csv; empty for none
+  std::filesystem::path image;  ///< .png; empty for none
   std::filesystem::path json;   ///< empty for none, - for standard output
   SignMethod sign = SignMethod::Auto;
   int threads = 0;

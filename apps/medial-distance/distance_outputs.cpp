@@ -1,15 +1,18 @@
 #include "distance_outputs.h"
 
 #include "csv_line.h"
+#include "distance_picture.h"
 #include "distance_report.h"
 #include "file_writer.h"
 #include "input_file.h"
+#include "number_text.h"
 #include "standard_output.h"
 #include "vtp_writer.h"
 
 #include <vtkMeshConversion.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 
 #include <ostream>
 #include <string>
@@ -20,6 +23,8 @@ namespace
 {
 
 namespace fs = std::filesystem;
+
+constexpr int kDigits = 4; // of numbers in a picture
 
 void writeCsv(const DistanceResults& results, std::ostream& stream)
 {
@@ -35,9 +40,9 @@ void writeCsv(const DistanceResults& results, std::ostream& stream)
   }
 }
 
-void writePoints(DistanceResults& results, const fs::path& file)
+vtkSmartPointer<vtkPolyData> withDistances(DistanceResults& results)
 {
-  vtkNew<vtkPolyData> data;
+  auto data = vtkSmartPointer<vtkPolyData>::New();
   data->ShallowCopy(results.pointSet.polyData());
   if (data->GetNumberOfCells() == 0)
   {
@@ -50,7 +55,17 @@ void writePoints(DistanceResults& results, const fs::path& file)
     data->SetVerts(vertices);
   }
   vtkMeshConversion::AddDistances(results.distances, data);
-  writeVtp(data, file);
+  return data;
+}
+
+void writePicture(const DistanceCommand& command, DistanceResults& results, const fs::path& file)
+{
+  const DistanceSummary summary = summarise(results.distances);
+  drawDeviation(withDistances(results), results.mesh.polyData(),
+    { command.points.filename().string(),
+      "distance from " + command.mesh.filename().string() + ": mean " +
+        roundedText(summary.mean, kDigits) + ", RMS " + roundedText(summary.rms, kDigits) },
+    file);
 }
 
 } // namespace
@@ -59,6 +74,7 @@ DistanceOutputs::DistanceOutputs(const DistanceCommand& command)
   : command_(command)
 {
   files_.add(command.output);
+  files_.add(command.image);
   if (command.json != kStandardOutput)
   {
     files_.add(command.json);
@@ -76,9 +92,11 @@ void DistanceOutputs::write(DistanceResults& results)
       }
       else
       {
-        writePoints(results, file);
+        writeVtp(withDistances(results), file);
       }
     });
+  files_.write(command_.image,
+    [&](const fs::path& file) { writePicture(command_, results, file); });
   files_.write(command_.json,
     [&](const fs::path& file) { writeFile(file, makeJson(command_, results)); });
   files_.commit();

@@ -101,8 +101,12 @@ void runDistance(const DistanceCommand& command)
   DistanceResults results;
   TriangleMesh surface;
   {
-    const Surface mesh = readSurface(command.mesh);
+    Surface mesh = readSurface(command.mesh);
     withFailures(command.mesh, [&] { surface = mesh.toTriangleMesh(); });
+    if (!command.image.empty())
+    {
+      results.mesh = std::move(mesh);
+    }
   }
   results.pointSet = readPointSet(command.points);
   const MeshInput points = results.pointSet.toMeshInput();

@@ -5,6 +5,7 @@
 #include "support/transforms.h"
 
 #include <vtkDoubleArray.h>
+#include <vtkImageData.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkXMLPolyDataReader.h>
@@ -104,6 +105,62 @@ TEST_F(DistanceCommand, WritesPointsWithArrays)
   {
     EXPECT_NE(data->GetPointData()->GetArray(name), nullptr) << name;
   }
+}
+
+/// Counts the pixels left of the scalar bar that have a colour of its yellow end or its dark blue
+/// one.
+struct EndsOfScale
+{
+  int high = 0;
+  int low = 0;
+
+  explicit EndsOfScale(vtkImageData* picture)
+  {
+    for (int y = 0; y < 1100; ++y) // below the caption
+    {
+      for (int x = 0; x < 1300; ++x)
+      {
+        const auto channel = [&](int c) { return picture->GetScalarComponentAsDouble(x, y, 0, c); };
+        high += channel(0) > 150.0 && channel(1) > 140.0 && channel(2) < 90.0 ? 1 : 0;
+        low += channel(2) > channel(1) + 25.0 && channel(0) < 110.0 && channel(1) < 60.0 ? 1 : 0;
+      }
+    }
+  }
+};
+
+TEST_F(DistanceCommand, DrawsDeviationsFromNoneToTheLargest)
+{
+  const std::string other = folder.file("stretched.obj");
+  const std::string image = folder.file("deviation.png");
+  // Its right end is 1 away from the mesh, the left one in the same place.
+  TriangleMesh stretched = box({ 2.0, 1.0, 0.5 });
+  for (Point3& p : stretched.points)
+  {
+    p[0] += p[0] > 0.0 ? 1.0 : 0.0;
+  }
+  writeFile(other, objText(stretched));
+  const Outcome outcome = runMedialDistance({ mesh, other, "-q", "--image", image });
+  EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+  const auto picture = readPng(image);
+  EXPECT_EQ(picture->GetDimensions()[0], 1600);
+  EXPECT_EQ(picture->GetDimensions()[1], 1200);
+  const EndsOfScale drawn(picture);
+  EXPECT_GT(drawn.high, 1000);
+  EXPECT_GT(drawn.low, 1000);
+}
+
+TEST_F(DistanceCommand, DrawsPointsAroundTheMesh)
+{
+  const std::string image = folder.file("points.png");
+  const Outcome outcome = runMedialDistance({ mesh, points, "-q", "--image", image });
+  EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+  EXPECT_GT(EndsOfScale(readPng(image)).high, 10); // the farthest one
+}
+
+TEST_F(DistanceCommand, RefusesPicturesOfOtherFormats)
+{
+  EXPECT_NE(failure(2, { mesh, points, "--image", folder.file("picture.jpg") }).find("--image"),
+    std::string::npos);
 }
 
 TEST_F(DistanceCommand, ComparesTwoMeshes)
