@@ -15,54 +15,14 @@ namespace
 /// Number of questions for which groups are collected from the tree at once.
 constexpr std::ptrdiff_t kCollected = 256;
 /// Number of questions in a block.
-constexpr std::ptrdiff_t kTogether = 32;
+constexpr std::ptrdiff_t kTogether = BlockPositions::kMax;
 /// From questions without a known point, one of this many is answered by a search. The others start
 /// from its site.
 constexpr int kBetween = 16;
 /// With more groups than this near a block, a search for each question is faster.
 constexpr int kManyGroups = 256;
-/// With at most this many, the elements near the block are copied side by side.
-constexpr int kFewGroups = 80;
-
-int packCount(int elements)
-{
-  return (elements + kLanes - 1) / kLanes;
-}
-
-FrameBox boxAround(const SiteQuery::Question* const* begin, const SiteQuery::Question* const* end)
-{
-  glm::dvec3 low = (*begin)->x;
-  glm::dvec3 high = low;
-  for (; begin != end; ++begin)
-  {
-    low = glm::min(low, (*begin)->x);
-    high = glm::max(high, (*begin)->x);
-  }
-  FrameBox box{ glm::vec3(0.5 * (low + high)), {} };
-  const glm::dvec3 centre(box.centre);
-  box.half = glm::vec3(glm::max(high - centre, centre - low)) * kRoundedUp;
-  return box;
-}
-
-float sizeOf(const FrameBox& box)
-{
-  return box.half.x + box.half.y + box.half.z;
-}
-
-/// Orders questions so that both halves are compact. Mostly they are as they come.
-void halve(SiteQuery::Question** begin, SiteQuery::Question** middle, SiteQuery::Question** end)
-{
-  constexpr float kCompact = 1.7f;
-  const FrameBox box = boxAround(begin, end);
-  if (sizeOf(boxAround(begin, middle)) + sizeOf(boxAround(middle, end)) <= kCompact * sizeOf(box))
-  {
-    return;
-  }
-  const int axis = longestAxis(glm::dvec3(box.half));
-  std::nth_element(begin, middle, end,
-    [axis](const SiteQuery::Question* a, const SiteQuery::Question* b)
-    { return a->x[axis] < b->x[axis]; });
-}
+/// With at most this many, the questions of a block are answered together.
+constexpr int kFewGroups = 64;
 
 /// Returns the distance of the known point, rounded up.
 float distanceOf(const SiteQuery::Question& question)
@@ -133,99 +93,30 @@ MEDIAL_VECTORISED unsigned ownersNear(const SiteGroup& group, const BoxReach& re
 {
   const glm::vec3 offset = group.toGroup(glm::dvec3(reach.box().centre));
   const ElementPosition centre(group, offset);
+  const Int8 near = centre.squared <= reach.squared();
+  if (bits(near) == 0)
+  {
+    return 0;
+  }
   const Int8 parts = partsNear(group, AllElements(), centre,
     reach.radius() + slack + roundingFrom(offset, group.extent));
-  return bits((parts != 0) & (centre.squared <= reach.squared()));
-}
-
-MEDIAL_INLINE float leastOf(Float8 values)
-{
-  float least = values[0];
-  for (int lane = 1; lane < kLanes; ++lane)
-  {
-    least = std::min(least, values[lane]);
-  }
-  return least;
-}
-
-/// Returns the squared distances of a position from eight boxes.
-template <typename Boxes>
-MEDIAL_INLINE Float8 squaredDistances(const Boxes& boxes, const glm::vec3& x)
-{
-  Float8 squared{};
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const Float8 offset = x[axis] - loaded(boxes.centre[axis].data());
-    const Float8 beyond = max(max(offset, -offset) - loaded(boxes.half[axis].data()), Float8{});
-    squared += beyond * beyond;
-  }
-  return squared;
+  return bits((parts != 0) & near);
 }
 
 } // namespace
 
-MEDIAL_VECTORISED void BlockQuery::PackBoxes::set(int lane, const SiteGroup& pack)
+double BlockQuery::Bounds::size() const
 {
-  const Float8 ab = loaded(pack.lengths[0].data());
-  const Float8 ac = loaded(pack.lengths[2].data());
-  const Float8 x = ac * loaded(pack.fromA[0].data());
-  const Float8 y = ac * loaded(pack.fromA[1].data());
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const Float8 along = loaded(pack.along[axis].data());
-    const Float8 a = loaded(pack.start[axis].data());
-    const Float8 b = a + ab * along;
-    const Float8 c = a + x * along + y * loaded(pack.across[axis].data());
-    const float low = leastOf(min(a, min(b, c)));
-    const float high = -leastOf(min(-a, min(-b, -c)));
-    centre[axis][lane] = 0.5f * (low + high);
-    half[axis][lane] = 0.5f * (high - low);
-  }
+  const glm::dvec3 lengths = high - low;
+  return lengths.x + lengths.y + lengths.z;
 }
 
-/// Finds the packs with elements as near to a position as a known point, and which of their sites
-/// can be closest.
-/// @param boxes around the packs.
-/// @param extent of the packs.
-/// @param distance of the known point, rounded up.
-/// @param slack by how much Voronoi regions are widened, besides the rounding.
-/// @param near room for all packs; set to those found.
-/// @return number of packs found.
-MEDIAL_VECTORISED int BlockQuery::packsNear(const SiteGroup* packs, const PackBoxes* boxes,
-  int count, float extent, const glm::vec3& x, float distance, float slack, NearPack* near)
+FrameBox BlockQuery::Bounds::box() const
 {
-  const float rounding = roundingFrom(x, extent);
-  float reach = distance + rounding;
-  float limit = std::min(reach * reach, std::numeric_limits<float>::max());
-  int found = 0;
-  for (int first = 0; first < count; first += kLanes)
-  {
-    // No element of another pack is within reach.
-    const float beyond = reach + rounding;
-    unsigned left = ~bits(squaredDistances(boxes[first / kLanes], x) > beyond * beyond) & 0xffu;
-    for (; left != 0; left &= left - 1)
-    {
-      const int i = first + __builtin_ctz(left);
-      if (i >= count)
-      {
-        break;
-      }
-      const ElementPosition position(packs[i], x);
-      const Int8 within = position.squared <= limit;
-      if (bits(within) == 0)
-      {
-        continue;
-      }
-      const Int8 sites = partsNear(packs[i], AllElements(), position, slack + rounding) & within;
-      near[found].pack = i;
-      near[found].lanes = bits(sites != 0);
-      std::memcpy(near[found].parts.data(), &sites, sizeof(sites));
-      found += near[found].lanes != 0 ? 1 : 0;
-      reach = std::min(reach, std::sqrt(leastOf(position.squared)) + 2.0f * rounding);
-      limit = std::min(limit, reach * reach);
-    }
-  }
-  return found;
+  FrameBox box{ glm::vec3(0.5 * (low + high)), {} };
+  const glm::dvec3 centre(box.centre);
+  box.half = glm::vec3(glm::max(high - centre, centre - low)) * kRoundedUp;
+  return box;
 }
 
 BlockQuery::BlockQuery(const SiteQuery& query, const GroupTree& tree)
@@ -241,7 +132,7 @@ void BlockQuery::answer(std::vector<Question>& questions)
   {
     if (SiteQuery::inReach(question.x))
     {
-      order_.push_back(&question);
+      order_.push_back({ &question, 0.0f });
     }
     else
     {
@@ -251,7 +142,9 @@ void BlockQuery::answer(std::vector<Question>& questions)
   if (!order_.empty())
   {
     this->prepare();
-    this->answer({ order_.data(), order_.data() + order_.size() }, nullptr);
+    const Block all{ order_.data(), order_.data() + order_.size(), 0 };
+    this->bound(all);
+    this->answer(all, nullptr);
   }
 }
 
@@ -259,41 +152,80 @@ void BlockQuery::prepare()
 {
   SitePoint searched;
   int started = 0;
-  for (Question* question : order_)
+  for (Asked& asked : order_)
   {
-    if (question->closest.site >= 0)
+    Question& question = *asked.question;
+    if (question.closest.site < 0)
     {
-      continue;
+      if (searched.site >= 0)
+      {
+        question.closest = closestPoint(tree_.sites(), searched.site, question.x);
+      }
+      if (started++ % kBetween == 0)
+      {
+        question.closest = searched = query_.closest(question.x, question.closest);
+      }
     }
-    if (searched.site >= 0)
-    {
-      question->closest = closestPoint(tree_.sites(), searched.site, question->x);
-    }
-    if (started++ % kBetween == 0)
-    {
-      question->closest = searched = query_.closest(question->x, question->closest);
-    }
+    asked.known = distanceOf(question);
   }
 }
 
-void BlockQuery::answer(const Block& block, const GroupList* near)
+void BlockQuery::bound(const Block& block)
+{
+  bounds_.resize(std::max(bounds_.size(), block.bounds + 1));
+  if (block.size() > kTogether)
+  {
+    const Block first = block.first();
+    const Block second = block.second();
+    this->bound(first);
+    this->bound(second);
+    const Bounds& a = bounds_[first.bounds];
+    const Bounds& b = bounds_[second.bounds];
+    bounds_[block.bounds] = { glm::min(a.low, b.low), glm::max(a.high, b.high) };
+    return;
+  }
+  Bounds bounds{ block.begin->question->x, block.begin->question->x };
+  for (const Asked* asked = block.begin + 1; asked < block.end; ++asked)
+  {
+    bounds.low = glm::min(bounds.low, asked->question->x);
+    bounds.high = glm::max(bounds.high, asked->question->x);
+  }
+  bounds_[block.bounds] = bounds;
+}
+
+void BlockQuery::halve(const Block& block)
+{
+  constexpr double kCompact = 1.7;
+  const Block first = block.first();
+  const Block second = block.second();
+  const Bounds& whole = bounds_[block.bounds];
+  if (bounds_[first.bounds].size() + bounds_[second.bounds].size() <= kCompact * whole.size())
+  {
+    return;
+  }
+  const int axis = longestAxis(whole.high - whole.low);
+  std::nth_element(block.begin, first.end, block.end,
+    [axis](const Asked& a, const Asked& b) { return a.question->x[axis] < b.question->x[axis]; });
+  this->bound(first);
+  this->bound(second);
+}
+
+void BlockQuery::answer(const Block& block, const std::vector<GroupPack>* near)
 {
   if (near == nullptr && block.size() <= kCollected)
   {
-    tree_.collect(reachOf(block, tree_.slack()), collected_);
+    tree_.collect(this->reachOf(block), collected_);
     near = &collected_;
   }
   if (block.size() > kTogether)
   {
-    Question** const middle = block.begin + block.size() / 2;
-    halve(block.begin, middle, block.end);
-    this->answer({ block.begin, middle }, near);
-    this->answer({ middle, block.end }, near);
+    this->halve(block);
+    this->answer(block.first(), near);
+    this->answer(block.second(), near);
     return;
   }
-  const BoxReach reach = reachOf(block, tree_.slack());
-  near->find(reach, found_);
-  const auto count = static_cast<int>(found_.size());
+  const BoxReach reach = this->reachOf(block);
+  const int count = this->findNear(reach, *near);
   if (count > kManyGroups)
   {
     this->searchEach(block);
@@ -301,37 +233,59 @@ void BlockQuery::answer(const Block& block, const GroupList* near)
   }
   if (count <= kFewGroups)
   {
-    this->pack(*near, reach);
-    this->answerFromPacks(block, reach);
+    this->answerTogether(block, reach);
     return;
   }
-  groups_.assign(*near, found_);
-  for (Question** question = block.begin; question != block.end; ++question)
+  groups_.clear();
+  for (const GroupPack& pack : found_)
   {
-    this->answerFrom(groups_, **question);
+    for (unsigned left = pack.lanes; left != 0; left &= left - 1)
+    {
+      const int lane = __builtin_ctz(left);
+      groups_.add(pack.group(lane), *pack.discs, lane);
+    }
   }
+  for (const Asked* asked = block.begin; asked != block.end; ++asked)
+  {
+    this->answerFrom(groups_, *asked);
+  }
+}
+
+int BlockQuery::findNear(const BoxReach& reach, const std::vector<GroupPack>& groups)
+{
+  found_.clear();
+  int count = 0;
+  for (GroupPack pack : groups)
+  {
+    pack.lanes &= reach.meets(*pack.discs);
+    if (pack.lanes != 0)
+    {
+      found_.push_back(pack);
+      count += __builtin_popcount(pack.lanes);
+    }
+  }
+  return count;
 }
 
 void BlockQuery::searchEach(const Block& block) const
 {
-  for (Question** question = block.begin; question != block.end; ++question)
+  for (const Asked* asked = block.begin; asked != block.end; ++asked)
   {
-    (*question)->closest = query_.closest((*question)->x, (*question)->closest);
+    Question& question = *asked->question;
+    question.closest = query_.closest(question.x, question.closest);
   }
 }
 
-BoxReach BlockQuery::reachOf(const Block& block, float slack)
+BoxReach BlockQuery::reachOf(const Block& block) const
 {
-  const FrameBox box = boxAround(block.begin, block.end);
-  double farthest = 0.0;
-  for (Question** at = block.begin; at != block.end; ++at)
+  const FrameBox box = bounds_[block.bounds].box();
+  float farthest = 0.0f;
+  for (const Asked* asked = block.begin; asked != block.end; ++asked)
   {
-    const Question& question = **at;
-    farthest = std::max(farthest,
-      glm::distance(question.x, question.closest.point) +
-        glm::distance(question.x, glm::dvec3(box.centre)));
+    farthest =
+      std::max(farthest, asked->known + glm::distance(glm::vec3(asked->question->x), box.centre));
   }
-  return BoxReach(box, static_cast<float>(farthest) + 2.0f * slack);
+  return BoxReach(box, farthest + 2.0f * tree_.slack());
 }
 
 NearestSite BlockQuery::startOf(const Question& question) const
@@ -342,15 +296,15 @@ NearestSite BlockQuery::startOf(const Question& question) const
     : NearestSite(tree_.sites(), question.x);
 }
 
-void BlockQuery::answerFrom(const GroupList& groups, Question& question)
+void BlockQuery::answerFrom(const GroupList& groups, const Asked& asked)
 {
+  Question& question = *asked.question;
   const std::size_t room = static_cast<std::size_t>(groups.size());
   near_.groups.resize(std::max(near_.groups.size(), room));
   near_.squared.resize(std::max(near_.squared.size(), room * kLanes));
   NearestSite nearest = this->startOf(question);
-  const float known = distanceOf(question);
-  float distance = known;
-  int count = groupsNear(groups, tree_.groups().data(), question.x, known, tree_.slack(),
+  float distance = asked.known;
+  int count = groupsNear(groups, tree_.groups().data(), question.x, asked.known, tree_.slack(),
     near_.groups.data(), near_.squared.data(), distance);
   // Distances in single precision are off by less.
   const float reach = distance + 4.0f * tree_.slack();
@@ -365,63 +319,59 @@ void BlockQuery::answerFrom(const GroupList& groups, Question& question)
   question.closest = nearest.closest();
 }
 
-void BlockQuery::pack(const GroupList& list, const BoxReach& reach)
+void BlockQuery::answerTogether(const Block& block, const BoxReach& reach)
 {
-  packed_ = 0;
-  extent_ = 0.0f;
-  for (const int place : found_)
+  const glm::dvec3 centre(reach.box().centre);
+  positions_.clear();
+  nearest_.clear();
+  for (const Asked* asked = block.begin; asked != block.end; ++asked)
   {
-    const SiteGroup& group = tree_.groups()[list.groups()[place]];
-    unsigned left = ownersNear(group, reach, tree_.slack());
-    if (left == 0)
+    positions_.add(glm::vec3(asked->question->x - centre), asked->known);
+    nearest_.push_back(this->startOf(*asked->question));
+  }
+  for (const GroupPack& pack : found_)
+  {
+    for (unsigned left = pack.lanes; left != 0; left &= left - 1)
     {
-      continue;
-    }
-    const glm::vec3 shift(group.origin - glm::dvec3(reach.box().centre));
-    extent_ = std::max(extent_, glm::length(shift) + group.extent);
-    for (; left != 0; left &= left - 1, ++packed_)
-    {
-      packs_.resize(std::max<std::size_t>(packs_.size(), packCount(packed_ + 1)));
-      SiteGroup& pack = packs_[packed_ / kLanes];
-      const int lane = packed_ % kLanes;
-      pack.copy(lane, group, __builtin_ctz(left));
-      for (int axis = 0; axis < 3; ++axis)
+      const SiteGroup& group = tree_.groups()[pack.group(__builtin_ctz(left))];
+      const unsigned elements = ownersNear(group, reach, tree_.slack());
+      if (elements == 0)
       {
-        pack.start[axis][lane] += shift[axis];
+        continue;
+      }
+      const glm::vec3 shift(group.origin - centre);
+      const int count = positions_.find(group, elements, shift, tree_.slack(), nearSites_);
+      for (int i = 0; i < count; ++i)
+      {
+        this->offer(group, nearSites_[i]);
       }
     }
   }
-  for (int lane = packed_ % kLanes; lane != 0 && lane < kLanes; ++lane)
+  for (std::ptrdiff_t i = 0; i < block.size(); ++i)
   {
-    SiteGroup& last = packs_[packed_ / kLanes];
-    last.copy(lane, last, lane - 1);
-    last.owned[lane] = 0;
-  }
-  nearPacks_.resize(packs_.size());
-  boxes_.resize(packCount(static_cast<int>(packs_.size())));
-  for (int i = 0; i < packCount(packed_); ++i)
-  {
-    boxes_[i / kLanes].set(i % kLanes, packs_[i]);
+    block.begin[i].question->closest = nearest_[i].closest();
   }
 }
 
-void BlockQuery::answerFromPacks(const Block& block, const BoxReach& reach)
+void BlockQuery::offer(const SiteGroup& group, const BlockPositions::Near& near)
 {
-  const int count = packCount(packed_);
-  const glm::dvec3 centre(reach.box().centre);
-  for (Question** at = block.begin; at != block.end; ++at)
+  unsigned all = 0;
+  for (unsigned left = near.positions; left != 0; left &= left - 1)
   {
-    Question& question = **at;
-    const glm::vec3 x(question.x - centre);
-    NearestSite nearest = this->startOf(question);
-    const int found = packsNear(packs_.data(), boxes_.data(), count, extent_, x,
-      distanceOf(question), tree_.slack(), nearPacks_.data());
-    for (int i = 0; i < found; ++i)
+    all |= static_cast<unsigned>(near.parts[__builtin_ctz(left)]);
+  }
+  for (; all != 0; all &= all - 1)
+  {
+    const int part = __builtin_ctz(all);
+    const int site = siteOf(tree_.sites(), group, near.element, part);
+    for (unsigned left = near.positions; left != 0; left &= left - 1)
     {
-      const NearPack& near = nearPacks_[i];
-      nearest.offer(packs_[near.pack], near.lanes, near.parts);
+      const int lane = __builtin_ctz(left);
+      if ((near.parts[lane] >> part & 1) != 0)
+      {
+        nearest_[near.first + lane].offer(site);
+      }
     }
-    question.closest = nearest.closest();
   }
 }
 

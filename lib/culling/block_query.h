@@ -1,5 +1,6 @@
 #pragma once
 
+#include "culling/block_positions.h"
 #include "culling/group_list.h"
 #include "culling/group_tree.h"
 #include "culling/nearest_site.h"
@@ -26,68 +27,73 @@ public:
   void answer(std::vector<Question>& questions);
 
 private:
+  /// A question, and the distance of its known point, rounded up.
+  struct Asked
+  {
+    Question* question;
+    float known;
+  };
+  /// The box around some questions, by its corners.
+  struct Bounds
+  {
+    glm::dvec3 low;
+    glm::dvec3 high;
+
+    double size() const;
+    FrameBox box() const;
+  };
   /// Questions that lie close together.
   struct Block
   {
-    Question** begin;
-    Question** end;
+    Asked* begin;
+    Asked* end;
+    std::size_t bounds; ///< number of its bounds; those of its halves have twice that, plus 1 and 2
 
     std::ptrdiff_t size() const { return end - begin; }
+    /// The middle is at full packs of positions.
+    Asked* middle() const { return begin + (this->size() / 2 + kLanes - 1) / kLanes * kLanes; }
+    Block first() const { return { begin, this->middle(), 2 * bounds + 1 }; }
+    Block second() const { return { this->middle(), end, 2 * bounds + 2 }; }
   };
 
   /// The groups near a position, with the squared distances of their elements.
   struct Near
   {
     std::vector<int> groups;
-    std::vector<float> squared; ///< kLanes for each group
-  };
-
-  /// A pack with elements that may be closest to a position.
-  struct NearPack
-  {
-    int pack;
-    unsigned lanes;            ///< of these elements, as bits
-    SiteGroup::IntLanes parts; ///< their sites that may be, as bits of SitePart
-  };
-
-  /// Boxes around eight packs, side by side.
-  struct alignas(32) PackBoxes
-  {
-    SiteGroup::Lanes3 centre;
-    SiteGroup::Lanes3 half;
-
-    /// Sets the box around the elements of a pack.
-    void set(int lane, const SiteGroup& pack);
+    std::vector<float> squared; ///< kLanes for each
   };
 
   /// Gives every question a known point.
   void prepare();
+  /// Sets the bounds of a block and of its parts.
+  void bound(const Block& block);
+  /// Orders questions so that both halves are compact. Mostly they are as they come.
+  void halve(const Block& block);
   /// @param near groups for all of the block; null if none have been collected.
-  void answer(const Block& block, const GroupList* near);
+  void answer(const Block& block, const std::vector<GroupPack>* near);
   void searchEach(const Block& block) const;
-  static BoxReach reachOf(const Block& block, float slack);
+  BoxReach reachOf(const Block& block) const;
   /// Returns what is known of the closest site before any other is tried.
   NearestSite startOf(const Question& question) const;
-  void answerFrom(const GroupList& groups, Question& question);
-  /// Copies the elements of the groups found in a list that can be closest to some position in the
-  /// block.
-  void pack(const GroupList& list, const BoxReach& reach);
-  void answerFromPacks(const Block& block, const BoxReach& reach);
-  static int packsNear(const SiteGroup* packs, const PackBoxes* boxes, int count, float extent,
-    const glm::vec3& x, float distance, float slack, NearPack* near);
+  void answerFrom(const GroupList& groups, const Asked& asked);
+  /// Narrows groups down to those near a block. Returns their number.
+  int findNear(const BoxReach& reach, const std::vector<GroupPack>& groups);
+  /// Answers all questions of a block at once.
+  void answerTogether(const Block& block, const BoxReach& reach);
+  /// Offers sites of a group to the questions of a block.
+  void offer(const SiteGroup& group, const BlockPositions::Near& near);
 
   const SiteQuery& query_;
   const GroupTree& tree_;
-  std::vector<Question*> order_;
-  GroupList collected_;    ///< near some blocks
-  std::vector<int> found_; ///< places of those near a block
-  GroupList groups_;       ///< where these are many
+  std::vector<Asked> order_;
+  std::vector<Bounds> bounds_;
+  std::vector<GroupPack> collected_; ///< groups near some blocks
+  std::vector<GroupPack> found_;     ///< those near one block
+  GroupList groups_;                 ///< where these are many
   Near near_;
-  std::vector<SiteGroup> packs_; ///< elements near the block, relative to its centre
-  std::vector<PackBoxes> boxes_; ///< around them
-  int packed_ = 0;               ///< number of elements in them
-  float extent_ = 0.0f;          ///< largest distance of their corners from the centre
-  std::vector<NearPack> nearPacks_;
+  BlockPositions positions_;
+  std::vector<NearestSite> nearest_; ///< to these
+  BlockPositions::NearList nearSites_;
 };
 
 } // namespace medial

@@ -94,27 +94,6 @@ void GroupList::add(int group, const Discs& discs, int lane)
   groups_.push_back(group);
 }
 
-void GroupList::find(const BoxReach& reach, std::vector<int>& found) const
-{
-  found.clear();
-  for (std::size_t i = 0; i < discs_.size(); ++i)
-  {
-    for (unsigned left = reach.meets(discs_[i]); left != 0; left &= left - 1)
-    {
-      found.push_back(static_cast<int>(i) * kLanes + __builtin_ctz(left));
-    }
-  }
-}
-
-void GroupList::assign(const GroupList& from, const std::vector<int>& places)
-{
-  this->clear();
-  for (const int place : places)
-  {
-    this->add(from.groups_[place], from.discs_[place / kLanes], place % kLanes);
-  }
-}
-
 void GroupList::refine(const BoxReach& reach, GroupList& found) const
 {
   found.clear();

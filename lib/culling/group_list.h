@@ -88,11 +88,6 @@ public:
 
   /// Lists those that may hold the closest point of some position in a box.
   void refine(const BoxReach& reach, GroupList& found) const;
-  /// Replaces `found` by the places of these groups in the list.
-  void find(const BoxReach& reach, std::vector<int>& found) const;
-  /// Lists groups of another list.
-  /// @param places in that list.
-  void assign(const GroupList& from, const std::vector<int>& places);
 
   /// Returns the nearest element of these groups, in single precision.
   /// @param groups of the tree.

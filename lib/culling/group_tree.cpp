@@ -196,9 +196,9 @@ NearestElement GroupTree::nearest(const glm::dvec3& x, const NearestElement& sta
   return nearest;
 }
 
-int GroupTree::collect(const BoxReach& reach, GroupList& found) const
+template <typename Found>
+int GroupTree::visitMet(const BoxReach& reach, const Found& found) const
 {
-  found.clear();
   int tests = 0;
   Stack stack;
   for (const SizeTree& tree : trees_)
@@ -210,27 +210,51 @@ int GroupTree::collect(const BoxReach& reach, GroupList& found) const
       const Discs& discs = tree.levels[node.level][node.index];
       const unsigned met = reach.meets(discs);
       tests += kLanes;
-      for (int i = 0; i < kLanes; ++i)
+      if (node.level == 0)
       {
-        // Nodes in descending order on the stack, groups in ascending order in the list.
-        const int lane = node.level > 0 ? kLanes - 1 - i : i;
-        if ((met >> lane & 1u) == 0)
+        const bool dense = tree.children.empty();
+        found(GroupPack{ &discs, dense ? nullptr : tree.children[0][node.index].data(),
+          tree.firstGroup + (dense ? node.index * kLanes : 0), met });
+        continue;
+      }
+      // Nodes in descending order on the stack, groups in ascending order in the list.
+      for (int lane = kLanes - 1; lane >= 0; --lane)
+      {
+        if ((met >> lane & 1u) != 0)
         {
-          continue;
-        }
-        const int index = tree.child(node.level, node.index, lane);
-        if (node.level > 0)
-        {
-          stack.push({ node.level - 1, index, 0.0f });
-        }
-        else
-        {
-          found.add(tree.firstGroup + index, discs, lane);
+          stack.push({ node.level - 1, tree.child(node.level, node.index, lane), 0.0f });
         }
       }
     }
   }
   return tests;
+}
+
+int GroupTree::collect(const BoxReach& reach, GroupList& found) const
+{
+  found.clear();
+  return this->visitMet(reach,
+    [&](const GroupPack& pack)
+    {
+      for (unsigned left = pack.lanes; left != 0; left &= left - 1)
+      {
+        const int lane = __builtin_ctz(left);
+        found.add(pack.group(lane), *pack.discs, lane);
+      }
+    });
+}
+
+int GroupTree::collect(const BoxReach& reach, std::vector<GroupPack>& found) const
+{
+  found.clear();
+  return this->visitMet(reach,
+    [&](const GroupPack& pack)
+    {
+      if (pack.lanes != 0)
+      {
+        found.push_back(pack);
+      }
+    });
 }
 
 } // namespace medial

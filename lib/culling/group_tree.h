@@ -39,6 +39,18 @@ struct SparseTree
   std::vector<std::vector<Pack>> levels; ///< ascending; the first holds the discs of groups
 };
 
+/// Eight groups whose discs lie side by side in a tree.
+struct GroupPack
+{
+  const Discs* discs;
+  const int* places; ///< of the groups after the first; null if they follow each other
+  int first;
+  unsigned lanes; ///< the groups that are meant, as bits
+
+  /// Returns the group of a lane.
+  int group(int lane) const { return first + (places != nullptr ? places[lane] : lane); }
+};
+
 /// A linear tree over the elements of a mesh. Its leaves are the groups: elements are sorted so
 /// that any 2^k of them, from a multiple of 2^k on, are close together, and eight in a row make a
 /// group. Every level above has a disc for every eight nodes of the level below.
@@ -79,6 +91,8 @@ public:
   /// order.
   /// @return number of discs that were tested.
   int collect(const BoxReach& reach, GroupList& found) const;
+  /// The same, without a copy of their discs.
+  int collect(const BoxReach& reach, std::vector<GroupPack>& found) const;
 
 private:
   /// The tree of elements of about the same size.
@@ -115,6 +129,12 @@ private:
   /// Pushes the nodes below another whose discs are within a squared distance, the nearest last.
   static void pushNear(const SizeTree& tree, const glm::vec3& x, float limit, const Node& parent,
     Stack& stack);
+
+  /// Calls found(pack) for the packs of groups that may hold the closest point of some position in
+  /// a box.
+  /// @return number of discs that were tested.
+  template <typename Found>
+  int visitMet(const BoxReach& reach, const Found& found) const;
 
   void addSparse(const SparseTree& sparse, const SharedSites& shared);
   void addTree(std::vector<int>& elements, const SharedSites& shared, float slack);

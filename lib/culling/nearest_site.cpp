@@ -40,12 +40,8 @@ NearestSite::NearestSite(const SiteSet& sites, const glm::dvec3& x, const SitePo
 {
 }
 
-void NearestSite::offer(int site)
+void NearestSite::compare(int site)
 {
-  if (site == known_ || site == other_)
-  {
-    return;
-  }
   const SitePoint candidate = closestPoint(sites_, site, x_);
   const double found = glm::distance(candidate.point, x_);
   if (found < distance_ || (found == distance_ && candidate.site < closest_.site))

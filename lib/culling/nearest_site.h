@@ -13,12 +13,19 @@ namespace medial
 
 /// Returns a bound of the rounding of distances from the elements of a group. It is much smaller
 /// than that of positions in the grid, so that few elements are left for double precision.
+/// @param farthest how far the position and the elements are from what they are relative to, added.
+MEDIAL_INLINE float roundingWithin(float farthest)
+{
+  constexpr float kRounding = 16.0f * std::numeric_limits<float>::epsilon();
+  return kRounding * farthest;
+}
+
+/// The same.
 /// @param offset of the position from the group's origin.
 /// @param extent of the group.
 MEDIAL_INLINE float roundingFrom(const glm::vec3& offset, float extent)
 {
-  constexpr float kRounding = 16.0f * std::numeric_limits<float>::epsilon();
-  return kRounding * (glm::length(offset) + extent);
+  return roundingWithin(glm::length(offset) + extent);
 }
 
 /// The closest of the surface points that have been offered, in double precision; of several at
@@ -45,13 +52,22 @@ public:
   /// Offers sites of a group, as sitesNear() finds them.
   void offer(const SiteGroup& group, unsigned lanes, const SiteGroup::IntLanes& parts);
 
+  /// Offers one site.
+  void offer(int site)
+  {
+    if (site != known_ && site != other_)
+    {
+      this->compare(site);
+    }
+  }
+
   /// Its site is -1 if no point counts.
   const SitePoint& closest() const { return closest_; }
   /// That of the closest point, or the limit.
   double distance() const { return distance_; }
 
 private:
-  void offer(int site);
+  void compare(int site);
 
   const SiteSet& sites_;
   glm::dvec3 x_;
