@@ -127,24 +127,25 @@ public:
   const std::vector<std::uint8_t>& kept() const { return kept_; }
 
 private:
-  /// Guesses where the sheet of a crossing is, as if the closest points at the ends of its grid
-  /// edge were those on the sheet too. Returns whether they are seen at the minimum angle from
-  /// there.
+  /// Guesses where the sheet of a crossing is, as if both sites were planes across the directions
+  /// to them at the ends of its grid edge. Returns whether these differ by the minimum angle.
   bool isWide(const SiteSegment& segment, BisectorPoint& guess) const
   {
     guess.a = closestPoint(geometry_.sites, segment.fromSite, segment.from);
     guess.b = closestPoint(geometry_.sites, segment.toSite, segment.to);
-    const glm::dvec3 near = guess.a.point - segment.from;
-    const glm::dvec3 far = guess.b.point - segment.to;
-    const glm::dvec3 along = segment.to - segment.from;
-    const glm::dvec3 farFromStart = guess.b.point - segment.from;
-    const double middle = 0.5 * (glm::dot(farFromStart, farFromStart) - glm::dot(near, near)) /
-      glm::dot(along, farFromStart - near);
     guess.a.site = segment.fromSite;
     guess.b.site = segment.toSite;
+    const glm::dvec3 near = guess.a.point - segment.from;
+    const glm::dvec3 far = guess.b.point - segment.to;
+    const double toNear = glm::length(near);
+    const double toFar = glm::length(far);
+    // By how much the distances shrink along the edge.
+    const glm::dvec3 along = segment.to - segment.from;
+    const double shrinkNear = glm::dot(along, near) / toNear;
+    const double shrinkFar = glm::dot(along, far) / toFar;
+    const double middle = (toNear - toFar - shrinkFar) / (shrinkNear - shrinkFar);
     guess.position = segment.from + (middle > 0.0 ? std::min(middle, 1.0) : 0.0) * along;
-    return glm::dot(near, far) <=
-      std::cos(geometry_.angle) * std::sqrt(glm::dot(near, near) * glm::dot(far, far));
+    return glm::dot(near, far) <= std::cos(geometry_.angle) * toNear * toFar;
   }
 
   Standing standingOf(std::size_t c)

@@ -187,7 +187,7 @@ class Ranks(unittest.TestCase):
         self.assertEqual(self.expect_same_bits(7, "--resolution", "60", "--sign", "none"), 7)
 
     def test_more_ranks_than_parts_of_the_grid(self):
-        self.assertLess(self.expect_same_bits(7, "--resolution", "20", "--sign", "pseudonormal"), 7)
+        self.assertLess(self.expect_same_bits(7, "--resolution", "14", "--sign", "pseudonormal"), 7)
 
     def test_a_surface_inside_out(self):
         (self.folder / "torus.off").write_text(torus(turned=True))

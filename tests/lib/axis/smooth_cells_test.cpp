@@ -38,8 +38,8 @@ public:
     , angle_(angle)
   {
     ArraySink sink(grid_.wholeExtent(), {});
-    crossings_ = pipeline_.run(
-      obtainEngine(Engine::Processor, {}, state_.engine), sink, { angle, Side::Interior });
+    crossings_ = pipeline_.run(obtainEngine(Engine::Processor, {}, state_.engine), sink,
+      { angle, Side::Interior });
   }
 
   /// @param wanted of all crossings.
