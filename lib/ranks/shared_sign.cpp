@@ -8,6 +8,7 @@
 #include "sign/sign_decision.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <tuple>
@@ -196,7 +197,7 @@ TriangleChain SharedSign::ownChain() const
   TriangleChain chain;
   for (std::size_t i = 0; i < surface_.faces().size(); ++i)
   {
-    const int weight = orientation_->weights()[i];
+    const std::int8_t weight = orientation_->weights()[i];
     if (weight != 0)
     {
       const auto first = static_cast<int>(chain.points.size());
