@@ -52,6 +52,10 @@ LineWinding::LineWinding(TriangleChain surface)
   {
     point = withoutTinyCoordinates(point);
   }
+  if (surface_.triangles.empty())
+  {
+    return; // a tree has one element at least
+  }
   std::vector<glm::ivec3> corners;
   corners.reserve(surface_.triangles.size());
   for (const WeightedTriangle& triangle : surface_.triangles)
@@ -64,6 +68,10 @@ LineWinding::LineWinding(TriangleChain surface)
 
 int LineWinding::at(const glm::dvec3& position) const
 {
+  if (surface_.triangles.empty())
+  {
+    return 0;
+  }
   const glm::dvec3 x = withoutTinyCoordinates(position);
   int sum = 0;
   tree_.visitLeaves([&](const Box& box) { return meetsLineBefore(box, x); },
