@@ -3,10 +3,9 @@
 #include "culling/group_tree.h"
 #include "culling/site_query.h"
 #include "sites/closest_point.h"
-#include "sites/grid_frame.h"
 
 #include "support/brute_force.h"
-#include "support/culling_cases.h"
+#include "support/culling_test.h"
 
 #include <gtest/gtest.h>
 
@@ -68,7 +67,7 @@ struct FoundSites
   }
 };
 
-class BlockPositionsOf : public testing::TestWithParam<CullingCase>
+class BlockPositionsOf : public CullingTest
 {
 protected:
   /// Positions around the middle of the grid's cell that has an index.
@@ -80,12 +79,7 @@ protected:
       bounds.min[axis] = index[axis] - 2.0;
       bounds.max[axis] = index[axis] + 2.0;
     }
-    std::vector<glm::dvec3> positions;
-    for (const Point3& at : randomPoints(bounds, static_cast<int>(count), 5))
-    {
-      positions.push_back(frame_.sample({ at[0], at[1], at[2] }));
-    }
-    return positions;
+    return this->randomPositions(bounds, static_cast<int>(count), 5);
   }
 
   /// Grid points.
@@ -99,11 +93,6 @@ protected:
     return randomPoints(bounds, 20, 7);
   }
 
-  const TriangleMesh& mesh_ = GetParam().mesh;
-  const Grid& grid_ = GetParam().grid;
-  const GridFrame frame_{ grid_ };
-  const MeshConnectivity connectivity_ = analyseConnectivity(mesh_);
-  const SiteSet sites_{ mesh_, connectivity_, frame_ };
   const GroupTree tree_{ sites_, connectivity_, kSlack };
   const SiteQuery query_{ tree_ };
 };

@@ -3,7 +3,7 @@
 #include "sites/site_set.h"
 
 #include "support/brute_force.h"
-#include "support/culling_cases.h"
+#include "support/culling_test.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ namespace
 /// Sites count as equally close within this, in local units.
 constexpr double kTie = 1e-3;
 
-class CandidateTilesOf : public testing::TestWithParam<CullingCase>
+class CandidateTilesOf : public CullingTest
 {
 protected:
   /// Whether one of the ids, ascending, is a site whose own interior holds the closest point.
@@ -75,11 +75,6 @@ protected:
     }
   }
 
-  const TriangleMesh& mesh_ = GetParam().mesh;
-  const Grid& grid_ = GetParam().grid;
-  const GridFrame frame_{ grid_ };
-  const MeshConnectivity connectivity_ = analyseConnectivity(mesh_);
-  const SiteSet sites_{ mesh_, connectivity_, frame_ };
   const CandidateFilter filter_{ sites_, connectivity_, frame_ };
 };
 

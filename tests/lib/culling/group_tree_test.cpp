@@ -1,10 +1,9 @@
 #include "culling/group_tree.h"
 #include "culling/site_query.h"
 #include "sites/closest_point.h"
-#include "sites/grid_frame.h"
 
 #include "support/brute_force.h"
-#include "support/culling_cases.h"
+#include "support/culling_test.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
@@ -32,7 +31,7 @@ double exactDistance(const SiteSet& sites, const glm::dvec3& x)
   return min;
 }
 
-class GroupTreeOf : public testing::TestWithParam<CullingCase>
+class GroupTreeOf : public CullingTest
 {
 protected:
   /// Positions in the grid and as far around it.
@@ -45,19 +44,9 @@ protected:
       bounds.min[axis] = -size;
       bounds.max[axis] = 2.0 * size;
     }
-    std::vector<glm::dvec3> positions;
-    for (const Point3& index : randomPoints(bounds, 2000, 3))
-    {
-      positions.push_back(frame_.sample({ index[0], index[1], index[2] }));
-    }
-    return positions;
+    return this->randomPositions(bounds, 2000, 3);
   }
 
-  const TriangleMesh& mesh_ = GetParam().mesh;
-  const Grid& grid_ = GetParam().grid;
-  const GridFrame frame_{ grid_ };
-  const MeshConnectivity connectivity_ = analyseConnectivity(mesh_);
-  const SiteSet sites_{ mesh_, connectivity_, frame_ };
   const GroupTree tree_{ sites_, connectivity_, kSlack };
 };
 

@@ -5,7 +5,7 @@
 #include "field/engines/processor/exact_points.h"
 #include "field/engines/processor/point_evaluator.h"
 
-#include "support/culling_cases.h"
+#include "support/culling_test.h"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ namespace
 {
 
 /// Tiles of a grid, with the groups of elements that they need.
-class GroupsOf : public testing::TestWithParam<CullingCase>
+class GroupsOf : public CullingTest
 {
 protected:
   using Evaluate = std::function<void(const Extent& tile, const BoxReach& reach,
@@ -66,11 +66,6 @@ protected:
     EXPECT_NEAR(glm::distance(closestPoint(sites_, field.site[index], x).point, x), truth, 1e-3);
   }
 
-  const TriangleMesh& mesh_ = GetParam().mesh;
-  const Grid& grid_ = GetParam().grid;
-  const GridFrame frame_{ grid_ };
-  const MeshConnectivity connectivity_ = analyseConnectivity(mesh_);
-  const SiteSet sites_{ mesh_, connectivity_, frame_ };
   const CandidateFilter filter_{ sites_, connectivity_, frame_ };
 };
 
