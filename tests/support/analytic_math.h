@@ -1,6 +1,6 @@
 #pragma once
 
-#include "medial/grid.h"
+#include "support/point_math.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,28 +8,6 @@
 // What the files of analytic axes share.
 namespace medial::test
 {
-
-inline const double kPi = std::acos(-1.0);
-
-inline double degrees(double radians)
-{
-  return radians * 180.0 / kPi;
-}
-
-inline double dot(const Point3& a, const Point3& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-inline Point3 minus(const Point3& a, const Point3& b)
-{
-  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
-}
-
-inline double length(const Point3& a)
-{
-  return std::sqrt(dot(a, a));
-}
 
 /// Facets of a round shape of radius 1 per spacing: the sag is some hundredths of it.
 inline int segments(double spacing)

@@ -2,6 +2,8 @@
 
 #include "medial/axis_curves.h"
 
+#include "support/point_math.h"
+
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -14,11 +16,6 @@ namespace
 constexpr double kMinLength = 20.0; // voxels
 constexpr double kWindow = 5.0;     // voxels
 constexpr int kSamplesPerVoxel = 4;
-
-double distance(const Point3& p, const Point3& q)
-{
-  return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
-}
 
 /// Points at equal steps along a polyline, the first one included.
 std::vector<Point3> evenlySpaced(const std::vector<Point3>& polyline, double step)

@@ -1,6 +1,7 @@
 #include "support/brute_force.h"
 
 #include "support/mesh_search.h"
+#include "support/point_math.h"
 
 #include <algorithm>
 #include <atomic>
@@ -13,8 +14,6 @@ namespace medial::test
 
 namespace
 {
-
-const double kPi = std::acos(-1.0);
 
 Point3 operator+(const Point3& a, const Point3& b)
 {
@@ -29,21 +28,6 @@ Point3 operator-(const Point3& a, const Point3& b)
 Point3 operator*(double factor, const Point3& a)
 {
   return { factor * a[0], factor * a[1], factor * a[2] };
-}
-
-double dot(const Point3& a, const Point3& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Point3 cross(const Point3& a, const Point3& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-}
-
-double length(const Point3& a)
-{
-  return std::sqrt(dot(a, a));
 }
 
 Hit closestOnPoint(const Point3& p, const Point3& query)

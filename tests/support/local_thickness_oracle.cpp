@@ -1,5 +1,7 @@
 #include "support/local_thickness_oracle.h"
 
+#include "support/point_math.h"
+
 #include <algorithm>
 #include <cmath>
 #include <queue>
@@ -18,11 +20,6 @@ struct Candidate
 
   bool operator<(const Candidate& other) const { return bound < other.bound; }
 };
-
-double distance(const Point3& a, const Point3& b)
-{
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
 
 /// Largest radius of a ball whose distance from the point is at most `outside`.
 double largestRadius(const MeshSearch& search, const Bounds& centres, const Point3& point,

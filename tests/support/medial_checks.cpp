@@ -1,6 +1,7 @@
 #include "support/medial_checks.h"
 
 #include "support/brute_force.h"
+#include "support/point_math.h"
 
 #include <gtest/gtest.h>
 
@@ -16,28 +17,6 @@ namespace medial::test
 namespace
 {
 
-const double kPi = std::acos(-1.0);
-
-Point3 minus(const Point3& a, const Point3& b)
-{
-  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
-}
-
-double length(const Point3& a)
-{
-  return std::hypot(a[0], a[1], a[2]);
-}
-
-Point3 cross(const Point3& a, const Point3& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-}
-
-double dot(const Point3& a, const Point3& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 Point3 widened(const std::array<float, 3>& p)
 {
   return { static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2]) };
@@ -46,11 +25,6 @@ Point3 widened(const std::array<float, 3>& p)
 double maximum(const std::vector<double>& values)
 {
   return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
-}
-
-double degreesBetween(const Point3& u, const Point3& v)
-{
-  return std::atan2(length(cross(u, v)), dot(u, v)) * 180.0 / kPi;
 }
 
 void expectOneAttributePerPoint(const MedialAxis& axis)
@@ -137,8 +111,9 @@ void expectAngles(double h, double rounding, const MedialAxis& axis)
     // The closest points are rounded to single precision, which matters at small radii.
     if (radius > 1e-2 * h && radius > 2000.0 * rounding)
     {
-      const double seen = degreesBetween(minus(widened(axis.closestPointA[i]), axis.points[i]),
-        minus(widened(axis.closestPointB[i]), axis.points[i]));
+      const double seen =
+        degrees(angleBetween(minus(widened(axis.closestPointA[i]), axis.points[i]),
+          minus(widened(axis.closestPointB[i]), axis.points[i])));
       worstAngle = std::max(worstAngle, std::abs(seen - angle));
     }
     EXPECT_TRUE(angle >= 0.0 && angle <= 180.001) << "angle " << angle;

@@ -1,6 +1,6 @@
 #include "support/mesh_search.h"
 
-#include "support/analytic_math.h"
+#include "support/point_math.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,11 +14,6 @@ namespace
 constexpr std::size_t kLeafTriangles = 4;
 /// Makes up for rounding, which is many times less.
 constexpr double kSlack = 1e-9;
-
-Point3 cross(const Point3& a, const Point3& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-}
 
 /// The unit normal of a triangle; zero where it is not at least a thousandth as high as long.
 Point3 reliableNormal(const Point3& a, const Point3& b, const Point3& c)

@@ -1,6 +1,7 @@
 #include "support/thickness_oracle.h"
 
 #include "support/mesh_search.h"
+#include "support/point_math.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,32 +13,7 @@ namespace medial::test
 namespace
 {
 
-const double kDegree = std::acos(-1.0) / 180.0;
-
-Point3 minus(const Point3& a, const Point3& b)
-{
-  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
-}
-
-double dot(const Point3& a, const Point3& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-double length(const Point3& a)
-{
-  return std::sqrt(dot(a, a));
-}
-
-Point3 cross(const Point3& a, const Point3& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-}
-
-double angleBetween(const Point3& a, const Point3& b)
-{
-  return std::atan2(length(cross(a, b)), dot(a, b));
-}
+const double kDegree = kPi / 180.0;
 
 void scale(Point3& a, double factor)
 {

@@ -3,6 +3,7 @@
 #include "medial/error.h"
 #include "medial/mesh_connectivity.h"
 
+#include "support/point_math.h"
 #include "support/shapes.h"
 #include "support/transforms.h"
 
@@ -17,11 +18,6 @@ using namespace medial::test;
 
 namespace
 {
-
-double distance(const Point3& a, const Point3& b)
-{
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
 
 double longestEdge(const TriangleMesh& mesh)
 {

@@ -1,8 +1,8 @@
 #include "lib/proximity/proximity_checks.h"
 
 #include "lib/proximity/proximity_oracle.h"
-#include "support/analytic_math.h"
 #include "support/brute_force.h"
+#include "support/point_math.h"
 #include "support/transforms.h"
 
 #include <gtest/gtest.h>

@@ -3,9 +3,9 @@
 
 #include "lib/proximity/proximity_checks.h"
 #include "lib/proximity/proximity_oracle.h"
-#include "support/analytic_math.h"
 #include "support/brute_force.h"
 #include "support/named.h"
+#include "support/point_math.h"
 #include "support/shapes.h"
 #include "support/transforms.h"
 #include "support/uneven_meshes.h"

@@ -1,7 +1,7 @@
 #include "lib/proximity/proximity_oracle.h"
 
 #include "lib/proximity/integer_elements.h"
-#include "support/analytic_math.h"
+#include "support/point_math.h"
 
 #include <algorithm>
 #include <array>
@@ -99,11 +99,6 @@ bool anyPair(const TriangleMesh& a, const TriangleMesh& b, const Limit& squaredL
     }
   }
   return false;
-}
-
-Point3 cross(const Point3& a, const Point3& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
 }
 
 /// The distance of the lines through two edges, where it is that of places within both; otherwise

@@ -1,5 +1,6 @@
 #include "medial/proximity.h"
 
+#include "support/point_math.h"
 #include "support/shapes.h"
 #include "support/transforms.h"
 
@@ -15,12 +16,8 @@ using medial::Point3;
 using medial::Proximity;
 using medial::TriangleMesh;
 using medial::test::box;
+using medial::test::length;
 using medial::test::translated;
-
-double length(const Point3& x)
-{
-  return std::hypot(x[0], x[1], x[2]);
-}
 
 /// Whether the translation of a result separates the meshes, and the bounds are in order.
 void expectSeparating(const TriangleMesh& a, const TriangleMesh& b, const Proximity& result)

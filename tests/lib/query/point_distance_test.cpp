@@ -2,6 +2,7 @@
 
 #include "medial/error.h"
 #include "support/brute_force.h"
+#include "support/point_math.h"
 #include "support/shapes.h"
 #include "support/transforms.h"
 
@@ -20,16 +21,6 @@ namespace
 
 const Bounds kAround{ { -1.5, -1.5, -1.5 }, { 1.5, 1.5, 1.5 } };
 
-double length(const Point3& vector)
-{
-  return std::hypot(vector[0], vector[1], vector[2]);
-}
-
-Point3 difference(const Point3& a, const Point3& b)
-{
-  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
-}
-
 /// Expects exact magnitudes, and closest points that are what the other arrays say of them.
 void expectExact(const TriangleMesh& mesh, const std::vector<Point3>& points)
 {
@@ -41,7 +32,7 @@ void expectExact(const TriangleMesh& mesh, const std::vector<Point3>& points)
     const double tolerance = 1e-12 * (hit.distance + size);
     ASSERT_NEAR(found.distance[i], hit.distance, tolerance);
     ASSERT_EQ(found.closestFeature[i], hit.kind);
-    const Point3 vector = difference(found.closestPoint[i], points[i]);
+    const Point3 vector = minus(found.closestPoint[i], points[i]);
     ASSERT_NEAR(length(vector), hit.distance, tolerance);
     ASSERT_NEAR(distanceToCell(mesh, found.closestCell[i], found.closestPoint[i]), 0.0, tolerance);
     for (int axis = 0; axis < 3; ++axis)

@@ -2,8 +2,8 @@
 #include "medial/simplification.h"
 
 #include "medial/error.h"
-#include "support/analytic_math.h"
 #include "support/axes.h"
+#include "support/point_math.h"
 #include "support/shapes.h"
 #include "support/simplified_axes.h"
 

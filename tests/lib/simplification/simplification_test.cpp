@@ -1,11 +1,11 @@
 // Do simplified axes keep the shape and the topology of the full ones?
 #include "medial/simplification.h"
 
-#include "support/analytic_math.h"
 #include "support/axes.h"
 #include "support/brute_force.h"
 #include "support/medial_checks.h"
 #include "support/models.h"
+#include "support/point_math.h"
 #include "support/shapes.h"
 #include "support/simplified_axes.h"
 

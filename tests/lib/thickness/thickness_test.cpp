@@ -2,6 +2,7 @@
 #include "medial/thickness.h"
 
 #include "support/medial_truth.h"
+#include "support/point_math.h"
 #include "support/shapes.h"
 #include "support/thickness_oracle.h"
 #include "support/transforms.h"
@@ -70,11 +71,6 @@ double boxThickness(const Point3& halfSides, const Point3& x)
   return std::min(widest, 2.0 * *std::min_element(gaps.begin(), gaps.end()));
 }
 
-double dot(const Point3& a, const Point3& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 /// Between the sphere of radius `inner` about the origin and the one of radius `outer` about
 /// (e, 0, 0): the ball on the normal of the one that x lies on that touches the other.
 double eccentricThickness(double inner, double outer, double e, const Point3& x)
@@ -99,13 +95,12 @@ TriangleMesh eccentricShell(double inner, double outer, double e, int subdivisio
 /// A cone with its tip up and a flat base; `angle` is between the axis and the side, degrees.
 TriangleMesh cone(double angle, int segments)
 {
-  const double pi = std::acos(-1.0);
   std::vector<Point3> points{ { 0.0, 0.0, 1.0 }, { 0.0, 0.0, 0.0 } };
   std::vector<std::array<int, 3>> triangles;
-  const double radius = std::tan(angle * pi / 180.0);
+  const double radius = std::tan(angle * kPi / 180.0);
   for (int i = 0; i < segments; ++i)
   {
-    const double turn = 2.0 * pi * i / segments;
+    const double turn = 2.0 * kPi * i / segments;
     points.push_back({ radius * std::cos(turn), radius * std::sin(turn), 0.0 });
     const int next = 2 + (i + 1) % segments;
     triangles.push_back({ 0, 2 + i, next });
@@ -314,8 +309,7 @@ TEST(Thickness, OnSharpConvexEdgesAndTipsIsNothing)
 // the base.
 TEST(Thickness, OnBluntTipsIsThatBehindThem)
 {
-  const double pi = std::acos(-1.0);
-  const double angle = 75.0 * pi / 180.0;
+  const double angle = 75.0 * kPi / 180.0;
   // The ball inside the cone's tip that touches the base, of height 1.
   const double expected = 2.0 * std::sin(angle) / (1.0 + std::sin(angle));
   EXPECT_NEAR(thicknessOf(cone(75.0, 256)).values[0], expected, 1e-3);

@@ -7,6 +7,7 @@
 #include "support/bordered_shapes.h"
 #include "support/medial_checks.h"
 #include "support/medial_truth.h"
+#include "support/point_math.h"
 #include "support/shapes.h"
 #include "support/voxel_topology.h"
 
@@ -21,8 +22,6 @@ using namespace medial::test;
 
 namespace
 {
-
-const double kPi = std::acos(-1.0);
 
 MedialAxisOptions preserving(double angle = 60.0)
 {
@@ -51,19 +50,6 @@ void expectTopologyOfSolid(const MedialAxis& axis)
   EXPECT_EQ(counted.eulerCharacteristic, axis.solid->eulerCharacteristic);
 }
 
-Point3 minus(const Point3& p, const Point3& q)
-{
-  return { p[0] - q[0], p[1] - q[1], p[2] - q[2] };
-}
-
-double angleBetween(const Point3& u, const Point3& v)
-{
-  const double dot = u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
-  const double across =
-    std::hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]);
-  return std::atan2(across, dot) * 180.0 / kPi;
-}
-
 /// The only curve of an axis without sheets, as places.
 std::vector<Point3> onlyCurve(const MedialAxis& axis)
 {
@@ -76,17 +62,6 @@ std::vector<Point3> onlyCurve(const MedialAxis& axis)
     places.push_back(axis.points[point]);
   }
   return places;
-}
-
-/// Sum of the angles between consecutive parts, degrees.
-double turning(const std::vector<Point3>& line)
-{
-  double sum = 0.0;
-  for (std::size_t i = 2; i < line.size(); ++i)
-  {
-    sum += angleBetween(minus(line[i - 1], line[i - 2]), minus(line[i], line[i - 1]));
-  }
-  return sum;
 }
 
 /// Tubes with rounded ends along a direction.
