@@ -5,6 +5,7 @@
 #include "vtkMeshConversion.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
+#include "vtkThicknessConversion.h"
 
 #include "medial/error.h"
 #include "medial/subdivision.h"
@@ -110,7 +111,7 @@ void vtkMedialThickness::Execute(const std::vector<vtkPolyData*>& inputs,
   if (divided)
   {
     medial::Subdivision fine = medial::subdivide(mesh, this->MaximumEdgeLength, options.execution);
-    vtkMeshConversion::Subdivide(input, fine, output);
+    vtkThicknessConversion::Subdivide(input, fine, output);
     mesh = std::move(fine.mesh);
     connectivity = medial::analyseConnectivity(mesh, options.execution);
   }
@@ -119,10 +120,10 @@ void vtkMedialThickness::Execute(const std::vector<vtkPolyData*>& inputs,
     output->ShallowCopy(input);
   }
   const medial::Thickness thickness = medial::computeThickness(mesh, connectivity, options);
-  vtkMeshConversion::AddThickness(thickness, mesh, output, divided);
+  vtkThicknessConversion::AddThickness(thickness, mesh, output, divided);
   if (limited)
   {
-    vtkMeshConversion::AddRegions(medial::findThicknessRegions(mesh, thickness, limits), mesh,
+    vtkThicknessConversion::AddRegions(medial::findThicknessRegions(mesh, thickness, limits), mesh,
       output, divided);
   }
   vtkMedialFigures figures(output);

@@ -3,6 +3,7 @@
 #include <vtkAdaptiveSubdivisionFilter.h>
 #include <vtkMeshConversion.h>
 #include <vtkNew.h>
+#include <vtkThicknessConversion.h>
 #include <vtkTriangleFilter.h>
 
 namespace medial::app
@@ -40,13 +41,13 @@ vtkSmartPointer<vtkPolyData> withThickness(vtkPolyData* surface, const Result& r
   auto output = vtkSmartPointer<vtkPolyData>::New();
   if (result.fineMesh)
   {
-    vtkMeshConversion::Subdivide(surface, *result.fineMesh, output);
-    vtkMeshConversion::AddThickness(*result.thickness, result.fineMesh->mesh, output, true);
+    vtkThicknessConversion::Subdivide(surface, *result.fineMesh, output);
+    vtkThicknessConversion::AddThickness(*result.thickness, result.fineMesh->mesh, output, true);
   }
   else
   {
     output->ShallowCopy(surface);
-    vtkMeshConversion::AddThickness(*result.thickness, result.mesh, output, false);
+    vtkThicknessConversion::AddThickness(*result.thickness, result.mesh, output, false);
   }
   return output;
 }
@@ -58,14 +59,15 @@ vtkSmartPointer<vtkPolyData> pictureOfThickness(vtkPolyData* surface,
   const TriangleMesh mesh = buildTriangleMesh(vtkMeshConversion::ToMeshInput(fine));
   ThicknessOptions ofPoints = options;
   ofPoints.cells = false;
-  vtkMeshConversion::AddThickness(computeThickness(mesh, ofPoints), mesh, fine, false);
+  vtkThicknessConversion::AddThickness(computeThickness(mesh, ofPoints), mesh, fine, false);
   return fine;
 }
 
 vtkSmartPointer<vtkPolyData> regionsOf(const Result& result)
 {
   auto output = vtkSmartPointer<vtkPolyData>::New();
-  vtkMeshConversion::ToPolyData(result.regions, result.thicknessMesh(), *result.thickness, output);
+  vtkThicknessConversion::ToPolyData(result.regions, result.thicknessMesh(), *result.thickness,
+    output);
   return output;
 }
 
