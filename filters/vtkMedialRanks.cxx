@@ -125,33 +125,12 @@ int vtkMedialRanks::size() const
 }
 
 //------------------------------------------------------------------------------
-// In each round every rank talks to one other, and the lower one sends first: none waits for one
-// that waits for it.
 std::vector<Message> vtkMedialRanks::exchange(std::vector<Message> messages)
 {
-  std::vector<Message> received(messages.size());
-  const int own = this->rank();
-  const int ranks = this->size();
-  for (int round = 0; round < ranks; ++round)
-  {
-    const int other = (round - own + ranks) % ranks;
-    if (other == own)
-    {
-      received[own] = std::move(messages[own]);
-    }
-    else if (own < other)
-    {
-      this->Send(messages[other], other);
-      received[other] = this->Receive(other);
-    }
-    else
-    {
-      received[other] = this->Receive(other);
-      this->Send(messages[other], other);
-    }
-    Message().swap(messages[other]);
-  }
-  return received;
+  return vtkExchangeInPairs(
+    this->rank(), std::move(messages),
+    [this](const Message& message, int to) { this->Send(message, to); },
+    [this](int from) { return this->Receive(from); });
 }
 
 //------------------------------------------------------------------------------

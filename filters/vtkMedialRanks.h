@@ -1,6 +1,6 @@
 /**
- * The processes of a controller as ranks of the library, and where they meet. Private to the
- * module.
+ * The processes of a controller as ranks of the library, and where they meet. Not installed:
+ * private to the module and to the project's programs.
  */
 
 #ifndef vtkMedialRanks_h
@@ -11,8 +11,8 @@
 
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 class vtkMultiProcessController;
@@ -29,6 +29,39 @@ struct vtkPieceFacts
   std::int64_t TrianglesOfCell = 0; // most triangles of a cell
   std::int64_t LargestCell = -1;    // largest number of a cell
 };
+
+/**
+ * Passes messages[r] on to rank r, and returns what each rank passed on to this one: in each round
+ * every rank talks to one other, and the lower one sends first, so that none waits for one that
+ * waits for it. send(message, to) and receive(from) talk to a rank.
+ */
+template <typename Send, typename Receive>
+std::vector<medial::Communicator::Message> vtkExchangeInPairs(int own,
+  std::vector<medial::Communicator::Message> messages, const Send& send, const Receive& receive)
+{
+  const auto ranks = static_cast<int>(messages.size());
+  std::vector<medial::Communicator::Message> received(messages.size());
+  for (int round = 0; round < ranks; ++round)
+  {
+    const int other = (round - own + ranks) % ranks;
+    if (other == own)
+    {
+      received[own] = std::move(messages[own]);
+    }
+    else if (own < other)
+    {
+      send(messages[other], other);
+      received[other] = receive(other);
+    }
+    else
+    {
+      received[other] = receive(other);
+      send(messages[other], other);
+    }
+    medial::Communicator::Message().swap(messages[other]);
+  }
+  return received;
+}
 
 class vtkMedialRanks : public medial::Communicator
 {

@@ -8,6 +8,7 @@
 #include <mpi.h>
 #include <vtkMPICommunicator.h>
 #include <vtkMPIController.h>
+#include <vtkMedialRanks.h>
 #include <vtkNew.h>
 
 #include <algorithm>
@@ -54,30 +55,10 @@ public:
 
   std::vector<Message> exchange(std::vector<Message> messages) override
   {
-    std::vector<Message> received(messages.size());
-    const int own = this->rank();
-    for (int round = 0; round < this->size(); ++round)
-    {
-      // In each round every rank talks to one other, and the lower one sends first: none waits
-      // for one that waits for it.
-      const int other = (round - own + this->size()) % this->size();
-      if (other == own)
-      {
-        received[own] = std::move(messages[own]);
-      }
-      else if (own < other)
-      {
-        this->send(messages[other], other);
-        received[other] = this->receive(other);
-      }
-      else
-      {
-        received[other] = this->receive(other);
-        this->send(messages[other], other);
-      }
-      Message().swap(messages[other]);
-    }
-    return received;
+    return vtkExchangeInPairs(
+      this->rank(), std::move(messages),
+      [this](const Message& message, int to) { this->send(message, to); },
+      [this](int from) { return this->receive(from); });
   }
 
 private:
