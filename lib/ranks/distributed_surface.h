@@ -5,6 +5,7 @@
 #include "ranks/collective.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -37,8 +38,7 @@ public:
 
   /// Every rank calls it.
   /// @throws Error InvalidInput, on every rank, for a surface without triangles, and for segments
-  /// or
-  ///   points of no triangle.
+  ///   or points of no triangle.
   DistributedSurface(Communicator& communicator, const SurfacePiece& piece);
 
   int faceCount() const { return static_cast<int>(faceOffsets_.total()); }
@@ -53,6 +53,8 @@ public:
   const std::vector<FaceRecord>& faces() const { return faces_; }
   /// Returns the rank whose share has a triangle.
   int homeOfFace(int face) const { return faceOffsets_.home(face); }
+  /// Returns where faces() has a triangle of this rank.
+  std::size_t indexOf(int face) const { return face - faces_.front().face; }
 
   /// Returns all triangles around some points. Every rank calls it.
   /// @param points numbers, any.

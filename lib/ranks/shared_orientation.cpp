@@ -1,5 +1,7 @@
 #include "ranks/shared_orientation.h"
 
+#include "ranks/shared_containment.h"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -9,97 +11,6 @@
 
 namespace medial
 {
-namespace
-{
-
-/// Places that one rank has tested at once.
-constexpr std::size_t kBatch = 1 << 14;
-
-/// How a triangle's side counts at an edge.
-struct CountedSide
-{
-  int patch;
-  int edge;
-  int face;
-  int corner;  ///< where it starts
-  int forward; ///< how often it runs from the lower point to the higher
-};
-
-/// Where a triangle's side lies.
-struct SidePlace
-{
-  std::array<int, 2> ends; ///< the lower point first
-  std::array<Point3, 2> points;
-};
-
-/// Adds up the sides of each edge and patch, and returns those that do not cancel out, ascending.
-std::vector<CountedSide> netsOf(std::vector<CountedSide> sides)
-{
-  std::sort(sides.begin(), sides.end(),
-    [](const CountedSide& a, const CountedSide& b)
-    { return std::tie(a.edge, a.patch, a.face) < std::tie(b.edge, b.patch, b.face); });
-  std::vector<CountedSide> nets;
-  for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end)
-  {
-    CountedSide net = sides[begin];
-    for (end = begin + 1;
-         end < sides.size() && sides[end].edge == net.edge && sides[end].patch == net.patch; ++end)
-    {
-      net.forward += sides[end].forward;
-    }
-    if (net.forward != 0)
-    {
-      nets.push_back(net);
-    }
-  }
-  return nets;
-}
-
-SidePlace placeOf(const FaceRecord& face, int corner)
-{
-  int low = corner;
-  int high = (corner + 1) % 3;
-  if (face.corners[low] > face.corners[high])
-  {
-    std::swap(low, high);
-  }
-  return { { face.corners[low], face.corners[high] }, { face.points[low], face.points[high] } };
-}
-
-/// What triangles of a solid add to the winding number of a place.
-struct SolidWinding
-{
-  int rank;  ///< that asks
-  int probe; ///< of its probes
-  int solid;
-  int winding;
-};
-
-/// Appends what triangles add to the winding numbers of probes.
-/// @param first of the probes.
-template <typename Probe>
-void addWindings(const std::vector<SolidTriangle>& triangles, const std::vector<Probe>& probes,
-  SolidWinding first, std::vector<SolidWinding>& found)
-{
-  if (probes.empty())
-  {
-    return;
-  }
-  std::vector<glm::dvec3> places;
-  std::transform(probes.begin(), probes.end(), std::back_inserter(places),
-    [](const Probe& probe) { return probe.place; });
-  const Containment containment(triangles, places);
-  for (std::size_t i = 0; i < places.size(); ++i)
-  {
-    for (const auto& [solid, winding] : containment.windingsAt(static_cast<int>(i)))
-    {
-      found.push_back({ first.rank, first.probe + static_cast<int>(i), solid, winding });
-    }
-  }
-}
-
-} // namespace
-
 /// What triangles in their order add to a patch.
 struct SharedOrientation::Sums
 {
@@ -139,7 +50,7 @@ SharedOrientation::SharedOrientation(Communicator& communicator, const Distribut
   this->closePatches(communicator);
   this->findContainers(communicator);
   this->turnSolids(communicator);
-  rim_ = this->rimOf(communicator, true);
+  rim_ = sharedRim(communicator, surface_, this->countedFaces(true));
   const std::vector<std::int64_t> own{ copies, std::count(weights_.begin(), weights_.end(), -1),
     static_cast<std::int64_t>(rim_.size()) };
   const std::vector<std::int64_t> sums = combined(communicator, own, std::plus<>());
@@ -274,46 +185,22 @@ void SharedOrientation::turn(Communicator& communicator, const Turns& turns)
   std::sort(solids_.begin(), solids_.end());
 }
 
-std::vector<SharedRimEdge> SharedOrientation::rimOf(Communicator& communicator, bool whole) const
+std::vector<CountedFace> SharedOrientation::countedFaces(bool asOnePatch) const
 {
-  std::vector<CountedSide> own;
+  std::vector<CountedFace> faces;
   for (const auto& [patch, i] : members_)
   {
-    const FaceRecord& face = surface_.faces()[i];
-    for (int corner = 0; corner < 3; ++corner)
-    {
-      const bool forward = face.corners[corner] < face.corners[(corner + 1) % 3];
-      own.push_back({ whole ? -1 : patch, face.edges[corner], face.face, corner,
-        forward ? weights_[i] : -weights_[i] });
-    }
+    faces.push_back({ static_cast<std::size_t>(i), asOnePatch ? -1 : patch, weights_[i] });
   }
-  const std::vector<CountedSide> nets = netsOf(delivered(communicator, own,
-    [&](const CountedSide& side)
-    { return homeOf(side.edge, surface_.edgeCount(), communicator.size()); }));
-  const std::vector<SidePlace> places = answered(
-    communicator, nets, [&](const CountedSide& side) { return surface_.homeOfFace(side.face); },
-    [&](const CountedSide& side)
-    { return placeOf(surface_.faces()[side.face - surface_.faces().front().face], side.corner); });
-  std::vector<SharedRimEdge> rim;
-  for (std::size_t i = 0; i < nets.size(); ++i)
-  {
-    auto [ends, points] = places[i];
-    if (nets[i].forward < 0)
-    {
-      std::swap(ends[0], ends[1]);
-      std::swap(points[0], points[1]);
-    }
-    rim.push_back(
-      { nets[i].patch, nets[i].edge, { ends[0], ends[1], std::abs(nets[i].forward) }, points });
-  }
-  return rim;
+  return faces;
 }
 
 /// Closes the holes of each patch, whatever other patches do there.
 void SharedOrientation::closePatches(Communicator& communicator)
 {
-  std::vector<SharedRimEdge> rim = delivered(communicator, this->rimOf(communicator, false),
-    [&](const SharedRimEdge& edge) { return this->homeOfPatch(edge.patch); });
+  std::vector<SharedRimEdge> rim =
+    delivered(communicator, sharedRim(communicator, surface_, this->countedFaces(false)),
+      [&](const SharedRimEdge& edge) { return this->homeOfPatch(edge.patch); });
   std::sort(rim.begin(), rim.end(),
     [](const SharedRimEdge& a, const SharedRimEdge& b)
     { return std::tie(a.patch, a.edge) < std::tie(b.patch, b.edge); });
@@ -339,7 +226,7 @@ void SharedOrientation::closePatches(Communicator& communicator)
 }
 
 /// Returns places on the solids that this rank decides about.
-std::vector<SharedOrientation::Probe> SharedOrientation::ownProbes(Communicator& communicator) const
+SharedOrientation::Probes SharedOrientation::ownProbes(Communicator& communicator) const
 {
   struct Place
   {
@@ -362,7 +249,8 @@ std::vector<SharedOrientation::Probe> SharedOrientation::ownProbes(Communicator&
       asked.push_back({ (*at)[0], number, member });
     }
   }
-  const std::vector<glm::dvec3> places = answered(
+  Probes probes;
+  probes.places = answered(
     communicator, asked, [](const Place& place) { return place.rank; },
     [&](const Place& place)
     {
@@ -372,11 +260,8 @@ std::vector<SharedOrientation::Probe> SharedOrientation::ownProbes(Communicator&
       const auto [a, b, c] = this->cornersOf(static_cast<std::size_t>(at->second));
       return (a + b + c) / 3.0;
     });
-  std::vector<Probe> probes;
-  for (std::size_t i = 0; i < asked.size(); ++i)
-  {
-    probes.push_back({ asked[i].patch, places[i] });
-  }
+  std::transform(asked.begin(), asked.end(), std::back_inserter(probes.patches),
+    [](const Place& place) { return place.patch; });
   return probes;
 }
 
@@ -404,59 +289,23 @@ std::vector<SolidTriangle> SharedOrientation::solidTriangles() const
   return triangles;
 }
 
-std::vector<std::vector<int>> SharedOrientation::solidsAround(Communicator& communicator,
-  const std::vector<Probe>& probes) const
-{
-  const std::vector<SolidTriangle> triangles = this->solidTriangles();
-  std::vector<std::map<int, int>> windings(probes.size());
-  const std::size_t most = maximum(communicator, probes.size());
-  for (std::size_t begin = 0; begin < most; begin += kBatch)
-  {
-    const std::vector<Probe> batch(probes.begin() + std::min(begin, probes.size()),
-      probes.begin() + std::min(begin + kBatch, probes.size()));
-    std::vector<SolidWinding> found;
-    const RankLists<Probe> asked = gathered(communicator, batch);
-    for (std::size_t rank = 0; rank < asked.size(); ++rank)
-    {
-      addWindings(triangles, asked[rank], { static_cast<int>(rank), static_cast<int>(begin), 0, 0 },
-        found);
-    }
-    for (const SolidWinding& part :
-      delivered(communicator, found, [](const SolidWinding& sent) { return sent.rank; }))
-    {
-      windings[part.probe][part.solid] += part.winding;
-    }
-  }
-  std::vector<std::vector<int>> around(probes.size());
-  for (std::size_t i = 0; i < probes.size(); ++i)
-  {
-    for (const auto& [solid, winding] : windings[i])
-    {
-      if (winding != 0)
-      {
-        around[i].push_back(solid);
-      }
-    }
-  }
-  return around;
-}
-
 void SharedOrientation::findContainers(Communicator& communicator)
 {
-  const std::vector<Probe> probes = this->ownProbes(communicator);
-  this->chooseContainers(communicator, probes, this->solidsAround(communicator, probes));
+  const Probes probes = this->ownProbes(communicator);
+  this->chooseContainers(communicator, probes.patches,
+    solidsAround(communicator, this->solidTriangles(), probes.places));
 }
 
 /// Of the larger solids that have most of a patch's places inside, the smallest is its container.
 void SharedOrientation::chooseContainers(Communicator& communicator,
-  const std::vector<Probe>& probes, const std::vector<std::vector<int>>& around)
+  const std::vector<int>& patches, const std::vector<std::vector<int>>& around)
 {
   std::map<std::pair<int, int>, std::size_t> hits; // of a patch and a solid
-  for (std::size_t i = 0; i < probes.size(); ++i)
+  for (std::size_t i = 0; i < patches.size(); ++i)
   {
     for (const int solid : around[i])
     {
-      ++hits[{ probes[i].patch, solid }];
+      ++hits[{ patches[i], solid }];
     }
   }
   std::vector<std::pair<int, int>> pairs;
@@ -543,7 +392,7 @@ std::vector<std::int8_t> SharedOrientation::weightsOf(Communicator& communicator
 {
   return answered(
     communicator, faces, [&](int face) { return surface_.homeOfFace(face); },
-    [&](int face) { return weights_[face - surface_.faces().front().face]; });
+    [&](int face) { return weights_[surface_.indexOf(face)]; });
 }
 
 } // namespace medial

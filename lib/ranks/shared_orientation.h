@@ -2,9 +2,9 @@
 
 #include "ranks/distributed_surface.h"
 #include "ranks/shared_patches.h"
+#include "ranks/shared_rim.h"
 #include "sign/containment.h"
 #include "sign/patch_measure.h"
-#include "sign/rim.h"
 
 #include <glm/glm.hpp>
 
@@ -17,15 +17,6 @@
 
 namespace medial
 {
-
-/// An edge of a rim with the numbers of its points in the whole surface.
-struct SharedRimEdge
-{
-  int patch; ///< whose rim it is of
-  int edge;
-  RimEdge rim;
-  std::array<Point3, 2> points; ///< where it leads from and to
-};
 
 /// How the triangles of a distributed surface count for the solid that it stands for, as
 /// orientSurface() decides in one process, to the last bit. Each rank knows it of its own
@@ -56,11 +47,11 @@ public:
     const std::vector<int>& faces) const;
 
 private:
-  /// A place on a patch.
-  struct Probe
+  /// Places on patches.
+  struct Probes
   {
-    int patch;
-    glm::dvec3 place;
+    std::vector<int> patches;
+    std::vector<glm::dvec3> places;
   };
   /// What is known of a patch where it is decided about.
   struct Patch
@@ -110,20 +101,17 @@ private:
   void add(Sums& sums) const;
   void closePatches(Communicator& communicator);
   void findContainers(Communicator& communicator);
-  std::vector<Probe> ownProbes(Communicator& communicator) const;
+  Probes ownProbes(Communicator& communicator) const;
   std::vector<SolidTriangle> solidTriangles() const;
-  /// Returns the solids around places.
-  std::vector<std::vector<int>> solidsAround(Communicator& communicator,
-    const std::vector<Probe>& probes) const;
-  void chooseContainers(Communicator& communicator, const std::vector<Probe>& probes,
+  /// @param patches of places.
+  /// @param around the solids around each of these.
+  void chooseContainers(Communicator& communicator, const std::vector<int>& patches,
     const std::vector<std::vector<int>>& around);
   void turnSolids(Communicator& communicator);
   /// Turns the triangles of patches, and tells their ranks which are solid.
   template <typename Turns>
   void turn(Communicator& communicator, const Turns& turns);
-  /// Returns where triangles do not cancel out, for this rank's share of edges.
-  /// @param whole whether all patches count as one.
-  std::vector<SharedRimEdge> rimOf(Communicator& communicator, bool whole) const;
+  std::vector<CountedFace> countedFaces(bool asOnePatch) const;
 
   const DistributedSurface& surface_;
   SharedPatches patches_;

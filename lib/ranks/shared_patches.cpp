@@ -1,6 +1,7 @@
 #include "ranks/shared_patches.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <tuple>
 
@@ -281,14 +282,20 @@ void SharedPatches::followRoots(Communicator& communicator)
   }
 }
 
+std::vector<int> SharedPatches::ownRoots() const
+{
+  std::vector<int> roots;
+  std::copy_if(roots_.begin(), roots_.end(), std::back_inserter(roots),
+    [](int root) { return root >= 0; });
+  std::sort(roots.begin(), roots.end());
+  roots.erase(std::unique(roots.begin(), roots.end()), roots.end());
+  return roots;
+}
+
 /// Gives triangles the roots that theirs hang to.
 void SharedPatches::renameRoots(Communicator& communicator)
 {
-  std::vector<int> asked;
-  std::copy_if(roots_.begin(), roots_.end(), std::back_inserter(asked),
-    [](int root) { return root >= 0; });
-  std::sort(asked.begin(), asked.end());
-  asked.erase(std::unique(asked.begin(), asked.end()), asked.end());
+  const std::vector<int> asked = this->ownRoots();
   const std::vector<Root> found = answered(
     communicator, asked, [&](int face) { return surface_.homeOfFace(face); },
     [&](int face) { return parents_[this->indexOf(face)]; });
@@ -320,11 +327,7 @@ std::vector<int> SharedPatches::twistedPatches(Communicator& communicator) const
   twisted.erase(std::unique(twisted.begin(), twisted.end()), twisted.end());
   twisted = delivered(communicator, twisted, homeOfPatch);
   std::sort(twisted.begin(), twisted.end());
-  std::vector<int> own;
-  std::copy_if(roots_.begin(), roots_.end(), std::back_inserter(own),
-    [](int root) { return root >= 0; });
-  std::sort(own.begin(), own.end());
-  own.erase(std::unique(own.begin(), own.end()), own.end());
+  const std::vector<int> own = this->ownRoots();
   const std::vector<char> isTwisted = answered(communicator, own, homeOfPatch,
     [&](int patch) -> char { return std::binary_search(twisted.begin(), twisted.end(), patch); });
   std::vector<int> result;

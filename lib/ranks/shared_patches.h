@@ -53,11 +53,13 @@ private:
     Root other;
   };
 
-  std::size_t indexOf(int face) const { return face - surface_.faces().front().face; }
+  std::size_t indexOf(int face) const { return surface_.indexOf(face); }
   bool isHere(int face) const;
   void findCopies(Communicator& communicator);
   void findNeighbours(Communicator& communicator);
   void joinHere();
+  /// Returns the roots of the triangles here, ascending, each once.
+  std::vector<int> ownRoots() const;
   /// Returns what neighbours on other ranks know of the triangles here.
   std::vector<Seen> seenAcross(Communicator& communicator) const;
   bool joinAcross(Communicator& communicator);
