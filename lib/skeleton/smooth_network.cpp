@@ -1,5 +1,6 @@
 #include "skeleton/smooth_network.h"
 
+#include "skeleton/branch_ends.h"
 #include "skeleton/junctions.h"
 #include "skeleton/short_branches.h"
 
@@ -22,19 +23,6 @@ constexpr double kReachOfWidth = 0.5;
 constexpr int kMaxReach = 100;
 /// How often a curve is moved to the middle and made smooth, before its ends are found and after.
 constexpr int kPasses = 2;
-/// A branch ends where the radius falls by this part of the length.
-constexpr double kFall = 0.5;
-/// How far a free end is looked for, in radii and steps.
-constexpr double kEndOfRadius = 2.5;
-constexpr double kEndSteps = 6.0;
-/// The length over which the radius must fall by less than half of it where a branch ends: in
-/// steps, and as a part of the radius.
-constexpr double kEndRun = 6.0;
-constexpr double kEndRunOfRadius = 0.5;
-/// How much of a free end is made anew, in radii and steps: a fire leaves curves on the sheets
-/// there.
-constexpr double kCutOfRadius = 0.5;
-constexpr double kCutSteps = 2.0;
 
 class CurveSmoother
 {
@@ -131,25 +119,6 @@ public:
       });
   }
 
-  /// Moves free ends to the ends of the branch.
-  /// @param anew whether the curve next to them is not yet what it should be.
-  void finish(NetworkBranch& branch, bool anew) const
-  {
-    if (branch.curve.closed || branch.junctions[1] != NetworkBranch::kFree)
-    {
-      return;
-    }
-    this->cutFallingEnd(branch.curve);
-    this->finishLast(branch.curve, anew);
-    if (branch.junctions[0] == NetworkBranch::kFree)
-    {
-      reverse(branch.curve);
-      this->cutFallingEnd(branch.curve);
-      this->finishLast(branch.curve, anew);
-      reverse(branch.curve);
-    }
-  }
-
 private:
   /// Lets a closed curve begin in the widest place, where it makes no detour.
   void beginWidest(Curve& curve) const
@@ -160,96 +129,6 @@ private:
     const auto widest = std::max_element(radii.begin(), radii.end()) - radii.begin();
     std::rotate(curve.points.begin(), curve.points.begin() + widest, curve.points.end());
     std::rotate(curve.widths.begin(), curve.widths.begin() + widest, curve.widths.end());
-  }
-
-  /// Takes away the end of a curve where the radius falls by half of the length or more: it runs on
-  /// a sheet to the surface.
-  void cutFallingEnd(Curve& curve) const
-  {
-    const std::vector<double> lengths = arcLengths(curve);
-    std::size_t end = curve.points.size() - 1;
-    double radiusAtEnd = probe_.radius(curve.points[end]);
-    for (std::size_t i = end; i-- > 0;)
-    {
-      const double way = lengths[end] - lengths[i];
-      const double radius = probe_.radius(curve.points[i]);
-      if (radius - radiusAtEnd > kFall * way)
-      {
-        end = i;
-        radiusAtEnd = radius;
-      }
-      else if (way >= std::max(kEndRun * step_, kEndRunOfRadius * radiusAtEnd))
-      {
-        break;
-      }
-    }
-    end = std::max<std::size_t>(end, 1);
-    curve.points.resize(end + 1);
-    curve.widths.resize(end + 1);
-  }
-
-  /// Within a sheet the radius does not tell where a branch ends.
-  void finishLast(Curve& curve, bool anew) const
-  {
-    const std::size_t tube = this->tubePoints(curve);
-    if (tube == 0)
-    {
-      return;
-    }
-    curve.points.resize(tube);
-    curve.widths.resize(tube);
-    const double radius = probe_.radius(curve.points.back());
-    this->cutBack(curve, kCutSteps * step_ + (anew ? kCutOfRadius * radius : 0.0));
-    const glm::dvec3 last = curve.points.back();
-    const double reach = kEndOfRadius * radius + kEndSteps * step_;
-    const glm::dvec3 direction = this->endDirection(curve, std::max(kMinReach * step_, radius));
-    const auto at = [&](double s) { return last + s * direction; };
-    const double end = probe_.end(at, 0.0, probe_.wayOut(last, direction, reach), 0.5 * step_);
-    curve.points.push_back(at(end));
-    curve.widths.push_back(curve.widths.back());
-    curve = resampled(curve, step_);
-  }
-
-  /// Returns how many points of a curve are left without the end where it leaves a tube for a
-  /// sheet, or 0 if there is no tube within the last width.
-  std::size_t tubePoints(const Curve& curve) const
-  {
-    double length = 0.0;
-    for (std::size_t i = curve.points.size(); i-- > 1 && length <= curve.widths.back();)
-    {
-      if (curve.widths[i] <= kTubeWidth * probe_.radius(curve.points[i]))
-      {
-        return i + 1;
-      }
-      length += glm::distance(curve.points[i], curve.points[i - 1]);
-    }
-    return 0;
-  }
-
-  /// Shortens a curve by a length, but by no more than half.
-  void cutBack(Curve& curve, double length) const
-  {
-    const std::vector<double> lengths = arcLengths(curve);
-    const double left = lengths.back() - std::min(length, 0.5 * lengths.back());
-    while (curve.points.size() > 2 && lengths[curve.points.size() - 1] > left)
-    {
-      curve.points.pop_back();
-      curve.widths.pop_back();
-    }
-  }
-
-  /// Returns the direction in which a curve ends, a unit vector: that of the line nearest to the
-  /// points of its end.
-  glm::dvec3 endDirection(const Curve& curve, double length) const
-  {
-    const int count = static_cast<int>(curve.points.size());
-    const int used = std::clamp(static_cast<int>(length / step_), 2, count);
-    glm::dvec3 slope(0.0);
-    for (int i = 0; i < used; ++i)
-    {
-      slope += (0.5 * (used - 1) - i) * curve.points[count - 1 - i];
-    }
-    return glm::normalize(slope);
   }
 
   std::vector<int> reaches(const Curve& curve) const
@@ -420,7 +299,7 @@ void smooth(GeometricNetwork& network, const SolidProbe& probe, double step, dou
           smoothOnce();
           curve = resampled(curve, step);
         }
-        smoother.finish(branch, first);
+        finishEnds(branch, probe, step, first);
       }
     });
   // Lines may cross nearer to each other than branches of the axis meet, and farther outside.
