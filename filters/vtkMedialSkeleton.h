@@ -27,9 +27,8 @@
  *
  * @par Parameter tuning:
  * The voxels must be smaller than the radius of the thinnest branch; AutomaticResolution sees to
- * that. MinimumBranch 1 leaves a
- * smooth tube a single branch; larger values remove more short branches. For noisy scans set
- * MinimumLambda to three times the height of the noise.
+ * that. MinimumBranch 1 leaves a smooth tube a single branch; larger values remove more short
+ * branches. For noisy scans set MinimumLambda to three times the height of the noise.
  *
  * @par Parallel pipelines:
  * The output is not split: piece 0 is all of it, every other piece is empty.

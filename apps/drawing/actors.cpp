@@ -80,6 +80,24 @@ SurfaceActors makeSurface(vtkPolyData* surface)
   return { makeFaces(mesh->GetOutputPort()), makeSharpEdges(mesh->GetOutputPort()) };
 }
 
+vtkSmartPointer<vtkActor> makeColoured(vtkPolyData* surface, vtkScalarsToColors* colours,
+  const char* array)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(surface);
+  mapper->SetLookupTable(colours);
+  mapper->SetScalarModeToUsePointFieldData();
+  mapper->SelectColorArray(array);
+  mapper->InterpolateScalarsBeforeMappingOff(); // NaN has a colour, but no place on the scale
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  vtkProperty* look = actor->GetProperty();
+  look->SetInterpolationToFlat();
+  look->SetAmbient(0.55); // shading must not change what a colour says
+  look->SetDiffuse(0.45);
+  return actor;
+}
+
 vtkSmartPointer<vtkPolyData> endsOf(vtkPolyData* skeleton)
 {
   vtkDataArray* degrees = skeleton->GetPointData()->GetArray("Degree");

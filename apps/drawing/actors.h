@@ -21,6 +21,10 @@ struct SurfaceActors
 
 SurfaceActors makeSurface(vtkPolyData* surface);
 
+/// A surface, or points, coloured by a point array, flat and little shaded.
+vtkSmartPointer<vtkActor> makeColoured(vtkPolyData* surface, vtkScalarsToColors* colours,
+  const char* array);
+
 /// A skeleton as tubes coloured by radius, and its ends and junctions as dots.
 struct SkeletonActors
 {

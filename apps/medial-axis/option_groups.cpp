@@ -176,8 +176,7 @@ void addGridOptions(CLI::App& app, OptionTexts& texts, Options& options)
       .add_option("--resolution", texts.resolution,
         "number of grid points along the longest axis of the padded bounds, in [2, 8192]; "
         "default 256; or auto, 128 to 512 of them, so that four lie in the radius of the "
-        "skeleton's "
-        "thinnest branch, which skeletons on coarser grids tell")
+        "skeleton's thinnest branch, as found on coarser grids")
       ->option_text("N")
       ->check(resolution())
       ->group(group);

@@ -205,8 +205,7 @@ void printSimplificationNote(const Options& options, const MedialAxis& axis)
   {
     std::fprintf(stderr,
       "medial-axis: note: %s: --max-spheres %d is below the number of components of the axis, "
-      "%lld; "
-      "the %lld smallest were left out\n",
+      "%lld; the %lld smallest were left out\n",
       options.input.c_str(), options.maxSpheres, components + static_cast<long long>(done.dropped),
       static_cast<long long>(done.dropped));
   }

@@ -38,23 +38,6 @@ struct Values
   }
 };
 
-void addSurface(Scene& scene, vtkPolyData* surface, vtkColorTransferFunction* colours)
-{
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(surface);
-  mapper->SetLookupTable(colours);
-  mapper->SetScalarModeToUsePointFieldData();
-  mapper->SelectColorArray("Thickness");
-  mapper->InterpolateScalarsBeforeMappingOff(); // NaN has a colour, but no place on the scale
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  vtkProperty* look = actor->GetProperty();
-  look->SetInterpolationToFlat();
-  look->SetAmbient(0.55); // shading must not change what a colour says
-  look->SetDiffuse(0.45);
-  scene.add(actor);
-}
-
 constexpr double kRed[3] = { 0.85, 0.1, 0.1 };
 
 vtkSmartPointer<vtkActor> makeFill(vtkPolyData* regions)
@@ -116,7 +99,7 @@ void drawThickness(vtkPolyData* coloured, vtkPolyData* surface, const PictureReg
   Scene scene;
   const auto colours = makeColours(values.max > 0.0 ? values.max : 1.0);
   colours->SetNanColor(0.72, 0.72, 0.72);
-  addSurface(scene, coloured, colours);
+  scene.add(makeColoured(coloured, colours, "Thickness"));
   scene.add(makeSurface(surface).edges);
   if (regions.triangles != nullptr)
   {

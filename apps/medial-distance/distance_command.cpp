@@ -20,9 +20,8 @@ const char* const kFooter =
   "either surface, not only of their vertices, from the other, right to 0.1 %.\n"
   "Lengths are world units. Existing files are replaced, but only once the new ones are complete.\n"
   "\n"
-  "Exit codes: 0 done; 2 usage; 3 bad input; 4 no OpenGL for --image; 5 out of memory or disk, or "
-  "an\n"
-  "output that cannot be written; 70 a fault of the program; 130 interrupted.";
+  "Exit codes: 0 done; 2 usage; 3 bad input; 4 no OpenGL for --image; 5 out of memory or disk,\n"
+  "or an output that cannot be written; 70 a fault of the program; 130 interrupted.";
 
 struct DistanceTexts
 {
@@ -36,15 +35,13 @@ void addOptions(CLI::App& app, DistanceTexts& texts, DistanceCommand& command)
   app
     .add_option("-o,--output", texts.output,
       "the points with their distances: .vtp (with the faces and arrays that POINTS has) or .csv, "
-      "a "
-      "line for each point with x, y, z, distance, closest point, cell, feature and direction")
+      "a line for each point with x, y, z, distance, closest point, cell, feature and direction")
     ->option_text("FILE")
     ->group(group);
   app
     .add_option("--image", texts.image,
       "picture of the points, or of their faces, coloured by their distance without its sign; "
-      "needs "
-      "no display")
+      "needs no display")
     ->option_text("FILE.png")
     ->group(group);
   app

@@ -10,7 +10,6 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
-#include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 
 #include <cmath>
@@ -44,23 +43,6 @@ vtkSmartPointer<vtkPolyData> withMagnitudes(vtkPolyData* measured, double& max)
   return data;
 }
 
-vtkSmartPointer<vtkActor> makeColoured(vtkPolyData* data, vtkColorTransferFunction* colours)
-{
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(data);
-  mapper->SetLookupTable(colours);
-  mapper->SetScalarModeToUsePointFieldData();
-  mapper->SelectColorArray(kArray);
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
-  vtkProperty* const look = actor->GetProperty();
-  look->SetInterpolationToFlat();
-  look->SetAmbient(0.55); // shading must not change what a colour says
-  look->SetDiffuse(0.45);
-  look->SetPointSize(kDot);
-  return actor;
-}
-
 } // namespace
 
 void drawDeviation(vtkPolyData* measured, vtkPolyData* mesh,
@@ -72,7 +54,9 @@ void drawDeviation(vtkPolyData* measured, vtkPolyData* mesh,
   const auto colours = makeColours(max > 0.0 ? max : 1.0);
   const bool hasFaces = data->GetNumberOfPolys() + data->GetNumberOfStrips() > 0;
   Scene scene;
-  scene.add(makeColoured(data, colours));
+  const auto coloured = makeColoured(data, colours, kArray);
+  coloured->GetProperty()->SetPointSize(kDot);
+  scene.add(coloured);
   const SurfaceActors around = makeSurface(hasFaces ? data.Get() : mesh);
   if (!hasFaces)
   {
@@ -81,7 +65,14 @@ void drawDeviation(vtkPolyData* measured, vtkPolyData* mesh,
   scene.add(around.edges);
   scene.addScalarBar(colours, "Deviation\n(world units)");
   scene.addCaption(caption);
-  hasFaces ? scene.draw({ data }, file) : scene.draw({ mesh, data }, file);
+  if (hasFaces)
+  {
+    scene.draw({ data }, file);
+  }
+  else
+  {
+    scene.draw({ mesh, data }, file);
+  }
 }
 
 } // namespace medial::app

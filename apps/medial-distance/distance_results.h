@@ -28,7 +28,7 @@ struct SurfaceComparison
 /// What was computed, and of what.
 struct DistanceResults
 {
-  Surface mesh;
+  Surface mesh;              ///< for a picture only
   std::size_t triangles = 0; ///< of the mesh
   std::size_t vertices = 0;  ///< of the mesh
   SignReport sign;

@@ -82,7 +82,7 @@ def skeleton(
     angle, min_lambda: of the axis whose curves these are, as for medial_axis().
     resolution: number of grid points along the longest axis of the padded bounds, in [2, 8192];
         default 256; or "auto", 128 to 512 of them, so that four lie in the radius of the thinnest
-        branch, which skeletons on coarser grids tell. A UserWarning says if it needs more.
+        branch, as found on coarser grids. A UserWarning says if it needs more.
     spacing, origin, dimensions, padding, sign, threads, memory, engine, device, require_gpu,
         progress: as for distance_field().
 

@@ -67,9 +67,10 @@ struct RankCounts
 /// computes of the whole surface by Engine::Processor, whatever the pieces, the extents and the
 /// number of ranks. Every rank calls it, with the same grid and options.
 ///
-/// @param extent of this rank; may be empty.
 /// With signs by winding numbers every rank has the lids of all holes: about as many triangles as
 /// the holes have edges.
+///
+/// @param extent of this rank; may be empty.
 /// @param options the engine is the processor.
 /// @param counts receives what the rank has held; may be null.
 /// @throws Error on every rank, with the message of the first that failed: as
