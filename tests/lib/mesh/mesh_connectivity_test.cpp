@@ -154,7 +154,7 @@ struct Figures
 
 } // namespace
 
-TEST(Topology, Tetrahedron)
+TEST(MeshConnectivity, Tetrahedron)
 {
   const TriangleMesh mesh = regularTetrahedron(2.0);
   const MeshConnectivity connectivity = analysed(mesh);
@@ -166,7 +166,7 @@ TEST(Topology, Tetrahedron)
   EXPECT_NEAR(connectivity.signedVolume, std::sqrt(8.0) / 3.0, 1e-12);
 }
 
-TEST(Topology, GeneratedShapesAreClosedAndOutward)
+TEST(MeshConnectivity, GeneratedShapesAreClosedAndOutward)
 {
   const std::vector<TriangleMesh> shapes = { box({ 1, 2, 3 }), lPrism(1, 2), icosphere(2, 2),
     ellipsoid(3, 2, 1, 2), uvCapsule(1, 2, 16), uvCapsule(1, 0, 12), torus(3, 1, 20, 10),
@@ -183,7 +183,7 @@ TEST(Topology, GeneratedShapesAreClosedAndOutward)
   }
 }
 
-TEST(Topology, VolumesOfGeneratedShapes)
+TEST(MeshConnectivity, VolumesOfGeneratedShapes)
 {
   const double pi = std::acos(-1.0);
   EXPECT_NEAR(analyseConnectivity(lPrism(1, 2)).signedVolume, 12.0, 1e-12);
@@ -194,14 +194,14 @@ TEST(Topology, VolumesOfGeneratedShapes)
   EXPECT_NEAR(analyseConnectivity(wedge(60, 5, 2)).signedVolume, 5.0 * std::sqrt(3.0), 1e-12);
 }
 
-TEST(Topology, VolumeIsAccurateFarFromTheOrigin)
+TEST(MeshConnectivity, VolumeIsAccurateFarFromTheOrigin)
 {
   const TriangleMesh mesh = translated(box({ 0.5, 0.5, 0.5 }), { 1e6, -1e6, 1e6 });
   EXPECT_NEAR(analyseConnectivity(mesh).signedVolume, 1.0, 1e-12);
   EXPECT_NEAR(analyseConnectivity(flipOrientation(mesh)).signedVolume, -1.0, 1e-12);
 }
 
-TEST(Topology, OpenBoxHasABoundary)
+TEST(MeshConnectivity, OpenBoxHasABoundary)
 {
   TriangleMesh mesh = box({ 1, 1, 1 });
   mesh.triangles.resize(10);
@@ -212,7 +212,7 @@ TEST(Topology, OpenBoxHasABoundary)
   EXPECT_TRUE(connectivity.manifold() && connectivity.oriented());
 }
 
-TEST(Topology, ThreeFinsShareOneEdge)
+TEST(MeshConnectivity, ThreeFinsShareOneEdge)
 {
   const MeshConnectivity connectivity = analysed(fins(3));
   EXPECT_EQ(connectivity.edges.size(), 7u);
@@ -225,7 +225,7 @@ TEST(Topology, ThreeFinsShareOneEdge)
   EXPECT_GE(connectivity.nonManifoldTriangles, 1);
 }
 
-TEST(Topology, EveryFinIsInItsEdgesList)
+TEST(MeshConnectivity, EveryFinIsInItsEdgesList)
 {
   const MeshConnectivity connectivity = analysed(fins(9));
   const auto spine = std::find_if(connectivity.edges.begin(), connectivity.edges.end(),
@@ -234,7 +234,7 @@ TEST(Topology, EveryFinIsInItsEdgesList)
     9);
 }
 
-TEST(Topology, OpenBowTieIsOnePieceButNotManifold)
+TEST(MeshConnectivity, OpenBowTieIsOnePieceButNotManifold)
 {
   const TriangleMesh mesh =
     makeMesh({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { -1, 0, 0 }, { -1, -1, 0 } },
@@ -246,7 +246,7 @@ TEST(Topology, OpenBowTieIsOnePieceButNotManifold)
   EXPECT_EQ(connectivity.pointEdges.size(0), 4);
 }
 
-TEST(Topology, ClosedBowTieIsClosedButNotManifold)
+TEST(MeshConnectivity, ClosedBowTieIsClosedButNotManifold)
 {
   const TriangleMesh tetrahedron = regularTetrahedron(std::sqrt(8.0));
   const TriangleMesh mesh = appended(tetrahedron, translated(box({ 1, 1, 1 }), { 2, 2, 2 }));
@@ -257,7 +257,7 @@ TEST(Topology, ClosedBowTieIsClosedButNotManifold)
   EXPECT_EQ(connectivity.components, 1);
 }
 
-TEST(Topology, RefusedTrianglesAreNotPrinted)
+TEST(MeshConnectivity, RefusedTrianglesAreNotPrinted)
 {
   // Two closed fans around point 0, given in turn, and a third triangle at one of their edges.
   std::vector<Point3> points = { { 0, 0, 0 } };
@@ -274,7 +274,7 @@ TEST(Topology, RefusedTrianglesAreNotPrinted)
   EXPECT_GE(connectivity.nonManifoldTriangles, 2);
 }
 
-TEST(Topology, MisorientedPairIsCounted)
+TEST(MeshConnectivity, MisorientedPairIsCounted)
 {
   const MeshConnectivity connectivity = analysed(
     makeMesh({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 } }, { { 0, 1, 2 }, { 1, 2, 3 } }));
@@ -284,7 +284,7 @@ TEST(Topology, MisorientedPairIsCounted)
   EXPECT_EQ(connectivity.boundaryEdges, 4);
 }
 
-TEST(Topology, MoebiusStripIsNotOriented)
+TEST(MeshConnectivity, MoebiusStripIsNotOriented)
 {
   const TriangleMesh mesh = moebiusStrip(12);
   const MeshConnectivity connectivity = analysed(mesh);
@@ -294,7 +294,7 @@ TEST(Topology, MoebiusStripIsNotOriented)
   EXPECT_EQ(eulerCharacteristic(mesh, connectivity), 0);
 }
 
-TEST(Topology, DuplicatedFacesShareTheirEdges)
+TEST(MeshConnectivity, DuplicatedFacesShareTheirEdges)
 {
   TriangleMesh mesh = regularTetrahedron(1.0);
   mesh.triangles.push_back(mesh.triangles[2]);
@@ -306,7 +306,7 @@ TEST(Topology, DuplicatedFacesShareTheirEdges)
   EXPECT_FALSE(connectivity.closed());
 }
 
-TEST(Topology, CollinearTrianglesCloseTheSurface)
+TEST(MeshConnectivity, CollinearTrianglesCloseTheSurface)
 {
   // A square whose bottom side has a middle point on one side only, filled by a flat triangle.
   const TriangleMesh mesh =
@@ -317,7 +317,7 @@ TEST(Topology, CollinearTrianglesCloseTheSurface)
   EXPECT_TRUE(connectivity.manifold() && connectivity.oriented());
 }
 
-TEST(Topology, SegmentsOnATrianglesEdgeAreNotNewEdges)
+TEST(MeshConnectivity, SegmentsOnATrianglesEdgeAreNotNewEdges)
 {
   const MeshConnectivity connectivity =
     analysed(makeMesh({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 5, 5, 5 } }, { { 0, 1, 2 } },
@@ -330,7 +330,7 @@ TEST(Topology, SegmentsOnATrianglesEdgeAreNotNewEdges)
   EXPECT_EQ(connectivity.pointCells, (std::vector<std::int64_t>{ 0, 0, 0, 2 }));
 }
 
-TEST(Topology, SegmentOnAClosedMeshLeavesItClosed)
+TEST(MeshConnectivity, SegmentOnAClosedMeshLeavesItClosed)
 {
   const TriangleMesh cube = box({ 1, 1, 1 });
   const auto& t = cube.triangles[0];
@@ -341,7 +341,7 @@ TEST(Topology, SegmentOnAClosedMeshLeavesItClosed)
   EXPECT_FALSE(analysed(makeMesh(whiskered.points, cube.triangles, {}, { 8 })).closed());
 }
 
-TEST(Topology, ComponentsAreConnectedThroughPoints)
+TEST(MeshConnectivity, ComponentsAreConnectedThroughPoints)
 {
   EXPECT_EQ(analysed(shell(1, 2, 1)).components, 2);
   EXPECT_EQ(analysed(plates(1, 1)).components, 2);
@@ -352,7 +352,7 @@ TEST(Topology, ComponentsAreConnectedThroughPoints)
   EXPECT_EQ(analysed(mixed).components, 3);
 }
 
-TEST(Topology, TheManifoldPartIsThatOfAHalfEdgeMesh)
+TEST(MeshConnectivity, TheManifoldPartIsThatOfAHalfEdgeMesh)
 {
   std::mt19937 random(7);
   int refused = 0;
@@ -379,7 +379,7 @@ TEST(Topology, TheManifoldPartIsThatOfAHalfEdgeMesh)
 }
 
 // The time was quadratic: longer here than a test may take.
-TEST(Topology, IsQuickHoweverManyTrianglesMeetAtAPoint)
+TEST(MeshConnectivity, IsQuickHoweverManyTrianglesMeetAtAPoint)
 {
   constexpr int kRim = 200000;
   const TriangleMesh mesh = doubleCone(kRim);
@@ -389,7 +389,7 @@ TEST(Topology, IsQuickHoweverManyTrianglesMeetAtAPoint)
   EXPECT_EQ(connectivity.pointEdges.size(0), kRim);
 }
 
-TEST(Topology, RefusesBrokenMeshes)
+TEST(MeshConnectivity, RefusesBrokenMeshes)
 {
   TriangleMesh mesh = regularTetrahedron(1.0);
   mesh.triangles[2] = { 0, 1, 4 };
@@ -401,7 +401,7 @@ TEST(Topology, RefusesBrokenMeshes)
   EXPECT_THROW(analyseConnectivity(mesh), Error);
 }
 
-TEST(Topology, FiguresOfRealMeshes)
+TEST(MeshConnectivity, FiguresOfRealMeshes)
 {
   // Generated, so that something is checked where the models are absent.
   EXPECT_EQ(eulerCharacteristic(torus(3, 1, 12, 8), analysed(torus(3, 1, 12, 8))), 0);
@@ -446,7 +446,7 @@ private:
 
 } // namespace
 
-TEST(Topology, CanBeCancelled)
+TEST(MeshConnectivity, CanBeCancelled)
 {
   // Takes many times the 20 ms between two questions.
   const TriangleMesh mesh = icosphere(1.0, 8);
