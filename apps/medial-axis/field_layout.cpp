@@ -1,5 +1,6 @@
 #include "field_layout.h"
 
+#include "byte_order.h"
 #include "input_file.h"
 #include "number_text.h"
 #include "volume_header.h"
@@ -14,11 +15,7 @@ namespace
 
 constexpr int kPieceSlices = 64;
 
-#if __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
-constexpr char kByteOrder[] = "LittleEndian";
-#else
-constexpr char kByteOrder[] = "BigEndian";
-#endif
+constexpr const char* kByteOrder = kIsBigEndian ? "BigEndian" : "LittleEndian";
 
 std::string extentText(const Extent& extent)
 {

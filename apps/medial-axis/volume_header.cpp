@@ -1,5 +1,6 @@
 #include "volume_header.h"
 
+#include "byte_order.h"
 #include "number_text.h"
 
 #include <cstdint>
@@ -9,12 +10,6 @@ namespace medial::app
 {
 namespace
 {
-
-#if __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
-constexpr bool kLittleEndian = true;
-#else
-constexpr bool kLittleEndian = false;
-#endif
 
 std::string sizesText(const Grid& grid)
 {
@@ -31,7 +26,7 @@ std::string nrrdHeader(const Grid& grid)
   return std::string("NRRD0004\ntype: float\ndimension: 3\nspace dimension: 3\nsizes: ") +
     sizesText(grid) + "\nspace directions: " + vector(x, 0.0, 0.0) + ' ' + vector(0.0, y, 0.0) +
     ' ' + vector(0.0, 0.0, z) +
-    "\nkinds: domain domain domain\nendian: " + (kLittleEndian ? "little" : "big") +
+    "\nkinds: domain domain domain\nendian: " + (kIsBigEndian ? "big" : "little") +
     "\nencoding: raw\nspace origin: " + vector(grid.origin[0], grid.origin[1], grid.origin[2]) +
     "\n\n";
 }
@@ -41,7 +36,7 @@ std::string metaImageHeader(const Grid& grid)
 {
   return std::string(
            "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = ") +
-    (kLittleEndian ? "False" : "True") +
+    (kIsBigEndian ? "True" : "False") +
     "\nCompressedData = False\nTransformMatrix = 1 0 0 0 1 0 0 0 1\nOffset = " +
     pointText(grid.origin) +
     "\nCenterOfRotation = 0 0 0\nElementSpacing = " + pointText(grid.spacing) +

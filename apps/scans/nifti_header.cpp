@@ -1,5 +1,6 @@
 #include "scan_header.h"
 
+#include "byte_order.h"
 #include "input_file.h"
 
 #include <vtkByteSwap.h>

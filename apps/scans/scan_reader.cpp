@@ -1,5 +1,6 @@
 #include "scan_reader.h"
 
+#include "byte_order.h"
 #include "header_text.h"
 #include "inflate.h"
 #include "input_file.h"
