@@ -1,6 +1,7 @@
 #include "thinning/solid_core.h"
 
 #include "base/simd.h"
+#include "thinning/voxel_surface.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -22,165 +23,6 @@ constexpr std::uint8_t kInSolid = 1;
 constexpr std::uint8_t kOpen = 2;   ///< in the solid, and to be looked at
 constexpr std::uint8_t kStuck = 3;  ///< in the core, as long as it is not simple
 constexpr std::uint8_t kWanted = 4; ///< in the core for good
-
-/// The 27 voxels around one, itself included, x fastest.
-constexpr int kAround = 27;
-constexpr int kCentre = 13;
-
-glm::ivec3 offsetOf(int around)
-{
-  return { around % 3 - 1, around / 3 % 3 - 1, around / 9 - 1 };
-}
-
-/// Cells of the surface of a voxel, as bits: corners in the lowest byte, by x, y, z; then a byte
-/// for the edges along each axis, by their lower corners; then the faces.
-using SurfaceCells = std::uint64_t;
-
-constexpr int kFirstEdges = 8;
-constexpr int kFirstFaces = 32;
-
-/// Returns the cells that a voxel shares with the one at an offset from it.
-SurfaceCells sharedCells(const glm::ivec3& offset)
-{
-  SurfaceCells cells = 0;
-  const auto touches = [&](int corner, int axis)
-  { return offset[axis] == 0 || (offset[axis] > 0) == ((corner >> axis & 1) != 0); };
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    const std::array<bool, 3> touched{ touches(corner, 0), touches(corner, 1), touches(corner, 2) };
-    cells |= touched[0] && touched[1] && touched[2] ? SurfaceCells{ 1 } << corner : 0;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const bool low = (corner >> axis & 1) == 0;
-      if (low && offset[axis] == 0 && touched[(axis + 1) % 3] && touched[(axis + 2) % 3])
-      {
-        cells |= SurfaceCells{ 1 } << (kFirstEdges + 8 * axis + corner);
-      }
-    }
-  }
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    if (offset[axis] != 0 && offset[(axis + 1) % 3] == 0 && offset[(axis + 2) % 3] == 0)
-    {
-      cells |= SurfaceCells{ 1 } << (kFirstFaces + 2 * axis + (offset[axis] > 0 ? 1 : 0));
-    }
-  }
-  return cells;
-}
-
-/// The cells shared with any of some voxels around, looked up by nine of them at a time.
-class SharedCells
-{
-public:
-  SharedCells()
-  {
-    for (std::size_t layer = 0; layer < layers_.size(); ++layer)
-    {
-      for (std::size_t voxels = 0; voxels < layers_[layer].size(); ++voxels)
-      {
-        for (int i = 0; i < 9; ++i)
-        {
-          const int around = 9 * static_cast<int>(layer) + i;
-          layers_[layer][voxels] |=
-            (voxels >> i & 1) != 0 && around != kCentre ? sharedCells(offsetOf(around)) : 0;
-        }
-      }
-    }
-  }
-
-  /// @param voxels bits of the voxels around.
-  MEDIAL_INLINE SurfaceCells with(std::uint32_t voxels) const
-  {
-    return layers_[0][voxels & 511] | layers_[1][voxels >> 9 & 511] | layers_[2][voxels >> 18];
-  }
-
-private:
-  std::array<std::array<SurfaceCells, 512>, 3> layers_{};
-};
-
-const SharedCells& sharedCells()
-{
-  static const SharedCells cells;
-  return cells;
-}
-
-/// Cells of a voxel's surface, looked up by those that a complex has at its corners.
-class CellsAtCorners
-{
-public:
-  CellsAtCorners()
-  {
-    for (int corner = 0; corner < 8; ++corner)
-    {
-      for (std::size_t bits = 0; bits < 256; ++bits)
-      {
-        SurfaceCells& cells = cells_[corner][bits];
-        for (int kind = 0; kind < kVoxelKind; ++kind)
-        {
-          cells |= (bits >> kind & 1) != 0 ? cellAt(corner, kind) : 0;
-        }
-      }
-    }
-  }
-
-  /// @param bits of the complex at a corner.
-  SurfaceCells at(int corner, std::uint8_t bits) const { return cells_[corner][bits]; }
-
-private:
-  /// Returns the cell of a kind at a corner; nothing if it is not one of the voxel.
-  static SurfaceCells cellAt(int corner, int kind)
-  {
-    const auto spans = static_cast<int>(CubicalComplex::spans(kind));
-    if ((corner & spans) != 0)
-    {
-      return 0;
-    }
-    switch (CubicalComplex::dimension(kind))
-    {
-      case 0:
-        return SurfaceCells{ 1 } << corner;
-      case 1:
-        return SurfaceCells{ 1 } << (kFirstEdges + 8 * (kind - kEdgeKind) + corner);
-      default:
-        return SurfaceCells{ 1 } << (kFirstFaces + 2 * (kind - kFaceKind) + (corner != 0 ? 1 : 0));
-    }
-  }
-
-  std::array<std::array<SurfaceCells, 256>, 8> cells_{};
-};
-
-const CellsAtCorners& cellsAtCorners()
-{
-  static const CellsAtCorners cells;
-  return cells;
-}
-
-/// Returns the corners that are connected by edges with the given ones.
-MEDIAL_INLINE unsigned connectedCorners(SurfaceCells cells, unsigned corners)
-{
-  const auto alongX = static_cast<unsigned>(cells >> kFirstEdges & 0xff);
-  const auto alongY = static_cast<unsigned>(cells >> (kFirstEdges + 8) & 0xff);
-  const auto alongZ = static_cast<unsigned>(cells >> (kFirstEdges + 16) & 0xff);
-  unsigned before = 0;
-  while (corners != before)
-  {
-    before = corners;
-    corners |= (corners & alongX) << 1 | (corners >> 1 & alongX);
-    corners |= (corners & alongY) << 2 | (corners >> 2 & alongY);
-    corners |= (corners & alongZ) << 4 | (corners >> 4 & alongZ);
-  }
-  return corners;
-}
-
-/// Whether cells of a voxel's surface, with all their faces, are in one piece and without holes.
-MEDIAL_INLINE bool contractible(SurfaceCells cells)
-{
-  constexpr SurfaceCells kEdges = 0xffffff00;
-  const int eulerCharacteristic =
-    __builtin_popcountll(cells & ~kEdges) - __builtin_popcountll(cells & kEdges);
-  const auto corners = static_cast<unsigned>(cells & 0xff);
-  return eulerCharacteristic == 1 && connectedCorners(cells, corners & (0u - corners)) == corners;
-}
 
 /// Adds a bit to each voxel of a row for which the voxel at some offset comes later.
 /// @param onEqual whether that one does if both have the same depth.
@@ -326,8 +168,7 @@ public:
       {
         continue;
       }
-      if (contractible(
-            sharedCells().with(this->presentAround(voxel, now)) | this->sheetCells(voxel)))
+      if (contractible(shared_.with(this->presentAround(voxel, now)) | this->sheetCells(voxel)))
       {
         voxels_[voxel] = kInSolid;
         this->reopenAround(voxel);
@@ -408,7 +249,7 @@ private:
         bits + ((corner & 2) != 0 ? stride_[1] : 0) + ((corner & 4) != 0 ? stride_[2] : 0);
       cells |= (pair[0] | pair[1]) == 0
         ? 0
-        : cellsAtCorners().at(corner, pair[0]) | cellsAtCorners().at(corner + 1, pair[1]);
+        : atCorners_.at(corner, pair[0]) | atCorners_.at(corner + 1, pair[1]);
     }
     return cells;
   }
@@ -458,14 +299,14 @@ private:
       }
     }
     std::vector<std::uint8_t> simple(static_cast<std::size_t>(count));
-    findSimple(sharedCells(), later.data(), count, simple.data());
+    findSimple(shared_, later.data(), count, simple.data());
     const std::ptrdiff_t row = stride_[1] * y + stride_[2] * z;
     for (int x = first; x <= last; ++x)
     {
       const SurfaceCells onSheets = depth[x] >= 0.0f ? this->sheetCells(row + x) : 0;
       if (onSheets != 0)
       {
-        simple[x - first] = contractible(sharedCells().with(later[x - first]) | onSheets) ? 1 : 0;
+        simple[x - first] = contractible(shared_.with(later[x - first]) | onSheets) ? 1 : 0;
       }
       if (depth[x] >= 0.0f && (simple[x - first] == 0 || this->isThin(row + x)))
       {
@@ -488,6 +329,8 @@ private:
   glm::ivec3 size_;
   std::array<std::ptrdiff_t, 3> stride_;
   std::array<std::ptrdiff_t, kAround> steps_{};
+  const SharedCells& shared_ = sharedCells();
+  const CellsAtCorners& atCorners_ = cellsAtCorners();
   VoxelMask& voxels_;
   /// Voxels to look at, in their order; some of them twice.
   std::priority_queue<Place, std::vector<Place>, std::greater<>> open_;
