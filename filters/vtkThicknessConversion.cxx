@@ -19,6 +19,41 @@
 #include <initializer_list>
 #include <limits>
 
+namespace
+{
+
+//------------------------------------------------------------------------------
+// Sets the points of a divided mesh and their data.
+void InterpolatePoints(vtkPolyData* input, const medial::Subdivision& fine, vtkPolyData* output)
+{
+  const medial::TriangleMesh& mesh = fine.mesh;
+  const auto count = static_cast<vtkIdType>(mesh.points.size());
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(count);
+  vtkPointData* pointData = output->GetPointData();
+  pointData->InterpolateAllocate(input->GetPointData(), count);
+  for (std::size_t i = 0; i < mesh.pointOfInput.size(); ++i)
+  {
+    if (mesh.pointOfInput[i] >= 0)
+    {
+      pointData->CopyData(input->GetPointData(), static_cast<vtkIdType>(i), mesh.pointOfInput[i]);
+    }
+  }
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    points->SetPoint(i, mesh.points[i].data());
+  }
+  for (std::size_t i = 0; i < fine.parents.size(); ++i)
+  {
+    pointData->InterpolateEdge(pointData, static_cast<vtkIdType>(fine.originalPoints() + i),
+      fine.parents[i][0], fine.parents[i][1], 0.5);
+  }
+  output->SetPoints(points);
+}
+
+} // namespace
+
 //------------------------------------------------------------------------------
 void vtkThicknessConversion::AddThickness(const medial::Thickness& thickness,
   const medial::TriangleMesh& mesh, vtkPolyData* surface, bool divided)
@@ -102,29 +137,7 @@ void vtkThicknessConversion::Subdivide(vtkPolyData* input, const medial::Subdivi
   vtkPolyData* output)
 {
   const medial::TriangleMesh& mesh = fine.mesh;
-  const auto count = static_cast<vtkIdType>(mesh.points.size());
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(count);
-  vtkPointData* pointData = output->GetPointData();
-  pointData->InterpolateAllocate(input->GetPointData(), count);
-  for (std::size_t i = 0; i < mesh.pointOfInput.size(); ++i)
-  {
-    if (mesh.pointOfInput[i] >= 0)
-    {
-      pointData->CopyData(input->GetPointData(), static_cast<vtkIdType>(i), mesh.pointOfInput[i]);
-    }
-  }
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    points->SetPoint(i, mesh.points[i].data());
-  }
-  for (std::size_t i = 0; i < fine.parents.size(); ++i)
-  {
-    pointData->InterpolateEdge(pointData, static_cast<vtkIdType>(fine.originalPoints() + i),
-      fine.parents[i][0], fine.parents[i][1], 0.5);
-  }
-  output->SetPoints(points);
+  InterpolatePoints(input, fine, output);
   vtkCellData* cellData = output->GetCellData();
   cellData->CopyAllocate(input->GetCellData());
   vtkIdType cell = 0;

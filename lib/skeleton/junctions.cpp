@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 namespace medial
 {
@@ -236,15 +239,12 @@ private:
   double step_;
 };
 
-} // namespace
-
-bool joinJunctions(GeometricNetwork& network, const SolidProbe& probe, double minBranch)
+/// Returns the branches between two junctions that are too short to keep these apart, the shortest
+/// first.
+/// @param radii at the junctions.
+std::vector<std::size_t> shortBridges(const GeometricNetwork& network,
+  const std::vector<double>& radii, double minBranch)
 {
-  std::vector<double> radii;
-  for (const glm::dvec3& place : network.junctions)
-  {
-    radii.push_back(probe.radius(place));
-  }
   std::vector<std::pair<double, std::size_t>> byLength;
   for (std::size_t b = 0; b < network.branches.size(); ++b)
   {
@@ -263,24 +263,16 @@ bool joinJunctions(GeometricNetwork& network, const SolidProbe& probe, double mi
     }
   }
   std::sort(byLength.begin(), byLength.end());
-  DisjointSets sets(network.junctions.size());
-  std::vector<char> joined(network.junctions.size(), 0);
-  std::vector<char> gone(network.branches.size(), 0);
-  for (const auto& [length, b] : byLength)
-  {
-    // Not one after the other along a row of junctions, which would end far away.
-    const auto [first, last] = network.branches[b].junctions;
-    const glm::dvec3 middle = 0.5 * (network.junctions[first] + network.junctions[last]);
-    if (joined[first] == 0 && joined[last] == 0 &&
-      probe.radius(middle) > 0.5 * std::min(radii[first], radii[last]))
-    {
-      sets.join(first, last);
-      joined[first] = 1;
-      joined[last] = 1;
-      gone[b] = 1;
-    }
-  }
-  std::vector<int> numbers(network.junctions.size());
+  std::vector<std::size_t> bridges;
+  std::transform(byLength.begin(), byLength.end(), std::back_inserter(bridges),
+    [](const auto& item) { return item.second; });
+  return bridges;
+}
+
+/// Makes one junction of each set, in its middle. Returns the new numbers of junctions.
+std::vector<int> mergeSets(DisjointSets& sets, std::vector<glm::dvec3>& junctions)
+{
+  std::vector<int> numbers(junctions.size());
   std::vector<glm::dvec3> places;
   std::vector<double> counts;
   for (std::size_t j = 0; j < numbers.size(); ++j)
@@ -293,13 +285,46 @@ bool joinJunctions(GeometricNetwork& network, const SolidProbe& probe, double mi
       counts.push_back(0.0);
     }
     numbers[j] = numbers[root];
-    places[numbers[j]] += network.junctions[j];
+    places[numbers[j]] += junctions[j];
     counts[numbers[j]] += 1.0;
   }
   for (std::size_t j = 0; j < places.size(); ++j)
   {
     places[j] /= counts[j];
   }
+  junctions = std::move(places);
+  return numbers;
+}
+
+} // namespace
+
+bool joinJunctions(GeometricNetwork& network, const SolidProbe& probe, double minBranch)
+{
+  std::vector<double> radii;
+  for (const glm::dvec3& place : network.junctions)
+  {
+    radii.push_back(probe.radius(place));
+  }
+  DisjointSets sets(network.junctions.size());
+  std::vector<char> joined(network.junctions.size(), 0);
+  std::vector<char> gone(network.branches.size(), 0);
+  bool changed = false;
+  for (const std::size_t b : shortBridges(network, radii, minBranch))
+  {
+    // Not one after the other along a row of junctions, which would end far away.
+    const auto [first, last] = network.branches[b].junctions;
+    const glm::dvec3 middle = 0.5 * (network.junctions[first] + network.junctions[last]);
+    if (joined[first] == 0 && joined[last] == 0 &&
+      probe.radius(middle) > 0.5 * std::min(radii[first], radii[last]))
+    {
+      sets.join(first, last);
+      joined[first] = 1;
+      joined[last] = 1;
+      gone[b] = 1;
+      changed = true;
+    }
+  }
+  const std::vector<int> numbers = mergeSets(sets, network.junctions);
   std::vector<NetworkBranch> branches;
   for (std::size_t b = 0; b < network.branches.size(); ++b)
   {
@@ -313,9 +338,8 @@ bool joinJunctions(GeometricNetwork& network, const SolidProbe& probe, double mi
       junction = junction == NetworkBranch::kFree ? junction : numbers[junction];
     }
   }
-  network.junctions = std::move(places);
   network.branches = std::move(branches);
-  return !byLength.empty() && std::find(gone.begin(), gone.end(), char{ 1 }) != gone.end();
+  return changed;
 }
 
 void placeJunctions(GeometricNetwork& network, const SolidProbe& probe, double step)

@@ -149,11 +149,6 @@ private:
   double step_;
 };
 
-} // namespace
-
-namespace
-{
-
 /// Marks branches that are part of no loop and lead to none at one end.
 std::vector<char> treeBranches(const GeometricNetwork& network)
 {
@@ -203,10 +198,9 @@ std::vector<char> treeBranches(const GeometricNetwork& network)
   return marked;
 }
 
-} // namespace
-
-GeometricNetwork networkOf(const std::vector<CurvePath>& paths,
-  const std::vector<glm::dvec3>& positions, const std::vector<double>& widths)
+/// Adds a junction for each point at which more than two paths end. Returns their numbers.
+std::map<std::int64_t, int> addJunctions(const std::vector<CurvePath>& paths,
+  const std::vector<glm::dvec3>& positions, GeometricNetwork& network)
 {
   std::map<std::int64_t, int> ends;
   for (const auto& path : paths)
@@ -217,7 +211,6 @@ GeometricNetwork networkOf(const std::vector<CurvePath>& paths,
       ++ends[path.back()];
     }
   }
-  GeometricNetwork network;
   std::map<std::int64_t, int> junctions;
   for (const auto& [point, count] : ends)
   {
@@ -227,6 +220,65 @@ GeometricNetwork networkOf(const std::vector<CurvePath>& paths,
       network.junctions.push_back(positions[point]);
     }
   }
+  return junctions;
+}
+
+/// Moves a branch to the middle of the solid, makes it smooth, and finds its free ends.
+/// @param isTree whether it is part of no loop and leads to none at one end.
+void smoothBranch(NetworkBranch& branch, const CurveSmoother& smoother, const SolidProbe& probe,
+  double step, bool isTree)
+{
+  Curve& curve = branch.curve;
+  if (curve.points.size() < 2)
+  {
+    smoother.climb(curve.points.front());
+    return;
+  }
+  curve = resampled(curve, step);
+  // Moving to the middle makes detours narrower, and so their ways longer than the chord.
+  const auto smoothOnce = [&, straight = isTree || curve.closed]
+  {
+    if (straight)
+    {
+      smoother.straighten(curve);
+    }
+    smoother.smoothOnce(curve);
+  };
+  smoothOnce();
+  for (const bool first : { true, false })
+  {
+    for (int pass = 0; pass < kPasses; ++pass)
+    {
+      smoother.centre(curve, !first);
+      smoothOnce();
+      curve = resampled(curve, step);
+    }
+    finishEnds(branch, probe, step, first);
+  }
+}
+
+/// Spaces the points of branches evenly; those of short loops more closely.
+void resampleBranches(GeometricNetwork& network, double step)
+{
+  for (NetworkBranch& branch : network.branches)
+  {
+    if (branch.curve.points.size() > 1)
+    {
+      const bool loop =
+        branch.junctions[0] == branch.junctions[1] && branch.junctions[0] != NetworkBranch::kFree;
+      const double length = arcLengths(branch.curve).back();
+      branch.curve = resampled(branch.curve, loop ? std::min(step, length / 3.0) : step);
+    }
+  }
+}
+
+} // namespace
+
+GeometricNetwork networkOf(const std::vector<CurvePath>& paths,
+  const std::vector<glm::dvec3>& positions, const std::vector<double>& widths)
+{
+  GeometricNetwork network;
+  const std::map<std::int64_t, int> junctions = addJunctions(paths, positions, network);
   for (const auto& path : paths)
   {
     NetworkBranch branch;
@@ -273,34 +325,7 @@ void smooth(GeometricNetwork& network, const SolidProbe& probe, double step, dou
     [&](std::size_t b)
     {
       checkpoint();
-      NetworkBranch& branch = network.branches[b];
-      Curve& curve = branch.curve;
-      if (curve.points.size() < 2)
-      {
-        smoother.climb(curve.points.front());
-        return;
-      }
-      curve = resampled(curve, step);
-      // Moving to the middle makes detours narrower, and so their ways longer than the chord.
-      const auto smoothOnce = [&, straight = trees[b] != 0 || curve.closed]
-      {
-        if (straight)
-        {
-          smoother.straighten(curve);
-        }
-        smoother.smoothOnce(curve);
-      };
-      smoothOnce();
-      for (const bool first : { true, false })
-      {
-        for (int pass = 0; pass < kPasses; ++pass)
-        {
-          smoother.centre(curve, !first);
-          smoothOnce();
-          curve = resampled(curve, step);
-        }
-        finishEnds(branch, probe, step, first);
-      }
+      smoothBranch(network.branches[b], smoother, probe, step, trees[b] != 0);
     });
   // Lines may cross nearer to each other than branches of the axis meet, and farther outside.
   for (bool changed = true; changed;)
@@ -319,16 +344,7 @@ void smooth(GeometricNetwork& network, const SolidProbe& probe, double step, dou
     }
     changed = changed || shortOnes.removed;
   }
-  for (NetworkBranch& branch : network.branches)
-  {
-    if (branch.curve.points.size() > 1)
-    {
-      const bool loop =
-        branch.junctions[0] == branch.junctions[1] && branch.junctions[0] != NetworkBranch::kFree;
-      const double length = arcLengths(branch.curve).back();
-      branch.curve = resampled(branch.curve, loop ? std::min(step, length / 3.0) : step);
-    }
-  }
+  resampleBranches(network, step);
 }
 
 } // namespace medial
