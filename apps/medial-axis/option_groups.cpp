@@ -41,36 +41,39 @@ CLI::Validator resolution()
     "");
 }
 
-} // namespace
+constexpr const char* kOutputs = "Outputs";
 
-void addOutputOptions(CLI::App& app, OptionTexts& texts, Options& options)
+void addAxisFiles(CLI::App& app, OptionTexts& texts)
 {
-  const std::string group = "Outputs";
   app
     .add_option("-o,--output", texts.output,
       "medial axis: .vtp, .ply, .obj or .ma; by several processes also .pvtp, pieces named "
       "<FILE's name>_0.vtp and so on")
     ->option_text("FILE")
-    ->group(group);
+    ->group(kOutputs);
   app
     .add_option("--curves", texts.curves,
       "polylines where the sheets of the axis meet (seams), where they end (rims), and where the "
       "axis is a curve; the cell array AxisFeature tells them apart; not for --representation "
       "points")
     ->option_text("FILE.vtp")
-    ->group(group);
+    ->group(kOutputs);
   app
     .add_option("--skeleton", texts.skeleton,
       "network of curves within the solid: a polyline for every branch, with the points' Radius, "
       "ArcLength, Degree and Tangent and the branches' Length, Kind and radii; with --topology "
       "preserve, on the inside")
     ->option_text("FILE.vtp")
-    ->group(group);
+    ->group(kOutputs);
   app
     .add_option("--skeleton-table", texts.skeletonTable,
       "one line for every branch of the skeleton: kind, length, radii and both ends")
     ->option_text("FILE.csv")
-    ->group(group);
+    ->group(kOutputs);
+}
+
+void addFieldFiles(CLI::App& app, OptionTexts& texts, Options& options)
+{
   app
     .add_option("--field", texts.field,
       "distance field: .vti, one file, or .pvti, pieces of 64 slices "
@@ -78,7 +81,7 @@ void addOutputOptions(CLI::App& app, OptionTexts& texts, Options& options)
       "what is near the surface as .vdb; written "
       "while it is computed, so it may be larger than memory")
     ->option_text("FILE")
-    ->group(group);
+    ->group(kOutputs);
   app
     .add_option("--field-arrays", texts.fieldArrays,
       "what the --field file holds besides the distance: closest_point, closest_cell, "
@@ -86,7 +89,7 @@ void addOutputOptions(CLI::App& app, OptionTexts& texts, Options& options)
       "bytes per grid point with all of them, 4 with the distance alone; default all")
     ->option_text("LIST")
     ->needs("--field")
-    ->group(group);
+    ->group(kOutputs);
   app
     .add_option("--band", options.band,
       "how far from the surface a .vdb field keeps distances, in grid points, in [1, 1000]; "
@@ -94,52 +97,70 @@ void addOutputOptions(CLI::App& app, OptionTexts& texts, Options& options)
     ->option_text("W")
     ->check(within<double>("[1, 1000]", [](double w) { return w >= 1.0 && w <= kMaxBand; }))
     ->needs("--field")
-    ->group(group);
+    ->group(kOutputs);
+}
+
+void addThicknessFiles(CLI::App& app, OptionTexts& texts)
+{
   app
     .add_option("--local-thickness", texts.localThickness,
       "image with the diameter of the largest ball inside the solid that contains each grid point, "
       "in world units, 0 outside; with --side exterior the separation, 0 inside; with both, the "
       "separation as a negative number; formats as --field, written while it is computed")
     ->option_text("FILE")
-    ->group(group);
+    ->group(kOutputs);
   app
     .add_option("--thickness", texts.thickness,
       "input surface with the point array Thickness and the cell array of the same name, in world "
       "units, float32; NaN where there is none; see --thickness-method; uses --angle and --side, "
       "but no grid: it is exact")
     ->option_text("FILE.vtp")
-    ->group(group);
+    ->group(kOutputs);
   app
     .add_option("--thickness-image", texts.thicknessImage,
       "picture of the surface coloured by thickness in world units, grey where there is none; "
       "large triangles get values inside as well; regions beyond limits are red and numbered")
     ->option_text("FILE.png")
-    ->group(group);
+    ->group(kOutputs);
   app
     .add_option("--thin-regions", texts.thinRegions,
       "triangles whose thickness is beyond --min-thickness or --max-thickness, with the cell "
       "arrays Region (as numbered in the table), Thickness and InputCell")
     ->option_text("FILE.vtp")
-    ->group(group);
+    ->group(kOutputs);
+}
+
+void addViewsAndReport(CLI::App& app, OptionTexts& texts)
+{
   app
     .add_option("--image", texts.image,
       "picture of the axis, or with --skeleton of the skeleton, in the translucent surface, with "
       "file, settings and scale; parts less than a fifth as thick as wide are also shown edge-on; "
       "needs no display")
     ->option_text("FILE.png")
-    ->group(group);
+    ->group(kOutputs);
   app
     .add_option("--html", texts.html,
       "page for browsers that shows axis and surface, with a slider for the separation angle; "
       "needs no server and no network; only in builds with vtk.js")
     ->option_text("FILE.html")
-    ->group(group);
+    ->group(kOutputs);
   app
     .add_option("--report", texts.report,
       "machine-readable result: mesh, parameters, grid, device, seconds of each phase, counts, "
       "topology, coverage; - for standard output, instead of the summary")
     ->option_text("FILE.json")
-    ->group(group);
+    ->group(kOutputs);
+}
+
+} // namespace
+
+void addOutputOptions(CLI::App& app, OptionTexts& texts, Options& options)
+{
+  addAxisFiles(app, texts);
+  addFieldFiles(app, texts, options);
+  addThicknessFiles(app, texts);
+  addViewsAndReport(app, texts);
 }
 
 void addScanOptions(CLI::App& app, Options& options)

@@ -5,6 +5,7 @@
 
 #include <vtkType.h>
 
+#include <algorithm>
 #include <map>
 
 // https://itk.org/Wiki/ITK/MetaIO/Documentation
@@ -48,11 +49,8 @@ bool isTrue(const HeaderFields& fields, const char* key)
   return lowerCase(fieldOf(fields, key)) == "true";
 }
 
-} // namespace
-
-ScanHeader parseMetaImageHeader(std::string_view content)
+HeaderFields readFields(HeaderLines& lines)
 {
-  HeaderLines lines(content);
   HeaderFields fields;
   while (fields.count("elementdatafile") == 0) // the last one
   {
@@ -65,8 +63,13 @@ ScanHeader parseMetaImageHeader(std::string_view content)
     }
     fields[lowerCase(trimmed(line.substr(0, sign)))] = trimmed(line.substr(sign + 1));
   }
+  return fields;
+}
 
-  const std::vector<std::int64_t> sizes = countsOf(fields, "dimsize");
+// The sizes of all axes: three, and others of size 1.
+std::vector<std::int64_t> sizesOf(const HeaderFields& fields)
+{
+  std::vector<std::int64_t> sizes = countsOf(fields, "dimsize");
   const std::size_t axes = sizes.size();
   if (std::to_string(axes) != fieldOf(fields, "ndims") || axes < 3)
   {
@@ -85,6 +88,11 @@ ScanHeader parseMetaImageHeader(std::string_view content)
   {
     refuseContent("has " + channels + " values a voxel; one is needed");
   }
+  return sizes;
+}
+
+ScanFrame frameOf(const HeaderFields& fields, std::size_t axes)
+{
   std::vector<double> spacing = numbersOfFirst(fields, { "elementspacing", "elementsize" });
   std::vector<double> origin = numbersOfFirst(fields, { "offset", "position", "origin" });
   std::vector<double> axesOf =
@@ -103,30 +111,26 @@ ScanHeader parseMetaImageHeader(std::string_view content)
   {
     refuseContent("spacing, offset or matrix has too few or too many numbers for the axes");
   }
-
-  ScanHeader header;
   std::array<std::array<double, 3>, 3> steps{};
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    header.dimensions[axis] = sizes[axis];
     for (std::size_t k = 0; k < 3; ++k)
     {
       steps[axis][k] = spacing[axis] * axesOf[axis * axes + k];
     }
   }
-  header.frame = makeFrame({ origin[0], origin[1], origin[2] }, steps);
-  header.scalarType = typeOf(fieldOf(fields, "elementtype"));
-  header.bigEndian =
-    isTrue(fields, "binarydatabyteordermsb") || isTrue(fields, "elementbyteordermsb");
-  const bool isText = lowerCase(fieldOf(fields, "binarydata", "true")) == "false";
-  header.encoding = isTrue(fields, "compresseddata") ? ScanEncoding::Deflated
-    : isText                                         ? ScanEncoding::Text
-                                                     : ScanEncoding::Raw;
+  return makeFrame({ origin[0], origin[1], origin[2] }, steps);
+}
+
+// Sets where the values are.
+// @param behindHeader where the header ends in its own file.
+void locateValues(const HeaderFields& fields, std::size_t behindHeader, ScanHeader& header)
+{
   const std::string& file = fields.at("elementdatafile");
   if (lowerCase(file) == "local")
   {
-    header.offset = lines.position();
-    return header;
+    header.offset = behindHeader;
+    return;
   }
   if (lowerCase(file.substr(0, 4)) == "list" || file.find('%') != std::string::npos)
   {
@@ -140,6 +144,26 @@ ScanHeader parseMetaImageHeader(std::string_view content)
     const std::vector<double> bytes = numbersOf(fields, "headersize");
     header.offset = bytes.empty() || bytes[0] < 0.0 ? 0 : static_cast<std::size_t>(bytes[0]);
   }
+}
+
+} // namespace
+
+ScanHeader parseMetaImageHeader(std::string_view content)
+{
+  HeaderLines lines(content);
+  const HeaderFields fields = readFields(lines);
+  const std::vector<std::int64_t> sizes = sizesOf(fields);
+  ScanHeader header;
+  std::copy_n(sizes.begin(), 3, header.dimensions.begin());
+  header.frame = frameOf(fields, sizes.size());
+  header.scalarType = typeOf(fieldOf(fields, "elementtype"));
+  header.bigEndian =
+    isTrue(fields, "binarydatabyteordermsb") || isTrue(fields, "elementbyteordermsb");
+  const bool isText = lowerCase(fieldOf(fields, "binarydata", "true")) == "false";
+  header.encoding = isTrue(fields, "compresseddata") ? ScanEncoding::Deflated
+    : isText                                         ? ScanEncoding::Text
+                                                     : ScanEncoding::Raw;
+  locateValues(fields, lines.position(), header);
   return header;
 }
 

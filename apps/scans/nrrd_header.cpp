@@ -107,16 +107,8 @@ Steps directionsOf(const HeaderFields& fields, std::size_t axes)
   return steps;
 }
 
-} // namespace
-
-ScanHeader parseNrrdHeader(std::string_view content)
+HeaderFields readFields(HeaderLines& lines)
 {
-  HeaderLines lines(content);
-  if (content.substr(0, 7) != "NRRD000")
-  {
-    refuseContent("is not an NRRD file: it does not start with NRRD000");
-  }
-  lines.next();
   HeaderFields fields;
   for (std::string_view line = lines.next(); !line.empty(); line = lines.next())
   {
@@ -128,6 +120,12 @@ ScanHeader parseNrrdHeader(std::string_view content)
     }
     fields[lowerCase(line.substr(0, colon))] = trimmed(line.substr(colon + 1));
   }
+  return fields;
+}
+
+// Sets sizes and the frame, of three axes.
+void setSpace(const HeaderFields& fields, ScanHeader& header)
+{
   const std::vector<std::int64_t> sizes = countsOf(fields, "sizes");
   if (std::to_string(sizes.size()) != fieldOf(fields, "dimension"))
   {
@@ -140,8 +138,6 @@ ScanHeader parseNrrdHeader(std::string_view content)
     refuseContent("'space directions' has " + std::to_string(steps.size()) + " vectors for " +
       std::to_string(sizes.size()) + " axes");
   }
-
-  ScanHeader header;
   std::array<std::array<double, 3>, 3> frame{};
   std::size_t used = 0;
   // An axis that is none of space, or a fourth one, may have one value only.
@@ -172,6 +168,21 @@ ScanHeader parseNrrdHeader(std::string_view content)
     makeFrame(origin.empty() ? std::array<double, 3>{}
                              : std::array<double, 3>{ origin[0], origin[1], origin[2] },
       frame);
+}
+
+} // namespace
+
+ScanHeader parseNrrdHeader(std::string_view content)
+{
+  HeaderLines lines(content);
+  if (content.substr(0, 7) != "NRRD000")
+  {
+    refuseContent("is not an NRRD file: it does not start with NRRD000");
+  }
+  lines.next();
+  const HeaderFields fields = readFields(lines);
+  ScanHeader header;
+  setSpace(fields, header);
   header.scalarType = typeOf(lowerCase(fieldOf(fields, "type")));
   header.encoding = encodingOf(lowerCase(fieldOf(fields, "encoding", "raw")));
   header.bigEndian = lowerCase(fieldOf(fields, "endian")) == "big";
