@@ -21,6 +21,7 @@ struct SiteSegment
   int fromSite;
   glm::dvec3 to;
   int toSite;
+  double change = -1.0; ///< about where one changes to the other, as a share; -1 if unknown
 };
 
 /// Returns the grid edge of a crossing.

@@ -135,17 +135,12 @@ private:
     guess.b = closestPoint(geometry_.sites, segment.toSite, segment.to);
     guess.a.site = segment.fromSite;
     guess.b.site = segment.toSite;
+    guess.position = segment.from +
+      guessedChange(segment, guess.a, guess.b) * (segment.to - segment.from);
     const glm::dvec3 near = guess.a.point - segment.from;
     const glm::dvec3 far = guess.b.point - segment.to;
-    const double toNear = glm::length(near);
-    const double toFar = glm::length(far);
-    // By how much the distances shrink along the edge.
-    const glm::dvec3 along = segment.to - segment.from;
-    const double shrinkNear = glm::dot(along, near) / toNear;
-    const double shrinkFar = glm::dot(along, far) / toFar;
-    const double middle = (toNear - toFar - shrinkFar) / (shrinkNear - shrinkFar);
-    guess.position = segment.from + (middle > 0.0 ? std::min(middle, 1.0) : 0.0) * along;
-    return glm::dot(near, far) <= std::cos(geometry_.angle) * toNear * toFar;
+    return glm::dot(near, far) <=
+      std::cos(geometry_.angle) * glm::length(near) * glm::length(far);
   }
 
   Standing standingOf(std::size_t c)
@@ -277,7 +272,11 @@ private:
       if (this->isWanted(c) && sampled_[c] == 0)
       {
         which.push_back(c);
-        segments.push_back(segmentOf(geometry_.frame, crossings_[c]));
+        SiteSegment segment = segmentOf(geometry_.frame, crossings_[c]);
+        const int axis = crossings_[c].axis;
+        segment.change =
+          (samples_.points[c].position[axis] - segment.from[axis]) / geometry_.frame.step[axis];
+        segments.push_back(segment);
       }
     }
     const std::vector<BisectorPoint> exact = bisectorPoints(geometry_, segments);

@@ -8,6 +8,9 @@ namespace medial
 namespace
 {
 
+/// Squared distances that differ by less, in local units (voxels), are equal.
+constexpr double kTolerance = 1e-9;
+
 /// Returns the root of the quadratic on [0, 1] with f(0) = atZero < 0, f'(0) = slope and f(1) =
 /// atOne > 0.
 double rootOfQuadratic(double atZero, double slope, double atOne)
@@ -20,16 +23,35 @@ double rootOfQuadratic(double atZero, double slope, double atOne)
 
 } // namespace
 
+double guessedChange(const SiteSegment& segment, const SitePoint& a, const SitePoint& b)
+{
+  const glm::dvec3 along = segment.to - segment.from;
+  const glm::dvec3 toA = a.point - segment.from;
+  const glm::dvec3 toB = b.point - segment.to;
+  const double lengthA = glm::length(toA);
+  const double lengthB = glm::length(toB);
+  const double shrinkA = glm::dot(along, toA) / lengthA;
+  const double shrinkB = glm::dot(along, toB) / lengthB;
+  const double t = (lengthA - lengthB - shrinkB) / (shrinkA - shrinkB);
+  return t > 0.0 ? std::min(t, 1.0) : 0.0;
+}
+
 SiteChange::SiteChange(const SiteSet& sites, const SiteSegment& segment)
   : sites_(&sites)
   , start_(segment.from)
   , along_(segment.to - segment.from)
   , siteA_(segment.fromSite)
   , siteB_(segment.toSite)
-  , low_(this->evaluate(0.0))
-  , high_(this->evaluate(1.0))
 {
-  this->solve();
+  const double guess = segment.change >= 0.0
+    ? segment.change
+    : guessedChange(segment, closestPoint(sites, siteA_, segment.from),
+        closestPoint(sites, siteB_, segment.to));
+  if (!this->solveFrom(guess))
+  {
+    this->findEnds();
+    this->solve();
+  }
 }
 
 bool SiteChange::found() const
@@ -46,32 +68,61 @@ bool SiteChange::settledBy(const SitePoint& closest) const
 void SiteChange::narrow(const SitePoint& third)
 {
   const glm::dvec3& x = point_.position;
-  if (separationAngle(x, point_.a.point, third.point) >=
-    separationAngle(x, third.point, point_.b.point))
+  const Place before = this->placeAt(root_, point_.a, point_.b);
+  const bool toThird = separationAngle(x, point_.a.point, third.point) >=
+    separationAngle(x, third.point, point_.b.point);
+  (toThird ? siteB_ : siteA_) = third.site;
+  if (!endsKnown_)
   {
-    siteB_ = third.site;
-    high_ = this->endAt(root_, point_.a, third);
-    low_ = this->endAt(low_.t, low_.a, closestPoint(*sites_, siteB_, this->at(low_.t)));
+    this->findEnds();
+  }
+  if (toThird)
+  {
+    high_ = this->placeAt(root_, before.a, third);
+    low_ = this->placeAt(low_.t, low_.a, closestPoint(*sites_, siteB_, this->at(low_.t)));
   }
   else
   {
-    siteA_ = third.site;
-    low_ = this->endAt(root_, third, point_.b);
-    high_ = this->endAt(high_.t, closestPoint(*sites_, siteA_, this->at(high_.t)), high_.b);
+    low_ = this->placeAt(root_, third, before.b);
+    high_ = this->placeAt(high_.t, closestPoint(*sites_, siteA_, this->at(high_.t)), high_.b);
   }
   this->solve();
 }
 
+void SiteChange::findEnds()
+{
+  low_ = this->evaluate(0.0);
+  high_ = this->evaluate(1.0);
+  endsKnown_ = true;
+}
+
 /// Squared distances, and their difference, are quadratic along the segment as long as the closest
-/// points stay on the same faces, edges and vertices. So usually the first step ends at the root.
+/// points stay on the same faces, edges and vertices. So a step or two end at the root, mostly.
+/// Returns whether they do.
+bool SiteChange::solveFrom(double t)
+{
+  constexpr int kMaxSteps = 4;
+  for (int i = 0; i < kMaxSteps && t >= 0.0 && t <= 1.0; ++i)
+  {
+    const Place place = this->evaluate(t);
+    if (std::abs(place.value) < kTolerance)
+    {
+      this->setRoot(place);
+      return true;
+    }
+    t += this->stepToRoot(place);
+  }
+  return false;
+}
+
+/// Finds the root between the ends.
 void SiteChange::solve()
 {
   constexpr int kMaxIterations = 60;
-  constexpr double kTolerance = 1e-9;
-  End low = low_;
-  End high = high_;
+  Place low = low_;
+  Place high = high_;
   // If the sites are at equal distance at an end, up to rounding, that end is the root.
-  End root = low.value >= 0.0 ? low : high;
+  Place root = low.value >= 0.0 ? low : high;
   if (low.value < 0.0 && high.value > 0.0)
   {
     double part = rootOfQuadratic(low.value, low.gradient * (high.t - low.t), high.value);
@@ -88,22 +139,62 @@ void SiteChange::solve()
       part = halved ? rootOfQuadratic(low.value, low.gradient * (high.t - low.t), high.value) : 0.5;
     }
   }
+  this->setRoot(root);
+}
+
+void SiteChange::setRoot(const Place& root)
+{
   root_ = root.t;
   point_ = { this->at(root.t), root.a, root.b };
 }
 
-SiteChange::End SiteChange::evaluate(double t) const
+SiteChange::Place SiteChange::evaluate(double t) const
 {
   const glm::dvec3 x = this->at(t);
-  return this->endAt(t, closestPoint(*sites_, siteA_, x), closestPoint(*sites_, siteB_, x));
+  return this->placeAt(t, closestPoint(*sites_, siteA_, x), closestPoint(*sites_, siteB_, x));
 }
 
-SiteChange::End SiteChange::endAt(double t, const SitePoint& a, const SitePoint& b) const
+SiteChange::Place SiteChange::placeAt(double t, const SitePoint& a, const SitePoint& b) const
 {
   const glm::dvec3 x = this->at(t);
   const glm::dvec3 toA = a.point - x;
   const glm::dvec3 toB = b.point - x;
   return { t, a, b, glm::dot(toA, toA) - glm::dot(toB, toB), 2.0 * glm::dot(along_, toB - toA) };
+}
+
+/// Returns the factor of the square of t in the squared distance from a face, edge or vertex.
+double SiteChange::curvature(const SitePoint& closest, double t) const
+{
+  const double whole = glm::dot(along_, along_);
+  const glm::dvec3 way = closest.point - this->at(t);
+  switch (sites_->kind(closest.site))
+  {
+    case SiteKind::Face:
+    {
+      const double across = glm::dot(along_, way);
+      return across * across / glm::dot(way, way);
+    }
+    case SiteKind::Edge:
+    {
+      const glm::ivec2& ends = sites_->edges()[closest.site - sites_->firstEdge()];
+      const glm::dvec3 edge = sites_->points()[ends[1]] - sites_->points()[ends[0]];
+      const double beside = glm::dot(along_, edge);
+      return whole - beside * beside / glm::dot(edge, edge);
+    }
+    case SiteKind::Vertex:
+      break;
+  }
+  return whole;
+}
+
+/// Returns the way to the nearer root of the quadratic through a place; not a number if there is
+/// none.
+double SiteChange::stepToRoot(const Place& place) const
+{
+  const double square = this->curvature(place.a, place.t) - this->curvature(place.b, place.t);
+  const double root =
+    std::sqrt(place.gradient * place.gradient - 4.0 * square * place.value);
+  return -2.0 * place.value / (place.gradient + std::copysign(root, place.gradient));
 }
 
 } // namespace medial

@@ -8,6 +8,12 @@
 namespace medial
 {
 
+/// Returns where on a segment, as a share of the way, two distances are equal if both shrink as they
+/// do at the ends.
+/// @param a closest point of the site at the segment's start, seen from there.
+/// @param b closest point of the site at its end, seen from there.
+double guessedChange(const SiteSegment& segment, const SitePoint& a, const SitePoint& b);
+
 /// The part of a segment where one closest site is known to change to another. The point at equal
 /// distance from both is a bisector point as soon as no third site is nearer.
 class SiteChange
@@ -27,8 +33,8 @@ public:
   void narrow(const SitePoint& third);
 
 private:
-  /// An end of the part, with both closest points.
-  struct End
+  /// A place on the segment, with both closest points.
+  struct Place
   {
     double t;
     SitePoint a;
@@ -37,19 +43,25 @@ private:
     double gradient; ///< its derivative
   };
 
+  bool solveFrom(double t);
+  void findEnds();
   void solve();
+  void setRoot(const Place& root);
   glm::dvec3 at(double t) const { return start_ + t * along_; }
   /// @param a, b closest points of the two sites.
-  End endAt(double t, const SitePoint& a, const SitePoint& b) const;
-  End evaluate(double t) const;
+  Place placeAt(double t, const SitePoint& a, const SitePoint& b) const;
+  Place evaluate(double t) const;
+  double curvature(const SitePoint& closest, double t) const;
+  double stepToRoot(const Place& place) const;
 
   const SiteSet* sites_;
   glm::dvec3 start_;
   glm::dvec3 along_;
   int siteA_;
   int siteB_;
-  End low_;
-  End high_;
+  bool endsKnown_ = false;
+  Place low_;
+  Place high_;
   double root_ = 0.5;
   BisectorPoint point_;
 };
