@@ -307,11 +307,22 @@ void removeCovered(std::size_t pointCount, MedialAxis& axis)
 {
   if (!axis.lines.empty())
   {
-    std::vector<EdgeTable::Edge> edges;
-    std::for_each(axis.quads.begin(), axis.quads.end(),
-      [&](const auto& quad) { addEdges(quad, edges); });
-    std::for_each(axis.triangles.begin(), axis.triangles.end(),
-      [&](const auto& triangle) { addEdges(triangle, edges); });
+    std::vector<std::uint8_t> onLine(pointCount, 0);
+    for (const auto& line : axis.lines)
+    {
+      onLine[line[0]] = onLine[line[1]] = 1;
+    }
+    std::vector<EdgeTable::Edge> edges; // only those that are asked for
+    const auto addEdgesOnLines = [&](const auto& cell)
+    {
+      if (std::count_if(cell.begin(), cell.end(), [&](Id corner) { return onLine[corner] != 0; }) >
+        1)
+      {
+        addEdges(cell, edges);
+      }
+    };
+    std::for_each(axis.quads.begin(), axis.quads.end(), addEdgesOnLines);
+    std::for_each(axis.triangles.begin(), axis.triangles.end(), addEdgesOnLines);
     const EdgeTable table(edges, pointCount);
     axis.lines.erase(std::remove_if(axis.lines.begin(), axis.lines.end(),
                        [&](const auto& line) { return table.count(line) > 0; }),

@@ -2,7 +2,6 @@
 
 #include "axis/closest_pairs.h"
 #include "axis/plane_fit.h"
-#include "axis/sheet_selection.h"
 #include "axis/tile_order.h"
 
 #include <tbb/blocked_range.h>
@@ -95,12 +94,13 @@ double minAngle(const AxisGeometry& geometry, const DualMesh& mesh, const Bisect
 class SurfacePlacer
 {
 public:
+  /// @param selection whose smooth cells have their points already, or null.
   SurfacePlacer(const AxisGeometry& geometry, const DualMesh& mesh, const BisectorPoints& bisectors,
-    const CellPoints& known)
+    const SheetSelection* selection)
     : geometry_(geometry)
     , mesh_(mesh)
     , bisectors_(bisectors)
-    , known_(known)
+    , selection_(selection)
     , planes_(bisectors.points.size())
   {
     tbb::parallel_for(std::size_t{ 0 }, planes_.size(),
@@ -128,6 +128,17 @@ public:
   }
 
 private:
+  /// Returns the point of a vertex in a smooth cell; null for others.
+  const BisectorPoint* known(std::size_t v) const
+  {
+    if (selection_ == nullptr)
+    {
+      return nullptr;
+    }
+    const std::size_t origin = selection_->part.origins[v];
+    return selection_->cells.has(origin) ? &selection_->cells.points[origin] : nullptr;
+  }
+
   /// @param narrow set to the vertices whose separation angle is too small.
   void placeInCells(const std::uint32_t* begin, const std::uint32_t* end,
     std::vector<std::size_t>& narrow, BisectorPoints& result) const
@@ -144,9 +155,9 @@ private:
           nearestCrossing(mesh_, bisectors_, v, meanCrossing(mesh_, bisectors_, v));
         result.moved[v] = 1;
       }
-      else if (!known_.found.empty() && known_.found[v] != 0)
+      else if (const BisectorPoint* const point = this->known(v))
       {
-        this->keep(v, known_.points[v], narrow, result);
+        this->keep(v, *point, narrow, result);
       }
       else
       {
@@ -186,7 +197,7 @@ private:
   const AxisGeometry& geometry_;
   const DualMesh& mesh_;
   const BisectorPoints& bisectors_;
-  const CellPoints& known_;
+  const SheetSelection* selection_;
   std::vector<BisectorPlane> planes_; ///< of all crossings
   AngleLimit limit_{ geometry_.angle };
 };
@@ -228,15 +239,26 @@ BisectorPoints placeVertices(const AxisGeometry& geometry, const DualMesh& mesh,
   return result;
 }
 
-} // namespace
-
-BisectorPoints surfacePoints(const AxisGeometry& geometry, const DualMesh& mesh,
-  const BisectorPoints& bisectors, const CellPoints& known)
+BisectorPoints placeOnBisectors(const AxisGeometry& geometry, const DualMesh& mesh,
+  const BisectorPoints& bisectors, const SheetSelection* selection)
 {
-  const SurfacePlacer placer(geometry, mesh, bisectors, known);
+  const SurfacePlacer placer(geometry, mesh, bisectors, selection);
   return placeVertices(geometry, mesh,
     [&](const std::uint32_t* begin, const std::uint32_t* end, BisectorPoints& result)
     { placer.place(begin, end, result); });
+}
+
+} // namespace
+
+BisectorPoints surfacePoints(const AxisGeometry& geometry, const DualMesh& mesh,
+  const BisectorPoints& bisectors)
+{
+  return placeOnBisectors(geometry, mesh, bisectors, nullptr);
+}
+
+BisectorPoints surfacePoints(const AxisGeometry& geometry, const SheetSelection& selection)
+{
+  return placeOnBisectors(geometry, selection.part.mesh, selection.bisectors, &selection);
 }
 
 BisectorPoints cellCentres(const AxisGeometry& geometry, const DualMesh& mesh,

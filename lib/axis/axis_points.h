@@ -3,7 +3,7 @@
 #include "axis/axis_geometry.h"
 #include "axis/bisector.h"
 #include "axis/dual_mesh.h"
-#include "axis/smooth_cells.h"
+#include "axis/sheet_selection.h"
 
 namespace medial
 {
@@ -11,9 +11,11 @@ namespace medial
 /// Places every vertex of the dual mesh where the bisectors of its cell meet, by a quadratic error
 /// function over their planes. If the separation angle is too small there, it tries
 /// axisAlongNormals(), then the nearest crossing of the cell, so that all vertices have the angle.
-/// @param known points of some vertices; may be empty.
 BisectorPoints surfacePoints(const AxisGeometry& geometry, const DualMesh& mesh,
-  const BisectorPoints& bisectors, const CellPoints& known = {});
+  const BisectorPoints& bisectors);
+
+/// The same for the dual mesh of selected crossings, whose smooth cells have their points already.
+BisectorPoints surfacePoints(const AxisGeometry& geometry, const SheetSelection& selection);
 
 /// Places every vertex at the centre of its cell.
 BisectorPoints cellCentres(const AxisGeometry& geometry, const DualMesh& mesh,

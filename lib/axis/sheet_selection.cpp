@@ -101,7 +101,7 @@ public:
     SheetSelection selection;
     selection.part = submesh(samples_.mesh, kept_);
     selection.bisectors = this->selected();
-    selection.cells = this->cellsOf(selection.part);
+    selection.cells = std::move(cells_);
     selection.samples = std::move(samples_);
     selection.kept = kept_;
     return selection;
@@ -135,12 +135,11 @@ private:
     guess.b = closestPoint(geometry_.sites, segment.toSite, segment.to);
     guess.a.site = segment.fromSite;
     guess.b.site = segment.toSite;
-    guess.position = segment.from +
-      guessedChange(segment, guess.a, guess.b) * (segment.to - segment.from);
+    guess.position =
+      segment.from + guessedChange(segment, guess.a, guess.b) * (segment.to - segment.from);
     const glm::dvec3 near = guess.a.point - segment.from;
     const glm::dvec3 far = guess.b.point - segment.to;
-    return glm::dot(near, far) <=
-      std::cos(geometry_.angle) * glm::length(near) * glm::length(far);
+    return glm::dot(near, far) <= std::cos(geometry_.angle) * glm::length(near) * glm::length(far);
   }
 
   Standing standingOf(std::size_t c)
@@ -457,20 +456,6 @@ private:
         nearKept_[corner] |= kept_[c];
       }
     }
-  }
-
-  CellPoints cellsOf(const DualSubmesh& part) const
-  {
-    CellPoints cells;
-    if (!cells_.found.empty())
-    {
-      for (const std::size_t origin : part.origins)
-      {
-        cells.points.push_back(cells_.points[origin]);
-        cells.found.push_back(cells_.found[origin]);
-      }
-    }
-    return cells;
   }
 
   BisectorPoints selected() const

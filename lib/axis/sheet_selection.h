@@ -25,7 +25,7 @@ struct SheetSelection
   DualSubmesh part;         ///< their dual mesh, a part of that of the samples
   SheetSamples samples;
   std::vector<std::uint8_t> kept; ///< for each sample not 0 if it is selected
-  CellPoints cells;               ///< points of vertices of the part; may be empty
+  CellPoints cells;               ///< points of vertices of all samples; may be empty
 };
 
 /// Where the samples of sheets lie.

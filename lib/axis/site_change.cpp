@@ -192,8 +192,7 @@ double SiteChange::curvature(const SitePoint& closest, double t) const
 double SiteChange::stepToRoot(const Place& place) const
 {
   const double square = this->curvature(place.a, place.t) - this->curvature(place.b, place.t);
-  const double root =
-    std::sqrt(place.gradient * place.gradient - 4.0 * square * place.value);
+  const double root = std::sqrt(place.gradient * place.gradient - 4.0 * square * place.value);
   return -2.0 * place.value / (place.gradient + std::copysign(root, place.gradient));
 }
 

@@ -8,8 +8,8 @@
 namespace medial
 {
 
-/// Returns where on a segment, as a share of the way, two distances are equal if both shrink as they
-/// do at the ends.
+/// Returns where on a segment, as a share of the way, two distances are equal if both shrink as
+/// they do at the ends.
 /// @param a closest point of the site at the segment's start, seen from there.
 /// @param b closest point of the site at its end, seen from there.
 double guessedChange(const SiteSegment& segment, const SitePoint& a, const SitePoint& b);

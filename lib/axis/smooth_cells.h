@@ -17,6 +17,9 @@ struct CellPoints
 {
   std::vector<BisectorPoint> points; ///< for each vertex of a dual mesh
   std::vector<std::uint8_t> found;   ///< for each vertex not 0 if it has a point
+
+  /// Whether a vertex has a point; none has if there are no cells.
+  bool has(std::size_t vertex) const { return !found.empty() && found[vertex] != 0; }
 };
 
 /// Finds exact bisector points in the cells that one smooth sheet crosses, by one query each,

@@ -16,7 +16,7 @@ BisectorPoints surfaceOf(const AxisGeometry& geometry, std::vector<Crossing>& cr
   const SheetSelection selection = selectSheets(geometry, crossings);
   const DualMesh& mesh = selection.part.mesh;
   geometry.checkpoint();
-  BisectorPoints points = surfacePoints(geometry, mesh, selection.bisectors, selection.cells);
+  BisectorPoints points = surfacePoints(geometry, selection);
   const auto quads = quadsWithin(mesh, geometry.extent);
   const std::vector<EdgeTable::Edge> rims = rimEdges(mesh.cells, quads);
   const std::vector<std::size_t> elsewhere =

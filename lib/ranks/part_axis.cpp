@@ -62,7 +62,7 @@ void PartAxis::makePoints(Representation representation)
     case Representation::Surface:
     {
       selection_ = std::make_unique<const SheetSelection>(selectSheets(geometry_, crossings_));
-      points_ = surfacePoints(geometry_, this->mesh(), selection_->bisectors, selection_->cells);
+      points_ = surfacePoints(geometry_, *selection_);
       const auto quads = quadsWithin(this->mesh(), geometry_.extent);
       rims_ = std::make_unique<BorderRims>(geometry_, *selection_,
         rimEdges(this->mesh().cells, quads), selection_->part.origins, points_);
