@@ -6,6 +6,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <cmath>
@@ -99,8 +100,8 @@ public:
     inBlocks(geometry_, crossings_.size(),
       [&](std::size_t begin, std::size_t end) { this->settle(begin, end); });
     SheetSelection selection;
-    selection.part = submesh(samples_.mesh, kept_);
-    selection.bisectors = this->selected();
+    tbb::parallel_invoke([&] { selection.part = submesh(samples_.mesh, kept_); },
+      [&] { selection.bisectors = this->selected(); });
     selection.cells = std::move(cells_);
     selection.samples = std::move(samples_);
     selection.kept = kept_;
@@ -227,10 +228,17 @@ private:
   {
     const DualMesh& mesh = samples_.mesh;
     std::vector<std::uint8_t> far(crossings_.size());
+    inBlocks(geometry_, far.size(),
+      [&](std::size_t begin, std::size_t end)
+      {
+        for (std::size_t c = begin; c != end; ++c)
+        {
+          far[c] = this->isClear(c) ? 1 : 0;
+        }
+      });
     std::vector<std::size_t> front;
     for (std::size_t c = 0; c < far.size(); ++c)
     {
-      far[c] = this->isClear(c) ? 1 : 0;
       if (far[c] == 0)
       {
         front.push_back(c);
