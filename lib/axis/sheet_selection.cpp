@@ -194,7 +194,7 @@ private:
 
   bool isWanted(std::size_t c) const { return standing_[c] == kWide || standing_[c] == kInBand; }
 
-  /// Samples the crossings between smooth cells that no fit at a border reaches.
+  /// Samples the crossings between smooth cells that are not at a border.
   void sampleSmoothCells()
   {
     cells_ = SmoothCells(geometry_, crossings_, samples_.mesh, samples_.points)
@@ -223,48 +223,38 @@ private:
       guess.radius() >= geometry_.radius + kMargin && guess.lambda() >= geometry_.lambda + kMargin;
   }
 
-  /// Marks the crossings that are kFar cells or more from all that are not clear.
+  /// Marks the crossings that share no cell with one that is not clear.
   std::vector<std::uint8_t> farFromBorders() const
   {
     const DualMesh& mesh = samples_.mesh;
+    std::vector<std::uint8_t> clear(crossings_.size());
+    inBlocks(geometry_, clear.size(),
+      [&](std::size_t begin, std::size_t end)
+      {
+        for (std::size_t c = begin; c != end; ++c)
+        {
+          clear[c] = this->isClear(c) ? 1 : 0;
+        }
+      });
+    std::vector<std::uint8_t> nearBorder(mesh.cells.size(), 0);
+    for (std::size_t c = 0; c < clear.size(); ++c)
+    {
+      for (std::size_t i = 0; clear[c] == 0 && i < mesh.corners[c].size(); ++i)
+      {
+        nearBorder[mesh.corners[c][i]] = 1;
+      }
+    }
     std::vector<std::uint8_t> far(crossings_.size());
     inBlocks(geometry_, far.size(),
       [&](std::size_t begin, std::size_t end)
       {
         for (std::size_t c = begin; c != end; ++c)
         {
-          far[c] = this->isClear(c) ? 1 : 0;
+          const auto& corners = mesh.corners[c];
+          far[c] = std::none_of(corners.begin(), corners.end(),
+            [&](std::uint32_t corner) { return nearBorder[corner] != 0; });
         }
       });
-    std::vector<std::size_t> front;
-    for (std::size_t c = 0; c < far.size(); ++c)
-    {
-      if (far[c] == 0)
-      {
-        front.push_back(c);
-      }
-    }
-    std::vector<std::uint8_t> reached(mesh.cells.size(), 0);
-    std::vector<std::size_t> next;
-    for (int ring = 0; ring < SmoothCells::kFar; ++ring, front.swap(next), next.clear())
-    {
-      for (const std::size_t c : front)
-      {
-        for (const std::uint32_t corner : mesh.corners[c])
-        {
-          for (std::size_t i = mesh.offsets[corner];
-               reached[corner] == 0 && i < mesh.offsets[corner + 1]; ++i)
-          {
-            if (far[mesh.incident[i]] != 0)
-            {
-              far[mesh.incident[i]] = 0;
-              next.push_back(mesh.incident[i]);
-            }
-          }
-          reached[corner] = 1;
-        }
-      }
-    }
     return far;
   }
 

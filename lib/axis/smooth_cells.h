@@ -28,10 +28,6 @@ struct CellPoints
 class SmoothCells
 {
 public:
-  /// From so many cells on, no fit at a border reaches a crossing: its reach, and what its place
-  /// may move by.
-  static constexpr int kFar = 5;
-
   /// All arguments must outlive this.
   /// @param guesses where crossings meet the sheet, roughly, with the two sites of each.
   SmoothCells(const AxisGeometry& geometry, const std::vector<Crossing>& crossings,

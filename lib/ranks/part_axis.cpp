@@ -3,7 +3,6 @@
 #include "axis/axis_points.h"
 #include "axis/crease_rims.h"
 #include "axis/dual_mesh.h"
-#include "axis/smooth_cells.h"
 
 #include <algorithm>
 #include <cmath>
@@ -129,13 +128,13 @@ int crossingHalo(const GridFrame& frame, double angle)
 {
   // A vertex of a rim may borrow a fit from four vertices away; a fit goes through samples three
   // steps around a point, which may have moved; whether a sample is there depends on another fit,
-  // on its neighbours, and on crossings two cells away; where it lies depends on how far it is from
-  // borders, and on the crossings of cells there.
+  // on its neighbours, and on crossings two cells away; where it lies depends on what is within
+  // three cells: whether a border is there, and the crossings of cells.
   constexpr int kLoan = 4;
   constexpr int kFit = 4;
   constexpr int kBand = 3;
   constexpr int kNeighbours = 2;
-  constexpr int kFromBorders = SmoothCells::kFar + 2;
+  constexpr int kFromBorders = 3;
   return kLoan + 2 * kFit + kBand + kNeighbours + kFromBorders + farthestMove(frame, angle);
 }
 
