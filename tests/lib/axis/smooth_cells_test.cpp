@@ -120,6 +120,7 @@ TEST(SmoothCells, OfFacetedSurfacesHaveExactPairs)
   // Most guesses name other facets than those that are closest in the cell.
   Sheets sheets(torus(0.7, 0.25, 96, 48), 0.04, 60.0);
   const CellPoints cells = sheets.find(1);
+  EXPECT_GT(countOf(cells), 0u);
   anglesOf(sheets, cells);
   Sheets plate(roundedPlate(0.8, 0.5, 0.3, 5), 0.05, 60.0);
   const CellPoints cellsOfPlate = plate.find(1);
