@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 namespace medial::app
 {
 
@@ -9,6 +11,18 @@ void installSignalHandlers();
 
 /// True once the program has been asked to stop.
 bool interrupted();
+
+/// Whether the process that started this one has asked: a launcher does so, too, where another of
+/// its processes has failed.
+bool interruptedByParent();
+
+/// The program does not stop any more, whatever it was or will be asked: it gives files their
+/// names, all or none.
+void ignoreInterrupts();
+
+/// @param who begins the message; another process of a run in ranks, or nobody.
+/// @throws Failure Interrupted.
+[[noreturn]] void throwInterrupted(const std::string& who = "");
 
 /// @throws Failure Interrupted once the program has been asked to stop.
 void throwIfInterrupted();

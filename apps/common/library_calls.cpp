@@ -43,6 +43,11 @@ void runWithFailures(const std::string& culprit, const std::function<void()>& wo
   catch (const Error& error)
   {
     throwIfInterrupted();
+    if (error.code() == ErrorCode::Cancelled)
+    {
+      const std::string text = error.what(); // begins with the rank that was interrupted
+      throwInterrupted(text.substr(0, text.rfind("cancelled")));
+    }
     const ExitCode code = exitCodeOf(error.code());
     throw Failure(code, (code == ExitCode::NoGpu ? "" : culprit) + error.what());
   }

@@ -13,9 +13,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <condition_variable>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <mutex>
 #include <new>
 #include <optional>
 #include <string>
@@ -108,36 +110,76 @@ private:
     controller_->Receive(bytes, static_cast<vtkIdType>(count), from, kTag);
   }
 
-  /// Waits without taking the time of ranks that compute. Where the program is to stop and nothing
-  /// comes any more, since another rank has died, it ends here.
+  /// Waits without taking the time of ranks that compute.
   template <typename Done>
-  void waitFor(const Done& done) const
+  static void waitFor(const Done& done)
   {
-    using Clock = std::chrono::steady_clock;
-    constexpr std::chrono::milliseconds kPatience(300); // launchers kill after a second
     std::chrono::microseconds pause(1);
-    std::optional<Clock::time_point> stopped;
     while (!done())
     {
-      if (interrupted() && !stopped)
-      {
-        stopped = Clock::now();
-      }
-      if (stopped && Clock::now() - *stopped > kPatience)
-      {
-        OutputFile::removeTemporaries();
-        if (this->rank() == 0)
-        {
-          std::fprintf(stderr, "medial-axis: rank 0: interrupted\n");
-        }
-        std::_Exit(static_cast<int>(ExitCode::Interrupted));
-      }
       std::this_thread::sleep_for(pause);
       pause = std::min(2 * pause, std::chrono::microseconds(500));
     }
   }
 
   vtkMPIController* controller_;
+};
+
+/// Ends the process where it was asked to stop and has not done so in time: it may wait for a rank
+/// that has died, or for one that computes and knows of nothing.
+class InterruptWatch
+{
+public:
+  explicit InterruptWatch(int rank)
+    : rank_(rank)
+    , thread_([this] { this->watch(); })
+  {
+  }
+
+  ~InterruptWatch()
+  {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      ended_ = true;
+    }
+    changed_.notify_all();
+    thread_.join();
+  }
+
+  InterruptWatch(const InterruptWatch&) = delete;
+  InterruptWatch& operator=(const InterruptWatch&) = delete;
+
+private:
+  void watch()
+  {
+    using Clock = std::chrono::steady_clock;
+    constexpr std::chrono::milliseconds kInterval(20);
+    constexpr std::chrono::milliseconds kPatience(250);
+    std::unique_lock<std::mutex> lock(mutex_);
+    for (Clock::time_point asked = Clock::now(); Clock::now() - asked < kPatience;)
+    {
+      if (changed_.wait_for(lock, kInterval, [this] { return ended_; }))
+      {
+        return;
+      }
+      asked = interrupted() ? asked : Clock::now();
+    }
+    OutputFile::removeTemporaries();
+    // Launchers kill all processes after a second, and mpirun as soon as one has ended: by then
+    // the others have removed their files, too.
+    std::this_thread::sleep_for(kPatience);
+    if (!interruptedByParent()) // which has told why, or has another rank that did
+    {
+      std::fprintf(stderr, "medial-axis: rank %d: interrupted; nothing was written\n", rank_);
+    }
+    std::_Exit(static_cast<int>(ExitCode::Interrupted));
+  }
+
+  int rank_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  bool ended_ = false;
+  std::thread thread_; ///< the last member: it uses the others
 };
 
 class MpiSession : public RankSession
@@ -153,9 +195,14 @@ public:
       // Answers to --help are the same on all ranks. A failure to open the device loses nothing.
       static_cast<void>(std::freopen("/dev/null", "w", stdout));
     }
+    watch_.emplace(communicator_->rank());
   }
 
-  ~MpiSession() override { controller_->Finalize(); }
+  ~MpiSession() override
+  {
+    watch_.reset();
+    controller_->Finalize();
+  }
 
   Communicator& communicator() override { return *communicator_; }
 
@@ -199,6 +246,7 @@ private:
 
   vtkNew<vtkMPIController> controller_;
   std::unique_ptr<Communicator> communicator_;
+  std::optional<InterruptWatch> watch_;
 };
 
 } // namespace

@@ -6,6 +6,7 @@
 #include "field_output.h"
 #include "file_writer.h"
 #include "input_file.h"
+#include "interrupt.h"
 #include "library_calls.h"
 #include "progress_bar.h"
 #include "rank_agreement.h"
@@ -25,10 +26,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
-#include <exception>
-#include <functional>
 #include <iterator>
-#include <new>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -165,39 +163,18 @@ AxisPiece axisOfOne(Communicator& communicator, const Share& share, const Grid& 
   return piece;
 }
 
-/// Lets ranks compute together. A library call fails on all of them alike, but where one rank runs
-/// out of memory while it talks to others, they wait for it: that is not made a Failure.
-void together(const Options& options, const std::function<void()>& work)
-{
-  std::exception_ptr lost;
-  withFailures(options.input,
-    [&]
-    {
-      try
-      {
-        work();
-      }
-      catch (const std::bad_alloc&)
-      {
-        lost = std::current_exception();
-      }
-    });
-  if (lost)
-  {
-    std::rethrow_exception(lost);
-  }
-}
-
 /// Returns the parts of the grid that ranks compute.
 std::vector<Extent> extentsOf(const Options& options, Communicator& communicator,
-  const Share& share, const Grid& grid)
+  const Share& share, const Grid& grid, ProgressBar& bar)
 {
+  Watch watch(bar);
   std::vector<Extent> extents;
-  together(options,
+  withFailures(options.input,
     [&]
     {
       DistanceFieldOptions wanted = libraryOptions(options, share.bounds.diagonal()).field;
       wanted.engine = Engine::Processor;
+      wanted.execution.progress = &watch;
       extents = reasonForOne(options) == nullptr
         ? partsByWork(communicator, share.piece, grid, wanted)
         : partsOfGrid(grid, communicator.size());
@@ -217,7 +194,7 @@ Computed compute(const Options& options, Communicator& communicator, const Share
   Computed result;
   RankCounts counts;
   NoField nothing;
-  together(options,
+  withFailures(options.input,
     [&]
     {
       if (options.wantsAxis() && !alone)
@@ -259,7 +236,7 @@ public:
       return;
     }
     MedialAxis whole;
-    together(options, [&] { whole = gatherMedialAxis(communicator, computed.axis); });
+    withFailures(options.input, [&] { whole = gatherMedialAxis(communicator, computed.axis); });
     agree(communicator,
       [&]
       {
@@ -381,7 +358,7 @@ void runOnRanks(const Options& options, Communicator& communicator)
   const Share share = readShare(options, reasonForOne(options) != nullptr, communicator);
   Grid grid;
   agree(communicator, [&] { grid = gridOf(share.bounds, options); });
-  const std::vector<Extent> extents = extentsOf(options, communicator, share, grid);
+  const std::vector<Extent> extents = extentsOf(options, communicator, share, grid, bar);
   agree(communicator,
     [&]
     {
@@ -400,6 +377,7 @@ void runOnRanks(const Options& options, Communicator& communicator)
     axis->write(communicator, options, computed);
   }
   agree(communicator, [&] { field ? field->finish() : void(); });
+  ignoreInterrupts(); // all files are complete; from here on all of them appear
   agree(communicator,
     [&]
     {

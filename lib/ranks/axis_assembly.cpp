@@ -122,16 +122,12 @@ void AxisAssembly::build(Communicator& communicator, const GridShare& share, con
   // A quad reaches from its cell to the one before.
   given_ = share.spread(communicator, own.points, halo_ + 1, cellOf);
   quads_ = share.spread(communicator, own.quads, halo_, cellOf);
-  agree(communicator,
-    [&]
-    {
-      sortByNumber(given_);
-      sortByNumber(quads_);
-      own_.resize(given_.size());
-      std::transform(given_.begin(), given_.end(), own_.begin(),
-        [&](const AxisPoint& point) { return share.owns(point.cell) ? 1 : 0; });
-      this->buildAxis(own.pointsOnly);
-    });
+  sortByNumber(given_);
+  sortByNumber(quads_);
+  own_.resize(given_.size());
+  std::transform(given_.begin(), given_.end(), own_.begin(),
+    [&](const AxisPoint& point) { return share.owns(point.cell) ? 1 : 0; });
+  this->buildAxis(own.pointsOnly);
 }
 
 void AxisAssembly::buildAxis(bool pointsOnly)

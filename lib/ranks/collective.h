@@ -21,7 +21,19 @@ namespace medial
 template <typename T>
 using RankLists = std::vector<std::vector<T>>;
 
+/// The first byte of each message; those that end something have none.
+enum class MessageKind : char
+{
+  Values,
+  Failure ///< of the rank that sends it, instead of what the others wait for
+};
+
+/// @throws Error on every rank if one of them has sent a failure: that of the first of them, whose
+///   name it has unless all have failed alike.
+void throwFailureIn(const std::vector<Communicator::Message>& messages);
+
 /// Sends lists[r] to rank r, and returns what each rank sent here.
+/// @throws Error as throwFailureIn().
 template <typename T>
 RankLists<T> exchanged(Communicator& communicator, const RankLists<T>& lists)
 {
@@ -29,21 +41,23 @@ RankLists<T> exchanged(Communicator& communicator, const RankLists<T>& lists)
   std::vector<Communicator::Message> messages(lists.size());
   for (std::size_t rank = 0; rank < lists.size(); ++rank)
   {
-    messages[rank].resize(lists[rank].size() * sizeof(T));
-    if (!lists[rank].empty())
+    const std::size_t bytes = lists[rank].size() * sizeof(T);
+    messages[rank].resize(1 + bytes, static_cast<char>(MessageKind::Values));
+    if (bytes > 0)
     {
-      std::memcpy(messages[rank].data(), lists[rank].data(), messages[rank].size());
+      std::memcpy(messages[rank].data() + 1, lists[rank].data(), bytes);
     }
   }
   messages = communicator.exchange(std::move(messages));
+  throwFailureIn(messages);
   RankLists<T> received(messages.size());
   for (std::size_t rank = 0; rank < messages.size(); ++rank)
   {
-    received[rank].resize(messages[rank].size() / sizeof(T));
-    if (!received[rank].empty())
+    const std::size_t bytes = messages[rank].size() - 1;
+    received[rank].resize(bytes / sizeof(T));
+    if (bytes > 0)
     {
-      std::memcpy(static_cast<void*>(received[rank].data()), messages[rank].data(),
-        messages[rank].size());
+      std::memcpy(static_cast<void*>(received[rank].data()), messages[rank].data() + 1, bytes);
     }
   }
   return received;
@@ -194,9 +208,15 @@ inline int homeOf(std::int64_t item, std::int64_t count, int ranks)
   return static_cast<int>(item / ((count + ranks - 1) / ranks));
 }
 
-/// Does work that may fail on some ranks only.
-/// @throws Error on every rank if any has failed, with the message of the first of them, which
-///   names the rank where there are several.
-void agree(Communicator& communicator, const std::function<void()>& work);
+void agreeOn(Communicator& communicator, const std::function<void()>& work);
+
+/// Does work that may fail on some ranks only, wherever it is: the others learn of it when they
+/// exchange something the next time, at the latest at the end.
+/// @throws Error on every rank if any has failed, as throwFailureIn().
+template <typename Work>
+void agree(Communicator& communicator, const Work& work)
+{
+  agreeOn(communicator, std::cref(work)); // a copy would take memory outside
+}
 
 } // namespace medial

@@ -132,19 +132,14 @@ private:
     }
   }
 
-  /// Does work of this rank on its threads; not where it has no part of the grid. Throws on every
-  /// rank if it has failed on any.
+  /// Does work of this rank on its threads; not where it has no part of the grid.
   template <typename Work>
   void locally(const Work& work) const
   {
-    agree(communicator_,
-      [&]
-      {
-        if (!share_.own().empty())
-        {
-          withMemoryErrors(share_.own().pointCount(), [&] { run_.onThreads(work); });
-        }
-      });
+    if (!share_.own().empty())
+    {
+      withMemoryErrors(share_.own().pointCount(), [&] { run_.onThreads(work); });
+    }
   }
 
   /// Computes the field of this rank's part, and returns the crossings there.
@@ -165,15 +160,11 @@ private:
         }
       }
     };
-    agree(communicator_,
-      [&]
-      {
-        if (!extent.empty())
-        {
-          withMemoryErrors(extent.pointCount(), select);
-        }
-        run_.report(kSelected, "medial axis");
-      });
+    if (!extent.empty())
+    {
+      withMemoryErrors(extent.pointCount(), select);
+    }
+    run_.report(kSelected, "medial axis");
     return own;
   }
 
@@ -184,27 +175,23 @@ private:
   {
     std::vector<SharedCrossing> shared = share_.spread(communicator_, own, halo,
       [](const SharedCrossing& item) { return item.crossing.voxel; });
+    std::sort(shared.begin(), shared.end(),
+      [](const SharedCrossing& a, const SharedCrossing& b) { return a.number < b.number; });
+    const SitesHere sites(field_->siteNumbers());
+    const Extent part = share_.withHalo(halo);
     std::vector<Crossing> crossings;
-    agree(communicator_,
-      [&]
+    for (const SharedCrossing& item : shared)
+    {
+      Crossing crossing = item.crossing;
+      glm::ivec3 end = crossing.voxel;
+      ++end[crossing.axis];
+      if (GridShare::isIn(part, end))
       {
-        std::sort(shared.begin(), shared.end(),
-          [](const SharedCrossing& a, const SharedCrossing& b) { return a.number < b.number; });
-        const SitesHere sites(field_->siteNumbers());
-        const Extent part = share_.withHalo(halo);
-        for (const SharedCrossing& item : shared)
-        {
-          Crossing crossing = item.crossing;
-          glm::ivec3 end = crossing.voxel;
-          ++end[crossing.axis];
-          if (GridShare::isIn(part, end))
-          {
-            crossing.siteA = sites.find(crossing.siteA);
-            crossing.siteB = sites.find(crossing.siteB);
-            crossings.push_back(crossing);
-          }
-        }
-      });
+        crossing.siteA = sites.find(crossing.siteA);
+        crossing.siteB = sites.find(crossing.siteB);
+        crossings.push_back(crossing);
+      }
+    }
     return crossings;
   }
 
@@ -272,10 +259,7 @@ private:
       for (int pass = 0; pass < BorderRims::kPasses; ++pass)
       {
         exchange.update();
-        if (rims != nullptr)
-        {
-          run_.onThreads([&] { rims->smooth(pass); });
-        }
+        this->locally([&] { rims->smooth(pass); });
       }
       this->locally([&] { rims->settle(); });
     }
@@ -313,8 +297,7 @@ AxisPiece computeMedialAxis(Communicator& communicator, const SurfacePiece& piec
   RankCounts* counts)
 {
   CountingCommunicator counting(communicator);
-  std::optional<Run> run;
-  std::optional<GridShare> share;
+  AxisPiece result;
   agree(counting,
     [&]
     {
@@ -326,13 +309,13 @@ AxisPiece computeMedialAxis(Communicator& communicator, const SurfacePiece& piec
           std::to_string(extents.size()) + " extents for " + std::to_string(communicator.size()) +
             " ranks; there must be one for each");
       }
-      share.emplace(grid, extents, communicator.rank());
-      run.emplace(options.field.execution);
+      const GridShare share(grid, extents, communicator.rank());
+      const Run run(options.field.execution);
+      DistributedAxis axis(counting, piece, grid, share, options, run);
+      result = axis.compute(sink, counts);
+      result.axis.statistics = axis.statistics();
+      run.report(1.0, "medial axis");
     });
-  DistributedAxis axis(counting, piece, grid, *share, options, *run);
-  AxisPiece result = axis.compute(sink, counts);
-  result.axis.statistics = axis.statistics();
-  agree(counting, [&] { run->report(1.0, "medial axis"); });
   return result;
 }
 

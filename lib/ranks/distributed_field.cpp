@@ -5,8 +5,6 @@
 #include "ranks/counting_communicator.h"
 #include "ranks/rank_field.h"
 
-#include <optional>
-
 namespace medial
 {
 
@@ -16,27 +14,22 @@ RunStatistics computeDistanceField(Communicator& communicator, const SurfacePiec
 {
   CountingCommunicator counting(communicator);
   RunStatistics statistics;
-  std::optional<Run> run;
   agree(counting,
     [&]
     {
       checkFieldOfRanks(grid, extent, options);
-      run.emplace(options.execution);
-    });
-  RankField field(counting, piece, grid, extent, extent, options, *run, statistics);
-  agree(counting,
-    [&]
-    {
+      const Run run(options.execution);
+      RankField field(counting, piece, grid, extent, extent, options, run, statistics);
       if (!extent.empty())
       {
         withMemoryErrors(extent.pointCount(), [&] { field.compute(extent, sink); });
       }
-      run->report(1.0, "distance field");
+      run.report(1.0, "distance field");
+      if (counts != nullptr)
+      {
+        *counts = countsOf(field, counting);
+      }
     });
-  if (counts != nullptr)
-  {
-    *counts = countsOf(field, counting);
-  }
   return statistics;
 }
 

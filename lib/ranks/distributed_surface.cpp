@@ -151,7 +151,7 @@ std::int64_t largestOf(const std::vector<std::int64_t>& numbers)
 
 DistributedSurface::DistributedSurface(Communicator& communicator, const SurfacePiece& piece)
 {
-  agree(communicator, [&] { requirePiece(piece); });
+  requirePiece(piece);
   bounds_ = boundsOf(communicator, piece);
   const std::vector<int> numbers = this->numberPoints(communicator, piece);
   this->collectFaces(communicator, piece, numbers);
@@ -197,20 +197,16 @@ std::vector<int> DistributedSurface::numberPoints(Communicator& communicator,
   const RankLists<std::int64_t> wanted = exchanged(communicator, firsts);
   const auto sorted = sortedItems(wanted, std::less<>());
   pointOffsets_ = RankOffsets(communicator, static_cast<std::int64_t>(sorted.size()));
-  agree(communicator,
-    [&]
+  requireCount("the surface", pointOffsets_.total(), "points");
+  for (std::size_t i = 1; i < sorted.size(); ++i)
+  {
+    const auto& [rank, at] = sorted[i];
+    if (wanted[rank][at] == wanted[sorted[i - 1].first][sorted[i - 1].second])
     {
-      requireCount("the surface", pointOffsets_.total(), "points");
-      for (std::size_t i = 1; i < sorted.size(); ++i)
-      {
-        const auto& [rank, at] = sorted[i];
-        if (wanted[rank][at] == wanted[sorted[i - 1].first][sorted[i - 1].second])
-        {
-          throw Error(ErrorCode::InvalidInput,
-            "point " + std::to_string(wanted[rank][at]) + " has two positions");
-        }
-      }
-    });
+      throw Error(ErrorCode::InvalidInput,
+        "point " + std::to_string(wanted[rank][at]) + " has two positions");
+    }
+  }
   RankLists<int> replies = numbersFor(wanted);
   auto number = static_cast<int>(pointOffsets_.first[communicator.rank()]);
   for (const auto& [rank, i] : sorted)
@@ -253,26 +249,22 @@ void DistributedSurface::collectFaces(Communicator& communicator, const SurfaceP
     [](const FaceOffer& a, const FaceOffer& b)
     { return std::tie(a.cell, a.part) < std::tie(b.cell, b.part); });
   faceOffsets_ = RankOffsets(communicator, static_cast<std::int64_t>(order.size()));
-  agree(communicator,
-    [&]
+  if (faceOffsets_.total() == 0)
+  {
+    throw Error(ErrorCode::InvalidInput, "the mesh has no triangles");
+  }
+  requireCount("the surface", faceOffsets_.total(), "triangles", kMaxCorners / 3);
+  for (std::size_t i = 1; i < order.size(); ++i)
+  {
+    const FaceOffer& face = offers[order[i].first][order[i].second];
+    const FaceOffer& before = offers[order[i - 1].first][order[i - 1].second];
+    if (face.cell == before.cell && order[i].first != order[i - 1].first)
     {
-      if (faceOffsets_.total() == 0)
-      {
-        throw Error(ErrorCode::InvalidInput, "the mesh has no triangles");
-      }
-      requireCount("the surface", faceOffsets_.total(), "triangles", kMaxCorners / 3);
-      for (std::size_t i = 1; i < order.size(); ++i)
-      {
-        const FaceOffer& face = offers[order[i].first][order[i].second];
-        const FaceOffer& before = offers[order[i - 1].first][order[i - 1].second];
-        if (face.cell == before.cell && order[i].first != order[i - 1].first)
-        {
-          throw Error(ErrorCode::InvalidInput,
-            "the pieces overlap: cell " + std::to_string(face.cell) + " is in those of ranks " +
-              std::to_string(order[i - 1].first) + " and " + std::to_string(order[i].first));
-        }
-      }
-    });
+      throw Error(ErrorCode::InvalidInput,
+        "the pieces overlap: cell " + std::to_string(face.cell) + " is in those of ranks " +
+          std::to_string(order[i - 1].first) + " and " + std::to_string(order[i].first));
+    }
+  }
   auto face = static_cast<int>(faceOffsets_.first[communicator.rank()]);
   for (const auto& [rank, i] : order)
   {
@@ -411,12 +403,8 @@ std::vector<int> DistributedSurface::numberEdges(Communicator& communicator,
   asked = exchanged(communicator, asked);
   const auto sorted = sortedItems(asked, std::less<>());
   edgeOffsets_ = RankOffsets(communicator, static_cast<std::int64_t>(sorted.size()));
-  agree(communicator,
-    [&]
-    {
-      requireCount("the surface",
-        edgeOffsets_.total() + faceOffsets_.total() + pointOffsets_.total(), "sites");
-    });
+  requireCount("the surface", edgeOffsets_.total() + faceOffsets_.total() + pointOffsets_.total(),
+    "sites");
   RankLists<int> replies = numbersFor(asked);
   auto number = static_cast<int>(edgeOffsets_.first[communicator.rank()]);
   for (const auto& [rank, i] : sorted)
@@ -533,9 +521,16 @@ std::vector<FaceRecord> DistributedSurface::around(Communicator& communicator,
 SurfacePiece inRankOrder(Communicator& communicator, TriangleMesh mesh, std::int64_t points,
   std::int64_t cells)
 {
-  const std::int64_t firstPoint = RankOffsets(communicator, points).first[communicator.rank()];
-  const std::int64_t firstCell = RankOffsets(communicator, cells).first[communicator.rank()];
+  std::int64_t firstPoint = 0;
+  std::int64_t firstCell = 0;
   SurfacePiece piece{ std::move(mesh), {} };
+  agree(communicator,
+    [&]
+    {
+      firstPoint = RankOffsets(communicator, points).first[communicator.rank()];
+      firstCell = RankOffsets(communicator, cells).first[communicator.rank()];
+      piece.pointOrder.assign(piece.mesh.points.size(), -1);
+    });
   for (std::vector<std::int64_t>* list :
     { &piece.mesh.triangleCells, &piece.mesh.segmentCells, &piece.mesh.vertexCells })
   {
@@ -544,7 +539,6 @@ SurfacePiece inRankOrder(Communicator& communicator, TriangleMesh mesh, std::int
       cell += firstCell;
     }
   }
-  piece.pointOrder.assign(piece.mesh.points.size(), -1);
   for (std::size_t i = 0; i < piece.mesh.pointOfInput.size(); ++i)
   {
     const int point = piece.mesh.pointOfInput[i];

@@ -113,22 +113,12 @@ std::vector<T> atFirst(Communicator& communicator, std::vector<T> own)
   return all;
 }
 
-} // namespace
-
-MedialAxis gatherMedialAxis(Communicator& communicator, const AxisPiece& piece)
+/// @param pointCount of the whole axis.
+void bringTogether(const std::vector<NumberedPoint>& points, std::vector<NumberedCell>& cells,
+  std::size_t pointCount, MedialAxis& whole)
 {
-  const std::vector<NumberedPoint> points = atFirst(communicator, pointsOf(piece));
-  std::vector<NumberedCell> cells = atFirst(communicator, cellsOf(piece));
-  MedialAxis whole;
-  whole.sign = piece.axis.sign;
-  whole.side = piece.axis.side;
-  whole.statistics = piece.axis.statistics;
-  if (communicator.rank() > 0)
-  {
-    return whole;
-  }
-  resizeAxisPoints(static_cast<std::size_t>(piece.points), whole);
-  whole.feature.resize(whole.points.size());
+  resizeAxisPoints(pointCount, whole);
+  whole.feature.resize(pointCount);
   for (const NumberedPoint& point : points)
   {
     set(point, whole);
@@ -139,6 +129,26 @@ MedialAxis gatherMedialAxis(Communicator& communicator, const AxisPiece& piece)
   {
     add(cell, whole);
   }
+}
+
+} // namespace
+
+MedialAxis gatherMedialAxis(Communicator& communicator, const AxisPiece& piece)
+{
+  MedialAxis whole;
+  agree(communicator,
+    [&]
+    {
+      const std::vector<NumberedPoint> points = atFirst(communicator, pointsOf(piece));
+      std::vector<NumberedCell> cells = atFirst(communicator, cellsOf(piece));
+      whole.sign = piece.axis.sign;
+      whole.side = piece.axis.side;
+      whole.statistics = piece.axis.statistics;
+      if (communicator.rank() == 0)
+      {
+        bringTogether(points, cells, static_cast<std::size_t>(piece.points), whole);
+      }
+    });
   return whole;
 }
 

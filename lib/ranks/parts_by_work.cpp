@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -154,40 +153,32 @@ std::vector<Extent> partsByWork(Communicator& communicator, const SurfacePiece& 
   const Grid& grid, const DistanceFieldOptions& options)
 {
   const int ranks = communicator.size();
-  std::optional<Run> run;
+  std::vector<Extent> found;
   agree(communicator,
     [&]
     {
       checkFieldOfRanks(grid, {}, options);
-      run.emplace(Execution{ options.execution.threads, nullptr });
-    });
-  const Extent part = partsOfGrid(grid, ranks)[communicator.rank()];
-  DistanceFieldOptions unsignedOptions = options;
-  unsignedOptions.sign = SignMethod::None;
-  RunStatistics statistics;
-  RankField field(communicator, piece, grid, part, {}, unsignedOptions, *run, statistics);
-  RankLists<WorkBox> boxes = listsFor<WorkBox>(communicator);
-  agree(communicator,
-    [&]
-    {
+      const Run run = Run(options.execution).part(0.0, 0.0); // it can only be cancelled
+      const Extent part = partsOfGrid(grid, ranks)[communicator.rank()];
+      DistanceFieldOptions unsignedOptions = options;
+      unsignedOptions.sign = SignMethod::None;
+      RunStatistics statistics;
+      RankField field(communicator, piece, grid, part, {}, unsignedOptions, run, statistics);
+      RankLists<WorkBox> boxes = listsFor<WorkBox>(communicator);
       withMemoryErrors(part.pointCount(),
         [&] { boxes.front() = workIn(part, boxSize(grid, ranks), field); });
-    });
-  std::vector<Extent> found;
-  std::vector<WorkBox> all;
-  for (const std::vector<WorkBox>& list : exchanged(communicator, boxes))
-  {
-    all.insert(all.end(), list.begin(), list.end());
-  }
-  agree(communicator,
-    [&]
-    {
+      std::vector<WorkBox> all;
+      for (const std::vector<WorkBox>& list : exchanged(communicator, boxes))
+      {
+        all.insert(all.end(), list.begin(), list.end());
+      }
       if (communicator.rank() == 0)
       {
         WorkCut(all).cut(grid.wholeExtent(), ranks, found);
       }
+      found = gathered(communicator, found).front();
     });
-  return gathered(communicator, found).front();
+  return found;
 }
 
 } // namespace medial

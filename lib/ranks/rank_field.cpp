@@ -124,14 +124,10 @@ RankField::RankField(Communicator& communicator, const SurfacePiece& piece, cons
     const SharedTree tree(communicator, surface_, frame_);
     near_.emplace(tree.near(communicator, boxesOf(grid, frame_, searched)));
   }
-  agree(communicator,
-    [&]
-    {
-      host_.emplace(near_->part.mesh(), near_->part.connectivity(), frame_, this->sign(), run_,
-        statistics_,
-        [this](const SiteSet& sites)
-        { return GroupTree(sites, near_->part.connectivity(), near_->slack, near_->trees); });
-    });
+  host_.emplace(near_->part.mesh(), near_->part.connectivity(), frame_, this->sign(), run_,
+    statistics_,
+    [this](const SiteSet& sites)
+    { return GroupTree(sites, near_->part.connectivity(), near_->slack, near_->trees); });
 }
 
 FieldJob RankField::job(const Extent& extent)

@@ -155,9 +155,7 @@ double SharedSign::ambiguousShare(Communicator& communicator, const Grid& grid) 
   {
     const std::vector<SliceCrossings> slices =
       this->crossings(communicator, sample.frame, sample.extent);
-    agree(communicator,
-      [&]
-      { run_.onThreads([&] { share = ambiguousShareOf(sample, slices, *lids_, checkpoint_); }); });
+    run_.onThreads([&] { share = ambiguousShareOf(sample, slices, *lids_, checkpoint_); });
     if (share > kNoDoubt)
     {
       break;
@@ -217,25 +215,21 @@ std::vector<SliceCrossings> SharedSign::crossings(Communicator& communicator,
   const std::vector<Extent> asked = gathered(communicator, extent);
   RankLists<SentCrossing> lists = listsFor<SentCrossing>(communicator);
   std::vector<SliceCrossings> slices;
-  agree(communicator,
+  const TriangleChain own = this->ownChain();
+  run_.onThreads(
     [&]
     {
-      const TriangleChain own = this->ownChain();
-      run_.onThreads(
-        [&]
+      for (std::size_t rank = 0; rank < asked.size(); ++rank)
+      {
+        if (!asked[rank].empty())
         {
-          for (std::size_t rank = 0; rank < asked.size(); ++rank)
-          {
-            if (!asked[rank].empty())
-            {
-              lists[rank] = condensed(rowCrossings(own, frame, asked[rank]));
-            }
-          }
-          if (!extent.empty())
-          {
-            slices = rowCrossings(lidChain_, frame, extent);
-          }
-        });
+          lists[rank] = condensed(rowCrossings(own, frame, asked[rank]));
+        }
+      }
+      if (!extent.empty())
+      {
+        slices = rowCrossings(lidChain_, frame, extent);
+      }
     });
   for (const std::vector<SentCrossing>& list : exchanged(communicator, lists))
   {
@@ -254,14 +248,10 @@ std::vector<SliceCrossings> SharedSign::crossings(Communicator& communicator,
 InsideRows SharedSign::insideRows(Communicator& communicator, const Extent& extent) const
 {
   std::vector<SliceCrossings> slices = this->crossings(communicator, frame_, extent);
-  agree(communicator,
-    [&]
-    {
-      if (lids_ && !extent.empty())
-      {
-        run_.onThreads([&] { subtractLids(*lids_, frame_, extent, checkpoint_, slices); });
-      }
-    });
+  if (lids_ && !extent.empty())
+  {
+    run_.onThreads([&] { subtractLids(*lids_, frame_, extent, checkpoint_, slices); });
+  }
   return { extent, slices };
 }
 

@@ -1,6 +1,6 @@
 """medial-axis as several processes: fields and axes with the bits of one process, and failures in one line.
 
-usage: ranks_test.py MPIRUN MEDIAL-AXIS
+usage: ranks_test.py MPIRUN MEDIAL-AXIS FAILING-ALLOCATIONS
 """
 
 import math
@@ -17,7 +17,7 @@ from pathlib import Path
 
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPPolyDataReader
 
-MPIRUN, PROGRAM = (os.path.abspath(path) for path in sys.argv[1:3])
+MPIRUN, PROGRAM, FAULTS = (os.path.abspath(path) for path in sys.argv[1:4])
 # mpirun's own words about failures would get into the middle of the program's line.
 LAUNCHER = (MPIRUN, "--quiet", "--oversubscribe")
 # Both are for the tests' containers, where everything runs as root and there are few cores.
@@ -291,6 +291,41 @@ class Ranks(unittest.TestCase):
         left = [name for name in self.files() if name != "torus.off"]
         self.assertLessEqual(len(left), 1, left)
         self.assertTrue(all(name.startswith(".") for name in left), left)
+
+    def interrupt(self, rank, number):
+        """Sends a signal to a rank, or to mpirun for None, while all of them compute."""
+        command = [*LAUNCHER, "-np", "3", PROGRAM, "torus.off", "--field", "a.pvti", "-o", "a.pvtp", "--sign",
+                   "none", "--resolution", "500", "--threads", "1", "-q"]
+        with subprocess.Popen(command, cwd=self.folder, env=ENVIRONMENT, stderr=subprocess.PIPE, text=True) as run:
+            while len(list(self.folder.glob(".a*"))) < 4:
+                self.assertIsNone(run.poll())
+                time.sleep(0.01)
+            os.kill(run.pid if rank is None else children_of(run.pid)[rank], number)
+            errors = run.communicate(timeout=60)[1]
+        return subprocess.CompletedProcess(command, run.returncode, "", errors)
+
+    def test_a_rank_that_is_interrupted(self):
+        self.expect_failure(self.interrupt(2, signal.SIGINT), 130,
+                            "^medial-axis: (torus.off: )?rank 2: interrupted; nothing was written$")
+
+    def test_mpirun_that_is_interrupted(self):
+        run = self.interrupt(None, signal.SIGINT)
+        self.assertEqual(run.returncode, 1)  # mpirun's own
+        self.assertLessEqual(len([line for line in run.stderr.splitlines() if "medial-axis" in line]), 1, run.stderr)
+        self.assertEqual(self.files(), ["torus.off"])
+
+    def test_a_rank_without_memory(self):
+        options = ("torus.off", "--field", "a.pvti", "-o", "a.pvtp", "--sign", "none", "--resolution", "100", *SINGLE)
+        # AddressSanitizer wants to be the first library.
+        fault = ("-x", f"LD_PRELOAD={FAULTS}", "-x", "MEDIAL_FAIL_ALLOCATION=15000",
+                 "-x", "ASAN_OPTIONS=verify_asan_link_order=0")
+        command = (*LAUNCHER, "-np", "2", PROGRAM, *options, ":", "-np", "1", *fault, PROGRAM, *options)
+        self.expect_failure(self.run_command(*command), 5, "^medial-axis: rank 2: not enough memory$")
+
+    def test_a_rank_with_a_full_disk(self):
+        options = f"{PROGRAM} torus.off --field a.pvti -o a.pvtp --sign none --resolution 60 {' '.join(SINGLE)}"
+        command = (*LAUNCHER, "-np", "1", *options.split(), ":", "-np", "1", "sh", "-c", f"ulimit -f 60; exec {options}")
+        self.expect_failure(self.run_command(*command), 5, "^medial-axis: rank 1: a_1.vti: cannot be written")
 
     def test_the_version_is_printed_once(self):
         run = self.run_ranks(3, "--version")

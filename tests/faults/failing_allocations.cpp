@@ -87,6 +87,12 @@ std::int64_t stopFailing()
   return counted;
 }
 
+std::int64_t stepBetweenFailures()
+{
+  const char* text = std::getenv("MEDIAL_FAULT_STEP");
+  return text != nullptr ? std::atoll(text) : 397;
+}
+
 std::int64_t liveBlocks()
 {
   return live;

@@ -20,6 +20,10 @@ void failAllocation(std::int64_t n, Failing failing);
 /// Lets all allocations succeed again, and returns how many there were since failAllocation().
 std::int64_t stopFailing();
 
+/// Returns the distance between the allocations that tests let fail: that in the environment
+/// variable MEDIAL_FAULT_STEP, where 1 tries all of them.
+std::int64_t stepBetweenFailures();
+
 /// Blocks that are allocated now.
 std::int64_t liveBlocks();
 

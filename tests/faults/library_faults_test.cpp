@@ -12,7 +12,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <functional>
 #include <iostream>
 #include <new>
@@ -21,9 +20,7 @@
 #include <thread>
 #include <vector>
 
-// The library where memory runs out, and where many threads use it at once. The environment
-// variable MEDIAL_FAULT_STEP is the distance between the allocations that fail; 1 tries all of
-// them.
+// The library where memory runs out, and where many threads use it at once.
 
 namespace medial::test
 {
@@ -89,12 +86,6 @@ std::vector<Stage> stages()
         append(bytes, computeThickness(meshOf(file)).values);
         return bytes;
       } } };
-}
-
-std::int64_t stepBetweenFailures()
-{
-  const char* text = std::getenv("MEDIAL_FAULT_STEP");
-  return text != nullptr ? std::atoll(text) : 397;
 }
 
 class LibraryFaults : public testing::Test

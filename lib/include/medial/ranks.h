@@ -29,7 +29,8 @@ public:
   /// Number of processes, at least 1.
   virtual int size() const = 0;
   /// Sends a message to every rank, this one too, and receives one from each. Every rank calls it,
-  /// as often as the others.
+  /// as often as the others. Where it throws, this rank has sent and received either all that the
+  /// others wait for or nothing.
   /// @param messages one for each rank; empty ones are allowed.
   /// @return those that the ranks have sent to this one, in the order of ranks.
   virtual std::vector<Message> exchange(std::vector<Message> messages) = 0;

@@ -171,16 +171,16 @@ class Ranks(unittest.TestCase):
             ({"options": explicit, "options of ranks": {"1": {"Dimensions": [9, 0, 9]}}}, "rank 1: .*dimension"),
             ({"options": small, "options of ranks": {"1": {"MemoryLimit": 1}}}, "rank 1: MemoryLimit 1 is not"),
             ({"options": {"Resolution": 1}}, "resolution 1 is outside"),
-            ({"options": {**small, "Engine": 1}}, "rank 0: .* needs the engine processor"),
+            ({"options": {**small, "Engine": 1}}, "needs the engine processor"),
         ]
         axis = {"axis": True, "options": small}
         failures += [
             ({**axis, "fault": "NaN", "rank": 1}, "^rank 1: point 0 .*nan"),
             ({**axis, "options of ranks": {"1": {"Angle": 40}}}, "rank 1: Angle 40, but rank 0 has Angle 60"),
             ({**axis, "options": {**small, "GenerateDistanceField": 1}}, "rank 0: GenerateDistanceField must be off"),
-            ({**axis, "options": {**small, "Topology": 1}}, "rank 0: .*topology"),
-            ({**axis, "options": {**small, "MaximumNumberOfSpheres": 50}}, "rank 0: .*number of spheres"),
-            ({**axis, "options": {**small, "Angle": 200}}, "rank 0: .*200"),
+            ({**axis, "options": {**small, "Topology": 1}}, "^preserved topology"),
+            ({**axis, "options": {**small, "MaximumNumberOfSpheres": 50}}, "^a maximum number of spheres"),
+            ({**axis, "options": {**small, "Angle": 200}}, "200"),
         ]
         good = {"pieces": "random", "options": small}
         cases = [{"pieces": "random", **case} for case, _ in failures] + [good]

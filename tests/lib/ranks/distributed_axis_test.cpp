@@ -15,7 +15,9 @@
 #include <array>
 #include <cstring>
 #include <map>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace medial;
@@ -158,6 +160,33 @@ void expectSameAxisOfAllPartitions(const Case& of)
   }
 }
 
+/// Splits an edge of triangles in its middle, on one side alone: triangles without area close the
+/// slits.
+TriangleMesh withSlits(TriangleMesh mesh)
+{
+  const std::size_t count = mesh.triangles.size();
+  std::set<std::pair<int, int>> split;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const auto [a, b, c] = mesh.triangles[i];
+    if (!split.insert(std::minmax(a, b)).second)
+    {
+      continue;
+    }
+    const int middle = static_cast<int>(mesh.points.size());
+    mesh.points.emplace_back();
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      mesh.points.back()[axis] = 0.5 * (mesh.points[a][axis] + mesh.points[b][axis]);
+    }
+    mesh.triangles[i] = { a, middle, c };
+    mesh.triangles.push_back({ middle, b, c });
+    mesh.triangles.push_back({ a, b, middle });
+  }
+  mesh.triangleCells.resize(mesh.triangles.size());
+  return mesh;
+}
+
 TriangleMesh torusAndBox()
 {
   return numbered(appended(translated(torus(0.8, 0.23, 60, 30), { 0.11, 0.03, -0.21 }),
@@ -294,6 +323,28 @@ TEST(DistributedAxis, IsThatOfOneProcessInAnyExtents)
       atRandom(5)));
 }
 
+TEST(DistributedAxis, OfCutsThroughTrianglesWithoutAreaIsThatOfOneProcess)
+{
+  // All coordinates are exact, and cuts lie where triangles do.
+  const TriangleMesh mesh = numbered(withSlits(
+    appended(box({ 1.0, 0.75, 0.5 }), translated(box({ 0.25, 0.5, 0.75 }), { 1.5, 0.0, 0.0 }))));
+  Case of{ mesh, {} };
+  of.grid.dimensions = { 102, 56, 56 };
+  of.grid.origin = { -1.1875, -0.875, -0.875 };
+  of.grid.spacing = { 0.03125, 0.03125, 0.03125 };
+  of.side = Side::Both;
+  const auto [x, y, z] = of.grid.wholeExtent().max;
+  const MedialAxis whole = computeMedialAxis(of.mesh, of.grid, optionsOf(of));
+  ASSERT_GT(whole.cellCount(), 0);
+  const int middle = 28; // where y and z are 0
+  const int end = 70;    // where x is 1, an end of the first box
+  expectWhole(whole,
+    axisOfRanks(of,
+      { { { 0, 0, 0 }, { end, middle, z } }, { { 0, middle + 1, 0 }, { end, y, z } },
+        { { end + 1, 0, 0 }, { x, y, middle - 1 } }, { { end + 1, 0, middle }, { x, y, z } } },
+      atRandom(4)));
+}
+
 TEST(DistributedAxis, GathersOnTheFirstRank)
 {
   Case of{ torusAndBox(), {} };
@@ -382,18 +433,17 @@ TEST(DistributedAxis, RefusesWhatNeedsTheWholeOnEveryRank)
   const std::vector<Extent> halves = partsOfGrid(of.grid, 2);
   MedialAxisOptions options = optionsOf(of);
   options.topology = Topology::Preserve;
-  EXPECT_EQ(refusal(halves, options),
-    "rank 0: preserved topology needs the whole axis in one process");
+  EXPECT_EQ(refusal(halves, options), "preserved topology needs the whole axis in one process");
   options = optionsOf(of);
   options.maxSpheres = 10;
   EXPECT_EQ(refusal(halves, options),
-    "rank 0: a maximum number of spheres needs the whole axis in one process");
+    "a maximum number of spheres needs the whole axis in one process");
   options = optionsOf(of);
   options.angle = 180.0;
   EXPECT_NE(refusal(halves, options).find("180"), std::string::npos);
   EXPECT_EQ(refusal({ halves[0], halves[0] }, optionsOf(of)),
-    "rank 0: the extents of ranks 0 and 1 overlap");
+    "the extents of ranks 0 and 1 overlap");
   EXPECT_NE(refusal({ halves[0], {} }, optionsOf(of)).find("points"), std::string::npos);
   EXPECT_EQ(refusal({ of.grid.wholeExtent() }, optionsOf(of)),
-    "rank 0: 1 extents for 2 ranks; there must be one for each");
+    "1 extents for 2 ranks; there must be one for each");
 }

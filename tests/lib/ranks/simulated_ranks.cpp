@@ -1,5 +1,7 @@
 #include "simulated_ranks.h"
 
+#include <exception>
+#include <new>
 #include <thread>
 #include <utility>
 
@@ -68,14 +70,27 @@ void SimulatedRanks::wait()
 std::vector<Communicator::Message> SimulatedRanks::exchange(int rank,
   std::vector<Communicator::Message> messages)
 {
+  std::vector<Communicator::Message> received;
+  received.reserve(messages.size());
   messages_[rank] = std::move(messages);
   this->wait();
-  std::vector<Communicator::Message> received;
-  for (int from = 0; from < size_; ++from)
+  std::exception_ptr failure; // the others do not wait for ever
+  try
   {
-    received.push_back(messages_[from][rank]);
+    for (int from = 0; from < size_; ++from)
+    {
+      received.push_back(messages_[from][rank]);
+    }
+  }
+  catch (const std::bad_alloc&)
+  {
+    failure = std::current_exception();
   }
   this->wait();
+  if (failure)
+  {
+    std::rethrow_exception(failure);
+  }
   return received;
 }
 
