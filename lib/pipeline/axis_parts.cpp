@@ -1,6 +1,7 @@
 #include "pipeline/axis_parts.h"
 
 #include "axis/axis_attributes.h"
+#include "axis/seam_sheets.h"
 #include "axis/sheet_selection.h"
 #include "axis/surface_axis.h"
 #include "base/checkpoint.h"
@@ -39,6 +40,16 @@ void keepWithin(const MedialAxis& axis, double low, double high, std::vector<Cel
       { return axis.points[point][2] >= low && axis.points[point][2] <= high; });
   };
   cells.erase(std::remove_if(cells.begin(), cells.end(), outside), cells.end());
+}
+
+void toWorld(const GridFrame& frame, BallMesh& mesh)
+{
+  for (BallMesh::Ball& ball : mesh.balls)
+  {
+    const Point3 centre = frame.toWorld(ball.centre);
+    ball.centre = { centre[0], centre[1], centre[2] };
+    ball.radius *= frame.unit;
+  }
 }
 
 void keepWithin(const MedialAxis& axis, double low, double high,
@@ -94,7 +105,8 @@ void AxisParts::cut()
   bounds_.push_back(grid_.dimensions[2]);
 }
 
-MedialAxis AxisParts::part(std::size_t number, Side side, double fraction, const Run& run)
+MedialAxis AxisParts::part(std::size_t number, Side side, double fraction, const Run& run,
+  BallMesh& seams)
 {
   const int first = bounds_[number];
   const int end = bounds_[number + 1];
@@ -120,6 +132,8 @@ MedialAxis AxisParts::part(std::size_t number, Side side, double fraction, const
         grid_.wholeExtent(), glm::radians(options_.angle), 0.0, 0.0, checkpoint,
         side_ ? &*side_ : nullptr };
       setAxisPoints(surfaceOf(geometry, crossings, axis), frame, axis);
+      seams = sheetsAtSeams(geometry, crossings, { first, end });
+      toWorld(frame, seams);
     });
   const double low = grid_.point(0, 0, first)[2];
   const double high = grid_.point(0, 0, end)[2];

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "axis/ball_mesh.h"
 #include "axis/side_check.h"
 #include "base/run.h"
 #include "field/crossing.h"
@@ -47,8 +48,9 @@ public:
   /// Computes the field, which the parts need.
   void computeField(FieldSink& sink);
 
-  /// Makes the points and cells of each part and calls visit(MedialAxis). Parts overlap in the
-  /// cells between them. Points that no cell uses may be left.
+  /// Makes the points and cells of each part, and its sheets at seams in world coordinates, and
+  /// calls visit(MedialAxis, BallMesh). Parts overlap in the cells between them. Points that no
+  /// cell uses may be left.
   /// @param side one that the options ask for; Both if the field has no sign.
   /// @param run progress of this.
   template <typename Visit>
@@ -57,12 +59,14 @@ public:
     for (std::size_t part = 0; part + 1 < bounds_.size(); ++part)
     {
       const double count = static_cast<double>(bounds_.size() - 1);
-      visit(this->part(part, side, static_cast<double>(part) / count, run));
+      BallMesh seams;
+      const MedialAxis axis = this->part(part, side, static_cast<double>(part) / count, run, seams);
+      visit(axis, seams);
     }
   }
 
 private:
-  MedialAxis part(std::size_t number, Side side, double fraction, const Run& run);
+  MedialAxis part(std::size_t number, Side side, double fraction, const Run& run, BallMesh& seams);
   void cut();
 
   Grid grid_;

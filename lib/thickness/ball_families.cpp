@@ -72,6 +72,23 @@ void BallFamilies::add(const MedialAxis& axis)
   }
 }
 
+void BallFamilies::add(const BallMesh& mesh)
+{
+  const auto first = static_cast<std::uint32_t>(balls_.size());
+  for (const BallMesh::Ball& ball : mesh.balls)
+  {
+    this->add(glm::vec3((ball.centre - origin_) / unit_), static_cast<float>(ball.radius / unit_));
+  }
+  for (const auto& [a, b] : mesh.edges)
+  {
+    this->join(first + a, first + b);
+  }
+  for (const auto& [a, b, c] : mesh.triangles)
+  {
+    this->joinTriangle({ first + a, first + b, first + c });
+  }
+}
+
 void BallFamilies::joinTriangle(const Triangle& triangle)
 {
   triangles_.push_back(triangle);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "axis/ball_mesh.h"
 #include "balls/bounding_tree.h"
 #include "medial/grid.h"
 #include "medial/medial_axis.h"
@@ -28,6 +29,8 @@ public:
 
   /// Adds the cells of an axis, quads as two triangles, and the balls that they need.
   void add(const MedialAxis& axis);
+  /// @param mesh world coordinates.
+  void add(const BallMesh& mesh);
   /// Adds a ball; returns its id.
   std::uint32_t add(const glm::vec3& centre, float radius);
   /// Joins two balls by a family.

@@ -187,7 +187,12 @@ private:
     Balls& balls)
   {
     balls.families = std::make_unique<BallFamilies>(grid_, glm::radians(kBallAngle));
-    parts.forParts(side, part, [&](const MedialAxis& axis) { balls.families->add(axis); });
+    parts.forParts(side, part,
+      [&](const MedialAxis& axis, const BallMesh& seams)
+      {
+        balls.families->add(axis);
+        balls.families->add(seams);
+      });
     const Stopwatch watch(statistics_.seconds);
     depths.addBorder(*balls.families);
     run_.onThreads([&] { balls.families->finish(); });

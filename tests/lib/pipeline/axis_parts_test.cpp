@@ -97,7 +97,7 @@ TEST(AxisParts, HaveTheCellsOfTheWholeOnBothSidesButFewAtBorders)
     std::size_t count = 0;
     std::set<Cell> cells;
     parts.forParts(side, medial::Run(Execution{}),
-      [&](const MedialAxis& axis)
+      [&](const MedialAxis& axis, const BallMesh&)
       {
         EXPECT_EQ(axis.side, side);
         addCells(axis, grid.spacing[0], cells);
@@ -122,6 +122,7 @@ TEST(AxisParts, OfAFewCrossingsAreOne)
   NoField sink;
   parts.computeField(sink);
   int count = 0;
-  parts.forParts(Side::Interior, medial::Run(Execution{}), [&](const MedialAxis&) { ++count; });
+  parts.forParts(Side::Interior, medial::Run(Execution{}),
+    [&](const MedialAxis&, const BallMesh&) { ++count; });
   EXPECT_EQ(count, 1);
 }

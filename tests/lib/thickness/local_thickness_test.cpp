@@ -208,7 +208,8 @@ TEST(LocalThickness, OfABentBoxIsTheLargestBallAroundEveryPoint)
 TEST(LocalThickness, OfBoxesIsTheLargestBallAroundEveryPoint)
 {
   for (const auto& [half, resolution] : { std::pair{ Point3{ 1.0, 0.7, 0.4 }, 26 },
-         std::pair{ Point3{ 0.5, 0.4, 0.3 }, 31 }, std::pair{ Point3{ 1.0, 0.15, 0.15 }, 60 } })
+         std::pair{ Point3{ 0.5, 0.4, 0.3 }, 31 }, std::pair{ Point3{ 1.0, 0.15, 0.15 }, 60 },
+         std::pair{ Point3{ 0.8, 0.6, 0.4 }, 28 }, std::pair{ Point3{ 0.8, 0.6, 0.4 }, 33 } })
   {
     const TriangleMesh mesh = box(half);
     const Grid grid = makeGrid(mesh.bounds(), resolution, 0.05);
@@ -237,7 +238,7 @@ TEST(LocalThickness, OfABallIsItsDiameter)
     {
       if (std::hypot(p[0], p[1], p[2]) < 0.99) // facets are up to 0.002 from the ball
       {
-        EXPECT_NEAR(value, 2.0, 0.015);
+        EXPECT_NEAR(value, 2.0, 0.015) << p[0] << " " << p[1] << " " << p[2];
         ++points;
       }
     });
