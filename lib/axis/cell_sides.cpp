@@ -54,9 +54,7 @@ CellSides::CellSides(const AxisGeometry& geometry, const glm::ivec3& cell,
   }
   std::sort(known.begin(), known.end(),
     [](const Known& p, const Known& q)
-    {
-      return p.distance != q.distance ? p.distance < q.distance : p.seen.site < q.seen.site;
-    });
+    { return p.distance != q.distance ? p.distance < q.distance : p.seen.site < q.seen.site; });
   for (const Known& one : known)
   {
     if (one.distance <= nearest + 2.0 * reach_)

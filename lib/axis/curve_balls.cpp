@@ -103,8 +103,8 @@ std::vector<Edge> neighbours(const SeamCells& cells, const std::vector<std::uint
 
 /// Replaces edges whose balls do not lie along one curve by {p, p}.
 /// @param points the balls.
-void dropOthers(const AxisGeometry& geometry, const std::vector<BisectorPoint>& points,
-  Edge* begin, Edge* end)
+void dropOthers(const AxisGeometry& geometry, const std::vector<BisectorPoint>& points, Edge* begin,
+  Edge* end)
 {
   std::vector<SiteQuery::Question> questions;
   for (const Edge* edge = begin; edge != end; ++edge)

@@ -100,8 +100,8 @@ private:
     return part;
   }
 
-  /// Finds the ends of seams and their radii. A site that is closest at an end was missing: then all
-  /// ends of the cell are found anew.
+  /// Finds the ends of seams and their radii. A site that is closest at an end was missing: then
+  /// all ends of the cell are found anew.
   void measureEnds(std::vector<SeamCell>& cells) const
   {
     std::vector<SeamCell*> open;
@@ -229,9 +229,9 @@ private:
     {
       middle += corner.centre / static_cast<double>(corners.size());
     }
-    const glm::dvec3 u = glm::normalize(
-      std::abs(across.x) < std::abs(across.y) ? glm::cross(across, glm::dvec3(1, 0, 0))
-                                              : glm::cross(across, glm::dvec3(0, 1, 0)));
+    const glm::dvec3 u = glm::normalize(std::abs(across.x) < std::abs(across.y)
+        ? glm::cross(across, glm::dvec3(1, 0, 0))
+        : glm::cross(across, glm::dvec3(0, 1, 0)));
     const glm::dvec3 v = glm::normalize(glm::cross(across, u));
     const auto turn = [&](const BallMesh::Ball& corner)
     {

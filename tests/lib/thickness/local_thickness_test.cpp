@@ -22,11 +22,7 @@ using namespace medial::test;
 namespace
 {
 
-/// Voxels. It is meant to hold everywhere, and nearly does: a cell of the grid holds one point of
-/// the axis, so where two sheets share a cell, the best ball may be missing.
-constexpr double kTolerance = 0.1;
-constexpr double kLargestError = 0.3;
-constexpr double kShareBeyond = 0.05;
+constexpr double kTolerance = 0.1; ///< voxels
 /// By how much balls may contain or miss a point in the truth, voxels.
 constexpr double kSlack = 0.02;
 constexpr double kSearchTolerance = 0.1;
@@ -95,15 +91,12 @@ void expectTruth(const TriangleMesh& mesh, Side side, int resolution, const Boun
       truth[i] = largestBallAround(search, boundsOf(grid), pointOf(grid, ids[i]), kSlack * voxel,
         kSearchTolerance * voxel);
     });
-  std::size_t low = 0;
   for (std::size_t i = 0; i < ids.size(); ++i)
   {
     const double value = std::fabs(static_cast<double>(thickness.values[ids[i]]));
     EXPECT_LE((value - truth[i].max) / voxel, kTolerance) << "point " << ids[i];
-    EXPECT_LE((truth[i].min - value) / voxel, kLargestError) << "point " << ids[i];
-    low += (truth[i].min - value) / voxel > kTolerance ? 1 : 0;
+    EXPECT_LE((truth[i].min - value) / voxel, kTolerance) << "point " << ids[i];
   }
-  EXPECT_LE(static_cast<double>(low) / static_cast<double>(ids.size()), kShareBeyond);
 }
 
 /// Calls check(point, value) for all grid points with a value.
@@ -226,6 +219,22 @@ TEST(LocalThickness, SeparationInABoxIsTheLargestBallAroundEveryPoint)
     const Grid grid = makeGrid(mesh.bounds(), resolution, 0.05);
     expectBallsOfBox(computeLocalThickness(mesh, grid, optionsFor(Side::Exterior)), half);
   }
+}
+
+TEST(LocalThickness, OfATubeIsItsDiameter)
+{
+  // Its axis is a curve, and facets make it one of many short sheets.
+  const TriangleMesh mesh = torus(1.0, 0.4, 96, 48);
+  const Grid grid = makeGrid(mesh.bounds(), 48, 0.05);
+  const LocalThickness thickness = computeLocalThickness(mesh, grid);
+  forValues(thickness,
+    [&](const Point3& p, double value)
+    {
+      if (std::hypot(std::hypot(p[0], p[1]) - 1.0, p[2]) < 0.38)
+      {
+        EXPECT_NEAR(value, 0.8, 0.1 * grid.spacing[0]) << p[0] << ' ' << p[1] << ' ' << p[2];
+      }
+    });
 }
 
 TEST(LocalThickness, OfABallIsItsDiameter)
