@@ -278,8 +278,9 @@ class Ranks(unittest.TestCase):
         self.expect_failure(run, 2, "^medial-axis: rank 1 has other options than rank 0$")
 
     def test_a_rank_that_is_killed(self):
-        command = [*LAUNCHER, "-np", "3", PROGRAM, "torus.off", "--field", "a.pvti", "--sign",
-                   "none", "--resolution", "500", "--threads", "1", "-q"]
+        # On a busy machine the others may need more than the second that mpirun gives them to end.
+        command = [*LAUNCHER, "--mca", "odls_base_sigkill_timeout", "4", "-np", "3", PROGRAM, "torus.off",
+                   "--field", "a.pvti", "--sign", "none", "--resolution", "500", "--threads", "1", "-q"]
         with subprocess.Popen(command, cwd=self.folder, env=ENVIRONMENT, stderr=subprocess.PIPE) as run:
             while len(list(self.folder.glob(".a*"))) < 4:  # the pieces and the index
                 self.assertIsNone(run.poll())
