@@ -43,10 +43,10 @@ void runWithFailures(const std::string& culprit, const std::function<void()>& wo
   catch (const Error& error)
   {
     throwIfInterrupted();
-    if (error.code() == ErrorCode::Cancelled)
+    const std::string text = error.what();
+    if (error.code() == ErrorCode::Cancelled && text.find("rank ") == 0)
     {
-      const std::string text = error.what(); // begins with the rank that was interrupted
-      throwInterrupted(text.substr(0, text.rfind("cancelled")));
+      throwInterrupted(text.substr(0, text.rfind("cancelled"))); // with the rank that was
     }
     const ExitCode code = exitCodeOf(error.code());
     throw Failure(code, (code == ExitCode::NoGpu ? "" : culprit) + error.what());

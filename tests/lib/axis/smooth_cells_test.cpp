@@ -118,7 +118,7 @@ TEST(SmoothCells, OfABoxHavePointsOnOneSheetEach)
 TEST(SmoothCells, OfFacetedSurfacesHaveExactPairs)
 {
   // Most guesses name other facets than those that are closest in the cell.
-  Sheets sheets(torus(0.7, 0.25, 96, 48), 0.04, 60.0);
+  Sheets sheets(Ellipsoid::mesh(4), 0.04, 60.0);
   const CellPoints cells = sheets.find(1);
   EXPECT_GT(countOf(cells), 0u);
   anglesOf(sheets, cells);
