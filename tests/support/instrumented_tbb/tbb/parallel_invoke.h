@@ -1,0 +1,25 @@
+#pragma once
+
+#include "parallel_for.h"
+
+namespace tbb
+{
+
+template <typename First, typename Second>
+void parallel_invoke(const First& first, const Second& second)
+{
+  parallel_for(0, 2,
+    [&](int which)
+    {
+      if (which == 0)
+      {
+        first();
+      }
+      else
+      {
+        second();
+      }
+    });
+}
+
+} // namespace tbb
