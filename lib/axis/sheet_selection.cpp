@@ -6,7 +6,6 @@
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <cmath>
@@ -100,8 +99,8 @@ public:
     inBlocks(geometry_, crossings_.size(),
       [&](std::size_t begin, std::size_t end) { this->settle(begin, end); });
     SheetSelection selection;
-    tbb::parallel_invoke([&] { selection.part = submesh(samples_.mesh, kept_); },
-      [&] { selection.bisectors = this->selected(); });
+    selection.part = submesh(samples_.mesh, kept_);
+    selection.bisectors = this->selected();
     selection.cells = std::move(cells_);
     selection.samples = std::move(samples_);
     selection.kept = kept_;
