@@ -68,7 +68,6 @@ bool SiteChange::settledBy(const SitePoint& closest) const
 void SiteChange::narrow(const SitePoint& third)
 {
   const glm::dvec3& x = point_.position;
-  const Place before = this->placeAt(root_, point_.a, point_.b);
   const bool toThird = separationAngle(x, point_.a.point, third.point) >=
     separationAngle(x, third.point, point_.b.point);
   (toThird ? siteB_ : siteA_) = third.site;
@@ -78,12 +77,12 @@ void SiteChange::narrow(const SitePoint& third)
   }
   if (toThird)
   {
-    high_ = this->placeAt(root_, before.a, third);
+    high_ = this->placeAt(root_, point_.a, third);
     low_ = this->placeAt(low_.t, low_.a, closestPoint(*sites_, siteB_, this->at(low_.t)));
   }
   else
   {
-    low_ = this->placeAt(root_, third, before.b);
+    low_ = this->placeAt(root_, third, point_.b);
     high_ = this->placeAt(high_.t, closestPoint(*sites_, siteA_, this->at(high_.t)), high_.b);
   }
   this->solve();
