@@ -24,18 +24,6 @@ std::array<glm::ivec3, 4> cellsAround(const Crossing& crossing)
   return { crossing.voxel - u - v, crossing.voxel - v, crossing.voxel, crossing.voxel - u };
 }
 
-bool insideGrid(const glm::ivec3& cell, const Extent& extent)
-{
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    if (cell[axis] < extent.min[axis] || cell[axis] >= extent.max[axis])
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
 /// The corners of quads around crossings that lie in one row of cells, by where the row of the
 /// crossings is relative to it: at (0, 0), (1, 0), (0, 1) or (1, 1).
 class RowCorners
@@ -255,6 +243,18 @@ private:
 
 } // namespace
 
+bool isWithin(const glm::ivec3& cell, const Extent& extent)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (cell[axis] < extent.min[axis] || cell[axis] >= extent.max[axis])
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 DualMesh dualMesh(const std::vector<Crossing>& crossings, const Extent& extent)
 {
   return CornerRows(crossings, extent).mesh();
@@ -333,7 +333,7 @@ DualSubmesh submesh(const DualMesh& mesh, const std::vector<std::uint8_t>& kept)
 bool isWithin(const DualMesh& mesh, const std::array<std::uint32_t, 4>& quad, const Extent& extent)
 {
   // These two are at opposite corners.
-  return insideGrid(mesh.cells[quad[0]], extent) && insideGrid(mesh.cells[quad[2]], extent);
+  return isWithin(mesh.cells[quad[0]], extent) && isWithin(mesh.cells[quad[2]], extent);
 }
 
 std::vector<std::array<std::int64_t, 4>> quadsWithin(const DualMesh& mesh, const Extent& extent)

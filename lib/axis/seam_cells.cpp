@@ -69,18 +69,6 @@ bool SeamCells::hasSeam(std::size_t vertex) const
   return false;
 }
 
-bool SeamCells::isWithin(const glm::ivec3& cell, const glm::ivec2& slices) const
-{
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    if (cell[axis] < geometry_.extent.min[axis] || cell[axis] >= geometry_.extent.max[axis])
-    {
-      return false;
-    }
-  }
-  return cell.z >= slices.x && cell.z < slices.y;
-}
-
 /// Finds the cells with seams, and those that share a crossing with one.
 void SeamCells::findVertices(const glm::ivec2& slices)
 {
@@ -110,7 +98,12 @@ void SeamCells::findVertices(const glm::ivec2& slices)
   const std::vector<std::uint32_t> order =
     tileOrder(geometry_.part, count, [&](std::size_t v) { return mesh_.cells[v]; });
   std::copy_if(order.begin(), order.end(), std::back_inserter(vertices_),
-    [&](std::uint32_t v) { return wanted[v] != 0 && this->isWithin(mesh_.cells[v], slices); });
+    [&](std::uint32_t v)
+    {
+      const glm::ivec3& cell = mesh_.cells[v];
+      return wanted[v] != 0 && isWithin(cell, geometry_.extent) && cell.z >= slices.x &&
+        cell.z < slices.y;
+    });
 }
 
 /// Returns the crossings of the cells, in the order of their points.

@@ -64,7 +64,6 @@ private:
   }
   std::vector<OtherPoint>::const_iterator firstOther(std::uint32_t crossing) const;
   bool hasSeam(std::size_t vertex) const;
-  bool isWithin(const glm::ivec3& cell, const glm::ivec2& slices) const;
   void findVertices(const glm::ivec2& slices);
   std::vector<std::uint32_t> numberPoints();
   void findPoints(const std::vector<std::uint32_t>& crossings);
