@@ -40,7 +40,6 @@ void vtkDistributedFieldAlgorithm::Modified()
 }
 
 //------------------------------------------------------------------------------
-// The pipeline goes through the blocks of input that is not asked for here.
 int vtkDistributedFieldAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
@@ -50,8 +49,7 @@ int vtkDistributedFieldAlgorithm::FillInputPortInformation(int port, vtkInformat
   }
   if (this->DistributedInput)
   {
-    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
-    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+    vtkAcceptPieces(info);
   }
   return 1;
 }

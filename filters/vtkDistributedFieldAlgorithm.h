@@ -27,6 +27,7 @@
 #define vtkDistributedFieldAlgorithm_h
 
 #include "vtkMedialFiltersModule.h" // For export macro
+#include "vtkMedialParameters.h"    // For parameters of several filters
 #include "vtkMeshFieldAlgorithm.h"
 #include "vtkSmartPointer.h" // For Controller
 
@@ -48,9 +49,7 @@ public:
    * Whether the inputs of all processes together are the surface, instead of each of them. It must
    * be the same on all. Default is off.
    */
-  vtkSetMacro(DistributedInput, vtkTypeBool);
-  vtkGetMacro(DistributedInput, vtkTypeBool);
-  vtkBooleanMacro(DistributedInput, vtkTypeBool);
+  vtkMedialDistributedInputMacro();
   ///@}
 
   ///@{
@@ -59,8 +58,7 @@ public:
    * DistributedInput is on. Default is vtkMultiProcessController::GetGlobalController() of the time
    * when the filter was made.
    */
-  void SetController(vtkMultiProcessController* controller);
-  vtkMultiProcessController* GetController();
+  vtkMedialControllerMacro();
   ///@}
 
   /**

@@ -209,7 +209,8 @@ void vtkMedialAxis::Execute(vtkPolyData* input, vtkInformationVector* outputVect
 }
 
 //------------------------------------------------------------------------------
-// Each rank makes its part of the axis of all inputs.
+// Each rank makes its part of the axis of all inputs. Who asks for the whole, as filters do that
+// work on one process alone, gets all of it on the first.
 void vtkMedialAxis::ExecutePieces(vtkDataObject* input, vtkInformationVector* outputVector)
 {
   vtkProgressBridge progress(this);
@@ -231,17 +232,30 @@ void vtkMedialAxis::ExecutePieces(vtkDataObject* input, vtkInformationVector* ou
         piece = vtkSurfacePiece(input);
         return piece.Facts();
       });
-  const medial::Grid grid = this->Internals->MakeGrid(
-    this->GridMode == EXPLICIT ? medial::Bounds{} : vtkMedialRanks::BoundsOf(facts));
-  medial::NoField field;
-  medial::RankCounts counts;
-  const medial::AxisPiece axis = medial::computeMedialAxis(ranks, piece.Numbered(ranks, facts),
-    grid, medial::partsOfGrid(grid, ranks.size()), field, options, &counts);
-  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-  vtkMeshConversion::ToPolyData(axis, output);
-  this->Internals->Record(grid, axis.axis.statistics, output, false);
-  vtkInternals::RecordCounts(counts, output);
-  vtkMedialFigures(output).AddText("Side", vtkSideAsString(vtkFromSide(axis.axis.side)));
+  const bool whole = outputVector->GetInformationObject(0)->Get(
+                       vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()) == 1;
+  medial::agree(ranks,
+    [&]
+    {
+      const medial::Grid grid = this->Internals->MakeGrid(
+        this->GridMode == EXPLICIT ? medial::Bounds{} : vtkMedialRanks::BoundsOf(facts));
+      const medial::SurfacePiece surface = piece.Numbered(ranks, facts);
+      medial::NoField field;
+      medial::RankCounts counts;
+      medial::AxisPiece axis = medial::computeMedialAxis(ranks, surface, grid,
+        medial::partsByWork(ranks, surface, grid, options.field, options.side), field, options,
+        &counts);
+      if (whole && ranks.size() > 1)
+      {
+        axis = medial::onlyPiece(medial::gatherMedialAxis(ranks, axis));
+      }
+      vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+      vtkMeshConversion::ToPolyData(axis, output);
+      this->Internals->Record(grid, axis.axis.statistics, output, false);
+      vtkMedialFigures figures(output);
+      figures.AddRankCounts(counts);
+      figures.AddText("Side", vtkSideAsString(vtkFromSide(axis.axis.side)));
+    });
 }
 
 //------------------------------------------------------------------------------

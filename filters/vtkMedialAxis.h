@@ -43,10 +43,13 @@
  *
  * @par Several processes:
  * With DistributedInput the axis comes in pieces as well: each rank has the cells of its part of
- * the grid, whatever piece is asked for. vtkGlobalPointIds and vtkGlobalCellIds are the numbers
- * that points and cells have in the axis of one process; points on a cut are in several pieces,
- * cells in one. GenerateDistanceField must be off, Topology SELECTED and MaximumNumberOfSpheres 0,
- * since the others look at the whole axis. vtkDistributedFieldAlgorithm says what the input may be.
+ * the grid, whatever piece is asked for. Where all ranks ask for the whole, piece 0 of 1, the first
+ * has all of it and the others nothing: so filters that need the whole axis, such as
+ * vtkMedialCurves and vtkMedialReconstruction, make the same of it. vtkGlobalPointIds and
+ * vtkGlobalCellIds are the numbers that points and cells have in the axis of one process; points on
+ * a cut are in several pieces, cells in one. GenerateDistanceField must be off, Topology SELECTED
+ * and MaximumNumberOfSpheres 0, since the others look at the whole axis.
+ * vtkDistributedFieldAlgorithm says what the input may be.
  *
  * @sa
  * vtkMeshDistanceField vtkMeshFieldAlgorithm vtkDistributedFieldAlgorithm

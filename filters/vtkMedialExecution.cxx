@@ -256,6 +256,13 @@ int vtkFromSignMethod(medial::SignMethod method)
 }
 
 //------------------------------------------------------------------------------
+void vtkAcceptPieces(vtkInformation* port)
+{
+  port->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+  port->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+}
+
+//------------------------------------------------------------------------------
 void vtkRequestWhole(vtkInformation* request)
 {
   vtkRequestPiece(request, 0, 1);

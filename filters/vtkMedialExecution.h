@@ -67,6 +67,12 @@ const char* vtkSignMethodAsString(int method);
 int vtkFromSignMethod(medial::SignMethod method);
 ///@}
 
+/**
+ * Lets an input port take all that pieces of a surface come as, besides what it takes already. The
+ * pipeline goes through the blocks of composite input that is not asked for.
+ */
+void vtkAcceptPieces(vtkInformation* port);
+
 ///@{
 /**
  * Asks for the whole input, or for one of several pieces without ghosts, whatever is asked of the

@@ -9,6 +9,8 @@
 #include "vtkStringArray.h"
 #include "vtkUnsignedCharArray.h"
 
+#include "medial/ranks.h"
+
 #include <vector>
 
 namespace
@@ -90,4 +92,12 @@ void vtkMedialFigures::AddParts(const char* name, std::initializer_list<Part> pa
   {
     array->SetComponentName(component++, part.Name);
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkMedialFigures::AddRankCounts(const medial::RankCounts& counts)
+{
+  this->AddCount("OwnTriangles", counts.ownTriangles);
+  this->AddCount("HeldTriangles", counts.heldTriangles);
+  this->AddCount("BytesSent", counts.bytesSent);
 }

@@ -12,6 +12,10 @@
 #include <string>
 
 class vtkDataObject;
+namespace medial
+{
+struct RankCounts;
+}
 
 /**
  * Adds field data arrays of one tuple each, in place of any of the same name.
@@ -37,6 +41,11 @@ public:
     double Value;
   };
   void AddParts(const char* name, std::initializer_list<Part> parts);
+
+  /**
+   * What a rank has held and sent: OwnTriangles, HeldTriangles and BytesSent.
+   */
+  void AddRankCounts(const medial::RankCounts& counts);
 
 private:
   vtkDataObject* Output;

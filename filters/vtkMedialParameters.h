@@ -67,6 +67,17 @@
     SIGN_WINDING = 3                                                                               \
   }
 
+/// DistributedInput: whether the inputs of all processes together are the surface.
+#define vtkMedialDistributedInputMacro()                                                           \
+  vtkSetMacro(DistributedInput, vtkTypeBool);                                                      \
+  vtkGetMacro(DistributedInput, vtkTypeBool);                                                      \
+  vtkBooleanMacro(DistributedInput, vtkTypeBool)
+
+/// Controller: the processes among which the surface is distributed.
+#define vtkMedialControllerMacro()                                                                 \
+  void SetController(vtkMultiProcessController* controller);                                       \
+  vtkMultiProcessController* GetController()
+
 /// NumberOfThreads: how many CPU threads to use; 0 for all cores.
 #define vtkMedialThreadsMacro()                                                                    \
   vtkSetMacro(NumberOfThreads, int);                                                               \

@@ -5,9 +5,12 @@
 #include "medial/error.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstring>
+#include <exception>
+#include <iterator>
 #include <limits>
-#include <new>
 #include <sstream>
 #include <utility>
 
@@ -15,33 +18,41 @@ namespace
 {
 
 constexpr int MessageTag = 18064;
-// Messages of MPI have lengths of 32 bits.
-constexpr std::size_t LargestPart = std::size_t{ 1 } << 30;
+// Messages go in parts that are read into the stack where there is no memory for them.
+constexpr std::size_t LargestPart = std::size_t{ 1 } << 16;
 constexpr std::size_t FirstPart = 4096;
 
 using Message = medial::Communicator::Message;
 
 //------------------------------------------------------------------------------
-// What a rank says where ranks meet: this, then Text.
+// A message begins with its length and what fits beside it.
+struct FirstMessage
+{
+  std::uint64_t Length;
+  std::array<char, FirstPart> Content;
+};
+
+constexpr std::size_t HeadSize = offsetof(FirstMessage, Content);
+
+//------------------------------------------------------------------------------
+// What a rank says where ranks meet: this, then its options.
 struct Report
 {
   vtkMedialRanks::Stage Stage;
-  bool Failed;
-  medial::ErrorCode Code;
   vtkPieceFacts Facts;
 };
 
 //------------------------------------------------------------------------------
 struct FullReport : Report
 {
-  std::string Text; // what failed, or the options
+  std::string Options;
 
   Message ToMessage() const
   {
     const Report& head = *this;
     Message message(sizeof(head));
     std::memcpy(message.data(), &head, sizeof(head));
-    message.insert(message.end(), this->Text.begin(), this->Text.end());
+    message.insert(message.end(), this->Options.begin(), this->Options.end());
     return message;
   }
 
@@ -50,44 +61,10 @@ struct FullReport : Report
     FullReport report;
     Report& head = report;
     std::memcpy(static_cast<void*>(&head), message.data(), sizeof(head));
-    report.Text.assign(message.begin() + sizeof(head), message.end());
+    report.Options.assign(message.begin() + sizeof(head), message.end());
     return report;
   }
 };
-
-//------------------------------------------------------------------------------
-// Does the work of a rank.
-FullReport Try(vtkMedialRanks::Stage stage, const std::string& options,
-  const std::function<vtkPieceFacts()>& work)
-{
-  FullReport report{ { stage, false, medial::ErrorCode::InvalidInput, {} }, options };
-  const auto fail = [&](medial::ErrorCode code, const char* message)
-  {
-    report.Failed = true;
-    report.Code = code;
-    report.Text = message;
-  };
-  try
-  {
-    report.Facts = work();
-  }
-  catch (const medial::Error& error)
-  {
-    fail(error.code(), error.what());
-  }
-  catch (const std::bad_alloc&)
-  {
-    fail(medial::ErrorCode::OutOfMemory, "not enough memory for the result");
-  }
-  return report;
-}
-
-//------------------------------------------------------------------------------
-[[noreturn]] void ThrowOf(std::size_t rank, std::size_t ranks, medial::ErrorCode code,
-  const std::string& message)
-{
-  throw medial::Error(code, ranks > 1 ? "rank " + std::to_string(rank) + ": " + message : message);
-}
 
 //------------------------------------------------------------------------------
 // Where lines differ; those that only one has do not count, as ranks may be at different stages.
@@ -95,16 +72,17 @@ void RequireSameOptions(const std::vector<FullReport>& reports)
 {
   for (std::size_t rank = 1; rank < reports.size(); ++rank)
   {
-    std::istringstream expected(reports.front().Text);
-    std::istringstream found(reports[rank].Text);
+    std::istringstream expected(reports.front().Options);
+    std::istringstream found(reports[rank].Options);
     std::string theirs;
     std::string here;
     while (std::getline(expected, theirs) && std::getline(found, here))
     {
       if (here != theirs)
       {
-        ThrowOf(rank, reports.size(), medial::ErrorCode::InvalidInput,
-          here.append(", but rank 0 has ").append(theirs));
+        std::string message = "rank " + std::to_string(rank) + ": ";
+        message.append(here).append(", but rank 0 has ").append(theirs);
+        throw medial::Error(medial::ErrorCode::InvalidInput, message);
       }
     }
   }
@@ -134,15 +112,15 @@ std::vector<Message> vtkMedialRanks::exchange(std::vector<Message> messages)
 }
 
 //------------------------------------------------------------------------------
-// A message goes in parts: the length and what fits beside it, then the rest. Most are short.
+// Takes no memory: the other rank waits for all of the message. Most messages are short.
 void vtkMedialRanks::Send(const Message& message, int to)
 {
-  const std::uint64_t length = message.size();
+  FirstMessage first;
+  first.Length = message.size();
   std::size_t sent = std::min(message.size(), FirstPart);
-  Message first(sizeof(length) + sent);
-  std::memcpy(first.data(), &length, sizeof(length));
-  std::copy_n(message.begin(), sent, first.begin() + sizeof(length));
-  this->Controller->Send(first.data(), static_cast<vtkIdType>(first.size()), to, MessageTag);
+  std::copy_n(message.begin(), sent, first.Content.begin());
+  this->Controller->Send(reinterpret_cast<const char*>(&first),
+    static_cast<vtkIdType>(HeadSize + sent), to, MessageTag);
   while (sent < message.size())
   {
     const std::size_t part = std::min(LargestPart, message.size() - sent);
@@ -152,21 +130,36 @@ void vtkMedialRanks::Send(const Message& message, int to)
 }
 
 //------------------------------------------------------------------------------
+// Without memory for the message it still takes all of it from the other rank.
 Message vtkMedialRanks::Receive(int from)
 {
-  std::uint64_t length = 0;
-  Message first(sizeof(length) + FirstPart);
-  this->Controller->Receive(first.data(), static_cast<vtkIdType>(first.size()), from, MessageTag);
-  std::memcpy(&length, first.data(), sizeof(length));
-  Message message(length);
-  std::size_t received = std::min(message.size(), FirstPart);
-  std::copy_n(first.begin() + sizeof(length), received, message.begin());
-  while (received < message.size())
+  FirstMessage first;
+  this->Controller->Receive(reinterpret_cast<char*>(&first),
+    static_cast<vtkIdType>(HeadSize + FirstPart), from, MessageTag);
+  const auto length = static_cast<std::size_t>(first.Length);
+  Message message;
+  std::exception_ptr failure;
+  try
   {
-    const std::size_t part = std::min(LargestPart, message.size() - received);
-    this->Controller->Receive(message.data() + received, static_cast<vtkIdType>(part), from,
-      MessageTag);
+    message.resize(length);
+  }
+  catch (const std::exception&)
+  {
+    failure = std::current_exception();
+  }
+  std::size_t received = std::min(length, FirstPart);
+  std::copy_n(first.Content.begin(), failure ? 0 : received, message.begin());
+  std::array<char, LargestPart> unwanted;
+  while (received < length)
+  {
+    const std::size_t part = std::min(LargestPart, length - received);
+    this->Controller->Receive(failure ? unwanted.data() : message.data() + received,
+      static_cast<vtkIdType>(part), from, MessageTag);
     received += part;
+  }
+  if (failure)
+  {
+    std::rethrow_exception(failure);
   }
   return message;
 }
@@ -175,33 +168,31 @@ Message vtkMedialRanks::Receive(int from)
 std::vector<vtkPieceFacts> vtkMedialRanks::Meet(Stage stage, const std::string& options,
   const std::function<vtkPieceFacts()>& work)
 {
-  const Message own = Try(stage, options, work).ToMessage();
-  const auto ranks = static_cast<std::size_t>(this->size());
   std::vector<FullReport> reports;
+  Message own;
+  const auto meet = [&]
+  {
+    if (own.empty())
+    {
+      own = FullReport{ { stage, work() }, options }.ToMessage();
+    }
+    reports.clear();
+    for (const Message& message : medial::gathered(*this, own))
+    {
+      reports.push_back(FullReport::Of(message));
+    }
+    RequireSameOptions(reports);
+  };
   const auto askedForInformation = [](const FullReport& report)
   { return report.Stage == Stage::Information; };
   do
   {
-    reports.clear();
-    for (const Message& message : this->exchange(std::vector<Message>(ranks, own)))
-    {
-      reports.push_back(FullReport::Of(message));
-    }
-    for (std::size_t rank = 0; rank < ranks; ++rank)
-    {
-      if (reports[rank].Failed)
-      {
-        ThrowOf(rank, ranks, reports[rank].Code, reports[rank].Text);
-      }
-    }
-    RequireSameOptions(reports);
+    medial::agree(*this, meet);
   } while (
     stage == Stage::Data && std::any_of(reports.begin(), reports.end(), askedForInformation));
   std::vector<vtkPieceFacts> facts;
-  for (const FullReport& report : reports)
-  {
-    facts.push_back(report.Facts);
-  }
+  std::transform(reports.begin(), reports.end(), std::back_inserter(facts),
+    [](const FullReport& report) { return report.Facts; });
   return facts;
 }
 

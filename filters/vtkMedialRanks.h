@@ -10,6 +10,7 @@
 #include "medial/ranks.h"
 
 #include <cstdint>
+#include <exception>
 #include <functional>
 #include <string>
 #include <utility>
@@ -33,7 +34,9 @@ struct vtkPieceFacts
 /**
  * Passes messages[r] on to rank r, and returns what each rank passed on to this one: in each round
  * every rank talks to one other, and the lower one sends first, so that none waits for one that
- * waits for it. send(message, to) and receive(from) talk to a rank.
+ * waits for it. send(message, to) and receive(from) talk to a rank. Where receive throws, it must
+ * have taken all of the message from there; what it throws comes once all ranks have what they
+ * wait for.
  */
 template <typename Send, typename Receive>
 std::vector<medial::Communicator::Message> vtkExchangeInPairs(int own,
@@ -41,6 +44,18 @@ std::vector<medial::Communicator::Message> vtkExchangeInPairs(int own,
 {
   const auto ranks = static_cast<int>(messages.size());
   std::vector<medial::Communicator::Message> received(messages.size());
+  std::exception_ptr failure;
+  const auto tryToReceive = [&](int from)
+  {
+    try
+    {
+      received[from] = receive(from);
+    }
+    catch (const std::exception&)
+    {
+      failure = std::current_exception();
+    }
+  };
   for (int round = 0; round < ranks; ++round)
   {
     const int other = (round - own + ranks) % ranks;
@@ -51,14 +66,18 @@ std::vector<medial::Communicator::Message> vtkExchangeInPairs(int own,
     else if (own < other)
     {
       send(messages[other], other);
-      received[other] = receive(other);
+      tryToReceive(other);
     }
     else
     {
-      received[other] = receive(other);
+      tryToReceive(other);
       send(messages[other], other);
     }
     medial::Communicator::Message().swap(messages[other]);
+  }
+  if (failure)
+  {
+    std::rethrow_exception(failure);
   }
   return received;
 }
@@ -93,7 +112,7 @@ public:
    * answers those until all are. Returns what the work of each rank returned.
    *
    * options has lines of a name and values that must be the same everywhere. Throws medial::Error
-   * on every rank if any has failed or has other options, naming the rank.
+   * on every rank, as medial::agree(), if any has failed or has other options.
    */
   std::vector<vtkPieceFacts> Meet(Stage stage, const std::string& options,
     const std::function<vtkPieceFacts()>& work);

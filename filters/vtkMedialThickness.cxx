@@ -1,20 +1,31 @@
 #include "vtkMedialThickness.h"
 
+#include "vtkAlgorithm.h"
+#include "vtkDataObject.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkMedialExecution.h"
 #include "vtkMedialFigures.h"
+#include "vtkMedialRanks.h"
 #include "vtkMeshConversion.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
+#include "vtkSurfacePiece.h"
 #include "vtkThicknessConversion.h"
 
 #include "medial/error.h"
+#include "medial/ranks.h"
 #include "medial/subdivision.h"
 #include "medial/thickness.h"
 #include "medial/thickness_regions.h"
 
+#include <limits>
 #include <optional>
 #include <sstream>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace
 {
@@ -49,12 +60,70 @@ medial::ThicknessMethod ToMethod(int method)
   }
 }
 
+//------------------------------------------------------------------------------
+// What the parameters ask for.
+struct Request
+{
+  medial::ThicknessOptions Options;
+  medial::ThicknessLimits Limits;
+  std::optional<double> MaximumEdgeLength;
+
+  bool IsLimited() const { return this->Limits.min || this->Limits.max; }
+  bool NeedsInside() const { return this->IsLimited() && this->Options.side != medial::Side::Both; }
+};
+
+//------------------------------------------------------------------------------
+Request ToRequest(vtkMedialThickness* filter, vtkProgressBridge& progress)
+{
+  Request request;
+  request.Limits = { LimitOf("minimum thickness", filter->GetMinimumThickness()),
+    LimitOf("maximum thickness", filter->GetMaximumThickness()) };
+  request.MaximumEdgeLength = LimitOf("maximum edge length", filter->GetMaximumEdgeLength());
+  request.Options.angle = filter->GetAngle();
+  request.Options.side = vtkToSide(filter->GetSide());
+  request.Options.method = ToMethod(filter->GetMethod());
+  request.Options.cells = filter->GetCellValues() || request.IsLimited();
+  request.Options.execution = vtkToExecution(filter->GetNumberOfThreads(), progress);
+  if (request.IsLimited())
+  {
+    medial::checkThicknessLimits(request.Limits);
+  }
+  return request;
+}
+
+//------------------------------------------------------------------------------
+// The parameters that must be the same on all ranks, a line with a name and a value each.
+std::string Describe(vtkMedialThickness* filter)
+{
+  std::ostringstream text;
+  text.precision(std::numeric_limits<double>::max_digits10);
+  text << "Angle " << filter->GetAngle() << "\nSide " << filter->GetSideAsString() << "\nMethod "
+       << filter->GetMethodAsString() << "\nCellValues " << filter->GetCellValues()
+       << "\nMaximumEdgeLength " << filter->GetMaximumEdgeLength() << "\nMinimumThickness "
+       << filter->GetMinimumThickness() << "\nMaximumThickness " << filter->GetMaximumThickness()
+       << '\n';
+  return text.str();
+}
+
+//------------------------------------------------------------------------------
+void AddFigures(const medial::Thickness& thickness, vtkPolyData* output)
+{
+  vtkMedialFigures figures(output);
+  figures.AddNumber("MinThickness", thickness.min);
+  figures.AddNumber("MedianThickness", thickness.median);
+  figures.AddNumber("MaxThickness", thickness.max);
+  figures.AddNumber("ShareWithout", thickness.shareWithout());
+}
+
 } // namespace
 
 vtkStandardNewMacro(vtkMedialThickness);
 
 //------------------------------------------------------------------------------
-vtkMedialThickness::vtkMedialThickness() = default;
+vtkMedialThickness::vtkMedialThickness()
+  : Controller(vtkMultiProcessController::GetGlobalController())
+{
+}
 
 //------------------------------------------------------------------------------
 vtkMedialThickness::~vtkMedialThickness() = default;
@@ -82,55 +151,155 @@ const char* vtkMedialThickness::GetMethodAsString()
 }
 
 //------------------------------------------------------------------------------
+void vtkMedialThickness::SetController(vtkMultiProcessController* controller)
+{
+  if (controller != this->Controller)
+  {
+    this->Controller = controller;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkMultiProcessController* vtkMedialThickness::GetController()
+{
+  return this->Controller;
+}
+
+//------------------------------------------------------------------------------
+void vtkMedialThickness::Modified()
+{
+  this->FillInputPortInformation(0, this->GetInputPortInformation(0));
+  this->Superclass::Modified();
+}
+
+//------------------------------------------------------------------------------
+int vtkMedialThickness::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+  if (!this->Superclass::FillInputPortInformation(port, info))
+  {
+    return 0;
+  }
+  if (this->DistributedInput)
+  {
+    vtkAcceptPieces(info);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkMedialThickness::RequestUpdateExtent(vtkInformation* request,
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (!this->DistributedInput)
+  {
+    return this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
+  }
+  const vtkMedialRanks ranks(this->Controller);
+  vtkRequestPiece(inputVector[0]->GetInformationObject(0), ranks.rank(), ranks.size());
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkMedialThickness::RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector)
+{
+  if (!this->DistributedInput)
+  {
+    return this->Superclass::RequestData(request, inputVector, outputVector);
+  }
+  const bool done = vtkRunGuarded(this, this->ErrorCode,
+    [&]
+    {
+      this->ExecutePieces(vtkDataObject::GetData(inputVector[0]),
+        vtkPolyData::GetData(outputVector));
+    });
+  return done ? 1 : vtkEndWithoutOutput(this, outputVector);
+}
+
+//------------------------------------------------------------------------------
 void vtkMedialThickness::Execute(const std::vector<vtkPolyData*>& inputs,
   const std::vector<vtkPolyData*>& outputs)
 {
   vtkPolyData* input = inputs[0];
   vtkPolyData* output = outputs[0];
   vtkProgressBridge progress(this);
-  const medial::ThicknessLimits limits{ LimitOf("minimum thickness", this->MinimumThickness),
-    LimitOf("maximum thickness", this->MaximumThickness) };
-  const bool limited = limits.min || limits.max;
-  medial::ThicknessOptions options;
-  options.angle = this->Angle;
-  options.side = vtkToSide(this->Side);
-  options.method = ToMethod(this->Method);
-  options.cells = this->CellValues || limited;
-  options.execution = vtkToExecution(this->NumberOfThreads, progress);
+  const Request request = ToRequest(this, progress);
+  const medial::Execution& execution = request.Options.execution;
   medial::TriangleMesh mesh = medial::buildTriangleMesh(vtkMeshConversion::ToMeshInput(input));
-  medial::MeshConnectivity connectivity = medial::analyseConnectivity(mesh, options.execution);
-  if (limited)
+  medial::MeshConnectivity connectivity = medial::analyseConnectivity(mesh, execution);
+  if (request.NeedsInside())
   {
-    medial::checkThicknessLimits(limits);
-    if (options.side != medial::Side::Both)
-    {
-      medial::requireInside(mesh, connectivity, options.execution);
-    }
+    medial::requireInside(mesh, connectivity, execution);
   }
-  const bool divided = LimitOf("maximum edge length", this->MaximumEdgeLength).has_value();
+  const bool divided = request.MaximumEdgeLength.has_value();
   if (divided)
   {
-    medial::Subdivision fine = medial::subdivide(mesh, this->MaximumEdgeLength, options.execution);
+    medial::Subdivision fine = medial::subdivide(mesh, *request.MaximumEdgeLength, execution);
     vtkThicknessConversion::Subdivide(input, fine, output);
     mesh = std::move(fine.mesh);
-    connectivity = medial::analyseConnectivity(mesh, options.execution);
+    connectivity = medial::analyseConnectivity(mesh, execution);
   }
   else
   {
     output->ShallowCopy(input);
   }
-  const medial::Thickness thickness = medial::computeThickness(mesh, connectivity, options);
+  const medial::Thickness thickness = medial::computeThickness(mesh, connectivity, request.Options);
   vtkThicknessConversion::AddThickness(thickness, mesh, output, divided);
-  if (limited)
+  if (request.IsLimited())
   {
-    vtkThicknessConversion::AddRegions(medial::findThicknessRegions(mesh, thickness, limits), mesh,
-      output, divided);
+    vtkThicknessConversion::AddRegions(
+      medial::findThicknessRegions(mesh, thickness, request.Limits), mesh, output, divided);
   }
-  vtkMedialFigures figures(output);
-  figures.AddNumber("MinThickness", thickness.min);
-  figures.AddNumber("MedianThickness", thickness.median);
-  figures.AddNumber("MaxThickness", thickness.max);
-  figures.AddNumber("ShareWithout", thickness.shareWithout());
+  AddFigures(thickness, output);
+}
+
+//------------------------------------------------------------------------------
+// Each rank keeps its piece, and its values are those that the whole surface has there.
+void vtkMedialThickness::ExecutePieces(vtkDataObject* input, vtkPolyData* output)
+{
+  vtkProgressBridge progress(this);
+  Request request;
+  vtkSurfacePiece piece;
+  vtkMedialRanks ranks(this->Controller);
+  const std::vector<vtkPieceFacts> facts = ranks.Meet(vtkMedialRanks::Stage::Data, Describe(this),
+    [&]
+    {
+      request = ToRequest(this, progress);
+      if (request.MaximumEdgeLength)
+      {
+        throw medial::Error(medial::ErrorCode::InvalidInput,
+          "MaximumEdgeLength must be 0 where DistributedInput is on");
+      }
+      piece = vtkSurfacePiece(input);
+      return piece.Facts();
+    });
+  medial::agree(ranks,
+    [&]
+    {
+      medial::SurfacePiece surface = piece.Numbered(ranks, facts);
+      if (request.NeedsInside())
+      {
+        medial::requireInside(ranks, surface, request.Options.execution);
+      }
+      medial::RankCounts counts;
+      const medial::Thickness thickness =
+        medial::computeThickness(ranks, surface, request.Options, &counts);
+      std::vector<medial::ThicknessRegion> regions;
+      if (request.IsLimited())
+      {
+        regions = medial::findThicknessRegions(ranks, surface, thickness, request.Limits);
+      }
+      piece.ToPolyData(input, surface.mesh, output);
+      vtkThicknessConversion::AddThickness(thickness, surface.mesh, output);
+      if (request.IsLimited())
+      {
+        vtkThicknessConversion::AddRegions(regions, surface.mesh, output, false);
+      }
+      AddFigures(thickness, output);
+      vtkMedialFigures(output).AddRankCounts(counts);
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -145,4 +314,6 @@ void vtkMedialThickness::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MinimumThickness: " << this->MinimumThickness << "\n";
   os << indent << "MaximumThickness: " << this->MaximumThickness << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
+  os << indent << "DistributedInput: " << (this->DistributedInput ? "On" : "Off") << "\n";
+  os << indent << "Controller: " << this->Controller.Get() << "\n";
 }

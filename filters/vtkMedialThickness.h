@@ -52,8 +52,20 @@
  *
  * vtkMedialPolyDataAlgorithm documents errors, abort and parallel pipelines.
  *
+ * @par Several processes:
+ * With DistributedInput each rank keeps its piece, whatever piece is asked for: its cells in their
+ * order, the points that they use, and their arrays. Thickness, Region and the field data are, bit
+ * for bit, those that the whole surface has there in one process; of the field data only
+ * OwnTriangles, HeldTriangles and BytesSent are the rank's own. The surface must consist of
+ * triangles and polygons, and MaximumEdgeLength be 0. An input may then also be a
+ * vtkUnstructuredGrid, or blocks, which become one vtkPolyData with the arrays that all blocks
+ * have. Cells that are ghosts, and those that an earlier rank or cell has with the same corners,
+ * are left out. With WALL or limits the first rank brings together the triangles that are near
+ * edges or beyond limits, and no others. vtkDistributedFieldAlgorithm says more of what the input
+ * may be.
+ *
  * @sa
- * vtkMedialAxis vtkMeshDistanceField vtkMedialPolyDataAlgorithm
+ * vtkMedialAxis vtkMeshDistanceField vtkMedialPolyDataAlgorithm vtkDistributedFieldAlgorithm
  */
 
 #ifndef vtkMedialThickness_h
@@ -62,6 +74,9 @@
 #include "vtkMedialFiltersModule.h" // For export macro
 #include "vtkMedialParameters.h"    // For parameters of several filters
 #include "vtkMedialPolyDataAlgorithm.h"
+#include "vtkSmartPointer.h" // For Controller
+
+class vtkMultiProcessController;
 
 class VTKMEDIALFILTERS_EXPORT vtkMedialThickness : public vtkMedialPolyDataAlgorithm
 {
@@ -164,9 +179,35 @@ public:
   vtkMedialThreadsMacro();
   ///@}
 
+  ///@{
+  /**
+   * Whether the inputs of all processes together are the surface, instead of each of them. It must
+   * be the same on all. Default is off.
+   */
+  vtkMedialDistributedInputMacro();
+  ///@}
+
+  ///@{
+  /**
+   * The processes among which the surface is distributed; null is a process on its own. Used when
+   * DistributedInput is on. Default is vtkMultiProcessController::GetGlobalController() of the time
+   * when the filter was made.
+   */
+  vtkMedialControllerMacro();
+  ///@}
+
+  /**
+   * What the input may be follows from DistributedInput.
+   */
+  void Modified() override;
+
 protected:
   vtkMedialThickness();
   ~vtkMedialThickness() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   void Execute(const std::vector<vtkPolyData*>& inputs,
     const std::vector<vtkPolyData*>& outputs) override;
@@ -179,8 +220,12 @@ protected:
   double MinimumThickness = 0.0;
   double MaximumThickness = 0.0;
   int NumberOfThreads = 0;
+  vtkTypeBool DistributedInput = false;
+  vtkSmartPointer<vtkMultiProcessController> Controller;
 
 private:
+  void ExecutePieces(vtkDataObject* input, vtkPolyData* output);
+
   vtkMedialThickness(const vtkMedialThickness&) = delete;
   void operator=(const vtkMedialThickness&) = delete;
 };

@@ -5,6 +5,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMedialExecution.h"
+#include "vtkMedialFigures.h"
 #include "vtkMedialRanks.h"
 #include "vtkMeshConversion.h"
 #include "vtkMeshFieldInternals.h"
@@ -213,15 +214,19 @@ void vtkMeshDistanceField::ComputeOfPieces(vtkInformationVector** inputVector,
       }
       return piece.Facts();
     });
-  ExtentSink sink(extent, arrays);
-  medial::RankCounts counts;
-  const medial::RunStatistics statistics = medial::computeDistanceField(ranks,
-    piece.Numbered(ranks, facts), grid, extent, sink, options, &counts);
-  if (!extent.empty())
-  {
-    this->Internals->Record(grid, statistics, output, false);
-    vtkInternals::RecordCounts(counts, output);
-  }
+  medial::agree(ranks,
+    [&]
+    {
+      ExtentSink sink(extent, arrays);
+      medial::RankCounts counts;
+      const medial::RunStatistics statistics = medial::computeDistanceField(ranks,
+        piece.Numbered(ranks, facts), grid, extent, sink, options, &counts);
+      if (!extent.empty())
+      {
+        this->Internals->Record(grid, statistics, output, false);
+        vtkMedialFigures(output).AddRankCounts(counts);
+      }
+    });
 }
 
 //------------------------------------------------------------------------------

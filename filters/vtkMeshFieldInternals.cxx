@@ -291,16 +291,6 @@ void vtkMeshFieldAlgorithm::vtkInternals::Record(const medial::Grid& grid,
 }
 
 //------------------------------------------------------------------------------
-void vtkMeshFieldAlgorithm::vtkInternals::RecordCounts(const medial::RankCounts& counts,
-  vtkDataObject* output)
-{
-  vtkMedialFigures figures(output);
-  figures.AddCount("OwnTriangles", counts.ownTriangles);
-  figures.AddCount("HeldTriangles", counts.heldTriangles);
-  figures.AddCount("BytesSent", counts.bytesSent);
-}
-
-//------------------------------------------------------------------------------
 std::string vtkMeshFieldAlgorithm::vtkInternals::DescribeOptions()
 {
   std::ostringstream text;

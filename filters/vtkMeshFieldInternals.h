@@ -12,7 +12,6 @@
 
 #include "medial/compute_medial_axis.h"
 #include "medial/execution.h"
-#include "medial/ranks.h"
 
 #include <exception>
 #include <functional>
@@ -92,11 +91,6 @@ public:
    */
   void Record(const medial::Grid& grid, const medial::RunStatistics& statistics,
     vtkDataObject* output, bool withMesh = true);
-
-  /**
-   * Adds what a rank has held and sent.
-   */
-  static void RecordCounts(const medial::RankCounts& counts, vtkDataObject* output);
 
   bool InputIsBlock = false;  // of composite input that the pipeline goes through
   std::exception_ptr Refusal; // why RequestImageInformation() failed last; null if it did not

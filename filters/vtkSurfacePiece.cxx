@@ -1,5 +1,6 @@
 #include "vtkSurfacePiece.h"
 
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkCellTypes.h"
@@ -8,18 +9,21 @@
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
-#include "vtkTriangleCopies.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVariant.h"
 
 #include "medial/error.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <numeric>
@@ -156,6 +160,125 @@ void AppendBlock(vtkDataSet* block, std::int64_t firstCell, medial::MeshInput& m
 }
 
 //------------------------------------------------------------------------------
+// The points and cells of blocks, one after the other, without ghosts.
+medial::MeshInput InputOf(const std::vector<vtkDataSet*>& blocks)
+{
+  medial::MeshInput mesh;
+  std::int64_t cells = 0;
+  for (vtkDataSet* block : blocks)
+  {
+    AppendBlock(block, cells, mesh);
+    cells += block->GetNumberOfCells();
+  }
+  return mesh;
+}
+
+//------------------------------------------------------------------------------
+// The numbers of the cells of triangles, segments and vertices.
+std::array<Numbers*, 3> CellNumbersOf(medial::TriangleMesh& mesh)
+{
+  return { &mesh.triangleCells, &mesh.segmentCells, &mesh.vertexCells };
+}
+
+//------------------------------------------------------------------------------
+// The numbers that an output gives to points and cells; -1 to those that it leaves out.
+struct OutputNumbers
+{
+  Numbers Points;
+  Numbers Cells;
+};
+
+//------------------------------------------------------------------------------
+// isLeftOut tells of each cell of the blocks.
+OutputNumbers NumbersOf(const medial::MeshInput& mesh, const std::vector<char>& isLeftOut)
+{
+  OutputNumbers numbers{ Numbers(mesh.points.size(), -1), Numbers(isLeftOut.size(), -1) };
+  std::int64_t next = 0;
+  for (const medial::CellList* list : { &mesh.verts, &mesh.lines, &mesh.polygons, &mesh.strips })
+  {
+    for (std::size_t i = 0; i < list->ids.size(); ++i)
+    {
+      if (!isLeftOut[list->ids[i]])
+      {
+        numbers.Cells[list->ids[i]] = next++;
+        std::for_each(list->connectivity.begin() + list->offsets[i],
+          list->connectivity.begin() + list->offsets[i + 1],
+          [&](std::int64_t point) { numbers.Points[point] = 0; });
+      }
+    }
+  }
+  next = 0;
+  for (std::int64_t& number : numbers.Points)
+  {
+    number = number < 0 ? number : next++;
+  }
+  return numbers;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPoints> PointsOf(const std::vector<vtkDataSet*>& blocks,
+  const std::vector<medial::Point3>& points, const Numbers& numbers)
+{
+  auto result = vtkSmartPointer<vtkPoints>::New();
+  const bool allAreFloats = std::all_of(blocks.begin(), blocks.end(),
+    [](vtkDataSet* block)
+    { return vtkPointSet::SafeDownCast(block)->GetPoints()->GetDataType() == VTK_FLOAT; });
+  result->SetDataType(allAreFloats ? VTK_FLOAT : VTK_DOUBLE);
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    if (numbers[i] >= 0)
+    {
+      result->InsertNextPoint(points[i].data());
+    }
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkCellArray> CellsOf(const medial::CellList& list, const OutputNumbers& numbers)
+{
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  for (std::size_t i = 0; i < list.ids.size(); ++i)
+  {
+    if (numbers.Cells[list.ids[i]] >= 0)
+    {
+      cells->InsertNextCell(static_cast<int>(list.offsets[i + 1] - list.offsets[i]));
+      for (std::int64_t corner = list.offsets[i]; corner < list.offsets[i + 1]; ++corner)
+      {
+        cells->InsertCellPoint(numbers.Points[list.connectivity[corner]]);
+      }
+    }
+  }
+  return cells;
+}
+
+//------------------------------------------------------------------------------
+// Passes on the arrays that all blocks have.
+void CopyArrays(const std::vector<vtkDataSet*>& blocks, int association, const Numbers& numbers,
+  vtkDataSetAttributes* output)
+{
+  vtkDataSetAttributes::FieldList arrays(static_cast<int>(blocks.size()));
+  for (vtkDataSet* block : blocks)
+  {
+    arrays.IntersectFieldList(block->GetAttributes(association));
+  }
+  output->CopyAllOn(); // global ids, too
+  output->CopyAllocate(arrays, static_cast<vtkIdType>(numbers.size()));
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+  {
+    vtkDataSetAttributes* input = blocks[i]->GetAttributes(association);
+    for (vtkIdType id = 0; id < blocks[i]->GetNumberOfElements(association); ++id, ++next)
+    {
+      if (numbers[next] >= 0)
+      {
+        output->CopyData(arrays, input, static_cast<int>(i), id, numbers[next]);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 // Calls visit(triangle, number of the triangle within its cell) for all.
 template <typename Visitor>
 void VisitCells(const medial::TriangleMesh& mesh, const Visitor& visit)
@@ -232,10 +355,9 @@ Numbers LowestIds(const medial::TriangleMesh& mesh, const Numbers& ids)
 vtkSurfacePiece::vtkSurfacePiece(vtkDataObject* input)
 {
   const std::vector<vtkDataSet*> blocks = BlocksOf(input);
-  medial::MeshInput mesh;
+  const medial::MeshInput mesh = InputOf(blocks);
   for (vtkDataSet* block : blocks)
   {
-    AppendBlock(block, this->Cells, mesh);
     this->Cells += block->GetNumberOfCells();
   }
   if (mesh.verts.size() + mesh.lines.size() + mesh.polygons.size() + mesh.strips.size() > 0)
@@ -265,33 +387,30 @@ vtkPieceFacts vtkSurfacePiece::Facts() const
 }
 
 //------------------------------------------------------------------------------
-void vtkSurfacePiece::Drop(const std::vector<char>& triangles)
-{
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < triangles.size(); ++i)
-  {
-    if (triangles[i] == 0)
-    {
-      this->Mesh.triangles[kept] = this->Mesh.triangles[i];
-      this->Mesh.triangleCells[kept++] = this->Mesh.triangleCells[i];
-    }
-  }
-  this->Mesh.triangles.resize(kept);
-  this->Mesh.triangleCells.resize(kept);
-}
-
-//------------------------------------------------------------------------------
 medial::SurfacePiece vtkSurfacePiece::Numbered(medial::Communicator& communicator,
   const std::vector<vtkPieceFacts>& facts)
 {
-  this->Drop(vtkFindCopies(communicator, this->Mesh, facts));
+  this->IsCopy.assign(static_cast<std::size_t>(this->Cells), 0);
+  const auto mark = [this](char isCopy)
+  {
+    for (const std::int64_t cell : this->Mesh.triangleCells)
+    {
+      this->IsCopy[cell] = isCopy;
+    }
+  };
+  mark(1);
+  medial::dropCopies(communicator, this->Mesh);
+  mark(0);
+  for (std::size_t i = 0; i < this->InputCells.size(); ++i)
+  {
+    this->InputCells[i] = *CellNumbersOf(this->Mesh)[i];
+  }
   const vtkPieceFacts all = Together(facts);
   medial::SurfacePiece piece;
   if (all.CellIds)
   {
     piece.mesh = std::move(this->Mesh);
-    for (Numbers* cells :
-      { &piece.mesh.triangleCells, &piece.mesh.segmentCells, &piece.mesh.vertexCells })
+    for (Numbers* cells : CellNumbersOf(piece.mesh))
     {
       std::transform(cells->begin(), cells->end(), cells->begin(),
         [this](std::int64_t cell) { return this->CellIds[cell]; });
@@ -308,4 +427,40 @@ medial::SurfacePiece vtkSurfacePiece::Numbered(medial::Communicator& communicato
     piece.pointOrder = LowestIds(piece.mesh, this->PointIds);
   }
   return piece;
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfacePiece::ToPolyData(vtkDataObject* input, medial::TriangleMesh& mesh,
+  vtkPolyData* output) const
+{
+  output->GetFieldData()->PassData(input->GetFieldData());
+  const std::vector<vtkDataSet*> blocks = BlocksOf(input);
+  if (blocks.empty())
+  {
+    return;
+  }
+  const medial::MeshInput cells = InputOf(blocks);
+  const OutputNumbers numbers = NumbersOf(cells, this->IsCopy);
+  output->SetPoints(PointsOf(blocks, cells.points, numbers.Points));
+  output->SetVerts(CellsOf(cells.verts, numbers));
+  output->SetLines(CellsOf(cells.lines, numbers));
+  output->SetPolys(CellsOf(cells.polygons, numbers));
+  output->SetStrips(CellsOf(cells.strips, numbers));
+  CopyArrays(blocks, vtkDataObject::POINT, numbers.Points, output->GetPointData());
+  CopyArrays(blocks, vtkDataObject::CELL, numbers.Cells, output->GetCellData());
+  output->GetCellData()->RemoveArray(vtkDataSetAttributes::GhostArrayName()); // none is one
+  std::vector<int> points;
+  for (std::size_t i = 0; i < mesh.pointOfInput.size(); ++i)
+  {
+    if (numbers.Points[i] >= 0)
+    {
+      points.push_back(mesh.pointOfInput[i]);
+    }
+  }
+  mesh.pointOfInput = std::move(points);
+  for (std::size_t i = 0; i < this->InputCells.size(); ++i)
+  {
+    std::transform(this->InputCells[i].begin(), this->InputCells[i].end(),
+      CellNumbersOf(mesh)[i]->begin(), [&](std::int64_t cell) { return numbers.Cells[cell]; });
+  }
 }

@@ -37,7 +37,7 @@ _medial_values()
     --animation) compgen -d -- "$2" ;;
     --field) _medial_files "$2" vti pvti nrrd mha nii.gz vdb ;;
     --local-thickness) _medial_files "$2" vti pvti nrrd mha nii.gz ;;
-    --image | --thickness-image | --screenshot) _medial_files "$2" png ;;
+    --histogram | --image | --thickness-image | --screenshot) _medial_files "$2" png ;;
     --html) _medial_files "$2" html ;;
     --thickness-method) compgen -W "ball ray wall" -- "$2" ;;
     --colour) compgen -W "radius angle thickness" -- "$2" ;;

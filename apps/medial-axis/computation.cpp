@@ -27,65 +27,10 @@ void computeField(const DistanceFieldOptions& options, FieldSink& field, Result&
   result.sign = result.statistics.sign.method;
 }
 
-double voxelDiagonal(const Grid& grid)
+double sumOf(const RunStatistics::Seconds& seconds)
 {
-  return std::hypot(grid.spacing[0], grid.spacing[1], grid.spacing[2]);
-}
-
-/// Measures what a report states. Only for the note in the summary, a bound on fewer samples is
-/// enough unless the share may be noticeable.
-AxisCoverage coverageOf(const Result& result, const Options& options,
-  const DistanceFieldOptions& fieldOptions)
-{
-  const MedialModel model = toMedialModel(result.axis);
-  const auto measure = [&](std::int64_t samples, double negligible)
-  {
-    CoverageOptions coverageOptions;
-    coverageOptions.execution = fieldOptions.execution;
-    coverageOptions.samples = samples;
-    coverageOptions.negligible = negligible;
-    return measureCoverage(result.mesh, model, voxelDiagonal(result.grid), coverageOptions);
-  };
-  if (options.report.empty())
-  {
-    constexpr std::int64_t kFewSamples = 4000;
-    AxisCoverage bound = measure(kFewSamples, 0.5 * kNoticeableShare);
-    if (bound.uncoveredShare < 0.5 * kNoticeableShare)
-    {
-      return bound;
-    }
-  }
-  return measure(kDefaultCoverageSamples, 0.0);
-}
-
-/// Thickness along rays at the middles of the cells nearest to places.
-std::vector<double> thicknessAt(const std::vector<UncoveredPlace>& places, const Result& result,
-  const Execution& execution)
-{
-  ThicknessOptions options;
-  options.method = ThicknessMethod::Ray;
-  options.cells = true;
-  options.execution = execution;
-  const Thickness thickness = computeThickness(result.mesh, result.connectivity, options);
-  std::vector<Point3> points;
-  for (const UncoveredPlace& place : places)
-  {
-    points.push_back(place.point);
-  }
-  const PointDistance nearest(result.mesh, SignMethod::None, execution);
-  const std::vector<std::int64_t> cells = nearest.compute(points, execution).closestCell;
-  std::vector<double> values(places.size(), std::nan(""));
-  for (std::size_t i = 0; i < result.mesh.triangles.size(); ++i)
-  {
-    for (std::size_t place = 0; place < places.size(); ++place)
-    {
-      if (result.mesh.triangleCells[i] == cells[place])
-      {
-        values[place] = std::fmin(values[place], static_cast<double>(thickness.triangleValues[i]));
-      }
-    }
-  }
-  return values;
+  return seconds.sites + seconds.sign + seconds.cull + seconds.polygons + seconds.draw +
+    seconds.resolve + seconds.medial;
 }
 
 void computeAxis(const Options& options, const MedialAxisOptions& axisOptions, FieldSink* field,
@@ -99,6 +44,7 @@ void computeAxis(const Options& options, const MedialAxisOptions& axisOptions, F
   else if (result.chosenResolution && result.chosenResolution->axis)
   {
     result.axis = std::move(*result.chosenResolution->axis);
+    result.takenSeconds += sumOf(result.axis.statistics.seconds);
   }
   else
   {
@@ -106,53 +52,44 @@ void computeAxis(const Options& options, const MedialAxisOptions& axisOptions, F
   }
   result.statistics = result.axis.statistics;
   result.sign = result.axis.sign;
+  result.axisPoints = static_cast<std::int64_t>(result.axis.points.size());
+  result.axisCells = result.axis.cellCount();
   const Timer measuring;
   if (!options.report.empty())
   {
     result.axisTopology = topologyOf(result.axis);
   }
-  const bool isWanted = !options.report.empty() || (!options.quiet && options.showsAxis());
-  if (result.axis.side == Side::Interior && isWanted)
+  if (wantsCoverage(options, result.axis.side))
   {
-    result.coverage = coverageOf(result, options, axisOptions.field);
+    const MedialModel model = toMedialModel(result.axis);
+    result.coverage = coverageFor(options,
+      [&](std::int64_t samples, double negligible)
+      {
+        return measureCoverage(result.mesh, model, coverageReach(result.grid),
+          { samples, negligible, axisOptions.field.execution });
+      });
     if (result.coverage->uncoveredShare >= kNoticeableShare && !result.coverage->places.empty())
     {
-      result.placeThickness =
-        thicknessAt(result.coverage->places, result, { options.threads, nullptr });
+      result.placeThickness = thicknessAt(result.coverage->places, result.mesh, result.connectivity,
+        { options.threads, nullptr });
     }
   }
   result.measureSeconds = measuring.seconds();
 }
 
-void requireLimits(const ThicknessLimits& limits)
-{
-  try
-  {
-    checkThicknessLimits(limits);
-  }
-  catch (const Error& error)
-  {
-    throw Failure(ExitCode::Usage,
-      std::string("--min-thickness, --max-thickness: ") + error.what());
-  }
-}
-
 void measureThickness(const Options& options, const ThicknessOptions& wanted,
   const ThicknessLimits& limits, Result& result)
 {
-  // Limits are to be kept inside large faces as well.
-  constexpr Length kMaxEdge{ 2.0, true };
-  const Length maxEdge =
-    options.maxEdge.value_or(options.hasThicknessLimits() ? kMaxEdge : Length{});
   MeshConnectivity fineConnectivity;
-  if (maxEdge.value > 0.0)
+  const double maxEdge = maxThicknessEdge(options, result.mesh.bounds().diagonal());
+  if (maxEdge > 0.0)
   {
-    const double diagonal = result.mesh.bounds().diagonal();
-    result.fineMesh = subdivide(result.mesh, maxEdge.inUnits(diagonal), wanted.execution);
+    result.fineMesh = subdivide(result.mesh, maxEdge, wanted.execution);
     fineConnectivity = analyseConnectivity(result.fineMesh->mesh, wanted.execution);
   }
   const MeshConnectivity& connectivity = result.fineMesh ? fineConnectivity : result.connectivity;
   result.thickness = computeThickness(result.thicknessMesh(), connectivity, wanted);
+  result.thicknessTriangles = static_cast<std::int64_t>(result.thicknessMesh().triangles.size());
   if (options.hasThicknessLimits())
   {
     result.regions = findThicknessRegions(result.thicknessMesh(), *result.thickness, limits);
@@ -173,6 +110,90 @@ void chooseResolution(const Options& options, Watch& watch, Result& result)
 
 } // namespace
 
+double maxThicknessEdge(const Options& options, double diagonal)
+{
+  // Limits are to be kept inside large faces as well.
+  constexpr Length kMaxEdge{ 2.0, true };
+  const Length maxEdge =
+    options.maxEdge.value_or(options.hasThicknessLimits() ? kMaxEdge : Length{});
+  return maxEdge.value > 0.0 ? maxEdge.inUnits(diagonal) : 0.0;
+}
+
+void requireLimits(const ThicknessLimits& limits)
+{
+  try
+  {
+    checkThicknessLimits(limits);
+  }
+  catch (const Error& error)
+  {
+    throw Failure(ExitCode::Usage,
+      std::string("--min-thickness, --max-thickness: ") + error.what());
+  }
+}
+
+MeshFigures figuresOf(const TriangleMesh& mesh, const MeshConnectivity& connectivity)
+{
+  return { mesh.triangles.size(), mesh.points.size(), connectivity.components,
+    mesh.degenerateTriangles, connectivity.closed(), connectivity.manifold(),
+    mesh.bounds().diagonal() };
+}
+
+AxisCoverage coverageFor(const Options& options,
+  const std::function<AxisCoverage(std::int64_t samples, double negligible)>& measure)
+{
+  if (options.report.empty())
+  {
+    constexpr std::int64_t kFewSamples = 4000;
+    AxisCoverage bound = measure(kFewSamples, 0.5 * kNoticeableShare);
+    if (bound.uncoveredShare < 0.5 * kNoticeableShare)
+    {
+      return bound;
+    }
+  }
+  return measure(kDefaultCoverageSamples, 0.0);
+}
+
+bool wantsCoverage(const Options& options, Side side)
+{
+  return side == Side::Interior &&
+    (!options.report.empty() || (!options.quiet && options.showsAxis()));
+}
+
+double coverageReach(const Grid& grid)
+{
+  return std::hypot(grid.spacing[0], grid.spacing[1], grid.spacing[2]);
+}
+
+std::vector<double> thicknessAt(const std::vector<UncoveredPlace>& places, const TriangleMesh& mesh,
+  const MeshConnectivity& connectivity, const Execution& execution)
+{
+  ThicknessOptions options;
+  options.method = ThicknessMethod::Ray;
+  options.cells = true;
+  options.execution = execution;
+  const Thickness thickness = computeThickness(mesh, connectivity, options);
+  std::vector<Point3> points;
+  for (const UncoveredPlace& place : places)
+  {
+    points.push_back(place.point);
+  }
+  const PointDistance nearest(mesh, SignMethod::None, execution);
+  const std::vector<std::int64_t> cells = nearest.compute(points, execution).closestCell;
+  std::vector<double> values(places.size(), std::nan(""));
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+  {
+    for (std::size_t place = 0; place < places.size(); ++place)
+    {
+      if (mesh.triangleCells[i] == cells[place])
+      {
+        values[place] = std::fmin(values[place], static_cast<double>(thickness.triangleValues[i]));
+      }
+    }
+  }
+  return values;
+}
+
 Grid gridOf(const Bounds& bounds, const Options& options)
 {
   if (options.spacing)
@@ -185,7 +206,7 @@ Grid gridOf(const Bounds& bounds, const Options& options)
 
 std::optional<double> Result::catchingSpacing(const Options& options) const
 {
-  const double diagonal = mesh.bounds().diagonal();
+  const double diagonal = meshFigures.diagonal;
   const double minRadius =
     std::max(options.lambda.inUnits(diagonal), options.minRadius.inUnits(diagonal));
   // Four grid points, the corners of a square, lie inside a rod of 2 sqrt(2) times their spacing.
@@ -212,6 +233,7 @@ Result prepare(const Surface& surface, const Options& options, ProgressBar& bar)
     {
       result.mesh = surface.toTriangleMesh();
       result.connectivity = analyseConnectivity(result.mesh, { options.threads, &watch });
+      result.meshFigures = figuresOf(result.mesh, result.connectivity);
       if (!options.resolution)
       {
         chooseResolution(options, watch, result);
@@ -224,6 +246,10 @@ Result prepare(const Surface& surface, const Options& options, ProgressBar& bar)
 
 void compute(const Options& options, FieldOutput* field, ProgressBar& bar, Result& result)
 {
+  if (!options.wantsAxis() && !options.localThickness.empty())
+  {
+    return; // the field comes with local thickness
+  }
   if (field != nullptr)
   {
     field->begin(result.grid);
@@ -259,6 +285,7 @@ void computeSkeleton(const Options& options, ProgressBar& bar, Result& result)
   if (result.chosenResolution && result.chosenResolution->skeleton)
   {
     result.skeleton = std::move(*result.chosenResolution->skeleton);
+    result.takenSeconds += result.skeleton->seconds;
     return;
   }
   Watch watch(bar);
@@ -269,12 +296,17 @@ void computeSkeleton(const Options& options, ProgressBar& bar, Result& result)
   throwIfInterrupted();
 }
 
-void computeLocalThickness(const Options& options, FieldOutput* image, ProgressBar& bar,
-  Result& result)
+void computeLocalThickness(const Options& options, FieldOutput* image, FieldOutput* field,
+  ProgressBar& bar, Result& result)
 {
   if (image == nullptr)
   {
     return;
+  }
+  FieldOutput* const fieldToo = options.wantsAxis() ? nullptr : field;
+  if (fieldToo != nullptr)
+  {
+    fieldToo->begin(result.grid);
   }
   image->begin(result.grid);
   Watch watch(bar);
@@ -283,15 +315,19 @@ void computeLocalThickness(const Options& options, FieldOutput* image, ProgressB
   withFailures(options.input,
     [&]
     {
-      result.localThickness =
-        computeLocalThickness(result.mesh, result.connectivity, result.grid, *image, wanted);
+      result.localThickness = computeLocalThickness(result.mesh, result.connectivity, result.grid,
+        *image, wanted, fieldToo);
     });
-  if (!options.wantsAxis() && options.field.empty())
+  if (!options.wantsAxis())
   {
     result.statistics = result.localThickness->field;
     result.sign = result.statistics.sign.method;
   }
   throwIfInterrupted();
+  if (fieldToo != nullptr)
+  {
+    fieldToo->finish();
+  }
   image->finish();
 }
 

@@ -202,7 +202,8 @@ std::vector<std::string> fitMeshes(HtmlMesh& surface, HtmlMesh& axis, HtmlMesh& 
 }
 
 std::string makeHtmlData(const HtmlMesh& surface, const HtmlMesh& axis, const HtmlMesh& skeleton,
-  const std::vector<std::string>& caption, const std::vector<std::string>& simplifications)
+  const std::vector<std::string>& caption, double angle,
+  const std::vector<std::string>& simplifications)
 {
   Json notes = Json::array();
   for (const std::string& how : simplifications)
@@ -213,7 +214,7 @@ std::string makeHtmlData(const HtmlMesh& surface, const HtmlMesh& axis, const Ht
   notes.push_back(roundingNote(frame));
   notes.push_back("Made by medial-axis " MEDIAL_VERSION "; drawn by vtk.js.");
   const std::vector<std::string> settings(caption.begin() + 1, caption.end());
-  Json data = { { "title", caption.front() }, { "settings", settings },
+  Json data = { { "title", caption.front() }, { "settings", settings }, { "angle", angle },
     { "frame",
       { { "origin", { frame[0].origin, frame[1].origin, frame[2].origin } },
         { "step", { frame[0].step, frame[1].step, frame[2].step } } } },

@@ -21,10 +21,11 @@ std::vector<std::string> fitMeshes(HtmlMesh& surface, HtmlMesh& axis, HtmlMesh& 
 /// @param surface, axis may be empty; the axis as sortByAngle() leaves it.
 /// @param skeleton empty if there is none.
 /// @param caption what the page calls the mesh, and lines below it; at least one. Bytes that are
-/// not
-///   UTF-8 are replaced.
+///   not UTF-8 are replaced.
+/// @param angle the minimum separation angle of the axis, degrees.
 /// @param simplifications of fitMeshes(), for the reader of the page.
 std::string makeHtmlData(const HtmlMesh& surface, const HtmlMesh& axis, const HtmlMesh& skeleton,
-  const std::vector<std::string>& caption, const std::vector<std::string>& simplifications);
+  const std::vector<std::string>& caption, double angle,
+  const std::vector<std::string>& simplifications);
 
 } // namespace medial::app

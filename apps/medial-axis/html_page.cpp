@@ -61,7 +61,7 @@ std::string filled(std::string_view text,
 } // namespace
 
 HtmlPage makeHtml(const TriangleMesh& surface, vtkPolyData* axis, vtkPolyData* skeleton,
-  const std::vector<std::string>& caption, std::string_view vtkJs, std::size_t limit)
+  const std::vector<std::string>& caption, double angle, std::string_view vtkJs, std::size_t limit)
 {
   constexpr std::size_t kFrame = 50'000; // page, scripts and what describes the data
   const std::size_t fixed = vtkJs.size() + kFrame;
@@ -75,7 +75,7 @@ HtmlPage makeHtml(const TriangleMesh& surface, vtkPolyData* axis, vtkPolyData* s
   const auto file = [](const char* name)
   { return [name] { return escapedScript(webFile(name)); }; };
   const auto data = [&]
-  { return makeHtmlData(surfaceMesh, axisMesh, skeletonMesh, caption, simplifications); };
+  { return makeHtmlData(surfaceMesh, axisMesh, skeletonMesh, caption, angle, simplifications); };
   return { filled(webFile("page.html"),
              { { "style", [] { return std::string(webFile("style.css")); } },
                { "decode", file("decode.js") }, { "scene", file("scene.js") },
@@ -85,9 +85,10 @@ HtmlPage makeHtml(const TriangleMesh& surface, vtkPolyData* axis, vtkPolyData* s
 }
 
 std::vector<std::string> writeHtml(const TriangleMesh& surface, vtkPolyData* axis,
-  vtkPolyData* skeleton, const std::vector<std::string>& caption, const std::filesystem::path& file)
+  vtkPolyData* skeleton, const std::vector<std::string>& caption, double angle,
+  const std::filesystem::path& file)
 {
-  HtmlPage page = makeHtml(surface, axis, skeleton, caption, webFile("vtk.js"));
+  HtmlPage page = makeHtml(surface, axis, skeleton, caption, angle, webFile("vtk.js"));
   writeFile(file, page.html);
   return std::move(page.simplifications);
 }

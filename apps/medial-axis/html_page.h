@@ -28,17 +28,19 @@ struct HtmlPage
 /// @param skeleton of that run; null if there is none. Positions are rounded to 1/65535 of
 ///   their common bounds on each axis, the arrays to 1/65535 of their ranges.
 /// @param caption what the page calls the mesh, and lines below it; at least one.
+/// @param angle the minimum separation angle of the axis, degrees. Facets leave points below it.
 /// @param vtkJs the bundle of vtk.js.
 /// @param limit bytes of the whole page. Beyond it the meshes are made coarser, as the page says;
 ///   what is not a mesh stays, however large.
 HtmlPage makeHtml(const TriangleMesh& surface, vtkPolyData* axis, vtkPolyData* skeleton,
-  const std::vector<std::string>& caption, std::string_view vtkJs, std::size_t limit = kHtmlLimit);
+  const std::vector<std::string>& caption, double angle, std::string_view vtkJs,
+  std::size_t limit = kHtmlLimit);
 
 /// Writes the page of makeHtml() with the bundle of vtk.js that is built into the program.
 /// @return its simplifications.
 /// @throws Failure NoSpace if the file cannot be written completely. The message does not name it.
 std::vector<std::string> writeHtml(const TriangleMesh& surface, vtkPolyData* axis,
-  vtkPolyData* skeleton, const std::vector<std::string>& caption,
+  vtkPolyData* skeleton, const std::vector<std::string>& caption, double angle,
   const std::filesystem::path& file);
 
 } // namespace medial::app

@@ -159,6 +159,7 @@ void convertTexts(const OptionTexts& texts, bool spacingGiven, Options& options)
   options.field = texts.field;
   options.fieldArrays = fieldArraysOf(options.field, texts.fieldArrays);
   options.localThickness = texts.localThickness;
+  options.histogram = texts.histogram;
   convertThickness(texts, options);
   options.image = texts.image;
   options.html = texts.html;
@@ -187,10 +188,18 @@ void convertTexts(const OptionTexts& texts, bool spacingGiven, Options& options)
   }
 }
 
-void convertSkeleton(const OptionTexts& texts, bool topologyGiven, Options& options)
+void convertSkeleton(const OptionTexts& texts, const GivenOptions& given, Options& options)
 {
   if (!options.wantsSkeleton())
   {
+    for (const auto& [name, isGiven] :
+      { std::pair("--min-branch", given.minBranch), std::pair("--no-smooth", !options.smooth) })
+    {
+      if (isGiven)
+      {
+        throw Failure(ExitCode::Usage, std::string(name) + " needs --skeleton or --skeleton-table");
+      }
+    }
     if (!options.resolution)
     {
       throw Failure(ExitCode::Usage,
@@ -199,7 +208,7 @@ void convertSkeleton(const OptionTexts& texts, bool topologyGiven, Options& opti
     return;
   }
   const auto refuse = [](const std::string& what) { throw Failure(ExitCode::Usage, what); };
-  if (topologyGiven && options.topology != Topology::Preserve)
+  if (given.topology && options.topology != Topology::Preserve)
   {
     refuse("--skeleton needs --topology preserve, not " + texts.topology);
   }
@@ -234,7 +243,8 @@ void checkFiles(const Options& options)
   checkVdb(options);
   checkExtension("--local-thickness", options.localThickness,
     { ".vti", ".pvti", ".nrrd", ".mha", ".nii.gz" });
-  checkExtension("--thickness", options.thickness, { ".vtp" });
+  checkExtension("--histogram", options.histogram, { ".png" });
+  checkExtension("--thickness", options.thickness, { ".vtp", ".pvtp" });
   checkExtension("--thickness-image", options.thicknessImage, { ".png" });
   checkExtension("--thin-regions", options.thinRegions, { ".vtp" });
   checkExtension("--image", options.image, { ".png" });
@@ -261,6 +271,8 @@ void checkFiles(const Options& options)
   checkDistinct("--curves", options.curves, "--thin-regions", options.thinRegions);
   checkDistinct("--thickness", options.thickness, "--thin-regions", options.thinRegions);
   checkDistinct("--image", options.image, "--thickness-image", options.thicknessImage);
+  checkDistinct("--histogram", options.histogram, "--image", options.image);
+  checkDistinct("--histogram", options.histogram, "--thickness-image", options.thicknessImage);
   if (!options.html.empty() && webFile("vtk.js").empty())
   {
     throw Failure(ExitCode::Usage,

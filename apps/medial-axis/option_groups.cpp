@@ -23,8 +23,11 @@ constexpr double kMaxPadding = 10.0;
 CLI::Validator length()
 {
   return CLI::Validator(
-    [](std::string& word) {
-      return parseLength(word) ? std::string() : word + " is not a length >= 0, such as 0.5 or 2%";
+    [](std::string& word)
+    {
+      return parseLength(word)
+        ? std::string()
+        : word + " is not a length >= 0 in the mesh's units, such as 0.5, or a share, such as 2%";
     },
     "");
 }
@@ -60,9 +63,10 @@ void addAxisFiles(CLI::App& app, OptionTexts& texts)
     ->group(kOutputs);
   app
     .add_option("--skeleton", texts.skeleton,
-      "network of curves within the solid: a polyline for every branch, with the points' Radius, "
-      "ArcLength, Degree and Tangent and the branches' Length, Kind and radii; with --topology "
-      "preserve, on the inside")
+      "centrelines, the network of curves within the solid: a polyline for every branch, with the "
+      "points' Radius, ArcLength, Degree and Tangent and the branches' Length, Kind and radii; "
+      "with "
+      "--topology preserve, on the inside")
     ->option_text("FILE.vtp")
     ->group(kOutputs);
   app
@@ -110,11 +114,19 @@ void addThicknessFiles(CLI::App& app, OptionTexts& texts)
     ->option_text("FILE")
     ->group(kOutputs);
   app
+    .add_option("--histogram", texts.histogram,
+      "picture of the distribution of local thickness, with mean and standard deviation: how many "
+      "percent of the grid points have which value, in world units; needs no display")
+    ->option_text("FILE.png")
+    ->needs("--local-thickness")
+    ->group(kOutputs);
+  app
     .add_option("--thickness", texts.thickness,
       "input surface with the point array Thickness and the cell array of the same name, in world "
       "units, float32; NaN where there is none; see --thickness-method; uses --angle and --side, "
-      "but no grid: it is exact")
-    ->option_text("FILE.vtp")
+      "but no grid: it is exact; .vtp; by several processes also .pvtp, pieces named <FILE's "
+      "name>_0.vtp and so on, of triangles with InputCell")
+    ->option_text("FILE")
     ->group(kOutputs);
   app
     .add_option("--thickness-image", texts.thicknessImage,
@@ -293,8 +305,9 @@ void addThicknessOptions(CLI::App& app, OptionTexts& texts)
       [](std::string& word)
       {
         const auto found = parseLength(word);
-        return found && found->value > 0.0 ? std::string()
-                                           : word + " is not a length > 0, such as 0.5 or 2%";
+        return found && found->value > 0.0
+          ? std::string()
+          : word + " is not a length > 0 in the mesh's units, such as 0.5, or a share, such as 2%";
       },
       "");
   };

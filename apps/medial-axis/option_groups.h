@@ -15,8 +15,8 @@ constexpr const char* kAutoResolution = "auto";
 /// What the user typed, before it becomes values of Options.
 struct OptionTexts
 {
-  std::string input, output, curves, skeleton, skeletonTable, field, localThickness, thickness,
-    thicknessImage, thinRegions, image, html, report;
+  std::string input, output, curves, skeleton, skeletonTable, field, localThickness, histogram,
+    thickness, thicknessImage, thinRegions, image, html, report;
   std::string fieldArrays;
   std::string thicknessMethod, minThickness, maxThickness, maxEdge;
   std::string lambda = "0";

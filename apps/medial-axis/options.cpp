@@ -17,7 +17,8 @@ const char* const kFooter =
   "folder. Existing files are replaced, but only once the new ones are complete. --field,\n"
   "--local-thickness, --thickness, --thickness-image and thickness limits write no medial\n"
   "axis unless another output needs one.\n"
-  "Started by mpirun, several processes compute the axis and --field FILE.pvti together.\n"
+  "Started by mpirun, several processes compute the axis, --thickness and --field FILE.pvti\n"
+  "together.\n"
   "\n"
   "Exit codes: 0 done; 1 done, but the thickness is beyond its limits; 2 usage; 3 bad input; 4 no\n"
   "usable OpenGL where it is needed; 5 out of memory or disk, or an output that cannot be\n"
@@ -64,7 +65,7 @@ std::optional<Options> parseOptions(int argc, char** argv)
   }
   options.sideGiven = app.count("--side") > 0;
   convertTexts(texts, app.count("--spacing") > 0, options);
-  convertSkeleton(texts, app.count("--topology") > 0, options);
+  convertSkeleton(texts, { app.count("--topology") > 0, app.count("--min-branch") > 0 }, options);
   checkFiles(options);
   return options;
 }

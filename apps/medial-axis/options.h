@@ -31,7 +31,8 @@ struct Options
   FieldSelection fieldArrays = kAllFieldArrays;
   std::optional<double> band;                         ///< of a .vdb field, in grid points
   std::filesystem::path localThickness;               ///< as field
-  std::filesystem::path thickness;                    ///< .vtp
+  std::filesystem::path histogram;                    ///< .png
+  std::filesystem::path thickness;                    ///< .vtp or .pvtp
   std::filesystem::path thicknessImage;               ///< .png
   std::filesystem::path thinRegions;                  ///< .vtp
   std::filesystem::path image;                        ///< .png

@@ -1,6 +1,7 @@
 #include "output_writer.h"
 
 #include "file_writer.h"
+#include "histogram_picture.h"
 #include "html_page.h"
 #include "picture.h"
 #include "picture_caption.h"
@@ -131,18 +132,24 @@ OutputNotes writeOutputs(const Options& options, Surface& surface, const Result&
   notes.pictureSeconds = axisPicture.seconds();
   outputs.write(options.html,
     [&](const auto& file)
-    { notes.page = writeHtml(result.mesh, axis, skeleton, axisCaption(options, result), file); });
+    {
+      notes.page =
+        writeHtml(result.mesh, axis, skeleton, axisCaption(options, result), options.angle, file);
+    });
   outputs.write(options.thickness,
     [&](const auto& file) { writeVtp(result.thicknessSurface, file); });
   outputs.write(options.thinRegions, [&](const auto& file) { writeVtp(regionsOf(result), file); });
-  const Timer thicknessPicture;
+  const Timer otherPictures;
+  outputs.write(options.histogram,
+    [&](const auto& file)
+    { drawHistogram(*result.localThickness, localThicknessCaption(options, result), file); });
   outputs.write(options.thicknessImage,
     [&](const auto& file)
     {
       drawThickness(result.thicknessPicture, surface.polyData(), pictureRegions(result),
         thicknessCaption(options, result), file);
     });
-  notes.pictureSeconds += thicknessPicture.seconds();
+  notes.pictureSeconds += otherPictures.seconds();
   return notes;
 }
 

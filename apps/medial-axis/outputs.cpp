@@ -16,9 +16,9 @@ Outputs::Outputs(const Options& options)
   {
     localThickness_.emplace(options.localThickness, FieldSelection{ true }, kLocalThicknessName);
   }
-  for (const auto* path :
-    { &options.output, &options.curves, &options.skeleton, &options.skeletonTable, &options.image,
-      &options.html, &options.thickness, &options.thicknessImage, &options.thinRegions })
+  for (const auto* path : { &options.output, &options.curves, &options.skeleton,
+         &options.skeletonTable, &options.image, &options.html, &options.histogram,
+         &options.thickness, &options.thicknessImage, &options.thinRegions })
   {
     files_.add(*path);
   }

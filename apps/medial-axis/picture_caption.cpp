@@ -23,6 +23,12 @@ std::string sideAndAngle(const std::string& what, const Options& options)
     "\xc2\xb0";
 }
 
+std::string gridText(const Grid& grid)
+{
+  const auto& [x, y, z] = grid.dimensions;
+  return "grid " + std::to_string(x) + " x " + std::to_string(y) + " x " + std::to_string(z);
+}
+
 } // namespace
 
 std::vector<std::string> axisCaption(const Options& options, const Result& result)
@@ -37,9 +43,7 @@ std::vector<std::string> axisCaption(const Options& options, const Result& resul
   {
     selection += ", radius at least " + lengthText(options.minRadius);
   }
-  const auto& [x, y, z] = result.grid.dimensions;
-  std::string way =
-    "grid " + std::to_string(x) + " x " + std::to_string(y) + " x " + std::to_string(z);
+  std::string way = gridText(result.grid);
   if (options.topology != Topology::Selected)
   {
     way += ", topology " + nameOf(options.topology);
@@ -71,6 +75,12 @@ std::vector<std::string> thicknessCaption(const Options& options, const Result& 
     lines.push_back("limits kept everywhere");
   }
   return lines;
+}
+
+std::vector<std::string> localThicknessCaption(const Options& options, const Result& result)
+{
+  return { options.input.filename().string(),
+    "local thickness, " + nameOf(options.side) + ", " + gridText(result.grid) };
 }
 
 } // namespace medial::app

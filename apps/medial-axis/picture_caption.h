@@ -17,4 +17,7 @@ std::vector<std::string> axisCaption(const Options& options, const Result& resul
 /// beyond the limits.
 std::vector<std::string> thicknessCaption(const Options& options, const Result& result);
 
+/// Name of the mesh's file; side of the local thickness and grid.
+std::vector<std::string> localThicknessCaption(const Options& options, const Result& result);
+
 } // namespace medial::app

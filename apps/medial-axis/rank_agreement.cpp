@@ -12,13 +12,7 @@ namespace medial::app
 
 using Message = Communicator::Message;
 
-std::vector<Message> gathered(Communicator& communicator, const Message& own)
-{
-  return communicator.exchange(
-    std::vector<Message>(static_cast<std::size_t>(communicator.size()), own));
-}
-
-void agree(Communicator& communicator, const std::function<void()>& work)
+void withSharedFailures(Communicator& communicator, const std::function<void()>& work)
 {
   Message failure; // exit code, then message
   try

@@ -1,14 +1,14 @@
 #include "rank_input.h"
 
 #include "failure.h"
+#include "input_file.h"
 #include "library_calls.h"
+#include "list_message.h"
 #include "rank_agreement.h"
 #include "surface_reader.h"
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
-#include <cstring>
 #include <iterator>
 #include <map>
 #include <utility>
@@ -20,59 +20,6 @@ namespace
 {
 
 using Message = Communicator::Message;
-
-/// The lists of a piece, one after the other.
-class PieceMessage
-{
-public:
-  template <typename T>
-  void put(const std::vector<T>& list)
-  {
-    const std::uint64_t count = list.size();
-    this->append(&count, sizeof(count));
-    this->append(list.data(), count * sizeof(T));
-  }
-
-  template <typename T>
-  void take(std::vector<T>& list)
-  {
-    std::uint64_t count = 0;
-    this->extract(&count, sizeof(count));
-    list.resize(count);
-    this->extract(list.data(), count * sizeof(T));
-  }
-
-  template <typename T>
-  void putOne(const T& value)
-  {
-    this->append(&value, sizeof(value));
-  }
-
-  template <typename T>
-  void takeOne(T& value)
-  {
-    this->extract(&value, sizeof(value));
-  }
-
-  Message bytes;
-
-private:
-  void append(const void* from, std::size_t count)
-  {
-    const auto* const first = static_cast<const char*>(from);
-    bytes.insert(bytes.end(), first, first + count);
-  }
-  void extract(void* to, std::size_t count)
-  {
-    if (count > 0)
-    {
-      std::memcpy(to, bytes.data() + next_, count);
-    }
-    next_ += count;
-  }
-
-  std::size_t next_ = 0;
-};
 
 /// Takes triangles [begin, end) out of a mesh.
 SurfacePiece pieceOf(const TriangleMesh& mesh, std::size_t begin, std::size_t end)
@@ -132,7 +79,7 @@ std::vector<Message> sharesOf(const TriangleMesh& mesh, std::size_t ranks)
       ++end;
     }
     const SurfacePiece piece = pieceOf(mesh, begin, end);
-    PieceMessage message;
+    ListMessage message;
     message.putOne(bounds);
     message.put(piece.mesh.points);
     message.put(piece.pointOrder);
@@ -148,13 +95,30 @@ std::vector<Message> sharesOf(const TriangleMesh& mesh, std::size_t ranks)
   return messages;
 }
 
+/// Takes a piece out of a message.
+SurfacePiece receivedPiece(Message bytes, Bounds& bounds)
+{
+  ListMessage message(std::move(bytes));
+  SurfacePiece piece;
+  message.takeOne(bounds);
+  message.take(piece.mesh.points);
+  message.take(piece.pointOrder);
+  message.take(piece.mesh.triangles);
+  message.take(piece.mesh.triangleCells);
+  message.take(piece.mesh.segments);
+  message.take(piece.mesh.segmentCells);
+  message.take(piece.mesh.vertices);
+  message.take(piece.mesh.vertexCells);
+  return piece;
+}
+
 } // namespace
 
 Share readShare(const Options& options, bool keepsWhole, Communicator& communicator)
 {
   std::vector<Message> messages(static_cast<std::size_t>(communicator.size()));
   Share share;
-  agree(communicator,
+  withSharedFailures(communicator,
     [&]
     {
       if (communicator.rank() == 0)
@@ -162,27 +126,44 @@ Share readShare(const Options& options, bool keepsWhole, Communicator& communica
         withFailures(options.input,
           [&]
           {
-            TriangleMesh mesh = readSurface(options.input).toTriangleMesh();
+            Surface surface = readSurface(options.input);
+            TriangleMesh mesh = surface.toTriangleMesh();
             messages = sharesOf(mesh, messages.size());
+            if (!options.report.empty())
+            {
+              share.figures =
+                figuresOf(mesh, analyseConnectivity(mesh, { options.threads, nullptr }));
+            }
             if (keepsWhole)
             {
               share.whole = std::move(mesh);
             }
+            if (extensionOf(options.thickness) == ".vtp")
+            {
+              share.surface = std::move(surface);
+            }
           });
       }
     });
-  PieceMessage message;
-  message.bytes = std::move(communicator.exchange(std::move(messages)).front());
-  message.takeOne(share.bounds);
-  message.take(share.piece.mesh.points);
-  message.take(share.piece.pointOrder);
-  message.take(share.piece.mesh.triangles);
-  message.take(share.piece.mesh.triangleCells);
-  message.take(share.piece.mesh.segments);
-  message.take(share.piece.mesh.segmentCells);
-  message.take(share.piece.mesh.vertices);
-  message.take(share.piece.mesh.vertexCells);
+  share.piece =
+    receivedPiece(std::move(communicator.exchange(std::move(messages)).front()), share.bounds);
+  share.figures.diagonal = share.bounds.diagonal();
   return share;
+}
+
+SurfacePiece handedOut(const TriangleMesh& mesh, Communicator& communicator)
+{
+  std::vector<Message> messages(static_cast<std::size_t>(communicator.size()));
+  withSharedFailures(communicator,
+    [&]
+    {
+      if (communicator.rank() == 0)
+      {
+        messages = sharesOf(mesh, messages.size());
+      }
+    });
+  Bounds bounds;
+  return receivedPiece(std::move(communicator.exchange(std::move(messages)).front()), bounds);
 }
 
 } // namespace medial::app

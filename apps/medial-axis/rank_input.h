@@ -1,6 +1,8 @@
 #pragma once
 
+#include "computation.h"
 #include "options.h"
+#include "surface.h"
 
 #include "medial/ranks.h"
 #include "medial/triangle_mesh.h"
@@ -12,13 +14,19 @@ namespace medial::app
 struct Share
 {
   SurfacePiece piece;
-  Bounds bounds;      ///< of the whole
-  TriangleMesh whole; ///< on the first rank, where it is kept
+  Bounds bounds;       ///< of the whole
+  MeshFigures figures; ///< on the first rank, where a report is wanted; the diagonal on all
+  TriangleMesh whole;  ///< on the first rank, where it is kept
+  Surface surface;     ///< the same with the arrays of its file, for --thickness FILE.vtp
 };
 
 /// The first rank reads the mesh, and hands it out.
 /// @param keepsWhole whether the first rank keeps all of it.
 /// @throws Failure on every rank.
 Share readShare(const Options& options, bool keepsWhole, Communicator& communicator);
+
+/// Hands out a mesh of the first rank.
+/// @throws Failure on every rank.
+SurfacePiece handedOut(const TriangleMesh& mesh, Communicator& communicator);
 
 } // namespace medial::app

@@ -212,9 +212,14 @@ public:
     {
       work();
     }
+    // Every rank has the same failure or fault.
     catch (const Failure&)
     {
-      // Every rank has the same.
+      muteReports(communicator_->rank() > 0);
+      throw;
+    }
+    catch (const RankFault&)
+    {
       muteReports(communicator_->rank() > 0);
       throw;
     }

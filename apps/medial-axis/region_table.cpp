@@ -68,7 +68,7 @@ std::string regionTable(const std::vector<ThicknessRegion>& regions)
 
 std::string regionSummary(const Options& options, const Result& result)
 {
-  const ThicknessLimits limits = thicknessLimits(options, result.mesh.bounds().diagonal());
+  const ThicknessLimits limits = thicknessLimits(options, result.meshFigures.diagonal);
   const std::string thin = summaryOf(result.regions, true, limits.min);
   const std::string thick = summaryOf(result.regions, false, limits.max);
   return thin + (thin.empty() || thick.empty() ? "" : "; ") + thick;
@@ -81,7 +81,7 @@ void requireNoRegions(const Options& options, const Result& result)
   {
     return;
   }
-  const double diagonal = result.mesh.bounds().diagonal();
+  const double diagonal = result.meshFigures.diagonal;
   if (options.minThickness && options.minThickness->inUnits(diagonal) > diagonal)
   {
     std::ostringstream size;

@@ -7,8 +7,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include <sys/resource.h>
 
@@ -21,11 +23,10 @@ using Json = nlohmann::ordered_json;
 
 Json describeInput(const Result& result, const std::filesystem::path& input)
 {
-  return { { "path", input.string() }, { "triangles", result.mesh.triangles.size() },
-    { "vertices", result.mesh.points.size() }, { "closed", result.connectivity.closed() },
-    { "manifold", result.connectivity.manifold() },
-    { "components", result.connectivity.components },
-    { "skipped_degenerate", result.mesh.degenerateTriangles } };
+  const MeshFigures& mesh = result.meshFigures;
+  return { { "path", input.string() }, { "triangles", mesh.triangles }, { "vertices", mesh.points },
+    { "closed", mesh.closed }, { "manifold", mesh.manifold }, { "components", mesh.components },
+    { "skipped_degenerate", mesh.degenerateTriangles } };
 }
 
 Json describeGrid(const Grid& grid)
@@ -67,7 +68,7 @@ Json describeSeconds(const RunStatistics::DeviceSeconds& device)
 // Lengths in world units, as the library took them.
 Json describeParameters(const Result& result, const Options& options)
 {
-  const double diagonal = result.mesh.bounds().diagonal();
+  const double diagonal = result.meshFigures.diagonal;
   return { { "angle", options.angle }, { "lambda", options.lambda.inUnits(diagonal) },
     { "min_radius", options.minRadius.inUnits(diagonal) }, { "side", nameOf(options.side) },
     { "representation", nameOf(options.representation) }, { "max_spheres", options.maxSpheres },
@@ -84,12 +85,13 @@ Json describeSign(const SignReport& sign)
     { "copies", sign.copies }, { "turned", sign.turned } };
 }
 
-Json describeCounts(const RunStatistics& statistics, const MedialAxis& axis)
+Json describeCounts(const Result& result)
 {
+  const RunStatistics& statistics = result.statistics;
   return { { "sites", statistics.sites }, { "polygons", statistics.polygons },
     { "fragments", statistics.fragments }, { "group_tests", statistics.groupTests },
     { "site_tests", statistics.siteTests }, { "candidate_pairs", statistics.candidatePairs },
-    { "medial_points", axis.points.size() }, { "medial_cells", axis.cellCount() } };
+    { "medial_points", result.axisPoints }, { "medial_cells", result.axisCells } };
 }
 
 Json describeSimplification(const SimplificationStatistics& simplification)
@@ -116,13 +118,13 @@ Json describeRegions(const std::vector<ThicknessRegion>& regions)
 Json describeThickness(const Result& result, const Options& options)
 {
   const Thickness& thickness = *result.thickness;
-  const ThicknessLimits limits = thicknessLimits(options, result.mesh.bounds().diagonal());
+  const ThicknessLimits limits = thicknessLimits(options, result.meshFigures.diagonal);
   const auto limit = [](const std::optional<double>& value)
   { return value ? Json(*value) : Json(nullptr); };
   return { { "method", nameOf(thicknessOptions(options).method) }, { "side", nameOf(options.side) },
     { "angle", options.angle }, { "min", thickness.min }, { "median", thickness.median },
     { "max", thickness.max }, { "share_without", thickness.shareWithout() },
-    { "triangles", result.thicknessMesh().triangles.size() }, { "min_limit", limit(limits.min) },
+    { "triangles", result.thicknessTriangles }, { "min_limit", limit(limits.min) },
     { "max_limit", limit(limits.max) },
     { "regions", options.hasThicknessLimits() ? describeRegions(result.regions) : Json(nullptr) },
     { "seconds", thickness.seconds } };
@@ -178,11 +180,27 @@ Json describeTopology(const Result& result, Topology mode)
     { "axis", describe(result.axisTopology) } };
 }
 
-double peakMemoryMiB()
+Json describeRanks(const std::vector<RankFigures>& ranks)
 {
-  struct rusage usage = {};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024.0;
+  Json list; // null for a single process
+  for (const RankFigures& rank : ranks)
+  {
+    list.push_back({ { "grid_points", rank.gridPoints }, { "medial_cells", rank.axisCells },
+      { "own_triangles", rank.counts.ownTriangles },
+      { "held_triangles", rank.counts.heldTriangles }, { "bytes_sent", rank.counts.bytesSent },
+      { "exchanges", rank.counts.exchanges }, { "peak_memory_mib", rank.peakMemoryMiB } });
+  }
+  return list;
+}
+
+double peakMemoryOf(const std::vector<RankFigures>& ranks)
+{
+  double peak = peakMemoryMiB();
+  for (const RankFigures& rank : ranks)
+  {
+    peak = std::max(peak, rank.peakMemoryMiB);
+  }
+  return peak;
 }
 
 Json describeCoverage(const Result& result, const Options& options)
@@ -205,6 +223,13 @@ Json describeCoverage(const Result& result, const Options& options)
 
 } // namespace
 
+double peakMemoryMiB()
+{
+  struct rusage usage = {};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
 std::string makeReport(const Result& result, const Options& options, const AppSeconds& seconds)
 {
   // Thickness alone needs no grid, and so no sign and no engine.
@@ -223,7 +248,7 @@ std::string makeReport(const Result& result, const Options& options, const AppSe
   report["bytes_uploaded"] = result.statistics.bytesUploaded;
   report["bytes_read_back"] = result.statistics.bytesReadBack;
   report["dispatches"] = result.statistics.dispatches;
-  report["counts"] = describeCounts(result.statistics, result.axis);
+  report["counts"] = describeCounts(result);
   report["simplification"] = describeSimplification(result.axis.simplification);
   report["fragments_per_voxel"] = result.statistics.fragmentsPerVoxel();
   report["engine"] = ofField(nameOf(result.statistics.engine));
@@ -244,7 +269,8 @@ std::string makeReport(const Result& result, const Options& options, const AppSe
   }
   report["topology"] = ofAxis(describeTopology(result, options.topology));
   report["coverage"] = describeCoverage(result, options);
-  report["peak_memory_mib"] = peakMemoryMiB();
+  report["peak_memory_mib"] = peakMemoryOf(result.ranks);
+  report["ranks"] = describeRanks(result.ranks);
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -13,7 +13,7 @@ namespace medial::app
 struct AppSeconds
 {
   double read = 0.0;
-  double prepare = 0.0; ///< welding points, who shares them with whom, the resolution
+  double prepare = 0.0; ///< welding points, who shares them with whom, coarse skeletons
   double measure = 0.0; ///< topology and coverage of the axis
   double skeleton = 0.0;
   double thickness = 0.0; ///< with the values of its picture
@@ -21,6 +21,9 @@ struct AppSeconds
   double write = 0.0;     ///< all other files
   double total = 0.0;
 };
+
+/// The largest memory of the process so far.
+double peakMemoryMiB();
 
 /// The figures of a run as JSON text. Its keys are listed in docs/COMMAND-LINE.md, and a test
 /// compares; what was not computed is null, or 0 for a count. Lengths are in world units.

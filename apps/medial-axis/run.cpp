@@ -19,6 +19,8 @@
 #include <vtkSMPTools.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <string>
 
 namespace medial::app
 {
@@ -35,16 +37,23 @@ Surface readInput(const Options& options)
   return readSurface(options.input);
 }
 
+/// @throws Failure Usage for a file in pieces.
+void requireOneFile(const std::string& option, const std::filesystem::path& path)
+{
+  if (extensionOf(path) == ".pvtp")
+  {
+    throw Failure(ExitCode::Usage,
+      option + " " + path.string() +
+        ": .pvtp is for several processes, started by mpirun; use .vtp for one");
+  }
+}
+
 } // namespace
 
 void run(const Options& options)
 {
-  if (extensionOf(options.output) == ".pvtp")
-  {
-    throw Failure(ExitCode::Usage,
-      "--output " + options.output.string() +
-        ": .pvtp is for several processes, started by mpirun; use .vtp for one");
-  }
+  requireOneFile("--output", options.output);
+  requireOneFile("--thickness", options.thickness);
   const Timer total;
   AppSeconds seconds;
   Outputs outputs(options); // what cannot be written is refused before anything is computed
@@ -65,11 +74,12 @@ void run(const Options& options)
   seconds.prepare = preparing.seconds();
   compute(options, outputs.field(), bar, result);
   seconds.measure = result.measureSeconds;
-  const Timer skeleton;
   computeSkeleton(options, bar, result);
-  seconds.skeleton = skeleton.seconds();
+  seconds.skeleton = result.skeleton ? result.skeleton->seconds : 0.0;
+  // What was made to choose the resolution, and is taken as it is, stands under its own phases.
+  seconds.prepare = std::max(0.0, seconds.prepare - result.takenSeconds);
   const Timer thickness;
-  computeLocalThickness(options, outputs.localThickness(), bar, result);
+  computeLocalThickness(options, outputs.localThickness(), outputs.field(), bar, result);
   computeThickness(options, surface, bar, result);
   seconds.thickness = thickness.seconds();
 

@@ -1,33 +1,27 @@
 #include "run_on_ranks.h"
 
-#include "axis_pieces.h"
 #include "computation.h"
 #include "failure.h"
 #include "field_output.h"
-#include "file_writer.h"
 #include "input_file.h"
-#include "interrupt.h"
 #include "library_calls.h"
 #include "progress_bar.h"
 #include "rank_agreement.h"
 #include "rank_input.h"
+#include "rank_outputs.h"
+#include "rank_result.h"
+#include "rank_thickness.h"
+#include "region_table.h"
+#include "report.h"
 #include "scan_reader.h"
+#include "standard_output.h"
 #include "summary.h"
 #include "timer.h"
-#include "vtp_writer.h"
-
-#include "medial/axis_io.h"
-
-#include <vtkMeshConversion.h>
-#include <vtkNew.h>
-#include <vtkPolyData.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstdio>
-#include <cstring>
-#include <iterator>
-#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -40,7 +34,7 @@ namespace
 
 using Message = Communicator::Message;
 
-/// Several processes compute the field and the axis alone.
+/// Several processes compute the field, the axis and the thickness alone.
 void checkOptions(const Options& options)
 {
   const auto refuse = [](const std::string& message)
@@ -51,9 +45,9 @@ void checkOptions(const Options& options)
   }
   const std::pair<const char*, bool> others[] = { { "--local-thickness",
                                                     !options.localThickness.empty() },
-    { "thickness", options.wantsThickness() }, { "--curves", !options.curves.empty() },
-    { "--skeleton", options.wantsSkeleton() }, { "--image", !options.image.empty() },
-    { "--html", !options.html.empty() }, { "--report", !options.report.empty() },
+    { "--thickness-image", !options.thicknessImage.empty() },
+    { "--curves", !options.curves.empty() }, { "--skeleton", options.wantsSkeleton() },
+    { "--image", !options.image.empty() }, { "--html", !options.html.empty() },
     { "a scan as input", isScanFile(options.input) } };
   for (const auto& [name, wanted] : others)
   {
@@ -77,16 +71,39 @@ const char* reasonForOne(const Options& options)
                                              : nullptr;
 }
 
+/// What the first process does alone for the thickness; empty for nothing.
+std::string noteOfThickness(const Options& options)
+{
+  if (options.hasThicknessLimits())
+  {
+    return std::string(options.minThickness ? "--min-thickness" : "--max-thickness") +
+      " looks at the whole surface: the first process divided it and found the regions";
+  }
+  return options.wantsThickness() && maxThicknessEdge(options, 1.0) > 0.0
+    ? "--max-edge looks at the whole surface: the first process divided it"
+    : "";
+}
+
 /// What must be the same on every rank.
 std::string textOf(const Options& options)
 {
-  std::string text =
-    options.input.string() + '\n' + options.field.string() + '\n' + options.output.string() + '\n';
-  for (const double number : { static_cast<double>(options.resolution.value_or(0)),
-         options.spacing.value_or(0.0), options.padding, options.angle, options.lambda.value,
-         options.minRadius.value, static_cast<double>(options.maxSpheres),
-         static_cast<double>(options.signMethod), static_cast<double>(options.side),
-         static_cast<double>(options.representation), static_cast<double>(options.topology) })
+  std::string text = options.input.string() + '\n' + options.field.string() + '\n' +
+    options.output.string() + '\n' + options.report.string() + '\n';
+  text += options.thickness.string() + '\n' + options.thinRegions.string() + '\n';
+  const auto lengthOf = [](const std::optional<Length>& length)
+  { return length ? std::pair(length->value, length->percent) : std::pair(-1.0, false); };
+  for (const auto& length : { options.minThickness, options.maxThickness, options.maxEdge })
+  {
+    const auto& [value, isShare] = lengthOf(length);
+    text += std::to_string(value) + (isShare ? "% " : " ");
+  }
+  text += std::to_string(static_cast<int>(thicknessOptions(options).method)) + ' ';
+  for (const double number :
+    { static_cast<double>(options.resolution.value_or(0)), options.spacing.value_or(0.0),
+      options.padding, options.angle, options.lambda.value, options.minRadius.value,
+      static_cast<double>(options.maxSpheres), static_cast<double>(options.signMethod),
+      static_cast<double>(options.side), static_cast<double>(options.representation),
+      static_cast<double>(options.topology), options.quiet ? 1.0 : 0.0 })
   {
     text += std::to_string(number) + ' ';
   }
@@ -111,48 +128,12 @@ void requireSameOptions(const Options& options, Communicator& communicator)
   }
 }
 
-/// What all ranks have computed together.
-struct Computed
-{
-  std::vector<RankCounts> counts;
-  AxisPiece axis;                  ///< of this rank
-  std::vector<std::int64_t> cells; ///< of the axis, on each rank
-};
-
-template <typename T>
-std::vector<T> gatheredValues(Communicator& communicator, const T& own)
-{
-  Message message(sizeof(own));
-  std::memcpy(message.data(), &own, sizeof(own));
-  std::vector<T> values;
-  for (const Message& received : gathered(communicator, message))
-  {
-    values.emplace_back();
-    std::memcpy(&values.back(), received.data(), sizeof(own));
-  }
-  return values;
-}
-
-/// Makes a whole axis the piece of the first rank.
-AxisPiece onlyPiece(MedialAxis axis)
-{
-  AxisPiece piece;
-  piece.points = static_cast<std::int64_t>(axis.points.size());
-  piece.cells = axis.cellCount();
-  piece.globalPointIds.resize(axis.points.size());
-  piece.globalCellIds.resize(static_cast<std::size_t>(piece.cells));
-  std::iota(piece.globalPointIds.begin(), piece.globalPointIds.end(), std::int64_t{ 0 });
-  std::iota(piece.globalCellIds.begin(), piece.globalCellIds.end(), std::int64_t{ 0 });
-  piece.axis = std::move(axis);
-  return piece;
-}
-
-/// Computes the whole axis on the first rank.
+/// Computes the whole axis on the first rank. All know how large it is, and of which side.
 AxisPiece axisOfOne(Communicator& communicator, const Share& share, const Grid& grid,
   const MedialAxisOptions& wanted)
 {
   AxisPiece piece;
-  agree(communicator,
+  withSharedFailures(communicator,
     [&]
     {
       if (communicator.rank() == 0)
@@ -160,6 +141,9 @@ AxisPiece axisOfOne(Communicator& communicator, const Share& share, const Grid& 
         piece = onlyPiece(computeMedialAxis(share.whole, grid, wanted));
       }
     });
+  piece.points = gatheredValues(communicator, piece.points).front();
+  piece.cells = gatheredValues(communicator, piece.cells).front();
+  piece.axis.side = gatheredValues(communicator, piece.axis.side).front();
   return piece;
 }
 
@@ -172,18 +156,19 @@ std::vector<Extent> extentsOf(const Options& options, Communicator& communicator
   withFailures(options.input,
     [&]
     {
-      DistanceFieldOptions wanted = libraryOptions(options, share.bounds.diagonal()).field;
-      wanted.engine = Engine::Processor;
-      wanted.execution.progress = &watch;
-      extents = reasonForOne(options) == nullptr
-        ? partsByWork(communicator, share.piece, grid, wanted)
-        : partsOfGrid(grid, communicator.size());
+      MedialAxisOptions wanted = libraryOptions(options, share.bounds.diagonal());
+      wanted.field.engine = Engine::Processor;
+      wanted.field.execution.progress = &watch;
+      extents = reasonForOne(options) != nullptr
+        ? partsOfGrid(grid, communicator.size())
+        : partsByWork(communicator, share.piece, grid, wanted.field,
+            options.wantsAxis() && options.field.empty() ? wanted.side : Side::Both);
     });
   return extents;
 }
 
 /// @param field null if it is not wanted.
-Computed compute(const Options& options, Communicator& communicator, const Share& share,
+RankComputed compute(const Options& options, Communicator& communicator, const Share& share,
   const Grid& grid, const std::vector<Extent>& extents, FieldOutput* field, ProgressBar& bar)
 {
   Watch watch(bar);
@@ -191,8 +176,7 @@ Computed compute(const Options& options, Communicator& communicator, const Share
   wanted.field.engine = Engine::Processor;
   wanted.field.execution.progress = &watch;
   const bool alone = reasonForOne(options) != nullptr;
-  Computed result;
-  RankCounts counts;
+  RankComputed result;
   NoField nothing;
   withFailures(options.input,
     [&]
@@ -200,118 +184,65 @@ Computed compute(const Options& options, Communicator& communicator, const Share
       if (options.wantsAxis() && !alone)
       {
         result.axis = computeMedialAxis(communicator, share.piece, grid, extents,
-          field != nullptr ? static_cast<FieldSink&>(*field) : nothing, wanted, &counts);
+          field != nullptr ? static_cast<FieldSink&>(*field) : nothing, wanted, &result.counts);
       }
       else if (field != nullptr)
       {
-        computeDistanceField(communicator, share.piece, grid,
-          touchingExtent(grid, extents[communicator.rank()]), *field, wanted.field, &counts);
+        result.statistics = computeDistanceField(communicator, share.piece, grid,
+          touchingExtent(grid, extents[communicator.rank()]), *field, wanted.field, &result.counts);
       }
     });
   if (alone)
   {
     result.axis = axisOfOne(communicator, share, grid, wanted);
   }
-  result.counts = gatheredValues(communicator, counts);
-  result.cells = gatheredValues(communicator, result.axis.axis.cellCount());
+  if (options.wantsAxis())
+  {
+    result.statistics = result.axis.axis.statistics;
+  }
   return result;
 }
 
-/// Writes an axis, in pieces or gathered, under temporary names.
-class RankAxisOutput
-{
-public:
-  explicit RankAxisOutput(const std::filesystem::path& path)
-  {
-    extensionOf(path) == ".pvtp" ? static_cast<void>(pieces_.emplace(path))
-                                 : static_cast<void>(file_.emplace(path));
-  }
-
-  void write(Communicator& communicator, const Options& options, const Computed& computed)
-  {
-    const auto rank = static_cast<std::size_t>(communicator.rank());
-    if (pieces_)
-    {
-      agree(communicator, [&] { pieces_->write(computed.axis, computed.cells, rank); });
-      return;
-    }
-    MedialAxis whole;
-    withFailures(options.input, [&] { whole = gatherMedialAxis(communicator, computed.axis); });
-    agree(communicator,
-      [&]
-      {
-        if (rank == 0)
-        {
-          namingFile(file_->path(), [&] { writeWhole(whole, file_->path(), file_->open()); });
-        }
-      });
-  }
-
-  void commitPiece()
-  {
-    if (pieces_)
-    {
-      pieces_->commitPiece();
-    }
-  }
-
-  /// What comes last, on the first rank.
-  void commit(int rank)
-  {
-    if (pieces_)
-    {
-      pieces_->commitIndex();
-    }
-    else if (rank == 0)
-    {
-      file_->commit();
-    }
-  }
-
-private:
-  static void writeWhole(const MedialAxis& axis, const std::filesystem::path& path,
-    const std::filesystem::path& file)
-  {
-    if (const auto format = axisFormatOf(path))
-    {
-      writeFile(file, [&](std::ostream& stream) { writeAxis(axis, *format, stream); });
-      return;
-    }
-    vtkNew<vtkPolyData> data;
-    vtkMeshConversion::ToPolyData(axis, data);
-    writeVtp(data, file);
-  }
-
-  std::optional<AxisPieces> pieces_;
-  std::optional<OutputFile> file_;
-};
-
-void printSummary(const Options& options, const Grid& grid, const Computed& computed,
-  double seconds)
+void printSummary(const Options& options, const Result& result, double seconds)
 {
   std::int64_t triangles = 0;
   std::int64_t held = 0;
-  for (const RankCounts& count : computed.counts)
+  std::int64_t cells = 0;
+  for (const RankFigures& rank : result.ranks)
   {
-    triangles += count.ownTriangles;
-    held = std::max(held, count.heldTriangles);
+    triangles += rank.counts.ownTriangles;
+    held = std::max(held, rank.counts.heldTriangles);
+    cells = std::max(cells, rank.axisCells);
   }
   if (triangles > 0)
   {
     std::printf("mesh      %lld triangles, at most %lld on a process\n",
       static_cast<long long>(triangles), static_cast<long long>(held));
   }
-  std::printf("grid      %d x %d x %d, on %zu processes\n", grid.dimensions[0], grid.dimensions[1],
-    grid.dimensions[2], computed.counts.size());
+  const std::array<int, 3>& dimensions = result.grid.dimensions;
+  if (options.wantsGrid())
+  {
+    std::printf("grid      %d x %d x %d, on %zu processes\n", dimensions[0], dimensions[1],
+      dimensions[2], result.ranks.size());
+  }
   if (options.wantsAxis())
   {
     std::printf("axis      %lld points, %lld cells, at most %lld on a process\n",
-      static_cast<long long>(computed.axis.points), static_cast<long long>(computed.axis.cells),
-      static_cast<long long>(*std::max_element(computed.cells.begin(), computed.cells.end())));
+      static_cast<long long>(result.axisPoints), static_cast<long long>(result.axisCells),
+      static_cast<long long>(cells));
+  }
+  if (options.wantsThickness())
+  {
+    printThickness(options, *result.thickness);
+  }
+  if (options.hasThicknessLimits())
+  {
+    std::printf("%s", regionTable(result.regions).c_str());
   }
   std::printf("time      %.2f s\n", seconds);
-  for (const auto& [name, path] :
-    { std::pair("field", options.field), std::pair("output", options.output) })
+  for (const auto& [name, path] : { std::pair("field", options.field),
+         std::pair("output", options.output), std::pair("thickness", options.thickness),
+         std::pair("regions", options.thinRegions), std::pair("report", options.report) })
   {
     if (!path.empty())
     {
@@ -320,14 +251,27 @@ void printSummary(const Options& options, const Grid& grid, const Computed& comp
   }
 }
 
-void printNotes(const Options& options, const MedialAxis& axis)
+/// Tells the user, on the first rank, what was computed.
+void tell(const Options& options, const Result& result, const AppSeconds& seconds)
 {
-  printSignNotes(options, axis.statistics.sign, axis.side);
+  printNotes(options, result, {});
   if (const char* const reason = reasonForOne(options); reason != nullptr && !options.quiet)
   {
     std::fprintf(stderr,
       "medial-axis: note: %s: %s looks at the whole axis: the first process computed it alone\n",
       options.input.c_str(), reason);
+  }
+  if (const std::string note = noteOfThickness(options); !note.empty() && !options.quiet)
+  {
+    std::fprintf(stderr, "medial-axis: note: %s: %s alone\n", options.input.c_str(), note.c_str());
+  }
+  if (options.report == kStandardOutput)
+  {
+    printText(makeReport(result, options, seconds));
+  }
+  else if (!options.quiet)
+  {
+    printSummary(options, result, seconds.total);
   }
 }
 
@@ -336,69 +280,48 @@ void printNotes(const Options& options, const MedialAxis& axis)
 void runOnRanks(const Options& options, Communicator& communicator)
 {
   const Timer total;
+  AppSeconds seconds;
   checkOptions(options);
   requireSameOptions(options, communicator);
-  const int rank = communicator.rank();
-  ProgressBar bar(options.quiet || rank > 0);
-  std::optional<FieldOutput> field;
-  std::optional<RankAxisOutput> axis;
-  agree(communicator,
-    [&]
-    {
-      if (!options.field.empty())
-      {
-        field.emplace(options.field, options.fieldArrays);
-      }
-      if (options.wantsAxis())
-      {
-        axis.emplace(options.output);
-      }
-    });
+  ProgressBar bar(options.quiet || communicator.rank() > 0);
+  RankOutputs outputs(options, communicator);
   bar.show(0.0, "reading");
-  const Share share = readShare(options, reasonForOne(options) != nullptr, communicator);
+  Share share = readShare(options,
+    reasonForOne(options) != nullptr || needsWholeForThickness(options), communicator);
+  seconds.read = total.seconds();
   Grid grid;
-  agree(communicator, [&] { grid = gridOf(share.bounds, options); });
-  const std::vector<Extent> extents = extentsOf(options, communicator, share, grid, bar);
-  agree(communicator,
-    [&]
-    {
-      if (field)
-      {
-        std::vector<Extent> touching;
-        std::transform(extents.begin(), extents.end(), std::back_inserter(touching),
-          [&](const Extent& extent) { return touchingExtent(grid, extent); });
-        field->begin(grid, touching, static_cast<std::size_t>(rank));
-      }
-    });
-  const Computed computed =
-    compute(options, communicator, share, grid, extents, field ? &*field : nullptr, bar);
-  if (axis)
+  std::vector<Extent> extents;
+  RankComputed computed;
+  if (options.wantsGrid())
   {
-    axis->write(communicator, options, computed);
+    withSharedFailures(communicator, [&] { grid = gridOf(share.bounds, options); });
+    extents = extentsOf(options, communicator, share, grid, bar);
+    seconds.prepare = total.seconds() - seconds.read;
+    outputs.begin(grid, extents);
+    computed = compute(options, communicator, share, grid, extents, outputs.field(), bar);
   }
-  agree(communicator, [&] { field ? field->finish() : void(); });
-  ignoreInterrupts(); // all files are complete; from here on all of them appear
-  agree(communicator,
-    [&]
-    {
-      field ? field->commitPieces() : void();
-      axis ? axis->commitPiece() : void();
-    });
-  agree(communicator,
-    [&]
-    {
-      field ? field->commitIndex() : void();
-      axis ? axis->commit(rank) : void();
-    });
+  if (options.wantsThickness())
+  {
+    const Timer measuring;
+    computed.thickness = computeThickness(options, communicator, share, bar);
+    seconds.thickness = measuring.seconds();
+  }
+  const Result result = resultOf(options, communicator, share, grid, extents, computed);
+  seconds.measure = result.measureSeconds;
+  const Timer writing;
+  outputs.writeAxis(computed.axis, gatheredValues(communicator, computed.axis.axis.cellCount()));
+  outputs.writeThickness(computed.thickness, result);
+  seconds.write = writing.seconds();
+  seconds.total = total.seconds();
+  outputs.writeReport(makeReport(result, options, seconds));
+  outputs.commit();
+  seconds.total = total.seconds();
   bar.clear();
-  if (rank == 0)
+  if (communicator.rank() == 0)
   {
-    printNotes(options, computed.axis.axis);
+    tell(options, result, seconds);
   }
-  if (rank == 0 && !options.quiet)
-  {
-    printSummary(options, grid, computed, total.seconds());
-  }
+  requireNoRegions(options, communicator, result);
 }
 
 } // namespace medial::app

@@ -16,14 +16,14 @@ namespace
 
 void printMesh(const Options& options, const Result& result)
 {
-  const auto components = static_cast<long long>(result.connectivity.components);
-  const std::size_t triangles = result.mesh.triangles.size();
+  const MeshFigures& mesh = result.meshFigures;
+  const auto components = static_cast<long long>(mesh.components);
   std::printf("mesh      %s: %zu triangle%s, %zu vertices, %lld component%s, %s",
-    options.input.c_str(), triangles, triangles == 1 ? "" : "s", result.mesh.points.size(),
-    components, components == 1 ? "" : "s", result.connectivity.closed() ? "closed" : "not closed");
-  if (result.mesh.degenerateTriangles > 0)
+    options.input.c_str(), mesh.triangles, mesh.triangles == 1 ? "" : "s", mesh.points, components,
+    components == 1 ? "" : "s", mesh.closed ? "closed" : "not closed");
+  if (mesh.degenerateTriangles > 0)
   {
-    std::printf(", %lld without area", static_cast<long long>(result.mesh.degenerateTriangles));
+    std::printf(", %lld without area", static_cast<long long>(mesh.degenerateTriangles));
   }
   std::printf("\n");
 }
@@ -35,7 +35,7 @@ void printGrid(const Result& result)
     grid.dimensions[1], grid.dimensions[2], grid.spacing[0], nameOf(result.sign).c_str());
   if (result.chosenResolution && std::isfinite(result.chosenResolution->thinnestRadius))
   {
-    std::printf(", for branches of radius %.4g", result.chosenResolution->thinnestRadius);
+    std::printf(", thinnest branch: radius %.4g", result.chosenResolution->thinnestRadius);
   }
   std::printf("\n");
 }
@@ -56,20 +56,6 @@ std::string thicknessName(const Options& options)
   const ThicknessMethod method = thicknessOptions(options).method;
   return nameOf(options.side) +
     (method == ThicknessMethod::Ball ? std::string() : " (" + nameOf(method) + ")");
-}
-
-void printThickness(const Options& options, const Thickness& thickness)
-{
-  if (std::isnan(thickness.median))
-  {
-    std::printf("thickness %s: none at any point, in %.2f s\n", thicknessName(options).c_str(),
-      thickness.seconds);
-    return;
-  }
-  std::printf("thickness %s: min %.4g, median %.4g, max %.4g, none at %.3g %% of the points, "
-              "in %.2f s\n",
-    thicknessName(options).c_str(), thickness.min, thickness.median, thickness.max,
-    100.0 * thickness.shareWithout(), thickness.seconds);
 }
 
 std::string counted(std::int64_t count, const std::string& one, const std::string& many)
@@ -140,6 +126,7 @@ void printOutputs(const Options& options, const MedialAxis& axis, const OutputNo
   printFile(options.skeletonTable, "table of the skeleton's branches");
   printFile(options.field, "distance field");
   printFile(options.localThickness, "local thickness");
+  printFile(options.histogram, "distribution of local thickness");
   printFile(options.thickness, "surface with thickness");
   printFile(options.thicknessImage, "picture of thickness");
   printFile(options.thinRegions, "regions beyond the limits of thickness");
@@ -307,7 +294,7 @@ void printNotes(const Options& options, const Result& result, const OutputNotes&
   }
   printEngineNote(result.statistics);
   printSignNotes(options, result.statistics.sign, result.axis.side);
-  if (options.wantsAxis() && result.axis.points.empty())
+  if (options.wantsAxis() && result.axisPoints == 0)
   {
     std::fprintf(stderr, "medial-axis: note: %s: %s\n", options.input.c_str(),
       whatIsMissing(options).c_str());
@@ -326,6 +313,23 @@ void printNotes(const Options& options, const Result& result, const OutputNotes&
   }
   printPageNotes(options, notes);
   printSimplificationNote(options, result.axis);
+}
+
+void printThickness(const Options& options, const Thickness& thickness)
+{
+  if (std::isnan(thickness.median))
+  {
+    std::printf("thickness %s: none at any point, in %.2f s\n", thicknessName(options).c_str(),
+      thickness.seconds);
+    return;
+  }
+  std::printf("thickness %s: min %.4g, median %.4g, max %.4g, ", thicknessName(options).c_str(),
+    thickness.min, thickness.median, thickness.max);
+  if (thickness.shareWithout() > 0.0)
+  {
+    std::printf("no value at %.3g %% of the points, ", 100.0 * thickness.shareWithout());
+  }
+  std::printf("in %.2f s\n", thickness.seconds);
 }
 
 void printSummary(const Options& options, const Result& result, const OutputNotes& notes,

@@ -15,6 +15,9 @@ void printNotes(const Options& options, const Result& result, const OutputNotes&
 /// The same about the sign, for an axis of a side.
 void printSignNotes(const Options& options, const SignReport& sign, Side side);
 
+/// Prints the figures of thickness on standard output.
+void printThickness(const Options& options, const Thickness& thickness);
+
 /// Prints on standard output what was read, computed and written, how long that took and on which
 /// renderer.
 void printSummary(const Options& options, const Result& result, const OutputNotes& notes,

@@ -1,10 +1,19 @@
 #include "surface_thickness.h"
 
 #include <vtkAdaptiveSubdivisionFilter.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkIdTypeArray.h>
 #include <vtkMeshConversion.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
 #include <vtkThicknessConversion.h>
 #include <vtkTriangleFilter.h>
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
 
 namespace medial::app
 {
@@ -34,6 +43,15 @@ vtkSmartPointer<vtkPolyData> divided(vtkPolyData* surface)
   return subdivision->GetOutput();
 }
 
+vtkSmartPointer<vtkIdTypeArray> named(const char* name, const std::vector<std::int64_t>& ids)
+{
+  auto array = vtkSmartPointer<vtkIdTypeArray>::New();
+  array->SetName(name);
+  array->SetNumberOfValues(static_cast<vtkIdType>(ids.size()));
+  std::copy(ids.begin(), ids.end(), array->GetPointer(0));
+  return array;
+}
+
 } // namespace
 
 vtkSmartPointer<vtkPolyData> withThickness(vtkPolyData* surface, const Result& result)
@@ -49,6 +67,36 @@ vtkSmartPointer<vtkPolyData> withThickness(vtkPolyData* surface, const Result& r
     output->ShallowCopy(surface);
     vtkThicknessConversion::AddThickness(*result.thickness, result.mesh, output, false);
   }
+  return output;
+}
+
+vtkSmartPointer<vtkPolyData> pieceWithThickness(const SurfacePiece& piece,
+  const Thickness& thickness, std::int64_t firstTriangle)
+{
+  auto output = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const Point3& point : piece.mesh.points)
+  {
+    points->InsertNextPoint(point.data());
+  }
+  vtkNew<vtkCellArray> cells;
+  for (const auto& [a, b, c] : piece.mesh.triangles)
+  {
+    cells->InsertNextCell({ a, b, c });
+  }
+  output->SetPoints(points);
+  output->SetPolys(cells);
+  vtkPointData* const pointData = output->GetPointData();
+  vtkMeshConversion::AddValues(pointData, "Thickness", thickness.values);
+  pointData->SetActiveScalars("Thickness");
+  pointData->SetGlobalIds(named("vtkGlobalPointIds", piece.pointOrder));
+  vtkCellData* const cellData = output->GetCellData();
+  vtkMeshConversion::AddValues(cellData, "Thickness", thickness.triangleValues);
+  cellData->AddArray(named("InputCell", piece.mesh.triangleCells));
+  std::vector<std::int64_t> numbers(piece.mesh.triangles.size());
+  std::iota(numbers.begin(), numbers.end(), firstTriangle);
+  cellData->SetGlobalIds(named("vtkGlobalCellIds", numbers));
   return output;
 }
 

@@ -91,6 +91,7 @@ void Viewer::listen()
   observeEvent(window_.window, vtkCommand::EndEvent, [this] { quality_.drawn(); });
   observeEvent(window_.interactor, vtkCommand::TimerEvent, [this] { attempt([&] { tick(); }); });
   angle_.onMove([this](double) { attempt([&] { select(); }); });
+  angle_.onRelease([this](double) { attempt([&] { sharpen(); }); });
   resolution_.onRelease([this](double value)
     { attempt([&] { changeResolution(static_cast<int>(std::lround(value))); }); });
   window_.interactor->CreateRepeatingTimer(kTick);
@@ -175,21 +176,36 @@ bool Viewer::dragging()
 
 void Viewer::showFrame(std::size_t frame)
 {
-  compute(frame, static_cast<int>(std::lround(resolution_.value())));
+  compute(frame, static_cast<int>(std::lround(resolution_.value())), angle_.value());
 }
 
 void Viewer::changeResolution(int resolution)
 {
-  note_ = "computing with a resolution of " + std::to_string(resolution) + "; Escape cancels";
+  computeAndDraw("a resolution of " + std::to_string(resolution), resolution);
+}
+
+// Gives the axis smooth borders for the slider's angle.
+void Viewer::sharpen()
+{
+  if (!playing_ && angle_.value() != source_.angle())
+  {
+    computeAndDraw("an angle of " + std::to_string(std::lround(angle_.value())),
+      source_.resolution());
+  }
+}
+
+void Viewer::computeAndDraw(const std::string& with, int resolution)
+{
+  note_ = "computing with " + with + "; Escape cancels";
   window_.window->Render();
   note_.clear();
-  compute(frame_, resolution);
+  compute(frame_, resolution, angle_.value());
   window_.window->Render();
 }
 
-void Viewer::compute(std::size_t frame, int resolution)
+void Viewer::compute(std::size_t frame, int resolution, double angle)
 {
-  source_.compute(sequence_.frames[frame], resolution, playing_ ? angle_.value() : kMinViewerAngle);
+  source_.compute(sequence_.frames[frame], resolution, angle);
   ++computations_;
   frame_ = frame;
   sequence_.surface->SetPoints(sequence_.frames[frame].seen);
@@ -205,15 +221,23 @@ void Viewer::compute(std::size_t frame, int resolution)
   window_.renderer->ResetCameraClippingRange();
 }
 
-// While a sequence plays, the axis is computed for the slider's angle only, which takes less time.
+// Borders are smooth for the angle that the axis was computed for. While the slider moves, whole
+// cells are shown or not.
 void Viewer::select()
 {
-  if (!playing_ && angle_.value() < source_.angle())
+  const double angle = angle_.value();
+  if (!playing_ && angle < source_.angle())
   {
-    compute(frame_, source_.resolution());
-    return;
+    compute(frame_, source_.resolution(), kMinViewerAngle);
   }
-  selectByAngle(source_.axis(), angle_.value(), selected_);
+  else if (angle > source_.angle())
+  {
+    selectByAngle(source_.axis(), angle, selected_);
+  }
+  else
+  {
+    selected_->ShallowCopy(source_.axis());
+  }
 }
 
 void Viewer::colour()

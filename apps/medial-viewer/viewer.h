@@ -73,7 +73,9 @@ private:
   void showFrame(std::size_t frame);
   void step(int frames);
   void changeResolution(int resolution);
-  void compute(std::size_t frame, int resolution);
+  void sharpen();
+  void computeAndDraw(const std::string& with, int resolution);
+  void compute(std::size_t frame, int resolution, double angle);
   void select();
   void colour();
   void nextColour();

@@ -121,6 +121,19 @@ Target fasterThanCgal(const Row& row, const MethodRun& ours, bool applies)
   return target;
 }
 
+/// The same for processor seconds, which say less of cores and more of work.
+Target lessWorkThanCgal(const Row& row, const MethodRun& ours, bool applies)
+{
+  Target target{ row.mesh, "CGAL's processor seconds over those of " + ours.name,
+    Target::Kind::AtLeast, 1.0 };
+  if (const MethodRun* cgal = row.find(kCgalId))
+  {
+    target.measured = cgal->figure("processor_seconds") / ours.figure("processor_seconds");
+  }
+  target.applies = applies;
+  return target;
+}
+
 SuiteReport emptyReport(const Options& options)
 {
   SuiteReport report;
@@ -170,6 +183,7 @@ void runSkeletons(const SuiteContext& context)
     for (std::size_t i = 0; i < 2; ++i)
     {
       report.targets.push_back(fasterThanCgal(row, row.runs[i], context.targetsApply(row)));
+      report.targets.push_back(lessWorkThanCgal(row, row.runs[i], context.targetsApply(row)));
     }
     report.rows.push_back(std::move(row));
     context.publish(report);

@@ -1,5 +1,7 @@
 #include "axis/axis_attributes.h"
 
+#include "base/huge_pages.h"
+
 #include <tbb/parallel_for.h>
 
 #include <array>
@@ -20,12 +22,12 @@ std::array<float, 3> narrowed(const Point3& point)
 
 void resizeAxisPoints(std::size_t count, MedialAxis& axis)
 {
-  axis.points.resize(count);
-  axis.radius.resize(count);
-  axis.separationAngle.resize(count);
-  axis.lambda.resize(count);
-  axis.closestPointA.resize(count);
-  axis.closestPointB.resize(count);
+  resizeLarge(axis.points, count);
+  resizeLarge(axis.radius, count);
+  resizeLarge(axis.separationAngle, count);
+  resizeLarge(axis.lambda, count);
+  resizeLarge(axis.closestPointA, count);
+  resizeLarge(axis.closestPointB, count);
 }
 
 void setAxisPoints(const BisectorPoints& points, const GridFrame& frame, MedialAxis& axis)

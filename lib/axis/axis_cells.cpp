@@ -2,6 +2,7 @@
 
 #include "axis/contraction.h"
 #include "axis/edge_table.h"
+#include "base/huge_pages.h"
 
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
@@ -394,7 +395,7 @@ void buildCells(const std::vector<std::array<std::int64_t, 4>>& quads, BisectorP
   while (joinShortEdges(points, quads, withShortEdges, contraction))
   {
   }
-  axis.quads.reserve(quads.size());
+  reserveLarge(axis.quads, quads.size());
   for (std::size_t q = 0; q < quads.size(); ++q)
   {
     if (isWhole(quads[q], contraction) && (shapes[q] & kFlatQuad) == 0)

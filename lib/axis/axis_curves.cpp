@@ -1,4 +1,5 @@
 #include "medial/axis_curves.h"
+#include "base/huge_pages.h"
 
 #include "axis/edge_table.h"
 #include "medial/medial_axis.h"
@@ -189,7 +190,7 @@ private:
 AxisEdges edgesOf(const MedialAxis& axis)
 {
   AxisEdges edges;
-  edges.polygonEdges.reserve(4 * axis.quads.size() + 3 * axis.triangles.size());
+  reserveLarge(edges.polygonEdges, 4 * axis.quads.size() + 3 * axis.triangles.size());
   const auto add = [&](const auto& polygon) { addEdges(polygon, edges.polygonEdges); };
   std::for_each(axis.quads.begin(), axis.quads.end(), add);
   std::for_each(axis.triangles.begin(), axis.triangles.end(), add);

@@ -3,8 +3,8 @@
 #include "axis/closest_pairs.h"
 #include "axis/plane_fit.h"
 #include "axis/tile_order.h"
+#include "base/huge_pages.h"
 
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -94,13 +94,14 @@ double minAngle(const AxisGeometry& geometry, const DualMesh& mesh, const Bisect
 class SurfacePlacer
 {
 public:
-  /// @param selection whose smooth cells have their points already, or null.
+  /// @param known, origins as for surfacePoints().
   SurfacePlacer(const AxisGeometry& geometry, const DualMesh& mesh, const BisectorPoints& bisectors,
-    const SheetSelection* selection)
+    const CellPoints& known, const std::vector<std::size_t>& origins)
     : geometry_(geometry)
     , mesh_(mesh)
     , bisectors_(bisectors)
-    , selection_(selection)
+    , known_(known)
+    , origins_(origins)
     , planes_(bisectors.points.size())
   {
     tbb::parallel_for(std::size_t{ 0 }, planes_.size(),
@@ -128,17 +129,6 @@ public:
   }
 
 private:
-  /// Returns the point of a vertex in a smooth cell; null for others.
-  const BisectorPoint* known(std::size_t v) const
-  {
-    if (selection_ == nullptr)
-    {
-      return nullptr;
-    }
-    const std::size_t origin = selection_->part.origins[v];
-    return selection_->cells.has(origin) ? &selection_->cells.points[origin] : nullptr;
-  }
-
   /// @param narrow set to the vertices whose separation angle is too small.
   void placeInCells(const std::uint32_t* begin, const std::uint32_t* end,
     std::vector<std::size_t>& narrow, BisectorPoints& result) const
@@ -155,9 +145,9 @@ private:
           nearestCrossing(mesh_, bisectors_, v, meanCrossing(mesh_, bisectors_, v));
         result.moved[v] = 1;
       }
-      else if (const BisectorPoint* const point = this->known(v))
+      else if (known_.has(origins_[v]))
       {
-        this->keep(v, *point, narrow, result);
+        this->keep(v, known_.points[origins_[v]], narrow, result);
       }
       else
       {
@@ -197,7 +187,8 @@ private:
   const AxisGeometry& geometry_;
   const DualMesh& mesh_;
   const BisectorPoints& bisectors_;
-  const SheetSelection* selection_;
+  const CellPoints& known_;
+  const std::vector<std::size_t>& origins_;
   std::vector<BisectorPlane> planes_; ///< of all crossings
   AngleLimit limit_{ geometry_.angle };
 };
@@ -225,40 +216,31 @@ template <typename Place>
 BisectorPoints placeVertices(const AxisGeometry& geometry, const DualMesh& mesh, const Place& place)
 {
   BisectorPoints result;
-  result.points.resize(mesh.cells.size());
+  resizeLarge(result.points, mesh.cells.size());
   result.moved.resize(mesh.cells.size());
   const std::vector<std::uint32_t> order = tileOrder(geometry.part, mesh.cells.size(),
     [&](std::size_t vertex) { return mesh.cells[vertex]; });
-  constexpr std::size_t kTogether = 512; // several in most of their tiles
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, order.size(), kTogether),
-    [&](const tbb::blocked_range<std::size_t>& range)
-    {
-      geometry.checkpoint();
-      place(order.data() + range.begin(), order.data() + range.end(), result);
-    });
+  inBlocks(geometry, order.size(),
+    [&](std::size_t begin, std::size_t end)
+    { place(order.data() + begin, order.data() + end, result); });
   return result;
-}
-
-BisectorPoints placeOnBisectors(const AxisGeometry& geometry, const DualMesh& mesh,
-  const BisectorPoints& bisectors, const SheetSelection* selection)
-{
-  const SurfacePlacer placer(geometry, mesh, bisectors, selection);
-  return placeVertices(geometry, mesh,
-    [&](const std::uint32_t* begin, const std::uint32_t* end, BisectorPoints& result)
-    { placer.place(begin, end, result); });
 }
 
 } // namespace
 
 BisectorPoints surfacePoints(const AxisGeometry& geometry, const DualMesh& mesh,
-  const BisectorPoints& bisectors)
+  const BisectorPoints& bisectors, const CellPoints& known, const std::vector<std::size_t>& origins)
 {
-  return placeOnBisectors(geometry, mesh, bisectors, nullptr);
+  const SurfacePlacer placer(geometry, mesh, bisectors, known, origins);
+  return placeVertices(geometry, mesh,
+    [&](const std::uint32_t* begin, const std::uint32_t* end, BisectorPoints& result)
+    { placer.place(begin, end, result); });
 }
 
 BisectorPoints surfacePoints(const AxisGeometry& geometry, const SheetSelection& selection)
 {
-  return placeOnBisectors(geometry, selection.part.mesh, selection.bisectors, &selection);
+  return surfacePoints(geometry, selection.part.mesh, selection.bisectors, selection.cells,
+    selection.part.origins);
 }
 
 BisectorPoints cellCentres(const AxisGeometry& geometry, const DualMesh& mesh,

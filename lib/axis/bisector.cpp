@@ -3,9 +3,6 @@
 #include "axis/site_change.h"
 #include "axis/tile_order.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -369,15 +366,13 @@ BisectorPoints crossingPoints(const AxisGeometry& geometry, std::vector<Crossing
   const double minRadius = std::max(geometry.radius, kMinRadius);
   const std::vector<std::uint32_t> order =
     tileOrder(geometry.part, crossings.size(), [&](std::size_t c) { return crossings[c].voxel; });
-  constexpr std::size_t kTogether = 512; // several in most of their tiles
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, crossings.size(), kTogether),
-    [&](const tbb::blocked_range<std::size_t>& range)
+  inBlocks(geometry, crossings.size(),
+    [&](std::size_t begin, std::size_t end)
     {
-      geometry.checkpoint();
-      std::vector<SiteSegment> segments(range.size());
+      std::vector<SiteSegment> segments(end - begin);
       for (std::size_t i = 0; i < segments.size(); ++i)
       {
-        segments[i] = segmentOf(geometry.frame, crossings[order[range.begin() + i]]);
+        segments[i] = segmentOf(geometry.frame, crossings[order[begin + i]]);
       }
       const std::vector<BisectorPoint> points = bisectorPoints(geometry, segments);
       for (std::size_t i = 0; i < points.size(); ++i)
@@ -385,13 +380,28 @@ BisectorPoints crossingPoints(const AxisGeometry& geometry, std::vector<Crossing
         const bool stays = points[i].radius() >= minRadius &&
           points[i].lambda() >= geometry.lambda &&
           !isBeyondSurface(geometry, segments[i], points[i]);
-        const std::size_t c = order[range.begin() + i];
+        const std::size_t c = order[begin + i];
         result.moved[c] = stays ? 0 : 1;
         result.points[c] = points[i];
       }
     });
   removeMarked(crossings, result);
   return result;
+}
+
+std::vector<SiteQuery::Question> closestToMiddles(const AxisGeometry& geometry,
+  const std::vector<BisectorPoint>& points, const std::array<std::uint32_t, 2>* begin,
+  const std::array<std::uint32_t, 2>* end)
+{
+  std::vector<SiteQuery::Question> questions;
+  for (const auto* pair = begin; pair != end; ++pair)
+  {
+    const BisectorPoint& p = points[(*pair)[0]];
+    const glm::dvec3 x = 0.5 * (p.position + points[(*pair)[1]].position);
+    questions.push_back({ x, closestPoint(geometry.sites, p.a.site, x) });
+  }
+  geometry.query.closest(questions);
+  return questions;
 }
 
 } // namespace medial

@@ -6,6 +6,7 @@
 
 #include <glm/glm.hpp>
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -83,6 +84,12 @@ std::vector<std::optional<BisectorPoint>> bisectorsOn(const AxisGeometry& geomet
 ///   counts twice.
 std::vector<BisectorPoint> guessedBisectors(const AxisGeometry& geometry,
   const std::vector<SiteSegment>& segments, std::vector<std::size_t>& open);
+
+/// Finds the closest points to the middles between pairs of points.
+/// @param begin numbers of the points of each pair.
+std::vector<SiteQuery::Question> closestToMiddles(const AxisGeometry& geometry,
+  const std::vector<BisectorPoint>& points, const std::array<std::uint32_t, 2>* begin,
+  const std::array<std::uint32_t, 2>* end);
 
 /// Finds the guessed bisector points of segments inside the grid, and those on the others as
 /// bisectorsOn() does.

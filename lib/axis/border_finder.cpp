@@ -97,7 +97,7 @@ void BorderFinder::find(const std::vector<BorderWalker*>& walkers)
 }
 
 /// Returns a selected crossing on that sheet at a vertex of the samples which has most of them.
-std::optional<BorderFinder::AtVertex> BorderFinder::crossingAt(std::size_t origin)
+std::optional<BorderFinder::AtVertex> BorderFinder::crossingAt(std::size_t origin) const
 {
   const DualMesh& mesh = selection_.samples.mesh;
   std::vector<std::size_t> crossings;
@@ -109,12 +109,13 @@ std::optional<BorderFinder::AtVertex> BorderFinder::crossingAt(std::size_t origi
       crossings.push_back(crossing);
     }
   }
+  const std::vector<PairDirections>& directions = selection_.samples.directions;
   std::optional<AtVertex> best;
   std::ptrdiff_t most = 0;
   for (const std::size_t one : crossings)
   {
     const std::ptrdiff_t count = std::count_if(crossings.begin(), crossings.end(),
-      [&](std::size_t other) { return fitter_.sameSheet(one, other); });
+      [&](std::size_t other) { return onOneSheet(directions[one], directions[other]); });
     if (count > most)
     {
       most = count;

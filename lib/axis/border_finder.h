@@ -49,7 +49,7 @@ private:
     bool alone; ///< whether all crossings of the vertex are on the same sheet
   };
 
-  std::optional<AtVertex> crossingAt(std::size_t origin);
+  std::optional<AtVertex> crossingAt(std::size_t origin) const;
   void fit(BorderWalker& walker);
   void findSeams(const std::vector<BorderWalker*>& walkers) const;
   void moveToSeam(const SiteQuery::Question& beyond, BorderWalker& walker) const;

@@ -28,18 +28,10 @@ constexpr int kSweeps = 4;
 /// Whether a point continues the sheet of a fit on the same side of the surface as another.
 bool continues(const SheetFit& fit, const BisectorPoint& point, const BisectorPoint& before)
 {
-  static const double limit = std::cos(2.0 * glm::radians(SheetFitter::kMaxTurn));
   const double radius = point.radius();
-  if (radius < kMinRadius ||
-    glm::distance(point.position, before.position) >= radius + before.radius())
-  {
-    return false;
-  }
-  const glm::dvec3 a = (point.a.point - point.position) / radius;
-  const glm::dvec3 b = glm::normalize(point.b.point - point.position);
-  const bool same = glm::dot(a, fit.towardsA) >= limit && glm::dot(b, fit.towardsB) >= limit;
-  const bool swapped = glm::dot(b, fit.towardsA) >= limit && glm::dot(a, fit.towardsB) >= limit;
-  return same || swapped;
+  return radius >= kMinRadius &&
+    glm::distance(point.position, before.position) < radius + before.radius() &&
+    onOneSheet({ fit.towardsA, fit.towardsB, 0.0 }, directionsOf(point));
 }
 
 /// The polylines of rims: for each vertex its two neighbours, where it has just two.
@@ -223,8 +215,6 @@ private:
   BisectorPoints& points_;
 };
 
-constexpr std::size_t kTogether = 256;
-
 /// @param order of the walkers, so that those in a row are close together.
 void findBorders(const AxisGeometry& geometry, const SheetSelection& selection,
   const BisectorPoints& points, const std::vector<std::size_t>& origins,
@@ -232,12 +222,11 @@ void findBorders(const AxisGeometry& geometry, const SheetSelection& selection,
 {
   tbb::enumerable_thread_specific<BorderFinder> finders(
     [&] { return BorderFinder(geometry, selection, points, origins); });
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, walkers.size(), kTogether),
-    [&](const tbb::blocked_range<std::size_t>& range)
+  inBlocks(geometry, walkers.size(),
+    [&](std::size_t begin, std::size_t end)
     {
-      geometry.checkpoint();
       std::vector<Walker*> some;
-      for (std::size_t k = range.begin(); k != range.end(); ++k)
+      for (std::size_t k = begin; k != end; ++k)
       {
         some.push_back(&walkers[order[k]]);
       }
@@ -342,12 +331,11 @@ void BorderRims::beginRound()
 void BorderRims::settle()
 {
   const Settler settler(geometry_, points_);
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, walkers_.size(), kTogether),
-    [&](const tbb::blocked_range<std::size_t>& range)
+  inBlocks(geometry_, walkers_.size(),
+    [&](std::size_t begin, std::size_t end)
     {
-      geometry_.checkpoint();
       std::vector<std::size_t> moving;
-      for (std::size_t k = range.begin(); k != range.end(); ++k)
+      for (std::size_t k = begin; k != end; ++k)
       {
         const std::size_t i = order_[k];
         const glm::dvec3& now = points_.points[walkers_[i].vertex].position;
@@ -358,7 +346,7 @@ void BorderRims::settle()
         }
       }
       settler.settle(walkers_, moving, places_, settled_);
-      for (std::size_t k = range.begin(); k != range.end(); ++k)
+      for (std::size_t k = begin; k != end; ++k)
       {
         const std::size_t i = order_[k];
         this->setPlace(i, points_.points[walkers_[i].vertex].position);

@@ -1,5 +1,7 @@
 #include "axis/cell_sides.h"
 
+#include "axis/side_directions.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,9 +11,7 @@ namespace medial
 namespace
 {
 
-/// Sites seen under less than this, degrees, are one side.
-constexpr double kOneSide = 12.5;
-const double kOneSideCosine = std::cos(glm::radians(kOneSide));
+const double kOneSideCosine = std::cos(glm::radians(kOneSideAngle));
 /// Faces nearer to the centre of the cell may have it behind them.
 constexpr double kNear = 0.5;
 /// The surface is reached.
@@ -99,55 +99,47 @@ bool CellSides::add(const SeenSite& seen)
   {
     return false;
   }
-  Side* best = nullptr;
-  double bestCosine = kOneSideCosine;
-  for (Side& side : sides_)
+  if (this->sideOf(seen.site) >= 0)
   {
-    if (std::find(side.sites.begin(), side.sites.end(), seen.site) != side.sites.end())
-    {
-      return false;
-    }
-    const double cosine = glm::dot(side.normal, slope->normal);
-    if (cosine >= bestCosine)
-    {
-      best = &side;
-      bestCosine = cosine;
-    }
+    return false;
   }
-  if (best == nullptr)
+  const int side = this->sideTowards(slope->normal);
+  if (side < 0)
   {
     sides_.push_back({ { *slope }, { seen.site } });
     return true;
   }
-  if (best->sites.size() >= kMaxSites)
+  std::vector<int>& sites = sides_[side].sites;
+  if (sites.size() >= kMaxSites)
   {
     return false;
   }
-  best->sites.push_back(seen.site);
+  sites.push_back(seen.site);
   return true;
 }
 
 int CellSides::sideOf(const SitePoint& point, const glm::dvec3& x) const
 {
-  int best = -1;
-  double bestCosine = kOneSideCosine;
+  const int side = this->sideOf(point.site);
   const glm::dvec3 away = x - point.point;
-  const double length = glm::length(away);
-  for (std::size_t s = 0; s < sides_.size(); ++s)
-  {
-    const Side& side = sides_[s];
-    if (std::find(side.sites.begin(), side.sites.end(), point.site) != side.sites.end())
-    {
-      return static_cast<int>(s);
-    }
-    const double cosine = length > kTouching ? glm::dot(away, side.normal) / length : -1.0;
-    if (cosine >= bestCosine)
-    {
-      bestCosine = cosine;
-      best = static_cast<int>(s);
-    }
-  }
-  return best;
+  return side >= 0 || glm::length(away) <= kTouching ? side : this->sideTowards(away);
+}
+
+/// Returns the side that has a site; -1 if it is not known.
+int CellSides::sideOf(int site) const
+{
+  const auto found = std::find_if(sides_.begin(), sides_.end(),
+    [site](const Side& side)
+    { return std::find(side.sites.begin(), side.sites.end(), site) != side.sites.end(); });
+  return found != sides_.end() ? static_cast<int>(found - sides_.begin()) : -1;
+}
+
+/// Returns the side from which a way leads away; -1 if there is none.
+int CellSides::sideTowards(const glm::dvec3& away) const
+{
+  const auto normalOf = [this](std::size_t side) -> const glm::dvec3&
+  { return sides_[side].normal; };
+  return closestDirection(sides_.size(), normalOf, away, kOneSideCosine);
 }
 
 bool CellSides::areWide(int first, int second) const

@@ -38,7 +38,8 @@ public:
   std::size_t size() const { return sides_.size(); }
   /// Adds a site that is closest somewhere. Returns whether it was not known.
   bool add(const SeenSite& seen);
-  /// Returns the side of a site, or that which lies in the direction of its point.
+  /// Returns the side of a site, or that which lies in the direction of its point; -1 if there is
+  /// none.
   int sideOf(const SitePoint& point, const glm::dvec3& x) const;
   /// Whether two sides are seen under the minimum angle.
   bool areWide(int first, int second) const;
@@ -81,6 +82,8 @@ private:
   };
 
   std::optional<Slope> linear(const SeenSite& seen) const;
+  int sideOf(int site) const;
+  int sideTowards(const glm::dvec3& away) const;
   Slope slopeOf(const Side& side, const glm::dvec3& x) const;
   void addSeam(const std::array<int, 3>& sides, std::vector<SeamEnd>& ends) const;
   bool clip(const std::array<int, 3>& sides, const glm::dvec3& start, const glm::dvec3& way,

@@ -1,9 +1,7 @@
 #include "axis/crease_rims.h"
 
+#include "axis/sheet_band.h"
 #include "axis/tile_order.h"
-
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <iterator>
@@ -21,7 +19,9 @@ constexpr double kFarthest = 3.0;
 /// Radius of the last ball, in grid steps.
 constexpr double kLeft = 0.05;
 /// Enough for separation angles up to 150 degrees.
-constexpr int kMaxSteps = 8;
+constexpr int kMaxSteps = 16;
+/// The shortest step that is tried, as a share of the longest that keeps balls overlapping.
+constexpr double kShortest = 0.25;
 
 /// Returns the vertices with small balls between different closest points.
 std::vector<std::size_t> nearCreases(const AxisGeometry& geometry,
@@ -57,8 +57,9 @@ SiteSegment across(const BisectorPoint& ball, const glm::dvec3& x, double length
 /// Returns a segment across the sheet nearer to the crease, from one of the planes that touch the
 /// ball to the other, with the sites of the ball. A smaller ball there still overlaps this one, so
 /// that both are on the same side of the surface. Nothing if the planes do not meet nearby.
+/// @param share of the longest step.
 std::optional<SiteSegment> acrossNearerToCrease(const AxisGeometry& geometry,
-  const BisectorPoint& point)
+  const BisectorPoint& point, double share)
 {
   const double radius = point.radius();
   const glm::dvec3 toA = (point.a.point - point.position) / radius;
@@ -67,11 +68,13 @@ std::optional<SiteSegment> acrossNearerToCrease(const AxisGeometry& geometry,
   const double slope = 0.5 * glm::length(toA + toB);
   const double min = minRadius(geometry, point);
   constexpr double kOverlap = 1.1;
-  const double target = std::max(min, kOverlap * (1.0 - slope) / (1.0 + slope) * radius);
-  if (target >= radius || radius - min > kFarthest * slope)
+  constexpr double kThere = 1.1; // farther steps would change nothing
+  const double longest = radius - std::max(min, kOverlap * (1.0 - slope) / (1.0 + slope) * radius);
+  if (longest <= 0.0 || radius <= kThere * min || radius - min > kFarthest * slope)
   {
     return std::nullopt;
   }
+  const double target = radius - share * longest;
   const glm::dvec3 x = point.position + 0.5 * (radius - target) / (slope * slope) * (toA + toB);
   return across(point, x, 0.7 * target);
 }
@@ -97,6 +100,7 @@ struct Walker
 {
   std::size_t vertex;
   BisectorPoint point;
+  double share = 1.0; ///< of the longest step, to be tried next
 };
 
 /// Moves the vertices exactly onto the bisector: a fitted vertex is only near it, and its second
@@ -123,27 +127,35 @@ std::vector<Walker> start(const AxisGeometry& geometry, const std::vector<std::s
   return walkers;
 }
 
-/// Takes one step towards the crease, and keeps the walkers that could.
+/// Takes one step towards the crease. Keeps the walkers that could, and those that are to try a
+/// shorter one: where facets turn towards the crease, the planes of a ball lead past the bisector.
+/// Rims whose angle is near the limit end in no crease.
 void step(const AxisGeometry& geometry, std::vector<Walker>& walkers, BisectorPoints& points)
 {
   std::vector<Walker> tried;
   std::vector<SiteSegment> segments;
   for (const Walker& walker : walkers)
   {
-    if (const auto segment = acrossNearerToCrease(geometry, walker.point))
+    if (const auto segment = acrossNearerToCrease(geometry, walker.point, walker.share))
     {
       tried.push_back(walker);
       segments.push_back(*segment);
     }
   }
   const std::vector<std::optional<BisectorPoint>> found = bisectorsNear(geometry, segments);
+  const AngleLimit limit = clearLimit(geometry);
   walkers.clear();
   for (std::size_t i = 0; i < tried.size(); ++i)
   {
-    if (found[i] && continues(geometry, tried[i].point, *found[i]))
+    const Walker& walker = tried[i];
+    if (found[i] && continues(geometry, walker.point, *found[i]))
     {
-      points.points[tried[i].vertex] = *found[i];
-      walkers.push_back({ tried[i].vertex, *found[i] });
+      points.points[walker.vertex] = *found[i];
+      walkers.push_back({ walker.vertex, *found[i] });
+    }
+    else if (!found[i] && walker.share > kShortest && walker.point.reaches(limit))
+    {
+      walkers.push_back({ walker.vertex, walker.point, 0.5 * walker.share });
     }
   }
 }
@@ -156,13 +168,11 @@ void extendRims(const AxisGeometry& geometry, const std::vector<std::size_t>& ve
   const std::vector<std::size_t> rim = nearCreases(geometry, vertices, points);
   const std::vector<std::uint32_t> order = tileOrder(geometry.part, rim.size(),
     [&](std::size_t i) { return geometry.cellAt(points.points[rim[i]].position); });
-  constexpr std::size_t kTogether = 512; // several in most of their tiles
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rim.size(), kTogether),
-    [&](const tbb::blocked_range<std::size_t>& range)
+  inBlocks(geometry, rim.size(),
+    [&](std::size_t begin, std::size_t end)
     {
-      geometry.checkpoint();
       std::vector<std::size_t> some;
-      for (std::size_t k = range.begin(); k != range.end(); ++k)
+      for (std::size_t k = begin; k != end; ++k)
       {
         some.push_back(rim[order[k]]);
       }

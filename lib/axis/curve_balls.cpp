@@ -1,7 +1,7 @@
 #include "axis/curve_balls.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
+#include "axis/bisector.h"
+#include "axis/tile_order.h"
 
 #include <algorithm>
 #include <array>
@@ -11,8 +11,6 @@ namespace medial
 namespace
 {
 
-/// Number of balls or edges that a thread takes at once.
-constexpr std::size_t kTogether = 512;
 /// Balls go away from the closest point of the surface, by ever shorter steps, in voxels.
 constexpr double kFirstStep = 0.4;
 constexpr double kShorter = 0.75;
@@ -106,14 +104,7 @@ std::vector<Edge> neighbours(const SeamCells& cells, const std::vector<std::uint
 void dropOthers(const AxisGeometry& geometry, const std::vector<BisectorPoint>& points, Edge* begin,
   Edge* end)
 {
-  std::vector<SiteQuery::Question> questions;
-  for (const Edge* edge = begin; edge != end; ++edge)
-  {
-    const BisectorPoint& p = points[(*edge)[0]];
-    const glm::dvec3 x = 0.5 * (p.position + points[(*edge)[1]].position);
-    questions.push_back({ x, closestPoint(geometry.sites, p.a.site, x) });
-  }
-  geometry.query.closest(questions);
+  const std::vector<SiteQuery::Question> questions = closestToMiddles(geometry, points, begin, end);
   for (std::size_t e = 0; e < questions.size(); ++e)
   {
     const BisectorPoint& p = points[begin[e][0]];
@@ -133,21 +124,19 @@ BallMesh ballsOfCurves(const AxisGeometry& geometry, const SeamCells& cells,
   const std::vector<std::uint32_t>& vertices)
 {
   std::vector<BisectorPoint> points(vertices.size());
-  using Range = tbb::blocked_range<std::size_t>;
-  tbb::parallel_for(Range(0, vertices.size(), kTogether),
-    [&](const Range& range)
+  inBlocks(geometry, vertices.size(),
+    [&](std::size_t begin, std::size_t end)
     {
-      geometry.checkpoint();
       std::vector<WideningBall> balls;
-      for (std::size_t i = range.begin(); i != range.end(); ++i)
+      for (std::size_t i = begin; i != end; ++i)
       {
         const BisectorPoint start = widestPoint(cells, vertices[i]);
         balls.push_back({ start, start });
       }
       widen(geometry, balls);
-      for (std::size_t i = range.begin(); i != range.end(); ++i)
+      for (std::size_t i = begin; i != end; ++i)
       {
-        const WideningBall& ball = balls[i - range.begin()];
+        const WideningBall& ball = balls[i - begin];
         const bool isAcross =
           geometry.isAcross(ball.start.position, ball.start.radius(), ball.widest);
         points[i] = isAcross ? ball.start : ball.widest;
@@ -155,13 +144,9 @@ BallMesh ballsOfCurves(const AxisGeometry& geometry, const SeamCells& cells,
     });
   BallMesh mesh;
   mesh.edges = neighbours(cells, vertices);
-  tbb::parallel_for(Range(0, mesh.edges.size(), kTogether),
-    [&](const Range& range)
-    {
-      geometry.checkpoint();
-      dropOthers(geometry, points, mesh.edges.data() + range.begin(),
-        mesh.edges.data() + range.end());
-    });
+  inBlocks(geometry, mesh.edges.size(),
+    [&](std::size_t begin, std::size_t end)
+    { dropOthers(geometry, points, mesh.edges.data() + begin, mesh.edges.data() + end); });
   for (std::uint32_t ball = 0; ball < points.size(); ++ball)
   {
     mesh.balls.push_back({ points[ball].position, points[ball].radius() });

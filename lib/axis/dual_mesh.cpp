@@ -1,7 +1,6 @@
 #include "axis/dual_mesh.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
+#include "base/huge_pages.h"
 
 #include <algorithm>
 #include <numeric>
@@ -136,10 +135,10 @@ public:
   DualMesh mesh() const
   {
     DualMesh mesh;
-    mesh.cells.resize(vertices_.back());
-    mesh.offsets.resize(vertices_.back() + 1);
-    mesh.incident.resize(corners_.size());
-    mesh.corners.resize(corners_.size() / 4);
+    resizeLarge(mesh.cells, vertices_.back());
+    resizeLarge(mesh.offsets, vertices_.back() + 1);
+    resizeLarge(mesh.incident, corners_.size());
+    resizeLarge(mesh.corners, corners_.size() / 4);
     this->inRows([&](std::size_t row) { this->addVertices(row, mesh); });
     return mesh;
   }
@@ -288,11 +287,11 @@ DualSubmesh submesh(const DualMesh& mesh, const std::vector<std::uint8_t>& kept)
     incident[v + 1] += incident[v];
   }
   DualSubmesh part;
-  part.mesh.incident.resize(incident.back());
-  part.mesh.corners.resize(target.back());
-  part.mesh.offsets.resize(vertices.back() + 1);
-  part.mesh.cells.resize(vertices.back());
-  part.origins.resize(vertices.back());
+  resizeLarge(part.mesh.incident, incident.back());
+  resizeLarge(part.mesh.corners, target.back());
+  resizeLarge(part.mesh.offsets, vertices.back() + 1);
+  resizeLarge(part.mesh.cells, vertices.back());
+  resizeLarge(part.origins, vertices.back());
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mesh.cells.size(), kTogether),
     [&](const tbb::blocked_range<std::size_t>& range)
     {
@@ -339,7 +338,7 @@ bool isWithin(const DualMesh& mesh, const std::array<std::uint32_t, 4>& quad, co
 std::vector<std::array<std::int64_t, 4>> quadsWithin(const DualMesh& mesh, const Extent& extent)
 {
   std::vector<std::array<std::int64_t, 4>> quads;
-  quads.reserve(mesh.corners.size());
+  reserveLarge(quads, mesh.corners.size());
   for (const auto& quad : mesh.corners)
   {
     if (isWithin(mesh, quad, extent))

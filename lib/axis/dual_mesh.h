@@ -6,6 +6,9 @@
 
 #include <glm/glm.hpp>
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -29,6 +32,30 @@ struct DualMesh
 };
 
 DualMesh dualMesh(const std::vector<Crossing>& crossings, const Extent& extent);
+
+/// Returns for each vertex the bits that any of its crossings has.
+/// @param bitsOf returns the bits of a crossing, at most eight.
+template <typename BitsOf>
+std::vector<std::uint8_t> bitsAround(const DualMesh& mesh, const BitsOf& bitsOf)
+{
+  constexpr std::size_t kTogether = 4096;
+  std::vector<std::uint8_t> bits(mesh.cells.size(), 0);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, bits.size(), kTogether),
+    [&](const tbb::blocked_range<std::size_t>& range)
+    {
+      for (std::size_t v = range.begin(); v != range.end(); ++v)
+      {
+        for (std::size_t i = mesh.offsets[v]; i < mesh.offsets[v + 1]; ++i)
+        {
+          bits[v] |= static_cast<std::uint8_t>(bitsOf(mesh.incident[i]));
+        }
+      }
+    });
+  return bits;
+}
+
+/// Stands for a vertex that is not there.
+constexpr std::size_t kNoVertex = static_cast<std::size_t>(-1);
 
 /// A part of a dual mesh.
 struct DualSubmesh

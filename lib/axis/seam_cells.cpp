@@ -1,10 +1,8 @@
 #include "axis/seam_cells.h"
 
 #include "axis/bisector.h"
+#include "axis/side_directions.h"
 #include "axis/tile_order.h"
-
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,10 +14,7 @@ namespace medial
 namespace
 {
 
-/// Number of cells or crossings that a thread takes at once.
-constexpr std::size_t kTogether = 512;
-/// Directions that differ by more, degrees, are those of several sides of the surface.
-const double kSameSideCosine = std::cos(glm::radians(25.0));
+const double kSameSideCosine = std::cos(glm::radians(kOneSideSpan));
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 } // namespace
@@ -40,7 +35,7 @@ bool SeamCells::hasSeam(std::size_t vertex) const
 {
   const glm::dvec3 centre = geometry_.frame.sample(glm::dvec3(mesh_.cells[vertex]) + 0.5);
   glm::dvec3 sides[2];
-  int count = 0;
+  std::size_t count = 0;
   int last[2] = { -1, -1 };
   for (const std::uint32_t* c = this->begin(vertex); c != this->end(vertex); ++c)
   {
@@ -53,17 +48,16 @@ bool SeamCells::hasSeam(std::size_t vertex) const
       last[1] = last[0];
       last[0] = site;
       const glm::dvec3 way = closestPoint(geometry_.sites, site, centre).point - centre;
-      const double length = glm::length(way);
-      const bool known = std::any_of(sides, sides + count,
-        [&](const glm::dvec3& side) { return glm::dot(side, way) >= kSameSideCosine * length; });
-      if (!known && count == 2)
+      const auto sideAt = [&sides](std::size_t side) -> const glm::dvec3& { return sides[side]; };
+      if (closestDirection(count, sideAt, way, kSameSideCosine) >= 0)
+      {
+        continue;
+      }
+      if (count == 2)
       {
         return true;
       }
-      if (!known)
-      {
-        sides[count++] = way / length;
-      }
+      sides[count++] = glm::normalize(way);
     }
   }
   return false;
@@ -74,11 +68,10 @@ void SeamCells::findVertices(const glm::ivec2& slices)
 {
   const std::size_t count = mesh_.cells.size();
   std::vector<std::uint8_t> seams(count, 0);
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kTogether),
-    [&](const tbb::blocked_range<std::size_t>& range)
+  inBlocks(geometry_, count,
+    [&](std::size_t begin, std::size_t end)
     {
-      geometry_.checkpoint();
-      for (std::size_t v = range.begin(); v != range.end(); ++v)
+      for (std::size_t v = begin; v != end; ++v)
       {
         seams[v] = this->hasSeam(v) ? 1 : 0;
       }
@@ -127,16 +120,9 @@ std::vector<std::uint32_t> SeamCells::numberPoints()
 void SeamCells::findPoints(const std::vector<std::uint32_t>& crossings)
 {
   points_.resize(crossings.size());
-  const std::size_t blocks = (crossings.size() + kTogether - 1) / kTogether;
-  std::vector<std::vector<OtherPoint>> others(blocks);
-  tbb::parallel_for(std::size_t{ 0 }, blocks,
-    [&](std::size_t block)
-    {
-      geometry_.checkpoint();
-      const std::size_t begin = block * kTogether;
-      const std::size_t end = std::min(begin + kTogether, crossings.size());
-      others[block] = this->findPoints(crossings.data() + begin, crossings.data() + end);
-    });
+  const auto others = resultsOfBlocks(geometry_, crossings.size(),
+    [&](std::size_t begin, std::size_t end)
+    { return this->findPoints(crossings.data() + begin, crossings.data() + end); });
   for (const std::vector<OtherPoint>& some : others)
   {
     others_.insert(others_.end(), some.begin(), some.end());

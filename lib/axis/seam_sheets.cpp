@@ -3,8 +3,7 @@
 #include "axis/cell_sides.h"
 #include "axis/curve_balls.h"
 #include "axis/seam_cells.h"
-
-#include <tbb/parallel_for.h>
+#include "axis/tile_order.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +14,6 @@ namespace medial
 namespace
 {
 
-/// Number of cells that a thread takes at once.
-constexpr std::size_t kTogether = 512;
 /// Where more sides meet, the axis is a curve, or its end.
 constexpr std::size_t kMaxSides = 8;
 /// A site this much nearer than the others is missing, voxels.
@@ -47,16 +44,9 @@ public:
   BallMesh make() const
   {
     const std::vector<std::uint32_t>& vertices = cells_.vertices();
-    const std::size_t blocks = (vertices.size() + kTogether - 1) / kTogether;
-    std::vector<Part> parts(blocks);
-    tbb::parallel_for(std::size_t{ 0 }, blocks,
-      [&](std::size_t block)
-      {
-        geometry_.checkpoint();
-        const std::size_t begin = block * kTogether;
-        const std::size_t end = std::min(begin + kTogether, vertices.size());
-        parts[block] = this->sheetsOf(vertices.data() + begin, vertices.data() + end);
-      });
+    const auto parts = resultsOfBlocks(geometry_, vertices.size(),
+      [&](std::size_t begin, std::size_t end)
+      { return this->sheetsOf(vertices.data() + begin, vertices.data() + end); });
     BallMesh all;
     std::vector<std::uint32_t> curves;
     for (const Part& part : parts)

@@ -1,7 +1,5 @@
 #include "axis/sheet_fit.h"
 
-#include "axis/sheet_match.h"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -61,25 +59,9 @@ SheetFitter::SheetFitter(const GridFrame& frame, double angle, const SheetSample
   : perStep_(1.0 / frame.step)
   , cosAngle_(std::cos(angle))
   , samples_(samples)
-  , directions_(new Directions[samples.points.size()])
-  , known_(samples.points.size(), 0)
   , visited_(samples.points.size(), 0)
   , done_(samples.mesh.cells.size(), 0)
 {
-}
-
-const SheetFitter::Directions& SheetFitter::directionsOf(std::size_t crossing)
-{
-  Directions& directions = directions_[crossing];
-  if (known_[crossing] == 0)
-  {
-    known_[crossing] = 1;
-    const BisectorPoint& point = samples_.points[crossing];
-    directions.radius = point.radius();
-    directions.towardsA = (point.a.point - point.position) / directions.radius;
-    directions.towardsB = glm::normalize(point.b.point - point.position);
-  }
-  return directions;
 }
 
 double SheetFitter::weightOf(std::size_t crossing, const glm::dvec3& position) const
@@ -98,19 +80,11 @@ double SheetFitter::weightOf(std::size_t crossing, const glm::dvec3& position) c
   return rest * rest;
 }
 
-bool SheetFitter::sameSheet(std::size_t p, std::size_t q)
-{
-  static const double kLimit = std::cos(2.0 * glm::radians(kMaxTurn));
-  const Directions& one = this->directionsOf(p);
-  const Directions& other = this->directionsOf(q);
-  return matchOf(one.towardsA, one.towardsB, other.towardsA, other.towardsB, kLimit) != Match::None;
-}
-
 /// Adds the samples around a vertex that are on the sheet of a node. Returns whether it is clear of
 /// all of them, from any node, that they are or never count.
-bool SheetFitter::reach(const Directions& from, std::uint32_t vertex, const glm::dvec3& x)
+bool SheetFitter::reach(const PairDirections& from, std::uint32_t vertex, const glm::dvec3& x)
 {
-  static const double kLimit = std::cos(glm::radians(kMaxTurn));
+  static const double kCosTurn = std::cos(glm::radians(kMaxTurn));
   const DualMesh& mesh = samples_.mesh;
   std::uint32_t* const visited = visited_.data();
   const std::uint32_t fit = fit_;
@@ -130,9 +104,8 @@ bool SheetFitter::reach(const Directions& from, std::uint32_t vertex, const glm:
       visited[crossing] = fit;
       continue;
     }
-    const Directions& directions = this->directionsOf(crossing);
-    const Match match =
-      matchOf(from.towardsA, from.towardsB, directions.towardsA, directions.towardsB, kLimit);
+    const PairDirections& directions = samples_.directions[crossing];
+    const Match match = matchOf(from, directions, kCosTurn);
     if (match == Match::None)
     {
       done = false;
@@ -156,10 +129,10 @@ void SheetFitter::gather(const glm::dvec3& x, std::size_t crossing)
   visited_[crossing] = fit_;
   const glm::dvec3 position = samples_.positions[crossing] - x;
   nodes_.push_back(
-    { this->directionsOf(crossing), crossing, position, this->weightOf(crossing, position) });
+    { samples_.directions[crossing], crossing, position, this->weightOf(crossing, position) });
   for (std::size_t k = 0; k < nodes_.size(); ++k)
   {
-    const Directions from = nodes_[k];
+    const PairDirections from = nodes_[k];
     for (const std::uint32_t vertex : mesh.corners[nodes_[k].crossing])
     {
       if (done_[vertex] != fit_ && this->reach(from, vertex, x))

@@ -2,13 +2,13 @@
 
 #include "axis/bisector_point.h"
 #include "axis/dual_mesh.h"
+#include "axis/sheet_match.h"
 #include "sites/grid_frame.h"
 
 #include <glm/glm.hpp>
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 namespace medial
@@ -27,10 +27,11 @@ enum class SampleKind : std::uint8_t
 /// Points of sheets: bisector points of crossings, selected ones and those in a band beyond.
 struct SheetSamples
 {
-  DualMesh mesh;                     ///< of all crossings
-  std::vector<BisectorPoint> points; ///< for each crossing
-  std::vector<glm::dvec3> positions; ///< of the points, once more, close together
-  std::vector<SampleKind> kinds;     ///< for each crossing
+  DualMesh mesh;                          ///< of all crossings
+  std::vector<BisectorPoint> points;      ///< for each crossing
+  std::vector<glm::dvec3> positions;      ///< of the points, once more, close together
+  std::vector<SampleKind> kinds;          ///< for each crossing
+  std::vector<PairDirections> directions; ///< of the points on sheets
 };
 
 /// A sheet near a place, with what limits it as linear functions of the position.
@@ -70,9 +71,6 @@ struct SheetFit
 class SheetFitter
 {
 public:
-  /// Neighbouring facets of a smooth surface meet at no more than this angle, degrees.
-  static constexpr double kMaxTurn = 25.0;
-
   /// @param angle minimum separation angle, radians.
   SheetFitter(const GridFrame& frame, double angle, const SheetSamples& samples);
 
@@ -80,40 +78,27 @@ public:
   SheetFit around(const glm::dvec3& x, std::size_t crossing);
   /// Returns the sites of the samples of the last fit, ascending.
   std::vector<int> sites() const;
-  /// Whether two crossings lie on one sheet, as far as their directions tell.
-  bool sameSheet(std::size_t p, std::size_t q);
 
 private:
-  /// Where a sample sees its closest pair.
-  struct Directions
-  {
-    glm::dvec3 towardsA;
-    glm::dvec3 towardsB;
-    double radius;
-  };
-  struct Node : Directions
+  struct Node : PairDirections
   {
     std::size_t crossing;
     glm::dvec3 position; ///< relative to x
     double weight;
   };
 
-  /// Computes them once for each crossing.
-  const Directions& directionsOf(std::size_t crossing);
   /// @param position of the sample of a crossing, relative to the place of the fit.
   double weightOf(std::size_t crossing, const glm::dvec3& position) const;
   void gather(const glm::dvec3& x, std::size_t crossing);
   bool average(SheetFit& fit) const;
   void fitLines(SheetFit& fit) const;
-  bool reach(const Directions& from, std::uint32_t vertex, const glm::dvec3& x);
+  bool reach(const PairDirections& from, std::uint32_t vertex, const glm::dvec3& x);
 
   glm::dvec3 perStep_;
   double cosAngle_;
   const SheetSamples& samples_;
-  std::unique_ptr<Directions[]> directions_; ///< for each crossing, if known
-  std::vector<std::uint8_t> known_;          ///< for each crossing not 0 if its directions are
-  std::vector<std::uint32_t> visited_;       ///< for each crossing the last fit that has it
-  std::vector<std::uint32_t> done_; ///< for each vertex the last fit that has all around it
+  std::vector<std::uint32_t> visited_; ///< for each crossing the last fit that has it
+  std::vector<std::uint32_t> done_;    ///< for each vertex the last fit that has all around it
   std::uint32_t fit_ = 0;
   std::vector<Node> nodes_;
 };

@@ -1,14 +1,15 @@
 #include "axis/sheet_selection.h"
 
-#include "axis/site_change.h"
+#include "axis/sheet_band.h"
 #include "axis/tile_order.h"
+#include "base/huge_pages.h"
 
-#include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 
 namespace medial
@@ -16,42 +17,13 @@ namespace medial
 namespace
 {
 
-/// Width of the band beyond selected crossings, in grid cells.
-constexpr int kBand = 2;
-/// Points whose angle differs by more than this from the limit are not questioned: facets of a
-/// smooth surface turn by less. Degrees.
-constexpr double kMaxDoubt = 15.0;
-/// Radius and lambda are as far above their limits where no border is near, voxels.
-constexpr double kMargin = 1.0;
 /// The cell of a crossing with the same grid point, among the corners in the dual mesh: the one of
 /// its four cells that it gets its sample from.
 constexpr std::size_t kOwnCell = 2;
 /// Angles that differ by less, radians, are equal.
 constexpr double kSameAngle = 1e-6;
 
-/// What is known of a crossing.
-enum Standing : std::uint8_t
-{
-  kNarrow, ///< on no sheet, or far from all that is selected
-  kBeyond, ///< within the band angle; of interest if it is near what is selected
-  kInBand,
-  kWide ///< selected by the directions at its ends
-};
-
 using Found = std::vector<std::optional<BisectorPoint>>;
-
-/// Calls work(begin, end) for ranges of indices below `count`, on all threads.
-template <typename Work>
-void inBlocks(const AxisGeometry& geometry, std::size_t count, const Work& work)
-{
-  constexpr std::size_t kTogether = 512; // several in most of their tiles
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kTogether),
-    [&](const tbb::blocked_range<std::size_t>& range)
-    {
-      geometry.checkpoint();
-      work(range.begin(), range.end());
-    });
-}
 
 class Selector
 {
@@ -63,44 +35,30 @@ public:
     , band_(band)
     , angleLimit_(geometry.angle)
     , bandLimit_(band)
-    , clearLimit_(std::min(geometry.angle + glm::radians(kMaxDoubt), glm::radians(180.0)))
-    , standing_(crossings.size())
     , kept_(crossings.size(), 0)
-    , order_(tileOrder(geometry.part, crossings.size(),
-        [&](std::size_t c) { return crossings[c].voxel; }))
   {
-    samples_.points.resize(crossings.size());
-    samples_.positions.resize(crossings.size());
+    resizeLarge(samples_.directions, crossings.size());
+    resizeLarge(samples_.positions, crossings.size());
     samples_.kinds.resize(crossings.size(), SampleKind::None);
     moved_.resize(crossings.size(), 0);
     sampled_.resize(crossings.size(), 0);
-    inBlocks(geometry, crossings.size(),
-      [&](std::size_t begin, std::size_t end)
-      {
-        for (std::size_t c = begin; c != end; ++c)
-        {
-          standing_[c] = this->standingOf(c);
-        }
-      });
   }
 
-  SheetSelection sheets(SampleAt place)
+  SheetSelection sheets()
   {
-    samples_.mesh = dualMesh(crossings_, geometry_.part);
-    this->markBand();
-    if (place == SampleAt::Cells)
-    {
-      this->sampleSmoothCells();
-    }
+    tbb::parallel_invoke([&] { samples_.mesh = dualMesh(crossings_, geometry_.part); },
+      [&] { this->prepare(); });
+    markBand(samples_.mesh, standings_);
+    this->sampleSmoothCells();
     inBlocks(geometry_, crossings_.size(),
       [&](std::size_t begin, std::size_t end) { this->sample(begin, end); });
     this->decide();
-    this->markKept();
+    nearKept_ = bitsAround(samples_.mesh, [&](std::size_t c) { return kept_[c]; });
     inBlocks(geometry_, crossings_.size(),
       [&](std::size_t begin, std::size_t end) { this->settle(begin, end); });
     SheetSelection selection;
-    selection.part = submesh(samples_.mesh, kept_);
-    selection.bisectors = this->selected();
+    tbb::parallel_invoke([&] { selection.part = submesh(samples_.mesh, kept_); },
+      [&] { selection.bisectors = this->selected(); });
     selection.cells = std::move(cells_);
     selection.samples = std::move(samples_);
     selection.kept = kept_;
@@ -109,6 +67,7 @@ public:
 
   BisectorPoints points()
   {
+    this->prepare();
     inBlocks(geometry_, crossings_.size(),
       [&](std::size_t begin, std::size_t end)
       {
@@ -127,77 +86,28 @@ public:
   const std::vector<std::uint8_t>& kept() const { return kept_; }
 
 private:
-  /// Guesses where the sheet of a crossing is, as if both sites were planes across the directions
-  /// to them at the ends of its grid edge. Returns whether these differ by the minimum angle.
-  bool isWide(const SiteSegment& segment, BisectorPoint& guess) const
+  /// Finds what is known of each crossing by itself.
+  void prepare()
   {
-    guess.a = closestPoint(geometry_.sites, segment.fromSite, segment.from);
-    guess.b = closestPoint(geometry_.sites, segment.toSite, segment.to);
-    guess.a.site = segment.fromSite;
-    guess.b.site = segment.toSite;
-    guess.position =
-      segment.from + guessedChange(segment, guess.a, guess.b) * (segment.to - segment.from);
-    const glm::dvec3 near = guess.a.point - segment.from;
-    const glm::dvec3 far = guess.b.point - segment.to;
-    return glm::dot(near, far) <= std::cos(geometry_.angle) * glm::length(near) * glm::length(far);
+    tbb::parallel_invoke([&]
+      { standings_ = standingsOf(geometry_, band_, crossings_, samples_.points); },
+      [&]
+      {
+        order_ = tileOrder(geometry_.part, crossings_.size(),
+          [&](std::size_t c) { return crossings_[c].voxel; });
+      });
   }
 
-  Standing standingOf(std::size_t c)
+  bool isWanted(std::size_t c) const
   {
-    const SiteSegment segment = segmentOf(geometry_.frame, crossings_[c]);
-    if (this->isWide(segment, samples_.points[c]))
-    {
-      return kWide;
-    }
-    const BisectorPoint point = SiteChange(geometry_.sites, segment).point();
-    samples_.points[c] = point;
-    return point.reaches(angleLimit_) ? kInBand : (point.reaches(bandLimit_) ? kBeyond : kNarrow);
+    return standings_[c] == Standing::Wide || standings_[c] == Standing::InBand;
   }
-
-  /// Finds the crossings near those that may be selected.
-  void markBand()
-  {
-    const DualMesh& mesh = samples_.mesh;
-    std::vector<std::uint8_t> reached(mesh.cells.size(), 0);
-    std::vector<std::size_t> front;
-    std::vector<std::size_t> left;
-    for (std::size_t c = 0; c < standing_.size(); ++c)
-    {
-      if (standing_[c] != kNarrow)
-      {
-        (standing_[c] == kBeyond ? left : front).push_back(c);
-      }
-    }
-    for (int ring = 0; ring < kBand && !left.empty(); ++ring)
-    {
-      for (const std::size_t c : front)
-      {
-        for (const std::uint32_t corner : mesh.corners[c])
-        {
-          reached[corner] = 1;
-        }
-      }
-      front.clear();
-      std::size_t count = 0;
-      for (const std::size_t c : left)
-      {
-        const auto& quad = mesh.corners[c];
-        const bool near = std::any_of(quad.begin(), quad.end(),
-          [&](std::uint32_t corner) { return reached[corner] != 0; });
-        standing_[c] = near ? kInBand : kBeyond;
-        near ? front.push_back(c) : static_cast<void>(left[count++] = c);
-      }
-      left.resize(count);
-    }
-  }
-
-  bool isWanted(std::size_t c) const { return standing_[c] == kWide || standing_[c] == kInBand; }
 
   /// Samples the crossings between smooth cells that are not at a border.
   void sampleSmoothCells()
   {
     cells_ = SmoothCells(geometry_, crossings_, samples_.mesh, samples_.points)
-               .find(this->farFromBorders());
+               .find(farFromBorders(geometry_, samples_.mesh, standings_, samples_.points));
     inBlocks(geometry_, crossings_.size(),
       [&](std::size_t begin, std::size_t end)
       {
@@ -212,49 +122,6 @@ private:
           }
         }
       });
-  }
-
-  /// Whether a crossing is on a sheet that has no border here.
-  bool isClear(std::size_t c) const
-  {
-    const BisectorPoint& guess = samples_.points[c];
-    return standing_[c] == kWide && guess.reaches(clearLimit_) &&
-      guess.radius() >= geometry_.radius + kMargin && guess.lambda() >= geometry_.lambda + kMargin;
-  }
-
-  /// Marks the crossings that share no cell with one that is not clear.
-  std::vector<std::uint8_t> farFromBorders() const
-  {
-    const DualMesh& mesh = samples_.mesh;
-    std::vector<std::uint8_t> clear(crossings_.size());
-    inBlocks(geometry_, clear.size(),
-      [&](std::size_t begin, std::size_t end)
-      {
-        for (std::size_t c = begin; c != end; ++c)
-        {
-          clear[c] = this->isClear(c) ? 1 : 0;
-        }
-      });
-    std::vector<std::uint8_t> nearBorder(mesh.cells.size(), 0);
-    for (std::size_t c = 0; c < clear.size(); ++c)
-    {
-      for (std::size_t i = 0; clear[c] == 0 && i < mesh.corners[c].size(); ++i)
-      {
-        nearBorder[mesh.corners[c][i]] = 1;
-      }
-    }
-    std::vector<std::uint8_t> far(crossings_.size());
-    inBlocks(geometry_, far.size(),
-      [&](std::size_t begin, std::size_t end)
-      {
-        for (std::size_t c = begin; c != end; ++c)
-        {
-          const auto& corners = mesh.corners[c];
-          far[c] = std::none_of(corners.begin(), corners.end(),
-            [&](std::uint32_t corner) { return nearBorder[corner] != 0; });
-        }
-      });
-    return far;
   }
 
   /// Finds the samples in [begin, end) of the order that cells have not given.
@@ -282,11 +149,11 @@ private:
     {
       if (isBeyondSurface(geometry_, segments[i], exact[i]))
       {
-        standing_[which[i]] = kNarrow;
+        standings_[which[i]] = Standing::Narrow;
         continue;
       }
       this->setSample(which[i], SampleKind::Exact, exact[i]);
-      if (standing_[which[i]] == kWide && !exact[i].reaches(angleLimit_))
+      if (standings_[which[i]] == Standing::Wide && !exact[i].reaches(angleLimit_))
       {
         narrow.push_back(which[i]);
         narrowSegments.push_back(segments[i]);
@@ -310,6 +177,10 @@ private:
     samples_.positions[c] = point.position;
     const bool onSheet = point.radius() >= kMinRadius && point.reaches(bandLimit_);
     samples_.kinds[c] = onSheet ? kind : SampleKind::None;
+    if (onSheet)
+    {
+      samples_.directions[c] = directionsOf(point);
+    }
   }
 
   bool within(const BisectorPoint& point) const
@@ -337,7 +208,8 @@ private:
   /// Decides which samples are within the limits.
   void decide()
   {
-    this->decideAlone(0, crossings_.size());
+    inBlocks(geometry_, crossings_.size(),
+      [&](std::size_t begin, std::size_t end) { this->decideAlone(begin, end); });
     const std::vector<std::size_t> doubtful = this->doubtfulSamples();
     tbb::enumerable_thread_specific<SheetFitter> fitters(
       [&] { return SheetFitter(geometry_.frame, geometry_.angle, samples_); });
@@ -364,18 +236,10 @@ private:
     constexpr std::uint8_t kInside = 1;
     constexpr std::uint8_t kOutside = 2;
     const DualMesh& mesh = samples_.mesh;
-    std::vector<std::uint8_t> around(mesh.cells.size(), 0); // each vertex
-    for (std::size_t c = 0; c < crossings_.size(); ++c)
-    {
-      for (const std::uint32_t corner : mesh.corners[c])
-      {
-        if (samples_.kinds[c] != SampleKind::None)
-        {
-          around[corner] |= kept_[c] != 0 ? kInside : kOutside;
-        }
-      }
-    }
-    std::vector<std::size_t> doubtful;
+    const std::vector<std::uint8_t> around = bitsAround(mesh,
+      [&](std::size_t c) -> std::uint8_t {
+        return samples_.kinds[c] == SampleKind::None ? 0 : kept_[c] != 0 ? kInside : kOutside;
+      });
     const auto isMixed = [&](std::size_t c)
     {
       const auto& quad = mesh.corners[c];
@@ -387,13 +251,22 @@ private:
       return std::abs(samples_.points[c].separationAngle() - geometry_.angle) <
         glm::radians(kMaxDoubt);
     };
-    for (const std::uint32_t c : order_)
+    const auto doubtfulOf = [&](std::size_t begin, std::size_t end)
     {
-      if (samples_.kinds[c] == SampleKind::Faceted ||
-        (samples_.kinds[c] == SampleKind::Exact && isMixed(c) && isNear(c)))
-      {
-        doubtful.push_back(c);
-      }
+      std::vector<std::size_t> doubtful;
+      std::copy_if(order_.begin() + begin, order_.begin() + end, std::back_inserter(doubtful),
+        [&](std::size_t c)
+        {
+          return samples_.kinds[c] == SampleKind::Faceted ||
+            (samples_.kinds[c] == SampleKind::Exact && isMixed(c) && isNear(c));
+        });
+      return doubtful;
+    };
+    std::vector<std::size_t> doubtful;
+    for (const std::vector<std::size_t>& some :
+      resultsOfBlocks(geometry_, order_.size(), doubtfulOf))
+    {
+      doubtful.insert(doubtful.end(), some.begin(), some.end());
     }
     return doubtful;
   }
@@ -406,7 +279,7 @@ private:
     for (std::size_t k = begin; k != end; ++k)
     {
       const std::size_t c = order_[k];
-      if (standing_[c] == kWide && kept_[c] == 0 && !this->continuesSheet(c))
+      if (standings_[c] == Standing::Wide && kept_[c] == 0 && !this->continuesSheet(c))
       {
         wide.push_back(c);
         points.push_back(samples_.points[c]);
@@ -443,24 +316,12 @@ private:
       [&](std::uint32_t corner) { return nearKept_[corner] != 0; });
   }
 
-  void markKept()
-  {
-    nearKept_.resize(samples_.mesh.cells.size(), 0);
-    for (std::size_t c = 0; c < kept_.size(); ++c)
-    {
-      for (const std::uint32_t corner : samples_.mesh.corners[c])
-      {
-        nearKept_[corner] |= kept_[c];
-      }
-    }
-  }
-
   BisectorPoints selected() const
   {
     BisectorPoints bisectors;
     const auto count = static_cast<std::size_t>(
       std::count_if(kept_.begin(), kept_.end(), [](std::uint8_t kept) { return kept != 0; }));
-    bisectors.points.reserve(count);
+    reserveLarge(bisectors.points, count);
     bisectors.moved.reserve(count);
     for (std::size_t c = 0; c < kept_.size(); ++c)
     {
@@ -478,11 +339,10 @@ private:
   double band_;
   AngleLimit angleLimit_; ///< the minimum
   AngleLimit bandLimit_;
-  AngleLimit clearLimit_; ///< facets cannot have put a point with this angle beyond a border
   SheetSamples samples_;
+  std::vector<Standing> standings_;
   CellPoints cells_;
   std::vector<std::uint8_t> sampled_; ///< for each crossing not 0 if its sample is that of a cell
-  std::vector<std::uint8_t> standing_;
   std::vector<std::uint8_t> kept_;
   std::vector<std::uint32_t>
     order_; ///< of the crossings, so that those in a row are close together
@@ -511,11 +371,10 @@ double bandAngle(double angle)
   return kShare * angle;
 }
 
-SheetSelection selectSheets(const AxisGeometry& geometry, std::vector<Crossing>& crossings,
-  SampleAt place)
+SheetSelection selectSheets(const AxisGeometry& geometry, std::vector<Crossing>& crossings)
 {
   Selector selector(geometry, bandAngle(geometry.angle), crossings);
-  SheetSelection selection = selector.sheets(place);
+  SheetSelection selection = selector.sheets();
   removeUnmarked(selector.kept(), crossings);
   return selection;
 }

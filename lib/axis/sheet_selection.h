@@ -28,22 +28,15 @@ struct SheetSelection
   CellPoints cells;               ///< points of vertices of all samples; may be empty
 };
 
-/// Where the samples of sheets lie.
-enum class SampleAt
-{
-  Crossings, ///< each on its grid edge
-  Cells      ///< in the smooth cells around it, which costs less
-};
-
 /// Selects the crossings of sheets and curves.
 ///
 /// A crossing of a sheet is selected where the angle, lambda and radius of the sheet are within the
 /// limits. Near borders these are those of a SheetFit: facets of a smooth surface make the angle of
 /// the bisector jump, and the border would be as jagged. Elsewhere they are its own.
-/// Crossings near a curve, which are wide at the grid points only, are moved onto it.
+/// Crossings near a curve, which are wide at the grid points only, are moved onto it. Those between
+/// smooth cells have their sample in one of these, which costs less than one on the grid edge.
 /// @param crossings selected by bandAngle(); only the selected ones stay.
-SheetSelection selectSheets(const AxisGeometry& geometry, std::vector<Crossing>& crossings,
-  SampleAt place = SampleAt::Cells);
+SheetSelection selectSheets(const AxisGeometry& geometry, std::vector<Crossing>& crossings);
 
 /// The same for points without a mesh: all of them have the minimum angle themselves.
 BisectorPoints selectPoints(const AxisGeometry& geometry, std::vector<Crossing>& crossings);

@@ -1,12 +1,9 @@
 #include "axis/smooth_cells.h"
 
 #include "axis/bisector.h"
-#include "axis/sheet_fit.h"
 #include "axis/sheet_match.h"
 #include "axis/tile_order.h"
-
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
+#include "base/huge_pages.h"
 
 #include <algorithm>
 #include <array>
@@ -20,25 +17,15 @@ namespace
 {
 
 /// Cosine of the largest turn between crossings of a smooth sheet.
-const double kMaxTurnCosine = std::cos(glm::radians(SheetFitter::kMaxTurn));
+const double kMaxTurnCosine = std::cos(glm::radians(kMaxTurn));
 /// Number of times that a site is replaced by a nearer one.
 constexpr int kMaxRounds = 3;
 
-/// The directions from a point to its closest pair.
-struct Directions
+/// Returns the directions from a guess to its two sites, unless it is on one of them.
+std::optional<PairDirections> directionsIfAny(const BisectorPoint& guess)
 {
-  glm::dvec3 a;
-  glm::dvec3 b;
-};
-
-std::optional<Directions> directionsOf(const BisectorPoint& point)
-{
-  const glm::dvec3 a = point.a.point - point.position;
-  const glm::dvec3 b = point.b.point - point.position;
-  const double lengths = glm::length(a) * glm::length(b);
-  return lengths > kMinRadius * kMinRadius
-    ? std::optional<Directions>({ glm::normalize(a), glm::normalize(b) })
-    : std::nullopt;
+  const double lengths = guess.radius() * glm::distance(guess.position, guess.b.point);
+  return lengths > kMinRadius * kMinRadius ? std::optional(directionsOf(guess)) : std::nullopt;
 }
 
 bool isClosestPair(const BisectorPoint& point, const SitePoint& closest)
@@ -101,17 +88,15 @@ SmoothCells::SmoothCells(const AxisGeometry& geometry, const std::vector<Crossin
 CellPoints SmoothCells::find(const std::vector<std::uint8_t>& wanted) const
 {
   CellPoints cells;
-  cells.points.resize(mesh_.cells.size());
+  resizeLarge(cells.points, mesh_.cells.size());
   cells.found.resize(mesh_.cells.size(), 0);
   const std::vector<std::uint32_t> order = tileOrder(geometry_.part, mesh_.cells.size(),
     [&](std::size_t vertex) { return mesh_.cells[vertex]; });
-  constexpr std::size_t kTogether = 512; // several in most of their tiles
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, order.size(), kTogether),
-    [&](const tbb::blocked_range<std::size_t>& range)
+  inBlocks(geometry_, order.size(),
+    [&](std::size_t begin, std::size_t end)
     {
-      geometry_.checkpoint();
       std::vector<Candidate> candidates;
-      for (std::size_t k = range.begin(); k != range.end(); ++k)
+      for (std::size_t k = begin; k != end; ++k)
       {
         auto candidate = this->candidateIn(order[k], wanted);
         if (candidate && this->moveToBisector(*candidate))
@@ -134,15 +119,14 @@ std::optional<SmoothCells::Candidate> SmoothCells::candidateIn(std::size_t verte
   {
     return std::nullopt;
   }
-  const auto first = directionsOf(guesses_[*begin]);
+  const auto first = directionsIfAny(guesses_[*begin]);
   std::array<bool, 12> swapped{}; // the edges of a cell
   glm::dvec3 sum(0.0);
   for (const std::uint32_t* at = begin; at != end; ++at)
   {
-    const auto directions = directionsOf(guesses_[*at]);
-    const Match match = first && directions
-      ? matchOf(first->a, first->b, directions->a, directions->b, kMaxTurnCosine)
-      : Match::None;
+    const auto directions = directionsIfAny(guesses_[*at]);
+    const Match match =
+      first && directions ? matchOf(*first, *directions, kMaxTurnCosine) : Match::None;
     if (match == Match::None)
     {
       return std::nullopt;
@@ -233,15 +217,15 @@ void SmoothCells::prove(std::vector<Candidate>& candidates, CellPoints& cells) c
 bool SmoothCells::replaceBy(const SitePoint& third, Candidate& candidate) const
 {
   BisectorPoint& point = candidate.point;
-  const auto directions = directionsOf(point);
+  const auto directions = directionsIfAny(point);
   const glm::dvec3 way = third.point - point.position;
   const double length = glm::length(way);
   if (!directions || length < kMinRadius)
   {
     return false;
   }
-  const double towardsA = glm::dot(way, directions->a) / length;
-  const double towardsB = glm::dot(way, directions->b) / length;
+  const double towardsA = glm::dot(way, directions->towardsA) / length;
+  const double towardsB = glm::dot(way, directions->towardsB) / length;
   (towardsA >= towardsB ? point.a : point.b) = third;
   (towardsA >= towardsB ? candidate.siteA : candidate.siteB) = third.site;
   return std::max(towardsA, towardsB) >= kMaxTurnCosine && this->moveToBisector(candidate);

@@ -18,8 +18,8 @@ struct CellPoints
   std::vector<BisectorPoint> points; ///< for each vertex of a dual mesh
   std::vector<std::uint8_t> found;   ///< for each vertex not 0 if it has a point
 
-  /// Whether a vertex has a point; none has if there are no cells.
-  bool has(std::size_t vertex) const { return !found.empty() && found[vertex] != 0; }
+  /// Whether a vertex has a point. There may be no cells, or no such vertex (kNoVertex).
+  bool has(std::size_t vertex) const { return vertex < found.size() && found[vertex] != 0; }
 };
 
 /// Finds exact bisector points in the cells that one smooth sheet crosses, by one query each,
@@ -34,7 +34,7 @@ public:
     const DualMesh& mesh, const std::vector<BisectorPoint>& guesses);
 
   /// Finds the points of cells whose closest pairs at all crossings turn by no more than
-  /// SheetFitter::kMaxTurn.
+  /// kMaxTurn.
   /// @param wanted for each crossing whether it counts; cells with others have no point.
   CellPoints find(const std::vector<std::uint8_t>& wanted) const;
 

@@ -7,6 +7,12 @@
 #include "axis/dual_mesh.h"
 #include "axis/sheet_selection.h"
 
+#include <tbb/parallel_invoke.h>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
 namespace medial
 {
 
@@ -16,9 +22,15 @@ BisectorPoints surfaceOf(const AxisGeometry& geometry, std::vector<Crossing>& cr
   const SheetSelection selection = selectSheets(geometry, crossings);
   const DualMesh& mesh = selection.part.mesh;
   geometry.checkpoint();
-  BisectorPoints points = surfacePoints(geometry, selection);
-  const auto quads = quadsWithin(mesh, geometry.extent);
-  const std::vector<EdgeTable::Edge> rims = rimEdges(mesh.cells, quads);
+  BisectorPoints points;
+  std::vector<std::array<std::int64_t, 4>> quads;
+  std::vector<EdgeTable::Edge> rims;
+  tbb::parallel_invoke([&] { points = surfacePoints(geometry, selection); },
+    [&]
+    {
+      quads = quadsWithin(mesh, geometry.extent);
+      rims = rimEdges(mesh.cells, quads);
+    });
   const std::vector<std::size_t> elsewhere =
     moveToBorders(geometry, selection, rims, selection.part.origins, points);
   extendRims(geometry, elsewhere, points);

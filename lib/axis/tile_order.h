@@ -1,9 +1,14 @@
 #pragma once
 
+#include "axis/axis_geometry.h"
 #include "medial/grid.h"
 
 #include <glm/glm.hpp>
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -41,6 +46,36 @@ std::vector<std::uint32_t> tileOrder(const Extent& extent, std::size_t count, co
     order[ends[tileOf(i)]++] = static_cast<std::uint32_t>(i);
   }
   return order;
+}
+
+/// In the order of tiles a block of this size has several in most of its tiles.
+constexpr std::size_t kBlock = 512;
+
+/// Calls work(begin, end) for blocks of [0, count), on all threads.
+template <typename Work>
+void inBlocks(const AxisGeometry& geometry, std::size_t count, const Work& work)
+{
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kBlock),
+    [&](const tbb::blocked_range<std::size_t>& range)
+    {
+      geometry.checkpoint();
+      work(range.begin(), range.end());
+    });
+}
+
+/// The same, with what work(begin, end) returns for each block, in their order. The blocks do not
+/// depend on threads.
+template <typename Work>
+auto resultsOfBlocks(const AxisGeometry& geometry, std::size_t count, const Work& work)
+{
+  std::vector<decltype(work(std::size_t{ 0 }, count))> results((count + kBlock - 1) / kBlock);
+  tbb::parallel_for(std::size_t{ 0 }, results.size(),
+    [&](std::size_t block)
+    {
+      geometry.checkpoint();
+      results[block] = work(block * kBlock, std::min((block + 1) * kBlock, count));
+    });
+  return results;
 }
 
 } // namespace medial

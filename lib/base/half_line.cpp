@@ -8,8 +8,8 @@ namespace medial
 
 bool HalfLine::meets(const Box& box, double distance) const
 {
-  const glm::dvec3 x = (box.min - from_) * inverse_;
-  const glm::dvec3 y = (box.max - from_) * inverse_;
+  const glm::dvec3 x = (box.min - fromLow_) * inverse_;
+  const glm::dvec3 y = (box.max - fromHigh_) * inverse_;
   const glm::dvec3 in = glm::min(x, y);
   const glm::dvec3 out = glm::max(x, y);
   // Not a number where the line runs in a side of the box: that counts as meeting it.

@@ -12,10 +12,13 @@ class HalfLine
 {
 public:
   /// @param direction unit vector.
-  HalfLine(const glm::dvec3& from, const glm::dvec3& direction)
+  /// @param margin boxes count as this much larger on each side.
+  HalfLine(const glm::dvec3& from, const glm::dvec3& direction, double margin = 0.0)
     : from_(from)
     , direction_(direction)
     , inverse_(1.0 / direction)
+    , fromLow_(from + margin)
+    , fromHigh_(from - margin)
   {
   }
 
@@ -35,6 +38,8 @@ private:
   glm::dvec3 from_;
   glm::dvec3 direction_;
   glm::dvec3 inverse_;
+  glm::dvec3 fromLow_;  ///< as seen from the lower sides of boxes
+  glm::dvec3 fromHigh_; ///< the same of the upper sides
 };
 
 } // namespace medial

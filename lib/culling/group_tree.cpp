@@ -63,9 +63,25 @@ GroupTree::GroupTree(const SiteSet& sites, const MeshConnectivity& connectivity,
   , slack_(slack)
 {
   const SharedSites shared(sites, connectivity);
-  for (auto& [size, elements] : bySize(sites, shared.elements(sites)))
+  this->addTrees(shared.elements(sites), shared);
+}
+
+GroupTree::GroupTree(const SiteSet& sites, const MeshConnectivity& connectivity, float slack,
+  const std::vector<int>& elements)
+  : sites_(sites)
+  , slack_(slack)
+{
+  if (!elements.empty())
   {
-    this->addTree(elements, shared, slack);
+    this->addTrees(elements, SharedSites(sites, connectivity));
+  }
+}
+
+void GroupTree::addTrees(const std::vector<int>& elements, const SharedSites& shared)
+{
+  for (auto& [size, ofSize] : bySize(sites_, elements))
+  {
+    this->addTree(ofSize, shared, slack_);
   }
 }
 

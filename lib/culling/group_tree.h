@@ -63,6 +63,9 @@ public:
   /// @param slack bound of the rounding of single precision near the grid and the mesh, by which
   ///   discs are widened; local units.
   GroupTree(const SiteSet& sites, const MeshConnectivity& connectivity, float slack);
+  /// The same over some elements, with the sites that they own.
+  GroupTree(const SiteSet& sites, const MeshConnectivity& connectivity, float slack,
+    const std::vector<int>& elements);
 
   /// A part of a larger mesh's tree: some of its groups, with all nodes above them. Where these
   /// groups suffice, it finds what the whole tree finds, to the last bit.
@@ -137,6 +140,7 @@ private:
   int visitMet(const BoxReach& reach, const Found& found) const;
 
   void addSparse(const SparseTree& sparse, const SharedSites& shared);
+  void addTrees(const std::vector<int>& elements, const SharedSites& shared);
   void addTree(std::vector<int>& elements, const SharedSites& shared, float slack);
 
   const SiteSet& sites_;

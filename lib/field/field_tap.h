@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/huge_pages.h"
 #include "medial/distance_field.h"
 #include "medial/side.h"
 
@@ -24,9 +25,9 @@ public:
   FieldTap(FieldSink& sink, const Extent& extent, Side side)
     : sink_(sink)
     , extent_(extent)
-    , distances_(static_cast<std::size_t>(extent.pointCount()),
-        side == Side::Exterior ? -1.0f : 0.0f)
-    , sites_(distances_.size())
+    , distances_(largeVector(static_cast<std::size_t>(extent.pointCount()),
+        side == Side::Exterior ? -1.0f : 0.0f))
+    , sites_(largeVector<std::int32_t>(distances_.size()))
   {
   }
 

@@ -3,37 +3,34 @@
 #include "base/vectors.h"
 #include "measure/low_discrepancy.h"
 
-#include <cmath>
+#include <array>
 
 namespace medial
 {
 namespace
 {
 
-struct Corners
+SurfaceTriangle triangleOf(const TriangleMesh& mesh, const std::array<int, 3>& corners)
 {
-  glm::dvec3 a;
-  glm::dvec3 b;
-  glm::dvec3 c;
-
-  Corners(const TriangleMesh& mesh, const std::array<int, 3>& triangle)
-    : a(toVector(mesh.points[triangle[0]]))
-    , b(toVector(mesh.points[triangle[1]]))
-    , c(toVector(mesh.points[triangle[2]]))
-  {
-  }
-
-  double area() const { return 0.5 * glm::length(glm::cross(b - a, c - a)); }
-};
+  return { toVector(mesh.points[corners[0]]), toVector(mesh.points[corners[1]]),
+    toVector(mesh.points[corners[2]]) };
+}
 
 } // namespace
+
+void SurfaceTriangle::addSamples(double start, double length,
+  std::vector<glm::dvec3>& samples) const
+{
+  forEachSample(start, length,
+    [&](const SquarePoint& at) { samples.push_back(pointInTriangle(a, b, c, at)); });
+}
 
 double surfaceArea(const TriangleMesh& mesh)
 {
   double total = 0.0;
-  for (const auto& triangle : mesh.triangles)
+  for (const auto& corners : mesh.triangles)
   {
-    total += Corners(mesh, triangle).area();
+    total += triangleOf(mesh, corners).area();
   }
   return total;
 }
@@ -44,13 +41,11 @@ std::vector<glm::dvec3> surfaceSamples(const TriangleMesh& mesh, std::int64_t co
   samples.reserve(static_cast<std::size_t>(count));
   const double perArea = static_cast<double>(count) / surfaceArea(mesh);
   double start = 0.0;
-  for (const auto& triangle : mesh.triangles)
+  for (const auto& corners : mesh.triangles)
   {
-    const Corners corners(mesh, triangle);
-    const double length = corners.area() * perArea;
-    forEachSample(start, length,
-      [&](const SquarePoint& at)
-      { samples.push_back(pointInTriangle(corners.a, corners.b, corners.c, at)); });
+    const SurfaceTriangle triangle = triangleOf(mesh, corners);
+    const double length = triangle.area() * perArea;
+    triangle.addSamples(start, length, samples);
     start += length;
   }
   return samples;

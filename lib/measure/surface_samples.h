@@ -10,6 +10,19 @@
 namespace medial
 {
 
+/// The corners of a triangle of a surface.
+struct SurfaceTriangle
+{
+  glm::dvec3 a;
+  glm::dvec3 b;
+  glm::dvec3 c;
+
+  double area() const { return 0.5 * glm::length(glm::cross(b - a, c - a)); }
+  /// Appends the samples of the triangle.
+  /// @param start, length of its piece of the line of all triangles.
+  void addSamples(double start, double length, std::vector<glm::dvec3>& samples) const;
+};
+
 /// Returns the area of the triangles of a mesh, world units squared.
 double surfaceArea(const TriangleMesh& mesh);
 

@@ -4,12 +4,12 @@
 #include "base/vectors.h"
 #include "medial/error.h"
 #include "mesh/polygon_triangulation.h"
+#include "mesh/position_hash.h"
 
 #include <glm/glm.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <sstream>
 
 namespace medial
@@ -40,7 +40,7 @@ public:
   {
     // Adding zero turns -0 into 0.
     const Point3 key = { point[0] + 0.0, point[1] + 0.0, point[2] + 0.0 };
-    std::size_t slot = hash(key) & (slots_.size() - 1);
+    std::size_t slot = hashOf(key) & (slots_.size() - 1);
     while (slots_[slot] >= 0 && points[slots_[slot]] != key)
     {
       slot = (slot + 1) & (slots_.size() - 1);
@@ -54,19 +54,6 @@ public:
   }
 
 private:
-  static std::uint64_t hash(const Point3& key)
-  {
-    std::uint64_t result = 0;
-    for (const double coordinate : key)
-    {
-      std::uint64_t bits = 0;
-      std::memcpy(&bits, &coordinate, sizeof(bits));
-      result = (result ^ bits) * 0x9e3779b97f4a7c15u;
-      result ^= result >> 32;
-    }
-    return result;
-  }
-
   std::vector<int> slots_;
 };
 

@@ -1,6 +1,7 @@
 #include "pipeline/axis_parts.h"
 
 #include "axis/axis_attributes.h"
+#include "axis/curved_sheets.h"
 #include "axis/seam_sheets.h"
 #include "axis/sheet_selection.h"
 #include "axis/surface_axis.h"
@@ -131,12 +132,21 @@ MedialAxis AxisParts::part(std::size_t number, Side side, double fraction, const
       const AxisGeometry geometry{ pipeline_.sites(), pipeline_.query(), frame, grid_.wholeExtent(),
         grid_.wholeExtent(), glm::radians(options_.angle), 0.0, 0.0, checkpoint,
         side_ ? &*side_ : nullptr };
-      setAxisPoints(surfaceOf(geometry, crossings, axis), frame, axis);
+      const BisectorPoints points = surfaceOf(geometry, crossings, axis);
+      setAxisPoints(points, frame, axis);
+      this->keepPart(number, axis);
       seams = sheetsAtSeams(geometry, crossings, { first, end });
+      seams.append(divideCurvedSheets(geometry, points.points, axis));
       toWorld(frame, seams);
     });
-  const double low = grid_.point(0, 0, first)[2];
-  const double high = grid_.point(0, 0, end)[2];
+  return axis;
+}
+
+/// Drops the cells of an axis that belong to other parts.
+void AxisParts::keepPart(std::size_t number, MedialAxis& axis) const
+{
+  const double low = grid_.point(0, 0, bounds_[number])[2];
+  const double high = grid_.point(0, 0, bounds_[number + 1])[2];
   const double everywhere = std::numeric_limits<double>::infinity();
   const double from = number == 0 ? -everywhere : low;
   const double to = number + 2 == bounds_.size() ? everywhere : high;
@@ -144,7 +154,6 @@ MedialAxis AxisParts::part(std::size_t number, Side side, double fraction, const
   keepWithin(axis, from, to, axis.triangles);
   keepWithin(axis, from, to, axis.lines);
   keepWithin(axis, from, to, axis.vertices);
-  return axis;
 }
 
 } // namespace medial

@@ -44,13 +44,15 @@ public:
   /// The method used, never Auto.
   SignMethod sign() const { return pipeline_.sign(); }
   const RunStatistics& statistics() { return pipeline_.statistics(); }
+  /// Exact closest points, local coordinates of the grid. Available after computeField().
+  const SiteQuery& query() const { return pipeline_.query(); }
 
   /// Computes the field, which the parts need.
   void computeField(FieldSink& sink);
 
-  /// Makes the points and cells of each part, and its sheets at seams in world coordinates, and
-  /// calls visit(MedialAxis, BallMesh). Parts overlap in the cells between them. Points that no
-  /// cell uses may be left.
+  /// Makes the points and cells of each part, and in world coordinates its sheets at seams and
+  /// finer cells where sheets are curved, and calls visit(MedialAxis, BallMesh). Parts overlap in
+  /// the cells between them. Points that no cell uses may be left.
   /// @param side one that the options ask for; Both if the field has no sign.
   /// @param run progress of this.
   template <typename Visit>
@@ -67,6 +69,7 @@ public:
 
 private:
   MedialAxis part(std::size_t number, Side side, double fraction, const Run& run, BallMesh& seams);
+  void keepPart(std::size_t number, MedialAxis& axis) const;
   void cut();
 
   Grid grid_;

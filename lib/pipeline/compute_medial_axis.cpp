@@ -23,6 +23,8 @@
 #include "simplification/simplify_axis.h"
 #include "thinning/preserved_axis.h"
 
+#include <tbb/parallel_invoke.h>
+
 #include <memory>
 #include <optional>
 #include <string>
@@ -67,7 +69,7 @@ BisectorPoints preserve(Representation representation, const AxisGeometry& geome
   const FieldTap& field, const std::vector<std::int8_t>& directions,
   std::vector<Crossing>& crossings, MedialAxis& axis)
 {
-  const SheetSelection selection = selectSheets(geometry, crossings, SampleAt::Crossings);
+  const SheetSelection selection = selectSheets(geometry, crossings);
   PreservedAxis preserved = preserveTopology(
     { field.distances().data(), field.sites().data(), directions, axis.side, representation },
     geometry, crossings, selection);
@@ -102,8 +104,8 @@ void buildAxis(const MedialAxisOptions& options, const FieldPipeline& pipeline, 
   const BisectorPoints points = tap != nullptr
     ? preserve(options.representation, geometry, *tap, pipeline.directions(), crossings, axis)
     : represent(options.representation, geometry, crossings, axis);
-  setAxisPoints(points, frame, axis);
-  axis.feature = axisFeatures(edgesOf(axis), axis.points.size());
+  tbb::parallel_invoke([&] { setAxisPoints(points, frame, axis); },
+    [&] { axis.feature = axisFeatures(edgesOf(axis), points.points.size()); });
 }
 
 MedialAxis runPipeline(const TriangleMesh& mesh, const MeshConnectivity& connectivity,

@@ -45,7 +45,7 @@ bool PointSide::contains(const glm::dvec3& x, const SitePoint& closest, Known& k
   {
     return !normals_.empty() && this->behindPseudonormal(x, closest);
   }
-  if (!inside_->closed())
+  if (!this->changesOnlyAtSurface())
   {
     return inside_->contains(x);
   }

@@ -28,6 +28,10 @@ public:
 
   const SignReport& report() const { return report_; }
 
+  /// Whether all points of a ball that the surface does not reach into are on one side. Where the
+  /// surface has holes, they need not be.
+  bool changesOnlyAtSurface() const { return !inside_ || inside_->closed(); }
+
   /// A point and what is known of it.
   struct Known
   {

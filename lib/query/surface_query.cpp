@@ -2,8 +2,20 @@
 
 #include "sites/pseudonormals.h"
 
+#include <algorithm>
+
 namespace medial
 {
+namespace
+{
+
+/// Returns how far from the local origin points within bounds can be, local units.
+double farthestOf(const LocalCoordinates& local, const Bounds& bounds)
+{
+  return std::max(glm::length(local.toLocal(bounds.min)), glm::length(local.toLocal(bounds.max)));
+}
+
+} // namespace
 
 SurfaceQuery::SurfaceQuery(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
   double margin)
@@ -25,6 +37,16 @@ SurfaceQuery::SurfaceQuery(const LocalCoordinates& local, const TriangleMesh& me
   , sites_(mesh, connectivity, local)
   , normals_(pseudonormals(sites_, false))
   , tree_(sites_, connectivity, roundingNear(0.0, sites_))
+  , query_(tree_)
+{
+}
+
+SurfaceQuery::SurfaceQuery(const LocalCoordinates& local, const TriangleMesh& mesh,
+  const MeshConnectivity& connectivity, const Bounds& bounds, const std::vector<int>& elements)
+  : local_(local)
+  , sites_(mesh, connectivity, local)
+  , normals_(pseudonormals(sites_, false))
+  , tree_(sites_, connectivity, roundingNear(0.0, farthestOf(local, bounds)), elements)
   , query_(tree_)
 {
 }

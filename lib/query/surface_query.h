@@ -23,6 +23,13 @@ class SurfaceQuery
 public:
   /// @param margin see LocalCoordinates::around().
   SurfaceQuery(const TriangleMesh& mesh, const MeshConnectivity& connectivity, double margin);
+  /// A part of a larger mesh, where each rank has one.
+  /// @param local, bounds of the whole mesh.
+  /// @param mesh some triangles, which face the way of orientSurface() of the whole.
+  /// @param elements the triangles that closest points count of; all triangles around their corners
+  ///   must be here.
+  SurfaceQuery(const LocalCoordinates& local, const TriangleMesh& mesh,
+    const MeshConnectivity& connectivity, const Bounds& bounds, const std::vector<int>& elements);
 
   const LocalCoordinates& local() const { return local_; }
   /// In local coordinates; the triangles face the way of orientSurface().

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
-#include <functional>
 #include <iterator>
 #include <string>
 #include <type_traits>
@@ -32,10 +31,11 @@ enum class MessageKind : char
 ///   name it has unless all have failed alike.
 void throwFailureIn(const std::vector<Communicator::Message>& messages);
 
-/// Sends lists[r] to rank r, and returns what each rank sent here.
+/// Sends lists[r] to rank r, and returns what each rank sent here. Each list goes as soon as it is
+/// copied: the largest ones decide how much memory a rank needs.
 /// @throws Error as throwFailureIn().
 template <typename T>
-RankLists<T> exchanged(Communicator& communicator, const RankLists<T>& lists)
+RankLists<T> exchanged(Communicator& communicator, RankLists<T> lists)
 {
   static_assert(std::is_trivially_copyable_v<T>);
   std::vector<Communicator::Message> messages(lists.size());
@@ -47,6 +47,7 @@ RankLists<T> exchanged(Communicator& communicator, const RankLists<T>& lists)
     {
       std::memcpy(messages[rank].data() + 1, lists[rank].data(), bytes);
     }
+    std::vector<T>().swap(lists[rank]);
   }
   messages = communicator.exchange(std::move(messages));
   throwFailureIn(messages);
@@ -59,8 +60,28 @@ RankLists<T> exchanged(Communicator& communicator, const RankLists<T>& lists)
     {
       std::memcpy(static_cast<void*>(received[rank].data()), messages[rank].data() + 1, bytes);
     }
+    Communicator::Message().swap(messages[rank]);
   }
   return received;
+}
+
+/// Returns lists as one, in the order of ranks; each goes as soon as it is copied.
+template <typename T>
+std::vector<T> flattened(RankLists<T> lists)
+{
+  std::size_t count = 0;
+  for (const std::vector<T>& list : lists)
+  {
+    count += list.size();
+  }
+  std::vector<T> result;
+  result.reserve(count);
+  for (std::vector<T>& list : lists)
+  {
+    result.insert(result.end(), list.begin(), list.end());
+    std::vector<T>().swap(list);
+  }
+  return result;
 }
 
 /// Returns an empty list for each rank.
@@ -105,7 +126,7 @@ std::vector<T> combined(Communicator& communicator, const std::vector<T>& own,
     parts[rank].assign(own.begin() + static_cast<std::ptrdiff_t>(begin),
       own.begin() + static_cast<std::ptrdiff_t>(end));
   }
-  parts = exchanged(communicator, parts);
+  parts = exchanged(communicator, std::move(parts));
   std::vector<T> sums = parts.front();
   for (std::size_t rank = 1; rank < ranks; ++rank)
   {
@@ -133,12 +154,7 @@ std::vector<T> delivered(Communicator& communicator, const std::vector<T>& items
   {
     lists[homeOf(item)].push_back(item);
   }
-  std::vector<T> received;
-  for (const std::vector<T>& list : exchanged(communicator, lists))
-  {
-    received.insert(received.end(), list.begin(), list.end());
-  }
-  return received;
+  return flattened(exchanged(communicator, std::move(lists)));
 }
 
 /// Returns answers to questions, in their order, from the ranks that homeOf(question) names.
@@ -153,14 +169,14 @@ auto answered(Communicator& communicator, const std::vector<Question>& questions
   {
     lists[homeOf(question)].push_back(question);
   }
-  lists = exchanged(communicator, lists);
+  lists = exchanged(communicator, std::move(lists));
   RankLists<Answer> answers = listsFor<Answer>(communicator);
   for (std::size_t rank = 0; rank < lists.size(); ++rank)
   {
     std::transform(lists[rank].begin(), lists[rank].end(), std::back_inserter(answers[rank]),
       answerTo);
   }
-  answers = exchanged(communicator, answers);
+  answers = exchanged(communicator, std::move(answers));
   std::vector<Answer> result;
   std::vector<std::size_t> next(answers.size(), 0);
   for (const Question& question : questions)
@@ -176,6 +192,24 @@ T maximum(Communicator& communicator, const T& own)
 {
   const std::vector<T> values = gathered(communicator, own);
   return *std::max_element(values.begin(), values.end());
+}
+
+/// Lets one rank after the other change a value, where the order decides, as that of additions does
+/// about the last bits.
+/// @param change(value) is called on every rank, in turn.
+/// @return what the last rank has made of it, on every rank.
+template <typename T, typename Change>
+T inTurn(Communicator& communicator, T value, const Change& change)
+{
+  for (int rank = 0; rank < communicator.size(); ++rank)
+  {
+    if (rank == communicator.rank())
+    {
+      change(value);
+    }
+    value = gathered(communicator, value)[rank];
+  }
+  return value;
 }
 
 /// The numbers of a share when those of all ranks are counted one after the other.
@@ -206,17 +240,6 @@ struct RankOffsets
 inline int homeOf(std::int64_t item, std::int64_t count, int ranks)
 {
   return static_cast<int>(item / ((count + ranks - 1) / ranks));
-}
-
-void agreeOn(Communicator& communicator, const std::function<void()>& work);
-
-/// Does work that may fail on some ranks only, wherever it is: the others learn of it when they
-/// exchange something the next time, at the latest at the end.
-/// @throws Error on every rank if any has failed, as throwFailureIn().
-template <typename Work>
-void agree(Communicator& communicator, const Work& work)
-{
-  agreeOn(communicator, std::cref(work)); // a copy would take memory outside
 }
 
 } // namespace medial

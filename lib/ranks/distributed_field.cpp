@@ -1,9 +1,13 @@
 #include "base/memory_guard.h"
 #include "base/run.h"
+#include "medial/compute_distance_field.h"
 #include "medial/ranks.h"
 #include "ranks/collective.h"
 #include "ranks/counting_communicator.h"
 #include "ranks/rank_field.h"
+#include "ranks/whole_piece.h"
+
+#include <optional>
 
 namespace medial
 {
@@ -18,8 +22,20 @@ RunStatistics computeDistanceField(Communicator& communicator, const SurfacePiec
     [&]
     {
       checkFieldOfRanks(grid, extent, options);
+      const std::optional<WholePiece> whole =
+        communicator.size() == 1 && !extent.empty() ? wholePiece(piece) : std::nullopt;
+      if (whole)
+      {
+        DistanceFieldOptions wanted = options;
+        wanted.engine = Engine::Processor;
+        statistics = computeDistanceField(whole->mesh,
+          analyseConnectivity(whole->mesh, options.execution), grid, extent, sink, wanted);
+        setCounts(whole->mesh, counting, counts);
+        return;
+      }
       const Run run(options.execution);
-      RankField field(counting, piece, grid, extent, extent, options, run, statistics);
+      RankField field(counting, piece, grid, options, run, statistics);
+      field.bring(counting, extent, extent);
       if (!extent.empty())
       {
         withMemoryErrors(extent.pointCount(), [&] { field.compute(extent, sink); });

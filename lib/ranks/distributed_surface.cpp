@@ -1,7 +1,9 @@
 #include "ranks/distributed_surface.h"
 
+#include "base/counted.h"
 #include "base/id_limits.h"
 #include "medial/error.h"
+#include "mesh/position_hash.h"
 
 #include <glm/glm.hpp>
 
@@ -33,19 +35,6 @@ struct FaceOffer
   std::array<int, 3> corners;
   std::array<Point3, 3> points;
 };
-
-std::uint64_t hashOf(const Point3& position)
-{
-  std::uint64_t result = 0;
-  for (const double coordinate : position)
-  {
-    std::uint64_t bits = 0;
-    std::memcpy(&bits, &coordinate, sizeof(bits));
-    result = (result ^ bits) * 0x9e3779b97f4a7c15u;
-    result ^= result >> 32;
-  }
-  return result;
-}
 
 /// Shares numbers out evenly, if they are.
 class Buckets
@@ -153,11 +142,11 @@ DistributedSurface::DistributedSurface(Communicator& communicator, const Surface
 {
   requirePiece(piece);
   bounds_ = boundsOf(communicator, piece);
-  const std::vector<int> numbers = this->numberPoints(communicator, piece);
-  this->collectFaces(communicator, piece, numbers);
+  pointsOfPiece_ = this->numberPoints(communicator, piece);
+  this->collectFaces(communicator, piece);
   this->connect(communicator);
   this->collectRings(communicator);
-  this->requireNothingLoose(communicator, piece, numbers);
+  this->requireNothingLoose(communicator, piece);
   signedVolume_ = this->sumVolume(communicator);
 }
 
@@ -170,13 +159,18 @@ std::vector<int> DistributedSurface::numberPoints(Communicator& communicator,
   std::vector<int> asked(piece.mesh.points.size());
   for (std::size_t i = 0; i < asked.size(); ++i)
   {
-    asked[i] = static_cast<int>(hashOf(piece.mesh.points[i]) % static_cast<unsigned>(ranks));
+    const std::uint64_t key =
+      piece.weld ? hashOf(piece.mesh.points[i]) : static_cast<std::uint64_t>(piece.pointOrder[i]);
+    asked[i] = static_cast<int>(key % static_cast<unsigned>(ranks));
     offers[asked[i]].push_back({ piece.mesh.points[i], piece.pointOrder[i] });
   }
-  offers = exchanged(communicator, offers);
+  offers = exchanged(communicator, std::move(offers));
   const auto order = sortedItems(offers,
-    [](const PointOffer& a, const PointOffer& b)
-    { return std::tie(a.position, a.order) < std::tie(b.position, b.order); });
+    [&](const PointOffer& a, const PointOffer& b)
+    {
+      return piece.weld ? std::tie(a.position, a.order) < std::tie(b.position, b.order)
+                        : std::tie(a.order, a.position) < std::tie(b.order, b.position);
+    });
   // The first of equal points numbers them.
   RankLists<std::int64_t> firsts = listsFor<std::int64_t>(communicator);
   std::vector<std::pair<int, int>> placeOf; // of each distinct point in `firsts`
@@ -185,7 +179,10 @@ std::vector<int> DistributedSurface::numberPoints(Communicator& communicator,
   for (const auto& [rank, i] : order)
   {
     const PointOffer& offer = offers[rank][i];
-    if (previous == nullptr || previous->position != offer.position)
+    // The same number at two positions is found below.
+    const bool isSame = previous != nullptr && previous->position == offer.position &&
+      (piece.weld || previous->order == offer.order);
+    if (!isSame)
     {
       const int bucket = buckets.of(offer.order);
       placeOf.emplace_back(bucket, static_cast<int>(firsts[bucket].size()));
@@ -213,7 +210,7 @@ std::vector<int> DistributedSurface::numberPoints(Communicator& communicator,
   {
     replies[rank][i] = number++;
   }
-  replies = exchanged(communicator, replies);
+  replies = exchanged(communicator, std::move(replies));
   for (std::vector<int>& list : distinct)
   {
     for (int& value : list)
@@ -221,7 +218,7 @@ std::vector<int> DistributedSurface::numberPoints(Communicator& communicator,
       value = replies[placeOf[value].first][placeOf[value].second];
     }
   }
-  distinct = exchanged(communicator, distinct);
+  distinct = exchanged(communicator, std::move(distinct));
   std::vector<int> numbers(asked.size());
   std::vector<std::size_t> next(static_cast<std::size_t>(ranks), 0);
   for (std::size_t i = 0; i < asked.size(); ++i)
@@ -231,10 +228,10 @@ std::vector<int> DistributedSurface::numberPoints(Communicator& communicator,
   return numbers;
 }
 
-void DistributedSurface::collectFaces(Communicator& communicator, const SurfacePiece& piece,
-  const std::vector<int>& numbers)
+void DistributedSurface::collectFaces(Communicator& communicator, const SurfacePiece& piece)
 {
   const TriangleMesh& mesh = piece.mesh;
+  const std::vector<int>& numbers = pointsOfPiece_;
   const Buckets buckets(communicator, largestOf(mesh.triangleCells));
   RankLists<FaceOffer> offers = listsFor<FaceOffer>(communicator);
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
@@ -244,7 +241,7 @@ void DistributedSurface::collectFaces(Communicator& communicator, const SurfaceP
       { mesh.triangleCells[i], static_cast<std::int64_t>(i), { numbers[a], numbers[b], numbers[c] },
         { mesh.points[a], mesh.points[b], mesh.points[c] } });
   }
-  offers = exchanged(communicator, offers);
+  offers = exchanged(communicator, std::move(offers));
   const auto order = sortedItems(offers,
     [](const FaceOffer& a, const FaceOffer& b)
     { return std::tie(a.cell, a.part) < std::tie(b.cell, b.part); });
@@ -265,11 +262,14 @@ void DistributedSurface::collectFaces(Communicator& communicator, const SurfaceP
           std::to_string(order[i - 1].first) + " and " + std::to_string(order[i].first));
     }
   }
+  faces_.reserve(order.size());
+  origins_.reserve(order.size());
   auto face = static_cast<int>(faceOffsets_.first[communicator.rank()]);
   for (const auto& [rank, i] : order)
   {
     const FaceOffer& offer = offers[rank][i];
     faces_.push_back({ offer.cell, face++, offer.corners, { -1, -1, -1 }, offer.points });
+    origins_.push_back({ rank, static_cast<int>(offer.part) });
   }
 }
 
@@ -282,11 +282,11 @@ void DistributedSurface::connect(Communicator& communicator)
     {
       const int a = face.corners[i];
       const int b = face.corners[(i + 1) % 3];
-      lists[this->pointHome(std::min(a, b))].push_back(
+      lists[this->homeOfPoint(std::min(a, b))].push_back(
         { std::min(a, b), std::max(a, b), face.face, i, a < b ? 1 : -1 });
     }
   }
-  const RankLists<Side> received = exchanged(communicator, lists);
+  const RankLists<Side> received = exchanged(communicator, std::move(lists));
   const auto order = sortedItems(received,
     [](const Side& a, const Side& b)
     { return std::tie(a.low, a.high, a.face) < std::tie(b.low, b.high, b.face); });
@@ -308,13 +308,13 @@ void DistributedSurface::connect(Communicator& communicator)
   {
     std::transform(list.begin(), list.end(), list.begin(), [&](int edge) { return numbers[edge]; });
   }
-  edges = exchanged(communicator, edges);
+  edges = exchanged(communicator, std::move(edges));
   std::vector<std::size_t> next(edges.size(), 0);
   for (FaceRecord& face : faces_)
   {
     for (int i = 0; i < 3; ++i)
     {
-      const int home = this->pointHome(std::min(face.corners[i], face.corners[(i + 1) % 3]));
+      const int home = this->homeOfPoint(std::min(face.corners[i], face.corners[(i + 1) % 3]));
       face.edges[i] = edges[home][next[home]++];
     }
   }
@@ -340,14 +340,15 @@ void DistributedSurface::countEdges(Communicator& communicator, const std::vecto
   edgeCounts_ = { counts[0], counts[1], counts[2] };
 }
 
-void DistributedSurface::requireNothingLoose(Communicator& communicator, const SurfacePiece& piece,
-  const std::vector<int>& numbers) const
+void DistributedSurface::requireNothingLoose(Communicator& communicator,
+  const SurfacePiece& piece) const
 {
+  const std::vector<int>& numbers = pointsOfPiece_;
   std::vector<int> vertices;
   std::transform(piece.mesh.vertices.begin(), piece.mesh.vertices.end(),
     std::back_inserter(vertices), [&](int point) { return numbers[point]; });
   const std::vector<char> isLoose = answered(
-    communicator, vertices, [&](int point) { return this->pointHome(point); },
+    communicator, vertices, [&](int point) { return this->homeOfPoint(point); },
     [&](int point) -> char
     {
       const auto found =
@@ -361,7 +362,7 @@ void DistributedSurface::requireNothingLoose(Communicator& communicator, const S
   }
   const std::vector<char> isBare = answered(
     communicator, segments,
-    [&](const std::array<int, 2>& ends) { return this->pointHome(ends[0]); },
+    [&](const std::array<int, 2>& ends) { return this->homeOfPoint(ends[0]); },
     [&](const std::array<int, 2>& ends) -> char { return !this->isSide(ends); });
   std::vector<std::int64_t> counts{ std::count(isBare.begin(), isBare.end(), 1),
     std::count(isLoose.begin(), isLoose.end(), 1) };
@@ -369,9 +370,9 @@ void DistributedSurface::requireNothingLoose(Communicator& communicator, const S
   if (counts[0] + counts[1] > 0)
   {
     throw Error(ErrorCode::InvalidInput,
-      "a surface in pieces must consist of triangles; this one has " + std::to_string(counts[0]) +
-        " line segments and " + std::to_string(counts[1]) +
-        " points of no triangle: it needs a single process");
+      "a surface in pieces must consist of triangles; this one has " +
+        counted(counts[0], "line segment") + " and " + counted(counts[1], "point") +
+        " of no triangle: it needs a single process");
   }
 }
 
@@ -400,7 +401,7 @@ std::vector<int> DistributedSurface::numberEdges(Communicator& communicator,
     homes.push_back(faceOffsets_.home(side[0]));
     asked[homes.back()].push_back(side);
   }
-  asked = exchanged(communicator, asked);
+  asked = exchanged(communicator, std::move(asked));
   const auto sorted = sortedItems(asked, std::less<>());
   edgeOffsets_ = RankOffsets(communicator, static_cast<std::int64_t>(sorted.size()));
   requireCount("the surface", edgeOffsets_.total() + faceOffsets_.total() + pointOffsets_.total(),
@@ -411,7 +412,7 @@ std::vector<int> DistributedSurface::numberEdges(Communicator& communicator,
   {
     replies[rank][i] = number++;
   }
-  replies = exchanged(communicator, replies);
+  replies = exchanged(communicator, std::move(replies));
   std::vector<int> numbers;
   std::vector<std::size_t> next(replies.size(), 0);
   for (const int home : homes)
@@ -429,22 +430,19 @@ void DistributedSurface::collectRings(Communicator& communicator)
     std::set<int> homes;
     for (const int corner : face.corners)
     {
-      homes.insert(this->pointHome(corner));
+      homes.insert(this->homeOfPoint(corner));
     }
     for (const int home : homes)
     {
       records[home].push_back(face);
     }
   }
-  for (const std::vector<FaceRecord>& list : exchanged(communicator, records))
-  {
-    rings_.insert(rings_.end(), list.begin(), list.end());
-  }
+  rings_ = flattened(exchanged(communicator, std::move(records)));
   for (std::size_t i = 0; i < rings_.size(); ++i)
   {
     for (const int corner : rings_[i].corners)
     {
-      if (this->pointHome(corner) == communicator.rank())
+      if (this->homeOfPoint(corner) == communicator.rank())
       {
         ringOfPoint_.emplace_back(corner, static_cast<int>(i));
       }
@@ -464,21 +462,16 @@ double DistributedSurface::sumVolume(Communicator& communicator) const
     }
     return result;
   };
-  // One rank after the other, since the order of additions decides about the last bits.
-  double sum = 0.0;
-  for (int rank = 0; rank < communicator.size(); ++rank)
-  {
-    if (rank == communicator.rank())
-    {
-      for (const FaceRecord& face : faces_)
-      {
-        sum += glm::dot(relative(face.points[0]),
-          glm::cross(relative(face.points[1]), relative(face.points[2])));
-      }
-    }
-    sum = gathered(communicator, sum)[rank];
-  }
-  return sum / 6.0;
+  return inTurn(communicator, 0.0,
+           [&](double& sum)
+           {
+             for (const FaceRecord& face : faces_)
+             {
+               sum += glm::dot(relative(face.points[0]),
+                 glm::cross(relative(face.points[1]), relative(face.points[2])));
+             }
+           }) /
+    6.0;
 }
 
 std::vector<FaceRecord> DistributedSurface::around(Communicator& communicator,
@@ -487,9 +480,9 @@ std::vector<FaceRecord> DistributedSurface::around(Communicator& communicator,
   RankLists<int> asked = listsFor<int>(communicator);
   for (const int point : points)
   {
-    asked[this->pointHome(point)].push_back(point);
+    asked[this->homeOfPoint(point)].push_back(point);
   }
-  asked = exchanged(communicator, asked);
+  asked = exchanged(communicator, std::move(asked));
   RankLists<FaceRecord> answers = listsFor<FaceRecord>(communicator);
   for (std::size_t rank = 0; rank < asked.size(); ++rank)
   {
@@ -510,12 +503,7 @@ std::vector<FaceRecord> DistributedSurface::around(Communicator& communicator,
       answers[rank].push_back(rings_[i]);
     }
   }
-  std::vector<FaceRecord> faces;
-  for (const std::vector<FaceRecord>& list : exchanged(communicator, answers))
-  {
-    faces.insert(faces.end(), list.begin(), list.end());
-  }
-  return faces;
+  return flattened(exchanged(communicator, std::move(answers)));
 }
 
 SurfacePiece inRankOrder(Communicator& communicator, TriangleMesh mesh, std::int64_t points,

@@ -51,10 +51,26 @@ public:
 
   /// The triangles of this rank's share: all numbers from the first to the last.
   const std::vector<FaceRecord>& faces() const { return faces_; }
+  /// Where a triangle of this rank's share comes from.
+  struct Origin
+  {
+    int rank;
+    int triangle; ///< of its piece
+  };
+  /// In the order of faces().
+  const std::vector<Origin>& origins() const { return origins_; }
+  /// The numbers of the points of this rank's piece.
+  const std::vector<int>& pointsOfPiece() const { return pointsOfPiece_; }
   /// Returns the rank whose share has a triangle.
   int homeOfFace(int face) const { return faceOffsets_.home(face); }
   /// Returns where faces() has a triangle of this rank.
   std::size_t indexOf(int face) const { return face - faces_.front().face; }
+
+  /// Returns the rank whose share has a point; points come in runs.
+  int homeOfPoint(int point) const
+  {
+    return homeOf(point, this->pointCount(), static_cast<int>(pointOffsets_.first.size()) - 1);
+  }
 
   /// Returns all triangles around some points. Every rank calls it.
   /// @param points numbers, any.
@@ -74,23 +90,17 @@ private:
   };
 
   std::vector<int> numberPoints(Communicator& communicator, const SurfacePiece& piece);
-  void collectFaces(Communicator& communicator, const SurfacePiece& piece,
-    const std::vector<int>& numbers);
+  void collectFaces(Communicator& communicator, const SurfacePiece& piece);
   /// Numbers and counts edges.
   void connect(Communicator& communicator);
   void countEdges(Communicator& communicator, const std::vector<Side>& sides);
-  void requireNothingLoose(Communicator& communicator, const SurfacePiece& piece,
-    const std::vector<int>& numbers) const;
+  void requireNothingLoose(Communicator& communicator, const SurfacePiece& piece) const;
   /// Whether two points are those of a side; this rank has the first.
   bool isSide(const std::array<int, 2>& ends) const;
   /// Numbers the edges whose first sides are named, and returns their numbers.
   std::vector<int> numberEdges(Communicator& communicator,
     const std::vector<std::array<int, 2>>& firstSides);
   void collectRings(Communicator& communicator);
-  int pointHome(int point) const
-  {
-    return homeOf(point, this->pointCount(), static_cast<int>(pointOffsets_.first.size()) - 1);
-  }
   double sumVolume(Communicator& communicator) const;
 
   RankOffsets pointOffsets_;
@@ -99,7 +109,9 @@ private:
   EdgeCounts edgeCounts_{};
   Bounds bounds_;
   double signedVolume_ = 0.0;
+  std::vector<int> pointsOfPiece_;
   std::vector<FaceRecord> faces_;
+  std::vector<Origin> origins_;
   std::vector<FaceRecord> rings_;                ///< triangles around this rank's points
   std::vector<std::pair<int, int>> ringOfPoint_; ///< points, and where their triangles are; sorted
 };

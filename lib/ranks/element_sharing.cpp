@@ -2,10 +2,11 @@
 
 #include "base/longest_axis.h"
 #include "culling/site_group.h"
+#include "ranks/selected_keys.h"
 #include "sites/bounding_ball.h"
 
 #include <algorithm>
-#include <cstring>
+#include <functional>
 #include <limits>
 #include <map>
 
@@ -14,69 +15,8 @@ namespace medial
 namespace
 {
 
-/// Returns a number that is larger where a value is larger.
-std::uint32_t ascending(float value)
-{
-  std::uint32_t bits = 0;
-  const float positiveZero = value + 0.0f;
-  std::memcpy(&bits, &positiveZero, sizeof(bits));
-  constexpr std::uint32_t kSign = 0x80000000u;
-  return (bits & kSign) != 0 ? ~bits : bits | kSign;
-}
-
-float valueOf(std::uint32_t number)
-{
-  constexpr std::uint32_t kSign = 0x80000000u;
-  const std::uint32_t bits = (number & kSign) != 0 ? number & ~kSign : ~number;
-  float value = 0.0f;
-  std::memcpy(&value, &bits, sizeof(value));
-  return value;
-}
-
-/// A number and the list that it is in.
-struct ListedKey
-{
-  std::uint64_t key;
-  int list;
-};
-
-constexpr int kDigitBits = 8;
-constexpr int kDigits = 1 << kDigitBits;
-
-/// Returns of each of some distributed lists the key at an index of its ascending order: digit by
-/// digit, by counting how many keys have it.
-std::vector<std::uint64_t> keysAt(Communicator& communicator, const std::vector<ListedKey>& keys,
-  std::vector<std::int64_t> indices)
-{
-  std::vector<std::uint64_t> found(indices.size(), 0);
-  for (int shift = 64 - kDigitBits; shift >= 0; shift -= kDigitBits)
-  {
-    std::vector<std::int64_t> counts(indices.size() * kDigits, 0);
-    for (const ListedKey& key : keys)
-    {
-      // What is above the digit must be as found so far; for the first digit nothing is.
-      const int above = shift + kDigitBits;
-      if (above == 64 || key.key >> above == found[key.list] >> above)
-      {
-        ++counts[key.list * kDigits + (key.key >> shift & (kDigits - 1))];
-      }
-    }
-    counts = combined(communicator, counts, std::plus<>());
-    for (std::size_t list = 0; list < indices.size(); ++list)
-    {
-      std::uint64_t digit = 0;
-      while (indices[list] >= counts[list * kDigits + digit])
-      {
-        indices[list] -= counts[list * kDigits + digit];
-        ++digit;
-      }
-      found[list] |= digit << shift;
-    }
-  }
-  return found;
-}
-
-std::vector<SharedElement> elementsOf(const DistributedSurface& surface, const GridFrame& frame)
+std::vector<SharedElement> elementsOf(const DistributedSurface& surface,
+  const LocalCoordinates& frame)
 {
   std::vector<SharedElement> elements;
   for (const FaceRecord& face : surface.faces())
@@ -272,18 +212,23 @@ private:
 
 } // namespace
 
-int SharedElements::blocks() const
+int SharedElements::home(int block, int ranks) const
 {
-  int sum = 0;
+  std::int64_t all = 0;
+  std::int64_t before = 0; // elements of blocks before this one
+  int first = 0;           // block of a tree
   for (const BlockedTree& tree : trees)
   {
-    sum += tree.blocks();
+    const int blocksBefore = std::clamp(block - first, 0, tree.blocks());
+    before += std::min<std::int64_t>(tree.count, std::int64_t{ blocksBefore } * tree.blockSize);
+    all += tree.count;
+    first += tree.blocks();
   }
-  return sum;
+  return homeOf(before, all, ranks);
 }
 
 SharedElements shareElements(Communicator& communicator, const DistributedSurface& surface,
-  const GridFrame& frame)
+  const LocalCoordinates& frame)
 {
   SharedElements shared;
   std::vector<SharedElement> elements = elementsOf(surface, frame);
@@ -308,10 +253,7 @@ SharedElements shareElements(Communicator& communicator, const DistributedSurfac
     const int block = firstBlock[element.sizeClass] + element.first / blockSize[element.sizeClass];
     moved[shared.home(block, communicator.size())].push_back(element);
   }
-  for (const std::vector<SharedElement>& list : exchanged(communicator, moved))
-  {
-    shared.elements.insert(shared.elements.end(), list.begin(), list.end());
-  }
+  shared.elements = flattened(exchanged(communicator, std::move(moved)));
   std::sort(shared.elements.begin(), shared.elements.end(),
     [](const SharedElement& a, const SharedElement& b)
     {

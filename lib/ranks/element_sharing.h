@@ -3,7 +3,7 @@
 #include "culling/element_order.h"
 #include "ranks/collective.h"
 #include "ranks/distributed_surface.h"
-#include "sites/grid_frame.h"
+#include "sites/local_coordinates.h"
 
 #include <array>
 #include <vector>
@@ -37,14 +37,14 @@ struct SharedElements
   std::vector<BlockedTree> trees;      ///< the same on every rank, by size
   std::vector<SharedElement> elements; ///< of this rank's blocks, in their order
 
-  int blocks() const;
-  /// Returns the rank that has a block, counted over all trees.
-  int home(int block, int ranks) const { return homeOf(block, this->blocks(), ranks); }
+  /// Returns the rank that has a block, counted over all trees: blocks come in runs of about as
+  /// many elements.
+  int home(int block, int ranks) const;
 };
 
 /// Sorts the elements of a surface as one process does, though no rank has all of them. Every rank
 /// calls it.
 SharedElements shareElements(Communicator& communicator, const DistributedSurface& surface,
-  const GridFrame& frame);
+  const LocalCoordinates& frame);
 
 } // namespace medial

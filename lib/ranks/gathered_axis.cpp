@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -105,12 +106,7 @@ std::vector<T> atFirst(Communicator& communicator, std::vector<T> own)
 {
   RankLists<T> lists = listsFor<T>(communicator);
   lists.at(0) = std::move(own);
-  std::vector<T> all;
-  for (const std::vector<T>& list : exchanged(communicator, lists))
-  {
-    all.insert(all.end(), list.begin(), list.end());
-  }
-  return all;
+  return flattened(exchanged(communicator, std::move(lists)));
 }
 
 /// @param pointCount of the whole axis.
@@ -150,6 +146,19 @@ MedialAxis gatherMedialAxis(Communicator& communicator, const AxisPiece& piece)
       }
     });
   return whole;
+}
+
+AxisPiece onlyPiece(MedialAxis axis)
+{
+  AxisPiece piece;
+  piece.points = static_cast<std::int64_t>(axis.points.size());
+  piece.cells = axis.cellCount();
+  piece.globalPointIds.resize(axis.points.size());
+  piece.globalCellIds.resize(static_cast<std::size_t>(piece.cells));
+  std::iota(piece.globalPointIds.begin(), piece.globalPointIds.end(), std::int64_t{ 0 });
+  std::iota(piece.globalCellIds.begin(), piece.globalCellIds.end(), std::int64_t{ 0 });
+  piece.axis = std::move(axis);
+  return piece;
 }
 
 } // namespace medial

@@ -16,10 +16,7 @@ GlobalNumbers::GlobalNumbers(Communicator& communicator, const std::vector<Globa
   {
     lists[this->homeOfKey(key)].push_back(key);
   }
-  for (const std::vector<GlobalKey>& list : exchanged(communicator, lists))
-  {
-    kept_.insert(kept_.end(), list.begin(), list.end());
-  }
+  kept_ = flattened(exchanged(communicator, std::move(lists)));
   std::sort(kept_.begin(), kept_.end());
   offsets_ = RankOffsets(communicator, static_cast<std::int64_t>(kept_.size()));
 }
@@ -32,7 +29,7 @@ std::vector<std::int64_t> GlobalNumbers::of(Communicator& communicator,
   {
     questions[this->homeOfKey(key)].push_back(key);
   }
-  questions = exchanged(communicator, questions);
+  questions = exchanged(communicator, std::move(questions));
   RankLists<std::int64_t> answers = listsFor<std::int64_t>(communicator);
   for (std::size_t rank = 0; rank < questions.size(); ++rank)
   {
@@ -42,7 +39,7 @@ std::vector<std::int64_t> GlobalNumbers::of(Communicator& communicator,
       answers[rank].push_back(offsets_.first[rank_] + (at - kept_.begin()));
     }
   }
-  answers = exchanged(communicator, answers);
+  answers = exchanged(communicator, std::move(answers));
   std::vector<std::int64_t> numbers;
   std::vector<std::size_t> next(answers.size(), 0);
   for (const GlobalKey& key : keys)

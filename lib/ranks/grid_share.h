@@ -31,6 +31,23 @@ public:
   Extent withHalo(int rank, int halo) const;
   Extent withHalo(int halo) const { return this->withHalo(rank_, halo); }
 
+  /// Gives each rank what lies in its part, in the order of ranks. Every rank calls it.
+  /// @param items of this rank, anywhere.
+  /// @param cellOf returns the cell of an item.
+  template <typename Item, typename CellOf>
+  std::vector<Item> toOwners(Communicator& communicator, const std::vector<Item>& items,
+    const CellOf& cellOf) const
+  {
+    int owner = rank_; // of most items that of the one before
+    return delivered(communicator, items,
+      [&](const Item& item)
+      {
+        const glm::ivec3 point = this->nearest(cellOf(item));
+        owner = isIn(extents_[owner], point) ? owner : this->ownerOf(point);
+        return owner;
+      });
+  }
+
   /// Gives all ranks what lies in their parts and a halo around, in the order of ranks. Every rank
   /// calls it.
   /// @param own what lies in this rank's part.
@@ -49,12 +66,7 @@ public:
           [&](const Item& item) { return isIn(wanted, this->nearest(cellOf(item))); });
       }
     }
-    std::vector<Item> all;
-    for (const std::vector<Item>& list : exchanged(communicator, lists))
-    {
-      all.insert(all.end(), list.begin(), list.end());
-    }
-    return all;
+    return flattened(exchanged(communicator, std::move(lists)));
   }
 
   static bool isIn(const Extent& extent, const glm::ivec3& point);

@@ -92,15 +92,14 @@ void checkFieldOfRanks(const Grid& grid, const Extent& extent, const DistanceFie
 
 RankCounts countsOf(const RankField& field, const CountingCommunicator& communicator)
 {
-  return { static_cast<std::int64_t>(field.surface().faces().size()),
-    static_cast<std::int64_t>(field.part().faces().size()), communicator.bytesSent(),
-    communicator.exchanges() };
+  return { static_cast<std::int64_t>(field.surface().faces().size()), field.heldTriangles(),
+    communicator.bytesSent(), communicator.exchanges() };
 }
 
 RankField::RankField(Communicator& communicator, const SurfacePiece& piece, const Grid& grid,
-  const Extent& searched, const Extent& computed, const DistanceFieldOptions& options,
-  const Run& run, RunStatistics& statistics)
-  : whole_(grid.wholeExtent())
+  const DistanceFieldOptions& options, const Run& run, RunStatistics& statistics)
+  : grid_(grid)
+  , whole_(grid.wholeExtent())
   , memoryMiB_(options.memoryMiB)
   , run_(run)
   , statistics_(statistics)
@@ -110,10 +109,22 @@ RankField::RankField(Communicator& communicator, const SurfacePiece& piece, cons
       [&] { return SharedSign(communicator, surface_, options.sign, grid, frame_, run_); }))
 {
   checkReach(surface_.bounds(), frame_);
+  {
+    const Stopwatch watch(statistics_.seconds.cull);
+    tree_.emplace(communicator, surface_, frame_);
+  }
   statistics_.engine = Engine::Processor;
   statistics_.sign = sign_.report();
   statistics_.sites =
     static_cast<std::int64_t>(surface_.faceCount()) + surface_.edgeCount() + surface_.pointCount();
+}
+
+void RankField::bring(Communicator& communicator, const Extent& searched, const Extent& computed)
+{
+  // What was here goes first: both together are more than a rank may hold.
+  host_.reset();
+  near_.reset();
+  inside_.reset();
   if (sign_.fieldSign() == FieldSign::Rows)
   {
     const Stopwatch watch(statistics_.seconds.sign);
@@ -121,9 +132,9 @@ RankField::RankField(Communicator& communicator, const SurfacePiece& piece, cons
   }
   {
     const Stopwatch watch(statistics_.seconds.cull);
-    const SharedTree tree(communicator, surface_, frame_);
-    near_.emplace(tree.near(communicator, boxesOf(grid, frame_, searched)));
+    near_.emplace(tree_->near(communicator, boxesOf(grid_, frame_, searched)));
   }
+  heldTriangles_ = std::max(heldTriangles_, static_cast<std::int64_t>(near_->part.faces().size()));
   host_.emplace(near_->part.mesh(), near_->part.connectivity(), frame_, this->sign(), run_,
     statistics_,
     [this](const SiteSet& sites)
@@ -145,13 +156,13 @@ void RankField::compute(const Extent& extent, FieldSink& sink)
 
 std::int64_t RankField::tryWork(const Extent& extent)
 {
+  const auto work = [this]
+  { return statistics_.groupTests + statistics_.candidatePairs + statistics_.fragments; };
+  const std::int64_t before = work();
   std::vector<float> distances(static_cast<std::size_t>(extent.pointCount()));
   FieldArrays arrays;
   arrays.distance = distances.data();
   ArraySink sink(extent, arrays);
-  const auto work = [this]
-  { return statistics_.groupTests + statistics_.candidatePairs + statistics_.fragments; };
-  const std::int64_t before = work();
   ProcessorEngine().run(this->job(extent), sink);
   return work() - before;
 }

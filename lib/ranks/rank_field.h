@@ -19,25 +19,28 @@
 namespace medial
 {
 
-/// The surface near a part of the grid, and the field there: what a rank can compute by itself once
-/// it has what can be closest.
+/// A surface in pieces, as a rank sees it: brings what can be closest in a part of the grid, where
+/// the rank can then compute by itself.
 class RankField
 {
 public:
   /// Every rank calls it.
-  /// @param searched where closest places will be asked for; may be empty.
-  /// @param computed where the field will be; may be empty.
   /// @param statistics must outlive this.
   /// @throws Error as computeDistanceField(), on every rank.
   RankField(Communicator& communicator, const SurfacePiece& piece, const Grid& grid,
-    const Extent& searched, const Extent& computed, const DistanceFieldOptions& options,
-    const Run& run, RunStatistics& statistics);
+    const DistanceFieldOptions& options, const Run& run, RunStatistics& statistics);
+
+  /// Brings what can be closest in a part of the grid, instead of what was here. Every rank calls
+  /// it; what follows needs it.
+  /// @param searched where closest places will be asked for; may be empty.
+  /// @param computed where the field will be, with its sign; may be empty.
+  void bring(Communicator& communicator, const Extent& searched, const Extent& computed);
 
   /// Computes the field of an extent within the part. It has the numbers that sites have in the
   /// whole surface.
   void compute(const Extent& extent, FieldSink& sink);
-  /// Computes the field of an extent within the part, and returns the work that it took: numbers of
-  /// tests, pairs and evaluations.
+  /// Computes the distances of an extent within the part for what that takes alone: returns the
+  /// numbers of tests, pairs and evaluations. It starts at a tile, and pseudonormals give no sign.
   std::int64_t tryWork(const Extent& extent);
   /// As compute(), and selects crossings, which have the sites of the part. There may be more of
   /// them, up to eight grid points before the extent.
@@ -48,8 +51,12 @@ public:
   const GridFrame& frame() const { return frame_; }
   FieldSign sign() const { return sign_.fieldSign(); }
   const SharedSign& sharedSign() const { return sign_; }
+  /// Points inside the part where the field is computed; null where winding numbers give no sign.
+  const InsideRows* insideRows() const { return inside_ ? &inside_->rows() : nullptr; }
   /// Lets sharedSign() have the lids of holes. Every rank calls it.
   void closeHoles(Communicator& communicator) { sign_.close(communicator); }
+  /// Largest number of triangles that were brought here at once.
+  std::int64_t heldTriangles() const { return heldTriangles_; }
   /// Triangles that are here, with their neighbours.
   const SurfacePart& part() const { return near_->part; }
   const SiteSet& sites() const { return host_->sites(); }
@@ -61,6 +68,7 @@ public:
 private:
   FieldJob job(const Extent& extent);
 
+  Grid grid_;
   Extent whole_;
   std::size_t memoryMiB_;
   Run run_;
@@ -68,6 +76,8 @@ private:
   DistributedSurface surface_;
   GridFrame frame_;
   SharedSign sign_;
+  std::optional<SharedTree> tree_;
+  std::int64_t heldTriangles_ = 0;
   std::optional<HostInside> inside_; ///< with winding numbers
   std::optional<NearSurface> near_;
   std::optional<HostSites> host_;

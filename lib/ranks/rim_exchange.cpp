@@ -64,7 +64,7 @@ RimExchange::RimExchange(Communicator& communicator, const GridShare& share,
     std::transform(wanted_[rank].begin(), wanted_[rank].end(), std::back_inserter(numbers[rank]),
       numberOf);
   }
-  numbers = exchanged(communicator_, numbers);
+  numbers = exchanged(communicator_, std::move(numbers));
   for (std::size_t rank = 0; rank < sent_.size(); ++rank)
   {
     for (const std::int64_t number : numbers[rank])

@@ -395,4 +395,45 @@ std::vector<std::int8_t> SharedOrientation::weightsOf(Communicator& communicator
     [&](int face) { return weights_[surface_.indexOf(face)]; });
 }
 
+/// Returns the directions of this rank's triangles.
+std::vector<std::int8_t> SharedOrientation::ownDirections(Communicator& communicator) const
+{
+  struct Original
+  {
+    std::array<int, 3> corners;
+    std::int8_t weight;
+  };
+  std::vector<int> originals;
+  for (std::size_t i = 0; i < weights_.size(); ++i)
+  {
+    originals.push_back(patches_.originalOf(i));
+  }
+  const std::vector<Original> found = answered(
+    communicator, originals, [&](int face) { return surface_.homeOfFace(face); },
+    [&](int face)
+    {
+      const std::size_t at = surface_.indexOf(face);
+      return Original{ surface_.faces()[at].corners, weights_[at] };
+    });
+  std::vector<std::int8_t> directions;
+  for (std::size_t i = 0; i < weights_.size(); ++i)
+  {
+    const auto& [corners, weight] = found[i];
+    const std::array<int, 3>& own = surface_.faces()[i].corners;
+    const auto at = std::find(own.begin(), own.end(), corners[0]) - own.begin();
+    const bool alike = own[(at + 1) % 3] == corners[1];
+    directions.push_back(static_cast<std::int8_t>(alike ? weight : -weight));
+  }
+  return directions;
+}
+
+std::vector<std::int8_t> SharedOrientation::directionsOf(Communicator& communicator,
+  const std::vector<int>& faces) const
+{
+  const std::vector<std::int8_t> own = this->ownDirections(communicator);
+  return answered(
+    communicator, faces, [&](int face) { return surface_.homeOfFace(face); },
+    [&](int face) { return own[surface_.indexOf(face)]; });
+}
+
 } // namespace medial

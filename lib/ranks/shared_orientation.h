@@ -45,6 +45,10 @@ public:
   /// Returns how triangles count, by their numbers. Every rank calls it, with any of them.
   std::vector<std::int8_t> weightsOf(Communicator& communicator,
     const std::vector<int>& faces) const;
+  /// Returns which triangles are turned round, by their numbers: 1 as it is, -1 turned round;
+  /// copies face the way of the triangle that counts. Every rank calls it, with any of them.
+  std::vector<std::int8_t> directionsOf(Communicator& communicator,
+    const std::vector<int>& faces) const;
 
 private:
   /// Places on patches.
@@ -111,6 +115,7 @@ private:
   /// Turns the triangles of patches, and tells their ranks which are solid.
   template <typename Turns>
   void turn(Communicator& communicator, const Turns& turns);
+  std::vector<std::int8_t> ownDirections(Communicator& communicator) const;
   std::vector<CountedFace> countedFaces(bool asOnePatch) const;
 
   const DistributedSurface& surface_;

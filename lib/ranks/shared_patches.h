@@ -22,6 +22,7 @@ public:
   ///@{
   /// For each of the rank's triangles.
   bool isCopy(std::size_t i) const { return originals_[i] != surface_.faces()[i].face; }
+  int originalOf(std::size_t i) const { return originals_[i]; } ///< itself, if it is no copy
   int patchOf(std::size_t i) const { return roots_[i]; }
   int senseOf(std::size_t i) const { return senses_[i]; } ///< 1 as it is, -1 turned round
   ///@}

@@ -331,7 +331,7 @@ void SharedTree::sharpen(Communicator& communicator, std::vector<Search>& search
       boxes[rank].push_back(searches[search].box);
     }
   }
-  boxes = exchanged(communicator, boxes);
+  boxes = exchanged(communicator, std::move(boxes));
   RankLists<Nearest> answers(asked.size());
   for (std::size_t rank = 0; rank < asked.size(); ++rank)
   {
@@ -340,7 +340,7 @@ void SharedTree::sharpen(Communicator& communicator, std::vector<Search>& search
       answers[rank].push_back(this->nearestTo(box));
     }
   }
-  answers = exchanged(communicator, answers);
+  answers = exchanged(communicator, std::move(answers));
   Nearest none{};
   none.squared.fill(std::numeric_limits<float>::infinity());
   std::vector<Nearest> nearest(searches.size(), none);
@@ -425,7 +425,7 @@ NearSurface SharedTree::near(Communicator& communicator, const std::vector<Frame
       questions[rank].push_back(searches[search]);
     }
   }
-  questions = exchanged(communicator, questions);
+  questions = exchanged(communicator, std::move(questions));
   RankLists<GroupRecord> groups(asked.size());
   RankLists<PackRecord> packs(asked.size());
   RankLists<FaceRecord> faces(asked.size());
@@ -436,19 +436,10 @@ NearSurface SharedTree::near(Communicator& communicator, const std::vector<Frame
       this->answer(questions[rank], groups[rank], packs[rank], faces[rank]);
     }
   }
-  const auto flattened = [&](const auto& lists)
-  {
-    auto result = lists.front();
-    for (std::size_t i = 1; i < lists.size(); ++i)
-    {
-      result.insert(result.end(), lists[i].begin(), lists[i].end());
-    }
-    return result;
-  };
-  const std::vector<GroupRecord> allGroups = flattened(exchanged(communicator, groups));
-  std::vector<PackRecord> allPacks = flattened(exchanged(communicator, packs));
+  const std::vector<GroupRecord> allGroups = flattened(exchanged(communicator, std::move(groups)));
+  std::vector<PackRecord> allPacks = flattened(exchanged(communicator, std::move(packs)));
   allPacks.insert(allPacks.end(), top_.begin(), top_.end());
-  NearSurface result{ SurfacePart(flattened(exchanged(communicator, faces))), slack_,
+  NearSurface result{ SurfacePart(flattened(exchanged(communicator, std::move(faces)))), slack_,
     treesOf(allGroups, allPacks, elements_.trees.size()) };
   rename(result.part, result.trees);
   return result;

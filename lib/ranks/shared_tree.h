@@ -4,6 +4,7 @@
 #include "culling/node_disc.h"
 #include "ranks/element_sharing.h"
 #include "ranks/surface_part.h"
+#include "sites/grid_frame.h"
 #include "sites/site_set.h"
 
 #include <glm/glm.hpp>

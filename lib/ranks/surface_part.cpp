@@ -26,12 +26,16 @@ SurfacePart::SurfacePart(std::vector<FaceRecord> faces)
   faces_.erase(std::unique(faces_.begin(), faces_.end(),
                  [](const FaceRecord& a, const FaceRecord& b) { return a.face == b.face; }),
     faces_.end());
+  faces_.shrink_to_fit(); // ranks have sent many of them twice
   for (const FaceRecord& face : faces_)
   {
     points_.insert(points_.end(), face.corners.begin(), face.corners.end());
   }
   std::sort(points_.begin(), points_.end());
   points_.erase(std::unique(points_.begin(), points_.end()), points_.end());
+  points_.shrink_to_fit();
+  mesh_.triangles.reserve(faces_.size());
+  mesh_.triangleCells.reserve(faces_.size());
   mesh_.points.resize(points_.size());
   for (const FaceRecord& face : faces_)
   {

@@ -1,5 +1,7 @@
 #include "sign/sign_decision.h"
 
+#include "base/counted.h"
+
 #include <iomanip>
 #include <sstream>
 
@@ -17,11 +19,6 @@ constexpr double kMaxLidShare = 0.125;
 constexpr std::int64_t kFewRimEdges = 1000;
 constexpr double kMaxRimShare = 0.5;
 
-std::string count(std::int64_t number, const char* what)
-{
-  return std::to_string(number) + " " + what + (number == 1 ? "" : "s");
-}
-
 /// Says why the sign is from winding numbers, or why it cannot be.
 std::string windingReason(const SignReport& report)
 {
@@ -35,8 +32,8 @@ std::string windingReason(const SignReport& report)
     return text.str();
   }
   return report.holes == 0 ? "the mesh is closed"
-                           : count(report.holes, "hole") + " with " +
-      count(report.rimEdges, "edge") + " closed in thought";
+                           : counted(report.holes, "hole") + " with " +
+      counted(report.rimEdges, "edge") + " closed in thought";
 }
 
 } // namespace
@@ -70,7 +67,7 @@ bool isTorn(std::int64_t rimEdges, std::size_t triangles)
 
 std::string tornReason(std::int64_t rimEdges)
 {
-  return "the mesh does not define an inside: its holes have " + count(rimEdges, "edge");
+  return "the mesh does not define an inside: its holes have " + counted(rimEdges, "edge");
 }
 
 void decideWinding(SignMethod requested, SignReport& report)

@@ -24,9 +24,7 @@ void BranchBalls::set(std::size_t branch, const Curve& curve)
 {
   branches_.resize(std::max(branches_.size(), branch + 1));
   BallsOfBranch result;
-  std::vector<double> radii(curve.points.size());
-  tbb::parallel_for(std::size_t{ 0 }, radii.size(),
-    [&](std::size_t i) { radii[i] = probe_.radius(curve.points[i]); });
+  const std::vector<double> radii = probe_.radii(curve.points);
   for (std::size_t i = 0; i < radii.size(); ++i)
   {
     const Ball ball{ curve.points[i], radii[i] };
@@ -89,11 +87,10 @@ double BranchBalls::halfWidth(const Ball& ball, const glm::dvec3& rise, double h
     return ball.radius;
   }
   const glm::dvec3 direction = across / size;
-  return std::min(probe_.wayOut(ball.centre, direction, high),
-    probe_.wayOut(ball.centre, -direction, high));
+  return probe_.wayOut(ball.centre, -direction, probe_.wayOut(ball.centre, direction, high));
 }
 
-BranchRise BranchBalls::rise(std::size_t branch) const
+BranchRise BranchBalls::rise(std::size_t branch, double enough) const
 {
   const std::vector<Ball>& balls = branches_[branch].balls;
   std::vector<Outside> outsides(balls.size());
@@ -109,14 +106,15 @@ BranchRise BranchBalls::rise(std::size_t branch) const
     }
     result.neighbours.push_back(outsides[i].branch);
   }
+  const double narrow = result.size > 0.0 ? result.length / (enough * result.size) : 0.0;
   double aspect = std::numeric_limits<double>::infinity();
-  for (std::size_t i = balls.size(); i-- > 1 && aspect > kRound;)
+  for (std::size_t i = balls.size(); i-- > 1 && aspect > std::max(kRound, narrow);)
   {
     if (outsides[i].distance > 0.0 && balls[i].radius >= kLarge * result.size)
     {
       const glm::dvec3 up = balls[i].centre - outsides[i].centre;
-      aspect =
-        std::min(aspect, this->halfWidth(balls[i], up, 2.0 * result.length) / balls[i].radius);
+      const double high = std::min(2.0 * result.length, aspect * balls[i].radius);
+      aspect = std::min(aspect, this->halfWidth(balls[i], up, high) / balls[i].radius);
     }
   }
   result.size *= result.size > 0.0 ? std::max(1.0, aspect) : 1.0;

@@ -36,7 +36,9 @@ public:
 
   /// Returns how far a branch reaches out of the others.
   /// @param branch of which the first point belongs to others too.
-  BranchRise rise(std::size_t branch) const;
+  /// @param enough where the length is this many sizes or more, the size returned may be too large,
+  ///   but not so large that the length is fewer sizes than that.
+  BranchRise rise(std::size_t branch, double enough) const;
 
 private:
   struct Ball

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <queue>
 #include <tuple>
 
@@ -43,6 +44,40 @@ struct Edge
   double time = 0.0; ///< when the last face has burned so far
   Source source;     ///< of the fire in the face that has burned last
 };
+
+/// An edge of a polygon.
+struct FaceEdge
+{
+  std::array<std::int64_t, 2> ends; ///< in ascending order
+  int face;
+  int corner;
+};
+
+/// Sorts edges of polygons by their ends, then by their faces.
+void sortByEnds(std::vector<FaceEdge>& sides, std::size_t pointCount)
+{
+  std::vector<std::size_t> ends(pointCount + 1);
+  for (const FaceEdge& side : sides)
+  {
+    ++ends[side.ends[0] + 1];
+  }
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  std::vector<FaceEdge> sorted(sides.size());
+  for (const FaceEdge& side : sides)
+  {
+    sorted[ends[side.ends[0]]++] = side;
+  }
+  auto begin = sorted.begin();
+  for (std::size_t point = 0; point < pointCount; ++point)
+  {
+    const auto end = sorted.begin() + static_cast<std::ptrdiff_t>(ends[point]);
+    std::sort(begin, end,
+      [](const FaceEdge& a, const FaceEdge& b)
+      { return std::tie(a.ends[1], a.face) < std::tie(b.ends[1], b.face); });
+    begin = end;
+  }
+  sides = std::move(sorted);
+}
 
 class SheetFire
 {
@@ -95,13 +130,7 @@ private:
 
   void addFaces(const MedialAxis& axis)
   {
-    struct Side
-    {
-      std::array<std::int64_t, 2> ends;
-      int face;
-      int corner;
-    };
-    std::vector<Side> sides;
+    std::vector<FaceEdge> sides;
     const auto add = [&](const auto& corners)
     {
       Face face;
@@ -127,9 +156,7 @@ private:
     };
     std::for_each(axis.quads.begin(), axis.quads.end(), add);
     std::for_each(axis.triangles.begin(), axis.triangles.end(), add);
-    std::sort(sides.begin(), sides.end(),
-      [](const Side& a, const Side& b)
-      { return a.ends != b.ends ? a.ends < b.ends : a.face < b.face; });
+    sortByEnds(sides, positions_.size());
     for (std::size_t i = 0; i < sides.size(); ++i)
     {
       if (i == 0 || sides[i].ends != sides[i - 1].ends)

@@ -166,7 +166,7 @@ private:
 
   Ratio ratioOf(const NetworkBranch& branch, std::size_t b) const
   {
-    BranchRise rise = balls_.rise(b);
+    BranchRise rise = balls_.rise(b, minBranch_);
     const double length = arcLengths(branch.curve).back();
     const double ofLength = length / probe_.radius(network_.junctions[branch.junctions[0]]);
     const double ofRise = rise.size > 0.0 ? rise.length / std::max(rise.size, step_) : 0.0;

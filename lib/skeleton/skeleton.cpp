@@ -35,12 +35,18 @@ void checkInput(const MedialAxis& axis, const SkeletonOptions& options)
     throw Error(ErrorCode::InvalidInput,
       "minimum branch length " + std::to_string(options.minBranch) + " is outside [0, infinity)");
   }
-  if (axis.side != Side::Interior || axis.sign == SignMethod::None)
+  if (axis.sign == SignMethod::None)
+  {
+    const std::string& reason = axis.statistics.sign.reason;
+    throw Error(ErrorCode::InvalidInput,
+      "a skeleton needs to know inside from outside, and the distance is unsigned" +
+        (reason.empty() ? reason : ": " + reason) +
+        "; the sign method winding closes holes in thought");
+  }
+  if (axis.side != Side::Interior)
   {
     throw Error(ErrorCode::InvalidInput,
-      axis.sign == SignMethod::None
-        ? "a skeleton needs to know inside from outside, and the distance is unsigned"
-        : "a skeleton needs the axis of the interior, not of the exterior or both sides");
+      "a skeleton needs the axis of the interior, not of the exterior or both sides");
   }
   if (!axis.solid || axis.simplification.inputPoints > 0)
   {
@@ -50,7 +56,8 @@ void checkInput(const MedialAxis& axis, const SkeletonOptions& options)
   if (axis.cellCount() == 0)
   {
     throw Error(ErrorCode::InvalidInput,
-      "no grid point is inside, so there is no axis to make a skeleton of");
+      "no grid point is inside, so there is no axis to make a skeleton of; a finer grid may have "
+      "some");
   }
 }
 

@@ -4,6 +4,7 @@
 #include "skeleton/junctions.h"
 #include "skeleton/short_branches.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -21,6 +22,10 @@ constexpr double kMinReach = 6.0;
 constexpr double kReachOfRadius = 0.75;
 constexpr double kReachOfWidth = 0.5;
 constexpr int kMaxReach = 100;
+/// How near to the widest place of a cross-section a point is moved, in steps, before the last pass
+/// and in it.
+constexpr double kCoarse = 0.1;
+constexpr double kFine = 0.005;
 /// How often a curve is moved to the middle and made smooth, before its ends are found and after.
 constexpr int kPasses = 2;
 
@@ -58,9 +63,7 @@ public:
     const std::vector<double> lengths = arcLengths(curve);
     const double longest =
       curve.closed ? kMaxOfLoop * lengths.back() : std::numeric_limits<double>::infinity();
-    std::vector<double> radii(curve.points.size());
-    tbb::parallel_for(std::size_t{ 0 }, radii.size(),
-      [&](std::size_t i) { radii[i] = probe_.radius(curve.points[i]); });
+    const std::vector<double> radii = probe_.radii(curve.points);
     std::vector<std::size_t> kept;
     for (std::size_t i = 0; i < radii.size(); ++i)
     {
@@ -106,26 +109,40 @@ public:
     }
   }
 
-  /// Moves the points of a curve to the middle of the cross-sections, or to where these are widest.
-  void centre(Curve& curve, bool widest) const
+  /// Moves the points of a curve to the middle of the cross-sections.
+  void centre(Curve& curve) const { this->centre(curve, SolidProbe::middleAcross); }
+
+  /// Moves the points of a curve to where the cross-sections are widest.
+  /// @param precision in steps.
+  void widen(Curve& curve, double precision) const
   {
-    const std::vector<CurvePoint> fitted = smoothed(curve, this->reaches(curve));
-    tbb::parallel_for(std::size_t{ 0 }, fitted.size(),
-      [&](std::size_t i)
-      {
-        glm::dvec3& x = curve.points[i];
-        const glm::dvec3& tangent = fitted[i].tangent;
-        x = widest ? probe_.widest(x, tangent) : probe_.middle(x, tangent);
-      });
+    this->centre(curve,
+      [precision = precision * step_](SolidProbe::Search& search, const glm::dvec3& x,
+        const glm::dvec3& tangent)
+      { return SolidProbe::widestAcross(search, x, tangent, precision); });
   }
 
 private:
+  /// @param place returns where to move a point, from a search, the point and the tangent.
+  template <typename Place>
+  void centre(Curve& curve, const Place& place) const
+  {
+    const std::vector<CurvePoint> fitted = smoothed(curve, this->reaches(curve));
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, fitted.size()),
+      [&](const tbb::blocked_range<std::size_t>& range)
+      {
+        SolidProbe::Search search = probe_.search();
+        for (std::size_t i = range.begin(); i < range.end(); ++i)
+        {
+          curve.points[i] = place(search, curve.points[i], fitted[i].tangent);
+        }
+      });
+  }
+
   /// Lets a closed curve begin in the widest place, where it makes no detour.
   void beginWidest(Curve& curve) const
   {
-    std::vector<double> radii(curve.points.size());
-    tbb::parallel_for(std::size_t{ 0 }, radii.size(),
-      [&](std::size_t i) { radii[i] = probe_.radius(curve.points[i]); });
+    const std::vector<double> radii = probe_.radii(curve.points);
     const auto widest = std::max_element(radii.begin(), radii.end()) - radii.begin();
     std::rotate(curve.points.begin(), curve.points.begin() + widest, curve.points.end());
     std::rotate(curve.widths.begin(), curve.widths.begin() + widest, curve.widths.end());
@@ -133,15 +150,14 @@ private:
 
   std::vector<int> reaches(const Curve& curve) const
   {
-    std::vector<int> result(curve.points.size());
-    tbb::parallel_for(std::size_t{ 0 }, result.size(),
-      [&](std::size_t i)
-      {
-        const double width = curve.widths.empty() ? 0.0 : curve.widths[i];
-        const double reach =
-          std::max(kReachOfRadius * probe_.radius(curve.points[i]), kReachOfWidth * width) / step_;
-        result[i] = std::min(kMaxReach, static_cast<int>(std::lround(std::max(kMinReach, reach))));
-      });
+    std::vector<int> result;
+    for (const double radius : probe_.radii(curve.points))
+    {
+      const double width = curve.widths.empty() ? 0.0 : curve.widths[result.size()];
+      const double reach = std::max(kReachOfRadius * radius, kReachOfWidth * width) / step_;
+      result.push_back(
+        std::min(kMaxReach, static_cast<int>(std::lround(std::max(kMinReach, reach)))));
+    }
     return result;
   }
 
@@ -249,7 +265,14 @@ void smoothBranch(NetworkBranch& branch, const CurveSmoother& smoother, const So
   {
     for (int pass = 0; pass < kPasses; ++pass)
     {
-      smoother.centre(curve, !first);
+      if (first)
+      {
+        smoother.centre(curve);
+      }
+      else
+      {
+        smoother.widen(curve, pass + 1 == kPasses ? kFine : kCoarse);
+      }
       smoothOnce();
       curve = resampled(curve, step);
     }
@@ -339,7 +362,7 @@ void smooth(GeometricNetwork& network, const SolidProbe& probe, double step, dou
     {
       Curve& curve = network.branches[b].curve;
       curve = resampled(curve, step);
-      smoother.centre(curve, true);
+      smoother.widen(curve, kFine);
       smoother.smoothOnce(curve);
     }
     changed = changed || shortOnes.removed;

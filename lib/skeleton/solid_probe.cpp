@@ -3,6 +3,8 @@
 #include "axis/widest_place.h"
 
 #include <Eigen/Dense>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -57,6 +59,21 @@ double SolidProbe::radius(const glm::dvec3& x) const
   return glm::distance(query_.query().closest(x).point, x);
 }
 
+std::vector<double> SolidProbe::radii(const std::vector<glm::dvec3>& points) const
+{
+  std::vector<double> radii(points.size());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size()),
+    [&](const tbb::blocked_range<std::size_t>& range)
+    {
+      Search near = this->search();
+      for (std::size_t i = range.begin(); i < range.end(); ++i)
+      {
+        radii[i] = glm::distance(near.closest(points[i]).point, points[i]);
+      }
+    });
+  return radii;
+}
+
 glm::dvec3 SolidProbe::closest(const glm::dvec3& x) const
 {
   return query_.query().closest(x).point;
@@ -71,36 +88,45 @@ bool SolidProbe::inside(const glm::dvec3& x) const
 double SolidProbe::wayOut(const glm::dvec3& from, const glm::dvec3& direction, double high) const
 {
   constexpr int kParts = 8;
-  double in = 0.0;
-  for (int i = 1; i <= kParts; ++i)
+  constexpr double kPrecision = 1e-5;
+  Search search = this->search();
+  PointSide::Known known;
+  const bool sealed = query_.side().changesOnlyAtSurface();
+  double in = 0.0; // the way out is no nearer than this
+  double out = high;
+  // Whether the way is outside at a length.
+  const auto look = [&](double length)
   {
-    double out = high * i / kParts;
-    if (this->inside(from + out * direction))
-    {
-      in = out;
-      continue;
-    }
-    for (int k = 0; k < kHalvings; ++k)
-    {
-      const double middle = 0.5 * (in + out);
-      (this->inside(from + middle * direction) ? in : out) = middle;
-    }
-    return in;
+    const glm::dvec3 x = from + length * direction;
+    const SitePoint& closest = search.closest(x);
+    const double distance = sealed ? glm::distance(closest.point, x) : 0.0;
+    const bool outside = !query_.side().contains(x, closest, known);
+    (outside ? out : in) = outside ? std::max(in, length - distance) : length + distance;
+    return outside;
+  };
+  bool left = false;
+  for (int i = 1; i <= kParts && !left; ++i)
+  {
+    const double length = high * i / kParts;
+    left = length > in && look(length);
   }
-  return high;
+  while (left && out - in > kPrecision * high)
+  {
+    look(0.5 * (in + out));
+  }
+  return left ? std::min(in, out) : high;
 }
 
-glm::dvec3 SolidProbe::widest(const glm::dvec3& x, const glm::dvec3& tangent) const
+glm::dvec3 SolidProbe::widestAcross(Search& search, const glm::dvec3& x, const glm::dvec3& tangent,
+  double precision)
 {
-  DistanceQuery::Search search(query_);
-  return widestPlace(x, tangent,
+  return widestPlace(x, tangent, precision,
     [&](const glm::dvec3& place) { return search.closest(place).point; });
 }
 
-glm::dvec3 SolidProbe::middle(const glm::dvec3& x, const glm::dvec3& tangent) const
+glm::dvec3 SolidProbe::middleAcross(Search& search, const glm::dvec3& x, const glm::dvec3& tangent)
 {
   constexpr std::size_t kDirections = 8;
-  DistanceQuery::Search search(query_);
   const double radius = glm::distance(search.closest(x).point, x);
   if (!(radius > 0.0) || tangent == glm::dvec3(0.0))
   {

@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 
 #include <algorithm>
+#include <vector>
 
 namespace medial
 {
@@ -19,8 +20,14 @@ public:
   {
   }
 
+  /// For questions about places that are close to each other, one after the other.
+  using Search = DistanceQuery::Search;
+  Search search() const { return Search(query_); }
+
   /// Returns the distance to the surface.
   double radius(const glm::dvec3& x) const;
+  /// Returns the distances of points along a curve to the surface.
+  std::vector<double> radii(const std::vector<glm::dvec3>& points) const;
 
   /// Returns the nearest point of the surface.
   glm::dvec3 closest(const glm::dvec3& x) const;
@@ -28,10 +35,12 @@ public:
   /// Returns the middle of the solid's cross-section near a point: the centre of the circle nearest
   /// to what is the closest of the surface to points around it.
   /// @param tangent unit vector normal to the cross-section.
-  glm::dvec3 middle(const glm::dvec3& x, const glm::dvec3& tangent) const;
+  static glm::dvec3 middleAcross(Search& search, const glm::dvec3& x, const glm::dvec3& tangent);
   /// Returns the place near a point where the radius is largest in its cross-section.
   /// @param tangent unit vector normal to the cross-section.
-  glm::dvec3 widest(const glm::dvec3& x, const glm::dvec3& tangent) const;
+  /// @param precision how near the place is wanted.
+  static glm::dvec3 widestAcross(Search& search, const glm::dvec3& x, const glm::dvec3& tangent,
+    double precision);
   /// The same in space, by a ball.
   glm::dvec3 middle(const glm::dvec3& x) const;
 

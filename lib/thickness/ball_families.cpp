@@ -7,11 +7,16 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <numeric>
+#include <tuple>
+#include <utility>
 
 namespace medial
 {
 namespace
 {
+
+constexpr float kTile = 8.0f;
 
 /// Sorts the ids of simplices and the simplices, and drops repeated ones.
 template <typename Simplex>
@@ -21,6 +26,19 @@ void sortUnique(std::vector<Simplex>& simplices)
     [&](std::size_t s) { std::sort(simplices[s].begin(), simplices[s].end()); });
   tbb::parallel_sort(simplices.begin(), simplices.end());
   simplices.erase(std::unique(simplices.begin(), simplices.end()), simplices.end());
+}
+
+template <typename Simplex>
+void renumber(const std::vector<std::uint32_t>& numbers, std::vector<Simplex>& simplices)
+{
+  tbb::parallel_for(std::size_t{ 0 }, simplices.size(),
+    [&](std::size_t s)
+    {
+      for (std::uint32_t& ball : simplices[s])
+      {
+        ball = numbers[ball];
+      }
+    });
 }
 
 } // namespace
@@ -106,22 +124,60 @@ void BallFamilies::joinQuad(const std::array<std::uint32_t, 4>& quad)
   this->joinTriangle({ quad[from], quad[from + 2], quad[(from + 3) % 4] });
 }
 
-ItemBounds BallFamilies::boundsOf(const Item& item) const
+/// Sets the reach and the length of an item, and returns its bounds.
+ItemBounds BallFamilies::measure(std::uint32_t number)
 {
-  // The corners of its triangles are ends of its edges.
+  Item& item = items_[number];
+  const glm::vec4& common = this->ballOf(item);
   ItemBounds bounds = ItemBounds::nothing();
-  for (std::uint32_t e = item.edgesBegin; e < item.edgesEnd; ++e)
+  bounds.add(glm::dvec3(common), static_cast<double>(common.w));
+  for (std::uint32_t e = item.edgesBegin; e < items_[number + 1].edgesBegin; ++e)
   {
-    for (const std::uint32_t id : edges_[e])
-    {
-      bounds.add(glm::dvec3(balls_[id]), static_cast<double>(balls_[id].w));
-    }
+    const glm::vec4& ball = balls_[edges_[e][1]];
+    bounds.add(glm::dvec3(ball), static_cast<double>(ball.w));
+    item.length = std::max(item.length, this->length(edges_[e][0], edges_[e][1]));
   }
+  for (std::uint32_t t = item.trianglesBegin; t < items_[number + 1].trianglesBegin; ++t)
+  {
+    item.length = std::max(item.length, this->length(triangles_[t][1], triangles_[t][2]));
+  }
+  item.reach = static_cast<float>(bounds.reach);
   return bounds;
+}
+
+/// Sorts the balls by tiles of the grid, so that neighbours are close together in memory, and
+/// merges equal ones.
+void BallFamilies::sortBalls()
+{
+  const glm::vec3 perTile = 1.0f / (kTile * step_);
+  const auto keyOf = [&](const glm::vec4& ball)
+  {
+    const glm::vec3 tile = glm::floor(glm::vec3(ball) * perTile);
+    return std::make_tuple(tile.z, tile.y, tile.x, ball.z, ball.y, ball.x, ball.w);
+  };
+  std::vector<std::uint32_t> order(balls_.size());
+  std::iota(order.begin(), order.end(), 0U);
+  tbb::parallel_sort(order.begin(), order.end(),
+    [&](std::uint32_t a, std::uint32_t b) { return keyOf(balls_[a]) < keyOf(balls_[b]); });
+  std::vector<glm::vec4> sorted;
+  sorted.reserve(balls_.size());
+  std::vector<std::uint32_t> numbers(balls_.size());
+  for (const std::uint32_t ball : order)
+  {
+    if (sorted.empty() || sorted.back() != balls_[ball])
+    {
+      sorted.push_back(balls_[ball]);
+    }
+    numbers[ball] = static_cast<std::uint32_t>(sorted.size() - 1);
+  }
+  balls_ = std::move(sorted);
+  renumber(numbers, edges_);
+  renumber(numbers, triangles_);
 }
 
 void BallFamilies::finish()
 {
+  this->sortBalls();
   sortUnique(edges_);
   sortUnique(triangles_);
   std::uint32_t triangle = 0;
@@ -130,18 +186,17 @@ void BallFamilies::finish()
     const std::uint32_t ball = edges_[e][0];
     if (e == 0 || ball != edges_[e - 1][0])
     {
-      const std::uint32_t begin = triangle;
-      while (triangle < triangles_.size() && triangles_[triangle][0] == ball)
-      {
-        ++triangle;
-      }
-      items_.push_back({ e, e, begin, triangle });
+      items_.push_back({ e, triangle, 0.0f, 0.0f });
     }
-    items_.back().edgesEnd = e + 1;
+    while (triangle < triangles_.size() && triangles_[triangle][0] == ball)
+    {
+      ++triangle;
+    }
   }
-  std::vector<ItemBounds> bounds(items_.size());
-  tbb::parallel_for(std::size_t{ 0 }, items_.size(),
-    [&](std::size_t i) { bounds[i] = this->boundsOf(items_[i]); });
+  items_.push_back({ static_cast<std::uint32_t>(edges_.size()), triangle, 0.0f, 0.0f });
+  std::vector<ItemBounds> bounds(this->itemCount());
+  tbb::parallel_for(std::uint32_t{ 0 }, this->itemCount(),
+    [&](std::uint32_t i) { bounds[i] = this->measure(i); });
   tree_ = std::make_unique<BoundingTree>(bounds);
 }
 

@@ -52,19 +52,23 @@ public:
   /// The items of the tree: the edges and triangles of one ball and balls with larger ids.
   struct Item
   {
-    std::uint32_t edgesBegin;
-    std::uint32_t edgesEnd;
+    std::uint32_t edgesBegin; ///< they end where the next item's begin
     std::uint32_t trianglesBegin;
-    std::uint32_t trianglesEnd;
+    float reach;  ///< largest radius
+    float length; ///< of the longest edge, those across triangles included
   };
-  const std::vector<Item>& items() const { return items_; }
-  ItemBounds boundsOf(const Item& item) const;
+  std::uint32_t itemCount() const { return static_cast<std::uint32_t>(items_.size() - 1); }
+  const Item& item(std::uint32_t number) const { return items_[number]; }
+  /// The ball that all edges and triangles of an item have in common.
+  const glm::vec4& ballOf(const Item& item) const { return balls_[edges_[item.edgesBegin][0]]; }
   const std::vector<Edge>& edges() const { return edges_; }
   const std::vector<Triangle>& triangles() const { return triangles_; }
   const BoundingTree& tree() const { return *tree_; }
 
 private:
   void joinTriangle(const Triangle& triangle);
+  void sortBalls();
+  ItemBounds measure(std::uint32_t number);
   float length(std::uint32_t first, std::uint32_t second) const
   {
     return glm::distance(glm::vec3(balls_[first]), glm::vec3(balls_[second]));
@@ -78,7 +82,7 @@ private:
   std::vector<glm::vec4> balls_;
   std::vector<Edge> edges_;
   std::vector<Triangle> triangles_;
-  std::vector<Item> items_;
+  std::vector<Item> items_; ///< with one behind the last
   std::unique_ptr<BoundingTree> tree_;
 };
 

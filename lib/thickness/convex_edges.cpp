@@ -56,11 +56,16 @@ ConvexEdges::ConvexEdges(const SiteSet& sites, const SharpFeatures& sharp)
   }
 }
 
-bool ConvexEdges::near(const glm::dvec3& x, double distance) const
+bool ConvexEdges::isNear(const glm::dvec3& x, double distance) const
 {
+  if (points_.empty())
+  {
+    return false;
+  }
   const double limit = distance * distance;
   bool found = false;
-  tree_.visitLeaves([&](const Box& box) { return !found && box.squaredDistance(x) <= limit; },
+  tree_.visitLeaves([&](const Box& box)
+    { return !found && box.squaredDistance(x) <= limit * Box::kRoundedUp; },
     [&](const BoxTree::Node& leaf)
     {
       for (int slot = leaf.first; slot < leaf.first + leaf.count; ++slot)
@@ -72,20 +77,20 @@ bool ConvexEdges::near(const glm::dvec3& x, double distance) const
   return found;
 }
 
-bool ConvexEdges::explain(const glm::dvec3& place, const glm::dvec3& normal,
-  const glm::dvec3& opposite, const glm::dvec3& oppositeNormal) const
+bool isExplainedByEdge(const glm::dvec3& place, const glm::dvec3& normal,
+  const glm::dvec3& opposite, const glm::dvec3& oppositeNormal, SurfaceAnswers& surface)
 {
   const double cosine = glm::dot(normal, oppositeNormal);
   const glm::dvec3 rest = oppositeNormal - cosine * normal;
   const double sine = glm::length(rest);
   const double wedge = glm::degrees(std::atan2(sine, -cosine));
-  if (wedge < kMinWedge || wedge > kMaxWedge || points_.empty())
+  if (wedge < kMinWedge || wedge > kMaxWedge)
   {
     return wedge > kMaxWedge;
   }
   // The planes' common line, where it is nearest to the place.
   const double way = glm::dot(oppositeNormal, opposite - place) / sine;
-  return this->near(place + way / sine * rest, kReach * std::abs(way));
+  return surface.nearConvexEdge(place + way / sine * rest, kReach * std::abs(way));
 }
 
 } // namespace medial

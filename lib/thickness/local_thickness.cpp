@@ -5,8 +5,10 @@
 #include "base/run.h"
 #include "base/stopwatch.h"
 #include "field/array_sink.h"
+#include "field/engines/make_engine.h"
+#include "field/field_pipeline.h"
+#include "field/mesh_state.h"
 #include "field/slabs.h"
-#include "medial/compute_distance_field.h"
 #include "medial/error.h"
 #include "pipeline/axis_parts.h"
 #include "thickness/ball_families.h"
@@ -15,6 +17,7 @@
 #include "thickness/thickness_tile.h"
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <string>
 
@@ -35,27 +38,47 @@ constexpr double kBallsDone = 0.5;
 /// Share of that which is done once the field is there.
 constexpr double kFieldDone = 0.6;
 
-/// Passes the progress of another operation on as a part of this one.
-class PartProgress : public Progress
+/// Asks for the distances of one side alone; elsewhere they say only that it is the other.
+class SideSink : public FieldSink
 {
 public:
-  explicit PartProgress(const Run& part)
-    : part_(part)
+  SideSink(FieldSink& sink, Side side)
+    : sink_(sink)
+    , side_(side)
   {
   }
 
-  void report(double fraction, const char* phase) override { part_.report(fraction, phase); }
+  FieldArrays slabArrays(const Extent& slab) override
+  {
+    const FieldArrays arrays = sink_.slabArrays(slab);
+    if (side_ != Side::Both)
+    {
+      std::fill_n(arrays.distance, slab.pointCount(),
+        side_ == Side::Interior ? kFarAway : -kFarAway);
+    }
+    return arrays;
+  }
+
+  void stored(const Extent& slab) override { sink_.stored(slab); }
+  std::size_t bytesPerPoint() const override { return sink_.bytesPerPoint(); }
+  Side side() const override { return side_; }
 
 private:
-  Run part_;
+  static constexpr float kFarAway = std::numeric_limits<float>::max();
+
+  FieldSink& sink_;
+  Side side_;
 };
 
 /// Replaces distances on their way to another sink.
 class ThicknessSink : public FieldSink
 {
 public:
-  ThicknessSink(FieldSink& sink, SlabThickness& thickness, const Run& run, double& seconds)
+  /// @param pipeline that computes the field.
+  ThicknessSink(FieldSink& sink, const FieldPipeline& pipeline, SlabThickness& thickness,
+    const Run& run, double& seconds)
     : sink_(sink)
+    , pipeline_(pipeline)
     , thickness_(thickness)
     , run_(run)
     , seconds_(seconds)
@@ -73,7 +96,8 @@ public:
     {
       const Stopwatch watch(seconds_);
       const Checkpoint checkpoint(run_, 0.0, kPhase);
-      run_.onThreads([&] { thickness_.replace(slab, arrays_.distance, checkpoint); });
+      const SiteQuery& query = pipeline_.query();
+      run_.onThreads([&] { thickness_.replace(slab, query, arrays_.distance, checkpoint); });
     }
     sink_.stored(slab);
   }
@@ -82,6 +106,7 @@ public:
 
 private:
   FieldSink& sink_;
+  const FieldPipeline& pipeline_;
   SlabThickness& thickness_;
   Run run_;
   double& seconds_;
@@ -113,10 +138,12 @@ public:
   }
 
   /// @param sink receives the field; may be null.
-  void makeBalls(FieldSink* sink)
+  /// @param wanted side of it.
+  void makeBalls(FieldSink* sink, Side wanted)
   {
     const Run part = run_.part(0.0, kBallsDone);
-    AxisParts parts(mesh_, connectivity_, grid_, this->axisOptions(), part.part(0.0, kFieldDone));
+    AxisParts& parts =
+      parts_.emplace(mesh_, connectivity_, grid_, this->axisOptions(), part.part(0.0, kFieldDone));
     if (parts.sign() == SignMethod::None)
     {
       throw Error(ErrorCode::InvalidInput,
@@ -125,7 +152,8 @@ public:
     }
     DepthSink inner(grid_, Side::Interior, sink);
     DepthSink outer(grid_, Side::Exterior, &inner);
-    parts.computeField(outer);
+    SideSink sided(outer, wanted);
+    parts.computeField(sided);
     const double middle = options_.side == Side::Both ? 0.5 * (kFieldDone + 1.0) : kFieldDone;
     if (options_.side != Side::Exterior)
     {
@@ -139,6 +167,11 @@ public:
     statistics_.field = parts.statistics();
   }
 
+  /// Exact closest points; after makeBalls().
+  const SiteQuery& query() const { return parts_->query(); }
+  /// Frees the memory of what query() needs.
+  void dropQuery() { parts_.reset(); }
+
   SlabThickness thickness() const
   {
     return { grid_, interior_.of(), exterior_.of(), options_.bins };
@@ -146,12 +179,6 @@ public:
 
   const Run& run() const { return run_; }
   LocalThicknessStatistics& statistics() { return statistics_; }
-  DistanceFieldOptions fieldOptions(Progress& progress) const
-  {
-    DistanceFieldOptions field = options_.field;
-    field.execution.progress = &progress;
-    return field;
-  }
 
   LocalThicknessStatistics finished(const SlabThickness& thickness)
   {
@@ -207,6 +234,7 @@ private:
   const Grid& grid_;
   const LocalThicknessOptions& options_;
   Run run_;
+  std::optional<AxisParts> parts_;
   Balls interior_;
   Balls exterior_;
   LocalThicknessStatistics statistics_;
@@ -226,7 +254,7 @@ LocalThicknessStatistics computeLocalThickness(const TriangleMesh& mesh,
       FieldArrays arrays;
       arrays.distance = values;
       ArraySink sink(grid.wholeExtent(), arrays);
-      work.makeBalls(&sink);
+      work.makeBalls(&sink, options.side);
       SlabThickness thickness = work.thickness();
       {
         const Stopwatch watch(work.statistics().seconds);
@@ -236,8 +264,8 @@ LocalThicknessStatistics computeLocalThickness(const TriangleMesh& mesh,
         {
           const double done = static_cast<double>(slab.min[2]) / grid.dimensions[2];
           const Checkpoint checkpoint(work.run(), kBallsDone + (1.0 - kBallsDone) * done, kPhase);
-          work.run().onThreads(
-            [&] { thickness.replace(slab, values + slab.min[2] * slice, checkpoint); });
+          work.run().onThreads([&]
+            { thickness.replace(slab, work.query(), values + slab.min[2] * slice, checkpoint); });
         }
       }
       return work.finished(thickness);
@@ -246,20 +274,23 @@ LocalThicknessStatistics computeLocalThickness(const TriangleMesh& mesh,
 
 LocalThicknessStatistics computeLocalThickness(const TriangleMesh& mesh,
   const MeshConnectivity& connectivity, const Grid& grid, FieldSink& sink,
-  const LocalThicknessOptions& options)
+  const LocalThicknessOptions& options, FieldSink* field)
 {
   checkOptions(options);
   return withMemoryErrors(grid.pointCount(),
     [&]
     {
       LocalThicknessRun work(mesh, connectivity, grid, options);
-      work.makeBalls(nullptr);
+      work.makeBalls(field, field != nullptr ? Side::Both : options.side);
+      work.dropQuery();
       SlabThickness thickness = work.thickness();
       const Run part = work.run().part(kBallsDone, 1.0);
-      PartProgress progress(part);
-      ThicknessSink replacing(sink, thickness, part, work.statistics().seconds);
-      computeDistanceField(mesh, connectivity, grid, grid.wholeExtent(), replacing,
-        work.fieldOptions(progress));
+      MeshState state;
+      FieldPipeline pipeline(mesh, connectivity, grid, grid.wholeExtent(), options.field,
+        state.orienter, part);
+      ThicknessSink replacing(sink, pipeline, thickness, part, work.statistics().seconds);
+      SideSink sided(replacing, options.side);
+      pipeline.run(obtainEngine(options.field.engine, options.field.device, state.engine), sided);
       return work.finished(thickness);
     });
 }

@@ -20,4 +20,19 @@ struct PlaceValues
   std::vector<char> atEdge;  ///< whether the value is that of a convex edge or tip
 };
 
+/// Number of places in a row that are measured one after the other. It is fixed, so that the result
+/// is, too.
+constexpr std::size_t kPlacesInRow = 64;
+
+/// Returns the place before another in its row whose thickness is the guess there, by their numbers
+/// in the row: one close by, since balls of neighbours are often alike, but never more than six
+/// places in a chain wait for each other. The first of a row has none, and is its own.
+constexpr std::size_t guessedFrom(std::size_t place)
+{
+  return place > 0 ? place & (place - 1) : 0;
+}
+
+/// Keeps the smaller values of two sides.
+void takeSmaller(const PlaceValues& side, PlaceValues& all);
+
 } // namespace medial

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <utility>
 
 namespace medial
 {
@@ -22,8 +24,6 @@ constexpr double kTouching = 0.95;
 /// The same for walls, whose values do not suffer from it: a bar that is as wide as thick touches a
 /// ball between opposite sides in the very middle of a side only.
 constexpr double kTouchingWall = 0.8;
-/// Margin for LocalCoordinates::around().
-constexpr double kMargin = 0.0;
 /// Rays of an edge start this share of the way from it to the middle of each of its faces.
 constexpr double kFromEdge = 1e-6;
 
@@ -33,19 +33,33 @@ double angleOf(const ThicknessOptions& options)
                                                  : options.angle;
 }
 
+/// Returns the features at some points.
+SharpFeatures ofPoints(const SiteSet& sites, const SharpFeatures& sharp,
+  const std::vector<char>& wanted)
+{
+  SharpFeatures result;
+  for (std::size_t point = 0; point < wanted.size(); ++point)
+  {
+    result.points.push_back(sharp.points[point] != 0 && wanted[point] != 0 ? 1 : 0);
+  }
+  std::copy_if(sharp.edges.begin(), sharp.edges.end(), std::back_inserter(result.edges),
+    [&](int edge)
+    { return wanted[sites.edges()[edge][0]] != 0 || wanted[sites.edges()[edge][1]] != 0; });
+  return result;
+}
+
 } // namespace
 
-SideThickness::SideThickness(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
-  const ThicknessOptions& options)
-  : connectivity_(connectivity)
-  , surface_(mesh, connectivity, kMargin)
+SideThickness::SideThickness(const SurfaceQuery& surface, const MeshConnectivity& connectivity,
+  double diagonal, const ThicknessOptions& options, std::vector<char> complete)
+  : surface_(surface)
+  , connectivity_(connectivity)
   , method_(options.method)
   , angle_(angleOf(options))
   , tellsEdges_(options.cells)
-  , diagonal_(mesh.bounds().diagonal() / surface_.local().unit)
+  , diagonal_(diagonal)
+  , complete_(std::move(complete))
   , sites_(surface_.sites())
-  , ball_(surface_, angle_, diagonal_)
-  , bend_(surface_, kMaxBend, diagonal_)
 {
   if (method_ == ThicknessMethod::Ray || angle_ > kMaxBend)
   {
@@ -72,27 +86,21 @@ void SideThickness::face(Side side)
     : sharpFeatures(sites_, connectivity_, inward_, sign_, angle_).points;
   if (tellsEdges_)
   {
-    edges_.emplace(sites_, bends);
+    edges_.emplace(sites_, complete_.empty() ? bends : ofPoints(sites_, bends, complete_));
   }
 }
 
-SideThickness::Value SideThickness::atPoint(int point, double guess) const
+SideThickness::Value SideThickness::atPoint(int point, double guess, SurfaceAnswers& surface) const
 {
   if (inward_[point] == glm::dvec3(0.0))
   {
     return { kNone };
   }
   const TouchingBall::Ray ray{ sites_.points()[point], inward_[point] };
+  const RayStart start{ point, -1 };
   if (method_ == ThicknessMethod::Ray)
   {
-    return sharp_[point]
-      ? this->rayAtEdge(point)
-      : this->rayAt(ray,
-          [&](int face)
-          {
-            const glm::ivec3& corners = sites_.faces()[face];
-            return corners[0] == point || corners[1] == point || corners[2] == point;
-          });
+    return sharp_[point] ? this->rayAtEdge(point, surface) : this->rayAt(ray, start, surface);
   }
   if (sharp_[point])
   {
@@ -102,11 +110,11 @@ SideThickness::Value SideThickness::atPoint(int point, double guess) const
   {
     return { kNone }; // the walls are those of the faces beside it
   }
-  return this->ballAt(ray, kFirstShare * this->shortestEdge(point), guess,
-    [&](int site) { return this->meetsAtPoint(site, point); });
+  return this->ballAt({ ray, start, kFirstShare * this->shortestEdge(point), guess }, surface);
 }
 
-SideThickness::Value SideThickness::atTriangle(int triangle, double guess) const
+SideThickness::Value SideThickness::atTriangle(int triangle, double guess,
+  SurfaceAnswers& surface) const
 {
   const glm::dvec3 inward = this->inwardOfFace(triangle);
   if (inward == glm::dvec3(0.0))
@@ -114,48 +122,50 @@ SideThickness::Value SideThickness::atTriangle(int triangle, double guess) const
     return { kNone };
   }
   const TouchingBall::Ray ray{ this->centreOf(triangle), inward };
+  const RayStart start{ -1, triangle };
   if (method_ == ThicknessMethod::Ray)
   {
-    return this->rayAt(ray, [&](int face) { return face == triangle; });
+    return this->rayAt(ray, start, surface);
   }
-  return this->ballAt(ray, kFirstShare * this->lowestThirdOfHeight(triangle), guess,
-    [&](int site) { return this->belongsToFace(site, triangle); });
+  return this->ballAt({ ray, start, kFirstShare * this->lowestThirdOfHeight(triangle), guess },
+    surface);
 }
 
-template <typename Touches>
-SideThickness::Value SideThickness::ballAt(const TouchingBall::Ray& ray, double first, double guess,
-  const Touches& touches) const
+SideThickness::Value SideThickness::ballAt(const Place& place, SurfaceAnswers& surface) const
 {
-  const double unit = surface_.local().unit;
-  const double position = guess > 0.0 ? kGuess * guess / unit : ball_.reach();
-  const std::optional<TouchingBall::Ball> ball = this->touchingBall(ray, first, position, touches);
+  const TouchingBall::Ray& ray = place.ray;
+  const std::optional<TouchingBall::Ball> ball = this->touchingBall(place, surface);
   if (!ball)
   {
     return { kNone };
   }
   const glm::dvec3 centre = ray.start + ball->position * ray.direction;
-  const bool atEdge = edges_ &&
+  const bool atEdge = tellsEdges_ &&
     (ball->radius == 0.0 ||
-      edges_->explain(ray.start, -ray.direction, ball->opposite,
-        (ball->opposite - centre) / ball->radius));
+      isExplainedByEdge(ray.start, -ray.direction, ball->opposite,
+        (ball->opposite - centre) / ball->radius, surface));
   // The way to the wall through the ball's centre: its diameter, if the ball touches the start.
   const double thickness =
     method_ == ThicknessMethod::Wall ? ball->position + ball->radius : 2.0 * ball->radius;
-  return { thickness * unit, atEdge };
+  return { thickness * surface_.local().unit, atEdge };
 }
 
 /// A ball on the other side of the surface opposite does not touch the start, nor does one that is
 /// not far enough from a wall to touch the start, and sees this wall under less than the angle,
 /// does not count. Neighbouring facets are no such wall.
-template <typename Touches>
-std::optional<TouchingBall::Ball> SideThickness::touchingBall(const TouchingBall::Ray& ray,
-  double first, double guess, const Touches& touches) const
+std::optional<TouchingBall::Ball> SideThickness::touchingBall(const Place& place,
+  SurfaceAnswers& surface) const
 {
+  const auto& [ray, start, first, guess] = place;
+  const auto touches = [this, &from = start](int site) { return this->meets(site, from); };
+  const TouchingBall ball(surface, angle_, diagonal_);
+  const double position = guess > 0.0 ? kGuess * guess / surface_.local().unit : ball.reach();
   if (angle_ <= kMaxBend)
   {
-    return ball_.find(ray, first, guess, touches);
+    return ball.find(ray, first, position, touches);
   }
-  const std::optional<TouchingBall::Ball> bent = bend_.find(ray, first, guess, touches);
+  const std::optional<TouchingBall::Ball> bent =
+    TouchingBall(surface, kMaxBend, diagonal_).find(ray, first, position, touches);
   if (!bent)
   {
     return std::nullopt;
@@ -165,31 +175,32 @@ std::optional<TouchingBall::Ball> SideThickness::touchingBall(const TouchingBall
   {
     TouchingBall::Ray close = ray;
     close.minCloseness = touching * std::min(bent->startCloseness, bent->closeness);
-    const auto exit = opposite_->find(HalfLine(ray.start, ray.direction), sign_,
-      [&](int face) { return touches(face); });
-    const double end = exit ? exit->distance : ball_.reach();
-    return end > bent->position ? ball_.findBehind(close, *bent, end) : std::nullopt;
+    const auto exit =
+      surface.opposite(OppositeSurface::rayFrom(ray.start, ray.direction, diagonal_), start);
+    const double end = exit ? exit->distance : ball.reach();
+    return end > bent->position ? ball.findBehind(close, *bent, end) : std::nullopt;
   }
-  const std::optional<TouchingBall::Ball> ball = ball_.find(ray, first, guess, touches);
-  return ball && ball->closeness >= touching * ball->startCloseness ? ball : std::nullopt;
+  const std::optional<TouchingBall::Ball> found = ball.find(ray, first, position, touches);
+  return found && found->closeness >= touching * found->startCloseness ? found : std::nullopt;
 }
 
-template <typename Skips>
-SideThickness::Value SideThickness::rayAt(const TouchingBall::Ray& ray, const Skips& skips) const
+SideThickness::Value SideThickness::rayAt(const TouchingBall::Ray& ray, const RayStart& start,
+  SurfaceAnswers& surface) const
 {
-  const auto hit = opposite_->find(HalfLine(ray.start, ray.direction), sign_, skips);
-  if (!hit)
+  const std::optional<RayEnd> end =
+    surface.opposite(OppositeSurface::rayFrom(ray.start, ray.direction, diagonal_), start);
+  if (!end)
   {
     return { kNone };
   }
-  const bool atEdge = edges_ &&
-    edges_->explain(ray.start, -ray.direction, ray.start + hit->distance * ray.direction,
-      -this->inwardOfFace(hit->face));
-  return { hit->distance * surface_.local().unit, atEdge };
+  const bool atEdge = tellsEdges_ &&
+    isExplainedByEdge(ray.start, -ray.direction, ray.start + end->distance * ray.direction,
+      sign_ * end->normal, surface);
+  return { end->distance * surface_.local().unit, atEdge };
 }
 
 /// What the rays of the faces that meet at a sharp edge or tip tend to.
-SideThickness::Value SideThickness::rayAtEdge(int point) const
+SideThickness::Value SideThickness::rayAtEdge(int point, SurfaceAnswers& surface) const
 {
   Value least{ kNone };
   const glm::dvec3& tip = sites_.points()[point];
@@ -205,7 +216,7 @@ SideThickness::Value SideThickness::rayAtEdge(int point) const
         continue;
       }
       const glm::dvec3 start = tip + kFromEdge * (this->centreOf(*face) - tip);
-      const Value value = this->rayAt({ start, inward }, [&](int other) { return other == *face; });
+      const Value value = this->rayAt({ start, inward }, RayStart{ -1, *face }, surface);
       least = std::isnan(least.thickness) || value.thickness < least.thickness ? value : least;
     }
   }
@@ -249,6 +260,12 @@ double SideThickness::lowestThirdOfHeight(int face) const
   const double longest =
     std::max({ glm::distance(a, b), glm::distance(b, c), glm::distance(c, a) });
   return glm::length(glm::cross(b - a, c - a)) / longest / 3.0;
+}
+
+bool SideThickness::meets(int site, const RayStart& start) const
+{
+  return start.point >= 0 ? this->meetsAtPoint(site, start.point)
+                          : this->belongsToFace(site, start.face);
 }
 
 bool SideThickness::meetsAtPoint(int site, int point) const

@@ -1,5 +1,6 @@
 #include "thickness/slab_thickness.h"
 
+#include "thickness/ball_ascent.h"
 #include "thickness/thickness_tile.h"
 
 #include <tbb/parallel_for.h>
@@ -7,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <vector>
 
 namespace medial
 {
@@ -14,6 +17,17 @@ namespace
 {
 
 constexpr int kRow = ThicknessTile::kRow;
+/// Gaps between balls are looked at from narrow ones on, so that points get the ball next to them
+/// and not the largest one around: as shares of how far other balls may stick out.
+constexpr float kFirstGap = 1.0f / 32.0f;
+constexpr float kGapFactor = 2.0f;
+/// Smaller balls may be those of tips that are too thin for the axis, if they hold points this near
+/// to the surface, voxels.
+constexpr float kSmall = 0.75f;
+constexpr float kNear = 0.5f;
+/// Points this near to the surface may be in larger balls whose angles are too small for the
+/// families, voxels.
+constexpr float kNearest = 1.0f / 16.0f;
 
 /// Calls visit(point of the tile, point of the slab) for the points of a tile.
 /// @param tile part of a cube of kRow points, which begins at a multiple of kRow on every axis.
@@ -36,36 +50,87 @@ void forPoints(const Extent& tile, const Extent& slab, const Visit& visit)
   }
 }
 
+/// Raises the radii of the points that are only in the balls around themselves, and in others if
+/// these are larger by a factor. Returns the number of those that remain.
+/// @param missing whether a point is one of them.
+int raiseGaps(const BallFamilies& families, const glm::vec3& first, const float* own, float stretch,
+  bool* missing, ThicknessTile& radii)
+{
+  ThicknessTile gaps(families, first);
+  for (int point = 0; point < ThicknessTile::kPoints; ++point)
+  {
+    if (missing[point])
+    {
+      gaps.set(point, own[point]);
+    }
+  }
+  gaps.raise(stretch);
+  int left = 0;
+  for (int point = 0; point < ThicknessTile::kPoints; ++point)
+  {
+    const float radius = gaps.radius(point);
+    // Elsewhere a point in no larger ball is the centre of the largest one.
+    if (missing[point] && radius > own[point] && own[point] <= 2.0f * (stretch - 1.0f) * radius)
+    {
+      radii.set(point, radius);
+      missing[point] = false;
+    }
+    left += missing[point] ? 1 : 0;
+  }
+  return left;
+}
+
 /// Balls with smaller separation angles than those of the families stick out of them. Points there
-/// are in none, near the surface, and get the ball that they stick out of.
+/// are in none, near the surface, and get the ball that they are next to.
 /// @param own radii of the balls around the points; 0 where none is wanted.
 void raiseGaps(const BallFamilies& families, const glm::vec3& first, const float* own,
   ThicknessTile& radii)
 {
-  const float stretch = families.stretch();
-  ThicknessTile gaps(families, first);
+  bool missing[ThicknessTile::kPoints];
   bool any = false;
   for (int point = 0; point < ThicknessTile::kPoints; ++point)
   {
-    if (own[point] > 0.0f && radii.radius(point) == own[point])
-    {
-      gaps.set(point, own[point]);
-      any = true;
-    }
+    missing[point] = own[point] > 0.0f && radii.radius(point) == own[point];
+    any = any || missing[point];
   }
-  if (!any)
+  for (float share = kFirstGap; any && share <= 1.0f; share *= kGapFactor)
   {
-    return;
+    const float stretch = 1.0f + share * (families.stretch() - 1.0f);
+    any = raiseGaps(families, first, own, stretch, missing, radii) > 0;
   }
-  gaps.raise(stretch);
+}
+
+/// Raises the radii of points where the families lack balls: in tips, beyond the last grid edge
+/// that the axis crosses, and right at the surface. What is found for one point helps with others
+/// of the same slice alone: slabs may cut between slices.
+/// @param corner first grid point of the tile.
+/// @param own radii of the balls around the points; 0 where none is wanted.
+void raiseNearSurface(const SiteQuery& query, const GridFrame& frame, const glm::ivec3& corner,
+  const float* own, ThicknessTile& radii)
+{
+  std::optional<BallAscent> ascent;
+  int slice = -1;
   for (int point = 0; point < ThicknessTile::kPoints; ++point)
   {
-    // Elsewhere a point in no larger ball is the centre of the largest one.
-    const float radius = gaps.radius(point);
-    if (own[point] > 0.0f && radii.radius(point) == own[point] &&
-      own[point] <= 2.0f * (stretch - 1.0f) * radius)
+    const float radius = radii.radius(point);
+    const bool inTip = own[point] <= kNear && radius <= std::max(kSmall, own[point]);
+    if (!(own[point] > 0.0f) || (!inTip && own[point] > kNearest))
     {
-      radii.set(point, radius);
+      continue;
+    }
+    const glm::ivec3 place = ThicknessTile::place(point);
+    if (place.z != slice)
+    {
+      slice = place.z;
+      ascent.emplace(query, frame);
+    }
+    const auto ball = ascent->largerBallAround(frame.sample(glm::dvec3(corner + place)),
+      static_cast<double>(radius));
+    if (ball)
+    {
+      const auto larger = static_cast<float>(ball->radius);
+      radii.raise(glm::vec3(ball->centre - frame.first), larger, slice);
+      radii.set(point, std::max(radii.radius(point), roundedRadius(larger)));
     }
   }
 }
@@ -102,7 +167,7 @@ void SlabThickness::Sums::add(const Sums& other)
 
 SlabThickness::SlabThickness(const Grid& grid, const SideBalls& interior, const SideBalls& exterior,
   int bins)
-  : grid_(grid)
+  : frame_(grid)
   , interior_(interior)
   , exterior_(exterior)
   , bins_(bins)
@@ -111,7 +176,8 @@ SlabThickness::SlabThickness(const Grid& grid, const SideBalls& interior, const 
   sums_.exterior.histogram.resize(bins);
 }
 
-void SlabThickness::replace(const Extent& slab, float* values, const Checkpoint& checkpoint)
+void SlabThickness::replace(const Extent& slab, const SiteQuery& query, float* values,
+  const Checkpoint& checkpoint)
 {
   const auto tilesAlong = [&](int axis)
   { return slab.max[axis] / kRow - slab.min[axis] / kRow + 1; };
@@ -130,7 +196,7 @@ void SlabThickness::replace(const Extent& slab, float* values, const Checkpoint&
         tile.min[axis] = std::max(first, slab.min[axis]);
         tile.max[axis] = std::min(first + kRow - 1, slab.max[axis]);
       }
-      this->replaceTile(tile, slab, values);
+      this->replaceTile(tile, slab, query, values);
     });
   const std::int64_t slice = static_cast<std::int64_t>(slab.size(0)) * slab.size(1);
   std::vector<SliceSums> sums(slab.size(2));
@@ -143,7 +209,8 @@ void SlabThickness::replace(const Extent& slab, float* values, const Checkpoint&
   }
 }
 
-void SlabThickness::replaceTile(const Extent& tile, const Extent& slab, float* values) const
+void SlabThickness::replaceTile(const Extent& tile, const Extent& slab, const SiteQuery& query,
+  float* values) const
 {
   float distances[ThicknessTile::kPoints];
   forPoints(tile, slab,
@@ -154,20 +221,22 @@ void SlabThickness::replaceTile(const Extent& tile, const Extent& slab, float* v
     });
   if (interior_.families != nullptr)
   {
-    this->replaceSide(tile, slab, *interior_.families, -1.0f, distances, values);
+    this->replaceSide(tile, slab, query, interior_, -1.0f, distances, values);
   }
   if (exterior_.families != nullptr)
   {
-    this->replaceSide(tile, slab, *exterior_.families, 1.0f, distances, values);
+    this->replaceSide(tile, slab, query, exterior_, 1.0f, distances, values);
   }
 }
 
 /// @param sign of the distances on this side.
-void SlabThickness::replaceSide(const Extent& tile, const Extent& slab,
-  const BallFamilies& families, float sign, const float* distances, float* values) const
+void SlabThickness::replaceSide(const Extent& tile, const Extent& slab, const SiteQuery& query,
+  const SideBalls& side, float sign, const float* distances, float* values) const
 {
-  const glm::vec3 first = glm::vec3(tile.min[0] / kRow, tile.min[1] / kRow, tile.min[2] / kRow) *
-    static_cast<float>(kRow) * families.step();
+  const BallFamilies& families = *side.families;
+  const glm::ivec3 corner =
+    glm::ivec3(tile.min[0] / kRow, tile.min[1] / kRow, tile.min[2] / kRow) * kRow;
+  const glm::vec3 first = glm::vec3(corner) * families.step();
   ThicknessTile radii(families, first);
   const auto perUnit = static_cast<float>(1.0 / families.unit());
   float own[ThicknessTile::kPoints] = {};
@@ -188,13 +257,15 @@ void SlabThickness::replaceSide(const Extent& tile, const Extent& slab,
   }
   radii.raise();
   raiseGaps(families, first, own, radii);
-  const auto diameter = static_cast<float>(-2.0 * static_cast<double>(sign) * families.unit());
+  raiseNearSurface(query, frame_, corner, own, radii);
+  const auto diameter = static_cast<float>(2.0 * families.unit());
   forPoints(tile, slab,
     [&](int point, std::int64_t place)
     {
       if (sign * distances[point] > 0.0f)
       {
-        values[place] = radii.radius(point) * diameter;
+        // No ball is larger but for rounding.
+        values[place] = -sign * std::min(radii.radius(point) * diameter, side.end);
       }
     });
 }

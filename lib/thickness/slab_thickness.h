@@ -1,8 +1,10 @@
 #pragma once
 
 #include "base/checkpoint.h"
+#include "culling/site_query.h"
 #include "medial/grid.h"
 #include "medial/local_thickness.h"
+#include "sites/grid_frame.h"
 #include "thickness/ball_families.h"
 
 #include <cstdint>
@@ -27,7 +29,9 @@ public:
 
   /// Replaces the signed distances of a slab, world units. Slabs come in ascending order and cut
   /// the grid. Uses the threads of the current arena.
-  void replace(const Extent& slab, float* values, const Checkpoint& checkpoint);
+  /// @param query in local coordinates of the grid.
+  void replace(const Extent& slab, const SiteQuery& query, float* values,
+    const Checkpoint& checkpoint);
 
   /// Of all slabs so far; nothing for a side that is not wanted.
   std::optional<LocalThicknessSummary> interior() const;
@@ -53,13 +57,14 @@ private:
     Sums exterior;
   };
 
-  void replaceTile(const Extent& tile, const Extent& slab, float* values) const;
-  void replaceSide(const Extent& tile, const Extent& slab, const BallFamilies& families, float sign,
-    const float* distances, float* values) const;
+  void replaceTile(const Extent& tile, const Extent& slab, const SiteQuery& query,
+    float* values) const;
+  void replaceSide(const Extent& tile, const Extent& slab, const SiteQuery& query,
+    const SideBalls& side, float sign, const float* distances, float* values) const;
   SliceSums sumsOf(const float* values, std::int64_t count) const;
   std::optional<LocalThicknessSummary> summary(const SideBalls& side, const Sums& sums) const;
 
-  Grid grid_;
+  GridFrame frame_;
   SideBalls interior_;
   SideBalls exterior_;
   int bins_;

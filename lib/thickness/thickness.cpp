@@ -12,6 +12,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -27,9 +28,7 @@ namespace
 
 constexpr const char* kPhase = "thickness";
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-/// Number of places in a row that one thread handles. It is fixed, so that the result is, too.
-constexpr std::size_t kRow = 64;
-/// Minimum number of such rows between two reports of progress, and maximum number of reports.
+/// Minimum number of rows of places between two reports of progress, and maximum number of reports.
 constexpr std::size_t kMinRows = 8;
 constexpr std::size_t kMaxReports = 100;
 
@@ -48,20 +47,21 @@ template <typename At>
 PlaceValues measurePlaces(std::size_t count, const Run& run, const At& at)
 {
   PlaceValues places(count);
-  // The result at one place is the guess for the next, since their balls are often alike.
   const auto evaluate = [&](std::size_t first, std::size_t end)
   {
-    double guess = 0.0;
+    std::array<double, kPlacesInRow> guesses{};
     for (std::size_t place = first; place < end; ++place)
     {
+      double& guess = guesses[place - first];
+      guess = guesses[guessedFrom(place - first)];
       const SideThickness::Value value = at(static_cast<int>(place), guess);
       places.values[place] = static_cast<float>(value.thickness);
       places.atEdge[place] = value.atEdge ? 1 : 0;
       guess = value.thickness > 0.0 ? value.thickness : guess;
     }
   };
-  const std::size_t rows = std::max(kMinRows, count / kRow / kMaxReports + 1);
-  for (std::size_t first = 0; first < count; first += rows * kRow)
+  const std::size_t rows = std::max(kMinRows, count / kPlacesInRow / kMaxReports + 1);
+  for (std::size_t first = 0; first < count; first += rows * kPlacesInRow)
   {
     run.report(static_cast<double>(first) / static_cast<double>(count), kPhase);
     run.onThreads(
@@ -70,25 +70,12 @@ PlaceValues measurePlaces(std::size_t count, const Run& run, const At& at)
         tbb::parallel_for(std::size_t{ 0 }, rows,
           [&](std::size_t row)
           {
-            const std::size_t start = first + row * kRow;
-            evaluate(start, std::min(start + kRow, count));
+            const std::size_t start = first + row * kPlacesInRow;
+            evaluate(start, std::min(start + kPlacesInRow, count));
           });
       });
   }
   return places;
-}
-
-/// Keeps the smaller values of two sides.
-void takeSmaller(const PlaceValues& side, PlaceValues& all)
-{
-  for (std::size_t place = 0; place < side.values.size(); ++place)
-  {
-    if (std::isnan(all.values[place]) || side.values[place] < all.values[place])
-    {
-      all.values[place] = side.values[place];
-      all.atEdge[place] = side.atEdge[place];
-    }
-  }
 }
 
 struct AllValues
@@ -100,13 +87,14 @@ struct AllValues
 void measureSide(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
   const ThicknessOptions& options, const SideThickness& thickness, const Run& run, AllValues& all)
 {
+  OwnSurface surface = thickness.own();
   const bool walls = options.method == ThicknessMethod::Wall;
   const bool triangles = options.cells || walls;
   PlaceValues points = measurePlaces(mesh.points.size(), run.part(0.0, triangles ? 1.0 / 3.0 : 1.0),
-    [&](int point, double guess) { return thickness.atPoint(point, guess); });
+    [&](int point, double guess) { return thickness.atPoint(point, guess, surface); });
   PlaceValues centres =
     measurePlaces(triangles ? mesh.triangles.size() : 0, run.part(1.0 / 3.0, walls ? 0.95 : 1.0),
-      [&](int triangle, double guess) { return thickness.atTriangle(triangle, guess); });
+      [&](int triangle, double guess) { return thickness.atTriangle(triangle, guess, surface); });
   if (walls)
   {
     extendWalls(mesh, connectivity, Checkpoint(run, 0.95, kPhase), points, centres);
@@ -121,8 +109,15 @@ AllValues compute(const TriangleMesh& mesh, const MeshConnectivity& connectivity
   const bool triangles = options.cells || options.method == ThicknessMethod::Wall;
   AllValues all{ PlaceValues(mesh.points.size()),
     PlaceValues(triangles ? mesh.triangles.size() : 0) };
+  std::optional<SurfaceQuery> surface;
   std::optional<SideThickness> thickness;
-  run.onThreads([&] { thickness.emplace(mesh, connectivity, options); });
+  run.onThreads(
+    [&]
+    {
+      surface.emplace(mesh, connectivity, SideThickness::kMargin);
+      thickness.emplace(*surface, connectivity, mesh.bounds().diagonal() / surface->local().unit,
+        options);
+    });
   const bool both = options.side == Side::Both;
   if (options.side != Side::Exterior)
   {
@@ -142,6 +137,7 @@ void summarise(Thickness& thickness)
   std::vector<float> present;
   std::copy_if(thickness.values.begin(), thickness.values.end(), std::back_inserter(present),
     [](float value) { return !std::isnan(value); });
+  thickness.points = static_cast<std::int64_t>(thickness.values.size());
   thickness.without = static_cast<std::int64_t>(thickness.values.size() - present.size());
   thickness.min = thickness.median = thickness.max = kNone;
   if (!present.empty())

@@ -4,6 +4,7 @@
 #include "base/disjoint_sets.h"
 #include "medial/error.h"
 #include "sign/sign_choice.h"
+#include "thickness/limits.h"
 
 #include <glm/glm.hpp>
 
@@ -21,32 +22,11 @@ namespace
 /// Values are single precision: this share beyond a limit is rounding.
 constexpr double kRounding = 1e-6;
 
-enum class Beyond : char
-{
-  Nothing,
-  Min,
-  Max
-};
-
 std::string textOf(double value)
 {
   std::ostringstream text;
   text << value;
   return text.str();
-}
-
-Beyond beyondOf(float value, bool atEdge, const ThicknessLimits& limits)
-{
-  const auto thickness = static_cast<double>(value);
-  if (std::isnan(thickness) || atEdge)
-  {
-    return Beyond::Nothing;
-  }
-  if (limits.min && thickness < *limits.min * (1.0 - kRounding))
-  {
-    return Beyond::Min;
-  }
-  return limits.max && thickness > *limits.max * (1.0 + kRounding) ? Beyond::Max : Beyond::Nothing;
 }
 
 glm::dvec3 positionOf(const TriangleMesh& mesh, int point)
@@ -162,36 +142,22 @@ void checkThicknessLimits(const ThicknessLimits& limits)
   }
 }
 
-void requireInside(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
-  const Execution& execution)
+Beyond beyondOf(float value, bool atEdge, const ThicknessLimits& limits)
 {
-  if (connectivity.closed())
+  const auto thickness = static_cast<double>(value);
+  if (std::isnan(thickness) || atEdge)
   {
-    return;
+    return Beyond::Nothing;
   }
-  constexpr int kResolution = 32;
-  const Run run(execution);
-  const Checkpoint checkpoint(run, 0.0, "thickness");
-  run.onThreads(
-    [&]
-    {
-      const Grid grid = makeGrid(mesh.bounds(), kResolution);
-      SurfaceOrienter orienter;
-      const SignChoice sign(SignMethod::Auto, mesh, connectivity, grid, GridFrame(grid), orienter,
-        checkpoint);
-      if (sign.report().method == SignMethod::None)
-      {
-        throw Error(ErrorCode::InvalidInput,
-          "limits of the thickness of one side need a mesh with an inside; " +
-            sign.report().reason);
-      }
-    });
+  if (limits.min && thickness < *limits.min * (1.0 - kRounding))
+  {
+    return Beyond::Min;
+  }
+  return limits.max && thickness > *limits.max * (1.0 + kRounding) ? Beyond::Max : Beyond::Nothing;
 }
 
-std::vector<ThicknessRegion> findThicknessRegions(const TriangleMesh& mesh,
-  const Thickness& thickness, const ThicknessLimits& limits)
+void requireValuesOf(const TriangleMesh& mesh, const Thickness& thickness)
 {
-  checkThicknessLimits(limits);
   const std::size_t triangles = mesh.triangles.size();
   if (thickness.triangleValues.size() != triangles ||
     thickness.triangleAtEdge.size() != triangles || thickness.values.size() != mesh.points.size() ||
@@ -202,6 +168,49 @@ std::vector<ThicknessRegion> findThicknessRegions(const TriangleMesh& mesh,
         " triangles, the mesh has " + std::to_string(triangles) +
         "; ThicknessOptions::cells must be on");
   }
+}
+
+Grid gridForInside(const Bounds& bounds)
+{
+  constexpr int kResolution = 32;
+  return makeGrid(bounds, kResolution);
+}
+
+void requireSign(const SignReport& sign)
+{
+  if (sign.method == SignMethod::None)
+  {
+    throw Error(ErrorCode::InvalidInput,
+      "limits of the thickness of one side need a mesh with an inside; " + sign.reason);
+  }
+}
+
+void requireInside(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
+  const Execution& execution)
+{
+  if (connectivity.closed())
+  {
+    return;
+  }
+  const Run run(execution);
+  const Checkpoint checkpoint(run, 0.0, "thickness");
+  run.onThreads(
+    [&]
+    {
+      const Grid grid = gridForInside(mesh.bounds());
+      SurfaceOrienter orienter;
+      const SignChoice sign(SignMethod::Auto, mesh, connectivity, grid, GridFrame(grid), orienter,
+        checkpoint);
+      requireSign(sign.report());
+    });
+}
+
+std::vector<ThicknessRegion> findThicknessRegions(const TriangleMesh& mesh,
+  const Thickness& thickness, const ThicknessLimits& limits)
+{
+  checkThicknessLimits(limits);
+  requireValuesOf(mesh, thickness);
+  const std::size_t triangles = mesh.triangles.size();
   std::vector<Beyond> beyond(triangles);
   for (std::size_t i = 0; i < triangles; ++i)
   {

@@ -1,52 +1,56 @@
 #pragma once
 
 #include "thickness/ball_families.h"
+#include "thickness/ball_rows.h"
 
 #include <glm/glm.hpp>
 
 #include <cstdint>
+#include <vector>
 
 namespace medial
 {
-
-/// Rounds a radius, in units of the finest spacing, to 1/512. Then the largest of many radii does
-/// not depend on which of nearly equal ones were left out.
-float roundedRadius(float radius);
 
 /// The largest radii of inscribed balls that contain the grid points of a cube.
 class ThicknessTile
 {
 public:
-  static constexpr int kRow = 8;
-  static constexpr int kRows = kRow * kRow;
-  static constexpr int kPoints = kRows * kRow;
+  static constexpr int kRow = kRowLength;
+  static constexpr int kPoints = kTilePoints;
 
   static int index(int i, int j, int k) { return (k * kRow + j) * kRow + i; }
+  /// The inverse.
+  static glm::ivec3 place(int index)
+  {
+    return { index % kRow, index / kRow % kRow, index / (kRow * kRow) };
+  }
 
   /// @param first position of the first grid point, as in the families.
   ThicknessTile(const BallFamilies& families, const glm::vec3& first);
 
   /// Sets the radius of a ball that contains a point. Points without a ball are not wanted.
-  void set(int index, float radius) { radius_[index] = radius; }
-  float radius(int index) const { return radius_[index]; }
+  void set(int index, float radius) { radii_.radius[index] = radius; }
+  float radius(int index) const { return radii_.radius[index]; }
 
+  /// Raises the radii of the points of a slice that are in a ball to its own.
+  /// @param centre as in the families.
+  void raise(const glm::vec3& centre, float radius, int slice);
   /// Raises the radii to those of the largest balls of the families.
   /// @param stretch balls contain a point if they do when they are larger by this factor, >= 1.
   void raise(float stretch = 1.0f);
 
 private:
-  using RowMask = std::uint64_t; ///< bit 8 k + j for the row (j, k)
-
-  void updateRow(int row);
-  void updateLimit();
-  /// The rows with points that balls with centres in a box and this radius could raise.
-  RowMask rowsReached(const ItemBounds& bounds) const;
-  void raiseBy(const BallFamilies::Item& item, RowMask rows);
+  float reachOf(float radius) const { return radius * stretch_ + kBallMargin; }
+  RowMask rowsReached(const glm::vec3& low, const glm::vec3& high, float radius) const;
+  RowMask raiseByBall(const BallFamilies::Item& item);
+  RowMask rowsNear(std::uint32_t number, RowMask rows);
+  void raiseBy(std::uint32_t number, RowMask rows);
+  void update(RowMask changed);
 
   const BallFamilies& families_;
   glm::vec3 first_;
-  alignas(32) float radius_[kPoints];
-  alignas(32) float rowMin_[kRows]; ///< smallest radius in a row
+  TileRadii radii_;
+  std::vector<glm::vec4> balls_; ///< of an item, with the squares of their radii
   float stretch_ = 1.0f;
   double limit_ = 0.0; ///< negative of the smallest radius of all
 };

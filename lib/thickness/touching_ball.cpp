@@ -33,7 +33,7 @@ double distanceAt(const glm::dvec3& direction, double t, const glm::dvec3& point
 
 } // namespace
 
-TouchingBall::TouchingBall(const SurfaceQuery& surface, double angle, double diagonal)
+TouchingBall::TouchingBall(SurfaceAnswers& surface, double angle, double diagonal)
   : surface_(surface)
   , cosine_(std::cos(glm::radians(angle)))
   , certain_(std::cos(glm::radians(std::min(angle + kMargin, 180.0))))

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "query/surface_query.h"
+#include "thickness/surface_answers.h"
 
 #include <glm/glm.hpp>
 
@@ -26,11 +26,11 @@ namespace medial
 class TouchingBall
 {
 public:
-  /// @param surface must outlive this.
+  /// @param surface answers about the surface, and must outlive this.
   /// @param angle minimum separation angle, degrees, in (0, 180).
   /// @param diagonal of the bounds of the mesh, local units: the largest distance of two surface
   ///   points.
-  TouchingBall(const SurfaceQuery& surface, double angle, double diagonal);
+  TouchingBall(SurfaceAnswers& surface, double angle, double diagonal);
 
   struct Ray
   {
@@ -105,7 +105,7 @@ private:
   std::optional<Ball> split(const Ray& ray, const Interval& interval,
     std::vector<Interval>& pending) const;
 
-  const SurfaceQuery& surface_;
+  SurfaceAnswers& surface_;
   double cosine_;
   double certain_; ///< cosine
   double reach_;

@@ -1,5 +1,7 @@
 #include "thinning/cubical_complex.h"
 
+#include "base/huge_pages.h"
+
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -31,7 +33,7 @@ void add(CubeCellSteps& steps, CubeCell step)
 CubicalComplex::CubicalComplex(const glm::ivec3& size)
   : size_(size)
   , stride_{ 1, size.x, static_cast<std::int64_t>(size.x) * size.y }
-  , bits_(static_cast<std::size_t>(stride_[2]) * size.z, std::uint8_t{ 0 })
+  , bits_(largeVector<std::uint8_t>(static_cast<std::size_t>(stride_[2]) * size.z))
 {
   for (int kind = 0; kind < kCubeCellKinds; ++kind)
   {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/huge_pages.h"
+
 #include <glm/glm.hpp>
 
 #include <algorithm>
@@ -160,8 +162,8 @@ public:
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
   explicit CellRanks(const CubicalComplex& complex)
-    : cells_((complex.positions() + kTogether - 1) / kTogether)
-    , before_(cells_.size())
+    : cells_(largeVector<std::uint64_t>((complex.positions() + kTogether - 1) / kTogether))
+    , before_(largeVector<std::uint32_t>(cells_.size()))
   {
   }
 

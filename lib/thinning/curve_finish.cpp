@@ -7,6 +7,7 @@
 #include "sites/closest_point.h"
 #include "thinning/sound_cells.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -27,6 +28,10 @@ constexpr double kMinReach = 6.0;
 constexpr double kReachOfRadius = 0.75;
 constexpr int kMaxReach = 100;
 constexpr int kPasses = 2;
+/// How near to the widest place of a cross-section a point is moved, voxels, before the last pass
+/// and in it.
+constexpr double kCoarse = 0.1;
+constexpr double kFine = 0.005;
 /// Points that are farther from where thinning has left them, in voxels, have lost their way.
 constexpr double kFarthest = 4.0;
 /// Points at free ends that are placed anew, and by how much they may lengthen the curve, voxels.
@@ -140,7 +145,7 @@ public:
     for (int pass = 0; pass < kPasses; ++pass)
     {
       this->placeEnds(free);
-      this->centre(reaches, curve);
+      this->centre(reaches, pass + 1 == kPasses ? kFine : kCoarse, curve);
       moveTo(smoothed(curve, reaches), curve);
     }
     this->placeEnds(free);
@@ -201,11 +206,11 @@ private:
   }
 
   /// Moves points to the widest places of their cross-sections.
-  void centre(const std::vector<int>& reaches, Curve& curve) const
+  void centre(const std::vector<int>& reaches, double precision, Curve& curve) const
   {
     const std::vector<CurvePoint> fitted = smoothed(curve, reaches);
-    tbb::parallel_for(std::size_t{ 0 }, fitted.size(),
-      [&](std::size_t i)
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, fitted.size()),
+      [&](const tbb::blocked_range<std::size_t>& range)
       {
         SitePoint known;
         const auto closest = [&](const glm::dvec3& x)
@@ -214,9 +219,12 @@ private:
           known = geometry_.query.closest(x, known);
           return known.point;
         };
-        if (geometry_.insideGrid(curve.points[i]))
+        for (std::size_t i = range.begin(); i < range.end(); ++i)
         {
-          curve.points[i] = widestPlace(curve.points[i], fitted[i].tangent, closest);
+          if (geometry_.insideGrid(curve.points[i]))
+          {
+            curve.points[i] = widestPlace(curve.points[i], fitted[i].tangent, precision, closest);
+          }
         }
       });
   }

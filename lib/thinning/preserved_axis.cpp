@@ -167,11 +167,11 @@ PreservedAxis preserveTopology(const ThinningInput& input, const AxisGeometry& g
     reduceToCore(depth, selection, anchored, geometry.checkpoint, voxels, solid);
     VoxelMask().swap(voxels);
     thin(solid, anchored, depth, geometry, input.closestSites, selection, samples);
-    ThinnedAxis cells =
-      thinnedAxis(solid, depth, { geometry, input.closestSites }, input.representation, samples);
+    ThinnedAxis cells = thinnedAxis(solid, depth, { geometry, input.closestSites },
+      { sheets, selection.indices }, input.representation, samples);
     if (input.representation == Representation::Surface)
     {
-      finishRims(geometry, sheets, selection.indices, cells);
+      finishRims(geometry, sheets, cells);
       finishCurves(geometry, cells);
     }
     append(cells, axis.cells);

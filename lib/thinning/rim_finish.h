@@ -16,8 +16,6 @@ namespace medial
 ///
 /// Only points move, so the topology stays. Those that would leave a cell without area or length
 /// go back to their places.
-/// @param selected for each sample of the solid its index in the selection.
-void finishRims(const AxisGeometry& geometry, const SheetSelection& sheets,
-  const std::vector<std::size_t>& selected, ThinnedAxis& axis);
+void finishRims(const AxisGeometry& geometry, const SheetSelection& sheets, ThinnedAxis& axis);
 
 } // namespace medial

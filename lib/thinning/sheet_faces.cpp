@@ -1,6 +1,7 @@
 #include "thinning/sheet_faces.h"
 
-#include "axis/sheet_fit.h"
+#include "axis/sheet_match.h"
+#include "base/huge_pages.h"
 
 #include <tbb/parallel_for.h>
 
@@ -69,7 +70,7 @@ bool isWide(const CubicalComplex& complex, const AxisSamples& samples, CubeCell 
 std::vector<std::uint8_t> innerPoints(const CubicalComplex& complex, const AxisSamples& samples)
 {
   const std::vector<CubeCell> vertices = cellsOf(complex, kVertexKind);
-  std::vector<std::uint8_t> inner(complex.positions(), 0);
+  std::vector<std::uint8_t> inner = largeVector<std::uint8_t>(complex.positions());
   tbb::parallel_for(std::size_t{ 0 }, vertices.size(),
     [&](std::size_t i)
     {
@@ -88,73 +89,79 @@ bool isInSheet(const CubicalComplex& complex, const std::vector<std::uint8_t>& i
   return (inner[corner] | inner[corner + u] | inner[corner + v] | inner[corner + u + v]) != 0;
 }
 
+/// Calls visit(face) for the faces of a complex that share an edge with one, and for itself.
+template <typename Visit>
+void forEachBeside(const CubicalComplex& complex, CubeCell face, const Visit& visit)
+{
+  for (const CubeCell toEdge : complex.faces(CubicalComplex::kind(face)))
+  {
+    const CubeCell edge = face + toEdge;
+    for (const CubeCell toFace : complex.cofaces(CubicalComplex::kind(edge)))
+    {
+      if (complex.has(edge + toFace))
+      {
+        visit(edge + toFace);
+      }
+    }
+  }
+}
+
 /// Adds exact faces that are joined to sheets through edges, directly or through others.
 /// @param inSheet for each face not 0 if it is part of a sheet.
 void addJoined(const CubicalComplex& complex, const std::vector<CubeCell>& faces,
   const AxisSamples& samples, const std::vector<std::uint8_t>& exact,
   std::vector<std::uint8_t>& inSheet)
 {
-  constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
-  std::vector<std::size_t> others(exact.size(), kNone); // faces by their samples
-  std::size_t left = 0;
-  std::vector<CubeCell> front;
+  constexpr std::size_t kSheet = std::numeric_limits<std::size_t>::max();
+  constexpr std::size_t kNeither = kSheet - 1;
+  std::vector<std::size_t> others(exact.size(), kNeither); // faces by their samples
+  std::vector<std::size_t> open;
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
+    const auto sample = static_cast<std::size_t>(samples.find(faces[i]));
     if (inSheet[i] != 0)
     {
-      front.push_back(faces[i]);
-      continue;
+      others[sample] = kSheet;
     }
-    const auto sample = static_cast<std::size_t>(samples.find(faces[i]));
-    if (exact[sample] != 0)
+    else if (exact[sample] != 0)
     {
       others[sample] = i;
-      ++left;
+      open.push_back(i);
     }
   }
-  for (std::size_t k = 0; k < front.size() && left > 0; ++k)
+  const auto at = [&](CubeCell face)
   {
-    const CubeCell face = front[k];
-    for (const CubeCell toEdge : complex.faces(CubicalComplex::kind(face)))
+    const int sample = samples.find(face);
+    return sample == AxisSamples::kNone ? kNeither : others[static_cast<std::size_t>(sample)];
+  };
+  std::vector<std::size_t> front;
+  const auto join = [&](std::size_t i)
+  {
+    inSheet[i] = 1;
+    others[static_cast<std::size_t>(samples.find(faces[i]))] = kSheet;
+    front.push_back(i);
+  };
+  for (const std::size_t i : open)
+  {
+    bool beside = false;
+    forEachBeside(complex, faces[i], [&](CubeCell face) { beside |= at(face) == kSheet; });
+    if (beside)
     {
-      const CubeCell edge = face + toEdge;
-      for (const CubeCell toFace : complex.cofaces(CubicalComplex::kind(edge)))
-      {
-        const int sample = samples.find(edge + toFace);
-        const std::size_t other =
-          sample == AxisSamples::kNone ? kNone : others[static_cast<std::size_t>(sample)];
-        if (other != kNone && inSheet[other] == 0)
-        {
-          inSheet[other] = 1;
-          --left;
-          front.push_back(edge + toFace);
-        }
-      }
+      join(i);
     }
   }
-}
-
-/// Directions from a point to its closest pair.
-struct Directions
-{
-  glm::dvec3 towardsA;
-  glm::dvec3 towardsB;
-};
-
-Directions directionsOf(const BisectorPoint& point)
-{
-  return { glm::normalize(point.a.point - point.position),
-    glm::normalize(point.b.point - point.position) };
-}
-
-/// Whether two faces that share a corner are on one sheet, as far as their directions tell.
-bool alike(const Directions& one, const Directions& other)
-{
-  static const double limit = std::cos(2.0 * glm::radians(SheetFitter::kMaxTurn));
-  const auto near = [](const glm::dvec3& a, const glm::dvec3& b)
-  { return glm::dot(a, b) >= limit; };
-  return (near(one.towardsA, other.towardsA) && near(one.towardsB, other.towardsB)) ||
-    (near(one.towardsA, other.towardsB) && near(one.towardsB, other.towardsA));
+  for (std::size_t k = 0; k < front.size(); ++k)
+  {
+    forEachBeside(complex, faces[front[k]],
+      [&](CubeCell face)
+      {
+        const std::size_t other = at(face);
+        if (other < kNeither)
+        {
+          join(other);
+        }
+      });
+  }
 }
 
 /// Whether a face is a small piece of a sheet: its bisector is exact, and all faces at its corners
@@ -167,7 +174,7 @@ bool isPiece(const CubicalComplex& complex, const AxisSamples& samples,
   {
     return false;
   }
-  const Directions here = directionsOf(samples.point(sample));
+  const PairDirections here = directionsOf(samples.point(sample));
   const int axis = CubicalComplex::kind(face) - kFaceKind;
   const CubeCell corner = face - CubicalComplex::kind(face);
   const CubeCell u = 8 * complex.stride((axis + 1) % 3);
@@ -177,7 +184,7 @@ bool isPiece(const CubicalComplex& complex, const AxisSamples& samples,
     for (const CubeCell other : facesAround(complex, vertex))
     {
       const int there = complex.has(other) ? samples.find(other) : AxisSamples::kNone;
-      if (there != AxisSamples::kNone && !alike(here, directionsOf(samples.point(there))))
+      if (there != AxisSamples::kNone && !onOneSheet(here, directionsOf(samples.point(there))))
       {
         return false;
       }

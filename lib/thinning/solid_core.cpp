@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <functional>
 #include <queue>
 #include <utility>
@@ -53,6 +54,37 @@ MEDIAL_VECTORISED void findSimple(const SharedCells& shared, const std::uint32_t
   }
 }
 
+/// Marks the voxels of a row that have neighbours outside the solid on opposite sides.
+/// @param before, after rows of depths, negative outside, on both sides along an axis.
+MEDIAL_VECTORISED void markThin(const float* before, const float* after, int count,
+  std::uint8_t* marks)
+{
+  for (int x = 0; x < count; ++x)
+  {
+    marks[x] |= before[x] < 0.0f && after[x] < 0.0f ? 1 : 0;
+  }
+}
+
+/// Marks the voxels of a row that have a cell of a complex at one of their corners.
+/// @param rows the cells at the positions of the four rows of corners.
+MEDIAL_VECTORISED void markTouched(const std::array<const std::uint8_t*, 4>& rows, int count,
+  std::uint8_t* marks)
+{
+  for (int x = 0; x < count; ++x)
+  {
+    const int cells = rows[0][x] | rows[0][x + 1] | rows[1][x] | rows[1][x + 1] | rows[2][x] |
+      rows[2][x + 1] | rows[3][x] | rows[3][x + 1];
+    marks[x] = cells != 0 ? 1 : 0;
+  }
+}
+
+/// Voxels of a row, from the first to the last that is in the solid.
+struct Span
+{
+  int first = 0;
+  int count = 0;
+};
+
 /// The depths of a layer of voxels and of the layers below and above; negative outside the solid.
 class DepthLayers
 {
@@ -62,29 +94,79 @@ public:
     , size_(size)
     , voxels_(voxels)
   {
-    for (std::vector<float>& layer : layers_)
+    for (Layer& layer : layers_)
     {
-      layer.resize(static_cast<std::size_t>(size.x) * size.y);
+      layer.depths.resize(static_cast<std::size_t>(size.x) * size.y);
+      layer.spans.resize(static_cast<std::size_t>(size.y));
     }
   }
 
   void load(int z)
   {
-    std::vector<float>& layer = layers_[z % 3];
-    const std::size_t first = layer.size() * static_cast<std::size_t>(z);
-    depth_.readMarked(first, layer.size(), voxels_.data() + first, layer.data());
+    Layer& layer = layers_[z % 3];
+    for (int y = 0; y < size_.y; ++y)
+    {
+      const std::size_t row = (static_cast<std::size_t>(z) * size_.y + y) * size_.x;
+      const Span span = spanOf(voxels_.data() + row, size_.x);
+      float* const depths = layer.depths.data() + static_cast<std::size_t>(y) * size_.x;
+      std::fill(depths, depths + span.first, -1.0f);
+      depth_.readMarked(row + span.first, static_cast<std::size_t>(span.count),
+        voxels_.data() + row + span.first, depths + span.first);
+      std::fill(depths + span.first + span.count, depths + size_.x, -1.0f);
+      layer.spans[y] = span;
+    }
   }
 
   const float* row(int y, int z) const
   {
-    return layers_[z % 3].data() + static_cast<std::size_t>(y) * size_.x;
+    return layers_[z % 3].depths.data() + static_cast<std::size_t>(y) * size_.x;
   }
+  const Span& span(int y, int z) const { return layers_[z % 3].spans[y]; }
 
 private:
+  struct Layer
+  {
+    std::vector<float> depths;
+    std::vector<Span> spans; ///< of the rows
+  };
+
+  static Span spanOf(const std::uint8_t* voxels, int length)
+  {
+    const void* const begin = std::memchr(voxels, kInSolid, static_cast<std::size_t>(length));
+    if (begin == nullptr)
+    {
+      return {};
+    }
+    int last = length - 1;
+    while (voxels[last] == kOutside)
+    {
+      --last;
+    }
+    const auto first = static_cast<int>(static_cast<const std::uint8_t*>(begin) - voxels);
+    return { first, last - first + 1 };
+  }
+
   const DepthField& depth_;
   glm::ivec3 size_;
   const VoxelMask& voxels_;
-  std::array<std::vector<float>, 3> layers_;
+  std::array<Layer, 3> layers_;
+};
+
+/// What is found out about the voxels of a row at once.
+struct RowMarks
+{
+  explicit RowMarks(int length)
+    : later(static_cast<std::size_t>(length))
+    , simple(later.size())
+    , thin(later.size())
+    , touched(later.size())
+  {
+  }
+
+  std::vector<std::uint32_t> later;  ///< a bit for each voxel around that comes later
+  std::vector<std::uint8_t> simple;  ///< not 0 if it collapses onto what it shares with these
+  std::vector<std::uint8_t> thin;    ///< not 0 if voxels on opposite sides are outside
+  std::vector<std::uint8_t> touched; ///< not 0 if it may share something with sheets
 };
 
 class Core
@@ -125,6 +207,7 @@ public:
       [&](const tbb::blocked_range<int>& range)
       {
         DepthLayers layers(depth_, size_, voxels_);
+        RowMarks marks(size_.x);
         layers.load(range.begin() - 1);
         layers.load(range.begin());
         for (int z = range.begin(); z < range.end(); ++z)
@@ -133,7 +216,7 @@ public:
           layers.load(z + 1);
           for (int y = 1; y < size_.y - 1; ++y)
           {
-            this->findUndecided(layers, y, z, undecided[z]);
+            this->findUndecided(layers, y, z, marks, undecided[z]);
           }
         }
       });
@@ -269,50 +352,56 @@ private:
     return present;
   }
 
-  void findUndecided(const DepthLayers& layers, int y, int z,
+  void findUndecided(const DepthLayers& layers, int y, int z, RowMarks& marks,
     std::vector<std::ptrdiff_t>& undecided) const
   {
-    const float* const depth = layers.row(y, z);
-    int first = 1;
-    int last = size_.x - 2;
-    while (first <= last && depth[first] < 0.0f)
-    {
-      ++first;
-    }
-    while (first <= last && depth[last] < 0.0f)
-    {
-      --last;
-    }
-    const int count = last - first + 1;
-    if (count <= 0)
+    const Span span = layers.span(y, z);
+    if (span.count == 0)
     {
       return;
     }
-    std::vector<std::uint32_t> later(static_cast<std::size_t>(count), 0);
+    const float* const depth = layers.row(y, z) + span.first;
+    const std::ptrdiff_t begin = span.first + stride_[1] * y + stride_[2] * z;
+    this->markRow(layers, y, z, marks);
+    for (int i = 0; i < span.count; ++i)
+    {
+      if (depth[i] < 0.0f)
+      {
+        continue;
+      }
+      const SurfaceCells onSheets = marks.touched[i] != 0 ? this->sheetCells(begin + i) : 0;
+      const bool simple = onSheets != 0 ? contractible(shared_.with(marks.later[i]) | onSheets)
+                                        : marks.simple[i] != 0;
+      if (!simple || marks.thin[i] != 0)
+      {
+        undecided.push_back(begin + i);
+      }
+    }
+  }
+
+  void markRow(const DepthLayers& layers, int y, int z, RowMarks& marks) const
+  {
+    const auto [first, count] = layers.span(y, z);
+    const float* const depth = layers.row(y, z) + first;
+    std::fill_n(marks.later.begin(), count, 0);
     for (int around = 0; around < kAround; ++around)
     {
       const glm::ivec3 offset = offsetOf(around);
       if (around != kCentre)
       {
-        addLater(depth + first, layers.row(y + offset.y, z + offset.z) + first + offset.x,
-          around > kCentre, count, 1u << around, later.data());
+        addLater(depth, layers.row(y + offset.y, z + offset.z) + first + offset.x, around > kCentre,
+          count, 1u << around, marks.later.data());
       }
     }
-    std::vector<std::uint8_t> simple(static_cast<std::size_t>(count));
-    findSimple(shared_, later.data(), count, simple.data());
-    const std::ptrdiff_t row = stride_[1] * y + stride_[2] * z;
-    for (int x = first; x <= last; ++x)
-    {
-      const SurfaceCells onSheets = depth[x] >= 0.0f ? this->sheetCells(row + x) : 0;
-      if (onSheets != 0)
-      {
-        simple[x - first] = contractible(shared_.with(later[x - first]) | onSheets) ? 1 : 0;
-      }
-      if (depth[x] >= 0.0f && (simple[x - first] == 0 || this->isThin(row + x)))
-      {
-        undecided.push_back(row + x);
-      }
-    }
+    findSimple(shared_, marks.later.data(), count, marks.simple.data());
+    std::fill_n(marks.thin.begin(), count, 0);
+    markThin(depth - 1, depth + 1, count, marks.thin.data());
+    markThin(layers.row(y - 1, z) + first, layers.row(y + 1, z) + first, count, marks.thin.data());
+    markThin(layers.row(y, z - 1) + first, layers.row(y, z + 1) + first, count, marks.thin.data());
+    const std::uint8_t* const cells =
+      sheets_.bitsFrom(static_cast<std::size_t>(first + stride_[1] * y + stride_[2] * z));
+    markTouched({ cells, cells + stride_[1], cells + stride_[2], cells + stride_[1] + stride_[2] },
+      count, marks.touched.data());
   }
 
   /// Whether a voxel has neighbours outside the solid on opposite sides.

@@ -6,7 +6,6 @@
 #include "axis/tile_order.h"
 #include "sites/closest_point.h"
 
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -52,10 +51,11 @@ class CellBuilder
 {
 public:
   CellBuilder(const CubicalComplex& complex, const DepthField& depth, const SampleContext& context,
-    AxisSamples& samples)
+    const SelectedSamples& selected, AxisSamples& samples)
     : complex_(complex)
     , depth_(depth)
     , context_(context)
+    , selected_(selected)
     , samples_(samples)
     , vertices_(cellsOf(complex, kVertexKind))
     , ranks_(complex)
@@ -68,7 +68,7 @@ public:
     ThinnedAxis cells;
     this->addCells(cells);
     this->findSamples(cells);
-    this->placePoints(representation, cells.points);
+    this->placePoints(representation, cells);
     cells.gridCells = mesh_.cells;
     return cells;
   }
@@ -133,24 +133,36 @@ private:
       mesh_.offsets.push_back(mesh_.incident.size());
       const bool onSheet = origins[i].onSheet;
       onSheet_.push_back(onSheet ? 1 : 0);
-      cells.selected.push_back(onSheet ? around[i].values[0] : AxisSamples::kNone);
+      cells.origins.push_back(
+        onSheet ? this->originIn(mesh_.cells[i], around[i].values[0]) : kNoVertex);
     }
   }
 
-  void placePoints(Representation representation, BisectorPoints& points) const
+  /// Returns the vertex of the selection's samples in a grid cell next to one of them.
+  std::size_t originIn(const glm::ivec3& gridCell, int sample) const
   {
+    const DualSubmesh& part = selected_.sheets.part;
+    const auto& corners = part.mesh.corners[selected_.indices[static_cast<std::size_t>(sample)]];
+    const auto* const corner = std::find_if(corners.begin(), corners.end(),
+      [&](std::uint32_t vertex) { return part.mesh.cells[vertex] == gridCell; });
+    return corner == corners.end() ? kNoVertex : part.origins[*corner];
+  }
+
+  void placePoints(Representation representation, ThinnedAxis& cells) const
+  {
+    BisectorPoints& points = cells.points;
     if (representation == Representation::Faces)
     {
       points = cellCentres(context_.geometry, mesh_, samples_.points());
       return;
     }
-    points = surfacePoints(context_.geometry, mesh_, samples_.points());
+    points = surfacePoints(context_.geometry, mesh_, samples_.points(), selected_.sheets.cells,
+      cells.origins);
     const std::vector<std::uint32_t> order = tileOrder(context_.geometry.part, vertices_.size(),
       [&](std::size_t i) { return mesh_.cells[i]; });
-    constexpr std::size_t kTogether = 512; // several in most of their tiles
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, order.size(), kTogether),
-      [&](const tbb::blocked_range<std::size_t>& range)
-      { this->settle(order.data() + range.begin(), range.size(), points.points); });
+    inBlocks(context_.geometry, order.size(),
+      [&](std::size_t begin, std::size_t end)
+      { this->settle(order.data() + begin, end - begin, points.points); });
   }
 
   /// Moves points of surfacePoints() into their grid cells, and to the mean of their samples where
@@ -186,8 +198,6 @@ private:
     Origin both;
     both.onSheet = true;
     Origin either;
-    Origin wide;
-    wide.widestOnly = true;
     for (const CubeCell face : facesAround(complex_, vertex))
     {
       const bool there = complex_.has(face);
@@ -200,6 +210,17 @@ private:
       {
         either.faces.add(face);
       }
+    }
+    return both.faces.count > 0 ? both : either.faces.count > 0 ? either : this->anyOrigin(vertex);
+  }
+
+  /// Returns the faces around a corner whose grid edges are in the solid.
+  Origin anyOrigin(CubeCell vertex) const
+  {
+    Origin wide;
+    wide.widestOnly = true;
+    for (const CubeCell face : facesAround(complex_, vertex))
+    {
       Crossing edge = dualEdge(complex_, face);
       const bool begins = inSolid(depth_, complex_, edge.voxel);
       ++edge.voxel[edge.axis];
@@ -208,7 +229,7 @@ private:
         wide.faces.add(face);
       }
     }
-    return both.faces.count > 0 ? both : (either.faces.count > 0 ? either : wide);
+    return wide;
   }
 
   AroundCorner<int> samplesOf(const Origin& origin) const
@@ -262,6 +283,7 @@ private:
   const CubicalComplex& complex_;
   const DepthField& depth_;
   const SampleContext& context_;
+  const SelectedSamples& selected_;
   AxisSamples& samples_;
   std::vector<CubeCell> vertices_; ///< ascending
   CellRanks ranks_;
@@ -272,9 +294,10 @@ private:
 } // namespace
 
 ThinnedAxis thinnedAxis(const CubicalComplex& complex, const DepthField& depth,
-  const SampleContext& context, Representation representation, AxisSamples& samples)
+  const SampleContext& context, const SelectedSamples& selected, Representation representation,
+  AxisSamples& samples)
 {
-  return CellBuilder(complex, depth, context, samples).build(representation);
+  return CellBuilder(complex, depth, context, selected, samples).build(representation);
 }
 
 } // namespace medial

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "axis/bisector.h"
+#include "axis/sheet_selection.h"
 #include "medial/representation.h"
 #include "thinning/axis_samples.h"
 #include "thinning/cubical_complex.h"
@@ -18,11 +19,19 @@ struct ThinnedAxis
 {
   BisectorPoints points;             ///< distinct
   std::vector<glm::ivec3> gridCells; ///< of the points, from the first grid point on
-  /// For each point a selected sample of a face around it, or AxisSamples::kNone.
-  std::vector<int> selected;
+  /// For each point that is on a selected face the vertex of the selection's samples in its grid
+  /// cell; kNoVertex for others.
+  std::vector<std::size_t> origins;
   std::vector<std::array<std::int64_t, 4>> quads;
   std::vector<std::array<std::int64_t, 2>> lines;
   std::vector<std::int64_t> vertices;
+};
+
+/// The samples of a solid that are selected.
+struct SelectedSamples
+{
+  const SheetSelection& sheets;
+  const std::vector<std::size_t>& indices; ///< in the selection, of the first samples of the solid
 };
 
 /// Turns what thinning left into cells of the dual mesh: a quad for each face, a line for each edge
@@ -37,7 +46,8 @@ struct ThinnedAxis
 ///
 /// @param samples receives those that are missing.
 ThinnedAxis thinnedAxis(const CubicalComplex& complex, const DepthField& depth,
-  const SampleContext& context, Representation representation, AxisSamples& samples);
+  const SampleContext& context, const SelectedSamples& selected, Representation representation,
+  AxisSamples& samples);
 
 /// Margin in local units along the finest axis.
 constexpr double kCellMargin = 0.02;

@@ -61,13 +61,13 @@ TEST_F(CommandLine, HelpNamesEveryOption)
   EXPECT_EQ(help.exitCode, 0);
   EXPECT_EQ(help.err, "");
   for (const char* option :
-    { "-o,--output", "--curves", "--field", "--local-thickness", "--band", "--isovalue", "--label",
-      "--scan-smoothing", "--skeleton", "--skeleton-table", "--min-branch", "--no-smooth",
-      "--thickness", "--thickness-image", "--thin-regions", "--thickness-method", "--min-thickness",
-      "--max-thickness", "--max-edge", "--image", "--resolution", "--spacing", "--padding",
-      "--angle", "--lambda", "--min-radius", "--side", "--representation", "--max-spheres",
-      "--topology", "--sign", "--threads", "--memory", "--report", "--device", "--list-devices",
-      "--require-gpu", "-q,--quiet", "--version", "--help" })
+    { "-o,--output", "--curves", "--field", "--local-thickness", "--histogram", "--band",
+      "--isovalue", "--label", "--scan-smoothing", "--skeleton", "--skeleton-table", "--min-branch",
+      "--no-smooth", "--thickness", "--thickness-image", "--thin-regions", "--thickness-method",
+      "--min-thickness", "--max-thickness", "--max-edge", "--image", "--resolution", "--spacing",
+      "--padding", "--angle", "--lambda", "--min-radius", "--side", "--representation",
+      "--max-spheres", "--topology", "--sign", "--threads", "--memory", "--report", "--device",
+      "--list-devices", "--require-gpu", "-q,--quiet", "--version", "--help" })
   {
     EXPECT_TRUE(contains(help.out, option)) << option;
   }
@@ -159,6 +159,9 @@ TEST_F(CommandLine, RefusesUnknownOutputFormats)
   EXPECT_TRUE(
     contains(usageError({ "--thickness", folder.file("x.stl") }), "'.stl', allowed: .vtp"));
   EXPECT_TRUE(contains(usageError({ "--thickness-image", folder.file("x.jpg") }), "allowed: .png"));
+  EXPECT_TRUE(contains(
+    usageError({ "--local-thickness", folder.file("x.vti"), "--histogram", folder.file("x.svg") }),
+    "allowed: .png"));
   const Outcome outcome = runMedialAxis({ input, "-o", folder.file("axis.stl") });
   EXPECT_EQ(outcome.exitCode, kUsage);
   EXPECT_TRUE(contains(outcome.err, "'.stl', allowed: .vtp .pvtp .ply .obj .ma")) << outcome.err;
@@ -190,6 +193,9 @@ TEST_F(CommandLine, RefusesTwoOutputsOfOneName)
   EXPECT_TRUE(contains(usageError({ "--image", folder.file("x.png"), "--thickness-image",
                          (folder.path() / "." / "x.png").string() }),
     "--image and --thickness-image name the same file"));
+  EXPECT_TRUE(contains(usageError({ "--image", folder.file("x.png"), "--local-thickness",
+                         folder.file("x.vti"), "--histogram", folder.file("x.png") }),
+    "--histogram and --image name the same file"));
 }
 
 TEST_F(CommandLine, NeedsAnInput)

@@ -22,7 +22,7 @@ TEST_F(CommandOutput, ReportHasExactlyTheDocumentedKeys)
     (std::set<std::string>{ "version", "parameters", "side", "input", "grid", "device", "seconds",
       "counts", "fragments_per_voxel", "device_seconds", "bytes_uploaded", "bytes_read_back",
       "dispatches", "simplification", "engine", "sign", "sign_method", "topology", "coverage",
-      "peak_memory_mib" }));
+      "peak_memory_mib", "ranks" }));
   EXPECT_EQ(keysOf(result["coverage"]),
     (std::set<std::string>{ "places", "spacing", "uncovered_share", "reach", "samples",
       "seconds" }));

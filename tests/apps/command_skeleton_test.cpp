@@ -196,13 +196,16 @@ TEST_F(CommandSkeleton, FindsTheResolutionThatThinBranchesNeed)
         0.03)));
     const Outcome outcome = run({ "--resolution", "auto", "--skeleton-table", folder.file("s.csv"),
       "--report", folder.file("r.json") });
-    EXPECT_TRUE(contains(outcome.out, ", for branches of radius 0.")) << outcome.out;
+    EXPECT_TRUE(contains(outcome.out, ", thinnest branch: radius 0.")) << outcome.out;
     const auto rows = readTable(folder.file("s.csv"));
     EXPECT_EQ(rows.size(), 4u);
     // Of the stub, the shortest; the edges of its mesh make it thinner.
     EXPECT_NEAR(std::stod(rows.back()[4]), radius, 0.1 * radius);
     const Json report = Json::parse(readFile(folder.file("r.json")));
     EXPECT_NEAR(report["skeleton"]["thinnest_radius"].get<double>(), radius, 0.1 * radius);
+    // An axis that is taken as it is does not count twice.
+    const auto seconds = [&](const char* phase) { return report["seconds"][phase].get<double>(); };
+    EXPECT_LT(seconds("prepare") + seconds("medial") + seconds("skeleton"), seconds("total"));
     return report["grid"]["dimensions"][0].get<int>();
   };
   EXPECT_NEAR(chosen(0.06), 4.0 * 4.0 / 0.06, 25.0);
@@ -229,6 +232,10 @@ TEST_F(CommandSkeleton, RefusesWhatDoesNotGoWithIt)
   }
   EXPECT_TRUE(contains(refusal({ "--skeleton", file, "--min-branch", "-1" }, kUsage),
     "--min-branch: -1 is outside [0, infinity)"));
+  EXPECT_TRUE(contains(refusal({ "--min-branch", "1" }, kUsage),
+    "--min-branch needs --skeleton or --skeleton-table"));
+  EXPECT_TRUE(contains(refusal({ "--no-smooth" }, kUsage),
+    "--no-smooth needs --skeleton or --skeleton-table"));
   EXPECT_TRUE(contains(refusal({ "--resolution", "auto" }, kUsage),
     "--resolution auto is what a skeleton needs: it needs --skeleton or --skeleton-table"));
   EXPECT_TRUE(contains(refusal({ "--skeleton", file, "--resolution", "car" }, kUsage),
@@ -246,6 +253,8 @@ TEST_F(CommandSkeleton, RefusesMeshesWithoutAnInside)
     refusal({ "--resolution", "24", "--skeleton", folder.file("s.vtp") }, kBadInput);
   EXPECT_TRUE(contains(message, "tee.obj: a skeleton needs to know inside from outside"))
     << message;
+  EXPECT_TRUE(contains(message, "the mesh does not define an inside")) << message;
+  EXPECT_TRUE(contains(message, "the sign method winding closes holes")) << message;
 }
 
 TEST_F(CommandSkeleton, TellsOfCavitiesThatItOpens)

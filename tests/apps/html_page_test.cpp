@@ -165,9 +165,9 @@ class HtmlPage : public ::testing::Test
 {
 protected:
   TriangleMesh surface = box({ 1.0, 0.7, 6.0 });
-  std::string page =
-    makeHtml(surface, sheet(10), nullptr, { "box.obj", "angle 60", "grid 4 x 5 x 6" }, kBundle)
-      .html;
+  std::string page = makeHtml(surface, sheet(10), nullptr,
+    { "box.obj", "angle 60", "grid 4 x 5 x 6" }, 60.0, kBundle)
+                       .html;
   Json data = dataOf(page);
 };
 
@@ -253,7 +253,7 @@ TEST_F(HtmlPage, NoTextEndsAScript)
 {
   const std::string title = "</script><b>\"\\ & <!-- \xC3\xA9 \xFF";
   const std::string hostile =
-    makeHtml(surface, sheet(2), nullptr, { title }, "a = '</SCRIPT><!--';").html;
+    makeHtml(surface, sheet(2), nullptr, { title }, 60.0, "a = '</SCRIPT><!--';").html;
   EXPECT_EQ(occurrences(hostile, "</script"), 3);
   EXPECT_EQ(occurrences(hostile, "<!--"), 1); // the page's own
   EXPECT_NE(hostile.find(R"(a = '<\/SCRIPT><\!--';)"), std::string::npos);
@@ -268,7 +268,7 @@ TEST_F(HtmlPage, SaysHowTheAxisWasComputed)
 
 TEST_F(HtmlPage, AnEmptyAxisIsNone)
 {
-  const Json empty = dataOf(makeHtml(surface, emptyAxis(), nullptr, { "box" }, kBundle).html);
+  const Json empty = dataOf(makeHtml(surface, emptyAxis(), nullptr, { "box" }, 60.0, kBundle).html);
   EXPECT_EQ(empty["axis"]["points"], "");
   EXPECT_EQ(empty["axis"]["triangles"], "");
   EXPECT_EQ(empty["axis"]["arrays"][1]["values"], "");
@@ -297,7 +297,7 @@ TEST_F(HtmlPage, HoldsTheSkeletonIfThereIsOne)
   line->SetLines(lines);
   line->GetPointData()->AddArray(radius);
   line->GetPointData()->AddArray(degree);
-  const Json with = dataOf(makeHtml(surface, sheet(2), line, { "box" }, kBundle).html);
+  const Json with = dataOf(makeHtml(surface, sheet(2), line, { "box" }, 60.0, kBundle).html);
   const auto places = pointsOf(with, "skeleton");
   const auto radii = valuesOf(with["skeleton"]["arrays"][0]);
   ASSERT_EQ(radii.size(), places.size());
@@ -325,10 +325,10 @@ TEST(HtmlPageLimit, CoarserMeshesKeepItAndThePageSaysSo)
   const TriangleMesh sphere = icosphere(1.0, 6); // 81,920 triangles
   const auto axis = sheet(300);                  // 180,000
   constexpr std::size_t kLimit = 1'000'000;
-  const app::HtmlPage whole = makeHtml(sphere, axis, nullptr, { "sphere" }, kBundle);
+  const app::HtmlPage whole = makeHtml(sphere, axis, nullptr, { "sphere" }, 60.0, kBundle);
   EXPECT_GT(whole.html.size(), 2 * kLimit);
   EXPECT_EQ(whole.simplifications, std::vector<std::string>());
-  const app::HtmlPage page = makeHtml(sphere, axis, nullptr, { "sphere" }, kBundle, kLimit);
+  const app::HtmlPage page = makeHtml(sphere, axis, nullptr, { "sphere" }, 60.0, kBundle, kLimit);
   EXPECT_LT(page.html.size(), kLimit);
   EXPECT_GT(page.html.size(), kLimit / 3);
   const Json data = dataOf(page.html);

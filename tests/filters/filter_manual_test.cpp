@@ -261,7 +261,7 @@ TEST(FilterManual, ReconstructionParametersAreExplainedAndPrinted)
 
 TEST(FilterManual, MedialThicknessParametersAreExplainedAndPrinted)
 {
-  expectManual("vtkMedialThickness", 8, printed<vtkMedialThickness>());
+  expectManual("vtkMedialThickness", 9, printed<vtkMedialThickness>());
 }
 
 TEST(FilterManual, MedialLocalThicknessParametersAreExplainedAndPrinted)

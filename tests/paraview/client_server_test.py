@@ -58,6 +58,9 @@ class ClientServer(unittest.TestCase):
         self.assertEqual(two["distance of pieces"], one["distance of pieces"])
         self.assertGreaterEqual(two["points of pieces"], one["points of pieces"])
         self.assertEqual(two["axis"], one["axis"])
+        self.assertGreater(len(one["axis of pieces"]["cells"]), 500)
+        for name, values in one["axis of pieces"].items():
+            self.assertTrue(two["axis of pieces"][name] == values, name)  # assertEqual compares long lists for minutes
         for mine, other in zip(two["distance"], one["distance"]):
             self.assertAlmostEqual(mine, other, places=5)
         self.assertLess(max(two["samples of a process"]), 0.6 * two["field"])

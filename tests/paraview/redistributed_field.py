@@ -1,4 +1,4 @@
-"""Run by redistributed_test.py in pvbatch: field and axis of a surface that RedistributeDataSet shares out.
+"""Run by redistributed_test.py in pvbatch: field, axis and thickness of a surface that RedistributeDataSet shares out.
 
 usage: pvbatch redistributed_field.py FOLDER
 """
@@ -13,7 +13,8 @@ MODES = ("Assign to one region", "Assign to all regions", "Split cells")
 
 
 def bunny():
-    return WavefrontOBJReader(FileName="/usr/share/glmark2/models/bunny.obj")
+    """With ids of points and cells, so that no order of pieces decides between features that are equally near."""
+    return GenerateGlobalIds(Input=WavefrontOBJReader(FileName="/usr/share/glmark2/models/bunny.obj"))
 
 
 def field_of(source, mode):
@@ -23,26 +24,48 @@ def field_of(source, mode):
 
 
 def axis_of(source, mode):
-    return MedialAxis(Input=source, Resolution=72, Engine="Processor", DistributedInput=int(mode is not None),
-                      SignMethod="Pseudonormal")
+    return MedialAxis(Input=source, Resolution=40, Engine="Processor", DistributedInput=int(mode is not None))
+
+
+def thickness_of(source, mode):
+    return MedialThickness(Input=source, CellValues=1, DistributedInput=int(mode is not None))
 
 
 def integrals(proxy, name):
-    """The area or volume of a surface or solid in pieces."""
+    """The length, area or volume of data in pieces."""
     sums = IntegrateVariables(Input=proxy)
     sums.UpdatePipeline()
     return sums.CellData[name].GetRange()[0]
 
 
-def figures(field):
-    """What filters behind it, which want ghosts, make of it."""
-    contour = Contour(Input=field, ContourBy="Distance", Isosurfaces=[0.02])
-    clip = Clip(Input=field)
+def clipped(proxy):
+    clip = Clip(Input=proxy)
     clip.ClipType = "Plane"
     clip.ClipType.Origin = [0.1, 0.05, 0.0]
     clip.ClipType.Normal = [1.0, 0.5, 0.25]
-    return {"clip": integrals(clip, "Volume"), "contour": integrals(contour, "Area"),
+    return clip
+
+
+def figures(field):
+    """What filters behind it, which want ghosts, make of it."""
+    contour = Contour(Input=field, ContourBy="Distance", Isosurfaces=[0.02])
+    return {"clip": integrals(clipped(field), "Volume"), "contour": integrals(contour, "Area"),
             "bounds": contour.GetDataInformation().GetBounds()}
+
+
+def sizes(proxy):
+    """What all processes have of it."""
+    proxy.UpdatePipeline()
+    data = proxy.GetDataInformation()
+    return [data.GetNumberOfPoints(), data.GetNumberOfCells(), *data.GetBounds()]
+
+
+def axis_figures(axis):
+    """What filters behind it make of it: of its pieces, and of the whole."""
+    contour = Contour(Input=axis, ContourBy="Radius", Isosurfaces=[0.2])
+    return {"area": integrals(axis, "Area"), "clip": integrals(clipped(axis), "Area"),
+            "contour": integrals(contour, "Length"), "curves": sizes(MedialCurves(Input=axis)),
+            "reconstruction": sizes(MedialReconstruction(Input=axis, Resolution=24))}
 
 
 folder = sys.argv[1]
@@ -52,10 +75,13 @@ for mode in (None, *MODES):
     source = RedistributeDataSet(Input=bunny(), BoundaryMode=mode) if mode else bunny()
     field = field_of(source, mode)
     SaveData(os.path.join(folder, f"{name}.pvti"), proxy=field)
-    result[name] = figures(field)
-    if mode != MODES[2]:
-        result[name]["axis"] = integrals(axis_of(source, mode), "Area")
-    arrays = field.FieldData
-    result[name]["held"] = arrays["HeldTriangles"].GetRange() if mode else None
+    axis = axis_of(source, mode)
+    SaveData(os.path.join(folder, f"{name}.pvtp"), proxy=axis)
+    thickness = thickness_of(source, mode)
+    SaveData(os.path.join(folder, f"{name}_thickness.pvtp"), proxy=thickness)
+    result[name] = {**figures(field), "axis": axis_figures(axis),
+                    "thickness": {"area": integrals(thickness, "Area"),
+                                  "median": thickness.FieldData["MedianThickness"].GetRange()},
+                    "held": field.FieldData["HeldTriangles"].GetRange() if mode else None}
 with open(os.path.join(folder, "result.json"), "w") as file:
     json.dump(result, file)

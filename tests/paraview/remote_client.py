@@ -22,7 +22,8 @@ result = {"field": field.GetDataInformation().GetNumberOfPoints(),
           "distance": field.PointData["Distance"].GetRange(),
           "axis": axis.GetDataInformation().GetNumberOfPoints()}
 # A reader of its own: the axis asks for the whole surface.
-pieces = RedistributeDataSet(Input=WavefrontOBJReader(FileName="/usr/share/glmark2/models/bunny.obj"))
+numbered = GenerateGlobalIds(Input=WavefrontOBJReader(FileName="/usr/share/glmark2/models/bunny.obj"))
+pieces = RedistributeDataSet(Input=numbered)
 apart = MeshDistanceField(Input=pieces, Resolution=48, SignMethod="Pseudonormal", DistributedInput=1)
 Show(Contour(Input=apart, ContourBy="Distance", Isosurfaces=[0.02]), view)
 Render(view)
@@ -30,6 +31,21 @@ result["distance of pieces"] = apart.PointData["Distance"].GetRange()
 apart.Resolution = 40
 Render(view)
 result["points of pieces"] = apart.GetDataInformation().GetNumberOfPoints()
+parted = MedialAxis(Input=pieces, Resolution=40, Engine="Processor", DistributedInput=1)
+clip = Clip(Input=parted)
+clip.ClipType.Normal = [1.0, 0.5, 0.25]
+for proxy in (clip, Contour(Input=parted, ContourBy="Radius", Isosurfaces=[0.2])):
+    Show(proxy, view)
+Render(view)
+data = servermanager.Fetch(parted)
+places = [data.GetPoint(i) for i in range(data.GetNumberOfPoints())]
+cells = []
+for i in range(data.GetNumberOfCells()):
+    cell = data.GetCell(i)
+    cells.append([places[cell.GetPointId(corner)] for corner in range(cell.GetNumberOfPoints())])
+result["axis of pieces"] = {"points": sorted(set(places)), "cells": sorted(cells),
+                            "clip": clip.GetDataInformation().GetNumberOfCells(),
+                            "curves": servermanager.Fetch(MedialCurves(Input=parted)).GetNumberOfCells()}
 axis.Resolution = 1
 axis.UpdatePipeline()
 result["axis after an error"] = axis.GetDataInformation().GetNumberOfPoints()

@@ -24,6 +24,8 @@ struct SinkFailure : std::runtime_error
 class CollectingSink : public FieldSink
 {
 public:
+  static constexpr float kUntouched = -12345.0f;
+
   CollectingSink(const Extent& extent, std::size_t bytesPerPoint)
     : bytesPerPoint_(bytesPerPoint)
     , sliceSize_(
@@ -37,7 +39,7 @@ public:
     open_ = true;
     slabs.push_back(slab);
     const auto count = static_cast<std::size_t>(slab.pointCount());
-    distance_.assign(count, -12345.0f);
+    distance_.assign(count, kUntouched);
     site_.assign(count, -1);
     FieldArrays arrays;
     arrays.distance = distance_.data();

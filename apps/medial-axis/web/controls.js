@@ -24,17 +24,33 @@ function describeCount(shown, mesh) {
   return parts.join(", ") || "the axis is empty";
 }
 
-// Texts from the greatest to the least value, with as many digits as tell them apart; one where
-// the values are the same to six digits.
+// The step, of one, two or five times a power of ten, that divides a range into three to eight.
+function roundStep(range) {
+  const power = 10 ** Math.floor(Math.log10(range / 3));
+  return [5, 2, 1].map((factor) => factor * power).find((step) => range / step >= 3);
+}
+
+// Texts and their shares of the height: both ends, and round numbers between. One where the values
+// are the same to six digits.
 function labelsOf(array) {
-  const values = [1, 0.75, 0.5, 0.25, 0].map((share) => array.origin + share * 65535 * array.step);
-  for (let digits = 3; digits <= 6; ++digits) {
-    const labels = values.map((value) => String(Number(value.toPrecision(digits))));
-    if (new Set(labels).size === labels.length) {
-      return labels;
+  const kApart = 0.05; // of the height
+  const range = 65535 * array.step;
+  const least = array.origin;
+  const greatest = array.origin + range;
+  const text = (value, digits) => String(Number(value.toPrecision(digits)));
+  if (text(least, 6) === text(greatest, 6)) {
+    return [{ text: text(least, 3), share: 0.5 }];
+  }
+  const digits = [3, 4, 5, 6].find((n) => text(least, n) !== text(greatest, n));
+  const labels = [{ text: text(least, digits), share: 0 }, { text: text(greatest, digits), share: 1 }];
+  const step = roundStep(range);
+  for (let i = Math.ceil(least / step); i * step < greatest; ++i) {
+    const share = (i * step - least) / range;
+    if (share > kApart && share < 1 - kApart) {
+      labels.push({ text: text(i * step, 6), share });
     }
   }
-  return [String(Number(array.origin.toPrecision(3)))];
+  return labels;
 }
 
 // As many stops, all of the first one's colour.
@@ -48,7 +64,9 @@ function showLegend(array, labels, colours) {
     `rgb(${rgb.map((c) => Math.round(255 * c)).join(" ")}) ${100 * share}%`);
   element("legend-bar").style.background = `linear-gradient(to top, ${stops.join(", ")})`;
   element("legend-title").textContent = `${array.label} (${array.unit})`;
-  element("legend-labels").replaceChildren(...listItems(labels));
+  const items = listItems(labels.map(({ text }) => text));
+  items.forEach((item, i) => { item.style.bottom = `${100 * labels[i].share}%`; });
+  element("legend-labels").replaceChildren(...items);
 }
 
 function fillPanel(page, scene) {
@@ -71,10 +89,12 @@ function fillPanel(page, scene) {
 function makeAppliers(page, scene) {
   const arrays = scene.axisMesh.arrays;
   return {
+    // At its lower end all cells are shown: facets leave some points below the angle of the axis.
     angle() {
       const angle = Number(element("angle").value);
+      const shown = scene.setAngle(angle > Number(element("angle").min) ? angle : 0);
       element("angle-value").textContent = `${angle}\u00b0`;
-      element("count").textContent = describeCount(scene.setAngle(angle), scene.axisMesh);
+      element("count").textContent = describeCount(shown, scene.axisMesh);
     },
     show() {
       scene.show(element("show").value);
@@ -94,7 +114,7 @@ function makeAppliers(page, scene) {
 
 function setInitialValues(page, scene) {
   const angles = scene.axisMesh.arrays.find(({ name }) => name === "SeparationAngle");
-  element("angle").min = Math.floor(angles.origin);
+  element("angle").min = Math.floor(Math.max(angles.origin, page.angle));
   const initial = { angle: element("angle").min, opacity: 0.15, colour: "Radius",
     show: scene.hasSkeleton ? "skeleton" : "axis" };
   const settings = settingsOf(location.hash);

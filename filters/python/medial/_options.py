@@ -154,8 +154,10 @@ def assign_grid(algorithm: vtkMeshFieldAlgorithm, *, resolution: Union[int, str,
         if one in given and other in given:
             raise InvalidInputError(
                 f"{one} {given[one]!r} and {other} {given[other]!r} exclude each other")
-    if given.get("resolution") == "auto" and isinstance(algorithm, vtkMedialSkeleton):
-        del given["resolution"]
+    if isinstance(given.get("resolution"), str) and isinstance(algorithm, vtkMedialSkeleton):
+        word = given.pop("resolution")
+        if word != "auto":
+            raise TypeError(f"resolution {word!r} is not an integer in [2, 8192] or 'auto'")
         assign(algorithm, AutomaticResolution=True)
     assign_numbers(algorithm, **{
         name: value if name in ("resolution", "padding") else _triple(name, value)

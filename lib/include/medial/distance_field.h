@@ -5,6 +5,7 @@
 #include "medial/execution.h"
 #include "medial/grid.h"
 #include "medial/run_statistics.h"
+#include "medial/side.h"
 #include "medial/sign_method.h"
 
 #include <array>
@@ -73,6 +74,9 @@ public:
   /// Bytes that the sink holds per point of a slab; they count towards
   /// DistanceFieldOptions::memoryMiB.
   virtual std::size_t bytesPerPoint() const = 0;
+  /// The side whose values are wanted. Points on the other side may be left out: then the arrays
+  /// keep what is there.
+  virtual Side side() const { return Side::Both; }
 };
 
 /// Receives a field that nobody wants.

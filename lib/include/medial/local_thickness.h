@@ -63,12 +63,14 @@ struct LocalThickness
 ///
 /// The centres of the balls lie anywhere in the box of the grid, not only on its points: they are
 /// points of the medial axis with their exact radii, and between neighbouring ones, along edges and
-/// within triangles, the radius is linear. Where the grid cuts a solid, or the space around one,
-/// balls have their centres within the grid, but need not lie in it. Values are rounded to 1/256 of
-/// the finest spacing. Balls with a separation angle below 25 degrees are left out, as those
-/// between the facets of a round surface; points in no other ball get the one next to them if that
-/// is within 2.5 % of its radius. Details that are thinner than the spacing may be missed; their
-/// points then have twice their own distance to the surface, which is a lower bound.
+/// within triangles, which are divided where the axis is curved, the radius is linear. Where the
+/// grid cuts a solid, or the space around one, balls have their centres within the grid, but need
+/// not lie in it. Values are rounded to 1/256 of the finest spacing. Balls with a separation angle
+/// below 25 degrees are left out, as those between the facets of a round surface; points in no
+/// other ball get the one next to them if that is within 2.5 % of its radius. Points in tips that
+/// are thinner than the spacing, and those within 1/16 voxel of the surface, look for the largest
+/// ball themselves. Other such details may be missed; their points then have at least twice their
+/// own distance to the surface.
 ///
 /// @param values receives one number per grid point, x fastest, as LocalThicknessOptions::side
 ///   says. No other array of the size of the grid is made.
@@ -81,9 +83,11 @@ MEDIAL_EXPORT LocalThicknessStatistics computeLocalThickness(const TriangleMesh&
 /// The same, but delivers the values slab by slab, for grids that do not fit into memory. It
 /// computes the distance field once more for that.
 /// @param sink receives the values in FieldArrays::distance, the only array that it may want.
+/// @param field receives the distance field, as computeDistanceField() delivers it, before `sink`
+///   receives anything; may be null. It costs less than another call.
 MEDIAL_EXPORT LocalThicknessStatistics computeLocalThickness(const TriangleMesh& mesh,
   const MeshConnectivity& connectivity, const Grid& grid, FieldSink& sink,
-  const LocalThicknessOptions& options = {});
+  const LocalThicknessOptions& options = {}, FieldSink* field = nullptr);
 
 /// The same for callers that do not need the connectivity of the mesh.
 MEDIAL_EXPORT LocalThickness computeLocalThickness(const TriangleMesh& mesh, const Grid& grid,

@@ -1,14 +1,22 @@
 #pragma once
 
+#include "medial/axis_coverage.h"
+#include "medial/cell_topology.h"
 #include "medial/compute_medial_axis.h"
 #include "medial/distance_field.h"
+#include "medial/execution.h"
 #include "medial/export.h"
 #include "medial/grid.h"
 #include "medial/medial_axis.h"
 #include "medial/run_statistics.h"
+#include "medial/side.h"
+#include "medial/thickness.h"
+#include "medial/thickness_regions.h"
 #include "medial/triangle_mesh.h"
 
 #include <cstdint>
+#include <functional>
+#include <stdexcept>
 #include <vector>
 
 namespace medial
@@ -36,6 +44,35 @@ public:
   virtual std::vector<Message> exchange(std::vector<Message> messages) = 0;
 };
 
+/// A failure that the library does not expect, by another exception than Error and
+/// std::bad_alloc, on one of several ranks: every rank throws it.
+class MEDIAL_EXPORT RankFault : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Does work as agree().
+MEDIAL_EXPORT void agreeOn(Communicator& communicator, const std::function<void()>& work);
+
+/// Does work that may fail on some ranks only, wherever it is: the others learn of it when they
+/// exchange something the next time, by gathered() or by what this header has, at the latest at the
+/// end. Work may call agree() again. Every rank calls it.
+/// @param work of this rank, called once, without arguments.
+/// @throws Error on every rank if any has failed: that of the first of them, whose name it has
+///   unless all have failed alike. std::bad_alloc becomes OutOfMemory.
+/// @throws RankFault likewise, for any other exception.
+template <typename Work>
+void agree(Communicator& communicator, const Work& work)
+{
+  agreeOn(communicator, std::cref(work)); // a copy would take memory outside
+}
+
+/// Returns what the ranks pass on to all, in their order. Every rank calls it, within agree().
+/// @throws Error as agree().
+MEDIAL_EXPORT std::vector<Communicator::Message> gathered(Communicator& communicator,
+  const Communicator::Message& own);
+
 /// The part of a surface that one rank has: any of its triangles, or none.
 struct MEDIAL_EXPORT SurfacePiece
 {
@@ -45,6 +82,9 @@ struct MEDIAL_EXPORT SurfacePiece
   /// Numbers of mesh.points in the whole surface, each >= 0; points count in their order. Points
   /// at the same position are one, whatever their numbers and ranks: the lowest number counts.
   std::vector<std::int64_t> pointOrder;
+  /// Whether points at the same position are one. If not, only those with the same number are, as
+  /// in a mesh that subdivide() has made. The same on every rank.
+  bool weld = true;
 };
 
 /// Numbers the points and cells of pieces, one piece after the other in the order of ranks. Every
@@ -54,6 +94,12 @@ struct MEDIAL_EXPORT SurfacePiece
 MEDIAL_EXPORT SurfacePiece inRankOrder(Communicator& communicator, TriangleMesh mesh,
   std::int64_t points, std::int64_t cells);
 
+/// Drops triangles that are copies: that an earlier rank has, too, or an earlier triangle here,
+/// with corners at the same places in the same orientation. Every rank calls it.
+/// @param mesh of this rank, made by buildTriangleMesh(), or empty. It keeps its points.
+/// @throws Error as agree().
+MEDIAL_EXPORT void dropCopies(Communicator& communicator, TriangleMesh& mesh);
+
 /// What a rank has held and sent.
 struct RankCounts
 {
@@ -61,6 +107,7 @@ struct RankCounts
   std::int64_t heldTriangles = 0; ///< those that can be closest in the extent, and their neighbours
   std::int64_t bytesSent = 0;     ///< to other ranks
   std::int64_t exchanges = 0;     ///< calls of Communicator::exchange()
+  std::int64_t crossings = 0;     ///< of the axis, in the rank's part of it and around
 };
 
 /// Computes the distance field of a surface that lies in pieces on several ranks, each rank for its
@@ -94,11 +141,13 @@ struct AxisPiece
   std::int64_t cells = 0;  ///< number of cells of the whole axis
 };
 
-/// Computes the medial axis of a surface that lies in pieces on several ranks, each rank for its
-/// own extent. No rank holds the whole surface, field or axis. Together the pieces have the points
-/// and cells that computeMedialAxis() gives in one process, to the last bit, each cell in one
-/// piece, whatever the extents and the number of ranks. Every rank calls it, with the same grid,
-/// extents and options.
+/// Computes the medial axis of a surface that lies in pieces on several ranks. No rank holds the
+/// whole surface, field or axis. Together the pieces have the points and cells that
+/// computeMedialAxis() gives in one process, to the last bit, each cell in one piece, whatever the
+/// extents and the number of ranks. Every rank calls it, with the same grid, extents and options.
+///
+/// The extents say where ranks compute the field. Once it is known where the axis is, the grid is
+/// cut again, so that each rank has about as much of the axis to make.
 ///
 /// @param extents of all ranks; they cover the grid, each point once. Some may be empty.
 /// @param sink receives the field of touchingExtent() of this rank's.
@@ -116,6 +165,56 @@ MEDIAL_EXPORT AxisPiece computeMedialAxis(Communicator& communicator, const Surf
 ///   it.
 MEDIAL_EXPORT MedialAxis gatherMedialAxis(Communicator& communicator, const AxisPiece& piece);
 
+/// Makes a whole axis the only piece that has cells.
+MEDIAL_EXPORT AxisPiece onlyPiece(MedialAxis axis);
+
+/// Returns the topology of all pieces of an axis together, on every rank: as topologyOf() that of
+/// the whole. Every rank calls it. The first rank brings together what is left of closed sheets,
+/// and which pieces hang together.
+MEDIAL_EXPORT CellTopology topologyOf(Communicator& communicator, const AxisPiece& piece);
+
+/// Measures how much of a surface in pieces an axis in pieces leaves out, with the
+/// figures of measureCoverage() in one process. Every rank calls it, with the same options, and has
+/// all samples: 24 bytes each.
+/// @param surface of this rank.
+/// @param axis of this rank.
+/// @throws Error on every rank, as measureCoverage().
+MEDIAL_EXPORT AxisCoverage measureCoverage(Communicator& communicator, const SurfacePiece& surface,
+  const AxisPiece& axis, double reach, const CoverageOptions& options = {});
+
+/// Computes the thickness of a surface that lies in pieces on several ranks. No rank holds the
+/// whole surface: each computes it at places near its own part, and asks the others about theirs.
+/// The values are those of computeThickness() in one process, to the last bit, whatever the pieces
+/// and the number of ranks. Every rank calls it, with the same options.
+///
+/// With ThicknessMethod::Wall the first rank brings together the triangles with places that take
+/// the value of others.
+///
+/// @param counts receives what the rank has held; may be null.
+/// @return values of the points and triangles of the piece; min, median, max, points and without
+///   are those of the whole surface.
+/// @throws Error on every rank, with the message of the first that failed: as computeThickness() in
+///   one process, and InvalidInput for a surface with segments or points of no triangle.
+MEDIAL_EXPORT Thickness computeThickness(Communicator& communicator, const SurfacePiece& piece,
+  const ThicknessOptions& options = {}, RankCounts* counts = nullptr);
+
+/// Checks that a mesh that lies in pieces on several ranks has an inside, as requireInside() does
+/// in one process. Every rank calls it.
+/// @throws Error on every rank, as requireInside(), and InvalidInput for a surface with segments or
+///   points of no triangle.
+MEDIAL_EXPORT void requireInside(Communicator& communicator, const SurfacePiece& piece,
+  const Execution& execution = {});
+
+/// Finds where a solid that lies in pieces on several ranks is too thin or too thick, as
+/// findThicknessRegions() does in one process. The first rank brings together the triangles beyond
+/// limits, and no others. Every rank calls it, with the same limits.
+/// @param thickness of the piece, with values of its cells.
+/// @return the regions of the whole, on every rank, in the same order. The triangles and cells are
+///   those of the piece.
+/// @throws Error on every rank, as findThicknessRegions().
+MEDIAL_EXPORT std::vector<ThicknessRegion> findThicknessRegions(Communicator& communicator,
+  const SurfacePiece& piece, const Thickness& thickness, const ThicknessLimits& limits);
+
 /// Returns an extent with the layers of points behind it, as far as the grid has them: extents that
 /// lie side by side then share a layer, as VTK's images of pieces do.
 MEDIAL_EXPORT Extent touchingExtent(const Grid& grid, const Extent& extent);
@@ -126,12 +225,14 @@ MEDIAL_EXPORT Extent touchingExtent(const Grid& grid, const Extent& extent);
 /// empty.
 MEDIAL_EXPORT std::vector<Extent> partsOfGrid(const Grid& grid, int parts);
 
-/// Cuts a grid into extents that take about the same work, one for each rank. Each rank computes
-/// the field in a sample of tiles: an eighth of them, fewer where the grid is large. No result
-/// depends on how a grid is cut. Every rank calls it.
+/// Cuts a grid into extents whose field takes about the same work, one for each rank. Each rank
+/// computes the field in a sample of tiles: an eighth of them, fewer where the grid is large. No
+/// result depends on how a grid is cut. Every rank calls it.
+/// @param side that is looked at: computeMedialAxis() leaves out the field of the other side where
+///   no array is wanted and winding numbers give the sign.
 /// @return the same on every rank. Where the grid is too small, some are empty.
 /// @throws Error as computeDistanceField(), on every rank.
 MEDIAL_EXPORT std::vector<Extent> partsByWork(Communicator& communicator, const SurfacePiece& piece,
-  const Grid& grid, const DistanceFieldOptions& options);
+  const Grid& grid, const DistanceFieldOptions& options, Side side = Side::Both);
 
 } // namespace medial

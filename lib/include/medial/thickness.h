@@ -67,13 +67,14 @@ struct Thickness
   double min = 0.0;         ///< smallest of the values that are not NaN; NaN if there are none
   double median = 0.0;      ///< median of the same values
   double max = 0.0;         ///< largest of the same values
-  std::int64_t without = 0; ///< number of points without a value (NaN)
+  std::int64_t points = 0;  ///< number of points of the surface: of several ranks, of the whole
+  std::int64_t without = 0; ///< number of those without a value (NaN)
   double seconds = 0.0;     ///< wall-clock time
 
   /// Share of the points without a value, in [0, 1].
   double shareWithout() const
   {
-    return values.empty() ? 0.0 : static_cast<double>(without) / static_cast<double>(values.size());
+    return points == 0 ? 0.0 : static_cast<double>(without) / static_cast<double>(points);
   }
 };
 

@@ -1,4 +1,4 @@
-"""Run by ranks_test.py under mpirun: fields and axes of a surface in pieces, one case after the other.
+"""Run by ranks_test.py under mpirun: fields, axes and thickness of a surface in pieces, one case after the other.
 
 usage: ranked_field.py FOLDER
 FOLDER/cases.json has the cases; each rank writes what it computed of case C to FOLDER/C.RANK.npz.
@@ -118,9 +118,11 @@ def blocks_of(data):
 
 
 def field_filter(case):
-    field = medial.vtkMedialAxis() if case.get("axis") else medial.vtkMeshDistanceField()
-    field.SetSignMethodToPseudonormal()
-    field.SetEngineToProcessor()
+    field = (medial.vtkMedialThickness() if case.get("thickness") else medial.vtkMedialAxis() if case.get("axis")
+             else medial.vtkMeshDistanceField())
+    if not case.get("thickness"):
+        field.SetSignMethodToPseudonormal()
+        field.SetEngineToProcessor()
     field.SetNumberOfThreads(1)
     for name, value in case.get("options", {}).items():
         getattr(field, "Set" + name)(*value if isinstance(value, list) else (value,))
@@ -144,7 +146,29 @@ def axis_arrays_of(axis):
     return arrays
 
 
+def corners_of(data):
+    """The places of the corners of triangles, with those of ghosts."""
+    cells = data.GetPolys() if data.IsA("vtkPolyData") else data.GetCells()
+    places = vtk_to_numpy(data.GetPoints().GetData())
+    return places[vtk_to_numpy(cells.GetConnectivityArray()).reshape(-1, 3)]
+
+
+def thickness_arrays_of(surface):
+    """Arrays by their association and name, and the places of points and of the corners of cells."""
+    arrays = {}
+    for kind, attributes in (("point", surface.GetPointData()), ("cell", surface.GetCellData()),
+                             ("field", surface.GetFieldData())):
+        for i in range(attributes.GetNumberOfArrays()):
+            arrays[f"{kind} {attributes.GetArrayName(i)}"] = vtk_to_numpy(attributes.GetArray(i))
+    empty = surface.GetNumberOfPoints() == 0
+    arrays["points"] = np.empty((0, 3)) if empty else vtk_to_numpy(surface.GetPoints().GetData())
+    arrays["corners"] = np.empty((0, 3, 3)) if empty else corners_of(surface)
+    return arrays
+
+
 def arrays_of(image):
+    if image.GetFieldData().HasArray("MinThickness"):
+        return thickness_arrays_of(image)
     if image.IsA("vtkPolyData"):
         return axis_arrays_of(image)
     data = image.GetPointData()
@@ -193,9 +217,9 @@ def compute(case, controller, folder, number):
         field.Modified()
     results = {}
     for ghosts in case.get("ghost levels", [0]):
-        field.UpdatePiece(rank, ranks, ghosts)
+        field.UpdatePiece(*((0, 1) if case.get("whole") else (rank, ranks)), ghosts)
         results = arrays_of(field.GetOutput())
-        results["extent"] = np.array([] if case.get("axis") else field.GetOutput().GetExtent())
+        results["extent"] = np.array(field.GetOutput().GetExtent() if field.GetOutput().IsA("vtkImageData") else [])
         results["held"] = np.array([row.GetValue(0) if row else -1 for row in (
             field.GetOutput().GetFieldData().GetAbstractArray(name)
             for name in ("OwnTriangles", "HeldTriangles", "BytesSent"))])

@@ -1,4 +1,4 @@
-"""vtkMeshDistanceField and vtkMedialAxis on surfaces in pieces: the bits of one process, and failures on all ranks.
+"""vtkMeshDistanceField, vtkMedialAxis and vtkMedialThickness on surfaces in pieces: the bits of one process, and failures on all ranks.
 
 usage: ranks_test.py MPIRUN
 """
@@ -13,7 +13,7 @@ from pathlib import Path
 
 import medial
 import numpy as np
-from ranked_field import ARRAYS, arrays_of, blocks_of, field_filter, piece, polydata, surface
+from ranked_field import ARRAYS, arrays_of, blocks_of, corners_of, field_filter, piece, polydata, surface
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 MPIRUN = os.path.abspath(sys.argv[1])
@@ -143,15 +143,88 @@ class Ranks(unittest.TestCase):
                 with self.subTest(ranks=ranks, case=case):
                     self.expect_axis_of_one(case, parts)
 
+    def test_who_asks_for_the_whole_axis_gets_it_on_the_first_rank(self):
+        case = {"axis": True, "pieces": "random", "options": {"Resolution": 40}, "whole": True}
+        for ranks in (1, 3):
+            (parts,) = run(ranks, [case])
+            self.expect_axis_of_one(case, parts)
+            for part in parts[1:]:
+                self.assertEqual(len(part["points"]), 0)
+                self.assertEqual(len(part["cells"]), 0)
+
+    def expect_thickness_of_one(self, case, parts):
+        whole = field_filter(case)
+        points, triangles, _ = whole_surface(case, len(parts))
+        whole.SetInputData(polydata(points, triangles))
+        whole.Update()
+        expected = arrays_of(whole.GetOutput())
+        used = np.unique(triangles)  # the others are those of ghosts
+        at_point = dict(zip(bytes_of(points[used]), used))
+        at_cell = dict(zip(bytes_of(expected["corners"]), range(len(triangles))))
+        seen = []
+        for rank, part in enumerate(parts):
+            self.assertEqual(list(part["messages"]), [])
+            kept = own_cells(case, rank, len(parts))
+            places, cells = bytes_of(part["points"]), bytes_of(part["corners"])
+            if case.get("copies"):  # the first that has a cell keeps it
+                kept = [corners for corners in dict.fromkeys(kept) if corners in set(cells)]
+            self.assertEqual(cells, kept)
+            self.assertEqual(set(places), set(bytes_of(part["corners"].reshape(-1, 3))))
+            seen.extend(cells)
+            for name, values in expected.items():
+                kind = name.split()[0]
+                if kind == "field":
+                    self.assertEqual(part[name].tobytes(), values.tobytes(), name)
+                elif kind in ("point", "cell") and len(cells) > 0:
+                    numbers = [at_point[at] for at in places] if kind == "point" else [at_cell[at] for at in cells]
+                    self.assertEqual(part[name].dtype, values.dtype)
+                    self.assertEqual(part[name].tobytes(), values[numbers].tobytes(), name)
+            self.expect_own_arrays(case, part)
+        self.assertEqual(len(seen), len(set(seen)))
+        self.assertEqual(set(seen), set(at_cell))
+        return expected
+
+    def expect_own_arrays(self, case, part):
+        """A rank's own arrays go with its points and cells."""
+        self.assertNotIn("cell vtkGhostType", part)
+        points, triangles = surface()
+        for kind, name, places in (("point", "vtkGlobalPointIds", points), ("cell", "vtkGlobalCellIds", points[triangles])):
+            if kind in case.get("ids", "") and len(part["corners"]) > 0:
+                numbers = part[f"{kind} {name}"]
+                found = part["points" if kind == "point" else "corners"]
+                np.testing.assert_array_equal(found, places[numbers])
+
+    def test_thickness_is_that_of_one_process(self):
+        cases = [
+            {"pieces": "random"},
+            {"pieces": "random", "ids": "marked cells points", "ghosts": True, "options": {"CellValues": 1}},
+            {"pieces": "random", "ids": "cells points", "grid": True, "ghosts": True,
+             "options": {"Method": 2, "Side": 2, "CellValues": 1}},
+            {"pieces": "one", "owner": 1, "options": {"Method": 1}},
+            {"pieces": "random", "empty": 1, "options": {"Angle": 40}},
+            {"pieces": "runs", "blocks": "multiblock", "options": {"MinimumThickness": 1.2, "MaximumThickness": 1.4}},
+            {"pieces": "runs", "blocks": "partitioned", "grid": True, "ghosts": True},
+            {"pieces": "random", "blocks": "collection", "ids": "cells points", "options": {"Side": 1}},
+            {"pieces": "random", "copies": True, "ids": "cells points",
+             "options": {"MinimumThickness": 1.2, "MaximumThickness": 1.4}},
+        ]
+        cases = [{"thickness": True, **case} for case in cases]
+        for ranks, some in ((1, cases), (2, cases), (3, cases), (7, cases[:1] + cases[5:6])):
+            for case, parts in zip(some, run(ranks, some)):
+                with self.subTest(ranks=ranks, case=case):
+                    expected = self.expect_thickness_of_one(case, parts)
+                    if "MinimumThickness" in case.get("options", {}):
+                        self.assertEqual(set(expected["field RegionThin"]), {0, 1})
+
     def test_no_rank_holds_the_surface(self):
-        case = {"pieces": "runs", "options": {"Resolution": 64}}
-        (parts,) = run(4, [case])
+        cases = [{"pieces": "runs", "options": {"Resolution": 64}}, {"pieces": "runs", "thickness": True}]
         triangles = len(surface()[1])
-        for part in parts:
-            own, held, sent = part["held"]
-            self.assertLess(own, 0.3 * triangles)
-            self.assertGreaterEqual(held, own)
-            self.assertGreater(sent, 0)
+        for parts in run(4, cases):
+            for part in parts:
+                own, held, sent = part["held"]
+                self.assertLess(own, 0.3 * triangles)
+                self.assertGreaterEqual(held, own)
+                self.assertGreater(sent, 0)
 
     def test_what_fails_on_one_rank_fails_on_all(self):
         small = {"Resolution": 20}
@@ -177,10 +250,23 @@ class Ranks(unittest.TestCase):
         failures += [
             ({**axis, "fault": "NaN", "rank": 1}, "^rank 1: point 0 .*nan"),
             ({**axis, "options of ranks": {"1": {"Angle": 40}}}, "rank 1: Angle 40, but rank 0 has Angle 60"),
-            ({**axis, "options": {**small, "GenerateDistanceField": 1}}, "rank 0: GenerateDistanceField must be off"),
+            ({**axis, "options": {**small, "GenerateDistanceField": 1}}, "^GenerateDistanceField must be off"),
             ({**axis, "options": {**small, "Topology": 1}}, "^preserved topology"),
             ({**axis, "options": {**small, "MaximumNumberOfSpheres": 50}}, "^a maximum number of spheres"),
             ({**axis, "options": {**small, "Angle": 200}}, "200"),
+        ]
+        thickness = {"thickness": True}
+        limited = {**thickness, "options": {"MinimumThickness": 1.3}}
+        failures += [
+            ({**thickness, "fault": "NaN", "rank": 1}, "^rank 1: point 0 .*nan"),
+            ({**thickness, "fault": "type", "rank": 2}, "rank 2: cell 0 is a vtkTetra, not part of a surface"),
+            ({**thickness, "fault": "overlap", "rank": 2, "ids": "cells points"}, "the pieces overlap: cell"),
+            ({**limited, "fault": "hole", "rank": 0}, "^limits of the thickness of one side need a mesh with an inside"),
+            ({**thickness, "options of ranks": {"1": {"Method": 2}}}, "rank 1: Method Wall, but rank 0 has Method Ball"),
+            ({**limited, "options of ranks": {"2": {"MinimumThickness": 1.4}}}, "rank 2: MinimumThickness 1.3999"),
+            ({**thickness, "options": {"Method": 3}}, "^thickness method 3 is outside"),
+            ({**thickness, "options": {"Angle": 200}}, "200"),
+            ({**thickness, "options": {"MaximumEdgeLength": 0.1}}, "^MaximumEdgeLength must be 0"),
         ]
         good = {"pieces": "random", "options": small}
         cases = [{"pieces": "random", **case} for case, _ in failures] + [good]
@@ -192,7 +278,21 @@ class Ranks(unittest.TestCase):
                     self.assertRegex(text.split("): ", 1)[1].strip(), message)
                     self.assertEqual(part["error"], medial.vtkMeshFieldAlgorithm.InvalidInputError)
                     self.assertNotIn("Distance", part)
+                    self.assertEqual(part.get("points", np.empty(0)).size, 0)
         self.expect_bits_of_one(good, last)
+
+
+def bytes_of(rows):
+    return [row.tobytes() for row in rows]
+
+
+def own_cells(case, rank, ranks):
+    """The corners of a rank's cells in their order, without those of ghosts."""
+    cells = []
+    for data in blocks_of(piece(case, rank, ranks)):
+        ghosts = data.GetCellData().GetArray("vtkGhostType")
+        cells.extend(bytes_of(corners_of(data)[vtk_to_numpy(ghosts) == 0] if ghosts else corners_of(data)))
+    return cells
 
 
 class Alone(unittest.TestCase):
@@ -219,6 +319,16 @@ class Alone(unittest.TestCase):
             blocks.SetBlock(1, None)  # one without cells has no field of its own
             field.Update()
             self.assertEqual(field.GetOutputDataObject(0).GetClassName(), output)
+
+    def test_what_the_input_of_thickness_may_be(self):
+        blocks = piece({"pieces": "runs", "blocks": "multiblock"}, 0, 1)
+        thickness = medial.vtkMedialThickness()
+        thickness.SetInputDataObject(blocks)
+        for distributed, output in ((0, "vtkMultiBlockDataSet"), (1, "vtkPolyData"), (0, "vtkMultiBlockDataSet")):
+            thickness.SetDistributedInput(distributed)
+            blocks.SetBlock(1, None)  # one without cells has no thickness of its own
+            thickness.Update()
+            self.assertEqual(thickness.GetOutputDataObject(0).GetClassName(), output)
 
 
 if __name__ == "__main__":

@@ -43,6 +43,8 @@ class Skeleton(unittest.TestCase):
         self.assertGreater(points_in_radius(resolution="auto"), 3.5)
         with self.assertRaisesRegex(medial.InvalidInputError, "'auto' and spacing 0.1 exclude"):
             medial.skeleton(vertices, quads, resolution="auto", spacing=0.1)
+        with self.assertRaisesRegex(TypeError, "'Auto' is not an integer in .* or 'auto'"):
+            medial.skeleton(vertices, quads, resolution="Auto")
         for function in (medial.medial_axis, medial.local_thickness):
             with self.assertRaisesRegex(TypeError, "resolution 'auto' is not an integer"):
                 function(vertices, quads, resolution="auto")

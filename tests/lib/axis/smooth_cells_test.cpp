@@ -1,13 +1,9 @@
 #include "axis/smooth_cells.h"
 
 #include "axis/site_change.h"
-#include "base/checkpoint.h"
-#include "field/array_sink.h"
-#include "field/engines/make_engine.h"
-#include "field/field_pipeline.h"
-#include "field/mesh_state.h"
 #include "support/bordered_shapes.h"
 #include "support/medial_checks.h"
+#include "support/mesh_crossings.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
@@ -23,59 +19,29 @@ using namespace medial::test;
 namespace
 {
 
-/// The crossings of a mesh, and what finds the points of their cells.
-class Sheets
+/// Finds the points of cells of a mesh.
+class Sheets : public MeshCrossings
 {
 public:
   Sheets(const TriangleMesh& mesh, double spacing, double angle)
-    : mesh_(mesh)
-    , connectivity_(analyseConnectivity(mesh))
-    , grid_(offCentreGrid(mesh, spacing))
-    , run_(Execution())
-    , checkpoint_(run_, 0.0, "test")
-    , pipeline_(mesh_, connectivity_, grid_, grid_.wholeExtent(), {}, state_.orienter, run_)
-    , side_(mesh_, connectivity_, pipeline_.frame())
-    , angle_(angle)
+    : MeshCrossings(mesh, offCentreGrid(mesh, spacing), angle)
   {
-    ArraySink sink(grid_.wholeExtent(), {});
-    crossings_ = pipeline_.run(obtainEngine(Engine::Processor, {}, state_.engine), sink,
-      { angle, Side::Interior });
   }
 
   /// @param wanted of all crossings.
   CellPoints find(std::uint8_t wanted)
   {
-    const AxisGeometry geometry{ pipeline_.sites(), pipeline_.query(), pipeline_.frame(),
-      grid_.wholeExtent(), grid_.wholeExtent(), glm::radians(angle_), 0.0, 0.0, checkpoint_,
-      &side_ };
+    const AxisGeometry geometry = this->geometry();
     std::vector<BisectorPoint> guesses;
-    for (const Crossing& crossing : crossings_)
+    for (const Crossing& crossing : this->crossings())
     {
       const SiteSegment segment = segmentOf(geometry.frame, crossing);
       guesses.push_back(SiteChange(geometry.sites, segment).point());
     }
-    const DualMesh mesh = dualMesh(crossings_, grid_.wholeExtent());
-    return SmoothCells(geometry, crossings_, mesh, guesses)
-      .find(std::vector<std::uint8_t>(crossings_.size(), wanted));
+    const DualMesh mesh = dualMesh(this->crossings(), this->grid().wholeExtent());
+    return SmoothCells(geometry, this->crossings(), mesh, guesses)
+      .find(std::vector<std::uint8_t>(this->crossings().size(), wanted));
   }
-
-  double exactDistance(const glm::dvec3& x) const
-  {
-    const SitePoint closest = pipeline_.query().closest(x);
-    return glm::distance(closest.point, x);
-  }
-
-private:
-  TriangleMesh mesh_;
-  MeshConnectivity connectivity_;
-  Grid grid_;
-  Run run_;
-  Checkpoint checkpoint_;
-  MeshState state_;
-  FieldPipeline pipeline_;
-  SideCheck side_;
-  double angle_;
-  std::vector<Crossing> crossings_;
 };
 
 std::size_t countOf(const CellPoints& cells)

@@ -49,6 +49,22 @@ void expectCover(const std::vector<Extent>& slabs, const Extent& extent)
   EXPECT_EQ(next, extent.max[2] + 1);
 }
 
+/// A sink that wants one side alone.
+class SideSink : public CollectingSink
+{
+public:
+  SideSink(const Extent& extent, Side side)
+    : CollectingSink(extent, 8)
+    , side_(side)
+  {
+  }
+
+  Side side() const override { return side_; }
+
+private:
+  Side side_;
+};
+
 class FieldSinkOf : public testing::TestWithParam<Engine>
 {
 protected:
@@ -84,6 +100,36 @@ TEST_P(FieldSinkOf, ValuesAreThoseOfArrays)
   this->deliver(sink, tallGrid().wholeExtent());
   EXPECT_EQ(sink.distance, field.distance);
   EXPECT_EQ(sink.site, field.closestSite);
+}
+
+TEST_P(FieldSinkOf, TheSideThatItWantsIsThatOfTheWholeField)
+{
+  const Extent extent = tallGrid().wholeExtent();
+  options.sign = SignMethod::Winding;
+  const DistanceField field = computeDistanceField(shape, tallGrid(), options);
+  for (const Side side : { Side::Interior, Side::Exterior })
+  {
+    SideSink sink(extent, side);
+    this->deliver(sink, extent);
+    ASSERT_EQ(sink.distance.size(), field.distance.size());
+    std::size_t leftOut = 0;
+    for (std::size_t i = 0; i < field.distance.size(); ++i)
+    {
+      if (sink.distance[i] == CollectingSink::kUntouched)
+      {
+        ASSERT_EQ(field.distance[i] > 0.0f, side == Side::Interior);
+        ++leftOut;
+      }
+      else
+      {
+        ASSERT_NEAR(sink.distance[i], field.distance[i], kTolerance);
+      }
+    }
+    if (GetParam() == Engine::Processor && side == Side::Interior)
+    {
+      EXPECT_GT(leftOut, field.distance.size() / 2);
+    }
+  }
 }
 
 TEST_P(FieldSinkOf, BytesOfTheSinkMakeThinnerSlabs)

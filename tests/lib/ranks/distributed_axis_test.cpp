@@ -3,6 +3,7 @@
 #include "medial/compute_medial_axis.h"
 #include "medial/error.h"
 #include "medial/ranks.h"
+#include "ranks/distributed_axis.h"
 
 #include "pieces.h"
 #include "simulated_ranks.h"
@@ -127,8 +128,10 @@ void expectWhole(const MedialAxis& whole, const std::vector<AxisPiece>& pieces)
   EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), static_cast<std::ptrdiff_t>(seen.size()));
 }
 
+/// @param axisExtents where ranks make the axis; if empty they choose themselves.
 std::vector<AxisPiece> axisOfRanks(const Case& of, const std::vector<Extent>& extents,
-  const Distribution& rankOf, std::vector<RankCounts>* counts = nullptr)
+  const Distribution& rankOf, const std::vector<Extent>& axisExtents = {},
+  std::vector<RankCounts>* counts = nullptr)
 {
   const auto ranks = static_cast<int>(extents.size());
   std::vector<AxisPiece> pieces(extents.size());
@@ -139,7 +142,7 @@ std::vector<AxisPiece> axisOfRanks(const Case& of, const std::vector<Extent>& ex
       const int rank = communicator.rank();
       NoField sink;
       pieces[rank] = computeMedialAxis(communicator, pieceOf(of.mesh, rank, rankOf), of.grid,
-        extents, sink, optionsOf(of), &ownCounts[rank]);
+        extents, axisExtents, sink, optionsOf(of), &ownCounts[rank]);
     });
   if (counts != nullptr)
   {
@@ -157,6 +160,7 @@ void expectSameAxisOfAllPartitions(const Case& of)
     SCOPED_TRACE(std::to_string(ranks) + " ranks");
     const std::vector<Extent> extents = partsOfGrid(of.grid, ranks);
     expectWhole(whole, axisOfRanks(of, extents, atRandom(ranks)));
+    expectWhole(whole, axisOfRanks(of, extents, atRandom(ranks), extents));
   }
 }
 
@@ -316,11 +320,12 @@ TEST(DistributedAxis, IsThatOfOneProcessInAnyExtents)
   const auto [x, y, z] = of.grid.wholeExtent().max;
   const MedialAxis whole = computeMedialAxis(of.mesh, of.grid, optionsOf(of));
   // One is a single layer, one is empty.
-  expectWhole(whole,
-    axisOfRanks(of,
-      { { { 0, 0, 0 }, { x, y, 20 } }, { { 0, 0, 21 }, { x, y, 21 } }, {},
-        { { 0, 0, 22 }, { 17, y, z } }, { { 18, 0, 22 }, { x, y, z } } },
-      atRandom(5)));
+  const std::vector<Extent> extents{ { { 0, 0, 0 }, { x, y, 20 } }, { { 0, 0, 21 }, { x, y, 21 } },
+    {}, { { 0, 0, 22 }, { 17, y, z } }, { { 18, 0, 22 }, { x, y, z } } };
+  expectWhole(whole, axisOfRanks(of, extents, atRandom(5), extents));
+  // Those of the axis may lie elsewhere.
+  const std::vector<Extent> others{ extents[3], extents[2], extents[4], extents[0], extents[1] };
+  expectWhole(whole, axisOfRanks(of, extents, atRandom(5), others));
 }
 
 TEST(DistributedAxis, OfCutsThroughTrianglesWithoutAreaIsThatOfOneProcess)
@@ -338,11 +343,10 @@ TEST(DistributedAxis, OfCutsThroughTrianglesWithoutAreaIsThatOfOneProcess)
   ASSERT_GT(whole.cellCount(), 0);
   const int middle = 28; // where y and z are 0
   const int end = 70;    // where x is 1, an end of the first box
-  expectWhole(whole,
-    axisOfRanks(of,
-      { { { 0, 0, 0 }, { end, middle, z } }, { { 0, middle + 1, 0 }, { end, y, z } },
-        { { end + 1, 0, 0 }, { x, y, middle - 1 } }, { { end + 1, 0, middle }, { x, y, z } } },
-      atRandom(4)));
+  const std::vector<Extent> extents{ { { 0, 0, 0 }, { end, middle, z } },
+    { { 0, middle + 1, 0 }, { end, y, z } }, { { end + 1, 0, 0 }, { x, y, middle - 1 } },
+    { { end + 1, 0, middle }, { x, y, z } } };
+  expectWhole(whole, axisOfRanks(of, extents, atRandom(4), extents));
 }
 
 TEST(DistributedAxis, GathersOnTheFirstRank)
@@ -370,6 +374,33 @@ TEST(DistributedAxis, GathersOnTheFirstRank)
         EXPECT_EQ(attributes(axis, p), attributes(whole, p));
       }
     });
+}
+
+TEST(DistributedAxis, IsSharedOutByCrossings)
+{
+  // Plates, which are nearly all sheet, beside a ball of many triangles, which has hardly any axis.
+  TriangleMesh mesh = translated(icosphere(0.5, 3), { 3.0, 0.0, 0.0 });
+  for (const double z : { -0.4, -0.1, 0.2 })
+  {
+    mesh = appended(mesh, translated(box({ 1.2, 0.6, 0.06 }), { 0.0, 0.0, z }));
+  }
+  Case of{ numbered(mesh), {} };
+  of.grid = gridAround(of.mesh, 260);
+  constexpr int kRanks = 4;
+  const std::vector<Extent> equal = partsOfGrid(of.grid, kRanks);
+  // Of a rank in its part and the halo around.
+  const auto most = [&](const std::vector<Extent>& axisExtents)
+  {
+    std::vector<RankCounts> counts;
+    axisOfRanks(of, equal, atRandom(kRanks), axisExtents, &counts);
+    std::int64_t crossings = 0;
+    for (const RankCounts& rank : counts)
+    {
+      crossings = std::max(crossings, rank.crossings);
+    }
+    return static_cast<double>(crossings);
+  };
+  EXPECT_LT(most({}), 0.8 * most(equal));
 }
 
 class DistributedAxisOfModels : public testing::TestWithParam<std::string>

@@ -360,8 +360,8 @@ TEST(DistributedField, RefusesSegments)
       catch (const Error& error)
       {
         EXPECT_STREQ(error.what(),
-          "a surface in pieces must consist of triangles; this one has 1 line segments and 1 "
-          "points of no triangle: it needs a single process");
+          "a surface in pieces must consist of triangles; this one has 1 line segment and 1 "
+          "point of no triangle: it needs a single process");
       }
     });
 }
@@ -433,6 +433,34 @@ TEST(PartsByWork, TakeAboutTheSame)
   // The grid has 17 tiles along an edge: there is little choice where to cut.
   EXPECT_LT(busiest(extents[0]), 0.75 * busiest(partsOfGrid(of.grid, kRanks)));
   expectSameBits(of, whole, extents[0], atRandom(kRanks));
+}
+
+TEST(PartsByWork, LookAtOneSideAlone)
+{
+  const TriangleMesh mesh = numbered(icosphere(1.0, 3));
+  Case of{ mesh, gridAround(mesh, 60), SignMethod::Winding };
+  of.grid.dimensions = { 160, 160, 160 }; // most of it is empty
+  constexpr int kRanks = 4;
+  const auto ranksInside = [&](Side side)
+  {
+    std::vector<Extent> extents;
+    SimulatedRanks(kRanks).run(
+      [&](Communicator& communicator)
+      {
+        const std::vector<Extent> parts = partsByWork(communicator,
+          pieceOf(of.mesh, communicator.rank(), atRandom(kRanks)), of.grid, optionsOf(of), side);
+        if (communicator.rank() == 0)
+        {
+          extents = parts;
+        }
+      });
+    return std::count_if(extents.begin(), extents.end(),
+      [](const Extent& extent) {
+        return !extent.empty() && extent.min[0] < 52 && extent.min[1] < 52 && extent.min[2] < 52;
+      });
+  };
+  EXPECT_EQ(ranksInside(Side::Interior), kRanks);
+  EXPECT_LT(ranksInside(Side::Both), kRanks);
 }
 
 TEST(PartsByWork, MayBeEmpty)

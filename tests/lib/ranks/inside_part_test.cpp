@@ -34,8 +34,9 @@ int differences(const TriangleMesh& mesh, int ranks, SignMethod sign = SignMetho
       options.sign = sign;
       RunStatistics statistics;
       const Extent& extent = extents[rank];
-      RankField field(communicator, pieceOf(mesh, rank, atRandom(ranks)), grid, extent, extent,
-        options, Run(Execution{ 1, nullptr }), statistics);
+      RankField field(communicator, pieceOf(mesh, rank, atRandom(ranks)), grid, options,
+        Run(Execution{ 1, nullptr }), statistics);
+      field.bring(communicator, extent, extent);
       field.closeHoles(communicator);
       InsidePart part(communicator, field, extent);
       if (extent.empty())

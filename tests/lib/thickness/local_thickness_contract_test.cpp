@@ -1,6 +1,7 @@
 // What holds for local thickness whatever the solid.
 #include "medial/local_thickness.h"
 
+#include "medial/compute_distance_field.h"
 #include "medial/error.h"
 
 #include "support/collecting_sink.h"
@@ -109,6 +110,20 @@ TEST(LocalThicknessContract, SameBytesSlabBySlab)
   EXPECT_EQ(sink.values, whole.values);
   EXPECT_EQ(statistics.thickness->mean, whole.statistics.thickness->mean);
   EXPECT_EQ(statistics.separation->histogram, whole.statistics.separation->histogram);
+}
+
+TEST(LocalThicknessContract, DeliversTheFieldToo)
+{
+  const TriangleMesh mesh = lattice();
+  const Grid grid = gridOf(mesh);
+  LocalThicknessOptions options;
+  CollectingSink field(grid.wholeExtent(), 8);
+  ValueSink sink;
+  computeLocalThickness(mesh, analyseConnectivity(mesh), grid, sink, options, &field);
+  const DistanceField expected = computeDistanceField(mesh, grid, options.field);
+  EXPECT_EQ(field.distance, expected.distance);
+  EXPECT_EQ(field.site, expected.closestSite);
+  EXPECT_EQ(sink.values, computed(Side::Interior).values);
 }
 
 TEST(LocalThicknessContract, BothIsThicknessInsideAndMinusSeparationOutside)

@@ -75,14 +75,10 @@ std::vector<std::size_t> randomPointsWithValue(const LocalThickness& thickness, 
   return ids;
 }
 
-/// @param part the points that are looked at.
-void expectTruth(const TriangleMesh& mesh, Side side, int resolution, const Bounds& part)
+std::vector<DiameterBounds> truthAt(const TriangleMesh& mesh, const Grid& grid,
+  const std::vector<std::size_t>& ids)
 {
-  const Grid grid = makeGrid(mesh.bounds(), resolution, 0.05);
   const double voxel = grid.spacing[0];
-  const LocalThickness thickness = computeLocalThickness(mesh, grid, optionsFor(side));
-  const std::vector<std::size_t> ids = randomPointsWithValue(thickness, part, 40);
-  ASSERT_EQ(ids.size(), 40u);
   const MeshSearch search(mesh);
   std::vector<DiameterBounds> truth(ids.size());
   parallelFor(ids.size(),
@@ -91,12 +87,30 @@ void expectTruth(const TriangleMesh& mesh, Side side, int resolution, const Boun
       truth[i] = largestBallAround(search, boundsOf(grid), pointOf(grid, ids[i]), kSlack * voxel,
         kSearchTolerance * voxel);
     });
+  return truth;
+}
+
+void expectTruthAt(const std::vector<std::size_t>& ids, const TriangleMesh& mesh,
+  const LocalThickness& thickness)
+{
+  const double voxel = thickness.grid.spacing[0];
+  const std::vector<DiameterBounds> truth = truthAt(mesh, thickness.grid, ids);
   for (std::size_t i = 0; i < ids.size(); ++i)
   {
     const double value = std::fabs(static_cast<double>(thickness.values[ids[i]]));
     EXPECT_LE((value - truth[i].max) / voxel, kTolerance) << "point " << ids[i];
     EXPECT_LE((truth[i].min - value) / voxel, kTolerance) << "point " << ids[i];
   }
+}
+
+/// @param part the points that are looked at.
+void expectTruth(const TriangleMesh& mesh, Side side, int resolution, const Bounds& part)
+{
+  const Grid grid = makeGrid(mesh.bounds(), resolution, 0.05);
+  const LocalThickness thickness = computeLocalThickness(mesh, grid, optionsFor(side));
+  const std::vector<std::size_t> ids = randomPointsWithValue(thickness, part, 40);
+  ASSERT_EQ(ids.size(), 40u);
+  expectTruthAt(ids, mesh, thickness);
 }
 
 /// Calls check(point, value) for all grid points with a value.
@@ -115,32 +129,54 @@ void forValues(const LocalThickness& thickness, const Check& check)
   EXPECT_GT(count, 100u);
 }
 
+/// Returns the largest radius up to a limit for which a condition holds: it does for all smaller
+/// ones.
+template <typename Condition>
+double largestRadius(double limit, const Condition& holds)
+{
+  if (holds(limit))
+  {
+    return limit;
+  }
+  double low = 0.0;
+  double high = limit;
+  for (int i = 0; i < 50; ++i)
+  {
+    const double middle = 0.5 * (low + high);
+    (holds(middle) ? low : high) = middle;
+  }
+  return low;
+}
+
 /// Diameter of the largest ball around a point of a box: where balls of a radius fit, their centres
 /// fill a smaller box, which is nearer to the point than the radius only up to the largest one.
 double largestBallInBox(const Point3& half, const Point3& point)
 {
-  const auto contained = [&](double radius)
-  {
-    double squared = 0.0;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const double outside = std::fabs(point[axis]) - (half[axis] - radius);
-      squared += outside > 0.0 ? outside * outside : 0.0;
-    }
-    return squared <= radius * radius;
-  };
-  double low = 0.0;
-  double high = *std::min_element(half.begin(), half.end());
-  if (contained(high))
-  {
-    return 2.0 * high;
-  }
-  for (int i = 0; i < 50; ++i)
-  {
-    const double middle = 0.5 * (low + high);
-    (contained(middle) ? low : high) = middle;
-  }
-  return 2.0 * low;
+  return 2.0 *
+    largestRadius(*std::min_element(half.begin(), half.end()),
+      [&](double radius)
+      {
+        double squared = 0.0;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          const double outside = std::fabs(point[axis]) - (half[axis] - radius);
+          squared += outside > 0.0 ? outside * outside : 0.0;
+        }
+        return squared <= radius * radius;
+      });
+}
+
+/// Diameter of the largest ball around a point of a cylinder, likewise.
+/// @param across, along how far the point is from the axis and from the middle.
+double largestBallInCylinder(double radius, double half, double across, double along)
+{
+  return 2.0 *
+    largestRadius(std::min(radius, half),
+      [&](double ball)
+      {
+        return std::hypot(std::max(across - (radius - ball), 0.0),
+                 std::max(along - (half - ball), 0.0)) <= ball;
+      });
 }
 
 /// @param half half the edges of a box around the origin; only the points in it count.
@@ -196,6 +232,68 @@ TEST(LocalThickness, OfABentBoxIsTheLargestBallAroundEveryPoint)
 {
   const TriangleMesh mesh = lPrism(1.0, 0.5);
   expectTruth(mesh, Side::Interior, 25, mesh.bounds());
+}
+
+// Points between the facets of its end are in no ball with an angle of 25 degrees.
+TEST(LocalThickness, OfTheEndOfAnEllipsoidIsNotLargerThanTheTruth)
+{
+  const TriangleMesh mesh = ellipsoid(1.0, 0.7, 0.4, 4);
+  const Grid grid = makeGrid(mesh.bounds(), 48, 0.05);
+  const LocalThickness thickness = computeLocalThickness(mesh, grid);
+  const std::vector<std::size_t> ids =
+    randomPointsWithValue(thickness, { { 0.0, -0.7, 0.0 }, { 0.1, -0.69, 0.1 } }, 5);
+  ASSERT_EQ(ids.size(), 2u);
+  const std::vector<DiameterBounds> truth = truthAt(mesh, grid, ids);
+  for (std::size_t i = 0; i < ids.size(); ++i)
+  {
+    const double value = static_cast<double>(thickness.values[ids[i]]);
+    EXPECT_LE((value - truth[i].max) / grid.spacing[0], kTolerance) << "point " << ids[i];
+    EXPECT_GT(value / grid.spacing[0], 9.0);
+  }
+}
+
+// The largest balls there have angles below 25 degrees.
+TEST(LocalThickness, AtTheSurfaceOfAnEllipsoidIsTheLargestBallAroundEveryPoint)
+{
+  const TriangleMesh mesh = ellipsoid(1.0, 0.7, 0.4, 4);
+  const Grid grid = makeGrid(mesh.bounds(), 48, 0.05);
+  const LocalThickness thickness = computeLocalThickness(mesh, grid);
+  const std::vector<std::size_t> ids =
+    randomPointsWithValue(thickness, { { -0.37, -0.66, -0.08 }, { -0.3, -0.64, 0.0 } }, 3);
+  EXPECT_GT(ids.size(), 1u);
+  expectTruthAt(ids, mesh, thickness);
+}
+
+// Sheets with small radii of curvature meet in a tip there. Where balls of a radius fit, their
+// centres fill a smaller cylinder.
+TEST(LocalThickness, OfACylinderWithFlatEndsIsTheLargestBallAroundEveryPoint)
+{
+  constexpr double kRadius = 0.4;
+  constexpr double kHalf = 1.0;
+  constexpr int kFacets = 48;
+  const TriangleMesh mesh = cylinder(kRadius, 2.0 * kHalf, kFacets);
+  const Grid grid = makeGrid(mesh.bounds(), 48, 0.05);
+  const double voxel = grid.spacing[0];
+  const double inner = kRadius * std::cos(std::acos(-1.0) / kFacets);
+  forValues(computeLocalThickness(mesh, grid),
+    [&](const Point3& p, double value)
+    {
+      const double across = std::hypot(p[0], p[1]);
+      const double depth = std::min(inner - across, kHalf - std::fabs(p[2]));
+      if (depth > 0.25 * voxel) // nearer, the facets matter
+      {
+        const auto truth = [&](double radius)
+        { return largestBallInCylinder(radius, kHalf, across, std::fabs(p[2])); };
+        EXPECT_LE((value - truth(kRadius)) / voxel, kTolerance);
+        EXPECT_LE((truth(inner) - value) / voxel, 0.2) << p[0] << ' ' << p[1] << ' ' << p[2];
+      }
+    });
+}
+
+TEST(LocalThickness, OfTipsThinnerThanTheSpacingIsTheLargestBallAroundEveryPoint)
+{
+  expectTruth(regularTetrahedron(1.0), Side::Interior, 48,
+    { { 0.26, 0.26, 0.26 }, { 0.36, 0.36, 0.36 } });
 }
 
 TEST(LocalThickness, OfBoxesIsTheLargestBallAroundEveryPoint)

@@ -1,5 +1,7 @@
 #include "thickness/touching_ball.h"
 
+#include "thickness/own_surface.h"
+
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
@@ -41,8 +43,9 @@ TEST(TouchingBall, GuessMayBeTheResult)
 {
   constexpr double kHalf = 0.5;
   const TriangleMesh mesh = box({ kHalf, kHalf, kHalf });
-  const SurfaceQuery surface(mesh, analyseConnectivity(mesh), 0.0);
-  const double unit = surface.local().unit;
+  const SurfaceQuery query(mesh, analyseConnectivity(mesh), 0.0);
+  OwnSurface surface(query);
+  const double unit = query.local().unit;
   const TouchingBall ball(surface, kAngle, mesh.bounds().diagonal() / unit);
   std::mt19937 random(7);
   std::uniform_real_distribution<double> gaps(0.01, 0.35);
@@ -54,7 +57,7 @@ TEST(TouchingBall, GuessMayBeTheResult)
     const int towards = (from + 1 + signs(random)) % 3;
     const BoxRay box = boxRay(kHalf, from, towards, 2.0 * signs(random) - 1.0,
       2.0 * signs(random) - 1.0, gaps(random));
-    const TouchingBall::Ray ray{ surface.local().toLocal(box.start), box.direction };
+    const TouchingBall::Ray ray{ query.local().toLocal(box.start), box.direction };
     const double truth = box.gap / unit;
     for (const double guess : { truth, std::nextafter(truth, 0.0), std::nextafter(truth, HUGE_VAL),
            truth * (1.0 - 1e-15), truth * (1.0 + 1e-15), 0.7 * truth, 1.3 * truth })

@@ -107,6 +107,20 @@ TEST(PreservedBorders, OfAnEllipsoidAreWhereItsAngleIsTheta)
   }
 }
 
+TEST(PreservedPoints, InSmoothCellsAreThoseOfTheSelectedAxis)
+{
+  const TriangleMesh mesh = Ellipsoid::mesh(5);
+  const Grid grid = offCentreGrid(mesh, 0.04);
+  const MedialAxis selected = computeMedialAxis(mesh, grid, MedialAxisOptions());
+  std::vector<Point3> known = selected.points;
+  std::sort(known.begin(), known.end());
+  const MedialAxis axis = computeMedialAxis(mesh, grid, preserving());
+  const auto same = std::count_if(axis.points.begin(), axis.points.end(),
+    [&](const Point3& point) { return std::binary_search(known.begin(), known.end(), point); });
+  EXPECT_GT(same, 0.5 * static_cast<double>(axis.points.size()));
+  expectTopologyOfSolid(axis);
+}
+
 TEST(PreservedBorders, GiveAnEllipsoidItsAreaAtSecondOrder)
 {
   const auto half = Ellipsoid::border(60.0);

@@ -61,11 +61,12 @@ class Evaluation
 {
 public:
   /// @param side that is looked at: tiles of the other are left out where no array is wanted but
-  ///   for the axis, and it is known beforehand which these are.
+  ///   for the axis, or the sink wants this side alone, and it is known beforehand which these are.
   /// @param tap the sink, if it keeps the field for the axis; else null.
-  Evaluation(const FieldJob& job, Side side, const FieldTap* tap)
+  Evaluation(const FieldJob& job, Side side, const FieldSink& sink, const FieldTap* tap)
     : job_(job)
     , side_(side)
+    , sinkSide_(sink.side())
     , tap_(tap)
     , hierarchy_(job.host.filter(), job.frame, job.whole, job.extent)
     , sites_(job.host.sites(), job.host.filter().bounds(), job.host.signNormals(), job.frame,
@@ -117,7 +118,8 @@ public:
       [&]
       {
         std::optional<SideParts> parts;
-        const bool sideOnly = tap_ != nullptr ? tap_->sideOnly() : !arrays.any();
+        const bool sideOnly =
+          tap_ != nullptr ? tap_->sideOnly() : !arrays.any() || sinkSide_ == side_;
         if (side_ != Side::Both && inside_ != nullptr && sideOnly)
         {
           parts.emplace(*inside_, side_, slab, job_.whole, CandidateHierarchy::kTileSize,
@@ -189,6 +191,7 @@ private:
 
   const FieldJob& job_;
   Side side_;
+  Side sinkSide_;
   const FieldTap* tap_;
   CandidateHierarchy hierarchy_;
   TileEvaluator sites_;
@@ -199,11 +202,12 @@ private:
   FieldWriter writer_;
 };
 
-Evaluation makeEvaluation(const FieldJob& job, Side side, const FieldTap* tap = nullptr)
+Evaluation makeEvaluation(const FieldJob& job, Side side, const FieldSink& sink,
+  const FieldTap* tap = nullptr)
 {
   job.insideRows(); // in time of their own
   const Stopwatch watch(job.statistics.seconds.sites);
-  return job.run.onThreads([&] { return Evaluation(job, side, tap); });
+  return job.run.onThreads([&] { return Evaluation(job, side, sink, tap); });
 }
 
 /// Adds the work of all threads. Evaluation and culling alternate; each gets the share of the wall
@@ -250,7 +254,7 @@ void evaluateSlabs(const FieldJob& job, const std::vector<Extent>& slabs, Evalua
 
 void ProcessorEngine::run(const FieldJob& job, FieldSink& sink)
 {
-  Evaluation evaluation = makeEvaluation(job, Side::Both);
+  Evaluation evaluation = makeEvaluation(job, sink.side(), sink);
   const int slices = slabSlices(job.extent, sink.bytesPerPoint(), job.memoryMiB);
   evaluateSlabs(
     job, slabsOf(job.extent, slices), evaluation, sink,
@@ -260,7 +264,7 @@ void ProcessorEngine::run(const FieldJob& job, FieldSink& sink)
 std::vector<Crossing> ProcessorEngine::select(const FieldJob& job, const CrossingSelection& wanted,
   FieldSink& sink)
 {
-  Evaluation evaluation = makeEvaluation(job, wanted.side, wanted.tap);
+  Evaluation evaluation = makeEvaluation(job, wanted.side, sink, wanted.tap);
   const CrossingFilter filter = timed(job.statistics.seconds.medial,
     [&]
     {

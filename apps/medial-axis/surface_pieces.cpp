@@ -1,4 +1,4 @@
-#include "axis_pieces.h"
+#include "surface_pieces.h"
 
 #include "field_layout.h"
 #include "file_writer.h"
@@ -7,10 +7,7 @@
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
-#include <vtkMeshConversion.h>
-#include <vtkNew.h>
 #include <vtkPointData.h>
-#include <vtkPolyData.h>
 
 #include <string>
 
@@ -52,7 +49,8 @@ std::string indexOf(vtkPolyData* piece, const std::vector<std::string>& sources)
 {
   std::string text = fileElement("PPolyData") +
     "  <PPolyData GhostLevel=\"0\">\n"
-    "    <PPointData Scalars=\"Radius\" GlobalIds=\"vtkGlobalPointIds\">\n" +
+    "    <PPointData Scalars=\"" +
+    piece->GetPointData()->GetScalars()->GetName() + "\" GlobalIds=\"vtkGlobalPointIds\">\n" +
     elementsOf(piece->GetPointData()) +
     "    </PPointData>\n    <PCellData GlobalIds=\"vtkGlobalCellIds\">\n" +
     elementsOf(piece->GetCellData()) +
@@ -68,26 +66,24 @@ std::string indexOf(vtkPolyData* piece, const std::vector<std::string>& sources)
 
 } // namespace
 
-AxisPieces::AxisPieces(const std::filesystem::path& path)
+SurfacePieces::SurfacePieces(const std::filesystem::path& path)
   : path_(path)
 {
   const OutputFile check(path);
 }
 
-std::filesystem::path AxisPieces::piecePath(std::size_t rank) const
+std::filesystem::path SurfacePieces::piecePath(std::size_t rank) const
 {
   return path_.parent_path() / (path_.stem().string() + "_" + std::to_string(rank) + ".vtp");
 }
 
-void AxisPieces::write(const AxisPiece& piece, const std::vector<std::int64_t>& cells,
+void SurfacePieces::write(vtkPolyData* piece, const std::vector<std::int64_t>& cells,
   std::size_t rank)
 {
-  vtkNew<vtkPolyData> data;
-  vtkMeshConversion::ToPolyData(piece, data);
   if (cells[rank] > 0)
   {
     piece_.emplace(this->piecePath(rank));
-    namingFile(piece_->path(), [&] { writeVtp(data, piece_->open()); });
+    namingFile(piece_->path(), [&] { writeVtp(piece, piece_->open()); });
   }
   if (rank == 0)
   {
@@ -100,11 +96,11 @@ void AxisPieces::write(const AxisPiece& piece, const std::vector<std::int64_t>& 
       }
     }
     index_.emplace(path_);
-    namingFile(path_, [&] { writeFile(index_->open(), indexOf(data, sources)); });
+    namingFile(path_, [&] { writeFile(index_->open(), indexOf(piece, sources)); });
   }
 }
 
-void AxisPieces::commitPiece()
+void SurfacePieces::commitPiece()
 {
   if (piece_)
   {
@@ -112,7 +108,7 @@ void AxisPieces::commitPiece()
   }
 }
 
-void AxisPieces::commitIndex()
+void SurfacePieces::commitIndex()
 {
   if (index_)
   {

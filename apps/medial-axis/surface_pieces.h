@@ -2,7 +2,7 @@
 
 #include "output_file.h"
 
-#include "medial/ranks.h"
+#include <vtkPolyData.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -13,19 +13,20 @@
 namespace medial::app
 {
 
-/// An axis in pieces: FILE.pvtp is an index of FILE_0.vtp, FILE_1.vtp and so on, one of each rank
-/// that has cells. All of them appear, or none.
-class AxisPieces
+/// An axis or a surface in pieces: FILE.pvtp is an index of FILE_0.vtp, FILE_1.vtp and so on, one
+/// of each rank that has cells. All of them appear, or none.
+class SurfacePieces
 {
 public:
   /// Checks that a file can be created there; leaves nothing behind.
   /// @throws Failure NoSpace.
-  explicit AxisPieces(const std::filesystem::path& path);
+  explicit SurfacePieces(const std::filesystem::path& path);
 
   /// Writes the piece of a rank, and, on the first, the index.
+  /// @param piece with global ids and active scalars; all have the same arrays.
   /// @param cells how many each rank has.
   /// @throws Failure NoSpace.
-  void write(const AxisPiece& piece, const std::vector<std::int64_t>& cells, std::size_t rank);
+  void write(vtkPolyData* piece, const std::vector<std::int64_t>& cells, std::size_t rank);
 
   ///@{
   /// The index appears once all pieces have.
