@@ -2,6 +2,7 @@
 
 #include "medial/grid.h"
 #include "medial/triangle_mesh.h"
+#include "support/named.h"
 
 #include <ostream>
 #include <string>

@@ -288,7 +288,7 @@ void expectExactField(const TriangleMesh& mesh, const Grid& grid, const Voxels& 
   const std::vector<Hit> truth = truthAt(mesh, grid, voxels);
   for (const DistanceFieldOptions& options : enginesFor(grid))
   {
-    SCOPED_TRACE(static_cast<int>(options.engine));
+    SCOPED_TRACE(options.engine);
     expectExact(mesh, computeDistanceField(mesh, grid, options), voxels, truth);
   }
 }
@@ -298,7 +298,7 @@ void expectExactField(const TriangleMesh& mesh, const Grid& grid,
 {
   for (const DistanceFieldOptions& each : enginesFor(grid, options))
   {
-    SCOPED_TRACE(static_cast<int>(each.engine));
+    SCOPED_TRACE(each.engine);
     expectExact(mesh, computeDistanceField(mesh, grid, each), allVoxels(grid));
   }
 }

@@ -170,9 +170,9 @@ TEST_P(BlockPositionsOfSureSites, AreFew)
 }
 
 INSTANTIATE_TEST_SUITE_P(Meshes, BlockPositionsOf, testing::ValuesIn(cullingCases()),
-  [](const auto& test) { return test.param.name; });
+  kNameOfParameter);
 
 INSTANTIATE_TEST_SUITE_P(Meshes, BlockPositionsOfSureSites, testing::ValuesIn(sureCases()),
-  [](const auto& test) { return test.param.name; });
+  kNameOfParameter);
 
 } // namespace medial::test

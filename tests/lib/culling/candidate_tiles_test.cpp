@@ -132,7 +132,7 @@ TEST_P(CandidateTilesOf, CoverEveryPointOnceInAscendingOrder)
 }
 
 INSTANTIATE_TEST_SUITE_P(Meshes, CandidateTilesOf, testing::ValuesIn(cullingCases()),
-  [](const auto& test) { return test.param.name; });
+  kNameOfParameter);
 
 TEST(CandidateTiles, LeaveMostSitesOut)
 {

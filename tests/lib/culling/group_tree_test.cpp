@@ -207,8 +207,7 @@ TEST_P(GroupTreeOf, CollectsTheGroupsOfBoxes)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Meshes, GroupTreeOf, testing::ValuesIn(cullingCases()),
-  [](const auto& test) { return test.param.name; });
+INSTANTIATE_TEST_SUITE_P(Meshes, GroupTreeOf, testing::ValuesIn(cullingCases()), kNameOfParameter);
 
 TEST(GroupTree, LooksAtFewGroupsOfASmoothSurface)
 {

@@ -1,6 +1,7 @@
 #include "medial/compute_distance_field.h"
 
 #include "support/field_checks.h"
+#include "support/named.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
@@ -108,16 +109,20 @@ class ScaleOfMesh : public testing::TestWithParam<double>
 {
 };
 
-class DistanceFieldOptionsOf : public testing::TestWithParam<DistanceFieldOptions>
+class DistanceFieldOptionsOf : public testing::TestWithParam<Named<DistanceFieldOptions>>
 {
 };
 
-DistanceFieldOptions optionsWith(int threads, std::size_t memoryMiB)
+Named<DistanceFieldOptions> optionsWith(int threads, std::size_t memoryMiB)
 {
-  DistanceFieldOptions options;
-  options.execution.threads = threads;
-  options.memoryMiB = memoryMiB;
-  return options;
+  return { "Threads" + std::to_string(threads) + "MiB" + std::to_string(memoryMiB),
+    [=]
+    {
+      DistanceFieldOptions options;
+      options.execution.threads = threads;
+      options.memoryMiB = memoryMiB;
+      return options;
+    } };
 }
 
 } // namespace
@@ -272,7 +277,7 @@ TEST_P(DistanceFieldOptionsOf, DoNotMatter)
   const TriangleMesh mesh = shape();
   const Grid grid = makeGrid(mesh.bounds(), 200, 0.1);
   const DistanceField expected = computeDistanceField(mesh, grid);
-  for (const DistanceFieldOptions& options : enginesFor(grid, GetParam()))
+  for (const DistanceFieldOptions& options : enginesFor(grid, GetParam().make()))
   {
     expectSameField(mesh, expected, computeDistanceField(mesh, grid, options));
   }
@@ -281,8 +286,4 @@ TEST_P(DistanceFieldOptionsOf, DoNotMatter)
 INSTANTIATE_TEST_SUITE_P(ThreadsAndMemory, DistanceFieldOptionsOf,
   testing::Values(optionsWith(1, 0), optionsWith(5, 64), optionsWith(0, 90),
     optionsWith(0, 100000)),
-  [](const auto& test)
-  {
-    return "Threads" + std::to_string(test.param.execution.threads) + "MiB" +
-      std::to_string(test.param.memoryMiB);
-  });
+  kNameOfParameter);

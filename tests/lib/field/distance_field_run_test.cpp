@@ -4,6 +4,7 @@
 #include "medial/execution.h"
 
 #include "support/field_checks.h"
+#include "support/printing.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>

@@ -3,6 +3,7 @@
 
 #include "support/collecting_sink.h"
 #include "support/field_checks.h"
+#include "support/printing.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>

@@ -129,7 +129,7 @@ protected:
     const AxisCase input = GetParam().make();
     for (const DistanceFieldOptions& options : allEngines())
     {
-      SCOPED_TRACE(static_cast<int>(options.engine));
+      SCOPED_TRACE(options.engine);
       const MedialAxis axis = compute(input, representation, options);
       if (input.grid.dimensions[2] == 1)
       {

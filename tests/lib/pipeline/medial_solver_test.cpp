@@ -3,6 +3,7 @@
 
 #include "medial/error.h"
 #include "support/field_checks.h"
+#include "support/printing.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
@@ -160,10 +161,4 @@ TEST_P(MedialSolverBy, BadPointsAreRefusedAndLeaveTheMeshAlone)
 }
 
 INSTANTIATE_TEST_SUITE_P(All, MedialSolverBy,
-  testing::Values(Engine::Device, Engine::Rasteriser, Engine::Processor),
-  [](const auto& test)
-  {
-    return test.param == Engine::Rasteriser
-      ? "Rasteriser"
-      : (test.param == Engine::Device ? "Device" : "Processor");
-  });
+  testing::Values(Engine::Device, Engine::Rasteriser, Engine::Processor));

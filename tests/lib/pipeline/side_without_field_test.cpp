@@ -1,6 +1,7 @@
 // The processor leaves out the other side of the surface where nobody wants the field.
 #include "medial/compute_medial_axis.h"
 
+#include "support/printing.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 #include "medial/error.h"
 #include "medial/medial_solver.h"
+#include "support/printing.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
@@ -109,13 +110,7 @@ TEST_P(SolverProcessDeathTest, AChildComputesOrSaysWhyNot)
 }
 
 INSTANTIATE_TEST_SUITE_P(Engines, SolverProcessDeathTest,
-  testing::Values(Engine::Processor, Engine::Device, Engine::Rasteriser),
-  [](const auto& test)
-  {
-    return test.param == Engine::Processor
-      ? std::string("Processor")
-      : (test.param == Engine::Device ? "Device" : "Rasteriser");
-  });
+  testing::Values(Engine::Processor, Engine::Device, Engine::Rasteriser));
 
 } // namespace
 } // namespace medial::test

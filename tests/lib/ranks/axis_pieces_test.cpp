@@ -6,6 +6,7 @@
 #include "medial/error.h"
 #include "medial/medial_model.h"
 #include "medial/ranks.h"
+#include "support/named.h"
 #include "support/shapes.h"
 #include "support/transforms.h"
 
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <map>
+#include <ostream>
 #include <random>
 #include <string>
 #include <vector>
@@ -34,6 +36,11 @@ struct Case
   double angle = 60.0;
   Representation representation = Representation::Surface;
 };
+
+std::ostream& operator<<(std::ostream& stream, const Case& of)
+{
+  return stream << of.name;
+}
 
 /// Boxes with hollows: closed sheets that meet others along seams.
 TriangleMesh boxWithHollows()
@@ -170,8 +177,7 @@ TEST_P(AxisPieces, CoverWhatTheWholeCovers)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Solids, AxisPieces, testing::ValuesIn(cases()),
-  [](const testing::TestParamInfo<Case>& tested) { return tested.param.name; });
+INSTANTIATE_TEST_SUITE_P(Solids, AxisPieces, testing::ValuesIn(cases()), kNameOfParameter);
 
 TEST(AxisPiecesTopology, OfClosedSheetsCountsCavities)
 {

@@ -5,14 +5,13 @@
 #include "sites/site_set.h"
 
 #include "support/brute_force.h"
+#include "support/named.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
-#include <ostream>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -24,17 +23,6 @@ namespace
 
 /// Local units; half-spaces are stored in single precision.
 constexpr double kPrecision = 1e-4;
-
-struct NamedMesh
-{
-  std::string name;
-  TriangleMesh mesh;
-};
-
-std::ostream& operator<<(std::ostream& stream, const NamedMesh& named)
-{
-  return stream << named.name;
-}
 
 /// A surface z = (x^2 - y^2) / 2 over a square, all of whose inner vertices are saddles.
 TriangleMesh saddle()
@@ -60,6 +48,12 @@ TriangleMesh saddle()
   return makeMesh(points, triangles);
 }
 
+TriangleMesh trianglePointAndSegment()
+{
+  return makeMesh({ { 0.0, 0.0, 0.0 }, { 1.0, 0.2, 0.4 }, { 0.5, 0.9, 0.3 }, { 0.2, 0.1, 0.9 } },
+    { { 0, 1, 2 } }, { { 0, 3 } }, { 3 });
+}
+
 TriangleMesh manyFacedEdges()
 {
   const TriangleMesh boxes =
@@ -67,19 +61,22 @@ TriangleMesh manyFacedEdges()
   return appended(boxes, translated(box({ 0.5, 0.5, 0.5 }), { 1.0, 0.0, 0.0 }));
 }
 
-std::vector<NamedMesh> meshes()
+std::vector<Named<TriangleMesh>> meshes()
 {
-  return { { "box", box({ 1.0, 0.6, 0.3 }) }, { "lPrism", lPrism(1.0, 0.5) },
-    { "torus", torus(1.0, 0.4, 12, 7) }, { "saddle", saddle() },
-    { "manyFacedEdges", manyFacedEdges() }, { "soup", randomSoup(40, 9) },
-    { "denseSoup", scaled(randomSoup(150, 10), 0.4) }, { "plates", plates(0.5, 1.0) },
-    { "sharpWedge", wedge(3.0, 1.0, 1.0) },
-    { "pointsAndSegments",
-      makeMesh({ { 0.0, 0.0, 0.0 }, { 1.0, 0.2, 0.4 }, { 0.5, 0.9, 0.3 }, { 0.2, 0.1, 0.9 } },
-        { { 0, 1, 2 } }, { { 0, 3 } }, { 3 }) } };
+  return { { "box",
+             [] {
+               return box({ 1.0, 0.6, 0.3 });
+             } },
+    { "lPrism", [] { return lPrism(1.0, 0.5); } },
+    { "torus", [] { return torus(1.0, 0.4, 12, 7); } }, { "saddle", saddle },
+    { "manyFacedEdges", manyFacedEdges }, { "soup", [] { return randomSoup(40, 9); } },
+    { "denseSoup", [] { return scaled(randomSoup(150, 10), 0.4); } },
+    { "plates", [] { return plates(0.5, 1.0); } },
+    { "sharpWedge", [] { return wedge(3.0, 1.0, 1.0); } },
+    { "pointsAndSegments", trianglePointAndSegment } };
 }
 
-class SiteSetOf : public testing::TestWithParam<NamedMesh>
+class SiteSetOf : public testing::TestWithParam<Named<TriangleMesh>>
 {
 protected:
   /// A site whose interior holds the point closest to x, among the faces, edges and vertices.
@@ -111,7 +108,7 @@ protected:
     return most;
   }
 
-  const TriangleMesh& mesh_ = GetParam().mesh;
+  const TriangleMesh mesh_ = GetParam().make();
   const MeshConnectivity connectivity_ = analyseConnectivity(mesh_);
   const Grid grid_ = makeGrid(mesh_.bounds(), 40, 0.6);
   const GridFrame frame_{ grid_ };
@@ -173,8 +170,7 @@ TEST_P(SiteSetOf, NumbersFacesEdgesAndVerticesInThisOrder)
   EXPECT_EQ(sites_.kind(sites_.firstVertex()), SiteKind::Vertex);
 }
 
-INSTANTIATE_TEST_SUITE_P(Meshes, SiteSetOf, testing::ValuesIn(meshes()),
-  [](const auto& test) { return test.param.name; });
+INSTANTIATE_TEST_SUITE_P(Meshes, SiteSetOf, testing::ValuesIn(meshes()), kNameOfParameter);
 
 TEST(SiteSet, ShortEdgesStandForTrianglesWithoutArea)
 {

@@ -6,6 +6,7 @@
 #include "field/engines/make_engine.h"
 #include "field/field_pipeline.h"
 #include "medial/error.h"
+#include "support/printing.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>

@@ -102,7 +102,6 @@ TEST_P(GroupsOf, GapsAreFilledExactly)
     });
 }
 
-INSTANTIATE_TEST_SUITE_P(Meshes, GroupsOf, testing::ValuesIn(cullingCases()),
-  [](const auto& test) { return test.param.name; });
+INSTANTIATE_TEST_SUITE_P(Meshes, GroupsOf, testing::ValuesIn(cullingCases()), kNameOfParameter);
 
 } // namespace medial::test
