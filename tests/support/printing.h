@@ -2,8 +2,8 @@
 
 #include <iosfwd>
 
-// How GoogleTest prints parameters in the names of tests. This header is precompiled, since all files
-// of a program must print a type in the same way.
+// How GoogleTest prints parameters in the names of tests. This header is precompiled, since all
+// files of a program must print a type in the same way.
 
 namespace medial
 {
