@@ -59,6 +59,20 @@ SurfacePiece pieceOf(const TriangleMesh& mesh, std::size_t begin, std::size_t en
   return piece;
 }
 
+/// Calls visit(list) with each list of a piece, in the order in which messages have them.
+template <typename Piece, typename Visitor>
+void visitLists(Piece& piece, const Visitor& visit)
+{
+  visit(piece.mesh.points);
+  visit(piece.pointOrder);
+  visit(piece.mesh.triangles);
+  visit(piece.mesh.triangleCells);
+  visit(piece.mesh.segments);
+  visit(piece.mesh.segmentCells);
+  visit(piece.mesh.vertices);
+  visit(piece.mesh.vertexCells);
+}
+
 /// Cuts a mesh into messages for all ranks.
 std::vector<Message> sharesOf(const TriangleMesh& mesh, std::size_t ranks)
 {
@@ -81,14 +95,7 @@ std::vector<Message> sharesOf(const TriangleMesh& mesh, std::size_t ranks)
     const SurfacePiece piece = pieceOf(mesh, begin, end);
     ListMessage message;
     message.putOne(bounds);
-    message.put(piece.mesh.points);
-    message.put(piece.pointOrder);
-    message.put(piece.mesh.triangles);
-    message.put(piece.mesh.triangleCells);
-    message.put(piece.mesh.segments);
-    message.put(piece.mesh.segmentCells);
-    message.put(piece.mesh.vertices);
-    message.put(piece.mesh.vertexCells);
+    visitLists(piece, [&](const auto& list) { message.put(list); });
     messages.push_back(std::move(message.bytes));
     begin = end;
   }
@@ -101,14 +108,7 @@ SurfacePiece receivedPiece(Message bytes, Bounds& bounds)
   ListMessage message(std::move(bytes));
   SurfacePiece piece;
   message.takeOne(bounds);
-  message.take(piece.mesh.points);
-  message.take(piece.pointOrder);
-  message.take(piece.mesh.triangles);
-  message.take(piece.mesh.triangleCells);
-  message.take(piece.mesh.segments);
-  message.take(piece.mesh.segmentCells);
-  message.take(piece.mesh.vertices);
-  message.take(piece.mesh.vertexCells);
+  visitLists(piece, [&](auto& list) { message.take(list); });
   return piece;
 }
 
