@@ -1,6 +1,5 @@
 #include "vtkDistributedFieldAlgorithm.h"
 
-#include "vtkAlgorithm.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMedialExecution.h"
@@ -17,14 +16,7 @@ vtkDistributedFieldAlgorithm::vtkDistributedFieldAlgorithm()
 vtkDistributedFieldAlgorithm::~vtkDistributedFieldAlgorithm() = default;
 
 //------------------------------------------------------------------------------
-void vtkDistributedFieldAlgorithm::SetController(vtkMultiProcessController* controller)
-{
-  if (controller != this->Controller)
-  {
-    this->Controller = controller;
-    this->Modified();
-  }
-}
+vtkCxxSetSmartPointerMacro(vtkDistributedFieldAlgorithm, Controller, vtkMultiProcessController);
 
 //------------------------------------------------------------------------------
 vtkMultiProcessController* vtkDistributedFieldAlgorithm::GetController()
@@ -40,29 +32,18 @@ void vtkDistributedFieldAlgorithm::Modified()
 }
 
 //------------------------------------------------------------------------------
-int vtkDistributedFieldAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
+int vtkDistributedFieldAlgorithm::FillInputPortInformation(int, vtkInformation* info)
 {
-  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
-  if (!this->Superclass::FillInputPortInformation(port, info))
-  {
-    return 0;
-  }
-  if (this->DistributedInput)
-  {
-    vtkAcceptPieces(info);
-  }
+  vtkAcceptSurface(info, this->DistributedInput != 0);
   return 1;
 }
 
 //------------------------------------------------------------------------------
-int vtkDistributedFieldAlgorithm::RequestUpdateExtent(vtkInformation* request,
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+int vtkDistributedFieldAlgorithm::RequestUpdateExtent(vtkInformation*,
+  vtkInformationVector** inputVector, vtkInformationVector*)
 {
-  if (!this->DistributedInput)
-  {
-    return this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
-  }
-  const vtkMedialRanks ranks(this->Controller);
+  // Unless the surface is distributed, this process is a rank on its own and gets the whole.
+  const vtkMedialRanks ranks(this->DistributedInput ? this->Controller.Get() : nullptr);
   vtkRequestPiece(inputVector[0]->GetInformationObject(0), ranks.rank(), ranks.size());
   return 1;
 }

@@ -256,10 +256,16 @@ int vtkFromSignMethod(medial::SignMethod method)
 }
 
 //------------------------------------------------------------------------------
-void vtkAcceptPieces(vtkInformation* port)
+void vtkAcceptSurface(vtkInformation* port, bool inPieces)
 {
-  port->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
-  port->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  vtkInformationStringVectorKey* types = vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE();
+  port->Remove(types);
+  port->Append(types, "vtkPolyData");
+  if (inPieces)
+  {
+    port->Append(types, "vtkUnstructuredGrid");
+    port->Append(types, "vtkCompositeDataSet");
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -68,10 +68,10 @@ int vtkFromSignMethod(medial::SignMethod method);
 ///@}
 
 /**
- * Lets an input port take all that pieces of a surface come as, besides what it takes already. The
+ * Lets an input port take vtkPolyData and, where it may be in pieces, all that these come as. The
  * pipeline goes through the blocks of composite input that is not asked for.
  */
-void vtkAcceptPieces(vtkInformation* port);
+void vtkAcceptSurface(vtkInformation* port, bool inPieces);
 
 ///@{
 /**

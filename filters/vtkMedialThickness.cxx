@@ -1,6 +1,5 @@
 #include "vtkMedialThickness.h"
 
-#include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -151,14 +150,7 @@ const char* vtkMedialThickness::GetMethodAsString()
 }
 
 //------------------------------------------------------------------------------
-void vtkMedialThickness::SetController(vtkMultiProcessController* controller)
-{
-  if (controller != this->Controller)
-  {
-    this->Controller = controller;
-    this->Modified();
-  }
-}
+vtkCxxSetSmartPointerMacro(vtkMedialThickness, Controller, vtkMultiProcessController);
 
 //------------------------------------------------------------------------------
 vtkMultiProcessController* vtkMedialThickness::GetController()
@@ -174,29 +166,18 @@ void vtkMedialThickness::Modified()
 }
 
 //------------------------------------------------------------------------------
-int vtkMedialThickness::FillInputPortInformation(int port, vtkInformation* info)
+int vtkMedialThickness::FillInputPortInformation(int, vtkInformation* info)
 {
-  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
-  if (!this->Superclass::FillInputPortInformation(port, info))
-  {
-    return 0;
-  }
-  if (this->DistributedInput)
-  {
-    vtkAcceptPieces(info);
-  }
+  vtkAcceptSurface(info, this->DistributedInput != 0);
   return 1;
 }
 
 //------------------------------------------------------------------------------
-int vtkMedialThickness::RequestUpdateExtent(vtkInformation* request,
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+int vtkMedialThickness::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector,
+  vtkInformationVector*)
 {
-  if (!this->DistributedInput)
-  {
-    return this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
-  }
-  const vtkMedialRanks ranks(this->Controller);
+  // Unless the surface is distributed, this process is a rank on its own and gets the whole.
+  const vtkMedialRanks ranks(this->DistributedInput ? this->Controller.Get() : nullptr);
   vtkRequestPiece(inputVector[0]->GetInformationObject(0), ranks.rank(), ranks.size());
   return 1;
 }
