@@ -1,0 +1,124 @@
+"""medial-axis as several processes: what fails on one fails on all, in one line.
+
+usage: ranks_failure_test.py MPIRUN MEDIAL-AXIS FAILING-ALLOCATIONS
+"""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+import unittest
+from pathlib import Path
+
+from rank_runs import ENVIRONMENT, LAUNCHER, PROGRAM, SINGLE, RankTest, torus
+
+
+def children_of(parent):
+    """The numbers of processes that another one has started."""
+    children = []
+    for path in Path("/proc").glob("[0-9]*/stat"):
+        try:
+            stat = path.read_text()
+        except OSError:  # it has ended meanwhile
+            continue
+        if int(stat.rpartition(")")[2].split()[1]) == parent:
+            children.append(int(path.parent.name))
+    return sorted(children)
+
+
+class RanksFailure(RankTest):
+    def test_a_report_in_a_folder_that_does_not_exist(self):
+        run = self.run_ranks(2, "torus.off", "-o", "a.pvtp", "--report", "absent/a.json", "--sign", "none")
+        self.expect_failure(run, 5, "^medial-axis: rank 0: absent/a.json")
+
+    def test_pieces_need_several_processes(self):
+        for option in ("--output", "--thickness"):
+            self.expect_failure(self.run_ranks(1, "torus.off", option, "a.pvtp"), 2,
+                                f"{option} a.pvtp: .pvtp is for several processes, started by mpirun; use .vtp for one")
+
+    def test_an_axis_in_a_folder_that_does_not_exist(self):
+        run = self.run_ranks(2, "torus.off", "-o", "absent/a.pvtp", "--sign", "none")
+        self.expect_failure(run, 5, "^medial-axis: rank 0: absent/a.pvtp")
+
+    def test_a_missing_mesh(self):
+        self.expect_failure(self.run_ranks(2, "absent.off", "--field", "a.pvti", "--sign", "none"), 3,
+                            "^medial-axis: rank 0: absent.off: no such file$")
+
+    def test_a_mesh_that_is_open(self):
+        points, faces = torus()
+        self.write(points, faces[:-1])
+        run = self.run_ranks(2, "torus.off", "--field", "a.pvti", "--sign", "pseudonormal")
+        self.expect_failure(run, 3, "^medial-axis: torus.off: sign method pseudonormal needs a closed")
+
+    def test_a_folder_that_does_not_exist(self):
+        run = self.run_ranks(2, "torus.off", "--field", "absent/a.pvti", "--sign", "none")
+        self.expect_failure(run, 5, "^medial-axis: rank 0: absent/a.pvti")
+
+    def test_what_several_processes_do_not_compute(self):
+        for options, text in ((("--field", "a.vti"), "--field FILE.pvti"),
+                              (("--thickness-image", "a.png"), "--thickness-image needs a single one"),
+                              (("-o", "a.vtp", "--curves", "b.vtp"), "--curves needs a single one"),
+                              (("--skeleton", "a.vtp"), "--skeleton needs a single one"),
+                              (("--field", "a.pvti", "--sign", "none", "--engine", "rasteriser"), "--engine processor"),
+                              (("--field", "a.pvti", "--resolution", "1"), "--resolution")):
+            self.expect_failure(self.run_ranks(2, "torus.off", *options), 2, text)
+
+    def test_ranks_with_different_options(self):
+        options = ("torus.off", "--field", "a.pvti", "--sign", "none", "--resolution")
+        run = self.run_command(*LAUNCHER, "-np", "1", PROGRAM, *options, "20", ":",
+                               "-np", "1", PROGRAM, *options, "21")
+        self.expect_failure(run, 2, "^medial-axis: rank 1 has other options than rank 0$")
+
+    def send_signal(self, rank, number, *outputs, launcher=LAUNCHER):
+        """Sends a signal to a rank of three, or to mpirun for None, while all of them compute."""
+        command = [*launcher, "-np", "3", PROGRAM, "torus.off", *outputs, "--sign", "none", "--resolution", "500",
+                   "--threads", "1", "-q"]
+        with subprocess.Popen(command, cwd=self.folder, env=ENVIRONMENT, stderr=subprocess.PIPE, text=True) as run:
+            while len(list(self.folder.glob(".a*"))) < 4:  # the pieces and the index
+                self.assertIsNone(run.poll())
+                time.sleep(0.01)
+            os.kill(run.pid if rank is None else children_of(run.pid)[rank], number)
+            errors = run.communicate(timeout=60)[1]
+        return subprocess.CompletedProcess(command, run.returncode, "", errors)
+
+    def interrupt(self, rank):
+        return self.send_signal(rank, signal.SIGINT, "--field", "a.pvti", "-o", "a.pvtp")
+
+    def test_a_rank_that_is_killed(self):
+        # On a busy machine the others may need more than the second that mpirun gives them to end.
+        launcher = (*LAUNCHER, "--mca", "odls_base_sigkill_timeout", "4")
+        run = self.send_signal(1, signal.SIGKILL, "--field", "a.pvti", launcher=launcher)
+        self.assertNotEqual(run.returncode, 0)
+        # Of the one that was killed a file without its name may stay; the others leave nothing.
+        left = [name for name in self.files() if name != "torus.off"]
+        self.assertLessEqual(len(left), 1, left)
+        self.assertTrue(all(name.startswith(".") for name in left), left)
+
+    def test_a_rank_that_is_interrupted(self):
+        self.expect_failure(self.interrupt(2), 130,
+                            "^medial-axis: (torus.off: )?rank 2: interrupted; nothing was written$")
+
+    def test_mpirun_that_is_interrupted(self):
+        run = self.interrupt(None)
+        self.assertEqual(run.returncode, 1)  # mpirun's own
+        self.assertLessEqual(len([line for line in run.stderr.splitlines() if "medial-axis" in line]), 1, run.stderr)
+        self.assertEqual(self.files(), ["torus.off"])
+
+    def test_a_rank_without_memory(self):
+        run = self.run_short_of_memory("torus.off", "--field", "a.pvti", "-o", "a.pvtp", "--sign", "none",
+                                       "--resolution", "100", *SINGLE)
+        self.expect_failure(run, 5, "^medial-axis: rank 2: not enough memory$")
+
+    def test_a_rank_with_a_full_disk(self):
+        options = f"{PROGRAM} torus.off --field a.pvti -o a.pvtp --sign none --resolution 60 {' '.join(SINGLE)}"
+        command = (*LAUNCHER, "-np", "1", *options.split(), ":", "-np", "1", "sh", "-c", f"ulimit -f 60; exec {options}")
+        self.expect_failure(self.run_command(*command), 5, "^medial-axis: rank 1: a_1.vti: cannot be written")
+
+    def test_the_version_is_printed_once(self):
+        run = self.run_ranks(3, "--version")
+        self.assertEqual((run.returncode, len(run.stdout.splitlines())), (0, 1))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
