@@ -56,21 +56,34 @@ def whole_surface(case, ranks):
     return np.concatenate(places), np.concatenate(corners), np.concatenate(numbers)
 
 
-def arrays_of_one(case, ranks):
-    """The field that one process computes, and its extent."""
+def output_of_one(case, points, triangles):
+    """What one process makes of the surface."""
+    whole = field_filter(case)
+    whole.SetInputData(polydata(points, triangles))
+    whole.Update()
+    return whole.GetOutput()
+
+
+def field_of_one(case, ranks):
+    """The arrays of the field that one process computes."""
     points, triangles, numbers = whole_surface(case, ranks)
-    field = field_filter(case)
-    field.SetInputData(polydata(points, triangles))
-    field.Update()
-    arrays = arrays_of(field.GetOutput())
+    field = output_of_one(case, points, triangles)
+    arrays = arrays_of(field)
     arrays["ClosestCell"] = numbers[arrays["ClosestCell"]]
-    size = field.GetOutput().GetDimensions()[::-1]
+    size = field.GetDimensions()[::-1]
     return {name: values.reshape(*size, -1) for name, values in arrays.items()}
 
 
 class Ranks(unittest.TestCase):
+    def expect_of_each(self, cases_of_ranks, expect):
+        """Calls expect(case, parts) with what so many ranks have of cases."""
+        for ranks, cases in cases_of_ranks.items():
+            for case, parts in zip(cases, run(ranks, cases)):
+                with self.subTest(ranks=ranks, case=case):
+                    expect(case, parts)
+
     def expect_bits_of_one(self, case, parts):
-        whole = arrays_of_one(case, len(parts))
+        whole = field_of_one(case, len(parts))
         covered = np.zeros(whole["Distance"].shape[:3], bool)
         for part in parts:
             self.assertEqual(list(part["messages"]), [])
@@ -102,17 +115,11 @@ class Ranks(unittest.TestCase):
             {"pieces": "random", "copies": True, "options": {"Resolution": 30}, "ids": "cells points"},
             {"pieces": "random", "options": {"Resolution": 3}},
         ]
-        for ranks, some in ((1, cases), (2, cases), (3, cases), (7, cases[:1] + cases[-1:])):
-            for case, parts in zip(some, run(ranks, some)):
-                with self.subTest(ranks=ranks, case=case):
-                    self.expect_bits_of_one(case, parts)
+        self.expect_of_each({1: cases, 2: cases, 3: cases, 7: cases[:1] + cases[-1:]}, self.expect_bits_of_one)
 
     def expect_axis_of_one(self, case, parts):
-        whole = field_filter(case)
         points, triangles, _ = whole_surface(case, len(parts))
-        whole.SetInputData(polydata(points, triangles))
-        whole.Update()
-        expected = arrays_of(whole.GetOutput())
+        expected = arrays_of(output_of_one(case, points, triangles))
         cells = np.zeros(len(expected["cells"]), int)
         seen = np.zeros(len(expected["points"]), bool)
         for part in parts:
@@ -138,10 +145,7 @@ class Ranks(unittest.TestCase):
             {"axis": True, "pieces": "random", "empty": 1, "options": {
                 "GridMode": 2, "Origin": [-1.5, -1.4, -1.6], "Spacing": [0.08, 0.08, 0.08], "Dimensions": [39, 38, 41]}},
         ]
-        for ranks, some in ((1, cases[:1]), (2, cases), (3, cases), (7, cases[:1])):
-            for case, parts in zip(some, run(ranks, some)):
-                with self.subTest(ranks=ranks, case=case):
-                    self.expect_axis_of_one(case, parts)
+        self.expect_of_each({1: cases[:1], 2: cases, 3: cases, 7: cases[:1]}, self.expect_axis_of_one)
 
     def test_who_asks_for_the_whole_axis_gets_it_on_the_first_rank(self):
         case = {"axis": True, "pieces": "random", "options": {"Resolution": 40}, "whole": True}
@@ -153,11 +157,8 @@ class Ranks(unittest.TestCase):
                 self.assertEqual(len(part["cells"]), 0)
 
     def expect_thickness_of_one(self, case, parts):
-        whole = field_filter(case)
         points, triangles, _ = whole_surface(case, len(parts))
-        whole.SetInputData(polydata(points, triangles))
-        whole.Update()
-        expected = arrays_of(whole.GetOutput())
+        expected = arrays_of(output_of_one(case, points, triangles))
         used = np.unique(triangles)  # the others are those of ghosts
         at_point = dict(zip(bytes_of(points[used]), used))
         at_cell = dict(zip(bytes_of(expected["corners"]), range(len(triangles))))
@@ -182,7 +183,8 @@ class Ranks(unittest.TestCase):
             self.expect_own_arrays(case, part)
         self.assertEqual(len(seen), len(set(seen)))
         self.assertEqual(set(seen), set(at_cell))
-        return expected
+        if "MinimumThickness" in case.get("options", {}):  # there are regions of both kinds
+            self.assertEqual(set(expected["field RegionThin"]), {0, 1})
 
     def expect_own_arrays(self, case, part):
         """A rank's own arrays go with its points and cells."""
@@ -209,12 +211,7 @@ class Ranks(unittest.TestCase):
              "options": {"MinimumThickness": 1.2, "MaximumThickness": 1.4}},
         ]
         cases = [{"thickness": True, **case} for case in cases]
-        for ranks, some in ((1, cases), (2, cases), (3, cases), (7, cases[:1] + cases[5:6])):
-            for case, parts in zip(some, run(ranks, some)):
-                with self.subTest(ranks=ranks, case=case):
-                    expected = self.expect_thickness_of_one(case, parts)
-                    if "MinimumThickness" in case.get("options", {}):
-                        self.assertEqual(set(expected["field RegionThin"]), {0, 1})
+        self.expect_of_each({1: cases, 2: cases, 3: cases, 7: cases[:1] + cases[5:6]}, self.expect_thickness_of_one)
 
     def test_no_rank_holds_the_surface(self):
         cases = [{"pieces": "runs", "options": {"Resolution": 64}}, {"pieces": "runs", "thickness": True}]
@@ -305,7 +302,7 @@ class Alone(unittest.TestCase):
         field.DistributedInputOn()
         field.SetInputData(polydata(*surface()))
         field.Update()
-        expected = arrays_of_one(case, 1)
+        expected = field_of_one(case, 1)
         for name, values in arrays_of(field.GetOutput()).items():
             self.assertEqual(values.tobytes(), expected[name].tobytes(), name)
 
