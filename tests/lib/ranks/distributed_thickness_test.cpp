@@ -1,4 +1,3 @@
-#include "medial/error.h"
 #include "medial/mesh_connectivity.h"
 #include "medial/ranks.h"
 #include "medial/subdivision.h"
@@ -7,6 +6,7 @@
 
 #include "pieces.h"
 #include "simulated_ranks.h"
+#include "support/errors.h"
 #include "support/models.h"
 #include "support/shapes.h"
 #include "support/transforms.h"
@@ -138,37 +138,13 @@ TriangleMesh ribOnBase(double maxEdge)
   return numbered(subdivide(coarse, maxEdge).mesh);
 }
 
-/// What an error says; nothing without one.
-template <typename Work>
-std::string messageOf(const Work& work)
-{
-  try
-  {
-    work();
-    return {};
-  }
-  catch (const Error& error)
-  {
-    return error.what();
-  }
-}
-
 std::string refusal(const TriangleMesh& mesh, const ThicknessOptions& options)
 {
   constexpr int kRanks = 3;
-  std::vector<std::string> messages(kRanks);
-  SimulatedRanks(kRanks).run(
-    [&](Communicator& communicator)
-    {
-      const SurfacePiece piece = pieceOf(mesh, communicator.rank(), atRandom(kRanks));
-      messages[communicator.rank()] =
-        messageOf([&] { computeThickness(communicator, piece, options); });
+  return messageOfRanks(kRanks,
+    [&](Communicator& communicator) {
+      computeThickness(communicator, pieceOf(mesh, communicator.rank(), atRandom(kRanks)), options);
     });
-  for (const std::string& message : messages)
-  {
-    EXPECT_EQ(message, messages.front());
-  }
-  return messages.front();
 }
 
 } // namespace
@@ -306,12 +282,11 @@ TEST(DistributedThickness, AnInsideIsRequiredAsInOneProcess)
     verdicts.insert(expected.empty());
     for (const int ranks : { 1, 2, 3, 7 })
     {
-      SimulatedRanks(ranks).run(
-        [&](Communicator& communicator)
-        {
-          const SurfacePiece piece = pieceOf(mesh, communicator.rank(), atRandom(ranks));
-          EXPECT_EQ(messageOf([&] { requireInside(communicator, piece); }), expected);
-        });
+      EXPECT_EQ(
+        messageOfRanks(ranks,
+          [&](Communicator& communicator)
+          { requireInside(communicator, pieceOf(mesh, communicator.rank(), atRandom(ranks))); }),
+        expected);
     }
   }
   EXPECT_EQ(verdicts.size(), 2U);

@@ -91,6 +91,12 @@ TriangleMesh withoutLoosePoints(const TriangleMesh& mesh)
   return result;
 }
 
+TriangleMesh torusAndBox()
+{
+  return numbered(appended(translated(torus(0.8, 0.23, 60, 30), { 0.11, 0.03, -0.21 }),
+    translated(box({ 0.21, 0.33, 0.17 }), { 0.07, -0.05, 0.53 })));
+}
+
 TriangleMesh damagedSolids(unsigned seed)
 {
   const TriangleMesh sound =
@@ -163,6 +169,11 @@ TriangleMesh moebiusStrips()
 Grid gridAround(const TriangleMesh& mesh, int resolution)
 {
   return makeGrid(mesh.bounds(), resolution, 0.083);
+}
+
+Grid symmetricGrid()
+{
+  return { { -1.1, -1.1, -1.1 }, { 0.055, 0.055, 0.055 }, { 41, 41, 41 } };
 }
 
 } // namespace medial::test

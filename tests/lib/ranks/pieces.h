@@ -26,6 +26,8 @@ Distribution inRows(int ranks, std::size_t triangles);
 /// Drops the points that no triangle has.
 TriangleMesh withoutLoosePoints(const TriangleMesh& mesh);
 
+/// A smooth solid and one with edges.
+TriangleMesh torusAndBox();
 /// Solids in and beside each other, with triangles that are missing, turned round and there twice,
 /// and with edges of more than two triangles.
 TriangleMesh damagedSolids(unsigned seed);
@@ -33,5 +35,7 @@ TriangleMesh damagedSolids(unsigned seed);
 TriangleMesh moebiusStrips();
 
 Grid gridAround(const TriangleMesh& mesh, int resolution);
+/// A grid with the symmetry of shells: many ties.
+Grid symmetricGrid();
 
 } // namespace medial::test

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "medial/compute_medial_axis.h"
+#include "medial/ranks.h"
+
+#include "pieces.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+// Axes that ranks compute, compared with those of one process.
+namespace medial::test
+{
+
+/// What is computed by ranks and compared with one process.
+struct AxisCase
+{
+  TriangleMesh mesh;
+  Grid grid;
+  SignMethod sign = SignMethod::Pseudonormal;
+  double angle = kDefaultAngle;
+  Representation representation = Representation::Surface;
+  Side side = Side::Interior;
+  double lambda = 0.0;
+  double radius = 0.0;
+};
+
+/// A mesh and the grid around it.
+AxisCase caseOf(const TriangleMesh& mesh, int resolution);
+
+MedialAxisOptions optionsOf(const AxisCase& of);
+/// The axis that one process computes.
+MedialAxis wholeAxisOf(const AxisCase& of);
+
+/// All that is known of a point, to compare bits.
+std::array<double, 13> attributes(const MedialAxis& axis, std::size_t p);
+
+using Cells = std::vector<std::vector<std::int64_t>>;
+
+/// Returns all cells in the order of their numbers.
+Cells cellsOf(const MedialAxis& axis);
+
+/// Expects pieces to be the axis of one process: each cell once, and points on cuts alike.
+void expectWhole(const MedialAxis& whole, const std::vector<AxisPiece>& pieces);
+
+/// @param axisExtents where ranks make the axis; if empty they choose themselves.
+std::vector<AxisPiece> axisOfRanks(const AxisCase& of, const std::vector<Extent>& extents,
+  const Distribution& rankOf, const std::vector<Extent>& axisExtents = {},
+  std::vector<RankCounts>* counts = nullptr);
+
+} // namespace medial::test
