@@ -155,6 +155,11 @@ SiteQuery::Question questionAt(const BisectorPoint& point)
                 : SiteQuery::Question{ point.position, point.b, point.a.site };
 }
 
+bool isClosestPair(const BisectorPoint& point, const SitePoint& closest)
+{
+  return glm::distance(closest.point, point.position) > point.radius() - kSameDistance;
+}
+
 SiteSegment segmentOf(const GridFrame& frame, const Crossing& crossing)
 {
   const glm::dvec3 from = frame.sample(glm::dvec3(crossing.voxel));
@@ -194,7 +199,7 @@ std::vector<BisectorPoint> bisectorPoints(const AxisGeometry& geometry,
     std::size_t left = 0;
     for (std::size_t k = 0; k < open.size(); ++k)
     {
-      if (!changes[open[k]].settledBy(questions[k].closest))
+      if (!isClosestPair(changes[open[k]].point(), questions[k].closest))
       {
         changes[open[k]].narrow(questions[k].closest);
         open[left++] = open[k];
@@ -267,7 +272,7 @@ std::vector<BisectorPoint> guessedBisectors(const AxisGeometry& geometry,
   open.clear();
   for (std::size_t i = 0; i < segments.size(); ++i)
   {
-    if (changes[i].found() && changes[i].settledBy(questions[i].closest))
+    if (changes[i].found() && isClosestPair(changes[i].point(), questions[i].closest))
     {
       points[i] = changes[i].point();
     }

@@ -57,6 +57,9 @@ constexpr double kSameDistance = 1e-6;
 
 /// Asks for the closest point at a bisector point.
 SiteQuery::Question questionAt(const BisectorPoint& point);
+/// Whether the two points of a bisector point are its closest pair: whether the closest point there
+/// is no nearer.
+bool isClosestPair(const BisectorPoint& point, const SitePoint& closest);
 
 /// A point for each of a list of crossings.
 struct BisectorPoints

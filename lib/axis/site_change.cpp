@@ -60,11 +60,6 @@ bool SiteChange::found() const
   return std::abs(toB - point_.radius()) < kSameDistance;
 }
 
-bool SiteChange::settledBy(const SitePoint& closest) const
-{
-  return glm::distance(closest.point, point_.position) > point_.radius() - kSameDistance;
-}
-
 void SiteChange::narrow(const SitePoint& third)
 {
   const glm::dvec3& x = point_.position;

@@ -26,8 +26,6 @@ public:
 
   /// Whether point() is at equal distance: not if one site is nearer at both ends.
   bool found() const;
-  /// Whether a closest surface point is so near that it can be that of siteA or siteB.
-  bool settledBy(const SitePoint& closest) const;
   /// Narrows the segment to the change from or to a third site that is nearer at point(), whichever
   /// has the larger separation angle.
   void narrow(const SitePoint& third);

@@ -28,11 +28,6 @@ std::optional<PairDirections> directionsIfAny(const BisectorPoint& guess)
   return lengths > kMinRadius * kMinRadius ? std::optional(directionsOf(guess)) : std::nullopt;
 }
 
-bool isClosestPair(const BisectorPoint& point, const SitePoint& closest)
-{
-  return glm::distance(closest.point, point.position) > point.radius() - kSameDistance;
-}
-
 /// The nearest of several sites, most of which are the same.
 class Nearest
 {
