@@ -1,6 +1,7 @@
 #include "skeleton/solid_probe.h"
 
 #include "axis/widest_place.h"
+#include "base/vectors.h"
 
 #include <Eigen/Dense>
 #include <tbb/blocked_range.h>
@@ -39,17 +40,6 @@ Eigen::Matrix<double, N, 1> centreOf(const std::array<Eigen::Matrix<double, N, 1
   Eigen::Matrix<double, N, 1> centre = normal.ldlt().solve(right).template head<N>();
   const double length = centre.norm();
   return length > kMaxMove ? (centre * (kMaxMove / length)).eval() : centre;
-}
-
-/// Two unit vectors normal to a third.
-std::array<glm::dvec3, 2> normalsTo(const glm::dvec3& direction)
-{
-  const glm::dvec3 size = glm::abs(direction);
-  const glm::dvec3 other = size.x <= size.y && size.x <= size.z
-    ? glm::dvec3(1.0, 0.0, 0.0)
-    : (size.y <= size.z ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(0.0, 0.0, 1.0));
-  const glm::dvec3 u = glm::normalize(glm::cross(direction, other));
-  return { u, glm::cross(direction, u) };
 }
 
 } // namespace
