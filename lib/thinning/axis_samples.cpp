@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 namespace medial
 {
@@ -93,8 +94,8 @@ Crossing dualEdge(const CubicalComplex& complex, CubeCell face)
 }
 
 AxisSamples::AxisSamples(const CubicalComplex& complex, const std::vector<Crossing>& crossings,
-  const BisectorPoints& bisectors)
-  : samples_(bisectors)
+  BisectorPoints bisectors)
+  : samples_(std::move(bisectors))
   , ranks_(complex)
 {
   byFace_.reserve(crossings.size());

@@ -25,7 +25,7 @@ public:
   static constexpr int kNone = -1;
 
   AxisSamples(const CubicalComplex& complex, const std::vector<Crossing>& crossings,
-    const BisectorPoints& bisectors);
+    BisectorPoints bisectors);
 
   /// Adds grid edges that no selection has delivered: at the bisector point of the closest sites of
   /// their ends, or in the middle where these are the same.

@@ -185,8 +185,9 @@ private:
     for (const double beyond : { kBeyond, std::min(kBeyond, kNotFar / before.radius()) })
     {
       const glm::dvec3 far = x + beyond * (x - closest.point);
+      const SitePoint guess = closestPoint(geometry_.sites, candidates.back(), far);
       candidates.push_back(
-        geometry_.insideGrid(far) ? geometry_.query.closest(far).site : closest.site);
+        geometry_.insideGrid(far) ? geometry_.query.closest(far, guess).site : closest.site);
     }
     for (const double tolerance : { kOffBisector, 1.0 })
     {

@@ -1,5 +1,6 @@
 #include "thinning/preserved_axis.h"
 
+#include "base/huge_pages.h"
 #include "thinning/curve_finish.h"
 #include "thinning/rim_finish.h"
 #include "thinning/sheet_faces.h"
@@ -8,65 +9,96 @@
 #include "thinning/thinning.h"
 #include "thinning/voxel_solid.h"
 
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
+#include <tbb/parallel_sort.h>
+
 #include <algorithm>
 #include <iterator>
 #include <optional>
+#include <utility>
 
 namespace medial
 {
 namespace
 {
 
-/// Selected crossings with their bisector points.
+/// Selected crossings.
 struct Selection
 {
   std::vector<Crossing> crossings;
-  BisectorPoints bisectors;
   std::vector<std::size_t> indices; ///< among all that are selected
   std::vector<std::uint8_t> exact;  ///< not 0 if no site is nearer than the pair
 };
 
-/// Returns those between two voxels of a solid.
-Selection selectionWithin(const CubicalComplex& solid, const std::vector<Crossing>& crossings,
-  const SheetSelection& sheets)
+/// Returns the items with a flag that is not 0.
+template <typename T>
+std::vector<T> flagged(const std::vector<T>& items, const std::vector<std::uint8_t>& flags)
 {
-  const BisectorPoints& bisectors = sheets.bisectors;
-  Selection selection;
-  std::size_t sample = 0;
-  for (std::size_t i = 0; i < crossings.size(); ++i, ++sample)
+  std::vector<T> result;
+  reserveLarge(result, items.size());
+  for (std::size_t i = 0; i < items.size(); ++i)
   {
-    while (sheets.kept[sample] == 0)
+    if (flags[i] != 0)
     {
-      ++sample;
-    }
-    const CubeCell face = dualFace(solid, crossings[i]);
-    if (solid.has(face) && solid.cofaceCount(face) == 2)
-    {
-      selection.crossings.push_back(crossings[i]);
-      selection.bisectors.points.push_back(bisectors.points[i]);
-      selection.bisectors.moved.push_back(bisectors.moved[i]);
-      selection.indices.push_back(i);
-      selection.exact.push_back(sheets.samples.kinds[sample] == SampleKind::Exact ? 1 : 0);
+      result.push_back(items[i]);
     }
   }
+  return result;
+}
+
+/// Returns those between two voxels of a solid.
+/// @param bisectors receives their bisector points.
+Selection selectionWithin(const CubicalComplex& solid, const std::vector<Crossing>& crossings,
+  const SheetSelection& sheets, BisectorPoints& bisectors)
+{
+  std::vector<std::uint8_t> within(crossings.size());
+  tbb::parallel_for(std::size_t{ 0 }, crossings.size(),
+    [&](std::size_t i)
+    {
+      const CubeCell face = dualFace(solid, crossings[i]);
+      within[i] = solid.has(face) && solid.cofaceCount(face) == 2 ? 1 : 0;
+    });
+  Selection selection;
+  tbb::parallel_invoke([&] { bisectors.points = flagged(sheets.bisectors.points, within); },
+    [&] { bisectors.moved = flagged(sheets.bisectors.moved, within); },
+    [&] { selection.crossings = flagged(crossings, within); },
+    [&]
+    {
+      std::size_t sample = 0;
+      for (std::size_t i = 0; i < crossings.size(); ++i, ++sample)
+      {
+        while (sheets.kept[sample] == 0)
+        {
+          ++sample;
+        }
+        if (within[i] != 0)
+        {
+          selection.indices.push_back(i);
+          selection.exact.push_back(sheets.samples.kinds[sample] == SampleKind::Exact ? 1 : 0);
+        }
+      }
+    });
   return selection;
 }
 
 /// Returns the faces dual to crossings whose grid edge itself crosses a sheet. Fins around a curve
 /// do not count, since their bisector point is elsewhere.
+/// @param samples the bisector points of the crossings come first.
 std::vector<CubeCell> sheetFaces(const CubicalComplex& solid, const Selection& selection,
   const AxisSamples& samples)
 {
   std::vector<CubeCell> faces;
+  reserveLarge(faces, selection.crossings.size());
   for (std::size_t i = 0; i < selection.crossings.size(); ++i)
   {
-    if (selection.bisectors.moved[i] == 0)
+    if (samples.points().moved[i] == 0)
     {
       faces.push_back(dualFace(solid, selection.crossings[i]));
     }
   }
   // Crossings come in the order of slabs, whose thickness must have no influence.
-  std::sort(faces.begin(), faces.end());
+  tbb::parallel_sort(faces.begin(), faces.end());
   return splitSheets(solid.size(), faces, samples, selection.exact).sheets;
 }
 
@@ -95,10 +127,9 @@ void thin(CubicalComplex& solid, const std::vector<CubeCell>& anchored, const De
   const CurveProbe probe(geometry.sites, geometry.frame, closestSites, depth, geometry.angle);
   Thinning thinning(solid, depth, probe, geometry.frame.step,
     { geometry.angle, geometry.lambda, geometry.radius }, geometry.checkpoint);
-  for (const CubeCell face : anchored)
-  {
-    thinning.anchor(face, static_cast<float>(samples.point(samples.find(face)).separationAngle()));
-  }
+  thinning.anchor(anchored,
+    [&](CubeCell face)
+    { return static_cast<float>(samples.point(samples.find(face)).separationAngle()); });
   thinning.burn();
   std::vector<CubeCell> left;
   std::copy_if(anchored.begin(), anchored.end(), std::back_inserter(left),
@@ -106,8 +137,13 @@ void thin(CubicalComplex& solid, const std::vector<CubeCell>& anchored, const De
   thinning.release(splitSheets(solid, left, samples, selection.exact).strips);
 }
 
-void append(const ThinnedAxis& part, ThinnedAxis& whole)
+void append(ThinnedAxis part, ThinnedAxis& whole)
 {
+  if (whole.points.points.empty())
+  {
+    whole = std::move(part);
+    return;
+  }
   const auto first = static_cast<std::int64_t>(whole.points.points.size());
   whole.points.points.insert(whole.points.points.end(), part.points.points.begin(),
     part.points.points.end());
@@ -161,8 +197,9 @@ PreservedAxis preserveTopology(const ThinningInput& input, const AxisGeometry& g
     VoxelMask voxels = voxelsOf(depth, size);
     setVoxels(voxels, solid);
     add(topologyOf(solid), axis.solid);
-    const Selection selection = selectionWithin(solid, crossings, sheets);
-    AxisSamples samples(solid, selection.crossings, selection.bisectors);
+    BisectorPoints bisectors;
+    const Selection selection = selectionWithin(solid, crossings, sheets, bisectors);
+    AxisSamples samples(solid, selection.crossings, std::move(bisectors));
     const std::vector<CubeCell> anchored = sheetFaces(solid, selection, samples);
     reduceToCore(depth, selection, anchored, geometry.checkpoint, voxels, solid);
     VoxelMask().swap(voxels);
@@ -174,7 +211,7 @@ PreservedAxis preserveTopology(const ThinningInput& input, const AxisGeometry& g
       finishRims(geometry, sheets, cells);
       finishCurves(geometry, cells);
     }
-    append(cells, axis.cells);
+    append(std::move(cells), axis.cells);
   };
   for (const Side side : sidesOf(!input.directions.empty(), input.side))
   {

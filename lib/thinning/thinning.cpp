@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace medial
 {
@@ -28,10 +29,13 @@ Thinning::Thinning(CubicalComplex& complex, const DepthField& depth, const Curve
 {
 }
 
-void Thinning::anchor(CubeCell face, float angle)
+void Thinning::anchor(const std::vector<CubeCell>& faces, FaceAngle angleOf)
 {
-  anchors_.insert(face);
-  angles_[face] = angle;
+  angleOf_ = std::move(angleOf);
+  for (const CubeCell face : faces)
+  {
+    anchors_.insert(face);
+  }
 }
 
 void Thinning::burn()
@@ -149,7 +153,7 @@ void Thinning::burnVoxel(CubeCell voxel)
     const CubeCell gate = voxel + step;
     if (complex_.onlyCoface(gate) == voxel)
     {
-      gates_.emplace(angles_.at(gate), gate, voxel);
+      gates_.emplace(angleOf_(gate), gate, voxel);
     }
   }
 }

@@ -8,9 +8,9 @@
 #include "thinning/voxel_solid.h"
 
 #include <cstdint>
+#include <functional>
 #include <queue>
 #include <tuple>
-#include <unordered_map>
 #include <vector>
 
 namespace medial
@@ -35,9 +35,10 @@ public:
   Thinning(CubicalComplex& complex, const DepthField& depth, const CurveProbe& probe,
     const glm::dvec3& step, const CurveLimits& limits, const Checkpoint& checkpoint);
 
-  /// Makes a face stay.
-  /// @param angle the face with the smallest angle gives way first if one must.
-  void anchor(CubeCell face, float angle);
+  using FaceAngle = std::function<float(CubeCell face)>;
+  /// Makes faces stay.
+  /// @param angleOf tells their angles: the face with the smallest gives way first if one must.
+  void anchor(const std::vector<CubeCell>& faces, FaceAngle angleOf);
   bool anchored(CubeCell face) const { return anchors_.has(face); }
 
   /// Burns all cells that can be reached from outside.
@@ -75,7 +76,7 @@ private:
   glm::dvec3 step_;
   CurveChains chains_;
   const Checkpoint& checkpoint_;
-  std::unordered_map<CubeCell, float> angles_;
+  FaceAngle angleOf_;
   BucketQueue<Event> queue_;
   std::priority_queue<Gate, std::vector<Gate>, std::greater<>> gates_;
 };

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <random>
 #include <utility>
 #include <vector>
@@ -323,15 +324,17 @@ TEST(Thinning, KeepsTheTopologyOfRandomVoxelsWhateverIsAnchored)
     CubicalComplex complex = voxels.solid();
     Thinning thinning = voxels.thinning(complex);
     std::vector<CubeCell> anchored;
+    std::map<CubeCell, float> angles;
     for (CubeCell cell = 0; cell < 8 * static_cast<CubeCell>(complex.positions()); ++cell)
     {
       const bool isFace = CubicalComplex::dimension(CubicalComplex::kind(cell)) == 2;
       if (isFace && complex.has(cell) && random() % 4 == 0)
       {
         anchored.push_back(cell);
-        thinning.anchor(cell, static_cast<float>(random() % 180));
+        angles[cell] = static_cast<float>(random() % 180);
       }
     }
+    thinning.anchor(anchored, [&](CubeCell face) { return angles.at(face); });
     thinning.burn();
     EXPECT_EQ(count(complex, 3), 0);
     expectClosed(complex);
@@ -375,13 +378,13 @@ TEST(Thinning, StopsAtAnchoredFacesAndOpensTheOneOfLeastAngle)
   CubicalComplex complex = voxels.solid();
   Thinning thinning = voxels.thinning(complex);
   const CubeCell voxel = complex.cell({ 4, 4, 4 }, kVoxelKind);
-  float angle = 100.0f;
   std::vector<CubeCell> walls;
   for (const CubeCell step : complex.faces(kVoxelKind))
   {
     walls.push_back(voxel + step);
-    thinning.anchor(walls.back(), walls.size() == 4 ? 50.0f : angle++);
   }
+  thinning.anchor(walls,
+    [&](CubeCell face) { return face == walls[3] ? 50.0f : 100.0f + (face & 7); });
   thinning.burn();
   EXPECT_FALSE(complex.has(voxel));
   for (std::size_t i = 0; i < walls.size(); ++i)
