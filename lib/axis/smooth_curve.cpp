@@ -51,6 +51,35 @@ void reverse(Curve& curve)
 {
   std::reverse(curve.points.begin(), curve.points.end());
   std::reverse(curve.widths.begin(), curve.widths.end());
+  std::reverse(curve.radii.begin(), curve.radii.end());
+}
+
+void dropLast(Curve& curve)
+{
+  curve.points.pop_back();
+  for (std::vector<double>* values : { &curve.widths, &curve.radii })
+  {
+    if (!values->empty())
+    {
+      values->pop_back();
+    }
+  }
+}
+
+void join(Curve& curve, const Curve& next)
+{
+  const auto append = [](auto& values, const auto& others)
+  {
+    if (values.empty() || others.empty())
+    {
+      values.clear();
+      return;
+    }
+    values.insert(values.end(), others.begin() + 1, others.end());
+  };
+  append(curve.points, next.points);
+  append(curve.widths, next.widths);
+  append(curve.radii, next.radii);
 }
 
 std::vector<double> arcLengths(const Curve& curve)

@@ -13,15 +13,22 @@ struct Curve
   std::vector<glm::dvec3> points;
   bool closed = false;
   std::vector<double> widths; ///< of the axis at the points; may be empty
+  std::vector<double> radii;  ///< distances of the points to the surface; may be empty
 };
 
 void reverse(Curve& curve);
+
+/// Removes the last point.
+void dropLast(Curve& curve);
+
+/// Appends a curve that begins where this one ends.
+void join(Curve& curve, const Curve& next);
 
 /// Returns the length of every part of a curve from its first point; for a closed one with that
 /// back to it at the end.
 std::vector<double> arcLengths(const Curve& curve);
 
-/// Returns points at equal distances along a curve, with both ends of an open one.
+/// Returns points at equal distances along a curve, with both ends of an open one, without radii.
 /// @param step wanted distance; the real one divides the length.
 Curve resampled(const Curve& curve, double step);
 

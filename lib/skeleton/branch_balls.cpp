@@ -24,7 +24,7 @@ void BranchBalls::set(std::size_t branch, const Curve& curve)
 {
   branches_.resize(std::max(branches_.size(), branch + 1));
   BallsOfBranch result;
-  const std::vector<double> radii = probe_.radii(curve.points);
+  const std::vector<double> radii = curve.radii.empty() ? probe_.radii(curve.points) : curve.radii;
   for (std::size_t i = 0; i < radii.size(); ++i)
   {
     const Ball ball{ curve.points[i], radii[i] };

@@ -69,7 +69,7 @@ std::vector<CurvePath> CurveGraph::paths() const
     {
       paths.push_back({ p });
     }
-    while (degrees_[p] != 2 && this->find(p, fresh) >= 0)
+    while (degrees_[p] != 0 && degrees_[p] != 2 && this->find(p, fresh) >= 0)
     {
       follow(p);
     }

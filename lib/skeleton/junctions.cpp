@@ -208,13 +208,15 @@ private:
   /// Replaces the part of a branch next to a junction.
   void lead(const Arm& arm, const glm::dvec3& place)
   {
-    network_.branches[arm.branch].curve.widths.clear();
-    std::vector<glm::dvec3>& points = network_.branches[arm.branch].curve.points;
+    Curve& curve = network_.branches[arm.branch].curve;
+    curve.widths.clear();
+    curve.radii.clear();
+    std::vector<glm::dvec3>& points = curve.points;
     if (arm.reversed)
     {
       std::reverse(points.begin(), points.end());
     }
-    const std::vector<double> lengths = arcLengths(network_.branches[arm.branch].curve);
+    const std::vector<double> lengths = arcLengths(curve);
     const std::size_t rest = static_cast<std::size_t>(
       std::upper_bound(lengths.begin(), lengths.end() - 1, arm.begin) - lengths.begin());
     const glm::dvec3 chord = arm.point - place;

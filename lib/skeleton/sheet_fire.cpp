@@ -1,5 +1,10 @@
 #include "skeleton/sheet_fire.h"
 
+#include "base/huge_pages.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -62,20 +67,19 @@ void sortByEnds(std::vector<FaceEdge>& sides, std::size_t pointCount)
     ++ends[side.ends[0] + 1];
   }
   std::partial_sum(ends.begin(), ends.end(), ends.begin());
-  std::vector<FaceEdge> sorted(sides.size());
+  std::vector<FaceEdge> sorted = largeVector<FaceEdge>(sides.size());
   for (const FaceEdge& side : sides)
   {
     sorted[ends[side.ends[0]]++] = side;
   }
-  auto begin = sorted.begin();
-  for (std::size_t point = 0; point < pointCount; ++point)
-  {
-    const auto end = sorted.begin() + static_cast<std::ptrdiff_t>(ends[point]);
-    std::sort(begin, end,
-      [](const FaceEdge& a, const FaceEdge& b)
-      { return std::tie(a.ends[1], a.face) < std::tie(b.ends[1], b.face); });
-    begin = end;
-  }
+  const auto at = [&](std::size_t i) { return sorted.begin() + static_cast<std::ptrdiff_t>(i); };
+  tbb::parallel_for(std::size_t{ 0 }, pointCount,
+    [&](std::size_t point)
+    {
+      std::sort(at(point == 0 ? 0 : ends[point - 1]), at(ends[point]),
+        [](const FaceEdge& a, const FaceEdge& b)
+        { return std::tie(a.ends[1], a.face) < std::tie(b.ends[1], b.face); });
+    });
   sides = std::move(sorted);
 }
 
@@ -120,7 +124,7 @@ public:
         result_.edges.push_back({ edge.ends, edge.time });
       }
     }
-    std::sort(result_.edges.begin(), result_.edges.end(),
+    tbb::parallel_sort(result_.edges.begin(), result_.edges.end(),
       [](const NetworkEdge& a, const NetworkEdge& b) { return a.ends < b.ends; });
     return std::move(result_);
   }
@@ -130,33 +134,57 @@ private:
 
   void addFaces(const MedialAxis& axis)
   {
-    std::vector<FaceEdge> sides;
-    const auto add = [&](const auto& corners)
-    {
-      Face face;
-      face.count = static_cast<int>(corners.size());
-      glm::dvec3 area(0.0);
-      for (int i = 0; i < face.count; ++i)
+    const std::size_t quads = axis.quads.size();
+    const std::size_t faces = quads + axis.triangles.size();
+    const auto firstCorner = [quads](std::size_t f) { return 4 * f - (f > quads ? f - quads : 0); };
+    resizeLarge(faces_, faces);
+    resizeLarge(cornerOffsets_, faces + 1);
+    resizeLarge(faceCorners_, firstCorner(faces));
+    std::vector<FaceEdge> sides = largeVector<FaceEdge>(faceCorners_.size());
+    tbb::parallel_for(std::size_t{ 0 }, faces,
+      [&](std::size_t f)
       {
-        const std::int64_t a = corners[i];
-        const std::int64_t b = corners[(i + 1) % face.count];
-        sides.push_back({ { std::min(a, b), std::max(a, b) }, static_cast<int>(faces_.size()), i });
-        face.centre += positions_[a] / static_cast<double>(face.count);
-        area += glm::cross(positions_[a] - positions_[corners[0]],
-          positions_[b] - positions_[corners[0]]);
-      }
-      const double size = glm::length(area);
-      face.normal = size > 0.0 ? area / size : area;
-      faces_.push_back(face);
-      for (const std::int64_t corner : corners)
-      {
-        faceCorners_.push_back(corner);
-      }
-      cornerOffsets_.push_back(faceCorners_.size());
-    };
-    std::for_each(axis.quads.begin(), axis.quads.end(), add);
-    std::for_each(axis.triangles.begin(), axis.triangles.end(), add);
+        cornerOffsets_[f + 1] = firstCorner(f + 1);
+        if (f < quads)
+        {
+          this->setFace(f, axis.quads[f], firstCorner(f), sides);
+        }
+        else
+        {
+          this->setFace(f, axis.triangles[f - quads], firstCorner(f), sides);
+        }
+      });
     sortByEnds(sides, positions_.size());
+    this->addEdges(sides);
+  }
+
+  /// @param first place of its corners and edges.
+  template <typename Corners>
+  void setFace(std::size_t f, const Corners& corners, std::size_t first,
+    std::vector<FaceEdge>& sides)
+  {
+    Face& face = faces_[f];
+    face.count = static_cast<int>(corners.size());
+    glm::dvec3 area(0.0);
+    for (int i = 0; i < face.count; ++i)
+    {
+      const std::int64_t a = corners[i];
+      const std::int64_t b = corners[(i + 1) % face.count];
+      faceCorners_[first + i] = a;
+      sides[first + i] = { { std::min(a, b), std::max(a, b) }, static_cast<int>(f), i };
+      face.centre += positions_[a] / static_cast<double>(face.count);
+      area +=
+        glm::cross(positions_[a] - positions_[corners[0]], positions_[b] - positions_[corners[0]]);
+    }
+    const double size = glm::length(area);
+    face.normal = size > 0.0 ? area / size : area;
+  }
+
+  /// @param sides sorted by their ends.
+  void addEdges(const std::vector<FaceEdge>& sides)
+  {
+    reserveLarge(facesOfEdges_, sides.size());
+    reserveLarge(edges_, sides.size() / 2 + sides.size() / 8);
     for (std::size_t i = 0; i < sides.size(); ++i)
     {
       if (i == 0 || sides[i].ends != sides[i - 1].ends)
@@ -274,7 +302,7 @@ private:
   const Checkpoint& checkpoint_;
   std::vector<Face> faces_;
   std::vector<std::int64_t> faceCorners_;
-  std::vector<std::size_t> cornerOffsets_{ 0 };
+  std::vector<std::size_t> cornerOffsets_;
   std::vector<Edge> edges_;
   std::vector<int> facesOfEdges_;
   std::priority_queue<Event, std::vector<Event>, std::greater<>> queue_;

@@ -40,11 +40,7 @@ void merge(GeometricNetwork& network, const End& first, const End& second)
   NetworkBranch& branch = network.branches[first.branch];
   if (first.branch == second.branch)
   {
-    branch.curve.points.pop_back();
-    if (!branch.curve.widths.empty())
-    {
-      branch.curve.widths.pop_back();
-    }
+    dropLast(branch.curve);
     branch.curve.closed = true;
     branch.junctions = { NetworkBranch::kFree, NetworkBranch::kFree };
     return;
@@ -60,17 +56,7 @@ void merge(GeometricNetwork& network, const End& first, const End& second)
     reverse(other.curve);
     std::swap(other.junctions[0], other.junctions[1]);
   }
-  branch.curve.points.insert(branch.curve.points.end(), other.curve.points.begin() + 1,
-    other.curve.points.end());
-  if (branch.curve.widths.empty() || other.curve.widths.empty())
-  {
-    branch.curve.widths.clear();
-  }
-  else
-  {
-    branch.curve.widths.insert(branch.curve.widths.end(), other.curve.widths.begin() + 1,
-      other.curve.widths.end());
-  }
+  join(branch.curve, other.curve);
   branch.junctions[1] = other.junctions[1];
   other = {};
   if (branch.junctions[0] == NetworkBranch::kFree && branch.junctions[1] != NetworkBranch::kFree)

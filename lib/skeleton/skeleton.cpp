@@ -227,7 +227,7 @@ Skeleton build(const MedialAxis& axis, const TriangleMesh& mesh, const SkeletonO
   const SolidProbe probe(query);
   const std::vector<CurvePath> paths = curveNetwork(burned.edges, axis.vertices,
     { positions, radii, burned.widths, probe, step, options.minBranch }, checkpoint);
-  GeometricNetwork network = networkOf(paths, positions, burned.widths);
+  GeometricNetwork network = networkOf(paths, positions, burned.widths, radii);
   removeShortBranches(network, probe, step, options.minBranch, checkpoint);
   if (options.smooth)
   {

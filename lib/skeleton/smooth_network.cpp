@@ -151,7 +151,7 @@ private:
   std::vector<int> reaches(const Curve& curve) const
   {
     std::vector<int> result;
-    for (const double radius : probe_.radii(curve.points))
+    for (const double radius : this->roughRadii(curve))
     {
       const double width = curve.widths.empty() ? 0.0 : curve.widths[result.size()];
       const double reach = std::max(kReachOfRadius * radius, kReachOfWidth * width) / step_;
@@ -159,6 +159,30 @@ private:
         std::min(kMaxReach, static_cast<int>(std::lround(std::max(kMinReach, reach)))));
     }
     return result;
+  }
+
+  /// Returns the radii at some points of a curve, and means of these in between.
+  std::vector<double> roughRadii(const Curve& curve) const
+  {
+    constexpr std::size_t kApart = 4;
+    const std::size_t last = curve.points.size() - 1;
+    std::vector<glm::dvec3> some;
+    for (std::size_t i = 0; i < last; i += kApart)
+    {
+      some.push_back(curve.points[i]);
+    }
+    some.push_back(curve.points[last]);
+    const std::vector<double> known = probe_.radii(some);
+    std::vector<double> radii;
+    for (std::size_t i = 0; i < last; ++i)
+    {
+      const std::size_t before = i / kApart;
+      const std::size_t length = std::min(kApart, last - before * kApart);
+      radii.push_back(glm::mix(known[before], known[before + 1],
+        static_cast<double>(i % kApart) / static_cast<double>(length)));
+    }
+    radii.push_back(known.back());
+    return radii;
   }
 
   const SolidProbe& probe_;
@@ -248,6 +272,7 @@ void smoothBranch(NetworkBranch& branch, const CurveSmoother& smoother, const So
   if (curve.points.size() < 2)
   {
     smoother.climb(curve.points.front());
+    curve.radii.clear();
     return;
   }
   curve = resampled(curve, step);
@@ -298,7 +323,8 @@ void resampleBranches(GeometricNetwork& network, double step)
 } // namespace
 
 GeometricNetwork networkOf(const std::vector<CurvePath>& paths,
-  const std::vector<glm::dvec3>& positions, const std::vector<double>& widths)
+  const std::vector<glm::dvec3>& positions, const std::vector<double>& widths,
+  const std::vector<double>& radii)
 {
   GeometricNetwork network;
   const std::map<std::int64_t, int> junctions = addJunctions(paths, positions, network);
@@ -309,6 +335,7 @@ GeometricNetwork networkOf(const std::vector<CurvePath>& paths,
     {
       branch.curve.points.push_back(positions[point]);
       branch.curve.widths.push_back(widths[point]);
+      branch.curve.radii.push_back(radii[point]);
     }
     const auto junction = [&](std::int64_t point)
     {
@@ -322,8 +349,7 @@ GeometricNetwork networkOf(const std::vector<CurvePath>& paths,
         path.front() == path.back() && branch.junctions[0] == NetworkBranch::kFree;
       if (branch.curve.closed)
       {
-        branch.curve.points.pop_back();
-        branch.curve.widths.pop_back();
+        dropLast(branch.curve);
       }
     }
     if (branch.junctions[0] == NetworkBranch::kFree && branch.junctions[1] != NetworkBranch::kFree)

@@ -30,9 +30,10 @@ struct GeometricNetwork
 };
 
 /// Takes paths as they are.
-/// @param positions, widths of the points of the axis.
+/// @param positions, widths, radii of the points of the axis.
 GeometricNetwork networkOf(const std::vector<CurvePath>& paths,
-  const std::vector<glm::dvec3>& positions, const std::vector<double>& widths);
+  const std::vector<glm::dvec3>& positions, const std::vector<double>& widths,
+  const std::vector<double>& radii);
 
 /// Makes the curves smooth and moves them into the middle of the solid: junctions nearer
 /// than `minBranch` radii become one, free ends move to where the radius begins to fall, and
