@@ -13,7 +13,7 @@ namespace
 /// Grid points in the radius of the thinnest branch.
 constexpr double kPointsPerRadius = 4.0;
 /// Grids that must be finer by more than this may show branches that are thinner still.
-constexpr int kFiner = 3;
+constexpr int kFiner = 4;
 
 /// Passes on requests to stop, but no progress, since it is unknown how many grids will follow.
 class Cancelling final : public Progress

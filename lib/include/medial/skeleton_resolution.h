@@ -40,7 +40,7 @@ MEDIAL_EXPORT int neededResolution(const Skeleton& skeleton, const Bounds& bound
 
 /// Finds the resolution that the skeleton of a mesh needs. It computes skeletons on coarse grids,
 /// beginning with kMinSkeletonResolution points along the longest axis and doubling them as long as
-/// the thinnest branch needs more than three times as many. Branches with a radius below the
+/// the thinnest branch needs more than four times as many. Branches with a radius below the
 /// distance of points of the first grid, which it may not show, are not looked for.
 /// @param axisOptions Topology::Preserve is taken whatever they say.
 /// @param padding as for makeGrid().
