@@ -26,6 +26,7 @@ void sortUnique(std::vector<Simplex>& simplices)
     [&](std::size_t s) { std::sort(simplices[s].begin(), simplices[s].end()); });
   tbb::parallel_sort(simplices.begin(), simplices.end());
   simplices.erase(std::unique(simplices.begin(), simplices.end()), simplices.end());
+  simplices.shrink_to_fit();
 }
 
 template <typename Simplex>
@@ -194,9 +195,17 @@ void BallFamilies::finish()
     }
   }
   items_.push_back({ static_cast<std::uint32_t>(edges_.size()), triangle, 0.0f, 0.0f });
-  std::vector<ItemBounds> bounds(this->itemCount());
-  tbb::parallel_for(std::uint32_t{ 0 }, this->itemCount(),
-    [&](std::uint32_t i) { bounds[i] = this->measure(i); });
+  std::vector<ItemBounds> bounds((this->itemCount() + kGroup - 1) / kGroup);
+  tbb::parallel_for(std::size_t{ 0 }, bounds.size(),
+    [&](std::size_t g)
+    {
+      const auto group = static_cast<std::uint32_t>(g);
+      bounds[g] = ItemBounds::nothing();
+      for (std::uint32_t i = this->firstItem(group); i < this->firstItem(group + 1); ++i)
+      {
+        bounds[g].add(this->measure(i));
+      }
+    });
   tree_ = std::make_unique<BoundingTree>(bounds);
 }
 

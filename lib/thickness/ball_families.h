@@ -7,6 +7,7 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -49,7 +50,7 @@ public:
   /// Centre and radius.
   const glm::vec4& ball(std::uint32_t id) const { return balls_[id]; }
 
-  /// The items of the tree: the edges and triangles of one ball and balls with larger ids.
+  /// The edges and triangles of one ball and balls with larger ids.
   struct Item
   {
     std::uint32_t edgesBegin; ///< they end where the next item's begin
@@ -63,9 +64,17 @@ public:
   const glm::vec4& ballOf(const Item& item) const { return balls_[edges_[item.edgesBegin][0]]; }
   const std::vector<Edge>& edges() const { return edges_; }
   const std::vector<Triangle>& triangles() const { return triangles_; }
+  /// A tree of groups of items, which are close together: group g has the items from firstItem(g)
+  /// to firstItem(g + 1).
   const BoundingTree& tree() const { return *tree_; }
+  std::uint32_t firstItem(std::uint32_t group) const
+  {
+    return std::min(group * kGroup, this->itemCount());
+  }
 
 private:
+  static constexpr std::uint32_t kGroup = 8;
+
   void joinTriangle(const Triangle& triangle);
   void sortBalls();
   ItemBounds measure(std::uint32_t number);

@@ -127,11 +127,15 @@ void ThicknessTile::raise(float stretch)
   // Single balls are quick, and leave few points that families between them could raise.
   std::vector<std::pair<std::uint32_t, RowMask>> reached;
   tree.searchNodes(minimum, limit_,
-    [&](std::uint32_t item)
+    [&](std::uint32_t group)
     {
-      if (const RowMask rows = this->raiseByBall(families_.item(item)))
+      const std::uint32_t end = families_.firstItem(group + 1);
+      for (std::uint32_t item = families_.firstItem(group); item < end; ++item)
       {
-        reached.emplace_back(item, rows);
+        if (const RowMask rows = this->raiseByBall(families_.item(item)))
+        {
+          reached.emplace_back(item, rows);
+        }
       }
     });
   for (const auto& [item, reachedRows] : reached)
