@@ -2,6 +2,7 @@
 #include "medial/ranks.h"
 
 #include "axis_of_ranks.h"
+#include "message_of_ranks.h"
 #include "pieces.h"
 #include "simulated_ranks.h"
 #include "support/shapes.h"

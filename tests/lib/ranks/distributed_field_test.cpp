@@ -2,6 +2,7 @@
 #include "medial/ranks.h"
 
 #include "field_of_ranks.h"
+#include "message_of_ranks.h"
 #include "pieces.h"
 #include "simulated_ranks.h"
 #include "support/models.h"

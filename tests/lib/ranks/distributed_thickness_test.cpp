@@ -4,6 +4,7 @@
 #include "medial/thickness.h"
 #include "medial/thickness_regions.h"
 
+#include "message_of_ranks.h"
 #include "pieces.h"
 #include "simulated_ranks.h"
 #include "support/errors.h"

@@ -1,9 +1,5 @@
 #include "simulated_ranks.h"
 
-#include "support/errors.h"
-
-#include <gtest/gtest.h>
-
 #include <exception>
 #include <new>
 #include <thread>
@@ -96,15 +92,6 @@ std::vector<Communicator::Message> SimulatedRanks::exchange(int rank,
     std::rethrow_exception(failure);
   }
   return received;
-}
-
-std::string messageOfRanks(int ranks, const std::function<void(Communicator&)>& work)
-{
-  std::vector<std::string> messages(ranks);
-  SimulatedRanks(ranks).run([&](Communicator& communicator)
-    { messages[communicator.rank()] = messageOf([&] { work(communicator); }); });
-  EXPECT_EQ(messages, std::vector<std::string>(ranks, messages.front()));
-  return messages.front();
 }
 
 } // namespace medial::test

@@ -5,7 +5,6 @@
 #include <condition_variable>
 #include <functional>
 #include <mutex>
-#include <string>
 #include <vector>
 
 namespace medial::test
@@ -34,9 +33,5 @@ private:
   int waiting_ = 0;
   int round_ = 0;
 };
-
-/// What the medial::Error says that work(communicator) ends with on every rank of so many, nothing
-/// where it ends well.
-std::string messageOfRanks(int ranks, const std::function<void(Communicator&)>& work);
 
 } // namespace medial::test
