@@ -26,20 +26,13 @@ std::string messageOf(const Work& work, ErrorCode code = ErrorCode::InvalidInput
   return "";
 }
 
-/// Expects work() to end with an error whose message has these words.
+/// Expects work() to end with an error of this code whose message has some words.
 template <typename Work>
-void expectError(const Work& work, const std::string& words,
-  ErrorCode code = ErrorCode::InvalidInput)
+void expectError(const Work& work, ErrorCode code, const std::string& words = "")
 {
   const std::string message = messageOf(work, code);
-  EXPECT_NE(message, "") << "no error about " << words;
+  EXPECT_NE(message, "") << "no error " << words;
   EXPECT_NE(message.find(words), std::string::npos) << message;
-}
-
-template <typename Work>
-void expectCancelled(const Work& work)
-{
-  EXPECT_NE(messageOf(work, ErrorCode::Cancelled), "") << "it was not cancelled";
 }
 
 } // namespace medial::test

@@ -2,6 +2,8 @@
 
 #include "medial/error.h"
 
+#include "support/errors.h"
+
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -34,16 +36,7 @@ void expectRefused(const std::function<void(MedialModel&)>& spoil, const std::st
 {
   MedialModel model = strip(2);
   spoil(model);
-  try
-  {
-    checkMedialModel(model);
-    FAIL() << words;
-  }
-  catch (const Error& error)
-  {
-    EXPECT_EQ(error.code(), ErrorCode::InvalidInput);
-    EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
-  }
+  expectError([&] { checkMedialModel(model); }, ErrorCode::InvalidInput, words);
 }
 
 TEST(MedialModel, StripIsADisc)

@@ -3,6 +3,7 @@
 #include "medial/compute_medial_axis.h"
 #include "medial/error.h"
 #include "medial/execution.h"
+#include "support/errors.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
@@ -62,15 +63,7 @@ TEST(Checkpoint, ThrowsWhenCancelled)
   Recorder recorder;
   recorder.cancel = true;
   const medial::Checkpoint checkpoint(medial::Run({ 0, &recorder }), 0.5, "thinking");
-  try
-  {
-    callFor(10s, checkpoint);
-    FAIL() << "was not cancelled";
-  }
-  catch (const medial::Error& error)
-  {
-    EXPECT_EQ(error.code(), medial::ErrorCode::Cancelled);
-  }
+  medial::test::expectError([&] { callFor(10s, checkpoint); }, medial::ErrorCode::Cancelled);
 }
 
 TEST(Checkpoint, OtherThreadsAreNotDisturbed)

@@ -3,6 +3,8 @@
 
 #include "medial/error.h"
 
+#include "support/errors.h"
+
 #include <gtest/gtest.h>
 
 #include <string>
@@ -14,16 +16,7 @@ namespace
 
 std::string refusalOf(std::int64_t count, std::int64_t max = kMaxIds)
 {
-  try
-  {
-    requireCount("the mesh", count, "sites", max);
-  }
-  catch (const Error& error)
-  {
-    EXPECT_EQ(error.code(), ErrorCode::InvalidInput);
-    return error.what();
-  }
-  return "";
+  return test::messageOf([&] { requireCount("the mesh", count, "sites", max); });
 }
 
 } // namespace

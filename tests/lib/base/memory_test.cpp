@@ -3,6 +3,7 @@
 #include "medial/compute_medial_axis.h"
 #include "medial/error.h"
 #include "medial/reconstruction.h"
+#include "support/errors.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
@@ -19,19 +20,10 @@ using medial::ErrorCode;
 constexpr std::int64_t kHugeGrid = std::int64_t{ 8192 } * 8192 * 8192;
 
 /// The message of the OutOfMemory error of `work`, empty if there is none.
-template <typename F>
-std::string memoryError(F&& work)
+template <typename Work>
+std::string memoryError(const Work& work)
 {
-  try
-  {
-    work();
-  }
-  catch (const medial::Error& error)
-  {
-    EXPECT_EQ(error.code(), ErrorCode::OutOfMemory) << error.what();
-    return error.what();
-  }
-  return "";
+  return medial::test::messageOf(work, ErrorCode::OutOfMemory);
 }
 
 TEST(AvailableMemory, IsPlausible)

@@ -4,6 +4,7 @@
 #include "medial/error.h"
 
 #include "support/brute_force.h"
+#include "support/errors.h"
 #include "support/field_checks.h"
 #include "support/named.h"
 #include "support/shapes.h"
@@ -82,16 +83,7 @@ DistanceField fieldOf(const TriangleMesh& mesh, const Grid& grid, Engine engine 
 /// The message with which a field is refused; empty if it is not.
 std::string refusalOf(const TriangleMesh& mesh, const Grid& grid, Engine engine = Engine::Processor)
 {
-  try
-  {
-    fieldOf(mesh, grid, engine);
-  }
-  catch (const Error& error)
-  {
-    EXPECT_EQ(error.code(), ErrorCode::InvalidInput);
-    return error.what();
-  }
-  return "";
+  return messageOf([&] { fieldOf(mesh, grid, engine); });
 }
 
 void expectExactButForRounding(const TriangleMesh& mesh, const Grid& grid)

@@ -3,6 +3,7 @@
 #include "medial/error.h"
 #include "medial/execution.h"
 
+#include "support/errors.h"
 #include "support/field_checks.h"
 #include "support/printing.h"
 #include "support/shapes.h"
@@ -75,34 +76,6 @@ DistanceFieldOptions optionsWith(Progress& progress)
   DistanceFieldOptions options;
   options.execution.progress = &progress;
   return options;
-}
-
-template <class Work>
-void expectCancelled(Work work)
-{
-  try
-  {
-    work();
-    ADD_FAILURE() << "not cancelled";
-  }
-  catch (const Error& error)
-  {
-    EXPECT_EQ(error.code(), ErrorCode::Cancelled);
-  }
-}
-
-template <class Work>
-void expectInvalid(Work work)
-{
-  try
-  {
-    work();
-    ADD_FAILURE() << "no error";
-  }
-  catch (const Error& error)
-  {
-    EXPECT_EQ(error.code(), ErrorCode::InvalidInput);
-  }
 }
 
 /// An array between elements that nobody may touch.
@@ -247,16 +220,8 @@ TEST_P(DistanceFieldEngines, RefuseASoftwareRendererWhereHardwareIsRequired)
     EXPECT_EQ(statistics.device->renderer, device.renderer);
     return;
   }
-  try
-  {
-    computeDistanceField(mesh(), tallGrid(), options);
-    ADD_FAILURE() << "no error";
-  }
-  catch (const Error& error)
-  {
-    EXPECT_EQ(error.code(), ErrorCode::NoGpu);
-    EXPECT_NE(std::string(error.what()).find(device.renderer), std::string::npos);
-  }
+  expectError([&] { computeDistanceField(mesh(), tallGrid(), options); }, ErrorCode::NoGpu,
+    device.renderer);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, DistanceFieldEngines,
@@ -290,7 +255,8 @@ TEST(DistanceFieldRun, StopsAtOnceOrMidwayAndWorksAfterwards)
   for (const std::size_t reports : { 0u, 2u })
   {
     RecordingProgress progress(reports);
-    expectCancelled([&] { computeDistanceField(mesh(), tallGrid(), optionsWith(progress)); });
+    expectError([&] { computeDistanceField(mesh(), tallGrid(), optionsWith(progress)); },
+      ErrorCode::Cancelled);
     EXPECT_EQ(progress.fractions.size(), reports + 1);
     EXPECT_LT(progress.fractions.back(), 1.0);
     expectExactField(mesh(), makeGrid(mesh().bounds(), 24, 0.1));
@@ -304,7 +270,7 @@ TEST(DistanceFieldRun, OfAMedialAxisStopsAtOnceOrMidway)
     RecordingProgress progress(reports);
     MedialAxisOptions options;
     options.field.execution.progress = &progress;
-    expectCancelled([&] { computeMedialAxis(mesh(), tallGrid(), options); });
+    expectError([&] { computeMedialAxis(mesh(), tallGrid(), options); }, ErrorCode::Cancelled);
     options.field.execution.progress = nullptr;
     EXPECT_GT(computeMedialAxis(mesh(), tallGrid(), options).points.size(), 0u);
   }
@@ -335,7 +301,7 @@ TEST(DistanceFieldRun, FromSeveralThreadsAtOnceIsRightInEach)
 
 TEST(DistanceFieldRun, RefusesAnEmptyMesh)
 {
-  expectInvalid([] { computeDistanceField(TriangleMesh{}, tallGrid()); });
+  expectError([] { computeDistanceField(TriangleMesh{}, tallGrid()); }, ErrorCode::InvalidInput);
 }
 
 TEST(DistanceFieldRun, RefusesExtentsThatAreEmptyOrLeaveTheGrid)
@@ -345,7 +311,8 @@ TEST(DistanceFieldRun, RefusesExtentsThatAreEmptyOrLeaveTheGrid)
   for (const Extent& extent : { Extent{}, Extent{ { 0, 0, 0 }, { 50, 1, 1 } },
          Extent{ { -1, 0, 0 }, { 1, 1, 1 } }, Extent{ { 5, 5, 5 }, { 4, 6, 6 } } })
   {
-    expectInvalid([&] { computeDistanceField(shape, connectivity, tallGrid(), extent, {}); });
+    expectError([&] { computeDistanceField(shape, connectivity, tallGrid(), extent, {}); },
+      ErrorCode::InvalidInput);
   }
 }
 
@@ -359,7 +326,7 @@ TEST(DistanceFieldRun, RefusesGridsOutsideTheirRange)
   empty.dimensions[0] = 0;
   for (const Grid& grid : { nan, flat, empty })
   {
-    expectInvalid([&] { computeDistanceField(mesh(), grid); });
+    expectError([&] { computeDistanceField(mesh(), grid); }, ErrorCode::InvalidInput);
   }
 }
 
@@ -367,5 +334,5 @@ TEST(DistanceFieldRun, RefusesANegativeNumberOfThreads)
 {
   DistanceFieldOptions options;
   options.execution.threads = -1;
-  expectInvalid([&] { computeDistanceField(mesh(), tallGrid(), options); });
+  expectError([&] { computeDistanceField(mesh(), tallGrid(), options); }, ErrorCode::InvalidInput);
 }

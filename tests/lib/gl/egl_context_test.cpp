@@ -1,6 +1,8 @@
 #include "gl/egl_context.h"
 #include "medial/error.h"
 
+#include "support/errors.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -70,16 +72,7 @@ TEST(EglContext, RefusesADeviceThatIsNotThere)
 {
   for (const char* wanted : { "99", "Voodoo" })
   {
-    try
-    {
-      const EglContext context(wanted);
-      FAIL() << context.device().renderer;
-    }
-    catch (const Error& error)
-    {
-      EXPECT_EQ(error.code(), ErrorCode::NoGpu);
-      EXPECT_NE(std::string(error.what()).find(wanted), std::string::npos) << error.what();
-    }
+    test::expectError([&] { const EglContext context(wanted); }, ErrorCode::NoGpu, wanted);
   }
 }
 

@@ -5,6 +5,7 @@
 #include "gl/shader_source.h"
 #include "medial/device.h"
 #include "medial/error.h"
+#include "support/errors.h"
 #include "support/files.h"
 
 #include <epoxy/gl.h>
@@ -379,13 +380,5 @@ TEST(ShaderDeathTest, EveryOneIsCompiledWithoutAWarning)
 
 TEST(ShaderSource, OfAnUnknownNameIsAnError)
 {
-  try
-  {
-    gl::shaderSource("missing.frag");
-    FAIL() << "no error";
-  }
-  catch (const Error& error)
-  {
-    EXPECT_EQ(error.code(), ErrorCode::ShaderBuild);
-  }
+  test::expectError([&] { gl::shaderSource("missing.frag"); }, ErrorCode::ShaderBuild);
 }

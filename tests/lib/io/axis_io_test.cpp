@@ -3,6 +3,7 @@
 
 #include "medial/error.h"
 
+#include "support/errors.h"
 #include "support/files.h"
 #include "support/refusal.h"
 
@@ -160,19 +161,9 @@ TEST(AxisIo, WritesTheDocumentedText)
     "f 0 1 2\n");
 }
 
-// The code and the message of the error that writing throws.
 std::string writeError(const std::string& path)
 {
-  try
-  {
-    writeAxis(sample(), path);
-  }
-  catch (const Error& error)
-  {
-    EXPECT_EQ(error.code(), ErrorCode::CannotWrite);
-    return error.what();
-  }
-  return "no error";
+  return messageOf([&] { writeAxis(sample(), path); }, ErrorCode::CannotWrite);
 }
 
 TEST(AxisIo, NamesFilesThatCannotBeWritten)

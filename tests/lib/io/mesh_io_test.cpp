@@ -5,6 +5,7 @@
 
 #include "medial/error.h"
 
+#include "support/errors.h"
 #include "support/files.h"
 #include "support/mesh_texts.h"
 #include "support/refusal.h"
@@ -152,22 +153,12 @@ TEST(MeshIo, RefusesWhatIsNoMeshFile)
 TEST(MeshIo, RefusesWhatCannotBeRead)
 {
   const TemporaryFolder folder;
-  const auto codeOf = [](const std::string& path)
-  {
-    try
-    {
-      readMesh(path);
-    }
-    catch (const Error& error)
-    {
-      EXPECT_EQ(std::string(error.what()).rfind(path + ": ", 0), 0U) << error.what();
-      return error.code();
-    }
-    return ErrorCode::Cancelled;
-  };
-  EXPECT_EQ(codeOf(folder.file("missing.obj")), ErrorCode::CannotRead);
   std::filesystem::create_directory(folder.file("folder.obj"));
-  EXPECT_EQ(codeOf(folder.file("folder.obj")), ErrorCode::CannotRead);
+  for (const std::string& path : { folder.file("missing.obj"), folder.file("folder.obj") })
+  {
+    const std::string message = messageOf([&] { readMesh(path); }, ErrorCode::CannotRead);
+    EXPECT_EQ(message.rfind(path + ": ", 0), 0U) << message;
+  }
 }
 
 TEST(MeshIo, KnowsItsExtensions)

@@ -3,6 +3,7 @@
 
 #include "medial/error.h"
 #include "support/axes.h"
+#include "support/errors.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
@@ -180,44 +181,32 @@ TEST(AxisCoverage, ThreadsDoNotChangeTheResult)
   EXPECT_LT(one, 1.0);
 }
 
-void expectError(ErrorCode code, const std::string& words, const std::function<void()>& work)
-{
-  try
-  {
-    work();
-    FAIL() << words;
-  }
-  catch (const Error& error)
-  {
-    EXPECT_EQ(error.code(), code);
-    EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
-  }
-}
-
 TEST(AxisCoverage, RefusesWhatItCannotMeasure)
 {
   const TriangleMesh mesh = icosphere(1.0, 1);
   for (const double reach :
     { -0.5, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity() })
   {
-    expectError(ErrorCode::InvalidInput, "outside [0, infinity)",
-      [&] { measureCoverage(mesh, oneBall(1.0), reach); });
+    expectError([&] { measureCoverage(mesh, oneBall(1.0), reach); }, ErrorCode::InvalidInput,
+      "outside [0, infinity)");
   }
-  expectError(ErrorCode::InvalidInput, "radius -1", [&] { uncovered(mesh, oneBall(-1.0)); });
-  expectError(ErrorCode::InvalidInput, "number of samples 10 is outside [1000, 100000000]",
+  expectError([&] { uncovered(mesh, oneBall(-1.0)); }, ErrorCode::InvalidInput, "radius -1");
+  expectError(
     [&]
     {
       CoverageOptions options;
       options.samples = 10;
       measureCoverage(mesh, oneBall(1.0), kReach, options);
-    });
-  expectError(ErrorCode::InvalidInput, "threads -1 is negative",
+    },
+    ErrorCode::InvalidInput, "number of samples 10 is outside [1000, 100000000]");
+  expectError(
     [&]
     {
       CoverageOptions options;
       options.execution.threads = -1;
       measureCoverage(mesh, oneBall(1.0), kReach, options);
-    });
+    },
+    ErrorCode::InvalidInput, "threads -1 is negative");
 }
 
 class Stop : public Progress
@@ -232,8 +221,8 @@ TEST(AxisCoverage, CanBeCancelled)
   Stop stop;
   CoverageOptions options;
   options.execution.progress = &stop;
-  expectError(ErrorCode::Cancelled, "cancelled",
-    [&] { measureCoverage(icosphere(1.0, 1), oneBall(1.0), kReach, options); });
+  expectError([&] { measureCoverage(icosphere(1.0, 1), oneBall(1.0), kReach, options); },
+    ErrorCode::Cancelled, "cancelled");
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #include "medial/axis_measurement.h"
 
 #include "medial/error.h"
+#include "support/errors.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
@@ -236,15 +237,7 @@ TEST(AxisMeasurement, ReportsProgressAndCanBeCancelled)
     Watch stop;
     stop.stopAt = stopAt;
     options.execution.progress = &stop;
-    try
-    {
-      measureOn(icosphere(1.0, 3), oneBall(0.9), options);
-      FAIL() << stopAt;
-    }
-    catch (const Error& error)
-    {
-      EXPECT_EQ(error.code(), ErrorCode::Cancelled);
-    }
+    expectError([&] { measureOn(icosphere(1.0, 3), oneBall(0.9), options); }, ErrorCode::Cancelled);
   }
 }
 
@@ -256,16 +249,7 @@ void expectRefused(
   MedialModel model = oneBall(0.9);
   MeasurementOptions options;
   spoil(mesh, model, options);
-  try
-  {
-    measureOn(mesh, model, options);
-    FAIL() << words;
-  }
-  catch (const Error& error)
-  {
-    EXPECT_EQ(error.code(), ErrorCode::InvalidInput);
-    EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
-  }
+  expectError([&] { measureOn(mesh, model, options); }, ErrorCode::InvalidInput, words);
 }
 
 TEST(AxisMeasurement, RefusesWhatItCannotMeasure)

@@ -3,6 +3,8 @@
 #include "balls/ball_union.h"
 #include "medial/error.h"
 
+#include "support/errors.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -90,32 +92,19 @@ TEST(Reconstruction, CanBeCancelled)
 {
   const MedialModel model = bentPlate();
   StopAtOnce progress;
-  try
-  {
-    computeReconstruction(model, makeGrid(modelBounds(model), 100), { true, { 0, &progress } });
-    FAIL();
-  }
-  catch (const Error& error)
-  {
-    EXPECT_EQ(error.code(), ErrorCode::Cancelled);
-    EXPECT_LT(progress.last, 1.0);
-  }
+  const Grid grid = makeGrid(modelBounds(model), 100);
+  const ReconstructionOptions options{ true, { 0, &progress } };
+  expectError([&] { computeReconstruction(model, grid, options); }, ErrorCode::Cancelled);
+  EXPECT_LT(progress.last, 1.0);
 }
 
 TEST(Reconstruction, RefusesANegativeNumberOfThreads)
 {
   ReconstructionOptions options;
   options.execution.threads = -1;
-  try
-  {
-    computeReconstruction(bentPlate(), makeGrid(modelBounds(bentPlate()), 10), options);
-    FAIL();
-  }
-  catch (const Error& error)
-  {
-    EXPECT_EQ(error.code(), ErrorCode::InvalidInput);
-    EXPECT_STREQ(error.what(), "threads -1 is negative");
-  }
+  const Grid grid = makeGrid(modelBounds(bentPlate()), 10);
+  EXPECT_EQ(messageOf([&] { computeReconstruction(bentPlate(), grid, options); }),
+    "threads -1 is negative");
 }
 
 } // namespace

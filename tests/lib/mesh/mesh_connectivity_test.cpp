@@ -1,5 +1,6 @@
 #include "medial/error.h"
 #include "medial/mesh_connectivity.h"
+#include "support/errors.h"
 #include "support/models.h"
 #include "support/shapes.h"
 
@@ -455,14 +456,6 @@ TEST(MeshConnectivity, CanBeCancelled)
     CancelAt progress(call);
     Execution execution;
     execution.progress = &progress;
-    try
-    {
-      analyseConnectivity(mesh, execution);
-      FAIL() << "was not cancelled";
-    }
-    catch (const Error& error)
-    {
-      EXPECT_EQ(error.code(), ErrorCode::Cancelled);
-    }
+    expectError([&] { analyseConnectivity(mesh, execution); }, ErrorCode::Cancelled);
   }
 }

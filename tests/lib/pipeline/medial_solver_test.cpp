@@ -2,6 +2,7 @@
 #include "medial/medial_solver.h"
 
 #include "medial/error.h"
+#include "support/errors.h"
 #include "support/field_checks.h"
 #include "support/printing.h"
 #include "support/shapes.h"
@@ -139,24 +140,12 @@ TEST_P(MedialSolverBy, AxesAreThoseOfTheMesh)
 
 TEST_P(MedialSolverBy, BadPointsAreRefusedAndLeaveTheMeshAlone)
 {
-  const auto codeOf = [&](std::vector<Point3> points)
-  {
-    try
-    {
-      solver_.setPoints(std::move(points));
-    }
-    catch (const Error& error)
-    {
-      return error.code();
-    }
-    return ErrorCode::Cancelled;
-  };
   std::vector<Point3> points = mesh_.points;
   points.pop_back();
-  EXPECT_EQ(codeOf(points), ErrorCode::InvalidInput);
+  expectError([&] { solver_.setPoints(points); }, ErrorCode::InvalidInput);
   points = mesh_.points;
   points[7][1] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(codeOf(points), ErrorCode::InvalidInput);
+  expectError([&] { solver_.setPoints(points); }, ErrorCode::InvalidInput);
   EXPECT_EQ(solver_.mesh().points, mesh_.points);
 }
 

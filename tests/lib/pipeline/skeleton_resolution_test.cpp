@@ -1,6 +1,7 @@
 #include "medial/error.h"
 #include "medial/skeleton_resolution.h"
 
+#include "support/errors.h"
 #include "support/shapes.h"
 #include "support/tubes.h"
 
@@ -100,22 +101,11 @@ TEST(SkeletonResolution, NeededIsTheSmallestThatIsEnough)
 
 TEST(SkeletonResolution, RefusesWhatHasNoSkeletonAndCanBeCancelled)
 {
-  const auto codeOf = [](const TriangleMesh& mesh, const SkeletonOptions& options)
-  {
-    try
-    {
-      choose(mesh, options);
-    }
-    catch (const Error& error)
-    {
-      return error.code();
-    }
-    return ErrorCode::CannotRead; // nothing is thrown
-  };
-  EXPECT_EQ(codeOf(plates(0.5, 1.0), {}), ErrorCode::InvalidInput); // unsigned
+  const TriangleMesh mesh = box({ 1.0, 1.0, 2.0 });
+  expectError([] { choose(plates(0.5, 1.0), {}); }, ErrorCode::InvalidInput, "unsigned");
   SkeletonOptions wrong;
   wrong.minBranch = -1.0;
-  EXPECT_EQ(codeOf(box({ 1.0, 1.0, 2.0 }), wrong), ErrorCode::InvalidInput);
+  expectError([&] { choose(mesh, wrong); }, ErrorCode::InvalidInput);
   struct Stop final : Progress
   {
     void report(double fraction, const char*) override { EXPECT_EQ(fraction, 0.0); }
@@ -123,7 +113,7 @@ TEST(SkeletonResolution, RefusesWhatHasNoSkeletonAndCanBeCancelled)
   } stop;
   SkeletonOptions stopped;
   stopped.execution.progress = &stop;
-  EXPECT_EQ(codeOf(box({ 1.0, 1.0, 2.0 }), stopped), ErrorCode::Cancelled);
+  expectError([&] { choose(mesh, stopped); }, ErrorCode::Cancelled);
 }
 
 } // namespace medial::test

@@ -2,6 +2,7 @@
 #include "medial/compute_medial_axis.h"
 #include "medial/error.h"
 
+#include "support/errors.h"
 #include "support/medial_checks.h"
 #include "support/model_formats.h"
 #include "support/models.h"
@@ -232,16 +233,9 @@ TEST(TopologyPreservation, LeavesTheDistanceFieldAsWell)
 TEST(TopologyPreservation, RefusesPoints)
 {
   const TriangleMesh mesh = box({ 1.0, 0.7, 0.4 });
-  try
-  {
-    preserved(mesh, makeGrid(mesh.bounds(), 16), 60.0, Side::Interior, Representation::Points);
-    FAIL() << "no error";
-  }
-  catch (const Error& error)
-  {
-    EXPECT_EQ(error.code(), ErrorCode::InvalidInput);
-    EXPECT_NE(std::string(error.what()).find("surface or faces"), std::string::npos);
-  }
+  expectError([&]
+    { preserved(mesh, makeGrid(mesh.bounds(), 16), 60.0, Side::Interior, Representation::Points); },
+    ErrorCode::InvalidInput, "surface or faces");
 }
 
 TEST(TopologyPreservation, GivesNothingForAGridOfOneSlice)

@@ -3,6 +3,7 @@
 #include "medial/compute_distance_field.h"
 #include "medial/error.h"
 #include "medial/proximity.h"
+#include "support/errors.h"
 #include "support/shapes.h"
 #include "support/transforms.h"
 
@@ -23,28 +24,13 @@ using medial::FieldProximityOptions;
 using medial::FieldProximitySolver;
 using medial::TriangleMesh;
 using medial::test::box;
+using medial::test::expectError;
 using medial::test::icosphere;
 using medial::test::translated;
 
 double diagonal(const FieldProximity& result)
 {
   return std::sqrt(3.0) * result.grid.spacing[0];
-}
-
-/// Expects an error for bad input whose message has a text.
-template <typename Work>
-void expectRefused(const Work& work, const std::string& text)
-{
-  try
-  {
-    work();
-    FAIL() << "no error about " << text;
-  }
-  catch (const medial::Error& error)
-  {
-    EXPECT_EQ(error.code(), medial::ErrorCode::InvalidInput);
-    EXPECT_NE(std::string(error.what()).find(text), std::string::npos) << error.what();
-  }
 }
 
 TEST(FieldProximity, AgreesWithTheExactAnswers)
@@ -137,12 +123,14 @@ TEST(FieldProximity, MissesNothingOfFineGrids)
 TEST(FieldProximity, RefusesWhatItCannotCompute)
 {
   const TriangleMesh cube = box({ 1.0, 1.0, 1.0 });
-  expectRefused([&] { FieldProximitySolver(cube, TriangleMesh()); }, "mesh 1 is empty");
+  expectError([&] { FieldProximitySolver(cube, TriangleMesh()); }, medial::ErrorCode::InvalidInput,
+    "mesh 1 is empty");
   FieldProximitySolver solver(cube, cube);
   FieldProximityOptions options;
   options.resolution = 1;
-  expectRefused([&] { solver.compute(options); }, "resolution 1");
-  expectRefused([&] { solver.setPoints(2, cube.points); }, "no mesh 2");
+  expectError([&] { solver.compute(options); }, medial::ErrorCode::InvalidInput, "resolution 1");
+  expectError([&] { solver.setPoints(2, cube.points); }, medial::ErrorCode::InvalidInput,
+    "no mesh 2");
 }
 
 } // namespace

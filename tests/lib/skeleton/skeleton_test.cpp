@@ -4,6 +4,7 @@
 #include "medial/simplification.h"
 
 #include "lib/skeleton/skeleton_cases.h"
+#include "support/errors.h"
 #include "support/mesh_search.h"
 #include "support/point_math.h"
 #include "support/shapes.h"
@@ -171,16 +172,7 @@ TEST(Skeleton, RefusesWhatHasNone)
   {
     SkeletonOptions options;
     options.minBranch = minBranch;
-    try
-    {
-      computeSkeleton(input, mesh, options);
-    }
-    catch (const Error& error)
-    {
-      EXPECT_EQ(error.code(), ErrorCode::InvalidInput);
-      return std::string(error.what());
-    }
-    return std::string();
+    return messageOf([&] { computeSkeleton(input, mesh, options); });
   };
   EXPECT_EQ(refusal(axis, -0.5), "minimum branch length -0.500000 is outside [0, infinity)");
   EXPECT_NE(refusal(axis, std::nan("")), "");
@@ -214,13 +206,5 @@ TEST(Skeleton, CanBeCancelled)
   const MedialAxis axis = axisOf(mesh, 24);
   SkeletonOptions options;
   options.execution.progress = &stop;
-  try
-  {
-    computeSkeleton(axis, mesh, options);
-    ADD_FAILURE() << "it ran to its end";
-  }
-  catch (const Error& error)
-  {
-    EXPECT_EQ(error.code(), ErrorCode::Cancelled);
-  }
+  expectError([&] { computeSkeleton(axis, mesh, options); }, ErrorCode::Cancelled);
 }

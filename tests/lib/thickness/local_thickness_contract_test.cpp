@@ -5,6 +5,7 @@
 #include "medial/error.h"
 
 #include "support/collecting_sink.h"
+#include "support/errors.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
@@ -73,20 +74,6 @@ public:
   std::vector<double> fractions;
   std::size_t cancelAt = std::numeric_limits<std::size_t>::max();
 };
-
-void expectError(const std::function<void()>& work, ErrorCode code, const std::string& words)
-{
-  try
-  {
-    work();
-    FAIL() << "no error about " << words;
-  }
-  catch (const Error& error)
-  {
-    EXPECT_EQ(error.code(), code);
-    EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
-  }
-}
 
 } // namespace
 

@@ -6,6 +6,7 @@
 #include "field/engines/make_engine.h"
 #include "field/field_pipeline.h"
 #include "medial/error.h"
+#include "support/errors.h"
 #include "support/printing.h"
 #include "support/shapes.h"
 
@@ -191,15 +192,7 @@ TEST(MakeEngine, OfAutoIsTheProcessor)
 TEST(RequireRoomForAxis, RefusesMoreThanMemoryHolds)
 {
   EXPECT_NO_THROW(requireRoomForAxis(1000));
-  try
-  {
-    requireRoomForAxis(std::size_t{ 1 } << 50);
-    FAIL() << "no error";
-  }
-  catch (const Error& error)
-  {
-    EXPECT_EQ(error.code(), ErrorCode::OutOfMemory);
-  }
+  expectError([&] { requireRoomForAxis(std::size_t{ 1 } << 50); }, ErrorCode::OutOfMemory);
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include "medial/compute_distance_field.h"
 #include "medial/error.h"
 #include "medial/medial_solver.h"
+#include "support/errors.h"
 #include "support/resident_memory.h"
 
 #include <epoxy/gl.h>
@@ -199,15 +200,8 @@ TEST(DeviceEngine, CanBeCancelledBetweenDispatches)
   options.engine = Engine::Device;
   options.execution.progress = &progress;
   const TriangleMesh mesh = ring();
-  try
-  {
-    computeDistanceField(mesh, makeGrid(mesh.bounds(), 96, 0.1), options);
-    FAIL() << "no error";
-  }
-  catch (const Error& error)
-  {
-    EXPECT_EQ(error.code(), ErrorCode::Cancelled);
-  }
+  expectError([&] { computeDistanceField(mesh, makeGrid(mesh.bounds(), 96, 0.1), options); },
+    ErrorCode::Cancelled);
 }
 
 } // namespace

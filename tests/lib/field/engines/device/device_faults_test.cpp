@@ -8,6 +8,8 @@
 #include "gl/shader_program.h"
 #include "medial/error.h"
 
+#include "support/errors.h"
+
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -72,15 +74,7 @@ TEST_P(DeviceFault, IsAnErrorOfTheDeviceAskedForByName)
 {
   DeviceEngine engine;
   gl::injectFault(GetParam().fault, GetParam().opportunities);
-  try
-  {
-    computedBy(engine, ring(), tallGrid(), true);
-    FAIL() << "no error";
-  }
-  catch (const Error& error)
-  {
-    EXPECT_EQ(error.code(), GetParam().code) << error.what();
-  }
+  expectError([&] { computedBy(engine, ring(), tallGrid(), true); }, GetParam().code);
   EXPECT_GT(computedBy(engine, ring(), tallGrid()).crossings.size(), 100u); // works afterwards
 }
 

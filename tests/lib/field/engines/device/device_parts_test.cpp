@@ -9,6 +9,8 @@
 #include "medial/error.h"
 #include "medial/medial_solver.h"
 
+#include "support/errors.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -77,17 +79,8 @@ TEST(DeviceEngine, RefusesRowsLargerThanAStorageBuffer)
   const StorageLimit limit(kMiB / 16);
   const Grid wide{ { -1.5, -1.5, 0.0 }, { 0.0005, 0.5, 0.5 }, { 5000, 3, 1 } };
   DeviceEngine engine;
-  try
-  {
-    computedBy(engine, ring(), wide);
-    FAIL() << "no error";
-  }
-  catch (const Error& error)
-  {
-    EXPECT_EQ(error.code(), ErrorCode::GpuLimit);
-    EXPECT_STREQ(error.what(),
-      "rows of 5000 grid points exceed the 4096 that fit the driver's limit for buffers");
-  }
+  EXPECT_EQ(messageOf([&] { computedBy(engine, ring(), wide); }, ErrorCode::GpuLimit),
+    "rows of 5000 grid points exceed the 4096 that fit the driver's limit for buffers");
 }
 
 TEST(DeviceEngine, SplitsMeshesLargerThanAStorageBuffer)
