@@ -168,6 +168,23 @@ void AxisBuilder::addCurve(const Point3& a, const Point3& b, int cells, double r
   }
 }
 
+MedialModel ballModel(double radius, const Point3& centre)
+{
+  MedialModel model;
+  model.centres = { centre };
+  model.radii = { radius };
+  return model;
+}
+
+MedialModel capsuleModel(double halfLength, double radius)
+{
+  MedialModel model;
+  model.centres = { { 0, 0, -halfLength }, { 0, 0, halfLength } };
+  model.radii = { radius, radius };
+  model.lines = { { 0, 1 } };
+  return model;
+}
+
 std::int64_t eulerCharacteristic(const MedialAxis& axis)
 {
   return static_cast<std::int64_t>(axis.points.size() + axis.quads.size() + axis.triangles.size()) -

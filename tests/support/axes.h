@@ -1,6 +1,7 @@
 #pragma once
 
 #include "medial/compute_medial_axis.h"
+#include "medial/medial_model.h"
 
 #include <array>
 #include <vector>
@@ -27,6 +28,10 @@ public:
 private:
   std::int64_t shared(const Point3& point, double radius);
 };
+
+MedialModel ballModel(double radius, const Point3& centre = {});
+/// Two balls of the same radius at z = +-halfLength, and the cone between them.
+MedialModel capsuleModel(double halfLength, double radius);
 
 /// Euler characteristic of the cells with their edges: points - edges - lines + polygons.
 std::int64_t eulerCharacteristic(const MedialAxis& axis);

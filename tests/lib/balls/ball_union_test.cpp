@@ -2,6 +2,7 @@
 #include "balls/ball_union.h"
 #include "measure/boundary_samples.h"
 
+#include "support/axes.h"
 #include "support/brute_force.h"
 #include "support/shapes.h"
 
@@ -69,23 +70,6 @@ double minOfAll(const MedialModel& model, const glm::dvec3& x, bool interpolate)
   return min;
 }
 
-MedialModel ballModel(const Point3& centre, double radius)
-{
-  MedialModel model;
-  model.centres = { centre };
-  model.radii = { radius };
-  return model;
-}
-
-MedialModel capsuleModel(double halfLength, double radius)
-{
-  MedialModel model;
-  model.centres = { { 0, 0, -halfLength }, { 0, 0, halfLength } };
-  model.radii = { radius, radius };
-  model.lines = { { 0, 1 } };
-  return model;
-}
-
 double sampledArea(const MedialModel& model, double areaPerSample)
 {
   const BallUnion solid(model);
@@ -134,7 +118,7 @@ TEST(BallUnion, OfBallsAloneIsThatOfAModelWithoutCells)
 TEST(BallUnion, DistanceToItsSurfaceFromInside)
 {
   // Two half-overlapping balls: from the middle the nearest surface is the circle where they meet.
-  MedialModel model = ballModel({ -1.0, 0.0, 0.0 }, 2.0);
+  MedialModel model = ballModel(2.0, { -1.0, 0.0, 0.0 });
   model.centres.push_back({ 1.0, 0.0, 0.0 });
   model.radii.push_back(2.0);
   const BallUnion solid(model);
@@ -153,7 +137,7 @@ TEST(BallUnion, NarrowCreasesAreNoLongWayOut)
 {
   for (const double overlap : { 1e-1, 1e-2, 1e-3, 1e-4 })
   {
-    MedialModel model = ballModel({ -1.0 + 0.5 * overlap, 0.0, 0.0 }, 1.0);
+    MedialModel model = ballModel(1.0, { -1.0 + 0.5 * overlap, 0.0, 0.0 });
     model.centres.push_back({ 1.0 - 0.5 * overlap, 0.0, 0.0 });
     model.radii.push_back(1.0);
     const BallUnion solid(model);
@@ -206,7 +190,7 @@ TEST(BoundarySamples, AreOnTheSurface)
 
 TEST(BoundarySamples, CountAreas)
 {
-  EXPECT_NEAR(sampledArea(ballModel({ 0.3, 0.1, 0.2 }, 0.5), 1e-4), kPi, 2e-3);
+  EXPECT_NEAR(sampledArea(ballModel(0.5, { 0.3, 0.1, 0.2 }), 1e-4), kPi, 2e-3);
   EXPECT_NEAR(sampledArea(capsuleModel(1.0, 0.5), 1e-4), 3.0 * kPi, 0.02);
   // A cone between balls of radii 1 and 0.5 whose centres are 2 apart.
   MedialModel cone = capsuleModel(1.0, 1.0);
@@ -222,7 +206,7 @@ TEST(BoundarySamples, CountAreas)
   plate.quads = { { 0, 1, 2, 3 } };
   EXPECT_NEAR(sampledArea(plate, 1e-4), 8.0 + 8.0 * kPi * 0.25 + 4.0 * kPi * 0.0625, 0.02);
   // Balls without cones, one within the other and two that overlap by half a radius.
-  MedialModel balls = ballModel({ 0, 0, 0 }, 1.0);
+  MedialModel balls = ballModel(1.0);
   balls.centres.push_back({ 0.2, 0, 0 });
   balls.radii.push_back(0.5);
   EXPECT_NEAR(sampledArea(balls, 1e-4), 4.0 * kPi, 0.01);

@@ -3,6 +3,7 @@
 #include "medial/compute_medial_axis.h"
 #include "medial/error.h"
 #include "medial/reconstruction.h"
+#include "support/axes.h"
 #include "support/errors.h"
 #include "support/shapes.h"
 
@@ -64,9 +65,7 @@ TEST(AvailableMemory, PreservedTopologyOfAHugeGridIsRefused)
 
 TEST(AvailableMemory, TheFieldOfAUnionOnAHugeGridIsRefused)
 {
-  medial::MedialModel model;
-  model.centres = { { 0, 0, 0 } };
-  model.radii = { 1 };
+  const medial::MedialModel model = medial::test::ballModel(1.0);
   const medial::Grid grid = medial::makeGrid(medial::modelBounds(model), 8192);
   EXPECT_NE(memoryError([&] { medial::computeReconstruction(model, grid); }), "");
 }

@@ -4,6 +4,7 @@
 #include "medial/error.h"
 #include "support/axes.h"
 #include "support/errors.h"
+#include "support/recorded_progress.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
@@ -21,14 +22,6 @@ namespace
 const double kPi = std::acos(-1.0);
 constexpr double kReach = 0.03;
 
-MedialModel oneBall(double radius)
-{
-  MedialModel model;
-  model.centres = { { 0, 0, 0 } };
-  model.radii = { radius };
-  return model;
-}
-
 double uncovered(const TriangleMesh& mesh, const MedialModel& model, double reach = kReach)
 {
   return measureCoverage(mesh, model, reach).uncoveredShare;
@@ -36,10 +29,7 @@ double uncovered(const TriangleMesh& mesh, const MedialModel& model, double reac
 
 TEST(AxisCoverage, TheAxisOfACapsuleLeavesNothing)
 {
-  MedialModel model;
-  model.centres = { { 0, 0, -1 }, { 0, 0, 1 } };
-  model.radii = { 0.5, 0.5 };
-  model.lines = { { 0, 1 } };
+  MedialModel model = capsuleModel(1.0, 0.5);
   const TriangleMesh mesh = uvCapsule(0.5, 1.0, 128);
   const AxisCoverage coverage = measureCoverage(mesh, model, 1e-4);
   EXPECT_EQ(coverage.uncoveredShare, 0.0);
@@ -54,10 +44,8 @@ TEST(AxisCoverage, TheAxisOfACapsuleLeavesNothing)
 // Two caps of a capsule, the lower one smaller, stick out of a cone between its balls.
 TEST(AxisCoverage, PlacesAreWhereItIsLeftOut)
 {
-  MedialModel model;
-  model.centres = { { 0, 0, 0.2 } };
-  model.radii = { 0.5 };
-  const AxisCoverage coverage = measureCoverage(uvCapsule(0.5, 1.0, 128), model, 0.03);
+  const AxisCoverage coverage =
+    measureCoverage(uvCapsule(0.5, 1.0, 128), ballModel(0.5, { 0, 0, 0.2 }), 0.03);
   ASSERT_EQ(coverage.places.size(), 2U);
   EXPECT_LT(coverage.places[0].point[2], -0.2);
   EXPECT_GT(coverage.places[1].point[2], 0.5);
@@ -97,10 +85,10 @@ TEST(AxisCoverage, DefaultIsTheSameHoweverItIsMade)
 {
   const TriangleMesh mesh = icosphere(1.0, 2);
   EXPECT_EQ(CoverageOptions().samples, kDefaultCoverageSamples);
-  const AxisCoverage expected = measureCoverage(mesh, oneBall(0.9), kReach);
+  const AxisCoverage expected = measureCoverage(mesh, ballModel(0.9), kReach);
   for (const CoverageOptions& options : { CoverageOptions(), CoverageOptions{} })
   {
-    const AxisCoverage coverage = measureCoverage(mesh, oneBall(0.9), kReach, options);
+    const AxisCoverage coverage = measureCoverage(mesh, ballModel(0.9), kReach, options);
     EXPECT_EQ(coverage.samples, expected.samples);
     EXPECT_EQ(coverage.uncoveredShare, expected.uncoveredShare);
   }
@@ -110,7 +98,7 @@ TEST(AxisCoverage, ABodyWithoutAxisCountsByItsArea)
 {
   const TriangleMesh one = icosphere(1.0, 4);
   const TriangleMesh mesh = appended(one, translated(scaled(one, 0.25), { 4.0, 0.0, 0.0 }));
-  EXPECT_NEAR(uncovered(mesh, oneBall(1.0)), 0.0625 / 1.0625, 0.0005);
+  EXPECT_NEAR(uncovered(mesh, ballModel(1.0)), 0.0625 / 1.0625, 0.0005);
 }
 
 /// The middle sheet of a box alone, as a theta of more than 90 degrees leaves it: around the places
@@ -155,16 +143,16 @@ TEST(AxisCoverage, AWedgeWithoutTheSheetsOfItsEdges)
 
 TEST(AxisCoverage, WhatIsInsideTheUnionIsCovered)
 {
-  EXPECT_EQ(uncovered(icosphere(1.0, 3), oneBall(5.0), 0.0), 0.0);
-  EXPECT_EQ(uncovered(icosphere(1.0, 3), oneBall(0.5), 0.4), 1.0);
-  EXPECT_EQ(uncovered(icosphere(1.0, 3), oneBall(0.5), 0.501), 0.0);
+  EXPECT_EQ(uncovered(icosphere(1.0, 3), ballModel(5.0), 0.0), 0.0);
+  EXPECT_EQ(uncovered(icosphere(1.0, 3), ballModel(0.5), 0.4), 1.0);
+  EXPECT_EQ(uncovered(icosphere(1.0, 3), ballModel(0.5), 0.501), 0.0);
 }
 
 TEST(AxisCoverage, NoBallsCoverNothingAndNoAreaNeedsNone)
 {
   EXPECT_EQ(uncovered(icosphere(1.0, 1), {}), 1.0);
   const TriangleMesh segment = makeMesh({ { 0, 0, 0 }, { 1, 0, 0 } }, {}, { { 0, 1 } });
-  EXPECT_EQ(uncovered(segment, oneBall(0.1)), 0.0);
+  EXPECT_EQ(uncovered(segment, ballModel(0.1)), 0.0);
   EXPECT_EQ(uncovered(segment, {}), 0.0);
 }
 
@@ -174,9 +162,9 @@ TEST(AxisCoverage, ThreadsDoNotChangeTheResult)
   CoverageOptions options;
   options.samples = 5000;
   options.execution.threads = 1;
-  const double one = measureCoverage(mesh, oneBall(0.6), kReach, options).uncoveredShare;
+  const double one = measureCoverage(mesh, ballModel(0.6), kReach, options).uncoveredShare;
   options.execution.threads = 2;
-  EXPECT_EQ(measureCoverage(mesh, oneBall(0.6), kReach, options).uncoveredShare, one);
+  EXPECT_EQ(measureCoverage(mesh, ballModel(0.6), kReach, options).uncoveredShare, one);
   EXPECT_GT(one, 0.0);
   EXPECT_LT(one, 1.0);
 }
@@ -187,16 +175,16 @@ TEST(AxisCoverage, RefusesWhatItCannotMeasure)
   for (const double reach :
     { -0.5, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity() })
   {
-    expectError([&] { measureCoverage(mesh, oneBall(1.0), reach); }, ErrorCode::InvalidInput,
+    expectError([&] { measureCoverage(mesh, ballModel(1.0), reach); }, ErrorCode::InvalidInput,
       "outside [0, infinity)");
   }
-  expectError([&] { uncovered(mesh, oneBall(-1.0)); }, ErrorCode::InvalidInput, "radius -1");
+  expectError([&] { uncovered(mesh, ballModel(-1.0)); }, ErrorCode::InvalidInput, "radius -1");
   expectError(
     [&]
     {
       CoverageOptions options;
       options.samples = 10;
-      measureCoverage(mesh, oneBall(1.0), kReach, options);
+      measureCoverage(mesh, ballModel(1.0), kReach, options);
     },
     ErrorCode::InvalidInput, "number of samples 10 is outside [1000, 100000000]");
   expectError(
@@ -204,24 +192,18 @@ TEST(AxisCoverage, RefusesWhatItCannotMeasure)
     {
       CoverageOptions options;
       options.execution.threads = -1;
-      measureCoverage(mesh, oneBall(1.0), kReach, options);
+      measureCoverage(mesh, ballModel(1.0), kReach, options);
     },
     ErrorCode::InvalidInput, "threads -1 is negative");
 }
 
-class Stop : public Progress
-{
-public:
-  void report(double, const char*) override {}
-  bool cancelled() override { return true; }
-};
-
 TEST(AxisCoverage, CanBeCancelled)
 {
-  Stop stop;
+  RecordedProgress stop;
+  stop.maxReports = 0;
   CoverageOptions options;
   options.execution.progress = &stop;
-  expectError([&] { measureCoverage(icosphere(1.0, 1), oneBall(1.0), kReach, options); },
+  expectError([&] { measureCoverage(icosphere(1.0, 1), ballModel(1.0), kReach, options); },
     ErrorCode::Cancelled, "cancelled");
 }
 

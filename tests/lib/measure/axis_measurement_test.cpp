@@ -2,7 +2,9 @@
 #include "medial/axis_measurement.h"
 
 #include "medial/error.h"
+#include "support/axes.h"
 #include "support/errors.h"
+#include "support/recorded_progress.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
@@ -17,23 +19,6 @@ namespace medial::test
 namespace
 {
 
-MedialModel oneBall(double radius)
-{
-  MedialModel model;
-  model.centres = { { 0, 0, 0 } };
-  model.radii = { radius };
-  return model;
-}
-
-MedialModel segment(double halfLength, double radius)
-{
-  MedialModel model;
-  model.centres = { { 0, 0, -halfLength }, { 0, 0, halfLength } };
-  model.radii = { radius, radius };
-  model.lines = { { 0, 1 } };
-  return model;
-}
-
 AxisMeasurement measureOn(const TriangleMesh& mesh, const MedialModel& model,
   const MeasurementOptions& options = {})
 {
@@ -43,7 +28,7 @@ AxisMeasurement measureOn(const TriangleMesh& mesh, const MedialModel& model,
 TEST(AxisMeasurement, SmallerBallInASphere)
 {
   // Facets of the icosphere lie inside the sphere by up to 2e-4.
-  const AxisMeasurement result = measureOn(icosphere(1.0, 5), oneBall(0.9));
+  const AxisMeasurement result = measureOn(icosphere(1.0, 5), ballModel(0.9));
   EXPECT_NEAR(result.hausdorff(), 0.1, 1e-9); // at the points of the mesh
   EXPECT_NEAR(result.surfaceToUnion.max, 0.1, 1e-9);
   EXPECT_NEAR(result.surfaceToUnion.mean, 0.1, 4e-4);
@@ -59,7 +44,7 @@ TEST(AxisMeasurement, SmallerBallInASphere)
 
 TEST(AxisMeasurement, LargerBallAroundASphere)
 {
-  const AxisMeasurement result = measureOn(icosphere(1.0, 5), oneBall(1.25));
+  const AxisMeasurement result = measureOn(icosphere(1.0, 5), ballModel(1.25));
   EXPECT_NEAR(result.surfaceToUnion.max, 0.25, 4e-4);
   EXPECT_NEAR(result.surfaceToUnion.mean, 0.25, 4e-4);
   EXPECT_NEAR(result.unionToSurface.mean, 0.25, 4e-4);
@@ -70,7 +55,7 @@ TEST(AxisMeasurement, SamplesAreAsManyPerAreaOnBothSurfaces)
 {
   MeasurementOptions options;
   options.samples = 20000;
-  const AxisMeasurement result = measureOn(icosphere(1.0, 4), oneBall(0.5), options);
+  const AxisMeasurement result = measureOn(icosphere(1.0, 4), ballModel(0.5), options);
   EXPECT_EQ(result.surfaceToUnion.places, 20000);
   EXPECT_NEAR(static_cast<double>(result.unionToSurface.places), 5000.0, 30.0);
 }
@@ -78,11 +63,11 @@ TEST(AxisMeasurement, SamplesAreAsManyPerAreaOnBothSurfaces)
 TEST(AxisMeasurement, CapsuleIsItsSegment)
 {
   const TriangleMesh mesh = uvCapsule(0.5, 1.0, 256);
-  const AxisMeasurement result = measureOn(mesh, segment(1.0, 0.5));
+  const AxisMeasurement result = measureOn(mesh, capsuleModel(1.0, 0.5));
   EXPECT_LT(result.hausdorff(), 2e-4);
   EXPECT_LT(result.radiusError.max, 2e-4);
   // Half of the segment leaves half a unit uncovered at each end.
-  const AxisMeasurement half = measureOn(mesh, segment(0.5, 0.5));
+  const AxisMeasurement half = measureOn(mesh, capsuleModel(0.5, 0.5));
   EXPECT_NEAR(half.surfaceToUnion.max, 0.5, 2e-4);
   EXPECT_LT(half.surfaceToUnion.mean, 0.25);
   // Its ends lie inside the mesh, sqrt(0.5) - 0.5 at most.
@@ -92,7 +77,7 @@ TEST(AxisMeasurement, CapsuleIsItsSegment)
 TEST(AxisMeasurement, OneDirectionSeesWhatTheOtherDoesNot)
 {
   // A spur of radius 0 sticks out of a ball that is exact elsewhere.
-  MedialModel spur = oneBall(1.0);
+  MedialModel spur = ballModel(1.0);
   spur.centres.push_back({ 0, 0, 2 });
   spur.radii.push_back(0.0);
   spur.lines = { { 0, 1 } };
@@ -135,12 +120,12 @@ TEST(AxisMeasurement, RadiusErrorsAreThoseOfEveryBall)
 TEST(AxisMeasurement, FarFromTheOriginAndInwardFacesChangeNothing)
 {
   TriangleMesh mesh = icosphere(1.0, 4);
-  const AxisMeasurement expected = measureOn(mesh, oneBall(0.9));
+  const AxisMeasurement expected = measureOn(mesh, ballModel(0.9));
   for (auto& triangle : mesh.triangles)
   {
     std::swap(triangle[0], triangle[1]);
   }
-  MedialModel model = oneBall(0.9);
+  MedialModel model = ballModel(0.9);
   model.centres[0] = { 1e5, -2e5, 3e5 };
   for (Point3& point : mesh.points)
   {
@@ -154,7 +139,7 @@ TEST(AxisMeasurement, FarFromTheOriginAndInwardFacesChangeNothing)
 
 TEST(AxisMeasurement, AnOpenMeshHasNoInside)
 {
-  MedialModel model = oneBall(0.25);
+  MedialModel model = ballModel(0.25);
   const AxisMeasurement result = measureOn(plates(0.5, 1.0), model);
   EXPECT_FALSE(result.knowsInside);
   EXPECT_EQ(result.centresInside, 0);
@@ -168,7 +153,7 @@ TEST(AxisMeasurement, ThreadsDoNotChangeTheResult)
   MeasurementOptions two;
   two.execution.threads = 2;
   const TriangleMesh mesh = lPrism(1.0, 0.3);
-  MedialModel model = segment(0.2, 0.3);
+  MedialModel model = capsuleModel(0.2, 0.3);
   model.centres.push_back({ -0.5, -0.5, 0.0 });
   model.radii.push_back(0.2);
   model.triangles = { { 0, 1, 2 } };
@@ -186,7 +171,7 @@ TEST(AxisMeasurement, RadiiWithoutMeasureTakeNoMoreTime)
   options.samples = 10000;
   for (const double radius : { 1e3, 1e9, 1e30 })
   {
-    MedialModel model = segment(0.5, 0.3);
+    MedialModel model = capsuleModel(0.5, 0.3);
     model.centres.push_back({ radius, 0.0, 0.0 });
     model.radii.push_back(radius);
     model.lines.push_back({ 1, 2 });
@@ -200,7 +185,7 @@ TEST(AxisMeasurement, RadiiWithoutMeasureTakeNoMoreTime)
 TEST(AxisMeasurement, VeryFarFromTheOriginItComesToAnEnd)
 {
   TriangleMesh mesh = icosphere(1.0, 3);
-  MedialModel model = segment(0.3, 0.6);
+  MedialModel model = capsuleModel(0.3, 0.6);
   for (auto* points : { &mesh.points, &model.centres })
   {
     for (Point3& point : *points)
@@ -212,32 +197,20 @@ TEST(AxisMeasurement, VeryFarFromTheOriginItComesToAnEnd)
   EXPECT_NEAR(result.hausdorff(), 0.4, 0.01);
 }
 
-class Watch : public Progress
-{
-public:
-  void report(double fraction, const char*) override
-  {
-    EXPECT_GE(fraction, last);
-    last = fraction;
-  }
-  bool cancelled() override { return last >= stopAt; }
-  double last = 0.0;
-  double stopAt = 2.0;
-};
-
 TEST(AxisMeasurement, ReportsProgressAndCanBeCancelled)
 {
-  Watch watch;
+  RecordedProgress watch;
   MeasurementOptions options;
   options.execution.progress = &watch;
-  measureOn(icosphere(1.0, 3), oneBall(0.9), options);
-  EXPECT_EQ(watch.last, 1.0);
+  measureOn(icosphere(1.0, 3), ballModel(0.9), options);
+  EXPECT_EQ(watch.last(), 1.0);
   for (const double stopAt : { 0.0, 0.3, 0.8 })
   {
-    Watch stop;
-    stop.stopAt = stopAt;
+    RecordedProgress stop;
+    stop.cancelAt = stopAt;
     options.execution.progress = &stop;
-    expectError([&] { measureOn(icosphere(1.0, 3), oneBall(0.9), options); }, ErrorCode::Cancelled);
+    expectError([&] { measureOn(icosphere(1.0, 3), ballModel(0.9), options); },
+      ErrorCode::Cancelled);
   }
 }
 
@@ -246,7 +219,7 @@ void expectRefused(
   const std::string& words)
 {
   TriangleMesh mesh = icosphere(1.0, 1);
-  MedialModel model = oneBall(0.9);
+  MedialModel model = ballModel(0.9);
   MeasurementOptions options;
   spoil(mesh, model, options);
   expectError([&] { measureOn(mesh, model, options); }, ErrorCode::InvalidInput, words);

@@ -4,6 +4,7 @@
 #include "medial/error.h"
 
 #include "support/errors.h"
+#include "support/recorded_progress.h"
 
 #include <gtest/gtest.h>
 
@@ -80,22 +81,15 @@ TEST(Reconstruction, BoundsHoldAllBalls)
   EXPECT_EQ(bounds.min[2], -0.4);
 }
 
-class StopAtOnce : public Progress
-{
-public:
-  void report(double fraction, const char*) override { last = fraction; }
-  bool cancelled() override { return last > 0.4; }
-  double last = -1.0;
-};
-
 TEST(Reconstruction, CanBeCancelled)
 {
   const MedialModel model = bentPlate();
-  StopAtOnce progress;
+  RecordedProgress progress;
+  progress.cancelAt = 0.4;
   const Grid grid = makeGrid(modelBounds(model), 100);
   const ReconstructionOptions options{ true, { 0, &progress } };
   expectError([&] { computeReconstruction(model, grid, options); }, ErrorCode::Cancelled);
-  EXPECT_LT(progress.last, 1.0);
+  EXPECT_LT(progress.last(), 1.0);
 }
 
 TEST(Reconstruction, RefusesANegativeNumberOfThreads)

@@ -2,6 +2,7 @@
 #include "medial/skeleton_resolution.h"
 
 #include "support/errors.h"
+#include "support/recorded_progress.h"
 #include "support/shapes.h"
 #include "support/tubes.h"
 
@@ -106,14 +107,12 @@ TEST(SkeletonResolution, RefusesWhatHasNoSkeletonAndCanBeCancelled)
   SkeletonOptions wrong;
   wrong.minBranch = -1.0;
   expectError([&] { choose(mesh, wrong); }, ErrorCode::InvalidInput);
-  struct Stop final : Progress
-  {
-    void report(double fraction, const char*) override { EXPECT_EQ(fraction, 0.0); }
-    bool cancelled() override { return true; }
-  } stop;
+  RecordedProgress stop;
+  stop.maxReports = 0;
   SkeletonOptions stopped;
   stopped.execution.progress = &stop;
   expectError([&] { choose(mesh, stopped); }, ErrorCode::Cancelled);
+  EXPECT_EQ(stop.last(), 0.0);
 }
 
 } // namespace medial::test

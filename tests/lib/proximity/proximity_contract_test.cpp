@@ -5,6 +5,7 @@
 #include "medial/error.h"
 #include "support/errors.h"
 #include "support/files.h"
+#include "support/recorded_progress.h"
 #include "support/resident_memory.h"
 #include "support/shapes.h"
 #include "support/transforms.h"
@@ -183,26 +184,19 @@ TEST(ProximityContract, MovedSolversGoOn)
   EXPECT_NEAR(solver.compute().front().separation, 2.0, 1e-12);
 }
 
-class Canceller : public Progress
+/// Cancels when it is asked after so many times.
+class Canceller : public RecordedProgress
 {
 public:
-  void report(double fraction, const char*) override
-  {
-    EXPECT_GE(fraction, last_);
-    EXPECT_LE(fraction, 1.0);
-    last_ = fraction;
-  }
-  bool cancelled() override { return --calls_ < 0; }
-
   explicit Canceller(int calls)
     : calls_(calls)
   {
   }
-  double last() const { return last_; }
+
+  bool cancelled() override { return --calls_ < 0; }
 
 private:
   int calls_;
-  double last_ = 0.0;
 };
 
 TEST(ProximityContract, EndsWhenCancelledAndGoesOnAfterwards)

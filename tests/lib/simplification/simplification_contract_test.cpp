@@ -5,6 +5,7 @@
 #include "support/axes.h"
 #include "support/errors.h"
 #include "support/point_math.h"
+#include "support/recorded_progress.h"
 #include "support/shapes.h"
 #include "support/simplified_axes.h"
 
@@ -133,27 +134,15 @@ TEST(AxisSimplification, IsRefusedForPointsAndNegativeNumbers)
 
 TEST(AxisSimplification, ReportsProgressAndStops)
 {
-  class Watch : public Progress
-  {
-  public:
-    void report(double fraction, const char*) override
-    {
-      EXPECT_GE(fraction, last);
-      EXPECT_LE(fraction, 1.0);
-      last = fraction;
-    }
-    bool cancelled() override { return last >= stopAt; }
-    double last = 0.0;
-    double stopAt = 2.0;
-  };
   const MedialAxis full = sphereSheet(1.0, 0.1);
-  Watch watch;
+  RecordedProgress watch;
   SimplificationOptions options;
   options.maxSpheres = 10;
   options.execution.progress = &watch;
   simplifyAxis(full, options);
-  EXPECT_EQ(watch.last, 1.0);
-  watch.last = 0.0;
-  watch.stopAt = 0.35;
+  EXPECT_EQ(watch.last(), 1.0);
+  RecordedProgress stop;
+  stop.cancelAt = 0.35;
+  options.execution.progress = &stop;
   expectError([&] { simplifyAxis(full, options); }, ErrorCode::Cancelled);
 }

@@ -7,6 +7,7 @@
 #include "support/errors.h"
 #include "support/mesh_search.h"
 #include "support/point_math.h"
+#include "support/recorded_progress.h"
 #include "support/shapes.h"
 #include "support/transforms.h"
 
@@ -197,14 +198,11 @@ TEST(Skeleton, RefusesWhatHasNone)
 
 TEST(Skeleton, CanBeCancelled)
 {
-  struct Stop final : Progress
-  {
-    void report(double, const char*) override {}
-    bool cancelled() override { return true; }
-  } stop;
   const TriangleMesh mesh = icosphere(1.0, 2);
   const MedialAxis axis = axisOf(mesh, 24);
   SkeletonOptions options;
+  RecordedProgress stop;
+  stop.maxReports = 0;
   options.execution.progress = &stop;
   expectError([&] { computeSkeleton(axis, mesh, options); }, ErrorCode::Cancelled);
 }

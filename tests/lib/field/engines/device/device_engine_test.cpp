@@ -6,6 +6,7 @@
 #include "medial/error.h"
 #include "medial/medial_solver.h"
 #include "support/errors.h"
+#include "support/recorded_progress.h"
 #include "support/resident_memory.h"
 
 #include <epoxy/gl.h>
@@ -188,14 +189,8 @@ TEST(DeviceEngine, ServesEightThreadsAtOnce)
 
 TEST(DeviceEngine, CanBeCancelledBetweenDispatches)
 {
-  class Cancelling : public Progress
-  {
-  public:
-    void report(double /*fraction*/, const char* /*phase*/) override { ++reports; }
-    bool cancelled() override { return reports > 3; }
-    int reports = 0;
-  };
-  Cancelling progress;
+  RecordedProgress progress;
+  progress.maxReports = 4;
   DistanceFieldOptions options;
   options.engine = Engine::Device;
   options.execution.progress = &progress;
