@@ -63,7 +63,7 @@ public:
 private:
   using Mutexes = std::array<std::mutex, 64>;
 
-  static constexpr int kChunk = 512;
+  static constexpr int kChunk = 64;
 
   int ids_;
   std::unique_ptr<Value[]> values_;

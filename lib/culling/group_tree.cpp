@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <utility>
 
 namespace medial
@@ -79,7 +80,14 @@ GroupTree::GroupTree(const SiteSet& sites, const MeshConnectivity& connectivity,
 
 void GroupTree::addTrees(const std::vector<int>& elements, const SharedSites& shared)
 {
-  for (auto& [size, ofSize] : bySize(sites_, elements))
+  std::map<int, std::vector<int>> classes = bySize(sites_, elements);
+  std::size_t groups = 0;
+  for (const auto& [size, ofSize] : classes)
+  {
+    groups += (ofSize.size() + SiteGroup::kSize - 1) / SiteGroup::kSize;
+  }
+  groups_.reserve(groups); // growing would take the memory of all groups twice
+  for (auto& [size, ofSize] : classes)
   {
     this->addTree(ofSize, shared, slack_);
   }
@@ -91,6 +99,8 @@ GroupTree::GroupTree(const SiteSet& sites, const MeshConnectivity& connectivity,
   , slack_(slack)
 {
   const SharedSites shared(sites, connectivity);
+  groups_.reserve(std::accumulate(trees.begin(), trees.end(), std::size_t{ 0 },
+    [](std::size_t sum, const SparseTree& tree) { return sum + tree.groups.size(); }));
   for (const SparseTree& tree : trees)
   {
     this->addSparse(tree, shared);

@@ -29,25 +29,28 @@ class NormalSums
 public:
   explicit NormalSums(const SiteSet& sites)
     : sites_(sites)
-    , sums_(sites.size(), glm::dvec3(0.0))
+    , sums_(sites.size() - sites.faceCount(), glm::dvec3(0.0))
   {
     for (int face = 0; face < sites.faceCount(); ++face)
     {
-      if (sites.faceNormal(face) == glm::dvec3(0.0))
+      const glm::dvec3& normal = sites.faceNormal(face);
+      if (normal == glm::dvec3(0.0))
       {
         flat_.push_back({ face, {} });
       }
       else
       {
-        sums_[face] = sites.faceNormal(face);
-        this->addToEdges(face, { sums_[face], sums_[face], sums_[face] });
-        this->addToCorners(face, sums_[face]);
+        this->addToEdges(face, { normal, normal, normal });
+        this->addToCorners(face, normal);
       }
     }
     this->seeThroughFlatFaces();
   }
 
-  const glm::dvec3& operator[](int site) const { return sums_[site]; }
+  const glm::dvec3& operator[](int site) const
+  {
+    return site < sites_.faceCount() ? sites_.faceNormal(site) : sums_[site - sites_.faceCount()];
+  }
 
 private:
   using PerEdge = std::array<glm::dvec3, 3>;
@@ -59,10 +62,7 @@ private:
     PerEdge seen;
   };
 
-  glm::dvec3& edgeSum(int face, int edge)
-  {
-    return sums_[sites_.firstEdge() + sites_.faceEdges()[face][edge]];
-  }
+  glm::dvec3& edgeSum(int face, int edge) { return sums_[sites_.faceEdges()[face][edge]]; }
 
   void addToEdges(int face, const PerEdge& normals)
   {
@@ -77,7 +77,7 @@ private:
     const glm::ivec3& corners = sites_.faces()[face];
     for (int i = 0; i < 3; ++i)
     {
-      sums_[sites_.firstVertex() + corners[i]] += normal *
+      sums_[sites_.edgeCount() + corners[i]] += normal *
         cornerAngle(sites_.points()[corners[i]], sites_.points()[corners[(i + 1) % 3]],
           sites_.points()[corners[(i + 2) % 3]]);
     }
@@ -127,7 +127,7 @@ private:
   }
 
   const SiteSet& sites_;
-  std::vector<glm::dvec3> sums_;
+  std::vector<glm::dvec3> sums_; ///< of edges, then of vertices
   std::vector<FlatFace> flat_;
 };
 

@@ -30,13 +30,13 @@ glm::dvec3 direction(const glm::dvec3& from, const glm::dvec3& to)
 /// Returns where the half-spaces of sites begin.
 /// @param countOf returns the number of a site's.
 template <typename CountOf>
-std::vector<std::size_t> offsetsOf(int sites, const CountOf& countOf)
+std::vector<std::uint32_t> offsetsOf(int sites, const CountOf& countOf)
 {
-  std::vector<std::size_t> offsets{ 0 };
+  std::vector<std::uint32_t> offsets{ 0 };
   offsets.reserve(static_cast<std::size_t>(sites) + 1);
   for (int site = 0; site < sites; ++site)
   {
-    offsets.push_back(offsets.back() + static_cast<std::size_t>(countOf(site)));
+    offsets.push_back(offsets.back() + static_cast<std::uint32_t>(countOf(site)));
   }
   return offsets;
 }

@@ -6,7 +6,7 @@
 
 #include <glm/glm.hpp>
 
-#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace medial
@@ -45,7 +45,7 @@ private:
 
   const SiteSet& sites_;
   const MeshConnectivity& connectivity_;
-  std::vector<std::size_t> offsets_; ///< of sites, one more
+  std::vector<std::uint32_t> offsets_; ///< of sites, one more; kMaxCorners keeps them below 2^32
   LazyTable<HalfSpace> halfSpaces_;
 };
 
