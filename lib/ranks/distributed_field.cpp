@@ -36,6 +36,7 @@ RunStatistics computeDistanceField(Communicator& communicator, const SurfacePiec
       const Run run(options.execution);
       RankField field(counting, piece, grid, options, run, statistics);
       field.bring(counting, extent, extent);
+      field.settle();
       if (!extent.empty())
       {
         withMemoryErrors(extent.pointCount(), [&] { field.compute(extent, sink); });

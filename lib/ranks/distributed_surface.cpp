@@ -4,6 +4,7 @@
 #include "base/id_limits.h"
 #include "medial/error.h"
 #include "mesh/position_hash.h"
+#include "ranks/point_rings.h"
 
 #include <glm/glm.hpp>
 
@@ -145,7 +146,6 @@ DistributedSurface::DistributedSurface(Communicator& communicator, const Surface
   pointsOfPiece_ = this->numberPoints(communicator, piece);
   this->collectFaces(communicator, piece);
   this->connect(communicator);
-  this->collectRings(communicator);
   this->requireNothingLoose(communicator, piece);
   signedVolume_ = this->sumVolume(communicator);
 }
@@ -343,29 +343,44 @@ void DistributedSurface::countEdges(Communicator& communicator, const std::vecto
 void DistributedSurface::requireNothingLoose(Communicator& communicator,
   const SurfacePiece& piece) const
 {
-  const std::vector<int>& numbers = pointsOfPiece_;
-  std::vector<int> vertices;
-  std::transform(piece.mesh.vertices.begin(), piece.mesh.vertices.end(),
-    std::back_inserter(vertices), [&](int point) { return numbers[point]; });
-  const std::vector<char> isLoose = answered(
-    communicator, vertices, [&](int point) { return this->homeOfPoint(point); },
-    [&](int point) -> char
-    {
-      const auto found =
-        std::lower_bound(ringOfPoint_.begin(), ringOfPoint_.end(), std::pair(point, 0));
-      return found == ringOfPoint_.end() || found->first != point;
-    });
+  std::vector<int> points;
+  std::transform(piece.mesh.vertices.begin(), piece.mesh.vertices.end(), std::back_inserter(points),
+    [&](int point) { return pointsOfPiece_[point]; });
   std::vector<std::array<int, 2>> segments;
   for (const auto& [a, b] : piece.mesh.segments)
   {
-    segments.push_back({ std::min(numbers[a], numbers[b]), std::max(numbers[a], numbers[b]) });
+    segments.push_back({ std::min(pointsOfPiece_[a], pointsOfPiece_[b]),
+      std::max(pointsOfPiece_[a], pointsOfPiece_[b]) });
   }
-  const std::vector<char> isBare = answered(
-    communicator, segments,
-    [&](const std::array<int, 2>& ends) { return this->homeOfPoint(ends[0]); },
-    [&](const std::array<int, 2>& ends) -> char { return !this->isSide(ends); });
-  std::vector<std::int64_t> counts{ std::count(isBare.begin(), isBare.end(), 1),
-    std::count(isLoose.begin(), isLoose.end(), 1) };
+  if (maximum(communicator, points.size() + segments.size()) == 0)
+  {
+    return;
+  }
+  const std::size_t vertices = points.size();
+  std::transform(segments.begin(), segments.end(), std::back_inserter(points),
+    [](const std::array<int, 2>& ends) { return ends[0]; });
+  std::set<int> corners;
+  std::set<std::array<int, 2>> sides;
+  std::vector<int> faces;
+  for (const RingFace& found : PointRings(communicator, *this).around(communicator, points))
+  {
+    faces.push_back(found.face);
+  }
+  for (const FaceRecord& face : this->fetch(communicator, faces))
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      const int a = face.corners[i];
+      const int b = face.corners[(i + 1) % 3];
+      corners.insert(a);
+      sides.insert({ std::min(a, b), std::max(a, b) });
+    }
+  }
+  std::vector<std::int64_t> counts{ std::count_if(segments.begin(), segments.end(),
+                                      [&](const std::array<int, 2>& ends)
+                                      { return sides.count(ends) == 0; }),
+    std::count_if(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(vertices),
+      [&](int point) { return corners.count(point) == 0; }) };
   counts = combined(communicator, counts, std::plus<>());
   if (counts[0] + counts[1] > 0)
   {
@@ -374,21 +389,6 @@ void DistributedSurface::requireNothingLoose(Communicator& communicator,
         counted(counts[0], "line segment") + " and " + counted(counts[1], "point") +
         " of no triangle: it needs a single process");
   }
-}
-
-bool DistributedSurface::isSide(const std::array<int, 2>& ends) const
-{
-  const auto has = [&](const FaceRecord& face)
-  { return std::find(face.corners.begin(), face.corners.end(), ends[1]) != face.corners.end(); };
-  for (auto at = std::lower_bound(ringOfPoint_.begin(), ringOfPoint_.end(), std::pair(ends[0], 0));
-       at != ringOfPoint_.end() && at->first == ends[0]; ++at)
-  {
-    if (has(rings_[at->second]))
-    {
-      return true;
-    }
-  }
-  return false;
 }
 
 std::vector<int> DistributedSurface::numberEdges(Communicator& communicator,
@@ -422,35 +422,6 @@ std::vector<int> DistributedSurface::numberEdges(Communicator& communicator,
   return numbers;
 }
 
-void DistributedSurface::collectRings(Communicator& communicator)
-{
-  RankLists<FaceRecord> records = listsFor<FaceRecord>(communicator);
-  for (const FaceRecord& face : faces_)
-  {
-    std::set<int> homes;
-    for (const int corner : face.corners)
-    {
-      homes.insert(this->homeOfPoint(corner));
-    }
-    for (const int home : homes)
-    {
-      records[home].push_back(face);
-    }
-  }
-  rings_ = flattened(exchanged(communicator, std::move(records)));
-  for (std::size_t i = 0; i < rings_.size(); ++i)
-  {
-    for (const int corner : rings_[i].corners)
-    {
-      if (this->homeOfPoint(corner) == communicator.rank())
-      {
-        ringOfPoint_.emplace_back(corner, static_cast<int>(i));
-      }
-    }
-  }
-  std::sort(ringOfPoint_.begin(), ringOfPoint_.end());
-}
-
 double DistributedSurface::sumVolume(Communicator& communicator) const
 {
   const auto relative = [&](const Point3& p)
@@ -474,36 +445,29 @@ double DistributedSurface::sumVolume(Communicator& communicator) const
     6.0;
 }
 
-std::vector<FaceRecord> DistributedSurface::around(Communicator& communicator,
-  const std::vector<int>& points) const
+std::vector<FaceRecord> DistributedSurface::fetch(Communicator& communicator,
+  const std::vector<int>& faces) const
 {
   RankLists<int> asked = listsFor<int>(communicator);
-  for (const int point : points)
+  for (const int face : faces)
   {
-    asked[this->homeOfPoint(point)].push_back(point);
+    asked[this->homeOfFace(face)].push_back(face);
   }
   asked = exchanged(communicator, std::move(asked));
-  RankLists<FaceRecord> answers = listsFor<FaceRecord>(communicator);
+  RankLists<FaceRecord> records = listsFor<FaceRecord>(communicator);
   for (std::size_t rank = 0; rank < asked.size(); ++rank)
   {
-    std::vector<int> found;
-    for (const int point : asked[rank])
-    {
-      for (auto at =
-             std::lower_bound(ringOfPoint_.begin(), ringOfPoint_.end(), std::pair(point, 0));
-           at != ringOfPoint_.end() && at->first == point; ++at)
-      {
-        found.push_back(at->second);
-      }
-    }
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
-    for (const int i : found)
-    {
-      answers[rank].push_back(rings_[i]);
-    }
+    records[rank].reserve(asked[rank].size());
+    std::transform(asked[rank].begin(), asked[rank].end(), std::back_inserter(records[rank]),
+      [&](int face) { return faces_[this->indexOf(face)]; });
   }
-  return flattened(exchanged(communicator, std::move(answers)));
+  return flattened(exchanged(communicator, std::move(records)));
+}
+
+void DistributedSurface::dropFaces()
+{
+  std::vector<FaceRecord>().swap(faces_);
+  std::vector<Origin>().swap(origins_);
 }
 
 SurfacePiece inRankOrder(Communicator& communicator, TriangleMesh mesh, std::int64_t points,

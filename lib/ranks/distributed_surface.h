@@ -51,6 +51,8 @@ public:
 
   /// The triangles of this rank's share: all numbers from the first to the last.
   const std::vector<FaceRecord>& faces() const { return faces_; }
+  /// Drops the triangles of this rank's share; numbers and figures of the whole stay.
+  void dropFaces();
   /// Where a triangle of this rank's share comes from.
   struct Origin
   {
@@ -72,9 +74,9 @@ public:
     return homeOf(point, this->pointCount(), static_cast<int>(pointOffsets_.first.size()) - 1);
   }
 
-  /// Returns all triangles around some points. Every rank calls it.
-  /// @param points numbers, any.
-  std::vector<FaceRecord> around(Communicator& communicator, const std::vector<int>& points) const;
+  /// Returns some triangles of any ranks. Every rank calls it.
+  /// @param faces numbers, ascending.
+  std::vector<FaceRecord> fetch(Communicator& communicator, const std::vector<int>& faces) const;
 
 private:
   /// Two points that a side of a triangle joins.
@@ -95,12 +97,9 @@ private:
   void connect(Communicator& communicator);
   void countEdges(Communicator& communicator, const std::vector<Side>& sides);
   void requireNothingLoose(Communicator& communicator, const SurfacePiece& piece) const;
-  /// Whether two points are those of a side; this rank has the first.
-  bool isSide(const std::array<int, 2>& ends) const;
   /// Numbers the edges whose first sides are named, and returns their numbers.
   std::vector<int> numberEdges(Communicator& communicator,
     const std::vector<std::array<int, 2>>& firstSides);
-  void collectRings(Communicator& communicator);
   double sumVolume(Communicator& communicator) const;
 
   RankOffsets pointOffsets_;
@@ -112,8 +111,6 @@ private:
   std::vector<int> pointsOfPiece_;
   std::vector<FaceRecord> faces_;
   std::vector<Origin> origins_;
-  std::vector<FaceRecord> rings_;                ///< triangles around this rank's points
-  std::vector<std::pair<int, int>> ringOfPoint_; ///< points, and where their triangles are; sorted
 };
 
 } // namespace medial

@@ -81,10 +81,7 @@ InsidePart::InsidePart(Communicator& communicator, const RankField& field, const
       glm::dvec3(box.centre) + glm::dvec3(box.half) * glm::dvec3(kStart[0], kStart[1], kStart[2]);
   }
   this->countAtStart(communicator);
-  std::vector<int> faces;
-  std::transform(field.part().faces().begin(), field.part().faces().end(),
-    std::back_inserter(faces), [](const FaceRecord& face) { return face.face; });
-  weights_ = field.sharedSign().orientation().weightsOf(communicator, faces);
+  weights_ = field.sharedSign().orientation().weightsOf(communicator, field.part().faces());
 }
 
 /// Each rank counts for all of them what their lines pass through in its share.

@@ -110,6 +110,7 @@ std::vector<Extent> cutByWork(Communicator& communicator, const SurfacePiece& pi
   RunStatistics statistics;
   RankField field(communicator, piece, grid, options, run, statistics);
   field.bring(communicator, part, part);
+  field.settle();
   std::vector<WorkBox> boxes;
   withMemoryErrors(part.pointCount(),
     [&]

@@ -53,29 +53,26 @@ MeasuredPlaces extended(const std::vector<StripFace>& strips, const Checkpoint& 
     [](const StripFace& strip) { return strip.face; });
   // Its places come in the order of the whole, which decides between places at the same distance.
   const SurfacePart part(std::move(records));
-  PlaceValues points(part.mesh().points.size());
+  PlaceValues points(part.points().size());
   PlaceValues faces(part.faces().size());
-  std::vector<int> numbers(points.values.size());
   for (const StripFace& strip : strips)
   {
     const int face = part.faceOf(strip.face.face);
     setValue(faces, static_cast<std::size_t>(face), strip.centre);
     for (int i = 0; i < 3; ++i)
     {
-      const int point = part.mesh().triangles[face][i];
-      setValue(points, static_cast<std::size_t>(point), strip.corners[i]);
-      numbers[point] = strip.face.corners[i];
+      setValue(points, static_cast<std::size_t>(part.mesh().triangles[face][i]), strip.corners[i]);
     }
   }
   medial::extendWalls(part.mesh(), part.connectivity(), checkpoint, points, faces);
   MeasuredPlaces result;
-  for (std::size_t i = 0; i < numbers.size(); ++i)
+  for (std::size_t i = 0; i < part.points().size(); ++i)
   {
-    result.points.push_back({ numbers[i], points.values[i], points.atEdge[i] });
+    result.points.push_back({ part.points()[i], points.values[i], points.atEdge[i] });
   }
   for (std::size_t i = 0; i < part.faces().size(); ++i)
   {
-    result.faces.push_back({ part.faces()[i].face, faces.values[i], faces.atEdge[i] });
+    result.faces.push_back({ part.faces()[i], faces.values[i], faces.atEdge[i] });
   }
   return result;
 }

@@ -25,10 +25,10 @@ constexpr int kBoxSize = 16;
 class NumberingSink : public FieldSink
 {
 public:
-  /// @param numbers of the sites of a part.
-  NumberingSink(FieldSink& sink, std::vector<std::int32_t> numbers)
+  /// @param field must outlive this.
+  NumberingSink(FieldSink& sink, const RankField& field)
     : sink_(sink)
-    , numbers_(std::move(numbers))
+    , field_(field)
   {
   }
 
@@ -42,6 +42,10 @@ public:
   {
     if (arrays_.closestSite != nullptr)
     {
+      if (numbers_.empty())
+      {
+        numbers_ = field_.siteNumbers();
+      }
       std::transform(arrays_.closestSite, arrays_.closestSite + slab.pointCount(),
         arrays_.closestSite, [this](std::int32_t site) { return numbers_[site]; });
     }
@@ -52,7 +56,8 @@ public:
 
 private:
   FieldSink& sink_;
-  std::vector<std::int32_t> numbers_;
+  const RankField& field_;
+  std::vector<std::int32_t> numbers_; ///< of the part's sites, once they are needed
   FieldArrays arrays_;
 };
 
@@ -92,8 +97,8 @@ void checkFieldOfRanks(const Grid& grid, const Extent& extent, const DistanceFie
 
 RankCounts countsOf(const RankField& field, const CountingCommunicator& communicator)
 {
-  return { static_cast<std::int64_t>(field.surface().faces().size()), field.heldTriangles(),
-    communicator.bytesSent(), communicator.exchanges() };
+  return { field.ownTriangles(), field.heldTriangles(), communicator.bytesSent(),
+    communicator.exchanges() };
 }
 
 RankField::RankField(Communicator& communicator, const SurfacePiece& piece, const Grid& grid,
@@ -107,6 +112,7 @@ RankField::RankField(Communicator& communicator, const SurfacePiece& piece, cons
   , frame_(grid)
   , sign_(timed(statistics.seconds.sign,
       [&] { return SharedSign(communicator, surface_, options.sign, grid, frame_, run_); }))
+  , ownTriangles_(static_cast<std::int64_t>(surface_.faces().size()))
 {
   checkReach(surface_.bounds(), frame_);
   {
@@ -138,7 +144,18 @@ void RankField::bring(Communicator& communicator, const Extent& searched, const 
   host_.emplace(near_->part.mesh(), near_->part.connectivity(), frame_, this->sign(), run_,
     statistics_,
     [this](const SiteSet& sites)
-    { return GroupTree(sites, near_->part.connectivity(), near_->slack, near_->trees); });
+    {
+      const std::vector<SparseTree> trees = std::move(near_->trees); // they are needed once
+      return GroupTree(sites, near_->part.connectivity(), near_->slack, trees);
+    });
+}
+
+void RankField::settle()
+{
+  tree_.reset();
+  surface_.dropFaces();
+  static_cast<void>(host_->sites()); // from here on they stand for the part's geometry
+  near_->part.dropGeometry();
 }
 
 FieldJob RankField::job(const Extent& extent)
@@ -150,7 +167,7 @@ FieldJob RankField::job(const Extent& extent)
 
 void RankField::compute(const Extent& extent, FieldSink& sink)
 {
-  NumberingSink numbering(sink, this->siteNumbers());
+  NumberingSink numbering(sink, *this);
   ProcessorEngine().run(this->job(extent), numbering);
 }
 
@@ -178,7 +195,7 @@ std::vector<Crossing> RankField::select(const Extent& extent, const CrossingSele
     ArraySink nothing(selected, {});
     return ProcessorEngine().select(this->job(selected), selection, nothing);
   }
-  NumberingSink numbering(sink, this->siteNumbers());
+  NumberingSink numbering(sink, *this);
   return ProcessorEngine().select(this->job(extent), selection, numbering);
 }
 

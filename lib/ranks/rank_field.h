@@ -36,6 +36,10 @@ public:
   /// @param computed where the field will be, with its sign; may be empty.
   void bring(Communicator& communicator, const Extent& searched, const Extent& computed);
 
+  /// Drops what compute() and tryWork() do not need. Nothing else must be called after it but what
+  /// tells numbers.
+  void settle();
+
   /// Computes the field of an extent within the part. It has the numbers that sites have in the
   /// whole surface.
   void compute(const Extent& extent, FieldSink& sink);
@@ -57,6 +61,8 @@ public:
   void closeHoles(Communicator& communicator) { sign_.close(communicator); }
   /// Largest number of triangles that were brought here at once.
   std::int64_t heldTriangles() const { return heldTriangles_; }
+  /// Number of triangles in the rank's share.
+  std::int64_t ownTriangles() const { return ownTriangles_; }
   /// Triangles that are here, with their neighbours.
   const SurfacePart& part() const { return near_->part; }
   const SiteSet& sites() const { return host_->sites(); }
@@ -77,6 +83,7 @@ private:
   GridFrame frame_;
   SharedSign sign_;
   std::optional<SharedTree> tree_;
+  std::int64_t ownTriangles_;
   std::int64_t heldTriangles_ = 0;
   std::optional<HostInside> inside_; ///< with winding numbers
   std::optional<NearSurface> near_;

@@ -1,9 +1,12 @@
 #include "ranks/shared_tree.h"
 
+#include "ranks/point_rings.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 #include <tuple>
 
 namespace medial
@@ -110,26 +113,60 @@ float reachWithin(float nearest, const FrameBox& box, float slack)
 
 } // namespace
 
+SharedTree::Own::Own(SurfacePart surface, const GridFrame& frame)
+  : part(std::move(surface))
+  , sites(part.mesh(), part.connectivity(), frame)
+{
+}
+
 SharedTree::SharedTree(Communicator& communicator, const DistributedSurface& surface,
   const GridFrame& frame)
-  : ranks_(communicator.size())
+  : surface_(surface)
+  , frame_(frame)
+  , ranks_(communicator.size())
   , slack_(slackOf(communicator, surface, frame))
   , elements_(shareElements(communicator, surface, frame))
 {
   std::vector<int> points;
+  points.reserve(3 * elements_.elements.size());
   for (const SharedElement& element : elements_.elements)
   {
     points.insert(points.end(), element.corners.begin(), element.corners.end());
   }
-  part_ = std::make_unique<SurfacePart>(withNeighbours(communicator, surface, points));
-  neighbourhoods_ = std::make_unique<Neighbourhoods>(*part_);
-  this->buildBlocks(communicator, frame);
+  own_ = this->fetchOwn(communicator, std::move(points));
+  this->buildBlocks(communicator);
+  std::vector<SharedElement>().swap(elements_.elements);
+  this->buildOwnTree();
 }
 
-void SharedTree::buildBlocks(Communicator& communicator, const GridFrame& frame)
+std::unique_ptr<SharedTree::Own> SharedTree::fetchOwn(Communicator& communicator,
+  std::vector<int> points) const
 {
-  sites_ = std::make_unique<SiteSet>(part_->mesh(), part_->connectivity(), frame);
-  const SharedSites shared(*sites_, part_->connectivity());
+  return std::make_unique<Own>(
+    SurfacePart(communicator, surface_, facesAround(communicator, surface_, std::move(points))),
+    frame_);
+}
+
+std::vector<int> SharedTree::cornersOfOwn(Communicator& communicator) const
+{
+  std::vector<int> faces;
+  for (const GroupRecord& record : groups_)
+  {
+    faces.insert(faces.end(), record.group.elements.begin(),
+      record.group.elements.begin() + record.group.count);
+  }
+  std::sort(faces.begin(), faces.end());
+  std::vector<int> points;
+  for (const FaceRecord& face : surface_.fetch(communicator, faces))
+  {
+    points.insert(points.end(), face.corners.begin(), face.corners.end());
+  }
+  return points;
+}
+
+void SharedTree::buildBlocks(Communicator& communicator)
+{
+  const SharedSites shared(own_->sites, own_->part.connectivity());
   std::map<int, int> treeOf;
   for (std::size_t i = 0; i < elements_.trees.size(); ++i)
   {
@@ -152,7 +189,6 @@ void SharedTree::buildBlocks(Communicator& communicator, const GridFrame& frame)
     blocks_.insert(blocks_.end(), list.begin(), list.end());
   }
   this->buildTop(blocks_);
-  this->buildOwnTree();
 }
 
 int SharedTree::levelsOfBlock(int tree) const
@@ -187,10 +223,10 @@ SharedTree::Block SharedTree::buildBlock(const SharedSites& shared, const Shared
     std::sort(record.group.elements.begin(), record.group.elements.begin() + record.group.count);
     for (int i = 0; i < record.group.count; ++i)
     {
-      local[i] = part_->faceOf(record.group.elements[i]);
+      local[i] = own_->part.faceOf(record.group.elements[i]);
     }
-    discs.push_back(
-      discOf(*sites_, shared, makeSiteGroup(*sites_, shared, local.data(), record.group.count)));
+    discs.push_back(discOf(own_->sites, shared,
+      makeSiteGroup(own_->sites, shared, local.data(), record.group.count)));
     groups_.push_back(record);
   }
   int size = SiteGroup::kSize * kLanes;
@@ -203,7 +239,7 @@ SharedTree::Block SharedTree::buildBlock(const SharedSites& shared, const Shared
     }
   }
   return { discs.front(),
-    sites_->points()[sites_->faces()[part_->faceOf(places.front().site)][0]] };
+    own_->sites.points()[own_->sites.faces()[own_->part.faceOf(places.front().site)][0]] };
 }
 
 void SharedTree::buildTop(const std::vector<Block>& blocks)
@@ -238,8 +274,8 @@ void SharedTree::buildOwnTree()
   {
     return;
   }
-  rename(*part_, trees);
-  tree_ = std::make_unique<GroupTree>(*sites_, part_->connectivity(), slack_, trees);
+  rename(own_->part, trees);
+  own_->tree.emplace(own_->sites, own_->part.connectivity(), slack_, trees);
 }
 
 std::vector<float> SharedTree::bounds(const std::vector<FrameBox>& boxes) const
@@ -299,6 +335,7 @@ BoxReach SharedTree::Search::reach() const
 
 SharedTree::Nearest SharedTree::nearestTo(const FrameBox& box) const
 {
+  const GroupTree& tree = *own_->tree;
   Nearest result{};
   NearestElement start;
   for (std::size_t i = 0; i < result.squared.size(); ++i)
@@ -308,14 +345,14 @@ SharedTree::Nearest SharedTree::nearestTo(const FrameBox& box) const
     NearestElement found;
     if (i > 0)
     {
-      found.tryGroup(tree_->groups(), start.group, x);
+      found.tryGroup(tree.groups(), start.group, x);
     }
-    found = tree_->nearest(x, found);
+    found = tree.nearest(x, found);
     start = found;
-    const int element = tree_->groups()[found.group].elements[found.lane];
+    const int element = tree.groups()[found.group].elements[found.lane];
     result.squared[i] = found.squared;
-    result.face[i] = part_->faces()[element].face;
-    result.point[i] = glm::vec3(closestPoint(tree_->sites(), element, x).point);
+    result.face[i] = own_->part.faces()[element];
+    result.point[i] = glm::vec3(closestPoint(tree.sites(), element, x).point);
   }
   return result;
 }
@@ -372,16 +409,15 @@ void SharedTree::sharpen(Communicator& communicator, std::vector<Search>& search
 }
 
 void SharedTree::answer(const std::vector<Search>& searches, std::vector<GroupRecord>& groups,
-  std::vector<PackRecord>& packs, std::vector<FaceRecord>& faces) const
+  std::vector<PackRecord>& packs, std::vector<int>& faces) const
 {
   std::set<int> found; // indices in groups_, which are those of the tree's groups
   GroupList list;
   for (const Search& search : searches)
   {
-    tree_->collect(search.reach(), list);
+    own_->tree->collect(search.reach(), list);
     found.insert(list.groups().begin(), list.groups().end());
   }
-  std::vector<int> elements;
   std::set<std::array<int, 3>> nodes; // tree, level, number of packs above the groups
   for (const int index : found)
   {
@@ -394,7 +430,7 @@ void SharedTree::answer(const std::vector<Search>& searches, std::vector<GroupRe
     }
     for (int i = 0; i < record.group.count; ++i)
     {
-      elements.push_back(part_->faceOf(record.group.elements[i]));
+      faces.push_back(own_->part.faceOf(record.group.elements[i]));
     }
   }
   for (const PackRecord& record : packs_)
@@ -404,11 +440,18 @@ void SharedTree::answer(const std::vector<Search>& searches, std::vector<GroupRe
       packs.push_back(record);
     }
   }
-  neighbourhoods_->collect(elements, faces);
+  addNeighbours(own_->part, faces);
+  std::transform(faces.begin(), faces.end(), faces.begin(),
+    [&](int face) { return own_->part.faces()[face]; });
 }
 
-NearSurface SharedTree::near(Communicator& communicator, const std::vector<FrameBox>& boxes) const
+NearSurface SharedTree::near(Communicator& communicator, const std::vector<FrameBox>& boxes)
 {
+  if (!own_)
+  {
+    own_ = this->fetchOwn(communicator, this->cornersOfOwn(communicator));
+    this->buildOwnTree();
+  }
   std::vector<Search> searches;
   const std::vector<float> bounds = this->bounds(boxes);
   for (std::size_t i = 0; i < boxes.size(); ++i)
@@ -428,7 +471,7 @@ NearSurface SharedTree::near(Communicator& communicator, const std::vector<Frame
   questions = exchanged(communicator, std::move(questions));
   RankLists<GroupRecord> groups(asked.size());
   RankLists<PackRecord> packs(asked.size());
-  RankLists<FaceRecord> faces(asked.size());
+  RankLists<int> faces(asked.size());
   for (std::size_t rank = 0; rank < asked.size(); ++rank)
   {
     if (!questions[rank].empty())
@@ -436,10 +479,14 @@ NearSurface SharedTree::near(Communicator& communicator, const std::vector<Frame
       this->answer(questions[rank], groups[rank], packs[rank], faces[rank]);
     }
   }
+  own_.reset();
   const std::vector<GroupRecord> allGroups = flattened(exchanged(communicator, std::move(groups)));
   std::vector<PackRecord> allPacks = flattened(exchanged(communicator, std::move(packs)));
   allPacks.insert(allPacks.end(), top_.begin(), top_.end());
-  NearSurface result{ SurfacePart(flattened(exchanged(communicator, std::move(faces)))), slack_,
+  std::vector<int> allFaces = flattened(exchanged(communicator, std::move(faces)));
+  std::sort(allFaces.begin(), allFaces.end());
+  allFaces.erase(std::unique(allFaces.begin(), allFaces.end()), allFaces.end());
+  NearSurface result{ SurfacePart(communicator, surface_, std::move(allFaces)), slack_,
     treesOf(allGroups, allPacks, elements_.trees.size()) };
   rename(result.part, result.trees);
   return result;

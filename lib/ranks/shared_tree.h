@@ -11,7 +11,7 @@
 
 #include <array>
 #include <memory>
-#include <set>
+#include <optional>
 #include <vector>
 
 namespace medial
@@ -31,11 +31,13 @@ class SharedTree
 {
 public:
   /// Every rank calls it.
+  /// @param surface must outlive this.
   SharedTree(Communicator& communicator, const DistributedSurface& surface, const GridFrame& frame);
 
   /// Returns all triangles, with their neighbours, that can be closest somewhere in some boxes.
-  /// Every rank calls it, with its own boxes.
-  NearSurface near(Communicator& communicator, const std::vector<FrameBox>& boxes) const;
+  /// Every rank calls it, with its own boxes. What a rank only needs to answer others is dropped
+  /// before, and made anew when it is called again.
+  NearSurface near(Communicator& communicator, const std::vector<FrameBox>& boxes);
 
 private:
   /// A block, as all ranks know it.
@@ -74,7 +76,20 @@ private:
     SparseTree::Pack pack;
   };
 
-  void buildBlocks(Communicator& communicator, const GridFrame& frame);
+  /// The surface of this rank's blocks.
+  struct Own
+  {
+    SurfacePart part;
+    SiteSet sites;
+    std::optional<GroupTree> tree; ///< over this rank's groups; none without
+
+    Own(SurfacePart surface, const GridFrame& frame);
+  };
+
+  std::unique_ptr<Own> fetchOwn(Communicator& communicator, std::vector<int> points) const;
+  /// Returns the corners of this rank's elements.
+  std::vector<int> cornersOfOwn(Communicator& communicator) const;
+  void buildBlocks(Communicator& communicator);
   Block buildBlock(const SharedSites& shared, const SharedElement* begin, const SharedElement* end,
     int tree);
   void buildTop(const std::vector<Block>& blocks);
@@ -90,19 +105,18 @@ private:
   void sharpen(Communicator& communicator, std::vector<Search>& searches) const;
   /// Answers searches by the groups, packs and triangles of this rank.
   void answer(const std::vector<Search>& searches, std::vector<GroupRecord>& groups,
-    std::vector<PackRecord>& packs, std::vector<FaceRecord>& faces) const;
+    std::vector<PackRecord>& packs, std::vector<int>& faces) const;
 
+  const DistributedSurface& surface_;
+  GridFrame frame_;
   int ranks_;
   float slack_;
-  SharedElements elements_;
+  SharedElements elements_;         ///< its list is empty once groups_ is made
   std::vector<GroupRecord> groups_; ///< of this rank's blocks, ascending
   std::vector<PackRecord> packs_;   ///< the lower nodes of this rank's blocks
   std::vector<PackRecord> top_;     ///< the upper nodes, of all blocks
   std::vector<Block> blocks_;       ///< of all ranks
-  std::unique_ptr<SurfacePart> part_;
-  std::unique_ptr<Neighbourhoods> neighbourhoods_;
-  std::unique_ptr<SiteSet> sites_;
-  std::unique_ptr<GroupTree> tree_; ///< over this rank's groups; null without
+  std::unique_ptr<Own> own_;        ///< null once near() has been called
 };
 
 } // namespace medial

@@ -1,6 +1,7 @@
 #include "ranks/thickness_part.h"
 
 #include "ranks/element_sharing.h"
+#include "ranks/point_rings.h"
 #include "ranks/surface_part.h"
 #include "sign/surface_orientation.h"
 #include "thickness/place_values.h"
@@ -95,15 +96,10 @@ ThicknessPart::ThicknessPart(Communicator& communicator, const DistributedSurfac
     rows_.faces.clear();
   }
   const std::vector<int> points = pointsAround(communicator, surface, elements, rows_);
-  const SurfacePart part(withNeighbours(communicator, surface, points));
-  std::vector<int> faces;
-  for (const FaceRecord& face : part.faces())
-  {
-    faces.push_back(face.face);
-  }
+  const SurfacePart part(communicator, surface, facesAround(communicator, surface, points));
   SurfaceOrientation orientation;
   orientation.directions =
-    SharedOrientation(communicator, surface).directionsOf(communicator, faces);
+    SharedOrientation(communicator, surface).directionsOf(communicator, part.faces());
   std::optional<OrientedMesh> oriented = turned(part.mesh(), part.connectivity(), orientation);
   if (oriented)
   {

@@ -17,8 +17,8 @@ public:
   SiteCells(const TriangleMesh& mesh, const MeshConnectivity& connectivity)
     : mesh_(mesh)
     , connectivity_(connectivity)
-    , firstEdge_(static_cast<int>(mesh.triangles.size()))
-    , firstVertex_(firstEdge_ + static_cast<int>(connectivity.edges.size()))
+    , firstEdge_(static_cast<int>(mesh.triangleCells.size()))
+    , firstVertex_(firstEdge_ + static_cast<int>(connectivity.edgeCells.size()))
   {
   }
 
