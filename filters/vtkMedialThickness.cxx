@@ -8,6 +8,7 @@
 #include "vtkMedialRanks.h"
 #include "vtkMeshConversion.h"
 #include "vtkMultiProcessController.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkSurfacePiece.h"
@@ -19,6 +20,7 @@
 #include "medial/thickness.h"
 #include "medial/thickness_regions.h"
 
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <sstream>
@@ -248,11 +250,6 @@ void vtkMedialThickness::ExecutePieces(vtkDataObject* input, vtkPolyData* output
     [&]
     {
       request = ToRequest(this, progress);
-      if (request.MaximumEdgeLength)
-      {
-        throw medial::Error(medial::ErrorCode::InvalidInput,
-          "MaximumEdgeLength must be 0 where DistributedInput is on");
-      }
       piece = vtkSurfacePiece(input);
       return piece.Facts();
     });
@@ -264,19 +261,37 @@ void vtkMedialThickness::ExecutePieces(vtkDataObject* input, vtkPolyData* output
       {
         medial::requireInside(ranks, surface, request.Options.execution);
       }
+      std::optional<medial::PieceSubdivision> fine;
+      if (request.MaximumEdgeLength)
+      {
+        fine =
+          medial::subdivide(ranks, surface, *request.MaximumEdgeLength, request.Options.execution);
+      }
       medial::RankCounts counts;
+      medial::SurfacePiece& measured = fine ? fine->piece : surface;
       const medial::Thickness thickness =
-        medial::computeThickness(ranks, surface, request.Options, &counts);
+        medial::computeThickness(ranks, measured, request.Options, &counts);
       std::vector<medial::ThicknessRegion> regions;
       if (request.IsLimited())
       {
-        regions = medial::findThicknessRegions(ranks, surface, thickness, request.Limits);
+        regions = medial::findThicknessRegions(ranks, measured, thickness, request.Limits);
       }
-      piece.ToPolyData(input, surface.mesh, output);
-      vtkThicknessConversion::AddThickness(thickness, surface.mesh, output);
+      if (fine)
+      {
+        const std::vector<std::int64_t> numbers = surface.mesh.triangleCells;
+        vtkNew<vtkPolyData> undivided;
+        piece.ToPolyData(input, surface.mesh, undivided);
+        vtkThicknessConversion::Subdivide(undivided, surface.mesh, numbers, *fine, output);
+      }
+      else
+      {
+        piece.ToPolyData(input, surface.mesh, output);
+      }
+      const bool divided = fine.has_value();
+      vtkThicknessConversion::AddThickness(thickness, measured.mesh, output, divided);
       if (request.IsLimited())
       {
-        vtkThicknessConversion::AddRegions(regions, surface.mesh, output, false);
+        vtkThicknessConversion::AddRegions(regions, measured.mesh, output, divided);
       }
       AddFigures(thickness, output);
       vtkMedialFigures(output).AddRankCounts(counts);

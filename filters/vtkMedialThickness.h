@@ -56,9 +56,11 @@
  * With DistributedInput each rank keeps its piece, whatever piece is asked for: its cells in their
  * order, the points that they use, and their arrays. Thickness, Region and the field data are, bit
  * for bit, those that the whole surface has there in one process; of the field data only
- * OwnTriangles, HeldTriangles and BytesSent are the rank's own. The surface must consist of
- * triangles and polygons, and MaximumEdgeLength be 0. An input may then also be a
- * vtkUnstructuredGrid, or blocks, which become one vtkPolyData with the arrays that all blocks
+ * OwnTriangles, HeldTriangles and BytesSent are the rank's own. With MaximumEdgeLength each rank
+ * divides its piece, into the triangles that one process makes of it: vtkGlobalPointIds are the
+ * numbers that points have there, and InputCell has the global ids of cells, or their numbers one
+ * piece after the other. The surface must consist of triangles and polygons. An input may then also
+ * be a vtkUnstructuredGrid, or blocks, which become one vtkPolyData with the arrays that all blocks
  * have. Cells that are ghosts, and those that an earlier rank or cell has with the same corners,
  * are left out. With WALL or limits the first rank brings together the triangles that are near
  * edges or beyond limits, and no others. vtkDistributedFieldAlgorithm says more of what the input

@@ -196,17 +196,6 @@ void SetBranches(const medial::Skeleton& skeleton, vtkPolyData* output)
   }
 }
 
-//------------------------------------------------------------------------------
-void SetGlobalIds(const char* name, const std::vector<std::int64_t>& ids,
-  vtkDataSetAttributes* attributes)
-{
-  vtkNew<vtkIdTypeArray> array;
-  array->SetName(name);
-  array->SetNumberOfValues(static_cast<vtkIdType>(ids.size()));
-  std::copy(ids.begin(), ids.end(), array->GetPointer(0));
-  attributes->SetGlobalIds(array);
-}
-
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -313,6 +302,17 @@ void vtkMeshConversion::ToPolyData(const medial::Skeleton& skeleton, vtkPolyData
   AddVectors(skeleton.tangent, "Tangent", output);
   output->GetPointData()->SetActiveScalars("Radius");
   SetBranches(skeleton, output);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshConversion::SetGlobalIds(const char* name, const std::vector<std::int64_t>& ids,
+  vtkDataSetAttributes* attributes)
+{
+  vtkNew<vtkIdTypeArray> array;
+  array->SetName(name);
+  array->SetNumberOfValues(static_cast<vtkIdType>(ids.size()));
+  std::copy(ids.begin(), ids.end(), array->GetPointer(0));
+  attributes->SetGlobalIds(array);
 }
 
 //------------------------------------------------------------------------------

@@ -12,6 +12,7 @@
 #include "medial/skeleton.h"
 #include "medial/triangle_mesh.h"
 
+#include <cstdint>
 #include <vector>
 
 class vtkDataSet;
@@ -61,6 +62,12 @@ void ToPolyData(const medial::AxisPiece& piece, vtkPolyData* output);
  * arrays of points and cells.
  */
 void ToPolyData(const medial::Skeleton& skeleton, vtkPolyData* output);
+
+/**
+ * Attaches numbers, one for each tuple, as the global ids.
+ */
+void SetGlobalIds(const char* name, const std::vector<std::int64_t>& ids,
+  vtkDataSetAttributes* attributes);
 
 /**
  * Attaches values, one for each tuple, as an array of float32.

@@ -18,6 +18,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <limits>
+#include <unordered_map>
 
 namespace
 {
@@ -173,6 +174,40 @@ void vtkThicknessConversion::Subdivide(vtkPolyData* input, const medial::Subdivi
     }
   }
   cellData->AddArray(inputCells);
+}
+
+//------------------------------------------------------------------------------
+void vtkThicknessConversion::Subdivide(vtkPolyData* surface, const medial::TriangleMesh& coarse,
+  const std::vector<std::int64_t>& numbers, medial::PieceSubdivision& fine, vtkPolyData* output)
+{
+  std::unordered_map<std::int64_t, std::int64_t> cellOf;
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+  {
+    cellOf[numbers[i]] = coarse.triangleCells[i];
+  }
+  medial::TriangleMesh& mesh = fine.piece.mesh;
+  std::vector<std::int64_t> inputCells = mesh.vertexCells;
+  inputCells.insert(inputCells.end(), mesh.segmentCells.begin(), mesh.segmentCells.end());
+  inputCells.insert(inputCells.end(), mesh.triangleCells.begin(), mesh.triangleCells.end());
+  for (std::int64_t& cell : mesh.triangleCells)
+  {
+    cell = cellOf[cell];
+  }
+  mesh.segmentCells = coarse.segmentCells;
+  mesh.vertexCells = coarse.vertexCells;
+  mesh.pointOfInput = coarse.pointOfInput;
+  // Those of the piece do not name what is new.
+  surface->GetPointData()->RemoveArray("vtkGlobalPointIds");
+  surface->GetCellData()->RemoveArray("vtkGlobalCellIds");
+  Subdivide(surface, { mesh, fine.parents }, output);
+  output->GetFieldData()->PassData(surface->GetFieldData());
+  vtkMeshConversion::SetGlobalIds("vtkGlobalPointIds", fine.piece.pointOrder,
+    output->GetPointData());
+  vtkDataArray* cells = output->GetCellData()->GetArray("InputCell");
+  for (std::size_t i = 0; i < inputCells.size(); ++i)
+  {
+    cells->SetComponent(static_cast<vtkIdType>(i), 0, static_cast<double>(inputCells[i]));
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -6,11 +6,13 @@
 #ifndef vtkThicknessConversion_h
 #define vtkThicknessConversion_h
 
+#include "medial/ranks.h"
 #include "medial/subdivision.h"
 #include "medial/thickness.h"
 #include "medial/thickness_regions.h"
 #include "medial/triangle_mesh.h"
 
+#include <cstdint>
 #include <vector>
 
 class vtkPolyData;
@@ -33,6 +35,16 @@ void AddThickness(const medial::Thickness& thickness, const medial::TriangleMesh
  * the cell that a cell is from.
  */
 void Subdivide(vtkPolyData* input, const medial::Subdivision& fine, vtkPolyData* output);
+
+/**
+ * The same for the piece of a rank, which Subdivide() leaves as it is but for the cells of its
+ * triangles: these become those of the output. InputCell has the numbers of cells in the whole, and
+ * vtkGlobalPointIds those of points in the divided whole.
+ * surface is the undivided piece, coarse its mesh with the cells of surface, and numbers has their
+ * numbers in the whole, triangle by triangle.
+ */
+void Subdivide(vtkPolyData* surface, const medial::TriangleMesh& coarse,
+  const std::vector<std::int64_t>& numbers, medial::PieceSubdivision& fine, vtkPolyData* output);
 
 /**
  * Attaches the regions of a mesh to a surface with its thickness, as AddThickness(): the cell data

@@ -151,19 +151,4 @@ Share readShare(const Options& options, bool keepsWhole, Communicator& communica
   return share;
 }
 
-SurfacePiece handedOut(const TriangleMesh& mesh, Communicator& communicator)
-{
-  std::vector<Message> messages(static_cast<std::size_t>(communicator.size()));
-  withSharedFailures(communicator,
-    [&]
-    {
-      if (communicator.rank() == 0)
-      {
-        messages = sharesOf(mesh, messages.size());
-      }
-    });
-  Bounds bounds;
-  return receivedPiece(std::move(communicator.exchange(std::move(messages)).front()), bounds);
-}
-
 } // namespace medial::app

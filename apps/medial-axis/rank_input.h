@@ -25,8 +25,4 @@ struct Share
 /// @throws Failure on every rank.
 Share readShare(const Options& options, bool keepsWhole, Communicator& communicator);
 
-/// Hands out a mesh of the first rank.
-/// @throws Failure on every rank.
-SurfacePiece handedOut(const TriangleMesh& mesh, Communicator& communicator);
-
 } // namespace medial::app

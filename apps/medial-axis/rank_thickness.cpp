@@ -21,39 +21,42 @@ namespace
 
 using Message = Communicator::Message;
 
-/// Divides the mesh on the first rank, if it is to be divided, and hands it out.
-/// @return what this rank gets; nothing if the mesh stays as it is.
+/// Checks what limits need, and divides the surface, if it is to be divided: each rank its piece,
+/// and the first one the whole, too, where it has it.
+/// @return the divided piece; nothing if the surface stays as it is.
 std::optional<SurfacePiece> dividedPiece(const Options& options, Communicator& communicator,
   const Share& share, const ThicknessOptions& wanted, RankThickness& result)
 {
-  const double maxEdge = maxThicknessEdge(options, share.bounds.diagonal());
   withSharedFailures(communicator,
     [&]
     {
-      if (communicator.rank() == 0)
+      if (communicator.rank() == 0 && options.hasThicknessLimits() && options.side != Side::Both)
       {
         withFailures(options.input,
           [&]
           {
-            if (options.hasThicknessLimits() && options.side != Side::Both)
-            {
-              requireInside(result.mesh, analyseConnectivity(result.mesh, wanted.execution),
-                wanted.execution);
-            }
-            if (maxEdge > 0.0)
-            {
-              result.fineMesh = subdivide(result.mesh, maxEdge, wanted.execution);
-            }
+            requireInside(result.mesh, analyseConnectivity(result.mesh, wanted.execution),
+              wanted.execution);
           });
       }
     });
+  const double maxEdge = maxThicknessEdge(options, share.bounds.diagonal());
   if (maxEdge <= 0.0)
   {
     return std::nullopt;
   }
-  const TriangleMesh none;
-  SurfacePiece piece = handedOut(result.fineMesh ? result.fineMesh->mesh : none, communicator);
-  piece.weld = false; // new points of bodies that touch stay apart, as in one process
+  SurfacePiece piece;
+  withFailures(options.input,
+    [&] { piece = subdivide(communicator, share.piece, maxEdge, wanted.execution).piece; });
+  withSharedFailures(communicator,
+    [&]
+    {
+      if (communicator.rank() == 0 && needsWholeForThickness(options))
+      {
+        withFailures(options.input,
+          [&] { result.fineMesh = subdivide(result.mesh, maxEdge, wanted.execution); });
+      }
+    });
   return piece;
 }
 
@@ -128,8 +131,7 @@ void finishWhole(const Options& options, Share& share, const ThicknessLimits& li
 
 bool needsWholeForThickness(const Options& options)
 {
-  return options.hasThicknessLimits() || extensionOf(options.thickness) == ".vtp" ||
-    (options.wantsThickness() && maxThicknessEdge(options, 1.0) > 0.0);
+  return options.hasThicknessLimits() || extensionOf(options.thickness) == ".vtp";
 }
 
 RankThickness computeThickness(const Options& options, Communicator& communicator, Share& share,

@@ -38,8 +38,8 @@ struct RankThickness
   ///@}
 };
 
-/// Whether the first rank needs the whole mesh for the thickness: to divide it, to write it into
-/// one file, or to find regions.
+/// Whether the first rank needs the whole mesh for the thickness: to write it into one file, or to
+/// find regions.
 bool needsWholeForThickness(const Options& options);
 
 /// Computes the thickness, as far as options ask for it. Every rank calls it.

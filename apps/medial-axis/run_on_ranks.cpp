@@ -74,13 +74,9 @@ const char* reasonForOne(const Options& options)
 /// What the first process does alone for the thickness; empty for nothing.
 std::string noteOfThickness(const Options& options)
 {
-  if (options.hasThicknessLimits())
-  {
-    return std::string(options.minThickness ? "--min-thickness" : "--max-thickness") +
-      " looks at the whole surface: the first process divided it and found the regions";
-  }
-  return options.wantsThickness() && maxThicknessEdge(options, 1.0) > 0.0
-    ? "--max-edge looks at the whole surface: the first process divided it"
+  return options.hasThicknessLimits()
+    ? std::string(options.minThickness ? "--min-thickness" : "--max-thickness") +
+      " looks at the whole surface: the first process found the regions"
     : "";
 }
 

@@ -464,6 +464,29 @@ std::vector<FaceRecord> DistributedSurface::fetch(Communicator& communicator,
   return flattened(exchanged(communicator, std::move(records)));
 }
 
+std::vector<std::array<int, 3>> DistributedSurface::edgesOfPiece(Communicator& communicator,
+  std::size_t triangles) const
+{
+  struct Sent
+  {
+    Origin to;
+    std::array<int, 3> edges;
+  };
+  std::vector<Sent> sent;
+  sent.reserve(faces_.size());
+  for (std::size_t i = 0; i < faces_.size(); ++i)
+  {
+    sent.push_back({ origins_[i], faces_[i].edges });
+  }
+  std::vector<std::array<int, 3>> edges(triangles);
+  for (const Sent& received :
+    delivered(communicator, sent, [](const Sent& item) { return item.to.rank; }))
+  {
+    edges[received.to.triangle] = received.edges;
+  }
+  return edges;
+}
+
 void DistributedSurface::dropFaces()
 {
   std::vector<FaceRecord>().swap(faces_);

@@ -63,6 +63,10 @@ public:
   const std::vector<Origin>& origins() const { return origins_; }
   /// The numbers of the points of this rank's piece.
   const std::vector<int>& pointsOfPiece() const { return pointsOfPiece_; }
+  /// Returns the numbers of the edges of the triangles of this rank's piece. Every rank calls it.
+  /// @param triangles how many these are.
+  std::vector<std::array<int, 3>> edgesOfPiece(Communicator& communicator,
+    std::size_t triangles) const;
   /// Returns the rank whose share has a triangle.
   int homeOfFace(int face) const { return faceOffsets_.home(face); }
   /// Returns where faces() has a triangle of this rank.

@@ -18,6 +18,7 @@ class RanksThickness(RankTest):
         several = self.run_ranks(ranks, "torus.off", "--thickness", "many.pvtp", *SINGLE, *options)
         self.assertEqual(several.returncode, 0, several.stderr)
         self.assertRegex(several.stdout, "thickness interior.*: min .*, median .*, max ")
+        self.assertNotIn("the first process", several.stderr)
         whole = read_polydata(self.folder / "one.vtp")
         values = whole.GetPointData().GetArray("Thickness")
         pieces = read_polydata(self.folder / "many.pvtp")
@@ -49,7 +50,9 @@ class RanksThickness(RankTest):
 
     def test_the_thickness_of_walls_of_a_divided_surface(self):
         self.write(*boxes(((0, 0, 0), (1, 0.9, 0.8)), ((0, 0, 1.3), (0.1, 0.7, 0.5))))
-        self.assertEqual(self.expect_same_thickness(3, "--thickness-method", "wall", "--max-edge", "0.4"), 3)
+        for ranks in (2, 3, 7):
+            self.assertEqual(
+                self.expect_same_thickness(ranks, "--thickness-method", "wall", "--max-edge", "0.4"), ranks)
 
     def test_thickness_together_with_an_axis(self):
         options = ("--resolution", "40", "--sign", "pseudonormal", "-q", *SINGLE)
@@ -84,6 +87,8 @@ class RanksThickness(RankTest):
             report = self.report("a.json")["thickness"]
             report.pop("seconds")
             files[ranks] = ((self.folder / "thin.vtp").read_bytes(), report)
+            if ranks > 1:
+                self.assertIn("the first process found the regions alone", run.stderr)
         self.assertEqual(files[3], files[1])
         self.assertEqual(lines[3], lines[1])
         self.run_well(2, "torus.off", "--min-thickness", "0.1", "-q")

@@ -14,6 +14,7 @@
 #include "medial/thickness_regions.h"
 #include "medial/triangle_mesh.h"
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <stdexcept>
@@ -99,6 +100,25 @@ MEDIAL_EXPORT SurfacePiece inRankOrder(Communicator& communicator, TriangleMesh 
 /// @param mesh of this rank, made by buildTriangleMesh(), or empty. It keeps its points.
 /// @throws Error as agree().
 MEDIAL_EXPORT void dropCopies(Communicator& communicator, TriangleMesh& mesh);
+
+/// A piece of a surface with shorter edges.
+struct PieceSubdivision
+{
+  /// The points of the original come first, new ones after them; the cells of triangles are those
+  /// of the original. Points have the numbers of the mesh that one process makes of the whole.
+  SurfacePiece piece;
+  /// Per new point, the two points, with lower ids, that it is in the middle of.
+  std::vector<std::array<int, 2>> parents;
+};
+
+/// Halves the edges of a surface in pieces that are longer than a limit, until there are none: the
+/// triangles of each piece become those that subdivide() makes of them in the whole. Every rank
+/// calls it, with the same limit.
+/// @param maxEdge world units, in (0, infinity).
+/// @throws Error on every rank, as subdivide(), and InvalidInput for a surface with segments or
+///   points of no triangle, or with segments at edges that are halved.
+MEDIAL_EXPORT PieceSubdivision subdivide(Communicator& communicator, const SurfacePiece& piece,
+  double maxEdge, const Execution& execution = {});
 
 /// What a rank has held and sent.
 struct RankCounts

@@ -213,6 +213,43 @@ class Ranks(unittest.TestCase):
         cases = [{"thickness": True, **case} for case in cases]
         self.expect_of_each({1: cases, 2: cases, 3: cases, 7: cases[:1] + cases[5:6]}, self.expect_thickness_of_one)
 
+    def test_a_divided_surface_is_that_of_one_process(self):
+        options = {"MaximumEdgeLength": 0.2, "MinimumThickness": 1.2, "MaximumThickness": 1.4}
+        cases = [
+            {"pieces": "random", "ids": "marked cells points", "ghosts": True, "options": options},
+            {"pieces": "random", "ids": "cells points", "copies": True, "options": {**options, "Method": 2}},
+            {"pieces": "random", "empty": 1, "ids": "cells points", "options": options},
+            {"pieces": "one", "owner": 1, "ids": "cells points", "options": options},
+        ]
+        cases = [{"thickness": True, **case} for case in cases]
+        for ranks, some in ((1, cases), (2, cases[:2]), (3, cases), (7, cases[:1])):
+            for case, parts in zip(some, run(ranks, some)):
+                with self.subTest(ranks=ranks, case=case):
+                    self.expect_divided_as_in_one(case, parts)
+
+    def expect_divided_as_in_one(self, case, parts):
+        whole = field_filter(case)
+        whole.SetInputData(polydata(*whole_surface(case, len(parts))[:2]))
+        whole.Update()
+        expected = arrays_of(whole.GetOutput())
+        self.assertGreater(len(expected["corners"]), 2 * len(surface()[1]))
+        at_cell = {corners: i for i, corners in enumerate(bytes_of(expected["corners"]))}
+        seen = []
+        for part in parts:
+            self.assertEqual(list(part["messages"]), [])
+            for name in (name for name in expected if name.startswith("field")):
+                self.assertEqual(part[name].tobytes(), expected[name].tobytes(), name)
+            if len(part["corners"]) == 0:
+                continue
+            ids = part["point vtkGlobalPointIds"]
+            self.assertEqual(part["points"].tobytes(), expected["points"][ids].tobytes())
+            self.assertEqual(part["point Thickness"].tobytes(), expected["point Thickness"][ids].tobytes())
+            cells = [at_cell[corners] for corners in bytes_of(part["corners"])]
+            for name in ("cell Thickness", "cell Region", "cell InputCell"):
+                self.assertEqual(part[name].tobytes(), expected[name][cells].tobytes(), name)
+            seen.extend(cells)
+        self.assertEqual(sorted(seen), list(range(len(expected["corners"]))))
+
     def test_no_rank_holds_the_surface(self):
         cases = [{"pieces": "runs", "options": {"Resolution": 64}}, {"pieces": "runs", "thickness": True}]
         triangles = len(surface()[1])
@@ -263,7 +300,9 @@ class Ranks(unittest.TestCase):
             ({**limited, "options of ranks": {"2": {"MinimumThickness": 1.4}}}, "rank 2: MinimumThickness 1.3999"),
             ({**thickness, "options": {"Method": 3}}, "^thickness method 3 is outside"),
             ({**thickness, "options": {"Angle": 200}}, "200"),
-            ({**thickness, "options": {"MaximumEdgeLength": 0.1}}, "^MaximumEdgeLength must be 0"),
+            ({**thickness, "options": {"MaximumEdgeLength": 1e-9}}, "^edges of at most 1e-09 need more than"),
+            ({**thickness, "options of ranks": {"1": {"MaximumEdgeLength": 0.1}}},
+             "rank 1: MaximumEdgeLength 0.1.*, but rank 0 has MaximumEdgeLength 0"),
         ]
         good = {"pieces": "random", "options": small}
         cases = [{"pieces": "random", **case} for case, _ in failures] + [good]
