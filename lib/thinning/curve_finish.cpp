@@ -27,11 +27,8 @@ constexpr std::size_t kMinPoints = 4;
 constexpr double kMinReach = 6.0;
 constexpr double kReachOfRadius = 0.75;
 constexpr int kMaxReach = 100;
-constexpr int kPasses = 2;
-/// How near to the widest place of a cross-section a point is moved, voxels, before the last pass
-/// and in it.
-constexpr double kCoarse = 0.1;
-constexpr double kFine = 0.005;
+/// How near to the widest place of a cross-section a point is moved, voxels.
+constexpr double kPrecision = 0.005;
 /// Points that are farther from where thinning has left them, in voxels, have lost their way.
 constexpr double kFarthest = 4.0;
 /// Points at free ends that are placed anew, and by how much they may lengthen the curve, voxels.
@@ -142,12 +139,9 @@ public:
     const Curve before = curve;
     const std::vector<int> reaches = this->reachesOf(free);
     moveTo(smoothed(curve, reaches), curve);
-    for (int pass = 0; pass < kPasses; ++pass)
-    {
-      this->placeEnds(free);
-      this->centre(reaches, pass + 1 == kPasses ? kFine : kCoarse, curve);
-      moveTo(smoothed(curve, reaches), curve);
-    }
+    this->placeEnds(free);
+    this->centre(reaches, curve);
+    moveTo(smoothed(curve, reaches), curve);
     this->placeEnds(free);
     leadToEnds(before, free);
     for (std::size_t i = 0; i < curve.points.size(); ++i)
@@ -207,7 +201,7 @@ private:
   }
 
   /// Moves points to the widest places of their cross-sections.
-  void centre(const std::vector<int>& reaches, double precision, Curve& curve) const
+  void centre(const std::vector<int>& reaches, Curve& curve) const
   {
     const std::vector<CurvePoint> fitted = smoothed(curve, reaches);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, fitted.size()),
@@ -224,7 +218,7 @@ private:
         {
           if (geometry_.insideGrid(curve.points[i]))
           {
-            curve.points[i] = widestPlace(curve.points[i], fitted[i].tangent, precision, closest);
+            curve.points[i] = widestPlace(curve.points[i], fitted[i].tangent, kPrecision, closest);
           }
         }
       });
