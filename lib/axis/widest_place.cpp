@@ -9,8 +9,9 @@ namespace medial
 namespace
 {
 
-/// Walls that part by less than this per length do not lead anywhere.
-constexpr double kParting = 0.02;
+/// The distance must grow by more than this part of the way: across a flat tube it hardly changes,
+/// and the facets of its surface would lead here and there.
+constexpr double kMinSlope = 0.2;
 
 double cross(const glm::dvec2& a, const glm::dvec2& b)
 {
@@ -36,22 +37,23 @@ double DistanceCuts::at(const glm::dvec2& place) const
   return least;
 }
 
-/// Takes a place if it is within reach and wider than the best.
+/// Takes a place if it is within reach and better than the best.
 void DistanceCuts::offer(const glm::dvec2& place, const glm::dvec2& from, double reach,
   Place& best) const
 {
-  if (glm::distance(place, from) <= reach * (1.0 + 1e-9))
+  const double way = glm::distance(place, from);
+  if (way <= reach * (1.0 + 1e-9))
   {
-    const double distance = this->at(place);
-    if (distance > best.distance)
+    const double value = this->at(place) - kMinSlope * way;
+    if (value > best.value)
     {
-      best = { place, distance };
+      best = { place, value };
     }
   }
 }
 
-/// Offers the place on the line where two cuts are equal: the nearest one, or if they rise along
-/// the line the highest one.
+/// Offers a place on the line where two cuts are equal: the nearest one, or further on if they rise
+/// along the line.
 void DistanceCuts::offerRidge(const Cut& a, const Cut& b, const glm::dvec2& from, double reach,
   Place& best) const
 {
@@ -70,8 +72,7 @@ void DistanceCuts::offerRidge(const Cut& a, const Cut& b, const glm::dvec2& from
   }
   const glm::dvec2 along = glm::dvec2(-normal.y, normal.x) / std::sqrt(size);
   const double rise = glm::dot(a.slope, along);
-  const double way =
-    std::abs(rise) > kParting ? std::copysign(std::sqrt(reach * reach - off * off), rise) : 0.0;
+  const double way = rise * std::sqrt(reach * reach - off * off);
   this->offer(nearest + way * along, from, reach, best);
 }
 
@@ -96,7 +97,7 @@ glm::dvec2 DistanceCuts::widest(const glm::dvec2& from, double reach) const
   for (std::size_t i = 0; i < count_; ++i)
   {
     const double slope = glm::length(cuts_[i].slope);
-    if (slope > kParting)
+    if (slope > kMinSlope)
     {
       this->offer(from + cuts_[i].slope * (reach / slope), from, reach, best);
     }

@@ -20,8 +20,8 @@ public:
   /// @param slope of the distance at the place; of unit length at most.
   void add(const glm::dvec2& place, double distance, const glm::dvec2& slope);
 
-  /// Returns where the bound is largest within a reach of a place. Along two walls it does not go,
-  /// unless they part.
+  /// Returns where the bound is largest within a reach of a place; along two walls that part it
+  /// goes the less far the less they do.
   glm::dvec2 widest(const glm::dvec2& from, double reach) const;
 
 private:
@@ -29,7 +29,7 @@ private:
   struct Place
   {
     glm::dvec2 place;
-    double distance; ///< by the cuts
+    double value; ///< the distance by the cuts, less what the way there costs
   };
   /// The distance at `at` is height + dot(slope, at).
   struct Cut
@@ -60,7 +60,6 @@ glm::dvec3 widestPlace(const glm::dvec3& x, const glm::dvec3& tangent, double pr
   const Closest& closest)
 {
   constexpr double kReach = 0.2; // of the distance
-  constexpr double kLonger = 2.0;
   constexpr double kShorter = 0.7;
   constexpr int kMaxPlaces = 16;
   if (tangent == glm::dvec3(0.0))
@@ -100,7 +99,6 @@ glm::dvec3 widestPlace(const glm::dvec3& x, const glm::dvec3& tangent, double pr
     {
       best = next;
       distance = found;
-      reach *= kLonger;
     }
     else
     {

@@ -2,6 +2,8 @@
 
 #include "base/disjoint_sets.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <functional>
 #include <iterator>
@@ -225,10 +227,13 @@ void burnCurves(CurveGraph& graph, const NetworkInput& input, const Checkpoint& 
 
 void openLoops(CurveGraph& graph, const NetworkInput& input)
 {
+  std::vector<char> leaves(static_cast<std::size_t>(graph.size()), 0);
+  tbb::parallel_for(0, graph.size(),
+    [&](int e) { leaves[e] = graph.alive(e) && leavesSolid(graph.edge(e), input) ? 1 : 0; });
   std::vector<int> outside;
   for (int e = 0; e < graph.size(); ++e)
   {
-    if (graph.alive(e) && leavesSolid(graph.edge(e), input))
+    if (leaves[e] != 0)
     {
       outside.push_back(e);
     }

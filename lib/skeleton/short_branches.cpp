@@ -2,6 +2,8 @@
 
 #include "skeleton/branch_balls.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -159,25 +161,30 @@ private:
     return { true, std::min(ofLength, ofRise), std::move(rise.neighbours) };
   }
 
+  /// Whether a branch may go: it has one free end.
+  bool mayGo(std::size_t b) const
+  {
+    const auto [first, last] = network_.branches[b].junctions;
+    return first != NetworkBranch::kFree && last == NetworkBranch::kFree;
+  }
+
   /// Returns the branch that is too short by the most, or the number of branches.
   std::size_t worst(const Checkpoint& checkpoint)
   {
+    tbb::parallel_for(std::size_t{ 0 }, ratios_.size(),
+      [&](std::size_t b)
+      {
+        if (!ratios_[b].known && this->mayGo(b))
+        {
+          checkpoint();
+          ratios_[b] = this->ratioOf(network_.branches[b], b);
+        }
+      });
     std::size_t result = ratios_.size();
     double least = minBranch_;
     for (std::size_t b = 0; b < ratios_.size(); ++b)
     {
-      const NetworkBranch& branch = network_.branches[b];
-      if (branch.junctions[0] == NetworkBranch::kFree ||
-        branch.junctions[1] != NetworkBranch::kFree)
-      {
-        continue;
-      }
-      checkpoint();
-      if (!ratios_[b].known)
-      {
-        ratios_[b] = this->ratioOf(branch, b);
-      }
-      if (ratios_[b].value < least)
+      if (this->mayGo(b) && ratios_[b].value < least)
       {
         least = ratios_[b].value;
         result = b;
