@@ -114,6 +114,20 @@ Json describeRegions(const std::vector<ThicknessRegion>& regions)
   return list;
 }
 
+// What the method makes of the minimum separation angle; null where it ignores it.
+Json angleOf(ThicknessMethod method, double angle)
+{
+  switch (method)
+  {
+    case ThicknessMethod::Ray:
+      return nullptr;
+    case ThicknessMethod::Wall:
+      return std::max(angle, kMinWallAngle);
+    default:
+      return angle;
+  }
+}
+
 // NaN becomes null.
 Json describeThickness(const Result& result, const Options& options)
 {
@@ -122,10 +136,10 @@ Json describeThickness(const Result& result, const Options& options)
   const auto limit = [](const std::optional<double>& value)
   { return value ? Json(*value) : Json(nullptr); };
   return { { "method", nameOf(thicknessOptions(options).method) }, { "side", nameOf(options.side) },
-    { "angle", options.angle }, { "min", thickness.min }, { "median", thickness.median },
-    { "max", thickness.max }, { "share_without", thickness.shareWithout() },
-    { "triangles", result.thicknessTriangles }, { "min_limit", limit(limits.min) },
-    { "max_limit", limit(limits.max) },
+    { "angle", angleOf(thicknessOptions(options).method, options.angle) }, { "min", thickness.min },
+    { "median", thickness.median }, { "max", thickness.max },
+    { "share_without", thickness.shareWithout() }, { "triangles", result.thicknessTriangles },
+    { "min_limit", limit(limits.min) }, { "max_limit", limit(limits.max) },
     { "regions", options.hasThicknessLimits() ? describeRegions(result.regions) : Json(nullptr) },
     { "seconds", thickness.seconds } };
 }

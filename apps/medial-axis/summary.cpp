@@ -256,6 +256,18 @@ std::string placesOf(const Options& options, const Result& result)
   return text.str();
 }
 
+void printLimitNote(const Options& options, double diagonal)
+{
+  const std::optional<double> least = thicknessLimits(options, diagonal).min;
+  if (least && *least > diagonal)
+  {
+    std::fprintf(stderr,
+      "medial-axis: note: %s: no place can be as thick as --min-thickness %.6g: the diagonal of "
+      "the mesh is %.6g\n",
+      options.input.c_str(), *least, diagonal);
+  }
+}
+
 void printCoverage(const Options& options, const Result& result)
 {
   const AxisCoverage& coverage = *result.coverage;
@@ -310,6 +322,10 @@ void printNotes(const Options& options, const Result& result, const OutputNotes&
   if (result.skeleton)
   {
     printSkeletonNote(options, *result.skeleton);
+  }
+  if (options.hasThicknessLimits())
+  {
+    printLimitNote(options, result.meshFigures.diagonal);
   }
   printPageNotes(options, notes);
   printSimplificationNote(options, result.axis);

@@ -47,8 +47,12 @@ void printTable(const DistanceCommand& command, const DistanceResults& results)
     results.triangles, results.vertices);
   std::printf("sign      %s: %s\n", nameOf(results.sign.method).c_str(),
     results.sign.reason.c_str());
-  std::printf("points    %s: %zu, %td of them inside\n", command.points.c_str(),
-    results.points.size(), countInside(results));
+  std::printf("points    %s: %zu", command.points.c_str(), results.points.size());
+  if (results.sign.method != SignMethod::None)
+  {
+    std::printf(", %td of them inside", countInside(results));
+  }
+  std::printf("\n");
   const DistanceSummary summary = summarise(results.distances);
   std::printf("distance  min %.9g, max %.9g; of magnitudes mean %.9g, RMS %.9g\n", summary.min,
     summary.max, summary.mean, summary.rms);
@@ -69,7 +73,9 @@ std::string makeJson(const DistanceCommand& command, const DistanceResults& resu
   json["points"] = { { "path", command.points.string() }, { "count", results.points.size() } };
   json["sign"] = { { "method", nameOf(results.sign.method) }, { "reason", results.sign.reason } };
   json["distance"] = { { "min", summary.min }, { "max", summary.max }, { "mean", summary.mean },
-    { "rms", summary.rms }, { "inside", countInside(results) } };
+    { "rms", summary.rms },
+    { "inside",
+      results.sign.method == SignMethod::None ? Json(nullptr) : Json(countInside(results)) } };
   json["hausdorff"] = results.comparison ? describe(*results.comparison) : Json(nullptr);
   json["seconds"] = { { "read", results.readSeconds }, { "compute", results.computeSeconds } };
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -45,8 +45,8 @@ void splitLine(std::string_view line, std::vector<std::string_view>& fields)
 }
 
 /// Returns the columns that a header calls x, y and z, also as "Points:0" or "Points_0" and so on,
-/// as ParaView does; the first three if it calls none so.
-Columns columnsNamed(const std::vector<std::string_view>& names)
+/// as ParaView does; if it calls none so, its only three.
+Columns columnsNamed(const std::vector<std::string_view>& names, int line)
 {
   Columns columns{ 0, 1, 2 };
   for (std::size_t axis = 0; axis < columns.size(); ++axis)
@@ -59,9 +59,15 @@ Columns columnsNamed(const std::vector<std::string_view>& names)
         return std::find(wanted.begin(), wanted.end(), lowerCase(std::string(name))) !=
           wanted.end();
       });
-    if (found == names.end())
+    if (found == names.end() && names.size() <= columns.size())
     {
       return { 0, 1, 2 };
+    }
+    if (found == names.end())
+    {
+      refuseLine(line,
+        "names " + std::to_string(names.size()) + " columns, but none '" + wanted[0] +
+          "': which ones are x, y and z?");
     }
     columns[axis] = static_cast<std::size_t>(found - names.begin());
   }
@@ -76,6 +82,16 @@ double coordinate(std::string_view field, int line)
     refuseLine(line, "'" + std::string(field) + "' is not a coordinate");
   }
   return *number;
+}
+
+/// Where semicolons separate numbers, commas are most likely decimal marks, and would make six
+/// numbers of three.
+void requireOneSeparator(std::string_view text, int line)
+{
+  if (text.find(';') != std::string_view::npos && text.find(',') != std::string_view::npos)
+  {
+    refuseLine(line, "has commas and semicolons: numbers need decimal points");
+  }
 }
 
 bool isComment(std::string_view line)
@@ -100,10 +116,11 @@ MeshInput parseXyz(const std::string& content)
     {
       continue;
     }
+    requireOneSeparator(line, text.line());
     splitLine(line, fields);
     if (first && !toDouble(fields.front()))
     {
-      columns = columnsNamed(fields);
+      columns = columnsNamed(fields, text.line());
     }
     else
     {

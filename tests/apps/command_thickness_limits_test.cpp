@@ -71,6 +71,7 @@ TEST_F(CommandThicknessLimits, ThinRegionsAreATableAFileAReportAndAnExitCode)
 
   const Json thickness = Json::parse(readFile(folder.file("r.json")))["thickness"];
   EXPECT_EQ(thickness["method"], "wall");
+  EXPECT_EQ(thickness["angle"], 120.0); // not the default, 60
   EXPECT_EQ(thickness["min_limit"], 2.0);
   EXPECT_TRUE(thickness["max_limit"].is_null());
   ASSERT_EQ(thickness["regions"].size(), 1U);
@@ -96,6 +97,20 @@ TEST_F(CommandThicknessLimits, ThinRegionsAreATableAFileAReportAndAnExitCode)
     ASSERT_TRUE(std::binary_search(ids.begin(), ids.end(), cells->GetTuple1(i)));
   }
   EXPECT_NEAR(surface->GetCellData()->GetArray("Thickness")->GetRange()[0], 1.0, 1e-6);
+}
+
+TEST_F(CommandThicknessLimits, ALimitBeyondTheDiagonalIsNoted)
+{
+  const Outcome outcome = check({ "--min-thickness", "200%" });
+  EXPECT_EQ(outcome.exitCode, kBeyondLimits);
+  EXPECT_TRUE(contains(outcome.err, "no place can be as thick as --min-thickness ")) << outcome.err;
+  EXPECT_FALSE(contains(check({ "--min-thickness", "99%" }).err, "no place")) << outcome.err;
+}
+
+TEST_F(CommandThicknessLimits, RaysHaveNoAngle)
+{
+  check({ "--min-thickness", "0.5", "--thickness-method", "ray", "--report", "r.json" });
+  EXPECT_TRUE(Json::parse(readFile(folder.file("r.json")))["thickness"]["angle"].is_null());
 }
 
 TEST_F(CommandThicknessLimits, LimitsThatAreKeptAreSuccess)

@@ -52,7 +52,8 @@ def distance(vertices: Any, faces: Any = None, points: Any = None, *, sign: Sign
     array([-0.25,  5.  ])
     """
     if points is None:
-        raise TypeError("points are missing: an (n, 3) array of coordinates is needed")
+        raise TypeError("points are missing: an (n, 3) array of coordinates is needed, after a whole "
+                        "mesh as points=...")
     targets = vtkPolyData()
     targets.SetPoints(to_points(float_rows(points, "points", 3)))
     algorithm = vtkMeshPointDistance()

@@ -79,6 +79,10 @@ TEST(Points, AreRefusedWithTheLineAndTheValue)
   EXPECT_EQ(refusal("a.csv", "x,y,q\n1,2,z\n"), "a.csv: line 2: 'z' is not a coordinate");
   EXPECT_EQ(refusal("a.xyz", "1 2 3\n\n4 5\n"), "a.xyz: line 3: has 2 of 3 columns");
   EXPECT_EQ(refusal("a.csv", "z,a,y,x\n1,2,3\n"), "a.csv: line 2: has 3 of 4 columns");
+  EXPECT_EQ(refusal("a.csv", "id,px,py,pz\n7,1,2,3\n"),
+    "a.csv: line 1: names 4 columns, but none 'x': which ones are x, y and z?");
+  EXPECT_EQ(refusal("a.csv", "x;y;z\n0,25;0,5;0,2\n"),
+    "a.csv: line 2: has commas and semicolons: numbers need decimal points");
   EXPECT_EQ(refusal("a.xyz", "# nothing\n"), "a.xyz: holds no points");
   EXPECT_EQ(refusal("a.csv", "x,y,z\n"), "a.csv: holds no points");
   EXPECT_EQ(refusal("a.obj", "# no v\n"), "a.obj: holds no points");
