@@ -3,6 +3,7 @@
 #include "medial/compute_distance_field.h"
 #include "medial/device.h"
 #include "support/brute_force.h"
+#include "support/printing.h"
 
 #include <gtest/gtest.h>
 

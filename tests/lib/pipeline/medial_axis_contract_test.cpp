@@ -7,6 +7,7 @@
 #include "support/model_formats.h"
 #include "support/models.h"
 #include "support/named.h"
+#include "support/printing.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>

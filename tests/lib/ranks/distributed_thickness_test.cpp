@@ -6,6 +6,7 @@
 
 #include "message_of_ranks.h"
 #include "pieces.h"
+#include "same_bits.h"
 #include "simulated_ranks.h"
 #include "support/errors.h"
 #include "support/models.h"
@@ -18,7 +19,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <optional>
 #include <set>
 #include <string>
@@ -29,14 +29,6 @@ using namespace medial::test;
 
 namespace
 {
-
-bool sameBits(float a, float b)
-{
-  std::uint32_t bits[2];
-  std::memcpy(&bits[0], &a, sizeof(a));
-  std::memcpy(&bits[1], &b, sizeof(b));
-  return bits[0] == bits[1];
-}
 
 bool same(double a, double b)
 {

@@ -4,6 +4,7 @@
 #include "medial/thickness.h"
 
 #include "pieces.h"
+#include "same_bits.h"
 #include "simulated_ranks.h"
 #include "support/shapes.h"
 #include "support/transforms.h"
@@ -12,7 +13,6 @@
 
 #include <array>
 #include <cstdint>
-#include <cstring>
 #include <map>
 #include <string>
 #include <vector>
@@ -161,8 +161,7 @@ TEST(SubdividedPieces, HaveTheThicknessOfOneProcess)
         ASSERT_EQ(part.values.size(), fine.pointOrder.size());
         for (std::size_t i = 0; i < part.values.size(); ++i)
         {
-          EXPECT_EQ(std::memcmp(&part.values[i], &whole.values[fine.pointOrder[i]], sizeof(float)),
-            0);
+          EXPECT_TRUE(sameBits(part.values[i], whole.values[fine.pointOrder[i]]));
         }
       });
   }
