@@ -148,10 +148,13 @@ void checkNotTheInput(const char* option, const std::filesystem::path& path,
 void checkDistinct(const char* option, const std::filesystem::path& path, const char* other,
   const std::filesystem::path& otherPath)
 {
-  std::error_code ignored;
-  if (!path.empty() &&
-    std::filesystem::weakly_canonical(path, ignored) ==
-      std::filesystem::weakly_canonical(otherPath, ignored))
+  const auto placeOf = [](const std::filesystem::path& file)
+  {
+    std::error_code error; // the current folder may be gone
+    std::filesystem::path place = std::filesystem::weakly_canonical(file, error);
+    return error ? file.lexically_normal() : place;
+  };
+  if (!path.empty() && placeOf(path) == placeOf(otherPath))
   {
     throw Failure(ExitCode::Usage,
       std::string(option) + " and " + other + " name the same file, " + path.string());

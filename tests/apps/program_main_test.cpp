@@ -1,5 +1,6 @@
 #include "program.h"
 
+#include "command_line.h"
 #include "failure.h"
 #include "program_main.h"
 
@@ -8,6 +9,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <functional>
 #include <new>
 #include <stdexcept>
@@ -87,6 +89,20 @@ TEST(ProgramMainDeathTest, AnExceptionThatNobodyCanCatchIsAFaultOfTheProgram)
   expectEnd(kFault, "a fault of the program: beyond all help",
     [] { withoutWayOut([] { throw std::logic_error("beyond all help"); }); });
   expectEnd(kNoSpace, "not enough memory", [] { withoutWayOut([] { throw std::bad_alloc(); }); });
+}
+
+TEST(CommandLineDeathTest, FilesInAFolderThatIsGoneAreStillTwo)
+{
+  const auto inFolderThatIsGone = [](const char* other)
+  {
+    std::string folder = (std::filesystem::temp_directory_path() / "medial-XXXXXX").string();
+    std::filesystem::current_path(mkdtemp(folder.data()));
+    std::filesystem::remove(folder);
+    app::checkDistinct("--output", "a.vtp", "--curves", other);
+  };
+  expectEnd(0, "", [&] { inFolderThatIsGone("b.vtp"); });
+  expectEnd(kUsage, "--output and --curves name the same file, a.vtp",
+    [&] { inFolderThatIsGone("./a.vtp"); });
 }
 
 } // namespace
