@@ -1,5 +1,7 @@
 #include "axis/sheet_fit.h"
 
+#include "base/vectors.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -13,22 +15,6 @@ namespace
 constexpr double kReach = 3.0;
 /// Samples within a strip of about this width (voxels) tell nothing about the change across it.
 constexpr double kMinSpread = 0.3;
-
-/// The two directions along a sheet.
-struct Tangents
-{
-  glm::dvec3 u;
-  glm::dvec3 v;
-};
-
-Tangents tangentsOf(const glm::dvec3& normal)
-{
-  const glm::dvec3 size = glm::abs(normal);
-  glm::dvec3 helper(0.0);
-  helper[size.x <= size.y && size.x <= size.z ? 0 : (size.y <= size.z ? 1 : 2)] = 1.0;
-  const glm::dvec3 u = glm::normalize(glm::cross(normal, helper));
-  return { u, glm::cross(normal, u) };
-}
 
 /// Solves (uu uv; uv vv) x = b, by least squares where the samples lie on a line.
 glm::dvec2 solved(const glm::dvec3& squares, const glm::dvec2& b)
@@ -204,7 +190,7 @@ bool SheetFitter::average(SheetFit& fit) const
 /// Sets the linear functions, whose means are known.
 void SheetFitter::fitLines(SheetFit& fit) const
 {
-  const Tangents tangents = tangentsOf(fit.normal);
+  const auto [alongU, alongV] = normalsTo(fit.normal);
   glm::dvec3 squares(0.0); // uu, uv, vv
   glm::dvec4 values(0.0);  // cosine, excess, radius, lambda
   glm::dvec4 withU(0.0);
@@ -212,8 +198,8 @@ void SheetFitter::fitLines(SheetFit& fit) const
   for (const Node& node : nodes_)
   {
     const double w = node.weight / fit.weight;
-    const double u = glm::dot(node.position - fit.centroid, tangents.u);
-    const double v = glm::dot(node.position - fit.centroid, tangents.v);
+    const double u = glm::dot(node.position - fit.centroid, alongU);
+    const double v = glm::dot(node.position - fit.centroid, alongV);
     const double excess =
       node.radius * node.radius * (glm::dot(node.towardsA, node.towardsB) - cosAngle_);
     const glm::dvec4 value(0.5 * glm::length(node.towardsA + node.towardsB), excess, node.radius,
@@ -223,13 +209,13 @@ void SheetFitter::fitLines(SheetFit& fit) const
     withU += w * u * value;
     withV += w * v * value;
   }
-  const glm::dvec2 x(-glm::dot(fit.centroid, tangents.u), -glm::dot(fit.centroid, tangents.v));
+  const glm::dvec2 x(-glm::dot(fit.centroid, alongU), -glm::dot(fit.centroid, alongV));
   SheetFit::Linear* const functions[] = { &fit.cosine, &fit.excess, &fit.radius, &fit.lambda };
   for (int i = 0; i < 4; ++i)
   {
     const glm::dvec2 slope = solved(squares, { withU[i], withV[i] });
     functions[i]->value = values[i] + glm::dot(slope, x);
-    functions[i]->gradient = slope.x * tangents.u + slope.y * tangents.v;
+    functions[i]->gradient = slope.x * alongU + slope.y * alongV;
   }
 }
 

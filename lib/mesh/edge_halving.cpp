@@ -1,5 +1,6 @@
 #include "mesh/edge_halving.h"
 
+#include "base/vectors.h"
 #include "medial/error.h"
 
 #include <glm/glm.hpp>
@@ -16,15 +17,9 @@ namespace
 
 constexpr std::size_t kMaxTriangles = 100000000;
 
-glm::dvec3 positionOf(const TriangleMesh& mesh, int point)
-{
-  const Point3& x = mesh.points[point];
-  return { x[0], x[1], x[2] };
-}
-
 double lengthOf(const TriangleMesh& mesh, int a, int b)
 {
-  return glm::distance(positionOf(mesh, a), positionOf(mesh, b));
+  return glm::distance(toVector(mesh.points[a]), toVector(mesh.points[b]));
 }
 
 /// Appends the triangles into which the middles of its sides cut a triangle.
@@ -96,9 +91,9 @@ double trianglesNeeded(const TriangleMesh& mesh, double maxEdge)
   double triangles = 0.0;
   for (const auto& corners : mesh.triangles)
   {
-    const glm::dvec3 a = positionOf(mesh, corners[0]);
-    const glm::dvec3 u = positionOf(mesh, corners[1]) - a;
-    const glm::dvec3 v = positionOf(mesh, corners[2]) - a;
+    const glm::dvec3 a = toVector(mesh.points[corners[0]]);
+    const glm::dvec3 u = toVector(mesh.points[corners[1]]) - a;
+    const glm::dvec3 v = toVector(mesh.points[corners[2]]) - a;
     triangles += std::max(1.0, glm::length(glm::cross(u, v)) / (maxEdge * maxEdge));
   }
   return triangles;
@@ -121,8 +116,7 @@ bool isLong(const TriangleMesh& mesh, int a, int b, double maxEdge)
 
 Point3 middleOf(const TriangleMesh& mesh, int a, int b)
 {
-  const glm::dvec3 x = 0.5 * (positionOf(mesh, a) + positionOf(mesh, b));
-  return { x.x, x.y, x.z };
+  return toPoint(0.5 * (toVector(mesh.points[a]) + toVector(mesh.points[b])));
 }
 
 bool splitTriangles(const std::vector<std::array<int, 3>>& middles, const Checkpoint& checkpoint,

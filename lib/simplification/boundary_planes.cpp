@@ -2,6 +2,7 @@
 
 #include "balls/ball_hulls.h"
 #include "balls/ball_union.h"
+#include "base/vectors.h"
 
 #include <tbb/parallel_for.h>
 
@@ -28,15 +29,6 @@ constexpr double kMinRadius = 1e-4;
 double areaOf(const Ball& a, const Ball& b, const Ball& c)
 {
   return 0.5 * glm::length(glm::cross(b.centre - a.centre, c.centre - a.centre));
-}
-
-glm::dvec3 anyPerpendicular(const glm::dvec3& unitVector)
-{
-  const glm::dvec3 size = glm::abs(unitVector);
-  const bool x = size.x <= size.y && size.x <= size.z;
-  const bool y = !x && size.y <= size.z;
-  const glm::dvec3 other(x ? 1.0 : 0.0, y ? 1.0 : 0.0, x || y ? 0.0 : 1.0);
-  return glm::normalize(glm::cross(unitVector, other));
 }
 
 double meanLength(const std::vector<Ball>& balls, const BallComplex& complex)
@@ -151,7 +143,7 @@ private:
     }
     if (opposite.empty())
     {
-      const glm::dvec3 start = anyPerpendicular(cone->axis);
+      const glm::dvec3 start = normalsTo(cone->axis)[0];
       this->addArc(vertex, edge, *cone, start, kPi, kCircleSamples, planes);
       return;
     }
