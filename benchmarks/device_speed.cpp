@@ -4,7 +4,8 @@
 //   MESH: a file, or torus:N for a torus of about N triangles
 //
 // Prints JSON: what the engines run on, and a case for each mesh. Seconds are the median of the
-// frames after two that warm up.
+// frames after those that warm up, which take half a second: a GPU lowers its clock while it waits
+// for others.
 #include "medial/medial.h"
 
 #include <nlohmann/json.hpp>
@@ -25,7 +26,20 @@ namespace
 using namespace medial;
 using Json = nlohmann::ordered_json;
 
-constexpr int kWarmUp = 2;
+/// Tells which frames count: those after the first two and half a second.
+class WarmUp
+{
+public:
+  bool frameCounts()
+  {
+    const std::chrono::duration<double> since = std::chrono::steady_clock::now() - start_;
+    return ++frames_ > 2 && since.count() > 0.5;
+  }
+
+private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  int frames_ = 0;
+};
 
 TriangleMesh torusOf(int triangles)
 {
@@ -108,14 +122,17 @@ double hostSeconds(const TriangleMesh& mesh, const Grid& grid, int frames,
   options.execution.threads = 1; // no others help
   const double size = mesh.bounds().diagonal();
   std::vector<double> seconds;
-  for (int frame = 0; frame < kWarmUp + frames; ++frame)
+  WarmUp warmUp;
+  for (int frame = 0; static_cast<int>(seconds.size()) < frames; ++frame)
   {
     solver.setPoints(moved(mesh, size, frame));
     const double start = threadSeconds();
     solver.computeField(grid, grid.wholeExtent(), wanted, options);
-    seconds.push_back(threadSeconds() - start);
+    if (warmUp.frameCounts())
+    {
+      seconds.push_back(threadSeconds() - start);
+    }
   }
-  seconds.erase(seconds.begin(), seconds.begin() + kWarmUp);
   return median(seconds);
 }
 
@@ -134,14 +151,15 @@ Json framesBy(Engine engine, const TriangleMesh& mesh, const Grid& grid, int fra
   std::vector<double> processor;
   std::vector<std::vector<double>> phases(6);
   RunStatistics last;
-  for (int frame = 0; frame < kWarmUp + frames; ++frame)
+  WarmUp warmUp;
+  for (int frame = 0; static_cast<int>(wall.size()) < frames; ++frame)
   {
     solver.setPoints(moved(mesh, size, frame));
     const auto start = std::chrono::steady_clock::now();
     const std::clock_t clock = std::clock();
     last = solver.computeField(grid, grid.wholeExtent(), wanted, options);
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-    if (frame < kWarmUp)
+    if (!warmUp.frameCounts())
     {
       continue;
     }

@@ -38,6 +38,7 @@ struct Settings
   bool thickness = false; ///< instead of a field and an axis
   bool equalParts = false;
   SignMethod sign = SignMethod::Pseudonormal;
+  Topology topology = Topology::Selected;
   bool alone = false; ///< as a program does that knows of no ranks
 };
 
@@ -98,6 +99,7 @@ MedialAxisOptions optionsOf(const Settings& settings)
 {
   MedialAxisOptions options;
   options.angle = settings.angle;
+  options.topology = settings.topology;
   options.field.sign = settings.sign;
   options.field.engine = Engine::Processor;
   options.field.execution.threads = 1;
@@ -279,6 +281,9 @@ int main(int argc, char** argv)
     app.add_flag_callback(
       "--auto-sign", [&settings] { settings.sign = SignMethod::Auto; },
       "signs by winding numbers, or none, for a mesh that is not closed");
+    app.add_flag_callback(
+      "--preserve", [&settings] { settings.topology = Topology::Preserve; },
+      "an axis with the topology of the solid");
     app.add_flag("--alone", settings.alone, "the axis without ranks, to compare with --ranks 1");
     app.add_option("--ranks", settings.ranks, "numbers of ranks")->delimiter(',');
     CLI11_PARSE(app, argc, argv);

@@ -111,7 +111,9 @@ void AddFigures(const medial::Thickness& thickness, vtkPolyData* output)
 {
   vtkMedialFigures figures(output);
   figures.AddNumber("MinThickness", thickness.min);
+  figures.AddNumber("Percentile5Thickness", thickness.percentile5);
   figures.AddNumber("MedianThickness", thickness.median);
+  figures.AddNumber("Percentile95Thickness", thickness.percentile95);
   figures.AddNumber("MaxThickness", thickness.max);
   figures.AddNumber("ShareWithout", thickness.shareWithout());
 }

@@ -35,10 +35,11 @@
  * unless its holes are small compared with it.
  *
  * @par Field data:
- * The output has field data arrays of one tuple (double): MinThickness, MedianThickness and
- * MaxThickness, in world units, NaN where no point has a thickness, and ShareWithout, the share of
- * the points without one, in [0, 1]. Points at the same place count once; points of no cell do not
- * count.
+ * The output has field data arrays of one tuple (double): MinThickness, Percentile5Thickness,
+ * MedianThickness, Percentile95Thickness and MaxThickness, in world units, NaN where no point has a
+ * thickness, and ShareWithout, the share of the points without one, in [0, 1]. No more than 5 % of
+ * the values are smaller or larger than the percentiles. Points at the same place count once;
+ * points of no cell do not count.
  *
  * @par Input:
  * Any vtkPolyData, as for vtkMedialAxis: polygons, triangle strips, lines and vertices, closed or

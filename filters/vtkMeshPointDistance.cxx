@@ -153,6 +153,8 @@ void vtkMeshPointDistance::Execute(vtkDataSet* points, vtkPolyData* surface, vtk
   figures.AddNumber("MaxDistance", summary.max);
   figures.AddNumber("MeanDistance", summary.mean);
   figures.AddNumber("RMSDistance", summary.rms);
+  figures.AddNumber("MedianDistance", summary.median);
+  figures.AddNumber("Percentile95Distance", summary.percentile95);
 }
 
 //------------------------------------------------------------------------------

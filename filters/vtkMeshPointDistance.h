@@ -22,8 +22,9 @@
  *
  * @par Field data:
  * The output has field data arrays of one tuple: SignMethod and SignReason (strings), what was used
- * and why; and of the points MinDistance and MaxDistance, with their signs, MeanDistance and
- * RMSDistance, of the magnitudes (double, world units, NaN without points).
+ * and why; and of the points MinDistance and MaxDistance, with their signs, and of the magnitudes
+ * MeanDistance, RMSDistance, MedianDistance and Percentile95Distance, which 5 % of the points
+ * exceed (double, world units, NaN without points).
  *
  * @par Input:
  * Port 0 takes any vtkDataSet; each block of a composite one is computed on its own. Port 1 takes

@@ -81,8 +81,9 @@ def page(speed, tests):
 {software}
 {tests_line(tests)}
 
-Frames of a mesh that moves, unsigned distances and closest sites, medians after two frames. *Device* is the wall-clock
-time of a frame with both arrays on the host, *on the device* what the device's own clock says without the copy.
+Frames of a mesh that moves, unsigned distances and closest sites, medians after half a second of others. *Device* is
+the wall-clock time of a frame with both arrays on the host, *on the device* what the device's own clock says without
+the copy.
 
 {speed_table(cases)}
 

@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace medial::app
 {
@@ -17,6 +19,30 @@ namespace
 {
 
 constexpr int kMaxThreads = 1024;
+
+/// What is wrong with a command line. The parser's words are for those who know the parser.
+std::string messageOf(const CLI::App& app, const CLI::ParseError& error)
+{
+  const std::string message = error.what();
+  const std::vector<std::string> unknown = app.remaining();
+  const auto option = std::find_if(unknown.begin(), unknown.end(),
+    [](const std::string& word) { return word.size() > 1 && word[0] == '-'; });
+  if (option != unknown.end())
+  {
+    return "unknown option " + *option;
+  }
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr)
+  {
+    return "unexpected argument '" + unknown.front() + "'";
+  }
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr)
+  {
+    const std::string name = message.substr(0, message.find(':'));
+    const bool missing = message.find("missing") != std::string::npos;
+    return name + (missing ? " needs a value" : " may be given only once");
+  }
+  return message;
+}
 
 } // namespace
 
@@ -43,8 +69,7 @@ bool parseCommandLine(CLI::App& app, int argc, char** argv)
       app.exit(error);
       return false;
     }
-    throw Failure(ExitCode::Usage,
-      std::string(error.what()) + " (see " + app.get_name() + " --help)");
+    throw Failure(ExitCode::Usage, messageOf(app, error) + " (see " + app.get_name() + " --help)");
   }
 }
 
@@ -76,8 +101,8 @@ void addEngineOption(CLI::App& app, std::string& word, const std::string& group)
   app
     .add_option("--engine", word,
       "what finds the closest sites: processor (CPU, without OpenGL), device (compute shaders of "
-      "OpenGL), rasteriser (OpenGL) or auto, the device on graphics hardware that works, otherwise "
-      "the processor; default auto")
+      "OpenGL), rasteriser (OpenGL) or auto, the processor, and the device for large work on "
+      "graphics hardware that works; default auto")
     ->option_text("KIND")
     ->check(oneOf(engineNames()))
     ->group(group);

@@ -19,4 +19,12 @@ void printText(const std::string& text)
   }
 }
 
+void printFile(const std::filesystem::path& path, const std::string& content)
+{
+  if (!path.empty())
+  {
+    std::printf("wrote     %s: %s\n", path.c_str(), content.c_str());
+  }
+}
+
 } // namespace medial::app

@@ -38,6 +38,16 @@ vtkSmartPointer<vtkColorTransferFunction> makeColours(double max)
   return colours;
 }
 
+vtkSmartPointer<vtkColorTransferFunction> makeSignedColours(double max)
+{
+  auto colours = vtkSmartPointer<vtkColorTransferFunction>::New();
+  colours->SetColorSpaceToDiverging();
+  colours->AddRGBPoint(-max, 0.230, 0.299, 0.754);
+  colours->AddRGBPoint(0.0, 0.865, 0.865, 0.865);
+  colours->AddRGBPoint(max, 0.706, 0.016, 0.150);
+  return colours;
+}
+
 double maxRadius(vtkPolyData* axis)
 {
   return axis->GetNumberOfPoints() > 0 ? axis->GetPointData()->GetArray("Radius")->GetRange()[1]

@@ -14,6 +14,9 @@ void setColours(vtkColorTransferFunction* colours, double max);
 /// The perceptually uniform map "viridis" from 0 to `max`.
 vtkSmartPointer<vtkColorTransferFunction> makeColours(double max);
 
+/// Moreland's diverging map "cool to warm" (2009) from -`max`, blue, by grey at 0 to `max`, red.
+vtkSmartPointer<vtkColorTransferFunction> makeSignedColours(double max);
+
 /// The largest radius of a medial axis, world units; 0 where it is empty.
 double maxRadius(vtkPolyData* axis);
 

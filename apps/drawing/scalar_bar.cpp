@@ -88,12 +88,16 @@ vtkSmartPointer<vtkScalarBarActor> makeScalarBar(vtkScalarsToColors* colours, co
   return bar;
 }
 
-void setTicks(vtkScalarBarActor* bar, double max)
+void setTicks(vtkScalarBarActor* bar, double max, bool isSigned)
 {
   vtkNew<vtkDoubleArray> labels;
   for (const double tick : scaleTicks(max))
   {
     labels->InsertNextValue(tick);
+    if (isSigned && tick > 0.0)
+    {
+      labels->InsertNextValue(-tick);
+    }
   }
   bar->SetCustomLabels(labels);
   bar->UseCustomLabelsOn();

@@ -27,7 +27,8 @@ vtkSmartPointer<vtkScalarBarActor> makeScalarBar(vtkScalarsToColors* colours, co
 
 /// Writes scaleTicks() along a scalar bar.
 /// @param max of the bar's colours.
-void setTicks(vtkScalarBarActor* bar, double max);
+/// @param isSigned whether the colours begin at -`max`: the ticks stand below 0, too.
+void setTicks(vtkScalarBarActor* bar, double max, bool isSigned = false);
 
 /// What stands below a scalar bar for places without a value.
 struct NoneKey

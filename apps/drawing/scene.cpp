@@ -56,7 +56,7 @@ void Scene::addScalarBar(vtkColorTransferFunction* colours, const char* title,
   const char* nameOfNone)
 {
   const auto bar = makeScalarBar(colours, title, kFontSize);
-  setTicks(bar, colours->GetRange()[1]);
+  setTicks(bar, colours->GetRange()[1], colours->GetRange()[0] < 0.0);
   this->add(bar);
   if (nameOfNone != nullptr)
   {

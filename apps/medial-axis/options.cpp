@@ -6,6 +6,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <initializer_list>
+
 namespace medial::app
 {
 namespace
@@ -35,6 +37,32 @@ DistanceFieldOptions fieldOptions(const Options& options)
   result.requireHardware = options.device.require;
   result.verify = options.device.verify;
   return result;
+}
+
+/// The options given that change nothing.
+std::vector<Options::Idle> idleOptions(const CLI::App& app, const Options& options)
+{
+  std::vector<Options::Idle> idle;
+  const auto addGiven = [&](std::initializer_list<const char*> names, const char* missing)
+  {
+    for (const char* name : names)
+    {
+      if (app.count(name) > 0)
+      {
+        idle.push_back({ name, missing });
+      }
+    }
+  };
+  if (!options.wantsGrid())
+  {
+    addGiven({ "--resolution", "--spacing", "--padding", "--memory" }, "a grid");
+  }
+  if (!options.wantsAxis())
+  {
+    addGiven({ "--lambda", "--min-radius", "--representation", "--max-spheres", "--topology" },
+      "the axis");
+  }
+  return idle;
 }
 
 } // namespace
@@ -67,6 +95,7 @@ std::optional<Options> parseOptions(int argc, char** argv)
   convertTexts(texts, app.count("--spacing") > 0, options);
   convertSkeleton(texts, { app.count("--topology") > 0, app.count("--min-branch") > 0 }, options);
   checkFiles(options);
+  options.idle = idleOptions(app, options);
   return options;
 }
 

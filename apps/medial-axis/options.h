@@ -13,6 +13,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 namespace medial::app
 {
@@ -61,6 +62,13 @@ struct Options
   int memoryMiB = 0;
   DeviceOptions device;
   bool quiet = false;
+  /// An option given on the command line that changes nothing.
+  struct Idle
+  {
+    const char* name;
+    const char* missing; ///< what it is for, and no output needs
+  };
+  std::vector<Idle> idle;
 
   /// Whether thickness must be within limits.
   bool hasThicknessLimits() const { return minThickness || maxThickness; }

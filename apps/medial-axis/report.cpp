@@ -137,7 +137,8 @@ Json describeThickness(const Result& result, const Options& options)
   { return value ? Json(*value) : Json(nullptr); };
   return { { "method", nameOf(thicknessOptions(options).method) }, { "side", nameOf(options.side) },
     { "angle", angleOf(thicknessOptions(options).method, options.angle) }, { "min", thickness.min },
-    { "median", thickness.median }, { "max", thickness.max },
+    { "percentile_5", thickness.percentile5 }, { "median", thickness.median },
+    { "percentile_95", thickness.percentile95 }, { "max", thickness.max },
     { "share_without", thickness.shareWithout() }, { "triangles", result.thicknessTriangles },
     { "min_limit", limit(limits.min) }, { "max_limit", limit(limits.max) },
     { "regions", options.hasThicknessLimits() ? describeRegions(result.regions) : Json(nullptr) },

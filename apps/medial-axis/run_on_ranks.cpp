@@ -65,10 +65,7 @@ void checkOptions(const Options& options)
 /// What the first process computes alone; null for an axis that all compute.
 const char* reasonForOne(const Options& options)
 {
-  return !options.wantsAxis()                ? nullptr
-    : options.topology == Topology::Preserve ? "--topology preserve"
-    : options.maxSpheres > 0                 ? "--max-spheres"
-                                             : nullptr;
+  return options.wantsAxis() && options.maxSpheres > 0 ? "--max-spheres" : nullptr;
 }
 
 /// What the first process does alone for the thickness; empty for nothing.

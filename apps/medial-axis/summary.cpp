@@ -2,6 +2,7 @@
 
 #include "option_names.h"
 #include "region_table.h"
+#include "standard_output.h"
 
 #include <cmath>
 #include <cstdio>
@@ -106,14 +107,6 @@ void printSeconds(const RunStatistics::Seconds& run, const AppSeconds& app)
     }
   }
   std::printf("total %.2f\n", app.total);
-}
-
-void printFile(const std::filesystem::path& path, const std::string& content)
-{
-  if (!path.empty())
-  {
-    std::printf("wrote     %s: %s\n", path.c_str(), content.c_str());
-  }
 }
 
 void printOutputs(const Options& options, const MedialAxis& axis, const OutputNotes& notes)
@@ -256,6 +249,15 @@ std::string placesOf(const Options& options, const Result& result)
   return text.str();
 }
 
+void printIdleOptions(const Options& options)
+{
+  for (const Options::Idle& option : options.idle)
+  {
+    std::fprintf(stderr, "medial-axis: note: %s has no effect, since no output needs %s\n",
+      option.name, option.missing);
+  }
+}
+
 void printLimitNote(const Options& options, double diagonal)
 {
   const std::optional<double> least = thicknessLimits(options, diagonal).min;
@@ -305,6 +307,7 @@ void printNotes(const Options& options, const Result& result, const OutputNotes&
     return;
   }
   printEngineNote(result.statistics);
+  printIdleOptions(options);
   printSignNotes(options, result.statistics.sign, result.axis.side);
   if (options.wantsAxis() && result.axisPoints == 0)
   {
@@ -341,6 +344,8 @@ void printThickness(const Options& options, const Thickness& thickness)
   }
   std::printf("thickness %s: min %.4g, median %.4g, max %.4g, ", thicknessName(options).c_str(),
     thickness.min, thickness.median, thickness.max);
+  std::printf("90 %% of the points from %.4g to %.4g, ", thickness.percentile5,
+    thickness.percentile95);
   if (thickness.shareWithout() > 0.0)
   {
     std::printf("no value at %.3g %% of the points, ", 100.0 * thickness.shareWithout());

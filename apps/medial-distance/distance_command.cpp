@@ -40,8 +40,8 @@ void addOptions(CLI::App& app, DistanceTexts& texts, DistanceCommand& command)
     ->group(group);
   app
     .add_option("--image", texts.image,
-      "picture of the points, or of their faces, coloured by their distance without its sign; "
-      "needs no display")
+      "picture of the points, or of their faces, coloured by their distance: blue inside and "
+      "red outside, if any are inside; needs no display")
     ->option_text("FILE.png")
     ->group(group);
   app

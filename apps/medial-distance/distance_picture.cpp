@@ -6,12 +6,11 @@
 
 #include <vtkActor.h>
 #include <vtkDataArray.h>
-#include <vtkDoubleArray.h>
-#include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace medial::app
@@ -19,29 +18,11 @@ namespace medial::app
 namespace
 {
 
-constexpr const char* kArray = "Deviation";
+constexpr const char* kArray = "Distance";
 /// Points without faces are dots, in pixels.
 constexpr float kDot = 7.0F;
-
-/// The same cells with the magnitudes of their points' distances.
-vtkSmartPointer<vtkPolyData> withMagnitudes(vtkPolyData* measured, double& max)
-{
-  vtkDataArray* const distances = measured->GetPointData()->GetArray("Distance");
-  vtkNew<vtkDoubleArray> magnitudes;
-  magnitudes->SetName(kArray);
-  magnitudes->SetNumberOfValues(distances->GetNumberOfTuples());
-  max = 0.0;
-  for (vtkIdType i = 0; i < distances->GetNumberOfTuples(); ++i)
-  {
-    const double magnitude = std::fabs(distances->GetTuple1(i));
-    magnitudes->SetValue(i, magnitude);
-    max = std::fmax(max, magnitude);
-  }
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->CopyStructure(measured);
-  data->GetPointData()->AddArray(magnitudes);
-  return data;
-}
+/// What lies inside by a smaller share of the largest distance lies on the surface.
+constexpr double kRounding = 1e-6;
 
 } // namespace
 
@@ -49,29 +30,32 @@ void drawDeviation(vtkPolyData* measured, vtkPolyData* mesh,
   const std::vector<std::string>& caption, const std::filesystem::path& file)
 {
   const VtkMessages messages;
-  double max = 0.0;
-  const vtkSmartPointer<vtkPolyData> data = withMagnitudes(measured, max);
-  const auto colours = makeColours(max > 0.0 ? max : 1.0);
-  const bool hasFaces = data->GetNumberOfPolys() + data->GetNumberOfStrips() > 0;
+  const double* const range = measured->GetPointData()->GetArray(kArray)->GetRange();
+  const double largest = std::max(std::abs(range[0]), std::abs(range[1]));
+  const bool isSigned = range[0] < -kRounding * largest;
+  const double max = largest > 0.0 ? largest : 1.0;
+  const auto colours = isSigned ? makeSignedColours(max) : makeColours(max);
+  const bool hasFaces = measured->GetNumberOfPolys() + measured->GetNumberOfStrips() > 0;
   Scene scene;
-  const auto coloured = makeColoured(data, colours, kArray);
+  const auto coloured = makeColoured(measured, colours, kArray);
   coloured->GetProperty()->SetPointSize(kDot);
   scene.add(coloured);
-  const SurfaceActors around = makeSurface(hasFaces ? data.Get() : mesh);
+  const SurfaceActors around = makeSurface(hasFaces ? measured : mesh);
   if (!hasFaces)
   {
     scene.add(around.faces);
   }
   scene.add(around.edges);
-  scene.addScalarBar(colours, "Deviation\n(world units)");
+  scene.addScalarBar(colours,
+    isSigned ? "Deviation\n(world units,\nbelow 0 inside)" : "Deviation\n(world units)");
   scene.addCaption(caption);
   if (hasFaces)
   {
-    scene.draw({ data }, file);
+    scene.draw({ measured }, file);
   }
   else
   {
-    scene.draw({ mesh, data }, file);
+    scene.draw({ mesh, measured }, file);
   }
 }
 

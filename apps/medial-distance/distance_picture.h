@@ -9,8 +9,9 @@ class vtkPolyData;
 namespace medial::app
 {
 
-/// Draws points, or a mesh, coloured by the magnitude of their array Distance, from 0 to its
-/// maximum, with a caption and a scalar bar, as a PNG file of 1600 x 1200 pixels. Needs no display.
+/// Draws points, or a mesh, coloured by their array Distance: from 0 to its maximum, or, if some of
+/// them lie inside, from blue there by grey on the surface to red outside. With a caption and a
+/// scalar bar, as a PNG file of 1600 x 1200 pixels. Needs no display.
 /// @param measured has the array.
 /// @param mesh that the distances are from; points without faces are drawn around it.
 /// @throws Failure NoGpu if there is no OpenGL, NoSpace if the file cannot be written completely.

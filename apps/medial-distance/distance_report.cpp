@@ -1,6 +1,7 @@
 #include "distance_report.h"
 
 #include "option_names.h"
+#include "standard_output.h"
 
 #include <nlohmann/json.hpp>
 
@@ -56,12 +57,18 @@ void printTable(const DistanceCommand& command, const DistanceResults& results)
   const DistanceSummary summary = summarise(results.distances);
   std::printf("distance  min %.9g, max %.9g; of magnitudes mean %.9g, RMS %.9g\n", summary.min,
     summary.max, summary.mean, summary.rms);
+  std::printf("          median %.9g, 95 %% of them up to %.9g\n", summary.median,
+    summary.percentile95);
   if (results.comparison)
   {
     std::printf("hausdorff %.9g\n", results.comparison->hausdorff());
     printFarthest("points' surface to mesh", results.comparison->ofPoints);
     printFarthest("mesh to points' surface", results.comparison->ofMesh);
   }
+  std::printf("seconds   read %.2f, compute %.2f\n", results.readSeconds, results.computeSeconds);
+  printFile(command.output, "distances of points");
+  printFile(command.image, "picture of the distances");
+  printFile(command.json, "report of the run");
 }
 
 std::string makeJson(const DistanceCommand& command, const DistanceResults& results)
@@ -73,7 +80,7 @@ std::string makeJson(const DistanceCommand& command, const DistanceResults& resu
   json["points"] = { { "path", command.points.string() }, { "count", results.points.size() } };
   json["sign"] = { { "method", nameOf(results.sign.method) }, { "reason", results.sign.reason } };
   json["distance"] = { { "min", summary.min }, { "max", summary.max }, { "mean", summary.mean },
-    { "rms", summary.rms },
+    { "rms", summary.rms }, { "median", summary.median }, { "percentile_95", summary.percentile95 },
     { "inside",
       results.sign.method == SignMethod::None ? Json(nullptr) : Json(countInside(results)) } };
   json["hausdorff"] = results.comparison ? describe(*results.comparison) : Json(nullptr);

@@ -12,10 +12,11 @@ namespace medial::app
 void printTable(const DistanceCommand& command, const DistanceResults& results);
 
 /// @return JSON text with the keys mesh {path, triangles, vertices}, points {path, count}, sign
-///   {method, reason}, distance {min, max, mean, rms, inside}, hausdorff and seconds {read,
-///   compute}. Lengths are in world units; mean and rms are those of the magnitudes; inside is the
-///   number of points with a negative distance. hausdorff is {distance, points_to_mesh,
-///   mesh_to_points}, each of the last two {distance, bound, point}; null if POINTS has no cells.
+///   {method, reason}, distance {min, max, mean, rms, median, percentile_95, inside}, hausdorff and
+///   seconds {read, compute}. Lengths are in world units; mean, rms, median and percentile_95 are
+///   those of the magnitudes; inside is the number of points with a negative distance. hausdorff is
+///   {distance, points_to_mesh, mesh_to_points}, each of the last two {distance, bound, point};
+///   null if POINTS has no cells.
 std::string makeJson(const DistanceCommand& command, const DistanceResults& results);
 
 } // namespace medial::app

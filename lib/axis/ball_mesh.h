@@ -22,6 +22,9 @@ struct BallMesh
   std::vector<std::array<std::uint32_t, 2>> edges;
   std::vector<std::array<std::uint32_t, 3>> triangles;
 
+  /// Merges equal balls, which get another order.
+  void mergeEqual();
+
   void append(const BallMesh& other)
   {
     const auto first = static_cast<std::uint32_t>(balls.size());

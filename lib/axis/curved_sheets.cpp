@@ -3,10 +3,16 @@
 #include "axis/bisector.h"
 #include "axis/tile_order.h"
 
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
+
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace medial
@@ -14,8 +20,10 @@ namespace medial
 namespace
 {
 
-/// By how much larger the ball in the middle of two should be than their mean, voxels.
+/// By how much larger the ball in the middle of two should be than their mean, voxels, where the
+/// separation angle is 90 degrees or less, and at most.
 constexpr double kMinGain = 0.015;
+constexpr double kMaxMinGain = 0.06;
 /// How often triangles are divided.
 constexpr int kMaxRounds = 3;
 /// Two points are on one sheet if one direction to the surface turns by less from one to the other,
@@ -26,6 +34,7 @@ constexpr double kMaxReach = 2.0;
 constexpr double kMinReach = 0.1;
 /// Smaller balls stay as they are, voxels.
 constexpr double kMinBall = 0.02;
+constexpr double kTiny = 1e-12;
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 using Edge = std::array<std::uint32_t, 2>;
@@ -66,30 +75,47 @@ double gapBetween(const BisectorPoint& p, const BisectorPoint& q)
   return 0.125 * std::max(glm::dot(way, a), glm::dot(way, b));
 }
 
+/// By how much larger the ball in the middle of two should be than their mean, voxels.
+///
+/// A point that this ball holds, but no ball between the two, gets one farther along the sheet that
+/// is smaller by the gain times s / (m - s). The radius changes by s = cos(S / 2) along the sheet,
+/// and m is the part along the sheet of the direction from the centre to the point: near the
+/// surface, to which the direction has an angle t, m - s is about t sin(S / 2). So the larger the
+/// angle S, the less a gain matters.
+double minGain(const BisectorPoint& p, const BisectorPoint& q)
+{
+  const double sine = std::min(p.lambda() / p.radius(), q.lambda() / q.radius());
+  const double tangent = sine / std::sqrt(std::max(1.0 - sine * sine, kTiny));
+  return std::clamp(kMinGain * tangent, kMinGain, kMaxMinGain);
+}
+
 class SheetDivision
 {
 public:
-  SheetDivision(const AxisGeometry& geometry, const std::vector<BisectorPoint>& points,
+  SheetDivision(const AxisGeometry& geometry, std::vector<BisectorPoint> points,
     const MedialAxis& axis)
     : geometry_(geometry)
-    , points_(points)
+    , points_(std::move(points))
   {
-    const auto add = [&](std::int64_t a, std::int64_t b, std::int64_t c)
+    const std::size_t ofQuads = 2 * axis.quads.size();
+    open_.resize(ofQuads + axis.triangles.size());
+    const auto triangle = [](std::int64_t a, std::int64_t b, std::int64_t c)
     {
-      open_.push_back({ static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b),
-        static_cast<std::uint32_t>(c) });
+      return Triangle{ static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b),
+        static_cast<std::uint32_t>(c) };
     };
-    for (const auto& [a, b, c, d] : axis.quads)
-    {
-      const bool shorter = glm::distance(points[a].position, points[c].position) <=
-        glm::distance(points[b].position, points[d].position);
-      shorter ? add(a, b, c) : add(b, c, d);
-      shorter ? add(a, c, d) : add(b, d, a);
-    }
-    for (const auto& [a, b, c] : axis.triangles)
-    {
-      add(a, b, c);
-    }
+    tbb::parallel_for(std::size_t{ 0 }, axis.quads.size(),
+      [&](std::size_t q)
+      {
+        const auto& [a, b, c, d] = axis.quads[q];
+        const bool shorter = glm::distance(points_[a].position, points_[c].position) <=
+          glm::distance(points_[b].position, points_[d].position);
+        open_[2 * q] = shorter ? triangle(a, b, c) : triangle(b, c, d);
+        open_[2 * q + 1] = shorter ? triangle(a, c, d) : triangle(b, d, a);
+      });
+    std::transform(axis.triangles.begin(), axis.triangles.end(),
+      open_.begin() + static_cast<std::ptrdiff_t>(ofQuads),
+      [&](const auto& t) { return triangle(t[0], t[1], t[2]); });
   }
 
   BallMesh make()
@@ -98,21 +124,31 @@ public:
     for (int round = 0; round < kMaxRounds && !open_.empty(); ++round)
     {
       this->findMiddles();
-      std::vector<Triangle> divided;
-      for (const Triangle& triangle : open_)
+      const auto blocks = resultsOfBlocks(geometry_, open_.size(),
+        [&](std::size_t begin, std::size_t end)
+        { return this->divided(open_.data() + begin, open_.data() + end); });
+      open_.clear();
+      for (const Division& block : blocks)
       {
-        if (!this->divide(triangle, divided) && round > 0)
+        open_.insert(open_.end(), block.parts.begin(), block.parts.end());
+        if (round > 0) // the axis has these otherwise
         {
-          parts.push_back(triangle);
+          parts.insert(parts.end(), block.whole.begin(), block.whole.end());
         }
       }
-      open_ = std::move(divided);
     }
     parts.insert(parts.end(), open_.begin(), open_.end());
     return this->meshOf(std::move(parts));
   }
 
 private:
+  /// What becomes of some triangles.
+  struct Division
+  {
+    std::vector<Triangle> parts; ///< of those that are divided
+    std::vector<Triangle> whole; ///< the others
+  };
+
   void findMiddles()
   {
     const auto edgeParts = resultsOfBlocks(geometry_, open_.size(),
@@ -123,17 +159,22 @@ private:
     {
       edges.insert(edges.end(), part.begin(), part.end());
     }
-    std::sort(edges.begin(), edges.end());
+    tbb::parallel_sort(edges.begin(), edges.end());
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     const auto middleParts = resultsOfBlocks(geometry_, edges.size(),
       [&](std::size_t begin, std::size_t end)
       { return this->middlesOf(edges.data() + begin, edges.data() + end); });
     middles_.clear();
+    hasMiddles_.assign(points_.size(), 0);
+    points_.reserve(std::accumulate(middleParts.begin(), middleParts.end(), points_.size(),
+      [](std::size_t sum, const std::vector<Middle>& part) { return sum + part.size(); }));
     for (const std::vector<Middle>& part : middleParts)
     {
       for (const auto& [edge, point] : part)
       {
         middles_.emplace_back(edge, static_cast<std::uint32_t>(points_.size()));
+        hasMiddles_[edge[0]] = 1;
+        hasMiddles_[edge[1]] = 1;
         points_.push_back(point);
       }
     }
@@ -147,7 +188,9 @@ private:
       for (std::size_t k = 0; k < 3; ++k)
       {
         const Edge edge = edgeOf((*t)[k], (*t)[(k + 1) % 3]);
-        if (gapBetween(points_[edge[0]], points_[edge[1]]) > kMinGain)
+        const BisectorPoint& p = points_[edge[0]];
+        const BisectorPoint& q = points_[edge[1]];
+        if (gapBetween(p, q) > minGain(p, q))
         {
           edges.push_back(edge);
         }
@@ -173,7 +216,7 @@ private:
     {
       const Edge& edge = begin[which[s]];
       const BisectorPoint& p = points_[edge[0]];
-      if (points[s].radius() > this->meanRadius(edge) + kMinGain &&
+      if (points[s].radius() > this->wantedRadius(edge) &&
         geometry_.insideGrid(points[s].position) &&
         !geometry_.isAcross(p.position, p.radius(), points[s]))
       {
@@ -198,7 +241,7 @@ private:
       const glm::dvec3 way = middles[i].x - closest.point;
       const double radius = glm::length(way);
       const double reach = this->reachAcross(begin[i]);
-      if (radius > kMinBall && radius + reach > this->meanRadius(begin[i]) + kMinGain)
+      if (radius > kMinBall && radius + reach > this->wantedRadius(begin[i]))
       {
         const glm::dvec3 to = middles[i].x + way * (reach / radius);
         ends.push_back({ to, closestPoint(geometry_.sites, closest.site, to) });
@@ -235,16 +278,36 @@ private:
     return closestPoint(geometry_.sites, site, point.position);
   }
 
-  double meanRadius(const Edge& edge) const
+  /// Returns the radius from which on a ball in the middle of an edge is of use.
+  double wantedRadius(const Edge& edge) const
   {
-    return 0.5 * (points_[edge[0]].radius() + points_[edge[1]].radius());
+    const BisectorPoint& p = points_[edge[0]];
+    const BisectorPoint& q = points_[edge[1]];
+    return 0.5 * (p.radius() + q.radius()) + minGain(p, q);
   }
 
   std::uint32_t middleOf(const Edge& edge) const
   {
+    if (hasMiddles_[edge[0]] == 0 || hasMiddles_[edge[1]] == 0)
+    {
+      return kNone;
+    }
     const auto at = std::lower_bound(middles_.begin(), middles_.end(), edge,
       [](const auto& middle, const Edge& wanted) { return middle.first < wanted; });
     return at != middles_.end() && at->first == edge ? at->second : kNone;
+  }
+
+  Division divided(const Triangle* begin, const Triangle* end) const
+  {
+    Division division;
+    for (const Triangle* t = begin; t != end; ++t)
+    {
+      if (!this->divide(*t, division.parts))
+      {
+        division.whole.push_back(*t);
+      }
+    }
+    return division;
   }
 
   /// Divides a triangle at the middles of its edges. Returns whether there are any.
@@ -310,14 +373,15 @@ private:
   std::vector<BisectorPoint> points_;                   ///< those of the axis, then middles
   std::vector<Triangle> open_;                          ///< not yet known to be flat enough
   std::vector<std::pair<Edge, std::uint32_t>> middles_; ///< of this round, ascending
+  std::vector<std::uint8_t> hasMiddles_; ///< whether edges of a point, not of a new one, have any
 };
 
 } // namespace
 
-BallMesh divideCurvedSheets(const AxisGeometry& geometry, const std::vector<BisectorPoint>& points,
+BallMesh divideCurvedSheets(const AxisGeometry& geometry, std::vector<BisectorPoint> points,
   const MedialAxis& axis)
 {
-  return SheetDivision(geometry, points, axis).make();
+  return SheetDivision(geometry, std::move(points), axis).make();
 }
 
 } // namespace medial

@@ -15,7 +15,7 @@ namespace medial
 /// @param points of the axis.
 /// @param axis its quads count as two triangles.
 /// @return the parts of divided triangles; local coordinates. All balls have no surface inside.
-BallMesh divideCurvedSheets(const AxisGeometry& geometry, const std::vector<BisectorPoint>& points,
+BallMesh divideCurvedSheets(const AxisGeometry& geometry, std::vector<BisectorPoint> points,
   const MedialAxis& axis);
 
 } // namespace medial

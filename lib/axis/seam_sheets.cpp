@@ -87,6 +87,7 @@ private:
     {
       this->addSheets(cell, part.sheets);
     }
+    part.sheets.mergeEqual(); // neighbouring cells share them
     return part;
   }
 

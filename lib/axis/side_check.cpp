@@ -1,7 +1,5 @@
 #include "axis/side_check.h"
 
-#include "sign/inside_query.h"
-
 #include <algorithm>
 #include <memory>
 #include <utility>
@@ -9,12 +7,11 @@
 namespace medial
 {
 
-SideCheck::SideCheck(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
-  const LocalCoordinates& local)
+SideCheck::SideCheck(std::function<InsideQuery()> makeInside)
   : SideCheck(
-      [&mesh, &connectivity, &local]() -> Inside
+      [make = std::move(makeInside)]() -> Inside
       {
-        const auto query = std::make_shared<const InsideQuery>(mesh, connectivity, local);
+        const auto query = std::make_shared<const InsideQuery>(make());
         return [query](const glm::dvec3& x) { return query->contains(x); };
       })
 {
@@ -33,7 +30,7 @@ bool SideCheck::isAcross(const glm::dvec3& known, double reach, const BisectorPo
 
 const SideCheck::Inside& SideCheck::inside() const
 {
-  std::call_once(once_, [this] { inside_ = makeInside_(); });
+  tbb::collaborative_call_once(once_, [this] { inside_ = makeInside_(); });
   return inside_;
 }
 

@@ -1,14 +1,13 @@
 #pragma once
 
 #include "axis/bisector_point.h"
-#include "medial/mesh_connectivity.h"
-#include "medial/triangle_mesh.h"
-#include "sites/local_coordinates.h"
+#include "sign/inside_query.h"
 
 #include <glm/glm.hpp>
 
+#include <tbb/collaborative_call_once.h>
+
 #include <functional>
-#include <mutex>
 
 namespace medial
 {
@@ -18,19 +17,17 @@ namespace medial
 /// bisector of its walls.
 ///
 /// Most answers follow from balls, which no surface enters. The others need an exact query, which
-/// is built when it is first needed. Several threads may ask at once.
+/// is built when it is first needed, by all threads that wait for it. Several threads may ask at
+/// once.
 class SideCheck
 {
 public:
   /// Tells whether a position is inside; local coordinates.
   using Inside = std::function<bool(const glm::dvec3& x)>;
 
-  /// All arguments must outlive this.
-  /// @param local coordinates of the points.
-  SideCheck(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
-    const LocalCoordinates& local);
   /// @param makeInside called when it is first needed.
   explicit SideCheck(std::function<Inside()> makeInside);
+  explicit SideCheck(std::function<InsideQuery()> makeInside);
 
   /// @param known a point on the right side.
   /// @param reach no surface is nearer to it than this; 0 if that is not known.
@@ -40,7 +37,7 @@ private:
   const Inside& inside() const;
 
   std::function<Inside()> makeInside_;
-  mutable std::once_flag once_;
+  mutable tbb::collaborative_once_flag once_;
   mutable Inside inside_;
 };
 

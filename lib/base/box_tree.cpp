@@ -3,6 +3,7 @@
 #include "base/longest_axis.h"
 
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <numeric>
@@ -16,6 +17,15 @@ constexpr int kLeafSize = 4;
 /// Nodes of a part that one thread refits.
 constexpr int kPartSize = 2048;
 
+/// Elements of a node below which one thread splits.
+constexpr int kAlone = 4096;
+
+/// Nodes of the tree over so many elements: all leaves but the last are full.
+int nodesOver(int count)
+{
+  return 2 * std::max(1, (count + kLeafSize - 1) / kLeafSize) - 1;
+}
+
 double halfArea(const Box& box)
 {
   const glm::dvec3 size = box.size();
@@ -26,30 +36,31 @@ double halfArea(const Box& box)
 
 void BoxTree::build(const std::vector<glm::dvec3>& points, const std::vector<glm::ivec3>& corners)
 {
+  const auto count = static_cast<int>(corners.size());
   std::vector<Box> boxes(corners.size());
-  for (std::size_t i = 0; i < corners.size(); ++i)
-  {
-    for (int k = 0; k < 3; ++k)
+  tbb::parallel_for(0, count,
+    [&](int i)
     {
-      boxes[i].add(points[corners[i][k]]);
-    }
-  }
-  nodes_.clear();
+      for (int k = 0; k < 3; ++k)
+      {
+        boxes[i].add(points[corners[i][k]]);
+      }
+    });
+  nodes_.resize(nodesOver(count));
   elements_.resize(corners.size());
   std::iota(elements_.begin(), elements_.end(), 0);
-  this->split(boxes, 0, static_cast<int>(corners.size()));
+  this->split(boxes, 0, 0, count);
   this->prepareRefit(corners);
   this->refit(points);
   builtCost_ = this->cost();
 }
 
-int BoxTree::split(const std::vector<Box>& boxes, int begin, int end)
+void BoxTree::split(const std::vector<Box>& boxes, int node, int begin, int end)
 {
-  const int node = static_cast<int>(nodes_.size());
-  nodes_.push_back({ {}, 0, begin, end - begin });
+  nodes_[node] = { {}, 0, begin, end - begin };
   if (end - begin <= kLeafSize)
   {
-    return node;
+    return;
   }
   // Twice the centre of an element's box: its sum.
   const auto centre = [&](int element) { return boxes[element].min + boxes[element].max; };
@@ -69,11 +80,20 @@ int BoxTree::split(const std::vector<Box>& boxes, int begin, int end)
       const double y = centre(b)[axis];
       return x < y || (x == y && a < b);
     });
+  const int second = node + 1 + nodesOver(middle - begin);
   nodes_[node].count = 0;
-  this->split(boxes, begin, middle);
-  const int second = this->split(boxes, middle, end);
   nodes_[node].second = second;
-  return node;
+  const auto first = [&] { this->split(boxes, node + 1, begin, middle); };
+  const auto other = [&] { this->split(boxes, second, middle, end); };
+  if (end - begin < kAlone)
+  {
+    first();
+    other();
+  }
+  else
+  {
+    tbb::parallel_invoke(first, other);
+  }
 }
 
 void BoxTree::prepareRefit(const std::vector<glm::ivec3>& corners)

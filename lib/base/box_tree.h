@@ -70,7 +70,7 @@ private:
     int end;
   };
 
-  int split(const std::vector<Box>& boxes, int begin, int end);
+  void split(const std::vector<Box>& boxes, int node, int begin, int end);
   /// Lists the points of every leaf and the parts that are refitted side by side.
   void prepareRefit(const std::vector<glm::ivec3>& corners);
   void addParts(int node, int end, int largest);

@@ -28,6 +28,7 @@ public:
   }
   LazyTable(int ids, std::size_t values)
     : ids_(ids)
+    , count_(values)
     , values_(new Value[values])
     , made_((ids + kChunk - 1) / kChunk)
     , making_(std::make_unique<Mutexes>())
@@ -57,6 +58,14 @@ public:
     made_[chunk].store(true, std::memory_order_release);
   }
 
+  /// Forgets all values and frees their memory. No other thread may use the table meanwhile.
+  void forget()
+  {
+    values_.reset(); // before there are others
+    values_.reset(new Value[count_]);
+    std::fill(made_.begin(), made_.end(), false);
+  }
+
   /// Returns a value of an id that has been prepared.
   const Value& operator[](std::size_t index) const { return values_[index]; }
 
@@ -66,6 +75,7 @@ private:
   static constexpr int kChunk = 64;
 
   int ids_;
+  std::size_t count_; ///< of values
   std::unique_ptr<Value[]> values_;
   mutable std::vector<std::atomic<bool>> made_;
   std::unique_ptr<Mutexes> making_; ///< each for some of the chunks

@@ -33,6 +33,14 @@ public:
   /// Half-spaces of all sites that have been listed.
   const SiteBounds& bounds() const { return bounds_; }
 
+  /// Frees the memory of what has been made for the tests, which make it again.
+  void forget()
+  {
+    bounds_.forget();
+    facePlanes_.forget();
+    edgeLines_.forget();
+  }
+
   /// The elements of the mesh.
   const GroupTree& tree() const { return tree_; }
 

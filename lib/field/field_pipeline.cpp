@@ -68,6 +68,12 @@ FieldPipeline::FieldPipeline(const TriangleMesh& mesh, const MeshConnectivity& c
   statistics_.sign = sign_->report();
 }
 
+InsideQuery FieldPipeline::insideQuery() const
+{
+  return this->sign() == SignMethod::Winding ? InsideQuery(sign_->surface())
+                                             : InsideQuery(mesh_, connectivity_, frame_);
+}
+
 void FieldPipeline::run(FieldEngine& engine, FieldSink& sink)
 {
   engine.run(this->prepare(engine), sink);

@@ -6,6 +6,7 @@
 #include "field/host_inside.h"
 #include "field/host_sites.h"
 #include "medial/distance_field.h"
+#include "sign/inside_query.h"
 #include "sign/sign_choice.h"
 #include "sites/grid_frame.h"
 
@@ -34,6 +35,8 @@ public:
   /// Per triangle 1 if it faces outwards as it is, or -1. Empty without a sign.
   const std::vector<std::int8_t>& directions() const { return sign_->directions(); }
   const GridFrame& frame() const { return frame_; }
+  /// Makes what tells inside from outside at any position, local coordinates.
+  InsideQuery insideQuery() const;
   RunStatistics& statistics() { return statistics_; }
 
   /// Computes the field.
@@ -47,6 +50,8 @@ public:
   const SiteSet& sites() const { return host_->sites(); }
   /// Exact closest points. Available after a run.
   const SiteQuery& query() const { return host_->query(); }
+  /// Frees memory that a field takes, and queries don't.
+  void forgetField() { host_->forgetFilter(); }
 
 private:
   FieldJob prepare(const FieldEngine& engine);

@@ -43,6 +43,10 @@ void FieldWriter::begin(const Extent& slab, const FieldArrays& arrays)
 
 void FieldWriter::store(const ResolvedSlab& values) const
 {
+  if (!arrays_.any())
+  {
+    return;
+  }
   const int rowLength = slab_.size(0);
   const std::int64_t rows = static_cast<std::int64_t>(slab_.size(1)) * slab_.size(2);
   tbb::parallel_for(std::int64_t{ 0 }, rows,
@@ -52,33 +56,57 @@ void FieldWriter::store(const ResolvedSlab& values) const
       const glm::ivec3 first(slab_.min[0],
         slab_.min[1] + static_cast<int>(row - static_cast<std::int64_t>(slice) * slab_.size(1)),
         slab_.min[2] + slice);
-      std::vector<float> sides(inside_ != nullptr ? rowLength : 0);
-      if (inside_ != nullptr)
-      {
-        inside_->write(first, rowLength, sides.data());
-      }
       const std::int64_t start = row * rowLength;
-      for (std::int64_t i = start; i < start + rowLength; ++i)
+      if (arrays_.distance)
       {
-        if (arrays_.distance)
-        {
-          const float side = inside_ != nullptr ? sides[i - start] : 1.0f;
-          arrays_.distance[i] =
-            side * static_cast<float>(static_cast<double>(*values.distances.at(i)) * frame_.unit);
-        }
-        if (arrays_.closestPoint)
-        {
-          const glm::dvec3 sample =
-            frame_.sample(glm::dvec3(first) + glm::dvec3(static_cast<double>(i - start), 0.0, 0.0));
-          storePoint(frame_.toWorld(sample + glm::dvec3(glm::make_vec3(values.vectors.at(i)))),
-            arrays_.closestPoint + 3 * i);
-        }
+        this->storeDistances(values.distances, start, first);
+      }
+      for (std::int64_t i = start; arrays_.closestPoint && i < start + rowLength; ++i)
+      {
+        const glm::dvec3 sample =
+          frame_.sample(glm::dvec3(first) + glm::dvec3(static_cast<double>(i - start), 0.0, 0.0));
+        storePoint(frame_.toWorld(sample + glm::dvec3(glm::make_vec3(values.vectors.at(i)))),
+          arrays_.closestPoint + 3 * i);
       }
       if (values.sites != nullptr)
       {
         this->storeIds(start, rowLength, values.sites + start);
       }
     });
+}
+
+void FieldWriter::storeDistances(const StridedValues& distances, std::int64_t start,
+  const glm::ivec3& first) const
+{
+  const int count = slab_.size(0);
+  const double unit = frame_.unit;
+  const float* from = distances.at(start);
+  float* to = arrays_.distance + start;
+  const auto convert = [&](std::ptrdiff_t stride)
+  {
+    for (int i = 0; i < count; ++i)
+    {
+      to[i] = static_cast<float>(static_cast<double>(from[i * stride]) * unit);
+    }
+  };
+  // A loop of its own for values side by side, which compilers turn into vector instructions.
+  if (distances.stride == 1)
+  {
+    convert(1);
+  }
+  else
+  {
+    convert(distances.stride);
+  }
+  if (inside_ != nullptr)
+  {
+    std::vector<float> sides(count);
+    inside_->write(first, count, sides.data());
+    for (int i = 0; i < count; ++i)
+    {
+      to[i] *= sides[i];
+    }
+  }
 }
 
 void FieldWriter::store(const Extent& tile, const TileField& field) const

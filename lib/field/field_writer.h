@@ -47,6 +47,9 @@ public:
   void store(const Extent& tile, const TileField& field) const;
 
 private:
+  /// Those of a row.
+  void storeDistances(const StridedValues& distances, std::int64_t start,
+    const glm::ivec3& first) const;
   void storeDistances(std::int64_t target, const glm::ivec3& first, int count,
     const TileField& field, int row) const;
   /// Returns the distance of a grid point from its site in double precision, world units.

@@ -59,6 +59,14 @@ const CandidateFilter& HostSites::filter() const
   return *filter_;
 }
 
+void HostSites::forgetFilter()
+{
+  if (filter_)
+  {
+    filter_->forget();
+  }
+}
+
 const SiteQuery& HostSites::query() const
 {
   if (!query_)

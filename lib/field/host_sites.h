@@ -36,6 +36,8 @@ public:
 
   const SiteSet& sites() const;
   const CandidateFilter& filter() const;
+  /// Frees memory that fields take, and queries don't, until there is another field.
+  void forgetFilter();
   /// Exact closest points.
   const SiteQuery& query() const;
   /// pseudonormals() of all sites, turned outwards.

@@ -11,12 +11,16 @@ constexpr std::size_t kDefaultMemoryMiB = 512;
 
 } // namespace
 
+std::size_t slabMemory(std::size_t memoryMiB)
+{
+  return (memoryMiB > 0 ? memoryMiB : kDefaultMemoryMiB) * 1024 * 1024;
+}
+
 int slabSlices(const Extent& extent, std::size_t bytesPerPoint, std::size_t memoryMiB)
 {
-  const std::size_t bytes = (memoryMiB > 0 ? memoryMiB : kDefaultMemoryMiB) * 1024 * 1024;
   const std::size_t slice = std::max<std::size_t>(bytesPerPoint, 1) *
     static_cast<std::size_t>(extent.size(0)) * static_cast<std::size_t>(extent.size(1));
-  const std::size_t fitting = bytes / slice;
+  const std::size_t fitting = slabMemory(memoryMiB) / slice;
   int slices = kMaxSlices;
   while (slices > 1 && static_cast<std::size_t>(slices) > fitting)
   {

@@ -24,7 +24,7 @@ std::vector<ListedDevice> openableDevices();
 /// OpenGL exclude those of GLEW.)
 ///
 /// Unless one is asked for, every EGL device is tried, hardware before software renderers, then
-/// Mesa's surfaceless platform.
+/// EGL's surfaceless platform.
 class EglContext
 {
 public:

@@ -77,7 +77,8 @@ std::vector<EglDisplay> eglDisplays()
     return displays;
   }
   if (hasExtension(extensions, "EGL_EXT_platform_device") &&
-    hasExtension(extensions, "EGL_EXT_device_enumeration"))
+    (hasExtension(extensions, "EGL_EXT_device_enumeration") ||
+      hasExtension(extensions, "EGL_EXT_device_base")))
   {
     constexpr EGLint kMaxDevices = 32;
     EGLDeviceEXT devices[kMaxDevices];
@@ -93,7 +94,7 @@ std::vector<EglDisplay> eglDisplays()
   {
     displays.push_back(
       { eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr),
-        "Mesa's surfaceless platform" });
+        "EGL's surfaceless platform" });
   }
   return displays;
 }

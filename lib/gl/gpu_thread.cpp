@@ -278,6 +278,11 @@ int GpuThread::contextNumber()
   return State::here != nullptr ? State::here->number : 0;
 }
 
+bool GpuThread::isSoftware()
+{
+  return State::here->device.software;
+}
+
 void GpuThread::loseContext()
 {
   State::here->lost = true;

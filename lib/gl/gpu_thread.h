@@ -32,6 +32,8 @@ public:
   /// The number of the context on the GPU thread, from 1 on; to be called there. (On other threads
   /// it is 0.) Objects belong to one context.
   static int contextNumber();
+  /// Whether the GPU thread, which must be the caller, computes on a software renderer.
+  static bool isSoftware();
   /// Notes that the context is lost. GPU thread only.
   static void loseContext();
 

@@ -4,6 +4,7 @@
 
 #include "balls/ball_union.h"
 #include "base/stopwatch.h"
+#include "measure/nearby_model.h"
 #include "measure/sample_values.h"
 #include "measure/surface_samples.h"
 #include "measure/uncovered_places.h"
@@ -57,11 +58,16 @@ MedialModel ballsOf(const MedialModel& model, std::size_t step,
 std::vector<char> coveredBy(const MedialModel& model, bool interpolate,
   const std::vector<glm::dvec3>& samples, double reach, const Run& run)
 {
-  if (model.centres.empty())
+  // A tree over the few places that are left is built much faster than one over the model.
+  constexpr std::size_t kManyBalls = 8; // for each sample
+  const bool isLarge = model.centres.size() > kManyBalls * samples.size();
+  const MedialModel near = isLarge ? modelNear(model, interpolate, samples, reach) : MedialModel();
+  const MedialModel& searched = isLarge ? near : model;
+  if (searched.centres.empty())
   {
     return std::vector<char>(samples.size(), 0);
   }
-  const BallUnion solid(model, interpolate);
+  const BallUnion solid(searched, interpolate);
   const std::vector<double> covered = sampleValues(run.part(0.2, 1.0), samples.size(),
     kCoveragePhase, [&](std::size_t i) { return solid.covers(samples[i], -reach) ? 1.0 : 0.0; });
   return { covered.begin(), covered.end() };

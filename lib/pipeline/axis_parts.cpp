@@ -72,15 +72,16 @@ AxisParts::AxisParts(const TriangleMesh& mesh, const MeshConnectivity& connectiv
   checkSeparationAngle(options.angle);
   if (this->sign() != SignMethod::None)
   {
-    side_.emplace(mesh, connectivity, pipeline_.frame());
+    side_.emplace([this] { return pipeline_.insideQuery(); });
   }
 }
 
 void AxisParts::computeField(FieldSink& sink)
 {
-  FieldEngine& engine = obtainEngine(options_.field.engine, options_.field.device, state_.engine);
+  FieldEngine& engine = obtainEngine(options_.field, state_.engine);
   const Side side = this->sign() == SignMethod::None ? Side::Both : options_.side;
   crossings_ = pipeline_.run(engine, sink, CrossingSelection{ bandAngle(options_.angle), side });
+  pipeline_.forgetField();
   if (!std::is_sorted(crossings_.begin(), crossings_.end(), inLowerSlice))
   {
     std::stable_sort(crossings_.begin(), crossings_.end(), inLowerSlice);
@@ -132,11 +133,11 @@ MedialAxis AxisParts::part(std::size_t number, Side side, double fraction, const
       const AxisGeometry geometry{ pipeline_.sites(), pipeline_.query(), frame, grid_.wholeExtent(),
         grid_.wholeExtent(), glm::radians(options_.angle), 0.0, 0.0, checkpoint,
         side_ ? &*side_ : nullptr };
-      const BisectorPoints points = surfaceOf(geometry, crossings, axis);
+      BisectorPoints points = surfaceOf(geometry, crossings, axis);
       setAxisPoints(points, frame, axis);
       this->keepPart(number, axis);
       seams = sheetsAtSeams(geometry, crossings, { first, end });
-      seams.append(divideCurvedSheets(geometry, points.points, axis));
+      seams.append(divideCurvedSheets(geometry, std::move(points.points), axis));
       toWorld(frame, seams);
     });
   return axis;

@@ -67,6 +67,9 @@ public:
     }
   }
 
+  /// Frees the memory of what parts are made from.
+  void dropCrossings() { crossings_ = {}; }
+
 private:
   MedialAxis part(std::size_t number, Side side, double fraction, const Run& run, BallMesh& seams);
   void keepPart(std::size_t number, MedialAxis& axis) const;

@@ -19,7 +19,7 @@ RunStatistics computeField(const TriangleMesh& mesh, const MeshConnectivity& con
     {
       const Run run(options.execution);
       FieldPipeline pipeline(mesh, connectivity, grid, extent, options, state.orienter, run);
-      pipeline.run(obtainEngine(options.engine, options.device, state.engine), sink);
+      pipeline.run(obtainEngine(options, state.engine), sink);
       run.report(1.0, "distance field");
       return pipeline.statistics();
     });

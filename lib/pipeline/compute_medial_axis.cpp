@@ -123,16 +123,16 @@ MedialAxis runPipeline(const TriangleMesh& mesh, const MeshConnectivity& connect
     requireMemory(grid.pointCount(), kPreservationBytes);
     tap.emplace(sink, grid.wholeExtent(), axis.side);
   }
-  std::vector<Crossing> crossings = pipeline.run(
-    obtainEngine(options.field.engine, options.field.device, state.engine), tap ? *tap : sink,
-    CrossingSelection{ selectionAngle(options), axis.side, tap ? &*tap : nullptr });
+  std::vector<Crossing> crossings =
+    pipeline.run(obtainEngine(options.field, state.engine), tap ? *tap : sink,
+      CrossingSelection{ selectionAngle(options), axis.side, tap ? &*tap : nullptr });
   run.report(kSelected, "medial axis");
   run.onThreads(
     [&]
     {
       const Stopwatch watch(pipeline.statistics().seconds.medial);
       const Checkpoint checkpoint(run, kSelected, "medial axis");
-      const SideCheck side(mesh, connectivity, pipeline.frame());
+      const SideCheck side([&] { return pipeline.insideQuery(); });
       buildAxis(options, pipeline, grid, tap ? &*tap : nullptr,
         axis.sign == SignMethod::None ? nullptr : &side, checkpoint, crossings, axis);
     });

@@ -2,6 +2,7 @@
 
 #include "base/checkpoint.h"
 #include "base/hilbert_curve.h"
+#include "base/order_statistics.h"
 #include "base/run.h"
 #include "base/vectors.h"
 #include "medial/error.h"
@@ -132,6 +133,15 @@ auto onThreads(const Run& run, const std::string& what, const Work& work)
   }
 }
 
+/// Returns the smallest of some magnitudes that no more than a share of them exceed.
+double quantile(std::vector<double>& magnitudes, double exceeding)
+{
+  const auto found =
+    magnitudes.begin() + indexBefore(exceeding, static_cast<std::int64_t>(magnitudes.size()));
+  std::nth_element(magnitudes.begin(), found, magnitudes.end());
+  return *found;
+}
+
 } // namespace
 
 DistanceSummary summarise(const PointDistances& distances)
@@ -140,7 +150,7 @@ DistanceSummary summarise(const PointDistances& distances)
   const std::vector<double>& values = distances.distance;
   if (values.empty())
   {
-    return { kNone, kNone, kNone, kNone };
+    return { kNone, kNone, kNone, kNone, kNone, kNone };
   }
   DistanceSummary summary;
   const auto [min, max] = std::minmax_element(values.begin(), values.end());
@@ -155,6 +165,11 @@ DistanceSummary summarise(const PointDistances& distances)
     summary.rms += value / scale * (value / scale) / count;
   }
   summary.rms = scale * std::sqrt(summary.rms);
+  std::vector<double> magnitudes(values.size());
+  std::transform(values.begin(), values.end(), magnitudes.begin(),
+    [](double value) { return std::abs(value); });
+  summary.median = quantile(magnitudes, 0.5);
+  summary.percentile95 = quantile(magnitudes, 0.05);
   return summary;
 }
 

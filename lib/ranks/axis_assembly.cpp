@@ -71,10 +71,10 @@ void renamePoints(const std::vector<std::int64_t>& target, MedialAxis& axis)
   rename(axis.vertices);
 }
 
-/// Numbers the cells of all ranks, whose points have their numbers: vertices, lines, quads and
-/// triangles.
-void numberCells(Communicator& communicator, const AxisAssembly::PolygonKeys& polygons,
-  std::int64_t span, AxisPiece& piece)
+} // namespace
+
+void numberCells(Communicator& communicator, const PolygonKeys& polygons, std::int64_t span,
+  AxisPiece& piece)
 {
   const auto number = [&](const std::vector<GlobalKey>& keys, std::int64_t keySpan)
   {
@@ -100,8 +100,6 @@ void numberCells(Communicator& communicator, const AxisAssembly::PolygonKeys& po
   number(polygons.quads, span);
   number(polygons.triangles, span);
 }
-
-} // namespace
 
 AxisAssembly::AxisAssembly(Communicator& communicator, const GridShare& share, const OwnAxis& own,
   int halo)

@@ -15,17 +15,23 @@
 namespace medial
 {
 
+/// Numbers of the quads that polygons were.
+struct PolygonKeys
+{
+  std::vector<GlobalKey> quads;
+  std::vector<GlobalKey> triangles;
+};
+
+/// Sets the global ids of the cells of all ranks, whose points have theirs: vertices, lines, quads
+/// and triangles. Every rank calls it.
+/// @param span first numbers of polygons are in [0, span).
+void numberCells(Communicator& communicator, const PolygonKeys& polygons, std::int64_t span,
+  AxisPiece& piece);
+
 /// The cells of a rank's part of an axis, made from all points and quads in it and in a halo.
 class AxisAssembly
 {
 public:
-  /// Numbers of the quads that polygons were.
-  struct PolygonKeys
-  {
-    std::vector<GlobalKey> quads;
-    std::vector<GlobalKey> triangles;
-  };
-
   /// Every rank calls it. Doubles the halo until ranks agree on what became of each other's points.
   /// @param own of this rank.
   /// @param halo to start with, grid cells.

@@ -143,6 +143,15 @@ std::vector<T> combined(Communicator& communicator, const std::vector<T>& own,
   return result;
 }
 
+/// Sends a list to the first rank, and returns there what all have sent, in the order of ranks.
+template <typename T>
+std::vector<T> atFirst(Communicator& communicator, std::vector<T> own)
+{
+  RankLists<T> lists = listsFor<T>(communicator);
+  lists.at(0) = std::move(own);
+  return flattened(exchanged(communicator, std::move(lists)));
+}
+
 /// Sends each item to the rank that homeOf(item) names, and returns what came here, in the order of
 /// ranks.
 template <typename T, typename HomeOf>

@@ -7,15 +7,19 @@
 #include "base/run.h"
 #include "base/stopwatch.h"
 #include "culling/extent_parts.h"
+#include "field/field_tap.h"
 #include "medial/ranks.h"
 #include "pipeline/axis_options.h"
 #include "ranks/axis_assembly.h"
 #include "ranks/collective.h"
 #include "ranks/counting_communicator.h"
+#include "ranks/field_part.h"
 #include "ranks/inside_part.h"
 #include "ranks/part_axis.h"
+#include "ranks/preserved_pieces.h"
 #include "ranks/rank_field.h"
 #include "ranks/rim_exchange.h"
+#include "ranks/sites_here.h"
 #include "ranks/whole_piece.h"
 #include "ranks/work_cut.h"
 
@@ -42,12 +46,10 @@ constexpr std::int64_t kEnoughBoxes = 4096;
 void checkOptions(const MedialAxisOptions& options)
 {
   checkAxisOptions(options);
-  const bool preserve = options.topology == Topology::Preserve;
-  if (preserve || options.maxSpheres > 0)
+  if (options.maxSpheres > 0)
   {
     throw Error(ErrorCode::InvalidInput,
-      std::string(preserve ? "preserved topology" : "a maximum number of spheres") +
-        " needs the whole axis in one process");
+      "a maximum number of spheres needs the whole axis in one process");
   }
 }
 
@@ -56,29 +58,6 @@ struct SharedCrossing
 {
   Crossing crossing;
   std::int64_t number; ///< as AxisOrder
-};
-
-/// Finds the sites of a part by their numbers in the whole surface.
-class SitesHere
-{
-public:
-  explicit SitesHere(const std::vector<std::int32_t>& numbers)
-  {
-    for (std::size_t i = 0; i < numbers.size(); ++i)
-    {
-      sites_.emplace_back(numbers[i], static_cast<std::int32_t>(i));
-    }
-    std::sort(sites_.begin(), sites_.end());
-  }
-
-  /// The site must be here.
-  std::int32_t find(std::int32_t number) const
-  {
-    return std::lower_bound(sites_.begin(), sites_.end(), std::pair(number, 0))->second;
-  }
-
-private:
-  std::vector<std::pair<std::int32_t, std::int32_t>> sites_; ///< in the whole, here
 };
 
 /// Returns the boxes of a grid that have crossings, and how many.
@@ -97,6 +76,17 @@ std::vector<WorkBox> crossingsInBoxes(const std::vector<SharedCrossing>& crossin
     boxes.push_back({ wholeParts({ first, first }, size, whole), static_cast<double>(count) });
   }
   return boxes;
+}
+
+/// Returns an extent with some layers of points around it, as far as the grid has them.
+Extent withMargin(Extent extent, int margin, const Grid& grid)
+{
+  for (int axis = 0; axis < 3 && !extent.empty(); ++axis)
+  {
+    extent.min[axis] = std::max(extent.min[axis] - margin, 0);
+    extent.max[axis] = std::min(extent.max[axis] + margin, grid.dimensions[axis] - 1);
+  }
+  return extent;
 }
 
 /// Computes the axis of a rank's part, in steps that all ranks take together.
@@ -124,23 +114,20 @@ public:
   {
     int halo = crossingHalo(frame_, angle_);
     const Side side = this->hasSign() ? options_.side : Side::Both;
-    std::vector<SharedCrossing> crossings =
-      this->crossingsOf(fieldShare, { selectionAngle(options_), side }, sink);
+    const bool preserve = options_.topology == Topology::Preserve;
+    FieldPart values;
+    std::vector<SharedCrossing> crossings = this->crossingsOf(fieldShare,
+      { selectionAngle(options_), side }, sink, preserve ? &values : nullptr);
     const Stopwatch watch(statistics_.seconds.medial);
-    share_.emplace(grid_, axisExtents.empty() ? this->partsOfAxis(crossings, halo) : axisExtents,
-      communicator_.rank());
+    const std::vector<Extent> extents =
+      axisExtents.empty() ? this->partsOfAxis(crossings, halo) : axisExtents;
+    share_.emplace(grid_, extents, communicator_.rank());
     crossings = share_->toOwners(communicator_, crossings,
       [](const SharedCrossing& item) { return item.crossing.voxel; });
-    this->bring(halo);
-    std::optional<OwnAxis> own;
-    for (own = this->tryHalo(crossings, halo); !own; own = this->tryHalo(crossings, halo))
-    {
-      halo *= 2;
-      this->bring(halo);
-    }
-    const AxisAssembly assembly(communicator_, *share_, *own, contractionHalo(frame_, angle_));
     BisectorPoints points;
-    AxisPiece result = assembly.piece(communicator_, order_, points);
+    AxisPiece result = preserve
+      ? this->preserved(crossings, std::move(values), extents, halo, points)
+      : this->selected(crossings, halo, points);
     setAxisPoints(points, frame_, result.axis);
     result.axis.sign = field_.sharedSign().report().method;
     result.axis.side = side;
@@ -186,16 +173,25 @@ private:
   }
 
   /// Computes the field of this rank's part, and returns the crossings there.
-  std::vector<SharedCrossing> crossingsOf(const GridShare& fieldShare,
-    const CrossingSelection& selection, FieldSink& sink)
+  /// @param values receives the field for thinning; may be null.
+  std::vector<SharedCrossing> crossingsOf(const GridShare& fieldShare, CrossingSelection selection,
+    FieldSink& sink, FieldPart* values)
   {
     std::vector<SharedCrossing> own;
     const Extent extent = touchingExtent(grid_, fieldShare.own());
-    field_.bring(communicator_, extent, extent);
+    // What is next to points of the side must be known as well.
+    field_.bring(communicator_, extent,
+      values != nullptr ? withMargin(extent, FieldTap::kMargin, grid_) : extent);
+    std::optional<FieldTap> tap;
+    if (values != nullptr)
+    {
+      tap.emplace(sink, extent, selection.side);
+      selection.tap = &*tap;
+    }
     const auto select = [&]
     {
       const std::vector<std::int32_t> siteNumbers = field_.siteNumbers();
-      for (Crossing& crossing : field_.select(extent, selection, sink))
+      for (Crossing& crossing : field_.select(extent, selection, tap ? *tap : sink))
       {
         if (fieldShare.owns(crossing.voxel))
         {
@@ -208,6 +204,10 @@ private:
     if (!extent.empty())
     {
       withMemoryErrors(extent.pointCount(), select);
+    }
+    if (values != nullptr)
+    {
+      *values = { extent, tap->distances(), tap->sites() };
     }
     run_.report(kSelected, "medial axis");
     return own;
@@ -240,10 +240,11 @@ private:
     return crossings;
   }
 
-  /// Makes the points and quads of this rank from crossings in the part and a halo.
-  /// @return nothing on every rank if one has seen something else than its neighbour at a rim that
-  ///   goes on there: then the halo is too narrow.
-  std::optional<OwnAxis> tryHalo(const std::vector<SharedCrossing>& own, int halo)
+  /// Calls make(geometry of the part and a halo, crossings there); the geometry is null for a rank
+  /// without a part.
+  template <typename Make>
+  auto withHalo(const std::vector<SharedCrossing>& own, int halo, const Checkpoint& checkpoint,
+    const Make& make)
   {
     std::optional<InsidePart> inside;
     if (this->hasSign())
@@ -256,28 +257,89 @@ private:
         inside->prepare();
         return [&](const glm::dvec3& x) { return inside->contains(x); };
       });
-    const Checkpoint checkpoint(run_, kSelected, "medial axis");
     std::vector<Crossing> crossings = this->crossingsWithin(own, halo);
     crossingsSeen_ = static_cast<std::int64_t>(crossings.size());
     std::optional<AxisGeometry> geometry;
-    std::optional<PartAxis> axis;
     this->locally(
       [&]
       {
         geometry.emplace(AxisGeometry{ field_.sites(), field_.query(), frame_, share_->whole(),
           share_->withHalo(halo), angle_, options_.lambda / frame_.unit,
           options_.radius / frame_.unit, checkpoint, inside ? &side : nullptr });
-        axis.emplace(*geometry, *share_, order_, std::move(crossings));
-        axis->makePoints(options_.representation);
       });
-    if (options_.representation == Representation::Surface &&
-      !this->moveRims(axis ? &*axis : nullptr) && !this->coversGrid(halo))
+    return make(geometry ? &*geometry : nullptr, std::move(crossings));
+  }
+
+  /// Makes the points and quads of this rank from crossings in the part and a halo.
+  /// @return nothing on every rank if one has seen something else than its neighbour at a rim that
+  ///   goes on there: then the halo is too narrow.
+  std::optional<OwnAxis> tryHalo(const std::vector<SharedCrossing>& own, int halo)
+  {
+    const Checkpoint checkpoint(run_, kSelected, "medial axis");
+    return this->withHalo(own, halo, checkpoint,
+      [&](const AxisGeometry* geometry, std::vector<Crossing> crossings) -> std::optional<OwnAxis>
+      {
+        std::optional<PartAxis> axis;
+        this->locally(
+          [&]
+          {
+            axis.emplace(*geometry, *share_, order_, std::move(crossings));
+            axis->makePoints(options_.representation);
+          });
+        if (options_.representation == Representation::Surface &&
+          !this->moveRims(axis ? &*axis : nullptr) && !this->coversGrid(halo))
+        {
+          return std::nullopt;
+        }
+        OwnAxis result{ options_.representation == Representation::Points, {}, {} };
+        this->locally([&] { result = axis->own(); });
+        return result;
+      });
+  }
+
+  /// @param crossings those of this rank.
+  AxisPiece selected(const std::vector<SharedCrossing>& crossings, int halo, BisectorPoints& points)
+  {
+    this->bring(halo);
+    std::optional<OwnAxis> own;
+    for (own = this->tryHalo(crossings, halo); !own; own = this->tryHalo(crossings, halo))
     {
-      return std::nullopt;
+      halo *= 2;
+      this->bring(halo);
     }
-    OwnAxis result{ options_.representation == Representation::Points, {}, {} };
-    this->locally([&] { result = axis->own(); });
-    return result;
+    const AxisAssembly assembly(communicator_, *share_, *own, contractionHalo(frame_, angle_));
+    return assembly.piece(communicator_, order_, points);
+  }
+
+  /// The same with the topology of the solid.
+  /// @param values the field where this rank has computed it.
+  /// @param extents of all ranks in the share.
+  AxisPiece preserved(const std::vector<SharedCrossing>& crossings, FieldPart values,
+    const std::vector<Extent>& extents, int halo, BisectorPoints& points)
+  {
+    const Side side = this->hasSign() ? options_.side : Side::Both;
+    std::vector<Extent> wanted;
+    for (const Extent& extent : extents)
+    {
+      wanted.push_back(touchingExtent(grid_, extent));
+    }
+    values = exchangedPart(communicator_, std::move(values), wanted, side);
+    PreservedPieces pieces({ communicator_, field_, *share_, grid_, options_, run_, side, values },
+      extents);
+    const Checkpoint checkpoint(run_, kSelected, "medial axis");
+    const auto tryHalo = [&]
+    {
+      this->bring(halo);
+      return this->withHalo(crossings, halo, checkpoint,
+        [&](const AxisGeometry* geometry, std::vector<Crossing> around)
+        { return pieces.tryHalo(geometry, std::move(around), halo, checkpoint); });
+    };
+    while (!tryHalo())
+    {
+      halo *= 2;
+    }
+    pieces.finishCurves(checkpoint);
+    return pieces.piece(points);
   }
 
   bool coversGrid(int halo) const
@@ -290,24 +352,13 @@ private:
   /// @param axis null for a rank without a part.
   bool moveRims(PartAxis* axis) const
   {
-    BorderRims* const rims = axis != nullptr ? axis->rims() : nullptr;
     RimExchange exchange(communicator_, *share_,
       { [&](std::size_t vertex) { return axis->numberOf(vertex); },
         [&](std::size_t vertex) { return axis->cellOf(vertex); } },
-      rims);
-    if (maximum(communicator_, exchange.alike() ? 0 : 1) != 0)
+      axis != nullptr ? axis->rims() : nullptr);
+    if (!exchange.move([this](const auto& work) { this->locally(work); }))
     {
       return false;
-    }
-    for (int round = 0; round < BorderRims::kRounds; ++round)
-    {
-      this->locally([&] { rims->beginRound(); });
-      for (int pass = 0; pass < BorderRims::kPasses; ++pass)
-      {
-        exchange.update();
-        this->locally([&] { rims->smooth(pass); });
-      }
-      this->locally([&] { rims->settle(); });
     }
     this->locally([&] { axis->extendToCreases(); });
     return true;

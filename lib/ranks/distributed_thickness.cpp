@@ -1,4 +1,5 @@
 #include "base/checkpoint.h"
+#include "base/order_statistics.h"
 #include "base/run.h"
 #include "base/separation_angle.h"
 #include "base/stopwatch.h"
@@ -65,7 +66,8 @@ void summarise(Communicator& communicator, const std::vector<float>& values, Thi
     std::plus<>());
   thickness.points = counts[0] + counts[1];
   thickness.without = counts[1];
-  thickness.min = thickness.median = thickness.max = std::numeric_limits<double>::quiet_NaN();
+  thickness.min = thickness.percentile5 = thickness.median = thickness.percentile95 =
+    thickness.max = std::numeric_limits<double>::quiet_NaN();
   if (counts[0] > 0)
   {
     const auto at = [&](std::int64_t index)
@@ -74,7 +76,9 @@ void summarise(Communicator& communicator, const std::vector<float>& values, Thi
         valueOf(static_cast<std::uint32_t>(keysAt(communicator, keys, { index }).front() >> 32)));
     };
     thickness.min = at(0);
+    thickness.percentile5 = at(indexAfter(0.05, counts[0]));
     thickness.median = at(counts[0] / 2);
+    thickness.percentile95 = at(indexBefore(0.05, counts[0]));
     thickness.max = at(counts[0] - 1);
   }
 }

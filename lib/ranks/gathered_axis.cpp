@@ -100,15 +100,6 @@ void add(const NumberedCell& cell, MedialAxis& axis)
   }
 }
 
-/// Sends a list to the first rank, and returns there what all have sent, in the order of ranks.
-template <typename T>
-std::vector<T> atFirst(Communicator& communicator, std::vector<T> own)
-{
-  RankLists<T> lists = listsFor<T>(communicator);
-  lists.at(0) = std::move(own);
-  return flattened(exchanged(communicator, std::move(lists)));
-}
-
 /// @param pointCount of the whole axis.
 void bringTogether(const std::vector<NumberedPoint>& points, std::vector<NumberedCell>& cells,
   std::size_t pointCount, MedialAxis& whole)
@@ -139,6 +130,7 @@ MedialAxis gatherMedialAxis(Communicator& communicator, const AxisPiece& piece)
       std::vector<NumberedCell> cells = atFirst(communicator, cellsOf(piece));
       whole.sign = piece.axis.sign;
       whole.side = piece.axis.side;
+      whole.solid = piece.axis.solid;
       whole.statistics = piece.axis.statistics;
       if (communicator.rank() == 0)
       {

@@ -127,6 +127,12 @@ RankField::RankField(Communicator& communicator, const SurfacePiece& piece, cons
 
 void RankField::bring(Communicator& communicator, const Extent& searched, const Extent& computed)
 {
+  this->bring(communicator, boxesOf(grid_, frame_, searched), computed);
+}
+
+void RankField::bring(Communicator& communicator, const std::vector<FrameBox>& boxes,
+  const Extent& computed)
+{
   // What was here goes first: both together are more than a rank may hold.
   host_.reset();
   near_.reset();
@@ -138,7 +144,7 @@ void RankField::bring(Communicator& communicator, const Extent& searched, const 
   }
   {
     const Stopwatch watch(statistics_.seconds.cull);
-    near_.emplace(tree_->near(communicator, boxesOf(grid_, frame_, searched)));
+    near_.emplace(tree_->near(communicator, boxes));
   }
   heldTriangles_ = std::max(heldTriangles_, static_cast<std::int64_t>(near_->part.faces().size()));
   host_.emplace(near_->part.mesh(), near_->part.connectivity(), frame_, this->sign(), run_,
@@ -193,7 +199,8 @@ std::vector<Crossing> RankField::select(const Extent& extent, const CrossingSele
   {
     this->compute(extent, sink);
     ArraySink nothing(selected, {});
-    return ProcessorEngine().select(this->job(selected), selection, nothing);
+    return ProcessorEngine().select(this->job(selected), { selection.angle, selection.side },
+      nothing);
   }
   NumberingSink numbering(sink, *this);
   return ProcessorEngine().select(this->job(extent), selection, numbering);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/run.h"
+#include "culling/group_list.h"
 #include "field/crossing.h"
 #include "field/field_job.h"
 #include "field/host_inside.h"
@@ -35,6 +36,10 @@ public:
   /// @param searched where closest places will be asked for; may be empty.
   /// @param computed where the field will be, with its sign; may be empty.
   void bring(Communicator& communicator, const Extent& searched, const Extent& computed);
+
+  /// The same with boxes, in local coordinates, where closest places will be asked for.
+  void bring(Communicator& communicator, const std::vector<FrameBox>& boxes,
+    const Extent& computed);
 
   /// Drops what compute() and tryWork() do not need. Nothing else must be called after it but what
   /// tells numbers.

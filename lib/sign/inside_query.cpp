@@ -10,9 +10,13 @@ namespace medial
 
 InsideQuery::InsideQuery(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
   const LocalCoordinates& local)
-  : hasTriangles_(!mesh.triangles.empty())
+  : InsideQuery(closeSurface(mesh, orientSurface(mesh, connectivity), local))
 {
-  ClosedSurface surface = closeSurface(mesh, orientSurface(mesh, connectivity), local);
+}
+
+InsideQuery::InsideQuery(ClosedSurface surface)
+  : hasTriangles_(!surface.chain.triangles.empty())
+{
   if (surface.holes > 0)
   {
     lids_ = std::make_unique<const WindingNumber>(surface.lids());

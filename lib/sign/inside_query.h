@@ -19,6 +19,7 @@ namespace medial
 class InsideQuery
 {
 public:
+  explicit InsideQuery(ClosedSurface surface);
   /// @param local coordinates of the points.
   InsideQuery(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
     const LocalCoordinates& local);

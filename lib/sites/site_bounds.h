@@ -31,6 +31,9 @@ public:
   /// Makes the half-spaces of a site. Several threads may call this at once.
   void prepare(int site) const;
 
+  /// Frees the memory of all half-spaces, until they are prepared again.
+  void forget() { halfSpaces_.forget(); }
+
   /// Half-spaces of a site that has been prepared. A face has one at each of its three edges, then
   /// two across the ends of its longest edge. An edge has two across its ends, then one for each of
   /// its faces. A vertex has one for each of its edges.

@@ -1,10 +1,10 @@
 #include "thickness/ball_families.h"
 
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_sort.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <numeric>
@@ -16,19 +16,64 @@ namespace medial
 namespace
 {
 
-constexpr float kTile = 8.0f;
+constexpr int kTile = 8;
+/// Tiles are larger where there would be more.
+constexpr double kTilesPerBall = 4.0;
 
-/// Sorts the ids of simplices and the simplices, and drops repeated ones.
-template <typename Simplex>
-void sortUnique(std::vector<Simplex>& simplices)
+/// Values in lists, one list for each of some keys.
+template <typename Value>
+struct Lists
 {
-  tbb::parallel_for(std::size_t{ 0 }, simplices.size(),
-    [&](std::size_t s) { std::sort(simplices[s].begin(), simplices[s].end()); });
-  tbb::parallel_sort(simplices.begin(), simplices.end());
-  simplices.erase(std::unique(simplices.begin(), simplices.end()), simplices.end());
-  simplices.shrink_to_fit();
+  std::vector<std::uint32_t> begins; ///< and the end of the last
+  std::vector<Value> values;
+};
+
+/// Sorts values into lists, and each list.
+/// @param forEach calls what it is given with the key of each value and the value; called twice.
+template <typename Value, typename ForEach, typename Less = std::less<>>
+Lists<Value> sortedLists(std::size_t keys, const ForEach& forEach, const Less& less = {})
+{
+  Lists<Value> lists;
+  lists.begins.resize(keys + 1);
+  forEach([&](std::size_t key, const Value&) { ++lists.begins[key]; });
+  std::partial_sum(lists.begins.begin(), lists.begins.end(), lists.begins.begin());
+  lists.values.resize(lists.begins.back());
+  forEach([&](std::size_t key, const Value& value)
+    { lists.values[--lists.begins[key]] = value; }); // leaves where the list begins
+  tbb::parallel_for(std::size_t{ 0 }, keys,
+    [&](std::size_t key)
+    {
+      std::sort(lists.values.begin() + lists.begins[key],
+        lists.values.begin() + lists.begins[key + 1], less);
+    });
+  return lists;
 }
 
+/// Drops repeated values from lists.
+template <typename Value>
+void dropRepeated(Lists<Value>& lists)
+{
+  std::uint32_t begin = 0;
+  std::uint32_t end = 0;
+  for (std::size_t key = 0; key + 1 < lists.begins.size(); ++key)
+  {
+    const std::uint32_t next = lists.begins[key + 1];
+    lists.begins[key] = end;
+    for (std::uint32_t v = begin; v < next; ++v)
+    {
+      if (end == lists.begins[key] || lists.values[end - 1] != lists.values[v])
+      {
+        lists.values[end++] = lists.values[v];
+      }
+    }
+    begin = next;
+  }
+  lists.begins.back() = end;
+  lists.values.resize(end);
+  lists.values.shrink_to_fit();
+}
+
+/// Replaces the ids of simplices, and sorts those of each.
 template <typename Simplex>
 void renumber(const std::vector<std::uint32_t>& numbers, std::vector<Simplex>& simplices)
 {
@@ -39,6 +84,7 @@ void renumber(const std::vector<std::uint32_t>& numbers, std::vector<Simplex>& s
       {
         ball = numbers[ball];
       }
+      std::sort(simplices[s].begin(), simplices[s].end());
     });
 }
 
@@ -48,6 +94,7 @@ BallFamilies::BallFamilies(const Grid& grid, double angle)
   : unit_(*std::min_element(grid.spacing.begin(), grid.spacing.end()))
   , origin_(grid.origin[0], grid.origin[1], grid.origin[2])
   , step_(glm::dvec3(grid.spacing[0], grid.spacing[1], grid.spacing[2]) / unit_)
+  , dimensions_(grid.dimensions)
   , stretch_(static_cast<float>(1.0 / std::cos(0.5 * angle)))
 {
 }
@@ -73,6 +120,8 @@ void BallFamilies::add(const MedialAxis& axis)
     }
     return ids[p];
   };
+  balls_.reserve(balls_.size() + axis.points.size());
+  triangles_.reserve(triangles_.size() + 2 * axis.quads.size() + axis.triangles.size());
   for (const auto& quad : axis.quads)
   {
     this->joinQuad({ idOf(quad[0]), idOf(quad[1]), idOf(quad[2]), idOf(quad[3]) });
@@ -94,6 +143,8 @@ void BallFamilies::add(const MedialAxis& axis)
 void BallFamilies::add(const BallMesh& mesh)
 {
   const auto first = static_cast<std::uint32_t>(balls_.size());
+  balls_.reserve(balls_.size() + mesh.balls.size());
+  triangles_.reserve(triangles_.size() + mesh.triangles.size());
   for (const BallMesh::Ball& ball : mesh.balls)
   {
     this->add(glm::vec3((ball.centre - origin_) / unit_), static_cast<float>(ball.radius / unit_));
@@ -108,15 +159,6 @@ void BallFamilies::add(const BallMesh& mesh)
   }
 }
 
-void BallFamilies::joinTriangle(const Triangle& triangle)
-{
-  triangles_.push_back(triangle);
-  for (int corner = 0; corner < 3; ++corner)
-  {
-    this->join(triangle[corner], triangle[(corner + 1) % 3]);
-  }
-}
-
 void BallFamilies::joinQuad(const std::array<std::uint32_t, 4>& quad)
 {
   const int from =
@@ -125,77 +167,133 @@ void BallFamilies::joinQuad(const std::array<std::uint32_t, 4>& quad)
   this->joinTriangle({ quad[from], quad[from + 2], quad[(from + 3) % 4] });
 }
 
-/// Sets the reach and the length of an item, and returns its bounds.
-ItemBounds BallFamilies::measure(std::uint32_t number)
-{
-  Item& item = items_[number];
-  const glm::vec4& common = this->ballOf(item);
-  ItemBounds bounds = ItemBounds::nothing();
-  bounds.add(glm::dvec3(common), static_cast<double>(common.w));
-  for (std::uint32_t e = item.edgesBegin; e < items_[number + 1].edgesBegin; ++e)
-  {
-    const glm::vec4& ball = balls_[edges_[e][1]];
-    bounds.add(glm::dvec3(ball), static_cast<double>(ball.w));
-    item.length = std::max(item.length, this->length(edges_[e][0], edges_[e][1]));
-  }
-  for (std::uint32_t t = item.trianglesBegin; t < items_[number + 1].trianglesBegin; ++t)
-  {
-    item.length = std::max(item.length, this->length(triangles_[t][1], triangles_[t][2]));
-  }
-  item.reach = static_cast<float>(bounds.reach);
-  return bounds;
-}
-
 /// Sorts the balls by tiles of the grid, so that neighbours are close together in memory, and
 /// merges equal ones.
 void BallFamilies::sortBalls()
 {
-  const glm::vec3 perTile = 1.0f / (kTile * step_);
-  const auto keyOf = [&](const glm::vec4& ball)
+  glm::ivec3 tiles;
+  int size = kTile;
+  do
   {
-    const glm::vec3 tile = glm::floor(glm::vec3(ball) * perTile);
-    return std::make_tuple(tile.z, tile.y, tile.x, ball.z, ball.y, ball.x, ball.w);
+    tiles = (glm::ivec3(dimensions_[0], dimensions_[1], dimensions_[2]) - 1) / size + 1;
+    size *= 2;
+  } while (
+    static_cast<double>(tiles.x) * tiles.y * tiles.z > kTilesPerBall * (balls_.size() + 1.0));
+  const glm::vec3 perTile = 2.0f / (static_cast<float>(size) * step_);
+  const auto tileOf = [&](const glm::vec4& ball)
+  {
+    const glm::ivec3 tile =
+      glm::clamp(glm::ivec3(glm::vec3(ball) * perTile), glm::ivec3(0), tiles - 1);
+    return (static_cast<std::size_t>(tile.z) * tiles.y + tile.y) * tiles.x + tile.x;
   };
-  std::vector<std::uint32_t> order(balls_.size());
-  std::iota(order.begin(), order.end(), 0U);
-  tbb::parallel_sort(order.begin(), order.end(),
-    [&](std::uint32_t a, std::uint32_t b) { return keyOf(balls_[a]) < keyOf(balls_[b]); });
-  std::vector<glm::vec4> sorted;
-  sorted.reserve(balls_.size());
-  std::vector<std::uint32_t> numbers(balls_.size());
-  for (const std::uint32_t ball : order)
+  const auto placeOf = [&](std::uint32_t id)
   {
-    if (sorted.empty() || sorted.back() != balls_[ball])
+    const glm::vec4& ball = balls_[id];
+    return std::make_tuple(ball.z, ball.y, ball.x, ball.w);
+  };
+  const Lists<std::uint32_t> ids = sortedLists<std::uint32_t>(
+    static_cast<std::size_t>(tiles.x) * tiles.y * tiles.z,
+    [&](const auto& visit)
     {
-      sorted.push_back(balls_[ball]);
+      for (std::uint32_t id = 0; id < balls_.size(); ++id)
+      {
+        visit(tileOf(balls_[id]), id);
+      }
+    },
+    [&](std::uint32_t a, std::uint32_t b) { return placeOf(a) < placeOf(b); });
+  std::vector<glm::vec4> sorted;
+  std::vector<std::uint32_t> numbers(balls_.size());
+  for (const std::uint32_t id : ids.values)
+  {
+    if (sorted.empty() || sorted.back() != balls_[id])
+    {
+      sorted.push_back(balls_[id]);
     }
-    numbers[ball] = static_cast<std::uint32_t>(sorted.size() - 1);
+    numbers[id] = static_cast<std::uint32_t>(sorted.size() - 1);
   }
+  sorted.shrink_to_fit();
   balls_ = std::move(sorted);
   renumber(numbers, edges_);
   renumber(numbers, triangles_);
 }
 
+/// Makes items of the edges and triangles.
+void BallFamilies::makeItems()
+{
+  Lists<Pair> triangles = sortedLists<Pair>(balls_.size(),
+    [&](const auto& visit)
+    {
+      for (const auto& [a, b, c] : triangles_)
+      {
+        visit(a, Pair{ b, c });
+      }
+    });
+  Lists<std::uint32_t> ends = sortedLists<std::uint32_t>(balls_.size(),
+    [&](const auto& visit)
+    {
+      for (const auto& [a, b] : edges_)
+      {
+        visit(a, b);
+      }
+      for (const auto& [a, b, c] : triangles_)
+      {
+        visit(a, b);
+        visit(a, c);
+        visit(b, c);
+      }
+    });
+  edges_ = {};
+  triangles_ = {};
+  dropRepeated(triangles);
+  dropRepeated(ends);
+  for (std::uint32_t ball = 0; ball < balls_.size(); ++ball)
+  {
+    if (ends.begins[ball] != ends.begins[ball + 1])
+    {
+      items_.push_back({ ball, ends.begins[ball], triangles.begins[ball] });
+    }
+  }
+  items_.push_back({ 0, ends.begins.back(), triangles.begins.back() });
+  edgeEnds_ = std::move(ends.values);
+  triangleEnds_ = std::move(triangles.values);
+}
+
+/// Sets what bounds an item in its group, and returns its bounds.
+ItemBounds BallFamilies::measure(std::uint32_t number)
+{
+  const Item& item = items_[number];
+  const Item& next = items_[number + 1];
+  const glm::vec4& common = balls_[item.ball];
+  ItemBounds bounds = ItemBounds::nothing();
+  bounds.add(glm::dvec3(common), static_cast<double>(common.w));
+  float longest = 0.0f;
+  for (std::uint32_t e = item.edgesBegin; e < next.edgesBegin; ++e)
+  {
+    const glm::vec4& ball = balls_[edgeEnds_[e]];
+    bounds.add(glm::dvec3(ball), static_cast<double>(ball.w));
+    longest = std::max(longest, this->length(item.ball, edgeEnds_[e]));
+  }
+  for (std::uint32_t t = item.trianglesBegin; t < next.trianglesBegin; ++t)
+  {
+    longest = std::max(longest, this->length(triangleEnds_[t][0], triangleEnds_[t][1]));
+  }
+  BallRow& row = rows_[number / kGroup];
+  const std::uint32_t lane = number % kGroup;
+  row.x[lane] = common.x;
+  row.y[lane] = common.y;
+  row.z[lane] = common.z;
+  row.radius[lane] = common.w;
+  row.length[lane] = longest;
+  row.reach[lane] = static_cast<float>(bounds.reach);
+  return bounds;
+}
+
 void BallFamilies::finish()
 {
   this->sortBalls();
-  sortUnique(edges_);
-  sortUnique(triangles_);
-  std::uint32_t triangle = 0;
-  for (std::uint32_t e = 0; e < edges_.size(); ++e)
-  {
-    const std::uint32_t ball = edges_[e][0];
-    if (e == 0 || ball != edges_[e - 1][0])
-    {
-      items_.push_back({ e, triangle, 0.0f, 0.0f });
-    }
-    while (triangle < triangles_.size() && triangles_[triangle][0] == ball)
-    {
-      ++triangle;
-    }
-  }
-  items_.push_back({ static_cast<std::uint32_t>(edges_.size()), triangle, 0.0f, 0.0f });
-  std::vector<ItemBounds> bounds((this->itemCount() + kGroup - 1) / kGroup);
+  this->makeItems();
+  rows_.resize((this->itemCount() + kGroup - 1) / kGroup);
+  std::vector<ItemBounds> bounds(rows_.size());
   tbb::parallel_for(std::size_t{ 0 }, bounds.size(),
     [&](std::size_t g)
     {

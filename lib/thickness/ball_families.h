@@ -4,6 +4,7 @@
 #include "balls/bounding_tree.h"
 #include "medial/grid.h"
 #include "medial/medial_axis.h"
+#include "thickness/ball_rows.h"
 
 #include <glm/glm.hpp>
 
@@ -22,7 +23,8 @@ namespace medial
 class BallFamilies
 {
 public:
-  using Edge = std::array<std::uint32_t, 2>;
+  /// Ids of two balls.
+  using Pair = std::array<std::uint32_t, 2>;
   using Triangle = std::array<std::uint32_t, 3>;
 
   /// @param angle separation angle of the balls, radians.
@@ -50,20 +52,21 @@ public:
   /// Centre and radius.
   const glm::vec4& ball(std::uint32_t id) const { return balls_[id]; }
 
-  /// The edges and triangles of one ball and balls with larger ids.
+  /// The families of one ball, and of it with balls that have larger ids.
   struct Item
   {
+    std::uint32_t ball;       ///< that all of them have in common
     std::uint32_t edgesBegin; ///< they end where the next item's begin
     std::uint32_t trianglesBegin;
-    float reach;  ///< largest radius
-    float length; ///< of the longest edge, those across triangles included
   };
   std::uint32_t itemCount() const { return static_cast<std::uint32_t>(items_.size() - 1); }
   const Item& item(std::uint32_t number) const { return items_[number]; }
-  /// The ball that all edges and triangles of an item have in common.
-  const glm::vec4& ballOf(const Item& item) const { return balls_[edges_[item.edgesBegin][0]]; }
-  const std::vector<Edge>& edges() const { return edges_; }
-  const std::vector<Triangle>& triangles() const { return triangles_; }
+  /// The other balls of all items' edges.
+  const std::vector<std::uint32_t>& edgeEnds() const { return edgeEnds_; }
+  /// The other balls of all items' triangles.
+  const std::vector<Pair>& triangleEnds() const { return triangleEnds_; }
+  /// What bounds the items of a group; those that it lacks are nothing.
+  const BallRow& row(std::uint32_t group) const { return rows_[group]; }
   /// A tree of groups of items, which are close together: group g has the items from firstItem(g)
   /// to firstItem(g + 1).
   const BoundingTree& tree() const { return *tree_; }
@@ -73,10 +76,11 @@ public:
   }
 
 private:
-  static constexpr std::uint32_t kGroup = 8;
+  static constexpr std::uint32_t kGroup = kRowLength;
 
-  void joinTriangle(const Triangle& triangle);
+  void joinTriangle(const Triangle& triangle) { triangles_.push_back(triangle); }
   void sortBalls();
+  void makeItems();
   ItemBounds measure(std::uint32_t number);
   float length(std::uint32_t first, std::uint32_t second) const
   {
@@ -86,12 +90,16 @@ private:
   double unit_;
   glm::dvec3 origin_;
   glm::vec3 step_;
+  std::array<int, 3> dimensions_;
   float stretch_;
   float maxRadius_ = 0.0f;
   std::vector<glm::vec4> balls_;
-  std::vector<Edge> edges_;
-  std::vector<Triangle> triangles_;
-  std::vector<Item> items_; ///< with one behind the last
+  std::vector<Pair> edges_;         ///< those without triangles, until finish()
+  std::vector<Triangle> triangles_; ///< until finish()
+  std::vector<Item> items_;         ///< with one behind the last
+  std::vector<std::uint32_t> edgeEnds_;
+  std::vector<Pair> triangleEnds_;
+  std::vector<BallRow> rows_;
   std::unique_ptr<BoundingTree> tree_;
 };
 

@@ -12,8 +12,8 @@ namespace
 
 static_assert(kRowLength == kLanes);
 
-/// Adding and subtracting this leaves multiples of 1/512, for numbers below 8,192.
-constexpr float kRounding = 1.5f * (1 << 23) / 512.0f;
+/// Adding and subtracting this leaves multiples of kRadiusStep, for numbers below 8,192.
+constexpr float kRounding = 1.5f * (1 << 23) * kRadiusStep;
 /// Triangles lower than this are filled by their edges.
 constexpr float kNarrow = 0.02f;
 
@@ -149,7 +149,7 @@ float roundedRadius(float radius)
   return shifted - kRounding;
 }
 
-MEDIAL_VECTORISED float TileRadii::updateRows(RowMask rows)
+MEDIAL_VECTORISED void TileRadii::updateRows(RowMask rows)
 {
   for (RowMask left = rows; left != 0; left &= left - 1)
   {
@@ -159,9 +159,19 @@ MEDIAL_VECTORISED float TileRadii::updateRows(RowMask rows)
   Float8 least = loaded(rowMin);
   for (int k = 1; k < kRowLength; ++k)
   {
-    least = min(least, loaded(rowMin + k * kLanes));
+    least = medial::min(least, loaded(rowMin + k * kLanes));
   }
-  return smallest(least);
+  min = smallest(least);
+}
+
+float TileRadii::minOf(RowMask rows) const
+{
+  float least = std::numeric_limits<float>::max();
+  for (RowMask left = rows; left != 0; left &= left - 1)
+  {
+    least = std::min(least, rowMin[__builtin_ctzll(left)]);
+  }
+  return least;
 }
 
 EdgeFamily::EdgeFamily(const glm::vec4& first, const glm::vec4& second, const glm::vec3& origin,
@@ -242,6 +252,30 @@ MEDIAL_VECTORISED RaisedRows TileRadii::raise(const CommonBall& ball, RowMask ro
   return result;
 }
 
+MEDIAL_VECTORISED ReachedBalls TileRadii::ballsNear(const BallRow& balls, const glm::vec3& first,
+  float stretch) const
+{
+  constexpr float kLast = kRowLength - 1.0f;
+  const Float8 length = loaded(balls.length);
+  const auto gap = [&](const float* centres, float from, float across)
+  {
+    const Float8 centre = loaded(centres) - from;
+    return max(max(centre - length - kLast * across, -(centre + length)), Float8{});
+  };
+  const Float8 x = gap(balls.x, first.x, step.x);
+  const Float8 y = gap(balls.y, first.y, step.y);
+  const Float8 z = gap(balls.z, first.z, step.z);
+  const Float8 reach = loaded(balls.reach);
+  const Float8 stretched = reach * stretch + kBallMargin;
+  const Float8 largest = rounded(reach);
+  ReachedBalls reached;
+  reached.lanes = static_cast<unsigned>(
+    bits((x * x + (y * y + z * z) <= stretched * stretched) & (largest > min)));
+  store(rounded(loaded(balls.radius)), reached.radius);
+  store(largest, reached.largest);
+  return reached;
+}
+
 MEDIAL_VECTORISED RowMask TileRadii::rowsWithin(const BallBounds& bounds) const
 {
   const float gapX =
@@ -276,7 +310,7 @@ MEDIAL_VECTORISED RowMask TileRadii::rowsNear(const glm::vec4* balls, std::size_
     Float8 power = splat(std::numeric_limits<float>::max());
     for (std::size_t ball = 0; ball < count; ++ball)
     {
-      power = min(power, squaredDistances(row, glm::vec3(balls[ball])) - balls[ball].w);
+      power = medial::min(power, squaredDistances(row, glm::vec3(balls[ball])) - balls[ball].w);
     }
     const Int8 isNear = (power <= bump) & (loaded(radius + number * kLanes) < largest);
     near |= bits(isNear) != 0 ? maskOf(number) : 0;

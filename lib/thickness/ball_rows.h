@@ -20,8 +20,10 @@ constexpr int kTilePoints = kTileRows * kRowLength;
 /// Points this far outside of a ball count as inside: what rounding may add.
 constexpr float kBallMargin = 1e-3f;
 
-/// Rounds a radius to 1/512. Then the largest of many radii does not depend on which of nearly
-/// equal ones were left out.
+constexpr float kRadiusStep = 1.0f / 512.0f;
+
+/// Rounds a radius to multiples of kRadiusStep. Then the largest of many radii does not depend on
+/// which of nearly equal ones were left out.
 float roundedRadius(float radius);
 
 /// Bounds of balls: centres in a box, and radii of at most `reach`.
@@ -31,6 +33,26 @@ struct BallBounds
   glm::vec3 high;
   float reach;   ///< of the balls, stretched
   float largest; ///< of the radii that count, rounded
+};
+
+/// Eight balls, and for each the families of balls that all have it at an end. Where there are
+/// fewer, the rest is 0.
+struct BallRow
+{
+  alignas(32) float x[kRowLength]; ///< of the centres
+  alignas(32) float y[kRowLength];
+  alignas(32) float z[kRowLength];
+  alignas(32) float radius[kRowLength];
+  alignas(32) float length[kRowLength]; ///< how far from the centre those of the families are
+  alignas(32) float reach[kRowLength];  ///< largest radius of the families
+};
+
+/// Those of eight balls whose families might raise points.
+struct ReachedBalls
+{
+  unsigned lanes = 0;                    ///< a bit for each
+  alignas(32) float radius[kRowLength];  ///< that count, rounded
+  alignas(32) float largest[kRowLength]; ///< of the families, rounded
 };
 
 /// A ball, and families of balls that all have it at an end.
@@ -93,9 +115,12 @@ struct TileRadii
   glm::vec3 step; ///< between neighbouring points
   alignas(32) float radius[kTilePoints];
   alignas(32) float rowMin[kTileRows]; ///< smallest radius in a row
+  float min = 0.0f;                    ///< smallest radius of all
 
-  /// Updates the smallest radii of some rows, and returns the smallest of all.
-  float updateRows(RowMask rows);
+  /// Updates the smallest radii of some rows, and of all.
+  void updateRows(RowMask rows);
+  /// Returns the smallest radius in some rows.
+  float minOf(RowMask rows) const;
 
   /// Raises the radii of the points in some rows to the largest ball of a family that contains
   /// each.
@@ -107,6 +132,10 @@ struct TileRadii
   /// Raises the radii of the points in some rows to that of a ball.
   RaisedRows raise(const CommonBall& ball, RowMask rows);
 
+  /// Returns the balls whose families might raise points of the tile.
+  /// @param first place of the tile, relative to which balls have theirs.
+  /// @param stretch factor from the radii that count to those that balls have.
+  ReachedBalls ballsNear(const BallRow& balls, const glm::vec3& first, float stretch) const;
   /// Returns the rows with points that balls might raise.
   RowMask rowsWithin(const BallBounds& bounds) const;
   /// Returns those of some rows with points that a family between some balls might raise.

@@ -1,15 +1,21 @@
 #include "thickness/depth_sink.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace medial
 {
 
-DepthSink::DepthSink(const Grid& grid, Side side, FieldSink* sink)
+DepthSink::DepthSink(const Grid& grid, Side side, FieldSink* sink, const Run& run, std::size_t kept)
   : grid_(grid)
   , sign_(side == Side::Interior ? -1.0f : 1.0f)
+  , unit_(static_cast<float>(*std::min_element(grid.spacing.begin(), grid.spacing.end())))
   , sink_(sink)
+  , run_(run)
+  , kept_(kept)
 {
 }
 
@@ -27,15 +33,29 @@ FieldArrays DepthSink::slabArrays(const Extent& slab)
 
 void DepthSink::stored(const Extent& slab)
 {
-  const std::array<int, 3>& size = grid_.dimensions;
-  const float* distances = distances_;
-  for (int k = slab.min[2]; k <= slab.max[2]; ++k)
-  {
-    for (int j = 0; j < size[1]; ++j, distances += size[0])
+  const std::size_t points = static_cast<std::size_t>(slab.size(0)) * slab.size(1);
+  std::vector<Slice> slices(slab.size(2));
+  run_.onThreads(
+    [&]
     {
-      const bool border = k == 0 || k == size[2] - 1 || j == 0 || j == size[1] - 1;
-      this->lookAtRow((static_cast<std::int64_t>(k) * size[1] + j) * size[0], distances, border);
+      tbb::parallel_for(std::size_t{ 0 }, slices.size(),
+        [&](std::size_t k)
+        { slices[k] = this->sliceOf(slab.min[2] + static_cast<int>(k), distances_ + k * points); });
+    });
+  for (Slice& slice : slices)
+  {
+    max_ = std::max(max_, slice.max);
+    border_.insert(border_.end(), slice.border.begin(), slice.border.end());
+    if (kept_ > 0)
+    {
+      bytes_ += slice.rows.byteCount();
+      rows_.push_back(std::move(slice.rows));
     }
+  }
+  if (bytes_ > kept_)
+  {
+    rows_ = {};
+    kept_ = 0;
   }
   if (sink_ != nullptr)
   {
@@ -48,23 +68,63 @@ std::size_t DepthSink::bytesPerPoint() const
   return sink_ != nullptr ? sink_->bytesPerPoint() : sizeof(float);
 }
 
+DepthSink::Slice DepthSink::sliceOf(int k, const float* distances) const
+{
+  const std::array<int, 3>& size = grid_.dimensions;
+  Slice slice;
+  std::vector<float> depths(kept_ > 0 ? size[0] : 0);
+  for (int j = 0; j < size[1]; ++j, distances += size[0])
+  {
+    const bool border = k == 0 || k == size[2] - 1 || j == 0 || j == size[1] - 1;
+    this->lookAtRow((static_cast<std::int64_t>(k) * size[1] + j) * size[0], distances, border,
+      slice);
+    if (kept_ > 0)
+    {
+      const float factor = sign_ / unit_;
+      std::transform(distances, distances + size[0], depths.begin(),
+        [factor](float distance) { return distance * factor; });
+      slice.rows.add(depths.data(), depths.size());
+    }
+  }
+  slice.rows.finish();
+  return slice;
+}
+
 /// @param border whether the whole row is on the border, and not only its ends.
-void DepthSink::lookAtRow(std::int64_t firstId, const float* distances, bool border)
+void DepthSink::lookAtRow(std::int64_t firstId, const float* distances, bool border,
+  Slice& slice) const
 {
   const int length = grid_.dimensions[0];
-  float max = max_;
+  float max = slice.max;
   for (int i = 0; i < length; ++i)
   {
     max = std::max(max, sign_ * distances[i]);
   }
-  max_ = max;
+  slice.max = max;
   for (int i = 0; i < length; i += border ? 1 : std::max(length - 1, 1))
   {
     if (sign_ * distances[i] > 0.0f)
     {
-      border_.push_back({ firstId + i, sign_ * distances[i] });
+      slice.border.push_back({ firstId + i, sign_ * distances[i] });
     }
   }
+}
+
+void DepthSink::readDepths(const Extent& slab, float* distances) const
+{
+  const std::array<int, 3>& size = grid_.dimensions;
+  const std::size_t rows = static_cast<std::size_t>(size[1]) * slab.size(2);
+  tbb::parallel_for(std::size_t{ 0 }, rows,
+    [&](std::size_t row)
+    {
+      std::vector<float> depths(size[0], 0.0f);
+      rows_[slab.min[2] + row / size[1]].read(row % size[1], depths.data());
+      float* const to = distances + row * size[0];
+      for (int i = 0; i < size[0]; ++i)
+      {
+        to[i] = depths[i] > 0.0f ? depths[i] * sign_ * unit_ : to[i];
+      }
+    });
 }
 
 void DepthSink::addBorder(BallFamilies& families) const

@@ -37,6 +37,8 @@ constexpr int kSlices = 64;
 constexpr double kBallsDone = 0.5;
 /// Share of that which is done once the field is there.
 constexpr double kFieldDone = 0.6;
+/// One in so many bytes of the memory for slabs is for distances that are kept.
+constexpr std::size_t kShareOfDepths = 2;
 
 /// Asks for the distances of one side alone; elsewhere they say only that it is the other.
 class SideSink : public FieldSink
@@ -139,7 +141,8 @@ public:
 
   /// @param sink receives the field; may be null.
   /// @param wanted side of it.
-  void makeBalls(FieldSink* sink, Side wanted)
+  /// @param kept bytes in which to keep the distances.
+  void makeBalls(FieldSink* sink, Side wanted, std::size_t kept)
   {
     const Run part = run_.part(0.0, kBallsDone);
     AxisParts& parts =
@@ -150,10 +153,13 @@ public:
         "local thickness needs an inside and an outside, but the field has no sign: " +
           parts.statistics().sign.reason);
     }
-    DepthSink inner(grid_, Side::Interior, sink);
-    DepthSink outer(grid_, Side::Exterior, &inner);
+    const auto keptOf = [&](Side side)
+    { return options_.side == side || options_.side == Side::Both ? kept : 0; };
+    DepthSink& inner = inner_.emplace(grid_, Side::Interior, sink, run_, keptOf(Side::Interior));
+    DepthSink& outer = outer_.emplace(grid_, Side::Exterior, &inner, run_, keptOf(Side::Exterior));
     SideSink sided(outer, wanted);
     parts.computeField(sided);
+    inner.dropSlab();
     const double middle = options_.side == Side::Both ? 0.5 * (kFieldDone + 1.0) : kFieldDone;
     if (options_.side != Side::Exterior)
     {
@@ -167,10 +173,67 @@ public:
     statistics_.field = parts.statistics();
   }
 
-  /// Exact closest points; after makeBalls().
-  const SiteQuery& query() const { return parts_->query(); }
-  /// Frees the memory of what query() needs.
-  void dropQuery() { parts_.reset(); }
+  /// Whether the distances were kept.
+  bool hasDepths() const
+  {
+    return (options_.side == Side::Exterior || inner_->hasDepths()) &&
+      (options_.side == Side::Interior || outer_->hasDepths());
+  }
+  /// Frees the memory of the first field.
+  void dropField()
+  {
+    parts_.reset();
+    inner_.reset();
+    outer_.reset();
+  }
+
+  /// Replaces the distances of the grid's slabs.
+  /// @param distancesOf returns where those of a slab are.
+  /// @param replaced is called with each slab.
+  template <typename DistancesOf, typename Replaced>
+  void replaceSlabs(SlabThickness& thickness, int slices, const DistancesOf& distancesOf,
+    const Replaced& replaced)
+  {
+    for (const Extent& slab : slabsOf(grid_.wholeExtent(), slices))
+    {
+      float* const distances = distancesOf(slab);
+      {
+        const Stopwatch watch(statistics_.seconds);
+        const double done = static_cast<double>(slab.min[2]) / grid_.dimensions[2];
+        const Checkpoint checkpoint(run_, kBallsDone + (1.0 - kBallsDone) * done, kPhase);
+        run_.onThreads([&] { thickness.replace(slab, parts_->query(), distances, checkpoint); });
+      }
+      replaced(slab);
+    }
+  }
+
+  /// Delivers the thickness of a grid whose distances were kept.
+  void replaceDepths(FieldSink& sink, SlabThickness& thickness)
+  {
+    const int slices =
+      slabSlices(grid_.wholeExtent(), sink.bytesPerPoint(), options_.field.memoryMiB);
+    replaceSlabs(
+      thickness, slices,
+      [&](const Extent& slab)
+      {
+        float* const distances = sink.slabArrays(slab).distance;
+        std::fill_n(distances, slab.pointCount(), 0.0f);
+        const Stopwatch watch(statistics_.seconds);
+        run_.onThreads(
+          [&]
+          {
+            for (const DepthSink* depths : { &*inner_, &*outer_ })
+            {
+              if (depths->hasDepths())
+              {
+                depths->readDepths(slab, distances);
+              }
+            }
+          });
+        return distances;
+      },
+      [&](const Extent& slab) { sink.stored(slab); });
+  }
 
   SlabThickness thickness() const
   {
@@ -220,6 +283,10 @@ private:
         balls.families->add(axis);
         balls.families->add(seams);
       });
+    if (side == Side::Exterior || options_.side == Side::Interior)
+    {
+      parts.dropCrossings(); // since no other side follows
+    }
     const Stopwatch watch(statistics_.seconds);
     depths.addBorder(*balls.families);
     run_.onThreads([&] { balls.families->finish(); });
@@ -235,6 +302,8 @@ private:
   const LocalThicknessOptions& options_;
   Run run_;
   std::optional<AxisParts> parts_;
+  std::optional<DepthSink> inner_;
+  std::optional<DepthSink> outer_;
   Balls interior_;
   Balls exterior_;
   LocalThicknessStatistics statistics_;
@@ -254,20 +323,12 @@ LocalThicknessStatistics computeLocalThickness(const TriangleMesh& mesh,
       FieldArrays arrays;
       arrays.distance = values;
       ArraySink sink(grid.wholeExtent(), arrays);
-      work.makeBalls(&sink, options.side);
+      work.makeBalls(&sink, options.side, 0);
       SlabThickness thickness = work.thickness();
-      {
-        const Stopwatch watch(work.statistics().seconds);
-        const std::int64_t slice =
-          static_cast<std::int64_t>(grid.dimensions[0]) * grid.dimensions[1];
-        for (const Extent& slab : slabsOf(grid.wholeExtent(), kSlices))
-        {
-          const double done = static_cast<double>(slab.min[2]) / grid.dimensions[2];
-          const Checkpoint checkpoint(work.run(), kBallsDone + (1.0 - kBallsDone) * done, kPhase);
-          work.run().onThreads([&]
-            { thickness.replace(slab, work.query(), values + slab.min[2] * slice, checkpoint); });
-        }
-      }
+      const std::int64_t slice = static_cast<std::int64_t>(grid.dimensions[0]) * grid.dimensions[1];
+      work.replaceSlabs(
+        thickness, kSlices, [&](const Extent& slab) { return values + slab.min[2] * slice; },
+        [](const Extent&) {});
       return work.finished(thickness);
     });
 }
@@ -281,16 +342,22 @@ LocalThicknessStatistics computeLocalThickness(const TriangleMesh& mesh,
     [&]
     {
       LocalThicknessRun work(mesh, connectivity, grid, options);
-      work.makeBalls(field, field != nullptr ? Side::Both : options.side);
-      work.dropQuery();
+      work.makeBalls(field, field != nullptr ? Side::Both : options.side,
+        slabMemory(options.field.memoryMiB) / kShareOfDepths);
       SlabThickness thickness = work.thickness();
+      if (work.hasDepths())
+      {
+        work.replaceDepths(sink, thickness);
+        return work.finished(thickness);
+      }
+      work.dropField();
       const Run part = work.run().part(kBallsDone, 1.0);
       MeshState state;
       FieldPipeline pipeline(mesh, connectivity, grid, grid.wholeExtent(), options.field,
         state.orienter, part);
       ThicknessSink replacing(sink, pipeline, thickness, part, work.statistics().seconds);
       SideSink sided(replacing, options.side);
-      pipeline.run(obtainEngine(options.field.engine, options.field.device, state.engine), sided);
+      pipeline.run(obtainEngine(options.field, state.engine), sided);
       return work.finished(thickness);
     });
 }

@@ -246,7 +246,8 @@ void SlabThickness::replaceSide(const Extent& tile, const Extent& slab, const Si
     {
       if (sign * distances[point] > 0.0f)
       {
-        own[point] = roundedRadius(sign * distances[point] * perUnit);
+        // Not 0, which is for points elsewhere.
+        own[point] = std::max(roundedRadius(sign * distances[point] * perUnit), kRadiusStep);
         radii.set(point, own[point]);
         any = true;
       }

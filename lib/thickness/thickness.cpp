@@ -1,6 +1,7 @@
 #include "medial/thickness.h"
 
 #include "base/checkpoint.h"
+#include "base/order_statistics.h"
 #include "base/run.h"
 #include "base/separation_angle.h"
 #include "base/stopwatch.h"
@@ -139,13 +140,18 @@ void summarise(Thickness& thickness)
     [](float value) { return !std::isnan(value); });
   thickness.points = static_cast<std::int64_t>(thickness.values.size());
   thickness.without = static_cast<std::int64_t>(thickness.values.size() - present.size());
-  thickness.min = thickness.median = thickness.max = kNone;
+  thickness.min = thickness.percentile5 = thickness.median = kNone;
+  thickness.percentile95 = thickness.max = kNone;
   if (!present.empty())
   {
     std::sort(present.begin(), present.end());
-    thickness.min = static_cast<double>(present.front());
-    thickness.median = static_cast<double>(present[present.size() / 2]);
-    thickness.max = static_cast<double>(present.back());
+    const auto count = static_cast<std::int64_t>(present.size());
+    const auto at = [&](std::int64_t index) { return static_cast<double>(present[index]); };
+    thickness.min = at(0);
+    thickness.percentile5 = at(indexAfter(0.05, count));
+    thickness.median = at(count / 2);
+    thickness.percentile95 = at(indexBefore(0.05, count));
+    thickness.max = at(count - 1);
   }
 }
 

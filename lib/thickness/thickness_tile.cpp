@@ -23,73 +23,78 @@ ThicknessTile::ThicknessTile(const BallFamilies& families, const glm::vec3& firs
   std::fill_n(radii_.radius, kPoints, kUnwanted);
 }
 
-/// The rows with points that balls might raise.
-RowMask ThicknessTile::rowsReached(const glm::vec3& low, const glm::vec3& high, float radius) const
+/// Raises the radii to that of a ball that all families of an item have in common. Returns the rows
+/// that the others might raise.
+/// @param lane of the ball among those of its group.
+RowMask ThicknessTile::raiseByBall(const BallRow& balls, std::uint32_t lane,
+  const ReachedBalls& reached)
 {
-  return radii_.rowsWithin(
-    { low - first_, high - first_, this->reachOf(radius), roundedRadius(radius) });
-}
-
-/// Raises the radii to that of the ball that all families of an item have in common. Returns the
-/// rows that the others might raise.
-RowMask ThicknessTile::raiseByBall(const BallFamilies::Item& item)
-{
-  const glm::vec4& ball = families_.ballOf(item);
-  const glm::vec3 centre(ball);
-  const RowMask rows = this->rowsReached(centre - item.length, centre + item.length, item.reach);
+  const glm::vec3 centre = glm::vec3(balls.x[lane], balls.y[lane], balls.z[lane]) - first_;
+  const float length = balls.length[lane];
+  const float reach = this->reachOf(balls.reach[lane]);
+  const RowMask rows =
+    radii_.rowsWithin({ centre - length, centre + length, reach, reached.largest[lane] });
   if (rows == 0)
   {
     return 0;
   }
-  const RaisedRows raised = radii_.raise(CommonBall{ centre - first_, this->reachOf(ball.w),
-                                           this->reachOf(item.reach) + item.length + kBallMargin,
-                                           roundedRadius(ball.w), roundedRadius(item.reach) },
-    rows);
+  const RaisedRows raised =
+    radii_.raise(CommonBall{ centre, this->reachOf(balls.radius[lane]),
+                   reach + length + kBallMargin, reached.radius[lane], reached.largest[lane] },
+      rows);
   this->update(raised.changed);
   return raised.near;
 }
 
 /// Returns those of some rows with points that the families of an item might raise.
-RowMask ThicknessTile::rowsNear(std::uint32_t number, RowMask rows)
+RowMask ThicknessTile::rowsNear(const ReachedItem& reached)
 {
-  const BallFamilies::Item& item = families_.item(number);
+  const BallFamilies::Item& item = families_.item(reached.number);
   balls_.clear();
-  const auto add = [&](const glm::vec4& ball)
+  const auto add = [&](std::uint32_t id)
   {
+    const glm::vec4& ball = families_.ball(id);
     const float reach = this->reachOf(ball.w);
     balls_.emplace_back(glm::vec3(ball) - first_, reach * reach);
   };
-  add(families_.ballOf(item));
-  for (std::uint32_t e = item.edgesBegin; e < families_.item(number + 1).edgesBegin; ++e)
+  add(item.ball);
+  for (std::uint32_t e = item.edgesBegin; e < families_.item(reached.number + 1).edgesBegin; ++e)
   {
-    add(families_.ball(families_.edges()[e][1]));
+    add(families_.edgeEnds()[e]);
   }
   // For the ball with weights w_i the power is at least the mean of those of the corners, less the
   // sum of w_i w_j d_ij^2, which is the square of the radius of a ball around the corners at most.
-  const float reach = this->reachOf(item.reach) + 1.0f;
-  const float bump = item.length * item.length / 3.0f + kPowerMargin * reach * reach;
-  return radii_.rowsNear(balls_.data(), balls_.size(), bump, roundedRadius(item.reach), rows);
+  const float reach = this->reachOf(reached.reach) + 1.0f;
+  const float bump = reached.length * reached.length / 3.0f + kPowerMargin * reach * reach;
+  return radii_.rowsNear(balls_.data(), balls_.size(), bump, reached.largest, reached.rows);
 }
 
+/// Raises the radii of the points in some rows to those of an item's families.
 void ThicknessTile::raiseBy(std::uint32_t number, RowMask rows)
 {
   const BallFamilies::Item& item = families_.item(number);
   const BallFamilies::Item& next = families_.item(number + 1);
+  const glm::vec4& common = families_.ball(item.ball);
+  const float least = radii_.minOf(rows);
+  const float shrink = 1.0f / stretch_;
   RowMask changed = 0;
   for (std::uint32_t e = item.edgesBegin; e < next.edgesBegin; ++e)
   {
-    const BallFamilies::Edge& edge = families_.edges()[e];
-    const EdgeFamily family(families_.ball(edge[0]), families_.ball(edge[1]), first_, stretch_);
-    changed |= radii_.raise(family, rows, 1.0f / stretch_);
+    const glm::vec4& end = families_.ball(families_.edgeEnds()[e]);
+    const EdgeFamily family(common, end, first_, stretch_);
+    if (family.largest > least)
+    {
+      changed |= radii_.raise(family, rows, shrink);
+    }
   }
   for (std::uint32_t t = item.trianglesBegin; t < next.trianglesBegin; ++t)
   {
-    const BallFamilies::Triangle& triangle = families_.triangles()[t];
-    const TriangleFamily family(families_.ball(triangle[0]), families_.ball(triangle[1]),
-      families_.ball(triangle[2]), first_, stretch_);
-    if (family.counts)
+    const auto& [second, third] = families_.triangleEnds()[t];
+    const TriangleFamily family(common, families_.ball(second), families_.ball(third), first_,
+      stretch_);
+    if (family.counts && family.largest > least)
     {
-      changed |= radii_.raise(family, rows, 1.0f / stretch_);
+      changed |= radii_.raise(family, rows, shrink);
     }
   }
   this->update(changed);
@@ -99,7 +104,8 @@ void ThicknessTile::update(RowMask changed)
 {
   if (changed != 0)
   {
-    limit_ = -static_cast<double>(radii_.updateRows(changed));
+    radii_.updateRows(changed);
+    limit_ = -static_cast<double>(radii_.min);
   }
 }
 
@@ -120,30 +126,35 @@ void ThicknessTile::raise(float stretch)
   {
     const ItemBounds& bounds = tree.bounds(node);
     const auto reach = static_cast<float>(bounds.reach);
-    return this->rowsReached(glm::vec3(bounds.min), glm::vec3(bounds.max), reach) != 0
-      ? -static_cast<double>(roundedRadius(reach))
-      : 0.0;
+    const float largest = roundedRadius(reach);
+    const RowMask rows = radii_.rowsWithin({ glm::vec3(bounds.min) - first_,
+      glm::vec3(bounds.max) - first_, this->reachOf(reach), largest });
+    return rows != 0 ? -static_cast<double>(largest) : 0.0;
   };
   // Single balls are quick, and leave few points that families between them could raise.
-  std::vector<std::pair<std::uint32_t, RowMask>> reached;
+  std::vector<ReachedItem> items;
   tree.searchNodes(minimum, limit_,
     [&](std::uint32_t group)
     {
-      const std::uint32_t end = families_.firstItem(group + 1);
-      for (std::uint32_t item = families_.firstItem(group); item < end; ++item)
+      const BallRow& balls = families_.row(group);
+      const ReachedBalls reached = radii_.ballsNear(balls, first_, stretch_);
+      for (unsigned left = reached.lanes; left != 0; left &= left - 1)
       {
-        if (const RowMask rows = this->raiseByBall(families_.item(item)))
+        const auto lane = static_cast<std::uint32_t>(__builtin_ctz(left));
+        if (const RowMask rows = this->raiseByBall(balls, lane, reached))
         {
-          reached.emplace_back(item, rows);
+          items.push_back({ families_.firstItem(group) + lane, balls.reach[lane],
+            balls.length[lane], reached.largest[lane], rows });
         }
       }
     });
-  for (const auto& [item, reachedRows] : reached)
+  for (ReachedItem& item : items)
   {
-    const RowMask rows = reachedRows & radii_.rowsBelow(roundedRadius(families_.item(item).reach));
-    if (rows != 0)
+    item.rows &= radii_.rowsBelow(item.largest);
+    item.rows = item.rows != 0 ? this->rowsNear(item) : 0;
+    if (item.rows != 0)
     {
-      this->raiseBy(item, this->rowsNear(item, rows));
+      this->raiseBy(item.number, item.rows);
     }
   }
 }

@@ -40,10 +40,19 @@ public:
   void raise(float stretch = 1.0f);
 
 private:
+  /// An item that may raise points.
+  struct ReachedItem
+  {
+    std::uint32_t number;
+    float reach;
+    float length;
+    float largest; ///< radius that counts, rounded
+    RowMask rows;  ///< with these points
+  };
+
   float reachOf(float radius) const { return radius * stretch_ + kBallMargin; }
-  RowMask rowsReached(const glm::vec3& low, const glm::vec3& high, float radius) const;
-  RowMask raiseByBall(const BallFamilies::Item& item);
-  RowMask rowsNear(std::uint32_t number, RowMask rows);
+  RowMask raiseByBall(const BallRow& balls, std::uint32_t lane, const ReachedBalls& reached);
+  RowMask rowsNear(const ReachedItem& reached);
   void raiseBy(std::uint32_t number, RowMask rows);
   void update(RowMask changed);
 

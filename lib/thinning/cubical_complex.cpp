@@ -31,9 +31,17 @@ void add(CubeCellSteps& steps, CubeCell step)
 } // namespace
 
 CubicalComplex::CubicalComplex(const glm::ivec3& size)
-  : size_(size)
-  , stride_{ 1, size.x, static_cast<std::int64_t>(size.x) * size.y }
-  , bits_(largeVector<std::uint8_t>(static_cast<std::size_t>(stride_[2]) * size.z))
+  : CubicalComplex({ { 0, 0, 0 }, { size.x - 1, size.y - 1, size.z - 1 } }, size)
+{
+}
+
+CubicalComplex::CubicalComplex(const Extent& part, const glm::ivec3& grid)
+  : size_(part.size(0), part.size(1), part.size(2))
+  , grid_(grid)
+  , first_(part.min[0], part.min[1], part.min[2])
+  , stride_{ 1, size_.x, static_cast<std::int64_t>(size_.x) * size_.y }
+  , start_(first_.x + stride_[1] * first_.y + stride_[2] * first_.z)
+  , bits_(largeVector<std::uint8_t>(static_cast<std::size_t>(stride_[2]) * size_.z))
 {
   for (int kind = 0; kind < kCubeCellKinds; ++kind)
   {
@@ -67,9 +75,10 @@ glm::ivec3 CubicalComplex::position(CubeCell cell) const
       static_cast<int>(row - z * static_cast<Place>(size_.y)), static_cast<int>(z));
   };
   // Short divisions take a fraction of the time of long ones.
-  return this->positions() <= std::numeric_limits<std::uint32_t>::max()
-    ? split(static_cast<std::uint32_t>(p))
-    : split(p);
+  return first_ +
+    (this->positions() <= std::numeric_limits<std::uint32_t>::max()
+        ? split(static_cast<std::uint32_t>(p))
+        : split(p));
 }
 
 glm::dvec3 CubicalComplex::centre(CubeCell cell) const

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/huge_pages.h"
+#include "medial/grid.h"
 
 #include <glm/glm.hpp>
 
@@ -43,10 +44,15 @@ struct CubeCellSteps
 /// and three edges that meet in its lowest corner, and that corner. So the face of normal axis a at
 /// p is dual to the grid edge from p - e_a to p, and the vertex at p to the grid cell from p -
 /// (1,1,1) to p. Only cells of voxels away from the border of the complex may be set.
+///
+/// A complex may have a part of a grid only. Positions are those of the grid all the same.
 class CubicalComplex
 {
 public:
   explicit CubicalComplex(const glm::ivec3& size);
+  /// @param part of the grid that has cells.
+  /// @param grid grid points along each axis.
+  CubicalComplex(const Extent& part, const glm::ivec3& grid);
 
   static int kind(CubeCell cell) { return static_cast<int>(cell & 7); }
   static int dimension(int kind) { return kind == kVertexKind ? 0 : (kind + 2) / 3; }
@@ -55,10 +61,18 @@ public:
   static std::size_t index(CubeCell cell) { return static_cast<std::size_t>(cell >> 3); }
 
   const glm::ivec3& size() const { return size_; }
+  /// Size of the grid of which this has a part, or all.
+  const glm::ivec3& grid() const { return grid_; }
+  /// Whether a position is in the part.
+  bool covers(const glm::ivec3& position) const
+  {
+    const glm::ivec3 p = position - first_;
+    return p.x >= 0 && p.y >= 0 && p.z >= 0 && p.x < size_.x && p.y < size_.y && p.z < size_.z;
+  }
   std::size_t positions() const { return bits_.size(); }
   CubeCell cell(const glm::ivec3& position, int kind) const
   {
-    return 8 * (position.x + stride_[1] * position.y + stride_[2] * position.z) + kind;
+    return 8 * (position.x + stride_[1] * position.y + stride_[2] * position.z - start_) + kind;
   }
   glm::ivec3 position(CubeCell cell) const;
   /// Returns the centre of a cell, in indices of grid points.
@@ -117,7 +131,10 @@ private:
   static constexpr std::array<unsigned, kCubeCellKinds> kSpans{ 0, 1, 2, 4, 6, 5, 3, 7 };
 
   glm::ivec3 size_;
+  glm::ivec3 grid_;
+  glm::ivec3 first_; ///< position of the part's lowest corner
   std::array<std::int64_t, 3> stride_;
+  std::int64_t start_; ///< what the index of that position would be if the part began at 0
   std::array<CubeCellSteps, kCubeCellKinds> faces_;
   std::array<CubeCellSteps, kCubeCellKinds> cofaces_;
   std::vector<std::uint8_t> bits_;

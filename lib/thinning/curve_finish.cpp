@@ -38,14 +38,7 @@ constexpr double kMaxExtension = 2.0;
 constexpr double kBeyond = 0.5;
 constexpr double kNotFar = 0.8;
 
-/// A curve and which of its ends must stay.
-struct FreeCurve
-{
-  std::vector<std::int64_t> points; ///< a closed one does not repeat its first
-  Curve curve;
-  bool firstStays = false;
-  bool lastStays = false;
-};
+using Closest = std::function<SitePoint(const glm::dvec3& x, const SitePoint& known)>;
 
 /// Whether the line between two points cannot leave the solid.
 bool overlap(const BisectorPoint& p, const BisectorPoint& q)
@@ -92,43 +85,14 @@ void addCurves(std::vector<std::int64_t> path, const std::vector<AxisFeature>& f
   }
 }
 
-/// Returns the curves that have a zigzag.
-std::vector<FreeCurve> curvesOf(const ThinnedAxis& axis)
-{
-  AxisEdges edges;
-  edges.lines = axis.lines;
-  std::vector<std::uint8_t> onLine(axis.points.points.size(), 0);
-  for (const auto& line : axis.lines)
-  {
-    onLine[line[0]] = 1;
-    onLine[line[1]] = 1;
-  }
-  for (const auto& quad : axis.quads)
-  {
-    if (std::any_of(quad.begin(), quad.end(),
-          [&](std::int64_t corner) { return onLine[corner] != 0; }))
-    {
-      addEdges(quad, edges.polygonEdges);
-    }
-  }
-  const std::vector<AxisFeature> features = axisFeatures(edges, onLine.size());
-  std::vector<FreeCurve> curves;
-  for (const AxisCurve& path : axisCurves(edges, onLine.size()))
-  {
-    if (path.kind == AxisFeature::Curve)
-    {
-      addCurves(path.points, features, axis.points.points, curves);
-    }
-  }
-  return curves;
-}
-
 class Finisher
 {
 public:
-  Finisher(const AxisGeometry& geometry, const std::vector<BisectorPoint>& points)
+  Finisher(const AxisGeometry& geometry, const std::vector<BisectorPoint>& points,
+    const Closest& closest)
     : geometry_(geometry)
     , points_(points)
+    , closest_(closest)
   {
   }
 
@@ -172,16 +136,14 @@ private:
   {
     const glm::dvec3& x = free.curve.points[i];
     const BisectorPoint& before = points_[free.points[i]];
-    const SitePoint closest =
-      geometry_.query.closest(x, closestPoint(geometry_.sites, before.a.site, x));
+    const SitePoint closest = closest_(x, closestPoint(geometry_.sites, before.a.site, x));
     std::vector<int> candidates{ before.a.site, before.b.site };
     // What is closest on the far side of the curve: from x at most twice the way there farther.
     for (const double beyond : { kBeyond, std::min(kBeyond, kNotFar / before.radius()) })
     {
       const glm::dvec3 far = x + beyond * (x - closest.point);
       const SitePoint guess = closestPoint(geometry_.sites, candidates.back(), far);
-      candidates.push_back(
-        geometry_.insideGrid(far) ? geometry_.query.closest(far, guess).site : closest.site);
+      candidates.push_back(geometry_.insideGrid(far) ? closest_(far, guess).site : closest.site);
     }
     for (const double tolerance : { kOffBisector, 1.0 })
     {
@@ -211,7 +173,7 @@ private:
         const auto closest = [&](const glm::dvec3& x)
         {
           known = known.site < 0 ? SitePoint{} : closestPoint(geometry_.sites, known.site, x);
-          known = geometry_.query.closest(x, known);
+          known = closest_(x, known);
           return known.point;
         };
         for (std::size_t i = range.begin(); i < range.end(); ++i)
@@ -282,8 +244,7 @@ private:
     for (int i = 1; i * kStep <= high; ++i)
     {
       const glm::dvec3 x = from + i * kStep * direction;
-      const double potential =
-        glm::distance(geometry_.query.closest(x).point, x) + slope * i * kStep;
+      const double potential = glm::distance(closest_(x, {}).point, x) + slope * i * kStep;
       if (geometry_.insideGrid(x) && potential > most)
       {
         most = potential;
@@ -324,6 +285,7 @@ private:
 
   const AxisGeometry& geometry_;
   const std::vector<BisectorPoint>& points_;
+  const Closest& closest_;
 };
 
 /// Moves points of a curve back until it cannot leave the solid between any two.
@@ -352,22 +314,60 @@ void keepInside(const FreeCurve& free, const std::vector<BisectorPoint>& before,
 
 } // namespace
 
+std::vector<FreeCurve> zigzagCurves(const ThinnedAxis& axis)
+{
+  AxisEdges edges;
+  edges.lines = axis.lines;
+  std::vector<std::uint8_t> onLine(axis.points.points.size(), 0);
+  for (const auto& line : axis.lines)
+  {
+    onLine[line[0]] = 1;
+    onLine[line[1]] = 1;
+  }
+  for (const auto& quad : axis.quads)
+  {
+    if (std::any_of(quad.begin(), quad.end(),
+          [&](std::int64_t corner) { return onLine[corner] != 0; }))
+    {
+      addEdges(quad, edges.polygonEdges);
+    }
+  }
+  const std::vector<AxisFeature> features = axisFeatures(edges, onLine.size());
+  std::vector<FreeCurve> curves;
+  for (const AxisCurve& path : axisCurves(edges, onLine.size()))
+  {
+    if (path.kind == AxisFeature::Curve)
+    {
+      addCurves(path.points, features, axis.points.points, curves);
+    }
+  }
+  return curves;
+}
+
+std::vector<BisectorPoint> withoutZigzag(const AxisGeometry& geometry, FreeCurve curve,
+  const std::vector<BisectorPoint>& before, const Closest& closest)
+{
+  geometry.checkpoint();
+  const Finisher finisher(geometry, before, closest);
+  finisher.straighten(curve);
+  std::vector<BisectorPoint> moved = finisher.pairs(curve);
+  keepInside(curve, before, moved);
+  return moved;
+}
+
 void finishCurves(const AxisGeometry& geometry, ThinnedAxis& axis)
 {
-  std::vector<FreeCurve> curves = curvesOf(axis);
+  const std::vector<FreeCurve> curves = zigzagCurves(axis);
   const std::vector<BisectorPoint> before = axis.points.points;
-  const Finisher finisher(geometry, before);
+  const Closest closest = [&](const glm::dvec3& x, const SitePoint& known)
+  { return geometry.query.closest(x, known); };
   tbb::parallel_for(std::size_t{ 0 }, curves.size(),
     [&](std::size_t c)
     {
-      geometry.checkpoint();
-      FreeCurve& free = curves[c];
-      finisher.straighten(free);
-      std::vector<BisectorPoint> moved = finisher.pairs(free);
-      keepInside(free, before, moved);
+      const std::vector<BisectorPoint> moved = withoutZigzag(geometry, curves[c], before, closest);
       for (std::size_t i = 0; i < moved.size(); ++i)
       {
-        axis.points.points[free.points[i]] = moved[i];
+        axis.points.points[curves[c].points[i]] = moved[i];
       }
     });
   keepCellsSound(before, axis);

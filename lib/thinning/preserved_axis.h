@@ -6,6 +6,7 @@
 #include "medial/cell_topology.h"
 #include "medial/representation.h"
 #include "medial/side.h"
+#include "thinning/curve_chains.h"
 #include "thinning/thinned_axis.h"
 
 #include <cstdint>
@@ -32,9 +33,16 @@ struct ThinningInput
   Representation representation;
 };
 
-/// Thins the voxels of each side asked for to an axis of the same topology: those of the core of
-/// the solid (reduceToCore(), Thinning). The anchors are the faces dual to the selected crossings,
-/// except those that form no sheet.
+/// Adds what one solid has to others that do not touch it.
+void add(const CellTopology& part, CellTopology& whole);
+
+/// Returns the sides to thin, one after the other.
+std::vector<Side> sidesOf(bool hasSign, Side side);
+
+/// Returns which curves an axis keeps.
+CurveLimits limitsOf(const AxisGeometry& geometry);
+
+/// Thins the voxels of each side asked for to an axis of the same topology (SolidThinning).
 ///
 /// Needs 14 bytes per grid point, including the field, and memory for the front of the fire.
 /// Surfaces get the finish of selected ones: finishRims().

@@ -10,7 +10,7 @@
 namespace medial
 {
 
-void finishRims(const AxisGeometry& geometry, const SheetSelection& sheets, ThinnedAxis& axis)
+std::vector<EdgeTable::Edge> selectedRims(const ThinnedAxis& axis)
 {
   const std::vector<std::size_t>& origins = axis.origins;
   std::vector<EdgeTable::Edge> rims = rimEdges(axis.gridCells, axis.quads);
@@ -18,9 +18,14 @@ void finishRims(const AxisGeometry& geometry, const SheetSelection& sheets, Thin
                [&](const EdgeTable::Edge& edge)
                { return origins[edge[0]] == kNoVertex || origins[edge[1]] == kNoVertex; }),
     rims.end());
+  return rims;
+}
+
+void finishRims(const AxisGeometry& geometry, const SheetSelection& sheets, ThinnedAxis& axis)
+{
   const std::vector<BisectorPoint> before = axis.points.points;
   const std::vector<std::size_t> elsewhere =
-    moveToBorders(geometry, sheets, rims, origins, axis.points);
+    moveToBorders(geometry, sheets, selectedRims(axis), axis.origins, axis.points);
   extendRims(geometry, elsewhere, axis.points);
   keepCellsSound(before, axis);
 }

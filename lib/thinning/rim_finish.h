@@ -1,6 +1,7 @@
 #pragma once
 
 #include "axis/axis_geometry.h"
+#include "axis/edge_table.h"
 #include "axis/sheet_selection.h"
 #include "thinning/thinned_axis.h"
 
@@ -9,6 +10,9 @@
 
 namespace medial
 {
+
+/// Returns the rims of a thinned axis between points on selected faces: edges of one quad only.
+std::vector<EdgeTable::Edge> selectedRims(const ThinnedAxis& axis);
 
 /// Gives the rims of a thinned axis the finish of a selected one: they move to the borders of what
 /// is selected (moveToBorders()) and to sharp convex edges (extendRims()). Rims where no face is

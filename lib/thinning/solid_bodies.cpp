@@ -6,6 +6,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 #include <utility>
@@ -19,16 +20,7 @@ namespace
 /// room between them for a surface that they touch.
 constexpr double kOverlap = 1e-3;
 
-using Pair = std::pair<int, int>;
-
-/// Connected parts of a surface.
-struct SurfaceParts
-{
-  std::vector<int> ofSite;
-  std::vector<double> volumes;
-
-  int count() const { return static_cast<int>(volumes.size()); }
-};
+using Pair = PartPairs::Pair;
 
 SurfaceParts partsOf(const SiteSet& sites, const std::vector<std::int8_t>& directions)
 {
@@ -38,14 +30,15 @@ SurfaceParts partsOf(const SiteSet& sites, const std::vector<std::int8_t>& direc
     joined.join(edge.x, edge.y);
   }
   SurfaceParts parts;
+  std::vector<double> volumes;
   std::vector<int> partOfPoint(sites.points().size());
   for (std::size_t p = 0; p < partOfPoint.size(); ++p)
   {
     const auto lowest = static_cast<std::size_t>(joined.find(static_cast<std::int64_t>(p)));
-    partOfPoint[p] = lowest == p ? parts.count() : partOfPoint[lowest];
+    partOfPoint[p] = lowest == p ? static_cast<int>(volumes.size()) : partOfPoint[lowest];
     if (lowest == p)
     {
-      parts.volumes.push_back(0.0);
+      volumes.push_back(0.0);
     }
   }
   for (int f = 0; f < sites.faceCount(); ++f)
@@ -53,50 +46,43 @@ SurfaceParts partsOf(const SiteSet& sites, const std::vector<std::int8_t>& direc
     const auto& points = sites.points();
     const glm::ivec3& face = sites.faces()[f];
     parts.ofSite.push_back(partOfPoint[face.x]);
-    parts.volumes[partOfPoint[face.x]] +=
-      directions[f] * glm::dot(points[face.x], glm::cross(points[face.y], points[face.z]));
+    volumes[partOfPoint[face.x]] +=
+      enclosedBy(points[face.x], points[face.y], points[face.z], directions[f]);
   }
   for (const glm::ivec2& edge : sites.edges())
   {
     parts.ofSite.push_back(partOfPoint[edge.x]);
   }
   parts.ofSite.insert(parts.ofSite.end(), partOfPoint.begin(), partOfPoint.end());
+  std::transform(volumes.begin(), volumes.end(), std::back_inserter(parts.areBodies),
+    [](double volume) { return volume > 0.0 ? 1 : 0; });
   return parts;
 }
-
-/// Which parts are next to each other in the solid, and which only seem to be.
-struct PartPairs
-{
-  std::set<Pair> joined;
-  std::set<Pair> apart;
-};
 
 class PairScan
 {
 public:
-  PairScan(const SiteSet& sites, const std::vector<std::int8_t>& directions,
-    const SurfaceParts& parts, const GridFrame& frame, const glm::ivec3& size,
-    const std::int32_t* closestSites, const DepthField& depth)
-    : sites_(sites)
-    , directions_(directions)
+  PairScan(const FieldOfParts& field, const SurfaceParts& parts)
+    : field_(field)
     , parts_(parts)
-    , frame_(frame)
-    , size_(size)
-    , closestSites_(closestSites)
-    , depth_(depth)
+    , first_(field.part.min[0], field.part.min[1], field.part.min[2])
+    , last_(field.part.max[0], field.part.max[1], field.part.max[2])
   {
   }
 
   PartPairs run() const
   {
     tbb::enumerable_thread_specific<PartPairs> found;
-    tbb::parallel_for(1, std::max(1, size_.z - 1),
+    // Points on the border of the grid are in no solid.
+    const glm::ivec3 low = glm::max(first_, 1);
+    const glm::ivec3 high = glm::min(last_, field_.grid - 2);
+    tbb::parallel_for(low.z, std::max(low.z, high.z + 1),
       [&](int z)
       {
         PartPairs& pairs = found.local();
-        for (int y = 1; y < size_.y - 1; ++y)
+        for (int y = low.y; y <= high.y; ++y)
         {
-          for (int x = 1; x < size_.x - 1; ++x)
+          for (int x = low.x; x <= high.x; ++x)
           {
             this->visit({ x, y, z }, pairs);
           }
@@ -112,24 +98,25 @@ public:
   }
 
 private:
-  std::size_t index(const glm::ivec3& p) const
+  std::size_t index(const glm::ivec3& point) const
   {
-    return (static_cast<std::size_t>(p.z) * size_.y + p.y) * size_.x + p.x;
+    const glm::ivec3 p = point - first_;
+    return (static_cast<std::size_t>(p.z) * field_.part.size(1) + p.y) * field_.part.size(0) + p.x;
   }
-  bool isBody(int part) const { return parts_.volumes[part] > 0.0; }
+  bool isBody(int part) const { return parts_.areBodies[part] != 0; }
 
   /// Whether a grid point lies outside of the part whose face is closest to it. Where parts touch
   /// or overlap it is in another one, and tells nothing about which parts are next to each other.
   bool isBehind(const glm::ivec3& p) const
   {
-    const std::int32_t site = closestSites_[this->index(p)];
-    if (sites_.kind(site) != SiteKind::Face)
+    const std::int32_t site = field_.closestSites[this->index(p)];
+    if (field_.sites.kind(site) != SiteKind::Face)
     {
       return false;
     }
-    const glm::dvec3& corner = sites_.points()[sites_.faces()[site][0]];
-    return directions_[site] *
-      glm::dot(sites_.faceNormal(site), frame_.sample(glm::dvec3(p)) - corner) >
+    const glm::dvec3& corner = field_.sites.points()[field_.sites.faces()[site][0]];
+    return field_.directions[site] *
+      glm::dot(field_.sites.faceNormal(site), field_.frame.sample(glm::dvec3(p)) - corner) >
       0.0;
   }
 
@@ -137,35 +124,36 @@ private:
   void visit(const glm::ivec3& p, PartPairs& pairs) const
   {
     const std::size_t here = this->index(p);
-    if (!depth_.wanted(here) || this->isBehind(p))
+    if (!field_.depth.wanted(here) || this->isBehind(p))
     {
       return;
     }
-    const int part = parts_.ofSite[closestSites_[here]];
+    const int part = parts_.ofSite[field_.closestSites[here]];
     for (int step = 14; step < 27; ++step)
     {
       const glm::ivec3 offset(step % 3 - 1, step / 3 % 3 - 1, step / 9 - 1);
-      const std::size_t there = this->index(p + offset);
-      const int other = parts_.ofSite[closestSites_[there]];
-      if (other == part || !depth_.wanted(there) || this->isBehind(p + offset))
+      if (glm::clamp(p + offset, first_, last_) != p + offset)
       {
         continue;
       }
-      const double length = glm::length(glm::dvec3(offset) * frame_.step);
-      const auto covered = static_cast<double>(depth_.at(here) + depth_.at(there));
+      const std::size_t there = this->index(p + offset);
+      const int other = parts_.ofSite[field_.closestSites[there]];
+      if (other == part || !field_.depth.wanted(there) || this->isBehind(p + offset))
+      {
+        continue;
+      }
+      const double length = glm::length(glm::dvec3(offset) * field_.frame.step);
+      const auto covered = static_cast<double>(field_.depth.at(here) + field_.depth.at(there));
       const bool room =
         this->isBody(part) && this->isBody(other) && covered <= length * (1.0 + kOverlap);
       (room ? pairs.apart : pairs.joined).insert(std::minmax(part, other));
     }
   }
 
-  const SiteSet& sites_;
-  const std::vector<std::int8_t>& directions_;
+  const FieldOfParts& field_;
   const SurfaceParts& parts_;
-  const GridFrame& frame_;
-  glm::ivec3 size_;
-  const std::int32_t* closestSites_;
-  const DepthField& depth_;
+  glm::ivec3 first_;
+  glm::ivec3 last_;
 };
 
 /// Gives each group the lowest colour that no group which it seems to touch has.
@@ -205,6 +193,21 @@ std::vector<int> coloured(DisjointSets& groups, const std::set<Pair>& apart)
 
 } // namespace
 
+PartPairs pairsOfParts(const FieldOfParts& field, const SurfaceParts& parts)
+{
+  return PairScan(field, parts).run();
+}
+
+std::vector<int> coloursOfParts(int parts, const PartPairs& pairs)
+{
+  DisjointSets groups(static_cast<std::size_t>(parts));
+  for (const auto& [a, b] : pairs.joined)
+  {
+    groups.join(a, b);
+  }
+  return coloured(groups, pairs.apart);
+}
+
 SolidBodies::SolidBodies(const SiteSet& sites, const std::vector<std::int8_t>& directions,
   const GridFrame& frame, const glm::ivec3& size, const std::int32_t* closestSites,
   const DepthField& depth)
@@ -214,14 +217,9 @@ SolidBodies::SolidBodies(const SiteSet& sites, const std::vector<std::int8_t>& d
   {
     return;
   }
-  const PartPairs pairs =
-    PairScan(sites, directions, parts, frame, size, closestSites, depth).run();
-  DisjointSets groups(static_cast<std::size_t>(parts.count()));
-  for (const auto& [a, b] : pairs.joined)
-  {
-    groups.join(a, b);
-  }
-  const std::vector<int> colours = coloured(groups, pairs.apart);
+  const Extent whole{ { 0, 0, 0 }, { size.x - 1, size.y - 1, size.z - 1 } };
+  const std::vector<int> colours = coloursOfParts(parts.count(),
+    pairsOfParts({ sites, directions, frame, whole, size, closestSites, depth }, parts));
   for (const int part : parts.ofSite)
   {
     siteColours_.push_back(colours[part]);

@@ -42,31 +42,24 @@ struct Origin
   bool widestOnly = false;
 };
 
-CubeCell itself(CubeCell vertex)
-{
-  return vertex;
-}
-
-class CellBuilder
+class CornerPlacer
 {
 public:
-  CellBuilder(const CubicalComplex& complex, const DepthField& depth, const SampleContext& context,
-    const SelectedSamples& selected, AxisSamples& samples)
+  CornerPlacer(const CubicalComplex& complex, std::vector<CubeCell> vertices,
+    const DepthField& depth, const SampleContext& context, const SelectedSamples& selected,
+    AxisSamples& samples)
     : complex_(complex)
     , depth_(depth)
     , context_(context)
     , selected_(selected)
     , samples_(samples)
-    , vertices_(cellsOf(complex, kVertexKind))
-    , ranks_(complex)
+    , vertices_(std::move(vertices))
   {
-    ranks_.set(vertices_, itself);
   }
 
-  ThinnedAxis build(Representation representation)
+  ThinnedAxis place(Representation representation)
   {
     ThinnedAxis cells;
-    this->addCells(cells);
     this->findSamples(cells);
     this->placePoints(representation, cells);
     cells.gridCells = mesh_.cells;
@@ -74,38 +67,6 @@ public:
   }
 
 private:
-  void addCells(ThinnedAxis& cells) const
-  {
-    for (const CubeCell vertex : vertices_)
-    {
-      if (complex_.maximal(vertex))
-      {
-        cells.vertices.push_back(this->point(vertex));
-      }
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        const CubeCell edge = vertex + kEdgeKind + axis;
-        if (complex_.has(edge) && complex_.maximal(edge))
-        {
-          cells.lines.push_back(
-            { this->point(vertex), this->point(vertex + 8 * complex_.stride(axis)) });
-        }
-        if (complex_.has(vertex + kFaceKind + axis))
-        {
-          const CubeCell u = 8 * complex_.stride((axis + 1) % 3);
-          const CubeCell v = 8 * complex_.stride((axis + 2) % 3);
-          cells.quads.push_back({ this->point(vertex), this->point(vertex + u),
-            this->point(vertex + u + v), this->point(vertex + v) });
-        }
-      }
-    }
-  }
-
-  std::int64_t point(CubeCell vertex) const
-  {
-    return static_cast<std::int64_t>(ranks_.find(vertex));
-  }
-
   void findSamples(ThinnedAxis& cells)
   {
     const std::size_t count = vertices_.size();
@@ -286,18 +247,76 @@ private:
   const SelectedSamples& selected_;
   AxisSamples& samples_;
   std::vector<CubeCell> vertices_; ///< ascending
-  CellRanks ranks_;
-  DualMesh mesh_; ///< cells and samples of the vertices
+  DualMesh mesh_;                  ///< cells and samples of the vertices
   std::vector<char> onSheet_;
 };
 
+/// Adds a cell unless one of its corners has no point.
+template <std::size_t Count>
+void addCell(const CellRanks& points, const std::array<CubeCell, Count>& corners,
+  std::vector<std::array<std::int64_t, Count>>& cells)
+{
+  std::array<std::int64_t, Count> cell{};
+  for (std::size_t i = 0; i < Count; ++i)
+  {
+    const std::size_t point = points.find(corners[i]);
+    if (point == CellRanks::kNone)
+    {
+      return;
+    }
+    cell[i] = static_cast<std::int64_t>(point);
+  }
+  cells.push_back(cell);
+}
+
 } // namespace
+
+ThinnedAxis pointsOfCorners(const CubicalComplex& complex, std::vector<CubeCell> vertices,
+  const DepthField& depth, const SampleContext& context, const SelectedSamples& selected,
+  Representation representation, AxisSamples& samples)
+{
+  return CornerPlacer(complex, std::move(vertices), depth, context, selected, samples)
+    .place(representation);
+}
+
+void addCells(const CubicalComplex& complex, const std::vector<CubeCell>& vertices,
+  ThinnedAxis& axis)
+{
+  CellRanks ranks(complex);
+  ranks.set(vertices, [](CubeCell vertex) { return vertex; });
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+  {
+    const CubeCell vertex = vertices[i];
+    if (complex.maximal(vertex))
+    {
+      axis.vertices.push_back(static_cast<std::int64_t>(i));
+    }
+    for (int along = 0; along < 3; ++along)
+    {
+      const CubeCell edge = vertex + kEdgeKind + along;
+      if (complex.has(edge) && complex.maximal(edge))
+      {
+        addCell<2>(ranks, { vertex, vertex + 8 * complex.stride(along) }, axis.lines);
+      }
+      if (complex.has(vertex + kFaceKind + along))
+      {
+        const CubeCell u = 8 * complex.stride((along + 1) % 3);
+        const CubeCell v = 8 * complex.stride((along + 2) % 3);
+        addCell<4>(ranks, { vertex, vertex + u, vertex + u + v, vertex + v }, axis.quads);
+      }
+    }
+  }
+}
 
 ThinnedAxis thinnedAxis(const CubicalComplex& complex, const DepthField& depth,
   const SampleContext& context, const SelectedSamples& selected, Representation representation,
   AxisSamples& samples)
 {
-  return CellBuilder(complex, depth, context, selected, samples).build(representation);
+  const std::vector<CubeCell> vertices = cellsOf(complex, kVertexKind);
+  ThinnedAxis axis =
+    pointsOfCorners(complex, vertices, depth, context, selected, representation, samples);
+  addCells(complex, vertices, axis);
+  return axis;
 }
 
 } // namespace medial

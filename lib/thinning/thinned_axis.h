@@ -34,8 +34,7 @@ struct SelectedSamples
   const std::vector<std::size_t>& indices; ///< in the selection, of the first samples of the solid
 };
 
-/// Turns what thinning left into cells of the dual mesh: a quad for each face, a line for each edge
-/// of no face, and a vertex for each corner of neither. Each corner has one point.
+/// Gives corners of what thinning left their points, without cells.
 ///
 /// Where selected faces are left, a point is placed as by surfacePoints(). Elsewhere it lies at the
 /// mean of the samples around it: those of faces that are left without being selected, or of
@@ -44,7 +43,21 @@ struct SelectedSamples
 /// of their grid cells, which makes them distinct and every quad have an area, so that the cells
 /// have the topology of the complex.
 ///
+/// @param vertices corners of the complex, ascending. The complex has all that is left around them,
+///   and the depths are known there.
 /// @param samples receives those that are missing.
+ThinnedAxis pointsOfCorners(const CubicalComplex& complex, std::vector<CubeCell> vertices,
+  const DepthField& depth, const SampleContext& context, const SelectedSamples& selected,
+  Representation representation, AxisSamples& samples);
+
+/// Turns what thinning left into cells of the dual mesh: a quad for each face, a line for each edge
+/// of no face, and a vertex for each corner of neither. Those with a corner that has no point are
+/// left out.
+/// @param vertices the corners of the axis's points, ascending.
+void addCells(const CubicalComplex& complex, const std::vector<CubeCell>& vertices,
+  ThinnedAxis& axis);
+
+/// Does both for all corners.
 ThinnedAxis thinnedAxis(const CubicalComplex& complex, const DepthField& depth,
   const SampleContext& context, const SelectedSamples& selected, Representation representation,
   AxisSamples& samples);

@@ -16,12 +16,12 @@ constexpr int kNoCurve = -2;
 
 } // namespace
 
-Thinning::Thinning(CubicalComplex& complex, const DepthField& depth, const CurveProbe& probe,
+Thinning::Thinning(CubicalComplex& complex, const DepthField& depth, EdgeTest separates,
   const glm::dvec3& step, const CurveLimits& limits, const Checkpoint& checkpoint)
   : complex_(complex)
   , anchors_(complex.size())
   , depth_(depth)
-  , probe_(probe)
+  , separates_(std::move(separates))
   , step_(step)
   , chains_(limits)
   , checkpoint_(checkpoint)
@@ -98,7 +98,7 @@ void Thinning::raise(CubeCell cell, int chain)
 
 void Thinning::raiseEdge(CubeCell edge, int chain)
 {
-  if (chain == CurveChains::kNone && !probe_.separates(complex_, edge))
+  if (chain == CurveChains::kNone && !separates_(edge))
   {
     queue_.push(0.0, { edge, kNoCurve });
     return;
@@ -182,7 +182,7 @@ void Thinning::burnEdge(CubeCell edge, int chain)
   const glm::vec3 position = this->edgePosition(edge);
   const float depth = this->depthAround(edge);
   std::vector<CurveChains::Pair> restored;
-  if (!chains_.lasting(chain, position, depth, restored) || !probe_.separates(complex_, edge))
+  if (!chains_.lasting(chain, position, depth, restored) || !separates_(edge))
   {
     const CubeCellSteps& ends = complex_.faces(CubicalComplex::kind(edge));
     const CubeCell other = (edge + ends.steps[0]) + (edge + ends.steps[1]) - vertex;

@@ -4,7 +4,6 @@
 #include "thinning/bucket_queue.h"
 #include "thinning/cubical_complex.h"
 #include "thinning/curve_chains.h"
-#include "thinning/curve_probe.h"
 #include "thinning/voxel_solid.h"
 
 #include <cstdint>
@@ -28,11 +27,13 @@ namespace medial
 class Thinning
 {
 public:
+  using EdgeTest = std::function<bool(CubeCell edge)>;
   /// @param complex the solid, which becomes what is left of it.
-  /// @param depth and probe must outlive this object.
+  /// @param depth must outlive this object.
+  /// @param separates tells which edges a curve may follow, as CurveProbe does.
   /// @param step frame distance of neighbouring grid points.
   /// @param checkpoint called now and then; must outlive this object.
-  Thinning(CubicalComplex& complex, const DepthField& depth, const CurveProbe& probe,
+  Thinning(CubicalComplex& complex, const DepthField& depth, EdgeTest separates,
     const glm::dvec3& step, const CurveLimits& limits, const Checkpoint& checkpoint);
 
   using FaceAngle = std::function<float(CubeCell face)>;
@@ -72,7 +73,7 @@ private:
   /// Faces, and edges of curves that are kept; and voxels that are in the queue.
   CubicalComplex anchors_;
   const DepthField& depth_;
-  const CurveProbe& probe_;
+  EdgeTest separates_;
   glm::dvec3 step_;
   CurveChains chains_;
   const Checkpoint& checkpoint_;

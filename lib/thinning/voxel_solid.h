@@ -81,7 +81,7 @@ CubicalComplex voxelSolid(const DepthField& depth, const glm::ivec3& size);
 /// Whether the voxel around a grid point belongs to that solid.
 inline bool inSolid(const DepthField& depth, const CubicalComplex& complex, const glm::ivec3& point)
 {
-  const glm::ivec3 size = complex.size();
+  const glm::ivec3& size = complex.grid();
   return point.x > 0 && point.y > 0 && point.z > 0 && point.x < size.x - 1 &&
     point.y < size.y - 1 && point.z < size.z - 1 &&
     depth.wanted(CubicalComplex::index(complex.cell(point, kVertexKind)));

@@ -198,6 +198,16 @@ TEST_F(CommandLine, RefusesTwoOutputsOfOneName)
     "--histogram and --image name the same file"));
 }
 
+TEST_F(CommandLine, NamesWhatItDoesNotExpect)
+{
+  EXPECT_TRUE(contains(usageError({ "--resolutoin", "5" }), "unknown option --resolutoin (see"));
+  EXPECT_TRUE(contains(usageError({ "b.ply", "c.ply" }), "unexpected argument 'b.ply'"));
+  EXPECT_TRUE(contains(runMedialAxis({ "--resolutoin", "5" }).err, "--resolutoin"));
+  EXPECT_TRUE(contains(usageError({ "--resolution" }), "--resolution needs a value"));
+  EXPECT_TRUE(contains(usageError({ "--resolution", "5", "--resolution", "6" }),
+    "--resolution may be given only once"));
+}
+
 TEST_F(CommandLine, NeedsAnInput)
 {
   const Outcome outcome = runMedialAxis({});

@@ -15,6 +15,16 @@ namespace medial::test
 namespace
 {
 
+double sumOfPhases(const Json& seconds)
+{
+  double sum = 0.0;
+  for (const auto& item : seconds.items())
+  {
+    sum += item.key() == "total" ? 0.0 : item.value().get<double>();
+  }
+  return sum;
+}
+
 TEST_F(CommandOutput, ReportHasExactlyTheDocumentedKeys)
 {
   const Json result = report({});
@@ -96,14 +106,19 @@ TEST_F(CommandOutput, PhasesAddUpToTheTotal)
   const Json seconds = report({ "-o", folder.file("axis.vtp"), "--thickness",
     folder.file("thickness.vtp"), "--thickness-image", folder.file("thickness.png"), "--image",
     folder.file("axis.png"), "--max-spheres", "20" })["seconds"];
-  double sum = 0.0;
-  for (const auto& item : seconds.items())
-  {
-    sum += item.key() == "total" ? 0.0 : item.value().get<double>();
-  }
-  EXPECT_GT(sum, 0.8 * seconds["total"].get<double>()) << seconds;
+  EXPECT_GT(sumOfPhases(seconds), 0.8 * seconds["total"].get<double>()) << seconds;
   EXPECT_GT(seconds["pictures"].get<double>(), 0.0);
   EXPECT_GT(seconds["measure"].get<double>(), 0.0);
+}
+
+// A mesh of many triangles on a coarse grid: what is made of its elements takes most of the time.
+// (The rasteriser's phases are those of the device's clock.)
+TEST_F(CommandOutput, NoTimeCountsInTwoPhases)
+{
+  writeFile(input, objText(icosphere(1.0, 6)));
+  const Json seconds =
+    report({ "-o", folder.file("axis.vtp"), "--engine", "processor" })["seconds"];
+  EXPECT_LE(sumOfPhases(seconds), seconds["total"].get<double>()) << seconds;
 }
 
 TEST_F(CommandOutput, ReportsTheTopology)
@@ -145,12 +160,11 @@ TEST_F(CommandOutput, ReportIsPlausible)
   EXPECT_TRUE(result["device"]["renderer"].is_null());
   EXPECT_GE(result["fragments_per_voxel"].get<double>(), 1.0);
   EXPECT_GT(result["peak_memory_mib"].get<double>(), 1.0);
-  double sum = 0.0;
   for (const auto& item : result["seconds"].items())
   {
     EXPECT_GE(item.value().get<double>(), 0.0) << item.key();
-    sum += item.key() == "total" ? 0.0 : item.value().get<double>();
   }
+  const double sum = sumOfPhases(result["seconds"]);
   EXPECT_LE(sum, result["seconds"]["total"].get<double>() * 1.01);
   EXPECT_GT(sum, 0.0);
 }

@@ -92,6 +92,22 @@ TEST_F(CommandThickness, IsThatOfTheInputSurface)
   EXPECT_GE(inside, 10);
 }
 
+TEST_F(CommandThickness, SaysWhichOptionsHaveNoEffect)
+{
+  const std::vector<std::string> wanted{ input, "--thickness", folder.file("t.vtp"), "--spacing",
+    "0.1", "--lambda", "1%", "--angle", "70" };
+  EXPECT_EQ(runMedialAxis(wanted).err,
+    "medial-axis: note: --spacing has no effect, since no output needs a grid\n"
+    "medial-axis: note: --lambda has no effect, since no output needs the axis\n");
+  std::vector<std::string> withField = wanted;
+  withField.insert(withField.end(), { "--field", folder.file("f.vti") });
+  EXPECT_EQ(runMedialAxis(withField).err,
+    "medial-axis: note: --lambda has no effect, since no output needs the axis\n");
+  std::vector<std::string> withAxis = wanted;
+  withAxis.insert(withAxis.end(), { "-o", folder.file("a.vtp") });
+  EXPECT_FALSE(contains(runMedialAxis(withAxis).err, "no effect"));
+}
+
 // No axis, no grid, no OpenGL: it works where there is none.
 TEST_F(CommandThickness, AloneComputesNothingElse)
 {
@@ -141,8 +157,9 @@ TEST_F(CommandThickness, ReportHasItsFigures)
     keys.insert(item.key());
   }
   EXPECT_EQ(keys,
-    (std::set<std::string>{ "method", "side", "angle", "min", "median", "max", "share_without",
-      "triangles", "min_limit", "max_limit", "regions", "seconds" }));
+    (std::set<std::string>{ "method", "side", "angle", "min", "percentile_5", "median",
+      "percentile_95", "max", "share_without", "triangles", "min_limit", "max_limit", "regions",
+      "seconds" }));
   EXPECT_EQ(result["method"], "ball");
   EXPECT_TRUE(result["regions"].is_null());
   EXPECT_EQ(result["side"], "interior");

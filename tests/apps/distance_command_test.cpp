@@ -71,6 +71,8 @@ TEST_F(DistanceCommand, SummarisesPoints)
   EXPECT_NEAR(result["distance"]["max"], 5.0, 1e-12);
   EXPECT_NEAR(result["distance"]["mean"], 2.5, 1e-12);
   EXPECT_NEAR(result["distance"]["rms"], std::sqrt(29.25 / 3.0), 1e-12);
+  EXPECT_NEAR(result["distance"]["median"], 2.0, 1e-12);
+  EXPECT_NEAR(result["distance"]["percentile_95"], 5.0, 1e-12);
   EXPECT_TRUE(result["hausdorff"].is_null());
   EXPECT_TRUE(json(mesh, points, { "--sign", "none" })["distance"]["inside"].is_null());
 }
@@ -107,26 +109,52 @@ TEST_F(DistanceCommand, WritesPointsWithArrays)
   }
 }
 
-/// Counts the pixels left of the scalar bar that have a colour of its yellow end or its dark blue
-/// one.
-struct EndsOfScale
+struct Colour
 {
-  int high = 0;
-  int low = 0;
+  double red;
+  double green;
+  double blue;
+};
 
-  explicit EndsOfScale(vtkImageData* picture)
+/// Counts the pixels left of the scalar bar whose colour is as wanted.
+template <typename F>
+int countPixels(vtkImageData* picture, const F& isWanted)
+{
+  int count = 0;
+  for (int y = 0; y < 1100; ++y) // below the caption
   {
-    for (int y = 0; y < 1100; ++y) // below the caption
+    for (int x = 0; x < 1300; ++x)
     {
-      for (int x = 0; x < 1300; ++x)
-      {
-        const auto channel = [&](int c) { return picture->GetScalarComponentAsDouble(x, y, 0, c); };
-        high += channel(0) > 150.0 && channel(1) > 140.0 && channel(2) < 90.0 ? 1 : 0;
-        low += channel(2) > channel(1) + 25.0 && channel(0) < 110.0 && channel(1) < 60.0 ? 1 : 0;
-      }
+      const auto channel = [&](int c) { return picture->GetScalarComponentAsDouble(x, y, 0, c); };
+      count += isWanted(Colour{ channel(0), channel(1), channel(2) }) ? 1 : 0;
     }
   }
-};
+  return count;
+}
+
+/// Whether a colour is one of the yellow end of the scale of magnitudes.
+bool isHigh(const Colour& c)
+{
+  return c.red > 150.0 && c.green > 140.0 && c.blue < 90.0;
+}
+
+/// Whether a colour is one of the dark blue end of the scale of magnitudes.
+bool isLow(const Colour& c)
+{
+  return c.blue > c.green + 25.0 && c.red < 110.0 && c.green < 60.0;
+}
+
+/// Whether a colour is red, as outside.
+bool isOutside(const Colour& c)
+{
+  return c.red - c.blue > 80.0;
+}
+
+/// Whether a colour is blue, as inside.
+bool isInside(const Colour& c)
+{
+  return c.red - c.blue < -40.0;
+}
 
 TEST_F(DistanceCommand, DrawsDeviationsFromNoneToTheLargest)
 {
@@ -144,9 +172,26 @@ TEST_F(DistanceCommand, DrawsDeviationsFromNoneToTheLargest)
   const auto picture = readPng(image);
   EXPECT_EQ(picture->GetDimensions()[0], 1600);
   EXPECT_EQ(picture->GetDimensions()[1], 1200);
-  const EndsOfScale drawn(picture);
-  EXPECT_GT(drawn.high, 1000);
-  EXPECT_GT(drawn.low, 1000);
+  EXPECT_GT(countPixels(picture, isHigh), 1000);
+  EXPECT_GT(countPixels(picture, isLow), 1000);
+}
+
+// One end of a box lies outside of the mesh, the other one inside.
+TEST_F(DistanceCommand, DrawsInsideAndOutsideInTwoColours)
+{
+  TriangleMesh moved = box({ 2.0, 1.0, 0.5 });
+  for (Point3& p : moved.points)
+  {
+    p = { 0.9 * p[0] + 0.5, 0.9 * p[1], 0.9 * p[2] };
+  }
+  const std::string other = folder.file("moved.obj");
+  const std::string image = folder.file("deviation.png");
+  writeFile(other, objText(moved));
+  const Outcome outcome = runMedialDistance({ mesh, other, "-q", "--image", image });
+  EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+  const auto picture = readPng(image);
+  EXPECT_GT(countPixels(picture, isOutside), 1000);
+  EXPECT_GT(countPixels(picture, isInside), 1000);
 }
 
 TEST_F(DistanceCommand, DrawsPointsAroundTheMesh)
@@ -154,7 +199,7 @@ TEST_F(DistanceCommand, DrawsPointsAroundTheMesh)
   const std::string image = folder.file("points.png");
   const Outcome outcome = runMedialDistance({ mesh, points, "-q", "--image", image });
   EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
-  EXPECT_GT(EndsOfScale(readPng(image)).high, 10); // the farthest one
+  EXPECT_GT(countPixels(readPng(image), isOutside), 10); // the farthest one
 }
 
 TEST_F(DistanceCommand, RefusesPicturesOfOtherFormats)

@@ -3,7 +3,9 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdint>
 #include <cstdlib>
+#include <fstream>
 #include <stdexcept>
 
 #include <poll.h>
@@ -61,6 +63,22 @@ struct Pipe
   _exit(127);
 }
 
+// Whether a process handles SIGINT already: one that is just starting would be ended by it.
+bool handlesInterrupts(pid_t process)
+{
+  const std::string caught = "SigCgt:";
+  std::ifstream status("/proc/" + std::to_string(process) + "/status");
+  for (std::string line; std::getline(status, line);)
+  {
+    if (line.compare(0, caught.size(), caught) == 0)
+    {
+      const std::uint64_t signals = std::stoull(line.substr(caught.size()), nullptr, 16);
+      return (signals >> (SIGINT - 1) & 1) != 0;
+    }
+  }
+  return false;
+}
+
 // Reads both pipes until the program has closed them, and interrupts it in between.
 void follow(pid_t child, const RunOptions& options, Pipe& out, Pipe& err, Outcome& outcome)
 {
@@ -73,7 +91,7 @@ void follow(pid_t child, const RunOptions& options, Pipe& out, Pipe& err, Outcom
   {
     poll(streams, 2, 20);
     const std::chrono::duration<double> elapsed = Clock::now() - start;
-    if (!interrupted && elapsed.count() >= options.interruptAfter)
+    if (!interrupted && elapsed.count() >= options.interruptAfter && handlesInterrupts(child))
     {
       kill(child, SIGINT);
       interrupted = true;

@@ -65,14 +65,27 @@ class RanksAxis(RankTest):
     def test_more_ranks_than_parts_of_the_grid_with_an_axis(self):
         self.assertLess(self.expect_same_axis(7, "--resolution", "30", "--sign", "pseudonormal"), 7)
 
+    def test_three_ranks_preserve_the_topology_as_one(self):
+        for more in ((), ("--representation", "faces"), ("--side", "both", "--angle", "40")):
+            options = ("--resolution", "40", "--topology", "preserve", "--sign", "pseudonormal", *more)
+            self.assertGreater(self.expect_same_axis(3, *options), 1)
+
+    def test_preserved_topology_of_bodies_that_touch_in_one_file(self):
+        self.write(*boxes(((0, 0, 0), (1, 0.9, 0.8)), ((1, 0.1, 0.1), (0.5, 0.6, 0.5))))
+        options = ("--resolution", "40", "--topology", "preserve", *SINGLE)
+        self.run_well(1, "torus.off", "-o", "one.vtp", "-q", *options)
+        several = self.run_ranks(4, "torus.off", "-o", "many.vtp", *options)
+        self.assertEqual(several.returncode, 0, several.stderr)
+        self.assertNotIn("first process", several.stderr)
+        self.expect_same_file("many.vtp", "one.vtp")
+
     def test_what_the_first_rank_computes_alone(self):
-        for options, name in ((("--topology", "preserve"), "--topology preserve"),
-                              (("--max-spheres", "50"), "--max-spheres")):
-            options = ("--resolution", "30", "--sign", "pseudonormal", *SINGLE, *options)
+        for topology in ("selected", "preserve"):
+            options = ("--resolution", "30", "--sign", "pseudonormal", *SINGLE, "--topology", topology, "--max-spheres", "50")
             self.run_well(1, "torus.off", "-o", "one.ply", "-q", *options)
             several = self.run_ranks(2, "torus.off", "-o", "many.ply", *options)
             self.assertEqual(several.returncode, 0)
-            self.assertIn(f"note: torus.off: {name} looks at the whole axis", several.stderr)
+            self.assertIn("note: torus.off: --max-spheres looks at the whole axis", several.stderr)
             self.expect_same_file("many.ply", "one.ply")
 
     def expect_same_report(self, ranks, *options):
@@ -110,9 +123,10 @@ class RanksAxis(RankTest):
         self.assertGreater(len(report["coverage"]["places"]), 0)
         self.assertLess(report["coverage"]["spacing"], 0.01)
 
-    def test_a_report_of_what_the_first_rank_computes_alone(self):
-        report = self.expect_same_report(2, "--resolution", "30", "--topology", "preserve")
-        self.assertEqual(report["topology"]["solid"]["genus"], 1)
+    def test_a_report_of_preserved_topology(self):
+        for more in ((), ("--max-spheres", "60")):
+            report = self.expect_same_report(2, "--resolution", "30", "--topology", "preserve", *more)
+            self.assertEqual(report["topology"]["solid"]["genus"], 1)
 
     def test_a_report_on_standard_output(self):
         run = self.run_ranks(2, "torus.off", "-o", "a.pvtp", "--report", "-", "--resolution", "30")

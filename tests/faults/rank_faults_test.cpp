@@ -31,9 +31,11 @@ struct Ending
   std::vector<Point3> points;
 };
 
-MedialAxis axisOfRanks(Communicator& communicator, const SurfacePiece& piece, const Grid& grid)
+MedialAxis axisOfRanks(Communicator& communicator, const SurfacePiece& piece, const Grid& grid,
+  Topology topology)
 {
   MedialAxisOptions options;
+  options.topology = topology;
   options.field.execution.threads = 1;
   const std::vector<Extent> extents = partsByWork(communicator, piece, grid, options.field);
   NoField nothing;
@@ -44,7 +46,7 @@ MedialAxis axisOfRanks(Communicator& communicator, const SurfacePiece& piece, co
 /// Runs all ranks. From their first step on allocations count, on whatever rank.
 /// @param failing the one that fails; none for 0.
 std::vector<Ending> run(const std::vector<SurfacePiece>& pieces, const Grid& grid,
-  std::int64_t failing, std::int64_t* count = nullptr)
+  Topology topology, std::int64_t failing, std::int64_t* count = nullptr)
 {
   std::vector<Ending> endings(kRanks);
   std::once_flag started;
@@ -57,7 +59,7 @@ std::vector<Ending> run(const std::vector<SurfacePiece>& pieces, const Grid& gri
       std::call_once(started, [&] { failAllocation(failing, Failing::Once); });
       try
       {
-        endings[rank].points = axisOfRanks(communicator, pieces[rank], grid).points;
+        endings[rank].points = axisOfRanks(communicator, pieces[rank], grid, topology).points;
       }
       catch (const Error& error)
       {
@@ -77,7 +79,11 @@ std::vector<Ending> run(const std::vector<SurfacePiece>& pieces, const Grid& gri
   return endings;
 }
 
-TEST(RankFaults, OnOneRankAreKnownToAll)
+class RankFaults : public testing::TestWithParam<Topology>
+{
+};
+
+TEST_P(RankFaults, OnOneRankAreKnownToAll)
 {
   const TriangleMesh mesh = numbered(lPrism(1.0, 0.5));
   const Grid grid = makeGrid(mesh.bounds(), 20);
@@ -86,15 +92,15 @@ TEST(RankFaults, OnOneRankAreKnownToAll)
   {
     pieces.push_back(pieceOf(mesh, rank, atRandom(kRanks)));
   }
-  run(pieces, grid, 0); // caches
+  run(pieces, grid, GetParam(), 0); // caches
   std::int64_t count = 0;
-  const std::vector<Ending> expected = run(pieces, grid, 0, &count);
+  const std::vector<Ending> expected = run(pieces, grid, GetParam(), 0, &count);
   ASSERT_FALSE(expected.front().points.empty());
   std::set<char> failed; // ranks
   for (std::int64_t n = 1; n <= count; n += stepBetweenFailures())
   {
     SCOPED_TRACE("allocation " + std::to_string(n) + " of " + std::to_string(count));
-    const std::vector<Ending> endings = run(pieces, grid, n);
+    const std::vector<Ending> endings = run(pieces, grid, GetParam(), n);
     const std::string& error = endings.front().error;
     for (const Ending& ending : endings)
     {
@@ -110,6 +116,9 @@ TEST(RankFaults, OnOneRankAreKnownToAll)
   }
   EXPECT_EQ(failed, (std::set<char>{ '0', '1', '2' }));
 }
+
+INSTANTIATE_TEST_SUITE_P(Topologies, RankFaults,
+  testing::Values(Topology::Selected, Topology::Preserve));
 
 } // namespace
 } // namespace medial::test

@@ -119,6 +119,8 @@ TEST(MedialThicknessFilter, OutputIsTheInputWithThickness)
   EXPECT_EQ(figure(filter->GetOutput(), "MinThickness"), 0.0);
   EXPECT_NEAR(figure(filter->GetOutput(), "MaxThickness"), 1.2, 1e-6);
   EXPECT_GT(figure(filter->GetOutput(), "MedianThickness"), 0.0);
+  EXPECT_EQ(figure(filter->GetOutput(), "Percentile5Thickness"), 0.0); // edges are many
+  EXPECT_NEAR(figure(filter->GetOutput(), "Percentile95Thickness"), 1.2, 1e-6);
   EXPECT_EQ(figure(filter->GetOutput(), "ShareWithout"), 0.0);
 }
 

@@ -7,6 +7,7 @@
 #include "field/engines/make_engine.h"
 #include "field/field_pipeline.h"
 #include "field/mesh_state.h"
+#include "support/engines.h"
 
 #include <glm/glm.hpp>
 
@@ -27,11 +28,11 @@ public:
     , run_(Execution())
     , checkpoint_(run_, 0.0, "test")
     , pipeline_(mesh_, connectivity_, grid_, grid_.wholeExtent(), {}, state_.orienter, run_)
-    , side_(mesh_, connectivity_, pipeline_.frame())
+    , side_([this] { return pipeline_.insideQuery(); })
     , angle_(angle)
   {
     ArraySink sink(grid_.wholeExtent(), {});
-    crossings_ = pipeline_.run(obtainEngine(Engine::Processor, {}, state_.engine), sink,
+    crossings_ = pipeline_.run(obtainEngine(byEngine(Engine::Processor), state_.engine), sink,
       { angle, Side::Interior });
   }
 

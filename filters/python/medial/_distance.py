@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from ._arrays import figure, float_rows, point_data, to_points
-from ._mesh import to_polydata
+from ._mesh import is_whole, to_polydata
 from ._options import SIGNS, Sign, assign, assign_numbers, choice
 from ._update import Progress, run
 from .vtkMedialFilters import vtkMeshPointDistance
@@ -35,8 +35,8 @@ def distance(vertices: Any, faces: Any = None, points: Any = None, *, sign: Sign
              threads: int = 0, progress: Optional[Progress] = None) -> PointDistances:
     """Signed distances of points from a mesh, exact in double precision and without a grid.
 
-    vertices, faces: the mesh, as for distance_field(); faces is None where vertices is a whole
-        mesh.
+    vertices, faces: the mesh, as for distance_field(). After a whole mesh come the points:
+        distance(mesh, points).
     points: (n, 3) coordinates in world units, float32 or float64.
     sign: how inside, where distances are negative, is told from outside, as for distance_field().
     threads: number of CPU threads to use, in [0, 1024]; 0 for all cores.
@@ -51,9 +51,10 @@ def distance(vertices: Any, faces: Any = None, points: Any = None, *, sign: Sign
     >>> distance(cube, quads, [[0.5, 0.5, 0.75], [0.5, 4, 5]]).distance
     array([-0.25,  5.  ])
     """
+    if points is None and is_whole(vertices):
+        faces, points = None, faces
     if points is None:
-        raise TypeError("points are missing: an (n, 3) array of coordinates is needed, after a whole "
-                        "mesh as points=...")
+        raise TypeError("points are missing: an (n, 3) array of coordinates is needed after the mesh")
     targets = vtkPolyData()
     targets.SetPoints(to_points(float_rows(points, "points", 3)))
     algorithm = vtkMeshPointDistance()

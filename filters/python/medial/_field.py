@@ -109,8 +109,8 @@ def distance_field(
     memory: upper bound on the memory for slabs, in MiB, >= 64; 0 chooses one. The result is not
         counted.
     engine: what finds the closest sites: "processor" (CPU, without OpenGL), "device" (compute
-        shaders of OpenGL), "rasteriser" (OpenGL) or "auto": the device if there is graphics
-        hardware that works, otherwise the processor. The distances do not depend on it.
+        shaders of OpenGL), "rasteriser" (OpenGL) or "auto": the processor, and the device for
+        large work on graphics hardware that works. The distances do not depend on it.
     device: what an engine that uses OpenGL computes on: its number, or a part of its name, as
         `medial-axis --list-devices` prints them; by default the first GPU, else a software
         renderer. If there is no such device, or it fails, "auto" leaves the work to the processor,

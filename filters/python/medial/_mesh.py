@@ -64,6 +64,11 @@ def length(name: str, value: Any, mesh: vtkPolyData) -> Any:
     return 0.01 * share * math.dist(bounds[0::2], bounds[1::2])
 
 
+def is_whole(mesh: Any) -> bool:
+    """Whether an object is a mesh with vertices and faces of its own."""
+    return isinstance(mesh, vtkPolyData) or (hasattr(mesh, "vertices") and hasattr(mesh, "faces"))
+
+
 def to_polydata(vertices: Any, faces: Any = None) -> vtkPolyData:
     """The mesh that a function of this package was called with; never the caller's own object.
 

@@ -38,11 +38,26 @@ std::string firstLine(const std::string& text)
 
 } // namespace
 
-FallbackEngine::FallbackEngine(Make make)
+double workOf(const FieldJob& job)
+{
+  // Of an H100's host; an estimate within a factor of two for meshes of 20,000 to a million
+  // triangles and resolutions of 64 to 1024 (docs/design/device-engine.md).
+  constexpr double kSecondsOfPoint = 25e-9;
+  constexpr double kSecondsOfTriangle = 1e-5;
+  return kSecondsOfPoint * static_cast<double>(job.extent.pointCount()) +
+    kSecondsOfTriangle * static_cast<double>(job.mesh.triangles.size());
+}
+
+FallbackEngine::FallbackEngine(Make make, double patience)
   : make_(std::move(make))
+  , patience_(patience)
+  , renews_(patience > 0.0)
   , second_(std::make_unique<ProcessorEngine>())
 {
-  this->makeFirst();
+  if (!renews_)
+  {
+    this->makeFirst();
+  }
 }
 
 void FallbackEngine::makeFirst()
@@ -57,10 +72,10 @@ void FallbackEngine::makeFirst()
   }
 }
 
-/// After a reset, which leaves a device as good as new.
+/// Once patience has run out; and after a reset, which leaves a device as good as new.
 void FallbackEngine::renewFirst(RunStatistics& statistics)
 {
-  if (!std::exchange(renews_, false))
+  if (patience_ > 0.0 || !std::exchange(renews_, false))
   {
     return;
   }
@@ -92,6 +107,7 @@ template <typename Work>
 auto FallbackEngine::attempt(const FieldJob& job, FieldSink& sink, const Work& work)
 {
   ResumedSink resumed(job.extent, sink);
+  patience_ -= workOf(job);
   this->renewFirst(job.statistics);
   if (first_)
   {

@@ -10,7 +10,8 @@
 namespace medial
 {
 
-/// The engine `auto` where there is graphics hardware: the device, and the processor as soon as the
+/// The engine `auto` where there is graphics hardware: the processor until its jobs add up to more
+/// work than starting a device is worth, then the device, and the processor again as soon as the
 /// device fails. What the device has stored by then stays, the processor goes on, and a note in the
 /// statistics says why. A job that is too much for the device leaves it the next one, and so does a
 /// reset of the device, once.
@@ -19,8 +20,11 @@ class FallbackEngine : public FieldEngine
 public:
   using Make = std::function<std::unique_ptr<FieldEngine>()>;
 
-  /// @param make makes the engine to begin with. It may throw, which counts as a failure.
-  explicit FallbackEngine(Make make);
+  /// @param make makes the device. It may throw, which counts as a failure, and may return null if
+  ///   there is none worth having.
+  /// @param patience work after which it is made: estimated seconds of one core; see workOf(). It
+  ///   counts no real time, so that the same jobs always get the same engines.
+  explicit FallbackEngine(Make make, double patience = 0.0);
 
   Engine kind() const override;
   bool serves(Engine wanted) const override { return wanted == Engine::Auto; }
@@ -39,10 +43,14 @@ private:
 
   Make make_;
   std::unique_ptr<FieldEngine> first_; ///< null once it has failed
-  bool renews_ = false;                ///< whether the next job makes it again
+  double patience_;                    ///< what is left of it
+  bool renews_ = false;                ///< whether the next job makes it (again)
   int resets_ = 0;
   std::unique_ptr<FieldEngine> second_;
   std::string failure_; ///< the last one
 };
+
+/// Estimates how long a core takes for a field, in seconds.
+double workOf(const FieldJob& job);
 
 } // namespace medial

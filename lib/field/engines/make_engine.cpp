@@ -13,17 +13,33 @@ namespace medial
 namespace
 {
 
-/// Whether OpenGL runs on graphics hardware, or fails where there may be some or where a device was
-/// asked for: FallbackEngine then says why.
-bool hasHardware(const std::string& device)
+/// What the processor does before a device is started, in seconds of one core: a second of four.
+/// Starting takes 0.1 s, and 2 s where the driver has yet to compile the shaders.
+constexpr double kPatience = 4.0;
+
+/// Whether OpenGL runs on graphics hardware.
+bool runsOnHardware(const std::string& device)
 {
-  if (device.empty() && !gl::mayHaveHardware())
+  return !gl::GpuThread::instance(device).device().software;
+}
+
+/// Whether nobody waits for a device to be started, which takes longer than a small field.
+bool isPatient(const DistanceFieldOptions& options)
+{
+  return options.device.empty() && !options.requireHardware;
+}
+
+/// Whether there may be a device that is worth having. Where one was asked for that is missing,
+/// FallbackEngine says why.
+bool mayHaveDevice(const DistanceFieldOptions& options)
+{
+  if (isPatient(options))
   {
-    return false;
+    return gl::mayHaveHardware();
   }
   try
   {
-    return !gl::GpuThread::instance(device).device().software;
+    return runsOnHardware(options.device);
   }
   catch (const Error&)
   {
@@ -32,20 +48,27 @@ bool hasHardware(const std::string& device)
 }
 
 /// Returns Auto only where there is a choice.
-Engine resolved(Engine wanted, const std::string& device)
+Engine resolved(const DistanceFieldOptions& options)
 {
-  return wanted == Engine::Auto && !hasHardware(device) ? Engine::Processor : wanted;
+  return options.engine == Engine::Auto && !mayHaveDevice(options) ? Engine::Processor
+                                                                   : options.engine;
+}
+
+std::unique_ptr<FieldEngine> makeHardware(const std::string& device)
+{
+  return runsOnHardware(device) ? std::make_unique<DeviceEngine>(device) : nullptr;
 }
 
 } // namespace
 
-std::unique_ptr<FieldEngine> makeEngine(Engine wanted, const std::string& device)
+std::unique_ptr<FieldEngine> makeEngine(const DistanceFieldOptions& options)
 {
-  switch (resolved(wanted, device))
+  const std::string& device = options.device;
+  switch (resolved(options))
   {
     case Engine::Auto:
-      return std::make_unique<FallbackEngine>(
-        [=] { return std::make_unique<DeviceEngine>(device); });
+      return std::make_unique<FallbackEngine>([=] { return makeHardware(device); },
+        isPatient(options) ? kPatience : 0.0);
     case Engine::Rasteriser:
       return std::make_unique<RasteriserEngine>(device);
     case Engine::Device:
@@ -56,13 +79,12 @@ std::unique_ptr<FieldEngine> makeEngine(Engine wanted, const std::string& device
   return std::make_unique<ProcessorEngine>();
 }
 
-FieldEngine& obtainEngine(Engine wanted, const std::string& device,
-  std::unique_ptr<FieldEngine>& kept)
+FieldEngine& obtainEngine(const DistanceFieldOptions& options, std::unique_ptr<FieldEngine>& kept)
 {
   // Where it may serve anyway, nobody looks for hardware again.
-  if (!kept || !(kept->serves(wanted) || kept->serves(resolved(wanted, device))))
+  if (!kept || !(kept->serves(options.engine) || kept->serves(resolved(options))))
   {
-    kept = makeEngine(wanted, device);
+    kept = makeEngine(options);
   }
   return *kept;
 }

@@ -34,7 +34,7 @@ struct DeviceList
 };
 
 /// Tries all EGL devices, on a thread of its own. One piece of hardware may be listed twice, as a
-/// device and by Mesa's surfaceless platform.
+/// device and by EGL's surfaceless platform.
 /// @throws Error NoGpu if EGL or OpenGL is not installed.
 MEDIAL_EXPORT DeviceList listDevices();
 

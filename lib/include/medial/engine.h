@@ -8,7 +8,7 @@ namespace medial
 /// OpenGL.
 enum class Engine
 {
-  Auto,       ///< Device on graphics hardware that works, otherwise Processor
+  Auto,       ///< Processor, and Device where hardware works and there is work enough
   Rasteriser, ///< draws polygons that bound Voronoi regions, with OpenGL's depth test
   Device,     ///< searches, culls and evaluates by compute shaders of OpenGL 4.5
   Processor   ///< evaluates the candidates of every tile with vector instructions of the CPU

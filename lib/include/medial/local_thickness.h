@@ -80,8 +80,9 @@ MEDIAL_EXPORT LocalThicknessStatistics computeLocalThickness(const TriangleMesh&
   const MeshConnectivity& connectivity, const Grid& grid, float* values,
   const LocalThicknessOptions& options = {});
 
-/// The same, but delivers the values slab by slab, for grids that do not fit into memory. It
-/// computes the distance field once more for that.
+/// The same, but delivers the values slab by slab, for grids that do not fit into memory. The
+/// distances that this needs take about a byte for each grid point on the side; where this is more
+/// than half of DistanceFieldOptions::memoryMiB, the distance field is computed once more.
 /// @param sink receives the values in FieldArrays::distance, the only array that it may want.
 /// @param field receives the distance field, as computeDistanceField() delivers it, before `sink`
 ///   receives anything; may be null. It costs less than another call.

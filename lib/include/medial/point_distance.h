@@ -35,6 +35,10 @@ struct DistanceSummary
   double max = 0.0;  ///< largest distance, with its sign, world units
   double mean = 0.0; ///< mean of the magnitudes, world units
   double rms = 0.0;  ///< root of the mean square, world units
+  /// Magnitude that no more than half of the points exceed, world units.
+  double median = 0.0;
+  /// Magnitude that no more than 5 % of the points exceed, world units.
+  double percentile95 = 0.0;
 };
 
 /// Sums distances up, in the order of the points.

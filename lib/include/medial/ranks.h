@@ -162,16 +162,21 @@ struct AxisPiece
 };
 
 /// Computes the medial axis of a surface that lies in pieces on several ranks. No rank holds the
-/// whole surface, field or axis. Together the pieces have the points and cells that
-/// computeMedialAxis() gives in one process, to the last bit, each cell in one piece, whatever the
-/// extents and the number of ranks. Every rank calls it, with the same grid, extents and options.
+/// whole surface or axis, nor the whole field, but see below. Together the pieces have the points
+/// and cells that computeMedialAxis() gives in one process, to the last bit, each cell in one
+/// piece, whatever the extents and the number of ranks. Every rank calls it, with the same grid,
+/// extents and options.
 ///
 /// The extents say where ranks compute the field. Once it is known where the axis is, the grid is
 /// cut again, so that each rank has about as much of the axis to make.
 ///
+/// With Topology::Preserve the first rank thins the voxels of the whole grid: it has the distances
+/// there, of the surface nothing, and takes 10 bytes for each grid point. The others tell it about
+/// selected crossings and closest sites, and place the points.
+///
 /// @param extents of all ranks; they cover the grid, each point once. Some may be empty.
 /// @param sink receives the field of touchingExtent() of this rank's.
-/// @param options the topology must be Selected, maxSpheres 0; the engine is the processor.
+/// @param options maxSpheres must be 0; the engine is the processor.
 /// @param counts receives what the rank has held; may be null.
 /// @throws Error on every rank, with the message of the first that failed: as computeMedialAxis()
 ///   in one process and as computeDistanceField() on several, and InvalidInput for extents that

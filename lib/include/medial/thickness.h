@@ -64,12 +64,14 @@ struct Thickness
   std::vector<char> atEdge;
   /// The same per triangle.
   std::vector<char> triangleAtEdge;
-  double min = 0.0;         ///< smallest of the values that are not NaN; NaN if there are none
-  double median = 0.0;      ///< median of the same values
-  double max = 0.0;         ///< largest of the same values
-  std::int64_t points = 0;  ///< number of points of the surface: of several ranks, of the whole
-  std::int64_t without = 0; ///< number of those without a value (NaN)
-  double seconds = 0.0;     ///< wall-clock time
+  double min = 0.0;          ///< smallest of the values that are not NaN; NaN if there are none
+  double percentile5 = 0.0;  ///< 5 % of the same values, and no more, are smaller
+  double median = 0.0;       ///< median of the same values
+  double percentile95 = 0.0; ///< 5 % of the same values, and no more, are larger
+  double max = 0.0;          ///< largest of the same values
+  std::int64_t points = 0;   ///< number of points of the surface: of several ranks, of the whole
+  std::int64_t without = 0;  ///< number of those without a value (NaN)
+  double seconds = 0.0;      ///< wall-clock time
 
   /// Share of the points without a value, in [0, 1].
   double shareWithout() const
@@ -116,7 +118,8 @@ struct Thickness
 /// case: all its facets are equally near its centre, so the time grows with the square of their
 /// number.
 ///
-/// @return one value per point of the mesh, and their minimum, median and maximum.
+/// @return one value per point of the mesh, their minimum, median and maximum, and the percentiles
+/// 5 and 95.
 /// @throws Error InvalidInput for an empty mesh, an angle outside (0, 180) or a negative number of
 ///   threads; OutOfMemory; Cancelled.
 MEDIAL_EXPORT Thickness computeThickness(const TriangleMesh& mesh,

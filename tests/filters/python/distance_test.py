@@ -54,6 +54,14 @@ class Distance(unittest.TestCase):
     def test_no_points(self):
         self.assertEqual(medial.distance(*shapes.box(), np.empty((0, 3))).distance.shape, (0,))
 
+    def test_points_come_after_a_whole_mesh(self):
+        points = random_points(20)
+        mesh = medial.Surface(*shapes.box())
+        expected = medial.distance(*shapes.box(), points).distance
+        for whole in (mesh, mesh.to_vtk()):
+            np.testing.assert_array_equal(medial.distance(whole, points).distance, expected)
+            np.testing.assert_array_equal(medial.distance(whole, points=points).distance, expected)
+
     def test_threads_do_not_change_a_bit(self):
         one, other = (medial.distance(*shapes.ball(3, 1.0), random_points(5000), threads=threads)
                       for threads in (1, 3))
@@ -70,6 +78,8 @@ class Distance(unittest.TestCase):
         box = shapes.box()
         with self.assertRaisesRegex(TypeError, "points are missing"):
             medial.distance(*box)
+        with self.assertRaisesRegex(TypeError, "points are missing"):
+            medial.distance(medial.Surface(*box))
         with self.assertRaisesRegex(medial.InvalidInputError, r"points have the shape \(3,\)"):
             medial.distance(*box, [0, 0, 0])
         with self.assertRaisesRegex(medial.InvalidInputError, "point 1"):

@@ -142,6 +142,7 @@ class Ranks(unittest.TestCase):
             {"axis": True, "pieces": "runs", "options": {"Resolution": 40, "Angle": 20, "Side": 2}, "blocks": "multiblock"},
             {"axis": True, "pieces": "one", "owner": 1, "options": {"Resolution": 40, "SignMethod": 1}},
             {"axis": True, "pieces": "runs", "options": {"Resolution": 40, "SignMethod": 3}},
+            {"axis": True, "pieces": "random", "options": {"Resolution": 40, "Topology": 1}},
             {"axis": True, "pieces": "random", "empty": 1, "options": {
                 "GridMode": 2, "Origin": [-1.5, -1.4, -1.6], "Spacing": [0.08, 0.08, 0.08], "Dimensions": [39, 38, 41]}},
         ]
@@ -285,7 +286,7 @@ class Ranks(unittest.TestCase):
             ({**axis, "fault": "NaN", "rank": 1}, "^rank 1: point 0 .*nan"),
             ({**axis, "options of ranks": {"1": {"Angle": 40}}}, "rank 1: Angle 40, but rank 0 has Angle 60"),
             ({**axis, "options": {**small, "GenerateDistanceField": 1}}, "^GenerateDistanceField must be off"),
-            ({**axis, "options": {**small, "Topology": 1}}, "^preserved topology"),
+            ({**axis, "options": {**small, "Topology": 1, "Representation": 2}}, "^points have no topology to preserve"),
             ({**axis, "options": {**small, "MaximumNumberOfSpheres": 50}}, "^a maximum number of spheres"),
             ({**axis, "options": {**small, "Angle": 200}}, "200"),
         ]

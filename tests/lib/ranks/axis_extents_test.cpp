@@ -153,9 +153,6 @@ TEST(AxisOfExtents, RefusesWhatNeedsTheWholeOnEveryRank)
   };
   const std::vector<Extent> halves = partsOfGrid(of.grid, 2);
   MedialAxisOptions options = optionsOf(of);
-  options.topology = Topology::Preserve;
-  EXPECT_EQ(refusal(halves, options), "preserved topology needs the whole axis in one process");
-  options = optionsOf(of);
   options.maxSpheres = 10;
   EXPECT_EQ(refusal(halves, options),
     "a maximum number of spheres needs the whole axis in one process");

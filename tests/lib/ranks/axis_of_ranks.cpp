@@ -4,6 +4,8 @@
 
 #include "simulated_ranks.h"
 
+#include "support/models.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,6 +18,20 @@ AxisCase caseOf(const TriangleMesh& mesh, int resolution)
   return { mesh, gridAround(mesh, resolution) };
 }
 
+std::vector<std::string> modelsForRanks()
+{
+  std::vector<std::string> present;
+  for (const char* name :
+    { "paper/gargoyle_20k.off", "organic/fertility_genus4.off", "cad/fandisk_13k.obj" })
+  {
+    if (modelPath(name))
+    {
+      present.emplace_back(name);
+    }
+  }
+  return present;
+}
+
 MedialAxisOptions optionsOf(const AxisCase& of)
 {
   MedialAxisOptions options;
@@ -24,6 +40,7 @@ MedialAxisOptions optionsOf(const AxisCase& of)
   options.radius = of.radius;
   options.side = of.side;
   options.representation = of.representation;
+  options.topology = of.topology;
   options.field.sign = of.sign;
   options.field.engine = Engine::Processor;
   options.field.execution.threads = 1;

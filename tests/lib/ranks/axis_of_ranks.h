@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 // Axes that ranks compute, compared with those of one process.
@@ -25,10 +26,14 @@ struct AxisCase
   Side side = Side::Interior;
   double lambda = 0.0;
   double radius = 0.0;
+  Topology topology = Topology::Selected;
 };
 
 /// A mesh and the grid around it.
 AxisCase caseOf(const TriangleMesh& mesh, int resolution);
+
+/// Those of some real meshes that are present.
+std::vector<std::string> modelsForRanks();
 
 MedialAxisOptions optionsOf(const AxisCase& of);
 /// The axis that one process computes.

@@ -150,19 +150,5 @@ TEST_P(DistributedAxisOfModels, IsThatOfOneProcess)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Models, DistributedAxisOfModels,
-  testing::ValuesIn(
-    []
-    {
-      std::vector<std::string> present;
-      for (const char* name :
-        { "paper/gargoyle_20k.off", "organic/fertility_genus4.off", "cad/fandisk_13k.obj" })
-      {
-        if (modelPath(name))
-        {
-          present.emplace_back(name);
-        }
-      }
-      return present;
-    }()));
+INSTANTIATE_TEST_SUITE_P(Models, DistributedAxisOfModels, testing::ValuesIn(modelsForRanks()));
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(DistributedAxisOfModels);

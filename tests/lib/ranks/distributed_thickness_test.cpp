@@ -76,6 +76,8 @@ std::vector<RankCounts> expectSameBits(const TriangleMesh& mesh, const Thickness
       const Thickness part = computeThickness(communicator, piece, options, &counts[rank]);
       different[rank] = differences(whole, piece, part, options.cells);
       EXPECT_TRUE(same(part.min, whole.min)) << part.min << " " << whole.min;
+      EXPECT_TRUE(same(part.percentile5, whole.percentile5));
+      EXPECT_TRUE(same(part.percentile95, whole.percentile95));
       EXPECT_TRUE(same(part.median, whole.median)) << part.median << " " << whole.median;
       EXPECT_TRUE(same(part.max, whole.max)) << part.max << " " << whole.max;
       EXPECT_EQ(part.points, whole.points);

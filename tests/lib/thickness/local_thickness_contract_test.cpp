@@ -90,6 +90,22 @@ TEST(LocalThicknessContract, SameBytesSlabBySlab)
   EXPECT_EQ(statistics.separation->histogram, whole.statistics.separation->histogram);
 }
 
+/// Distances are kept in a byte each at least.
+TEST(LocalThicknessContract, SameBytesWhereTheFieldIsComputedOnceMore)
+{
+  const TriangleMesh mesh = box({ 1.0, 1.0, 1.0 });
+  const Grid grid = makeGrid(mesh.bounds(), 90, 0.01);
+  LocalThicknessOptions options;
+  ValueSink kept;
+  const LocalThicknessStatistics statistics =
+    computeLocalThickness(mesh, analyseConnectivity(mesh), grid, kept, options);
+  EXPECT_GT(statistics.thickness->points, 512 * 1024);
+  options.field.memoryMiB = 1; // half of which is for these distances
+  ValueSink again;
+  computeLocalThickness(mesh, analyseConnectivity(mesh), grid, again, options);
+  EXPECT_EQ(kept.values, again.values);
+}
+
 TEST(LocalThicknessContract, DeliversTheFieldToo)
 {
   const TriangleMesh mesh = lattice();

@@ -387,6 +387,18 @@ TEST(LocalThickness, OfAShellIsItsWallAndSeparationItsHollow)
     });
 }
 
+TEST(LocalThickness, OfPointsBarelyInsideIsNotZero)
+{
+  const TriangleMesh mesh = box({ 1.0, 1.0, 1.0 });
+  Grid grid;
+  grid.origin = { -0.99999, -0.99999, -0.99999 };
+  grid.spacing = { 0.125, 0.125, 0.125 };
+  grid.dimensions = { 8, 8, 8 };
+  const LocalThickness thickness = computeLocalThickness(mesh, grid);
+  EXPECT_EQ(thickness.statistics.thickness->points, grid.pointCount());
+  EXPECT_GT(thickness.statistics.thickness->min, 0.0);
+}
+
 TEST(LocalThickness, OfAPlateOnAGridOfUnevenSpacing)
 {
   const TriangleMesh mesh = box({ 1.0, 1.0, 0.15 });

@@ -166,7 +166,15 @@ TEST(ThicknessContract, SummaryIsThatOfTheValues)
   EXPECT_EQ(thickness.values.size(), mesh.points.size());
   EXPECT_EQ(thickness.without, static_cast<std::int64_t>(mesh.points.size() - present.size()));
   EXPECT_EQ(thickness.min, present.front());
+  const auto smaller =
+    std::lower_bound(present.begin(), present.end(), static_cast<float>(thickness.percentile5));
+  EXPECT_EQ(static_cast<double>(*smaller), thickness.percentile5);
+  EXPECT_LE(20 * (smaller - present.begin()), static_cast<std::ptrdiff_t>(present.size()));
   EXPECT_EQ(thickness.median, present[present.size() / 2]);
+  const auto larger =
+    std::upper_bound(present.begin(), present.end(), static_cast<float>(thickness.percentile95));
+  EXPECT_EQ(static_cast<double>(*(larger - 1)), thickness.percentile95);
+  EXPECT_LE(20 * (present.end() - larger), static_cast<std::ptrdiff_t>(present.size()));
   EXPECT_EQ(thickness.max, present.back());
 }
 

@@ -85,7 +85,7 @@ float largestOf(const BallFamilies& families, const glm::vec3& point, float stre
 {
   constexpr int kParts = 20;
   float largest = 0.0f;
-  for (const BallFamilies::Triangle& triangle : families.triangles())
+  const auto tryTriangle = [&](const Ball& a, const Ball& b, const Ball& c)
   {
     for (int u = 0; u <= kParts; ++u)
     {
@@ -93,13 +93,21 @@ float largestOf(const BallFamilies& families, const glm::vec3& point, float stre
       {
         const float first = static_cast<float>(u) / kParts;
         const float second = static_cast<float>(v) / kParts;
-        const Ball ball = first * families.ball(triangle[0]) + second * families.ball(triangle[1]) +
-          (1.0f - first - second) * families.ball(triangle[2]);
+        const Ball ball = first * a + second * b + (1.0f - first - second) * c;
         if (glm::distance(glm::vec3(ball), point) <= ball.w * stretch + grown)
         {
           largest = std::max(largest, ball.w);
         }
       }
+    }
+  };
+  for (std::uint32_t number = 0; number < families.itemCount(); ++number)
+  {
+    const BallFamilies::Item& item = families.item(number);
+    for (std::uint32_t t = item.trianglesBegin; t < families.item(number + 1).trianglesBegin; ++t)
+    {
+      const auto& [second, third] = families.triangleEnds()[t];
+      tryTriangle(families.ball(item.ball), families.ball(second), families.ball(third));
     }
   }
   return largest;
@@ -174,6 +182,6 @@ TEST(BallFamilies, EqualBallsAreMerged)
   const BallFamilies merged = familiesOf(twice);
   const BallFamilies expected = familiesOf(once);
   EXPECT_EQ(merged.size(), once.balls.size());
-  EXPECT_EQ(merged.edges(), expected.edges());
-  EXPECT_EQ(merged.triangles(), expected.triangles());
+  EXPECT_EQ(merged.edgeEnds(), expected.edgeEnds());
+  EXPECT_EQ(merged.triangleEnds(), expected.triangleEnds());
 }

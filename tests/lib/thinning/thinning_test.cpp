@@ -1,5 +1,6 @@
 #include "thinning/thinning.h"
 
+#include "thinning/curve_probe.h"
 #include "thinning/solid_core.h"
 
 #include "support/shapes.h"
@@ -67,7 +68,9 @@ public:
   }
   Thinning thinning(CubicalComplex& complex) const
   {
-    return { complex, depth_, probe_, frame_.step, { 1.0 }, checkpoint_ };
+    return { complex, depth_,
+      [this, &complex](CubeCell edge) { return probe_.separates(complex, edge); }, frame_.step,
+      { 1.0 }, checkpoint_ };
   }
 
 private:

@@ -201,7 +201,7 @@ void DeviceMesh::buildTree(Kernels& kernels) const
   groups.set("slack", slack_);
   kernels.startItems(groups,
     { &connectivity_.buffer(), &points_, &faces_, &edges_, &vertices_, &order_, &discs_ },
-    levels_[0].count);
+    std::int64_t{ kGroupSize } * levels_[0].count);
   const gl::ShaderProgram& nodes = gl::cachedProgram("node_discs.comp");
   nodes.set("slack", slack_);
   for (std::size_t level = 1; level < levels_.size(); ++level)

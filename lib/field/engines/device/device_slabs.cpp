@@ -91,7 +91,7 @@ ResolvedSlab DeviceSlabs::take(std::size_t number)
   }
   job_.statistics.groupTests += counters.tests;
   job_.statistics.candidatePairs += counters.pairs;
-  job_.statistics.fragments += counters.evaluations;
+  job_.statistics.fragments += ElementSearch::kPointsOfBlock * std::int64_t{ counters.evaluations };
   return mapped.values();
 }
 

@@ -1,6 +1,7 @@
 #include "field/engines/device/element_search.h"
 
 #include "gl/fault.h"
+#include "gl/gpu_thread.h"
 
 #include <algorithm>
 
@@ -9,15 +10,18 @@ namespace medial
 namespace
 {
 
-constexpr int kBrickSize = 4;
-/// Bricks in a step, so that a step takes a tenth of a second at most even without a GPU.
-constexpr int kBricksOfStep = 8192;
+///@{
+/// Tiles in a step. Hardware idles where one step ends and the next begins.
+constexpr int kTilesOfSoftware = 1024;
+constexpr int kTilesOfHardware = 16384;
+///@}
 
 } // namespace
 
 ElementSearch::ElementSearch(const DeviceMesh& mesh, Kernels& kernels)
   : mesh_(mesh)
   , kernels_(kernels)
+  , tilesOfStep_(gl::GpuThread::isSoftware() ? kTilesOfSoftware : kTilesOfHardware)
   , lists_(mesh, kernels)
 {
 }
@@ -38,11 +42,11 @@ std::vector<std::function<void()>> ElementSearch::steps(const GridFrame& frame, 
     steps.emplace_back([=] { lists_.refine(frame, slab, level); });
   }
   steps.emplace_back([&clock] { clock.begin(&RunStatistics::DeviceSeconds::evaluate); });
-  const glm::ivec3 bricks = boxesOf(slab, kBrickSize);
-  const int layers = std::max(1, kBricksOfStep / (bricks.x * bricks.y));
-  for (int layer = 0; layer < bricks.z; layer += layers)
+  const glm::ivec3 tiles = TileLists::tilesOf(slab);
+  const int layers = std::max(1, tilesOfStep_ / (tiles.x * tiles.y));
+  for (int layer = 0; layer < tiles.z; layer += layers)
   {
-    const int count = std::min(layers, bricks.z - layer);
+    const int count = std::min(layers, tiles.z - layer);
     steps.emplace_back([=] { this->evaluate(frame, slab, layer, count); });
   }
   return steps;
@@ -50,7 +54,6 @@ std::vector<std::function<void()>> ElementSearch::steps(const GridFrame& frame, 
 
 void ElementSearch::evaluate(const GridFrame& frame, const Extent& slab, int layer, int layers)
 {
-  const glm::ivec3 bricks = boxesOf(slab, kBrickSize);
   const gl::ShaderProgram& kernel = gl::cachedProgram("evaluate.comp");
   lists_.setGrid(kernel, frame, slab);
   kernel.set("exactFirst", frame.first);
@@ -61,7 +64,7 @@ void ElementSearch::evaluate(const GridFrame& frame, const Extent& slab, int lay
   kernels_.start(kernel,
     { &mesh_.elements(), &mesh_.discs(), &lists_.ranges(), &lists_.lists(), &lists_.counters(),
       &winners_ },
-    { bricks.x, bricks.y, layers });
+    { lists_.tiles().x, lists_.tiles().y, layers });
   if (gl::faultHappens(gl::Fault::WrongResult))
   {
     const std::int32_t first = 0;

@@ -19,6 +19,9 @@ namespace medial
 class ElementSearch
 {
 public:
+  /// Grid points of a block, for which an element is evaluated at once.
+  static constexpr int kPointsOfBlock = 8;
+
   /// @param mesh, kernels must outlive this.
   ElementSearch(const DeviceMesh& mesh, Kernels& kernels);
 
@@ -31,7 +34,7 @@ public:
   /// As TileLists::grow().
   bool grow(const SearchCounters& counters) { return lists_.grow(counters); }
 
-  /// Slots of elements; -1 where there is none.
+  /// Sites that name the nearest elements; -1 where there is none.
   const gl::Buffer& winners() const { return winners_; }
   const gl::Buffer& counters() const { return lists_.counters(); }
 
@@ -40,6 +43,7 @@ private:
 
   const DeviceMesh& mesh_;
   Kernels& kernels_;
+  int tilesOfStep_; ///< so that a step takes a tenth of a second at most
   TileLists lists_;
   gl::Buffer winners_;
 };

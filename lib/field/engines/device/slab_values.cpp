@@ -62,7 +62,7 @@ void SlabValues::resolve(const GridFrame& frame, const Extent& slab)
   kernel.set("sidesBy", this->sidesBy());
   kernel.set("wantsVectors", wantsVectors_ ? 1 : 0);
   kernels_.startItems(kernel,
-    { &mesh_.connectivity(), &mesh_.points(), &mesh_.faces(), &mesh_.order(), &this->sides(),
+    { &mesh_.connectivity(), &mesh_.points(), &mesh_.faces(), nullptr, &this->sides(),
       &search_.winners(), &values_, &sites_ },
     points);
   glFlush();

@@ -13,13 +13,18 @@ namespace
 {
 
 constexpr int kBoxSizes[TileLists::kLevels] = { 64, 32, 16, 8 };
-constexpr int kTileSize = 8;
 /// Room in the lists for each tile at first.
 constexpr std::int64_t kRoomOfTile = 64;
 
 int countOf(int points, int size)
 {
   return (points + size - 1) / size;
+}
+
+/// Number of boxes of a size that cover a slab, along the axes.
+glm::ivec3 boxesOf(const Extent& slab, int size)
+{
+  return { countOf(slab.size(0), size), countOf(slab.size(1), size), countOf(slab.size(2), size) };
 }
 
 int product(const glm::ivec3& v)
@@ -29,9 +34,9 @@ int product(const glm::ivec3& v)
 
 } // namespace
 
-glm::ivec3 boxesOf(const Extent& slab, int size)
+glm::ivec3 TileLists::tilesOf(const Extent& slab)
 {
-  return { countOf(slab.size(0), size), countOf(slab.size(1), size), countOf(slab.size(2), size) };
+  return boxesOf(slab, kBoxSizes[kLevels - 1]);
 }
 
 TileLists::TileLists(const DeviceMesh& mesh, Kernels& kernels)
@@ -54,7 +59,7 @@ void TileLists::begin(const Extent& slab)
   }
   obtainBuffer(ranges_, std::int64_t{ 8 } * first);
   obtainBuffer(counters_, sizeof(SearchCounters));
-  room_ = std::max(room_, kRoomOfTile * product(boxesOf(slab, kTileSize)));
+  room_ = std::max(room_, kRoomOfTile * product(tilesOf(slab)));
   obtainBuffer(lists_, 4 * room_);
   clearBuffer(counters_);
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);

@@ -37,6 +37,9 @@ public:
   /// @param mesh, kernels must outlive this.
   TileLists(const DeviceMesh& mesh, Kernels& kernels);
 
+  /// Number of tiles of a slab along the axes.
+  static glm::ivec3 tilesOf(const Extent& slab);
+
   /// Makes room for a slab, and sets the counters to zero.
   void begin(const Extent& slab);
   /// Culls for the boxes of one size after the other, from 0 to kLevels - 1.
@@ -48,7 +51,7 @@ public:
   /// Sets the uniforms of grid.glsl and reach.glsl.
   void setGrid(const gl::ShaderProgram& kernel, const GridFrame& frame, const Extent& slab) const;
 
-  /// Number of tiles along the axes.
+  /// Of the current slab.
   const glm::ivec3& tiles() const { return levels_.back().boxes; }
   /// Range of the first tile.
   int firstTile() const { return levels_.back().first; }
@@ -72,8 +75,5 @@ private:
   std::int64_t room_ = 0;        ///< for all lists
   gl::Buffer ranges_, lists_, counters_;
 };
-
-/// Number of boxes of a size that cover a slab, along the axes.
-glm::ivec3 boxesOf(const Extent& slab, int size);
 
 } // namespace medial

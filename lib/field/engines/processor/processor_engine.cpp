@@ -205,7 +205,10 @@ private:
 Evaluation makeEvaluation(const FieldJob& job, Side side, const FieldSink& sink,
   const FieldTap* tap = nullptr)
 {
-  job.insideRows(); // in time of their own
+  // What is made for all engines, in time of its own.
+  job.insideRows();
+  job.host.filter();
+  job.host.signNormals();
   const Stopwatch watch(job.statistics.seconds.sites);
   return job.run.onThreads([&] { return Evaluation(job, side, sink, tap); });
 }

@@ -134,13 +134,15 @@ void SlabRenderer::readDisplacements(int slices, glm::vec4* displacements) const
     displacements);
 }
 
-void SlabRenderer::write(const glm::ivec2& point, int slot, const glm::vec4& displacement,
-  std::int32_t site)
+void SlabRenderer::write(const glm::ivec2& point, int slot,
+  const std::vector<glm::vec4>& displacements, const std::vector<std::int32_t>& sites)
 {
   const glm::ivec2 pixel = atlas_.slotOrigin(slot) + point;
-  glTextureSubImage2D(displacements_.id(), 0, pixel.x, pixel.y, 1, 1, GL_RGBA, GL_FLOAT,
-    &displacement);
-  glTextureSubImage2D(sites_.id(), 0, pixel.x, pixel.y, 1, 1, GL_RED_INTEGER, GL_INT, &site);
+  const auto count = static_cast<GLsizei>(sites.size());
+  glTextureSubImage2D(displacements_.id(), 0, pixel.x, pixel.y, count, 1, GL_RGBA, GL_FLOAT,
+    displacements.data());
+  glTextureSubImage2D(sites_.id(), 0, pixel.x, pixel.y, count, 1, GL_RED_INTEGER, GL_INT,
+    sites.data());
 }
 
 } // namespace medial

@@ -52,8 +52,11 @@ public:
   /// buffer is bound, destinations are offsets into it.
   void readSites(int slices, std::int32_t* sites) const;
   void readDisplacements(int slices, glm::vec4* displacements) const;
-  /// Overwrites one resolved grid point.
-  void write(const glm::ivec2& point, int slot, const glm::vec4& displacement, std::int32_t site);
+  /// Overwrites resolved grid points of a row.
+  /// @param point the first of them.
+  /// @param displacements, sites one for each.
+  void write(const glm::ivec2& point, int slot, const std::vector<glm::vec4>& displacements,
+    const std::vector<std::int32_t>& sites);
 
   const AtlasLayout& atlas() const { return atlas_; }
   /// As PolygonDrawing::fragments().

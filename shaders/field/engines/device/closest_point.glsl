@@ -30,12 +30,13 @@ SitePoint closestOnFace(int face, dvec3 x)
   ivec3 corners = faceCorners(face);
   dvec3 p[3] = dvec3[3](pointAt(corners.x), pointAt(corners.y), pointAt(corners.z));
   dvec3 normal = faceNormal(face);
-  bool inside = faceActive(face);
+  bool isBeyond[3]; // whether x is beyond the line of an edge
   for (int i = 0; i < 3; ++i)
   {
-    inside = inside && dot(cross(p[(i + 1) % 3] - p[i], normal), x - p[i]) < 0.0LF;
+    isBeyond[i] = dot(cross(p[(i + 1) % 3] - p[i], normal), x - p[i]) >= 0.0LF;
   }
-  if (inside)
+  bool isOver = !(isBeyond[0] || isBeyond[1] || isBeyond[2]);
+  if (isOver && faceActive(face))
   {
     return SitePoint(face, x - dot(x - p[0], normal) * normal);
   }
@@ -46,13 +47,17 @@ SitePoint closestOnFace(int face, dvec3 x)
   double least = 0.0LF;
   for (int i = 0; i < 3; ++i)
   {
-    SitePoint other = closestOnEdge(border[i], x);
-    dvec3 v = other.point - x;
-    double squared = dot(v, v);
-    if (i != covered && (best.site < 0 || squared < least))
+    // The nearest edge is one that x is beyond, unless the face stands for none.
+    if (i != covered && (isBeyond[i] || isOver))
     {
-      best = other;
-      least = squared;
+      SitePoint other = closestOnEdge(border[i], x);
+      dvec3 v = other.point - x;
+      double squared = dot(v, v);
+      if (best.site < 0 || squared < least)
+      {
+        best = other;
+        least = squared;
+      }
     }
   }
   return best;

@@ -34,23 +34,53 @@ struct Place
 
 const float kNowhere = 1e30;
 
+// What of a place is affine in the position.
+struct Coordinates
+{
+  vec3 along;   // the lines AB, BC, AC
+  vec3 outside; // across them, away from the element
+  float height;
+};
+
+// How the coordinates grow along a vector in the plane, and over it.
+Coordinates growthOf(Element e, vec3 v)
+{
+  return Coordinates(vec3(v.x, dot(v.xy, e.directions.xy), dot(v.xy, e.directions.zw)),
+    vec3(-v.y, v.x * e.directions.y - v.y * e.directions.x, v.y * e.directions.z - v.x * e.directions.w), v.z);
+}
+
+Coordinates sum(Coordinates a, Coordinates b)
+{
+  return Coordinates(a.along + b.along, a.outside + b.outside, a.height + b.height);
+}
+
 // p: in the plane, and over it
-Place placeOf(Element e, vec3 p)
+Coordinates coordinatesOf(Element e, vec3 p)
+{
+  Coordinates c = growthOf(e, p);
+  c.outside += e.offsets;
+  return c;
+}
+
+Place placeOf(Element e, Coordinates c)
 {
   Place place;
-  vec3 t = vec3(p.x, dot(p.xy, e.directions.xy), dot(p.xy, e.directions.zw));
-  place.height = p.z;
-  place.before = e.starts - t;
-  place.beyond = t - e.ends;
-  place.outside = e.offsets +
-    vec3(-p.y, p.x * e.directions.y - p.y * e.directions.x, p.y * e.directions.z - p.x * e.directions.w);
+  place.height = c.height;
+  place.before = e.starts - c.along;
+  place.beyond = c.along - e.ends;
+  place.outside = c.outside;
   vec3 past = max(max(place.before, place.beyond), vec3(0.0));
-  vec3 squared = past * past + place.outside * place.outside;
-  float outside = max(max(place.outside.x, place.outside.y), place.outside.z);
+  vec3 squared = past * past + c.outside * c.outside;
+  float outside = max(max(c.outside.x, c.outside.y), c.outside.z);
   place.offFace = (e.flags & kHasFace) != 0u ? max(outside, max(place.before.x, place.beyond.x)) : kNowhere;
   place.squared =
-    p.z * p.z + (place.offFace > 0.0 ? min(min(squared.x, squared.y), squared.z) : 0.0);
+    c.height * c.height + (place.offFace > 0.0 ? min(min(squared.x, squared.y), squared.z) : 0.0);
   return place;
+}
+
+Place placeOf(Element e, vec3 p)
+{
+  return placeOf(e, coordinatesOf(e, p));
 }
 
 // x + xLow: a position, local coordinates
@@ -58,6 +88,12 @@ vec3 inPlane(Element e, vec3 x, vec3 xLow)
 {
   precise vec3 v = (x - e.origin) + (xLow - e.originLow);
   return vec3(dot(v, e.along), dot(v, e.across), dot(v, cross(e.along, e.across)));
+}
+
+// How the position in the plane grows along the axes.
+mat3 axesInPlane(Element e)
+{
+  return transpose(mat3(e.along, e.across, cross(e.along, e.across)));
 }
 
 bool exists(Element e)

@@ -4,6 +4,7 @@
 // in   order     the site of every element, eight of them a group; -1 where there is none
 // out  elements  see element.glsl
 #include "numbering.glsl"
+#include "axes.glsl"
 #include "mesh.glsl"
 #include "faces.glsl"
 #include "element.glsl"
@@ -31,9 +32,8 @@ dvec2 unitOr(dvec2 v, dvec2 otherwise)
 dvec3 orthogonal(dvec3 u)
 {
   dvec3 size = abs(u);
-  dvec3 axis = dvec3(0.0LF);
-  axis[size.x <= size.y ? (size.x <= size.z ? 0 : 2) : (size.y <= size.z ? 1 : 2)] = 1.0LF;
-  return normalize(cross(u, axis));
+  int axis = size.x <= size.y ? (size.x <= size.z ? 0 : 2) : (size.y <= size.z ? 1 : 2);
+  return normalize(cross(u, unitVector(axis)));
 }
 
 // Returns the unit vector orthogonal to an edge that points into one of its faces.

@@ -3,15 +3,10 @@
 
 layout(std430, binding = 0) readonly buffer Elements { uvec4 elements[]; };
 
-// All but what bounds Voronoi regions.
-Element loadElement(int slot)
+const int kRows = 7; // of a record, that describe an element; the others bound Voronoi regions
+
+Element elementOf(uvec4 r[kRows])
 {
-  int at = kRecord * slot;
-  uvec4 r[7];
-  for (int i = 0; i < 7; ++i)
-  {
-    r[i] = elements[at + i];
-  }
   Element e;
   e.origin = uintBitsToFloat(r[0].xyz);
   e.flags = r[0].w;
@@ -24,6 +19,16 @@ Element loadElement(int slot)
   e.site = int(r[5].w);
   e.offsets = uintBitsToFloat(r[6].xyz);
   return e;
+}
+
+Element loadElement(int slot)
+{
+  uvec4 rows[kRows];
+  for (int i = 0; i < kRows; ++i)
+  {
+    rows[i] = elements[kRecord * slot + i];
+  }
+  return elementOf(rows);
 }
 
 // Returns the owned parts whose Voronoi regions meet a ball: as partsNear().

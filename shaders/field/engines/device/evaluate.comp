@@ -1,147 +1,135 @@
 #version 450 core
-// Finds the element nearest to every grid point of a brick of 4 x 4 x 4, one by each invocation, among the groups
-// that are left for its tile of 8 x 8 x 8. Of elements at the same distance it is the one with the lowest site.
+// Finds the element nearest to every grid point of a tile of 8 x 8 x 8, among the groups that are left for the tile.
+// One work group does a tile, an invocation a block of 2 x 2 x 2 grid points; eight blocks are a brick of 4 x 4 x 4.
+// Of elements at the same distance it is the one with the lowest site.
 //
 // in   elements, discs, ranges, lists  of the tiles
-// out  winners  slot of the nearest element of every grid point; -1 if there is none
+// out  winners  site that names the nearest element of every grid point; -1 if there is none
 
 layout(local_size_x = 64) in;
 #include "elements.glsl"
-#include "reach.glsl"
-#include "near_elements.glsl"
+#include "tile_groups.glsl"
 #include "counters.glsl"
-layout(std430, binding = 2) readonly buffer Ranges { uvec2 ranges[]; };
-layout(std430, binding = 3) readonly buffer Lists { uint lists[]; };
 layout(std430, binding = 5) writeonly buffer Winners { int winners[]; };
 
 uniform dvec3 exactFirst; // grid point (0,0,0)
 uniform dvec3 exactSpacing;
-uniform ivec3 tiles; // along x, y, z
-uniform int tilesAt; // their first range
-uniform int layer;   // the first of the bricks along z
+uniform int layer;   // the first of the tiles along z
 
-shared uint groups[64]; // that can hold closest points of the brick
-shared uint groupTotal;
 shared uint survivors[512]; // slots of elements that are left
-shared uint cubes[512];     // for which cubes of the brick each of them is, as bits
+shared uint bricks[512];    // for which bricks each of them is, as bits
 shared uint survivorTotal;
-shared vec4 cubeBalls[8]; // around the cubes of 2 x 2 x 2 grid points; w: radius, negative if there is none
-shared float cubeReach[8];
 shared uint evaluated;
 shared uint left;
 shared uint missing;
 
-// For which cubes an element can hold closest points, as bits.
-uint cubesOf(Element e, int slot)
+// The best of the elements so far for the grid points of a block.
+float best[8];
+int winner[8];
+
+// Moves their elements that can hold closest points of the tile to survivors[], and finds out for which bricks.
+void testElements(Tile tile)
 {
-  uint found = 0u;
-  for (int i = 0; i < 8; ++i)
+  for (uint i = gl_LocalInvocationIndex; i < 8u * groupTotal; i += 64u)
   {
-    vec4 ball = cubeBalls[i];
-    if (ball.w >= 0.0)
+    int slot = int(8u * groups[i >> 3] + (i & 7u));
+    if (partsWithin(loadElement(slot), slot, tile.box.centre, tile.radius, tile.reach) != 0u)
     {
-      Place place = placeAt(e, ball.xyz);
-      found |= place.squared <= cubeReach[i] && partsNear(e, slot, place, ball.w + slack) != 0u ? 1u << i : 0u;
+      uint at = atomicAdd(survivorTotal, 1u);
+      survivors[at] = uint(slot);
+      bricks[at] = 0u;
     }
   }
-  return found;
+  barrier();
+  for (uint i = gl_LocalInvocationIndex; i < 8u * survivorTotal; i += 64u)
+  {
+    int slot = int(survivors[i >> 3]);
+    uint brick = i & 7u;
+    vec4 ball = brickBalls[brick];
+    if (ball.w >= 0.0 && partsWithin(loadElement(slot), slot, ball.xyz, ball.w, brickReach[brick]) != 0u)
+    {
+      atomicOr(bricks[i >> 3], 1u << brick);
+    }
+  }
+  barrier();
+}
+
+// at: of the block's first grid point
+void tryElement(Element e, Coordinates at, Coordinates steps[3])
+{
+  for (int k = 0; k < 8; ++k)
+  {
+    Coordinates c = at;
+    if ((k & 1) != 0)
+    {
+      c = sum(c, steps[0]);
+    }
+    if ((k & 2) != 0)
+    {
+      c = sum(c, steps[1]);
+    }
+    if ((k & 4) != 0)
+    {
+      c = sum(c, steps[2]);
+    }
+    float squared = placeOf(e, c).squared;
+    if (squared < best[k] || (squared == best[k] && e.site < winner[k]))
+    {
+      best[k] = squared;
+      winner[k] = e.site;
+    }
+  }
 }
 
 void main()
 {
   uint me = gl_LocalInvocationIndex;
-  ivec3 brick = ivec3(gl_WorkGroupID) + ivec3(0, 0, layer);
-  ivec3 low = slabMin + 4 * brick;
-  ivec3 high = min(low + 3, slabMax);
-  Box box = hullOf(low, high);
-  ivec3 tile = brick / 2;
-  uvec2 range = ranges[tilesAt + (tile.z * tiles.y + tile.y) * tiles.x + tile.x];
-
-  // Surface points near the corners: of the groups whose surface points are nearest to them.
-  beginSearch();
-  for (uint item = me; item < range.y; item += 64u)
-  {
-    int node = int(lists[range.x + item]);
-    tryNode(box, loadDisc(node).surfacePoint, node);
-  }
-  if (me < 8u)
-  {
-    ivec3 cubeLow = low + 2 * ivec3(me & 1u, me >> 1 & 1u, me >> 2);
-    Box cube = hullOf(cubeLow, min(cubeLow + 1, high));
-    cubeBalls[me] = vec4(cube.centre, any(greaterThan(cubeLow, high)) ? -1.0 : length(cube.halfSize));
-  }
   if (me == 0u)
   {
     evaluated = 0u;
     left = 0u;
     missing = 0u;
-    groupTotal = 0u;
     survivorTotal = 0u;
   }
-  endSearch();
-  searchElements(box);
-  setCornerLimits(box);
-  float radius = length(box.halfSize);
-  float reach = squaredReach(box.centre, radius);
-  if (me < 8u)
-  {
-    cubeReach[me] = squaredReach(cubeBalls[me].xyz, cubeBalls[me].w);
-  }
-  barrier();
+  Tile tile;
+  beginTile(ivec3(gl_WorkGroupID) + ivec3(0, 0, layer), tile);
 
-  int myCube = int(me) >> 3;
-  ivec3 point = low + 2 * ivec3(myCube & 1, myCube >> 1 & 1, myCube >> 2) +
-    ivec3(me & 1u, me >> 1 & 1u, me >> 2 & 1u);
-  bool isMine = all(lessThanEqual(point, high));
+  int brick = int(me) >> 3;
+  ivec3 point = tile.low + 4 * ivec3(brick & 1, brick >> 1 & 1, brick >> 2) +
+    2 * ivec3(me & 1u, me >> 1 & 1u, me >> 2 & 1u);
+  bool isMine = all(lessThanEqual(point, tile.high));
   dvec3 exact = exactFirst + dvec3(point) * exactSpacing;
   vec3 x = vec3(exact);
   vec3 xLow = vec3(exact - dvec3(x));
-  float best = kFar;
-  int winner = -1;
-  int winnerSite = 0;
-  uint count = 0u;
-  for (uint chunk = 0u; chunk < range.y; chunk += 64u)
+  float blockRadius = 0.5 * length(spacing);
+  float blockReach = squaredReach(x + 0.5 * spacing, blockRadius); // beyond it elements are nearest to no point
+  for (int k = 0; k < 8; ++k)
   {
-    if (chunk + me < range.y)
-    {
-      uint node = lists[range.x + chunk + me];
-      if (meets(loadDisc(int(node)), box, radius, reach))
-      {
-        groups[atomicAdd(groupTotal, 1u)] = node;
-      }
-    }
-    barrier();
-    uint candidates = 8u * groupTotal;
-    for (uint i = me; i < candidates; i += 64u)
-    {
-      int slot = int(8u * groups[i >> 3] + (i & 7u));
-      Element e = loadElement(slot);
-      Place place = placeAt(e, box.centre);
-      if (place.squared <= reach && partsNear(e, slot, place, radius + slack) != 0u)
-      {
-        uint found = cubesOf(e, slot);
-        if (found != 0u)
-        {
-          uint at = atomicAdd(survivorTotal, 1u);
-          survivors[at] = uint(slot);
-          cubes[at] = found;
-        }
-      }
-    }
-    barrier();
+    best[k] = kFar;
+    winner[k] = -1;
+  }
+  uint count = 0u;
+  for (uint chunk = 0u; chunk < tile.range.y; chunk += 64u)
+  {
+    testGroups(tile, chunk);
+    testElements(tile);
     for (uint i = 0u; i < survivorTotal; ++i)
     {
-      if (isMine && (cubes[i] >> myCube & 1u) != 0u)
+      if (isMine && (bricks[i] >> brick & 1u) != 0u)
       {
-        int slot = int(survivors[i]);
-        Element e = loadElement(slot);
-        float squared = placeOf(e, inPlane(e, x, xLow)).squared;
-        ++count;
-        if (squared < best || (squared == best && e.site < winnerSite))
+        Element e = loadElement(int(survivors[i]));
+        Coordinates at = coordinatesOf(e, inPlane(e, x, xLow));
+        mat3 axes = axesInPlane(e);
+        Coordinates steps[3] = Coordinates[3](growthOf(e, spacing.x * axes[0]), growthOf(e, spacing.y * axes[1]),
+          growthOf(e, spacing.z * axes[2]));
+        Coordinates middle = sum(at, growthOf(e, 0.5 * (axes * spacing)));
+        float squared = placeOf(e, middle).squared;
+        if (squared <= blockReach)
         {
-          best = squared;
-          winner = slot;
-          winnerSite = e.site;
+          float wide = sqrt(squared) + 2.0 * (blockRadius + slack);
+          blockReach = min(blockReach, wide * wide * kRoundedUp);
+          tryElement(e, at, steps);
+          ++count;
         }
       }
     }
@@ -155,18 +143,22 @@ void main()
     barrier();
   }
   atomicAdd(evaluated, count);
-  if (isMine)
+  for (int k = 0; k < 8; ++k)
   {
-    winners[pointNumber(point)] = winner;
-    if (winner < 0)
+    ivec3 at = point + ivec3(k & 1, k >> 1 & 1, k >> 2);
+    if (all(lessThanEqual(at, tile.high)))
     {
-      atomicAdd(missing, 1u);
+      winners[pointNumber(at)] = winner[k];
+      if (winner[k] < 0)
+      {
+        atomicAdd(missing, 1u);
+      }
     }
   }
   barrier();
   if (me == 0u)
   {
-    atomicAdd(tests, range.y);
+    atomicAdd(tests, tile.range.y);
     atomicAdd(pairs, left);
     atomicAdd(evaluations, evaluated);
     atomicAdd(withoutSite, missing);

@@ -36,9 +36,8 @@ void main()
   double height = longestLength > 0.0LF ? doubled / longestLength : 0.0LF;
   bool isFlat = height <= flatHeight;
   dvec3 normal = isFlat ? dvec3(0.0LF) : area / doubled;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    faces[4 * face + axis] = normal[axis];
-  }
+  faces[4 * face] = normal.x;
+  faces[4 * face + 1] = normal.y;
+  faces[4 * face + 2] = normal.z;
   faces[4 * face + 3] = double(longest + (!isFlat && height >= minHeight ? 4 : 0));
 }

@@ -6,6 +6,7 @@
 // out  marks      bits of grid points; see marks.glsl
 //      rowCounts  number of bits in every row
 #include "numbering.glsl"
+#include "axes.glsl"
 #include "mesh.glsl"
 #include "faces.glsl"
 #include "closest_point.glsl"
@@ -75,8 +76,7 @@ void main()
         atomicOr(marks[firstWord(row, kInside) + (at.x >> 5)], 1u << (at.x & 31));
       }
     }
-    dvec3 edge = dvec3(0.0LF);
-    edge[axis] = exactSpacing[axis];
+    dvec3 edge = unitVector(axis) * exactSpacing;
     dvec3 far = closestOnSite(other, x + edge).point - (x + edge);
     int otherRow = row + ivec3(0, 1, slabSize.y)[axis];
     int otherX = at.x + (axis == 0 ? 1 : 0);

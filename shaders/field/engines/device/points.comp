@@ -4,6 +4,7 @@
 // in   positions  fixed-point numbers, or both halves of double-precision ones
 // out  points     local coordinates
 #include "numbering.glsl"
+#include "axes.glsl"
 
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer Positions { uint positions[]; };
@@ -19,7 +20,7 @@ void main()
   uint i = itemNumber();
   if (i < uint(count))
   {
-    points[i] = fixedPoint ? low[i % 3u] + quantum * double(positions[i])
+    points[i] = fixedPoint ? coordinate(low, int(i % 3u)) + quantum * double(positions[i])
                            : packDouble2x32(uvec2(positions[2u * i], positions[2u * i + 1u]));
   }
 }

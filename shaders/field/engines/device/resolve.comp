@@ -1,7 +1,7 @@
 #version 450 core
 // The exact distance and closest site of every grid point, from the element that is nearest to it.
 //
-// in   winners   slots of elements
+// in   winners   sites that name elements
 // out  values    distances, local units, negative inside; then, if they are wanted, vectors to the closest points,
 //                by threes
 //      sites     closest sites, after one slice of room
@@ -13,7 +13,6 @@
 #include "sides.glsl"
 
 layout(local_size_x = 64) in;
-layout(std430, binding = 3) readonly buffer Order { int order[]; };
 layout(std430, binding = 5) readonly buffer Winners { int winners[]; };
 layout(std430, binding = 6) writeonly buffer Values { float values[]; };
 layout(std430, binding = 7) writeonly buffer Sites { int sites[]; };
@@ -35,11 +34,11 @@ void main()
   int slice = row / slabSize.y;
   ivec3 at = ivec3(i - row * slabSize.x, row - slice * slabSize.y, slice);
   dvec3 x = exactFirst + dvec3(slabMin + at) * exactSpacing;
-  int slot = winners[i];
+  int site = winners[i];
   SitePoint closest = SitePoint(-1, x);
-  if (slot >= 0)
+  if (site >= 0)
   {
-    closest = closestOnSite(order[slot], x);
+    closest = closestOnSite(site, x);
   }
   dvec3 v = closest.point - x;
   float away = float(length(v));
@@ -50,10 +49,9 @@ void main()
   values[i] = away;
   if (wantsVectors)
   {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      values[count + 3 * i + axis] = float(v[axis]);
-    }
+    values[count + 3 * i] = float(v.x);
+    values[count + 3 * i + 1] = float(v.y);
+    values[count + 3 * i + 2] = float(v.z);
   }
   sites[slabSize.x * slabSize.y + i] = closest.site;
 }

@@ -6,6 +6,7 @@
 // in   rectangles  by sevens: site, first grid point, last grid point
 // out  instances   what polygons.vert draws
 #include "../device/numbering.glsl"
+#include "../device/axes.glsl"
 #include "../device/mesh.glsl"
 #include "../device/faces.glsl"
 
@@ -103,7 +104,14 @@ void addFaceSides(int face)
 void addEdgeSides(int edge)
 {
   ivec2 ends = edgeEnds(edge);
-  addEnds(pointAt(ends.x), pointAt(ends.y));
+  dvec3 p = pointAt(ends.x);
+  dvec3 q = pointAt(ends.y);
+  if (p == q)
+  {
+    slices = 0; // rounding leaves nothing of it, and its vectors are not numbers
+    return;
+  }
+  addEnds(p, q);
   ivec2 range = edgeFaceRange(edge);
   for (int i = range.x; i < range.y; ++i)
   {
@@ -161,9 +169,7 @@ void setVertexVectors(int vertex, out vec4 vectors[3])
   dvec3 p = pointAt(vertex);
   for (int axis = 0; axis < 3; ++axis)
   {
-    dvec3 unit = dvec3(0.0LF);
-    unit[axis] = 1.0LF;
-    vectors[axis] = beyond(unit, p);
+    vectors[axis] = beyond(unitVector(axis), p);
   }
 }
 

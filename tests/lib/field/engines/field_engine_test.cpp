@@ -5,7 +5,9 @@
 #include "field/array_sink.h"
 #include "field/engines/make_engine.h"
 #include "field/field_pipeline.h"
+#include "gl/egl_context.h"
 #include "medial/error.h"
+#include "support/engines.h"
 #include "support/errors.h"
 #include "support/printing.h"
 #include "support/shapes.h"
@@ -118,7 +120,7 @@ protected:
 
 TEST_P(FieldEngines, SelectInAscendingSlices)
 {
-  const auto engine = makeEngine(GetParam());
+  const auto engine = makeEngine(byEngine(GetParam()));
   const Selected selected = this->select(*engine, mesh_);
   EXPECT_GT(selected.crossings.size(), 1000u);
   EXPECT_TRUE(std::is_sorted(selected.crossings.begin(), selected.crossings.end(),
@@ -127,7 +129,7 @@ TEST_P(FieldEngines, SelectInAscendingSlices)
 
 TEST_P(FieldEngines, SelectTheSitesAtBothEndsOnTheWantedSide)
 {
-  const auto engine = makeEngine(GetParam());
+  const auto engine = makeEngine(byEngine(GetParam()));
   for (const Side side : { Side::Interior, Side::Exterior, Side::Both })
   {
     const Selected selected = this->select(*engine, lPrism(1.0, 0.8), 0, side);
@@ -146,17 +148,17 @@ TEST_P(FieldEngines, SelectTheSitesAtBothEndsOnTheWantedSide)
 
 TEST_P(FieldEngines, GiveTheSameInSlabsOfAnySize)
 {
-  const auto engine = makeEngine(GetParam());
+  const auto engine = makeEngine(byEngine(GetParam()));
   const Selected whole = this->select(*engine, mesh_);
   for (const std::size_t memoryMiB : { 1u, 4u })
   {
-    this->expectEqual(this->select(*makeEngine(GetParam()), mesh_, memoryMiB), whole);
+    this->expectEqual(this->select(*makeEngine(byEngine(GetParam())), mesh_, memoryMiB), whole);
   }
 }
 
 TEST_P(FieldEngines, GiveTheSameWhateverJobsWereBefore)
 {
-  const auto engine = makeEngine(GetParam());
+  const auto engine = makeEngine(byEngine(GetParam()));
   this->select(*engine, mesh_);
   TriangleMesh moved = mesh_;
   for (Point3& point : moved.points)
@@ -164,7 +166,7 @@ TEST_P(FieldEngines, GiveTheSameWhateverJobsWereBefore)
     point = { 0.9 * point[0] + 0.1 * point[2], point[1], point[2] - 0.05 * point[0] };
   }
   const Selected selected = this->select(*engine, moved);
-  this->expectEqual(selected, this->select(*makeEngine(GetParam()), moved));
+  this->expectEqual(selected, this->select(*makeEngine(byEngine(GetParam())), moved));
   this->expectEqual(this->select(*engine, moved, 1), selected);
 }
 
@@ -172,21 +174,25 @@ TEST_P(FieldEngines, AreKeptUntilAnotherIsWanted)
 {
   const Engine other = GetParam() == Engine::Processor ? Engine::Rasteriser : Engine::Processor;
   std::unique_ptr<FieldEngine> kept;
-  const FieldEngine* first = &obtainEngine(GetParam(), {}, kept);
+  const FieldEngine* first = &obtainEngine(byEngine(GetParam()), kept);
   EXPECT_EQ(first->kind(), GetParam());
-  EXPECT_EQ(&obtainEngine(GetParam(), {}, kept), first);
-  EXPECT_EQ(obtainEngine(other, {}, kept).kind(), other);
+  EXPECT_EQ(&obtainEngine(byEngine(GetParam()), kept), first);
+  EXPECT_EQ(obtainEngine(byEngine(other), kept).kind(), other);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, FieldEngines,
   testing::Values(Engine::Device, Engine::Rasteriser, Engine::Processor));
 
-TEST(MakeEngine, OfAutoIsTheProcessor)
+TEST(MakeEngine, OfAutoBeginsWithTheProcessor)
 {
-  EXPECT_EQ(makeEngine(Engine::Auto)->kind(), Engine::Processor);
-  std::unique_ptr<FieldEngine> kept = makeEngine(Engine::Processor);
+  EXPECT_EQ(makeEngine({})->kind(), Engine::Processor);
+}
+
+TEST(MakeEngine, OfAutoIsTheProcessorThatIsThereIfThereIsNoHardware)
+{
+  std::unique_ptr<FieldEngine> kept = makeEngine(byEngine(Engine::Processor));
   const FieldEngine* first = kept.get();
-  EXPECT_EQ(&obtainEngine(Engine::Auto, {}, kept), first);
+  EXPECT_EQ(&obtainEngine({}, kept) == first, !gl::mayHaveHardware());
 }
 
 TEST(RequireRoomForAxis, RefusesMoreThanMemoryHolds)

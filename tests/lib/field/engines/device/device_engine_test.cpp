@@ -190,7 +190,7 @@ TEST(DeviceEngine, ServesEightThreadsAtOnce)
 TEST(DeviceEngine, CanBeCancelledBetweenDispatches)
 {
   RecordedProgress progress;
-  progress.maxReports = 4;
+  progress.maxReports = queryDevice().software ? 4 : 1; // hardware is done within a few
   DistanceFieldOptions options;
   options.engine = Engine::Device;
   options.execution.progress = &progress;

@@ -162,6 +162,29 @@ TEST(DeviceEngine, ThatCannotBeMadeLeadsToTheProcessor)
     "the engine device failed (no device), so the processor did the work");
 }
 
+TEST(FallbackEngine, IsTheDeviceOnceThereIsWorkEnough)
+{
+  const double work = 25e-9 * static_cast<double>(tallGrid().pointCount()) +
+    1e-5 * static_cast<double>(ring().triangles.size());
+  FallbackEngine engine(makeDevice, 1.5 * work);
+  const Computed first = computedBy(engine, ring(), tallGrid());
+  EXPECT_EQ(first.field.statistics.engine, Engine::Processor);
+  EXPECT_FALSE(first.field.statistics.device.has_value());
+  EXPECT_EQ(first.field.statistics.note, "");
+  const Computed second = computedBy(engine, ring(), tallGrid());
+  EXPECT_EQ(second.field.statistics.engine, Engine::Device);
+  EXPECT_TRUE(second.field.statistics.device.has_value());
+  expectSameField(first, second);
+}
+
+TEST(FallbackEngine, StaysWithTheProcessorIfNoDeviceIsWorthHaving)
+{
+  FallbackEngine engine([]() -> std::unique_ptr<FieldEngine> { return nullptr; });
+  const Computed computed = computedBy(engine, ring(), tallGrid());
+  EXPECT_EQ(computed.field.statistics.engine, Engine::Processor);
+  EXPECT_EQ(computed.field.statistics.note, "");
+}
+
 TEST(DeviceEngine, LeavesAJobThatIsTooMuchToTheProcessorAndTakesTheNext)
 {
   FallbackEngine engine(makeDevice);
