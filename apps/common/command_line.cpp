@@ -23,7 +23,7 @@ constexpr int kMaxThreads = 1024;
 /// What is wrong with a command line. The parser's words are for those who know the parser.
 std::string messageOf(const CLI::App& app, const CLI::ParseError& error)
 {
-  const std::string message = error.what();
+  std::string message = error.what();
   const std::vector<std::string> unknown = app.remaining();
   const auto option = std::find_if(unknown.begin(), unknown.end(),
     [](const std::string& word) { return word.size() > 1 && word[0] == '-'; });
