@@ -193,10 +193,10 @@ private:
 };
 
 /// Gives each rank the curves whose middles are in its part.
-std::vector<CurveRecord> sharedOut(const CurveContext& context, const CornerNumbers& corners,
+std::vector<CurveRecord> sharedOut(const PreservationInput& input, const CornerNumbers& corners,
   const AxisPatch& patch)
 {
-  RankLists<CurveRecord> lists = listsFor<CurveRecord>(context.communicator);
+  RankLists<CurveRecord> lists = listsFor<CurveRecord>(input.communicator);
   const std::vector<FreeCurve> curves = zigzagCurves(patch.axis);
   for (std::size_t c = 0; c < curves.size(); ++c)
   {
@@ -204,24 +204,24 @@ std::vector<CurveRecord> sharedOut(const CurveContext& context, const CornerNumb
     const std::int64_t middle = patch.numbers[curve.points[curve.points.size() / 2]];
     for (const std::int64_t p : curve.points)
     {
-      lists[context.share.ownerOf(corners.cell(middle))].push_back(
+      lists[input.share.ownerOf(corners.cell(middle))].push_back(
         { static_cast<int>(c), static_cast<std::uint8_t>(curve.curve.closed ? 1 : 0),
           static_cast<std::uint8_t>(curve.firstStays ? 1 : 0),
           static_cast<std::uint8_t>(curve.lastStays ? 1 : 0), patch.numbers[p],
           patch.axis.points.points[p] });
     }
   }
-  return exchanged(context.communicator, std::move(lists)).front();
+  return exchanged(input.communicator, std::move(lists)).front();
 }
 
 /// Straightens the curves of this rank. Brings more of the surface until all ranks have what
 /// they ask for.
 /// @return where their points have come to.
-std::vector<CurveRecord> straightened(const CurveContext& context,
+std::vector<CurveRecord> straightened(const PreservationInput& input, const Checkpoint& checkpoint,
   const std::vector<CurveRecord>& records)
 {
-  const GridFrame& frame = context.field.frame();
-  const Extent& whole = context.share.whole();
+  const GridFrame& frame = input.field.frame();
+  const Extent& whole = input.share.whole();
   OwnCurves curves(records);
   const int last = std::max({ whole.max[0], whole.max[1], whole.max[2] });
   for (int margin = kMargin;; margin *= 2)
@@ -231,25 +231,25 @@ std::vector<CurveRecord> straightened(const CurveContext& context,
     {
       known.add(record.point.position, margin);
     }
-    context.field.bring(context.communicator, known.boxes(), {});
-    bool enough = curves.findSites(SitesHere(context.field.siteNumbers()));
+    input.field.bring(input.communicator, known.boxes(), {});
+    bool enough = curves.findSites(SitesHere(input.field.siteNumbers()));
     if (enough && !records.empty())
     {
-      const MedialAxisOptions& options = context.options;
+      const MedialAxisOptions& options = input.options;
       withMemoryErrors(whole.pointCount(),
         [&]
         {
-          context.run.onThreads(
+          input.run.onThreads(
             [&]
             {
-              const AxisGeometry geometry{ context.field.sites(), context.field.query(), frame,
-                whole, whole, glm::radians(options.angle), options.lambda / frame.unit,
-                options.radius / frame.unit, context.checkpoint };
+              const AxisGeometry geometry{ input.field.sites(), input.field.query(), frame, whole,
+                whole, glm::radians(options.angle), options.lambda / frame.unit,
+                options.radius / frame.unit, checkpoint };
               enough = curves.straighten(geometry, known);
             });
         });
     }
-    if (maximum(context.communicator, enough ? 0 : 1) == 0 || margin > last)
+    if (maximum(input.communicator, enough ? 0 : 1) == 0 || margin > last)
     {
       return curves.moved();
     }
@@ -258,14 +258,16 @@ std::vector<CurveRecord> straightened(const CurveContext& context,
 
 } // namespace
 
-void straightenCurves(const CurveContext& context, const CornerNumbers& corners, AxisPatch& patch)
+void straightenCurves(const PreservationInput& input, const CornerNumbers& corners,
+  const Checkpoint& checkpoint, AxisPatch& patch)
 {
-  const std::vector<CurveRecord> own = sharedOut(context, corners, patch);
-  if (maximum(context.communicator, own.size()) == 0)
+  const std::vector<CurveRecord> own = sharedOut(input, corners, patch);
+  if (maximum(input.communicator, own.size()) == 0)
   {
     return;
   }
-  for (const CurveRecord& record : atFirst(context.communicator, straightened(context, own)))
+  for (const CurveRecord& record :
+    atFirst(input.communicator, straightened(input, checkpoint, own)))
   {
     const auto at = std::lower_bound(patch.numbers.begin(), patch.numbers.end(), record.number);
     patch.axis.points.points[at - patch.numbers.begin()] = record.point;

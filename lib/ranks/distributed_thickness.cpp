@@ -1,5 +1,4 @@
 #include "base/checkpoint.h"
-#include "base/order_statistics.h"
 #include "base/run.h"
 #include "base/separation_angle.h"
 #include "base/stopwatch.h"
@@ -13,11 +12,11 @@
 #include "ranks/selected_keys.h"
 #include "ranks/thickness_part.h"
 #include "ranks/whole_piece.h"
+#include "thickness/quantiles.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -66,21 +65,12 @@ void summarise(Communicator& communicator, const std::vector<float>& values, Thi
     std::plus<>());
   thickness.points = counts[0] + counts[1];
   thickness.without = counts[1];
-  thickness.min = thickness.percentile5 = thickness.median = thickness.percentile95 =
-    thickness.max = std::numeric_limits<double>::quiet_NaN();
-  if (counts[0] > 0)
-  {
-    const auto at = [&](std::int64_t index)
+  setQuantiles(thickness,
+    [&](std::int64_t index)
     {
       return static_cast<double>(
         valueOf(static_cast<std::uint32_t>(keysAt(communicator, keys, { index }).front() >> 32)));
-    };
-    thickness.min = at(0);
-    thickness.percentile5 = at(indexAfter(0.05, counts[0]));
-    thickness.median = at(counts[0] / 2);
-    thickness.percentile95 = at(indexBefore(0.05, counts[0]));
-    thickness.max = at(counts[0] - 1);
-  }
+    });
 }
 
 void compute(CountingCommunicator& communicator, const SurfacePiece& piece,

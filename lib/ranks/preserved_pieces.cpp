@@ -382,9 +382,7 @@ void PreservedPieces::finishCurves(const Checkpoint& checkpoint)
     replaceSites(corner.after, numbers);
   }
   AxisPatch patch(input_.communicator, corners, cells);
-  straightenCurves(
-    { input_.communicator, input_.field, input_.share, input_.options, input_.run, checkpoint },
-    corners_, patch);
+  straightenCurves(input_, corners_, checkpoint, patch);
   // All who have a point learn where it is now.
   RankLists<ChangedCorner> lists = listsFor<ChangedCorner>(input_.communicator);
   for (std::size_t p = 0; p < patch.numbers.size(); ++p)

@@ -3,14 +3,9 @@
 #include "axis/axis_geometry.h"
 #include "axis/sheet_selection.h"
 #include "base/checkpoint.h"
-#include "base/run.h"
 #include "medial/cell_topology.h"
-#include "medial/compute_medial_axis.h"
-#include "medial/ranks.h"
 #include "ranks/corner_numbers.h"
-#include "ranks/field_part.h"
-#include "ranks/grid_share.h"
-#include "ranks/rank_field.h"
+#include "ranks/preservation_input.h"
 #include "thinning/solid_thinning.h"
 #include "thinning/voxel_solid.h"
 
@@ -19,19 +14,6 @@
 
 namespace medial
 {
-
-/// What the steps of an axis with preserved topology need; all must outlive them.
-struct PreservationInput
-{
-  Communicator& communicator;
-  RankField& field;
-  const GridShare& share; ///< of the axis
-  const Grid& grid;
-  const MedialAxisOptions& options;
-  const Run& run;
-  Side side;         ///< Both without a sign
-  FieldPart& values; ///< in the rank's part of the axis and a layer behind it
-};
 
 /// What a rank knows of its part for thinning.
 struct ThinningPart

@@ -1,12 +1,12 @@
 #include "medial/thickness.h"
 
 #include "base/checkpoint.h"
-#include "base/order_statistics.h"
 #include "base/run.h"
 #include "base/separation_angle.h"
 #include "base/stopwatch.h"
 #include "medial/error.h"
 #include "thickness/place_values.h"
+#include "thickness/quantiles.h"
 #include "thickness/side_thickness.h"
 #include "thickness/wall_extension.h"
 
@@ -16,7 +16,6 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <new>
 #include <optional>
 #include <string>
@@ -28,7 +27,6 @@ namespace
 {
 
 constexpr const char* kPhase = "thickness";
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 /// Minimum number of rows of places between two reports of progress, and maximum number of reports.
 constexpr std::size_t kMinRows = 8;
 constexpr std::size_t kMaxReports = 100;
@@ -140,19 +138,8 @@ void summarise(Thickness& thickness)
     [](float value) { return !std::isnan(value); });
   thickness.points = static_cast<std::int64_t>(thickness.values.size());
   thickness.without = static_cast<std::int64_t>(thickness.values.size() - present.size());
-  thickness.min = thickness.percentile5 = thickness.median = kNone;
-  thickness.percentile95 = thickness.max = kNone;
-  if (!present.empty())
-  {
-    std::sort(present.begin(), present.end());
-    const auto count = static_cast<std::int64_t>(present.size());
-    const auto at = [&](std::int64_t index) { return static_cast<double>(present[index]); };
-    thickness.min = at(0);
-    thickness.percentile5 = at(indexAfter(0.05, count));
-    thickness.median = at(count / 2);
-    thickness.percentile95 = at(indexBefore(0.05, count));
-    thickness.max = at(count - 1);
-  }
+  std::sort(present.begin(), present.end());
+  setQuantiles(thickness, [&](std::int64_t index) { return static_cast<double>(present[index]); });
 }
 
 } // namespace

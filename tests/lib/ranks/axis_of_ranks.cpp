@@ -88,6 +88,11 @@ Cells cellsOf(const MedialAxis& axis)
   return cells;
 }
 
+std::array<std::int64_t, 4> numbersOf(const CellTopology& topology)
+{
+  return { topology.components, topology.eulerCharacteristic, topology.genus, topology.cavities };
+}
+
 void expectWhole(const MedialAxis& whole, const std::vector<AxisPiece>& pieces)
 {
   const Cells wholeCells = cellsOf(whole);
@@ -99,6 +104,11 @@ void expectWhole(const MedialAxis& whole, const std::vector<AxisPiece>& pieces)
     ASSERT_EQ(piece.points, static_cast<std::int64_t>(whole.points.size()));
     ASSERT_EQ(piece.cells, static_cast<std::int64_t>(wholeCells.size()));
     ASSERT_EQ(piece.globalPointIds.size(), piece.axis.points.size());
+    ASSERT_EQ(piece.axis.solid.has_value(), whole.solid.has_value());
+    if (whole.solid)
+    {
+      EXPECT_EQ(numbersOf(*piece.axis.solid), numbersOf(*whole.solid));
+    }
     for (std::size_t p = 0; p < piece.axis.points.size(); ++p)
     {
       const auto id = static_cast<std::size_t>(piece.globalPointIds[p]);
@@ -141,6 +151,36 @@ std::vector<AxisPiece> axisOfRanks(const AxisCase& of, const std::vector<Extent>
     *counts = ownCounts;
   }
   return pieces;
+}
+
+void expectSameAxisOfAllPartitions(const AxisCase& of)
+{
+  const MedialAxis whole = wholeAxisOf(of);
+  ASSERT_GT(whole.cellCount(), 0);
+  ASSERT_EQ(whole.solid.has_value(), of.topology == Topology::Preserve);
+  if (whole.solid)
+  {
+    ASSERT_EQ(numbersOf(topologyOf(whole)), numbersOf(*whole.solid));
+  }
+  for (const int ranks : { 1, 2, 3, 4, 7, 16 })
+  {
+    SCOPED_TRACE(std::to_string(ranks) + " ranks");
+    const std::vector<Extent> extents = partsOfGrid(of.grid, ranks);
+    expectWhole(whole, axisOfRanks(of, extents, atRandom(ranks)));
+    expectWhole(whole, axisOfRanks(of, extents, atRandom(ranks), extents));
+  }
+}
+
+void expectSameAxisAtAngles(AxisCase of)
+{
+  for (const double angle : { 60.0, 20.0 })
+  {
+    SCOPED_TRACE(angle);
+    of.angle = angle;
+    const MedialAxis whole = wholeAxisOf(of);
+    ASSERT_EQ(whole.solid.has_value(), of.topology == Topology::Preserve);
+    expectWhole(whole, axisOfRanks(of, partsOfGrid(of.grid, 6), atRandom(6)));
+  }
 }
 
 } // namespace medial::test

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "medial/cell_topology.h"
 #include "medial/compute_medial_axis.h"
 #include "medial/ranks.h"
 
@@ -47,12 +48,22 @@ using Cells = std::vector<std::vector<std::int64_t>>;
 /// Returns all cells in the order of their numbers.
 Cells cellsOf(const MedialAxis& axis);
 
-/// Expects pieces to be the axis of one process: each cell once, and points on cuts alike.
+/// Returns the numbers of a topology, to compare them.
+std::array<std::int64_t, 4> numbersOf(const CellTopology& topology);
+
+/// Expects pieces to be the axis of one process: each cell once, points on cuts alike, and the
+/// topology of the solid where it is known.
 void expectWhole(const MedialAxis& whole, const std::vector<AxisPiece>& pieces);
 
 /// @param axisExtents where ranks make the axis; if empty they choose themselves.
 std::vector<AxisPiece> axisOfRanks(const AxisCase& of, const std::vector<Extent>& extents,
   const Distribution& rankOf, const std::vector<Extent>& axisExtents = {},
   std::vector<RankCounts>* counts = nullptr);
+
+/// Expects the axis of one process from 1 to 16 ranks.
+void expectSameAxisOfAllPartitions(const AxisCase& of);
+
+/// Expects it from six ranks, at two angles.
+void expectSameAxisAtAngles(AxisCase of);
 
 } // namespace medial::test

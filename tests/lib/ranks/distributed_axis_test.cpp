@@ -15,24 +15,6 @@
 using namespace medial;
 using namespace medial::test;
 
-namespace
-{
-
-void expectSameAxisOfAllPartitions(const AxisCase& of)
-{
-  const MedialAxis whole = wholeAxisOf(of);
-  ASSERT_GT(whole.cellCount(), 0);
-  for (const int ranks : { 1, 2, 3, 4, 7, 16 })
-  {
-    SCOPED_TRACE(std::to_string(ranks) + " ranks");
-    const std::vector<Extent> extents = partsOfGrid(of.grid, ranks);
-    expectWhole(whole, axisOfRanks(of, extents, atRandom(ranks)));
-    expectWhole(whole, axisOfRanks(of, extents, atRandom(ranks), extents));
-  }
-}
-
-} // namespace
-
 TEST(DistributedAxis, OfATorusAndABoxIsThatOfOneProcess)
 {
   expectSameAxisOfAllPartitions(caseOf(torusAndBox(), 70));
@@ -140,14 +122,8 @@ class DistributedAxisOfModels : public testing::TestWithParam<std::string>
 
 TEST_P(DistributedAxisOfModels, IsThatOfOneProcess)
 {
-  AxisCase of = caseOf(numbered(buildTriangleMesh(loadModel(*modelPath(GetParam())))), 64);
-  for (const double angle : { 60.0, 20.0 })
-  {
-    SCOPED_TRACE(angle);
-    of.angle = angle;
-    const MedialAxis whole = wholeAxisOf(of);
-    expectWhole(whole, axisOfRanks(of, partsOfGrid(of.grid, 6), atRandom(6)));
-  }
+  expectSameAxisAtAngles(
+    caseOf(numbered(buildTriangleMesh(loadModel(*modelPath(GetParam())))), 64));
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, DistributedAxisOfModels, testing::ValuesIn(modelsForRanks()));

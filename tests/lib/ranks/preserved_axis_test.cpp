@@ -10,8 +10,6 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
-#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -25,35 +23,6 @@ AxisCase preserved(AxisCase of)
 {
   of.topology = Topology::Preserve;
   return of;
-}
-
-std::array<std::int64_t, 4> numbersOf(const CellTopology& topology)
-{
-  return { topology.components, topology.eulerCharacteristic, topology.genus, topology.cavities };
-}
-
-void expectPreserved(const MedialAxis& whole, const std::vector<AxisPiece>& pieces)
-{
-  expectWhole(whole, pieces);
-  for (const AxisPiece& piece : pieces)
-  {
-    ASSERT_TRUE(piece.axis.solid);
-    EXPECT_EQ(numbersOf(*piece.axis.solid), numbersOf(*whole.solid));
-  }
-}
-
-void expectSameAxisOfAllPartitions(const AxisCase& of)
-{
-  const MedialAxis whole = wholeAxisOf(of);
-  ASSERT_GT(whole.cellCount(), 0);
-  ASSERT_EQ(numbersOf(topologyOf(whole)), numbersOf(*whole.solid));
-  for (const int ranks : { 1, 2, 3, 4, 7, 16 })
-  {
-    SCOPED_TRACE(std::to_string(ranks) + " ranks");
-    const std::vector<Extent> extents = partsOfGrid(of.grid, ranks);
-    expectPreserved(whole, axisOfRanks(of, extents, atRandom(ranks)));
-    expectPreserved(whole, axisOfRanks(of, extents, atRandom(ranks), extents));
-  }
 }
 
 /// Boxes that share a part of a face, and a ball that nearly touches one of them: all of them would
@@ -177,15 +146,8 @@ class PreservedAxisOfModels : public testing::TestWithParam<std::string>
 
 TEST_P(PreservedAxisOfModels, IsThatOfOneProcess)
 {
-  AxisCase of =
-    preserved(caseOf(numbered(buildTriangleMesh(loadModel(*modelPath(GetParam())))), 64));
-  for (const double angle : { 60.0, 20.0 })
-  {
-    SCOPED_TRACE(angle);
-    of.angle = angle;
-    const MedialAxis whole = wholeAxisOf(of);
-    expectPreserved(whole, axisOfRanks(of, partsOfGrid(of.grid, 6), atRandom(6)));
-  }
+  expectSameAxisAtAngles(
+    preserved(caseOf(numbered(buildTriangleMesh(loadModel(*modelPath(GetParam())))), 64)));
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, PreservedAxisOfModels, testing::ValuesIn(modelsForRanks()));
