@@ -1,6 +1,6 @@
 #include "pipeline/axis_options.h"
 
-#include "axis/sheet_selection.h"
+#include "axis/sheets/sheet_selection.h"
 #include "base/separation_angle.h"
 #include "medial/error.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "axis/ball_mesh.h"
+#include "axis/seams/ball_mesh.h"
 #include "axis/side_check.h"
 #include "base/run.h"
 #include "field/crossing.h"

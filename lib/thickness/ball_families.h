@@ -1,6 +1,6 @@
 #pragma once
 
-#include "axis/ball_mesh.h"
+#include "axis/seams/ball_mesh.h"
 #include "balls/bounding_tree.h"
 #include "medial/grid.h"
 #include "medial/medial_axis.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "axis/axis_geometry.h"
-#include "axis/sheet_selection.h"
+#include "axis/sheets/sheet_selection.h"
 #include "field/crossing.h"
 #include "medial/cell_topology.h"
 #include "medial/representation.h"

@@ -1,8 +1,8 @@
 #include "thinning/rim_finish.h"
 
-#include "axis/border_rims.h"
-#include "axis/crease_rims.h"
 #include "axis/dual_mesh.h"
+#include "axis/sheets/border_rims.h"
+#include "axis/sheets/crease_rims.h"
 #include "thinning/sound_cells.h"
 
 #include <algorithm>

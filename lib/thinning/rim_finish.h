@@ -2,7 +2,7 @@
 
 #include "axis/axis_geometry.h"
 #include "axis/edge_table.h"
-#include "axis/sheet_selection.h"
+#include "axis/sheets/sheet_selection.h"
 #include "thinning/thinned_axis.h"
 
 #include <cstddef>

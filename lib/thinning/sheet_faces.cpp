@@ -1,6 +1,6 @@
 #include "thinning/sheet_faces.h"
 
-#include "axis/sheet_match.h"
+#include "axis/sheets/sheet_match.h"
 #include "base/huge_pages.h"
 
 #include <tbb/parallel_for.h>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "axis/bisector.h"
-#include "axis/sheet_selection.h"
+#include "axis/sheets/sheet_selection.h"
 #include "base/checkpoint.h"
 #include "field/crossing.h"
 #include "medial/cell_topology.h"

@@ -1,8 +1,8 @@
 #include "thinning/thinned_axis.h"
 
-#include "axis/axis_points.h"
 #include "axis/closest_pairs.h"
 #include "axis/dual_mesh.h"
+#include "axis/sheets/axis_points.h"
 #include "axis/tile_order.h"
 #include "sites/closest_point.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "axis/bisector.h"
-#include "axis/sheet_selection.h"
+#include "axis/sheets/sheet_selection.h"
 #include "medial/representation.h"
 #include "thinning/axis_samples.h"
 #include "thinning/cubical_complex.h"

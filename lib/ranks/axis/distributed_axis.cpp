@@ -1,0 +1,437 @@
+#include "ranks/axis/distributed_axis.h"
+
+#include "axis/axis_attributes.h"
+#include "axis/axis_geometry.h"
+#include "base/checkpoint.h"
+#include "base/memory_guard.h"
+#include "base/run.h"
+#include "base/stopwatch.h"
+#include "culling/extent_parts.h"
+#include "field/field_tap.h"
+#include "medial/ranks.h"
+#include "pipeline/axis_options.h"
+#include "ranks/axis/axis_assembly.h"
+#include "ranks/axis/part_axis.h"
+#include "ranks/axis/preserved_pieces.h"
+#include "ranks/axis/rim_exchange.h"
+#include "ranks/axis/sites_here.h"
+#include "ranks/collective.h"
+#include "ranks/counting_communicator.h"
+#include "ranks/field/field_part.h"
+#include "ranks/field/inside_part.h"
+#include "ranks/field/rank_field.h"
+#include "ranks/field/work_cut.h"
+#include "ranks/whole_piece.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace medial
+{
+namespace
+{
+
+/// Share of the work that is done once the crossings are selected.
+constexpr double kSelected = 0.8;
+
+/// Crossings are counted in boxes of at least so many grid points along an edge, where so many
+/// boxes suffice for a part.
+constexpr int kMinBox = 4;
+constexpr std::int64_t kEnoughBoxes = 4096;
+
+void checkOptions(const MedialAxisOptions& options)
+{
+  checkAxisOptions(options);
+  if (options.maxSpheres > 0)
+  {
+    throw Error(ErrorCode::InvalidInput,
+      "a maximum number of spheres needs the whole axis in one process");
+  }
+}
+
+/// A crossing with the numbers that its sites have in the whole surface.
+struct SharedCrossing
+{
+  Crossing crossing;
+  std::int64_t number; ///< as AxisOrder
+};
+
+/// Returns the boxes of a grid that have crossings, and how many.
+std::vector<WorkBox> crossingsInBoxes(const std::vector<SharedCrossing>& crossings, int size,
+  const Extent& whole)
+{
+  std::map<std::array<int, 3>, std::int64_t> counts; // by the first point
+  for (const SharedCrossing& item : crossings)
+  {
+    const glm::ivec3& voxel = item.crossing.voxel;
+    ++counts[{ voxel.x - voxel.x % size, voxel.y - voxel.y % size, voxel.z - voxel.z % size }];
+  }
+  std::vector<WorkBox> boxes;
+  for (const auto& [first, count] : counts)
+  {
+    boxes.push_back({ wholeParts({ first, first }, size, whole), static_cast<double>(count) });
+  }
+  return boxes;
+}
+
+/// Returns an extent with some layers of points around it, as far as the grid has them.
+Extent withMargin(Extent extent, int margin, const Grid& grid)
+{
+  for (int axis = 0; axis < 3 && !extent.empty(); ++axis)
+  {
+    extent.min[axis] = std::max(extent.min[axis] - margin, 0);
+    extent.max[axis] = std::min(extent.max[axis] + margin, grid.dimensions[axis] - 1);
+  }
+  return extent;
+}
+
+/// Computes the axis of a rank's part, in steps that all ranks take together.
+class DistributedAxis
+{
+public:
+  /// All arguments must outlive this.
+  DistributedAxis(CountingCommunicator& communicator, const SurfacePiece& piece, const Grid& grid,
+    const MedialAxisOptions& options, const Run& run)
+    : communicator_(communicator)
+    , grid_(grid)
+    , options_(options)
+    , run_(run)
+    , frame_(grid)
+    , order_(grid)
+    , angle_(glm::radians(options.angle))
+    , field_(communicator, piece, grid, options.field, run.part(0.0, kSelected), statistics_)
+  {
+  }
+
+  /// @param fieldShare where ranks compute the field and find crossings.
+  /// @param axisExtents see computeMedialAxis().
+  AxisPiece compute(const GridShare& fieldShare, const std::vector<Extent>& axisExtents,
+    FieldSink& sink, RankCounts* counts)
+  {
+    int halo = crossingHalo(frame_, angle_);
+    const Side side = this->hasSign() ? options_.side : Side::Both;
+    const bool preserve = options_.topology == Topology::Preserve;
+    FieldPart values;
+    std::vector<SharedCrossing> crossings = this->crossingsOf(fieldShare,
+      { selectionAngle(options_), side }, sink, preserve ? &values : nullptr);
+    const Stopwatch watch(statistics_.seconds.medial);
+    const std::vector<Extent> extents =
+      axisExtents.empty() ? this->partsOfAxis(crossings, halo) : axisExtents;
+    share_.emplace(grid_, extents, communicator_.rank());
+    crossings = share_->toOwners(communicator_, crossings,
+      [](const SharedCrossing& item) { return item.crossing.voxel; });
+    BisectorPoints points;
+    AxisPiece result = preserve
+      ? this->preserved(crossings, std::move(values), extents, halo, points)
+      : this->selected(crossings, halo, points);
+    setAxisPoints(points, frame_, result.axis);
+    result.axis.sign = field_.sharedSign().report().method;
+    result.axis.side = side;
+    if (counts != nullptr)
+    {
+      *counts = countsOf(field_, communicator_);
+      counts->crossings = crossingsSeen_;
+    }
+    return result;
+  }
+
+  const RunStatistics& statistics() const { return statistics_; }
+
+private:
+  bool hasSign() const { return field_.sign() != FieldSign::None; }
+
+  /// Brings what can be closest in the part of the axis and a halo.
+  void bring(int halo)
+  {
+    field_.bring(communicator_, share_->withHalo(halo), {});
+    if (this->hasSign())
+    {
+      field_.closeHoles(communicator_);
+    }
+  }
+
+  /// Cuts the grid so that ranks have about as many crossings in their parts and halos.
+  std::vector<Extent> partsOfAxis(const std::vector<SharedCrossing>& crossings, int halo) const
+  {
+    const int size = workBoxSize(grid_, communicator_.size(), kMinBox, kEnoughBoxes);
+    return partsOfWork(communicator_, grid_, WorkCut(size, halo),
+      crossingsInBoxes(crossings, size, grid_.wholeExtent()));
+  }
+
+  /// Does work of this rank on its threads; not where it has no part of the grid.
+  template <typename Work>
+  void locally(const Work& work) const
+  {
+    if (!share_->own().empty())
+    {
+      withMemoryErrors(share_->own().pointCount(), [&] { run_.onThreads(work); });
+    }
+  }
+
+  /// Computes the field of this rank's part, and returns the crossings there.
+  /// @param values receives the field for thinning; may be null.
+  std::vector<SharedCrossing> crossingsOf(const GridShare& fieldShare, CrossingSelection selection,
+    FieldSink& sink, FieldPart* values)
+  {
+    std::vector<SharedCrossing> own;
+    const Extent extent = touchingExtent(grid_, fieldShare.own());
+    // What is next to points of the side must be known as well.
+    field_.bring(communicator_, extent,
+      values != nullptr ? withMargin(extent, FieldTap::kMargin, grid_) : extent);
+    std::optional<FieldTap> tap;
+    if (values != nullptr)
+    {
+      tap.emplace(sink, extent, selection.side);
+      selection.tap = &*tap;
+    }
+    const auto select = [&]
+    {
+      const std::vector<std::int32_t> siteNumbers = field_.siteNumbers();
+      for (Crossing& crossing : field_.select(extent, selection, tap ? *tap : sink))
+      {
+        if (fieldShare.owns(crossing.voxel))
+        {
+          crossing.siteA = siteNumbers[crossing.siteA];
+          crossing.siteB = siteNumbers[crossing.siteB];
+          own.push_back({ crossing, order_.ofCrossing(crossing) });
+        }
+      }
+    };
+    if (!extent.empty())
+    {
+      withMemoryErrors(extent.pointCount(), select);
+    }
+    if (values != nullptr)
+    {
+      *values = { extent, tap->distances(), tap->sites() };
+    }
+    run_.report(kSelected, "medial axis");
+    return own;
+  }
+
+  /// Returns the crossings of the part and its halo, in the order of one process, with the sites
+  /// here.
+  /// @param own those of this rank.
+  std::vector<Crossing> crossingsWithin(const std::vector<SharedCrossing>& own, int halo) const
+  {
+    std::vector<SharedCrossing> shared = share_->spread(communicator_, own, halo,
+      [](const SharedCrossing& item) { return item.crossing.voxel; });
+    std::sort(shared.begin(), shared.end(),
+      [](const SharedCrossing& a, const SharedCrossing& b) { return a.number < b.number; });
+    const SitesHere sites(field_.siteNumbers());
+    const Extent part = share_->withHalo(halo);
+    std::vector<Crossing> crossings;
+    for (const SharedCrossing& item : shared)
+    {
+      Crossing crossing = item.crossing;
+      glm::ivec3 end = crossing.voxel;
+      ++end[crossing.axis];
+      if (GridShare::isIn(part, end))
+      {
+        crossing.siteA = sites.find(crossing.siteA);
+        crossing.siteB = sites.find(crossing.siteB);
+        crossings.push_back(crossing);
+      }
+    }
+    return crossings;
+  }
+
+  /// Calls make(geometry of the part and a halo, crossings there); the geometry is null for a rank
+  /// without a part.
+  template <typename Make>
+  auto withHalo(const std::vector<SharedCrossing>& own, int halo, const Checkpoint& checkpoint,
+    const Make& make)
+  {
+    std::optional<InsidePart> inside;
+    if (this->hasSign())
+    {
+      inside.emplace(communicator_, field_, share_->withHalo(halo));
+    }
+    const SideCheck side(
+      [&]() -> SideCheck::Inside
+      {
+        inside->prepare();
+        return [&](const glm::dvec3& x) { return inside->contains(x); };
+      });
+    std::vector<Crossing> crossings = this->crossingsWithin(own, halo);
+    crossingsSeen_ = static_cast<std::int64_t>(crossings.size());
+    std::optional<AxisGeometry> geometry;
+    this->locally(
+      [&]
+      {
+        geometry.emplace(AxisGeometry{ field_.sites(), field_.query(), frame_, share_->whole(),
+          share_->withHalo(halo), angle_, options_.lambda / frame_.unit,
+          options_.radius / frame_.unit, checkpoint, inside ? &side : nullptr });
+      });
+    return make(geometry ? &*geometry : nullptr, std::move(crossings));
+  }
+
+  /// Makes the points and quads of this rank from crossings in the part and a halo.
+  /// @return nothing on every rank if one has seen something else than its neighbour at a rim that
+  ///   goes on there: then the halo is too narrow.
+  std::optional<OwnAxis> tryHalo(const std::vector<SharedCrossing>& own, int halo)
+  {
+    const Checkpoint checkpoint(run_, kSelected, "medial axis");
+    return this->withHalo(own, halo, checkpoint,
+      [&](const AxisGeometry* geometry, std::vector<Crossing> crossings) -> std::optional<OwnAxis>
+      {
+        std::optional<PartAxis> axis;
+        this->locally(
+          [&]
+          {
+            axis.emplace(*geometry, *share_, order_, std::move(crossings));
+            axis->makePoints(options_.representation);
+          });
+        if (options_.representation == Representation::Surface &&
+          !this->moveRims(axis ? &*axis : nullptr) && !this->coversGrid(halo))
+        {
+          return std::nullopt;
+        }
+        OwnAxis result{ options_.representation == Representation::Points, {}, {} };
+        this->locally([&] { result = axis->own(); });
+        return result;
+      });
+  }
+
+  /// @param crossings those of this rank.
+  AxisPiece selected(const std::vector<SharedCrossing>& crossings, int halo, BisectorPoints& points)
+  {
+    this->bring(halo);
+    std::optional<OwnAxis> own;
+    for (own = this->tryHalo(crossings, halo); !own; own = this->tryHalo(crossings, halo))
+    {
+      halo *= 2;
+      this->bring(halo);
+    }
+    const AxisAssembly assembly(communicator_, *share_, *own, contractionHalo(frame_, angle_));
+    return assembly.piece(communicator_, order_, points);
+  }
+
+  /// The same with the topology of the solid.
+  /// @param values the field where this rank has computed it.
+  /// @param extents of all ranks in the share.
+  AxisPiece preserved(const std::vector<SharedCrossing>& crossings, FieldPart values,
+    const std::vector<Extent>& extents, int halo, BisectorPoints& points)
+  {
+    const Side side = this->hasSign() ? options_.side : Side::Both;
+    std::vector<Extent> wanted;
+    for (const Extent& extent : extents)
+    {
+      wanted.push_back(touchingExtent(grid_, extent));
+    }
+    values = exchangedPart(communicator_, std::move(values), wanted, side);
+    PreservedPieces pieces({ communicator_, field_, *share_, grid_, options_, run_, side, values },
+      extents);
+    const Checkpoint checkpoint(run_, kSelected, "medial axis");
+    const auto tryHalo = [&]
+    {
+      this->bring(halo);
+      return this->withHalo(crossings, halo, checkpoint,
+        [&](const AxisGeometry* geometry, std::vector<Crossing> around)
+        { return pieces.tryHalo(geometry, std::move(around), halo, checkpoint); });
+    };
+    while (!tryHalo())
+    {
+      halo *= 2;
+    }
+    pieces.finishCurves(checkpoint);
+    return pieces.piece(points);
+  }
+
+  bool coversGrid(int halo) const
+  {
+    const auto& last = share_->whole().max;
+    return halo >= std::max({ last[0], last[1], last[2] });
+  }
+
+  /// Moves the rims of all parts to their borders, unless ranks have seen them differently.
+  /// @param axis null for a rank without a part.
+  bool moveRims(PartAxis* axis) const
+  {
+    RimExchange exchange(communicator_, *share_,
+      { [&](std::size_t vertex) { return axis->numberOf(vertex); },
+        [&](std::size_t vertex) { return axis->cellOf(vertex); } },
+      axis != nullptr ? axis->rims() : nullptr);
+    if (!exchange.move([this](const auto& work) { this->locally(work); }))
+    {
+      return false;
+    }
+    this->locally([&] { axis->extendToCreases(); });
+    return true;
+  }
+
+  CountingCommunicator& communicator_;
+  const Grid& grid_;
+  const MedialAxisOptions& options_;
+  const Run& run_;
+  GridFrame frame_;
+  AxisOrder order_;
+  double angle_; ///< radians
+  RunStatistics statistics_;
+  RankField field_;
+  std::optional<GridShare> share_; ///< where ranks make the axis
+  std::int64_t crossingsSeen_ = 0; ///< in the part of the axis and its halo
+};
+
+} // namespace
+
+Extent touchingExtent(const Grid& grid, const Extent& extent)
+{
+  Extent touching = extent;
+  for (int axis = 0; axis < 3 && !extent.empty(); ++axis)
+  {
+    touching.max[axis] = std::min(extent.max[axis] + 1, grid.dimensions[axis] - 1);
+  }
+  return touching;
+}
+
+AxisPiece computeMedialAxis(Communicator& communicator, const SurfacePiece& piece, const Grid& grid,
+  const std::vector<Extent>& extents, FieldSink& sink, const MedialAxisOptions& options,
+  RankCounts* counts)
+{
+  return computeMedialAxis(communicator, piece, grid, extents, {}, sink, options, counts);
+}
+
+AxisPiece computeMedialAxis(Communicator& communicator, const SurfacePiece& piece, const Grid& grid,
+  const std::vector<Extent>& extents, const std::vector<Extent>& axisExtents, FieldSink& sink,
+  const MedialAxisOptions& options, RankCounts* counts)
+{
+  CountingCommunicator counting(communicator);
+  AxisPiece result;
+  agree(counting,
+    [&]
+    {
+      checkOptions(options);
+      checkFieldOfRanks(grid, {}, options.field);
+      if (extents.size() != static_cast<std::size_t>(communicator.size()))
+      {
+        throw Error(ErrorCode::InvalidInput,
+          std::to_string(extents.size()) + " extents for " + std::to_string(communicator.size()) +
+            " ranks; there must be one for each");
+      }
+      const GridShare share(grid, extents, communicator.rank());
+      const std::optional<WholePiece> whole =
+        communicator.size() == 1 ? wholePiece(piece) : std::nullopt;
+      if (whole)
+      {
+        MedialAxisOptions wanted = options;
+        wanted.field.engine = Engine::Processor;
+        result = onlyPiece(computeMedialAxis(whole->mesh,
+          analyseConnectivity(whole->mesh, options.field.execution), grid, wanted, sink));
+        setCounts(whole->mesh, counting, counts);
+        return;
+      }
+      const Run run(options.field.execution);
+      DistributedAxis axis(counting, piece, grid, options, run);
+      result = axis.compute(share, axisExtents, sink, counts);
+      result.axis.statistics = axis.statistics();
+      run.report(1.0, "medial axis");
+    });
+  return result;
+}
+
+} // namespace medial

@@ -1,0 +1,422 @@
+#include "ranks/axis/preserved_pieces.h"
+
+#include "axis/sheets/border_rims.h"
+#include "axis/sheets/crease_rims.h"
+#include "base/memory_guard.h"
+#include "ranks/axis/curve_pieces.h"
+#include "ranks/axis/rim_exchange.h"
+#include "ranks/axis/sites_here.h"
+#include "ranks/collective.h"
+#include "thinning/preserved_axis.h"
+#include "thinning/rim_finish.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace medial
+{
+namespace
+{
+
+/// How far around its part a rank knows the axis without moving rims, grid cells: what is around
+/// the points that its cells use.
+constexpr int kAround = 3;
+
+/// A point of an axis, whose sites have their numbers in the whole surface.
+struct CornerRecord
+{
+  std::int64_t number; ///< as CornerNumbers
+  BisectorPoint point;
+  std::uint8_t moved;
+  std::uint8_t onSheet; ///< not 0 if the selection's samples have a vertex there
+};
+
+/// Returns an extent with some layers of points behind it, as far as the grid has them.
+Extent extended(Extent extent, int layers, const Extent& whole)
+{
+  for (int axis = 0; axis < 3 && !extent.empty(); ++axis)
+  {
+    extent.max[axis] = std::min(extent.max[axis] + layers, whole.max[axis]);
+  }
+  return extent;
+}
+
+/// Returns the sites with some numbers; the first one for those that are not here, of points that
+/// the side does not need.
+std::vector<std::int32_t> sitesHere(const SitesHere& sites,
+  const std::vector<std::int32_t>& numbers)
+{
+  std::vector<std::int32_t> result(numbers.size());
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+  {
+    // Most neighbours have the same.
+    result[i] =
+      i > 0 && numbers[i] == numbers[i - 1] ? result[i - 1] : std::max(0, sites.find(numbers[i]));
+  }
+  return result;
+}
+
+void replaceSites(BisectorPoint& point, const std::vector<std::int32_t>& numbers)
+{
+  point.a.site = numbers[point.a.site];
+  point.b.site = numbers[point.b.site];
+}
+
+/// Finds the vertices of a dual mesh by their grid cells and sides.
+class VertexFinder
+{
+public:
+  /// @param crossings of the mesh.
+  VertexFinder(const AxisOrder& order, const DualSubmesh& part,
+    const std::vector<Crossing>& crossings)
+    : order_(order)
+    , part_(part)
+  {
+    for (std::size_t v = 0; v < part.mesh.cells.size(); ++v)
+    {
+      const Crossing& crossing = crossings[part.mesh.incident[part.mesh.offsets[v]]];
+      numbers_.push_back(order.ofVertex(part.mesh.cells[v], crossing.inside));
+    }
+  }
+
+  /// Returns the vertex of the selection's samples in a grid cell, or kNoVertex.
+  std::size_t find(const glm::ivec3& cell, bool inside) const
+  {
+    const std::int64_t number = order_.ofVertex(cell, inside);
+    const auto found = std::lower_bound(numbers_.begin(), numbers_.end(), number);
+    return found != numbers_.end() && *found == number
+      ? part_.origins[static_cast<std::size_t>(found - numbers_.begin())]
+      : kNoVertex;
+  }
+
+private:
+  const AxisOrder& order_;
+  const DualSubmesh& part_;
+  std::vector<std::int64_t> numbers_; ///< of the vertices, ascending
+};
+
+} // namespace
+
+struct PreservedPieces::Part
+{
+  const AxisGeometry* geometry; ///< null without a part
+  int halo;
+  const Checkpoint& checkpoint;
+  std::vector<Crossing> crossings;   ///< those that are selected
+  std::vector<std::int32_t> numbers; ///< of the sites here
+  SitesHere sites;
+  std::vector<std::int32_t> closestSites; ///< here, at the points of the field
+  std::optional<SheetSelection> selection;
+};
+
+PreservedPieces::PreservedPieces(const PreservationInput& input, const std::vector<Extent>& extents)
+  : input_(input)
+  , corners_(input.grid)
+  , order_(input.grid)
+  , thinning_(input, extents)
+{
+  if (this->hasSign() && input.side != Side::Exterior)
+  {
+    bodies_.emplace(input.communicator, input.field);
+  }
+}
+
+bool PreservedPieces::coversGrid(int halo) const
+{
+  const auto& last = input_.share.whole().max;
+  return halo >= std::max({ last[0], last[1], last[2] });
+}
+
+/// Does work of a rank that has a part of the grid.
+template <typename Work>
+void PreservedPieces::locally(const Work& work) const
+{
+  const Extent& own = input_.share.own();
+  if (!own.empty())
+  {
+    withMemoryErrors(own.pointCount(), [&] { input_.run.onThreads(work); });
+  }
+}
+
+bool PreservedPieces::tryHalo(const AxisGeometry* geometry, std::vector<Crossing> crossings,
+  int halo, const Checkpoint& checkpoint)
+{
+  const std::vector<std::int32_t> numbers = input_.field.siteNumbers();
+  Part part{ geometry, halo, checkpoint, std::move(crossings), numbers, SitesHere(numbers), {},
+    {} };
+  part.closestSites = sitesHere(part.sites, input_.values.sites);
+  this->locally([&] { part.selection.emplace(selectSheets(*geometry, part.crossings)); });
+  thinning_.select(part.crossings, part.selection ? &*part.selection : nullptr);
+  solids_.clear();
+  for (const Side side : sidesOf(this->hasSign(), input_.side))
+  {
+    DepthField depth(input_.values.distances.data(), side, input_.field.frame().unit);
+    int colours = 1;
+    std::vector<int> siteColours;
+    if (side == Side::Interior)
+    {
+      siteColours = bodies_->siteColours(input_.communicator, input_.values.extent, corners_.size(),
+        part.closestSites.data(), depth, colours);
+    }
+    thinning_.setColours(colours, part.closestSites, siteColours);
+    for (int colour = 0; colour < colours; ++colour)
+    {
+      if (colours > 1)
+      {
+        depth.restrict(part.closestSites.data(), siteColours.data(), colour);
+      }
+      if (!this->addSolid(part, depth, side, colour))
+      {
+        return false;
+      }
+    }
+  }
+  thinning_.finish();
+  return true;
+}
+
+/// Thins a solid, and makes its points in the part and around.
+/// @return false on every rank if the halo is too narrow.
+bool PreservedPieces::addSolid(const Part& part, const DepthField& depth, Side side, int colour)
+{
+  const int halo = this->wantsSurface() ? part.halo : kAround;
+  SolidPiece solid;
+  solid.side = side;
+  const std::vector<std::int64_t> cells = this->sendCells(
+    thinning_.thin({ part.geometry, part.closestSites, depth }, side, colour, part.checkpoint),
+    halo);
+  const bool complete = this->setPoints(part, depth, cells, solid);
+  if (this->wantsSurface())
+  {
+    const std::vector<BisectorPoint> before = solid.axis.points.points;
+    if ((maximum(input_.communicator, complete ? 0 : 1) != 0 || !this->moveRims(part, solid)) &&
+      !this->coversGrid(part.halo))
+    {
+      return false;
+    }
+    keepSound(input_.communicator, input_.share, corners_, before, solid);
+  }
+  solids_.push_back(std::move(solid));
+  return true;
+}
+
+/// Sends cells from the first rank to where they are, and to a halo.
+std::vector<std::int64_t> PreservedPieces::sendCells(const std::vector<std::int64_t>& cells,
+  int halo) const
+{
+  RankLists<std::int64_t> lists = listsFor<std::int64_t>(input_.communicator);
+  for (std::size_t rank = 0; rank < lists.size() && !cells.empty(); ++rank)
+  {
+    const Extent box =
+      extended(input_.share.withHalo(static_cast<int>(rank), halo), kTold, input_.share.whole());
+    std::copy_if(cells.begin(), cells.end(), std::back_inserter(lists[rank]),
+      [&](std::int64_t cell) { return GridShare::isIn(box, corners_.position(cell / 256)); });
+  }
+  return exchanged(input_.communicator, std::move(lists)).front();
+}
+
+/// Places the points of this rank, and gets those around from others.
+/// @param cells of the part and a halo.
+/// @return false if sites of those around are not here.
+bool PreservedPieces::setPoints(const Part& part, const DepthField& depth,
+  const std::vector<std::int64_t>& cells, SolidPiece& solid) const
+{
+  const int halo = this->wantsSurface() ? part.halo : kAround;
+  const GridShare& share = input_.share;
+  std::vector<CornerRecord> own;
+  this->locally(
+    [&]
+    {
+      CubicalComplex complex(input_.values.extent, corners_.size());
+      std::vector<CubeCell> vertices;
+      for (const std::int64_t packed : cells)
+      {
+        const glm::ivec3 position = corners_.position(packed / 256);
+        if (complex.covers(position))
+        {
+          const CubeCell vertex = complex.cell(position, kVertexKind);
+          *complex.bitsFrom(CubicalComplex::index(vertex)) =
+            static_cast<std::uint8_t>(packed % 256);
+          if (share.owns(position - 1))
+          {
+            vertices.push_back(vertex);
+          }
+        }
+      }
+      const SheetSelection& selection = *part.selection;
+      const std::vector<std::size_t> within =
+        crossingsWithin(depth, input_.values.extent, corners_.size(), part.crossings);
+      SelectedCrossings selected =
+        someOf(within, part.crossings, selection.bisectors, exactPairs(selection));
+      AxisSamples samples(complex, selected.crossings, std::move(selected.bisectors));
+      const ThinnedAxis placed =
+        pointsOfCorners(complex, vertices, depth, { *part.geometry, part.closestSites.data() },
+          { selection, within }, input_.options.representation, samples);
+      for (std::size_t i = 0; i < vertices.size(); ++i)
+      {
+        own.push_back({ corners_.of(placed.gridCells[i] + 1, solids_.size()),
+          placed.points.points[i], placed.points.moved[i],
+          static_cast<std::uint8_t>(placed.origins[i] != kNoVertex ? 1 : 0) });
+        replaceSites(own.back().point, part.numbers);
+      }
+    });
+  std::vector<CornerRecord> around = share.spread(input_.communicator, own, halo,
+    [&](const CornerRecord& record) { return corners_.cell(record.number); });
+  std::sort(around.begin(), around.end(),
+    [](const CornerRecord& a, const CornerRecord& b) { return a.number < b.number; });
+  if (part.geometry == nullptr)
+  {
+    return true;
+  }
+  const VertexFinder vertices(order_, part.selection->part, part.crossings);
+  CubicalComplex complex(extended(share.withHalo(halo), kTold, share.whole()), corners_.size());
+  for (const std::int64_t packed : cells)
+  {
+    *complex.bitsFrom(CubicalComplex::index(complex.cell(corners_.position(packed / 256), 0))) =
+      static_cast<std::uint8_t>(packed % 256);
+  }
+  bool found = true;
+  std::vector<CubeCell> cubeCells;
+  for (CornerRecord& record : around)
+  {
+    BisectorPoint& point = record.point;
+    for (std::int32_t* const site : { &point.a.site, &point.b.site })
+    {
+      *site = part.sites.find(*site);
+      found = found && *site >= 0;
+      *site = std::max(0, *site);
+    }
+    const glm::ivec3 cell = corners_.cell(record.number);
+    cubeCells.push_back(complex.cell(cell + 1, kVertexKind));
+    solid.numbers.push_back(record.number);
+    solid.own.push_back(share.owns(cell) ? 1 : 0);
+    solid.axis.points.points.push_back(point);
+    solid.axis.points.moved.push_back(record.moved);
+    solid.axis.gridCells.push_back(cell);
+    solid.axis.origins.push_back(
+      record.onSheet != 0 ? vertices.find(cell, solid.side == Side::Interior) : kNoVertex);
+  }
+  addCells(complex, cubeCells, solid.axis);
+  return found || !this->wantsSurface();
+}
+
+/// Gives the rims of all ranks the finish of a selected surface.
+/// @return false on every rank if some have seen them differently.
+bool PreservedPieces::moveRims(const Part& part, SolidPiece& solid) const
+{
+  std::optional<BorderRims> rims;
+  this->locally(
+    [&]
+    {
+      rims.emplace(*part.geometry, *part.selection, selectedRims(solid.axis), solid.axis.origins,
+        solid.axis.points);
+    });
+  RimExchange exchange(input_.communicator, input_.share,
+    { [&](std::size_t vertex) { return solid.numbers[vertex]; },
+      [&](std::size_t vertex) { return solid.axis.gridCells[vertex]; } },
+    rims ? &*rims : nullptr);
+  if (!exchange.move([this](const auto& work) { this->locally(work); }))
+  {
+    return false;
+  }
+  this->locally(
+    [&]
+    {
+      std::vector<std::size_t> own;
+      const std::vector<std::size_t> elsewhere = rims->elsewhere();
+      std::copy_if(elsewhere.begin(), elsewhere.end(), std::back_inserter(own),
+        [&](std::size_t vertex) { return solid.own[vertex] != 0; });
+      extendRims(*part.geometry, own, solid.axis.points);
+    });
+  return true;
+}
+
+void PreservedPieces::finishCurves(const Checkpoint& checkpoint)
+{
+  if (!this->wantsSurface())
+  {
+    return;
+  }
+  // Lines, and the quads that they end at.
+  std::vector<NumberedCorners> cells;
+  std::vector<MovedCorner> corners;
+  for (const SolidPiece& solid : solids_)
+  {
+    const std::vector<BisectorPoint>& points = solid.axis.points.points;
+    std::vector<std::uint8_t> onLine(points.size(), 0);
+    std::vector<std::uint8_t> used(points.size(), 0);
+    const auto use = [&](const auto& cell)
+    {
+      if (solid.own[cell.front()] != 0)
+      {
+        cells.push_back(solid.numbered(cell));
+      }
+      std::for_each(cell.begin(), cell.end(), [&](std::int64_t p) { used[p] = 1; });
+    };
+    for (const auto& line : solid.axis.lines)
+    {
+      use(line);
+      onLine[line[0]] = 1;
+      onLine[line[1]] = 1;
+    }
+    for (const auto& quad : solid.axis.quads)
+    {
+      if (std::any_of(quad.begin(), quad.end(), [&](std::int64_t p) { return onLine[p] != 0; }))
+      {
+        use(quad);
+      }
+    }
+    for (std::size_t p = 0; p < points.size(); ++p)
+    {
+      if (used[p] != 0 && solid.own[p] != 0)
+      {
+        corners.push_back({ solid.numbers[p], points[p], points[p] });
+      }
+    }
+  }
+  const std::vector<std::int32_t> numbers = input_.field.siteNumbers();
+  for (MovedCorner& corner : corners)
+  {
+    replaceSites(corner.before, numbers);
+    replaceSites(corner.after, numbers);
+  }
+  AxisPatch patch(input_.communicator, corners, cells);
+  straightenCurves(input_, corners_, checkpoint, patch);
+  // All who have a point learn where it is now.
+  RankLists<ChangedCorner> lists = listsFor<ChangedCorner>(input_.communicator);
+  for (std::size_t p = 0; p < patch.numbers.size(); ++p)
+  {
+    const BisectorPoint& point = patch.axis.points.points[p];
+    if (point.position == patch.before[p].position)
+    {
+      continue;
+    }
+    for (std::size_t rank = 0; rank < lists.size(); ++rank)
+    {
+      if (GridShare::isIn(input_.share.withHalo(static_cast<int>(rank), kTold),
+            corners_.cell(patch.numbers[p])))
+      {
+        lists[rank].push_back({ patch.numbers[p], point });
+      }
+    }
+  }
+  for (const ChangedCorner& corner : flattened(exchanged(input_.communicator, std::move(lists))))
+  {
+    SolidPiece& solid = solids_[static_cast<std::size_t>(corner.number / corners_.count())];
+    const std::size_t p = solid.find(corner.number);
+    if (p < solid.numbers.size())
+    {
+      solid.axis.points.points[p] = corner.point;
+    }
+  }
+}
+
+AxisPiece PreservedPieces::piece(BisectorPoints& points) const
+{
+  AxisPiece piece = pieceOf(input_.communicator, corners_, solids_, points);
+  piece.axis.solid = gathered(input_.communicator, thinning_.topology()).front();
+  return piece;
+}
+
+} // namespace medial

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "medial/grid.h"
+#include "ranks/field/rank_field.h"
+#include "thinning/solid_bodies.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace medial
+{
+
+/// The connected parts of a surface in pieces, as SolidBodies has them in one process: numbered in
+/// the order of their first points. All ranks know how many there are and which face outwards; the
+/// ranks that points fall to know of which part they are.
+class SharedBodies
+{
+public:
+  /// Every rank calls it. The first rank joins the parts that go on from share to share.
+  /// @param field whose surface still has its triangles, and a sign; must outlive this.
+  SharedBodies(Communicator& communicator, const RankField& field);
+
+  int parts() const { return static_cast<int>(areBodies_.size()); }
+
+  /// Returns the colours of all sites that are here, as SolidBodies::siteColours(). Every rank
+  /// calls it.
+  /// @param part of the grid, where the closest sites are known; may be empty.
+  /// @param grid size of the whole.
+  /// @param colours set to their number.
+  std::vector<int> siteColours(Communicator& communicator, const Extent& part,
+    const glm::ivec3& grid, const std::int32_t* closestSites, const DepthField& depth,
+    int& colours) const;
+
+private:
+  /// A point and the number of its part, or the first point there.
+  struct Label
+  {
+    int point;
+    int part;
+  };
+
+  std::vector<Label> labelsOfOwn(Communicator& communicator) const;
+  void measure(Communicator& communicator, const std::vector<Label>& labels);
+  std::vector<std::int8_t> directionsOf(Communicator& communicator,
+    const std::vector<int>& faces) const;
+  /// Returns the parts of points on any ranks. Every rank calls it.
+  std::vector<int> partsOf(Communicator& communicator, const std::vector<int>& points) const;
+
+  const RankField& field_;
+  std::vector<std::uint8_t> areBodies_;
+  std::vector<Label> labels_; ///< of the points that fall to this rank, ascending
+};
+
+} // namespace medial

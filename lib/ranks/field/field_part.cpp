@@ -1,0 +1,201 @@
+#include "ranks/field/field_part.h"
+
+#include "base/huge_pages.h"
+#include "culling/extent_parts.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+
+namespace medial
+{
+namespace
+{
+
+/// The values at some of the points of an extent.
+struct PackedField
+{
+  std::vector<std::uint8_t> has; ///< a bit for each point
+  std::vector<float> distances;
+  std::vector<std::int32_t> sites;
+};
+
+/// The distance of points without a value.
+float unknownDistance(Side side)
+{
+  return side == Side::Exterior ? -1.0f : 0.0f;
+}
+
+std::vector<float> unknownDistances(const Extent& extent, Side side)
+{
+  return largeVector(static_cast<std::size_t>(extent.pointCount()), unknownDistance(side));
+}
+
+bool isOn(Side side, float distance)
+{
+  return side == Side::Both || (distance < 0.0f) == (side == Side::Interior);
+}
+
+/// Returns 1 for the points of a part that are on a side or next to a point that is, or 0.
+std::vector<std::uint8_t> nearSide(const FieldPart& part, Side side)
+{
+  std::vector<std::uint8_t> near(part.distances.size());
+  std::transform(part.distances.begin(), part.distances.end(), near.begin(),
+    [&](float distance) { return isOn(side, distance) ? 1 : 0; });
+  const Extent& extent = part.extent;
+  std::size_t stride = 1;
+  for (int axis = 0; axis < 3 && side != Side::Both; ++axis)
+  {
+    const std::vector<std::uint8_t> before = near;
+    // Blocks of all points with the same coordinates along later axes, in layers across this one.
+    const auto length = static_cast<std::size_t>(extent.size(axis));
+    for (std::size_t block = 0; block < near.size(); block += stride * length)
+    {
+      for (std::size_t i = block; i + stride < block + stride * length; ++i)
+      {
+        near[i] |= before[i + stride];
+        near[i + stride] |= before[i];
+      }
+    }
+    stride *= length;
+  }
+  return near;
+}
+
+/// Returns 1 for the points of a part that have values, or 0.
+std::vector<std::uint8_t> known(const FieldPart& part, Side side)
+{
+  const float unknown = unknownDistance(side);
+  std::vector<std::uint8_t> known(part.distances.size());
+  for (std::size_t i = 0; i < known.size(); ++i)
+  {
+    known[i] = part.distances[i] != unknown || part.sites[i] != 0 ? 1 : 0;
+  }
+  return known;
+}
+
+/// @param wanted for each point of the part not 0 if it goes along.
+PackedField packed(const FieldPart& part, const std::vector<std::uint8_t>& wanted,
+  const Extent& extent, bool withSites)
+{
+  PackedField result;
+  if (extent.empty())
+  {
+    return result;
+  }
+  result.has.resize((static_cast<std::size_t>(extent.pointCount()) + 7) / 8, 0);
+  visitWithin(extent, part.extent,
+    [&](std::size_t i, std::size_t at)
+    {
+      if (wanted[i] != 0)
+      {
+        result.has[at / 8] |= static_cast<std::uint8_t>(1u << (at % 8));
+        result.distances.push_back(part.distances[i]);
+        if (withSites)
+        {
+          result.sites.push_back(part.sites[i]);
+        }
+      }
+    });
+  return result;
+}
+
+/// Sends a list of each kind to each rank.
+std::vector<PackedField> exchangedFields(Communicator& communicator,
+  std::vector<PackedField> fields)
+{
+  const auto send = [&](auto list)
+  {
+    RankLists<typename std::decay_t<decltype(fields.front().*list)>::value_type> lists(
+      fields.size());
+    for (std::size_t rank = 0; rank < fields.size(); ++rank)
+    {
+      lists[rank] = std::move(fields[rank].*list);
+    }
+    lists = exchanged(communicator, std::move(lists));
+    for (std::size_t rank = 0; rank < fields.size(); ++rank)
+    {
+      fields[rank].*list = std::move(lists[rank]);
+    }
+  };
+  send(&PackedField::has);
+  send(&PackedField::distances);
+  send(&PackedField::sites);
+  return fields;
+}
+
+/// Calls set(index in the outer extent, index of the value).
+template <typename Set>
+void unpack(const PackedField& field, const Extent& inner, const Extent& outer, const Set& set)
+{
+  if (inner.empty())
+  {
+    return;
+  }
+  std::size_t value = 0;
+  visitWithin(inner, outer,
+    [&](std::size_t i, std::size_t at)
+    {
+      if ((field.has[at / 8] >> (at % 8) & 1) != 0)
+      {
+        set(i, value++);
+      }
+    });
+}
+
+} // namespace
+
+FieldPart exchangedPart(Communicator& communicator, FieldPart own,
+  const std::vector<Extent>& wanted, Side side)
+{
+  const std::vector<Extent> extents = gathered(communicator, own.extent);
+  std::vector<PackedField> fields(wanted.size());
+  {
+    const std::vector<std::uint8_t> near = nearSide(own, side);
+    for (std::size_t rank = 0; rank < wanted.size(); ++rank)
+    {
+      fields[rank] = packed(own, near, commonPart(own.extent, wanted[rank]), true);
+    }
+    own = {};
+  }
+  fields = exchangedFields(communicator, std::move(fields));
+  // Where ranks have the same point, one may not know that it is next to the side.
+  const Extent& extent = wanted[communicator.rank()];
+  FieldPart part{ extent, unknownDistances(extent, side), {} };
+  part.sites.resize(part.distances.size(), 0);
+  for (std::size_t rank = 0; rank < fields.size(); ++rank)
+  {
+    unpack(fields[rank], commonPart(extents[rank], extent), extent,
+      [&](std::size_t i, std::size_t value)
+      {
+        part.distances[i] = fields[rank].distances[value];
+        part.sites[i] = fields[rank].sites[value];
+      });
+    fields[rank] = {};
+  }
+  return part;
+}
+
+std::vector<float> wholeDistances(Communicator& communicator, const FieldPart& own,
+  const Grid& grid, const std::vector<Extent>& extents, Side side)
+{
+  std::vector<PackedField> fields(extents.size());
+  fields.front() = packed(own, known(own, side), extents[communicator.rank()], false);
+  fields = exchangedFields(communicator, std::move(fields));
+  if (communicator.rank() > 0)
+  {
+    return {};
+  }
+  const Extent whole = grid.wholeExtent();
+  std::vector<float> distances = unknownDistances(whole, side);
+  for (std::size_t rank = 0; rank < fields.size(); ++rank)
+  {
+    unpack(fields[rank], extents[rank], whole,
+      [&](std::size_t i, std::size_t value) { distances[i] = fields[rank].distances[value]; });
+    fields[rank] = {};
+  }
+  return distances;
+}
+
+} // namespace medial
