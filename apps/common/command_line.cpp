@@ -2,7 +2,7 @@
 
 #include "failure.h"
 #include "help_formatter.h"
-#include "input_file.h"
+#include "input/input_file.h"
 #include "option_names.h"
 #include "validators.h"
 

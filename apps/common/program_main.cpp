@@ -2,7 +2,7 @@
 
 #include "failure.h"
 #include "interrupt.h"
-#include "output_file.h"
+#include "output/output_file.h"
 #include "vtk_messages.h"
 
 #include <cerrno>

@@ -1,6 +1,6 @@
 #include "png_file.h"
 
-#include "file_writer.h"
+#include "output/file_writer.h"
 
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "field_output.h"
+#include "input/surface.h"
 #include "options.h"
 #include "progress_bar.h"
-#include "surface.h"
+#include "volumes/field_output.h"
 
 #include "medial/axis_coverage.h"
 #include "medial/compute_medial_axis.h"

@@ -1,8 +1,8 @@
 #include "options.h"
 #include "program_main.h"
-#include "rank_session.h"
+#include "ranks/rank_session.h"
+#include "ranks/run_on_ranks.h"
 #include "run.h"
-#include "run_on_ranks.h"
 
 int main(int argc, char** argv)
 {

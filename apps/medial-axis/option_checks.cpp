@@ -2,12 +2,12 @@
 
 #include "command_line.h"
 #include "failure.h"
-#include "input_file.h"
+#include "input/input_file.h"
 #include "option_names.h"
+#include "output/standard_output.h"
 #include "scan_reader.h"
-#include "standard_output.h"
-#include "vdb_file.h"
-#include "web_files.h"
+#include "volumes/vdb_file.h"
+#include "web/web_files.h"
 
 #include <algorithm>
 #include <sstream>

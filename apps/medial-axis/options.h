@@ -1,9 +1,9 @@
 #pragma once
 
 #include "device_options.h"
-#include "field_layout.h"
 #include "length.h"
 #include "scan_surface.h"
+#include "volumes/field_layout.h"
 
 #include "medial/compute_medial_axis.h"
 #include "medial/local_thickness.h"

@@ -1,6 +1,6 @@
 #include "outputs.h"
 
-#include "standard_output.h"
+#include "output/standard_output.h"
 
 namespace medial::app
 {

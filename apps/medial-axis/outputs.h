@@ -1,8 +1,8 @@
 #pragma once
 
-#include "field_output.h"
 #include "options.h"
-#include "output_files.h"
+#include "output/output_files.h"
+#include "volumes/field_output.h"
 
 #include <filesystem>
 #include <functional>

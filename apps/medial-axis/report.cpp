@@ -1,7 +1,7 @@
 #include "report.h"
 
-#include "file_writer.h"
 #include "option_names.h"
+#include "output/file_writer.h"
 
 #include "medial/version.h"
 

@@ -2,8 +2,10 @@
 
 #include "computation.h"
 #include "failure.h"
-#include "input_file.h"
+#include "input/input_file.h"
+#include "input/surface_reader.h"
 #include "interrupt.h"
+#include "output/standard_output.h"
 #include "output_writer.h"
 #include "outputs.h"
 #include "progress_bar.h"
@@ -11,9 +13,7 @@
 #include "report.h"
 #include "scan_reader.h"
 #include "scan_surface.h"
-#include "standard_output.h"
 #include "summary.h"
-#include "surface_reader.h"
 #include "timer.h"
 
 #include <vtkSMPTools.h>

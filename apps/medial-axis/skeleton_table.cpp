@@ -1,6 +1,6 @@
 #include "skeleton_table.h"
 
-#include "csv_line.h"
+#include "output/csv_line.h"
 
 #include <array>
 #include <ostream>

@@ -1,8 +1,8 @@
 #include "summary.h"
 
 #include "option_names.h"
+#include "output/standard_output.h"
 #include "region_table.h"
-#include "standard_output.h"
 
 #include <cmath>
 #include <cstdio>

@@ -2,7 +2,7 @@
 
 #include "command_line.h"
 #include "option_names.h"
-#include "standard_output.h"
+#include "output/standard_output.h"
 
 #include <CLI/CLI.hpp>
 

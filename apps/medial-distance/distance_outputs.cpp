@@ -1,13 +1,13 @@
 #include "distance_outputs.h"
 
-#include "csv_line.h"
 #include "distance_picture.h"
 #include "distance_report.h"
-#include "file_writer.h"
-#include "input_file.h"
+#include "input/input_file.h"
 #include "number_text.h"
-#include "standard_output.h"
-#include "vtp_writer.h"
+#include "output/csv_line.h"
+#include "output/file_writer.h"
+#include "output/standard_output.h"
+#include "output/vtp_writer.h"
 
 #include <vtkMeshConversion.h>
 #include <vtkNew.h>

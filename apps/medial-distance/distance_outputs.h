@@ -2,7 +2,7 @@
 
 #include "distance_command.h"
 #include "distance_results.h"
-#include "output_files.h"
+#include "output/output_files.h"
 
 namespace medial::app
 {

@@ -1,7 +1,7 @@
 #include "distance_report.h"
 
 #include "option_names.h"
-#include "standard_output.h"
+#include "output/standard_output.h"
 
 #include <nlohmann/json.hpp>
 

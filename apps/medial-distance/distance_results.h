@@ -1,6 +1,6 @@
 #pragma once
 
-#include "surface.h"
+#include "input/surface.h"
 
 #include "medial/mesh_connectivity.h"
 #include "medial/point_distance.h"

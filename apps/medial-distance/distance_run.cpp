@@ -3,10 +3,10 @@
 #include "distance_outputs.h"
 #include "distance_report.h"
 #include "distance_results.h"
+#include "input/surface_reader.h"
 #include "interrupt.h"
 #include "library_calls.h"
-#include "standard_output.h"
-#include "surface_reader.h"
+#include "output/standard_output.h"
 #include "timer.h"
 
 #include <utility>

@@ -1,13 +1,13 @@
 #include "measure_run.h"
 
-#include "file_writer.h"
+#include "input/model_reader.h"
+#include "input/surface_reader.h"
 #include "interrupt.h"
 #include "library_calls.h"
 #include "measure_report.h"
-#include "model_reader.h"
-#include "output_file.h"
+#include "output/file_writer.h"
+#include "output/output_file.h"
 #include "progress_bar.h"
-#include "surface_reader.h"
 #include "timer.h"
 
 #include <optional>

@@ -1,6 +1,6 @@
 #include "affine_transform.h"
 
-#include "input_file.h"
+#include "input/input_file.h"
 #include "library_calls.h"
 #include "number_text.h"
 

@@ -1,7 +1,7 @@
 #include "bodies.h"
 
 #include "failure.h"
-#include "input_file.h"
+#include "input/input_file.h"
 #include "interrupt.h"
 #include "library_calls.h"
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "affine_transform.h"
+#include "input/sequence.h"
 #include "progress_bar.h"
 #include "proximity_command.h"
-#include "sequence.h"
 
 #include <vtkPoints.h>
 #include <vtkSmartPointer.h>

@@ -2,7 +2,7 @@
 
 #include "command_line.h"
 #include "failure.h"
-#include "standard_output.h"
+#include "output/standard_output.h"
 #include "validators.h"
 
 #include "medial/error.h"

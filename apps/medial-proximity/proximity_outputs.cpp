@@ -1,13 +1,13 @@
 #include "proximity_outputs.h"
 
 #include "contact_data.h"
-#include "file_writer.h"
-#include "input_file.h"
+#include "input/input_file.h"
+#include "input/xml_elements.h"
+#include "output/file_writer.h"
+#include "output/standard_output.h"
+#include "output/vtp_writer.h"
 #include "proximity_picture.h"
 #include "proximity_report.h"
-#include "standard_output.h"
-#include "vtp_writer.h"
-#include "xml_elements.h"
 
 #include <cstdio>
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "output_files.h"
-#include "output_folder.h"
+#include "output/output_files.h"
+#include "output/output_folder.h"
 #include "progress_bar.h"
 #include "proximity_command.h"
 #include "proximity_results.h"

@@ -2,10 +2,10 @@
 
 #include "interrupt.h"
 #include "library_calls.h"
+#include "output/standard_output.h"
 #include "proximity_outputs.h"
 #include "proximity_report.h"
 #include "proximity_results.h"
-#include "standard_output.h"
 #include "timer.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sequence.h"
+#include "input/sequence.h"
 #include "viewer_options.h"
 
 #include "medial/medial_solver.h"

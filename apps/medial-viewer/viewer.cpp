@@ -4,7 +4,7 @@
 #include "event_call.h"
 #include "failure.h"
 #include "interrupt.h"
-#include "output_file.h"
+#include "output/output_file.h"
 #include "png_file.h"
 #include "viewer_status.h"
 #include "viewpoint.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sequence.h"
+#include "input/sequence.h"
 
 class vtkRenderer;
 

@@ -1,6 +1,6 @@
 #include "header_text.h"
 
-#include "input_file.h"
+#include "input/input_file.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,6 +1,6 @@
 #include "inflate.h"
 
-#include "input_file.h"
+#include "input/input_file.h"
 
 #include <zlib.h>
 

@@ -1,7 +1,7 @@
 #include "scan_header.h"
 
 #include "header_text.h"
-#include "input_file.h"
+#include "input/input_file.h"
 
 #include <vtkType.h>
 

@@ -1,7 +1,7 @@
 #include "scan_header.h"
 
-#include "byte_order.h"
-#include "input_file.h"
+#include "input/byte_order.h"
+#include "input/input_file.h"
 
 #include <vtkByteSwap.h>
 #include <vtkType.h>

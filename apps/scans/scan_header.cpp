@@ -1,6 +1,6 @@
 #include "scan_header.h"
 
-#include "input_file.h"
+#include "input/input_file.h"
 
 #include <cmath>
 

@@ -1,9 +1,9 @@
 #include "scan_reader.h"
 
-#include "byte_order.h"
 #include "header_text.h"
 #include "inflate.h"
-#include "input_file.h"
+#include "input/byte_order.h"
+#include "input/input_file.h"
 #include "library_calls.h"
 #include "vti_reader.h"
 

@@ -1,6 +1,6 @@
 #include "scan_surface.h"
 
-#include "input_file.h"
+#include "input/input_file.h"
 #include "number_text.h"
 
 #include <vtkDataArray.h>

@@ -2,9 +2,9 @@
 
 #include "header_text.h"
 #include "inflate.h"
-#include "input_file.h"
-#include "vtp_array.h"
-#include "xml_elements.h"
+#include "input/input_file.h"
+#include "input/vtp_array.h"
+#include "input/xml_elements.h"
 
 #include <vtkDataArray.h>
 #include <vtkPointData.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "value_file.h"
+#include "output/value_file.h"
 
 #include "medial/grid.h"
 

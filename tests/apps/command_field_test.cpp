@@ -1,5 +1,5 @@
 #include "command_run.h"
-#include "surface_reader.h"
+#include "input/surface_reader.h"
 
 #include "support/models.h"
 #include "support/shapes.h"

@@ -1,6 +1,6 @@
 #include "program.h"
 #include "support/mesh_texts.h"
-#include "web_files.h"
+#include "web/web_files.h"
 
 #include "support/shapes.h"
 

@@ -1,6 +1,6 @@
 #include "failure.h"
-#include "field_output.h"
 #include "program.h"
+#include "volumes/field_output.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>

@@ -1,6 +1,6 @@
-#include "html_mesh.h"
-#include "html_page.h"
-#include "web_files.h"
+#include "web/html_mesh.h"
+#include "web/html_page.h"
+#include "web/web_files.h"
 
 #include "support/shapes.h"
 

@@ -1,8 +1,8 @@
 // Models of balls come from every format of axes, and messages about damaged files name point and
 // value.
 #include "failure.h"
-#include "model_reader.h"
-#include "vtp_writer.h"
+#include "input/model_reader.h"
+#include "output/vtp_writer.h"
 
 #include "medial/axis_io.h"
 

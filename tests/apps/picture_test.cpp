@@ -2,7 +2,7 @@
 #include "command_output.h"
 
 #include "caption.h"
-#include "picture_caption.h"
+#include "pictures/picture_caption.h"
 
 #include <vtkImageData.h>
 

@@ -1,9 +1,9 @@
 // Images of solids: reading them, and the surfaces in them.
 #include "failure.h"
+#include "input/surface.h"
 #include "scan_files.h"
 #include "scan_reader.h"
 #include "scan_surface.h"
-#include "surface.h"
 
 #include "support/files.h"
 #include "support/refusal.h"

@@ -1,5 +1,5 @@
 #include "failure.h"
-#include "surface_reader.h"
+#include "input/surface_reader.h"
 
 #include "support/files.h"
 #include "support/mesh_texts.h"

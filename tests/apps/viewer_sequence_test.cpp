@@ -1,7 +1,7 @@
 #include "failure.h"
 #include "frame_rate.h"
+#include "input/sequence.h"
 #include "program.h"
-#include "sequence.h"
 #include "support/mesh_texts.h"
 
 #include "support/shapes.h"

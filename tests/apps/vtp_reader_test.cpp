@@ -1,7 +1,7 @@
 // The reader of VTK's XML format agrees with VTK's own on whole files, and refuses damaged ones
 // before it allocates what they ask for.
 #include "failure.h"
-#include "vtp_reader.h"
+#include "input/vtp_reader.h"
 
 #include "support/files.h"
 #include "support/refusal.h"

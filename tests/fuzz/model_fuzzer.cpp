@@ -1,8 +1,8 @@
 // Any bytes as a file of an axis: it is read, or refused.
 #include "fuzz_file.h"
 
+#include "input/model_reader.h"
 #include "library_calls.h"
-#include "model_reader.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {

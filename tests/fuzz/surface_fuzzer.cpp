@@ -1,8 +1,8 @@
 // Any bytes as a mesh file: it is read, or refused.
 #include "fuzz_file.h"
 
+#include "input/surface_reader.h"
 #include "library_calls.h"
-#include "surface_reader.h"
 
 #include "medial/mesh_connectivity.h"
 

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "computation.h"
+#include "input/surface.h"
+#include "options.h"
+
+#include "medial/ranks.h"
+#include "medial/triangle_mesh.h"
+
+namespace medial::app
+{
+
+/// What a rank gets of the mesh.
+struct Share
+{
+  SurfacePiece piece;
+  Bounds bounds;       ///< of the whole
+  MeshFigures figures; ///< on the first rank, where a report is wanted; the diagonal on all
+  TriangleMesh whole;  ///< on the first rank, where it is kept
+  Surface surface;     ///< the same with the arrays of its file, for --thickness FILE.vtp
+};
+
+/// The first rank reads the mesh, and hands it out.
+/// @param keepsWhole whether the first rank keeps all of it.
+/// @throws Failure on every rank.
+Share readShare(const Options& options, bool keepsWhole, Communicator& communicator);
+
+} // namespace medial::app
