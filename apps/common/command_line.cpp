@@ -4,11 +4,13 @@
 #include "help_formatter.h"
 #include "input/input_file.h"
 #include "option_names.h"
+#include "similar_word.h"
 #include "validators.h"
 
 #include "medial/version.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
@@ -20,6 +22,21 @@ namespace
 
 constexpr int kMaxThreads = 1024;
 
+/// The option that somebody most likely meant, with its dashes; empty if none looks like it.
+std::string meantOption(const CLI::App& app, const std::string& word)
+{
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options())
+  {
+    const std::vector<std::string>& ofOption = option->get_lnames();
+    names.insert(names.end(), ofOption.begin(), ofOption.end());
+  }
+  const std::string name = word.substr(0, word.find('='));
+  const std::size_t letters = std::min(name.find_first_not_of('-'), name.size());
+  const std::string meant = similarWord(name.substr(letters), names);
+  return meant.empty() ? "" : "--" + meant;
+}
+
 /// What is wrong with a command line. The parser's words are for those who know the parser.
 std::string messageOf(const CLI::App& app, const CLI::ParseError& error)
 {
@@ -29,7 +46,8 @@ std::string messageOf(const CLI::App& app, const CLI::ParseError& error)
     [](const std::string& word) { return word.size() > 1 && word[0] == '-'; });
   if (option != unknown.end())
   {
-    return "unknown option " + *option;
+    const std::string meant = meantOption(app, *option);
+    return "unknown option " + *option + (meant.empty() ? "" : ", did you mean " + meant + "?");
   }
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr)
   {

@@ -9,6 +9,9 @@
 #include <gtest/gtest.h>
 
 #include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace medial::test
 {
@@ -200,12 +203,27 @@ TEST_F(CommandLine, RefusesTwoOutputsOfOneName)
 
 TEST_F(CommandLine, NamesWhatItDoesNotExpect)
 {
-  EXPECT_TRUE(contains(usageError({ "--resolutoin", "5" }), "unknown option --resolutoin (see"));
+  EXPECT_TRUE(contains(usageError({ "--zebra", "5" }), "unknown option --zebra (see"));
   EXPECT_TRUE(contains(usageError({ "b.ply", "c.ply" }), "unexpected argument 'b.ply'"));
   EXPECT_TRUE(contains(runMedialAxis({ "--resolutoin", "5" }).err, "--resolutoin"));
   EXPECT_TRUE(contains(usageError({ "--resolution" }), "--resolution needs a value"));
   EXPECT_TRUE(contains(usageError({ "--resolution", "5", "--resolution", "6" }),
     "--resolution may be given only once"));
+}
+
+TEST_F(CommandLine, SuggestsTheOptionThatWasMeant)
+{
+  const std::vector<std::pair<const char*, const char*>> meant = { { "--resolutoin", "resolution" },
+    { "--resolutions", "resolution" }, { "-resolution=64", "resolution" },
+    { "--min-thicknes", "min-thickness" }, { "--thicknes-image", "thickness-image" },
+    { "--rep", "" }, { "--repo", "report" }, { "--", "" }, { "---", "" }, { "--=", "" },
+    { "-z", "" }, { "--colour", "" } };
+  for (const auto& [typed, option] : meant)
+  {
+    const std::string error = usageError({ typed, "5" });
+    const std::string question = std::string("did you mean --") + option + "?";
+    EXPECT_EQ(contains(error, *option != 0 ? question : "did you mean"), *option != 0) << error;
+  }
 }
 
 TEST_F(CommandLine, NeedsAnInput)
