@@ -121,6 +121,13 @@ void aimCameraAtEdge(vtkCamera* camera, vtkPolyData* surface)
   camera->ParallelProjectionOn();
 }
 
+void aimCameraFromBehind(vtkCamera* camera, vtkPolyData* surface)
+{
+  constexpr double kHalfTurn = 180.0;
+  aimCamera(camera, surface);
+  camera->Azimuth(kHalfTurn);
+}
+
 void addSeenPoints(vtkPolyData* mesh, vtkCamera* camera, vtkBoundingBox& bounds)
 {
   vtkMatrix4x4* view = camera->GetViewTransformMatrix();

@@ -36,6 +36,9 @@ bool isFlat(vtkPolyData* surface);
 /// aimCamera() has in front, and from above.
 void aimCameraAtEdge(vtkCamera* camera, vtkPolyData* surface);
 
+/// Looks at a mesh in parallel projection against the direction of aimCamera().
+void aimCameraFromBehind(vtkCamera* camera, vtkPolyData* surface);
+
 /// Adds the visible points of a mesh in the camera's coordinates.
 void addSeenPoints(vtkPolyData* mesh, vtkCamera* camera, vtkBoundingBox& bounds);
 

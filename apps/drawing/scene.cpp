@@ -22,7 +22,9 @@ constexpr int kWidth = 1600;
 constexpr int kHeight = 1200;
 constexpr double kAspect = static_cast<double>(kWidth) / kHeight;
 constexpr int kFontSize = 28;
-constexpr double kStripShare = 0.24; ///< of the picture's height, for the view of an edge
+// Shares of the picture's height.
+constexpr double kEdgeShare = 0.24;
+constexpr double kBehindShare = 0.36;
 constexpr Colour kCaptionColour = { 0.15, 0.17, 0.2 };
 
 void setUp(vtkRenderer* renderer)
@@ -78,39 +80,51 @@ void Scene::addCaption(const std::vector<std::string>& lines)
   }
 }
 
-void Scene::addEdgeView(std::initializer_list<vtkPolyData*> shown)
+vtkRenderer* Scene::addView(std::initializer_list<vtkPolyData*> shown, double bottom, double height,
+  void (*aim)(vtkCamera*, vtkPolyData*))
 {
-  vtkNew<vtkRenderer> strip;
-  setUp(strip);
+  vtkNew<vtkRenderer> view;
+  setUp(view);
   vtkPropCollection* props = renderer_->GetViewProps();
   props->InitTraversal();
   while (vtkProp* prop = props->GetNextProp())
   {
     if (vtkActor::SafeDownCast(prop) != nullptr)
     {
-      strip->AddViewProp(prop);
+      view->AddViewProp(prop);
     }
   }
-  strip->SetViewport(0.0, 0.0, 1.0, kStripShare);
-  renderer_->SetViewport(0.0, kStripShare, 1.0, 1.0);
-  window_->AddRenderer(strip);
-  aimCameraAtEdge(strip->GetActiveCamera(), *shown.begin());
-  fitView(strip, shown, kAspect / kStripShare, { kBarShare });
+  view->SetViewport(0.0, bottom, 1.0, bottom + height);
+  window_->AddRenderer(view);
+  aim(view->GetActiveCamera(), *shown.begin());
+  fitView(view, shown, kAspect / height, { kBarShare });
+  return view;
 }
 
-void Scene::draw(std::initializer_list<vtkPolyData*> shown, const std::filesystem::path& file)
+void Scene::draw(std::initializer_list<vtkPolyData*> shown, const std::filesystem::path& file,
+  const std::vector<vtkSmartPointer<vtkProp>>& behind)
 {
-  double aspect = kAspect;
+  double below = 0.0;
   if (isFlat(*shown.begin()))
   {
-    this->addEdgeView(shown);
-    aspect /= 1.0 - kStripShare;
+    this->addView(shown, below, kEdgeShare, aimCameraAtEdge);
+    below += kEdgeShare;
   }
+  if (!behind.empty())
+  {
+    vtkRenderer* view = this->addView(shown, below, kBehindShare, aimCameraFromBehind);
+    below += kBehindShare;
+    for (const vtkSmartPointer<vtkProp>& prop : behind)
+    {
+      view->AddViewProp(prop);
+    }
+  }
+  renderer_->SetViewport(0.0, below, 1.0, 1.0);
   Margins margins;
   margins.right = kBarShare;
   margins.top = captionLines_ > 0 ? shareOfLines(captionLines_) : 0.0;
   aimCamera(renderer_->GetActiveCamera(), *shown.begin());
-  fitView(renderer_, shown, aspect, margins);
+  fitView(renderer_, shown, kAspect / (1.0 - below), margins);
   this->write(file);
 }
 

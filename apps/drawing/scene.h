@@ -49,16 +49,21 @@ public:
   /// Adds lines of text at the upper left.
   void addCaption(const std::vector<std::string>& lines);
 
-  /// Writes a PNG file of the scene with a scalar bar. What is flat is also seen from its edge, in
-  /// a strip below the other view.
+  /// Writes a PNG file of the scene with a scalar bar. Strips below show it from behind, if there
+  /// is something to be seen there only, and what is flat also from its edge.
   /// @param shown what must fit into it; the first one decides where to look from.
+  /// @param behind what only the view from behind has.
   /// @throws Failure NoSpace if the file cannot be written completely. The message does not name
   ///   it.
-  void draw(std::initializer_list<vtkPolyData*> shown, const std::filesystem::path& file);
+  void draw(std::initializer_list<vtkPolyData*> shown, const std::filesystem::path& file,
+    const std::vector<vtkSmartPointer<vtkProp>>& behind = {});
 
 private:
-  /// Shows what is there in a strip at the bottom, too, seen from its edge.
-  void addEdgeView(std::initializer_list<vtkPolyData*> shown);
+  /// Shows what is there in one more strip, too.
+  /// @param bottom of the strip and its height, as shares of the picture's.
+  /// @param aim sets the direction of the strip's camera.
+  vtkRenderer* addView(std::initializer_list<vtkPolyData*> shown, double bottom, double height,
+    void (*aim)(vtkCamera*, vtkPolyData*));
 
   vtkSmartPointer<EglRenderWindow> window_;
   vtkNew<vtkRenderer> renderer_;

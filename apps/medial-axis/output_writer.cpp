@@ -95,7 +95,8 @@ PictureRegions pictureRegions(const Result& result)
   }
   for (std::size_t i = 0; i < std::min(kListedRegions, result.regions.size()); ++i)
   {
-    regions.places.push_back(result.regions[i].place);
+    const ThicknessRegion& region = result.regions[i];
+    regions.first.push_back({ region.place, outwardNormal(region, result) });
   }
   return regions;
 }

@@ -9,6 +9,7 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkThicknessConversion.h>
+#include <vtkTriangle.h>
 #include <vtkTriangleFilter.h>
 
 #include <algorithm>
@@ -117,6 +118,25 @@ vtkSmartPointer<vtkPolyData> regionsOf(const Result& result)
   vtkThicknessConversion::ToPolyData(result.regions, result.thicknessMesh(), *result.thickness,
     output);
   return output;
+}
+
+Point3 outwardNormal(const ThicknessRegion& region, const Result& result)
+{
+  const TriangleMesh& mesh = result.thicknessMesh();
+  const double outwards = result.connectivity.signedVolume < 0.0 ? -1.0 : 1.0;
+  Point3 normal{};
+  for (const int triangle : region.triangles)
+  {
+    const auto& corners = mesh.triangles[triangle];
+    double ofTriangle[3];
+    vtkTriangle::ComputeNormalDirection(mesh.points[corners[0]].data(),
+      mesh.points[corners[1]].data(), mesh.points[corners[2]].data(), ofTriangle);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      normal[axis] += outwards * ofTriangle[axis];
+    }
+  }
+  return normal;
 }
 
 } // namespace medial::app

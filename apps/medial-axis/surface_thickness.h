@@ -32,4 +32,8 @@ vtkSmartPointer<vtkPolyData> pictureOfThickness(vtkPolyData* surface,
 /// @param result with its thickness.
 vtkSmartPointer<vtkPolyData> regionsOf(const Result& result);
 
+/// The mean outward normal of a region, of any length.
+/// @param result with the region.
+Point3 outwardNormal(const ThicknessRegion& region, const Result& result);
+
 } // namespace medial::app

@@ -1,10 +1,17 @@
-// Captions of pictures, and the view of a flat part from its edge.
+// Captions of pictures, and the views of a flat part from its edge and of regions from behind.
 #include "command_output.h"
 
 #include "caption.h"
 #include "pictures/picture_caption.h"
+#include "pictures/thickness_picture.h"
 
+#include <vtkCubeSource.h>
+#include <vtkFloatArray.h>
 #include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkTriangleFilter.h>
 
 namespace medial::test
 {
@@ -165,6 +172,42 @@ TEST_F(PictureOfAPlate, ShowsItsEdgeAsWell)
     above += isWhite(picture, y) ? 0 : 1;
   }
   EXPECT_GT(above, 450); // the view of its face
+}
+
+vtkSmartPointer<vtkPolyData> cubeWithThickness()
+{
+  vtkNew<vtkCubeSource> cube;
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputConnection(cube->GetOutputPort());
+  triangles->Update();
+  vtkNew<vtkFloatArray> thickness;
+  thickness->SetName("Thickness");
+  thickness->SetNumberOfValues(triangles->GetOutput()->GetNumberOfPoints());
+  thickness->Fill(1.0);
+  triangles->GetOutput()->GetPointData()->AddArray(thickness);
+  return triangles->GetOutput();
+}
+
+// The camera looks from the right and from above along -z.
+TEST_F(CommandOutput, RegionsThatFaceAwayAreSeenFromBehind)
+{
+  constexpr int kStrip = 432; // 36 % of the picture's height
+  const auto cube = cubeWithThickness();
+  const auto draw = [&](const std::vector<app::PictureRegion>& regions)
+  {
+    app::drawThickness(cube, cube, { nullptr, regions }, {}, folder.file("cube.png"));
+    return readPng(folder.file("cube.png"));
+  };
+  const app::PictureRegion front{ { 0.0, 0.0, 0.5 }, { 0.0, 0.0, 1.0 } };
+  const app::PictureRegion back{ { 0.0, 0.0, -0.5 }, { 0.0, 0.0, -2.0 } };
+  EXPECT_FALSE(isWhite(draw({ front }), kStrip));
+  const auto both = draw({ front, back });
+  EXPECT_TRUE(isWhite(both, kStrip));
+  EXPECT_FALSE(isWhite(both, kStrip / 2));
+  // The number of each, once: the rest is the same in both views.
+  const int inkOfNumbers = inkIn(both, 0, kStrip) - inkIn(draw({ back }), 0, kStrip);
+  EXPECT_NE(inkOfNumbers, 0); // 2 here, 1 there
+  EXPECT_GT(inkIn(both, kStrip, kHeight - 1), inkIn(draw({ back }), kStrip, kHeight - 1));
 }
 
 } // namespace

@@ -1,12 +1,15 @@
 #include "pictures/thickness_picture.h"
 
 #include "actors.h"
+#include "camera.h"
 #include "scene.h"
 #include "vtk_messages.h"
 
 #include <vtkActor.h>
+#include <vtkCamera.h>
 #include <vtkCoordinate.h>
 #include <vtkDataArray.h>
+#include <vtkMath.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
@@ -55,7 +58,7 @@ vtkSmartPointer<vtkActor> makeFill(vtkPolyData* regions)
   return actor;
 }
 
-// A number that is seen from everywhere, for those regions that the surface hides.
+// A number that is seen even where the surface hides the region.
 vtkSmartPointer<vtkTextActor> makeNumber(std::size_t number, const Point3& place)
 {
   auto text = vtkSmartPointer<vtkTextActor>::New();
@@ -88,6 +91,13 @@ vtkSmartPointer<vtkActor> makeBorders(vtkPolyData* regions)
   return actor;
 }
 
+bool facesCamera(const Point3& normal, vtkCamera* camera)
+{
+  double direction[3];
+  camera->GetDirectionOfProjection(direction);
+  return vtkMath::Dot(normal.data(), direction) <= 0.0;
+}
+
 } // namespace
 
 void drawThickness(vtkPolyData* coloured, vtkPolyData* surface, const PictureRegions& regions,
@@ -106,13 +116,23 @@ void drawThickness(vtkPolyData* coloured, vtkPolyData* surface, const PictureReg
     scene.add(makeFill(regions.triangles));
     scene.add(makeBorders(regions.triangles));
   }
-  for (std::size_t i = 0; i < regions.places.size(); ++i)
+  aimCamera(scene.camera(), surface);
+  std::vector<vtkSmartPointer<vtkProp>> behind;
+  for (std::size_t i = 0; i < regions.first.size(); ++i)
   {
-    scene.add(makeNumber(i + 1, regions.places[i]));
+    const auto number = makeNumber(i + 1, regions.first[i].place);
+    if (facesCamera(regions.first[i].normal, scene.camera()))
+    {
+      scene.add(number);
+    }
+    else
+    {
+      behind.emplace_back(number);
+    }
   }
   scene.addScalarBar(colours, "Thickness\n(world units)", values.someMissing ? "none" : nullptr);
   scene.addCaption(caption);
-  scene.draw({ surface }, file);
+  scene.draw({ surface }, file, behind);
 }
 
 } // namespace medial::app

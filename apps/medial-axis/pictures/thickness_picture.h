@@ -13,11 +13,18 @@ class vtkPolyData;
 namespace medial::app
 {
 
+/// A region of a surface beyond a limit.
+struct PictureRegion
+{
+  Point3 place{};  ///< where its number is drawn
+  Point3 normal{}; ///< the mean of its triangles, outwards, of any length
+};
+
 /// Regions of a surface beyond limits.
 struct PictureRegions
 {
   vtkSmartPointer<vtkPolyData> triangles; ///< null if there are none
-  std::vector<Point3> places;             ///< of the first ones, in the order of their numbers
+  std::vector<PictureRegion> first;       ///< the first ones, in the order of their numbers
 };
 
 /// Draws a surface coloured by its Thickness, from 0 to its maximum, grey where there is none, with
@@ -25,7 +32,8 @@ struct PictureRegions
 /// display.
 /// @param coloured has the array, and enough points to show how it varies.
 /// @param surface of the same shape, whose sharp edges are drawn.
-/// @param regions drawn in red, with their numbers, from 1.
+/// @param regions drawn in red, with their numbers, from 1. If some of the first face away, a
+///   second view from behind has their numbers.
 /// @throws Failure NoGpu if there is no OpenGL, NoSpace if the file cannot be written completely.
 ///   The message does not name it.
 void drawThickness(vtkPolyData* coloured, vtkPolyData* surface, const PictureRegions& regions,
