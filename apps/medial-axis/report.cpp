@@ -114,29 +114,17 @@ Json describeRegions(const std::vector<ThicknessRegion>& regions)
   return list;
 }
 
-// What the method makes of the minimum separation angle; null where it ignores it.
-Json angleOf(ThicknessMethod method, double angle)
-{
-  switch (method)
-  {
-    case ThicknessMethod::Ray:
-      return nullptr;
-    case ThicknessMethod::Wall:
-      return std::max(angle, kMinWallAngle);
-    default:
-      return angle;
-  }
-}
-
 // NaN becomes null.
 Json describeThickness(const Result& result, const Options& options)
 {
   const Thickness& thickness = *result.thickness;
+  const ThicknessOptions measured = thicknessOptions(options);
   const ThicknessLimits limits = thicknessLimits(options, result.meshFigures.diagonal);
   const auto limit = [](const std::optional<double>& value)
   { return value ? Json(*value) : Json(nullptr); };
-  return { { "method", nameOf(thicknessOptions(options).method) }, { "side", nameOf(options.side) },
-    { "angle", angleOf(thicknessOptions(options).method, options.angle) }, { "min", thickness.min },
+  const bool rays = measured.method == ThicknessMethod::Ray;
+  return { { "method", nameOf(measured.method) }, { "side", nameOf(options.side) },
+    { "angle", rays ? Json(nullptr) : Json(measured.ballAngle()) }, { "min", thickness.min },
     { "percentile_5", thickness.percentile5 }, { "median", thickness.median },
     { "percentile_95", thickness.percentile95 }, { "max", thickness.max },
     { "share_without", thickness.shareWithout() }, { "triangles", result.thicknessTriangles },

@@ -1,5 +1,6 @@
 #include "culling/group_tree.h"
 
+#include "base/order_statistics.h"
 #include "culling/element_order.h"
 #include "culling/nearest_element.h"
 #include "culling/node_disc.h"
@@ -27,9 +28,7 @@ std::map<int, std::vector<int>> bySize(const SiteSet& sites, const std::vector<i
   {
     radii.push_back(sites.boundingBall(element).w);
   }
-  const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
-  std::nth_element(radii.begin(), middle, radii.end());
-  const SizeClasses sizes(*middle);
+  const SizeClasses sizes(medianOf(radii));
   std::map<int, std::vector<int>> classes;
   for (const int element : elements)
   {

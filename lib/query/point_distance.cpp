@@ -136,10 +136,7 @@ auto onThreads(const Run& run, const std::string& what, const Work& work)
 /// Returns the smallest of some magnitudes that no more than a share of them exceed.
 double quantile(std::vector<double>& magnitudes, double exceeding)
 {
-  const auto found =
-    magnitudes.begin() + indexBefore(exceeding, static_cast<std::int64_t>(magnitudes.size()));
-  std::nth_element(magnitudes.begin(), found, magnitudes.end());
-  return *found;
+  return valueAt(magnitudes, indexBefore(exceeding, static_cast<std::int64_t>(magnitudes.size())));
 }
 
 } // namespace

@@ -27,12 +27,6 @@ constexpr double kTouchingWall = 0.8;
 /// Rays of an edge start this share of the way from it to the middle of each of its faces.
 constexpr double kFromEdge = 1e-6;
 
-double angleOf(const ThicknessOptions& options)
-{
-  return options.method == ThicknessMethod::Wall ? std::max(options.angle, kMinWallAngle)
-                                                 : options.angle;
-}
-
 /// Returns the features at some points.
 SharpFeatures ofPoints(const SiteSet& sites, const SharpFeatures& sharp,
   const std::vector<char>& wanted)
@@ -55,7 +49,7 @@ SideThickness::SideThickness(const SurfaceQuery& surface, const MeshConnectivity
   : surface_(surface)
   , connectivity_(connectivity)
   , method_(options.method)
-  , angle_(angleOf(options))
+  , angle_(options.ballAngle())
   , tellsEdges_(options.cells)
   , diagonal_(diagonal)
   , complete_(std::move(complete))

@@ -7,6 +7,7 @@
 #include "medial/side.h"
 #include "medial/triangle_mesh.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -47,6 +48,12 @@ struct ThicknessOptions
   /// findThicknessRegions() needs. Takes about three times as long.
   bool cells = false;
   Execution execution; ///< threads, progress and cancelling
+
+  /// Minimum separation angle, degrees, that the method's balls do have; rays have no balls.
+  double ballAngle() const
+  {
+    return method == ThicknessMethod::Wall ? std::max(angle, kMinWallAngle) : angle;
+  }
 };
 
 /// Wall thickness, or clearance, of a surface at the points of its mesh.

@@ -1,6 +1,7 @@
 #include "field/engines/device/element_order.h"
 
 #include "base/hilbert_curve.h"
+#include "base/order_statistics.h"
 
 #include <glm/glm.hpp>
 
@@ -130,9 +131,7 @@ double medianRadius(const std::vector<ElementBox>& boxes)
   std::vector<double> radii(boxes.size());
   std::transform(boxes.begin(), boxes.end(), radii.begin(),
     [](const ElementBox& box) { return box.radius(); });
-  const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
-  std::nth_element(radii.begin(), middle, radii.end());
-  return *middle;
+  return medianOf(radii);
 }
 
 int sizeOf(double radius, double median)
