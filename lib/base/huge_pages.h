@@ -1,6 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdlib>
+#include <limits>
+#include <new>
+#include <type_traits>
 #include <vector>
 
 // Arrays of many elements in huge pages. The first touch of a page costs a fault, which the system
@@ -41,5 +45,52 @@ std::vector<T> largeVector(std::size_t count, const T& value = T())
   resizeLarge(elements, count, value);
   return elements;
 }
+
+/// Memory of the system's zeros, which is not touched before somebody uses it. What is never used
+/// takes no memory, and pages are cleared by the threads that use them.
+template <typename T>
+struct ZeroAllocator
+{
+  static_assert(std::is_arithmetic_v<T>, "bits of zeros are the value 0");
+  using value_type = T;
+
+  ZeroAllocator() = default;
+  template <typename Other>
+  ZeroAllocator(const ZeroAllocator<Other>& /*other*/) noexcept
+  {
+  }
+
+  T* allocate(std::size_t count)
+  {
+    void* const memory = count <= std::numeric_limits<std::size_t>::max() / sizeof(T)
+      ? std::calloc(count, sizeof(T))
+      : nullptr;
+    if (memory == nullptr)
+    {
+      throw std::bad_alloc();
+    }
+    adviseHugePages(memory, count * sizeof(T));
+    return static_cast<T*>(memory);
+  }
+
+  void deallocate(T* memory, std::size_t /*count*/) noexcept { std::free(memory); }
+
+  /// Leaves the zero that is there.
+  void construct(T* /*element*/) noexcept {}
+
+  template <typename Value>
+  void construct(T* element, const Value& value) noexcept
+  {
+    *element = value;
+  }
+
+  friend bool operator==(const ZeroAllocator& /*a*/, const ZeroAllocator& /*b*/) { return true; }
+  friend bool operator!=(const ZeroAllocator& /*a*/, const ZeroAllocator& /*b*/) { return false; }
+};
+
+/// An array that starts with zeros. Elements that it gains by resize() after it has shrunk are what
+/// was there before.
+template <typename T>
+using ZeroedVector = std::vector<T, ZeroAllocator<T>>;
 
 } // namespace medial

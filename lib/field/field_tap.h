@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 namespace medial
 {
@@ -25,10 +24,13 @@ public:
   FieldTap(FieldSink& sink, const Extent& extent, Side side)
     : sink_(sink)
     , extent_(extent)
-    , distances_(largeVector(static_cast<std::size_t>(extent.pointCount()),
-        side == Side::Exterior ? -1.0f : 0.0f))
-    , sites_(largeVector<std::int32_t>(distances_.size()))
+    , distances_(static_cast<std::size_t>(extent.pointCount()))
+    , sites_(distances_.size())
   {
+    if (side == Side::Exterior)
+    {
+      std::fill(distances_.begin(), distances_.end(), -1.0f);
+    }
   }
 
   FieldArrays slabArrays(const Extent& slab) override
@@ -65,8 +67,8 @@ public:
   bool sideOnly() const { return !theirs_.any(); }
 
   /// Signed as those of the sink; where points are left out, they are on the other side.
-  const std::vector<float>& distances() const { return distances_; }
-  const std::vector<std::int32_t>& sites() const { return sites_; }
+  const ZeroedVector<float>& distances() const { return distances_; }
+  const ZeroedVector<std::int32_t>& sites() const { return sites_; }
 
 private:
   std::ptrdiff_t start(const Extent& slab) const
@@ -77,8 +79,8 @@ private:
 
   FieldSink& sink_;
   Extent extent_;
-  std::vector<float> distances_;
-  std::vector<std::int32_t> sites_;
+  ZeroedVector<float> distances_;
+  ZeroedVector<std::int32_t> sites_;
   FieldArrays theirs_;
 };
 

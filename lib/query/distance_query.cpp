@@ -13,22 +13,22 @@ namespace
 /// Of LocalCoordinates::around().
 constexpr double kMargin = 0.05;
 
-TriangleMesh requireCells(TriangleMesh mesh)
+} // namespace
+
+LocalCoordinates DistanceQuery::localOf(const TriangleMesh& mesh)
 {
   if (mesh.empty())
   {
     throw Error(ErrorCode::InvalidInput, "the mesh has no cells");
   }
-  return mesh;
+  return LocalCoordinates::around(mesh.bounds(), kMargin);
 }
-
-} // namespace
 
 DistanceQuery::DistanceQuery(TriangleMesh mesh, SignMethod sign, const Run& run,
   const Execution& execution)
-  : mesh_(requireCells(std::move(mesh)))
+  : mesh_(std::move(mesh))
+  , local_(localOf(mesh_))
   , connectivity_(analyseConnectivity(mesh_, execution))
-  , local_(LocalCoordinates::around(mesh_.bounds(), kMargin))
   , sites_(mesh_, connectivity_, local_)
   , tree_(sites_, connectivity_, roundingNear(0.0, sites_))
   , query_(tree_)

@@ -28,6 +28,10 @@ public:
   DistanceQuery(const DistanceQuery&) = delete;
   DistanceQuery& operator=(const DistanceQuery&) = delete;
 
+  /// The local coordinates of a mesh's query, before there is one.
+  /// @throws Error InvalidInput for a mesh without cells.
+  static LocalCoordinates localOf(const TriangleMesh& mesh);
+
   const TriangleMesh& mesh() const { return mesh_; }
   const MeshConnectivity& connectivity() const { return connectivity_; }
   const SignReport& sign() const { return side_.report(); }
@@ -58,8 +62,8 @@ public:
 
 private:
   TriangleMesh mesh_;
-  MeshConnectivity connectivity_;
   LocalCoordinates local_;
+  MeshConnectivity connectivity_;
   SiteSet sites_;
   GroupTree tree_;
   SiteQuery query_;

@@ -78,7 +78,7 @@ private:
     int sinceBase = 0;
     int edge = -1; ///< the one that it came along
   };
-  using Event = std::tuple<double, int, std::int64_t>;
+  using Event = std::tuple<double, int, int>; ///< arrival, edge, the end where it is
 
   double arrival(const Front& front, const glm::dvec3& x) const
   {
@@ -88,7 +88,7 @@ private:
   void raise(int e, std::int64_t leaf)
   {
     const std::int64_t next = graph_.otherEnd(e, leaf);
-    queue_.emplace(this->arrival(fronts_[leaf], input_.positions[next]), e, leaf);
+    queue_.emplace(this->arrival(fronts_[leaf], input_.positions[next]), e, static_cast<int>(leaf));
   }
 
   void advance(int e, std::int64_t leaf, double time)

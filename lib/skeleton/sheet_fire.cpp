@@ -39,21 +39,23 @@ struct Face
   glm::dvec3 normal{ 0.0 };
 };
 
+/// Small, since the fire jumps from edge to edge.
 struct Edge
 {
-  std::array<std::int64_t, 2> ends{};
+  static constexpr int kGone = -1; ///< burned together with a face
+
+  std::array<int, 2> ends{};
+  int firstFace = 0; ///< in the list of faces by edge
   int faces = 0;     ///< at first
   int left = 0;      ///< faces that have not burned
-  int firstFace = 0; ///< in the list of faces by edge
-  bool gone = false; ///< burned together with a face
+  int source = 0;    ///< of the fire in the face that has burned last, or kGone
   double time = 0.0; ///< when the last face has burned so far
-  Source source;     ///< of the fire in the face that has burned last
 };
 
 /// An edge of a polygon.
 struct FaceEdge
 {
-  std::array<std::int64_t, 2> ends; ///< in ascending order
+  std::array<int, 2> ends; ///< in ascending order
   int face;
   int corner;
 };
@@ -108,8 +110,8 @@ public:
       Edge& edge = edges_[e];
       if (edge.left == 1)
       {
-        edge.source = { this->middle(edge), faces_[this->faceLeft(edge)].normal,
-          0.5 * (radii_[edge.ends[0]] + radii_[edge.ends[1]]) };
+        edge.source = this->addSource({ this->middle(edge), faces_[this->faceLeft(edge)].normal,
+          0.5 * (radii_[edge.ends[0]] + radii_[edge.ends[1]]) });
         this->raise(static_cast<int>(e));
       }
     }
@@ -119,9 +121,9 @@ public:
     } while (this->open());
     for (const Edge& edge : edges_)
     {
-      if (!edge.gone)
+      if (edge.source != Edge::kGone)
       {
-        result_.edges.push_back({ edge.ends, edge.time });
+        result_.edges.push_back({ { edge.ends[0], edge.ends[1] }, edge.time });
       }
     }
     tbb::parallel_sort(result_.edges.begin(), result_.edges.end(),
@@ -168,8 +170,8 @@ private:
     glm::dvec3 area(0.0);
     for (int i = 0; i < face.count; ++i)
     {
-      const std::int64_t a = corners[i];
-      const std::int64_t b = corners[(i + 1) % face.count];
+      const auto a = static_cast<int>(corners[i]);
+      const auto b = static_cast<int>(corners[(i + 1) % face.count]);
       faceCorners_[first + i] = a;
       sides[first + i] = { { std::min(a, b), std::max(a, b) }, static_cast<int>(f), i };
       face.centre += positions_[a] / static_cast<double>(face.count);
@@ -217,7 +219,7 @@ private:
   {
     const Edge& edge = edges_[e];
     const int face = this->faceLeft(edge);
-    queue_.emplace(edge.source.arrival(faces_[face].centre), face, e);
+    queue_.emplace(sources_[edge.source].arrival(faces_[face].centre), face, e);
   }
 
   void drain()
@@ -227,22 +229,30 @@ private:
       checkpoint_(events);
       const auto [time, face, edge] = queue_.top();
       queue_.pop();
-      if (!faces_[face].burned && !edges_[edge].gone)
+      const int source = edges_[edge].source;
+      if (!faces_[face].burned && source != Edge::kGone)
       {
-        edges_[edge].gone = true;
-        this->burnFace(face, edges_[edge].source);
+        edges_[edge].source = Edge::kGone;
+        this->burnFace(face, source);
       }
     }
   }
 
-  void burnFace(int f, const Source& source)
+  int addSource(const Source& source)
+  {
+    sources_.push_back(source);
+    return static_cast<int>(sources_.size()) - 1;
+  }
+
+  void burnFace(int f, int source)
   {
     Face& face = faces_[f];
     face.burned = true;
-    const double time = source.arrival(face.centre);
+    const double time = sources_[source].arrival(face.centre);
     // On a curved sheet the fire's way is made of several straight lines.
-    const bool straight = std::abs(glm::dot(source.normal, face.normal)) >= kStraightCosine;
-    const Source onward = straight ? source : Source{ face.centre, face.normal, time };
+    const bool straight =
+      std::abs(glm::dot(sources_[source].normal, face.normal)) >= kStraightCosine;
+    const int onward = straight ? source : this->addSource({ face.centre, face.normal, time });
     for (std::size_t c = cornerOffsets_[f]; c < cornerOffsets_[f + 1]; ++c)
     {
       double& width = result_.widths[faceCorners_[c]];
@@ -252,16 +262,17 @@ private:
     {
       Edge& edge = edges_[face.edges[i]];
       --edge.left;
-      if (edge.gone)
+      if (edge.source == Edge::kGone)
       {
         continue;
       }
       const glm::dvec3 x = this->middle(edge);
-      edge.time = std::max(edge.time, onward.arrival(x));
+      edge.time = std::max(edge.time, sources_[onward].arrival(x));
       if (edge.left == 1)
       {
-        edge.source =
-          edge.faces == 2 ? onward : Source{ x, faces_[this->faceLeft(edge)].normal, edge.time };
+        edge.source = edge.faces == 2
+          ? onward
+          : this->addSource({ x, faces_[this->faceLeft(edge)].normal, edge.time });
         this->raise(face.edges[i]);
       }
     }
@@ -292,7 +303,8 @@ private:
     if (best >= 0)
     {
       ++result_.opened;
-      this->burnFace(best, { faces_[best].centre, faces_[best].normal, bestRadius });
+      this->burnFace(best,
+        this->addSource({ faces_[best].centre, faces_[best].normal, bestRadius }));
     }
     return best >= 0;
   }
@@ -301,10 +313,11 @@ private:
   const std::vector<double>& radii_;
   const Checkpoint& checkpoint_;
   std::vector<Face> faces_;
-  std::vector<std::int64_t> faceCorners_;
+  std::vector<int> faceCorners_;
   std::vector<std::size_t> cornerOffsets_;
   std::vector<Edge> edges_;
   std::vector<int> facesOfEdges_;
+  std::vector<Source> sources_;
   std::priority_queue<Event, std::vector<Event>, std::greater<>> queue_;
   BurnedSheets result_;
 };

@@ -2,6 +2,7 @@
 
 #include "base/checkpoint.h"
 #include "base/disjoint_sets.h"
+#include "base/order_statistics.h"
 #include "base/run.h"
 #include "base/stopwatch.h"
 #include "base/vectors.h"
@@ -13,6 +14,7 @@
 #include "skeleton/smooth_network.h"
 
 #include <tbb/parallel_for.h>
+#include <tbb/task_group.h>
 
 #include <algorithm>
 #include <cmath>
@@ -212,18 +214,23 @@ Skeleton build(const MedialAxis& axis, const TriangleMesh& mesh, const SkeletonO
   const Run& run)
 {
   run.report(0.0, kPhase);
-  const DistanceQuery query(mesh, axis.sign, run.part(0.0, 0.3), { run.threads(), nullptr });
-  const Checkpoint checkpoint(run, 0.3, kPhase);
+  const LocalCoordinates local = DistanceQuery::localOf(mesh);
   std::vector<glm::dvec3> positions(axis.points.size());
   std::vector<double> radii(axis.points.size());
   tbb::parallel_for(std::size_t{ 0 }, positions.size(),
     [&](std::size_t p)
     {
-      positions[p] = query.local().toLocal(axis.points[p]);
-      radii[p] = static_cast<double>(axis.radius[p]) / query.local().unit;
+      positions[p] = local.toLocal(axis.points[p]);
+      radii[p] = static_cast<double>(axis.radius[p]) / local.unit;
     });
   const double step = meanEdge(axis, positions);
-  const BurnedSheets burned = burnSheets(axis, positions, radii, checkpoint);
+  const Checkpoint checkpoint(run, 0.3, kPhase);
+  // The fire keeps one thread busy. Progress is reported from this one, by the query.
+  BurnedSheets burned;
+  tbb::task_group fire;
+  fire.run([&] { burned = burnSheets(axis, positions, radii, checkpoint); });
+  const DistanceQuery query(mesh, axis.sign, run.part(0.0, 0.3), { run.threads(), nullptr });
+  fire.wait();
   const SolidProbe probe(query);
   const std::vector<CurvePath> paths = curveNetwork(burned.edges, axis.vertices,
     { positions, radii, burned.widths, probe, step, options.minBranch }, checkpoint);
@@ -290,9 +297,7 @@ double thinnestRadius(const Skeleton& skeleton)
     }
     if (!radii.empty())
     {
-      const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
-      std::nth_element(radii.begin(), middle, radii.end());
-      thinnest = std::min(thinnest, *middle);
+      thinnest = std::min(thinnest, medianOf(radii));
     }
   }
   return thinnest;

@@ -1,7 +1,5 @@
 #include "thinning/cubical_complex.h"
 
-#include "base/huge_pages.h"
-
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -41,7 +39,7 @@ CubicalComplex::CubicalComplex(const Extent& part, const glm::ivec3& grid)
   , first_(part.min[0], part.min[1], part.min[2])
   , stride_{ 1, size_.x, static_cast<std::int64_t>(size_.x) * size_.y }
   , start_(first_.x + stride_[1] * first_.y + stride_[2] * first_.z)
-  , bits_(largeVector<std::uint8_t>(static_cast<std::size_t>(stride_[2]) * size_.z))
+  , bits_(static_cast<std::size_t>(stride_[2]) * size_.z)
 {
   for (int kind = 0; kind < kCubeCellKinds; ++kind)
   {

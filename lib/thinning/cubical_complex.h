@@ -137,7 +137,7 @@ private:
   std::int64_t start_; ///< what the index of that position would be if the part began at 0
   std::array<CubeCellSteps, kCubeCellKinds> faces_;
   std::array<CubeCellSteps, kCubeCellKinds> cofaces_;
-  std::vector<std::uint8_t> bits_;
+  ZeroedVector<std::uint8_t> bits_;
 };
 
 /// The cells at eight positions in a row, to be looked at together.
@@ -179,8 +179,8 @@ public:
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
   explicit CellRanks(const CubicalComplex& complex)
-    : cells_(largeVector<std::uint64_t>((complex.positions() + kTogether - 1) / kTogether))
-    , before_(largeVector<std::uint32_t>(cells_.size()))
+    : cells_((complex.positions() + kTogether - 1) / kTogether)
+    , before_(cells_.size())
   {
   }
 
@@ -215,8 +215,8 @@ public:
 private:
   static constexpr std::size_t kTogether = 64 / kCubeCellKinds; ///< positions in one word
 
-  std::vector<std::uint64_t> cells_;
-  std::vector<std::uint32_t> before_;
+  ZeroedVector<std::uint64_t> cells_;
+  ZeroedVector<std::uint32_t> before_;
 };
 
 } // namespace medial

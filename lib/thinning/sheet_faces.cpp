@@ -67,10 +67,10 @@ bool isWide(const CubicalComplex& complex, const AxisSamples& samples, CubeCell 
 }
 
 /// Returns 1 for the positions whose vertex is an inner point of a sheet, or 0.
-std::vector<std::uint8_t> innerPoints(const CubicalComplex& complex, const AxisSamples& samples)
+ZeroedVector<std::uint8_t> innerPoints(const CubicalComplex& complex, const AxisSamples& samples)
 {
   const std::vector<CubeCell> vertices = cellsOf(complex, kVertexKind);
-  std::vector<std::uint8_t> inner = largeVector<std::uint8_t>(complex.positions());
+  ZeroedVector<std::uint8_t> inner(complex.positions());
   tbb::parallel_for(std::size_t{ 0 }, vertices.size(),
     [&](std::size_t i)
     {
@@ -80,7 +80,8 @@ std::vector<std::uint8_t> innerPoints(const CubicalComplex& complex, const AxisS
   return inner;
 }
 
-bool isInSheet(const CubicalComplex& complex, const std::vector<std::uint8_t>& inner, CubeCell face)
+bool isInSheet(const CubicalComplex& complex, const ZeroedVector<std::uint8_t>& inner,
+  CubeCell face)
 {
   const int axis = CubicalComplex::kind(face) - kFaceKind;
   const std::size_t corner = CubicalComplex::index(face);
@@ -200,7 +201,7 @@ SheetSplit splitSheets(const CubicalComplex& complex, const std::vector<CubeCell
 {
   std::vector<std::uint8_t> inSheet(faces.size());
   {
-    const std::vector<std::uint8_t> inner = innerPoints(complex, samples);
+    const ZeroedVector<std::uint8_t> inner = innerPoints(complex, samples);
     tbb::parallel_for(std::size_t{ 0 }, faces.size(),
       [&](std::size_t i) { inSheet[i] = isInSheet(complex, inner, faces[i]) ? 1 : 0; });
   }

@@ -1,7 +1,6 @@
 #include "thinning/voxel_solid.h"
 
 #include "base/disjoint_sets.h"
-#include "base/huge_pages.h"
 #include "base/simd.h"
 
 #include <tbb/parallel_for.h>
@@ -266,7 +265,7 @@ void DepthField::readMarked(std::size_t first, std::size_t count, const std::uin
 VoxelMask voxelsOf(const DepthField& depth, const glm::ivec3& size)
 {
   const std::size_t layer = static_cast<std::size_t>(size.x) * size.y;
-  VoxelMask voxels = largeVector<VoxelMask::value_type>(layer * static_cast<std::size_t>(size.z));
+  VoxelMask voxels(layer * static_cast<std::size_t>(size.z));
   tbb::parallel_for(1, std::max(1, size.z - 1),
     [&](int z)
     {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/huge_pages.h"
 #include "medial/cell_topology.h"
 #include "medial/side.h"
 #include "thinning/cubical_complex.h"
@@ -65,7 +66,7 @@ private:
 };
 
 /// Which grid points have a voxel in a solid: 1 or 0 for each, x fastest.
-using VoxelMask = std::vector<std::uint8_t>;
+using VoxelMask = ZeroedVector<std::uint8_t>;
 
 /// Returns the voxels of a side. Points on the border of the grid are left out, so that every
 /// corner of a voxel lies in a grid cell.

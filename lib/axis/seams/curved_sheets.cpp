@@ -11,8 +11,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 namespace medial
@@ -161,22 +161,16 @@ private:
     }
     tbb::parallel_sort(edges.begin(), edges.end());
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-    const auto middleParts = resultsOfBlocks(geometry_, edges.size(),
-      [&](std::size_t begin, std::size_t end)
-      { return this->middlesOf(edges.data() + begin, edges.data() + end); });
+    const std::vector<Middle> middles = this->middlesOf(edges);
     middles_.clear();
     hasMiddles_.assign(points_.size(), 0);
-    points_.reserve(std::accumulate(middleParts.begin(), middleParts.end(), points_.size(),
-      [](std::size_t sum, const std::vector<Middle>& part) { return sum + part.size(); }));
-    for (const std::vector<Middle>& part : middleParts)
+    points_.reserve(points_.size() + middles.size());
+    for (const auto& [edge, point] : middles)
     {
-      for (const auto& [edge, point] : part)
-      {
-        middles_.emplace_back(edge, static_cast<std::uint32_t>(points_.size()));
-        hasMiddles_[edge[0]] = 1;
-        hasMiddles_[edge[1]] = 1;
-        points_.push_back(point);
-      }
+      middles_.emplace_back(edge, static_cast<std::uint32_t>(points_.size()));
+      hasMiddles_[edge[0]] = 1;
+      hasMiddles_[edge[1]] = 1;
+      points_.push_back(point);
     }
   }
 
@@ -200,7 +194,29 @@ private:
   }
 
   /// Finds the points of the sheet above or below the middles of edges, where their balls are
-  /// larger.
+  /// larger, in the order of the edges.
+  /// @param edges ascending.
+  std::vector<Middle> middlesOf(const std::vector<Edge>& edges) const
+  {
+    const std::vector<std::uint32_t> order = tileOrder(geometry_.part, edges.size(),
+      [&](std::size_t e) { return geometry_.cellAt(points_[edges[e][0]].position); });
+    std::vector<Edge> inTiles;
+    inTiles.reserve(edges.size());
+    std::transform(order.begin(), order.end(), std::back_inserter(inTiles),
+      [&](std::uint32_t e) { return edges[e]; });
+    const auto parts = resultsOfBlocks(geometry_, inTiles.size(),
+      [&](std::size_t begin, std::size_t end)
+      { return this->middlesOf(inTiles.data() + begin, inTiles.data() + end); });
+    std::vector<Middle> middles;
+    for (const std::vector<Middle>& part : parts)
+    {
+      middles.insert(middles.end(), part.begin(), part.end());
+    }
+    tbb::parallel_sort(middles.begin(), middles.end(),
+      [](const Middle& one, const Middle& other) { return one.first < other.first; });
+    return middles;
+  }
+
   std::vector<Middle> middlesOf(const Edge* begin, const Edge* end) const
   {
     std::vector<std::size_t> which;

@@ -207,7 +207,8 @@ private:
     }
     if (values != nullptr)
     {
-      *values = { extent, tap->distances(), tap->sites() };
+      *values = { extent, { tap->distances().begin(), tap->distances().end() },
+        { tap->sites().begin(), tap->sites().end() } };
     }
     run_.report(kSelected, "medial axis");
     return own;

@@ -1,6 +1,5 @@
 #include "field/engines/processor/slab_field.h"
 
-#include "base/huge_pages.h"
 #include "base/simd.h"
 #include "culling/extent_parts.h"
 
@@ -46,7 +45,7 @@ void SlabField::begin(const Extent& slab, bool inside)
   }
   begun_ = true;
   extent_ = slab;
-  resizeLarge(sites_, this->index(this->slots(), 0));
+  sites_.resize(this->index(this->slots(), 0));
   inside_.resize(this->insideIndex(this->slots(), 0));
   std::fill(inside_.begin() + this->insideIndex(1, 0), inside_.end(),
     static_cast<std::uint8_t>(inside ? 0xff : 0));

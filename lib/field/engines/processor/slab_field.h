@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/huge_pages.h"
 #include "field/tile_field.h"
 #include "medial/grid.h"
 
@@ -55,7 +56,7 @@ private:
   Extent extent_;
   bool begun_ = false;
   bool carried_ = false;
-  std::vector<std::int32_t> sites_;  ///< slot by slot, x fastest
+  ZeroedVector<std::int32_t> sites_; ///< slot by slot, x fastest; old where nothing was stored
   std::vector<std::uint8_t> inside_; ///< a byte for each TileField::kRow of a row
 };
 
