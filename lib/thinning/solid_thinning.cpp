@@ -7,6 +7,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 #include <tbb/parallel_sort.h>
+#include <tbb/task_group.h>
 
 #include <algorithm>
 #include <iterator>
@@ -50,19 +51,15 @@ std::vector<CubeCell> sheetFaces(const CubicalComplex& solid,
   return splitSheets(solid.size(), faces, samples, exact).sheets;
 }
 
-/// Takes all voxels out of a solid but those where thinning has to decide something, and leaves its
+/// Takes all voxels out of a solid but those where thinning has to decide something beside its
 /// sheets.
 void reduceToCore(const DepthField& depth, const std::vector<Crossing>& crossings,
-  const std::vector<CubeCell>& sheets, const Checkpoint& checkpoint, VoxelMask& voxels,
-  CubicalComplex& solid)
+  const CubicalComplex& sheets, const Checkpoint& checkpoint, VoxelMask& voxels)
 {
-  const CubicalComplex closed = closureOf(solid.size(), sheets);
   std::vector<Crossing> others;
   std::copy_if(crossings.begin(), crossings.end(), std::back_inserter(others),
-    [&](const Crossing& crossing) { return !closed.has(dualFace(solid, crossing)); });
-  reduceToCore(depth, closed, others, checkpoint, voxels);
-  setVoxels(voxels, solid);
-  solid.insert(closed);
+    [&](const Crossing& crossing) { return !sheets.has(dualFace(sheets, crossing)); });
+  reduceToCore(depth, sheets, others, checkpoint, voxels);
 }
 
 } // namespace
@@ -136,9 +133,15 @@ SolidThinning::SolidThinning(const DepthField& depth, const glm::ivec3& size,
 {
   VoxelMask voxels = voxelsOf(depth, size);
   setVoxels(voxels, complex_);
-  topology_ = topologyOf(complex_);
+  // The core keeps one thread busy for most of the time.
+  tbb::task_group counting;
+  counting.run([&] { topology_ = topologyOf(complex_); });
   anchored_ = sheetFaces(complex_, selected.crossings, samples_, exact_);
-  reduceToCore(depth, selected.crossings, anchored_, checkpoint, voxels, complex_);
+  const CubicalComplex sheets = closureOf(size, anchored_);
+  reduceToCore(depth, selected.crossings, sheets, checkpoint, voxels);
+  counting.wait();
+  setVoxels(voxels, complex_);
+  complex_.insert(sheets);
 }
 
 /// The rules for curves apply to strips: selected ones, and those that sheets were reduced to where
