@@ -8,7 +8,8 @@ namespace medial::app
 namespace
 {
 
-/// The least number of such changes that turn one word into the other, none touching a letter twice.
+/// The least number of such changes that turn one word into the other, none touching a letter
+/// twice.
 std::size_t changesBetween(const std::string& one, const std::string& other)
 {
   // changes[i][j]: of the first i letters into the first j.
