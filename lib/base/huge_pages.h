@@ -46,8 +46,8 @@ std::vector<T> largeVector(std::size_t count, const T& value = T())
   return elements;
 }
 
-/// Memory of the system's zeros, which is not touched before somebody uses it. What is never used
-/// takes no memory, and pages are cleared by the threads that use them.
+/// Memory of zeros that nobody has touched: each page is cleared for the thread that first uses it,
+/// and what is never used takes no memory.
 template <typename T>
 struct ZeroAllocator
 {

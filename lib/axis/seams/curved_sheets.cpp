@@ -217,6 +217,7 @@ private:
     return middles;
   }
 
+  /// The same for edges in any order.
   std::vector<Middle> middlesOf(const Edge* begin, const Edge* end) const
   {
     std::vector<std::size_t> which;
