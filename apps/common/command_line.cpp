@@ -37,6 +37,24 @@ std::string meantOption(const CLI::App& app, const std::string& word)
   return meant.empty() ? "" : "--" + meant;
 }
 
+/// An option as the user gave it: its name and its value, if it has one.
+std::string asGiven(const CLI::App& app, const std::string& name)
+{
+  const CLI::Option* const option = app.get_option_no_throw(name);
+  const bool hasValue = option != nullptr && option->get_items_expected_max() > 0;
+  return hasValue && !option->results().empty() ? name + " " + option->results().front() : name;
+}
+
+/// The message of an error whose text is two options with a word between.
+std::string messageOfTwo(const CLI::App& app, const std::string& text, const std::string& word,
+  const std::string& better)
+{
+  const std::size_t place = text.find(word);
+  return place == std::string::npos
+    ? text
+    : asGiven(app, text.substr(0, place)) + better + asGiven(app, text.substr(place + word.size()));
+}
+
 /// What is wrong with a command line. The parser's words are for those who know the parser.
 std::string messageOf(const CLI::App& app, const CLI::ParseError& error)
 {
@@ -52,6 +70,14 @@ std::string messageOf(const CLI::App& app, const CLI::ParseError& error)
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr)
   {
     return "unexpected argument '" + unknown.front() + "'";
+  }
+  if (dynamic_cast<const CLI::ExcludesError*>(&error) != nullptr)
+  {
+    return messageOfTwo(app, message, " excludes ", " cannot be given together with ");
+  }
+  if (dynamic_cast<const CLI::RequiresError*>(&error) != nullptr)
+  {
+    return messageOfTwo(app, message, " requires ", " needs ");
   }
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr)
   {

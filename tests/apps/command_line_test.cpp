@@ -186,7 +186,14 @@ TEST_F(CommandLine, RefusesToSimplifyPoints)
 TEST_F(CommandLine, RefusesTwoGridsAtOnce)
 {
   const std::string error = usageError({ "--resolution", "32", "--spacing", "0.1" });
-  EXPECT_TRUE(contains(error, "--resolution") && contains(error, "--spacing")) << error;
+  EXPECT_TRUE(contains(error, "--resolution 32 cannot be given together with --spacing 0.1"))
+    << error;
+}
+
+TEST_F(CommandLine, SaysWhatAnOptionNeeds)
+{
+  const std::string error = usageError({ "--band", "3" });
+  EXPECT_TRUE(contains(error, "--band 3 needs --field (see")) << error;
 }
 
 TEST_F(CommandLine, RefusesTwoOutputsOfOneName)

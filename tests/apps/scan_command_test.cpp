@@ -71,7 +71,8 @@ TEST_F(ScanCommand, RefusesScansAndMeshesThatDoNotFitTheirOptions)
 {
   expectRefusal({ "ball.nrrd", "-o", "a.vtp" }, 2,
     "ball.nrrd is an image: choose its surface with --isovalue V or --label N");
-  expectRefusal({ "ball.nrrd", "--label", "1", "--isovalue", "1", "-o", "a.vtp" }, 2, "excludes");
+  expectRefusal({ "ball.nrrd", "--label", "1", "--isovalue", "1", "-o", "a.vtp" }, 2,
+    "--isovalue 1 cannot be given together with --label 1");
   expectRefusal({ "box.obj", "--label", "1", "-o", "a.vtp" }, 2, "--label needs an image");
   expectRefusal({ "box.obj", "--isovalue", "1", "-o", "a.vtp" }, 2, "--isovalue needs an image");
   expectRefusal({ "box.obj", "--scan-smoothing", "1", "-o", "a.vtp" }, 2,
