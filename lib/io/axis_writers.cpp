@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -36,11 +37,10 @@ void writePlyFaces(const Cells& faces, TextWriter& writer)
 {
   for (const auto& face : faces)
   {
-    writer.raw(static_cast<std::uint8_t>(face.size()));
-    for (const std::int64_t id : face)
-    {
-      writer.raw(static_cast<std::int32_t>(id));
-    }
+    std::array<std::int32_t, std::tuple_size_v<typename Cells::value_type>> ids;
+    std::transform(face.begin(), face.end(), ids.begin(),
+      [](std::int64_t id) { return static_cast<std::int32_t>(id); });
+    writer.raw(static_cast<std::uint8_t>(ids.size()), ids);
   }
 }
 
@@ -118,17 +118,13 @@ void writeAxisPly(const MedialAxis& axis, std::ostream& stream)
   writer << plyHeader(axis);
   for (std::size_t i = 0; i < axis.points.size(); ++i)
   {
-    writer.raw(axis.points[i]);
-    writer.raw(axis.radius[i]);
-    writer.raw(axis.separationAngle[i]);
-    writer.raw(axis.lambda[i]);
+    writer.raw(axis.points[i], axis.radius[i], axis.separationAngle[i], axis.lambda[i]);
   }
   writePlyFaces(axis.quads, writer);
   writePlyFaces(axis.triangles, writer);
   for (const auto& line : axis.lines)
   {
-    writer.raw(static_cast<std::int32_t>(line[0]));
-    writer.raw(static_cast<std::int32_t>(line[1]));
+    writer.raw(static_cast<std::int32_t>(line[0]), static_cast<std::int32_t>(line[1]));
   }
   writer.flush();
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <cstring>
 #include <ostream>
 #include <string>
 #include <string_view>
@@ -24,11 +25,14 @@ public:
   TextWriter& operator<<(float number);
   TextWriter& operator<<(std::int64_t number);
 
-  /// Writes the bytes of a value as they are in memory.
-  template <typename T>
-  void raw(const T& value)
+  /// Writes the bytes of some values as they are in memory, one after the other.
+  template <typename... Values>
+  void raw(const Values&... values)
   {
-    this->append(reinterpret_cast<const char*>(&value), sizeof(value));
+    char bytes[(sizeof(values) + ...)];
+    char* to = bytes;
+    ((std::memcpy(to, &values, sizeof(values)), to += sizeof(values)), ...);
+    this->append(bytes, sizeof(bytes));
   }
 
   /// Writes what is still in the buffer.
