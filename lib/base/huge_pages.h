@@ -52,7 +52,7 @@ template <typename T>
 struct ZeroAllocator
 {
   static_assert(std::is_arithmetic_v<T>, "bits of zeros are the value 0");
-  using value_type = T;
+  using value_type = T; // NOLINT(readability-identifier-naming): as the standard has it
 
   ZeroAllocator() = default;
   template <typename Other>
