@@ -91,13 +91,13 @@ std::vector<std::uint8_t> exactPairs(const SheetSelection& sheets)
 std::vector<std::size_t> crossingsWithin(const DepthField& depth, const Extent& part,
   const glm::ivec3& grid, const std::vector<Crossing>& crossings)
 {
-  // The part without the border of the grid.
+  // The part without the border of the grid; nothing of a grid of two slices.
   const glm::ivec3 first(part.min[0], part.min[1], part.min[2]);
   const glm::ivec3 low = glm::max(first, 1);
   const glm::ivec3 high = glm::min(glm::ivec3(part.max[0], part.max[1], part.max[2]), grid - 2);
   const auto isVoxel = [&](const glm::ivec3& point)
   {
-    if (glm::clamp(point, low, high) != point)
+    if (glm::any(glm::lessThan(point, low)) || glm::any(glm::greaterThan(point, high)))
     {
       return false;
     }

@@ -2,6 +2,7 @@
 
 #include "thinning/curve_probe.h"
 #include "thinning/solid_core.h"
+#include "thinning/solid_thinning.h"
 
 #include "support/shapes.h"
 #include "support/voxel_topology.h"
@@ -188,6 +189,25 @@ TEST(VoxelSolid, HasTheTopologyThatCountingFinds)
     const CubicalComplex solid = voxels.solid();
     expectClosed(solid);
     EXPECT_EQ(topologyOf(solid), voxels.expected()) << "round " << round;
+  }
+}
+
+// Of two slices of a grid, both are its border.
+TEST(VoxelSolid, AGridOfTwoSlicesHasNone)
+{
+  for (int slices = 2; slices <= 4; ++slices)
+  {
+    const glm::ivec3 size(slices, 5, 5);
+    const std::vector<float> distances(static_cast<std::size_t>(slices) * 25, -1.0f);
+    const DepthField depth(distances.data(), Side::Interior, 1.0);
+    std::vector<Crossing> along;
+    for (int x = 0; x < slices; ++x)
+    {
+      along.push_back({ { x, 2, 2 }, 1, 0, 1, true });
+    }
+    const Extent all{ { 0, 0, 0 }, { slices - 1, 4, 4 } };
+    EXPECT_EQ(crossingsWithin(depth, all, size, along).size(),
+      static_cast<std::size_t>(slices - 2));
   }
 }
 
