@@ -11,6 +11,13 @@
 namespace medial
 {
 
+/// The distance of points that are left out where one side is wanted: it says that they are on the
+/// other.
+inline float unknownDistance(Side side)
+{
+  return side == Side::Exterior ? -1.0f : 0.0f;
+}
+
 /// Keeps the distances and closest sites of a whole extent while a field goes to another sink.
 /// Takes 8 bytes per point.
 class FieldTap : public FieldSink
@@ -27,9 +34,9 @@ public:
     , distances_(static_cast<std::size_t>(extent.pointCount()))
     , sites_(distances_.size())
   {
-    if (side == Side::Exterior)
+    if (unknownDistance(side) != 0.0f)
     {
-      std::fill(distances_.begin(), distances_.end(), -1.0f);
+      std::fill(distances_.begin(), distances_.end(), unknownDistance(side));
     }
   }
 

@@ -2,6 +2,7 @@
 
 #include "base/huge_pages.h"
 #include "culling/extent_parts.h"
+#include "field/field_tap.h"
 
 #include <algorithm>
 #include <array>
@@ -20,12 +21,6 @@ struct PackedField
   std::vector<float> distances;
   std::vector<std::int32_t> sites;
 };
-
-/// The distance of points without a value.
-float unknownDistance(Side side)
-{
-  return side == Side::Exterior ? -1.0f : 0.0f;
-}
 
 std::vector<float> unknownDistances(const Extent& extent, Side side)
 {

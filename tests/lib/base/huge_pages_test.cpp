@@ -5,6 +5,7 @@
 #include <sys/mman.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <fstream>
 #include <sstream>
@@ -79,6 +80,22 @@ TEST(HugePages, ElementsAreThoseOfAnOrdinaryVector)
   resizeLarge(elements, 2);
   EXPECT_EQ(elements, (std::vector<int>{ 1, 2 }));
   EXPECT_TRUE(largeVector<double>(0).empty());
+}
+
+// The memory has often been used before.
+TEST(HugePages, ZeroedVectorsAreZeroUntilSomethingIsAssigned)
+{
+  for (const std::size_t count : { std::size_t{ 100 }, std::size_t{ kCount } })
+  {
+    static_cast<void>(std::vector<int>(count, -1));
+    ZeroedVector<int> zeros(count);
+    EXPECT_EQ(std::count(zeros.begin(), zeros.end(), 0), static_cast<std::ptrdiff_t>(count));
+    zeros.back() = 3;
+    const ZeroedVector<int> copy = zeros;
+    EXPECT_EQ(copy, zeros);
+    zeros.push_back(4);
+    EXPECT_EQ(std::vector<int>(zeros.end() - 2, zeros.end()), (std::vector<int>{ 3, 4 }));
+  }
 }
 
 TEST(HugePages, ReservingKeepsWhatIsThere)
