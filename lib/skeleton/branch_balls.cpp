@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace medial
 {
@@ -20,33 +21,53 @@ constexpr double kRound = 1.1;
 
 } // namespace
 
+BranchBalls::BallsOfBranch::BallsOfBranch(std::vector<Ball> all)
+  : balls(std::move(all))
+{
+  for (std::size_t begin = 0; begin < balls.size(); begin += kGroup)
+  {
+    const std::size_t end = std::min(begin + kGroup, balls.size());
+    Group group{ { balls[(begin + end) / 2].centre, 0.0 }, begin, end };
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      group.around.radius = std::max(group.around.radius,
+        glm::distance(group.around.centre, balls[i].centre) + balls[i].radius);
+    }
+    groups.push_back(group);
+  }
+}
+
 void BranchBalls::set(std::size_t branch, const Curve& curve)
 {
   branches_.resize(std::max(branches_.size(), branch + 1));
-  BallsOfBranch result;
+  std::vector<Ball> balls;
   const std::vector<double> radii = curve.radii.empty() ? probe_.radii(curve.points) : curve.radii;
   for (std::size_t i = 0; i < radii.size(); ++i)
   {
     const Ball ball{ curve.points[i], radii[i] };
-    if (result.balls.empty() || i + 1 == radii.size() ||
-      glm::distance(result.balls.back().centre, ball.centre) >=
-        kSpacing * std::min(result.balls.back().radius, ball.radius))
+    if (balls.empty() || i + 1 == radii.size() ||
+      glm::distance(balls.back().centre, ball.centre) >=
+        kSpacing * std::min(balls.back().radius, ball.radius))
     {
-      result.balls.push_back(ball);
+      balls.push_back(ball);
     }
   }
-  for (std::size_t begin = 0; begin < result.balls.size(); begin += kGroup)
-  {
-    const std::size_t end = std::min(begin + kGroup, result.balls.size());
-    Group group{ { result.balls[(begin + end) / 2].centre, 0.0 }, begin, end };
-    for (std::size_t i = begin; i < end; ++i)
-    {
-      group.around.radius = std::max(group.around.radius,
-        glm::distance(group.around.centre, result.balls[i].centre) + result.balls[i].radius);
-    }
-    result.groups.push_back(group);
-  }
-  branches_[branch] = std::move(result);
+  branches_[branch] = BallsOfBranch(std::move(balls));
+}
+
+void BranchBalls::reverse(std::size_t branch)
+{
+  std::vector<Ball> balls = std::move(branches_[branch].balls);
+  std::reverse(balls.begin(), balls.end());
+  branches_[branch] = BallsOfBranch(std::move(balls));
+}
+
+void BranchBalls::join(std::size_t branch, std::size_t other)
+{
+  std::vector<Ball> balls = std::move(branches_[branch].balls);
+  balls.insert(balls.end(), branches_[other].balls.begin(), branches_[other].balls.end());
+  branches_[branch] = BallsOfBranch(std::move(balls));
+  branches_[other] = BallsOfBranch();
 }
 
 BranchBalls::Outside BranchBalls::outside(const glm::dvec3& x, std::size_t except) const

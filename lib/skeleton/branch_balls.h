@@ -33,6 +33,10 @@ public:
 
   /// Takes the balls of a branch in place of those that it had; none for a curve without points.
   void set(std::size_t branch, const Curve& curve);
+  /// Gives the balls of a branch the order of its curve from the other end.
+  void reverse(std::size_t branch);
+  /// Gives a branch those of another as well, after its own; the other has none then.
+  void join(std::size_t branch, std::size_t other);
 
   /// Returns how far a branch reaches out of the others.
   /// @param branch of which the first point belongs to others too.
@@ -55,6 +59,8 @@ private:
   };
   struct BallsOfBranch
   {
+    explicit BallsOfBranch(std::vector<Ball> all = {});
+
     std::vector<Ball> balls;
     std::vector<Group> groups;
   };

@@ -36,38 +36,6 @@ std::vector<std::vector<End>> endsAt(const GeometricNetwork& network)
   return ends;
 }
 
-/// Joins a branch to another one, which is empty then, through a junction where no other ends.
-void merge(GeometricNetwork& network, const End& first, const End& second)
-{
-  NetworkBranch& branch = network.branches[first.branch];
-  if (first.branch == second.branch)
-  {
-    dropLast(branch.curve);
-    branch.curve.closed = true;
-    branch.junctions = { NetworkBranch::kFree, NetworkBranch::kFree };
-    return;
-  }
-  NetworkBranch& other = network.branches[second.branch];
-  if (first.which == 0)
-  {
-    reverse(branch.curve);
-    std::swap(branch.junctions[0], branch.junctions[1]);
-  }
-  if (second.which == 1)
-  {
-    reverse(other.curve);
-    std::swap(other.junctions[0], other.junctions[1]);
-  }
-  join(branch.curve, other.curve);
-  branch.junctions[1] = other.junctions[1];
-  other = {};
-  if (branch.junctions[0] == NetworkBranch::kFree && branch.junctions[1] != NetworkBranch::kFree)
-  {
-    reverse(branch.curve);
-    std::swap(branch.junctions[0], branch.junctions[1]);
-  }
-}
-
 /// Removes branches without points and junctions without ends.
 /// @param marked indices of branches, which become the new ones.
 void compact(GeometricNetwork& network, std::vector<char>& marked)
@@ -202,15 +170,51 @@ private:
     const std::vector<End> left = endsAt(network_)[junction];
     if (left.size() == 2)
     {
-      const auto [first, second] = std::pair(left[0].branch, left[1].branch);
-      merge(network_, left[0], left[1]);
-      marked_[first] = 1;
-      for (const std::size_t changed : { first, second })
-      {
-        this->forget(changed);
-        balls_.set(changed, network_.branches[changed].curve);
-      }
+      this->merge(left[0], left[1]);
     }
+  }
+
+  /// Joins a branch to another one, which is empty then, through a junction where no other ends.
+  /// Together they have the balls that each of them had, so that no other ratio changes.
+  void merge(const End& first, const End& second)
+  {
+    NetworkBranch& branch = network_.branches[first.branch];
+    marked_[first.branch] = 1;
+    ratios_[first.branch] = {};
+    if (first.branch == second.branch)
+    {
+      dropLast(branch.curve);
+      branch.curve.closed = true;
+      branch.junctions = { NetworkBranch::kFree, NetworkBranch::kFree };
+      return;
+    }
+    NetworkBranch& other = network_.branches[second.branch];
+    if (first.which == 0)
+    {
+      this->reverse(first.branch);
+    }
+    if (second.which == 1)
+    {
+      this->reverse(second.branch);
+    }
+    join(branch.curve, other.curve);
+    balls_.join(first.branch, second.branch);
+    branch.junctions[1] = other.junctions[1];
+    other = {};
+    ratios_[second.branch] = {};
+    this->renameNeighbour(second.branch, first.branch);
+    if (branch.junctions[0] == NetworkBranch::kFree && branch.junctions[1] != NetworkBranch::kFree)
+    {
+      this->reverse(first.branch);
+    }
+  }
+
+  void reverse(std::size_t b)
+  {
+    NetworkBranch& branch = network_.branches[b];
+    medial::reverse(branch.curve);
+    std::swap(branch.junctions[0], branch.junctions[1]);
+    balls_.reverse(b);
   }
 
   /// Forgets what depends on a branch.
@@ -222,6 +226,24 @@ private:
       if (std::binary_search(ratio.neighbours.begin(), ratio.neighbours.end(), b))
       {
         ratio = {};
+      }
+    }
+  }
+
+  void renameNeighbour(std::size_t before, std::size_t after)
+  {
+    for (Ratio& ratio : ratios_)
+    {
+      std::vector<std::size_t>& neighbours = ratio.neighbours;
+      const auto at = std::lower_bound(neighbours.begin(), neighbours.end(), before);
+      if (at != neighbours.end() && *at == before)
+      {
+        neighbours.erase(at);
+        const auto place = std::lower_bound(neighbours.begin(), neighbours.end(), after);
+        if (place == neighbours.end() || *place != after)
+        {
+          neighbours.insert(place, after);
+        }
       }
     }
   }
