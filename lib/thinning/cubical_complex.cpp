@@ -26,6 +26,21 @@ void add(CubeCellSteps& steps, CubeCell step)
   steps.steps[steps.count++] = step;
 }
 
+/// Inserts a face with its edges and corners.
+void insertClosed(CubeCell face, CubicalComplex& complex)
+{
+  complex.insert(face);
+  for (const CubeCell step : complex.faces(CubicalComplex::kind(face)))
+  {
+    const CubeCell edge = face + step;
+    complex.insert(edge);
+    for (const CubeCell end : complex.faces(CubicalComplex::kind(edge)))
+    {
+      complex.insert(edge + end);
+    }
+  }
+}
+
 } // namespace
 
 CubicalComplex::CubicalComplex(const glm::ivec3& size)
@@ -108,19 +123,21 @@ std::array<CubeCell, 12> facesAround(const CubicalComplex& complex, CubeCell ver
 
 CubicalComplex closureOf(const glm::ivec3& size, const std::vector<CubeCell>& faces)
 {
+  constexpr int kLayers = 4;
   CubicalComplex complex(size);
-  for (const CubeCell face : faces)
+  const auto firstAbove = [&](int z)
+  { return std::lower_bound(faces.begin(), faces.end(), 8 * complex.stride(2) * z); };
+  // The faces of some layers have cells in the next one as well: every other block at a time.
+  const int blocks = (size.z + kLayers - 1) / kLayers;
+  for (const int odd : { 0, 1 })
   {
-    complex.insert(face);
-    for (const CubeCell step : complex.faces(CubicalComplex::kind(face)))
-    {
-      const CubeCell edge = face + step;
-      complex.insert(edge);
-      for (const CubeCell end : complex.faces(CubicalComplex::kind(edge)))
+    tbb::parallel_for(0, (blocks + 1 - odd) / 2,
+      [&](int pair)
       {
-        complex.insert(edge + end);
-      }
-    }
+        const int low = kLayers * (2 * pair + odd);
+        std::for_each(firstAbove(low), firstAbove(low + kLayers),
+          [&](CubeCell face) { insertClosed(face, complex); });
+      });
   }
   return complex;
 }

@@ -169,6 +169,7 @@ std::vector<CubeCell> cellsOf(const CubicalComplex& complex, int kind);
 std::array<CubeCell, 12> facesAround(const CubicalComplex& complex, CubeCell vertex);
 
 /// Returns a complex of faces, with their edges and corners.
+/// @param faces ascending by their positions.
 CubicalComplex closureOf(const glm::ivec3& size, const std::vector<CubeCell>& faces);
 
 /// Numbers the cells of a list, so that one is found at once: a bit for each cell of a complex, and
@@ -188,17 +189,21 @@ public:
   template <typename Item, typename CellOf>
   void set(const std::vector<Item>& items, const CellOf& cellOf)
   {
-    std::fill(cells_.begin(), cells_.end(), 0);
-    for (const Item& item : items)
+    for (const CubeCell word : words_)
     {
-      const CubeCell cell = cellOf(item);
-      cells_[cell >> 6] |= std::uint64_t{ 1 } << (cell & 63);
+      cells_[word] = 0;
     }
-    std::uint32_t count = 0;
-    for (std::size_t i = 0; i < cells_.size(); ++i)
+    words_.clear();
+    for (std::size_t i = 0; i < items.size(); ++i)
     {
-      before_[i] = count;
-      count += cells_[i] == 0 ? 0 : static_cast<std::uint32_t>(__builtin_popcountll(cells_[i]));
+      const CubeCell cell = cellOf(items[i]);
+      const CubeCell word = cell >> 6;
+      if (words_.empty() || words_.back() != word)
+      {
+        words_.push_back(word);
+        before_[word] = static_cast<std::uint32_t>(i);
+      }
+      cells_[word] |= std::uint64_t{ 1 } << (cell & 63);
     }
   }
 
@@ -216,7 +221,8 @@ private:
   static constexpr std::size_t kTogether = 64 / kCubeCellKinds; ///< positions in one word
 
   ZeroedVector<std::uint64_t> cells_;
-  ZeroedVector<std::uint32_t> before_;
+  ZeroedVector<std::uint32_t> before_; ///< where there are cells
+  std::vector<CubeCell> words_;        ///< those of cells_ that are not 0
 };
 
 } // namespace medial

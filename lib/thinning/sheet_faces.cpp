@@ -116,25 +116,27 @@ void addJoined(const CubicalComplex& complex, const std::vector<CubeCell>& faces
   constexpr std::size_t kSheet = std::numeric_limits<std::size_t>::max();
   constexpr std::size_t kNeither = kSheet - 1;
   std::vector<std::size_t> others(exact.size(), kNeither); // faces by their samples
-  std::vector<std::size_t> open;
-  for (std::size_t i = 0; i < faces.size(); ++i)
-  {
-    const auto sample = static_cast<std::size_t>(samples.find(faces[i]));
-    if (inSheet[i] != 0)
+  tbb::parallel_for(std::size_t{ 0 }, faces.size(),
+    [&](std::size_t i)
     {
-      others[sample] = kSheet;
-    }
-    else if (exact[sample] != 0)
-    {
-      others[sample] = i;
-      open.push_back(i);
-    }
-  }
+      const auto sample = static_cast<std::size_t>(samples.find(faces[i]));
+      others[sample] = inSheet[i] != 0 ? kSheet : exact[sample] != 0 ? i : kNeither;
+    });
   const auto at = [&](CubeCell face)
   {
     const int sample = samples.find(face);
     return sample == AxisSamples::kNone ? kNeither : others[static_cast<std::size_t>(sample)];
   };
+  std::vector<std::uint8_t> beside(faces.size());
+  tbb::parallel_for(std::size_t{ 0 }, faces.size(),
+    [&](std::size_t i)
+    {
+      if (inSheet[i] == 0 && at(faces[i]) != kNeither)
+      {
+        forEachBeside(complex, faces[i],
+          [&](CubeCell face) { beside[i] |= at(face) == kSheet ? 1 : 0; });
+      }
+    });
   std::vector<std::size_t> front;
   const auto join = [&](std::size_t i)
   {
@@ -142,11 +144,9 @@ void addJoined(const CubicalComplex& complex, const std::vector<CubeCell>& faces
     others[static_cast<std::size_t>(samples.find(faces[i]))] = kSheet;
     front.push_back(i);
   };
-  for (const std::size_t i : open)
+  for (std::size_t i = 0; i < faces.size(); ++i)
   {
-    bool beside = false;
-    forEachBeside(complex, faces[i], [&](CubeCell face) { beside |= at(face) == kSheet; });
-    if (beside)
+    if (beside[i] != 0)
     {
       join(i);
     }

@@ -269,6 +269,38 @@ void addCell(const CellRanks& points, const std::array<CubeCell, Count>& corners
   cells.push_back(cell);
 }
 
+/// The cells of an axis that some corners of a complex are the lowest of.
+struct CellsAt
+{
+  std::vector<std::array<std::int64_t, 4>> quads;
+  std::vector<std::array<std::int64_t, 2>> lines;
+  std::vector<std::int64_t> vertices;
+};
+
+/// @param points of the corners.
+void addCellsAt(const CubicalComplex& complex, const CellRanks& points, CubeCell vertex,
+  CellsAt& cells)
+{
+  if (complex.maximal(vertex))
+  {
+    cells.vertices.push_back(static_cast<std::int64_t>(points.find(vertex)));
+  }
+  for (int along = 0; along < 3; ++along)
+  {
+    const CubeCell edge = vertex + kEdgeKind + along;
+    if (complex.has(edge) && complex.maximal(edge))
+    {
+      addCell<2>(points, { vertex, vertex + 8 * complex.stride(along) }, cells.lines);
+    }
+    if (complex.has(vertex + kFaceKind + along))
+    {
+      const CubeCell u = 8 * complex.stride((along + 1) % 3);
+      const CubeCell v = 8 * complex.stride((along + 2) % 3);
+      addCell<4>(points, { vertex, vertex + u, vertex + u + v, vertex + v }, cells.quads);
+    }
+  }
+}
+
 } // namespace
 
 ThinnedAxis pointsOfCorners(const CubicalComplex& complex, std::vector<CubeCell> vertices,
@@ -282,29 +314,24 @@ ThinnedAxis pointsOfCorners(const CubicalComplex& complex, std::vector<CubeCell>
 void addCells(const CubicalComplex& complex, const std::vector<CubeCell>& vertices,
   ThinnedAxis& axis)
 {
+  constexpr std::size_t kTogether = 4096;
   CellRanks ranks(complex);
   ranks.set(vertices, [](CubeCell vertex) { return vertex; });
-  for (std::size_t i = 0; i < vertices.size(); ++i)
+  std::vector<CellsAt> parts((vertices.size() + kTogether - 1) / kTogether);
+  tbb::parallel_for(std::size_t{ 0 }, parts.size(),
+    [&](std::size_t part)
+    {
+      const std::size_t end = std::min(vertices.size(), (part + 1) * kTogether);
+      for (std::size_t i = part * kTogether; i < end; ++i)
+      {
+        addCellsAt(complex, ranks, vertices[i], parts[part]);
+      }
+    });
+  for (const CellsAt& part : parts)
   {
-    const CubeCell vertex = vertices[i];
-    if (complex.maximal(vertex))
-    {
-      axis.vertices.push_back(static_cast<std::int64_t>(i));
-    }
-    for (int along = 0; along < 3; ++along)
-    {
-      const CubeCell edge = vertex + kEdgeKind + along;
-      if (complex.has(edge) && complex.maximal(edge))
-      {
-        addCell<2>(ranks, { vertex, vertex + 8 * complex.stride(along) }, axis.lines);
-      }
-      if (complex.has(vertex + kFaceKind + along))
-      {
-        const CubeCell u = 8 * complex.stride((along + 1) % 3);
-        const CubeCell v = 8 * complex.stride((along + 2) % 3);
-        addCell<4>(ranks, { vertex, vertex + u, vertex + u + v, vertex + v }, axis.quads);
-      }
-    }
+    axis.vertices.insert(axis.vertices.end(), part.vertices.begin(), part.vertices.end());
+    axis.lines.insert(axis.lines.end(), part.lines.begin(), part.lines.end());
+    axis.quads.insert(axis.quads.end(), part.quads.begin(), part.quads.end());
   }
 }
 
