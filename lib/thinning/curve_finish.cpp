@@ -118,14 +118,17 @@ public:
     }
   }
 
-  /// Returns the points of a curve with their closest pairs.
+  /// Returns the points of a curve with their closest pairs; those that have not moved as they
+  /// were.
   std::vector<BisectorPoint> pairs(const FreeCurve& free) const
   {
     std::vector<BisectorPoint> pairs(free.points.size());
     for (std::size_t i = 0; i < pairs.size(); ++i)
     {
-      const bool stays = (i == 0 && free.firstStays) || (i + 1 == pairs.size() && free.lastStays);
-      pairs[i] = stays ? points_[free.points[i]] : this->pairAt(free, i);
+      const BisectorPoint& before = points_[free.points[i]];
+      const bool stays = (i == 0 && free.firstStays) || (i + 1 == pairs.size() && free.lastStays) ||
+        free.curve.points[i] == before.position;
+      pairs[i] = stays ? before : this->pairAt(free, i);
     }
     return pairs;
   }

@@ -21,8 +21,8 @@ AxisCase caseOf(const TriangleMesh& mesh, int resolution)
 std::vector<std::string> modelsForRanks()
 {
   std::vector<std::string> present;
-  for (const char* name :
-    { "paper/gargoyle_20k.off", "organic/fertility_genus4.off", "cad/fandisk_13k.obj" })
+  for (const char* name : { "paper/gargoyle_20k.off", "organic/fertility_genus4.off",
+         "cad/fandisk_13k.obj", "selfint/footbones_26comp_4.2k.off" })
   {
     if (modelPath(name))
     {

@@ -147,7 +147,7 @@ class PreservedAxisOfModels : public testing::TestWithParam<std::string>
 TEST_P(PreservedAxisOfModels, IsThatOfOneProcess)
 {
   expectSameAxisAtAngles(
-    preserved(caseOf(numbered(buildTriangleMesh(loadModel(*modelPath(GetParam())))), 64)));
+    preserved(caseOf(numbered(buildTriangleMesh(loadModel(*modelPath(GetParam())))), 60)));
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, PreservedAxisOfModels, testing::ValuesIn(modelsForRanks()));
