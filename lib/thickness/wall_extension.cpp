@@ -2,15 +2,31 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
 #include <queue>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace medial
 {
 namespace
 {
+
+/// A strip without a value is at most this wide, in thicknesses of the wall beside it.
+constexpr double kStrip = 0.5;
+/// What belongs to a wall is at most this far away, in its thicknesses: a strip and half of a
+/// narrow side.
+constexpr double kWithin = 1.0;
+/// There, distances count over thicknesses to this power. By thicknesses themselves the strip of a
+/// thick wall would take the narrow sides of a thin one on it, and by world units the thin one a
+/// part of that strip.
+constexpr double kPower = 0.75;
 
 /// Dijkstra's algorithm from all places with a value; places are points, then triangles.
 class Extension
@@ -23,42 +39,49 @@ public:
     , points_(points)
     , triangles_(triangles)
     , pointCount_(static_cast<int>(mesh.points.size()))
+    , known_(mesh.points.size() + mesh.triangles.size())
   {
+    for (std::size_t place = 0; place < known_.size(); ++place)
+    {
+      known_[place] = std::isnan(this->value(static_cast<int>(place))) ? 0 : 1;
+    }
+    measured_ = known_;
   }
 
-  void run(const Checkpoint& checkpoint)
+  enum class Reach
   {
-    const int count = pointCount_ + static_cast<int>(mesh_.triangles.size());
-    std::vector<char> known(count);
-    for (int place = 0; place < count; ++place)
+    Within, ///< only to what belongs to a wall
+    All     ///< to all, from the wall that is the fewest of its thicknesses away
+  };
+  void run(Reach reach, const Checkpoint& checkpoint)
+  {
+    const std::vector<char> sources = known_;
+    for (std::size_t place = 0; place < sources.size(); ++place)
     {
-      known[place] = std::isnan(this->value(place)) ? 0 : 1;
-    }
-    for (int place = 0; place < count; ++place)
-    {
-      checkpoint(static_cast<std::size_t>(place));
-      if (known[place] && this->value(place) > 0.0F)
+      checkpoint(place);
+      const auto source = static_cast<int>(place);
+      if (sources[place] != 0 && this->value(source) > 0.0F)
       {
-        this->leave(place, 0.0, place, known);
+        this->leave({ 0.0, source, source }, reach);
       }
     }
-    std::size_t step = 0;
-    while (!queue_.empty())
+    for (std::size_t step = 0; !queue_.empty(); ++step)
     {
-      checkpoint(step++);
-      const auto [distance, source, place] = queue_.top();
+      checkpoint(step);
+      const Step next = queue_.top();
       queue_.pop();
-      if (!known[place])
+      const auto [distance, source, place] = next;
+      if (known_[place] == 0)
       {
-        known[place] = 1;
+        known_[place] = 1;
         this->copy(source, place);
-        this->leave(place, distance, source, known);
+        this->leave(next, reach);
       }
     }
   }
 
 private:
-  using Step = std::tuple<double, int, int>; ///< distance in thicknesses, source, place
+  using Step = std::tuple<double, int, int>; ///< distance, source, place
 
   float value(int place) const
   {
@@ -93,22 +116,40 @@ private:
     return (at(corners[0]) + at(corners[1]) + at(corners[2])) / 3.0;
   }
 
-  void leave(int place, double distance, int source, const std::vector<char>& known)
+  void leave(const Step& from, Reach reach)
+  {
+    const auto [distance, source, place] = from;
+    const auto thickness = static_cast<double>(this->value(source));
+    const bool within = reach == Reach::Within;
+    const double unit = within ? std::pow(thickness, kPower) : thickness;
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    const double limit = within ? kWithin * thickness / unit : kInfinity;
+    const double longest = within && measured_[place] != 0 ? kStrip * thickness : kInfinity;
+    this->forEachNext(place,
+      [&](int to, double way, double beyond)
+      {
+        const double there = distance + (std::min(way, longest) + beyond) / unit;
+        if (known_[to] == 0 && there <= limit)
+        {
+          queue_.emplace(there, source, to);
+        }
+      });
+  }
+
+  /// Calls visit(place, way, beyond) for the places next to one. The way to them is in two parts,
+  /// of which the first ends at the edge of a triangle.
+  template <typename Visit>
+  void forEachNext(int place, const Visit& visit) const
   {
     const glm::dvec3 from = this->position(place);
-    const auto thickness = static_cast<double>(this->value(source));
-    const auto visit = [&](int to)
-    {
-      if (!known[to])
-      {
-        queue_.emplace(distance + glm::distance(from, this->position(to)) / thickness, source, to);
-      }
-    };
+    const auto visitAt = [&](int to) { visit(to, glm::distance(from, this->position(to)), 0.0); };
     if (place >= pointCount_)
     {
-      for (const int corner : mesh_.triangles[place - pointCount_])
+      const int triangle = place - pointCount_;
+      for (int i = 0; i < 3; ++i)
       {
-        visit(corner);
+        visitAt(mesh_.triangles[triangle][i]);
+        this->forEachAcross(triangle, connectivity_.triangleEdges[triangle][i], visit);
       }
       return;
     }
@@ -116,11 +157,38 @@ private:
     for (const int* edge = edges.begin(place); edge != edges.end(place); ++edge)
     {
       const std::array<int, 2>& ends = connectivity_.edges[*edge];
-      visit(ends[0] == place ? ends[1] : ends[0]);
+      visitAt(ends[0] == place ? ends[1] : ends[0]);
       const IncidenceLists& triangles = connectivity_.edgeTriangles;
       for (const int* t = triangles.begin(*edge); t != triangles.end(*edge); ++t)
       {
-        visit(pointCount_ + *t);
+        visitAt(pointCount_ + *t);
+      }
+    }
+  }
+
+  /// The same for the triangles beyond an edge. Where both its ends have a value these are nearer.
+  template <typename Visit>
+  void forEachAcross(int triangle, int edge, const Visit& visit) const
+  {
+    const std::array<int, 2>& ends = connectivity_.edges[edge];
+    if (measured_[ends[0]] != 0 && measured_[ends[1]] != 0)
+    {
+      return;
+    }
+    const glm::dvec3 start = this->position(ends[0]);
+    const glm::dvec3 along = this->position(ends[1]) - start;
+    const double size = glm::length(along);
+    const auto toEdge = [&](int t)
+    {
+      const glm::dvec3 way = this->position(pointCount_ + t) - start;
+      return size > 0.0 ? glm::length(glm::cross(way, along)) / size : glm::length(way);
+    };
+    const IncidenceLists& triangles = connectivity_.edgeTriangles;
+    for (const int* t = triangles.begin(edge); t != triangles.end(edge); ++t)
+    {
+      if (*t != triangle)
+      {
+        visit(pointCount_ + *t, toEdge(triangle), toEdge(*t));
       }
     }
   }
@@ -130,6 +198,8 @@ private:
   PlaceValues& points_;
   PlaceValues& triangles_;
   int pointCount_;
+  std::vector<char> known_;
+  std::vector<char> measured_; ///< the places that had a value before
   std::priority_queue<Step, std::vector<Step>, std::greater<>> queue_;
 };
 
@@ -138,7 +208,9 @@ private:
 void extendWalls(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
   const Checkpoint& checkpoint, PlaceValues& points, PlaceValues& triangles)
 {
-  Extension(mesh, connectivity, points, triangles).run(checkpoint);
+  Extension extension(mesh, connectivity, points, triangles);
+  extension.run(Extension::Reach::Within, checkpoint);
+  extension.run(Extension::Reach::All, checkpoint);
 }
 
 } // namespace medial

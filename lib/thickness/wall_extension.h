@@ -8,11 +8,12 @@
 namespace medial
 {
 
-/// Gives places without a value that of the nearest place with one, along the edges of the mesh and
-/// from the corners of triangles to their centres. Distances count in multiples of the thickness
-/// that is passed on: strips without a value are as wide as the wall beside them is thick. Of
-/// several at the same distance the first point, then the first triangle counts. Pieces of the mesh
-/// without any value stay as they are.
+/// Gives places without a value that of a wall nearby, along the edges of the mesh, from the
+/// corners of triangles to their centres, and from centre to centre. The strip without a value
+/// beside a wall is at most half as wide as the wall is thick, and half of its narrow side as wide
+/// again: what is within that belongs to the nearest such wall, all else to the one that is the
+/// fewest of its thicknesses away. Of several at the same distance the first point, then the first
+/// triangle counts. Pieces of the mesh without any value stay as they are.
 /// @param points, triangles values at points and at the centres of triangles.
 void extendWalls(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
   const Checkpoint& checkpoint, PlaceValues& points, PlaceValues& triangles);

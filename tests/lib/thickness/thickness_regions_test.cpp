@@ -193,6 +193,25 @@ TEST(ThicknessRegions, AThinPlateIsOneRegion)
   EXPECT_EQ(found[0].cells.size(), mesh.triangles.size());
 }
 
+// The narrow sides of a wall much thinner than triangles are small, flush with those of a block
+// whose own strip reaches there.
+TEST(ThicknessRegions, AThinWallOnABlockIsOneRegion)
+{
+  constexpr double kThin = 0.01;
+  const std::string wall = "....#....";
+  const std::string base = "#########";
+  TriangleMesh mesh = subdivided(blocks({ wall, wall, wall, base, base, base }, 6.0), 2);
+  for (Point3& x : mesh.points)
+  {
+    // Of the columns of blocks, that of the wall is as wide as it is thick.
+    x[0] = x[0] <= 3.5 ? x[0] : x[0] >= 4.5 ? x[0] - (1.0 - kThin) : 3.5 + kThin * (x[0] - 3.5);
+  }
+  const Regions found = Measured(mesh).thin(0.5);
+  ASSERT_EQ(found.size(), 1U) << textOf(found);
+  EXPECT_NEAR(found[0].value, kThin, 1e-6);
+  EXPECT_NEAR(found[0].area, 2 * 36.0 + kThin * (3.0 + 12.0 + 3.0), 0.03);
+}
+
 TEST(ThicknessRegions, APlaceIsWhereTheValueIs)
 {
   // A gap between plates that is narrowest at x = -1.
