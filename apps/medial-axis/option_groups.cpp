@@ -190,6 +190,7 @@ void addScanOptions(CLI::App& app, Options& options)
     .add_option("--label", options.scan.label,
       "take the boundary of the voxels with this value in a label image")
     ->option_text("N")
+    ->check(within<long long>("the labels of the image", [](long long) { return true; }))
     ->excludes(isovalue)
     ->group(group);
   app

@@ -42,7 +42,11 @@ std::string labelsOf(vtkImageData* image)
   std::set<double> labels;
   for (vtkIdType i = 0; i < values->GetNumberOfTuples() && labels.size() <= kMost; ++i)
   {
-    labels.insert(values->GetComponent(i, 0));
+    const double value = values->GetComponent(i, 0);
+    if (!std::isnan(value)) // which would have no place in the order
+    {
+      labels.insert(value);
+    }
   }
   std::string list;
   std::size_t listed = 0;
@@ -54,7 +58,15 @@ std::string labelsOf(vtkImageData* image)
     }
     list += (list.empty() ? "" : ", ") + roundedText(label);
   }
-  return list;
+  return list.empty() ? "none" : list;
+}
+
+// Whether voxels of an image can have a label. vtkImageThreshold takes the nearest one that they
+// can have instead.
+bool canHave(vtkImageData* image, long long label)
+{
+  const auto value = static_cast<double>(label);
+  return image->GetScalarTypeMin() <= value && value <= image->GetScalarTypeMax();
 }
 
 // Whether most voxels on the border of an image have values below a threshold.
@@ -194,8 +206,11 @@ vtkSmartPointer<vtkPolyData> extractSurface(const Scan& scan, const ScanSurface&
   vtkSmartPointer<vtkPolyData> surface;
   if (wanted.label)
   {
-    surface = contourOfLabel(scan.image, *wanted.label);
-    if (surface->GetNumberOfPolys() == 0)
+    if (canHave(scan.image, *wanted.label))
+    {
+      surface = contourOfLabel(scan.image, *wanted.label);
+    }
+    if (surface == nullptr || surface->GetNumberOfPolys() == 0)
     {
       refuseFile(path,
         "has no voxel with the label " + std::to_string(*wanted.label) +

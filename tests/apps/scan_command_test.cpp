@@ -80,6 +80,8 @@ TEST_F(ScanCommand, RefusesScansAndMeshesThatDoNotFitTheirOptions)
   expectRefusal({ "ball.nrrd", "--label", "2", "--field", "ball.nrrd" }, 2,
     "is the input file itself");
   expectRefusal({ "ball.nrrd", "--label", "5", "-o", "a.vtp" }, 3, "those that occur: 0, 2");
+  expectRefusal({ "ball.nrrd", "--label", "2.5", "-o", "a.vtp" }, 2,
+    "--label: 2.5 is not a whole number; allowed: the labels of the image");
   expectRefusal({ "ball.nrrd", "--isovalue", "5", "-o", "a.vtp" }, 3, "its values are in [0, 2]");
   expectRefusal({ "box.obj", "--field", "f.nrrd", "--field-arrays", "closest_cell" }, 2,
     "f.nrrd holds the distance alone");

@@ -48,6 +48,20 @@ ScanSurface ofLabel(long long label)
   return wanted;
 }
 
+void expectNoLabel(const Scan& scan, long long label, const std::string& words)
+{
+  try
+  {
+    extractSurface(scan, ofLabel(label), "a.nrrd");
+    ADD_FAILURE() << "no failure";
+  }
+  catch (const Failure& failure)
+  {
+    EXPECT_EQ(failure.what(),
+      "a.nrrd: has no voxel with the label " + std::to_string(label) + "; " + words);
+  }
+}
+
 ScanSurface ofValue(double value)
 {
   ScanSurface wanted;
@@ -327,16 +341,31 @@ TEST(ScanReader, RefusesDamagedVti)
 TEST(ScanSurface, LabelsThatDoNotOccurAreToldThoseThatDo)
 {
   const Scan scan = readText("a.nrrd", nrrdFile(ball(), "raw"));
-  try
+  expectNoLabel(scan, 4, "those that occur: 0, 3, 7");
+}
+
+// A voxel cannot have them; the nearest value that it can have is not meant.
+TEST(ScanSurface, LabelsBeyondTheTypeOfTheImageDoNotOccur)
+{
+  const LabelImage image([](double r) { return r < kRadius ? 32767 : r < 5.0 ? -32768 : 0; });
+  const Scan scan = readText("a.nrrd", nrrdFile(image, "raw"));
+  expectNoLabel(scan, 32768, "those that occur: -32768, 0, 32767");
+  expectNoLabel(scan, -32769, "those that occur: -32768, 0, 32767");
+}
+
+TEST(ScanSurface, LabelsThatOccurAreNumbers)
+{
+  Scan scan = readText("a.nrrd", nrrdFile(ball(), "raw"));
+  const vtkIdType voxels = scan.image->GetNumberOfPoints();
+  scan.image->AllocateScalars(VTK_FLOAT, 1);
+  vtkDataArray* values = scan.image->GetPointData()->GetScalars();
+  for (vtkIdType i = 0; i < voxels; ++i)
   {
-    extractSurface(scan, ofLabel(4), "a.nrrd");
-    ADD_FAILURE() << "no failure";
+    values->SetComponent(i, 0, i % 2 == 0 ? std::nan("") : 1.5 * (i % 3));
   }
-  catch (const Failure& failure)
-  {
-    EXPECT_EQ(failure.what(),
-      std::string("a.nrrd: has no voxel with the label 4; those that occur: 0, 3, 7"));
-  }
+  expectNoLabel(scan, 1, "those that occur: 0, 1.5, 3");
+  values->Fill(std::nan(""));
+  expectNoLabel(scan, 1, "those that occur: none");
 }
 
 TEST(ScanSurface, IsovaluesOutsideTheRangeAreToldIt)
