@@ -30,6 +30,7 @@ from ._mesh_file import VERSION as __version__
 from ._proximity import Contacts, Proximity, proximity
 from ._shape import (
     Curve,
+    DividedThickness,
     ThicknessRegion,
     curves,
     reconstruction,
@@ -59,6 +60,7 @@ __all__ = [
     "Curve",
     "DistanceField",
     "Distribution",
+    "DividedThickness",
     "Error",
     "InvalidInputError",
     "LocalThickness",

@@ -1,5 +1,6 @@
 """Numpy arrays over VTK's memory and the other way round."""
 
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -32,9 +33,33 @@ def point_coordinates(data: Any) -> NDArray[np.float64]:
 
 def add_point_data(data: Any, name: str, values: NDArray[Any]) -> None:
     """Adds an array to a data set; shares numpy's memory and keeps it alive."""
+    data.GetPointData().AddArray(_named(name, values))
+
+
+def add_cell_data(data: Any, name: str, values: NDArray[Any]) -> None:
+    """The same for its cells."""
+    data.GetCellData().AddArray(_named(name, values))
+
+
+def add_attributes(data: Any, attributes: Mapping[str, tuple[str, int]], owner: Any) -> None:
+    """Adds attributes of an object to a data set's points, by the names and numbers of components
+    that they have there.
+
+    Raises InvalidInputError where an array does not fit the points.
+    """
+    points = data.GetNumberOfPoints()
+    for attribute, (name, components) in attributes.items():
+        values = np.asarray(getattr(owner, attribute))
+        expected = (points,) if components == 1 else (points, components)
+        if values.shape != expected:
+            raise InvalidInputError(f"{attribute} has the shape {values.shape}, not {expected}")
+        add_point_data(data, name, values)
+
+
+def _named(name: str, values: NDArray[Any]) -> Any:
     array = numpy_to_vtk(np.ascontiguousarray(values))
     array.SetName(name)
-    data.GetPointData().AddArray(array)
+    return array
 
 
 def float_rows(values: Any, name: str, columns: int) -> NDArray[np.floating[Any]]:
@@ -95,6 +120,12 @@ def rows_to_cells(*blocks: NDArray[Any]) -> vtkCellArray:
     sizes = [np.full(len(block), block.shape[1]) for block in blocks]
     return to_cells(np.concatenate(sizes),
                     np.concatenate([np.ravel(block) for block in blocks]).astype(np.int64))
+
+
+def joined_cells(rows: Sequence[NDArray[Any]]) -> vtkCellArray:
+    """Cells over rows of corners, which may differ in length; copies them."""
+    return to_cells(np.array([len(row) for row in rows], np.int64),
+                    np.concatenate([np.empty(0, np.int64), *rows]))
 
 
 def cells_of_size(cells: vtkCellArray, size: int) -> NDArray[np.int64]:

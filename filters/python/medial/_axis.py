@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from ._arrays import (add_point_data, cells_of_size, figure, float_rows, index_rows,
+from ._arrays import (add_attributes, cells_of_size, figure, float_rows, index_rows,
                       point_coordinates, point_data, rows_to_cells, to_points)
 from ._errors import InvalidInputError
 from ._field import DistanceField, field_of
@@ -96,12 +96,7 @@ class MedialAxis:
         points = float_rows(self.points, "points", 3)
         axis = vtkPolyData()
         axis.SetPoints(to_points(points))
-        for attribute, (name, components) in _ARRAYS.items():
-            values = np.asarray(getattr(self, attribute))
-            expected = (len(points),) if components == 1 else (len(points), components)
-            if values.shape != expected:
-                raise InvalidInputError(f"{attribute} has the shape {values.shape}, not {expected}")
-            add_point_data(axis, name, values)
+        add_attributes(axis, _ARRAYS, self)
         axis.GetPointData().SetActiveScalars("Radius")
         cells = {name: index_rows(getattr(self, name), name, len(points)) for name in _CELLS}
         axis.SetVerts(rows_to_cells(cells["vertices"]))

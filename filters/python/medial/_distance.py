@@ -6,11 +6,21 @@ import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from ._arrays import figure, float_rows, point_data, to_points
+from ._arrays import add_attributes, figure, float_rows, point_data, rows_to_cells, to_points
 from ._mesh import is_whole, to_polydata
 from ._options import SIGNS, Sign, assign, assign_numbers, choice
 from ._update import Progress, run
 from .vtkMedialFilters import vtkMeshPointDistance
+
+# Attributes of PointDistances, and the point data arrays of vtkMeshPointDistance with their
+# components.
+_ARRAYS = {
+    "distance": ("Distance", 1),
+    "closest_point": ("ClosestPoint", 3),
+    "cell": ("ClosestCell", 1),
+    "feature": ("ClosestFeature", 1),
+    "direction": ("Direction", 3),
+}
 
 
 class PointDistances(NamedTuple):
@@ -29,6 +39,23 @@ class PointDistances(NamedTuple):
     """(n, 3) unit vectors from the points to their closest points; 0 on the surface."""
     sign: Sign
     """How inside was told from outside: "none", "pseudonormal" or "winding"."""
+    points: NDArray[np.floating[Any]]
+    """(n, 3) the points themselves, float32 or float64; the caller's array where it is one in C
+    order."""
+
+    def to_vtk(self) -> vtkPolyData:
+        """As VTK's mesh of the points, a vertex each, with the point data arrays of
+        vtkMeshPointDistance. Shares the memory of all arrays.
+
+        Raises InvalidInputError where arrays do not fit each other.
+        """
+        points = float_rows(self.points, "points", 3)
+        mesh = vtkPolyData()
+        mesh.SetPoints(to_points(points))
+        mesh.SetVerts(rows_to_cells(np.arange(len(points))[:, np.newaxis]))
+        add_attributes(mesh, _ARRAYS, self)
+        mesh.GetPointData().SetActiveScalars("Distance")
+        return mesh
 
 
 def distance(vertices: Any, faces: Any = None, points: Any = None, *, sign: Sign = "auto",
@@ -55,8 +82,9 @@ def distance(vertices: Any, faces: Any = None, points: Any = None, *, sign: Sign
         faces, points = None, faces
     if points is None:
         raise TypeError("points are missing: an (n, 3) array of coordinates is needed after the mesh")
+    rows = float_rows(points, "points", 3)
     targets = vtkPolyData()
-    targets.SetPoints(to_points(float_rows(points, "points", 3)))
+    targets.SetPoints(to_points(rows))
     algorithm = vtkMeshPointDistance()
     algorithm.SetInputDataObject(targets)
     algorithm.SetSurfaceData(to_polydata(vertices, faces))
@@ -65,9 +93,5 @@ def distance(vertices: Any, faces: Any = None, points: Any = None, *, sign: Sign
     run(algorithm, progress)
     output = algorithm.GetOutput()
     return PointDistances(
-        distance=point_data(output, "Distance"),
-        closest_point=point_data(output, "ClosestPoint"),
-        cell=point_data(output, "ClosestCell"),
-        feature=point_data(output, "ClosestFeature"),
-        direction=point_data(output, "Direction"),
-        sign=figure(output, "SignMethod").lower())
+        **{attribute: point_data(output, name) for attribute, (name, _) in _ARRAYS.items()},
+        sign=figure(output, "SignMethod").lower(), points=rows)

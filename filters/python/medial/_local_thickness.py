@@ -7,13 +7,16 @@ from typing import Any, Optional, Union
 import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData
 
-from ._arrays import point_data
+from ._arrays import add_point_data, point_data
 from ._mesh import to_polydata
 from ._options import (SIDES, Engine, Lengths, Side, Sign, assign, assign_grid, assign_numbers,
                        assign_run, choice)
 from ._update import Progress, run
 from .vtkMedialFilters import vtkMedialLocalThickness
+
+_ARRAY = "LocalThickness"
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -60,6 +63,19 @@ class LocalThickness:
     separation: Optional[Distribution] = None
     """Of the points outside, with side "exterior" and "both"."""
 
+    def to_vtk(self) -> vtkImageData:
+        """As VTK's image, with the point data array LocalThickness of vtkMedialLocalThickness.
+
+        An array that comes from this package is not copied.
+        """
+        image = vtkImageData()
+        image.SetOrigin(*self.origin)
+        image.SetSpacing(*self.spacing)
+        image.SetDimensions(*self.values.shape)
+        add_point_data(image, _ARRAY, self.values.ravel(order="F"))
+        image.GetPointData().SetActiveScalars(_ARRAY)
+        return image
+
     def __repr__(self) -> str:
         size = " x ".join(str(count) for count in self.values.shape)
         return f"<LocalThickness of {size} grid points>"
@@ -102,7 +118,7 @@ def local_thickness(
     run(algorithm, progress)
     image = algorithm.GetOutput()
     return LocalThickness(
-        values=point_data(image, "LocalThickness").reshape(image.GetDimensions(), order="F"),
+        values=point_data(image, _ARRAY).reshape(image.GetDimensions(), order="F"),
         origin=np.array(image.GetOrigin()), spacing=np.array(image.GetSpacing()),
         thickness=_distribution(image, "Thickness"), separation=_distribution(image, "Separation"))
 

@@ -1,6 +1,7 @@
 """Meshes as they come in and go out."""
 
 import math
+import os
 from os import PathLike
 from typing import Any, NamedTuple, Union
 
@@ -9,8 +10,9 @@ from numpy.typing import NDArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 from ._arrays import float_rows, index_rows, rows_to_cells, to_cells, to_points
-from ._errors import InvalidInputError
+from ._errors import Error, InvalidInputError
 from ._mesh_file import read
+from ._vtk_file import READERS, extension_of, read_by_vtk
 
 _WHOLE_MESH = "pass a mesh of pyvista or VTK itself, in place of vertices and faces"
 
@@ -29,24 +31,33 @@ class Surface(NamedTuple):
 
 
 def read_mesh(path: Union[str, PathLike[str]]) -> Surface:
-    """Reads a mesh from a file: .obj, .ply, .off or .vtk (VTK's legacy format).
+    """Reads a mesh from a file: .stl, .obj, .ply, .off, .vtp or .vtk (VTK's legacy format).
 
     A file that was cut short, or contradicts itself, is refused; it is never read in part. Points
     at the same place become one, polygons become triangles, and points and lines between them are
-    left out. VTK's readers read other formats, such as .stl and .vtp.
+    left out. Of .vtp files, which VTK's reader reads, only those that were cut short are sure to be
+    refused: some with other damage are misread.
 
     path: name of the file.
 
     Raises InvalidInputError where the file cannot be read, or has no faces.
     """
+    name = os.fsdecode(path)
+    # The library tells what is no file.
+    by_vtk = extension_of(name) in READERS and os.path.isfile(name)
     try:
-        points, triangles = read(path)
+        points, triangles = read_by_vtk(name) if by_vtk else read(name)
+    except OSError as error:
+        raise InvalidInputError(f"{name}: {error.strerror}") from None
+    except Error as error:
+        raise InvalidInputError(f"{name}: {error}") from None
     except ValueError as error:
-        raise InvalidInputError(str(error)) from None
+        allowed = " ".join(["allowed:", *READERS, ""])
+        raise InvalidInputError(str(error).replace("allowed: ", allowed)) from None
     surface = Surface(np.frombuffer(points).reshape(-1, 3).copy(),
                       np.frombuffer(triangles, np.int32).reshape(-1, 3).astype(np.int64))
     if len(surface.faces) == 0:
-        raise InvalidInputError(f"{path}: the mesh has no faces")
+        raise InvalidInputError(f"{name}: the mesh has no faces")
     return surface
 
 

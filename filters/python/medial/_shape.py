@@ -1,16 +1,17 @@
 """Thickness of meshes; what medial axes describe, and the curves in them."""
 
-from typing import Any, Literal, NamedTuple, Optional, Union
+from typing import Any, Literal, NamedTuple, Optional, Union, overload
 
 import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from ._arrays import add_point_data, cells_of_size, point_coordinates, point_data, ragged_rows
+from ._arrays import (add_cell_data, add_point_data, cells_of_size, point_coordinates, point_data,
+                      ragged_rows)
 from ._axis import MedialAxis
 from ._errors import InvalidInputError
-from ._mesh import Surface, to_polydata
+from ._mesh import Surface, length, to_polydata
 from ._options import (SIDES, THICKNESS_METHODS, Side, ThicknessMethod, assign, assign_numbers,
                        choice)
 from ._update import Progress, run
@@ -23,14 +24,60 @@ CurveKind = Literal["rim", "seam", "curve"]
 _KINDS: dict[int, CurveKind] = {1: "rim", 2: "seam", 4: "curve"}
 _POINT_INDEX = "MedialPointIndex"
 
+_NO_EDGE_IS_LONGER = 4e18  # since no coordinate is beyond 1e18
 
-def thickness(vertices: Any, faces: Any = None, *, method: ThicknessMethod = "ball",
-              angle: float = 60.0, side: Side = "interior", at_faces: bool = False,
-              threads: int = 0, progress: Optional[Progress] = None) -> NDArray[np.float32]:
+
+class DividedThickness(NamedTuple):
+    """Wall thickness of a mesh whose triangles were divided into m triangles with n vertices."""
+
+    vertices: NDArray[np.float64]
+    """(n, 3) coordinates in world units."""
+    faces: NDArray[np.int64]
+    """(m, 3) indices of vertices."""
+    thickness: NDArray[np.float32]
+    """(n,) values at the vertices, or with at_faces (m,) values at the faces, in world units."""
+    cell: NDArray[np.int64]
+    """(m,) indices of the faces that these are parts of; cell ids of a vtkPolyData."""
+    at_faces: bool
+    """Whether the values are those at the faces."""
+
+    def to_vtk(self) -> vtkPolyData:
+        """As VTK's mesh, with the arrays Thickness and InputCell of vtkMedialThickness. Shares the
+        memory of all arrays but the faces."""
+        mesh = to_polydata(self.vertices, self.faces)
+        add_cell_data(mesh, "InputCell", self.cell)
+        add = add_cell_data if self.at_faces else add_point_data
+        add(mesh, "Thickness", self.thickness)
+        data = mesh.GetCellData() if self.at_faces else mesh.GetPointData()
+        data.SetActiveScalars("Thickness")
+        return mesh
+
+
+@overload
+def thickness(vertices: Any, faces: Any = None, *, max_edge: None = None,
+              method: ThicknessMethod = "ball", angle: float = 60.0, side: Side = "interior",
+              at_faces: bool = False, threads: int = 0,
+              progress: Optional[Progress] = None) -> NDArray[np.float32]: ...
+
+
+@overload
+def thickness(vertices: Any, faces: Any = None, *, max_edge: Union[float, str],
+              method: ThicknessMethod = "ball", angle: float = 60.0, side: Side = "interior",
+              at_faces: bool = False, threads: int = 0,
+              progress: Optional[Progress] = None) -> DividedThickness: ...
+
+
+def thickness(vertices: Any, faces: Any = None, *, max_edge: Union[float, str, None] = None,
+              method: ThicknessMethod = "ball", angle: float = 60.0, side: Side = "interior",
+              at_faces: bool = False, threads: int = 0, progress: Optional[Progress] = None,
+              ) -> Union[NDArray[np.float32], DividedThickness]:
     """Wall thickness at the vertices of a mesh, exact and without a grid.
 
     vertices, faces: the mesh, as for distance_field(). Inside is behind the faces, also of an open
         mesh.
+    max_edge: divide triangles until no edge is longer than this, in world units or as "L%" of the
+        diagonal of the mesh's bounds; smaller thin places may be missed. 0 divides none. The result
+        is then a DividedThickness, since it belongs to the divided mesh; with None it is an array.
     method: "ball", twice the radius of the medial ball that touches the place, 0 on convex edges;
         "ray", the distance along the inward normal to the opposite surface; "wall", the diameter of
         the ball that also touches the opposite wall, with a separation angle of at least 120; near
@@ -46,24 +93,36 @@ def thickness(vertices: Any, faces: Any = None, *, method: ThicknessMethod = "ba
     progress: as for distance_field().
 
     Returns the (n,) diameters of the largest medial balls that touch the vertices, in world units;
-    0 on convex edges that bend by angle or more, NaN where there is no ball; or what method and
-    at_faces say instead. Raises what distance_field() raises, but needs no OpenGL.
+    0 on convex edges that bend by angle or more, NaN where there is no ball; or what method,
+    at_faces and max_edge say instead. Raises what distance_field() raises, but needs no OpenGL.
 
     >>> vertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, -0.5], [0, 1, -0.5], [1, 0, -0.5]]
     >>> thickness(vertices, [[0, 1, 2], [3, 4, 5]])  # two plates that face away from each other
     array([0.5, 0.5, 0.5, 0.5, 0.5, 0.5], dtype=float32)
+    >>> thickness(vertices, [[0, 1, 2], [3, 4, 5]], max_edge=1.2).cell  # each is halved
+    array([0, 0, 1, 1])
     """
     algorithm = vtkMedialThickness()
-    algorithm.SetInputData(to_polydata(vertices, faces))
+    mesh = to_polydata(vertices, faces)
+    algorithm.SetInputData(mesh)
     assign_numbers(algorithm, angle=angle, threads=threads)
+    if max_edge is not None:
+        longest = length("max_edge", max_edge, mesh)
+        assign_numbers(algorithm, max_edge=_NO_EDGE_IS_LONGER if longest == 0 else longest)
     assign(algorithm, Side=choice("side", side, SIDES), CellValues=bool(at_faces),
            Method=choice("method", method, THICKNESS_METHODS))
     run(algorithm, progress)
     output = algorithm.GetOutput()
-    if at_faces:
-        values: NDArray[np.float32] = vtk_to_numpy(output.GetCellData().GetArray("Thickness"))
+    cells = output.GetCellData()
+    values: NDArray[np.float32] = (
+        vtk_to_numpy(cells.GetArray("Thickness")) if at_faces else point_data(output, "Thickness"))
+    if max_edge is None:
         return values
-    return point_data(output, "Thickness")
+    triangles = cells_of_size(output.GetPolys(), 3)
+    first = output.GetNumberOfCells() - len(triangles)  # after vertices and lines
+    return DividedThickness(
+        point_coordinates(output), triangles, values[first:] if at_faces else values,
+        vtk_to_numpy(cells.GetArray("InputCell"))[first:], bool(at_faces))
 
 
 class ThicknessRegion(NamedTuple):
@@ -85,19 +144,22 @@ class ThicknessRegion(NamedTuple):
     """Ids of the faces that the region has a part of, ascending."""
 
 
-def thickness_regions(vertices: Any, faces: Any = None, *, min_thickness: float = 0.0,
-                      max_thickness: float = 0.0, max_edge: Optional[float] = None,
+def thickness_regions(vertices: Any, faces: Any = None, *,
+                      min_thickness: Union[float, str] = 0.0,
+                      max_thickness: Union[float, str] = 0.0,
+                      max_edge: Union[float, str, None] = None,
                       method: ThicknessMethod = "wall", angle: float = 60.0,
                       side: Side = "interior", threads: int = 0,
                       progress: Optional[Progress] = None) -> list[ThicknessRegion]:
     """Where a solid is too thin or too thick. Convex edges and corners do not count.
 
     vertices, faces: the mesh, as for distance_field(). It needs an inside, unless side is "both".
-    min_thickness: find regions that are thinner than this, in world units; 0 for no such limit.
+    min_thickness: find regions that are thinner than this, in world units or as "T%" of the
+        diagonal of the mesh's bounds; 0 for no such limit.
     max_thickness: the same for regions that are thicker than this, above min_thickness; 0 for no
         such limit.
-    max_edge: divide triangles until no edge is longer than this, in world units; smaller regions
-        may be missed. 0 divides none; None for 2 % of the diagonal of the mesh's bounds.
+    max_edge: divide triangles until no edge is longer than this, in world units or as "L%" of the
+        diagonal; smaller regions may be missed. 0 divides none; None stands for "2%".
     method, angle, side: as for thickness().
     threads: number of CPU threads to use, in [0, 1024]; 0 for all cores.
     progress: as for distance_field().
@@ -114,10 +176,10 @@ def thickness_regions(vertices: Any, faces: Any = None, *, min_thickness: float 
     algorithm = vtkMedialThickness()
     mesh = to_polydata(vertices, faces)
     algorithm.SetInputData(mesh)
-    if max_edge is None:
-        max_edge = 0.02 * mesh.GetLength()
-    assign_numbers(algorithm, angle=angle, threads=threads, max_edge=max_edge,
-                   min_thickness=min_thickness, max_thickness=max_thickness)
+    lengths = {"max_edge": "2%" if max_edge is None else max_edge,
+               "min_thickness": min_thickness, "max_thickness": max_thickness}
+    assign_numbers(algorithm, angle=angle, threads=threads, **{
+        name: length(name, value, mesh) for name, value in lengths.items()})
     assign(algorithm, Side=choice("side", side, SIDES),
            Method=choice("method", method, THICKNESS_METHODS))
     if algorithm.GetMinimumThickness() == 0 == algorithm.GetMaximumThickness():

@@ -7,8 +7,10 @@ from typing import Any, Literal, NamedTuple, Optional, Union
 import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from ._arrays import point_coordinates, point_data, ragged_rows
+from ._arrays import (add_attributes, add_cell_data, float_rows, index_rows, joined_cells,
+                      point_coordinates, point_data, ragged_rows, to_points)
 from ._mesh import length, to_polydata
 from ._options import (Engine, Lengths, Sign, assign, assign_grid, assign_numbers, assign_run)
 from ._update import Progress, run
@@ -16,6 +18,21 @@ from .vtkMedialFilters import vtkMedialSkeleton
 
 BranchKind = Literal["end-junction", "junction-junction", "closed", "isolated"]
 _KINDS: tuple[BranchKind, ...] = ("end-junction", "junction-junction", "closed", "isolated")
+
+# Attributes of Skeleton, and the point data arrays of vtkMedialSkeleton with their components.
+_ARRAYS = {
+    "radius": ("Radius", 1),
+    "arc_length": ("ArcLength", 1),
+    "degree": ("Degree", 1),
+    "tangent": ("Tangent", 3),
+}
+# Attributes of Branch, and the cell data arrays.
+_FIGURES = {
+    "length": "Length",
+    "mean_radius": "MeanRadius",
+    "min_radius": "MinRadius",
+    "max_radius": "MaxRadius",
+}
 
 
 class Branch(NamedTuple):
@@ -52,6 +69,33 @@ class Skeleton:
     """(n, 3) unit vectors along the branch; zero at junctions."""
     branches: list[Branch]
     """The longest first."""
+
+    def to_vtk(self) -> vtkPolyData:
+        """As VTK's mesh of polylines, with the point and cell data arrays of vtkMedialSkeleton;
+        branches of a single point are vertices. Shares the memory of points and their attributes;
+        copies branches.
+
+        Raises InvalidInputError where arrays do not fit each other.
+        """
+        points = float_rows(self.points, "points", 3)
+        network = vtkPolyData()
+        network.SetPoints(to_points(points))
+        add_attributes(network, _ARRAYS, self)
+        network.GetPointData().SetActiveScalars("Radius")
+        # VTK numbers vertices before lines.
+        order = sorted(range(len(self.branches)), key=lambda i: len(self.branches[i].indices) > 1)
+        branches = [self.branches[i] for i in order]
+        rows = [index_rows(np.reshape(branch.indices, (-1, 1)), "branches", len(points))[:, 0]
+                for branch in branches]
+        network.SetVerts(joined_cells([row for row in rows if len(row) == 1]))
+        network.SetLines(joined_cells([row for row in rows if len(row) > 1]))
+        add_cell_data(network, "BranchId", np.array(order, np.int32))
+        add_cell_data(network, "Kind",
+                      np.array([_KINDS.index(branch.kind) for branch in branches], np.uint8))
+        for attribute, name in _FIGURES.items():
+            add_cell_data(network, name, np.array(
+                [getattr(branch, attribute) for branch in branches], np.float64))
+        return network
 
     def __repr__(self) -> str:
         junctions = int((self.degree > 2).sum())
@@ -107,9 +151,8 @@ def skeleton(
     run(algorithm, progress)
     output = algorithm.GetOutput()
     return Skeleton(
-        points=point_coordinates(output), radius=point_data(output, "Radius"),
-        arc_length=point_data(output, "ArcLength"), degree=point_data(output, "Degree"),
-        tangent=point_data(output, "Tangent"), branches=_branches_of(output))
+        **{attribute: point_data(output, name) for attribute, (name, _) in _ARRAYS.items()},
+        points=point_coordinates(output), branches=_branches_of(output))
 
 
 def _branches_of(output: Any) -> list[Branch]:
@@ -118,7 +161,7 @@ def _branches_of(output: Any) -> list[Branch]:
             if cells.GetNumberOfCells() > 0 for row in ragged_rows(cells)]
     data = output.GetCellData()
     ids, kinds, *figures = (vtk_to_numpy(data.GetArray(name)) for name in (
-        "BranchId", "Kind", "Length", "MeanRadius", "MinRadius", "MaxRadius"))
+        "BranchId", "Kind", *_FIGURES.values()))
     return [Branch(_KINDS[kinds[cell]], rows[cell].astype(np.int64),
                    *(float(values[cell]) for values in figures))
             for cell in np.argsort(ids)]

@@ -1,13 +1,20 @@
 """Executing filters."""
 
+import re
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import Any, Optional
+
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkExecutive
 
 from ._errors import error_class
 from ._execution import update as execute
 
 Progress = Callable[[float, str], object]
+
+# VTK's message where a filter fails without one: the request follows, with addresses and times.
+_MUTE_FAILURE = re.compile(r"Algorithm (\w+)\(\w+\) returned failure for request: .*", re.DOTALL)
 
 
 def update(algorithm: Any, progress: Optional[Progress] = None) -> None:
@@ -23,14 +30,65 @@ def update(algorithm: Any, progress: Optional[Progress] = None) -> None:
     Raises Error or a subclass with the messages of all filters that failed, KeyboardInterrupt after
     Ctrl-C (in the main thread), and TypeError where algorithm is no vtkAlgorithm. Warns
     (UserWarning) with the warnings of the filters.
+
+    What failed or was stopped is executed again by the next update, even if nothing was changed,
+    and raises the same again until its cause is gone. This also holds for VTK's readers, which by
+    themselves would then pass on what they have of an output. A failure in VTK's own Update() is
+    not known here: VTK may crash in the next update of that pipeline, by whichever function, unless
+    Modified() of what failed is called before.
     """
     run(algorithm, progress)
 
 
 def run(algorithm: Any, progress: Optional[Progress]) -> None:
     """As update(), for functions of this package: warnings name the line that called them."""
-    messages, notes = execute(algorithm, progress)
+    messages: list[str] = []
+    with _failures_executed_again(algorithm, messages):
+        errors, notes = execute(algorithm, progress)
+        messages += [_MUTE_FAILURE.sub(r"\1 failed without an error message", text)
+                     for text in errors]
     for note in notes:
         warnings.warn(note, stacklevel=3)
     if messages:
         raise error_class(algorithm.GetErrorCode())("; ".join(messages))
+
+
+@contextmanager
+def _failures_executed_again(algorithm: Any, messages: list[str]) -> Iterator[None]:
+    """Lets algorithms that fail meanwhile, if there are messages, or are stopped by an exception,
+    not count as up to date. To VTK they are, with whatever their outputs have by then."""
+    sources = _pipeline_of(algorithm)
+    failed: dict[Any, str] = {}
+    # Built in, so that no Ctrl-C arrives within it: VTK would end the process.
+    observer = failed.setdefault
+    observed = [(source, source.AddObserver("ErrorEvent", observer))
+                for one in sources for source in (one, one.GetExecutive())]
+    stopped: list[Any] = []
+    try:
+        yield
+    except BaseException:
+        stopped = [one for one in sources if one.GetAbortExecute()] or sources
+        raise
+    finally:
+        for source, tag in observed:
+            source.RemoveObserver(tag)
+        if messages:
+            # One that threw an exception has told nobody.
+            stopped = [source.GetAlgorithm() if isinstance(source, vtkExecutive) else source
+                       for source in failed] or sources
+        for one in stopped:
+            one.Modified()
+
+
+def _pipeline_of(algorithm: Any) -> list[vtkAlgorithm]:
+    """The algorithm and all before it; none if it is no algorithm."""
+    found: list[vtkAlgorithm] = []
+    waiting = [algorithm]
+    while waiting:
+        one = waiting.pop()
+        if isinstance(one, vtkAlgorithm) and one not in found:
+            found.append(one)
+            waiting += [one.GetInputAlgorithm(port, i)
+                        for port in range(one.GetNumberOfInputPorts())
+                        for i in range(one.GetNumberOfInputConnections(port))]
+    return found

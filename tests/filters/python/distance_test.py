@@ -6,6 +6,8 @@ import unittest
 import medial
 import numpy as np
 import shapes
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
 
 def random_points(count=500, seed=1):
     return np.random.default_rng(seed).uniform(-2, 2, (count, 3))
@@ -45,6 +47,29 @@ class Distance(unittest.TestCase):
         for whole in (mesh, mesh.to_vtk()):
             found = medial.distance(whole, points=[[0, 0, 0]])
             self.assertAlmostEqual(found.distance[0], -0.5)
+
+    def test_to_vtk(self):
+        points = random_points(20).astype(np.float32)
+        found = medial.distance(*shapes.box(), points)
+        np.testing.assert_array_equal(found.points, points)
+        mesh = found.to_vtk()
+        self.assertEqual((mesh.GetNumberOfPoints(), mesh.GetNumberOfVerts()), (20, 20))
+        algorithm = medial.vtkMeshPointDistance()
+        algorithm.SetInputDataObject(mesh)
+        algorithm.SetSurfaceData(medial.Surface(*shapes.box()).to_vtk())
+        algorithm.Update()
+        expected = algorithm.GetOutput().GetPointData()
+        data = mesh.GetPointData()
+        self.assertEqual(data.GetNumberOfArrays(), expected.GetNumberOfArrays())
+        for i in range(expected.GetNumberOfArrays()):
+            name = expected.GetArrayName(i)
+            np.testing.assert_array_equal(vtk_to_numpy(data.GetArray(name)),
+                                          vtk_to_numpy(expected.GetArray(name)))
+        self.assertEqual(data.GetScalars().GetName(), "Distance")
+        empty = medial.distance(*shapes.box(), np.empty((0, 3))).to_vtk()
+        self.assertEqual(empty.GetNumberOfPoints(), 0)
+        with self.assertRaisesRegex(medial.InvalidInputError, r"cell has the shape \(1,\)"):
+            found._replace(cell=found.cell[:1]).to_vtk()
 
     def test_sign(self):
         found = medial.distance(*shapes.box(), [[0, 0, 0]], sign="none")

@@ -14,6 +14,7 @@ import numpy as np
 import shapes
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkElevationFilter
 from vtkmodules.vtkFiltersSources import vtkCubeSource
 
 # Seconds from Ctrl-C to the exception, on a machine that is busy with other things too. It takes 0.3 at
@@ -237,6 +238,34 @@ class Pipelines(unittest.TestCase):
             axis.SetResolution(17)
             medial.update(axis)
             self.assertGreater(axis.GetOutput().GetNumberOfPoints(), 0)
+
+    def test_what_was_stopped_is_executed_again(self):
+        def progress(_fraction, _phase):
+            raise Interrupted
+
+        elevation = vtkElevationFilter()
+        elevation.SetInputData(medial.Surface(*shapes.ball(4)).to_vtk())
+        for _ in range(3):
+            with self.assertRaises(Interrupted):
+                medial.update(elevation, progress)
+        medial.update(elevation)
+        self.assertIsNotNone(elevation.GetOutput().GetPointData().GetArray("Elevation"))
+
+    def test_only_what_failed_is_executed_again(self):
+        cube = vtkCubeSource()
+        executions = []
+        cube.AddObserver("StartEvent", lambda _caller, _event: executions.append("cube"))
+        axis = medial.vtkMedialAxis()
+        axis.SetInputConnection(cube.GetOutputPort())
+        axis.SetResolution(17)
+        axis.SetAngle(200)
+        for _ in range(2):
+            with self.assertRaisesRegex(medial.Error, "angle 200"):
+                medial.update(axis)
+        axis.SetAngle(60)
+        medial.update(axis)
+        self.assertEqual(len(executions), 1)
+        self.assertFalse(cube.HasObserver("ErrorEvent"))
 
     def test_cause_is_told_where_an_earlier_filter_fails(self):
         axis = medial.vtkMedialAxis()

@@ -278,6 +278,54 @@ class Processes(unittest.TestCase):
             """)
         self.assertRegex(output, "hardware: .|a hardware renderer is required, but")
 
+    def test_readers_of_vtk_that_fail_again(self):
+        # VTK would take what they have of an output for the whole, and crash.
+        output = self.run_script("""
+            import os, tempfile, warnings
+            import medial, shapes
+            from vtkmodules.vtkFiltersCore import vtkContourFilter
+            from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader, vtkSTLWriter
+            from vtkmodules.vtkIOImage import vtkMetaImageReader, vtkNIFTIImageReader, vtkNrrdReader
+            from vtkmodules.vtkIOPLY import vtkPLYReader
+            from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLPolyDataReader
+
+            def failure(algorithm):
+                try:
+                    medial.update(algorithm)
+                except medial.Error as error:
+                    return type(error).__name__, str(error)
+
+            warnings.simplefilter("ignore")
+            images = vtkNrrdReader, vtkNIFTIImageReader, vtkXMLImageDataReader, vtkMetaImageReader
+            meshes = vtkSTLReader, vtkOBJReader, vtkPLYReader, vtkXMLPolyDataReader
+            for readers, consumer in (images, vtkContourFilter), (meshes, medial.vtkMedialThickness):
+                for make in readers:
+                    reader = make()
+                    reader.SetFileName("absent")
+                    other, last = consumer(), consumer()
+                    for one in other, last:
+                        one.SetInputConnection(reader.GetOutputPort())
+                    failures = {failure(one) for one in (other, last, last, last)}
+                    assert len(failures) == 1 and None not in failures, failures
+                    if make == vtkPLYReader:
+                        print(*failures)
+
+            with tempfile.TemporaryDirectory() as folder:
+                path = os.path.join(folder, "part.stl")
+                reader, thickness = vtkSTLReader(), medial.vtkMedialThickness()
+                reader.SetFileName(path)
+                thickness.SetInputConnection(reader.GetOutputPort())
+                print(failure(thickness)[1] == f"File {path} not found")
+                writer = vtkSTLWriter()
+                writer.SetInputData(medial.Surface(*shapes.ball(1)).to_vtk())
+                writer.SetFileName(path)
+                medial.update(writer)
+                medial.update(thickness)
+                print(thickness.GetOutput().GetNumberOfPoints())
+            """)
+        self.assertEqual(
+            output, "('Error', 'vtkPLYReader failed without an error message')\nTrue\n18\n")
+
     def test_errors_are_exceptions_and_nothing_else(self):
         self.run_script("""
             import medial, shapes

@@ -108,7 +108,7 @@ class Wording(unittest.TestCase):
     def test_attributes_are_documented(self):
         for class_ in (medial.DistanceField, medial.MedialAxis, medial.Surface, medial.Curve,
                        medial.Proximity, medial.Contacts, medial.LocalThickness, medial.Distribution, medial.Skeleton, medial.Branch,
-                       medial.ThicknessRegion):
+                       medial.ThicknessRegion, medial.DividedThickness, medial.PointDistances):
             source = inspect.getsource(class_)
             for name in class_.__annotations__:
                 with self.subTest(class_=class_.__name__, attribute=name):

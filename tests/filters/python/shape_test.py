@@ -6,6 +6,8 @@ import unittest
 import medial
 import numpy as np
 import shapes
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkCellArray
 
 
 class Skeleton(unittest.TestCase):
@@ -49,6 +51,38 @@ class Skeleton(unittest.TestCase):
             with self.assertRaisesRegex(TypeError, "resolution 'auto' is not an integer"):
                 function(vertices, quads, resolution="auto")
 
+    def test_to_vtk(self):
+        # A beam and a ball beside it, which is a branch of a single point.
+        vertices, quads = shapes.box(np.array([2.0, 0.25, 0.25]))
+        ball, triangles = shapes.ball(2, radius=0.5)
+        faces = [*quads.tolist(), *(triangles + len(vertices)).tolist()]
+        mesh = medial.Surface(np.concatenate([vertices, ball + [0, 2, 0]]), faces)
+        network = medial.skeleton(mesh, resolution=64)
+        self.assertEqual([len(branch.indices) > 1 for branch in network.branches], [True, False])
+        algorithm = medial.vtkMedialSkeleton()
+        algorithm.SetInputData(mesh.to_vtk())
+        algorithm.SetResolution(64)
+        algorithm.Update()
+        made, expected = network.to_vtk(), algorithm.GetOutput()
+        for got, wanted in ((made.GetPointData(), expected.GetPointData()),
+                            (made.GetCellData(), expected.GetCellData())):
+            self.assertEqual(got.GetNumberOfArrays(), wanted.GetNumberOfArrays())
+            for i in range(wanted.GetNumberOfArrays()):
+                name = wanted.GetArrayName(i)
+                of_both = [vtk_to_numpy(data.GetArray(name)) for data in (got, wanted)]
+                np.testing.assert_array_equal(*of_both, err_msg=name)
+                self.assertEqual(of_both[0].dtype, of_both[1].dtype, name)
+        self.assertEqual(made.GetPointData().GetScalars().GetName(), "Radius")
+        for cells in ("GetVerts", "GetLines"):
+            np.testing.assert_array_equal(*(
+                vtk_to_numpy(getattr(one, cells)().GetConnectivityArray())
+                for one in (made, expected)))
+        wrong = network.branches[0]._replace(indices=np.array([0, len(network.points)]))
+        with self.assertRaisesRegex(medial.InvalidInputError, "branches name the vertex"):
+            dataclasses.replace(network, branches=[wrong]).to_vtk()
+        with self.assertRaisesRegex(medial.InvalidInputError, "radius has the shape"):
+            dataclasses.replace(network, radius=network.radius[1:]).to_vtk()
+
     def test_without_an_inside_is_refused(self):
         vertices, quads = shapes.box()
         with self.assertRaisesRegex(medial.InvalidInputError, "inside from outside"):
@@ -77,6 +111,18 @@ class LocalThickness(unittest.TestCase):
         self.assertEqual(thickness.histogram.sum(), thickness.points)
         counts, _ = np.histogram(plate.values[inside], thickness.edges)
         self.assertLessEqual(np.abs(counts - thickness.histogram).sum(), 0.01 * thickness.points)
+
+    def test_to_vtk(self):
+        plate = medial.local_thickness(*shapes.box(), resolution=16)
+        image = plate.to_vtk()
+        self.assertEqual(image.GetDimensions(), plate.values.shape)
+        np.testing.assert_array_equal(image.GetOrigin(), plate.origin)
+        np.testing.assert_array_equal(image.GetSpacing(), plate.spacing)
+        scalars = image.GetPointData().GetScalars()
+        self.assertEqual(scalars.GetName(), "LocalThickness")
+        np.testing.assert_array_equal(
+            vtk_to_numpy(scalars).reshape(plate.values.shape, order="F"), plate.values)
+        self.assertTrue(np.shares_memory(vtk_to_numpy(scalars), plate.values))
 
     def test_both_sides(self):
         ball = medial.local_thickness(*shapes.ball(3), side="both", resolution=32)
@@ -134,6 +180,71 @@ class Thickness(unittest.TestCase):
         np.testing.assert_allclose(sorted(rays), [1, 1, 2, 2, 4, 4], rtol=1e-5)
         with self.assertRaisesRegex(medial.InvalidInputError, "rod"):
             medial.thickness(vertices, quads, method="rod")
+
+    def test_of_a_divided_mesh(self):
+        vertices, quads = shapes.box(np.array([2.0, 1.0, 0.5]))
+        for at_faces in (False, True):
+            found = medial.thickness(vertices, quads, method="wall", max_edge=0.5, at_faces=at_faces)
+            corners = found.vertices[found.faces]
+            edges = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2)
+            self.assertLessEqual(edges.max(), 0.5)
+            self.assertAlmostEqual(shapes.area(found.vertices, found.faces), 28.0)
+            self.assertEqual(found.thickness.shape,
+                             (len(found.faces if at_faces else found.vertices),))
+            np.testing.assert_allclose(found.thickness, 1.0, rtol=1e-5)
+            np.testing.assert_array_equal(np.unique(found.cell), np.arange(6))
+            outwards = vertices[quads[found.cell]].mean(axis=1)
+            np.testing.assert_allclose(((corners.mean(axis=1) - outwards) * outwards).sum(axis=1),
+                                       0.0, atol=1e-12)
+            mesh = found.to_vtk()
+            data = mesh.GetCellData() if at_faces else mesh.GetPointData()
+            np.testing.assert_array_equal(vtk_to_numpy(data.GetScalars()), found.thickness)
+            np.testing.assert_array_equal(
+                vtk_to_numpy(mesh.GetCellData().GetArray("InputCell")), found.cell)
+        # Inside the faces the ball method has values as well.
+        self.assertGreater(medial.thickness(vertices, quads, max_edge="10%").thickness.max(), 0.9)
+
+    def test_limits_of_edges(self):
+        tetrahedron = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
+        faces = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]
+        undivided = medial.thickness(tetrahedron, faces, max_edge=0, at_faces=True)
+        self.assertEqual((len(undivided.vertices), len(undivided.faces)), (4, 4))
+        np.testing.assert_array_equal(
+            undivided.thickness, medial.thickness(tetrahedron, faces, at_faces=True))
+        self.assertEqual(undivided.to_vtk().GetCellData().GetScalars().GetName(), "Thickness")
+        halved = medial.thickness(tetrahedron, faces, max_edge=f"{100 / 3 ** 0.5 + 1}%")
+        self.assertEqual(len(halved.vertices), 7)  # the three edges of root 2 are longer
+        for value, message in ((-1, "edge length -1"), ("x%", "max_edge 'x%' is not a length")):
+            with self.assertRaisesRegex(medial.InvalidInputError, message):
+                medial.thickness(tetrahedron, faces, max_edge=value)
+        with self.assertRaisesRegex(TypeError, "max_edge '2' is not a number"):
+            medial.thickness(tetrahedron, faces, max_edge="2")
+
+    def test_lines_of_a_divided_mesh(self):
+        mesh = medial.Surface(*shapes.box()).to_vtk()
+        lines = vtkCellArray()
+        lines.InsertNextCell(2, [0, 7])
+        mesh.SetLines(lines)
+        found = medial.thickness(mesh, max_edge=0.5, at_faces=True, side="both")
+        self.assertEqual(len(found.cell), len(found.faces))
+        self.assertEqual((found.cell.min(), found.cell.max()), (1, 6))
+        self.assertEqual(found.thickness.shape, (len(found.faces),))
+
+    def test_limits_in_per_cent_of_the_diagonal(self):
+        vertices, quads = shapes.box(np.array([2.0, 1.0, 0.5]))
+        diagonal = 21 ** 0.5
+        for limits in ({"min_thickness": 30, "max_edge": 5}, {"max_thickness": 20, "max_edge": 0}):
+            by_share, by_length = (
+                medial.thickness_regions(vertices, quads, **{
+                    name: convert(share) for name, share in limits.items()})
+                for convert in ("{}%".format, lambda share: 0.01 * share * diagonal))
+            self.assertEqual(len(by_share), 1)
+            for one, other in zip(by_share, by_length):
+                self.assertEqual((one.thin, one.value, one.area), (other.thin, other.value, other.area))
+        self.assertEqual(medial.thickness_regions(vertices, quads, min_thickness="20%"), [])
+        for name in ("min_thickness", "max_thickness", "max_edge"):
+            with self.assertRaisesRegex(medial.InvalidInputError, f"{name} 'x%' is not a length"):
+                medial.thickness_regions(vertices, quads, **{"min_thickness": 1, name: "x%"})
 
     def test_regions(self):
         vertices, quads = shapes.box(np.array([2.0, 1.0, 0.5]))
