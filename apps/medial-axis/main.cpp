@@ -15,9 +15,10 @@ int main(int argc, char** argv)
         session->run(
           [&]
           {
-            if (const auto options = medial::app::parseOptions(argc, argv))
+            medial::Communicator& communicator = session->communicator();
+            if (const auto options = medial::app::agreedOptions(argc, argv, communicator))
             {
-              medial::app::runOnRanks(*options, session->communicator());
+              medial::app::runOnRanks(*options, communicator);
             }
           });
         return;

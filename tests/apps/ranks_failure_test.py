@@ -61,14 +61,31 @@ class RanksFailure(RankTest):
                               (("-o", "a.vtp", "--curves", "b.vtp"), "--curves needs a single one"),
                               (("--skeleton", "a.vtp"), "--skeleton needs a single one"),
                               (("--field", "a.pvti", "--sign", "none", "--engine", "rasteriser"), "--engine processor"),
-                              (("--field", "a.pvti", "--resolution", "1"), "--resolution")):
+                              (("-o", "a.vtp", "--require-gpu"), "--require-gpu needs a single one"),
+                              (("-o", "a.vtp", "--verify"), "--verify needs a single one"),
+                              (("--field", "a.pvti", "--resolution", "1"), "^medial-axis: --resolution")):
             self.expect_failure(self.run_ranks(2, "torus.off", *options), 2, text)
 
+    def run_with_own_options(self, *options):
+        """Runs a rank with each of the lists of options, besides those that all have."""
+        command = list(LAUNCHER)
+        for own in options:
+            command += ["-np", "1", PROGRAM, "torus.off", "--field", "a.pvti", "--sign", "none", *own, ":"]
+        return self.run_command(*command[:-1])
+
     def test_ranks_with_different_options(self):
-        options = ("torus.off", "--field", "a.pvti", "--sign", "none", "--resolution")
-        run = self.run_command(*LAUNCHER, "-np", "1", PROGRAM, *options, "20", ":",
-                               "-np", "1", PROGRAM, *options, "21")
-        self.expect_failure(run, 2, "^medial-axis: rank 1 has other options than rank 0$")
+        for first, second in ((("--resolution", "20"), ("--resolution", "21")),
+                              (("--spacing", "1e-7"), ("--spacing", "1.3e-7")),
+                              (("--padding", "0.0500000001"), ()),
+                              ((), ("--version",))):
+            self.expect_failure(self.run_with_own_options(first, second), 2,
+                                "^medial-axis: rank 1 has other options than rank 0$")
+
+    def test_options_that_are_wrong_on_one_rank(self):
+        for wrong, text in ((("--bogus",), "unknown option --bogus"), (("--resolution", "1"), "--resolution: 1 is outside"),
+                            (("--curves", "a.vtp"), "several processes: --curves needs a single one")):
+            self.expect_failure(self.run_with_own_options((), wrong, ()), 2, f"^medial-axis: rank 1: {text}")
+            self.expect_failure(self.run_with_own_options(wrong, ()), 2, f"^medial-axis: rank 0: {text}")
 
     def send_signal(self, rank, number, *outputs, launcher=LAUNCHER):
         """Sends a signal to a rank of three, or to mpirun for None, while all of them compute."""

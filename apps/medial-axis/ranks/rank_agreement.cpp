@@ -4,7 +4,9 @@
 #include "interrupt.h"
 #include "library_calls.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <string>
 
 namespace medial::app
@@ -27,13 +29,16 @@ void withSharedFailures(Communicator& communicator, const std::function<void()>&
     failure.insert(failure.end(), text.begin(), text.end());
   }
   const std::vector<Message> failures = gathered(communicator, failure);
+  const bool same =
+    std::adjacent_find(failures.begin(), failures.end(), std::not_equal_to<>()) == failures.end();
   for (std::size_t rank = 0; rank < failures.size(); ++rank)
   {
     const Message& found = failures[rank];
     if (!found.empty())
     {
       throw Failure(static_cast<ExitCode>(static_cast<unsigned char>(found.front())),
-        "rank " + std::to_string(rank) + ": " + std::string(found.begin() + 1, found.end()));
+        (same ? "" : "rank " + std::to_string(rank) + ": ") +
+          std::string(found.begin() + 1, found.end()));
     }
   }
 }

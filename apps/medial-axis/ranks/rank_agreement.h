@@ -27,7 +27,8 @@ std::vector<T> gatheredValues(Communicator& communicator, const T& own)
 }
 
 /// Does work that may fail on some ranks only.
-/// @throws Failure on every rank if any has failed: that of the first.
+/// @throws Failure on every rank if any has failed: that of the first, which it names unless all
+///   have the same.
 void withSharedFailures(Communicator& communicator, const std::function<void()>& work);
 
 } // namespace medial::app

@@ -48,7 +48,8 @@ void checkOptions(const Options& options)
     { "--thickness-image", !options.thicknessImage.empty() },
     { "--curves", !options.curves.empty() }, { "--skeleton", options.wantsSkeleton() },
     { "--image", !options.image.empty() }, { "--html", !options.html.empty() },
-    { "a scan as input", isScanFile(options.input) } };
+    { "a scan as input", isScanFile(options.input) }, { "--require-gpu", options.device.require },
+    { "--verify", options.device.verify }, { "--device", !options.device.name.empty() } };
   for (const auto& [name, wanted] : others)
   {
     if (wanted)
@@ -77,6 +78,14 @@ std::string noteOfThickness(const Options& options)
     : "";
 }
 
+/// A number and no other.
+std::string exactText(double number)
+{
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.17g ", number);
+  return text.data();
+}
+
 /// What must be the same on every rank.
 std::string textOf(const Options& options)
 {
@@ -85,20 +94,20 @@ std::string textOf(const Options& options)
   text += options.thickness.string() + '\n' + options.thinRegions.string() + '\n';
   const auto lengthOf = [](const std::optional<Length>& length)
   { return length ? std::pair(length->value, length->percent) : std::pair(-1.0, false); };
-  for (const auto& length : { options.minThickness, options.maxThickness, options.maxEdge })
+  for (const auto& length : { options.minThickness, options.maxThickness, options.maxEdge,
+         std::optional(options.lambda), std::optional(options.minRadius) })
   {
     const auto& [value, isShare] = lengthOf(length);
-    text += std::to_string(value) + (isShare ? "% " : " ");
+    text += exactText(value) + (isShare ? "% " : " ");
   }
-  text += std::to_string(static_cast<int>(thicknessOptions(options).method)) + ' ';
-  for (const double number :
-    { static_cast<double>(options.resolution.value_or(0)), options.spacing.value_or(0.0),
-      options.padding, options.angle, options.lambda.value, options.minRadius.value,
-      static_cast<double>(options.maxSpheres), static_cast<double>(options.signMethod),
-      static_cast<double>(options.side), static_cast<double>(options.representation),
-      static_cast<double>(options.topology), options.quiet ? 1.0 : 0.0 })
+  for (const double number : { static_cast<double>(thicknessOptions(options).method),
+         static_cast<double>(options.resolution.value_or(0)), options.spacing.value_or(0.0),
+         options.padding, options.angle, static_cast<double>(options.maxSpheres),
+         static_cast<double>(options.signMethod), static_cast<double>(options.side),
+         static_cast<double>(options.representation), static_cast<double>(options.topology),
+         options.quiet ? 1.0 : 0.0 })
   {
-    text += std::to_string(number) + ' ';
+    text += exactText(number);
   }
   for (const bool wanted : options.fieldArrays)
   {
@@ -107,9 +116,10 @@ std::string textOf(const Options& options)
   return text;
 }
 
-void requireSameOptions(const Options& options, Communicator& communicator)
+/// @param options nothing after --help and --version.
+void requireSameOptions(const std::optional<Options>& options, Communicator& communicator)
 {
-  const std::string own = textOf(options);
+  const std::string own = options ? textOf(*options) : "";
   const std::vector<Message> texts = gathered(communicator, Message(own.begin(), own.end()));
   for (std::size_t rank = 1; rank < texts.size(); ++rank)
   {
@@ -270,12 +280,26 @@ void tell(const Options& options, const Result& result, const AppSeconds& second
 
 } // namespace
 
+std::optional<Options> agreedOptions(int argc, char** argv, Communicator& communicator)
+{
+  std::optional<Options> options;
+  withSharedFailures(communicator,
+    [&]
+    {
+      options = parseOptions(argc, argv);
+      if (options)
+      {
+        checkOptions(*options);
+      }
+    });
+  requireSameOptions(options, communicator);
+  return options;
+}
+
 void runOnRanks(const Options& options, Communicator& communicator)
 {
   const Timer total;
   AppSeconds seconds;
-  checkOptions(options);
-  requireSameOptions(options, communicator);
   ProgressBar bar(options.quiet || communicator.rank() > 0);
   RankOutputs outputs(options, communicator);
   bar.show(0.0, "reading");
