@@ -8,6 +8,8 @@
 #include "scalar_bar.h"
 
 #include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkLight.h>
 #include <vtkPolyData.h>
 #include <vtkPropCollection.h>
 
@@ -35,6 +37,24 @@ void setUp(vtkRenderer* renderer)
   renderer->SetUseFXAA(true);
 }
 
+// Lights a view from its own camera and from that of the whole picture, so that what is in front
+// there keeps its colours where it is seen from the edge.
+void light(vtkRenderer* view, vtkCamera* front)
+{
+  constexpr double kOwn = 0.6;
+  constexpr double kFront = 0.8;
+  vtkNew<vtkLight> own;
+  own->SetLightTypeToHeadlight();
+  own->SetIntensity(kOwn);
+  view->AddLight(own);
+  vtkNew<vtkLight> other;
+  other->SetLightTypeToSceneLight();
+  other->SetPosition(front->GetPosition());
+  other->SetFocalPoint(front->GetFocalPoint());
+  other->SetIntensity(kFront);
+  view->AddLight(other);
+}
+
 } // namespace
 
 Scene::Scene()
@@ -52,6 +72,10 @@ Scene::Scene()
   window_->SetAlphaBitPlanes(1);
   setUp(renderer_);
   window_->AddRenderer(renderer_);
+  window_->SetNumberOfLayers(2);
+  overlay_->SetLayer(1);
+  overlay_->InteractiveOff();
+  window_->AddRenderer(overlay_);
 }
 
 void Scene::addScalarBar(vtkColorTransferFunction* colours, const char* title,
@@ -59,14 +83,14 @@ void Scene::addScalarBar(vtkColorTransferFunction* colours, const char* title,
 {
   const auto bar = makeScalarBar(colours, title, kFontSize);
   setTicks(bar, colours->GetRange()[1], colours->GetRange()[0] < 0.0);
-  this->add(bar);
+  overlay_->AddViewProp(bar);
   if (nameOfNone != nullptr)
   {
     double colour[3];
     colours->GetNanColor(colour);
     const NoneKey key = makeNoneKey(colour, nameOfNone, kFontSize);
-    this->add(key.swatch);
-    this->add(key.name);
+    overlay_->AddViewProp(key.swatch);
+    overlay_->AddViewProp(key.name);
   }
 }
 
@@ -76,12 +100,12 @@ void Scene::addCaption(const std::vector<std::string>& lines)
   {
     ++captionLines_;
     const double height = 1.0 - kTextMargin - static_cast<double>(captionLines_) * kLineShare;
-    this->add(makeLine(line, height, kCaptionColour));
+    overlay_->AddViewProp(makeLine(line, height, kCaptionColour));
   }
 }
 
-vtkRenderer* Scene::addView(std::initializer_list<vtkPolyData*> shown, double bottom, double height,
-  void (*aim)(vtkCamera*, vtkPolyData*))
+vtkRenderer* Scene::addView(const char* name, std::initializer_list<vtkPolyData*> shown,
+  double bottom, double height, void (*aim)(vtkCamera*, vtkPolyData*))
 {
   vtkNew<vtkRenderer> view;
   setUp(view);
@@ -98,21 +122,24 @@ vtkRenderer* Scene::addView(std::initializer_list<vtkPolyData*> shown, double bo
   window_->AddRenderer(view);
   aim(view->GetActiveCamera(), *shown.begin());
   fitView(view, shown, kAspect / height, { kBarShare });
+  overlay_->AddViewProp(makeLine(name, bottom + height - kLineShare, kCaptionColour));
   return view;
 }
 
 void Scene::draw(std::initializer_list<vtkPolyData*> shown, const std::filesystem::path& file,
   const std::vector<vtkSmartPointer<vtkProp>>& behind)
 {
+  aimCamera(this->camera(), *shown.begin());
   double below = 0.0;
   if (isFlat(*shown.begin()))
   {
-    this->addView(shown, below, kEdgeShare, aimCameraAtEdge);
+    light(this->addView("edge-on", shown, below, kEdgeShare, aimCameraAtEdge), this->camera());
     below += kEdgeShare;
   }
   if (!behind.empty())
   {
-    vtkRenderer* view = this->addView(shown, below, kBehindShare, aimCameraFromBehind);
+    vtkRenderer* view =
+      this->addView("from behind", shown, below, kBehindShare, aimCameraFromBehind);
     below += kBehindShare;
     for (const vtkSmartPointer<vtkProp>& prop : behind)
     {
@@ -122,8 +149,7 @@ void Scene::draw(std::initializer_list<vtkPolyData*> shown, const std::filesyste
   renderer_->SetViewport(0.0, below, 1.0, 1.0);
   Margins margins;
   margins.right = kBarShare;
-  margins.top = captionLines_ > 0 ? shareOfLines(captionLines_) : 0.0;
-  aimCamera(renderer_->GetActiveCamera(), *shown.begin());
+  margins.top = captionLines_ > 0 ? shareOfLines(captionLines_) / (1.0 - below) : 0.0;
   fitView(renderer_, shown, kAspect / (1.0 - below), margins);
   this->write(file);
 }

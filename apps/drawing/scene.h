@@ -50,7 +50,7 @@ public:
   void addCaption(const std::vector<std::string>& lines);
 
   /// Writes a PNG file of the scene with a scalar bar. Strips below show it from behind, if there
-  /// is something to be seen there only, and what is flat also from its edge.
+  /// is something to be seen there only, and what is flat also from its edge; words name them.
   /// @param shown what must fit into it; the first one decides where to look from.
   /// @param behind what only the view from behind has.
   /// @throws Failure NoSpace if the file cannot be written completely. The message does not name
@@ -62,11 +62,12 @@ private:
   /// Shows what is there in one more strip, too.
   /// @param bottom of the strip and its height, as shares of the picture's.
   /// @param aim sets the direction of the strip's camera.
-  vtkRenderer* addView(std::initializer_list<vtkPolyData*> shown, double bottom, double height,
-    void (*aim)(vtkCamera*, vtkPolyData*));
+  vtkRenderer* addView(const char* name, std::initializer_list<vtkPolyData*> shown, double bottom,
+    double height, void (*aim)(vtkCamera*, vtkPolyData*));
 
   vtkSmartPointer<EglRenderWindow> window_;
   vtkNew<vtkRenderer> renderer_;
+  vtkNew<vtkRenderer> overlay_; ///< text and scalar bar, above all views
   std::size_t captionLines_ = 0;
 };
 

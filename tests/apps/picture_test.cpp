@@ -183,6 +183,24 @@ TEST_F(PictureOfAPlate, ShowsItsEdgeAsWell)
   EXPECT_GT(above, 450); // the view of its face
 }
 
+// With both views below there is little room for the first one.
+TEST_F(PictureOfAPlate, HasLinesOfTextApartAboveThreeViews)
+{
+  run({ "--thickness", folder.file("plate.vtp") });
+  const auto plate = readVtp(folder.file("plate.vtp"));
+  const app::PictureRegion back{ { 0.0, 0.0, -0.05 }, { 0.0, 0.0, -1.0 } };
+  app::drawThickness(plate, plate, { nullptr, { back } },
+    { "the file", "how it was computed", "what was found" }, folder.file("plate.png"));
+  const auto picture = readPng(folder.file("plate.png"));
+  const auto edgeOf = [](int lines)
+  { return static_cast<int>(kHeight * (1.0 - app::kTextMargin - lines * app::kLineShare)); };
+  for (const int line : { 0, 1, 2 })
+  {
+    EXPECT_TRUE(isWhite(picture, edgeOf(line + 1) - 1)) << line;
+    EXPECT_GT(inkIn(picture, edgeOf(line + 1), edgeOf(line)), 300) << line;
+  }
+}
+
 class PictureOfACube : public CommandRun
 {
 protected:
