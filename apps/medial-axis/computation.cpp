@@ -142,7 +142,7 @@ MeshFigures figuresOf(const TriangleMesh& mesh, const MeshConnectivity& connecti
 AxisCoverage coverageFor(const Options& options,
   const std::function<AxisCoverage(std::int64_t samples, double negligible)>& measure)
 {
-  if (options.report.empty())
+  if (!options.wantsWholeCoverage())
   {
     constexpr std::int64_t kFewSamples = 4000;
     AxisCoverage bound = measure(kFewSamples, 0.5 * kNoticeableShare);
@@ -157,7 +157,7 @@ AxisCoverage coverageFor(const Options& options,
 bool wantsCoverage(const Options& options, Side side)
 {
   return side == Side::Interior &&
-    (!options.report.empty() || (!options.quiet && options.showsAxis()));
+    (options.wantsWholeCoverage() || (!options.quiet && options.showsAxis()));
 }
 
 double coverageReach(const Grid& grid)

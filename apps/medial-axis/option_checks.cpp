@@ -5,7 +5,7 @@
 #include "input/input_file.h"
 #include "option_names.h"
 #include "output/standard_output.h"
-#include "scan_reader.h"
+#include "scan_options.h"
 #include "volumes/vdb_file.h"
 #include "web/web_files.h"
 
@@ -35,31 +35,6 @@ FieldSelection parseFieldArrays(const std::string& list)
     selection[static_cast<std::size_t>(array - kFieldArrays.begin())] = true;
   }
   return selection;
-}
-
-// A scan needs to be told which surface is wanted; a mesh is one.
-void checkScan(const Options& options)
-{
-  const std::string input = options.input.string();
-  if (isScanFile(options.input))
-  {
-    if (!options.scan.isovalue && !options.scan.label)
-    {
-      throw Failure(ExitCode::Usage,
-        input + " is an image: choose its surface with --isovalue V or --label N");
-    }
-    return;
-  }
-  const char* given = options.scan.isovalue ? "--isovalue"
-    : options.scan.label                    ? "--label"
-    : options.scan.smoothing                ? "--scan-smoothing"
-                                            : nullptr;
-  if (given != nullptr)
-  {
-    throw Failure(ExitCode::Usage,
-      std::string(given) + " needs an image (.nrrd .mha .mhd .nii .nii.gz .vti), which " + input +
-        " is not");
-  }
 }
 
 void checkVdb(const Options& options)
@@ -180,7 +155,8 @@ void convertTexts(const OptionTexts& texts, bool spacingGiven, Options& options)
   }
   if (options.output.empty() && options.curves.empty() && options.field.empty() &&
     options.localThickness.empty() && options.image.empty() && options.html.empty() &&
-    options.report.empty() && !options.wantsThickness() && !options.wantsSkeleton())
+    options.report.empty() && !options.coverage && !options.wantsThickness() &&
+    !options.wantsSkeleton())
   {
     const std::string name = options.input.filename().string();
     options.output =
@@ -238,7 +214,7 @@ void checkFiles(const Options& options)
   checkExtension("--curves", options.curves, { ".vtp" });
   checkExtension("--skeleton", options.skeleton, { ".vtp" });
   checkExtension("--skeleton-table", options.skeletonTable, { ".csv" });
-  checkScan(options);
+  checkScanOptions(options.input, options.scan);
   checkExtension("--field", options.field, { ".vti", ".pvti", ".nrrd", ".mha", ".nii.gz", ".vdb" });
   checkVdb(options);
   checkExtension("--local-thickness", options.localThickness,

@@ -16,7 +16,6 @@ namespace
 
 constexpr int kMaxResolution = 8192;
 constexpr double kMaxBand = 1000.0;
-constexpr int kMaxScanSmoothing = 1000;
 constexpr int kMinMemoryMiB = 64;
 constexpr double kMaxPadding = 10.0;
 
@@ -110,7 +109,7 @@ void addThicknessFiles(CLI::App& app, OptionTexts& texts)
     .add_option("--local-thickness", texts.localThickness,
       "image with the diameter of the largest ball inside the solid that contains each grid point, "
       "in world units, 0 outside; with --side exterior the separation, 0 inside; with both, the "
-      "separation as a negative number; formats as --field, written while it is computed")
+      "separation as a negative number; .vti, .nrrd, .mha or .nii.gz, written while it is computed")
     ->option_text("FILE")
     ->group(kOutputs);
   app
@@ -142,7 +141,7 @@ void addThicknessFiles(CLI::App& app, OptionTexts& texts)
     ->group(kOutputs);
 }
 
-void addViewsAndReport(CLI::App& app, OptionTexts& texts)
+void addViewsAndReport(CLI::App& app, OptionTexts& texts, Options& options)
 {
   app
     .add_option("--image", texts.image,
@@ -163,6 +162,12 @@ void addViewsAndReport(CLI::App& app, OptionTexts& texts)
       "topology, coverage; - for standard output, instead of the summary")
     ->option_text("FILE.json")
     ->group(kOutputs);
+  app
+    .add_flag("--coverage", options.coverage,
+      "say in the summary, too, how much of the surface is farther than a voxel's diagonal from "
+      "what an interior axis describes; without this or --report a bound is enough, and a note if "
+      "it is too much")
+    ->group(kOutputs);
 }
 
 } // namespace
@@ -172,34 +177,7 @@ void addOutputOptions(CLI::App& app, OptionTexts& texts, Options& options)
   addAxisFiles(app, texts);
   addFieldFiles(app, texts, options);
   addThicknessFiles(app, texts);
-  addViewsAndReport(app, texts);
-}
-
-void addScanOptions(CLI::App& app, Options& options)
-{
-  const std::string group = "Scan";
-  CLI::Option* isovalue =
-    app
-      .add_option("--isovalue", options.scan.isovalue,
-        "take the surface where a grey image has this value; the outside is what most of the "
-        "image's border belongs to")
-      ->option_text("V")
-      ->check(within<double>("(-infinity, infinity)", [](double v) { return std::isfinite(v); }))
-      ->group(group);
-  app
-    .add_option("--label", options.scan.label,
-      "take the boundary of the voxels with this value in a label image")
-    ->option_text("N")
-    ->check(within<long long>("the labels of the image", [](long long) { return true; }))
-    ->excludes(isovalue)
-    ->group(group);
-  app
-    .add_option("--scan-smoothing", options.scan.smoothing,
-      "iterations of the windowed sinc filter that smooths the surface of a scan, in [0, 1000]; "
-      "default 20 for labels, 0 for isovalues")
-    ->option_text("N")
-    ->check(within<int>("[0, 1000]", [](int n) { return n >= 0 && n <= kMaxScanSmoothing; }))
-    ->group(group);
+  addViewsAndReport(app, texts, options);
 }
 
 void addGridOptions(CLI::App& app, OptionTexts& texts, Options& options)

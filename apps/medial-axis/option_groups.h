@@ -34,8 +34,6 @@ struct OptionTexts
 /// Adds the options of one group of the help to the program. What is typed goes to `texts`, numbers
 /// to `options`; both must outlive the parsing.
 void addOutputOptions(CLI::App& app, OptionTexts& texts, Options& options);
-/// Options that say which surface of a scan is wanted.
-void addScanOptions(CLI::App& app, Options& options);
 void addGridOptions(CLI::App& app, OptionTexts& texts, Options& options);
 void addAxisOptions(CLI::App& app, OptionTexts& texts, Options& options);
 void addSkeletonOptions(CLI::App& app, Options& options);

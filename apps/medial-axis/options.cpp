@@ -3,6 +3,7 @@
 #include "command_line.h"
 #include "option_checks.h"
 #include "option_groups.h"
+#include "scan_options.h"
 
 #include <CLI/CLI.hpp>
 
@@ -81,7 +82,7 @@ std::optional<Options> parseOptions(int argc, char** argv)
     ->required()
     ->option_text(" ");
   addOutputOptions(app, texts, options);
-  addScanOptions(app, options);
+  addScanOptions(app, options.scan);
   addGridOptions(app, texts, options);
   addAxisOptions(app, texts, options);
   addSkeletonOptions(app, options);

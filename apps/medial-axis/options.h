@@ -39,6 +39,7 @@ struct Options
   std::filesystem::path image;                        ///< .png
   std::filesystem::path html;                         ///< .html
   std::filesystem::path report;                       ///< .json
+  bool coverage = false;                              ///< whether the summary has that of the axis
   std::optional<int> resolution = kDefaultResolution; ///< empty: what the skeleton needs
   std::optional<double> spacing;                      ///< instead of resolution
   double padding = kDefaultPadding;
@@ -91,11 +92,14 @@ struct Options
   /// Whether a grid is needed.
   bool wantsGrid() const { return !field.empty() || !localThickness.empty() || this->wantsAxis(); }
 
-  /// Whether the medial axis is to be computed: for an output, or for the figures of a report that
-  /// is asked for alone.
+  /// Whether a bound of the coverage is not enough.
+  bool wantsWholeCoverage() const { return coverage || !report.empty(); }
+
+  /// Whether the medial axis is to be computed: for an output, its coverage, or the figures of a
+  /// report that is asked for alone.
   bool wantsAxis() const
   {
-    return !output.empty() || !curves.empty() || !image.empty() || !html.empty() ||
+    return coverage || !output.empty() || !curves.empty() || !image.empty() || !html.empty() ||
       this->wantsSkeleton() || (field.empty() && localThickness.empty() && !wantsThickness());
   }
 };

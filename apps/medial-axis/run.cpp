@@ -3,7 +3,6 @@
 #include "computation.h"
 #include "failure.h"
 #include "input/input_file.h"
-#include "input/surface_reader.h"
 #include "interrupt.h"
 #include "output/standard_output.h"
 #include "output_writer.h"
@@ -11,8 +10,7 @@
 #include "progress_bar.h"
 #include "region_table.h"
 #include "report.h"
-#include "scan_reader.h"
-#include "scan_surface.h"
+#include "scan_options.h"
 #include "summary.h"
 #include "timer.h"
 
@@ -24,18 +22,8 @@
 
 namespace medial::app
 {
-
 namespace
 {
-
-Surface readInput(const Options& options)
-{
-  if (isScanFile(options.input))
-  {
-    return Surface(extractSurface(readScan(options.input), options.scan, options.input));
-  }
-  return readSurface(options.input);
-}
 
 /// @throws Failure Usage for a file in pieces.
 void requireOneFile(const std::string& option, const std::filesystem::path& path)
@@ -65,7 +53,7 @@ void run(const Options& options)
   }
 
   bar.show(0.0, "reading");
-  Surface surface = readInput(options);
+  Surface surface = readSurface(options.input, options.scan);
   seconds.read = total.seconds();
   throwIfInterrupted();
 

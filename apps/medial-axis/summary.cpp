@@ -270,7 +270,7 @@ void printLimitNote(const Options& options, double diagonal)
   }
 }
 
-void printCoverage(const Options& options, const Result& result)
+void printCoverageNote(const Options& options, const Result& result)
 {
   const AxisCoverage& coverage = *result.coverage;
   if (coverage.uncoveredShare >= kNoticeableShare)
@@ -316,7 +316,7 @@ void printNotes(const Options& options, const Result& result, const OutputNotes&
   }
   if (result.coverage && options.showsAxis())
   {
-    printCoverage(options, result);
+    printCoverageNote(options, result);
   }
   if (result.chosenResolution)
   {
@@ -353,6 +353,19 @@ void printThickness(const Options& options, const Thickness& thickness)
   std::printf("in %.2f s\n", thickness.seconds);
 }
 
+void printCoverage(const std::optional<AxisCoverage>& coverage)
+{
+  if (!coverage)
+  {
+    std::printf("coverage  is that of an interior axis alone\n");
+    return;
+  }
+  std::printf(
+    "coverage  %.3g %% of the surface is farther than a voxel's diagonal, %.4g, from what "
+    "the axis describes\n",
+    100.0 * coverage->uncoveredShare, coverage->reach);
+}
+
 void printSummary(const Options& options, const Result& result, const OutputNotes& notes,
   const AppSeconds& seconds)
 {
@@ -378,6 +391,10 @@ void printSummary(const Options& options, const Result& result, const OutputNote
   {
     printLocalThickness("thickness", result.localThickness->thickness);
     printLocalThickness("separation", result.localThickness->separation);
+  }
+  if (options.coverage)
+  {
+    printCoverage(result.coverage);
   }
   printSeconds(result.statistics.seconds, seconds);
   printSimplification(result.axis);

@@ -5,6 +5,8 @@
 #include "output_writer.h"
 #include "report.h"
 
+#include <optional>
+
 namespace medial::app
 {
 
@@ -17,6 +19,9 @@ void printSignNotes(const Options& options, const SignReport& sign, Side side);
 
 /// Prints the figures of thickness on standard output.
 void printThickness(const Options& options, const Thickness& thickness);
+
+/// Prints on standard output how much an axis leaves out, if it is of the interior.
+void printCoverage(const std::optional<AxisCoverage>& coverage);
 
 /// Prints on standard output what was read, computed and written, how long that took and on which
 /// renderer.

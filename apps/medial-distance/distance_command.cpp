@@ -3,6 +3,7 @@
 #include "command_line.h"
 #include "option_names.h"
 #include "output/standard_output.h"
+#include "scan_options.h"
 
 #include <CLI/CLI.hpp>
 
@@ -77,7 +78,10 @@ std::optional<DistanceCommand> parseDistanceCommand(int argc, char** argv)
 
   DistanceTexts texts;
   DistanceCommand command;
-  app.add_option("MESH", texts.mesh, "mesh: .stl, .obj, .ply, .off, .vtp or .vtk")
+  app
+    .add_option("MESH", texts.mesh,
+      "mesh: .stl, .obj, .ply, .off, .vtp or .vtk; scan, with --isovalue or --label: .nrrd, .mha, "
+      ".mhd, .nii, .nii.gz or .vti")
     ->required()
     ->option_text(" ");
   app
@@ -86,6 +90,7 @@ std::optional<DistanceCommand> parseDistanceCommand(int argc, char** argv)
       ".txt or .csv")
     ->required()
     ->option_text(" ");
+  addScanOptions(app, command.scan);
   addOptions(app, texts, command);
   if (!parseCommandLine(app, argc, argv))
   {
@@ -97,6 +102,7 @@ std::optional<DistanceCommand> parseDistanceCommand(int argc, char** argv)
   command.image = texts.image;
   command.json = texts.json;
   command.sign = signNames().at(texts.sign);
+  checkScanOptions(command.mesh, command.scan);
   checkOutputs(command);
   return command;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "medial/sign_method.h"
+#include "scan_surface.h"
 
 #include <filesystem>
 #include <optional>
@@ -11,7 +12,8 @@ namespace medial::app
 /// The command line of medial-distance.
 struct DistanceCommand
 {
-  std::filesystem::path mesh;   ///< what readSurface() reads
+  std::filesystem::path mesh;   ///< a mesh, or a scan
+  ScanSurface scan;             ///< what of a scan
   std::filesystem::path points; ///< what readPointSet() reads
   std::filesystem::path output; ///< .vtp or .csv; empty for none
   std::filesystem::path image;  ///< .png; empty for none

@@ -7,6 +7,7 @@
 #include "interrupt.h"
 #include "library_calls.h"
 #include "output/standard_output.h"
+#include "scan_options.h"
 #include "timer.h"
 
 #include <utility>
@@ -101,7 +102,7 @@ void runDistance(const DistanceCommand& command)
   DistanceResults results;
   TriangleMesh surface;
   {
-    Surface mesh = readSurface(command.mesh);
+    Surface mesh = readSurface(command.mesh, command.scan);
     withFailures(command.mesh, [&] { surface = mesh.toTriangleMesh(); });
     if (!command.image.empty())
     {

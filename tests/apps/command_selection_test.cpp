@@ -135,6 +135,18 @@ TEST_F(CommandSelection, AngleLeavesTheEdgesOfABoxUncovered)
   EXPECT_TRUE(contains(notes, " % of the surface is farther than a voxel's diagonal")) << notes;
 }
 
+TEST_F(CommandSelection, CoverageIsInTheSummaryWhereItIsAskedFor)
+{
+  const Outcome plain = run({ "--resolution", "24" });
+  EXPECT_FALSE(contains(plain.out, "coverage")) << plain.out;
+  const Outcome asked = run({ "--resolution", "24", "--coverage" });
+  EXPECT_TRUE(
+    contains(asked.out, "coverage  0 % of the surface is farther than a voxel's diagonal"))
+    << asked.out;
+  const Outcome outside = run({ "--resolution", "24", "--coverage", "--side", "exterior" });
+  EXPECT_TRUE(contains(outside.out, "coverage  is that of an interior axis alone")) << outside.out;
+}
+
 TEST_F(CommandSelection, AnAxisOfAnotherSideHasNoCoverage)
 {
   EXPECT_TRUE(coverage({ "--resolution", "24", "--side", "both" }).is_null());

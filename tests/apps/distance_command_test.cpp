@@ -1,5 +1,6 @@
 // medial-distance as a user runs it.
 #include "command_run.h"
+#include "scan_files.h"
 
 #include "support/shapes.h"
 #include "support/transforms.h"
@@ -59,6 +60,23 @@ protected:
   std::string mesh = folder.file("box.obj");
   std::string points = folder.file("points.csv");
 };
+
+// The surface of a ball of labels, 4 around the centre of the image.
+TEST_F(DistanceCommand, TakesTheSurfaceOfAScan)
+{
+  const std::string scan = folder.file("ball.nrrd");
+  writeFile(scan, nrrdFile(LabelImage([](double r) { return r < 4.0 ? 2 : 0; }), "raw"));
+  writeFile(points, "x,y,z\n10,-20,30\n10,-20,36\n");
+  const Json result = json(scan, points, { "--label", "2" });
+  EXPECT_EQ(result["distance"]["inside"], 1);
+  EXPECT_NEAR(result["distance"]["min"], -4.0, 0.3);
+  EXPECT_NEAR(result["distance"]["max"], 2.0, 0.3);
+
+  EXPECT_TRUE(contains(failure(2, { scan, points }),
+    "ball.nrrd is an image: choose its surface with --isovalue V or --label N"));
+  EXPECT_TRUE(contains(failure(3, { scan, points, "--label", "5" }), "those that occur: 0, 2"));
+  EXPECT_TRUE(contains(failure(2, { mesh, points, "--label", "2" }), "--label needs an image"));
+}
 
 TEST_F(DistanceCommand, SummarisesPoints)
 {

@@ -105,7 +105,7 @@ std::string textOf(const Options& options)
          options.padding, options.angle, static_cast<double>(options.maxSpheres),
          static_cast<double>(options.signMethod), static_cast<double>(options.side),
          static_cast<double>(options.representation), static_cast<double>(options.topology),
-         options.quiet ? 1.0 : 0.0 })
+         options.quiet ? 1.0 : 0.0, options.coverage ? 1.0 : 0.0 })
   {
     text += exactText(number);
   }
@@ -237,6 +237,10 @@ void printSummary(const Options& options, const Result& result, double seconds)
   if (options.wantsThickness())
   {
     printThickness(options, *result.thickness);
+  }
+  if (options.coverage)
+  {
+    printCoverage(result.coverage);
   }
   if (options.hasThicknessLimits())
   {

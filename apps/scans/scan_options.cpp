@@ -1,0 +1,77 @@
+#include "scan_options.h"
+
+#include "failure.h"
+#include "input/surface_reader.h"
+#include "validators.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cmath>
+#include <string>
+
+namespace medial::app
+{
+namespace
+{
+
+constexpr int kMaxSmoothing = 1000;
+
+} // namespace
+
+void addScanOptions(CLI::App& app, ScanSurface& wanted)
+{
+  const std::string group = "Scan";
+  CLI::Option* isovalue =
+    app
+      .add_option("--isovalue", wanted.isovalue,
+        "take the surface where a grey image has this value; the outside is what most of the "
+        "image's border belongs to")
+      ->option_text("V")
+      ->check(within<double>("(-infinity, infinity)", [](double v) { return std::isfinite(v); }))
+      ->group(group);
+  app
+    .add_option("--label", wanted.label,
+      "take the boundary of the voxels with this value in a label image")
+    ->option_text("N")
+    ->check(within<long long>("the labels of the image", [](long long) { return true; }))
+    ->excludes(isovalue)
+    ->group(group);
+  app
+    .add_option("--scan-smoothing", wanted.smoothing,
+      "iterations of the windowed sinc filter that smooths the surface of a scan, in [0, 1000]; "
+      "default 20 for labels, 0 for isovalues")
+    ->option_text("N")
+    ->check(within<int>("[0, 1000]", [](int n) { return n >= 0 && n <= kMaxSmoothing; }))
+    ->group(group);
+}
+
+void checkScanOptions(const std::filesystem::path& path, const ScanSurface& wanted)
+{
+  if (isScanFile(path))
+  {
+    if (!wanted.isovalue && !wanted.label)
+    {
+      throw Failure(ExitCode::Usage,
+        path.string() + " is an image: choose its surface with --isovalue V or --label N");
+    }
+    return;
+  }
+  const char* given = wanted.isovalue ? "--isovalue"
+    : wanted.label                    ? "--label"
+    : wanted.smoothing                ? "--scan-smoothing"
+                                      : nullptr;
+  if (given != nullptr)
+  {
+    throw Failure(ExitCode::Usage,
+      std::string(given) + " needs an image (.nrrd .mha .mhd .nii .nii.gz .vti), which " +
+        path.string() + " is not");
+  }
+}
+
+Surface readSurface(const std::filesystem::path& path, const ScanSurface& wanted)
+{
+  return isScanFile(path) ? Surface(extractSurface(readScan(path), wanted, path))
+                          : readSurface(path);
+}
+
+} // namespace medial::app
