@@ -265,6 +265,7 @@ std::string Viewer::statusText() const
 {
   ViewerStatus status;
   status.name = sequence_.frames[frame_].name;
+  status.side = options_.side;
   status.frame = frame_;
   status.frames = sequence_.frames.size();
   status.playing = playing_;

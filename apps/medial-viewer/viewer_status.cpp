@@ -47,7 +47,7 @@ std::string describe(const ViewerStatus& status, const AxisSource& source)
     lines += text(", frame %zu of %zu%s", status.frame + 1, status.frames,
       status.playing ? "" : " (paused)");
   }
-  lines += source.sign() == SignMethod::None ? ", unsigned\n" : "\n";
+  lines += source.sign() == SignMethod::None ? ", unsigned\n" : ", " + nameOf(status.side) + "\n";
   if (status.drawingsPerSecond > 0.0)
   {
     lines += text("%.1f frames per second\n", status.drawingsPerSecond);

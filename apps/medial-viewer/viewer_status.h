@@ -1,5 +1,7 @@
 #pragma once
 
+#include "medial/side.h"
+
 #include <string>
 
 namespace medial::app
@@ -10,7 +12,8 @@ class AxisSource;
 /// What the text at the upper left says.
 struct ViewerStatus
 {
-  std::string name; ///< of the frame
+  std::string name;           ///< of the frame
+  Side side = Side::Interior; ///< of the axis, unless the distance is unsigned
   std::size_t frame = 0;
   std::size_t frames = 1;
   bool playing = false;

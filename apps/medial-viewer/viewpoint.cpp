@@ -31,12 +31,19 @@ vtkSmartPointer<vtkPolyData> cornersOf(const Bounds& bounds)
 
 } // namespace
 
-void lookAt(vtkRenderer* renderer, const Sequence& sequence)
+void lookAt(vtkRenderer* renderer, const Sequence& sequence, View view)
 {
   vtkCamera* camera = renderer->GetActiveCamera();
   const vtkSmartPointer<vtkPolyData> shown =
     sequence.frames.size() > 1 ? cornersOf(sequence.bounds) : sequence.surface;
-  aimCamera(camera, shown);
+  if (view == View::Front)
+  {
+    aimCamera(camera, shown);
+  }
+  else
+  {
+    aimCameraAtEdge(camera, shown);
+  }
   const int* size = renderer->GetRenderWindow()->GetSize();
   fitView(renderer, { shown }, static_cast<double>(size[0]) / size[1], { kBarShare });
   camera->Zoom(kRoom);

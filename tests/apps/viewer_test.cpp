@@ -137,6 +137,25 @@ TEST_F(ViewerWindow, OtherDragsTurnTheCamera)
   EXPECT_EQ(v.computations(), 1);
 }
 
+TEST_F(ViewerWindow, KeyLooksFromTheEdge)
+{
+  writeFile(options.inputs[0].string(), objText(box({ 1.0, 0.6, 0.05 })));
+  Viewer& v = open();
+  press("d");
+  const auto front = picture();
+  press("e");
+  EXPECT_GT(difference(front, picture()), 0.05);
+  press("r");
+  EXPECT_LT(difference(front, picture()), 0.001);
+  EXPECT_EQ(v.computations(), 1);
+}
+
+TEST_F(ViewerWindow, TextHasTheSide)
+{
+  Viewer& v = open();
+  EXPECT_NE(v.status().find(", interior\n"), std::string::npos) << v.status();
+}
+
 TEST_F(ViewerWindow, KeyCyclesTheColours)
 {
   open();
@@ -322,7 +341,7 @@ TEST_F(ViewerWindow, NamesThatAreNotUtf8AreTold)
 {
   options.inputs = { folder.file("b\xf6x.obj") };
   writeFile(options.inputs[0].string(), objText(box({ 1.0, 0.7, 0.4 })));
-  EXPECT_EQ(open().status().rfind("b?x.obj\n", 0), 0U);
+  EXPECT_EQ(open().status().rfind("b?x.obj, interior\n", 0), 0U);
 }
 
 TEST_F(ViewerWindow, RefusesAPictureThatCannotBeWrittenBeforeItComputes)
