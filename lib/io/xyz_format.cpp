@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -80,6 +81,10 @@ double coordinate(std::string_view field, int line)
   if (!number)
   {
     refuseLine(line, "'" + std::string(field) + "' is not a coordinate");
+  }
+  if (!std::isfinite(*number))
+  {
+    refuseLine(line, "'" + std::string(field) + "' is not a finite coordinate");
   }
   return *number;
 }

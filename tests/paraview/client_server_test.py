@@ -10,7 +10,8 @@ from contextlib import contextmanager
 from pathlib import Path
 
 CLIENT = Path(__file__).with_name("remote_client.py")
-ENVIRONMENT = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+ENVIRONMENT = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
+               "HWLOC_COMPONENTS": "-gl"}
 
 
 def free_port():

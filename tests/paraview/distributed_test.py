@@ -13,7 +13,8 @@ from vtkmodules.vtkIOXML import vtkXMLImageDataReader
 
 SCRIPT = Path(__file__).with_name("distributed_field.py")
 ROUNDING = 1e-6  # of single precision; a voxel is 0.03
-ENVIRONMENT = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+ENVIRONMENT = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
+               "HWLOC_COMPONENTS": "-gl"}
 
 
 def run(processes, folder, script=SCRIPT, *options):

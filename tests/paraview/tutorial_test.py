@@ -14,6 +14,7 @@ from pathlib import Path
 
 SOURCES = Path(sys.argv[1])
 ENVIRONMENT = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
+               "HWLOC_COMPONENTS": "-gl",
                "OMPI_MCA_rmaps_base_oversubscribe": "1"}
 
 
