@@ -7,7 +7,7 @@
 #include "interrupt.h"
 #include "library_calls.h"
 #include "output/standard_output.h"
-#include "scan_options.h"
+#include "scan_surface.h"
 #include "timer.h"
 
 #include <utility>

@@ -1,7 +1,6 @@
 #include "scan_options.h"
 
 #include "failure.h"
-#include "input/surface_reader.h"
 #include "validators.h"
 
 #include <CLI/CLI.hpp>
@@ -66,12 +65,6 @@ void checkScanOptions(const std::filesystem::path& path, const ScanSurface& want
       std::string(given) + " needs an image (.nrrd .mha .mhd .nii .nii.gz .vti), which " +
         path.string() + " is not");
   }
-}
-
-Surface readSurface(const std::filesystem::path& path, const ScanSurface& wanted)
-{
-  return isScanFile(path) ? Surface(extractSurface(readScan(path), wanted, path))
-                          : readSurface(path);
 }
 
 } // namespace medial::app

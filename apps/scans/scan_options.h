@@ -1,14 +1,10 @@
 #pragma once
 
-#include "input/surface.h"
 #include "scan_surface.h"
 
-#include <filesystem>
+#include <CLI/CLI.hpp>
 
-namespace CLI
-{
-class App;
-}
+#include <filesystem>
 
 // Scans as the input of a program.
 namespace medial::app
@@ -19,9 +15,5 @@ void addScanOptions(CLI::App& app, ScanSurface& wanted);
 
 /// @throws Failure Usage if a scan has no wanted surface, or a mesh has one.
 void checkScanOptions(const std::filesystem::path& path, const ScanSurface& wanted);
-
-/// Reads a mesh, or the surface that is wanted of a scan.
-/// @throws Failure BadInput naming the file.
-Surface readSurface(const std::filesystem::path& path, const ScanSurface& wanted);
 
 } // namespace medial::app

@@ -1,6 +1,7 @@
 #include "scan_surface.h"
 
 #include "input/input_file.h"
+#include "input/surface_reader.h"
 #include "number_text.h"
 
 #include <vtkDataArray.h>
@@ -240,6 +241,12 @@ vtkSmartPointer<vtkPolyData> extractSurface(const Scan& scan, const ScanSurface&
     surface = smoothed(surface, wanted.iterations());
   }
   return inPhysicalSpace(surface, scan.frame);
+}
+
+Surface readSurface(const fs::path& path, const ScanSurface& wanted)
+{
+  return isScanFile(path) ? Surface(extractSurface(readScan(path), wanted, path))
+                          : readSurface(path);
 }
 
 } // namespace medial::app

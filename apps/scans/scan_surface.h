@@ -1,5 +1,6 @@
 #pragma once
 
+#include "input/surface.h"
 #include "scan_reader.h"
 
 #include <vtkPolyData.h>
@@ -34,5 +35,9 @@ struct ScanSurface
 ///   that do), an isovalue that no surface has (it has the range of values).
 vtkSmartPointer<vtkPolyData> extractSurface(const Scan& scan, const ScanSurface& wanted,
   const std::filesystem::path& path);
+
+/// Reads a mesh, or the surface that is wanted of a scan.
+/// @throws Failure BadInput naming the file.
+Surface readSurface(const std::filesystem::path& path, const ScanSurface& wanted);
 
 } // namespace medial::app

@@ -118,7 +118,9 @@ private:
 
   void leave(const Step& from, Reach reach)
   {
-    const auto [distance, source, place] = from;
+    const double distance = std::get<0>(from);
+    const int source = std::get<1>(from);
+    const int place = std::get<2>(from);
     const auto thickness = static_cast<double>(this->value(source));
     const bool within = reach == Reach::Within;
     const double unit = within ? std::pow(thickness, kPower) : thickness;
