@@ -21,6 +21,8 @@ MeshInput parseObj(const std::string& content);
 MeshInput parsePly(const std::string& content, PlyAttributes* attributes = nullptr);
 MeshInput parseOff(const std::string& content);
 MeshInput parseLegacyVtk(const std::string& content);
+/// Triangles that share no points, of a binary or text file; coordinates in single precision.
+MeshInput parseStl(const std::string& content);
 /// Lines of numbers, of which three are coordinates. There are no cells.
 MeshInput parseXyz(const std::string& content);
 ///@}

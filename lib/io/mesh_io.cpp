@@ -20,6 +20,7 @@ using Parsers = std::map<std::string, Parse>;
 const Parsers& meshParsers()
 {
   static const Parsers kParsers = {
+    { ".stl", parseStl },
     { ".obj", parseObj },
     { ".ply", [](const std::string& content) { return parsePly(content); } },
     { ".off", parseOff },
@@ -69,7 +70,7 @@ MeshInput readMesh(const fs::path& path)
   return readFile(path,
     [](const fs::path& file)
     {
-      MeshInput mesh = parse(meshParsers(), ".obj .ply .off .vtk", file);
+      MeshInput mesh = parse(meshParsers(), ".stl .obj .ply .off .vtk", file);
       if (!hasCells(mesh))
       {
         refuse("holds no faces, lines or vertices");
@@ -83,7 +84,7 @@ MeshInput readPoints(const fs::path& path)
   return readFile(path,
     [](const fs::path& file)
     {
-      MeshInput points = parse(pointParsers(), ".obj .ply .off .vtk .xyz .txt .csv", file);
+      MeshInput points = parse(pointParsers(), ".stl .obj .ply .off .vtk .xyz .txt .csv", file);
       if (points.points.empty())
       {
         refuse("holds no points");

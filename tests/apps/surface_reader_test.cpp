@@ -181,30 +181,6 @@ TEST(SurfaceReader, NamesTheCountsOfTruncatedFiles)
     std::string::npos);
 }
 
-// Text that is no STL was taken for a binary file, whose number of triangles is the text itself.
-TEST(SurfaceReader, RefusesDamagedStlTextByLine)
-{
-  const std::string start = "solid s\nfacet normal 0 0 1\n outer loop\n";
-  EXPECT_EQ(refusal("a.stl", start + "  vertex 0 0 zero\n"),
-    "a.stl: line 4: 'zero' in place of a coordinate");
-  EXPECT_EQ(refusal("a.stl", start + "  vertex 0 0 0\n endloop\n"),
-    "a.stl: line 5: 'endloop' in place of vertex");
-  EXPECT_EQ(refusal("a.stl", start), "a.stl: line 4: '' in place of vertex: the file ends early");
-  EXPECT_EQ(refusal("a.stl", "solid s\n"), "a.stl: ends early: its last solid has no 'endsolid'");
-  EXPECT_EQ(refusal("a.stl", "solid s\nfact\n"),
-    "a.stl: line 2: 'fact' in place of facet or endsolid");
-  EXPECT_NE(refusal("a.stl", "solid \xff" + std::string(200, ' ')), "");
-}
-
-TEST(SurfaceReader, ReadsSeveralSolidsOfOneStlTextInAnyCase)
-{
-  const std::string facet = "FACET NORMAL nan nan nan\r\nOUTER LOOP\r\nVERTEX +0 0 0\r\n"
-                            "VERTEX 1e0 0 0\r\nVERTEX 0 1 0\r\nENDLOOP\r\nENDFACET\r\n";
-  const std::string content =
-    "solid first one\r\n" + facet + "ENDSOLID first one\r\nSOLID\r\n" + facet + "ENDSOLID\r\n";
-  EXPECT_EQ(readText("a.stl", content)->GetNumberOfPolys(), 2);
-}
-
 TEST(SurfaceReader, CharactersThatATerminalWouldObeyAreNotPrinted)
 {
   EXPECT_EQ(refusal("a.off", "\x1b[31mOF\n"),

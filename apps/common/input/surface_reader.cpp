@@ -1,7 +1,6 @@
 #include "input/surface_reader.h"
 
 #include "input/input_file.h"
-#include "input/stl_reader.h"
 #include "input/vtp_reader.h"
 #include "library_calls.h"
 
@@ -15,16 +14,10 @@ namespace medial::app
 namespace
 {
 
-/// Reads the formats that the library does not.
-Surface readVtkSurface(const std::filesystem::path& path)
+/// Whether a file has the format that the library does not read.
+bool isVtp(const std::filesystem::path& path)
 {
-  return Surface(extensionOf(path) == ".stl" ? readStl(path) : readVtp(path));
-}
-
-bool isVtkFile(const std::filesystem::path& path)
-{
-  const std::string extension = extensionOf(path);
-  return extension == ".stl" || extension == ".vtp";
+  return extensionOf(path) == ".vtp";
 }
 
 /// @param read medial::readMesh() or medial::readPoints().
@@ -45,7 +38,7 @@ Surface readByLibrary(const std::filesystem::path& path,
 
 bool isSurfaceFile(const std::filesystem::path& path)
 {
-  return isVtkFile(path) || isMeshFile(path);
+  return isVtp(path) || isMeshFile(path);
 }
 
 Surface readSurface(const std::filesystem::path& path)
@@ -59,7 +52,7 @@ Surface readSurface(const std::filesystem::path& path)
   {
     return readByLibrary(path, readMesh);
   }
-  Surface surface = readVtkSurface(path);
+  Surface surface(readVtp(path));
   if (surface.polyData()->GetNumberOfCells() == 0)
   {
     refuseFile(path, "holds no faces, lines or vertices");
@@ -70,7 +63,7 @@ Surface readSurface(const std::filesystem::path& path)
 Surface readPointSet(const std::filesystem::path& path)
 {
   requireRegularFile(path);
-  if (!isVtkFile(path) && !isPointFile(path))
+  if (!isVtp(path) && !isPointFile(path))
   {
     refuseExtension(path, ".stl .obj .ply .off .vtp .vtk .xyz .txt .csv");
   }
@@ -78,7 +71,7 @@ Surface readPointSet(const std::filesystem::path& path)
   {
     return readByLibrary(path, readPoints);
   }
-  Surface surface = readVtkSurface(path);
+  Surface surface(readVtp(path));
   if (surface.polyData()->GetNumberOfPoints() == 0)
   {
     refuseFile(path, "holds no points");

@@ -247,7 +247,7 @@ class Files(unittest.TestCase):
 
 
 class FilesOfVtk(unittest.TestCase):
-    """Those that the library does not read."""
+    """Those that VTK writes."""
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -288,11 +288,12 @@ class FilesOfVtk(unittest.TestCase):
         writer = vtkSTLWriter()
         writer.SetFileTypeToBinary()
         content = self.write(writer, self.box.to_vtk(), "whole.stl").read_bytes()
-        for size in (0, 5, 84, 400, len(content) - 1):
+        for size in (5, 84, 400, len(content) - 1):
             self.assert_refused(content[:size], rf"not a complete STL file: .* bytes, not {size}\Z")
+        self.assert_refused(b"", "the file is empty")
         self.assert_refused(content[:400], ".* the 12 triangles of a binary one would take 684 bytes")
         self.assert_refused(content + b"x", ".* 684 bytes, not 685")
-        self.assert_refused(bytes(84), "holds no faces")
+        self.assert_refused(bytes(84), "has 0 triangles")
 
     def test_text_stl_that_is_damaged(self):
         facet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n" \
@@ -301,9 +302,9 @@ class FilesOfVtk(unittest.TestCase):
         self.path.write_bytes(text + text)  # two solids
         self.assertEqual(len(medial.read_mesh(self.path).faces), 2)
         self.assert_refused(text.replace(b"endsolid a part\n", b""), "ends early: its last solid has no 'endsolid'")
-        self.assert_refused(text[:60], "line 2: 'facet' does not begin a whole facet or endsolid")
-        self.assert_refused(text + b"more", "line 10: 'more' does not begin solid")
-        self.assert_refused(text.replace(b"1 0 0", b"1 O 0"), "'O' in place of a coordinate")
+        self.assert_refused(text[:60], "line 5: 'vert' in place of vertex")
+        self.assert_refused(text + b"more", "line 10: 'more' in place of solid")
+        self.assert_refused(text.replace(b"1 0 0", b"1 O 0"), "line 5: 'o' in place of a coordinate")
         self.path.write_bytes(text.replace(b"1 0 0", b"1e99 0 0"))
         with self.assertRaisesRegex(medial.InvalidInputError, "point 1 .*not finite"):
             medial.read_mesh(self.path)
@@ -317,7 +318,7 @@ class FilesOfVtk(unittest.TestCase):
     def test_what_may_be_read(self):
         self.path.with_suffix(".step").touch()
         with self.assertRaisesRegex(medial.InvalidInputError,
-                                    "'.step', allowed: .stl .vtp .obj .ply .off .vtk"):
+                                    "'.step', allowed: .stl .obj .ply .off .vtp .vtk"):
             medial.read_mesh(self.path.with_suffix(".step"))
 
 

@@ -71,12 +71,28 @@ TEST(MeshIo, ReadsEveryTextFormat)
   expectSample(readText("a.off", offText(sample())));
   expectSample(readText("a.ply", plyText(sample())));
   expectSample(readText("a.vtk", vtkText(sample())));
+  expectSample(readText("a.stl", stlText(sample())));
 }
 
 TEST(MeshIo, ReadsEveryBinaryFormat)
 {
   expectSample(readText("a.ply", plyBinary(sample(), false)));
   expectSample(readText("a.ply", plyBinary(sample(), true)));
+  expectSample(readText("a.stl", stlBinary(sample())));
+}
+
+TEST(MeshIo, StlHasSinglePrecisionAndNoSharedPoints)
+{
+  TriangleMesh mesh = sample();
+  mesh.points[0][0] = 0.1;
+  for (const std::string& content : { stlText(mesh), stlBinary(mesh) })
+  {
+    const MeshInput read = readText("a.stl", content);
+    EXPECT_EQ(read.points.size(), 3 * mesh.triangles.size());
+    EXPECT_EQ(read.points[read.polygons.connectivity[0]][0],
+      static_cast<double>(static_cast<float>(mesh.points[mesh.triangles[0][0]][0])));
+    EXPECT_EQ(buildTriangleMesh(read).points.size(), mesh.points.size());
+  }
 }
 
 TEST(MeshIo, TakesExtensionsInCapitals)
@@ -140,9 +156,9 @@ TEST(MeshIo, ReadsLegacyVtkWithOffsetsStripsAndFields)
 
 TEST(MeshIo, RefusesWhatIsNoMeshFile)
 {
-  EXPECT_EQ(refusal("a.stl", "1", ErrorCode::CannotRead),
-    "a.stl: unknown extension '.stl', allowed: .obj .ply .off .vtk");
-  for (const char* name : { "a.obj", "a.ply", "a.off", "a.vtk" })
+  EXPECT_EQ(refusal("a.step", "1", ErrorCode::CannotRead),
+    "a.step: unknown extension '.step', allowed: .stl .obj .ply .off .vtk");
+  for (const char* name : { "a.stl", "a.obj", "a.ply", "a.off", "a.vtk" })
   {
     EXPECT_NE(refusal(name, ""), "") << name;
     EXPECT_NE(refusal(name, "this is not a mesh\n"), "") << name;
@@ -164,15 +180,16 @@ TEST(MeshIo, RefusesWhatCannotBeRead)
 TEST(MeshIo, KnowsItsExtensions)
 {
   EXPECT_TRUE(isMeshFile("a.obj") && isMeshFile("a.PLY") && isMeshFile("a.off"));
-  EXPECT_TRUE(isMeshFile("folder.d/a.vtk"));
-  EXPECT_FALSE(isMeshFile("a.stl") || isMeshFile("a.vtp") || isMeshFile("obj"));
+  EXPECT_TRUE(isMeshFile("folder.d/a.vtk") && isMeshFile("a.STL"));
+  EXPECT_FALSE(isMeshFile("a.step") || isMeshFile("a.vtp") || isMeshFile("obj"));
 }
 
 TEST(MeshIo, RefusesFilesThatEndEarly)
 {
   const std::vector<std::pair<std::string, std::string>> files = { { "a.off", offText(sample()) },
     { "a.ply", plyText(sample()) }, { "b.ply", plyBinary(sample(), false) },
-    { "c.ply", plyBinary(sample(), true) }, { "a.vtk", vtkText(sample()) } };
+    { "c.ply", plyBinary(sample(), true) }, { "a.vtk", vtkText(sample()) },
+    { "a.stl", stlText(sample()) }, { "b.stl", stlBinary(sample()) } };
   for (const auto& [name, content] : files)
   {
     for (const double share : { 0.1, 0.4, 0.7, 0.95 })
@@ -187,6 +204,30 @@ TEST(MeshIo, NamesTheCountsOfTruncatedFiles)
 {
   EXPECT_NE(refusal("a.ply", plyText(sample(), 100)).find("promises 100 'face', number 13"),
     std::string::npos);
+}
+
+// Text that is no STL was taken for a binary file, whose number of triangles is the text itself.
+TEST(MeshIo, RefusesDamagedStlTextByLine)
+{
+  const std::string start = "solid s\nfacet normal 0 0 1\n outer loop\n";
+  EXPECT_EQ(refusal("a.stl", start + "  vertex 0 0 zero\n"),
+    "a.stl: line 4: 'zero' in place of a coordinate");
+  EXPECT_EQ(refusal("a.stl", start + "  vertex 0 0 0\n endloop\n"),
+    "a.stl: line 5: 'endloop' in place of vertex");
+  EXPECT_EQ(refusal("a.stl", start), "a.stl: line 4: '' in place of vertex: the file ends early");
+  EXPECT_EQ(refusal("a.stl", "solid s\n"), "a.stl: ends early: its last solid has no 'endsolid'");
+  EXPECT_EQ(refusal("a.stl", "solid s\nfact\n"),
+    "a.stl: line 2: 'fact' in place of facet or endsolid");
+  EXPECT_NE(refusal("a.stl", "solid \xff" + std::string(200, ' ')), "");
+}
+
+TEST(MeshIo, ReadsSeveralSolidsOfOneStlTextInAnyCase)
+{
+  const std::string facet = "FACET NORMAL nan nan nan\r\nOUTER LOOP\r\nVERTEX +0 0 0\r\n"
+                            "VERTEX 1e0 0 0\r\nVERTEX 0 1 0\r\nENDLOOP\r\nENDFACET\r\n";
+  const std::string content =
+    "solid first one\r\n" + facet + "ENDSOLID first one\r\nSOLID\r\n" + facet + "ENDSOLID\r\n";
+  EXPECT_EQ(readText("a.stl", content).polygons.size(), 2);
 }
 
 TEST(MeshIo, RefusesPointsThatDoNotExist)
