@@ -1,4 +1,5 @@
-"""A surface in pieces, from RedistributeDataSet and from a loop like Catalyst's, on one process and on three."""
+"""A surface in pieces, from RedistributeDataSet, from a loop like Catalyst's and from a series of files, on one process
+and on several."""
 
 import json
 import tempfile
@@ -8,11 +9,14 @@ from pathlib import Path
 import numpy
 from distributed_test import ROUNDING, box, parts, run
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkIOXML import vtkXMLPPolyDataReader
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPPolyDataReader
 
 MODES = ("Assign_to_one_region", "Assign_to_all_regions", "Split_cells")
 UNSIGNED = MODES[2]
 PROCESSES = (1, 3)
+SEVERAL = (2, 3)  # in the loop
+STEPS, FILES = 10, 3
+TOPOLOGIES = ("Selected", "Preserve")
 
 
 class Redistributed(unittest.TestCase):
@@ -92,30 +96,35 @@ class Redistributed(unittest.TestCase):
                         numpy.testing.assert_allclose(found[name], values, rtol=tolerance, err_msg=name)
 
 
-def polydata_of(folder, name):
-    reader = vtkXMLPPolyDataReader()
-    reader.SetFileName(str(Path(folder, f"{name}.pvtp")))
+def polydata_of(path):
+    reader = vtkXMLPPolyDataReader() if path.suffix == ".pvtp" else vtkXMLPolyDataReader()
+    reader.SetFileName(str(path))
     reader.Update()
     return reader.GetOutput()
 
 
+def bits(array):
+    """Of each tuple."""
+    return [values.tobytes() for values in vtk_to_numpy(array)]
+
+
 def elements_of(data, array):
     """The bits of points with a value each, and of cells."""
-    places = [place.tobytes() for place in vtk_to_numpy(data.GetPoints().GetData())]
-    values = [value.tobytes() for value in vtk_to_numpy(data.GetPointData().GetArray(array))]
+    places = bits(data.GetPoints().GetData())
+    values = bits(data.GetPointData().GetArray(array))
     cells = [tuple(places[i] for i in corners_of(data.GetCell(c))) for c in range(data.GetNumberOfCells())]
     return list(zip(places, values)), cells
 
 
 def axis_of(folder, mode):
     """Points and cells of an axis that processes wrote, by their bits, and how many pieces have."""
-    points, cells = elements_of(polydata_of(folder, mode), "Radius")
+    points, cells = elements_of(polydata_of(Path(folder, f"{mode}.pvtp")), "Radius")
     return {"points": (len(points), set(points)), "cells": (len(cells), set(cells))}
 
 
 def thickness_of(folder, mode):
     """The points that processes wrote, with their thickness, and the cells with theirs, in no order."""
-    surface = polydata_of(folder, f"{mode}_thickness")
+    surface = polydata_of(Path(folder, f"{mode}_thickness.pvtp"))
     points, cells = elements_of(surface, "Thickness")
     values = vtk_to_numpy(surface.GetCellData().GetArray("Thickness"))
     return set(points), sorted((cell, value.tobytes()) for cell, value in zip(cells, values))
@@ -134,20 +143,89 @@ def steps_of(folder):
                numpy.concatenate([bounds[:, ::2].min(axis=0), bounds[:, 1::2].max(axis=0)]))
 
 
+class NumberedAxis:
+    """An axis from what each process has of it: a point's bits by its number, and cells with their number and their
+    points'."""
+
+    def __init__(self, pieces):
+        self.points, self.cells = {}, []
+        self.shared = 0  # how often points are in a further piece
+        self.cells_of_pieces = []
+        for data in pieces:
+            self.add(data)
+        self.cells.sort()
+
+    def add(self, data):
+        arrays = data.GetPointData()
+        names = sorted(arrays.GetArrayName(i) for i in range(arrays.GetNumberOfArrays()))
+        assert {"Radius", "vtkGlobalPointIds"} < set(names), names
+        places = bits(data.GetPoints().GetData())
+        numbers = vtk_to_numpy(arrays.GetGlobalIds()).tolist()
+        for number, *values in zip(numbers, places, *(bits(arrays.GetArray(name)) for name in names)):
+            self.shared += number in self.points
+            if self.points.setdefault(number, values) != values:
+                raise AssertionError(f"point {number} differs between pieces")
+        cells = vtk_to_numpy(data.GetCellData().GetGlobalIds()).tolist()
+        self.cells_of_pieces.append(len(cells))
+        self.cells += [(number, [numbers[i] for i in corners_of(data.GetCell(c))]) for c, number in enumerate(cells)]
+
+
 class CoupledLoop(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.folder.cleanup)
+        script = Path(__file__).with_name("coupled_loop.py")
+        cls.runs = {n: run(n, cls.folder.name, script, "--sym") for n in (1, *SEVERAL)}
+
+    def axis(self, processes, name):
+        paths = [self.runs[processes] / f"{name}_{rank}.vtp" for rank in range(processes)]
+        return NumberedAxis(polydata_of(path) for path in paths)
+
     def test_ten_steps_of_a_simulation(self):
-        with tempfile.TemporaryDirectory() as folder:
-            script = Path(__file__).with_name("coupled_loop.py")
-            steps = {n: list(steps_of(run(n, folder, script, "--sym"))) for n in PROCESSES}
-        self.assertEqual(len(steps[1]), 10)
+        steps = {n: list(steps_of(path)) for n, path in self.runs.items()}
+        self.assertEqual(len(steps[1]), STEPS)
         for radius, (lowest, highest), bounds in steps[1]:
             voxel = 2.4 * radius / 39  # with the margins
             self.assertAlmostEqual(lowest, -radius, delta=voxel)
             self.assertGreater(highest, 0.0)
             numpy.testing.assert_allclose(abs(bounds), radius - 0.25, atol=0.5 * voxel)
-        for found, expected in zip(steps[3], steps[1]):
-            self.assertEqual(found[1], expected[1])
-            numpy.testing.assert_allclose(found[2], expected[2], rtol=0, atol=ROUNDING)
+        for processes in SEVERAL:
+            self.assertEqual(len(steps[processes]), STEPS)
+            for found, expected in zip(steps[processes], steps[1]):
+                self.assertEqual(found[1], expected[1])
+                numpy.testing.assert_allclose(found[2], expected[2], rtol=0, atol=ROUNDING)
+
+    def expect_axis_of_one_process(self, processes, name, expected):
+        found = self.axis(processes, name)
+        self.assertTrue(found.cells == expected.cells)  # each once
+        self.assertTrue(found.points == expected.points)
+        if processes > 1:
+            self.assertGreater(min(found.cells_of_pieces), 0)  # so that no piece can be left out
+            self.assertGreater(found.shared, 0)  # on cuts
+
+    def test_axes_of_every_step_are_those_of_one_process(self):
+        for topology in TOPOLOGIES:
+            for step in range(STEPS):
+                name = f"loop_{topology}_{step}"
+                expected = self.axis(1, name)
+                for of_whole in ([number for number, _ in expected.cells], sorted(expected.points)):
+                    self.assertEqual(of_whole, list(range(len(of_whole))))
+                for processes in SEVERAL:
+                    with self.subTest(processes=processes, topology=topology, step=step):
+                        self.expect_axis_of_one_process(processes, name, expected)
+
+    def test_axes_change_with_steps_and_topology(self):
+        cells = [self.axis(1, f"loop_{topology}_{step}").cells for topology in TOPOLOGIES for step in range(STEPS)]
+        self.assertTrue(all(a != b for i, a in enumerate(cells) for b in cells[:i]))
+
+    def test_files_of_a_series_give_the_axes_of_the_steps_in_them(self):
+        for topology in TOPOLOGIES:
+            for time in range(FILES):
+                expected = self.axis(1, f"loop_{topology}_{time}")
+                for processes in self.runs:
+                    with self.subTest(processes=processes, topology=topology, time=time):
+                        self.expect_axis_of_one_process(processes, f"series_{topology}_{time}", expected)
 
 
 if __name__ == "__main__":

@@ -12,7 +12,7 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from ._arrays import float_rows, index_rows, rows_to_cells, to_cells, to_points
 from ._errors import Error, InvalidInputError
 from ._mesh_file import read
-from ._vtk_file import READERS, extension_of, read_by_vtk
+from ._vtk_file import read_vtp
 
 _WHOLE_MESH = "pass a mesh of pyvista or VTK itself, in place of vertices and faces"
 
@@ -44,16 +44,15 @@ def read_mesh(path: Union[str, PathLike[str]]) -> Surface:
     """
     name = os.fsdecode(path)
     # The library tells what is no file.
-    by_vtk = extension_of(name) in READERS and os.path.isfile(name)
+    is_vtp = name.lower().endswith(".vtp") and os.path.isfile(name)
     try:
-        points, triangles = read_by_vtk(name) if by_vtk else read(name)
+        points, triangles = read_vtp(name) if is_vtp else read(name)
     except OSError as error:
         raise InvalidInputError(f"{name}: {error.strerror}") from None
     except Error as error:
         raise InvalidInputError(f"{name}: {error}") from None
     except ValueError as error:
-        allowed = " ".join(["allowed:", *READERS, ""])
-        raise InvalidInputError(str(error).replace("allowed: ", allowed)) from None
+        raise InvalidInputError(str(error).replace(".off .vtk", ".off .vtp .vtk")) from None
     surface = Surface(np.frombuffer(points).reshape(-1, 3).copy(),
                       np.frombuffer(triangles, np.int32).reshape(-1, 3).astype(np.int64))
     if len(surface.faces) == 0:
