@@ -165,8 +165,8 @@ void addViewsAndReport(CLI::App& app, OptionTexts& texts, Options& options)
   app
     .add_flag("--coverage", options.coverage,
       "say in the summary, too, how much of the surface is farther than a voxel's diagonal from "
-      "what an interior axis describes; without this or --report a bound is enough, and a note if "
-      "it is too much")
+      "what an interior axis describes; with neither this nor --report a bound is enough, and a "
+      "note appears if it is too much")
     ->group(kOutputs);
 }
 

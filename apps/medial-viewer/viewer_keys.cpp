@@ -32,7 +32,7 @@ void Viewer::addKeys()
   keyboard_.add("y", "slice across y", [this] { turnSlice(1); });
   keyboard_.add("z", "slice across z", [this] { turnSlice(2); });
   keyboard_.add("r", "reset the view", [this] { lookAt(window_.renderer, sequence_); });
-  keyboard_.add("e", "look from the edge, at what is flat",
+  keyboard_.add("e", "look edge-on at what is flat",
     [this] { lookAt(window_.renderer, sequence_, View::Edge); });
   keyboard_.add("p", "write a picture of the window", [this] { savePicture(); });
   keyboard_.add("q", "quit", [this] { window_.leave(); });

@@ -10,10 +10,10 @@ namespace medial
 
 /// Gives places without a value that of a wall nearby, along the edges of the mesh, from the
 /// corners of triangles to their centres, and from centre to centre. The strip without a value
-/// beside a wall is at most half as wide as the wall is thick, and half of its narrow side as wide
-/// again: what is within that belongs to the nearest such wall, all else to the one that is the
-/// fewest of its thicknesses away. Of several at the same distance the first point, then the first
-/// triangle counts. Pieces of the mesh without any value stay as they are.
+/// beside a wall is at most half as wide as the wall is thick, and half of the wall's narrow side
+/// is as wide again. What is within both belongs to the nearest such wall, all else to the one
+/// that is the fewest of its own thicknesses away. Of several at the same distance the first
+/// point, then the first triangle counts. Pieces of the mesh without any value stay as they are.
 /// @param points, triangles values at points and at the centres of triangles.
 void extendWalls(const TriangleMesh& mesh, const MeshConnectivity& connectivity,
   const Checkpoint& checkpoint, PlaceValues& points, PlaceValues& triangles);

@@ -76,8 +76,8 @@ def thickness(vertices: Any, faces: Any = None, *, max_edge: Union[float, str, N
     vertices, faces: the mesh, as for distance_field(). Inside is behind the faces, also of an open
         mesh.
     max_edge: divide triangles until no edge is longer than this, in world units or as "L%" of the
-        diagonal of the mesh's bounds; smaller thin places may be missed. 0 divides none. The result
-        is then a DividedThickness, since it belongs to the divided mesh; with None it is an array.
+        diagonal of the mesh's bounds; smaller thin places may be missed. 0 divides none. With
+        any value but None the result is a DividedThickness, since it belongs to the divided mesh.
     method: "ball", twice the radius of the medial ball that touches the place, 0 on convex edges;
         "ray", the distance along the inward normal to the opposite surface; "wall", the diameter of
         the ball that also touches the opposite wall, with a separation angle of at least 120; near

@@ -9,8 +9,8 @@ namespace medial
 {
 
 /// Reads a mesh. The extension of its file chooses the format: .stl, .obj, .ply, .off or .vtk
-/// (VTK's legacy format, POLYDATA). Coordinates keep double precision, those of .stl have single
-/// precision, and its triangles share no points. A file that ends early, contradicts
+/// (VTK's legacy format, POLYDATA). Coordinates keep double precision; those of .stl files have
+/// single precision, and the triangles there share no points. A file that ends early, contradicts
 /// its own header or refers to points that it does not have is refused, never read in part.
 /// Coordinates that are not finite are passed on; buildTriangleMesh() refuses them.
 ///
