@@ -47,9 +47,9 @@
  * has all of it and the others nothing: so filters that need the whole axis, such as
  * vtkMedialCurves and vtkMedialReconstruction, make the same of it. vtkGlobalPointIds and
  * vtkGlobalCellIds are the numbers that points and cells have in the axis of one process; points on
- * a cut are in several pieces, cells in one. GenerateDistanceField must be off, and
- * MaximumNumberOfSpheres 0, since a limit looks at the whole axis. With Topology PRESERVE the first
- * rank thins the voxels of the whole grid, and takes 10 bytes for each.
+ * a cut are in several pieces, cells in one. GenerateDistanceField must be off. With
+ * MaximumNumberOfSpheres the first rank has all of the axis, since a limit looks at the whole. With
+ * Topology PRESERVE it thins the voxels of the whole grid, and takes 10 bytes for each.
  * vtkDistributedFieldAlgorithm says what the input may be.
  *
  * @sa

@@ -84,10 +84,7 @@ void simplify(const MedialAxisOptions& options, const Run& run, RunStatistics& s
   MedialAxis& axis)
 {
   const Stopwatch watch(statistics.seconds.medial);
-  const std::optional<CellTopology> solid = axis.solid;
   axis = simplifyAxis(axis, options.maxSpheres, run);
-  axis.solid = solid;
-  axis.feature = axisFeatures(edgesOf(axis), axis.points.size());
 }
 
 /// Builds points, cells and features of the axis from the crossings.

@@ -125,6 +125,7 @@ MedialAxis simplifiedAxis(const MedialAxis& axis, const AxisBalls& frame,
   MedialAxis result;
   result.sign = axis.sign;
   result.side = axis.side;
+  result.solid = axis.solid;
   result.statistics = axis.statistics;
   addPoints(axis, frame, simplified, result);
   addCells(simplified, result);

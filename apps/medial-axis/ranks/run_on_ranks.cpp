@@ -63,12 +63,6 @@ void checkOptions(const Options& options)
   }
 }
 
-/// What the first process computes alone; null for an axis that all compute.
-const char* reasonForOne(const Options& options)
-{
-  return options.wantsAxis() && options.maxSpheres > 0 ? "--max-spheres" : nullptr;
-}
-
 /// What the first process does alone for the thickness; empty for nothing.
 std::string noteOfThickness(const Options& options)
 {
@@ -131,25 +125,6 @@ void requireSameOptions(const std::optional<Options>& options, Communicator& com
   }
 }
 
-/// Computes the whole axis on the first rank. All know how large it is, and of which side.
-AxisPiece axisOfOne(Communicator& communicator, const Share& share, const Grid& grid,
-  const MedialAxisOptions& wanted)
-{
-  AxisPiece piece;
-  withSharedFailures(communicator,
-    [&]
-    {
-      if (communicator.rank() == 0)
-      {
-        piece = onlyPiece(computeMedialAxis(share.whole, grid, wanted));
-      }
-    });
-  piece.points = gatheredValues(communicator, piece.points).front();
-  piece.cells = gatheredValues(communicator, piece.cells).front();
-  piece.axis.side = gatheredValues(communicator, piece.axis.side).front();
-  return piece;
-}
-
 /// Returns the parts of the grid that ranks compute.
 std::vector<Extent> extentsOf(const Options& options, Communicator& communicator,
   const Share& share, const Grid& grid, ProgressBar& bar)
@@ -162,10 +137,8 @@ std::vector<Extent> extentsOf(const Options& options, Communicator& communicator
       MedialAxisOptions wanted = libraryOptions(options, share.bounds.diagonal());
       wanted.field.engine = Engine::Processor;
       wanted.field.execution.progress = &watch;
-      extents = reasonForOne(options) != nullptr
-        ? partsOfGrid(grid, communicator.size())
-        : partsByWork(communicator, share.piece, grid, wanted.field,
-            options.wantsAxis() && options.field.empty() ? wanted.side : Side::Both);
+      extents = partsByWork(communicator, share.piece, grid, wanted.field,
+        options.wantsAxis() && options.field.empty() ? wanted.side : Side::Both);
     });
   return extents;
 }
@@ -178,13 +151,12 @@ RankComputed compute(const Options& options, Communicator& communicator, const S
   MedialAxisOptions wanted = libraryOptions(options, share.bounds.diagonal());
   wanted.field.engine = Engine::Processor;
   wanted.field.execution.progress = &watch;
-  const bool alone = reasonForOne(options) != nullptr;
   RankComputed result;
   NoField nothing;
   withFailures(options.input,
     [&]
     {
-      if (options.wantsAxis() && !alone)
+      if (options.wantsAxis())
       {
         result.axis = computeMedialAxis(communicator, share.piece, grid, extents,
           field != nullptr ? static_cast<FieldSink&>(*field) : nothing, wanted, &result.counts);
@@ -195,10 +167,6 @@ RankComputed compute(const Options& options, Communicator& communicator, const S
           touchingExtent(grid, extents[communicator.rank()]), *field, wanted.field, &result.counts);
       }
     });
-  if (alone)
-  {
-    result.axis = axisOfOne(communicator, share, grid, wanted);
-  }
   if (options.wantsAxis())
   {
     result.statistics = result.axis.axis.statistics;
@@ -262,11 +230,12 @@ void printSummary(const Options& options, const Result& result, double seconds)
 void tell(const Options& options, const Result& result, const AppSeconds& seconds)
 {
   printNotes(options, result, {});
-  if (const char* const reason = reasonForOne(options); reason != nullptr && !options.quiet)
+  if (options.wantsAxis() && options.maxSpheres > 0 && !options.quiet)
   {
     std::fprintf(stderr,
-      "medial-axis: note: %s: %s looks at the whole axis: the first process computed it alone\n",
-      options.input.c_str(), reason);
+      "medial-axis: note: %s: --max-spheres looks at the whole axis: the first process simplified "
+      "it alone\n",
+      options.input.c_str());
   }
   if (const std::string note = noteOfThickness(options); !note.empty() && !options.quiet)
   {
@@ -307,8 +276,7 @@ void runOnRanks(const Options& options, Communicator& communicator)
   ProgressBar bar(options.quiet || communicator.rank() > 0);
   RankOutputs outputs(options, communicator);
   bar.show(0.0, "reading");
-  Share share = readShare(options,
-    reasonForOne(options) != nullptr || needsWholeForThickness(options), communicator);
+  Share share = readShare(options, needsWholeForThickness(options), communicator);
   seconds.read = total.seconds();
   Grid grid;
   std::vector<Extent> extents;

@@ -172,11 +172,12 @@ struct AxisPiece
 ///
 /// With Topology::Preserve the first rank thins the voxels of the whole grid: it has the distances
 /// there, of the surface nothing, and takes 10 bytes for each grid point. The others tell it about
-/// selected crossings and closest sites, and place the points.
+/// selected crossings and closest sites, and place the points. With maxSpheres the axis is brought
+/// together on the first rank, which makes it compact and has all of the result.
 ///
 /// @param extents of all ranks; they cover the grid, each point once. Some may be empty.
 /// @param sink receives the field of touchingExtent() of this rank's.
-/// @param options maxSpheres must be 0; the engine is the processor.
+/// @param options the engine is the processor.
 /// @param counts receives what the rank has held; may be null.
 /// @throws Error on every rank, with the message of the first that failed: as computeMedialAxis()
 ///   in one process and as computeDistanceField() on several, and InvalidInput for extents that

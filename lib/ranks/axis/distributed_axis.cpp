@@ -22,6 +22,7 @@
 #include "ranks/field/rank_field.h"
 #include "ranks/field/work_cut.h"
 #include "ranks/whole_piece.h"
+#include "simplification/simplify_axis.h"
 
 #include <algorithm>
 #include <map>
@@ -43,15 +44,8 @@ constexpr double kSelected = 0.8;
 constexpr int kMinBox = 4;
 constexpr std::int64_t kEnoughBoxes = 4096;
 
-void checkOptions(const MedialAxisOptions& options)
-{
-  checkAxisOptions(options);
-  if (options.maxSpheres > 0)
-  {
-    throw Error(ErrorCode::InvalidInput,
-      "a maximum number of spheres needs the whole axis in one process");
-  }
-}
+/// Where the progress is when ranks have their pieces, if the first then simplifies the whole.
+constexpr double kInPieces = 0.9;
 
 /// A crossing with the numbers that its sites have in the whole surface.
 struct SharedCrossing
@@ -378,6 +372,26 @@ private:
   std::int64_t crossingsSeen_ = 0; ///< in the part of the axis and its halo
 };
 
+/// Brings an axis together on the first rank, which makes it compact.
+AxisPiece simplified(Communicator& communicator, const AxisPiece& piece, std::int64_t maxSpheres,
+  const Run& run)
+{
+  MedialAxis whole = gatherMedialAxis(communicator, piece);
+  AxisPiece result;
+  agree(communicator,
+    [&]
+    {
+      if (communicator.rank() == 0)
+      {
+        whole = simplifyAxis(whole, maxSpheres, run);
+      }
+      result = onlyPiece(std::move(whole));
+      result.points = gathered(communicator, result.points).front();
+      result.cells = gathered(communicator, result.cells).front();
+    });
+  return result;
+}
+
 } // namespace
 
 Extent touchingExtent(const Grid& grid, const Extent& extent)
@@ -406,7 +420,7 @@ AxisPiece computeMedialAxis(Communicator& communicator, const SurfacePiece& piec
   agree(counting,
     [&]
     {
-      checkOptions(options);
+      checkAxisOptions(options);
       checkFieldOfRanks(grid, {}, options.field);
       if (extents.size() != static_cast<std::size_t>(communicator.size()))
       {
@@ -427,9 +441,15 @@ AxisPiece computeMedialAxis(Communicator& communicator, const SurfacePiece& piec
         return;
       }
       const Run run(options.field.execution);
-      DistributedAxis axis(counting, piece, grid, options, run);
+      const bool simplifies = options.maxSpheres > 0;
+      const Run inPieces = run.part(0.0, simplifies ? kInPieces : 1.0);
+      DistributedAxis axis(counting, piece, grid, options, inPieces);
       result = axis.compute(share, axisExtents, sink, counts);
       result.axis.statistics = axis.statistics();
+      if (simplifies)
+      {
+        result = simplified(counting, result, options.maxSpheres, run.part(kInPieces, 1.0));
+      }
       run.report(1.0, "medial axis");
     });
   return result;

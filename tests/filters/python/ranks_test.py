@@ -289,7 +289,7 @@ class Ranks(unittest.TestCase):
             ({**axis, "options of ranks": {"1": {"Angle": 40}}}, "rank 1: Angle 40, but rank 0 has Angle 60"),
             ({**axis, "options": {**small, "GenerateDistanceField": 1}}, "^GenerateDistanceField must be off"),
             ({**axis, "options": {**small, "Topology": 1, "Representation": 2}}, "^points have no topology to preserve"),
-            ({**axis, "options": {**small, "MaximumNumberOfSpheres": 50}}, "^a maximum number of spheres"),
+            ({**axis, "options": {**small, "MaximumNumberOfSpheres": -1}}, "-1"),
             ({**axis, "options": {**small, "Angle": 200}}, "200"),
         ]
         thickness = {"thickness": True}
