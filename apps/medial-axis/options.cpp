@@ -78,7 +78,7 @@ std::optional<Options> parseOptions(int argc, char** argv)
   app
     .add_option("INPUT", texts.input,
       "mesh: .stl, .obj, .ply, .off, .vtp or .vtk; scan, with --isovalue or --label: .nrrd, .mha, "
-      ".mhd, .nii, .nii.gz or .vti")
+      ".mhd, .nii, .nii.gz or .vti; for several processes also .pvtp, a mesh in pieces")
     ->required()
     ->option_text(" ");
   addOutputOptions(app, texts, options);

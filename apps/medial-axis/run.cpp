@@ -40,6 +40,7 @@ void requireOneFile(const std::string& option, const std::filesystem::path& path
 
 void run(const Options& options)
 {
+  requireOneFile("INPUT", options.input);
   requireOneFile("--output", options.output);
   requireOneFile("--thickness", options.thickness);
   const Timer total;

@@ -12,7 +12,9 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPPolyDataReader
+from vtkmodules.vtkCommonCore import vtkIdTypeArray, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter, vtkXMLPPolyDataReader
 
 MPIRUN, PROGRAM, FAULTS = (os.path.abspath(path) for path in sys.argv[1:4])
 # mpirun's own words about failures would get into the middle of the program's line.
@@ -83,6 +85,34 @@ class RankTest(unittest.TestCase):
         lines += [" ".join(map(str, (len(face), *face))) for face in faces]
         (self.folder / "torus.off").write_text("\n".join(lines) + "\n")
 
+    def write_pieces(self, count):
+        """The torus once more, as torus.pvtp in so many pieces with global ids."""
+        points, faces = torus()
+        for rank in range(count):
+            own = range(rank, len(faces), count)
+            used = sorted({p for i in own for p in faces[i]})
+            places, cells = vtkPoints(), vtkCellArray()
+            places.SetDataTypeToDouble()
+            for p in used:
+                places.InsertNextPoint(points[p])
+            for i in own:
+                cells.InsertNextCell(len(faces[i]), [used.index(p) for p in faces[i]])
+            piece = vtkPolyData()
+            piece.SetPoints(places)
+            piece.SetPolys(cells)
+            for data, kind, numbers in ((piece.GetPointData(), "Point", used), (piece.GetCellData(), "Cell", own)):
+                ids = vtkIdTypeArray()
+                ids.SetName(f"vtkGlobal{kind}Ids")
+                for number in numbers:
+                    ids.InsertNextValue(number)
+                data.SetGlobalIds(ids)
+            writer = vtkXMLPolyDataWriter()
+            writer.SetInputData(piece)
+            writer.SetFileName(str(self.folder / f"torus_{rank}.vtp"))
+            writer.Write()
+        pieces = "".join(f'<Piece Source="torus_{rank}.vtp"/>' for rank in range(count))
+        (self.folder / "torus.pvtp").write_text(f'<VTKFile type="PPolyData"><PPolyData>{pieces}</PPolyData></VTKFile>')
+
     def files(self):
         return sorted(path.name for path in self.folder.iterdir())
 
@@ -126,8 +156,11 @@ class RankTest(unittest.TestCase):
 
     def expect_failure(self, run, code, text):
         """One line, and no file but the mesh."""
+        self.expect_line(run, code, text)
+        self.assertEqual(self.files(), ["torus.off"])
+
+    def expect_line(self, run, code, text):
         self.assertEqual(run.returncode, code, run.stderr)
         lines = [line for line in run.stderr.splitlines() if line.startswith("medial-axis")]
         self.assertEqual(len(lines), 1, run.stderr)
         self.assertRegex(lines[0], text)
-        self.assertEqual(self.files(), ["torus.off"])

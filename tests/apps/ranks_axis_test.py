@@ -79,6 +79,50 @@ class RanksAxis(RankTest):
         self.assertNotIn("first process", several.stderr)
         self.expect_same_file("many.vtp", "one.vtp")
 
+    def test_a_mesh_in_pieces_has_the_axis_of_the_whole(self):
+        self.write_pieces(3)
+        for topology in ("selected", "preserve"):
+            options = ("--resolution", "40", "--topology", topology, *SINGLE, "-q")
+            self.run_well(1, "torus.off", "-o", "one.vtp", *options)
+            for ranks in (2, 4):  # of which one has two pieces, or none
+                self.run_well(ranks, "torus.pvtp", "-o", "many.vtp", *options)
+                self.expect_same_file("many.vtp", "one.vtp")
+
+    def test_a_mesh_in_pieces_has_the_field_and_thickness_of_the_whole(self):
+        self.write_pieces(2)
+        options = (*SINGLE, "-q", "--resolution", "30", "--field", "f.pvti", "--thickness", "t.pvtp")
+        found = []
+        for mesh in ("torus.off", "torus.pvtp"):
+            self.run_well(2, mesh, *options)
+            fields = [(self.folder / name).read_bytes() for name in ("f_0.vti", "f_1.vti")]
+            surface = read_polydata(self.folder / "t.pvtp")
+            values, cells = (surface.GetCellData().GetArray(name) for name in ("Thickness", "InputCell"))
+            ids = self.global_ids(surface, "Point")
+            found.append((fields, {tuple(ids[p] for p in cell): (cells.GetValue(i), values.GetValue(i))
+                                   for i, cell in enumerate(cells_of(surface))}))
+        self.assertEqual(found[0][0], found[1][0])
+        self.assertEqual(len(found[0][1]), 1600)
+        self.assertEqual(found[0][1], found[1][1])
+
+    def test_a_mesh_in_pieces_that_is_damaged(self):
+        self.write_pieces(3)
+        def several(*options):
+            return self.run_ranks(2, "torus.pvtp", "-o", "a.vtp", "-q", *options)
+
+        alone = self.run_ranks(1, "torus.pvtp", "-o", "a.vtp")
+        for run, code, text in (
+                (alone, 2, "^medial-axis: INPUT torus.pvtp: .pvtp is for several processes"),
+                (several("--report", "r.json"), 2, "torus.pvtp lies in pieces: --report needs a mesh in one file$"),
+                (several("--min-thickness", "1"), 2, "torus.pvtp lies in pieces: a limit of thickness needs a mesh")):
+            self.expect_line(run, code, text)
+        (self.folder / "torus_1.vtp").unlink()
+        self.expect_line(several(), 3, "^medial-axis: rank 1: torus_1.vtp: no such file$")
+        for index, text in (("<VTKFile/>", "not an index of polygonal data"),
+                            ("<VTKFile><PPolyData><Piece/></PPolyData></VTKFile>", "a Piece has no Source"),
+                            ("<VTKFile><PPolyData/></VTKFile>", "the mesh has no cells")):
+            (self.folder / "torus.pvtp").write_text(index)
+            self.expect_line(several(), 3, f"^medial-axis: torus.pvtp: {text}")
+
     def test_what_the_first_rank_computes_alone(self):
         for topology in ("selected", "preserve"):
             options = ("--resolution", "30", "--sign", "pseudonormal", *SINGLE, "--topology", topology, "--max-spheres", "50")

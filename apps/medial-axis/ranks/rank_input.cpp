@@ -5,6 +5,7 @@
 #include "input/surface_reader.h"
 #include "library_calls.h"
 #include "list_message.h"
+#include "ranks/mesh_pieces.h"
 #include "ranks/rank_agreement.h"
 
 #include <algorithm>
@@ -116,8 +117,16 @@ SurfacePiece receivedPiece(Message bytes, Bounds& bounds)
 
 Share readShare(const Options& options, bool keepsWhole, Communicator& communicator)
 {
-  std::vector<Message> messages(static_cast<std::size_t>(communicator.size()));
   Share share;
+  if (isInPieces(options.input))
+  {
+    MeshPiece own = readMeshPiece(options.input, communicator);
+    share.piece = std::move(own.piece);
+    share.bounds = own.bounds;
+    share.figures.diagonal = share.bounds.diagonal();
+    return share;
+  }
+  std::vector<Message> messages(static_cast<std::size_t>(communicator.size()));
   withSharedFailures(communicator,
     [&]
     {

@@ -20,7 +20,7 @@ struct Share
   Surface surface;     ///< the same with the arrays of its file, for --thickness FILE.vtp
 };
 
-/// The first rank reads the mesh, and hands it out.
+/// The first rank reads the mesh, and hands it out; of a mesh in pieces all read theirs.
 /// @param keepsWhole whether the first rank keeps all of it.
 /// @throws Failure on every rank.
 Share readShare(const Options& options, bool keepsWhole, Communicator& communicator);

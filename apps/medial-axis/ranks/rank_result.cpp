@@ -2,6 +2,7 @@
 
 #include "input/surface_reader.h"
 #include "library_calls.h"
+#include "ranks/mesh_pieces.h"
 #include "ranks/rank_agreement.h"
 #include "report.h"
 #include "timer.h"
@@ -46,9 +47,13 @@ void addUp(Communicator& communicator, const Figures& own, Result& result)
 }
 
 /// The thickness at places that the axis leaves out. Rays go through all of the mesh, so the first
-/// rank reads it once more.
+/// rank reads it once more; not where it lies in pieces.
 void measurePlaces(const Options& options, Communicator& communicator, Result& result)
 {
+  if (isInPieces(options.input))
+  {
+    return;
+  }
   withSharedFailures(communicator,
     [&]
     {

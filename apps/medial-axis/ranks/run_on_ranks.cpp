@@ -6,6 +6,7 @@
 #include "library_calls.h"
 #include "output/standard_output.h"
 #include "progress_bar.h"
+#include "ranks/mesh_pieces.h"
 #include "ranks/rank_agreement.h"
 #include "ranks/rank_input.h"
 #include "ranks/rank_outputs.h"
@@ -60,6 +61,15 @@ void checkOptions(const Options& options)
   if (options.engine != Engine::Auto && options.engine != Engine::Processor)
   {
     refuse("they need --engine processor");
+  }
+  const char* const ofWhole = !options.report.empty() ? "--report"
+    : needsWholeForThickness(options)
+    ? (options.hasThicknessLimits() ? "a limit of thickness" : "--thickness FILE.vtp")
+    : nullptr;
+  if (isInPieces(options.input) && ofWhole != nullptr)
+  {
+    throw Failure(ExitCode::Usage,
+      options.input.string() + " lies in pieces: " + ofWhole + " needs a mesh in one file");
   }
 }
 
