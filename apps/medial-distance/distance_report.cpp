@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace medial::app
@@ -61,7 +62,9 @@ void printTable(const DistanceCommand& command, const DistanceResults& results)
     summary.percentile95);
   if (results.comparison)
   {
-    std::printf("hausdorff %.9g\n", results.comparison->hausdorff());
+    std::printf("deviation mean %.9g, RMS %.9g, maximum %.9g, Hausdorff %.9g\n", summary.mean,
+      summary.rms, std::max(std::abs(summary.min), std::abs(summary.max)),
+      results.comparison->hausdorff());
     printFarthest("points' surface to mesh", results.comparison->ofPoints);
     printFarthest("mesh to points' surface", results.comparison->ofMesh);
   }
