@@ -38,7 +38,7 @@ std::vector<fs::path> filesOf(const std::string& content, const fs::path& folder
   {
     if (elements[child].name == "Piece")
     {
-      const std::string& source = elements[child].attribute("Source", "");
+      const std::string source = elements[child].attribute("Source", "");
       if (source.empty())
       {
         refuseContent("a Piece has no Source");
