@@ -288,6 +288,13 @@ TEST(VtpReader, ComparesHeadersOfArraysWithTheBytesThatAreThere)
     0U);
 }
 
+TEST(VtpReader, ArraysHaveAFormat)
+{
+  const std::string whole = withHeader({ 12, 0, 0, 0 }, "");
+  EXPECT_EQ(refusalWith(whole, "<DataArray", " format=\"binary\"", ""),
+    "a.vtp: array 'Points' has the format '', allowed: ascii binary appended");
+}
+
 std::int64_t maxMemoryKiB()
 {
   rusage usage{};

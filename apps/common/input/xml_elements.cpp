@@ -192,7 +192,7 @@ private:
 
 } // namespace
 
-const std::string& XmlElement::attribute(const std::string& key, const std::string& otherwise) const
+std::string XmlElement::attribute(const std::string& key, const std::string& otherwise) const
 {
   const auto found = attributes.find(key);
   return found == attributes.end() ? otherwise : found->second;

@@ -18,7 +18,7 @@ struct XmlElement
   std::vector<std::size_t> children; ///< indices of its child elements
 
   /// The value of an attribute, or `otherwise` where it has none of that name.
-  const std::string& attribute(const std::string& key, const std::string& otherwise) const;
+  std::string attribute(const std::string& key, const std::string& otherwise) const;
 };
 
 /// The elements of a text in the order of their start tags; the first is the root. It reads what
