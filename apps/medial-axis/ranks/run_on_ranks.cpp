@@ -4,6 +4,7 @@
 #include "failure.h"
 #include "input/input_file.h"
 #include "library_calls.h"
+#include "number_text.h"
 #include "output/standard_output.h"
 #include "progress_bar.h"
 #include "ranks/mesh_pieces.h"
@@ -82,14 +83,6 @@ std::string noteOfThickness(const Options& options)
     : "";
 }
 
-/// A number and no other.
-std::string exactText(double number)
-{
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.17g ", number);
-  return text.data();
-}
-
 /// What must be the same on every rank.
 std::string textOf(const Options& options)
 {
@@ -102,7 +95,7 @@ std::string textOf(const Options& options)
          std::optional(options.lambda), std::optional(options.minRadius) })
   {
     const auto& [value, isShare] = lengthOf(length);
-    text += exactText(value) + (isShare ? "% " : " ");
+    text += numberText(value) + (isShare ? "% " : " ");
   }
   for (const double number : { static_cast<double>(thicknessOptions(options).method),
          static_cast<double>(options.resolution.value_or(0)), options.spacing.value_or(0.0),
@@ -111,7 +104,7 @@ std::string textOf(const Options& options)
          static_cast<double>(options.representation), static_cast<double>(options.topology),
          options.quiet ? 1.0 : 0.0, options.coverage ? 1.0 : 0.0 })
   {
-    text += exactText(number);
+    text += numberText(number) + ' ';
   }
   for (const bool wanted : options.fieldArrays)
   {

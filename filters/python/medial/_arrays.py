@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 from ._errors import InvalidInputError
 
@@ -54,6 +54,18 @@ def add_attributes(data: Any, attributes: Mapping[str, tuple[str, int]], owner: 
         if values.shape != expected:
             raise InvalidInputError(f"{attribute} has the shape {values.shape}, not {expected}")
         add_point_data(data, name, values)
+
+
+def points_with(attributes: Mapping[str, tuple[str, int]], owner: Any, scalars: str) -> vtkPolyData:
+    """The points of an object, shared, with attributes as for add_attributes(), but no cells.
+
+    scalars: the array that colours them.
+    """
+    mesh = vtkPolyData()
+    mesh.SetPoints(to_points(float_rows(owner.points, "points", 3)))
+    add_attributes(mesh, attributes, owner)
+    mesh.GetPointData().SetActiveScalars(scalars)
+    return mesh
 
 
 def _named(name: str, values: NDArray[Any]) -> Any:

@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from ._arrays import (add_attributes, cells_of_size, figure, float_rows, index_rows,
-                      point_coordinates, point_data, rows_to_cells, to_points)
+from ._arrays import (cells_of_size, figure, index_rows, point_coordinates, point_data, points_with,
+                      rows_to_cells)
 from ._errors import InvalidInputError
 from ._field import DistanceField, field_of
 from ._mesh import length, to_polydata
@@ -93,12 +93,8 @@ class MedialAxis:
 
         Raises InvalidInputError where arrays do not fit each other.
         """
-        points = float_rows(self.points, "points", 3)
-        axis = vtkPolyData()
-        axis.SetPoints(to_points(points))
-        add_attributes(axis, _ARRAYS, self)
-        axis.GetPointData().SetActiveScalars("Radius")
-        cells = {name: index_rows(getattr(self, name), name, len(points)) for name in _CELLS}
+        axis = points_with(_ARRAYS, self, "Radius")
+        cells = {name: index_rows(getattr(self, name), name, len(self.points)) for name in _CELLS}
         axis.SetVerts(rows_to_cells(cells["vertices"]))
         axis.SetLines(rows_to_cells(cells["lines"]))
         axis.SetPolys(rows_to_cells(cells["quads"], cells["triangles"]))

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from ._arrays import add_attributes, figure, float_rows, point_data, rows_to_cells, to_points
+from ._arrays import figure, float_rows, point_data, points_with, rows_to_cells, to_points
 from ._mesh import is_whole, to_polydata
 from ._options import SIGNS, Sign, assign, assign_numbers, choice
 from ._update import Progress, run
@@ -49,12 +49,8 @@ class PointDistances(NamedTuple):
 
         Raises InvalidInputError where arrays do not fit each other.
         """
-        points = float_rows(self.points, "points", 3)
-        mesh = vtkPolyData()
-        mesh.SetPoints(to_points(points))
-        mesh.SetVerts(rows_to_cells(np.arange(len(points))[:, np.newaxis]))
-        add_attributes(mesh, _ARRAYS, self)
-        mesh.GetPointData().SetActiveScalars("Distance")
+        mesh = points_with(_ARRAYS, self, "Distance")
+        mesh.SetVerts(rows_to_cells(np.arange(len(self.points))[:, np.newaxis]))
         return mesh
 
 

@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from ._arrays import (add_attributes, add_cell_data, float_rows, index_rows, joined_cells,
-                      point_coordinates, point_data, ragged_rows, to_points)
+from ._arrays import (add_cell_data, index_rows, joined_cells, point_coordinates, point_data,
+                      points_with, ragged_rows)
 from ._mesh import length, to_polydata
 from ._options import (Engine, Lengths, Sign, assign, assign_grid, assign_numbers, assign_run)
 from ._update import Progress, run
@@ -77,15 +77,12 @@ class Skeleton:
 
         Raises InvalidInputError where arrays do not fit each other.
         """
-        points = float_rows(self.points, "points", 3)
-        network = vtkPolyData()
-        network.SetPoints(to_points(points))
-        add_attributes(network, _ARRAYS, self)
-        network.GetPointData().SetActiveScalars("Radius")
+        network = points_with(_ARRAYS, self, "Radius")
         # VTK numbers vertices before lines.
         order = sorted(range(len(self.branches)), key=lambda i: len(self.branches[i].indices) > 1)
         branches = [self.branches[i] for i in order]
-        rows = [index_rows(np.reshape(branch.indices, (-1, 1)), "branches", len(points))[:, 0]
+        size = len(self.points)
+        rows = [index_rows(np.reshape(branch.indices, (-1, 1)), "branches", size)[:, 0]
                 for branch in branches]
         network.SetVerts(joined_cells([row for row in rows if len(row) == 1]))
         network.SetLines(joined_cells([row for row in rows if len(row) > 1]))
