@@ -14,13 +14,14 @@
 #include "skeleton/smooth_network.h"
 
 #include <tbb/parallel_for.h>
-#include <tbb/task_group.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <new>
 #include <numeric>
+#include <optional>
 #include <string>
 
 namespace medial
@@ -225,12 +226,14 @@ Skeleton build(const MedialAxis& axis, const TriangleMesh& mesh, const SkeletonO
     });
   const double step = meanEdge(axis, positions);
   const Checkpoint checkpoint(run, 0.3, kPhase);
-  // The fire keeps one thread busy. Progress is reported from this one, by the query.
+  // The fire keeps one thread busy. The last one runs here, where progress may be reported.
   BurnedSheets burned;
-  tbb::task_group fire;
-  fire.run([&] { burned = burnSheets(axis, positions, radii, checkpoint); });
-  const DistanceQuery query(mesh, axis.sign, run.part(0.0, 0.3), { run.threads(), nullptr });
-  fire.wait();
+  std::optional<DistanceQuery> built;
+  tbb::parallel_invoke([&] { burned = burnSheets(axis, positions, radii, checkpoint); },
+    [&] {
+      built.emplace(mesh, axis.sign, run.part(0.0, 0.3), Execution{ run.threads(), nullptr });
+    });
+  const DistanceQuery& query = *built;
   const SolidProbe probe(query);
   const std::vector<CurvePath> paths = curveNetwork(burned.edges, axis.vertices,
     { positions, radii, burned.widths, probe, step, options.minBranch }, checkpoint);

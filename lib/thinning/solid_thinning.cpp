@@ -7,10 +7,10 @@
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 #include <tbb/parallel_sort.h>
-#include <tbb/task_group.h>
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 namespace medial
@@ -133,15 +133,17 @@ SolidThinning::SolidThinning(const DepthField& depth, const glm::ivec3& size,
 {
   VoxelMask voxels = voxelsOf(depth, size);
   setVoxels(voxels, complex_);
+  std::optional<CubicalComplex> sheets;
   // The core keeps one thread busy for most of the time.
-  tbb::task_group counting;
-  counting.run([&] { topology_ = topologyOf(complex_); });
-  anchored_ = sheetFaces(complex_, selected.crossings, samples_, exact_);
-  const CubicalComplex sheets = closureOf(size, anchored_);
-  reduceToCore(depth, selected.crossings, sheets, checkpoint, voxels);
-  counting.wait();
+  tbb::parallel_invoke([&] { topology_ = topologyOf(complex_); },
+    [&]
+    {
+      anchored_ = sheetFaces(complex_, selected.crossings, samples_, exact_);
+      sheets = closureOf(size, anchored_);
+      reduceToCore(depth, selected.crossings, *sheets, checkpoint, voxels);
+    });
   setVoxels(voxels, complex_);
-  complex_.insert(sheets);
+  complex_.insert(*sheets);
 }
 
 /// The rules for curves apply to strips: selected ones, and those that sheets were reduced to where

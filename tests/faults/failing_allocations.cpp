@@ -90,7 +90,7 @@ std::int64_t stopFailing()
 std::int64_t stepBetweenFailures()
 {
   const char* text = std::getenv("MEDIAL_FAULT_STEP");
-  return text != nullptr ? std::atoll(text) : 397;
+  return text != nullptr ? std::atoll(text) : 101;
 }
 
 std::int64_t liveBlocks()

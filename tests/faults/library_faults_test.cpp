@@ -4,7 +4,11 @@
 #include "medial/compute_distance_field.h"
 #include "medial/compute_medial_axis.h"
 #include "medial/error.h"
+#include "medial/local_thickness.h"
 #include "medial/mesh_io.h"
+#include "medial/point_distance.h"
+#include "medial/proximity.h"
+#include "medial/skeleton.h"
 #include "medial/thickness.h"
 #include "support/files.h"
 #include "support/mesh_texts.h"
@@ -84,6 +88,51 @@ std::vector<Stage> stages()
       {
         std::string bytes;
         append(bytes, computeThickness(meshOf(file)).values);
+        return bytes;
+      } },
+    { "local thickness",
+      [meshOf](const std::string& file)
+      {
+        const TriangleMesh mesh = meshOf(file);
+        std::string bytes;
+        append(bytes, computeLocalThickness(mesh, makeGrid(mesh.bounds(), kResolution)).values);
+        return bytes;
+      } },
+    { "skeleton",
+      [meshOf](const std::string& file)
+      {
+        const TriangleMesh mesh = meshOf(file);
+        MedialAxisOptions options;
+        options.topology = Topology::Preserve;
+        const Grid grid = makeGrid(mesh.bounds(), kResolution);
+        const Skeleton skeleton = computeSkeleton(computeMedialAxis(mesh, grid, options), mesh);
+        std::string bytes;
+        append(bytes, skeleton.points);
+        append(bytes, skeleton.radius);
+        return bytes;
+      } },
+    { "distances",
+      [meshOf](const std::string& file)
+      {
+        const TriangleMesh mesh = meshOf(file);
+        const PointDistances distances = PointDistance(mesh).compute(mesh.points);
+        std::string bytes;
+        append(bytes, distances.distance);
+        append(bytes, distances.closestCell);
+        return bytes;
+      } },
+    { "proximity",
+      [meshOf](const std::string& file)
+      {
+        const TriangleMesh mesh = meshOf(file);
+        TriangleMesh moved = mesh;
+        for (Point3& point : moved.points)
+        {
+          point[0] += 0.25;
+        }
+        const Proximity proximity = computeProximity(mesh, moved);
+        std::string bytes;
+        append(bytes, std::vector<double>{ proximity.separation, proximity.depth });
         return bytes;
       } } };
 }
