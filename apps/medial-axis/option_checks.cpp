@@ -158,9 +158,7 @@ void convertTexts(const OptionTexts& texts, bool spacingGiven, Options& options)
     options.report.empty() && !options.coverage && !options.wantsThickness() &&
     !options.wantsSkeleton())
   {
-    const std::string name = options.input.filename().string();
-    options.output =
-      name.substr(0, name.size() - extensionOf(options.input).size()) + "_medial.vtp";
+    options.output = stemOf(options.input) + "_medial.vtp";
   }
 }
 

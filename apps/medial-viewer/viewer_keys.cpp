@@ -1,6 +1,7 @@
 #include "viewer.h"
 
 #include "failure.h"
+#include "input/input_file.h"
 #include "viewpoint.h"
 
 // What the keys do.
@@ -99,7 +100,7 @@ void Viewer::turnSlice(int axis)
 
 void Viewer::savePicture()
 {
-  const std::string stem = std::filesystem::path(sequence_.frames[frame_].name).stem().string();
+  const std::string stem = stemOf(sequence_.frames[frame_].name);
   std::filesystem::path file;
   std::error_code ignored;
   for (int i = 1; file.empty() || std::filesystem::exists(file, ignored); ++i)

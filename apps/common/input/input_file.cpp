@@ -27,6 +27,12 @@ std::string extensionOf(const fs::path& path)
   return extension;
 }
 
+std::string stemOf(const fs::path& path)
+{
+  const std::string name = path.filename().string();
+  return name.substr(0, name.size() - extensionOf(path).size());
+}
+
 void refuseFile(const fs::path& path, const std::string& why)
 {
   throw Failure(ExitCode::BadInput, path.string() + ": " + why);

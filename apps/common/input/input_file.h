@@ -9,6 +9,9 @@ namespace medial::app
 /// The extension in lower case, with its dot; in front of .gz, the one before as well.
 std::string extensionOf(const std::filesystem::path& path);
 
+/// The name of the file without folder and extension.
+std::string stemOf(const std::filesystem::path& path);
+
 /// Reports what is wrong with an input file.
 /// @throws Failure BadInput naming the file.
 [[noreturn]] void refuseFile(const std::filesystem::path& path, const std::string& why);
