@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include <initializer_list>
+#include <string>
 
 namespace medial::app
 {
@@ -77,8 +78,8 @@ std::optional<Options> parseOptions(int argc, char** argv)
   Options options;
   app
     .add_option("INPUT", texts.input,
-      "mesh: .stl, .obj, .ply, .off, .vtp or .vtk; scan, with --isovalue or --label: .nrrd, .mha, "
-      ".mhd, .nii, .nii.gz or .vti; for several processes also .pvtp, a mesh in pieces")
+      std::string("mesh: .stl, .obj, .ply, .off, .vtp or .vtk") + kScanInput +
+        "; for several processes also .pvtp, a mesh in pieces")
     ->required()
     ->option_text(" ");
   addOutputOptions(app, texts, options);

@@ -80,8 +80,7 @@ std::optional<DistanceCommand> parseDistanceCommand(int argc, char** argv)
   DistanceCommand command;
   app
     .add_option("MESH", texts.mesh,
-      "mesh: .stl, .obj, .ply, .off, .vtp or .vtk; scan, with --isovalue or --label: .nrrd, .mha, "
-      ".mhd, .nii, .nii.gz or .vti")
+      std::string("mesh: .stl, .obj, .ply, .off, .vtp or .vtk") + kScanInput)
     ->required()
     ->option_text(" ");
   app

@@ -10,6 +10,10 @@
 namespace medial::app
 {
 
+/// What the help says of an input that may be a scan, after what it says of meshes.
+inline constexpr char kScanInput[] =
+  "; scan, with --isovalue or --label: .nrrd, .mha, .mhd, .nii, .nii.gz or .vti";
+
 /// Adds --isovalue, --label and --scan-smoothing in a group of their own.
 void addScanOptions(CLI::App& app, ScanSurface& wanted);
 

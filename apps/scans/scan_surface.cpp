@@ -249,4 +249,9 @@ Surface readSurface(const fs::path& path, const ScanSurface& wanted)
                           : readSurface(path);
 }
 
+Sequence readSequence(const std::vector<fs::path>& inputs, const ScanSurface& wanted)
+{
+  return readSequence(inputs, [&](const fs::path& path) { return readSurface(path, wanted); });
+}
+
 } // namespace medial::app

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "input/sequence.h"
 #include "input/surface.h"
 #include "scan_reader.h"
 
@@ -8,6 +9,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 namespace medial::app
 {
@@ -39,5 +41,9 @@ vtkSmartPointer<vtkPolyData> extractSurface(const Scan& scan, const ScanSurface&
 /// Reads a mesh, or the surface that is wanted of a scan.
 /// @throws Failure BadInput naming the file.
 Surface readSurface(const std::filesystem::path& path, const ScanSurface& wanted);
+
+/// Reads the frames of a sequence, each as readSurface() does.
+/// @throws Failure BadInput naming the file.
+Sequence readSequence(const std::vector<std::filesystem::path>& inputs, const ScanSurface& wanted);
 
 } // namespace medial::app

@@ -88,10 +88,9 @@ void include(Bounds& bounds, const Bounds& other)
   }
 }
 
-// Reads the first frame, which the others must match.
-MeshInput readFirst(const fs::path& file, Sequence& sequence)
+// The first frame, which the others must match.
+MeshInput addFirst(Surface surface, const fs::path& file, Sequence& sequence)
 {
-  Surface surface = readSurface(file);
   MeshInput input = surface.toMeshInput();
   withFailures(file, [&] { sequence.mesh = buildTriangleMesh(input); });
   sequence.bounds = sequence.mesh.bounds();
@@ -101,10 +100,9 @@ MeshInput readFirst(const fs::path& file, Sequence& sequence)
   return input;
 }
 
-void readNext(const fs::path& file, const fs::path& first, const MeshInput& expected,
-  Sequence& sequence)
+void addNext(Surface surface, const fs::path& file, const fs::path& first,
+  const MeshInput& expected, Sequence& sequence)
 {
-  Surface surface = readSurface(file);
   const MeshInput input = surface.toMeshInput();
   if (!sameCells(input, expected))
   {
@@ -136,13 +134,19 @@ std::vector<fs::path> filesOf(const std::vector<fs::path>& inputs)
 
 Sequence readSequence(const std::vector<fs::path>& inputs)
 {
+  return readSequence(inputs, [](const fs::path& file) { return readSurface(file); });
+}
+
+Sequence readSequence(const std::vector<fs::path>& inputs,
+  const std::function<Surface(const fs::path&)>& read)
+{
   const std::vector<fs::path> files = filesOf(inputs);
   Sequence sequence;
-  const MeshInput first = readFirst(files.front(), sequence);
+  const MeshInput first = addFirst(read(files.front()), files.front(), sequence);
   for (std::size_t i = 1; i < files.size(); ++i)
   {
     throwIfInterrupted();
-    readNext(files[i], files.front(), first, sequence);
+    addNext(read(files[i]), files[i], files.front(), first, sequence);
   }
   return sequence;
 }

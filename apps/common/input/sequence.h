@@ -1,5 +1,7 @@
 #pragma once
 
+#include "input/surface.h"
+
 #include "medial/triangle_mesh.h"
 
 #include <vtkPoints.h>
@@ -7,6 +9,7 @@
 #include <vtkSmartPointer.h>
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -36,9 +39,14 @@ struct Sequence
 /// @throws Failure BadInput for a folder without meshes.
 std::vector<std::filesystem::path> filesOf(const std::vector<std::filesystem::path>& inputs);
 
+///@{
 /// Reads all frames.
+/// @param read reads the file of one; readSurface() if omitted.
 /// @throws Failure BadInput naming the file, also where its cells are not those of the first,
 ///   or come apart: points that are equal in the first frame must be so in all.
 Sequence readSequence(const std::vector<std::filesystem::path>& inputs);
+Sequence readSequence(const std::vector<std::filesystem::path>& inputs,
+  const std::function<Surface(const std::filesystem::path&)>& read);
+///@}
 
 } // namespace medial::app
