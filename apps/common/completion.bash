@@ -54,6 +54,7 @@ _medial_option_takes_value()
 _medial()
 {
   local program=$1 word=${COMP_WORDS[COMP_CWORD]} option=${COMP_WORDS[COMP_CWORD - 1]} help
+  local -a meshes=(stl obj ply off vtp vtk) scans=(nrrd mha mhd nii nii.gz vti)
   # "--side=x" comes as three words.
   if [[ $word == = ]]; then
     word=
@@ -68,11 +69,11 @@ _medial()
   elif [[ $program == *medial-measure ]]; then
     mapfile -t COMPREPLY < <(_medial_files "$word" vtp ply obj ma stl off vtk)
   elif [[ $program == *medial-distance ]]; then
-    mapfile -t COMPREPLY < <(_medial_files "$word" stl obj ply off vtp vtk xyz txt csv)
-  elif [[ $program == *medial-axis ]]; then
-    mapfile -t COMPREPLY < <(_medial_files "$word" stl obj ply off vtp vtk nrrd mha mhd nii nii.gz vti)
+    mapfile -t COMPREPLY < <(_medial_files "$word" "${meshes[@]}" "${scans[@]}" xyz txt csv)
+  elif [[ $program == *medial-proximity ]]; then
+    mapfile -t COMPREPLY < <(_medial_files "$word" "${meshes[@]}")
   else
-    mapfile -t COMPREPLY < <(_medial_files "$word" stl obj ply off vtp vtk)
+    mapfile -t COMPREPLY < <(_medial_files "$word" "${meshes[@]}" "${scans[@]}")
   fi
 }
 

@@ -88,6 +88,14 @@ class Completion(unittest.TestCase):
         self.assertEqual(self.offers("medial-proximity", "--contacts", "axis"), ["axis.vtp"])
         self.assertEqual(self.offers("medial-proximity", "--animation", "pa"), ["parts"])
 
+    def test_scans_are_offered_where_they_are_taken(self):
+        for name in ("head.nrrd", "head.nii.gz", "head.txt.gz"):
+            (self.folder / name).touch()
+        for program in ("medial-axis", "medial-distance", "medial-viewer"):
+            with self.subTest(program=program):
+                self.assertEqual(self.offers(program, "he"), ["head.nii.gz", "head.nrrd"])
+        self.assertEqual(self.offers("medial-proximity", "he"), [])
+
     def test_numbers_are_not_guessed(self):
         self.assertEqual(self.offers("medial-axis", "part.stl", "--angle", ""), [])
         self.assertEqual(self.offers("medial-axis", "part.stl", "--lambda", ""), [])
