@@ -283,7 +283,7 @@ void runViewer(const ViewerOptions& options)
   {
     const OutputFile writable(options.screenshot); // throws before anything is computed
   }
-  Sequence sequence = readSequence(options.inputs);
+  Sequence sequence = readSequence(options.inputs, options.scan);
   const VtkMessages messages;
   Viewer viewer(std::move(sequence), options);
   if (options.screenshot.empty())

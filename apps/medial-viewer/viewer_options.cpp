@@ -3,6 +3,7 @@
 #include "command_line.h"
 #include "failure.h"
 #include "option_names.h"
+#include "scan_options.h"
 #include "validators.h"
 
 #include <CLI/CLI.hpp>
@@ -103,6 +104,10 @@ void convert(const ViewerTexts& texts, ViewerOptions& options)
   options.engine = engineNames().at(texts.engine);
   options.screenshot = texts.screenshot;
   checkExtension("--screenshot", options.screenshot, { ".png" });
+  for (const std::filesystem::path& input : options.inputs)
+  {
+    checkScanOptions(input, options.scan);
+  }
 }
 
 } // namespace
@@ -116,10 +121,12 @@ std::optional<ViewerOptions> parseViewerOptions(int argc, char** argv)
   ViewerOptions options;
   app
     .add_option("INPUT", texts.inputs,
-      "mesh, or the meshes of a sequence, or a folder of them (in the order of their names): .stl, "
-      ".obj, .ply, .off, .vtp or .vtk")
+      std::string("mesh, or the meshes of a sequence, or a folder of them (in the order of their "
+                  "names): .stl, .obj, .ply, .off, .vtp or .vtk") +
+        kScanInput)
     ->required()
     ->option_text(" ");
+  addScanOptions(app, options.scan);
   addViewOptions(app, texts, options);
   addComputeOptions(app, texts, options);
   if (!parseCommandLine(app, argc, argv))

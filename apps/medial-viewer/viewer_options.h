@@ -1,6 +1,7 @@
 #pragma once
 
 #include "device_options.h"
+#include "scan_surface.h"
 
 #include "medial/compute_medial_axis.h"
 
@@ -31,7 +32,8 @@ constexpr int kMaxViewerResolution = 8192;
 /// The command line of the viewer.
 struct ViewerOptions
 {
-  std::vector<std::filesystem::path> inputs; ///< a mesh, a folder of meshes, or several meshes
+  std::vector<std::filesystem::path> inputs; ///< a mesh, a folder of them, several, or a scan
+  ScanSurface scan;                          ///< what of a scan
   int resolution = 96;
   int maxResolution = 256; ///< the end of the slider
   double angle = kDefaultAngle;

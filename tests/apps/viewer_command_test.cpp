@@ -1,4 +1,5 @@
 #include "program.h"
+#include "scan_files.h"
 #include "support/mesh_texts.h"
 
 #include "support/shapes.h"
@@ -29,6 +30,14 @@ protected:
     EXPECT_EQ(outcome.err.rfind("medial-viewer: ", 0), 0U) << outcome.err;
     EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1) << outcome.err;
     return outcome.err;
+  }
+
+  // A ball with the label 2.
+  std::string writeScan() const
+  {
+    writeFile(folder.file("ball.nrrd"),
+      nrrdFile(LabelImage([](double r) { return r < 4.0 ? 2 : 0; }), "gzip"));
+    return folder.file("ball.nrrd");
   }
 
   TemporaryFolder folder;
@@ -95,6 +104,31 @@ TEST_F(ViewerCommand, RefusesBadInputBeforeItAsksForADisplay)
   EXPECT_TRUE(contains(failure({ folder.file("none.obj") }, kBadInput), "none.obj"));
 }
 
+TEST_F(ViewerCommand, RefusesScansAndMeshesThatDoNotFitTheirOptions)
+{
+  const std::string scan = writeScan();
+  EXPECT_TRUE(contains(failure({ scan }, kUsage),
+    scan + " is an image: choose its surface with --isovalue V or --label N"));
+  EXPECT_TRUE(contains(failure({ scan, "--label", "1", "--isovalue", "1" }, kUsage),
+    "--isovalue 1 cannot be given together with --label 1"));
+  EXPECT_TRUE(contains(failure({ input, "--label", "1" }, kUsage),
+    "--label needs an image (.nrrd .mha .mhd .nii .nii.gz .vti), which " + input + " is not"));
+  EXPECT_TRUE(contains(failure({ input, "--isovalue", "1" }, kUsage), "--isovalue needs an image"));
+  EXPECT_TRUE(contains(failure({ input, "--scan-smoothing", "1" }, kUsage),
+    "--scan-smoothing needs an image"));
+  EXPECT_TRUE(contains(failure({ scan, input, "--label", "2" }, kUsage), input + " is not"));
+  EXPECT_TRUE(contains(failure({ folder.path(), "--label", "2" }, kUsage), "needs an image"));
+}
+
+TEST_F(ViewerCommand, RefusesSurfacesThatAScanDoesNotHaveBeforeItAsksForADisplay)
+{
+  const std::string scan = writeScan();
+  EXPECT_TRUE(contains(failure({ scan, "--label", "5" }, kBadInput, withDisplay("")),
+    scan + ": has no voxel with the label 5; those that occur: 0, 2"));
+  EXPECT_TRUE(contains(failure({ scan, "--isovalue", "5" }, kBadInput, withDisplay("")),
+    "has no surface at the isovalue 5: its values are in [0, 2]"));
+}
+
 TEST_F(ViewerCommand, SaysThatTheGridIsTooLarge)
 {
   const VirtualDisplay display;
@@ -107,6 +141,17 @@ TEST_F(ViewerCommand, WritesAScreenshot)
   const VirtualDisplay display;
   const std::string file = folder.file("shot.png");
   const Outcome outcome = runMedialViewer({ input, "--resolution", "16", "--screenshot", file });
+  EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_EQ(readFile(file).substr(1, 3), "PNG");
+}
+
+TEST_F(ViewerCommand, WritesAScreenshotOfAScan)
+{
+  const VirtualDisplay display;
+  const std::string file = folder.file("shot.png");
+  const Outcome outcome =
+    runMedialViewer({ writeScan(), "--label", "2", "--resolution", "16", "--screenshot", file });
   EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
   EXPECT_EQ(readFile(file).substr(1, 3), "PNG");

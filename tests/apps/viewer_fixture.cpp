@@ -24,7 +24,7 @@ ViewerWindow::ViewerWindow()
 
 app::Viewer& ViewerWindow::open()
 {
-  viewer = std::make_unique<app::Viewer>(app::readSequence(options.inputs), options);
+  viewer = std::make_unique<app::Viewer>(app::readSequence(options.inputs, options.scan), options);
   viewer->window()->Render();
   return *viewer;
 }

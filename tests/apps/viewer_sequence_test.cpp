@@ -2,6 +2,8 @@
 #include "frame_rate.h"
 #include "input/sequence.h"
 #include "program.h"
+#include "scan_files.h"
+#include "scan_surface.h"
 #include "support/mesh_texts.h"
 
 #include "support/shapes.h"
@@ -19,11 +21,12 @@ using app::ExitCode;
 using app::Failure;
 using app::readSequence;
 
-std::string messageOf(const std::vector<std::filesystem::path>& inputs)
+std::string messageOf(const std::vector<std::filesystem::path>& inputs,
+  const app::ScanSurface& scan = {})
 {
   try
   {
-    readSequence(inputs);
+    readSequence(inputs, scan);
   }
   catch (const Failure& failure)
   {
@@ -71,6 +74,20 @@ TEST(ViewerSequence, RefusesOtherCells)
   const std::string message = messageOf({ folder.file("a.obj"), folder.file("b.obj") });
   EXPECT_NE(message.find("b.obj"), std::string::npos) << message;
   EXPECT_NE(message.find("a.obj"), std::string::npos) << message;
+}
+
+TEST(ViewerSequence, RefusesScansWithOtherSurfaces)
+{
+  const TemporaryFolder folder;
+  for (const double radius : { 3.0, 4.0 })
+  {
+    const LabelImage image([=](double r) { return r < radius ? 1 : 0; });
+    writeFile(folder.file(radius < 4.0 ? "a.nrrd" : "b.nrrd"), nrrdFile(image, "raw"));
+  }
+  app::ScanSurface wanted;
+  wanted.label = 1;
+  const std::string message = messageOf({ folder.file("a.nrrd"), folder.file("b.nrrd") }, wanted);
+  EXPECT_NE(message.find("b.nrrd: its points or cells differ"), std::string::npos) << message;
 }
 
 // Parts that touch in the first frame are welded.

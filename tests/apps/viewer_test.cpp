@@ -1,3 +1,4 @@
+#include "scan_files.h"
 #include "viewer_fixture.h"
 
 #include "support/shapes.h"
@@ -41,6 +42,32 @@ TEST_F(ViewerWindow, ShowsTheAxisThatTheLibraryComputes)
   EXPECT_GT(difference(shown, picture()), 0.01);
   press("a");
   EXPECT_LT(difference(shown, picture()), 0.001);
+}
+
+// medial-axis writes the mesh that it takes from a scan.
+TEST_F(ViewerWindow, AScanLooksLikeTheMeshThatItStandsFor)
+{
+  const std::string scan = folder.file("shell.nrrd");
+  const std::string mesh = folder.file("shell.vtp");
+  writeFile(scan, nrrdFile(LabelImage([](double r) { return r < 2.5 || r > 4.5 ? 0 : 2; }), "raw"));
+  const Outcome outcome =
+    runMedialAxis({ scan, "--label", "2", "--scan-smoothing", "10", "--thickness", mesh, "-q" });
+  ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+  options.inputs = { mesh };
+  const vtkIdType cells = open().shownAxis()->GetNumberOfCells();
+  const auto expected = picture();
+  viewer.reset();
+
+  options.inputs = { scan };
+  options.scan.label = 2;
+  options.scan.smoothing = 10;
+  Viewer& v = open();
+  EXPECT_GT(cells, 0);
+  EXPECT_EQ(v.shownAxis()->GetNumberOfCells(), cells);
+  EXPECT_EQ(v.status().rfind("shell.nrrd, interior\n", 0), 0U) << v.status();
+  EXPECT_NE(v.status().find("axis: " + std::to_string(cells) + " cells"), std::string::npos)
+    << v.status();
+  EXPECT_LT(difference(expected, picture()), 0.001);
 }
 
 TEST_F(ViewerWindow, AngleSliderSelectsAndThenComputes)
@@ -335,6 +362,21 @@ TEST_F(ViewerWindow, WritesPictures)
   EXPECT_EQ(reader->GetOutput()->GetDimensions()[0], kWidth);
   EXPECT_EQ(reader->GetOutput()->GetDimensions()[1], kHeight);
   EXPECT_LT(difference(reader->GetOutput(), picture()), 0.001);
+}
+
+TEST_F(ViewerWindow, KeyWritesAPictureNamedByTheScan)
+{
+  options.inputs = { folder.file("ball.nii.gz") };
+  options.scan.isovalue = 1.0;
+  const LabelImage image([](double r) { return r < 4.0 ? 2 : 0; });
+  writeFile(options.inputs[0].string(), deflated(niftiFile(image, NiftiSpace::Sform), true));
+  Viewer& v = open();
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(folder.path());
+  press("p");
+  std::filesystem::current_path(before);
+  EXPECT_NE(v.status().find("wrote ball_viewer_1.png"), std::string::npos) << v.status();
+  EXPECT_TRUE(std::filesystem::exists(folder.file("ball_viewer_1.png")));
 }
 
 TEST_F(ViewerWindow, NamesThatAreNotUtf8AreTold)
