@@ -129,6 +129,10 @@ MEDIAL_INLINE RowMask raisedRows(const Family& family, RowMask rows, float shrin
   for (RowMask left = rows; left != 0; left &= left - 1)
   {
     const int number = __builtin_ctzll(left);
+    if (radii.rowMin[number] >= family.largest)
+    {
+      continue;
+    }
     float* const radius = radii.radius + number * kLanes;
     const Float8 before = loaded(radius);
     const Float8 after = raised(before, family, rowOf(number, radii.step), shrink);
@@ -162,6 +166,23 @@ MEDIAL_VECTORISED void TileRadii::updateRows(RowMask rows)
     least = medial::min(least, loaded(rowMin + k * kLanes));
   }
   min = smallest(least);
+}
+
+void TileRadii::findBounds(float unwanted)
+{
+  glm::ivec3 first(kRowLength);
+  glm::ivec3 last(-1);
+  for (int point = 0; point < kTilePoints; ++point)
+  {
+    if (radius[point] != unwanted)
+    {
+      const glm::ivec3 place = placeInTile(point);
+      first = glm::min(first, place);
+      last = glm::max(last, place);
+    }
+  }
+  low = glm::vec3(first) * step;
+  high = glm::vec3(last) * step;
 }
 
 float TileRadii::minOf(RowMask rows) const
@@ -255,16 +276,15 @@ MEDIAL_VECTORISED RaisedRows TileRadii::raise(const CommonBall& ball, RowMask ro
 MEDIAL_VECTORISED ReachedBalls TileRadii::ballsNear(const BallRow& balls, const glm::vec3& first,
   float stretch) const
 {
-  constexpr float kLast = kRowLength - 1.0f;
   const Float8 length = loaded(balls.length);
-  const auto gap = [&](const float* centres, float from, float across)
+  const auto gap = [&](const float* centres, int axis)
   {
-    const Float8 centre = loaded(centres) - from;
-    return max(max(centre - length - kLast * across, -(centre + length)), Float8{});
+    const Float8 centre = loaded(centres) - first[axis];
+    return max(max(centre - length - high[axis], low[axis] - (centre + length)), Float8{});
   };
-  const Float8 x = gap(balls.x, first.x, step.x);
-  const Float8 y = gap(balls.y, first.y, step.y);
-  const Float8 z = gap(balls.z, first.z, step.z);
+  const Float8 x = gap(balls.x, 0);
+  const Float8 y = gap(balls.y, 1);
+  const Float8 z = gap(balls.z, 2);
   const Float8 reach = loaded(balls.reach);
   const Float8 stretched = reach * stretch + kBallMargin;
   const Float8 largest = rounded(reach);
@@ -278,8 +298,7 @@ MEDIAL_VECTORISED ReachedBalls TileRadii::ballsNear(const BallRow& balls, const 
 
 MEDIAL_VECTORISED RowMask TileRadii::rowsWithin(const BallBounds& bounds) const
 {
-  const float gapX =
-    std::max(std::max(bounds.low.x - (kRowLength - 1.0f) * step.x, -bounds.high.x), 0.0f);
+  const float gapX = std::max(std::max(bounds.low.x - high.x, low.x - bounds.high.x), 0.0f);
   const float free = bounds.reach * bounds.reach - gapX * gapX;
   if (free < 0.0f)
   {

@@ -17,6 +17,12 @@ constexpr int kRowLength = 8;
 constexpr int kTileRows = kRowLength * kRowLength;
 constexpr int kTilePoints = kTileRows * kRowLength;
 
+/// Where a point of a tile is among the others, x fastest.
+inline glm::ivec3 placeInTile(int point)
+{
+  return { point % kRowLength, point / kRowLength % kRowLength, point / kTileRows };
+}
+
 /// Points this far outside of a ball count as inside: what rounding may add.
 constexpr float kBallMargin = 1e-3f;
 
@@ -113,10 +119,14 @@ struct RaisedRows
 struct TileRadii
 {
   glm::vec3 step; ///< between neighbouring points
+  glm::vec3 low;  ///< bounds of the points whose radii are wanted
+  glm::vec3 high;
   alignas(32) float radius[kTilePoints];
   alignas(32) float rowMin[kTileRows]; ///< smallest radius in a row
   float min = 0.0f;                    ///< smallest radius of all
 
+  /// Finds the bounds of the points whose radii are wanted: those that are not `unwanted`.
+  void findBounds(float unwanted);
   /// Updates the smallest radii of some rows, and of all.
   void updateRows(RowMask rows);
   /// Returns the smallest radius in some rows.

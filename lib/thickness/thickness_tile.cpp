@@ -81,18 +81,22 @@ void ThicknessTile::raiseBy(std::uint32_t number, RowMask rows)
   for (std::uint32_t e = item.edgesBegin; e < next.edgesBegin; ++e)
   {
     const glm::vec4& end = families_.ball(families_.edgeEnds()[e]);
-    const EdgeFamily family(common, end, first_, stretch_);
-    if (family.largest > least)
+    if (roundedRadius(std::max(common.w, end.w)) > least)
     {
-      changed |= radii_.raise(family, rows, shrink);
+      changed |= radii_.raise(EdgeFamily(common, end, first_, stretch_), rows, shrink);
     }
   }
   for (std::uint32_t t = item.trianglesBegin; t < next.trianglesBegin; ++t)
   {
     const auto& [second, third] = families_.triangleEnds()[t];
-    const TriangleFamily family(common, families_.ball(second), families_.ball(third), first_,
-      stretch_);
-    if (family.counts && family.largest > least)
+    const glm::vec4& a = families_.ball(second);
+    const glm::vec4& b = families_.ball(third);
+    if (roundedRadius(std::max(common.w, std::max(a.w, b.w))) <= least)
+    {
+      continue;
+    }
+    const TriangleFamily family(common, a, b, first_, stretch_);
+    if (family.counts)
     {
       changed |= radii_.raise(family, rows, shrink);
     }
@@ -120,6 +124,7 @@ void ThicknessTile::raise(const glm::vec3& centre, float radius, int slice)
 void ThicknessTile::raise(float stretch)
 {
   stretch_ = stretch;
+  radii_.findBounds(kUnwanted);
   this->update(~RowMask{ 0 });
   const BoundingTree& tree = families_.tree();
   const auto minimum = [&](std::uint32_t node)

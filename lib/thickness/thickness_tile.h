@@ -20,10 +20,7 @@ public:
 
   static int index(int i, int j, int k) { return (k * kRow + j) * kRow + i; }
   /// The inverse.
-  static glm::ivec3 place(int index)
-  {
-    return { index % kRow, index / kRow % kRow, index / (kRow * kRow) };
-  }
+  static glm::ivec3 place(int index) { return placeInTile(index); }
 
   /// @param first position of the first grid point, as in the families.
   ThicknessTile(const BallFamilies& families, const glm::vec3& first);
