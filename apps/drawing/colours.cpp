@@ -54,4 +54,9 @@ double maxRadius(vtkPolyData* axis)
                                        : 0.0;
 }
 
+double scaleEnd(double max)
+{
+  return max > 0.0 ? max : 1.0;
+}
+
 } // namespace medial::app

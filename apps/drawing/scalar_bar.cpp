@@ -12,6 +12,7 @@
 #include <vtkTextProperty.h>
 
 #include <cmath>
+#include <cstdio>
 
 namespace medial::app
 {
@@ -19,6 +20,7 @@ namespace
 {
 
 constexpr int kMaxSteps = 5;
+constexpr const char* kTickFormat = "%.3g";
 // The bar as a share of the picture.
 constexpr double kLeft = 1.0 - kBarShare;
 constexpr double kBottom = 0.2;
@@ -68,13 +70,20 @@ std::vector<double> scaleTicks(double max)
   return ticks;
 }
 
+std::string tickText(double tick)
+{
+  char text[32];
+  std::snprintf(text, sizeof(text), kTickFormat, tick);
+  return text;
+}
+
 vtkSmartPointer<vtkScalarBarActor> makeScalarBar(vtkScalarsToColors* colours, const char* title,
   int fontSize)
 {
   auto bar = vtkSmartPointer<vtkScalarBarActor>::New();
   bar->SetLookupTable(colours);
   bar->SetTitle(title);
-  bar->SetLabelFormat("%.3g");
+  bar->SetLabelFormat(kTickFormat);
   bar->SetMaximumNumberOfColors(256);
   bar->SetVerticalTitleSeparation(fontSize * 6 / 7);
   bar->SetTextPad(8);

@@ -5,6 +5,7 @@
 #include <vtkSmartPointer.h>
 #include <vtkTextActor.h>
 
+#include <string>
 #include <vector>
 
 class vtkScalarsToColors;
@@ -19,6 +20,9 @@ constexpr double kBarShare = 0.16;
 /// or 5 times a power of ten that have room, in ascending order.
 /// @param max if it is not positive and finite, 0 is the only number.
 std::vector<double> scaleTicks(double max);
+
+/// The number as scales write it.
+std::string tickText(double tick);
 
 /// A scalar bar for the right margin of a picture on white. setTicks() gives it numbers.
 /// @param fontSize of the title and numbers, in pixels.

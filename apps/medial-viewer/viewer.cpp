@@ -242,8 +242,8 @@ void Viewer::select()
 
 void Viewer::colour()
 {
-  const double radius = maxRadius_ > 0.0 ? maxRadius_ : 1.0;
-  const double max = options_.colour == ColourBy::Angle ? 180.0
+  const double radius = scaleEnd(maxRadius_);
+  const double max = options_.colour == ColourBy::Angle ? kAngleScaleEnd
     : options_.colour == ColourBy::Radius               ? radius
                                                         : 2.0 * radius;
   scene_.colourAxis(options_.colour, max);

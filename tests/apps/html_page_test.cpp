@@ -1,3 +1,4 @@
+#include "scalar_bar.h"
 #include "web/html_mesh.h"
 #include "web/html_page.h"
 #include "web/web_files.h"
@@ -227,6 +228,37 @@ TEST_F(HtmlPage, KeepsTheArraysOfTheAxis)
   EXPECT_EQ(arrays[1]["unit"], "degrees");
 }
 
+// As in pictures and in the viewer.
+TEST_F(HtmlPage, ScalesBeginAtZeroAndHaveRoundNumbers)
+{
+  const Json& arrays = data["axis"]["arrays"];
+  EXPECT_EQ(arrays[0]["max"], 3.0);
+  EXPECT_EQ(arrays[0]["ticks"].dump(), R"([[0.0,"0"],[1.0,"1"],[2.0,"2"],[3.0,"3"]])");
+  EXPECT_EQ(arrays[1]["max"], 180.0);
+  EXPECT_EQ(arrays[1]["ticks"].dump(),
+    R"([[0.0,"0"],[50.0,"50"],[100.0,"100"],[150.0,"150"],[180.0,"180"]])");
+  for (const Json& array : arrays)
+  {
+    std::vector<double> ticks;
+    for (const Json& tick : array["ticks"])
+    {
+      ticks.push_back(tick[0]);
+    }
+    EXPECT_EQ(ticks, app::scaleTicks(array["max"])) << array["name"];
+  }
+}
+
+TEST_F(HtmlPage, ScalesOfCoarserMeshesStay)
+{
+  const auto axis = sheet(300);
+  const Json coarse =
+    dataOf(makeHtml(surface, axis, nullptr, { "box" }, 60.0, kBundle, 1'000'000).html);
+  ASSERT_EQ(coarse["simplified"], true);
+  const auto radius = valuesOf(coarse["axis"]["arrays"][0]);
+  EXPECT_LT(*std::max_element(radius.begin(), radius.end()), 3.0); // its corner is not kept
+  EXPECT_EQ(coarse["axis"]["arrays"][0]["max"], 3.0);
+}
+
 TEST_F(HtmlPage, TrianglesCoverTheSheetThoseOfWideAnglesFirst)
 {
   const auto points = pointsOf(data, "axis");
@@ -272,6 +304,7 @@ TEST_F(HtmlPage, AnEmptyAxisIsNone)
   EXPECT_EQ(empty["axis"]["points"], "");
   EXPECT_EQ(empty["axis"]["triangles"], "");
   EXPECT_EQ(empty["axis"]["arrays"][1]["values"], "");
+  EXPECT_EQ(empty["axis"]["arrays"][0]["max"], 1.0);
   EXPECT_EQ(pointsOf(empty, "surface").size(), 8U);
 }
 

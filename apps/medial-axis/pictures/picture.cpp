@@ -15,7 +15,7 @@ void drawPicture(vtkPolyData* surface, vtkPolyData* axis, const std::vector<std:
 {
   const VtkMessages messages;
   Scene scene;
-  const auto colours = makeColours(axis->GetNumberOfPoints() > 0 ? maxRadius(axis) : 1.0);
+  const auto colours = makeColours(scaleEnd(maxRadius(axis)));
   const SurfaceActors drawn = makeSurface(surface);
   scene.add(drawn.faces);
   scene.add(drawn.edges);
@@ -30,7 +30,7 @@ void drawSkeleton(vtkPolyData* surface, vtkPolyData* skeleton,
 {
   const VtkMessages messages;
   Scene scene;
-  const auto colours = makeColours(maxRadius(skeleton));
+  const auto colours = makeColours(scaleEnd(maxRadius(skeleton)));
   const SurfaceActors drawn = makeSurface(surface);
   const SkeletonActors network = makeSkeleton(skeleton, colours);
   scene.add(drawn.faces);

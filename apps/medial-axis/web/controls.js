@@ -24,48 +24,14 @@ function describeCount(shown, mesh) {
   return parts.join(", ") || "the axis is empty";
 }
 
-// The step, of one, two or five times a power of ten, that divides a range into three to eight.
-function roundStep(range) {
-  const power = 10 ** Math.floor(Math.log10(range / 3));
-  return [5, 2, 1].map((factor) => factor * power).find((step) => range / step >= 3);
-}
-
-// Texts and their shares of the height: both ends, and round numbers between. One where the values
-// are the same to six digits.
-function labelsOf(array) {
-  const kApart = 0.05; // of the height
-  const range = 65535 * array.step;
-  const least = array.origin;
-  const greatest = array.origin + range;
-  const text = (value, digits) => String(Number(value.toPrecision(digits)));
-  if (text(least, 6) === text(greatest, 6)) {
-    return [{ text: text(least, 3), share: 0.5 }];
-  }
-  const digits = [3, 4, 5, 6].find((n) => text(least, n) !== text(greatest, n));
-  const labels = [{ text: text(least, digits), share: 0 }, { text: text(greatest, digits), share: 1 }];
-  const step = roundStep(range);
-  for (let i = Math.ceil(least / step); i * step < greatest; ++i) {
-    const share = (i * step - least) / range;
-    if (share > kApart && share < 1 - kApart) {
-      labels.push({ text: text(i * step, 6), share });
-    }
-  }
-  return labels;
-}
-
-// As many stops, all of the first one's colour.
-function oneColour(colours) {
-  return colours.map(([share]) => [share, ...colours[0].slice(1)]);
-}
-
-function showLegend(array, labels, colours) {
+function showLegend(array, colours) {
   element("legend").hidden = array.values.length === 0;
   const stops = colours.map(([share, ...rgb]) =>
     `rgb(${rgb.map((c) => Math.round(255 * c)).join(" ")}) ${100 * share}%`);
   element("legend-bar").style.background = `linear-gradient(to top, ${stops.join(", ")})`;
   element("legend-title").textContent = `${array.label} (${array.unit})`;
-  const items = listItems(labels.map(({ text }) => text));
-  items.forEach((item, i) => { item.style.bottom = `${100 * labels[i].share}%`; });
+  const items = listItems(array.ticks.map(([, text]) => text));
+  items.forEach((item, i) => { item.style.bottom = `${100 * array.ticks[i][0] / array.max}%`; });
   element("legend-labels").replaceChildren(...items);
 }
 
@@ -104,10 +70,8 @@ function makeAppliers(page, scene) {
     },
     colour() {
       const array = arrays.find(({ name }) => name === element("colour").value);
-      const labels = labelsOf(array);
-      const colours = labels.length > 1 ? page.colours : oneColour(page.colours);
-      scene.setColour(array, colours);
-      showLegend(array, labels, colours);
+      scene.setColour(array, page.colours);
+      showLegend(array, page.colours);
     },
   };
 }

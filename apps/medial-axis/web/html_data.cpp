@@ -1,6 +1,7 @@
 #include "web/html_data.h"
 
 #include "colours.h"
+#include "scalar_bar.h"
 
 #include "medial/version.h"
 
@@ -78,6 +79,17 @@ std::array<Steps, 3> frameOf(std::initializer_list<const HtmlMesh*> meshes)
   return frame;
 }
 
+// Numbers of a scale with their texts.
+Json describeTicks(double max)
+{
+  Json list = Json::array();
+  for (const double tick : scaleTicks(max))
+  {
+    list.push_back({ tick, tickText(tick) });
+  }
+  return list;
+}
+
 Json describe(const HtmlArray& array)
 {
   const auto [low, high] = std::minmax_element(array.values.begin(), array.values.end());
@@ -90,7 +102,8 @@ Json describe(const HtmlArray& array)
     counts.push_back(steps.count(static_cast<double>(value)));
   }
   return { { "name", array.name }, { "label", array.label }, { "unit", array.unit },
-    { "origin", steps.origin }, { "step", steps.step }, { "values", base64(counts) } };
+    { "max", array.max }, { "ticks", describeTicks(array.max) }, { "origin", steps.origin },
+    { "step", steps.step }, { "values", base64(counts) } };
 }
 
 Json describe(const HtmlMesh& mesh, const std::array<Steps, 3>& frame)

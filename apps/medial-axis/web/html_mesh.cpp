@@ -1,6 +1,7 @@
 #include "web/html_mesh.h"
 
 #include "actors.h"
+#include "colours.h"
 
 #include <vtkAppendPolyData.h>
 #include <vtkCellArray.h>
@@ -58,8 +59,9 @@ HtmlMesh::Cells<N> cellsOf(const std::vector<std::array<int, N>>& from)
 
 HtmlArray arrayOf(vtkPolyData* axis, const char* name, const char* label, const char* unit)
 {
-  HtmlArray array{ name, label, unit, {} };
+  HtmlArray array{ name, label, unit, 1.0, {} };
   vtkDataArray* values = axis->GetPointData()->GetArray(name);
+  array.max = scaleEnd(values->GetNumberOfTuples() > 0 ? values->GetRange()[1] : 0.0);
   for (vtkIdType i = 0; i < axis->GetNumberOfPoints(); ++i)
   {
     array.values.push_back(static_cast<float>(values->GetTuple1(i)));
@@ -253,6 +255,7 @@ HtmlMesh htmlMesh(vtkPolyData* axis)
   mesh.arrays = { arrayOf(simple, "Radius", "Radius", "world units"),
     arrayOf(simple, "SeparationAngle", "Separation angle", "degrees"),
     arrayOf(simple, "Lambda", "Lambda", "world units") };
+  mesh.arrays[1].max = kAngleScaleEnd;
   return mesh;
 }
 

@@ -127,9 +127,8 @@ function makeScene(container, page) {
     },
     setColour(array, colours) {
       const map = vtk.Rendering.Core.vtkColorTransferFunction.newInstance();
-      const range = 65535 * array.step || 1; // of one value
       for (const [share, red, green, blue] of colours) {
-        map.addRGBPoint(array.origin + share * range, red, green, blue);
+        map.addRGBPoint(share * array.max, red, green, blue);
       }
       const mapper = axis.getMapper();
       mapper.setLookupTable(map);
