@@ -44,16 +44,20 @@ std::vector<std::array<double, 3>> seenPoints(vtkPolyData* mesh)
   return points;
 }
 
-/// The axes of the box around a mesh, the thinnest first.
+vtkBoundingBox seenBounds(vtkPolyData* mesh)
+{
+  vtkBoundingBox bounds;
+  addSeenPoints(mesh, bounds);
+  return bounds;
+}
+
+/// The axes of a box, the thinnest first.
 class AxesBySize
 {
 public:
-  explicit AxesBySize(vtkPolyData* mesh)
+  explicit AxesBySize(const vtkBoundingBox& bounds)
+    : bounds_(bounds)
   {
-    for (const std::array<double, 3>& point : seenPoints(mesh))
-    {
-      bounds_.AddPoint(point[0], point[1], point[2]);
-    }
     std::sort(axes_.begin(), axes_.end(),
       [this](int a, int b) { return bounds_.GetLength(a) < bounds_.GetLength(b); });
   }
@@ -78,9 +82,7 @@ void addSeenPoints(vtkPolyData* mesh, vtkBoundingBox& bounds)
 
 void aimCamera(vtkCamera* camera, vtkPolyData* surface)
 {
-  vtkBoundingBox bounds;
-  addSeenPoints(surface, bounds);
-  aimCamera(camera, bounds);
+  aimCamera(camera, seenBounds(surface));
 }
 
 void aimCamera(vtkCamera* camera, const vtkBoundingBox& bounds)
@@ -100,14 +102,24 @@ void aimCamera(vtkCamera* camera, const vtkBoundingBox& bounds)
 
 bool isFlat(vtkPolyData* surface)
 {
-  const AxesBySize axes(surface);
-  return axes.size(0) < kFlat * axes.size(1);
+  return isFlat(seenBounds(surface));
+}
+
+bool isFlat(const vtkBoundingBox& bounds)
+{
+  const AxesBySize axes(bounds);
+  return bounds.IsValid() != 0 && axes.size(0) < kFlat * axes.size(1);
 }
 
 void aimCameraAtEdge(vtkCamera* camera, vtkPolyData* surface)
 {
+  aimCameraAtEdge(camera, seenBounds(surface));
+}
+
+void aimCameraAtEdge(vtkCamera* camera, const vtkBoundingBox& bounds)
+{
   constexpr double kElevation = 12.0;
-  const AxesBySize axes(surface);
+  const AxesBySize axes(bounds);
   camera->SetFocalPoint(0.0, 0.0, 0.0);
   // In front is what aimCamera() has below: y and z are looked along against their direction.
   std::array<double, 3> position{};

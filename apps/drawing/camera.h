@@ -29,12 +29,19 @@ void aimCamera(vtkCamera* camera, vtkPolyData* surface);
 void aimCamera(vtkCamera* camera, const vtkBoundingBox& bounds);
 ///@}
 
+///@{
 /// Whether a mesh is so flat that the view along its thinnest axis hides much of its shape.
 bool isFlat(vtkPolyData* surface);
+/// @param bounds of a mesh; none are not flat.
+bool isFlat(const vtkBoundingBox& bounds);
+///@}
 
+///@{
 /// Looks at a flat mesh in parallel projection along its shorter long axis, with the side up that
 /// aimCamera() has in front, and from above.
 void aimCameraAtEdge(vtkCamera* camera, vtkPolyData* surface);
+void aimCameraAtEdge(vtkCamera* camera, const vtkBoundingBox& bounds);
+///@}
 
 /// Looks at a mesh in parallel projection against the direction of aimCamera().
 void aimCameraFromBehind(vtkCamera* camera, vtkPolyData* surface);

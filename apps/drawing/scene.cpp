@@ -37,21 +37,18 @@ void setUp(vtkRenderer* renderer)
   renderer->SetUseFXAA(true);
 }
 
-// Lights a view from its own camera and from that of the whole picture, so that what is in front
-// there keeps its colours where it is seen from the edge.
+// Lights a view from its own camera and from that of the whole picture.
 void light(vtkRenderer* view, vtkCamera* front)
 {
-  constexpr double kOwn = 0.6;
-  constexpr double kFront = 0.8;
   vtkNew<vtkLight> own;
   own->SetLightTypeToHeadlight();
-  own->SetIntensity(kOwn);
+  own->SetIntensity(kOwnLight);
   view->AddLight(own);
   vtkNew<vtkLight> other;
   other->SetLightTypeToSceneLight();
   other->SetPosition(front->GetPosition());
   other->SetFocalPoint(front->GetFocalPoint());
-  other->SetIntensity(kFront);
+  other->SetIntensity(kFrontLight);
   view->AddLight(other);
 }
 

@@ -19,6 +19,13 @@ namespace medial::app
 
 class EglRenderWindow;
 
+///@{
+/// How bright the lights of a view edge-on are: at its own camera, and at that of the whole
+/// picture, so that what is in front there keeps its colours where it is seen from the edge.
+constexpr double kOwnLight = 0.6;
+constexpr double kFrontLight = 0.8;
+///@}
+
 /// What the programs' pictures have in common: 1600 x 1200 pixels on white, a view that fits, and
 /// maybe a scalar bar on the right. Needs no display.
 class Scene

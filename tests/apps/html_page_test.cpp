@@ -345,6 +345,47 @@ TEST_F(HtmlPage, HoldsTheSkeletonIfThereIsOne)
   EXPECT_NEAR(std::abs(places.at(ends[1])[0] - places.at(ends[0])[0]), 1.0, 1e-3);
 }
 
+// Half the sides of boxes; a fifth decides.
+TEST_F(HtmlPage, SaysWhatIsFlat)
+{
+  const auto isFlat = [](const Point3& half)
+  {
+    const auto page = makeHtml(box(half), emptyAxis(), nullptr, { "box" }, 60.0, kBundle);
+    return dataOf(page.html)["flat"].get<bool>();
+  };
+  EXPECT_FALSE(data["flat"]);
+  EXPECT_TRUE(isFlat({ 1.0, 0.6, 0.05 }));
+  EXPECT_TRUE(isFlat({ 3.0, 0.19, 1.0 }));
+  EXPECT_FALSE(isFlat({ 3.0, 0.21, 1.0 }));
+  EXPECT_FALSE(isFlat({ 0.1, 0.1, 1.0 }));
+}
+
+TEST_F(HtmlPage, WithoutASurfaceTheAxisIsLookedAt)
+{
+  EXPECT_EQ(dataOf(makeHtml({}, sheet(2), nullptr, { "" }, 60.0, kBundle).html)["flat"], true);
+  EXPECT_EQ(dataOf(makeHtml({}, emptyAxis(), nullptr, { "" }, 60.0, kBundle).html)["flat"], false);
+}
+
+TEST_F(HtmlPage, LooksFromWherePicturesDo)
+{
+  const app::HtmlPage plate =
+    makeHtml(box({ 1.0, 0.6, 0.05 }), sheet(2), nullptr, { "plate" }, 60.0, kBundle);
+  const Json views = dataOf(plate.html)["views"];
+  const auto expectView = [&](const char* name, const Point3& direction, const Point3& up)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      EXPECT_NEAR(views[name]["direction"][k].get<double>(), direction[k], 1e-9) << name;
+      EXPECT_NEAR(views[name]["up"][k].get<double>(), up[k], 1e-9) << name;
+    }
+  };
+  const auto sine = [](double degrees) { return std::sin(degrees * std::acos(-1.0) / 180.0); };
+  const auto cosine = [](double degrees) { return std::cos(degrees * std::acos(-1.0) / 180.0); };
+  expectView("front", { -sine(25) * cosine(18), -sine(18), -cosine(25) * cosine(18) },
+    { -sine(25) * sine(18), cosine(18), -cosine(25) * sine(18) });
+  expectView("edge", { 0.0, cosine(12), -sine(12) }, { 0.0, sine(12), cosine(12) });
+}
+
 TEST_F(HtmlPage, SaysHowFarItRounds)
 {
   const std::string notes = data["notes"].dump();

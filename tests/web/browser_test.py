@@ -270,6 +270,37 @@ class Browser(unittest.TestCase):
         for value in between:  # have one digit or two
             self.assertEqual(value, float(f"{value:.1e}"))
 
+    def test_edge_of_a_plate(self):
+        """Its face is yellow, but for light, from the front and edge-on."""
+        mesh = self.folder / "sheet.obj"
+        write_boxes(mesh, [((0, 0, 0), (1, 0.6, 0.05))])
+        page, _, _ = self.write_page(mesh, "--resolution", "96", "--quiet")
+        front, dom = self.picture_and_dom("sheet-front", page=page)
+        self.assertFalse(is_hidden(dom, "flat"))
+        key = "window.dispatchEvent(new KeyboardEvent('keydown', {key: 'e'}));"
+        button = "document.getElementById('%s').click();"
+        edge, back, reset = (
+            self.picture(f"sheet-{name}", script=script, page=page)[VIEW] for name, script in (
+                ("edge", key), ("back", button % "edge" + key), ("reset", key + button % "reset")))
+        front = front[VIEW]
+        for other in (back, reset):
+            self.assertLess((abs(other - front).max(axis=2) > 40).mean(), 0.001)
+        heights = [np.ptp(np.flatnonzero(coloured(view).any(axis=1))) for view in (front, edge)]
+        self.assertGreater(heights[0], 400)
+        self.assertLess(heights[1], 200)
+        for view in (front, edge):
+            red, green, blue = view[coloured(view)].T
+            self.assertGreater(((red > 190) & (green > 170) & (blue < 90)).mean(), 0.3)
+        bottom = np.flatnonzero(coloured(edge).any(axis=1))[-1]
+        near_side = edge[bottom - heights[1] // 5:bottom]  # its middle is green to yellow, and lit
+        self.assertGreater(near_side[..., 1].max(), 165)
+
+    def test_key_turns_what_is_not_flat_too(self):
+        self.assertTrue(is_hidden(self.default_dom, "flat"))
+        key = "window.dispatchEvent(new KeyboardEvent('keydown', {key: 'e'}));"
+        edge = self.picture("other-side", script=key)[VIEW]
+        self.assertGreater((abs(edge - self.default_picture[VIEW]).max(axis=2) > 40).mean(), 0.02)
+
     def test_dragging_turns_and_reset_turns_back(self):
         drag = """const canvas = document.querySelector("#view canvas");
             const send = (type, x, buttons) => canvas.parentElement.dispatchEvent(

@@ -41,6 +41,7 @@ function fillPanel(page, scene) {
   element("settings").textContent = page.settings.join(", ");
   element("notes").replaceChildren(...listItems(page.notes));
   element("about").open = page.simplified;
+  element("flat").hidden = !page.flat;
   element("show").hidden = !scene.hasSkeleton;
   element("show-label").hidden = !scene.hasSkeleton;
   element("colour").replaceChildren(...scene.axisMesh.arrays.map((array) => {
@@ -129,6 +130,7 @@ function listenToKeys() {
       }
     },
     r: () => element("reset").click(),
+    e: () => element("edge").click(),
     h: () => { element("help").open = !element("help").open; },
   };
   // vtk.js has keys of its own, for wireframes and the like.
@@ -156,10 +158,12 @@ function start() {
       scene.draw();
     });
   }
-  element("reset").addEventListener("click", () => {
-    scene.resetView();
-    scene.draw();
-  });
+  for (const [id, turn] of [["reset", scene.resetView], ["edge", scene.turnToEdge]]) {
+    element(id).addEventListener("click", () => {
+      turn();
+      scene.draw();
+    });
+  }
   element("reset").click();
   document.body.dataset.drawn = "yes";
 }

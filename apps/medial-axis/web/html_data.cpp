@@ -1,11 +1,15 @@
 #include "web/html_data.h"
 
+#include "camera.h"
 #include "colours.h"
 #include "scalar_bar.h"
+#include "scene.h"
 
 #include "medial/version.h"
 
 #include <vtkBase64Utilities.h>
+#include <vtkCamera.h>
+#include <vtkNew.h>
 
 #include <nlohmann/json.hpp>
 
@@ -136,6 +140,24 @@ Json describeColours()
   return list;
 }
 
+Json describe(vtkCamera* camera)
+{
+  const double* direction = camera->GetDirectionOfProjection();
+  const double* up = camera->GetViewUp();
+  return { { "direction", { direction[0], direction[1], direction[2] } },
+    { "up", { up[0], up[1], up[2] } } };
+}
+
+Json describeViews(const vtkBoundingBox& seen)
+{
+  vtkNew<vtkCamera> front;
+  aimCamera(front, seen);
+  vtkNew<vtkCamera> edge;
+  aimCameraAtEdge(edge, seen);
+  return { { "front", describe(front) }, { "edge", describe(edge) },
+    { "edgeLights", { { "own", kOwnLight }, { "front", kFrontLight } } } };
+}
+
 std::string shortNumber(double value)
 {
   char text[32];
@@ -216,7 +238,7 @@ std::vector<std::string> fitMeshes(HtmlMesh& surface, HtmlMesh& axis, HtmlMesh& 
 
 std::string makeHtmlData(const HtmlMesh& surface, const HtmlMesh& axis, const HtmlMesh& skeleton,
   const std::vector<std::string>& caption, double angle,
-  const std::vector<std::string>& simplifications)
+  const std::vector<std::string>& simplifications, const vtkBoundingBox& seen)
 {
   Json notes = Json::array();
   for (const std::string& how : simplifications)
@@ -231,9 +253,9 @@ std::string makeHtmlData(const HtmlMesh& surface, const HtmlMesh& axis, const Ht
     { "frame",
       { { "origin", { frame[0].origin, frame[1].origin, frame[2].origin } },
         { "step", { frame[0].step, frame[1].step, frame[2].step } } } },
-    { "colours", describeColours() }, { "notes", notes },
-    { "simplified", !simplifications.empty() }, { "surface", describe(surface, frame) },
-    { "axis", describe(axis, frame) } };
+    { "views", describeViews(seen) }, { "flat", isFlat(seen) }, { "colours", describeColours() },
+    { "notes", notes }, { "simplified", !simplifications.empty() },
+    { "surface", describe(surface, frame) }, { "axis", describe(axis, frame) } };
   if (!skeleton.points.empty())
   {
     data["skeleton"] = describe(skeleton, frame);

@@ -2,6 +2,8 @@
 
 #include "web/html_mesh.h"
 
+#include <vtkBoundingBox.h>
+
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -24,8 +26,9 @@ std::vector<std::string> fitMeshes(HtmlMesh& surface, HtmlMesh& axis, HtmlMesh& 
 ///   not UTF-8 are replaced.
 /// @param angle the minimum separation angle of the axis, degrees.
 /// @param simplifications of fitMeshes(), for the reader of the page.
+/// @param seen the bounds that decide where to look from, before fitMeshes(); maybe none.
 std::string makeHtmlData(const HtmlMesh& surface, const HtmlMesh& axis, const HtmlMesh& skeleton,
   const std::vector<std::string>& caption, double angle,
-  const std::vector<std::string>& simplifications);
+  const std::vector<std::string>& simplifications, const vtkBoundingBox& seen);
 
 } // namespace medial::app

@@ -1,5 +1,6 @@
 #include "web/html_page.h"
 
+#include "camera.h"
 #include "output/file_writer.h"
 #include "web/html_data.h"
 #include "web/html_mesh.h"
@@ -58,6 +59,21 @@ std::string filled(std::string_view text,
   return result += text;
 }
 
+// What decides where pictures are taken from: the surface, or the axis where there is none.
+vtkBoundingBox seenBounds(const TriangleMesh& surface, vtkPolyData* axis)
+{
+  vtkBoundingBox seen;
+  for (const Point3& point : surface.points)
+  {
+    seen.AddPoint(point[0], point[1], point[2]);
+  }
+  if (surface.points.empty())
+  {
+    addSeenPoints(axis, seen);
+  }
+  return seen;
+}
+
 } // namespace
 
 HtmlPage makeHtml(const TriangleMesh& surface, vtkPolyData* axis, vtkPolyData* skeleton,
@@ -74,8 +90,11 @@ HtmlPage makeHtml(const TriangleMesh& surface, vtkPolyData* axis, vtkPolyData* s
 
   const auto file = [](const char* name)
   { return [name] { return escapedScript(webFile(name)); }; };
+  const vtkBoundingBox seen = seenBounds(surface, axis);
   const auto data = [&]
-  { return makeHtmlData(surfaceMesh, axisMesh, skeletonMesh, caption, angle, simplifications); };
+  {
+    return makeHtmlData(surfaceMesh, axisMesh, skeletonMesh, caption, angle, simplifications, seen);
+  };
   return { filled(webFile("page.html"),
              { { "style", [] { return std::string(webFile("style.css")); } },
                { "decode", file("decode.js") }, { "scene", file("scene.js") },

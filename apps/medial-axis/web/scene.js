@@ -55,20 +55,34 @@ function makeSkeleton(mesh) {
   return actor;
 }
 
-// Looks along the thinnest side of the bounds, from a quarter to the right and from above. Up is y,
-// or z where the mesh is flat along y.
-function aimCamera(renderer, bounds) {
-  const size = [0, 1, 2].map((axis) => bounds[2 * axis + 1] - bounds[2 * axis]);
-  const zUp = size[1] < Math.min(size[0], size[2]);
-  const fromX = size[0] < Math.min(size[1], size[2]);
+// Looks at all of the bounds as one of the page's views does.
+function aimCamera(renderer, bounds, view) {
   const camera = renderer.getActiveCamera();
   camera.setFocalPoint(0, 0, 0);
-  camera.setPosition(fromX ? 1 : 0, zUp ? -1 : 0, fromX || zUp ? 0 : 1);
-  camera.setViewUp(0, zUp ? 0 : 1, zUp ? 1 : 0);
-  camera.azimuth(25);
-  camera.elevation(18);
-  camera.orthogonalizeViewUp();
+  camera.setPosition(...view.direction.map((x) => -x));
+  camera.setViewUp(...view.up);
   renderer.resetCamera(bounds);
+  renderer.resetCameraClippingRange();
+}
+
+// Lights the front as usual, by vtk.js's light at the camera, and the edge as pictures do, also from
+// the front. A camera light is at the camera by default; vtk.js takes the direction of a second
+// head light in the world for one in the view.
+function setLights(renderer, { front, edgeLights }, isEdge) {
+  const { vtkLight } = vtk.Rendering.Core;
+  renderer.removeAllLights();
+  if (isEdge) {
+    renderer.addLight(
+      vtkLight.newInstance({ lightType: "CameraLight", intensity: edgeLights.own }));
+    renderer.addLight(vtkLight.newInstance({ lightType: "SceneLight",
+      intensity: edgeLights.front, position: front.direction.map((x) => -x) }));
+  }
+}
+
+// Whether the camera looks where a view does, however near.
+function looksAlong(camera, view) {
+  const direction = camera.getDirectionOfProjection();
+  return direction.reduce((sum, x, i) => sum + x * view.direction[i], 0) > 0.999999;
 }
 
 // What the controls need: functions that change the picture and draw it again.
@@ -90,6 +104,10 @@ function makeScene(container, page) {
   const data = axis.getMapper().getInputData();
   const bounds = surfaceMesh.points.length > 0 ? surface.getBounds() : axis.getBounds();
   const draw = () => view.getRenderWindow().render();
+  const look = (name) => {
+    aimCamera(renderer, bounds, page.views[name]);
+    setLights(renderer, page.views, name === "edge");
+  };
 
   return {
     axisMesh,
@@ -102,8 +120,11 @@ function makeScene(container, page) {
       }
     },
     resetView() {
-      aimCamera(renderer, bounds);
-      renderer.resetCameraClippingRange();
+      look("front");
+    },
+    // Looks edge-on, or from the front where it does so already.
+    turnToEdge() {
+      look(looksAlong(renderer.getActiveCamera(), page.views.edge) ? "front" : "edge");
     },
     setOpacity(opacity) {
       surface.setVisibility(opacity > 0);
