@@ -113,7 +113,7 @@ class RanksAxis(RankTest):
         for run, code, text in (
                 (alone, 2, "^medial-axis: INPUT torus.pvtp: .pvtp is for several processes"),
                 (several("--report", "r.json"), 2, "torus.pvtp lies in pieces: --report needs a mesh in one file$"),
-                (several("--min-thickness", "1"), 2, "torus.pvtp lies in pieces: a limit of thickness needs a mesh")):
+                (several("--thickness", "t.vtp"), 2, "torus.pvtp lies in pieces: --thickness FILE.vtp needs a mesh")):
             self.expect_line(run, code, text)
         (self.folder / "torus_1.vtp").unlink()
         self.expect_line(several(), 3, "^medial-axis: rank 1: torus_1.vtp: no such file$")

@@ -82,16 +82,28 @@ class RanksThickness(RankTest):
             run = self.run_ranks(ranks, "torus.off", "--min-thickness", "0.5", "--thin-regions", "thin.vtp",
                                  "--report", "a.json", "--max-edge", "0.5", *SINGLE)
             self.assertEqual(run.returncode, 1, run.stderr)
-            lines[ranks] = [line for line in run.stderr.splitlines() if " looks at the whole " not in line]
+            lines[ranks] = run.stderr
             self.assertIn("       1  thin         0.2 ", run.stdout)
             report = self.report("a.json")["thickness"]
             report.pop("seconds")
             files[ranks] = ((self.folder / "thin.vtp").read_bytes(), report)
-            if ranks > 1:
-                self.assertIn("the first process found the regions alone", run.stderr)
         self.assertEqual(files[3], files[1])
         self.assertEqual(lines[3], lines[1])
         self.run_well(2, "torus.off", "--min-thickness", "0.1", "-q")
+
+    def test_limits_of_a_mesh_in_pieces(self):
+        """The regions of the whole, which nobody has."""
+        self.write_pieces(4)
+        for edge in ((), ("--max-edge", "0.1")):
+            found = {}
+            for ranks, mesh in ((1, "torus.off"), (3, "torus.pvtp")):
+                run = self.run_ranks(ranks, mesh, "--max-thickness", "0.78", "--thin-regions", "thick.vtp", *edge,
+                                     *SINGLE)
+                self.assertEqual(run.returncode, 1, run.stderr)
+                table = [line for line in run.stdout.splitlines() if " thick " in line]
+                self.assertGreater(len(table), 0)
+                found[mesh] = (table, run.stderr.replace(mesh, ""), (self.folder / "thick.vtp").read_bytes())
+            self.assertEqual(found["torus.pvtp"], found["torus.off"])
 
     def test_limits_of_thickness_that_are_refused(self):
         for options, code, text in ((("--min-thickness", "2", "--max-thickness", "1"), 2, "minimum thickness 2"),
@@ -100,7 +112,7 @@ class RanksThickness(RankTest):
         points, faces = torus()
         self.write(points, faces[:300])
         self.expect_failure(self.run_ranks(2, "torus.off", "--min-thickness", "1"), 3,
-                            "^medial-axis: rank 0: torus.off: limits of the thickness of one side need")
+                            "^medial-axis: torus.off: limits of the thickness of one side need")
 
     def test_a_rank_without_memory_for_thickness(self):
         self.expect_failure(self.run_short_of_memory("torus.off", "--thickness", "a.pvtp", *SINGLE), 5,

@@ -106,7 +106,6 @@ void takeThickness(RankThickness& thickness, Result& result)
     std::accumulate(thickness.triangles.begin(), thickness.triangles.end(), std::int64_t{ 0 });
   result.thickness = std::move(thickness.thickness);
   result.mesh = std::move(thickness.mesh);
-  result.fineMesh = std::move(thickness.fineMesh);
   result.regions = std::move(thickness.regions);
   result.thicknessSurface = thickness.surface;
 }

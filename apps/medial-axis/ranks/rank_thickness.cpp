@@ -8,9 +8,11 @@
 #include "region_table.h"
 #include "surface_thickness.h"
 
-#include "medial/mesh_connectivity.h"
-
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
 #include <string>
 #include <utility>
 
@@ -21,43 +23,16 @@ namespace
 
 using Message = Communicator::Message;
 
-/// Checks what limits need, and divides the surface, if it is to be divided: each rank its piece,
-/// and the first one the whole, too, where it has it.
-/// @return the divided piece; nothing if the surface stays as it is.
-std::optional<SurfacePiece> dividedPiece(const Options& options, Communicator& communicator,
-  const Share& share, const ThicknessOptions& wanted, RankThickness& result)
+/// Divides the surface, if it is to be divided: each rank its piece.
+/// @return nothing if the surface stays as it is.
+std::optional<SurfacePiece> dividedPiece(Communicator& communicator, const Share& share,
+  double maxEdge, const Execution& execution)
 {
-  withSharedFailures(communicator,
-    [&]
-    {
-      if (communicator.rank() == 0 && options.hasThicknessLimits() && options.side != Side::Both)
-      {
-        withFailures(options.input,
-          [&]
-          {
-            requireInside(result.mesh, analyseConnectivity(result.mesh, wanted.execution),
-              wanted.execution);
-          });
-      }
-    });
-  const double maxEdge = maxThicknessEdge(options, share.bounds.diagonal());
   if (maxEdge <= 0.0)
   {
     return std::nullopt;
   }
-  SurfacePiece piece;
-  withFailures(options.input,
-    [&] { piece = subdivide(communicator, share.piece, maxEdge, wanted.execution).piece; });
-  withSharedFailures(communicator,
-    [&]
-    {
-      if (communicator.rank() == 0 && needsWholeForThickness(options))
-      {
-        withFailures(options.input,
-          [&] { result.fineMesh = subdivide(result.mesh, maxEdge, wanted.execution); });
-      }
-    });
-  return piece;
+  return subdivide(communicator, share.piece, maxEdge, execution).piece;
 }
 
 /// Returns the values of the whole surface, on the first rank. Its triangles lie on the ranks one
@@ -106,32 +81,122 @@ Thickness gatheredThickness(Communicator& communicator, const SurfacePiece& piec
   return whole;
 }
 
-/// Finds regions and attaches values to the surface, on the first rank.
-void finishWhole(const Options& options, Share& share, const ThicknessLimits& limits,
-  Thickness thickness, RankThickness& result)
+/// Returns the whole surface with the values, on the first rank.
+vtkSmartPointer<vtkPolyData> wholeSurface(Share& share, double maxEdge, Thickness thickness,
+  const Execution& execution)
 {
   Result whole;
-  whole.mesh = std::move(result.mesh);
-  whole.fineMesh = std::move(result.fineMesh);
+  whole.mesh = std::move(share.whole);
+  if (maxEdge > 0.0)
+  {
+    whole.fineMesh = subdivide(whole.mesh, maxEdge, execution);
+  }
   whole.thickness = std::move(thickness);
-  if (options.hasThicknessLimits())
+  return withThickness(share.surface.polyData(), whole);
+}
+
+/// A triangle beyond a limit.
+struct RegionTriangle
+{
+  int region;
+  std::int64_t cell;
+  std::array<std::int64_t, 3> points; ///< numbers in the whole surface
+  std::array<Point3, 3> corners;
+  std::array<float, 3> cornerValues;
+  float value;
+};
+
+std::vector<RegionTriangle> trianglesOf(const std::vector<ThicknessRegion>& regions,
+  const SurfacePiece& piece, const Thickness& thickness)
+{
+  std::vector<RegionTriangle> triangles;
+  for (std::size_t region = 0; region < regions.size(); ++region)
   {
-    result.regions = findThicknessRegions(whole.thicknessMesh(), *whole.thickness, limits);
+    for (const int triangle : regions[region].triangles)
+    {
+      RegionTriangle found{ static_cast<int>(region), piece.mesh.triangleCells[triangle], {}, {},
+        {}, thickness.triangleValues[triangle] };
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        const int corner = piece.mesh.triangles[triangle][i];
+        found.points[i] = piece.pointOrder[corner];
+        found.corners[i] = piece.mesh.points[corner];
+        found.cornerValues[i] = thickness.values[corner];
+      }
+      triangles.push_back(found);
+    }
   }
-  if (extensionOf(options.thickness) == ".vtp")
+  return triangles;
+}
+
+/// Makes a mesh of the triangles beyond limits alone, on the first rank, with the regions and
+/// values of these.
+/// @param thickness, regions of this rank's piece.
+/// @return the values of the mesh, with the figures of the whole surface; elsewhere `thickness`.
+Thickness gatherRegions(Communicator& communicator, const SurfacePiece& piece,
+  const Thickness& thickness, std::vector<ThicknessRegion> regions, RankThickness& result)
+{
+  ListMessage own;
+  own.put(trianglesOf(regions, piece, thickness));
+  std::vector<Message> messages(static_cast<std::size_t>(communicator.size()));
+  messages.front() = std::move(own.bytes);
+  messages = communicator.exchange(std::move(messages));
+  if (communicator.rank() > 0)
   {
-    result.surface = withThickness(share.surface.polyData(), whole);
+    return thickness;
   }
-  result.mesh = std::move(whole.mesh);
-  result.fineMesh = std::move(whole.fineMesh);
-  result.thickness = std::move(*whole.thickness);
+  std::vector<RegionTriangle> triangles;
+  for (Message& bytes : messages)
+  {
+    std::vector<RegionTriangle> some;
+    ListMessage(std::move(bytes)).take(some);
+    triangles.insert(triangles.end(), some.begin(), some.end());
+  }
+  // Pieces of a mesh in several files need not be in the order of cells.
+  std::stable_sort(triangles.begin(), triangles.end(),
+    [](const RegionTriangle& a, const RegionTriangle& b) { return a.cell < b.cell; });
+  Thickness ofRegions = thickness;
+  ofRegions.values.clear();
+  ofRegions.triangleValues.clear();
+  for (ThicknessRegion& region : regions)
+  {
+    region.triangles.clear();
+    region.cells.clear();
+  }
+  std::map<std::int64_t, int> ids;
+  for (const RegionTriangle& triangle : triangles)
+  {
+    std::array<int, 3> corners{};
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const auto [found, isNew] =
+        ids.insert({ triangle.points[i], static_cast<int>(result.mesh.points.size()) });
+      if (isNew)
+      {
+        result.mesh.points.push_back(triangle.corners[i]);
+        ofRegions.values.push_back(triangle.cornerValues[i]);
+      }
+      corners[i] = found->second;
+    }
+    ThicknessRegion& region = regions[triangle.region];
+    region.triangles.push_back(static_cast<int>(result.mesh.triangles.size()));
+    if (region.cells.empty() || region.cells.back() != triangle.cell)
+    {
+      region.cells.push_back(triangle.cell);
+    }
+    result.mesh.triangles.push_back(corners);
+    result.mesh.triangleCells.push_back(triangle.cell);
+    ofRegions.triangleValues.push_back(triangle.value);
+  }
+  result.regions = std::move(regions);
+  return ofRegions;
 }
 
 } // namespace
 
 bool needsWholeForThickness(const Options& options)
 {
-  return options.hasThicknessLimits() || extensionOf(options.thickness) == ".vtp";
+  return extensionOf(options.thickness) == ".vtp";
 }
 
 RankThickness computeThickness(const Options& options, Communicator& communicator, Share& share,
@@ -146,12 +211,25 @@ RankThickness computeThickness(const Options& options, Communicator& communicato
   Watch watch(bar);
   ThicknessOptions wanted = thicknessOptions(options);
   wanted.execution.progress = &watch;
-  result.mesh = std::move(share.whole);
-  const std::optional<SurfacePiece> divided =
-    dividedPiece(options, communicator, share, wanted, result);
-  const SurfacePiece& piece = divided ? *divided : share.piece;
+  const double maxEdge = maxThicknessEdge(options, share.bounds.diagonal());
+  std::optional<SurfacePiece> divided;
+  std::vector<ThicknessRegion> regions;
   withFailures(options.input,
-    [&] { result.thickness = computeThickness(communicator, piece, wanted, &result.counts); });
+    [&]
+    {
+      if (options.hasThicknessLimits() && options.side != Side::Both)
+      {
+        requireInside(communicator, share.piece, wanted.execution);
+      }
+      divided = dividedPiece(communicator, share, maxEdge, wanted.execution);
+      const SurfacePiece& piece = divided ? *divided : share.piece;
+      result.thickness = computeThickness(communicator, piece, wanted, &result.counts);
+      if (options.hasThicknessLimits())
+      {
+        regions = findThicknessRegions(communicator, piece, result.thickness, limits);
+      }
+    });
+  const SurfacePiece& piece = divided ? *divided : share.piece;
   const auto own = static_cast<std::int64_t>(piece.mesh.triangles.size());
   result.triangles = gatheredValues(communicator, own);
   if (extensionOf(options.thickness) == ".pvtp")
@@ -163,7 +241,7 @@ RankThickness computeThickness(const Options& options, Communicator& communicato
     }
     result.piece = pieceWithThickness(piece, result.thickness, first);
   }
-  if (options.hasThicknessLimits() || extensionOf(options.thickness) == ".vtp")
+  if (needsWholeForThickness(options))
   {
     Thickness whole = gatheredThickness(communicator, piece, result.thickness);
     withSharedFailures(communicator,
@@ -172,9 +250,15 @@ RankThickness computeThickness(const Options& options, Communicator& communicato
         if (communicator.rank() == 0)
         {
           withFailures(options.input,
-            [&] { finishWhole(options, share, limits, std::move(whole), result); });
+            [&]
+            { result.surface = wholeSurface(share, maxEdge, std::move(whole), wanted.execution); });
         }
       });
+  }
+  if (options.hasThicknessLimits())
+  {
+    result.thickness =
+      gatherRegions(communicator, piece, result.thickness, std::move(regions), result);
   }
   return result;
 }

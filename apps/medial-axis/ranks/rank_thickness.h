@@ -6,7 +6,6 @@
 #include "ranks/rank_input.h"
 
 #include "medial/ranks.h"
-#include "medial/subdivision.h"
 #include "medial/thickness.h"
 #include "medial/thickness_regions.h"
 
@@ -14,7 +13,6 @@
 #include <vtkSmartPointer.h>
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 namespace medial::app
@@ -23,23 +21,22 @@ namespace medial::app
 /// What several processes compute of the thickness.
 struct RankThickness
 {
-  Thickness thickness; ///< of this rank's piece, with the figures of the whole
+  /// Of this rank's piece, or of `mesh` where there are limits; with the figures of the whole.
+  Thickness thickness;
   /// The piece with the values, where it goes into a file of its own.
   vtkSmartPointer<vtkPolyData> piece;
   std::vector<std::int64_t> triangles; ///< how many each rank has
   RankCounts counts;
 
   ///@{
-  /// Of the whole surface, on the first rank, where a file or limits need it.
-  TriangleMesh mesh;
-  std::optional<Subdivision> fineMesh;
+  /// Of the whole surface, on the first rank.
+  TriangleMesh mesh; ///< the triangles beyond limits alone
   std::vector<ThicknessRegion> regions;
-  vtkSmartPointer<vtkPolyData> surface; ///< with the values
+  vtkSmartPointer<vtkPolyData> surface; ///< with the values, where a file needs it
   ///@}
 };
 
-/// Whether the first rank needs the whole mesh for the thickness: to write it into one file, or to
-/// find regions.
+/// Whether the first rank needs the whole mesh for the thickness: to write it into one file.
 bool needsWholeForThickness(const Options& options);
 
 /// Computes the thickness, as far as options ask for it. Every rank calls it.

@@ -64,23 +64,13 @@ void checkOptions(const Options& options)
     refuse("they need --engine processor");
   }
   const char* const ofWhole = !options.report.empty() ? "--report"
-    : needsWholeForThickness(options)
-    ? (options.hasThicknessLimits() ? "a limit of thickness" : "--thickness FILE.vtp")
-    : nullptr;
+    : needsWholeForThickness(options)                 ? "--thickness FILE.vtp"
+                                                      : nullptr;
   if (isInPieces(options.input) && ofWhole != nullptr)
   {
     throw Failure(ExitCode::Usage,
       options.input.string() + " lies in pieces: " + ofWhole + " needs a mesh in one file");
   }
-}
-
-/// What the first process does alone for the thickness; empty for nothing.
-std::string noteOfThickness(const Options& options)
-{
-  return options.hasThicknessLimits()
-    ? std::string(options.minThickness ? "--min-thickness" : "--max-thickness") +
-      " looks at the whole surface: the first process found the regions"
-    : "";
 }
 
 /// What must be the same on every rank.
@@ -239,10 +229,6 @@ void tell(const Options& options, const Result& result, const AppSeconds& second
       "medial-axis: note: %s: --max-spheres looks at the whole axis: the first process simplified "
       "it alone\n",
       options.input.c_str());
-  }
-  if (const std::string note = noteOfThickness(options); !note.empty() && !options.quiet)
-  {
-    std::fprintf(stderr, "medial-axis: note: %s: %s alone\n", options.input.c_str(), note.c_str());
   }
   if (options.report == kStandardOutput)
   {
