@@ -57,7 +57,8 @@ struct RankFigures
 struct Result
 {
   MeshFigures meshFigures;
-  TriangleMesh mesh; ///< of a single process, like its connectivity
+  /// Of a single process, like its connectivity; of several, the triangles beyond limits.
+  TriangleMesh mesh;
   MeshConnectivity connectivity;
   Grid grid;
   std::optional<SkeletonResolution> chosenResolution; ///< with --resolution auto

@@ -112,7 +112,6 @@ class RanksAxis(RankTest):
         alone = self.run_ranks(1, "torus.pvtp", "-o", "a.vtp")
         for run, code, text in (
                 (alone, 2, "^medial-axis: INPUT torus.pvtp: .pvtp is for several processes"),
-                (several("--report", "r.json"), 2, "torus.pvtp lies in pieces: --report needs a mesh in one file$"),
                 (several("--thickness", "t.vtp"), 2, "torus.pvtp lies in pieces: --thickness FILE.vtp needs a mesh")):
             self.expect_line(run, code, text)
         (self.folder / "torus_1.vtp").unlink()
@@ -132,14 +131,17 @@ class RanksAxis(RankTest):
             self.assertIn("note: torus.off: --max-spheres looks at the whole axis", several.stderr)
             self.expect_same_file("many.ply", "one.ply")
 
-    def expect_same_report(self, ranks, *options):
+    def expect_same_report(self, ranks, *options, mesh="torus.off"):
         """The figures and notes of one process, but for times and what ranks count."""
         one = self.run_ranks(1, "torus.off", "--report", "one.json", *SINGLE, *options)
-        several = self.run_ranks(ranks, "torus.off", "--report", "many.json", *SINGLE, *options)
+        several = self.run_ranks(ranks, mesh, "--report", "many.json", *SINGLE, *options)
         self.assertEqual((one.returncode, several.returncode), (0, 0), several.stderr)
         own = " looks at the whole axis: the first process"
-        self.assertEqual([line for line in several.stderr.splitlines() if own not in line], one.stderr.splitlines())
+        notes = several.stderr.replace(mesh, "torus.off").splitlines()
+        self.assertEqual([line for line in notes if own not in line], one.stderr.splitlines())
         expected, found = self.report("one.json"), self.report("many.json")
+        self.assertEqual(found["input"].pop("path"), mesh)
+        expected["input"].pop("path")
         self.assertIsNone(expected.pop("ranks"))
         per_rank = found.pop("ranks")
         self.assertEqual(len(per_rank), ranks)
@@ -158,6 +160,11 @@ class RanksAxis(RankTest):
     def test_a_report_has_the_figures_of_one(self):
         report = self.expect_same_report(3, "--resolution", "40")
         self.assertEqual(report["topology"]["axis"]["genus"], 1)
+
+    def test_a_report_of_a_mesh_in_pieces(self):
+        self.write_pieces(4)
+        report = self.expect_same_report(3, "--resolution", "40", mesh="torus.pvtp")
+        self.assertEqual((report["input"]["closed"], report["input"]["components"]), (True, 1))
 
     def test_a_report_of_what_the_axis_leaves_out(self):
         # The grid misses a thin plate.

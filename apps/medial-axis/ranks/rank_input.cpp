@@ -103,6 +103,18 @@ std::vector<Message> sharesOf(const TriangleMesh& mesh, std::size_t ranks)
   return messages;
 }
 
+MeshFigures figuresOf(const SurfaceFigures& surface)
+{
+  MeshFigures figures;
+  figures.triangles = static_cast<std::size_t>(surface.triangles);
+  figures.points = static_cast<std::size_t>(surface.points);
+  figures.components = surface.components;
+  figures.degenerateTriangles = surface.degenerateTriangles;
+  figures.closed = surface.closed;
+  figures.manifold = surface.manifold;
+  return figures;
+}
+
 /// Takes a piece out of a message.
 SurfacePiece receivedPiece(Message bytes, Bounds& bounds)
 {
@@ -123,6 +135,11 @@ Share readShare(const Options& options, bool keepsWhole, Communicator& communica
     MeshPiece own = readMeshPiece(options.input, communicator);
     share.piece = std::move(own.piece);
     share.bounds = own.bounds;
+    if (!options.report.empty())
+    {
+      withFailures(options.input,
+        [&] { share.figures = figuresOf(measureSurface(communicator, share.piece)); });
+    }
     share.figures.diagonal = share.bounds.diagonal();
     return share;
   }

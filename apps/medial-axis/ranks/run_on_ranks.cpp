@@ -63,13 +63,10 @@ void checkOptions(const Options& options)
   {
     refuse("they need --engine processor");
   }
-  const char* const ofWhole = !options.report.empty() ? "--report"
-    : needsWholeForThickness(options)                 ? "--thickness FILE.vtp"
-                                                      : nullptr;
-  if (isInPieces(options.input) && ofWhole != nullptr)
+  if (isInPieces(options.input) && needsWholeForThickness(options))
   {
     throw Failure(ExitCode::Usage,
-      options.input.string() + " lies in pieces: " + ofWhole + " needs a mesh in one file");
+      options.input.string() + " lies in pieces: --thickness FILE.vtp needs a mesh in one file");
   }
 }
 

@@ -120,6 +120,24 @@ struct PieceSubdivision
 MEDIAL_EXPORT PieceSubdivision subdivide(Communicator& communicator, const SurfacePiece& piece,
   double maxEdge, const Execution& execution = {});
 
+/// What pieces of a surface are together: figures of TriangleMesh and MeshConnectivity.
+struct SurfaceFigures
+{
+  std::int64_t triangles = 0;
+  std::int64_t points = 0;              ///< those at the same position count once
+  std::int64_t degenerateTriangles = 0; ///< without area, however they are kept
+  int components = 0;                   ///< connected through points
+  bool closed = false;                  ///< two triangles at every edge
+  bool manifold = false;                ///< as MeshConnectivity::manifold()
+};
+
+/// Measures a surface that lies in pieces on several ranks. No rank holds the whole surface. Every
+/// rank calls it.
+/// @return the same on every rank.
+/// @throws Error on every rank, with the message of the first that failed: InvalidInput for a
+///   surface without triangles, and with segments or points of no triangle.
+MEDIAL_EXPORT SurfaceFigures measureSurface(Communicator& communicator, const SurfacePiece& piece);
+
 /// What a rank has held and sent.
 struct RankCounts
 {
