@@ -350,8 +350,8 @@ TEST_F(HtmlPage, SaysWhatIsFlat)
 {
   const auto isFlat = [](const Point3& half)
   {
-    const auto page = makeHtml(box(half), emptyAxis(), nullptr, { "box" }, 60.0, kBundle);
-    return dataOf(page.html)["flat"].get<bool>();
+    const app::HtmlPage made = makeHtml(box(half), emptyAxis(), nullptr, { "box" }, 60.0, kBundle);
+    return dataOf(made.html)["flat"].get<bool>();
   };
   EXPECT_FALSE(data["flat"]);
   EXPECT_TRUE(isFlat({ 1.0, 0.6, 0.05 }));

@@ -123,7 +123,7 @@ MEDIAL_EXPORT PieceSubdivision subdivide(Communicator& communicator, const Surfa
 /// What pieces of a surface are together: figures of TriangleMesh and MeshConnectivity.
 struct SurfaceFigures
 {
-  std::int64_t triangles = 0;
+  std::int64_t triangles = 0;           ///< of all pieces
   std::int64_t points = 0;              ///< those at the same position count once
   std::int64_t degenerateTriangles = 0; ///< without area, however they are kept
   int components = 0;                   ///< connected through points
