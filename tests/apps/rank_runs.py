@@ -85,8 +85,8 @@ class RankTest(unittest.TestCase):
         lines += [" ".join(map(str, (len(face), *face))) for face in faces]
         (self.folder / "torus.off").write_text("\n".join(lines) + "\n")
 
-    def write_pieces(self, count):
-        """The torus once more, as torus.pvtp in so many pieces with global ids."""
+    def write_pieces(self, count, with_ids=True):
+        """The torus once more, as torus.pvtp in so many pieces, maybe with global ids."""
         points, faces = torus()
         for rank in range(count):
             own = range(rank, len(faces), count)
@@ -105,7 +105,8 @@ class RankTest(unittest.TestCase):
                 ids.SetName(f"vtkGlobal{kind}Ids")
                 for number in numbers:
                     ids.InsertNextValue(number)
-                data.SetGlobalIds(ids)
+                if with_ids:
+                    data.SetGlobalIds(ids)
             writer = vtkXMLPolyDataWriter()
             writer.SetInputData(piece)
             writer.SetFileName(str(self.folder / f"torus_{rank}.vtp"))

@@ -97,16 +97,22 @@ class RanksThickness(RankTest):
     def test_limits_of_a_mesh_in_pieces(self):
         """The regions of the whole, which nobody has."""
         self.write_pieces(4)
-        for edge in ((), ("--max-edge", "0.1")):
+        for edge in (("--max-edge", "0.1"), ("--max-edge", "0")):
             found = {}
             for ranks, mesh in ((1, "torus.off"), (3, "torus.pvtp")):
-                run = self.run_ranks(ranks, mesh, "--max-thickness", "0.78", "--thin-regions", "thick.vtp", *edge,
+                run = self.run_ranks(ranks, mesh, "--max-thickness", "0.7", "--thin-regions", "thick.vtp", *edge,
                                      *SINGLE)
                 self.assertEqual(run.returncode, 1, run.stderr)
                 table = [line for line in run.stdout.splitlines() if " thick " in line]
                 self.assertGreater(len(table), 0)
                 found[mesh] = (table, run.stderr.replace(mesh, ""), (self.folder / "thick.vtp").read_bytes())
             self.assertEqual(found["torus.pvtp"], found["torus.off"])
+        whole = read_polydata(self.folder / "thick.vtp")
+        self.write_pieces(4, with_ids=False)
+        self.run_ranks(3, "torus.pvtp", "--max-thickness", "0.7", "--thin-regions", "thick.vtp", *edge, *SINGLE)
+        without_ids = read_polydata(self.folder / "thick.vtp")
+        self.assertEqual((without_ids.GetNumberOfPoints(), without_ids.GetNumberOfCells()),
+                         (whole.GetNumberOfPoints(), whole.GetNumberOfCells()))
 
     def test_limits_of_thickness_that_are_refused(self):
         for options, code, text in ((("--min-thickness", "2", "--max-thickness", "1"), 2, "minimum thickness 2"),

@@ -35,6 +35,16 @@ std::optional<SurfacePiece> dividedPiece(Communicator& communicator, const Share
   return subdivide(communicator, share.piece, maxEdge, execution).piece;
 }
 
+/// Sends a message to the first rank, and returns there what all have sent, in their order.
+std::vector<Message> atFirst(Communicator& communicator, Message own)
+{
+  std::vector<Message> messages;
+  messages.push_back(std::move(own));
+  messages.resize(static_cast<std::size_t>(communicator.size()));
+  messages = communicator.exchange(std::move(messages));
+  return communicator.rank() == 0 ? std::move(messages) : std::vector<Message>{};
+}
+
 /// Returns the values of the whole surface, on the first rank. Its triangles lie on the ranks one
 /// after the other.
 Thickness gatheredThickness(Communicator& communicator, const SurfacePiece& piece,
@@ -46,11 +56,8 @@ Thickness gatheredThickness(Communicator& communicator, const SurfacePiece& piec
   own.put(thickness.atEdge);
   own.put(thickness.triangleValues);
   own.put(thickness.triangleAtEdge);
-  std::vector<Message> messages;
-  messages.push_back(std::move(own.bytes)); // for the first rank
-  messages.resize(static_cast<std::size_t>(communicator.size()));
+  std::vector<Message> messages = atFirst(communicator, std::move(own.bytes));
   Thickness whole = thickness;
-  messages = communicator.exchange(std::move(messages));
   if (communicator.rank() > 0)
   {
     return whole;
@@ -132,21 +139,14 @@ std::vector<RegionTriangle> trianglesOf(const std::vector<ThicknessRegion>& regi
 /// Makes a mesh of the triangles beyond limits alone, on the first rank, with the regions and
 /// values of these.
 /// @param thickness, regions of this rank's piece.
-/// @return the values of the mesh, with the figures of the whole surface; elsewhere `thickness`.
+/// @return the values of the mesh, with the figures of the whole surface.
 Thickness gatherRegions(Communicator& communicator, const SurfacePiece& piece,
   const Thickness& thickness, std::vector<ThicknessRegion> regions, RankThickness& result)
 {
   ListMessage own;
   own.put(trianglesOf(regions, piece, thickness));
-  std::vector<Message> messages(static_cast<std::size_t>(communicator.size()));
-  messages.front() = std::move(own.bytes);
-  messages = communicator.exchange(std::move(messages));
-  if (communicator.rank() > 0)
-  {
-    return thickness;
-  }
   std::vector<RegionTriangle> triangles;
-  for (Message& bytes : messages)
+  for (Message& bytes : atFirst(communicator, std::move(own.bytes)))
   {
     std::vector<RegionTriangle> some;
     ListMessage(std::move(bytes)).take(some);
@@ -163,14 +163,18 @@ Thickness gatherRegions(Communicator& communicator, const SurfacePiece& piece,
     region.triangles.clear();
     region.cells.clear();
   }
-  std::map<std::int64_t, int> ids;
+  // Points at the same place are one, unless the surface has been divided.
+  using Key = std::pair<std::int64_t, Point3>;
+  const auto keyOf = [&](const RegionTriangle& triangle, std::size_t i)
+  { return piece.weld ? Key(0, triangle.corners[i]) : Key(triangle.points[i], Point3{}); };
+  std::map<Key, int> ids;
   for (const RegionTriangle& triangle : triangles)
   {
     std::array<int, 3> corners{};
     for (std::size_t i = 0; i < 3; ++i)
     {
       const auto [found, isNew] =
-        ids.insert({ triangle.points[i], static_cast<int>(result.mesh.points.size()) });
+        ids.insert({ keyOf(triangle, i), static_cast<int>(result.mesh.points.size()) });
       if (isNew)
       {
         result.mesh.points.push_back(triangle.corners[i]);
