@@ -70,6 +70,8 @@ _medial()
     mapfile -t COMPREPLY < <(_medial_files "$word" vtp ply obj ma stl off vtk)
   elif [[ $program == *medial-distance ]]; then
     mapfile -t COMPREPLY < <(_medial_files "$word" "${meshes[@]}" "${scans[@]}" xyz txt csv)
+  elif [[ $program == *medial-axis ]]; then
+    mapfile -t COMPREPLY < <(_medial_files "$word" "${meshes[@]}" pvtp "${scans[@]}")
   elif [[ $program == *medial-proximity ]]; then
     mapfile -t COMPREPLY < <(_medial_files "$word" "${meshes[@]}")
   else

@@ -32,7 +32,7 @@ void aimCamera(vtkCamera* camera, const vtkBoundingBox& bounds);
 ///@{
 /// Whether a mesh is so flat that the view along its thinnest axis hides much of its shape.
 bool isFlat(vtkPolyData* surface);
-/// @param bounds of a mesh; none are not flat.
+/// @param bounds of a mesh; invalid bounds are not flat.
 bool isFlat(const vtkBoundingBox& bounds);
 ///@}
 

@@ -20,7 +20,7 @@ vtkSmartPointer<vtkColorTransferFunction> makeSignedColours(double max);
 /// The largest radius of a medial axis, world units; 0 where it is empty.
 double maxRadius(vtkPolyData* axis);
 
-/// Where a scale from 0 ends: at the largest value, or at 1 where none is above 0.
+/// Where a scale from 0 ends: at the largest value, or at 1 if no value is above 0.
 double scaleEnd(double max);
 
 /// Where the scale of separation angles ends, degrees.

@@ -20,8 +20,8 @@ namespace medial::app
 class EglRenderWindow;
 
 ///@{
-/// How bright the lights of a view edge-on are: at its own camera, and at that of the whole
-/// picture, so that what is in front there keeps its colours where it is seen from the edge.
+/// How bright the two lights of an edge-on view are: one at its own camera, one at that of the main
+/// picture. The second keeps the colours of faces that look to the front.
 constexpr double kOwnLight = 0.6;
 constexpr double kFrontLight = 0.8;
 ///@}

@@ -23,7 +23,7 @@ namespace medial::app
 struct Options
 {
   std::filesystem::path input;         ///< a mesh, or a scan
-  ScanSurface scan;                    ///< what of a scan
+  ScanSurface scan;                    ///< which surface to take from a scan
   std::filesystem::path output;        ///< .vtp, .pvtp, .ply, .obj or .ma
   std::filesystem::path curves;        ///< .vtp
   std::filesystem::path skeleton;      ///< .vtp

@@ -13,7 +13,7 @@ namespace medial::app
 struct DistanceCommand
 {
   std::filesystem::path mesh;   ///< a mesh, or a scan
-  ScanSurface scan;             ///< what of a scan
+  ScanSurface scan;             ///< which surface to take from a scan
   std::filesystem::path points; ///< what readPointSet() reads
   std::filesystem::path output; ///< .vtp or .csv; empty for none
   std::filesystem::path image;  ///< .png; empty for none

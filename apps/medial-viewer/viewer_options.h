@@ -33,7 +33,7 @@ constexpr int kMaxViewerResolution = 8192;
 struct ViewerOptions
 {
   std::vector<std::filesystem::path> inputs; ///< a mesh, a folder of them, several, or a scan
-  ScanSurface scan;                          ///< what of a scan
+  ScanSurface scan;                          ///< which surface to take from a scan
   int resolution = 96;
   int maxResolution = 256; ///< the end of the slider
   double angle = kDefaultAngle;

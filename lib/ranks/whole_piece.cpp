@@ -40,7 +40,9 @@ std::optional<WholePiece> wholePiece(const SurfacePiece& piece)
   {
     return std::nullopt;
   }
-  WholePiece whole{ {}, sortedIndices(piece.pointOrder), sortedIndices(piece.mesh.triangleCells) };
+  WholePiece whole;
+  whole.points = sortedIndices(piece.pointOrder);
+  whole.triangles = sortedIndices(piece.mesh.triangleCells);
   const auto same = [&](int a, int b) { return piece.pointOrder[a] == piece.pointOrder[b]; };
   if (std::adjacent_find(whole.points.begin(), whole.points.end(), same) != whole.points.end())
   {

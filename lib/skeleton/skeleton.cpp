@@ -226,7 +226,8 @@ Skeleton build(const MedialAxis& axis, const TriangleMesh& mesh, const SkeletonO
     });
   const double step = meanEdge(axis, positions);
   const Checkpoint checkpoint(run, 0.3, kPhase);
-  // The fire keeps one thread busy. The last one runs here, where progress may be reported.
+  // The fire keeps one thread busy. TBB runs the last function on this thread, which may report
+  // progress.
   BurnedSheets burned;
   std::optional<DistanceQuery> built;
   tbb::parallel_invoke([&] { burned = burnSheets(axis, positions, radii, checkpoint); },

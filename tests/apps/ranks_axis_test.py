@@ -165,6 +165,8 @@ class RanksAxis(RankTest):
         self.write_pieces(4)
         report = self.expect_same_report(3, "--resolution", "40", mesh="torus.pvtp")
         self.assertEqual((report["input"]["closed"], report["input"]["components"]), (True, 1))
+        self.write_pieces(3, with_ids=False)
+        self.expect_same_report(4, "--resolution", "30", mesh="torus.pvtp")
 
     def test_a_report_of_what_the_axis_leaves_out(self):
         # The grid misses a thin plate.

@@ -95,7 +95,7 @@ class RanksThickness(RankTest):
         self.run_well(2, "torus.off", "--min-thickness", "0.1", "-q")
 
     def test_limits_of_a_mesh_in_pieces(self):
-        """The regions of the whole, which nobody has."""
+        """The regions of the whole mesh, which no process holds."""
         self.write_pieces(4)
         for edge in (("--max-edge", "0.1"), ("--max-edge", "0")):
             found = {}
@@ -107,12 +107,29 @@ class RanksThickness(RankTest):
                 self.assertGreater(len(table), 0)
                 found[mesh] = (table, run.stderr.replace(mesh, ""), (self.folder / "thick.vtp").read_bytes())
             self.assertEqual(found["torus.pvtp"], found["torus.off"])
-        whole = read_polydata(self.folder / "thick.vtp")
+
+    def test_limits_of_a_mesh_in_pieces_without_ids(self):
+        def points_of(name):
+            data = read_polydata(self.folder / name)
+            return data.GetNumberOfCells(), sorted(map(data.GetPoint, range(data.GetNumberOfPoints())))
+
         self.write_pieces(4, with_ids=False)
-        self.run_ranks(3, "torus.pvtp", "--max-thickness", "0.7", "--thin-regions", "thick.vtp", *edge, *SINGLE)
-        without_ids = read_polydata(self.folder / "thick.vtp")
-        self.assertEqual((without_ids.GetNumberOfPoints(), without_ids.GetNumberOfCells()),
-                         (whole.GetNumberOfPoints(), whole.GetNumberOfCells()))
+        for edge in ("0.1", "0"):
+            limit = ("--max-thickness", "0.7", "--max-edge", edge, "-q", *SINGLE)
+            for ranks, mesh, file in ((1, "torus.off", f"one{edge}.vtp"), (3, "torus.pvtp", f"many{edge}.vtp")):
+                run = self.run_ranks(ranks, mesh, "--thin-regions", file, *limit)
+                self.assertEqual(run.returncode, 1, run.stderr)
+            self.assertEqual(points_of(f"many{edge}.vtp"), points_of(f"one{edge}.vtp"))
+
+    def test_limits_together_with_the_thickness_itself(self):
+        for edge in ((), ("--max-edge", "0")):
+            options = ("--max-thickness", "0.7", "-q", *edge, *SINGLE)
+            for ranks, name in ((1, "one"), (3, "many")):
+                run = self.run_ranks(ranks, "torus.off", "--thickness", f"{name}.vtp", "--thin-regions",
+                                     f"{name}_regions.vtp", *options)
+                self.assertEqual(run.returncode, 1, run.stderr)
+            self.expect_same_file("many.vtp", "one.vtp")
+            self.expect_same_file("many_regions.vtp", "one_regions.vtp")
 
     def test_limits_of_thickness_that_are_refused(self):
         for options, code, text in ((("--min-thickness", "2", "--max-thickness", "1"), 2, "minimum thickness 2"),

@@ -9,8 +9,10 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <functional>
 #include <mutex>
 #include <new>
+#include <ostream>
 #include <set>
 #include <string>
 #include <vector>
@@ -24,29 +26,71 @@ namespace
 
 constexpr int kRanks = 3;
 
-/// How a rank has ended: what failed, and the axis where it is gathered.
+/// How a rank has ended: what failed, or what it has found.
 struct Ending
 {
   std::string error;
   std::vector<Point3> points;
 };
 
-MedialAxis axisOfRanks(Communicator& communicator, const SurfacePiece& piece, const Grid& grid,
-  Topology topology)
+/// What ranks do together.
+struct Work
 {
-  MedialAxisOptions options;
-  options.topology = topology;
-  options.field.execution.threads = 1;
-  const std::vector<Extent> extents = partsByWork(communicator, piece, grid, options.field);
-  NoField nothing;
-  return gatherMedialAxis(communicator,
-    computeMedialAxis(communicator, piece, grid, extents, nothing, options));
+  const char* name;
+  std::function<std::vector<Point3>(Communicator&, const SurfacePiece&, const Grid&)> run;
+};
+
+std::ostream& operator<<(std::ostream& stream, const Work& work)
+{
+  return stream << work.name;
+}
+
+/// The points of an axis, on the first rank.
+Work axis(const char* name, Topology topology)
+{
+  return { name,
+    [topology](Communicator& communicator, const SurfacePiece& piece, const Grid& grid)
+    {
+      MedialAxisOptions options;
+      options.topology = topology;
+      options.field.execution.threads = 1;
+      const std::vector<Extent> extents = partsByWork(communicator, piece, grid, options.field);
+      NoField nothing;
+      return gatherMedialAxis(communicator,
+        computeMedialAxis(communicator, piece, grid, extents, nothing, options))
+        .points;
+    } };
+}
+
+/// Where a solid is too thick, once its surface has been measured.
+Work regions()
+{
+  return { "Regions",
+    [](Communicator& communicator, const SurfacePiece& piece, const Grid&)
+    {
+      EXPECT_TRUE(measureSurface(communicator, piece).manifold);
+      requireInside(communicator, piece, { 1, nullptr });
+      ThicknessOptions options;
+      options.cells = true;
+      options.method = ThicknessMethod::Ray;
+      options.execution.threads = 1;
+      const Thickness thickness = computeThickness(communicator, piece, options);
+      ThicknessLimits limits;
+      limits.max = 1e-3;
+      std::vector<Point3> places;
+      for (const ThicknessRegion& region :
+        findThicknessRegions(communicator, piece, thickness, limits))
+      {
+        places.push_back(region.place);
+      }
+      return places;
+    } };
 }
 
 /// Runs all ranks. From their first step on allocations count, on whatever rank.
 /// @param failing the one that fails; none for 0.
-std::vector<Ending> run(const std::vector<SurfacePiece>& pieces, const Grid& grid,
-  Topology topology, std::int64_t failing, std::int64_t* count = nullptr)
+std::vector<Ending> run(const std::vector<SurfacePiece>& pieces, const Grid& grid, const Work& work,
+  std::int64_t failing, std::int64_t* count = nullptr)
 {
   std::vector<Ending> endings(kRanks);
   std::once_flag started;
@@ -59,7 +103,7 @@ std::vector<Ending> run(const std::vector<SurfacePiece>& pieces, const Grid& gri
       std::call_once(started, [&] { failAllocation(failing, Failing::Once); });
       try
       {
-        endings[rank].points = axisOfRanks(communicator, pieces[rank], grid, topology).points;
+        endings[rank].points = work.run(communicator, pieces[rank], grid);
       }
       catch (const Error& error)
       {
@@ -79,7 +123,7 @@ std::vector<Ending> run(const std::vector<SurfacePiece>& pieces, const Grid& gri
   return endings;
 }
 
-class RankFaults : public testing::TestWithParam<Topology>
+class RankFaults : public testing::TestWithParam<Work>
 {
 };
 
@@ -117,8 +161,10 @@ TEST_P(RankFaults, OnOneRankAreKnownToAll)
   EXPECT_EQ(failed, (std::set<char>{ '0', '1', '2' }));
 }
 
-INSTANTIATE_TEST_SUITE_P(Topologies, RankFaults,
-  testing::Values(Topology::Selected, Topology::Preserve));
+INSTANTIATE_TEST_SUITE_P(Works, RankFaults,
+  testing::Values(axis("Selected", Topology::Selected), axis("Preserve", Topology::Preserve),
+    regions()),
+  testing::PrintToStringParamName());
 
 } // namespace
 } // namespace medial::test

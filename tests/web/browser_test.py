@@ -63,7 +63,7 @@ def find_mesh(folder):
 
 
 def read_axis(path):
-    """The minimum separation angle of the corners of each triangle of the axis, and its greatest
+    """The minimum separation angle of the corners of each triangle of the axis, and its largest
     radius."""
     reader = vtkXMLPolyDataReader()
     reader.SetFileName(str(path))
@@ -121,7 +121,7 @@ class Browser(unittest.TestCase):
         cls.mesh = find_mesh(cls.folder)
         subprocess.run([AXIS, cls.mesh, "--resolution", "256", "--quiet", "--html", cls.page,
                         "-o", cls.folder / "axis.vtp"], check=True)
-        cls.angles, cls.greatest_radius = read_axis(cls.folder / "axis.vtp")
+        cls.angles, cls.max_radius = read_axis(cls.folder / "axis.vtp")
         # The slider begins at the angle of the axis, or at the least one that there is.
         cls.first = max(60, int(np.floor(cls.angles.min())))
         cls.default_picture, cls.default_dom = cls.picture_and_dom("default")
@@ -258,15 +258,15 @@ class Browser(unittest.TestCase):
         self.assertEqual(items_of(dom, "legend-labels"), ["0", "50", "100", "150", "180"])
         axis = picture[VIEW][coloured(picture[VIEW])]
         self.assertGreater(len(axis), 1000)
-        self.assertGreater((axis[:, 1] > axis[:, 2]).mean(), 0.95)  # the greatest values are yellow
+        self.assertGreater((axis[:, 1] > axis[:, 2]).mean(), 0.95)  # the largest values are yellow
 
     def test_legend_begins_at_zero(self):
         labels = items_of(self.default_dom, "legend-labels")
-        least, *between, greatest = map(float, labels)
+        first, *between, last = map(float, labels)
         self.assertEqual(labels[0], "0")
-        self.assertEqual(labels[-1], f"{self.greatest_radius:.3g}")
+        self.assertEqual(labels[-1], f"{self.max_radius:.3g}")
         self.assertGreaterEqual(len(between), 2)
-        self.assertTrue((np.diff([least, *between, greatest]) > 0).all())
+        self.assertTrue((np.diff([first, *between, last]) > 0).all())
         for value in between:  # have one digit or two
             self.assertEqual(value, float(f"{value:.1e}"))
 

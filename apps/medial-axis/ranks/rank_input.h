@@ -15,7 +15,7 @@ struct Share
 {
   SurfacePiece piece;
   Bounds bounds;       ///< of the whole
-  MeshFigures figures; ///< on the first rank, where a report is wanted; the diagonal on all
+  MeshFigures figures; ///< where a report is wanted: on the first rank at least; the diagonal always
   TriangleMesh whole;  ///< on the first rank, where it is kept
   Surface surface;     ///< the same with the arrays of its file, for --thickness FILE.vtp
 };

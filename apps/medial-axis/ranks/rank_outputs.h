@@ -37,7 +37,7 @@ public:
   void writeAxis(const AxisPiece& axis, const std::vector<std::int64_t>& cells);
   /// Writes the surface with its thickness, in pieces or gathered, and the regions beyond limits,
   /// if they are wanted.
-  /// @param result on the first rank, with the thickness of the whole surface where one is needed.
+  /// @param result on the first rank, with the surface and the regions that go into files.
   void writeThickness(const RankThickness& thickness, const Result& result);
   /// Writes the report, if it goes into a file.
   /// @param text on the first rank.

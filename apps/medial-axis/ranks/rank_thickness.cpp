@@ -110,7 +110,9 @@ struct RegionTriangle
   std::array<std::int64_t, 3> points; ///< numbers in the whole surface
   std::array<Point3, 3> corners;
   std::array<float, 3> cornerValues;
+  std::array<char, 3> cornerAtEdge;
   float value;
+  char atEdge;
 };
 
 std::vector<RegionTriangle> trianglesOf(const std::vector<ThicknessRegion>& regions,
@@ -121,14 +123,18 @@ std::vector<RegionTriangle> trianglesOf(const std::vector<ThicknessRegion>& regi
   {
     for (const int triangle : regions[region].triangles)
     {
-      RegionTriangle found{ static_cast<int>(region), piece.mesh.triangleCells[triangle], {}, {},
-        {}, thickness.triangleValues[triangle] };
+      RegionTriangle found{};
+      found.region = static_cast<int>(region);
+      found.cell = piece.mesh.triangleCells[triangle];
+      found.value = thickness.triangleValues[triangle];
+      found.atEdge = thickness.triangleAtEdge[triangle];
       for (std::size_t i = 0; i < 3; ++i)
       {
         const int corner = piece.mesh.triangles[triangle][i];
         found.points[i] = piece.pointOrder[corner];
         found.corners[i] = piece.mesh.points[corner];
         found.cornerValues[i] = thickness.values[corner];
+        found.cornerAtEdge[i] = thickness.atEdge[corner];
       }
       triangles.push_back(found);
     }
@@ -136,64 +142,80 @@ std::vector<RegionTriangle> trianglesOf(const std::vector<ThicknessRegion>& regi
   return triangles;
 }
 
-/// Makes a mesh of the triangles beyond limits alone, on the first rank, with the regions and
-/// values of these.
-/// @param thickness, regions of this rank's piece.
-/// @return the values of the mesh, with the figures of the whole surface.
-Thickness gatherRegions(Communicator& communicator, const SurfacePiece& piece,
-  const Thickness& thickness, std::vector<ThicknessRegion> regions, RankThickness& result)
+/// Makes a mesh of triangles beyond limits, with the regions and values of these.
+/// @param weld whether points at the same place are one.
+/// @param regions of any piece.
+void takeRegions(std::vector<RegionTriangle> triangles, bool weld,
+  std::vector<ThicknessRegion> regions, RankThickness& result)
 {
-  ListMessage own;
-  own.put(trianglesOf(regions, piece, thickness));
-  std::vector<RegionTriangle> triangles;
-  for (Message& bytes : atFirst(communicator, std::move(own.bytes)))
-  {
-    std::vector<RegionTriangle> some;
-    ListMessage(std::move(bytes)).take(some);
-    triangles.insert(triangles.end(), some.begin(), some.end());
-  }
   // Pieces of a mesh in several files need not be in the order of cells.
   std::stable_sort(triangles.begin(), triangles.end(),
     [](const RegionTriangle& a, const RegionTriangle& b) { return a.cell < b.cell; });
-  Thickness ofRegions = thickness;
-  ofRegions.values.clear();
-  ofRegions.triangleValues.clear();
   for (ThicknessRegion& region : regions)
   {
     region.triangles.clear();
     region.cells.clear();
   }
-  // Points at the same place are one, unless the surface has been divided.
+  TriangleMesh& mesh = result.mesh;
+  Thickness& thickness = result.thickness;
+  thickness.values.clear();
+  thickness.atEdge.clear();
+  thickness.triangleValues.clear();
+  thickness.triangleAtEdge.clear();
   using Key = std::pair<std::int64_t, Point3>;
-  const auto keyOf = [&](const RegionTriangle& triangle, std::size_t i)
-  { return piece.weld ? Key(0, triangle.corners[i]) : Key(triangle.points[i], Point3{}); };
   std::map<Key, int> ids;
   for (const RegionTriangle& triangle : triangles)
   {
     std::array<int, 3> corners{};
     for (std::size_t i = 0; i < 3; ++i)
     {
-      const auto [found, isNew] =
-        ids.insert({ keyOf(triangle, i), static_cast<int>(result.mesh.points.size()) });
+      const Key key = weld ? Key(0, triangle.corners[i]) : Key(triangle.points[i], Point3{});
+      const auto [found, isNew] = ids.insert({ key, static_cast<int>(mesh.points.size()) });
       if (isNew)
       {
-        result.mesh.points.push_back(triangle.corners[i]);
-        ofRegions.values.push_back(triangle.cornerValues[i]);
+        mesh.points.push_back(triangle.corners[i]);
+        thickness.values.push_back(triangle.cornerValues[i]);
+        thickness.atEdge.push_back(triangle.cornerAtEdge[i]);
       }
       corners[i] = found->second;
     }
     ThicknessRegion& region = regions[triangle.region];
-    region.triangles.push_back(static_cast<int>(result.mesh.triangles.size()));
+    region.triangles.push_back(static_cast<int>(mesh.triangles.size()));
     if (region.cells.empty() || region.cells.back() != triangle.cell)
     {
       region.cells.push_back(triangle.cell);
     }
-    result.mesh.triangles.push_back(corners);
-    result.mesh.triangleCells.push_back(triangle.cell);
-    ofRegions.triangleValues.push_back(triangle.value);
+    mesh.triangles.push_back(corners);
+    mesh.triangleCells.push_back(triangle.cell);
+    thickness.triangleValues.push_back(triangle.value);
+    thickness.triangleAtEdge.push_back(triangle.atEdge);
   }
   result.regions = std::move(regions);
-  return ofRegions;
+}
+
+/// Gathers the triangles beyond limits on the first rank, as a mesh with regions and values.
+/// @param regions of this rank's piece.
+void gatherRegions(Communicator& communicator, const SurfacePiece& piece,
+  std::vector<ThicknessRegion> regions, RankThickness& result)
+{
+  ListMessage own;
+  own.put(trianglesOf(regions, piece, result.thickness));
+  std::vector<Message> messages = atFirst(communicator, std::move(own.bytes));
+  withSharedFailures(communicator,
+    [&]
+    {
+      if (communicator.rank() == 0)
+      {
+        std::vector<RegionTriangle> triangles;
+        for (Message& bytes : messages)
+        {
+          std::vector<RegionTriangle> some;
+          ListMessage(std::move(bytes)).take(some);
+          triangles.insert(triangles.end(), some.begin(), some.end());
+        }
+        takeRegions(std::move(triangles), piece.weld, std::move(regions), result);
+      }
+    });
 }
 
 } // namespace
@@ -261,8 +283,7 @@ RankThickness computeThickness(const Options& options, Communicator& communicato
   }
   if (options.hasThicknessLimits())
   {
-    result.thickness =
-      gatherRegions(communicator, piece, result.thickness, std::move(regions), result);
+    gatherRegions(communicator, piece, std::move(regions), result);
   }
   return result;
 }

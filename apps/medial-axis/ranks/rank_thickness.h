@@ -21,7 +21,8 @@ namespace medial::app
 /// What several processes compute of the thickness.
 struct RankThickness
 {
-  /// Of this rank's piece, or of `mesh` where there are limits; with the figures of the whole.
+  /// Of this rank's piece; on the first rank, where there are limits, of `mesh`. Its figures are
+  /// those of the whole.
   Thickness thickness;
   /// The piece with the values, where it goes into a file of its own.
   vtkSmartPointer<vtkPolyData> piece;
@@ -29,10 +30,10 @@ struct RankThickness
   RankCounts counts;
 
   ///@{
-  /// Of the whole surface, on the first rank.
-  TriangleMesh mesh; ///< the triangles beyond limits alone
-  std::vector<ThicknessRegion> regions;
-  vtkSmartPointer<vtkPolyData> surface; ///< with the values, where a file needs it
+  /// On the first rank.
+  TriangleMesh mesh;                    ///< the triangles beyond limits
+  std::vector<ThicknessRegion> regions; ///< of the whole, with triangles of `mesh`
+  vtkSmartPointer<vtkPolyData> surface; ///< the whole with the values, where a file needs it
   ///@}
 };
 

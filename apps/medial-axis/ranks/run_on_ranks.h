@@ -15,9 +15,9 @@ namespace medial::app
 ///   wrong, or others than the first.
 std::optional<Options> agreedOptions(int argc, char** argv, Communicator& communicator);
 
-/// Computes the field and the axis of a mesh on several processes, each for its part of the grid,
-/// into .pvti and .pvtp files of pieces; the first gathers an axis that goes into one file. Every
-/// rank calls it, with the same options.
+/// Computes the field, the axis and the thickness of a mesh on several processes, each for its part
+/// of the grid or the surface, into .pvti and .pvtp files of pieces; the first gathers what goes
+/// into one file. Every rank calls it, with the same options.
 /// @throws Failure on every rank, with the same message; std::bad_alloc on one that has run out of
 ///   memory while the others wait for it, so that it must end all.
 void runOnRanks(const Options& options, Communicator& communicator);

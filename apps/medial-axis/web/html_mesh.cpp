@@ -18,6 +18,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
 #include <unordered_map>
 
@@ -57,11 +58,13 @@ HtmlMesh::Cells<N> cellsOf(const std::vector<std::array<int, N>>& from)
   return cells;
 }
 
-HtmlArray arrayOf(vtkPolyData* axis, const char* name, const char* label, const char* unit)
+/// @param end of its scale; the largest value if omitted.
+HtmlArray arrayOf(vtkPolyData* axis, const char* name, const char* label, const char* unit,
+  std::optional<double> end = std::nullopt)
 {
   HtmlArray array{ name, label, unit, 1.0, {} };
   vtkDataArray* values = axis->GetPointData()->GetArray(name);
-  array.max = scaleEnd(values->GetNumberOfTuples() > 0 ? values->GetRange()[1] : 0.0);
+  array.max = end.value_or(scaleEnd(values->GetNumberOfTuples() > 0 ? values->GetRange()[1] : 0.0));
   for (vtkIdType i = 0; i < axis->GetNumberOfPoints(); ++i)
   {
     array.values.push_back(static_cast<float>(values->GetTuple1(i)));
@@ -253,9 +256,8 @@ HtmlMesh htmlMesh(vtkPolyData* axis)
   const vtkSmartPointer<vtkPolyData> simple = simpleCells(axis);
   HtmlMesh mesh = withCells(simple);
   mesh.arrays = { arrayOf(simple, "Radius", "Radius", "world units"),
-    arrayOf(simple, "SeparationAngle", "Separation angle", "degrees"),
+    arrayOf(simple, "SeparationAngle", "Separation angle", "degrees", kAngleScaleEnd),
     arrayOf(simple, "Lambda", "Lambda", "world units") };
-  mesh.arrays[1].max = kAngleScaleEnd;
   return mesh;
 }
 

@@ -20,7 +20,7 @@ struct HtmlArray
   std::string name;  ///< of the VTK array
   std::string label; ///< for people
   std::string unit;
-  double max = 1.0; ///< where its scale ends, which begins at 0
+  double max = 1.0; ///< the end of its scale, which begins at 0
   std::vector<float> values;
 };
 

@@ -66,8 +66,8 @@ function aimCamera(renderer, bounds, view) {
 }
 
 // Lights the front as usual, by vtk.js's light at the camera, and the edge as pictures do, also from
-// the front. A camera light is at the camera by default; vtk.js takes the direction of a second
-// head light in the world for one in the view.
+// the front. A camera light is at the camera by default. It is not a head light, since vtk.js treats
+// the world direction of a second one as a direction in the view.
 function setLights(renderer, { front, edgeLights }, isEdge) {
   const { vtkLight } = vtk.Rendering.Core;
   renderer.removeAllLights();

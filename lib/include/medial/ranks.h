@@ -125,7 +125,8 @@ struct SurfaceFigures
 {
   std::int64_t triangles = 0;           ///< of all pieces
   std::int64_t points = 0;              ///< those at the same position count once
-  std::int64_t degenerateTriangles = 0; ///< without area, however they are kept
+  /// Without area, however they are kept; those in several pieces count in each.
+  std::int64_t degenerateTriangles = 0;
   int components = 0;                   ///< connected through points
   bool closed = false;                  ///< two triangles at every edge
   bool manifold = false;                ///< as MeshConnectivity::manifold()

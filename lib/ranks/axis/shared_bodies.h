@@ -2,6 +2,7 @@
 
 #include "medial/grid.h"
 #include "ranks/field/rank_field.h"
+#include "ranks/surface/shared_parts.h"
 #include "thinning/solid_bodies.h"
 
 #include <cstdint>
@@ -32,15 +33,7 @@ public:
     int& colours) const;
 
 private:
-  /// A point and the number of its part, or the first point there.
-  struct Label
-  {
-    int point;
-    int part;
-  };
-
-  std::vector<Label> labelsOfOwn(Communicator& communicator) const;
-  void measure(Communicator& communicator, const std::vector<Label>& labels);
+  void measure(Communicator& communicator, const std::vector<PartLabel>& labels);
   std::vector<std::int8_t> directionsOf(Communicator& communicator,
     const std::vector<int>& faces) const;
   /// Returns the parts of points on any ranks. Every rank calls it.
@@ -48,7 +41,8 @@ private:
 
   const RankField& field_;
   std::vector<std::uint8_t> areBodies_;
-  std::vector<Label> labels_; ///< of the points that fall to this rank, ascending
+  /// Of the points that fall to this rank, ascending, with the numbers of their parts.
+  std::vector<PartLabel> labels_;
 };
 
 } // namespace medial

@@ -2,11 +2,13 @@
 #include "lib/ranks/simulated_ranks.h"
 #include "support/shapes.h"
 
+#include "medial/error.h"
 #include "medial/mesh_connectivity.h"
 #include "medial/ranks.h"
 
 #include <gtest/gtest.h>
 
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -30,8 +32,10 @@ void expectSame(const TriangleMesh& mesh)
       SimulatedRanks(ranks).run(
         [&](Communicator& communicator)
         {
-          const SurfaceFigures found =
-            measureSurface(communicator, pieceOf(mesh, communicator.rank(), rankOf));
+          SurfacePiece piece = pieceOf(mesh, communicator.rank(), rankOf);
+          piece.mesh.degenerateTriangles = communicator.rank() + 1;
+          const SurfaceFigures found = measureSurface(communicator, piece);
+          EXPECT_EQ(found.degenerateTriangles, ranks * (ranks + 1) / 2);
           EXPECT_EQ(found.triangles, static_cast<std::int64_t>(mesh.triangles.size()));
           EXPECT_EQ(found.points, static_cast<std::int64_t>(mesh.points.size()));
           EXPECT_EQ(found.components, whole.components);
@@ -87,6 +91,29 @@ TEST(SurfaceFigures, TellWhatIsManifold)
   std::vector<std::array<int, 3>> tip = tetrahedron;
   tip.push_back({ 0, 4, 5 });
   expectSame(triangles(tip, 6));
+}
+
+TEST(SurfaceFigures, NeedTrianglesAlone)
+{
+  TriangleMesh loose = triangles({ { 0, 1, 2 } }, 3);
+  loose.points.push_back({ 9.0, 9.0, 9.0 });
+  loose.vertices = { static_cast<int>(loose.points.size()) - 1 };
+  loose.vertexCells = { 1 };
+  for (const TriangleMesh& mesh : { TriangleMesh{}, loose })
+  {
+    SimulatedRanks(3).run(
+      [&](Communicator& communicator)
+      {
+        SurfacePiece piece;
+        if (communicator.rank() == 1)
+        {
+          piece.mesh = mesh;
+          piece.pointOrder.resize(mesh.points.size());
+          std::iota(piece.pointOrder.begin(), piece.pointOrder.end(), std::int64_t{ 0 });
+        }
+        EXPECT_THROW(measureSurface(communicator, piece), Error);
+      });
+  }
 }
 
 TEST(SurfaceFigures, CountComponentsThatManyRanksHave)
