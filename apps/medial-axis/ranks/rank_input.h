@@ -14,10 +14,11 @@ namespace medial::app
 struct Share
 {
   SurfacePiece piece;
-  Bounds bounds;       ///< of the whole
-  MeshFigures figures; ///< where a report is wanted: on the first rank at least; the diagonal always
-  TriangleMesh whole;  ///< on the first rank, where it is kept
-  Surface surface;     ///< the same with the arrays of its file, for --thickness FILE.vtp
+  Bounds bounds; ///< of the whole
+  /// Where a report is wanted: on the first rank at least. The diagonal on all, always.
+  MeshFigures figures;
+  TriangleMesh whole; ///< on the first rank, where it is kept
+  Surface surface;    ///< the same with the arrays of its file, for --thickness FILE.vtp
 };
 
 /// The first rank reads the mesh, and hands it out; of a mesh in pieces all read theirs.

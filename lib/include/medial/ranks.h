@@ -123,13 +123,13 @@ MEDIAL_EXPORT PieceSubdivision subdivide(Communicator& communicator, const Surfa
 /// What pieces of a surface are together: figures of TriangleMesh and MeshConnectivity.
 struct SurfaceFigures
 {
-  std::int64_t triangles = 0;           ///< of all pieces
-  std::int64_t points = 0;              ///< those at the same position count once
+  std::int64_t triangles = 0; ///< of all pieces
+  std::int64_t points = 0;    ///< those at the same position count once
   /// Without area, however they are kept; those in several pieces count in each.
   std::int64_t degenerateTriangles = 0;
-  int components = 0;                   ///< connected through points
-  bool closed = false;                  ///< two triangles at every edge
-  bool manifold = false;                ///< as MeshConnectivity::manifold()
+  int components = 0;    ///< connected through points
+  bool closed = false;   ///< two triangles at every edge
+  bool manifold = false; ///< as MeshConnectivity::manifold()
 };
 
 /// Measures a surface that lies in pieces on several ranks. No rank holds the whole surface. Every
