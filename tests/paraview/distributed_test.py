@@ -22,8 +22,8 @@ def run(processes, folder, script=SCRIPT, *options):
     folder = Path(folder, str(processes))
     folder.mkdir()
     # Where a process waits for others for ever, the launcher ends all of them.
-    subprocess.run(["mpirun", "--oversubscribe", "--timeout", "280", "-np", str(processes), "pvbatch", *options, script,
-                    folder], env={**os.environ, **ENVIRONMENT}, check=True, timeout=300)
+    subprocess.run(["mpirun", "--oversubscribe", "--timeout", "900", "-np", str(processes), "pvbatch", *options, script,
+                    folder], env={**os.environ, **ENVIRONMENT}, check=True, timeout=960)
     return folder
 
 
