@@ -205,7 +205,7 @@ EdgeFamily::EdgeFamily(const glm::vec4& first, const glm::vec4& second, const gl
   d = glm::vec3(high) - glm::vec3(low);
   r = low.w * stretch;
   s = (high.w - low.w) * stretch;
-  largest = roundedRadius(high.w);
+  largest = largestOf(first, second);
 }
 
 TriangleFamily::TriangleFamily(const glm::vec4& first, const glm::vec4& second,
@@ -228,7 +228,7 @@ TriangleFamily::TriangleFamily(const glm::vec4& first, const glm::vec4& second,
   v = (dd * e - de * d) / squaredArea;
   r = first.w * stretch;
   g = ((second.w - first.w) * u + (third.w - first.w) * v) * stretch;
-  largest = roundedRadius(std::max(std::max(first.w, second.w), third.w));
+  largest = largestOf(first, second, third);
   const float slope = glm::length(g);
   counts = slope < 1.0f;
   across = slope > 0.0f ? glm::cross(normal, g) / slope : glm::vec3(0.0f);

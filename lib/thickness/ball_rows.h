@@ -2,6 +2,7 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -85,6 +86,11 @@ struct EdgeFamily
   /// @param stretch factor from the radii that count to r and s.
   EdgeFamily(const glm::vec4& first, const glm::vec4& second, const glm::vec3& origin,
     float stretch);
+
+  static float largestOf(const glm::vec4& first, const glm::vec4& second)
+  {
+    return roundedRadius(std::max(first.w, second.w));
+  }
 };
 
 /// Balls with centres within a triangle. At x the coordinates of the foot of x on its plane are
@@ -107,6 +113,11 @@ struct TriangleFamily
 
   TriangleFamily(const glm::vec4& first, const glm::vec4& second, const glm::vec4& third,
     const glm::vec3& origin, float stretch);
+
+  static float largestOf(const glm::vec4& first, const glm::vec4& second, const glm::vec4& third)
+  {
+    return roundedRadius(std::max(std::max(first.w, second.w), third.w));
+  }
 };
 
 struct RaisedRows

@@ -81,7 +81,7 @@ void ThicknessTile::raiseBy(std::uint32_t number, RowMask rows)
   for (std::uint32_t e = item.edgesBegin; e < next.edgesBegin; ++e)
   {
     const glm::vec4& end = families_.ball(families_.edgeEnds()[e]);
-    if (roundedRadius(std::max(common.w, end.w)) > least)
+    if (EdgeFamily::largestOf(common, end) > least)
     {
       changed |= radii_.raise(EdgeFamily(common, end, first_, stretch_), rows, shrink);
     }
@@ -91,7 +91,7 @@ void ThicknessTile::raiseBy(std::uint32_t number, RowMask rows)
     const auto& [second, third] = families_.triangleEnds()[t];
     const glm::vec4& a = families_.ball(second);
     const glm::vec4& b = families_.ball(third);
-    if (roundedRadius(std::max(common.w, std::max(a.w, b.w))) <= least)
+    if (TriangleFamily::largestOf(common, a, b) <= least)
     {
       continue;
     }

@@ -1,6 +1,7 @@
 #include "ranks/axis/shared_bodies.h"
 
 #include "ranks/collective.h"
+#include "ranks/number_set.h"
 
 #include <algorithm>
 #include <array>
@@ -23,8 +24,7 @@ SharedBodies::SharedBodies(Communicator& communicator, const RankField& field)
   }
   for (PartLabel& label : own)
   {
-    label.part =
-      static_cast<int>(std::lower_bound(names.begin(), names.end(), label.part) - names.begin());
+    label.part = static_cast<int>(indexIn(names, label.part));
   }
   this->measure(communicator, own);
   labels_ = delivered(communicator, own,

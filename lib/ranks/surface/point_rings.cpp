@@ -1,6 +1,7 @@
 #include "ranks/surface/point_rings.h"
 
 #include "medial/triangle_mesh.h"
+#include "ranks/number_set.h"
 
 #include <algorithm>
 #include <iterator>
@@ -14,12 +15,6 @@ namespace
 bool isFlat(const FaceRecord& face)
 {
   return !hasArea(face.points[0], face.points[1], face.points[2]);
-}
-
-void sortUnique(std::vector<int>& numbers)
-{
-  std::sort(numbers.begin(), numbers.end());
-  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
 }
 
 } // namespace
@@ -83,7 +78,7 @@ std::vector<int> facesAround(Communicator& communicator, const DistributedSurfac
   const PointRings rings(communicator, surface);
   std::vector<int> faces;
   std::vector<int> known; // points, ascending
-  sortUnique(points);
+  makeSet(points);
   for (int row = 0; row <= kMaxFlatRow; ++row)
   {
     std::vector<int> flat;
@@ -108,12 +103,12 @@ std::vector<int> facesAround(Communicator& communicator, const DistributedSurfac
     {
       corners.insert(corners.end(), face.corners.begin(), face.corners.end());
     }
-    sortUnique(corners);
+    makeSet(corners);
     points.clear();
     std::set_difference(corners.begin(), corners.end(), known.begin(), known.end(),
       std::back_inserter(points));
   }
-  sortUnique(faces);
+  makeSet(faces);
   return faces;
 }
 

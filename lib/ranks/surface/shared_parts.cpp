@@ -2,6 +2,7 @@
 
 #include "base/disjoint_sets.h"
 #include "ranks/collective.h"
+#include "ranks/number_set.h"
 
 #include <algorithm>
 #include <array>
@@ -13,17 +14,6 @@ namespace medial
 {
 namespace
 {
-
-void makeSet(std::vector<int>& numbers)
-{
-  std::sort(numbers.begin(), numbers.end());
-  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-}
-
-std::int64_t indexIn(const std::vector<int>& ascending, int number)
-{
-  return std::lower_bound(ascending.begin(), ascending.end(), number) - ascending.begin();
-}
 
 /// The points of a rank's triangles, joined by these.
 struct OwnPoints

@@ -1,5 +1,7 @@
 #include "ranks/surface/shared_patches.h"
 
+#include "ranks/number_set.h"
+
 #include <algorithm>
 #include <iterator>
 #include <map>
@@ -287,8 +289,7 @@ std::vector<int> SharedPatches::ownRoots() const
   std::vector<int> roots;
   std::copy_if(roots_.begin(), roots_.end(), std::back_inserter(roots),
     [](int root) { return root >= 0; });
-  std::sort(roots.begin(), roots.end());
-  roots.erase(std::unique(roots.begin(), roots.end()), roots.end());
+  makeSet(roots);
   return roots;
 }
 
@@ -323,8 +324,7 @@ std::vector<int> SharedPatches::twistedPatches(Communicator& communicator) const
     }
   }
   const auto homeOfPatch = [&](int patch) { return surface_.homeOfFace(patch); };
-  std::sort(twisted.begin(), twisted.end());
-  twisted.erase(std::unique(twisted.begin(), twisted.end()), twisted.end());
+  makeSet(twisted);
   twisted = delivered(communicator, twisted, homeOfPatch);
   std::sort(twisted.begin(), twisted.end());
   const std::vector<int> own = this->ownRoots();

@@ -1,5 +1,6 @@
 #include "ranks/surface/shared_tree.h"
 
+#include "ranks/number_set.h"
 #include "ranks/surface/point_rings.h"
 
 #include <algorithm>
@@ -484,8 +485,7 @@ NearSurface SharedTree::near(Communicator& communicator, const std::vector<Frame
   std::vector<PackRecord> allPacks = flattened(exchanged(communicator, std::move(packs)));
   allPacks.insert(allPacks.end(), top_.begin(), top_.end());
   std::vector<int> allFaces = flattened(exchanged(communicator, std::move(faces)));
-  std::sort(allFaces.begin(), allFaces.end());
-  allFaces.erase(std::unique(allFaces.begin(), allFaces.end()), allFaces.end());
+  makeSet(allFaces);
   NearSurface result{ SurfacePart(communicator, surface_, std::move(allFaces)), slack_,
     treesOf(allGroups, allPacks, elements_.trees.size()) };
   rename(result.part, result.trees);

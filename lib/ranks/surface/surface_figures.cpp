@@ -1,6 +1,7 @@
 #include "base/disjoint_sets.h"
 #include "medial/ranks.h"
 #include "ranks/collective.h"
+#include "ranks/number_set.h"
 #include "ranks/surface/distributed_surface.h"
 #include "ranks/surface/shared_parts.h"
 
@@ -30,15 +31,12 @@ bool isOneFan(const Corner* begin, const Corner* end)
   {
     edges.insert(edges.end(), corner->edges.begin(), corner->edges.end());
   }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  const auto placeOf = [&](int edge)
-  { return std::lower_bound(edges.begin(), edges.end(), edge) - edges.begin(); };
+  makeSet(edges);
   DisjointSets fans(edges.size());
   std::size_t joined = 0;
   for (const Corner* corner = begin; corner != end; ++corner)
   {
-    joined += fans.join(placeOf(corner->edges[0]), placeOf(corner->edges[1])) ? 1 : 0;
+    joined += fans.join(indexIn(edges, corner->edges[0]), indexIn(edges, corner->edges[1])) ? 1 : 0;
   }
   return joined + 1 == edges.size();
 }

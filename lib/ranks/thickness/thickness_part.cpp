@@ -1,5 +1,6 @@
 #include "ranks/thickness/thickness_part.h"
 
+#include "ranks/number_set.h"
 #include "ranks/surface/element_sharing.h"
 #include "ranks/surface/point_rings.h"
 #include "ranks/surface/surface_part.h"
@@ -44,8 +45,7 @@ std::vector<int> pointsAround(Communicator& communicator, const DistributedSurfa
   {
     points.insert(points.end(), corners.begin(), corners.end());
   }
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
+  makeSet(points);
   return points;
 }
 
