@@ -267,24 +267,28 @@ ItemBounds BallFamilies::measure(std::uint32_t number)
   ItemBounds bounds = ItemBounds::nothing();
   bounds.add(glm::dvec3(common), static_cast<double>(common.w));
   float longest = 0.0f;
+  float span = common.w;
   for (std::uint32_t e = item.edgesBegin; e < next.edgesBegin; ++e)
   {
     const glm::vec4& ball = balls_[edgeEnds_[e]];
     bounds.add(glm::dvec3(ball), static_cast<double>(ball.w));
-    longest = std::max(longest, this->length(item.ball, edgeEnds_[e]));
+    const float length = this->length(item.ball, edgeEnds_[e]);
+    longest = std::max(longest, length);
+    span = std::max(span, length + ball.w); // which is convex: no ball between two reaches farther
   }
   for (std::uint32_t t = item.trianglesBegin; t < next.trianglesBegin; ++t)
   {
     longest = std::max(longest, this->length(triangleEnds_[t][0], triangleEnds_[t][1]));
   }
-  BallRow& row = rows_[number / kGroup];
+  BallGroup& group = groups_[number / kGroup];
   const std::uint32_t lane = number % kGroup;
-  row.x[lane] = common.x;
-  row.y[lane] = common.y;
-  row.z[lane] = common.z;
-  row.radius[lane] = common.w;
-  row.length[lane] = longest;
-  row.reach[lane] = static_cast<float>(bounds.reach);
+  group.x[lane] = common.x;
+  group.y[lane] = common.y;
+  group.z[lane] = common.z;
+  group.radius[lane] = common.w;
+  group.span[lane] = span;
+  group.length[lane] = longest;
+  group.largest[lane] = static_cast<float>(bounds.reach);
   return bounds;
 }
 
@@ -292,8 +296,8 @@ void BallFamilies::finish()
 {
   this->sortBalls();
   this->makeItems();
-  rows_.resize((this->itemCount() + kGroup - 1) / kGroup);
-  std::vector<ItemBounds> bounds(rows_.size());
+  groups_.resize((this->itemCount() + kGroup - 1) / kGroup);
+  std::vector<ItemBounds> bounds(groups_.size());
   tbb::parallel_for(std::size_t{ 0 }, bounds.size(),
     [&](std::size_t g)
     {

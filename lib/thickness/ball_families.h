@@ -4,7 +4,7 @@
 #include "balls/bounding_tree.h"
 #include "medial/grid.h"
 #include "medial/medial_axis.h"
-#include "thickness/ball_rows.h"
+#include "thickness/tile_radii.h"
 
 #include <glm/glm.hpp>
 
@@ -66,7 +66,7 @@ public:
   /// The other balls of all items' triangles.
   const std::vector<Pair>& triangleEnds() const { return triangleEnds_; }
   /// What bounds the items of a group; those that it lacks are nothing.
-  const BallRow& row(std::uint32_t group) const { return rows_[group]; }
+  const BallGroup& group(std::uint32_t number) const { return groups_[number]; }
   /// A tree of groups of items, which are close together: group g has the items from firstItem(g)
   /// to firstItem(g + 1).
   const BoundingTree& tree() const { return *tree_; }
@@ -76,7 +76,7 @@ public:
   }
 
 private:
-  static constexpr std::uint32_t kGroup = kRowLength;
+  static constexpr std::uint32_t kGroup = kGroupBalls;
 
   void joinTriangle(const Triangle& triangle) { triangles_.push_back(triangle); }
   void sortBalls();
@@ -99,7 +99,7 @@ private:
   std::vector<Item> items_;         ///< with one behind the last
   std::vector<std::uint32_t> edgeEnds_;
   std::vector<Pair> triangleEnds_;
-  std::vector<BallRow> rows_;
+  std::vector<BallGroup> groups_;
   std::unique_ptr<BoundingTree> tree_;
 };
 

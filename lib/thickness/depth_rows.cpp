@@ -1,6 +1,6 @@
 #include "thickness/depth_rows.h"
 
-#include "thickness/ball_rows.h"
+#include "thickness/tile_radii.h"
 
 #include <cmath>
 

@@ -16,7 +16,7 @@ namespace medial
 namespace
 {
 
-constexpr int kRow = ThicknessTile::kRow;
+constexpr int kSide = ThicknessTile::kSide;
 /// Gaps between balls are looked at from narrow ones on, so that points get the ball next to them
 /// and not the largest one around: as shares of how far other balls may stick out.
 constexpr float kFirstGap = 1.0f / 32.0f;
@@ -30,7 +30,7 @@ constexpr float kNear = 0.5f;
 constexpr float kNearest = 1.0f / 16.0f;
 
 /// Calls visit(point of the tile, point of the slab) for the points of a tile.
-/// @param tile part of a cube of kRow points, which begins at a multiple of kRow on every axis.
+/// @param tile part of a cube of kSide points, which begins at a multiple of kSide on every axis.
 template <typename Visit>
 void forPoints(const Extent& tile, const Extent& slab, const Visit& visit)
 {
@@ -44,7 +44,7 @@ void forPoints(const Extent& tile, const Extent& slab, const Visit& visit)
         slab.min[0];
       for (int i = tile.min[0]; i <= tile.max[0]; ++i)
       {
-        visit(ThicknessTile::index(i % kRow, j % kRow, k % kRow), row + i);
+        visit(ThicknessTile::index(glm::ivec3(i, j, k) % kSide), row + i);
       }
     }
   }
@@ -108,29 +108,30 @@ void raiseGaps(const BallFamilies& families, const glm::vec3& first, const float
 void raiseNearSurface(const SiteQuery& query, const GridFrame& frame, const glm::ivec3& corner,
   const float* own, ThicknessTile& radii)
 {
-  std::optional<BallAscent> ascent;
-  int slice = -1;
-  for (int point = 0; point < ThicknessTile::kPoints; ++point)
+  for (int k = 0; k < kSide; ++k)
   {
-    const float radius = radii.radius(point);
-    const bool inTip = own[point] <= kNear && radius <= std::max(kSmall, own[point]);
-    if (!(own[point] > 0.0f) || (!inTip && own[point] > kNearest))
+    BallAscent ascent(query, frame);
+    for (int j = 0; j < kSide; ++j)
     {
-      continue;
-    }
-    const glm::ivec3 place = ThicknessTile::place(point);
-    if (place.z != slice)
-    {
-      slice = place.z;
-      ascent.emplace(query, frame);
-    }
-    const auto ball = ascent->largerBallAround(frame.sample(glm::dvec3(corner + place)),
-      static_cast<double>(radius));
-    if (ball)
-    {
-      const auto larger = static_cast<float>(ball->radius);
-      radii.raise(glm::vec3(ball->centre - frame.first), larger, slice);
-      radii.set(point, std::max(radii.radius(point), roundedRadius(larger)));
+      for (int i = 0; i < kSide; ++i)
+      {
+        const glm::ivec3 place(i, j, k);
+        const int point = ThicknessTile::index(place);
+        const float radius = radii.radius(point);
+        const bool inTip = own[point] <= kNear && radius <= std::max(kSmall, own[point]);
+        if (!(own[point] > 0.0f) || (!inTip && own[point] > kNearest))
+        {
+          continue;
+        }
+        const auto ball = ascent.largerBallAround(frame.sample(glm::dvec3(corner + place)),
+          static_cast<double>(radius));
+        if (ball)
+        {
+          const auto larger = static_cast<float>(ball->radius);
+          radii.raise(glm::vec3(ball->centre - frame.first), larger, k);
+          radii.set(point, std::max(radii.radius(point), roundedRadius(larger)));
+        }
+      }
     }
   }
 }
@@ -180,7 +181,7 @@ void SlabThickness::replace(const Extent& slab, const SiteQuery& query, float* v
   const Checkpoint& checkpoint)
 {
   const auto tilesAlong = [&](int axis)
-  { return slab.max[axis] / kRow - slab.min[axis] / kRow + 1; };
+  { return slab.max[axis] / kSide - slab.min[axis] / kSide + 1; };
   const int across = tilesAlong(0);
   const int rows = tilesAlong(1);
   tbb::parallel_for(0, across * rows * tilesAlong(2),
@@ -192,9 +193,9 @@ void SlabThickness::replace(const Extent& slab, const SiteQuery& query, float* v
       Extent tile;
       for (int axis = 0; axis < 3; ++axis)
       {
-        const int first = (slab.min[axis] / kRow + place[axis]) * kRow;
+        const int first = (slab.min[axis] / kSide + place[axis]) * kSide;
         tile.min[axis] = std::max(first, slab.min[axis]);
-        tile.max[axis] = std::min(first + kRow - 1, slab.max[axis]);
+        tile.max[axis] = std::min(first + kSide - 1, slab.max[axis]);
       }
       this->replaceTile(tile, slab, query, values);
     });
@@ -235,7 +236,7 @@ void SlabThickness::replaceSide(const Extent& tile, const Extent& slab, const Si
 {
   const BallFamilies& families = *side.families;
   const glm::ivec3 corner =
-    glm::ivec3(tile.min[0] / kRow, tile.min[1] / kRow, tile.min[2] / kRow) * kRow;
+    glm::ivec3(tile.min[0] / kSide, tile.min[1] / kSide, tile.min[2] / kSide) * kSide;
   const glm::vec3 first = glm::vec3(corner) * families.step();
   ThicknessTile radii(families, first);
   const auto perUnit = static_cast<float>(1.0 / families.unit());

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "thickness/ball_families.h"
-#include "thickness/ball_rows.h"
+#include "thickness/tile_radii.h"
 
 #include <glm/glm.hpp>
 
@@ -15,10 +15,11 @@ namespace medial
 class ThicknessTile
 {
 public:
-  static constexpr int kRow = kRowLength;
+  static constexpr int kSide = kTileSide; ///< points along an axis
   static constexpr int kPoints = kTilePoints;
 
-  static int index(int i, int j, int k) { return (k * kRow + j) * kRow + i; }
+  /// Returns the number of a point from its place relative to the first.
+  static int index(const glm::ivec3& place) { return pointInTile(place); }
   /// The inverse.
   static glm::ivec3 place(int index) { return placeInTile(index); }
 
@@ -41,17 +42,17 @@ private:
   struct ReachedItem
   {
     std::uint32_t number;
-    float reach;
+    float span;
     float length;
     float largest; ///< radius that counts, rounded
-    RowMask rows;  ///< with these points
+    BlockMask blocks; ///< with these points
   };
 
   float reachOf(float radius) const { return radius * stretch_ + kBallMargin; }
-  RowMask raiseByBall(const BallRow& balls, std::uint32_t lane, const ReachedBalls& reached);
-  RowMask rowsNear(const ReachedItem& reached);
-  void raiseBy(std::uint32_t number, RowMask rows);
-  void update(RowMask changed);
+  BlockMask raiseByBall(const BallGroup& balls, std::uint32_t lane, const ReachedBalls& reached);
+  BlockMask blocksNear(const ReachedItem& reached);
+  void raiseBy(std::uint32_t number, BlockMask blocks);
+  void update(BlockMask changed);
 
   const BallFamilies& families_;
   glm::vec3 first_;

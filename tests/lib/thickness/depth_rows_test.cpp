@@ -1,5 +1,5 @@
 // Rows of distances, which are kept in few bytes, against the distances themselves.
-#include "thickness/ball_rows.h"
+#include "thickness/tile_radii.h"
 #include "thickness/depth_rows.h"
 
 #include <gtest/gtest.h>

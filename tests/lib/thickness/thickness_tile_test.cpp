@@ -15,7 +15,7 @@ using namespace medial;
 namespace
 {
 
-constexpr int kRow = ThicknessTile::kRow;
+constexpr int kSide = ThicknessTile::kSide;
 constexpr double kAngle = 0.4; ///< radians
 /// By how much balls are smaller or larger for the least and the largest radius that may be right.
 constexpr float kSlack = 0.02f;
@@ -60,7 +60,7 @@ BallFamilies familiesOf(const Strip& strip)
 {
   Grid grid;
   grid.spacing = { 1.0, 1.0, 1.0 };
-  grid.dimensions = { kRow, kRow, kRow };
+  grid.dimensions = { kSide, kSide, kSide };
   BallFamilies families(grid, kAngle);
   for (const Ball& ball : strip.balls)
   {
@@ -76,7 +76,7 @@ BallFamilies familiesOf(const Strip& strip)
 
 glm::vec3 pointOf(int index)
 {
-  return { index % kRow, index / kRow % kRow, index / kRow / kRow };
+  return glm::vec3(ThicknessTile::place(index));
 }
 
 /// Largest radius of many balls of the triangles that contain a point.
@@ -141,6 +141,36 @@ TEST_P(Tiles, HaveTheLargestBallAroundEveryPoint)
       contained += radius > 0.0f ? 1 : 0;
     }
     EXPECT_GT(contained, 20);
+  }
+}
+
+TEST(ThicknessTile, NumbersEachPlaceOnce)
+{
+  std::vector<int> seen(ThicknessTile::kPoints, 0);
+  for (int point = 0; point < ThicknessTile::kPoints; ++point)
+  {
+    const glm::ivec3 place = ThicknessTile::place(point);
+    ASSERT_TRUE(glm::all(glm::lessThan(place, glm::ivec3(kSide))));
+    EXPECT_EQ(ThicknessTile::index(place), point);
+    ++seen[(place.z * kSide + place.y) * kSide + place.x];
+  }
+  EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), ThicknessTile::kPoints);
+}
+
+TEST(ThicknessTile, RaisesTheSliceOfAPointAlone)
+{
+  const BallFamilies families = familiesOf(strip(1, 3, 2.0f));
+  ThicknessTile tile(families, glm::vec3(0.0f));
+  for (int point = 0; point < ThicknessTile::kPoints; ++point)
+  {
+    tile.set(point, 0.0f);
+  }
+  tile.raise(glm::vec3(4.0f), 2.1f, 5);
+  for (int point = 0; point < ThicknessTile::kPoints; ++point)
+  {
+    const glm::vec3 place = pointOf(point);
+    const bool isIn = place.z == 5.0f && glm::distance(place, glm::vec3(4.0f)) <= 2.1f;
+    EXPECT_NEAR(tile.radius(point), isIn ? 2.1f : 0.0f, 0.002f) << point;
   }
 }
 

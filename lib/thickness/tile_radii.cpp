@@ -1,4 +1,4 @@
-#include "thickness/ball_rows.h"
+#include "thickness/tile_radii.h"
 
 #include "base/simd.h"
 
@@ -10,37 +10,39 @@ namespace medial
 namespace
 {
 
-static_assert(kRowLength == kLanes);
+static_assert(kBlockPoints == kLanes && kGroupBalls == kLanes);
 
 /// Adding and subtracting this leaves multiples of kRadiusStep, for numbers below 8,192.
 constexpr float kRounding = 1.5f * (1 << 23) * kRadiusStep;
 /// Triangles lower than this are filled by their edges.
 constexpr float kNarrow = 0.02f;
 
-/// A row of points; all have the same y and z.
-struct Row
+/// Where the points of a block are.
+struct Block
 {
   Float8 x;
-  float y;
-  float z;
+  Float8 y;
+  Float8 z;
 };
 
-MEDIAL_INLINE Row rowOf(int number, const glm::vec3& step)
+MEDIAL_INLINE Block blockOf(const TileRadii& radii, int number)
 {
-  const int slice = number / kRowLength;
-  return { ramp() * step.x, static_cast<float>(number % kRowLength) * step.y,
-    static_cast<float>(slice) * step.z };
+  return { loaded(radii.places[0][number % kBlocksAlong]),
+    loaded(radii.places[1][number / kBlocksAlong % kBlocksAlong]),
+    loaded(radii.places[2][number / (kBlocksAlong * kBlocksAlong)]) };
 }
 
-MEDIAL_INLINE Float8 squaredDistances(const Row& row, const glm::vec3& from)
+MEDIAL_INLINE Float8 squaredLength(Float8 x, Float8 y, Float8 z)
 {
-  const Float8 x = row.x - from.x;
-  const float y = row.y - from.y;
-  const float z = row.z - from.z;
   return x * x + (y * y + z * z);
 }
 
-MEDIAL_INLINE Float8 dotOfRow(Float8 x, float y, float z, const glm::vec3& v)
+MEDIAL_INLINE Float8 squaredDistances(const Block& block, const glm::vec3& from)
+{
+  return squaredLength(block.x - from.x, block.y - from.y, block.z - from.z);
+}
+
+MEDIAL_INLINE Float8 dot(Float8 x, Float8 y, Float8 z, const glm::vec3& v)
 {
   return x * v.x + (y * v.y + z * v.z);
 }
@@ -60,20 +62,20 @@ MEDIAL_INLINE float smallest(Float8 values)
   return least;
 }
 
-MEDIAL_INLINE RowMask maskOf(int row)
+MEDIAL_INLINE BlockMask maskOf(int block)
 {
-  return RowMask{ 1 } << row;
+  return BlockMask{ 1 } << block;
 }
 
-/// Returns the radii of a row of points, raised to the largest ball of a family that contains each.
+/// Returns the radii of a block of points, raised to the largest ball of a family that contains each.
 /// @param shrink factor from the radii of the family to those that count.
-MEDIAL_INLINE Float8 raised(Float8 radius, const EdgeFamily& family, const Row& row, float shrink)
+MEDIAL_INLINE Float8 raised(Float8 radius, const EdgeFamily& family, const Block& block, float shrink)
 {
   const float r = family.r + kBallMargin;
-  const Float8 qx = row.x - family.a.x;
-  const float qy = row.y - family.a.y;
-  const float qz = row.z - family.a.z;
-  const Float8 squared = qx * qx + (qy * qy + qz * qz);
+  const Float8 qx = block.x - family.a.x;
+  const Float8 qy = block.y - family.a.y;
+  const Float8 qz = block.z - family.a.z;
+  const Float8 squared = squaredLength(qx, qy, qz);
   // The ball at u contains the point where a u^2 - 2 b u + c <= 0.
   const float a = glm::dot(family.d, family.d) - family.s * family.s;
   const Float8 b = qx * family.d.x + (qy * family.d.y + qz * family.d.z + r * family.s);
@@ -92,14 +94,14 @@ MEDIAL_INLINE Float8 raised(Float8 radius, const EdgeFamily& family, const Row& 
 }
 
 /// The same for the balls within a triangle; those on its edges have families of their own.
-MEDIAL_INLINE Float8 raised(Float8 radius, const TriangleFamily& family, const Row& row,
+MEDIAL_INLINE Float8 raised(Float8 radius, const TriangleFamily& family, const Block& block,
   float shrink)
 {
-  const Float8 qx = row.x - family.a.x;
-  const float qy = row.y - family.a.y;
-  const float qz = row.z - family.a.z;
+  const Float8 qx = block.x - family.a.x;
+  const Float8 qy = block.y - family.a.y;
+  const Float8 qz = block.z - family.a.z;
   // The largest ball of the plane is along g from the point.
-  const Float8 across = dotOfRow(qx, qy, qz, family.across);
+  const Float8 across = dot(qx, qy, qz, family.across);
   if (bits((radius < family.largest) & (across >= family.acrossMin) &
         (across <= family.acrossMax)) == 0)
   {
@@ -110,32 +112,32 @@ MEDIAL_INLINE Float8 raised(Float8 radius, const TriangleFamily& family, const R
   const float squaredSlope = glm::dot(family.g, family.g);
   const float slope = std::sqrt(squaredSlope);
   const float perSlope = slope > 0.0f ? 1.0f / slope : 0.0f;
-  const Float8 height = dotOfRow(qx, qy, qz, family.normal);
-  const Float8 foot = dotOfRow(qx, qy, qz, family.g) + (family.r + kBallMargin);
+  const Float8 height = dot(qx, qy, qz, family.normal);
+  const Float8 foot = dot(qx, qy, qz, family.g) + (family.r + kBallMargin);
   const Float8 discriminant = foot * foot - (1.0f - squaredSlope) * height * height;
   const Float8 way =
     (foot * slope + squareRoot(max(discriminant, Float8{}))) / (1.0f - squaredSlope);
-  const Float8 u = dotOfRow(qx, qy, qz, family.u) + way * (glm::dot(family.u, family.g) * perSlope);
-  const Float8 v = dotOfRow(qx, qy, qz, family.v) + way * (glm::dot(family.v, family.g) * perSlope);
+  const Float8 u = dot(qx, qy, qz, family.u) + way * (glm::dot(family.u, family.g) * perSlope);
+  const Float8 v = dot(qx, qy, qz, family.v) + way * (glm::dot(family.v, family.g) * perSlope);
   const Int8 within = (discriminant >= 0.0f) & (u >= 0.0f) & (v >= 0.0f) & (u + v <= 1.0f);
   const Float8 inner = rounded(((foot - kBallMargin) + way * slope) * shrink);
   return max(radius, within ? min(inner, splat(family.largest)) : Float8{});
 }
 
 template <typename Family>
-MEDIAL_INLINE RowMask raisedRows(const Family& family, RowMask rows, float shrink, TileRadii& radii)
+MEDIAL_INLINE BlockMask raisedBlocks(const Family& family, BlockMask blocks, float shrink, TileRadii& radii)
 {
-  RowMask changed = 0;
-  for (RowMask left = rows; left != 0; left &= left - 1)
+  BlockMask changed = 0;
+  for (BlockMask left = blocks; left != 0; left &= left - 1)
   {
     const int number = __builtin_ctzll(left);
-    if (radii.rowMin[number] >= family.largest)
+    if (radii.blockMin[number] >= family.largest)
     {
       continue;
     }
     float* const radius = radii.radius + number * kLanes;
     const Float8 before = loaded(radius);
-    const Float8 after = raised(before, family, rowOf(number, radii.step), shrink);
+    const Float8 after = raised(before, family, blockOf(radii, number), shrink);
     if (bits(after > before) != 0)
     {
       store(after, radius);
@@ -153,24 +155,38 @@ float roundedRadius(float radius)
   return shifted - kRounding;
 }
 
-MEDIAL_VECTORISED void TileRadii::updateRows(RowMask rows)
+MEDIAL_VECTORISED void TileRadii::updateBlocks(BlockMask blocks)
 {
-  for (RowMask left = rows; left != 0; left &= left - 1)
+  for (BlockMask left = blocks; left != 0; left &= left - 1)
   {
     const int number = __builtin_ctzll(left);
-    rowMin[number] = smallest(loaded(radius + number * kLanes));
+    blockMin[number] = smallest(loaded(radius + number * kLanes));
   }
-  Float8 least = loaded(rowMin);
-  for (int k = 1; k < kRowLength; ++k)
+  Float8 least = loaded(blockMin);
+  for (int k = 1; k < kTileBlocks / kLanes; ++k)
   {
-    least = medial::min(least, loaded(rowMin + k * kLanes));
+    least = medial::min(least, loaded(blockMin + k * kLanes));
   }
   min = smallest(least);
 }
 
+TileRadii::TileRadii(const glm::vec3& betweenPoints)
+  : step(betweenPoints)
+{
+  for (int point = 0; point < kTilePoints; ++point)
+  {
+    const glm::ivec3 place = placeInTile(point);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      places[axis][place[axis] / kBlockSide][point % kBlockPoints] =
+        static_cast<float>(place[axis]) * step[axis];
+    }
+  }
+}
+
 void TileRadii::findBounds(float unwanted)
 {
-  glm::ivec3 first(kRowLength);
+  glm::ivec3 first(kTileSide);
   glm::ivec3 last(-1);
   for (int point = 0; point < kTilePoints; ++point)
   {
@@ -185,12 +201,12 @@ void TileRadii::findBounds(float unwanted)
   high = glm::vec3(last) * step;
 }
 
-float TileRadii::minOf(RowMask rows) const
+float TileRadii::minOf(BlockMask blocks) const
 {
   float least = std::numeric_limits<float>::max();
-  for (RowMask left = rows; left != 0; left &= left - 1)
+  for (BlockMask left = blocks; left != 0; left &= left - 1)
   {
-    least = std::min(least, rowMin[__builtin_ctzll(left)]);
+    least = std::min(least, blockMin[__builtin_ctzll(left)]);
   }
   return least;
 }
@@ -237,25 +253,25 @@ TriangleFamily::TriangleFamily(const glm::vec4& first, const glm::vec4& second,
   acrossMax = high + kBallMargin;
 }
 
-MEDIAL_VECTORISED RowMask TileRadii::raise(const EdgeFamily& family, RowMask rows, float shrink)
+MEDIAL_VECTORISED BlockMask TileRadii::raise(const EdgeFamily& family, BlockMask blocks, float shrink)
 {
-  return raisedRows(family, rows, shrink, *this);
+  return raisedBlocks(family, blocks, shrink, *this);
 }
 
-MEDIAL_VECTORISED RowMask TileRadii::raise(const TriangleFamily& family, RowMask rows, float shrink)
+MEDIAL_VECTORISED BlockMask TileRadii::raise(const TriangleFamily& family, BlockMask blocks, float shrink)
 {
-  return raisedRows(family, rows, shrink, *this);
+  return raisedBlocks(family, blocks, shrink, *this);
 }
 
-MEDIAL_VECTORISED RaisedRows TileRadii::raise(const CommonBall& ball, RowMask rows)
+MEDIAL_VECTORISED RaisedBlocks TileRadii::raise(const CommonBall& ball, BlockMask blocks)
 {
-  RaisedRows result{ 0, 0 };
+  RaisedBlocks result{ 0, 0 };
   const float squaredReach = ball.reach * ball.reach;
-  const float squaredFamilyReach = ball.familyReach * ball.familyReach;
-  for (RowMask left = rows; left != 0; left &= left - 1)
+  const float squaredSpan = ball.span * ball.span;
+  for (BlockMask left = blocks; left != 0; left &= left - 1)
   {
     const int number = __builtin_ctzll(left);
-    const Float8 squared = squaredDistances(rowOf(number, step), ball.centre);
+    const Float8 squared = squaredDistances(blockOf(*this, number), ball.centre);
     float* const radii = radius + number * kLanes;
     const Float8 before = loaded(radii);
     const Int8 raises = (squared <= squaredReach) & (before < ball.radius);
@@ -265,7 +281,7 @@ MEDIAL_VECTORISED RaisedRows TileRadii::raise(const CommonBall& ball, RowMask ro
       store(after, radii);
       result.changed |= maskOf(number);
     }
-    if (bits((squared <= squaredFamilyReach) & (after < ball.largest)) != 0)
+    if (bits((squared <= squaredSpan) & (after < ball.largest)) != 0)
     {
       result.near |= maskOf(number);
     }
@@ -273,63 +289,90 @@ MEDIAL_VECTORISED RaisedRows TileRadii::raise(const CommonBall& ball, RowMask ro
   return result;
 }
 
-MEDIAL_VECTORISED ReachedBalls TileRadii::ballsNear(const BallRow& balls, const glm::vec3& first,
+BlockMask TileRadii::raiseSlice(const glm::vec3& centre, float reach, float largest, int slice)
+{
+  BlockMask changed = 0;
+  for (int j = 0; j < kTileSide; ++j)
+  {
+    for (int i = 0; i < kTileSide; ++i)
+    {
+      const glm::ivec3 place(i, j, slice);
+      const int point = pointInTile(place);
+      const glm::vec3 way = glm::vec3(place) * step - centre;
+      if (radius[point] < largest && glm::dot(way, way) <= reach * reach)
+      {
+        radius[point] = largest;
+        changed |= maskOf(point / kBlockPoints);
+      }
+    }
+  }
+  return changed;
+}
+
+MEDIAL_VECTORISED ReachedBalls TileRadii::ballsNear(const BallGroup& balls, const glm::vec3& first,
   float stretch) const
 {
-  const Float8 length = loaded(balls.length);
   const auto gap = [&](const float* centres, int axis)
   {
     const Float8 centre = loaded(centres) - first[axis];
-    return max(max(centre - length - high[axis], low[axis] - (centre + length)), Float8{});
+    return max(max(centre - high[axis], low[axis] - centre), Float8{});
   };
   const Float8 x = gap(balls.x, 0);
   const Float8 y = gap(balls.y, 1);
   const Float8 z = gap(balls.z, 2);
-  const Float8 reach = loaded(balls.reach);
-  const Float8 stretched = reach * stretch + kBallMargin;
-  const Float8 largest = rounded(reach);
+  const Float8 span = loaded(balls.span) * stretch + kBallMargin;
+  const Float8 largest = rounded(loaded(balls.largest));
   ReachedBalls reached;
   reached.lanes = static_cast<unsigned>(
-    bits((x * x + (y * y + z * z) <= stretched * stretched) & (largest > min)));
+    bits((x * x + (y * y + z * z) <= span * span) & (largest > min)));
   store(rounded(loaded(balls.radius)), reached.radius);
   store(largest, reached.largest);
   return reached;
 }
 
-MEDIAL_VECTORISED RowMask TileRadii::rowsWithin(const BallBounds& bounds) const
+MEDIAL_VECTORISED BlockMask TileRadii::blocksWithin(const BallBounds& bounds) const
 {
-  const float gapX = std::max(std::max(bounds.low.x - high.x, low.x - bounds.high.x), 0.0f);
-  const float free = bounds.reach * bounds.reach - gapX * gapX;
-  if (free < 0.0f)
+  const auto gap = [&](int axis, Float8 first)
+  {
+    const Float8 last = first + step[axis];
+    return max(max(bounds.low[axis] - last, first - bounds.high[axis]), Float8{});
+  };
+  const glm::vec3 outside = glm::max(glm::max(bounds.low - high, low - bounds.high), 0.0f);
+  const float squaredReach = bounds.reach * bounds.reach;
+  if (glm::dot(outside, outside) > squaredReach)
   {
     return 0;
   }
-  const Float8 y = ramp() * step.y;
-  const Float8 gapY = max(max(bounds.low.y - y, y - bounds.high.y), Float8{});
-  const Float8 freeZ = free - gapY * gapY;
-  RowMask rows = 0;
-  for (int k = 0; k < kRowLength; ++k)
+  const glm::vec3 width = static_cast<float>(kBlockSide) * step;
+  const Float8 gapX = gap(0, Float8{ 0, 1, 2, 3, 0, 1, 2, 3 } * width.x);
+  const Float8 gapY = gap(1, Float8{ 0, 0, 0, 0, 1, 1, 1, 1 } * width.y);
+  const Float8 nextY = gap(1, Float8{ 2, 2, 2, 2, 3, 3, 3, 3 } * width.y);
+  const Float8 gapZ = gap(2, Float8{ 0, 1, 2, 3 } * width.z);
+  const Float8 free = squaredReach - gapX * gapX;
+  const Float8 frees[] = { free - gapY * gapY, free - nextY * nextY };
+  BlockMask blocks = 0;
+  for (int k = 0; k < kTileBlocks / kLanes; ++k)
   {
-    const float z = static_cast<float>(k) * step.z;
-    const float gapZ = std::max(std::max(bounds.low.z - z, z - bounds.high.z), 0.0f);
-    const Int8 reached = (loaded(rowMin + k * kLanes) < bounds.largest) & (freeZ >= gapZ * gapZ);
-    rows |= static_cast<RowMask>(bits(reached)) << (kRowLength * k);
+    const float z = gapZ[k / 2];
+    const Int8 reached =
+      (loaded(blockMin + k * kLanes) < bounds.largest) & (frees[k % 2] >= z * z);
+    blocks |= static_cast<BlockMask>(bits(reached)) << (kLanes * k);
   }
-  return rows;
+  return blocks;
 }
 
-MEDIAL_VECTORISED RowMask TileRadii::rowsNear(const glm::vec4* balls, std::size_t count, float bump,
-  float largest, RowMask rows) const
+MEDIAL_VECTORISED BlockMask TileRadii::blocksNear(const glm::vec4* balls, std::size_t count, float bump,
+  float largest, BlockMask blocks) const
 {
-  RowMask near = 0;
-  for (RowMask left = rows; left != 0; left &= left - 1)
+  BlockMask near = 0;
+  for (BlockMask left = blocks; left != 0; left &= left - 1)
   {
     const int number = __builtin_ctzll(left);
-    const Row row = rowOf(number, step);
+    const Block block = blockOf(*this, number);
     Float8 power = splat(std::numeric_limits<float>::max());
     for (std::size_t ball = 0; ball < count; ++ball)
     {
-      power = medial::min(power, squaredDistances(row, glm::vec3(balls[ball])) - balls[ball].w);
+      power = medial::min(power, squaredDistances(block, glm::vec3(balls[ball])) - balls[ball].w);
     }
     const Int8 isNear = (power <= bump) & (loaded(radius + number * kLanes) < largest);
     near |= bits(isNear) != 0 ? maskOf(number) : 0;
@@ -337,15 +380,15 @@ MEDIAL_VECTORISED RowMask TileRadii::rowsNear(const glm::vec4* balls, std::size_
   return near;
 }
 
-MEDIAL_VECTORISED RowMask TileRadii::rowsBelow(float limit) const
+MEDIAL_VECTORISED BlockMask TileRadii::blocksBelow(float limit) const
 {
-  RowMask rows = 0;
-  for (int k = 0; k < kRowLength; ++k)
+  BlockMask blocks = 0;
+  for (int k = 0; k < kTileBlocks / kLanes; ++k)
   {
-    const Int8 below = loaded(rowMin + k * kLanes) < limit;
-    rows |= static_cast<RowMask>(bits(below)) << (kRowLength * k);
+    const Int8 below = loaded(blockMin + k * kLanes) < limit;
+    blocks |= static_cast<BlockMask>(bits(below)) << (kLanes * k);
   }
-  return rows;
+  return blocks;
 }
 
 } // namespace medial

@@ -7,21 +7,37 @@
 #include <cstdint>
 #include <limits>
 
-// Grid points in rows of eight, which a tile has 64 of, against inscribed balls. All places are
-// relative to the tile's first point, and all lengths are in units of the finest spacing.
+// The grid points of a tile, a cube of eight along each axis, against inscribed balls. The points are
+// in blocks of two along each axis, which are compared at once. All places are relative to the
+// tile's first point, and all lengths are in units of the finest spacing.
 namespace medial
 {
 
-using RowMask = std::uint64_t; ///< bit 8 k + j for the row (j, k)
+constexpr int kTileSide = 8;  ///< points along an axis
+constexpr int kBlockSide = 2; ///< points along an axis
+constexpr int kBlocksAlong = kTileSide / kBlockSide;
+constexpr int kBlockPoints = kBlockSide * kBlockSide * kBlockSide;
+constexpr int kTileBlocks = kBlocksAlong * kBlocksAlong * kBlocksAlong;
+constexpr int kTilePoints = kTileBlocks * kBlockPoints;
 
-constexpr int kRowLength = 8;
-constexpr int kTileRows = kRowLength * kRowLength;
-constexpr int kTilePoints = kTileRows * kRowLength;
+using BlockMask = std::uint64_t; ///< bit 16 k + 4 j + i for the block (i, j, k)
 
-/// Where a point of a tile is among the others, x fastest.
+/// Returns the number of a point among those of a tile: block after block, x fastest in both.
+inline int pointInTile(const glm::ivec3& place)
+{
+  const glm::ivec3 block = place / kBlockSide;
+  const glm::ivec3 within = place % kBlockSide;
+  return ((block.z * kBlocksAlong + block.y) * kBlocksAlong + block.x) * kBlockPoints +
+    (within.z * kBlockSide + within.y) * kBlockSide + within.x;
+}
+
+/// The inverse.
 inline glm::ivec3 placeInTile(int point)
 {
-  return { point % kRowLength, point / kRowLength % kRowLength, point / kTileRows };
+  const auto placeOf = [](int number, int side)
+  { return glm::ivec3(number, number / side, number / (side * side)) % side; };
+  return kBlockSide * placeOf(point / kBlockPoints, kBlocksAlong) +
+    placeOf(point % kBlockPoints, kBlockSide);
 }
 
 /// Points this far outside of a ball count as inside: what rounding may add.
@@ -42,24 +58,27 @@ struct BallBounds
   float largest; ///< of the radii that count, rounded
 };
 
+constexpr int kGroupBalls = 8;
+
 /// Eight balls, and for each the families of balls that all have it at an end. Where there are
 /// fewer, the rest is 0.
-struct BallRow
+struct BallGroup
 {
-  alignas(32) float x[kRowLength]; ///< of the centres
-  alignas(32) float y[kRowLength];
-  alignas(32) float z[kRowLength];
-  alignas(32) float radius[kRowLength];
-  alignas(32) float length[kRowLength]; ///< how far from the centre those of the families are
-  alignas(32) float reach[kRowLength];  ///< largest radius of the families
+  alignas(32) float x[kGroupBalls]; ///< of the centres
+  alignas(32) float y[kGroupBalls];
+  alignas(32) float z[kGroupBalls];
+  alignas(32) float radius[kGroupBalls];
+  alignas(32) float span[kGroupBalls];    ///< how far from the centre the families reach
+  alignas(32) float length[kGroupBalls];  ///< longest edge of the families
+  alignas(32) float largest[kGroupBalls]; ///< radius of the families
 };
 
 /// Those of eight balls whose families might raise points.
 struct ReachedBalls
 {
   unsigned lanes = 0;                    ///< a bit for each
-  alignas(32) float radius[kRowLength];  ///< that count, rounded
-  alignas(32) float largest[kRowLength]; ///< of the families, rounded
+  alignas(32) float radius[kGroupBalls];  ///< that count, rounded
+  alignas(32) float largest[kGroupBalls]; ///< of the families, rounded
 };
 
 /// A ball, and families of balls that all have it at an end.
@@ -67,7 +86,7 @@ struct CommonBall
 {
   glm::vec3 centre;
   float reach;       ///< of the ball, stretched
-  float familyReach; ///< around the centre, of the families
+  float span;        ///< how far from the centre the families reach, stretched
   float radius;      ///< that counts, rounded
   float largest;     ///< of the families, rounded
 };
@@ -120,54 +139,61 @@ struct TriangleFamily
   }
 };
 
-struct RaisedRows
+struct RaisedBlocks
 {
-  RowMask changed;
-  RowMask near; ///< rows with points that the ball's families might raise
+  BlockMask changed;
+  BlockMask near; ///< blocks with points that the ball's families might raise
 };
 
 /// The radii of a tile's points.
 struct TileRadii
 {
+  /// @param betweenPoints distances between neighbouring points.
+  explicit TileRadii(const glm::vec3& betweenPoints);
+
   glm::vec3 step; ///< between neighbouring points
   glm::vec3 low;  ///< bounds of the points whose radii are wanted
   glm::vec3 high;
   alignas(32) float radius[kTilePoints];
-  alignas(32) float rowMin[kTileRows]; ///< smallest radius in a row
-  float min = 0.0f;                    ///< smallest radius of all
+  alignas(32) float blockMin[kTileBlocks]; ///< smallest radius in a block
+  float min = 0.0f;                        ///< smallest radius of all
+  /// For each axis and place of a block along it: where its points are.
+  alignas(32) float places[3][kBlocksAlong][kBlockPoints];
 
   /// Finds the bounds of the points whose radii are wanted: those that are not `unwanted`.
   void findBounds(float unwanted);
-  /// Updates the smallest radii of some rows, and of all.
-  void updateRows(RowMask rows);
-  /// Returns the smallest radius in some rows.
-  float minOf(RowMask rows) const;
+  /// Updates the smallest radii of some blocks, and of all.
+  void updateBlocks(BlockMask blocks);
+  /// Returns the smallest radius in some blocks.
+  float minOf(BlockMask blocks) const;
 
-  /// Raises the radii of the points in some rows to the largest ball of a family that contains
+  /// Raises the radii of the points in some blocks to the largest ball of a family that contains
   /// each.
   /// @param shrink factor from the radii of the family to those that count.
-  /// @return the rows that changed.
-  RowMask raise(const EdgeFamily& family, RowMask rows, float shrink);
+  /// @return the blocks that changed.
+  BlockMask raise(const EdgeFamily& family, BlockMask blocks, float shrink);
   /// The same without the edges of the triangle.
-  RowMask raise(const TriangleFamily& family, RowMask rows, float shrink);
-  /// Raises the radii of the points in some rows to that of a ball.
-  RaisedRows raise(const CommonBall& ball, RowMask rows);
+  BlockMask raise(const TriangleFamily& family, BlockMask blocks, float shrink);
+  /// Raises the radii of the points in some blocks to that of a ball.
+  RaisedBlocks raise(const CommonBall& ball, BlockMask blocks);
+  /// Raises the radii of the points of a slice to that of a ball. Returns the blocks that changed.
+  BlockMask raiseSlice(const glm::vec3& centre, float reach, float largest, int slice);
 
   /// Returns the balls whose families might raise points of the tile.
   /// @param first place of the tile, relative to which balls have theirs.
   /// @param stretch factor from the radii that count to those that balls have.
-  ReachedBalls ballsNear(const BallRow& balls, const glm::vec3& first, float stretch) const;
-  /// Returns the rows with points that balls might raise.
-  RowMask rowsWithin(const BallBounds& bounds) const;
-  /// Returns those of some rows with points that a family between some balls might raise.
+  ReachedBalls ballsNear(const BallGroup& balls, const glm::vec3& first, float stretch) const;
+  /// Returns the blocks with points that balls might raise.
+  BlockMask blocksWithin(const BallBounds& bounds) const;
+  /// Returns those of some blocks with points that a family between some balls might raise.
   /// @param balls centres and squares of their radii.
   /// @param bump by how much the power of a point, its squared distance from the centre without the
   ///   squared radius, may be less for a ball of the family than for all of these.
   /// @param largest radius of the family that counts, rounded.
-  RowMask rowsNear(const glm::vec4* balls, std::size_t count, float bump, float largest,
-    RowMask rows) const;
-  /// Returns the rows with points whose radius is below a limit.
-  RowMask rowsBelow(float limit) const;
+  BlockMask blocksNear(const glm::vec4* balls, std::size_t count, float bump, float largest,
+    BlockMask blocks) const;
+  /// Returns the blocks with points whose radius is below a limit.
+  BlockMask blocksBelow(float limit) const;
 };
 
 } // namespace medial
