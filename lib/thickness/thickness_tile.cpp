@@ -23,8 +23,8 @@ ThicknessTile::ThicknessTile(const BallFamilies& families, const glm::vec3& firs
   std::fill_n(radii_.radius, kPoints, kUnwanted);
 }
 
-/// Raises the radii to that of a ball that all families of an item have in common. Returns the blocks
-/// that the others might raise.
+/// Raises the radii to that of a ball that all families of an item have in common. Returns the
+/// blocks that the others might raise.
 /// @param lane of the ball among those of its group.
 BlockMask ThicknessTile::raiseByBall(const BallGroup& balls, std::uint32_t lane,
   const ReachedBalls& reached)
@@ -36,10 +36,9 @@ BlockMask ThicknessTile::raiseByBall(const BallGroup& balls, std::uint32_t lane,
   {
     return 0;
   }
-  const RaisedBlocks raised =
-    radii_.raise(CommonBall{ centre, this->reachOf(balls.radius[lane]), span, reached.radius[lane],
-                   reached.largest[lane] },
-      blocks);
+  const RaisedBlocks raised = radii_.raise(CommonBall{ centre, this->reachOf(balls.radius[lane]),
+                                             span, reached.radius[lane], reached.largest[lane] },
+    blocks);
   this->update(raised.changed);
   return raised.near;
 }
@@ -143,8 +142,8 @@ void ThicknessTile::raise(float stretch)
         const auto lane = static_cast<std::uint32_t>(__builtin_ctz(left));
         if (const BlockMask blocks = this->raiseByBall(balls, lane, reached))
         {
-          items.push_back({ families_.firstItem(group) + lane, balls.span[lane],
-            balls.length[lane], reached.largest[lane], blocks });
+          items.push_back({ families_.firstItem(group) + lane, balls.span[lane], balls.length[lane],
+            reached.largest[lane], blocks });
         }
       }
     });

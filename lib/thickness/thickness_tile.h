@@ -44,7 +44,7 @@ private:
     std::uint32_t number;
     float span;
     float length;
-    float largest; ///< radius that counts, rounded
+    float largest;    ///< radius that counts, rounded
     BlockMask blocks; ///< with these points
   };
 

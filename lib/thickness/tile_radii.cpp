@@ -67,9 +67,11 @@ MEDIAL_INLINE BlockMask maskOf(int block)
   return BlockMask{ 1 } << block;
 }
 
-/// Returns the radii of a block of points, raised to the largest ball of a family that contains each.
+/// Returns the radii of a block of points, raised to the largest ball of a family that contains
+/// each.
 /// @param shrink factor from the radii of the family to those that count.
-MEDIAL_INLINE Float8 raised(Float8 radius, const EdgeFamily& family, const Block& block, float shrink)
+MEDIAL_INLINE Float8 raised(Float8 radius, const EdgeFamily& family, const Block& block,
+  float shrink)
 {
   const float r = family.r + kBallMargin;
   const Float8 qx = block.x - family.a.x;
@@ -125,7 +127,8 @@ MEDIAL_INLINE Float8 raised(Float8 radius, const TriangleFamily& family, const B
 }
 
 template <typename Family>
-MEDIAL_INLINE BlockMask raisedBlocks(const Family& family, BlockMask blocks, float shrink, TileRadii& radii)
+MEDIAL_INLINE BlockMask raisedBlocks(const Family& family, BlockMask blocks, float shrink,
+  TileRadii& radii)
 {
   BlockMask changed = 0;
   for (BlockMask left = blocks; left != 0; left &= left - 1)
@@ -253,12 +256,14 @@ TriangleFamily::TriangleFamily(const glm::vec4& first, const glm::vec4& second,
   acrossMax = high + kBallMargin;
 }
 
-MEDIAL_VECTORISED BlockMask TileRadii::raise(const EdgeFamily& family, BlockMask blocks, float shrink)
+MEDIAL_VECTORISED BlockMask TileRadii::raise(const EdgeFamily& family, BlockMask blocks,
+  float shrink)
 {
   return raisedBlocks(family, blocks, shrink, *this);
 }
 
-MEDIAL_VECTORISED BlockMask TileRadii::raise(const TriangleFamily& family, BlockMask blocks, float shrink)
+MEDIAL_VECTORISED BlockMask TileRadii::raise(const TriangleFamily& family, BlockMask blocks,
+  float shrink)
 {
   return raisedBlocks(family, blocks, shrink, *this);
 }
@@ -323,8 +328,8 @@ MEDIAL_VECTORISED ReachedBalls TileRadii::ballsNear(const BallGroup& balls, cons
   const Float8 span = loaded(balls.span) * stretch + kBallMargin;
   const Float8 largest = rounded(loaded(balls.largest));
   ReachedBalls reached;
-  reached.lanes = static_cast<unsigned>(
-    bits((x * x + (y * y + z * z) <= span * span) & (largest > min)));
+  reached.lanes =
+    static_cast<unsigned>(bits((x * x + (y * y + z * z) <= span * span) & (largest > min)));
   store(rounded(loaded(balls.radius)), reached.radius);
   store(largest, reached.largest);
   return reached;
@@ -354,15 +359,14 @@ MEDIAL_VECTORISED BlockMask TileRadii::blocksWithin(const BallBounds& bounds) co
   for (int k = 0; k < kTileBlocks / kLanes; ++k)
   {
     const float z = gapZ[k / 2];
-    const Int8 reached =
-      (loaded(blockMin + k * kLanes) < bounds.largest) & (frees[k % 2] >= z * z);
+    const Int8 reached = (loaded(blockMin + k * kLanes) < bounds.largest) & (frees[k % 2] >= z * z);
     blocks |= static_cast<BlockMask>(bits(reached)) << (kLanes * k);
   }
   return blocks;
 }
 
-MEDIAL_VECTORISED BlockMask TileRadii::blocksNear(const glm::vec4* balls, std::size_t count, float bump,
-  float largest, BlockMask blocks) const
+MEDIAL_VECTORISED BlockMask TileRadii::blocksNear(const glm::vec4* balls, std::size_t count,
+  float bump, float largest, BlockMask blocks) const
 {
   BlockMask near = 0;
   for (BlockMask left = blocks; left != 0; left &= left - 1)

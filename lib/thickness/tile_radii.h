@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <limits>
 
-// The grid points of a tile, a cube of eight along each axis, against inscribed balls. The points are
-// in blocks of two along each axis, which are compared at once. All places are relative to the
+// The grid points of a tile, a cube of eight along each axis, against inscribed balls. The points
+// are in blocks of two along each axis, which are compared at once. All places are relative to the
 // tile's first point, and all lengths are in units of the finest spacing.
 namespace medial
 {
@@ -76,7 +76,7 @@ struct BallGroup
 /// Those of eight balls whose families might raise points.
 struct ReachedBalls
 {
-  unsigned lanes = 0;                    ///< a bit for each
+  unsigned lanes = 0;                     ///< a bit for each
   alignas(32) float radius[kGroupBalls];  ///< that count, rounded
   alignas(32) float largest[kGroupBalls]; ///< of the families, rounded
 };
@@ -85,10 +85,10 @@ struct ReachedBalls
 struct CommonBall
 {
   glm::vec3 centre;
-  float reach;       ///< of the ball, stretched
-  float span;        ///< how far from the centre the families reach, stretched
-  float radius;      ///< that counts, rounded
-  float largest;     ///< of the families, rounded
+  float reach;   ///< of the ball, stretched
+  float span;    ///< how far from the centre the families reach, stretched
+  float radius;  ///< that counts, rounded
+  float largest; ///< of the families, rounded
 };
 
 /// Balls with centres a + u d and radii r + u s for u in [0, 1], s >= 0.
