@@ -19,6 +19,8 @@ namespace
 constexpr int kTile = 8;
 /// Tiles are larger where there would be more.
 constexpr double kTilesPerBall = 4.0;
+/// How often the middle of a ball around others is moved towards the one that sticks out most.
+constexpr int kAroundRounds = 6;
 
 /// Values in lists, one list for each of some keys.
 template <typename Value>
@@ -258,6 +260,38 @@ void BallFamilies::makeItems()
   triangleEnds_ = std::move(triangles.values);
 }
 
+/// Returns a ball around the families of an item, nearly the smallest.
+glm::vec4 BallFamilies::ballAround(std::uint32_t number) const
+{
+  const glm::vec4& common = balls_[items_[number].ball];
+  const auto distanceOf = [](const glm::vec3& from, const glm::vec4& ball)
+  { return glm::distance(from, glm::vec3(ball)) + ball.w; };
+  glm::vec3 middle(common);
+  glm::vec4 best(middle, std::numeric_limits<float>::max());
+  for (int round = 1; round <= kAroundRounds; ++round)
+  {
+    // How far a ball reaches is convex: none between two reaches farther.
+    const glm::vec4* farthest = &common;
+    float reach = distanceOf(middle, common);
+    for (std::uint32_t e = items_[number].edgesBegin; e < items_[number + 1].edgesBegin; ++e)
+    {
+      const glm::vec4& ball = balls_[edgeEnds_[e]];
+      const float distance = distanceOf(middle, ball);
+      if (distance > reach)
+      {
+        reach = distance;
+        farthest = &ball;
+      }
+    }
+    if (reach < best.w)
+    {
+      best = glm::vec4(middle, reach);
+    }
+    middle += (glm::vec3(*farthest) - middle) / static_cast<float>(round + 1);
+  }
+  return best;
+}
+
 /// Sets what bounds an item in its group, and returns its bounds.
 ItemBounds BallFamilies::measure(std::uint32_t number)
 {
@@ -267,14 +301,11 @@ ItemBounds BallFamilies::measure(std::uint32_t number)
   ItemBounds bounds = ItemBounds::nothing();
   bounds.add(glm::dvec3(common), static_cast<double>(common.w));
   float longest = 0.0f;
-  float span = common.w;
   for (std::uint32_t e = item.edgesBegin; e < next.edgesBegin; ++e)
   {
     const glm::vec4& ball = balls_[edgeEnds_[e]];
     bounds.add(glm::dvec3(ball), static_cast<double>(ball.w));
-    const float length = this->length(item.ball, edgeEnds_[e]);
-    longest = std::max(longest, length);
-    span = std::max(span, length + ball.w); // which is convex: no ball between two reaches farther
+    longest = std::max(longest, this->length(item.ball, edgeEnds_[e]));
   }
   for (std::uint32_t t = item.trianglesBegin; t < next.trianglesBegin; ++t)
   {
@@ -286,7 +317,11 @@ ItemBounds BallFamilies::measure(std::uint32_t number)
   group.y[lane] = common.y;
   group.z[lane] = common.z;
   group.radius[lane] = common.w;
-  group.span[lane] = span;
+  const glm::vec4 around = this->ballAround(number);
+  group.middleX[lane] = around.x;
+  group.middleY[lane] = around.y;
+  group.middleZ[lane] = around.z;
+  group.span[lane] = around.w;
   group.length[lane] = longest;
   group.largest[lane] = static_cast<float>(bounds.reach);
   return bounds;

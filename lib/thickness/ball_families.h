@@ -81,6 +81,7 @@ private:
   void joinTriangle(const Triangle& triangle) { triangles_.push_back(triangle); }
   void sortBalls();
   void makeItems();
+  glm::vec4 ballAround(std::uint32_t number) const;
   ItemBounds measure(std::uint32_t number);
   float length(std::uint32_t first, std::uint32_t second) const
   {

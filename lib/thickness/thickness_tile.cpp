@@ -30,14 +30,16 @@ BlockMask ThicknessTile::raiseByBall(const BallGroup& balls, std::uint32_t lane,
   const ReachedBalls& reached)
 {
   const glm::vec3 centre = glm::vec3(balls.x[lane], balls.y[lane], balls.z[lane]) - first_;
+  const glm::vec3 middle =
+    glm::vec3(balls.middleX[lane], balls.middleY[lane], balls.middleZ[lane]) - first_;
   const float span = this->reachOf(balls.span[lane]);
-  const BlockMask blocks = radii_.blocksWithin({ centre, centre, span, reached.largest[lane] });
+  const BlockMask blocks = radii_.blocksWithin({ middle, middle, span, reached.largest[lane] });
   if (blocks == 0)
   {
     return 0;
   }
   const RaisedBlocks raised = radii_.raise(CommonBall{ centre, this->reachOf(balls.radius[lane]),
-                                             span, reached.radius[lane], reached.largest[lane] },
+                                             middle, span, reached.radius[lane], reached.largest[lane] },
     blocks);
   this->update(raised.changed);
   return raised.near;

@@ -276,7 +276,8 @@ MEDIAL_VECTORISED RaisedBlocks TileRadii::raise(const CommonBall& ball, BlockMas
   for (BlockMask left = blocks; left != 0; left &= left - 1)
   {
     const int number = __builtin_ctzll(left);
-    const Float8 squared = squaredDistances(blockOf(*this, number), ball.centre);
+    const Block block = blockOf(*this, number);
+    const Float8 squared = squaredDistances(block, ball.centre);
     float* const radii = radius + number * kLanes;
     const Float8 before = loaded(radii);
     const Int8 raises = (squared <= squaredReach) & (before < ball.radius);
@@ -286,7 +287,7 @@ MEDIAL_VECTORISED RaisedBlocks TileRadii::raise(const CommonBall& ball, BlockMas
       store(after, radii);
       result.changed |= maskOf(number);
     }
-    if (bits((squared <= squaredSpan) & (after < ball.largest)) != 0)
+    if (bits((squaredDistances(block, ball.middle) <= squaredSpan) & (after < ball.largest)) != 0)
     {
       result.near |= maskOf(number);
     }
@@ -322,9 +323,9 @@ MEDIAL_VECTORISED ReachedBalls TileRadii::ballsNear(const BallGroup& balls, cons
     const Float8 centre = loaded(centres) - first[axis];
     return max(max(centre - high[axis], low[axis] - centre), Float8{});
   };
-  const Float8 x = gap(balls.x, 0);
-  const Float8 y = gap(balls.y, 1);
-  const Float8 z = gap(balls.z, 2);
+  const Float8 x = gap(balls.middleX, 0);
+  const Float8 y = gap(balls.middleY, 1);
+  const Float8 z = gap(balls.middleZ, 2);
   const Float8 span = loaded(balls.span) * stretch + kBallMargin;
   const Float8 largest = rounded(loaded(balls.largest));
   ReachedBalls reached;

@@ -68,7 +68,10 @@ struct BallGroup
   alignas(32) float y[kGroupBalls];
   alignas(32) float z[kGroupBalls];
   alignas(32) float radius[kGroupBalls];
-  alignas(32) float span[kGroupBalls];    ///< how far from the centre the families reach
+  alignas(32) float middleX[kGroupBalls]; ///< centres of balls around the families
+  alignas(32) float middleY[kGroupBalls];
+  alignas(32) float middleZ[kGroupBalls];
+  alignas(32) float span[kGroupBalls];    ///< radii of these
   alignas(32) float length[kGroupBalls];  ///< longest edge of the families
   alignas(32) float largest[kGroupBalls]; ///< radius of the families
 };
@@ -86,7 +89,8 @@ struct CommonBall
 {
   glm::vec3 centre;
   float reach;   ///< of the ball, stretched
-  float span;    ///< how far from the centre the families reach, stretched
+  glm::vec3 middle; ///< of a ball around the families
+  float span;    ///< its radius, stretched
   float radius;  ///< that counts, rounded
   float largest; ///< of the families, rounded
 };
