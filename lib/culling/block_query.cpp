@@ -20,7 +20,7 @@ constexpr std::ptrdiff_t kTogether = BlockPositions::kMax;
 /// from its site.
 constexpr int kBetween = 16;
 /// With more groups than this near a block, a search for each question is faster.
-constexpr int kManyGroups = 256;
+constexpr int kManyGroups = 1024;
 /// With at most this many, the questions of a block are answered together.
 constexpr int kFewGroups = 64;
 
