@@ -20,20 +20,20 @@ namespace medial
 
 /// Returns the numbers 0 .. count - 1 in the order of tiles of grid cells, so that those in a row
 /// are close together in all directions, even where only few cells have any: exact queries answer
-/// such points together. Tiles are ordered in cubes of eight along each axis, and there in Morton's
-/// order.
+/// such points together. Tiles are ordered in cubes of sixteen along each axis, and there in
+/// Morton's order.
 /// @param cellOf returns the grid cell, or the grid point, of a number.
 template <typename CellOf>
 std::vector<std::uint32_t> tileOrder(const Extent& extent, std::size_t count, const CellOf& cellOf)
 {
   constexpr int kTile = 8;
-  constexpr int kCube = 16;
+  constexpr int kCube = 16; // tiles along an axis
   const glm::ivec3 first(extent.min[0] - 1, extent.min[1] - 1, extent.min[2] - 1);
   const auto cubesAlong = [&](int axis)
   { return static_cast<std::size_t>((extent.size(axis) + 1) / (kTile * kCube) + 1); };
   const std::size_t width = cubesAlong(0);
   const std::size_t height = cubesAlong(1);
-  // The bits of a number below eight, two apart.
+  // The bits of the numbers below sixteen, each moved to every third place.
   constexpr std::array<std::size_t, kCube> kApart{ 0, 1, 8, 9, 64, 65, 72, 73, 512, 513, 520, 521,
     576, 577, 584, 585 };
   const auto tileOf = [&](std::size_t i)

@@ -95,7 +95,7 @@ void renumber(const std::vector<std::uint32_t>& numbers, std::vector<Simplex>& s
 BallFamilies::BallFamilies(const Grid& grid, double angle)
   : unit_(*std::min_element(grid.spacing.begin(), grid.spacing.end()))
   , origin_(grid.origin[0], grid.origin[1], grid.origin[2])
-  , step_(glm::dvec3(grid.spacing[0], grid.spacing[1], grid.spacing[2]) / unit_)
+  , places_(glm::dvec3(grid.spacing[0], grid.spacing[1], grid.spacing[2]) / unit_)
   , dimensions_(grid.dimensions)
   , stretch_(static_cast<float>(1.0 / std::cos(0.5 * angle)))
 {
@@ -181,7 +181,7 @@ void BallFamilies::sortBalls()
     size *= 2;
   } while (
     static_cast<double>(tiles.x) * tiles.y * tiles.z > kTilesPerBall * (balls_.size() + 1.0));
-  const glm::vec3 perTile = 2.0f / (static_cast<float>(size) * step_);
+  const glm::vec3 perTile = 2.0f / (static_cast<float>(size) * places_.step);
   const auto tileOf = [&](const glm::vec4& ball)
   {
     const glm::ivec3 tile =

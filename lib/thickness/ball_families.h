@@ -44,7 +44,8 @@ public:
   void finish();
 
   double unit() const { return unit_; }
-  const glm::vec3& step() const { return step_; } ///< between neighbouring grid points
+  const glm::vec3& step() const { return places_.step; } ///< between neighbouring grid points
+  const TilePlaces& places() const { return places_; }   ///< of the grid points of a tile
   std::size_t size() const { return balls_.size(); }
   float maxRadius() const { return maxRadius_; }
   /// Balls with smaller separation angles lie within those of the families times this.
@@ -90,7 +91,7 @@ private:
 
   double unit_;
   glm::dvec3 origin_;
-  glm::vec3 step_;
+  TilePlaces places_;
   std::array<int, 3> dimensions_;
   float stretch_;
   float maxRadius_ = 0.0f;

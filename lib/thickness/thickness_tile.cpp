@@ -18,7 +18,7 @@ constexpr float kPowerMargin = 2e-6f;
 ThicknessTile::ThicknessTile(const BallFamilies& families, const glm::vec3& first)
   : families_(families)
   , first_(first)
-  , radii_(families.step())
+  , radii_(families.places())
 {
   std::fill_n(radii_.radius, kPoints, kUnwanted);
 }
@@ -38,9 +38,10 @@ BlockMask ThicknessTile::raiseByBall(const BallGroup& balls, std::uint32_t lane,
   {
     return 0;
   }
-  const RaisedBlocks raised = radii_.raise(CommonBall{ centre, this->reachOf(balls.radius[lane]),
-                                             middle, span, reached.radius[lane], reached.largest[lane] },
-    blocks);
+  const RaisedBlocks raised =
+    radii_.raise(CommonBall{ centre, this->reachOf(balls.radius[lane]), middle, span,
+                   reached.radius[lane], reached.largest[lane] },
+      blocks);
   this->update(raised.changed);
   return raised.near;
 }

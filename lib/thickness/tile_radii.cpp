@@ -27,9 +27,9 @@ struct Block
 
 MEDIAL_INLINE Block blockOf(const TileRadii& radii, int number)
 {
-  return { loaded(radii.places[0][number % kBlocksAlong]),
-    loaded(radii.places[1][number / kBlocksAlong % kBlocksAlong]),
-    loaded(radii.places[2][number / (kBlocksAlong * kBlocksAlong)]) };
+  return { loaded(radii.places.ofBlocks[0][number % kBlocksAlong]),
+    loaded(radii.places.ofBlocks[1][number / kBlocksAlong % kBlocksAlong]),
+    loaded(radii.places.ofBlocks[2][number / (kBlocksAlong * kBlocksAlong)]) };
 }
 
 MEDIAL_INLINE Float8 squaredLength(Float8 x, Float8 y, Float8 z)
@@ -173,7 +173,7 @@ MEDIAL_VECTORISED void TileRadii::updateBlocks(BlockMask blocks)
   min = smallest(least);
 }
 
-TileRadii::TileRadii(const glm::vec3& betweenPoints)
+TilePlaces::TilePlaces(const glm::vec3& betweenPoints)
   : step(betweenPoints)
 {
   for (int point = 0; point < kTilePoints; ++point)
@@ -181,7 +181,7 @@ TileRadii::TileRadii(const glm::vec3& betweenPoints)
     const glm::ivec3 place = placeInTile(point);
     for (int axis = 0; axis < 3; ++axis)
     {
-      places[axis][place[axis] / kBlockSide][point % kBlockPoints] =
+      ofBlocks[axis][place[axis] / kBlockSide][point % kBlockPoints] =
         static_cast<float>(place[axis]) * step[axis];
     }
   }
@@ -200,8 +200,8 @@ void TileRadii::findBounds(float unwanted)
       last = glm::max(last, place);
     }
   }
-  low = glm::vec3(first) * step;
-  high = glm::vec3(last) * step;
+  low = glm::vec3(first) * places.step;
+  high = glm::vec3(last) * places.step;
 }
 
 float TileRadii::minOf(BlockMask blocks) const
@@ -304,7 +304,7 @@ BlockMask TileRadii::raiseSlice(const glm::vec3& centre, float reach, float larg
     {
       const glm::ivec3 place(i, j, slice);
       const int point = pointInTile(place);
-      const glm::vec3 way = glm::vec3(place) * step - centre;
+      const glm::vec3 way = glm::vec3(place) * places.step - centre;
       if (radius[point] < largest && glm::dot(way, way) <= reach * reach)
       {
         radius[point] = largest;
@@ -340,7 +340,7 @@ MEDIAL_VECTORISED BlockMask TileRadii::blocksWithin(const BallBounds& bounds) co
 {
   const auto gap = [&](int axis, Float8 first)
   {
-    const Float8 last = first + step[axis];
+    const Float8 last = first + places.step[axis];
     return max(max(bounds.low[axis] - last, first - bounds.high[axis]), Float8{});
   };
   const glm::vec3 outside = glm::max(glm::max(bounds.low - high, low - bounds.high), 0.0f);
@@ -349,7 +349,7 @@ MEDIAL_VECTORISED BlockMask TileRadii::blocksWithin(const BallBounds& bounds) co
   {
     return 0;
   }
-  const glm::vec3 width = static_cast<float>(kBlockSide) * step;
+  const glm::vec3 width = static_cast<float>(kBlockSide) * places.step;
   const Float8 gapX = gap(0, Float8{ 0, 1, 2, 3, 0, 1, 2, 3 } * width.x);
   const Float8 gapY = gap(1, Float8{ 0, 0, 0, 0, 1, 1, 1, 1 } * width.y);
   const Float8 nextY = gap(1, Float8{ 2, 2, 2, 2, 3, 3, 3, 3 } * width.y);

@@ -88,11 +88,11 @@ struct ReachedBalls
 struct CommonBall
 {
   glm::vec3 centre;
-  float reach;   ///< of the ball, stretched
+  float reach;      ///< of the ball, stretched
   glm::vec3 middle; ///< of a ball around the families
-  float span;    ///< its radius, stretched
-  float radius;  ///< that counts, rounded
-  float largest; ///< of the families, rounded
+  float span;       ///< its radius, stretched
+  float radius;     ///< that counts, rounded
+  float largest;    ///< of the families, rounded
 };
 
 /// Balls with centres a + u d and radii r + u s for u in [0, 1], s >= 0.
@@ -149,20 +149,31 @@ struct RaisedBlocks
   BlockMask near; ///< blocks with points that the ball's families might raise
 };
 
+/// Where the points of every tile are.
+struct TilePlaces
+{
+  /// @param betweenPoints distances between neighbouring points.
+  explicit TilePlaces(const glm::vec3& betweenPoints);
+
+  glm::vec3 step; ///< between neighbouring points
+  /// For each axis and place of a block along it: coordinates of its points.
+  alignas(32) float ofBlocks[3][kBlocksAlong][kBlockPoints];
+};
+
 /// The radii of a tile's points.
 struct TileRadii
 {
-  /// @param betweenPoints distances between neighbouring points.
-  explicit TileRadii(const glm::vec3& betweenPoints);
+  explicit TileRadii(const TilePlaces& placesOfPoints)
+    : places(placesOfPoints)
+  {
+  }
 
-  glm::vec3 step; ///< between neighbouring points
-  glm::vec3 low;  ///< bounds of the points whose radii are wanted
+  const TilePlaces& places;
+  glm::vec3 low; ///< bounds of the points whose radii are wanted
   glm::vec3 high;
   alignas(32) float radius[kTilePoints];
   alignas(32) float blockMin[kTileBlocks]; ///< smallest radius in a block
   float min = 0.0f;                        ///< smallest radius of all
-  /// For each axis and place of a block along it: where its points are.
-  alignas(32) float places[3][kBlocksAlong][kBlockPoints];
 
   /// Finds the bounds of the points whose radii are wanted: those that are not `unwanted`.
   void findBounds(float unwanted);
