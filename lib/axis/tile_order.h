@@ -26,7 +26,7 @@ namespace medial
 template <typename CellOf>
 std::vector<std::uint32_t> tileOrder(const Extent& extent, std::size_t count, const CellOf& cellOf)
 {
-  constexpr int kTile = 8;
+  constexpr int kTile = 8;  // cells along an axis
   constexpr int kCube = 16; // tiles along an axis
   const glm::ivec3 first(extent.min[0] - 1, extent.min[1] - 1, extent.min[2] - 1);
   const auto cubesAlong = [&](int axis)
