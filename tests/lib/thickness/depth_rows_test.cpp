@@ -1,6 +1,6 @@
 // Rows of distances, which are kept in few bytes, against the distances themselves.
-#include "thickness/tile_radii.h"
 #include "thickness/depth_rows.h"
+#include "thickness/tile_radii.h"
 
 #include <gtest/gtest.h>
 
