@@ -385,4 +385,20 @@ std::vector<EdgeTable::Edge> rimEdges(const std::vector<glm::ivec3>& cells,
   return rims;
 }
 
+std::vector<std::size_t> verticesOn(const std::vector<EdgeTable::Edge>& rims)
+{
+  std::vector<std::size_t> vertices;
+  vertices.reserve(2 * rims.size());
+  for (const EdgeTable::Edge& edge : rims)
+  {
+    for (const std::int64_t vertex : edge)
+    {
+      vertices.push_back(static_cast<std::size_t>(vertex));
+    }
+  }
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  return vertices;
+}
+
 } // namespace medial

@@ -82,4 +82,7 @@ std::vector<std::array<std::int64_t, 4>> quadsWithin(const DualMesh& mesh, const
 std::vector<EdgeTable::Edge> rimEdges(const std::vector<glm::ivec3>& cells,
   const std::vector<std::array<std::int64_t, 4>>& quads);
 
+/// Returns the vertices of rims, ascending.
+std::vector<std::size_t> verticesOn(const std::vector<EdgeTable::Edge>& rims);
+
 } // namespace medial

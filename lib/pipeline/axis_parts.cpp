@@ -4,7 +4,6 @@
 #include "axis/seams/curved_sheets.h"
 #include "axis/seams/seam_sheets.h"
 #include "axis/sheets/sheet_selection.h"
-#include "axis/sheets/surface_axis.h"
 #include "base/checkpoint.h"
 #include "base/separation_angle.h"
 #include "base/stopwatch.h"
@@ -133,7 +132,7 @@ MedialAxis AxisParts::part(std::size_t number, Side side, double fraction, const
       const AxisGeometry geometry{ pipeline_.sites(), pipeline_.query(), frame, grid_.wholeExtent(),
         grid_.wholeExtent(), glm::radians(options_.angle), 0.0, 0.0, checkpoint,
         side_ ? &*side_ : nullptr };
-      BisectorPoints points = surfaceOf(geometry, crossings, axis);
+      BisectorPoints points = surfaceOf(geometry, crossings, axis, options_.ends);
       setAxisPoints(points, frame, axis);
       this->keepPart(number, axis);
       seams = sheetsAtSeams(geometry, crossings, { first, end });

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "axis/seams/ball_mesh.h"
+#include "axis/sheets/surface_axis.h"
 #include "axis/side_check.h"
 #include "base/run.h"
 #include "field/crossing.h"
@@ -21,6 +22,7 @@ struct AxisPartsOptions
 {
   double angle = 60.0; ///< minimum separation angle, degrees
   Side side = Side::Interior;
+  SheetEnds ends = SheetEnds::AtBorder;
   DistanceFieldOptions field;
   /// A part has at least as many grid edges that the axis crosses, or more, if they share slices.
   std::size_t crossings = std::size_t{ 1 } << 19;

@@ -269,6 +269,7 @@ private:
     AxisPartsOptions options;
     options.angle = kBallAngle;
     options.side = options_.side;
+    options.ends = SheetEnds::OnGrid; // balls of smaller angles serve as well
     options.field = options_.field;
     return options;
   }

@@ -42,17 +42,11 @@ constexpr int kJunction = BorderRims::kJunction;
 /// Returns the vertices of rims, ascending.
 std::vector<Walker> walkersOn(const std::vector<EdgeTable::Edge>& rims)
 {
-  std::vector<std::int64_t> vertices;
-  for (const EdgeTable::Edge& edge : rims)
-  {
-    vertices.insert(vertices.end(), edge.begin(), edge.end());
-  }
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  const std::vector<std::size_t> vertices = verticesOn(rims);
   std::vector<Walker> walkers(vertices.size());
   for (std::size_t i = 0; i < vertices.size(); ++i)
   {
-    walkers[i].vertex = static_cast<std::size_t>(vertices[i]);
+    walkers[i].vertex = vertices[i];
   }
   return walkers;
 }

@@ -17,7 +17,7 @@ namespace medial
 {
 
 BisectorPoints surfaceOf(const AxisGeometry& geometry, std::vector<Crossing>& crossings,
-  MedialAxis& axis)
+  MedialAxis& axis, SheetEnds ends)
 {
   const SheetSelection selection = selectSheets(geometry, crossings);
   const DualMesh& mesh = selection.part.mesh;
@@ -31,8 +31,9 @@ BisectorPoints surfaceOf(const AxisGeometry& geometry, std::vector<Crossing>& cr
       quads = quadsWithin(mesh, geometry.extent);
       rims = rimEdges(mesh.cells, quads);
     });
-  const std::vector<std::size_t> elsewhere =
-    moveToBorders(geometry, selection, rims, selection.part.origins, points);
+  const std::vector<std::size_t> elsewhere = ends == SheetEnds::AtBorder
+    ? moveToBorders(geometry, selection, rims, selection.part.origins, points)
+    : verticesOn(rims);
   extendRims(geometry, elsewhere, points);
   geometry.checkpoint();
   buildCells(quads, points, axis);

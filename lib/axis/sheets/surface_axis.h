@@ -10,9 +10,16 @@
 namespace medial
 {
 
+/// How sheets end where they end in no crease.
+enum class SheetEnds
+{
+  AtBorder, ///< in a smooth line, where the limits of the axis are reached
+  OnGrid    ///< at their last cells
+};
+
 /// Makes the cells of an axis with Representation::Surface, and returns its points.
 /// @param crossings selected by bandAngle(); only those that the axis has stay.
 BisectorPoints surfaceOf(const AxisGeometry& geometry, std::vector<Crossing>& crossings,
-  MedialAxis& axis);
+  MedialAxis& axis, SheetEnds ends = SheetEnds::AtBorder);
 
 } // namespace medial
