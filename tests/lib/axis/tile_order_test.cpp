@@ -43,5 +43,37 @@ TEST(TileOrder, HasEveryNumberOnceAndTilesTogether)
   }
 }
 
+TEST(TileOrder, KeepsNeighboursTogetherWhereCellsAreRare)
+{
+  Extent extent;
+  extent.max = { 255, 255, 255 };
+  std::vector<glm::ivec3> cells; // one for each tile
+  for (int z = 0; z < 32; ++z)
+  {
+    for (int y = 0; y < 32; ++y)
+    {
+      for (int x = 0; x < 32; ++x)
+      {
+        cells.emplace_back(8 * x, 8 * y, 8 * z);
+      }
+    }
+  }
+  const std::vector<std::uint32_t> order =
+    tileOrder(extent, cells.size(), [&](std::size_t i) { return cells[i]; });
+  constexpr std::size_t kInARow = 64;
+  for (std::size_t begin = 0; begin < order.size(); begin += kInARow)
+  {
+    glm::ivec3 low = cells[order[begin]];
+    glm::ivec3 high = low;
+    for (std::size_t k = begin; k < begin + kInARow; ++k)
+    {
+      low = glm::min(low, cells[order[k]]);
+      high = glm::max(high, cells[order[k]]);
+    }
+    const glm::ivec3 size = high - low;
+    EXPECT_LE(std::max({ size.x, size.y, size.z }), 24) << begin;
+  }
+}
+
 } // namespace
 } // namespace medial::test
