@@ -108,6 +108,24 @@ void raiseGaps(const BallFamilies& families, const glm::vec3& first, const float
 void raiseNearSurface(const SiteQuery& query, const GridFrame& frame, const glm::ivec3& corner,
   const float* own, ThicknessTile& radii)
 {
+  const auto raiseAt = [&](const glm::ivec3& place, BallAscent& ascent)
+  {
+    const int point = ThicknessTile::index(place);
+    const float radius = radii.radius(point);
+    const bool inTip = own[point] <= kNear && radius <= std::max(kSmall, own[point]);
+    if (!(own[point] > 0.0f) || (!inTip && own[point] > kNearest))
+    {
+      return;
+    }
+    const auto ball = ascent.largerBallAround(frame.sample(glm::dvec3(corner + place)),
+      static_cast<double>(radius));
+    if (ball)
+    {
+      const auto larger = static_cast<float>(ball->radius);
+      radii.raise(glm::vec3(ball->centre - frame.first), larger, place.z);
+      radii.set(point, std::max(radii.radius(point), roundedRadius(larger)));
+    }
+  };
   for (int k = 0; k < kSide; ++k)
   {
     BallAscent ascent(query, frame);
@@ -115,22 +133,7 @@ void raiseNearSurface(const SiteQuery& query, const GridFrame& frame, const glm:
     {
       for (int i = 0; i < kSide; ++i)
       {
-        const glm::ivec3 place(i, j, k);
-        const int point = ThicknessTile::index(place);
-        const float radius = radii.radius(point);
-        const bool inTip = own[point] <= kNear && radius <= std::max(kSmall, own[point]);
-        if (!(own[point] > 0.0f) || (!inTip && own[point] > kNearest))
-        {
-          continue;
-        }
-        const auto ball = ascent.largerBallAround(frame.sample(glm::dvec3(corner + place)),
-          static_cast<double>(radius));
-        if (ball)
-        {
-          const auto larger = static_cast<float>(ball->radius);
-          radii.raise(glm::vec3(ball->centre - frame.first), larger, k);
-          radii.set(point, std::max(radii.radius(point), roundedRadius(larger)));
-        }
+        raiseAt({ i, j, k }, ascent);
       }
     }
   }

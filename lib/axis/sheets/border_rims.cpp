@@ -39,7 +39,7 @@ using Neighbours = std::vector<std::array<int, 2>>;
 constexpr int kNone = BorderRims::kNone;
 constexpr int kJunction = BorderRims::kJunction;
 
-/// Returns the vertices of rims, ascending.
+/// Returns a walker for each vertex of rims, ascending.
 std::vector<Walker> walkersOn(const std::vector<EdgeTable::Edge>& rims)
 {
   const std::vector<std::size_t> vertices = verticesOn(rims);
