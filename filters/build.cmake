@@ -7,7 +7,7 @@ set(wrapping)
 if(MEDIAL_BUILD_PYTHON)
   set(wrapping Python WrappingPythonCore)
 endif()
-find_package(VTK 9.1 REQUIRED COMPONENTS ${MEDIAL_VTK_COMPONENTS} ${wrapping})
+find_package(VTK 9.1 REQUIRED COMPONENTS ${MEDIAL_VTK_COMPONENTS} ImagingCore IOCore ${wrapping})
 
 set(export)
 if(MEDIAL_INSTALL)
@@ -38,6 +38,7 @@ target_precompile_headers(Filters PRIVATE
 # All of VTK puts a semicolon after vtkTypeMacro(), which -Wpedantic calls one too many.
 target_compile_options(Filters PUBLIC $<BUILD_INTERFACE:-Wno-pedantic>)
 
+add_subdirectory(filters/files)
 if(MEDIAL_BUILD_PYTHON)
   add_subdirectory(filters/python)
 endif()

@@ -2,7 +2,7 @@
 
 #include "device_options.h"
 #include "length.h"
-#include "scan_surface.h"
+#include "scan_input.h"
 #include "volumes/field_layout.h"
 
 #include "medial/compute_medial_axis.h"

@@ -10,7 +10,7 @@
 #include "progress_bar.h"
 #include "region_table.h"
 #include "report.h"
-#include "scan_surface.h"
+#include "scan_input.h"
 #include "summary.h"
 #include "timer.h"
 

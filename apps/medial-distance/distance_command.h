@@ -1,7 +1,7 @@
 #pragma once
 
 #include "medial/sign_method.h"
-#include "scan_surface.h"
+#include "scan_input.h"
 
 #include <filesystem>
 #include <optional>

@@ -7,7 +7,7 @@
 #include "interrupt.h"
 #include "library_calls.h"
 #include "output/standard_output.h"
-#include "scan_surface.h"
+#include "scan_input.h"
 #include "timer.h"
 
 #include <utility>

@@ -1,8 +1,8 @@
 #include "proximity_outputs.h"
 
 #include "contact_data.h"
+#include "files/xml_elements.h"
 #include "input/input_file.h"
-#include "input/xml_elements.h"
 #include "output/file_writer.h"
 #include "output/standard_output.h"
 #include "output/vtp_writer.h"
@@ -38,7 +38,7 @@ std::string indexOf(const std::vector<fs::path>& pieces)
   for (std::size_t frame = 0; frame < pieces.size(); ++frame)
   {
     text += "    <DataSet timestep=\"" + std::to_string(frame) + "\" file=\"" +
-      escapedXml(pieces[frame].filename().string()) + "\"/>\n";
+      files::escapedXml(pieces[frame].filename().string()) + "\"/>\n";
   }
   return text + "  </Collection>\n</VTKFile>\n";
 }

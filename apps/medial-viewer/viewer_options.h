@@ -1,7 +1,7 @@
 #pragma once
 
 #include "device_options.h"
-#include "scan_surface.h"
+#include "scan_input.h"
 
 #include "medial/compute_medial_axis.h"
 

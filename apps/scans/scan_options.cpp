@@ -10,13 +10,6 @@
 
 namespace medial::app
 {
-namespace
-{
-
-constexpr int kMaxSmoothing = 1000;
-
-} // namespace
-
 void addScanOptions(CLI::App& app, ScanSurface& wanted)
 {
   const std::string group = "Scan";
@@ -40,7 +33,8 @@ void addScanOptions(CLI::App& app, ScanSurface& wanted)
       "iterations of the windowed sinc filter that smooths the surface of a scan, in [0, 1000]; "
       "default 20 for labels, 0 for isovalues")
     ->option_text("N")
-    ->check(within<int>("[0, 1000]", [](int n) { return n >= 0 && n <= kMaxSmoothing; }))
+    ->check(
+      within<int>("[0, 1000]", [](int n) { return n >= 0 && n <= ScanSurface::kMaxIterations; }))
     ->group(group);
 }
 

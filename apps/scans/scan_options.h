@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scan_surface.h"
+#include "scan_input.h"
 
 #include <CLI/CLI.hpp>
 

@@ -2,7 +2,7 @@
 #include "command_run.h"
 #include "scan_files.h"
 
-#include "scan_reader.h"
+#include "files/scans/scan_reader.h"
 
 #include "support/shapes.h"
 
@@ -90,14 +90,14 @@ TEST_F(ScanCommand, RefusesScansAndMeshesThatDoNotFitTheirOptions)
 // The same distances at the same places in every format.
 TEST_F(ScanCommand, FieldsGoToVolumes)
 {
-  std::vector<app::Scan> fields;
+  std::vector<files::Scan> fields;
   for (const char* name : { "field.vti", "field.nrrd", "field.mha", "field.nii.gz" })
   {
     // Several slabs, so that values come in parts.
     run({ "--field", folder.file(name), "--resolution", "120", "--memory", "64" });
-    fields.push_back(app::readScan(folder.file(name)));
+    fields.push_back(files::readScan(folder.file(name)));
   }
-  const app::Scan& first = fields.front();
+  const files::Scan& first = fields.front();
   vtkDataArray* expected = first.image->GetPointData()->GetScalars();
   for (std::size_t k = 1; k < fields.size(); ++k)
   {

@@ -1,7 +1,7 @@
 // Fields as level sets of OpenVDB, in builds that have it.
 #include "command_output.h"
 
-#include "scan_reader.h"
+#include "files/scans/scan_reader.h"
 
 #include <vtkDataArray.h>
 
@@ -16,7 +16,7 @@ TEST_F(CommandOutput, VdbHasTheDistancesOfItsBand)
 {
   run({ "--field", folder.file("field.vti") });
   run({ "--field", folder.file("field.vdb"), "--band", "2" });
-  const app::Scan expected = app::readScan(folder.file("field.vti"));
+  const files::Scan expected = files::readScan(folder.file("field.vti"));
   vtkDataArray* distances = expected.image->GetPointData()->GetScalars();
 
   openvdb::initialize();

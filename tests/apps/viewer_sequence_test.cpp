@@ -3,7 +3,7 @@
 #include "input/sequence.h"
 #include "program.h"
 #include "scan_files.h"
-#include "scan_surface.h"
+#include "scan_input.h"
 #include "support/mesh_texts.h"
 
 #include "support/shapes.h"
@@ -22,7 +22,7 @@ using app::Failure;
 using app::readSequence;
 
 std::string messageOf(const std::vector<std::filesystem::path>& inputs,
-  const app::ScanSurface& scan = {})
+  const files::ScanSurface& scan = {})
 {
   try
   {
@@ -84,7 +84,7 @@ TEST(ViewerSequence, RefusesScansWithOtherSurfaces)
     const LabelImage image([=](double r) { return r < radius ? 1 : 0; });
     writeFile(folder.file(radius < 4.0 ? "a.nrrd" : "b.nrrd"), nrrdFile(image, "raw"));
   }
-  app::ScanSurface wanted;
+  files::ScanSurface wanted;
   wanted.label = 1;
   const std::string message = messageOf({ folder.file("a.nrrd"), folder.file("b.nrrd") }, wanted);
   EXPECT_NE(message.find("b.nrrd: its points or cells differ"), std::string::npos) << message;

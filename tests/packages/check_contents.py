@@ -48,7 +48,7 @@ FILES = {
         for form in ("usr/bin/{}", "usr/share/man/man1/{}.1.gz", "usr/share/bash-completion/completions/{}")),
     "python3-medial": tuple(
         f"usr/lib/python3/dist-packages/medial/{name}"
-        for name in ("__init__.py", "py.typed", "_execution.so", "_mesh_file.so",
+        for name in ("__init__.py", "py.typed", "_execution.so", "_files.so",
                      "vtkMedialFilters.so")),
 }
 

@@ -3,29 +3,10 @@
 #include "failure.h"
 #include "library_calls.h"
 
-#include "medial/error.h"
-
-#include <algorithm>
-#include <cctype>
-#include <cstdint>
-#include <fstream>
-
 namespace fs = std::filesystem;
 
 namespace medial::app
 {
-
-std::string extensionOf(const fs::path& path)
-{
-  std::string extension = path.extension().string();
-  if (extension == ".gz" || extension == ".GZ")
-  {
-    extension = path.stem().extension().string() + extension;
-  }
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
 
 std::string stemOf(const fs::path& path)
 {
@@ -38,54 +19,15 @@ void refuseFile(const fs::path& path, const std::string& why)
   throw Failure(ExitCode::BadInput, path.string() + ": " + why);
 }
 
-void refuseContent(std::string why)
-{
-  constexpr std::size_t kMaxLength = 300;
-  if (why.size() > kMaxLength)
-  {
-    why.replace(kMaxLength, std::string::npos, "...");
-  }
-  std::replace_if(
-    why.begin(), why.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-  throw Error(ErrorCode::InvalidInput, why);
-}
-
 void requireRegularFile(const fs::path& path)
 {
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (fs::is_regular_file(status))
-  {
-    return;
-  }
-  if (status.type() == fs::file_type::not_found)
-  {
-    refuseFile(path, "no such file");
-  }
-  refuseFile(path, error ? error.message() : "is not a regular file");
+  withFailures([&] { files::requireRegularFile(path); });
 }
 
 std::string readContent(const fs::path& path)
 {
-  requireRegularFile(path);
   std::string content;
-  withFailures(path,
-    [&]
-    {
-      std::error_code error;
-      const std::uintmax_t size = fs::file_size(path, error);
-      content.resize(error ? 0 : size);
-      std::ifstream file(path, std::ios::binary);
-      file.read(content.data(), static_cast<std::streamsize>(content.size()));
-      if (error || !file)
-      {
-        refuseFile(path, "cannot be read");
-      }
-      if (content.empty())
-      {
-        refuseFile(path, "the file is empty");
-      }
-    });
+  withFailures([&] { content = files::readContent(path); });
   return content;
 }
 

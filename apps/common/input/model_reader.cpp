@@ -1,7 +1,7 @@
 #include "input/model_reader.h"
 
 #include "input/input_file.h"
-#include "input/vtp_reader.h"
+#include "input/vtp_file.h"
 #include "library_calls.h"
 #include "number_text.h"
 

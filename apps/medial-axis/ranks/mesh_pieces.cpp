@@ -1,8 +1,8 @@
 #include "ranks/mesh_pieces.h"
 
+#include "files/xml_elements.h"
 #include "input/input_file.h"
-#include "input/vtp_reader.h"
-#include "input/xml_elements.h"
+#include "input/vtp_file.h"
 #include "library_calls.h"
 #include "ranks/rank_agreement.h"
 
@@ -27,8 +27,8 @@ namespace
 /// @throws Error InvalidInput, without the name of the index.
 std::vector<fs::path> filesOf(const std::string& content, const fs::path& folder)
 {
-  const std::vector<XmlElement> elements = scanXml(content, "AppendedData");
-  const XmlElement* const data = childOf(elements, elements.front(), "PPolyData");
+  const std::vector<files::XmlElement> elements = files::scanXml(content, "AppendedData");
+  const files::XmlElement* const data = files::childOf(elements, elements.front(), "PPolyData");
   if (elements.front().name != "VTKFile" || data == nullptr)
   {
     refuseContent("not an index of polygonal data: it has no element VTKFile with PPolyData in it");

@@ -15,7 +15,7 @@
 #include "ranks/rank_thickness.h"
 #include "region_table.h"
 #include "report.h"
-#include "scan_reader.h"
+#include "scan_input.h"
 #include "summary.h"
 #include "timer.h"
 #include "volumes/field_output.h"

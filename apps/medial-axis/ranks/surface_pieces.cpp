@@ -1,6 +1,6 @@
 #include "ranks/surface_pieces.h"
 
-#include "input/xml_elements.h"
+#include "files/xml_elements.h"
 #include "output/file_writer.h"
 #include "output/vtp_writer.h"
 #include "volumes/field_layout.h"
@@ -59,7 +59,7 @@ std::string indexOf(vtkPolyData* piece, const std::vector<std::string>& sources)
     "    </PPoints>\n";
   for (const std::string& source : sources)
   {
-    text += "    <Piece Source=\"" + escapedXml(source) + "\"/>\n";
+    text += "    <Piece Source=\"" + files::escapedXml(source) + "\"/>\n";
   }
   return text + "  </PPolyData>\n</VTKFile>\n";
 }

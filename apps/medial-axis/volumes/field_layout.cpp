@@ -1,8 +1,8 @@
 #include "volumes/field_layout.h"
 
-#include "input/byte_order.h"
+#include "files/byte_order.h"
+#include "files/xml_elements.h"
 #include "input/input_file.h"
-#include "input/xml_elements.h"
 #include "number_text.h"
 #include "volumes/volume_header.h"
 
@@ -15,7 +15,7 @@ namespace
 
 constexpr int kPieceSlices = 64;
 
-constexpr const char* kByteOrder = kIsBigEndian ? "BigEndian" : "LittleEndian";
+constexpr const char* kByteOrder = files::kIsBigEndian ? "BigEndian" : "LittleEndian";
 
 std::string extentText(const Extent& extent)
 {
@@ -158,7 +158,7 @@ std::string fieldIndex(const Grid& grid, const std::vector<Extent>& pieces,
   for (std::size_t i = 0; i < pieces.size(); ++i)
   {
     text += "    <Piece Extent=\"" + extentText(pieces[i]) + "\" Source=\"" +
-      escapedXml(sources[i]) + "\"/>\n";
+      files::escapedXml(sources[i]) + "\"/>\n";
   }
   return text + "  </PImageData>\n</VTKFile>\n";
 }

@@ -1,6 +1,6 @@
 #include "volumes/volume_header.h"
 
-#include "input/byte_order.h"
+#include "files/byte_order.h"
 #include "number_text.h"
 
 #include <cstdint>
@@ -26,7 +26,7 @@ std::string nrrdHeader(const Grid& grid)
   return std::string("NRRD0004\ntype: float\ndimension: 3\nspace dimension: 3\nsizes: ") +
     sizesText(grid) + "\nspace directions: " + vector(x, 0.0, 0.0) + ' ' + vector(0.0, y, 0.0) +
     ' ' + vector(0.0, 0.0, z) +
-    "\nkinds: domain domain domain\nendian: " + (kIsBigEndian ? "big" : "little") +
+    "\nkinds: domain domain domain\nendian: " + (files::kIsBigEndian ? "big" : "little") +
     "\nencoding: raw\nspace origin: " + vector(grid.origin[0], grid.origin[1], grid.origin[2]) +
     "\n\n";
 }
@@ -36,7 +36,7 @@ std::string metaImageHeader(const Grid& grid)
 {
   return std::string(
            "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = ") +
-    (kIsBigEndian ? "True" : "False") +
+    (files::kIsBigEndian ? "True" : "False") +
     "\nCompressedData = False\nTransformMatrix = 1 0 0 0 1 0 0 0 1\nOffset = " +
     pointText(grid.origin) +
     "\nCenterOfRotation = 0 0 0\nElementSpacing = " + pointText(grid.spacing) +

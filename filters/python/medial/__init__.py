@@ -6,7 +6,8 @@ Functions take and return numpy arrays:
     axis.points, axis.radius, axis.faces
 
 distance_field(), medial_axis(), skeleton(), thickness(), local_thickness(), reconstruction(), curves(),
-distance(), proximity() and read_mesh() are each documented by help(), as in help(medial.medial_axis).
+distance(), proximity(), read_mesh(), read_scan() and scan_surface() are each documented by help(), as in
+help(medial.medial_axis).
 All lengths are in world units, those of the vertices, and all angles in degrees. They raise
 medial.Error, or a subclass of it, with the cause.
 
@@ -24,10 +25,11 @@ from ._axis import MedialAxis, medial_axis
 from ._distance import PointDistances, distance
 from ._errors import Error, InvalidInputError, NoGpuError, OutOfMemoryError
 from ._field import DistanceField, distance_field
+from ._files import VERSION as __version__
 from ._local_thickness import Distribution, LocalThickness, local_thickness
 from ._mesh import Surface, read_mesh
-from ._mesh_file import VERSION as __version__
 from ._proximity import Contacts, Proximity, proximity
+from ._scan import read_scan, scan_surface
 from ._shape import (
     Curve,
     DividedThickness,
@@ -79,7 +81,9 @@ __all__ = [
     "medial_axis",
     "proximity",
     "read_mesh",
+    "read_scan",
     "reconstruction",
+    "scan_surface",
     "skeleton",
     "thickness",
     "thickness_regions",

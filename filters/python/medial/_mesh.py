@@ -2,6 +2,7 @@
 
 import math
 import os
+from collections.abc import Callable
 from os import PathLike
 from typing import Any, NamedTuple, Union
 
@@ -9,10 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
+from . import _files
 from ._arrays import float_rows, index_rows, rows_to_cells, to_cells, to_points
-from ._errors import Error, InvalidInputError
-from ._mesh_file import read
-from ._vtk_file import read_vtp
+from ._errors import InvalidInputError, OutOfMemoryError
 
 _WHOLE_MESH = "pass a mesh of pyvista or VTK itself, in place of vertices and faces"
 
@@ -35,29 +35,30 @@ def read_mesh(path: Union[str, PathLike[str]]) -> Surface:
 
     A file that was cut short, or contradicts itself, is refused; it is never read in part. Points
     at the same place become one, polygons become triangles, and points and lines between them are
-    left out. Of .vtp files, which VTK's reader reads, only those that were cut short are sure to be
-    refused: some with other damage are misread.
+    left out.
 
     path: name of the file.
 
     Raises InvalidInputError where the file cannot be read, or has no faces.
     """
     name = os.fsdecode(path)
-    # The library tells what is no file.
-    is_vtp = name.lower().endswith(".vtp") and os.path.isfile(name)
-    try:
-        points, triangles = read_vtp(name) if is_vtp else read(name)
-    except OSError as error:
-        raise InvalidInputError(f"{name}: {error.strerror}") from None
-    except Error as error:
-        raise InvalidInputError(f"{name}: {error}") from None
-    except ValueError as error:
-        raise InvalidInputError(str(error).replace(".off .vtk", ".off .vtp .vtk")) from None
-    surface = Surface(np.frombuffer(points).reshape(-1, 3).copy(),
-                      np.frombuffer(triangles, np.int32).reshape(-1, 3).astype(np.int64))
+    surface = surface_of(_files.read_mesh, name)
     if len(surface.faces) == 0:
         raise InvalidInputError(f"{name}: the mesh has no faces")
     return surface
+
+
+def surface_of(read: Callable[..., tuple[bytes, bytes]], *arguments: Any) -> Surface:
+    """What a function of _files reads; its errors become those of this package."""
+    try:
+        points, triangles = read(*arguments)
+    except MemoryError as error:
+        raise OutOfMemoryError(str(error)) from None
+    except ValueError as error:
+        # The library alone reads no .vtp files.
+        raise InvalidInputError(str(error).replace(".off .vtk", ".off .vtp .vtk")) from None
+    return Surface(np.frombuffer(points).reshape(-1, 3).copy(),
+                   np.frombuffer(triangles, np.int32).reshape(-1, 3).astype(np.int64))
 
 
 def length(name: str, value: Any, mesh: vtkPolyData) -> Any:

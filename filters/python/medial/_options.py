@@ -119,6 +119,16 @@ def assign_numbers(algorithm: Any, **parameters: Any) -> None:
 
 def _integer(name: str, value: Any) -> int:
     _, lowest, highest = _INTEGERS[name]
+    return as_integer(name, value, lowest, highest)
+
+
+def _real(name: str, value: Any) -> float:
+    _, allowed = _REALS[name]
+    return as_real(name, value, allowed)
+
+
+def as_integer(name: str, value: Any, lowest: int, highest: int) -> int:
+    """A parameter as an integer in [lowest, highest]; raises as assign_numbers()."""
     try:
         number = index(value)
     except TypeError:
@@ -128,8 +138,10 @@ def _integer(name: str, value: Any) -> int:
     return number
 
 
-def _real(name: str, value: Any) -> float:
-    _, allowed = _REALS[name]
+def as_real(name: str, value: Any, allowed: str) -> float:
+    """A parameter as a float; raises as assign_numbers(), but the range is left to the caller.
+
+    allowed: the range as messages say it."""
     try:
         if isinstance(value, (str, bytes)):
             raise TypeError

@@ -1,8 +1,6 @@
 """The filters from Python, together with VTK's own package."""
 
 import math
-import pathlib
-import tempfile
 import unittest
 
 import medial
@@ -11,8 +9,6 @@ from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkContourFilter, vtkMassProperties, vtkTriangleFilter
 from vtkmodules.vtkFiltersModeling import vtkLinearSubdivisionFilter
 from vtkmodules.vtkFiltersSources import vtkCubeSource
-from vtkmodules.vtkIOGeometry import vtkSTLWriter
-from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 
 def box_axis(resolution=17):
@@ -223,103 +219,6 @@ class FiltersTest(unittest.TestCase):
 
     def test_prints(self):
         self.assertIn("Angle: 60", str(medial.vtkMedialAxis()))
-
-
-class Files(unittest.TestCase):
-    def test_version_is_that_of_the_library(self):
-        self.assertRegex(medial.__version__, r"\A\d+\.\d+\.\d+\Z")
-
-    def test_mesh_is_read_exactly_or_refused(self):
-        text = "OFF\n4 2 0\n0 0 0\n1 0 0\n1 0.1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n"
-        with tempfile.TemporaryDirectory() as folder:
-            path = pathlib.Path(folder, "two.off")
-            path.write_text(text)
-            surface = medial.read_mesh(path)
-            self.assertEqual(surface.vertices.tolist(),
-                             [[0, 0, 0], [1, 0, 0], [1, 0.1, 0], [0, 1, 0]])
-            self.assertEqual(surface.faces.tolist(), [[0, 1, 2], [0, 2, 3]])
-            path.write_text(text[:-4])
-            with self.assertRaisesRegex(medial.InvalidInputError, "two.off"):
-                medial.read_mesh(str(path))
-        for absent in ("absent.off", "absent.step"):
-            with self.assertRaisesRegex(medial.InvalidInputError, absent):
-                medial.read_mesh(absent)
-
-
-class FilesOfVtk(unittest.TestCase):
-    """Those that VTK writes."""
-
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.path = pathlib.Path(folder.name, "box.stl")
-        cube = vtkCubeSource()
-        cube.Update()
-        self.box = medial.read_mesh(self.write(vtkXMLPolyDataWriter(), cube.GetOutput(), "box.vtp"))
-
-    def write(self, writer, mesh, name):
-        path = self.path.with_name(name)
-        writer.SetInputData(mesh)
-        writer.SetFileName(str(path))
-        medial.update(writer)
-        return path
-
-    def assert_refused(self, content, message, suffix=".stl"):
-        path = self.path.with_suffix(suffix)
-        path.write_bytes(content)
-        with self.assertRaisesRegex(medial.InvalidInputError, f"{path}: {message}"):
-            medial.read_mesh(path)
-
-    def test_vtp_is_welded_and_of_triangles(self):
-        self.assertEqual((self.box.vertices.shape, self.box.faces.shape), ((8, 3), (12, 3)))
-        self.assertEqual(sorted(self.box.vertices.tolist()),
-                         [[x, y, z] for x in (-.5, .5) for y in (-.5, .5) for z in (-.5, .5)])
-
-    def test_stl(self):
-        for name, file_type in (("text.stl", 1), ("binary.STL", 2)):
-            writer = vtkSTLWriter()
-            writer.SetFileType(file_type)
-            read = medial.read_mesh(self.write(writer, self.box.to_vtk(), name))
-            self.assertEqual(sorted(read.vertices.tolist()), sorted(self.box.vertices.tolist()))
-            self.assertEqual(read.vertices[read.faces].tolist(),
-                             self.box.vertices[self.box.faces].tolist())
-
-    def test_stl_that_was_cut_short(self):
-        writer = vtkSTLWriter()
-        writer.SetFileTypeToBinary()
-        content = self.write(writer, self.box.to_vtk(), "whole.stl").read_bytes()
-        for size in (5, 84, 400, len(content) - 1):
-            self.assert_refused(content[:size], rf"not a complete STL file: .* bytes, not {size}\Z")
-        self.assert_refused(b"", "the file is empty")
-        self.assert_refused(content[:400], ".* the 12 triangles of a binary one would take 684 bytes")
-        self.assert_refused(content + b"x", ".* 684 bytes, not 685")
-        self.assert_refused(bytes(84), "has 0 triangles")
-
-    def test_text_stl_that_is_damaged(self):
-        facet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n" \
-                "endloop\nendfacet\n"
-        text = f"solid a part\n{facet}endsolid a part\n".encode()
-        self.path.write_bytes(text + text)  # two solids
-        self.assertEqual(len(medial.read_mesh(self.path).faces), 2)
-        self.assert_refused(text.replace(b"endsolid a part\n", b""), "ends early: its last solid has no 'endsolid'")
-        self.assert_refused(text[:60], "line 5: 'vert' in place of vertex")
-        self.assert_refused(text + b"more", "line 10: 'more' in place of solid")
-        self.assert_refused(text.replace(b"1 0 0", b"1 O 0"), "line 5: 'o' in place of a coordinate")
-        self.path.write_bytes(text.replace(b"1 0 0", b"1e99 0 0"))
-        with self.assertRaisesRegex(medial.InvalidInputError, "point 1 .*not finite"):
-            medial.read_mesh(self.path)
-
-    def test_vtp_that_was_cut_short(self):
-        content = self.path.with_name("box.vtp").read_bytes()
-        for size in (0, 100, len(content) // 2, len(content) - 3):
-            self.assert_refused(content[:size], "not a complete .vtp file", suffix=".vtp")
-        self.assert_refused(b"<VTKFile type='ImageData'></VTKFile>", ".", suffix=".vtp")
-
-    def test_what_may_be_read(self):
-        self.path.with_suffix(".step").touch()
-        with self.assertRaisesRegex(medial.InvalidInputError,
-                                    "'.step', allowed: .stl .obj .ply .off .vtp .vtk"):
-            medial.read_mesh(self.path.with_suffix(".step"))
 
 
 if __name__ == "__main__":

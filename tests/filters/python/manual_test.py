@@ -21,7 +21,7 @@ import medial
 SOURCES = Path(sys.argv[1])
 FUNCTIONS = (medial.distance_field, medial.medial_axis, medial.thickness, medial.thickness_regions,
              medial.reconstruction, medial.curves, medial.skeleton, medial.local_thickness, medial.distance, medial.proximity,
-             medial.read_mesh, medial.update)
+             medial.read_mesh, medial.read_scan, medial.scan_surface, medial.update)
 # The options of medial-axis, by the parameters that are the same.
 OPTIONS = {
     medial.distance_field: ("resolution", "spacing", "padding", "memory"),

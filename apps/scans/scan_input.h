@@ -1,0 +1,25 @@
+#pragma once
+
+#include "files/scans/scan_surface.h"
+#include "input/sequence.h"
+#include "input/surface.h"
+
+#include <filesystem>
+#include <vector>
+
+// Meshes, and the surfaces of scans.
+namespace medial::app
+{
+
+using files::isScanFile;
+using files::ScanSurface;
+
+/// Reads a mesh, or the surface that is wanted of a scan.
+/// @throws Failure BadInput naming the file.
+Surface readSurface(const std::filesystem::path& path, const ScanSurface& wanted);
+
+/// Reads the frames of a sequence, each as readSurface() does.
+/// @throws Failure BadInput naming the file.
+Sequence readSequence(const std::vector<std::filesystem::path>& inputs, const ScanSurface& wanted);
+
+} // namespace medial::app

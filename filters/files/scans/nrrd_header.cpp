@@ -1,0 +1,206 @@
+#include "files/scans/scan_header.h"
+
+#include "files/file_content.h"
+#include "files/scans/header_text.h"
+
+#include <vtkType.h>
+
+#include <map>
+#include <utility>
+
+// http://teem.sourceforge.net/nrrd/format.html
+namespace medial::files
+{
+namespace
+{
+
+int typeOf(const std::string& name)
+{
+  static const std::map<std::string, int> kTypes = { { "signed char", VTK_SIGNED_CHAR },
+    { "int8", VTK_SIGNED_CHAR }, { "int8_t", VTK_SIGNED_CHAR }, { "uchar", VTK_UNSIGNED_CHAR },
+    { "unsigned char", VTK_UNSIGNED_CHAR }, { "uint8", VTK_UNSIGNED_CHAR },
+    { "uint8_t", VTK_UNSIGNED_CHAR }, { "short", VTK_SHORT }, { "short int", VTK_SHORT },
+    { "signed short", VTK_SHORT }, { "signed short int", VTK_SHORT }, { "int16", VTK_SHORT },
+    { "int16_t", VTK_SHORT }, { "ushort", VTK_UNSIGNED_SHORT },
+    { "unsigned short", VTK_UNSIGNED_SHORT }, { "unsigned short int", VTK_UNSIGNED_SHORT },
+    { "uint16", VTK_UNSIGNED_SHORT }, { "uint16_t", VTK_UNSIGNED_SHORT }, { "int", VTK_INT },
+    { "signed int", VTK_INT }, { "int32", VTK_INT }, { "int32_t", VTK_INT },
+    { "uint", VTK_UNSIGNED_INT }, { "unsigned int", VTK_UNSIGNED_INT },
+    { "uint32", VTK_UNSIGNED_INT }, { "uint32_t", VTK_UNSIGNED_INT },
+    { "longlong", VTK_TYPE_INT64 }, { "long long", VTK_TYPE_INT64 },
+    { "long long int", VTK_TYPE_INT64 }, { "signed long long", VTK_TYPE_INT64 },
+    { "signed long long int", VTK_TYPE_INT64 }, { "int64", VTK_TYPE_INT64 },
+    { "int64_t", VTK_TYPE_INT64 }, { "ulonglong", VTK_TYPE_UINT64 },
+    { "unsigned long long", VTK_TYPE_UINT64 }, { "unsigned long long int", VTK_TYPE_UINT64 },
+    { "uint64", VTK_TYPE_UINT64 }, { "uint64_t", VTK_TYPE_UINT64 }, { "float", VTK_FLOAT },
+    { "double", VTK_DOUBLE } };
+  const auto found = kTypes.find(name);
+  if (found == kTypes.end())
+  {
+    refuseContent("its type is '" + name + "', which is not a type of numbers");
+  }
+  return found->second;
+}
+
+ScanEncoding encodingOf(const std::string& name)
+{
+  if (name == "raw")
+  {
+    return ScanEncoding::Raw;
+  }
+  if (name == "gzip" || name == "gz")
+  {
+    return ScanEncoding::Deflated;
+  }
+  if (name == "txt" || name == "text" || name == "ascii")
+  {
+    return ScanEncoding::Text;
+  }
+  refuseContent("its encoding is '" + name + "', allowed: raw, gzip, ascii");
+}
+
+// The steps along each axis that is one of space; empty where the axis is none.
+using Steps = std::vector<std::vector<double>>;
+
+Steps directionsOf(const HeaderFields& fields, std::size_t axes)
+{
+  Steps steps;
+  if (fields.count("space directions") > 0)
+  {
+    std::vector<double> vector;
+    for (const std::string& word : wordsOf(fields.at("space directions")))
+    {
+      if (word == "none")
+      {
+        steps.emplace_back();
+        continue;
+      }
+      vector.push_back(numbersOf({ { "space directions", word } }, "space directions").front());
+      if (vector.size() == 3)
+      {
+        steps.push_back(std::exchange(vector, {}));
+      }
+    }
+    if (!vector.empty())
+    {
+      refuseContent("'space directions' has a vector that has not three numbers");
+    }
+  }
+  else
+  {
+    std::vector<double> spacings(axes, 1.0);
+    const std::vector<std::string> words = wordsOf(fieldOf(fields, "spacings"));
+    for (std::size_t axis = 0; axis < words.size() && axis < axes; ++axis)
+    {
+      if (lowerCase(words[axis]) != "nan")
+      {
+        spacings[axis] = numbersOf({ { "spacings", words[axis] } }, "spacings").front();
+      }
+    }
+    for (std::size_t axis = 0; axis < axes; ++axis)
+    {
+      std::vector<double> step(3, 0.0);
+      step[axis % 3] = spacings[axis];
+      steps.push_back(std::move(step));
+    }
+  }
+  return steps;
+}
+
+HeaderFields readFields(HeaderLines& lines)
+{
+  HeaderFields fields;
+  for (std::string_view line = lines.next(); !line.empty(); line = lines.next())
+  {
+    const std::size_t colon = line.find(':');
+    if (line.front() == '#' || colon == std::string_view::npos ||
+      line.substr(colon, 2) == ":=") // a comment, or a key of the user's
+    {
+      continue;
+    }
+    fields[lowerCase(line.substr(0, colon))] = trimmed(line.substr(colon + 1));
+  }
+  return fields;
+}
+
+// Sets sizes and the frame, of three axes.
+void setSpace(const HeaderFields& fields, ScanHeader& header)
+{
+  const std::vector<std::int64_t> sizes = countsOf(fields, "sizes");
+  if (std::to_string(sizes.size()) != fieldOf(fields, "dimension"))
+  {
+    refuseContent("'dimension' is '" + fieldOf(fields, "dimension") + "', but there are " +
+      std::to_string(sizes.size()) + " sizes");
+  }
+  const Steps steps = directionsOf(fields, sizes.size());
+  if (steps.size() != sizes.size())
+  {
+    refuseContent("'space directions' has " + std::to_string(steps.size()) + " vectors for " +
+      std::to_string(sizes.size()) + " axes");
+  }
+  std::array<std::array<double, 3>, 3> frame{};
+  std::size_t used = 0;
+  // An axis that is none of space, or a fourth one, may have one value only.
+  for (std::size_t axis = 0; axis < sizes.size(); ++axis)
+  {
+    if (steps[axis].empty() || used == 3)
+    {
+      if (sizes[axis] != 1)
+      {
+        refuseContent("has " + std::to_string(sizes[axis]) + " values a voxel or moments (axis " +
+          std::to_string(axis) + "); one is needed");
+      }
+      continue;
+    }
+    header.dimensions[used] = sizes[axis];
+    frame[used++] = { steps[axis][0], steps[axis][1], steps[axis][2] };
+  }
+  if (used != 3)
+  {
+    refuseContent("has " + std::to_string(used) + " axes of space; three are needed");
+  }
+  const std::vector<double> origin = numbersOf(fields, "space origin");
+  if (!origin.empty() && origin.size() != 3)
+  {
+    refuseContent("'space origin' has " + std::to_string(origin.size()) + " numbers, not three");
+  }
+  header.frame =
+    makeFrame(origin.empty() ? std::array<double, 3>{}
+                             : std::array<double, 3>{ origin[0], origin[1], origin[2] },
+      frame);
+}
+
+} // namespace
+
+ScanHeader parseNrrdHeader(std::string_view content)
+{
+  HeaderLines lines(content);
+  if (content.substr(0, 7) != "NRRD000")
+  {
+    refuseContent("is not an NRRD file: it does not start with NRRD000");
+  }
+  lines.next();
+  const HeaderFields fields = readFields(lines);
+  ScanHeader header;
+  setSpace(fields, header);
+  header.scalarType = typeOf(lowerCase(fieldOf(fields, "type")));
+  header.encoding = encodingOf(lowerCase(fieldOf(fields, "encoding", "raw")));
+  header.bigEndian = lowerCase(fieldOf(fields, "endian")) == "big";
+  header.file = fieldOf(fields, "data file", fieldOf(fields, "datafile"));
+  for (const char* skip : { "line skip", "lineskip", "byte skip", "byteskip" })
+  {
+    const std::string bytes = fieldOf(fields, skip, "0");
+    if (bytes == "-1" && std::string_view(skip).substr(0, 4) == "byte")
+    {
+      header.atEnd = true;
+    }
+    else if (bytes != "0")
+    {
+      refuseContent("'" + std::string(skip) + ": " + bytes + "' is not supported");
+    }
+  }
+  header.offset = header.file.empty() ? lines.position() : 0;
+  return header;
+}
+
+} // namespace medial::files

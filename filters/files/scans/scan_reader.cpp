@@ -1,0 +1,209 @@
+#include "files/scans/scan_reader.h"
+
+#include "files/byte_order.h"
+#include "files/file_content.h"
+#include "files/scans/header_text.h"
+#include "files/scans/inflate.h"
+#include "files/scans/vti_reader.h"
+
+#include <vtkByteSwap.h>
+#include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstring>
+#include <string>
+#include <string_view>
+
+namespace fs = std::filesystem;
+
+namespace medial::files
+{
+namespace
+{
+
+vtkSmartPointer<vtkDataArray> makeArray(const ScanHeader& header)
+{
+  auto array =
+    vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(header.scalarType));
+  array->SetNumberOfTuples(static_cast<vtkIdType>(header.voxels()));
+  return array;
+}
+
+std::size_t bytesOf(const ScanHeader& header)
+{
+  return header.voxels() *
+    static_cast<std::size_t>(vtkDataArray::GetDataTypeSize(header.scalarType));
+}
+
+void requireBytes(std::string_view values, std::size_t needed)
+{
+  if (values.size() < needed)
+  {
+    refuseContent("ends early: its header promises " + std::to_string(needed) + " bytes, and " +
+      std::to_string(values.size()) + " are there");
+  }
+}
+
+vtkSmartPointer<vtkDataArray> fromBytes(const ScanHeader& header, std::string_view bytes)
+{
+  vtkSmartPointer<vtkDataArray> array = makeArray(header);
+  std::memcpy(array->GetVoidPointer(0), bytes.data(), bytesOf(header));
+  if (header.bigEndian != kIsBigEndian)
+  {
+    vtkByteSwap::SwapVoidRange(array->GetVoidPointer(0), header.voxels(),
+      static_cast<std::size_t>(array->GetDataTypeSize()));
+  }
+  return array;
+}
+
+vtkSmartPointer<vtkDataArray> fromText(const ScanHeader& header, std::string_view text)
+{
+  requireBytes(text, 2 * header.voxels() - 1); // a digit and a blank each
+  vtkSmartPointer<vtkDataArray> array = makeArray(header);
+  const char* position = text.data();
+  const char* const end = text.data() + text.size();
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    while (
+      position != end && std::string_view(" \t\r\n,").find(*position) != std::string_view::npos)
+    {
+      ++position;
+    }
+    double value = 0.0;
+    const auto [after, error] = std::from_chars(position, end, value);
+    if (error != std::errc())
+    {
+      refuseContent("value " + std::to_string(i) + " is missing, or no number");
+    }
+    array->SetComponent(i, 0, value);
+    position = after;
+  }
+  return array;
+}
+
+vtkSmartPointer<vtkDataArray> readValues(const ScanHeader& header, std::string_view content)
+{
+  const std::size_t needed = bytesOf(header);
+  std::size_t start = header.offset;
+  if (header.atEnd && header.encoding == ScanEncoding::Raw)
+  {
+    requireBytes(content, needed);
+    start = content.size() - needed;
+  }
+  if (start > content.size())
+  {
+    refuseContent("ends before its values");
+  }
+  const std::string_view values = content.substr(start);
+  switch (header.encoding)
+  {
+    case ScanEncoding::Deflated:
+      return fromBytes(header, inflateBytes(values, needed));
+    case ScanEncoding::Text:
+      return fromText(header, values);
+    case ScanEncoding::Raw:
+      break;
+  }
+  requireBytes(values, needed);
+  return fromBytes(header, values);
+}
+
+// Scaled, if a header asks for it.
+vtkSmartPointer<vtkDataArray> scaled(const ScanHeader& header, vtkSmartPointer<vtkDataArray> stored)
+{
+  if (header.slope == 1.0 && header.intercept == 0.0)
+  {
+    return stored;
+  }
+  auto values = vtkSmartPointer<vtkDoubleArray>::New();
+  values->SetNumberOfValues(stored->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < stored->GetNumberOfTuples(); ++i)
+  {
+    values->SetValue(i, header.slope * stored->GetComponent(i, 0) + header.intercept);
+  }
+  return values;
+}
+
+Scan makeScan(const ScanHeader& header, std::string_view content)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(static_cast<int>(header.dimensions[0]),
+    static_cast<int>(header.dimensions[1]), static_cast<int>(header.dimensions[2]));
+  image->GetPointData()->SetScalars(scaled(header, readValues(header, content)));
+  return { image, header.frame };
+}
+
+Scan parseNifti(const std::string& content, bool compressed)
+{
+  if (!compressed)
+  {
+    return makeScan(parseNiftiHeader(content), content);
+  }
+  const ScanHeader header = parseNiftiHeader(inflateBytes(content, kNiftiHeaderSize));
+  return makeScan(header, inflateBytes(content, header.offset + bytesOf(header)));
+}
+
+// A header whose values may be in another file, in its folder or below.
+Scan parseWithFile(const fs::path& path, const std::string& content,
+  ScanHeader (*parse)(std::string_view))
+{
+  const ScanHeader header = parse(content);
+  if (header.file.empty())
+  {
+    return makeScan(header, content);
+  }
+  const fs::path name = header.file;
+  const bool leavesFolder =
+    name.is_absolute() || std::find(name.begin(), name.end(), "..") != name.end();
+  std::error_code error;
+  const fs::path file = path.parent_path() / name;
+  if (leavesFolder || !fs::is_regular_file(file, error))
+  {
+    refuseContent("its values are in '" + header.file +
+      (leavesFolder ? "', which is outside its folder" : "', which is not a file"));
+  }
+  return makeScan(header, readContent(file));
+}
+
+} // namespace
+
+bool isScanFile(const fs::path& path)
+{
+  const std::string extension = extensionOf(path);
+  return extension == ".nrrd" || extension == ".mha" || extension == ".mhd" ||
+    extension == ".nii" || extension == ".nii.gz" || extension == ".vti";
+}
+
+Scan readScan(const fs::path& path)
+{
+  const std::string extension = extensionOf(path);
+  const std::string content = readContent(path);
+  return withName(path,
+    [&]
+    {
+      if (extension == ".vti")
+      {
+        return parseVti(content);
+      }
+      if (extension == ".nrrd")
+      {
+        return parseWithFile(path, content, parseNrrdHeader);
+      }
+      if (extension == ".nii" || extension == ".nii.gz")
+      {
+        return parseNifti(content, extension == ".nii.gz");
+      }
+      if (extension == ".mha" || extension == ".mhd")
+      {
+        return parseWithFile(path, content, parseMetaImageHeader);
+      }
+      refuseContent(
+        "unknown extension '" + extension + "', allowed: .nrrd .mha .mhd .nii .nii.gz .vti");
+    });
+}
+
+} // namespace medial::files

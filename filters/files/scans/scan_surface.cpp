@@ -1,0 +1,315 @@
+#include "files/scans/scan_surface.h"
+
+#include "files/file_content.h"
+
+#include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkFlyingEdges3D.h>
+#include <vtkImageConstantPad.h>
+#include <vtkImageThreshold.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkReverseSense.h>
+#include <vtkSMPTools.h>
+#include <vtkWindowedSincPolyDataFilter.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <locale>
+#include <set>
+#include <sstream>
+#include <string>
+
+namespace fs = std::filesystem;
+
+namespace medial::files
+{
+namespace
+{
+
+std::array<double, 2> rangeOf(vtkImageData* image)
+{
+  std::array<double, 2> range{};
+  image->GetPointData()->GetScalars()->GetFiniteRange(range.data(), 0);
+  return range;
+}
+
+// With at most six significant digits.
+std::string roundedText(double number)
+{
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << number;
+  return text.str();
+}
+
+// The values that occur, as many as a message has room for.
+std::string labelsOf(vtkImageData* image)
+{
+  constexpr std::size_t kMost = 20;
+  vtkDataArray* values = image->GetPointData()->GetScalars();
+  std::set<double> labels;
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples() && labels.size() <= kMost; ++i)
+  {
+    const double value = values->GetComponent(i, 0);
+    if (!std::isnan(value)) // which would have no place in the order
+    {
+      labels.insert(value);
+    }
+  }
+  std::string list;
+  std::size_t listed = 0;
+  for (const double label : labels)
+  {
+    if (++listed > kMost)
+    {
+      return list + " and others";
+    }
+    list += (list.empty() ? "" : ", ") + roundedText(label);
+  }
+  return list.empty() ? "none" : list;
+}
+
+// Whether voxels of an image can have a label. vtkImageThreshold takes the nearest one that they
+// can have instead.
+bool canHave(vtkImageData* image, long long label)
+{
+  const auto value = static_cast<double>(label);
+  return image->GetScalarTypeMin() <= value && value <= image->GetScalarTypeMax();
+}
+
+// Counts voxels that have values.
+struct Count
+{
+  vtkIdType below = 0; // a threshold
+  vtkIdType all = 0;
+
+  void add(double value, double threshold)
+  {
+    all += std::isnan(value) ? 0 : 1;
+    below += value < threshold ? 1 : 0;
+  }
+};
+
+Count countOnBorder(vtkImageData* image, double threshold)
+{
+  vtkDataArray* values = image->GetPointData()->GetScalars();
+  const int* size = image->GetDimensions();
+  Count count;
+  vtkIdType i = 0;
+  for (int z = 0; z < size[2]; ++z)
+  {
+    for (int y = 0; y < size[1]; ++y)
+    {
+      const bool row = z == 0 || z == size[2] - 1 || y == 0 || y == size[1] - 1;
+      for (int x = 0; x < size[0]; ++x, ++i)
+      {
+        if (row || x == 0 || x == size[0] - 1)
+        {
+          count.add(values->GetComponent(i, 0), threshold);
+        }
+      }
+    }
+  }
+  return count;
+}
+
+// Of an image without values on its border: voxels next to some without.
+Count countBesideNan(vtkImageData* image, double threshold)
+{
+  vtkDataArray* values = image->GetPointData()->GetScalars();
+  const int* size = image->GetDimensions();
+  const std::array<vtkIdType, 3> steps{ 1, size[0], static_cast<vtkIdType>(size[0]) * size[1] };
+  Count count;
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+  {
+    const double value = values->GetComponent(i, 0);
+    if (!std::isnan(value) && // so it has neighbours on all sides
+      std::any_of(steps.begin(), steps.end(),
+        [&](vtkIdType step)
+        {
+          return std::isnan(values->GetComponent(i - step, 0)) ||
+            std::isnan(values->GetComponent(i + step, 0));
+        }))
+    {
+      count.add(value, threshold);
+    }
+  }
+  return count;
+}
+
+// Whether most of what is around the solid has values below a threshold.
+bool isOutsideBelow(vtkImageData* image, double threshold)
+{
+  Count count = countOnBorder(image, threshold);
+  if (count.all == 0)
+  {
+    count = countBesideNan(image, threshold);
+  }
+  return 2 * count.below >= count.all;
+}
+
+// Values that are no numbers are outside.
+void replaceNan(vtkImageData* image, double outside)
+{
+  vtkDataArray* values = image->GetPointData()->GetScalars();
+  if (values->GetDataType() != VTK_FLOAT && values->GetDataType() != VTK_DOUBLE)
+  {
+    return;
+  }
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+  {
+    if (std::isnan(values->GetComponent(i, 0)))
+    {
+      values->SetComponent(i, 0, outside);
+    }
+  }
+}
+
+// Flying edges of an image with a layer of outside around it.
+vtkSmartPointer<vtkPolyData> contour(vtkImageData* image, double value, double outside)
+{
+  const int* size = image->GetDimensions();
+  vtkNew<vtkImageConstantPad> padded;
+  padded->SetInputData(image);
+  padded->SetConstant(outside);
+  padded->SetOutputWholeExtent(-1, size[0], -1, size[1], -1, size[2]);
+  vtkNew<vtkFlyingEdges3D> edges;
+  edges->SetInputConnection(padded->GetOutputPort());
+  edges->SetValue(0, value);
+  edges->ComputeNormalsOff();
+  edges->ComputeGradientsOff();
+  edges->ComputeScalarsOff();
+  edges->Update();
+  return edges->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> contourOfLabel(vtkImageData* image, long long label)
+{
+  vtkNew<vtkImageThreshold> mask;
+  mask->SetInputData(image);
+  mask->ThresholdBetween(static_cast<double>(label), static_cast<double>(label));
+  mask->SetInValue(1.0);
+  mask->SetOutValue(0.0);
+  mask->SetOutputScalarTypeToUnsignedChar();
+  mask->Update();
+  return contour(mask->GetOutput(), 0.5, 0.0);
+}
+
+vtkSmartPointer<vtkPolyData> smoothed(vtkPolyData* surface, int iterations)
+{
+  constexpr double kPassBand = 0.1;
+  vtkNew<vtkWindowedSincPolyDataFilter> filter;
+  filter->SetInputData(surface);
+  filter->SetNumberOfIterations(iterations);
+  filter->SetPassBand(kPassBand);
+  filter->BoundarySmoothingOff();
+  filter->FeatureEdgeSmoothingOff();
+  filter->NonManifoldSmoothingOn();
+  filter->NormalizeCoordinatesOn();
+  filter->Update();
+  return filter->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> insideOut(vtkPolyData* surface)
+{
+  vtkNew<vtkReverseSense> turned;
+  turned->SetInputData(surface);
+  turned->Update();
+  return turned->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> inPhysicalSpace(vtkPolyData* surface, const ScanFrame& frame)
+{
+  vtkPoints* voxels = surface->GetPoints();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(voxels->GetNumberOfPoints());
+  vtkSMPTools::For(0, voxels->GetNumberOfPoints(),
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType i = first; i < last; ++i)
+      {
+        double voxel[3];
+        double point[3];
+        voxels->GetPoint(i, voxel);
+        for (std::size_t row = 0; row < 3; ++row)
+        {
+          point[row] = frame[row][0] * voxel[0] + frame[row][1] * voxel[1] +
+            frame[row][2] * voxel[2] + frame[row][3];
+        }
+        points->SetPoint(i, point);
+      }
+    });
+  auto moved = vtkSmartPointer<vtkPolyData>::New();
+  moved->SetPoints(points);
+  moved->SetPolys(surface->GetPolys());
+  return voxelVolume(frame) > 0.0 ? moved : insideOut(moved);
+}
+
+[[noreturn]] void refuse(const std::string& why)
+{
+  throw Error(ErrorCode::InvalidInput, why);
+}
+
+vtkSmartPointer<vtkPolyData> surfaceOfLabel(vtkImageData* image, long long label)
+{
+  vtkSmartPointer<vtkPolyData> surface;
+  if (canHave(image, label))
+  {
+    surface = contourOfLabel(image, label);
+  }
+  if (surface == nullptr || surface->GetNumberOfPolys() == 0)
+  {
+    refuse("has no voxel with the label " + std::to_string(label) +
+      "; those that occur: " + labelsOf(image));
+  }
+  return surface;
+}
+
+vtkSmartPointer<vtkPolyData> surfaceOfValue(vtkImageData* image, double value)
+{
+  const std::string missing = "has no surface at the isovalue " + roundedText(value);
+  const auto [low, high] = rangeOf(image);
+  if (!(low < value && value <= high))
+  {
+    refuse(missing + ": its values are in [" + roundedText(low) + ", " + roundedText(high) + "]");
+  }
+  const bool isBright = isOutsideBelow(image, value);
+  const double outside = isBright ? low : high;
+  replaceNan(image, outside);
+  const vtkSmartPointer<vtkPolyData> surface = contour(image, value, outside);
+  if (surface->GetNumberOfPolys() == 0)
+  {
+    refuse(missing);
+  }
+  return isBright ? surface : insideOut(surface); // its normals lead to lower values
+}
+
+} // namespace
+
+int ScanSurface::iterations() const
+{
+  return smoothing.value_or(label ? kOfLabels : kOfGreyValues);
+}
+
+vtkSmartPointer<vtkPolyData> extractSurface(const Scan& scan, const ScanSurface& wanted,
+  const fs::path& path)
+{
+  return withName(path,
+    [&]
+    {
+      vtkSmartPointer<vtkPolyData> surface = wanted.label
+        ? surfaceOfLabel(scan.image, *wanted.label)
+        : surfaceOfValue(scan.image, wanted.isovalue.value());
+      if (wanted.iterations() > 0)
+      {
+        surface = smoothed(surface, wanted.iterations());
+      }
+      return inPhysicalSpace(surface, scan.frame);
+    });
+}
+
+} // namespace medial::files
