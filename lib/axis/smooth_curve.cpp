@@ -129,35 +129,39 @@ Curve resampled(const Curve& curve, double step)
   return result;
 }
 
-std::vector<CurvePoint> smoothed(const Curve& curve, const std::vector<int>& reaches)
+CurvePoint smoothedAt(const Curve& curve, std::size_t point, int reach)
 {
   const int count = static_cast<int>(curve.points.size());
-  std::vector<CurvePoint> result(curve.points.size());
-  for (int i = 0; i < count; ++i)
+  const int i = static_cast<int>(point);
+  int low = -reach;
+  int high = reach;
+  if (curve.closed)
   {
-    int reach = reaches[i];
-    int low = -reach;
-    int high = reach;
-    if (curve.closed)
-    {
-      reach = std::min(reach, (count - 1) / 2);
-      low = -reach;
-      high = reach;
-    }
-    else
-    {
-      low = std::max(low, -i);
-      high = std::min(high, count - 1 - i);
-    }
-    if (high - low < 3)
-    {
-      const glm::dvec3 before = curve.points[(i + count + low) % count];
-      const glm::dvec3 after = curve.points[(i + high) % count];
-      result[i] = { curve.points[i], unit(after - before) };
-      continue;
-    }
-    result[i] =
-      fitParabola(low, high, reach, [&](int k) { return curve.points[(i + k + count) % count]; });
+    reach = std::min(reach, (count - 1) / 2);
+    low = -reach;
+    high = reach;
+  }
+  else
+  {
+    low = std::max(low, -i);
+    high = std::min(high, count - 1 - i);
+  }
+  if (high - low < 3)
+  {
+    const glm::dvec3 before = curve.points[(i + count + low) % count];
+    const glm::dvec3 after = curve.points[(i + high) % count];
+    return { curve.points[i], unit(after - before) };
+  }
+  return fitParabola(low, high, reach,
+    [&](int k) { return curve.points[(i + k + count) % count]; });
+}
+
+std::vector<CurvePoint> smoothed(const Curve& curve, const std::vector<int>& reaches)
+{
+  std::vector<CurvePoint> result;
+  for (std::size_t i = 0; i < curve.points.size(); ++i)
+  {
+    result.push_back(smoothedAt(curve, i, reaches[i]));
   }
   return result;
 }

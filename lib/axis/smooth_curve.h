@@ -39,10 +39,13 @@ struct CurvePoint
   glm::dvec3 tangent; ///< unit vector
 };
 
-/// Fits a parabola to the points around each point of a curve, which must be at equal distances;
-/// near ones count more. So arcs stay as they are, and ends where they are.
-/// @param reaches per point: how many to take on either side.
+///@{
+/// Fits a parabola to the points around a point of a curve, which must be at equal distances; near
+/// ones count more. So arcs stay as they are, and ends where they are.
+/// @param reach how many points to take on either side.
+CurvePoint smoothedAt(const Curve& curve, std::size_t point, int reach);
 std::vector<CurvePoint> smoothed(const Curve& curve, const std::vector<int>& reaches);
+///@}
 
 /// Returns unit tangents by central differences.
 std::vector<glm::dvec3> tangentsOf(const Curve& curve);

@@ -22,6 +22,8 @@ constexpr double kMinReach = 6.0;
 constexpr double kReachOfRadius = 0.75;
 constexpr double kReachOfWidth = 0.5;
 constexpr int kMaxReach = 100;
+/// Of so many points of a curve one has its radius looked up.
+constexpr std::size_t kRadiiApart = 4;
 /// How near to the widest place of a cross-section a point is moved, in steps, before the last pass
 /// and in it.
 constexpr double kCoarse = 0.1;
@@ -38,14 +40,22 @@ public:
   {
   }
 
-  /// Makes a curve of points at equal distances smooth.
+  /// Makes a curve of points at equal distances smooth, as far as every point stays well within its
+  /// ball: where a wide sheet bends, as in the corner of a shell, a parabola would leave the solid.
   void smoothOnce(Curve& curve) const
   {
-    const std::vector<CurvePoint> fitted = smoothed(curve, this->reaches(curve));
-    for (std::size_t i = 0; i < fitted.size(); ++i)
-    {
-      curve.points[i] = fitted[i].position;
-    }
+    const std::vector<double> radii = this->roughRadii(curve);
+    const std::vector<int> reaches = this->reaches(curve, radii);
+    std::vector<glm::dvec3> places(curve.points.size());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, places.size()),
+      [&](const tbb::blocked_range<std::size_t>& range)
+      {
+        for (std::size_t i = range.begin(); i < range.end(); ++i)
+        {
+          places[i] = this->smoothPlace(curve, i, reaches[i], radii[i]);
+        }
+      });
+    curve.points = std::move(places);
   }
 
   /// Replaces detours that a curve makes within a ball of the solid by a straight line. A thinned
@@ -123,11 +133,31 @@ public:
   }
 
 private:
+  /// @param roughRadius of the point, as roughRadii() has it.
+  glm::dvec3 smoothPlace(const Curve& curve, std::size_t i, int reach, double roughRadius) const
+  {
+    constexpr double kMaxMove = 0.25; // of the radius
+    glm::dvec3 place = smoothedAt(curve, i, reach).position;
+    const double surelyRadius = roughRadius - static_cast<double>(kRadiiApart) * step_;
+    if (glm::distance(place, curve.points[i]) <= kMaxMove * surelyRadius)
+    {
+      return place;
+    }
+    const double farthest = kMaxMove * probe_.radius(curve.points[i]);
+    while (glm::distance(place, curve.points[i]) > farthest && reach > 0)
+    {
+      reach /= 2;
+      place = smoothedAt(curve, i, reach).position;
+    }
+    return place;
+  }
+
   /// @param place returns where to move a point, from a search, the point and the tangent.
   template <typename Place>
   void centre(Curve& curve, const Place& place) const
   {
-    const std::vector<CurvePoint> fitted = smoothed(curve, this->reaches(curve));
+    const std::vector<CurvePoint> fitted =
+      smoothed(curve, this->reaches(curve, this->roughRadii(curve)));
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, fitted.size()),
       [&](const tbb::blocked_range<std::size_t>& range)
       {
@@ -148,10 +178,10 @@ private:
     std::rotate(curve.widths.begin(), curve.widths.begin() + widest, curve.widths.end());
   }
 
-  std::vector<int> reaches(const Curve& curve) const
+  std::vector<int> reaches(const Curve& curve, const std::vector<double>& radii) const
   {
     std::vector<int> result;
-    for (const double radius : this->roughRadii(curve))
+    for (const double radius : radii)
     {
       const double width = curve.widths.empty() ? 0.0 : curve.widths[result.size()];
       const double reach = std::max(kReachOfRadius * radius, kReachOfWidth * width) / step_;
@@ -164,10 +194,9 @@ private:
   /// Returns the radii at some points of a curve, and means of these in between.
   std::vector<double> roughRadii(const Curve& curve) const
   {
-    constexpr std::size_t kApart = 4;
     const std::size_t last = curve.points.size() - 1;
     std::vector<glm::dvec3> some;
-    for (std::size_t i = 0; i < last; i += kApart)
+    for (std::size_t i = 0; i < last; i += kRadiiApart)
     {
       some.push_back(curve.points[i]);
     }
@@ -176,10 +205,10 @@ private:
     std::vector<double> radii;
     for (std::size_t i = 0; i < last; ++i)
     {
-      const std::size_t before = i / kApart;
-      const std::size_t length = std::min(kApart, last - before * kApart);
+      const std::size_t before = i / kRadiiApart;
+      const std::size_t length = std::min(kRadiiApart, last - before * kRadiiApart);
       radii.push_back(glm::mix(known[before], known[before + 1],
-        static_cast<double>(i % kApart) / static_cast<double>(length)));
+        static_cast<double>(i % kRadiiApart) / static_cast<double>(length)));
     }
     radii.push_back(known.back());
     return radii;

@@ -63,6 +63,30 @@ TEST(Skeleton, HasTheComponentsAndLoopsOfTheAxis)
   }
 }
 
+// The sheets of such walls are wide and bend sharply.
+TEST(Skeleton, StaysWithinThinWalls)
+{
+  const std::string lid(20, '#');
+  std::vector<std::string> rows(20, "#" + std::string(18, '.') + "#");
+  rows.front() = lid;
+  rows.back() = lid;
+  const TriangleMesh duct = blocks(rows, 7.5);
+  for (const TriangleMesh& mesh : { duct, askew(duct) })
+  {
+    for (const int resolution : { 100, 128 })
+    {
+      const Skeleton skeleton = skeletonOf(mesh, resolution);
+      EXPECT_EQ(topologyOf(skeleton).genus, 1);
+      ASSERT_GT(skeleton.points.size(), 50U);
+      for (std::size_t p = 0; p < skeleton.points.size(); ++p)
+      {
+        EXPECT_GT(windingNumber(mesh, skeleton.points[p]), 0.5);
+        EXPECT_GT(skeleton.radius[p], 0.25); // half of the walls' thickness is 0.5
+      }
+    }
+  }
+}
+
 TEST(Skeleton, ArraysFitTogether)
 {
   const TriangleMesh mesh = askew(unionOf(wheel(3, 1.5, 0.2), 0.1));
