@@ -13,6 +13,11 @@ constexpr int kChord = 6;
 /// The mean depth of the four voxels around a curve is smaller than the radius by this: their mean
 /// distance from the curve.
 constexpr float kMeanOffset = 0.75f;
+/// A curve that meets a sheet sooner than the angle can be measured stays if it is so long, in
+/// local units, and its radius grows by no more than this part of what the angle allows. It may be
+/// the way to the end of a tube, beside faces that the fire has not taken.
+constexpr float kMinStub = 1.0f;
+constexpr float kBlunt = 0.5f;
 
 } // namespace
 
@@ -72,12 +77,13 @@ bool CurveChains::largeEnough(float depth, float slope) const
   return radius >= minRadius_ && radius * std::sqrt(1.0f - cosine * cosine) >= minLambda_;
 }
 
-bool CurveChains::lasting(int chain, const glm::vec3& position, float depth,
+bool CurveChains::lasting(int chain, const glm::vec3& position, float depth, bool goesOn,
   std::vector<Pair>& restored) const
 {
   const float length = this->length(chain, position);
+  const float minLength = goesOn ? minLength_ : std::min(kMinStub, minLength_);
   int far = chain;
-  while (far != kNone && length - links_[far].length < minLength_)
+  while (far != kNone && length - links_[far].length < minLength)
   {
     far = links_[far].previous;
   }
@@ -87,8 +93,10 @@ bool CurveChains::lasting(int chain, const glm::vec3& position, float depth,
   }
   const int start = links_[far].best;
   const float startDepth = links_[start].potential + slope_ * links_[start].length;
-  const float slope = (depth - startDepth) / (length - links_[start].length);
-  if (this->potential(depth, length) > links_[start].potential || !this->largeEnough(depth, slope))
+  const float along = length - links_[start].length;
+  const float slope = (depth - startDepth) / along;
+  const float steepest = along < minLength_ ? kBlunt * slope_ : slope_;
+  if (slope > steepest || !this->largeEnough(depth, slope))
   {
     return false;
   }

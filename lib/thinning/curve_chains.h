@@ -52,9 +52,11 @@ public:
 
   /// Whether to keep the curve that ends with this edge: it must be long enough, and its radius
   /// must grow slowly enough.
+  /// @param goesOn whether the fire can follow the curve beyond this edge. If not, a shorter curve
+  ///   is enough.
   /// @param restored receives the removed pairs to put back, in this order; empty if there are
   ///   none.
-  bool lasting(int chain, const glm::vec3& position, float depth,
+  bool lasting(int chain, const glm::vec3& position, float depth, bool goesOn,
     std::vector<Pair>& restored) const;
 
 private:

@@ -181,12 +181,12 @@ void Thinning::burnEdge(CubeCell edge, int chain)
   }
   const glm::vec3 position = this->edgePosition(edge);
   const float depth = this->depthAround(edge);
+  const CubeCellSteps& ends = complex_.faces(CubicalComplex::kind(edge));
+  const CubeCell other = (edge + ends.steps[0]) + (edge + ends.steps[1]) - vertex;
+  const bool goesOn = complex_.cofaceCount(other) == 2;
   std::vector<CurveChains::Pair> restored;
-  if (!chains_.lasting(chain, position, depth, restored) || !separates_(edge))
+  if (!chains_.lasting(chain, position, depth, goesOn, restored) || !separates_(edge))
   {
-    const CubeCellSteps& ends = complex_.faces(CubicalComplex::kind(edge));
-    const CubeCell other = (edge + ends.steps[0]) + (edge + ends.steps[1]) - vertex;
-    const bool goesOn = complex_.cofaceCount(other) == 2;
     this->collapse(edge, vertex,
       goesOn ? chains_.extend(chain, { edge, vertex }, position, depth) : CurveChains::kNone);
     return;

@@ -9,12 +9,14 @@
 #include "support/medial_truth.h"
 #include "support/point_math.h"
 #include "support/shapes.h"
+#include "support/tubes.h"
 #include "support/voxel_topology.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 using namespace medial;
@@ -244,6 +246,38 @@ TEST(PreservedCurves, RunStraightThroughStraightTubes)
       }
       EXPECT_LE(worst, 0.1 * spacing);
       EXPECT_GE(longest, kHalfLength - 3.0 * spacing);
+      expectTopologyOfSolid(axis);
+    }
+  }
+}
+
+// Of tubes and balls with facets of uneven sizes, single faces beside a curve may stay for sheets.
+TEST(PreservedCurves, ReachTheEndsOfTubesAndBalls)
+{
+  const auto ball = [](double x, double y) { return Tube{ { x, y, 0.0 }, { x, y, 1e-6 }, 1.0 }; };
+  const std::vector<std::vector<Tube>> solids{ { { { -3.0, -1.0, 0.4 }, { 3.0, 1.2, 0.0 }, 0.8 } },
+    { { { -1.796, -0.524, -0.706 }, { 1.796, 0.524, 0.706 }, 0.5 } },
+    { ball(0.0, 0.0), ball(1.7, 0.0), ball(3.4, 0.0), ball(-1.7, 0.0), ball(0.0, 1.7) } };
+  for (const std::vector<Tube>& solid : solids)
+  {
+    const TriangleMesh mesh = unionOf(solid, 0.0713);
+    for (int resolution = 64; resolution <= 120; resolution += 4)
+    {
+      SCOPED_TRACE(resolution);
+      const Grid grid = makeGrid(mesh.bounds(), resolution);
+      const MedialAxis axis = computeMedialAxis(mesh, grid, preserving());
+      for (const Tube& tube : solid)
+      {
+        for (const Point3& end : { tube.from, tube.to })
+        {
+          double nearest = std::numeric_limits<double>::infinity();
+          for (const Point3& p : axis.points)
+          {
+            nearest = std::min(nearest, std::hypot(p[0] - end[0], p[1] - end[1], p[2] - end[2]));
+          }
+          EXPECT_LT(nearest, 1.5 * grid.spacing[0]);
+        }
+      }
       expectTopologyOfSolid(axis);
     }
   }

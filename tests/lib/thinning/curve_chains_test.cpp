@@ -24,7 +24,7 @@ std::pair<int, int> burnCurve(const std::vector<float>& growth)
     depth += growth[step];
     const glm::vec3 position(step, 0.0f, 0.0f);
     std::vector<CurveChains::Pair> restored;
-    if (chains.lasting(chain, position, depth, restored))
+    if (chains.lasting(chain, position, depth, true, restored))
     {
       for (std::size_t i = 0; i < restored.size(); ++i)
       {
@@ -54,6 +54,31 @@ TEST(CurveChains, KeepCurvesAlongWhichTheRadiusGrowsSlowly)
   EXPECT_GE(restored, 4);
   EXPECT_LE(step - restored, 10);
   EXPECT_GE(step - restored, 0);
+}
+
+TEST(CurveChains, KeepShortCurvesThatEndAtASheetIfTheyAreBlunt)
+{
+  for (const float growth : { 0.0f, 0.4f, 0.6f, 0.95f })
+  {
+    CurveChains chains({ glm::radians(60.0) });
+    int chain = CurveChains::kNone;
+    std::vector<CurveChains::Pair> restored;
+    for (int step = 0; step < 2; ++step)
+    {
+      const glm::vec3 position(step, 0.0f, 0.0f);
+      const float depth = 1.0f + growth * static_cast<float>(step);
+      EXPECT_FALSE(chains.lasting(chain, position, depth, true, restored));
+      if (step == 0)
+      {
+        EXPECT_FALSE(chains.lasting(chain, position, depth, false, restored));
+        chain = chains.extend(chain, { 0, 100 }, position, depth);
+      }
+      else
+      {
+        EXPECT_EQ(chains.lasting(chain, position, depth, false, restored), growth < 0.433f);
+      }
+    }
+  }
 }
 
 TEST(CurveChains, ArriveAtUnitSpeed)
