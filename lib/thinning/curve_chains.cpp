@@ -77,6 +77,12 @@ bool CurveChains::largeEnough(float depth, float slope) const
   return radius >= minRadius_ && radius * std::sqrt(1.0f - cosine * cosine) >= minLambda_;
 }
 
+bool CurveChains::descends(int chain, const glm::vec3& position, float depth) const
+{
+  constexpr float kSlope = 0.5f; // from a centre to the surface it is 1
+  return chain != kNone && links_[chain].tipDepth - depth >= kSlope * this->length(chain, position);
+}
+
 bool CurveChains::lasting(int chain, const glm::vec3& position, float depth, bool goesOn,
   std::vector<Pair>& restored) const
 {

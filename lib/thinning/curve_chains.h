@@ -59,6 +59,10 @@ public:
   bool lasting(int chain, const glm::vec3& position, float depth, bool goesOn,
     std::vector<Pair>& restored) const;
 
+  /// Whether the curve has come down from its end to this edge, as from the centre of a ball to
+  /// where it touches another one.
+  bool descends(int chain, const glm::vec3& position, float depth) const;
+
 private:
   struct Link
   {

@@ -7,7 +7,9 @@
 #include "support/model_formats.h"
 #include "support/models.h"
 #include "support/named.h"
+#include "support/point_math.h"
 #include "support/shapes.h"
+#include "support/transforms.h"
 #include "support/voxel_topology.h"
 
 #include <gtest/gtest.h>
@@ -256,6 +258,30 @@ TEST(TopologyPreservation, KeepsSolidsApartThatAreNearerThanAVoxel)
     const TriangleMesh mesh = appended(left, translated(left, offset));
     const MedialAxis axis = preserved(mesh, offCentreGrid(mesh, 0.0531), 60.0);
     expectSame(axis, { 2, 2, 0, 0 });
+  }
+}
+
+TEST(TopologyPreservation, KeepsBallsThatTouchInAPoint)
+{
+  const TriangleMesh ball = icosphere(1.0, 4);
+  const Point3 contact = ball.points.front();
+  const Point3 secondCentre{ 2 * contact[0], 2 * contact[1], 2 * contact[2] };
+  TriangleMesh other = translated(ball, secondCentre);
+  const auto opposite = std::min_element(other.points.begin(), other.points.end(),
+    [&](const Point3& p, const Point3& q) { return distance(p, contact) < distance(q, contact); });
+  *opposite = contact; // to the bit
+  const TriangleMesh both = appended(ball, other);
+  ASSERT_EQ(both.points.size(), 2 * ball.points.size() - 1);
+  for (const int resolution : { 41, 64, 90 })
+  {
+    const Grid grid = makeGrid(both.bounds(), resolution);
+    const MedialAxis axis = preserved(both, grid, 60.0);
+    EXPECT_EQ(topologyOf(axis), *axis.solid);
+    for (const Point3& centre : { Point3{ 0, 0, 0 }, secondCentre })
+    {
+      EXPECT_TRUE(std::any_of(axis.points.begin(), axis.points.end(),
+        [&](const Point3& p) { return distance(p, centre) < 1.5 * grid.spacing[0]; }));
+    }
   }
 }
 
