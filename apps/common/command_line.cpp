@@ -203,31 +203,4 @@ void checkExtension(const char* option, const std::filesystem::path& path,
       "', allowed:" + list);
 }
 
-void checkNotTheInput(const char* option, const std::filesystem::path& path,
-  const std::filesystem::path& input)
-{
-  std::error_code ignored;
-  if (!path.empty() && std::filesystem::equivalent(input, path, ignored))
-  {
-    throw Failure(ExitCode::Usage,
-      std::string(option) + " " + path.string() + " is the input file itself");
-  }
-}
-
-void checkDistinct(const char* option, const std::filesystem::path& path, const char* other,
-  const std::filesystem::path& otherPath)
-{
-  const auto placeOf = [](const std::filesystem::path& file)
-  {
-    std::error_code error; // the current folder may be gone
-    std::filesystem::path place = std::filesystem::weakly_canonical(file, error);
-    return error ? file.lexically_normal() : place;
-  };
-  if (!path.empty() && placeOf(path) == placeOf(otherPath))
-  {
-    throw Failure(ExitCode::Usage,
-      std::string(option) + " and " + other + " name the same file, " + path.string());
-  }
-}
-
 } // namespace medial::app

@@ -35,15 +35,4 @@ void addQuietOption(CLI::App& app, bool& quiet, const std::string& group);
 void checkExtension(const char* option, const std::filesystem::path& path,
   const std::vector<std::string>& allowed);
 
-/// @param path of an output, empty for none.
-/// @throws Failure Usage, naming the option, if it is the input.
-void checkNotTheInput(const char* option, const std::filesystem::path& path,
-  const std::filesystem::path& input);
-
-/// One of two outputs with the same name would replace the other.
-/// @param path of an output, empty for none.
-/// @throws Failure Usage, naming both options, if they name the same file.
-void checkDistinct(const char* option, const std::filesystem::path& path, const char* other,
-  const std::filesystem::path& otherPath);
-
 } // namespace medial::app

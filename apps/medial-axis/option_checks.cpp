@@ -4,7 +4,9 @@
 #include "failure.h"
 #include "input/input_file.h"
 #include "option_names.h"
+#include "output/output_names.h"
 #include "output/standard_output.h"
+#include "ranks/mesh_pieces.h"
 #include "scan_options.h"
 #include "volumes/vdb_file.h"
 #include "web/web_files.h"
@@ -12,6 +14,7 @@
 #include <algorithm>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace medial::app
 {
@@ -97,6 +100,15 @@ void convertThickness(const OptionTexts& texts, Options& options)
   needs("--max-edge", texts.maxEdge, options.wantsThickness(), kAny);
   needs("--thin-regions", texts.thinRegions, options.hasThicknessLimits(),
     "--min-thickness or --max-thickness");
+}
+
+/// The input with all files that are read because of it.
+NamedInput inputOf(const Options& options)
+{
+  NamedInput input{ options.input, filesOfScan(options.input) };
+  const std::vector<std::filesystem::path> pieces = filesOfPieces(options.input);
+  input.files.insert(input.files.end(), pieces.begin(), pieces.end());
+  return input;
 }
 
 } // namespace
@@ -227,26 +239,14 @@ void checkFiles(const Options& options)
   {
     checkExtension("--report", options.report, { ".json" });
   }
-  checkNotTheInput("--output", options.output, options.input);
-  checkNotTheInput("--field", options.field, options.input);
-  checkNotTheInput("--local-thickness", options.localThickness, options.input);
-  checkNotTheInput("--curves", options.curves, options.input);
-  checkNotTheInput("--skeleton", options.skeleton, options.input);
-  checkNotTheInput("--thickness", options.thickness, options.input);
-  checkNotTheInput("--thin-regions", options.thinRegions, options.input);
-  checkDistinct("--field", options.field, "--local-thickness", options.localThickness);
-  checkDistinct("--output", options.output, "--curves", options.curves);
-  checkDistinct("--output", options.output, "--thickness", options.thickness);
-  checkDistinct("--curves", options.curves, "--thickness", options.thickness);
-  checkDistinct("--output", options.output, "--skeleton", options.skeleton);
-  checkDistinct("--curves", options.curves, "--skeleton", options.skeleton);
-  checkDistinct("--skeleton", options.skeleton, "--thickness", options.thickness);
-  checkDistinct("--output", options.output, "--thin-regions", options.thinRegions);
-  checkDistinct("--curves", options.curves, "--thin-regions", options.thinRegions);
-  checkDistinct("--thickness", options.thickness, "--thin-regions", options.thinRegions);
-  checkDistinct("--image", options.image, "--thickness-image", options.thicknessImage);
-  checkDistinct("--histogram", options.histogram, "--image", options.image);
-  checkDistinct("--histogram", options.histogram, "--thickness-image", options.thicknessImage);
+  checkNames({ { "--output", options.output }, { "--curves", options.curves },
+               { "--skeleton", options.skeleton }, { "--skeleton-table", options.skeletonTable },
+               { "--thickness", options.thickness }, { "--thin-regions", options.thinRegions },
+               { "--field", options.field }, { "--local-thickness", options.localThickness },
+               { "--histogram", options.histogram }, { "--image", options.image },
+               { "--thickness-image", options.thicknessImage }, { "--html", options.html },
+               { "--report", options.report } },
+    { inputOf(options) });
   if (!options.html.empty() && webFile("vtk.js").empty())
   {
     throw Failure(ExitCode::Usage,

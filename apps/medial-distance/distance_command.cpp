@@ -2,6 +2,7 @@
 
 #include "command_line.h"
 #include "option_names.h"
+#include "output/output_names.h"
 #include "output/standard_output.h"
 #include "scan_options.h"
 
@@ -64,8 +65,9 @@ void checkOutputs(const DistanceCommand& command)
   {
     checkExtension("--json", command.json, { ".json" });
   }
-  checkNotTheInput("--output", command.output, command.mesh);
-  checkNotTheInput("--output", command.output, command.points);
+  checkNames(
+    { { "--output", command.output }, { "--image", command.image }, { "--json", command.json } },
+    { { command.mesh, filesOfScan(command.mesh) }, { command.points, { command.points } } });
 }
 
 } // namespace

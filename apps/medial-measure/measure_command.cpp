@@ -1,6 +1,7 @@
 #include "measure_command.h"
 
 #include "command_line.h"
+#include "output/output_names.h"
 #include "validators.h"
 
 #include <CLI/CLI.hpp>
@@ -71,6 +72,8 @@ std::optional<MeasureCommand> parseMeasureCommand(int argc, char** argv)
   command.mesh = mesh;
   command.json = json;
   checkExtension("--json", command.json, { ".json" });
+  checkNames({ { "--json", command.json } },
+    { { command.axis, { command.axis } }, { command.mesh, { command.mesh } } });
   return command;
 }
 

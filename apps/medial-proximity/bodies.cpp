@@ -41,22 +41,6 @@ std::vector<fs::path> filesLike(const fs::path& pattern)
   return files;
 }
 
-// The frames of an input.
-std::vector<fs::path> framesOf(const fs::path& input, bool sequence)
-{
-  std::error_code ignored;
-  if (!sequence)
-  {
-    if (fs::is_directory(input, ignored))
-    {
-      refuseFile(input, "is a folder; --sequence takes its meshes as frames");
-    }
-    return { input };
-  }
-  const bool isPattern = input.string().find_first_of("*?[") != std::string::npos;
-  return isPattern && !fs::exists(input, ignored) ? filesLike(input) : filesOf({ input });
-}
-
 void addTransforms(const ProximityCommand& command, int index, Body& body)
 {
   const auto motion = command.motions.find(index);
@@ -163,6 +147,21 @@ fs::path Body::file(std::size_t frame) const
   return files.size() == 1 && transforms.size() > 1
     ? fs::path(path.string() + ", frame " + std::to_string(frame))
     : path;
+}
+
+std::vector<fs::path> framesOf(const fs::path& input, bool sequence)
+{
+  std::error_code ignored;
+  if (!sequence)
+  {
+    if (fs::is_directory(input, ignored))
+    {
+      refuseFile(input, "is a folder; --sequence takes its meshes as frames");
+    }
+    return { input };
+  }
+  const bool isPattern = input.string().find_first_of("*?[") != std::string::npos;
+  return isPattern && !fs::exists(input, ignored) ? filesLike(input) : filesOf({ input });
 }
 
 std::vector<Body> readBodies(const ProximityCommand& command, ProgressBar& bar)

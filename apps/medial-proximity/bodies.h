@@ -37,6 +37,10 @@ struct Body
   std::filesystem::path file(std::size_t frame) const;
 };
 
+/// The files of an input: one, or those of a folder or a pattern, for each frame of a sequence one.
+/// @throws Failure BadInput if there are none.
+std::vector<std::filesystem::path> framesOf(const std::filesystem::path& input, bool sequence);
+
 /// Reads the meshes that the command names, with their transforms.
 /// @throws Failure BadInput, also where they have different numbers of frames.
 std::vector<Body> readBodies(const ProximityCommand& command, ProgressBar& bar);

@@ -1,7 +1,9 @@
 #include "proximity_command.h"
 
+#include "bodies.h"
 #include "command_line.h"
 #include "failure.h"
+#include "output/output_names.h"
 #include "output/standard_output.h"
 #include "validators.h"
 
@@ -192,6 +194,24 @@ void convertInputs(const ProximityTexts& texts, ProximityCommand& command)
   }
 }
 
+/// The meshes and the files of their transforms.
+std::vector<NamedInput> inputsOf(const ProximityCommand& command)
+{
+  std::vector<NamedInput> inputs;
+  for (const std::filesystem::path& input : command.inputs)
+  {
+    inputs.push_back({ input, framesOf(input, command.sequence) });
+  }
+  for (const auto& [mesh, motion] : command.motions)
+  {
+    if (!motion.transform)
+    {
+      inputs.push_back({ motion.file, { motion.file } });
+    }
+  }
+  return inputs;
+}
+
 void convertOutputs(const ProximityTexts& texts, ProximityCommand& command)
 {
   command.json = texts.json;
@@ -204,10 +224,10 @@ void convertOutputs(const ProximityTexts& texts, ProximityCommand& command)
   }
   checkExtension("--contacts", command.contacts, { ".vtp", ".pvd" });
   checkExtension("--image", command.image, { ".png" });
-  for (const std::filesystem::path& input : command.inputs)
-  {
-    checkNotTheInput("--contacts", command.contacts, input);
-  }
+  checkNames({ { "--json", command.json }, { "--contacts", command.contacts },
+               { "--image", command.image },
+               { "--animation", command.animation, picturesIn(command.animation) } },
+    inputsOf(command));
 }
 
 } // namespace

@@ -2,14 +2,13 @@
 
 #include "contact_data.h"
 #include "files/xml_elements.h"
-#include "input/input_file.h"
 #include "output/file_writer.h"
+#include "output/output_names.h"
 #include "output/standard_output.h"
 #include "output/vtp_writer.h"
 #include "proximity_picture.h"
 #include "proximity_report.h"
 
-#include <cstdio>
 #include <string>
 
 namespace medial::app
@@ -18,18 +17,6 @@ namespace
 {
 
 namespace fs = std::filesystem;
-
-std::string pictureName(std::size_t frame)
-{
-  char name[40];
-  std::snprintf(name, sizeof(name), "frame_%04zu.png", frame);
-  return name;
-}
-
-fs::path pieceOf(const fs::path& index, std::size_t frame)
-{
-  return index.parent_path() / (index.stem().string() + "_" + std::to_string(frame) + ".vtp");
-}
 
 std::string indexOf(const std::vector<fs::path>& pieces)
 {
@@ -64,14 +51,14 @@ void ProximityOutputs::addFrames(std::size_t count)
 {
   for (std::size_t frame = 0; frame < count; ++frame)
   {
-    if (extensionOf(command_.contacts) == ".pvd")
+    if (piecesOf(command_.contacts))
     {
       pieces_.push_back(pieceOf(command_.contacts, frame));
       files_.add(pieces_.back());
     }
     if (!command_.animation.empty())
     {
-      pictures_.push_back(command_.animation / pictureName(frame));
+      pictures_.push_back(picturesIn(command_.animation).file(frame));
       files_.add(pictures_.back());
     }
   }
@@ -154,7 +141,7 @@ void ProximityOutputs::removeSurplusPictures() const
 {
   std::error_code ignored;
   for (std::size_t frame = pictures_.size();
-       fs::remove(command_.animation / pictureName(frame), ignored); ++frame)
+       fs::remove(picturesIn(command_.animation).file(frame), ignored); ++frame)
   {
   }
 }

@@ -3,12 +3,14 @@
 #include "command_line.h"
 #include "failure.h"
 #include "option_names.h"
+#include "output/output_names.h"
 #include "scan_options.h"
 #include "validators.h"
 
 #include <CLI/CLI.hpp>
 
 #include <string>
+#include <vector>
 
 namespace medial::app
 {
@@ -104,10 +106,13 @@ void convert(const ViewerTexts& texts, ViewerOptions& options)
   options.engine = engineNames().at(texts.engine);
   options.screenshot = texts.screenshot;
   checkExtension("--screenshot", options.screenshot, { ".png" });
+  std::vector<NamedInput> inputs;
   for (const std::filesystem::path& input : options.inputs)
   {
     checkScanOptions(input, options.scan);
+    inputs.push_back({ input, filesOfScan(input) });
   }
+  checkNames({ { "--screenshot", options.screenshot } }, inputs);
 }
 
 } // namespace

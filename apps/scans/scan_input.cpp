@@ -9,6 +9,12 @@ namespace fs = std::filesystem;
 namespace medial::app
 {
 
+std::vector<fs::path> filesOfScan(const fs::path& path)
+{
+  const fs::path values = files::valuesFileOf(path);
+  return values.empty() ? std::vector{ path } : std::vector{ path, values };
+}
+
 Surface readSurface(const fs::path& path, const ScanSurface& wanted)
 {
   if (!isScanFile(path))

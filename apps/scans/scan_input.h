@@ -14,6 +14,10 @@ namespace medial::app
 using files::isScanFile;
 using files::ScanSurface;
 
+/// The files that are read for an input: itself, and one that the header of a scan says has its
+/// values.
+std::vector<std::filesystem::path> filesOfScan(const std::filesystem::path& path);
+
 /// Reads a mesh, or the surface that is wanted of a scan.
 /// @throws Failure BadInput naming the file.
 Surface readSurface(const std::filesystem::path& path, const ScanSurface& wanted);

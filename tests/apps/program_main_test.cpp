@@ -1,7 +1,7 @@
 #include "program.h"
 
-#include "command_line.h"
 #include "failure.h"
+#include "output/output_names.h"
 #include "program_main.h"
 
 #include <gtest/gtest.h>
@@ -98,7 +98,7 @@ TEST(CommandLineDeathTest, FilesInAFolderThatIsGoneAreStillTwo)
     std::string folder = (std::filesystem::temp_directory_path() / "medial-XXXXXX").string();
     std::filesystem::current_path(mkdtemp(folder.data()));
     std::filesystem::remove(folder);
-    app::checkDistinct("--output", "a.vtp", "--curves", other);
+    app::checkNames({ { "--output", "a.vtp" }, { "--curves", other } }, {});
   };
   expectEnd(0, "", [&] { inFolderThatIsGone("b.vtp"); });
   expectEnd(kUsage, "--output and --curves name the same file, a.vtp",

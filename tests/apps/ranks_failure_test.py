@@ -133,6 +133,22 @@ class RanksFailure(RankTest):
         command = (*LAUNCHER, "-np", "1", *options.split(), ":", "-np", "1", "sh", "-c", f"ulimit -f 60; exec {options}")
         self.expect_failure(self.run_command(*command), 5, "^medial-axis: rank 1: a_1.vti: cannot be written")
 
+    def test_an_output_that_would_replace_a_piece_of_the_mesh(self):
+        self.write_pieces(2)
+        before = {path.name: path.read_bytes() for path in self.folder.iterdir()}
+        for mesh, output, text in (
+                ("torus_0.vtp", "torus.pvtp", "output torus.pvtp: its piece torus_0.vtp is the input file itself$"),
+                ("torus.pvtp", "torus_1.vtp", "output torus_1.vtp is a file of the input torus.pvtp$"),
+                ("torus.pvtp", "torus.pvtp", "output torus.pvtp is the input file itself$")):
+            run = self.run_ranks(2, mesh, "--output", output, "--resolution", "20", "--sign", "none")
+            self.assertEqual(run.returncode, 2, run.stderr)
+            self.assertRegex(run.stderr, "^medial-axis: --" + text)
+            self.assertEqual({path.name: path.read_bytes() for path in self.folder.iterdir()}, before)
+
+    def test_pieces_that_would_replace_another_output(self):
+        run = self.run_ranks(2, "torus.off", "-o", "x.pvtp", "--thickness", "x_0.vtp", "--sign", "none")
+        self.expect_failure(run, 2, "^medial-axis: --output and --thickness name the same file, x_0.vtp$")
+
     def test_the_version_is_printed_once(self):
         run = self.run_ranks(3, "--version")
         self.assertEqual((run.returncode, len(run.stdout.splitlines())), (0, 1))

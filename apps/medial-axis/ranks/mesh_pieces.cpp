@@ -56,6 +56,22 @@ bool isInPieces(const fs::path& path)
   return extensionOf(path) == ".pvtp";
 }
 
+std::vector<fs::path> filesOfPieces(const fs::path& path)
+{
+  if (!isInPieces(path))
+  {
+    return {};
+  }
+  try
+  {
+    return filesOf(files::readContent(path), path.parent_path());
+  }
+  catch (const Error&)
+  {
+    return {};
+  }
+}
+
 MeshPiece readMeshPiece(const fs::path& index, Communicator& communicator)
 {
   vtkSurfacePiece own;

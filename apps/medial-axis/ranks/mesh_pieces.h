@@ -3,12 +3,17 @@
 #include "medial/ranks.h"
 
 #include <filesystem>
+#include <vector>
 
 namespace medial::app
 {
 
 /// Whether a mesh lies in pieces, of which its file is the index.
 bool isInPieces(const std::filesystem::path& path);
+
+/// The files that the index of such a mesh names; none for another file, or an index that cannot be
+/// read.
+std::vector<std::filesystem::path> filesOfPieces(const std::filesystem::path& path);
 
 /// What a rank has of such a mesh.
 struct MeshPiece

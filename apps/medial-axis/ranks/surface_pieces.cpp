@@ -2,6 +2,7 @@
 
 #include "files/xml_elements.h"
 #include "output/file_writer.h"
+#include "output/output_names.h"
 #include "output/vtp_writer.h"
 #include "volumes/field_layout.h"
 
@@ -72,17 +73,12 @@ SurfacePieces::SurfacePieces(const std::filesystem::path& path)
   const OutputFile check(path);
 }
 
-std::filesystem::path SurfacePieces::piecePath(std::size_t rank) const
-{
-  return path_.parent_path() / (path_.stem().string() + "_" + std::to_string(rank) + ".vtp");
-}
-
 void SurfacePieces::write(vtkPolyData* piece, const std::vector<std::int64_t>& cells,
   std::size_t rank)
 {
   if (cells[rank] > 0)
   {
-    piece_.emplace(this->piecePath(rank));
+    piece_.emplace(pieceOf(path_, rank));
     namingFile(piece_->path(), [&] { writeVtp(piece, piece_->open()); });
   }
   if (rank == 0)
@@ -92,7 +88,7 @@ void SurfacePieces::write(vtkPolyData* piece, const std::vector<std::int64_t>& c
     {
       if (cells[i] > 0)
       {
-        sources.push_back(this->piecePath(i).filename().string());
+        sources.push_back(pieceOf(path_, i).filename().string());
       }
     }
     index_.emplace(path_);

@@ -36,8 +36,6 @@ public:
   ///@}
 
 private:
-  std::filesystem::path piecePath(std::size_t rank) const;
-
   std::filesystem::path path_;
   std::optional<OutputFile> piece_;
   std::optional<OutputFile> index_;

@@ -1,9 +1,9 @@
 #include "volumes/field_output.h"
 
 #include "failure.h"
-#include "input/input_file.h"
 #include "interrupt.h"
 #include "output/file_writer.h"
+#include "output/output_names.h"
 #include "timer.h"
 #include "volumes/gzip_file.h"
 #include "volumes/vdb_file.h"
@@ -27,25 +27,15 @@ FieldOutput::FieldOutput(const fs::path& path, const FieldSelection& selection, 
   const OutputFile check(path);
 }
 
-bool FieldOutput::hasIndex() const
-{
-  return extensionOf(path_) == ".pvti";
-}
-
-fs::path FieldOutput::piecePath(std::size_t number) const
-{
-  return path_.parent_path() / (path_.stem().string() + "_" + std::to_string(number) + ".vti");
-}
-
 void FieldOutput::begin(const Grid& grid)
 {
   const Timer timer;
-  if (this->hasIndex())
+  if (piecesOf(path_))
   {
     const std::vector<Extent> extents = fieldPieces(grid);
     for (const Extent& extent : extents)
     {
-      pieces_.emplace_back(this->piecePath(pieces_.size()),
+      pieces_.emplace_back(pieceOf(path_, pieces_.size()),
         FieldLayout(grid, extent, selection_, FieldFormat::Vti, scalars_));
     }
     std::vector<std::string> sources;
@@ -87,10 +77,10 @@ void FieldOutput::begin(const Grid& grid, const std::vector<Extent>& extents, st
     FieldLayout layout(grid, extents[number], selection_, FieldFormat::Vti, scalars_);
     needed += layout.fileSize();
     pieces.push_back(extents[number]);
-    sources.push_back(this->piecePath(number).filename().string());
+    sources.push_back(pieceOf(path_, number).filename().string());
     if (number == own)
     {
-      pieces_.emplace_back(this->piecePath(number), std::move(layout));
+      pieces_.emplace_back(pieceOf(path_, number), std::move(layout));
     }
   }
   if (own == 0)

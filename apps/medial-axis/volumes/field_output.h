@@ -83,8 +83,6 @@ private:
     std::unique_ptr<ValueFile> data;
   };
 
-  bool hasIndex() const;
-  std::filesystem::path piecePath(std::size_t number) const;
   void checkSpace(std::uint64_t needed) const;
   void writeFrame(Piece& piece, const Grid& grid);
   void writeSlab(Piece& piece, const Extent& slab);

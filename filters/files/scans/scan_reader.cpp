@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstring>
+#include <fstream>
 #include <string>
 #include <string_view>
 
@@ -176,6 +177,32 @@ bool isScanFile(const fs::path& path)
   const std::string extension = extensionOf(path);
   return extension == ".nrrd" || extension == ".mha" || extension == ".mhd" ||
     extension == ".nii" || extension == ".nii.gz" || extension == ".vti";
+}
+
+fs::path valuesFileOf(const fs::path& path)
+{
+  const std::string extension = extensionOf(path);
+  const bool isNrrd = extension == ".nrrd";
+  std::error_code ignored;
+  if ((!isNrrd && extension != ".mha" && extension != ".mhd") ||
+    !fs::is_regular_file(path, ignored))
+  {
+    return {};
+  }
+  constexpr std::size_t kLongestHeader = 1 << 20;
+  std::string beginning(kLongestHeader, '\0');
+  std::ifstream stream(path, std::ios::binary);
+  stream.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
+  beginning.resize(static_cast<std::size_t>(stream.gcount()));
+  try
+  {
+    const ScanHeader header = isNrrd ? parseNrrdHeader(beginning) : parseMetaImageHeader(beginning);
+    return header.file.empty() ? fs::path() : path.parent_path() / header.file;
+  }
+  catch (const Error&)
+  {
+    return {};
+  }
 }
 
 Scan readScan(const fs::path& path)

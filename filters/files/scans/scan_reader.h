@@ -20,6 +20,10 @@ struct Scan
 /// Whether readScan() knows the extension.
 bool isScanFile(const std::filesystem::path& path);
 
+/// The file that has the values of an image, as its header says; empty if the header has them too,
+/// or cannot be read.
+std::filesystem::path valuesFileOf(const std::filesystem::path& path);
+
 /// Reads an image by its extension: .nrrd, .mha, .mhd, .nii, .nii.gz or .vti. What a header
 /// promises is compared with the bytes that are there before memory is allocated. VTK's readers are
 /// not asked: those of 9.1 read no compressed NRRD, leave out the directions of axes, and allocate
