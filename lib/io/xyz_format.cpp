@@ -1,10 +1,12 @@
 #include "io/mesh_formats.h"
 #include "io/refusal.h"
+#include "io/table_row.h"
 #include "io/text_cursor.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,90 +16,177 @@ namespace medial
 namespace
 {
 
-using Columns = std::array<std::size_t, 3>;
+constexpr std::size_t kAxes = 3;
 
-constexpr std::string_view kSeparators = ",; \t\r\v\f";
+using Fields = std::vector<std::string_view>;
 
-/// Splits a line at blanks, commas and semicolons. A comma or semicolon ends a field even if the
-/// field is empty. Quotes around fields are left out.
-void splitLine(std::string_view line, std::vector<std::string_view>& fields)
+/// A column's name in lower case, without a unit in brackets.
+std::string plainName(std::string_view name)
 {
-  fields.clear();
-  bool expected = false; // after a comma
-  while (true)
+  const std::size_t unit = name.find_first_of("[(");
+  if (unit != std::string_view::npos && unit > 0 && (name.back() == ']' || name.back() == ')'))
   {
-    constexpr std::string_view kBlank = " \t\r\v\f";
-    line.remove_prefix(std::min(line.find_first_not_of(kBlank), line.size()));
-    if (line.empty() && !expected)
-    {
-      return;
-    }
-    std::string_view field = line.substr(0, line.find_first_of(kSeparators));
-    line.remove_prefix(field.size());
-    if (field.size() > 1 && field.front() == '"' && field.back() == '"')
-    {
-      field = field.substr(1, field.size() - 2);
-    }
-    fields.push_back(field);
-    line.remove_prefix(std::min(line.find_first_not_of(kBlank), line.size()));
-    expected = !line.empty() && (line.front() == ',' || line.front() == ';');
-    line.remove_prefix(expected ? 1 : 0);
+    name = name.substr(0, unit);
+    name = name.substr(0, name.find_last_not_of(' ') + 1);
   }
+  return lowerCase(std::string(name));
 }
 
-/// Returns the columns that a header calls x, y and z, also as "Points:0" or "Points_0" and so on,
-/// as ParaView does; if it calls none so, its only three.
-Columns columnsNamed(const std::vector<std::string_view>& names, int line)
+/// The column that a header calls x, y or z, also as "Points:0" or "Points_0" and so on, as
+/// ParaView does.
+std::optional<std::size_t> columnNamed(const Fields& names, std::size_t axis)
 {
-  Columns columns{ 0, 1, 2 };
-  for (std::size_t axis = 0; axis < columns.size(); ++axis)
-  {
-    const std::string number = std::to_string(axis);
-    const std::array<std::string, 3> wanted{ std::string(1, static_cast<char>('x' + axis)),
-      "points:" + number, "points_" + number };
-    const auto found = std::find_if(names.begin(), names.end(),
-      [&](std::string_view name) {
-        return std::find(wanted.begin(), wanted.end(), lowerCase(std::string(name))) !=
-          wanted.end();
-      });
-    if (found == names.end() && names.size() <= columns.size())
-    {
-      return { 0, 1, 2 };
-    }
-    if (found == names.end())
-    {
-      refuseLine(line,
-        "names " + std::to_string(names.size()) + " columns, but none '" + wanted[0] +
-          "': which ones are x, y and z?");
-    }
-    columns[axis] = static_cast<std::size_t>(found - names.begin());
-  }
-  return columns;
+  const std::string number = std::to_string(axis);
+  const std::array<std::string, 3> wanted{ std::string(1, static_cast<char>('x' + axis)),
+    "points:" + number, "points_" + number };
+  const auto found = std::find_if(names.begin(), names.end(),
+    [&](std::string_view name)
+    { return std::find(wanted.begin(), wanted.end(), plainName(name)) != wanted.end(); });
+  return found == names.end() ? std::nullopt
+                              : std::optional(static_cast<std::size_t>(found - names.begin()));
 }
 
-double coordinate(std::string_view field, int line)
+/// Whether a field would be a number if its end were right.
+bool beginsLikeNumber(std::string_view field)
 {
-  const auto number = toDouble(field);
-  if (!number)
+  if (toDouble(field)) // also nan and inf
   {
-    refuseLine(line, "'" + std::string(field) + "' is not a coordinate");
+    return true;
   }
-  if (!std::isfinite(*number))
-  {
-    refuseLine(line, "'" + std::string(field) + "' is not a finite coordinate");
-  }
-  return *number;
+  field.remove_prefix(std::min(field.find_first_not_of("+-."), field.size()));
+  return !field.empty() && field.front() >= '0' && field.front() <= '9';
 }
 
-/// Where semicolons separate numbers, commas are most likely decimal marks, and would make six
-/// numbers of three.
-void requireOneSeparator(std::string_view text, int line)
+/// A first line that may be meant as a point is never taken for names: the point would be lost.
+bool isHeader(const Fields& fields)
 {
-  if (text.find(';') != std::string_view::npos && text.find(',') != std::string_view::npos)
+  return (columnNamed(fields, 0) && columnNamed(fields, 1) && columnNamed(fields, 2)) ||
+    std::none_of(fields.begin(), fields.end(), beginsLikeNumber);
+}
+
+/// What separates the fields of a table, by its first row.
+Separator separatorOf(std::string_view row, int line)
+{
+  const bool hasCommas = hasOutsideQuotes(row, ',');
+  const bool hasSemicolons = hasOutsideQuotes(row, ';');
+  if (hasCommas && hasSemicolons)
   {
     refuseLine(line, "has commas and semicolons: numbers need decimal points");
   }
+  if (hasCommas || hasSemicolons)
+  {
+    return hasCommas ? Separator::Comma : Separator::Semicolon;
+  }
+  if (!hasOutsideQuotes(row, '\t'))
+  {
+    return Separator::Blanks;
+  }
+  // Between numbers, tabs often are nothing but blanks.
+  Fields fields;
+  splitRow(row, Separator::Tab, line, fields);
+  const bool isTable = isHeader(fields) ||
+    (fields.size() >= kAxes &&
+      std::all_of(fields.begin(), fields.begin() + kAxes,
+        [](std::string_view field) { return toDouble(field).has_value(); }));
+  return isTable ? Separator::Tab : Separator::Blanks;
 }
+
+/// Lines of a table, the first of which may name its columns.
+class PointTable
+{
+public:
+  void addRow(std::string_view row, int line, std::vector<Point3>& points)
+  {
+    const bool isFirst = width_ == 0;
+    if (isFirst)
+    {
+      separator_ = separatorOf(row, line);
+    }
+    splitRow(row, separator_, line, fields_);
+    if (isFirst)
+    {
+      firstLine_ = line;
+      width_ = fields_.size() - (fields_.back().empty() && fields_.size() > kAxes ? 1 : 0);
+      if (isHeader(fields_))
+      {
+        this->findColumns();
+        return;
+      }
+    }
+    this->checkWidth(line);
+    points.push_back(
+      { this->coordinate(0, line), this->coordinate(1, line), this->coordinate(2, line) });
+  }
+
+private:
+  /// The columns x, y and z; the only three if no other is called so.
+  void findColumns()
+  {
+    for (std::size_t axis = 0; axis < kAxes; ++axis)
+    {
+      const auto column = columnNamed(fields_, axis);
+      if (!column && width_ > kAxes)
+      {
+        refuseLine(firstLine_,
+          "names " + std::to_string(width_) + " columns, but none '" +
+            std::string(1, static_cast<char>('x' + axis)) + "': which ones are x, y and z?");
+      }
+      columns_[axis] = column.value_or(axis);
+    }
+    for (std::size_t axis = 0; axis < kAxes; ++axis)
+    {
+      if (std::count(columns_.begin(), columns_.end(), axis) != 1 && width_ == kAxes)
+      {
+        refuseLine(firstLine_,
+          "names three columns, but not all of x, y and z: which ones are they?");
+      }
+    }
+  }
+
+  /// A field too many or too few may have moved the others to wrong columns.
+  void checkWidth(int line) const
+  {
+    const std::size_t needed = std::max(width_, kAxes);
+    if (fields_.size() < needed)
+    {
+      refuseLine(line,
+        "has " + std::to_string(fields_.size()) + " of " + std::to_string(needed) + " columns");
+    }
+    const bool hasEmptyEnd = fields_.back().empty(); // a separator at its end
+    if (fields_.size() - (hasEmptyEnd ? 1 : 0) > width_)
+    {
+      refuseLine(line,
+        "has " + std::to_string(fields_.size()) + " columns, but line " +
+          std::to_string(firstLine_) + " has " + std::to_string(width_));
+    }
+  }
+
+  double coordinate(std::size_t axis, int line) const
+  {
+    const std::string_view field = fields_[columns_[axis]];
+    const auto number = toDouble(field);
+    if (!number && separator_ == Separator::Semicolon && field.find(',') != std::string_view::npos)
+    {
+      // A decimal mark, most likely.
+      refuseLine(line, "has commas and semicolons: numbers need decimal points");
+    }
+    if (!number)
+    {
+      refuseLine(line, "'" + std::string(field) + "' is not a coordinate");
+    }
+    if (!std::isfinite(*number))
+    {
+      refuseLine(line, "'" + std::string(field) + "' is not a finite coordinate");
+    }
+    return *number;
+  }
+
+  Separator separator_ = Separator::Blanks;
+  std::array<std::size_t, kAxes> columns_{ 0, 1, 2 };
+  std::size_t width_ = 0; ///< columns of the first line; 0 before it
+  int firstLine_ = 0;
+  Fields fields_; ///< of the current line
+};
 
 bool isComment(std::string_view line)
 {
@@ -105,40 +194,27 @@ bool isComment(std::string_view line)
   return start == std::string_view::npos || line[start] == '#' || line.substr(start, 2) == "//";
 }
 
+/// Without the mark that says that a text is UTF-8.
+std::string_view withoutMark(std::string_view text)
+{
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  return text.substr(text.substr(0, kMark.size()) == kMark ? kMark.size() : 0);
+}
+
 } // namespace
 
 MeshInput parseXyz(const std::string& content)
 {
   MeshInput result;
-  TextCursor text(content);
-  std::vector<std::string_view> fields;
-  Columns columns{ 0, 1, 2 };
-  bool first = true;
+  TextCursor text(withoutMark(content));
+  PointTable table;
   do
   {
     const std::string_view line = text.restOfLine();
-    if (isComment(line))
+    if (!isComment(line))
     {
-      continue;
+      table.addRow(line, text.line(), result.points);
     }
-    requireOneSeparator(line, text.line());
-    splitLine(line, fields);
-    if (first && !toDouble(fields.front()))
-    {
-      columns = columnsNamed(fields, text.line());
-    }
-    else
-    {
-      const std::size_t needed = *std::max_element(columns.begin(), columns.end()) + 1;
-      if (fields.size() < needed)
-      {
-        refuseLine(text.line(),
-          "has " + std::to_string(fields.size()) + " of " + std::to_string(needed) + " columns");
-      }
-      result.points.push_back({ coordinate(fields[columns[0]], text.line()),
-        coordinate(fields[columns[1]], text.line()), coordinate(fields[columns[2]], text.line()) });
-    }
-    first = false;
   } while (text.nextLine());
   return result;
 }

@@ -22,11 +22,13 @@ namespace medial
 MEDIAL_EXPORT MeshInput readMesh(const std::filesystem::path& path);
 
 /// Reads points, and the cells between them if the file has any: the formats of readMesh(), without
-/// needing cells, or text with the extension .xyz, .txt or .csv. Its lines hold numbers between
-/// blanks, commas or semicolons, but not commas and semicolons. Coordinates are in the columns that
-/// the first line calls x, y and z, or Points:0, Points:1 and Points:2, otherwise in the first
-/// three; a first line that names more than three columns but none of these is refused. Lines that
-/// begin with # or // are comments.
+/// needing cells, or text with the extension .xyz, .txt or .csv. Where the first line has commas or
+/// semicolons, or tabs between names, these separate the columns, with quotes as in CSV; otherwise
+/// blanks do. All lines have the columns of the first. Coordinates are in those that it calls x, y
+/// and z, maybe with units in brackets, or Points:0, Points:1 and Points:2, otherwise in the first
+/// three; a first line that names more than three columns but none of these is refused. A first
+/// line without these names, but with a number, is a point. Lines that begin with # or // are
+/// comments.
 ///
 /// @return points in the order of the file; cells as for readMesh().
 /// @throws Error as readMesh(), and InvalidInput for a file without points.

@@ -52,6 +52,26 @@ TEST(Points, AreInTheColumnsThatTheHeaderNames)
     kTwo);
 }
 
+// A point between columns of text that hold what separates other tables.
+TEST(Points, AreBetweenTheSeparatorsOfTheFirstLine)
+{
+  const std::vector<Point3> expected{ { 1.0, -2.5, 3e-4 } };
+  for (const std::string table : { "name;x;y;z\nP 1;1;-2.5;3e-4\n",
+         "name,x,y,z\npoint 7,1,-2.5,3e-4\n", "name,x,y,z\n\"a,b; c\",1,-2.5,3e-4\n",
+         "name;x;y;z\nP, 1;1;-2.5;3e-4\n", "name,x,y,z\n\"say \"\"a,b\"\"\",1,\"-2.5\", 3e-4 \n",
+         "\"Point ID\",\"Points:0\",\"Points:1\",\"Points:2\"\n0,1,-2.5,3e-4\n",
+         "x [mm],y [mm],z [mm]\n1,-2.5,3e-4\n", "id,x [mm],y(mm),z [mm]\n5,1,-2.5,3e-4\n",
+         "Point ID\tx\ty\tz\tnote\nP 1\t1\t-2.5\t3e-4\t\n", "1\t-2.5\t3e-4\ta b\n",
+         "name x y z\n\"P 1\" 1 -2.5 3e-4 # note\n", "x,y,z\n1,-2.5,3e-4,\n",
+         "x,y,z,\n1,-2.5,3e-4,\n", "y,x,height\n-2.5,1,3e-4\n",
+         "\xEF\xBB\xBF"
+         "1,-2.5,3e-4\n",
+         "\xEF\xBB\xBFz,x,y\n3e-4,1,-2.5\n", "1,-2.5,3e-4,5\" pipe\n" })
+  {
+    EXPECT_EQ(pointsOf("a.csv", table), expected) << table;
+  }
+}
+
 TEST(Points, AreReadFromMeshFilesWithoutCells)
 {
   EXPECT_EQ(pointsOf("a.obj", "v 1 -2.5 3e-4\nv 4 5 6\n"), kTwo);
@@ -87,6 +107,37 @@ TEST(Points, AreRefusedWithTheLineAndTheValue)
   EXPECT_EQ(refusal("a.csv", "x,y,z\n"), "a.csv: holds no points");
   EXPECT_EQ(refusal("a.obj", "# no v\n"), "a.obj: holds no points");
   EXPECT_EQ(refusal("a.xyz", ""), "a.xyz: the file is empty");
+}
+
+// Where a line has a field too many, no column is known to be the right one.
+TEST(Points, AreRefusedInRowsOfAnotherWidth)
+{
+  for (const std::string table :
+    { "name x y z\nP 1 0 0 2\n", "x,y,z\n0,25,1,2\n", "x,y,z\n1,2,3,,\n" })
+  {
+    EXPECT_TRUE(
+      contains(refusal("a.csv", table), "a.csv: line 2: has 5 columns, but line 1 has ") ||
+      contains(refusal("a.csv", table), "a.csv: line 2: has 4 columns, but line 1 has 3"))
+      << table;
+  }
+  EXPECT_EQ(refusal("a.xyz", "1 2 3\n4 5 6 7 8 9\n"),
+    "a.xyz: line 2: has 6 columns, but line 1 has 3");
+  EXPECT_EQ(refusal("a.csv", "name,x,y,z\n\"a,1,2,3\n"), "a.csv: line 2: a quote is not closed");
+  EXPECT_EQ(refusal("a.csv", "z,y,q\n1,2,3\n"),
+    "a.csv: line 1: names three columns, but not all of x, y and z: which ones are they?");
+  EXPECT_EQ(refusal("a.csv", "0,25\t0,5\t0,2\n"), "a.csv: line 1: '25?0' is not a coordinate");
+}
+
+TEST(Points, TheFirstIsNeverTakenForAHeader)
+{
+  for (const std::string number : { "0x10", "1e400", "1e-400", "1.0.0", "1d5", "-.5f", "+1,5" })
+  {
+    const std::string what = "'" + number + "' is not a coordinate";
+    EXPECT_EQ(refusal("a.xyz", "\"" + number + "\" 2 3\n4 5 6\n"), "a.xyz: line 1: " + what);
+    EXPECT_EQ(refusal("a.xyz", "4 5 6\n\"" + number + "\" 2 3\n"), "a.xyz: line 2: " + what);
+  }
+  EXPECT_EQ(refusal("a.csv", "P,1,2,3\n"), "a.csv: line 1: 'P' is not a coordinate");
+  EXPECT_EQ(refusal("a.xyz", "nan 2 3\n"), "a.xyz: line 1: 'nan' is not a finite coordinate");
 }
 
 TEST(Points, FilesAreKnownByTheirExtension)
