@@ -4,6 +4,7 @@
 #include "help_formatter.h"
 #include "input/input_file.h"
 #include "option_names.h"
+#include "output/standard_output.h"
 #include "similar_word.h"
 #include "validators.h"
 
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -110,7 +112,9 @@ bool parseCommandLine(CLI::App& app, int argc, char** argv)
   {
     if (error.get_exit_code() == 0)
     {
-      app.exit(error);
+      std::ostringstream answer;
+      app.exit(error, answer, answer);
+      printText(answer.str());
       return false;
     }
     throw Failure(ExitCode::Usage, messageOf(app, error) + " (see " + app.get_name() + " --help)");

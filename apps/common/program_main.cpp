@@ -3,8 +3,10 @@
 #include "failure.h"
 #include "interrupt.h"
 #include "output/output_file.h"
+#include "output/standard_output.h"
 #include "vtk_messages.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -96,6 +98,21 @@ int reportException()
   std::_Exit(std::current_exception() ? reportException() : reportFault("it was terminated"));
 }
 
+/// Does the work; reports what goes wrong.
+int exitCodeOf(const std::function<void()>& work)
+{
+  try
+  {
+    const VtkMessages silence; // a failure is one line, and not also those of VTK
+    work();
+    return static_cast<int>(ExitCode::Done);
+  }
+  catch (...)
+  {
+    return reportException();
+  }
+}
+
 } // namespace
 
 void muteReports(bool muted)
@@ -114,16 +131,11 @@ int runProgram(const char* name, const std::function<void()>& work)
   installSignalHandlers();
   std::set_new_handler(endWithoutMemory);
   std::set_terminate(terminate);
-  try
-  {
-    const VtkMessages silence; // a failure is one line, and not also those of VTK
-    work();
-    return static_cast<int>(ExitCode::Done);
-  }
-  catch (...)
-  {
-    return reportException();
-  }
+  const int exitCode = exitCodeOf(work);
+  const bool isDone = exitCode == static_cast<int>(ExitCode::Done) ||
+    exitCode == static_cast<int>(ExitCode::BeyondLimits);
+  // A summary that nobody gets is a lost output.
+  return isDone ? std::max(exitCode, exitCodeOf(flushStandardOutput)) : exitCode;
 }
 
 } // namespace medial::app

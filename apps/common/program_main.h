@@ -8,7 +8,7 @@ namespace medial::app
 /// Runs a program's work with signal handlers in place. A failure becomes one line on standard
 /// error, "name: what is wrong"; so does an exception that nobody expected, as a fault of the
 /// program. Where `operator new` finds no memory the process ends at once, unless `work` takes the
-/// handler away by std::set_new_handler().
+/// handler away by std::set_new_handler(). What was printed must have reached standard output.
 /// @return the exit code.
 int runProgram(const char* name, const std::function<void()>& work);
 

@@ -171,6 +171,37 @@ TEST_F(CommandFailure, FullDisk)
   failure(kNoSpace, { input, "--resolution", "41" }, options);
 }
 
+// What a program prints is an output as well, and may be its only one.
+TEST_F(CommandFailure, StandardOutputThatCannotBeWritten)
+{
+  writeFile(folder.file("p.xyz"), "0 0 2\n");
+  RunOptions options;
+  options.output = "/dev/full";
+  options.folder = folder.path();
+  using Program = Outcome (*)(const std::vector<std::string>&, const RunOptions&);
+  const std::tuple<Program, std::string, std::vector<std::string>> runs[] = {
+    { runMedialAxis, "medial-axis", { input, "-o", "a.vtp", "--resolution", "20" } },
+    { runMedialAxis, "medial-axis", { input, "--report", "-", "--resolution", "20" } },
+    { runMedialAxis, "medial-axis", { "--help" } },
+    { runMedialAxis, "medial-axis", { "--version" } },
+    { runMedialDistance, "medial-distance", { input, "p.xyz" } },
+    { runMedialDistance, "medial-distance", { "--help" } },
+    { runMedialMeasure, "medial-measure", { "a.vtp", input, "--samples", "1000" } },
+    { runMedialMeasure, "medial-measure", { "--help" } },
+    { runMedialProximity, "medial-proximity", { input, input } },
+    { runMedialProximity, "medial-proximity", { "--help" } },
+    { runMedialViewer, "medial-viewer", { "--help" } }
+  };
+  for (const auto& [program, name, arguments] : runs)
+  {
+    const Outcome outcome = program(arguments, options);
+    EXPECT_EQ(outcome.exitCode, kNoSpace) << name << " " << arguments.front();
+    EXPECT_EQ(outcome.err,
+      name + ": standard output: cannot be written: No space left on device\n");
+  }
+  EXPECT_EQ(runMedialDistance({ input, "p.xyz", "-q" }, options).exitCode, 0);
+}
+
 TEST_F(CommandFailure, FieldThatTheDiskCannotHold)
 {
   writeFile(input, objText(box({ 1.0, 1.0, 1.0 })));

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include <fcntl.h>
 #include <poll.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -38,7 +39,7 @@ struct Pipe
 [[noreturn]] void becomeProgram(std::vector<char*>& argv, const RunOptions& options,
   const Pipe& out, const Pipe& err)
 {
-  dup2(out.write, STDOUT_FILENO);
+  dup2(options.output.empty() ? out.write : open(options.output.c_str(), O_WRONLY), STDOUT_FILENO);
   dup2(err.write, STDERR_FILENO);
   for (const Pipe* pipe : { &out, &err })
   {

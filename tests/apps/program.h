@@ -31,6 +31,7 @@ struct RunOptions
 {
   std::vector<std::pair<std::string, std::string>> environment; ///< added to this process's
   std::filesystem::path folder; ///< where to run; this process's folder when empty
+  std::filesystem::path output; ///< what standard output is, instead of Outcome::out
   long fileSizeLimit = 0;       ///< bytes that a file may grow to; 0 for no limit
   double interruptAfter = 0.0;  ///< seconds before SIGINT, sent once it is handled; 0: never
 };

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -76,6 +77,26 @@ TEST(ProgramMainDeathTest, AnyOtherExceptionIsAFaultOfTheProgram)
   expectEnd(kFault, "a fault of the program: two lines",
     [] { throw std::logic_error("two\nlines"); });
   expectEnd(kFault, "a fault of the program: an exception of an unknown type", [] { throw 1; });
+}
+
+// The lines of a summary, and a failure that comes with it.
+TEST(ProgramMainDeathTest, LosesNothingThatWasPrinted)
+{
+  const auto print = [](std::size_t count)
+  {
+    ASSERT_NE(std::freopen("/dev/full", "w", stdout), nullptr);
+    std::printf("%s\n", std::string(count, '-').c_str());
+  };
+  expectEnd(kNoSpace, "standard output: cannot be written: No space left on device",
+    [&] { print(9); });
+  expectEnd(kNoSpace, "standard output: cannot be written.*", [&] { print(100000); });
+  EXPECT_EXIT(std::exit(app::runProgram("medial-axis",
+                [&]
+                {
+                  print(9);
+                  throw Failure(ExitCode::BeyondLimits, "beyond its limits");
+                })),
+    testing::ExitedWithCode(kNoSpace), "beyond its limits\n.*standard output: cannot be written");
 }
 
 /// Lets no exception out, as destructors do.

@@ -9,14 +9,34 @@
 namespace medial::app
 {
 
+namespace
+{
+
+/// Of errno, which was 0 before, the message has the reason.
+void requireWritten()
+{
+  // What failed before has left its mark on the stream, but its reason is gone.
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+  {
+    throw Failure(ExitCode::NoSpace,
+      std::string("standard output: cannot be written") +
+        (errno != 0 ? std::string(": ") + std::strerror(errno) : ""));
+  }
+}
+
+} // namespace
+
 void printText(const std::string& text)
 {
   errno = 0;
-  if (std::fputs(text.c_str(), stdout) < 0 || std::fflush(stdout) != 0)
-  {
-    throw Failure(ExitCode::NoSpace,
-      std::string("standard output: cannot be written: ") + std::strerror(errno));
-  }
+  std::fputs(text.c_str(), stdout);
+  requireWritten();
+}
+
+void flushStandardOutput()
+{
+  errno = 0;
+  requireWritten();
 }
 
 void printFile(const std::filesystem::path& path, const std::string& content)
