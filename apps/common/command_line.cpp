@@ -90,6 +90,38 @@ std::string messageOf(const CLI::App& app, const CLI::ParseError& error)
   return message;
 }
 
+/// An empty value is most likely that of a variable of a shell that is not set.
+[[noreturn]] void refuseEmptyValue(const CLI::App& app, const std::string& option)
+{
+  throw Failure(ExitCode::Usage,
+    option + " needs a value, not an empty one (see " + app.get_name() + " --help)");
+}
+
+/// Words such as --output=, for which the parser would take the next word.
+void requireValues(const CLI::App& app, int argc, char** argv)
+{
+  for (int i = 1; i < argc; ++i)
+  {
+    const std::string word = argv[i];
+    if (word.size() > 3 && word.compare(0, 2, "--") == 0 && word.find('=') == word.size() - 1)
+    {
+      refuseEmptyValue(app, word.substr(0, word.size() - 1));
+    }
+  }
+}
+
+void requireValues(const CLI::App& app)
+{
+  for (const CLI::Option* option : app.get_options())
+  {
+    const std::vector<std::string>& values = option->results();
+    if (std::find(values.begin(), values.end(), "") != values.end())
+    {
+      refuseEmptyValue(app, option->get_name());
+    }
+  }
+}
+
 } // namespace
 
 void setUpCommandLine(CLI::App& app, const std::string& name, const std::string& footer)
@@ -103,10 +135,10 @@ void setUpCommandLine(CLI::App& app, const std::string& name, const std::string&
 
 bool parseCommandLine(CLI::App& app, int argc, char** argv)
 {
+  requireValues(app, argc, argv);
   try
   {
     app.parse(argc, argv);
-    return true;
   }
   catch (const CLI::ParseError& error)
   {
@@ -119,6 +151,8 @@ bool parseCommandLine(CLI::App& app, int argc, char** argv)
     }
     throw Failure(ExitCode::Usage, messageOf(app, error) + " (see " + app.get_name() + " --help)");
   }
+  requireValues(app);
+  return true;
 }
 
 void addSignOption(CLI::App& app, std::string& word, const std::string& group)

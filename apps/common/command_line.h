@@ -17,7 +17,7 @@ void setUpCommandLine(CLI::App& app, const std::string& name, const std::string&
 
 /// Parses the command line.
 /// @return false if the user asked for --help or --version; the answer is on standard output then.
-/// @throws Failure Usage.
+/// @throws Failure Usage, also for an empty value.
 bool parseCommandLine(CLI::App& app, int argc, char** argv);
 
 ///@{

@@ -196,6 +196,31 @@ TEST_F(CommandLine, SaysWhatAnOptionNeeds)
   EXPECT_TRUE(contains(error, "--band 3 needs --field (see")) << error;
 }
 
+// As variables of a shell are that were never set.
+TEST_F(CommandLine, RefusesEmptyValues)
+{
+  for (const char* option : { "--thickness", "--field", "--report", "--device" })
+  {
+    EXPECT_TRUE(contains(usageError({ option, "" }),
+      std::string(option) + " needs a value, not an empty one (see medial-axis --help)"));
+  }
+  EXPECT_TRUE(contains(usageError({ "--field", folder.file("f.vti"), "--field-arrays", "" }),
+    "--field-arrays needs a value"));
+  const auto refused = [](const Outcome& outcome, const std::string& option)
+  {
+    EXPECT_EQ(outcome.exitCode, kUsage);
+    EXPECT_TRUE(contains(outcome.err, option + " needs a value, not an empty one")) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+  };
+  refused(runMedialAxis({ "" }), "INPUT");
+  refused(runMedialAxis({ input, "-o", "" }), "--output");
+  refused(runMedialAxis({ input, "--output=", folder.file("a.vtp") }), "--output");
+  refused(runMedialDistance({ input, input, "-q", "-o", "" }), "--output");
+  refused(runMedialMeasure({ input, input, "--json", "" }), "--json");
+  refused(runMedialProximity({ input, input, "--transform", "" }), "--transform");
+  refused(runMedialViewer({ input, "--screenshot", "" }), "--screenshot");
+}
+
 TEST_F(CommandLine, RefusesTwoOutputsOfOneName)
 {
   EXPECT_TRUE(contains(usageError({ "--thickness", folder.file("axis.vtp") }),
