@@ -80,9 +80,14 @@ void printSkeleton(const Skeleton& skeleton)
     counted(topology.components, "component", "components").c_str(), length, skeleton.seconds);
 }
 
-void printLocalThickness(const char* name, const std::optional<LocalThicknessSummary>& summary)
+void printLocalThickness(const char* name, const char* side,
+  const std::optional<LocalThicknessSummary>& summary)
 {
-  if (summary)
+  if (summary && summary->points == 0)
+  {
+    std::printf("local     %s: no grid point lies %s the surface\n", name, side);
+  }
+  else if (summary)
   {
     std::printf("local     %s: mean %.4g, standard deviation %.4g, max %.4g at %lld points\n", name,
       summary->mean, summary->standardDeviation, summary->max,
@@ -389,8 +394,8 @@ void printSummary(const Options& options, const Result& result, const OutputNote
   }
   if (result.localThickness)
   {
-    printLocalThickness("thickness", result.localThickness->thickness);
-    printLocalThickness("separation", result.localThickness->separation);
+    printLocalThickness("thickness", "inside", result.localThickness->thickness);
+    printLocalThickness("separation", "outside", result.localThickness->separation);
   }
   if (options.coverage)
   {

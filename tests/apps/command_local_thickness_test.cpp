@@ -147,6 +147,17 @@ TEST_F(CommandLocalThickness, HistogramShowsBothSides)
   EXPECT_EQ(darkRows(readPng(folder.file("two.png"))), 2 * one);
 }
 
+// A mean of nothing would be no number.
+TEST_F(CommandLocalThickness, SaysWhereNoGridPointIsInside)
+{
+  const Outcome outcome = runMedialAxis({ input, "--resolution", "3", "--padding", "0",
+    "--local-thickness", folder.file("t.vti"), "--side", "both" });
+  EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+  EXPECT_TRUE(contains(outcome.out, "local     thickness: no grid point lies inside the surface\n"))
+    << outcome.out;
+  EXPECT_FALSE(contains(outcome.out, "nan")) << outcome.out;
+}
+
 TEST_F(CommandLocalThickness, HistogramNeedsLocalThickness)
 {
   const Outcome outcome = runMedialAxis({ input, "--histogram", folder.file("h.png") });

@@ -2,6 +2,8 @@
 
 #include "files/file_content.h"
 
+#include <vtkCellArray.h>
+#include <vtkCellArrayIterator.h>
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkFlyingEdges3D.h>
@@ -12,6 +14,7 @@
 #include <vtkPoints.h>
 #include <vtkReverseSense.h>
 #include <vtkSMPTools.h>
+#include <vtkTriangle.h>
 #include <vtkWindowedSincPolyDataFilter.h>
 
 #include <algorithm>
@@ -45,6 +48,15 @@ std::string roundedText(double number)
   return text.str();
 }
 
+// Labels may be large: as an integer where the number is one.
+std::string labelText(double label)
+{
+  constexpr double kEnd = 9223372036854775808.0; // of long long
+  return std::floor(label) == label && std::abs(label) < kEnd
+    ? std::to_string(static_cast<long long>(label))
+    : roundedText(label);
+}
+
 // The values that occur, as many as a message has room for.
 std::string labelsOf(vtkImageData* image)
 {
@@ -67,7 +79,7 @@ std::string labelsOf(vtkImageData* image)
     {
       return list + " and others";
     }
-    list += (list.empty() ? "" : ", ") + roundedText(label);
+    list += (list.empty() ? "" : ", ") + labelText(label);
   }
   return list.empty() ? "none" : list;
 }
@@ -198,6 +210,29 @@ vtkSmartPointer<vtkPolyData> contourOfLabel(vtkImageData* image, long long label
   return contour(mask->GetOutput(), 0.5, 0.0);
 }
 
+// Where the greatest value occurs at single voxels, their surface is nothing but points.
+bool hasArea(vtkPolyData* surface)
+{
+  vtkPoints* points = surface->GetPoints();
+  const auto cells = vtk::TakeSmartPointer(surface->GetPolys()->NewIterator());
+  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
+  {
+    vtkIdType size = 0;
+    const vtkIdType* corners = nullptr;
+    cells->GetCurrentCell(size, corners);
+    std::array<std::array<double, 3>, 3> corner{};
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      points->GetPoint(corners[i], corner[i].data());
+    }
+    if (vtkTriangle::TriangleArea(corner[0].data(), corner[1].data(), corner[2].data()) > 0.0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 vtkSmartPointer<vtkPolyData> smoothed(vtkPolyData* surface, int iterations)
 {
   constexpr double kPassBand = 0.1;
@@ -273,17 +308,19 @@ vtkSmartPointer<vtkPolyData> surfaceOfValue(vtkImageData* image, double value)
 {
   const std::string missing = "has no surface at the isovalue " + roundedText(value);
   const auto [low, high] = rangeOf(image);
+  const std::string range =
+    ": its values are in [" + roundedText(low) + ", " + roundedText(high) + "]";
   if (!(low < value && value <= high))
   {
-    refuse(missing + ": its values are in [" + roundedText(low) + ", " + roundedText(high) + "]");
+    refuse(missing + range);
   }
   const bool isBright = isOutsideBelow(image, value);
   const double outside = isBright ? low : high;
   replaceNan(image, outside);
   const vtkSmartPointer<vtkPolyData> surface = contour(image, value, outside);
-  if (surface->GetNumberOfPolys() == 0)
+  if (!hasArea(surface))
   {
-    refuse(missing);
+    refuse(missing + range);
   }
   return isBright ? surface : insideOut(surface); // its normals lead to lower values
 }

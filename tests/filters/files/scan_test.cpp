@@ -3,6 +3,7 @@
 #include "files/scans/scan_surface.h"
 #include "scan_files.h"
 
+#include "support/errors.h"
 #include "support/files.h"
 #include "support/refusal.h"
 
@@ -367,6 +368,32 @@ TEST(ScanSurface, LabelsThatOccurAreNumbers)
   expectNoLabel(scan, 1, "those that occur: 0, 1.5, 3");
   values->Fill(std::nan(""));
   expectNoLabel(scan, 1, "those that occur: none");
+}
+
+// Doubles have them exactly up to 2^53, and six digits do not.
+TEST(ScanSurface, LargeLabelsAreToldExactly)
+{
+  Scan scan = readText("a.nrrd", nrrdFile(ball(), "raw"));
+  scan.image->AllocateScalars(VTK_DOUBLE, 1);
+  vtkDataArray* values = scan.image->GetPointData()->GetScalars();
+  values->Fill(614454277.0);
+  values->SetComponent(5, 0, 614454278.0);
+  values->SetComponent(6, 0, -9007199254740991.0);
+  values->SetComponent(7, 0, 1e30);
+  expectNoLabel(scan, 5, "those that occur: -9007199254740991, 614454277, 614454278, 1e+30");
+}
+
+// The surface would be points. A solid of the greatest value has one with area.
+TEST(ScanSurface, AnIsovalueOfSingleVoxelsIsRefused)
+{
+  Scan scan = readText("a.nrrd", nrrdFile(ball(), "raw"));
+  vtkDataArray* values = scan.image->GetPointData()->GetScalars();
+  EXPECT_GT(extractSurface(scan, ofValue(7.0), "a.nrrd")->GetNumberOfPolys(), 0);
+  values->SetComponent(30 * 25 * 6 + 30 * 12 + 15, 0, 9.0);
+  values->Modified(); // their range is kept
+  expectError([&] { extractSurface(scan, ofValue(9.0), "a.nrrd"); }, ErrorCode::InvalidInput,
+    "a.nrrd: has no surface at the isovalue 9: its values are in [0, 9]");
+  EXPECT_GT(extractSurface(scan, ofValue(8.5), "a.nrrd")->GetNumberOfPolys(), 0);
 }
 
 TEST(ScanSurface, IsovaluesOutsideTheRangeAreToldIt)
