@@ -36,8 +36,9 @@ void addOptions(CLI::App& app, DistanceTexts& texts, DistanceCommand& command)
   const std::string group = "Options";
   app
     .add_option("-o,--output", texts.output,
-      "the points with their distances: .vtp (with the faces and arrays that POINTS has) or .csv, "
-      "a line for each point with x, y, z, distance, closest point, cell, feature and direction")
+      "the points with their distances: .vtp (with the faces that POINTS has, and arrays of "
+      "numbers if it is .vtp) or .csv, a line for each point with x, y, z, distance, closest "
+      "point, cell, feature and direction")
     ->option_text("FILE")
     ->group(group);
   app
