@@ -11,8 +11,6 @@ namespace medial
 namespace
 {
 
-constexpr unsigned kAllLanes = (1u << SiteGroup::kSize) - 1u;
-
 /// Squares of coordinates farther out do not fit single precision.
 constexpr double kMaxReach = 1e18;
 
@@ -38,17 +36,13 @@ SiteQuery::SiteQuery(const GroupTree& tree)
 
 SitePoint SiteQuery::search(const glm::dvec3& x, double bound, double limit) const
 {
+  if (!inReach(x))
+  {
+    return this->searchFromAfar(x, limit);
+  }
   NearestSite nearest(tree_.sites(), x, limit);
   const auto reach = [&] { return std::min(bound, nearest.distance()); };
   SiteGroup::IntLanes parts;
-  if (!inReach(x))
-  {
-    for (const SiteGroup& group : tree_.groups())
-    {
-      nearest.offer(group, kAllLanes, group.owned);
-    }
-    return nearest.closest();
-  }
   const glm::vec3 rounded(x);
   tree_.visitNear(
     rounded, [&] { return limitAt(reach(), tree_.slack()); },
@@ -60,6 +54,20 @@ SitePoint SiteQuery::search(const glm::dvec3& x, double bound, double limit) con
       nearest.offer(group, lanes, parts);
     });
   return nearest.closest();
+}
+
+SitePoint SiteQuery::searchFromAfar(const glm::dvec3& x, double limit) const
+{
+  constexpr double kAnywhere = std::numeric_limits<double>::infinity();
+  const double length = glm::length(x);
+  if (!(length < kAnywhere))
+  {
+    return {};
+  }
+  // Which point is nearest depends on the direction alone: what the distance changes is far below
+  // the rounding of the distances.
+  const SitePoint found = this->search(x * (0.5 * kMaxReach / length), kAnywhere, kAnywhere);
+  return glm::distance(found.point, x) < limit ? found : SitePoint{};
 }
 
 bool SiteQuery::inReach(const glm::dvec3& x)

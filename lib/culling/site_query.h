@@ -11,7 +11,9 @@ namespace medial
 {
 
 /// Finds exact closest surface points, in double precision, at any position; of several at the same
-/// distance that of the lowest site. Several threads may query it at once.
+/// distance that of the lowest site. From positions out of reach, where rounding makes most of the
+/// surface equally far, it finds one that no other is nearer than by more than this rounding.
+/// Several threads may query it at once.
 class SiteQuery
 {
 public:
@@ -40,14 +42,15 @@ public:
   /// The same for many positions, much faster if they lie close together.
   void closest(std::vector<Question>& questions) const;
 
-  /// Whether a position is a number near enough for single precision. Others are compared with all
-  /// elements.
+  /// Whether a position is a number near enough for single precision.
   static bool inReach(const glm::dvec3& x);
 
 private:
   /// @param bound some surface point is no farther away.
   /// @param limit surface points at this distance or beyond do not count.
   SitePoint search(const glm::dvec3& x, double bound, double limit) const;
+  /// The same for positions out of reach.
+  SitePoint searchFromAfar(const glm::dvec3& x, double limit) const;
 
   const GroupTree& tree_;
 };

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -124,6 +125,28 @@ TEST(SurfaceQuery, IsExactFromFarAway)
   surface.expectExact({ { 0.0, 0.0, 0.0 }, { 1e6, 0.0, 1e6 }, { 1e4, -2e4, 3e4 + 50.0 } });
 }
 
+// There all distances are equal by rounding. What is nearest depends on the direction alone, and is
+// not looked for among all sites: that would take minutes here.
+TEST(SurfaceQuery, AnswersQuicklyBeyondTheReachOfSinglePrecision)
+{
+  const TriangleMesh mesh = icosphere(1.0, 6);
+  const SurfaceQuery surface(mesh, analyseConnectivity(mesh), 0.0);
+  const auto start = std::chrono::steady_clock::now();
+  for (const double distance : { 1e16, 1e20, 1e30, 1e100 })
+  {
+    for (const Point3& p : randomPoints({ { -1.0, -1.0, -1.0 }, { 1.0, 1.0, 1.0 } }, 2000, 5))
+    {
+      const glm::dvec3 way = glm::normalize(glm::dvec3(p[0], p[1], p[2]));
+      const glm::dvec3 x = distance * way;
+      ASSERT_NEAR(surface.distance({ x.x, x.y, x.z }) / distance, 1.0, 1e-15);
+      const SitePoint found = surface.closest(x / surface.local().unit);
+      ASSERT_GE(found.site, 0);
+      ASSERT_GT(glm::dot(way, found.point * surface.local().unit), 0.95);
+    }
+  }
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
+}
+
 TEST(SurfaceQuery, FindsNothingBeyondTheLimit)
 {
   const Surface surface(box({ 1.0, 1.0, 1.0 }));
@@ -165,4 +188,6 @@ TEST(SurfaceQuery, NothingIsAtAnInfiniteDistance)
   const SurfaceQuery surface(mesh, analyseConnectivity(mesh), 0.0);
   const double unknown = std::numeric_limits<double>::quiet_NaN();
   EXPECT_TRUE(std::isinf(surface.distance({ unknown, 0.0, 0.0 })));
+  const double infinite = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(std::isinf(surface.distance({ infinite, 0.0, 0.0 })));
 }
