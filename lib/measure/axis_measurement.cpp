@@ -73,6 +73,26 @@ Deviation surfaceToUnion(const TriangleMesh& mesh, const BallUnion& solid, std::
   return deviation;
 }
 
+Deviation unionToSurface(const SurfaceQuery& surface, const BoundarySamples& boundary,
+  const Run& run)
+{
+  const auto distances = [&](const std::vector<glm::dvec3>& points, const Run& part)
+  {
+    return summarise(sampleValues(part, points.size(), "union to surface",
+      [&](std::size_t i) {
+        return surface.distance({ points[i].x, points[i].y, points[i].z });
+      }));
+  };
+  Deviation deviation = distances(boundary.even, run.part(0.0, 0.75));
+  const Deviation ofBalls = distances(boundary.ofBalls, run.part(0.75, 1.0));
+  if (boundary.even.empty())
+  {
+    return ofBalls; // a union without area
+  }
+  deviation.max = std::max(deviation.max, ofBalls.max);
+  return deviation;
+}
+
 void compareBalls(const MedialModel& model, const SurfaceQuery& surface, const InsideQuery& inside,
   const Run& run, AxisMeasurement& result)
 {
@@ -116,13 +136,9 @@ AxisMeasurement measure(const TriangleMesh& mesh, const MeshConnectivity& connec
     surfaceToUnion(mesh, solid, options.samples, tolerance, run.part(0.1, 0.5));
   const double perSample =
     area / static_cast<double>(options.samples) * coarsening(modelBounds(model), bounds);
-  const std::vector<glm::dvec3> boundary = boundarySamples(solid, perSample, tolerance,
+  const BoundarySamples boundary = boundarySamples(solid, perSample, tolerance,
     [&](double fraction) { run.part(0.5, 0.7).report(fraction, "surface of the union"); });
-  result.unionToSurface =
-    summarise(sampleValues(run.part(0.7, 0.9), boundary.size(), "union to surface",
-      [&](std::size_t i) {
-        return surface.distance({ boundary[i].x, boundary[i].y, boundary[i].z });
-      }));
+  result.unionToSurface = unionToSurface(surface, boundary, run.part(0.7, 0.9));
   compareBalls(model, surface, inside, run.part(0.9, 1.0), result);
   run.report(1.0, "radii");
   return result;

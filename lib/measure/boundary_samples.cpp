@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace medial
 {
@@ -33,6 +34,18 @@ public:
   }
 
   std::size_t size() const { return starts_.size() - 1; }
+  std::size_t balls() const { return balls_.size(); }
+  /// Number of samples before those inside other parts are dropped.
+  double samples() const { return starts_.back(); }
+
+  /// Makes samples denser.
+  void refine(double factor)
+  {
+    for (double& start : starts_)
+    {
+      start *= factor;
+    }
+  }
 
   /// Calls `visit(point)` for the samples of a part that no primitive of the same balls covers.
   template <typename Visit>
@@ -54,6 +67,32 @@ public:
     {
       this->visitBall(static_cast<std::int32_t>(part - wedges - cones), start, length, visit);
     }
+  }
+
+  /// Returns a place where a ball shows.
+  /// @param covered whether a place is inside the union.
+  template <typename Covered>
+  std::optional<glm::dvec3> exposedPoint(std::int32_t i, const Covered& covered) const
+  {
+    constexpr int kTries = 16;
+    constexpr std::size_t kStride = 197; // has no factor of the number of patches
+    const DirectionPatches& patches = DirectionPatches::instance();
+    const bool isPoint = this->ball(i).radius == 0.0;
+    int tries = 0;
+    for (std::size_t k = 0; k < patches.size() && tries < (isPoint ? 1 : kTries); ++k)
+    {
+      const glm::dvec3& normal = patches.centre(k * kStride % patches.size());
+      if (isPoint || !neighbours_.ballHidden(i, normal))
+      {
+        ++tries;
+        const glm::dvec3 point = this->touch(i, normal);
+        if (!covered(point))
+        {
+          return point;
+        }
+      }
+    }
+    return std::nullopt;
   }
 
 private:
@@ -198,43 +237,97 @@ private:
   std::vector<double> starts_{ 0.0 }; ///< in samples: wedges, cones, balls
 };
 
-} // namespace
-
-std::vector<glm::dvec3> boundarySamples(const BallUnion& solid, double areaPerSample,
-  double tolerance, const std::function<void(double)>& report)
+/// Collects points of groups of things, in order. Groups are visited in batches.
+/// @param visit called with a number in [0, count) and a function that takes a point.
+/// @param report called before each batch with the share of the groups that are done.
+template <typename Visit>
+std::vector<glm::dvec3> collect(std::size_t count, const Visit& visit,
+  const std::function<void(double)>& report)
 {
   constexpr std::size_t kGroup = 256;
   constexpr std::size_t kBatch = 64;
-  const Parts parts(solid, areaPerSample);
-  std::vector<std::vector<glm::dvec3>> groups((parts.size() + kGroup - 1) / kGroup);
-  const auto sample = [&](std::size_t group)
+  std::vector<std::vector<glm::dvec3>> groups((count + kGroup - 1) / kGroup);
+  const auto fill = [&](std::size_t group)
   {
-    const std::size_t end = std::min(parts.size(), (group + 1) * kGroup);
-    for (std::size_t part = group * kGroup; part < end; ++part)
+    const std::size_t end = std::min(count, (group + 1) * kGroup);
+    for (std::size_t i = group * kGroup; i < end; ++i)
     {
-      parts.visitSamples(part,
-        [&](const glm::dvec3& point)
-        {
-          if (!solid.covers(point, tolerance))
-          {
-            groups[group].push_back(point);
-          }
-        });
+      visit(i, [&](const glm::dvec3& point) { groups[group].push_back(point); });
     }
   };
   for (std::size_t first = 0; first < groups.size(); first += kBatch)
   {
-    if (report)
-    {
-      report(static_cast<double>(first) / static_cast<double>(groups.size()));
-    }
-    tbb::parallel_for(first, std::min(groups.size(), first + kBatch), sample);
+    report(static_cast<double>(first) / static_cast<double>(groups.size()));
+    tbb::parallel_for(first, std::min(groups.size(), first + kBatch), fill);
   }
-  std::vector<glm::dvec3> samples;
+  std::vector<glm::dvec3> points;
   for (const auto& group : groups)
   {
-    samples.insert(samples.end(), group.begin(), group.end());
+    points.insert(points.end(), group.begin(), group.end());
   }
+  return points;
+}
+
+/// Returns by how much denser to sample a union that got few samples; 1 if it has enough, or no
+/// area to speak of.
+double refinement(const Parts& parts, std::size_t found)
+{
+  constexpr double kFewest = 100.0;
+  constexpr double kMost = 1e6; // with those that are dropped
+  const double kept = std::max(1.0, static_cast<double>(found));
+  if (kept >= kFewest || !(parts.samples() > 0.0) || parts.samples() >= kMost)
+  {
+    return 1.0;
+  }
+  // Before any is found, the share of those that are kept is not known.
+  const double wanted =
+    found > 0 ? 1.5 * kFewest / kept : std::max(10.0, kFewest / parts.samples());
+  const double factor = std::min(wanted, kMost / parts.samples());
+  return std::isfinite(factor * parts.samples()) ? factor : 1.0;
+}
+
+} // namespace
+
+BoundarySamples boundarySamples(const BallUnion& solid, double areaPerSample, double tolerance,
+  const std::function<void(double)>& report)
+{
+  Parts parts(solid, areaPerSample);
+  const auto covered = [&](const glm::dvec3& point) { return solid.covers(point, tolerance); };
+  const auto sampleParts = [&](double from)
+  {
+    return collect(
+      parts.size(),
+      [&](std::size_t part, const auto& add)
+      {
+        parts.visitSamples(part,
+          [&](const glm::dvec3& point)
+          {
+            if (!covered(point))
+            {
+              add(point);
+            }
+          });
+      },
+      [&](double fraction) { report(from + (0.9 - from) * fraction); });
+  };
+  BoundarySamples samples;
+  samples.even = sampleParts(0.0);
+  for (double factor = refinement(parts, samples.even.size()); factor > 1.0;
+       factor = refinement(parts, samples.even.size()))
+  {
+    parts.refine(factor);
+    samples.even = sampleParts(0.8);
+  }
+  samples.ofBalls = collect(
+    parts.balls(),
+    [&](std::size_t ball, const auto& add)
+    {
+      if (const auto point = parts.exposedPoint(static_cast<std::int32_t>(ball), covered))
+      {
+        add(*point);
+      }
+    },
+    [&](double fraction) { report(0.9 + 0.1 * fraction); });
   return samples;
 }
 

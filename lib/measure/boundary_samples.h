@@ -10,14 +10,22 @@
 namespace medial
 {
 
-/// Spreads points evenly by area over the surface of a union of balls, cones and wedges. The points
-/// do not depend on the number of threads. The surface of every part is sampled, and samples inside
-/// other parts are dropped.
-/// @param areaPerSample > 0.
+/// Points on the surface of a union of balls, cones and wedges.
+struct BoundarySamples
+{
+  std::vector<glm::dvec3> even; ///< spread evenly by area
+  /// One on each ball that shows, as far as a few tries find it: what is too small for samples
+  /// counts as well.
+  std::vector<glm::dvec3> ofBalls;
+};
+
+/// Samples the surface of a union. The points do not depend on the number of threads. The surface
+/// of every part is sampled, and samples inside other parts are dropped.
+/// @param areaPerSample > 0; less is taken where a small union would have too few samples.
 /// @param tolerance points this deep inside another primitive still count as on the surface.
 /// @param report called regularly with the share of the work that is done, in [0, 1]; its
 ///   exceptions end the work.
-std::vector<glm::dvec3> boundarySamples(const BallUnion& solid, double areaPerSample,
-  double tolerance, const std::function<void(double)>& report = {});
+BoundarySamples boundarySamples(const BallUnion& solid, double areaPerSample, double tolerance,
+  const std::function<void(double)>& report);
 
 } // namespace medial

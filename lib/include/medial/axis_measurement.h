@@ -23,7 +23,7 @@ struct MeasurementOptions
 {
   /// Number of samples on the surface of the mesh, in [1000, 100000000]. The surface of the union
   /// gets as many per unit area, but fewer if its bounds are more than four times as large as those
-  /// of the mesh.
+  /// of the mesh, and more if it would get less than 100.
   std::int64_t samples = kDefaultMeasureSamples;
   Execution execution; ///< threads, progress and cancelling
 };
@@ -48,7 +48,8 @@ struct MEDIAL_EXPORT AxisMeasurement
   Deviation surfaceToUnion;
   /// Distances from the surface of the union to the mesh, exact. The samples are spread evenly by
   /// area over the surfaces of balls, cones and wedges; those inside another ball, cone or wedge
-  /// are left out.
+  /// are left out. The maximum includes a point of each ball that shows as well. Where the union
+  /// has no area, these points are the samples; a ball of radius 0 is its centre.
   Deviation unionToSurface;
   /// |radius - distance from the centre to the mesh| of the balls.
   Deviation radiusError;

@@ -60,6 +60,42 @@ TEST(AxisMeasurement, SamplesAreAsManyPerAreaOnBothSurfaces)
   EXPECT_NEAR(static_cast<double>(result.unionToSurface.places), 5000.0, 30.0);
 }
 
+TEST(AxisMeasurement, BallsTooSmallForSamplesCount)
+{
+  MeasurementOptions options;
+  options.samples = 20000;
+  // Facets of the icosphere lie inside the sphere by up to 1.2e-3.
+  for (const double radius : { 1e-2, 1e-3, 1e-6, 1e-160, 0.0 })
+  {
+    const AxisMeasurement result = measureOn(icosphere(1.0, 4), ballModel(radius), options);
+    EXPECT_NEAR(result.unionToSurface.mean, 1.0 - radius, 1.3e-3) << radius;
+    EXPECT_NEAR(result.unionToSurface.max, 1.0 - radius, 1.3e-3) << radius;
+    EXPECT_NEAR(result.meanDistance(), 1.0 - radius, 1.3e-3) << radius;
+    EXPECT_GE(result.unionToSurface.places, 1) << radius;
+  }
+}
+
+TEST(AxisMeasurement, ASmallBallBesideALargeOneCountsInTheMaximum)
+{
+  for (const double radius : { 1e-6, 0.0 })
+  {
+    MedialModel model = ballModel(1.0);
+    model.centres.push_back({ 0, 0, 3 });
+    model.radii.push_back(radius);
+    const AxisMeasurement result = measureOn(icosphere(1.0, 5), model);
+    EXPECT_NEAR(result.unionToSurface.max, 2.0, 1e-5);
+    EXPECT_LT(result.unionToSurface.mean, 3e-4); // by area
+  }
+}
+
+TEST(AxisMeasurement, SegmentsOfNoWidthAreTheirEnds)
+{
+  MedialModel model = capsuleModel(1.0, 0.0);
+  const AxisMeasurement result = measureOn(icosphere(3.0, 5), model);
+  EXPECT_EQ(result.unionToSurface.places, 2);
+  EXPECT_NEAR(result.unionToSurface.mean, 2.0, 1e-3);
+}
+
 TEST(AxisMeasurement, CapsuleIsItsSegment)
 {
   const TriangleMesh mesh = uvCapsule(0.5, 1.0, 256);
