@@ -1,6 +1,7 @@
 #include "vtkMedialExecution.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkCommand.h"
 #include "vtkDataObject.h"
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkInformation.h"
@@ -52,6 +53,25 @@ unsigned long ToErrorCode(medial::ErrorCode code)
   return vtkMeshFieldAlgorithm::InternalError;
 }
 
+//------------------------------------------------------------------------------
+// While GlobalWarningDisplay is off the macro does not even tell observers, whom Python's
+// exceptions depend on. They get the text in the macro's form.
+void ReportError(vtkAlgorithm* algorithm, const char* message)
+{
+  if (vtkObject::GetGlobalWarningDisplay())
+  {
+    vtkErrorWithObjectMacro(algorithm, << message);
+  }
+  else if (algorithm->HasObserver(vtkCommand::ErrorEvent))
+  {
+    std::ostringstream text;
+    text << "ERROR: In " << __FILE__ << ", line " << __LINE__ << "\n"
+         << algorithm->GetClassName() << " (" << algorithm << "): " << message << "\n\n";
+    std::string characters = text.str();
+    algorithm->InvokeEvent(vtkCommand::ErrorEvent, characters.data());
+  }
+}
+
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -61,7 +81,7 @@ bool vtkRunGuarded(vtkAlgorithm* algorithm, unsigned long& errorCode,
   const auto fail = [&](unsigned long code, const char* message)
   {
     errorCode = code;
-    vtkErrorWithObjectMacro(algorithm, << message);
+    ReportError(algorithm, message);
   };
   errorCode = vtkErrorCode::NoError;
   try
@@ -104,7 +124,7 @@ void vtkWarnOnce(vtkAlgorithm* algorithm, const std::string& note)
     const std::lock_guard<std::mutex> lock(mutex);
     return known.insert(cause).second;
   };
-  if (!note.empty() && isNew())
+  if (!note.empty() && vtkObject::GetGlobalWarningDisplay() && isNew())
   {
     vtkWarningWithObjectMacro(algorithm, << note);
   }

@@ -20,14 +20,14 @@ class vtkInformationVector;
 /**
  * Runs work and turns what it throws into VTK's error reporting: errorCode, the algorithm's own,
  * becomes one of vtkMeshFieldAlgorithm::ErrorCodes, with an ErrorEvent unless an observer stopped
- * the work. Returns whether all went well.
+ * the work. Observers get it even while GlobalWarningDisplay is off. Returns whether all went well.
  */
 bool vtkRunGuarded(vtkAlgorithm* algorithm, unsigned long& errorCode,
   const std::function<void()>& work);
 
 /**
  * Warns of what a run says, once a process for each cause (numbers in it do not count). Nothing for
- * an empty note.
+ * an empty note, and while GlobalWarningDisplay is off.
  */
 void vtkWarnOnce(vtkAlgorithm* algorithm, const std::string& note);
 

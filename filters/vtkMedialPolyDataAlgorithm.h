@@ -9,7 +9,9 @@
  * A parameter outside its range and input that cannot be used are reported by one vtkErrorMacro
  * with the value and the allowed range; GetErrorCode() is then one of
  * vtkMeshFieldAlgorithm::ErrorCodes, the output is empty and the request ends as it does for
- * vtkMeshFieldAlgorithm. Parameters are checked when the filter executes; no value is clamped.
+ * vtkMeshFieldAlgorithm. Observers of ErrorEvent are told even while
+ * vtkObject::GlobalWarningDisplay is off. Parameters are checked when the filter executes; no value
+ * is clamped.
  *
  * @par Abort:
  * SetAbortExecute(1) from a ProgressEvent observer stops the execution soon. The output is then

@@ -56,6 +56,7 @@
  * by one vtkErrorMacro with the value and the allowed range; GetErrorCode() is then one of
  * ErrorCodes, all outputs are empty and the request fails (from VTK 9.2 on it succeeds, with
  * outputs that are marked as aborted, so that no other message follows). No filter downstream runs.
+ * Observers of ErrorEvent are told even while vtkObject::GlobalWarningDisplay is off.
  * Parameters are checked when the filter executes; no value is clamped. Images larger than the
  * available memory are refused before anything is computed.
  *

@@ -14,6 +14,7 @@
 #include "medial/error.h"
 #include "medial/point_distance.h"
 
+#include <string>
 #include <vector>
 
 vtkStandardNewMacro(vtkMeshPointDistance);
@@ -101,6 +102,30 @@ int vtkMeshPointDistance::FillInputPortInformation(int port, vtkInformation* inf
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkDataSet" : "vtkPolyData");
   return 1;
+}
+
+//------------------------------------------------------------------------------
+// The superclass fails without a message where there are no points to copy the type of.
+int vtkMeshPointDistance::RequestDataObject(vtkInformation* request,
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const bool hasPoints = vtkRunGuarded(this, this->ErrorCode,
+    [&]
+    {
+      if (inputVector[0]->GetNumberOfInformationObjects() == 0)
+      {
+        throw medial::Error(medial::ErrorCode::InvalidInput,
+          "input port 0, which takes the points, has no connection");
+      }
+      vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
+      if (!vtkDataSet::SafeDownCast(input))
+      {
+        throw medial::Error(medial::ErrorCode::InvalidInput,
+          std::string("the input of port 0 is ") +
+            (input ? std::string("a ") + input->GetClassName() : "missing") + ", not a vtkDataSet");
+      }
+    });
+  return hasPoints ? this->Superclass::RequestDataObject(request, inputVector, outputVector) : 0;
 }
 
 //------------------------------------------------------------------------------

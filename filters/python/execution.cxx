@@ -1,10 +1,11 @@
 // The extension module medial._execution: executes a filter with Python's global lock released, and
-// passes on what happens meanwhile: error and warning events as texts, Ctrl-C and exceptions of the
-// progress function as exceptions, after aborting the filter.
+// passes on what happens meanwhile: its success, error and warning events as texts, Ctrl-C and
+// exceptions of the progress function as exceptions, after aborting the filter.
 #include "vtkPython.h" // must come first
 
 #include "vtkAlgorithm.h"
 #include "vtkCommand.h"
+#include "vtkErrorCode.h"
 #include "vtkExecutive.h"
 #include "vtkNew.h"
 #include "vtkPythonUtil.h"
@@ -171,7 +172,21 @@ private:
 };
 
 //------------------------------------------------------------------------------
-/// Adds the receiver to the algorithm and to everything upstream of it.
+/// Opens a member of other algorithms.
+class ErrorCodes : public vtkAlgorithm
+{
+public:
+  /// Readers set it when they fail, but many do not clear it when they next succeed. SetErrorCode()
+  /// would also modify them.
+  static void Clear(vtkAlgorithm* algorithm)
+  {
+    algorithm->*(&ErrorCodes::ErrorCode) = vtkErrorCode::NoError;
+  }
+};
+
+//------------------------------------------------------------------------------
+/// Adds the receiver to the algorithm and to everything upstream of it, whose error codes are
+/// cleared: afterwards they are those of this update.
 class Subscriptions
 {
 public:
@@ -204,6 +219,7 @@ private:
       return;
     }
     this->HasPythonAlgorithm = this->HasPythonAlgorithm || algorithm->IsA("vtkPythonAlgorithm");
+    ErrorCodes::Clear(algorithm);
     this->Observe(algorithm, vtkCommand::ErrorEvent);
     this->Observe(algorithm, vtkCommand::WarningEvent);
     this->Observe(algorithm, vtkCommand::ProgressEvent);
@@ -265,12 +281,14 @@ PyObject* Update(PyObject*, PyObject* arguments)
   const vtkSmartPointer<vtkAlgorithm> algorithm = vtkAlgorithm::SafeDownCast(pointer);
   vtkNew<EventReceiver> receiver;
   receiver->SetProgress(algorithm, progress);
+  vtkTypeBool done = 0;
   {
     const Subscriptions subscriptions(algorithm, receiver);
     const LockRelease release(!subscriptions.NeedLock());
     try
     {
-      algorithm->Update();
+      // As Update(), which keeps to itself whether all went well.
+      done = algorithm->Update(algorithm->GetNumberOfOutputPorts() > 0 ? 0 : -1, nullptr);
     }
     catch (const std::exception& error)
     {
@@ -283,12 +301,14 @@ PyObject* Update(PyObject*, PyObject* arguments)
     return nullptr;
   }
   // "N" takes over the lists; it fails, and releases them, where one of them is null.
-  return Py_BuildValue("NN", ToList(receiver->GetMessages()), ToList(receiver->GetWarnings()));
+  return Py_BuildValue("NNN", PyBool_FromLong(done), ToList(receiver->GetMessages()),
+    ToList(receiver->GetWarnings()));
 }
 
 PyMethodDef Methods[] = {
   { "update", Update, METH_VARARGS,
-    "update(algorithm, progress=None) -> lists of error messages and of warnings" },
+    "update(algorithm, progress=None) -> whether all went well, and lists of error messages and of "
+    "warnings" },
   { nullptr, nullptr, 0, nullptr }
 };
 

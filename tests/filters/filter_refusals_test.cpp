@@ -92,6 +92,19 @@ TYPED_TEST(FilterContract, RefusesSignsThatTheMeshCannotHave)
     "pseudonormal");
 }
 
+TYPED_TEST(FilterContract, ObserversAreToldWhileWarningsAreOff)
+{
+  auto filter = this->make(boxPolyData());
+  filter->SetResolution(1);
+  EventLog log(filter);
+  vtkObject::GlobalWarningDisplayOff();
+  const bool done = update(filter);
+  vtkObject::GlobalWarningDisplayOn();
+  EXPECT_FALSE(done);
+  ASSERT_EQ(log.errors.size(), 1u);
+  EXPECT_NE(log.errors[0].find("): resolution 1 is outside [2, 8192]"), std::string::npos);
+}
+
 TYPED_TEST(FilterContract, MissingInputIsAnErrorOfThePipeline)
 {
   vtkNew<TypeParam> filter;

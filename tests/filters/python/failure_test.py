@@ -4,6 +4,7 @@ import os
 import re
 import subprocess
 import sys
+import tempfile
 import textwrap
 import unittest
 from fractions import Fraction
@@ -11,9 +12,11 @@ from fractions import Fraction
 import medial
 import numpy as np
 import shapes
-from vtkmodules.vtkCommonDataModel import vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkContourFilter
-from vtkmodules.vtkIOGeometry import vtkSTLReader
+from vtkmodules.vtkCommonCore import vtkObject
+from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkTable
+from vtkmodules.vtkFiltersCore import vtkContourFilter, vtkElevationFilter
+from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader, vtkSTLWriter
+from vtkmodules.vtkIOLegacy import vtkPolyDataReader
 
 VERTICES, QUADS = shapes.box()
 SMALL = {"resolution": 9}
@@ -206,6 +209,100 @@ class Parameters(unittest.TestCase):
     def test_work_goes_on_after_failures(self):
         self.assert_refused("resolution", resolution=1)
         self.assertEqual(medial.distance_field(VERTICES, QUADS, **SMALL).distance.shape[0], 9)
+
+
+class Inputs(unittest.TestCase):
+    """Pipelines without the input that a filter needs."""
+
+    def assert_refused(self, message, algorithm):
+        for _ in range(2):
+            with self.assertRaisesRegex(medial.Error, message):
+                medial.update(algorithm)
+
+    def test_points_whose_distances_are_asked_for(self):
+        distances = medial.vtkMeshPointDistance()
+        self.assert_refused("^input port 0, which takes the points, has no connection$", distances)
+        distances.SetInputDataObject(vtkTable())
+        self.assert_refused("^the input of port 0 is a vtkTable, not a vtkDataSet$", distances)
+        points = vtkPolyData()
+        distances.SetInputDataObject(points)
+        self.assert_refused("nput port 1 .* has 0 connections", distances)
+        distances.SetSurfaceData(medial.Surface(VERTICES, QUADS).to_vtk())
+        medial.update(distances)
+        self.assertEqual(distances.GetOutput().GetNumberOfPoints(), 0)
+
+
+class WithoutWarnings(unittest.TestCase):
+    """VTK's error macro tells nobody while global warnings are off."""
+
+    def setUp(self):
+        vtkObject.GlobalWarningDisplayOff()
+        self.addCleanup(vtkObject.GlobalWarningDisplayOn)
+
+    def assert_refused(self, message, algorithm, error=medial.Error):
+        for _ in range(2):
+            with self.assertRaisesRegex(error, message):
+                medial.update(algorithm)
+
+    def test_functions(self):
+        unset = np.full_like(VERTICES, np.nan)
+        for function in (medial.distance_field, medial.medial_axis, medial.skeleton,
+                         medial.thickness, medial.local_thickness):
+            with self.assertRaisesRegex(medial.InvalidInputError, r"point 0 .* \(nan, nan, nan\)"):
+                function(unset, QUADS)
+        with self.assertRaisesRegex(medial.InvalidInputError, "mesh B: point 0 "):
+            medial.proximity(VERTICES, QUADS, unset, QUADS)
+        with self.assertRaisesRegex(medial.InvalidInputError, r"point 0 .* \(nan, 0, 0\)"):
+            medial.distance(VERTICES, QUADS, [[np.nan, 0, 0]])
+        with self.assertRaisesRegex(medial.InvalidInputError, "no point data array Radius"):
+            medial.reconstruction(medial.Surface(VERTICES, QUADS).to_vtk())
+
+    def test_filters(self):
+        axis = medial.vtkMedialAxis()
+        self.assert_refused("^input port 0 of vtkMedialAxis has 0 connections$", axis)
+        axis.SetInputData(medial.Surface(VERTICES, QUADS).to_vtk())
+        axis.SetResolution(9)
+        axis.SetAngle(200)
+        elevation = vtkElevationFilter()
+        elevation.SetInputConnection(axis.GetOutputPort())
+        self.assert_refused("^separation angle 200", axis, medial.InvalidInputError)
+        self.assert_refused("^separation angle 200", elevation)
+        axis.SetAngle(60)
+        medial.update(elevation)
+        self.assertGreater(elevation.GetOutput().GetNumberOfPoints(), 0)
+
+    def test_filter_that_is_aborted(self):
+        axis = medial.vtkMedialAxis()
+        axis.SetInputData(medial.Surface(VERTICES, QUADS).to_vtk())
+        axis.SetResolution(9)
+        tag = axis.AddObserver("ProgressEvent", lambda caller, _event: caller.SetAbortExecute(1))
+        self.assert_refused("^vtkMedialAxis was aborted$", axis)
+        vtkObject.GlobalWarningDisplayOn()
+        self.assert_refused("^vtkMedialAxis was aborted$", axis)
+        axis.RemoveObserver(tag)
+        medial.update(axis)
+        self.assertGreater(axis.GetOutput().GetNumberOfPoints(), 0)
+
+    def test_readers_of_vtk(self):
+        for make in (vtkSTLReader, vtkOBJReader, vtkPolyDataReader):
+            reader = make()
+            reader.SetFileName("absent")
+            thickness = medial.vtkMedialThickness()
+            thickness.SetInputConnection(reader.GetOutputPort())
+            for algorithm in (reader, thickness):
+                self.assert_refused(f"{make.__name__} .*failed without an error message", algorithm)
+
+    def test_error_codes_that_readers_keep(self):
+        with tempfile.TemporaryDirectory() as folder:
+            reader, writer = vtkSTLReader(), vtkSTLWriter()
+            for one in (reader, writer):
+                one.SetFileName(os.path.join(folder, "part.stl"))
+            self.assert_refused("^vtkSTLReader .*CannotOpenFile", reader)
+            writer.SetInputData(medial.Surface(*shapes.ball(1)).to_vtk())
+            medial.update(writer)
+            medial.update(reader)
+            self.assertEqual(reader.GetOutput().GetNumberOfPoints(), 18)
+            self.assertEqual(reader.GetErrorCode(), 0)
 
 
 class Processes(unittest.TestCase):
