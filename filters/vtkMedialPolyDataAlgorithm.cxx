@@ -40,9 +40,10 @@ vtkMedialPolyDataAlgorithm::vtkMedialPolyDataAlgorithm() = default;
 vtkMedialPolyDataAlgorithm::~vtkMedialPolyDataAlgorithm() = default;
 
 //------------------------------------------------------------------------------
-int vtkMedialPolyDataAlgorithm::RequestInformation(vtkInformation*, vtkInformationVector**,
-  vtkInformationVector* outputVector)
+int vtkMedialPolyDataAlgorithm::RequestInformation(vtkInformation*,
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  vtkAnnounceTimes(inputVector, this->GetNumberOfInputPorts(), outputVector);
   for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
   {
     outputVector->GetInformationObject(port)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
@@ -82,6 +83,7 @@ int vtkMedialPolyDataAlgorithm::RequestData(vtkInformation* request,
         outputs.push_back(vtkPolyData::GetData(outputVector, i));
       }
       this->Execute(InputsOf(inputVector, this->GetNumberOfInputPorts()), outputs);
+      vtkMarkTime(outInfo, outputVector);
     });
   return done ? 1 : vtkEndWithoutOutput(this, outputVector);
 }

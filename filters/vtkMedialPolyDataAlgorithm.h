@@ -18,6 +18,9 @@
  * empty, GetErrorCode() is vtkMeshFieldAlgorithm::CancelledError without an ErrorEvent from the
  * filter, and the next Update() executes again.
  *
+ * @par Time:
+ * The outputs have the time steps of all inputs; each is asked for the time that is requested.
+ *
  * @par Parallel pipelines:
  * No output is split: piece 0 is all of it, every other piece is empty. Whatever piece is
  * requested, the filter asks for the whole of its inputs.

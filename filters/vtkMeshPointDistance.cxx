@@ -129,6 +129,14 @@ int vtkMeshPointDistance::RequestDataObject(vtkInformation* request,
 }
 
 //------------------------------------------------------------------------------
+int vtkMeshPointDistance::RequestInformation(vtkInformation* request,
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkAnnounceTimes(inputVector, this->GetNumberOfInputPorts(), outputVector);
+  return this->Superclass::RequestInformation(request, inputVector, outputVector);
+}
+
+//------------------------------------------------------------------------------
 int vtkMeshPointDistance::RequestUpdateExtent(vtkInformation* request,
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -154,6 +162,7 @@ int vtkMeshPointDistance::RequestData(vtkInformation*, vtkInformationVector** in
       }
       this->Execute(vtkDataSet::GetData(inputVector[0]), surface,
         vtkDataSet::GetData(outputVector));
+      vtkMarkTime(outputVector->GetInformationObject(0), outputVector);
     });
   return done ? 1 : vtkEndWithoutOutput(this, outputVector);
 }

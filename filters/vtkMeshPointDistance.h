@@ -36,6 +36,9 @@
  * As for vtkMedialPolyDataAlgorithm. A point whose coordinates are not finite is an error that
  * names it.
  *
+ * @par Time:
+ * The output has the time steps of both inputs; each is asked for the time that is requested.
+ *
  * @par Parallel pipelines:
  * Points are split as the pipeline asks; every piece asks for the whole surface.
  *
@@ -103,6 +106,7 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 

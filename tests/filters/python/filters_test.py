@@ -4,8 +4,10 @@ import math
 import unittest
 
 import medial
+from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonCore import vtkObject
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkPolyData
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
 from vtkmodules.vtkFiltersCore import vtkContourFilter, vtkMassProperties, vtkTriangleFilter
 from vtkmodules.vtkFiltersModeling import vtkLinearSubdivisionFilter
 from vtkmodules.vtkFiltersSources import vtkCubeSource
@@ -26,6 +28,89 @@ def box_axis(resolution=17):
 def figure(output, name):
     """The first value of a field data array."""
     return output.GetFieldData().GetAbstractArray(name).GetValue(0)
+
+
+class Moving(VTKPythonAlgorithmBase):
+    """A cube of side 1 about (2 + t, 0, 0) at some times t; between them, at the time before."""
+
+    def __init__(self, *times):
+        super().__init__(nInputPorts=0, nOutputPorts=1, outputType="vtkPolyData")
+        self.times = times
+
+    def RequestInformation(self, _request, _input, output):
+        info = output.GetInformationObject(0)
+        info.Set(Pipeline.TIME_STEPS(), self.times, len(self.times))
+        info.Set(Pipeline.TIME_RANGE(), (self.times[0], self.times[-1]), 2)
+        return 1
+
+    def at(self, time):
+        return max((own for own in self.times if own <= time), default=self.times[0])
+
+    def RequestData(self, _request, _input, output):
+        key = Pipeline.UPDATE_TIME_STEP()
+        info = output.GetInformationObject(0)
+        time = self.at(info.Get(key) if info.Has(key) else self.times[0])
+        cube = vtkCubeSource()
+        cube.SetCenter(2 + time, 0, 0)
+        cube.Update()
+        mesh = vtkPolyData.GetData(output, 0)
+        mesh.ShallowCopy(cube.GetOutput())
+        mesh.GetInformation().Set(vtkDataObject.DATA_TIME_STEP(), time)
+        return 1
+
+
+class Times(unittest.TestCase):
+    """Pairs of inputs of which one moves, or both at times of their own."""
+
+    def setUp(self):
+        self.still = vtkCubeSource()
+
+    def assert_distances(self, name, distance_at, make, pairs):
+        """The figure of that name, at all times of both and back again."""
+        for pair in pairs:
+            times = sorted({time for one in pair if isinstance(one, Moving) for time in one.times})
+            places = [lambda t, one=one: 2 + one.at(t) if isinstance(one, Moving) else 0 for one in pair]
+            algorithm = make(*(one.GetOutputPort() for one in pair))
+            algorithm.UpdateInformation()
+            info = algorithm.GetOutputInformation(0)
+            self.assertEqual(list(info.Get(Pipeline.TIME_STEPS())), times)
+            self.assertEqual(list(info.Get(Pipeline.TIME_RANGE())), [times[0], times[-1]])
+            for time in times + times[-2::-1] + times[1:]:
+                algorithm.UpdateTimeStep(time)
+                apart = abs(places[0](time) - places[1](time))
+                output = algorithm.GetOutput()
+                self.assertEqual(figure(output, name), distance_at(apart), (pair, time))
+                self.assertEqual(output.GetInformation().Get(vtkDataObject.DATA_TIME_STEP()), time)
+
+    def test_proximity(self):
+        def make(a, b):
+            proximity = medial.vtkMeshProximity()
+            proximity.SetInputConnection(0, a)
+            proximity.SetInputConnection(1, b)
+            return proximity
+
+        self.assert_distances("Separation", lambda apart: max(0, apart - 1), make, (
+            (self.still, Moving(0, 1, 2)), (Moving(0, 1, 2), self.still),
+            (Moving(0, 4), Moving(1, 3, 6, 9))))
+
+    def test_distances_at_points(self):
+        def make(points, surface):
+            distances = medial.vtkMeshPointDistance()
+            distances.SetInputConnection(points)
+            distances.SetSurfaceConnection(surface)
+            return distances
+
+        self.assert_distances("MaxDistance", lambda apart: apart, make, (
+            (self.still, Moving(0, 1, 2)), (Moving(0, 1, 2), self.still),
+            (Moving(0, 4), Moving(1, 3, 6, 9))))
+
+    def test_without_times(self):
+        proximity = medial.vtkMeshProximity()
+        for port in (0, 1):
+            proximity.SetInputConnection(port, self.still.GetOutputPort())
+        proximity.UpdateInformation()
+        self.assertFalse(proximity.GetOutputInformation(0).Has(Pipeline.TIME_STEPS()))
+        self.assertFalse(proximity.GetOutputInformation(0).Has(Pipeline.TIME_RANGE()))
 
 
 class FiltersTest(unittest.TestCase):
