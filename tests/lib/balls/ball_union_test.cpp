@@ -70,10 +70,13 @@ double minOfAll(const MedialModel& model, const glm::dvec3& x, bool interpolate)
   return min;
 }
 
+void ignored(double /*fraction*/) {}
+
 double sampledArea(const MedialModel& model, double areaPerSample)
 {
   const BallUnion solid(model);
-  return areaPerSample * static_cast<double>(boundarySamples(solid, areaPerSample, 1e-9).size());
+  return areaPerSample *
+    static_cast<double>(boundarySamples(solid, areaPerSample, 1e-9, ignored).even.size());
 }
 
 TEST(BallUnion, FindsTheMinimumOfAllPrimitives)
@@ -156,7 +159,7 @@ TEST(BallUnion, NeverTooSmallInside)
 {
   const MedialModel model = randomModel(60, 40, 30);
   const BallUnion solid(model);
-  const auto boundary = boundarySamples(solid, 1e-5, 1e-9);
+  const auto boundary = boundarySamples(solid, 1e-5, 1e-9, ignored).even;
   int inside = 0;
   int exact = 0;
   for (const Point3& p : randomPoints({ { -1, -1, -1 }, { 1, 1, 1 } }, 500, 6))
@@ -180,7 +183,7 @@ TEST(BoundarySamples, AreOnTheSurface)
 {
   const MedialModel model = randomModel(60, 40, 30);
   const BallUnion solid(model);
-  const auto samples = boundarySamples(solid, 1e-3, 1e-9);
+  const auto samples = boundarySamples(solid, 1e-3, 1e-9, ignored).even;
   ASSERT_GT(samples.size(), 5000u);
   for (const glm::dvec3& x : samples)
   {
