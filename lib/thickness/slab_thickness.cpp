@@ -270,7 +270,8 @@ void SlabThickness::replaceSide(const Extent& tile, const Extent& slab, const Si
       if (sign * distances[point] > 0.0f)
       {
         // No ball is larger but for rounding.
-        values[place] = -sign * std::min(radii.radius(point) * diameter, side.end);
+        const float value = std::min(radii.radius(point) * diameter, side.end);
+        values[place] = sign > 0.0f && this->bothSides() ? -value : value;
       }
     });
 }
@@ -286,13 +287,13 @@ SlabThickness::SliceSums SlabThickness::sumsOf(const float* values, std::int64_t
   const double outside = binsPerUnit(exterior_);
   for (std::int64_t i = 0; i < count; ++i)
   {
-    if (values[i] > 0.0f)
+    if (values[i] < 0.0f || (values[i] > 0.0f && interior_.families == nullptr))
+    {
+      sums.exterior.add(std::abs(values[i]), outside);
+    }
+    else if (values[i] > 0.0f)
     {
       sums.interior.add(values[i], inside);
-    }
-    else if (values[i] < 0.0f)
-    {
-      sums.exterior.add(-values[i], outside);
     }
   }
   return sums;

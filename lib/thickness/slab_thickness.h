@@ -57,6 +57,8 @@ private:
     Sums exterior;
   };
 
+  /// Whether values need a sign to tell the sides apart.
+  bool bothSides() const { return interior_.families != nullptr && exterior_.families != nullptr; }
   void replaceTile(const Extent& tile, const Extent& slab, const SiteQuery& query,
     float* values) const;
   void replaceSide(const Extent& tile, const Extent& slab, const SiteQuery& query,

@@ -90,7 +90,7 @@ TEST_F(CommandLocalThickness, ObeysTheSide)
   EXPECT_LT(valueAt(both, 0.0, 0.0, 0.5), 0.0);
   const auto separation = image({ "--side", "exterior" });
   EXPECT_EQ(valueAt(separation, 0.0, 0.0, 0.3), 0.0);
-  EXPECT_EQ(valueAt(separation, 0.0, 0.0, 0.5), valueAt(both, 0.0, 0.0, 0.5));
+  EXPECT_EQ(valueAt(separation, 0.0, 0.0, 0.5), -valueAt(both, 0.0, 0.0, 0.5));
 }
 
 TEST_F(CommandLocalThickness, ComesWithTheField)

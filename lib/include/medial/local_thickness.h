@@ -19,8 +19,8 @@ namespace medial
 struct LocalThicknessOptions
 {
   /// Interior: the thickness of the solid, and 0 outside. Exterior: the separation, which is the
-  /// same of the space outside, and 0 inside. Both: the thickness inside, and outside the
-  /// separation as a negative number.
+  /// same of the space outside, and 0 inside; a positive number as well. Both: the thickness
+  /// inside, and outside the separation as a negative number.
   Side side = Side::Interior;
   /// Number of bins of LocalThicknessSummary::histogram, in [1, 65536].
   int bins = 64;

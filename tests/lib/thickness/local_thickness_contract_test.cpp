@@ -130,9 +130,13 @@ TEST(LocalThicknessContract, BothIsThicknessInsideAndMinusSeparationOutside)
   for (std::size_t i = 0; i < both.values.size(); ++i)
   {
     EXPECT_GE(inside.values[i], 0.0f);
-    EXPECT_LE(outside.values[i], 0.0f);
-    ASSERT_EQ(both.values[i], inside.values[i] + outside.values[i]);
+    EXPECT_GE(outside.values[i], 0.0f); // only with both sides the sign tells them apart
+    ASSERT_EQ(both.values[i], inside.values[i] - outside.values[i]);
   }
+  EXPECT_GT(outside.statistics.separation->max, 0.0);
+  EXPECT_EQ(outside.statistics.separation->points, both.statistics.separation->points);
+  EXPECT_EQ(outside.statistics.separation->mean, both.statistics.separation->mean);
+  EXPECT_EQ(outside.statistics.separation->histogram, both.statistics.separation->histogram);
 }
 
 TEST(LocalThicknessContract, SummaryDescribesTheValues)
