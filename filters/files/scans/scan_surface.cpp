@@ -1,6 +1,7 @@
 #include "files/scans/scan_surface.h"
 
 #include "files/file_content.h"
+#include "files/scans/thin_parts.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
@@ -198,7 +199,7 @@ vtkSmartPointer<vtkPolyData> contour(vtkImageData* image, double value, double o
   return edges->GetOutput();
 }
 
-vtkSmartPointer<vtkPolyData> contourOfLabel(vtkImageData* image, long long label)
+vtkSmartPointer<vtkImageData> maskOf(vtkImageData* image, long long label)
 {
   vtkNew<vtkImageThreshold> mask;
   mask->SetInputData(image);
@@ -207,7 +208,7 @@ vtkSmartPointer<vtkPolyData> contourOfLabel(vtkImageData* image, long long label
   mask->SetOutValue(0.0);
   mask->SetOutputScalarTypeToUnsignedChar();
   mask->Update();
-  return contour(mask->GetOutput(), 0.5, 0.0);
+  return mask->GetOutput();
 }
 
 // Where the greatest value occurs at single voxels, their surface is nothing but points.
@@ -235,6 +236,10 @@ bool hasArea(vtkPolyData* surface)
 
 vtkSmartPointer<vtkPolyData> smoothed(vtkPolyData* surface, int iterations)
 {
+  if (iterations == 0)
+  {
+    return surface;
+  }
   constexpr double kPassBand = 0.1;
   vtkNew<vtkWindowedSincPolyDataFilter> filter;
   filter->SetInputData(surface);
@@ -246,6 +251,38 @@ vtkSmartPointer<vtkPolyData> smoothed(vtkPolyData* surface, int iterations)
   filter->NormalizeCoordinatesOn();
   filter->Update();
   return filter->GetOutput();
+}
+
+// Moves points of parts and gaps of a mask that are one voxel wide back to where they were.
+// @param steps the surface before smoothing: each point halfway between two voxels.
+void restoreThinParts(vtkImageData* mask, vtkPolyData* steps, vtkPolyData* smooth)
+{
+  const int* size = mask->GetDimensions();
+  const ThinParts parts(static_cast<const unsigned char*>(mask->GetScalarPointer()),
+    { size[0], size[1], size[2] });
+  vtkPoints* original = steps->GetPoints();
+  vtkPoints* moved = smooth->GetPoints();
+  vtkSMPTools::For(0, original->GetNumberOfPoints(),
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType i = first; i < last; ++i)
+      {
+        double point[3];
+        original->GetPoint(i, point);
+        ThinParts::Voxel low{};
+        ThinParts::Voxel high{};
+        for (std::size_t axis = 0; axis < 3; ++axis)
+        {
+          low[axis] = static_cast<int>(std::floor(point[axis]));
+          high[axis] = static_cast<int>(std::ceil(point[axis]));
+        }
+        if (parts.contains(low) || parts.contains(high))
+        {
+          moved->SetPoint(i, point);
+        }
+      }
+    });
+  moved->Modified();
 }
 
 vtkSmartPointer<vtkPolyData> insideOut(vtkPolyData* surface)
@@ -289,22 +326,29 @@ vtkSmartPointer<vtkPolyData> inPhysicalSpace(vtkPolyData* surface, const ScanFra
   throw Error(ErrorCode::InvalidInput, why);
 }
 
-vtkSmartPointer<vtkPolyData> surfaceOfLabel(vtkImageData* image, long long label)
+vtkSmartPointer<vtkPolyData> surfaceOfLabel(vtkImageData* image, long long label, int iterations)
 {
-  vtkSmartPointer<vtkPolyData> surface;
+  vtkSmartPointer<vtkPolyData> steps;
+  vtkSmartPointer<vtkImageData> mask;
   if (canHave(image, label))
   {
-    surface = contourOfLabel(image, label);
+    mask = maskOf(image, label);
+    steps = contour(mask, 0.5, 0.0);
   }
-  if (surface == nullptr || surface->GetNumberOfPolys() == 0)
+  if (steps == nullptr || steps->GetNumberOfPolys() == 0)
   {
     refuse("has no voxel with the label " + std::to_string(label) +
       "; those that occur: " + labelsOf(image));
   }
+  const vtkSmartPointer<vtkPolyData> surface = smoothed(steps, iterations);
+  if (iterations > 0)
+  {
+    restoreThinParts(mask, steps, surface);
+  }
   return surface;
 }
 
-vtkSmartPointer<vtkPolyData> surfaceOfValue(vtkImageData* image, double value)
+vtkSmartPointer<vtkPolyData> surfaceOfValue(vtkImageData* image, double value, int iterations)
 {
   const std::string missing = "has no surface at the isovalue " + roundedText(value);
   const auto [low, high] = rangeOf(image);
@@ -317,11 +361,12 @@ vtkSmartPointer<vtkPolyData> surfaceOfValue(vtkImageData* image, double value)
   const bool isBright = isOutsideBelow(image, value);
   const double outside = isBright ? low : high;
   replaceNan(image, outside);
-  const vtkSmartPointer<vtkPolyData> surface = contour(image, value, outside);
-  if (!hasArea(surface))
+  const vtkSmartPointer<vtkPolyData> raw = contour(image, value, outside);
+  if (!hasArea(raw))
   {
     refuse(missing + range);
   }
+  const vtkSmartPointer<vtkPolyData> surface = smoothed(raw, iterations);
   return isBright ? surface : insideOut(surface); // its normals lead to lower values
 }
 
@@ -338,13 +383,9 @@ vtkSmartPointer<vtkPolyData> extractSurface(const Scan& scan, const ScanSurface&
   return withName(path,
     [&]
     {
-      vtkSmartPointer<vtkPolyData> surface = wanted.label
-        ? surfaceOfLabel(scan.image, *wanted.label)
-        : surfaceOfValue(scan.image, wanted.isovalue.value());
-      if (wanted.iterations() > 0)
-      {
-        surface = smoothed(surface, wanted.iterations());
-      }
+      const vtkSmartPointer<vtkPolyData> surface = wanted.label
+        ? surfaceOfLabel(scan.image, *wanted.label, wanted.iterations())
+        : surfaceOfValue(scan.image, wanted.isovalue.value(), wanted.iterations());
       return inPhysicalSpace(surface, scan.frame);
     });
 }
