@@ -23,7 +23,7 @@ struct SkeletonOptions
   /// junction, or reaches out of the balls of all other branches by less than this many times its
   /// own radius there; >= 0. In a sheet the way from the rim counts in place of the radius at the
   /// junction, and in a sheet or a ridge the way to its nearer border in place of its own. With 1,
-  /// what rises from a tube by more than its own radius has a branch, and ridges and bumps have
+  /// what rises from a tube by more than its own radius has a branch, and low ridges and bumps have
   /// none. A radius below the distance of grid points counts as that much. Junctions as near to
   /// each other become one. Loops stay whatever their length is.
   double minBranch = kDefaultMinBranch;
