@@ -48,7 +48,8 @@ def scan_surface(values: ArrayLike, affine: Optional[ArrayLike] = None, *,
     isovalue: the surface where the values are this, interpolated.
     label: the boundary of the voxels with this value; exactly one of isovalue and label is needed.
     smoothing: iterations of the windowed sinc filter that smooths the surface, in [0, 1000]; default
-        20 for a label, whose surface has steps, and 0 for an isovalue.
+        20 for a label, whose surface has steps, and 0 for an isovalue. Parts of a label that are one
+        voxel wide keep their steps.
 
     Raises InvalidInputError where the image has no such surface. The message names the labels, or
     the range of the values, that it has.
