@@ -5,8 +5,6 @@
 #include "vtkDataObject.h"
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkInformation.h"
-#include "vtkInformationDoubleKey.h"
-#include "vtkInformationDoubleVectorKey.h"
 #include "vtkInformationVector.h"
 #include "vtkMedialAxis.h"
 #include "vtkMeshFieldAlgorithm.h"
@@ -23,7 +21,6 @@
 #include <new>
 #include <set>
 #include <sstream>
-#include <vector>
 
 // From this version on executives keep filters downstream from using the output of an aborted
 // filter, without an error message of their own, and leave it to filters to reset AbortExecute.
@@ -303,55 +300,6 @@ void vtkRequestPiece(vtkInformation* request, int piece, int pieces)
   request->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), piece);
   request->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), pieces);
   request->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
-}
-
-//------------------------------------------------------------------------------
-void vtkAnnounceTimes(vtkInformationVector** inputVector, int ports,
-  vtkInformationVector* outputVector)
-{
-  vtkInformationDoubleVectorKey* const stepsKey = vtkStreamingDemandDrivenPipeline::TIME_STEPS();
-  vtkInformationDoubleVectorKey* const rangeKey = vtkStreamingDemandDrivenPipeline::TIME_RANGE();
-  std::set<double> steps;
-  std::set<double> ends;
-  for (int port = 0; port < ports; ++port)
-  {
-    for (int i = 0; i < inputVector[port]->GetNumberOfInformationObjects(); ++i)
-    {
-      vtkInformation* info = inputVector[port]->GetInformationObject(i);
-      const double* ofSteps = info->Get(stepsKey);
-      const double* ofRange = info->Get(rangeKey);
-      steps.insert(ofSteps, ofSteps + info->Length(stepsKey));
-      ends.insert(ofRange, ofRange + info->Length(rangeKey));
-    }
-  }
-  const std::vector<double> sorted(steps.begin(), steps.end());
-  for (int port = 0; port < outputVector->GetNumberOfInformationObjects(); ++port)
-  {
-    vtkInformation* info = outputVector->GetInformationObject(port);
-    info->Remove(stepsKey);
-    info->Remove(rangeKey);
-    if (!sorted.empty())
-    {
-      info->Set(stepsKey, sorted.data(), static_cast<int>(sorted.size()));
-    }
-    if (!ends.empty())
-    {
-      const double range[] = { *ends.begin(), *ends.rbegin() };
-      info->Set(rangeKey, range, 2);
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkMarkTime(vtkInformation* requested, vtkInformationVector* outputVector)
-{
-  vtkInformationDoubleKey* const timeKey = vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP();
-  for (int port = 0;
-       requested->Has(timeKey) && port < outputVector->GetNumberOfInformationObjects(); ++port)
-  {
-    vtkDataObject* output = vtkDataObject::GetData(outputVector, port);
-    output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), requested->Get(timeKey));
-  }
 }
 
 //------------------------------------------------------------------------------

@@ -83,19 +83,6 @@ void vtkRequestPiece(vtkInformation* request, int piece, int pieces);
 ///@}
 
 /**
- * Announces the times of all inputs, their steps and their range, where VTK by itself passes on
- * those of the first input alone: a filter that announces no times is not executed for a new one.
- */
-void vtkAnnounceTimes(vtkInformationVector** inputVector, int ports,
-  vtkInformationVector* outputVector);
-
-/**
- * Marks outputs as those of the time that was requested of one of them, if any. They may have
- * copied the time of an input, whose steps may be others.
- */
-void vtkMarkTime(vtkInformation* requested, vtkInformationVector* outputVector);
-
-/**
  * Brings the first input up to date, as that. Returns whether its producer could.
  */
 bool vtkUpdateInput(vtkAlgorithm* algorithm, int piece, int pieces);

@@ -6,6 +6,7 @@
 #include "vtkInformationVector.h"
 #include "vtkMedialExecution.h"
 #include "vtkMedialFigures.h"
+#include "vtkMedialTimes.h"
 #include "vtkMeshConversion.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -74,6 +75,7 @@ vtkMeshPointDistance::vtkMeshPointDistance()
   : Internals(new vtkInternals)
 {
   this->SetNumberOfInputPorts(2);
+  vtkKeepTimes(this);
 }
 
 //------------------------------------------------------------------------------

@@ -2,6 +2,7 @@
 
 #include "vtkLinearTransform.h"
 #include "vtkMedialExecution.h"
+#include "vtkMedialTimes.h"
 #include "vtkMeshProximityInternals.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -29,6 +30,7 @@ vtkMeshProximity::vtkMeshProximity()
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(3);
+  vtkKeepTimes(this);
 }
 
 //------------------------------------------------------------------------------

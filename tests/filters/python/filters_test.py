@@ -6,7 +6,7 @@ import unittest
 import medial
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonCore import vtkObject
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkMultiBlockDataSet, vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
 from vtkmodules.vtkFiltersCore import vtkContourFilter, vtkMassProperties, vtkTriangleFilter
 from vtkmodules.vtkFiltersModeling import vtkLinearSubdivisionFilter
@@ -33,8 +33,8 @@ def figure(output, name):
 class Moving(VTKPythonAlgorithmBase):
     """A cube of side 1 about (2 + t, 0, 0) at some times t; between them, at the time before."""
 
-    def __init__(self, *times):
-        super().__init__(nInputPorts=0, nOutputPorts=1, outputType="vtkPolyData")
+    def __init__(self, *times, output="vtkPolyData"):
+        super().__init__(nInputPorts=0, nOutputPorts=1, outputType=output)
         self.times = times
 
     def RequestInformation(self, _request, _input, output):
@@ -53,9 +53,12 @@ class Moving(VTKPythonAlgorithmBase):
         cube = vtkCubeSource()
         cube.SetCenter(2 + time, 0, 0)
         cube.Update()
-        mesh = vtkPolyData.GetData(output, 0)
-        mesh.ShallowCopy(cube.GetOutput())
-        mesh.GetInformation().Set(vtkDataObject.DATA_TIME_STEP(), time)
+        data = vtkDataObject.GetData(output, 0)
+        if isinstance(data, vtkMultiBlockDataSet):
+            data.SetBlock(0, cube.GetOutput())
+        else:
+            data.ShallowCopy(cube.GetOutput())
+        data.GetInformation().Set(vtkDataObject.DATA_TIME_STEP(), time)
         return 1
 
 
@@ -78,8 +81,9 @@ class Times(unittest.TestCase):
             for time in times + times[-2::-1] + times[1:]:
                 algorithm.UpdateTimeStep(time)
                 apart = abs(places[0](time) - places[1](time))
-                output = algorithm.GetOutput()
-                self.assertEqual(figure(output, name), distance_at(apart), (pair, time))
+                output = algorithm.GetOutputDataObject(0)
+                mesh = output.GetBlock(0) if isinstance(output, vtkMultiBlockDataSet) else output
+                self.assertAlmostEqual(figure(mesh, name), distance_at(apart), 12, (pair, time))
                 self.assertEqual(output.GetInformation().Get(vtkDataObject.DATA_TIME_STEP()), time)
 
     def test_proximity(self):
@@ -89,9 +93,11 @@ class Times(unittest.TestCase):
             proximity.SetInputConnection(1, b)
             return proximity
 
+        blocks = Moving(0, 2, 6, output="vtkMultiBlockDataSet")
         self.assert_distances("Separation", lambda apart: max(0, apart - 1), make, (
             (self.still, Moving(0, 1, 2)), (Moving(0, 1, 2), self.still),
-            (Moving(0, 4), Moving(1, 3, 6, 9))))
+            (Moving(0, 4), Moving(1, 3, 6, 9)), (self.still, blocks), (blocks, self.still),
+            (blocks, Moving(1, 3, 6, 9)), (Moving(1, 3, 6, 9), blocks)))
 
     def test_distances_at_points(self):
         def make(points, surface):
@@ -100,9 +106,10 @@ class Times(unittest.TestCase):
             distances.SetSurfaceConnection(surface)
             return distances
 
+        blocks = Moving(0, 2, 6, output="vtkMultiBlockDataSet")
         self.assert_distances("MaxDistance", lambda apart: apart, make, (
             (self.still, Moving(0, 1, 2)), (Moving(0, 1, 2), self.still),
-            (Moving(0, 4), Moving(1, 3, 6, 9))))
+            (Moving(0, 4), Moving(1, 3, 6, 9)), (blocks, Moving(1, 3, 7, 9))))
 
     def test_without_times(self):
         proximity = medial.vtkMeshProximity()
