@@ -42,8 +42,10 @@
  * DeepestPoint (double x 3), where the largest is, NaN if there is no such point. With
  * TranslationalDepth there are TranslationalDepth (double x 2), a lower and an upper bound on the
  * length of the shortest translation that separates the solids, and SeparatingTranslation (double
- * x 3), which separates them if A moves by it. Seconds (double) is the wall-clock time that it
- * took, without conversions.
+ * x 3), which separates them if A moves by it. Without Depths, and where inside is undefined, the
+ * translation of meshes that collide is unknown: the upper bound is infinite and
+ * SeparatingTranslation NaN. Seconds (double) is the wall-clock time that it took, without
+ * conversions.
  *
  * @par Frames:
  * While the cells and the number of points of both inputs stay the same, as in a time series, and
@@ -127,8 +129,8 @@ public:
 
   ///@{
   /**
-   * Whether to compute how deep the meshes are inside each other: PenetrationDepth, and the
-   * contacts, which need it. Default is on.
+   * Whether to compute how deep the meshes are inside each other: PenetrationDepth, and what needs
+   * it, the contacts and TranslationalDepth. Default is on.
    */
   vtkSetMacro(Depths, vtkTypeBool);
   vtkGetMacro(Depths, vtkTypeBool);
@@ -137,8 +139,8 @@ public:
 
   ///@{
   /**
-   * Whether to bound the length of the shortest translation that separates the solids.
-   * Default is on.
+   * Whether to bound the length of the shortest translation that separates the solids. Needs
+   * Depths. Default is on.
    */
   vtkSetMacro(TranslationalDepth, vtkTypeBool);
   vtkGetMacro(TranslationalDepth, vtkTypeBool);

@@ -124,7 +124,9 @@ void vtkProximityConversion::AddFigures(const medial::Proximity& proximity,
     const medial::DepthBounds& bounds = proximity.translationalDepth;
     figures.AddParts("TranslationalDepth",
       { { "Lower", bounds.lower }, { "Upper", bounds.upper } });
-    figures.AddPoint("SeparatingTranslation", proximity.separatingTranslation);
+    figures.AddPoint("SeparatingTranslation",
+      std::isfinite(bounds.upper) ? proximity.separatingTranslation
+                                  : medial::Point3{ NaN, NaN, NaN });
   }
   figures.AddNumber("Seconds", proximity.seconds);
 }

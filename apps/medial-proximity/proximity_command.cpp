@@ -106,7 +106,9 @@ void addComputeOptions(CLI::App& app, ProximityTexts& texts, ProximityOptions& o
       "do not compute the separation and closest points of meshes that do not intersect")
     ->group(group);
   app.add_flag("--no-contacts", texts.noContacts, "do not compute contacts")->group(group);
-  app.add_flag("--no-depths", texts.noDepths, "do not compute depths, and so no contacts either")
+  app
+    .add_flag("--no-depths", texts.noDepths,
+      "do not compute depths, and so neither contacts nor bounds on the separating translation")
     ->group(group);
   app
     .add_flag("--no-translation", texts.noTranslation,

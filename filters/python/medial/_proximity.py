@@ -74,9 +74,11 @@ class Proximity:
     """Where they are in contact, the deepest of each overlap first."""
     translational_depth: Optional[tuple[float, float]]
     """Lower and upper bound on the length of the shortest translation that separates the solids; 0
-    if they do not collide, None if not asked for."""
+    if they do not collide, None if not asked for. The upper one is infinite where the translation
+    is unknown: inside is undefined, or the meshes collide and depths were not asked for."""
     separating_translation: Optional[NDArray[np.float64]]
-    """(3,) a translation of A that separates them, as long as the upper bound."""
+    """(3,) a translation of A that separates them, as long as the upper bound; NaN where that is
+    infinite."""
     seconds: float
     """The wall-clock time that it took, without conversions."""
 
@@ -105,7 +107,8 @@ def proximity(
         (0, 0, 0, 1) and a determinant that is not 0.
     separation: whether to compute the separation of meshes that do not intersect, and witnesses.
     max_separation: meshes whose bounding boxes are farther apart are not compared; >= 0.
-    depths: whether to compute how deep the meshes are inside each other, and contacts.
+    depths: whether to compute how deep the meshes are inside each other, and what needs it:
+        contacts and the translational depth.
     translational_depth: whether to bound the length of the shortest translation that separates
         them.
     max_contacts: largest number of contacts of one connected overlap, in [0, 2147483647].

@@ -20,8 +20,9 @@ struct ProximityOptions
   /// there are no witnesses.
   bool separation = true;
   /// Whether to compute the depths of a pair that collides: Proximity::depth, depthsOfA, depthsOfB.
+  /// Contacts and translational depths need them.
   bool depths = true;
-  /// Whether to bound the translational depth of a pair that collides.
+  /// Whether to bound the translational depth of a pair that collides. It needs depths.
   bool translationalDepth = true;
   /// Largest number of contacts of a manifold, >= 1; 0 for no contacts. Contacts need depths.
   int maxContacts = 4;
@@ -105,10 +106,11 @@ struct Proximity
   /// is the sum of the radii of a ball in A and a ball in B with the same centre, and 0 if either
   /// mesh is open; the upper one is the length of separatingTranslation. For two convex meshes both
   /// equal that length, up to 1e-8 of the diagonal; for others the gap between them also depends on
-  /// the position. [0, 0] if they do not collide, [0, infinity] if it was not asked for or is
-  /// undefined.
+  /// the position. [0, 0] if they do not collide, [0, infinity] if it, or depths, were not
+  /// asked for, or insideUndefined.
   DepthBounds translationalDepth;
-  /// Moving A by it separates the pair: this was verified.
+  /// Moving A by it separates the pair: this was verified. Meaningless where the upper bound is
+  /// infinity.
   Point3 separatingTranslation{};
 
   /// Points of A inside B, by ascending id. Those on the surface of B may be among them.

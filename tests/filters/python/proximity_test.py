@@ -125,6 +125,21 @@ class Together(unittest.TestCase):
         np.testing.assert_allclose(found.translational_depth, 0.1, atol=1e-6)
         np.testing.assert_allclose(found.separating_translation, [0, 0, -0.1], atol=1e-6)
 
+    def test_translation_that_is_unknown(self):
+        vertices, quads = shapes.box(np.ones(3))
+        # Two opposite sides, between whose edges the winding number is about one half.
+        undefined = medial.proximity(vertices, quads[:2], *shapes.box(CUBE),
+                                     transform_b=shift(0.5, 0.9, 0))
+        self.assertTrue(undefined.inside_undefined)
+        without_depths = cubes(0.75, depths=False)
+        self.assertTrue(without_depths.collide)
+        for found in (undefined, without_depths):
+            self.assertEqual(found.translational_depth, (0.0, np.inf))
+            np.testing.assert_array_equal(found.separating_translation, np.full(3, np.nan))
+        apart = cubes(3, depths=False)
+        self.assertEqual(apart.translational_depth, (0.0, 0.0))
+        np.testing.assert_array_equal(apart.separating_translation, np.zeros(3))
+
 
 class Frames(unittest.TestCase):
     def test_a_filter_follows_meshes_that_move(self):
