@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
 
 from ._errors import InvalidInputError
 
@@ -49,11 +49,31 @@ def add_attributes(data: Any, attributes: Mapping[str, tuple[str, int]], owner: 
     """
     points = data.GetNumberOfPoints()
     for attribute, (name, components) in attributes.items():
-        values = np.asarray(getattr(owner, attribute))
         expected = (points,) if components == 1 else (points, components)
-        if values.shape != expected:
-            raise InvalidInputError(f"{attribute} has the shape {values.shape}, not {expected}")
-        add_point_data(data, name, values)
+        add_point_data(data, name, of_shape(expected, getattr(owner, attribute), attribute))
+
+
+def of_shape(expected: tuple[int, ...], values: Any, name: str) -> NDArray[Any]:
+    """An array, where it has the shape; otherwise raises InvalidInputError."""
+    array = np.asarray(values)
+    if array.shape != expected:
+        raise InvalidInputError(f"{name} has the shape {array.shape}, not {expected}")
+    return array
+
+
+def grid_image(origin: Any, spacing: Any, values: Any, name: str) -> vtkImageData:
+    """An image of the grid of an array with a value for each point, (nx, ny, nz).
+
+    Raises InvalidInputError where the array has another number of axes.
+    """
+    shape = np.shape(values)
+    if len(shape) != 3:
+        raise InvalidInputError(f"{name} has the shape {shape}, not (nx, ny, nz)")
+    image = vtkImageData()
+    image.SetOrigin(*of_shape((3,), origin, "origin"))
+    image.SetSpacing(*of_shape((3,), spacing, "spacing"))
+    image.SetDimensions(*shape)
+    return image
 
 
 def points_with(attributes: Mapping[str, tuple[str, int]], owner: Any, scalars: str) -> vtkPolyData:

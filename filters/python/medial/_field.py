@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
-from ._arrays import add_point_data, figure, point_data
+from ._arrays import add_point_data, figure, grid_image, of_shape, point_data
 from ._mesh import to_polydata
 from ._options import (ARRAYS, Engine, FieldArray, Lengths, Sign, assign_arrays, assign_grid,
                        assign_run)
@@ -59,16 +59,15 @@ class DistanceField:
     def to_vtk(self) -> vtkImageData:
         """As VTK's image, with the point data arrays of vtkMeshDistanceField.
 
-        Arrays that come from this package are not copied.
+        Arrays that come from this package are not copied. Raises InvalidInputError where arrays do
+        not fit each other.
         """
-        image = vtkImageData()
-        image.SetOrigin(*self.origin)
-        image.SetSpacing(*self.spacing)
-        image.SetDimensions(*self.distance.shape)
+        image = grid_image(self.origin, self.spacing, self.distance, "distance")
         for attribute, name in {"distance": "Distance", **ARRAYS}.items():
             values = getattr(self, attribute)
             if values is not None:
-                add_point_data(image, name, _samples_first(values))
+                shape = image.GetDimensions() + ((3,) if attribute == "closest_point" else ())
+                add_point_data(image, name, _samples_first(of_shape(shape, values, attribute)))
         image.GetPointData().SetActiveScalars("Distance")
         return image
 

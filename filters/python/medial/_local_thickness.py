@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
-from ._arrays import add_point_data, point_data
+from ._arrays import add_point_data, grid_image, point_data
 from ._mesh import to_polydata
 from ._options import (SIDES, Engine, Lengths, Side, Sign, assign, assign_grid, assign_numbers,
                        assign_run, choice)
@@ -66,13 +66,11 @@ class LocalThickness:
     def to_vtk(self) -> vtkImageData:
         """As VTK's image, with the point data array LocalThickness of vtkMedialLocalThickness.
 
-        An array that comes from this package is not copied.
+        An array that comes from this package is not copied. Raises InvalidInputError where arrays
+        do not fit each other.
         """
-        image = vtkImageData()
-        image.SetOrigin(*self.origin)
-        image.SetSpacing(*self.spacing)
-        image.SetDimensions(*self.values.shape)
-        add_point_data(image, _ARRAY, self.values.ravel(order="F"))
+        image = grid_image(self.origin, self.spacing, self.values, "values")
+        add_point_data(image, _ARRAY, np.ravel(self.values, order="F"))
         image.GetPointData().SetActiveScalars(_ARRAY)
         return image
 

@@ -7,8 +7,8 @@ from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from ._arrays import (add_cell_data, add_point_data, cells_of_size, point_coordinates, point_data,
-                      ragged_rows)
+from ._arrays import (add_cell_data, add_point_data, cells_of_size, of_shape, point_coordinates,
+                      point_data, ragged_rows)
 from ._axis import MedialAxis
 from ._errors import InvalidInputError
 from ._mesh import Surface, length, to_polydata
@@ -43,11 +43,16 @@ class DividedThickness(NamedTuple):
 
     def to_vtk(self) -> vtkPolyData:
         """As VTK's mesh, with the arrays Thickness and InputCell of vtkMedialThickness. Shares the
-        memory of all arrays but the faces."""
+        memory of all arrays but the faces.
+
+        Raises InvalidInputError where arrays do not fit each other.
+        """
         mesh = to_polydata(self.vertices, self.faces)
-        add_cell_data(mesh, "InputCell", self.cell)
+        cells = mesh.GetNumberOfCells()
+        add_cell_data(mesh, "InputCell", of_shape((cells,), self.cell, "cell"))
+        places = cells if self.at_faces else mesh.GetNumberOfPoints()
         add = add_cell_data if self.at_faces else add_point_data
-        add(mesh, "Thickness", self.thickness)
+        add(mesh, "Thickness", of_shape((places,), self.thickness, "thickness"))
         data = mesh.GetCellData() if self.at_faces else mesh.GetPointData()
         data.SetActiveScalars("Thickness")
         return mesh

@@ -1,5 +1,6 @@
 """Compares medial.distance_field() with exact distances."""
 
+import dataclasses
 import gc
 import unittest
 
@@ -206,6 +207,24 @@ class Memory(unittest.TestCase):
         self.assertAlmostEqual(distance, shapes.box_distance(point), places=5)
         closest = np.array(image.GetPointData().GetArray("ClosestPoint").GetTuple3(index))
         self.assertAlmostEqual(np.linalg.norm(closest - point), abs(distance), places=5)
+
+    def test_image_of_arrays_that_do_not_fit(self):
+        field = medial.distance_field(*shapes.box(), resolution=9,
+                                      arrays=["closest_point", "closest_cell"])
+        for change, message in (
+                ({"distance": field.distance[:-1]}, "closest_point has the shape"),
+                ({"closest_cell": field.closest_cell[:, 1:]}, "closest_cell has the shape"),
+                ({"closest_point": field.closest_point[..., :2]}, "closest_point has the shape"),
+                ({"closest_point": field.distance}, "closest_point has the shape"),
+                ({"distance": field.distance.ravel()}, r"distance .* not \(nx, ny, nz\)"),
+                ({"origin": field.origin[:2]}, r"origin has the shape \(2,\), not \(3,\)")):
+            with self.assertRaisesRegex(medial.InvalidInputError, message):
+                dataclasses.replace(field, **change).to_vtk()
+        part = dataclasses.replace(field, distance=field.distance[2:7], closest_point=None,
+                                   closest_cell=field.closest_cell[2:7]).to_vtk()
+        values = vtk_to_numpy(part.GetPointData().GetArray("ClosestCell"))
+        np.testing.assert_array_equal(values.reshape(part.GetDimensions(), order="F"),
+                                      field.closest_cell[2:7])
 
     def test_mesh_of_the_caller_stays_as_it_is(self):
         append = vtkAppendPolyData()

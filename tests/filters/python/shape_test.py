@@ -123,6 +123,8 @@ class LocalThickness(unittest.TestCase):
         np.testing.assert_array_equal(
             vtk_to_numpy(scalars).reshape(plate.values.shape, order="F"), plate.values)
         self.assertTrue(np.shares_memory(vtk_to_numpy(scalars), plate.values))
+        with self.assertRaisesRegex(medial.InvalidInputError, r"not \(nx, ny, nz\)"):
+            dataclasses.replace(plate, values=plate.values[0]).to_vtk()
 
     def test_both_sides(self):
         ball = medial.local_thickness(*shapes.ball(3), side="both", resolution=32)
@@ -229,6 +231,16 @@ class Thickness(unittest.TestCase):
         self.assertEqual(len(found.cell), len(found.faces))
         self.assertEqual((found.cell.min(), found.cell.max()), (1, 6))
         self.assertEqual(found.thickness.shape, (len(found.faces),))
+
+    def test_divided_arrays_that_do_not_fit(self):
+        vertices, quads = shapes.box()
+        for at_faces in (False, True):
+            found = medial.thickness(vertices, quads, max_edge=0.5, at_faces=at_faces)
+            self.assertEqual(found.to_vtk().GetNumberOfCells(), len(found.faces))
+            for change in ({"thickness": found.thickness[:-1]}, {"cell": found.cell[1:]},
+                           {"at_faces": not at_faces}):
+                with self.assertRaisesRegex(medial.InvalidInputError, "has the shape"):
+                    found._replace(**change).to_vtk()
 
     def test_limits_in_per_cent_of_the_diagonal(self):
         vertices, quads = shapes.box(np.array([2.0, 1.0, 0.5]))
