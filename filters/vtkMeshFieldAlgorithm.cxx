@@ -139,6 +139,18 @@ vtkPolyData* vtkMeshFieldAlgorithm::UpdateWholeInput(vtkInformationVector** inpu
 }
 
 //------------------------------------------------------------------------------
+// The macro of VTK modifies the filter even where nothing changes.
+void vtkMeshFieldAlgorithm::SetDevice(const char* device)
+{
+  const std::string name = device ? device : "";
+  if (this->Device != name)
+  {
+    this->Device = name;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 const char* vtkMeshFieldAlgorithm::GetGridModeAsString()
 {
   return NameOf(GridModeNames, this->GridMode);

@@ -89,6 +89,7 @@
 #include "vtkMedialParameters.h"    // For parameters of several filters
 
 #include <memory> // For std::unique_ptr
+#include <string> // For Device
 
 class vtkDataObject;
 class vtkPolyData;
@@ -272,7 +273,7 @@ public:
    * If there is no such device, or it fails, ENGINE_AUTO leaves the work to the processor, with a
    * warning. A process has one device, that of its first such engine. Default is empty.
    */
-  vtkSetStdStringFromCharMacro(Device);
+  virtual void SetDevice(const char* device);
   vtkGetCharFromStdStringMacro(Device);
   ///@}
 

@@ -93,6 +93,22 @@ TYPED_TEST(FilterContract, ExecutionDoesNotModifyTheFilter)
   EXPECT_EQ(filter->GetMTime(), time);
 }
 
+TYPED_TEST(FilterContract, TheSameDeviceDoesNotModifyTheFilter)
+{
+  auto filter = this->make(boxPolyData());
+  const vtkMTimeType time = filter->GetMTime();
+  filter->SetDevice("");
+  filter->SetDevice(nullptr);
+  EXPECT_EQ(filter->GetMTime(), time);
+  filter->SetDevice("0");
+  const vtkMTimeType changed = filter->GetMTime();
+  EXPECT_GT(changed, time);
+  filter->SetDevice("0");
+  EXPECT_EQ(filter->GetMTime(), changed);
+  filter->SetDevice(nullptr);
+  EXPECT_STREQ(filter->GetDevice(), "");
+}
+
 TYPED_TEST(FilterContract, ExecutesAgainAfterAParameterChange)
 {
   auto filter = this->make(boxPolyData());

@@ -41,8 +41,8 @@ class Header:
         self.manual = plain(text[:text.index("#ifndef")])
         self.parameters = {}
         for block in re.findall(r"///@\{\n\s*/\*\*(.*?)\*/(.*?)///@\}", text, re.DOTALL):
-            macros = r"vtkSet(?:Vector3|StdStringFromChar)?Macro\((\w+)[,)]"
-            objects = r"virtual void Set(\w+)\(vtk\w+\*"
+            macros = r"vtkSet(?:Vector3)?Macro\((\w+)[,)]"
+            objects = r"virtual void Set(\w+)\((?:vtk\w+|const char)\*"
             for setter in re.findall(macros, block[1]) + re.findall(objects, block[1]):
                 self.parameters[setter] = plain(block[0])
 
