@@ -72,7 +72,9 @@ def length(name: str, value: Any, mesh: vtkPolyData) -> Any:
         raise InvalidInputError(f"{name} {value!r} is not a length, such as 0.5 or '2%'") from None
     bounds = [0.0] * 6
     mesh.GetCellsBounds(bounds)
-    return 0.01 * share * math.dist(bounds[0::2], bounds[1::2])
+    diagonal = math.dist(bounds[0::2], bounds[1::2])
+    # Whatever the length, the filter says what is wrong with a mesh that is infinite or a point.
+    return 0.01 * share * (diagonal if 0 < diagonal < math.inf else 1.0)
 
 
 def is_whole(mesh: Any) -> bool:

@@ -258,6 +258,16 @@ class Thickness(unittest.TestCase):
             with self.assertRaisesRegex(medial.InvalidInputError, f"{name} 'x%' is not a length"):
                 medial.thickness_regions(vertices, quads, **{"min_thickness": 1, name: "x%"})
 
+    def test_shares_of_diagonals_that_are_none(self):
+        vertices, quads = shapes.box()
+        vertices[3, 1] = np.inf
+        for limits in ({"min_thickness": "1%"}, {"max_thickness": "1%"},
+                       {"min_thickness": 1, "max_edge": "1%"}):
+            with self.assertRaisesRegex(medial.InvalidInputError, "^point 3 .*not finite"):
+                medial.thickness_regions(vertices, quads, **limits)
+            with self.assertRaisesRegex(medial.InvalidInputError, "the mesh has no triangles"):
+                medial.thickness_regions(np.zeros((8, 3)), quads, **limits)
+
     def test_regions(self):
         vertices, quads = shapes.box(np.array([2.0, 1.0, 0.5]))
         self.assertEqual(medial.thickness_regions(vertices, quads, min_thickness=0.9), [])
