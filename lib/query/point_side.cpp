@@ -32,6 +32,9 @@ PointSide::PointSide(SignMethod requested, const TriangleMesh& mesh,
   if (report_.method == SignMethod::Pseudonormal)
   {
     normals_ = pseudonormals(sites, connectivity.signedVolume < 0.0);
+    const Bounds bounds = mesh.bounds();
+    low_ = local.toLocal(bounds.min);
+    high_ = local.toLocal(bounds.max);
   }
   if (report_.method == SignMethod::Winding)
   {
@@ -59,8 +62,14 @@ bool PointSide::contains(const glm::dvec3& x, const SitePoint& closest, Known& k
   return known.inside;
 }
 
+// Only a closed mesh has pseudonormals, so all outside its bounds is outside. Far away sites that
+// face the point and sites that look away are equally near, up to rounding.
 bool PointSide::behindPseudonormal(const glm::dvec3& x, const SitePoint& closest) const
 {
+  if (glm::any(glm::lessThan(x, low_)) || glm::any(glm::greaterThan(x, high_)))
+  {
+    return false;
+  }
   return glm::dot(x - closest.point, glm::dvec3(normals_[closest.site])) < 0.0;
 }
 

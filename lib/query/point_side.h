@@ -51,6 +51,8 @@ private:
 
   SignReport report_;
   std::vector<glm::vec4> normals_; ///< of all sites, outwards; empty unless they give the sign
+  glm::dvec3 low_{ 0.0 };          ///< bounds of the mesh, if they do; local coordinates
+  glm::dvec3 high_{ 0.0 };
   std::optional<InsideQuery> inside_;
 };
 

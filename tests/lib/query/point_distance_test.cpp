@@ -55,6 +55,18 @@ void expectInside(const TriangleMesh& mesh, const TriangleMesh& outwards, SignMe
   }
 }
 
+/// Random points at a distance from the origin.
+std::vector<Point3> onSphere(double radius, int count)
+{
+  std::vector<Point3> points = randomPoints(kAround, count, 7);
+  for (Point3& x : points)
+  {
+    const double scale = radius / length(x);
+    x = { scale * x[0], scale * x[1], scale * x[2] };
+  }
+  return points;
+}
+
 TriangleMesh openSphere()
 {
   TriangleMesh mesh = icosphere(1.0, 2);
@@ -152,6 +164,27 @@ TEST(PointDistance, SignHoldsWhereLinesMeetCornersEdgesAndFaces)
     else
     {
       EXPECT_EQ(found.distance[i] < 0.0, largest < 1.0) << x << " " << y << " " << z;
+    }
+  }
+}
+
+// So far away, all places of a mesh are equally near in double precision.
+TEST(PointDistance, FarPointsAreOutside)
+{
+  for (const TriangleMesh& mesh :
+    { box({ 2.0, 1.0, 0.5 }), box({ 2.0, 1.0, 5e-6 }), icosphere(1.0, 3) })
+  {
+    for (const SignMethod method : { SignMethod::Pseudonormal, SignMethod::Winding })
+    {
+      const PointDistance query(mesh, method);
+      for (const double radius : { 1e3, 1e10, 1e12, 1e15, 1e16, 1e17 })
+      {
+        for (const double distance : query.compute(onSphere(radius, 2000)).distance)
+        {
+          ASSERT_NEAR(distance, radius, 3.0 + 1e-15 * radius);
+        }
+      }
+      EXPECT_LT(query.compute({ { 0.01, 0.02, 1e-6 } }).distance[0], 0.0);
     }
   }
 }
