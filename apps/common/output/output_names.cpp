@@ -97,11 +97,11 @@ void checkInput(const Candidate& candidate, const NamedInput& input)
 /// The file that two outputs have in common.
 std::optional<fs::path> sharedBy(const Candidate& a, const Candidate& b)
 {
-  if (const auto file = a.at(b.output.path))
+  if (auto file = a.at(b.output.path))
   {
     return file;
   }
-  if (const auto file = b.at(a.output.path))
+  if (auto file = b.at(a.output.path))
   {
     return file;
   }

@@ -63,9 +63,7 @@ TEST(Points, AreBetweenTheSeparatorsOfTheFirstLine)
          "x [mm],y [mm],z [mm]\n1,-2.5,3e-4\n", "id,x [mm],y(mm),z [mm]\n5,1,-2.5,3e-4\n",
          "Point ID\tx\ty\tz\tnote\nP 1\t1\t-2.5\t3e-4\t\n", "1\t-2.5\t3e-4\ta b\n",
          "name x y z\n\"P 1\" 1 -2.5 3e-4 # note\n", "x,y,z\n1,-2.5,3e-4,\n",
-         "x,y,z,\n1,-2.5,3e-4,\n", "y,x,height\n-2.5,1,3e-4\n",
-         "\xEF\xBB\xBF"
-         "1,-2.5,3e-4\n",
+         "x,y,z,\n1,-2.5,3e-4,\n", "y,x,height\n-2.5,1,3e-4\n", "\xEF\xBB\xBF\x31,-2.5,3e-4\n",
          "\xEF\xBB\xBFz,x,y\n3e-4,1,-2.5\n", "1,-2.5,3e-4,5\" pipe\n" })
   {
     EXPECT_EQ(pointsOf("a.csv", table), expected) << table;
