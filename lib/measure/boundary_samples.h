@@ -26,6 +26,6 @@ struct BoundarySamples
 /// @param report called regularly with the share of the work that is done, in [0, 1]; its
 ///   exceptions end the work.
 BoundarySamples boundarySamples(const BallUnion& solid, double areaPerSample, double tolerance,
-  const std::function<void(double)>& report);
+  const std::function<void(double)>& report = {});
 
 } // namespace medial

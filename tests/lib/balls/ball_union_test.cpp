@@ -70,13 +70,11 @@ double minOfAll(const MedialModel& model, const glm::dvec3& x, bool interpolate)
   return min;
 }
 
-void ignored(double /*fraction*/) {}
-
 double sampledArea(const MedialModel& model, double areaPerSample)
 {
   const BallUnion solid(model);
   return areaPerSample *
-    static_cast<double>(boundarySamples(solid, areaPerSample, 1e-9, ignored).even.size());
+    static_cast<double>(boundarySamples(solid, areaPerSample, 1e-9).even.size());
 }
 
 TEST(BallUnion, FindsTheMinimumOfAllPrimitives)
@@ -159,7 +157,7 @@ TEST(BallUnion, NeverTooSmallInside)
 {
   const MedialModel model = randomModel(60, 40, 30);
   const BallUnion solid(model);
-  const auto boundary = boundarySamples(solid, 1e-5, 1e-9, ignored).even;
+  const auto boundary = boundarySamples(solid, 1e-5, 1e-9).even;
   int inside = 0;
   int exact = 0;
   for (const Point3& p : randomPoints({ { -1, -1, -1 }, { 1, 1, 1 } }, 500, 6))
@@ -183,11 +181,15 @@ TEST(BoundarySamples, AreOnTheSurface)
 {
   const MedialModel model = randomModel(60, 40, 30);
   const BallUnion solid(model);
-  const auto samples = boundarySamples(solid, 1e-3, 1e-9, ignored).even;
-  ASSERT_GT(samples.size(), 5000u);
-  for (const glm::dvec3& x : samples)
+  const auto samples = boundarySamples(solid, 1e-3, 1e-9);
+  ASSERT_GT(samples.even.size(), 5000u);
+  EXPECT_GT(samples.ofBalls.size(), 10u);
+  for (const auto* points : { &samples.even, &samples.ofBalls })
   {
-    ASSERT_NEAR(minOfAll(model, x, true), 0.0, 1e-8);
+    for (const glm::dvec3& x : *points)
+    {
+      ASSERT_NEAR(minOfAll(model, x, true), 0.0, 1e-8);
+    }
   }
 }
 
