@@ -292,6 +292,13 @@ BoundarySamples boundarySamples(const BallUnion& solid, double areaPerSample, do
   const std::function<void(double)>& report)
 {
   Parts parts(solid, areaPerSample);
+  const auto tell = [&report](double fraction)
+  {
+    if (report)
+    {
+      report(fraction);
+    }
+  };
   const auto covered = [&](const glm::dvec3& point) { return solid.covers(point, tolerance); };
   const auto sampleParts = [&](double from)
   {
@@ -308,7 +315,7 @@ BoundarySamples boundarySamples(const BallUnion& solid, double areaPerSample, do
             }
           });
       },
-      [&](double fraction) { report(from + (0.9 - from) * fraction); });
+      [&](double fraction) { tell(from + (0.9 - from) * fraction); });
   };
   BoundarySamples samples;
   samples.even = sampleParts(0.0);
@@ -316,7 +323,7 @@ BoundarySamples boundarySamples(const BallUnion& solid, double areaPerSample, do
        factor = refinement(parts, samples.even.size()))
   {
     parts.refine(factor);
-    samples.even = sampleParts(0.8);
+    samples.even = sampleParts(0.9);
   }
   samples.ofBalls = collect(
     parts.balls(),
@@ -327,7 +334,7 @@ BoundarySamples boundarySamples(const BallUnion& solid, double areaPerSample, do
         add(*point);
       }
     },
-    [&](double fraction) { report(0.9 + 0.1 * fraction); });
+    [&](double fraction) { tell(0.9 + 0.1 * fraction); });
   return samples;
 }
 
