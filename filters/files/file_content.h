@@ -18,14 +18,12 @@ std::string extensionOf(const std::filesystem::path& path);
 /// @throws Error InvalidInput.
 [[noreturn]] void refuseContent(std::string why);
 
-/// @throws Error CannotRead naming the file if it does not exist or is not one that can be read
-/// from
-///   start to end.
+/// @throws Error CannotRead naming the file if it does not exist, or cannot be read from start to
+///   end.
 void requireRegularFile(const std::filesystem::path& path);
 
 /// The whole content of a file.
-/// @throws Error CannotRead naming the file, InvalidInput if it is empty, OutOfMemory if it does
-/// not
+/// @throws Error naming the file: CannotRead, InvalidInput if it is empty, OutOfMemory if it does not
 ///   fit into memory.
 std::string readContent(const std::filesystem::path& path);
 

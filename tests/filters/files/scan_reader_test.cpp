@@ -1,17 +1,10 @@
-// Images of solids: reading them, and the surfaces in them.
-#include "files/scans/scan_reader.h"
-#include "files/scans/scan_surface.h"
-#include "scan_files.h"
+// Images of solids are read in the physical space of their files, or refused.
+#include "labelled_ball.h"
 
-#include "support/errors.h"
 #include "support/files.h"
 #include "support/refusal.h"
 
 #include "medial/error.h"
-#include "medial/mesh_connectivity.h"
-#include "medial/triangle_mesh.h"
-
-#include "vtkMeshConversion.h"
 
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
@@ -24,7 +17,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 namespace medial::test
 {
@@ -33,50 +25,6 @@ namespace
 
 using files::readScan;
 using files::Scan;
-using files::ScanSurface;
-
-constexpr double kRadius = 4.0;
-constexpr int kLabel = 3;
-
-LabelImage ball(bool mirrored = false)
-{
-  return LabelImage([](double r) { return r < kRadius ? kLabel : r < 5.0 ? 7 : 0; }, mirrored);
-}
-
-ScanSurface ofLabel(long long label)
-{
-  ScanSurface wanted;
-  wanted.label = label;
-  return wanted;
-}
-
-void expectNoLabel(const Scan& scan, long long label, const std::string& words)
-{
-  try
-  {
-    extractSurface(scan, ofLabel(label), "a.nrrd");
-    ADD_FAILURE() << "no error";
-  }
-  catch (const Error& error)
-  {
-    EXPECT_EQ(error.what(),
-      "a.nrrd: has no voxel with the label " + std::to_string(label) + "; " + words);
-  }
-}
-
-ScanSurface ofValue(double value)
-{
-  ScanSurface wanted;
-  wanted.isovalue = value;
-  return wanted;
-}
-
-Scan readText(const std::string& name, const std::string& content)
-{
-  const TemporaryFolder folder;
-  writeFile(folder.file(name), content);
-  return readScan(folder.file(name));
-}
 
 std::string vtiFile(const LabelImage& image)
 {
@@ -111,40 +59,6 @@ std::string vtiFile(const LabelImage& image)
   writer->WriteToOutputStringOn();
   writer->Write();
   return writer->GetOutputString();
-}
-
-double distanceToCentre(const double* point)
-{
-  return std::hypot(point[0] - kImageCentre[0], point[1] - kImageCentre[1],
-    point[2] - kImageCentre[2]);
-}
-
-double volumeOf(vtkPolyData* surface)
-{
-  double sum = 0.0;
-  vtkIdType count = 0;
-  const vtkIdType* ids = nullptr;
-  for (surface->GetPolys()->InitTraversal(); surface->GetPolys()->GetNextCell(count, ids) != 0;)
-  {
-    double corner[3][3];
-    for (int k = 0; k < 3; ++k)
-    {
-      surface->GetPoint(ids[k], corner[k]);
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        corner[k][axis] -= kImageCentre[axis];
-      }
-    }
-    const auto& [a, b, c] = corner;
-    sum += a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
-      a[2] * (b[0] * c[1] - b[1] * c[0]);
-  }
-  return sum / 6.0;
-}
-
-bool isClosed(vtkPolyData* surface)
-{
-  return analyseConnectivity(buildTriangleMesh(vtkMeshConversion::ToMeshInput(surface))).closed();
 }
 
 // The labelled ball, in physical space: its steps of up to 1 voxel are smoothed, not moved.
@@ -338,164 +252,6 @@ TEST(ScanReader, RefusesDamagedVti)
   const std::size_t whole = file.find("WholeExtent=\"2 31");
   file.replace(whole, 17, "WholeExtent=\"2 32");
   EXPECT_EQ(refusal("a.vti", file), "a.vti: has no piece with the whole image");
-}
-
-TEST(ScanSurface, LabelsThatDoNotOccurAreToldThoseThatDo)
-{
-  const Scan scan = readText("a.nrrd", nrrdFile(ball(), "raw"));
-  expectNoLabel(scan, 4, "those that occur: 0, 3, 7");
-}
-
-// A voxel cannot have them; the nearest value that it can have is not meant.
-TEST(ScanSurface, LabelsBeyondTheTypeOfTheImageDoNotOccur)
-{
-  const LabelImage image([](double r) { return r < kRadius ? 32767 : r < 5.0 ? -32768 : 0; });
-  const Scan scan = readText("a.nrrd", nrrdFile(image, "raw"));
-  expectNoLabel(scan, 32768, "those that occur: -32768, 0, 32767");
-  expectNoLabel(scan, -32769, "those that occur: -32768, 0, 32767");
-}
-
-TEST(ScanSurface, LabelsThatOccurAreNumbers)
-{
-  Scan scan = readText("a.nrrd", nrrdFile(ball(), "raw"));
-  const vtkIdType voxels = scan.image->GetNumberOfPoints();
-  scan.image->AllocateScalars(VTK_FLOAT, 1);
-  vtkDataArray* values = scan.image->GetPointData()->GetScalars();
-  for (vtkIdType i = 0; i < voxels; ++i)
-  {
-    values->SetComponent(i, 0, i % 2 == 0 ? std::nan("") : 1.5 * (i % 3));
-  }
-  expectNoLabel(scan, 1, "those that occur: 0, 1.5, 3");
-  values->Fill(std::nan(""));
-  expectNoLabel(scan, 1, "those that occur: none");
-}
-
-// Doubles have them exactly up to 2^53, and six digits do not.
-TEST(ScanSurface, LargeLabelsAreToldExactly)
-{
-  Scan scan = readText("a.nrrd", nrrdFile(ball(), "raw"));
-  scan.image->AllocateScalars(VTK_DOUBLE, 1);
-  vtkDataArray* values = scan.image->GetPointData()->GetScalars();
-  values->Fill(614454277.0);
-  values->SetComponent(5, 0, 614454278.0);
-  values->SetComponent(6, 0, -9007199254740991.0);
-  values->SetComponent(7, 0, 1e30);
-  expectNoLabel(scan, 5, "those that occur: -9007199254740991, 614454277, 614454278, 1e+30");
-}
-
-// The surface would be points. A solid of the greatest value has one with area.
-TEST(ScanSurface, AnIsovalueOfSingleVoxelsIsRefused)
-{
-  Scan scan = readText("a.nrrd", nrrdFile(ball(), "raw"));
-  vtkDataArray* values = scan.image->GetPointData()->GetScalars();
-  EXPECT_GT(extractSurface(scan, ofValue(7.0), "a.nrrd")->GetNumberOfPolys(), 0);
-  values->SetComponent(30 * 25 * 6 + 30 * 12 + 15, 0, 9.0);
-  values->Modified(); // their range is kept
-  expectError([&] { extractSurface(scan, ofValue(9.0), "a.nrrd"); }, ErrorCode::InvalidInput,
-    "a.nrrd: has no surface at the isovalue 9: its values are in [0, 9]");
-  EXPECT_GT(extractSurface(scan, ofValue(8.5), "a.nrrd")->GetNumberOfPolys(), 0);
-}
-
-TEST(ScanSurface, IsovaluesOutsideTheRangeAreToldIt)
-{
-  const Scan scan = readText("a.nrrd", nrrdFile(ball(), "raw"));
-  for (const double value : { 0.0, 7.5, -1.0 })
-  {
-    try
-    {
-      extractSurface(scan, ofValue(value), "a.nrrd");
-      ADD_FAILURE() << "no error";
-    }
-    catch (const Error& error)
-    {
-      EXPECT_TRUE(contains(error.what(), "its values are in [0, 7]")) << error.what();
-    }
-  }
-}
-
-// Grey values that fall from the centre, 100 a unit: the interpolated surface is nearly exact.
-LabelImage greyBall(double sign)
-{
-  return LabelImage(
-    [sign](double r) { return static_cast<int>(std::lround(sign * (500 - 100 * r))); });
-}
-
-TEST(ScanSurface, OfGreyValuesIsInterpolated)
-{
-  for (const double sign : { 1.0, -1.0 }) // bright or dark inside
-  {
-    const Scan scan = readText("a.nrrd", nrrdFile(greyBall(sign), "gzip"));
-    const auto surface = extractSurface(scan, ofValue(sign * 100.0), "a.nrrd");
-    ASSERT_GT(surface->GetNumberOfPoints(), 500);
-    for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
-    {
-      ASSERT_NEAR(distanceToCentre(surface->GetPoint(i)), 4.0, 0.08);
-    }
-    EXPECT_TRUE(isClosed(surface));
-    EXPECT_NEAR(volumeOf(surface), 268.0, 8.0); // positive: it is not inside out
-  }
-}
-
-TEST(ScanSurface, SmoothingMovesPointsByLessThanAVoxel)
-{
-  const Scan scan = readText("a.nrrd", nrrdFile(ball(), "raw"));
-  ScanSurface rough = ofLabel(kLabel);
-  rough.smoothing = 0;
-  const auto steps = extractSurface(scan, rough, "a.nrrd");
-  const auto smooth = extractSurface(scan, ofLabel(kLabel), "a.nrrd");
-  ASSERT_EQ(steps->GetNumberOfPoints(), smooth->GetNumberOfPoints());
-  double sumOfSteps = 0.0;
-  double sumOfSmooth = 0.0;
-  for (vtkIdType i = 0; i < steps->GetNumberOfPoints(); ++i)
-  {
-    sumOfSteps += std::abs(distanceToCentre(steps->GetPoint(i)) - kRadius);
-    sumOfSmooth += std::abs(distanceToCentre(smooth->GetPoint(i)) - kRadius);
-  }
-  EXPECT_LT(sumOfSmooth, 0.8 * sumOfSteps);
-}
-
-TEST(ScanSurface, WhatTouchesTheBorderIsClosedThere)
-{
-  const LabelImage image([](double r) { return r < 5.5 ? 1 : 0; }); // wider than the image is high
-  const Scan scan = readText("a.nrrd", nrrdFile(image, "raw"));
-  const auto label = extractSurface(scan, ofLabel(1), "a.nrrd");
-  EXPECT_TRUE(isClosed(label));
-  EXPECT_GT(volumeOf(label), 400.0);
-  EXPECT_TRUE(isClosed(extractSurface(scan, ofValue(0.5), "a.nrrd")));
-}
-
-TEST(ScanSurface, ValuesThatAreNoNumbersAreOutside)
-{
-  Scan scan = readText("a.nrrd", nrrdFile(greyBall(1.0), "raw"));
-  vtkNew<vtkFloatArray> values;
-  vtkDataArray* stored = scan.image->GetPointData()->GetScalars();
-  for (vtkIdType i = 0; i < stored->GetNumberOfTuples(); ++i)
-  {
-    const auto value = static_cast<float>(stored->GetComponent(i, 0));
-    values->InsertNextValue(value < 0.0F ? std::numeric_limits<float>::quiet_NaN() : value);
-  }
-  scan.image->GetPointData()->SetScalars(values);
-  const auto surface = extractSurface(scan, ofValue(100.0), "a.nrrd");
-  EXPECT_TRUE(isClosed(surface));
-  EXPECT_NEAR(volumeOf(surface), 268.0, 8.0);
-}
-
-TEST(ScanSurface, NextToNanIsOutside)
-{
-  for (const double sign : { 1.0, -1.0 }) // bright or dark inside
-  {
-    Scan scan = readText("a.nrrd", nrrdFile(greyBall(sign), "raw"));
-    vtkNew<vtkFloatArray> values;
-    vtkDataArray* stored = scan.image->GetPointData()->GetScalars();
-    for (vtkIdType i = 0; i < stored->GetNumberOfTuples(); ++i)
-    {
-      const auto value = static_cast<float>(stored->GetComponent(i, 0));
-      values->InsertNextValue(
-        sign * value < -50.0 ? std::numeric_limits<float>::quiet_NaN() : value);
-    }
-    scan.image->GetPointData()->SetScalars(values);
-    EXPECT_NEAR(volumeOf(extractSurface(scan, ofValue(sign * 100.0), "a.nrrd")), 268.0, 8.0);
-  }
 }
 
 } // namespace
