@@ -1,6 +1,7 @@
 #include "axis/dual_mesh.h"
 
 #include "base/huge_pages.h"
+#include "base/sorted_set.h"
 
 #include <algorithm>
 #include <numeric>
@@ -396,8 +397,7 @@ std::vector<std::size_t> verticesOn(const std::vector<EdgeTable::Edge>& rims)
       vertices.push_back(static_cast<std::size_t>(vertex));
     }
   }
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  makeSet(vertices);
   return vertices;
 }
 

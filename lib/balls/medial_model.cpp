@@ -1,6 +1,7 @@
 #include "medial/medial_model.h"
 
 #include "base/disjoint_sets.h"
+#include "base/sorted_set.h"
 #include "medial/error.h"
 #include "medial/medial_axis.h"
 
@@ -90,8 +91,7 @@ std::vector<std::array<std::int64_t, Size>> distinct(
   {
     std::sort(cell.begin(), cell.end());
   }
-  std::sort(cells.begin(), cells.end());
-  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+  makeSet(cells);
   return cells;
 }
 

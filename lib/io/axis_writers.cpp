@@ -1,5 +1,6 @@
 #include "io/axis_writers.h"
 
+#include "base/sorted_set.h"
 #include "io/text_writer.h"
 
 #include "medial/medial_model.h"
@@ -100,8 +101,7 @@ Edges collectEdges(const Triangles& triangles, const MedialAxis& axis)
   {
     add(line[0], line[1]);
   }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  makeSet(edges);
   return edges;
 }
 

@@ -1,5 +1,6 @@
 #include "measure/ball_neighbours.h"
 
+#include "base/sorted_set.h"
 #include "measure/direction_patches.h"
 
 #include <algorithm>
@@ -38,8 +39,7 @@ std::vector<ConeOfPrimitive> conesOf(const BallUnion& solid)
       add(a, b, -1);
     }
   }
-  std::sort(cones.begin(), cones.end());
-  cones.erase(std::unique(cones.begin(), cones.end()), cones.end());
+  makeSet(cones);
   return cones;
 }
 

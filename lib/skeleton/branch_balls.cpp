@@ -1,5 +1,7 @@
 #include "skeleton/branch_balls.h"
 
+#include "base/sorted_set.h"
+
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -139,9 +141,7 @@ BranchRise BranchBalls::rise(std::size_t branch, double enough) const
     }
   }
   result.size *= result.size > 0.0 ? std::max(1.0, aspect) : 1.0;
-  std::sort(result.neighbours.begin(), result.neighbours.end());
-  result.neighbours.erase(std::unique(result.neighbours.begin(), result.neighbours.end()),
-    result.neighbours.end());
+  makeSet(result.neighbours);
   return result;
 }
 

@@ -2,6 +2,7 @@
 
 #include "base/checkpoint.h"
 #include "base/disjoint_sets.h"
+#include "base/sorted_set.h"
 #include "medial/error.h"
 #include "sign/sign_choice.h"
 #include "thickness/limits.h"
@@ -67,9 +68,7 @@ public:
 
   ThicknessRegion finish()
   {
-    std::sort(region_.cells.begin(), region_.cells.end());
-    region_.cells.erase(std::unique(region_.cells.begin(), region_.cells.end()),
-      region_.cells.end());
+    makeSet(region_.cells);
     return std::move(region_);
   }
 

@@ -2,6 +2,7 @@
 
 #include "axis/bisector.h"
 #include "axis/tile_order.h"
+#include "base/sorted_set.h"
 
 #include <algorithm>
 #include <array>
@@ -94,8 +95,7 @@ std::vector<Edge> neighbours(const SeamCells& cells, const std::vector<std::uint
       }
     }
   }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  makeSet(edges);
   return edges;
 }
 

@@ -3,6 +3,7 @@
 #include "axis/bisector.h"
 #include "axis/side_directions.h"
 #include "axis/tile_order.h"
+#include "base/sorted_set.h"
 
 #include <algorithm>
 #include <cmath>
@@ -200,8 +201,7 @@ std::vector<SeenSite> SeamCells::sitesAround(std::size_t vertex) const
       crossings.insert(crossings.end(), this->begin(corner), this->end(corner));
     }
   }
-  std::sort(crossings.begin(), crossings.end());
-  crossings.erase(std::unique(crossings.begin(), crossings.end()), crossings.end());
+  makeSet(crossings);
   std::vector<SeenSite> sites;
   for (const std::uint32_t c : crossings)
   {

@@ -3,6 +3,7 @@
 #include "axis/contraction.h"
 #include "axis/edge_table.h"
 #include "base/huge_pages.h"
+#include "base/sorted_set.h"
 
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
@@ -337,9 +338,7 @@ void removeCovered(std::size_t pointCount, MedialAxis& axis)
     forEachCorner(axis, [&](Id corner) { used[corner] = 1; });
     std::copy_if(vertices.begin(), vertices.end(), std::back_inserter(axis.vertices),
       [&](Id vertex) { return used[vertex] == 0; });
-    std::sort(axis.vertices.begin(), axis.vertices.end());
-    axis.vertices.erase(std::unique(axis.vertices.begin(), axis.vertices.end()),
-      axis.vertices.end());
+    makeSet(axis.vertices);
   }
 }
 
@@ -416,8 +415,7 @@ void buildCells(const std::vector<std::array<std::int64_t, 4>>& quads, BisectorP
   removeDuplicates(contraction, axis.quads, origins != nullptr ? origins->quads : none);
   removeDuplicates(contraction, axis.triangles, origins != nullptr ? origins->triangles : none);
   // Flat polygons may have left equal lines, even if all their points are their own.
-  std::sort(axis.lines.begin(), axis.lines.end());
-  axis.lines.erase(std::unique(axis.lines.begin(), axis.lines.end()), axis.lines.end());
+  makeSet(axis.lines);
   removeCovered(points.points.size(), axis);
   if (origins != nullptr)
   {

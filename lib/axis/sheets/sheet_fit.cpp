@@ -1,5 +1,6 @@
 #include "axis/sheets/sheet_fit.h"
 
+#include "base/sorted_set.h"
 #include "base/vectors.h"
 
 #include <algorithm>
@@ -145,8 +146,7 @@ std::vector<int> SheetFitter::sites() const
       }
     }
   }
-  std::sort(sites.begin(), sites.end());
-  sites.erase(std::unique(sites.begin(), sites.end()), sites.end());
+  makeSet(sites);
   return sites;
 }
 

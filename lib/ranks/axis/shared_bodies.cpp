@@ -1,7 +1,7 @@
 #include "ranks/axis/shared_bodies.h"
 
+#include "base/sorted_set.h"
 #include "ranks/collective.h"
-#include "ranks/number_set.h"
 
 #include <algorithm>
 #include <array>

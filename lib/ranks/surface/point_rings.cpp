@@ -1,7 +1,7 @@
 #include "ranks/surface/point_rings.h"
 
+#include "base/sorted_set.h"
 #include "medial/triangle_mesh.h"
-#include "ranks/number_set.h"
 
 #include <algorithm>
 #include <iterator>

@@ -2,9 +2,9 @@
 
 #include "base/box.h"
 #include "base/box_tree.h"
+#include "base/sorted_set.h"
 #include "ranks/collective.h"
 
-#include <algorithm>
 #include <vector>
 
 namespace medial
@@ -40,8 +40,7 @@ public:
           }
         }
       });
-    std::sort(ranks.begin(), ranks.end());
-    ranks.erase(std::unique(ranks.begin(), ranks.end()), ranks.end());
+    makeSet(ranks);
     return ranks;
   }
 

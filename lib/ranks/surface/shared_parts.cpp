@@ -1,8 +1,8 @@
 #include "ranks/surface/shared_parts.h"
 
 #include "base/disjoint_sets.h"
+#include "base/sorted_set.h"
 #include "ranks/collective.h"
-#include "ranks/number_set.h"
 
 #include <algorithm>
 #include <array>

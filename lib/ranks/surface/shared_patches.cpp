@@ -1,6 +1,6 @@
 #include "ranks/surface/shared_patches.h"
 
-#include "ranks/number_set.h"
+#include "base/sorted_set.h"
 
 #include <algorithm>
 #include <iterator>

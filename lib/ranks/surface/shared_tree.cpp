@@ -1,6 +1,6 @@
 #include "ranks/surface/shared_tree.h"
 
-#include "ranks/number_set.h"
+#include "base/sorted_set.h"
 #include "ranks/surface/point_rings.h"
 
 #include <algorithm>

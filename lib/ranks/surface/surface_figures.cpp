@@ -1,7 +1,7 @@
 #include "base/disjoint_sets.h"
+#include "base/sorted_set.h"
 #include "medial/ranks.h"
 #include "ranks/collective.h"
-#include "ranks/number_set.h"
 #include "ranks/surface/distributed_surface.h"
 #include "ranks/surface/shared_parts.h"
 

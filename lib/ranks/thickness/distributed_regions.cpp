@@ -1,4 +1,5 @@
 #include "base/run.h"
+#include "base/sorted_set.h"
 #include "medial/ranks.h"
 #include "medial/thickness_regions.h"
 #include "ranks/collective.h"
@@ -198,9 +199,7 @@ std::vector<ThicknessRegion> findThicknessRegions(Communicator& communicator,
       for (ThicknessRegion& region : regions)
       {
         std::sort(region.triangles.begin(), region.triangles.end());
-        std::sort(region.cells.begin(), region.cells.end());
-        region.cells.erase(std::unique(region.cells.begin(), region.cells.end()),
-          region.cells.end());
+        makeSet(region.cells);
       }
     });
   return regions;

@@ -1,6 +1,6 @@
 #include "ranks/thickness/thickness_part.h"
 
-#include "ranks/number_set.h"
+#include "base/sorted_set.h"
 #include "ranks/surface/element_sharing.h"
 #include "ranks/surface/point_rings.h"
 #include "ranks/surface/surface_part.h"
