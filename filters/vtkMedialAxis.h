@@ -15,8 +15,8 @@
  * x 3, world coordinates); AxisFeature, where the point lies on the axis (unsigned char: 0 inside a
  * sheet, 1 on a rim, where a sheet ends, 2 on a seam, where sheets meet, 3 at a junction, 4 on a
  * curve, 5 alone). With Representation FACES the angle may be below Angle, since faces are selected
- * by the directions at grid points, and so it may where Topology keeps a point. With SURFACE,
- * single points between the facets of round walls, mostly on rims, may have down to 0.8 Angle.
+ * by the directions at grid points, and so it may where Topology keeps a point. With SURFACE it may
+ * be as low as 0.8 Angle at single points between the facets of round walls, mostly on rims.
  *
  * With MaximumNumberOfSpheres the axis is made compact: it has at most that many points, whose
  * balls, with the cones between two of them on a line and the wedges between three on a triangle,

@@ -22,7 +22,7 @@ namespace
 {
 
 //------------------------------------------------------------------------------
-// Of the first; all are of the same.
+// Takes the time of the first block; all blocks are of the same time.
 void TakeTimeOfBlocks(vtkCompositeDataSet* output)
 {
   if (output)

@@ -37,7 +37,7 @@ struct Body
   std::filesystem::path file(std::size_t frame) const;
 };
 
-/// The files of an input: one, or those of a folder or a pattern, for each frame of a sequence one.
+/// The files of an input: itself, or one for each frame of a sequence, from a folder or a pattern.
 /// @throws Failure BadInput if there are none.
 std::vector<std::filesystem::path> framesOf(const std::filesystem::path& input, bool sequence);
 

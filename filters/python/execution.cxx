@@ -172,7 +172,7 @@ private:
 };
 
 //------------------------------------------------------------------------------
-/// Opens a member of other algorithms.
+/// Gives access to the error code of any algorithm, which is protected.
 class ErrorCodes : public vtkAlgorithm
 {
 public:

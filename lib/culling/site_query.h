@@ -12,8 +12,8 @@ namespace medial
 
 /// Finds exact closest surface points, in double precision, at any position; of several at the same
 /// distance that of the lowest site. From positions out of reach, where rounding makes most of the
-/// surface equally far, it finds one that no other is nearer than by more than this rounding.
-/// Several threads may query it at once.
+/// surface equally far, it finds one that is closest up to this rounding. Several threads may query
+/// it at once.
 class SiteQuery
 {
 public:

@@ -17,7 +17,7 @@ std::string_view trimmed(std::string_view text)
   return text.substr(0, text.find_last_not_of(kBlank) + 1);
 }
 
-/// The length of the quotes that a text begins with, and of what is in them.
+/// The length of the quoted text at the beginning of a text, with its quotes.
 std::size_t lengthOfQuotes(std::string_view text, int line)
 {
   std::size_t end = text.find('"', 1);
@@ -32,7 +32,7 @@ std::size_t lengthOfQuotes(std::string_view text, int line)
   return end + 1;
 }
 
-/// Takes the field that a text begins with off it, up to one of the separators.
+/// Removes the first field of a text, up to one of the separators, and returns it.
 std::string_view takeField(std::string_view& text, std::string_view separators, int line)
 {
   const std::size_t start = std::min(text.find_first_not_of(kBlank), text.size());

@@ -46,7 +46,7 @@ std::optional<std::size_t> columnNamed(const Fields& names, std::size_t axis)
                               : std::optional(static_cast<std::size_t>(found - names.begin()));
 }
 
-/// Whether a field would be a number if its end were right.
+/// Whether a field is a number or begins like one, as a misspelt number does.
 bool beginsLikeNumber(std::string_view field)
 {
   if (toDouble(field)) // also nan and inf

@@ -62,8 +62,9 @@ bool PointSide::contains(const glm::dvec3& x, const SitePoint& closest, Known& k
   return known.inside;
 }
 
-// Only a closed mesh has pseudonormals, so all outside its bounds is outside. Far away sites that
-// face the point and sites that look away are equally near, up to rounding.
+// Only a closed mesh has pseudonormals, so whatever is beyond its bounds is outside. They would not
+// tell: from far away, sites that face the point and sites that look away are equally near, up to
+// rounding.
 bool PointSide::behindPseudonormal(const glm::dvec3& x, const SitePoint& closest) const
 {
   if (glm::any(glm::lessThan(x, low_)) || glm::any(glm::greaterThan(x, high_)))

@@ -22,7 +22,7 @@ constexpr double kMinReach = 6.0;
 constexpr double kReachOfRadius = 0.75;
 constexpr double kReachOfWidth = 0.5;
 constexpr int kMaxReach = 100;
-/// Of so many points of a curve one has its radius looked up.
+/// The radius is looked up at one of so many points of a curve.
 constexpr std::size_t kRadiiApart = 4;
 /// How near to the widest place of a cross-section a point is moved, in steps, before the last pass
 /// and in it.

@@ -185,7 +185,8 @@ void Thinning::burnEdge(CubeCell edge, int chain)
   const CubeCell other = (edge + ends.steps[0]) + (edge + ends.steps[1]) - vertex;
   const bool goesOn = complex_.cofaceCount(other) == 2;
   std::vector<CurveChains::Pair> restored;
-  // Between balls that touch nothing separates, but without the way there they would be lost.
+  // Where two balls touch, no edge separates patches. Without the curves that lead there, the balls
+  // would be lost.
   if (!chains_.lasting(chain, position, depth, goesOn, restored) ||
     !(separates_(edge) || chains_.descends(chain, position, depth)))
   {

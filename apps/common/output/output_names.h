@@ -14,7 +14,7 @@ namespace medial::app
 class FileSeries
 {
 public:
-  /// @param digits in a name at least, with zeros in front of the number.
+  /// @param digits that a name has at least; shorter numbers get leading zeros.
   FileSeries(std::filesystem::path folder, std::string before, int digits, std::string after);
 
   std::filesystem::path file(std::size_t number) const;

@@ -12,7 +12,7 @@ namespace medial::app
 namespace
 {
 
-/// Of errno, which was 0 before, the message has the reason.
+/// Callers set errno to 0 before they write, so that the message gives the reason of this failure.
 void requireWritten()
 {
   // What failed before has left its mark on the stream, but its reason is gone.

@@ -85,8 +85,8 @@ std::string labelsOf(vtkImageData* image)
   return list.empty() ? "none" : list;
 }
 
-// Whether voxels of an image can have a label. vtkImageThreshold takes the nearest one that they
-// can have instead.
+// Whether voxels of an image can have a label. If they cannot, vtkImageThreshold would take
+// the nearest label that they can have.
 bool canHave(vtkImageData* image, long long label)
 {
   const auto value = static_cast<double>(label);
@@ -129,7 +129,7 @@ Count countOnBorder(vtkImageData* image, double threshold)
   return count;
 }
 
-// Of an image without values on its border: voxels next to some without.
+// Counts voxels next to NaN; for an image whose border is all NaN.
 Count countBesideNan(vtkImageData* image, double threshold)
 {
   vtkDataArray* values = image->GetPointData()->GetScalars();

@@ -28,9 +28,10 @@ struct ScanSurface
 
 /// The closed surface of a solid in a scan, in physical space; its normals lead outwards. What
 /// touches the border of the image is closed there: outside is what most voxels of the border are,
-/// or if all of these are NaN, most of those next to NaN. VTK's flying edges, then its windowed
-/// sinc filter in units of voxels, so that thick slices are smoothed as far as thin ones. Parts of
-/// a label that are one voxel wide, and gaps of that width, are not smoothed: they would vanish.
+/// or if all of these are NaN, most of those next to NaN. VTK's flying edges make the surface, and
+/// its windowed sinc filter smooths it in units of voxels, so that thick slices are smoothed as far
+/// as thin ones. Parts of a label that are one voxel wide, and gaps of that width, are not
+/// smoothed: they would vanish.
 ///
 /// @param path of the scan, for messages.
 /// @throws Error InvalidInput naming the file: a label that does not occur (the message lists those

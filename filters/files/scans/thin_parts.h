@@ -6,7 +6,7 @@ namespace medial::files
 {
 
 /// Finds parts of a label that are one voxel wide, and gaps of that width in it. A filter that
-/// smooths steps would take them for steps and close them.
+/// smooths steps would take them for steps and flatten them until they vanish.
 ///
 /// A voxel is thin if it lies in no 2 x 2 x 2 voxels of its kind. Steps have thin voxels as well,
 /// but these lie on wide ones. So a thin part has a thin voxel that shares no face with a wide one

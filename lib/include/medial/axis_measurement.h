@@ -23,7 +23,7 @@ struct MeasurementOptions
 {
   /// Number of samples on the surface of the mesh, in [1000, 100000000]. The surface of the union
   /// gets as many per unit area, but fewer if its bounds are more than four times as large as those
-  /// of the mesh, and more if it would get less than 100.
+  /// of the mesh, and more if it would get fewer than 100.
   std::int64_t samples = kDefaultMeasureSamples;
   Execution execution; ///< threads, progress and cancelling
 };

@@ -3,9 +3,9 @@
 namespace medial
 {
 
-/// What finds the closest sites of grid points. All engines give the same field but for rounding,
-/// at different speeds: distances differ in their last bits, and ids where sites are equally near
-/// but for that. The rasteriser and the device need OpenGL.
+/// What finds the closest sites of grid points. All engines give the same field up to rounding, at
+/// different speeds: distances differ in their last bits, and ids where sites are equally near up
+/// to rounding. The rasteriser and the device need OpenGL.
 enum class Engine
 {
   Auto,       ///< Processor, and Device where hardware works and there is work enough

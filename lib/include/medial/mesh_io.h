@@ -24,11 +24,11 @@ MEDIAL_EXPORT MeshInput readMesh(const std::filesystem::path& path);
 /// Reads points, and the cells between them if the file has any: the formats of readMesh(), without
 /// needing cells, or text with the extension .xyz, .txt or .csv. Where the first line has commas or
 /// semicolons, or tabs between names, these separate the columns, with quotes as in CSV; otherwise
-/// blanks do. All lines have the columns of the first. Coordinates are in those that it calls x, y
-/// and z, maybe with units in brackets, or Points:0, Points:1 and Points:2, otherwise in the first
-/// three; a first line that names more than three columns but none of these is refused. A first
-/// line without these names, but with a number, is a point. Lines that begin with # or // are
-/// comments.
+/// blanks do. All lines have as many columns as the first. The coordinates are in the columns that
+/// it calls x, y and z (units in brackets may follow) or Points:0, Points:1 and Points:2; without
+/// these names, in the first three. A first line that names more than three columns but none of
+/// these is refused. A first line without these names, but with a number, is a point. Lines that
+/// begin with # or // are comments.
 ///
 /// @return points in the order of the file; cells as for readMesh().
 /// @throws Error as readMesh(), and InvalidInput for a file without points.
