@@ -4,6 +4,8 @@
 #include "files/scans/scan_reader.h"
 
 #include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkPointData.h>
 
 #include <openvdb/openvdb.h>
 

@@ -340,7 +340,7 @@ vtkSmartPointer<vtkPolyData> surfaceOfLabel(vtkImageData* image, long long label
     refuse("has no voxel with the label " + std::to_string(label) +
       "; those that occur: " + labelsOf(image));
   }
-  const vtkSmartPointer<vtkPolyData> surface = smoothed(steps, iterations);
+  vtkSmartPointer<vtkPolyData> surface = smoothed(steps, iterations);
   if (iterations > 0)
   {
     restoreThinParts(mask, steps, surface);

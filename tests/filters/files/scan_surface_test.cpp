@@ -188,8 +188,9 @@ TEST(ScanSurface, NextToNanIsOutside)
     for (vtkIdType i = 0; i < stored->GetNumberOfTuples(); ++i)
     {
       const auto value = static_cast<float>(stored->GetComponent(i, 0));
-      values->InsertNextValue(
-        sign * value < -50.0 ? std::numeric_limits<float>::quiet_NaN() : value);
+      values->InsertNextValue(sign * stored->GetComponent(i, 0) < -50.0
+          ? std::numeric_limits<float>::quiet_NaN()
+          : value);
     }
     scan.image->GetPointData()->SetScalars(values);
     EXPECT_NEAR(volumeOf(extractSurface(scan, ofValue(sign * 100.0), "a.nrrd")), 268.0, 8.0);
