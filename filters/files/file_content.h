@@ -23,8 +23,8 @@ std::string extensionOf(const std::filesystem::path& path);
 void requireRegularFile(const std::filesystem::path& path);
 
 /// The whole content of a file.
-/// @throws Error naming the file: CannotRead, InvalidInput if it is empty, OutOfMemory if it does not
-///   fit into memory.
+/// @throws Error naming the file: CannotRead, InvalidInput if it is empty, OutOfMemory if it does
+///   not fit into memory.
 std::string readContent(const std::filesystem::path& path);
 
 /// Returns what `work` returns, and puts the name of a file in front of the message of its errors.
