@@ -148,9 +148,20 @@ Scan parseNifti(const std::string& content, bool compressed)
   return makeScan(header, inflateBytes(content, header.offset + bytesOf(header)));
 }
 
+using HeaderParser = ScanHeader (*)(std::string_view);
+
+// The parser of headers whose values may be in another file; null for the other formats.
+HeaderParser headerParserOf(const std::string& extension)
+{
+  if (extension == ".nrrd")
+  {
+    return parseNrrdHeader;
+  }
+  return extension == ".mha" || extension == ".mhd" ? parseMetaImageHeader : nullptr;
+}
+
 // A header whose values may be in another file, in its folder or below.
-Scan parseWithFile(const fs::path& path, const std::string& content,
-  ScanHeader (*parse)(std::string_view))
+Scan parseWithFile(const fs::path& path, const std::string& content, HeaderParser parse)
 {
   const ScanHeader header = parse(content);
   if (header.file.empty())
@@ -175,17 +186,15 @@ Scan parseWithFile(const fs::path& path, const std::string& content,
 bool isScanFile(const fs::path& path)
 {
   const std::string extension = extensionOf(path);
-  return extension == ".nrrd" || extension == ".mha" || extension == ".mhd" ||
-    extension == ".nii" || extension == ".nii.gz" || extension == ".vti";
+  return headerParserOf(extension) != nullptr || extension == ".nii" || extension == ".nii.gz" ||
+    extension == ".vti";
 }
 
 fs::path valuesFileOf(const fs::path& path)
 {
-  const std::string extension = extensionOf(path);
-  const bool isNrrd = extension == ".nrrd";
+  const HeaderParser parse = headerParserOf(extensionOf(path));
   std::error_code ignored;
-  if ((!isNrrd && extension != ".mha" && extension != ".mhd") ||
-    !fs::is_regular_file(path, ignored))
+  if (parse == nullptr || !fs::is_regular_file(path, ignored))
   {
     return {};
   }
@@ -196,7 +205,7 @@ fs::path valuesFileOf(const fs::path& path)
   beginning.resize(static_cast<std::size_t>(stream.gcount()));
   try
   {
-    const ScanHeader header = isNrrd ? parseNrrdHeader(beginning) : parseMetaImageHeader(beginning);
+    const ScanHeader header = parse(beginning);
     return header.file.empty() ? fs::path() : path.parent_path() / header.file;
   }
   catch (const Error&)
@@ -216,17 +225,13 @@ Scan readScan(const fs::path& path)
       {
         return parseVti(content);
       }
-      if (extension == ".nrrd")
-      {
-        return parseWithFile(path, content, parseNrrdHeader);
-      }
       if (extension == ".nii" || extension == ".nii.gz")
       {
         return parseNifti(content, extension == ".nii.gz");
       }
-      if (extension == ".mha" || extension == ".mhd")
+      if (const HeaderParser parse = headerParserOf(extension))
       {
-        return parseWithFile(path, content, parseMetaImageHeader);
+        return parseWithFile(path, content, parse);
       }
       refuseContent(
         "unknown extension '" + extension + "', allowed: .nrrd .mha .mhd .nii .nii.gz .vti");
