@@ -38,7 +38,7 @@ std::optional<double> LimitOf(const char* name, double value)
   if (!(value >= 0.0))
   {
     std::ostringstream text;
-    text << name << " " << value << " is not 0 or more";
+    text << name << " " << value << " is outside [0, infinity)";
     throw medial::Error(medial::ErrorCode::InvalidInput, text.str());
   }
   return value > 0.0 ? std::optional(value) : std::nullopt;

@@ -1,6 +1,7 @@
 #include "medial/medial_model.h"
 
 #include "base/disjoint_sets.h"
+#include "base/range_check.h"
 #include "base/sorted_set.h"
 #include "medial/error.h"
 #include "medial/medial_axis.h"
@@ -46,10 +47,8 @@ void checkCells(const char* kind, const Cells& cells, std::size_t balls)
     {
       if (ball < 0 || ball >= static_cast<std::int64_t>(balls))
       {
-        std::ostringstream message;
-        message << kind << ' ' << i << " names ball " << ball << ", outside [0, "
-                << static_cast<std::int64_t>(balls) - 1 << ']';
-        refuse(message);
+        throwOutside(std::string(kind) + ' ' + std::to_string(i) + ": ball", ball,
+          closedRange<std::int64_t>(0, static_cast<std::int64_t>(balls) - 1));
       }
     }
   }

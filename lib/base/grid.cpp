@@ -1,5 +1,6 @@
 #include "medial/grid.h"
 
+#include "base/range_check.h"
 #include "medial/error.h"
 
 #include <algorithm>
@@ -16,14 +17,6 @@ constexpr double kMaxPadding = 10.0;
 /// Rounding may lengthen an axis by this share of a spacing without adding a point.
 constexpr double kCountTolerance = 1e-9;
 constexpr char kAxisNames[] = "xyz";
-
-template <class T, class U>
-[[noreturn]] void throwOutside(const std::string& what, T value, U low, U high)
-{
-  std::ostringstream message;
-  message << what << ' ' << value << " is outside [" << low << ", " << high << ']';
-  throw Error(ErrorCode::InvalidInput, message.str());
-}
 
 [[noreturn]] void throwBadSpacing(double spacing, int axis)
 {
@@ -57,7 +50,7 @@ void checkPadding(double padding)
 {
   if (!(padding >= 0.0 && padding <= kMaxPadding))
   {
-    throwOutside("padding", padding, 0.0, kMaxPadding);
+    throwOutside("padding", padding, closedRange(0.0, kMaxPadding));
   }
 }
 
@@ -136,7 +129,7 @@ Grid makeGrid(const Bounds& bounds, int resolution, double padding)
   checkPadding(padding);
   if (resolution < 2 || resolution > kMaxDimension)
   {
-    throwOutside("resolution", resolution, 2, kMaxDimension);
+    throwOutside("resolution", resolution, closedRange(2, kMaxDimension));
   }
   const Point3 lengths = paddedLengths(bounds, padding);
   const double spacing = *std::max_element(lengths.begin(), lengths.end()) / (resolution - 1);
@@ -200,8 +193,8 @@ void validateGrid(const Grid& grid)
     const int dimension = grid.dimensions[axis];
     if (dimension < kMinDimension || dimension > kMaxDimension)
     {
-      throwOutside(std::string("dimension along ") + kAxisNames[axis], dimension, kMinDimension,
-        kMaxDimension);
+      throwOutside(std::string("dimension along ") + kAxisNames[axis], dimension,
+        closedRange(kMinDimension, kMaxDimension));
     }
   }
 }

@@ -1,5 +1,6 @@
 #include "base/run.h"
 
+#include "base/range_check.h"
 #include "medial/error.h"
 
 #include <tbb/info.h>
@@ -16,8 +17,7 @@ int threadsFor(const Execution& execution)
 {
   if (execution.threads < 0)
   {
-    throw Error(ErrorCode::InvalidInput,
-      "threads " + std::to_string(execution.threads) + " is negative");
+    throwOutside("threads", execution.threads, "[0, infinity)");
   }
   // TBB warns when it is asked for more threads than there are cores.
   const int cores = tbb::info::default_concurrency();

@@ -1,11 +1,10 @@
 #pragma once
 
-#include "medial/error.h"
+#include "base/range_check.h"
 
 #include <glm/glm.hpp>
 
 #include <cmath>
-#include <string>
 
 namespace medial
 {
@@ -52,8 +51,7 @@ inline void checkSeparationAngle(double angle)
 {
   if (!(angle > 0.0 && angle < 180.0))
   {
-    throw Error(ErrorCode::InvalidInput,
-      "separation angle " + std::to_string(angle) + " is outside (0, 180) degrees");
+    throwOutside("separation angle", angle, "(0, 180) degrees");
   }
 }
 

@@ -1,5 +1,6 @@
 #include "medial/axis_io.h"
 
+#include "base/range_check.h"
 #include "io/axis_parsers.h"
 #include "io/axis_writers.h"
 #include "io/file_reader.h"
@@ -10,7 +11,6 @@
 #include <cstring>
 #include <fstream>
 #include <map>
-#include <sstream>
 #include <string>
 
 namespace fs = std::filesystem;
@@ -19,13 +19,6 @@ namespace medial
 {
 namespace
 {
-
-std::string text(double number)
-{
-  std::ostringstream stream;
-  stream << number;
-  return stream.str();
-}
 
 void checkBalls(const MedialAxis& axis)
 {
@@ -37,13 +30,13 @@ void checkBalls(const MedialAxis& axis)
     {
       if (!std::isfinite(coordinate))
       {
-        refusePoint("coordinate " + text(coordinate) + " is not finite");
+        refusePoint("coordinate " + numberText(coordinate) + " is not finite");
       }
     }
     const auto radius = static_cast<double>(axis.radius[i]);
     if (!(radius >= 0.0 && std::isfinite(radius)))
     {
-      refusePoint("radius " + text(radius) + " is outside [0, infinity)");
+      refusePoint(outsideText("radius", axis.radius[i], "[0, infinity)"));
     }
   }
 }

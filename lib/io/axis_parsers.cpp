@@ -108,7 +108,7 @@ double toRadius(std::string_view word, int line)
   const auto number = toDouble(word);
   if (!number || !(*number >= 0.0) || !std::isfinite(*number))
   {
-    refuseLine(line, "radius '" + std::string(word) + "' is not in [0, infinity)");
+    refuseLine(line, "radius '" + std::string(word) + "' is outside [0, infinity)");
   }
   return *number;
 }

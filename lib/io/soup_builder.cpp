@@ -1,5 +1,6 @@
 #include "io/soup_builder.h"
 
+#include "base/range_check.h"
 #include "io/refusal.h"
 
 #include <numeric>
@@ -62,9 +63,8 @@ void SoupBuilder::checkIndices(int firstIndex) const
   {
     const std::int64_t index = tooSmall ? minIndex_ : maxIndex_;
     refuseLine(tooSmall ? minIndexLine_ : maxIndexLine_,
-      "point index " + std::to_string(index + firstIndex) + " is outside [" +
-        std::to_string(firstIndex) + ", " + std::to_string(this->pointCount() - 1 + firstIndex) +
-        "]");
+      outsideText("point index", index + firstIndex,
+        closedRange<std::int64_t>(firstIndex, this->pointCount() - 1 + firstIndex)));
   }
 }
 

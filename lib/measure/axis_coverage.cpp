@@ -1,5 +1,6 @@
 #include "measure/coverage.h"
 
+#include "base/range_check.h"
 #include "medial/error.h"
 
 #include "balls/ball_union.h"
@@ -30,13 +31,11 @@ void checkCoverage(double reach, const CoverageOptions& options)
   checkSampleCount(options.samples);
   if (!(reach >= 0.0) || !std::isfinite(reach))
   {
-    throw Error(ErrorCode::InvalidInput,
-      "reach " + std::to_string(reach) + " is outside [0, infinity)");
+    throwOutside("reach", reach, "[0, infinity)");
   }
   if (!(options.negligible >= 0.0 && options.negligible <= 1.0))
   {
-    throw Error(ErrorCode::InvalidInput,
-      "negligible share " + std::to_string(options.negligible) + " is outside [0, 1]");
+    throwOutside("negligible share", options.negligible, closedRange(0.0, 1.0));
   }
 }
 

@@ -1,9 +1,7 @@
 #include "measure/sample_values.h"
 
+#include "base/range_check.h"
 #include "medial/axis_measurement.h"
-#include "medial/error.h"
-
-#include <string>
 
 namespace medial
 {
@@ -12,9 +10,7 @@ void checkSampleCount(std::int64_t samples)
 {
   if (samples < kMinMeasureSamples || samples > kMaxMeasureSamples)
   {
-    throw Error(ErrorCode::InvalidInput,
-      "number of samples " + std::to_string(samples) + " is outside [" +
-        std::to_string(kMinMeasureSamples) + ", " + std::to_string(kMaxMeasureSamples) + "]");
+    throwOutside("number of samples", samples, closedRange(kMinMeasureSamples, kMaxMeasureSamples));
   }
 }
 

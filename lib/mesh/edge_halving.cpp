@@ -1,5 +1,6 @@
 #include "mesh/edge_halving.h"
 
+#include "base/range_check.h"
 #include "base/vectors.h"
 #include "medial/error.h"
 
@@ -79,9 +80,7 @@ void requireMaxEdge(double maxEdge)
 {
   if (!(maxEdge > 0.0 && std::isfinite(maxEdge)))
   {
-    std::ostringstream text;
-    text << "maximum edge length " << maxEdge << " is outside (0, infinity)";
-    throw Error(ErrorCode::InvalidInput, text.str());
+    throwOutside("maximum edge length", maxEdge, "(0, infinity)");
   }
 }
 

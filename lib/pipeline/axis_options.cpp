@@ -1,6 +1,7 @@
 #include "pipeline/axis_options.h"
 
 #include "axis/sheets/sheet_selection.h"
+#include "base/range_check.h"
 #include "base/separation_angle.h"
 #include "medial/error.h"
 
@@ -16,8 +17,7 @@ void checkLength(const char* name, double length)
 {
   if (!(length >= 0.0) || !std::isfinite(length))
   {
-    throw Error(ErrorCode::InvalidInput,
-      "minimum " + std::string(name) + " " + std::to_string(length) + " is outside [0, infinity)");
+    throwOutside(name, length, "[0, infinity)");
   }
 }
 
@@ -26,8 +26,8 @@ void checkLength(const char* name, double length)
 void checkAxisOptions(const MedialAxisOptions& options)
 {
   checkSeparationAngle(options.angle);
-  checkLength("lambda", options.lambda);
-  checkLength("radius", options.radius);
+  checkLength("minimum lambda", options.lambda);
+  checkLength("minimum radius", options.radius);
   if (options.topology == Topology::Preserve && options.representation == Representation::Points)
   {
     throw Error(ErrorCode::InvalidInput,
@@ -35,9 +35,7 @@ void checkAxisOptions(const MedialAxisOptions& options)
   }
   if (options.maxSpheres < 0)
   {
-    throw Error(ErrorCode::InvalidInput,
-      "maximum number of spheres " + std::to_string(options.maxSpheres) +
-        " is negative; allowed: 0 (no limit) or more");
+    throwOutside("maximum number of spheres", options.maxSpheres, "[0, infinity)");
   }
   if (options.maxSpheres > 0 && options.representation == Representation::Points)
   {

@@ -2,6 +2,7 @@
 
 #include "base/box.h"
 #include "base/longest_axis.h"
+#include "base/range_check.h"
 #include "base/stopwatch.h"
 #include "base/vectors.h"
 #include "medial/error.h"
@@ -236,9 +237,7 @@ FieldProximity FieldProximitySolver::compute(const FieldProximityOptions& option
 {
   if (options.resolution < 2 || options.resolution > kMaxDimension)
   {
-    throw Error(ErrorCode::InvalidInput,
-      "resolution " + std::to_string(options.resolution) + " is not in [2, " +
-        std::to_string(kMaxDimension) + "]");
+    throwOutside("resolution", options.resolution, closedRange(2, kMaxDimension));
   }
   FieldProximity result;
   const Stopwatch stopwatch(result.seconds);

@@ -1,3 +1,4 @@
+#include "base/range_check.h"
 #include "base/run.h"
 #include "base/stopwatch.h"
 #include "medial/error.h"
@@ -25,18 +26,15 @@ void requireValid(const ProximityOptions& options)
 {
   if (options.maxContacts < 0)
   {
-    throw Error(ErrorCode::InvalidInput,
-      "maximum number of contacts " + std::to_string(options.maxContacts) + " is negative");
+    throwOutside("maximum number of contacts", options.maxContacts, "[0, infinity)");
   }
   if (!(options.maxSeparation >= 0.0))
   {
-    throw Error(ErrorCode::InvalidInput,
-      "maximum separation " + std::to_string(options.maxSeparation) + " is not 0 or more");
+    throwOutside("maximum separation", options.maxSeparation, "[0, infinity]");
   }
   if (!(options.depthTolerance > 0.0 && options.depthTolerance < 1.0))
   {
-    throw Error(ErrorCode::InvalidInput,
-      "depth tolerance " + std::to_string(options.depthTolerance) + " is not in (0, 1)");
+    throwOutside("depth tolerance", options.depthTolerance, "(0, 1)");
   }
 }
 

@@ -1,5 +1,6 @@
 #include "query/farthest_point.h"
 
+#include "base/range_check.h"
 #include "medial/error.h"
 
 #include <tbb/blocked_range.h>
@@ -222,8 +223,7 @@ void checkTolerance(double tolerance)
 {
   if (!(tolerance > 0.0 && tolerance < 1.0))
   {
-    throw Error(ErrorCode::InvalidInput,
-      "tolerance " + std::to_string(tolerance) + " is not in (0, 1)");
+    throwOutside("tolerance", tolerance, "(0, 1)");
   }
 }
 

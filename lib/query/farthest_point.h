@@ -8,7 +8,7 @@
 namespace medial
 {
 
-/// @throws Error InvalidInput if it is not in (0, 1).
+/// @throws Error InvalidInput if it is outside (0, 1).
 void checkTolerance(double tolerance);
 
 /// See PointDistance::farthest(). Uses the threads of the current arena.

@@ -1,6 +1,7 @@
 #include "simplification/axis_balls.h"
 
 #include "base/id_limits.h"
+#include "base/range_check.h"
 #include "medial/error.h"
 
 #include <algorithm>
@@ -55,9 +56,8 @@ int checkedId(std::int64_t id, std::size_t count)
 {
   if (id < 0 || id >= static_cast<std::int64_t>(count))
   {
-    throw Error(ErrorCode::InvalidInput,
-      "medial axis: a cell has the point " + std::to_string(id) + ", outside [0, " +
-        std::to_string(count) + ")");
+    throwOutside("medial axis: point index", id,
+      closedRange<std::int64_t>(0, static_cast<std::int64_t>(count) - 1));
   }
   return static_cast<int>(id);
 }

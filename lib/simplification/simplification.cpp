@@ -1,6 +1,7 @@
 #include "medial/simplification.h"
 
 #include "balls/ball_union.h"
+#include "base/range_check.h"
 #include "base/stopwatch.h"
 #include "medial/error.h"
 #include "simplification/axis_balls.h"
@@ -177,8 +178,7 @@ MedialAxis simplifyAxis(const MedialAxis& axis, std::int64_t maxSpheres, const R
 {
   if (maxSpheres < 1)
   {
-    throw Error(ErrorCode::InvalidInput,
-      "maximum number of spheres " + std::to_string(maxSpheres) + " is not >= 1");
+    throwOutside("maximum number of spheres", maxSpheres, "[1, infinity)");
   }
   double seconds = 0.0;
   MedialAxis result = timed(seconds, [&] { return Simplifier(axis, maxSpheres, run).run(); });

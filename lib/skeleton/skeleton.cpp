@@ -3,6 +3,7 @@
 #include "base/checkpoint.h"
 #include "base/disjoint_sets.h"
 #include "base/order_statistics.h"
+#include "base/range_check.h"
 #include "base/run.h"
 #include "base/stopwatch.h"
 #include "base/vectors.h"
@@ -35,8 +36,7 @@ void checkInput(const MedialAxis& axis, const SkeletonOptions& options)
 {
   if (!(options.minBranch >= 0.0) || !std::isfinite(options.minBranch))
   {
-    throw Error(ErrorCode::InvalidInput,
-      "minimum branch length " + std::to_string(options.minBranch) + " is outside [0, infinity)");
+    throwOutside("minimum branch length", options.minBranch, "[0, infinity)");
   }
   if (axis.sign == SignMethod::None)
   {

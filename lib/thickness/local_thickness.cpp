@@ -2,6 +2,7 @@
 
 #include "base/checkpoint.h"
 #include "base/memory_guard.h"
+#include "base/range_check.h"
 #include "base/run.h"
 #include "base/stopwatch.h"
 #include "field/array_sink.h"
@@ -119,9 +120,7 @@ void checkOptions(const LocalThicknessOptions& options)
 {
   if (options.bins < 1 || options.bins > kMaxBins)
   {
-    throw Error(ErrorCode::InvalidInput,
-      "number of bins " + std::to_string(options.bins) + " is outside [1, " +
-        std::to_string(kMaxBins) + "]");
+    throwOutside("number of bins", options.bins, closedRange(1, kMaxBins));
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include "base/checkpoint.h"
 #include "base/disjoint_sets.h"
+#include "base/range_check.h"
 #include "base/sorted_set.h"
 #include "medial/error.h"
 #include "sign/sign_choice.h"
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <sstream>
 #include <string>
 
 namespace medial
@@ -22,13 +22,6 @@ namespace
 
 /// Values are single precision: this share beyond a limit is rounding.
 constexpr double kRounding = 1e-6;
-
-std::string textOf(double value)
-{
-  std::ostringstream text;
-  text << value;
-  return text.str();
-}
 
 glm::dvec3 positionOf(const TriangleMesh& mesh, int point)
 {
@@ -123,12 +116,11 @@ void checkThicknessLimits(const ThicknessLimits& limits)
   {
     if (limit && !(*limit > 0.0 && std::isfinite(*limit)))
     {
-      throw Error(ErrorCode::InvalidInput,
-        std::string(name) + " thickness " + textOf(*limit) + " is outside (0, infinity)");
+      throwOutside(name, *limit, "(0, infinity)");
     }
   };
-  check(limits.min, "minimum");
-  check(limits.max, "maximum");
+  check(limits.min, "minimum thickness");
+  check(limits.max, "maximum thickness");
   if (!limits.min && !limits.max)
   {
     throw Error(ErrorCode::InvalidInput, "there is neither a minimum nor a maximum thickness");
@@ -136,8 +128,8 @@ void checkThicknessLimits(const ThicknessLimits& limits)
   if (limits.min && limits.max && *limits.min >= *limits.max)
   {
     throw Error(ErrorCode::InvalidInput,
-      "minimum thickness " + textOf(*limits.min) + " is not below maximum thickness " +
-        textOf(*limits.max));
+      "minimum thickness " + numberText(*limits.min) + " is not below maximum thickness " +
+        numberText(*limits.max));
   }
 }
 

@@ -171,7 +171,7 @@ TEST(ModelReader, RefusesDamagedVtp)
 TEST(ModelReader, RefusesDamagedFilesOfTheLibrarysFormats)
 {
   EXPECT_EQ(refusal("a.ma", "1 0 0\nv 0 0 0 -1\n"),
-    "a.ma: line 2: radius '-1' is not in [0, infinity)");
+    "a.ma: line 2: radius '-1' is outside [0, infinity)");
   EXPECT_EQ(refusal("a.obj", "v 0 0 1e200\n# radius 1\n"),
     "a.obj: centre 0 has the coordinate 1e+200, which is outside [-1e100, 1e100]");
 }

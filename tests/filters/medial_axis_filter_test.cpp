@@ -259,7 +259,7 @@ TEST(MedialAxisFilter, RefusesAnglesAndEnumsOutsideTheirRange)
   expectInvalidInput(axis, "Representation -4");
   axis->SetRepresentationToPoints();
   axis->SetMaximumNumberOfSpheres(-1);
-  expectInvalidInput(axis, "-1 is negative");
+  expectInvalidInput(axis, "-1 is outside [0, infinity)");
   axis->SetMaximumNumberOfSpheres(10);
   expectInvalidInput(axis, "surface or faces");
   axis->SetMaximumNumberOfSpheres(0);

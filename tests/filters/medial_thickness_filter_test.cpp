@@ -321,8 +321,8 @@ TEST(MedialThicknessFilter, RefusesParametersOutsideTheirRange)
   using F = vtkMedialThickness*;
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto repairAngle = [](F f) { f->SetAngle(60.0); };
-  expectError([](F f) { f->SetAngle(0.0); }, repairAngle, "angle 0.000000 is outside (0, 180)");
-  expectError([](F f) { f->SetAngle(180.0); }, repairAngle, "180.0");
+  expectError([](F f) { f->SetAngle(0.0); }, repairAngle, "angle 0 is outside (0, 180)");
+  expectError([](F f) { f->SetAngle(180.0); }, repairAngle, "angle 180 is outside");
   expectError([=](F f) { f->SetAngle(nan); }, repairAngle, "nan");
   expectError([](F f) { f->SetSide(3); }, [](F f) { f->SetSide(0); }, "Side 3");
   expectError([](F f) { f->SetNumberOfThreads(-1); }, [](F f) { f->SetNumberOfThreads(1); },

@@ -135,14 +135,14 @@ TEST(MeshProximityPipeline, RefusesParametersOutsideTheirRange)
 {
   using F = vtkMeshProximity*;
   expectError([](F f) { f->SetMaximumNumberOfContacts(-1); },
-    [](F f) { f->SetMaximumNumberOfContacts(0); }, "contacts -1 is negative");
+    [](F f) { f->SetMaximumNumberOfContacts(0); }, "contacts -1 is outside [0, infinity)");
   const auto repair = [](F f) { f->SetDepthTolerance(0.5); };
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  expectError([](F f) { f->SetDepthTolerance(0.0); }, repair, "0.000000 is not in (0, 1)");
-  expectError([](F f) { f->SetDepthTolerance(1.0); }, repair, "1.000000 is not in (0, 1)");
-  expectError([=](F f) { f->SetDepthTolerance(nan); }, repair, "nan is not in (0, 1)");
+  expectError([](F f) { f->SetDepthTolerance(0.0); }, repair, "tolerance 0 is outside (0, 1)");
+  expectError([](F f) { f->SetDepthTolerance(1.0); }, repair, "tolerance 1 is outside (0, 1)");
+  expectError([=](F f) { f->SetDepthTolerance(nan); }, repair, "tolerance nan is outside (0, 1)");
   expectError([](F f) { f->SetMaximumSeparation(-1.0); }, [](F f) { f->SetMaximumSeparation(2.0); },
-    "maximum separation -1.000000 is not 0 or more");
+    "maximum separation -1 is outside [0, infinity]");
   expectError([](F f) { f->SetNumberOfThreads(-1); }, [](F f) { f->SetNumberOfThreads(1); },
     "NumberOfThreads -1");
 }
@@ -196,7 +196,7 @@ TEST(MeshProximityPipeline, AnErrorLeavesNoOutputAtAll)
   auto filter = makeCubes(1.5);
   filter->Update();
   filter->SetDepthTolerance(2.0);
-  expectInvalidInput(filter, "2.000000");
+  expectInvalidInput(filter, "tolerance 2 is");
   EXPECT_EQ(filter->GetMovedA()->GetNumberOfPoints(), 0);
   EXPECT_EQ(filter->GetMovedB()->GetNumberOfPoints(), 0);
 }

@@ -56,15 +56,15 @@ class Messages(unittest.TestCase):
         self.expect("spacing -0.1 along y", MeshDistanceField,
                     {"Input": box(), "GridMode": "Spacing", "Spacing": [0.1, -0.1, 0.1]},
                     Spacing=[0.1, 0.1, 0.1])
-        self.expect("minimum lambda -1.000000 is outside [0, infinity)", MedialAxis,
+        self.expect("minimum lambda -1 is outside [0, infinity)", MedialAxis,
                     {"Input": box(), "Resolution": 16, "MinimumLambda": -1}, MinimumLambda=0)
-        self.expect("separation angle 180.000000 is outside (0, 180) degrees", MedialThickness,
+        self.expect("separation angle 180 is outside (0, 180) degrees", MedialThickness,
                     {"Input": box(), "Angle": 180}, Angle=60)
 
         pair = {"Input": box(), "InputB": box()}
-        self.expect("depth tolerance 1.000000 is not in (0, 1)", MeshProximity,
+        self.expect("depth tolerance 1 is outside (0, 1)", MeshProximity,
                     {**pair, "DepthTolerance": 1}, DepthTolerance=0.01)
-        self.expect("maximum number of contacts -1 is negative", MeshProximity,
+        self.expect("maximum number of contacts -1 is outside [0, infinity)", MeshProximity,
                     {**pair, "MaximumNumberOfContacts": -1}, MaximumNumberOfContacts=0)
 
     def test_a_scale_of_zero(self):

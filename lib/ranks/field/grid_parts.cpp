@@ -1,3 +1,4 @@
+#include "base/range_check.h"
 #include "medial/error.h"
 #include "medial/ranks.h"
 
@@ -43,8 +44,7 @@ std::vector<Extent> partsOfGrid(const Grid& grid, int parts)
   validateGrid(grid);
   if (parts < 1)
   {
-    throw Error(ErrorCode::InvalidInput,
-      "number of parts " + std::to_string(parts) + " is outside [1, infinity)");
+    throwOutside("number of parts", parts, "[1, infinity)");
   }
   std::vector<Extent> found;
   cut(grid.wholeExtent(), parts, found);

@@ -2,6 +2,7 @@
 
 #include "base/counted.h"
 #include "base/id_limits.h"
+#include "base/range_check.h"
 #include "medial/error.h"
 #include "mesh/position_hash.h"
 #include "ranks/surface/point_rings.h"
@@ -126,8 +127,7 @@ void requirePiece(const SurfacePiece& piece)
     const auto found = std::find_if(list->begin(), list->end(), negative);
     if (found != list->end())
     {
-      throw Error(ErrorCode::InvalidInput,
-        "number " + std::to_string(*found) + " of a point or cell is negative");
+      throwOutside("number of a point or cell", *found, "[0, infinity)");
     }
   }
 }

@@ -110,10 +110,10 @@ TEST(MedialModel, RefusesWhatIsNoModel)
   expectRefused([=](MedialModel& m) { m.radii[3] = nan; }, "radius nan of ball 3");
   expectRefused([=](MedialModel& m) { m.centres[2][1] = nan; }, "centre 2");
   expectRefused([](MedialModel& m) { m.radii[3] = 1e200; }, "radius 1e+200 of ball 3");
-  expectRefused([](MedialModel& m) { m.quads[1][2] = 6; }, "quad 1 names ball 6, outside [0, 5]");
-  expectRefused([](MedialModel& m) { m.triangles = { { 0, -1, 2 } }; }, "triangle 0 names ball -1");
-  expectRefused([](MedialModel& m) { m.lines = { { 0, 9 } }; }, "line 0 names ball 9");
-  expectRefused([](MedialModel& m) { m.vertices = { 7 }; }, "vertex 0 names ball 7");
+  expectRefused([](MedialModel& m) { m.quads[1][2] = 6; }, "quad 1: ball 6 is outside [0, 5]");
+  expectRefused([](MedialModel& m) { m.triangles = { { 0, -1, 2 } }; }, "triangle 0: ball -1 is");
+  expectRefused([](MedialModel& m) { m.lines = { { 0, 9 } }; }, "line 0: ball 9 is");
+  expectRefused([](MedialModel& m) { m.vertices = { 7 }; }, "vertex 0: ball 7 is");
 }
 
 TEST(MedialModel, QuadsAreSplitWhereNoTriangleIsFlat)

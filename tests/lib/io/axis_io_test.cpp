@@ -231,13 +231,13 @@ TEST(AxisIo, RefusesDamagedMa)
   const std::string header = "2 1 0\n";
   const std::string first = "v 0 0 0 1\n";
   EXPECT_EQ(refusal("a.ma", header + first + "v 0 1 0 -2\ne 0 1\n"),
-    "a.ma: line 3: radius '-2' is not in [0, infinity)");
+    "a.ma: line 3: radius '-2' is outside [0, infinity)");
   EXPECT_EQ(refusal("a.ma", header + first + "v 0 1 0 nan\ne 0 1\n"),
-    "a.ma: line 3: radius 'nan' is not in [0, infinity)");
+    "a.ma: line 3: radius 'nan' is outside [0, infinity)");
   EXPECT_EQ(refusal("a.ma", header + first + "v 0 inf 0 1\ne 0 1\n"),
     "a.ma: line 3: 'inf' is not a finite coordinate");
   EXPECT_EQ(refusal("a.ma", header + first + "v 0 1 0\ne 0 1\n"),
-    "a.ma: line 3: radius '' is not in [0, infinity)");
+    "a.ma: line 3: radius '' is outside [0, infinity)");
   EXPECT_EQ(refusal("a.ma", header + first + "v 0 1 0 1\ne 0 2\n"),
     "a.ma: line 4: point index 2 is outside [0, 1]");
   EXPECT_EQ(refusal("a.ma", header + first + "v 0 1 0 1\ne 0 x\n"),
@@ -263,7 +263,7 @@ TEST(AxisIo, RefusesDamagedObj)
   EXPECT_EQ(refusal("a.obj", first + "v 0 1 0\n"),
     "a.obj: line 3: a vertex without radius; a line '# radius R' must follow it");
   EXPECT_EQ(refusal("a.obj", first + "v 0 1 0\n# radius -1\n"),
-    "a.obj: line 4: radius '-1' is not in [0, infinity)");
+    "a.obj: line 4: radius '-1' is outside [0, infinity)");
   EXPECT_EQ(refusal("a.obj", first + "v 0 nan 0\n# radius 1\n"),
     "a.obj: line 3: 'nan' is not a finite coordinate");
   EXPECT_EQ(refusal("a.obj", first + "l 1 2\n"), "a.obj: line 3: point index 2 is outside [1, 1]");

@@ -194,7 +194,7 @@ TEST(AxisCoverage, RefusesWhatItCannotMeasure)
       options.execution.threads = -1;
       measureCoverage(mesh, ballModel(1.0), kReach, options);
     },
-    ErrorCode::InvalidInput, "threads -1 is negative");
+    ErrorCode::InvalidInput, "threads -1 is outside [0, infinity)");
 }
 
 TEST(AxisCoverage, CanBeCancelled)

@@ -98,7 +98,7 @@ TEST(Reconstruction, RefusesANegativeNumberOfThreads)
   options.execution.threads = -1;
   const Grid grid = makeGrid(modelBounds(bentPlate()), 10);
   EXPECT_EQ(messageOf([&] { computeReconstruction(bentPlate(), grid, options); }),
-    "threads -1 is negative");
+    "threads -1 is outside [0, infinity)");
 }
 
 } // namespace

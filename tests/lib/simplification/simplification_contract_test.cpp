@@ -104,7 +104,8 @@ TEST(AxisSimplification, AttributesAreThoseOfTheInput)
 TEST(AxisSimplification, RefusesWhatItCannotUse)
 {
   const MedialAxis full = plate();
-  expectError([&] { simplified(full, 0); }, ErrorCode::InvalidInput, "spheres 0 is not >= 1");
+  expectError([&] { simplified(full, 0); }, ErrorCode::InvalidInput,
+    "spheres 0 is outside [1, infinity)");
   MedialAxis bad = full;
   bad.radius[7] = -1.0F;
   expectError([&] { simplified(bad, 5); }, ErrorCode::InvalidInput, "point 7");
@@ -116,7 +117,8 @@ TEST(AxisSimplification, RefusesWhatItCannotUse)
   expectError([&] { simplified(bad, 5); }, ErrorCode::InvalidInput, "624 values of radius");
   bad = full;
   bad.lines.push_back({ 3, 625 });
-  expectError([&] { simplified(bad, 5); }, ErrorCode::InvalidInput, "625, outside [0, 625)");
+  expectError([&] { simplified(bad, 5); }, ErrorCode::InvalidInput,
+    "point index 625 is outside [0, 624]");
 }
 
 TEST(AxisSimplification, IsRefusedForPointsAndNegativeNumbers)
@@ -125,7 +127,7 @@ TEST(AxisSimplification, IsRefusedForPointsAndNegativeNumbers)
   MedialAxisOptions options;
   options.maxSpheres = -1;
   expectError([&] { computeMedialAxis(mesh, makeGrid(mesh.bounds(), 9), options); },
-    ErrorCode::InvalidInput, "-1 is negative");
+    ErrorCode::InvalidInput, "-1 is outside [0, infinity)");
   options.maxSpheres = 10;
   options.representation = Representation::Points;
   expectError([&] { computeMedialAxis(mesh, makeGrid(mesh.bounds(), 9), options); },

@@ -199,7 +199,7 @@ TEST(Skeleton, RefusesWhatHasNone)
     options.minBranch = minBranch;
     return messageOf([&] { computeSkeleton(input, mesh, options); });
   };
-  EXPECT_EQ(refusal(axis, -0.5), "minimum branch length -0.500000 is outside [0, infinity)");
+  EXPECT_EQ(refusal(axis, -0.5), "minimum branch length -0.5 is outside [0, infinity)");
   EXPECT_NE(refusal(axis, std::nan("")), "");
   EXPECT_NE(refusal(axis, std::numeric_limits<double>::infinity()), "");
   MedialAxis other = axis;
