@@ -21,8 +21,6 @@
 namespace
 {
 
-constexpr int MinMemoryLimit = 64;
-
 //------------------------------------------------------------------------------
 medial::Engine ToEngine(int engine)
 {
@@ -242,7 +240,7 @@ medial::DistanceFieldOptions vtkMeshFieldAlgorithm::vtkInternals::MakeOptions(
   medial::Progress& progress)
 {
   const vtkMeshFieldAlgorithm* self = this->Self;
-  if (self->MemoryLimit != 0 && self->MemoryLimit < MinMemoryLimit)
+  if (self->MemoryLimit != 0 && self->MemoryLimit < medial::kMinMemoryMiB)
   {
     vtkThrowBadParameter("MemoryLimit", self->MemoryLimit, "0 or >= 64 (MiB)");
   }

@@ -14,10 +14,7 @@ namespace medial::app
 namespace
 {
 
-constexpr int kMaxResolution = 8192;
 constexpr double kMaxBand = 1000.0;
-constexpr int kMinMemoryMiB = 64;
-constexpr double kMaxPadding = 10.0;
 
 CLI::Validator length()
 {
@@ -36,9 +33,10 @@ CLI::Validator resolution()
   return CLI::Validator(
     [](std::string& word)
     {
-      return word == kAutoResolution ? std::string()
-                                     : within<int>("[2, 8192] or auto",
-                                         [](int n) { return n >= 2 && n <= kMaxResolution; })(word);
+      return word == kAutoResolution
+        ? std::string()
+        : within<int>("[2, 8192] or auto",
+            [](int n) { return n >= kMinResolution && n <= kMaxDimension; })(word);
     },
     "");
 }

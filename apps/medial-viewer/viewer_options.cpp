@@ -57,8 +57,8 @@ void addViewOptions(CLI::App& app, ViewerTexts& texts, ViewerOptions& options)
     .add_option("--max-resolution", options.maxResolution,
       "end of the resolution slider, in [32, 8192]; default 256")
     ->option_text("N")
-    ->check(within<int>("[32, 8192]",
-      [](int n) { return n >= kMinMaxResolution && n <= kMaxViewerResolution; }))
+    ->check(
+      within<int>("[32, 8192]", [](int n) { return n >= kMinMaxResolution && n <= kMaxDimension; }))
     ->group(group);
   app
     .add_option("--angle", options.angle,

@@ -21,12 +21,11 @@ enum class ColourBy
 };
 
 ///@{
-/// Ranges of the sliders; ViewerOptions::maxResolution may lower the end of the resolution's range.
+/// Ranges of the sliders; that of the resolution ends at ViewerOptions::maxResolution.
 constexpr double kMinViewerAngle = 20.0;
 constexpr double kMaxViewerAngle = 170.0;
 constexpr int kMinViewerResolution = 16;
 constexpr int kMinMaxResolution = 32;
-constexpr int kMaxViewerResolution = 8192;
 ///@}
 
 /// The command line of the viewer.

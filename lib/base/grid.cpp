@@ -13,7 +13,6 @@ namespace medial
 namespace
 {
 
-constexpr double kMaxPadding = 10.0;
 /// Rounding may lengthen an axis by this share of a spacing without adding a point.
 constexpr double kCountTolerance = 1e-9;
 constexpr char kAxisNames[] = "xyz";
@@ -127,9 +126,9 @@ Grid makeGrid(const Bounds& bounds, int resolution, double padding)
 {
   checkBounds(bounds);
   checkPadding(padding);
-  if (resolution < 2 || resolution > kMaxDimension)
+  if (resolution < kMinResolution || resolution > kMaxDimension)
   {
-    throwOutside("resolution", resolution, closedRange(2, kMaxDimension));
+    throwOutside("resolution", resolution, closedRange(kMinResolution, kMaxDimension));
   }
   const Point3 lengths = paddedLengths(bounds, padding);
   const double spacing = *std::max_element(lengths.begin(), lengths.end()) / (resolution - 1);

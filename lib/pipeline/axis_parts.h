@@ -7,6 +7,7 @@
 #include "field/crossing.h"
 #include "field/field_pipeline.h"
 #include "field/mesh_state.h"
+#include "medial/default_angle.h"
 #include "medial/medial_axis.h"
 #include "medial/side.h"
 
@@ -20,7 +21,7 @@ namespace medial
 /// What an axis in parts is made of.
 struct AxisPartsOptions
 {
-  double angle = 60.0; ///< minimum separation angle, degrees
+  double angle = kDefaultAngle; ///< minimum separation angle, degrees
   Side side = Side::Interior;
   SheetEnds ends = SheetEnds::AtBorder;
   DistanceFieldOptions field;

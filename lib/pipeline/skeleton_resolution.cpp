@@ -41,7 +41,8 @@ int resolutionFor(double radius, const Bounds& bounds, double padding)
 {
   const double length = makeGrid(bounds, 2, padding).spacing[0];
   const double points = std::ceil(length * kPointsPerRadius / radius) + 1.0;
-  return points < kMaxDimension ? std::max(2, static_cast<int>(points)) : kMaxDimension;
+  return points < kMaxDimension ? std::max(kMinResolution, static_cast<int>(points))
+                                : kMaxDimension;
 }
 
 } // namespace

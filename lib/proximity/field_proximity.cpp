@@ -85,8 +85,8 @@ Grid gridOver(const Box& region, int resolution)
   Grid grid;
   for (int axis = 0; axis < 3; ++axis)
   {
-    grid.dimensions[axis] =
-      std::clamp(static_cast<int>(std::ceil(size[axis] / spacing - 1e-9)) + 1, 2, kMaxDimension);
+    grid.dimensions[axis] = std::clamp(static_cast<int>(std::ceil(size[axis] / spacing - 1e-9)) + 1,
+      kMinResolution, kMaxDimension);
     grid.spacing[axis] = spacing;
     const double overhang = (grid.dimensions[axis] - 1) * spacing - size[axis];
     grid.origin[axis] = region.min[axis] - 0.5 * overhang;
@@ -235,9 +235,9 @@ void FieldProximitySolver::setPoints(int mesh, std::vector<Point3> points)
 
 FieldProximity FieldProximitySolver::compute(const FieldProximityOptions& options)
 {
-  if (options.resolution < 2 || options.resolution > kMaxDimension)
+  if (options.resolution < kMinResolution || options.resolution > kMaxDimension)
   {
-    throwOutside("resolution", options.resolution, closedRange(2, kMaxDimension));
+    throwOutside("resolution", options.resolution, closedRange(kMinResolution, kMaxDimension));
   }
   FieldProximity result;
   const Stopwatch stopwatch(result.seconds);

@@ -17,6 +17,10 @@
 namespace medial
 {
 
+/// Smallest DistanceFieldOptions::memoryMiB but 0 that filters and programs accept. The library
+/// takes any.
+constexpr int kMinMemoryMiB = 64;
+
 /// How a distance field is computed.
 struct DistanceFieldOptions
 {

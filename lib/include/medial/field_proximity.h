@@ -16,7 +16,7 @@ namespace medial
 /// How proximity is computed from distance fields.
 struct FieldProximityOptions
 {
-  /// Grid points along the longest side of the region, in [2, kMaxDimension].
+  /// Grid points along the longest side of the region, in [kMinResolution, kMaxDimension].
   int resolution = 64;
   Engine engine = Engine::Auto; ///< what computes the fields
   Execution execution;          ///< threads, progress and cancelling

@@ -51,17 +51,21 @@ constexpr int kMinDimension = 1;
 /// Largest number of grid points along one axis.
 constexpr int kMaxDimension = 8192;
 
+/// Smallest number of grid points along the longest axis; the largest is kMaxDimension.
+constexpr int kMinResolution = 2;
 /// Default number of grid points along the longest axis.
 constexpr int kDefaultResolution = 256;
+/// Largest margin around the mesh as a fraction of the diagonal of its bounds; the smallest is 0.
+constexpr double kMaxPadding = 10.0;
 /// Default margin around the mesh as a fraction of the diagonal of its bounds.
 constexpr double kDefaultPadding = 0.05;
 
 /// Makes an isotropic grid with `resolution` points along the longest axis of the padded bounds.
 ///
 /// @param bounds of the mesh, in world units.
-/// @param resolution in [2, kMaxDimension].
-/// @param padding margin on every side as a fraction of the diagonal of `bounds`, in [0, 10]. The
-///   bounds of a single point get a margin of one world unit.
+/// @param resolution in [kMinResolution, kMaxDimension].
+/// @param padding margin on every side as a fraction of the diagonal of `bounds`, in
+///   [0, kMaxPadding]. The bounds of a single point get a margin of one world unit.
 /// @throws Error InvalidInput if an argument is outside its range.
 MEDIAL_EXPORT Grid makeGrid(const Bounds& bounds, int resolution = kDefaultResolution,
   double padding = kDefaultPadding);

@@ -32,7 +32,7 @@ struct SkeletonResolution
 };
 
 /// Returns the smallest resolution at which grid points are closer together than a quarter of the
-/// radius of the thinnest branch of a skeleton; in [2, kMaxDimension].
+/// radius of the thinnest branch of a skeleton; in [kMinResolution, kMaxDimension].
 /// @param bounds, padding as for makeGrid().
 /// @throws Error InvalidInput as makeGrid().
 MEDIAL_EXPORT int neededResolution(const Skeleton& skeleton, const Bounds& bounds,
