@@ -1,5 +1,6 @@
 #include "axis/dual_mesh.h"
 
+#include "base/extents.h"
 #include "base/huge_pages.h"
 #include "base/sorted_set.h"
 
@@ -243,18 +244,6 @@ private:
 
 } // namespace
 
-bool isWithin(const glm::ivec3& cell, const Extent& extent)
-{
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    if (cell[axis] < extent.min[axis] || cell[axis] >= extent.max[axis])
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
 DualMesh dualMesh(const std::vector<Crossing>& crossings, const Extent& extent)
 {
   return CornerRows(crossings, extent).mesh();
@@ -333,7 +322,7 @@ DualSubmesh submesh(const DualMesh& mesh, const std::vector<std::uint8_t>& kept)
 bool isWithin(const DualMesh& mesh, const std::array<std::uint32_t, 4>& quad, const Extent& extent)
 {
   // These two are at opposite corners.
-  return isWithin(mesh.cells[quad[0]], extent) && isWithin(mesh.cells[quad[2]], extent);
+  return hasCell(extent, mesh.cells[quad[0]]) && hasCell(extent, mesh.cells[quad[2]]);
 }
 
 std::vector<std::array<std::int64_t, 4>> quadsWithin(const DualMesh& mesh, const Extent& extent)

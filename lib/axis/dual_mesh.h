@@ -68,9 +68,6 @@ struct DualSubmesh
 /// @param kept for each crossing not 0 if it stays; those that stay are numbered anew, in order.
 DualSubmesh submesh(const DualMesh& mesh, const std::vector<std::uint8_t>& kept);
 
-/// Whether a cell is inside the grid.
-bool isWithin(const glm::ivec3& cell, const Extent& extent);
-
 /// Whether all cells of a quad are inside the grid.
 bool isWithin(const DualMesh& mesh, const std::array<std::uint32_t, 4>& quad, const Extent& extent);
 

@@ -1,6 +1,7 @@
 #include "culling/candidate_tiles.h"
 
-#include "culling/extent_parts.h"
+#include "base/extents.h"
+#include "culling/extent_hull.h"
 
 #include <tbb/parallel_for.h>
 

@@ -1,6 +1,6 @@
 #include "field/field_writer.h"
 
-#include "culling/extent_parts.h"
+#include "base/extents.h"
 #include "sites/closest_point.h"
 
 #include <glm/gtc/type_ptr.hpp>

@@ -1,5 +1,7 @@
 #include "sign/side_parts.h"
 
+#include "base/extents.h"
+
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -14,16 +16,14 @@ SideParts::SideParts(const InsideRows& inside, Side side, const Extent& extent, 
   , size_(size)
   , margin_(margin)
 {
-  Extent points = extent;
   for (int axis = 0; axis < 3; ++axis)
   {
     first_[axis] = 0;
     first_[axis] = this->partAt(axis, extent.min[axis]);
     count_[axis] = this->partAt(axis, extent.max[axis]) + 1;
-    points.min[axis] = std::max(extent.min[axis] - margin, whole.min[axis]);
-    points.max[axis] = std::min(extent.max[axis] + margin, whole.max[axis]);
   }
   marks_.resize(static_cast<std::size_t>(count_[0]) * count_[1] * count_[2], 0);
+  const Extent points = grown(extent, margin, whole);
   tbb::parallel_for(0, count_[2], [&](int layer) { this->markLayer(inside, side, points, layer); });
 }
 

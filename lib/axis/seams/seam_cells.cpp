@@ -3,6 +3,7 @@
 #include "axis/bisector.h"
 #include "axis/side_directions.h"
 #include "axis/tile_order.h"
+#include "base/extents.h"
 #include "base/sorted_set.h"
 
 #include <algorithm>
@@ -95,7 +96,7 @@ void SeamCells::findVertices(const glm::ivec2& slices)
     [&](std::uint32_t v)
     {
       const glm::ivec3& cell = mesh_.cells[v];
-      return wanted[v] != 0 && isWithin(cell, geometry_.extent) && cell.z >= slices.x &&
+      return wanted[v] != 0 && hasCell(geometry_.extent, cell) && cell.z >= slices.x &&
         cell.z < slices.y;
     });
 }

@@ -2,7 +2,7 @@
 
 #include "axis/axis_geometry.h"
 #include "base/memory_guard.h"
-#include "culling/extent_parts.h"
+#include "culling/extent_hull.h"
 #include "ranks/axis/sites_here.h"
 #include "ranks/collective.h"
 #include "thinning/curve_finish.h"

@@ -3,10 +3,10 @@
 #include "axis/axis_attributes.h"
 #include "axis/axis_geometry.h"
 #include "base/checkpoint.h"
+#include "base/extents.h"
 #include "base/memory_guard.h"
 #include "base/run.h"
 #include "base/stopwatch.h"
-#include "culling/extent_parts.h"
 #include "field/field_tap.h"
 #include "medial/ranks.h"
 #include "pipeline/axis_options.h"
@@ -70,17 +70,6 @@ std::vector<WorkBox> crossingsInBoxes(const std::vector<SharedCrossing>& crossin
     boxes.push_back({ wholeParts({ first, first }, size, whole), static_cast<double>(count) });
   }
   return boxes;
-}
-
-/// Returns an extent with some layers of points around it, as far as the grid has them.
-Extent withMargin(Extent extent, int margin, const Grid& grid)
-{
-  for (int axis = 0; axis < 3 && !extent.empty(); ++axis)
-  {
-    extent.min[axis] = std::max(extent.min[axis] - margin, 0);
-    extent.max[axis] = std::min(extent.max[axis] + margin, grid.dimensions[axis] - 1);
-  }
-  return extent;
 }
 
 /// Computes the axis of a rank's part, in steps that all ranks take together.
@@ -175,7 +164,7 @@ private:
     const Extent extent = touchingExtent(grid_, fieldShare.own());
     // What is next to points of the side must be known as well.
     field_.bring(communicator_, extent,
-      values != nullptr ? withMargin(extent, FieldTap::kMargin, grid_) : extent);
+      values != nullptr ? grown(extent, FieldTap::kMargin, grid_.wholeExtent()) : extent);
     std::optional<FieldTap> tap;
     if (values != nullptr)
     {
@@ -225,7 +214,7 @@ private:
       Crossing crossing = item.crossing;
       glm::ivec3 end = crossing.voxel;
       ++end[crossing.axis];
-      if (GridShare::isIn(part, end))
+      if (hasPoint(part, end))
       {
         crossing.siteA = sites.find(crossing.siteA);
         crossing.siteB = sites.find(crossing.siteB);
@@ -393,16 +382,6 @@ AxisPiece simplified(Communicator& communicator, const AxisPiece& piece, std::in
 }
 
 } // namespace
-
-Extent touchingExtent(const Grid& grid, const Extent& extent)
-{
-  Extent touching = extent;
-  for (int axis = 0; axis < 3 && !extent.empty(); ++axis)
-  {
-    touching.max[axis] = std::min(extent.max[axis] + 1, grid.dimensions[axis] - 1);
-  }
-  return touching;
-}
 
 AxisPiece computeMedialAxis(Communicator& communicator, const SurfacePiece& piece, const Grid& grid,
   const std::vector<Extent>& extents, FieldSink& sink, const MedialAxisOptions& options,

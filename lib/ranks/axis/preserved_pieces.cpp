@@ -2,6 +2,7 @@
 
 #include "axis/sheets/border_rims.h"
 #include "axis/sheets/crease_rims.h"
+#include "base/extents.h"
 #include "base/memory_guard.h"
 #include "ranks/axis/curve_pieces.h"
 #include "ranks/axis/rim_exchange.h"
@@ -31,16 +32,6 @@ struct CornerRecord
   std::uint8_t moved;
   std::uint8_t onSheet; ///< not 0 if the selection's samples have a vertex there
 };
-
-/// Returns an extent with some layers of points behind it, as far as the grid has them.
-Extent extended(Extent extent, int layers, const Extent& whole)
-{
-  for (int axis = 0; axis < 3 && !extent.empty(); ++axis)
-  {
-    extent.max[axis] = std::min(extent.max[axis] + layers, whole.max[axis]);
-  }
-  return extent;
-}
 
 /// Returns the sites with some numbers; the first one for those that are not here, of points that
 /// the side does not need.
@@ -208,10 +199,10 @@ std::vector<std::int64_t> PreservedPieces::sendCells(const std::vector<std::int6
   RankLists<std::int64_t> lists = listsFor<std::int64_t>(input_.communicator);
   for (std::size_t rank = 0; rank < lists.size() && !cells.empty(); ++rank)
   {
-    const Extent box =
-      extended(input_.share.withHalo(static_cast<int>(rank), halo), kTold, input_.share.whole());
+    const Extent box = grownUpwards(input_.share.withHalo(static_cast<int>(rank), halo), kTold,
+      input_.share.whole());
     std::copy_if(cells.begin(), cells.end(), std::back_inserter(lists[rank]),
-      [&](std::int64_t cell) { return GridShare::isIn(box, corners_.position(cell / 256)); });
+      [&](std::int64_t cell) { return hasPoint(box, corners_.position(cell / 256)); });
   }
   return exchanged(input_.communicator, std::move(lists)).front();
 }
@@ -270,7 +261,7 @@ bool PreservedPieces::setPoints(const Part& part, const DepthField& depth,
     return true;
   }
   const VertexFinder vertices(order_, part.selection->part, part.crossings);
-  CubicalComplex complex(extended(share.withHalo(halo), kTold, share.whole()), corners_.size());
+  CubicalComplex complex(grownUpwards(share.withHalo(halo), kTold, share.whole()), corners_.size());
   for (const std::int64_t packed : cells)
   {
     *complex.bitsFrom(CubicalComplex::index(complex.cell(corners_.position(packed / 256), 0))) =
@@ -394,7 +385,7 @@ void PreservedPieces::finishCurves(const Checkpoint& checkpoint)
     }
     for (std::size_t rank = 0; rank < lists.size(); ++rank)
     {
-      if (GridShare::isIn(input_.share.withHalo(static_cast<int>(rank), kTold),
+      if (hasPoint(input_.share.withHalo(static_cast<int>(rank), kTold),
             corners_.cell(patch.numbers[p])))
       {
         lists[rank].push_back({ patch.numbers[p], point });

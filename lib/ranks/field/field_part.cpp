@@ -1,7 +1,7 @@
 #include "ranks/field/field_part.h"
 
+#include "base/extents.h"
 #include "base/huge_pages.h"
-#include "culling/extent_parts.h"
 #include "field/field_tap.h"
 
 #include <algorithm>

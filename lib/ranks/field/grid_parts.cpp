@@ -1,3 +1,4 @@
+#include "base/extents.h"
 #include "base/range_check.h"
 #include "medial/error.h"
 #include "medial/ranks.h"
@@ -53,6 +54,11 @@ std::vector<Extent> partsOfGrid(const Grid& grid, int parts)
     extent = extent.empty() ? Extent{} : extent;
   }
   return found;
+}
+
+Extent touchingExtent(const Grid& grid, const Extent& extent)
+{
+  return grownUpwards(extent, 1, grid.wholeExtent());
 }
 
 } // namespace medial

@@ -1,6 +1,6 @@
 #include "ranks/field/grid_share.h"
 
-#include "culling/extent_parts.h"
+#include "base/extents.h"
 #include "field/slabs.h"
 #include "medial/error.h"
 
@@ -51,31 +51,13 @@ int GridShare::ownerOf(const glm::ivec3& cell) const
   const glm::ivec3 point = this->nearest(cell);
   return static_cast<int>(
     std::find_if(extents_.begin(), extents_.end(),
-      [&](const Extent& extent) { return !extent.empty() && isIn(extent, point); }) -
+      [&](const Extent& extent) { return !extent.empty() && hasPoint(extent, point); }) -
     extents_.begin());
 }
 
 Extent GridShare::withHalo(int rank, int halo) const
 {
-  Extent extent = extents_[rank];
-  for (int axis = 0; axis < 3 && !extents_[rank].empty(); ++axis)
-  {
-    extent.min[axis] = std::max(extent.min[axis] - halo, whole_.min[axis]);
-    extent.max[axis] = std::min(extent.max[axis] + halo, whole_.max[axis]);
-  }
-  return extent;
-}
-
-bool GridShare::isIn(const Extent& extent, const glm::ivec3& point)
-{
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    if (point[axis] < extent.min[axis] || point[axis] > extent.max[axis])
-    {
-      return false;
-    }
-  }
-  return true;
+  return grown(extents_[rank], halo, whole_);
 }
 
 bool GridShare::meet(const Extent& a, const Extent& b)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/extents.h"
 #include "field/crossing.h"
 #include "medial/grid.h"
 #include "ranks/collective.h"
@@ -25,7 +26,7 @@ public:
   const Extent& whole() const { return whole_; }
   /// What this rank has; may be empty.
   const Extent& own() const { return extents_[rank_]; }
-  bool owns(const glm::ivec3& cell) const { return isIn(this->own(), this->nearest(cell)); }
+  bool owns(const glm::ivec3& cell) const { return hasPoint(this->own(), this->nearest(cell)); }
   int ownerOf(const glm::ivec3& cell) const;
   /// What a rank has and a halo of some points around; empty if it has nothing.
   Extent withHalo(int rank, int halo) const;
@@ -43,7 +44,7 @@ public:
       [&](const Item& item)
       {
         const glm::ivec3 point = this->nearest(cellOf(item));
-        owner = isIn(extents_[owner], point) ? owner : this->ownerOf(point);
+        owner = hasPoint(extents_[owner], point) ? owner : this->ownerOf(point);
         return owner;
       });
   }
@@ -63,13 +64,11 @@ public:
       if (meet(wanted, this->own()))
       {
         std::copy_if(own.begin(), own.end(), std::back_inserter(lists[rank]),
-          [&](const Item& item) { return isIn(wanted, this->nearest(cellOf(item))); });
+          [&](const Item& item) { return hasPoint(wanted, this->nearest(cellOf(item))); });
       }
     }
     return flattened(exchanged(communicator, std::move(lists)));
   }
-
-  static bool isIn(const Extent& extent, const glm::ivec3& point);
 
 private:
   static bool meet(const Extent& a, const Extent& b);

@@ -1,7 +1,7 @@
 #include "ranks/field/inside_part.h"
 
 #include "base/exact_sign.h"
-#include "culling/extent_parts.h"
+#include "culling/extent_hull.h"
 #include "ranks/collective.h"
 #include "sign/inside_query.h"
 

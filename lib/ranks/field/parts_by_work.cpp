@@ -1,7 +1,7 @@
+#include "base/extents.h"
 #include "base/memory_guard.h"
 #include "base/run.h"
 #include "culling/candidate_tiles.h"
-#include "culling/extent_parts.h"
 #include "medial/ranks.h"
 #include "ranks/collective.h"
 #include "ranks/field/rank_field.h"

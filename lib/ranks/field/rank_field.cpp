@@ -1,7 +1,8 @@
 #include "ranks/field/rank_field.h"
 
+#include "base/extents.h"
 #include "base/stopwatch.h"
-#include "culling/extent_parts.h"
+#include "culling/extent_hull.h"
 #include "field/array_sink.h"
 #include "field/engines/processor/processor_engine.h"
 #include "field/reach.h"

@@ -1,6 +1,6 @@
 #include "ranks/field/work_cut.h"
 
-#include "culling/extent_parts.h"
+#include "base/extents.h"
 #include "ranks/collective.h"
 
 #include <algorithm>
@@ -45,16 +45,6 @@ std::int64_t boxCount(const Extent& extent, int size)
   return count;
 }
 
-Extent withHalo(Extent extent, int halo)
-{
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    extent.min[axis] -= halo;
-    extent.max[axis] += halo;
-  }
-  return extent;
-}
-
 /// The work in an extent and a halo around, in cells of a step along an edge, summed up from the
 /// first.
 class WorkTable
@@ -63,7 +53,7 @@ public:
   /// @param step of cuts, or a power of two of times as large.
   /// @param halo a multiple of the step.
   WorkTable(const Extent& extent, int step, int halo, const std::vector<WorkBox>& boxes)
-    : extent_(withHalo(extent, halo))
+    : extent_(grown(extent, halo))
     , step_(step)
     , halo_(halo)
   {
@@ -85,7 +75,7 @@ public:
   /// Returns the work that a part takes.
   double of(const Extent& part) const
   {
-    return part.empty() ? 0.0 : this->in(withHalo(part, halo_)) + kMoreInPart * this->in(part);
+    return part.empty() ? 0.0 : this->in(grown(part, halo_)) + kMoreInPart * this->in(part);
   }
 
 private:
@@ -248,7 +238,7 @@ std::vector<Extent> WorkCut::parts(const Extent& extent, int count,
     return std::vector<Extent>(static_cast<std::size_t>(count));
   }
   int step = step_;
-  while (boxCount(withHalo(extent, halo_), step) > kMaxCells)
+  while (boxCount(grown(extent, halo_), step) > kMaxCells)
   {
     step *= 2;
   }
@@ -271,7 +261,7 @@ std::vector<Extent> WorkCut::parts(const Extent& extent, int count,
 std::vector<Extent> WorkCut::partsOfHalf(const Extent& extent, int count,
   const std::vector<WorkBox>& boxes) const
 {
-  const Extent wide = withHalo(extent, halo_ + step_);
+  const Extent wide = grown(extent, halo_ + step_);
   std::vector<WorkBox> near;
   std::copy_if(boxes.begin(), boxes.end(), std::back_inserter(near),
     [&](const WorkBox& box) { return !commonPart(box.extent, wide).empty(); });

@@ -1,6 +1,6 @@
 #include "sign/side_parts.h"
 
-#include "culling/extent_parts.h"
+#include "base/extents.h"
 
 #include <gtest/gtest.h>
 
@@ -33,17 +33,6 @@ InsideRows randomRows(const Extent& extent, std::uint32_t seed)
     }
   }
   return { extent, slices };
-}
-
-/// The points within a margin of a part, as far as the grid goes.
-Extent grown(Extent part, int margin, const Extent& whole)
-{
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    part.min[axis] = std::max(part.min[axis] - margin, whole.min[axis]);
-    part.max[axis] = std::min(part.max[axis] + margin, whole.max[axis]);
-  }
-  return part;
 }
 
 bool hasPoints(const InsideRows& inside, Side side, const Extent& part)

@@ -1,6 +1,7 @@
 #include "field/engines/processor/point_evaluator.h"
 
-#include "culling/extent_parts.h"
+#include "base/extents.h"
+#include "culling/extent_hull.h"
 #include "sites/closest_point.h"
 
 #include <algorithm>

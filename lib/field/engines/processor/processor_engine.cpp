@@ -1,9 +1,9 @@
 #include "field/engines/processor/processor_engine.h"
 
 #include "base/checkpoint.h"
+#include "base/extents.h"
 #include "base/stopwatch.h"
 #include "culling/candidate_tiles.h"
-#include "culling/extent_parts.h"
 #include "field/engines/processor/brick_evaluator.h"
 #include "field/engines/processor/exact_points.h"
 #include "field/engines/processor/point_evaluator.h"

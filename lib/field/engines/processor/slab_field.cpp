@@ -1,7 +1,7 @@
 #include "field/engines/processor/slab_field.h"
 
+#include "base/extents.h"
 #include "base/simd.h"
-#include "culling/extent_parts.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "ranks/field/work_cut.h"
 
-#include "culling/extent_parts.h"
+#include "base/extents.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
+#include "base/extents.h"
 #include "culling/candidate_filter.h"
-#include "culling/extent_parts.h"
+#include "culling/extent_hull.h"
 #include "culling/site_query.h"
 #include "field/engines/processor/brick_evaluator.h"
 #include "field/engines/processor/exact_points.h"

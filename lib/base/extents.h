@@ -1,8 +1,6 @@
 #pragma once
 
-#include "culling/group_list.h"
 #include "medial/grid.h"
-#include "sites/grid_frame.h"
 
 #include <glm/glm.hpp>
 
@@ -64,13 +62,62 @@ inline Extent wholeParts(const Extent& extent, int size, const Extent& whole)
   return parts;
 }
 
-/// Returns the box around the grid points of an extent.
-inline FrameBox hullOf(const Extent& extent, const GridFrame& frame)
+///@{
+/// Returns an extent with some layers of points around it; itself if it is empty.
+/// @param whole all of the grid, beyond which there are no points.
+inline Extent grown(Extent extent, int layers)
 {
-  const glm::dvec3 low(extent.min[0], extent.min[1], extent.min[2]);
-  const glm::dvec3 high(extent.max[0], extent.max[1], extent.max[2]);
-  return { glm::vec3(frame.sample(0.5 * (low + high))),
-    glm::vec3(0.5 * (high - low) * frame.step) };
+  if (extent.empty())
+  {
+    return extent;
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    extent.min[axis] -= layers;
+    extent.max[axis] += layers;
+  }
+  return extent;
+}
+
+inline Extent grown(const Extent& extent, int layers, const Extent& whole)
+{
+  return extent.empty() ? extent : commonPart(grown(extent, layers), whole);
+}
+///@}
+
+/// Returns an extent with some layers of points behind its last ones along each axis, as far as the
+/// grid has them; itself if it is empty.
+inline Extent grownUpwards(Extent extent, int layers, const Extent& whole)
+{
+  if (extent.empty())
+  {
+    return extent;
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    extent.max[axis] = std::min(extent.max[axis] + layers, whole.max[axis]);
+  }
+  return extent;
+}
+
+/// Whether a grid point is in an extent.
+inline bool hasPoint(const Extent& extent, const glm::ivec3& point)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (point[axis] < extent.min[axis] || point[axis] > extent.max[axis])
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Whether all points of a grid cell are in an extent.
+/// @param cell its lowest point.
+inline bool hasCell(const Extent& extent, const glm::ivec3& cell)
+{
+  return hasPoint(extent, cell) && hasPoint(extent, cell + 1);
 }
 
 } // namespace medial
