@@ -72,14 +72,7 @@ Bounds Animation::bounds() const
   Bounds bounds = mesh.bounds();
   for (const std::vector<Point3>& points : frames)
   {
-    for (const Point3& point : points)
-    {
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        bounds.min[axis] = std::min(bounds.min[axis], point[axis]);
-        bounds.max[axis] = std::max(bounds.max[axis], point[axis]);
-      }
-    }
+    bounds = joined(bounds, boundsOf(points));
   }
   return bounds;
 }

@@ -10,7 +10,6 @@
 #include <cstring>
 #include <exception>
 #include <iterator>
-#include <limits>
 #include <sstream>
 #include <utility>
 
@@ -199,19 +198,12 @@ std::vector<vtkPieceFacts> vtkMedialRanks::Meet(Stage stage, const std::string& 
 //------------------------------------------------------------------------------
 medial::Bounds vtkMedialRanks::BoundsOf(const std::vector<vtkPieceFacts>& pieces)
 {
-  constexpr double far = std::numeric_limits<double>::infinity();
-  medial::Bounds bounds{ { far, far, far }, { -far, -far, -far } };
-  bool empty = true;
+  medial::Bounds bounds = medial::kEmptyBounds;
   for (const vtkPieceFacts& piece : pieces)
   {
-    empty = empty && piece.Empty;
-    for (int axis = 0; axis < 3 && !piece.Empty; ++axis)
-    {
-      bounds.min[axis] = std::min(bounds.min[axis], piece.Bounds.min[axis]);
-      bounds.max[axis] = std::max(bounds.max[axis], piece.Bounds.max[axis]);
-    }
+    bounds = piece.Empty ? bounds : medial::joined(bounds, piece.Bounds);
   }
-  if (empty)
+  if (bounds.empty())
   {
     throw medial::Error(medial::ErrorCode::InvalidInput, "the mesh has no cells");
   }

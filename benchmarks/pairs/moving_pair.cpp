@@ -18,13 +18,6 @@ constexpr double kPhaseOfCopy = 2.0; ///< radians
 
 using Points = std::vector<Point3>;
 
-Bounds boundsOf(const Points& points)
-{
-  TriangleMesh mesh;
-  mesh.points = points;
-  return mesh.bounds();
-}
-
 /// Moves and scales points so that the bounds are centred and their longest side is 1.
 Points normalised(Points points, const Bounds& bounds)
 {

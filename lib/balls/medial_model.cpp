@@ -117,17 +117,8 @@ class Sizes
 public:
   explicit Sizes(const MedialModel& model)
     : centres_(model.centres)
+    , diagonal_(boundsOf(model.centres).diagonal())
   {
-    Bounds bounds{ centres_.front(), centres_.front() };
-    for (const Point3& centre : centres_)
-    {
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        bounds.min[axis] = std::min(bounds.min[axis], centre[axis]);
-        bounds.max[axis] = std::max(bounds.max[axis], centre[axis]);
-      }
-    }
-    diagonal_ = bounds.diagonal();
   }
 
   template <typename Cell>
@@ -156,7 +147,7 @@ private:
   }
 
   const std::vector<Point3>& centres_;
-  double diagonal_ = 0.0;
+  double diagonal_;
 };
 
 std::int64_t countZeroArea(const MedialModel& model)

@@ -90,6 +90,27 @@ double Bounds::diagonal() const
   return std::hypot(max[0] - min[0], max[1] - min[1], max[2] - min[2]);
 }
 
+Bounds joined(const Bounds& a, const Bounds& b)
+{
+  Bounds result;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    result.min[axis] = std::min(a.min[axis], b.min[axis]);
+    result.max[axis] = std::max(a.max[axis], b.max[axis]);
+  }
+  return result;
+}
+
+Bounds boundsOf(const std::vector<Point3>& points)
+{
+  Bounds result = kEmptyBounds;
+  for (const Point3& point : points)
+  {
+    result = joined(result, { point, point });
+  }
+  return result;
+}
+
 std::int64_t Extent::pointCount() const
 {
   return empty() ? 0 : static_cast<std::int64_t>(size(0)) * size(1) * size(2);

@@ -108,14 +108,12 @@ std::vector<Extent> blocksOf(const Extent& slab)
 Bounds modelBounds(const MedialModel& model)
 {
   checkMedialModel(model);
-  Bounds bounds{ model.centres.front(), model.centres.front() };
+  Bounds bounds = kEmptyBounds;
   for (std::size_t i = 0; i < model.centres.size(); ++i)
   {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      bounds.min[axis] = std::min(bounds.min[axis], model.centres[i][axis] - model.radii[i]);
-      bounds.max[axis] = std::max(bounds.max[axis], model.centres[i][axis] + model.radii[i]);
-    }
+    const auto& [x, y, z] = model.centres[i];
+    const double r = model.radii[i];
+    bounds = joined(bounds, { { x - r, y - r, z - r }, { x + r, y + r, z + r } });
   }
   return bounds;
 }

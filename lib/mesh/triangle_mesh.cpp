@@ -332,21 +332,7 @@ void CellList::append(const std::vector<std::int64_t>& pointIds, std::int64_t ce
 
 Bounds TriangleMesh::bounds() const
 {
-  Bounds result;
-  if (points.empty())
-  {
-    return result;
-  }
-  result = { points.front(), points.front() };
-  for (const Point3& point : points)
-  {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      result.min[axis] = std::min(result.min[axis], point[axis]);
-      result.max[axis] = std::max(result.max[axis], point[axis]);
-    }
-  }
-  return result;
+  return points.empty() ? Bounds() : boundsOf(points);
 }
 
 void requireUsable(std::size_t index, const Point3& point)

@@ -79,15 +79,6 @@ std::vector<Point3> pointsOf(const TriangleMesh& mesh, const MeshInput& frame, c
   return points;
 }
 
-void include(Bounds& bounds, const Bounds& other)
-{
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    bounds.min[axis] = std::min(bounds.min[axis], other.min[axis]);
-    bounds.max[axis] = std::max(bounds.max[axis], other.max[axis]);
-  }
-}
-
 // The first frame, which the others must match.
 MeshInput addFirst(Surface surface, const fs::path& file, Sequence& sequence)
 {
@@ -111,7 +102,8 @@ void addNext(Surface surface, const fs::path& file, const fs::path& first,
         first.string() + "; the frames of a sequence differ only in positions");
   }
   // Refuses what is not finite.
-  withFailures(file, [&] { include(sequence.bounds, buildTriangleMesh(input).bounds()); });
+  withFailures(file,
+    [&] { sequence.bounds = joined(sequence.bounds, buildTriangleMesh(input).bounds()); });
   vtkSmartPointer<vtkPoints> seen = surface.polyData()->GetPoints();
   sequence.frames.push_back(
     { file.filename().string(), pointsOf(sequence.mesh, input, file), std::move(seen) });

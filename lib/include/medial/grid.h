@@ -3,7 +3,9 @@
 #include "medial/export.h"
 
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <vector>
 
 namespace medial
 {
@@ -11,14 +13,26 @@ namespace medial
 /// A point or vector in world units.
 using Point3 = std::array<double, 3>;
 
-/// An axis-aligned box; min <= max in every component.
+/// An axis-aligned box; min <= max in every component unless it is empty.
 struct MEDIAL_EXPORT Bounds
 {
   Point3 min{}; ///< smallest coordinates, world units
   Point3 max{}; ///< largest coordinates, world units
 
   double diagonal() const; ///< length of the diagonal, world units
+  /// Whether it contains no point.
+  bool empty() const { return max[0] < min[0] || max[1] < min[1] || max[2] < min[2]; }
 };
+
+/// The bounds of no point: joined with others, they change nothing.
+constexpr Bounds kEmptyBounds{ { HUGE_VAL, HUGE_VAL, HUGE_VAL },
+  { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL } };
+
+/// Returns the smallest bounds that contain both.
+MEDIAL_EXPORT Bounds joined(const Bounds& a, const Bounds& b);
+
+/// Returns the bounds of points; kEmptyBounds if there are none.
+MEDIAL_EXPORT Bounds boundsOf(const std::vector<Point3>& points);
 
 /// A box of grid points that includes both ends, like the extents of VTK.
 struct MEDIAL_EXPORT Extent

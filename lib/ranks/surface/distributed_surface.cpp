@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <functional>
 #include <iterator>
-#include <limits>
 #include <set>
 #include <string>
 #include <tuple>
@@ -88,27 +87,12 @@ RankLists<int> numbersFor(const RankLists<Item>& lists)
   return numbers;
 }
 
-Bounds boundsOf(Communicator& communicator, const SurfacePiece& piece)
+Bounds boundsOfAll(Communicator& communicator, const SurfacePiece& piece)
 {
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  std::array<double, 6> own{ kFar, kFar, kFar, kFar, kFar, kFar }; // the last three negative
-  if (!piece.mesh.points.empty())
+  Bounds result = kEmptyBounds;
+  for (const Bounds& bounds : gathered(communicator, boundsOf(piece.mesh.points)))
   {
-    const Bounds bounds = piece.mesh.bounds();
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      own[axis] = bounds.min[axis];
-      own[3 + axis] = -bounds.max[axis];
-    }
-  }
-  Bounds result{ { kFar, kFar, kFar }, { -kFar, -kFar, -kFar } };
-  for (const std::array<double, 6>& values : gathered(communicator, own))
-  {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      result.min[axis] = std::min(result.min[axis], values[axis]);
-      result.max[axis] = std::max(result.max[axis], -values[3 + axis]);
-    }
+    result = joined(result, bounds);
   }
   return result;
 }
@@ -142,7 +126,7 @@ std::int64_t largestOf(const std::vector<std::int64_t>& numbers)
 DistributedSurface::DistributedSurface(Communicator& communicator, const SurfacePiece& piece)
 {
   requirePiece(piece);
-  bounds_ = boundsOf(communicator, piece);
+  bounds_ = boundsOfAll(communicator, piece);
   pointsOfPiece_ = this->numberPoints(communicator, piece);
   this->collectFaces(communicator, piece);
   this->connect(communicator);

@@ -32,6 +32,25 @@ void expectCovers(const Grid& grid, const Bounds& bounds, double margin)
 
 } // namespace
 
+TEST(Bounds, OfNothingChangeNoOthers)
+{
+  EXPECT_TRUE(kEmptyBounds.empty());
+  EXPECT_TRUE(boundsOf({}).empty());
+  const Bounds one = boundsOf({ { 1.0, -2.0, 3.0 } });
+  EXPECT_FALSE(one.empty());
+  const Bounds same = joined(kEmptyBounds, joined(one, kEmptyBounds));
+  EXPECT_EQ(same.min, (Point3{ 1.0, -2.0, 3.0 }));
+  EXPECT_EQ(same.max, same.min);
+}
+
+TEST(Bounds, ContainWhatTheyAreJoinedOf)
+{
+  const Bounds bounds =
+    joined(boundsOf({ { 0.0, 5.0, 1.0 }, { 2.0, 4.0, 1.5 } }), boundsOf({ { 1.0, 6.0, -1.0 } }));
+  EXPECT_EQ(bounds.min, (Point3{ 0.0, 4.0, -1.0 }));
+  EXPECT_EQ(bounds.max, (Point3{ 2.0, 6.0, 1.5 }));
+}
+
 TEST(Grid, ResolutionIsTheCountAlongTheLongestAxis)
 {
   const Bounds bounds{ { 0, 0, 0 }, { 3, 2, 1 } };
