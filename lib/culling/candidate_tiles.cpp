@@ -91,34 +91,6 @@ CullingCounts CandidateHierarchy::sumOf(const Workspaces& workspaces)
   return sum;
 }
 
-std::vector<CandidateTiles> CandidateHierarchy::listTiles(const Extent& slab, CullingCounts& counts,
-  const Checkpoint* checkpoint) const
-{
-  const std::vector<Extent> sets = this->setsOf(slab);
-  std::vector<CandidateTiles> lists(sets.size());
-  Workspaces workspaces;
-  tbb::parallel_for(std::size_t{ 0 }, sets.size(),
-    [&](std::size_t i)
-    {
-      if (checkpoint != nullptr)
-      {
-        (*checkpoint)();
-      }
-      CandidateTiles& list = lists[i];
-      Workspace& workspace = workspaces.local();
-      const auto add = [&](const Extent& tile, const std::vector<int>& sites)
-      {
-        list.tiles.push_back(tile);
-        list.candidates.insert(list.candidates.end(), sites.begin(), sites.end());
-        list.offsets.push_back(list.candidates.size());
-      };
-      const BoxReach reach = this->collectGroups(sets[i], workspace);
-      this->visitSites(sets[i], reach, slab, workspace, { add, nullptr });
-    });
-  counts = sumOf(workspaces);
-  return lists;
-}
-
 BoxReach CandidateHierarchy::collectGroups(const Extent& set, Workspace& workspace) const
 {
   const GroupTree& tree = filter_.tree();

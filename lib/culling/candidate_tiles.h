@@ -1,6 +1,5 @@
 #pragma once
 
-#include "base/checkpoint.h"
 #include "culling/candidate_filter.h"
 #include "culling/group_list.h"
 #include "medial/grid.h"
@@ -9,22 +8,12 @@
 #include <tbb/enumerable_thread_specific.h>
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <vector>
 
 namespace medial
 {
-
-/// Tiles of grid points with their candidates: the sites that can be closest in the hull of the
-/// tile.
-struct CandidateTiles
-{
-  std::vector<Extent> tiles;
-  std::vector<std::size_t> offsets{ 0 }; ///< offsets of each tile's candidates, one more than tiles
-  std::vector<int> candidates;           ///< site ids, ascending within a tile
-};
 
 /// What finding candidates took.
 struct CullingCounts
@@ -33,9 +22,10 @@ struct CullingCounts
   std::int64_t siteTests = 0;  ///< pairs of a site and a tile
 };
 
-/// Finds the candidates of tiles by two trees: that of the elements, and that of tiles. Sets of
-/// neighbouring tiles find the groups of elements that can be closest to them, and tiles find
-/// theirs among these. What is found does not depend on which tiles are visited.
+/// Finds the candidates of tiles, the sites that can be closest in their hulls, by two trees: that
+/// of the elements, and that of tiles. Sets of neighbouring tiles find the groups of elements that
+/// can be closest to them, and tiles find theirs among these. What is found does not depend on
+/// which tiles are visited.
 class CandidateHierarchy
 {
 public:
@@ -64,11 +54,6 @@ public:
   /// Visits the wanted tiles that a slab of the extent cuts, whole: they may leave the extent. Uses
   /// all threads of the current arena.
   CullingCounts visitTiles(const Extent& slab, const Visitor& visitor) const;
-
-  /// Lists the tiles that a slab cuts. Those of one list are neighbours.
-  /// @param checkpoint called for each list; may be null.
-  std::vector<CandidateTiles> listTiles(const Extent& slab, CullingCounts& counts,
-    const Checkpoint* checkpoint = nullptr) const;
 
 private:
   /// Memory of one thread.

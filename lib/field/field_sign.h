@@ -23,7 +23,7 @@ inline bool hasPseudonormals(FieldSign sign)
 }
 
 /// Returns the sign of the field of a mesh.
-/// @param method never Auto; see resolveSignMethod().
+/// @param method never Auto.
 FieldSign fieldSign(SignMethod method, const MeshConnectivity& connectivity);
 
 } // namespace medial

@@ -58,7 +58,6 @@ private:
   };
 
   void plan(int edge);
-  void planAll();
   void enqueue(int edge);
   bool allowed(int edge, Freedom freedom) const;
   bool keepsTopology(int edge, bool mayFill) const;

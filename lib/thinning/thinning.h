@@ -40,7 +40,6 @@ public:
   /// Makes faces stay.
   /// @param angleOf tells their angles: the face with the smallest gives way first if one must.
   void anchor(const std::vector<CubeCell>& faces, FaceAngle angleOf);
-  bool anchored(CubeCell face) const { return anchors_.has(face); }
 
   /// Burns all cells that can be reached from outside.
   void burn();

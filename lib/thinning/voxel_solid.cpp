@@ -295,13 +295,6 @@ void setVoxels(const VoxelMask& voxels, CubicalComplex& complex)
     });
 }
 
-CubicalComplex voxelSolid(const DepthField& depth, const glm::ivec3& size)
-{
-  CubicalComplex complex(size);
-  setVoxels(voxelsOf(depth, size), complex);
-  return complex;
-}
-
 CellTopology topologyOf(const CubicalComplex& solid)
 {
   RunLabels labels(solid);

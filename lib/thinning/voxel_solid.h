@@ -76,10 +76,7 @@ VoxelMask voxelsOf(const DepthField& depth, const glm::ivec3& size);
 /// and corners.
 void setVoxels(const VoxelMask& voxels, CubicalComplex& complex);
 
-/// Makes the closed voxels of a side.
-CubicalComplex voxelSolid(const DepthField& depth, const glm::ivec3& size);
-
-/// Whether the voxel around a grid point belongs to that solid.
+/// Whether the voxel around a grid point is one of voxelsOf().
 inline bool inSolid(const DepthField& depth, const CubicalComplex& complex, const glm::ivec3& point)
 {
   const glm::ivec3& size = complex.grid();
@@ -88,8 +85,8 @@ inline bool inSolid(const DepthField& depth, const CubicalComplex& complex, cons
     depth.wanted(CubicalComplex::index(complex.cell(point, kVertexKind)));
 }
 
-/// Computes the topology of a solid from voxelSolid(). Voxels that share only a corner are
-/// connected, too.
+/// Computes the topology of a solid of closed voxels, as setVoxels() makes it. Voxels that share
+/// only a corner are connected, too.
 CellTopology topologyOf(const CubicalComplex& solid);
 
 } // namespace medial

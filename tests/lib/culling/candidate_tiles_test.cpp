@@ -1,4 +1,7 @@
 #include "culling/candidate_tiles.h"
+
+#include "base/extents.h"
+#include "culling/extent_hull.h"
 #include "sites/closest_point.h"
 #include "sites/site_set.h"
 
@@ -10,6 +13,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -21,6 +25,36 @@ namespace
 
 /// Sites count as equally close within this, in local units.
 constexpr double kTie = 1e-3;
+
+/// A tile and its candidates, ascending.
+struct TileSites
+{
+  Extent tile;
+  std::vector<int> sites;
+};
+
+/// The tiles that a slab cuts, in any order.
+std::vector<TileSites> listTiles(const CandidateHierarchy& hierarchy, const CandidateFilter& filter,
+  const GridFrame& frame, const Extent& slab)
+{
+  std::vector<TileSites> tiles;
+  std::mutex mutex;
+  const auto add = [&](const Extent& tile, const std::vector<int>& sites)
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    tiles.push_back({ tile, sites });
+  };
+  const auto addGroups = [&](const Extent& tile, const BoxReach& reach, const GroupList& groups)
+  {
+    const FrameBox hull = hullOf(tile, frame);
+    std::vector<int> sites;
+    CandidateFilter::Scratch scratch;
+    filter.listSites(reach, groups, &hull, 1, &sites, scratch);
+    add(tile, sites);
+  };
+  hierarchy.visitTiles(slab, { add, addGroups });
+  return tiles;
+}
 
 class CandidateTilesOf : public CullingTest
 {
@@ -52,25 +86,14 @@ protected:
   {
     const Extent whole = grid_.wholeExtent();
     const CandidateHierarchy hierarchy(filter_, frame_, whole, whole);
-    CullingCounts counts;
     for (int first = 0; first <= whole.max[2]; first += slabSlices)
     {
       Extent slab = whole;
       slab.min[2] = first;
       slab.max[2] = std::min(first + slabSlices - 1, whole.max[2]);
-      for (const CandidateTiles& block : hierarchy.listTiles(slab, counts))
+      for (const auto& [tile, sites] : listTiles(hierarchy, filter_, frame_, slab))
       {
-        for (std::size_t t = 0; t < block.tiles.size(); ++t)
-        {
-          const int* ids = block.candidates.data();
-          Extent part = block.tiles[t];
-          part.min[2] = std::max(part.min[2], slab.min[2]);
-          part.max[2] = std::min(part.max[2], slab.max[2]);
-          if (!part.empty())
-          {
-            check(part, ids + block.offsets[t], ids + block.offsets[t + 1]);
-          }
-        }
+        check(commonPart(tile, slab), sites.data(), sites.data() + sites.size());
       }
     }
   }
@@ -143,13 +166,13 @@ TEST(CandidateTiles, LeaveMostSitesOut)
   const CandidateFilter filter(sites, connectivity, GridFrame(grid));
   const CandidateHierarchy hierarchy(filter, GridFrame(grid), grid.wholeExtent(),
     grid.wholeExtent());
-  CullingCounts counts;
   std::size_t tiles = 0;
   std::size_t pairs = 0;
-  for (const CandidateTiles& block : hierarchy.listTiles(grid.wholeExtent(), counts))
+  for (const auto& [tile, candidates] :
+    listTiles(hierarchy, filter, GridFrame(grid), grid.wholeExtent()))
   {
-    tiles += block.tiles.size();
-    pairs += block.candidates.size();
+    ++tiles;
+    pairs += candidates.size();
   }
   EXPECT_LT(pairs, tiles * static_cast<std::size_t>(sites.size()) / 40);
 }

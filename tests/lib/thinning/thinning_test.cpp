@@ -44,7 +44,8 @@ public:
   void set(int x, int y, int z, float depth) { this->set(this->index(x, y, z), depth); }
   CubicalComplex solid() const
   {
-    return voxelSolid(depth_, { this->dim(0), this->dim(1), this->dim(2) });
+    const glm::ivec3 size(this->dim(0), this->dim(1), this->dim(2));
+    return this->closed(voxelsOf(depth_, size));
   }
   /// The voxels of the core of the solid.
   /// @param sheets faces that stay.
