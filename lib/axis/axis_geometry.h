@@ -12,17 +12,23 @@
 namespace medial
 {
 
+/// What points of an axis must have at least; local units.
+struct AxisLimits
+{
+  double angle;        ///< separation angle, radians
+  double lambda = 0.0; ///< BisectorPoint::lambda()
+  double radius = 0.0;
+};
+
 /// The input of an axis and the limits that its points must meet; local units.
 struct AxisGeometry
 {
   const SiteSet& sites;
   const SiteQuery& query;
   const GridFrame& frame;
-  Extent extent;                ///< the whole grid
-  Extent part;                  ///< of the grid, where crossings are
-  double angle;                 ///< minimum separation angle, radians
-  double lambda;                ///< minimum BisectorPoint::lambda()
-  double radius;                ///< minimum radius
+  Extent extent; ///< the whole grid
+  Extent part;   ///< of the grid, where crossings are
+  AxisLimits limits;
   const Checkpoint& checkpoint; ///< for loops over points
   /// Null without a sign, when points may be anywhere.
   const SideCheck* side = nullptr;

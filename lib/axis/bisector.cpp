@@ -19,7 +19,7 @@ using Found = std::vector<std::optional<BisectorPoint>>;
 
 bool wideEnough(const AxisGeometry& geometry, const BisectorPoint& point)
 {
-  return point.separationAngle() >= geometry.angle;
+  return point.separationAngle() >= geometry.limits.angle;
 }
 
 /// Passes the items for which `wanted` holds to `find`, all at once, and stores the results.
@@ -70,7 +70,7 @@ std::optional<BisectorPoint> widened(const AxisGeometry& geometry, BisectorPoint
   {
     const SitePoint other = closestPoint(geometry.sites, site, x);
     if (glm::distance(other.point, x) <= point.radius() + kFacets &&
-      separationAngle(x, point.a.point, other.point) >= geometry.angle)
+      separationAngle(x, point.a.point, other.point) >= geometry.limits.angle)
     {
       point.b = other;
       return point;
@@ -87,7 +87,7 @@ Found axisBetween(const AxisGeometry& geometry, const std::vector<SiteSegment>& 
   const auto tooNarrow = [&](std::size_t i) { return !wideEnough(geometry, exact[i]); };
   findFor(
     segments, tooNarrow,
-    [&](const auto& some) { return facetedPoints(geometry, some, geometry.angle); }, found);
+    [&](const auto& some) { return facetedPoints(geometry, some, geometry.limits.angle); }, found);
   for (std::size_t i = 0; i < segments.size(); ++i)
   {
     if (!found[i])
@@ -103,7 +103,7 @@ SiteSegment alongNormal(const AxisGeometry& geometry, const BisectorPoint& x)
 {
   const glm::dvec3 away = (x.position - x.a.point) / x.radius();
   const double step = glm::dot(glm::abs(away), geometry.frame.step);
-  const double reach = step * (0.5 / std::sin(0.5 * geometry.angle) + 0.5);
+  const double reach = step * (0.5 / std::sin(0.5 * geometry.limits.angle) + 0.5);
   return { x.position, x.a.site, x.position + reach * away, -1 };
 }
 
@@ -343,7 +343,7 @@ Found axisAlongNormals(const AxisGeometry& geometry, const std::vector<BisectorP
   {
     SiteSegment& segment = segments[k];
     segment.toSite = ends[k].closest.site;
-    if (separationAngle(segment.to, segment.from, ends[k].closest.point) >= geometry.angle)
+    if (separationAngle(segment.to, segment.from, ends[k].closest.point) >= geometry.limits.angle)
     {
       segments[count] = segment;
       which[count] = which[k];
@@ -368,7 +368,7 @@ BisectorPoints crossingPoints(const AxisGeometry& geometry, std::vector<Crossing
   BisectorPoints result;
   result.points.resize(crossings.size());
   result.moved.resize(crossings.size());
-  const double minRadius = std::max(geometry.radius, kMinRadius);
+  const double minRadius = std::max(geometry.limits.radius, kMinRadius);
   const std::vector<std::uint32_t> order =
     tileOrder(geometry.part, crossings.size(), [&](std::size_t c) { return crossings[c].voxel; });
   inBlocks(geometry, crossings.size(),
@@ -383,7 +383,7 @@ BisectorPoints crossingPoints(const AxisGeometry& geometry, std::vector<Crossing
       for (std::size_t i = 0; i < points.size(); ++i)
       {
         const bool stays = points[i].radius() >= minRadius &&
-          points[i].lambda() >= geometry.lambda &&
+          points[i].lambda() >= geometry.limits.lambda &&
           !isBeyondSurface(geometry, segments[i], points[i]);
         const std::size_t c = order[begin + i];
         result.moved[c] = stays ? 0 : 1;

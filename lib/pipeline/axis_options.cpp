@@ -52,4 +52,14 @@ double selectionAngle(const MedialAxisOptions& options)
   return byDirections ? options.angle : bandAngle(options.angle);
 }
 
+AxisLimits limitsOf(const MedialAxisOptions& options, const GridFrame& frame)
+{
+  return { glm::radians(options.angle), options.lambda / frame.unit, options.radius / frame.unit };
+}
+
+Side sideOf(Side wanted, bool hasSign)
+{
+  return hasSign ? wanted : Side::Both;
+}
+
 } // namespace medial

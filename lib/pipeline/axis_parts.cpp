@@ -8,6 +8,7 @@
 #include "base/separation_angle.h"
 #include "base/stopwatch.h"
 #include "field/engines/make_engine.h"
+#include "pipeline/axis_options.h"
 
 #include <algorithm>
 #include <iterator>
@@ -78,7 +79,7 @@ AxisParts::AxisParts(const TriangleMesh& mesh, const MeshConnectivity& connectiv
 void AxisParts::computeField(FieldSink& sink)
 {
   FieldEngine& engine = obtainEngine(options_.field, state_.engine);
-  const Side side = this->sign() == SignMethod::None ? Side::Both : options_.side;
+  const Side side = sideOf(options_.side, this->sign() != SignMethod::None);
   crossings_ = pipeline_.run(engine, sink, CrossingSelection{ bandAngle(options_.angle), side });
   pipeline_.forgetField();
   if (!std::is_sorted(crossings_.begin(), crossings_.end(), inLowerSlice))
@@ -130,7 +131,7 @@ MedialAxis AxisParts::part(std::size_t number, Side side, double fraction, const
       const Checkpoint checkpoint(run, fraction, kPhase);
       const GridFrame& frame = pipeline_.frame();
       const AxisGeometry geometry{ pipeline_.sites(), pipeline_.query(), frame, grid_.wholeExtent(),
-        grid_.wholeExtent(), glm::radians(options_.angle), 0.0, 0.0, checkpoint,
+        grid_.wholeExtent(), { glm::radians(options_.angle) }, checkpoint,
         side_ ? &*side_ : nullptr };
       BisectorPoints points = surfaceOf(geometry, crossings, axis, options_.ends);
       setAxisPoints(points, frame, axis);

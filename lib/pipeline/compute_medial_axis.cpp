@@ -37,8 +37,6 @@ namespace
 
 /// Bytes per grid point for preserving topology: field, voxels, cells, sheets and ranks.
 constexpr std::size_t kPreservationBytes = 14;
-/// Share of the work that is done once the crossings are selected.
-constexpr double kSelected = 0.8;
 
 /// Makes the points and cells of the chosen representation.
 BisectorPoints represent(Representation representation, const AxisGeometry& geometry,
@@ -96,8 +94,7 @@ void buildAxis(const MedialAxisOptions& options, const FieldPipeline& pipeline, 
 {
   const GridFrame& frame = pipeline.frame();
   const AxisGeometry geometry{ pipeline.sites(), pipeline.query(), frame, grid.wholeExtent(),
-    grid.wholeExtent(), glm::radians(options.angle), options.lambda / frame.unit,
-    options.radius / frame.unit, checkpoint, side };
+    grid.wholeExtent(), limitsOf(options, frame), checkpoint, side };
   const BisectorPoints points = tap != nullptr
     ? preserve(options.representation, geometry, *tap, pipeline.directions(), crossings, axis)
     : represent(options.representation, geometry, crossings, axis);
@@ -110,10 +107,10 @@ MedialAxis runPipeline(const TriangleMesh& mesh, const MeshConnectivity& connect
 {
   const Run run(options.field.execution);
   FieldPipeline pipeline(mesh, connectivity, grid, grid.wholeExtent(), options.field,
-    state.orienter, run.part(0.0, kSelected));
+    state.orienter, run.part(0.0, kSelectedShare));
   MedialAxis axis;
   axis.sign = pipeline.sign();
-  axis.side = axis.sign == SignMethod::None ? Side::Both : options.side;
+  axis.side = sideOf(options.side, axis.sign != SignMethod::None);
   std::optional<FieldTap> tap;
   if (options.topology == Topology::Preserve)
   {
@@ -123,12 +120,12 @@ MedialAxis runPipeline(const TriangleMesh& mesh, const MeshConnectivity& connect
   std::vector<Crossing> crossings =
     pipeline.run(obtainEngine(options.field, state.engine), tap ? *tap : sink,
       CrossingSelection{ selectionAngle(options), axis.side, tap ? &*tap : nullptr });
-  run.report(kSelected, "medial axis");
+  run.report(kSelectedShare, "medial axis");
   run.onThreads(
     [&]
     {
       const Stopwatch watch(pipeline.statistics().seconds.medial);
-      const Checkpoint checkpoint(run, kSelected, "medial axis");
+      const Checkpoint checkpoint(run, kSelectedShare, "medial axis");
       const SideCheck side([&] { return pipeline.insideQuery(); });
       buildAxis(options, pipeline, grid, tap ? &*tap : nullptr,
         axis.sign == SignMethod::None ? nullptr : &side, checkpoint, crossings, axis);

@@ -241,7 +241,7 @@ private:
     constexpr double kStep = 0.05;
     // Radii fall as fast as the way is long where balls end.
     constexpr double kSteepest = 0.9;
-    const double slope = std::min(std::cos(0.5 * geometry_.angle), kSteepest);
+    const double slope = std::min(std::cos(0.5 * geometry_.limits.angle), kSteepest);
     double best = kStep;
     double most = 0.0;
     for (int i = 1; i * kStep <= high; ++i)

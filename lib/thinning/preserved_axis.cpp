@@ -66,7 +66,7 @@ std::vector<Side> sidesOf(bool hasSign, Side side)
 
 CurveLimits limitsOf(const AxisGeometry& geometry)
 {
-  return { geometry.angle, geometry.lambda, geometry.radius };
+  return { geometry.limits.angle, geometry.limits.lambda, geometry.limits.radius };
 }
 
 PreservedAxis preserveTopology(const ThinningInput& input, const AxisGeometry& geometry,
@@ -84,7 +84,7 @@ PreservedAxis preserveTopology(const ThinningInput& input, const AxisGeometry& g
     add(thinning.topology(), axis.solid);
     const CubicalComplex& complex = thinning.complex();
     const CurveProbe probe(geometry.sites, geometry.frame, input.closestSites, depth,
-      geometry.angle);
+      geometry.limits.angle);
     thinning.burn([&](CubeCell edge) { return probe.separates(complex, edge); },
       geometry.frame.step, limitsOf(geometry));
     ThinnedAxis cells = thinnedAxis(complex, depth, { geometry, input.closestSites },

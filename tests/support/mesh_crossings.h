@@ -43,7 +43,7 @@ public:
   AxisGeometry geometry() const
   {
     return { pipeline_.sites(), pipeline_.query(), pipeline_.frame(), grid_.wholeExtent(),
-      grid_.wholeExtent(), glm::radians(angle_), 0.0, 0.0, checkpoint_, &side_ };
+      grid_.wholeExtent(), { glm::radians(angle_) }, checkpoint_, &side_ };
   }
   double exactDistance(const glm::dvec3& x) const
   {

@@ -35,7 +35,7 @@ CellSides::CellSides(const AxisGeometry& geometry, const glm::ivec3& cell,
   , centre_(geometry.frame.sample(glm::dvec3(cell) + 0.5))
   , half_(0.5 * geometry.frame.step + kOutside)
   , reach_(glm::length(half_))
-  , cosAngle_(std::cos(geometry.angle))
+  , cosAngle_(std::cos(geometry.limits.angle))
 {
   struct Known
   {

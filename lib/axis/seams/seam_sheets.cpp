@@ -245,7 +245,7 @@ private:
   }
 
   const AxisGeometry& geometry_;
-  AngleLimit limit_{ geometry_.angle };
+  AngleLimit limit_{ geometry_.limits.angle };
   SeamCells cells_;
 };
 

@@ -86,8 +86,8 @@ double minAngle(const AxisGeometry& geometry, const DualMesh& mesh, const Bisect
   const bool faceted = std::any_of(mesh.incident.begin() + mesh.offsets[vertex],
     mesh.incident.begin() + mesh.offsets[vertex + 1],
     [&](std::size_t crossing)
-    { return bisectors.points[crossing].separationAngle() < geometry.angle; });
-  return faceted ? bandAngle(geometry.angle) : geometry.angle;
+    { return bisectors.points[crossing].separationAngle() < geometry.limits.angle; });
+  return faceted ? bandAngle(geometry.limits.angle) : geometry.limits.angle;
 }
 
 /// Places vertices of a surface.
@@ -190,7 +190,7 @@ private:
   const CellPoints& known_;
   const std::vector<std::size_t>& origins_;
   std::vector<BisectorPlane> planes_; ///< of all crossings
-  AngleLimit limit_{ geometry_.angle };
+  AngleLimit limit_{ geometry_.limits.angle };
 };
 
 /// Places vertices at the centres of their cells.

@@ -51,19 +51,19 @@ Border nearestBorder(const AxisGeometry& geometry, const SheetFit& fit)
 {
   Border border;
   Border guess;
-  add(std::cos(0.5 * geometry.angle) - fit.cosine.value, -fit.cosine.gradient, guess);
+  add(std::cos(0.5 * geometry.limits.angle) - fit.cosine.value, -fit.cosine.gradient, guess);
   if (std::abs(guess.distance) <= kInSight)
   {
     add(-fit.excess.value, -fit.excess.gradient, border);
     border.ofAngle = true;
   }
-  if (geometry.radius > 0.0)
+  if (geometry.limits.radius > 0.0)
   {
-    add(fit.radius.value - geometry.radius, fit.radius.gradient, border);
+    add(fit.radius.value - geometry.limits.radius, fit.radius.gradient, border);
   }
-  if (geometry.lambda > 0.0)
+  if (geometry.limits.lambda > 0.0)
   {
-    add(fit.lambda.value - geometry.lambda, fit.lambda.gradient, border);
+    add(fit.lambda.value - geometry.limits.lambda, fit.lambda.gradient, border);
   }
   return border;
 }
@@ -76,7 +76,7 @@ BorderFinder::BorderFinder(const AxisGeometry& geometry, const SheetSelection& s
   , selection_(selection)
   , points_(points)
   , origins_(origins)
-  , fitter_(geometry.frame, geometry.angle, selection.samples)
+  , fitter_(geometry.frame, geometry.limits.angle, selection.samples)
 {
 }
 

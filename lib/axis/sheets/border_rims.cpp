@@ -162,7 +162,7 @@ private:
 
   bool onSheet(const Walker& walker, const BisectorPoint& point) const
   {
-    return point.separationAngle() >= bandAngle(geometry_.angle) &&
+    return point.separationAngle() >= bandAngle(geometry_.limits.angle) &&
       continues(walker.fit, point, points_.points[walker.vertex]);
   }
 
@@ -173,7 +173,7 @@ private:
     for (std::size_t i = 0; i < walkers.size(); ++i)
     {
       BisectorPoint wide = found[i];
-      if (wide.separationAngle() < geometry_.angle)
+      if (wide.separationAngle() < geometry_.limits.angle)
       {
         wide.b =
           oppositePoint(geometry_.sites, walkers[i]->sites, wide.position, wide.a, tolerance);

@@ -42,8 +42,8 @@ std::vector<std::size_t> nearCreases(const AxisGeometry& geometry,
 double minRadius(const AxisGeometry& geometry, const BisectorPoint& point)
 {
   const double lambda = point.lambda();
-  return std::max(
-    { kLeft, geometry.radius, lambda > 0.0 ? geometry.lambda * point.radius() / lambda : 0.0 });
+  return std::max({ kLeft, geometry.limits.radius,
+    lambda > 0.0 ? geometry.limits.lambda * point.radius() / lambda : 0.0 });
 }
 
 /// Returns a segment across the sheet at x, from the side of one closest point of the ball to that
@@ -91,8 +91,9 @@ bool continues(const AxisGeometry& geometry, const BisectorPoint& point, const B
   constexpr double kRounding = 1e-6;
   const double radius = next.radius();
   return radius > 0.5 * kLeft && radius < point.radius() && overlap(point, next) &&
-    radius >= geometry.radius - kRounding && next.lambda() >= geometry.lambda - kRounding &&
-    next.separationAngle() >= geometry.angle;
+    radius >= geometry.limits.radius - kRounding &&
+    next.lambda() >= geometry.limits.lambda - kRounding &&
+    next.separationAngle() >= geometry.limits.angle;
 }
 
 /// A vertex on its way to a crease.
@@ -119,7 +120,7 @@ std::vector<Walker> start(const AxisGeometry& geometry, const std::vector<std::s
   for (std::size_t i = 0; i < vertices.size(); ++i)
   {
     if (found[i] && overlap(points.points[vertices[i]], *found[i]) &&
-      found[i]->separationAngle() >= geometry.angle)
+      found[i]->separationAngle() >= geometry.limits.angle)
     {
       walkers.push_back({ vertices[i], *found[i] });
     }

@@ -31,20 +31,21 @@ bool isWide(const AxisGeometry& geometry, const SiteSegment& segment, BisectorPo
     segment.from + guessedChange(segment, guess.a, guess.b) * (segment.to - segment.from);
   const glm::dvec3 near = guess.a.point - segment.from;
   const glm::dvec3 far = guess.b.point - segment.to;
-  return glm::dot(near, far) <= std::cos(geometry.angle) * glm::length(near) * glm::length(far);
+  return glm::dot(near, far) <=
+    std::cos(geometry.limits.angle) * glm::length(near) * glm::length(far);
 }
 
 } // namespace
 
 AngleLimit clearLimit(const AxisGeometry& geometry)
 {
-  return AngleLimit(std::min(geometry.angle + glm::radians(kMaxDoubt), glm::radians(180.0)));
+  return AngleLimit(std::min(geometry.limits.angle + glm::radians(kMaxDoubt), glm::radians(180.0)));
 }
 
 std::vector<Standing> standingsOf(const AxisGeometry& geometry, double band,
   const std::vector<Crossing>& crossings, std::vector<BisectorPoint>& guesses)
 {
-  const AngleLimit angleLimit(geometry.angle);
+  const AngleLimit angleLimit(geometry.limits.angle);
   const AngleLimit bandLimit(band);
   const auto standingOf = [&](const Crossing& crossing, BisectorPoint& guess)
   {
@@ -118,8 +119,8 @@ std::vector<std::uint8_t> farFromBorders(const AxisGeometry& geometry, const Dua
       {
         const BisectorPoint& guess = guesses[c];
         clear[c] = standings[c] == Standing::Wide && guess.reaches(limit) &&
-            guess.radius() >= geometry.radius + kMargin &&
-            guess.lambda() >= geometry.lambda + kMargin
+            guess.radius() >= geometry.limits.radius + kMargin &&
+            guess.lambda() >= geometry.limits.lambda + kMargin
           ? 1
           : 0;
       }

@@ -33,7 +33,7 @@ public:
     : geometry_(geometry)
     , crossings_(crossings)
     , band_(band)
-    , angleLimit_(geometry.angle)
+    , angleLimit_(geometry.limits.angle)
     , bandLimit_(band)
     , kept_(crossings.size(), 0)
   {
@@ -185,14 +185,14 @@ private:
 
   bool within(const BisectorPoint& point) const
   {
-    return point.reaches(angleLimit_) && point.radius() >= geometry_.radius &&
-      point.lambda() >= geometry_.lambda;
+    return point.reaches(angleLimit_) && point.radius() >= geometry_.limits.radius &&
+      point.lambda() >= geometry_.limits.lambda;
   }
 
   bool within(const SheetFit& fit) const
   {
-    return fit.excess.value <= 0.0 && fit.radius.value >= geometry_.radius &&
-      fit.lambda.value >= geometry_.lambda;
+    return fit.excess.value <= 0.0 && fit.radius.value >= geometry_.limits.radius &&
+      fit.lambda.value >= geometry_.limits.lambda;
   }
 
   /// Decides which samples in [begin, end) of the order are within the limits themselves.
@@ -212,7 +212,7 @@ private:
       [&](std::size_t begin, std::size_t end) { this->decideAlone(begin, end); });
     const std::vector<std::size_t> doubtful = this->doubtfulSamples();
     tbb::enumerable_thread_specific<SheetFitter> fitters(
-      [&] { return SheetFitter(geometry_.frame, geometry_.angle, samples_); });
+      [&] { return SheetFitter(geometry_.frame, geometry_.limits.angle, samples_); });
     inBlocks(geometry_, doubtful.size(),
       [&](std::size_t begin, std::size_t end)
       {
@@ -248,7 +248,7 @@ private:
     };
     const auto isNear = [&](std::size_t c)
     {
-      return std::abs(samples_.points[c].separationAngle() - geometry_.angle) <
+      return std::abs(samples_.points[c].separationAngle() - geometry_.limits.angle) <
         glm::radians(kMaxDoubt);
     };
     const auto doubtfulOf = [&](std::size_t begin, std::size_t end)
@@ -373,7 +373,7 @@ double bandAngle(double angle)
 
 SheetSelection selectSheets(const AxisGeometry& geometry, std::vector<Crossing>& crossings)
 {
-  Selector selector(geometry, bandAngle(geometry.angle), crossings);
+  Selector selector(geometry, bandAngle(geometry.limits.angle), crossings);
   SheetSelection selection = selector.sheets();
   removeUnmarked(selector.kept(), crossings);
   return selection;
@@ -381,7 +381,7 @@ SheetSelection selectSheets(const AxisGeometry& geometry, std::vector<Crossing>&
 
 BisectorPoints selectPoints(const AxisGeometry& geometry, std::vector<Crossing>& crossings)
 {
-  Selector selector(geometry, geometry.angle, crossings);
+  Selector selector(geometry, geometry.limits.angle, crossings);
   BisectorPoints points = selector.points();
   removeUnmarked(selector.kept(), crossings);
   return points;

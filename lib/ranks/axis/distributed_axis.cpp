@@ -36,9 +36,6 @@ namespace medial
 namespace
 {
 
-/// Share of the work that is done once the crossings are selected.
-constexpr double kSelected = 0.8;
-
 /// Crossings are counted in boxes of at least so many grid points along an edge, where so many
 /// boxes suffice for a part.
 constexpr int kMinBox = 4;
@@ -85,8 +82,8 @@ public:
     , run_(run)
     , frame_(grid)
     , order_(grid)
-    , angle_(glm::radians(options.angle))
-    , field_(communicator, piece, grid, options.field, run.part(0.0, kSelected), statistics_)
+    , limits_(limitsOf(options, frame_))
+    , field_(communicator, piece, grid, options.field, run.part(0.0, kSelectedShare), statistics_)
   {
   }
 
@@ -95,8 +92,8 @@ public:
   AxisPiece compute(const GridShare& fieldShare, const std::vector<Extent>& axisExtents,
     FieldSink& sink, RankCounts* counts)
   {
-    int halo = crossingHalo(frame_, angle_);
-    const Side side = this->hasSign() ? options_.side : Side::Both;
+    int halo = crossingHalo(frame_, limits_.angle);
+    const Side side = sideOf(options_.side, this->hasSign());
     const bool preserve = options_.topology == Topology::Preserve;
     FieldPart values;
     std::vector<SharedCrossing> crossings = this->crossingsOf(fieldShare,
@@ -193,7 +190,7 @@ private:
       *values = { extent, { tap->distances().begin(), tap->distances().end() },
         { tap->sites().begin(), tap->sites().end() } };
     }
-    run_.report(kSelected, "medial axis");
+    run_.report(kSelectedShare, "medial axis");
     return own;
   }
 
@@ -248,8 +245,7 @@ private:
       [&]
       {
         geometry.emplace(AxisGeometry{ field_.sites(), field_.query(), frame_, share_->whole(),
-          share_->withHalo(halo), angle_, options_.lambda / frame_.unit,
-          options_.radius / frame_.unit, checkpoint, inside ? &side : nullptr });
+          share_->withHalo(halo), limits_, checkpoint, inside ? &side : nullptr });
       });
     return make(geometry ? &*geometry : nullptr, std::move(crossings));
   }
@@ -259,7 +255,7 @@ private:
   ///   goes on there: then the halo is too narrow.
   std::optional<OwnAxis> tryHalo(const std::vector<SharedCrossing>& own, int halo)
   {
-    const Checkpoint checkpoint(run_, kSelected, "medial axis");
+    const Checkpoint checkpoint(run_, kSelectedShare, "medial axis");
     return this->withHalo(own, halo, checkpoint,
       [&](const AxisGeometry* geometry, std::vector<Crossing> crossings) -> std::optional<OwnAxis>
       {
@@ -291,7 +287,8 @@ private:
       halo *= 2;
       this->bring(halo);
     }
-    const AxisAssembly assembly(communicator_, *share_, *own, contractionHalo(frame_, angle_));
+    const AxisAssembly assembly(communicator_, *share_, *own,
+      contractionHalo(frame_, limits_.angle));
     return assembly.piece(communicator_, order_, points);
   }
 
@@ -301,7 +298,7 @@ private:
   AxisPiece preserved(const std::vector<SharedCrossing>& crossings, FieldPart values,
     const std::vector<Extent>& extents, int halo, BisectorPoints& points)
   {
-    const Side side = this->hasSign() ? options_.side : Side::Both;
+    const Side side = sideOf(options_.side, this->hasSign());
     std::vector<Extent> wanted;
     for (const Extent& extent : extents)
     {
@@ -310,7 +307,7 @@ private:
     values = exchangedPart(communicator_, std::move(values), wanted, side);
     PreservedPieces pieces({ communicator_, field_, *share_, grid_, options_, run_, side, values },
       extents);
-    const Checkpoint checkpoint(run_, kSelected, "medial axis");
+    const Checkpoint checkpoint(run_, kSelectedShare, "medial axis");
     const auto tryHalo = [&]
     {
       this->bring(halo);
@@ -354,7 +351,7 @@ private:
   const Run& run_;
   GridFrame frame_;
   AxisOrder order_;
-  double angle_; ///< radians
+  AxisLimits limits_;
   RunStatistics statistics_;
   RankField field_;
   std::optional<GridShare> share_; ///< where ranks make the axis

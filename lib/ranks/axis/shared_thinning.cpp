@@ -184,7 +184,7 @@ std::vector<std::uint8_t> SharedThinning::separating(const ThinningPart& part,
   {
     here.emplace(input_.values.extent, corners_.size());
     probe.emplace(part.geometry->sites, part.geometry->frame, part.closestSites.data(), part.depth,
-      part.geometry->angle);
+      part.geometry->limits.angle);
   }
   return answered(
     input_.communicator, edges,

@@ -114,7 +114,8 @@ TEST_F(SeamsOfABox, HaveExactPointsOfAllSheetsAround)
         const auto walls = wallDistances(this->worldOf(point.position));
         EXPECT_NEAR(point.radius(), walls[0], kExact);
         EXPECT_NEAR(glm::distance(point.position, point.b.point), walls[0], kExact);
-        if (point.separationAngle() > geometry_.angle) // not where a face changes to its own edge
+        if (point.separationAngle() >
+          geometry_.limits.angle) // not where a face changes to its own edge
         {
           EXPECT_NEAR(walls[0], walls[1], kExact);
           ++count;
