@@ -3,7 +3,7 @@
 #include "base/checkpoint.h"
 #include "base/stopwatch.h"
 #include "field/field_sign.h"
-#include "field/reach.h"
+#include "field/precision_checks.h"
 #include "gl/gpu_thread.h"
 #include "medial/device.h"
 #include "medial/error.h"
@@ -53,7 +53,7 @@ FieldPipeline::FieldPipeline(const TriangleMesh& mesh, const MeshConnectivity& c
   , frame_(grid)
 {
   checkInput(mesh, grid, extent);
-  checkReach(mesh.bounds(), frame_);
+  requireSinglePrecision(mesh.bounds(), frame_);
   if (options.requireHardware)
   {
     statistics_.device = requiredHardware(options.device);

@@ -5,7 +5,7 @@
 #include "field/array_sink.h"
 #include "field/engines/make_engine.h"
 #include "field/field_pipeline.h"
-#include "pipeline/frame.h"
+#include "pipeline/frame_stages.h"
 
 namespace medial
 {

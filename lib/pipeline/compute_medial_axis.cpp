@@ -19,7 +19,7 @@
 #include "medial/error.h"
 #include "medial/memory.h"
 #include "pipeline/axis_options.h"
-#include "pipeline/frame.h"
+#include "pipeline/frame_stages.h"
 #include "simplification/simplify_axis.h"
 #include "thinning/preserved_axis.h"
 

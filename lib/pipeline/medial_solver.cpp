@@ -2,7 +2,7 @@
 
 #include "field/array_sink.h"
 #include "medial/error.h"
-#include "pipeline/frame.h"
+#include "pipeline/frame_stages.h"
 
 #include <string>
 #include <utility>

@@ -5,7 +5,7 @@
 #include "culling/extent_hull.h"
 #include "field/array_sink.h"
 #include "field/engines/processor/processor_engine.h"
-#include "field/reach.h"
+#include "field/precision_checks.h"
 #include "field/tile_field.h"
 #include "medial/error.h"
 #include "ranks/collective.h"
@@ -115,7 +115,7 @@ RankField::RankField(Communicator& communicator, const SurfacePiece& piece, cons
       [&] { return SharedSign(communicator, surface_, options.sign, grid, frame_, run_); }))
   , ownTriangles_(static_cast<std::int64_t>(surface_.faces().size()))
 {
-  checkReach(surface_.bounds(), frame_);
+  requireSinglePrecision(surface_.bounds(), frame_);
   {
     const Stopwatch watch(statistics_.seconds.cull);
     tree_.emplace(communicator, surface_, frame_);

@@ -6,7 +6,7 @@
 #include "ranks/surface/distributed_surface.h"
 #include "ranks/surface/shared_sign.h"
 #include "sites/grid_frame.h"
-#include "thickness/limits.h"
+#include "thickness/region_checks.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #include "field/engines/device/device_engine.h"
 
 #include "field/engines/device/device_run.h"
-#include "field/reach.h"
+#include "field/precision_checks.h"
 #include "field/slabs.h"
 #include "gl/fault.h"
 

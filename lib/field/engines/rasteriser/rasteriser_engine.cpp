@@ -3,7 +3,7 @@
 #include "base/stopwatch.h"
 #include "field/engines/rasteriser/rasteriser_run.h"
 #include "field/engines/rasteriser/rasteriser_selection.h"
-#include "field/reach.h"
+#include "field/precision_checks.h"
 #include "field/slabs.h"
 
 #include <algorithm>

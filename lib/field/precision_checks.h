@@ -8,7 +8,7 @@ namespace medial
 /// Refuses what single precision cannot hold in local coordinates.
 /// @param bounds of the mesh, world units.
 /// @throws Error InvalidInput for a grid or mesh that reaches too far.
-void checkReach(const Bounds& bounds, const GridFrame& frame);
+void requireSinglePrecision(const Bounds& bounds, const GridFrame& frame);
 
 /// Checks that no grid point can be too far from the surface for engines that compute in single
 /// precision on a device.

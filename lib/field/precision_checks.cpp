@@ -1,4 +1,4 @@
-#include "field/reach.h"
+#include "field/precision_checks.h"
 
 #include "medial/error.h"
 
@@ -31,7 +31,7 @@ void requireReach(const char* what, double reach)
 
 } // namespace
 
-void checkReach(const Bounds& bounds, const GridFrame& frame)
+void requireSinglePrecision(const Bounds& bounds, const GridFrame& frame)
 {
   requireReach("the grid", frame.reach());
   const glm::dvec3 low = glm::abs(frame.toLocal(bounds.min));
