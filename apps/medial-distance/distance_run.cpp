@@ -17,11 +17,6 @@ namespace medial::app
 namespace
 {
 
-bool hasCells(const MeshInput& mesh)
-{
-  return mesh.polygons.size() + mesh.lines.size() + mesh.verts.size() + mesh.strips.size() > 0;
-}
-
 /// Shows the progress of a step as a part of all.
 class StepWatch : public Watch
 {
@@ -83,7 +78,7 @@ void compute(const DistanceCommand& command, TriangleMesh surface, const MeshInp
         [&] {
           results.distances = mesh.compute(results.points, { command.threads, &computing });
         });
-      if (hasCells(points))
+      if (points.hasCells())
       {
         results.comparison = compare(command, mesh, points, bar);
       }

@@ -7,6 +7,7 @@
 #include "gl/gpu_thread.h"
 #include "medial/device.h"
 #include "medial/error.h"
+#include "mesh/cell_check.h"
 
 namespace medial
 {
@@ -15,10 +16,7 @@ namespace
 
 void checkInput(const TriangleMesh& mesh, const Grid& grid, const Extent& extent)
 {
-  if (mesh.empty())
-  {
-    throw Error(ErrorCode::InvalidInput, "the mesh has no cells");
-  }
+  requireCells(mesh);
   validateGrid(grid);
   if (extent.empty() || !grid.wholeExtent().contains(extent))
   {

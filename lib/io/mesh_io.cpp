@@ -58,11 +58,6 @@ MeshInput parse(const Parsers& parsers, const std::string& allowed, const fs::pa
   return found->second(content);
 }
 
-bool hasCells(const MeshInput& mesh)
-{
-  return mesh.polygons.size() + mesh.lines.size() + mesh.verts.size() + mesh.strips.size() > 0;
-}
-
 } // namespace
 
 MeshInput readMesh(const fs::path& path)
@@ -71,7 +66,7 @@ MeshInput readMesh(const fs::path& path)
     [](const fs::path& file)
     {
       MeshInput mesh = parse(meshParsers(), ".stl .obj .ply .off .vtk", file);
-      if (!hasCells(mesh))
+      if (!mesh.hasCells())
       {
         refuse("holds no faces, lines or vertices");
       }

@@ -3,6 +3,7 @@
 #include "base/id_limits.h"
 #include "base/vectors.h"
 #include "medial/error.h"
+#include "mesh/cell_check.h"
 #include "mesh/polygon_triangulation.h"
 #include "mesh/position_hash.h"
 
@@ -155,10 +156,7 @@ public:
         addVertex(point, input_.verts.ids[cell]);
       }
     }
-    if (mesh_.empty())
-    {
-      throw Error(ErrorCode::InvalidInput, "the mesh has no cells");
-    }
+    requireCells(mesh_);
     return std::move(mesh_);
   }
 

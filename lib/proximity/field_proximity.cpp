@@ -7,6 +7,7 @@
 #include "base/vectors.h"
 #include "medial/error.h"
 #include "medial/medial_solver.h"
+#include "mesh/cell_check.h"
 #include "proximity/decisive_extent.h"
 
 #include <algorithm>
@@ -21,11 +22,19 @@ namespace medial
 namespace
 {
 
-void requireUsable(const std::vector<Point3>& points)
+void requireUsable(int number, const TriangleMesh& mesh)
 {
-  for (std::size_t i = 0; i < points.size(); ++i)
+  try
   {
-    medial::requireUsable(i, points[i]);
+    requireCells(mesh);
+    for (std::size_t i = 0; i < mesh.points.size(); ++i)
+    {
+      medial::requireUsable(i, mesh.points[i]);
+    }
+  }
+  catch (const Error& error)
+  {
+    throw Error(error.code(), "mesh " + std::to_string(number) + ": " + error.what());
   }
 }
 
@@ -210,12 +219,8 @@ struct FieldProximitySolver::State
 
 FieldProximitySolver::FieldProximitySolver(TriangleMesh a, TriangleMesh b)
 {
-  if (a.empty() || b.empty())
-  {
-    throw Error(ErrorCode::InvalidInput, a.empty() ? "mesh 0 is empty" : "mesh 1 is empty");
-  }
-  requireUsable(a.points);
-  requireUsable(b.points);
+  requireUsable(0, a);
+  requireUsable(1, b);
   state_ = std::make_unique<State>(State{ FieldPair(std::move(a), std::move(b)) });
 }
 

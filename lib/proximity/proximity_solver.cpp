@@ -3,6 +3,7 @@
 #include "base/stopwatch.h"
 #include "medial/error.h"
 #include "medial/proximity.h"
+#include "mesh/cell_check.h"
 #include "proximity/moving_mesh.h"
 #include "proximity/pair_proximity.h"
 #include "proximity/solid_query.h"
@@ -157,12 +158,9 @@ ProximitySolver::ProximitySolver(std::vector<TriangleMesh> meshes)
   }
   for (std::size_t i = 0; i < meshes.size(); ++i)
   {
-    if (meshes[i].empty())
-    {
-      throw Error(ErrorCode::InvalidInput, "mesh " + std::to_string(i) + " is empty");
-    }
     try
     {
+      requireCells(meshes[i]);
       for (std::size_t point = 0; point < meshes[i].points.size(); ++point)
       {
         requireUsable(point, meshes[i].points[point]);

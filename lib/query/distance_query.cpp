@@ -2,6 +2,7 @@
 
 #include "base/checkpoint.h"
 #include "medial/error.h"
+#include "mesh/cell_check.h"
 
 #include <utility>
 
@@ -17,10 +18,7 @@ constexpr double kMargin = 0.05;
 
 LocalCoordinates DistanceQuery::localOf(const TriangleMesh& mesh)
 {
-  if (mesh.empty())
-  {
-    throw Error(ErrorCode::InvalidInput, "the mesh has no cells");
-  }
+  requireCells(mesh);
   return LocalCoordinates::around(mesh.bounds(), kMargin);
 }
 

@@ -2,6 +2,7 @@
 
 #include "base/range_check.h"
 #include "medial/error.h"
+#include "mesh/cell_check.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -230,10 +231,7 @@ void checkTolerance(double tolerance)
 FarthestPoint farthestPoint(const DistanceQuery& query, const TriangleMesh& surface,
   double tolerance, const Checkpoint& checkpoint)
 {
-  if (surface.empty())
-  {
-    throw Error(ErrorCode::InvalidInput, "the surface has no cells");
-  }
+  requireCells(surface);
   return FarthestSearch(query, surface, tolerance).run(checkpoint);
 }
 

@@ -5,6 +5,7 @@
 #include "base/separation_angle.h"
 #include "base/stopwatch.h"
 #include "medial/error.h"
+#include "mesh/cell_check.h"
 #include "thickness/place_values.h"
 #include "thickness/quantiles.h"
 #include "thickness/side_thickness.h"
@@ -33,10 +34,7 @@ constexpr std::size_t kMaxReports = 100;
 
 void checkOptions(const TriangleMesh& mesh, const ThicknessOptions& options)
 {
-  if (mesh.empty())
-  {
-    throw Error(ErrorCode::InvalidInput, "the mesh has no cells");
-  }
+  requireCells(mesh);
   checkSeparationAngle(options.angle);
 }
 

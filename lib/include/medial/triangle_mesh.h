@@ -35,6 +35,12 @@ struct MeshInput
   CellList lines;             ///< polylines, two or more points each
   CellList verts;             ///< poly-vertices, one or more points each
   CellList strips;            ///< triangle strips; those with fewer than three points are ignored
+
+  /// Whether it has any cell.
+  bool hasCells() const
+  {
+    return polygons.size() + lines.size() + verts.size() + strips.size() > 0;
+  }
 };
 
 /// Triangles, segments and isolated points over welded points: the geometry of the sites.

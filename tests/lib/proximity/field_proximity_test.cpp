@@ -124,7 +124,7 @@ TEST(FieldProximity, RefusesWhatItCannotCompute)
 {
   const TriangleMesh cube = box({ 1.0, 1.0, 1.0 });
   expectError([&] { FieldProximitySolver(cube, TriangleMesh()); }, medial::ErrorCode::InvalidInput,
-    "mesh 1 is empty");
+    "mesh 1: the mesh has no cells");
   FieldProximitySolver solver(cube, cube);
   FieldProximityOptions options;
   options.resolution = 1;
