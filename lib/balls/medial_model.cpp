@@ -1,5 +1,6 @@
 #include "medial/medial_model.h"
 
+#include "balls/ball_check.h"
 #include "base/disjoint_sets.h"
 #include "base/range_check.h"
 #include "base/sorted_set.h"
@@ -14,9 +15,6 @@ namespace medial
 {
 namespace
 {
-
-/// Largest magnitude that can be squared without overflow.
-constexpr double kLargest = 1e100;
 
 [[noreturn]] void refuse(const std::ostringstream& message)
 {
@@ -51,33 +49,6 @@ void checkCells(const char* kind, const Cells& cells, std::size_t balls)
           closedRange<std::int64_t>(0, static_cast<std::int64_t>(balls) - 1));
       }
     }
-  }
-}
-
-[[noreturn]] void refuseBall(const MedialModel& model, std::size_t i)
-{
-  std::ostringstream message;
-  for (const double coordinate : model.centres[i])
-  {
-    if (!(std::abs(coordinate) <= kLargest))
-    {
-      message << "centre " << i << " has the coordinate " << coordinate
-              << ", which is outside [-1e100, 1e100]";
-      refuse(message);
-    }
-  }
-  message << "radius " << model.radii[i] << " of ball " << i << " is outside [0, 1e100]";
-  refuse(message);
-}
-
-void checkBall(const MedialModel& model, std::size_t i)
-{
-  const Point3& centre = model.centres[i];
-  const bool finite = std::all_of(centre.begin(), centre.end(),
-    [](double coordinate) { return std::abs(coordinate) <= kLargest; });
-  if (!finite || !(model.radii[i] >= 0.0 && model.radii[i] <= kLargest))
-  {
-    refuseBall(model, i);
   }
 }
 
@@ -226,7 +197,7 @@ void checkMedialModel(const MedialModel& model)
   }
   for (std::size_t i = 0; i < model.centres.size(); ++i)
   {
-    checkBall(model, i);
+    checkBall(i, model.centres[i], model.radii[i]);
   }
   checkCells("quad", model.quads, model.centres.size());
   checkCells("triangle", model.triangles, model.centres.size());

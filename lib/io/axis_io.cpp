@@ -1,13 +1,13 @@
 #include "medial/axis_io.h"
 
-#include "base/range_check.h"
+#include "balls/ball_check.h"
 #include "io/axis_parsers.h"
 #include "io/axis_writers.h"
 #include "io/file_reader.h"
 #include "io/refusal.h"
 
 #include <cerrno>
-#include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <fstream>
 #include <map>
@@ -19,27 +19,6 @@ namespace medial
 {
 namespace
 {
-
-void checkBalls(const MedialAxis& axis)
-{
-  for (std::size_t i = 0; i < axis.points.size(); ++i)
-  {
-    const auto refusePoint = [i](const std::string& why)
-    { refuse("point " + std::to_string(i) + ": " + why); };
-    for (const double coordinate : axis.points[i])
-    {
-      if (!std::isfinite(coordinate))
-      {
-        refusePoint("coordinate " + numberText(coordinate) + " is not finite");
-      }
-    }
-    const auto radius = static_cast<double>(axis.radius[i]);
-    if (!(radius >= 0.0 && std::isfinite(radius)))
-    {
-      refusePoint(outsideText("radius", axis.radius[i], "[0, infinity)"));
-    }
-  }
-}
 
 [[noreturn]] void throwUnknownExtension(ErrorCode code, const fs::path& path)
 {
@@ -99,7 +78,10 @@ MedialAxis readAxis(const fs::path& path)
       {
         refuse("holds no points");
       }
-      checkBalls(axis);
+      for (std::size_t i = 0; i < axis.points.size(); ++i)
+      {
+        checkBall(i, axis.points[i], axis.radius[i]);
+      }
       return axis;
     });
 }

@@ -1,5 +1,6 @@
 #include "simplification/axis_balls.h"
 
+#include "balls/ball_check.h"
 #include "base/id_limits.h"
 #include "base/range_check.h"
 #include "medial/error.h"
@@ -40,15 +41,7 @@ void checkArrays(const MedialAxis& axis)
   checkSizeIfAny("closest point B", axis.closestPointB.size(), count);
   for (std::size_t i = 0; i < count; ++i)
   {
-    const Point3& p = axis.points[i];
-    const double r = static_cast<double>(axis.radius[i]);
-    if (!(std::isfinite(p[0] + p[1] + p[2]) && std::isfinite(r) && r >= 0.0))
-    {
-      throw Error(ErrorCode::InvalidInput,
-        "medial axis: point " + std::to_string(i) + " (" + std::to_string(p[0]) + ", " +
-          std::to_string(p[1]) + ", " + std::to_string(p[2]) + ") has the radius " +
-          std::to_string(r) + "; allowed: finite coordinates, radius >= 0");
-    }
+    checkBall(i, axis.points[i], axis.radius[i]);
   }
 }
 
@@ -56,7 +49,7 @@ int checkedId(std::int64_t id, std::size_t count)
 {
   if (id < 0 || id >= static_cast<std::int64_t>(count))
   {
-    throwOutside("medial axis: point index", id,
+    throwOutside("point index", id,
       closedRange<std::int64_t>(0, static_cast<std::int64_t>(count) - 1));
   }
   return static_cast<int>(id);

@@ -153,13 +153,13 @@ TEST(ModelReader, RefusesDamagedVtp)
   };
   EXPECT_EQ(
     written([](vtkPolyData* bad) { bad->GetPointData()->GetArray("Radius")->SetTuple1(3, -0.5); }),
-    "a.vtp: point 3: radius -0.5 is outside [0, infinity)");
+    "a.vtp: point 3: radius -0.5 is outside [0, 1e+100]");
   EXPECT_EQ(written([](vtkPolyData* bad) { bad->GetPointData()->RemoveArray("Radius"); }),
     "a.vtp: has no point data array Radius of one component");
   EXPECT_EQ(
     written([](vtkPolyData* bad)
       { bad->GetPoints()->SetPoint(2, 0.0, std::numeric_limits<double>::infinity(), 0.0); }),
-    "a.vtp: point 2: coordinate inf is not finite");
+    "a.vtp: point 2: coordinate inf is outside [-1e+100, 1e+100]");
   EXPECT_NE(written(
               [](vtkPolyData* bad) {
                 bad->GetPolys()->InsertNextCell({ 0, 1, 99 });
@@ -173,7 +173,7 @@ TEST(ModelReader, RefusesDamagedFilesOfTheLibrarysFormats)
   EXPECT_EQ(refusal("a.ma", "1 0 0\nv 0 0 0 -1\n"),
     "a.ma: line 2: radius '-1' is outside [0, infinity)");
   EXPECT_EQ(refusal("a.obj", "v 0 0 1e200\n# radius 1\n"),
-    "a.obj: centre 0 has the coordinate 1e+200, which is outside [-1e100, 1e100]");
+    "a.obj: point 0: coordinate 1e+200 is outside [-1e+100, 1e+100]");
 }
 
 TEST(ModelReader, RefusesFilesThatAreNone)

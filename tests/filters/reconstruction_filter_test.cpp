@@ -307,9 +307,9 @@ TEST(MedialReconstruction, RefusesWhatIsNoAxis)
       f->SetInputData(axis);
     },
     "Radius has 2 components");
-  expectError([](F f) { f->SetInputData(line(1.0F, -0.5F)); }, "radius -0.5 of ball 1");
+  expectError([](F f) { f->SetInputData(line(1.0F, -0.5F)); }, "point 1: radius -0.5 is outside");
   expectError([](F f) { f->SetInputData(line(1.0F, std::numeric_limits<float>::quiet_NaN())); },
-    "radius nan of ball 1");
+    "point 1: radius nan is outside");
   expectError([](F f) { f->SetInputData(balls({}, {})); }, "0 points");
   expectError([](F f) { f->SetResolution(1); }, "resolution 1 is outside [2, 8192]");
   expectError([](F f) { f->SetResolution(9000); }, "9000");

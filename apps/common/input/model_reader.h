@@ -13,8 +13,8 @@ namespace medial::app
 ///
 /// @return a model that checkMedialModel() accepts.
 /// @throws Failure BadInput naming the file and what is wrong, with the line or point: a file that
-///   ends early or contradicts its header, an index out of range, a coordinate that is not finite,
-///   a radius that is missing or outside [0, infinity), no points at all.
+///   ends early or contradicts its header, an index out of range, radii that are missing, no
+///   points at all, what checkMedialModel() refuses.
 MedialModel readModel(const std::filesystem::path& path);
 
 } // namespace medial::app

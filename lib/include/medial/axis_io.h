@@ -39,8 +39,8 @@ MEDIAL_EXPORT std::optional<AxisFormat> axisFormatOf(const std::filesystem::path
 ///   points. The other arrays are empty.
 /// @throws Error CannotRead if the file is missing, not readable or of another extension;
 ///   InvalidInput if it ends early or contradicts its header, and for an index out of range, a
-///   coordinate that is not finite, a radius that is missing or outside [0, infinity), or no points
-///   at all. The message names the file and what is wrong, with the line or point.
+///   coordinate outside [-1e100, 1e100], a radius that is missing or outside [0, 1e100], or no
+///   points at all. The message names the file and what is wrong, with the line or point.
 MEDIAL_EXPORT MedialAxis readAxis(const std::filesystem::path& path);
 
 /// Writes the points, radii, separation angles, lambda and cells of an axis, as far as the format

@@ -106,10 +106,12 @@ TEST(MedialModel, RefusesWhatIsNoModel)
   const double nan = std::numeric_limits<double>::quiet_NaN();
   expectRefused([](MedialModel& m) { m = {}; }, "0 points");
   expectRefused([](MedialModel& m) { m.radii.pop_back(); }, "5 radii for 6 centres");
-  expectRefused([](MedialModel& m) { m.radii[3] = -0.25; }, "radius -0.25 of ball 3");
-  expectRefused([=](MedialModel& m) { m.radii[3] = nan; }, "radius nan of ball 3");
-  expectRefused([=](MedialModel& m) { m.centres[2][1] = nan; }, "centre 2");
-  expectRefused([](MedialModel& m) { m.radii[3] = 1e200; }, "radius 1e+200 of ball 3");
+  expectRefused([](MedialModel& m) { m.radii[3] = -0.25; },
+    "point 3: radius -0.25 is outside [0, 1e+100]");
+  expectRefused([=](MedialModel& m) { m.radii[3] = nan; }, "point 3: radius nan is");
+  expectRefused([=](MedialModel& m) { m.centres[2][1] = nan; },
+    "point 2: coordinate nan is outside [-1e+100, 1e+100]");
+  expectRefused([](MedialModel& m) { m.radii[3] = 1e200; }, "point 3: radius 1e+200 is");
   expectRefused([](MedialModel& m) { m.quads[1][2] = 6; }, "quad 1: ball 6 is outside [0, 5]");
   expectRefused([](MedialModel& m) { m.triangles = { { 0, -1, 2 } }; }, "triangle 0: ball -1 is");
   expectRefused([](MedialModel& m) { m.lines = { { 0, 9 } }; }, "line 0: ball 9 is");
