@@ -6,8 +6,6 @@
 #include "medial/error.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <string>
 
 namespace medial
@@ -76,27 +74,17 @@ Point3 AxisBalls::toWorld(const glm::dvec3& local) const
 AxisBalls ballsOf(const MedialAxis& axis)
 {
   checkArrays(axis);
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  Point3 low{ kFar, kFar, kFar };
-  Point3 high{ -kFar, -kFar, -kFar };
-  double largest = 0.0;
-  for (std::size_t i = 0; i < axis.points.size(); ++i)
+  const Bounds bounds = axis.points.empty() ? Bounds() : boundsOf(axis.points);
+  double unit = bounds.diagonal();
+  for (const float radius : axis.radius)
   {
-    for (int k = 0; k < 3; ++k)
-    {
-      low[k] = std::min(low[k], axis.points[i][k]);
-      high[k] = std::max(high[k], axis.points[i][k]);
-    }
-    largest = std::max(largest, static_cast<double>(axis.radius[i]));
+    unit = std::max(unit, static_cast<double>(radius));
   }
   AxisBalls result{ {}, 1.0, {} };
   for (int k = 0; k < 3; ++k)
   {
-    result.origin[k] = axis.points.empty() ? 0.0 : 0.5 * (low[k] + high[k]);
+    result.origin[k] = 0.5 * (bounds.min[k] + bounds.max[k]);
   }
-  const double diagonal =
-    axis.points.empty() ? 0.0 : std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
-  const double unit = std::max(diagonal, largest);
   result.unit = unit > 0.0 ? unit : 1.0;
   for (std::size_t i = 0; i < axis.points.size(); ++i)
   {
