@@ -51,7 +51,7 @@ std::string regionTable(const std::vector<ThicknessRegion>& regions)
 {
   if (regions.empty())
   {
-    return "limits    kept everywhere; convex edges and corners do not count\n";
+    return "limits    kept everywhere; convex edges and corners do not count as thin\n";
   }
   std::string text = headings();
   for (std::size_t i = 0; i < std::min(kListedRegions, regions.size()); ++i)

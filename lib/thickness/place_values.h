@@ -13,11 +13,13 @@ struct PlaceValues
   explicit PlaceValues(std::size_t count)
     : values(count, std::numeric_limits<float>::quiet_NaN())
     , atEdge(count, 0)
+    , opens(count, 0)
   {
   }
 
   std::vector<float> values; ///< world units, NaN where there is none
   std::vector<char> atEdge;  ///< whether the value is that of a convex edge or tip
+  std::vector<char> opens;   ///< whether the solid opens there, as at the foot of a rib
 };
 
 /// Number of places in a row that are measured one after the other. It is fixed, so that the result

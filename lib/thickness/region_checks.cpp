@@ -18,13 +18,9 @@ constexpr double kRounding = 1e-6;
 Beyond beyondOf(float value, bool atEdge, const ThicknessLimits& limits)
 {
   const auto thickness = static_cast<double>(value);
-  if (std::isnan(thickness) || atEdge)
-  {
-    return Beyond::Nothing;
-  }
   if (limits.min && thickness < *limits.min * (1.0 - kRounding))
   {
-    return Beyond::Min;
+    return atEdge ? Beyond::Nothing : Beyond::Min;
   }
   return limits.max && thickness > *limits.max * (1.0 + kRounding) ? Beyond::Max : Beyond::Nothing;
 }

@@ -15,7 +15,8 @@ enum class Beyond : char
   Max
 };
 
-/// @param atEdge whether the value is that of a convex edge or tip, which does not count.
+/// @param value NaN is beyond none.
+/// @param atEdge whether the value is that of a convex edge or tip, which does not count as thin.
 Beyond beyondOf(float value, bool atEdge, const ThicknessLimits& limits);
 
 /// Returns the grid on which requireInside() decides.

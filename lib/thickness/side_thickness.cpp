@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <utility>
@@ -24,6 +25,9 @@ constexpr double kTouching = 0.95;
 /// The same for walls, whose values do not suffer from it: a bar that is as wide as thick touches a
 /// ball between opposite sides in the very middle of a side only.
 constexpr double kTouchingWall = 0.8;
+/// Where the side opens by more, degrees, another part of the solid begins. Facets of rounded
+/// surfaces turn less.
+constexpr double kOpens = 30.0;
 /// Rays of an edge start this share of the way from it to the middle of each of its faces.
 constexpr double kFromEdge = 1e-6;
 
@@ -78,6 +82,13 @@ void SideThickness::face(Side side)
   sharp_ = ray || angle_ <= kMaxBend
     ? bent_
     : sharpFeatures(sites_, connectivity_, inward_, sign_, angle_).points;
+  if (method_ == ThicknessMethod::Wall)
+  {
+    // What opens is convex, seen from the other side.
+    std::vector<glm::dvec3> outward;
+    std::transform(inward_.begin(), inward_.end(), std::back_inserter(outward), std::negate<>());
+    opens_ = sharpFeatures(sites_, connectivity_, outward, -sign_, kOpens).points;
+  }
   if (tellsEdges_)
   {
     edges_.emplace(sites_, complete_.empty() ? bends : ofPoints(sites_, bends, complete_));
@@ -85,6 +96,14 @@ void SideThickness::face(Side side)
 }
 
 SideThickness::Value SideThickness::atPoint(int point, double guess, SurfaceAnswers& surface) const
+{
+  Value value = this->valueAtPoint(point, guess, surface);
+  value.opens = !opens_.empty() && opens_[point] != 0;
+  return value;
+}
+
+SideThickness::Value SideThickness::valueAtPoint(int point, double guess,
+  SurfaceAnswers& surface) const
 {
   if (inward_[point] == glm::dvec3(0.0))
   {

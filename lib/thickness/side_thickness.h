@@ -25,6 +25,7 @@ public:
   {
     double thickness;    ///< world units; NaN if there is none
     bool atEdge = false; ///< whether it is that of a convex edge or tip
+    bool opens = false;  ///< for walls, whether the solid opens there, as at the foot of a rib
   };
 
   /// @param surface, connectivity of the mesh, or of what is here of it; must outlive this.
@@ -66,6 +67,7 @@ private:
     double guess; ///< world units
   };
 
+  Value valueAtPoint(int point, double guess, SurfaceAnswers& surface) const;
   Value ballAt(const Place& place, SurfaceAnswers& surface) const;
   std::optional<TouchingBall::Ball> touchingBall(const Place& place, SurfaceAnswers& surface) const;
   Value rayAt(const TouchingBall::Ray& ray, const RayStart& start, SurfaceAnswers& surface) const;
@@ -91,6 +93,7 @@ private:
   std::vector<glm::dvec3> inward_; ///< per point: of unit length, or zero
   std::vector<char> sharp_;        ///< per point
   std::vector<char> bent_;         ///< per point, of bends that are no tessellation
+  std::vector<char> opens_; ///< per point, whether the side opens there; empty unless for walls
   std::optional<ConvexEdges> edges_;
   std::optional<OppositeSurface> opposite_; ///< of rays, and for large angles
 };

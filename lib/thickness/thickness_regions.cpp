@@ -47,7 +47,8 @@ public:
     this->consider(thickness_.triangleValues[triangle], (a + b + c) / 3.0);
     for (const int corner : corners)
     {
-      if (!std::isnan(thickness_.values[corner]) && !thickness_.atEdge[corner])
+      const bool counts = !region_.thin || thickness_.atEdge[corner] == 0;
+      if (counts && !std::isnan(thickness_.values[corner]))
       {
         this->consider(thickness_.values[corner], positionOf(mesh_, corner));
       }

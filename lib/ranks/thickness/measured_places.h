@@ -12,9 +12,10 @@ namespace medial
 /// The thickness at a place of a distributed surface.
 struct PlaceValue
 {
-  int place; ///< number of the point or triangle in the whole
-  float value;
+  int place;   ///< number of the point or triangle in the whole
+  float value; ///< as PlaceValues
   char atEdge;
+  char opens;
 };
 
 struct MeasuredPlaces

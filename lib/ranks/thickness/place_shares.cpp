@@ -15,19 +15,21 @@ namespace
 
 struct Value
 {
-  float value;
+  float value; ///< as PlaceValues
   char atEdge;
+  char opens;
 };
 
 Value valueOf(const PlaceValues& values, std::size_t place)
 {
-  return { values.values[place], values.atEdge[place] };
+  return { values.values[place], values.atEdge[place], values.opens[place] };
 }
 
 void setValue(PlaceValues& values, std::size_t place, const Value& value)
 {
   values.values[place] = value.value;
   values.atEdge[place] = value.atEdge;
+  values.opens[place] = value.opens;
 }
 
 /// A triangle with what is known of it.
@@ -68,11 +70,12 @@ MeasuredPlaces extended(const std::vector<StripFace>& strips, const Checkpoint& 
   MeasuredPlaces result;
   for (std::size_t i = 0; i < part.points().size(); ++i)
   {
-    result.points.push_back({ part.points()[i], points.values[i], points.atEdge[i] });
+    result.points.push_back(
+      { part.points()[i], points.values[i], points.atEdge[i], points.opens[i] });
   }
   for (std::size_t i = 0; i < part.faces().size(); ++i)
   {
-    result.faces.push_back({ part.faces()[i], faces.values[i], faces.atEdge[i] });
+    result.faces.push_back({ part.faces()[i], faces.values[i], faces.atEdge[i], faces.opens[i] });
   }
   return result;
 }
@@ -108,12 +111,12 @@ void PlaceShares::set(Communicator& communicator, const MeasuredPlaces& measured
          [&](const PlaceValue& sent) { return surface_.homeOfPoint(sent.place); }))
   {
     setValue(points_, static_cast<std::size_t>(value.place - firstPoint_),
-      { value.value, value.atEdge });
+      { value.value, value.atEdge, value.opens });
   }
   for (const PlaceValue& value : delivered(communicator, measured.faces,
          [&](const PlaceValue& sent) { return surface_.homeOfFace(sent.place); }))
   {
-    setValue(faces_, surface_.indexOf(value.place), { value.value, value.atEdge });
+    setValue(faces_, surface_.indexOf(value.place), { value.value, value.atEdge, value.opens });
   }
 }
 

@@ -33,12 +33,14 @@ using Regions = std::vector<ThicknessRegion>;
 /// A mesh whose thickness is known.
 struct Measured
 {
-  explicit Measured(const TriangleMesh& surface, ThicknessMethod method = ThicknessMethod::Wall)
+  explicit Measured(const TriangleMesh& surface, ThicknessMethod method = ThicknessMethod::Wall,
+    Side side = Side::Interior)
     : mesh(surface)
     , connectivity(analyseConnectivity(surface))
   {
     ThicknessOptions options;
     options.method = method;
+    options.side = side;
     options.cells = true;
     thickness = computeThickness(mesh, connectivity, options);
   }
@@ -77,6 +79,23 @@ TriangleMesh ribOnBase()
   const std::string rib = "....#....";
   const std::string base = "#########";
   return subdivided(blocks({ rib, rib, rib, rib, base, base, base }, 4.0), 2);
+}
+
+/// A regular tetrahedron with edges of 100, which has no opposite walls, and below it a fin 20 wide
+/// and high and 0.5 thick.
+TriangleMesh tetrahedronWithFin()
+{
+  constexpr double kMiddle = 28.867513459481287;
+  constexpr double kFront = kMiddle - 0.25;
+  constexpr double kBack = kMiddle + 0.25;
+  return makeMesh({ { 0.0, 0.0, 0.0 }, { 100.0, 0.0, 0.0 }, { 50.0, 86.602540378443862, 0.0 },
+                    { 50.0, kMiddle, 81.649658092772597 }, { 40.0, kFront, 0.0 },
+                    { 60.0, kFront, 0.0 }, { 60.0, kBack, 0.0 }, { 40.0, kBack, 0.0 },
+                    { 40.0, kFront, -20.0 }, { 60.0, kFront, -20.0 }, { 60.0, kBack, -20.0 },
+                    { 40.0, kBack, -20.0 } },
+    { { 5, 1, 0 }, { 4, 5, 0 }, { 6, 2, 1 }, { 5, 6, 1 }, { 7, 0, 2 }, { 4, 0, 7 }, { 6, 7, 2 },
+      { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 }, { 4, 8, 9 }, { 4, 9, 5 }, { 5, 9, 10 }, { 5, 10, 6 },
+      { 6, 10, 11 }, { 6, 11, 7 }, { 7, 11, 8 }, { 7, 8, 4 }, { 11, 10, 9 }, { 11, 9, 8 } });
 }
 
 void expectRefused(const ThicknessLimits& limits, const std::string& words)
@@ -212,6 +231,35 @@ TEST(ThicknessRegions, AThinWallOnABlockIsOneRegion)
   EXPECT_NEAR(found[0].area, 2 * 36.0 + kThin * (3.0 + 12.0 + 3.0), 0.03);
 }
 
+// What a fin stands on has no wall, and is no part of it, whichever way triangles face.
+TEST(ThicknessRegions, AFinEndsAtItsFoot)
+{
+  const TriangleMesh mesh = subdivided(tetrahedronWithFin(), 3);
+  for (const TriangleMesh& either : { mesh, flipOrientation(mesh) })
+  {
+    const Regions found = Measured(either).thin(1.0);
+    ASSERT_EQ(found.size(), 1U) << textOf(found);
+    EXPECT_NEAR(found[0].value, 0.5, 1e-6);
+    EXPECT_NEAR(found[0].area, 2 * 400.0 + 0.5 * 60.0, 1e-3);
+  }
+}
+
+// The clearance of a slot 1 wide, 3 deep and 8 long: its sides and its bottom, but not what is
+// around its mouth.
+TEST(ThicknessRegions, ASlotEndsAtItsMouth)
+{
+  const std::string walls = "####.####";
+  const std::string base = "#########";
+  const TriangleMesh mesh = subdivided(blocks({ walls, walls, walls, base, base }, 4.0), 2);
+  for (const Side side : { Side::Exterior, Side::Both })
+  {
+    const Regions found = Measured(mesh, ThicknessMethod::Wall, side).thin(1.5);
+    ASSERT_EQ(found.size(), 1U) << textOf(found);
+    EXPECT_NEAR(found[0].value, 1.0, 1e-6);
+    EXPECT_NEAR(found[0].area, 2 * 24.0 + 8.0, 1e-6);
+  }
+}
+
 TEST(ThicknessRegions, APlaceIsWhereTheValueIs)
 {
   // A gap between plates that is narrowest at x = -1.
@@ -237,6 +285,27 @@ TEST(ThicknessRegions, AThickBlockIsFound)
   ASSERT_GE(found.size(), 1U);
   EXPECT_FALSE(found[0].thin);
   EXPECT_NEAR(found[0].value, 3.0, 0.2);
+}
+
+// Balls beside the edges of a bar touch two sides that meet. It is thick there all the same.
+TEST(ThicknessRegions, APlaceBesideAnEdgeCanBeTooThick)
+{
+  const TriangleMesh mesh = subdivided(box({ 5.0, 5.0, 20.0 }), 4);
+  for (const ThicknessMethod method : kMethods)
+  {
+    const Regions found = Measured(mesh, method).beyond({ std::nullopt, 5.0 });
+    ASSERT_FALSE(found.empty()) << static_cast<int>(method);
+    EXPECT_FALSE(found[0].thin);
+    EXPECT_NEAR(found[0].value, method == ThicknessMethod::Ray ? 40.0 : 10.0, 0.5);
+  }
+  double area = 0.0;
+  for (const ThicknessRegion& region :
+    Measured(mesh, ThicknessMethod::Ball).beyond({ std::nullopt, 5.0 }))
+  {
+    area += region.area;
+  }
+  // The diameter is twice the distance from the nearest edge.
+  EXPECT_NEAR(area, 4 * 5.0 * 35.0 + 2 * 25.0, 50.0);
 }
 
 TEST(ThicknessRegions, LimitsAtTheValueAreKept)
