@@ -1,5 +1,6 @@
 #include "affine_transform.h"
 
+#include "files/parsed_number.h"
 #include "input/input_file.h"
 #include "library_calls.h"
 #include "number_text.h"
@@ -7,8 +8,8 @@
 #include "medial/error.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+#include <optional>
 #include <sstream>
 
 namespace medial::app
@@ -21,15 +22,12 @@ constexpr double kSingular = 1e-14;
 
 double toNumber(const std::string& word)
 {
-  const char* first = word.data() + (word.front() == '+' ? 1 : 0);
-  const char* last = word.data() + word.size();
-  double number = 0.0;
-  const auto [end, error] = std::from_chars(first, last, number);
-  if (error != std::errc() || end != last || !std::isfinite(number))
+  const std::optional<double> number = files::parsedNumber<double>(word);
+  if (!number || !std::isfinite(*number))
   {
     refuseContent("'" + word + "' is not a finite number");
   }
-  return number;
+  return *number;
 }
 
 void requireRegular(const AffineTransform& transform)

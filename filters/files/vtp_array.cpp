@@ -2,6 +2,7 @@
 
 #include "files/encoded_bytes.h"
 #include "files/file_content.h"
+#include "files/parsed_number.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
@@ -13,9 +14,9 @@
 #include <vtkZLibDataCompressor.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cstring>
 #include <map>
+#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -44,13 +45,12 @@ std::string parseNumbers(const XmlElement& element)
   {
     text.remove_prefix(start);
     const std::string_view word = text.substr(0, text.find_first_of(kBlank));
-    Parsed parsed{};
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), parsed);
-    if (error != std::errc() || end != word.data() + word.size())
+    const std::optional<Parsed> parsed = parsedNumber<Parsed>(word);
+    if (!parsed)
     {
       refuse(element, "has '" + std::string(word.substr(0, 40)) + "' in place of a number");
     }
-    const T value = static_cast<T>(parsed);
+    const T value = static_cast<T>(*parsed);
     bytes.append(reinterpret_cast<const char*>(&value), sizeof(T));
     text.remove_prefix(word.size());
   }
@@ -119,9 +119,8 @@ std::int64_t parseInteger(const XmlElement& element, const char* attribute, std:
 {
   static const std::string kDefault = "1";
   const std::string& text = element.attribute(attribute, kDefault);
-  std::int64_t value = -1;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || value < 0 || value > max)
+  const std::int64_t value = parsedNumber<std::int64_t>(text).value_or(-1);
+  if (value < 0 || value > max)
   {
     refuse(element,
       std::string("has ") + attribute + " '" + text.substr(0, 40) + "', allowed: 0 to " +

@@ -1,6 +1,7 @@
 #include "files/vtp_reader.h"
 
 #include "files/file_content.h"
+#include "files/parsed_number.h"
 #include "files/vtp_array.h"
 #include "files/xml_elements.h"
 
@@ -15,7 +16,6 @@
 #include <vtkPoints.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -32,9 +32,8 @@ std::int64_t countOf(const XmlElement& element, const char* attribute)
 {
   static const std::string kNone = "0";
   const std::string& text = element.attribute(attribute, kNone);
-  std::int64_t count = -1;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
-  if (error != std::errc() || end != text.data() + text.size() || count < 0)
+  const std::int64_t count = parsedNumber<std::int64_t>(text).value_or(-1);
+  if (count < 0)
   {
     refuseContent(
       std::string(attribute) + " is '" + text.substr(0, 40) + "', which is not a count");

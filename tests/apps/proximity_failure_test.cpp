@@ -93,6 +93,7 @@ TEST_F(ProximityFailure, MatricesOnTheCommandLine)
     contains(transformError("1=1,0,0,2,0,1,0,0,0,0,1,nan"), "'nan' is not a finite number"));
   EXPECT_TRUE(contains(transformError("1=1,0,0,2,0,1,0,0,0,0,1,1e999"), "'1e999' is not a finite"));
   EXPECT_TRUE(contains(transformError("1=1,0,0,2,0,1,0,0,0,0,1,x"), "'x' is not a finite number"));
+  EXPECT_TRUE(contains(transformError("1=1,0,0,2,0,1,0,0,0,0,1,+-1"), "'+-1' is not a finite"));
   EXPECT_TRUE(contains(transformError("1=1,0,0,2,0,1,0,0,0,0,1,0,0,0,0,2"),
     "the last row of a 4 x 4 matrix is 0, 0, 0, 2; allowed: 0, 0, 0, 1"));
   EXPECT_TRUE(contains(transformError("2=1,0,0,2,0,1,0,0,0,0,1,0"), "number of a mesh, in [0, 1]"));

@@ -1,12 +1,13 @@
 #include "files/scans/header_text.h"
 
 #include "files/file_content.h"
+#include "files/parsed_number.h"
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace medial::files
 {
@@ -18,13 +19,12 @@ constexpr std::string_view kBlanks = " \t\r";
 template <typename T>
 T parsed(const std::string& word, const std::string& key)
 {
-  T value{};
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc() || end != word.data() + word.size())
+  const std::optional<T> value = parsedNumber<T>(word);
+  if (!value)
   {
     refuseContent("'" + key + "' has '" + word.substr(0, 40) + "' in place of a number");
   }
-  return value;
+  return *value;
 }
 
 [[noreturn]] void refuseWord(const std::string& key, const std::string& word, const char* quote,

@@ -9,7 +9,6 @@
 #include <vtkDataArray.h>
 #include <vtkPointData.h>
 
-#include <charconv>
 #include <cmath>
 #include <vector>
 

@@ -85,6 +85,7 @@ TEST(ScanReader, ReadsEveryFormatInItsPhysicalSpace)
   {
     expectBall(readText("a.nrrd", nrrdFile(image, encoding)), encoding);
   }
+  expectBall(readText("a.nrrd", nrrdFile(image, "raw", { "sizes: ", "sizes: +" })), "plus");
   expectBall(readText("a.mha", metaImageFile(image, false, "LOCAL")), "mha");
   expectBall(readText("a.mha", metaImageFile(image, true, "LOCAL")), "compressed mha");
   expectBall(readText("a.nii", niftiFile(image, NiftiSpace::Sform)), "sform");
