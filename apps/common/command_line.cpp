@@ -1,6 +1,7 @@
 #include "command_line.h"
 
 #include "failure.h"
+#include "files/extensions.h"
 #include "help_formatter.h"
 #include "input/input_file.h"
 #include "option_names.h"
@@ -226,19 +227,11 @@ void addQuietOption(CLI::App& app, bool& quiet, const std::string& group)
 void checkExtension(const char* option, const std::filesystem::path& path,
   const std::vector<std::string>& allowed)
 {
-  const std::string extension = extensionOf(path);
-  if (path.empty() || std::find(allowed.begin(), allowed.end(), extension) != allowed.end())
+  if (!path.empty() && !files::hasExtension(path, allowed))
   {
-    return;
+    throw Failure(ExitCode::Usage,
+      std::string(option) + " " + path.string() + ": " + files::unknownExtension(path, allowed));
   }
-  std::string list;
-  for (const std::string& one : allowed)
-  {
-    list += " " + one;
-  }
-  throw Failure(ExitCode::Usage,
-    std::string(option) + " " + path.string() + ": unknown extension '" + extension +
-      "', allowed:" + list);
 }
 
 } // namespace medial::app

@@ -1,6 +1,8 @@
 #include "options.h"
 
 #include "command_line.h"
+#include "files/scans/scan_reader.h"
+#include "files/surface_reader.h"
 #include "option_checks.h"
 #include "option_groups.h"
 #include "scan_options.h"
@@ -16,7 +18,6 @@ namespace
 {
 
 const char* const kFooter =
-  "Input formats: .stl .obj .ply .off .vtp .vtk; scans: .nrrd .mha .mhd .nii .nii.gz .vti.\n"
   "Without an output option the medial axis goes to <INPUT's name>_medial.vtp in the current\n"
   "folder. Existing files are replaced, but only once the new ones are complete. --field,\n"
   "--local-thickness, --thickness, --thickness-image and thickness limits write no medial\n"
@@ -72,13 +73,15 @@ std::vector<Options::Idle> idleOptions(const CLI::App& app, const Options& optio
 std::optional<Options> parseOptions(int argc, char** argv)
 {
   CLI::App app{ "Computes the medial axis and the distance field of a triangle mesh.\n" };
-  setUpCommandLine(app, "medial-axis", kFooter);
+  setUpCommandLine(app, "medial-axis",
+    "Input formats: " + files::joined(files::surfaceExtensions(), " ") +
+      "; scans: " + files::joined(files::scanExtensions(), " ") + ".\n" + kFooter);
 
   OptionTexts texts;
   Options options;
   app
     .add_option("INPUT", texts.input,
-      std::string("mesh: .stl, .obj, .ply, .off, .vtp or .vtk") + kScanInput +
+      "mesh: " + files::enumerated(files::surfaceExtensions()) + scanInput() +
         "; for several processes also .pvtp, a mesh in pieces")
     ->required()
     ->option_text(" ");

@@ -1,6 +1,7 @@
 #include "distance_command.h"
 
 #include "command_line.h"
+#include "files/surface_reader.h"
 #include "option_names.h"
 #include "output/output_names.h"
 #include "output/standard_output.h"
@@ -83,13 +84,13 @@ std::optional<DistanceCommand> parseDistanceCommand(int argc, char** argv)
   DistanceCommand command;
   app
     .add_option("MESH", texts.mesh,
-      std::string("mesh: .stl, .obj, .ply, .off, .vtp or .vtk") + kScanInput)
+      "mesh: " + files::enumerated(files::surfaceExtensions()) + scanInput())
     ->required()
     ->option_text(" ");
   app
     .add_option("POINTS", texts.points,
-      "points, or another mesh: .stl, .obj, .ply, .off, .vtp, .vtk, or lines of numbers in .xyz, "
-      ".txt or .csv")
+      "points, or another mesh: " + files::joined(files::surfaceExtensions(), ", ") +
+        ", or lines of numbers in " + files::enumerated(files::tableExtensions()))
     ->required()
     ->option_text(" ");
   addScanOptions(app, command.scan);

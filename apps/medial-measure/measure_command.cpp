@@ -1,6 +1,7 @@
 #include "measure_command.h"
 
 #include "command_line.h"
+#include "files/surface_reader.h"
 #include "output/output_names.h"
 #include "validators.h"
 
@@ -60,7 +61,7 @@ std::optional<MeasureCommand> parseMeasureCommand(int argc, char** argv)
   app.add_option("AXIS", axis, "medial axis: .vtp, .ply, .obj or .ma, with the radii of its balls")
     ->required()
     ->option_text(" ");
-  app.add_option("MESH", mesh, "mesh: .stl, .obj, .ply, .off, .vtp or .vtk")
+  app.add_option("MESH", mesh, "mesh: " + files::enumerated(files::surfaceExtensions()))
     ->required()
     ->option_text(" ");
   addOptions(app, command, json);

@@ -3,6 +3,7 @@
 #include "bodies.h"
 #include "command_line.h"
 #include "failure.h"
+#include "files/surface_reader.h"
 #include "output/output_names.h"
 #include "output/standard_output.h"
 #include "validators.h"
@@ -243,7 +244,9 @@ std::optional<ProximityCommand> parseProximityCommand(int argc, char** argv)
 
   ProximityTexts texts;
   ProximityCommand command;
-  app.add_option("MESH", texts.inputs, "two meshes or more: .stl, .obj, .ply, .off, .vtp or .vtk")
+  app
+    .add_option("MESH", texts.inputs,
+      "two meshes or more: " + files::enumerated(files::surfaceExtensions()))
     ->required()
     ->option_text(" ");
   addOutputOptions(app, texts);

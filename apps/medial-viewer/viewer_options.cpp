@@ -2,6 +2,7 @@
 
 #include "command_line.h"
 #include "failure.h"
+#include "files/surface_reader.h"
 #include "option_names.h"
 #include "output/output_names.h"
 #include "scan_options.h"
@@ -126,9 +127,8 @@ std::optional<ViewerOptions> parseViewerOptions(int argc, char** argv)
   ViewerOptions options;
   app
     .add_option("INPUT", texts.inputs,
-      std::string("mesh, or the meshes of a sequence, or a folder of them (in the order of their "
-                  "names): .stl, .obj, .ply, .off, .vtp or .vtk") +
-        kScanInput)
+      "mesh, or the meshes of a sequence, or a folder of them (in the order of their names): " +
+        files::enumerated(files::surfaceExtensions()) + scanInput())
     ->required()
     ->option_text(" ");
   addScanOptions(app, options.scan);

@@ -1,6 +1,7 @@
 #include "scan_options.h"
 
 #include "failure.h"
+#include "files/scans/scan_reader.h"
 #include "validators.h"
 
 #include <CLI/CLI.hpp>
@@ -10,6 +11,12 @@
 
 namespace medial::app
 {
+
+std::string scanInput()
+{
+  return "; scan, with --isovalue or --label: " + files::enumerated(files::scanExtensions());
+}
+
 void addScanOptions(CLI::App& app, ScanSurface& wanted)
 {
   const std::string group = "Scan";
@@ -56,8 +63,8 @@ void checkScanOptions(const std::filesystem::path& path, const ScanSurface& want
   if (given != nullptr)
   {
     throw Failure(ExitCode::Usage,
-      std::string(given) + " needs an image (.nrrd .mha .mhd .nii .nii.gz .vti), which " +
-        path.string() + " is not");
+      std::string(given) + " needs an image (" + files::joined(files::scanExtensions(), " ") +
+        "), which " + path.string() + " is not");
   }
 }
 

@@ -5,14 +5,14 @@
 #include <CLI/CLI.hpp>
 
 #include <filesystem>
+#include <string>
 
 // Scans as the input of a program.
 namespace medial::app
 {
 
 /// What the help says of an input that may be a scan, after what it says of meshes.
-inline constexpr char kScanInput[] =
-  "; scan, with --isovalue or --label: .nrrd, .mha, .mhd, .nii, .nii.gz or .vti";
+std::string scanInput();
 
 /// Adds --isovalue, --label and --scan-smoothing in a group of their own.
 void addScanOptions(CLI::App& app, ScanSurface& wanted);

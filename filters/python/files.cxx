@@ -7,10 +7,9 @@
 #include "files/file_content.h"
 #include "files/scans/scan_reader.h"
 #include "files/scans/scan_surface.h"
-#include "files/vtp_reader.h"
+#include "files/surface_reader.h"
 
 #include "medial/error.h"
-#include "medial/mesh_io.h"
 #include "medial/triangle_mesh.h"
 #include "medial/version.h"
 
@@ -24,6 +23,7 @@
 #include <new>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace
@@ -41,9 +41,15 @@ PyObject* ToBytes(const std::vector<T>& values)
 }
 
 //------------------------------------------------------------------------------
+TriangleMesh ToTriangles(const medial::MeshInput& surface)
+{
+  return medial::buildTriangleMesh(surface);
+}
+
+//------------------------------------------------------------------------------
 TriangleMesh ToTriangles(vtkPolyData* surface)
 {
-  return medial::buildTriangleMesh(vtkMeshConversion::ToMeshInput(surface));
+  return ToTriangles(vtkMeshConversion::ToMeshInput(surface));
 }
 
 //------------------------------------------------------------------------------
@@ -135,12 +141,9 @@ PyObject* ReadMesh(PyObject*, PyObject* arguments)
   return TrianglesOf(path.string(),
     [&]
     {
-      if (files::extensionOf(path) != ".vtp")
-      {
-        return medial::buildTriangleMesh(medial::readMesh(path));
-      }
-      const vtkSmartPointer<vtkPolyData> mesh = files::readVtp(path);
-      return files::withName(path, [&] { return ToTriangles(mesh); });
+      const files::SurfaceContent content = files::readSurface(path);
+      return files::withName(path,
+        [&] { return std::visit([](const auto& mesh) { return ToTriangles(mesh); }, content); });
     });
 }
 

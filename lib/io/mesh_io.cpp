@@ -4,7 +4,9 @@
 #include "io/mesh_formats.h"
 #include "io/refusal.h"
 
-#include <map>
+#include <algorithm>
+#include <utility>
+#include <vector>
 
 namespace fs = std::filesystem;
 
@@ -15,7 +17,8 @@ namespace
 
 using Parse = MeshInput (*)(const std::string& content);
 
-using Parsers = std::map<std::string, Parse>;
+/// By extension, in the order in which messages name them.
+using Parsers = std::vector<std::pair<std::string, Parse>>;
 
 const Parsers& meshParsers()
 {
@@ -34,28 +37,45 @@ const Parsers& pointParsers()
   static const Parsers kParsers = []
   {
     Parsers parsers = meshParsers();
-    parsers.insert({ { ".xyz", parseXyz }, { ".txt", parseXyz }, { ".csv", parseXyz } });
+    parsers.insert(parsers.end(),
+      { { ".xyz", parseXyz }, { ".txt", parseXyz }, { ".csv", parseXyz } });
     return parsers;
   }();
   return kParsers;
 }
 
-/// @param allowed extensions, for the message.
-MeshInput parse(const Parsers& parsers, const std::string& allowed, const fs::path& file)
+/// The parser of an extension; null if there is none.
+Parse parserOf(const Parsers& parsers, const std::string& extension)
+{
+  const auto found = std::find_if(parsers.begin(), parsers.end(),
+    [&](const auto& parser) { return parser.first == extension; });
+  return found == parsers.end() ? nullptr : found->second;
+}
+
+[[noreturn]] void refuseExtension(const Parsers& parsers, const std::string& extension)
+{
+  std::string allowed;
+  for (const auto& parser : parsers)
+  {
+    allowed += ' ' + parser.first;
+  }
+  throw Error(ErrorCode::CannotRead, "unknown extension '" + extension + "', allowed:" + allowed);
+}
+
+MeshInput parse(const Parsers& parsers, const fs::path& file)
 {
   const std::string extension = extensionOf(file);
-  const auto found = parsers.find(extension);
-  if (found == parsers.end())
+  const Parse parse = parserOf(parsers, extension);
+  if (parse == nullptr)
   {
-    throw Error(ErrorCode::CannotRead,
-      "unknown extension '" + extension + "', allowed: " + allowed);
+    refuseExtension(parsers, extension);
   }
   const std::string content = readContent(file);
   if (content.empty())
   {
     refuse("the file is empty");
   }
-  return found->second(content);
+  return parse(content);
 }
 
 } // namespace
@@ -65,7 +85,7 @@ MeshInput readMesh(const fs::path& path)
   return readFile(path,
     [](const fs::path& file)
     {
-      MeshInput mesh = parse(meshParsers(), ".stl .obj .ply .off .vtk", file);
+      MeshInput mesh = parse(meshParsers(), file);
       if (!mesh.hasCells())
       {
         refuse("holds no faces, lines or vertices");
@@ -79,7 +99,7 @@ MeshInput readPoints(const fs::path& path)
   return readFile(path,
     [](const fs::path& file)
     {
-      MeshInput points = parse(pointParsers(), ".stl .obj .ply .off .vtk .xyz .txt .csv", file);
+      MeshInput points = parse(pointParsers(), file);
       if (points.points.empty())
       {
         refuse("holds no points");
@@ -90,12 +110,12 @@ MeshInput readPoints(const fs::path& path)
 
 bool isMeshFile(const fs::path& path)
 {
-  return meshParsers().count(extensionOf(path)) > 0;
+  return parserOf(meshParsers(), extensionOf(path)) != nullptr;
 }
 
 bool isPointFile(const fs::path& path)
 {
-  return pointParsers().count(extensionOf(path)) > 0;
+  return parserOf(pointParsers(), extensionOf(path)) != nullptr;
 }
 
 } // namespace medial

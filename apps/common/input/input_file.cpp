@@ -2,6 +2,7 @@
 
 #include "failure.h"
 #include "library_calls.h"
+#include "vtk_messages.h"
 
 namespace fs = std::filesystem;
 
@@ -29,6 +30,16 @@ std::string readContent(const fs::path& path)
   std::string content;
   withFailures([&] { content = files::readContent(path); });
   return content;
+}
+
+void withReaderFailures(const fs::path& path, const std::function<void()>& work)
+{
+  const VtkMessages messages;
+  withFailures(work);
+  if (!messages.first().empty())
+  {
+    refuseFile(path, messages.first());
+  }
 }
 
 } // namespace medial::app

@@ -3,6 +3,7 @@
 #include "files/file_content.h"
 
 #include <filesystem>
+#include <functional>
 #include <string>
 
 namespace medial::app
@@ -24,5 +25,11 @@ std::string stemOf(const std::filesystem::path& path);
 void requireRegularFile(const std::filesystem::path& path);
 std::string readContent(const std::filesystem::path& path);
 ///@}
+
+/// Runs `work`, which reads a file, and turns its errors, and those that VTK reports, into
+/// failures.
+/// @param path the file, for messages of VTK; errors that `work` throws name it themselves.
+/// @throws Failure BadInput naming the file; NoSpace if it does not fit into memory.
+void withReaderFailures(const std::filesystem::path& path, const std::function<void()>& work);
 
 } // namespace medial::app

@@ -1,5 +1,6 @@
 #include "input/model_reader.h"
 
+#include "files/extensions.h"
 #include "input/input_file.h"
 #include "input/vtp_file.h"
 #include "library_calls.h"
@@ -61,7 +62,7 @@ MedialModel readModel(const fs::path& path)
   }
   else
   {
-    refuseFile(path, "unknown extension '" + extensionOf(path) + "', allowed: .vtp .ply .obj .ma");
+    refuseFile(path, files::unknownExtension(path, { ".vtp", ".ply", ".obj", ".ma" }));
   }
   withFailures(path, [&] { checkMedialModel(model); });
   return model;

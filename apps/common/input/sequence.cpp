@@ -32,7 +32,8 @@ std::vector<fs::path> meshesIn(const fs::path& folder)
     throw Failure(ExitCode::BadInput,
       folder.string() +
         (problem ? ": " + problem.message()
-                 : ": no meshes in this folder (.stl, .obj, .ply, .off, .vtp, .vtk)"));
+                 : ": no meshes in this folder (" +
+              files::joined(files::surfaceExtensions(), ", ") + ")"));
   }
   std::sort(files.begin(), files.end());
   return files;

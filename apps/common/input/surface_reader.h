@@ -1,5 +1,6 @@
 #pragma once
 
+#include "files/surface_reader.h"
 #include "input/surface.h"
 
 #include <filesystem>
@@ -7,23 +8,14 @@
 namespace medial::app
 {
 
-/// Reads a mesh file by its extension: .stl, .obj, .ply, .off, .vtp or .vtk. A file that ends
-/// early, contradicts its own header or names points that it does not have is refused, never read
-/// in part. NaN coordinates pass; the library refuses them.
-///
-/// None goes through VTK's readers: they allocate what a header asks for, keep the coordinates of
-/// OBJ and PLY in single precision (1000000.01 becomes 1000000), read the word `nan` in an OBJ file
-/// as 0, and crash on a truncated PLY or legacy VTK file (VTK 9.1).
-///
-/// @throws Failure BadInput naming the file and what is wrong.
+using files::isSurfaceFile;
+
+/// Reads a mesh file as files::readSurface() does.
+/// @throws Failure BadInput naming the file and what is wrong; NoSpace if its content does not fit
+///   into memory.
 Surface readSurface(const std::filesystem::path& path);
 
-/// Reads points, and the cells between them if the file has any: what readSurface() reads, but
-/// cells are not needed, or lines of numbers in .xyz, .txt or .csv, as medial::readPoints() does.
-/// @throws Failure BadInput, also for a file without points.
+/// Reads points, and the cells between them if the file has any, as files::readPointSet() does.
+/// @throws Failure as readSurface().
 Surface readPointSet(const std::filesystem::path& path);
-
-/// Whether readSurface() knows the extension.
-bool isSurfaceFile(const std::filesystem::path& path);
-
 } // namespace medial::app

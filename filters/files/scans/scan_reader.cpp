@@ -18,6 +18,7 @@
 #include <fstream>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace fs = std::filesystem;
 
@@ -138,27 +139,18 @@ Scan makeScan(const ScanHeader& header, std::string_view content)
   return { image, header.frame };
 }
 
-Scan parseNifti(const std::string& content, bool compressed)
+Scan parseNifti(const std::string& content)
 {
-  if (!compressed)
-  {
-    return makeScan(parseNiftiHeader(content), content);
-  }
+  return makeScan(parseNiftiHeader(content), content);
+}
+
+Scan parseDeflatedNifti(const std::string& content)
+{
   const ScanHeader header = parseNiftiHeader(inflateBytes(content, kNiftiHeaderSize));
   return makeScan(header, inflateBytes(content, header.offset + bytesOf(header)));
 }
 
 using HeaderParser = ScanHeader (*)(std::string_view);
-
-// The parser of headers whose values may be in another file; null for the other formats.
-HeaderParser headerParserOf(const std::string& extension)
-{
-  if (extension == ".nrrd")
-  {
-    return parseNrrdHeader;
-  }
-  return extension == ".mha" || extension == ".mhd" ? parseMetaImageHeader : nullptr;
-}
 
 // A header whose values may be in another file, in its folder or below.
 Scan parseWithFile(const fs::path& path, const std::string& content, HeaderParser parse)
@@ -181,20 +173,63 @@ Scan parseWithFile(const fs::path& path, const std::string& content, HeaderParse
   return makeScan(header, readContent(file));
 }
 
+// How to read the files of an extension: one of two parsers.
+struct ScanFormat
+{
+  std::string extension;
+  HeaderParser header;                       // of a header whose values may be in another file
+  Scan (*whole)(const std::string& content); // of the whole file
+};
+
+// In the order in which messages name them.
+const std::vector<ScanFormat>& scanFormats()
+{
+  static const std::vector<ScanFormat> kFormats = {
+    { ".nrrd", parseNrrdHeader, nullptr },
+    { ".mha", parseMetaImageHeader, nullptr },
+    { ".mhd", parseMetaImageHeader, nullptr },
+    { ".nii", nullptr, parseNifti },
+    { ".nii.gz", nullptr, parseDeflatedNifti },
+    { ".vti", nullptr, parseVti },
+  };
+  return kFormats;
+}
+
+// Null where the extension is of no scan.
+const ScanFormat* formatOf(const fs::path& path)
+{
+  const std::vector<ScanFormat>& formats = scanFormats();
+  const auto found = std::find_if(formats.begin(), formats.end(),
+    [extension = extensionOf(path)](const ScanFormat& f) { return f.extension == extension; });
+  return found == formats.end() ? nullptr : &*found;
+}
+
 } // namespace
+
+const Extensions& scanExtensions()
+{
+  static const Extensions kExtensions = []
+  {
+    Extensions extensions;
+    for (const ScanFormat& format : scanFormats())
+    {
+      extensions.push_back(format.extension);
+    }
+    return extensions;
+  }();
+  return kExtensions;
+}
 
 bool isScanFile(const fs::path& path)
 {
-  const std::string extension = extensionOf(path);
-  return headerParserOf(extension) != nullptr || extension == ".nii" || extension == ".nii.gz" ||
-    extension == ".vti";
+  return formatOf(path) != nullptr;
 }
 
 fs::path valuesFileOf(const fs::path& path)
 {
-  const HeaderParser parse = headerParserOf(extensionOf(path));
+  const ScanFormat* const format = formatOf(path);
   std::error_code ignored;
-  if (parse == nullptr || !fs::is_regular_file(path, ignored))
+  if (format == nullptr || format->header == nullptr || !fs::is_regular_file(path, ignored))
   {
     return {};
   }
@@ -205,7 +240,7 @@ fs::path valuesFileOf(const fs::path& path)
   beginning.resize(static_cast<std::size_t>(stream.gcount()));
   try
   {
-    const ScanHeader header = parse(beginning);
+    const ScanHeader header = format->header(beginning);
     return header.file.empty() ? fs::path() : path.parent_path() / header.file;
   }
   catch (const Error&)
@@ -216,25 +251,14 @@ fs::path valuesFileOf(const fs::path& path)
 
 Scan readScan(const fs::path& path)
 {
-  const std::string extension = extensionOf(path);
+  requireExtension(path, scanExtensions());
+  const ScanFormat& format = *formatOf(path);
   const std::string content = readContent(path);
   return withName(path,
     [&]
     {
-      if (extension == ".vti")
-      {
-        return parseVti(content);
-      }
-      if (extension == ".nii" || extension == ".nii.gz")
-      {
-        return parseNifti(content, extension == ".nii.gz");
-      }
-      if (const HeaderParser parse = headerParserOf(extension))
-      {
-        return parseWithFile(path, content, parse);
-      }
-      refuseContent(
-        "unknown extension '" + extension + "', allowed: .nrrd .mha .mhd .nii .nii.gz .vti");
+      return format.whole != nullptr ? format.whole(content)
+                                     : parseWithFile(path, content, format.header);
     });
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "files/extensions.h"
 #include "files/scans/scan_header.h"
 
 #include <vtkImageData.h>
@@ -17,6 +18,9 @@ struct Scan
   ScanFrame frame{};                   ///< from there to physical space
 };
 
+/// Extensions of images.
+const Extensions& scanExtensions();
+
 /// Whether readScan() knows the extension.
 bool isScanFile(const std::filesystem::path& path);
 
@@ -24,12 +28,13 @@ bool isScanFile(const std::filesystem::path& path);
 /// or cannot be read.
 std::filesystem::path valuesFileOf(const std::filesystem::path& path);
 
-/// Reads an image by its extension: .nrrd, .mha, .mhd, .nii, .nii.gz or .vti. What a header
+/// Reads an image by the extension of its file, one of scanExtensions(). What a header
 /// promises is compared with the bytes that are there before memory is allocated. VTK's readers are
 /// not asked: those of 9.1 read no compressed NRRD, leave out the directions of axes, and allocate
 /// what a damaged header says.
 ///
-/// @throws Error naming the file: CannotRead, InvalidInput (see parseNrrdHeader()), OutOfMemory.
+/// @throws Error naming the file: CannotRead, also for an unknown extension, InvalidInput (see
+/// parseNrrdHeader()), OutOfMemory.
 Scan readScan(const std::filesystem::path& path);
 
 } // namespace medial::files

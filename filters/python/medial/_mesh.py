@@ -55,8 +55,7 @@ def surface_of(read: Callable[..., tuple[bytes, bytes]], *arguments: Any) -> Sur
     except MemoryError as error:
         raise OutOfMemoryError(str(error)) from None
     except ValueError as error:
-        # The library alone reads no .vtp files.
-        raise InvalidInputError(str(error).replace(".off .vtk", ".off .vtp .vtk")) from None
+        raise InvalidInputError(str(error)) from None
     return Surface(np.frombuffer(points).reshape(-1, 3).copy(),
                    np.frombuffer(triangles, np.int32).reshape(-1, 3).astype(np.int64))
 

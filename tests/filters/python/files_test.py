@@ -247,7 +247,7 @@ class FilesOfVtk(unittest.TestCase):
 
     def test_vtp_without_faces(self):
         self.write(vtkXMLPolyDataWriter(), vtkPolyData(), "box.vtp")
-        with self.assertRaisesRegex(medial.InvalidInputError, "box.vtp: the mesh has no"):
+        with self.assertRaisesRegex(medial.InvalidInputError, "box.vtp: holds no faces, lines or vertices"):
             medial.read_mesh(self.path.with_suffix(".vtp"))
 
     def test_what_may_be_read(self):
