@@ -1,18 +1,15 @@
 #include "computation.h"
 
-#include "failure.h"
+#include "coverage_policy.h"
+#include "grid_choice.h"
 #include "interrupt.h"
 #include "library_calls.h"
 #include "surface_thickness.h"
+#include "thickness_policy.h"
 #include "timer.h"
 
 #include "medial/compute_distance_field.h"
-#include "medial/error.h"
-#include "medial/point_distance.h"
 
-#include <algorithm>
-#include <cmath>
-#include <string>
 #include <utility>
 
 namespace medial::app
@@ -27,12 +24,6 @@ void computeField(const DistanceFieldOptions& options, FieldSink& field, Result&
   result.sign = result.statistics.sign.method;
 }
 
-double sumOf(const RunStatistics::Seconds& seconds)
-{
-  return seconds.sites + seconds.sign + seconds.cull + seconds.polygons + seconds.draw +
-    seconds.resolve + seconds.medial;
-}
-
 void computeAxis(const Options& options, const MedialAxisOptions& axisOptions, FieldSink* field,
   Result& result)
 {
@@ -44,7 +35,7 @@ void computeAxis(const Options& options, const MedialAxisOptions& axisOptions, F
   else if (result.chosenResolution && result.chosenResolution->axis)
   {
     result.axis = std::move(*result.chosenResolution->axis);
-    result.takenSeconds += sumOf(result.axis.statistics.seconds);
+    result.takenSeconds += result.axis.statistics.seconds.total();
   }
   else
   {
@@ -96,133 +87,7 @@ void measureThickness(const Options& options, const ThicknessOptions& wanted,
   }
 }
 
-void chooseResolution(const Options& options, Watch& watch, Result& result)
-{
-  const Bounds bounds = result.mesh.bounds();
-  MedialAxisOptions ofAxis = libraryOptions(options, bounds.diagonal());
-  ofAxis.field.execution.progress = &watch;
-  SkeletonOptions ofSkeleton = skeletonOptions(options);
-  ofSkeleton.execution.progress = &watch;
-  result.chosenResolution =
-    chooseSkeletonResolution(result.mesh, result.connectivity, ofAxis, ofSkeleton, options.padding);
-  result.grid = makeGrid(bounds, result.chosenResolution->resolution, options.padding);
-}
-
 } // namespace
-
-double maxThicknessEdge(const Options& options, double diagonal)
-{
-  // Limits are to be kept inside large faces as well.
-  constexpr Length kMaxEdge{ 2.0, true };
-  const Length maxEdge =
-    options.maxEdge.value_or(options.hasThicknessLimits() ? kMaxEdge : Length{});
-  return maxEdge.value > 0.0 ? maxEdge.inUnits(diagonal) : 0.0;
-}
-
-void requireLimits(const ThicknessLimits& limits)
-{
-  try
-  {
-    checkThicknessLimits(limits);
-  }
-  catch (const Error& error)
-  {
-    throw Failure(ExitCode::Usage,
-      std::string("--min-thickness, --max-thickness: ") + error.what());
-  }
-}
-
-MeshFigures figuresOf(const TriangleMesh& mesh, const MeshConnectivity& connectivity)
-{
-  return { mesh.triangles.size(), mesh.points.size(), connectivity.components,
-    mesh.degenerateTriangles, connectivity.closed(), connectivity.manifold(),
-    mesh.bounds().diagonal() };
-}
-
-AxisCoverage coverageFor(const Options& options,
-  const std::function<AxisCoverage(std::int64_t samples, double negligible)>& measure)
-{
-  if (!options.wantsWholeCoverage())
-  {
-    constexpr std::int64_t kFewSamples = 4000;
-    AxisCoverage bound = measure(kFewSamples, 0.5 * kNoticeableShare);
-    if (bound.uncoveredShare < 0.5 * kNoticeableShare)
-    {
-      return bound;
-    }
-  }
-  return measure(kDefaultCoverageSamples, 0.0);
-}
-
-bool wantsCoverage(const Options& options, Side side)
-{
-  return side == Side::Interior &&
-    (options.wantsWholeCoverage() || (!options.quiet && options.showsAxis()));
-}
-
-double coverageReach(const Grid& grid)
-{
-  return std::hypot(grid.spacing[0], grid.spacing[1], grid.spacing[2]);
-}
-
-std::vector<double> thicknessAt(const std::vector<UncoveredPlace>& places, const TriangleMesh& mesh,
-  const MeshConnectivity& connectivity, const Execution& execution)
-{
-  ThicknessOptions options;
-  options.method = ThicknessMethod::Ray;
-  options.cells = true;
-  options.execution = execution;
-  const Thickness thickness = computeThickness(mesh, connectivity, options);
-  std::vector<Point3> points;
-  for (const UncoveredPlace& place : places)
-  {
-    points.push_back(place.point);
-  }
-  const PointDistance nearest(mesh, SignMethod::None, execution);
-  const std::vector<std::int64_t> cells = nearest.compute(points, execution).closestCell;
-  std::vector<double> values(places.size(), std::nan(""));
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-  {
-    for (std::size_t place = 0; place < places.size(); ++place)
-    {
-      if (mesh.triangleCells[i] == cells[place])
-      {
-        values[place] = std::fmin(values[place], static_cast<double>(thickness.triangleValues[i]));
-      }
-    }
-  }
-  return values;
-}
-
-Grid gridOf(const Bounds& bounds, const Options& options)
-{
-  if (options.spacing)
-  {
-    const double spacing = *options.spacing;
-    return makeGridWithSpacing(bounds, { spacing, spacing, spacing }, options.padding);
-  }
-  return makeGrid(bounds, options.resolution.value_or(kDefaultResolution), options.padding);
-}
-
-std::optional<double> Result::catchingSpacing(const Options& options) const
-{
-  const double diagonal = meshFigures.diagonal;
-  const double minRadius =
-    std::max(options.lambda.inUnits(diagonal), options.minRadius.inUnits(diagonal));
-  // Four grid points, the corners of a square, lie inside a rod of 2 sqrt(2) times their spacing.
-  constexpr double kSpacings = 3.0;
-  std::optional<double> spacing;
-  for (const double wall : placeThickness)
-  {
-    const double wanted = wall / kSpacings;
-    if (0.5 * wall > minRadius && options.maxSpheres == 0 &&
-      wanted < std::max({ grid.spacing[0], grid.spacing[1], grid.spacing[2] }))
-    {
-      spacing = std::min(wanted, spacing.value_or(wanted));
-    }
-  }
-  return spacing;
-}
 
 Result prepare(const Surface& surface, const Options& options, ProgressBar& bar)
 {

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "computation.h"
 #include "input/surface.h"
 #include "options.h"
 #include "outputs.h"
+#include "result.h"
 
 #include <string>
 #include <vector>

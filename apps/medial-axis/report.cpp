@@ -1,5 +1,6 @@
 #include "report.h"
 
+#include "coverage_policy.h"
 #include "option_names.h"
 #include "output/file_writer.h"
 
@@ -218,7 +219,7 @@ Json describeCoverage(const Result& result, const Options& options)
   {
     places.push_back({ { "point", place.point }, { "share", place.share } });
   }
-  const std::optional<double> spacing = result.catchingSpacing(options);
+  const std::optional<double> spacing = catchingSpacing(result, options);
   return { { "places", places }, { "spacing", spacing ? Json(*spacing) : Json(nullptr) },
     { "uncovered_share", coverage->uncoveredShare }, { "reach", coverage->reach },
     { "samples", coverage->samples }, { "seconds", coverage->seconds } };

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "computation.h"
 #include "options.h"
+#include "result.h"
 
 #include <filesystem>
 #include <string>

@@ -1,5 +1,7 @@
 #include "summary.h"
 
+#include "coverage_policy.h"
+#include "number_text.h"
 #include "option_names.h"
 #include "output/standard_output.h"
 #include "region_table.h"
@@ -236,6 +238,13 @@ void printSkeletonNote(const Options& options, const Skeleton& skeleton)
   }
 }
 
+std::string uncoveredText(const AxisCoverage& coverage)
+{
+  return roundedText(100.0 * coverage.uncoveredShare, 3) +
+    " % of the surface is farther than a voxel's diagonal, " + roundedText(coverage.reach, 4) +
+    ", from what the axis describes";
+}
+
 // Where parts are left out, and which spacing would catch them.
 std::string placesOf(const Options& options, const Result& result)
 {
@@ -247,7 +256,7 @@ std::string placesOf(const Options& options, const Result& result)
     text << separator << "(" << x << ", " << y << ", " << z << ")";
     separator = ", ";
   }
-  if (const std::optional<double> spacing = result.catchingSpacing(options))
+  if (const std::optional<double> spacing = catchingSpacing(result, options))
   {
     text << "; --spacing " << *spacing << " would catch the walls there";
   }
@@ -281,10 +290,8 @@ void printCoverageNote(const Options& options, const Result& result)
   if (coverage.uncoveredShare >= kNoticeableShare)
   {
     std::fprintf(stderr,
-      "medial-axis: note: %s: %.3g %% of the surface is farther than a voxel's diagonal, %.4g, "
-      "from what the axis describes: the grid, the selection or --max-spheres leaves parts out%s\n",
-      options.input.c_str(), 100.0 * coverage.uncoveredShare, coverage.reach,
-      placesOf(options, result).c_str());
+      "medial-axis: note: %s: %s: the grid, the selection or --max-spheres leaves parts out%s\n",
+      options.input.c_str(), uncoveredText(coverage).c_str(), placesOf(options, result).c_str());
   }
 }
 
@@ -365,10 +372,7 @@ void printCoverage(const std::optional<AxisCoverage>& coverage)
     std::printf("coverage  is that of an interior axis alone\n");
     return;
   }
-  std::printf(
-    "coverage  %.3g %% of the surface is farther than a voxel's diagonal, %.4g, from what "
-    "the axis describes\n",
-    100.0 * coverage->uncoveredShare, coverage->reach);
+  std::printf("coverage  %s\n", uncoveredText(*coverage).c_str());
 }
 
 void printSummary(const Options& options, const Result& result, const OutputNotes& notes,

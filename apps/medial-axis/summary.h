@@ -1,9 +1,9 @@
 #pragma once
 
-#include "computation.h"
 #include "options.h"
 #include "output_writer.h"
 #include "report.h"
+#include "result.h"
 
 #include <optional>
 

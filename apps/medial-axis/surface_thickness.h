@@ -1,6 +1,6 @@
 #pragma once
 
-#include "computation.h"
+#include "result.h"
 
 #include "medial/ranks.h"
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "computation.h"
 #include "input/surface.h"
 #include "options.h"
+#include "result.h"
 
 #include "medial/ranks.h"
 #include "medial/triangle_mesh.h"

@@ -1,5 +1,6 @@
 #include "ranks/rank_result.h"
 
+#include "coverage_policy.h"
 #include "input/surface_reader.h"
 #include "library_calls.h"
 #include "ranks/mesh_pieces.h"

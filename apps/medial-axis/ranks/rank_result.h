@@ -1,9 +1,9 @@
 #pragma once
 
-#include "computation.h"
 #include "options.h"
 #include "ranks/rank_input.h"
 #include "ranks/rank_thickness.h"
+#include "result.h"
 
 #include "medial/ranks.h"
 

@@ -7,6 +7,7 @@
 #include "ranks/rank_agreement.h"
 #include "region_table.h"
 #include "surface_thickness.h"
+#include "thickness_policy.h"
 
 #include <algorithm>
 #include <array>

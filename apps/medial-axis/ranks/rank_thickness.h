@@ -1,9 +1,9 @@
 #pragma once
 
-#include "computation.h"
 #include "options.h"
 #include "progress_bar.h"
 #include "ranks/rank_input.h"
+#include "result.h"
 
 #include "medial/ranks.h"
 #include "medial/thickness.h"

@@ -1,7 +1,7 @@
 #include "ranks/run_on_ranks.h"
 
-#include "computation.h"
 #include "failure.h"
+#include "grid_choice.h"
 #include "input/input_file.h"
 #include "library_calls.h"
 #include "number_text.h"

@@ -24,6 +24,9 @@ struct RunStatistics
     double draw = 0;     ///< upload and rasterisation, or evaluation by the processor
     double resolve = 0;  ///< exact distances from the closest sites, and read-back
     double medial = 0;   ///< neighbour directions, selection, and building the axis
+
+    /// All of them.
+    double total() const { return sites + sign + cull + polygons + draw + resolve + medial; }
   };
   Seconds seconds; ///< of each phase
   /// Seconds that the engine `device` spent on its device, by the device's own clock. They run
