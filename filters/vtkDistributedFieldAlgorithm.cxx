@@ -2,8 +2,8 @@
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkMedialExecution.h"
 #include "vtkMedialRanks.h"
+#include "vtkMedialRequests.h"
 #include "vtkMultiProcessController.h"
 
 //------------------------------------------------------------------------------

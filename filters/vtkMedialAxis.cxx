@@ -3,8 +3,10 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMedialEnumerations.h"
 #include "vtkMedialExecution.h"
 #include "vtkMedialFigures.h"
+#include "vtkMedialProgress.h"
 #include "vtkMedialRanks.h"
 #include "vtkMeshConversion.h"
 #include "vtkMeshFieldInternals.h"
@@ -28,36 +30,18 @@ vtkStandardNewMacro(vtkMedialAxis);
 namespace
 {
 
-//------------------------------------------------------------------------------
-medial::Representation ToRepresentation(int representation)
-{
-  switch (representation)
+constexpr vtkMedialEnumeration<medial::Representation, 3> RepresentationValues = { "Representation",
   {
-    case vtkMedialAxis::SURFACE:
-      return medial::Representation::Surface;
-    case vtkMedialAxis::FACES:
-      return medial::Representation::Faces;
-    case vtkMedialAxis::POINTS:
-      return medial::Representation::Points;
-    default:
-      vtkThrowBadParameter("Representation", representation,
-        "one of 0 (surface), 1 (faces), 2 (points)");
-  }
-}
+    { vtkMedialAxis::SURFACE, medial::Representation::Surface, "Surface" },
+    { vtkMedialAxis::FACES, medial::Representation::Faces, "Faces" },
+    { vtkMedialAxis::POINTS, medial::Representation::Points, "Points" },
+  } };
 
-//------------------------------------------------------------------------------
-medial::Topology ToTopology(int topology)
-{
-  switch (topology)
+constexpr vtkMedialEnumeration<medial::Topology, 2> TopologyValues = { "Topology",
   {
-    case vtkMedialAxis::SELECTED:
-      return medial::Topology::Selected;
-    case vtkMedialAxis::PRESERVE:
-      return medial::Topology::Preserve;
-    default:
-      vtkThrowBadParameter("Topology", topology, "one of 0 (selected), 1 (preserve)");
-  }
-}
+    { vtkMedialAxis::SELECTED, medial::Topology::Selected, "Selected" },
+    { vtkMedialAxis::PRESERVE, medial::Topology::Preserve, "Preserve" },
+  } };
 
 //------------------------------------------------------------------------------
 // The options of the axis; those of the field are not set.
@@ -67,10 +51,10 @@ medial::MedialAxisOptions ToOptions(vtkMedialAxis* axis)
   options.angle = axis->GetAngle();
   options.lambda = axis->GetMinimumLambda();
   options.radius = axis->GetMinimumRadius();
-  options.side = vtkToSide(axis->GetSide());
-  options.representation = ToRepresentation(axis->GetRepresentation());
+  options.side = vtkMedialSides.ToLibrary(axis->GetSide());
+  options.representation = RepresentationValues.ToLibrary(axis->GetRepresentation());
   options.maxSpheres = axis->GetMaximumNumberOfSpheres();
-  options.topology = ToTopology(axis->GetTopology());
+  options.topology = TopologyValues.ToLibrary(axis->GetTopology());
   return options;
 }
 
@@ -115,37 +99,19 @@ vtkImageData* vtkMedialAxis::GetDistanceField()
 //------------------------------------------------------------------------------
 const char* vtkMedialAxis::GetSideAsString()
 {
-  return vtkSideAsString(this->Side);
+  return vtkMedialSides.NameOf(this->Side);
 }
 
 //------------------------------------------------------------------------------
 const char* vtkMedialAxis::GetRepresentationAsString()
 {
-  switch (this->Representation)
-  {
-    case SURFACE:
-      return "Surface";
-    case FACES:
-      return "Faces";
-    case POINTS:
-      return "Points";
-    default:
-      return "Unknown";
-  }
+  return RepresentationValues.NameOf(this->Representation);
 }
 
 //------------------------------------------------------------------------------
 const char* vtkMedialAxis::GetTopologyAsString()
 {
-  switch (this->Topology)
-  {
-    case SELECTED:
-      return "Selected";
-    case PRESERVE:
-      return "Preserve";
-    default:
-      return "Unknown";
-  }
+  return TopologyValues.NameOf(this->Topology);
 }
 
 //------------------------------------------------------------------------------
@@ -198,7 +164,7 @@ void vtkMedialAxis::Execute(vtkPolyData* input, vtkInformationVector* outputVect
   const auto record = [&](vtkDataObject* data)
   {
     this->Internals->Record(grid, axis.statistics, data);
-    vtkMedialFigures(data).AddText("Side", vtkSideAsString(vtkFromSide(axis.side)));
+    vtkMedialFigures(data).AddText("Side", vtkMedialSides.NameOfLibrary(axis.side));
   };
   record(output);
   if (this->GenerateDistanceField)
@@ -254,7 +220,7 @@ void vtkMedialAxis::ExecutePieces(vtkDataObject* input, vtkInformationVector* ou
       this->Internals->Record(grid, axis.axis.statistics, output, false);
       vtkMedialFigures figures(output);
       figures.AddRankCounts(counts);
-      figures.AddText("Side", vtkSideAsString(vtkFromSide(axis.axis.side)));
+      figures.AddText("Side", vtkMedialSides.NameOfLibrary(axis.axis.side));
     });
 }
 

@@ -2,7 +2,8 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkMedialExecution.h"
+#include "vtkMedialCells.h"
+#include "vtkMedialProgress.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -40,24 +41,23 @@ void RequirePoint(vtkIdType id, vtkPolyData* input)
 }
 
 //------------------------------------------------------------------------------
+// Throws for points that the input does not have.
 template <typename Visit>
-void ForEachCell(vtkCellArray* cells, vtkPolyData* input, const Visit& visit)
+void VisitCells(vtkCellArray* cells, vtkPolyData* input, const Visit& visit)
 {
-  vtkIdType count = 0;
-  const vtkIdType* ids = nullptr;
-  for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
-  {
-    cells->GetCellAtId(cell, count, ids);
-    std::for_each(ids, ids + count, [&](vtkIdType id) { RequirePoint(id, input); });
-    visit(ids, count);
-  }
+  vtkForEachCell(cells,
+    [&](const vtkIdType* ids, vtkIdType count)
+    {
+      std::for_each(ids, ids + count, [&](vtkIdType id) { RequirePoint(id, input); });
+      visit(ids, count);
+    });
 }
 
 //------------------------------------------------------------------------------
 medial::AxisEdges EdgesOf(vtkPolyData* input)
 {
   medial::AxisEdges edges;
-  ForEachCell(input->GetPolys(), input,
+  VisitCells(input->GetPolys(), input,
     [&](const vtkIdType* ids, vtkIdType count)
     {
       for (vtkIdType i = 0; i < count; ++i)
@@ -65,7 +65,7 @@ medial::AxisEdges EdgesOf(vtkPolyData* input)
         edges.polygonEdges.push_back({ ids[i], ids[(i + 1) % count] });
       }
     });
-  ForEachCell(input->GetLines(), input,
+  VisitCells(input->GetLines(), input,
     [&](const vtkIdType* ids, vtkIdType count)
     {
       for (vtkIdType i = 0; i + 1 < count; ++i)

@@ -6,11 +6,8 @@
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkMedialAxis.h"
 #include "vtkMeshFieldAlgorithm.h"
-#include "vtkNew.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkVersionMacros.h"
 
 #include "medial/error.h"
 
@@ -21,10 +18,6 @@
 #include <new>
 #include <set>
 #include <sstream>
-
-// From this version on executives keep filters downstream from using the output of an aborted
-// filter, without an error message of their own, and leave it to filters to reset AbortExecute.
-#define MEDIAL_VTK_ABORTS_OUTPUTS (VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20221101))
 
 namespace
 {
@@ -157,7 +150,7 @@ int vtkEndWithoutOutput([[maybe_unused]] vtkAlgorithm* algorithm,
 }
 
 //------------------------------------------------------------------------------
-void vtkThrowBadParameter(const char* name, int value, const char* range)
+void vtkThrowBadParameter(const char* name, int value, const std::string& range)
 {
   std::ostringstream message;
   message << name << ' ' << value << " is not " << range;
@@ -172,181 +165,4 @@ medial::Execution vtkToExecution(int numberOfThreads, medial::Progress& progress
     vtkThrowBadParameter("NumberOfThreads", numberOfThreads, ">= 0");
   }
   return { numberOfThreads, &progress };
-}
-
-//------------------------------------------------------------------------------
-medial::Side vtkToSide(int side)
-{
-  switch (side)
-  {
-    case vtkMedialAxis::INTERIOR:
-      return medial::Side::Interior;
-    case vtkMedialAxis::EXTERIOR:
-      return medial::Side::Exterior;
-    case vtkMedialAxis::BOTH:
-      return medial::Side::Both;
-    default:
-      vtkThrowBadParameter("Side", side, "one of 0 (interior), 1 (exterior), 2 (both)");
-  }
-}
-
-//------------------------------------------------------------------------------
-const char* vtkSideAsString(int side)
-{
-  switch (side)
-  {
-    case vtkMedialAxis::INTERIOR:
-      return "Interior";
-    case vtkMedialAxis::EXTERIOR:
-      return "Exterior";
-    case vtkMedialAxis::BOTH:
-      return "Both";
-    default:
-      return "Unknown";
-  }
-}
-
-//------------------------------------------------------------------------------
-int vtkFromSide(medial::Side side)
-{
-  switch (side)
-  {
-    case medial::Side::Interior:
-      return vtkMedialAxis::INTERIOR;
-    case medial::Side::Exterior:
-      return vtkMedialAxis::EXTERIOR;
-    case medial::Side::Both:
-      break;
-  }
-  return vtkMedialAxis::BOTH;
-}
-
-//------------------------------------------------------------------------------
-medial::SignMethod vtkToSignMethod(int method)
-{
-  switch (method)
-  {
-    case vtkMeshFieldAlgorithm::SIGN_AUTO:
-      return medial::SignMethod::Auto;
-    case vtkMeshFieldAlgorithm::SIGN_NONE:
-      return medial::SignMethod::None;
-    case vtkMeshFieldAlgorithm::SIGN_PSEUDONORMAL:
-      return medial::SignMethod::Pseudonormal;
-    case vtkMeshFieldAlgorithm::SIGN_WINDING:
-      return medial::SignMethod::Winding;
-    default:
-      vtkThrowBadParameter("SignMethod", method,
-        "one of 0 (auto), 1 (none), 2 (pseudonormal), 3 (winding)");
-  }
-}
-
-//------------------------------------------------------------------------------
-const char* vtkSignMethodAsString(int method)
-{
-  switch (method)
-  {
-    case vtkMeshFieldAlgorithm::SIGN_AUTO:
-      return "Auto";
-    case vtkMeshFieldAlgorithm::SIGN_NONE:
-      return "None";
-    case vtkMeshFieldAlgorithm::SIGN_PSEUDONORMAL:
-      return "Pseudonormal";
-    case vtkMeshFieldAlgorithm::SIGN_WINDING:
-      return "Winding";
-    default:
-      return "Unknown";
-  }
-}
-
-//------------------------------------------------------------------------------
-int vtkFromSignMethod(medial::SignMethod method)
-{
-  switch (method)
-  {
-    case medial::SignMethod::None:
-      return vtkMeshFieldAlgorithm::SIGN_NONE;
-    case medial::SignMethod::Pseudonormal:
-      return vtkMeshFieldAlgorithm::SIGN_PSEUDONORMAL;
-    case medial::SignMethod::Winding:
-      return vtkMeshFieldAlgorithm::SIGN_WINDING;
-    case medial::SignMethod::Auto:
-      break;
-  }
-  return vtkMeshFieldAlgorithm::SIGN_AUTO;
-}
-
-//------------------------------------------------------------------------------
-void vtkAcceptSurface(vtkInformation* port, bool inPieces)
-{
-  vtkInformationStringVectorKey* types = vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE();
-  port->Remove(types);
-  port->Append(types, "vtkPolyData");
-  if (inPieces)
-  {
-    port->Append(types, "vtkUnstructuredGrid");
-    port->Append(types, "vtkCompositeDataSet");
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkRequestWhole(vtkInformation* request)
-{
-  vtkRequestPiece(request, 0, 1);
-}
-
-//------------------------------------------------------------------------------
-void vtkRequestPiece(vtkInformation* request, int piece, int pieces)
-{
-  request->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), piece);
-  request->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), pieces);
-  request->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
-}
-
-//------------------------------------------------------------------------------
-bool vtkUpdateInput(vtkAlgorithm* algorithm, int piece, int pieces)
-{
-  int port = 0;
-  vtkAlgorithm* producer = algorithm->GetInputAlgorithm(0, 0, port);
-  vtkNew<vtkInformationVector> requests;
-  requests->SetNumberOfInformationObjects(producer->GetNumberOfOutputPorts());
-  vtkRequestPiece(requests->GetInformationObject(port), piece, pieces);
-  return producer->Update(port, requests) != 0;
-}
-
-//------------------------------------------------------------------------------
-vtkProgressBridge::vtkProgressBridge(vtkAlgorithm* algorithm)
-  : Algorithm(algorithm)
-{
-#if MEDIAL_VTK_ABORTS_OUTPUTS
-  algorithm->AbortExecute = 0;
-#endif
-}
-
-//------------------------------------------------------------------------------
-void vtkProgressBridge::report(double fraction, const char* phase)
-{
-  this->Algorithm->SetProgressText(phase);
-  this->Algorithm->UpdateProgress(fraction);
-}
-
-//------------------------------------------------------------------------------
-bool vtkProgressBridge::cancelled()
-{
-  return this->Algorithm->GetAbortExecute() != 0;
-}
-
-//------------------------------------------------------------------------------
-void vtkProgressBridge::ReportOrStop(double fraction, const char* phase)
-{
-  this->report(fraction, phase);
-  if (this->cancelled())
-  {
-    throw medial::Error(medial::ErrorCode::Cancelled, "cancelled");
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkProgressPart::report(double fraction, const char* phase)
-{
-  this->Bridge.report(this->From + fraction * (this->To - this->From), phase);
 }

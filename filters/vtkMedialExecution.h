@@ -1,20 +1,22 @@
 /**
- * How all filters run the library: progress, abort, errors and threads in VTK's terms. Private to
- * the module.
+ * How all filters run the library: abort, errors and threads in VTK's terms. Private to the module.
  */
 
 #ifndef vtkMedialExecution_h
 #define vtkMedialExecution_h
 
+#include "vtkVersionMacros.h"
+
 #include "medial/execution.h"
-#include "medial/side.h"
-#include "medial/sign_method.h"
 
 #include <functional>
 #include <string>
 
+// From this version on executives keep filters downstream from using the output of an aborted
+// filter, without an error message of their own, and leave it to filters to reset AbortExecute.
+#define MEDIAL_VTK_ABORTS_OUTPUTS (VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20221101))
+
 class vtkAlgorithm;
-class vtkInformation;
 class vtkInformationVector;
 
 /**
@@ -40,98 +42,12 @@ int vtkEndWithoutOutput(vtkAlgorithm* algorithm, vtkInformationVector* outputVec
 /**
  * Throws a medial::Error which says that the value of a parameter is not in range.
  */
-[[noreturn]] void vtkThrowBadParameter(const char* name, int value, const char* range);
+[[noreturn]] void vtkThrowBadParameter(const char* name, int value, const std::string& range);
 
 /**
  * The parameter NumberOfThreads and the receiver of progress as the library takes them. Throws if
  * the number is negative.
  */
 medial::Execution vtkToExecution(int numberOfThreads, medial::Progress& progress);
-
-///@{
-/**
- * Conversions of the parameter Side: to the library's side (throws if the value is none of Sides),
- * to a word, and back from the library's side.
- */
-medial::Side vtkToSide(int side);
-const char* vtkSideAsString(int side);
-int vtkFromSide(medial::Side side);
-///@}
-
-///@{
-/**
- * The same for the parameter SignMethod, one of SignMethods.
- */
-medial::SignMethod vtkToSignMethod(int method);
-const char* vtkSignMethodAsString(int method);
-int vtkFromSignMethod(medial::SignMethod method);
-///@}
-
-/**
- * Lets an input port take vtkPolyData and, where it may be in pieces, all that these come as. The
- * pipeline goes through the blocks of composite input that is not asked for.
- */
-void vtkAcceptSurface(vtkInformation* port, bool inPieces);
-
-///@{
-/**
- * Asks for the whole input, or for one of several pieces without ghosts, whatever is asked of the
- * filter.
- */
-void vtkRequestWhole(vtkInformation* request);
-void vtkRequestPiece(vtkInformation* request, int piece, int pieces);
-///@}
-
-/**
- * Brings the first input up to date, as that. Returns whether its producer could.
- */
-bool vtkUpdateInput(vtkAlgorithm* algorithm, int piece, int pieces);
-
-/**
- * Passes the library's progress on to a VTK algorithm's observers, and their requests to stop back
- * to the library.
- */
-class vtkProgressBridge : public medial::Progress
-{
-public:
-  /**
-   * Starts a new execution: a request to stop an earlier one is forgotten.
-   */
-  explicit vtkProgressBridge(vtkAlgorithm* algorithm);
-
-  void report(double fraction, const char* phase) override;
-  bool cancelled() override;
-
-  /**
-   * As report(), for work of the filter itself. Throws medial::Error Cancelled if an observer wants
-   * to stop.
-   */
-  void ReportOrStop(double fraction, const char* phase);
-
-private:
-  vtkAlgorithm* Algorithm;
-};
-
-/**
- * Progress of the library as a part of the execution, from one share of the work to another.
- */
-class vtkProgressPart : public medial::Progress
-{
-public:
-  vtkProgressPart(vtkProgressBridge& bridge, double from, double to)
-    : Bridge(bridge)
-    , From(from)
-    , To(to)
-  {
-  }
-
-  void report(double fraction, const char* phase) override;
-  bool cancelled() override { return this->Bridge.cancelled(); }
-
-private:
-  vtkProgressBridge& Bridge;
-  double From;
-  double To;
-};
 
 #endif

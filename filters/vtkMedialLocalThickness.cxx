@@ -7,8 +7,10 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMedialEnumerations.h"
 #include "vtkMedialExecution.h"
 #include "vtkMedialFigures.h"
+#include "vtkMedialProgress.h"
 #include "vtkMeshConversion.h"
 #include "vtkMeshFieldInternals.h"
 #include "vtkNew.h"
@@ -80,7 +82,7 @@ vtkImageData* vtkMedialLocalThickness::GetOutput()
 //------------------------------------------------------------------------------
 const char* vtkMedialLocalThickness::GetSideAsString()
 {
-  return vtkSideAsString(this->Side);
+  return vtkMedialSides.NameOf(this->Side);
 }
 
 //------------------------------------------------------------------------------
@@ -113,7 +115,7 @@ int vtkMedialLocalThickness::RequestData(vtkInformation*, vtkInformationVector**
       vtkInternals::Begin(outputVector);
       vtkProgressBridge progress(this);
       medial::LocalThicknessOptions options;
-      options.side = vtkToSide(this->Side);
+      options.side = vtkMedialSides.ToLibrary(this->Side);
       options.bins = this->NumberOfBins;
       options.field = this->Internals->MakeOptions(progress);
       this->Internals->UpdateMesh(vtkPolyData::GetData(inputVector[0]), options.field.execution);

@@ -1,11 +1,9 @@
 #include "vtkMedialModelConversion.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
 #include "vtkDataArray.h"
+#include "vtkMedialCells.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
 
 #include "medial/error.h"
 
@@ -13,20 +11,6 @@
 
 namespace
 {
-
-//------------------------------------------------------------------------------
-template <typename Visit>
-void ForEachCell(vtkCellArray* cells, const Visit& visit)
-{
-  auto iterator = vtk::TakeSmartPointer(cells->NewIterator());
-  for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell())
-  {
-    vtkIdType size;
-    const vtkIdType* ids;
-    iterator->GetCurrentCell(size, ids);
-    visit(ids, size);
-  }
-}
 
 //------------------------------------------------------------------------------
 void AddPolygon(const vtkIdType* ids, vtkIdType size, medial::MedialModel& model)
@@ -70,10 +54,10 @@ medial::MedialModel vtkMedialModelConversion::ToMedialModel(vtkPolyData* axis)
 {
   medial::MedialModel model;
   AddBalls(axis, model);
-  ForEachCell(axis->GetVerts(),
+  vtkForEachCell(axis->GetVerts(),
     [&](const vtkIdType* ids, vtkIdType size)
     { model.vertices.insert(model.vertices.end(), ids, ids + size); });
-  ForEachCell(axis->GetLines(),
+  vtkForEachCell(axis->GetLines(),
     [&](const vtkIdType* ids, vtkIdType size)
     {
       for (vtkIdType i = 1; i < size; ++i)
@@ -81,9 +65,9 @@ medial::MedialModel vtkMedialModelConversion::ToMedialModel(vtkPolyData* axis)
         model.lines.push_back({ ids[i - 1], ids[i] });
       }
     });
-  ForEachCell(axis->GetPolys(),
+  vtkForEachCell(axis->GetPolys(),
     [&](const vtkIdType* ids, vtkIdType size) { AddPolygon(ids, size, model); });
-  ForEachCell(axis->GetStrips(),
+  vtkForEachCell(axis->GetStrips(),
     [&](const vtkIdType* ids, vtkIdType size)
     {
       for (vtkIdType i = 2; i < size; ++i)

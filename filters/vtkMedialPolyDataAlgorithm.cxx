@@ -4,6 +4,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMedialExecution.h"
+#include "vtkMedialRequests.h"
 #include "vtkMedialTimes.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"

@@ -4,6 +4,7 @@
 #include "vtkInformationVector.h"
 #include "vtkMedialExecution.h"
 #include "vtkMedialFigures.h"
+#include "vtkMedialProgress.h"
 #include "vtkMeshConversion.h"
 #include "vtkMeshFieldInternals.h"
 #include "vtkObjectFactory.h"

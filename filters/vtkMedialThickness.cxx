@@ -3,9 +3,12 @@
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMedialEnumerations.h"
 #include "vtkMedialExecution.h"
 #include "vtkMedialFigures.h"
+#include "vtkMedialProgress.h"
 #include "vtkMedialRanks.h"
+#include "vtkMedialRequests.h"
 #include "vtkMeshConversion.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
@@ -31,6 +34,13 @@
 namespace
 {
 
+constexpr vtkMedialEnumeration<medial::ThicknessMethod, 3> MethodValues = { "Method",
+  {
+    { vtkMedialThickness::BALL, medial::ThicknessMethod::Ball, "Ball" },
+    { vtkMedialThickness::RAY, medial::ThicknessMethod::Ray, "Ray" },
+    { vtkMedialThickness::WALL, medial::ThicknessMethod::Wall, "Wall" },
+  } };
+
 //------------------------------------------------------------------------------
 // Nothing for 0.
 std::optional<double> LimitOf(const char* name, double value)
@@ -42,23 +52,6 @@ std::optional<double> LimitOf(const char* name, double value)
     throw medial::Error(medial::ErrorCode::InvalidInput, text.str());
   }
   return value > 0.0 ? std::optional(value) : std::nullopt;
-}
-
-//------------------------------------------------------------------------------
-medial::ThicknessMethod ToMethod(int method)
-{
-  switch (method)
-  {
-    case vtkMedialThickness::BALL:
-      return medial::ThicknessMethod::Ball;
-    case vtkMedialThickness::RAY:
-      return medial::ThicknessMethod::Ray;
-    case vtkMedialThickness::WALL:
-      return medial::ThicknessMethod::Wall;
-    default:
-      throw medial::Error(medial::ErrorCode::InvalidInput,
-        "thickness method " + std::to_string(method) + " is outside [0, 2]");
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -81,8 +74,8 @@ Request ToRequest(vtkMedialThickness* filter, vtkProgressBridge& progress)
     LimitOf("maximum thickness", filter->GetMaximumThickness()) };
   request.MaximumEdgeLength = LimitOf("maximum edge length", filter->GetMaximumEdgeLength());
   request.Options.angle = filter->GetAngle();
-  request.Options.side = vtkToSide(filter->GetSide());
-  request.Options.method = ToMethod(filter->GetMethod());
+  request.Options.side = vtkMedialSides.ToLibrary(filter->GetSide());
+  request.Options.method = MethodValues.ToLibrary(filter->GetMethod());
   request.Options.cells = filter->GetCellValues() || request.IsLimited();
   request.Options.execution = vtkToExecution(filter->GetNumberOfThreads(), progress);
   if (request.IsLimited())
@@ -134,23 +127,13 @@ vtkMedialThickness::~vtkMedialThickness() = default;
 //------------------------------------------------------------------------------
 const char* vtkMedialThickness::GetSideAsString()
 {
-  return vtkSideAsString(this->Side);
+  return vtkMedialSides.NameOf(this->Side);
 }
 
 //------------------------------------------------------------------------------
 const char* vtkMedialThickness::GetMethodAsString()
 {
-  switch (this->Method)
-  {
-    case BALL:
-      return "Ball";
-    case RAY:
-      return "Ray";
-    case WALL:
-      return "Wall";
-    default:
-      return "(unknown)";
-  }
+  return MethodValues.NameOf(this->Method);
 }
 
 //------------------------------------------------------------------------------

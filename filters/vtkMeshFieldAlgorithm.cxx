@@ -6,7 +6,9 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMedialEnumerations.h"
 #include "vtkMedialExecution.h"
+#include "vtkMedialRequests.h"
 #include "vtkMeshFieldInternals.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -16,16 +18,6 @@
 
 namespace
 {
-
-const char* const GridModeNames[] = { "Resolution", "Spacing", "Explicit" };
-const char* const EngineNames[] = { "Auto", "Rasteriser", "Processor", "Device" };
-
-//------------------------------------------------------------------------------
-template <std::size_t Count>
-const char* NameOf(const char* const (&names)[Count], int value)
-{
-  return value >= 0 && value < static_cast<int>(Count) ? names[value] : "Unknown";
-}
 
 //------------------------------------------------------------------------------
 // The pipeline marks outputs this way while it goes through the blocks of composite input.
@@ -153,19 +145,19 @@ void vtkMeshFieldAlgorithm::SetDevice(const char* device)
 //------------------------------------------------------------------------------
 const char* vtkMeshFieldAlgorithm::GetGridModeAsString()
 {
-  return NameOf(GridModeNames, this->GridMode);
+  return vtkMedialGridModes.NameOf(this->GridMode);
 }
 
 //------------------------------------------------------------------------------
 const char* vtkMeshFieldAlgorithm::GetSignMethodAsString()
 {
-  return vtkSignMethodAsString(this->SignMethod);
+  return vtkMedialSignMethods.NameOf(this->SignMethod);
 }
 
 //------------------------------------------------------------------------------
 const char* vtkMeshFieldAlgorithm::GetEngineAsString()
 {
-  return NameOf(EngineNames, this->Engine);
+  return vtkMedialEngines.NameOf(this->Engine);
 }
 
 //------------------------------------------------------------------------------

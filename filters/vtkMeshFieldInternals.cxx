@@ -5,6 +5,7 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMedialEnumerations.h"
 #include "vtkMedialExecution.h"
 #include "vtkMedialFigures.h"
 #include "vtkPointData.h"
@@ -20,42 +21,6 @@
 
 namespace
 {
-
-//------------------------------------------------------------------------------
-medial::Engine ToEngine(int engine)
-{
-  switch (engine)
-  {
-    case vtkMeshFieldAlgorithm::ENGINE_AUTO:
-      return medial::Engine::Auto;
-    case vtkMeshFieldAlgorithm::ENGINE_RASTERISER:
-      return medial::Engine::Rasteriser;
-    case vtkMeshFieldAlgorithm::ENGINE_PROCESSOR:
-      return medial::Engine::Processor;
-    case vtkMeshFieldAlgorithm::ENGINE_DEVICE:
-      return medial::Engine::Device;
-    default:
-      vtkThrowBadParameter("Engine", engine,
-        "one of 0 (auto), 1 (rasteriser), 2 (processor), 3 (device)");
-  }
-}
-
-//------------------------------------------------------------------------------
-const char* NameOf(medial::Engine engine)
-{
-  switch (engine)
-  {
-    case medial::Engine::Auto:
-      return "Auto";
-    case medial::Engine::Rasteriser:
-      return "Rasteriser";
-    case medial::Engine::Processor:
-      return "Processor";
-    case medial::Engine::Device:
-      return "Device";
-  }
-  return "Unknown";
-}
 
 //------------------------------------------------------------------------------
 void AddMesh(const medial::TriangleMesh& mesh, const medial::MeshConnectivity& connectivity,
@@ -153,23 +118,19 @@ medial::Grid vtkMeshFieldAlgorithm::vtkInternals::MakeGrid(const medial::Bounds&
 {
   const vtkMeshFieldAlgorithm* self = this->Self;
   const medial::Point3 spacing = { self->Spacing[0], self->Spacing[1], self->Spacing[2] };
-  if (self->GridMode == EXPLICIT)
-  {
-    const medial::Grid grid = { { self->Origin[0], self->Origin[1], self->Origin[2] }, spacing,
-      { self->Dimensions[0], self->Dimensions[1], self->Dimensions[2] } };
-    medial::validateGrid(grid);
-    return grid;
-  }
-  switch (self->GridMode)
+  switch (vtkMedialGridModes.ToLibrary(self->GridMode))
   {
     case RESOLUTION:
       return medial::makeGrid(bounds, self->Resolution, self->Padding);
     case SPACING:
       return medial::makeGridWithSpacing(bounds, spacing, self->Padding);
-    default:
-      vtkThrowBadParameter("GridMode", self->GridMode,
-        "one of 0 (resolution), 1 (spacing), 2 (explicit)");
+    case EXPLICIT:
+      break;
   }
+  const medial::Grid grid = { { self->Origin[0], self->Origin[1], self->Origin[2] }, spacing,
+    { self->Dimensions[0], self->Dimensions[1], self->Dimensions[2] } };
+  medial::validateGrid(grid);
+  return grid;
 }
 
 //------------------------------------------------------------------------------
@@ -245,8 +206,8 @@ medial::DistanceFieldOptions vtkMeshFieldAlgorithm::vtkInternals::MakeOptions(
     vtkThrowBadParameter("MemoryLimit", self->MemoryLimit, "0 or >= 64 (MiB)");
   }
   medial::DistanceFieldOptions options;
-  options.sign = vtkToSignMethod(self->SignMethod);
-  options.engine = ToEngine(self->Engine);
+  options.sign = vtkMedialSignMethods.ToLibrary(self->SignMethod);
+  options.engine = vtkMedialEngines.ToLibrary(self->Engine);
   options.device = self->Device;
   options.execution = vtkToExecution(self->NumberOfThreads, progress);
   options.memoryMiB = static_cast<std::size_t>(self->MemoryLimit);
@@ -270,9 +231,9 @@ void vtkMeshFieldAlgorithm::vtkInternals::Record(const medial::Grid& grid,
   const medial::RunStatistics& statistics, vtkDataObject* output, bool withMesh)
 {
   vtkMedialFigures figures(output);
-  figures.AddText("SignMethod", vtkSignMethodAsString(vtkFromSignMethod(statistics.sign.method)));
+  figures.AddText("SignMethod", vtkMedialSignMethods.NameOfLibrary(statistics.sign.method));
   figures.AddText("SignReason", statistics.sign.reason);
-  figures.AddText("Engine", NameOf(statistics.engine));
+  figures.AddText("Engine", vtkMedialEngines.NameOfLibrary(statistics.engine));
   if (!statistics.note.empty())
   {
     figures.AddText("EngineNote", statistics.note);

@@ -4,8 +4,11 @@
 #include "vtkErrorCode.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMedialEnumerations.h"
 #include "vtkMedialExecution.h"
 #include "vtkMedialFigures.h"
+#include "vtkMedialProgress.h"
+#include "vtkMedialRequests.h"
 #include "vtkMedialTimes.h"
 #include "vtkMeshConversion.h"
 #include "vtkObjectFactory.h"
@@ -55,7 +58,7 @@ public:
       this->Distance.reset();
       this->Distance = std::make_unique<medial::PointDistance>(
         medial::buildTriangleMesh(vtkMeshConversion::ToMeshInput(surface)),
-        vtkToSignMethod(signMethod), execution);
+        vtkMedialSignMethods.ToLibrary(signMethod), execution);
       this->Surface = surface;
       this->MTime = surface->GetMTime();
       this->SignMethod = signMethod;
@@ -96,7 +99,7 @@ void vtkMeshPointDistance::SetSurfaceData(vtkPolyData* surface)
 //------------------------------------------------------------------------------
 const char* vtkMeshPointDistance::GetSignMethodAsString()
 {
-  return vtkSignMethodAsString(this->SignMethod);
+  return vtkMedialSignMethods.NameOf(this->SignMethod);
 }
 
 //------------------------------------------------------------------------------
@@ -183,7 +186,7 @@ void vtkMeshPointDistance::Execute(vtkDataSet* points, vtkPolyData* surface, vtk
   vtkMeshConversion::AddDistances(result, output);
   const medial::DistanceSummary summary = medial::summarise(result);
   vtkMedialFigures figures(output);
-  figures.AddText("SignMethod", vtkSignMethodAsString(vtkFromSignMethod(distance.sign().method)));
+  figures.AddText("SignMethod", vtkMedialSignMethods.NameOfLibrary(distance.sign().method));
   figures.AddText("SignReason", distance.sign().reason);
   figures.AddNumber("MinDistance", summary.min);
   figures.AddNumber("MaxDistance", summary.max);

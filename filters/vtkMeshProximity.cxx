@@ -2,6 +2,7 @@
 
 #include "vtkLinearTransform.h"
 #include "vtkMedialExecution.h"
+#include "vtkMedialProgress.h"
 #include "vtkMedialTimes.h"
 #include "vtkMeshProximityInternals.h"
 #include "vtkObjectFactory.h"

@@ -305,7 +305,8 @@ TEST(MedialThicknessFilter, RefusesLimitsThatContradictEachOther)
     repair, "minimum thickness 2 is not below maximum thickness 1");
   expectError([](F f) { f->SetMinimumThickness(-1.0); }, repair, "minimum thickness -1");
   expectError([](F f) { f->SetMaximumEdgeLength(-1.0); }, repair, "maximum edge length -1");
-  expectError([](F f) { f->SetMethod(3); }, repair, "thickness method 3");
+  expectError([](F f) { f->SetMethod(3); }, repair,
+    "Method 3 is not one of 0 (ball), 1 (ray), 2 (wall)");
   auto open = boxPolyData();
   open->GetPolys()->Initialize();
   open->GetPolys()->InsertNextCell({ 0, 1, 3 });

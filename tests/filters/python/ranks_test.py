@@ -301,7 +301,7 @@ class Ranks(unittest.TestCase):
             ({**limited, "fault": "hole", "rank": 0}, "^limits of the thickness of one side need a mesh with an inside"),
             ({**thickness, "options of ranks": {"1": {"Method": 2}}}, "rank 1: Method Wall, but rank 0 has Method Ball"),
             ({**limited, "options of ranks": {"2": {"MinimumThickness": 1.4}}}, "rank 2: MinimumThickness 1.3999"),
-            ({**thickness, "options": {"Method": 3}}, "^thickness method 3 is outside"),
+            ({**thickness, "options": {"Method": 3}}, "^Method 3 is not one of 0"),
             ({**thickness, "options": {"Angle": 200}}, "200"),
             ({**thickness, "options": {"MaximumEdgeLength": 1e-9}}, "^edges of at most 1e-09 need more than"),
             ({**thickness, "options of ranks": {"1": {"MaximumEdgeLength": 0.1}}},
