@@ -43,4 +43,16 @@ void withSharedFailures(Communicator& communicator, const std::function<void()>&
   }
 }
 
+void withFailuresOfFirst(Communicator& communicator, const std::function<void()>& work)
+{
+  withSharedFailures(communicator,
+    [&]
+    {
+      if (communicator.rank() == 0)
+      {
+        work();
+      }
+    });
+}
+
 } // namespace medial::app

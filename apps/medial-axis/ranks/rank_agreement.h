@@ -31,4 +31,8 @@ std::vector<T> gatheredValues(Communicator& communicator, const T& own)
 ///   have the same.
 void withSharedFailures(Communicator& communicator, const std::function<void()>& work);
 
+/// Does work on the first rank alone. Every rank calls it.
+/// @throws Failure on every rank if it has failed.
+void withFailuresOfFirst(Communicator& communicator, const std::function<void()>& work);
+
 } // namespace medial::app

@@ -144,32 +144,29 @@ Share readShare(const Options& options, bool keepsWhole, Communicator& communica
     return share;
   }
   std::vector<Message> messages(static_cast<std::size_t>(communicator.size()));
-  withSharedFailures(communicator,
+  withFailuresOfFirst(communicator,
     [&]
     {
-      if (communicator.rank() == 0)
-      {
-        withFailures(options.input,
-          [&]
+      withFailures(options.input,
+        [&]
+        {
+          Surface surface = readSurface(options.input);
+          TriangleMesh mesh = surface.toTriangleMesh();
+          messages = sharesOf(mesh, messages.size());
+          if (!options.report.empty())
           {
-            Surface surface = readSurface(options.input);
-            TriangleMesh mesh = surface.toTriangleMesh();
-            messages = sharesOf(mesh, messages.size());
-            if (!options.report.empty())
-            {
-              share.figures =
-                figuresOf(mesh, analyseConnectivity(mesh, { options.threads, nullptr }));
-            }
-            if (keepsWhole)
-            {
-              share.whole = std::move(mesh);
-            }
-            if (extensionOf(options.thickness) == ".vtp")
-            {
-              share.surface = std::move(surface);
-            }
-          });
-      }
+            share.figures =
+              figuresOf(mesh, analyseConnectivity(mesh, { options.threads, nullptr }));
+          }
+          if (keepsWhole)
+          {
+            share.whole = std::move(mesh);
+          }
+          if (extensionOf(options.thickness) == ".vtp")
+          {
+            share.surface = std::move(surface);
+          }
+        });
     });
   share.piece =
     receivedPiece(std::move(communicator.exchange(std::move(messages)).front()), share.bounds);

@@ -55,16 +55,13 @@ void measurePlaces(const Options& options, Communicator& communicator, Result& r
   {
     return;
   }
-  withSharedFailures(communicator,
+  withFailuresOfFirst(communicator,
     [&]
     {
-      if (communicator.rank() == 0)
-      {
-        const Execution execution{ options.threads, nullptr };
-        const TriangleMesh mesh = readSurface(options.input).toTriangleMesh();
-        result.placeThickness = thicknessAt(result.coverage->places, mesh,
-          analyseConnectivity(mesh, execution), execution);
-      }
+      const Execution execution{ options.threads, nullptr };
+      const TriangleMesh mesh = readSurface(options.input).toTriangleMesh();
+      result.placeThickness =
+        thicknessAt(result.coverage->places, mesh, analyseConnectivity(mesh, execution), execution);
     });
 }
 

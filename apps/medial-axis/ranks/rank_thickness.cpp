@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -202,20 +203,17 @@ void gatherRegions(Communicator& communicator, const SurfacePiece& piece,
   ListMessage own;
   own.put(trianglesOf(regions, piece, result.thickness));
   std::vector<Message> messages = atFirst(communicator, std::move(own.bytes));
-  withSharedFailures(communicator,
+  withFailuresOfFirst(communicator,
     [&]
     {
-      if (communicator.rank() == 0)
+      std::vector<RegionTriangle> triangles;
+      for (Message& bytes : messages)
       {
-        std::vector<RegionTriangle> triangles;
-        for (Message& bytes : messages)
-        {
-          std::vector<RegionTriangle> some;
-          ListMessage(std::move(bytes)).take(some);
-          triangles.insert(triangles.end(), some.begin(), some.end());
-        }
-        takeRegions(std::move(triangles), piece.weld, std::move(regions), result);
+        std::vector<RegionTriangle> some;
+        ListMessage(std::move(bytes)).take(some);
+        triangles.insert(triangles.end(), some.begin(), some.end());
       }
+      takeRegions(std::move(triangles), piece.weld, std::move(regions), result);
     });
 }
 
@@ -261,26 +259,16 @@ RankThickness computeThickness(const Options& options, Communicator& communicato
   result.triangles = gatheredValues(communicator, own);
   if (extensionOf(options.thickness) == ".pvtp")
   {
-    std::int64_t first = 0;
-    for (int rank = 0; rank < communicator.rank(); ++rank)
-    {
-      first += result.triangles[rank];
-    }
-    result.piece = pieceWithThickness(piece, result.thickness, first);
+    const auto here = result.triangles.begin() + communicator.rank();
+    result.piece = pieceWithThickness(piece, result.thickness,
+      std::accumulate(result.triangles.begin(), here, std::int64_t{ 0 }));
   }
   if (needsWholeForThickness(options))
   {
     Thickness whole = gatheredThickness(communicator, piece, result.thickness);
-    withSharedFailures(communicator,
-      [&]
-      {
-        if (communicator.rank() == 0)
-        {
-          withFailures(options.input,
-            [&]
-            { result.surface = wholeSurface(share, maxEdge, std::move(whole), wanted.execution); });
-        }
-      });
+    const auto make = [&]
+    { result.surface = wholeSurface(share, maxEdge, std::move(whole), wanted.execution); };
+    withFailuresOfFirst(communicator, [&] { withFailures(options.input, make); });
   }
   if (options.hasThicknessLimits())
   {
