@@ -43,4 +43,24 @@ private:
   std::int64_t count_;
 };
 
+/// What is left of a solid at a position of the grid.
+class CornerCells
+{
+public:
+  CornerCells() = default;
+  /// @param position as CornerNumbers, of the first solid.
+  /// @param bits one for each cell of the cubical complex there, as CubicalComplex.
+  CornerCells(std::int64_t position, std::uint8_t bits)
+    : packed_(kBits * position + bits)
+  {
+  }
+
+  std::int64_t position() const { return packed_ / kBits; }
+  std::uint8_t bits() const { return static_cast<std::uint8_t>(packed_ % kBits); }
+
+private:
+  static constexpr std::int64_t kBits = 256;
+  std::int64_t packed_ = 0; ///< half of what two members would take
+};
+
 } // namespace medial

@@ -204,7 +204,7 @@ std::vector<CurveRecord> sharedOut(const PreservationInput& input, const CornerN
     const std::int64_t middle = patch.numbers[curve.points[curve.points.size() / 2]];
     for (const std::int64_t p : curve.points)
     {
-      lists[input.share.ownerOf(corners.cell(middle))].push_back(
+      lists[input.part.share().ownerOf(corners.cell(middle))].push_back(
         { static_cast<int>(c), static_cast<std::uint8_t>(curve.curve.closed ? 1 : 0),
           static_cast<std::uint8_t>(curve.firstStays ? 1 : 0),
           static_cast<std::uint8_t>(curve.lastStays ? 1 : 0), patch.numbers[p],
@@ -220,8 +220,8 @@ std::vector<CurveRecord> sharedOut(const PreservationInput& input, const CornerN
 std::vector<CurveRecord> straightened(const PreservationInput& input, const Checkpoint& checkpoint,
   const std::vector<CurveRecord>& records)
 {
-  const GridFrame& frame = input.field.frame();
-  const Extent& whole = input.share.whole();
+  const GridFrame& frame = input.part.field().frame();
+  const Extent& whole = input.part.share().whole();
   OwnCurves curves(records);
   const int last = std::max({ whole.max[0], whole.max[1], whole.max[2] });
   for (int margin = kMargin;; margin *= 2)
@@ -231,19 +231,19 @@ std::vector<CurveRecord> straightened(const PreservationInput& input, const Chec
     {
       known.add(record.point.position, margin);
     }
-    input.field.bring(input.communicator, known.boxes(), {});
-    bool enough = curves.findSites(SitesHere(input.field.siteNumbers()));
+    input.part.field().bring(input.communicator, known.boxes(), {});
+    bool enough = curves.findSites(SitesHere(input.part.field().siteNumbers()));
     if (enough && !records.empty())
     {
       const MedialAxisOptions& options = input.options;
       withMemoryErrors(whole.pointCount(),
         [&]
         {
-          input.run.onThreads(
+          input.part.run().onThreads(
             [&]
             {
-              const AxisGeometry geometry{ input.field.sites(), input.field.query(), frame, whole,
-                whole, glm::radians(options.angle), options.lambda / frame.unit,
+              const AxisGeometry geometry{ input.part.field().sites(), input.part.field().query(),
+                frame, whole, whole, glm::radians(options.angle), options.lambda / frame.unit,
                 options.radius / frame.unit, checkpoint };
               enough = curves.straighten(geometry, known);
             });

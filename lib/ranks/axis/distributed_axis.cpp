@@ -13,7 +13,7 @@
 #include "ranks/axis/axis_assembly.h"
 #include "ranks/axis/part_axis.h"
 #include "ranks/axis/preserved_pieces.h"
-#include "ranks/axis/rim_exchange.h"
+#include "ranks/axis/rank_part.h"
 #include "ranks/axis/sites_here.h"
 #include "ranks/collective.h"
 #include "ranks/counting_communicator.h"
@@ -102,6 +102,7 @@ public:
     const std::vector<Extent> extents =
       axisExtents.empty() ? this->partsOfAxis(crossings, halo) : axisExtents;
     share_.emplace(grid_, extents, communicator_.rank());
+    part_.emplace(*share_, field_, run_);
     crossings = share_->toOwners(communicator_, crossings,
       [](const SharedCrossing& item) { return item.crossing.voxel; });
     BisectorPoints points;
@@ -122,17 +123,7 @@ public:
   const RunStatistics& statistics() const { return statistics_; }
 
 private:
-  bool hasSign() const { return field_.sign() != FieldSign::None; }
-
-  /// Brings what can be closest in the part of the axis and a halo.
-  void bring(int halo)
-  {
-    field_.bring(communicator_, share_->withHalo(halo), {});
-    if (this->hasSign())
-    {
-      field_.closeHoles(communicator_);
-    }
-  }
+  bool hasSign() const { return field_.hasSign(); }
 
   /// Cuts the grid so that ranks have about as many crossings in their parts and halos.
   std::vector<Extent> partsOfAxis(const std::vector<SharedCrossing>& crossings, int halo) const
@@ -140,16 +131,6 @@ private:
     const int size = workBoxSize(grid_, communicator_.size(), kMinBox, kEnoughBoxes);
     return partsOfWork(communicator_, grid_, WorkCut(size, halo),
       crossingsInBoxes(crossings, size, grid_.wholeExtent()));
-  }
-
-  /// Does work of this rank on its threads; not where it has no part of the grid.
-  template <typename Work>
-  void locally(const Work& work) const
-  {
-    if (!share_->own().empty())
-    {
-      withMemoryErrors(share_->own().pointCount(), [&] { run_.onThreads(work); });
-    }
   }
 
   /// Computes the field of this rank's part, and returns the crossings there.
@@ -241,7 +222,7 @@ private:
     std::vector<Crossing> crossings = this->crossingsWithin(own, halo);
     crossingsSeen_ = static_cast<std::int64_t>(crossings.size());
     std::optional<AxisGeometry> geometry;
-    this->locally(
+    part_->locally(
       [&]
       {
         geometry.emplace(AxisGeometry{ field_.sites(), field_.query(), frame_, share_->whole(),
@@ -260,19 +241,19 @@ private:
       [&](const AxisGeometry* geometry, std::vector<Crossing> crossings) -> std::optional<OwnAxis>
       {
         std::optional<PartAxis> axis;
-        this->locally(
+        part_->locally(
           [&]
           {
             axis.emplace(*geometry, *share_, order_, std::move(crossings));
             axis->makePoints(options_.representation);
           });
         if (options_.representation == Representation::Surface &&
-          !this->moveRims(axis ? &*axis : nullptr) && !this->coversGrid(halo))
+          !this->moveRims(axis ? &*axis : nullptr) && !part_->coversGrid(halo))
         {
           return std::nullopt;
         }
         OwnAxis result{ options_.representation == Representation::Points, {}, {} };
-        this->locally([&] { result = axis->own(); });
+        part_->locally([&] { result = axis->own(); });
         return result;
       });
   }
@@ -280,12 +261,12 @@ private:
   /// @param crossings those of this rank.
   AxisPiece selected(const std::vector<SharedCrossing>& crossings, int halo, BisectorPoints& points)
   {
-    this->bring(halo);
+    part_->bring(communicator_, halo);
     std::optional<OwnAxis> own;
     for (own = this->tryHalo(crossings, halo); !own; own = this->tryHalo(crossings, halo))
     {
       halo *= 2;
-      this->bring(halo);
+      part_->bring(communicator_, halo);
     }
     const AxisAssembly assembly(communicator_, *share_, *own,
       contractionHalo(frame_, limits_.angle));
@@ -305,12 +286,11 @@ private:
       wanted.push_back(touchingExtent(grid_, extent));
     }
     values = exchangedPart(communicator_, std::move(values), wanted, side);
-    PreservedPieces pieces({ communicator_, field_, *share_, grid_, options_, run_, side, values },
-      extents);
+    PreservedPieces pieces({ communicator_, *part_, grid_, options_, side, values }, extents);
     const Checkpoint checkpoint(run_, kSelectedShare, "medial axis");
     const auto tryHalo = [&]
     {
-      this->bring(halo);
+      part_->bring(communicator_, halo);
       return this->withHalo(crossings, halo, checkpoint,
         [&](const AxisGeometry* geometry, std::vector<Crossing> around)
         { return pieces.tryHalo(geometry, std::move(around), halo, checkpoint); });
@@ -323,25 +303,18 @@ private:
     return pieces.piece(points);
   }
 
-  bool coversGrid(int halo) const
-  {
-    const auto& last = share_->whole().max;
-    return halo >= std::max({ last[0], last[1], last[2] });
-  }
-
   /// Moves the rims of all parts to their borders, unless ranks have seen them differently.
   /// @param axis null for a rank without a part.
   bool moveRims(PartAxis* axis) const
   {
-    RimExchange exchange(communicator_, *share_,
-      { [&](std::size_t vertex) { return axis->numberOf(vertex); },
-        [&](std::size_t vertex) { return axis->cellOf(vertex); } },
-      axis != nullptr ? axis->rims() : nullptr);
-    if (!exchange.move([this](const auto& work) { this->locally(work); }))
+    const RimExchange::Vertices vertices{ [&](std::size_t vertex)
+      { return axis->numberOf(vertex); },
+      [&](std::size_t vertex) { return axis->cellOf(vertex); } };
+    if (!part_->moveRims(communicator_, vertices, axis != nullptr ? axis->rims() : nullptr))
     {
       return false;
     }
-    this->locally([&] { axis->extendToCreases(); });
+    part_->locally([&] { axis->extendToCreases(); });
     return true;
   }
 
@@ -355,6 +328,7 @@ private:
   RunStatistics statistics_;
   RankField field_;
   std::optional<GridShare> share_; ///< where ranks make the axis
+  std::optional<RankPart> part_;   ///< that of this rank
   std::int64_t crossingsSeen_ = 0; ///< in the part of the axis and its halo
 };
 

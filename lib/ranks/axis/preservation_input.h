@@ -1,11 +1,9 @@
 #pragma once
 
-#include "base/run.h"
 #include "medial/compute_medial_axis.h"
 #include "medial/ranks.h"
+#include "ranks/axis/rank_part.h"
 #include "ranks/field/field_part.h"
-#include "ranks/field/grid_share.h"
-#include "ranks/field/rank_field.h"
 
 namespace medial
 {
@@ -14,11 +12,9 @@ namespace medial
 struct PreservationInput
 {
   Communicator& communicator;
-  RankField& field;
-  const GridShare& share; ///< of the axis
+  const RankPart& part;
   const Grid& grid;
   const MedialAxisOptions& options;
-  const Run& run;
   Side side;         ///< Both without a sign
   FieldPart& values; ///< in the rank's part of the axis and a layer behind it
 };

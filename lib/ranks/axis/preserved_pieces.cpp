@@ -3,9 +3,7 @@
 #include "axis/sheets/border_rims.h"
 #include "axis/sheets/crease_rims.h"
 #include "base/extents.h"
-#include "base/memory_guard.h"
 #include "ranks/axis/curve_pieces.h"
-#include "ranks/axis/rim_exchange.h"
 #include "ranks/axis/sites_here.h"
 #include "ranks/collective.h"
 #include "thinning/preserved_axis.h"
@@ -23,15 +21,6 @@ namespace
 /// How far around its part a rank knows the axis without moving rims, grid cells: what is around
 /// the points that its cells use.
 constexpr int kAround = 3;
-
-/// A point of an axis, whose sites have their numbers in the whole surface.
-struct CornerRecord
-{
-  std::int64_t number; ///< as CornerNumbers
-  BisectorPoint point;
-  std::uint8_t moved;
-  std::uint8_t onSheet; ///< not 0 if the selection's samples have a vertex there
-};
 
 /// Returns the sites with some numbers; the first one for those that are not here, of points that
 /// the side does not need.
@@ -101,48 +90,40 @@ struct PreservedPieces::Part
   std::optional<SheetSelection> selection;
 };
 
+/// A point of an axis, whose sites have their numbers in the whole surface.
+struct PreservedPieces::CornerRecord
+{
+  std::int64_t number; ///< as CornerNumbers
+  BisectorPoint point;
+  std::uint8_t moved;
+  std::uint8_t onSheet; ///< not 0 if the selection's samples have a vertex there
+};
+
 PreservedPieces::PreservedPieces(const PreservationInput& input, const std::vector<Extent>& extents)
   : input_(input)
   , corners_(input.grid)
   , order_(input.grid)
   , thinning_(input, extents)
 {
-  if (this->hasSign() && input.side != Side::Exterior)
+  if (input_.part.field().hasSign() && input.side != Side::Exterior)
   {
-    bodies_.emplace(input.communicator, input.field);
-  }
-}
-
-bool PreservedPieces::coversGrid(int halo) const
-{
-  const auto& last = input_.share.whole().max;
-  return halo >= std::max({ last[0], last[1], last[2] });
-}
-
-/// Does work of a rank that has a part of the grid.
-template <typename Work>
-void PreservedPieces::locally(const Work& work) const
-{
-  const Extent& own = input_.share.own();
-  if (!own.empty())
-  {
-    withMemoryErrors(own.pointCount(), [&] { input_.run.onThreads(work); });
+    bodies_.emplace(input.communicator, input.part.field());
   }
 }
 
 bool PreservedPieces::tryHalo(const AxisGeometry* geometry, std::vector<Crossing> crossings,
   int halo, const Checkpoint& checkpoint)
 {
-  const std::vector<std::int32_t> numbers = input_.field.siteNumbers();
+  const std::vector<std::int32_t> numbers = input_.part.field().siteNumbers();
   Part part{ geometry, halo, checkpoint, std::move(crossings), numbers, SitesHere(numbers), {},
     {} };
   part.closestSites = sitesHere(part.sites, input_.values.sites);
-  this->locally([&] { part.selection.emplace(selectSheets(*geometry, part.crossings)); });
+  input_.part.locally([&] { part.selection.emplace(selectSheets(*geometry, part.crossings)); });
   thinning_.select(part.crossings, part.selection ? &*part.selection : nullptr);
   solids_.clear();
-  for (const Side side : sidesOf(this->hasSign(), input_.side))
+  for (const Side side : sidesOf(input_.part.field().hasSign(), input_.side))
   {
-    DepthField depth(input_.values.distances.data(), side, input_.field.frame().unit);
+    DepthField depth(input_.values.distances.data(), side, input_.part.field().frame().unit);
     int colours = 1;
     std::vector<int> siteColours;
     if (side == Side::Interior)
@@ -174,7 +155,7 @@ bool PreservedPieces::addSolid(const Part& part, const DepthField& depth, Side s
   const int halo = this->wantsSurface() ? part.halo : kAround;
   SolidPiece solid;
   solid.side = side;
-  const std::vector<std::int64_t> cells = this->sendCells(
+  const std::vector<CornerCells> cells = this->sendCells(
     thinning_.thin({ part.geometry, part.closestSites, depth }, side, colour, part.checkpoint),
     halo);
   const bool complete = this->setPoints(part, depth, cells, solid);
@@ -182,54 +163,49 @@ bool PreservedPieces::addSolid(const Part& part, const DepthField& depth, Side s
   {
     const std::vector<BisectorPoint> before = solid.axis.points.points;
     if ((maximum(input_.communicator, complete ? 0 : 1) != 0 || !this->moveRims(part, solid)) &&
-      !this->coversGrid(part.halo))
+      !input_.part.coversGrid(part.halo))
     {
       return false;
     }
-    keepSound(input_.communicator, input_.share, corners_, before, solid);
+    keepSound(input_.communicator, input_.part.share(), corners_, before, solid);
   }
   solids_.push_back(std::move(solid));
   return true;
 }
 
 /// Sends cells from the first rank to where they are, and to a halo.
-std::vector<std::int64_t> PreservedPieces::sendCells(const std::vector<std::int64_t>& cells,
+std::vector<CornerCells> PreservedPieces::sendCells(const std::vector<CornerCells>& cells,
   int halo) const
 {
-  RankLists<std::int64_t> lists = listsFor<std::int64_t>(input_.communicator);
+  RankLists<CornerCells> lists = listsFor<CornerCells>(input_.communicator);
   for (std::size_t rank = 0; rank < lists.size() && !cells.empty(); ++rank)
   {
-    const Extent box = grownUpwards(input_.share.withHalo(static_cast<int>(rank), halo), kTold,
-      input_.share.whole());
+    const Extent box = grownUpwards(input_.part.share().withHalo(static_cast<int>(rank), halo),
+      kTold, input_.part.share().whole());
     std::copy_if(cells.begin(), cells.end(), std::back_inserter(lists[rank]),
-      [&](std::int64_t cell) { return hasPoint(box, corners_.position(cell / 256)); });
+      [&](CornerCells cell) { return hasPoint(box, corners_.position(cell.position())); });
   }
   return exchanged(input_.communicator, std::move(lists)).front();
 }
 
-/// Places the points of this rank, and gets those around from others.
-/// @param cells of the part and a halo.
-/// @return false if sites of those around are not here.
-bool PreservedPieces::setPoints(const Part& part, const DepthField& depth,
-  const std::vector<std::int64_t>& cells, SolidPiece& solid) const
+/// Places the points of this rank.
+std::vector<PreservedPieces::CornerRecord> PreservedPieces::placed(const Part& part,
+  const DepthField& depth, const std::vector<CornerCells>& cells) const
 {
-  const int halo = this->wantsSurface() ? part.halo : kAround;
-  const GridShare& share = input_.share;
   std::vector<CornerRecord> own;
-  this->locally(
+  input_.part.locally(
     [&]
     {
       CubicalComplex complex(input_.values.extent, corners_.size());
       std::vector<CubeCell> vertices;
-      for (const std::int64_t packed : cells)
+      for (const CornerCells left : cells)
       {
-        const glm::ivec3 position = corners_.position(packed / 256);
+        const glm::ivec3 position = corners_.position(left.position());
         if (complex.covers(position))
         {
           const CubeCell vertex = complex.cell(position, kVertexKind);
-          *complex.bitsFrom(CubicalComplex::index(vertex)) =
-            static_cast<std::uint8_t>(packed % 256);
-          if (share.owns(position - 1))
+          *complex.bitsFrom(CubicalComplex::index(vertex)) = left.bits();
+          if (input_.part.share().owns(position - 1))
           {
             vertices.push_back(vertex);
           }
@@ -252,6 +228,18 @@ bool PreservedPieces::setPoints(const Part& part, const DepthField& depth,
         replaceSites(own.back().point, part.numbers);
       }
     });
+  return own;
+}
+
+/// Places the points of this rank, and gets those around from others.
+/// @param cells of the part and a halo.
+/// @return false if sites of those around are not here.
+bool PreservedPieces::setPoints(const Part& part, const DepthField& depth,
+  const std::vector<CornerCells>& cells, SolidPiece& solid) const
+{
+  const int halo = this->wantsSurface() ? part.halo : kAround;
+  const GridShare& share = input_.part.share();
+  const std::vector<CornerRecord> own = this->placed(part, depth, cells);
   std::vector<CornerRecord> around = share.spread(input_.communicator, own, halo,
     [&](const CornerRecord& record) { return corners_.cell(record.number); });
   std::sort(around.begin(), around.end(),
@@ -262,10 +250,10 @@ bool PreservedPieces::setPoints(const Part& part, const DepthField& depth,
   }
   const VertexFinder vertices(order_, part.selection->part, part.crossings);
   CubicalComplex complex(grownUpwards(share.withHalo(halo), kTold, share.whole()), corners_.size());
-  for (const std::int64_t packed : cells)
+  for (const CornerCells left : cells)
   {
-    *complex.bitsFrom(CubicalComplex::index(complex.cell(corners_.position(packed / 256), 0))) =
-      static_cast<std::uint8_t>(packed % 256);
+    *complex.bitsFrom(CubicalComplex::index(complex.cell(corners_.position(left.position()), 0))) =
+      left.bits();
   }
   bool found = true;
   std::vector<CubeCell> cubeCells;
@@ -297,21 +285,19 @@ bool PreservedPieces::setPoints(const Part& part, const DepthField& depth,
 bool PreservedPieces::moveRims(const Part& part, SolidPiece& solid) const
 {
   std::optional<BorderRims> rims;
-  this->locally(
+  input_.part.locally(
     [&]
     {
       rims.emplace(*part.geometry, *part.selection, selectedRims(solid.axis), solid.axis.origins,
         solid.axis.points);
     });
-  RimExchange exchange(input_.communicator, input_.share,
-    { [&](std::size_t vertex) { return solid.numbers[vertex]; },
-      [&](std::size_t vertex) { return solid.axis.gridCells[vertex]; } },
-    rims ? &*rims : nullptr);
-  if (!exchange.move([this](const auto& work) { this->locally(work); }))
+  const RimExchange::Vertices vertices{ [&](std::size_t vertex) { return solid.numbers[vertex]; },
+    [&](std::size_t vertex) { return solid.axis.gridCells[vertex]; } };
+  if (!input_.part.moveRims(input_.communicator, vertices, rims ? &*rims : nullptr))
   {
     return false;
   }
-  this->locally(
+  input_.part.locally(
     [&]
     {
       std::vector<std::size_t> own;
@@ -323,13 +309,9 @@ bool PreservedPieces::moveRims(const Part& part, SolidPiece& solid) const
   return true;
 }
 
-void PreservedPieces::finishCurves(const Checkpoint& checkpoint)
+/// Returns the lines of all solids, and the quads that they end at.
+AxisPatch PreservedPieces::cellsAtCurves() const
 {
-  if (!this->wantsSurface())
-  {
-    return;
-  }
-  // Lines, and the quads that they end at.
   std::vector<NumberedCorners> cells;
   std::vector<MovedCorner> corners;
   for (const SolidPiece& solid : solids_)
@@ -366,15 +348,18 @@ void PreservedPieces::finishCurves(const Checkpoint& checkpoint)
       }
     }
   }
-  const std::vector<std::int32_t> numbers = input_.field.siteNumbers();
+  const std::vector<std::int32_t> numbers = input_.part.field().siteNumbers();
   for (MovedCorner& corner : corners)
   {
     replaceSites(corner.before, numbers);
     replaceSites(corner.after, numbers);
   }
-  AxisPatch patch(input_.communicator, corners, cells);
-  straightenCurves(input_, corners_, checkpoint, patch);
-  // All who have a point learn where it is now.
+  return AxisPatch(input_.communicator, corners, cells);
+}
+
+/// Tells all who have a point where it is now.
+void PreservedPieces::tellChanges(const AxisPatch& patch)
+{
   RankLists<ChangedCorner> lists = listsFor<ChangedCorner>(input_.communicator);
   for (std::size_t p = 0; p < patch.numbers.size(); ++p)
   {
@@ -385,7 +370,7 @@ void PreservedPieces::finishCurves(const Checkpoint& checkpoint)
     }
     for (std::size_t rank = 0; rank < lists.size(); ++rank)
     {
-      if (hasPoint(input_.share.withHalo(static_cast<int>(rank), kTold),
+      if (hasPoint(input_.part.share().withHalo(static_cast<int>(rank), kTold),
             corners_.cell(patch.numbers[p])))
       {
         lists[rank].push_back({ patch.numbers[p], point });
@@ -400,6 +385,16 @@ void PreservedPieces::finishCurves(const Checkpoint& checkpoint)
     {
       solid.axis.points.points[p] = corner.point;
     }
+  }
+}
+
+void PreservedPieces::finishCurves(const Checkpoint& checkpoint)
+{
+  if (this->wantsSurface())
+  {
+    AxisPatch patch = this->cellsAtCurves();
+    straightenCurves(input_, corners_, checkpoint, patch);
+    this->tellChanges(patch);
   }
 }
 

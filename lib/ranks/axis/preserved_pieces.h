@@ -3,6 +3,7 @@
 #include "axis/axis_geometry.h"
 #include "base/checkpoint.h"
 #include "medial/ranks.h"
+#include "ranks/axis/axis_patch.h"
 #include "ranks/axis/corner_numbers.h"
 #include "ranks/axis/shared_bodies.h"
 #include "ranks/axis/shared_thinning.h"
@@ -45,18 +46,19 @@ public:
 private:
   /// What ranks know of the part for thinning.
   struct Part;
+  struct CornerRecord;
 
-  bool hasSign() const { return input_.field.sign() != FieldSign::None; }
   bool wantsSurface() const { return input_.options.representation == Representation::Surface; }
-  bool coversGrid(int halo) const;
-  template <typename Work>
-  void locally(const Work& work) const;
 
   bool addSolid(const Part& part, const DepthField& depth, Side side, int colour);
-  std::vector<std::int64_t> sendCells(const std::vector<std::int64_t>& cells, int halo) const;
-  bool setPoints(const Part& part, const DepthField& depth, const std::vector<std::int64_t>& cells,
+  std::vector<CornerCells> sendCells(const std::vector<CornerCells>& cells, int halo) const;
+  std::vector<CornerRecord> placed(const Part& part, const DepthField& depth,
+    const std::vector<CornerCells>& cells) const;
+  bool setPoints(const Part& part, const DepthField& depth, const std::vector<CornerCells>& cells,
     SolidPiece& solid) const;
   bool moveRims(const Part& part, SolidPiece& solid) const;
+  AxisPatch cellsAtCurves() const;
+  void tellChanges(const AxisPatch& patch);
 
   PreservationInput input_;
   CornerNumbers corners_;

@@ -53,7 +53,7 @@ void SharedThinning::atFirst(const Work& work) const
 {
   if (this->isFirst())
   {
-    withMemoryErrors(input_.grid.pointCount(), [&] { input_.run.onThreads(work); });
+    withMemoryErrors(input_.grid.pointCount(), [&] { input_.part.run().onThreads(work); });
   }
 }
 
@@ -66,7 +66,7 @@ void SharedThinning::select(const std::vector<Crossing>& crossings, const SheetS
   for (std::size_t i = 0; i < exact.size(); ++i)
   {
     const Crossing& crossing = crossings[i];
-    if (input_.share.owns(crossing.voxel))
+    if (input_.part.share().owns(crossing.voxel))
     {
       const BisectorPoint& point = sheets->bisectors.points[i];
       own.push_back({ order.ofCrossing(crossing), crossing.voxel, crossing.axis, point.position,
@@ -98,7 +98,7 @@ void SharedThinning::setColours(int colours, const std::vector<std::int32_t>& si
     return;
   }
   RankLists<std::int32_t> lists = listsFor<std::int32_t>(input_.communicator);
-  const Extent& own = input_.share.own();
+  const Extent& own = input_.part.share().own();
   if (!own.empty())
   {
     visitWithin(own, input_.values.extent,
@@ -112,17 +112,17 @@ void SharedThinning::setColours(int colours, const std::vector<std::int32_t>& si
     {
       if (!lists[rank].empty())
       {
-        visitWithin(extents_[rank], input_.share.whole(),
+        visitWithin(extents_[rank], input_.part.share().whole(),
           [&](std::size_t i, std::size_t at) { colourOfPoint_[i] = lists[rank][at]; });
       }
     }
   }
 }
 
-std::vector<std::int64_t> SharedThinning::thin(const ThinningPart& part, Side side, int colour,
+std::vector<CornerCells> SharedThinning::thin(const ThinningPart& part, Side side, int colour,
   const Checkpoint& checkpoint)
 {
-  DepthField whole(distances_.data(), side, input_.field.frame().unit);
+  DepthField whole(distances_.data(), side, input_.part.field().frame().unit);
   if (!colourOfPoint_.empty())
   {
     whole.restrict(colourOfPoint_.data(), colours_.data(), colour);
@@ -133,7 +133,7 @@ std::vector<std::int64_t> SharedThinning::thin(const ThinningPart& part, Side si
     [&]
     {
       const std::vector<std::size_t> within =
-        crossingsWithin(whole, input_.share.whole(), corners_.size(), selected_.crossings);
+        crossingsWithin(whole, input_.part.share().whole(), corners_.size(), selected_.crossings);
       thinning.emplace(whole, corners_.size(),
         someOf(within, selected_.crossings, selected_.bisectors, selected_.exact), checkpoint);
       add(thinning->topology(), topology_);
@@ -146,11 +146,11 @@ std::vector<std::int64_t> SharedThinning::thin(const ThinningPart& part, Side si
       }
     });
   const std::vector<std::uint8_t> answers = this->separating(part, edges);
-  std::vector<std::int64_t> left;
+  std::vector<CornerCells> left;
   this->atFirst(
     [&]
     {
-      const GridFrame& frame = input_.field.frame();
+      const GridFrame& frame = input_.part.field().frame();
       CubicalComplex separating(corners_.size());
       for (std::size_t i = 0; i < edges.size(); ++i)
       {
@@ -167,7 +167,7 @@ std::vector<std::int64_t> SharedThinning::thin(const ThinningPart& part, Side si
       for (const CubeCell vertex : cellsOf(complex, kVertexKind))
       {
         const std::size_t position = CubicalComplex::index(vertex);
-        left.push_back(256 * static_cast<std::int64_t>(position) + complex.bits(position));
+        left.emplace_back(static_cast<std::int64_t>(position), complex.bits(position));
       }
     });
   return left;
@@ -195,7 +195,7 @@ std::vector<std::uint8_t> SharedThinning::separating(const ThinningPart& part,
       const auto axis = static_cast<int>(edge % 3);
       --voxel[(axis + 1) % 3];
       --voxel[(axis + 2) % 3];
-      return input_.share.ownerOf(voxel);
+      return input_.part.share().ownerOf(voxel);
     },
     [&](std::int64_t edge) -> std::uint8_t
     {

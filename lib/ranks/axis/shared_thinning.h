@@ -45,9 +45,8 @@ public:
 
   /// Thins a solid.
   /// @param colour if there are several.
-  /// @return on the first rank what is left: positions, as CornerNumbers, with the cells there in
-  ///   their lowest eight bits.
-  std::vector<std::int64_t> thin(const ThinningPart& part, Side side, int colour,
+  /// @return what is left, on the first rank.
+  std::vector<CornerCells> thin(const ThinningPart& part, Side side, int colour,
     const Checkpoint& checkpoint);
 
   /// Topology of the solids since select(), on the first rank.

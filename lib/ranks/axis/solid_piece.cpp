@@ -37,75 +37,108 @@ void tellPoints(Communicator& communicator, const GridShare& share, const Corner
   }
 }
 
-/// Adds this rank's cells of a solid, and the points that they use.
-void addCellsOf(const SolidPiece& solid, MedialAxis& axis, PolygonKeys& polygons,
-  BisectorPoints& points, std::vector<GlobalKey>& ownKeys, std::vector<GlobalKey>& keys)
+/// This rank's cells of a solid.
+struct OwnCells
 {
-  MedialAxis around;
-  around.quads = solid.axis.quads;
-  around.lines = solid.axis.lines;
-  around.vertices = solid.axis.vertices;
-  const std::vector<AxisFeature> features = axisFeatures(edgesOf(around), solid.numbers.size());
-  std::vector<std::int64_t> ids(solid.numbers.size(), -1);
+  std::vector<std::array<std::int64_t, 2>> lines;
+  std::vector<std::array<std::int64_t, 4>> quads;
+  std::vector<std::int64_t> vertices;
+  std::vector<std::uint8_t> used; ///< not 0 for points of these cells
+};
+
+/// @param polygons receives the numbers of the quads.
+OwnCells ownCellsOf(const SolidPiece& solid, PolygonKeys& polygons)
+{
+  OwnCells own;
+  own.used.resize(solid.numbers.size(), 0);
   const auto take = [&](const auto& cells, const auto& add)
   {
     std::int64_t last = -1;
     int order = 0; // among those with the same first point
-    for (auto cell : cells)
+    for (const auto& cell : cells)
     {
       const std::int64_t first = cell.front();
       order = first == last ? order + 1 : 0;
       last = first;
       if (solid.own[first] != 0)
       {
-        std::for_each(cell.begin(), cell.end(), [&](std::int64_t p) { ids[p] = 0; });
+        std::for_each(cell.begin(), cell.end(), [&](std::int64_t p) { own.used[p] = 1; });
         add(cell, order);
       }
     }
   };
-  std::vector<std::array<std::int64_t, 2>> lines;
-  std::vector<std::array<std::int64_t, 4>> quads;
-  take(solid.axis.lines, [&](const auto& line, int /*order*/) { lines.push_back(line); });
+  take(solid.axis.lines, [&](const auto& line, int /*order*/) { own.lines.push_back(line); });
   take(solid.axis.quads,
     [&](const auto& quad, int order)
     {
-      quads.push_back(quad);
+      own.quads.push_back(quad);
       polygons.quads.push_back({ 3 * solid.numbers[quad[0]] + order, 0 });
     });
-  std::vector<std::int64_t> vertices;
   for (const std::int64_t vertex : solid.axis.vertices)
   {
     if (solid.own[vertex] != 0)
     {
-      vertices.push_back(vertex);
-      ids[vertex] = 0;
+      own.vertices.push_back(vertex);
+      own.used[vertex] = 1;
     }
   }
+  return own;
+}
+
+/// The points of this rank's cells.
+struct PointsOfCells
+{
+  MedialAxis& axis; ///< receives their features, and the cells
+  BisectorPoints& points;
+  std::vector<GlobalKey>& ownKeys; ///< of all points that the rank owns
+  std::vector<GlobalKey>& keys;    ///< of the points here
+};
+
+/// Adds the points that cells use.
+/// @return the ids that they get, by their indices in the solid.
+std::vector<std::int64_t> addPoints(const SolidPiece& solid, const std::vector<std::uint8_t>& used,
+  PointsOfCells& result)
+{
+  MedialAxis around;
+  around.quads = solid.axis.quads;
+  around.lines = solid.axis.lines;
+  around.vertices = solid.axis.vertices;
+  const std::vector<AxisFeature> features = axisFeatures(edgesOf(around), solid.numbers.size());
+  std::vector<std::int64_t> ids(used.size(), -1);
   for (std::size_t p = 0; p < ids.size(); ++p)
   {
     const GlobalKey key{ solid.numbers[p], 0 };
     if (solid.own[p] != 0)
     {
-      ownKeys.push_back(key);
+      result.ownKeys.push_back(key);
     }
-    if (ids[p] >= 0)
+    if (used[p] != 0)
     {
-      ids[p] = static_cast<std::int64_t>(keys.size());
-      keys.push_back(key);
-      points.points.push_back(solid.axis.points.points[p]);
-      points.moved.push_back(solid.axis.points.moved[p]);
-      axis.feature.push_back(features[p]);
+      ids[p] = static_cast<std::int64_t>(result.keys.size());
+      result.keys.push_back(key);
+      result.points.points.push_back(solid.axis.points.points[p]);
+      result.points.moved.push_back(solid.axis.points.moved[p]);
+      result.axis.feature.push_back(features[p]);
     }
   }
+  return ids;
+}
+
+/// Adds this rank's cells of a solid, and the points that they use.
+void addCellsOf(const SolidPiece& solid, PolygonKeys& polygons, PointsOfCells& result)
+{
+  const OwnCells own = ownCellsOf(solid, polygons);
+  const std::vector<std::int64_t> ids = addPoints(solid, own.used, result);
   const auto idOf = [&](std::int64_t p) { return ids[p]; };
   const auto renamed = [&](auto cell)
   {
     std::transform(cell.begin(), cell.end(), cell.begin(), idOf);
     return cell;
   };
-  std::transform(lines.begin(), lines.end(), std::back_inserter(axis.lines), renamed);
-  std::transform(quads.begin(), quads.end(), std::back_inserter(axis.quads), renamed);
-  std::transform(vertices.begin(), vertices.end(), std::back_inserter(axis.vertices), idOf);
+  MedialAxis& axis = result.axis;
+  std::transform(own.lines.begin(), own.lines.end(), std::back_inserter(axis.lines), renamed);
+  std::transform(own.quads.begin(), own.quads.end(), std::back_inserter(axis.quads), renamed);
+  std::transform(own.vertices.begin(), own.vertices.end(), std::back_inserter(axis.vertices), idOf);
 }
 
 } // namespace
@@ -177,9 +210,10 @@ AxisPiece pieceOf(Communicator& communicator, const CornerNumbers& corners,
   std::vector<GlobalKey> ownKeys;
   std::vector<GlobalKey> keys;
   points = {};
+  PointsOfCells result{ piece.axis, points, ownKeys, keys };
   for (const SolidPiece& solid : solids)
   {
-    addCellsOf(solid, piece.axis, polygons, points, ownKeys, keys);
+    addCellsOf(solid, polygons, result);
   }
   const std::int64_t span =
     std::max<std::int64_t>(1, static_cast<std::int64_t>(solids.size())) * corners.count();

@@ -59,6 +59,7 @@ public:
   const DistributedSurface& surface() const { return surface_; }
   const GridFrame& frame() const { return frame_; }
   FieldSign sign() const { return sign_.fieldSign(); }
+  bool hasSign() const { return this->sign() != FieldSign::None; }
   const SharedSign& sharedSign() const { return sign_; }
   /// Points inside the part where the field is computed; null where winding numbers give no sign.
   const InsideRows* insideRows() const { return inside_ ? &inside_->rows() : nullptr; }
