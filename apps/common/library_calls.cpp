@@ -64,6 +64,11 @@ bool Watch::cancelled()
   return interrupted();
 }
 
+void PartWatch::report(double fraction, const char* /*phase*/)
+{
+  Watch::report(from_ + fraction * (to_ - from_), phase_.c_str());
+}
+
 void withFailures(const std::filesystem::path& input, const std::function<void()>& work)
 {
   runWithFailures(input.string() + ": ", work);

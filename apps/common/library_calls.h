@@ -6,6 +6,8 @@
 
 #include <filesystem>
 #include <functional>
+#include <string>
+#include <utility>
 
 namespace medial::app
 {
@@ -24,6 +26,28 @@ public:
 
 private:
   ProgressBar& bar_;
+};
+
+/// The same for a step, whose progress is a part of that of all.
+class PartWatch : public Watch
+{
+public:
+  /// @param from where the step begins, in [0, 1]; it ends at `to`.
+  /// @param phase shown in place of the library's.
+  PartWatch(ProgressBar& bar, double from, double to, std::string phase)
+    : Watch(bar)
+    , from_(from)
+    , to_(to)
+    , phase_(std::move(phase))
+  {
+  }
+
+  void report(double fraction, const char* phase) override;
+
+private:
+  double from_;
+  double to_;
+  std::string phase_;
 };
 
 ///@{

@@ -4,8 +4,8 @@
 #include "failure.h"
 #include "input/input_file.h"
 #include "option_names.h"
+#include "output/json_output.h"
 #include "output/output_names.h"
-#include "output/standard_output.h"
 #include "ranks/mesh_pieces.h"
 #include "scan_options.h"
 #include "volumes/vdb_file.h"
@@ -235,10 +235,7 @@ void checkFiles(const Options& options)
   checkExtension("--thin-regions", options.thinRegions, { ".vtp" });
   checkExtension("--image", options.image, { ".png" });
   checkExtension("--html", options.html, { ".html" });
-  if (options.report != kStandardOutput)
-  {
-    checkExtension("--report", options.report, { ".json" });
-  }
+  checkJsonName("--report", options.report);
   checkNames({ { "--output", options.output }, { "--curves", options.curves },
                { "--skeleton", options.skeleton }, { "--skeleton-table", options.skeletonTable },
                { "--thickness", options.thickness }, { "--thin-regions", options.thinRegions },

@@ -1,7 +1,5 @@
 #include "outputs.h"
 
-#include "output/standard_output.h"
-
 namespace medial::app
 {
 
@@ -22,10 +20,7 @@ Outputs::Outputs(const Options& options)
   {
     files_.add(*path);
   }
-  if (options.report != kStandardOutput)
-  {
-    files_.add(options.report);
-  }
+  files_.add(options.report);
 }
 
 void Outputs::commit()

@@ -3,8 +3,8 @@
 #include "command_line.h"
 #include "files/surface_reader.h"
 #include "option_names.h"
+#include "output/json_output.h"
 #include "output/output_names.h"
-#include "output/standard_output.h"
 #include "scan_options.h"
 
 #include <CLI/CLI.hpp>
@@ -63,10 +63,7 @@ void checkOutputs(const DistanceCommand& command)
 {
   checkExtension("--output", command.output, { ".vtp", ".csv" });
   checkExtension("--image", command.image, { ".png" });
-  if (command.json != kStandardOutput)
-  {
-    checkExtension("--json", command.json, { ".json" });
-  }
+  checkJsonName("--json", command.json);
   checkNames(
     { { "--output", command.output }, { "--image", command.image }, { "--json", command.json } },
     { { command.mesh, filesOfScan(command.mesh) }, { command.points, { command.points } } });

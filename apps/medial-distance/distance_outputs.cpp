@@ -6,7 +6,6 @@
 #include "number_text.h"
 #include "output/csv_line.h"
 #include "output/file_writer.h"
-#include "output/standard_output.h"
 #include "output/vtp_writer.h"
 
 #include <vtkMeshConversion.h>
@@ -75,10 +74,7 @@ DistanceOutputs::DistanceOutputs(const DistanceCommand& command)
 {
   files_.add(command.output);
   files_.add(command.image);
-  if (command.json != kStandardOutput)
-  {
-    files_.add(command.json);
-  }
+  files_.add(command.json);
 }
 
 void DistanceOutputs::write(DistanceResults& results)

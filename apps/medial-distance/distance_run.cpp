@@ -6,7 +6,7 @@
 #include "input/surface_reader.h"
 #include "interrupt.h"
 #include "library_calls.h"
-#include "output/standard_output.h"
+#include "output/json_output.h"
 #include "scan_input.h"
 #include "timer.h"
 
@@ -17,41 +17,18 @@ namespace medial::app
 namespace
 {
 
-/// Shows the progress of a step as a part of all.
-class StepWatch : public Watch
-{
-public:
-  StepWatch(ProgressBar& bar, double from, double to, const char* phase)
-    : Watch(bar)
-    , from_(from)
-    , to_(to)
-    , phase_(phase)
-  {
-  }
-
-  void report(double fraction, const char* /*phase*/) override
-  {
-    Watch::report(from_ + fraction * (to_ - from_), phase_);
-  }
-
-private:
-  double from_;
-  double to_;
-  const char* phase_;
-};
-
 SurfaceComparison compare(const DistanceCommand& command, const PointDistance& mesh,
   const MeshInput& points, ProgressBar& bar)
 {
   SurfaceComparison comparison;
   TriangleMesh other;
   withFailures(command.points, [&] { other = buildTriangleMesh(points); });
-  StepWatch there(bar, 0.6, 0.8, "comparing surfaces");
+  PartWatch there(bar, 0.6, 0.8, "comparing surfaces");
   withFailures(command.points,
     [&] {
       comparison.ofPoints = mesh.farthest(other, 1e-3, { command.threads, &there });
     });
-  StepWatch back(bar, 0.8, 1.0, "comparing surfaces");
+  PartWatch back(bar, 0.8, 1.0, "comparing surfaces");
   withFailures(command.points,
     [&]
     {
@@ -70,10 +47,10 @@ void compute(const DistanceCommand& command, TriangleMesh surface, const MeshInp
   withFailures(command.mesh,
     [&]
     {
-      StepWatch preparing(bar, 0.0, 0.2, "preparing");
+      PartWatch preparing(bar, 0.0, 0.2, "preparing");
       const PointDistance mesh(std::move(surface), command.sign, { command.threads, &preparing });
       results.sign = mesh.sign();
-      StepWatch computing(bar, 0.2, 0.6, "distances");
+      PartWatch computing(bar, 0.2, 0.6, "distances");
       withFailures(command.points,
         [&] {
           results.distances = mesh.compute(results.points, { command.threads, &computing });
@@ -112,14 +89,9 @@ void runDistance(const DistanceCommand& command)
   compute(command, std::move(surface), points, bar, results);
   outputs.write(results);
   bar.clear();
-  if (command.json == kStandardOutput)
-  {
-    printText(makeJson(command, results));
-  }
-  else if (!command.quiet)
-  {
-    printTable(command, results);
-  }
+  printResult(
+    command.json, command.quiet, [&] { return makeJson(command, results); },
+    [&] { printTable(command, results); });
 }
 
 } // namespace medial::app

@@ -2,6 +2,7 @@
 
 #include "command_line.h"
 #include "files/surface_reader.h"
+#include "output/json_output.h"
 #include "output/output_names.h"
 #include "validators.h"
 
@@ -30,7 +31,8 @@ void addOptions(CLI::App& app, MeasureCommand& command, std::string& json)
   const std::string group = "Options";
   app
     .add_option("--json", json,
-      "machine-readable result: all figures of the table, with the names of the files")
+      "machine-readable result: all figures of the table, with the names of the files; - for "
+      "standard output, instead of the table")
     ->option_text("FILE.json")
     ->group(group);
   app
@@ -72,7 +74,7 @@ std::optional<MeasureCommand> parseMeasureCommand(int argc, char** argv)
   command.axis = axis;
   command.mesh = mesh;
   command.json = json;
-  checkExtension("--json", command.json, { ".json" });
+  checkJsonName("--json", command.json);
   checkNames({ { "--json", command.json } },
     { { command.axis, { command.axis } }, { command.mesh, { command.mesh } } });
   return command;

@@ -14,7 +14,7 @@ struct MeasureCommand
 {
   std::filesystem::path axis; ///< .vtp, .ply, .obj or .ma
   std::filesystem::path mesh; ///< what readSurface() reads
-  std::filesystem::path json; ///< empty for none
+  std::filesystem::path json; ///< empty for none, - for standard output
   std::int64_t samples = kDefaultMeasureSamples;
   int threads = 0;
   bool quiet = false;

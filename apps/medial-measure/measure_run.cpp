@@ -6,11 +6,10 @@
 #include "library_calls.h"
 #include "measure_report.h"
 #include "output/file_writer.h"
-#include "output/output_file.h"
+#include "output/json_output.h"
+#include "output/output_files.h"
 #include "progress_bar.h"
 #include "timer.h"
-
-#include <optional>
 
 namespace medial::app
 {
@@ -48,36 +47,22 @@ void measure(const MeasureCommand& command, const MedialModel& model, ProgressBa
   results.measureSeconds = timer.seconds();
 }
 
-void writeJson(const std::string& json, OutputFile& file)
-{
-  namingFile(file.path(), [&] { writeFile(file.open(), json); });
-  throwIfInterrupted();
-  file.commit();
-}
-
 } // namespace
 
 void runMeasure(const MeasureCommand& command)
 {
-  std::optional<OutputFile> json;
-  if (!command.json.empty())
-  {
-    json.emplace(command.json);
-  }
+  OutputFiles files;
+  files.add(command.json); // refused before anything is read if it cannot be written
   ProgressBar bar(command.quiet);
   bar.show(0.0, "reading");
   MeasureResults results;
   const MedialModel model = readInputs(command, bar, results);
   measure(command, model, bar, results);
   bar.clear();
-  if (json)
-  {
-    writeJson(makeJson(command, results), *json);
-  }
-  if (!command.quiet)
-  {
-    printTable(command, results);
-  }
+  const auto json = [&] { return makeJson(command, results); };
+  files.write(command.json, [&](const auto& file) { writeFile(file, json()); });
+  files.commit();
+  printResult(command.json, command.quiet, json, [&] { printTable(command, results); });
 }
 
 } // namespace medial::app

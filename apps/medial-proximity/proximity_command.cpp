@@ -4,8 +4,8 @@
 #include "command_line.h"
 #include "failure.h"
 #include "files/surface_reader.h"
+#include "output/json_output.h"
 #include "output/output_names.h"
-#include "output/standard_output.h"
 #include "validators.h"
 
 #include "medial/error.h"
@@ -221,10 +221,7 @@ void convertOutputs(const ProximityTexts& texts, ProximityCommand& command)
   command.contacts = texts.contacts;
   command.image = texts.image;
   command.animation = texts.animation;
-  if (command.json != kStandardOutput)
-  {
-    checkExtension("--json", command.json, { ".json" });
-  }
+  checkJsonName("--json", command.json);
   checkExtension("--contacts", command.contacts, { ".vtp", ".pvd" });
   checkExtension("--image", command.image, { ".png" });
   checkNames({ { "--json", command.json }, { "--contacts", command.contacts },

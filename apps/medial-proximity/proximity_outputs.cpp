@@ -4,7 +4,6 @@
 #include "files/xml_elements.h"
 #include "output/file_writer.h"
 #include "output/output_names.h"
-#include "output/standard_output.h"
 #include "output/vtp_writer.h"
 #include "proximity_picture.h"
 #include "proximity_report.h"
@@ -35,10 +34,7 @@ std::string indexOf(const std::vector<fs::path>& pieces)
 ProximityOutputs::ProximityOutputs(const ProximityCommand& command)
   : command_(command)
 {
-  if (command.json != kStandardOutput)
-  {
-    files_.add(command.json);
-  }
+  files_.add(command.json);
   files_.add(command.contacts);
   files_.add(command.image);
   if (!command.animation.empty())

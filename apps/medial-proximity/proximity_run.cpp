@@ -2,7 +2,7 @@
 
 #include "interrupt.h"
 #include "library_calls.h"
-#include "output/standard_output.h"
+#include "output/json_output.h"
 #include "proximity_outputs.h"
 #include "proximity_report.h"
 #include "proximity_results.h"
@@ -16,31 +16,6 @@ namespace medial::app
 {
 namespace
 {
-
-/// Shows the progress of a frame as a part of that of all.
-class FrameWatch : public Watch
-{
-public:
-  FrameWatch(ProgressBar& bar, std::size_t frame, std::size_t count)
-    : Watch(bar)
-    , frame_(frame)
-    , count_(count)
-    , phase_(count == 1 ? "proximity"
-                        : "frame " + std::to_string(frame + 1) + " of " + std::to_string(count))
-  {
-  }
-
-  void report(double fraction, const char* /*phase*/) override
-  {
-    Watch::report((static_cast<double>(frame_) + fraction) / static_cast<double>(count_),
-      phase_.c_str());
-  }
-
-private:
-  std::size_t frame_;
-  std::size_t count_;
-  std::string phase_;
-};
 
 ProximitySolver makeSolver(const std::vector<Body>& bodies)
 {
@@ -94,7 +69,10 @@ void compute(const ProximityCommand& command, ProgressBar& bar, ProximityResults
   for (std::size_t frame = 0; frame < count; ++frame)
   {
     throwIfInterrupted();
-    FrameWatch watch(bar, frame, count);
+    PartWatch watch(bar, static_cast<double>(frame) / static_cast<double>(count),
+      static_cast<double>(frame + 1) / static_cast<double>(count),
+      count == 1 ? "proximity"
+                 : "frame " + std::to_string(frame + 1) + " of " + std::to_string(count));
     ProximityOptions options = command.options;
     options.execution.progress = &watch;
     move(results.bodies, frame, solver);
@@ -118,14 +96,9 @@ void runProximity(const ProximityCommand& command)
   outputs.write(results, bar);
   outputs.commit();
   bar.clear();
-  if (command.json == kStandardOutput)
-  {
-    printText(makeJson(command, results));
-  }
-  else if (!command.quiet)
-  {
-    printTable(command, results);
-  }
+  printResult(
+    command.json, command.quiet, [&] { return makeJson(command, results); },
+    [&] { printTable(command, results); });
 }
 
 } // namespace medial::app

@@ -204,6 +204,20 @@ TEST_F(MeasureCommand, BadFilesAreNamed)
   EXPECT_TRUE(contains(failure(kBadInput, { ball, mesh }), mesh + ": "));
 }
 
+TEST_F(MeasureCommand, JsonOnStandardOutputIsThatOfTheFile)
+{
+  const std::string file = folder.file("result.json");
+  EXPECT_EQ(runMedialMeasure({ ball, mesh, "--json", file, "-q" }).exitCode, 0);
+  Json written = Json::parse(readFile(file));
+  const Outcome outcome = runMedialMeasure({ ball, mesh, "--json", "-" });
+  EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+  Json printed = Json::parse(outcome.out);
+  written.erase("seconds");
+  printed.erase("seconds");
+  EXPECT_EQ(printed, written);
+  EXPECT_FALSE(std::filesystem::exists("-"));
+}
+
 TEST_F(MeasureCommand, OutputThatCannotBeWritten)
 {
   const std::string file = folder.file("no/such/folder/result.json");

@@ -1,6 +1,7 @@
 #include "output/output_files.h"
 
 #include "interrupt.h"
+#include "output/standard_output.h"
 
 #include <algorithm>
 
@@ -9,7 +10,7 @@ namespace medial::app
 
 void OutputFiles::add(const std::filesystem::path& path)
 {
-  if (!path.empty())
+  if (!path.empty() && path != kStandardOutput)
   {
     files_.emplace_back(path);
   }

@@ -14,7 +14,7 @@ class OutputFiles
 {
 public:
   /// Checks that a file can be created there; leaves nothing behind. Does nothing for an empty
-  /// path.
+  /// path, and for kStandardOutput.
   /// @throws Failure NoSpace.
   void add(const std::filesystem::path& path);
 
