@@ -29,84 +29,6 @@ float slackOf(Communicator& communicator, const DistributedSurface& surface, con
   return roundingNear(frame.reach(), std::sqrt(maximum(communicator, squared)));
 }
 
-/// Returns the trees of some groups and packs, which come in any order.
-template <typename GroupRecords, typename PackRecords>
-std::vector<SparseTree> treesOf(const GroupRecords& groups, const PackRecords& packs,
-  std::size_t trees)
-{
-  std::vector<SparseTree> result(trees);
-  for (const auto& record : groups)
-  {
-    result[record.tree].groups.push_back(record.group);
-  }
-  for (const auto& record : packs)
-  {
-    auto& levels = result[record.tree].levels;
-    levels.resize(std::max(levels.size(), static_cast<std::size_t>(record.level) + 1));
-    levels[record.level].push_back(record.pack);
-  }
-  const auto arrange = [](auto& list)
-  {
-    std::sort(list.begin(), list.end(),
-      [](const auto& a, const auto& b) { return a.number < b.number; });
-    list.erase(std::unique(list.begin(), list.end(),
-                 [](const auto& a, const auto& b) { return a.number == b.number; }),
-      list.end());
-  };
-  for (SparseTree& tree : result)
-  {
-    arrange(tree.groups);
-    for (auto& level : tree.levels)
-    {
-      arrange(level);
-    }
-  }
-  // Nodes above all ranks' groups come with every tree: only those above its own groups stay.
-  for (SparseTree& tree : result)
-  {
-    std::vector<int> below;
-    for (const SparseTree::Group& group : tree.groups)
-    {
-      below.push_back(group.number);
-    }
-    for (auto& level : tree.levels)
-    {
-      std::vector<int> parents;
-      for (const int number : below)
-      {
-        if (parents.empty() || parents.back() != number / kLanes)
-        {
-          parents.push_back(number / kLanes);
-        }
-      }
-      level.erase(std::remove_if(level.begin(), level.end(),
-                    [&](const SparseTree::Pack& pack)
-                    { return !std::binary_search(parents.begin(), parents.end(), pack.number); }),
-        level.end());
-      below = std::move(parents);
-    }
-  }
-  result.erase(std::remove_if(result.begin(), result.end(),
-                 [](const SparseTree& tree) { return tree.groups.empty(); }),
-    result.end());
-  return result;
-}
-
-/// Names the elements of groups by their triangles in a part.
-void rename(const SurfacePart& part, std::vector<SparseTree>& trees)
-{
-  for (SparseTree& tree : trees)
-  {
-    for (SparseTree::Group& group : tree.groups)
-    {
-      for (int i = 0; i < group.count; ++i)
-      {
-        group.elements[i] = part.faceOf(group.elements[i]);
-      }
-    }
-  }
-}
-
 float reachWithin(float nearest, const FrameBox& box, float slack)
 {
   return nearest + 2.0f * (glm::length(box.half) + slack);
@@ -275,7 +197,7 @@ void SharedTree::buildOwnTree()
   {
     return;
   }
-  rename(own_->part, trees);
+  nameByPart(own_->part, trees);
   own_->tree.emplace(own_->sites, own_->part.connectivity(), slack_, trees);
 }
 
@@ -488,7 +410,7 @@ NearSurface SharedTree::near(Communicator& communicator, const std::vector<Frame
   makeSet(allFaces);
   NearSurface result{ SurfacePart(communicator, surface_, std::move(allFaces)), slack_,
     treesOf(allGroups, allPacks, elements_.trees.size()) };
-  rename(result.part, result.trees);
+  nameByPart(result.part, result.trees);
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include "culling/node_disc.h"
 #include "ranks/surface/element_sharing.h"
 #include "ranks/surface/surface_part.h"
+#include "ranks/surface/tree_records.h"
 #include "sites/grid_frame.h"
 #include "sites/site_set.h"
 
@@ -63,19 +64,6 @@ private:
     std::array<int, 1 + FrameBox::kCorners> face;      ///< numbers of the elements
     std::array<glm::vec3, 1 + FrameBox::kCorners> point;
   };
-  /// A group, or a pack of discs, of one rank.
-  struct GroupRecord
-  {
-    int tree;
-    SparseTree::Group group; ///< its elements are numbers in the whole surface
-  };
-  struct PackRecord
-  {
-    int tree;
-    int level;
-    SparseTree::Pack pack;
-  };
-
   /// The surface of this rank's blocks.
   struct Own
   {
