@@ -4,8 +4,9 @@
 #include "base/id_limits.h"
 #include "base/range_check.h"
 #include "medial/error.h"
-#include "mesh/position_hash.h"
+#include "ranks/surface/point_numbers.h"
 #include "ranks/surface/point_rings.h"
+#include "ranks/surface/rank_sorting.h"
 
 #include <glm/glm.hpp>
 
@@ -21,13 +22,6 @@ namespace medial
 namespace
 {
 
-/// A point of a piece.
-struct PointOffer
-{
-  Point3 position;
-  std::int64_t order;
-};
-
 /// A triangle of a piece.
 struct FaceOffer
 {
@@ -36,56 +30,6 @@ struct FaceOffer
   std::array<int, 3> corners;
   std::array<Point3, 3> points;
 };
-
-/// Shares numbers out evenly, if they are.
-class Buckets
-{
-public:
-  /// @param largest of this rank; -1 for none.
-  Buckets(Communicator& communicator, std::int64_t largest)
-    : size_(maximum(communicator, largest) / communicator.size() + 1)
-  {
-  }
-
-  int of(std::int64_t number) const { return static_cast<int>(number / size_); }
-
-private:
-  std::int64_t size_;
-};
-
-/// The indices of the items of lists, one list after the other, sorted.
-template <typename Item, typename Less>
-std::vector<std::pair<int, int>> sortedItems(const RankLists<Item>& lists, const Less& less)
-{
-  std::vector<std::pair<int, int>> order;
-  for (std::size_t rank = 0; rank < lists.size(); ++rank)
-  {
-    for (std::size_t i = 0; i < lists[rank].size(); ++i)
-    {
-      order.emplace_back(static_cast<int>(rank), static_cast<int>(i));
-    }
-  }
-  std::sort(order.begin(), order.end(),
-    [&](const auto& a, const auto& b)
-    {
-      const Item& x = lists[a.first][a.second];
-      const Item& y = lists[b.first][b.second];
-      return less(x, y) || (!less(y, x) && a < b);
-    });
-  return order;
-}
-
-/// Returns lists of numbers as long as others.
-template <typename Item>
-RankLists<int> numbersFor(const RankLists<Item>& lists)
-{
-  RankLists<int> numbers(lists.size());
-  for (std::size_t rank = 0; rank < lists.size(); ++rank)
-  {
-    numbers[rank].resize(lists[rank].size());
-  }
-  return numbers;
-}
 
 Bounds boundsOfAll(Communicator& communicator, const SurfacePiece& piece)
 {
@@ -116,100 +60,17 @@ void requirePiece(const SurfacePiece& piece)
   }
 }
 
-std::int64_t largestOf(const std::vector<std::int64_t>& numbers)
-{
-  return numbers.empty() ? -1 : *std::max_element(numbers.begin(), numbers.end());
-}
-
 } // namespace
 
 DistributedSurface::DistributedSurface(Communicator& communicator, const SurfacePiece& piece)
 {
   requirePiece(piece);
   bounds_ = boundsOfAll(communicator, piece);
-  pointsOfPiece_ = this->numberPoints(communicator, piece);
+  pointsOfPiece_ = numberPoints(communicator, piece, pointOffsets_);
   this->collectFaces(communicator, piece);
   this->connect(communicator);
   this->requireNothingLoose(communicator, piece);
   signedVolume_ = this->sumVolume(communicator);
-}
-
-std::vector<int> DistributedSurface::numberPoints(Communicator& communicator,
-  const SurfacePiece& piece)
-{
-  const int ranks = communicator.size();
-  const Buckets buckets(communicator, largestOf(piece.pointOrder));
-  RankLists<PointOffer> offers = listsFor<PointOffer>(communicator);
-  std::vector<int> asked(piece.mesh.points.size());
-  for (std::size_t i = 0; i < asked.size(); ++i)
-  {
-    const std::uint64_t key =
-      piece.weld ? hashOf(piece.mesh.points[i]) : static_cast<std::uint64_t>(piece.pointOrder[i]);
-    asked[i] = static_cast<int>(key % static_cast<unsigned>(ranks));
-    offers[asked[i]].push_back({ piece.mesh.points[i], piece.pointOrder[i] });
-  }
-  offers = exchanged(communicator, std::move(offers));
-  const auto order = sortedItems(offers,
-    [&](const PointOffer& a, const PointOffer& b)
-    {
-      return piece.weld ? std::tie(a.position, a.order) < std::tie(b.position, b.order)
-                        : std::tie(a.order, a.position) < std::tie(b.order, b.position);
-    });
-  // The first of equal points numbers them.
-  RankLists<std::int64_t> firsts = listsFor<std::int64_t>(communicator);
-  std::vector<std::pair<int, int>> placeOf; // of each distinct point in `firsts`
-  const PointOffer* previous = nullptr;
-  RankLists<int> distinct = numbersFor(offers);
-  for (const auto& [rank, i] : order)
-  {
-    const PointOffer& offer = offers[rank][i];
-    // The same number at two positions is found below.
-    const bool isSame = previous != nullptr && previous->position == offer.position &&
-      (piece.weld || previous->order == offer.order);
-    if (!isSame)
-    {
-      const int bucket = buckets.of(offer.order);
-      placeOf.emplace_back(bucket, static_cast<int>(firsts[bucket].size()));
-      firsts[bucket].push_back(offer.order);
-    }
-    distinct[rank][i] = static_cast<int>(placeOf.size()) - 1;
-    previous = &offer;
-  }
-  const RankLists<std::int64_t> wanted = exchanged(communicator, firsts);
-  const auto sorted = sortedItems(wanted, std::less<>());
-  pointOffsets_ = RankOffsets(communicator, static_cast<std::int64_t>(sorted.size()));
-  requireCount("the surface", pointOffsets_.total(), "points");
-  for (std::size_t i = 1; i < sorted.size(); ++i)
-  {
-    const auto& [rank, at] = sorted[i];
-    if (wanted[rank][at] == wanted[sorted[i - 1].first][sorted[i - 1].second])
-    {
-      throw Error(ErrorCode::InvalidInput,
-        "point " + std::to_string(wanted[rank][at]) + " has two positions");
-    }
-  }
-  RankLists<int> replies = numbersFor(wanted);
-  auto number = static_cast<int>(pointOffsets_.first[communicator.rank()]);
-  for (const auto& [rank, i] : sorted)
-  {
-    replies[rank][i] = number++;
-  }
-  replies = exchanged(communicator, std::move(replies));
-  for (std::vector<int>& list : distinct)
-  {
-    for (int& value : list)
-    {
-      value = replies[placeOf[value].first][placeOf[value].second];
-    }
-  }
-  distinct = exchanged(communicator, std::move(distinct));
-  std::vector<int> numbers(asked.size());
-  std::vector<std::size_t> next(static_cast<std::size_t>(ranks), 0);
-  for (std::size_t i = 0; i < asked.size(); ++i)
-  {
-    numbers[i] = distinct[asked[i]][next[asked[i]]++];
-  }
-  return numbers;
 }
 
 void DistributedSurface::collectFaces(Communicator& communicator, const SurfacePiece& piece)

@@ -95,7 +95,6 @@ private:
     bool joins(const Side& other) const { return low == other.low && high == other.high; }
   };
 
-  std::vector<int> numberPoints(Communicator& communicator, const SurfacePiece& piece);
   void collectFaces(Communicator& communicator, const SurfacePiece& piece);
   /// Numbers and counts edges.
   void connect(Communicator& communicator);
