@@ -1,6 +1,7 @@
 #include "measure/boundary_samples.h"
 
 #include "measure/ball_neighbours.h"
+#include "measure/coincident_parts.h"
 #include "measure/direction_patches.h"
 #include "measure/low_discrepancy.h"
 
@@ -22,9 +23,10 @@ const double kPi = std::acos(-1.0);
 class Parts
 {
 public:
-  Parts(const BallUnion& solid, double areaPerSample)
+  Parts(const BallUnion& solid, double areaPerSample, double tolerance)
     : balls_(solid.balls())
     , neighbours_(solid)
+    , coincident_(solid, neighbours_, tolerance)
     , perArea_(1.0 / areaPerSample)
   {
     this->place(neighbours_.wedges().size(), [this](std::size_t i) { return this->wedgeArea(i); });
@@ -47,7 +49,8 @@ public:
     }
   }
 
-  /// Calls `visit(point)` for the samples of a part that no primitive of the same balls covers.
+  /// Calls `visit(point, isRepeated)` for the samples of a part that no primitive of the same balls
+  /// covers. isRepeated() tells whether a part before it has the place as well.
   template <typename Visit>
   void visitSamples(std::size_t part, const Visit& visit) const
   {
@@ -78,6 +81,10 @@ public:
     constexpr std::size_t kStride = 197; // has no factor of the number of patches
     const DirectionPatches& patches = DirectionPatches::instance();
     const bool isPoint = this->ball(i).radius == 0.0;
+    if (isPoint && coincident_.isRepeated(i))
+    {
+      return std::nullopt; // points alone may be all there is of a union, and count once
+    }
     int tries = 0;
     for (std::size_t k = 0; k < patches.size() && tries < (isPoint ? 1 : kTries); ++k)
     {
@@ -161,7 +168,10 @@ private:
         this->touch(c, normal) };
       forEachSample(start, 0.5 * length,
         [&](const SquarePoint& at)
-        { visit(pointInTriangle(corners[0], corners[1], corners[2], at)); });
+        {
+          const glm::dvec3 point = pointInTriangle(corners[0], corners[1], corners[2], at);
+          visit(point, [&] { return coincident_.onEarlierWedge(wedge, point, normal); });
+        });
       start += 0.5 * length;
     }
   }
@@ -188,11 +198,15 @@ private:
         const double angle = 2.0 * kPi * at.u;
         const glm::dvec3 normal =
           slope * axis + shrink * (std::cos(angle) * first + std::sin(angle) * second);
-        if (!neighbours_.coneHidden(cone, normal))
+        if (neighbours_.coneHidden(cone, normal))
         {
-          const double t = this->alongCone(a, b, at.v);
-          visit(glm::mix(this->touch(a, normal), this->touch(b, normal), t));
+          return;
         }
+        const double t = this->alongCone(a, b, at.v);
+        const Ball touching{ glm::mix(this->ball(a).centre, this->ball(b).centre, t),
+          glm::mix(this->ball(a).radius, this->ball(b).radius, t) };
+        visit(glm::mix(this->touch(a, normal), this->touch(b, normal), t),
+          [&] { return coincident_.onEarlierCone(cone, touching, normal); });
       });
   }
 
@@ -225,7 +239,7 @@ private:
           const glm::dvec3 normal = patches.direction(patch, at.u, at.v);
           if (!neighbours_.ballHidden(i, normal))
           {
-            visit(this->touch(i, normal));
+            visit(this->touch(i, normal), [&] { return coincident_.onEarlierBall(i, normal); });
           }
         });
     }
@@ -233,6 +247,7 @@ private:
 
   const std::vector<Ball>& balls_;
   BallNeighbours neighbours_;
+  CoincidentParts coincident_;
   double perArea_;
   std::vector<double> starts_{ 0.0 }; ///< in samples: wedges, cones, balls
 };
@@ -291,7 +306,7 @@ double refinement(const Parts& parts, std::size_t found)
 BoundarySamples boundarySamples(const BallUnion& solid, double areaPerSample, double tolerance,
   const std::function<void(double)>& report)
 {
-  Parts parts(solid, areaPerSample);
+  Parts parts(solid, areaPerSample, tolerance);
   const auto tell = [&report](double fraction)
   {
     if (report)
@@ -307,9 +322,9 @@ BoundarySamples boundarySamples(const BallUnion& solid, double areaPerSample, do
       [&](std::size_t part, const auto& add)
       {
         parts.visitSamples(part,
-          [&](const glm::dvec3& point)
+          [&](const glm::dvec3& point, const auto& isRepeated)
           {
-            if (!covered(point))
+            if (!covered(point) && !isRepeated())
             {
               add(point);
             }

@@ -20,7 +20,8 @@ struct BoundarySamples
 };
 
 /// Samples the surface of a union. The points do not depend on the number of threads. The surface
-/// of every part is sampled, and samples inside other parts are dropped.
+/// of every part is sampled; samples inside other parts are dropped, and so are those where an
+/// earlier part has the same surface.
 /// @param areaPerSample > 0; less is taken where a small union would have too few samples.
 /// @param tolerance points this deep inside another primitive still count as on the surface.
 /// @param report called regularly with the share of the work that is done, in [0, 1]; its

@@ -9,10 +9,13 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace medial::test
 {
@@ -86,6 +89,79 @@ TEST(AxisMeasurement, ASmallBallBesideALargeOneCountsInTheMaximum)
     EXPECT_NEAR(result.unionToSurface.max, 2.0, 1e-5);
     EXPECT_LT(result.unionToSurface.mean, 3e-4); // by area
   }
+}
+
+/// A sphere around the origin and, far from it, a small ball, several times in the model.
+TEST(AxisMeasurement, EqualBallsCountOnce)
+{
+  MedialModel model = ballModel(1.0);
+  for (int copies = 1; copies <= 3; ++copies)
+  {
+    model.centres.push_back({ 5, 0, 0 });
+    model.radii.push_back(0.5);
+    const AxisMeasurement result = measureOn(icosphere(1.0, 5), model);
+    // The mean of |x| - 1 over the small sphere is 4 + r^2 / (3 * 5), and its share 1/5 by area.
+    EXPECT_NEAR(result.unionToSurface.mean, (4.0 + 0.25 / 15.0) / 5.0, 2e-3) << copies;
+    EXPECT_NEAR(result.unionToSurface.max, 4.5, 1e-2);
+  }
+}
+
+TEST(AxisMeasurement, EqualPointsCountOnce)
+{
+  MedialModel model;
+  model.centres = { { 0, 0, 2 }, { 0, 0, 2 }, { 0, 0, 2 }, { 0, 0, 4 } };
+  model.radii.assign(4, 0.0);
+  const AxisMeasurement result = measureOn(icosphere(1.0, 5), model);
+  EXPECT_EQ(result.unionToSurface.places, 2);
+  EXPECT_NEAR(result.unionToSurface.mean, 2.0, 1e-3);
+}
+
+/// The same capsule with its cone whole, in halves, or both.
+TEST(AxisMeasurement, OverlappingConesCountOnce)
+{
+  const TriangleMesh ball = icosphere(1.0, 5);
+  MedialModel capsule;
+  capsule.centres = { { 1, 0, 0 }, { 9, 0, 0 } };
+  capsule.radii = { 1.0, 0.6 };
+  capsule.lines = { { 0, 1 } };
+  const AxisMeasurement expected = measureOn(ball, capsule);
+  capsule.centres.push_back({ 5, 0, 0 });
+  capsule.radii.push_back(0.8);
+  for (const auto& lines :
+    { std::vector<std::array<std::int64_t, 2>>{ { 0, 1 }, { 0, 2 }, { 2, 1 } },
+      std::vector<std::array<std::int64_t, 2>>{ { 0, 2 }, { 0, 1 } },
+      std::vector<std::array<std::int64_t, 2>>{ { 0, 2 }, { 2, 1 } } })
+  {
+    capsule.lines = lines;
+    const AxisMeasurement result = measureOn(ball, capsule);
+    EXPECT_NEAR(result.unionToSurface.mean, expected.unionToSurface.mean,
+      2e-3 * expected.unionToSurface.mean);
+    EXPECT_NEAR(static_cast<double>(result.unionToSurface.places),
+      static_cast<double>(expected.unionToSurface.places),
+      2e-3 * static_cast<double>(expected.unionToSurface.places));
+  }
+}
+
+/// A square plate of two wedges, and the same with wedges over parts of it.
+TEST(AxisMeasurement, OverlappingWedgesCountOnce)
+{
+  const TriangleMesh ball = icosphere(1.0, 5);
+  MedialModel plate;
+  plate.centres = { { 0, 0, 0 }, { 4, 0, 0 }, { 4, 4, 0 }, { 0, 4, 0 } };
+  plate.radii.assign(4, 0.25);
+  plate.triangles = { { 0, 1, 2 }, { 0, 2, 3 } };
+  const AxisMeasurement expected = measureOn(ball, plate);
+  plate.centres.push_back({ 2, 2, 0 });
+  plate.radii.push_back(0.25);
+  plate.triangles.push_back({ 0, 1, 4 });
+  plate.triangles.push_back({ 1, 2, 3 });
+  plate.triangles.push_back({ 0, 1, 2 });
+  const AxisMeasurement result = measureOn(ball, plate);
+  EXPECT_NEAR(result.unionToSurface.mean, expected.unionToSurface.mean,
+    2e-3 * expected.unionToSurface.mean);
+  EXPECT_NEAR(static_cast<double>(result.unionToSurface.places),
+    static_cast<double>(expected.unionToSurface.places),
+    2e-3 * static_cast<double>(expected.unionToSurface.places));
 }
 
 TEST(AxisMeasurement, SegmentsOfNoWidthAreTheirEnds)
