@@ -48,7 +48,7 @@ struct MedialAxisOptions
   /// inwards, by collapses only, and stops at selected sheets. Where the sheets leave gaps, the
   /// axis continues as a curve or as part of a sheet with smaller separation angles. A curve is
   /// kept where the radius grows by at most cos(theta / 2) per unit of length over four voxels.
-  /// Each side is thinned on its own; for an unsigned field the whole grid is thinned. Needs 10
+  /// Each side is thinned on its own; for an unsigned field the whole grid is thinned. Needs 14
   /// bytes per grid point, and Representation::Surface or Faces. After Liu, Chambers, Letscher, Ju,
   /// "A simple and robust thinning algorithm on cell complexes", 2010, and Yan, Letscher, Ju,
   /// "Voxel Cores", 2018.
