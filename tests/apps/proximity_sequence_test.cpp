@@ -70,6 +70,12 @@ TEST_F(ProximitySequence, FolderOfFrames)
   EXPECT_EQ(result["meshes"][1]["frames"], kFrames);
 }
 
+TEST_F(ProximitySequence, HiddenFilesAreNoFrames)
+{
+  writeFile(frames + "/._b_0.off", "not a mesh");
+  expectApproach(json({ "--sequence", large, frames }));
+}
+
 TEST_F(ProximitySequence, PatternOfFrames)
 {
   writeFile(frames + "/other.off", "not a mesh");

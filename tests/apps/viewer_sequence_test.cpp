@@ -42,6 +42,7 @@ TEST(ViewerSequence, TakesTheMeshesOfAFolderInTheOrderOfTheirNames)
   writeFile(folder.file("b.obj"), objText(box({ 1.0, 1.0, 2.0 })));
   writeFile(folder.file("a.obj"), objText(box({ 1.0, 1.0, 1.0 })));
   writeFile(folder.file("notes.txt"), "no mesh");
+  writeFile(folder.file("._a.obj"), "no mesh");
   const app::Sequence sequence = readSequence({ folder.path() });
   ASSERT_EQ(sequence.frames.size(), 2U);
   EXPECT_EQ(sequence.frames[0].name, "a.obj");

@@ -16,13 +16,19 @@ namespace
 
 namespace fs = std::filesystem;
 
+// As shells do. Systems put files of their own beside others, such as ._a.off beside a.off.
+bool isHidden(const fs::path& file)
+{
+  return file.filename().string().front() == '.';
+}
+
 std::vector<fs::path> meshesIn(const fs::path& folder)
 {
   std::vector<fs::path> files;
   std::error_code problem;
   for (const auto& entry : fs::directory_iterator(folder, problem))
   {
-    if (isSurfaceFile(entry.path()))
+    if (isSurfaceFile(entry.path()) && !isHidden(entry.path()))
     {
       files.push_back(entry.path());
     }

@@ -35,7 +35,7 @@ struct Sequence
 };
 
 /// The files that the arguments name. A folder stands for the meshes in it, in the order of their
-/// names.
+/// names, without hidden files, whose names begin with a dot.
 /// @throws Failure BadInput for a folder without meshes.
 std::vector<std::filesystem::path> filesOf(const std::vector<std::filesystem::path>& inputs);
 
