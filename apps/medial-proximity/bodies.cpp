@@ -55,6 +55,7 @@ void addTransforms(const ProximityCommand& command, int index, Body& body)
   }
   const fs::path& file = motion->second.file;
   body.transforms = readTransforms(file);
+  body.transformFile = file;
   const std::size_t count = body.transforms.size();
   if (count > 1 && !command.sequence)
   {
@@ -80,6 +81,17 @@ Body readBody(const ProximityCommand& command, int index)
   return body;
 }
 
+// Where the frames of a body that moves come from.
+fs::path sourceOfFrames(const Body& body)
+{
+  return body.files.size() > 1 ? body.input : body.transformFile;
+}
+
+std::string countOfFrames(const Body& body)
+{
+  return std::to_string(body.frames()) + (body.files.size() > 1 ? " frames" : " matrices");
+}
+
 // Bodies that move have the same number of frames.
 void requireSameFrames(const std::vector<Body>& bodies)
 {
@@ -92,9 +104,9 @@ void requireSameFrames(const std::vector<Body>& bodies)
     }
     if (first != nullptr && body.frames() != first->frames())
     {
-      refuseFile(body.input,
-        "has " + std::to_string(body.frames()) + " frames, but " + first->input.string() + " has " +
-          std::to_string(first->frames()));
+      refuseFile(sourceOfFrames(body),
+        "has " + countOfFrames(body) + ", but " + sourceOfFrames(*first).string() + " has " +
+          countOfFrames(*first));
     }
     first = first == nullptr ? &body : first;
   }

@@ -22,6 +22,7 @@ struct Body
   std::vector<std::filesystem::path> files; ///< one, or one a frame
   Sequence sequence;
   std::vector<AffineTransform> transforms; ///< none, one, or one a frame
+  std::filesystem::path transformFile;     ///< where they come from; empty for the command line
   bool closed = false;                     ///< in the first frame
 
   /// Number of frames that the body itself has; 1 if it stands still.

@@ -208,12 +208,19 @@ TEST_F(ProximitySequence, DifferentNumbersOfFrames)
   writeFile(fewer + "/a_0.off", offText(moved(5.0)));
   writeFile(fewer + "/a_1.off", offText(moved(6.0)));
   const std::string error = failure(kBadInput, { "--sequence", frames, fewer });
-  EXPECT_TRUE(contains(error, fewer + ": has 2 frames, but " + frames + " has 4")) << error;
+  EXPECT_TRUE(contains(error, fewer + ": has 2 frames, but " + frames + " has 4 frames")) << error;
   const std::string file = folder.file("rows.txt");
   writeFile(file, "1 0 0 2 0 1 0 0 0 0 1 0\n1 0 0 3 0 1 0 0 0 0 1 0\n");
   EXPECT_TRUE(
     contains(failure(kBadInput, { "--sequence", large, frames, "--transform", "1=" + file }),
-      "has 2 matrices, but " + frames + " has 4 frames"));
+      file + ": has 2 matrices, but " + frames + " has 4 frames"));
+  // The mesh of the matrices is not at fault.
+  EXPECT_TRUE(
+    contains(failure(kBadInput, { "--sequence", frames, small, "--transform", "1=" + file }),
+      file + ": has 2 matrices, but " + frames + " has 4 frames"));
+  EXPECT_TRUE(
+    contains(failure(kBadInput, { "--sequence", small, frames, "--transform", "0=" + file }),
+      frames + ": has 4 frames, but " + file + " has 2 matrices"));
 }
 
 TEST_F(ProximitySequence, NothingToRead)
