@@ -49,9 +49,10 @@
  *
  * @par Frames:
  * While the cells and the number of points of both inputs stay the same, as in a time series, and
- * while only transforms change, the filter keeps what it has built and only moves points. Results
- * depend on earlier executions only in their last bits, except for the bounds of the translational
- * depth, which may be wider or narrower.
+ * while only transforms change, the filter keeps what it has built and only moves points. What is
+ * inside follows from the points of each execution, also where transforms or points mirror a mesh
+ * or parts of it. Results depend on earlier executions only in their last bits, except for the
+ * bounds of the translational depth, which may be wider or narrower.
  *
  * @par Errors:
  * An input without cells, a coordinate that is not finite, before or after a transform, a transform

@@ -4,6 +4,8 @@
 #include "base/exact_sign.h"
 #include "base/vectors.h"
 
+#include <tbb/parallel_invoke.h>
+
 #include <cmath>
 #include <cstddef>
 
@@ -13,8 +15,6 @@ namespace medial
 MovingMesh::MovingMesh(TriangleMesh mesh)
   : mesh_(std::move(mesh))
   , connectivity_(analyseConnectivity(mesh_))
-  , orientation_(orientSurface(mesh_, connectivity_))
-  , closed_(orientation_.rim.empty() && !mesh_.triangles.empty())
 {
   for (const auto& [a, b, c] : mesh_.triangles)
   {
@@ -30,6 +30,7 @@ MovingMesh::MovingMesh(TriangleMesh mesh)
   }
   this->findComponents();
   this->setPoints(mesh_.points);
+  this->orient();
   this->build();
 }
 
@@ -44,14 +45,45 @@ void MovingMesh::setPoints(const std::vector<Point3>& points)
   {
     points_[i] = withoutTinyCoordinates(toVector(points[i]));
   }
+  oriented_ = false;
 }
 
 void MovingMesh::refit()
 {
-  tree_.refit(points_);
+  // The tree keeps the order of its elements, so weights can be set meanwhile.
+  tbb::parallel_invoke(
+    [this]
+    {
+      if (!oriented_)
+      {
+        this->orient();
+      }
+    },
+    [this] { tree_.refit(points_); });
   if (tree_.worn())
   {
     this->build();
+  }
+}
+
+void MovingMesh::orient()
+{
+  const SurfaceOrientation& orientation = orienter_.orient(mesh_, connectivity_);
+  oriented_ = true;
+  if (orientation.weights != orientation_.weights)
+  {
+    orientation_ = orientation;
+    this->setWeights();
+  }
+}
+
+void MovingMesh::setWeights()
+{
+  weights_.resize(corners_.size());
+  for (int slot = 0; slot < this->size(); ++slot)
+  {
+    weights_[slot] =
+      this->isTriangle(slot) ? orientation_.weights[this->elementIn(slot)] : std::int8_t{ 0 };
   }
 }
 
@@ -59,14 +91,12 @@ void MovingMesh::build()
 {
   tree_.build(points_, elementCorners_);
   corners_.resize(elementCorners_.size());
-  weights_.resize(elementCorners_.size());
   slots_.resize(elementCorners_.size());
   pointSlots_.offsets.assign(points_.size() + 1, 0);
   for (int slot = 0; slot < this->size(); ++slot)
   {
     const int element = this->elementIn(slot);
     corners_[slot] = elementCorners_[element];
-    weights_[slot] = this->isTriangle(slot) ? orientation_.weights[element] : std::int8_t{ 0 };
     slots_[element] = slot;
     for (int i = 0; i < 3; ++i)
     {
@@ -86,6 +116,7 @@ void MovingMesh::build()
       pointSlots_.values[next[elementCorners_[element][i]]++] = slots_[element];
     }
   }
+  this->setWeights();
 }
 
 void MovingMesh::findComponents()

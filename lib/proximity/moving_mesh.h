@@ -24,14 +24,13 @@ public:
 
   const TriangleMesh& mesh() const { return mesh_; }
   const MeshConnectivity& connectivity() const { return connectivity_; }
-  /// As in the first frame.
   const SurfaceOrientation& orientation() const { return orientation_; }
-  bool closed() const { return closed_; }
+  bool closed() const { return orientation_.rim.empty() && !mesh_.triangles.empty(); }
 
   /// Copies positions; refit() must follow.
   void setPoints(const std::vector<Point3>& points);
-  /// Fits the tree to the points, or builds it anew if it is worn. Uses the threads of the current
-  /// arena.
+  /// Brings the orientation up to date, which turns where points are mirrored, and fits the tree to
+  /// the points, or builds it anew if it is worn. Uses the threads of the current arena.
   void refit();
 
   const BoxTree& tree() const { return tree_; }
@@ -72,13 +71,16 @@ public:
   const std::vector<int>& componentPoints() const { return componentPoints_; }
 
 private:
+  void orient();
   void build();
+  void setWeights();
   void findComponents();
 
   TriangleMesh mesh_;
   MeshConnectivity connectivity_;
+  SurfaceOrienter orienter_;
   SurfaceOrientation orientation_;
-  bool closed_ = false;
+  bool oriented_ = false; ///< whether orientation_ is that of the points
   std::vector<glm::dvec3> points_;
   std::vector<glm::ivec3> elementCorners_; ///< per element
   BoxTree tree_;

@@ -14,10 +14,8 @@ SolidQuery::OpenSolid::OpenSolid(const MovingMesh& mesh)
 
 void SolidQuery::update()
 {
-  if (!mesh_.closed() && !mesh_.mesh().triangles.empty())
-  {
-    open_ = std::make_unique<OpenSolid>(mesh_);
-  }
+  const bool isOpen = !mesh_.closed() && !mesh_.mesh().triangles.empty();
+  open_ = isOpen ? std::make_unique<OpenSolid>(mesh_) : nullptr;
 }
 
 Place SolidQuery::placeOf(const glm::dvec3& x) const

@@ -5,6 +5,7 @@
 #include "sign/patches.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -18,10 +19,11 @@ namespace
 
 using Points = std::vector<glm::dvec3>;
 
-Points pointsAroundMiddle(const TriangleMesh& mesh)
+/// Copies the points of a mesh, relative to its middle.
+void pointsAroundMiddle(const TriangleMesh& mesh, Points& points)
 {
   const Bounds bounds = mesh.bounds();
-  Points points;
+  points.clear();
   points.reserve(mesh.points.size());
   for (const Point3& p : mesh.points)
   {
@@ -32,7 +34,6 @@ Points pointsAroundMiddle(const TriangleMesh& mesh)
     }
     points.push_back(relative);
   }
-  return points;
 }
 
 void addRimEdge(const MeshConnectivity& connectivity, int edge, int net, std::vector<RimEdge>& rim)
@@ -62,6 +63,8 @@ class SurfaceOrienter::Surface
 public:
   Surface(const TriangleMesh& mesh, const MeshConnectivity& connectivity)
     : patches_(findPatches(mesh, connectivity))
+    , agreeing_(std::all_of(patches_.senses.begin(), patches_.senses.end(),
+        [](std::int8_t sense) { return sense > 0; }))
   {
   }
 
@@ -69,14 +72,10 @@ public:
   {
     mesh_ = &mesh;
     connectivity_ = &connectivity;
-    points_ = pointsAroundMiddle(mesh);
+    points_.clear();
     const bool same = this->directPatches();
     const std::vector<bool> before = this->turnedPatches();
-    for (std::size_t patch = 0; patch < solids_.size(); ++patch)
-    {
-      this->measure(static_cast<int>(patch));
-    }
-    this->turnSolids(this->containers());
+    this->turnPatches();
     if (!same || this->turnedPatches() != before)
     {
       result_ = this->result();
@@ -89,6 +88,11 @@ private:
   /// @return whether all of them had it before.
   bool directPatches()
   {
+    if (agreeing_ && backwards_)
+    {
+      return true;
+    }
+    pointsAroundMiddle(*mesh_, points_);
     std::vector<bool> backwards = runningBackwards(patches_, *mesh_, points_);
     if (backwards_ == backwards)
     {
@@ -200,6 +204,34 @@ private:
     }
   }
 
+  /// Whether a patch and its lids face inwards, where that is more than a matter of rounding.
+  bool facesInwards(int patch) const
+  {
+    const auto pointAt = [this](int point)
+    {
+      const Point3& p = mesh_->points[point];
+      return glm::dvec3(p[0], p[1], p[2]);
+    };
+    const glm::dvec3 origin = pointAt(mesh_->triangles[patches_.triangles[patch].front()][0]);
+    double volume = 0.0;
+    const auto add = [&](const std::array<int, 3>& corners, int weight)
+    {
+      const glm::dvec3 a = pointAt(corners[0]) - origin;
+      const glm::dvec3 b = pointAt(corners[1]) - origin;
+      const glm::dvec3 c = pointAt(corners[2]) - origin;
+      volume += weight * glm::dot(a, glm::cross(b - a, c - a));
+    };
+    for (const int t : patches_.triangles[patch])
+    {
+      add(mesh_->triangles[t], senses_[t]);
+    }
+    for (const WeightedTriangle& lid : solids_[patch].lids)
+    {
+      add(lid.corners, lid.weight);
+    }
+    return volume < 0.0;
+  }
+
   void measure(int patch)
   {
     PatchSolid& solid = solids_[patch];
@@ -209,7 +241,44 @@ private:
       [&](const CountedTriangle& triangle, bool isLid) { sum.add(triangle, origin, isLid); });
     solid.volume = sum.volume;
     solid.solid = sum.isSolid();
-    solid.turned = false;
+  }
+
+  /// Decides which patches turn.
+  void turnPatches()
+  {
+    bool anyInwards = false;
+    for (std::size_t patch = 0; patch < solids_.size(); ++patch)
+    {
+      solids_[patch].turned = false;
+      anyInwards = anyInwards || this->facesInwards(static_cast<int>(patch));
+    }
+    if (!anyInwards)
+    {
+      return; // the usual case: no patch turns, whether it is a solid or not
+    }
+    if (points_.empty())
+    {
+      pointsAroundMiddle(*mesh_, points_);
+    }
+    for (std::size_t patch = 0; patch < solids_.size(); ++patch)
+    {
+      this->measure(static_cast<int>(patch));
+    }
+    // Of solids that face alike it does not matter which contains which.
+    this->turnSolids(
+      this->facingAlike() ? std::vector<int>(solids_.size(), -1) : this->containers());
+  }
+
+  /// Whether all solids face outwards, or all inwards.
+  bool facingAlike() const
+  {
+    const auto faces = [this](bool inwards)
+    {
+      return std::any_of(solids_.begin(), solids_.end(),
+        [inwards](const PatchSolid& solid)
+        { return solid.solid && (solid.volume < 0.0) == inwards; });
+    };
+    return !(faces(false) && faces(true));
   }
 
   /// Returns the smallest solid that contains a patch, or -1, for every patch.
@@ -297,8 +366,9 @@ private:
 
   const TriangleMesh* mesh_ = nullptr;
   const MeshConnectivity* connectivity_ = nullptr;
-  Points points_;
+  Points points_; ///< empty where they are not needed
   Patches patches_;
+  bool agreeing_; ///< whether the triangles of every patch run the same way
   std::optional<std::vector<bool>> backwards_; ///< patches against their direction as found
   std::vector<std::int8_t> senses_;            ///< as Patches::senses, for the patches' directions
   std::vector<PatchSolid> solids_;

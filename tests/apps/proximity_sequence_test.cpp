@@ -76,6 +76,29 @@ TEST_F(ProximitySequence, HiddenFilesAreNoFrames)
   expectApproach(json({ "--sequence", large, frames }));
 }
 
+TEST_F(ProximitySequence, AFrameMayBeMirrored)
+{
+  // The points of the small cube in the order of another, mirrored one: the cube is the same.
+  TriangleMesh cube = box({ 0.5, 0.5, 0.5 });
+  const std::string mirrors = folder.file("mirrors");
+  std::filesystem::create_directory(mirrors);
+  writeFile(mirrors + "/a.off", offText(cube));
+  for (Point3& point : cube.points)
+  {
+    point[0] = -point[0];
+  }
+  writeFile(mirrors + "/b.off", offText(cube));
+  const std::string inner = folder.file("inner.off");
+  writeFile(inner, offText(box({ 0.25, 0.25, 0.25 })));
+  const Json result = json({ "--sequence", mirrors, inner });
+  const Json other = json({ small, inner, "--transform", "0=-1,0,0,0,0,1,0,0,0,0,1,0" });
+  for (const Json& frame : { result["frames"][0], result["frames"][1], other["frames"][0] })
+  {
+    EXPECT_EQ(frame["pairs"][0]["collide"], true);
+    EXPECT_NEAR(frame["pairs"][0]["depth"], 0.25, 1e-3);
+  }
+}
+
 TEST_F(ProximitySequence, PatternOfFrames)
 {
   writeFile(frames + "/other.off", "not a mesh");

@@ -236,6 +236,24 @@ TEST(MeshProximityFilter, TransformsMoveBothMeshes)
   EXPECT_EQ(figure(filter->GetOutput(), "Intersect"), 1.0);
 }
 
+/// Mirrored in place, a cube around another one is the same cube.
+TEST(MeshProximityFilter, TransformsMayMirrorInAnyExecution)
+{
+  vtkNew<vtkMeshProximity> filter;
+  filter->SetInputData(0, boxPolyData({ 1.0, 1.0, 1.0 }));
+  filter->SetInputData(1, boxPolyData({ 0.25, 0.25, 0.25 }));
+  vtkNew<vtkTransform> transform;
+  filter->SetTransformA(transform);
+  for (const double scale : { 1.0, -1.0, 1.0 })
+  {
+    transform->Identity();
+    transform->Scale(scale, 1.0, 1.0);
+    filter->Update();
+    EXPECT_EQ(figure(filter->GetOutput(), "Collide"), 1.0) << scale;
+    EXPECT_NEAR(figure(filter->GetOutput(), "PenetrationDepth"), 0.75, 1e-3) << scale;
+  }
+}
+
 TEST(MeshProximityFilter, FarFromTheOriginItIsTheSame)
 {
   auto filter = makeCubes(3.5);

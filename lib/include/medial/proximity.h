@@ -126,9 +126,10 @@ struct Proximity
 /// Computes the proximity of meshes that move or deform, frame after frame: the second application
 /// of the paper (Sud, Govindaraju, Gayle, Manocha, I3D 2006, section 6), by exact queries;
 /// FieldProximitySolver uses the paper's own method. Meshes need no preparation: they may have any
-/// topology, holes and degenerate triangles. Between frames the solver keeps the connectivity and
-/// orientation of the first frame, buffers, trees of boxes, which it refits, and the last
-/// witnesses.
+/// topology, holes and degenerate triangles. Between frames the solver keeps the connectivity,
+/// buffers, trees of boxes, which it refits, and the last witnesses. What is inside follows from
+/// the points of each frame: points that are mirrored, all or those of some parts, turn the
+/// surface inside out, and the solver turns it back.
 ///
 /// Results do not depend on the number of threads, and depend on earlier frames only in the last
 /// bits; only the bounds of translational depths may differ more, since they depend on how elements
