@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <tuple>
 #include <utility>
@@ -16,6 +17,14 @@ double cross(const glm::dvec2& a, const glm::dvec2& b)
   return a.x * b.y - a.y * b.x;
 }
 
+double distanceToSegment(const glm::dvec2& x, const glm::dvec2& from, const glm::dvec2& to)
+{
+  const glm::dvec2 along = to - from;
+  const double squared = glm::dot(along, along);
+  const double t = squared > 0.0 ? std::clamp(glm::dot(x - from, along) / squared, 0.0, 1.0) : 0.0;
+  return glm::distance(x, from + t * along);
+}
+
 /// Whether a place beats another at the same position.
 bool isDeeper(const ContactPlace& p, const ContactPlace& q)
 {
@@ -24,7 +33,8 @@ bool isDeeper(const ContactPlace& p, const ContactPlace& q)
 
 } // namespace
 
-ContactPlane::ContactPlane(const glm::dvec3& normal)
+ContactPlane::ContactPlane(const glm::dvec3& normal, const glm::dvec3& origin)
+  : origin_(origin)
 {
   const glm::dvec3 size = glm::abs(normal);
   const glm::dvec3 axis = size.x <= size.y && size.x <= size.z
@@ -60,7 +70,7 @@ void ContactReduction::mergeEqual(const std::vector<ContactPlace>& places, doubl
 }
 
 template <typename Iterator>
-void ContactReduction::addChain(Iterator begin, Iterator end, double tolerance)
+void ContactReduction::addChain(Iterator begin, Iterator end)
 {
   const std::size_t first = hull_.size();
   for (Iterator point = begin; point != end; ++point)
@@ -68,8 +78,7 @@ void ContactReduction::addChain(Iterator begin, Iterator end, double tolerance)
     while (hull_.size() >= first + 2)
     {
       const glm::dvec2& p = hull_[hull_.size() - 2].x;
-      const glm::dvec2 along = point->x - p;
-      if (cross(along, hull_.back().x - p) < -tolerance * glm::length(along))
+      if (cross(point->x - p, hull_.back().x - p) < 0.0)
       {
         break;
       }
@@ -78,6 +87,25 @@ void ContactReduction::addChain(Iterator begin, Iterator end, double tolerance)
     hull_.push_back(*point);
   }
   hull_.pop_back(); // the other half begins with it
+}
+
+void ContactReduction::dropFlatCorners(double tolerance)
+{
+  // Only now: along an edge across the order of points, rounding shuffles them, so a chain may
+  // begin at any of them and cannot tell yet which are its corners.
+  std::size_t i = 0;
+  while (i < hull_.size() && hull_.size() > 2)
+  {
+    const glm::dvec2& last = hull_[i == 0 ? hull_.size() - 1 : i - 1].x;
+    const glm::dvec2& next = hull_[(i + 1) % hull_.size()].x;
+    if (distanceToSegment(hull_[i].x, last, next) > tolerance)
+    {
+      ++i;
+      continue;
+    }
+    hull_.erase(hull_.begin() + static_cast<std::ptrdiff_t>(i));
+    i -= i > 0 ? 1 : 0; // the corner before has another neighbour
+  }
 }
 
 void ContactReduction::keepHull(const ContactPlane& plane, double tolerance,
@@ -95,8 +123,9 @@ void ContactReduction::keepHull(const ContactPlane& plane, double tolerance,
   hull_.clear();
   if (points_.size() > 2)
   {
-    this->addChain(points_.begin(), points_.end(), tolerance);
-    this->addChain(points_.rbegin(), points_.rend(), tolerance);
+    this->addChain(points_.begin(), points_.end());
+    this->addChain(points_.rbegin(), points_.rend());
+    this->dropFlatCorners(tolerance);
   }
   else
   {

@@ -22,11 +22,16 @@ struct ContactPlace
 class ContactPlane
 {
 public:
-  explicit ContactPlane(const glm::dvec3& normal);
+  /// @param origin a position near the manifold: far from it, products lose digits.
+  ContactPlane(const glm::dvec3& normal, const glm::dvec3& origin);
 
-  glm::dvec2 project(const glm::dvec3& x) const { return { glm::dot(x, u_), glm::dot(x, v_) }; }
+  glm::dvec2 project(const glm::dvec3& x) const
+  {
+    return { glm::dot(x - origin_, u_), glm::dot(x - origin_, v_) };
+  }
 
 private:
+  glm::dvec3 origin_;
   glm::dvec3 u_;
   glm::dvec3 v_;
 };
@@ -53,7 +58,9 @@ private:
   void mergeEqual(const std::vector<ContactPlace>& places, double tolerance);
   /// One half of the hull (Andrew's monotone chain), from the first point to the last.
   template <typename Iterator>
-  void addChain(Iterator begin, Iterator end, double tolerance);
+  void addChain(Iterator begin, Iterator end);
+  /// Removes corners of the hull that are nearer than that to the line between their neighbours.
+  void dropFlatCorners(double tolerance);
 
   std::vector<Projected> points_;
   std::vector<Projected> hull_;

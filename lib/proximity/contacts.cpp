@@ -1,6 +1,5 @@
 #include "proximity/contacts.h"
 
-#include "base/exact_sign.h"
 #include "base/vectors.h"
 #include "proximity/element_distance.h"
 #include "proximity/line_hit.h"
@@ -15,13 +14,18 @@ namespace medial
 namespace
 {
 
-/// Depths below this share of the size of the meshes are those of surfaces that touch.
-constexpr double kTouching = 1e-12;
+/// Depths below this multiple of the coordinates' rounding are those of surfaces that touch.
+constexpr double kTouching = 64.0;
+/// How far rounding moves a place, as a multiple of the coordinates' rounding.
+constexpr double kRounded = 8.0;
 /// Positions nearer than this share of a manifold's extent count as one.
 constexpr double kMerged = 1e-6;
 /// How far a crossing is moved into a manifold to find the overlap's thickness, as a share of its
-/// extent.
+/// extent, and at most as a share of its depth.
 constexpr double kInwards = 1e-7;
+constexpr double kInwardsOfDepth = 1e-3;
+/// How far it is moved along the normal if that is not inside, as a multiple of that.
+constexpr double kOffBorder = 8.0;
 /// Crossings where the overlap is thinner than this share of its depth are none of its corners.
 constexpr double kShallow = 0.01;
 
@@ -31,41 +35,12 @@ glm::dvec3 normalised(const glm::dvec3& vector)
   return length > 0.0 ? vector / length : glm::dvec3(0.0);
 }
 
-/// The outward unit normal of a slot's triangle; zero for other elements.
-glm::dvec3 outward(const MovingMesh& mesh, int slot)
+/// How much the last bit of the largest coordinate is.
+double roundingOf(const Box& a, const Box& b)
 {
-  const auto& [a, b, c] = mesh.element(slot).corners;
-  const glm::dvec3 normal = normalised(glm::cross(b - a, c - a));
-  return mesh.weight(slot) < 0 ? -normal : normal;
-}
-
-double area(const Element& triangle)
-{
-  const auto& [a, b, c] = triangle.corners;
-  return glm::length(glm::cross(b - a, c - a));
-}
-
-bool inOnePlane(const Element& a, const Element& b)
-{
-  return std::all_of(b.corners.begin(), b.corners.end(),
-    [&](const glm::dvec3& x)
-    { return orientation(a.corners[0], a.corners[1], a.corners[2], x) == 0; });
-}
-
-/// Whether a corner of one triangle lies in the middle of another.
-bool cornerInside(const Element& corners, const Element& triangle)
-{
-  const glm::dvec3& a = triangle.corners[0];
-  const glm::dvec3& b = triangle.corners[1];
-  const glm::dvec3& c = triangle.corners[2];
-  const glm::dvec3 normal = glm::cross(b - a, c - a);
-  return std::any_of(corners.corners.begin(), corners.corners.end(),
-    [&](const glm::dvec3& x)
-    {
-      return orientation(a, b, c, x) == 0 && glm::dot(glm::cross(b - a, x - a), normal) > 0.0 &&
-        glm::dot(glm::cross(c - b, x - b), normal) > 0.0 &&
-        glm::dot(glm::cross(a - c, x - c), normal) > 0.0;
-    });
+  const glm::dvec3 largest = glm::max(glm::max(glm::abs(a.min), glm::abs(a.max)),
+    glm::max(glm::abs(b.min), glm::abs(b.max)));
+  return std::numeric_limits<double>::epsilon() * std::max({ largest.x, largest.y, largest.z });
 }
 
 double extentOf(const std::vector<ContactPlace>& places)
@@ -104,6 +79,7 @@ void Contacts::find(const Intersections& intersections, const Penetration& aInB,
   const Penetration& bInA, const DeepPlace& deepest, int maxContacts,
   std::vector<ProximityContact>& contacts)
 {
+  rounding_ = roundingOf(a_.tree().box(), b_.tree().box());
   split_.find(a_, b_, intersections.pairs(), aInB, bInA);
   this->collect(intersections, aInB, bInA, deepest);
   int number = 0;
@@ -129,11 +105,16 @@ void Contacts::collect(const Intersections& intersections, const Penetration& aI
   {
     manifold.places.clear();
     manifold.pairs.clear();
+    manifold.uncrossed.clear();
   }
   for (std::size_t i = 0; i < pairs.size(); ++i)
   {
     Manifold& manifold = manifolds_[split_.ofPair(i)];
     manifold.pairs.push_back(pairs[i]);
+    if (intersections.crossings()[i].count == 0)
+    {
+      manifold.uncrossed.push_back(pairs[i]);
+    }
     for (const glm::dvec3& point : intersections.crossings()[i])
     {
       ContactPlace place;
@@ -182,9 +163,62 @@ void Contacts::addPlace(const DeepPlace& found, int manifold)
   place.depth = found.depth;
   place.slotA = ofA ? found.slot : found.otherSlot;
   place.slotB = ofA ? found.otherSlot : found.slot;
-  const glm::dvec3 out = normalised(found.closest - found.point);
+  const glm::dvec3 out = this->wayOut(found);
   place.normal = ofA ? -out : out;
   manifolds_[manifold].places.push_back(place);
+}
+
+glm::dvec3 Contacts::wayOut(const DeepPlace& place) const
+{
+  const glm::dvec3 out = normalised(place.closest - place.point);
+  // Rounding turns the direction of a shallow place; the face that it leads to knows better.
+  const glm::dvec3 face = outwardNormal(place.mesh == &a_ ? b_ : a_, place.otherSlot);
+  const glm::dvec3 across = glm::dot(face, out) < 0.0 ? -face : face;
+  return face != glm::dvec3(0.0) &&
+      place.depth * glm::distance(across, out) <= kTouching * rounding_
+    ? across
+    : out;
+}
+
+void Contacts::addTouches(Manifold& manifold) const
+{
+  const double near = kTouching * rounding_;
+  for (const SlotPair& pair : manifold.uncrossed)
+  {
+    const Element a = a_.element(pair.a);
+    const Element b = b_.element(pair.b);
+    const auto add = [&](const glm::dvec3& x)
+    {
+      ContactPlace place;
+      place.point = x;
+      place.isCrossing = true;
+      place.slotA = pair.a;
+      place.slotB = pair.b;
+      manifold.places.push_back(place);
+    };
+    for (int i = 0; i < 3; ++i)
+    {
+      const glm::dvec3& p = a.corners[i];
+      const glm::dvec3& toP = a.corners[(i + 1) % 3];
+      for (int k = 0; k < 3; ++k)
+      {
+        const glm::dvec3& q = b.corners[k];
+        const glm::dvec3& toQ = b.corners[(k + 1) % 3];
+        const ClosePoints edges = closestPoints({ { p, toP, toP } }, { { q, toQ, toQ } });
+        if (edges.squared <= near * near)
+        {
+          add(edges.a);
+        }
+      }
+      for (const auto& [corner, other] : { std::pair(&p, &b), std::pair(&b.corners[i], &a) })
+      {
+        if (glm::distance(closestPoint(*other, *corner), *corner) <= near)
+        {
+          add(*corner);
+        }
+      }
+    }
+  }
 }
 
 void Contacts::reduce(Manifold& manifold, int maxContacts)
@@ -195,8 +229,9 @@ void Contacts::reduce(Manifold& manifold, int maxContacts)
   {
     return;
   }
-  const ContactPlane plane(manifold.normal);
+  const ContactPlane plane(manifold.normal, places.front().point);
   const double extent = extentOf(places);
+  const double merged = std::max(kMerged * extent, kRounded * rounding_);
   const double max = maxDepth(places);
   places.erase(std::remove_if(places.begin(), places.end(),
                  [&](const ContactPlace& place) { return isBesides(place, manifold.normal, max); }),
@@ -215,13 +250,13 @@ void Contacts::reduce(Manifold& manifold, int maxContacts)
   known_.clear();
   std::copy_if(places.begin(), places.end(), std::back_inserter(known_),
     [](const ContactPlace& place) { return !place.isCrossing; });
-  reduction_.keepHull(plane, kMerged * extent, places);
+  reduction_.keepHull(plane, merged, places);
   if (max > 0.0)
   {
     this->weighCrossings(manifold, extent, max);
   }
   places.insert(places.end(), known_.begin(), known_.end());
-  reduction_.keepHull(plane, kMerged * extent, places);
+  reduction_.keepHull(plane, merged, places);
   constexpr double kDeeper = 1.0 + 1e-3;
   if (deepest.depth > kDeeper * maxDepth(places))
   {
@@ -242,12 +277,14 @@ void Contacts::weighCrossings(Manifold& manifold, double extent, double max) con
   {
     middle += place.point / static_cast<double>(places.size());
   }
+  const double inwards =
+    std::max(std::min(kInwards * extent, kInwardsOfDepth * max), 0.5 * kRounded * rounding_);
   for (ContactPlace& place : places)
   {
     if (place.isCrossing)
     {
-      const glm::dvec3 inwards = normalised(middle - place.point);
-      place.depth = this->thicknessAt(place.point + kInwards * extent * inwards, manifold.normal);
+      const glm::dvec3 moved = place.point + inwards * normalised(middle - place.point);
+      place.depth = this->thicknessAt(moved, manifold.normal, kOffBorder * inwards);
     }
   }
   places.erase(std::remove_if(places.begin(), places.end(),
@@ -260,17 +297,35 @@ void Contacts::weighCrossings(Manifold& manifold, double extent, double max) con
   }
 }
 
-double Contacts::thicknessAt(const glm::dvec3& x, const glm::dvec3& normal) const
+double Contacts::thicknessAt(const glm::dvec3& x, const glm::dvec3& normal, double step) const
 {
-  if (solidA_.placeOf(x) != Place::Inside || solidB_.placeOf(x) != Place::Inside)
+  const bool inA = solidA_.placeOf(x) == Place::Inside;
+  const bool inB = solidB_.placeOf(x) == Place::Inside;
+  const auto thickness = [&](const glm::dvec3& from)
   {
-    return 0.0;
+    const double sum = firstHit(a_, from, normal) + firstHit(b_, from, -normal);
+    return std::isfinite(sum) ? sum : 0.0;
+  };
+  const auto thicknessIfInside = [&](const glm::dvec3& from)
+  {
+    return solidA_.placeOf(from) == Place::Inside && solidB_.placeOf(from) == Place::Inside
+      ? thickness(from)
+      : 0.0;
+  };
+  double found = inA && inB ? thickness(x) : 0.0;
+  // On the border of the overlap rounding decides. B lies along the normal.
+  if (found == 0.0 && inA)
+  {
+    found = thicknessIfInside(x + step * normal);
   }
-  const double thickness = firstHit(a_, x, normal) + firstHit(b_, x, -normal);
-  return std::isfinite(thickness) ? thickness : 0.0;
+  if (found == 0.0 && inB)
+  {
+    found = thicknessIfInside(x - step * normal);
+  }
+  return found;
 }
 
-glm::dvec3 Contacts::findNormal(Manifold& manifold) const
+glm::dvec3 Contacts::findNormal(Manifold& manifold)
 {
   glm::dvec3 sum(0.0);
   double max = 0.0;
@@ -279,9 +334,8 @@ glm::dvec3 Contacts::findNormal(Manifold& manifold) const
     sum += place.depth * place.normal;
     max = std::max(max, place.depth);
   }
-  const double size = glm::length(a_.tree().box().size()) + glm::length(b_.tree().box().size());
   const glm::dvec3 normal = normalised(sum);
-  if (max > kTouching * size && normal != glm::dvec3(0.0))
+  if (max > kTouching * rounding_ && normal != glm::dvec3(0.0))
   {
     return normal;
   }
@@ -291,57 +345,8 @@ glm::dvec3 Contacts::findNormal(Manifold& manifold) const
     place.normal = glm::dvec3(0.0);
     place.depth = 0.0;
   }
-  return this->touchingNormal(manifold.pairs);
-}
-
-glm::dvec3 Contacts::touchingNormal(const std::vector<SlotPair>& pairs) const
-{
-  glm::dvec3 sums[4]{};
-  for (const SlotPair& pair : pairs)
-  {
-    this->addTouch(pair, sums);
-  }
-  for (const glm::dvec3& sum : sums)
-  {
-    constexpr double kLost = 1e-12;
-    if (glm::length(sum) > kLost)
-    {
-      return glm::normalize(sum);
-    }
-  }
-  return { 0.0, 0.0, 1.0 };
-}
-
-void Contacts::addTouch(const SlotPair& pair, glm::dvec3 (&sums)[4]) const
-{
-  const Element a = a_.element(pair.a);
-  const Element b = b_.element(pair.b);
-  const glm::dvec3 ofA = outward(a_, pair.a);
-  const glm::dvec3 ofB = outward(b_, pair.b);
-  sums[3] += ofA - ofB;
-  if (inOnePlane(a, b))
-  {
-    // Solids that touch face each other; where they look the same way, one is in the other.
-    sums[0] += glm::dot(ofA, ofB) < 0.0 ? std::min(area(a), area(b)) * ofA : glm::dvec3(0.0);
-    return;
-  }
-  sums[1] -= cornerInside(a, b) ? ofB : glm::dvec3(0.0);
-  sums[1] += cornerInside(b, a) ? ofA : glm::dvec3(0.0);
-  for (int i = 0; i < 3; ++i)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      const glm::dvec3& p = a.corners[i];
-      const glm::dvec3& q = b.corners[k];
-      const glm::dvec3& toP = a.corners[(i + 1) % 3];
-      const glm::dvec3& toQ = b.corners[(k + 1) % 3];
-      if (orientation(p, toP, q, toQ) == 0)
-      {
-        const glm::dvec3 across = normalised(glm::cross(toP - p, toQ - q));
-        sums[2] += glm::dot(across, ofA - ofB) < 0.0 ? -across : across;
-      }
-    }
-  }
+  this->addTouches(manifold);
+  return touchingNormal_.find(a_, b_, manifold.pairs, kTouching * rounding_);
 }
 
 } // namespace medial

@@ -6,6 +6,7 @@
 #include "proximity/intersections.h"
 #include "proximity/penetration.h"
 #include "proximity/solid_query.h"
+#include "proximity/touching_normal.h"
 
 #include <vector>
 
@@ -40,24 +41,27 @@ private:
   {
     std::vector<ContactPlace> places;
     std::vector<SlotPair> pairs;
+    std::vector<SlotPair> uncrossed; ///< those without crossings
     glm::dvec3 normal{ 0.0 };
   };
 
   void collect(const Intersections& intersections, const Penetration& aInB, const Penetration& bInA,
     const DeepPlace& deepest);
   void addPlace(const DeepPlace& found, int manifold);
+  /// The unit direction from a place to the other surface.
+  glm::dvec3 wayOut(const DeepPlace& place) const;
   void reduce(Manifold& manifold, int maxContacts);
   /// Drops crossings where the overlap has no depth.
   /// @param max the largest depth of the manifold's places, > 0.
   void weighCrossings(Manifold& manifold, double extent, double max) const;
-  /// Returns the normal of a manifold. Where the surfaces only touch, places lose theirs.
-  glm::dvec3 findNormal(Manifold& manifold) const;
-  glm::dvec3 touchingNormal(const std::vector<SlotPair>& pairs) const;
-  /// Adds what a pair of elements says about that: where they lie in one plane, where a corner lies
-  /// in a face, where edges cross, and otherwise.
-  void addTouch(const SlotPair& pair, glm::dvec3 (&sums)[4]) const;
-  /// How thick the overlap of both solids is along a line.
-  double thicknessAt(const glm::dvec3& x, const glm::dvec3& normal) const;
+  /// Returns the normal of a manifold. Where the surfaces only touch, places lose theirs, and the
+  /// corners of what elements in one plane share are added.
+  glm::dvec3 findNormal(Manifold& manifold);
+  /// Adds where pairs of elements without crossings touch: corners on the other, and edges.
+  void addTouches(Manifold& manifold) const;
+  /// How thick the overlap of both solids is along the line through a position.
+  /// @param step how far along that line to look for the overlap.
+  double thicknessAt(const glm::dvec3& x, const glm::dvec3& normal, double step) const;
 
   const MovingMesh& a_;
   const MovingMesh& b_;
@@ -66,6 +70,8 @@ private:
   ContactManifolds split_;
   std::vector<Manifold> manifolds_; ///< more than there are: they keep their memory
   ContactReduction reduction_;
+  TouchingNormal touchingNormal_;
+  double rounding_ = 0.0;           ///< of coordinates, in world units
   std::vector<ContactPlace> known_; ///< places of a manifold whose depth is known
 };
 
