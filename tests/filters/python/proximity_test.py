@@ -162,7 +162,7 @@ class Refusals(unittest.TestCase):
 
     def test_parameters(self):
         self.expect(r"max_contacts -1 is outside \[0, 2147483647\]", max_contacts=-1)
-        self.expect("depth tolerance 1.0+ is not in", depth_tolerance=1)
+        self.expect("depth tolerance 1 is outside", depth_tolerance=1)
         self.expect(r"maximum separation -1 is outside \[0, infinity\]", max_separation=-1)
         self.expect("threads -1", threads=-1)
         self.expect(r"depth_tolerance '1' is not a number in \(0, 1\)", error=TypeError,
