@@ -24,7 +24,7 @@ enum class ThicknessMethod
   Ray,
   /// Diameter of the ball that also touches the opposite wall: its separation angle is at least 120
   /// degrees. Where there is no such ball, as near the edges of a plate, the value is that of the
-  /// nearest place on the surface that has one.
+  /// nearest place on the surface that has one, but not beyond the foot of a rib.
   Wall
 };
 
@@ -117,8 +117,8 @@ struct Thickness
 /// nearer to its centre than the place, down to 0.8 times the distance; the value is then the way
 /// through the centre to the wall. Places without such a ball, and those on edges that are convex
 /// and bend by 60 degrees or more, take the value of the nearest place with one, along the edges of
-/// the mesh, where distances count in multiples of the value. NaN in pieces of the mesh without any
-/// such ball, such as tetrahedra.
+/// the mesh, where distances count in multiples of the value, up to 1.5, and no further than edges
+/// where the solid opens by 30 degrees or more. NaN elsewhere, as on tetrahedra.
 ///
 /// On a tessellated curved surface the error falls with the square of the facets' size, as that of
 /// the tessellation does; a little more slowly where the axis is a point. A ball is the slowest
