@@ -74,9 +74,8 @@ public:
     connectivity_ = &connectivity;
     points_.clear();
     const bool same = this->directPatches();
-    const std::vector<bool> before = this->turnedPatches();
     this->turnPatches();
-    if (!same || this->turnedPatches() != before)
+    if (!same || !this->areTurnedAsBefore())
     {
       result_ = this->result();
     }
@@ -116,12 +115,11 @@ private:
     return false;
   }
 
-  std::vector<bool> turnedPatches() const
+  /// Whether the same patches are turned as before the last turnPatches().
+  bool areTurnedAsBefore() const
   {
-    std::vector<bool> turned(solids_.size());
-    std::transform(solids_.begin(), solids_.end(), turned.begin(),
-      [](const PatchSolid& solid) { return solid.turned; });
-    return turned;
+    return std::equal(solids_.begin(), solids_.end(), turnedBefore_.begin(), turnedBefore_.end(),
+      [](const PatchSolid& solid, bool before) { return solid.turned == before; });
   }
 
   SurfaceOrientation result() const
@@ -247,6 +245,9 @@ private:
   void turnPatches()
   {
     bool anyInwards = false;
+    turnedBefore_.resize(solids_.size());
+    std::transform(solids_.begin(), solids_.end(), turnedBefore_.begin(),
+      [](const PatchSolid& solid) { return solid.turned; });
     for (std::size_t patch = 0; patch < solids_.size(); ++patch)
     {
       solids_[patch].turned = false;
@@ -372,6 +373,7 @@ private:
   std::optional<std::vector<bool>> backwards_; ///< patches against their direction as found
   std::vector<std::int8_t> senses_;            ///< as Patches::senses, for the patches' directions
   std::vector<PatchSolid> solids_;
+  std::vector<bool> turnedBefore_; ///< per patch, at the call before
   SurfaceOrientation result_;
 };
 
