@@ -1,5 +1,7 @@
 #include "thickness/side_thickness.h"
 
+#include "thickness/place_values.h"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -84,10 +86,7 @@ void SideThickness::face(Side side)
     : sharpFeatures(sites_, connectivity_, inward_, sign_, angle_).points;
   if (method_ == ThicknessMethod::Wall)
   {
-    // What opens is convex, seen from the other side.
-    std::vector<glm::dvec3> outward;
-    std::transform(inward_.begin(), inward_.end(), std::back_inserter(outward), std::negate<>());
-    opens_ = sharpFeatures(sites_, connectivity_, outward, -sign_, kOpens).points;
+    this->findOpenEdges();
   }
   if (tellsEdges_)
   {
@@ -95,10 +94,37 @@ void SideThickness::face(Side side)
   }
 }
 
+void SideThickness::findOpenEdges()
+{
+  // What opens is convex, seen from the other side.
+  std::vector<glm::dvec3> outward;
+  std::transform(inward_.begin(), inward_.end(), std::back_inserter(outward), std::negate<>());
+  const SharpFeatures open = sharpFeatures(sites_, connectivity_, outward, -sign_, kOpens);
+  opens_ = open.points;
+  opensAlong_.assign(static_cast<std::size_t>(sites_.faceCount()), 0);
+  for (const int edge : open.edges)
+  {
+    const auto& ends = sites_.edges()[edge];
+    const IncidenceLists& faces = connectivity_.edgeTriangles;
+    for (const int* face = faces.begin(edge); face != faces.end(edge); ++face)
+    {
+      opensAlong_[*face] |= bitOfEdge(sites_.faces()[*face], ends);
+    }
+  }
+}
+
 SideThickness::Value SideThickness::atPoint(int point, double guess, SurfaceAnswers& surface) const
 {
   Value value = this->valueAtPoint(point, guess, surface);
-  value.opens = !opens_.empty() && opens_[point] != 0;
+  value.opens = opens_.empty() ? 0 : opens_[point];
+  return value;
+}
+
+SideThickness::Value SideThickness::atTriangle(int triangle, double guess,
+  SurfaceAnswers& surface) const
+{
+  Value value = this->valueAtTriangle(triangle, guess, surface);
+  value.opens = opensAlong_.empty() ? 0 : opensAlong_[triangle];
   return value;
 }
 
@@ -126,7 +152,7 @@ SideThickness::Value SideThickness::valueAtPoint(int point, double guess,
   return this->ballAt({ ray, start, kFirstShare * this->shortestEdge(point), guess }, surface);
 }
 
-SideThickness::Value SideThickness::atTriangle(int triangle, double guess,
+SideThickness::Value SideThickness::valueAtTriangle(int triangle, double guess,
   SurfaceAnswers& surface) const
 {
   const glm::dvec3 inward = this->inwardOfFace(triangle);

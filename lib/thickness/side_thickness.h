@@ -25,7 +25,7 @@ public:
   {
     double thickness;    ///< world units; NaN if there is none
     bool atEdge = false; ///< whether it is that of a convex edge or tip
-    bool opens = false;  ///< for walls, whether the solid opens there, as at the foot of a rib
+    int opens = 0;       ///< for walls, as PlaceValues::opens
   };
 
   /// @param surface, connectivity of the mesh, or of what is here of it; must outlive this.
@@ -68,11 +68,13 @@ private:
   };
 
   Value valueAtPoint(int point, double guess, SurfaceAnswers& surface) const;
+  Value valueAtTriangle(int triangle, double guess, SurfaceAnswers& surface) const;
   Value ballAt(const Place& place, SurfaceAnswers& surface) const;
   std::optional<TouchingBall::Ball> touchingBall(const Place& place, SurfaceAnswers& surface) const;
   Value rayAt(const TouchingBall::Ray& ray, const RayStart& start, SurfaceAnswers& surface) const;
   Value rayAtEdge(int point, SurfaceAnswers& surface) const;
 
+  void findOpenEdges();
   glm::dvec3 inwardOfFace(int face) const;
   glm::dvec3 centreOf(int face) const;
   double shortestEdge(int point) const;
@@ -93,7 +95,8 @@ private:
   std::vector<glm::dvec3> inward_; ///< per point: of unit length, or zero
   std::vector<char> sharp_;        ///< per point
   std::vector<char> bent_;         ///< per point, of bends that are no tessellation
-  std::vector<char> opens_; ///< per point, whether the side opens there; empty unless for walls
+  std::vector<char> opens_;        ///< per point, as PlaceValues::opens; empty unless for walls
+  std::vector<int> opensAlong_;    ///< the same per face
   std::optional<ConvexEdges> edges_;
   std::optional<OppositeSurface> opposite_; ///< of rays, and for large angles
 };

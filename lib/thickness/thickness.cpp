@@ -54,7 +54,7 @@ PlaceValues measurePlaces(std::size_t count, const Run& run, const At& at)
       const SideThickness::Value value = at(static_cast<int>(place), guess);
       places.values[place] = static_cast<float>(value.thickness);
       places.atEdge[place] = value.atEdge ? 1 : 0;
-      places.opens[place] = value.opens ? 1 : 0;
+      places.opens[place] = static_cast<char>(value.opens);
       guess = value.thickness > 0.0 ? value.thickness : guess;
     }
   };

@@ -30,8 +30,6 @@ constexpr double kPower = 0.75;
 /// Nothing takes its value from farther away, in thicknesses of the wall: where sides meet at 60
 /// degrees, the strip is 0.87 wide, and half of the narrow side 0.58.
 constexpr double kFarthest = 1.5;
-/// Cosine of the bend of edges from which on the solid may open there, 30 degrees.
-constexpr double kBend = 0.866;
 
 /// Dijkstra's algorithm from all places with a value; places are points, then triangles.
 class Extension
@@ -123,22 +121,11 @@ private:
 
   bool opensAt(int place) const { return place < pointCount_ && points_.opens[place] != 0; }
 
-  /// Whether the solid opens at an edge between two triangles.
-  bool opensAlong(int edge) const
+  /// Whether the solid opens at an edge of a triangle.
+  bool opensAlong(int triangle, int edge) const
   {
-    const auto& [first, second] = connectivity_.edges[edge];
-    const IncidenceLists& triangles = connectivity_.edgeTriangles;
-    if (!this->opensAt(first) || !this->opensAt(second) || triangles.size(edge) != 2)
-    {
-      return false;
-    }
-    const glm::dvec3 start = this->position(first);
-    const glm::dvec3 along = this->position(second) - start;
-    const auto normalTo = [&](int triangle)
-    { return glm::cross(along, this->position(pointCount_ + triangle) - start); };
-    const glm::dvec3 a = normalTo(triangles.begin(edge)[0]);
-    const glm::dvec3 b = normalTo(triangles.begin(edge)[1]);
-    return -glm::dot(a, b) < kBend * glm::length(a) * glm::length(b);
+    const int bit = bitOfEdge(mesh_.triangles[triangle], connectivity_.edges[edge]);
+    return (triangles_.opens[triangle] & bit) != 0;
   }
 
   void leave(const Step& from, Reach reach)
@@ -202,7 +189,7 @@ private:
   void forEachAcross(int triangle, int edge, const Visit& visit) const
   {
     const std::array<int, 2>& ends = connectivity_.edges[edge];
-    if ((measured_[ends[0]] != 0 && measured_[ends[1]] != 0) || this->opensAlong(edge))
+    if ((measured_[ends[0]] != 0 && measured_[ends[1]] != 0) || this->opensAlong(triangle, edge))
     {
       return;
     }

@@ -91,7 +91,7 @@ private:
   {
     const auto at = static_cast<std::size_t>(place);
     values_[at] = { first_ + place, static_cast<float>(value.thickness),
-      static_cast<char>(value.atEdge ? 1 : 0), static_cast<char>(value.opens ? 1 : 0) };
+      static_cast<char>(value.atEdge ? 1 : 0), static_cast<char>(value.opens) };
     guesses_[at] = value.thickness > 0.0 ? value.thickness : guesses_[guessedFrom(at)];
     for (std::size_t step = 1; step < kPlacesInRow && (at & step) == 0; step *= 2)
     {

@@ -244,6 +244,20 @@ TEST(ThicknessRegions, AFinEndsAtItsFoot)
   }
 }
 
+// The walls of holes are narrow sides of a plate, however coarse the mesh is: the solid opens at
+// their corners, but not at their rims.
+TEST(ThicknessRegions, AThinPlateWithHolesIsOneRegion)
+{
+  const TriangleMesh mesh = blocks({ "#####", "#.#.#", "#####" }, 0.05);
+  for (const int times : { 0, 1, 2 })
+  {
+    const Regions found = Measured(subdivided(mesh, times)).thin(0.15);
+    ASSERT_EQ(found.size(), 1U) << textOf(found);
+    EXPECT_NEAR(found[0].value, 0.1, 1e-6);
+    EXPECT_NEAR(found[0].area, 2 * 13.0 + 0.1 * (16.0 + 8.0), 1e-6);
+  }
+}
+
 // The clearance of a slot 1 wide, 3 deep and 8 long: its sides and its bottom, but not what is
 // around its mouth.
 TEST(ThicknessRegions, ASlotEndsAtItsMouth)
