@@ -121,9 +121,13 @@ void TouchingNormal::addPair(const MovingMesh& a, const MovingMesh& b, const Slo
   around_ += touch.ofA - touch.ofB;
   if (inOnePlane(elementA, elementB))
   {
-    // Solids that touch face each other; where they look the same way, one is in the other.
-    glm::dvec3& sum = glm::dot(touch.ofA, touch.ofB) < 0.0 ? opposite_ : alike_;
-    sum += std::min(area(elementA), area(elementB)) * touch.ofA;
+    // Solids that touch face each other; where they look the same way, one is in the other. A sheet
+    // on a solid's face may look either way.
+    const bool isSheetA = b.closed() && !a.closed();
+    const bool isSheetB = a.closed() && !b.closed();
+    const bool areOpposite = isSheetA || isSheetB || glm::dot(touch.ofA, touch.ofB) < 0.0;
+    glm::dvec3& sum = areOpposite ? opposite_ : alike_;
+    sum += std::min(area(elementA), area(elementB)) * (isSheetA ? -touch.ofB : touch.ofA);
     return;
   }
   const auto addCorners = [&](const Element& corners, const Element& triangle,

@@ -23,6 +23,7 @@ using medial::ProximityContact;
 using medial::TriangleMesh;
 using medial::test::box;
 using medial::test::expectSame;
+using medial::test::flipOrientation;
 using medial::test::makeMesh;
 using medial::test::mirrored;
 using medial::test::rotated90;
@@ -250,6 +251,21 @@ TEST(TouchingContacts, OfATipThatSinksALittleHaveItsDepthAndTheNormalOfTheFace)
       EXPECT_NEAR(result.contacts[0].depth, sunk, 1e-3 * sunk + 1e-15);
       EXPECT_LT(degreesFromUp(result.contacts[0]), 1e-6);
     }
+  }
+}
+
+TEST(TouchingContacts, OfASheetOnAFaceHaveTheNormalOfTheFaceWhicheverWayItLooks)
+{
+  const TriangleMesh block = boxBetween({ 0, 0, -1 }, { 1, 1, 0 });
+  const TriangleMesh onTop = translated(sheet(), { 0.25, 0.25, 0 });
+  for (const TriangleMesh& either : { onTop, flipOrientation(onTop) })
+  {
+    const Proximity found = computeProximity(block, either);
+    const Proximity swapped = computeProximity(either, block);
+    ASSERT_FALSE(found.contacts.empty());
+    ASSERT_FALSE(swapped.contacts.empty());
+    EXPECT_EQ(found.contacts[0].normal, (Point3{ 0, 0, 1 }));
+    EXPECT_EQ(swapped.contacts[0].normal, (Point3{ 0, 0, -1 }));
   }
 }
 
