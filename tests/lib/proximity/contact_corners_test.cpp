@@ -83,7 +83,7 @@ Proximity contactsOf(const TriangleMesh& a, const TriangleMesh& b, int count = 4
 {
   medial::ProximityOptions options;
   options.maxContacts = count;
-  const Proximity result = computeProximity(a, b, options);
+  Proximity result = computeProximity(a, b, options);
   expectSame(mirrored(computeProximity(b, a, options)), result);
   return result;
 }
