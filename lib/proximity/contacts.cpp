@@ -198,21 +198,18 @@ void Contacts::addTouches(Manifold& manifold) const
     };
     for (int i = 0; i < 3; ++i)
     {
-      const glm::dvec3& p = a.corners[i];
-      const glm::dvec3& toP = a.corners[(i + 1) % 3];
       for (int k = 0; k < 3; ++k)
       {
-        const glm::dvec3& q = b.corners[k];
-        const glm::dvec3& toQ = b.corners[(k + 1) % 3];
-        const ClosePoints edges = closestPoints({ { p, toP, toP } }, { { q, toQ, toQ } });
+        const ClosePoints edges = closestPoints(edgeOf(a, i), edgeOf(b, k));
         if (edges.squared <= near * near)
         {
           add(edges.a);
         }
       }
-      for (const auto& [corner, other] : { std::pair(&p, &b), std::pair(&b.corners[i], &a) })
+      for (const auto& [corner, other] :
+        { std::pair(&a.corners[i], &b), std::pair(&b.corners[i], &a) })
       {
-        if (glm::distance(closestPoint(*other, *corner), *corner) <= near)
+        if (isNear(*other, *corner, near))
         {
           add(*corner);
         }

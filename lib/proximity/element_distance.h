@@ -79,4 +79,17 @@ MEDIAL_INLINE glm::dvec3 closestPoint(const Element& element, const glm::dvec3& 
   return a + ofB / sum * ab + ofC / sum * ac;
 }
 
+/// Whether an element is no farther than that from a position.
+inline bool isNear(const Element& element, const glm::dvec3& x, double distance)
+{
+  return glm::distance(closestPoint(element, x), x) <= distance;
+}
+
+/// Returns the edge of a triangle from a corner to the next one.
+inline Element edgeOf(const Element& triangle, int corner)
+{
+  const glm::dvec3& end = triangle.corners[(corner + 1) % 3];
+  return { { triangle.corners[corner], end, end } };
+}
+
 } // namespace medial

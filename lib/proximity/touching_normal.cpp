@@ -62,11 +62,6 @@ bool inOnePlane(const Element& a, const Element& b)
     { return orientation(a.corners[0], a.corners[1], a.corners[2], x) == 0; });
 }
 
-Element segment(const glm::dvec3& from, const glm::dvec3& to)
-{
-  return { { from, to, to } };
-}
-
 /// Whether an edge is one between triangles in one plane. The end of a surface is none.
 template <typename Iterator, typename SlotOf, typename NormalOf>
 bool isFlatEdge(Iterator begin, Iterator end, const SlotOf& slotOf, const NormalOf& normalOf)
@@ -135,7 +130,7 @@ void TouchingNormal::addPair(const MovingMesh& a, const MovingMesh& b, const Slo
   {
     for (const glm::dvec3& x : corners.corners)
     {
-      if (normal != glm::dvec3(0.0) && glm::distance(closestPoint(triangle, x), x) <= tolerance)
+      if (normal != glm::dvec3(0.0) && isNear(triangle, x, tolerance))
       {
         touches.push_back({ x, normal });
       }
@@ -159,7 +154,7 @@ void TouchingNormal::addEdges(const Element& a, const Element& b, const EdgeTouc
       toP = a.corners[(i + 1) % 3];
       q = b.corners[k];
       toQ = b.corners[(k + 1) % 3];
-      const ClosePoints closest = closestPoints(segment(p, toP), segment(q, toQ));
+      const ClosePoints closest = closestPoints(edgeOf(a, i), edgeOf(b, k));
       if (closest.squared > tolerance * tolerance)
       {
         continue;

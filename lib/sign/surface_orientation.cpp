@@ -1,5 +1,6 @@
 #include "sign/surface_orientation.h"
 
+#include "base/vectors.h"
 #include "sign/containment.h"
 #include "sign/patch_measure.h"
 #include "sign/patches.h"
@@ -205,11 +206,7 @@ private:
   /// Whether a patch and its lids face inwards, where that is more than a matter of rounding.
   bool facesInwards(int patch) const
   {
-    const auto pointAt = [this](int point)
-    {
-      const Point3& p = mesh_->points[point];
-      return glm::dvec3(p[0], p[1], p[2]);
-    };
+    const auto pointAt = [this](int point) { return toVector(mesh_->points[point]); };
     const glm::dvec3 origin = pointAt(mesh_->triangles[patches_.triangles[patch].front()][0]);
     double volume = 0.0;
     const auto add = [&](const std::array<int, 3>& corners, int weight)

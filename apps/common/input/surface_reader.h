@@ -18,4 +18,5 @@ Surface readSurface(const std::filesystem::path& path);
 /// Reads points, and the cells between them if the file has any, as files::readPointSet() does.
 /// @throws Failure as readSurface().
 Surface readPointSet(const std::filesystem::path& path);
+
 } // namespace medial::app

@@ -28,6 +28,17 @@ AxisMeasurement measureOn(const TriangleMesh& mesh, const MedialModel& model,
   return measureAxis(mesh, analyseConnectivity(mesh), model, options);
 }
 
+/// Expects that the same surface of a union has been measured.
+void expectSameUnion(const AxisMeasurement& result, const AxisMeasurement& expected)
+{
+  constexpr double kTolerance = 2e-3;
+  const auto expectNear = [](double value, double wanted)
+  { EXPECT_NEAR(value, wanted, kTolerance * wanted); };
+  expectNear(result.unionToSurface.mean, expected.unionToSurface.mean);
+  expectNear(static_cast<double>(result.unionToSurface.places),
+    static_cast<double>(expected.unionToSurface.places));
+}
+
 TEST(AxisMeasurement, SmallerBallInASphere)
 {
   // Facets of the icosphere lie inside the sphere by up to 2e-4.
@@ -133,12 +144,7 @@ TEST(AxisMeasurement, OverlappingConesCountOnce)
       std::vector<std::array<std::int64_t, 2>>{ { 0, 2 }, { 2, 1 } } })
   {
     capsule.lines = lines;
-    const AxisMeasurement result = measureOn(ball, capsule);
-    EXPECT_NEAR(result.unionToSurface.mean, expected.unionToSurface.mean,
-      2e-3 * expected.unionToSurface.mean);
-    EXPECT_NEAR(static_cast<double>(result.unionToSurface.places),
-      static_cast<double>(expected.unionToSurface.places),
-      2e-3 * static_cast<double>(expected.unionToSurface.places));
+    expectSameUnion(measureOn(ball, capsule), expected);
   }
 }
 
@@ -156,12 +162,7 @@ TEST(AxisMeasurement, OverlappingWedgesCountOnce)
   plate.triangles.push_back({ 0, 1, 4 });
   plate.triangles.push_back({ 1, 2, 3 });
   plate.triangles.push_back({ 0, 1, 2 });
-  const AxisMeasurement result = measureOn(ball, plate);
-  EXPECT_NEAR(result.unionToSurface.mean, expected.unionToSurface.mean,
-    2e-3 * expected.unionToSurface.mean);
-  EXPECT_NEAR(static_cast<double>(result.unionToSurface.places),
-    static_cast<double>(expected.unionToSurface.places),
-    2e-3 * static_cast<double>(expected.unionToSurface.places));
+  expectSameUnion(measureOn(ball, plate), expected);
 }
 
 TEST(AxisMeasurement, SegmentsOfNoWidthAreTheirEnds)
