@@ -168,7 +168,7 @@ public:
    * at the resolution of the grid. The voxels of the side are thinned from the surface inwards
    * without cutting or piercing, and the sheets that Angle selects stay. Curves join the sheets and
    * stand for thin round parts, as lines. Each side is thinned on its own; without a sign, the side
-   * is the whole grid. PRESERVE takes 14 bytes per point of the whole grid, and needs
+   * is the whole grid. PRESERVE takes 10 bytes per point of the whole grid, and needs
    * Representation SURFACE or FACES. Default is SELECTED.
    */
   vtkSetMacro(Topology, int);

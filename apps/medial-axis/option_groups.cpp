@@ -249,7 +249,7 @@ void addAxisOptions(CLI::App& app, OptionTexts& texts, Options& options)
     .add_option("--topology", texts.topology,
       "selected: what theta selects, in as many components as that gives; preserve: with the "
       "components, tunnels and cavities of the solid at this resolution, whatever theta is; needs "
-      "--representation surface or faces, and 14 bytes per grid point; default selected")
+      "--representation surface or faces, and 10 bytes per grid point; default selected")
     ->option_text("KIND")
     ->check(oneOf(topologyNames()))
     ->group(group);

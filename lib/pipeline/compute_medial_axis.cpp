@@ -35,8 +35,8 @@ namespace medial
 namespace
 {
 
-/// Bytes per grid point for preserving topology: field, voxels, cells, sheets and ranks.
-constexpr std::size_t kPreservationBytes = 14;
+/// Bytes per grid point for preserving topology: field, voxels, and tables of blocks.
+constexpr std::size_t kPreservationBytes = 10;
 
 /// Makes the points and cells of the chosen representation.
 BisectorPoints represent(Representation representation, const AxisGeometry& geometry,

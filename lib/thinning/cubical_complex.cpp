@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 
 namespace medial
@@ -54,7 +55,8 @@ CubicalComplex::CubicalComplex(const Extent& part, const glm::ivec3& grid)
   , first_(part.min[0], part.min[1], part.min[2])
   , stride_{ 1, size_.x, static_cast<std::int64_t>(size_.x) * size_.y }
   , start_(first_.x + stride_[1] * first_.y + stride_[2] * first_.z)
-  , bits_(static_cast<std::size_t>(stride_[2]) * size_.z)
+  , positions_(static_cast<std::size_t>(stride_[2]) * size_.z)
+  , blocks_(blocksFor(positions_))
 {
   for (int kind = 0; kind < kCubeCellKinds; ++kind)
   {
@@ -72,8 +74,28 @@ CubicalComplex::CubicalComplex(const Extent& part, const glm::ivec3& grid)
 
 void CubicalComplex::insert(const CubicalComplex& other)
 {
-  std::transform(bits_.begin(), bits_.end(), other.bits_.begin(), bits_.begin(),
-    [](std::uint8_t a, std::uint8_t b) { return static_cast<std::uint8_t>(a | b); });
+  for (std::size_t i = 0; i < blocks_.count(); ++i)
+  {
+    if (other.blocks_.has(i))
+    {
+      const Block& theirs = other.blocks_[i];
+      Block& block = blocks_.make(i);
+      std::transform(block.begin(), block.end(), theirs.begin(), block.begin(),
+        [](std::uint8_t a, std::uint8_t b) { return static_cast<std::uint8_t>(a | b); });
+    }
+  }
+}
+
+void CubicalComplex::copyBits(std::size_t first, std::size_t count, std::uint8_t* bits) const
+{
+  for (std::size_t done = 0; done < count;)
+  {
+    const std::size_t begin = (first + done) % kBlockLength;
+    const std::size_t together = std::min(kBlockLength - begin, count - done);
+    const Block& block = blocks_[(first + done) / kBlockLength];
+    std::copy_n(block.begin() + static_cast<std::ptrdiff_t>(begin), together, bits + done);
+    done += together;
+  }
 }
 
 glm::ivec3 CubicalComplex::position(CubeCell cell) const
@@ -127,6 +149,17 @@ CubicalComplex closureOf(const glm::ivec3& size, const std::vector<CubeCell>& fa
   CubicalComplex complex(size);
   const auto firstAbove = [&](int z)
   { return std::lower_bound(faces.begin(), faces.end(), 8 * complex.stride(2) * z); };
+  for (const CubeCell face : faces)
+  {
+    const int axis = CubicalComplex::kind(face) - kFaceKind;
+    const std::size_t corner = CubicalComplex::index(face);
+    const auto u = static_cast<std::size_t>(complex.stride((axis + 1) % 3));
+    const auto v = static_cast<std::size_t>(complex.stride((axis + 2) % 3));
+    for (const std::size_t step : { std::size_t{ 0 }, u, v, u + v })
+    {
+      complex.makeRoom(corner + step);
+    }
+  }
   // The faces of some layers have cells in the next one as well: every other block at a time.
   const int blocks = (size.z + kLayers - 1) / kLayers;
   for (const int odd : { 0, 1 })
@@ -142,29 +175,58 @@ CubicalComplex closureOf(const glm::ivec3& size, const std::vector<CubeCell>& fa
   return complex;
 }
 
+void insertVoxels(const std::vector<std::size_t>& voxels, CubicalComplex& complex)
+{
+  std::array<std::size_t, kVoxelCells.size()> steps{};
+  for (std::size_t corner = 0; corner < steps.size(); ++corner)
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      steps[corner] +=
+        (corner >> axis & 1) * static_cast<std::size_t>(complex.stride(static_cast<int>(axis)));
+    }
+  }
+  for (const std::size_t voxel : voxels)
+  {
+    for (std::size_t corner = 0; corner < steps.size(); ++corner)
+    {
+      complex.insert(voxel + steps[corner], kVoxelCells[corner]);
+    }
+  }
+}
+
 std::vector<CubeCell> cellsOf(const CubicalComplex& complex, int kind)
 {
-  constexpr std::size_t kTogether = std::size_t{ 1 } << 16;
-  const EightCells ofKind = EightCells::filled(static_cast<std::uint8_t>(1u << kind));
-  const std::size_t parts = (complex.positions() + kTogether - 1) / kTogether;
+  constexpr std::size_t kTogether = 1024; // blocks
+  const std::uint64_t ofKind = std::uint64_t{ 0x0101010101010101 } << kind;
+  const SparseBlocks<CubicalComplex::Block>& blocks = complex.blocks();
+  const std::size_t parts = (blocks.count() + kTogether - 1) / kTogether;
   std::vector<std::vector<CubeCell>> found(parts);
+  const auto add = [&](std::size_t block, std::vector<CubeCell>& cells)
+  {
+    const CubicalComplex::Block& bits = blocks[block];
+    std::uint64_t eight = 0;
+    for (std::size_t first = 0; first < bits.size(); first += sizeof(eight))
+    {
+      std::memcpy(&eight, bits.data() + first, sizeof(eight));
+      for (std::size_t i = first; (eight & ofKind) != 0 && i < first + sizeof(eight); ++i)
+      {
+        if ((bits[i] >> kind & 1) != 0)
+        {
+          cells.push_back(8 * static_cast<CubeCell>(block * kBlockLength + i) + kind);
+        }
+      }
+    }
+  };
   tbb::parallel_for(std::size_t{ 0 }, parts,
     [&](std::size_t part)
     {
-      const std::size_t end = std::min(complex.positions(), (part + 1) * kTogether);
-      for (std::size_t first = part * kTogether; first < end; first += EightCells::kCount)
+      const std::size_t end = std::min(blocks.count(), (part + 1) * kTogether);
+      for (std::size_t block = part * kTogether; block < end; ++block)
       {
-        const std::size_t count = std::min(EightCells::kCount, end - first);
-        if ((EightCells::load(complex.bitsFrom(first), count).word & ofKind.word) == 0)
+        if (blocks.has(block))
         {
-          continue;
-        }
-        for (std::size_t position = first; position < first + count; ++position)
-        {
-          if ((complex.bits(position) >> kind & 1) != 0)
-          {
-            found[part].push_back(8 * static_cast<CubeCell>(position) + kind);
-          }
+          add(block, found[part]);
         }
       }
     });

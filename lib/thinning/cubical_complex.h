@@ -1,7 +1,7 @@
 #pragma once
 
-#include "base/huge_pages.h"
 #include "medial/grid.h"
+#include "thinning/sparse_blocks.h"
 
 #include <glm/glm.hpp>
 
@@ -9,7 +9,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <vector>
 
 namespace medial
@@ -26,6 +25,10 @@ constexpr int kFaceKind = 4;
 constexpr int kVoxelKind = 7;
 constexpr int kCubeCellKinds = 8;
 
+/// The cells of a voxel at its lowest corner, then at the corners beside that along x, y, z, a bit
+/// for each kind.
+constexpr std::array<std::uint8_t, 8> kVoxelCells{ 0xff, 0x1d, 0x2b, 0x09, 0x47, 0x05, 0x03, 0x01 };
+
 /// Differences between cube cells of one kind and their faces or their cofaces.
 struct CubeCellSteps
 {
@@ -37,8 +40,9 @@ struct CubeCellSteps
 };
 
 /// A cubical complex: unit cubes around grid points ("voxels") with their square faces, edges and
-/// corners. It stores which of these cube cells are there, in one byte per grid point. (Voxel
-/// Cores, Yan, Letscher, Ju 2018, thin the dual complex in the same way.)
+/// corners. It stores which of these cube cells are there, in one byte per grid point, for blocks
+/// of points where there are some. (Voxel Cores, Yan, Letscher, Ju 2018, thin the dual complex in
+/// the same way.)
 ///
 /// Position p = (i, j, k), x fastest, has the voxel around grid point p, the voxel's three faces
 /// and three edges that meet in its lowest corner, and that corner. So the face of normal axis a at
@@ -69,7 +73,7 @@ public:
     const glm::ivec3 p = position - first_;
     return p.x >= 0 && p.y >= 0 && p.z >= 0 && p.x < size_.x && p.y < size_.y && p.z < size_.z;
   }
-  std::size_t positions() const { return bits_.size(); }
+  std::size_t positions() const { return positions_; }
   CubeCell cell(const glm::ivec3& position, int kind) const
   {
     return 8 * (position.x + stride_[1] * position.y + stride_[2] * position.z - start_) + kind;
@@ -78,20 +82,40 @@ public:
   /// Returns the centre of a cell, in indices of grid points.
   glm::dvec3 centre(CubeCell cell) const;
 
-  bool has(CubeCell cell) const { return (bits_[index(cell)] >> kind(cell) & 1) != 0; }
-  void insert(CubeCell cell) { bits_[index(cell)] |= static_cast<std::uint8_t>(1u << kind(cell)); }
+  bool has(CubeCell cell) const { return (this->bits(index(cell)) >> kind(cell) & 1) != 0; }
+  void insert(CubeCell cell)
+  {
+    this->insert(index(cell), static_cast<std::uint8_t>(1u << kind(cell)));
+  }
+  /// Inserts cells at a position: bit k for kind k.
+  void insert(std::size_t position, std::uint8_t bits)
+  {
+    blocks_.make(position / kBlockLength)[position % kBlockLength] |= bits;
+  }
   /// Inserts the cells of a complex of the same size.
   void insert(const CubicalComplex& other);
   void erase(CubeCell cell)
   {
-    bits_[index(cell)] &= static_cast<std::uint8_t>(~(1u << kind(cell)));
+    if (this->has(cell))
+    {
+      blocks_.make(index(cell) / kBlockLength)[index(cell) % kBlockLength] &=
+        static_cast<std::uint8_t>(~(1u << kind(cell)));
+    }
   }
+  /// Takes memory for the cells at a position, so that any thread may insert some there.
+  void makeRoom(std::size_t position) { blocks_.make(position / kBlockLength); }
 
   /// The cells at a position: bit k for kind k.
-  std::uint8_t bits(std::size_t position) const { return bits_[position]; }
-  /// The same for the positions from one on.
-  const std::uint8_t* bitsFrom(std::size_t position) const { return bits_.data() + position; }
-  std::uint8_t* bitsFrom(std::size_t position) { return bits_.data() + position; }
+  std::uint8_t bits(std::size_t position) const
+  {
+    return blocks_[position / kBlockLength][position % kBlockLength];
+  }
+  /// Copies the same for the positions from one on.
+  void copyBits(std::size_t first, std::size_t count, std::uint8_t* bits) const;
+
+  using Block = std::array<std::uint8_t, kBlockLength>;
+  /// The cells at positions in a row, by the blocks of these.
+  const SparseBlocks<Block>& blocks() const { return blocks_; }
 
   const CubeCellSteps& faces(int kind) const { return faces_[kind]; }
   const CubeCellSteps& cofaces(int kind) const { return cofaces_[kind]; }
@@ -137,28 +161,8 @@ private:
   std::int64_t start_; ///< what the index of that position would be if the part began at 0
   std::array<CubeCellSteps, kCubeCellKinds> faces_;
   std::array<CubeCellSteps, kCubeCellKinds> cofaces_;
-  ZeroedVector<std::uint8_t> bits_;
-};
-
-/// The cells at eight positions in a row, to be looked at together.
-struct EightCells
-{
-  static constexpr std::size_t kCount = 8;
-
-  std::uint64_t word = 0;
-
-  /// @param count of them that are there; the others are empty.
-  static EightCells load(const std::uint8_t* bits, std::size_t count = kCount)
-  {
-    EightCells cells;
-    std::memcpy(&cells.word, bits, count);
-    return cells;
-  }
-  /// The same cells at all of them.
-  static constexpr EightCells filled(std::uint8_t bits)
-  {
-    return { std::uint64_t{ 0x0101010101010101 } * bits };
-  }
+  std::size_t positions_;
+  SparseBlocks<Block> blocks_;
 };
 
 /// Returns the cells of a kind, ascending.
@@ -172,16 +176,19 @@ std::array<CubeCell, 12> facesAround(const CubicalComplex& complex, CubeCell ver
 /// @param faces ascending by their positions.
 CubicalComplex closureOf(const glm::ivec3& size, const std::vector<CubeCell>& faces);
 
-/// Numbers the cells of a list, so that one is found at once: a bit for each cell of a complex, and
-/// the number of those before each 64. Takes 1.5 bytes for each position.
+/// Inserts closed voxels, with all their faces, edges and corners.
+/// @param voxels their positions.
+void insertVoxels(const std::vector<std::size_t>& voxels, CubicalComplex& complex);
+
+/// Numbers the cells of a list, so that one is found at once: a bit for each cell, and the number
+/// of those before each 64, in the blocks of a complex where there are some.
 class CellRanks
 {
 public:
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
   explicit CellRanks(const CubicalComplex& complex)
-    : cells_((complex.positions() + kTogether - 1) / kTogether)
-    , before_(cells_.size())
+    : blocks_(blocksFor(complex.positions()))
   {
   }
 
@@ -189,40 +196,49 @@ public:
   template <typename Item, typename CellOf>
   void set(const std::vector<Item>& items, const CellOf& cellOf)
   {
-    for (const CubeCell word : words_)
+    for (const std::size_t word : words_)
     {
-      cells_[word] = 0;
+      blocks_.make(word / kWords).cells[word % kWords] = 0;
     }
     words_.clear();
     for (std::size_t i = 0; i < items.size(); ++i)
     {
       const CubeCell cell = cellOf(items[i]);
-      const CubeCell word = cell >> 6;
+      const std::size_t word = wordOf(cell);
+      Block& block = blocks_.make(word / kWords);
       if (words_.empty() || words_.back() != word)
       {
         words_.push_back(word);
-        before_[word] = static_cast<std::uint32_t>(i);
+        block.before[word % kWords] = static_cast<std::uint32_t>(i);
       }
-      cells_[word] |= std::uint64_t{ 1 } << (cell & 63);
+      block.cells[word % kWords] |= std::uint64_t{ 1 } << (cell & 63);
     }
   }
 
   /// Returns the index of the item of a cell, or kNone.
   std::size_t find(CubeCell cell) const
   {
-    const std::uint64_t here = cells_[cell >> 6];
+    const std::size_t word = wordOf(cell);
+    const Block& block = blocks_[word / kWords];
+    const std::uint64_t here = block.cells[word % kWords];
     const std::uint64_t bit = std::uint64_t{ 1 } << (cell & 63);
-    return (here & bit) == 0
-      ? kNone
-      : before_[cell >> 6] + static_cast<std::size_t>(__builtin_popcountll(here & (bit - 1)));
+    return (here & bit) == 0 ? kNone
+                             : block.before[word % kWords] +
+        static_cast<std::size_t>(__builtin_popcountll(here & (bit - 1)));
   }
 
 private:
-  static constexpr std::size_t kTogether = 64 / kCubeCellKinds; ///< positions in one word
+  static constexpr std::size_t kWords = kBlockLength * kCubeCellKinds / 64;
+  struct Block
+  {
+    std::array<std::uint64_t, kWords> cells{};
+    std::array<std::uint32_t, kWords> before{}; ///< where there are cells
+  };
 
-  ZeroedVector<std::uint64_t> cells_;
-  ZeroedVector<std::uint32_t> before_; ///< where there are cells
-  std::vector<CubeCell> words_;        ///< those of cells_ that are not 0
+  static std::size_t wordOf(CubeCell cell) { return static_cast<std::size_t>(cell >> 6); }
+
+  SparseBlocks<Block> blocks_;
+  std::vector<std::size_t> words_; ///< those with cells
 };
 
 } // namespace medial

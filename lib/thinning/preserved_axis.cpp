@@ -4,9 +4,14 @@
 #include "thinning/curve_probe.h"
 #include "thinning/rim_finish.h"
 #include "thinning/solid_bodies.h"
+#include "thinning/solid_core.h"
 #include "thinning/solid_thinning.h"
+#include "thinning/solid_topology.h"
 #include "thinning/voxel_solid.h"
 
+#include <tbb/parallel_invoke.h>
+
+#include <cstddef>
 #include <optional>
 #include <utility>
 
@@ -79,14 +84,23 @@ PreservedAxis preserveTopology(const ThinningInput& input, const AxisGeometry& g
   {
     const std::vector<std::size_t> indices =
       crossingsWithin(depth, geometry.extent, size, crossings);
-    SolidThinning thinning(depth, size, someOf(indices, crossings, sheets.bisectors, exact),
-      geometry.checkpoint);
-    add(thinning.topology(), axis.solid);
+    const SolidVoxels solid(depth, geometry.extent, size);
+    std::optional<SolidThinning> found;
+    // The core keeps one thread busy for most of the time.
+    tbb::parallel_invoke([&] { add(topologyOf(solid), axis.solid); },
+      [&]
+      {
+        found.emplace(size, someOf(indices, crossings, sheets.bisectors, exact),
+          geometry.checkpoint);
+        found->addCore(coreOf(solid, found->complex(), found->crossings(), geometry.checkpoint));
+      });
+    SolidThinning& thinning = *found;
     const CubicalComplex& complex = thinning.complex();
     const CurveProbe probe(geometry.sites, geometry.frame, input.closestSites, depth,
       geometry.limits.angle);
-    thinning.burn([&](CubeCell edge) { return probe.separates(complex, edge); },
-      geometry.frame.step, limitsOf(geometry));
+    thinning.burn([&](std::size_t voxel) { return depth.at(voxel); },
+      [&](CubeCell edge) { return probe.separates(complex, edge); }, geometry.frame.step,
+      limitsOf(geometry));
     ThinnedAxis cells = thinnedAxis(complex, depth, { geometry, input.closestSites },
       { sheets, indices }, input.representation, thinning.samples());
     if (input.representation == Representation::Surface)

@@ -44,7 +44,7 @@ CurveLimits limitsOf(const AxisGeometry& geometry);
 
 /// Thins the voxels of each side asked for to an axis of the same topology (SolidThinning).
 ///
-/// Needs 14 bytes per grid point, including the field, and memory for the front of the fire.
+/// Needs 10 bytes per grid point, including the field, and memory for the front of the fire.
 /// Surfaces get the finish of selected ones: finishRims().
 ///
 /// @param crossings the selected ones.

@@ -1,7 +1,6 @@
 #include "thinning/sheet_faces.h"
 
 #include "axis/sheets/sheet_match.h"
-#include "base/huge_pages.h"
 
 #include <tbb/parallel_for.h>
 
@@ -66,28 +65,34 @@ bool isWide(const CubicalComplex& complex, const AxisSamples& samples, CubeCell 
     { return glm::length(glm::cross(point - points[start], along)) > kMinWidth * length; });
 }
 
-/// Returns 1 for the positions whose vertex is an inner point of a sheet, or 0.
-ZeroedVector<std::uint8_t> innerPoints(const CubicalComplex& complex, const AxisSamples& samples)
+/// Returns the vertices that are inner points of sheets.
+CubicalComplex innerPoints(const CubicalComplex& complex, const AxisSamples& samples)
 {
   const std::vector<CubeCell> vertices = cellsOf(complex, kVertexKind);
-  ZeroedVector<std::uint8_t> inner(complex.positions());
+  std::vector<std::uint8_t> inner(vertices.size());
   tbb::parallel_for(std::size_t{ 0 }, vertices.size(),
-    [&](std::size_t i)
-    {
-      inner[CubicalComplex::index(vertices[i])] =
-        isInside(complex, vertices[i]) && isWide(complex, samples, vertices[i]) ? 1 : 0;
+    [&](std::size_t i) {
+      inner[i] = isInside(complex, vertices[i]) && isWide(complex, samples, vertices[i]) ? 1 : 0;
     });
-  return inner;
+  CubicalComplex points(complex.size());
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+  {
+    if (inner[i] != 0)
+    {
+      points.insert(vertices[i]);
+    }
+  }
+  return points;
 }
 
-bool isInSheet(const CubicalComplex& complex, const ZeroedVector<std::uint8_t>& inner,
-  CubeCell face)
+bool isInSheet(const CubicalComplex& complex, const CubicalComplex& inner, CubeCell face)
 {
   const int axis = CubicalComplex::kind(face) - kFaceKind;
   const std::size_t corner = CubicalComplex::index(face);
   const auto u = static_cast<std::size_t>(complex.stride((axis + 1) % 3));
   const auto v = static_cast<std::size_t>(complex.stride((axis + 2) % 3));
-  return (inner[corner] | inner[corner + u] | inner[corner + v] | inner[corner + u + v]) != 0;
+  return (inner.bits(corner) | inner.bits(corner + u) | inner.bits(corner + v) |
+           inner.bits(corner + u + v)) != 0;
 }
 
 /// Calls visit(face) for the faces of a complex that share an edge with one, and for itself.
@@ -201,7 +206,7 @@ SheetSplit splitSheets(const CubicalComplex& complex, const std::vector<CubeCell
 {
   std::vector<std::uint8_t> inSheet(faces.size());
   {
-    const ZeroedVector<std::uint8_t> inner = innerPoints(complex, samples);
+    const CubicalComplex inner = innerPoints(complex, samples);
     tbb::parallel_for(std::size_t{ 0 }, faces.size(),
       [&](std::size_t i) { inSheet[i] = isInSheet(complex, inner, faces[i]) ? 1 : 0; });
   }

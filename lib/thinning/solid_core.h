@@ -3,16 +3,18 @@
 #include "base/checkpoint.h"
 #include "field/crossing.h"
 #include "thinning/cubical_complex.h"
+#include "thinning/sparse_voxels.h"
 #include "thinning/voxel_solid.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace medial
 {
 
-/// Reduces a solid to its core: those of its voxels where thinning has to decide something. The
-/// closed voxels of the solid collapse onto those of the core and the sheets, so that both have the
-/// same topology.
+/// Returns the core of a solid in a whole grid: those of its voxels where thinning has to decide
+/// something. The closed voxels of the solid collapse onto those of the core and the sheets, so
+/// that both have the same topology.
 ///
 /// Voxels go in the order of their depths, of equal ones that with the lower index first. One that
 /// shares with the sheets and the voxels still there something in one piece and without holes (a
@@ -23,11 +25,27 @@ namespace medial
 /// Most voxels have none of these next to them: what they share with sheets and later voxels
 /// decides, which all threads find out at once. Only the others need the order. The core does not
 /// depend on the number of threads.
-/// @param voxels of the solid; only those of the core stay.
-/// @param sheets faces of these voxels, with their edges and corners, which stay for good.
+/// @param sheets faces of the voxels, with their edges and corners, which stay for good.
 /// @param crossings grid edges whose ends belong to the core where they belong to the solid.
 /// @param checkpoint called now and then.
-void reduceToCore(const DepthField& depth, const CubicalComplex& sheets,
-  const std::vector<Crossing>& crossings, const Checkpoint& checkpoint, VoxelMask& voxels);
+/// @return positions of the voxels, ascending.
+std::vector<std::size_t> coreOf(const SolidVoxels& solid, const CubicalComplex& sheets,
+  const std::vector<Crossing>& crossings, const Checkpoint& checkpoint);
+
+///@{
+/// The same in two steps: in parts of the grid, and then for all of it, where the second step looks
+/// at few voxels.
+/// @param sheets in the part.
+/// @return positions in the part of the voxels that need the order, or the way up to deeper ones.
+///   Those in the outer layers of the part are left out.
+std::vector<std::size_t> undecidedVoxels(const SolidVoxels& solid, const CubicalComplex& sheets,
+  const Checkpoint& checkpoint);
+
+/// @param voxels as they are loaded.
+/// @param undecided of the whole grid, ascending.
+std::vector<std::size_t> coreOf(SparseVoxels& voxels, const CubicalComplex& sheets,
+  const std::vector<Crossing>& crossings, const std::vector<std::size_t>& undecided,
+  const Checkpoint& checkpoint);
+///@}
 
 } // namespace medial

@@ -2,7 +2,6 @@
 
 #include "base/huge_pages.h"
 #include "thinning/sheet_faces.h"
-#include "thinning/solid_core.h"
 
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
@@ -10,7 +9,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <optional>
 #include <utility>
 
 namespace medial
@@ -33,7 +31,7 @@ std::vector<T> at(const std::vector<std::size_t>& indices, const std::vector<T>&
 /// Returns the faces dual to crossings whose grid edge itself crosses a sheet. Fins around a curve
 /// do not count, since their bisector point is elsewhere.
 /// @param samples the bisector points of the crossings come first.
-std::vector<CubeCell> sheetFaces(const CubicalComplex& solid,
+std::vector<CubeCell> sheetFaces(const CubicalComplex& complex,
   const std::vector<Crossing>& crossings, const AxisSamples& samples,
   const std::vector<std::uint8_t>& exact)
 {
@@ -43,23 +41,12 @@ std::vector<CubeCell> sheetFaces(const CubicalComplex& solid,
   {
     if (samples.points().moved[i] == 0)
     {
-      faces.push_back(dualFace(solid, crossings[i]));
+      faces.push_back(dualFace(complex, crossings[i]));
     }
   }
   // Crossings come in the order of slabs, whose thickness must have no influence.
   tbb::parallel_sort(faces.begin(), faces.end());
-  return splitSheets(solid.size(), faces, samples, exact).sheets;
-}
-
-/// Takes all voxels out of a solid but those where thinning has to decide something beside its
-/// sheets.
-void reduceToCore(const DepthField& depth, const std::vector<Crossing>& crossings,
-  const CubicalComplex& sheets, const Checkpoint& checkpoint, VoxelMask& voxels)
-{
-  std::vector<Crossing> others;
-  std::copy_if(crossings.begin(), crossings.end(), std::back_inserter(others),
-    [&](const Crossing& crossing) { return !sheets.has(dualFace(sheets, crossing)); });
-  reduceToCore(depth, sheets, others, checkpoint, voxels);
+  return splitSheets(complex.size(), faces, samples, exact).sheets;
 }
 
 } // namespace
@@ -123,35 +110,25 @@ std::vector<std::size_t> crossingsWithin(const DepthField& depth, const Extent& 
   return indices;
 }
 
-SolidThinning::SolidThinning(const DepthField& depth, const glm::ivec3& size,
-  SelectedCrossings selected, const Checkpoint& checkpoint)
-  : depth_(depth)
-  , checkpoint_(checkpoint)
+SolidThinning::SolidThinning(const glm::ivec3& size, SelectedCrossings selected,
+  const Checkpoint& checkpoint)
+  : checkpoint_(checkpoint)
   , complex_(size)
   , exact_(std::move(selected.exact))
   , samples_(complex_, selected.crossings, std::move(selected.bisectors))
 {
-  VoxelMask voxels = voxelsOf(depth, size);
-  setVoxels(voxels, complex_);
-  std::optional<CubicalComplex> sheets;
-  // The core keeps one thread busy for most of the time.
-  tbb::parallel_invoke([&] { topology_ = topologyOf(complex_); },
-    [&]
-    {
-      anchored_ = sheetFaces(complex_, selected.crossings, samples_, exact_);
-      sheets = closureOf(size, anchored_);
-      reduceToCore(depth, selected.crossings, *sheets, checkpoint, voxels);
-    });
-  setVoxels(voxels, complex_);
-  complex_.insert(*sheets);
+  anchored_ = sheetFaces(complex_, selected.crossings, samples_, exact_);
+  complex_ = closureOf(size, anchored_);
+  std::copy_if(selected.crossings.begin(), selected.crossings.end(), std::back_inserter(crossings_),
+    [&](const Crossing& crossing) { return !complex_.has(dualFace(complex_, crossing)); });
 }
 
 /// The rules for curves apply to strips: selected ones, and those that sheets were reduced to where
 /// they enclose voxels.
-void SolidThinning::burn(Thinning::EdgeTest separates, const glm::dvec3& step,
-  const CurveLimits& limits)
+void SolidThinning::burn(Thinning::DepthAt depthAt, Thinning::EdgeTest separates,
+  const glm::dvec3& step, const CurveLimits& limits)
 {
-  Thinning thinning(complex_, depth_, std::move(separates), step, limits, checkpoint_);
+  Thinning thinning(complex_, std::move(depthAt), std::move(separates), step, limits, checkpoint_);
   thinning.anchor(anchored_,
     [&](CubeCell face)
     { return static_cast<float>(samples_.point(samples_.find(face)).separationAngle()); });

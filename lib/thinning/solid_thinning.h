@@ -4,7 +4,6 @@
 #include "axis/sheets/sheet_selection.h"
 #include "base/checkpoint.h"
 #include "field/crossing.h"
-#include "medial/cell_topology.h"
 #include "medial/grid.h"
 #include "thinning/axis_samples.h"
 #include "thinning/cubical_complex.h"
@@ -45,41 +44,44 @@ std::vector<std::size_t> crossingsWithin(const DepthField& depth, const Extent& 
   const glm::ivec3& grid, const std::vector<Crossing>& crossings);
 
 /// Thins the voxels of one solid to an axis of the same topology: those of the core of the solid
-/// (reduceToCore(), Thinning). The anchors are the faces dual to the selected crossings, except
-/// those that form no sheet.
+/// (solid_core.h, Thinning). The anchors are the faces dual to the selected crossings, except those
+/// that form no sheet.
 ///
-/// Needs memory for each grid point, and for the front of the fire; of the surface nothing but what
-/// `separates` tells.
+/// Needs memory for the core and the sheets, and for the front of the fire; of the surface nothing
+/// but what `separates` tells.
 class SolidThinning
 {
 public:
-  /// Takes out all voxels where thinning has nothing to decide.
-  /// @param depth, checkpoint must outlive this.
+  /// Finds the sheets.
   /// @param size of the grid.
   /// @param selected within the solid.
-  SolidThinning(const DepthField& depth, const glm::ivec3& size, SelectedCrossings selected,
-    const Checkpoint& checkpoint);
+  /// @param checkpoint must outlive this.
+  SolidThinning(const glm::ivec3& size, SelectedCrossings selected, const Checkpoint& checkpoint);
 
-  /// Burns what is left, down to the axis.
+  /// The selected crossings that are in no sheet.
+  const std::vector<Crossing>& crossings() const { return crossings_; }
+  /// Adds the core to the sheets.
+  /// @param voxels of the core.
+  void addCore(const std::vector<std::size_t>& voxels) { insertVoxels(voxels, complex_); }
+
+  /// Burns core and sheets down to the axis.
   /// @param separates tells about edges of the complex.
   /// @param step frame distance of neighbouring grid points.
-  void burn(Thinning::EdgeTest separates, const glm::dvec3& step, const CurveLimits& limits);
+  void burn(Thinning::DepthAt depthAt, Thinning::EdgeTest separates, const glm::dvec3& step,
+    const CurveLimits& limits);
 
-  /// Of the solid.
-  const CellTopology& topology() const { return topology_; }
-  /// What is left.
+  /// What is there: the sheets, then with the core, and what is left of both.
   const CubicalComplex& complex() const { return complex_; }
   /// Those of the selected crossings come first, in their order.
   AxisSamples& samples() { return samples_; }
 
 private:
-  const DepthField& depth_;
   const Checkpoint& checkpoint_;
   CubicalComplex complex_;
-  CellTopology topology_;
   std::vector<std::uint8_t> exact_;
   AxisSamples samples_;
   std::vector<CubeCell> anchored_; ///< the faces of sheets
+  std::vector<Crossing> crossings_;
 };
 
 } // namespace medial

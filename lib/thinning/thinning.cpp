@@ -16,11 +16,11 @@ constexpr int kNoCurve = -2;
 
 } // namespace
 
-Thinning::Thinning(CubicalComplex& complex, const DepthField& depth, EdgeTest separates,
+Thinning::Thinning(CubicalComplex& complex, DepthAt depthAt, EdgeTest separates,
   const glm::dvec3& step, const CurveLimits& limits, const Checkpoint& checkpoint)
   : complex_(complex)
   , anchors_(complex.size())
-  , depth_(depth)
+  , depthAt_(std::move(depthAt))
   , separates_(std::move(separates))
   , step_(step)
   , chains_(limits)
@@ -76,7 +76,7 @@ void Thinning::raise(CubeCell cell, int chain)
       if (!anchors_.has(cell))
       {
         anchors_.insert(cell);
-        queue_.push(static_cast<double>(depth_.at(CubicalComplex::index(cell))), { cell, chain });
+        queue_.push(static_cast<double>(depthAt_(CubicalComplex::index(cell))), { cell, chain });
       }
       break;
     case 2:
@@ -294,7 +294,7 @@ float Thinning::depthAround(CubeCell cell) const
       {
         voxel -= (corner >> axis & 1) != 0 ? static_cast<std::size_t>(complex_.stride(axis)) : 0;
       }
-      sum += depth_.at(voxel);
+      sum += depthAt_(voxel);
       ++count;
     }
   }

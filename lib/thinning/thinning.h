@@ -4,9 +4,8 @@
 #include "thinning/bucket_queue.h"
 #include "thinning/cubical_complex.h"
 #include "thinning/curve_chains.h"
-#include "thinning/voxel_solid.h"
 
-#include <cstdint>
+#include <cstddef>
 #include <functional>
 #include <queue>
 #include <tuple>
@@ -28,13 +27,14 @@ class Thinning
 {
 public:
   using EdgeTest = std::function<bool(CubeCell edge)>;
+  using DepthAt = std::function<float(std::size_t voxel)>;
   /// @param complex the solid, which becomes what is left of it.
-  /// @param depth must outlive this object.
+  /// @param depthAt tells the depths of voxels and those next to them, as DepthField::at().
   /// @param separates tells which edges a curve may follow, as CurveProbe does.
   /// @param step frame distance of neighbouring grid points.
   /// @param checkpoint called now and then; must outlive this object.
-  Thinning(CubicalComplex& complex, const DepthField& depth, EdgeTest separates,
-    const glm::dvec3& step, const CurveLimits& limits, const Checkpoint& checkpoint);
+  Thinning(CubicalComplex& complex, DepthAt depthAt, EdgeTest separates, const glm::dvec3& step,
+    const CurveLimits& limits, const Checkpoint& checkpoint);
 
   using FaceAngle = std::function<float(CubeCell face)>;
   /// Makes faces stay.
@@ -71,7 +71,7 @@ private:
   CubicalComplex& complex_;
   /// Faces, and edges of curves that are kept; and voxels that are in the queue.
   CubicalComplex anchors_;
-  const DepthField& depth_;
+  DepthAt depthAt_;
   EdgeTest separates_;
   glm::dvec3 step_;
   CurveChains chains_;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/huge_pages.h"
-#include "medial/cell_topology.h"
+#include "medial/grid.h"
 #include "medial/side.h"
 #include "thinning/cubical_complex.h"
 
@@ -65,18 +65,40 @@ private:
   int colour_ = 0;
 };
 
-/// Which grid points have a voxel in a solid: 1 or 0 for each, x fastest.
+/// The voxels of a solid: those around the points of a side. Points on the border of the grid are
+/// left out, so that every corner of a voxel lies in a grid cell.
+class SolidVoxels
+{
+public:
+  /// @param depth of a part of the grid; must outlive this.
+  /// @param part of the grid.
+  /// @param grid grid points along each axis.
+  SolidVoxels(const DepthField& depth, const Extent& part, const glm::ivec3& grid)
+    : depth_(depth)
+    , part_(part)
+    , grid_(grid)
+  {
+  }
+
+  const DepthField& depth() const { return depth_; }
+  const Extent& part() const { return part_; }
+  /// Marks those of a row of grid points that have a voxel by 1, others by 0.
+  /// @param first point of the row, along x; those on the border of the grid and beyond it need not
+  ///   be in the part.
+  void mark(const glm::ivec3& first, int count, std::uint8_t* marks) const;
+
+private:
+  const DepthField& depth_;
+  Extent part_;
+  glm::ivec3 grid_;
+};
+
+/// Which points of a part of a grid have a voxel in a solid: 1 or 0 for each, x fastest.
 using VoxelMask = ZeroedVector<std::uint8_t>;
 
-/// Returns the voxels of a side. Points on the border of the grid are left out, so that every
-/// corner of a voxel lies in a grid cell.
-VoxelMask voxelsOf(const DepthField& depth, const glm::ivec3& size);
+VoxelMask voxelsOf(const SolidVoxels& solid);
 
-/// Replaces the cells of a complex of the same size by closed voxels, with all their faces, edges
-/// and corners.
-void setVoxels(const VoxelMask& voxels, CubicalComplex& complex);
-
-/// Whether the voxel around a grid point is one of voxelsOf().
+/// Whether the voxel around a grid point is one of SolidVoxels.
 inline bool inSolid(const DepthField& depth, const CubicalComplex& complex, const glm::ivec3& point)
 {
   const glm::ivec3& size = complex.grid();
@@ -84,9 +106,5 @@ inline bool inSolid(const DepthField& depth, const CubicalComplex& complex, cons
     point.y < size.y - 1 && point.z < size.z - 1 &&
     depth.wanted(CubicalComplex::index(complex.cell(point, kVertexKind)));
 }
-
-/// Computes the topology of a solid of closed voxels, as setVoxels() makes it. Voxels that share
-/// only a corner are connected, too.
-CellTopology topologyOf(const CubicalComplex& solid);
 
 } // namespace medial

@@ -131,7 +131,7 @@ def medial_axis(
         describe the shape best, in [0, 2147483647]; not for "points"; 0 for no limit.
     topology: "selected": what theta selects, in as many components as that gives; "preserve": with
         the components, tunnels and cavities of the solid at this resolution, whatever theta is;
-        needs "surface" or "faces", and 14 bytes per grid point.
+        needs "surface" or "faces", and 10 bytes per grid point.
     field: whether MedialAxis.field is the distance field, from the same run.
     resolution, spacing, origin, dimensions, padding, sign, arrays, threads, memory, engine,
         device, require_gpu, progress: as for distance_field(); arrays are those of the field, which

@@ -283,7 +283,7 @@ private:
     std::vector<Extent> wanted;
     for (const Extent& extent : extents)
     {
-      wanted.push_back(touchingExtent(grid_, extent));
+      wanted.push_back(grown(extent, 1, grid_.wholeExtent()));
     }
     values = exchangedPart(communicator_, std::move(values), wanted, side);
     PreservedPieces pieces({ communicator_, *part_, grid_, options_, side, values }, extents);

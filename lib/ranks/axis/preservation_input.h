@@ -16,7 +16,7 @@ struct PreservationInput
   const Grid& grid;
   const MedialAxisOptions& options;
   Side side;         ///< Both without a sign
-  FieldPart& values; ///< in the rank's part of the axis and a layer behind it
+  FieldPart& values; ///< in the rank's part of the axis and a layer around
 };
 
 } // namespace medial

@@ -131,14 +131,13 @@ bool PreservedPieces::tryHalo(const AxisGeometry* geometry, std::vector<Crossing
       siteColours = bodies_->siteColours(input_.communicator, input_.values.extent, corners_.size(),
         part.closestSites.data(), depth, colours);
     }
-    thinning_.setColours(colours, part.closestSites, siteColours);
     for (int colour = 0; colour < colours; ++colour)
     {
       if (colours > 1)
       {
         depth.restrict(part.closestSites.data(), siteColours.data(), colour);
       }
-      if (!this->addSolid(part, depth, side, colour))
+      if (!this->addSolid(part, depth, side))
       {
         return false;
       }
@@ -150,14 +149,13 @@ bool PreservedPieces::tryHalo(const AxisGeometry* geometry, std::vector<Crossing
 
 /// Thins a solid, and makes its points in the part and around.
 /// @return false on every rank if the halo is too narrow.
-bool PreservedPieces::addSolid(const Part& part, const DepthField& depth, Side side, int colour)
+bool PreservedPieces::addSolid(const Part& part, const DepthField& depth, Side side)
 {
   const int halo = this->wantsSurface() ? part.halo : kAround;
   SolidPiece solid;
   solid.side = side;
   const std::vector<CornerCells> cells = this->sendCells(
-    thinning_.thin({ part.geometry, part.closestSites, depth }, side, colour, part.checkpoint),
-    halo);
+    thinning_.thin({ part.geometry, part.closestSites, depth }, part.checkpoint), halo);
   const bool complete = this->setPoints(part, depth, cells, solid);
   if (this->wantsSurface())
   {
@@ -204,7 +202,7 @@ std::vector<PreservedPieces::CornerRecord> PreservedPieces::placed(const Part& p
         if (complex.covers(position))
         {
           const CubeCell vertex = complex.cell(position, kVertexKind);
-          *complex.bitsFrom(CubicalComplex::index(vertex)) = left.bits();
+          complex.insert(CubicalComplex::index(vertex), left.bits());
           if (input_.part.share().owns(position - 1))
           {
             vertices.push_back(vertex);
@@ -252,8 +250,9 @@ bool PreservedPieces::setPoints(const Part& part, const DepthField& depth,
   CubicalComplex complex(grownUpwards(share.withHalo(halo), kTold, share.whole()), corners_.size());
   for (const CornerCells left : cells)
   {
-    *complex.bitsFrom(CubicalComplex::index(complex.cell(corners_.position(left.position()), 0))) =
-      left.bits();
+    complex.insert(
+      CubicalComplex::index(complex.cell(corners_.position(left.position()), kVertexKind)),
+      left.bits());
   }
   bool found = true;
   std::vector<CubeCell> cubeCells;

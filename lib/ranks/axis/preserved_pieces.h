@@ -50,7 +50,7 @@ private:
 
   bool wantsSurface() const { return input_.options.representation == Representation::Surface; }
 
-  bool addSolid(const Part& part, const DepthField& depth, Side side, int colour);
+  bool addSolid(const Part& part, const DepthField& depth, Side side);
   std::vector<CornerCells> sendCells(const std::vector<CornerCells>& cells, int halo) const;
   std::vector<CornerRecord> placed(const Part& part, const DepthField& depth,
     const std::vector<CornerCells>& cells) const;

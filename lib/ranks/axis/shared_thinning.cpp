@@ -1,14 +1,17 @@
 #include "ranks/axis/shared_thinning.h"
 
 #include "base/memory_guard.h"
-#include "medial/memory.h"
+#include "base/sorted_set.h"
+#include "ranks/axis/depth_requests.h"
+#include "ranks/axis/shared_solid.h"
 #include "ranks/collective.h"
 #include "thinning/curve_probe.h"
 #include "thinning/preserved_axis.h"
+#include "thinning/solid_core.h"
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -16,10 +19,6 @@ namespace medial
 {
 namespace
 {
-
-/// Bytes for each point of the grid on the first rank: its distance, cells, voxels, sheets, and
-/// what numbers the faces.
-constexpr std::size_t kBytesAtFirst = 10;
 
 /// What the first rank reads of a selected crossing.
 struct SelectedRecord
@@ -34,6 +33,18 @@ struct SelectedRecord
   std::uint8_t exact;
 };
 
+/// Returns the positions of a complex that have a vertex, with their cells.
+std::vector<CornerCells> cornersOf(const CubicalComplex& complex)
+{
+  std::vector<CornerCells> corners;
+  for (const CubeCell vertex : cellsOf(complex, kVertexKind))
+  {
+    const std::size_t position = CubicalComplex::index(vertex);
+    corners.emplace_back(static_cast<std::int64_t>(position), complex.bits(position));
+  }
+  return corners;
+}
+
 } // namespace
 
 SharedThinning::SharedThinning(const PreservationInput& input, const std::vector<Extent>& extents)
@@ -41,11 +52,6 @@ SharedThinning::SharedThinning(const PreservationInput& input, const std::vector
   , extents_(extents)
   , corners_(input.grid)
 {
-  if (this->isFirst())
-  {
-    requireMemory(input.grid.pointCount(), kBytesAtFirst);
-  }
-  distances_ = wholeDistances(input.communicator, input.values, input.grid, extents, input.side);
 }
 
 template <typename Work>
@@ -63,6 +69,7 @@ void SharedThinning::select(const std::vector<Crossing>& crossings, const SheetS
   std::vector<SelectedRecord> own;
   const std::vector<std::uint8_t> exact =
     sheets != nullptr ? exactPairs(*sheets) : std::vector<std::uint8_t>();
+  own_.clear();
   for (std::size_t i = 0; i < exact.size(); ++i)
   {
     const Crossing& crossing = crossings[i];
@@ -71,12 +78,14 @@ void SharedThinning::select(const std::vector<Crossing>& crossings, const SheetS
       const BisectorPoint& point = sheets->bisectors.points[i];
       own.push_back({ order.ofCrossing(crossing), crossing.voxel, crossing.axis, point.position,
         point.a.point, point.b.point, sheets->bisectors.moved[i], exact[i] });
+      own_.push_back(crossing);
     }
   }
   std::vector<SelectedRecord> all = medial::atFirst(input_.communicator, std::move(own));
   std::sort(all.begin(), all.end(),
     [](const SelectedRecord& a, const SelectedRecord& b) { return a.number < b.number; });
   selected_ = {};
+  numbers_.clear();
   topology_ = {};
   for (const SelectedRecord& record : all)
   {
@@ -84,91 +93,143 @@ void SharedThinning::select(const std::vector<Crossing>& crossings, const SheetS
     selected_.bisectors.points.push_back({ record.position, { -1, record.a }, { -1, record.b } });
     selected_.bisectors.moved.push_back(record.moved);
     selected_.exact.push_back(record.exact);
+    numbers_.push_back(record.number);
   }
 }
 
-void SharedThinning::setColours(int colours, const std::vector<std::int32_t>& sites,
-  const std::vector<int>& siteColours)
+/// Returns the selected crossings that lie in a solid, on the first rank.
+SelectedCrossings SharedThinning::selectedWithin(const DepthField& depth)
 {
-  colours_.resize(static_cast<std::size_t>(colours));
-  std::iota(colours_.begin(), colours_.end(), 0);
-  std::vector<std::int32_t>().swap(colourOfPoint_);
-  if (colours < 2)
-  {
-    return;
-  }
-  RankLists<std::int32_t> lists = listsFor<std::int32_t>(input_.communicator);
-  const Extent& own = input_.part.share().own();
-  if (!own.empty())
-  {
-    visitWithin(own, input_.values.extent,
-      [&](std::size_t i, std::size_t /*at*/) { lists.front().push_back(siteColours[sites[i]]); });
-  }
-  lists = exchanged(input_.communicator, std::move(lists));
-  if (this->isFirst())
-  {
-    colourOfPoint_.resize(static_cast<std::size_t>(input_.grid.pointCount()));
-    for (std::size_t rank = 0; rank < lists.size(); ++rank)
-    {
-      if (!lists[rank].empty())
-      {
-        visitWithin(extents_[rank], input_.part.share().whole(),
-          [&](std::size_t i, std::size_t at) { colourOfPoint_[i] = lists[rank][at]; });
-      }
-    }
-  }
-}
-
-std::vector<CornerCells> SharedThinning::thin(const ThinningPart& part, Side side, int colour,
-  const Checkpoint& checkpoint)
-{
-  DepthField whole(distances_.data(), side, input_.part.field().frame().unit);
-  if (!colourOfPoint_.empty())
-  {
-    whole.restrict(colourOfPoint_.data(), colours_.data(), colour);
-  }
-  std::optional<SolidThinning> thinning;
-  std::vector<std::int64_t> edges; // position and axis
-  this->atFirst(
+  const AxisOrder order(input_.grid);
+  std::vector<std::int64_t> own;
+  input_.part.locally(
     [&]
     {
-      const std::vector<std::size_t> within =
-        crossingsWithin(whole, input_.part.share().whole(), corners_.size(), selected_.crossings);
-      thinning.emplace(whole, corners_.size(),
-        someOf(within, selected_.crossings, selected_.bisectors, selected_.exact), checkpoint);
-      add(thinning->topology(), topology_);
-      for (int axis = 0; axis < 3; ++axis)
+      for (const std::size_t i :
+        crossingsWithin(depth, input_.values.extent, corners_.size(), own_))
       {
-        for (const CubeCell edge : cellsOf(thinning->complex(), kEdgeKind + axis))
+        own.push_back(order.ofCrossing(own_[i]));
+      }
+    });
+  std::vector<std::int64_t> all = medial::atFirst(input_.communicator, std::move(own));
+  std::sort(all.begin(), all.end());
+  std::vector<std::size_t> indices;
+  for (const std::int64_t number : all)
+  {
+    indices.push_back(static_cast<std::size_t>(indexIn(numbers_, number)));
+  }
+  SelectedCrossings selected;
+  this->atFirst(
+    [&] { selected = someOf(indices, selected_.crossings, selected_.bisectors, selected_.exact); });
+  return selected;
+}
+
+/// Returns the undecided voxels of the whole solid on the first rank.
+/// @param here the solid in this rank's part and a layer around.
+/// @param thinning that has the sheets; null but on the first rank.
+std::vector<std::size_t> SharedThinning::undecided(const SolidVoxels& here,
+  const SolidThinning* thinning, const Checkpoint& checkpoint) const
+{
+  RankLists<CornerCells> lists = listsFor<CornerCells>(input_.communicator);
+  const Extent& whole = input_.part.share().whole();
+  if (thinning != nullptr)
+  {
+    const std::vector<CornerCells> cells = cornersOf(thinning->complex());
+    for (std::size_t rank = 0; rank < lists.size(); ++rank)
+    {
+      const Extent wanted = grownUpwards(extents_[rank], 1, whole);
+      std::copy_if(cells.begin(), cells.end(), std::back_inserter(lists[rank]),
+        [&](CornerCells cell) { return hasPoint(wanted, corners_.position(cell.position())); });
+    }
+  }
+  const std::vector<CornerCells> cells = exchanged(input_.communicator, std::move(lists)).front();
+  std::vector<std::int64_t> own;
+  input_.part.locally(
+    [&]
+    {
+      CubicalComplex sheets(here.part(), corners_.size());
+      for (const CornerCells cell : cells)
+      {
+        sheets.insert(
+          CubicalComplex::index(sheets.cell(corners_.position(cell.position()), kVertexKind)),
+          cell.bits());
+      }
+      for (const std::size_t voxel : undecidedVoxels(here, sheets, checkpoint))
+      {
+        const glm::ivec3 point = sheets.position(8 * static_cast<CubeCell>(voxel));
+        if (hasPoint(input_.part.share().own(), point))
         {
-          edges.push_back(3 * static_cast<std::int64_t>(CubicalComplex::index(edge)) + axis);
+          own.push_back(corners_.of(point));
         }
       }
     });
+  const std::vector<std::int64_t> all = medial::atFirst(input_.communicator, std::move(own));
+  std::vector<std::size_t> voxels(all.begin(), all.end());
+  std::sort(voxels.begin(), voxels.end());
+  return voxels;
+}
+
+std::vector<CornerCells> SharedThinning::thin(const ThinningPart& part,
+  const Checkpoint& checkpoint)
+{
+  const SolidVoxels here(part.depth, input_.values.extent, corners_.size());
+  SelectedCrossings selected = this->selectedWithin(part.depth);
+  add(topologyOf(input_.communicator, input_.part, here), topology_);
+  std::optional<SolidThinning> thinning;
+  this->atFirst([&] { thinning.emplace(corners_.size(), std::move(selected), checkpoint); });
+  const std::vector<std::size_t> undecided =
+    this->undecided(here, thinning ? &*thinning : nullptr, checkpoint);
+  DepthRequests depths(input_.communicator, input_.part.share(), extents_, part.depth,
+    input_.values.extent);
+  std::vector<std::int64_t> edges; // position and axis
+  depths.during(
+    [&](SparseVoxels& voxels)
+    {
+      this->atFirst(
+        [&]
+        {
+          thinning->addCore(
+            coreOf(voxels, thinning->complex(), thinning->crossings(), undecided, checkpoint));
+          for (int axis = 0; axis < 3; ++axis)
+          {
+            for (const CubeCell edge : cellsOf(thinning->complex(), kEdgeKind + axis))
+            {
+              edges.push_back(3 * static_cast<std::int64_t>(CubicalComplex::index(edge)) + axis);
+            }
+          }
+        });
+    });
   const std::vector<std::uint8_t> answers = this->separating(part, edges);
   std::vector<CornerCells> left;
-  this->atFirst(
-    [&]
+  depths.during(
+    [&](SparseVoxels& voxels)
     {
-      const GridFrame& frame = input_.part.field().frame();
-      CubicalComplex separating(corners_.size());
-      for (std::size_t i = 0; i < edges.size(); ++i)
-      {
-        if (answers[i] != 0)
+      this->atFirst(
+        [&]
         {
-          separating.insert(8 * (edges[i] / 3) + kEdgeKind + edges[i] % 3);
-        }
-      }
-      std::vector<std::int64_t>().swap(edges);
-      const MedialAxisOptions& options = input_.options;
-      thinning->burn([&](CubeCell edge) { return separating.has(edge); }, frame.step,
-        { glm::radians(options.angle), options.lambda / frame.unit, options.radius / frame.unit });
-      const CubicalComplex& complex = thinning->complex();
-      for (const CubeCell vertex : cellsOf(complex, kVertexKind))
-      {
-        const std::size_t position = CubicalComplex::index(vertex);
-        left.emplace_back(static_cast<std::int64_t>(position), complex.bits(position));
-      }
+          const GridFrame& frame = input_.part.field().frame();
+          CubicalComplex separating(corners_.size());
+          for (std::size_t i = 0; i < edges.size(); ++i)
+          {
+            if (answers[i] != 0)
+            {
+              separating.insert(8 * (edges[i] / 3) + kEdgeKind + edges[i] % 3);
+            }
+          }
+          std::vector<std::int64_t>().swap(edges);
+          std::vector<std::size_t> around;
+          for (const CubeCell vertex : cellsOf(thinning->complex(), kVertexKind))
+          {
+            around.push_back(CubicalComplex::index(vertex));
+          }
+          voxels.loadAround(around, 1);
+          const MedialAxisOptions& options = input_.options;
+          thinning->burn([&](std::size_t voxel) { return voxels.at(voxel); },
+            [&](CubeCell edge) { return separating.has(edge); }, frame.step,
+            { glm::radians(options.angle), options.lambda / frame.unit,
+              options.radius / frame.unit });
+          left = cornersOf(thinning->complex());
+        });
     });
   return left;
 }
@@ -203,13 +264,6 @@ std::vector<std::uint8_t> SharedThinning::separating(const ThinningPart& part,
         here->cell(corners_.position(edge / 3), kEdgeKind + static_cast<int>(edge % 3));
       return probe->separates(*here, cell) ? 1 : 0;
     });
-}
-
-void SharedThinning::finish()
-{
-  selected_ = {};
-  std::vector<float>().swap(distances_);
-  std::vector<std::int32_t>().swap(colourOfPoint_);
 }
 
 } // namespace medial

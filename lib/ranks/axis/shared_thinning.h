@@ -9,6 +9,7 @@
 #include "thinning/solid_thinning.h"
 #include "thinning/voxel_solid.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -23,12 +24,12 @@ struct ThinningPart
   const DepthField& depth;                       ///< of the side, or of a colour
 };
 
-/// Thins solids on the first rank, for all. It knows the distances in the whole grid and the
-/// selected crossings; of the surface it knows what the others answer. Every rank calls all of it.
+/// Thins solids for all ranks. Each finds out what is undecided in its part; the first one burns
+/// the core, and gets the depths around it from the others. It has no field and no surface. Every
+/// rank calls all of it.
 class SharedThinning
 {
 public:
-  /// Brings the distances to the first rank.
   /// @param extents of all ranks in the share.
   SharedThinning(const PreservationInput& input, const std::vector<Extent>& extents);
 
@@ -37,41 +38,35 @@ public:
   /// @param sheets of these; null without a part.
   void select(const std::vector<Crossing>& crossings, const SheetSelection* sheets);
 
-  /// Lets solids have colours.
-  /// @param sites here, at the points of the field.
-  /// @param siteColours of sites here, as SolidBodies; not used for one colour.
-  void setColours(int colours, const std::vector<std::int32_t>& sites,
-    const std::vector<int>& siteColours);
-
   /// Thins a solid.
-  /// @param colour if there are several.
   /// @return what is left, on the first rank.
-  std::vector<CornerCells> thin(const ThinningPart& part, Side side, int colour,
-    const Checkpoint& checkpoint);
+  std::vector<CornerCells> thin(const ThinningPart& part, const Checkpoint& checkpoint);
 
   /// Topology of the solids since select(), on the first rank.
   const CellTopology& topology() const { return topology_; }
   /// Drops what thinning alone needs.
-  void finish();
+  void finish() { selected_ = {}; }
 
 private:
   bool isFirst() const { return input_.communicator.rank() == 0; }
   template <typename Work>
   void atFirst(const Work& work) const;
+  SelectedCrossings selectedWithin(const DepthField& depth);
+  std::vector<std::size_t> undecided(const SolidVoxels& here, const SolidThinning* thinning,
+    const Checkpoint& checkpoint) const;
   std::vector<std::uint8_t> separating(const ThinningPart& part,
     const std::vector<std::int64_t>& edges) const;
 
   PreservationInput input_;
   std::vector<Extent> extents_;
   CornerNumbers corners_;
+  std::vector<Crossing> own_; ///< those of this rank's part that are selected
   ///@{
   /// Of the whole grid, on the first rank.
-  std::vector<float> distances_;
   SelectedCrossings selected_;
-  std::vector<std::int32_t> colourOfPoint_; ///< where there are several
+  std::vector<std::int64_t> numbers_; ///< of these crossings, ascending
   CellTopology topology_;
   ///@}
-  std::vector<int> colours_; ///< all of them
 };
 
 } // namespace medial

@@ -58,18 +58,6 @@ std::vector<std::uint8_t> nearSide(const FieldPart& part, Side side)
   return near;
 }
 
-/// Returns 1 for the points of a part that have values, or 0.
-std::vector<std::uint8_t> known(const FieldPart& part, Side side)
-{
-  const float unknown = unknownDistance(side);
-  std::vector<std::uint8_t> known(part.distances.size());
-  for (std::size_t i = 0; i < known.size(); ++i)
-  {
-    known[i] = part.distances[i] != unknown || part.sites[i] != 0 ? 1 : 0;
-  }
-  return known;
-}
-
 /// @param wanted for each point of the part not 0 if it goes along.
 PackedField packed(const FieldPart& part, const std::vector<std::uint8_t>& wanted,
   const Extent& extent, bool withSites)
@@ -170,27 +158,6 @@ FieldPart exchangedPart(Communicator& communicator, FieldPart own,
     fields[rank] = {};
   }
   return part;
-}
-
-std::vector<float> wholeDistances(Communicator& communicator, const FieldPart& own,
-  const Grid& grid, const std::vector<Extent>& extents, Side side)
-{
-  std::vector<PackedField> fields(extents.size());
-  fields.front() = packed(own, known(own, side), extents[communicator.rank()], false);
-  fields = exchangedFields(communicator, std::move(fields));
-  if (communicator.rank() > 0)
-  {
-    return {};
-  }
-  const Extent whole = grid.wholeExtent();
-  std::vector<float> distances = unknownDistances(whole, side);
-  for (std::size_t rank = 0; rank < fields.size(); ++rank)
-  {
-    unpack(fields[rank], extents[rank], whole,
-      [&](std::size_t i, std::size_t value) { distances[i] = fields[rank].distances[value]; });
-    fields[rank] = {};
-  }
-  return distances;
 }
 
 } // namespace medial

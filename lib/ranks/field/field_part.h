@@ -26,13 +26,6 @@ struct FieldPart
 FieldPart exchangedPart(Communicator& communicator, FieldPart own,
   const std::vector<Extent>& wanted, Side side);
 
-/// Returns the distances of the whole grid on the first rank, nothing elsewhere. Every rank calls
-/// it.
-/// @param own with the values in the rank's extent.
-/// @param extents of all ranks; cover the grid, each point once.
-std::vector<float> wholeDistances(Communicator& communicator, const FieldPart& own,
-  const Grid& grid, const std::vector<Extent>& extents, Side side);
-
 /// Calls visit(index in the outer extent, index in the inner one) for the points of an inner
 /// extent, x fastest.
 template <typename Visit>

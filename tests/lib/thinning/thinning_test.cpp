@@ -1,8 +1,11 @@
 #include "thinning/thinning.h"
 
+#include "base/extents.h"
 #include "thinning/curve_probe.h"
 #include "thinning/solid_core.h"
 #include "thinning/solid_thinning.h"
+#include "thinning/solid_topology.h"
+#include "thinning/sparse_voxels.h"
 
 #include "support/shapes.h"
 #include "support/voxel_topology.h"
@@ -44,24 +47,81 @@ public:
   void set(int x, int y, int z, float depth) { this->set(this->index(x, y, z), depth); }
   CubicalComplex solid() const
   {
-    const glm::ivec3 size(this->dim(0), this->dim(1), this->dim(2));
-    return this->closed(voxelsOf(depth_, size));
+    std::vector<std::size_t> voxels;
+    const VoxelMask mask = voxelsOf(this->voxels());
+    for (std::size_t i = 0; i < mask.size(); ++i)
+    {
+      if (mask[i] != 0)
+      {
+        voxels.push_back(i);
+      }
+    }
+    return this->closed(voxels);
   }
+  Extent whole() const { return grid_.wholeExtent(); }
+  /// Voxels of the whole grid that are undecided in a part of it.
+  std::vector<std::size_t> undecidedIn(const Extent& part, const CubicalComplex& sheets) const
+  {
+    const glm::ivec3 size(part.size(0), part.size(1), part.size(2));
+    const glm::ivec3 first(part.min[0], part.min[1], part.min[2]);
+    std::vector<float> distance;
+    CubicalComplex here(part, this->dims());
+    for (int z = 0; z < size.z; ++z)
+    {
+      for (int y = 0; y < size.y; ++y)
+      {
+        for (int x = 0; x < size.x; ++x)
+        {
+          const std::size_t at = this->index(first.x + x, first.y + y, first.z + z);
+          here.insert(distance.size(), sheets.bits(at));
+          distance.push_back(distance_[at]);
+        }
+      }
+    }
+    const DepthField depth(distance.data(), Side::Interior, 1.0);
+    std::vector<std::size_t> undecided;
+    for (const std::size_t voxel :
+      undecidedVoxels({ depth, part, this->dims() }, here, checkpoint_))
+    {
+      const glm::ivec3 point = here.position(8 * static_cast<CubeCell>(voxel));
+      undecided.push_back(this->index(point.x, point.y, point.z));
+    }
+    return undecided;
+  }
+  /// The depths of a block of SparseVoxels.
+  std::array<float, kBlockLength> depthsOf(std::size_t block) const
+  {
+    std::array<float, kBlockLength> depths{};
+    for (std::size_t i = 0; i < kBlockLength && block * kBlockLength + i < this->size(); ++i)
+    {
+      depths[i] = depth_.at(block * kBlockLength + i);
+    }
+    return depths;
+  }
+  SolidVoxels voxels() const { return { depth_, grid_.wholeExtent(), this->dims() }; }
+  const Checkpoint& checkpoint() const { return checkpoint_; }
+  glm::ivec3 dims() const { return { this->dim(0), this->dim(1), this->dim(2) }; }
   /// The voxels of the core of the solid.
   /// @param sheets faces that stay.
-  VoxelMask core(const std::vector<Crossing>& crossings = {},
+  std::vector<std::size_t> core(const std::vector<Crossing>& crossings = {},
     const std::vector<CubeCell>& sheets = {}) const
   {
-    const glm::ivec3 size(this->dim(0), this->dim(1), this->dim(2));
-    VoxelMask voxels = voxelsOf(depth_, size);
-    reduceToCore(depth_, closureOf(size, sheets), crossings, checkpoint_, voxels);
-    return voxels;
+    return coreOf(this->voxels(), closureOf(this->dims(), sheets), crossings, checkpoint_);
   }
-  CubicalComplex closed(const VoxelMask& voxels) const
+  CubicalComplex closed(const std::vector<std::size_t>& voxels) const
   {
-    CubicalComplex complex({ this->dim(0), this->dim(1), this->dim(2) });
-    setVoxels(voxels, complex);
+    CubicalComplex complex(this->dims());
+    insertVoxels(voxels, complex);
     return complex;
+  }
+  CellTopology topology(const std::vector<std::size_t>& voxels) const
+  {
+    std::vector<char> solid(this->size(), 0);
+    for (const std::size_t voxel : voxels)
+    {
+      solid[voxel] = 1;
+    }
+    return voxelTopology(solid, grid_.dimensions);
   }
   CellTopology expected() const
   {
@@ -70,7 +130,7 @@ public:
   }
   Thinning thinning(CubicalComplex& complex) const
   {
-    return { complex, depth_,
+    return { complex, [this](std::size_t voxel) { return depth_.at(voxel); },
       [this, &complex](CubeCell edge) { return probe_.separates(complex, edge); }, frame_.step,
       { 1.0 }, checkpoint_ };
   }
@@ -189,7 +249,7 @@ TEST(VoxelSolid, HasTheTopologyThatCountingFinds)
     }
     const CubicalComplex solid = voxels.solid();
     expectClosed(solid);
-    EXPECT_EQ(topologyOf(solid), voxels.expected()) << "round " << round;
+    EXPECT_EQ(topologyOf(voxels.voxels()), voxels.expected()) << "round " << round;
   }
 }
 
@@ -231,10 +291,10 @@ TEST(SolidCore, HasTheTopologyOfRandomVoxels)
       const glm::ivec3 voxel(random() % 8 + 1, random() % 7 + 1, random() % 9 + 1);
       crossings.push_back({ voxel, static_cast<int>(random() % 3), -1, -1, true });
     }
-    const VoxelMask core = voxels.core(crossings);
+    const std::vector<std::size_t> core = voxels.core(crossings);
     const CubicalComplex complex = voxels.closed(core);
     const CubicalComplex solid = voxels.solid();
-    EXPECT_EQ(topologyOf(complex), voxels.expected()) << "round " << round;
+    EXPECT_EQ(voxels.topology(core), voxels.expected()) << "round " << round;
     for (std::size_t i = 0; i < voxels.size(); ++i)
     {
       EXPECT_EQ(complex.bits(i) & ~solid.bits(i), 0) << "round " << round;
@@ -270,13 +330,109 @@ TEST(SolidCore, WithSheetsHasTheTopologyOfRandomVoxels)
           return solid.cofaceCount(face) == 2 && random() % 8 < static_cast<unsigned>(round % 8);
         });
     }
-    const VoxelMask core = voxels.core({}, sheets);
+    const std::vector<std::size_t> core = voxels.core({}, sheets);
     CubicalComplex complex = voxels.closed(core);
     complex.insert(closureOf(solid.size(), sheets));
     expectClosed(complex);
     voxels.thinning(complex).burn();
     EXPECT_EQ(topologyOf(asAxis(complex)), voxels.expected()) << "round " << round;
   }
+}
+
+/// Parts of the grid find out what is undecided, and the rest looks at few voxels.
+TEST(SolidCore, FoundInPartsIsThatOfTheWhole)
+{
+  std::mt19937 random(5);
+  for (int round = 0; round < 60; ++round)
+  {
+    // Rows that are longer than a block, and shorter ones.
+    Voxels voxels(
+      round % 2 == 0 ? std::array<int, 3>{ 70, 9, 8 } : std::array<int, 3>{ 13, 14, 15 });
+    for (std::size_t i = 0; i < voxels.size(); ++i)
+    {
+      const float depth = 0.1f + static_cast<float>(random() % 20) * 0.05f;
+      voxels.set(i, random() % 60 < static_cast<unsigned>(round) ? depth : -depth);
+    }
+    const CubicalComplex solid = voxels.solid();
+    std::vector<CubeCell> faces;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const std::vector<CubeCell> all = cellsOf(solid, kFaceKind + axis);
+      std::copy_if(all.begin(), all.end(), std::back_inserter(faces),
+        [&](CubeCell face) {
+          return solid.cofaceCount(face) == 2 && random() % 8 < static_cast<unsigned>(round % 4);
+        });
+    }
+    std::vector<Crossing> crossings;
+    for (int i = 0; i < round % 5; ++i)
+    {
+      const glm::ivec3 voxel(random() % 11 + 1, random() % 7 + 1, random() % 6 + 1);
+      crossings.push_back({ voxel, static_cast<int>(random() % 3), -1, -1, true });
+    }
+    const CubicalComplex sheets = closureOf(voxels.dims(), faces);
+    std::vector<std::size_t> undecided;
+    visitParts(voxels.whole(), 5,
+      [&](const Extent& part)
+      {
+        const Extent around = grown(part, 1, voxels.whole());
+        for (const std::size_t voxel : voxels.undecidedIn(around, sheets))
+        {
+          if (hasPoint(part, solid.position(8 * static_cast<CubeCell>(voxel))))
+          {
+            undecided.push_back(voxel);
+          }
+        }
+      });
+    std::sort(undecided.begin(), undecided.end());
+    std::size_t loaded = 0;
+    SparseVoxels sparse(voxels.dims(),
+      [&](const std::vector<std::size_t>& blocks)
+      {
+        loaded += blocks.size();
+        for (const std::size_t block : blocks)
+        {
+          sparse.set(block, voxels.depthsOf(block));
+        }
+      });
+    EXPECT_EQ(coreOf(sparse, sheets, crossings, undecided, voxels.checkpoint()),
+      coreOf(voxels.voxels(), sheets, crossings, voxels.checkpoint()))
+      << "round " << round;
+    EXPECT_LE(loaded, blocksFor(voxels.size()));
+  }
+}
+
+TEST(SparseVoxels, LoadsNothingTwiceAndNothingFarAway)
+{
+  const glm::ivec3 size(100, 50, 40);
+  std::vector<std::size_t> loaded;
+  SparseVoxels voxels(size,
+    [&](const std::vector<std::size_t>& blocks)
+    {
+      loaded.insert(loaded.end(), blocks.begin(), blocks.end());
+      for (const std::size_t block : blocks)
+      {
+        std::array<float, kBlockLength> depths{};
+        depths.fill(0.5f);
+        voxels.set(block, depths);
+      }
+    });
+  const auto index = [&](int x, int y, int z)
+  { return static_cast<std::size_t>((z * size.y + y) * size.x + x); };
+  EXPECT_EQ(voxels.value(index(50, 25, 20)), 1);
+  EXPECT_EQ(voxels.at(index(50, 25, 20)), 0.5f);
+  const std::size_t few = loaded.size();
+  EXPECT_LT(few, blocksFor(static_cast<std::size_t>(size.x) * size.y * size.z) / 2);
+  EXPECT_EQ(voxels.value(index(51, 26, 19)), 1);
+  EXPECT_EQ(loaded.size(), few);
+  // On the border of the grid there are no voxels.
+  EXPECT_EQ(voxels.value(index(0, 25, 20)), 0);
+  EXPECT_EQ(voxels.value(index(99, 25, 20)), 0);
+  EXPECT_EQ(voxels.value(index(50, 0, 0)), 0);
+  EXPECT_EQ(voxels.value(index(50, 49, 39)), 0);
+  voxels.setValue(index(50, 25, 20), 4);
+  EXPECT_EQ(voxels.atLeast(4), std::vector<std::size_t>{ index(50, 25, 20) });
+  std::sort(loaded.begin(), loaded.end());
+  EXPECT_EQ(std::adjacent_find(loaded.begin(), loaded.end()), loaded.end());
 }
 
 TEST(SolidCore, HasNoneOfThePlainVoxelsAtASheet)
@@ -299,8 +455,8 @@ TEST(SolidCore, HasNoneOfThePlainVoxelsAtASheet)
       }
     }
   }
-  const VoxelMask core = voxels.core({}, sheet);
-  EXPECT_EQ(std::count(core.begin(), core.end(), 1), 0);
+  const std::vector<std::size_t> core = voxels.core({}, sheet);
+  EXPECT_TRUE(core.empty());
 }
 
 TEST(SolidCore, OfABallIsSmall)
@@ -317,10 +473,11 @@ TEST(SolidCore, OfABallIsSmall)
       }
     }
   }
-  const VoxelMask core = voxels.core();
+  const std::vector<std::size_t> core = voxels.core();
   // Besides the deepest voxel, single ones where the ball is outermost and their ways there.
-  EXPECT_LT(std::count(core.begin(), core.end(), 1), 80);
-  EXPECT_EQ(core[(10 * 21 + 10) * 21 + 10], 1);
+  EXPECT_LT(core.size(), 80u);
+  EXPECT_TRUE(
+    std::binary_search(core.begin(), core.end(), std::size_t{ (10 * 21 + 10) * 21 + 10 }));
 }
 
 TEST(SolidCore, HasWiresThatAreOneVoxelThick)
@@ -330,8 +487,8 @@ TEST(SolidCore, HasWiresThatAreOneVoxelThick)
   {
     voxels.set(x, 2, 2, 0.4f + 0.01f * static_cast<float>(x));
   }
-  const VoxelMask core = voxels.core();
-  EXPECT_EQ(std::count(core.begin(), core.end(), 1), 8);
+  const std::vector<std::size_t> core = voxels.core();
+  EXPECT_EQ(core.size(), 8u);
 }
 
 TEST(Thinning, KeepsTheTopologyOfRandomVoxelsWhateverIsAnchored)
