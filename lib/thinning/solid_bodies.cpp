@@ -1,11 +1,16 @@
 #include "thinning/solid_bodies.h"
 
 #include "base/disjoint_sets.h"
+#include "base/simd.h"
+#include "thinning/voxel_surface.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <iterator>
 #include <map>
 #include <set>
@@ -59,6 +64,17 @@ SurfaceParts partsOf(const SiteSet& sites, const std::vector<std::int8_t>& direc
   return parts;
 }
 
+/// Marks the places of a row where a neighbour belongs to another part; negative numbers stand for
+/// none.
+MEDIAL_VECTORISED void markOthers(const int* parts, const int* neighbours, int count,
+  std::uint8_t* marks)
+{
+  for (int x = 0; x < count; ++x)
+  {
+    marks[x] |= parts[x] != neighbours[x] && parts[x] >= 0 && neighbours[x] >= 0 ? 1 : 0;
+  }
+}
+
 class PairScan
 {
 public:
@@ -76,15 +92,36 @@ public:
     // Points on the border of the grid are in no solid.
     const glm::ivec3 low = glm::max(first_, 1);
     const glm::ivec3 high = glm::min(last_, field_.grid - 2);
-    tbb::parallel_for(low.z, std::max(low.z, high.z + 1),
-      [&](int z)
+    constexpr int kTogether = 8;
+    tbb::parallel_for(tbb::blocked_range<int>(low.z, std::max(low.z, high.z + 1), kTogether),
+      [&](const tbb::blocked_range<int>& range)
       {
         PartPairs& pairs = found.local();
-        for (int y = low.y; y <= high.y; ++y)
+        std::array<std::vector<int>, 2> layers;
+        std::vector<std::uint8_t> marks(static_cast<std::size_t>(std::max(0, high.x - low.x + 1)));
+        this->load(range.begin(), layers[1]);
+        for (int z = range.begin(); z < range.end(); ++z)
         {
-          for (int x = low.x; x <= high.x; ++x)
+          std::swap(layers[0], layers[1]);
+          this->load(z + 1, layers[1]);
+          for (int y = low.y; y <= high.y; ++y)
           {
-            this->visit({ x, y, z }, pairs);
+            std::fill(marks.begin(), marks.end(), std::uint8_t{ 0 });
+            for (int step = kFirstLater; step < kAround; ++step)
+            {
+              const glm::ivec3 offset = offsetOf(step);
+              markOthers(this->row(layers[0], low.x, y),
+                this->row(layers[static_cast<std::size_t>(offset.z)], low.x + offset.x,
+                  y + offset.y),
+                static_cast<int>(marks.size()), marks.data());
+            }
+            for (int x = low.x; x <= high.x; ++x)
+            {
+              if (marks[x - low.x] != 0)
+              {
+                this->visit({ x, y, z }, pairs);
+              }
+            }
           }
         }
       });
@@ -98,6 +135,41 @@ public:
   }
 
 private:
+  /// Of the voxels around one, those that come later begin here.
+  static constexpr int kFirstLater = kCentre + 1;
+
+  /// Loads the parts that the points of a layer are closest to; -1 for those beyond the side or the
+  /// part of the grid. Rows have a point more at both ends, and a row more on both sides.
+  void load(int z, std::vector<int>& layer) const
+  {
+    const Extent& part = field_.part;
+    layer.assign(static_cast<std::size_t>(part.size(0) + 2) * (part.size(1) + 2), -1);
+    if (z > last_.z)
+    {
+      return;
+    }
+    for (int y = first_.y; y <= last_.y; ++y)
+    {
+      int* const row = layer.data() + this->place(first_.x, y);
+      const std::size_t begin = this->index({ first_.x, y, z });
+      for (int x = 0; x < part.size(0); ++x)
+      {
+        row[x] =
+          field_.depth.wanted(begin + x) ? parts_.ofSite[field_.closestSites[begin + x]] : -1;
+      }
+    }
+  }
+
+  const int* row(const std::vector<int>& layer, int x, int y) const
+  {
+    return layer.data() + this->place(x, y);
+  }
+  std::size_t place(int x, int y) const
+  {
+    return static_cast<std::size_t>(y - first_.y + 1) * (field_.part.size(0) + 2) +
+      (x - first_.x + 1);
+  }
+
   std::size_t index(const glm::ivec3& point) const
   {
     const glm::ivec3 p = point - first_;
@@ -129,9 +201,9 @@ private:
       return;
     }
     const int part = parts_.ofSite[field_.closestSites[here]];
-    for (int step = 14; step < 27; ++step)
+    for (int step = kFirstLater; step < kAround; ++step)
     {
-      const glm::ivec3 offset(step % 3 - 1, step / 3 % 3 - 1, step / 9 - 1);
+      const glm::ivec3 offset = offsetOf(step);
       if (glm::clamp(p + offset, first_, last_) != p + offset)
       {
         continue;
