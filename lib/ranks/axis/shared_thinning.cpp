@@ -45,6 +45,47 @@ std::vector<CornerCells> cornersOf(const CubicalComplex& complex)
   return corners;
 }
 
+/// Returns the edges of a complex: three times their positions, and their axes.
+std::vector<std::int64_t> edgesOf(const CubicalComplex& complex)
+{
+  std::vector<std::int64_t> edges;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (const CubeCell edge : cellsOf(complex, kEdgeKind + axis))
+    {
+      edges.push_back(3 * static_cast<std::int64_t>(CubicalComplex::index(edge)) + axis);
+    }
+  }
+  return edges;
+}
+
+/// Returns the cells of some edges, as edgesOf() has them.
+/// @param wanted for each not 0 if it is one of them.
+CubicalComplex cellsOfEdges(const glm::ivec3& size, const std::vector<std::int64_t>& edges,
+  const std::vector<std::uint8_t>& wanted)
+{
+  CubicalComplex cells(size);
+  for (std::size_t i = 0; i < edges.size(); ++i)
+  {
+    if (wanted[i] != 0)
+    {
+      cells.insert(8 * (edges[i] / 3) + kEdgeKind + edges[i] % 3);
+    }
+  }
+  return cells;
+}
+
+/// Loads what the fire looks at, but for little.
+void loadAround(const CubicalComplex& complex, SparseVoxels& voxels)
+{
+  std::vector<std::size_t> around;
+  for (const CubeCell vertex : cellsOf(complex, kVertexKind))
+  {
+    around.push_back(CubicalComplex::index(vertex));
+  }
+  voxels.loadAround(around, 1);
+}
+
 } // namespace
 
 SharedThinning::SharedThinning(const PreservationInput& input, const std::vector<Extent>& extents)
@@ -98,7 +139,7 @@ void SharedThinning::select(const std::vector<Crossing>& crossings, const SheetS
 }
 
 /// Returns the selected crossings that lie in a solid, on the first rank.
-SelectedCrossings SharedThinning::selectedWithin(const DepthField& depth)
+SelectedCrossings SharedThinning::selectedWithin(const DepthField& depth) const
 {
   const AxisOrder order(input_.grid);
   std::vector<std::int64_t> own;
@@ -156,11 +197,7 @@ std::vector<std::size_t> SharedThinning::undecided(const SolidVoxels& here,
       }
       for (const std::size_t voxel : undecidedVoxels(here, sheets, checkpoint))
       {
-        const glm::ivec3 point = sheets.position(8 * static_cast<CubeCell>(voxel));
-        if (hasPoint(input_.part.share().own(), point))
-        {
-          own.push_back(corners_.of(point));
-        }
+        own.push_back(corners_.of(sheets.position(8 * static_cast<CubeCell>(voxel))));
       }
     });
   const std::vector<std::int64_t> all = medial::atFirst(input_.communicator, std::move(own));
@@ -181,56 +218,28 @@ std::vector<CornerCells> SharedThinning::thin(const ThinningPart& part,
     this->undecided(here, thinning ? &*thinning : nullptr, checkpoint);
   DepthRequests depths(input_.communicator, input_.part.share(), extents_, part.depth,
     input_.values.extent);
-  std::vector<std::int64_t> edges; // position and axis
-  depths.during(
-    [&](SparseVoxels& voxels)
-    {
-      this->atFirst(
-        [&]
-        {
-          thinning->addCore(
-            coreOf(voxels, thinning->complex(), thinning->crossings(), undecided, checkpoint));
-          for (int axis = 0; axis < 3; ++axis)
-          {
-            for (const CubeCell edge : cellsOf(thinning->complex(), kEdgeKind + axis))
-            {
-              edges.push_back(3 * static_cast<std::int64_t>(CubicalComplex::index(edge)) + axis);
-            }
-          }
-        });
-    });
+  std::vector<std::int64_t> edges;
+  const auto findCore = [&](SparseVoxels& voxels)
+  {
+    thinning->addCore(
+      coreOf(voxels, thinning->complex(), thinning->crossings(), undecided, checkpoint));
+    edges = edgesOf(thinning->complex());
+  };
+  depths.during([&](SparseVoxels& voxels) { this->atFirst([&] { findCore(voxels); }); });
   const std::vector<std::uint8_t> answers = this->separating(part, edges);
   std::vector<CornerCells> left;
-  depths.during(
-    [&](SparseVoxels& voxels)
-    {
-      this->atFirst(
-        [&]
-        {
-          const GridFrame& frame = input_.part.field().frame();
-          CubicalComplex separating(corners_.size());
-          for (std::size_t i = 0; i < edges.size(); ++i)
-          {
-            if (answers[i] != 0)
-            {
-              separating.insert(8 * (edges[i] / 3) + kEdgeKind + edges[i] % 3);
-            }
-          }
-          std::vector<std::int64_t>().swap(edges);
-          std::vector<std::size_t> around;
-          for (const CubeCell vertex : cellsOf(thinning->complex(), kVertexKind))
-          {
-            around.push_back(CubicalComplex::index(vertex));
-          }
-          voxels.loadAround(around, 1);
-          const MedialAxisOptions& options = input_.options;
-          thinning->burn([&](std::size_t voxel) { return voxels.at(voxel); },
-            [&](CubeCell edge) { return separating.has(edge); }, frame.step,
-            { glm::radians(options.angle), options.lambda / frame.unit,
-              options.radius / frame.unit });
-          left = cornersOf(thinning->complex());
-        });
-    });
+  const auto burn = [&](SparseVoxels& voxels)
+  {
+    const CubicalComplex separating = cellsOfEdges(corners_.size(), edges, answers);
+    loadAround(thinning->complex(), voxels);
+    const GridFrame& frame = input_.part.field().frame();
+    const MedialAxisOptions& options = input_.options;
+    thinning->burn([&](std::size_t voxel) { return voxels.at(voxel); },
+      [&](CubeCell edge) { return separating.has(edge); }, frame.step,
+      { glm::radians(options.angle), options.lambda / frame.unit, options.radius / frame.unit });
+    left = cornersOf(thinning->complex());
+  };
+  depths.during([&](SparseVoxels& voxels) { this->atFirst([&] { burn(voxels); }); });
   return left;
 }
 
@@ -264,6 +273,13 @@ std::vector<std::uint8_t> SharedThinning::separating(const ThinningPart& part,
         here->cell(corners_.position(edge / 3), kEdgeKind + static_cast<int>(edge % 3));
       return probe->separates(*here, cell) ? 1 : 0;
     });
+}
+
+void SharedThinning::finish()
+{
+  std::vector<Crossing>().swap(own_);
+  selected_ = {};
+  std::vector<std::int64_t>().swap(numbers_);
 }
 
 } // namespace medial

@@ -45,13 +45,13 @@ public:
   /// Topology of the solids since select(), on the first rank.
   const CellTopology& topology() const { return topology_; }
   /// Drops what thinning alone needs.
-  void finish() { selected_ = {}; }
+  void finish();
 
 private:
   bool isFirst() const { return input_.communicator.rank() == 0; }
   template <typename Work>
   void atFirst(const Work& work) const;
-  SelectedCrossings selectedWithin(const DepthField& depth);
+  SelectedCrossings selectedWithin(const DepthField& depth) const;
   std::vector<std::size_t> undecided(const SolidVoxels& here, const SolidThinning* thinning,
     const Checkpoint& checkpoint) const;
   std::vector<std::uint8_t> separating(const ThinningPart& part,
