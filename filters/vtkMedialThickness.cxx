@@ -42,16 +42,10 @@ constexpr vtkMedialEnumeration<medial::ThicknessMethod, 3> MethodValues = { "Met
   } };
 
 //------------------------------------------------------------------------------
-// Nothing for 0.
-std::optional<double> LimitOf(const char* name, double value)
+// Nothing for 0; the library checks all else.
+std::optional<double> LimitOf(double value)
 {
-  if (!(value >= 0.0))
-  {
-    std::ostringstream text;
-    text << name << " " << value << " is outside [0, infinity)";
-    throw medial::Error(medial::ErrorCode::InvalidInput, text.str());
-  }
-  return value > 0.0 ? std::optional(value) : std::nullopt;
+  return value != 0.0 ? std::optional(value) : std::nullopt;
 }
 
 //------------------------------------------------------------------------------
@@ -70,9 +64,9 @@ struct Request
 Request ToRequest(vtkMedialThickness* filter, vtkProgressBridge& progress)
 {
   Request request;
-  request.Limits = { LimitOf("minimum thickness", filter->GetMinimumThickness()),
-    LimitOf("maximum thickness", filter->GetMaximumThickness()) };
-  request.MaximumEdgeLength = LimitOf("maximum edge length", filter->GetMaximumEdgeLength());
+  request.Limits = { LimitOf(filter->GetMinimumThickness()),
+    LimitOf(filter->GetMaximumThickness()) };
+  request.MaximumEdgeLength = LimitOf(filter->GetMaximumEdgeLength());
   request.Options.angle = filter->GetAngle();
   request.Options.side = vtkMedialSides.ToLibrary(filter->GetSide());
   request.Options.method = MethodValues.ToLibrary(filter->GetMethod());

@@ -203,7 +203,8 @@ medial::DistanceFieldOptions vtkMeshFieldAlgorithm::vtkInternals::MakeOptions(
   const vtkMeshFieldAlgorithm* self = this->Self;
   if (self->MemoryLimit != 0 && self->MemoryLimit < medial::kMinMemoryMiB)
   {
-    vtkThrowBadParameter("MemoryLimit", self->MemoryLimit, "0 or >= 64 (MiB)");
+    vtkThrowBadParameter("MemoryLimit", self->MemoryLimit,
+      "0 or >= " + std::to_string(medial::kMinMemoryMiB) + " (MiB)");
   }
   medial::DistanceFieldOptions options;
   options.sign = vtkMedialSignMethods.ToLibrary(self->SignMethod);

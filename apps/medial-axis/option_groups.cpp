@@ -330,8 +330,8 @@ void addRunOptions(CLI::App& app, OptionTexts& texts, Options& options)
     .add_option("--memory", options.memoryMiB,
       "upper bound on the memory for slabs, in MiB, >= 64; 0 chooses one; default 0")
     ->option_text("MiB")
-    ->check(
-      within<int>("[64, 2147483647] and not 0", [](int m) { return m == 0 || m >= kMinMemoryMiB; }))
+    ->check(within<int>("[" + std::to_string(kMinMemoryMiB) + ", 2147483647] and not 0",
+      [](int m) { return m == 0 || m >= kMinMemoryMiB; }))
     ->group(group);
   addEngineOption(app, texts.engine, group);
   addDeviceOptions(app, options.device, group);

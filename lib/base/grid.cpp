@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <string>
 
 namespace medial
 {
@@ -19,10 +20,7 @@ constexpr char kAxisNames[] = "xyz";
 
 [[noreturn]] void throwBadSpacing(double spacing, int axis)
 {
-  std::ostringstream message;
-  message << "spacing " << spacing << " along " << kAxisNames[axis]
-          << " is not a positive finite number";
-  throw Error(ErrorCode::InvalidInput, message.str());
+  throwOutside(std::string("spacing along ") + kAxisNames[axis], spacing, "(0, infinity)");
 }
 
 bool isPositiveFinite(double value)

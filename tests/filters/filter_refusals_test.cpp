@@ -47,8 +47,8 @@ TYPED_TEST(FilterContract, RefusesBadGrids)
       f->SetSpacing(x, y, z);
     };
   };
-  this->expectError(spacing(0.1, 0.0, 0.1), repair, "spacing 0");
-  this->expectError(spacing(0.1, 0.1, -2.0), repair, "spacing -2");
+  this->expectError(spacing(0.1, 0.0, 0.1), repair, "spacing along y 0 is outside (0, infinity)");
+  this->expectError(spacing(0.1, 0.1, -2.0), repair, "spacing along z -2 is outside (0, infinity)");
   this->expectError(spacing(0.1, 1e-5, 0.1), repair, "8192");
   const auto explicitly = [](int nx, double ox)
   {

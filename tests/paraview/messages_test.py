@@ -53,7 +53,7 @@ class Messages(unittest.TestCase):
     def test_parameters_outside_their_range(self):
         self.expect("resolution 1 is outside [2, 8192]", MedialAxis,
                     {"Input": box(), "Resolution": 1}, Resolution=16)
-        self.expect("spacing -0.1 along y", MeshDistanceField,
+        self.expect("spacing along y -0.1 is outside", MeshDistanceField,
                     {"Input": box(), "GridMode": "Spacing", "Spacing": [0.1, -0.1, 0.1]},
                     Spacing=[0.1, 0.1, 0.1])
         self.expect("minimum lambda -1 is outside [0, infinity)", MedialAxis,
