@@ -41,6 +41,10 @@ std::optional<RayEnd> OppositeSurface::find(const HalfLine& ray, double sign, co
   RayEnd end;
   const auto look = [&](int face)
   {
+    if (sites_.faceNormal(face) == glm::dvec3(0.0))
+    {
+      return; // without area: what is beside it counts
+    }
     const glm::ivec3& corners = sites_.faces()[face];
     const double distance = ray.distanceTo(sites_.points()[corners[0]], sites_.points()[corners[1]],
       sites_.points()[corners[2]], kMargin);

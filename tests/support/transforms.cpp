@@ -1,9 +1,12 @@
 #include "support/transforms.h"
 
+#include "support/point_math.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <random>
 #include <utility>
 
 namespace medial::test
@@ -173,6 +176,40 @@ TriangleMesh subdivided(TriangleMesh mesh, int times)
     mesh = makeMesh(points, triangles);
   }
   return mesh;
+}
+
+TriangleMesh withFlatTriangles(const TriangleMesh& mesh, int places, double height,
+  unsigned int seed)
+{
+  std::mt19937 generator(seed);
+  const auto random = [&](std::size_t count) { return generator() % count; };
+  const auto share = [&]() { return static_cast<double>(generator()) / 4294967296.0; };
+  std::vector<Point3> points = mesh.points;
+  std::vector<std::array<int, 3>> triangles = mesh.triangles;
+  for (int place = 0; place < places; ++place)
+  {
+    const std::size_t divided = random(triangles.size());
+    const std::size_t side = random(3);
+    const int a = triangles[divided][side];
+    const int b = triangles[divided][(side + 1) % 3];
+    const int c = triangles[divided][(side + 2) % 3];
+    const double along = 0.1 + 0.8 * share();
+    const double angle = 6.28 * share();
+    const double length = distance(points[a], points[b]);
+    Point3 between{};
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      between[axis] = (1.0 - along) * points[a][axis] + along * points[b][axis];
+    }
+    between[0] += height * length * std::cos(angle);
+    between[1] += height * length * std::sin(angle);
+    const auto middle = static_cast<int>(points.size());
+    points.push_back(between);
+    triangles[divided] = { a, middle, c };
+    triangles.push_back({ middle, b, c });
+    triangles.push_back({ a, b, middle });
+  }
+  return makeMesh(points, triangles);
 }
 
 TriangleMesh appended(const TriangleMesh& a, const TriangleMesh& b)

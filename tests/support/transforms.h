@@ -39,6 +39,14 @@ TriangleMesh flipOrientation(TriangleMesh mesh);
 /// Every triangle cut into four at the middles of its edges, `times` times; the shape is the same.
 TriangleMesh subdivided(TriangleMesh mesh, int times);
 
+/// As files of CAD programs have them: at the places named, an edge has a further point, but only
+/// the triangle on one side of it knows that; a triangle without area closes the gap.
+/// @param places any number of them, chosen by a seed; later ones may lie on edges of such
+/// triangles.
+/// @param height of these triangles as a share of their length, in any direction.
+TriangleMesh withFlatTriangles(const TriangleMesh& mesh, int places, double height,
+  unsigned int seed);
+
 /// Both meshes in one, bit-equal points welded; cell ids of `b` follow those of `a`.
 TriangleMesh appended(const TriangleMesh& a, const TriangleMesh& b);
 

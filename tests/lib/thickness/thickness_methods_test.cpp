@@ -249,6 +249,19 @@ TEST(ThicknessMethods, RaysPassTheSurfaceThatTheyStartOn)
   EXPECT_NEAR(thickness.values[4], 0.5, kRounding);
 }
 
+// A ray beside such a triangle of the side that it runs along ended there.
+TEST(ThicknessMethods, RaysDoNotEndAtTrianglesWithoutArea)
+{
+  const TriangleMesh plate = tilted(box({ 5.0, 3.0, 0.1 }));
+  for (const unsigned int seed : { 1U, 2U, 3U, 4U })
+  {
+    const TriangleMesh mesh = withFlatTriangles(plate, 60, 0.0, seed);
+    const Thickness thickness = thicknessOf(mesh, ThicknessMethod::Ray);
+    EXPECT_NEAR(thickness.min, 0.2, kRounding) << seed;
+    EXPECT_LT(thickness.max, 12.0) << seed;
+  }
+}
+
 TEST(ThicknessMethods, AreTheSameForAnyNumberOfThreads)
 {
   const TriangleMesh mesh = tilted(subdivided(wedge(40.0, 2.0, 1.0), 4));
